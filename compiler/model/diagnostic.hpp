@@ -1,0 +1,57 @@
+#pragma once
+// Errors of the compiler are values: a stage returns its result or every diagnostic it found.
+
+#include <optional>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+namespace mbgen {
+
+/// Where a value of the model was written.
+struct Where {
+  std::string file;     ///< as given on the command line or in `include`
+  int line = 0;         ///< 1-based; 0 when the text has no line (for example a missing file)
+  int column = 0;       ///< 1-based, in bytes
+  std::string pointer;  ///< JSON pointer (RFC 6901), "" for the whole document
+};
+
+/// One problem: `file:line:column: pointer: message`, then the source line with a caret and a hint.
+struct Diagnostic {
+  Where where;
+  std::string message;      ///< rule and value, lower case, no full stop
+  std::string hint;         ///< what to do; may be empty
+  std::string source_line;  ///< the line of text that `where` names; may be empty
+};
+
+using Diagnostics = std::vector<Diagnostic>;
+
+/// Text of one diagnostic as people read it, with a final newline.
+std::string to_text(const Diagnostic& diagnostic);
+
+/// Text of all diagnostics, in order of appearance.
+std::string to_text(const Diagnostics& diagnostics);
+
+/// A value, or the diagnostics that say why there is none.
+template <class Value>
+class Result {
+ public:
+  Result(Value value) : content_(std::move(value)) {}
+  Result(Diagnostics problems) : content_(std::move(problems)) {}
+  Result(Diagnostic problem) : content_(Diagnostics{std::move(problem)}) {}
+
+  explicit operator bool() const { return content_.index() == 0; }
+  /// Requires: the result holds a value.
+  const Value& operator*() const { return std::get<0>(content_); }
+  Value& operator*() { return std::get<0>(content_); }
+  const Value* operator->() const { return &std::get<0>(content_); }
+  Value* operator->() { return &std::get<0>(content_); }
+  /// Requires: the result holds diagnostics.
+  const Diagnostics& problems() const { return std::get<1>(content_); }
+
+ private:
+  std::variant<Value, Diagnostics> content_;
+};
+
+}  // namespace mbgen

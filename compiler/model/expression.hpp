@@ -1,0 +1,54 @@
+#pragma once
+// Expressions of the model format: a small arithmetic grammar without side effects, held in postfix order.
+//
+//   sum     = product { ("+" | "-") product }          power  = unary [ "^" power ]
+//   product = unary { ("*" | "/") unary }              unary  = [ "-" | "+" ] power-or-atom
+//   atom    = number | "pi" | "t" | parameter | input | local | "z." name | "zd." name
+//           | function "(" sum { "," sum } ")" | "(" sum ")"
+// functions: sqrt sin cos tan asin acos atan atan2 exp log tanh abs min max pow sign step
+//   sign(x) = -1, 0, 1;  step(x) = 1 for x >= 0, else 0;  select(x, a, b) = a for x >= 0, else b
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace mbgen {
+
+/// A relative coordinate of the model: a joint and one of its freedoms. Resolved to a tree coordinate by Topology.
+struct CoordinateReference {
+  int joint = -1;      ///< index into Model::joints
+  int component = 0;   ///< index into Joint::freedoms
+  bool operator==(const CoordinateReference&) const = default;
+};
+
+enum class Function : std::uint8_t {
+  add, subtract, multiply, divide, negate, power,
+  sqrt, sin, cos, tan, asin, acos, atan, atan2, exp, log, tanh, abs, min, max, sign, step, select
+};
+
+/// One postfix node. `first`, `second`, `third` are indices of earlier nodes.
+struct ExpressionNode {
+  enum class Kind : std::uint8_t { number, parameter, input, time, position, velocity, local, call };
+  Kind kind = Kind::number;
+  Function function = Function::add;    ///< for Kind::call
+  double number = 0;                    ///< for Kind::number
+  int index = -1;                       ///< parameter, input or local index
+  CoordinateReference coordinate;       ///< for Kind::position and Kind::velocity
+  int first = -1, second = -1, third = -1;
+};
+
+/// The last node is the value. `text` is what the user wrote.
+struct Expression {
+  std::string text;
+  std::vector<ExpressionNode> nodes;
+};
+
+/// A number of the model: a constant, or an expression that depends on more than untunable parameters.
+struct Quantity {
+  double value = 0;      ///< the constant, or the value at default parameters and inputs, t = 0, all coordinates zero
+  int expression = -1;   ///< index into Model::expressions, -1 for a constant
+  Quantity() = default;
+  Quantity(double constant) : value(constant) {}
+};
+
+}  // namespace mbgen

@@ -1,0 +1,166 @@
+#pragma once
+// The door of the program room: the symbolic program, one straight-line SSA array with operands earlier than users.
+
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <string>
+#include <unordered_map>
+#include <vector>
+
+namespace mbgen {
+
+using ValueId = std::uint32_t;
+constexpr ValueId kNoValue = 0xffffffffu;
+
+enum class Op : std::uint8_t {
+  constant, input,
+  add, subtract, multiply, divide, negate,
+  sqrt, sin, cos, tan, asin, acos, atan, atan2, exp, log, pow, tanh, abs, min, max,
+  select   ///< select(x, a, b): a where x >= 0, else b (b for NaN)
+};
+
+/// One value. `operands` beyond the arity of `op` are kNoValue.
+struct Node {
+  Op op = Op::constant;
+  ValueId operands[3] = {kNoValue, kNoValue, kNoValue};
+  double constant = 0;             ///< for Op::constant
+  std::int32_t input = -1;         ///< for Op::input: index into Program::inputs
+  std::uint16_t section = 0;       ///< index into Program::sections
+  std::uint16_t block = 0;         ///< index into Program::blocks
+  std::int32_t label = -1;         ///< index into Program::labels, or -1
+};
+
+/// An input or output: `group` is the array it belongs to ("z", "zd", "tau", "zdd", ...), `index` its place there.
+struct Slot {
+  std::string group;
+  int index = 0;
+  bool operator==(const Slot&) const = default;
+};
+
+struct OutputValue {
+  Slot slot;
+  ValueId value = kNoValue;
+};
+
+/// A straight-line program. Invariants (see verify): operands earlier than users, indices in range, no duplicate inputs or outputs.
+struct Program {
+  std::string name;                    ///< name of the emitted function
+  std::vector<Node> nodes;
+  std::vector<Slot> inputs;
+  std::vector<OutputValue> outputs;
+  std::vector<std::string> sections;   ///< titles, in order of the paper's steps; nodes of one section need not be contiguous
+  std::vector<std::string> blocks;     ///< titles such as "carrier_left: carrier_left_ry, revolute, carrier_left_aux2"; 0 is ""
+  std::vector<std::string> labels;     ///< names given by the formulation, for example "R_carrier_left_xz"
+};
+
+int arity(Op op);
+const char* op_name(Op op);
+
+/// Appends with the rules fold, look up, push. One builder per program under construction.
+/// Rules (one way only): constants fold; x+0, x-0, x*1, x/1 -> x; x*0 -> 0; 0/x -> 0; x*-1, x/-1, 0-x -> -x; --x -> x;
+/// x+(-y) -> x-y; x-(-y) -> x+y; (-x)+y -> y-x; x-x -> 0; (-x)*y -> -(x*y), (-x)*(-y) -> x*y, likewise /; (-x)-y -> -(x+y);
+/// x/constant -> x*(1/constant) only when 1/constant is exact; commuted operands are ordered; equal nodes are shared;
+/// sin(-x) -> -sin x, cos(-x) -> cos x, abs(-x) -> abs x, select with constant x folds.
+class ProgramBuilder {
+ public:
+  explicit ProgramBuilder(std::string name);
+
+  ValueId constant(double value);
+  /// The input of this slot; created at first use.
+  ValueId input(const std::string& group, int index);
+  ValueId append(Op op, ValueId first, ValueId second = kNoValue, ValueId third = kNoValue);
+  void output(const std::string& group, int index, ValueId value);
+
+  /// Values appended from now on belong to this section / block (found by title, created at first use).
+  void set_section(const std::string& title);
+  void set_block(const std::string& title);
+  /// Names a value; the first name given to a value stays. Constants and inputs are not named.
+  void label(ValueId value, const std::string& name);
+
+  const Node& node(ValueId value) const { return program_.nodes[value]; }
+  bool is_constant(ValueId value, double constant) const;
+
+  /// The finished program, verified. The builder is empty afterwards.
+  Program finish();
+
+ private:
+  ValueId push(Node node);
+  ValueId fold(Op op, ValueId first, ValueId second, ValueId third);
+  Program program_;
+  std::unordered_map<std::string, ValueId> input_of_;
+  std::unordered_multimap<std::uint64_t, ValueId> shared_;
+  std::uint16_t section_ = 0, block_ = 0;
+};
+
+/// Text of the first broken invariant, empty when the program is sound. Always on: called by finish and by every pass.
+std::string verify(const Program& program);
+
+/// Values of all outputs. inputs: in the order of program.inputs; result in the order of program.outputs.
+std::vector<double> interpret(const Program& program, std::span<const double> inputs);
+
+/// Text form, one value a line: `%12 = mul %3 %7  ; R_crank_xz`, sections and blocks as comment lines. Exact: constants shortest-round-trip.
+std::string dump(const Program& program);
+
+/// Numbers of operations after dead values are gone.
+struct OperationCount {
+  long add = 0, multiply = 0, divide = 0, sqrt = 0, trigonometric = 0, other = 0;
+  long total() const { return add + multiply + divide; }   ///< floating-point operations (add, subtract, multiply, divide); negations are free
+};
+OperationCount count_operations(const Program& program);
+/// One count per section, in the order of program.sections.
+std::vector<OperationCount> count_operations_by_section(const Program& program);
+
+/// Forward derivatives: for every output y and every direction given, dy = sum over inputs of (dy/dinput) * seed.
+/// seeds: for each program input, the ValueId-free symbolic seed: index of the seed input in group "seed", or -1 for zero.
+/// Result: the same program plus outputs in groups "d_<group>" with the same index.
+Program differentiate(const Program& program, std::span<const int> seed_of_input);
+
+/// Full Jacobian of the outputs of one group by the inputs of another: outputs in group "d_<output>_d_<input>", index = row * columns + column.
+Program jacobian(const Program& program, const std::string& output_group, const std::string& input_group);
+
+/// A scalar that records. Constants need no builder; mixing with a recorded value takes that value's builder.
+class Expr {
+ public:
+  Expr() = default;
+  Expr(double constant) : constant_(constant) {}
+  Expr(ProgramBuilder& builder, ValueId value) : builder_(&builder), value_(value) {}
+
+  bool is_constant() const;            ///< known at trace time
+  double constant() const;             ///< Requires: is_constant()
+  ValueId value(ProgramBuilder& builder) const;
+  ProgramBuilder* builder() const { return builder_; }
+
+ private:
+  ProgramBuilder* builder_ = nullptr;
+  ValueId value_ = kNoValue;
+  double constant_ = 0;
+};
+
+Expr operator+(const Expr& a, const Expr& b);
+Expr operator-(const Expr& a, const Expr& b);
+Expr operator*(const Expr& a, const Expr& b);
+Expr operator/(const Expr& a, const Expr& b);
+Expr operator-(const Expr& a);
+inline Expr& operator+=(Expr& a, const Expr& b) { return a = a + b; }
+inline Expr& operator-=(Expr& a, const Expr& b) { return a = a - b; }
+inline Expr& operator*=(Expr& a, const Expr& b) { return a = a * b; }
+Expr sqrt(const Expr& a);
+Expr sin(const Expr& a);
+Expr cos(const Expr& a);
+Expr tan(const Expr& a);
+Expr asin(const Expr& a);
+Expr acos(const Expr& a);
+Expr atan(const Expr& a);
+Expr atan2(const Expr& y, const Expr& x);
+Expr exp(const Expr& a);
+Expr log(const Expr& a);
+Expr pow(const Expr& a, const Expr& b);
+Expr tanh(const Expr& a);
+Expr abs(const Expr& a);
+Expr min(const Expr& a, const Expr& b);
+Expr max(const Expr& a, const Expr& b);
+/// a where condition >= 0, else b. Comparison operators do not exist for Expr: they would decide at trace time.
+Expr select(const Expr& condition, const Expr& a, const Expr& b);
+
+}  // namespace mbgen

@@ -1,0 +1,96 @@
+#pragma once
+// The door of the topology room: Model -> Topology. Graph facts only, no physics, no scalar type.
+
+#include "compiler/model/model.hpp"
+
+#include <string>
+#include <vector>
+
+namespace mbgen {
+
+constexpr int kGround = -1;
+
+/// A body of the spanning tree and its input joint of one freedom: coordinate i, joint i and body i share the index i.
+/// Parents have lower indices than their children; the paper's leaf-to-root number of body i is n - i (1-based).
+struct TreeBody {
+  std::string name;             ///< the model body, or "<joint>_aux1".. for the massless bodies inside a joint
+  std::string coordinate;       ///< name of the coordinate, for example "chassis_rz"
+  int parent = kGround;         ///< tree index
+  int model_body = -1;          ///< index into Model::bodies, -1 for an auxiliary body
+  int joint = -1;               ///< index into Model::joints
+  int component = 0;            ///< index into Joint::freedoms
+  FreedomKind kind = FreedomKind::revolute;
+  Vector3 axis{0, 0, 1};        ///< unit, global axes at the reference; the motion of this body relative to its parent for a positive coordinate
+  bool reversed = false;        ///< the tree runs from `to` to `from`: axis already has the sign, the joint's point is that of `from` or `to` alike
+  bool massless = false;        ///< mass and inertia exactly zero, not tunable, and no rod end with mass on it
+};
+
+enum class ClosureKind { spherical, revolute, prismatic, universal, cylindrical, planar, fixed, rod };
+
+/// A closure: a cut joint or a rod. A cut joint of type free closes nothing and is not listed.
+struct Loop {
+  std::string name;
+  ClosureKind kind = ClosureKind::spherical;
+  int joint = -1;               ///< index into Model::joints, or -1
+  int rod = -1;                 ///< index into Model::rods, or -1
+  int body_from = kGround;      ///< tree indices of the two closed bodies, kGround for ground
+  int body_to = kGround;
+  int ancestor = kGround;       ///< lowest common ancestor (tree index)
+  std::vector<int> joints;      ///< tree joints above the ancestor, ascending: the symmetric difference of two rows of T
+  int equations = 0;            ///< spherical 3, revolute 5, prismatic 5, universal 4, cylindrical 4, planar 3, fixed 6, rod 1
+};
+
+/// Loops that share joints, directly or through others.
+struct LoopBlock {
+  std::vector<int> loops;       ///< ascending indices into Topology::loops
+  std::vector<int> joints;      ///< ascending tree indices
+  int base = kGround;           ///< the body all of the block moves on: lowest common ancestor of its loops
+  int equations = 0;
+};
+
+/// A loop block or a single joint outside all blocks: the unit of projection and elimination.
+struct JointGroup {
+  int block = -1;               ///< index into Topology::blocks, -1 for a single joint
+  std::vector<int> joints;      ///< ascending tree indices
+  int base = kGround;           ///< body the group moves on
+  int parent = -1;              ///< group of the base body's joint, -1 on ground; parents come before children
+};
+
+struct Topology {
+  std::vector<TreeBody> bodies;            ///< n tree bodies, parents first
+  std::vector<std::vector<int>> children;  ///< children[i], ascending
+  std::vector<int> roots;                  ///< bodies whose parent is ground
+  std::vector<int> tree_body;              ///< per model body: tree index it moves with (fixed joints merged), kGround for ground
+  std::vector<Loop> loops;                 ///< in order: cut joints as in the model, then rods
+  std::vector<LoopBlock> blocks;
+  std::vector<JointGroup> groups;          ///< parents before children
+  std::vector<int> group_of;               ///< per tree joint
+  std::vector<std::string> cut_reasons;    ///< per cut joint, why it was cut: "marked", or the rule that chose it
+  int size() const { return static_cast<int>(bodies.size()); }
+};
+
+/// Finds the tree, the cuts, the loops and the blocks.
+/// Fails: a body with no path to ground, joints marked "cut": false that form a cycle (two tree parents), a joint whose
+/// coordinate is driven, sprung or named in an expression but had to be cut; each names the body or joint and its place.
+/// Source: theory.md sections 1 and 3.
+Result<Topology> build_topology(const Model& model);
+
+/// True when joint j lies on the path from the root to body i, T_ij of (39). kGround is on no path.
+bool on_path(const Topology& topology, int i, int j);
+
+/// Dense path matrix T, row i and column j in the paper's leaf-to-root numbering (39).
+std::vector<std::vector<int>> path_matrix(const Topology& topology);
+
+/// Lowest common ancestor of two tree bodies, kGround when they meet at ground only.
+int lowest_common_ancestor(const Topology& topology, int a, int b);
+
+/// Joint indices from body i (inclusive) towards `base` (exclusive), leaf first.
+std::vector<int> path_to(const Topology& topology, int i, int base);
+
+/// Tree index of a coordinate of the model, or -1 when its joint was cut.
+int tree_coordinate(const Topology& topology, const CoordinateReference& reference);
+
+/// Index of the coordinate of this name, or -1.
+int find_coordinate(const Topology& topology, const std::string& name);
+
+}  // namespace mbgen

@@ -1,0 +1,61 @@
+#pragma once
+// The generic runtime: double-step Maggi for any model without generating code, theory.md sections 1 to 5 on Eigen.
+
+#include "compiler/analysis/analysis.hpp"
+#include "compiler/model/model.hpp"
+#include "compiler/topology/topology.hpp"
+#include "mbgen/status.hpp"
+
+#include <memory>
+#include <vector>
+
+namespace mbgen {
+
+/// State of any model: all coordinates, all velocities, auxiliary states, time.
+struct GenericState {
+  std::vector<double> z, zd, x;
+  double t = 0;
+};
+
+struct GenericDerivative {
+  std::vector<double> zdd, xd;
+};
+
+/// What a model's outputs function gives.
+struct GenericOutputs {
+  std::vector<double> y;
+  double kinetic_energy = 0, potential_energy = 0, applied_power = 0;
+};
+
+/// Solver of one model at double. Copies what it needs of its arguments.
+class GenericSolver {
+ public:
+  GenericSolver(const Model& model, const Topology& topology, const Analysis& analysis);
+  ~GenericSolver();
+  GenericSolver(GenericSolver&&) noexcept;
+
+  /// inputs, parameters: values in model order (all inputs; tunable parameters only).
+  void set_inputs(const std::vector<double>& inputs);
+  void set_parameters(const std::vector<double>& tunable_parameters);
+
+  /// All accelerations at a state, partition by full pivoting at every call (60)-(63). tau: per coordinate.
+  Status accelerations(const GenericState& state, const std::vector<double>& tau, GenericDerivative& derivative) const;
+  /// Newton on the dependent coordinates, then consistent velocities; driven coordinates are set from their motions.
+  /// Fails: loop_not_closed, loop_singular; the state is then unchanged.
+  Status project(GenericState& state) const;
+  /// Lagrange multipliers in the order of Topology::loops, given accelerations.
+  std::vector<double> multipliers(const GenericState& state, const std::vector<double>& tau, const GenericDerivative& derivative) const;
+  /// Closure residuals in the order of Topology::loops (positions), and Phi_z zd - ct (velocities).
+  std::vector<double> position_residuals(const GenericState& state) const;
+  std::vector<double> velocity_residuals(const GenericState& state) const;
+  GenericOutputs outputs(const GenericState& state, const std::vector<double>& tau, const GenericDerivative& derivative) const;
+  /// Static equilibrium with the driven coordinates at their motions: zero velocities, closures satisfied, generalised
+  /// forces of the free directions zero (least change of position where they are indifferent).
+  Status equilibrium(GenericState& state) const;
+
+ private:
+  struct Content;
+  std::unique_ptr<Content> content_;
+};
+
+}  // namespace mbgen
