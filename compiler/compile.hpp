@@ -1,0 +1,29 @@
+#pragma once
+// The whole pipeline as a page one reads aloud.
+
+#include "compiler/analysis/analysis.hpp"
+#include "compiler/emit/emit.hpp"
+#include "compiler/model/model.hpp"
+#include "compiler/topology/topology.hpp"
+#include "compiler/trace/trace.hpp"
+
+#include <string>
+#include <vector>
+
+namespace mbgen {
+
+/// Everything that is known of a model before a line of code is emitted.
+struct Compilation {
+  Model model;
+  Topology topology;
+  Analysis analysis;
+  Programs programs;
+};
+
+/// Reads, checks, analyses and traces the model of a file. Fails: as the first stage that fails.
+Result<Compilation> compile(const std::string& path);
+
+/// The files of the specialised solver, see emit.
+std::vector<EmittedFile> emit(const Compilation& compilation, const EmitOptions& options = {});
+
+}  // namespace mbgen

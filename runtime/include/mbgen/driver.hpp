@@ -1,0 +1,75 @@
+#pragma once
+// The table through which mbgen drives a compiled solver that it loaded: plain functions over plain double arrays.
+
+#include "mbgen/status.hpp"
+
+namespace mbgen {
+
+/// Layout of SolverTable; a loaded library with another number was made by another mbgen.
+constexpr int kSolverTableLayout = 1;
+
+/// Sizes and functions of one generated solver. Arrays, all in SI units and in the order of the model:
+///   parameters  the tunable ones                 inputs   all of them
+///   state       z[n] zd[n] x[nx] t               derivative   zdd[n] xd[nx]
+///   tau         n generalised joint forces, added to those of the model
+/// Every function is re-entrant, allocates nothing and leaves its results untouched unless the status is ok.
+struct SolverTable {
+  int layout;              ///< kSolverTableLayout
+  const char* model;       ///< name of the model
+  const char* hash;        ///< content hash of the model, 16 hex digits
+  int coordinates;         ///< n
+  int auxiliary_states;    ///< nx
+  int state_size;          ///< 2 n + nx + 1
+  int derivative_size;     ///< n + nx
+  int parameters;
+  int inputs;
+  int outputs;
+  int multipliers;         ///< one per closure equation
+  int drives;              ///< one per motion
+  int closure_equations;   ///< position residuals
+  int loop_blocks;
+  long history_bytes;      ///< size of the buffer that start_abm4 and step_abm4 work on, alignment that of double
+
+  const double* default_parameters;
+  const double* default_inputs;
+
+  /// All accelerations at a state.
+  Status (*accelerations)(const double* parameters, const double* inputs, const double* state, const double* tau,
+                          double* derivative) noexcept;
+
+  /// Closes the loops by Newton from the state as a guess, sets driven coordinates, makes the velocities consistent.
+  Status (*project)(const double* parameters, const double* inputs, double* state) noexcept;
+
+  /// One step of h seconds, with projection at its end; tau is zero.
+  Status (*step_rk4)(const double* parameters, const double* inputs, double* state, double h) noexcept;
+
+  /// Empties a history: the next steps start up by Runge-Kutta.
+  void (*start_abm4)(void* history) noexcept;
+  Status (*step_abm4)(const double* parameters, const double* inputs, double* state, void* history, double h) noexcept;
+
+  /// Outputs y[outputs] and energy[3]: kinetic (J), potential of gravity (J), power of the other applied forces (W).
+  Status (*output_values)(const double* parameters, const double* inputs, const double* state, const double* tau,
+                          const double* derivative, double* y, double* energy) noexcept;
+
+  /// Multipliers lambda[multipliers] and generalised driving forces drive[drives].
+  Status (*multiplier_values)(const double* parameters, const double* inputs, const double* state, const double* tau,
+                              const double* derivative, double* lambda, double* drive) noexcept;
+
+  /// Position residuals Phi and velocity residuals Phi_z zd - ct, closure_equations of each, block after block.
+  Status (*residuals)(const double* parameters, const double* inputs, const double* state, double* position,
+                      double* velocity) noexcept;
+
+  /// Name of the coordinate or loop block that a status names, "" when it names none.
+  const char* (*describe)(Status status) noexcept;
+
+  /// Evaluates accelerations at each of `count` states (state after state, tau after tau), `repetitions` times, for
+  /// whoever holds a clock. Result: evaluations that were not ok. Sixteen states are in turn, so that each evaluation
+  /// meets data that the one before did not.
+  long long (*time_accelerations)(const double* parameters, const double* inputs, const double* states,
+                                  const double* taus, int count, int repetitions) noexcept;
+};
+
+}  // namespace mbgen
+
+/// The only symbol a compiled driver exports.
+extern "C" const mbgen::SolverTable* mbgen_solver_table();
