@@ -1,7 +1,8 @@
 #pragma once
 // A tyre on a flat road: load, slips with relaxation down to rest, forces and moments at the contact point.
 
-#include "mbgen/magic_formula.hpp"
+#include "mbgen/pac2002.hpp"
+#include "mbgen/pac89.hpp"
 
 namespace mbgen {
 
@@ -40,8 +41,117 @@ struct TyreResult {
   T kappa, alpha;            ///< slips behind the forces: 1, driving positive; rad, sliding left positive
 };
 
-/// Forces of a tyre on a flat road. Set: Pac2002<T> or Pac89<T>.
+namespace tyre_law {
+
+/// Damping over stiffness, s, of the contact of a standing wheel: a damping ratio of about 0.3 for a vehicle that rocks on
+/// its tyres at 22 rad/s, and within reach of explicit steps of 1 ms when a wheel's own inertia rocks at 200 rad/s.
+inline constexpr double kSlipDampingTime = 0.03;
+/// Deflection over relaxation length at which a standing contact slides: about what friction over stiffness allows.
+inline constexpr double kSlidingDeflection = 0.1;
+/// Least remaining share of that deflection, so that a sliding contact at a standstill has a finite slip.
+inline constexpr double kLeastRemainder = 1e-3;
+
+/// Vertical load of one tyre, N: spring and damper without adhesion. The damper's push is limited to the spring's
+/// force, so that the load grows from zero at touchdown whatever the speed.
+template <class T>
+T load(const TyreProperties<T>& tyre, const TyreContact<T>& contact) {
+  const T spring = max(tyre.stiffness * contact.deflection, T(0));
+  return max(spring + min(tyre.damping * contact.deflection_rate, spring), T(0));
+}
+
+/// Effective rolling radius, m: a third of the deflection below the unloaded radius.
+/// Source: G. Rill, Road Vehicle Dynamics, section 3.2 (r_D = 2/3 r_0 + 1/3 r_S).
+template <class T>
+T rolling_radius(const TyreProperties<T>& tyre, const TyreContact<T>& contact) {
+  return tyre.radius - max(contact.deflection, T(0)) * (1.0 / 3.0);
+}
+
+/// Slips that the forces follow, and the rates of the deflection states.
+template <class T>
+struct Slip {
+  T kappa, alpha;  ///< 1, rad
+  T du, dv;        ///< m/s
+};
+
+/// Slips with relaxation, valid down to rest.
+///
+///   du/dt = -Vsx - (|Vx| + |Vs| / r) u / sigma_x        q = (u / sigma_x, v / sigma_y),  Vsx = Vx - Omega R_e
+///   dv/dt = -Vsy - (|Vx| + |Vs| / r) v / sigma_y        kappa = q_x / (1 - |q| / r),  tan alpha = -q_y / (1 - |q| / r)
+///
+/// At rest a contact deflects by at most r sigma, then slides: |q| < r holds for ever. In steady rolling, at any slip,
+/// kappa = -Vsx / |Vx| and tan alpha = Vsy / |Vx| exactly; small slips relax over sigma as in the linear law. The limit
+/// r = kSlidingDeflection (1 + |Vx| / low_speed) leaves the linear law as the speed grows.
+/// Below low_speed a term in Vs that fades out with the speed damps the contact.
+/// Source: Pacejka, sections 8.3 and 8.6 (linear relaxation, low-speed damping); the limit is the transport form of
+/// P. R. Dahl's friction, "Solid Friction Damping of Mechanical Vibrations", AIAA Journal 14(12), 1976.
+template <class T>
+Slip<T> slip(const TyreProperties<T>& tyre, const TyreContact<T>& contact) {
+  using std::atan;
+  using std::cos;
+  using std::sqrt;
+  const T vsx = contact.vx - contact.spin * rolling_radius(tyre, contact);
+  const T vsy = contact.vy;
+  const T speed = abs(contact.vx);
+  const T limit = kSlidingDeflection * (1.0 + speed / tyre.low_speed);
+  const T qx = contact.u / tyre.relaxation_x;
+  const T qy = contact.v / tyre.relaxation_y;
+  const T transport = speed + sqrt(vsx * vsx + vsy * vsy + magic::kRootFloor) / limit;
+  const T used = sqrt(qx * qx + qy * qy + magic::kRootFloor) / limit;
+  const T growth = 1.0 / max(1.0 - used, T(kLeastRemainder));
+  const T fade = 0.5 + 0.5 * cos(magic::kPi * min(speed / tyre.low_speed, T(1)));
+  const T damping = kSlipDampingTime * fade;
+  return {qx * growth - damping * vsx / tyre.relaxation_x, atan(damping * vsy / tyre.relaxation_y - qy * growth),
+          -vsx - transport * qx, -vsy - transport * qy};
+}
+
+/// Forces of the set in contact axes (x forward, y left, z up).
+template <class T>
+TyreForces<T> formula(const Pac2002<T>& set, const T& fz, const T& kappa, const T& alpha, const T& gamma,
+                      const T& friction) {
+  return magic_formula_pac2002(set, fz, kappa, alpha, gamma, friction);
+}
+
+template <class T>
+TyreForces<T> formula(const Pac89<T>& set, const T& fz, const T& kappa, const T& alpha, const T& gamma,
+                      const T& friction) {
+  const TyreForces<T> forces = magic_formula_pac89(set, fz, kappa, alpha, gamma, friction);
+  return {forces.fx, -forces.fy, -forces.mz, forces.mx};
+}
+
+/// Scaling of the rolling resistance that the set carries; the formula of 1989 has none.
+template <class T>
+T rolling_factor(const Pac2002<T>& set) { return set.lmy; }
+template <class T>
+T rolling_factor(const Pac89<T>&) { return T(1); }
+
+}  // namespace tyre_law
+
+/// Forces of a tyre on a flat road, and the rates of its two deflection states u and v (zero at the start).
+/// Set: Pac2002<T> or Pac89<T>. A tyre without load gives exactly zero forces and moments.
+/// The aligning moment turns its sign with the direction of travel and fades out below low_speed, as the trail does;
+/// the rolling resistance fades out with the wheel's spin, so that it never drives.
+/// Requires: radius, relaxation lengths and low_speed > 0. Source: see tyre_law::slip and the formulas.
 template <class T, class Set>
-TyreResult<T> tyre_forces(const Set& set, const TyreProperties<T>& tyre, const TyreContact<T>& contact);
+TyreResult<T> tyre_forces(const Set& set, const TyreProperties<T>& tyre, const TyreContact<T>& contact) {
+  using std::tanh;
+  const T load = tyre_law::load(tyre, contact);
+  const tyre_law::Slip<T> slip = tyre_law::slip(tyre, contact);
+  const TyreForces<T> forces = tyre_law::formula<T>(set, load, slip.kappa, tyre.side * slip.alpha,
+                                                    tyre.side * contact.camber, tyre.friction);
+  const T rolling = contact.spin * tyre_law::rolling_radius(tyre, contact) / tyre.low_speed;
+  const T resistance = tyre.rolling_resistance * tyre_law::rolling_factor(set) * load * tyre.radius * tanh(rolling);
+  TyreResult<T> result;
+  result.load = tyre.count * load;
+  result.fx = tyre.count * forces.fx;
+  result.fy = tyre.count * tyre.side * forces.fy;
+  result.mx = tyre.count * tyre.side * forces.mx;
+  result.my = -tyre.count * resistance;
+  result.mz = tyre.count * tyre.side * forces.mz * tanh(contact.vx / tyre.low_speed);
+  result.du = slip.du;
+  result.dv = slip.dv;
+  result.kappa = slip.kappa;
+  result.alpha = slip.alpha;
+  return result;
+}
 
 }  // namespace mbgen

@@ -1,0 +1,268 @@
+#pragma once
+// The magic formula PAC2002 (MF5.2) for pure and combined slip, over a scalar T without comparisons.
+// Source: H. B. Pacejka, Tyre and Vehicle Dynamics, 2nd edition, section 4.3.2, equations (4.E1) to (4.E78), without
+// turn slip; the overturning moment with the factors of MF5.2.
+
+#include "mbgen/magic_formula.hpp"
+
+#include <utility>
+
+namespace mbgen {
+
+/// One coefficient of a tyre set: its name in .tir files and the value it has when the set does not give it.
+struct TyreField {
+  const char* name;
+  double default_value;
+};
+
+/// The coefficients of PAC2002 (MF5.2), in the order of the members of Pac2002.
+inline constexpr TyreField kPac2002Fields[] = {
+    // unloaded radius, m; nominal load, N: both must be given, > 0
+    {"UNLOADED_RADIUS", 0.0}, {"FNOMIN", 0.0},
+    // scaling factors
+    {"LFZO", 1.0}, {"LCX", 1.0}, {"LMUX", 1.0}, {"LEX", 1.0}, {"LKX", 1.0}, {"LHX", 1.0}, {"LVX", 1.0},
+    {"LCY", 1.0}, {"LMUY", 1.0}, {"LEY", 1.0}, {"LKY", 1.0}, {"LHY", 1.0}, {"LVY", 1.0}, {"LTR", 1.0},
+    {"LRES", 1.0}, {"LGAX", 1.0}, {"LGAY", 1.0}, {"LGAZ", 1.0}, {"LXAL", 1.0}, {"LYKA", 1.0}, {"LVYKA", 1.0},
+    {"LS", 1.0}, {"LMX", 1.0}, {"LVMX", 1.0}, {"LMY", 1.0},
+    // longitudinal force, pure and combined slip
+    {"PCX1", 0.0}, {"PDX1", 0.0}, {"PDX2", 0.0}, {"PDX3", 0.0}, {"PEX1", 0.0}, {"PEX2", 0.0}, {"PEX3", 0.0},
+    {"PEX4", 0.0}, {"PKX1", 0.0}, {"PKX2", 0.0}, {"PKX3", 0.0}, {"PHX1", 0.0}, {"PHX2", 0.0}, {"PVX1", 0.0},
+    {"PVX2", 0.0}, {"RBX1", 0.0}, {"RBX2", 0.0}, {"RCX1", 0.0}, {"REX1", 0.0}, {"REX2", 0.0}, {"RHX1", 0.0},
+    // lateral force, pure and combined slip
+    {"PCY1", 0.0}, {"PDY1", 0.0}, {"PDY2", 0.0}, {"PDY3", 0.0}, {"PEY1", 0.0}, {"PEY2", 0.0}, {"PEY3", 0.0},
+    {"PEY4", 0.0}, {"PKY1", 0.0}, {"PKY2", 0.0}, {"PKY3", 0.0}, {"PHY1", 0.0}, {"PHY2", 0.0}, {"PHY3", 0.0},
+    {"PVY1", 0.0}, {"PVY2", 0.0}, {"PVY3", 0.0}, {"PVY4", 0.0}, {"RBY1", 0.0}, {"RBY2", 0.0}, {"RBY3", 0.0},
+    {"RCY1", 0.0}, {"REY1", 0.0}, {"REY2", 0.0}, {"RHY1", 0.0}, {"RHY2", 0.0}, {"RVY1", 0.0}, {"RVY2", 0.0},
+    {"RVY3", 0.0}, {"RVY4", 0.0}, {"RVY5", 0.0}, {"RVY6", 0.0},
+    // aligning moment, pure and combined slip
+    {"QBZ1", 0.0}, {"QBZ2", 0.0}, {"QBZ3", 0.0}, {"QBZ4", 0.0}, {"QBZ5", 0.0}, {"QBZ9", 0.0}, {"QBZ10", 0.0},
+    {"QCZ1", 0.0}, {"QDZ1", 0.0}, {"QDZ2", 0.0}, {"QDZ3", 0.0}, {"QDZ4", 0.0}, {"QDZ6", 0.0}, {"QDZ7", 0.0},
+    {"QDZ8", 0.0}, {"QDZ9", 0.0}, {"QEZ1", 0.0}, {"QEZ2", 0.0}, {"QEZ3", 0.0}, {"QEZ4", 0.0}, {"QEZ5", 0.0},
+    {"QHZ1", 0.0}, {"QHZ2", 0.0}, {"QHZ3", 0.0}, {"QHZ4", 0.0}, {"SSZ1", 0.0}, {"SSZ2", 0.0}, {"SSZ3", 0.0},
+    {"SSZ4", 0.0},
+    // overturning moment
+    {"QSX1", 0.0}, {"QSX2", 0.0}, {"QSX3", 0.0},
+};
+
+/// Number of coefficients of a PAC2002 set.
+inline constexpr std::size_t kPac2002Count = sizeof(kPac2002Fields) / sizeof(kPac2002Fields[0]);
+
+/// Coefficients of a PAC2002 (MF5.2) set, in the order of kPac2002Fields; names as in .tir files.
+template <class T>
+struct Pac2002 {
+  T unloaded_radius, fnomin;  ///< unloaded radius, m; nominal load, N: both must be given, > 0
+  T lfzo, lcx, lmux, lex, lkx, lhx, lvx, lcy, lmuy, ley, lky, lhy, lvy, ltr, lres, lgax,
+      lgay, lgaz, lxal, lyka, lvyka, ls, lmx, lvmx, lmy;  ///< scaling factors
+  T pcx1, pdx1, pdx2, pdx3, pex1, pex2, pex3, pex4, pkx1, pkx2, pkx3, phx1, phx2, pvx1,
+      pvx2, rbx1, rbx2, rcx1, rex1, rex2, rhx1;  ///< longitudinal force, pure and combined slip
+  T pcy1, pdy1, pdy2, pdy3, pey1, pey2, pey3, pey4, pky1, pky2, pky3, phy1, phy2, phy3,
+      pvy1, pvy2, pvy3, pvy4, rby1, rby2, rby3, rcy1, rey1, rey2, rhy1, rhy2, rvy1, rvy2,
+      rvy3, rvy4, rvy5, rvy6;  ///< lateral force, pure and combined slip
+  T qbz1, qbz2, qbz3, qbz4, qbz5, qbz9, qbz10, qcz1, qdz1, qdz2, qdz3, qdz4, qdz6, qdz7,
+      qdz8, qdz9, qez1, qez2, qez3, qez4, qez5, qhz1, qhz2, qhz3, qhz4, ssz1, ssz2, ssz3,
+      ssz4;  ///< aligning moment, pure and combined slip
+  T qsx1, qsx2, qsx3;  ///< overturning moment
+
+  /// Takes kPac2002Count coefficients in the order of kPac2002Fields.
+  static Pac2002 from_fields(const T* fields) { return gather(fields, std::make_index_sequence<kPac2002Count>{}); }
+
+ private:
+  template <std::size_t... I>
+  static Pac2002 gather(const T* fields, std::index_sequence<I...>) { return Pac2002{fields[I]...}; }
+};
+
+static_assert(sizeof(Pac2002<double>) == kPac2002Count * sizeof(double), "one entry in kPac2002Fields per member");
+
+namespace magic {
+
+/// Curvature factors above 1 would fold a curve back.
+template <class T>
+T curvature(const T& e) { return min(e, T(1)); }
+
+/// W(x + shift) / W(shift), W = cos(angle): the weight by which the other slip reduces a force; 1 at x = 0.
+template <class T>
+T weight(const T& b, const T& c, const T& unlimited, const T& shift, const T& x) {
+  using std::cos;
+  const T e = curvature(unlimited);
+  return cos(angle<T>(b, c, e, x + shift)) / away_from_zero<T>(cos(angle<T>(b, c, e, shift)), T(1e-9));
+}
+
+/// A load with what every formula needs of it.
+template <class T>
+struct Pac2002Load {
+  T nominal;    ///< N, scaled nominal load
+  T load;       ///< N, held above kLeastLoad of the nominal load
+  T proportion; ///< 1, actual load over `load`: factor of the results, 1 in the range of the formulas
+  T dfz;        ///< 1, relative deviation from the nominal load
+  T friction;   ///< 1, factor of the measured friction, held above kLeastFriction
+};
+
+template <class T>
+Pac2002Load<T> pac2002_load(const Pac2002<T>& set, const T& fz, const T& friction) {
+  const T nominal = set.fnomin * set.lfzo;
+  const T load = max(fz, kLeastLoad * nominal);
+  return {nominal, load, max(fz, T(0)) / load, (load - nominal) / nominal, max(friction, T(kLeastFriction))};
+}
+
+/// Force of one pure slip, N, and its slope at zero slip, N per unit of slip.
+template <class T>
+struct Pac2002Longitudinal {
+  T force, stiffness;
+};
+
+template <class T>
+Pac2002Longitudinal<T> pac2002_longitudinal(const Pac2002<T>& set, const Pac2002Load<T>& at, const T& kappa,
+                                            const T& camber) {
+  using std::exp;
+  using std::sin;
+  const T gamma = camber * set.lgax;
+  const T friction = set.lmux * at.friction;
+  const T sh = (set.phx1 + set.phx2 * at.dfz) * set.lhx;
+  const T sv = at.load * (set.pvx1 + set.pvx2 * at.dfz) * set.lvx * friction;
+  const T slip = kappa + sh;
+  const T c = set.pcx1 * set.lcx;
+  const T d = (set.pdx1 + set.pdx2 * at.dfz) * (1.0 - set.pdx3 * gamma * gamma) * friction * at.load;
+  const T e = (set.pex1 + set.pex2 * at.dfz + set.pex3 * at.dfz * at.dfz) * (1.0 - set.pex4 * sign(slip)) * set.lex;
+  const T stiffness = at.load * (set.pkx1 + set.pkx2 * at.dfz) * exp(set.pkx3 * at.dfz) * set.lkx;
+  const T b = stiffness / away_from_zero<T>(c * d, 1e-9 * at.load);
+  return {d * sin(angle<T>(b, c, curvature(e), slip)) + sv, stiffness};
+}
+
+/// Lateral force of pure slip, N, with what the aligning moment and combined slip need of it.
+template <class T>
+struct Pac2002Lateral {
+  T force, stiffness;  ///< N, N/rad; the stiffness is held away from zero
+  T b, c;              ///< factors of the curve
+  T slip_shift;        ///< rad, S_Hy + S_Vy / K_y: the slip angle of zero side force, with its sign changed
+  T friction;          ///< 1, mu_y
+};
+
+template <class T>
+Pac2002Lateral<T> pac2002_lateral(const Pac2002<T>& set, const Pac2002Load<T>& at, const T& alpha, const T& camber) {
+  using std::atan;
+  using std::sin;
+  const T gamma = camber * set.lgay;
+  const T scale = set.lmuy * at.friction;
+  const T sh = (set.phy1 + set.phy2 * at.dfz) * set.lhy + set.phy3 * gamma;
+  const T sv = at.load * ((set.pvy1 + set.pvy2 * at.dfz) * set.lvy + (set.pvy3 + set.pvy4 * at.dfz) * gamma) * scale;
+  const T slip = alpha + sh;
+  const T c = set.pcy1 * set.lcy;
+  const T friction = (set.pdy1 + set.pdy2 * at.dfz) * (1.0 - set.pdy3 * gamma * gamma) * scale;
+  const T d = friction * at.load;
+  const T e = (set.pey1 + set.pey2 * at.dfz) * (1.0 - (set.pey3 + set.pey4 * gamma) * sign(slip)) * set.ley;
+  const T unguarded = set.pky1 * at.nominal * sin(2.0 * atan(at.load / (set.pky2 * at.nominal))) *
+                      (1.0 - set.pky3 * abs(gamma)) * set.lky;
+  const T stiffness = away_from_zero<T>(unguarded, 1e-9 * at.load);
+  const T b = stiffness / away_from_zero<T>(c * d, 1e-9 * at.load);
+  return {d * sin(angle<T>(b, c, curvature(e), slip)) + sv, stiffness, b, c, sh + sv / stiffness, friction};
+}
+
+/// Slip angle, rad, at which the trail is evaluated when there is no longitudinal slip.
+template <class T>
+T pac2002_trail_slip(const Pac2002<T>& set, const Pac2002Load<T>& at, const T& alpha, const T& camber) {
+  return alpha + set.qhz1 + set.qhz2 * at.dfz + (set.qhz3 + set.qhz4 * at.dfz) * camber * set.lgaz;
+}
+
+/// Pneumatic trail, m, before the factor cos alpha. alpha: rad, shift included; slip: rad, the same with the
+/// longitudinal slip in it. The curvature follows alpha alone, as in MF5.2.
+template <class T>
+T pac2002_trail(const Pac2002<T>& set, const Pac2002Load<T>& at, const T& alpha, const T& slip, const T& camber) {
+  using std::atan;
+  using std::cos;
+  const T gamma = camber * set.lgaz;
+  const T b = (set.qbz1 + set.qbz2 * at.dfz + set.qbz3 * at.dfz * at.dfz) *
+              (1.0 + set.qbz4 * gamma + set.qbz5 * abs(gamma)) * set.lky / (set.lmuy * at.friction);
+  const T d = at.load * (set.qdz1 + set.qdz2 * at.dfz) * (1.0 + set.qdz3 * gamma + set.qdz4 * gamma * gamma) *
+              (set.unloaded_radius / at.nominal) * set.ltr;
+  const T e = (set.qez1 + set.qez2 * at.dfz + set.qez3 * at.dfz * at.dfz) *
+              (1.0 + (set.qez4 + set.qez5 * gamma) * (2.0 / kPi) * atan(b * set.qcz1 * alpha));
+  return d * cos(angle<T>(b, set.qcz1, curvature(e), slip));
+}
+
+/// Residual aligning moment, N m, at the slip angle `slip` (rad, shifts included), before the factor cos alpha.
+template <class T>
+T pac2002_residual_moment(const Pac2002<T>& set, const Pac2002Load<T>& at, const Pac2002Lateral<T>& lateral,
+                          const T& slip, const T& camber) {
+  using std::atan;
+  using std::cos;
+  const T gamma = camber * set.lgaz;
+  const T friction = set.lmuy * at.friction;
+  const T b = set.qbz9 * set.lky / friction + set.qbz10 * lateral.b * lateral.c;
+  const T d = at.load * set.unloaded_radius * friction *
+              ((set.qdz6 + set.qdz7 * at.dfz) * set.lres + (set.qdz8 + set.qdz9 * at.dfz) * gamma);
+  return d * cos(atan(b * slip));
+}
+
+/// Overturning moment, N m, that goes with the lateral force fy.
+template <class T>
+T pac2002_overturning(const Pac2002<T>& set, const Pac2002Load<T>& at, const T& fy, const T& camber) {
+  return set.unloaded_radius * at.load *
+         (set.qsx1 * set.lvmx + (set.qsx3 * fy / at.nominal - set.qsx2 * camber) * set.lmx);
+}
+
+}  // namespace magic
+
+/// Forces of PAC2002 (MF5.2) for each slip alone: fx by kappa with alpha = 0, fy, mz and mx by alpha with kappa = 0.
+/// Arguments and result as magic_formula_pac2002. Source: Pacejka, equations (4.E1) to (4.E49).
+template <class T>
+TyreForces<T> magic_formula_pac2002_pure(const Pac2002<T>& set, const T& fz, const T& kappa, const T& alpha,
+                                         const T& gamma, const T& friction = T(1)) {
+  using std::cos;
+  const magic::Pac2002Load<T> at = magic::pac2002_load(set, fz, friction);
+  const T fx = magic::pac2002_longitudinal(set, at, kappa, gamma).force;
+  const magic::Pac2002Lateral<T> lateral = magic::pac2002_lateral(set, at, alpha, gamma);
+  const T trail_slip = magic::pac2002_trail_slip(set, at, alpha, gamma);
+  const T trail = magic::pac2002_trail(set, at, trail_slip, trail_slip, gamma);
+  const T residual = magic::pac2002_residual_moment<T>(set, at, lateral, alpha + lateral.slip_shift, gamma);
+  const T mz = (residual - trail * lateral.force) * cos(alpha);
+  const T mx = magic::pac2002_overturning(set, at, lateral.force, gamma);
+  return {at.proportion * fx, at.proportion * lateral.force, at.proportion * mz, at.proportion * mx};
+}
+
+/// Forces of PAC2002 (MF5.2) for combined slip.
+/// fz: N, vertical load; no load or less gives exactly zero. kappa: 1, longitudinal slip, positive when driving.
+/// alpha: rad, tan alpha = lateral slip velocity over |forward velocity|. gamma: rad, camber. friction: 1, scales both
+/// friction coefficients of the set, >= 0.
+/// Result: N, N m in the set's axes; with p_Ky1 < 0 these are x forward, y left, z up, and fy opposes alpha.
+/// Requires: fnomin > 0; pcx1, pcy1, pky2 not zero; lmux, lmuy > 0. Source: Pacejka, equations (4.E1) to (4.E78).
+template <class T>
+TyreForces<T> magic_formula_pac2002(const Pac2002<T>& set, const T& fz, const T& kappa, const T& alpha, const T& gamma,
+                                    const T& friction = T(1)) {
+  using std::atan;
+  using std::cos;
+  using std::sin;
+  using std::sqrt;
+  using std::tan;
+  const magic::Pac2002Load<T> at = magic::pac2002_load(set, fz, friction);
+  const T dfz = at.dfz;
+  const magic::Pac2002Longitudinal<T> longitudinal = magic::pac2002_longitudinal(set, at, kappa, gamma);
+  const magic::Pac2002Lateral<T> lateral = magic::pac2002_lateral(set, at, alpha, gamma);
+
+  const T bx = set.rbx1 * cos(atan(set.rbx2 * kappa)) * set.lxal;
+  const T fx = longitudinal.force * magic::weight<T>(bx, set.rcx1, set.rex1 + set.rex2 * dfz, set.rhx1, alpha);
+
+  const T by = set.rby1 * cos(atan(set.rby2 * (alpha - set.rby3))) * set.lyka;
+  const T y_weight =
+      magic::weight<T>(by, set.rcy1, set.rey1 + set.rey2 * dfz, set.rhy1 + set.rhy2 * dfz, kappa);
+  const T kappa_force = lateral.friction * at.load * (set.rvy1 + set.rvy2 * dfz + set.rvy3 * gamma) *
+                        cos(atan(set.rvy4 * alpha)) * sin(set.rvy5 * atan(set.rvy6 * kappa)) * set.lvyka;
+  const T slip_force = y_weight * lateral.force;
+  const T fy = slip_force + kappa_force;
+
+  const T ratio = longitudinal.stiffness / lateral.stiffness * kappa;
+  const auto with_kappa = [&ratio](const T& slip) {
+    const T tangent = tan(slip);
+    return atan(sqrt(tangent * tangent + ratio * ratio + magic::kRootFloor)) * magic::sign(slip);
+  };
+  const T trail_slip = magic::pac2002_trail_slip(set, at, alpha, gamma);
+  const T trail = magic::pac2002_trail<T>(set, at, trail_slip, with_kappa(trail_slip), gamma);
+  const T residual =
+      magic::pac2002_residual_moment<T>(set, at, lateral, with_kappa(alpha + lateral.slip_shift), gamma);
+  const T arm = set.unloaded_radius * set.ls *
+                (set.ssz1 + set.ssz2 * fy / at.nominal + (set.ssz3 + set.ssz4 * dfz) * gamma);
+  const T mz = (residual - trail * slip_force) * cos(alpha) + arm * fx;
+  const T mx = magic::pac2002_overturning(set, at, fy, gamma);
+  return {at.proportion * fx, at.proportion * fy, at.proportion * mz, at.proportion * mx};
+}
+
+}  // namespace mbgen
