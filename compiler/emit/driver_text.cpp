@@ -1,0 +1,48 @@
+#include "compiler/emit/emit.hpp"
+#include "compiler/emit/interface_text.hpp"
+#include "compiler/emit/text.hpp"
+
+namespace mbgen {
+namespace {
+
+/// `{1.0, 2.5}`, with one zero when there is nothing to list.
+std::string initialiser(const std::vector<double>& values) {
+  std::vector<std::string> items;
+  for (const double value : values) items.push_back(number_text(value));
+  if (items.empty()) items.push_back("0.0");
+  return "{\n" + wrapped_list(items, 4) + "}";
+}
+
+/// One assignment a line: `  parameters.k = values[0];`.
+std::string assignments(const std::string& structure, const std::vector<std::string>& names) {
+  std::string text;
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    text += "  " + structure + "." + names[i] + " = values[" + std::to_string(i) + "];\n";
+  }
+  return text;
+}
+
+}  // namespace
+
+EmittedFile emit_driver(const Model& model) {
+  const SolverNames names = model_names(model);
+  std::vector<double> parameters, inputs;
+  for (const Parameter& parameter : model.parameters) {
+    if (parameter.tunable) parameters.push_back(parameter.value);
+  }
+  for (const Input& input : model.inputs) inputs.push_back(input.default_value);
+  std::string outputs_to;
+  for (std::size_t i = 0; i < names.outputs.size(); ++i) {
+    outputs_to += "  y[" + std::to_string(i) + "] = values." + names.outputs[i] + ";\n";
+  }
+  return {names.solver + "_driver.cpp",
+          fill_template("driver.cpp.in", {{"banner", banner_text(model, "//")},
+                                          {"solver", names.solver},
+                                          {"default_parameters", initialiser(parameters)},
+                                          {"default_inputs", initialiser(inputs)},
+                                          {"parameters_from", assignments("parameters", names.parameters)},
+                                          {"inputs_from", assignments("inputs", names.inputs)},
+                                          {"outputs_to", outputs_to}})};
+}
+
+}  // namespace mbgen

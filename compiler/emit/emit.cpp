@@ -1,0 +1,61 @@
+#include "compiler/emit/emit.hpp"
+
+#include "compiler/emit/embedded.hpp"
+#include "compiler/emit/interface_text.hpp"
+#include "compiler/emit/text.hpp"
+
+#include <algorithm>
+
+namespace mbgen {
+namespace {
+
+constexpr std::string_view kRuntime = "runtime/include/";
+
+/// Adds the runtime's headers that a text includes, and those that they include.
+void add_included_headers(std::string_view text, std::vector<EmittedFile>& files) {
+  constexpr std::string_view kInclude = "#include \"mbgen/";
+  for (std::size_t at = text.find(kInclude); at != std::string_view::npos; at = text.find(kInclude, at + 1)) {
+    const std::size_t start = text.find('"', at) + 1;
+    const std::string_view path = text.substr(start, text.find('"', start) - start);
+    const bool known = std::any_of(files.begin(), files.end(), [&](const EmittedFile& file) { return file.path == path; });
+    if (known) continue;
+    for (const EmbeddedFile& file : embedded_files()) {
+      if (file.path.substr(0, kRuntime.size()) != kRuntime || file.path.substr(kRuntime.size()) != path) continue;
+      files.push_back({std::string(path), std::string(file.text)});
+      add_included_headers(file.text, files);
+    }
+  }
+}
+
+}  // namespace
+
+std::vector<EmittedFile> emit(const Programs& programs, const Model& model, const Topology& topology,
+                              const Analysis& analysis, const EmitOptions& options) {
+  const EmitContext context{programs, model, topology, analysis, solver_names(model, topology),
+                            solver_layout(programs, model, topology, analysis)};
+  const std::string& name = context.names.solver;
+  std::vector<EmittedFile> files = {{name + ".hpp", interface_text(context)},
+                                    {name + ".cpp", solver_text(context)},
+                                    {name + ".json", manifest_text(context)},
+                                    {"CMakeLists.txt", build_text(context)}};
+  if (options.runtime_headers) {
+    const std::string interface = files[0].text, solver = files[1].text;
+    add_included_headers(interface, files);
+    add_included_headers(solver, files);
+  }
+  return files;
+}
+
+std::vector<std::string> solver_compile_flags(CompilerFamily family) {
+  std::vector<std::string> flags = {"-std=c++17", "-O2", "-fno-exceptions", "-fno-rtti", "-fno-math-errno",
+                                    "-fno-trapping-math", "-ffp-contract=fast"};
+  // The compilers' own vectorisers make this code larger and slower; loops turned into memcpy would need the C library.
+  if (family == CompilerFamily::gnu) {
+    flags.insert(flags.end(), {"-fno-tree-vectorize", "-fno-tree-loop-distribute-patterns"});
+  } else {
+    flags.insert(flags.end(), {"-fno-vectorize", "-fno-slp-vectorize", "-fno-builtin-memcpy", "-fno-builtin-memset"});
+  }
+  return flags;
+}
+
+}  // namespace mbgen

@@ -1,0 +1,68 @@
+#include "compiler/emit/expression_text.hpp"
+
+#include "compiler/emit/text.hpp"
+
+namespace mbgen {
+namespace {
+
+/// The text, in parentheses when it binds less tightly than `needed`.
+std::string operand(const Phrase& phrase, Binding needed) {
+  return phrase.binding >= needed ? phrase.text : "(" + phrase.text + ")";
+}
+
+/// Right operand of + and -: a sign there would read as `a - -b`.
+std::string right_term(const Phrase& phrase) {
+  return operand(phrase, phrase.binding == Binding::sign ? Binding::primary : Binding::product);
+}
+
+std::string call(const std::string& function, const Phrase& first) { return function + "(" + first.text + ")"; }
+
+std::string call(const std::string& function, const Phrase& first, const Phrase& second) {
+  return function + "(" + first.text + ", " + second.text + ")";
+}
+
+}  // namespace
+
+Phrase constant_phrase(double value) {
+  const std::string text = number_text(value);
+  return {text.front() == '-' ? "(" + text + ")" : text, Binding::primary};
+}
+
+Phrase operation_phrase(Op op, const Phrase& a, const Phrase& b, const Phrase& c) {
+  switch (op) {
+    case Op::add: return {a.text + " + " + right_term(b), Binding::sum};
+    case Op::subtract: return {a.text + " - " + right_term(b), Binding::sum};
+    case Op::multiply:
+      return {operand(a, Binding::product) + "*" + operand(b, Binding::primary), Binding::product};
+    case Op::divide: return {operand(a, Binding::product) + "/" + operand(b, Binding::primary), Binding::product};
+    case Op::negate: return {"-" + operand(a, Binding::primary), Binding::sign};
+    case Op::sqrt: return {call("std::sqrt", a), Binding::primary};
+    case Op::sin: return {call("std::sin", a), Binding::primary};
+    case Op::cos: return {call("std::cos", a), Binding::primary};
+    case Op::tan: return {call("std::tan", a), Binding::primary};
+    case Op::asin: return {call("std::asin", a), Binding::primary};
+    case Op::acos: return {call("std::acos", a), Binding::primary};
+    case Op::atan: return {call("std::atan", a), Binding::primary};
+    case Op::atan2: return {call("std::atan2", a, b), Binding::primary};
+    case Op::exp: return {call("std::exp", a), Binding::primary};
+    case Op::log: return {call("std::log", a), Binding::primary};
+    case Op::pow: return {call("std::pow", a, b), Binding::primary};
+    case Op::tanh: return {call("std::tanh", a), Binding::primary};
+    case Op::abs: return {call("std::abs", a), Binding::primary};
+    case Op::min: return {call("mbgen::min", a, b), Binding::primary};
+    case Op::max: return {call("mbgen::max", a, b), Binding::primary};
+    case Op::select: return {"(" + a.text + " >= 0.0 ? " + b.text + " : " + c.text + ")", Binding::primary};
+    case Op::constant:
+    case Op::input: break;
+  }
+  return a;
+}
+
+std::string standing_alone(const Phrase& phrase) {
+  const std::string& text = phrase.text;
+  const bool negative_constant = text.size() > 2 && text.compare(0, 2, "(-") == 0 && text.find(')') == text.size() - 1 &&
+                                 text.find('(', 1) == std::string::npos;
+  return negative_constant ? text.substr(1, text.size() - 2) : text;
+}
+
+}  // namespace mbgen

@@ -1,0 +1,28 @@
+#pragma once
+// One operation as a C++ expression with as few parentheses as its meaning allows.
+
+#include "compiler/program/program.hpp"
+
+#include <string>
+
+namespace mbgen {
+
+/// How tightly the outermost operator of a text binds.
+enum class Binding { sum, product, sign, primary };
+
+struct Phrase {
+  std::string text;
+  Binding binding = Binding::primary;
+};
+
+/// A constant; negative ones in parentheses, so that they stand anywhere.
+Phrase constant_phrase(double value);
+
+/// The operation on its operands; those beyond its arity are ignored. Associativity is kept: a + (b + c) stays as it is,
+/// since floating-point sums are not associative.
+Phrase operation_phrase(Op op, const Phrase& first, const Phrase& second, const Phrase& third);
+
+/// Text of a phrase that stands alone, after `=`.
+std::string standing_alone(const Phrase& phrase);
+
+}  // namespace mbgen

@@ -1,0 +1,99 @@
+#include "compiler/emit/function_text.hpp"
+
+#include "compiler/emit/text.hpp"
+
+namespace mbgen {
+namespace {
+
+std::string result_struct(const ProgramShape& shape) {
+  if (shape.members.empty()) return "";
+  std::string text = "/// Result of " + shape.function + ".\nstruct " + shape.result + " {\n";
+  for (const ArrayMember& member : shape.members) {
+    text += "  double " + member.name + "[" + std::to_string(member.size > 0 ? member.size : 1) + "];  ///< " +
+            member.comment + "\n";
+  }
+  return text + "};\n\n";
+}
+
+std::string work_struct(const ProgramShape& shape, const std::vector<std::string>& crossing) {
+  if (crossing.empty()) return "";
+  return "/// Values of " + shape.function + " that cross its parts.\nstruct " + shape.result + "Work {\n  double\n" +
+         wrapped_list(crossing, 6) + ";\n};\n\n";
+}
+
+/// Whether a function has every parameter of the shape, the unused ones without a name, or only those it uses.
+enum class Signature { whole, used };
+
+std::string joined(const std::vector<std::string>& items, const std::string& separator) {
+  std::string text;
+  for (const std::string& item : items) text += (text.empty() ? "" : separator) + item;
+  return text;
+}
+
+std::string parameter_list(const ProgramShape& shape, const std::set<std::string>& used, Signature signature) {
+  std::vector<std::string> list;
+  for (const auto& [name, declaration] : shape.arguments) {
+    if (used.count(name)) {
+      list.push_back(declaration);
+    } else if (signature == Signature::whole) {
+      list.push_back(declaration.substr(0, declaration.size() - name.size()) + "/*" + name + "*/");
+    }
+  }
+  // Nothing else reaches these two: without the promise every store would make the compiler read the state again.
+  if (used.count("work")) list.push_back(shape.result + "Work& __restrict work");
+  if (used.count("result")) {
+    list.push_back(shape.result + "& __restrict result");
+  } else if (signature == Signature::whole) {
+    list.push_back(shape.result + "& /*result*/");
+  }
+  return joined(list, ", ");
+}
+
+std::string argument_list(const ProgramShape& shape, const std::set<std::string>& used) {
+  std::vector<std::string> list;
+  for (const auto& [name, declaration] : shape.arguments) {
+    if (used.count(name)) list.push_back(name);
+  }
+  for (const char* name : {"work", "result"}) {
+    if (used.count(name)) list.push_back(name);
+  }
+  return joined(list, ", ");
+}
+
+std::string heading(const std::string& comment, const std::string& declaration) {
+  return "/// " + comment + "\n" + wrapped_statement(declaration) + "\n";
+}
+
+std::string whole_heading(const ProgramShape& shape, const std::set<std::string>& used) {
+  return heading(shape.title, "void " + shape.function + "(" + parameter_list(shape, used, Signature::whole) + ") noexcept {");
+}
+
+/// Kept out of line: inlined, the parts would grow together again.
+std::string part_function(const ProgramShape& shape, const PartText& part, std::size_t number) {
+  const std::string name = shape.function + "_" + std::to_string(number);
+  const std::string titles = comment_text(joined(part.sections, "; "));
+  return heading("Part " + std::to_string(number) + " of " + shape.function + (titles.empty() ? "." : ": " + titles + "."),
+                 "[[gnu::noinline]] void " + name + "(" + parameter_list(shape, part.arguments, Signature::used) +
+                     ") noexcept {") +
+         part.body + "}\n\n";
+}
+
+}  // namespace
+
+std::string function_text(const ProgramShape& shape, const std::vector<PartText>& parts,
+                          const std::vector<std::string>& crossing) {
+  const std::string structs = result_struct(shape) + work_struct(shape, crossing);
+  if (parts.size() == 1) return structs + whole_heading(shape, parts[0].arguments) + parts[0].body + "}\n";
+  std::string functions, calls;
+  std::set<std::string> used;
+  for (std::size_t p = 0; p < parts.size(); ++p) {
+    functions += part_function(shape, parts[p], p + 1);
+    calls += "  " + shape.function + "_" + std::to_string(p + 1) + "(" + argument_list(shape, parts[p].arguments) + ");\n";
+    used.insert(parts[p].arguments.begin(), parts[p].arguments.end());
+  }
+  used.erase("work");
+  const std::string work = crossing.empty() ? "" : "  " + shape.result + "Work work;\n";
+  return structs + functions + whole_heading(shape, used) + work + calls + "}\n";
+}
+
+}  // namespace mbgen

@@ -1,0 +1,25 @@
+#pragma once
+// Functions and structs around the statements of a program.
+
+#include "compiler/emit/layout.hpp"
+
+#include <set>
+#include <string>
+#include <vector>
+
+namespace mbgen {
+
+/// Statements of one part and what its function needs.
+struct PartText {
+  std::string body;
+  std::set<std::string> arguments;      ///< names that the body uses, "work" and "result" among them
+  std::vector<std::string> sections;    ///< titles, in order
+};
+
+/// Struct of the result (when the shape has members), struct of the values that cross parts (when there are any), one
+/// static function per part and the function that calls them; a single part is that function itself.
+/// crossing: names of the members of `work`.
+std::string function_text(const ProgramShape& shape, const std::vector<PartText>& parts,
+                          const std::vector<std::string>& crossing);
+
+}  // namespace mbgen

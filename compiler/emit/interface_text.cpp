@@ -1,0 +1,164 @@
+#include "compiler/emit/interface_text.hpp"
+
+#include "compiler/emit/emit.hpp"
+#include "compiler/emit/text.hpp"
+
+#include <algorithm>
+
+namespace mbgen {
+namespace {
+
+std::string size_text(int size) { return std::to_string(std::max(size, 1)); }
+
+/// `struct Coordinate { enum Index : int { a, b }; };`: scoped like an enum class, and still an index.
+std::string enumeration(const std::string& name, const std::vector<std::string>& members) {
+  if (members.empty()) return "struct " + name + " { enum Index : int {}; };";
+  return "struct " + name + " {\n  enum Index : int {\n" + wrapped_list(members, 4) + "\n  };\n};";
+}
+
+std::string string_table(const std::string& name, const std::vector<std::string>& texts) {
+  std::vector<std::string> literals;
+  for (const std::string& text : texts) literals.push_back(string_literal(text));
+  if (literals.empty()) literals.push_back("\"\"");
+  return "inline constexpr const char* const " + name + "[] = {\n" + wrapped_list(literals, 4) + "};\n";
+}
+
+std::string size_constants(const EmitContext& context) {
+  const SolverNames& names = context.names;
+  const std::pair<const char*, std::size_t> sizes[] = {
+      {"kCoordinates", names.coordinates.size()},
+      {"kAuxiliaryStates", static_cast<std::size_t>(context.layout.auxiliary_states)},
+      {"kBodies", names.bodies.size()},
+      {"kInputs", names.inputs.size()},
+      {"kOutputs", names.outputs.size()},
+      {"kParameters", names.parameters.size()},
+      {"kLoopBlocks", names.loop_blocks.size()},
+      {"kClosureEquations", static_cast<std::size_t>(context.layout.equations)},
+      {"kMotions", static_cast<std::size_t>(context.layout.drives)}};
+  std::string text;
+  for (const auto& [name, size] : sizes) {
+    text += (text.empty() ? "" : "\n") + std::string("constexpr int ") + name + " = " + std::to_string(size) + ";";
+  }
+  return text;
+}
+
+std::string tables(const EmitContext& context) {
+  const Model& model = context.model;
+  std::vector<std::string> coordinate_names, coordinate_units, body_names, input_names, input_units, output_names,
+      output_units, parameter_names, parameter_units, block_names;
+  for (const TreeBody& body : context.topology.bodies) {
+    coordinate_names.push_back(body.coordinate);
+    coordinate_units.push_back(body.kind == FreedomKind::revolute ? "rad" : "m");
+  }
+  for (const Body& body : model.bodies) body_names.push_back(body.name);
+  for (const Input& input : model.inputs) {
+    input_names.push_back(input.name);
+    input_units.push_back(input.unit);
+  }
+  for (const Output& output : model.outputs) {
+    output_names.push_back(output.name);
+    output_units.push_back(output.unit);
+  }
+  for (const Parameter& parameter : model.parameters) {
+    if (!parameter.tunable) continue;
+    parameter_names.push_back(parameter.name);
+    parameter_units.push_back(parameter.unit);
+  }
+  for (std::size_t b = 0; b < context.topology.blocks.size(); ++b) {
+    block_names.push_back(block_title(context.topology, static_cast<int>(b)));
+  }
+  std::string text = string_table("kCoordinateNames", coordinate_names) +
+                     string_table("kCoordinateUnits", coordinate_units) +
+                     string_table("kAuxiliaryStateNames", auxiliary_state_names(model)) +
+                     string_table("kBodyNames", body_names) + string_table("kInputNames", input_names) +
+                     string_table("kInputUnits", input_units) + string_table("kOutputNames", output_names) +
+                     string_table("kOutputUnits", output_units) + string_table("kParameterNames", parameter_names) +
+                     string_table("kParameterUnits", parameter_units) + string_table("kLoopBlockNames", block_names);
+  text.pop_back();
+  return text;
+}
+
+std::string member(const std::string& name, const std::string& value, const std::string& unit) {
+  const std::string declaration = "  double " + name + (value.empty() ? "" : " = " + value) + ";";
+  return declaration + (unit.empty() ? "" : "  ///< " + comment_text(unit)) + "\n";
+}
+
+std::string parameter_struct(const EmitContext& context) {
+  std::string text = "struct Parameters {\n";
+  std::size_t index = 0;
+  for (const Parameter& parameter : context.model.parameters) {
+    if (!parameter.tunable) continue;
+    text += member(context.names.parameters[index++], number_text(parameter.value), parameter.unit);
+  }
+  return text + "};";
+}
+
+std::string input_struct(const EmitContext& context) {
+  std::string text = "struct Inputs {\n";
+  for (std::size_t i = 0; i < context.model.inputs.size(); ++i) {
+    const Input& input = context.model.inputs[i];
+    text += member(context.names.inputs[i], number_text(input.default_value), input.unit);
+  }
+  return text + "};";
+}
+
+std::string output_struct(const EmitContext& context) {
+  std::string text = "struct Outputs {\n";
+  for (std::size_t i = 0; i < context.model.outputs.size(); ++i) {
+    text += member(context.names.outputs[i], "", context.model.outputs[i].unit);
+  }
+  return text + member("kinetic_energy", "", "J") + member("potential_energy", "", "J, of gravity") +
+         member("applied_power", "", "W, of all applied forces but gravity") + "};";
+}
+
+/// The file name without its directories: the same text wherever the model lies.
+std::string base_name(const std::string& path) {
+  const std::size_t slash = path.find_last_of("/\\");
+  return slash == std::string::npos ? path : path.substr(slash + 1);
+}
+
+std::string cmake_flags(CompilerFamily family) {
+  std::string text;
+  for (const std::string& flag : solver_compile_flags(family)) text += (text.empty() ? "" : " ") + flag;
+  return text;
+}
+
+}  // namespace
+
+std::string banner_text(const Model& model, const std::string& mark) {
+  return mark + " " + comment_text(model.name) + ", content hash " + model.hash + "\n" + mark + " Made by `mbgen generate " +
+         comment_text(base_name(model.file)) + "`, mbgen " + kMbgenVersion + ". Change the model, not this file.";
+}
+
+std::string interface_text(const EmitContext& context) {
+  const SolverNames& names = context.names;
+  return fill_template("solver.hpp.in",
+                       {{"banner", banner_text(context.model, "//")},
+                        {"title", comment_text(context.model.name)},
+                        {"solver", names.solver},
+                        {"model_literal", string_literal(context.model.name)},
+                        {"hash_literal", string_literal(context.model.hash)},
+                        {"sizes", size_constants(context)},
+                        {"coordinates", enumeration("Coordinate", names.coordinates)},
+                        {"bodies", enumeration("Body", names.bodies)},
+                        {"inputs", enumeration("Input", names.inputs)},
+                        {"outputs", enumeration("Output", names.outputs)},
+                        {"parameters", enumeration("Parameter", names.parameters)},
+                        {"loop_blocks", enumeration("LoopBlock", names.loop_blocks)},
+                        {"tables", tables(context)},
+                        {"parameter_struct", parameter_struct(context)},
+                        {"input_struct", input_struct(context)},
+                        {"output_struct", output_struct(context)},
+                        {"auxiliary_size", size_text(context.layout.auxiliary_states)},
+                        {"multiplier_size", size_text(context.layout.equations)},
+                        {"drive_size", size_text(context.layout.drives)}});
+}
+
+std::string build_text(const EmitContext& context) {
+  return fill_template("CMakeLists.txt.in", {{"banner", banner_text(context.model, "#")},
+                                             {"solver", context.names.solver},
+                                             {"gnu_flags", cmake_flags(CompilerFamily::gnu)},
+                                             {"clang_flags", cmake_flags(CompilerFamily::clang)}});
+}
+
+}  // namespace mbgen

@@ -1,0 +1,216 @@
+#include "compiler/emit/layout.hpp"
+
+#include <algorithm>
+
+namespace mbgen {
+namespace {
+
+using Texts = std::vector<std::string>;
+
+Texts indexed(const std::string& array, int size, int first = 0) {
+  Texts texts;
+  for (int i = 0; i < size; ++i) texts.push_back(array + "[" + std::to_string(first + i) + "]");
+  return texts;
+}
+
+/// `array[Enum::name]` for every name.
+Texts named(const std::string& array, const std::string& enumeration, const std::vector<std::string>& names) {
+  Texts texts;
+  for (const std::string& name : names) texts.push_back(array + "[" + enumeration + "::" + name + "]");
+  return texts;
+}
+
+Texts members(const std::string& structure, const std::vector<std::string>& names) {
+  Texts texts;
+  for (const std::string& name : names) texts.push_back(structure + "." + name);
+  return texts;
+}
+
+Texts prefixed(const std::string& prefix, const std::vector<std::string>& names) {
+  Texts texts;
+  for (const std::string& name : names) texts.push_back(prefix + name);
+  return texts;
+}
+
+GroupPlace result_place(Texts texts, const std::string& missing = "0.0") {
+  return {"result", std::move(texts), {}, missing};
+}
+
+/// Adds a group with one sub-array per block: "Phi0", "Phi1", ... in one flat array.
+template <class Size, class First>
+void add_blocks(Places& places, const std::string& argument, const std::string& group, const SolverLayout& layout,
+                Size size, First first) {
+  const int blocks = static_cast<int>(layout.blocks.size());
+  for (int b = 0; b < blocks; ++b) {
+    const BlockPlaces& block = layout.blocks[b];
+    places[group + std::to_string(b)] = {argument, indexed(argument + "." + group, size(block), first(block)), {}, "0.0"};
+  }
+}
+
+/// Inputs that every program may use; a program's signature lists those it gets.
+Places input_places(const SolverLayout& layout, const SolverNames& names) {
+  const auto& coordinates = names.coordinates;
+  Places places;
+  places["z"] = {"state", named("state.z", "Coordinate", coordinates), prefixed("z_", coordinates), ""};
+  places["zd"] = {"state", named("state.zd", "Coordinate", coordinates), prefixed("zd_", coordinates), ""};
+  places["x"] = {"state", indexed("state.x", layout.auxiliary_states), {}, ""};
+  places["t"] = {"state", {"state.t"}, {}, ""};
+  places["tau"] = {"tau", named("tau", "Coordinate", coordinates), prefixed("tau_", coordinates), ""};
+  places["zdd"] = {"derivative", named("derivative.zdd", "Coordinate", coordinates), prefixed("zdd_", coordinates), ""};
+  places["in"] = {"inputs", members("inputs", names.inputs), {}, ""};
+  places["par"] = {"parameters", members("parameters", names.parameters), {}, ""};
+  add_blocks(
+      places, "projection", "Rz", layout, [](const BlockPlaces& b) { return b.coordinates * b.free; },
+      [](const BlockPlaces& b) { return b.first_projection; });
+  add_blocks(
+      places, "projection", "zdd_star", layout, [](const BlockPlaces& b) { return b.coordinates; },
+      [](const BlockPlaces& b) { return b.first_coordinate; });
+  return places;
+}
+
+const std::vector<std::pair<std::string, std::string>> kStateArguments = {
+    {"parameters", "const Parameters& parameters"}, {"inputs", "const Inputs& inputs"}, {"state", "const State& state"}};
+
+ProgramShape shape(const std::string& title, const std::string& result, const std::string& function,
+                   const std::vector<std::pair<std::string, std::string>>& more_arguments, const Places& inputs) {
+  ProgramShape shape;
+  shape.title = title;
+  shape.function = function;
+  shape.result = result;
+  shape.arguments = kStateArguments;
+  shape.arguments.insert(shape.arguments.end(), more_arguments.begin(), more_arguments.end());
+  shape.inputs = inputs;
+  return shape;
+}
+
+const std::pair<std::string, std::string> kTau{"tau", "const double* tau"};
+const std::pair<std::string, std::string> kDerivative{"derivative", "const Derivative& derivative"};
+const std::pair<std::string, std::string> kProjection{"projection", "const Projection& projection"};
+
+ProgramShape accelerations_shape(const SolverLayout& layout, const SolverNames& names, const Places& inputs,
+                                 int directions) {
+  ProgramShape s = shape("All accelerations with the frozen partition of the loop blocks.", "Accelerations",
+                         "compute_accelerations", {kTau}, inputs);
+  const int blocks = static_cast<int>(layout.blocks.size());
+  s.members = {{"zdd", layout.coordinates, "accelerations"},
+               {"xd", layout.auxiliary_states, "rates of the auxiliary states"},
+               {"pivot", blocks, "smallest pivot of each block over its reference"},
+               {"inertia", directions, "pivots of the final equations"}};
+  s.outputs["zdd"] = result_place(named("result.zdd", "Coordinate", names.coordinates));
+  s.outputs["xd"] = result_place(indexed("result.xd", layout.auxiliary_states));
+  // A block of rank zero has no pivot to watch.
+  s.outputs["pivot"] = result_place(indexed("result.pivot", blocks), "1.0");
+  s.outputs["inertia"] = result_place(indexed("result.inertia", directions), "1.0");
+  return s;
+}
+
+ProgramShape chosen_shape(const SolverLayout& layout, const SolverNames& names, const Places& inputs, int directions) {
+  ProgramShape s = accelerations_shape(layout, names, inputs, directions);
+  s.title = "All accelerations with a partition chosen at run time.";
+  s.function = "compute_chosen_accelerations";
+  s.result = "ChosenAccelerations";
+  s.arguments.push_back(kProjection);
+  s.outputs.erase("pivot");
+  s.members.erase(s.members.begin() + 2);
+  return s;
+}
+
+ProgramShape closure_shape(const SolverLayout& layout, const SolverNames& names, const Places& inputs) {
+  ProgramShape s = shape("One Newton step of the frozen partition, and consistent velocities.", "Closure",
+                         "compute_closure", {}, inputs);
+  const int blocks = static_cast<int>(layout.blocks.size());
+  s.members = {{"residual", layout.equations, "of every closure equation, block after block"},
+               {"dz", layout.coordinates, "Newton correction; driven coordinates go to their motions"},
+               {"zd", layout.coordinates, "consistent velocities"},
+               {"pivot", blocks, "smallest pivot of each block over its reference"}};
+  s.outputs["residual"] = result_place(indexed("result.residual", layout.equations));
+  s.outputs["dz"] = result_place(named("result.dz", "Coordinate", names.coordinates));
+  s.outputs["zd"] = result_place(named("result.zd", "Coordinate", names.coordinates));
+  s.outputs["pivot"] = result_place(indexed("result.pivot", blocks), "1.0");
+  return s;
+}
+
+ProgramShape closure_terms_shape(const SolverLayout& layout, const SolverNames& names, const Places& inputs) {
+  ProgramShape s = shape("Closure equations and their derivatives, for the pivoting factorisation.", "ClosureTerms",
+                         "compute_closure_terms", {}, inputs);
+  s.members = {{"Phi", layout.equations, "residuals"},
+               {"Jz", layout.jacobian_entries, "Jacobian of each block, row by row"},
+               {"ct", layout.equations, "right-hand side of the velocities"},
+               {"c", layout.equations, "right-hand side of the accelerations"},
+               {"driven_acceleration", layout.coordinates, "of driven coordinates"}};
+  const auto equations = [](const BlockPlaces& b) { return b.equations; };
+  const auto first_equation = [](const BlockPlaces& b) { return b.first_equation; };
+  for (const char* group : {"Phi", "ct", "c"}) {
+    add_blocks(s.outputs, "result", group, layout, equations, first_equation);
+  }
+  add_blocks(
+      s.outputs, "result", "Jz", layout, [](const BlockPlaces& b) { return b.equations * b.coordinates; },
+      [](const BlockPlaces& b) { return b.first_jacobian; });
+  s.outputs["driven_acceleration"] = result_place(named("result.driven_acceleration", "Coordinate", names.coordinates));
+  return s;
+}
+
+ProgramShape multipliers_shape(const SolverLayout& layout, const Places& inputs) {
+  ProgramShape s = shape("Multipliers of the closures and generalised driving forces, at given accelerations.",
+                         "Multipliers", "compute_multipliers", {kTau, kDerivative}, inputs);
+  s.outputs["lambda"] = result_place(indexed("result.lambda", layout.equations));
+  s.outputs["drive"] = result_place(indexed("result.drive", layout.drives));
+  return s;
+}
+
+ProgramShape outputs_shape(const SolverNames& names, const Places& inputs) {
+  ProgramShape s = shape("Outputs, energies and power, at given accelerations.", "Outputs", "compute_outputs",
+                         {kTau, kDerivative}, inputs);
+  s.outputs["y"] = result_place(members("result", names.outputs));
+  s.outputs["energy"] = result_place({"result.kinetic_energy", "result.potential_energy"});
+  s.outputs["power"] = result_place({"result.applied_power"});
+  return s;
+}
+
+}  // namespace
+
+SolverLayout solver_layout(const Programs& programs, const Model& model, const Topology& topology,
+                           const Analysis& analysis) {
+  SolverLayout layout;
+  layout.coordinates = topology.size();
+  layout.auxiliary_states = auxiliary_state_count(model);
+  layout.drives = static_cast<int>(model.motions.size());
+  layout.has_closure = !programs.closure.outputs.empty();
+  for (std::size_t b = 0; b < topology.blocks.size(); ++b) {
+    BlockPlaces block;
+    block.equations = topology.blocks[b].equations;
+    block.coordinates = static_cast<int>(topology.blocks[b].joints.size());
+    block.rank = analysis.blocks[b].rank;
+    block.free = block.coordinates - block.rank - static_cast<int>(analysis.blocks[b].driven.size());
+    block.first_equation = layout.equations;
+    block.first_coordinate = layout.block_coordinates;
+    block.first_jacobian = layout.jacobian_entries;
+    block.first_projection = layout.projection_entries;
+    layout.equations += block.equations;
+    layout.block_coordinates += block.coordinates;
+    layout.jacobian_entries += block.equations * block.coordinates;
+    layout.projection_entries += block.coordinates * block.free;
+    layout.blocks.push_back(block);
+  }
+  return layout;
+}
+
+std::vector<ShapedProgram> shaped_programs(const Programs& programs, const SolverLayout& layout,
+                                           const SolverNames& names) {
+  const Places inputs = input_places(layout, names);
+  const int directions = static_cast<int>(programs.free_direction_coordinate.size());
+  std::vector<ShapedProgram> all = {
+      {&programs.accelerations, "accelerations", accelerations_shape(layout, names, inputs, directions)},
+      {&programs.closure, "closure", closure_shape(layout, names, inputs)},
+      {&programs.closure_terms, "closure_terms", closure_terms_shape(layout, names, inputs)},
+      {&programs.accelerations_chosen, "accelerations_chosen", chosen_shape(layout, names, inputs, directions)},
+      {&programs.multipliers, "multipliers", multipliers_shape(layout, inputs)},
+      {&programs.outputs, "outputs", outputs_shape(names, inputs)}};
+  std::erase_if(all, [&](const ShapedProgram& shaped) {
+    const bool always = shaped.program == &programs.accelerations || shaped.program == &programs.outputs;
+    return !always && shaped.program->outputs.empty();
+  });
+  return all;
+}
+
+}  // namespace mbgen

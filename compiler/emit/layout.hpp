@@ -1,0 +1,69 @@
+#pragma once
+// Sizes of a solver, and where each slot of its programs lives in emitted code.
+
+#include "compiler/analysis/analysis.hpp"
+#include "compiler/emit/names.hpp"
+#include "compiler/model/model.hpp"
+#include "compiler/topology/topology.hpp"
+#include "compiler/trace/trace.hpp"
+
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace mbgen {
+
+/// Sizes and places of one loop block in the flat arrays of the solver; see BlockLayout of mbgen/solver.hpp.
+struct BlockPlaces {
+  int equations = 0, coordinates = 0, rank = 0, free = 0;
+  int first_equation = 0, first_coordinate = 0, first_jacobian = 0, first_projection = 0;
+};
+
+struct SolverLayout {
+  int coordinates = 0, auxiliary_states = 0, equations = 0, drives = 0;
+  int block_coordinates = 0, jacobian_entries = 0, projection_entries = 0;
+  bool has_closure = false;                 ///< loops or motions
+  std::vector<BlockPlaces> blocks;
+};
+
+SolverLayout solver_layout(const Programs& programs, const Model& model, const Topology& topology,
+                           const Analysis& analysis);
+
+/// Where the slots of one group live.
+struct GroupPlace {
+  std::string argument;                 ///< function parameter that holds them, "result" for outputs
+  std::vector<std::string> texts;       ///< expression of each index, for example "state.z[Coordinate::crank_pin]"
+  std::vector<std::string> locals;      ///< name of a local copy of each index; empty: never copied
+  std::string missing = "0.0";          ///< value of an output that the program does not give
+};
+
+using Places = std::map<std::string, GroupPlace>;
+
+/// A struct member that holds an array: name, size, comment.
+struct ArrayMember {
+  std::string name;
+  int size = 0;
+  std::string comment;
+};
+
+/// Everything about one program but its values.
+struct ProgramShape {
+  std::string title;                                            ///< sentence for the comment
+  std::string function;                                         ///< "compute_accelerations"
+  std::string result;                                           ///< name of the result struct
+  std::vector<ArrayMember> members;                             ///< of the result struct
+  std::vector<std::pair<std::string, std::string>> arguments;   ///< name, declaration; in order
+  Places inputs, outputs;
+};
+
+/// The programs of a solver with their shapes; those of closures are left out when there is nothing to close.
+struct ShapedProgram {
+  const Program* program = nullptr;
+  std::string key;                      ///< in the manifest: "accelerations", "closure", ...
+  ProgramShape shape;
+};
+std::vector<ShapedProgram> shaped_programs(const Programs& programs, const SolverLayout& layout,
+                                           const SolverNames& names);
+
+}  // namespace mbgen

@@ -1,0 +1,79 @@
+#include "compiler/emit/emit.hpp"
+#include "compiler/emit/interface_text.hpp"
+#include "compiler/emit/schedule.hpp"
+
+#include <nlohmann/json.hpp>
+
+namespace mbgen {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json count_json(const OperationCount& count) {
+  return {{"add", count.add},   {"multiply", count.multiply},           {"divide", count.divide},
+          {"sqrt", count.sqrt}, {"trigonometric", count.trigonometric}, {"other", count.other},
+          {"total", count.total()}};
+}
+
+Json program_json(const ShapedProgram& shaped) {
+  const Program& program = *shaped.program;
+  const std::vector<OperationCount> counts = count_operations_by_section(program);
+  Json sections = Json::array();
+  for (std::size_t s = 0; s < counts.size(); ++s) {
+    Json section = {{"title", program.sections[s]}};
+    section.update(count_json(counts[s]));
+    sections.push_back(section);
+  }
+  return {{"function", shaped.shape.function},
+          {"parts", schedule(program).parts.size()},
+          {"operations", count_json(count_operations(program))},
+          {"sections", sections}};
+}
+
+Json blocks_json(const EmitContext& context) {
+  Json blocks = Json::array();
+  for (std::size_t b = 0; b < context.layout.blocks.size(); ++b) {
+    const LoopBlock& block = context.topology.blocks[b];
+    Json loops = Json::array(), coordinates = Json::array();
+    for (const int loop : block.loops) loops.push_back(context.topology.loops[loop].name);
+    for (const int joint : block.joints) coordinates.push_back(context.topology.bodies[joint].coordinate);
+    blocks.push_back({{"name", context.names.loop_blocks[b]},
+                      {"loops", loops},
+                      {"coordinates", coordinates},
+                      {"equations", block.equations},
+                      {"rank", context.analysis.blocks[b].rank},
+                      {"redundant_equations", context.analysis.blocks[b].redundant_names}});
+  }
+  return blocks;
+}
+
+}  // namespace
+
+std::string manifest_text(const EmitContext& context) {
+  const SolverNames& names = context.names;
+  Json programs = Json::object();
+  for (const ShapedProgram& shaped : shaped_programs(context.programs, context.layout, names)) {
+    programs[shaped.key] = program_json(shaped);
+  }
+  const Json manifest = {{"mbgen", kMbgenVersion},
+                         {"model", context.model.name},
+                         {"hash", context.model.hash},
+                         {"namespace", names.solver},
+                         {"sizes",
+                          {{"coordinates", context.layout.coordinates},
+                           {"auxiliary_states", context.layout.auxiliary_states},
+                           {"closure_equations", context.layout.equations},
+                           {"independent_equations", context.analysis.independent_equations},
+                           {"degrees_of_freedom", context.analysis.degrees_of_freedom},
+                           {"motions", context.layout.drives}}},
+                         {"coordinates", names.coordinates},
+                         {"bodies", names.bodies},
+                         {"inputs", names.inputs},
+                         {"outputs", names.outputs},
+                         {"parameters", names.parameters},
+                         {"loop_blocks", blocks_json(context)},
+                         {"programs", programs}};
+  return manifest.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace mbgen

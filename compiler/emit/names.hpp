@@ -1,0 +1,41 @@
+#pragma once
+// Names of the model as C++ identifiers.
+
+#include "compiler/model/model.hpp"
+#include "compiler/topology/topology.hpp"
+
+#include <string>
+#include <vector>
+
+namespace mbgen {
+
+/// Identifiers by model index, unique within each list.
+struct SolverNames {
+  std::string solver;                     ///< files and namespace
+  std::vector<std::string> coordinates;   ///< per tree coordinate
+  std::vector<std::string> bodies;        ///< per model body
+  std::vector<std::string> inputs;
+  std::vector<std::string> parameters;    ///< tunable ones only
+  std::vector<std::string> outputs;       ///< beside kinetic_energy, potential_energy, applied_power
+  std::vector<std::string> loop_blocks;   ///< first loop of the block
+};
+
+/// Members of Outputs that every solver has.
+constexpr const char* kEnergyMembers[] = {"kinetic_energy", "potential_energy", "applied_power"};
+
+/// A name as an identifier that is no keyword: letters, digits, single underscores. Not unique.
+std::string identifier_base(const std::string& name);
+
+/// The identifier for the second, third, .. use of a base: "crank_2"; "class_2" for "class_".
+std::string numbered(const std::string& base, int number);
+
+/// Names that a model alone decides; coordinates and loop_blocks stay empty.
+SolverNames model_names(const Model& model);
+
+/// All names.
+SolverNames solver_names(const Model& model, const Topology& topology);
+
+/// Loops of a block as people read them: "front_left, front_right".
+std::string block_title(const Topology& topology, int block);
+
+}  // namespace mbgen

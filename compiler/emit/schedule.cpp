@@ -1,0 +1,135 @@
+#include "compiler/emit/schedule.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <map>
+#include <utility>
+
+namespace mbgen {
+namespace {
+
+/// What a cut inside a section costs, in crossing values: a section kept whole is worth a few more stores.
+constexpr long kSectionCost = 10;
+
+bool is_operation(const Node& node) { return node.op != Op::constant && node.op != Op::input; }
+
+/// Operations that an output needs, in program order.
+std::vector<ValueId> live_operations(const Program& program) {
+  std::vector<bool> live(program.nodes.size(), false);
+  for (const OutputValue& output : program.outputs) live[output.value] = true;
+  for (std::size_t i = program.nodes.size(); i-- > 0;) {
+    if (!live[i]) continue;
+    for (int k = 0; k < arity(program.nodes[i].op); ++k) live[program.nodes[i].operands[k]] = true;
+  }
+  std::vector<ValueId> order;
+  for (ValueId v = 0; v < program.nodes.size(); ++v) {
+    if (live[v] && is_operation(program.nodes[v])) order.push_back(v);
+  }
+  return order;
+}
+
+/// Section after section, when no value needs one of a later section.
+void sort_by_section(const Program& program, std::vector<ValueId>& order) {
+  for (const ValueId v : order) {
+    const Node& node = program.nodes[v];
+    for (int k = 0; k < arity(node.op); ++k) {
+      const Node& operand = program.nodes[node.operands[k]];
+      if (is_operation(operand) && operand.section > node.section) return;
+    }
+  }
+  std::stable_sort(order.begin(), order.end(), [&](ValueId a, ValueId b) {
+    return program.nodes[a].section < program.nodes[b].section;
+  });
+}
+
+/// The other of sine and cosine of the same angle in the same section, kNoValue when there is none.
+std::vector<ValueId> angle_partners(const Program& program, const std::vector<ValueId>& order) {
+  std::map<std::pair<ValueId, std::uint16_t>, ValueId> first_of;
+  std::vector<ValueId> partner(program.nodes.size(), kNoValue);
+  for (const ValueId v : order) {
+    const Node& node = program.nodes[v];
+    if (node.op != Op::sin && node.op != Op::cos) continue;
+    const auto [entry, is_first] = first_of.try_emplace({node.operands[0], node.section}, v);
+    if (is_first || program.nodes[entry->second].op == node.op) continue;
+    partner[v] = entry->second;
+    partner[entry->second] = v;
+  }
+  return partner;
+}
+
+std::vector<ValueId> pair_angles(const std::vector<ValueId>& order, const std::vector<ValueId>& partner) {
+  std::vector<ValueId> result;
+  std::vector<bool> placed(partner.size(), false);
+  for (const ValueId v : order) {
+    if (placed[v]) continue;
+    result.push_back(v);
+    if (partner[v] != kNoValue) {
+      result.push_back(partner[v]);
+      placed[partner[v]] = true;
+    }
+  }
+  return result;
+}
+
+/// cost[i]: values defined before place i and used at or after it, with the costs of cutting there.
+std::vector<long> cut_costs(const Program& program, const std::vector<ValueId>& order,
+                            const std::vector<ValueId>& partner) {
+  std::vector<std::size_t> place(program.nodes.size(), 0), last_use(program.nodes.size(), 0);
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    const Node& node = program.nodes[order[i]];
+    place[order[i]] = last_use[order[i]] = i;
+    for (int k = 0; k < arity(node.op); ++k) last_use[node.operands[k]] = i;
+  }
+  std::vector<long> change(order.size() + 1, 0);
+  for (const ValueId v : order) {
+    ++change[place[v] + 1];
+    if (last_use[v] + 1 <= order.size()) --change[last_use[v] + 1];
+  }
+  std::vector<long> cost(order.size() + 1, 0);
+  long live = 0;
+  for (std::size_t i = 1; i < order.size(); ++i) {
+    live += change[i];
+    const bool inside_section = program.nodes[order[i - 1]].section == program.nodes[order[i]].section;
+    const bool inside_angle = partner[order[i]] == order[i - 1];
+    cost[i] = inside_angle ? std::numeric_limits<int>::max() : live + (inside_section ? kSectionCost : 0);
+  }
+  return cost;
+}
+
+/// Cheapest division by dynamic programming over the cuts.
+std::vector<PartRange> divide(std::size_t size, const std::vector<long>& cost) {
+  if (size <= kLargestPart) return {{0, size}};
+  constexpr long kUnreachable = std::numeric_limits<long>::max();
+  std::vector<long> best(size + 1, kUnreachable);
+  std::vector<std::size_t> from(size + 1, 0);
+  best[0] = 0;
+  for (std::size_t end = kSmallestPart; end <= size; ++end) {
+    const std::size_t earliest = end > kLargestPart ? end - kLargestPart : 0;
+    for (std::size_t start = earliest; start + kSmallestPart <= end; ++start) {
+      if (best[start] == kUnreachable) continue;
+      const long total = best[start] + cost[start];
+      if (total < best[end]) {
+        best[end] = total;
+        from[end] = start;
+      }
+    }
+  }
+  std::vector<PartRange> parts;
+  for (std::size_t end = size; end > 0; end = from[end]) parts.push_back({from[end], end});
+  std::reverse(parts.begin(), parts.end());
+  return parts;
+}
+
+}  // namespace
+
+Schedule schedule(const Program& program) {
+  std::vector<ValueId> order = live_operations(program);
+  sort_by_section(program, order);
+  const std::vector<ValueId> partner = angle_partners(program, order);
+  Schedule result;
+  result.order = pair_angles(order, partner);
+  result.parts = divide(result.order.size(), cut_costs(program, result.order, partner));
+  return result;
+}
+
+}  // namespace mbgen

@@ -1,0 +1,144 @@
+#include "compiler/emit/interface_text.hpp"
+
+#include "compiler/emit/program_text.hpp"
+#include "compiler/emit/text.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+
+namespace mbgen {
+namespace {
+
+using Items = std::vector<std::string>;
+
+/// A static table of System; never empty, since C++ has no arrays of size zero.
+std::string table(const std::string& type, const std::string& name, Items items, const std::string& filler = "0") {
+  if (items.empty()) items.push_back(filler);
+  return "  static constexpr " + type + " " + name + "[] = {\n" + wrapped_list(items, 6) + "};\n";
+}
+
+std::string constant(const std::string& type, const std::string& name, const std::string& value) {
+  return "  static constexpr " + type + " " + name + " = " + value + ";\n";
+}
+
+std::string braces(const std::vector<int>& numbers) {
+  std::string text;
+  for (const int number : numbers) text += (text.empty() ? "{" : ", ") + std::to_string(number);
+  return text + "}";
+}
+
+template <class Number>
+Items items_of(const std::vector<Number>& numbers) {
+  Items items;
+  for (const auto number : numbers) items.push_back(std::to_string(static_cast<int>(number)));
+  return items;
+}
+
+std::string size_constants(const EmitContext& context) {
+  const SolverLayout& layout = context.layout;
+  const std::pair<const char*, int> sizes[] = {
+      {"kCoordinates", layout.coordinates},
+      {"kAuxiliaryStates", layout.auxiliary_states},
+      {"kBlocks", static_cast<int>(layout.blocks.size())},
+      {"kEquations", layout.equations},
+      {"kDrives", layout.drives},
+      {"kBlockCoordinates", layout.block_coordinates},
+      {"kFreeDirections", static_cast<int>(context.programs.free_direction_coordinate.size())}};
+  std::string text;
+  for (const auto& [name, size] : sizes) text += constant("int", name, std::to_string(size));
+  return text + constant("bool", "kHasClosure", layout.has_closure ? "true" : "false") +
+         constant("double", "kClosureTolerance", number_text(context.model.solver.closure_tolerance));
+}
+
+/// Block and place of every free direction: the q-th direction of its block.
+Items free_direction_items(const EmitContext& context) {
+  std::vector<int> directions_of(context.layout.blocks.size(), 0);
+  Items items;
+  for (const std::string& name : context.programs.free_direction_coordinate) {
+    const int coordinate = find_coordinate(context.topology, name);
+    if (coordinate < 0) throw std::logic_error("free direction of an unknown coordinate: " + name);
+    const int block = context.topology.groups[context.topology.group_of[coordinate]].block;
+    items.push_back(braces({coordinate, block, block < 0 ? 0 : directions_of[block]++}));
+  }
+  return items;
+}
+
+std::string tables(const EmitContext& context) {
+  const SolverLayout& layout = context.layout;
+  Items blocks;
+  std::vector<int> coordinates;
+  std::vector<bool> block_driven, redundant(layout.equations, false);
+  for (std::size_t b = 0; b < layout.blocks.size(); ++b) {
+    const BlockPlaces& p = layout.blocks[b];
+    blocks.push_back(braces({p.equations, p.coordinates, p.rank, p.free, p.first_equation, p.first_coordinate,
+                             p.first_jacobian, p.first_projection}));
+    for (const int joint : context.topology.blocks[b].joints) {
+      coordinates.push_back(joint);
+      block_driven.push_back(context.analysis.driven[joint]);
+    }
+    for (const int e : context.analysis.blocks[b].redundant_equations) redundant[p.first_equation + e] = true;
+  }
+  return table("mbgen::BlockLayout", "kBlockLayout", blocks, "{0, 0, 0, 0, 0, 0, 0, 0}") +
+         table("int", "kBlockCoordinate", items_of(coordinates)) +
+         table("unsigned char", "kBlockDriven", items_of(block_driven)) +
+         table("unsigned char", "kDriven", items_of(context.analysis.driven)) +
+         table("unsigned char", "kRedundant", items_of(redundant)) +
+         table("mbgen::FreeDirection", "kFreeDirection", free_direction_items(context), "{0, -1, 0}");
+}
+
+/// Sum of all parameters and inputs: not finite when one of them is not.
+std::string argument_sum(const SolverNames& names) {
+  Items terms;
+  for (const std::string& name : names.parameters) terms.push_back("parameters." + name);
+  for (const std::string& name : names.inputs) terms.push_back("inputs." + name);
+  std::string sum;
+  for (const std::string& term : terms) sum += (sum.empty() ? "" : " + ") + term;
+  const auto parameter = [](bool used, const std::string& name) { return used ? name : "/*" + name + "*/"; };
+  return "  static double argument_sum(const Parameters& " + parameter(!names.parameters.empty(), "parameters") +
+         ", const Inputs& " + parameter(!names.inputs.empty(), "inputs") + ") noexcept {\n" +
+         wrapped_statement("    return " + (sum.empty() ? "0.0" : sum) + ";") + "\n  }\n";
+}
+
+/// Accelerations and velocities that the pivoting path hands to the program of the chosen partition.
+std::string projection_struct(const SolverLayout& layout) {
+  if (layout.blocks.empty()) return "";
+  return "/// Projection of the loop blocks, chosen at run time.\nstruct Projection {\n  double Rz[" +
+         std::to_string(std::max(layout.projection_entries, 1)) + "];  ///< of each block, row by row\n  double zdd_star[" +
+         std::to_string(layout.block_coordinates) + "];  ///< accelerations of each block at zero independent ones\n};\n\n";
+}
+
+/// Residuals live where the closure program says; the tables of System assume block after block.
+void check_residual_order(const EmitContext& context) {
+  for (std::size_t b = 0; b < context.layout.blocks.size(); ++b) {
+    if (context.programs.residual_equation_of.at(b) != context.layout.blocks[b].first_equation) {
+      throw std::logic_error("residuals of block " + std::to_string(b) + " do not follow those of the blocks before");
+    }
+  }
+}
+
+}  // namespace
+
+std::string solver_text(const EmitContext& context) {
+  check_residual_order(context);
+  std::string programs, members;
+  for (const ShapedProgram& shaped : shaped_programs(context.programs, context.layout, context.names)) {
+    programs += program_text(*shaped.program, shaped.shape) + "\n";
+    const std::string member = shaped.shape.function.substr(std::string("compute_").size());
+    if (!shaped.shape.members.empty()) {
+      members += "  using " + shaped.shape.result + " = " + context.names.solver + "::" + shaped.shape.result + ";\n";
+    }
+    members += constant("auto", member, "&" + shaped.shape.function);
+  }
+  if (!context.layout.blocks.empty()) {
+    members += "  using Projection = " + context.names.solver + "::Projection;\n";
+  }
+  std::string system = size_constants(context) + tables(context) + members + argument_sum(context.names);
+  system.pop_back();
+  return fill_template("solver.cpp.in", {{"banner", banner_text(context.model, "//")},
+                                         {"solver", context.names.solver},
+                                         {"projection_struct", projection_struct(context.layout)},
+                                         {"programs", programs},
+                                         {"system", system}});
+}
+
+}  // namespace mbgen

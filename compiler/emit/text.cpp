@@ -1,0 +1,121 @@
+#include "compiler/emit/text.hpp"
+
+#include "compiler/emit/embedded.hpp"
+
+#include <charconv>
+#include <cmath>
+#include <set>
+#include <stdexcept>
+
+namespace mbgen {
+
+std::string number_text(double value) {
+  if (std::isnan(value)) return "NAN";
+  if (std::isinf(value)) return value > 0 ? "INFINITY" : "-INFINITY";
+  char buffer[40];
+  const auto end = std::to_chars(buffer, buffer + sizeof buffer, value).ptr;
+  std::string text(buffer, end);
+  if (text.find_first_of(".e") == std::string::npos) text += ".0";
+  return text;
+}
+
+std::string string_literal(std::string_view text) {
+  std::string literal = "\"";
+  for (const char c : text) {
+    const auto byte = static_cast<unsigned char>(c);
+    if (c == '"' || c == '\\') {
+      literal += '\\';
+      literal += c;
+    } else if (byte < 0x20 || byte == 0x7f) {
+      // Three octal digits: a hexadecimal escape would swallow the digits after it.
+      literal += '\\';
+      literal += static_cast<char>('0' + (byte >> 6));
+      literal += static_cast<char>('0' + ((byte >> 3) & 7));
+      literal += static_cast<char>('0' + (byte & 7));
+    } else {
+      literal += c;
+    }
+  }
+  return literal + "\"";
+}
+
+std::string comment_text(std::string_view text) {
+  std::string result(text);
+  for (char& c : result) {
+    if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) c = ' ';
+  }
+  if (!result.empty() && result.back() == '\\') result += '.';
+  return result;
+}
+
+std::string wrapped_list(const std::vector<std::string>& items, std::size_t indent) {
+  const std::string margin(indent, ' ');
+  std::string result = margin;
+  std::size_t column = indent;
+  for (std::size_t i = 0; i < items.size(); ++i) {
+    const std::string item = items[i] + (i + 1 < items.size() ? "," : "");
+    const bool first_on_line = column == indent;
+    if (!first_on_line && column + 1 + item.size() > kLineWidth) {
+      result += "\n" + margin;
+      column = indent;
+    } else if (!first_on_line) {
+      result += ' ';
+      ++column;
+    }
+    result += item;
+    column += item.size();
+  }
+  return result;
+}
+
+std::string wrapped_statement(const std::string& line) {
+  const std::size_t indent = line.find_first_not_of(' ');
+  const std::string margin(indent == std::string::npos ? 4 : indent + 4, ' ');
+  std::string result;
+  std::string rest = line;
+  while (rest.size() > kLineWidth) {
+    std::size_t cut = rest.rfind(' ', kLineWidth);
+    // A line may not start with its own margin again: look behind the limit when no space before it splits the text.
+    if (cut == std::string::npos || cut <= margin.size()) cut = rest.find(' ', kLineWidth);
+    if (cut == std::string::npos) break;
+    result += rest.substr(0, cut) + "\n";
+    rest = margin + rest.substr(cut + 1);
+  }
+  return result + rest;
+}
+
+std::string fill_frame(std::string_view frame_name, std::string_view frame,
+                       const std::map<std::string, std::string>& values) {
+  std::string result;
+  std::set<std::string> used;
+  std::size_t position = 0;
+  while (true) {
+    const std::size_t open = frame.find("{{", position);
+    result += frame.substr(position, open - position);
+    if (open == std::string_view::npos) break;
+    const std::size_t close = frame.find("}}", open);
+    if (close == std::string_view::npos) {
+      throw std::logic_error(std::string(frame_name) + ": {{ without }}");
+    }
+    const std::string name(frame.substr(open + 2, close - open - 2));
+    const auto value = values.find(name);
+    if (value == values.end()) throw std::logic_error(std::string(frame_name) + ": no value for {{" + name + "}}");
+    result += value->second;
+    used.insert(name);
+    position = close + 2;
+  }
+  for (const auto& [name, value] : values) {
+    if (!used.count(name)) throw std::logic_error(std::string(frame_name) + ": {{" + name + "}} is not used");
+  }
+  return result;
+}
+
+std::string fill_template(const std::string& name, const std::map<std::string, std::string>& values) {
+  const std::string path = "templates/" + name;
+  for (const EmbeddedFile& file : embedded_files()) {
+    if (file.path == path) return fill_frame(path, file.text, values);
+  }
+  throw std::logic_error(path + ": not embedded");
+}
+
+}  // namespace mbgen

@@ -1,0 +1,142 @@
+#pragma once
+// What every part of a generated solver's runtime shares: the places of its loop blocks, checks of arguments, and the
+// pivoting factorisation of its blocks. No heap, no exceptions.
+//
+// `System` is written by mbgen into the solver's source. It offers, all static:
+//   types      Parameters Inputs State Derivative, and the result of each program: Accelerations Closure ClosureTerms
+//              ChosenAccelerations Projection Multipliers
+//   sizes      kCoordinates kAuxiliaryStates kBlocks kEquations kDrives kBlockCoordinates kFreeDirections
+//   decisions  kHasClosure (loops or motions), kClosureTolerance
+//   tables     kBlockLayout[block] kBlockCoordinate[] kBlockDriven[] kDriven[coordinate] kRedundant[equation]
+//              kFreeDirection[direction]
+//   programs   accelerations, argument_sum; with a closure: closure, multipliers; with loops: closure_terms,
+//              chosen_accelerations
+
+#include "mbgen/loop.hpp"
+#include "mbgen/status.hpp"
+
+#include <cmath>
+
+namespace mbgen {
+
+/// Place of one loop block in the flat arrays of a solver.
+struct BlockLayout {
+  int equations;          ///< all of them, redundant ones too
+  int coordinates;
+  int rank;               ///< generic rank of the Jacobian
+  int free;               ///< coordinates - rank - driven ones
+  int first_equation;     ///< into Phi, ct, c and residual
+  int first_coordinate;   ///< into kBlockCoordinate, kBlockDriven and zdd_star
+  int first_jacobian;     ///< into Jz
+  int first_projection;   ///< into Rz
+};
+
+/// A free direction of the final equations.
+struct FreeDirection {
+  int coordinate;   ///< that names it in the frozen partition
+  int block;        ///< loop block, -1 for a joint outside all blocks
+  int place;        ///< q: place among the free directions of the block
+};
+
+/// Smallest pivot of a block, over its median in the analysed configurations, with which the frozen order is trusted.
+/// The analysis accepts ratios from 0.05; two digits of the answer are at stake here, where it is left.
+constexpr double kPivotThreshold = 0.02;
+/// A pivot below this part of the block's first one means a rank lower than the generic one.
+constexpr double kRankTolerance = 1e-10;
+
+namespace solver_detail {
+
+inline void copy(const double* from, double* to, int count) noexcept {
+  for (int i = 0; i < count; ++i) to[i] = from[i];
+}
+
+template <class System>
+void copy_state(const typename System::State& from, typename System::State& to) noexcept {
+  copy(from.z, to.z, System::kCoordinates);
+  copy(from.zd, to.zd, System::kCoordinates);
+  copy(from.x, to.x, static_cast<int>(sizeof from.x / sizeof from.x[0]));
+  to.t = from.t;
+}
+
+/// Sum with two accumulators: not finite when an entry is not; the second halves the chain of dependent additions.
+inline double sum(const double* values, int count) noexcept {
+  double even = 0, odd = 0;
+  int i = 0;
+  for (; i + 1 < count; i += 2) {
+    even += values[i];
+    odd += values[i + 1];
+  }
+  return i < count ? even + odd + values[i] : even + odd;
+}
+
+/// Largest absolute value, NaN when one is; 0 of nothing.
+inline double largest(const double* values, int count) noexcept {
+  double result = 0;
+  for (int i = 0; i < count; ++i) {
+    if (!(std::abs(values[i]) <= result)) result = std::abs(values[i]);
+  }
+  return result;
+}
+
+/// Place of the first entry that is not finite, or -1.
+inline int first_not_finite(const double* values, int count) noexcept {
+  for (int i = 0; i < count; ++i) {
+    if (!std::isfinite(values[i])) return i;
+  }
+  return -1;
+}
+
+/// Names what is not finite in a state. A sum of large finite values can overflow, so ok is a possible answer.
+template <class System>
+Status find_not_finite(double argument_sum, const typename System::State& state, const double* tau) noexcept {
+  int bad = first_not_finite(state.z, System::kCoordinates);
+  if (bad < 0) bad = first_not_finite(state.zd, System::kCoordinates);
+  if (bad < 0 && tau != nullptr) bad = first_not_finite(tau, System::kCoordinates);
+  const bool rest = std::isfinite(argument_sum) && std::isfinite(state.t) &&
+                    first_not_finite(state.x, System::kAuxiliaryStates) < 0;
+  return bad < 0 && rest ? Status{} : Status{Code::not_a_number, bad};
+}
+
+/// Status of the arguments of a call; tau may be null.
+template <class System>
+Status check_arguments(const typename System::Parameters& parameters, const typename System::Inputs& inputs,
+                       const typename System::State& state, const double* tau) noexcept {
+  const double arguments = System::argument_sum(parameters, inputs);
+  double total = sum(state.z, System::kCoordinates) + sum(state.zd, System::kCoordinates) +
+                 sum(state.x, System::kAuxiliaryStates) + (state.t + arguments);
+  if (tau != nullptr) total += sum(tau, System::kCoordinates);
+  return std::isfinite(total) ? Status{} : find_not_finite<System>(arguments, state, tau);
+}
+
+/// True when every monitor of the frozen partition is good; a NaN is not.
+template <class System>
+bool frozen_is_good(const double* pivot) noexcept {
+  bool good = true;
+  for (int b = 0; b < System::kBlocks; ++b) good = good && pivot[b] >= kPivotThreshold;
+  return good;
+}
+
+/// Factors of the blocks with their permutations.
+template <class System>
+struct BlockFactors {
+  int rows[System::kEquations > 0 ? System::kEquations : 1];
+  int columns[System::kBlockCoordinates > 0 ? System::kBlockCoordinates : 1];
+  double work[System::kEquations > 0 ? System::kEquations : 1];
+
+  /// Factorises block b of `terms` in place.
+  LoopFactors factors_of(int b, typename System::ClosureTerms& terms) noexcept {
+    const BlockLayout& block = System::kBlockLayout[b];
+    LoopFactors loop;
+    loop.equations = block.equations;
+    loop.coordinates = block.coordinates;
+    loop.matrix = terms.Jz + block.first_jacobian;
+    loop.rows = rows + block.first_equation;
+    loop.columns = columns + block.first_coordinate;
+    factorise(loop, block.rank, System::kBlockDriven + block.first_coordinate, kRankTolerance);
+    return loop;
+  }
+};
+
+}  // namespace solver_detail
+
+}  // namespace mbgen

@@ -1,0 +1,128 @@
+#pragma once
+// Accelerations and constraint forces of a generated solver: the frozen program where the pivot monitors are good, the
+// pivoting factorisation where one trips. `System` is described in blocks.hpp.
+
+#include "mbgen/blocks.hpp"
+#include "mbgen/closure.hpp"
+
+namespace mbgen {
+
+namespace solver_detail {
+
+/// Coordinate of a free direction under the partition that `columns` of its block holds: the place-th one that is
+/// neither dependent nor driven, in ascending order.
+template <class System>
+int free_coordinate(const FreeDirection& direction, const BlockFactors<System>& factors) noexcept {
+  if (direction.block < 0) return direction.coordinate;
+  const BlockLayout& block = System::kBlockLayout[direction.block];
+  const int* columns = factors.columns + block.first_coordinate;
+  int place = direction.place;
+  for (int c = 0; c < block.coordinates; ++c) {
+    bool is_free = System::kBlockDriven[block.first_coordinate + c] == 0;
+    for (int k = 0; k < block.rank; ++k) is_free = is_free && columns[k] != c;
+    if (is_free && place-- == 0) return System::kBlockCoordinate[block.first_coordinate + c];
+  }
+  return direction.coordinate;
+}
+
+/// Copies zdd and xd of a program's result when they are finite.
+template <class System, class Values>
+Status deliver(const Values& values, typename System::Derivative& derivative) noexcept {
+  if (!std::isfinite(sum(values.zdd, System::kCoordinates) + sum(values.xd, System::kAuxiliaryStates))) {
+    const int bad = first_not_finite(values.zdd, System::kCoordinates);
+    if (bad >= 0 || first_not_finite(values.xd, System::kAuxiliaryStates) >= 0) return {Code::not_a_number, bad};
+  }
+  copy(values.zdd, derivative.zdd, System::kCoordinates);
+  copy(values.xd, derivative.xd, System::kAuxiliaryStates);
+  return {};
+}
+
+/// Accelerations with a partition chosen here and now by full pivoting. Source: (60)-(63).
+template <class System>
+Status pivoted_accelerations(const typename System::Parameters& parameters, const typename System::Inputs& inputs,
+                             const typename System::State& state, const double* tau,
+                             typename System::Derivative& derivative) noexcept {
+  typename System::ClosureTerms terms;
+  System::closure_terms(parameters, inputs, state, terms);
+  typename System::Projection projection;
+  BlockFactors<System> factors;
+  for (int b = 0; b < System::kBlocks; ++b) {
+    const BlockLayout& block = System::kBlockLayout[b];
+    const LoopFactors loop = factors.factors_of(b, terms);
+    if (loop.rank < block.rank) return {Code::loop_singular, b};
+    double* zdd_star = projection.zdd_star + block.first_coordinate;
+    for (int c = 0; c < block.coordinates; ++c) {
+      const int place = block.first_coordinate + c;
+      zdd_star[c] = System::kBlockDriven[place] != 0 ? terms.driven_acceleration[System::kBlockCoordinate[place]] : 0.0;
+    }
+    solve_dependent(loop, terms.c + block.first_equation, zdd_star, factors.work);
+    free_directions(loop, System::kBlockDriven + block.first_coordinate, projection.Rz + block.first_projection,
+                    factors.work);
+  }
+  typename System::ChosenAccelerations values;
+  System::chosen_accelerations(parameters, inputs, state, tau, projection, values);
+  for (int k = 0; k < System::kFreeDirections; ++k) {
+    if (!(values.inertia[k] > 0)) {
+      return {Code::no_inertia, free_coordinate<System>(System::kFreeDirection[k], factors)};
+    }
+  }
+  return deliver<System>(values, derivative);
+}
+
+}  // namespace solver_detail
+
+/// All accelerations at a state: the frozen program, and the pivoted one where the monitor of a loop block trips.
+/// Fails: not_a_number, no_inertia, loop_singular; the derivative is then unchanged.
+template <class System>
+Status solve_accelerations(const typename System::Parameters& parameters, const typename System::Inputs& inputs,
+                           const typename System::State& state, const double* tau,
+                           typename System::Derivative& derivative) noexcept {
+  using namespace solver_detail;
+  const Status status = check_arguments<System>(parameters, inputs, state, tau);
+  if (!status.ok()) return status;
+  typename System::Accelerations values;
+  System::accelerations(parameters, inputs, state, tau, values);
+  if constexpr (System::kBlocks > 0) {
+    if (!frozen_is_good<System>(values.pivot)) {
+      return pivoted_accelerations<System>(parameters, inputs, state, tau, derivative);
+    }
+  }
+  for (int k = 0; k < System::kFreeDirections; ++k) {
+    if (!(values.inertia[k] > 0)) return {Code::no_inertia, System::kFreeDirection[k].coordinate};
+  }
+  return deliver<System>(values, derivative);
+}
+
+/// Multipliers and driving forces of the frozen partition. Fails: not_a_number, and loop_singular where they are not
+/// finite (index: the block with the smallest pivot); the values are then unchanged.
+template <class System>
+Status solve_multipliers(const typename System::Parameters& parameters, const typename System::Inputs& inputs,
+                         const typename System::State& state, const double* tau,
+                         const typename System::Derivative& derivative,
+                         typename System::Multipliers& multipliers) noexcept {
+  using namespace solver_detail;
+  const Status status = check_arguments<System>(parameters, inputs, state, tau);
+  if (!status.ok()) return status;
+  if constexpr (System::kHasClosure) {
+    typename System::Multipliers values;
+    System::multipliers(parameters, inputs, state, tau, derivative, values);
+    if (!std::isfinite(sum(values.lambda, System::kEquations) + sum(values.drive, System::kDrives))) {
+      const int bad = first_not_finite(derivative.zdd, System::kCoordinates);
+      return bad < 0 ? Status{Code::loop_singular, worst_block<System>(parameters, inputs, state)}
+                     : Status{Code::not_a_number, bad};
+    }
+    copy(values.lambda, multipliers.lambda, System::kEquations);
+    copy(values.drive, multipliers.drive, System::kDrives);
+  }
+  return {};
+}
+
+/// Name of what a status names: a coordinate or a loop block, "" for nothing.
+constexpr const char* name_of(Status status, const char* const* coordinates, int coordinate_count,
+                              const char* const* blocks, int block_count) noexcept {
+  const bool is_block = status.code == Code::loop_not_closed || status.code == Code::loop_singular;
+  if (status.index < 0 || status.index >= (is_block ? block_count : coordinate_count)) return "";
+  return (is_block ? blocks : coordinates)[status.index];
+}
+
+}  // namespace mbgen
