@@ -124,7 +124,7 @@ class Expr {
  public:
   Expr() = default;
   Expr(double constant) : constant_(constant) {}
-  Expr(ProgramBuilder& builder, ValueId value) : builder_(&builder), value_(value) {}
+  Expr(ProgramBuilder& builder, ValueId value);
 
   bool is_constant() const;            ///< known at trace time
   double constant() const;             ///< Requires: is_constant()

@@ -1,0 +1,286 @@
+#include "compiler/topology/spanning_tree.hpp"
+
+#include "compiler/topology/coordinate_uses.hpp"
+
+#include <algorithm>
+#include <iterator>
+#include <numeric>
+#include <queue>
+#include <tuple>
+
+namespace mbgen {
+namespace {
+
+/// How strongly a joint is held in the tree, before its equations are counted.
+enum class Hold { none, used, marked };
+
+using JointSet = std::vector<int>;       ///< ascending indices into Model::joints
+
+/// A closure as a set of joints: the tree joints between its two bodies, and the cut joint itself (-1 for a rod).
+struct Cycle {
+  int joint = -1;
+  JointSet path;
+};
+
+class TreeSearch {
+ public:
+  explicit TreeSearch(const Model& model);
+  void grow();
+  void shorten_loops();
+  void check_reach(Diagnostics& problems) const;
+  void check_marks_and_uses(Diagnostics& problems) const;
+  SpanningTree result() const;
+
+ private:
+  void reach(int body, int joint, int parent);
+  JointSet path_between(int a, int b) const;
+  std::vector<Cycle> cycles() const;
+  bool exchangeable(int cut, int kept) const;
+  int weight(const JointSet& joints) const;
+  bool try_exchange(std::vector<Cycle>& cycles, std::size_t cut, int kept);
+  std::string reason(int joint) const;
+  int equations(int joint) const { return closure_equations(model_.joints[joint].type); }
+
+  /// Candidates to extend the tree, best first: hold, equations, nearness to ground, file order.
+  using Candidate = std::tuple<Hold, int, int, int>;
+
+  const Model& model_;
+  std::vector<CoordinateUse> uses_;
+  std::vector<Hold> hold_;                       // per joint
+  std::vector<std::vector<int>> joints_of_;      // per body, ascending
+  std::vector<bool> reached_;                    // per body
+  std::vector<int> depth_, parent_, parent_joint_;
+  std::vector<bool> in_tree_, exchanged_;        // per joint
+  std::priority_queue<Candidate> candidates_;
+};
+
+TreeSearch::TreeSearch(const Model& model)
+    : model_(model), uses_(coordinate_uses(model)), hold_(model.joints.size(), Hold::none),
+      joints_of_(model.bodies.size()), reached_(model.bodies.size()), depth_(model.bodies.size()),
+      parent_(model.bodies.size(), -1), parent_joint_(model.bodies.size(), -1), in_tree_(model.joints.size()),
+      exchanged_(model.joints.size()) {
+  for (const CoordinateUse& use : uses_) hold_[use.coordinate.joint] = Hold::used;
+  for (std::size_t j = 0; j < model.joints.size(); ++j) {
+    const Joint& joint = model.joints[j];
+    if (joint.cut == CutMark::tree) hold_[j] = Hold::marked;
+    joints_of_[joint.from.body].push_back(static_cast<int>(j));
+    joints_of_[joint.to.body].push_back(static_cast<int>(j));
+  }
+}
+
+// Prim's maximum spanning tree: the best joint that leads to a new body, again and again.
+void TreeSearch::grow() {
+  if (model_.ground < 0) return;
+  reach(model_.ground, -1, -1);
+  while (!candidates_.empty()) {
+    const int joint = -std::get<3>(candidates_.top());
+    candidates_.pop();
+    const int from = model_.joints[joint].from.body, to = model_.joints[joint].to.body;
+    if (reached_[from] && reached_[to]) continue;
+    in_tree_[joint] = true;
+    reached_[to] ? reach(from, joint, to) : reach(to, joint, from);
+  }
+}
+
+void TreeSearch::reach(int body, int joint, int parent) {
+  reached_[body] = true;
+  parent_[body] = parent;
+  parent_joint_[body] = joint;
+  depth_[body] = parent < 0 ? 0 : depth_[parent] + 1;
+  for (int next : joints_of_[body]) {
+    if (model_.joints[next].cut == CutMark::cut) continue;
+    candidates_.emplace(hold_[next], equations(next), -depth_[body], -next);
+  }
+}
+
+JointSet TreeSearch::path_between(int a, int b) const {
+  JointSet path;
+  while (a != b) {
+    int& lower = depth_[a] >= depth_[b] ? a : b;
+    path.push_back(parent_joint_[lower]);
+    lower = parent_[lower];
+  }
+  std::sort(path.begin(), path.end());
+  return path;
+}
+
+std::vector<Cycle> TreeSearch::cycles() const {
+  std::vector<Cycle> cycles;
+  for (std::size_t j = 0; j < model_.joints.size(); ++j) {
+    const Joint& joint = model_.joints[j];
+    if (in_tree_[j] || joint.type == JointType::free) continue;
+    cycles.push_back({static_cast<int>(j), path_between(joint.from.body, joint.to.body)});
+  }
+  for (const Rod& rod : model_.rods) cycles.push_back({-1, path_between(rod.from.body, rod.to.body)});
+  return cycles;
+}
+
+bool TreeSearch::exchangeable(int cut, int kept) const {
+  const auto is_free_choice = [&](int joint) {
+    return hold_[joint] == Hold::none && model_.joints[joint].cut == CutMark::automatic;
+  };
+  return is_free_choice(cut) && is_free_choice(kept) && equations(cut) == equations(kept);
+}
+
+int TreeSearch::weight(const JointSet& joints) const {
+  int coordinates = 0;
+  for (int joint : joints) coordinates += static_cast<int>(model_.joints[joint].freedoms.size());
+  return coordinates;
+}
+
+// Cutting `kept` instead reroutes every other loop through `kept` along the rest of this cycle: their symmetric difference.
+bool TreeSearch::try_exchange(std::vector<Cycle>& cycles, std::size_t cut, int kept) {
+  JointSet cycle = cycles[cut].path;
+  cycle.insert(std::lower_bound(cycle.begin(), cycle.end(), cycles[cut].joint), cycles[cut].joint);
+  int change = 0;
+  std::vector<std::pair<std::size_t, JointSet>> rerouted;
+  for (std::size_t k = 0; k < cycles.size(); ++k) {
+    const JointSet& path = cycles[k].path;
+    if (k == cut || !std::binary_search(path.begin(), path.end(), kept)) continue;
+    JointSet other;
+    std::set_symmetric_difference(path.begin(), path.end(), cycle.begin(), cycle.end(), std::back_inserter(other));
+    change += weight(other) - weight(path);
+    rerouted.emplace_back(k, std::move(other));
+  }
+  if (change >= 0) return false;
+  in_tree_[cycles[cut].joint] = true;
+  in_tree_[kept] = false;
+  exchanged_[kept] = true;
+  for (auto& [k, path] : rerouted) cycles[k].path = std::move(path);
+  cycle.erase(std::lower_bound(cycle.begin(), cycle.end(), kept));
+  cycles[cut] = {kept, std::move(cycle)};
+  return true;
+}
+
+// Each exchange lowers the total, so the search ends.
+void TreeSearch::shorten_loops() {
+  std::vector<Cycle> all = cycles();
+  const auto improve = [&] {
+    for (std::size_t cut = 0; cut < all.size(); ++cut) {
+      if (all[cut].joint < 0) continue;
+      for (int kept : all[cut].path) {
+        if (exchangeable(all[cut].joint, kept) && try_exchange(all, cut, kept)) return true;
+      }
+    }
+    return false;
+  };
+  while (improve()) {
+  }
+}
+
+// One message per island of bodies that no joint connects to ground.
+void TreeSearch::check_reach(Diagnostics& problems) const {
+  std::vector<bool> told = reached_;
+  for (std::size_t body = 0; body < model_.bodies.size(); ++body) {
+    if (told[body] || static_cast<int>(body) == model_.ground) continue;
+    std::vector<int> island{static_cast<int>(body)};
+    told[body] = true;
+    std::string cut_joint;
+    for (std::size_t i = 0; i < island.size(); ++i) {
+      for (int j : joints_of_[island[i]]) {
+        const Joint& joint = model_.joints[j];
+        const int other = joint.from.body == island[i] ? joint.to.body : joint.from.body;
+        if (joint.cut == CutMark::cut && cut_joint.empty()) cut_joint = joint.name;
+        if (told[other] || joint.cut == CutMark::cut) continue;
+        told[other] = true;
+        island.push_back(other);
+      }
+    }
+    std::string hint = cut_joint.empty() ? "add a joint, for example of type free from ground"
+                                         : "joint " + cut_joint + " is marked \"cut\": true and holds no body";
+    if (island.size() > 1) hint += "; " + std::to_string(island.size() - 1) + " more bodies hang on it";
+    const Body& first = model_.bodies[body];
+    problems.push_back({first.where, "body " + first.name + " has no path to ground", hint, ""});
+  }
+}
+
+void TreeSearch::check_marks_and_uses(Diagnostics& problems) const {
+  std::vector<bool> told(model_.joints.size());
+  for (std::size_t j = 0; j < model_.joints.size(); ++j) {
+    const Joint& joint = model_.joints[j];
+    if (in_tree_[j] || joint.cut != CutMark::tree || !reached_[joint.from.body] || !reached_[joint.to.body]) continue;
+    told[j] = true;
+    problems.push_back({joint.where,
+                        "joint " + joint.name + " is marked \"cut\": false but closes a loop: body " +
+                            model_.bodies[joint.to.body].name + " would have two parents",
+                        "leave one joint of the loop without the mark", ""});
+  }
+  for (const CoordinateUse& use : uses_) {
+    const Joint& joint = model_.joints[use.coordinate.joint];
+    if (in_tree_[use.coordinate.joint] || told[use.coordinate.joint]) continue;
+    if (!reached_[joint.from.body] || !reached_[joint.to.body]) continue;
+    told[use.coordinate.joint] = true;
+    const std::string name = joint.freedoms[use.coordinate.component].name;
+    const bool marked = joint.cut == CutMark::cut;
+    problems.push_back({joint.where,
+                        "joint " + joint.name + " closes a loop, so its coordinate " + name +
+                            " does not exist, but it is used by " + use.user,
+                        marked ? "take the mark \"cut\": true away or mark another joint of the loop"
+                               : "every other joint of the loop is used or marked too; free one of them",
+                        ""});
+  }
+}
+
+std::string TreeSearch::reason(int joint) const {
+  if (model_.joints[joint].cut == CutMark::cut) return "marked";
+  bool cheaper_kept = false, equal_kept = false;
+  for (int other : path_between(model_.joints[joint].from.body, model_.joints[joint].to.body)) {
+    cheaper_kept |= equations(other) < equations(joint);
+    equal_kept |= hold_[other] == Hold::none && equations(other) == equations(joint);
+  }
+  const std::string count = std::to_string(equations(joint)) + (equations(joint) == 1 ? " equation" : " equations");
+  if (cheaper_kept) return "fewest equations (" + count + ") of the joints that need not stay in the tree";
+  if (!equal_kept) return "fewest equations (" + count + ") in its loop";
+  if (exchanged_[joint]) return "fewest equations (" + count + "), then shortest loops";
+  return "fewest equations (" + count + "), then farthest from ground and last in the file";
+}
+
+SpanningTree TreeSearch::result() const {
+  // Exchanges moved joints: orient the final tree before reasons are read off its loops.
+  TreeSearch final_tree = *this;
+  std::fill(final_tree.reached_.begin(), final_tree.reached_.end(), false);
+  std::vector<int> open{model_.ground};
+  final_tree.reach(model_.ground, -1, -1);
+  for (std::size_t i = 0; i < open.size(); ++i) {
+    for (int j : joints_of_[open[i]]) {
+      const int other = model_.joints[j].from.body == open[i] ? model_.joints[j].to.body : model_.joints[j].from.body;
+      if (!in_tree_[j] || final_tree.reached_[other]) continue;
+      final_tree.reach(other, j, open[i]);
+      open.push_back(other);
+    }
+  }
+  SpanningTree tree{in_tree_, std::vector<std::string>(model_.joints.size())};
+  for (std::size_t j = 0; j < model_.joints.size(); ++j) {
+    if (!in_tree_[j]) tree.cut_reason[j] = final_tree.reason(static_cast<int>(j));
+  }
+  return tree;
+}
+
+}  // namespace
+
+int closure_equations(JointType type) {
+  switch (type) {
+    case JointType::fixed: return 6;
+    case JointType::revolute:
+    case JointType::prismatic: return 5;
+    case JointType::cylindrical:
+    case JointType::universal: return 4;
+    case JointType::spherical:
+    case JointType::planar: return 3;
+    case JointType::free: break;
+  }
+  return 0;
+}
+
+Result<SpanningTree> choose_spanning_tree(const Model& model) {
+  TreeSearch search(model);
+  search.grow();
+  Diagnostics problems;
+  search.check_reach(problems);
+  search.check_marks_and_uses(problems);
+  if (!problems.empty()) return problems;
+  search.shorten_loops();
+  return search.result();
+}
+
+}  // namespace mbgen
