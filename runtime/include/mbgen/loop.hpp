@@ -11,26 +11,149 @@ struct LoopFactors {
   int equations = 0;
   int coordinates = 0;
   int rank = 0;                 ///< number of pivots taken
-  double* matrix = nullptr;     ///< equations x coordinates; after factorisation: L below, U on and above the diagonal, in permuted order
+  double* matrix = nullptr;     ///< equations x coordinates; after factorisation, in permuted order: L (unit diagonal)
+                                ///< below, U on and above the diagonal of the pivots, and what elimination left of the rest
   int* rows = nullptr;          ///< rows[k]: equation in place k
   int* columns = nullptr;       ///< columns[k]: coordinate in place k; the first `rank` are dependent
-  double smallest_ratio = 0;    ///< smallest accepted |pivot| over the largest pivot
+  double smallest_ratio = 0;    ///< smallest accepted |pivot| over the largest pivot; 0 without pivots
 };
+
+namespace loop_detail {
+
+inline double* row_of(const LoopFactors& loop, int row) noexcept { return loop.matrix + row * loop.coordinates; }
+
+template <class T>
+void swap(T& a, T& b) noexcept {
+  const T kept = a;
+  a = b;
+  b = kept;
+}
+
+inline bool is_driven(const unsigned char* driven, int coordinate) noexcept {
+  return driven != nullptr && driven[coordinate] != 0;
+}
+
+/// A candidate for the next pivot; size 0 when there is none.
+struct Pivot {
+  int row = 0, column = 0;
+  double size = 0;
+};
+
+/// Largest entry among the rows and columns from place `first` on, driven columns left out; NaN is never chosen.
+inline Pivot find_pivot(const LoopFactors& loop, int first, const unsigned char* driven) noexcept {
+  Pivot pivot;
+  for (int i = first; i < loop.equations; ++i) {
+    const double* row = row_of(loop, i);
+    for (int j = first; j < loop.coordinates; ++j) {
+      const double size = std::abs(row[j]);
+      if (size > pivot.size && !is_driven(driven, loop.columns[j])) pivot = {i, j, size};
+    }
+  }
+  return pivot;
+}
+
+/// Brings the pivot to place k of the diagonal.
+inline void move_pivot(LoopFactors& loop, int k, const Pivot& pivot) noexcept {
+  if (pivot.row != k) {
+    for (int j = 0; j < loop.coordinates; ++j) swap(row_of(loop, k)[j], row_of(loop, pivot.row)[j]);
+    swap(loop.rows[k], loop.rows[pivot.row]);
+  }
+  if (pivot.column != k) {
+    for (int i = 0; i < loop.equations; ++i) swap(row_of(loop, i)[k], row_of(loop, i)[pivot.column]);
+    swap(loop.columns[k], loop.columns[pivot.column]);
+  }
+}
+
+/// Eliminates column k below the diagonal and keeps the factors in its place.
+inline void eliminate(LoopFactors& loop, int k) noexcept {
+  const double* pivot_row = row_of(loop, k);
+  for (int i = k + 1; i < loop.equations; ++i) {
+    double* row = row_of(loop, i);
+    const double factor = row[k] / pivot_row[k];
+    row[k] = factor;
+    if (factor == 0) continue;
+    for (int j = k + 1; j < loop.coordinates; ++j) row[j] -= factor * pivot_row[j];
+  }
+}
+
+}  // namespace loop_detail
 
 /// Factorises in place with full pivoting. Columns with driven[c] != 0 are never dependent; `driven` may be null.
 /// Stops at `rank_limit` pivots, or when the next pivot is below tolerance times the first.
 /// Requires: matrix filled, rows and columns point to arrays of their sizes. Cost: equations * coordinates * rank.
-inline void factorise(LoopFactors& loop, int rank_limit, const unsigned char* driven, double tolerance) noexcept;
+/// An entry that is not finite is never a pivot, so that it shows as a rank too low.
+inline void factorise(LoopFactors& loop, int rank_limit, const unsigned char* driven, double tolerance) noexcept {
+  for (int i = 0; i < loop.equations; ++i) loop.rows[i] = i;
+  for (int j = 0; j < loop.coordinates; ++j) loop.columns[j] = j;
+  loop.rank = 0;
+  double first = 0, smallest = 0, largest = 0;
+  while (loop.rank < rank_limit) {
+    const int k = loop.rank;
+    const loop_detail::Pivot pivot = loop_detail::find_pivot(loop, k, driven);
+    if (k == 0) first = smallest = pivot.size;
+    if (!(pivot.size > 0) || pivot.size < tolerance * first || !std::isfinite(pivot.size)) break;
+    smallest = pivot.size < smallest ? pivot.size : smallest;
+    largest = pivot.size > largest ? pivot.size : largest;
+    loop_detail::move_pivot(loop, k, pivot);
+    loop_detail::eliminate(loop, k);
+    ++loop.rank;
+  }
+  loop.smallest_ratio = loop.rank > 0 ? smallest / largest : 0;
+}
 
 /// Solves Phi_d x_d = right_hand_side - Phi_i x_i for the dependent entries of x, the others of x given.
 /// right_hand_side: per equation (original order); x: per coordinate (original order); work: equations doubles.
 /// Result: largest residual over the equations that were not used as pivots (redundant ones).
 /// Source: (60)-(62).
-inline double solve_dependent(const LoopFactors& loop, const double* right_hand_side, double* x, double* work) noexcept;
+inline double solve_dependent(const LoopFactors& loop, const double* right_hand_side, double* x,
+                              double* work) noexcept {
+  for (int i = 0; i < loop.equations; ++i) {
+    const double* row = loop_detail::row_of(loop, i);
+    work[i] = right_hand_side[loop.rows[i]];
+    for (int j = 0; j < i && j < loop.rank; ++j) work[i] -= row[j] * work[j];
+  }
+  for (int k = loop.rank - 1; k >= 0; --k) {
+    const double* row = loop_detail::row_of(loop, k);
+    double value = work[k];
+    for (int j = k + 1; j < loop.coordinates; ++j) value -= row[j] * x[loop.columns[j]];
+    x[loop.columns[k]] = value / row[k];
+  }
+  double largest = 0;
+  for (int i = loop.rank; i < loop.equations; ++i) {
+    const double* row = loop_detail::row_of(loop, i);
+    double residual = work[i];
+    for (int j = loop.rank; j < loop.coordinates; ++j) residual -= row[j] * x[loop.columns[j]];
+    if (!(std::abs(residual) <= largest)) largest = std::abs(residual);
+  }
+  return largest;
+}
 
 /// Rz of the block, coordinates x f row by row, f = free directions = coordinates - rank - driven: zd = Rz zd_free.
-/// Free direction q belongs to the q-th non-dependent, non-driven coordinate in ascending original order. work: equations doubles.
-/// Source: (61).
-inline void free_directions(const LoopFactors& loop, const unsigned char* driven, double* rz, double* work) noexcept;
+/// Free direction q belongs to the q-th non-dependent, non-driven coordinate in ascending original order.
+/// work: equations doubles. Source: (61).
+inline void free_directions(const LoopFactors& loop, const unsigned char* driven, double* rz, double* work) noexcept {
+  int count = 0;
+  for (int place = loop.rank; place < loop.coordinates; ++place) {
+    count += loop_detail::is_driven(driven, loop.columns[place]) ? 0 : 1;
+  }
+  for (int i = 0; i < loop.coordinates * count; ++i) rz[i] = 0;
+  for (int place = loop.rank; place < loop.coordinates; ++place) {
+    const int coordinate = loop.columns[place];
+    if (loop_detail::is_driven(driven, coordinate)) continue;
+    int q = 0;
+    for (int other = loop.rank; other < loop.coordinates; ++other) {
+      const int candidate = loop.columns[other];
+      q += candidate < coordinate && !loop_detail::is_driven(driven, candidate) ? 1 : 0;
+    }
+    rz[coordinate * count + q] = 1;
+    for (int k = loop.rank - 1; k >= 0; --k) {
+      const double* row = loop_detail::row_of(loop, k);
+      double value = -row[place];
+      for (int j = k + 1; j < loop.rank; ++j) value -= row[j] * work[j];
+      work[k] = value / row[k];
+      rz[loop.columns[k] * count + q] = work[k];
+    }
+  }
+}
 
 }  // namespace mbgen

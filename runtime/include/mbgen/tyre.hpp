@@ -43,8 +43,8 @@ struct TyreResult {
 
 namespace tyre_law {
 
-/// Damping over stiffness, s, of the contact of a standing wheel: a damping ratio of about 0.3 for a vehicle that rocks on
-/// its tyres at 22 rad/s, and within reach of explicit steps of 1 ms when a wheel's own inertia rocks at 200 rad/s.
+/// Damping over stiffness, s, of the contact of a standing wheel: a damping ratio of about 0.3 for a vehicle that rocks
+/// on its tyres at 22 rad/s, and within reach of explicit steps of 1 ms when a wheel's own inertia rocks at 200 rad/s.
 inline constexpr double kSlipDampingTime = 0.03;
 /// Deflection over relaxation length at which a standing contact slides: about what friction over stiffness allows.
 inline constexpr double kSlidingDeflection = 0.1;
