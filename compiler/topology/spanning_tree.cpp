@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <iterator>
-#include <numeric>
 #include <queue>
 #include <tuple>
 
@@ -22,6 +21,7 @@ struct Cycle {
   JointSet path;
 };
 
+/// The tree under construction; in_tree_, parent_ and depth_ always tell of the same tree.
 class TreeSearch {
  public:
   explicit TreeSearch(const Model& model);
@@ -33,6 +33,8 @@ class TreeSearch {
 
  private:
   void reach(int body, int joint, int parent);
+  void add_candidates(int body);
+  void orient();
   JointSet path_between(int a, int b) const;
   std::vector<Cycle> cycles() const;
   bool exchangeable(int cut, int kept) const;
@@ -72,13 +74,16 @@ TreeSearch::TreeSearch(const Model& model)
 void TreeSearch::grow() {
   if (model_.ground < 0) return;
   reach(model_.ground, -1, -1);
+  add_candidates(model_.ground);
   while (!candidates_.empty()) {
     const int joint = -std::get<3>(candidates_.top());
     candidates_.pop();
     const int from = model_.joints[joint].from.body, to = model_.joints[joint].to.body;
     if (reached_[from] && reached_[to]) continue;
+    const int body = reached_[to] ? from : to;
     in_tree_[joint] = true;
-    reached_[to] ? reach(from, joint, to) : reach(to, joint, from);
+    reach(body, joint, body == to ? from : to);
+    add_candidates(body);
   }
 }
 
@@ -87,9 +92,29 @@ void TreeSearch::reach(int body, int joint, int parent) {
   parent_[body] = parent;
   parent_joint_[body] = joint;
   depth_[body] = parent < 0 ? 0 : depth_[parent] + 1;
-  for (int next : joints_of_[body]) {
-    if (model_.joints[next].cut == CutMark::cut) continue;
-    candidates_.emplace(hold_[next], equations(next), -depth_[body], -next);
+}
+
+void TreeSearch::add_candidates(int body) {
+  for (int joint : joints_of_[body]) {
+    if (model_.joints[joint].cut == CutMark::cut) continue;
+    candidates_.emplace(hold_[joint], equations(joint), -depth_[body], -joint);
+  }
+}
+
+// After exchanges: parents and depths anew from in_tree_.
+void TreeSearch::orient() {
+  if (model_.ground < 0) return;
+  std::fill(reached_.begin(), reached_.end(), false);
+  reach(model_.ground, -1, -1);
+  std::vector<int> open{model_.ground};
+  for (std::size_t i = 0; i < open.size(); ++i) {
+    const int body = open[i];
+    for (int j : joints_of_[body]) {
+      const int other = model_.joints[j].from.body == body ? model_.joints[j].to.body : model_.joints[j].from.body;
+      if (!in_tree_[j] || reached_[other]) continue;
+      reach(other, j, body);
+      open.push_back(other);
+    }
   }
 }
 
@@ -166,6 +191,7 @@ void TreeSearch::shorten_loops() {
   };
   while (improve()) {
   }
+  orient();
 }
 
 // One message per island of bodies that no joint connects to ground.
@@ -236,22 +262,9 @@ std::string TreeSearch::reason(int joint) const {
 }
 
 SpanningTree TreeSearch::result() const {
-  // Exchanges moved joints: orient the final tree before reasons are read off its loops.
-  TreeSearch final_tree = *this;
-  std::fill(final_tree.reached_.begin(), final_tree.reached_.end(), false);
-  std::vector<int> open{model_.ground};
-  final_tree.reach(model_.ground, -1, -1);
-  for (std::size_t i = 0; i < open.size(); ++i) {
-    for (int j : joints_of_[open[i]]) {
-      const int other = model_.joints[j].from.body == open[i] ? model_.joints[j].to.body : model_.joints[j].from.body;
-      if (!in_tree_[j] || final_tree.reached_[other]) continue;
-      final_tree.reach(other, j, open[i]);
-      open.push_back(other);
-    }
-  }
   SpanningTree tree{in_tree_, std::vector<std::string>(model_.joints.size())};
   for (std::size_t j = 0; j < model_.joints.size(); ++j) {
-    if (!in_tree_[j]) tree.cut_reason[j] = final_tree.reason(static_cast<int>(j));
+    if (!in_tree_[j]) tree.cut_reason[j] = reason(static_cast<int>(j));
   }
   return tree;
 }

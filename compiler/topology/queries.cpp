@@ -1,24 +1,28 @@
 #include "compiler/topology/topology.hpp"
 
-#include <algorithm>
-
 namespace mbgen {
 
 bool on_path(const Topology& topology, int i, int j) {
+  if (j < 0) return false;
   while (i > j) i = topology.bodies[i].parent;
-  return i == j && i != kGround;
+  return i == j;
 }
 
 std::vector<std::vector<int>> path_matrix(const Topology& topology) {
   const int n = topology.size();
-  std::vector<std::vector<int>> t(n, std::vector<int>(n, 0));
-  for (int i = 0; i < n; ++i)
-    for (int j = i; j != kGround; j = topology.bodies[j].parent) t[n - 1 - i][n - 1 - j] = 1;
-  return t;
+  std::vector<std::vector<int>> T(n, std::vector<int>(n, 0));
+  for (int i = 0; i < n; ++i) {
+    for (int j = i; j != kGround; j = topology.bodies[j].parent) T[n - 1 - i][n - 1 - j] = 1;
+  }
+  return T;
 }
 
 int lowest_common_ancestor(const Topology& topology, int a, int b) {
-  while (a != b) (a > b ? a : b) = topology.bodies[std::max(a, b)].parent;
+  // Parents have lower indices, and ground the lowest: the higher of the two is never the ancestor.
+  while (a != b) {
+    int& lower = a > b ? a : b;
+    lower = topology.bodies[lower].parent;
+  }
   return a;
 }
 
@@ -29,14 +33,17 @@ std::vector<int> path_to(const Topology& topology, int i, int base) {
 }
 
 int tree_coordinate(const Topology& topology, const CoordinateReference& reference) {
-  for (int i = 0; i < topology.size(); ++i)
-    if (topology.bodies[i].joint == reference.joint && topology.bodies[i].component == reference.component) return i;
+  for (int i = 0; i < topology.size(); ++i) {
+    const TreeBody& body = topology.bodies[i];
+    if (body.joint == reference.joint && body.component == reference.component) return i;
+  }
   return -1;
 }
 
 int find_coordinate(const Topology& topology, const std::string& name) {
-  for (int i = 0; i < topology.size(); ++i)
+  for (int i = 0; i < topology.size(); ++i) {
     if (topology.bodies[i].coordinate == name) return i;
+  }
   return -1;
 }
 

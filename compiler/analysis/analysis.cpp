@@ -1,0 +1,180 @@
+#include "compiler/analysis/analysis.hpp"
+
+#include "compiler/analysis/partition.hpp"
+#include "compiler/analysis/sampling.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace mbgen {
+namespace {
+
+constexpr int kWantedConfigurations = 24;
+
+Where where_of(const Model& model, const Loop& loop) {
+  return loop.rod >= 0 ? model.rods[loop.rod].where : model.joints[loop.joint].where;
+}
+
+Diagnostic problem(const Where& where, std::string message, std::string hint) {
+  return {where, std::move(message), std::move(hint), {}};
+}
+
+/// The equation of a block that stays open most at the best that Newton found.
+Diagnostic open_loop(const Model& model, const Topology& topology, const LoopBlock& block, const Eigen::VectorXd& residual) {
+  int worst = 0;
+  for (int e = 0; e < residual.size(); ++e)
+    if (!(std::abs(residual[e]) <= std::abs(residual[worst]))) worst = e;
+  int first = 0;
+  for (int l : block.loops) {
+    if (worst < first + topology.loops[l].equations)
+      return problem(where_of(model, topology.loops[l]),
+                     fmt::format("loop \"{}\" cannot be closed near the reference configuration: equation {} stays open by {:.6g}",
+                                 topology.loops[l].name, equation_names(topology, block)[worst], residual[worst]),
+                     "check the points and axes of the joints in this loop, and whether its equations contradict each other");
+    first += topology.loops[l].equations;
+  }
+  return {};
+}
+
+std::vector<int> driven_columns(const LoopBlock& block, const std::vector<bool>& driven) {
+  std::vector<int> columns;
+  for (std::size_t c = 0; c < block.joints.size(); ++c)
+    if (driven[block.joints[c]]) columns.push_back(static_cast<int>(c));
+  return columns;
+}
+
+std::vector<int> free_columns(const LoopBlock& block, const std::vector<bool>& driven) {
+  std::vector<int> columns;
+  for (std::size_t c = 0; c < block.joints.size(); ++c)
+    if (!driven[block.joints[c]]) columns.push_back(static_cast<int>(c));
+  return columns;
+}
+
+Result<BlockAnalysis> analyse_block(const Model& model, const Topology& topology, std::size_t b,
+                                    const std::vector<Configuration>& configurations, const Analysis& analysis) {
+  const LoopBlock& block = topology.blocks[b];
+  if (!configurations[0].closed[b]) return open_loop(model, topology, block, configurations[0].residuals[b]);
+  std::vector<Eigen::MatrixXd> jacobians;
+  for (const Configuration& c : configurations)
+    if (c.closed[b]) jacobians.push_back(c.blocks[b].jacobian);
+  const int rank = generic_rank(jacobians, {});
+  const std::vector<int> driven = driven_columns(block, analysis.driven);
+  if (!driven.empty()) {
+    const std::vector<int> free = free_columns(block, analysis.driven);
+    const int reached = free.empty() ? 0 : generic_rank(jacobians, free);
+    if (reached < rank) {
+      const Motion& motion = model.motions[analysis.motion_of[block.joints[driven.back()]]];
+      return problem(motion.where,
+                     fmt::format("motions over-constrain a loop: {} driven coordinates, but the loop leaves {} free", driven.size(),
+                                 static_cast<int>(block.joints.size()) - rank),
+                     "remove a motion, or drive a coordinate that the loop leaves free");
+    }
+  }
+  BlockAnalysis result = choose_partition(jacobians, rank, driven);
+  const std::vector<std::string> names = equation_names(topology, block);
+  for (int e : result.redundant_equations) result.redundant_names.push_back(names[e]);
+  return result;
+}
+
+/// Rz of a block at a position, from the frozen order at double.
+std::vector<GroupProjection<double>> projections_at(System<double>& system, const Kinematics<double>& k, const Analysis& analysis) {
+  std::vector<GroupProjection<double>> projections;
+  const RelativeMotion<double> rest = at_rest<double>(system.topology);
+  for (const JointGroup& group : system.topology.groups) {
+    GroupProjection<double> p;
+    if (group.block < 0) {
+      p.rz = {analysis.driven[group.joints[0]] ? std::vector<double>{} : std::vector<double>{1.0}};
+    } else {
+      const BlockAnalysis& partition = analysis.blocks[group.block];
+      const BlockClosure<double> closed = closure(system, k, system.topology.blocks[group.block], rest);
+      p.rz = frozen_rz(factorise_frozen(closed.jacobian, partition), partition, group.joints.size());
+    }
+    p.zdd_star.assign(group.joints.size(), 0.0);
+    projections.push_back(std::move(p));
+  }
+  return projections;
+}
+
+/// Coordinates whose free motion has no inertia in every configuration, existence condition (9).
+std::vector<int> without_inertia(NumericSystem& numbers, const Topology& topology, const Analysis& analysis,
+                                 const std::vector<Configuration>& configurations) {
+  const std::vector<int> names = free_coordinates(topology, analysis);
+  std::vector<bool> moved(names.size(), false);
+  for (const Configuration& configuration : configurations) {
+    System<double>& system = numbers.at(configuration.z);
+    const Kinematics<double> k = kinematics(system);
+    const ReducedSystem<double> reduced = reduced_system(system, k, inertias(system, k), projections_at(system, k, analysis),
+                                                         std::vector<double>(topology.bodies.size(), 0.0));
+    const ReducedSolution<double> solution = solve_reduced(reduced);
+    bool all = true;
+    for (std::size_t q = 0; q < names.size(); ++q) {
+      moved[q] = moved[q] || solution.inertia[q] > 0;
+      all = all && moved[q];
+    }
+    if (all) break;
+  }
+  std::vector<int> missing;
+  for (std::size_t q = 0; q < names.size(); ++q)
+    if (!moved[q]) missing.push_back(names[q]);
+  return missing;
+}
+
+void mark_drives(const Model& model, const Topology& topology, Analysis& analysis) {
+  analysis.driven.assign(topology.bodies.size(), false);
+  analysis.motion_of.assign(topology.bodies.size(), -1);
+  for (std::size_t m = 0; m < model.motions.size(); ++m)
+    if (const int i = tree_coordinate(topology, model.motions[m].joint); i >= 0) {
+      analysis.driven[i] = true;
+      analysis.motion_of[i] = static_cast<int>(m);
+    }
+}
+
+}  // namespace
+
+std::vector<int> free_coordinates(const Topology& topology, const Analysis& analysis) {
+  std::vector<int> result;
+  for (const JointGroup& group : topology.groups) {
+    if (group.block < 0) {
+      if (!analysis.driven[group.joints[0]]) result.push_back(group.joints[0]);
+      continue;
+    }
+    for (int c : analysis.blocks[group.block].independent) result.push_back(group.joints[c]);
+  }
+  return result;
+}
+
+Result<Analysis> analyse(const Model& model, const Topology& topology) {
+  Analysis analysis;
+  mark_drives(model, topology, analysis);
+  NumericSystem numbers(model, topology);
+  const std::vector<Configuration> configurations =
+      closed_configurations(numbers, topology.blocks.empty() ? 4 : kWantedConfigurations);
+  Diagnostics problems;
+  for (std::size_t b = 0; b < topology.blocks.size(); ++b) {
+    Result<BlockAnalysis> block = analyse_block(model, topology, b, configurations, analysis);
+    if (!block) {
+      problems.insert(problems.end(), block.problems().begin(), block.problems().end());
+      continue;
+    }
+    analysis.independent_equations += block->rank;
+    analysis.blocks.push_back(std::move(*block));
+  }
+  if (!problems.empty()) return problems;
+  analysis.closed_configurations = static_cast<int>(
+      std::count_if(configurations.begin(), configurations.end(), [](const Configuration& c) {
+        return std::find(c.closed.begin(), c.closed.end(), false) == c.closed.end();
+      }));
+  analysis.degrees_of_freedom = topology.size() - analysis.independent_equations;
+  for (int i : without_inertia(numbers, topology, analysis, configurations)) {
+    const Joint& joint = model.joints[topology.bodies[i].joint];
+    problems.push_back(problem(joint.where,
+                               fmt::format("coordinate \"{}\" moves no inertia: its acceleration is not determined",
+                                           topology.bodies[i].coordinate),
+                               "give a body above this joint mass and inertia, or drive or remove the joint"));
+  }
+  if (!problems.empty()) return problems;
+  return analysis;
+}
+
+}  // namespace mbgen

@@ -1,0 +1,23 @@
+#pragma once
+// Rank, dependent coordinates and elimination order of one loop block from its Jacobians at many closed configurations.
+
+#include "compiler/analysis/analysis.hpp"
+
+#include <Eigen/Dense>
+
+#include <vector>
+
+namespace mbgen {
+
+/// Generic rank: the largest over the samples. columns: those that may be dependent (empty: all).
+int generic_rank(const std::vector<Eigen::MatrixXd>& jacobians, const std::vector<int>& columns);
+
+/// Chooses dependent coordinates and leading equations: well conditioned over all samples, then cheapest to eliminate.
+/// driven: local columns that must stay independent. Requires: `rank` is reached without the driven columns.
+BlockAnalysis choose_partition(const std::vector<Eigen::MatrixXd>& jacobians, int rank, const std::vector<int>& driven);
+
+/// Diagonal blocks of the upper block-triangular form of a square pattern with a perfect matching on its diagonal candidates.
+/// Result: for each diagonal block its (row, column) pairs, first block first. Source: Dulmage and Mendelsohn; Tarjan.
+std::vector<std::vector<std::pair<int, int>>> block_triangular_form(const std::vector<std::vector<bool>>& pattern);
+
+}  // namespace mbgen

@@ -1,0 +1,124 @@
+#pragma once
+// Applied forces (step 5): force elements of the model as wrenches on bodies, generalised forces on coordinates, and the
+// rates of the tyres' deflection states. The laws themselves are templates of the runtime's headers.
+
+#include "compiler/formulation/force_work.hpp"
+#include "compiler/formulation/tyre_road.hpp"
+#include "mbgen/forces.hpp"
+
+namespace mbgen {
+namespace detail {
+
+template <class T>
+void point_springs(ForceWork<T>& work) {
+  for (const PointSpring& spring : work.system.model.springs) {
+    work.system.scribe.place(spring.name);
+    work.forces.springs.push_back(
+        line_element(work, spring.from, spring.to, [&](const T& length, const T& rate, const T& reference) {
+          const T free = spring.free_length ? work.value(*spring.free_length) : reference;
+          T tension = work.value(spring.preload) + law(work, spring.stiffness, length - free) + law(work, spring.damping, rate);
+          if (spring.force) tension = tension + with_locals(work, *spring.force, length, rate);
+          work.system.scribe.name(tension, "tension_" + spring.name);
+          return tension;
+        }));
+  }
+}
+
+template <class T>
+void air_springs(ForceWork<T>& work) {
+  for (const AirSpring& spring : work.system.model.air_springs) {
+    work.system.scribe.place(spring.name);
+    work.forces.air_springs.push_back(
+        line_element(work, spring.from, spring.to, [&](const T& length, const T&, const T& reference) {
+          const T length0 = spring.length ? work.value(*spring.length) : reference;
+          const auto area = [&](const T& l) {
+            const Quantity* fixed = std::get_if<Quantity>(&spring.area);
+            return fixed ? work.value(*fixed) : law(work, spring.area, l);
+          };
+          const auto volume = [&](const T& l) {
+            return spring.volume ? law(work, Law(*spring.volume), l) : work.value(spring.volume0) + area(length0) * (l - length0);
+          };
+          const T push = air_spring_force(work.value(spring.pressure), work.value(spring.ambient), work.value(spring.exponent),
+                                          volume(length0), volume(length), area(length));
+          work.system.scribe.name(push, "push_" + spring.name);
+          return -push;
+        }));
+  }
+}
+
+template <class T>
+void add_joint_force(ForceWork<T>& work, const CoordinateReference& reference, const T& force) {
+  const int i = tree_coordinate(work.system.topology, reference);
+  if (i >= 0) work.forces.joint[i] = work.forces.joint[i] + force;
+}
+
+template <class T>
+void joint_elements(ForceWork<T>& work) {
+  const Model& model = work.system.model;
+  const Environment<T>& e = work.system.environment;
+  for (const JointSpring& spring : model.joint_springs) {
+    work.system.scribe.place(spring.name);
+    T position = e.position(spring.joint), rate = e.velocity(spring.joint);
+    if (spring.relative_to) {
+      position = position - e.position(*spring.relative_to);
+      rate = rate - e.velocity(*spring.relative_to);
+    }
+    T force = work.value(spring.preload) + law(work, spring.stiffness, position - work.value(spring.free)) +
+              law(work, spring.damping, rate);
+    if (spring.force) force = force + with_locals(work, *spring.force, position, rate);
+    work.system.scribe.name(force, "force_" + spring.name);
+    add_joint_force(work, spring.joint, -force);
+    if (spring.relative_to) add_joint_force(work, *spring.relative_to, force);
+  }
+  for (const JointFriction& friction : model.frictions) {
+    work.system.scribe.place(friction.name);
+    const T force = friction_force(work.value(friction.coulomb), work.value(friction.stiction), work.value(friction.viscous),
+                                   work.value(friction.velocity), work.value(friction.stribeck_velocity), e.velocity(friction.joint));
+    work.system.scribe.name(force, "force_" + friction.name);
+    add_joint_force(work, friction.joint, force);
+  }
+  for (const JointForce& force : model.joint_forces) {
+    work.system.scribe.place(force.name);
+    add_joint_force(work, force.joint, work.value(force.force));
+  }
+}
+
+template <class T>
+void body_forces(ForceWork<T>& work) {
+  const System<T>& system = work.system;
+  for (const AppliedForce& applied : system.model.forces) {
+    work.system.scribe.place(applied.name);
+    const Place<T> place = work.place(applied.at);
+    if (place.body == kGround) continue;
+    const int carrier = system.layout.frame_of(place.body);
+    const auto to_carrier = [&](Vector<T> v) {
+      if (!applied.in_body_axes) return direction_up(system, work.k, kGround, v, carrier);
+      const Pose& pose = system.model.bodies[applied.at.body].pose;
+      return direction_in(system, work.k, place.body, pose_rotation<T>(pose) * v, carrier);
+    };
+    const Vector<T> force = to_carrier(value_of(system.model, applied.force, system.environment));
+    const Vector<T> torque = to_carrier(value_of(system.model, applied.torque, system.environment));
+    Spatial<T>& wrench = work.forces.wrench[place.body];
+    wrench = wrench + force_at(force, local_position(system, work.k, place));
+    wrench.angular = wrench.angular + torque;
+  }
+}
+
+}  // namespace detail
+
+/// All applied forces but gravity. Cost: linear in the number of elements.
+template <class T>
+AppliedForces<T> applied_forces(System<T>& system, const Kinematics<T>& k, const Velocities<T>& v) {
+  AppliedForces<T> forces;
+  forces.wrench.resize(system.topology.bodies.size());
+  forces.joint.assign(system.topology.bodies.size(), T(0.0));
+  detail::ForceWork<T> work{system, k, v, forces};
+  detail::point_springs(work);
+  detail::air_springs(work);
+  detail::joint_elements(work);
+  detail::body_forces(work);
+  detail::tyres(work);
+  return forces;
+}
+
+}  // namespace mbgen

@@ -1,0 +1,203 @@
+#pragma once
+// Loop closures (theory.md section 3), each block in the frame of its base body: residuals, Jacobian, acceleration right-hand side.
+// A row is a residual in m or 1; its Jacobian is the wrench of a unit multiplier on the joint columns, so a multiplier is N or N m.
+
+#include "compiler/formulation/motion.hpp"
+
+namespace mbgen {
+
+/// Closure terms of one loop block. Columns are LoopBlock::joints, rows the equations of LoopBlock::loops in order.
+template <class T>
+struct BlockClosure {
+  std::vector<T> residual;                ///< Phi
+  std::vector<std::vector<T>> jacobian;   ///< Phi_z, [equation][column]
+  std::vector<T> acceleration;            ///< c of Phi_z zdd = c
+};
+
+/// Motion of the bodies of a block relative to its base at rest, with zero joint accelerations. Indexed by tree body.
+template <class T>
+struct RelativeMotion {
+  std::vector<Spatial<T>> velocity;
+  std::vector<Acceleration<T>> acceleration;
+};
+
+/// No motion at all: closures then have residuals and Jacobian only.
+template <class T>
+RelativeMotion<T> at_rest(const Topology& topology) {
+  RelativeMotion<T> motion;
+  motion.velocity.resize(topology.bodies.size());
+  motion.acceleration.resize(topology.bodies.size());
+  return motion;
+}
+
+template <class T>
+RelativeMotion<T> relative_motion(System<T>& system, const Kinematics<T>& k, const LoopBlock& block) {
+  RelativeMotion<T> m = at_rest<T>(system.topology);
+  for (int i : block.joints) {
+    system.scribe.place(system.body_name(i));
+    const int p = system.topology.bodies[i].parent;
+    const Spatial<T> below = p == block.base ? Spatial<T>{} : m.velocity[p];
+    const Acceleration<T> below_acceleration = p == block.base ? Acceleration<T>{} : m.acceleration[p];
+    m.velocity[i] = advanced(below, k.column[i], system.zd(i));
+    m.acceleration[i] = advanced(below_acceleration, system.revolute(i), k.axis[i], k.pin[i], system.zd(i), T(0.0), below.angular,
+                                 m.velocity[i].angular);
+  }
+  return m;
+}
+
+/// Names of a block's equations, `loop.row`.
+std::vector<std::string> equation_names(const Topology& topology, const LoopBlock& block);
+
+namespace detail {
+
+/// One end of a loop: body, the joints of the block that move it, and its motion relative to the block's base.
+template <class T>
+struct LoopEnd {
+  int body = kGround;
+  Vector<T> place;               ///< m, block base frame
+  Spatial<T> velocity;           ///< relative to the base
+  Acceleration<T> acceleration;  ///< relative to the base, at zero joint accelerations
+};
+
+/// Unit vectors that complete an axis to a right-handed triad: coordinate axes when the axis is one.
+struct Triad {
+  Vector3 first, second, axis;
+};
+Triad triad(const Vector3& axis);
+
+/// Wrench rows of a closure: the row's Jacobian entry is +wrench_from . b for joints that move `from`, -wrench_to . b for the others.
+template <class T>
+struct Row {
+  T residual{0.0};
+  Spatial<T> wrench_from, wrench_to;
+  T acceleration{0.0};   ///< second derivative of the residual at zero joint accelerations
+};
+
+/// Component of r_from - r_to along a constant direction of the base frame (53).
+template <class T>
+Row<T> coincidence(const LoopEnd<T>& from, const LoopEnd<T>& to, const Vector<T>& direction) {
+  return {dot(direction, from.place - to.place), force_at(direction, from.place), force_at(direction, to.place),
+          dot(direction, from.acceleration.at(from.place) - to.acceleration.at(to.place))};
+}
+
+/// a . b = 0 for a vector of `from` and one of `to` (robust form of (54)).
+template <class T>
+Row<T> perpendicular(const LoopEnd<T>& from, const LoopEnd<T>& to, const Vector<T>& a, const Vector<T>& b) {
+  const Spatial<T> wrench{{}, cross(a, b)};
+  const T twice = dot(cross(from.velocity.angular, a), cross(to.velocity.angular, b));
+  return {dot(a, b), wrench, wrench,
+          dot(from.acceleration.gradient * a, b) + dot(a, to.acceleration.gradient * b) + (twice + twice)};
+}
+
+/// a . (r_from - r_to) = 0 for a vector of `from`: the point of `to` stays in a plane of `from`.
+template <class T>
+Row<T> in_plane(const LoopEnd<T>& from, const LoopEnd<T>& to, const Vector<T>& a) {
+  const Vector<T> gap = from.place - to.place;
+  const Spatial<T> wrench = force_at(a, to.place);
+  const Vector<T> rate = velocity_at(from.velocity, from.place) - velocity_at(to.velocity, to.place);
+  const T twice = dot(cross(from.velocity.angular, a), rate);
+  return {dot(a, gap), wrench, wrench,
+          dot(from.acceleration.gradient * a, gap) + dot(a, from.acceleration.at(from.place) - to.acceleration.at(to.place)) +
+              (twice + twice)};
+}
+
+/// Constant distance (55), scaled by 1/(2 l): residual in m, multiplier the axial force of the rod in N.
+template <class T>
+Row<T> distance(const LoopEnd<T>& from, const LoopEnd<T>& to, const T& length) {
+  const Vector<T> gap = from.place - to.place;
+  const T scale = T(1.0) / length;
+  const Vector<T> direction = scale * gap;
+  const Vector<T> rate = velocity_at(from.velocity, from.place) - velocity_at(to.velocity, to.place);
+  return {T(0.5) * (dot(direction, gap) - length), force_at(direction, from.place), force_at(direction, to.place),
+          scale * dot(rate, rate) + dot(direction, from.acceleration.at(from.place) - to.acceleration.at(to.place))};
+}
+
+/// The rows of a cut joint. axes: the joint's triad on both bodies, base frame axes.
+template <class T>
+std::vector<Row<T>> joint_rows(ClosureKind kind, const LoopEnd<T>& from, const LoopEnd<T>& to, const Matrix<T>& on_from,
+                               const Matrix<T>& on_to) {
+  std::vector<Row<T>> rows;
+  const bool point = kind == ClosureKind::spherical || kind == ClosureKind::revolute || kind == ClosureKind::universal ||
+                     kind == ClosureKind::fixed;
+  if (point)
+    for (const Vector<T>& direction : {identity<T>().x, identity<T>().y, identity<T>().z})
+      rows.push_back(coincidence(from, to, direction));
+  if (kind == ClosureKind::prismatic || kind == ClosureKind::cylindrical) {
+    rows.push_back(in_plane(from, to, on_from.x));
+    rows.push_back(in_plane(from, to, on_from.y));
+  }
+  if (kind == ClosureKind::planar) rows.push_back(in_plane(from, to, on_from.z));
+  if (kind == ClosureKind::universal) {
+    rows.push_back(perpendicular(from, to, on_from.z, on_to.z));
+  } else if (kind != ClosureKind::spherical) {
+    rows.push_back(perpendicular(from, to, on_from.x, on_to.z));
+    rows.push_back(perpendicular(from, to, on_from.y, on_to.z));
+  }
+  if (kind == ClosureKind::prismatic || kind == ClosureKind::fixed) rows.push_back(perpendicular(from, to, on_from.x, on_to.y));
+  return rows;
+}
+
+/// A constant triad on a body, in the axes of the block's base frame.
+template <class T>
+Matrix<T> triad_on(const System<T>& system, const Kinematics<T>& k, int body, int frame, const Vector3& axis) {
+  const Triad t = triad(axis);
+  const auto turned = [&](const Vector3& v) { return direction_in(system, k, body, constant<T>(v), frame); };
+  return {turned(t.first), turned(t.second), turned(t.axis)};
+}
+
+template <class T>
+LoopEnd<T> loop_end(const System<T>& system, const Kinematics<T>& k, const RelativeMotion<T>& motion, const Place<T>& place,
+                    int frame) {
+  LoopEnd<T> end{place.body, position_in(system, k, place, frame), {}, {}};
+  if (place.body != frame) {
+    end.velocity = motion.velocity[place.body];
+    end.acceleration = motion.acceleration[place.body];
+  }
+  return end;
+}
+
+template <class T>
+std::vector<Row<T>> loop_rows(System<T>& system, const Kinematics<T>& k, const RelativeMotion<T>& motion, const Loop& loop,
+                              int frame) {
+  system.scribe.place(loop.name);
+  if (loop.kind == ClosureKind::rod) {
+    const RodConstants<T>& rod = system.constants.rods[loop.rod];
+    return {distance(loop_end(system, k, motion, rod.from, frame), loop_end(system, k, motion, rod.to, frame), rod.length)};
+  }
+  const Joint& joint = system.model.joints[loop.joint];
+  const auto end = [&](const Attachment& at) {
+    return loop_end(system, k, motion, place_of(system.model, system.topology, system.constants, at, system.environment), frame);
+  };
+  const LoopEnd<T> from = end(joint.from), to = end(joint.to);
+  const Vector3 axis_on_to = joint.type == JointType::universal ? joint.second_axis : joint.axis;
+  return joint_rows(loop.kind, from, to, triad_on(system, k, from.body, frame, joint.axis),
+                    triad_on(system, k, to.body, frame, axis_on_to));
+}
+
+}  // namespace detail
+
+/// Residuals, Jacobian and, from the relative motion, acceleration right-hand side of one block (steps 2 and 6).
+/// Cost: equations times joints of each loop.
+template <class T>
+BlockClosure<T> closure(System<T>& system, const Kinematics<T>& k, const LoopBlock& block, const RelativeMotion<T>& motion) {
+  BlockClosure<T> result;
+  for (int l : block.loops) {
+    const Loop& loop = system.topology.loops[l];
+    for (const detail::Row<T>& row : detail::loop_rows(system, k, motion, loop, block.base)) {
+      std::vector<T> columns(block.joints.size(), T(0.0));
+      for (std::size_t c = 0; c < block.joints.size(); ++c) {
+        const int j = block.joints[c];
+        if (std::find(loop.joints.begin(), loop.joints.end(), j) == loop.joints.end()) continue;
+        const bool moves_from = on_path(system.topology, loop.body_from, j);
+        columns[c] = moves_from ? dot(k.column[j], row.wrench_from) : -dot(k.column[j], row.wrench_to);
+        system.scribe.name(columns[c], "J_" + loop.name + "_" + system.topology.bodies[j].coordinate);
+      }
+      result.residual.push_back(row.residual);
+      result.jacobian.push_back(std::move(columns));
+      result.acceleration.push_back(-row.acceleration);
+    }
+  }
+  return result;
+}
+
+}  // namespace mbgen

@@ -1,0 +1,165 @@
+#pragma once
+// The numbers of a model as scalars T: constants when folded, expressions of the tunable parameters otherwise.
+
+#include "compiler/formulation/scribe.hpp"
+#include "compiler/model/evaluate.hpp"
+#include "compiler/topology/topology.hpp"
+
+#include <vector>
+
+namespace mbgen {
+
+/// What expressions may refer to. Coordinates that the tree does not have read as zero (the topology room refuses them).
+template <class T>
+struct Environment {
+  const Topology* topology = nullptr;
+  std::vector<T> parameters;   ///< all, in model order
+  std::vector<T> inputs;
+  T t{0.0};
+  std::vector<T> z, zd;        ///< per tree coordinate
+  std::vector<T> locals;
+
+  T parameter(int i) const { return parameters[i]; }
+  T input(int i) const { return inputs[i]; }
+  T time() const { return t; }
+  T position(const CoordinateReference& c) const { return at(z, c); }
+  T velocity(const CoordinateReference& c) const { return at(zd, c); }
+  T local(int i) const { return locals[i]; }
+
+ private:
+  T at(const std::vector<T>& values, const CoordinateReference& c) const {
+    const int i = tree_coordinate(*topology, c);
+    return i < 0 || values.empty() ? T(0.0) : values[i];
+  }
+};
+
+/// Value of a number of the model.
+template <class T>
+T value_of(const Model& model, const Quantity& quantity, const Environment<T>& environment) {
+  if (quantity.expression < 0) return T(quantity.value);
+  return evaluate<T>(model.expressions[quantity.expression], environment);
+}
+template <class T>
+Vector<T> value_of(const Model& model, const Vector3Quantity& q, const Environment<T>& environment) {
+  return {value_of(model, q[0], environment), value_of(model, q[1], environment), value_of(model, q[2], environment)};
+}
+
+/// A place on a tree body, or on ground: position relative to the body frame's origin, in its axes (m).
+template <class T>
+struct Place {
+  int body = kGround;
+  Vector<T> at;
+};
+
+/// A rod with exact inertia (theory.md section 5), ends as places.
+template <class T>
+struct RodConstants {
+  Place<T> from, to;
+  T length{0.0};
+  T coupling{0.0};   ///< m_jk = m/6, kg
+};
+
+/// All constants of a model that positions and inertias need.
+template <class T>
+struct Constants {
+  std::vector<Vector<T>> origin;          ///< per tree body: point of its joint, global at the reference configuration
+  std::vector<T> mass;                    ///< per tree body, everything merged, with the rods' end masses
+  std::vector<Vector<T>> com;             ///< per tree body, from its origin, reference axes
+  std::vector<Symmetric<T>> inertia;      ///< per tree body about com, reference axes
+  std::vector<RodConstants<T>> rods;      ///< per Model::rods
+  Vector<T> gravity;
+};
+
+template <class T>
+Matrix<T> pose_rotation(const Pose& pose) {
+  const Matrix3& r = pose.rotation;
+  return {{T(r[0]), T(r[3]), T(r[6])}, {T(r[1]), T(r[4]), T(r[7])}, {T(r[2]), T(r[5]), T(r[8])}};
+}
+
+/// Global position at the reference configuration of a point given in a body frame.
+template <class T>
+Vector<T> reference_position(const Model& model, int body, const Vector3Quantity& point, const Environment<T>& environment) {
+  const Pose& pose = model.bodies[body].pose;
+  return constant<T>(pose.origin) + pose_rotation<T>(pose) * value_of(model, point, environment);
+}
+
+/// Place of an attachment, relative to the frame of the tree body that carries it.
+template <class T>
+Place<T> place_of(const Model& model, const Topology& topology, const Constants<T>& constants, const Attachment& attachment,
+                  const Environment<T>& environment) {
+  const int tree = topology.tree_body[attachment.body];
+  const Vector<T> global =
+      reference_position(model, attachment.body, model.bodies[attachment.body].points[attachment.point].position, environment);
+  return {tree, tree == kGround ? global : global - constants.origin[tree]};
+}
+
+/// A rigid part: mass, centre of mass, inertia about it.
+template <class T>
+struct Part {
+  T mass{0.0};
+  Vector<T> com;
+  Symmetric<T> inertia;
+};
+
+/// Two parts as one.
+template <class T>
+Part<T> joined(const Part<T>& a, const Part<T>& b) {
+  const Symmetric<T> inertia = a.inertia + b.inertia;
+  if (is_zero(a.mass)) return {b.mass, b.com, inertia};
+  if (is_zero(b.mass)) return {a.mass, a.com, inertia};
+  const T mass = a.mass + b.mass;
+  const T share = b.mass / mass;
+  const Vector<T> gap = b.com - a.com;
+  return {mass, a.com + share * gap, inertia + point_inertia(a.mass * share, gap)};
+}
+
+/// A model body as a part of its tree body: from the tree body's origin, in reference axes.
+template <class T>
+Part<T> part_of(const Model& model, int body, const Vector<T>& origin, const Environment<T>& environment) {
+  const Body& source = model.bodies[body];
+  const auto entry = [&](int k) { return value_of(model, source.inertia[k], environment); };
+  const Symmetric<T> central{entry(0), entry(1), entry(2), entry(3), entry(4), entry(5)};
+  return {value_of(model, source.mass, environment), reference_position(model, body, source.com, environment) - origin,
+          rotated(pose_rotation<T>(source.pose), central)};
+}
+
+template <class T>
+RodConstants<T> rod_constants(const Model& model, const Topology& topology, const Constants<T>& constants, const Rod& rod,
+                              const Environment<T>& environment) {
+  RodConstants<T> result{place_of(model, topology, constants, rod.from, environment),
+                         place_of(model, topology, constants, rod.to, environment), T(0.0), T(0.0)};
+  const auto global = [&](const Place<T>& p) { return p.body == kGround ? p.at : p.at + constants.origin[p.body]; };
+  result.length = rod.length ? value_of(model, *rod.length, environment) : norm(global(result.from) - global(result.to));
+  result.coupling = value_of(model, rod.mass, environment) / T(6.0);
+  return result;
+}
+
+/// Evaluates every constant. Ends of massive rods become point masses m/3 of their bodies (the other third is the coupling).
+template <class T>
+Constants<T> make_constants(const Model& model, const Topology& topology, const Environment<T>& environment) {
+  Constants<T> constants;
+  constants.gravity = value_of(model, model.gravity, environment);
+  for (const TreeBody& body : topology.bodies) {
+    const Attachment& from = model.joints[body.joint].from;
+    constants.origin.push_back(
+        reference_position(model, from.body, model.bodies[from.body].points[from.point].position, environment));
+  }
+  std::vector<Part<T>> parts(topology.bodies.size());
+  for (std::size_t b = 0; b < model.bodies.size(); ++b)
+    if (const int tree = topology.tree_body[b]; tree != kGround)
+      parts[tree] = joined(parts[tree], part_of(model, static_cast<int>(b), constants.origin[tree], environment));
+  for (const Rod& rod : model.rods) {
+    constants.rods.push_back(rod_constants(model, topology, constants, rod, environment));
+    const RodConstants<T>& r = constants.rods.back();
+    for (const Place<T>& end : {r.from, r.to})
+      if (end.body != kGround) parts[end.body] = joined(parts[end.body], Part<T>{T(2.0) * r.coupling, end.at, {}});
+  }
+  for (const Part<T>& part : parts) {
+    constants.mass.push_back(part.mass);
+    constants.com.push_back(part.com);
+    constants.inertia.push_back(part.inertia);
+  }
+  return constants;
+}
+
+}  // namespace mbgen

@@ -1,0 +1,241 @@
+#pragma once
+// Equations of motion: forces accumulated from the leaves to the root (51), (52), columns of the tree mass matrix (49), and the
+// projection on the free directions (63), group by group.
+
+#include "compiler/formulation/applied_forces.hpp"
+#include "compiler/formulation/inertia.hpp"
+#include "compiler/formulation/loop_solution.hpp"
+
+namespace mbgen {
+
+namespace detail {
+
+/// A wrench about an own body's origin, seen in its base frame.
+template <class T>
+Spatial<T> lowered(const Kinematics<T>& k, int body, const Spatial<T>& wrench) {
+  return force_at(k.orientation[body] * wrench.linear, k.position[body]) +
+         Spatial<T>{{}, k.orientation[body] * wrench.angular};
+}
+
+/// Forces that a rod's coupling mass puts on its ends: -m_jk times the acceleration of the other end (theory.md section 5).
+template <class T>
+void rod_forces(System<T>& system, const Kinematics<T>& k, const Accelerations<T>& a, AppliedForces<T>& forces) {
+  const Velocities<T> none;
+  ForceWork<T> work{system, k, none, forces};
+  for (const LoopBlock& block : system.topology.blocks)
+    for (int l : block.loops) {
+      const Loop& loop = system.topology.loops[l];
+      if (loop.kind != ClosureKind::rod || is_zero(system.constants.rods[loop.rod].coupling)) continue;
+      system.scribe.place(loop.name);
+      const RodConstants<T>& rod = system.constants.rods[loop.rod];
+      const auto acceleration = [&](const Place<T>& end) {
+        const int carrier = system.layout.frame_of(end.body);
+        return direction_in(system, k, carrier, acceleration_of(system, a, end.body).at(local_position(system, k, end)), block.base);
+      };
+      apply_force(work, rod.from, -rod.coupling * acceleration(rod.to), block.base);
+      apply_force(work, rod.to, -rod.coupling * acceleration(rod.from), block.base);
+    }
+}
+
+}  // namespace detail
+
+/// Generalised forces of the tree: tau + Rd' (Q - P) for given body accelerations (48), (63). forces: applied, without tau.
+/// Result: per coordinate, N or N m. Cost: linear.
+template <class T>
+std::vector<T> tree_forces(System<T>& system, const Kinematics<T>& k, const Inertias<T>& m, const Velocities<T>& v,
+                           const Accelerations<T>& a, AppliedForces<T> forces, const std::vector<T>& tau) {
+  const int n = system.topology.size();
+  detail::rod_forces(system, k, a, forces);
+  std::vector<Spatial<T>> own(n), base(n);
+  for (int i = 0; i < n; ++i) {
+    system.scribe.place(system.body_name(i));
+    const Spatial<T> inertial = inertial_force(m.body[i], velocity_of(system, v, i).angular, acceleration_of(system, a, i));
+    (system.layout.bodies[i].own_frame ? own[i] : base[i]) = forces.wrench[i] - inertial;
+  }
+  std::vector<T> result(n);
+  for (int i = n - 1; i >= 0; --i) {
+    system.scribe.place(system.body_name(i));
+    const BodyLayout& layout = system.layout.bodies[i];
+    if (layout.own_frame) base[i] = base[i] + detail::lowered(k, i, own[i]);
+    const Spatial<T>& above = layout.joint_frame == layout.base ? base[i] : own[layout.joint_frame];
+    result[i] = tau[i] + forces.joint[i] + dot(k.column[i], above);
+    system.scribe.name(result[i], "Q_" + system.topology.bodies[i].coordinate);
+    const int p = system.topology.bodies[i].parent;
+    if (p == kGround) continue;
+    Spatial<T>& below = p == layout.base ? own[p] : base[p];
+    below = below + base[i];
+  }
+  return result;
+}
+
+/// The projected equations: reduced mass matrix and right-hand side, one row per free direction, parents' directions first.
+template <class T>
+struct ReducedSystem {
+  std::vector<std::vector<T>> mass;    ///< lower triangle, [row][column <= row]
+  std::vector<T> right_hand_side;
+  std::vector<int> group;              ///< joint group of each direction
+  std::vector<int> first;              ///< per group: index of its first direction
+};
+
+namespace detail {
+
+/// Momentum wrenches F_i = M^R_i b_i of a group's joints, in the group's joint frame, rods' couplings included; and the
+/// group's diagonal block of the tree mass matrix (49).
+template <class T>
+struct GroupMass {
+  std::vector<Spatial<T>> momentum;          ///< per joint of the group
+  std::vector<std::vector<T>> mass;          ///< symmetric, full
+};
+
+/// Adds m_jk (V_j' V_k + V_k' V_j) of one rod (theory.md section 5).
+template <class T>
+void add_rod(const System<T>& system, const Kinematics<T>& k, const std::vector<int>& joints, int base, const RodConstants<T>& rod,
+             GroupMass<T>& group) {
+  const Vector<T> from = position_in(system, k, rod.from, base), to = position_in(system, k, rod.to, base);
+  const std::size_t count = joints.size();
+  std::vector<Vector<T>> at_from(count), at_to(count);
+  for (std::size_t c = 0; c < count; ++c) {
+    if (on_path(system.topology, rod.from.body, joints[c])) at_from[c] = rod.coupling * velocity_at(k.column[joints[c]], from);
+    if (on_path(system.topology, rod.to.body, joints[c])) at_to[c] = velocity_at(k.column[joints[c]], to);
+  }
+  for (std::size_t c = 0; c < count; ++c) {
+    group.momentum[c] = group.momentum[c] + force_at(at_from[c], to) + force_at(rod.coupling * at_to[c], from);
+    for (std::size_t d = 0; d < count; ++d)
+      group.mass[c][d] = group.mass[c][d] + (dot(at_from[c], at_to[d]) + dot(at_to[c], at_from[d]));
+  }
+}
+
+template <class T>
+GroupMass<T> group_mass(System<T>& system, const Kinematics<T>& k, const Inertias<T>& m, const JointGroup& group) {
+  const std::size_t count = group.joints.size();
+  GroupMass<T> result;
+  for (int i : group.joints) {
+    system.scribe.place(system.body_name(i));
+    result.momentum.push_back(m.of_joint(system.layout, i) * k.column[i]);
+    name(system.scribe, result.momentum.back(), "F", "N", system.topology.bodies[i].coordinate);
+  }
+  result.mass.assign(count, std::vector<T>(count, T(0.0)));
+  for (std::size_t c = 0; c < count; ++c)
+    for (std::size_t d = 0; d <= c; ++d)
+      if (on_path(system.topology, group.joints[c], group.joints[d]))
+        result.mass[c][d] = result.mass[d][c] = dot(k.column[group.joints[d]], result.momentum[c]);
+  if (group.block < 0) return result;
+  for (int l : system.topology.blocks[group.block].loops) {
+    const Loop& loop = system.topology.loops[l];
+    if (loop.kind != ClosureKind::rod || is_zero(system.constants.rods[loop.rod].coupling)) continue;
+    system.scribe.place(loop.name);
+    add_rod(system, k, group.joints, group.base, system.constants.rods[loop.rod], result);
+  }
+  return result;
+}
+
+/// Generalised momentum of a wrench on the joints below a body, per coordinate (zero off the path).
+template <class T>
+std::vector<T> momentum_below(const System<T>& system, const Kinematics<T>& k, int body, int frame, Spatial<T> wrench) {
+  std::vector<T> result(system.topology.bodies.size(), T(0.0));
+  for (int j = body; j != kGround; j = system.topology.bodies[j].parent) {
+    for (; frame != system.layout.bodies[j].joint_frame; frame = system.layout.bodies[frame].base) wrench = lowered(k, frame, wrench);
+    result[j] = dot(k.column[j], wrench);
+  }
+  return result;
+}
+
+template <class T>
+T weighted(const std::vector<T>& values, const std::vector<std::vector<T>>& rz, std::size_t direction) {
+  T sum(0.0);
+  for (std::size_t c = 0; c < values.size(); ++c) sum = sum + values[c] * rz[c][direction];
+  return sum;
+}
+
+}  // namespace detail
+
+/// Rz' M Rz and Rz' (tree forces) (63), group by group: a direction's momentum is summed first, then met with the joints below.
+/// Cost: free directions times depth.
+template <class T>
+ReducedSystem<T> reduced_system(System<T>& system, const Kinematics<T>& k, const Inertias<T>& m,
+                                const std::vector<GroupProjection<T>>& projections, const std::vector<T>& tree_force) {
+  const Topology& topology = system.topology;
+  ReducedSystem<T> reduced;
+  for (std::size_t g = 0; g < topology.groups.size(); ++g) {
+    const JointGroup& group = topology.groups[g];
+    const std::vector<std::vector<T>>& rz = projections[g].rz;
+    reduced.first.push_back(static_cast<int>(reduced.group.size()));
+    const std::size_t free = rz.empty() ? 0 : rz[0].size();
+    if (free == 0) continue;
+    const detail::GroupMass<T> mass = detail::group_mass(system, k, m, group);
+    std::vector<T> force;
+    for (int i : group.joints) force.push_back(tree_force[i]);
+    for (std::size_t q = 0; q < free; ++q) {
+      Spatial<T> momentum;
+      std::vector<T> mass_times_rz(group.joints.size(), T(0.0));
+      for (std::size_t c = 0; c < group.joints.size(); ++c) {
+        momentum = momentum + rz[c][q] * mass.momentum[c];
+        mass_times_rz[c] = detail::weighted(mass.mass[c], rz, q);
+      }
+      const std::vector<T> below = detail::momentum_below(system, k, group.base, system.layout.bodies[group.joints[0]].joint_frame, momentum);
+      std::vector<T> row(reduced.group.size() + 1, T(0.0));
+      for (int h = group.parent; h >= 0; h = topology.groups[h].parent) {
+        std::vector<T> part;
+        for (int j : topology.groups[h].joints) part.push_back(below[j]);
+        const std::size_t directions = projections[h].rz.empty() ? 0 : projections[h].rz[0].size();
+        for (std::size_t d = 0; d < directions; ++d) row[reduced.first[h] + d] = detail::weighted(part, projections[h].rz, d);
+      }
+      for (std::size_t d = 0; d <= q; ++d) row[reduced.first[g] + d] = detail::weighted(mass_times_rz, rz, d);
+      reduced.mass.push_back(std::move(row));
+      reduced.right_hand_side.push_back(detail::weighted(force, rz, q));
+      reduced.group.push_back(static_cast<int>(g));
+    }
+  }
+  return reduced;
+}
+
+/// Solution of the reduced equations by elimination from the leaves to the root, without fill-in.
+template <class T>
+struct ReducedSolution {
+  std::vector<T> acceleration;   ///< per free direction
+  std::vector<T> inertia;        ///< per free direction: pivot less 1e-12 of its diagonal; not positive where motion has no inertia
+};
+
+template <class T>
+ReducedSolution<T> solve_reduced(ReducedSystem<T> s) {
+  const std::size_t n = s.mass.size();
+  std::vector<T> reciprocal(n, T(0.0)), diagonal;
+  for (std::size_t q = 0; q < n; ++q) diagonal.push_back(s.mass[q][q]);
+  ReducedSolution<T> solution;
+  solution.inertia.assign(n, T(0.0));
+  for (std::size_t q = n; q-- > 0;) {
+    solution.inertia[q] = s.mass[q][q] - T(1e-12) * diagonal[q];
+    reciprocal[q] = T(1.0) / s.mass[q][q];
+    for (std::size_t a = 0; a < q; ++a) {
+      if (is_zero(s.mass[q][a])) continue;
+      const T factor = s.mass[q][a] * reciprocal[q];
+      for (std::size_t b = 0; b <= a; ++b)
+        if (!is_zero(s.mass[q][b])) s.mass[a][b] = s.mass[a][b] - factor * s.mass[q][b];
+      s.right_hand_side[a] = s.right_hand_side[a] - factor * s.right_hand_side[q];
+    }
+  }
+  for (std::size_t q = 0; q < n; ++q) {
+    T value = s.right_hand_side[q];
+    for (std::size_t a = 0; a < q; ++a)
+      if (!is_zero(s.mass[q][a])) value = value - s.mass[q][a] * solution.acceleration[a];
+    solution.acceleration.push_back(value * reciprocal[q]);
+  }
+  return solution;
+}
+
+/// All joint accelerations from those of the free directions (62).
+template <class T>
+std::vector<T> joint_accelerations(const Topology& topology, const std::vector<GroupProjection<T>>& projections,
+                                   const ReducedSystem<T>& reduced, const std::vector<T>& free_acceleration) {
+  std::vector<T> zdd(topology.bodies.size(), T(0.0));
+  for (std::size_t g = 0; g < topology.groups.size(); ++g)
+    for (std::size_t c = 0; c < topology.groups[g].joints.size(); ++c) {
+      T value = projections[g].zdd_star[c];
+      for (std::size_t q = 0; q < projections[g].rz[c].size(); ++q)
+        value = value + projections[g].rz[c][q] * free_acceleration[reduced.first[g] + q];
+      zdd[topology.groups[g].joints[c]] = value;
+    }
+  return zdd;
+}
+
+}  // namespace mbgen

@@ -1,0 +1,101 @@
+#pragma once
+// What the force elements share: their results, their view of the system, characteristics, and forces put on bodies.
+
+#include "compiler/formulation/motion.hpp"
+#include "mbgen/table.hpp"
+#include "mbgen/tyre.hpp"
+
+namespace mbgen {
+
+/// Length, its rate and the tension of an element between two points.
+template <class T>
+struct ElementState {
+  T length{0.0}, rate{0.0}, force{0.0};   ///< m, m/s, N (tension positive)
+};
+
+template <class T>
+struct AppliedForces {
+  std::vector<Spatial<T>> wrench;         ///< per body, about the origin of the frame that carries it
+  std::vector<T> joint;                   ///< per coordinate, N or N m
+  std::vector<T> xd;                      ///< rates of the auxiliary states
+  std::vector<ElementState<T>> springs, air_springs;
+  std::vector<TyreResult<T>> tyres;
+};
+
+namespace detail {
+
+/// What the force elements look at and add to.
+template <class T>
+struct ForceWork {
+  System<T>& system;
+  const Kinematics<T>& k;
+  const Velocities<T>& v;
+  AppliedForces<T>& forces;
+  T value(const Quantity& q) const { return value_of(system.model, q, system.environment); }
+  Place<T> place(const Attachment& at) const {
+    return place_of(system.model, system.topology, system.constants, at, system.environment);
+  }
+};
+
+/// Value of a characteristic at an argument: factor times argument, or a table.
+template <class T>
+T law(const ForceWork<T>& work, const Law& law, const T& argument) {
+  if (const Quantity* factor = std::get_if<Quantity>(&law)) return work.value(*factor) * argument;
+  const Table& table = std::get<Table>(law);
+  const int count = static_cast<int>(table.x.size());
+  if (table.interpolation == Table::Interpolation::linear)
+    return interpolate_linear(table.x.data(), table.y.data(), count, argument);
+  std::vector<double> slopes(table.x.size());
+  monotone_slopes(table.x.data(), table.y.data(), count, slopes.data());
+  return interpolate_monotone_cubic(table.x.data(), table.y.data(), slopes.data(), count, argument);
+}
+
+template <class T>
+T law(const ForceWork<T>& work, const std::optional<Law>& optional, const T& argument) {
+  return optional ? law(work, *optional, argument) : T(0.0);
+}
+
+/// An expression with two local variables.
+template <class T>
+T with_locals(const ForceWork<T>& work, int expression, const T& first, const T& second) {
+  Environment<T> environment = work.system.environment;
+  environment.locals = {first, second};
+  return evaluate<T>(work.system.model.expressions[expression], environment);
+}
+
+/// Adds a force at a place, given in the axes of a frame at or below the place's.
+template <class T>
+void apply_force(ForceWork<T>& work, const Place<T>& place, const Vector<T>& force, int frame) {
+  if (place.body == kGround) return;
+  const int carrier = work.system.layout.frame_of(place.body);
+  const Vector<T> local = direction_up(work.system, work.k, frame, force, carrier);
+  Spatial<T>& wrench = work.forces.wrench[place.body];
+  wrench = wrench + force_at(local, local_position(work.system, work.k, place));
+}
+
+template <class T>
+Vector<T> global_reference(const ForceWork<T>& work, const Place<T>& place) {
+  return place.body == kGround ? place.at : place.at + work.system.constants.origin[place.body];
+}
+
+/// Two places joined by a line element; `tension` gives its force from length and rate.
+template <class T, class Tension>
+ElementState<T> line_element(ForceWork<T>& work, const Attachment& from, const Attachment& to, const Tension& tension) {
+  const Place<T> a = work.place(from), b = work.place(to);
+  const int frame = common_frame(work.system, a.body, b.body);
+  const Vector<T> gap = position_in(work.system, work.k, b, frame) - position_in(work.system, work.k, a, frame);
+  const Vector<T> gap_rate = velocity_in(work.system, work.k, work.v, b, frame) - velocity_in(work.system, work.k, work.v, a, frame);
+  ElementState<T> state;
+  state.length = norm(gap);
+  const T reciprocal = T(1.0) / state.length;
+  state.rate = dot(gap, gap_rate) * reciprocal;
+  const T reference = norm(global_reference(work, b) - global_reference(work, a));
+  state.force = tension(state.length, state.rate, reference);
+  const Vector<T> force = (state.force * reciprocal) * gap;
+  apply_force(work, a, force, frame);
+  apply_force(work, b, -force, frame);
+  return state;
+}
+
+}  // namespace detail
+}  // namespace mbgen

@@ -1,0 +1,95 @@
+#pragma once
+// Inertias of the bodies, accumulated from the leaves to the root (50), each in the frame that carries its body.
+
+#include "compiler/formulation/motion.hpp"
+
+namespace mbgen {
+
+/// Central inertia of a body as the equations of motion see it.
+template <class T>
+struct BodyInertia {
+  T mass{0.0};
+  Vector<T> com;             ///< in the carrying frame, m
+  Symmetric<T> central;      ///< about com, axes of the carrying frame, kg m^2
+};
+
+template <class T>
+struct Inertias {
+  std::vector<BodyInertia<T>> body;
+  std::vector<Inertia<T>> own;    ///< own bodies: M^R of all that moves on them in their frame
+  std::vector<Inertia<T>> base;   ///< all bodies: M^R in the base frame
+  /// M^R for joint i, in the joint's frame.
+  const Inertia<T>& of_joint(const Layout& layout, int i) const {
+    const int frame = layout.bodies[i].joint_frame;
+    return frame == layout.bodies[i].base ? base[i] : own[frame];
+  }
+};
+
+template <class T>
+BodyInertia<T> body_inertia(const System<T>& system, const Kinematics<T>& k, int i) {
+  const Constants<T>& c = system.constants;
+  const BodyLayout& layout = system.layout.bodies[i];
+  if (layout.own_frame) return {c.mass[i], c.com[i], c.inertia[i]};
+  if (is_zero(c.mass[i]) && system.topology.bodies[i].massless) return {};
+  Matrix<T> axes = k.orientation[i];
+  if (layout.rotor) axes = system.on_base(i) ? identity<T>() : k.orientation[system.topology.bodies[i].parent];
+  return {c.mass[i], k.position[i] + axes * c.com[i], rotated(axes, c.inertia[i])};
+}
+
+/// Ten parameters about the frame origin, Mbar of theory.md section 2.
+template <class T>
+Inertia<T> about_origin(const BodyInertia<T>& body) {
+  return {body.mass, body.mass * body.com, body.central + point_inertia(body.mass, body.com)};
+}
+
+/// What a rod's coupling mass adds to a body that carries both ends: the kinetic energy m_jk v_j . v_k of a common motion.
+template <class T>
+Inertia<T> pair_inertia(const T& coupling, const Vector<T>& a, const Vector<T>& b) {
+  const Vector<T> sum = a + b;
+  const Symmetric<T> whole = point_inertia(coupling, sum), first = point_inertia(-coupling, a), second = point_inertia(-coupling, b);
+  return {coupling + coupling, coupling * sum, whole + (first + second)};
+}
+
+/// Accumulated inertias (step 1). Rod couplings enter at the base of their loop block. Cost: linear. Source: (49), (50).
+template <class T>
+Inertias<T> inertias(System<T>& system, const Kinematics<T>& k) {
+  const int n = system.topology.size();
+  Inertias<T> m;
+  m.body.resize(n);
+  m.own.resize(n);
+  m.base.resize(n);
+  for (int i = 0; i < n; ++i) {
+    system.scribe.place(system.body_name(i));
+    m.body[i] = body_inertia(system, k, i);
+    (system.layout.bodies[i].own_frame ? m.own[i] : m.base[i]) = about_origin(m.body[i]);
+  }
+  for (const LoopBlock& block : system.topology.blocks)
+    for (int l : block.loops) {
+      const Loop& loop = system.topology.loops[l];
+      if (loop.kind != ClosureKind::rod || block.base == kGround) continue;
+      const RodConstants<T>& rod = system.constants.rods[loop.rod];
+      if (is_zero(rod.coupling)) continue;
+      system.scribe.place(loop.name);
+      m.own[block.base] = m.own[block.base] + pair_inertia(rod.coupling, position_in(system, k, rod.from, block.base),
+                                                           position_in(system, k, rod.to, block.base));
+    }
+  for (int i = n - 1; i >= 0; --i) {
+    system.scribe.place(system.body_name(i));
+    if (system.layout.bodies[i].own_frame) m.base[i] = m.base[i] + moved(k.orientation[i], k.position[i], m.own[i]);
+    const int p = system.topology.bodies[i].parent;
+    if (p == kGround) continue;
+    Inertia<T>& below = p == system.layout.bodies[i].base ? m.own[p] : m.base[p];
+    below = below + m.base[i];
+  }
+  return m;
+}
+
+/// Wrench that moves a body: its force and moment about the frame origin for an acceleration (less gravity).
+template <class T>
+Spatial<T> inertial_force(const BodyInertia<T>& body, const Vector<T>& angular_velocity, const Acceleration<T>& a) {
+  const Vector<T> force = body.mass * a.at(body.com);
+  const Vector<T> moment = body.central * a.angular + cross(angular_velocity, body.central * angular_velocity);
+  return {force, cross(body.com, force) + moment};
+}
+
+}  // namespace mbgen

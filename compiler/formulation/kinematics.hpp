@@ -1,0 +1,158 @@
+#pragma once
+// Poses of the bodies and columns b of the joints (theory.md section 1), each in the frame that the layout chose.
+
+#include "compiler/formulation/constants.hpp"
+#include "compiler/formulation/layout.hpp"
+
+#include <algorithm>
+#include <vector>
+
+namespace mbgen {
+
+/// What every part of the formulation looks at.
+template <class T>
+struct System {
+  const Model& model;
+  const Topology& topology;
+  const Layout& layout;
+  Environment<T> environment;   ///< parameters, inputs, t, z, zd
+  std::vector<T> x;             ///< auxiliary states: tyre deflections u, v
+  Constants<T> constants;
+  Scribe<T>& scribe;
+
+  const std::string& body_name(int i) const { return topology.bodies[i].name; }
+  bool revolute(int i) const { return topology.bodies[i].kind == FreedomKind::revolute; }
+  const T& z(int i) const { return environment.z[i]; }
+  const T& zd(int i) const { return environment.zd[i]; }
+  /// The body whose motion body i adds to, seen in i's base frame: is it the base itself?
+  bool on_base(int i) const { return topology.bodies[i].parent == layout.bodies[i].base; }
+};
+
+template <class T>
+struct Kinematics {
+  std::vector<Matrix<T>> orientation;   ///< R_i: axes of body i in its base frame
+  std::vector<Vector<T>> position;      ///< r_i: origin of body i in its base frame, m
+  std::vector<Vector<T>> axis;          ///< u_i: joint axis in the joint's frame
+  std::vector<Vector<T>> pin;           ///< point of a revolute joint in the joint's frame, m
+  std::vector<Spatial<T>> column;       ///< b_i of (36): motion of body i for zd_i = 1, joint's frame
+  std::vector<Spatial<T>> base_column;  ///< the same in the base frame (equal to `column` inside loop blocks)
+};
+
+namespace detail {
+
+template <class T>
+Spatial<T> joint_column(bool revolute, const Vector<T>& axis, const Vector<T>& pin) {
+  return revolute ? Spatial<T>{cross(pin, axis), axis} : Spatial<T>{axis, {}};
+}
+
+/// Pose of body i in its base frame, from its parent's.
+template <class T>
+void advance_pose(const System<T>& system, Kinematics<T>& k, int i) {
+  const TreeBody& body = system.topology.bodies[i];
+  const bool on_base = system.on_base(i);
+  const int p = body.parent;
+  const Matrix<T> parent_axes = on_base ? identity<T>() : k.orientation[p];
+  const Vector<T> parent_origin = p == kGround ? Vector<T>{} : system.constants.origin[p];
+  const Vector<T> offset = system.constants.origin[i] - parent_origin;
+  const Vector<T> axis = parent_axes * constant<T>(body.axis);
+  Vector<T> place = parent_axes * offset;
+  if (!on_base) place = k.position[p] + place;
+  if (system.revolute(i)) {
+    k.orientation[i] = parent_axes * rotation(body.axis, system.z(i));
+    k.position[i] = place;
+  } else {
+    k.orientation[i] = parent_axes;
+    k.position[i] = place + system.z(i) * axis;
+  }
+  k.base_column[i] = joint_column(system.revolute(i), axis, place);
+  if (system.layout.bodies[i].joint_frame == system.layout.bodies[i].base) {
+    k.axis[i] = axis;
+    k.pin[i] = place;
+    k.column[i] = k.base_column[i];
+  }
+}
+
+/// Joints of an own body in its own frame, from the body down: the far side of the chain never enters.
+template <class T>
+void own_chain(const System<T>& system, Kinematics<T>& k, int end) {
+  const int start = system.layout.bodies[end].chain_start;
+  Matrix<T> axes = identity<T>();   // of the joint's child, in the end body's frame
+  Vector<T> place;                  // its origin there
+  for (int i = end;; i = system.topology.bodies[i].parent) {
+    const TreeBody& body = system.topology.bodies[i];
+    k.axis[i] = axes * constant<T>(body.axis);
+    k.pin[i] = place;
+    k.column[i] = joint_column(system.revolute(i), k.axis[i], place);
+    if (system.revolute(i)) axes = axes * transpose(rotation(body.axis, system.z(i)));
+    else place = place - system.z(i) * k.axis[i];
+    if (i == start) break;
+    const int p = body.parent;
+    place = place + axes * (system.constants.origin[p] - system.constants.origin[i]);
+  }
+  if (system.on_base(start)) k.orientation[end] = transpose(axes);
+}
+
+}  // namespace detail
+
+/// Poses and joint columns of all bodies. Cost: linear. Source: (36), theory.md section 1.
+template <class T>
+Kinematics<T> kinematics(System<T>& system) {
+  const std::size_t n = system.topology.bodies.size();
+  Kinematics<T> k;
+  k.orientation.resize(n);
+  k.position.resize(n);
+  k.axis.resize(n);
+  k.pin.resize(n);
+  k.column.resize(n);
+  k.base_column.resize(n);
+  for (int i = 0; i < static_cast<int>(n); ++i) {
+    system.scribe.place(system.body_name(i));
+    detail::advance_pose(system, k, i);
+    if (system.layout.bodies[i].chain_start >= 0) detail::own_chain(system, k, i);
+    name(system.scribe, k.orientation[i], "R_" + system.body_name(i));
+    name(system.scribe, k.position[i], "r_" + system.body_name(i));
+    name(system.scribe, k.axis[i], "u_" + system.topology.bodies[i].coordinate);
+  }
+  for (int i = 0; i < static_cast<int>(n); ++i)
+    name(system.scribe, k.column[i].linear, "b_" + system.topology.bodies[i].coordinate);
+  return k;
+}
+
+/// Position of a place in a frame at or below the one that carries its body, m.
+template <class T>
+Vector<T> position_in(const System<T>& system, const Kinematics<T>& k, const Place<T>& place, int frame) {
+  if (place.body == frame) return place.at;
+  Vector<T> at = k.position[place.body] + k.orientation[place.body] * place.at;
+  for (int f = system.layout.bodies[place.body].base; f != frame; f = system.layout.bodies[f].base)
+    at = k.position[f] + k.orientation[f] * at;
+  return at;
+}
+
+/// A direction given in body axes, in the axes of a frame at or below.
+template <class T>
+Vector<T> direction_in(const System<T>& system, const Kinematics<T>& k, int body, Vector<T> direction, int frame) {
+  for (int f = body; f != frame; f = system.layout.bodies[f].base) direction = k.orientation[f] * direction;
+  return direction;
+}
+
+/// A direction given in a frame, in the axes of a frame at or above it (an own body reached through bases).
+template <class T>
+Vector<T> direction_up(const System<T>& system, const Kinematics<T>& k, int frame, const Vector<T>& direction, int above) {
+  if (above == frame) return direction;
+  return transposed_times(k.orientation[above], direction_up(system, k, frame, direction, system.layout.bodies[above].base));
+}
+
+/// Deepest frame that carries both bodies.
+template <class T>
+int common_frame(const System<T>& system, int a, int b) {
+  std::vector<int> below;
+  for (int f = system.layout.frame_of(a);; f = system.layout.bodies[f].base) {
+    below.push_back(f);
+    if (f == kGround) break;
+  }
+  int f = system.layout.frame_of(b);
+  while (std::find(below.begin(), below.end(), f) == below.end()) f = system.layout.bodies[f].base;
+  return f;
+}
+
+}  // namespace mbgen

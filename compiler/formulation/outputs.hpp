@@ -1,0 +1,135 @@
+#pragma once
+// Model outputs and the terms of the energy balance.
+
+#include "compiler/formulation/dynamics.hpp"
+
+namespace mbgen {
+
+/// What outputs are made of: a solved state.
+template <class T>
+struct SolvedState {
+  const Kinematics<T>& kinematics;
+  const Velocities<T>& velocities;
+  const Accelerations<T>& accelerations;   ///< with the true joint accelerations
+  const AppliedForces<T>& forces;
+  const std::vector<T>& zdd;
+  const std::vector<T>& drive_forces;      ///< per motion
+};
+
+template <class T>
+struct Energies {
+  T kinetic{0.0}, potential{0.0}, power{0.0};   ///< J, J (gravity), W of all applied forces, tau and drives but not gravity
+};
+
+namespace detail {
+
+template <class T>
+T component(const Vector<T>& v, int axis) {
+  return axis == 0 ? v.x : axis == 1 ? v.y : v.z;
+}
+
+template <class T>
+T point_output(const System<T>& system, const SolvedState<T>& s, const PointOutput& output) {
+  const Place<T> place = place_of(system.model, system.topology, system.constants, output.point, system.environment);
+  const int carrier = system.layout.frame_of(place.body);
+  const Vector<T> local = local_position(system, s.kinematics, place);
+  Vector<T> global;
+  if (output.what == PointOutput::What::position) {
+    global = position_in(system, s.kinematics, place, kGround);
+  } else {
+    const Vector<T> in_carrier = output.what == PointOutput::What::velocity
+                                     ? velocity_at(velocity_of(system, s.velocities, place.body), local)
+                                     : acceleration_of(system, s.accelerations, place.body).at(local) +
+                                           direction_up(system, s.kinematics, kGround, system.constants.gravity, carrier);
+    if (output.in_body_axes) {
+      const Vector<T> tree_axes = direction_up(system, s.kinematics, carrier, in_carrier, place.body);
+      return component(transposed_times(pose_rotation<T>(system.model.bodies[output.point.body].pose), tree_axes), output.axis);
+    }
+    global = direction_in(system, s.kinematics, carrier, in_carrier, kGround);
+  }
+  if (!output.in_body_axes) return component(global, output.axis);
+  const Vector<T> tree_axes = direction_up(system, s.kinematics, kGround, global, place.body);
+  return component(transposed_times(pose_rotation<T>(system.model.bodies[output.point.body].pose), tree_axes), output.axis);
+}
+
+template <class T>
+T tyre_output(const TyreResult<T>& tyre, TyreOutput::What what) {
+  switch (what) {
+    case TyreOutput::What::load: return tyre.load;
+    case TyreOutput::What::longitudinal_force: return tyre.fx;
+    case TyreOutput::What::lateral_force: return tyre.fy;
+    case TyreOutput::What::aligning_moment: return tyre.mz;
+    case TyreOutput::What::longitudinal_slip: return tyre.kappa;
+    case TyreOutput::What::lateral_slip: return tyre.alpha;
+  }
+  return T(0.0);
+}
+
+template <class T>
+T coordinate_output(const System<T>& system, const SolvedState<T>& s, const CoordinateOutput& output) {
+  const int i = tree_coordinate(system.topology, output.coordinate);
+  if (i < 0) return T(0.0);
+  if (output.what == CoordinateOutput::What::position) return system.z(i);
+  return output.what == CoordinateOutput::What::velocity ? system.zd(i) : s.zdd[i];
+}
+
+template <class T>
+T spring_output(const SolvedState<T>& s, const SpringOutput& output) {
+  const ElementState<T>& state =
+      output.point_spring >= 0 ? s.forces.springs[output.point_spring] : s.forces.air_springs[output.air_spring];
+  if (output.what == SpringOutput::What::force) return state.force;
+  return output.what == SpringOutput::What::length ? state.length : state.rate;
+}
+
+}  // namespace detail
+
+/// Values of Model::outputs.
+template <class T>
+std::vector<T> output_values(System<T>& system, const SolvedState<T>& s) {
+  std::vector<T> values;
+  for (const Output& output : system.model.outputs) {
+    system.scribe.place(output.name);
+    if (const auto* e = std::get_if<ExpressionOutput>(&output.source))
+      values.push_back(value_of(system.model, e->value, system.environment));
+    else if (const auto* point = std::get_if<PointOutput>(&output.source))
+      values.push_back(detail::point_output(system, s, *point));
+    else if (const auto* coordinate = std::get_if<CoordinateOutput>(&output.source))
+      values.push_back(detail::coordinate_output(system, s, *coordinate));
+    else if (const auto* tyre = std::get_if<TyreOutput>(&output.source))
+      values.push_back(detail::tyre_output(s.forces.tyres[tyre->tyre], tyre->what));
+    else if (const auto* spring = std::get_if<SpringOutput>(&output.source))
+      values.push_back(detail::spring_output(s, *spring));
+    else
+      values.push_back(s.drive_forces[std::get<DriveOutput>(output.source).motion]);
+  }
+  return values;
+}
+
+/// Kinetic and gravitational energy, and the power of everything else that is applied.
+template <class T>
+Energies<T> energies(System<T>& system, const SolvedState<T>& s, const Inertias<T>& m, const std::vector<T>& tau,
+                     const std::vector<int>& driven) {
+  Energies<T> e;
+  const Constants<T>& c = system.constants;
+  T twice(0.0);
+  for (int i = 0; i < system.topology.size(); ++i) {
+    const Spatial<T> velocity = velocity_of(system, s.velocities, i);
+    const Vector<T> v = velocity_at(velocity, m.body[i].com);
+    twice = twice + m.body[i].mass * dot(v, v) + dot(velocity.angular, m.body[i].central * velocity.angular);
+    const Vector<T> com = position_in(system, s.kinematics, Place<T>{i, c.com[i]}, kGround);
+    e.potential = e.potential - c.mass[i] * dot(c.gravity, com);
+    e.power = e.power + dot(s.forces.wrench[i], velocity) + (tau[i] + s.forces.joint[i]) * system.zd(i);
+  }
+  for (const RodConstants<T>& rod : c.rods) {
+    const Vector<T> from = velocity_in(system, s.kinematics, s.velocities, rod.from, kGround);
+    const Vector<T> to = velocity_in(system, s.kinematics, s.velocities, rod.to, kGround);
+    twice = twice + T(2.0) * rod.coupling * dot(from, to);
+    const Vector<T> middle = position_in(system, s.kinematics, rod.from, kGround) + position_in(system, s.kinematics, rod.to, kGround);
+    e.potential = e.potential - rod.coupling * dot(c.gravity, middle);
+  }
+  for (std::size_t g = 0; g < driven.size(); ++g) e.power = e.power + s.drive_forces[g] * system.zd(driven[g]);
+  e.kinetic = T(0.5) * twice;
+  return e;
+}
+
+}  // namespace mbgen

@@ -1,0 +1,42 @@
+#pragma once
+// Titles and names for the values that the formulation makes: nothing for numbers, sections and labels for symbols.
+
+#include "compiler/formulation/vector.hpp"
+
+#include <string>
+
+namespace mbgen {
+
+/// The nine steps of the paper's tables 1 and 2, in order.
+enum class Step { inertias = 1, jacobian, projection, velocities, forces, closure_bias, accelerations, reduced_system, solution };
+
+/// Receives step, place and name of the values in the making. This one, for numbers, ignores them.
+template <class T>
+struct Scribe {
+  void step(Step) {}
+  void place(const std::string&) {}
+  void name(const T&, const std::string&) {}
+};
+
+/// Whether a value is known to be zero when the equations are written: then work on it is not done at all.
+inline bool is_zero(double value) { return value == 0.0; }
+
+template <class T>
+void name(Scribe<T>& scribe, const Vector<T>& v, const std::string& text) {
+  scribe.name(v.x, text + "_x");
+  scribe.name(v.y, text + "_y");
+  scribe.name(v.z, text + "_z");
+}
+template <class T>
+void name(Scribe<T>& scribe, const Matrix<T>& m, const std::string& text) {
+  name(scribe, Vector<T>{m.x.x, m.y.x, m.z.x}, text + "_x");
+  name(scribe, Vector<T>{m.x.y, m.y.y, m.z.y}, text + "_y");
+  name(scribe, Vector<T>{m.x.z, m.y.z, m.z.z}, text + "_z");
+}
+template <class T>
+void name(Scribe<T>& scribe, const Spatial<T>& s, const std::string& linear, const std::string& angular, const std::string& of) {
+  name(scribe, s.linear, linear + "_" + of);
+  name(scribe, s.angular, angular + "_" + of);
+}
+
+}  // namespace mbgen

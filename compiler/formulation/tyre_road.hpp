@@ -1,0 +1,101 @@
+#pragma once
+// Geometry of a wheel on a flat horizontal road, around the tyre law of the runtime's header tyre.hpp.
+
+#include "compiler/formulation/force_work.hpp"
+
+namespace mbgen {
+namespace detail {
+
+/// Contact of a wheel: axes and point in the frame that carries the wheel body.
+template <class T>
+struct RoadContact {
+  Vector<T> forward, left, up;   ///< unit
+  Vector<T> point;               ///< m
+  TyreContact<T> motion;
+};
+
+/// Spin axis of the wheel in its carrying frame; the joint's own axis where they agree, so that the spin angle drops out.
+template <class T>
+Vector<T> spin_axis(const ForceWork<T>& work, const Tyre& tyre, int body) {
+  const System<T>& system = work.system;
+  const Vector3& joint = system.topology.bodies[body].axis;
+  const double along = joint[0] * tyre.axis[0] + joint[1] * tyre.axis[1] + joint[2] * tyre.axis[2];
+  const int carrier = system.layout.frame_of(body);
+  if (system.revolute(body) && std::abs(std::abs(along) - 1) < 1e-12 && system.layout.bodies[body].joint_frame == carrier)
+    return T(along > 0 ? 1.0 : -1.0) * work.k.axis[body];
+  return direction_in(system, work.k, body, constant<T>(tyre.axis), carrier);
+}
+
+template <class T>
+RoadContact<T> road_contact(const ForceWork<T>& work, const Tyre& tyre, std::size_t index) {
+  using std::atan2;
+  const System<T>& system = work.system;
+  const Place<T> centre = work.place(tyre.centre);
+  const int carrier = system.layout.frame_of(centre.body);
+  const Vector<T> up = direction_up(system, work.k, kGround, Vector<T>{T(0.0), T(0.0), T(1.0)}, carrier);
+  const Vector<T> axis = spin_axis(work, tyre, centre.body);
+  const Vector<T> across = cross(axis, up);
+  const T cosine = norm(across), sine = dot(axis, up);
+  RoadContact<T> c;
+  c.up = up;
+  c.forward = (T(1.0) / cosine) * across;
+  c.left = cross(up, c.forward);
+  const T height = position_in(system, work.k, centre, kGround).z - work.value(tyre.road_height);
+  const T loaded_radius = height / cosine;
+  const Vector<T> down = (loaded_radius / cosine) * (sine * axis - up);   // from the centre to the contact point
+  const Vector<T> at = local_position(system, work.k, centre);
+  c.point = at + down;
+  const Spatial<T> velocity = velocity_of(system, work.v, centre.body);
+  const Vector<T> centre_velocity = velocity_at(velocity, at);
+  const T spin = dot(velocity.angular, axis);
+  const Vector<T> turning = velocity.angular - spin * axis;
+  const T sine_rate = dot(cross(velocity.angular, axis), up);
+  c.motion.deflection = work.value(tyre.radius) - loaded_radius;
+  c.motion.deflection_rate = -(dot(centre_velocity, up) + loaded_radius * sine * sine_rate / cosine) / cosine;
+  c.motion.vx = dot(centre_velocity, c.forward);
+  c.motion.vy = dot(centre_velocity + cross(turning, down), c.left);
+  c.motion.spin = spin;
+  c.motion.camber = atan2(sine, cosine);
+  c.motion.u = system.x[2 * index];
+  c.motion.v = system.x[2 * index + 1];
+  return c;
+}
+
+template <class T>
+TyreResult<T> tyre_result(const ForceWork<T>& work, const Tyre& tyre, const TyreContact<T>& contact) {
+  std::vector<T> coefficients;
+  for (const Quantity& q : tyre.coefficients) coefficients.push_back(work.value(q));
+  const TyreProperties<T> properties{work.value(tyre.radius), work.value(tyre.stiffness), work.value(tyre.damping),
+                                     work.value(tyre.friction), work.value(tyre.rolling_resistance),
+                                     work.value(tyre.relaxation_x), work.value(tyre.relaxation_y), work.value(tyre.low_speed),
+                                     tyre.side, tyre.count};
+  if (tyre.model == TyreModel::pac2002) return tyre_forces(Pac2002<T>::from_fields(coefficients.data()), properties, contact);
+  return tyre_forces(Pac89<T>::from_fields(coefficients.data()), properties, contact);
+}
+
+template <class T>
+void tyres(ForceWork<T>& work) {
+  for (std::size_t i = 0; i < work.system.model.tyres.size(); ++i) {
+    const Tyre& tyre = work.system.model.tyres[i];
+    work.system.scribe.place(tyre.name);
+    const RoadContact<T> contact = road_contact(work, tyre, i);
+    const TyreResult<T> result = tyre_result(work, tyre, contact.motion);
+    const Vector<T> force = result.fx * contact.forward + result.fy * contact.left + result.load * contact.up;
+    const Vector<T> moment = result.mx * contact.forward + result.my * contact.left + result.mz * contact.up;
+    work.system.scribe.name(result.load, "load_" + tyre.name);
+    work.system.scribe.name(result.fx, "fx_" + tyre.name);
+    work.system.scribe.name(result.fy, "fy_" + tyre.name);
+    const int body = work.system.topology.tree_body[tyre.centre.body];
+    if (body != kGround) {
+      Spatial<T>& wrench = work.forces.wrench[body];
+      wrench = wrench + force_at(force, contact.point);
+      wrench.angular = wrench.angular + moment;
+    }
+    work.forces.xd.push_back(result.du);
+    work.forces.xd.push_back(result.dv);
+    work.forces.tyres.push_back(result);
+  }
+}
+
+}  // namespace detail
+}  // namespace mbgen

@@ -1,0 +1,22 @@
+#pragma once
+// The formulation's titles and names, written into a program under construction.
+
+#include "compiler/formulation/scribe.hpp"
+#include "compiler/program/program.hpp"
+
+namespace mbgen {
+
+/// Whether a traced value is the constant zero.
+inline bool is_zero(const Expr& value) { return value.is_constant() && value.constant() == 0.0; }
+
+template <>
+struct Scribe<Expr> {
+  ProgramBuilder& builder;
+  void step(Step step);
+  void place(const std::string& title) { builder.set_block(title); }
+  void name(const Expr& value, const std::string& text) {
+    if (!value.is_constant()) builder.label(value.value(builder), text);
+  }
+};
+
+}  // namespace mbgen

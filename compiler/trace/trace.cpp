@@ -1,0 +1,358 @@
+#include "compiler/trace/trace.hpp"
+
+#include "compiler/formulation/formulation.hpp"
+#include "compiler/trace/scribe.hpp"
+
+#include <fmt/format.h>
+
+namespace mbgen {
+namespace {
+
+/// One program in the making: the formulation's view of the model, on symbols.
+class Tracing {
+ public:
+  Tracing(const std::string& name, const Model& model, const Topology& topology, const Analysis& analysis)
+      : builder(name), scribe{builder}, layout(choose_layout(model, topology)), analysis(analysis),
+        system{model, topology, layout, environment(model, topology), {}, {}, scribe} {
+    scribe.step(Step::inertias);
+    for (int i = 0; i < auxiliary_state_count(model); ++i) system.x.push_back(input("x", i));
+    system.constants = make_constants(model, topology, system.environment);
+    drive = drives(system);
+  }
+
+  Expr input(const std::string& group, int index) { return {builder, builder.input(group, index)}; }
+  std::vector<Expr> inputs(const std::string& group, int count) {
+    std::vector<Expr> values;
+    for (int i = 0; i < count; ++i) values.push_back(input(group, i));
+    return values;
+  }
+  void output(const std::string& group, int index, const Expr& value) { builder.output(group, index, value.value(builder)); }
+  void outputs(const std::string& group, const std::vector<Expr>& values) {
+    for (std::size_t i = 0; i < values.size(); ++i) output(group, static_cast<int>(i), values[i]);
+  }
+  int size() const { return system.topology.size(); }
+
+  /// Prescribed values of a block's coordinates (zero where not driven), by what a motion gives.
+  std::vector<Expr> driven_values(const LoopBlock& block, Expr Drive<Expr>::*what) const {
+    std::vector<Expr> values(block.joints.size(), Expr(0.0));
+    for (std::size_t c = 0; c < block.joints.size(); ++c)
+      for (const Drive<Expr>& d : drive)
+        if (d.coordinate == block.joints[c]) values[c] = d.*what;
+    return values;
+  }
+
+  ProgramBuilder builder;
+  Scribe<Expr> scribe;
+  Layout layout;
+  const Analysis& analysis;
+  System<Expr> system;
+  std::vector<Drive<Expr>> drive;
+
+ private:
+  Environment<Expr> environment(const Model& model, const Topology& topology) {
+    Environment<Expr> e;
+    e.topology = &topology;
+    int tunable = 0;
+    for (const Parameter& p : model.parameters) e.parameters.push_back(p.tunable ? input("par", tunable++) : Expr(p.value));
+    e.inputs = inputs("in", static_cast<int>(model.inputs.size()));
+    e.t = input("t", 0);
+    e.z = inputs("z", topology.size());
+    e.zd = inputs("zd", topology.size());
+    return e;
+  }
+};
+
+/// Projection of a joint outside all blocks: free, or prescribed by a motion.
+GroupProjection<Expr> single_projection(const Tracing& tracing, int joint) {
+  for (const Drive<Expr>& d : tracing.drive)
+    if (d.coordinate == joint) return {{{}}, {d.acceleration}};
+  return {{{Expr(1.0)}}, {Expr(0.0)}};
+}
+
+/// What the frozen path knows of a block: factors, Rz and zdd_star.
+struct FrozenBlocks {
+  std::vector<FrozenFactors<Expr>> factors;
+  std::vector<std::vector<std::vector<Expr>>> rz;
+  std::vector<std::vector<Expr>> zdd_star;
+};
+
+/// Steps 2 and 3.
+FrozenBlocks frozen_jacobians(Tracing& tracing, const Kinematics<Expr>& k) {
+  FrozenBlocks blocks;
+  System<Expr>& system = tracing.system;
+  tracing.scribe.step(Step::jacobian);
+  const RelativeMotion<Expr> rest = at_rest<Expr>(system.topology);
+  for (std::size_t b = 0; b < system.topology.blocks.size(); ++b) {
+    const BlockClosure<Expr> closed = closure(system, k, system.topology.blocks[b], rest);
+    tracing.scribe.place(fmt::format("loop block {}", b));
+    blocks.factors.push_back(factorise_frozen(closed.jacobian, tracing.analysis.blocks[b]));
+  }
+  tracing.scribe.step(Step::projection);
+  for (std::size_t b = 0; b < system.topology.blocks.size(); ++b) {
+    tracing.scribe.place(fmt::format("loop block {}", b));
+    blocks.rz.push_back(frozen_rz(blocks.factors[b], tracing.analysis.blocks[b], system.topology.blocks[b].joints.size()));
+    for (std::size_t c = 0; c < blocks.rz[b].size(); ++c)
+      for (std::size_t q = 0; q < blocks.rz[b][c].size(); ++q)
+        tracing.scribe.name(blocks.rz[b][c][q],
+                            fmt::format("Rz_{}_{}", system.topology.bodies[system.topology.blocks[b].joints[c]].coordinate, q));
+  }
+  return blocks;
+}
+
+/// Step 6.
+void frozen_bias(Tracing& tracing, const Kinematics<Expr>& k, FrozenBlocks& blocks) {
+  System<Expr>& system = tracing.system;
+  tracing.scribe.step(Step::closure_bias);
+  for (std::size_t b = 0; b < system.topology.blocks.size(); ++b) {
+    const LoopBlock& block = system.topology.blocks[b];
+    const BlockClosure<Expr> closed = closure(system, k, block, relative_motion(system, k, block));
+    tracing.scribe.place(fmt::format("loop block {}", b));
+    blocks.zdd_star.push_back(frozen_zdd_star(blocks.factors[b], tracing.analysis.blocks[b], closed,
+                                              tracing.driven_values(block, &Drive<Expr>::acceleration)));
+    for (std::size_t c = 0; c < block.joints.size(); ++c)
+      tracing.scribe.name(blocks.zdd_star[b][c], "zdd_star_" + system.topology.bodies[block.joints[c]].coordinate);
+  }
+}
+
+/// Steps 7 to 9 from projections, common to the frozen and the chosen partition.
+void trace_solution(Tracing& tracing, const Kinematics<Expr>& k, const Inertias<Expr>& m, const Velocities<Expr>& v,
+                    const AppliedForces<Expr>& forces, const std::vector<GroupProjection<Expr>>& projections) {
+  System<Expr>& system = tracing.system;
+  tracing.scribe.step(Step::accelerations);
+  std::vector<Expr> zdd_star(tracing.size(), Expr(0.0));
+  for (std::size_t g = 0; g < system.topology.groups.size(); ++g)
+    for (std::size_t c = 0; c < projections[g].zdd_star.size(); ++c)
+      zdd_star[system.topology.groups[g].joints[c]] = projections[g].zdd_star[c];
+  const Accelerations<Expr> a = accelerations(system, k, v, zdd_star);
+  const std::vector<Expr> q = tree_forces(system, k, m, v, a, forces, tracing.inputs("tau", tracing.size()));
+  tracing.scribe.step(Step::reduced_system);
+  const ReducedSystem<Expr> reduced = reduced_system(system, k, m, projections, q);
+  tracing.scribe.step(Step::solution);
+  const ReducedSolution<Expr> solution = solve_reduced(reduced);
+  tracing.outputs("inertia", solution.inertia);
+  tracing.outputs("zdd", joint_accelerations(system.topology, projections, reduced, solution.acceleration));
+  tracing.outputs("xd", forces.xd);
+}
+
+Program trace_accelerations(const Model& model, const Topology& topology, const Analysis& analysis) {
+  Tracing tracing("accelerations", model, topology, analysis);
+  System<Expr>& system = tracing.system;
+  const Kinematics<Expr> k = kinematics(system);
+  const Inertias<Expr> m = inertias(system, k);
+  FrozenBlocks blocks = frozen_jacobians(tracing, k);
+  tracing.scribe.step(Step::velocities);
+  const Velocities<Expr> v = velocities(system, k);
+  tracing.scribe.step(Step::forces);
+  const AppliedForces<Expr> forces = applied_forces(system, k, v);
+  frozen_bias(tracing, k, blocks);
+  std::vector<GroupProjection<Expr>> projections;
+  for (const JointGroup& group : topology.groups)
+    projections.push_back(group.block < 0 ? single_projection(tracing, group.joints[0])
+                                          : GroupProjection<Expr>{blocks.rz[group.block], blocks.zdd_star[group.block]});
+  trace_solution(tracing, k, m, v, forces, projections);
+  for (std::size_t b = 0; b < topology.blocks.size(); ++b)
+    if (analysis.blocks[b].rank > 0) tracing.output("pivot", static_cast<int>(b), blocks.factors[b].quality);
+  return tracing.builder.finish();
+}
+
+Program trace_accelerations_chosen(const Model& model, const Topology& topology, const Analysis& analysis) {
+  Tracing tracing("accelerations_chosen", model, topology, analysis);
+  System<Expr>& system = tracing.system;
+  const Kinematics<Expr> k = kinematics(system);
+  const Inertias<Expr> m = inertias(system, k);
+  tracing.scribe.step(Step::velocities);
+  const Velocities<Expr> v = velocities(system, k);
+  tracing.scribe.step(Step::forces);
+  const AppliedForces<Expr> forces = applied_forces(system, k, v);
+  std::vector<GroupProjection<Expr>> projections;
+  for (const JointGroup& group : topology.groups) {
+    if (group.block < 0) {
+      projections.push_back(single_projection(tracing, group.joints[0]));
+      continue;
+    }
+    GroupProjection<Expr> chosen;
+    const int free = static_cast<int>(analysis.blocks[group.block].independent.size());
+    for (std::size_t c = 0; c < group.joints.size(); ++c) {
+      chosen.zdd_star.push_back(tracing.input(fmt::format("zdd_star{}", group.block), static_cast<int>(c)));
+      chosen.rz.emplace_back();
+      for (int q = 0; q < free; ++q)
+        chosen.rz.back().push_back(tracing.input(fmt::format("Rz{}", group.block), static_cast<int>(c) * free + q));
+    }
+    projections.push_back(std::move(chosen));
+  }
+  trace_solution(tracing, k, m, v, forces, projections);
+  return tracing.builder.finish();
+}
+
+/// Newton correction of positions and consistent velocities by the frozen factors (60), (61).
+Program trace_closure(const Model& model, const Topology& topology, const Analysis& analysis) {
+  Tracing tracing("closure", model, topology, analysis);
+  System<Expr>& system = tracing.system;
+  std::vector<Expr> dz(topology.size(), Expr(0.0)), zd = system.environment.zd, residual;
+  for (const Drive<Expr>& d : tracing.drive) {
+    dz[d.coordinate] = d.position - system.z(d.coordinate);
+    zd[d.coordinate] = d.velocity;
+  }
+  const Kinematics<Expr> k = kinematics(system);
+  const RelativeMotion<Expr> rest = at_rest<Expr>(topology);
+  for (std::size_t b = 0; b < topology.blocks.size(); ++b) {
+    const LoopBlock& block = topology.blocks[b];
+    const BlockAnalysis& partition = analysis.blocks[b];
+    tracing.scribe.step(Step::jacobian);
+    const BlockClosure<Expr> closed = closure(system, k, block, rest);
+    const FrozenFactors<Expr> factors = factorise_frozen(closed.jacobian, partition);
+    tracing.scribe.step(Step::velocities);
+    tracing.scribe.place(fmt::format("loop block {}", b));
+    std::vector<Expr> open, still(closed.residual.size(), Expr(0.0)), known_z, known_zd;
+    for (const Expr& value : closed.residual) open.push_back(-value);
+    for (int j : block.joints) {
+      known_z.push_back(dz[j]);
+      known_zd.push_back(zd[j]);
+    }
+    std::vector<int> known = partition.independent;
+    known.insert(known.end(), partition.driven.begin(), partition.driven.end());
+    const auto correction =
+        solve_frozen(factors, partition, moved_over(closed.jacobian, open, partition.driven, known_z), block.joints.size());
+    const auto velocity = solve_frozen(factors, partition, moved_over(closed.jacobian, still, known, known_zd), block.joints.size());
+    for (int c : partition.dependent) {
+      dz[block.joints[c]] = correction[c];
+      zd[block.joints[c]] = velocity[c];
+    }
+    residual.insert(residual.end(), closed.residual.begin(), closed.residual.end());
+    if (partition.rank > 0) tracing.output("pivot", static_cast<int>(b), factors.quality);
+  }
+  for (const Drive<Expr>& d : tracing.drive) residual.push_back(dz[d.coordinate]);
+  tracing.outputs("residual", residual);
+  tracing.outputs("dz", dz);
+  tracing.outputs("zd", zd);
+  return tracing.builder.finish();
+}
+
+Program trace_closure_terms(const Model& model, const Topology& topology, const Analysis& analysis) {
+  Tracing tracing("closure_terms", model, topology, analysis);
+  System<Expr>& system = tracing.system;
+  const Kinematics<Expr> k = kinematics(system);
+  for (std::size_t b = 0; b < topology.blocks.size(); ++b) {
+    const LoopBlock& block = topology.blocks[b];
+    tracing.scribe.step(Step::jacobian);
+    const BlockClosure<Expr> closed = closure(system, k, block, relative_motion(system, k, block));
+    tracing.outputs(fmt::format("Phi{}", b), closed.residual);
+    tracing.outputs(fmt::format("ct{}", b), std::vector<Expr>(closed.residual.size(), Expr(0.0)));
+    tracing.outputs(fmt::format("c{}", b), closed.acceleration);
+    std::vector<Expr> jacobian;
+    for (const std::vector<Expr>& row : closed.jacobian) jacobian.insert(jacobian.end(), row.begin(), row.end());
+    tracing.outputs(fmt::format("Jz{}", b), jacobian);
+  }
+  for (const Drive<Expr>& d : tracing.drive) {
+    tracing.output("driven_position", d.coordinate, d.position);
+    tracing.output("driven_velocity", d.coordinate, d.velocity);
+    tracing.output("driven_acceleration", d.coordinate, d.acceleration);
+  }
+  return tracing.builder.finish();
+}
+
+/// Multipliers and driving forces of a solved state, in the frozen order (theory.md section 4).
+struct Reactions {
+  std::vector<Expr> lambda, drive;
+};
+
+Reactions reactions(Tracing& tracing, const Kinematics<Expr>& k, const std::vector<Expr>& residual_force) {
+  System<Expr>& system = tracing.system;
+  Reactions r;
+  std::vector<Expr> force = residual_force;   // tree forces less Phi_z' lambda
+  const RelativeMotion<Expr> rest = at_rest<Expr>(system.topology);
+  for (std::size_t b = 0; b < system.topology.blocks.size(); ++b) {
+    const LoopBlock& block = system.topology.blocks[b];
+    const BlockClosure<Expr> closed = closure(system, k, block, rest);
+    tracing.scribe.place(fmt::format("loop block {}", b));
+    std::vector<Expr> right_hand_side;
+    for (int j : block.joints) right_hand_side.push_back(residual_force[j]);
+    const std::vector<Expr> lambda =
+        solve_frozen_transposed(factorise_frozen(closed.jacobian, tracing.analysis.blocks[b]), tracing.analysis.blocks[b],
+                                right_hand_side, closed.residual.size());
+    for (std::size_t e = 0; e < lambda.size(); ++e)
+      for (std::size_t c = 0; c < block.joints.size(); ++c)
+        force[block.joints[c]] -= closed.jacobian[e][c] * lambda[e];
+    r.lambda.insert(r.lambda.end(), lambda.begin(), lambda.end());
+  }
+  for (const Drive<Expr>& d : tracing.drive) r.drive.push_back(-force[d.coordinate]);
+  return r;
+}
+
+/// Multipliers by block, put in the order of Topology::loops.
+std::vector<Expr> in_loop_order(const Topology& topology, const std::vector<Expr>& by_block) {
+  std::vector<std::vector<Expr>> of_loop(topology.loops.size());
+  std::size_t next = 0;
+  for (const LoopBlock& block : topology.blocks)
+    for (int l : block.loops)
+      for (int e = 0; e < topology.loops[l].equations; ++e) of_loop[l].push_back(by_block[next++]);
+  std::vector<Expr> result;
+  for (const auto& values : of_loop) result.insert(result.end(), values.begin(), values.end());
+  return result;
+}
+
+/// Programs that look at a solved state: multipliers and outputs.
+Program trace_solved(const std::string& name, const Model& model, const Topology& topology, const Analysis& analysis) {
+  Tracing tracing(name, model, topology, analysis);
+  System<Expr>& system = tracing.system;
+  const std::vector<Expr> tau = tracing.inputs("tau", topology.size()), zdd = tracing.inputs("zdd", topology.size());
+  const Kinematics<Expr> k = kinematics(system);
+  const Inertias<Expr> m = inertias(system, k);
+  tracing.scribe.step(Step::velocities);
+  const Velocities<Expr> v = velocities(system, k);
+  tracing.scribe.step(Step::forces);
+  const AppliedForces<Expr> forces = applied_forces(system, k, v);
+  tracing.scribe.step(Step::accelerations);
+  const Accelerations<Expr> a = accelerations(system, k, v, zdd);
+  const std::vector<Expr> residual_force = tree_forces(system, k, m, v, a, forces, tau);
+  tracing.scribe.step(Step::solution);
+  const Reactions r = reactions(tracing, k, residual_force);
+  if (name == "multipliers") {
+    tracing.outputs("lambda", in_loop_order(topology, r.lambda));
+    tracing.outputs("drive", r.drive);
+    return tracing.builder.finish();
+  }
+  std::vector<int> driven;
+  for (const Drive<Expr>& d : tracing.drive) driven.push_back(d.coordinate);
+  const SolvedState<Expr> solved{k, v, a, forces, zdd, r.drive};
+  tracing.outputs("y", output_values(system, solved));
+  const Energies<Expr> e = energies(system, solved, m, tau, driven);
+  tracing.outputs("energy", {e.kinetic, e.potential});
+  tracing.outputs("power", {e.power});
+  return tracing.builder.finish();
+}
+
+}  // namespace
+
+int auxiliary_state_count(const Model& model) { return 2 * static_cast<int>(model.tyres.size()); }
+
+std::vector<std::string> auxiliary_state_names(const Model& model) {
+  std::vector<std::string> names;
+  for (const Tyre& tyre : model.tyres) {
+    names.push_back(tyre.name + "_u");
+    names.push_back(tyre.name + "_v");
+  }
+  return names;
+}
+
+Programs trace(const Model& model, const Topology& topology, const Analysis& analysis) {
+  Programs programs;
+  programs.accelerations = trace_accelerations(model, topology, analysis);
+  programs.closure = trace_closure(model, topology, analysis);
+  if (!topology.loops.empty()) {
+    programs.closure_terms = trace_closure_terms(model, topology, analysis);
+    programs.accelerations_chosen = trace_accelerations_chosen(model, topology, analysis);
+  }
+  programs.multipliers = trace_solved("multipliers", model, topology, analysis);
+  programs.outputs = trace_solved("outputs", model, topology, analysis);
+  for (int i : free_coordinates(topology, analysis)) programs.free_direction_coordinate.push_back(topology.bodies[i].coordinate);
+  int equation = 0;
+  for (std::size_t b = 0; b < topology.blocks.size(); ++b) {
+    programs.free_directions_of_block.push_back(static_cast<int>(analysis.blocks[b].independent.size()));
+    programs.residual_equation_of.push_back(equation);
+    equation += topology.blocks[b].equations;
+  }
+  return programs;
+}
+
+}  // namespace mbgen
