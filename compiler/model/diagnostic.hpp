@@ -15,6 +15,7 @@ struct Where {
   int line = 0;         ///< 1-based; 0 when the text has no line (for example a missing file)
   int column = 0;       ///< 1-based, in bytes
   std::string pointer;  ///< JSON pointer (RFC 6901), "" for the whole document
+  std::string line_text = {};  ///< the line of text, shown under the message; empty when unknown or very long
 };
 
 /// One problem: `file:line:column: pointer: message`, then the source line with a caret and a hint.
@@ -22,7 +23,7 @@ struct Diagnostic {
   Where where;
   std::string message;      ///< rule and value, lower case, no full stop
   std::string hint;         ///< what to do; may be empty
-  std::string source_line;  ///< the line of text that `where` names; may be empty
+  std::string source_line;  ///< the line of text that `where` names; when empty, where.line_text is shown
 };
 
 using Diagnostics = std::vector<Diagnostic>;

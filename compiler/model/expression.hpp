@@ -1,11 +1,11 @@
 #pragma once
 // Expressions of the model format: a small arithmetic grammar without side effects, held in postfix order.
 //
-//   sum     = product { ("+" | "-") product }          power  = unary [ "^" power ]
-//   product = unary { ("*" | "/") unary }              unary  = [ "-" | "+" ] power-or-atom
+//   sum     = product { ("+" | "-") product }          unary  = { "-" | "+" } power
+//   product = unary { ("*" | "/") unary }              power  = atom [ "^" unary ]       so -x^2 = -(x^2), 2^-1 = 0.5
 //   atom    = number | "pi" | "t" | parameter | input | local | "z." name | "zd." name
 //           | function "(" sum { "," sum } ")" | "(" sum ")"
-// functions: sqrt sin cos tan asin acos atan atan2 exp log tanh abs min max pow sign step
+// functions: sqrt sin cos tan asin acos atan atan2 exp log tanh abs min max pow sign step select
 //   sign(x) = -1, 0, 1;  step(x) = 1 for x >= 0, else 0;  select(x, a, b) = a for x >= 0, else b
 
 #include <cstdint>

@@ -1,0 +1,88 @@
+#pragma once
+// The table of fields: one per kind of object of the model format. It serves reading, the JSON Schema and the
+// documentation.
+
+#include <optional>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "compiler/model/document.hpp"
+#include "compiler/model/parse_expression.hpp"
+
+namespace mbgen::reading {
+
+/// What may be written for a field.
+enum class Shape {
+  boolean,
+  number,  ///< constant; a number or an expression of untunable parameters
+  text,
+  word,             ///< one of FieldInfo::words
+  quantity,         ///< number or expression
+  vector,           ///< three constants
+  quantity_vector,  ///< three quantities
+  inertia,          ///< three or six quantities
+  axis,             ///< a letter with sign, or three constants
+  attachment,       ///< "body.point"
+  coordinate,       ///< name of a coordinate
+  reference,        ///< name of another element, FieldInfo::of says of which map
+  force,            ///< expression with FieldInfo::locals
+  law,              ///< quantity or table
+  table_points,     ///< [[x, y], ...]
+  object,           ///< of kind FieldInfo::of
+  map,              ///< name -> object of kind FieldInfo::of
+  points,           ///< name -> three quantities
+  values,           ///< coordinate -> constant
+  rotations,        ///< one object of kind FieldInfo::of, or an array of them
+  coefficients,     ///< name -> quantity, or "a", "b", "c" -> arrays
+  parameters,       ///< name -> a constant, or an object of kind FieldInfo::of
+  paths,            ///< array of texts
+  reserved          ///< refused: kept for a later version
+};
+
+enum class Need { optional, required };
+enum class Bound { none, positive, not_negative };
+
+/// One row of a table.
+struct FieldInfo {
+  std::string_view name = {};
+  Shape shape = Shape::quantity;
+  std::string_view doc = {};
+  std::string_view unit = {};
+  Need need = Need::optional;
+  std::optional<double> fallback = std::nullopt;  ///< value of an absent number
+  std::string_view fallback_word = {};            ///< value of an absent word
+  Bound bound = Bound::none;
+  Depends depends = Depends::all;
+  bool angle = false;                             ///< {"deg": number} may be written
+  std::span<const std::string_view> words = {};   ///< in the order of the enumeration they stand for
+  std::span<const std::string_view> locals = {};  ///< variables of a Shape::force expression
+  std::string_view of = {};                       ///< kind of the objects inside
+};
+
+struct Reader;
+
+/// A row with the member of Object that it fills.
+template <class Object>
+struct Field {
+  FieldInfo info;
+  void (*read)(Reader&, const Value&, const FieldInfo&, Object&);
+  void (*set_default)(const FieldInfo&, Object&);
+  void (*spoil)(Object&);  ///< marks the member as unreadable
+};
+
+/// The table of a kind of object; one specialisation per kind, in tables_*.cpp.
+template <class Object>
+std::span<const Field<Object>> fields();
+
+/// A kind of object without its C++ type, for the schema.
+struct ObjectKind {
+  std::string_view name;
+  std::string_view doc;
+  std::vector<FieldInfo> fields;
+};
+
+/// Every kind, the whole file ("model") first.
+std::vector<ObjectKind> object_kinds();
+
+}  // namespace mbgen::reading

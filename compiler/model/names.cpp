@@ -1,0 +1,62 @@
+#include "compiler/model/names.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <numeric>
+
+namespace mbgen::reading {
+namespace {
+
+bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; }
+bool is_digit(char c) { return c >= '0' && c <= '9'; }
+
+}  // namespace
+
+bool is_valid_name(std::string_view name) {
+  return !name.empty() && name.size() <= kLongestName && is_letter(name[0]) &&
+         std::all_of(name.begin(), name.end(), [](char c) { return is_letter(c) || is_digit(c); });
+}
+
+int edit_distance(std::string_view a, std::string_view b) {
+  const std::size_t columns = b.size() + 1;
+  std::vector<int> before_last(columns), last(columns), row(columns);
+  std::iota(row.begin(), row.end(), 0);
+  for (std::size_t i = 1; i <= a.size(); ++i) {
+    before_last.swap(last);
+    last.swap(row);
+    row[0] = static_cast<int>(i);
+    for (std::size_t j = 1; j <= b.size(); ++j) {
+      row[j] = std::min({last[j] + 1, row[j - 1] + 1, last[j - 1] + (a[i - 1] == b[j - 1] ? 0 : 1)});
+      const bool swapped = i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1];
+      if (swapped) row[j] = std::min(row[j], before_last[j - 2] + 1);
+    }
+  }
+  return row[b.size()];
+}
+
+std::string did_you_mean(std::string_view word, const std::vector<std::string_view>& candidates) {
+  constexpr std::size_t kMostSearched = 2000, kMostListed = 8;
+  if (candidates.empty() || candidates.size() > kMostSearched || word.size() > 2 * kLongestName) return {};
+  const int near = std::max<int>(1, static_cast<int>(word.size()) / 3);
+  int best = near + 1;
+  std::string_view nearest;
+  for (const std::string_view candidate : candidates) {
+    if (candidate.size() > 2 * kLongestName) continue;
+    const int distance = edit_distance(word, candidate);
+    if (distance >= best) continue;
+    best = distance;
+    nearest = candidate;
+  }
+  if (best <= near) return "did you mean \"" + std::string(nearest) + "\"?";
+  if (candidates.size() > kMostListed) return {};
+  std::string known = "known: ";
+  for (std::size_t i = 0; i < candidates.size(); ++i) known += (i ? ", " : "") + std::string(candidates[i]);
+  return known;
+}
+
+bool may_be_unreadable(const Names& names, std::string_view coordinate) {
+  return std::any_of(names.unreadable_joints.begin(), names.unreadable_joints.end(),
+                     [&](const std::string& joint) { return coordinate.starts_with(joint); });
+}
+
+}  // namespace mbgen::reading

@@ -1,0 +1,351 @@
+#include "compiler/model/parse_expression.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <numbers>
+#include <optional>
+
+#include "compiler/model/document.hpp"
+#include "compiler/model/evaluate.hpp"
+
+namespace mbgen::reading {
+namespace {
+
+struct FunctionEntry {
+  std::string_view name;
+  Function function;
+  int arity;
+};
+
+constexpr FunctionEntry kFunctions[] = {
+    {"sqrt", Function::sqrt, 1}, {"sin", Function::sin, 1},     {"cos", Function::cos, 1},
+    {"tan", Function::tan, 1},   {"asin", Function::asin, 1},   {"acos", Function::acos, 1},
+    {"atan", Function::atan, 1}, {"atan2", Function::atan2, 2}, {"exp", Function::exp, 1},
+    {"log", Function::log, 1},   {"tanh", Function::tanh, 1},   {"abs", Function::abs, 1},
+    {"min", Function::min, 2},   {"max", Function::max, 2},     {"pow", Function::power, 2},
+    {"sign", Function::sign, 1}, {"step", Function::step, 1},   {"select", Function::select, 3},
+};
+
+const FunctionEntry* find_function(std::string_view name) {
+  const auto* found = std::find_if(std::begin(kFunctions), std::end(kFunctions),
+                                   [&](const FunctionEntry& entry) { return entry.name == name; });
+  return found == std::end(kFunctions) ? nullptr : found;
+}
+
+bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; }
+bool is_digit(char c) { return c >= '0' && c <= '9'; }
+
+/// Recursive descent. Invariant: every operand of nodes_ stands before its user, and the last node is the latest value.
+class ExpressionParser {
+ public:
+  ExpressionParser(std::string_view text, const ExpressionScope& scope) : text_(text), scope_(scope) {}
+
+  ParsedExpression run() {
+    skip_space();
+    if (at_ == text_.size()) {
+      fail(at_, "expression is empty");
+    } else if (sum() >= 0) {
+      skip_space();
+      if (at_ < text_.size()) fail_unexpected();
+    }
+    return {{std::string(text_), std::move(nodes_)}, std::move(problems_)};
+  }
+
+ private:
+  static constexpr int kMaximumDepth = 200;  ///< of sums and powers; each costs five calls on the stack
+  using Kind = ExpressionNode::Kind;
+
+  int fail(std::size_t offset, std::string message, std::string hint = {}) {
+    problems_.push_back({offset, std::move(message), std::move(hint)});
+    return -1;
+  }
+
+  int fail_unexpected() {
+    skip_space();
+    if (at_ == text_.size()) return fail(at_, "expression ends where a value is expected");
+    const unsigned char byte = static_cast<unsigned char>(text_[at_]);
+    const std::string shown =
+        byte < 0x20 || byte >= 0x80 ? fmt::format("byte 0x{:02x}", byte) : fmt::format("'{}'", text_[at_]);
+    const std::string hint = text_.substr(at_, 2) == "**" ? "powers are written x^y" : "";
+    return fail(at_, "unexpected " + shown + " in expression", hint);
+  }
+
+  void skip_space() {
+    while (at_ < text_.size() && std::string_view(" \t\r\n").find(text_[at_]) != std::string_view::npos) ++at_;
+  }
+
+  bool accept(char wanted) {
+    skip_space();
+    if (at_ == text_.size() || text_[at_] != wanted) return false;
+    ++at_;
+    return true;
+  }
+
+  int push(ExpressionNode node) {
+    nodes_.push_back(node);
+    return static_cast<int>(nodes_.size()) - 1;
+  }
+
+  int push_number(double number) {
+    ExpressionNode node;
+    node.number = number;
+    return push(node);
+  }
+
+  int push_indexed(Kind kind, int index) {
+    ExpressionNode node;
+    node.kind = kind;
+    node.index = index;
+    return push(node);
+  }
+
+  bool is_number(int index) const { return index < 0 || nodes_[static_cast<std::size_t>(index)].kind == Kind::number; }
+  double number_at(int index) const { return index < 0 ? 0 : nodes_[static_cast<std::size_t>(index)].number; }
+
+  /// A call node, or its value when all operands are numbers. Constant operands are the last nodes of the array.
+  int push_call(Function function, std::size_t offset, int first, int second = -1, int third = -1) {
+    ExpressionNode node;
+    node.kind = Kind::call;
+    node.function = function;
+    node.first = first;
+    node.second = second;
+    node.third = third;
+    if (!is_number(first) || !is_number(second) || !is_number(third)) return push(node);
+    const double a = number_at(first), b = number_at(second), c = number_at(third);
+    const double value = function == Function::power ? power_by_constant(a, b) : apply(function, a, b, c);
+    const bool spoiled = std::isnan(a) || std::isnan(b) || std::isnan(c);  // by a parameter that could not be read
+    if (!std::isfinite(value) && !spoiled && problems_.empty()) {
+      fail(offset, fmt::format("value is not finite here, {}", value));
+    }
+    nodes_.resize(nodes_.size() - static_cast<std::size_t>(1 + (second >= 0) + (third >= 0)));
+    return push_number(value);
+  }
+
+  int sum() {
+    if (++depth_ > kMaximumDepth) return fail(at_, "expression is nested too deeply");
+    int value = product();
+    while (value >= 0) {
+      skip_space();
+      const std::size_t offset = at_;
+      const bool plus = accept('+');
+      if (!plus && !accept('-')) break;
+      const int second = product();
+      value = second < 0 ? -1 : push_call(plus ? Function::add : Function::subtract, offset, value, second);
+    }
+    --depth_;
+    return value;
+  }
+
+  int product() {
+    int value = unary();
+    while (value >= 0) {
+      skip_space();
+      const std::size_t offset = at_;
+      const bool times = accept('*');
+      if (!times && !accept('/')) break;
+      const int second = unary();
+      value = second < 0 ? -1 : push_call(times ? Function::multiply : Function::divide, offset, value, second);
+    }
+    return value;
+  }
+
+  int unary() {
+    bool negative = false;
+    skip_space();
+    const std::size_t offset = at_;
+    for (bool more = true; more;) {
+      more = accept('-');
+      if (more) {
+        negative = !negative;
+      } else {
+        more = accept('+');
+      }
+    }
+    const int value = power();
+    return value >= 0 && negative ? push_call(Function::negate, offset, value) : value;
+  }
+
+  int power() {
+    if (++depth_ > kMaximumDepth) return fail(at_, "expression is nested too deeply");
+    int value = atom();
+    skip_space();
+    const std::size_t offset = at_;
+    if (value >= 0 && accept('^')) {
+      const int exponent = unary();
+      value = exponent < 0 ? -1 : push_call(Function::power, offset, value, exponent);
+    }
+    --depth_;
+    return value;
+  }
+
+  int atom() {
+    skip_space();
+    if (at_ == text_.size()) return fail_unexpected();
+    const std::size_t start = at_;
+    if (accept('(')) {
+      const int value = sum();
+      if (value < 0 || accept(')')) return value;
+      return fail_closing(start);
+    }
+    if (is_digit(text_[at_]) || text_[at_] == '.') return number();
+    if (!is_letter(text_[at_])) return fail_unexpected();
+    const std::string_view name = word();
+    if (accept('(')) return call(name, start);
+    if ((name == "z" || name == "zd") && at_ < text_.size() && text_[at_] == '.') return coordinate(name, start);
+    return value_of_name(name, start);
+  }
+
+  int fail_closing(std::size_t opened) {
+    skip_space();
+    return fail(at_, fmt::format("')' is missing for the '(' at column {} of the expression", opened + 1));
+  }
+
+  std::string_view word() {
+    const std::size_t start = at_;
+    while (at_ < text_.size() && (is_letter(text_[at_]) || is_digit(text_[at_]))) ++at_;
+    return text_.substr(start, at_ - start);
+  }
+
+  int number() {
+    double value = 0;
+    const std::string_view rest = text_.substr(at_);
+    const auto [end, error] = std::from_chars(rest.data(), rest.data() + rest.size(), value);
+    const std::size_t length = static_cast<std::size_t>(end - rest.data());
+    if (error == std::errc::invalid_argument) return fail_unexpected();
+    const std::string_view shown = rest.substr(0, length);
+    if (error == std::errc::result_out_of_range) return fail(at_, "number " + in_quotes(shown) + " is out of range");
+    at_ += length;
+    if (at_ < text_.size() && is_letter(text_[at_])) {
+      const std::size_t offset = at_;
+      return fail(offset, fmt::format("unexpected {} after number {}", in_quotes(word()), shown),
+                  "write * between factors");
+    }
+    return push_number(value);
+  }
+
+  int call(std::string_view name, std::size_t start) {
+    const FunctionEntry* entry = find_function(name);
+    if (!entry) {
+      std::vector<std::string_view> known;
+      for (const FunctionEntry& function : kFunctions) known.push_back(function.name);
+      return fail(start, "unknown function " + in_quotes(name), did_you_mean(name, known));
+    }
+    int arguments[3] = {-1, -1, -1};
+    int count = 0;
+    if (!accept(')')) {
+      do {
+        const int value = sum();
+        if (value < 0) return -1;
+        if (count < 3) arguments[count] = value;
+        ++count;
+      } while (accept(','));
+      if (!accept(')')) return fail_closing(start + name.size());
+    }
+    if (count != entry->arity) {
+      return fail(start, fmt::format("{} takes {} argument{}, got {}", name, entry->arity, entry->arity == 1 ? "" : "s",
+                                     count));
+    }
+    return push_call(entry->function, start, arguments[0], arguments[1], arguments[2]);
+  }
+
+  /// A stand-in for a name that was complained about, so that the rest is read, too.
+  int stand_in() { return push_number(1); }
+
+  int forbidden(std::size_t start, const std::string& what) {
+    switch (scope_.depends) {
+      case Depends::nothing:
+        fail(start, "must be constant, depends on " + what);
+        break;
+      case Depends::parameters:
+        fail(start, "may depend on parameters only, depends on " + what);
+        break;
+      default:
+        fail(start, "may depend on t, parameters and inputs only, depends on " + what);
+        break;
+    }
+    return stand_in();
+  }
+
+  int coordinate(std::string_view prefix, std::size_t start) {
+    ++at_;
+    const std::string_view name = word();
+    const std::string shown = fmt::format("{}.{}", prefix, name);
+    if (scope_.depends < Depends::all) return forbidden(start, "coordinate " + shown);
+    const NameMap<CoordinateReference>& coordinates = scope_.names.coordinates;
+    const auto found = coordinates.find(name);
+    if (found == coordinates.end()) {
+      if (name.empty()) return fail(at_, shown + " needs the name of a coordinate");
+      if (!may_be_unreadable(scope_.names, name)) {
+        fail(start, "unknown coordinate " + in_quotes(name), did_you_mean(name, coordinates));
+      }
+      return stand_in();
+    }
+    ExpressionNode node;
+    node.kind = prefix == "z" ? Kind::position : Kind::velocity;
+    node.coordinate = found->second;
+    return push(node);
+  }
+
+  int value_of_name(std::string_view name, std::size_t start) {
+    const Names& names = scope_.names;
+    const auto parameter = names.parameters.find(name);
+    const auto local = std::find(scope_.locals.begin(), scope_.locals.end(), name);
+    if (local != scope_.locals.end()) {
+      if (parameter != names.parameters.end() || names.inputs.contains(name)) {
+        fail(start, in_quotes(name) + " is a variable of this expression and also a parameter or input",
+             "rename the parameter or input");
+      }
+      return push_indexed(Kind::local, static_cast<int>(local - scope_.locals.begin()));
+    }
+    if (name == "pi") return push_number(std::numbers::pi);
+    if (name == "t") return scope_.depends < Depends::motion ? forbidden(start, "t") : push_indexed(Kind::time, -1);
+    if (parameter != names.parameters.end()) {
+      const Parameter& found = scope_.parameters[static_cast<std::size_t>(parameter->second)];
+      if (!found.tunable) return push_number(found.value);
+      if (scope_.depends < Depends::parameters) return forbidden(start, "tunable parameter " + in_quotes(name));
+      return push_indexed(Kind::parameter, parameter->second);
+    }
+    if (const auto input = names.inputs.find(name); input != names.inputs.end()) {
+      if (scope_.depends < Depends::motion) return forbidden(start, "input " + in_quotes(name));
+      return push_indexed(Kind::input, input->second);
+    }
+    fail(start, "unknown name " + in_quotes(name) + " in expression", hint_for(name));
+    return stand_in();
+  }
+
+  std::string hint_for(std::string_view name) const {
+    if (scope_.names.later_parameters.contains(name))
+      return "parameter " + in_quotes(name) + " must be defined above its use";
+    if (find_function(name)) return fmt::format("{} is a function, write {}(...)", name, name);
+    if (scope_.names.coordinates.contains(name))
+      return fmt::format("coordinates are written z.{} and zd.{}", name, name);
+    if (name == "z" || name == "zd") return fmt::format("coordinates are written {}.NAME", name);
+    std::vector<std::string_view> known(scope_.locals.begin(), scope_.locals.end());
+    for (const auto& [parameter, index] : scope_.names.parameters) known.push_back(parameter);
+    for (const auto& [input, index] : scope_.names.inputs) known.push_back(input);
+    known.insert(known.end(), {"pi", "t"});
+    return did_you_mean(name, known);
+  }
+
+  std::string_view text_;
+  const ExpressionScope& scope_;
+  std::size_t at_ = 0;
+  int depth_ = 0;
+  std::vector<ExpressionNode> nodes_;
+  std::vector<ExpressionProblem> problems_;
+};
+
+}  // namespace
+
+ParsedExpression parse_expression(std::string_view text, const ExpressionScope& scope) {
+  return ExpressionParser(text, scope).run();
+}
+
+bool is_reserved_name(std::string_view name) {
+  return name == "pi" || name == "t" || name == "z" || name == "zd" || find_function(name) != nullptr;
+}
+
+}  // namespace mbgen::reading

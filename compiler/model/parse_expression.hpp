@@ -1,0 +1,46 @@
+#pragma once
+// Text of an expression -> postfix nodes, constants folded.
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "compiler/model/expression.hpp"
+#include "compiler/model/model.hpp"
+#include "compiler/model/names.hpp"
+
+namespace mbgen::reading {
+
+/// What a number of the model may depend on; each allows what the ones before it allow, `motion` and up also inputs.
+enum class Depends { nothing, parameters, motion, all };
+
+/// What the names of an expression mean and which of them it may use.
+struct ExpressionScope {
+  const Names& names;
+  std::span<const Parameter> parameters;
+  Depends depends = Depends::all;
+  std::span<const std::string_view> locals = {};
+};
+
+struct ExpressionProblem {
+  std::size_t offset = 0;  ///< byte of the text
+  std::string message;
+  std::string hint;
+};
+
+/// Requires problems to be empty for the expression to be used.
+struct ParsedExpression {
+  Expression expression;
+  std::vector<ExpressionProblem> problems;
+};
+
+/// Parses an expression. Untunable parameters become numbers; operations on numbers are carried out.
+/// Fails: at the first error of grammar; before it, with every unknown or forbidden name and every value that is not
+/// finite.
+ParsedExpression parse_expression(std::string_view text, const ExpressionScope& scope);
+
+/// True for names that expressions give a meaning of their own: pi, t, z, zd and the functions.
+bool is_reserved_name(std::string_view name);
+
+}  // namespace mbgen::reading

@@ -1,0 +1,99 @@
+#pragma once
+// Objects of the model format that are not structs of the Model one to one: what the tables fill before it is resolved.
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "compiler/model/document.hpp"
+#include "compiler/model/model.hpp"
+
+namespace mbgen::reading {
+
+/// The whole file: its sections, read later because each needs the names of those before it.
+struct FileFields {
+  const Value *version = nullptr, *name = nullptr, *gravity = nullptr, *include = nullptr;
+  const Value *parameters = nullptr, *inputs = nullptr, *bodies = nullptr, *joints = nullptr, *rods = nullptr;
+  const Value *springs = nullptr, *joint_springs = nullptr, *frictions = nullptr, *air_springs = nullptr;
+  const Value *forces = nullptr, *joint_forces = nullptr, *tyre_data = nullptr, *tyres = nullptr, *motions = nullptr;
+  const Value *outputs = nullptr, *initial = nullptr, *solver = nullptr, *instances = nullptr;
+};
+
+struct RotationFields {
+  Vector3 axis{0, 0, 1};
+  double angle = 0;
+};
+
+struct TableFields {
+  std::vector<std::array<double, 2>> points;
+  Table::Interpolation interpolation = Table::Interpolation::linear;
+};
+
+struct BodyFields : Body {
+  const Value *point_list = nullptr;
+};
+
+/// A joint with axes as written, in body frames.
+struct JointFields : Joint {
+  std::optional<JointType> written_type;
+  std::optional<Vector3> written_axis, axis_to, axis2;
+  std::string sequence;
+  std::optional<bool> marked_cut;
+};
+
+struct AirSpringFields : AirSpring {
+  Law written_volume;
+};
+
+struct TyreDataFields {
+  std::string name;
+  Where where;
+  std::optional<TyreModel> written_model;
+  const Value *coefficients = nullptr;
+};
+
+struct TyreFields : Tyre {
+  std::string data;
+};
+
+struct MotionFields : Motion {
+  std::optional<Quantity> angle, displacement;
+};
+
+enum class Quantities {
+  position,
+  velocity,
+  acceleration,
+  load,
+  longitudinal_force,
+  lateral_force,
+  aligning_moment,
+  longitudinal_slip,
+  lateral_slip,
+  force,
+  length,
+  rate
+};
+
+enum class Letter { x, y, z };
+
+struct OutputFields {
+  std::string name;
+  Where where;
+  std::string unit;
+  std::optional<Quantity> expression;
+  std::optional<Attachment> point;
+  std::optional<CoordinateReference> joint;
+  std::optional<std::string> tyre, spring, motion;
+  std::optional<Quantities> quantity;
+  std::optional<Letter> axis;
+  std::optional<bool> in_body_axes;
+};
+
+struct InitialFields {
+  bool equilibrium = false;
+  const Value *positions = nullptr, *velocities = nullptr;
+};
+
+}  // namespace mbgen::reading

@@ -1,0 +1,148 @@
+// Rods and force elements but tyres.
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "compiler/model/raw.hpp"
+#include "compiler/model/reader.hpp"
+
+namespace mbgen::reading {
+namespace {
+
+/// Complains when both ends are on one body. Result: the distance of the ends at the reference, NaN when there is none.
+double check_ends(Reader& reader, const Value& value, const Attachment& from, const Attachment& to) {
+  if (from.body < 0 || to.body < 0) return kUnreadable;
+  if (from.body == to.body) {
+    report(reader, *find(value, "to"),
+           "both ends are on body " + in_quotes(reader.model.bodies[static_cast<std::size_t>(to.body)].name));
+    return kUnreadable;
+  }
+  const Vector3 a = reference_position(reader.model, from), b = reference_position(reader.model, to);
+  return std::hypot(b[0] - a[0], b[1] - a[1], b[2] - a[2]);
+}
+
+/// Degrees are for rotations.
+void check_degrees(Reader& reader, const Value& value, std::string_view key, const CoordinateReference& coordinate) {
+  const Value* member = find(value, key);
+  if (coordinate.joint < 0 || !member || member->kind != Value::Kind::object || is_rotation(reader.model, coordinate))
+    return;
+  report(reader, *member,
+         fmt::format("coordinate {} is a translation, degrees have no meaning",
+                     in_quotes(coordinate_name(reader.model, coordinate))));
+}
+
+bool has_any(const Value& value, std::initializer_list<std::string_view> keys) {
+  for (const std::string_view key : keys) {
+    if (find(value, key)) return true;
+  }
+  return false;
+}
+
+/// factor * quantity.
+Quantity scaled(Reader& reader, double factor, const Quantity& quantity) {
+  Quantity result(factor * quantity.value);
+  if (quantity.expression < 0) return result;
+  Expression expression = reader.model.expressions[static_cast<std::size_t>(quantity.expression)];
+  expression.text = fmt::format("{}*({})", factor, expression.text);
+  const int argument = static_cast<int>(expression.nodes.size()) - 1;
+  ExpressionNode number, call;
+  number.number = factor;
+  call.kind = ExpressionNode::Kind::call;
+  call.function = Function::multiply;
+  call.first = argument;
+  call.second = argument + 1;
+  expression.nodes.insert(expression.nodes.end(), {number, call});
+  reader.model.expressions.push_back(std::move(expression));
+  result.expression = static_cast<int>(reader.model.expressions.size()) - 1;
+  return result;
+}
+
+}  // namespace
+
+void read_rods(Reader& reader, const Entries& entries) {
+  constexpr double kSmallestLength = 1e-6;  // m
+  read_list(reader, entries, reader.model.rods, [](Reader& r, const Value& value, const Rod& rod) {
+    const double distance = check_ends(r, value, rod.from, rod.to);
+    if (distance < kSmallestLength) {
+      report(r, *find(value, "to"), fmt::format("ends of a rod must be apart, the distance is {:.6g} m", distance));
+    }
+  });
+}
+
+void read_springs(Reader& reader, const Entries& entries) {
+  for (const Entry& entry : entries) {
+    reader.names.springs.emplace(entry.name, static_cast<int>(reader.names.springs.size()));
+  }
+  read_list(reader, entries, reader.model.springs, [](Reader& r, const Value& value, const PointSpring& spring) {
+    check_ends(r, value, spring.from, spring.to);
+    if (!has_any(value, {"stiffness", "damping", "preload", "force"})) {
+      report(r, value, "spring has no stiffness, damping, preload or force");
+    }
+  });
+}
+
+void read_joint_springs(Reader& reader, const Entries& entries) {
+  read_list(reader, entries, reader.model.joint_springs, [](Reader& r, const Value& value, const JointSpring& spring) {
+    if (!has_any(value, {"stiffness", "damping", "preload", "force"})) {
+      report(r, value, "spring has no stiffness, damping, preload or force");
+    }
+    check_degrees(r, value, "free", spring.joint);
+    if (spring.joint.joint < 0 || !spring.relative_to || spring.relative_to->joint < 0) return;
+    const std::string joint = in_quotes(coordinate_name(r.model, spring.joint));
+    if (spring.joint == *spring.relative_to) {
+      report(r, *find(value, "relative_to"), "spring is between coordinate " + joint + " and itself");
+    } else if (is_rotation(r.model, spring.joint) != is_rotation(r.model, *spring.relative_to)) {
+      report(r, *find(value, "relative_to"),
+             fmt::format("spring is between a rotation and a translation, {} and {}", joint,
+                         in_quotes(coordinate_name(r.model, *spring.relative_to))));
+    }
+  });
+}
+
+void read_frictions(Reader& reader, const Entries& entries) {
+  constexpr double kStribeckOverVelocity = 10;
+  read_list(reader, entries, reader.model.frictions, [](Reader& r, const Value& value, JointFriction& friction) {
+    if (!has_any(value, {"coulomb", "stiction", "viscous"}))
+      report(r, value, "friction has no coulomb, stiction or viscous");
+    if (!find(value, "stiction")) friction.stiction = friction.coulomb;
+    if (!find(value, "stribeck_velocity")) {
+      friction.stribeck_velocity = scaled(r, kStribeckOverVelocity, friction.velocity);
+    }
+    if (friction.stiction.value < friction.coulomb.value) {
+      report(r, *find(value, "stiction"),
+             fmt::format("stiction {} is below coulomb {}", friction.stiction.value, friction.coulomb.value));
+    }
+  });
+}
+
+void read_air_springs(Reader& reader, const Entries& entries) {
+  std::vector<AirSpringFields> springs;
+  read_list(reader, entries, springs, [](Reader& r, const Value& value, const AirSpringFields& spring) {
+    const double distance = check_ends(r, value, spring.from, spring.to);
+    if (distance == 0 && !spring.length)
+      report(r, *find(value, "to"), "air spring needs a length, its ends coincide at the reference");
+  });
+  for (AirSpringFields& spring : springs) {
+    reader.names.air_springs.emplace(spring.name, static_cast<int>(reader.names.air_springs.size()));
+    if (const Table* table = std::get_if<Table>(&spring.written_volume)) {
+      spring.volume = *table;
+    } else {
+      spring.volume0 = std::get<Quantity>(spring.written_volume);
+    }
+    reader.model.air_springs.push_back(spring);
+  }
+}
+
+void read_forces(Reader& reader, const Entries& entries) {
+  read_list(reader, entries, reader.model.forces, [](Reader& r, const Value& value, const AppliedForce& force) {
+    if (!has_any(value, {"force", "torque"})) report(r, value, "applied force has neither force nor torque");
+    if (force.at.body >= 0 && force.at.body == r.model.ground)
+      report(r, *find(value, "at"), "a force on ground has no effect");
+  });
+}
+
+void read_joint_forces(Reader& reader, const Entries& entries) {
+  read_list(reader, entries, reader.model.joint_forces, [](Reader&, const Value&, const JointForce&) {});
+}
+
+}  // namespace mbgen::reading

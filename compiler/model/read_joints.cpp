@@ -1,0 +1,229 @@
+// Joints: axes, freedoms, closure at the reference configuration.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "compiler/model/raw.hpp"
+#include "compiler/model/reader.hpp"
+
+namespace mbgen::reading {
+namespace {
+
+constexpr double kClosureTolerance = 1e-6;  ///< m: what a hardpoint table with micrometres leaves
+constexpr double kAngleTolerance = 1e-6;    ///< rad
+constexpr std::string_view kLetters = "xyz";
+
+bool has_axis(JointType type) {
+  return type == JointType::revolute || type == JointType::prismatic || type == JointType::cylindrical ||
+         type == JointType::universal || type == JointType::planar;
+}
+
+bool has_sequence(JointType type) { return type == JointType::spherical || type == JointType::free; }
+
+/// Index of the frame axis that a direction lies along, or -1 for a skew one.
+int letter_index(const Vector3& direction) {
+  for (int i = 0; i < 3; ++i) {
+    if (std::abs(direction[static_cast<std::size_t>(i)]) == 1) return i;
+  }
+  return -1;
+}
+
+Vector3 unit(int index) { return {index == 0 ? 1.0 : 0.0, index == 1 ? 1.0 : 0.0, index == 2 ? 1.0 : 0.0}; }
+
+/// A freedom with its axis still in the frame of `from`.
+Freedom freedom(const std::string& joint, FreedomKind kind, std::string_view suffix, const Vector3& axis) {
+  const std::string prefix = suffix.empty() ? "" : kind == FreedomKind::revolute ? "_r" : "_t";
+  return {joint + prefix + std::string(suffix), kind, axis};
+}
+
+void add_planar(std::vector<Freedom>& freedoms, const std::string& name, const Vector3& normal) {
+  const int letter = letter_index(normal);
+  if (letter >= 0) {
+    for (int next = 1; next <= 2; ++next) {
+      const int index = (letter + next) % 3;
+      freedoms.push_back(
+          freedom(name, FreedomKind::prismatic, kLetters.substr(static_cast<std::size_t>(index), 1), unit(index)));
+    }
+    freedoms.push_back(
+        freedom(name, FreedomKind::revolute, kLetters.substr(static_cast<std::size_t>(letter), 1), normal));
+    return;
+  }
+  // The frame axis farthest from the normal, made perpendicular to it.
+  const auto smallest =
+      std::min_element(normal.begin(), normal.end(), [](double a, double b) { return std::abs(a) < std::abs(b); });
+  Vector3 second = cross(normal, unit(static_cast<int>(smallest - normal.begin())));
+  const double length = norm(second);
+  for (double& component : second) component /= length;
+  freedoms.push_back(freedom(name, FreedomKind::prismatic, "1", cross(second, normal)));
+  freedoms.push_back(freedom(name, FreedomKind::prismatic, "2", second));
+  freedoms.push_back(freedom(name, FreedomKind::revolute, "z", normal));
+}
+
+/// Freedoms in the order the joint applies them, axes in the frame of `from`. Requires: axes and sequence were read.
+std::vector<Freedom> freedoms_of(const JointFields& joint) {
+  const std::string& name = joint.name;
+  const Vector3 axis = joint.written_axis.value_or(Vector3{}), axis2 = joint.axis2.value_or(Vector3{});
+  const int letter = letter_index(axis), letter2 = letter_index(axis2);
+  const auto suffix = [&](int index, std::string_view skew) {
+    return index < 0 ? skew : kLetters.substr(static_cast<std::size_t>(index), 1);
+  };
+  std::vector<Freedom> freedoms;
+  switch (joint.type) {
+    case JointType::revolute:
+      freedoms = {freedom(name, FreedomKind::revolute, "", axis)};
+      break;
+    case JointType::prismatic:
+      freedoms = {freedom(name, FreedomKind::prismatic, "", axis)};
+      break;
+    case JointType::cylindrical:
+      freedoms = {freedom(name, FreedomKind::prismatic, suffix(letter, "z"), axis),
+                  freedom(name, FreedomKind::revolute, suffix(letter, "z"), axis)};
+      break;
+    case JointType::universal: {
+      const bool skew = letter < 0 || letter2 < 0;
+      freedoms = {freedom(name, FreedomKind::revolute, skew ? "1" : suffix(letter, ""), axis),
+                  freedom(name, FreedomKind::revolute, skew ? "2" : suffix(letter2, ""), axis2)};
+      break;
+    }
+    case JointType::planar:
+      add_planar(freedoms, name, axis);
+      break;
+    case JointType::free:
+      for (int i = 0; i < 3; ++i) freedoms.push_back(freedom(name, FreedomKind::prismatic, suffix(i, ""), unit(i)));
+      [[fallthrough]];
+    case JointType::spherical:
+      for (const char c : joint.sequence) {
+        const int index = static_cast<int>(kLetters.find(c));
+        freedoms.push_back(freedom(name, FreedomKind::revolute, suffix(index, ""), unit(index)));
+      }
+      break;
+    case JointType::fixed:
+      break;
+  }
+  return freedoms;
+}
+
+/// Complains about axes that are missing or have no meaning for the type. Result: whether the freedoms can be named.
+bool check_fields(Reader& reader, const Value& value, const JointFields& joint) {
+  const std::string type = find(value, "type")->text;
+  bool complete = true;
+  const auto need = [&](const char* key, bool needed) {
+    const Member* member = find_member(value, key);
+    if (needed && !member) {
+      report(reader, value, fmt::format("a {} joint needs {}", type, in_quotes(key)));
+      complete = false;
+    } else if (!needed && member) {
+      report(reader, member->place, fmt::format("a {} joint takes no {}", type, in_quotes(key)));
+    }
+  };
+  need("axis", has_axis(joint.type));
+  need("axis2", joint.type == JointType::universal);
+  if (!has_axis(joint.type) || joint.type == JointType::universal) need("axis_to", false);
+  if (!has_sequence(joint.type)) need("sequence", false);
+  const auto spoiled = [](const std::optional<Vector3>& axis) { return axis && std::isnan((*axis)[0]); };
+  const bool named_by_axis = joint.type != JointType::revolute && joint.type != JointType::prismatic;
+  if (named_by_axis && (spoiled(joint.written_axis) || spoiled(joint.axis2))) complete = false;
+  return complete;
+}
+
+bool check_sequence(Reader& reader, const Value& value, const JointFields& joint) {
+  if (!has_sequence(joint.type)) return true;
+  std::string sorted = joint.sequence;
+  std::sort(sorted.begin(), sorted.end());
+  if (sorted == kLetters) return true;
+  report(reader, member_or_object(value, "sequence"),
+         "sequence must have x, y and z once each, got " + in_quotes(joint.sequence));
+  return false;
+}
+
+void check_axes(Reader& reader, const Value& value, const JointFields& joint) {
+  if (joint.written_axis && joint.axis2) {
+    const double angle = angle_between(*joint.written_axis, *joint.axis2);
+    if (std::abs(angle - std::numbers::pi / 2) > kAngleTolerance) {
+      report(reader, *find(value, "axis2"),
+             fmt::format("axes of a universal joint must be perpendicular, the angle is {:.6g} deg",
+                         angle * 180 / std::numbers::pi));
+    }
+  }
+  if (!joint.written_axis || !joint.axis_to) return;
+  const double angle = angle_between(global_direction(reader.model, joint.from.body, *joint.written_axis),
+                                     global_direction(reader.model, joint.to.body, *joint.axis_to));
+  if (angle > kAngleTolerance) {
+    const bool opposite = angle > std::numbers::pi - kAngleTolerance;
+    report(reader, *find(value, "axis_to"),
+           fmt::format("axes do not agree at the reference, the angle is {:.6g} rad", angle),
+           opposite ? "reverse one of the axes" : "");
+  }
+}
+
+void check_closure(Reader& reader, const Value& value, const JointFields& joint) {
+  if (joint.from.body < 0 || joint.to.body < 0) return;
+  if (joint.from.body == joint.to.body) {
+    report(reader, *find(value, "to"),
+           "both ends are on body " + in_quotes(reader.model.bodies[static_cast<std::size_t>(joint.to.body)].name));
+    return;
+  }
+  const Vector3 a = reference_position(reader.model, joint.from), b = reference_position(reader.model, joint.to);
+  const double distance = std::hypot(b[0] - a[0], b[1] - a[1], b[2] - a[2]);
+  if (distance > kClosureTolerance) {
+    report(reader, *find(value, "to"),
+           fmt::format("joint does not close at the reference, {} and {} are {:.6g} m apart",
+                       attachment_text(reader.model, joint.from), attachment_text(reader.model, joint.to), distance));
+  }
+}
+
+/// Turns the axes to global ones.
+void resolve_axes(const Model& model, JointFields& joint) {
+  const auto global = [&](const Vector3& axis) { return global_direction(model, joint.from.body, axis); };
+  if (joint.written_axis) joint.axis = global(*joint.written_axis);
+  if (joint.axis2) joint.second_axis = global(*joint.axis2);
+  for (Freedom& freedom : joint.freedoms) freedom.axis = global(freedom.axis);
+}
+
+void add_coordinates(Reader& reader, const Entry& entry, const Joint& joint, int index) {
+  for (std::size_t i = 0; i < joint.freedoms.size(); ++i) {
+    const std::string& name = joint.freedoms[i].name;
+    const auto [found, is_new] =
+        reader.names.coordinates.emplace(name, CoordinateReference{index, static_cast<int>(i)});
+    if (is_new) continue;
+    const Joint& other = reader.model.joints[static_cast<std::size_t>(found->second.joint)];
+    report(reader, entry.place,
+           fmt::format("coordinate {} is also one of joint {}", in_quotes(name), in_quotes(other.name)),
+           "rename one of the joints");
+  }
+}
+
+}  // namespace
+
+void read_joints(Reader& reader, const Entries& entries) {
+  for (const Entry& entry : entries) {
+    const Value& value = *entry.value;
+    JointFields joint = with_defaults<JointFields>();
+    joint.name = entry.name;
+    joint.where = where_of(reader.documents, entry.place);
+    const bool readable = read_fields(reader, value, joint);
+    bool named = joint.written_type.has_value();
+    if (named) {
+      joint.type = *joint.written_type;
+      named = check_fields(reader, value, joint);
+      named = check_sequence(reader, value, joint) && named;
+      check_axes(reader, value, joint);
+    }
+    if (readable) check_closure(reader, value, joint);
+    if (joint.marked_cut) joint.cut = *joint.marked_cut ? CutMark::cut : CutMark::tree;
+    const int index = static_cast<int>(reader.model.joints.size());
+    if (named) {
+      joint.freedoms = freedoms_of(joint);
+      resolve_axes(reader.model, joint);
+      add_coordinates(reader, entry, joint, index);
+    } else {
+      reader.names.unreadable_joints.push_back(entry.name);
+    }
+    reader.names.joints.emplace(entry.name, index);
+    reader.model.joints.push_back(joint);
+  }
+}
+
+}  // namespace mbgen::reading

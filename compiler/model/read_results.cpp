@@ -1,0 +1,240 @@
+// Motions, outputs, initial state, solver settings.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "compiler/model/raw.hpp"
+#include "compiler/model/reader.hpp"
+
+namespace mbgen::reading {
+namespace {
+
+void resolve_motion(Reader& reader, const Value& value, MotionFields& motion) {
+  const Value* angle = find(value, "angle");
+  const Value* displacement = find(value, "position");
+  if (!angle && !displacement) report(reader, value, "motion needs \"angle\" or \"position\"");
+  if (angle && displacement) {
+    report(reader, find_member(value, "position")->place, "motion has both \"angle\" and \"position\"");
+  }
+  motion.position = motion.angle ? *motion.angle : motion.displacement.value_or(Quantity());
+  if (motion.joint.joint < 0) return;
+  const bool rotation = is_rotation(reader.model, motion.joint);
+  const std::string name = in_quotes(coordinate_name(reader.model, motion.joint));
+  if (const Member* member = find_member(value, rotation ? "position" : "angle")) {
+    report(reader, member->place,
+           fmt::format("coordinate {} is a {}, drive its \"{}\"", name, rotation ? "rotation" : "translation",
+                       rotation ? "angle" : "position"));
+  }
+  const std::vector<Motion>& motions = reader.model.motions;
+  const auto same =
+      std::find_if(motions.begin(), motions.end(), [&](const Motion& other) { return other.joint == motion.joint; });
+  if (same != motions.end()) {
+    report(reader, *find(value, "joint"),
+           fmt::format("coordinate {} is already driven by motion {}", name, in_quotes(same->name)));
+  }
+}
+
+constexpr std::string_view kSources[] = {"expression", "point", "joint", "tyre", "spring", "motion"};
+
+/// What kind of thing an output shows; index into kSources, or -1 with a complaint.
+int source_of(Reader& reader, const Value& value) {
+  int source = -1;
+  for (std::size_t i = 0; i < std::size(kSources); ++i) {
+    const Member* member = find_member(value, kSources[i]);
+    if (!member) continue;
+    if (source >= 0) {
+      report(reader, member->place,
+             fmt::format("output has both {} and {}", in_quotes(kSources[static_cast<std::size_t>(source)]),
+                         in_quotes(kSources[i])));
+      return -1;
+    }
+    source = static_cast<int>(i);
+  }
+  if (source < 0) report(reader, value, "output needs one of expression, point, joint, tyre, spring, motion");
+  return source;
+}
+
+/// The quantity when it is one that the source has (from first to last), else the first, with a complaint.
+Quantities quantity_of(Reader& reader, const Value& value, const OutputFields& output, Quantities first,
+                       Quantities last, std::string_view source) {
+  if (!output.quantity) return first;
+  if (*output.quantity >= first && *output.quantity <= last) return *output.quantity;
+  report(reader, *find(value, "quantity"), fmt::format("a {} has no {}", source, find(value, "quantity")->text));
+  return first;
+}
+
+void refuse(Reader& reader, const Value& value, std::string_view key, std::string_view source) {
+  if (const Member* member = find_member(value, key)) {
+    report(reader, member->place, fmt::format("an output of {} takes no {}", source, in_quotes(key)));
+  }
+}
+
+/// Index of a named element, or -1 with a complaint.
+int find_element(Reader& reader, const Value& value, std::string_view key, const NameMap<int>& names) {
+  const Value& reference = *find(value, key);
+  if (reference.kind != Value::Kind::text) return -1;
+  const auto found = names.find(reference.text);
+  if (found != names.end()) return found->second;
+  report(reader, reference, fmt::format("unknown {} {}", key, in_quotes(reference.text)),
+         did_you_mean(reference.text, names));
+  return -1;
+}
+
+template <class What>
+What offset(Quantities quantity, Quantities first) {
+  return static_cast<What>(static_cast<int>(quantity) - static_cast<int>(first));
+}
+
+const char* motion_unit(bool rotation, Quantities quantity) {
+  if (quantity == Quantities::position) return rotation ? "rad" : "m";
+  if (quantity == Quantities::velocity) return rotation ? "rad/s" : "m/s";
+  return rotation ? "rad/s^2" : "m/s^2";
+}
+
+/// The source of an output and the unit it has by itself.
+struct Resolved {
+  decltype(Output::source) source;
+  std::string unit;
+};
+
+Resolved point_output(Reader& reader, const Value& value, const OutputFields& output) {
+  const Quantities quantity =
+      quantity_of(reader, value, output, Quantities::position, Quantities::acceleration, "point");
+  if (!find(value, "axis")) report(reader, value, "an output of point needs \"axis\"");
+  PointOutput point;
+  point.what = offset<PointOutput::What>(quantity, Quantities::position);
+  point.point = *output.point;
+  point.axis = static_cast<int>(output.axis.value_or(Letter::x));
+  point.in_body_axes = output.in_body_axes.value_or(false);
+  return {point, motion_unit(false, quantity)};
+}
+
+Resolved joint_output(Reader& reader, const Value& value, const OutputFields& output) {
+  const Quantities quantity =
+      quantity_of(reader, value, output, Quantities::position, Quantities::acceleration, "coordinate");
+  const bool rotation = output.joint->joint >= 0 && is_rotation(reader.model, *output.joint);
+  return {CoordinateOutput{offset<CoordinateOutput::What>(quantity, Quantities::position), *output.joint},
+          motion_unit(rotation, quantity)};
+}
+
+Resolved tyre_output(Reader& reader, const Value& value, const OutputFields& output) {
+  const Quantities quantity = quantity_of(reader, value, output, Quantities::load, Quantities::lateral_slip, "tyre");
+  const int tyre = find_element(reader, value, "tyre", reader.names.tyres);
+  const char* unit = quantity == Quantities::aligning_moment     ? "N m"
+                     : quantity >= Quantities::longitudinal_slip ? "1"
+                                                                 : "N";
+  if (quantity == Quantities::lateral_slip) unit = "rad";
+  return {TyreOutput{offset<TyreOutput::What>(quantity, Quantities::load), tyre}, unit};
+}
+
+Resolved spring_output(Reader& reader, const Value& value, const OutputFields& output) {
+  const Quantities quantity = quantity_of(reader, value, output, Quantities::force, Quantities::rate, "spring");
+  SpringOutput spring;
+  spring.what = offset<SpringOutput::What>(quantity, Quantities::force);
+  const std::string& name = *output.spring;
+  const bool is_spring = reader.names.springs.contains(name), is_air_spring = reader.names.air_springs.contains(name);
+  if (is_spring && is_air_spring) {
+    report(reader, *find(value, "spring"), in_quotes(name) + " is a spring and an air spring", "rename one of them");
+  } else if (is_air_spring) {
+    spring.air_spring = reader.names.air_springs.at(name);
+  } else {
+    NameMap<int> known = reader.names.springs;
+    if (!is_spring) known.insert(reader.names.air_springs.begin(), reader.names.air_springs.end());
+    spring.point_spring = find_element(reader, value, "spring", known);
+  }
+  return {spring, quantity == Quantities::force ? "N" : quantity == Quantities::length ? "m" : "m/s"};
+}
+
+Resolved motion_output(Reader& reader, const Value& value) {
+  const int motion = find_element(reader, value, "motion", reader.names.motions);
+  const CoordinateReference joint =
+      motion < 0 ? CoordinateReference{} : reader.model.motions[static_cast<std::size_t>(motion)].joint;
+  return {DriveOutput{motion}, joint.joint >= 0 && is_rotation(reader.model, joint) ? "N m" : "N"};
+}
+
+Resolved resolve_output(Reader& reader, const Value& value, const OutputFields& output) {
+  const int source = source_of(reader, value);
+  if (source < 0) return {};
+  const std::string_view name = kSources[static_cast<std::size_t>(source)];
+  if (name == "expression" || name == "motion") refuse(reader, value, "quantity", name);
+  if (name != "point") {
+    refuse(reader, value, "axis", name);
+    refuse(reader, value, "frame", name);
+  }
+  if (name == "expression") return {ExpressionOutput{*output.expression}, ""};
+  if (name == "point") return point_output(reader, value, output);
+  if (name == "joint") return joint_output(reader, value, output);
+  if (name == "tyre") return tyre_output(reader, value, output);
+  if (name == "spring") return spring_output(reader, value, output);
+  return motion_output(reader, value);
+}
+
+void read_initial_values(Reader& reader, const Value* values, std::string_view key, std::vector<InitialValue>& list) {
+  if (!values) return;
+  if (values->kind != Value::Kind::object) {
+    report(reader, *values, "must be an object of coordinates, got " + describe(*values));
+    return;
+  }
+  const FieldInfo info{.name = key, .shape = Shape::number, .depends = Depends::nothing, .angle = true};
+  for (const Member& member : values->members) {
+    InitialValue initial;
+    initial.where = where_of(reader.documents, member.place);
+    initial.coordinate = read_coordinate(reader, member.place, member.key);
+    read_value(reader, member.value, info, initial.value);
+    if (initial.coordinate.joint < 0) continue;
+    if (member.value.kind == Value::Kind::object && !is_rotation(reader.model, initial.coordinate)) {
+      report(reader, member.value,
+             fmt::format("coordinate {} is a translation, degrees have no meaning", in_quotes(member.key)));
+    }
+    const auto earlier = std::find_if(
+        list.begin(), list.end(), [&](const InitialValue& other) { return other.coordinate == initial.coordinate; });
+    if (earlier == list.end()) {
+      list.push_back(initial);
+    } else {
+      *earlier = initial;
+    }
+  }
+}
+
+}  // namespace
+
+void read_motions(Reader& reader, const Entries& entries) {
+  for (const Entry& entry : entries) {
+    std::vector<MotionFields> one;
+    read_list(reader, {entry}, one, resolve_motion);
+    reader.names.motions.emplace(entry.name, static_cast<int>(reader.model.motions.size()));
+    reader.model.motions.push_back(one.front());
+  }
+}
+
+void read_outputs(Reader& reader, const Entries& entries) {
+  for (const Entry& entry : entries) {
+    std::vector<OutputFields> one;
+    Resolved resolved;
+    read_list(reader, {entry}, one, [&](Reader& r, const Value& value, const OutputFields& output) {
+      resolved = resolve_output(r, value, output);
+    });
+    OutputFields& output = one.front();
+    reader.model.outputs.push_back(
+        {output.name, output.where, output.unit.empty() ? resolved.unit : output.unit, resolved.source});
+  }
+}
+
+void read_initial(Reader& reader, const std::vector<const Value*>& values) {
+  InitialFields fields = with_defaults<InitialFields>();
+  Initial& initial = reader.model.initial;
+  for (const Value* value : values) {
+    fields.positions = fields.velocities = nullptr;
+    read_fields(reader, *value, fields);
+    read_initial_values(reader, fields.positions, "positions", initial.positions);
+    read_initial_values(reader, fields.velocities, "velocities", initial.velocities);
+  }
+  initial.equilibrium = fields.equilibrium;
+}
+
+void read_solver(Reader& reader, const std::vector<const Value*>& values) {
+  reader.model.solver = with_defaults<SolverSettings>();
+  for (const Value* value : values) read_fields(reader, *value, reader.model.solver);
+}
+
+}  // namespace mbgen::reading

@@ -1,0 +1,150 @@
+// Tyres and their coefficient sets.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "compiler/model/raw.hpp"
+#include "compiler/model/reader.hpp"
+#include "mbgen/tyre.hpp"
+
+namespace mbgen::reading {
+namespace {
+
+/// A coefficient set in the order of the runtime; empty when it could not be read.
+struct CoefficientSet {
+  TyreModel model = TyreModel::pac2002;
+  std::vector<Quantity> coefficients;
+};
+
+constexpr std::string_view kRadiusName = "UNLOADED_RADIUS", kLoadName = "FNOMIN";
+
+std::size_t pac2002_index(std::string_view name) {
+  const auto* found = std::find_if(std::begin(kPac2002Fields), std::end(kPac2002Fields),
+                                   [&](const TyreField& row) { return row.name == name; });
+  return static_cast<std::size_t>(found - std::begin(kPac2002Fields));
+}
+
+std::vector<Quantity> read_pac2002(Reader& reader, const Value& value) {
+  std::vector<Quantity> coefficients;
+  std::vector<std::string_view> known;
+  for (const TyreField& row : kPac2002Fields) {
+    coefficients.emplace_back(row.default_value);
+    known.push_back(row.name);
+  }
+  for (const Member& member : value.members) {
+    const std::size_t index = pac2002_index(member.key);
+    if (index == kPac2002Count) {
+      report(reader, member.place, "unknown tyre coefficient " + in_quotes(member.key),
+             did_you_mean(member.key, known));
+      continue;
+    }
+    const bool scale = member.key == kRadiusName || member.key == kLoadName;
+    const FieldInfo info{.name = "coefficient", .bound = scale ? Bound::positive : Bound::none};
+    read_value(reader, member.value, info, coefficients[index]);
+  }
+  for (const std::string_view name : {kRadiusName, kLoadName}) {
+    if (!find(value, name)) report(reader, value, "tyre coefficient " + in_quotes(name) + " is missing");
+  }
+  return coefficients;
+}
+
+std::vector<Quantity> read_pac89(Reader& reader, const Value& value) {
+  const struct {
+    std::string_view name;
+    int count;
+  } arrays[] = {{"a", kPac89ACount}, {"b", kPac89BCount}, {"c", kPac89CCount}};
+  std::vector<Quantity> coefficients;
+  for (const Member& member : value.members) {
+    if (member.key != "a" && member.key != "b" && member.key != "c") {
+      report(reader, member.place, "unknown key " + in_quotes(member.key), "a pac89 set has the arrays a, b and c");
+    }
+  }
+  for (const auto& [name, count] : arrays) {
+    const Value* array = find(value, name);
+    if (!array) {
+      report(reader, value, "key " + in_quotes(name) + " is missing");
+    } else if (array->kind != Value::Kind::array || array->items.size() != static_cast<std::size_t>(count)) {
+      report(reader, *array,
+             fmt::format("must be an array of {} numbers, {}0 to {}{}, got {}", count, name, name, count - 1,
+                         describe(*array)));
+    } else {
+      for (const Value& item : array->items) {
+        read_value(reader, item, FieldInfo{.name = "coefficient"}, coefficients.emplace_back());
+      }
+    }
+  }
+  return coefficients;
+}
+
+std::vector<CoefficientSet> read_sets(Reader& reader, const Entries& entries) {
+  std::vector<TyreDataFields> data;
+  read_list(reader, entries, data, [](Reader&, const Value&, const TyreDataFields&) {});
+  std::vector<CoefficientSet> sets;
+  for (const TyreDataFields& fields : data) {
+    reader.names.tyre_data.emplace(fields.name, static_cast<int>(sets.size()));
+    CoefficientSet& set = sets.emplace_back();
+    if (!fields.written_model || !fields.coefficients) continue;
+    set.model = *fields.written_model;
+    if (fields.coefficients->kind != Value::Kind::object) {
+      report(reader, *fields.coefficients, "must be an object of coefficients, got " + describe(*fields.coefficients));
+    } else {
+      set.coefficients = set.model == TyreModel::pac2002 ? read_pac2002(reader, *fields.coefficients)
+                                                         : read_pac89(reader, *fields.coefficients);
+    }
+  }
+  return sets;
+}
+
+void check_tyre(Reader& reader, const Value& value, TyreFields& tyre) {
+  constexpr double kSmallestTilt = 1e-3;  // rad between the axis and the vertical
+  if (std::abs(tyre.side) != 1 && !std::isnan(tyre.side)) {
+    report(reader, *find(value, "side"), fmt::format("side must be 1 or -1, got {}", tyre.side));
+  }
+  if (tyre.count != std::round(tyre.count) && !std::isnan(tyre.count)) {
+    report(reader, *find(value, "count"), fmt::format("count must be a whole number, got {}", tyre.count));
+  }
+  if (tyre.centre.body >= 0 && tyre.centre.body == reader.model.ground) {
+    report(reader, *find(value, "centre"), "a tyre on ground has no effect");
+  }
+  tyre.axis = global_direction(reader.model, tyre.centre.body, tyre.axis);
+  if (std::hypot(tyre.axis[0], tyre.axis[1]) < kSmallestTilt) {
+    report(reader, member_or_object(value, "axis"), "axis of a tyre is vertical, the wheel would lie on the road");
+  }
+}
+
+void use_set(Reader& reader, const Value& value, const std::vector<CoefficientSet>& sets, TyreFields& tyre) {
+  const auto found = reader.names.tyre_data.find(tyre.data);
+  if (found == reader.names.tyre_data.end()) {
+    const Value* data = find(value, "data");
+    if (!data || data->kind != Value::Kind::text) return;
+    report(reader, *data, "unknown tyre_data " + in_quotes(tyre.data), did_you_mean(tyre.data, reader.names.tyre_data));
+    return;
+  }
+  const CoefficientSet& set = sets[static_cast<std::size_t>(found->second)];
+  tyre.model = set.model;
+  tyre.coefficients = set.coefficients;
+  if (find(value, "radius") || set.coefficients.empty()) return;
+  if (set.model == TyreModel::pac2002) {
+    tyre.radius = set.coefficients[pac2002_index(kRadiusName)];
+  } else {
+    report(reader, value, "a tyre with pac89 data needs \"radius\"");
+  }
+}
+
+}  // namespace
+
+void read_tyres(Reader& reader, const Entries& tyre_data, const Entries& tyres) {
+  const std::vector<CoefficientSet> sets = read_sets(reader, tyre_data);
+  for (const Entry& entry : tyres) {
+    reader.names.tyres.emplace(entry.name, static_cast<int>(reader.names.tyres.size()));
+  }
+  std::vector<TyreFields> list;
+  read_list(reader, tyres, list, [&](Reader& r, const Value& value, TyreFields& tyre) {
+    check_tyre(r, value, tyre);
+    use_set(r, value, sets, tyre);
+  });
+  for (const TyreFields& tyre : list) reader.model.tyres.push_back(tyre);
+}
+
+}  // namespace mbgen::reading

@@ -1,0 +1,198 @@
+#pragma once
+// What the parts of the reader share: the model under construction, the names known so far and the problems found.
+// A value that could not be read is NaN or index -1, so that no later check complains about it again.
+
+#include <array>
+#include <limits>
+#include <map>
+#include <string>
+#include <type_traits>
+
+#include "compiler/model/fields.hpp"
+#include "compiler/model/model.hpp"
+#include "compiler/model/names.hpp"
+
+namespace mbgen::reading {
+
+struct Reader {
+  Documents documents;
+  Problems problems;
+  Model model;
+  Names names;
+};
+
+constexpr double kUnreadable = std::numeric_limits<double>::quiet_NaN();
+constexpr double kLargestNumber = 1e15;
+
+void report(Reader& reader, Place place, std::string message, std::string hint = {});
+inline void report(Reader& reader, const Value& value, std::string message, std::string hint = {}) {
+  report(reader, value.place, std::move(message), std::move(hint));
+}
+
+/// The member's value when it is there, else the object itself: where to complain about a field.
+const Value& member_or_object(const Value& object, std::string_view key);
+
+// Readers of one value by the type it goes to. Each reports what is wrong and leaves `target` unreadable then.
+// An optional<int> is the index of a force expression; an optional word that could not be read stays empty.
+void read_value(Reader& reader, const Value& value, const FieldInfo& info, bool& target);
+void read_value(Reader& reader, const Value& value, const FieldInfo& info, double& target);
+void read_value(Reader& reader, const Value& value, const FieldInfo& info, std::string& target);
+void read_value(Reader& reader, const Value& value, const FieldInfo& info, Quantity& target);
+void read_value(Reader& reader, const Value& value, const FieldInfo& info, Vector3& target);
+void read_value(Reader& reader, const Value& value, const FieldInfo& info, Matrix3& target);
+void read_value(Reader& reader, const Value& value, const FieldInfo& info, Vector3Quantity& target);
+void read_value(Reader& reader, const Value& value, const FieldInfo& info, std::array<Quantity, 6>& target);
+void read_value(Reader& reader, const Value& value, const FieldInfo& info, Attachment& target);
+void read_value(Reader& reader, const Value& value, const FieldInfo& info, CoordinateReference& target);
+void read_value(Reader& reader, const Value& value, const FieldInfo& info, Law& target);
+void read_value(Reader& reader, const Value& value, const FieldInfo& info, Pose& target);
+void read_value(Reader& reader, const Value& value, const FieldInfo& info, std::vector<std::array<double, 2>>& target);
+void read_value(Reader& reader, const Value& value, const FieldInfo& info, const Value*& target);
+
+/// Index into info.words, or -1.
+int read_word(Reader& reader, const Value& value, const FieldInfo& info);
+
+/// The coordinate of this name. Fails: unknown, or a joint of several coordinates or none.
+CoordinateReference read_coordinate(Reader& reader, Place place, const std::string& name);
+
+/// Index of the expression, in Model::expressions, -1 when unreadable.
+int read_force_expression(Reader& reader, const Value& value, const FieldInfo& info);
+
+template <class Enumeration>
+requires std::is_enum_v<Enumeration>
+void read_value(Reader& reader, const Value& value, const FieldInfo& info, Enumeration& target) {
+  if (const int index = read_word(reader, value, info); index >= 0) target = static_cast<Enumeration>(index);
+}
+
+template <class Inner>
+void read_value(Reader& reader, const Value& value, const FieldInfo& info, std::optional<Inner>& target) {
+  if constexpr (std::is_enum_v<Inner>) {
+    if (const int index = read_word(reader, value, info); index >= 0) target = static_cast<Inner>(index);
+  } else if constexpr (std::is_same_v<Inner, int>) {
+    target = read_force_expression(reader, value, info);
+  } else {
+    Inner inner{};
+    read_value(reader, value, info, inner);
+    target = std::move(inner);
+  }
+}
+
+/// What an absent member becomes; members without a default in the table stay as their struct makes them.
+template <class Target>
+void set_default(const FieldInfo& info, Target& target) {
+  if constexpr (std::is_enum_v<Target>) {
+    for (std::size_t i = 0; i < info.words.size(); ++i) {
+      if (info.words[i] == info.fallback_word) target = static_cast<Target>(i);
+    }
+  } else if constexpr (std::is_arithmetic_v<Target> || std::is_same_v<Target, Quantity>) {
+    if (info.fallback) target = static_cast<Target>(*info.fallback);
+  } else if constexpr (std::is_same_v<Target, std::string>) {
+    target = std::string(info.fallback_word);
+  }
+}
+
+template <class Target>
+void spoil(Target& target) {
+  if constexpr (std::is_same_v<Target, double> || std::is_same_v<Target, Quantity>) target = kUnreadable;
+  if constexpr (std::is_same_v<Target, Law>) target = Quantity(kUnreadable);
+  if constexpr (std::is_same_v<Target, Vector3> || std::is_same_v<Target, Vector3Quantity>) target.fill(kUnreadable);
+}
+
+/// The row of a table for a member of Object (or of its base).
+template <class Object, auto Member>
+Field<Object> field(const FieldInfo& info) {
+  return {info,
+          [](Reader& reader, const Value& value, const FieldInfo& row, Object& object) {
+            read_value(reader, value, row, object.*Member);
+          },
+          [](const FieldInfo& row, Object& object) { set_default(row, object.*Member); },
+          [](Object& object) { spoil(object.*Member); }};
+}
+
+/// An object with every default of its table.
+template <class Object>
+Object with_defaults() {
+  Object object{};
+  for (const Field<Object>& row : fields<Object>()) row.set_default(row.info, object);
+  return object;
+}
+
+/// Reports a value that is no object (false), unknown, reserved and missing keys.
+bool check_keys(Reader& reader, const Value& value, const std::vector<const FieldInfo*>& rows);
+
+/// Fills the members of `object` that are present; required ones that are absent are reported and spoiled.
+/// Result: false when the value is no object.
+template <class Object>
+bool read_fields(Reader& reader, const Value& value, Object& object) {
+  const std::span<const Field<Object>> table = fields<Object>();
+  std::vector<const FieldInfo*> rows;
+  for (const Field<Object>& row : table) rows.push_back(&row.info);
+  const bool readable = check_keys(reader, value, rows);
+  for (const Field<Object>& row : table) {
+    if (const Value* member = find(value, row.info.name)) {
+      row.read(reader, *member, row.info, object);
+    } else if (row.info.need == Need::required) {
+      row.spoil(object);
+    }
+  }
+  return readable;
+}
+
+/// One named object of a map of the model, from any of its files.
+struct Entry {
+  std::string name;
+  Place place;  ///< of the key
+  const Value* value;
+};
+using Entries = std::vector<Entry>;
+
+/// Fills one list of the model: an element per entry, in order, with defaults, name and place set.
+/// check: void(Reader&, const Value&, Element&) for what a table cannot say; called when the value is an object.
+template <class Element, class Check>
+void read_list(Reader& reader, const Entries& entries, std::vector<Element>& list, Check check) {
+  for (const Entry& entry : entries) {
+    Element element = with_defaults<Element>();
+    element.name = entry.name;
+    element.where = where_of(reader.documents, entry.place);
+    if (read_fields(reader, *entry.value, element)) check(reader, *entry.value, element);
+    list.push_back(std::move(element));
+  }
+}
+
+// The sections of a model, in the order in which they must be read: each knows the names of those before it.
+void read_parameters(Reader& reader, const Entries& entries);
+void read_inputs(Reader& reader, const Entries& entries);
+void read_bodies(Reader& reader, const Entries& entries);
+void read_joints(Reader& reader, const Entries& entries);
+void read_rods(Reader& reader, const Entries& entries);
+void read_springs(Reader& reader, const Entries& entries);
+void read_joint_springs(Reader& reader, const Entries& entries);
+void read_frictions(Reader& reader, const Entries& entries);
+void read_air_springs(Reader& reader, const Entries& entries);
+void read_forces(Reader& reader, const Entries& entries);
+void read_joint_forces(Reader& reader, const Entries& entries);
+void read_tyres(Reader& reader, const Entries& tyre_data, const Entries& tyres);
+void read_motions(Reader& reader, const Entries& entries);
+void read_outputs(Reader& reader, const Entries& entries);
+/// Files from the innermost include to the file asked for: the later value wins.
+void read_initial(Reader& reader, const std::vector<const Value*>& values);
+void read_solver(Reader& reader, const std::vector<const Value*>& values);
+
+// Geometry at the reference configuration.
+Vector3 rotated(const Matrix3& rotation, const Vector3& vector);
+Vector3 cross(const Vector3& a, const Vector3& b);
+double dot(const Vector3& a, const Vector3& b);
+double norm(const Vector3& a);
+/// Angle between two vectors, 0 to pi.
+double angle_between(const Vector3& a, const Vector3& b);
+/// Global position of a point at default parameters, m; NaN for an attachment that could not be read.
+Vector3 reference_position(const Model& model, const Attachment& attachment);
+/// Components of a body's direction in global axes; NaN when the body could not be read.
+Vector3 global_direction(const Model& model, int body, const Vector3& direction);
+/// "body.point" as the user writes it.
+std::string attachment_text(const Model& model, const Attachment& attachment);
+/// True for rotations. Requires: a valid reference.
+bool is_rotation(const Model& model, const CoordinateReference& coordinate);
+const std::string& coordinate_name(const Model& model, const CoordinateReference& coordinate);
+
+}  // namespace mbgen::reading

@@ -1,0 +1,144 @@
+// Readers of values that refer to other elements or hold a structure of their own: attachments, coordinates, tables,
+// poses.
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "compiler/model/raw.hpp"
+#include "compiler/model/reader.hpp"
+
+namespace mbgen::reading {
+namespace {
+
+Matrix3 identity() { return {1, 0, 0, 0, 1, 0, 0, 0, 1}; }
+
+Matrix3 product(const Matrix3& a, const Matrix3& b) {
+  Matrix3 result{};
+  for (std::size_t row = 0; row < 3; ++row) {
+    for (std::size_t column = 0; column < 3; ++column) {
+      for (std::size_t k = 0; k < 3; ++k) result[3 * row + column] += a[3 * row + k] * b[3 * k + column];
+    }
+  }
+  return result;
+}
+
+/// Rotation by `angle` about a unit axis (Rodrigues).
+Matrix3 rotation_about(const Vector3& axis, double angle) {
+  const double c = std::cos(angle), s = std::sin(angle);
+  const auto [x, y, z] = axis;
+  const double d = 1 - c;
+  return {c + x * x * d,     x * y * d - z * s, x * z * d + y * s,  //
+          y * x * d + z * s, c + y * y * d,     y * z * d - x * s,  //
+          z * x * d - y * s, z * y * d + x * s, c + z * z * d};
+}
+
+}  // namespace
+
+void read_value(Reader& reader, const Value& value, const FieldInfo&, Matrix3& target) {
+  target = identity();
+  const auto apply = [&](const Value& one) {
+    RotationFields rotation = with_defaults<RotationFields>();
+    if (read_fields(reader, one, rotation)) target = product(target, rotation_about(rotation.axis, rotation.angle));
+  };
+  if (value.kind != Value::Kind::array) return apply(value);
+  for (const Value& item : value.items) apply(item);
+}
+
+void read_value(Reader& reader, const Value& value, const FieldInfo&, Pose& target) {
+  read_fields(reader, value, target);
+}
+
+void read_value(Reader& reader, const Value& value, const FieldInfo&, Attachment& target) {
+  const auto dot = value.text.find('.');
+  if (value.kind != Value::Kind::text || dot == std::string::npos ||
+      value.text.find('.', dot + 1) != std::string::npos) {
+    report(reader, value, fmt::format("must be \"body.point\", got {}", describe(value)));
+    return;
+  }
+  const std::string body = value.text.substr(0, dot), point = value.text.substr(dot + 1);
+  const auto body_found = reader.names.bodies.find(body);
+  if (body_found == reader.names.bodies.end()) {
+    std::string hint = body == "ground" ? "give ground its points in bodies: \"ground\": { \"points\": { ... } }"
+                                        : did_you_mean(body, reader.names.bodies);
+    report(reader, place_in_text(reader.documents, value, 0), "unknown body " + in_quotes(body), std::move(hint));
+    return;
+  }
+  const NameMap<int>& points = reader.names.points[static_cast<std::size_t>(body_found->second)];
+  const auto point_found = points.find(point);
+  if (point_found == points.end()) {
+    report(reader, place_in_text(reader.documents, value, dot + 1),
+           fmt::format("body {} has no point {}", in_quotes(body), in_quotes(point)), did_you_mean(point, points));
+    return;
+  }
+  target = {body_found->second, point_found->second};
+}
+
+CoordinateReference read_coordinate(Reader& reader, Place place, const std::string& name) {
+  const auto found = reader.names.coordinates.find(name);
+  if (found != reader.names.coordinates.end()) return found->second;
+  if (may_be_unreadable(reader.names, name)) return {};
+  const auto joint = reader.names.joints.find(name);
+  if (joint == reader.names.joints.end()) {
+    report(reader, place, "unknown coordinate " + in_quotes(name), did_you_mean(name, reader.names.coordinates));
+    return {};
+  }
+  std::string coordinates;
+  for (const Freedom& freedom : reader.model.joints[static_cast<std::size_t>(joint->second)].freedoms) {
+    coordinates += (coordinates.empty() ? "" : ", ") + freedom.name;
+  }
+  if (coordinates.empty()) {
+    report(reader, place, fmt::format("joint {} is fixed and has no coordinate", in_quotes(name)));
+  } else {
+    report(reader, place, fmt::format("joint {} has several coordinates", in_quotes(name)),
+           "name one of " + coordinates);
+  }
+  return {};
+}
+
+void read_value(Reader& reader, const Value& value, const FieldInfo&, CoordinateReference& target) {
+  if (value.kind != Value::Kind::text) {
+    report(reader, value, fmt::format("must be the name of a coordinate, got {}", describe(value)));
+  } else {
+    target = read_coordinate(reader, value.place, value.text);
+  }
+}
+
+void read_value(Reader& reader, const Value& value, const FieldInfo& info, std::vector<std::array<double, 2>>& target) {
+  if (value.kind != Value::Kind::array || value.items.size() < 2) {
+    report(reader, value, fmt::format("must be an array of at least 2 points [x, y], got {}", describe(value)));
+    return;
+  }
+  for (const Value& item : value.items) {
+    std::array<double, 2> point{kUnreadable, kUnreadable};
+    if (item.kind != Value::Kind::array || item.items.size() != 2) {
+      report(reader, item, fmt::format("must be a point [x, y], got {}", describe(item)));
+    } else {
+      for (std::size_t i = 0; i < 2; ++i) read_value(reader, item.items[i], info, point[i]);
+      if (!target.empty() && point[0] <= target.back()[0]) {
+        report(reader, item.items[0],
+               fmt::format("x of a table must increase, {} comes after {}", point[0], target.back()[0]));
+      }
+    }
+    target.push_back(point);
+  }
+}
+
+void read_value(Reader& reader, const Value& value, const FieldInfo& info, Law& target) {
+  if (value.kind != Value::Kind::object || find(value, "deg")) {
+    Quantity quantity;
+    read_value(reader, value, info, quantity);
+    target = quantity;
+    return;
+  }
+  TableFields fields = with_defaults<TableFields>();
+  read_fields(reader, value, fields);
+  Table table;
+  table.interpolation = fields.interpolation;
+  for (const auto& [x, y] : fields.points) {
+    table.x.push_back(x);
+    table.y.push_back(y);
+  }
+  target = std::move(table);
+}
+
+}  // namespace mbgen::reading

@@ -1,0 +1,150 @@
+// The JSON Schema of the model format, made from the tables of fields.
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+#include "compiler/model/model.hpp"
+#include "compiler/model/reader.hpp"
+
+namespace mbgen {
+namespace reading {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json reference(std::string_view definition) { return {{"$ref", fmt::format("#/$defs/{}", definition)}}; }
+
+Json array_of(const Json& item, int smallest, int largest) {
+  return {{"type", "array"}, {"items", item}, {"minItems", smallest}, {"maxItems", largest}};
+}
+
+Json map_of(const Json& item) {
+  return {{"type", "object"}, {"propertyNames", reference("name")}, {"additionalProperties", item}};
+}
+
+Json either(const Json& first, const Json& second) { return {{"anyOf", Json::array({first, second})}}; }
+
+/// Things that several fields share.
+Json shared_definitions() {
+  const Json expression = {
+      {"type", "string"}, {"minLength", 1}, {"description", "expression, for example \"2*k*sin(pi*t)\""}};
+  const Json degrees = {{"type", "object"},
+                        {"properties", {{"deg", {{"type", "number"}}}}},
+                        {"required", {"deg"}},
+                        {"additionalProperties", false},
+                        {"description", "angle in degrees"}};
+  return {
+      {"name",
+       {{"type", "string"},
+        {"pattern", "^[A-Za-z_][A-Za-z0-9_]*$"},
+        {"maxLength", kLongestName},
+        {"description", kNameRule}}},
+      {"quantity", either({{"type", "number"}}, expression)},
+      {"angle", {{"anyOf", Json::array({{{"type", "number"}}, expression, degrees})}}},
+      {"vector", array_of(reference("quantity"), 3, 3)},
+      {"axis", either({{"enum", {"x", "y", "z", "-x", "-y", "-z"}}}, reference("vector"))},
+      {"attachment",
+       {{"type", "string"},
+        {"pattern", "^[A-Za-z_][A-Za-z0-9_]*\\.[A-Za-z_][A-Za-z0-9_]*$"},
+        {"description", "body.point"}}},
+  };
+}
+
+/// What may be written for a field, without its description.
+Json shape_of(const FieldInfo& info) {
+  const Json number = reference(info.angle ? "angle" : "quantity");
+  switch (info.shape) {
+    case Shape::boolean:
+      return {{"type", "boolean"}};
+    case Shape::text:
+    case Shape::coordinate:
+    case Shape::reference:
+      return {{"type", "string"}};
+    case Shape::word:
+      return {{"enum", info.words}};
+    case Shape::number:
+    case Shape::quantity:
+    case Shape::force:
+      return number;
+    case Shape::vector:
+    case Shape::quantity_vector:
+      return reference("vector");
+    case Shape::inertia:
+      return either(array_of(reference("quantity"), 3, 3), array_of(reference("quantity"), 6, 6));
+    case Shape::axis:
+      return reference("axis");
+    case Shape::attachment:
+      return reference("attachment");
+    case Shape::law:
+      return either(reference("quantity"), reference("table"));
+    case Shape::table_points:
+      return {{"type", "array"}, {"items", array_of(reference("quantity"), 2, 2)}, {"minItems", 2}};
+    case Shape::object:
+      return reference(info.of);
+    case Shape::map:
+      return map_of(reference(info.of));
+    case Shape::parameters:
+      return map_of(either(reference("angle"), reference(info.of)));
+    case Shape::points:
+      return map_of(reference("vector"));
+    case Shape::values:
+      return map_of(reference("angle"));
+    case Shape::rotations:
+      return either(reference(info.of), {{"type", "array"}, {"items", reference(info.of)}});
+    case Shape::coefficients:
+      return {{"type", "object"},
+              {"additionalProperties",
+               either(reference("quantity"), {{"type", "array"}, {"items", reference("quantity")}})}};
+    case Shape::paths:
+      return {{"type", "array"}, {"items", {{"type", "string"}}}};
+    case Shape::reserved:
+      return false;
+  }
+  return {};
+}
+
+Json field_schema(const FieldInfo& info) {
+  Json schema = shape_of(info);
+  std::string description(info.doc);
+  if (!info.unit.empty()) description += fmt::format(" [{}]", info.unit);
+  if (!info.locals.empty()) description += "; an expression";
+  schema["description"] = description;
+  if (info.shape == Shape::boolean && info.fallback) schema["default"] = *info.fallback != 0;
+  if (info.shape != Shape::boolean && info.fallback) schema["default"] = *info.fallback;
+  if (!info.fallback_word.empty()) schema["default"] = info.fallback_word;
+  // Bounds hold for numbers; a text under the same keyword is not affected.
+  if (info.bound == Bound::positive) schema["exclusiveMinimum"] = 0;
+  if (info.bound == Bound::not_negative) schema["minimum"] = 0;
+  return schema;
+}
+
+Json kind_schema(const ObjectKind& kind) {
+  Json properties = Json::object(), required = Json::array();
+  for (const FieldInfo& info : kind.fields) {
+    if (info.shape == Shape::reserved) continue;
+    properties[std::string(info.name)] = field_schema(info);
+    if (info.need == Need::required) required.push_back(info.name);
+  }
+  Json schema = {{"type", "object"}, {"description", kind.doc}, {"properties", properties}};
+  if (!required.empty()) schema["required"] = required;
+  schema["additionalProperties"] = false;
+  return schema;
+}
+
+}  // namespace
+}  // namespace reading
+
+std::string model_schema() {
+  using namespace reading;
+  const std::vector<ObjectKind> kinds = object_kinds();
+  Json schema = {{"$schema", "https://json-schema.org/draft/2020-12/schema"}, {"title", "mbgen model"}};
+  schema.update(kind_schema(kinds.front()));
+  schema["properties"]["mbgen"]["const"] = 1;
+  Json definitions = shared_definitions();
+  for (std::size_t i = 1; i < kinds.size(); ++i) definitions[std::string(kinds[i].name)] = kind_schema(kinds[i]);
+  schema["$defs"] = definitions;
+  constexpr int kIndent = 2;
+  return schema.dump(kIndent) + "\n";
+}
+
+}  // namespace mbgen

@@ -1,0 +1,269 @@
+// Tables of fields: springs, friction, forces, tyres.
+#include <array>
+
+#include "compiler/model/raw.hpp"
+#include "compiler/model/reader.hpp"
+
+namespace mbgen::reading {
+namespace {
+
+constexpr std::array<std::string_view, 2> kInterpolations = {"linear", "monotone_cubic"};
+constexpr std::array<std::string_view, 2> kFrames = {"global", "body"};
+constexpr std::array<std::string_view, 2> kTyreModels = {"pac89", "pac2002"};
+constexpr std::array<std::string_view, 2> kPointSpringLocals = {"length", "rate"};
+constexpr std::array<std::string_view, 2> kJointSpringLocals = {"position", "rate"};
+
+FieldInfo end(std::string_view name, std::string_view doc) {
+  return {.name = name, .shape = Shape::attachment, .doc = doc, .need = Need::required};
+}
+
+FieldInfo coordinate(std::string_view name, std::string_view doc, Need need) {
+  return {.name = name, .shape = Shape::coordinate, .doc = doc, .need = need};
+}
+
+}  // namespace
+
+template <>
+std::span<const Field<TableFields>> fields<TableFields>() {
+  using F = TableFields;
+  static const std::array table = {
+      field<F, &F::points>({.name = "table",
+                            .shape = Shape::table_points,
+                            .doc = "at least two points [x, y], x increasing",
+                            .need = Need::required,
+                            .depends = Depends::nothing}),
+      field<F, &F::interpolation>({.name = "interpolation",
+                                   .shape = Shape::word,
+                                   .doc = "between the points; outside them straight lines continue the ends",
+                                   .fallback_word = "linear",
+                                   .words = kInterpolations}),
+  };
+  return table;
+}
+
+template <>
+std::span<const Field<PointSpring>> fields<PointSpring>() {
+  using S = PointSpring;
+  static const std::array table = {
+      field<S, &S::from>(end("from", "one end")),
+      field<S, &S::to>(end("to", "other end, on another body")),
+      field<S, &S::stiffness>({.name = "stiffness",
+                               .shape = Shape::law,
+                               .doc = "stiffness, or a table of N over the extension (length less free_length, m)",
+                               .unit = "N/m",
+                               .bound = Bound::not_negative}),
+      field<S, &S::damping>({.name = "damping",
+                             .shape = Shape::law,
+                             .doc = "damping, or a table of N over the rate of length (m/s)",
+                             .unit = "N s/m",
+                             .bound = Bound::not_negative}),
+      field<S, &S::free_length>({.name = "free_length",
+                                 .doc = "length without spring force; default: the distance at the reference",
+                                 .unit = "m",
+                                 .bound = Bound::not_negative}),
+      field<S, &S::preload>({.name = "preload", .doc = "force added, tension positive", .unit = "N", .fallback = 0}),
+      field<S, &S::force>({.name = "force",
+                           .shape = Shape::force,
+                           .doc = "force added, tension positive, over `length` (m) and `rate` (m/s)",
+                           .unit = "N",
+                           .locals = kPointSpringLocals}),
+  };
+  return table;
+}
+
+template <>
+std::span<const Field<JointSpring>> fields<JointSpring>() {
+  using S = JointSpring;
+  static const std::array table = {
+      field<S, &S::joint>(coordinate("joint", "coordinate it acts on", Need::required)),
+      field<S, &S::relative_to>(
+          coordinate("relative_to", "coordinate that is subtracted (anti-roll bar)", Need::optional)),
+      field<S, &S::stiffness>({.name = "stiffness",
+                               .shape = Shape::law,
+                               .doc = "stiffness, or a table over the displacement from free",
+                               .unit = "N m/rad or N/m",
+                               .bound = Bound::not_negative}),
+      field<S, &S::damping>({.name = "damping",
+                             .shape = Shape::law,
+                             .doc = "damping, or a table over the rate",
+                             .unit = "N m s/rad or N s/m",
+                             .bound = Bound::not_negative}),
+      field<S, &S::free>({.name = "free",
+                          .doc = "displacement without spring force",
+                          .unit = "rad or m",
+                          .fallback = 0,
+                          .angle = true}),
+      field<S, &S::preload>(
+          {.name = "preload", .doc = "force added, against the coordinate", .unit = "N m or N", .fallback = 0}),
+      field<S, &S::force>({.name = "force",
+                           .shape = Shape::force,
+                           .doc = "force added, against the coordinate, over `position` and `rate`",
+                           .unit = "N m or N",
+                           .locals = kJointSpringLocals}),
+  };
+  return table;
+}
+
+template <>
+std::span<const Field<JointFriction>> fields<JointFriction>() {
+  using S = JointFriction;
+  static const std::array table = {
+      field<S, &S::joint>(coordinate("joint", "coordinate it acts on", Need::required)),
+      field<S, &S::coulomb>({.name = "coulomb",
+                             .doc = "sliding friction",
+                             .unit = "N m or N",
+                             .fallback = 0,
+                             .bound = Bound::not_negative}),
+      field<S, &S::stiction>({.name = "stiction",
+                              .doc = "friction at the start of sliding; default: coulomb",
+                              .unit = "N m or N",
+                              .bound = Bound::not_negative}),
+      field<S, &S::viscous>({.name = "viscous",
+                             .doc = "friction that grows with speed",
+                             .unit = "N m s/rad or N s/m",
+                             .fallback = 0,
+                             .bound = Bound::not_negative}),
+      field<S, &S::velocity>({.name = "velocity",
+                              .doc = "speed over which the sign of friction is smoothed",
+                              .unit = "rad/s or m/s",
+                              .need = Need::required,
+                              .bound = Bound::positive}),
+      field<S, &S::stribeck_velocity>({.name = "stribeck_velocity",
+                                       .doc = "speed over which stiction fades; default: 10 times velocity",
+                                       .unit = "rad/s or m/s",
+                                       .bound = Bound::positive}),
+  };
+  return table;
+}
+
+template <>
+std::span<const Field<AirSpringFields>> fields<AirSpringFields>() {
+  using S = AirSpringFields;
+  static const std::array table = {
+      field<S, &S::from>(end("from", "one end")),
+      field<S, &S::to>(end("to", "other end, on another body")),
+      field<S, &S::pressure>({.name = "pressure",
+                              .doc = "absolute pressure at the reference length",
+                              .unit = "Pa",
+                              .need = Need::required,
+                              .bound = Bound::positive}),
+      field<S, &S::ambient>({.name = "ambient",
+                             .doc = "absolute pressure around it",
+                             .unit = "Pa",
+                             .fallback = 101325,
+                             .bound = Bound::not_negative}),
+      field<S, &S::exponent>(
+          {.name = "exponent", .doc = "polytropic exponent", .unit = "1", .fallback = 1.38, .bound = Bound::positive}),
+      field<S, &S::length>({.name = "length",
+                            .doc = "reference length; default: the distance at the reference",
+                            .unit = "m",
+                            .bound = Bound::positive}),
+      field<S, &S::area>({.name = "area",
+                          .shape = Shape::law,
+                          .doc = "effective area, or a table over length (m)",
+                          .unit = "m^2",
+                          .need = Need::required,
+                          .bound = Bound::positive}),
+      field<S, &S::written_volume>({.name = "volume",
+                                    .shape = Shape::law,
+                                    .doc = "volume at the reference length, or a table over length (m)",
+                                    .unit = "m^3",
+                                    .need = Need::required,
+                                    .bound = Bound::positive}),
+  };
+  return table;
+}
+
+template <>
+std::span<const Field<AppliedForce>> fields<AppliedForce>() {
+  using S = AppliedForce;
+  static const std::array table = {
+      field<S, &S::at>(end("at", "point the force acts at")),
+      field<S, &S::force>({.name = "force", .shape = Shape::quantity_vector, .doc = "force", .unit = "N"}),
+      field<S, &S::torque>({.name = "torque", .shape = Shape::quantity_vector, .doc = "torque", .unit = "N m"}),
+      field<S, &S::in_body_axes>({.name = "axes",
+                                  .shape = Shape::word,
+                                  .doc = "axes of the components",
+                                  .fallback_word = "global",
+                                  .words = kFrames}),
+  };
+  return table;
+}
+
+template <>
+std::span<const Field<JointForce>> fields<JointForce>() {
+  using S = JointForce;
+  static const std::array table = {
+      field<S, &S::joint>(coordinate("joint", "coordinate it acts on", Need::required)),
+      field<S, &S::force>({.name = "force", .doc = "generalised force", .unit = "N m or N", .need = Need::required}),
+  };
+  return table;
+}
+
+template <>
+std::span<const Field<TyreDataFields>> fields<TyreDataFields>() {
+  using S = TyreDataFields;
+  static const std::array table = {
+      field<S, &S::written_model>({.name = "model",
+                                   .shape = Shape::word,
+                                   .doc = "form of the magic formula",
+                                   .need = Need::required,
+                                   .words = kTyreModels}),
+      field<S, &S::coefficients>({.name = "coefficients",
+                                  .shape = Shape::coefficients,
+                                  .doc = "pac2002: values by their .tir names; pac89: arrays a, b and c",
+                                  .need = Need::required}),
+  };
+  return table;
+}
+
+template <>
+std::span<const Field<TyreFields>> fields<TyreFields>() {
+  using S = TyreFields;
+  const auto number = [](std::string_view name, std::string_view doc, std::string_view unit,
+                         std::optional<double> fallback, Bound bound) {
+    return FieldInfo{.name = name, .doc = doc, .unit = unit, .fallback = fallback, .bound = bound};
+  };
+  static const std::array table = {
+      field<S, &S::centre>(end("centre", "wheel centre, a point of the wheel body on its axis")),
+      field<S, &S::axis>(
+          {.name = "axis", .shape = Shape::axis, .doc = "spin axis in the wheel frame, to the left, default y"}),
+      field<S, &S::data>({.name = "data",
+                          .shape = Shape::reference,
+                          .doc = "name of the coefficient set",
+                          .need = Need::required,
+                          .of = "tyre_data"}),
+      field<S, &S::side>({.name = "side",
+                          .shape = Shape::number,
+                          .doc = "1: coefficients as they are; -1: mirrored",
+                          .fallback = 1,
+                          .depends = Depends::nothing}),
+      field<S, &S::count>({.name = "count",
+                           .shape = Shape::number,
+                           .doc = "tyres side by side, 2 for twins",
+                           .fallback = 1,
+                           .bound = Bound::positive,
+                           .depends = Depends::nothing}),
+      field<S, &S::radius>(number("radius", "unloaded radius; default: UNLOADED_RADIUS of a pac2002 set", "m",
+                                  std::nullopt, Bound::positive)),
+      field<S, &S::stiffness>({.name = "stiffness",
+                               .doc = "vertical stiffness of one tyre",
+                               .unit = "N/m",
+                               .need = Need::required,
+                               .bound = Bound::positive}),
+      field<S, &S::damping>(number("damping", "vertical damping of one tyre", "N s/m", 0, Bound::not_negative)),
+      field<S, &S::road_height>(number("road_height", "global z of the road", "m", 0, Bound::none)),
+      field<S, &S::friction>(number("friction", "scales the friction of the set", "1", 1, Bound::not_negative)),
+      field<S, &S::rolling_resistance>(
+          number("rolling_resistance", "moment over load and radius", "1", 0.007, Bound::not_negative)),
+      field<S, &S::relaxation_x>(
+          number("relaxation_x", "relaxation length of longitudinal slip", "m", 0.3, Bound::positive)),
+      field<S, &S::relaxation_y>(
+          number("relaxation_y", "relaxation length of lateral slip", "m", 0.6, Bound::positive)),
+      field<S, &S::low_speed>(number("low_speed", "speed below which slip is damped so that the wheel comes to rest",
+                                     "m/s", 2, Bound::positive)),
+  };
+  return table;
+}
+
+}  // namespace mbgen::reading

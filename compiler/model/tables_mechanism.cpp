@@ -1,0 +1,215 @@
+// Tables of fields: the file, parameters, inputs, bodies, joints, rods.
+#include <array>
+
+#include "compiler/model/raw.hpp"
+#include "compiler/model/reader.hpp"
+
+namespace mbgen::reading {
+namespace {
+
+/// In the order of JointType.
+constexpr std::array<std::string_view, 8> kJointTypes = {"revolute",  "prismatic", "cylindrical", "universal",
+                                                         "spherical", "planar",    "free",        "fixed"};
+
+FieldInfo section(std::string_view name, std::string_view of, std::string_view doc) {
+  return {.name = name, .shape = Shape::map, .doc = doc, .of = of};
+}
+
+}  // namespace
+
+template <>
+std::span<const Field<FileFields>> fields<FileFields>() {
+  using F = FileFields;
+  static const std::array table = {
+      field<F, &F::version>({.name = "mbgen",
+                             .shape = Shape::number,
+                             .doc = "version of the format, 1; may be absent in an included file"}),
+      field<F, &F::name>({.name = "name", .shape = Shape::text, .doc = "name of the model; default: the file's name"}),
+      field<F, &F::gravity>({.name = "gravity",
+                             .shape = Shape::quantity_vector,
+                             .doc = "gravity in global axes, default [0, 0, -9.81]",
+                             .unit = "m/s^2",
+                             .depends = Depends::parameters}),
+      field<F, &F::include>({.name = "include",
+                             .shape = Shape::paths,
+                             .doc = "files of the same format whose content is merged in, relative to this file"}),
+      field<F, &F::parameters>({.name = "parameters",
+                                .shape = Shape::parameters,
+                                .doc = "named constants; tunable ones can be changed in the generated solver",
+                                .of = "parameter"}),
+      field<F, &F::inputs>(section("inputs", "input", "values given to the solver at every step")),
+      field<F, &F::bodies>(section("bodies", "body", "rigid bodies; \"ground\" is the fixed one")),
+      field<F, &F::joints>(section("joints", "joint", "joints between bodies, tree or loop closing")),
+      field<F, &F::rods>(section("rods", "rod", "bars with a spherical joint at each end")),
+      field<F, &F::springs>(section("springs", "spring", "springs and dampers between two points")),
+      field<F, &F::joint_springs>(section("joint_springs", "joint_spring", "springs and dampers on coordinates")),
+      field<F, &F::frictions>(section("frictions", "friction", "friction on coordinates")),
+      field<F, &F::air_springs>(section("air_springs", "air_spring", "polytropic air springs between two points")),
+      field<F, &F::forces>(section("forces", "force", "forces and torques on bodies")),
+      field<F, &F::joint_forces>(section("joint_forces", "joint_force", "generalised forces on coordinates")),
+      field<F, &F::tyre_data>(section("tyre_data", "tyre_data", "coefficient sets of tyres")),
+      field<F, &F::tyres>(section("tyres", "tyre", "tyres on a flat horizontal road")),
+      field<F, &F::motions>(section("motions", "motion", "driven coordinates")),
+      field<F, &F::outputs>(section("outputs", "output", "results to write at every step")),
+      field<F, &F::initial>({.name = "initial", .shape = Shape::object, .doc = "state at the start", .of = "initial"}),
+      field<F, &F::solver>({.name = "solver", .shape = Shape::object, .doc = "time integration", .of = "solver"}),
+      field<F, &F::instances>({.name = "instances", .shape = Shape::reserved}),
+  };
+  return table;
+}
+
+template <>
+std::span<const Field<Parameter>> fields<Parameter>() {
+  static const std::array table = {
+      field<Parameter, &Parameter::value>({.name = "value",
+                                           .shape = Shape::number,
+                                           .doc = "value, may use parameters above it",
+                                           .need = Need::required,
+                                           .depends = Depends::nothing,
+                                           .angle = true}),
+      field<Parameter, &Parameter::unit>({.name = "unit", .shape = Shape::text, .doc = "unit, for people"}),
+      field<Parameter, &Parameter::tunable>(
+          {.name = "tunable", .shape = Shape::boolean, .doc = "can be changed in the generated solver", .fallback = 0}),
+  };
+  return table;
+}
+
+template <>
+std::span<const Field<Input>> fields<Input>() {
+  static const std::array table = {
+      field<Input, &Input::unit>({.name = "unit", .shape = Shape::text, .doc = "unit, for people"}),
+      field<Input, &Input::default_value>({.name = "default",
+                                           .shape = Shape::number,
+                                           .doc = "value when nobody sets the input",
+                                           .fallback = 0,
+                                           .depends = Depends::nothing}),
+  };
+  return table;
+}
+
+template <>
+std::span<const Field<RotationFields>> fields<RotationFields>() {
+  using F = RotationFields;
+  static const std::array table = {
+      field<F, &F::axis>({.name = "axis", .shape = Shape::axis, .doc = "axis of rotation", .need = Need::required}),
+      field<F, &F::angle>({.name = "angle",
+                           .shape = Shape::number,
+                           .doc = "angle of rotation",
+                           .unit = "rad",
+                           .need = Need::required,
+                           .depends = Depends::nothing,
+                           .angle = true}),
+  };
+  return table;
+}
+
+template <>
+std::span<const Field<Pose>> fields<Pose>() {
+  static const std::array table = {
+      field<Pose, &Pose::origin>({.name = "origin",
+                                  .shape = Shape::vector,
+                                  .doc = "origin of the body frame in the global frame, default [0, 0, 0]",
+                                  .unit = "m"}),
+      field<Pose, &Pose::rotation>(
+          {.name = "rotation",
+           .shape = Shape::rotations,
+           .doc = "orientation of the body frame: one rotation, or a list whose matrices are multiplied left to right",
+           .of = "rotation"}),
+  };
+  return table;
+}
+
+template <>
+std::span<const Field<BodyFields>> fields<BodyFields>() {
+  using F = BodyFields;
+  static const std::array table = {
+      field<F, &F::pose>({.name = "pose",
+                          .shape = Shape::object,
+                          .doc = "body frame in the global frame at the reference configuration; default: the same",
+                          .of = "pose"}),
+      field<F, &F::mass>({.name = "mass",
+                          .doc = "mass; a body without is massless",
+                          .unit = "kg",
+                          .fallback = 0,
+                          .bound = Bound::not_negative,
+                          .depends = Depends::parameters}),
+      field<F, &F::com>({.name = "com",
+                         .shape = Shape::quantity_vector,
+                         .doc = "centre of mass in the body frame, default [0, 0, 0]",
+                         .unit = "m",
+                         .depends = Depends::parameters}),
+      field<F, &F::inertia>(
+          {.name = "inertia",
+           .shape = Shape::inertia,
+           .doc = "about the centre of mass in body axes: xx yy zz, or the matrix entries xx yy zz xy xz yz",
+           .unit = "kg m^2",
+           .depends = Depends::parameters}),
+      field<F, &F::point_list>({.name = "points",
+                                .shape = Shape::points,
+                                .doc = "named points in the body frame",
+                                .unit = "m",
+                                .depends = Depends::parameters}),
+  };
+  return table;
+}
+
+template <>
+std::span<const Field<JointFields>> fields<JointFields>() {
+  using F = JointFields;
+  static const std::array table = {
+      field<F, &F::written_type>({.name = "type",
+                                  .shape = Shape::word,
+                                  .doc = "freedoms of the joint",
+                                  .need = Need::required,
+                                  .words = kJointTypes}),
+      field<F, &F::from>({.name = "from",
+                          .shape = Shape::attachment,
+                          .doc = "point of the body that carries the joint",
+                          .need = Need::required}),
+      field<F, &F::to>({.name = "to",
+                        .shape = Shape::attachment,
+                        .doc = "point of the moved body, at the same place at the reference",
+                        .need = Need::required}),
+      field<F, &F::written_axis>(
+          {.name = "axis", .shape = Shape::axis, .doc = "axis in the frame of `from`; of a planar joint the normal"}),
+      field<F, &F::axis_to>({.name = "axis_to",
+                             .shape = Shape::axis,
+                             .doc = "the same axis in the frame of `to`, to be checked against `axis`"}),
+      field<F, &F::axis2>(
+          {.name = "axis2",
+           .shape = Shape::axis,
+           .doc = "second axis of a universal joint, perpendicular to the first, in the frame of `from`"}),
+      field<F, &F::sequence>({.name = "sequence",
+                              .shape = Shape::text,
+                              .doc = "order of the rotations of a spherical or free joint: x, y, z in any order",
+                              .fallback_word = "zyx"}),
+      field<F, &F::marked_cut>(
+          {.name = "cut",
+           .shape = Shape::boolean,
+           .doc = "true: the joint closes a loop; false: it stays in the tree; absent: mbgen chooses"}),
+  };
+  return table;
+}
+
+template <>
+std::span<const Field<Rod>> fields<Rod>() {
+  static const std::array table = {
+      field<Rod, &Rod::from>({.name = "from", .shape = Shape::attachment, .doc = "one end", .need = Need::required}),
+      field<Rod, &Rod::to>(
+          {.name = "to", .shape = Shape::attachment, .doc = "other end, on another body", .need = Need::required}),
+      field<Rod, &Rod::mass>({.name = "mass",
+                              .doc = "mass, uniform along the rod",
+                              .unit = "kg",
+                              .fallback = 0,
+                              .bound = Bound::not_negative,
+                              .depends = Depends::parameters}),
+      field<Rod, &Rod::length>({.name = "length",
+                                .doc = "length; default: the distance of the ends at the reference",
+                                .unit = "m",
+                                .bound = Bound::positive,
+                                .depends = Depends::parameters}),
+  };
+  return table;
+}
+
+}  // namespace mbgen::reading

@@ -1,0 +1,156 @@
+// Tables of fields: motions, outputs, initial state, solver; and the list of all kinds.
+#include <array>
+
+#include "compiler/model/raw.hpp"
+#include "compiler/model/reader.hpp"
+
+namespace mbgen::reading {
+namespace {
+
+constexpr std::array<std::string_view, 2> kIntegrators = {"rk4", "abm4"};
+constexpr std::array<std::string_view, 2> kFrames = {"global", "body"};
+constexpr std::array<std::string_view, 3> kLetters = {"x", "y", "z"};
+/// In the order of Quantities.
+constexpr std::array<std::string_view, 12> kQuantities = {
+    "position",           "velocity",      "acceleration",    "load",
+    "longitudinal_force", "lateral_force", "aligning_moment", "longitudinal_slip",
+    "lateral_slip",       "force",         "length",          "rate"};
+
+template <class Object>
+ObjectKind kind(std::string_view name, std::string_view doc) {
+  ObjectKind result{name, doc, {}};
+  for (const Field<Object>& row : fields<Object>()) result.fields.push_back(row.info);
+  return result;
+}
+
+}  // namespace
+
+template <>
+std::span<const Field<MotionFields>> fields<MotionFields>() {
+  using F = MotionFields;
+  static const std::array table = {
+      field<F, &F::joint>(
+          {.name = "joint", .shape = Shape::coordinate, .doc = "coordinate that is driven", .need = Need::required}),
+      field<F, &F::angle>({.name = "angle",
+                           .doc = "angle over t, of a rotation",
+                           .unit = "rad",
+                           .depends = Depends::motion,
+                           .angle = true}),
+      field<F, &F::displacement>({.name = "position",
+                                  .doc = "displacement over t, of a translation",
+                                  .unit = "m",
+                                  .depends = Depends::motion}),
+  };
+  return table;
+}
+
+template <>
+std::span<const Field<OutputFields>> fields<OutputFields>() {
+  using F = OutputFields;
+  static const std::array table = {
+      field<F, &F::unit>({.name = "unit", .shape = Shape::text, .doc = "unit; default: that of the quantity"}),
+      field<F, &F::expression>({.name = "expression", .doc = "value over t, parameters, inputs and coordinates"}),
+      field<F, &F::point>({.name = "point", .shape = Shape::attachment, .doc = "motion of a point"}),
+      field<F, &F::joint>({.name = "joint", .shape = Shape::coordinate, .doc = "motion of a coordinate"}),
+      field<F, &F::tyre>({.name = "tyre", .shape = Shape::reference, .doc = "state of a tyre", .of = "tyres"}),
+      field<F, &F::spring>(
+          {.name = "spring", .shape = Shape::reference, .doc = "state of a spring or air spring", .of = "springs"}),
+      field<F, &F::motion>({.name = "motion",
+                            .shape = Shape::reference,
+                            .doc = "generalised force that drives a motion",
+                            .of = "motions"}),
+      field<F, &F::quantity>(
+          {.name = "quantity",
+           .shape = Shape::word,
+           .doc =
+               "what of the point or coordinate (position, velocity, acceleration), of the tyre (load, "
+               "longitudinal_force, lateral_force, aligning_moment, longitudinal_slip, lateral_slip) or of the spring "
+               "(force, length, rate); default: the first of each",
+           .words = kQuantities}),
+      field<F, &F::axis>({.name = "axis", .shape = Shape::word, .doc = "component, for a point", .words = kLetters}),
+      field<F, &F::in_body_axes>({.name = "frame",
+                                  .shape = Shape::word,
+                                  .doc = "axes of the component, for a point; default global",
+                                  .words = kFrames}),
+  };
+  return table;
+}
+
+template <>
+std::span<const Field<InitialFields>> fields<InitialFields>() {
+  using F = InitialFields;
+  static const std::array table = {
+      field<F, &F::equilibrium>({.name = "equilibrium",
+                                 .shape = Shape::boolean,
+                                 .doc = "start from static equilibrium, then give the velocities",
+                                 .fallback = 0}),
+      field<F, &F::positions>({.name = "positions",
+                               .shape = Shape::values,
+                               .doc = "coordinates at the start; the others are zero or follow from the closures",
+                               .unit = "rad or m",
+                               .depends = Depends::nothing,
+                               .angle = true}),
+      field<F, &F::velocities>({.name = "velocities",
+                                .shape = Shape::values,
+                                .doc = "velocities at the start",
+                                .unit = "rad/s or m/s",
+                                .depends = Depends::nothing,
+                                .angle = true}),
+  };
+  return table;
+}
+
+template <>
+std::span<const Field<SolverSettings>> fields<SolverSettings>() {
+  using S = SolverSettings;
+  const auto number = [](std::string_view name, std::string_view doc, std::string_view unit, double fallback,
+                         Bound bound) {
+    return FieldInfo{.name = name,
+                     .shape = Shape::number,
+                     .doc = doc,
+                     .unit = unit,
+                     .fallback = fallback,
+                     .bound = bound,
+                     .depends = Depends::nothing};
+  };
+  static const std::array table = {
+      field<S, &S::integrator>({.name = "integrator",
+                                .shape = Shape::word,
+                                .doc = "Runge-Kutta of order 4, or Adams-Bashforth-Moulton of order 4",
+                                .fallback_word = "rk4",
+                                .words = kIntegrators}),
+      field<S, &S::step>(number("step", "time step", "s", 1e-3, Bound::positive)),
+      field<S, &S::duration>(number("duration", "simulated time", "s", 1, Bound::not_negative)),
+      field<S, &S::closure_tolerance>(number("closure_tolerance", "largest closure residual that projection leaves",
+                                             "m or 1", 1e-12, Bound::positive)),
+  };
+  return table;
+}
+
+std::vector<ObjectKind> object_kinds() {
+  return {
+      kind<FileFields>("model", "a multibody system; SI units, angles in rad"),
+      kind<Parameter>("parameter", "a named constant"),
+      kind<Input>("input", "a value given to the solver"),
+      kind<BodyFields>("body", "a rigid body"),
+      kind<Pose>("pose", "a frame in the global frame"),
+      kind<RotationFields>("rotation", "a rotation about an axis"),
+      kind<JointFields>("joint", "a joint"),
+      kind<Rod>("rod", "a bar with a spherical joint at each end"),
+      kind<PointSpring>("spring", "spring and damper between two points"),
+      kind<JointSpring>("joint_spring", "spring and damper on a coordinate or a difference of two"),
+      kind<JointFriction>("friction", "friction on a coordinate"),
+      kind<AirSpringFields>("air_spring", "polytropic air spring between two points"),
+      kind<AppliedForce>("force", "force and torque on a body"),
+      kind<JointForce>("joint_force", "generalised force on a coordinate"),
+      kind<TyreDataFields>("tyre_data", "coefficients of a tyre"),
+      kind<TyreFields>("tyre", "a tyre on a flat horizontal road"),
+      kind<MotionFields>("motion", "a driven coordinate; exactly one of angle and position"),
+      kind<OutputFields>("output", "a result; exactly one of expression, point, joint, tyre, spring and motion"),
+      kind<InitialFields>("initial", "state at the start"),
+      kind<SolverSettings>("solver", "time integration"),
+      kind<TableFields>("table", "a characteristic by points"),
+  };
+}
+
+}  // namespace mbgen::reading

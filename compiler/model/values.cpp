@@ -1,0 +1,253 @@
+// Readers of single values: numbers, words, vectors, axes.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "compiler/model/evaluate.hpp"
+#include "compiler/model/reader.hpp"
+
+namespace mbgen::reading {
+namespace {
+
+/// Default parameters and inputs, t = 0, every coordinate zero.
+struct ReferenceEnvironment {
+  const Model& model;
+  double parameter(int index) const { return model.parameters[static_cast<std::size_t>(index)].value; }
+  double input(int index) const { return model.inputs[static_cast<std::size_t>(index)].default_value; }
+  double time() const { return 0; }
+  double position(const CoordinateReference&) const { return 0; }
+  double velocity(const CoordinateReference&) const { return 0; }
+  double local(int) const { return 0; }
+};
+
+void wrong_type(Reader& reader, const Value& value, std::string_view wanted, std::string hint = {}) {
+  report(reader, value, fmt::format("must be {}, got {}", wanted, describe(value)), std::move(hint));
+}
+
+/// Reports a number that is too large or out of its bound; NaN passes: it was reported before. Result: whether it is
+/// usable.
+bool check_number(Reader& reader, const Value& value, const FieldInfo& info, double number) {
+  if (std::abs(number) > kLargestNumber) {
+    report(reader, value, fmt::format("must be at most {} in magnitude, got {}", kLargestNumber, number));
+  } else if (info.bound == Bound::positive && number <= 0) {
+    report(reader, value, fmt::format("must be positive, got {}", number));
+  } else if (info.bound == Bound::not_negative && number < 0) {
+    report(reader, value, fmt::format("must not be negative, got {}", number));
+  } else {
+    return true;
+  }
+  return false;
+}
+
+/// The nodes of an expression text. Result: nothing when there were problems.
+std::optional<Expression> parse(Reader& reader, const Value& value, const FieldInfo& info) {
+  const ExpressionScope scope{reader.names, reader.model.parameters, info.depends, info.locals};
+  ParsedExpression parsed = parse_expression(value.text, scope);
+  for (ExpressionProblem& problem : parsed.problems) {
+    report(reader, place_in_text(reader.documents, value, problem.offset), std::move(problem.message),
+           std::move(problem.hint));
+  }
+  if (!parsed.problems.empty()) return std::nullopt;
+  return std::move(parsed.expression);
+}
+
+int add_expression(Reader& reader, Expression expression) {
+  reader.model.expressions.push_back(std::move(expression));
+  return static_cast<int>(reader.model.expressions.size()) - 1;
+}
+
+void read_expression(Reader& reader, const Value& value, const FieldInfo& info, Quantity& target) {
+  std::optional<Expression> expression = parse(reader, value, info);
+  if (!expression) return;
+  target.value = evaluate<double>(*expression, ReferenceEnvironment{reader.model});
+  const bool constant = expression->nodes.size() == 1 && expression->nodes[0].kind == ExpressionNode::Kind::number;
+  // A force may well be singular where all coordinates are zero; what depends on parameters alone may not.
+  const bool must_be_finite = info.depends <= Depends::parameters || constant;
+  if (must_be_finite && !std::isfinite(target.value)) {
+    const bool spoiled = std::any_of(expression->nodes.begin(), expression->nodes.end(),
+                                     [](const ExpressionNode& node) { return std::isnan(node.number); });
+    if (!spoiled) report(reader, value, fmt::format("value at default parameters is not finite, {}", target.value));
+    target = kUnreadable;
+    return;
+  }
+  if (!check_number(reader, value, info, target.value)) {
+    target = kUnreadable;
+  } else if (!constant) {
+    target.expression = add_expression(reader, std::move(*expression));
+  }
+}
+
+void read_degrees(Reader& reader, const Value& value, const FieldInfo& info, Quantity& target) {
+  const Value* degrees = find(value, "deg");
+  if (!degrees || value.members.size() != 1) {
+    wrong_type(reader, value, "an angle: a number or an expression in rad, or {\"deg\": number}");
+  } else if (degrees->kind != Value::Kind::number) {
+    wrong_type(reader, *degrees, "a number of degrees");
+  } else if (check_number(reader, *degrees, info, degrees->number)) {
+    target = degrees->number * std::numbers::pi / 180;
+  }
+}
+
+/// Three constants or quantities. Result: false, with the target left unreadable, when the array has another size.
+template <class Number>
+void read_three(Reader& reader, const Value& value, const FieldInfo& info, std::array<Number, 3>& target,
+                std::string_view wanted = "an array of 3 numbers") {
+  target.fill(kUnreadable);
+  if (value.kind != Value::Kind::array || value.items.size() != 3) return wrong_type(reader, value, wanted);
+  for (std::size_t i = 0; i < 3; ++i) read_value(reader, value.items[i], info, target[i]);
+}
+
+void read_axis(Reader& reader, const Value& value, const FieldInfo& info, Vector3& target) {
+  constexpr std::string_view kWanted = "an axis: \"x\", \"-y\" and so on, or an array of 3 numbers";
+  target.fill(kUnreadable);
+  if (value.kind == Value::Kind::text) {
+    const bool negative = value.text.starts_with('-');
+    const std::string_view letter = std::string_view(value.text).substr(negative ? 1 : 0);
+    const auto index = letter.size() == 1 ? std::string_view("xyz").find(letter) : std::string_view::npos;
+    if (index == std::string_view::npos) return wrong_type(reader, value, kWanted);
+    target = {0, 0, 0};
+    target[index] = negative ? -1 : 1;
+    return;
+  }
+  read_three(reader, value, info, target, kWanted);
+  constexpr double kSmallestLength = 1e-12;
+  const double length = norm(target);
+  if (length < kSmallestLength) {
+    report(reader, value, "axis is zero");
+    target.fill(kUnreadable);
+  } else {
+    for (double& component : target) component /= length;
+  }
+}
+
+}  // namespace
+
+void report(Reader& reader, Place place, std::string message, std::string hint) {
+  reader.problems.push_back({place, std::move(message), std::move(hint)});
+}
+
+const Value& member_or_object(const Value& object, std::string_view key) {
+  const Value* member = find(object, key);
+  return member ? *member : object;
+}
+
+bool check_keys(Reader& reader, const Value& value, const std::vector<const FieldInfo*>& rows) {
+  if (value.kind != Value::Kind::object) {
+    wrong_type(reader, value, "an object");
+    return false;
+  }
+  std::vector<std::string_view> known;
+  for (const FieldInfo* row : rows) known.push_back(row->name);
+  for (const Member& member : value.members) {
+    const auto row = std::find(known.begin(), known.end(), member.key);
+    if (row == known.end()) {
+      report(reader, member.place, "unknown key " + in_quotes(member.key), did_you_mean(member.key, known));
+    } else if (rows[static_cast<std::size_t>(row - known.begin())]->shape == Shape::reserved) {
+      report(reader, member.place, "key " + in_quotes(member.key) + " is not supported yet");
+    }
+  }
+  for (const FieldInfo* row : rows) {
+    if (row->need == Need::required && !find(value, row->name)) {
+      report(reader, value, "key " + in_quotes(row->name) + " is missing");
+    }
+  }
+  return true;
+}
+
+int read_word(Reader& reader, const Value& value, const FieldInfo& info) {
+  if (value.kind == Value::Kind::text) {
+    const auto word = std::find(info.words.begin(), info.words.end(), value.text);
+    if (word != info.words.end()) return static_cast<int>(word - info.words.begin());
+  }
+  std::string wanted;
+  for (const std::string_view word : info.words) wanted += (wanted.empty() ? "" : ", ") + std::string(word);
+  const std::string hint = value.kind == Value::Kind::text
+                               ? did_you_mean(value.text, {info.words.begin(), info.words.end()})
+                               : std::string();
+  wrong_type(reader, value, "one of " + wanted, hint.starts_with("did") ? hint : "");
+  return -1;
+}
+
+void read_value(Reader& reader, const Value& value, const FieldInfo& info, bool& target) {
+  if (!info.words.empty()) {
+    target = read_word(reader, value, info) == 1;
+  } else if (value.kind == Value::Kind::boolean) {
+    target = value.boolean;
+  } else {
+    wrong_type(reader, value, "true or false");
+  }
+}
+
+void read_value(Reader& reader, const Value& value, const FieldInfo& info, double& target) {
+  FieldInfo constant = info;
+  constant.depends = Depends::nothing;
+  Quantity quantity;
+  read_value(reader, value, constant, quantity);
+  target = quantity.value;
+}
+
+void read_value(Reader& reader, const Value& value, const FieldInfo&, std::string& target) {
+  if (value.kind == Value::Kind::text) {
+    target = value.text;
+  } else {
+    wrong_type(reader, value, "a text");
+  }
+}
+
+void read_value(Reader& reader, const Value& value, const FieldInfo& info, Quantity& target) {
+  target = kUnreadable;
+  if (value.kind == Value::Kind::number) {
+    if (check_number(reader, value, info, value.number)) target = value.number;
+  } else if (value.kind == Value::Kind::text) {
+    read_expression(reader, value, info, target);
+  } else if (info.angle && value.kind == Value::Kind::object) {
+    read_degrees(reader, value, info, target);
+  } else {
+    const bool degrees = value.kind == Value::Kind::object && find(value, "deg");
+    wrong_type(reader, value, "a number or an expression",
+               degrees ? "degrees are read only where an angle stands" : "");
+  }
+}
+
+void read_value(Reader& reader, const Value& value, const FieldInfo& info, Vector3& target) {
+  if (info.shape == Shape::axis) {
+    read_axis(reader, value, info, target);
+  } else {
+    read_three(reader, value, info, target);
+  }
+}
+
+void read_value(Reader& reader, const Value& value, const FieldInfo& info, Vector3Quantity& target) {
+  read_three(reader, value, info, target);
+}
+
+void read_value(Reader& reader, const Value& value, const FieldInfo& info, std::array<Quantity, 6>& target) {
+  target.fill(kUnreadable);
+  const std::size_t size = value.items.size();
+  if (value.kind != Value::Kind::array || (size != 3 && size != 6)) {
+    return wrong_type(reader, value, "an array of 3 numbers (xx yy zz) or 6 (xx yy zz xy xz yz)");
+  }
+  target.fill(0.0);
+  for (std::size_t i = 0; i < size; ++i) read_value(reader, value.items[i], info, target[i]);
+}
+
+void read_value(Reader&, const Value& value, const FieldInfo&, const Value*& target) { target = &value; }
+
+int read_force_expression(Reader& reader, const Value& value, const FieldInfo& info) {
+  if (value.kind == Value::Kind::number) {
+    if (!check_number(reader, value, info, value.number)) return -1;
+    ExpressionNode node;
+    node.number = value.number;
+    return add_expression(reader, {fmt::format("{}", value.number), {node}});
+  }
+  if (value.kind != Value::Kind::text) {
+    wrong_type(reader, value, "a number or an expression");
+    return -1;
+  }
+  std::optional<Expression> expression = parse(reader, value, info);
+  return expression ? add_expression(reader, std::move(*expression)) : -1;
+}
+
+}  // namespace mbgen::reading
