@@ -5,6 +5,7 @@
 #include "compiler/emit/schedule.hpp"
 #include "compiler/emit/text.hpp"
 
+#include <algorithm>
 #include <map>
 #include <set>
 #include <stdexcept>
@@ -107,12 +108,19 @@ class ProgramWriter {
     return candidate;
   }
 
+  /// The number that a section's title begins with, as in "3 Rz", else its index.
+  std::string section_tag(int section) const {
+    const std::string& title = program_.sections[section];
+    const std::size_t digits = std::min(title.find_first_not_of("0123456789"), title.size());
+    return digits > 0 ? title.substr(0, digits) : std::to_string(section);
+  }
+
   /// The label of the value, or its section and a number: s3_12.
   std::string new_name(const Node& node) {
     if (node.label >= 0) return unique(identifier_base(program_.labels[node.label]));
     std::string candidate;
     do {
-      candidate = "s" + std::to_string(node.section + 1) + "_" + std::to_string(++leftovers_[node.section]);
+      candidate = "s" + section_tag(node.section) + "_" + std::to_string(++leftovers_[node.section]);
     } while (!taken_.insert(candidate).second);
     return candidate;
   }

@@ -34,20 +34,21 @@ Items items_of(const std::vector<Number>& numbers) {
   return items;
 }
 
-std::string size_constants(const EmitContext& context) {
+/// Sizes and decisions; what only closures or loops ask for is left out without them, so that nothing is unused.
+std::string constants(const EmitContext& context) {
   const SolverLayout& layout = context.layout;
-  const std::pair<const char*, int> sizes[] = {
-      {"kCoordinates", layout.coordinates},
-      {"kAuxiliaryStates", layout.auxiliary_states},
-      {"kBlocks", static_cast<int>(layout.blocks.size())},
-      {"kEquations", layout.equations},
-      {"kDrives", layout.drives},
-      {"kBlockCoordinates", layout.block_coordinates},
-      {"kFreeDirections", static_cast<int>(context.programs.free_direction_coordinate.size())}};
-  std::string text;
-  for (const auto& [name, size] : sizes) text += constant("int", name, std::to_string(size));
-  return text + constant("bool", "kHasClosure", layout.has_closure ? "true" : "false") +
-         constant("double", "kClosureTolerance", number_text(context.model.solver.closure_tolerance));
+  std::string text = constant("int", "kCoordinates", std::to_string(layout.coordinates)) +
+                     constant("int", "kAuxiliaryStates", std::to_string(layout.auxiliary_states)) +
+                     constant("int", "kBlocks", std::to_string(layout.blocks.size())) +
+                     constant("int", "kEquations", std::to_string(layout.equations)) +
+                     constant("int", "kFreeDirections", std::to_string(context.programs.free_direction_coordinate.size())) +
+                     constant("bool", "kHasClosure", layout.has_closure ? "true" : "false");
+  if (layout.has_closure) {
+    text += constant("int", "kDrives", std::to_string(layout.drives)) +
+            constant("double", "kClosureTolerance", number_text(context.model.solver.closure_tolerance));
+  }
+  if (!layout.blocks.empty()) text += constant("int", "kBlockCoordinates", std::to_string(layout.block_coordinates));
+  return text;
 }
 
 /// Block and place of every free direction: the q-th direction of its block.
@@ -78,12 +79,17 @@ std::string tables(const EmitContext& context) {
     }
     for (const int e : context.analysis.blocks[b].redundant_equations) redundant[p.first_equation + e] = true;
   }
-  return table("mbgen::BlockLayout", "kBlockLayout", blocks, "{0, 0, 0, 0, 0, 0, 0, 0}") +
-         table("int", "kBlockCoordinate", items_of(coordinates)) +
-         table("unsigned char", "kBlockDriven", items_of(block_driven)) +
-         table("unsigned char", "kDriven", items_of(context.analysis.driven)) +
-         table("unsigned char", "kRedundant", items_of(redundant)) +
-         table("mbgen::FreeDirection", "kFreeDirection", free_direction_items(context), "{0, -1, 0}");
+  std::string text = table("mbgen::FreeDirection", "kFreeDirection", free_direction_items(context), "{0, -1, 0}");
+  if (layout.has_closure) {
+    text += table("unsigned char", "kDriven", items_of(context.analysis.driven)) +
+            table("unsigned char", "kRedundant", items_of(redundant)) +
+            table("mbgen::BlockLayout", "kBlockLayout", blocks, "{0, 0, 0, 0, 0, 0, 0, 0}");
+  }
+  if (!layout.blocks.empty()) {
+    text += table("int", "kBlockCoordinate", items_of(coordinates)) +
+            table("unsigned char", "kBlockDriven", items_of(block_driven));
+  }
+  return text;
 }
 
 /// Sum of all parameters and inputs: not finite when one of them is not.
@@ -127,12 +133,12 @@ std::string solver_text(const EmitContext& context) {
     if (!shaped.shape.members.empty()) {
       members += "  using " + shaped.shape.result + " = " + context.names.solver + "::" + shaped.shape.result + ";\n";
     }
-    members += constant("auto", member, "&" + shaped.shape.function);
+    if (shaped.key != "outputs") members += constant("auto", member, "&" + shaped.shape.function);
   }
   if (!context.layout.blocks.empty()) {
     members += "  using Projection = " + context.names.solver + "::Projection;\n";
   }
-  std::string system = size_constants(context) + tables(context) + members + argument_sum(context.names);
+  std::string system = constants(context) + tables(context) + members + argument_sum(context.names);
   system.pop_back();
   return fill_template("solver.cpp.in", {{"banner", banner_text(context.model, "//")},
                                          {"solver", context.names.solver},

@@ -1,0 +1,231 @@
+#pragma once
+// A bead on a circle, by hand: two sliders x and y, closed by x^2 + y^2 = area. Small enough to know every answer.
+
+#include "compiler/emit/emit.hpp"
+
+#include <string>
+#include <vector>
+
+namespace mbgen::test {
+
+/// Everything that emit needs.
+struct Example {
+  Model model;
+  Topology topology;
+  Analysis analysis;
+  Programs programs;
+};
+
+inline Freedom slider(const std::string& name, const Vector3& axis) { return {name, FreedomKind::prismatic, axis}; }
+
+/// Two sliders in a chain without forces or loops; its programs are empty but for zdd = tau.
+inline Example two_sliders() {
+  Example example;
+  Model& model = example.model;
+  model.name = "bead";
+  model.file = "somewhere/bead.json";
+  model.hash = "0123456789abcdef";
+  model.bodies.resize(2);
+  model.bodies[0].name = "carriage";
+  model.bodies[1].name = "bead";
+  model.joints.resize(2);
+  model.joints[0].name = "x";
+  model.joints[0].freedoms = {slider("x", {1, 0, 0})};
+  model.joints[1].name = "y";
+  model.joints[1].freedoms = {slider("y", {0, 1, 0})};
+
+  Topology& topology = example.topology;
+  topology.bodies.resize(2);
+  for (int i = 0; i < 2; ++i) {
+    TreeBody& body = topology.bodies[i];
+    body.name = model.bodies[i].name;
+    body.coordinate = model.joints[i].name;
+    body.parent = i - 1;
+    body.model_body = body.joint = i;
+    body.kind = FreedomKind::prismatic;
+    topology.groups.push_back({-1, {i}, i - 1, i - 1});
+    topology.group_of.push_back(i);
+  }
+  topology.roots = {0};
+  topology.children = {{1}, {}};
+  topology.tree_body = {0, 1};
+
+  example.analysis.driven = {false, false};
+  example.analysis.motion_of = {-1, -1};
+  example.analysis.degrees_of_freedom = 2;
+  ProgramBuilder builder("accelerations");
+  for (int i = 0; i < 2; ++i) {
+    builder.output("zdd", i, builder.input("tau", i));
+    builder.output("inertia", i, builder.constant(1));
+  }
+  example.programs.accelerations = builder.finish();
+  example.programs.free_direction_coordinate = {"x", "y"};
+  return example;
+}
+
+/// Inputs of the bead's programs, and what several of them need.
+struct Symbols {
+  explicit Symbols(ProgramBuilder& b)
+      : x(b, b.input("z", 0)), y(b, b.input("z", 1)), xd(b, b.input("zd", 0)), yd(b, b.input("zd", 1)) {}
+  Expr x, y, xd, yd;
+  Expr residual(const Expr& area) const { return x * x + y * y - area; }
+  Expr c() const { return -2.0 * (xd * xd + yd * yd); }
+};
+
+inline void output(ProgramBuilder& builder, const std::string& group, int index, const Expr& value) {
+  builder.output(group, index, value.value(builder));
+}
+
+/// Frozen: x is dependent, y is free. mass (xdd, ydd) = (tau_x + push, tau_y - mass g) + lambda (2 x, 2 y).
+inline Program bead_accelerations() {
+  ProgramBuilder builder("accelerations");
+  builder.set_section("1 forces");
+  const Symbols s(builder);
+  const Expr mass(builder, builder.input("par", 0));
+  const Expr force_x = Expr(builder, builder.input("tau", 0)) + Expr(builder, builder.input("in", 0));
+  const Expr force_y = Expr(builder, builder.input("tau", 1)) - 9.81 * mass;
+  builder.label(force_x.value(builder), "force x");
+  builder.set_section("2 Rz");
+  builder.set_block("x: prismatic, ground");
+  const Expr rz = -(s.y / s.x);
+  builder.label(rz.value(builder), "Rz_x");
+  const Expr star = s.c() / (2.0 * s.x);
+  builder.set_section("3 final equations");
+  builder.set_block("y: prismatic, carriage");
+  const Expr inertia = mass * (rz * rz + 1.0);
+  const Expr ydd = (rz * (force_x - mass * star) + force_y) / inertia;
+  output(builder, "zdd", 1, ydd);
+  output(builder, "zdd", 0, rz * ydd + star);
+  output(builder, "pivot", 0, abs(s.x));
+  output(builder, "inertia", 0, inertia);
+  return builder.finish();
+}
+
+inline Program bead_accelerations_chosen() {
+  ProgramBuilder builder("accelerations_chosen");
+  const Expr mass(builder, builder.input("par", 0));
+  const Expr force[2] = {Expr(builder, builder.input("tau", 0)) + Expr(builder, builder.input("in", 0)),
+                         Expr(builder, builder.input("tau", 1)) - 9.81 * mass};
+  Expr inertia = 0.0, right_hand_side = 0.0;
+  Expr rz[2], star[2];
+  for (int i = 0; i < 2; ++i) {
+    rz[i] = Expr(builder, builder.input("Rz0", i));
+    star[i] = Expr(builder, builder.input("zdd_star0", i));
+    inertia += mass * rz[i] * rz[i];
+    right_hand_side += rz[i] * (force[i] - mass * star[i]);
+  }
+  const Expr free = right_hand_side / inertia;
+  for (int i = 0; i < 2; ++i) output(builder, "zdd", i, rz[i] * free + star[i]);
+  output(builder, "inertia", 0, inertia);
+  return builder.finish();
+}
+
+inline Program bead_closure() {
+  ProgramBuilder builder("closure");
+  const Symbols s(builder);
+  const Expr residual = s.residual(Expr(builder, builder.input("par", 1)));
+  output(builder, "residual", 0, residual);
+  output(builder, "dz", 0, -residual / (2.0 * s.x));
+  output(builder, "zd", 0, -(s.y / s.x) * s.yd);
+  output(builder, "zd", 1, s.yd);
+  output(builder, "pivot", 0, abs(s.x));
+  return builder.finish();
+}
+
+inline Program bead_closure_terms() {
+  ProgramBuilder builder("closure_terms");
+  const Symbols s(builder);
+  output(builder, "Phi0", 0, s.residual(Expr(builder, builder.input("par", 1))));
+  output(builder, "Jz0", 0, 2.0 * s.x);
+  output(builder, "Jz0", 1, 2.0 * s.y);
+  output(builder, "ct0", 0, 0.0);
+  output(builder, "c0", 0, s.c());
+  return builder.finish();
+}
+
+inline Program bead_multipliers() {
+  ProgramBuilder builder("multipliers");
+  const Symbols s(builder);
+  const Expr mass(builder, builder.input("par", 0));
+  const Expr force_x = Expr(builder, builder.input("tau", 0)) + Expr(builder, builder.input("in", 0));
+  output(builder, "lambda", 0, (force_x - mass * Expr(builder, builder.input("zdd", 0))) / (2.0 * s.x));
+  return builder.finish();
+}
+
+inline Program bead_outputs() {
+  ProgramBuilder builder("outputs");
+  const Symbols s(builder);
+  const Expr mass(builder, builder.input("par", 0));
+  output(builder, "y", 0, sqrt(s.x * s.x + s.y * s.y));
+  output(builder, "energy", 0, 0.5 * mass * (s.xd * s.xd + s.yd * s.yd));
+  output(builder, "energy", 1, 9.81 * mass * s.y);
+  output(builder, "power", 0, Expr(builder, builder.input("in", 0)) * s.xd);
+  return builder.finish();
+}
+
+/// The bead on its circle. Tunable parameters `mass` (2 kg) and `area` (1 m^2), input `push` (0 N along x), output `radius`.
+inline Example bead_on_circle() {
+  Example example = two_sliders();
+  Parameter mass, folded, area;
+  mass.name = "mass";
+  mass.value = 2;
+  mass.unit = "kg";
+  mass.tunable = true;
+  folded.name = "folded";
+  area.name = "area";
+  area.value = 1;
+  area.unit = "m^2";
+  area.tunable = true;
+  example.model.parameters = {mass, folded, area};
+  Input push;
+  push.name = "push";
+  push.unit = "N";
+  example.model.inputs = {push};
+  Output radius;
+  radius.name = "radius";
+  radius.unit = "m";
+  example.model.outputs = {radius};
+
+  Topology& topology = example.topology;
+  Loop loop;
+  loop.name = "circle";
+  loop.kind = ClosureKind::rod;
+  loop.joints = {0, 1};
+  loop.equations = 1;
+  topology.loops = {loop};
+  topology.blocks = {{{0}, {0, 1}, kGround, 1}};
+  topology.groups = {{0, {0, 1}, kGround, -1}};
+  topology.group_of = {0, 0};
+  example.analysis.blocks.resize(1);
+  example.analysis.blocks[0].rank = 1;
+  example.analysis.blocks[0].dependent = {0};
+  example.analysis.blocks[0].independent = {1};
+  example.analysis.independent_equations = 1;
+  example.analysis.degrees_of_freedom = 1;
+
+  Programs& programs = example.programs;
+  programs.accelerations = bead_accelerations();
+  programs.accelerations_chosen = bead_accelerations_chosen();
+  programs.closure = bead_closure();
+  programs.closure_terms = bead_closure_terms();
+  programs.multipliers = bead_multipliers();
+  programs.outputs = bead_outputs();
+  programs.free_direction_coordinate = {"y"};
+  programs.free_directions_of_block = {1};
+  programs.residual_equation_of = {0};
+  return example;
+}
+
+inline std::vector<EmittedFile> emit(const Example& example, const EmitOptions& options = {}) {
+  return mbgen::emit(example.programs, example.model, example.topology, example.analysis, options);
+}
+
+/// Text of one of the files, "" when it is not there.
+inline std::string text_of(const std::vector<EmittedFile>& files, const std::string& path) {
+  for (const EmittedFile& file : files) {
+    if (file.path == path) return file.text;
+  }
+  return "";
+}
+
+}  // namespace mbgen::test

@@ -1,0 +1,314 @@
+// Emitted text: numbers, names, frames, statements, whole programs.
+
+#include "compiler/emit/expression_text.hpp"
+#include "compiler/emit/names.hpp"
+#include "compiler/emit/program_text.hpp"
+#include "compiler/emit/schedule.hpp"
+#include "compiler/emit/text.hpp"
+#include "emit_support.hpp"
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <charconv>
+#include <fstream>
+#include <limits>
+#include <sstream>
+#include <stdexcept>
+
+namespace mbgen::test {
+namespace {
+
+TEST(EmittedNumbers, areShortestAndReadBackExactly) {
+  EXPECT_EQ(number_text(1), "1.0");
+  EXPECT_EQ(number_text(0.1), "0.1");
+  EXPECT_EQ(number_text(-9.81), "-9.81");
+  EXPECT_EQ(number_text(1e22), "1e+22");
+  EXPECT_EQ(number_text(0.0), "0.0");
+  EXPECT_EQ(number_text(-0.0), "-0.0");
+  EXPECT_EQ(number_text(std::numeric_limits<double>::infinity()), "INFINITY");
+  for (const double value : {1.0 / 3, 2.2250738585072014e-308, std::numeric_limits<double>::max(), 123456789.0, 0.1 + 0.2}) {
+    EXPECT_EQ(std::stod(number_text(value)), value);
+  }
+}
+
+TEST(EmittedNames, areIdentifiersAndUnique) {
+  std::vector<std::string> taken;
+  const std::pair<const char*, const char*> expected[] = {
+      {"crank", "crank"},       {"crank", "crank_2"},  {"crank", "crank_3"}, {"crank_2", "crank_2_2"},
+      {"class", "class_"},      {"class", "class_2"},  {"4bar", "n_4bar"},   {"Rüder", "R_der"},
+      {"", "unnamed"},          {"__x", "x"},          {"a__b-c", "a_b_c"},  {"M_PI", "M_PI_"},
+      {"gamma", "gamma_"},      {"std", "std_"},       {"_", "unnamed_2"},   {"Index", "Index_"}};
+  for (const auto& [name, result] : expected) EXPECT_EQ(identifier(name, taken), result) << name;
+}
+
+TEST(EmittedNames, ofOutputsLeaveRoomForTheEnergies) {
+  Model model;
+  model.name = "double";
+  model.outputs.resize(2);
+  model.outputs[0].name = "kinetic_energy";
+  model.outputs[1].name = "x";
+  const SolverNames names = model_names(model);
+  EXPECT_EQ(names.solver, "double_");
+  EXPECT_EQ(names.outputs, (std::vector<std::string>{"kinetic_energy_2", "x"}));
+}
+
+std::string error_of(std::string_view frame, const std::map<std::string, std::string>& values) {
+  try {
+    fill_frame("frame", frame, values);
+  } catch (const std::logic_error& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(Frames, fillEveryNameAndNothingElse) {
+  EXPECT_EQ(fill_frame("frame", "{{a}}-{{b}}{{a}}{}", {{"a", "1"}, {"b", "{{c}}"}}), "1-{{c}}1{}");
+  EXPECT_EQ(error_of("x {{a}}", {}), "frame: no value for {{a}}");
+  EXPECT_EQ(error_of("x", {{"b", ""}}), "frame: {{b}} is not used");
+  EXPECT_EQ(error_of("x {{a", {{"a", ""}}), "frame: {{ without }}");
+}
+
+TEST(EmittedLines, areBrokenAtSpaces) {
+  const std::string word(40, 'x');
+  EXPECT_EQ(wrapped_statement("  a = " + word + " + " + word + " + " + word + ";"),
+            "  a = " + word + " + " + word + " +\n      " + word + ";");
+  EXPECT_EQ(wrapped_list({word, word, word}, 2), "  " + word + ", " + word + ",\n  " + word);
+  const std::string endless(200, 'y');
+  EXPECT_EQ(wrapped_statement("  " + endless + " z"), "  " + endless + "\n      z");
+}
+
+TEST(EmittedLiterals, areEscaped) {
+  EXPECT_EQ(string_literal("N m \"x\" \\ \n1"), "\"N m \\\"x\\\" \\\\ \\0121\"");
+  EXPECT_EQ(comment_text("a\nb\\"), "a b\\.");
+}
+
+/// Text of the expression that `build` makes of three inputs.
+template <class Build>
+std::string expression(Build build) {
+  const Phrase a{"a"}, b{"b"}, c{"c"};
+  return standing_alone(build(a, b, c));
+}
+
+TEST(EmittedExpressions, haveTheParenthesesTheyNeed) {
+  const auto op = [](Op o, const Phrase& x, const Phrase& y = {}, const Phrase& z = {}) { return operation_phrase(o, x, y, z); };
+  using P = const Phrase&;
+  EXPECT_EQ(expression([&](P a, P b, P c) { return op(Op::add, op(Op::add, a, b), c); }), "a + b + c");
+  EXPECT_EQ(expression([&](P a, P b, P c) { return op(Op::add, a, op(Op::add, b, c)); }), "a + (b + c)");
+  EXPECT_EQ(expression([&](P a, P b, P c) { return op(Op::subtract, a, op(Op::subtract, b, c)); }), "a - (b - c)");
+  EXPECT_EQ(expression([&](P a, P b, P c) { return op(Op::subtract, a, op(Op::multiply, b, c)); }), "a - b*c");
+  EXPECT_EQ(expression([&](P a, P b, P c) { return op(Op::multiply, op(Op::add, a, b), c); }), "(a + b)*c");
+  EXPECT_EQ(expression([&](P a, P b, P c) { return op(Op::divide, op(Op::divide, a, b), c); }), "a/b/c");
+  EXPECT_EQ(expression([&](P a, P b, P c) { return op(Op::divide, a, op(Op::multiply, b, c)); }), "a/(b*c)");
+  EXPECT_EQ(expression([&](P a, P b, P c) { return op(Op::multiply, a, op(Op::divide, b, c)); }), "a*(b/c)");
+  EXPECT_EQ(expression([&](P a, P b, P) { return op(Op::subtract, a, op(Op::negate, b)); }), "a - (-b)");
+  EXPECT_EQ(expression([&](P a, P b, P) { return op(Op::negate, op(Op::multiply, a, b)); }), "-(a*b)");
+  EXPECT_EQ(expression([&](P a, P, P) { return op(Op::negate, op(Op::negate, a)); }), "-(-a)");
+  EXPECT_EQ(expression([&](P a, P b, P) { return op(Op::multiply, op(Op::negate, a), b); }), "-a*b");
+  EXPECT_EQ(expression([&](P a, P, P) { return op(Op::multiply, a, constant_phrase(-2.5)); }), "a*(-2.5)");
+  EXPECT_EQ(expression([&](P a, P, P) { return op(Op::add, constant_phrase(-2.5), a); }), "(-2.5) + a");
+  EXPECT_EQ(expression([&](P, P, P) { return constant_phrase(-2.5); }), "-2.5");
+  EXPECT_EQ(expression([&](P a, P b, P c) { return op(Op::select, op(Op::subtract, a, b), b, c); }), "(a - b >= 0.0 ? b : c)");
+  EXPECT_EQ(expression([&](P a, P b, P) { return op(Op::sqrt, op(Op::min, a, b)); }), "std::sqrt(mbgen::min(a, b))");
+}
+
+ProgramShape bead_shape() {
+  const Example example = bead_on_circle();
+  const SolverLayout layout = solver_layout(example.programs, example.model, example.topology, example.analysis);
+  const std::vector<ShapedProgram> shaped =
+      shaped_programs(example.programs, layout, solver_names(example.model, example.topology));
+  return shaped.front().shape;
+}
+
+TEST(EmittedProgram, readsLikeTheFormulation) {
+  EXPECT_EQ(program_text(bead_accelerations(), bead_shape()), R"(/// Result of compute_accelerations.
+struct Accelerations {
+  double zdd[2];  ///< accelerations
+  double xd[1];  ///< rates of the auxiliary states
+  double pivot[1];  ///< smallest pivot of each block over its reference
+  double inertia[1];  ///< pivots of the final equations
+};
+
+/// All accelerations with the frozen partition of the loop blocks.
+void compute_accelerations(const Parameters& parameters, const Inputs& inputs, const State& state,
+    const double* tau, Accelerations& __restrict result) noexcept {
+  // --- 1 forces ---
+  const double force_x = inputs.push + tau[Coordinate::x];
+  const double s1_1 = tau[Coordinate::y] - 9.81*parameters.mass;
+  // operations: 2 add, 1 multiply
+
+  // --- 2 Rz ---
+  // x: prismatic, ground
+  const double z_x = state.z[Coordinate::x];
+  const double s2_1 = state.z[Coordinate::y]/z_x;
+  const double zd_y = state.zd[Coordinate::y];
+  const double zd_x = state.zd[Coordinate::x];
+  const double s2_2 = 2.0*(zd_y*zd_y + zd_x*zd_x)/(2.0*z_x);
+  // operations: 1 add, 4 multiply, 2 divide
+
+  // --- 3 final equations ---
+  // y: prismatic, carriage
+  const double s3_1 = parameters.mass*(1.0 + s2_1*s2_1);
+  result.inertia[0] = s3_1;
+  const double s3_2 = (s1_1 - s2_1*(force_x + parameters.mass*s2_2))/s3_1;
+  result.zdd[Coordinate::y] = s3_2;
+  result.zdd[Coordinate::x] = -(s2_2 + s2_1*s3_2);
+  result.pivot[0] = std::abs(z_x);
+  // operations: 4 add, 5 multiply, 1 divide, 1 other
+}
+)");
+}
+
+TEST(EmittedProgram, keepsSineAndCosineTogetherAndNamesWhatIsUsedTwice) {
+  ProgramBuilder builder("accelerations");
+  const Expr angle = Expr(builder, builder.input("z", 0)) * Expr(builder, builder.input("zd", 1));
+  const Expr s = sin(angle);
+  const Expr far = s * s + 1.0;
+  const Expr c = cos(angle);
+  output(builder, "zdd", 0, far * c);
+  output(builder, "zdd", 1, 2.5);
+  const std::string text = program_text(builder.finish(), bead_shape());
+  const std::string body = text.substr(text.find("{\n", text.find("void ")) + 2);
+  EXPECT_EQ(body, R"(  const double s0_1 = state.zd[Coordinate::y]*state.z[Coordinate::x];
+  const double s0_2 = std::sin(s0_1);
+  const double s0_3 = std::cos(s0_1);
+  result.zdd[Coordinate::x] = (1.0 + s0_2*s0_2)*s0_3;
+  result.zdd[Coordinate::y] = 2.5;
+  result.inertia[0] = 1.0;
+  result.pivot[0] = 1.0;
+}
+)");
+}
+
+TEST(EmittedProgram, refusesSlotsThatHaveNoPlace) {
+  ProgramBuilder builder("accelerations");
+  builder.output("zdd", 2, builder.input("z", 0));
+  EXPECT_THROW(program_text(builder.finish(), bead_shape()), std::logic_error);
+  ProgramBuilder second("accelerations");
+  second.output("zdd", 1, second.input("zdd", 0));
+  EXPECT_THROW(program_text(second.finish(), bead_shape()), std::logic_error);
+}
+
+TEST(EmittedProgram, keepsLinesShort) {
+  ProgramBuilder builder("accelerations");
+  const Expr x(builder, builder.input("z", 0)), y(builder, builder.input("z", 1));
+  Expr sum = 0.0;
+  for (int i = 0; i < 200; ++i) {
+    sum = sum * (x * (1.0 / (3 + i)) + y) + x / (y + double(i));
+    builder.label(sum.value(builder), "a rather long name of an intermediate result, number " + std::to_string(i));
+  }
+  output(builder, "zdd", 0, sum);
+  std::istringstream text(program_text(builder.finish(), bead_shape()));
+  for (std::string line; std::getline(text, line);) EXPECT_LE(line.size(), 110u) << line;
+}
+
+TEST(Schedules, divideLargeProgramsWhereFewValuesCross) {
+  ProgramBuilder builder("p");
+  Expr x(builder, builder.input("z", 0));
+  // Bundles of 50 values that are needed together, one thread between them.
+  for (int bundle = 0; bundle < 60; ++bundle) {
+    Expr sum = 0.0;
+    std::vector<Expr> values;
+    for (int i = 0; i < 25; ++i) values.push_back(x * (1.0 + i + 100 * bundle));
+    for (const Expr& value : values) sum += value * value;
+    x = sum;
+  }
+  output(builder, "zdd", 0, x);
+  const Program program = builder.finish();
+  const Schedule result = schedule(program);
+  ASSERT_GE(result.parts.size(), 4u);
+  for (const PartRange& part : result.parts) {
+    EXPECT_GE(part.last - part.first, kSmallestPart);
+    EXPECT_LE(part.last - part.first, kLargestPart);
+  }
+  std::vector<std::size_t> part_of(program.nodes.size(), 0);
+  for (std::size_t p = 0; p < result.parts.size(); ++p) {
+    for (std::size_t i = result.parts[p].first; i < result.parts[p].last; ++i) part_of[result.order[i]] = p;
+  }
+  std::vector<ValueId> crossing;
+  for (const ValueId v : result.order) {
+    const Node& node = program.nodes[v];
+    for (int k = 0; k < arity(node.op); ++k) {
+      const ValueId operand = node.operands[k];
+      const bool computed = program.nodes[operand].op != Op::constant && program.nodes[operand].op != Op::input;
+      if (computed && part_of[operand] != part_of[v]) crossing.push_back(operand);
+    }
+  }
+  std::sort(crossing.begin(), crossing.end());
+  crossing.erase(std::unique(crossing.begin(), crossing.end()), crossing.end());
+  EXPECT_EQ(crossing.size(), result.parts.size() - 1);
+}
+
+TEST(Schedules, leaveDeadValuesOut) {
+  ProgramBuilder builder("p");
+  const Expr x(builder, builder.input("z", 0));
+  builder.append(Op::sin, x.value(builder));
+  output(builder, "zdd", 0, cos(x));
+  EXPECT_EQ(schedule(builder.finish()).order.size(), 1u);
+}
+
+TEST(EmittedFiles, areTheSameBytesWhereverTheModelLies) {
+  Example here = bead_on_circle(), there = bead_on_circle();
+  there.model.file = "/some/other/place/bead.json";
+  const std::vector<EmittedFile> first = emit(here), second = emit(there);
+  ASSERT_EQ(first.size(), second.size());
+  for (std::size_t i = 0; i < first.size(); ++i) {
+    EXPECT_EQ(first[i].path, second[i].path);
+    EXPECT_EQ(first[i].text, second[i].text);
+  }
+  EXPECT_EQ(emit_driver(here.model).text, emit_driver(there.model).text);
+}
+
+TEST(EmittedFiles, areFourAndTheHeadersTheyInclude) {
+  const auto paths = [](const EmitOptions& options) {
+    std::vector<std::string> result;
+    for (const EmittedFile& file : emit(bead_on_circle(), options)) result.push_back(file.path);
+    std::sort(result.begin(), result.end());
+    return result;
+  };
+  EXPECT_EQ(paths({.runtime_headers = false}),
+            (std::vector<std::string>{"CMakeLists.txt", "bead.cpp", "bead.hpp", "bead.json"}));
+  EXPECT_EQ(paths({}), (std::vector<std::string>{"CMakeLists.txt", "bead.cpp", "bead.hpp", "bead.json", "mbgen/blocks.hpp",
+                                                 "mbgen/closure.hpp", "mbgen/integrators.hpp", "mbgen/loop.hpp",
+                                                 "mbgen/scalar.hpp", "mbgen/solver.hpp", "mbgen/status.hpp"}));
+}
+
+TEST(EmittedFiles, beginWithTheirBanner) {
+  const std::string banner = "// bead, content hash 0123456789abcdef\n// Made by `mbgen generate bead.json`, mbgen " +
+                             std::string(kMbgenVersion) + ". Change the model, not this file.\n";
+  const std::vector<EmittedFile> files = emit(bead_on_circle());
+  for (const char* path : {"bead.hpp", "bead.cpp"}) EXPECT_EQ(text_of(files, path).substr(0, banner.size()), banner);
+}
+
+TEST(EmittedFiles, manifestCountsTheOperationsOfEverySection) {
+  const auto manifest = nlohmann::json::parse(text_of(emit(bead_on_circle()), "bead.json"));
+  EXPECT_EQ(manifest["namespace"], "bead");
+  EXPECT_EQ(manifest["sizes"]["coordinates"], 2);
+  EXPECT_EQ(manifest["sizes"]["closure_equations"], 1);
+  EXPECT_EQ(manifest["parameters"], (std::vector<std::string>{"mass", "area"}));
+  EXPECT_EQ(manifest["loop_blocks"][0]["loops"][0], "circle");
+  const auto& program = manifest["programs"]["accelerations"];
+  EXPECT_EQ(program["sections"].size(), 3u);
+  EXPECT_EQ(program["sections"][0]["title"], "1 forces");
+  long total = 0;
+  for (const auto& section : program["sections"]) total += section["total"].get<long>();
+  EXPECT_EQ(program["operations"]["total"], total);
+  EXPECT_GT(total, 10);
+}
+
+TEST(EmittedFiles, refuseResidualsInAnotherOrder) {
+  Example example = bead_on_circle();
+  example.programs.residual_equation_of = {1};
+  EXPECT_THROW(emit(example), std::logic_error);
+}
+
+TEST(Version, isThatOfTheProject) {
+  std::ifstream file(MBGEN_SOURCE_DIR "/CMakeLists.txt");
+  std::stringstream text;
+  text << file.rdbuf();
+  EXPECT_NE(text.str().find("project(mbgen VERSION " + std::string(kMbgenVersion) + " "), std::string::npos);
+}
+
+}  // namespace
+}  // namespace mbgen::test

@@ -1,0 +1,352 @@
+// Emitted code, compiled by both compilers with every warning an error, against what is known of it.
+
+#include "compiler/emit/names.hpp"
+#include "emit_support.hpp"
+#include "mbgen/driver.hpp"
+
+#include <dlfcn.h>
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <limits>
+#include <numbers>
+#include <random>
+#include <set>
+#include <sstream>
+
+namespace mbgen::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A directory that goes away with its owner.
+class TemporaryDirectory {
+ public:
+  TemporaryDirectory() {
+    std::string pattern = (fs::temp_directory_path() / "mbgen_emit_XXXXXX").string();
+    path_ = mkdtemp(pattern.data());
+  }
+  ~TemporaryDirectory() { fs::remove_all(path_); }
+  TemporaryDirectory(const TemporaryDirectory&) = delete;
+  const fs::path& path() const { return path_; }
+
+ private:
+  fs::path path_;
+};
+
+/// Exit code and everything printed.
+struct Finished {
+  int code = -1;
+  std::string text;
+};
+
+Finished run(const std::string& command) {
+  Finished result;
+  FILE* pipe = popen((command + " 2>&1").c_str(), "r");
+  if (pipe == nullptr) return result;
+  std::array<char, 4096> buffer;
+  while (const std::size_t size = fread(buffer.data(), 1, buffer.size(), pipe)) result.text.append(buffer.data(), size);
+  result.code = pclose(pipe);
+  return result;
+}
+
+void write(const fs::path& directory, const EmittedFile& file) {
+  const fs::path path = directory / file.path;
+  fs::create_directories(path.parent_path());
+  std::ofstream(path, std::ios::binary) << file.text;
+}
+
+constexpr const char* kWarnings = " -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Werror";
+
+std::string flags(CompilerFamily family) {
+  std::string text;
+  for (const std::string& flag : solver_compile_flags(family)) text += " " + flag;
+  return text;
+}
+
+struct Compiler {
+  const char* command;
+  CompilerFamily family;
+};
+
+/// An example, emitted, compiled to a shared library and loaded.
+class Loaded {
+ public:
+  Loaded(const Example& example, const Compiler& compiler, const std::string& more_flags = "") {
+    for (const EmittedFile& file : emit(example)) write(directory_.path(), file);
+    write(directory_.path(), emit_driver(example.model));
+    const std::string base = (directory_.path() / solver_name(example.model)).string();
+    const std::string include = " -I" + directory_.path().string() + " -I" MBGEN_SOURCE_DIR "/runtime/include";
+    compilation_ = run(std::string(compiler.command) + flags(compiler.family) + kWarnings + more_flags + include +
+                       " -shared -fPIC -o " + base + ".so " + base + ".cpp " + base + "_driver.cpp");
+    if (compilation_.code != 0) return;
+    handle_ = dlopen((base + ".so").c_str(), RTLD_NOW | RTLD_LOCAL);
+    if (handle_ == nullptr) return;
+    using Door = const SolverTable* (*)();
+    if (const auto door = reinterpret_cast<Door>(dlsym(handle_, "mbgen_solver_table"))) table_ = door();
+  }
+  ~Loaded() {
+    if (handle_ != nullptr) dlclose(handle_);
+  }
+  Loaded(const Loaded&) = delete;
+  const Finished& compilation() const { return compilation_; }
+  const SolverTable* table() const { return table_; }
+  const fs::path& directory() const { return directory_.path(); }
+
+ private:
+  TemporaryDirectory directory_;
+  Finished compilation_;
+  void* handle_ = nullptr;
+  const SolverTable* table_ = nullptr;
+};
+
+class Emitted : public testing::TestWithParam<Compiler> {
+ protected:
+  void SetUp() override {
+    if (run(std::string(GetParam().command) + " --version").code != 0) GTEST_SKIP() << GetParam().command << " is not installed";
+  }
+};
+
+/// Accelerations of the bead at angle a and rate w, from the pendulum equation in the angle.
+void bead_answer(double a, double w, double mass, double fx, double fy, double* answer) {
+  const double force = fx * -std::sin(a) + (fy - 9.81 * mass) * std::cos(a);
+  const double rate = force / mass;
+  answer[0] = -std::sin(a) * rate - std::cos(a) * w * w;
+  answer[1] = std::cos(a) * rate - std::sin(a) * w * w;
+}
+
+TEST_P(Emitted, acceleratesTheBeadOnBothPaths) {
+  const Loaded loaded(bead_on_circle(), GetParam());
+  ASSERT_NE(loaded.table(), nullptr) << loaded.compilation().text;
+  const SolverTable& table = *loaded.table();
+  EXPECT_EQ(table.layout, kSolverTableLayout);
+  EXPECT_STREQ(table.model, "bead");
+  EXPECT_EQ(table.state_size, 5);
+  EXPECT_EQ(table.parameters, 2);
+  EXPECT_EQ(table.default_parameters[0], 2);
+  EXPECT_EQ(table.default_parameters[1], 1);
+  const double mass = 3, push = 1.5, parameters[] = {mass, 1};
+  // From the frozen partition at a = 0 through its monitor's threshold to its singularity at a quarter turn.
+  for (const double a : {0.0, 0.7, 1.5, 1.56, std::numbers::pi / 2, 1.6, 3.0, -2.0}) {
+    const double w = 1.3, tau[] = {0.4, -0.9};
+    const double state[] = {std::cos(a), std::sin(a), -std::sin(a) * w, std::cos(a) * w, 0};
+    double derivative[2], expected[2];
+    bead_answer(a, w, mass, tau[0] + push, tau[1], expected);
+    ASSERT_TRUE(table.accelerations(parameters, &push, state, tau, derivative).ok()) << a;
+    // The frozen path loses two digits at the threshold, and rounding of the state two more.
+    EXPECT_NEAR(derivative[0], expected[0], 1e-12) << a;
+    EXPECT_NEAR(derivative[1], expected[1], 1e-12) << a;
+    if (std::abs(std::cos(a)) > 0.1) {
+      double lambda, drive;
+      ASSERT_TRUE(table.multiplier_values(parameters, &push, state, tau, derivative, &lambda, &drive).ok());
+      EXPECT_NEAR(mass * expected[1], tau[1] - 9.81 * mass - 2 * std::sin(a) * lambda, 1e-12) << a;
+    }
+  }
+}
+
+TEST_P(Emitted, projectsFromAGuessAndLeavesTheStateWhenItCannot) {
+  const Loaded loaded(bead_on_circle(), GetParam());
+  ASSERT_NE(loaded.table(), nullptr) << loaded.compilation().text;
+  const SolverTable& table = *loaded.table();
+  const double push = 0;
+  double state[] = {0.4, 0.6, 7, 1, 0};
+  ASSERT_TRUE(table.project(table.default_parameters, &push, state).ok());
+  EXPECT_NEAR(state[0], 0.8, 1e-12);
+  EXPECT_EQ(state[1], 0.6) << "independent";
+  EXPECT_NEAR(state[2], -0.75, 1e-12);
+  EXPECT_EQ(state[3], 1);
+
+  // Near the top the pivoted partition moves y and keeps x.
+  double top[] = {0.001, 0.7, 1, 7, 0};
+  ASSERT_TRUE(table.project(table.default_parameters, &push, top).ok());
+  EXPECT_EQ(top[0], 0.001);
+  EXPECT_NEAR(top[1], std::sqrt(1 - 1e-6), 1e-12);
+  EXPECT_EQ(top[2], 1);
+  EXPECT_NEAR(top[3], -0.001 / top[1], 1e-12);
+  double position, velocity;
+  ASSERT_TRUE(table.residuals(table.default_parameters, &push, top, &position, &velocity).ok());
+  EXPECT_LE(std::abs(position), 1e-12);
+  EXPECT_LE(std::abs(velocity), 1e-12);
+
+  const double impossible[] = {2, -1};
+  double open[] = {0.53, 1.9, 0, 0, 0};
+  const Status status = table.project(impossible, &push, open);
+  EXPECT_EQ(status.code, Code::loop_not_closed);
+  EXPECT_EQ(status.index, 0);
+  EXPECT_STREQ(table.describe(status), "circle");
+  EXPECT_EQ(open[0], 0.53);
+  // At the centre every derivative of the closure is zero.
+  double centre[] = {0, 0, 0, 0, 0};
+  EXPECT_EQ(table.project(table.default_parameters, &push, centre).code, Code::loop_singular);
+}
+
+TEST_P(Emitted, namesWhatIsNotFinite) {
+  const Loaded loaded(bead_on_circle(), GetParam());
+  ASSERT_NE(loaded.table(), nullptr) << loaded.compilation().text;
+  const SolverTable& table = *loaded.table();
+  const double nan = std::numeric_limits<double>::quiet_NaN(), push = 0, tau[] = {0, 0};
+  double derivative[] = {7, 8};
+  for (int i = 0; i < 5; ++i) {
+    double state[] = {1, 0, 0, 1, 0};
+    state[i] = i % 2 == 0 ? nan : std::numeric_limits<double>::infinity();
+    const Status status = table.accelerations(table.default_parameters, &push, state, tau, derivative);
+    EXPECT_EQ(status.code, Code::not_a_number) << i;
+    EXPECT_EQ(status.index, i < 4 ? i % 2 : -1) << i;
+    EXPECT_EQ(table.project(table.default_parameters, &push, state).code, Code::not_a_number) << i;
+  }
+  const double state[] = {1, 0, 0, 1, 0};
+  EXPECT_EQ(table.accelerations(table.default_parameters, &nan, state, tau, derivative).code, Code::not_a_number);
+  EXPECT_EQ(derivative[0], 7) << "untouched";
+  const double negative[] = {-1, 1};
+  const Status status = table.accelerations(negative, &push, state, tau, derivative);
+  EXPECT_EQ(status.code, Code::no_inertia);
+  EXPECT_STREQ(table.describe(status), "y");
+  // Large values whose sum overflows are still finite.
+  const double large[] = {1, 0, 1e308, 1e308, 1e308};
+  EXPECT_EQ(table.residuals(table.default_parameters, &push, large, derivative, derivative + 1).code, Code::ok);
+}
+
+/// Energy after one turn or so, with n steps.
+double energy_drift(const SolverTable& table, int steps, bool adams) {
+  const double push = 0, h = 2.0 / steps, tau[] = {0, 0};
+  double state[] = {1, 0, 0, 6, 0};
+  std::vector<double> history(table.history_bytes / sizeof(double) + 1);
+  table.start_abm4(history.data());
+  double first = 0, derivative[2] = {0, 0}, y, energy[3];
+  for (int i = 0; i <= steps; ++i) {
+    EXPECT_TRUE(table.output_values(table.default_parameters, &push, state, tau, derivative, &y, energy).ok());
+    EXPECT_NEAR(y, 1, 1e-12);
+    if (i == 0) first = energy[0] + energy[1];
+    if (i == steps) break;
+    const Status status = adams ? table.step_abm4(table.default_parameters, &push, state, history.data(), h)
+                                : table.step_rk4(table.default_parameters, &push, state, h);
+    EXPECT_TRUE(status.ok()) << i;
+  }
+  return std::abs(energy[0] + energy[1] - first);
+}
+
+TEST_P(Emitted, stepsWithOrderFourThroughSingularPartitions) {
+  const Loaded loaded(bead_on_circle(), GetParam());
+  ASSERT_NE(loaded.table(), nullptr) << loaded.compilation().text;
+  for (const bool adams : {false, true}) {
+    const double coarse = energy_drift(*loaded.table(), 400, adams), fine = energy_drift(*loaded.table(), 800, adams);
+    EXPECT_LT(coarse, 1e-3) << adams;
+    EXPECT_GT(coarse / fine, 8) << adams << " " << coarse << " " << fine;
+  }
+  double state[] = {1, 0, 0, 6, 0};
+  const double push = 0;
+  EXPECT_EQ(loaded.table()->step_rk4(loaded.table()->default_parameters, &push, state, 0).code, Code::step_invalid);
+}
+
+TEST_P(Emitted, timesEveryState) {
+  const Loaded loaded(bead_on_circle(), GetParam());
+  ASSERT_NE(loaded.table(), nullptr) << loaded.compilation().text;
+  std::vector<double> states, taus(2 * 37, 0.0);
+  for (int i = 0; i < 37; ++i) states.insert(states.end(), {std::cos(i), std::sin(i), 0, 0, 0});
+  states[20 * 5] = std::numeric_limits<double>::quiet_NaN();
+  const double push = 0;
+  EXPECT_EQ(loaded.table()->time_accelerations(loaded.table()->default_parameters, &push, states.data(), taus.data(), 37, 10), 10);
+}
+
+/// A random program with every operation, `size` values and y[0..outputs).
+Program random_program(int size, int outputs) {
+  std::mt19937 random(7);
+  ProgramBuilder builder("outputs");
+  std::vector<ValueId> values;
+  for (int i = 0; i < 2; ++i) {
+    for (const char* group : {"z", "zd", "zdd"}) values.push_back(builder.input(group, i));
+  }
+  const auto any = [&] { return values[std::uniform_int_distribution<std::size_t>(0, values.size() - 1)(random)]; };
+  const auto recent = [&] {
+    return values[values.size() - 1 - std::uniform_int_distribution<std::size_t>(0, std::min<std::size_t>(values.size() - 1, 40))(random)];
+  };
+  const Op ops[] = {Op::add, Op::subtract, Op::multiply, Op::divide, Op::negate, Op::sqrt, Op::sin, Op::cos, Op::tan,
+                    Op::asin, Op::acos, Op::atan, Op::atan2, Op::exp, Op::log, Op::pow, Op::tanh, Op::abs, Op::min,
+                    Op::max, Op::select, Op::add, Op::subtract, Op::multiply, Op::add, Op::multiply};
+  for (int i = 0; i < size; ++i) {
+    if (i % 300 == 0) builder.set_section("section " + std::to_string(i / 300));
+    if (i % 50 == 0) builder.set_block("block " + std::to_string(i / 50));
+    const Op op = ops[std::uniform_int_distribution<std::size_t>(0, std::size(ops) - 1)(random)];
+    ValueId value = builder.append(op, recent(), arity(op) > 1 ? any() : kNoValue, arity(op) > 2 ? recent() : kNoValue);
+    // Squashed, so that chains stay in range; by a quotient, since compilers know identities of composed functions.
+    value = builder.append(Op::divide, value, builder.append(Op::add, builder.constant(1), builder.append(Op::abs, value)));
+    if (i % 9 == 0) builder.label(value, "label " + std::to_string(i % 90));
+    if (i % 5 == 0) value = builder.append(Op::multiply, value, builder.constant(i % 2 == 0 ? -0.1 * i : 1.0 / (1 + i)));
+    values.push_back(value);
+  }
+  for (int o = 0; o < outputs; ++o) builder.output("y", o, values[values.size() - 1 - 7 * o]);
+  return builder.finish();
+}
+
+TEST_P(Emitted, computesWhatTheInterpreterComputes) {
+  constexpr int kOutputs = 60;
+  Example example = two_sliders();
+  example.programs.outputs = random_program(3000, kOutputs);
+  for (int o = 0; o < kOutputs; ++o) {
+    Output output;
+    output.name = "y" + std::to_string(o);
+    example.model.outputs.push_back(output);
+  }
+  // Without fused multiplications the compiled code has to agree to the last bit.
+  const Loaded loaded(example, GetParam(), " -ffp-contract=off");
+  ASSERT_NE(loaded.table(), nullptr) << loaded.compilation().text;
+  std::mt19937 random(11);
+  std::uniform_real_distribution<double> number(-2, 2);
+  for (int sample = 0; sample < 20; ++sample) {
+    double state[5], derivative[2], y[kOutputs], energy[3];
+    const double tau[] = {0, 0};
+    for (double& value : state) value = number(random);
+    for (double& value : derivative) value = number(random);
+    std::vector<double> inputs;
+    for (const Slot& slot : example.programs.outputs.inputs) {
+      inputs.push_back(slot.group == "z" ? state[slot.index] : slot.group == "zd" ? state[2 + slot.index] : derivative[slot.index]);
+    }
+    const std::vector<double> expected = interpret(example.programs.outputs, inputs);
+    ASSERT_TRUE(loaded.table()->output_values(nullptr, nullptr, state, tau, derivative, y, energy).ok());
+    for (std::size_t o = 0; o < expected.size(); ++o) {
+      const double actual = y[example.programs.outputs.outputs[o].slot.index];
+      EXPECT_TRUE(actual == expected[o] || (std::isnan(actual) && std::isnan(expected[o])))
+          << sample << " " << o << ": " << actual << " " << expected[o];
+    }
+  }
+}
+
+TEST_P(Emitted, needsNothingButTheMathLibrary) {
+  const std::set<std::string> allowed = {"sin", "cos", "sincos", "tan", "asin", "acos", "atan", "atan2", "exp", "log",
+                                         "pow", "tanh", "sqrt", "fabs", "_GLOBAL_OFFSET_TABLE_"};
+  TemporaryDirectory directory;
+  for (const Example& example : {bead_on_circle(), two_sliders()}) {
+    for (const EmittedFile& file : emit(example)) write(directory.path(), file);
+    const std::string base = (directory.path() / "bead").string();
+    for (const char* more : {"", " -march=native"}) {
+      const Finished compilation = run(GetParam().command + flags(GetParam().family) + kWarnings + more + " -I" +
+                                  directory.path().string() + " -c -o " + base + ".o " + base + ".cpp");
+      ASSERT_EQ(compilation.code, 0) << compilation.text;
+      std::istringstream symbols(run("nm -u " + base + ".o").text);
+      std::string mark, symbol;
+      while (symbols >> mark >> symbol) EXPECT_TRUE(allowed.count(symbol)) << symbol;
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Compilers, Emitted,
+                         testing::Values(Compiler{"g++", CompilerFamily::gnu}, Compiler{"clang++", CompilerFamily::clang}),
+                         [](const auto& info) { return info.param.family == CompilerFamily::gnu ? "gnu" : "clang"; });
+
+TEST(EmittedBuildFile, buildsAlone) {
+  TemporaryDirectory directory;
+  for (const EmittedFile& file : emit(bead_on_circle())) write(directory.path(), file);
+  const std::string build = (directory.path() / "build").string();
+  const Finished result = run("cmake -S " + directory.path().string() + " -B " + build + " && cmake --build " + build);
+  EXPECT_EQ(result.code, 0) << result.text;
+  EXPECT_TRUE(fs::exists(build + "/libbead.a"));
+}
+
+}  // namespace
+}  // namespace mbgen::test
