@@ -115,7 +115,7 @@ TEST(EmittedExpressions, haveTheParenthesesTheyNeed) {
 
 ProgramShape bead_shape() {
   const Example example = bead_on_circle();
-  const SolverLayout layout = solver_layout(example.programs, example.model, example.topology, example.analysis);
+  const SolverLayout layout = solver_layout(example.model, example.topology, example.analysis);
   const std::vector<ShapedProgram> shaped =
       shaped_programs(example.programs, layout, solver_names(example.model, example.topology));
   return shaped.front().shape;
@@ -270,7 +270,7 @@ TEST(EmittedFiles, areFourAndTheHeadersTheyInclude) {
   EXPECT_EQ(paths({.runtime_headers = false}),
             (std::vector<std::string>{"CMakeLists.txt", "bead.cpp", "bead.hpp", "bead.json"}));
   EXPECT_EQ(paths({}), (std::vector<std::string>{"CMakeLists.txt", "bead.cpp", "bead.hpp", "bead.json", "mbgen/blocks.hpp",
-                                                 "mbgen/closure.hpp", "mbgen/integrators.hpp", "mbgen/loop.hpp",
+                                                 "mbgen/closure.hpp", "mbgen/driver.hpp", "mbgen/integrators.hpp", "mbgen/loop.hpp",
                                                  "mbgen/scalar.hpp", "mbgen/solver.hpp", "mbgen/status.hpp"}));
 }
 

@@ -290,7 +290,7 @@ TEST_P(Emitted, computesWhatTheInterpreterComputes) {
   example.programs.outputs = random_program(3000, kOutputs);
   for (int o = 0; o < kOutputs; ++o) {
     Output output;
-    output.name = "y" + std::to_string(o);
+    output.name = std::string("y").append(std::to_string(o));
     example.model.outputs.push_back(output);
   }
   // Without fused multiplications the compiled code has to agree to the last bit.

@@ -32,7 +32,7 @@ void add_included_headers(std::string_view text, std::vector<EmittedFile>& files
 std::vector<EmittedFile> emit(const Programs& programs, const Model& model, const Topology& topology,
                               const Analysis& analysis, const EmitOptions& options) {
   const EmitContext context{programs, model, topology, analysis, solver_names(model, topology),
-                            solver_layout(programs, model, topology, analysis)};
+                            solver_layout(model, topology, analysis)};
   const std::string& name = context.names.solver;
   std::vector<EmittedFile> files = {{name + ".hpp", interface_text(context)},
                                     {name + ".cpp", solver_text(context)},
@@ -42,6 +42,7 @@ std::vector<EmittedFile> emit(const Programs& programs, const Model& model, cons
     const std::string interface = files[0].text, solver = files[1].text;
     add_included_headers(interface, files);
     add_included_headers(solver, files);
+    add_included_headers(emit_driver(model).text, files);
   }
   return files;
 }

@@ -2,12 +2,14 @@
 
 #include "compiler/emit/text.hpp"
 
+#include <fmt/format.h>
+
 namespace mbgen {
 namespace {
 
 /// The text, in parentheses when it binds less tightly than `needed`.
 std::string operand(const Phrase& phrase, Binding needed) {
-  return phrase.binding >= needed ? phrase.text : "(" + phrase.text + ")";
+  return phrase.binding >= needed ? phrase.text : fmt::format("({})", phrase.text);
 }
 
 /// Right operand of + and -: a sign there would read as `a - -b`.
@@ -25,7 +27,7 @@ std::string call(const std::string& function, const Phrase& first, const Phrase&
 
 Phrase constant_phrase(double value) {
   const std::string text = number_text(value);
-  return {text.front() == '-' ? "(" + text + ")" : text, Binding::primary};
+  return {text.front() == '-' ? fmt::format("({})", text) : text, Binding::primary};
 }
 
 Phrase operation_phrase(Op op, const Phrase& a, const Phrase& b, const Phrase& c) {
@@ -35,7 +37,7 @@ Phrase operation_phrase(Op op, const Phrase& a, const Phrase& b, const Phrase& c
     case Op::multiply:
       return {operand(a, Binding::product) + "*" + operand(b, Binding::primary), Binding::product};
     case Op::divide: return {operand(a, Binding::product) + "/" + operand(b, Binding::primary), Binding::product};
-    case Op::negate: return {"-" + operand(a, Binding::primary), Binding::sign};
+    case Op::negate: return {fmt::format("-{}", operand(a, Binding::primary)), Binding::sign};
     case Op::sqrt: return {call("std::sqrt", a), Binding::primary};
     case Op::sin: return {call("std::sin", a), Binding::primary};
     case Op::cos: return {call("std::cos", a), Binding::primary};
@@ -51,7 +53,7 @@ Phrase operation_phrase(Op op, const Phrase& a, const Phrase& b, const Phrase& c
     case Op::abs: return {call("std::abs", a), Binding::primary};
     case Op::min: return {call("mbgen::min", a, b), Binding::primary};
     case Op::max: return {call("mbgen::max", a, b), Binding::primary};
-    case Op::select: return {"(" + a.text + " >= 0.0 ? " + b.text + " : " + c.text + ")", Binding::primary};
+    case Op::select: return {fmt::format("({} >= 0.0 ? {} : {})", a.text, b.text, c.text), Binding::primary};
     case Op::constant:
     case Op::input: break;
   }

@@ -3,6 +3,8 @@
 #include "compiler/emit/emit.hpp"
 #include "compiler/emit/text.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 namespace mbgen {
@@ -37,8 +39,9 @@ std::string size_constants(const EmitContext& context) {
       {"kMotions", static_cast<std::size_t>(context.layout.drives)}};
   std::string text;
   for (const auto& [name, size] : sizes) {
-    text += (text.empty() ? "" : "\n") + std::string("constexpr int ") + name + " = " + std::to_string(size) + ";";
+    text += fmt::format("constexpr int {} = {};\n", name, size);
   }
+  text.pop_back();
   return text;
 }
 

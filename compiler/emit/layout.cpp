@@ -119,11 +119,12 @@ ProgramShape closure_shape(const SolverLayout& layout, const SolverNames& names,
   ProgramShape s = shape("One Newton step of the frozen partition, and consistent velocities.", "Closure",
                          "compute_closure", {}, inputs);
   const int blocks = static_cast<int>(layout.blocks.size());
-  s.members = {{"residual", layout.equations, "of every closure equation, block after block"},
+  const int residuals = layout.equations + layout.drives;
+  s.members = {{"residual", residuals, "of every closure equation, block after block, then of every motion"},
                {"dz", layout.coordinates, "Newton correction; driven coordinates go to their motions"},
                {"zd", layout.coordinates, "consistent velocities"},
                {"pivot", blocks, "smallest pivot of each block over its reference"}};
-  s.outputs["residual"] = result_place(indexed("result.residual", layout.equations));
+  s.outputs["residual"] = result_place(indexed("result.residual", residuals));
   s.outputs["dz"] = result_place(named("result.dz", "Coordinate", names.coordinates));
   s.outputs["zd"] = result_place(named("result.zd", "Coordinate", names.coordinates));
   s.outputs["pivot"] = result_place(indexed("result.pivot", blocks), "1.0");
@@ -137,6 +138,8 @@ ProgramShape closure_terms_shape(const SolverLayout& layout, const SolverNames& 
                {"Jz", layout.jacobian_entries, "Jacobian of each block, row by row"},
                {"ct", layout.equations, "right-hand side of the velocities"},
                {"c", layout.equations, "right-hand side of the accelerations"},
+               {"driven_position", layout.coordinates, "of driven coordinates, by their motions"},
+               {"driven_velocity", layout.coordinates, "of driven coordinates"},
                {"driven_acceleration", layout.coordinates, "of driven coordinates"}};
   const auto equations = [](const BlockPlaces& b) { return b.equations; };
   const auto first_equation = [](const BlockPlaces& b) { return b.first_equation; };
@@ -146,7 +149,9 @@ ProgramShape closure_terms_shape(const SolverLayout& layout, const SolverNames& 
   add_blocks(
       s.outputs, "result", "Jz", layout, [](const BlockPlaces& b) { return b.equations * b.coordinates; },
       [](const BlockPlaces& b) { return b.first_jacobian; });
-  s.outputs["driven_acceleration"] = result_place(named("result.driven_acceleration", "Coordinate", names.coordinates));
+  for (const char* group : {"driven_position", "driven_velocity", "driven_acceleration"}) {
+    s.outputs[group] = result_place(named(std::string("result.") + group, "Coordinate", names.coordinates));
+  }
   return s;
 }
 
@@ -169,13 +174,12 @@ ProgramShape outputs_shape(const SolverNames& names, const Places& inputs) {
 
 }  // namespace
 
-SolverLayout solver_layout(const Programs& programs, const Model& model, const Topology& topology,
-                           const Analysis& analysis) {
+SolverLayout solver_layout(const Model& model, const Topology& topology, const Analysis& analysis) {
   SolverLayout layout;
   layout.coordinates = topology.size();
   layout.auxiliary_states = auxiliary_state_count(model);
   layout.drives = static_cast<int>(model.motions.size());
-  layout.has_closure = !programs.closure.outputs.empty();
+  layout.has_closure = !topology.loops.empty() || !model.motions.empty();
   for (std::size_t b = 0; b < topology.blocks.size(); ++b) {
     BlockPlaces block;
     block.equations = topology.blocks[b].equations;
@@ -200,16 +204,16 @@ std::vector<ShapedProgram> shaped_programs(const Programs& programs, const Solve
   const Places inputs = input_places(layout, names);
   const int directions = static_cast<int>(programs.free_direction_coordinate.size());
   std::vector<ShapedProgram> all = {
-      {&programs.accelerations, "accelerations", accelerations_shape(layout, names, inputs, directions)},
-      {&programs.closure, "closure", closure_shape(layout, names, inputs)},
-      {&programs.closure_terms, "closure_terms", closure_terms_shape(layout, names, inputs)},
-      {&programs.accelerations_chosen, "accelerations_chosen", chosen_shape(layout, names, inputs, directions)},
-      {&programs.multipliers, "multipliers", multipliers_shape(layout, inputs)},
-      {&programs.outputs, "outputs", outputs_shape(names, inputs)}};
-  std::erase_if(all, [&](const ShapedProgram& shaped) {
-    const bool always = shaped.program == &programs.accelerations || shaped.program == &programs.outputs;
-    return !always && shaped.program->outputs.empty();
-  });
+      {&programs.accelerations, "accelerations", accelerations_shape(layout, names, inputs, directions)}};
+  if (layout.has_closure) {
+    all.push_back({&programs.closure, "closure", closure_shape(layout, names, inputs)});
+    all.push_back({&programs.multipliers, "multipliers", multipliers_shape(layout, inputs)});
+  }
+  if (!layout.blocks.empty()) {
+    all.push_back({&programs.closure_terms, "closure_terms", closure_terms_shape(layout, names, inputs)});
+    all.push_back({&programs.accelerations_chosen, "accelerations_chosen", chosen_shape(layout, names, inputs, directions)});
+  }
+  all.push_back({&programs.outputs, "outputs", outputs_shape(names, inputs)});
   return all;
 }
 

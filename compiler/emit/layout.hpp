@@ -27,8 +27,7 @@ struct SolverLayout {
   std::vector<BlockPlaces> blocks;
 };
 
-SolverLayout solver_layout(const Programs& programs, const Model& model, const Topology& topology,
-                           const Analysis& analysis);
+SolverLayout solver_layout(const Model& model, const Topology& topology, const Analysis& analysis);
 
 /// Where the slots of one group live.
 struct GroupPlace {

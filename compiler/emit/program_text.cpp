@@ -5,6 +5,8 @@
 #include "compiler/emit/schedule.hpp"
 #include "compiler/emit/text.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <map>
 #include <set>
@@ -120,7 +122,7 @@ class ProgramWriter {
     if (node.label >= 0) return unique(identifier_base(program_.labels[node.label]));
     std::string candidate;
     do {
-      candidate = "s" + section_tag(node.section) + "_" + std::to_string(++leftovers_[node.section]);
+      candidate = fmt::format("s{}_{}", section_tag(node.section), ++leftovers_[node.section]);
     } while (!taken_.insert(candidate).second);
     return candidate;
   }

@@ -12,7 +12,7 @@ struct LoopFactors {
   int coordinates = 0;
   int rank = 0;                 ///< number of pivots taken
   double* matrix = nullptr;     ///< equations x coordinates; after factorisation, in permuted order: L (unit diagonal)
-                                ///< below, U on and above the diagonal of the pivots, and what elimination left of the rest
+                                ///< below, U on and above the diagonal of the pivots, what elimination left beyond
   int* rows = nullptr;          ///< rows[k]: equation in place k
   int* columns = nullptr;       ///< columns[k]: coordinate in place k; the first `rank` are dependent
   double smallest_ratio = 0;    ///< smallest accepted |pivot| over the largest pivot; 0 without pivots
@@ -39,7 +39,13 @@ struct Pivot {
   double size = 0;
 };
 
-/// Largest entry among the rows and columns from place `first` on, driven columns left out; NaN is never chosen.
+inline bool all_finite(const LoopFactors& loop) noexcept {
+  bool finite = true;
+  for (int i = 0; i < loop.equations * loop.coordinates; ++i) finite = finite && std::isfinite(loop.matrix[i]);
+  return finite;
+}
+
+/// Largest entry among the rows and columns from place `first` on, driven columns left out.
 inline Pivot find_pivot(const LoopFactors& loop, int first, const unsigned char* driven) noexcept {
   Pivot pivot;
   for (int i = first; i < loop.equations; ++i) {
@@ -81,24 +87,26 @@ inline void eliminate(LoopFactors& loop, int k) noexcept {
 /// Factorises in place with full pivoting. Columns with driven[c] != 0 are never dependent; `driven` may be null.
 /// Stops at `rank_limit` pivots, or when the next pivot is below tolerance times the first.
 /// Requires: matrix filled, rows and columns point to arrays of their sizes. Cost: equations * coordinates * rank.
-/// An entry that is not finite is never a pivot, so that it shows as a rank too low.
+/// A matrix with an entry that is not finite has rank 0.
 inline void factorise(LoopFactors& loop, int rank_limit, const unsigned char* driven, double tolerance) noexcept {
   for (int i = 0; i < loop.equations; ++i) loop.rows[i] = i;
   for (int j = 0; j < loop.coordinates; ++j) loop.columns[j] = j;
   loop.rank = 0;
+  loop.smallest_ratio = 0;
+  if (!loop_detail::all_finite(loop)) return;
   double first = 0, smallest = 0, largest = 0;
   while (loop.rank < rank_limit) {
     const int k = loop.rank;
     const loop_detail::Pivot pivot = loop_detail::find_pivot(loop, k, driven);
     if (k == 0) first = smallest = pivot.size;
-    if (!(pivot.size > 0) || pivot.size < tolerance * first || !std::isfinite(pivot.size)) break;
+    if (!(pivot.size > 0) || pivot.size < tolerance * first) break;
     smallest = pivot.size < smallest ? pivot.size : smallest;
     largest = pivot.size > largest ? pivot.size : largest;
     loop_detail::move_pivot(loop, k, pivot);
     loop_detail::eliminate(loop, k);
     ++loop.rank;
   }
-  loop.smallest_ratio = loop.rank > 0 ? smallest / largest : 0;
+  if (loop.rank > 0) loop.smallest_ratio = smallest / largest;
 }
 
 /// Solves Phi_d x_d = right_hand_side - Phi_i x_i for the dependent entries of x, the others of x given.

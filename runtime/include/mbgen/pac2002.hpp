@@ -95,13 +95,15 @@ struct Pac2002Load {
   T proportion; ///< 1, actual load over `load`: factor of the results, 1 in the range of the formulas
   T dfz;        ///< 1, relative deviation from the nominal load
   T friction;   ///< 1, factor of the measured friction, held above kLeastFriction
+  T shifts;     ///< 1, factor of the shifts of the pure forces
 };
 
 template <class T>
-Pac2002Load<T> pac2002_load(const Pac2002<T>& set, const T& fz, const T& friction) {
+Pac2002Load<T> pac2002_load(const Pac2002<T>& set, const T& fz, const T& friction, const T& shifts) {
   const T nominal = set.fnomin * set.lfzo;
   const T load = max(fz, kLeastLoad * nominal);
-  return {nominal, load, max(fz, T(0)) / load, (load - nominal) / nominal, max(friction, T(kLeastFriction))};
+  return {nominal, load, max(fz, T(0)) / load, (load - nominal) / nominal, max(friction, T(kLeastFriction)),
+          shifts};
 }
 
 /// Force of one pure slip, N, and its slope at zero slip, N per unit of slip.
@@ -117,8 +119,8 @@ Pac2002Longitudinal<T> pac2002_longitudinal(const Pac2002<T>& set, const Pac2002
   using std::sin;
   const T gamma = camber * set.lgax;
   const T friction = set.lmux * at.friction;
-  const T sh = (set.phx1 + set.phx2 * at.dfz) * set.lhx;
-  const T sv = at.load * (set.pvx1 + set.pvx2 * at.dfz) * set.lvx * friction;
+  const T sh = (set.phx1 + set.phx2 * at.dfz) * set.lhx * at.shifts;
+  const T sv = at.load * (set.pvx1 + set.pvx2 * at.dfz) * set.lvx * friction * at.shifts;
   const T slip = kappa + sh;
   const T c = set.pcx1 * set.lcx;
   const T d = (set.pdx1 + set.pdx2 * at.dfz) * (1.0 - set.pdx3 * gamma * gamma) * friction * at.load;
@@ -143,8 +145,9 @@ Pac2002Lateral<T> pac2002_lateral(const Pac2002<T>& set, const Pac2002Load<T>& a
   using std::sin;
   const T gamma = camber * set.lgay;
   const T scale = set.lmuy * at.friction;
-  const T sh = (set.phy1 + set.phy2 * at.dfz) * set.lhy + set.phy3 * gamma;
-  const T sv = at.load * ((set.pvy1 + set.pvy2 * at.dfz) * set.lvy + (set.pvy3 + set.pvy4 * at.dfz) * gamma) * scale;
+  const T sh = ((set.phy1 + set.phy2 * at.dfz) * set.lhy + set.phy3 * gamma) * at.shifts;
+  const T thrust = (set.pvy1 + set.pvy2 * at.dfz) * set.lvy + (set.pvy3 + set.pvy4 * at.dfz) * gamma;
+  const T sv = at.load * thrust * scale * at.shifts;
   const T slip = alpha + sh;
   const T c = set.pcy1 * set.lcy;
   const T friction = (set.pdy1 + set.pdy2 * at.dfz) * (1.0 - set.pdy3 * gamma * gamma) * scale;
@@ -206,9 +209,9 @@ T pac2002_overturning(const Pac2002<T>& set, const Pac2002Load<T>& at, const T& 
 /// Arguments and result as magic_formula_pac2002. Source: Pacejka, equations (4.E1) to (4.E49).
 template <class T>
 TyreForces<T> magic_formula_pac2002_pure(const Pac2002<T>& set, const T& fz, const T& kappa, const T& alpha,
-                                         const T& gamma, const T& friction = T(1)) {
+                                         const T& gamma, const T& friction = T(1), const T& shifts = T(1)) {
   using std::cos;
-  const magic::Pac2002Load<T> at = magic::pac2002_load(set, fz, friction);
+  const magic::Pac2002Load<T> at = magic::pac2002_load(set, fz, friction, shifts);
   const T fx = magic::pac2002_longitudinal(set, at, kappa, gamma).force;
   const magic::Pac2002Lateral<T> lateral = magic::pac2002_lateral(set, at, alpha, gamma);
   const T trail_slip = magic::pac2002_trail_slip(set, at, alpha, gamma);
@@ -222,18 +225,19 @@ TyreForces<T> magic_formula_pac2002_pure(const Pac2002<T>& set, const T& fz, con
 /// Forces of PAC2002 (MF5.2) for combined slip.
 /// fz: N, vertical load; no load or less gives exactly zero. kappa: 1, longitudinal slip, positive when driving.
 /// alpha: rad, tan alpha = lateral slip velocity over |forward velocity|. gamma: rad, camber. friction: 1, scales both
-/// friction coefficients of the set, >= 0.
+/// friction coefficients of the set, >= 0. shifts: 1, scales the forces at zero slip (conicity, ply steer, camber
+/// thrust), which a standing tyre does not have.
 /// Result: N, N m in the set's axes; with p_Ky1 < 0 these are x forward, y left, z up, and fy opposes alpha.
 /// Requires: fnomin > 0; pcx1, pcy1, pky2 not zero; lmux, lmuy > 0. Source: Pacejka, equations (4.E1) to (4.E78).
 template <class T>
 TyreForces<T> magic_formula_pac2002(const Pac2002<T>& set, const T& fz, const T& kappa, const T& alpha, const T& gamma,
-                                    const T& friction = T(1)) {
+                                    const T& friction = T(1), const T& shifts = T(1)) {
   using std::atan;
   using std::cos;
   using std::sin;
   using std::sqrt;
   using std::tan;
-  const magic::Pac2002Load<T> at = magic::pac2002_load(set, fz, friction);
+  const magic::Pac2002Load<T> at = magic::pac2002_load(set, fz, friction, shifts);
   const T dfz = at.dfz;
   const magic::Pac2002Longitudinal<T> longitudinal = magic::pac2002_longitudinal(set, at, kappa, gamma);
   const magic::Pac2002Lateral<T> lateral = magic::pac2002_lateral(set, at, alpha, gamma);

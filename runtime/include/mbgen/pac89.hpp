@@ -49,7 +49,7 @@ struct Pac89Curves {
 };
 
 template <class T>
-Pac89Curves<T> pac89_curves(const Pac89<T>& set, const T& load, const T& gamma, const T& friction) {
+Pac89Curves<T> pac89_curves(const Pac89<T>& set, const T& load, const T& gamma, const T& friction, const T& shifts) {
   using std::atan;
   using std::exp;
   using std::sin;
@@ -60,15 +60,16 @@ Pac89Curves<T> pac89_curves(const Pac89<T>& set, const T& load, const T& gamma, 
   const T tilt = abs(gamma);
   return {pac89_curve<T>(b[0], (b[1] * square + b[2] * load) * friction,
                          (b[3] * square + b[4] * load) * exp(-b[5] * load), b[6] * square + b[7] * load + b[8],
-                         b[9] * load + b[10], T(0)),
+                         (b[9] * load + b[10]) * shifts, T(0)),
           pac89_curve<T>(a[0], (a[1] * square + a[2] * load) * friction,
                          a[3] * sin(2.0 * atan(load / a[4])) * (1.0 - a[5] * tilt), a[6] * load + a[7],
-                         a[8] * gamma + a[9] * load + a[10], a[11] * load * gamma + a[12] * load + a[13]),
+                         (a[8] * gamma + a[9] * load + a[10]) * shifts,
+                         (a[11] * load * gamma + a[12] * load + a[13]) * shifts),
           pac89_curve<T>(c[0], (c[1] * square + c[2] * load) * friction,
                          (c[3] * square + c[4] * load) * (1.0 - c[6] * tilt) * exp(-c[5] * load),
                          (c[7] * square + c[8] * load + c[9]) * (1.0 - c[10] * tilt),
-                         c[11] * gamma + c[12] * load + c[13],
-                         (c[14] * square + c[15] * load) * gamma + c[16] * load + c[17])};
+                         (c[11] * gamma + c[12] * load + c[13]) * shifts,
+                         ((c[14] * square + c[15] * load) * gamma + c[16] * load + c[17]) * shifts)};
 }
 
 /// Value of a curve at slip x when another slip acts too. other: that slip expressed as the x of equal normalised slip;
@@ -88,11 +89,11 @@ T pac89_value(const Pac89Curve<T>& curve, const T& x, const T& other) {
 /// Source: Bakker, Pacejka, Lidner (1989).
 template <class T>
 TyreForces<T> magic_formula_pac89_pure(const Pac89<T>& set, const T& fz, const T& kappa, const T& alpha, const T& gamma,
-                                       const T& friction = T(1)) {
+                                       const T& friction = T(1), const T& shifts = T(1)) {
   const T load = max(1e-3 * fz, T(magic::kLeastLoad));
   const T proportion = max(1e-3 * fz, T(0)) / load;
   const magic::Pac89Curves<T> curves =
-      magic::pac89_curves<T>(set, load, magic::kDegrees * gamma, max(friction, T(magic::kLeastFriction)));
+      magic::pac89_curves<T>(set, load, magic::kDegrees * gamma, max(friction, T(magic::kLeastFriction)), shifts);
   return {proportion * magic::pac89_value<T>(curves.x, 100.0 * kappa, T(0)),
           proportion * magic::pac89_value<T>(curves.y, magic::kDegrees * alpha, T(0)),
           proportion * magic::pac89_value<T>(curves.z, magic::kDegrees * alpha, T(0)), T(0)};
@@ -106,11 +107,11 @@ TyreForces<T> magic_formula_pac89_pure(const Pac89<T>& set, const T& fz, const T
 /// Source: Bakker, Pacejka, Lidner (1989), its combined slip with the peak slip D/BCD in place of the exact one.
 template <class T>
 TyreForces<T> magic_formula_pac89(const Pac89<T>& set, const T& fz, const T& kappa, const T& alpha, const T& gamma,
-                                  const T& friction = T(1)) {
+                                  const T& friction = T(1), const T& shifts = T(1)) {
   const T load = max(1e-3 * fz, T(magic::kLeastLoad));
   const T proportion = max(1e-3 * fz, T(0)) / load;
   const magic::Pac89Curves<T> curves =
-      magic::pac89_curves<T>(set, load, magic::kDegrees * gamma, max(friction, T(magic::kLeastFriction)));
+      magic::pac89_curves<T>(set, load, magic::kDegrees * gamma, max(friction, T(magic::kLeastFriction)), shifts);
   const T x = 100.0 * kappa;
   const T y = magic::kDegrees * alpha;
   const T x_peak = curves.x.d / magic::away_from_zero<T>(curves.x.stiffness, T(1e-9));

@@ -9,6 +9,7 @@ enum class Code : int {
   loop_not_closed,     ///< Newton did not close a loop block; index: block
   loop_singular,       ///< a loop block lost rank at this position; index: block
   no_inertia,          ///< a free direction has no inertia; index: coordinate
+  no_equilibrium,      ///< no static equilibrium was found from the start position; index: -1
   step_invalid         ///< the step size is not positive and finite; index: -1
 };
 
@@ -27,6 +28,7 @@ constexpr const char* text(Code code) noexcept {
     case Code::loop_not_closed: return "loop not closed";
     case Code::loop_singular: return "loop singular";
     case Code::no_inertia: return "no inertia";
+    case Code::no_equilibrium: return "no equilibrium";
     case Code::step_invalid: return "step invalid";
   }
   return "unknown";

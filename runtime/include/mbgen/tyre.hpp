@@ -36,20 +36,22 @@ struct TyreContact {
 template <class T>
 struct TyreResult {
   T load, fx, fy;            ///< N: along z, x, y; load >= 0
-  T mx, my, mz;              ///< N m: overturning, rolling resistance, aligning
+  T mx, my, mz;              ///< N m: overturning, about the wheel's axis, aligning
   T du, dv;                  ///< m/s, rates of u and v
   T kappa, alpha;            ///< slips behind the forces: 1, driving positive; rad, sliding left positive
 };
 
 namespace tyre_law {
 
-/// Damping over stiffness, s, of the contact of a standing wheel: a damping ratio of about 0.3 for a vehicle that rocks
-/// on its tyres at 22 rad/s, and within reach of explicit steps of 1 ms when a wheel's own inertia rocks at 200 rad/s.
-inline constexpr double kSlipDampingTime = 0.03;
+/// Slip per slip velocity, s/m, that damps a standing contact: a damping ratio of about 0.2 for a vehicle that rocks on
+/// its tyres, and within reach of explicit steps of 1 ms for a wheel that rocks by its own inertia (900 1/s for a truck).
+inline constexpr double kSlipDamping = 0.06;
 /// Deflection over relaxation length at which a standing contact slides: about what friction over stiffness allows.
 inline constexpr double kSlidingDeflection = 0.1;
-/// Least remaining share of that deflection, so that a sliding contact at a standstill has a finite slip.
-inline constexpr double kLeastRemainder = 1e-3;
+/// The same at speed, where the memory of the contact no longer matters but the rates of a fast slip do.
+inline constexpr double kSlidingDeflectionAtSpeed = 0.5;
+/// Largest resultant slip that the formulas are asked for: they are fitted to measurements below it.
+inline constexpr double kLargestSlip = 1.5;
 
 /// Vertical load of one tyre, N: spring and damper without adhesion. The damper's push is limited to the spring's
 /// force, so that the load grows from zero at touchdown whatever the speed.
@@ -71,6 +73,7 @@ template <class T>
 struct Slip {
   T kappa, alpha;  ///< 1, rad
   T du, dv;        ///< m/s
+  T rolling;       ///< 1, 0 for a standing tyre, 1 from low_speed on
 };
 
 /// Slips with relaxation, valid down to rest.
@@ -78,10 +81,11 @@ struct Slip {
 ///   du/dt = -Vsx - (|Vx| + |Vs| / r) u / sigma_x        q = (u / sigma_x, v / sigma_y),  Vsx = Vx - Omega R_e
 ///   dv/dt = -Vsy - (|Vx| + |Vs| / r) v / sigma_y        kappa = q_x / (1 - |q| / r),  tan alpha = -q_y / (1 - |q| / r)
 ///
-/// At rest a contact deflects by at most r sigma, then slides: |q| < r holds for ever. In steady rolling, at any slip,
-/// kappa = -Vsx / |Vx| and tan alpha = Vsy / |Vx| exactly; small slips relax over sigma as in the linear law. The limit
-/// r = kSlidingDeflection (1 + |Vx| / low_speed) leaves the linear law as the speed grows.
-/// Below low_speed a term in Vs that fades out with the speed damps the contact.
+/// A standing contact deflects by at most r sigma, then slides. In steady rolling, at any resultant slip up to
+/// kLargestSlip, kappa = -Vsx / |Vx| and tan alpha = Vsy / |Vx| exactly, whatever r; small slips relax over sigma as in
+/// the linear law. The limit r = kSlidingDeflection (1 + (|Vx| + |Vs|) / low_speed), at most kSlidingDeflectionAtSpeed,
+/// widens with speed, so that a spinning or locked wheel does not ask for small steps.
+/// Below low_speed a term in Vs that fades out with the speed, and where the contact slides, damps it.
 /// Source: Pacejka, sections 8.3 and 8.6 (linear relaxation, low-speed damping); the limit is the transport form of
 /// P. R. Dahl's friction, "Solid Friction Damping of Mechanical Vibrations", AIAA Journal 14(12), 1976.
 template <class T>
@@ -92,29 +96,31 @@ Slip<T> slip(const TyreProperties<T>& tyre, const TyreContact<T>& contact) {
   const T vsx = contact.vx - contact.spin * rolling_radius(tyre, contact);
   const T vsy = contact.vy;
   const T speed = abs(contact.vx);
-  const T limit = kSlidingDeflection * (1.0 + speed / tyre.low_speed);
+  const T slip_speed = sqrt(vsx * vsx + vsy * vsy + magic::kRootFloor);
+  const T limit = min(kSlidingDeflection * (1.0 + (speed + slip_speed) / tyre.low_speed), T(kSlidingDeflectionAtSpeed));
   const T qx = contact.u / tyre.relaxation_x;
   const T qy = contact.v / tyre.relaxation_y;
-  const T transport = speed + sqrt(vsx * vsx + vsy * vsy + magic::kRootFloor) / limit;
-  const T used = sqrt(qx * qx + qy * qy + magic::kRootFloor) / limit;
-  const T growth = 1.0 / max(1.0 - used, T(kLeastRemainder));
+  const T q = sqrt(qx * qx + qy * qy + magic::kRootFloor);
+  const T transport = speed + slip_speed / limit;
+  const T sticking = 1.0 - q / limit;
+  const T growth = 1.0 / max(sticking, q * (1.0 / kLargestSlip));
   const T fade = 0.5 + 0.5 * cos(magic::kPi * min(speed / tyre.low_speed, T(1)));
-  const T damping = kSlipDampingTime * fade;
-  return {qx * growth - damping * vsx / tyre.relaxation_x, atan(damping * vsy / tyre.relaxation_y - qy * growth),
-          -vsx - transport * qx, -vsy - transport * qy};
+  const T damping = kSlipDamping * fade * max(sticking, T(0));
+  return {qx * growth - damping * vsx, atan(damping * vsy - qy * growth),
+          -vsx - transport * qx, -vsy - transport * qy, 1.0 - fade};
 }
 
-/// Forces of the set in contact axes (x forward, y left, z up).
+/// Forces of the set in contact axes (x forward, y left, z up). shifts: see magic_formula_pac2002.
 template <class T>
 TyreForces<T> formula(const Pac2002<T>& set, const T& fz, const T& kappa, const T& alpha, const T& gamma,
-                      const T& friction) {
-  return magic_formula_pac2002(set, fz, kappa, alpha, gamma, friction);
+                      const T& friction, const T& shifts) {
+  return magic_formula_pac2002(set, fz, kappa, alpha, gamma, friction, shifts);
 }
 
 template <class T>
 TyreForces<T> formula(const Pac89<T>& set, const T& fz, const T& kappa, const T& alpha, const T& gamma,
-                      const T& friction) {
-  const TyreForces<T> forces = magic_formula_pac89(set, fz, kappa, alpha, gamma, friction);
+                      const T& friction, const T& shifts) {
+  const TyreForces<T> forces = magic_formula_pac89(set, fz, kappa, alpha, gamma, friction, shifts);
   return {forces.fx, -forces.fy, -forces.mz, forces.mx};
 }
 
@@ -127,9 +133,11 @@ T rolling_factor(const Pac89<T>&) { return T(1); }
 }  // namespace tyre_law
 
 /// Forces of a tyre on a flat road, and the rates of its two deflection states u and v (zero at the start).
-/// Set: Pac2002<T> or Pac89<T>. A tyre without load gives exactly zero forces and moments.
+/// Set: Pac2002<T> or Pac89<T>. A tyre without load gives exactly zero forces and moments. A standing tyre has no other
+/// horizontal forces than those of its deflections; what a set gives at zero slip comes with the speed, up to low_speed.
 /// The aligning moment turns its sign with the direction of travel and fades out below low_speed, as the trail does;
-/// the rolling resistance fades out with the wheel's spin, so that it never drives.
+/// the rolling resistance fades out with the wheel's spin, so that it never drives. The moment my also brings fx from
+/// the contact point down to the rolling radius, so that slip can only lose energy: power fx Vx - fx Re Omega = fx Vsx.
 /// Requires: radius, relaxation lengths and low_speed > 0. Source: see tyre_law::slip and the formulas.
 template <class T, class Set>
 TyreResult<T> tyre_forces(const Set& set, const TyreProperties<T>& tyre, const TyreContact<T>& contact) {
@@ -137,15 +145,16 @@ TyreResult<T> tyre_forces(const Set& set, const TyreProperties<T>& tyre, const T
   const T load = tyre_law::load(tyre, contact);
   const tyre_law::Slip<T> slip = tyre_law::slip(tyre, contact);
   const TyreForces<T> forces = tyre_law::formula<T>(set, load, slip.kappa, tyre.side * slip.alpha,
-                                                    tyre.side * contact.camber, tyre.friction);
-  const T rolling = contact.spin * tyre_law::rolling_radius(tyre, contact) / tyre.low_speed;
+                                                    tyre.side * contact.camber, tyre.friction, slip.rolling);
+  const T rolling_radius = tyre_law::rolling_radius(tyre, contact);
+  const T rolling = contact.spin * rolling_radius / tyre.low_speed;
   const T resistance = tyre.rolling_resistance * tyre_law::rolling_factor(set) * load * tyre.radius * tanh(rolling);
   TyreResult<T> result;
   result.load = tyre.count * load;
   result.fx = tyre.count * forces.fx;
   result.fy = tyre.count * tyre.side * forces.fy;
   result.mx = tyre.count * tyre.side * forces.mx;
-  result.my = -tyre.count * resistance;
+  result.my = -tyre.count * (resistance + forces.fx * (rolling_radius - (tyre.radius - contact.deflection)));
   result.mz = tyre.count * tyre.side * forces.mz * tanh(contact.vx / tyre.low_speed);
   result.du = slip.du;
   result.dv = slip.dv;
