@@ -1,8 +1,17 @@
 #include "compiler/compile.hpp"
 
+#include "compiler/passes/passes.hpp"
+
 #include <utility>
 
 namespace mbgen {
+
+Programs optimise(Programs programs) {
+  for (Program* program : {&programs.accelerations, &programs.closure, &programs.closure_terms, &programs.accelerations_chosen,
+                           &programs.multipliers, &programs.outputs})
+    *program = optimise(std::as_const(*program));
+  return programs;
+}
 
 Result<Compilation> compile(const std::string& path) {
   Result<Model> model = read_model_file(path);
@@ -14,7 +23,7 @@ Result<Compilation> compile(const std::string& path) {
   Result<Analysis> analysis = analyse(*model, *topology);
   if (!analysis) return analysis.problems();
 
-  Programs programs = trace(*model, *topology, *analysis);
+  Programs programs = optimise(trace(*model, *topology, *analysis));
   return Compilation{std::move(*model), std::move(*topology), std::move(*analysis), std::move(programs)};
 }
 

@@ -20,6 +20,9 @@ struct Compilation {
   Programs programs;
 };
 
+/// Every program after the passes.
+Programs optimise(Programs programs);
+
 /// Reads, checks, analyses and traces the model of a file. Fails: as the first stage that fails.
 Result<Compilation> compile(const std::string& path);
 

@@ -1,0 +1,128 @@
+#pragma once
+// What a generic solver holds, and the formulation's view of one state.
+
+#include "compiler/formulation/formulation.hpp"
+#include "runtime/generic/generic.hpp"
+#include "runtime/generic/maggi.hpp"
+
+#include <utility>
+
+namespace mbgen {
+
+/// All that the formulation says about a state before the equations are solved.
+struct Prepared {
+  Kinematics<double> kinematics;
+  Velocities<double> velocities;
+  std::vector<BlockClosure<double>> closures;
+};
+
+struct GenericSolver::Content {
+  Model model;
+  Topology topology;
+  Analysis analysis;
+  Layout layout;
+  mutable Scribe<double> scribe;
+  std::vector<double> inputs, parameters;
+  Environment<double> constants_environment;
+  Constants<double> constants;
+
+  Content(const Model& m, const Topology& t, const Analysis& a) : model(m), topology(t), analysis(a), layout(choose_layout(m, t)) {
+    for (const Input& input : model.inputs) inputs.push_back(input.default_value);
+    for (const Parameter& parameter : model.parameters) parameters.push_back(parameter.value);
+    refresh();
+  }
+
+  void refresh() {
+    constants_environment = Environment<double>{};
+    constants_environment.topology = &topology;
+    constants_environment.parameters = parameters;
+    constants_environment.inputs = inputs;
+    constants_environment.z.assign(topology.bodies.size(), 0.0);
+    constants_environment.zd = constants_environment.z;
+    constants = make_constants(model, topology, constants_environment);
+  }
+
+  System<double> system(const GenericState& state) const {
+    Environment<double> environment = constants_environment;
+    environment.t = state.t;
+    environment.z = state.z;
+    environment.zd = state.zd;
+    return {model, topology, layout, std::move(environment), state.x, constants, scribe};
+  }
+
+  Prepared prepare(System<double>& system) const {
+    Prepared p;
+    p.kinematics = kinematics(system);
+    p.velocities = velocities(system, p.kinematics);
+    for (const LoopBlock& block : topology.blocks)
+      p.closures.push_back(closure(system, p.kinematics, block, relative_motion(system, p.kinematics, block)));
+    return p;
+  }
+
+  /// Factors of a block by full pivoting, driven columns never dependent.
+  BlockFactors factors(std::size_t b, const BlockClosure<double>& closed) const {
+    return BlockFactors(closed.jacobian, analysis.blocks[b].driven, analysis.blocks[b].rank);
+  }
+
+  /// Rz and zdd_star of every group at this state.
+  Status projections(const System<double>& system, const Prepared& p, std::vector<GroupProjection<double>>& result) const {
+    const std::vector<Drive<double>> drive = drives(system);
+    const auto acceleration = [&](int joint) {
+      for (const Drive<double>& d : drive)
+        if (d.coordinate == joint) return d.acceleration;
+      return 0.0;
+    };
+    for (const JointGroup& group : topology.groups) {
+      GroupProjection<double> projection;
+      if (group.block < 0) {
+        projection.rz = {analysis.driven[group.joints[0]] ? std::vector<double>{} : std::vector<double>{1.0}};
+        projection.zdd_star = {acceleration(group.joints[0])};
+      } else {
+        const BlockFactors block = factors(group.block, p.closures[group.block]);
+        if (block.rank() < analysis.blocks[group.block].rank) return {Code::loop_singular, group.block};
+        for (int j : group.joints) projection.zdd_star.push_back(acceleration(j));
+        projection.rz = block.rz();
+        block.solve(p.closures[group.block].acceleration, projection.zdd_star);
+      }
+      result.push_back(std::move(projection));
+    }
+    return {};
+  }
+
+  /// tree forces less M zdd, tau included, per coordinate.
+  std::vector<double> residual_forces(System<double>& system, const Prepared& p, const Inertias<double>& m,
+                                      const Accelerations<double>& a, const AppliedForces<double>& forces,
+                                      const std::vector<double>& tau) const {
+    return tree_forces(system, p.kinematics, m, p.velocities, a, forces, tau);
+  }
+
+  /// Multipliers by block, and what they leave of the residual forces (driving forces with opposite sign).
+  std::vector<std::vector<double>> block_multipliers(const Prepared& p, std::vector<double>& residual) const {
+    std::vector<std::vector<double>> lambda;
+    for (std::size_t b = 0; b < topology.blocks.size(); ++b) {
+      const std::vector<int>& joints = topology.blocks[b].joints;
+      std::vector<double> right_hand_side;
+      for (int j : joints) right_hand_side.push_back(residual[j]);
+      lambda.push_back(factors(b, p.closures[b]).multipliers(right_hand_side));
+      for (std::size_t e = 0; e < lambda[b].size(); ++e)
+        for (std::size_t c = 0; c < joints.size(); ++c) residual[joints[c]] -= p.closures[b].jacobian[e][c] * lambda[b][e];
+    }
+    return lambda;
+  }
+
+  std::vector<double> in_loop_order(const std::vector<std::vector<double>>& by_block) const {
+    std::vector<std::vector<double>> of_loop(topology.loops.size());
+    for (std::size_t b = 0; b < by_block.size(); ++b) {
+      auto next = by_block[b].begin();
+      for (int l : topology.blocks[b].loops) {
+        of_loop[l].assign(next, next + topology.loops[l].equations);
+        next += topology.loops[l].equations;
+      }
+    }
+    std::vector<double> result;
+    for (const auto& values : of_loop) result.insert(result.end(), values.begin(), values.end());
+    return result;
+  }
+};
+
+}  // namespace mbgen

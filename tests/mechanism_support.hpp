@@ -1,0 +1,102 @@
+#pragma once
+// Models of the project, compiled up to the analysis, and random consistent states of them.
+
+#include "compiler/analysis/analysis.hpp"
+#include "compiler/model/model.hpp"
+#include "compiler/topology/topology.hpp"
+#include "runtime/generic/generic.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <random>
+#include <string>
+#include <vector>
+
+namespace mbgen::testing {
+
+struct Mechanism {
+  Model model;
+  Topology topology;
+  Analysis analysis;
+};
+
+inline std::string source_path(const std::string& relative) { return std::string(MBGEN_SOURCE_DIR) + "/" + relative; }
+
+/// Reads and analyses a model; a failure stops the test with its diagnostics.
+inline Mechanism load(const std::string& relative) {
+  Result<Model> model = read_model_file(source_path(relative));
+  if (!model) throw std::runtime_error(to_text(model.problems()));
+  Result<Topology> topology = build_topology(*model);
+  if (!topology) throw std::runtime_error(to_text(topology.problems()));
+  Result<Analysis> analysis = analyse(*model, *topology);
+  if (!analysis) throw std::runtime_error(to_text(analysis.problems()));
+  return {*model, *topology, *analysis};
+}
+
+/// Every model of models/ and tests/data/models, relative to the source folder, in alphabetical order.
+inline std::vector<std::string> all_models() {
+  std::vector<std::string> paths;
+  for (const char* folder : {"models", "tests/data/models"}) {
+    if (!std::filesystem::exists(source_path(folder))) continue;
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(source_path(folder)))
+      if (entry.path().extension() == ".json")
+        paths.push_back(std::filesystem::relative(entry.path(), source_path("")).string());
+  }
+  std::sort(paths.begin(), paths.end());
+  return paths;
+}
+
+/// A name that GoogleTest accepts.
+inline std::string test_name(const ::testing::TestParamInfo<std::string>& info) {
+  std::string name = info.param;
+  for (char& c : name)
+    if (!std::isalnum(static_cast<unsigned char>(c))) c = '_';
+  return name;
+}
+
+/// Random states near the reference that satisfy closures and motions; velocities of a few units. At most `wanted`.
+inline std::vector<GenericState> random_states(const Mechanism& mechanism, int wanted, double reach = 0.15) {
+  const GenericSolver solver(mechanism.model, mechanism.topology, mechanism.analysis);
+  std::mt19937_64 random(7);
+  std::uniform_real_distribution<double> unit(-1, 1);
+  std::vector<GenericState> states;
+  for (int attempt = 0; attempt < 20 * wanted && static_cast<int>(states.size()) < wanted; ++attempt) {
+    GenericState state;
+    for (const TreeBody& body : mechanism.topology.bodies) {
+      state.z.push_back(unit(random) * reach * (body.kind == FreedomKind::revolute ? 1.0 : 0.2));
+      state.zd.push_back(2 * unit(random));
+    }
+    for (std::size_t i = 0; i < 2 * mechanism.model.tyres.size(); ++i) state.x.push_back(0.002 * unit(random));
+    state.t = 0.3 + 0.1 * unit(random);
+    if (solver.project(state).ok()) states.push_back(std::move(state));
+  }
+  return states;
+}
+
+/// Random joint forces of the order of the model's weight.
+inline std::vector<double> random_tau(const Mechanism& mechanism, std::uint64_t seed) {
+  double mass = 0;
+  for (const Body& body : mechanism.model.bodies) mass += body.mass.value;
+  std::mt19937_64 random(seed);
+  std::uniform_real_distribution<double> unit(-1, 1);
+  std::vector<double> tau;
+  for (int i = 0; i < mechanism.topology.size(); ++i) tau.push_back(unit(random) * mass * 0.5);
+  return tau;
+}
+
+inline double largest(const std::vector<double>& values) {
+  double result = 0;
+  for (double v : values) result = std::max(result, std::abs(v));
+  return result;
+}
+
+/// Largest difference over the largest entry of `expected` (at least `floor`).
+inline double relative_error(const std::vector<double>& actual, const std::vector<double>& expected, double floor = 1e-9) {
+  double error = 0;
+  for (std::size_t i = 0; i < expected.size(); ++i) error = std::max(error, std::abs(actual[i] - expected[i]));
+  return error / std::max(largest(expected), floor);
+}
+
+}  // namespace mbgen::testing
