@@ -47,6 +47,22 @@ void copy(const double (&from)[N], double (&to)[N]) noexcept {
 template <class Container>
 void copy(const Container& from, Container& to) noexcept { to = from; }
 
+/// Member by member: the copy of a large struct would be a call of memcpy, which a bare target may not have.
+template <class State>
+void copy_state(const State& from, State& to) noexcept {
+  copy(from.z, to.z);
+  copy(from.zd, to.zd);
+  copy(from.x, to.x);
+  to.t = from.t;
+}
+
+template <class System>
+void copy_rates(const StateRates<System>& from, StateRates<System>& to) noexcept {
+  copy(from.zd, to.zd);
+  copy(from.derivative.zdd, to.derivative.zdd);
+  copy(from.derivative.xd, to.derivative.xd);
+}
+
 template <class System>
 Status evaluate(const System& system, const typename System::State& state, StateRates<System>& rates) noexcept {
   copy(state.zd, rates.zd);
@@ -99,7 +115,7 @@ Status finish(const System& system, typename System::State& state) noexcept {
 template <class System>
 Status runge_kutta(const System& system, const typename System::State& start, const StateRates<System>& first, double h,
                    typename System::State& result) noexcept {
-  StateRates<System> second{}, third{}, fourth{};
+  StateRates<System> second, third, fourth;
   result.t = start.t + 0.5 * h;
   advance<System, 1>(start, {0.5 * h}, {&first}, result);
   Status status = evaluate(system, result, second);
@@ -121,7 +137,7 @@ Status predict_correct(const System& system, const typename System::State& start
                        double h, typename System::State& result) noexcept {
   const StateRates<System>* const r[] = {&history.rates[0], &history.rates[1], &history.rates[2], &history.rates[3]};
   const double c = h / 24;
-  StateRates<System> predicted{};
+  StateRates<System> predicted;
   result.t = start.t + h;
   advance<System, 4>(start, {55 * c, -59 * c, 37 * c, -9 * c}, r, result);
   const Status status = evaluate(system, result, predicted);
@@ -139,12 +155,13 @@ template <class System>
 Status step_rk4(const System& system, typename System::State& state, double h) noexcept {
   Status status = integrator_detail::check_step(h);
   if (!status.ok()) return status;
-  StateRates<System> first{};
+  StateRates<System> first;
   status = integrator_detail::evaluate(system, state, first);
   if (!status.ok()) return status;
-  typename System::State result = state;
+  typename System::State result;
+  integrator_detail::copy_state(state, result);
   status = integrator_detail::runge_kutta(system, state, first, h, result);
-  if (status.ok()) state = result;
+  if (status.ok()) integrator_detail::copy_state(result, state);
   return status;
 }
 
@@ -160,28 +177,29 @@ Status step_abm4(const System& system, typename System::State& state, AbmHistory
   if (!status.ok()) return status;
   const bool goes_on = history.count > 0 && history.h == h && history.t == state.t;
   const int known = goes_on ? history.count : 1;
-  StateRates<System> current{};
+  StateRates<System> current;
   if (goes_on) {
-    current = history.rates[0];
+    copy_rates(history.rates[0], current);
   } else {
     status = evaluate(system, state, current);
     if (!status.ok()) return status;
   }
-  typename System::State result = state;
+  typename System::State result;
+  copy_state(state, result);
   status = known == 4 ? predict_correct(system, state, history, h, result)
                       : runge_kutta(system, state, current, h, result);
   if (!status.ok()) return status;
-  StateRates<System> next{};
+  StateRates<System> next;
   status = evaluate(system, result, next);
   if (!status.ok()) return status;
 
-  for (int k = 3; k > 1; --k) history.rates[k] = history.rates[k - 1];
-  history.rates[1] = current;
-  history.rates[0] = next;
+  for (int k = 3; k > 1; --k) copy_rates(history.rates[k - 1], history.rates[k]);
+  copy_rates(current, history.rates[1]);
+  copy_rates(next, history.rates[0]);
   history.count = known < 4 ? known + 1 : 4;
   history.h = h;
   history.t = result.t;
-  state = result;
+  copy_state(result, state);
   return status;
 }
 

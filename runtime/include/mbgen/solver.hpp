@@ -34,6 +34,8 @@ Status deliver(const Values& values, typename System::Derivative& derivative) no
   }
   copy(values.zdd, derivative.zdd, System::kCoordinates);
   copy(values.xd, derivative.xd, System::kAuxiliaryStates);
+  // The array of a solver without auxiliary states has one entry all the same, and integrators integrate it.
+  if constexpr (System::kAuxiliaryStates == 0) derivative.xd[0] = 0;
   return {};
 }
 
