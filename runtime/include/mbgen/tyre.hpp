@@ -44,7 +44,7 @@ struct TyreResult {
 namespace tyre_law {
 
 /// Slip per slip velocity, s/m, that damps a standing contact: a damping ratio of about 0.2 for a vehicle that rocks on
-/// its tyres, and within reach of explicit steps of 1 ms for a wheel that rocks by its own inertia (900 1/s for a truck).
+/// its tyres, and within reach of explicit steps of 1 ms for a truck's wheel that rocks by its own inertia (900 1/s).
 inline constexpr double kSlipDamping = 0.06;
 /// Deflection over relaxation length at which a standing contact slides: about what friction over stiffness allows.
 inline constexpr double kSlidingDeflection = 0.1;
@@ -133,8 +133,8 @@ T rolling_factor(const Pac89<T>&) { return T(1); }
 }  // namespace tyre_law
 
 /// Forces of a tyre on a flat road, and the rates of its two deflection states u and v (zero at the start).
-/// Set: Pac2002<T> or Pac89<T>. A tyre without load gives exactly zero forces and moments. A standing tyre has no other
-/// horizontal forces than those of its deflections; what a set gives at zero slip comes with the speed, up to low_speed.
+/// Set: Pac2002<T> or Pac89<T>. A tyre without load gives exactly zero forces and moments. A standing tyre has no
+/// horizontal forces but those of its deflections; what a set gives at zero slip comes with speed, up to low_speed.
 /// The aligning moment turns its sign with the direction of travel and fades out below low_speed, as the trail does;
 /// the rolling resistance fades out with the wheel's spin, so that it never drives. The moment my also brings fx from
 /// the contact point down to the rolling radius, so that slip can only lose energy: power fx Vx - fx Re Omega = fx Vsx.
