@@ -1,0 +1,66 @@
+// mbgen check: every problem of a model, or "ok".
+
+#include "compiler/cli/commands.hpp"
+#include "compiler/cli/dump.hpp"
+#include "compiler/cli/files.hpp"
+#include "compiler/cli/options.hpp"
+#include "compiler/compile.hpp"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <memory>
+
+namespace mbgen::cli {
+namespace {
+
+struct Options {
+  std::string model, dump;
+  bool json = false;
+};
+
+using Json = nlohmann::ordered_json;
+
+std::string to_json(const std::string& file, const Diagnostics& problems) {
+  Json list = Json::array();
+  for (const Diagnostic& problem : problems) {
+    list.push_back({{"file", problem.where.file},
+                    {"line", problem.where.line},
+                    {"column", problem.where.column},
+                    {"pointer", problem.where.pointer},
+                    {"message", problem.message},
+                    {"hint", problem.hint}});
+  }
+  const Json report = {{"model", file}, {"ok", problems.empty()}, {"problems", list}};
+  return report.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";   // a file name may be no UTF-8
+}
+
+int run(const Options& options) {
+  if (!options.dump.empty()) {
+    print(dump_stage(options.model, options.dump));
+    return kDone;
+  }
+  const Result<Compilation> compilation = compile(options.model);
+  if (options.json) {
+    print(to_json(options.model, compilation ? Diagnostics{} : compilation.problems()));
+  } else if (compilation) {
+    print(fmt::format("{}: ok\n", options.model));
+  } else {
+    fmt::print(stderr, "{}", to_text(compilation.problems()));
+  }
+  return compilation ? kDone : kUserFault;
+}
+
+}  // namespace
+
+void add_check(CLI::App& application, int& exit_code) {
+  const auto options = std::make_shared<Options>();
+  CLI::App* command = application.add_subcommand("check", "read and verify a model, report every problem at once");
+  command->footer("Example: mbgen check models/coach.json");
+  add_model_argument(*command, options->model);
+  add_json_option(*command, options->json);
+  add_dump_option(*command, options->dump);
+  command->callback([options, &exit_code] { exit_code = run(*options); });
+}
+
+}  // namespace mbgen::cli

@@ -1,0 +1,21 @@
+#pragma once
+// The commands of mbgen, one file each.
+
+#include <CLI/CLI.hpp>
+
+namespace mbgen::cli {
+
+/// Exit codes, the same for every command.
+enum ExitCode : int { kDone = 0, kUserFault = 1, kOurDefect = 2 };
+
+// Each adds its command to the application; when the command line names it, it runs and sets the exit code.
+// Fails: UserError.
+void add_check(CLI::App& application, int& exit_code);
+void add_inspect(CLI::App& application, int& exit_code);
+void add_generate(CLI::App& application, int& exit_code);
+void add_simulate(CLI::App& application, int& exit_code);
+void add_evaluate(CLI::App& application, int& exit_code);
+void add_bench(CLI::App& application, int& exit_code);
+void add_schema(CLI::App& application, int& exit_code);
+
+}  // namespace mbgen::cli

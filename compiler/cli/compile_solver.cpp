@@ -1,0 +1,183 @@
+#include "compiler/cli/compile_solver.hpp"
+
+#include "compiler/cli/files.hpp"
+#include "compiler/cli/process.hpp"
+#include "compiler/cli/user_error.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <dlfcn.h>
+#include <unistd.h>
+
+#include <cstdint>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <stdexcept>
+
+namespace mbgen::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t kMessageTail = 2000;   // characters of the compiler's messages that a person still reads
+constexpr const char* kSymbol = "mbgen_solver_table";
+
+struct Compiler {
+  std::vector<std::string> words;   ///< of $CXX
+  std::string version;              ///< what it says of itself
+  std::vector<std::string> flags;
+};
+
+/// A value of the environment, "" when it is not set.
+std::string environment(const char* name) {
+  const char* value = std::getenv(name);
+  return value == nullptr ? "" : value;
+}
+
+/// Where compiled solvers are kept, "" when there is no such place.
+fs::path cache_directory() {
+  const std::string cache = environment("XDG_CACHE_HOME");
+  if (!cache.empty()) return fs::path(cache) / "mbgen";
+  const std::string home = environment("HOME");
+  return home.empty() ? fs::path() : fs::path(home) / ".cache" / "mbgen";
+}
+
+bool is_usable(const fs::path& directory) {
+  std::error_code problem;
+  fs::create_directories(directory, problem);
+  return !problem && ::access(directory.c_str(), W_OK | X_OK) == 0;
+}
+
+Compiler find_compiler(const fs::path& scratch) {
+  Compiler compiler;
+  const std::string chosen = environment("CXX");
+  compiler.words = split_words(chosen);
+  if (compiler.words.empty()) compiler.words = {"c++"};
+  std::vector<std::string> question = compiler.words;
+  question.push_back("--version");
+  const fs::path answer = scratch / "version";
+  if (run_side_by_side({{question, answer}})[0] != 0) {
+    throw UserError(fmt::format("no C++ compiler: `{}` does not run; install one (apt-get install g++), name it in the "
+                                "environment variable CXX, or use --engine generic\n",
+                                fmt::join(compiler.words, " ")));
+  }
+  compiler.version = read_text(answer);
+  const bool is_clang = compiler.version.find("clang") != std::string::npos;
+  compiler.flags = solver_compile_flags(is_clang ? CompilerFamily::clang : CompilerFamily::gnu);
+  compiler.flags.insert(compiler.flags.end(), {"-march=native", "-std=c++17", "-fPIC"});
+  return compiler;
+}
+
+/// The line of /proc/cpuinfo that says what instructions there are: code made for one processor may not run on another.
+std::string processor() {
+  std::ifstream file("/proc/cpuinfo");
+  for (std::string line; std::getline(file, line);) {
+    if (line.starts_with("flags") || line.starts_with("Features")) return line;
+  }
+  return "";
+}
+
+/// FNV-1a, 64 bits, over texts and their borders.
+class Hash {
+ public:
+  void add(const std::string& text) {
+    for (const char byte : text) mix(static_cast<unsigned char>(byte));
+    mix(0x100);
+  }
+  std::string text() const { return fmt::format("{:016x}", value_); }
+
+ private:
+  void mix(std::uint64_t byte) { value_ = (value_ ^ byte) * 0x100000001b3u; }
+  std::uint64_t value_ = 0xcbf29ce484222325u;
+};
+
+std::string object_name(const std::string& solver, const std::vector<EmittedFile>& files, const Compiler& compiler) {
+  Hash hash;
+  for (const EmittedFile& file : files) {
+    hash.add(file.path);
+    hash.add(file.text);
+  }
+  for (const std::string& word : compiler.words) hash.add(word);
+  for (const std::string& flag : compiler.flags) hash.add(flag);
+  hash.add(compiler.version);
+  hash.add(processor());
+  return fmt::format("{}-{}.so", solver, hash.text());
+}
+
+[[noreturn]] void reject(const Command& command) {
+  std::string messages = read_text(command.log);
+  if (messages.size() > kMessageTail) messages = "...\n" + messages.substr(messages.size() - kMessageTail);
+  throw std::runtime_error(
+      fmt::format("the compiler rejects the generated code: {}\n{}", fmt::join(command.arguments, " "), messages));
+}
+
+void run_all(const std::vector<Command>& commands) {
+  const std::vector<int> codes = run_side_by_side(commands);
+  for (std::size_t i = 0; i < codes.size(); ++i) {
+    if (codes[i] != 0) reject(commands[i]);
+  }
+}
+
+/// Compiles every source side by side and links them. Result: the shared object, in `scratch`.
+fs::path build(const fs::path& scratch, const std::vector<EmittedFile>& files, const Compiler& compiler) {
+  std::vector<NamedText> texts;
+  std::vector<Command> compilations;
+  const fs::path result = scratch / "solver.so";
+  Command link{compiler.words, scratch / "link.log"};
+  link.arguments.insert(link.arguments.end(), {"-shared", "-o", result.string()});
+  for (const EmittedFile& file : files) {
+    texts.push_back({file.path, file.text});
+    if (!file.path.ends_with(".cpp")) continue;
+    const std::string source = (scratch / file.path).string();
+    Command compilation{compiler.words, source + ".log"};
+    compilation.arguments.insert(compilation.arguments.end(), compiler.flags.begin(), compiler.flags.end());
+    compilation.arguments.insert(compilation.arguments.end(),
+                                 {"-I", scratch.string(), "-c", source, "-o", source + ".o"});
+    compilations.push_back(std::move(compilation));
+    link.arguments.push_back(source + ".o");
+  }
+  link.arguments.push_back("-lm");
+  write_files(scratch, texts);
+  run_all(compilations);
+  run_all({link});
+  return result;
+}
+
+/// The table of a compiled solver, null when the file is none of this mbgen and this model.
+std::shared_ptr<const SolverTable> open_solver(const fs::path& object, const std::string& hash) {
+  void* handle = ::dlopen(object.c_str(), RTLD_NOW | RTLD_LOCAL);
+  if (handle == nullptr) return nullptr;
+  const std::shared_ptr<void> library(handle, ::dlclose);
+  const auto table_of = reinterpret_cast<const SolverTable* (*)()>(::dlsym(handle, kSymbol));
+  const SolverTable* table = table_of == nullptr ? nullptr : table_of();
+  if (table == nullptr || table->layout != kSolverTableLayout || table->hash != hash) return nullptr;
+  return {library, table};
+}
+
+}  // namespace
+
+std::shared_ptr<const SolverTable> load_solver(const Compilation& compilation, bool use_cache) {
+  std::vector<EmittedFile> files = emit(compilation);
+  files.push_back(emit_driver(compilation.model));
+  const fs::path cache = use_cache ? cache_directory() : fs::path();
+  const bool has_cache = !cache.empty() && is_usable(cache);
+  const TemporaryDirectory scratch(has_cache ? cache : fs::temp_directory_path() / "mbgen");
+  const Compiler compiler = find_compiler(scratch.path());
+  const fs::path kept = cache / object_name(solver_name(compilation.model), files, compiler);
+
+  if (has_cache && fs::exists(kept)) {
+    if (auto solver = open_solver(kept, compilation.model.hash)) return solver;
+  }
+  fs::path object = build(scratch.path(), files, compiler);
+  if (has_cache) {
+    fs::rename(object, kept);   // atomic, and onto the same bytes when another mbgen was faster
+    object = kept;
+  }
+  auto solver = open_solver(object, compilation.model.hash);
+  if (!solver) throw std::runtime_error(fmt::format("the compiled solver {} does not load", object.string()));
+  return solver;
+}
+
+}  // namespace mbgen::cli

@@ -1,0 +1,18 @@
+#pragma once
+// From emitted code to a loaded solver, by the C++ compiler of the machine.
+
+#include "compiler/compile.hpp"
+#include "mbgen/driver.hpp"
+
+#include <memory>
+
+namespace mbgen::cli {
+
+/// Emits the solver and its driver, compiles them with $CXX (or c++) for this processor and loads the result.
+/// use_cache: look for the object under ${XDG_CACHE_HOME:-~/.cache}/mbgen first, and keep it there. Its name is a hash
+/// of the code, the compiler's version, the flags and the processor; any number of mbgen may run at the same time.
+/// Fails: UserError when there is no compiler (the text names --engine generic), std::runtime_error with the end of the
+/// compiler's messages when it rejects the code.
+std::shared_ptr<const SolverTable> load_solver(const Compilation& compilation, bool use_cache);
+
+}  // namespace mbgen::cli

@@ -1,0 +1,114 @@
+#include "compiler/cli/dump.hpp"
+
+#include "compiler/cli/dump_model.hpp"
+#include "compiler/cli/names.hpp"
+#include "compiler/cli/user_error.hpp"
+#include "compiler/compile.hpp"
+#include "compiler/passes/passes.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+namespace mbgen::cli {
+namespace {
+
+std::string dump_bodies(const Topology& topology) {
+  std::string text = "bodies (index name: coordinate, kind, parent)\n";
+  for (int i = 0; i < topology.size(); ++i) {
+    const TreeBody& body = topology.bodies[i];
+    text += fmt::format("  {} {}: {}, {} about or along ({}), on {}{}\n", i, body.name, body.coordinate,
+                        name_of(body.kind), fmt::join(body.axis, ", "), body_name(topology, body.parent),
+                        body.massless ? ", massless" : "");
+  }
+  return text;
+}
+
+std::string dump_topology(const Topology& topology) {
+  std::string text = dump_bodies(topology) + "loops\n";
+  for (const Loop& loop : topology.loops) {
+    text += fmt::format("  {}: {}, from {} to {}, ancestor {}, {} equations, joints {}\n", loop.name,
+                        name_of(loop.kind), body_name(topology, loop.body_from), body_name(topology, loop.body_to),
+                        body_name(topology, loop.ancestor), loop.equations,
+                        fmt::join(coordinate_names(topology, loop.joints), " "));
+  }
+  text += "loop blocks\n";
+  for (std::size_t b = 0; b < topology.blocks.size(); ++b) {
+    const LoopBlock& block = topology.blocks[b];
+    text += fmt::format("  {}: on {}, {} equations, loops {}, joints {}\n", b, body_name(topology, block.base),
+                        block.equations, fmt::join(block.loops, " "),
+                        fmt::join(coordinate_names(topology, block.joints), " "));
+  }
+  text += "groups, from the root\n";
+  for (std::size_t g = 0; g < topology.groups.size(); ++g) {
+    const JointGroup& group = topology.groups[g];
+    text += fmt::format("  {}: {}, on {}, parent {}, joints {}\n", g,
+                        group.block < 0 ? "joint" : fmt::format("block {}", group.block),
+                        body_name(topology, group.base), group.parent,
+                        fmt::join(coordinate_names(topology, group.joints), " "));
+  }
+  return text;
+}
+
+std::string dump_analysis(const Topology& topology, const Analysis& analysis) {
+  std::string text = fmt::format("closed configurations {}\nindependent equations {}\ndegrees of freedom {}\n",
+                                 analysis.closed_configurations, analysis.independent_equations,
+                                 analysis.degrees_of_freedom);
+  for (std::size_t b = 0; b < analysis.blocks.size(); ++b) {
+    const BlockAnalysis& decided = analysis.blocks[b];
+    const LoopBlock& block = topology.blocks[b];
+    text += fmt::format("block {}: rank {} of {} equations, worst pivot ratio {}\n", b, decided.rank, block.equations,
+                        decided.worst_pivot_ratio);
+    text += fmt::format("  dependent {}\n", fmt::join(local_names(topology, block, decided.dependent), " "));
+    text += fmt::format("  independent {}\n", fmt::join(local_names(topology, block, decided.independent), " "));
+    text += fmt::format("  driven {}\n", fmt::join(local_names(topology, block, decided.driven), " "));
+    text += fmt::format("  redundant {}\n", fmt::join(decided.redundant_names, ", "));
+    text += fmt::format("  triangular blocks {}\n", fmt::join(decided.triangular_sizes, " "));
+    for (const Pivot& pivot : decided.pivots) {
+      text += fmt::format("  pivot equation {} coordinate {} reference {}\n", pivot.equation,
+                          topology.bodies[block.joints[pivot.coordinate]].coordinate, pivot.reference);
+    }
+  }
+  return text;
+}
+
+std::string dump_programs(const Programs& programs, bool optimised) {
+  std::string text;
+  for (const Program* program : all_programs(programs)) {
+    text += fmt::format("; program {}\n{}\n", program->name, dump(optimised ? optimise(*program) : *program));
+  }
+  return text;
+}
+
+std::string dump_code(const std::vector<EmittedFile>& files) {
+  std::string text;
+  for (const EmittedFile& file : files) text += fmt::format("// ===== {} =====\n{}", file.path, file.text);
+  return text;
+}
+
+}  // namespace
+
+const std::vector<std::string>& dump_stages() {
+  static const std::vector<std::string> stages = {"model", "topology", "analysis", "program", "optimised", "code"};
+  return stages;
+}
+
+std::string dump_stage(const std::string& path, const std::string& stage) {
+  const std::vector<std::string>& stages = dump_stages();
+  if (std::find(stages.begin(), stages.end(), stage) == stages.end()) {
+    throw UserError(fmt::format("--dump: no stage \"{}\"; there are: {}\n", stage, fmt::join(stages, ", ")));
+  }
+  const Model model = expect(read_model_file(path));
+  if (stage == "model") return dump_model(model);
+  const Topology topology = expect(build_topology(model));
+  if (stage == "topology") return dump_topology(topology);
+  const Analysis analysis = expect(analyse(model, topology));
+  if (stage == "analysis") return dump_analysis(topology, analysis);
+  const Programs programs = trace(model, topology, analysis);
+  if (stage == "program") return dump_programs(programs, false);
+  if (stage == "optimised") return dump_programs(programs, true);
+  return dump_code(emit(programs, model, topology, analysis, {.runtime_headers = false}));
+}
+
+}  // namespace mbgen::cli

@@ -1,0 +1,13 @@
+#pragma once
+// The model as the reader understood it, as text.
+
+#include "compiler/model/model.hpp"
+
+#include <string>
+
+namespace mbgen::cli {
+
+/// Every element of the model with its numbers; expressions as they were written.
+std::string dump_model(const Model& model);
+
+}  // namespace mbgen::cli

@@ -1,0 +1,67 @@
+#include "compiler/cli/engine.hpp"
+
+#include "compiler/cli/user_error.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace mbgen::cli {
+namespace {
+
+struct Maker {
+  const char* name;
+  Engine (*make)(const Compilation&, const EngineChoice&);
+};
+
+constexpr Maker kMakers[] = {{"generated", make_generated_engine}, {"generic", make_generic_engine}};
+
+std::string loop_names(const Topology& topology, const LoopBlock& block) {
+  std::vector<std::string> names;
+  for (const int loop : block.loops) names.push_back(topology.loops[loop].name);
+  return fmt::format("{}", fmt::join(names, ", "));
+}
+
+}  // namespace
+
+const std::vector<std::string>& engine_names() {
+  static const std::vector<std::string> names = [] {
+    std::vector<std::string> list;
+    for (const Maker& maker : kMakers) list.push_back(maker.name);
+    return list;
+  }();
+  return names;
+}
+
+Engine make_engine(const Compilation& compilation, const EngineChoice& choice) {
+  const auto maker = std::find_if(std::begin(kMakers), std::end(kMakers),
+                                  [&](const Maker& candidate) { return candidate.name == choice.name; });
+  if (maker == std::end(kMakers)) {
+    throw UserError(
+        fmt::format("--engine: no engine \"{}\"; there are: {}\n", choice.name, fmt::join(engine_names(), ", ")));
+  }
+  return maker->make(compilation, choice);
+}
+
+double largest_absolute(const std::vector<double>& values) {
+  double largest = 0;
+  for (const double value : values) {
+    if (!(std::abs(value) <= largest)) largest = std::abs(value);   // NaN is larger than every number
+  }
+  return largest;
+}
+
+std::string describe(const Topology& topology, Status status) {
+  std::string name;
+  const bool of_block = status.code == Code::loop_not_closed || status.code == Code::loop_singular;
+  if (of_block && status.index >= 0 && status.index < static_cast<int>(topology.blocks.size())) {
+    name = loop_names(topology, topology.blocks[status.index]);
+  } else if (!of_block && status.index >= 0 && status.index < topology.size()) {
+    name = topology.bodies[status.index].coordinate;
+  }
+  return name.empty() ? text(status.code) : fmt::format("{}: {}", text(status.code), name);
+}
+
+}  // namespace mbgen::cli

@@ -1,0 +1,75 @@
+#pragma once
+// An engine: the equations of one model ready to be evaluated and stepped, whatever stands behind them.
+
+#include "compiler/compile.hpp"
+#include "mbgen/status.hpp"
+#include "runtime/generic/generic.hpp"
+
+#include <functional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace mbgen::cli {
+
+/// A state and the joint forces that act in it.
+struct LoadedState {
+  GenericState state;
+  std::vector<double> tau;     ///< per coordinate, N or N m
+};
+
+/// Largest absolute closure residuals of a state.
+struct Residuals {
+  double position = 0;         ///< m or 1
+  double velocity = 0;         ///< m/s or 1/s
+};
+
+/// The functions of one model. Arrays in the order of the model. Not for use by several threads at once.
+struct Engine {
+  std::string name;            ///< as on the command line
+  std::string form;            ///< of the equations, for tables
+  std::string linear_algebra;  ///< library behind it, "" for code of its own
+
+  /// All accelerations. The derivative keeps its values unless the status is ok.
+  std::function<Status(const LoadedState&, GenericDerivative&)> accelerations;
+  /// Closes the loops, sets the driven coordinates, makes velocities consistent. The state is unchanged on failure.
+  std::function<Status(GenericState&)> project;
+  /// One step of h seconds of the chosen integrator, projected. The state is unchanged on failure.
+  /// Requires: each call continues where the one before ended (a multistep method remembers).
+  std::function<Status(GenericState&, double h)> step;
+  /// Multipliers in the order of Topology::loops and their equations.
+  std::function<Status(const LoadedState&, const GenericDerivative&, std::vector<double>& lambda)> multipliers;
+  std::function<Status(const LoadedState&, const GenericDerivative&, GenericOutputs&)> outputs;
+  std::function<Status(const GenericState&, Residuals&)> residuals;
+  /// Values of all inputs from now on.
+  std::function<void(const std::vector<double>&)> set_inputs;
+  /// Evaluates the accelerations of every state, `repetitions` times over. Result: how many evaluations failed.
+  std::function<long long(const std::vector<LoadedState>&, int repetitions)> time_accelerations;
+};
+
+/// Which engine, and how.
+struct EngineChoice {
+  std::string name = "generated";
+  SolverSettings::Integrator integrator = SolverSettings::Integrator::rk4;
+  bool use_cache = true;       ///< keep compiled solvers for the next time
+};
+
+/// Names of the engines there are.
+const std::vector<std::string>& engine_names();
+
+/// The engine of this name. Fails: UserError for a name that is unknown, or when the solver cannot be compiled.
+Engine make_engine(const Compilation& compilation, const EngineChoice& choice);
+
+/// The un-specialised algorithm of runtime/generic.
+Engine make_generic_engine(const Compilation& compilation, const EngineChoice& choice);
+
+/// The specialised solver: emitted, compiled, loaded. Fails: UserError, see load_solver.
+Engine make_generated_engine(const Compilation& compilation, const EngineChoice& choice);
+
+/// Largest absolute value, NaN when there is one, 0 for none.
+double largest_absolute(const std::vector<double>& values);
+
+/// What a status says, with the coordinate or the loops of the block that it names: "loop not closed: rod_left, tip".
+std::string describe(const Topology& topology, Status status);
+
+}  // namespace mbgen::cli

@@ -1,0 +1,96 @@
+// mbgen evaluate: accelerations at given states, the door for every oracle.
+
+#include "compiler/cli/commands.hpp"
+#include "compiler/cli/files.hpp"
+#include "compiler/cli/options.hpp"
+#include "compiler/cli/states_file.hpp"
+#include "compiler/cli/user_error.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <cmath>
+#include <memory>
+
+namespace mbgen::cli {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+struct Options {
+  std::string model, states;
+  EngineArguments engine;
+  bool project = false;
+  bool json = true;
+};
+
+Json number_or_null(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
+
+/// Accelerations that are not finite are no result, whatever their status.
+Status check_finite(const std::vector<double>& zdd) {
+  for (std::size_t i = 0; i < zdd.size(); ++i) {
+    if (!std::isfinite(zdd[i])) return {Code::not_a_number, static_cast<int>(i)};
+  }
+  return {};
+}
+
+Json evaluate_state(const Engine& engine, const Compilation& compilation, const StatesFile& file,
+                    const FileState& asked, bool project) {
+  LoadedState at = asked.at;
+  GenericDerivative derivative;
+  std::vector<double> lambda;
+  engine.set_inputs(asked.inputs);
+  Status status = project ? engine.project(at.state) : Status{};
+  if (status.ok()) status = engine.accelerations(at, derivative);
+  if (status.ok()) status = check_finite(derivative.zdd);
+  if (status.ok()) status = engine.multipliers(at, derivative, lambda);
+
+  Json result;
+  result["zdd"] = status.ok() ? Json(in_file_order(file, derivative.zdd)) : Json(nullptr);
+  result["lambda"] = status.ok() ? Json(lambda) : Json(nullptr);
+  result["status"] = describe(compilation.topology, status);
+  Residuals residuals;
+  const bool has_residuals = engine.residuals(at.state, residuals).ok();
+  result["position_residual"] = has_residuals ? number_or_null(residuals.position) : Json(nullptr);
+  result["velocity_residual"] = has_residuals ? number_or_null(residuals.velocity) : Json(nullptr);
+  if (project && status.ok()) {
+    result["z"] = in_file_order(file, at.state.z);
+    result["zd"] = in_file_order(file, at.state.zd);
+  }
+  return result;
+}
+
+int run(const Options& options) {
+  const Compilation compilation = expect(compile(options.model));
+  const std::vector<double> inputs = input_values(compilation.model, options.engine.inputs);
+  const StatesFile file = read_states(options.states, compilation, inputs);
+  const Engine engine = make_engine(compilation, options.engine.choice);
+  Json result;
+  result["joint_order"] = file.joint_order;
+  result["states"] = Json::array();
+  for (const FileState& state : file.states) {
+    result["states"].push_back(evaluate_state(engine, compilation, file, state, options.project));
+  }
+  print(result.dump() + "\n");
+  return kDone;
+}
+
+}  // namespace
+
+void add_evaluate(CLI::App& application, int& exit_code) {
+  const auto options = std::make_shared<Options>();
+  CLI::App* command = application.add_subcommand("evaluate", "print the accelerations at given states, as JSON");
+  command->footer(
+      "Example: mbgen evaluate models/pendulum.json --states states.json\n"
+      "where states.json is {\"joint_order\": [names], \"states\": [{\"z\": [], \"zd\": [], \"tau\": []}]}; a state may\n"
+      "also have \"x\", \"t\" and \"inputs\": {name: value}. tau are joint forces, added to those of the model.\n"
+      "A state that has no accelerations has \"zdd\": null and a status that says why; the exit code is then 0 too.");
+  add_model_argument(*command, options->model);
+  command->add_option("--states", options->states, "file of states (JSON)")->required();
+  command->add_flag("--project", options->project,
+                    "make each state consistent first, and print its z and zd (default: take it as given)");
+  add_json_option(*command, options->json);
+  add_engine_options(*command, options->engine);
+  command->callback([options, &exit_code] { exit_code = run(*options); });
+}
+
+}  // namespace mbgen::cli

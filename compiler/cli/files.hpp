@@ -1,0 +1,65 @@
+#pragma once
+// Files as the command line reads and writes them: whole, or not at all.
+
+#include <cstdio>
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace mbgen::cli {
+
+/// Content of a file. Fails: UserError when it cannot be read.
+std::string read_text(const std::filesystem::path& path);
+
+/// A file that appears under its name when it is complete: written beside it under another name until `commit`.
+class AtomicFile {
+ public:
+  /// Creates the temporary file. Fails: UserError when the directory is missing or not writable.
+  explicit AtomicFile(std::filesystem::path path);
+  AtomicFile(AtomicFile&& other) noexcept;
+  AtomicFile& operator=(AtomicFile&&) = delete;
+  /// Removes the temporary file when it was not committed.
+  ~AtomicFile();
+
+  /// Fails: UserError when the disk does not take it.
+  void write(std::string_view text);
+  /// Completes the temporary file. Fails: as write.
+  void close();
+  /// Gives the file its name, in the place of an older one. Fails: UserError.
+  void commit();
+
+ private:
+  [[noreturn]] void fail(const char* action) const;
+  std::filesystem::path path_, temporary_;
+  std::FILE* stream_ = nullptr;
+};
+
+/// A directory of its own that is removed with all it holds at the end of its life.
+class TemporaryDirectory {
+ public:
+  /// Creates it in `parent`. Fails: UserError.
+  explicit TemporaryDirectory(const std::filesystem::path& parent);
+  TemporaryDirectory(const TemporaryDirectory&) = delete;
+  TemporaryDirectory& operator=(const TemporaryDirectory&) = delete;
+  ~TemporaryDirectory();
+  const std::filesystem::path& path() const { return path_; }
+
+ private:
+  std::filesystem::path path_;
+};
+
+/// A file of a set, `path` relative to the set's directory.
+struct NamedText {
+  std::string path;
+  std::string text;
+};
+
+/// Writes a set of files; directories are created. No file gets its name before all are written.
+/// Fails: UserError; files that were there before are then as they were.
+void write_files(const std::filesystem::path& directory, const std::vector<NamedText>& files);
+
+/// Writes to standard output. Fails: UserError when it does not take the text.
+void print(std::string_view text);
+
+}  // namespace mbgen::cli

@@ -1,0 +1,63 @@
+// mbgen generate: the specialised solver, as files.
+
+#include "compiler/cli/commands.hpp"
+#include "compiler/cli/dump.hpp"
+#include "compiler/cli/files.hpp"
+#include "compiler/cli/options.hpp"
+#include "compiler/cli/user_error.hpp"
+#include "compiler/compile.hpp"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <filesystem>
+#include <memory>
+
+namespace mbgen::cli {
+namespace {
+
+struct Options {
+  std::string model, directory, dump;
+  EmitOptions emit;
+  bool json = false;
+};
+
+int run(const Options& options) {
+  if (!options.dump.empty()) {
+    print(dump_stage(options.model, options.dump));
+    return kDone;
+  }
+  if (options.directory.empty()) throw UserError("generate: --out DIR is required\n");
+  const Compilation compilation = expect(compile(options.model));
+  std::vector<NamedText> files;
+  std::vector<std::string> paths;
+  for (EmittedFile& file : emit(compilation, options.emit)) {
+    paths.push_back((std::filesystem::path(options.directory) / file.path).string());
+    files.push_back({std::move(file.path), std::move(file.text)});
+  }
+  write_files(options.directory, files);
+  if (options.json) {
+    print(nlohmann::ordered_json({{"model", compilation.model.name}, {"files", paths}}).dump(2) + "\n");
+  } else {
+    for (const std::string& path : paths) print(path + "\n");
+  }
+  return kDone;
+}
+
+}  // namespace
+
+void add_generate(CLI::App& application, int& exit_code) {
+  const auto options = std::make_shared<Options>();
+  CLI::App* command = application.add_subcommand("generate", "write the specialised C++ solver of a model");
+  command->footer("Example: mbgen generate models/coach.json --out coach_solver\n"
+                  "Prints the files that it wrote; DIR/CMakeLists.txt builds them alone.");
+  add_model_argument(*command, options->model);
+  command->add_option("--out", options->directory, "directory of the files; made when it is missing");
+  command->add_flag_callback("--no-runtime", [options] { options->emit.runtime_headers = false; },
+                             "leave out the runtime's headers (mbgen/*.hpp)");
+  add_json_option(*command, options->json);
+  add_dump_option(*command, options->dump);
+  command->callback([options, &exit_code] { exit_code = run(*options); });
+}
+
+}  // namespace mbgen::cli

@@ -1,0 +1,161 @@
+// The specialised solver behind the table of mbgen/driver.hpp.
+
+#include "compiler/cli/compile_solver.hpp"
+#include "compiler/cli/engine.hpp"
+
+#include <algorithm>
+#include <memory>
+
+namespace mbgen::cli {
+namespace {
+
+/// A loaded solver with its parameters and the memory that its calls work on.
+struct LoadedSolver {
+  std::shared_ptr<const SolverTable> table;
+  std::vector<double> parameters, inputs;
+  std::vector<double> state, derivative;
+  std::vector<double> history;   ///< of the multistep method, in doubles for their alignment
+};
+
+void flatten(const GenericState& state, std::vector<double>& flat) {
+  double* place = flat.data();
+  for (const std::vector<double>* part : {&state.z, &state.zd, &state.x}) {
+    place = std::copy(part->begin(), part->end(), place);
+  }
+  *place = state.t;
+}
+
+void flatten(const GenericDerivative& derivative, std::vector<double>& flat) {
+  std::copy(derivative.xd.begin(), derivative.xd.end(),
+            std::copy(derivative.zdd.begin(), derivative.zdd.end(), flat.begin()));
+}
+
+void unflatten(const std::vector<double>& flat, GenericState& state) {
+  const double* place = flat.data();
+  for (std::vector<double>* part : {&state.z, &state.zd, &state.x}) {
+    std::copy_n(place, part->size(), part->begin());
+    place += part->size();
+  }
+  state.t = *place;
+}
+
+Status accelerations(LoadedSolver& solver, const LoadedState& at, GenericDerivative& derivative) {
+  flatten(at.state, solver.state);
+  const Status status = solver.table->accelerations(solver.parameters.data(), solver.inputs.data(),
+                                                    solver.state.data(), at.tau.data(), solver.derivative.data());
+  if (!status.ok()) return status;
+  const auto middle = solver.derivative.begin() + solver.table->coordinates;
+  derivative.zdd.assign(solver.derivative.begin(), middle);
+  derivative.xd.assign(middle, solver.derivative.end());
+  return status;
+}
+
+Status project(LoadedSolver& solver, GenericState& state) {
+  flatten(state, solver.state);
+  const Status status =
+      solver.table->project(solver.parameters.data(), solver.inputs.data(), solver.state.data());
+  if (status.ok()) unflatten(solver.state, state);
+  return status;
+}
+
+Status step(LoadedSolver& solver, SolverSettings::Integrator integrator, GenericState& state, double h) {
+  const SolverTable& table = *solver.table;
+  flatten(state, solver.state);
+  const Status status =
+      integrator == SolverSettings::Integrator::rk4
+          ? table.step_rk4(solver.parameters.data(), solver.inputs.data(), solver.state.data(), h)
+          : table.step_abm4(solver.parameters.data(), solver.inputs.data(), solver.state.data(),
+                            solver.history.data(), h);
+  if (status.ok()) unflatten(solver.state, state);
+  return status;
+}
+
+Status multipliers(LoadedSolver& solver, const LoadedState& at, const GenericDerivative& derivative,
+                   std::vector<double>& lambda) {
+  flatten(at.state, solver.state);
+  flatten(derivative, solver.derivative);
+  std::vector<double> drive(static_cast<std::size_t>(solver.table->drives));
+  lambda.resize(static_cast<std::size_t>(solver.table->multipliers));
+  return solver.table->multiplier_values(solver.parameters.data(), solver.inputs.data(), solver.state.data(),
+                                         at.tau.data(), solver.derivative.data(), lambda.data(), drive.data());
+}
+
+Status outputs(LoadedSolver& solver, const LoadedState& at, const GenericDerivative& derivative,
+               GenericOutputs& values) {
+  flatten(at.state, solver.state);
+  flatten(derivative, solver.derivative);
+  double energy[3] = {};
+  values.y.resize(static_cast<std::size_t>(solver.table->outputs));
+  const Status status =
+      solver.table->output_values(solver.parameters.data(), solver.inputs.data(), solver.state.data(), at.tau.data(),
+                                  solver.derivative.data(), values.y.data(), energy);
+  values.kinetic_energy = energy[0];
+  values.potential_energy = energy[1];
+  values.applied_power = energy[2];
+  return status;
+}
+
+Status residuals(LoadedSolver& solver, const GenericState& state, Residuals& largest) {
+  flatten(state, solver.state);
+  std::vector<double> position(static_cast<std::size_t>(solver.table->closure_equations));
+  std::vector<double> velocity(position.size());
+  const Status status = solver.table->residuals(solver.parameters.data(), solver.inputs.data(), solver.state.data(),
+                                                position.data(), velocity.data());
+  if (status.ok()) largest = {largest_absolute(position), largest_absolute(velocity)};
+  return status;
+}
+
+long long time_accelerations(LoadedSolver& solver, const std::vector<LoadedState>& at, int repetitions) {
+  std::vector<double> states, taus;
+  for (const LoadedState& one : at) {
+    flatten(one.state, solver.state);
+    states.insert(states.end(), solver.state.begin(), solver.state.end());
+    taus.insert(taus.end(), one.tau.begin(), one.tau.end());
+  }
+  return solver.table->time_accelerations(solver.parameters.data(), solver.inputs.data(), states.data(), taus.data(),
+                                          static_cast<int>(at.size()), repetitions);
+}
+
+std::shared_ptr<LoadedSolver> load(const Compilation& compilation, bool use_cache) {
+  auto solver = std::make_shared<LoadedSolver>();
+  solver->table = load_solver(compilation, use_cache);
+  const SolverTable& table = *solver->table;
+  solver->parameters.assign(table.default_parameters, table.default_parameters + table.parameters);
+  solver->inputs.assign(table.default_inputs, table.default_inputs + table.inputs);
+  solver->state.resize(static_cast<std::size_t>(table.state_size));
+  solver->derivative.resize(static_cast<std::size_t>(table.derivative_size));
+  solver->history.resize(static_cast<std::size_t>(table.history_bytes) / sizeof(double) + 1);
+  table.start_abm4(solver->history.data());
+  return solver;
+}
+
+}  // namespace
+
+Engine make_generated_engine(const Compilation& compilation, const EngineChoice& choice) {
+  const std::shared_ptr<LoadedSolver> solver = load(compilation, choice.use_cache);
+  Engine engine;
+  engine.name = choice.name;
+  engine.form = "matrix";
+  engine.accelerations = [solver](const LoadedState& at, GenericDerivative& derivative) {
+    return accelerations(*solver, at, derivative);
+  };
+  engine.project = [solver](GenericState& state) { return project(*solver, state); };
+  engine.step = [solver, integrator = choice.integrator](GenericState& state, double h) {
+    return step(*solver, integrator, state, h);
+  };
+  engine.multipliers = [solver](const LoadedState& at, const GenericDerivative& derivative,
+                                std::vector<double>& lambda) { return multipliers(*solver, at, derivative, lambda); };
+  engine.outputs = [solver](const LoadedState& at, const GenericDerivative& derivative, GenericOutputs& values) {
+    return outputs(*solver, at, derivative, values);
+  };
+  engine.residuals = [solver](const GenericState& state, Residuals& largest) {
+    return residuals(*solver, state, largest);
+  };
+  engine.set_inputs = [solver](const std::vector<double>& inputs) { solver->inputs = inputs; };
+  engine.time_accelerations = [solver](const std::vector<LoadedState>& at, int repetitions) {
+    return time_accelerations(*solver, at, repetitions);
+  };
+  return engine;
+}
+
+}  // namespace mbgen::cli

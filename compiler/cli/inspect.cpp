@@ -1,0 +1,44 @@
+// mbgen inspect: what mbgen knows of a model before it writes code.
+
+#include "compiler/cli/commands.hpp"
+#include "compiler/cli/dump.hpp"
+#include "compiler/cli/files.hpp"
+#include "compiler/cli/options.hpp"
+#include "compiler/cli/report.hpp"
+#include "compiler/cli/user_error.hpp"
+#include "compiler/compile.hpp"
+
+#include <memory>
+
+namespace mbgen::cli {
+namespace {
+
+struct Options {
+  std::string model, dump;
+  bool json = false;
+};
+
+int run(const Options& options) {
+  if (!options.dump.empty()) {
+    print(dump_stage(options.model, options.dump));
+    return kDone;
+  }
+  const nlohmann::ordered_json report = make_report(expect(compile(options.model)));
+  print(options.json ? report.dump(2) + "\n" : report_text(report));
+  return kDone;
+}
+
+}  // namespace
+
+void add_inspect(CLI::App& application, int& exit_code) {
+  const auto options = std::make_shared<Options>();
+  CLI::App* command = application.add_subcommand(
+      "inspect", "show the tree, the loops, what is redundant, the coordinates and the operations of a model");
+  command->footer("Example: mbgen inspect models/coach_mechanism.json --json");
+  add_model_argument(*command, options->model);
+  add_json_option(*command, options->json);
+  add_dump_option(*command, options->dump);
+  command->callback([options, &exit_code] { exit_code = run(*options); });
+}
+
+}  // namespace mbgen::cli

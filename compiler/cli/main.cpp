@@ -1,0 +1,49 @@
+// mbgen: a JSON description of a multibody system becomes a specialised C++ solver.
+
+#include "compiler/cli/commands.hpp"
+#include "compiler/cli/files.hpp"
+#include "compiler/cli/user_error.hpp"
+#include "compiler/emit/emit.hpp"
+
+#include <fmt/format.h>
+
+#include <exception>
+
+namespace mbgen::cli {
+namespace {
+
+int run(int argc, char** argv) {
+  CLI::App application("mbgen makes a specialised C++ solver from a description of a multibody system.", "mbgen");
+  int exit_code = kDone;
+  application.set_version_flag("--version", std::string("mbgen ") + kMbgenVersion);
+  application.require_subcommand(1);
+  application.footer("Each command explains itself: mbgen simulate --help\n"
+                     "Exit codes: 0 done, 1 the input is at fault, 2 mbgen is at fault.");
+  for (const auto add : {add_check, add_inspect, add_generate, add_simulate, add_evaluate, add_bench, add_schema}) {
+    add(application, exit_code);
+  }
+  try {
+    application.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return application.exit(error) == 0 ? kDone : kUserFault;
+  }
+  return exit_code;
+}
+
+}  // namespace
+}  // namespace mbgen::cli
+
+int main(int argc, char** argv) {
+  using namespace mbgen::cli;
+  try {
+    return run(argc, argv);
+  } catch (const UserError& error) {
+    fmt::print(stderr, "{}", error.what());
+    return kUserFault;
+  } catch (const std::exception& error) {
+    fmt::print(stderr, "mbgen: a defect of mbgen, please report it with the model: {}\n", error.what());
+  } catch (...) {
+    fmt::print(stderr, "mbgen: a defect of mbgen, please report it with the model\n");
+  }
+  return kOurDefect;
+}

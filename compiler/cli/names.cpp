@@ -1,0 +1,73 @@
+#include "compiler/cli/names.hpp"
+
+#include <numeric>
+
+namespace mbgen::cli {
+
+const char* name_of(FreedomKind kind) { return kind == FreedomKind::revolute ? "revolute" : "prismatic"; }
+
+const char* name_of(JointType type) {
+  switch (type) {
+    case JointType::revolute: return "revolute";
+    case JointType::prismatic: return "prismatic";
+    case JointType::cylindrical: return "cylindrical";
+    case JointType::universal: return "universal";
+    case JointType::spherical: return "spherical";
+    case JointType::planar: return "planar";
+    case JointType::free: return "free";
+    case JointType::fixed: return "fixed";
+  }
+  return "unknown";
+}
+
+const char* name_of(ClosureKind kind) {
+  switch (kind) {
+    case ClosureKind::spherical: return "spherical";
+    case ClosureKind::revolute: return "revolute";
+    case ClosureKind::prismatic: return "prismatic";
+    case ClosureKind::universal: return "universal";
+    case ClosureKind::cylindrical: return "cylindrical";
+    case ClosureKind::planar: return "planar";
+    case ClosureKind::fixed: return "fixed";
+    case ClosureKind::rod: return "rod";
+  }
+  return "unknown";
+}
+
+const char* name_of(SolverSettings::Integrator integrator) {
+  return integrator == SolverSettings::Integrator::rk4 ? "rk4" : "abm4";
+}
+
+std::string body_name(const Topology& topology, int body) {
+  return body == kGround ? "ground" : topology.bodies[body].name;
+}
+
+std::vector<std::string> coordinate_names(const Topology& topology, const std::vector<int>& joints) {
+  std::vector<std::string> names;
+  for (const int joint : joints) names.push_back(topology.bodies[joint].coordinate);
+  return names;
+}
+
+std::vector<std::string> coordinate_names(const Topology& topology) {
+  std::vector<int> all(static_cast<std::size_t>(topology.size()));
+  std::iota(all.begin(), all.end(), 0);
+  return coordinate_names(topology, all);
+}
+
+std::vector<std::string> local_names(const Topology& topology, const LoopBlock& block,
+                                     const std::vector<int>& columns) {
+  std::vector<std::string> names;
+  for (const int column : columns) names.push_back(topology.bodies[block.joints[column]].coordinate);
+  return names;
+}
+
+std::vector<const Program*> all_programs(const Programs& programs) {
+  std::vector<const Program*> list;
+  for (const Program* program : {&programs.accelerations, &programs.closure, &programs.closure_terms,
+                                 &programs.accelerations_chosen, &programs.multipliers, &programs.outputs}) {
+    if (!program->outputs.empty()) list.push_back(program);
+  }
+  return list;
+}
+
+}  // namespace mbgen::cli

@@ -1,0 +1,33 @@
+#pragma once
+// Names for people: of kinds, bodies, coordinates and programs.
+
+#include "compiler/analysis/analysis.hpp"
+#include "compiler/topology/topology.hpp"
+#include "compiler/trace/trace.hpp"
+
+#include <string>
+#include <vector>
+
+namespace mbgen::cli {
+
+const char* name_of(FreedomKind kind);
+const char* name_of(JointType type);
+const char* name_of(ClosureKind kind);
+const char* name_of(SolverSettings::Integrator integrator);
+
+/// Name of a tree body, "ground" for kGround.
+std::string body_name(const Topology& topology, int body);
+
+/// Names of the coordinates of these tree joints.
+std::vector<std::string> coordinate_names(const Topology& topology, const std::vector<int>& joints);
+
+/// Names of all coordinates, in the order of the tree.
+std::vector<std::string> coordinate_names(const Topology& topology);
+
+/// Names of the coordinates of these local columns of a block.
+std::vector<std::string> local_names(const Topology& topology, const LoopBlock& block, const std::vector<int>& columns);
+
+/// The programs of a model that have something to compute.
+std::vector<const Program*> all_programs(const Programs& programs);
+
+}  // namespace mbgen::cli

@@ -1,0 +1,41 @@
+#pragma once
+// Arguments that several commands share.
+
+#include "compiler/cli/engine.hpp"
+
+#include <CLI/CLI.hpp>
+
+#include <string>
+#include <vector>
+
+namespace mbgen::cli {
+
+/// MODEL, the first argument of most commands.
+void add_model_argument(CLI::App& command, std::string& path);
+
+/// --json
+void add_json_option(CLI::App& command, bool& json);
+
+/// --dump=STAGE
+void add_dump_option(CLI::App& command, std::string& stage);
+
+/// Engine and inputs as typed.
+struct EngineArguments {
+  EngineChoice choice;
+  std::vector<std::string> inputs;   ///< name=value
+};
+
+/// --input, --no-cache
+void add_run_options(CLI::App& command, EngineArguments& arguments);
+
+/// --engine and the run options
+void add_engine_options(CLI::App& command, EngineArguments& arguments);
+
+/// Value of every input of the model: its default, or what `assignments` (name=value) say.
+/// Fails: UserError for a name that the model does not have or a value that is no finite number.
+std::vector<double> input_values(const Model& model, const std::vector<std::string>& assignments);
+
+/// A finite number. Fails: UserError with `what` in front.
+double parse_number(const std::string& text, const std::string& what);
+
+}  // namespace mbgen::cli

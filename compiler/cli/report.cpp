@@ -1,0 +1,115 @@
+#include "compiler/cli/report.hpp"
+
+#include "compiler/cli/names.hpp"
+
+#include <algorithm>
+
+namespace mbgen::cli {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// Bodies of the model that a fixed joint made part of another one, and so have no coordinate.
+long count_merged_bodies(const Model& model, const Topology& topology) {
+  long merged = 0;
+  for (int body = 0; body < static_cast<int>(model.bodies.size()); ++body) {
+    const auto is_body = [body](const TreeBody& tree_body) { return tree_body.model_body == body; };
+    const bool moves = std::any_of(topology.bodies.begin(), topology.bodies.end(), is_body);
+    merged += body != model.ground && !moves ? 1 : 0;
+  }
+  return merged;
+}
+
+Json report_cut_joints(const Topology& topology) {
+  Json list = Json::array();
+  for (const Loop& loop : topology.loops) {
+    if (loop.joint < 0) continue;
+    const std::size_t place = list.size();
+    list.push_back({{"name", loop.name},
+                    {"kind", name_of(loop.kind)},
+                    {"equations", loop.equations},
+                    {"reason", place < topology.cut_reasons.size() ? topology.cut_reasons[place] : ""}});
+  }
+  return list;
+}
+
+Json report_block(const Topology& topology, const LoopBlock& block, const BlockAnalysis& decided) {
+  std::vector<std::string> loops;
+  for (const int loop : block.loops) loops.push_back(topology.loops[loop].name);
+  return {{"joints", block.joints.size()},
+          {"joint_names", coordinate_names(topology, block.joints)},
+          {"base", body_name(topology, block.base)},
+          {"loops", loops},
+          {"equations", block.equations},
+          {"rank", decided.rank},
+          {"dependent", local_names(topology, block, decided.dependent)},
+          {"independent", local_names(topology, block, decided.independent)},
+          {"driven", local_names(topology, block, decided.driven)},
+          {"redundant", decided.redundant_names},
+          {"triangular_block_sizes", decided.triangular_sizes},
+          {"worst_pivot_ratio", decided.worst_pivot_ratio}};
+}
+
+Json report_operations(const OperationCount& count) {
+  return {{"add", count.add},     {"multiply", count.multiply},           {"divide", count.divide},
+          {"sqrt", count.sqrt},   {"trigonometric", count.trigonometric}, {"other", count.other},
+          {"total", count.total()}};
+}
+
+Json report_program(const Program& program) {
+  Json sections = Json::array();
+  const std::vector<OperationCount> counts = count_operations_by_section(program);
+  for (std::size_t s = 0; s < counts.size(); ++s) {
+    Json section = {{"section", program.sections[s]}};
+    section.update(report_operations(counts[s]));
+    sections.push_back(section);
+  }
+  return {{"sections", sections}, {"total", report_operations(count_operations(program))}};
+}
+
+}  // namespace
+
+Json make_report(const Compilation& compilation) {
+  const auto& [model, topology, analysis, programs] = compilation;
+  const Json cut_joints = report_cut_joints(topology);
+  const long moving_bodies = topology.size() + count_merged_bodies(model, topology);
+  const auto is_massless = [](const TreeBody& body) { return body.massless; };
+  long equations = 0;
+  for (const Loop& loop : topology.loops) equations += loop.equations;
+
+  Json report;
+  report["name"] = model.name;
+  report["bodies"] = moving_bodies + 1;   // and ground
+  report["massless_bodies"] = std::count_if(topology.bodies.begin(), topology.bodies.end(), is_massless);
+  report["joints"] = moving_bodies + static_cast<long>(cut_joints.size());
+  report["tree_joints"] = moving_bodies;   // each moving body hangs on one
+  report["cut_joints"] = cut_joints.size();
+  report["cut_joint_names"] = cut_joints;
+  report["rods"] = model.rods.size();
+  report["relative_coordinates"] = topology.size();
+  report["constraint_equations"] = equations;
+  report["independent_equations"] = analysis.independent_equations;
+  report["degrees_of_freedom"] = analysis.degrees_of_freedom;
+  report["driven_coordinates"] = model.motions.size();
+  report["closed_configurations"] = analysis.closed_configurations;
+  report["loop_blocks"] = Json::array();
+  for (std::size_t b = 0; b < topology.blocks.size(); ++b) {
+    report["loop_blocks"].push_back(report_block(topology, topology.blocks[b], analysis.blocks[b]));
+  }
+  report["coordinates"] = Json::array();
+  for (const TreeBody& body : topology.bodies) {
+    report["coordinates"].push_back({{"name", body.coordinate},
+                                     {"kind", name_of(body.kind)},
+                                     {"body", body.name},
+                                     {"parent", body_name(topology, body.parent)},
+                                     {"massless", body.massless}});
+  }
+  report["path_matrix"] = path_matrix(topology);
+  report["operations"] = Json::object();
+  for (const Program* program : all_programs(programs)) {
+    report["operations"][program->name] = report_program(*program);
+  }
+  return report;
+}
+
+}  // namespace mbgen::cli

@@ -1,0 +1,19 @@
+#pragma once
+// What `inspect` says of a model.
+
+#include "compiler/compile.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <string>
+
+namespace mbgen::cli {
+
+/// Counts, loop blocks, path matrix, coordinates and operations. Bodies and joints are counted as the paper does: a
+/// joint of several freedoms is a chain of joints of one freedom with massless bodies between them; ground is a body.
+nlohmann::ordered_json make_report(const Compilation& compilation);
+
+/// The same as tables for people.
+std::string report_text(const nlohmann::ordered_json& report);
+
+}  // namespace mbgen::cli

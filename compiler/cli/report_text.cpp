@@ -1,0 +1,126 @@
+#include "compiler/cli/report.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <map>
+#include <vector>
+
+namespace mbgen::cli {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr std::size_t kLineWidth = 110;
+
+/// A list of names after a title, broken into lines.
+std::string name_list(const std::string& title, const Json& names) {
+  std::string text;
+  std::string line = fmt::format("    {:<12}", title);
+  for (const auto& name : names) {
+    const std::string word = fmt::format(" {}", name.get<std::string>());
+    if (line.size() + word.size() > kLineWidth) {
+      text += line + "\n";
+      line.assign(16, ' ');
+    }
+    line += word;
+  }
+  return names.empty() ? "" : text + line + "\n";
+}
+
+std::string counts_text(const Json& report) {
+  std::string text = fmt::format("{}\n", report["name"].get<std::string>());
+  const std::vector<std::pair<const char*, const char*>> rows = {
+      {"bodies", "bodies, with ground"},
+      {"massless_bodies", "massless bodies"},
+      {"joints", "joints of one freedom, or cut"},
+      {"tree_joints", "  in the tree"},
+      {"cut_joints", "  cut"},
+      {"rods", "rods"},
+      {"relative_coordinates", "relative coordinates"},
+      {"constraint_equations", "constraint equations"},
+      {"independent_equations", "independent equations"},
+      {"degrees_of_freedom", "degrees of freedom"},
+      {"driven_coordinates", "  of these driven by motions"}};
+  for (const auto& [key, title] : rows) text += fmt::format("  {:<32}{:>6}\n", title, report[key].get<long>());
+  return text;
+}
+
+std::string tree_text(const Json& report) {
+  std::map<std::string, int> depth_of = {{"ground", 0}};
+  std::string text = "\nTree (body: coordinate, kind)\n  ground\n";
+  for (const auto& coordinate : report["coordinates"]) {
+    const std::string body = coordinate["body"];
+    const int depth = depth_of[coordinate["parent"]] + 1;
+    depth_of[body] = depth;
+    text += fmt::format("  {:>{}}{}: {}, {}, on {}{}\n", "", 2 * depth, body, coordinate["name"].get<std::string>(),
+                        coordinate["kind"].get<std::string>(), coordinate["parent"].get<std::string>(),
+                        coordinate["massless"] ? ", massless" : "");
+  }
+  return text;
+}
+
+std::string loops_text(const Json& report) {
+  std::string text;
+  if (!report["cut_joint_names"].empty()) text += "\nCut joints\n";
+  for (const auto& joint : report["cut_joint_names"]) {
+    text += fmt::format("  {}: {}, {} equations, {}\n", joint["name"].get<std::string>(),
+                        joint["kind"].get<std::string>(), joint["equations"].get<int>(),
+                        joint["reason"].get<std::string>());
+  }
+  if (!report["loop_blocks"].empty()) text += "\nLoop blocks\n";
+  int number = 0;
+  for (const auto& block : report["loop_blocks"]) {
+    text += fmt::format("  {}: {} joints on {}, {} equations of rank {}, diagonal blocks {}\n", ++number,
+                        block["joints"].get<int>(), block["base"].get<std::string>(), block["equations"].get<int>(),
+                        block["rank"].get<int>(),
+                        fmt::join(block["triangular_block_sizes"].get<std::vector<int>>(), " "));
+    for (const char* part : {"loops", "dependent", "independent", "driven", "redundant"}) {
+      text += name_list(part, block[part]);
+    }
+  }
+  if (number > 0) {
+    text += fmt::format("  ranks seen in {} closed configurations\n", report["closed_configurations"].get<int>());
+  }
+  return text;
+}
+
+std::string path_matrix_text(const Json& report) {
+  std::string text = "\nPath matrix, from the leaves to the root\n";
+  for (const auto& row : report["path_matrix"]) {
+    text += "  ";
+    for (const auto& entry : row) text += entry.get<int>() != 0 ? '1' : '.';
+    text += "\n";
+  }
+  return text;
+}
+
+std::string operation_row(const std::string& title, const Json& count) {
+  std::string row = fmt::format("  {:<52}", title);
+  for (const char* kind : {"add", "multiply", "divide", "sqrt", "trigonometric", "other", "total"}) {
+    row += fmt::format("{:>8}", count[kind].get<long>());
+  }
+  return row + "\n";
+}
+
+std::string operations_text(const Json& report) {
+  std::string text;
+  for (const auto& [name, program] : report["operations"].items()) {
+    text += fmt::format("\n  {:<52}{:>8}{:>8}{:>8}{:>8}{:>8}{:>8}{:>8}\n", "Operations of " + name, "+ -", "*", "/",
+                        "sqrt", "trig", "other", "+ - * /");
+    for (const auto& section : program["sections"]) {
+      text += operation_row(section["section"].get<std::string>(), section);
+    }
+    text += operation_row("total", program["total"]);
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string report_text(const Json& report) {
+  return counts_text(report) + tree_text(report) + loops_text(report) + path_matrix_text(report) +
+         operations_text(report);
+}
+
+}  // namespace mbgen::cli

@@ -1,0 +1,143 @@
+// mbgen simulate: a motion, as a table in a file and a summary.
+
+#include "compiler/cli/commands.hpp"
+#include "compiler/cli/files.hpp"
+#include "compiler/cli/initial_state.hpp"
+#include "compiler/cli/options.hpp"
+#include "compiler/cli/progress.hpp"
+#include "compiler/cli/simulation.hpp"
+#include "compiler/cli/simulation_text.hpp"
+#include "compiler/cli/user_error.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <memory>
+#include <optional>
+
+namespace mbgen::cli {
+namespace {
+
+/// Rows that a table has at most unless --every is given: enough for every plot.
+constexpr long kRows = 10000;
+/// A duration this close (relative) to a whole number of steps is one.
+constexpr double kWholeSteps = 1e-9;
+constexpr double kMostSteps = 1e12;
+
+struct Options {
+  std::string model, file, integrator;
+  std::optional<double> duration, step;
+  long every = 0;
+  EngineArguments engine;
+  bool json = false;
+};
+
+SolverSettings::Integrator integrator_of(const std::string& name, SolverSettings::Integrator by_default) {
+  if (name.empty()) return by_default;
+  if (name == "rk4") return SolverSettings::Integrator::rk4;
+  if (name == "abm4") return SolverSettings::Integrator::abm4;
+  throw UserError(fmt::format("--integrator: no integrator \"{}\"; there are: rk4, abm4\n", name));
+}
+
+/// The duration in whole equal steps, none longer than the one asked for.
+SimulationSettings settings_of(const Options& options, const SolverSettings& by_default) {
+  const double duration = options.duration.value_or(by_default.duration);
+  const double step = options.step.value_or(by_default.step);
+  if (!(duration > 0) || !std::isfinite(duration)) {
+    throw UserError(fmt::format("--duration: must be positive and finite, found {}\n", duration));
+  }
+  if (!(step > 0) || !std::isfinite(step)) {
+    throw UserError(fmt::format("--step: must be positive and finite, found {}\n", step));
+  }
+  const double steps = std::max(1.0, std::ceil(duration / step * (1 - kWholeSteps)));
+  if (!(steps < kMostSteps)) {
+    throw UserError(fmt::format("--step: {} s is too small for a duration of {} s\n", step, duration));
+  }
+  return {static_cast<long>(steps), duration / steps};
+}
+
+/// Rows between two written ones: first, last and every n-th point are written.
+long decimation(const Options& options, long steps) {
+  if (options.every < 0) throw UserError(fmt::format("--every: must be positive, found {}\n", options.every));
+  return options.every > 0 ? options.every : (steps + kRows - 3) / (kRows - 2);
+}
+
+/// The table: points on their way to the file.
+class TableWriter {
+ public:
+  TableWriter(const std::string& path, const Compilation& compilation, long every) : file_(path), every_(every) {
+    file_.write(csv_header(compilation));
+  }
+  void add(const Sample& sample) {
+    is_written_ = sample.step % every_ == 0;
+    if (is_written_) {
+      write(sample);
+    } else {
+      last_ = sample;
+    }
+  }
+  /// Gives the file its name; the last point is always written. Result: rows.
+  long commit() {
+    if (!is_written_) write(last_);
+    file_.commit();
+    return rows_;
+  }
+
+ private:
+  void write(const Sample& sample) {
+    file_.write(csv_row(sample));
+    ++rows_;
+  }
+  AtomicFile file_;
+  long every_;
+  long rows_ = 0;
+  bool is_written_ = true;
+  Sample last_;
+};
+
+int run(const Options& options) {
+  const Compilation compilation = expect(compile(options.model));
+  const SimulationSettings settings = settings_of(options, compilation.model.solver);
+  const std::vector<double> inputs = input_values(compilation.model, options.engine.inputs);
+  EngineChoice choice = options.engine.choice;
+  choice.integrator = integrator_of(options.integrator, compilation.model.solver.integrator);
+  TableWriter table(options.file, compilation, decimation(options, settings.steps));
+  const Engine engine = make_engine(compilation, choice);
+  engine.set_inputs(inputs);
+  const GenericState start = initial_state(compilation, inputs);
+
+  Progress progress(settings.steps);
+  const SimulationSummary summary = simulate(engine, start, settings, [&](const Sample& sample) {
+    table.add(sample);
+    progress.show(sample.step);
+  });
+  progress.clear();
+  const SimulationRecord record{compilation, choice, settings, summary, options.file, table.commit()};
+  print(options.json ? summary_json(record) : summary_text(record));
+  if (summary.status.ok()) return kDone;
+  fmt::print(stderr, "simulate: stopped after t = {} s: {}; {} holds the motion up to there\n", summary.end_time,
+             describe(compilation.topology, summary.status), options.file);
+  return kUserFault;
+}
+
+}  // namespace
+
+void add_simulate(CLI::App& application, int& exit_code) {
+  const auto options = std::make_shared<Options>();
+  CLI::App* command = application.add_subcommand("simulate", "compute a motion, write it as a table (CSV)");
+  command->footer("Example: mbgen simulate models/coach.json --duration 5 --step 1e-3 --out coach.csv\n"
+                  "Prints a summary; the file appears when it is complete. When the motion cannot go on, the file holds\n"
+                  "what there is, standard error says why, and the exit code is 1.");
+  add_model_argument(*command, options->model);
+  command->add_option("--duration", options->duration, "s (default: the model's)");
+  command->add_option("--step", options->step, "s, shortened to divide the duration (default: the model's)");
+  command->add_option("--out", options->file, "table of the motion (CSV)")->required();
+  command->add_option("--integrator", options->integrator, "rk4 or abm4 (default: the model's)");
+  command->add_option("--every", options->every,
+                      fmt::format("write every n-th step (default: at most {} rows)", kRows));
+  add_engine_options(*command, options->engine);
+  add_json_option(*command, options->json);
+  command->callback([options, &exit_code] { exit_code = run(*options); });
+}
+
+}  // namespace mbgen::cli

@@ -1,0 +1,104 @@
+#include "compiler/cli/simulation.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+namespace mbgen::cli {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
+
+/// Integral of samples at equal distances: Simpson's rule over pairs of steps, the trapezoidal rule for an odd last one.
+class Integral {
+ public:
+  void add(double value, double h) {
+    if (count_ > 0) {
+      const bool closes_a_pair = count_ % 2 == 0;
+      if (closes_a_pair) pairs_ += h / 3 * (before_ + 4 * last_ + value);
+      rest_ = closes_a_pair ? 0 : h / 2 * (last_ + value);
+    }
+    before_ = last_;
+    last_ = value;
+    ++count_;
+  }
+  double value() const { return pairs_ + rest_; }
+
+ private:
+  long count_ = 0;   // of samples
+  double before_ = 0, last_ = 0;
+  double pairs_ = 0, rest_ = 0;
+};
+
+/// Everything that the summary collects point by point.
+class Collector {
+ public:
+  explicit Collector(double h) : h_(h) {}
+
+  void add(const Sample& sample, SimulationSummary& summary) {
+    const GenericOutputs& outputs = sample.outputs;
+    const double energy = outputs.kinetic_energy + outputs.potential_energy;
+    if (sample.step == 0) first_energy_ = energy;
+    work_.add(outputs.applied_power, h_);
+    EnergyBalance& balance = summary.energy;
+    balance.change = energy - first_energy_;
+    balance.work = work_.value();
+    balance.scale =
+        std::max({balance.scale, std::abs(balance.change), std::abs(balance.work), outputs.kinetic_energy});
+    summary.largest.position = std::max(summary.largest.position, sample.residuals.position);
+    summary.largest.velocity = std::max(summary.largest.velocity, sample.residuals.velocity);
+    for (std::size_t i = 0; i < outputs.y.size(); ++i) {
+      if (sample.step == 0) summary.outputs.push_back({outputs.y[i], outputs.y[i], outputs.y[i]});
+      Range& range = summary.outputs[i];
+      range.smallest = std::min(range.smallest, outputs.y[i]);
+      range.largest = std::max(range.largest, outputs.y[i]);
+      range.last = outputs.y[i];
+    }
+    summary.steps = sample.step;
+    summary.end_time = sample.state.t;
+  }
+
+ private:
+  double h_;
+  double first_energy_ = 0;
+  Integral work_;
+};
+
+/// Fills in what belongs to the state of a sample.
+Status observe(const Engine& engine, Sample& sample, LoadedState& at, GenericDerivative& derivative) {
+  at.state = sample.state;
+  Status status = engine.accelerations(at, derivative);
+  if (status.ok()) status = engine.outputs(at, derivative, sample.outputs);
+  if (status.ok()) status = engine.residuals(sample.state, sample.residuals);
+  return status;
+}
+
+}  // namespace
+
+SimulationSummary simulate(const Engine& engine, const GenericState& state, const SimulationSettings& settings,
+                           const std::function<void(const Sample&)>& on_sample) {
+  const Clock::time_point start = Clock::now();
+  SimulationSummary summary;
+  Collector collector(settings.step);
+  Sample sample;
+  sample.state = state;
+  LoadedState at{state, std::vector<double>(state.z.size(), 0.0)};
+  GenericDerivative derivative;
+  for (sample.step = 0;; ++sample.step) {
+    summary.status = observe(engine, sample, at, derivative);
+    if (!summary.status.ok()) break;
+    collector.add(sample, summary);
+    on_sample(sample);
+    if (sample.step == settings.steps) break;
+    const Clock::time_point before = Clock::now();
+    summary.status = engine.step(sample.state, settings.step);
+    summary.solver_seconds += seconds_since(before);
+    if (!summary.status.ok()) break;
+  }
+  summary.wall_seconds = seconds_since(start);
+  return summary;
+}
+
+}  // namespace mbgen::cli

@@ -1,0 +1,53 @@
+#pragma once
+// A motion from a state, step by step, with what is worth knowing of it.
+
+#include "compiler/cli/engine.hpp"
+
+#include <functional>
+#include <vector>
+
+namespace mbgen::cli {
+
+struct SimulationSettings {
+  long steps = 0;
+  double step = 0;            ///< s
+};
+
+/// One point of the motion.
+struct Sample {
+  long step = 0;              ///< 0 at the start
+  GenericState state;
+  GenericOutputs outputs;
+  Residuals residuals;
+};
+
+/// Smallest, largest and last value of one output.
+struct Range {
+  double smallest = 0, largest = 0, last = 0;
+};
+
+/// Energy along the motion. In a right solution, kinetic + potential energy changes by the work of the applied forces.
+struct EnergyBalance {
+  double change = 0;          ///< J, of kinetic energy and potential energy of gravity
+  double work = 0;            ///< J, of all other applied forces and drives, integrated by Simpson's rule
+  double scale = 0;           ///< J, largest of |change|, |work| and kinetic energy along the way
+  double error() const { return change - work; }
+};
+
+struct SimulationSummary {
+  long steps = 0;             ///< that succeeded
+  double end_time = 0;        ///< s, of the last good state
+  double solver_seconds = 0;  ///< wall time inside the integrator
+  double wall_seconds = 0;    ///< wall time of everything
+  Residuals largest;          ///< over all points
+  EnergyBalance energy;
+  std::vector<Range> outputs;
+  Status status;              ///< of the step that failed, or ok
+};
+
+/// Steps the engine from `state`. on_sample gets every point, the start too.
+/// When a step fails the motion ends at the last good state, and the summary says why.
+SimulationSummary simulate(const Engine& engine, const GenericState& state, const SimulationSettings& settings,
+                           const std::function<void(const Sample&)>& on_sample);
+
+}  // namespace mbgen::cli

@@ -1,0 +1,122 @@
+#include "compiler/cli/simulation_text.hpp"
+
+#include "compiler/cli/names.hpp"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <iterator>
+
+namespace mbgen::cli {
+namespace {
+
+/// A field of a CSV file, quoted where it has to be (RFC 4180).
+std::string csv_field(const std::string& text) {
+  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
+  std::string quoted = "\"";
+  for (const char letter : text) {
+    if (letter == '"') quoted += '"';
+    quoted += letter;
+  }
+  return quoted + "\"";
+}
+
+std::string unit_or_one(const std::string& unit) { return unit.empty() ? "1" : unit; }
+
+double relative(const EnergyBalance& energy) { return energy.scale > 0 ? energy.error() / energy.scale : 0; }
+
+/// Simulated time over the time that the solver took.
+double real_time_factor(const SimulationRecord& record) {
+  const double simulated = static_cast<double>(record.summary.steps) * record.settings.step;
+  return record.summary.solver_seconds > 0 ? simulated / record.summary.solver_seconds : 0;
+}
+
+}  // namespace
+
+std::string csv_header(const Compilation& compilation) {
+  std::string line = "t [s]";
+  for (const TreeBody& body : compilation.topology.bodies) {
+    line += fmt::format(",z.{} [{}]", body.coordinate, body.kind == FreedomKind::revolute ? "rad" : "m");
+  }
+  for (const TreeBody& body : compilation.topology.bodies) {
+    line += fmt::format(",zd.{} [{}]", body.coordinate, body.kind == FreedomKind::revolute ? "rad/s" : "m/s");
+  }
+  for (const Output& output : compilation.model.outputs) {
+    line += ',';
+    line += csv_field(fmt::format("{} [{}]", output.name, unit_or_one(output.unit)));
+  }
+  return line + ",residual [m]\n";
+}
+
+std::string csv_row(const Sample& sample) {
+  std::string line = fmt::format("{}", sample.state.t);
+  const auto append = [&line](double value) { fmt::format_to(std::back_inserter(line), ",{}", value); };
+  for (const double value : sample.state.z) append(value);
+  for (const double value : sample.state.zd) append(value);
+  for (const double value : sample.outputs.y) append(value);
+  append(sample.residuals.position);
+  return line + "\n";
+}
+
+std::string summary_text(const SimulationRecord& record) {
+  const SimulationSummary& summary = record.summary;
+  const EnergyBalance& energy = summary.energy;
+  std::string text = fmt::format("{}: {} steps of {:.6g} s, engine {}, integrator {}\n", record.compilation.model.name,
+                                 summary.steps, record.settings.step, record.choice.name,
+                                 name_of(record.choice.integrator));
+  text += fmt::format("  real-time factor          {:.4g} (simulated time over {:.4g} s in the solver)\n",
+                      real_time_factor(record), summary.solver_seconds);
+  text += fmt::format("  largest closure residual  {:.2e} m, {:.2e} m/s\n", summary.largest.position,
+                      summary.largest.velocity);
+  text += fmt::format("  energy                    changed by {:.6g} J, work {:.6g} J, error {:.2e} J ({:.1e} relative)\n",
+                      energy.change, energy.work, energy.error(), relative(energy));
+  text += fmt::format("  status                    {} at t = {:.6g} s\n",
+                      describe(record.compilation.topology, summary.status), summary.end_time);
+  const std::vector<Output>& outputs = record.compilation.model.outputs;
+  std::size_t width = 0;
+  for (const Output& output : outputs) width = std::max(width, output.name.size() + unit_or_one(output.unit).size() + 3);
+  if (!summary.outputs.empty()) {
+    text += fmt::format("  {:<{}}{:>14}{:>14}{:>14}\n", "output", width, "smallest", "largest", "last");
+  }
+  for (std::size_t i = 0; i < summary.outputs.size(); ++i) {
+    const Range& range = summary.outputs[i];
+    text += fmt::format("  {:<{}}{:>14.6g}{:>14.6g}{:>14.6g}\n",
+                        fmt::format("{} [{}]", outputs[i].name, unit_or_one(outputs[i].unit)), width, range.smallest,
+                        range.largest, range.last);
+  }
+  return text + fmt::format("  table                     {} ({} rows)\n", record.file, record.rows);
+}
+
+std::string summary_json(const SimulationRecord& record) {
+  using Json = nlohmann::ordered_json;
+  const SimulationSummary& summary = record.summary;
+  Json outputs = Json::object();
+  for (std::size_t i = 0; i < summary.outputs.size(); ++i) {
+    const Range& range = summary.outputs[i];
+    outputs[record.compilation.model.outputs[i].name] = {
+        {"smallest", range.smallest}, {"largest", range.largest}, {"last", range.last}};
+  }
+  const Json report = {{"model", record.compilation.model.name},
+                       {"engine", record.choice.name},
+                       {"integrator", name_of(record.choice.integrator)},
+                       {"steps", summary.steps},
+                       {"step", record.settings.step},
+                       {"end_time", summary.end_time},
+                       {"status", describe(record.compilation.topology, summary.status)},
+                       {"solver_seconds", summary.solver_seconds},
+                       {"wall_seconds", summary.wall_seconds},
+                       {"real_time_factor", real_time_factor(record)},
+                       {"position_residual", summary.largest.position},
+                       {"velocity_residual", summary.largest.velocity},
+                       {"energy_change", summary.energy.change},
+                       {"work", summary.energy.work},
+                       {"energy_error", summary.energy.error()},
+                       {"relative_energy_error", relative(summary.energy)},
+                       {"outputs", outputs},
+                       {"file", record.file},
+                       {"rows", record.rows}};
+  return report.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace mbgen::cli
