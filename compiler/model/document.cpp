@@ -49,16 +49,21 @@ std::string syntax_message(std::string_view what) {
   return fmt::format("syntax error in {}: {}", what.substr(0, dash), what.substr(dash + 3));
 }
 
+/// The text from `at` to the next white space or punctuation.
+std::string_view word_at(std::string_view text, std::size_t at) {
+  return text.substr(at, text.find_first_of(" \t\r\n,:{}[]\"/", at) - at);
+}
+
 std::string syntax_hint(std::string_view text, std::size_t at, std::string_view message) {
-  const std::string_view word = text.substr(at, text.find_first_of(" \t\r\n,:{}[]\"/", at) - at);
+  const std::string_view word = word_at(text, at);
   for (const std::string_view not_a_number : {"NaN", "nan", "Infinity", "-Infinity", "inf", "-inf", "Inf", "-Inf"}) {
     if (word == not_a_number) return "every number must be finite";
   }
   const auto before = text.find_last_not_of(" \t\r\n", at == 0 ? 0 : at - 1);
   const bool closing = at < text.size() && (text[at] == '}' || text[at] == ']');
   if (closing && before != std::string_view::npos && text[before] == ',') return "remove the comma before it";
-  if (message.find("expected '}'") != std::string_view::npos ||
-      message.find("expected ']'") != std::string_view::npos) {
+  if (message.find("; expected '}'") != std::string_view::npos ||
+      message.find("; expected ']'") != std::string_view::npos) {
     return "a comma or a closing bracket is missing before it";
   }
   if (word.size() > 1 && message.find("invalid literal") != std::string_view::npos)
@@ -194,6 +199,9 @@ bool TreeBuilder::parse_error(std::size_t position, const std::string& token, co
   const std::string_view text = document_.text;
   std::size_t at = std::min({skip_separators(text, cursor_), position == 0 ? 0 : position - 1, text.size()});
   std::string message = syntax_message(error.what());
+  const bool names_word =
+      message.find("invalid literal") != std::string::npos || message.find("invalid number") != std::string::npos;
+  if (names_word) message += ", got " + in_quotes(word_at(text, at));
   std::string hint = syntax_hint(text, at, message);
   constexpr int kNumberOverflow = 406;
   if (error.id == kNumberOverflow) {

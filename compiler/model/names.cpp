@@ -37,7 +37,8 @@ int edit_distance(std::string_view a, std::string_view b) {
 std::string did_you_mean(std::string_view word, const std::vector<std::string_view>& candidates) {
   constexpr std::size_t kMostSearched = 2000, kMostListed = 8;
   if (candidates.empty() || candidates.size() > kMostSearched || word.size() > 2 * kLongestName) return {};
-  const int near = std::max<int>(1, static_cast<int>(word.size()) / 3);
+  const int size = static_cast<int>(word.size());
+  const int near = std::min(std::max(1, size / 3), size - 1);  // one letter is not like another
   int best = near + 1;
   std::string_view nearest;
   for (const std::string_view candidate : candidates) {

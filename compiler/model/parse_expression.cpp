@@ -49,7 +49,7 @@ class ExpressionParser {
       fail(at_, "expression is empty");
     } else if (sum() >= 0) {
       skip_space();
-      if (at_ < text_.size()) fail_unexpected();
+      if (at_ < text_.size()) fail_after_value();
     }
     return {{std::string(text_), std::move(nodes_)}, std::move(problems_)};
   }
@@ -66,11 +66,20 @@ class ExpressionParser {
   int fail_unexpected() {
     skip_space();
     if (at_ == text_.size()) return fail(at_, "expression ends where a value is expected");
-    const unsigned char byte = static_cast<unsigned char>(text_[at_]);
-    const std::string shown =
-        byte < 0x20 || byte >= 0x80 ? fmt::format("byte 0x{:02x}", byte) : fmt::format("'{}'", text_[at_]);
-    const std::string hint = text_.substr(at_, 2) == "**" ? "powers are written x^y" : "";
-    return fail(at_, "unexpected " + shown + " in expression", hint);
+    std::size_t end = at_ + 1;
+    while (end < text_.size() && (static_cast<unsigned char>(text_[end]) & 0xC0u) == 0x80u)
+      ++end;  // rest of a UTF-8 character
+    const bool stars = text_[at_] == '*' && at_ > 0 && text_[at_ - 1] == '*';
+    return fail(at_, fmt::format("unexpected {} in expression", in_quotes(text_.substr(at_, end - at_))),
+                stars ? "powers are written x^y" : "");
+  }
+
+  /// Complains about what follows a whole expression.
+  int fail_after_value() {
+    const std::size_t start = at_;
+    if (!is_letter(text_[at_]) && !is_digit(text_[at_]) && text_[at_] != '(') return fail_unexpected();
+    const std::string_view next = text_[at_] == '(' ? "(" : word();
+    return fail(start, fmt::format("unexpected {} in expression", in_quotes(next)), "write * between factors");
   }
 
   void skip_space() {
@@ -118,7 +127,7 @@ class ExpressionParser {
     const double value = function == Function::power ? power_by_constant(a, b) : apply(function, a, b, c);
     const bool spoiled = std::isnan(a) || std::isnan(b) || std::isnan(c);  // by a parameter that could not be read
     if (!std::isfinite(value) && !spoiled && problems_.empty()) {
-      fail(offset, fmt::format("value is not finite here, {}", value));
+      fail(offset, std::isnan(value) ? "value is not a number here" : "value is infinite here");
     }
     nodes_.resize(nodes_.size() - static_cast<std::size_t>(1 + (second >= 0) + (third >= 0)));
     return push_number(value);

@@ -81,6 +81,7 @@ using PointPlaces = std::vector<NameMap<Place>>;
 void read_points(Reader& reader, std::size_t body, const Value& value, PointPlaces& places) {
   if (value.kind != Value::Kind::object) {
     report(reader, value, fmt::format("must be an object of points, got {}", describe(value)));
+    reader.names.points_unreadable[body] = true;
     return;
   }
   for (const Member& member : value.members) {
@@ -157,6 +158,7 @@ void read_bodies(Reader& reader, const Entries& entries) {
     if (is_new) {
       model.bodies.push_back(body);
       reader.names.points.emplace_back();
+      reader.names.points_unreadable.push_back(!readable);
       places.emplace_back();
       if (ground) model.ground = found->second;
     }

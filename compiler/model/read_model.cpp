@@ -28,11 +28,11 @@ FileText read_text(const std::string& path) {
   if (fs::is_directory(path, error)) return {{}, "cannot read file, it is a directory"};
   std::ifstream stream(path, std::ios::binary);
   if (!stream) return {{}, "cannot read file"};
-  // One byte more than allowed shows that a file is too large, without reading all of it.
-  std::string text(kMaximumBytes + 1, '\0');
-  stream.read(text.data(), static_cast<std::streamsize>(text.size()));
-  text.resize(static_cast<std::size_t>(stream.gcount()));
-  text.shrink_to_fit();
+  std::string text, chunk(std::size_t{1} << 16, '\0');
+  while (stream && text.size() <= kMaximumBytes) {
+    stream.read(chunk.data(), static_cast<std::streamsize>(chunk.size()));
+    text.append(chunk, 0, static_cast<std::size_t>(stream.gcount()));
+  }
   if (text.size() > kMaximumBytes) return {{}, "file is larger than 64 MB"};
   return {std::move(text), {}};
 }
@@ -48,10 +48,17 @@ struct Files {
   std::vector<FileFields> merged;
   std::vector<std::string> open;   ///< canonical paths from the first file to the one being read
   std::vector<std::string> known;  ///< canonical paths of all files: one that is included twice counts once
-  bool complete = true;            ///< false when a file could not be parsed: its names are unknown
+  bool complete = true;            ///< false when the names that a file defines could not be read
 };
 
 void load(Reader& reader, Files& files, const std::string& file, std::string text);
+
+/// Complains about a section that is no object.
+bool is_map(Reader& reader, const Value& section) {
+  if (section.kind == Value::Kind::object) return true;
+  report(reader, section, "must be an object of named elements, got " + describe(section));
+  return false;
+}
 
 void load_include(Reader& reader, Files& files, const std::string& file, const Value& item) {
   constexpr std::size_t kDeepest = 32;
@@ -94,6 +101,9 @@ void load(Reader& reader, Files& files, const std::string& file, std::string tex
   } else if (first) {
     report(reader, document.root, "key \"mbgen\" is missing", "write \"mbgen\": 1, the version of the format");
   }
+  for (const Value* section : {fields.parameters, fields.inputs, fields.bodies, fields.joints}) {
+    if (section && !is_map(reader, *section)) files.complete = false;
+  }
   if (fields.include && fields.include->kind != Value::Kind::array) {
     report(reader, *fields.include, "must be an array of paths, got " + describe(*fields.include));
   } else if (fields.include) {
@@ -118,11 +128,7 @@ Entries collect(Reader& reader, const Files& files, const Value* FileFields::*se
   NameMap<Place> places;
   for (const FileFields& file : files.merged) {
     const Value* map = file.*section;
-    if (!map) continue;
-    if (map->kind != Value::Kind::object) {
-      report(reader, *map, "must be an object of named elements, got " + describe(*map));
-      continue;
-    }
+    if (!map || !is_map(reader, *map)) continue;
     for (const Member& member : map->members) {
       const Entry entry{member.key, member.place, &member.value};
       const auto [first, is_new] = places.emplace(member.key, member.place);
@@ -217,7 +223,7 @@ Result<Model> read_model(std::string_view text, const std::string& file_name) {
   Files files;
   reader.model.file = file_name;
   load(reader, files, file_name, std::string(text));
-  // A file that could not be parsed would make every name it defines unknown: its own problem comes first.
+  // Names that could not be read would all be unknown: that problem comes first.
   if (files.complete && !files.merged.empty()) {
     read_name(reader, files.merged.back());
     read_sections(reader, files);

@@ -17,7 +17,7 @@ void resolve_motion(Reader& reader, const Value& value, MotionFields& motion) {
     report(reader, find_member(value, "position")->place, "motion has both \"angle\" and \"position\"");
   }
   motion.position = motion.angle ? *motion.angle : motion.displacement.value_or(Quantity());
-  if (motion.joint.joint < 0) return;
+  if (motion.joint.joint < 0 || (angle && displacement)) return;
   const bool rotation = is_rotation(reader.model, motion.joint);
   const std::string name = in_quotes(coordinate_name(reader.model, motion.joint));
   if (const Member* member = find_member(value, rotation ? "position" : "angle")) {

@@ -66,6 +66,7 @@ void read_value(Reader& reader, const Value& value, const FieldInfo&, Attachment
   const NameMap<int>& points = reader.names.points[static_cast<std::size_t>(body_found->second)];
   const auto point_found = points.find(point);
   if (point_found == points.end()) {
+    if (reader.names.points_unreadable[static_cast<std::size_t>(body_found->second)]) return;
     report(reader, place_in_text(reader.documents, value, dot + 1),
            fmt::format("body {} has no point {}", in_quotes(body), in_quotes(point)), did_you_mean(point, points));
     return;

@@ -30,7 +30,7 @@ void wrong_type(Reader& reader, const Value& value, std::string_view wanted, std
 /// usable.
 bool check_number(Reader& reader, const Value& value, const FieldInfo& info, double number) {
   if (std::abs(number) > kLargestNumber) {
-    report(reader, value, fmt::format("must be at most {} in magnitude, got {}", kLargestNumber, number));
+    report(reader, value, fmt::format("must be at most {:g} in magnitude, got {}", kLargestNumber, number));
   } else if (info.bound == Bound::positive && number <= 0) {
     report(reader, value, fmt::format("must be positive, got {}", number));
   } else if (info.bound == Bound::not_negative && number < 0) {
@@ -68,11 +68,13 @@ void read_expression(Reader& reader, const Value& value, const FieldInfo& info, 
   if (must_be_finite && !std::isfinite(target.value)) {
     const bool spoiled = std::any_of(expression->nodes.begin(), expression->nodes.end(),
                                      [](const ExpressionNode& node) { return std::isnan(node.number); });
-    if (!spoiled) report(reader, value, fmt::format("value at default parameters is not finite, {}", target.value));
+    if (!spoiled)
+      report(reader, value,
+             std::isnan(target.value) ? "is not a number at default parameters" : "is infinite at default parameters");
     target = kUnreadable;
     return;
   }
-  if (!check_number(reader, value, info, target.value)) {
+  if (std::isfinite(target.value) && !check_number(reader, value, info, target.value)) {
     target = kUnreadable;
   } else if (!constant) {
     target.expression = add_expression(reader, std::move(*expression));

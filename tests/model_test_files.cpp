@@ -1,0 +1,157 @@
+// Files: large, deep, empty, missing, byte order marks, includes and how they merge.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
+
+#include "tests/model_support.hpp"
+
+namespace mbgen {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A directory of its own for each test, gone afterwards.
+class Files : public testing::Test {
+ protected:
+  Files() : directory_(fs::temp_directory_path() / ("mbgen_model_test_" + std::to_string(getpid()))) {
+    fs::create_directories(directory_);
+  }
+  ~Files() override { fs::remove_all(directory_); }
+  std::string write(const std::string& name, const std::string& text) {
+    std::ofstream(directory_ / name, std::ios::binary) << text;
+    return (directory_ / name).string();
+  }
+  Model read_file(const std::string& path) {
+    const Result<Model> result = read_model_file(path);
+    if (result) return *result;
+    ADD_FAILURE() << to_text(result.problems());
+    return {};
+  }
+  fs::path directory_;
+};
+
+TEST_F(Files, MissingFileAndDirectoryAreNamed) {
+  EXPECT_EQ(to_text(read_model_file("no/such.json").problems()), "no/such.json: cannot read file, it does not exist\n");
+  EXPECT_EQ(to_text(read_model_file("/").problems()), "/: cannot read file, it is a directory\n");
+}
+
+TEST_F(Files, LargerThan64MegabytesIsRefused) {
+  const std::string blanks((std::size_t{64} << 20) + 1, ' ');
+  const std::string path = write("large.json", blanks);
+  EXPECT_EQ(to_text(read_model_file(path).problems()), path + ": file is larger than 64 MB\n");
+  EXPECT_EQ(messages(blanks), "test.json:1:1: file is larger than 64 MB, it has 67108865 bytes\n");
+}
+
+TEST_F(Files, BlanksUpToTheLimitAreAnEmptyFile) {
+  EXPECT_EQ(messages(std::string(std::size_t{64} << 20, ' ')).substr(0, 31), "test.json:1:1: file is empty\n  ");
+}
+
+TEST_F(Files, MoreValuesThanMemoryIsMeantForIsRefused) {
+  std::string text = "{ \"mbgen\": 1, \"gravity\": [0";
+  for (int i = 0; i < 2'100'000; ++i) text += ",0";
+  EXPECT_EQ(messages(text + "] }"), "test.json:1:4000021: file has more than 2000000 values\n");
+}
+
+TEST_F(Files, AnyDepthIsADiagnosticAndNoOverflow) {
+  const std::string arrays(5'000'000, '[');
+  EXPECT_EQ(messages(arrays), "test.json:1:65: nested deeper than 64 levels\n");
+  std::string objects;
+  for (int i = 0; i < 1'000'000; ++i) objects += "{\"a\":";
+  EXPECT_EQ(messages(objects), "test.json:1:321: nested deeper than 64 levels\n");
+}
+
+TEST_F(Files, DepthAtTheLimitIsRead) {
+  const std::string text =
+      "{ \"mbgen\": 1, \"bodies\": {}, \"x\": " + std::string(63, '[') + std::string(63, ']') + " }";
+  EXPECT_NE(messages(text).find("unknown key \"x\""), std::string::npos);
+  EXPECT_EQ(messages(text).find("nested"), std::string::npos);
+}
+
+TEST_F(Files, ByteOrderMarkIsSkippedAndDoesNotCount) {
+  EXPECT_EQ(read("\xEF\xBB\xBF" + arm_model("")).bodies.size(), 2u);
+  EXPECT_EQ(messages("\xEF\xBB\xBF{ \"x\": 1 }").substr(0, 37), "test.json:1:1: key \"mbgen\" is missing");
+}
+
+TEST_F(Files, CommentsAndWindowsLinesAreRead) {
+  EXPECT_EQ(read("// one\r\n/* two\r\n * , : { */ " + arm_model("")).bodies.size(), 2u);
+  const std::string text = "{\r\n  \"mbgen\": 1, // , \"x\": 1\r\n  /* \" */ \"bodys\": {}\r\n}";
+  EXPECT_EQ(messages(text).substr(0, 42), "test.json:1:1: model has no bodies\n  {\n  ^");
+  EXPECT_NE(
+      messages(text).find("test.json:3:11: /bodys: unknown key \"bodys\"\n    /* \" */ \"bodys\": {}\n            ^\n"),
+      std::string::npos);
+}
+
+TEST_F(Files, EscapedKeysGiveAPointer) {
+  const std::string text = messages("{ \"mbgen\": 1, \"bodies\": {}, \"a/b~c\": 1 }");
+  EXPECT_EQ(text.substr(0, text.find('\n')), "test.json:1:29: /a~1b~0c: unknown key \"a/b~c\"");
+}
+
+TEST_F(Files, IncludesMergeInOrderAndTheIncludingFileWins) {
+  write("first.json", R"({ "mbgen": 1, "name": "other", "gravity": [0, 0, -1], "parameters": { "k": 2 },
+    "bodies": { "ground": { "points": { "G": [1, 2, 3] } },
+                "arm": { "mass": "k", "inertia": [1, 1, 1], "points": { "A": [1, 2, 3] } } },
+    "joints": { "pin": { "type": "revolute", "from": "ground.G", "to": "arm.A", "axis": "z" } },
+    "initial": { "equilibrium": true, "positions": { "pin": 1 }, "velocities": { "pin": 5 } },
+    "solver": { "step": 0.25, "duration": 4 } })");
+  const std::string path = write("second.json", R"({ "mbgen": 1, "include": ["first.json"],
+    "gravity": [0, 0, -2], "parameters": { "k2": "10*k" },
+    "bodies": { "ground": { "points": { "H": [0, 0, 0] } }, "arm": { "points": { "B": ["k2", 0, 0] } } },
+    "forces": { "push": { "at": "arm.B", "force": [1, 0, 0] } },
+    "initial": { "positions": { "pin": 3 } }, "solver": { "step": 0.5 } })");
+  const Model model = read_file(path);
+  EXPECT_EQ(model.name, "second");
+  EXPECT_EQ(model.gravity[2].value, -2);
+  ASSERT_EQ(model.bodies.size(), 2u);
+  EXPECT_EQ(model.bodies[1].name, "arm");
+  EXPECT_EQ(model.bodies[1].mass.value, 2);
+  ASSERT_EQ(model.bodies[1].points.size(), 2u);
+  EXPECT_EQ(model.bodies[1].points[1].name, "B");
+  EXPECT_EQ(model.bodies[1].points[1].position[0].value, 20);
+  EXPECT_EQ(model.bodies[0].points.size(), 2u);
+  EXPECT_TRUE(model.initial.equilibrium);
+  ASSERT_EQ(model.initial.positions.size(), 1u);
+  EXPECT_EQ(model.initial.positions[0].value, 3);
+  EXPECT_EQ(model.initial.velocities[0].value, 5);
+  EXPECT_EQ(model.solver.step, 0.5);
+  EXPECT_EQ(model.solver.duration, 4);
+  EXPECT_EQ(model.bodies[1].where.file, (directory_ / "first.json").string());
+  EXPECT_EQ(model.bodies[1].where.pointer, "/bodies/arm");
+}
+
+TEST_F(Files, AFileIncludedTwiceCountsOnce) {
+  write("base.json", R"({ "bodies": { "arm": { "points": { "A": [0, 0, 0] } } } })");
+  write("left.json", R"({ "include": ["base.json"] })");
+  write("right.json", R"({ "include": ["base.json"] })");
+  EXPECT_EQ(read_file(write("top.json", R"({ "mbgen": 1, "include": ["left.json", "right.json"] })")).bodies.size(),
+            1u);
+}
+
+TEST_F(Files, ALongChainOfIncludesIsADiagnostic) {
+  for (int i = 0; i < 100; ++i) {
+    write(fmt::format("f{}.json", i), fmt::format(R"({{ "mbgen": 1, "include": ["f{}.json"] }})", i + 1));
+  }
+  const std::string text = to_text(read_model_file((directory_ / "f0.json").string()).problems());
+  EXPECT_NE(text.find("includes are nested deeper than 32 files"), std::string::npos) << text;
+}
+
+TEST_F(Files, HashIsFnv1aOfAllTexts) {
+  // FNV-1a, 64 bits, of the two texts below: computed with an independent implementation.
+  const std::string included = R"({"bodies":{"a":{}}})";
+  write("inner.json", included);
+  const std::string outer = R"({"mbgen":1,"include":["inner.json"]})";
+  const Model model = read_file(write("outer.json", outer));
+  EXPECT_EQ(model.hash, "2d403a6bcfbfea84");
+  EXPECT_NE(read(arm_model("")).hash, read(arm_model("") + " ").hash);
+}
+
+TEST_F(Files, NameComesFromTheFileWhenAbsent) {
+  EXPECT_EQ(read_file(write("my model-2.json", arm_model(""))).name, "my_model_2");
+  EXPECT_EQ(read_file(write("2.json", arm_model(""))).name, "model");
+  EXPECT_EQ(read(arm_model("\"name\": \"four_bar\"")).name, "four_bar");
+}
+
+}  // namespace
+}  // namespace mbgen
