@@ -1,43 +1,48 @@
-#include "compiler/program/operations.hpp"
+#include "compiler/program/arithmetic.hpp"
+#include "compiler/program/program.hpp"
+#include "compiler/program/rules.hpp"
+
+#include <fmt/format.h>
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
-#include <cstring>
+#include <limits>
 #include <stdexcept>
+#include <utility>
 
 namespace mbgen {
 namespace {
 
-std::uint64_t bits(double value) {
-  std::uint64_t result;
-  std::memcpy(&result, &value, sizeof result);
-  return result;
+/// Mixes one more word into a hash (the finaliser of splitmix64).
+std::uint64_t mix(std::uint64_t hash, std::uint64_t word) {
+  hash += word + 0x9e3779b97f4a7c15u;
+  hash = (hash ^ (hash >> 30)) * 0xbf58476d1ce4e5b9u;
+  hash = (hash ^ (hash >> 27)) * 0x94d049bb133111ebu;
+  return hash ^ (hash >> 31);
 }
 
-std::uint64_t hash(const Node& node) {
-  std::uint64_t h = 1469598103934665603ull;
-  const auto mix = [&](std::uint64_t value) { h = (h ^ value) * 1099511628211ull, h ^= h >> 29; };
-  mix(static_cast<std::uint64_t>(node.op));
-  for (ValueId operand : node.operands) mix(operand);
-  mix(bits(node.constant));
-  return h;
+std::uint64_t hash_of(const Node& node) {
+  std::uint64_t hash = mix(static_cast<std::uint64_t>(node.op), std::bit_cast<std::uint64_t>(node.constant));
+  for (const ValueId operand : node.operands) hash = mix(hash, operand);
+  return hash;
 }
 
-bool same(const Node& a, const Node& b) {
-  return a.op == b.op && std::equal(a.operands, a.operands + 3, b.operands) && bits(a.constant) == bits(b.constant);
+/// The same computation; place and label do not count.
+bool computes_same(const Node& a, const Node& b) {
+  return a.op == b.op && std::ranges::equal(a.operands, b.operands) &&
+         std::bit_cast<std::uint64_t>(a.constant) == std::bit_cast<std::uint64_t>(b.constant);
 }
 
-/// Whether division by a constant is exactly a multiplication: the divisor is a power of two.
-bool exact_reciprocal(double divisor) {
-  int exponent = 0;
-  return std::abs(std::frexp(divisor, &exponent)) == 0.5 && std::isnormal(1 / divisor);
-}
+std::string slot_text(const Slot& slot) { return fmt::format("{}[{}]", slot.group, slot.index); }
 
-std::uint16_t place_of(std::vector<std::string>& titles, const std::string& title) {
-  const auto found = std::find(titles.begin(), titles.end(), title);
-  if (found != titles.end()) return static_cast<std::uint16_t>(found - titles.begin());
-  titles.push_back(title);
-  return static_cast<std::uint16_t>(titles.size() - 1);
+/// Index of a title, appended when it is new.
+std::uint16_t find_or_add(std::vector<std::string>& titles, const std::string& title) {
+  const auto found = std::ranges::find(titles, title);
+  const auto index = static_cast<std::size_t>(found - titles.begin());
+  if (index > std::numeric_limits<std::uint16_t>::max()) throw std::length_error("more than 65536 sections or blocks");
+  if (found == titles.end()) titles.push_back(title);
+  return static_cast<std::uint16_t>(index);
 }
 
 }  // namespace
@@ -48,136 +53,134 @@ ProgramBuilder::ProgramBuilder(std::string name) {
   program_.blocks = {""};
 }
 
-bool ProgramBuilder::is_constant(ValueId value, double constant) const {
-  const Node& n = program_.nodes[value];
-  return n.op == Op::constant && n.constant == constant;
-}
-
-ValueId ProgramBuilder::push(Node node) {
-  const std::uint64_t key = hash(node);
-  const auto [first, last] = shared_.equal_range(key);
-  for (auto it = first; it != last; ++it)
-    if (same(program_.nodes[it->second], node)) return it->second;
-  program_.nodes.push_back(node);
-  const auto id = static_cast<ValueId>(program_.nodes.size() - 1);
-  shared_.emplace(key, id);
-  return id;
+ProgramBuilder ProgramBuilder::like(const Program& program) {
+  ProgramBuilder builder(program.name);
+  builder.program_.inputs = program.inputs;
+  builder.program_.sections = program.sections;
+  builder.program_.blocks = program.blocks;
+  builder.program_.nodes.reserve(program.nodes.size());
+  builder.shared_.reserve(program.nodes.size());
+  builder.input_value_.assign(program.inputs.size(), kNoValue);
+  for (std::size_t i = 0; i < program.inputs.size(); ++i) builder.input_index_.emplace(slot_text(program.inputs[i]), i);
+  return builder;
 }
 
 ValueId ProgramBuilder::constant(double value) {
   Node node;
-  node.op = Op::constant;
-  node.constant = value == 0 ? 0.0 : value;   // one zero
-  return push(node);
+  node.constant = value == 0 ? 0.0 : value;
+  return share_or_push(node);
 }
 
 ValueId ProgramBuilder::input(const std::string& group, int index) {
-  const std::string key = group + "[" + std::to_string(index) + "]";
-  if (const auto found = input_of_.find(key); found != input_of_.end()) return found->second;
+  const Slot slot{group, index};
+  const auto [found, is_new] = input_index_.try_emplace(slot_text(slot), program_.inputs.size());
+  if (is_new) {
+    program_.inputs.push_back(slot);
+    input_value_.push_back(kNoValue);
+  }
+  return input(found->second);
+}
+
+ValueId ProgramBuilder::input(std::size_t index) {
+  ValueId& value = input_value_[index];
+  if (value == kNoValue) {
+    value = static_cast<ValueId>(program_.nodes.size());
+    Node node;
+    node.op = Op::input;
+    node.input = static_cast<std::int32_t>(index);
+    program_.nodes.push_back(node);
+  }
+  return value;
+}
+
+ValueId ProgramBuilder::append(Op op, ValueId first, ValueId second, ValueId third) {
+  ValueId operands[3] = {first, second, third};
+  const int count = arity(op);
+  if (count == 0) throw std::logic_error("constants and inputs are not appended as operations");
+  bool all_constant = true;
+  double values[3] = {0, 0, 0};
+  for (int i = 0; i < 3; ++i) {
+    if ((i < count) != (operands[i] < program_.nodes.size())) {
+      throw std::logic_error(fmt::format("{} appended with operand {} missing or unknown", op_name(op), i));
+    }
+    if (i >= count) break;
+    all_constant = all_constant && is_constant(operands[i]);
+    values[i] = node(operands[i]).constant;
+  }
+  if (all_constant) {
+    const double value = apply(op, values[0], values[1], values[2]);
+    if (std::isfinite(value)) return constant(value);
+  }
+  if (is_commutative(op)) {
+    const auto place = [this](ValueId value) { return std::pair(!is_constant(value), value); };
+    if (place(operands[1]) < place(operands[0])) std::swap(operands[0], operands[1]);
+  }
+  if (!all_constant) {
+    const ValueId simpler = simplify(*this, op, operands[0], operands[1], operands[2]);
+    if (simpler != kNoValue) return simpler;
+  }
   Node node;
-  node.op = Op::input;
-  node.input = static_cast<std::int32_t>(program_.inputs.size());
-  program_.inputs.push_back({group, index});
+  node.op = op;
+  std::ranges::copy(operands, node.operands);
+  node.section = section_;
+  node.block = block_;
+  return share_or_push(node);
+}
+
+ValueId ProgramBuilder::share_or_push(const Node& node) {
+  const std::uint64_t hash = hash_of(node);
+  const auto [begin, end] = shared_.equal_range(hash);
+  for (auto candidate = begin; candidate != end; ++candidate) {
+    if (computes_same(program_.nodes[candidate->second], node)) return candidate->second;
+  }
+  const auto value = static_cast<ValueId>(program_.nodes.size());
   program_.nodes.push_back(node);
-  return input_of_[key] = static_cast<ValueId>(program_.nodes.size() - 1);
+  shared_.emplace(hash, value);
+  return value;
+}
+
+ValueId ProgramBuilder::copy(const Program& source, const Node& node, std::span<const ValueId> renamed) {
+  if (node.op == Op::constant) return constant(node.constant);
+  if (node.op == Op::input) {
+    const Slot& slot = source.inputs[static_cast<std::size_t>(node.input)];
+    return input(slot.group, slot.index);
+  }
+  set_section(source.sections[node.section]);
+  set_block(source.blocks[node.block]);
+  ValueId operands[3] = {kNoValue, kNoValue, kNoValue};
+  for (int i = 0; i < arity(node.op); ++i) operands[i] = renamed[node.operands[i]];
+  const ValueId value = append(node.op, operands[0], operands[1], operands[2]);
+  if (node.label >= 0) label(value, source.labels[static_cast<std::size_t>(node.label)]);
+  return value;
 }
 
 void ProgramBuilder::output(const std::string& group, int index, ValueId value) {
   program_.outputs.push_back({{group, index}, value});
 }
 
-void ProgramBuilder::set_section(const std::string& title) { section_ = place_of(program_.sections, title); }
+void ProgramBuilder::set_section(const std::string& title) {
+  if (program_.sections[section_] != title) section_ = find_or_add(program_.sections, title);
+}
 
-void ProgramBuilder::set_block(const std::string& title) { block_ = place_of(program_.blocks, title); }
+void ProgramBuilder::set_block(const std::string& title) {
+  if (program_.blocks[block_] != title) block_ = find_or_add(program_.blocks, title);
+}
 
 void ProgramBuilder::label(ValueId value, const std::string& name) {
-  Node& node = program_.nodes[value];
-  if (node.label >= 0 || node.op == Op::constant || node.op == Op::input) return;
-  node.label = static_cast<std::int32_t>(program_.labels.size());
+  Node& named = program_.nodes[value];
+  if (named.op == Op::constant || named.op == Op::input || named.label >= 0) return;
+  named.label = static_cast<std::int32_t>(program_.labels.size());
   program_.labels.push_back(name);
 }
 
-ValueId ProgramBuilder::append(Op op, ValueId first, ValueId second, ValueId third) {
-  if (const ValueId folded = fold(op, first, second, third); folded != kNoValue) return folded;
-  if (commutes(op)) {
-    const bool swap = node(second).op == Op::constant ? node(first).op != Op::constant
-                                                      : node(first).op != Op::constant && second < first;
-    if (swap) std::swap(first, second);
-  }
-  Node node;
-  node.op = op;
-  node.operands[0] = first;
-  node.operands[1] = second;
-  node.operands[2] = third;
-  node.section = section_;
-  node.block = block_;
-  return push(node);
-}
-
-ValueId ProgramBuilder::fold(Op op, ValueId a, ValueId b, ValueId c) {
-  const int count = arity(op);
-  const auto known = [&](ValueId v) { return node(v).op == Op::constant; };
-  const auto negated = [&](ValueId v) { return node(v).op == Op::negate; };
-  const auto inside = [&](ValueId v) { return node(v).operands[0]; };
-  const auto negate = [&](ValueId v) { return append(Op::negate, v); };
-  const auto value = [&](ValueId v) { return v == kNoValue ? 0.0 : node(v).constant; };
-  if (known(a) && (count < 2 || known(b)) && (count < 3 || known(c)))
-    if (const double result = apply(op, value(a), value(b), value(c)); std::isfinite(result)) return constant(result);
-  switch (op) {
-    case Op::add:                                                           // x + 0 = x
-      if (is_constant(a, 0)) return b;
-      if (is_constant(b, 0)) return a;
-      if (negated(b)) return append(Op::subtract, a, inside(b));            // x + (-y) = x - y
-      if (negated(a)) return append(Op::subtract, b, inside(a));            // (-x) + y = y - x
-      break;
-    case Op::subtract:
-      if (is_constant(b, 0)) return a;                                      // x - 0 = x
-      if (is_constant(a, 0)) return negate(b);                              // 0 - x = -x
-      if (a == b) return constant(0);                                       // x - x = 0
-      if (negated(b)) return append(Op::add, a, inside(b));                 // x - (-y) = x + y
-      if (negated(a)) return negate(append(Op::add, inside(a), b));         // (-x) - y = -(x + y)
-      break;
-    case Op::multiply:
-      if (is_constant(a, 0) || is_constant(b, 0)) return constant(0);       // x 0 = 0
-      if (is_constant(a, 1)) return b;                                      // x 1 = x
-      if (is_constant(b, 1)) return a;
-      if (is_constant(a, -1)) return negate(b);                             // x (-1) = -x
-      if (is_constant(b, -1)) return negate(a);
-      if (known(a) && value(a) < 0) return negate(append(op, constant(-value(a)), b));   // (-k) x = -(k x)
-      if (known(b) && value(b) < 0) return negate(append(op, a, constant(-value(b))));
-      if (negated(a)) return negate(append(op, inside(a), b));              // (-x) y = -(x y)
-      if (negated(b)) return negate(append(op, a, inside(b)));
-      break;
-    case Op::divide:
-      if (is_constant(a, 0)) return a;                                      // 0 / x = 0
-      if (is_constant(b, 1)) return a;                                      // x / 1 = x
-      if (is_constant(b, -1)) return negate(a);                             // x / (-1) = -x
-      if (negated(a)) return negate(append(op, inside(a), b));              // (-x) / y = -(x / y)
-      if (negated(b)) return negate(append(op, a, inside(b)));
-      if (known(b) && exact_reciprocal(value(b))) return append(Op::multiply, a, constant(1 / value(b)));
-      break;
-    case Op::negate:
-      if (negated(a)) return inside(a);                                     // -(-x) = x
-      if (node(a).op == Op::subtract) return append(Op::subtract, node(a).operands[1], node(a).operands[0]);   // -(x - y) = y - x
-      break;
-    case Op::sin:
-      if (negated(a)) return negate(append(op, inside(a)));                 // sin(-x) = -sin x
-      break;
-    case Op::cos: case Op::abs:
-      if (negated(a)) return append(op, inside(a));                         // cos(-x) = cos x, |-x| = |x|
-      break;
-    case Op::select:
-      if (known(a)) return value(a) >= 0 ? b : c;                           // select(k, x, y) = x or y
-      if (b == c) return b;
-      break;
-    default: break;
-  }
-  return kNoValue;
+bool ProgramBuilder::is_constant(ValueId value, double constant) const {
+  return is_constant(value) && node(value).constant == constant;
 }
 
 Program ProgramBuilder::finish() {
-  if (const std::string fault = verify(program_); !fault.empty()) throw std::logic_error("program " + program_.name + ": " + fault);
-  return std::move(program_);
+  Program finished = std::move(program_);
+  *this = ProgramBuilder("");
+  return verified(std::move(finished));
 }
 
 }  // namespace mbgen

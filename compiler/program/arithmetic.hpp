@@ -1,0 +1,17 @@
+#pragma once
+// What every operation computes: the one table behind folding and interpretation. Inside the program room.
+
+#include "compiler/program/program.hpp"
+
+namespace mbgen {
+
+/// Value of `op` at its operands; operands beyond the arity are ignored. Requires: op is neither constant nor input.
+double apply(Op op, double first, double second, double third);
+
+/// Operands may change places: add, multiply, min, max.
+bool is_commutative(Op op);
+
+/// f(-x) = -f(x): sin, tan, asin, atan, tanh.
+bool is_odd(Op op);
+
+}  // namespace mbgen

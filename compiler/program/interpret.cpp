@@ -1,0 +1,88 @@
+#include "compiler/program/arithmetic.hpp"
+#include "compiler/program/program.hpp"
+
+#include <fmt/format.h>
+
+#include <stdexcept>
+
+namespace mbgen {
+namespace {
+
+/// Counts one operation; negations, constants and inputs are free.
+void count(OperationCount& total, Op op) {
+  switch (op) {
+    case Op::constant:
+    case Op::input:
+    case Op::negate: return;
+    case Op::add:
+    case Op::subtract: ++total.add; return;
+    case Op::multiply: ++total.multiply; return;
+    case Op::divide: ++total.divide; return;
+    case Op::sqrt: ++total.sqrt; return;
+    case Op::sin:
+    case Op::cos:
+    case Op::tan:
+    case Op::asin:
+    case Op::acos:
+    case Op::atan:
+    case Op::atan2: ++total.trigonometric; return;
+    default: ++total.other; return;
+  }
+}
+
+}  // namespace
+
+std::vector<double> interpret(const Program& program, std::span<const double> inputs) {
+  if (inputs.size() != program.inputs.size()) {
+    throw std::invalid_argument(
+        fmt::format("program {} has {} inputs, {} given", program.name, program.inputs.size(), inputs.size()));
+  }
+  std::vector<double> values(program.nodes.size());
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    const Node& node = program.nodes[i];
+    if (node.op == Op::constant) {
+      values[i] = node.constant;
+    } else if (node.op == Op::input) {
+      values[i] = inputs[static_cast<std::size_t>(node.input)];
+    } else {
+      double operands[3] = {0, 0, 0};
+      for (int k = 0; k < arity(node.op); ++k) operands[k] = values[node.operands[k]];
+      values[i] = apply(node.op, operands[0], operands[1], operands[2]);
+    }
+  }
+  std::vector<double> result;
+  result.reserve(program.outputs.size());
+  for (const OutputValue& output : program.outputs) result.push_back(values[output.value]);
+  return result;
+}
+
+std::vector<bool> needed_values(const Program& program) {
+  std::vector<bool> needed(program.nodes.size(), false);
+  for (const OutputValue& output : program.outputs) needed[output.value] = true;
+  for (std::size_t i = needed.size(); i-- > 0;) {
+    if (!needed[i]) continue;
+    const Node& node = program.nodes[i];
+    for (int k = 0; k < arity(node.op); ++k) needed[node.operands[k]] = true;
+  }
+  return needed;
+}
+
+OperationCount count_operations(const Program& program) {
+  const std::vector<bool> needed = needed_values(program);
+  OperationCount total;
+  for (std::size_t i = 0; i < needed.size(); ++i) {
+    if (needed[i]) count(total, program.nodes[i].op);
+  }
+  return total;
+}
+
+std::vector<OperationCount> count_operations_by_section(const Program& program) {
+  const std::vector<bool> needed = needed_values(program);
+  std::vector<OperationCount> totals(program.sections.size());
+  for (std::size_t i = 0; i < needed.size(); ++i) {
+    if (needed[i]) count(totals[program.nodes[i].section], program.nodes[i].op);
+  }
+  return totals;
+}
+
+}  // namespace mbgen

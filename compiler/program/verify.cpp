@@ -1,0 +1,105 @@
+#include "compiler/program/arithmetic.hpp"
+#include "compiler/program/program.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <stdexcept>
+#include <utility>
+
+namespace mbgen {
+namespace {
+
+std::string verify_operands(const Program& program, std::size_t value) {
+  const Node& node = program.nodes[value];
+  for (int i = 0; i < 3; ++i) {
+    const ValueId operand = node.operands[i];
+    if (i >= arity(node.op)) {
+      if (operand != kNoValue) return fmt::format("%{}: {} has a surplus operand {}", value, op_name(node.op), i);
+    } else if (operand == kNoValue) {
+      return fmt::format("%{}: {} lacks operand {}", value, op_name(node.op), i);
+    } else if (operand >= value) {
+      return fmt::format("%{}: operand %{} is not earlier", value, operand);
+    }
+  }
+  return "";
+}
+
+/// value_seen: per input, whether an earlier node is its value; updated.
+std::string verify_node(const Program& program, std::size_t value, std::vector<bool>& value_seen) {
+  const Node& node = program.nodes[value];
+  if (node.op > Op::select) return fmt::format("%{}: unknown operation {}", value, static_cast<int>(node.op));
+  if (std::string problem = verify_operands(program, value); !problem.empty()) return problem;
+  if (node.op == Op::constant && !std::isfinite(node.constant)) {
+    return fmt::format("%{}: constant {} is not finite", value, node.constant);
+  }
+  if (node.op == Op::input) {
+    if (node.input < 0 || static_cast<std::size_t>(node.input) >= program.inputs.size()) {
+      return fmt::format("%{}: no input {}", value, node.input);
+    }
+    const auto input = static_cast<std::size_t>(node.input);
+    if (value_seen[input]) {
+      const Slot& slot = program.inputs[input];
+      return fmt::format("%{}: second value of input {}[{}]", value, slot.group, slot.index);
+    }
+    value_seen[input] = true;
+  }
+  if (node.section >= program.sections.size()) return fmt::format("%{}: no section {}", value, node.section);
+  if (node.block >= program.blocks.size()) return fmt::format("%{}: no block {}", value, node.block);
+  if (node.label < -1 || (node.label >= 0 && static_cast<std::size_t>(node.label) >= program.labels.size())) {
+    return fmt::format("%{}: no label {}", value, node.label);
+  }
+  return "";
+}
+
+std::string verify_slot(const char* kind, const Slot& slot, std::set<std::pair<std::string, int>>& taken) {
+  if (slot.group.empty()) return fmt::format("{} without a group", kind);
+  if (slot.index < 0) return fmt::format("{} {}[{}] has a negative index", kind, slot.group, slot.index);
+  if (!taken.emplace(slot.group, slot.index).second) {
+    return fmt::format("{} {}[{}] appears twice", kind, slot.group, slot.index);
+  }
+  return "";
+}
+
+std::string verify_slots(const Program& program) {
+  std::set<std::pair<std::string, int>> inputs, outputs;
+  for (const Slot& slot : program.inputs) {
+    if (std::string problem = verify_slot("input", slot, inputs); !problem.empty()) return problem;
+  }
+  for (const auto& [slot, value] : program.outputs) {
+    if (std::string problem = verify_slot("output", slot, outputs); !problem.empty()) return problem;
+    if (value >= program.nodes.size()) return fmt::format("output {}[{}] has no value", slot.group, slot.index);
+  }
+  return "";
+}
+
+std::string verify_titles(const char* kind, const std::vector<std::string>& titles) {
+  std::set<std::string> taken;
+  for (const std::string& title : titles) {
+    if (!taken.insert(title).second) return fmt::format("{} \"{}\" appears twice", kind, title);
+  }
+  return "";
+}
+
+}  // namespace
+
+std::string verify(const Program& program) {
+  if (std::string problem = verify_titles("section", program.sections); !problem.empty()) return problem;
+  if (std::string problem = verify_titles("block", program.blocks); !problem.empty()) return problem;
+  std::vector<bool> value_seen(program.inputs.size(), false);
+  for (std::size_t value = 0; value < program.nodes.size(); ++value) {
+    if (std::string problem = verify_node(program, value, value_seen); !problem.empty()) return problem;
+  }
+  return verify_slots(program);
+}
+
+Program verified(Program program) {
+  if (const std::string problem = verify(program); !problem.empty()) {
+    throw std::logic_error(fmt::format("program {}: {}", program.name, problem));
+  }
+  return program;
+}
+
+}  // namespace mbgen
