@@ -114,7 +114,7 @@ TEST_F(CommandLine, InspectFindsTheRedundancyOfAFourBar) {
   for (const Json& row : report["path_matrix"]) {
     for (const Json& entry : row) ones += entry.get<int>();
   }
-  EXPECT_EQ(ones, 4);   // crank, crank and coupler, rocker
+  EXPECT_EQ(ones, 4);  // crank, crank and coupler, rocker
   long total = 0;
   const Json& counted = report["operations"]["accelerations"];
   for (const Json& section : counted["sections"]) total += section["total"].get<long>();
@@ -133,7 +133,7 @@ TEST_F(CommandLine, InspectPrintsTables) {
 
 TEST_F(CommandLine, DumpsEveryStageAndNothingElse) {
   write("four_bar.json", kFourBar);
-  const std::map<std::string, std::string> marks = {{"model", "coupler"},       {"topology", "loop blocks"},
+  const std::map<std::string, std::string> marks = {{"model", "coupler"},        {"topology", "loop blocks"},
                                                     {"analysis", "rank 2 of 5"}, {"program", "input z[0]"},
                                                     {"optimised", "input z[0]"}, {"code", "namespace four_bar"}};
   for (const auto& [stage, mark] : marks) {
@@ -168,7 +168,7 @@ TEST_F(CommandLine, GenerateWritesTheSolverAndListsItsFiles) {
 TEST_F(CommandLine, GenerateLeavesNothingWhereItCannotWrite) {
   write("four_bar.json", kFourBar);
   write("file", "");
-  std::filesystem::create_directories(path("taken/four_bar.cpp"));   // a directory where a file has to go
+  std::filesystem::create_directories(path("taken/four_bar.cpp"));  // a directory where a file has to go
   for (const char* directory : {"file", "file/deeper", "taken"}) {
     const Outcome run = mbgen(fmt::format("generate four_bar.json --out {}", directory));
     EXPECT_EQ(run.exit_code, 1) << directory;

@@ -1,9 +1,9 @@
 // Models that run: evaluate, simulate, bench, and the compiled solvers behind them.
 
-#include "cli_test_support.hpp"
-
 #include <cmath>
 #include <future>
+
+#include "cli_test_support.hpp"
 
 namespace mbgen::cli_test {
 namespace {
@@ -90,11 +90,11 @@ TEST_F(CommandLine, JointOrderIsAnyPermutation) {
   const Json one = json_of("evaluate four_bar.json --states model.json --engine generic");
   const Json other = json_of("evaluate four_bar.json --states other.json --engine generic");
   EXPECT_EQ(other["joint_order"], Json({"rocker_pin", "crank_pin", "elbow"}));
-  const std::size_t place[] = {1, 2, 0};   // of crank_pin, elbow, rocker_pin in the other order
+  const std::size_t place[] = {1, 2, 0};  // of crank_pin, elbow, rocker_pin in the other order
   for (std::size_t i = 0; i < 3; ++i) {
     EXPECT_EQ(one["states"][0]["zdd"][i], other["states"][0]["zdd"][place[i]]);
   }
-  EXPECT_GT(one["states"][0]["velocity_residual"].get<double>(), 1e-3);   // taken as given
+  EXPECT_GT(one["states"][0]["velocity_residual"].get<double>(), 1e-3);  // taken as given
 }
 
 TEST_F(CommandLine, BadStatesAreNamed) {
@@ -139,16 +139,17 @@ TEST_F(CommandLine, PendulumSwingsBackAfterItsPeriod) {
   const double period = 4 * std::sqrt(2 / 9.81) * std::comp_ellint_1(std::sin(0.25));
   for (const char* engine : kEngines) {
     for (const char* integrator : {"rk4", "abm4"}) {
-      const Outcome run = mbgen(fmt::format("simulate pendulum.json --duration {} --step 1e-3 --out o.csv --engine {} "
-                                        "--integrator {}", period, engine, integrator));
+      const Outcome run =
+          mbgen(fmt::format("simulate pendulum.json --duration {} --step 1e-3 --out o.csv --engine {} "
+                            "--integrator {}",
+                            period, engine, integrator));
       ASSERT_EQ(run.exit_code, 0) << run.err;
-      EXPECT_EQ(run.err, "");   // no progress bar in a pipe
+      EXPECT_EQ(run.err, "");  // no progress bar in a pipe
       const Table motion = table("o.csv");
-      EXPECT_EQ(motion.names,
-                (Names{"t [s]", "z.pin [rad]", "zd.pin [rad/s]", "height [m]", "residual [m]"}));
+      EXPECT_EQ(motion.names, (Names{"t [s]", "z.pin [rad]", "zd.pin [rad/s]", "height [m]", "residual [m]"}));
       EXPECT_DOUBLE_EQ(motion.at(0, "z.pin [rad]"), 0.5);
       EXPECT_NEAR(motion.last("t [s]"), period, 1e-12);
-      EXPECT_NEAR(motion.last("z.pin [rad]"), 0.5, 1e-10) << engine << integrator;   // (1e-3)^4 times a few tens
+      EXPECT_NEAR(motion.last("z.pin [rad]"), 0.5, 1e-10) << engine << integrator;  // (1e-3)^4 times a few tens
       EXPECT_NEAR(motion.last("zd.pin [rad/s]"), 0, 1e-10) << engine << integrator;
       EXPECT_NEAR(motion.last("height [m]"), -2 * std::cos(0.5), 1e-10);
     }
@@ -157,13 +158,13 @@ TEST_F(CommandLine, PendulumSwingsBackAfterItsPeriod) {
 
 TEST_F(CommandLine, SummaryHoldsTheEnergyBalance) {
   write("pendulum.json", kPendulum);
-  const Json report = json_of(
-      "simulate pendulum.json --duration 2 --step 1e-3 --out o.csv --engine generic --input torque=15 --json");
+  const Json report =
+      json_of("simulate pendulum.json --duration 2 --step 1e-3 --out o.csv --engine generic --input torque=15 --json");
   EXPECT_EQ(report["steps"], 2000);
   EXPECT_EQ(report["rows"], 2001);
   EXPECT_EQ(report["status"], "ok");
   const Table motion = table("o.csv");
-  const double work = 15 * (motion.last("z.pin [rad]") - 0.5);   // constant torque times angle
+  const double work = 15 * (motion.last("z.pin [rad]") - 0.5);  // constant torque times angle
   EXPECT_GT(std::abs(work), 0.1);
   EXPECT_NEAR(report["work"].get<double>(), work, 1e-9);
   EXPECT_NEAR(report["energy_change"].get<double>(), work, 1e-9);
@@ -176,8 +177,8 @@ TEST_F(CommandLine, SummaryHoldsTheEnergyBalance) {
 TEST_F(CommandLine, FourBarStartsWhereAskedAndStaysClosed) {
   write("four_bar.json", kFourBar);
   for (const char* engine : kEngines) {
-    const Json report = json_of(
-        fmt::format("simulate four_bar.json --duration 1 --step 1e-3 --out o.csv --engine {} --json", engine));
+    const Json report =
+        json_of(fmt::format("simulate four_bar.json --duration 1 --step 1e-3 --out o.csv --engine {} --json", engine));
     const Table motion = table("o.csv");
     EXPECT_NEAR(motion.at(0, "z.crank_pin [rad]"), 0.6, 1e-12);
     EXPECT_NEAR(motion.at(0, "zd.crank_pin [rad/s]"), 3, 1e-12);
@@ -189,13 +190,13 @@ TEST_F(CommandLine, FourBarStartsWhereAskedAndStaysClosed) {
 
 TEST_F(CommandLine, TableIsDecimatedButKeepsTheEnds) {
   write("pendulum.json", kPendulum);
-  ASSERT_EQ(mbgen("simulate pendulum.json --duration 1 --step 0.01 --every 30 --out o.csv --engine generic").exit_code, 0);
+  ASSERT_EQ(mbgen("simulate pendulum.json --duration 1 --step 0.01 --every 30 --out o.csv --engine generic").exit_code,
+            0);
   const Table motion = table("o.csv");
-  ASSERT_EQ(motion.rows.size(), 5u);   // 0, 30, 60, 90, 100
+  ASSERT_EQ(motion.rows.size(), 5u);  // 0, 30, 60, 90, 100
   EXPECT_NEAR(motion.at(3, "t [s]"), 0.9, 1e-12);
   EXPECT_NEAR(motion.at(4, "t [s]"), 1.0, 1e-12);
-  const Json report =
-      json_of("simulate pendulum.json --duration 3 --step 1e-4 --out o.csv --engine generic --json");
+  const Json report = json_of("simulate pendulum.json --duration 3 --step 1e-4 --out o.csv --engine generic --json");
   EXPECT_LE(report["rows"].get<int>(), 10000);
   EXPECT_GT(report["rows"].get<int>(), 5000);
 }
@@ -227,7 +228,7 @@ TEST_F(CommandLine, ContradictingStartsAreNamed) {
 }
 
 TEST_F(CommandLine, MotionThatBreaksOffKeepsWhatThereIs) {
-  std::string text = kPendulum;   // the torque grows beyond all bounds towards t = 0.5
+  std::string text = kPendulum;  // the torque grows beyond all bounds towards t = 0.5
   text.replace(text.find("\"force\": \"torque\""), 17, "\"force\": \"1/(0.5-t)^2\"");
   write("pendulum.json", text);
   for (const char* engine : kEngines) {
@@ -256,8 +257,9 @@ TEST_F(CommandLine, BenchComparesTheEngines) {
 
 TEST_F(CommandLine, CompiledSolversAreKeptAndFoundAgain) {
   write("pendulum.json", kPendulum);
-  write("compiler", "#!/bin/sh\nif [ -e \"$(dirname \"$0\")/broken\" ] && [ \"$1\" != --version ]; then\n"
-                    "  echo this compiler is broken; exit 1\nfi\nexec c++ \"$@\"\n");
+  write("compiler",
+        "#!/bin/sh\nif [ -e \"$(dirname \"$0\")/broken\" ] && [ \"$1\" != --version ]; then\n"
+        "  echo this compiler is broken; exit 1\nfi\nexec c++ \"$@\"\n");
   std::filesystem::permissions(path("compiler"), std::filesystem::perms::owner_all);
   set("CXX", path("compiler").string());
   set("XDG_CACHE_HOME", path("cache").string());
@@ -267,7 +269,7 @@ TEST_F(CommandLine, CompiledSolversAreKeptAndFoundAgain) {
   ASSERT_EQ(first.exit_code, 0) << first.err;
   ASSERT_EQ(beside.get().exit_code, 0);
   std::vector<std::filesystem::path> kept(std::filesystem::directory_iterator(path("cache/mbgen")), {});
-  ASSERT_EQ(kept.size(), 1u);   // and nothing temporary beside it
+  ASSERT_EQ(kept.size(), 1u);  // and nothing temporary beside it
 
   write("broken", "");
   EXPECT_EQ(mbgen(run_it).exit_code, 0);
@@ -277,7 +279,7 @@ TEST_F(CommandLine, CompiledSolversAreKeptAndFoundAgain) {
 
   std::filesystem::remove(path("broken"));
   std::ofstream(kept[0]) << "no shared object";
-  EXPECT_EQ(mbgen(run_it).exit_code, 0);   // made again
+  EXPECT_EQ(mbgen(run_it).exit_code, 0);  // made again
 }
 
 TEST_F(CommandLine, MissingCompilerSuggestsTheGenericEngine) {

@@ -1,5 +1,14 @@
 // mbgen bench: microseconds per evaluation of all accelerations, every engine in one process, taking turns.
 
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <random>
+
 #include "compiler/cli/commands.hpp"
 #include "compiler/cli/files.hpp"
 #include "compiler/cli/initial_state.hpp"
@@ -7,25 +16,16 @@
 #include "compiler/cli/states_file.hpp"
 #include "compiler/cli/user_error.hpp"
 
-#include <fmt/format.h>
-#include <nlohmann/json.hpp>
-
-#include <algorithm>
-#include <chrono>
-#include <cmath>
-#include <memory>
-#include <random>
-
 namespace mbgen::cli {
 namespace {
 
 constexpr int kStates = 16;
-constexpr int kTries = 20 * kStates;   // random states that may fail to close before the model is given up
+constexpr int kTries = 20 * kStates;  // random states that may fail to close before the model is given up
 constexpr int kTurns = 21;
 constexpr double kTurnSeconds = 0.02;
-constexpr double kPositionSpread = 0.05;   // rad or m around the initial state
-constexpr double kVelocitySpread = 0.5;    // rad/s or m/s
-constexpr double kForceSpread = 100;       // N or N m
+constexpr double kPositionSpread = 0.05;  // rad or m around the initial state
+constexpr double kVelocitySpread = 0.5;   // rad/s or m/s
+constexpr double kForceSpread = 100;      // N or N m
 
 struct Options {
   std::string model, states;
@@ -36,9 +36,9 @@ struct Options {
 struct Measurement {
   const Engine* engine = nullptr;
   long long evaluations = 0;
-  double microseconds = 0;     ///< median over the turns
-  double spread = 0;           ///< distance of the quartiles over the median
-  double largest_error = 0;    ///< of any acceleration over the largest of its state
+  double microseconds = 0;   ///< median over the turns
+  double spread = 0;         ///< distance of the quartiles over the median
+  double largest_error = 0;  ///< of any acceleration over the largest of its state
 };
 
 /// Uniform in [-1, 1), the same numbers on every machine.
@@ -65,7 +65,8 @@ std::vector<double> accelerations_at(const Engine& engine, const Topology& topol
   GenericDerivative derivative;
   const Status status = engine.accelerations(at, derivative);
   if (!status.ok()) {
-    throw UserError(fmt::format("bench: engine {} has no accelerations: {}\n", engine.name, describe(topology, status)));
+    throw UserError(
+        fmt::format("bench: engine {} has no accelerations: {}\n", engine.name, describe(topology, status)));
   }
   return derivative.zdd;
 }
@@ -122,7 +123,8 @@ std::vector<Measurement> measure(const std::vector<Engine>& engines, const std::
     std::sort(sorted.begin(), sorted.end());
     const double median = sorted[kTurns / 2];
     const double spread = (sorted[3 * kTurns / 4] - sorted[kTurns / 4]) / median;
-    const long long evaluations = static_cast<long long>(repetitions[e]) * kTurns * static_cast<long long>(states.size());
+    const long long evaluations =
+        static_cast<long long>(repetitions[e]) * kTurns * static_cast<long long>(states.size());
     measurements.push_back({&engines[e], evaluations, median, spread, 0});
   }
   return measurements;

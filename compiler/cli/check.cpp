@@ -1,15 +1,15 @@
 // mbgen check: every problem of a model, or "ok".
 
+#include <fmt/format.h>
+
+#include <memory>
+#include <nlohmann/json.hpp>
+
 #include "compiler/cli/commands.hpp"
 #include "compiler/cli/dump.hpp"
 #include "compiler/cli/files.hpp"
 #include "compiler/cli/options.hpp"
 #include "compiler/compile.hpp"
-
-#include <fmt/format.h>
-#include <nlohmann/json.hpp>
-
-#include <memory>
 
 namespace mbgen::cli {
 namespace {
@@ -32,7 +32,7 @@ std::string to_json(const std::string& file, const Diagnostics& problems) {
                     {"hint", problem.hint}});
   }
   const Json report = {{"model", file}, {"ok", problems.empty()}, {"problems", list}};
-  return report.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";   // a file name may be no UTF-8
+  return report.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";  // a file name may be no UTF-8
 }
 
 int run(const Options& options) {

@@ -1,13 +1,8 @@
 #include "compiler/cli/compile_solver.hpp"
 
-#include "compiler/cli/files.hpp"
-#include "compiler/cli/process.hpp"
-#include "compiler/cli/user_error.hpp"
-
+#include <dlfcn.h>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-
-#include <dlfcn.h>
 #include <unistd.h>
 
 #include <cstdint>
@@ -16,17 +11,21 @@
 #include <fstream>
 #include <stdexcept>
 
+#include "compiler/cli/files.hpp"
+#include "compiler/cli/process.hpp"
+#include "compiler/cli/user_error.hpp"
+
 namespace mbgen::cli {
 namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t kMessageTail = 2000;   // characters of the compiler's messages that a person still reads
+constexpr std::size_t kMessageTail = 2000;  // characters of the compiler's messages that a person still reads
 constexpr const char* kSymbol = "mbgen_solver_table";
 
 struct Compiler {
-  std::vector<std::string> words;   ///< of $CXX
-  std::string version;              ///< what it says of itself
+  std::vector<std::string> words;  ///< of $CXX
+  std::string version;             ///< what it says of itself
   std::vector<std::string> flags;
 };
 
@@ -59,9 +58,10 @@ Compiler find_compiler(const fs::path& scratch) {
   question.push_back("--version");
   const fs::path answer = scratch / "version";
   if (run_side_by_side({{question, answer}})[0] != 0) {
-    throw UserError(fmt::format("no C++ compiler: `{}` does not run; install one (apt-get install g++), name it in the "
-                                "environment variable CXX, or use --engine generic\n",
-                                fmt::join(compiler.words, " ")));
+    throw UserError(
+        fmt::format("no C++ compiler: `{}` does not run; install one (apt-get install g++), name it in the "
+                    "environment variable CXX, or use --engine generic\n",
+                    fmt::join(compiler.words, " ")));
   }
   compiler.version = read_text(answer);
   const bool is_clang = compiler.version.find("clang") != std::string::npos;
@@ -172,7 +172,7 @@ std::shared_ptr<const SolverTable> load_solver(const Compilation& compilation, b
   }
   fs::path object = build(scratch.path(), files, compiler);
   if (has_cache) {
-    fs::rename(object, kept);   // atomic, and onto the same bytes when another mbgen was faster
+    fs::rename(object, kept);  // atomic, and onto the same bytes when another mbgen was faster
     object = kept;
   }
   auto solver = open_solver(object, compilation.model.hash);

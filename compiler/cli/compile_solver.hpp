@@ -1,10 +1,10 @@
 #pragma once
 // From emitted code to a loaded solver, by the C++ compiler of the machine.
 
+#include <memory>
+
 #include "compiler/compile.hpp"
 #include "mbgen/driver.hpp"
-
-#include <memory>
 
 namespace mbgen::cli {
 

@@ -1,15 +1,15 @@
 #include "compiler/cli/dump.hpp"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
 #include "compiler/cli/dump_model.hpp"
 #include "compiler/cli/names.hpp"
 #include "compiler/cli/user_error.hpp"
 #include "compiler/compile.hpp"
 #include "compiler/passes/passes.hpp"
-
-#include <fmt/format.h>
-#include <fmt/ranges.h>
-
-#include <algorithm>
 
 namespace mbgen::cli {
 namespace {
@@ -18,9 +18,9 @@ std::string dump_bodies(const Topology& topology) {
   std::string text = "bodies (index name: coordinate, kind, parent)\n";
   for (int i = 0; i < topology.size(); ++i) {
     const TreeBody& body = topology.bodies[i];
-    text += fmt::format("  {} {}: {}, {} about or along ({}), on {}{}\n", i, body.name, body.coordinate,
-                        name_of(body.kind), fmt::join(body.axis, ", "), body_name(topology, body.parent),
-                        body.massless ? ", massless" : "");
+    text +=
+        fmt::format("  {} {}: {}, {} about or along ({}), on {}{}\n", i, body.name, body.coordinate, name_of(body.kind),
+                    fmt::join(body.axis, ", "), body_name(topology, body.parent), body.massless ? ", massless" : "");
   }
   return text;
 }
@@ -43,18 +43,17 @@ std::string dump_topology(const Topology& topology) {
   text += "groups, from the root\n";
   for (std::size_t g = 0; g < topology.groups.size(); ++g) {
     const JointGroup& group = topology.groups[g];
-    text += fmt::format("  {}: {}, on {}, parent {}, joints {}\n", g,
-                        group.block < 0 ? "joint" : fmt::format("block {}", group.block),
-                        body_name(topology, group.base), group.parent,
-                        fmt::join(coordinate_names(topology, group.joints), " "));
+    text += fmt::format(
+        "  {}: {}, on {}, parent {}, joints {}\n", g, group.block < 0 ? "joint" : fmt::format("block {}", group.block),
+        body_name(topology, group.base), group.parent, fmt::join(coordinate_names(topology, group.joints), " "));
   }
   return text;
 }
 
 std::string dump_analysis(const Topology& topology, const Analysis& analysis) {
-  std::string text = fmt::format("closed configurations {}\nindependent equations {}\ndegrees of freedom {}\n",
-                                 analysis.closed_configurations, analysis.independent_equations,
-                                 analysis.degrees_of_freedom);
+  std::string text =
+      fmt::format("closed configurations {}\nindependent equations {}\ndegrees of freedom {}\n",
+                  analysis.closed_configurations, analysis.independent_equations, analysis.degrees_of_freedom);
   for (std::size_t b = 0; b < analysis.blocks.size(); ++b) {
     const BlockAnalysis& decided = analysis.blocks[b];
     const LoopBlock& block = topology.blocks[b];

@@ -1,9 +1,9 @@
 #include "compiler/cli/dump_model.hpp"
 
-#include "compiler/cli/names.hpp"
-
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+
+#include "compiler/cli/names.hpp"
 
 namespace mbgen::cli {
 namespace {
@@ -75,10 +75,10 @@ class ModelText {
                           quantity(spring.preload));
     }
     for (const JointSpring& spring : model_.joint_springs) {
-      text += fmt::format("  {}: on {}{}, stiffness {}, damping {}, preload {}\n", spring.name,
-                          coordinate(spring.joint),
-                          spring.relative_to ? " relative to " + coordinate(*spring.relative_to) : "",
-                          law(spring.stiffness), law(spring.damping), quantity(spring.preload));
+      text +=
+          fmt::format("  {}: on {}{}, stiffness {}, damping {}, preload {}\n", spring.name, coordinate(spring.joint),
+                      spring.relative_to ? " relative to " + coordinate(*spring.relative_to) : "",
+                      law(spring.stiffness), law(spring.damping), quantity(spring.preload));
     }
     for (const AirSpring& spring : model_.air_springs) {
       text += fmt::format("  {}: air, from {} to {}, pressure {}, exponent {}, area {}\n", spring.name,
@@ -117,8 +117,8 @@ class ModelText {
 
 std::string dump_model(const Model& model) {
   const ModelText describe(model);
-  std::string text = fmt::format("model {}, hash {}\ngravity {}\n", model.name, model.hash,
-                                 describe.quantities(model.gravity));
+  std::string text =
+      fmt::format("model {}, hash {}\ngravity {}\n", model.name, model.hash, describe.quantities(model.gravity));
   text += "parameters\n";
   for (const Parameter& parameter : model.parameters) {
     text += fmt::format("  {} = {} {}{}\n", parameter.name, parameter.value, parameter.unit,

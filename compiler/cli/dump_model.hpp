@@ -1,9 +1,9 @@
 #pragma once
 // The model as the reader understood it, as text.
 
-#include "compiler/model/model.hpp"
-
 #include <string>
+
+#include "compiler/model/model.hpp"
 
 namespace mbgen::cli {
 

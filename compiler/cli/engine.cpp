@@ -1,12 +1,12 @@
 #include "compiler/cli/engine.hpp"
 
-#include "compiler/cli/user_error.hpp"
-
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
+
+#include "compiler/cli/user_error.hpp"
 
 namespace mbgen::cli {
 namespace {
@@ -48,7 +48,7 @@ Engine make_engine(const Compilation& compilation, const EngineChoice& choice) {
 double largest_absolute(const std::vector<double>& values) {
   double largest = 0;
   for (const double value : values) {
-    if (!(std::abs(value) <= largest)) largest = std::abs(value);   // NaN is larger than every number
+    if (!(std::abs(value) <= largest)) largest = std::abs(value);  // NaN is larger than every number
   }
   return largest;
 }

@@ -1,27 +1,27 @@
 #pragma once
 // An engine: the equations of one model ready to be evaluated and stepped, whatever stands behind them.
 
-#include "compiler/compile.hpp"
-#include "mbgen/status.hpp"
-#include "runtime/generic/generic.hpp"
-
 #include <functional>
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include "compiler/compile.hpp"
+#include "mbgen/status.hpp"
+#include "runtime/generic/generic.hpp"
 
 namespace mbgen::cli {
 
 /// A state and the joint forces that act in it.
 struct LoadedState {
   GenericState state;
-  std::vector<double> tau;     ///< per coordinate, N or N m
+  std::vector<double> tau;  ///< per coordinate, N or N m
 };
 
 /// Largest absolute closure residuals of a state.
 struct Residuals {
-  double position = 0;         ///< m or 1
-  double velocity = 0;         ///< m/s or 1/s
+  double position = 0;  ///< m or 1
+  double velocity = 0;  ///< m/s or 1/s
 };
 
 /// The functions of one model. Arrays in the order of the model. Not for use by several threads at once.
@@ -51,7 +51,7 @@ struct Engine {
 struct EngineChoice {
   std::string name = "generated";
   SolverSettings::Integrator integrator = SolverSettings::Integrator::rk4;
-  bool use_cache = true;       ///< keep compiled solvers for the next time
+  bool use_cache = true;  ///< keep compiled solvers for the next time
 };
 
 /// Names of the engines there are.

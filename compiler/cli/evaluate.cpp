@@ -1,15 +1,14 @@
 // mbgen evaluate: accelerations at given states, the door for every oracle.
 
+#include <cmath>
+#include <memory>
+#include <nlohmann/json.hpp>
+
 #include "compiler/cli/commands.hpp"
 #include "compiler/cli/files.hpp"
 #include "compiler/cli/options.hpp"
 #include "compiler/cli/states_file.hpp"
 #include "compiler/cli/user_error.hpp"
-
-#include <nlohmann/json.hpp>
-
-#include <cmath>
-#include <memory>
 
 namespace mbgen::cli {
 namespace {
@@ -81,7 +80,8 @@ void add_evaluate(CLI::App& application, int& exit_code) {
   CLI::App* command = application.add_subcommand("evaluate", "print the accelerations at given states, as JSON");
   command->footer(
       "Example: mbgen evaluate models/pendulum.json --states states.json\n"
-      "where states.json is {\"joint_order\": [names], \"states\": [{\"z\": [], \"zd\": [], \"tau\": []}]}; a state may\n"
+      "where states.json is {\"joint_order\": [names], \"states\": [{\"z\": [], \"zd\": [], \"tau\": []}]}; a state "
+      "may\n"
       "also have \"x\", \"t\" and \"inputs\": {name: value}. tau are joint forces, added to those of the model.\n"
       "A state that has no accelerations has \"zdd\": null and a status that says why; the exit code is then 0 too.");
   add_model_argument(*command, options->model);

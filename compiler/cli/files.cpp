@@ -1,10 +1,7 @@
 #include "compiler/cli/files.hpp"
 
-#include "compiler/cli/user_error.hpp"
-
-#include <fmt/format.h>
-
 #include <fcntl.h>
+#include <fmt/format.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -12,6 +9,8 @@
 #include <cstdlib>
 #include <cstring>
 #include <utility>
+
+#include "compiler/cli/user_error.hpp"
 
 namespace mbgen::cli {
 namespace {

@@ -1,17 +1,17 @@
 // mbgen generate: the specialised solver, as files.
 
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <memory>
+#include <nlohmann/json.hpp>
+
 #include "compiler/cli/commands.hpp"
 #include "compiler/cli/dump.hpp"
 #include "compiler/cli/files.hpp"
 #include "compiler/cli/options.hpp"
 #include "compiler/cli/user_error.hpp"
 #include "compiler/compile.hpp"
-
-#include <fmt/format.h>
-#include <nlohmann/json.hpp>
-
-#include <filesystem>
-#include <memory>
 
 namespace mbgen::cli {
 namespace {
@@ -49,12 +49,14 @@ int run(const Options& options) {
 void add_generate(CLI::App& application, int& exit_code) {
   const auto options = std::make_shared<Options>();
   CLI::App* command = application.add_subcommand("generate", "write the specialised C++ solver of a model");
-  command->footer("Example: mbgen generate models/coach.json --out coach_solver\n"
-                  "Prints the files that it wrote; DIR/CMakeLists.txt builds them alone.");
+  command->footer(
+      "Example: mbgen generate models/coach.json --out coach_solver\n"
+      "Prints the files that it wrote; DIR/CMakeLists.txt builds them alone.");
   add_model_argument(*command, options->model);
   command->add_option("--out", options->directory, "directory of the files; made when it is missing");
-  command->add_flag_callback("--no-runtime", [options] { options->emit.runtime_headers = false; },
-                             "leave out the runtime's headers (mbgen/*.hpp)");
+  command->add_flag_callback(
+      "--no-runtime", [options] { options->emit.runtime_headers = false; },
+      "leave out the runtime's headers (mbgen/*.hpp)");
   add_json_option(*command, options->json);
   add_dump_option(*command, options->dump);
   command->callback([options, &exit_code] { exit_code = run(*options); });

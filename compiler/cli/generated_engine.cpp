@@ -1,10 +1,10 @@
 // The specialised solver behind the table of mbgen/driver.hpp.
 
-#include "compiler/cli/compile_solver.hpp"
-#include "compiler/cli/engine.hpp"
-
 #include <algorithm>
 #include <memory>
+
+#include "compiler/cli/compile_solver.hpp"
+#include "compiler/cli/engine.hpp"
 
 namespace mbgen::cli {
 namespace {
@@ -14,7 +14,7 @@ struct LoadedSolver {
   std::shared_ptr<const SolverTable> table;
   std::vector<double> parameters, inputs;
   std::vector<double> state, derivative;
-  std::vector<double> history;   ///< of the multistep method, in doubles for their alignment
+  std::vector<double> history;  ///< of the multistep method, in doubles for their alignment
 };
 
 void flatten(const GenericState& state, std::vector<double>& flat) {
@@ -41,8 +41,8 @@ void unflatten(const std::vector<double>& flat, GenericState& state) {
 
 Status accelerations(LoadedSolver& solver, const LoadedState& at, GenericDerivative& derivative) {
   flatten(at.state, solver.state);
-  const Status status = solver.table->accelerations(solver.parameters.data(), solver.inputs.data(),
-                                                    solver.state.data(), at.tau.data(), solver.derivative.data());
+  const Status status = solver.table->accelerations(solver.parameters.data(), solver.inputs.data(), solver.state.data(),
+                                                    at.tau.data(), solver.derivative.data());
   if (!status.ok()) return status;
   const auto middle = solver.derivative.begin() + solver.table->coordinates;
   derivative.zdd.assign(solver.derivative.begin(), middle);
@@ -52,8 +52,7 @@ Status accelerations(LoadedSolver& solver, const LoadedState& at, GenericDerivat
 
 Status project(LoadedSolver& solver, GenericState& state) {
   flatten(state, solver.state);
-  const Status status =
-      solver.table->project(solver.parameters.data(), solver.inputs.data(), solver.state.data());
+  const Status status = solver.table->project(solver.parameters.data(), solver.inputs.data(), solver.state.data());
   if (status.ok()) unflatten(solver.state, state);
   return status;
 }
@@ -61,11 +60,10 @@ Status project(LoadedSolver& solver, GenericState& state) {
 Status step(LoadedSolver& solver, SolverSettings::Integrator integrator, GenericState& state, double h) {
   const SolverTable& table = *solver.table;
   flatten(state, solver.state);
-  const Status status =
-      integrator == SolverSettings::Integrator::rk4
-          ? table.step_rk4(solver.parameters.data(), solver.inputs.data(), solver.state.data(), h)
-          : table.step_abm4(solver.parameters.data(), solver.inputs.data(), solver.state.data(),
-                            solver.history.data(), h);
+  const Status status = integrator == SolverSettings::Integrator::rk4
+                            ? table.step_rk4(solver.parameters.data(), solver.inputs.data(), solver.state.data(), h)
+                            : table.step_abm4(solver.parameters.data(), solver.inputs.data(), solver.state.data(),
+                                              solver.history.data(), h);
   if (status.ok()) unflatten(solver.state, state);
   return status;
 }
@@ -86,9 +84,8 @@ Status outputs(LoadedSolver& solver, const LoadedState& at, const GenericDerivat
   flatten(derivative, solver.derivative);
   double energy[3] = {};
   values.y.resize(static_cast<std::size_t>(solver.table->outputs));
-  const Status status =
-      solver.table->output_values(solver.parameters.data(), solver.inputs.data(), solver.state.data(), at.tau.data(),
-                                  solver.derivative.data(), values.y.data(), energy);
+  const Status status = solver.table->output_values(solver.parameters.data(), solver.inputs.data(), solver.state.data(),
+                                                    at.tau.data(), solver.derivative.data(), values.y.data(), energy);
   values.kinetic_energy = energy[0];
   values.potential_energy = energy[1];
   values.applied_power = energy[2];

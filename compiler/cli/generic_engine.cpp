@@ -1,10 +1,9 @@
 // The generic runtime as an engine, stepped by the integrators that generated code uses.
 
-#include "compiler/cli/engine.hpp"
-
-#include "mbgen/integrators.hpp"
-
 #include <memory>
+
+#include "compiler/cli/engine.hpp"
+#include "mbgen/integrators.hpp"
 
 namespace mbgen::cli {
 namespace {
@@ -39,8 +38,8 @@ long long time_accelerations(const GenericSolver& solver, const std::vector<Load
 
 Engine make_generic_engine(const Compilation& compilation, const EngineChoice& choice) {
   const std::vector<double> no_tau(static_cast<std::size_t>(compilation.topology.size()), 0.0);
-  const auto system = std::make_shared<GenericSystem>(GenericSystem{
-      GenericSolver(compilation.model, compilation.topology, compilation.analysis), no_tau, {}});
+  const auto system = std::make_shared<GenericSystem>(
+      GenericSystem{GenericSolver(compilation.model, compilation.topology, compilation.analysis), no_tau, {}});
   Engine engine;
   engine.name = choice.name;
   engine.form = "matrix";

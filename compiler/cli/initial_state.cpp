@@ -1,13 +1,13 @@
 #include "compiler/cli/initial_state.hpp"
 
-#include "compiler/cli/engine.hpp"
-#include "compiler/cli/user_error.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 #include <optional>
+
+#include "compiler/cli/engine.hpp"
+#include "compiler/cli/user_error.hpp"
 
 namespace mbgen::cli {
 namespace {
@@ -32,7 +32,8 @@ std::vector<Wish> wishes_of(const Compilation& compilation, const std::vector<In
   for (const InitialValue& value : values) {
     const int coordinate = tree_coordinate(compilation.topology, value.coordinate);
     if (coordinate < 0) {
-      throw UserError(to_text(Diagnostic{value.where, "initial value of a joint that was cut", "mark it \"cut\": false", ""}));
+      throw UserError(
+          to_text(Diagnostic{value.where, "initial value of a joint that was cut", "mark it \"cut\": false", ""}));
     }
     wishes.push_back({coordinate, value.coordinate, value.value, value.where});
   }
@@ -127,7 +128,8 @@ std::optional<GenericState> assemble_by_driving(const Compilation& compilation, 
 [[noreturn]] void contradiction(const Compilation& compilation, const Wish& wish, double found, const char* what) {
   const std::string& name = compilation.topology.bodies[wish.coordinate].coordinate;
   throw UserError(to_text(Diagnostic{
-      wish.where, fmt::format("initial {} of {} contradicts the closures, {} asked, {} closes", what, name, wish.value, found),
+      wish.where,
+      fmt::format("initial {} of {} contradicts the closures, {} asked, {} closes", what, name, wish.value, found),
       "give as many values as there are degrees of freedom, or consistent ones", ""}));
 }
 
@@ -184,8 +186,7 @@ GenericState initial_state(const Compilation& compilation, const std::vector<dou
   const Initial& initial = compilation.model.initial;
   GenericSolver solver(compilation.model, compilation.topology, compilation.analysis);
   solver.set_inputs(inputs);
-  GenericState state =
-      assemble(compilation, solver, wishes_of(compilation, initial.positions), initial.equilibrium);
+  GenericState state = assemble(compilation, solver, wishes_of(compilation, initial.positions), initial.equilibrium);
   if (initial.equilibrium) {
     require(solver.equilibrium(state), compilation.topology, "find the static equilibrium");
   }

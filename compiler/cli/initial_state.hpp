@@ -1,11 +1,11 @@
 #pragma once
 // The state that a motion starts from.
 
-#include "compiler/compile.hpp"
-#include "runtime/generic/generic.hpp"
-
 #include <string>
 #include <vector>
+
+#include "compiler/compile.hpp"
+#include "runtime/generic/generic.hpp"
 
 namespace mbgen::cli {
 

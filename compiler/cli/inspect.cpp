@@ -1,5 +1,7 @@
 // mbgen inspect: what mbgen knows of a model before it writes code.
 
+#include <memory>
+
 #include "compiler/cli/commands.hpp"
 #include "compiler/cli/dump.hpp"
 #include "compiler/cli/files.hpp"
@@ -7,8 +9,6 @@
 #include "compiler/cli/report.hpp"
 #include "compiler/cli/user_error.hpp"
 #include "compiler/compile.hpp"
-
-#include <memory>
 
 namespace mbgen::cli {
 namespace {

@@ -1,13 +1,13 @@
 // mbgen: a JSON description of a multibody system becomes a specialised C++ solver.
 
+#include <fmt/format.h>
+
+#include <exception>
+
 #include "compiler/cli/commands.hpp"
 #include "compiler/cli/files.hpp"
 #include "compiler/cli/user_error.hpp"
 #include "compiler/emit/emit.hpp"
-
-#include <fmt/format.h>
-
-#include <exception>
 
 namespace mbgen::cli {
 namespace {
@@ -17,8 +17,9 @@ int run(int argc, char** argv) {
   int exit_code = kDone;
   application.set_version_flag("--version", std::string("mbgen ") + kMbgenVersion);
   application.require_subcommand(1);
-  application.footer("Each command explains itself: mbgen simulate --help\n"
-                     "Exit codes: 0 done, 1 the input is at fault, 2 mbgen is at fault.");
+  application.footer(
+      "Each command explains itself: mbgen simulate --help\n"
+      "Exit codes: 0 done, 1 the input is at fault, 2 mbgen is at fault.");
   for (const auto add : {add_check, add_inspect, add_generate, add_simulate, add_evaluate, add_bench, add_schema}) {
     add(application, exit_code);
   }

@@ -1,12 +1,12 @@
 #pragma once
 // Names for people: of kinds, bodies, coordinates and programs.
 
+#include <string>
+#include <vector>
+
 #include "compiler/analysis/analysis.hpp"
 #include "compiler/topology/topology.hpp"
 #include "compiler/trace/trace.hpp"
-
-#include <string>
-#include <vector>
 
 namespace mbgen::cli {
 

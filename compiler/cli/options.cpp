@@ -1,14 +1,14 @@
 #include "compiler/cli/options.hpp"
 
-#include "compiler/cli/dump.hpp"
-#include "compiler/cli/user_error.hpp"
-
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+
+#include "compiler/cli/dump.hpp"
+#include "compiler/cli/user_error.hpp"
 
 namespace mbgen::cli {
 
@@ -35,8 +35,9 @@ void add_engine_options(CLI::App& command, EngineArguments& arguments) {
 void add_run_options(CLI::App& command, EngineArguments& arguments) {
   command.add_option("--input", arguments.inputs, "name=value of a model input; may be repeated")
       ->allow_extra_args(false);
-  command.add_flag_callback("--no-cache", [&arguments] { arguments.choice.use_cache = false; },
-                            "compile anew and keep nothing (default: keep solvers under ~/.cache/mbgen)");
+  command.add_flag_callback(
+      "--no-cache", [&arguments] { arguments.choice.use_cache = false; },
+      "compile anew and keep nothing (default: keep solvers under ~/.cache/mbgen)");
 }
 
 double parse_number(const std::string& text, const std::string& what) {

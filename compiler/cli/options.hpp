@@ -1,12 +1,11 @@
 #pragma once
 // Arguments that several commands share.
 
-#include "compiler/cli/engine.hpp"
-
 #include <CLI/CLI.hpp>
-
 #include <string>
 #include <vector>
+
+#include "compiler/cli/engine.hpp"
 
 namespace mbgen::cli {
 
@@ -22,7 +21,7 @@ void add_dump_option(CLI::App& command, std::string& stage);
 /// Engine and inputs as typed.
 struct EngineArguments {
   EngineChoice choice;
-  std::vector<std::string> inputs;   ///< name=value
+  std::vector<std::string> inputs;  ///< name=value
 };
 
 /// --input, --no-cache

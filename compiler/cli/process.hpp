@@ -16,7 +16,8 @@ struct Command {
 /// Exit code of a program that could not be started.
 constexpr int kNotStarted = 127;
 
-/// Runs all of them at the same time and waits for the last. Result: exit codes, in order; 128 + signal for a killed one.
+/// Runs all of them at the same time and waits for the last. Result: exit codes, in order; 128 + signal for a killed
+/// one.
 std::vector<int> run_side_by_side(const std::vector<Command>& commands);
 
 /// The words of a command line, split at blanks.

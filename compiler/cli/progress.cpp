@@ -1,7 +1,6 @@
 #include "compiler/cli/progress.hpp"
 
 #include <fmt/format.h>
-
 #include <unistd.h>
 
 #include <cstdio>

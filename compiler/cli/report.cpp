@@ -1,8 +1,8 @@
 #include "compiler/cli/report.hpp"
 
-#include "compiler/cli/names.hpp"
-
 #include <algorithm>
+
+#include "compiler/cli/names.hpp"
 
 namespace mbgen::cli {
 namespace {
@@ -51,8 +51,8 @@ Json report_block(const Topology& topology, const LoopBlock& block, const BlockA
 }
 
 Json report_operations(const OperationCount& count) {
-  return {{"add", count.add},     {"multiply", count.multiply},           {"divide", count.divide},
-          {"sqrt", count.sqrt},   {"trigonometric", count.trigonometric}, {"other", count.other},
+  return {{"add", count.add},      {"multiply", count.multiply},           {"divide", count.divide},
+          {"sqrt", count.sqrt},    {"trigonometric", count.trigonometric}, {"other", count.other},
           {"total", count.total()}};
 }
 
@@ -79,10 +79,10 @@ Json make_report(const Compilation& compilation) {
 
   Json report;
   report["name"] = model.name;
-  report["bodies"] = moving_bodies + 1;   // and ground
+  report["bodies"] = moving_bodies + 1;  // and ground
   report["massless_bodies"] = std::count_if(topology.bodies.begin(), topology.bodies.end(), is_massless);
   report["joints"] = moving_bodies + static_cast<long>(cut_joints.size());
-  report["tree_joints"] = moving_bodies;   // each moving body hangs on one
+  report["tree_joints"] = moving_bodies;  // each moving body hangs on one
   report["cut_joints"] = cut_joints.size();
   report["cut_joint_names"] = cut_joints;
   report["rods"] = model.rods.size();

@@ -1,11 +1,10 @@
 #pragma once
 // What `inspect` says of a model.
 
-#include "compiler/compile.hpp"
-
 #include <nlohmann/json.hpp>
-
 #include <string>
+
+#include "compiler/compile.hpp"
 
 namespace mbgen::cli {
 

@@ -1,10 +1,10 @@
-#include "compiler/cli/report.hpp"
-
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <map>
 #include <vector>
+
+#include "compiler/cli/report.hpp"
 
 namespace mbgen::cli {
 namespace {
@@ -64,17 +64,17 @@ std::string loops_text(const Json& report) {
   std::string text;
   if (!report["cut_joint_names"].empty()) text += "\nCut joints\n";
   for (const auto& joint : report["cut_joint_names"]) {
-    text += fmt::format("  {}: {}, {} equations, {}\n", joint["name"].get<std::string>(),
-                        joint["kind"].get<std::string>(), joint["equations"].get<int>(),
-                        joint["reason"].get<std::string>());
+    text +=
+        fmt::format("  {}: {}, {} equations, {}\n", joint["name"].get<std::string>(), joint["kind"].get<std::string>(),
+                    joint["equations"].get<int>(), joint["reason"].get<std::string>());
   }
   if (!report["loop_blocks"].empty()) text += "\nLoop blocks\n";
   int number = 0;
   for (const auto& block : report["loop_blocks"]) {
-    text += fmt::format("  {}: {} joints on {}, {} equations of rank {}, diagonal blocks {}\n", ++number,
-                        block["joints"].get<int>(), block["base"].get<std::string>(), block["equations"].get<int>(),
-                        block["rank"].get<int>(),
-                        fmt::join(block["triangular_block_sizes"].get<std::vector<int>>(), " "));
+    text +=
+        fmt::format("  {}: {} joints on {}, {} equations of rank {}, diagonal blocks {}\n", ++number,
+                    block["joints"].get<int>(), block["base"].get<std::string>(), block["equations"].get<int>(),
+                    block["rank"].get<int>(), fmt::join(block["triangular_block_sizes"].get<std::vector<int>>(), " "));
     for (const char* part : {"loops", "dependent", "independent", "driven", "redundant"}) {
       text += name_list(part, block[part]);
     }

@@ -1,12 +1,12 @@
 // mbgen schema: the JSON Schema of the model format.
 
+#include <memory>
+#include <string>
+
 #include "compiler/cli/commands.hpp"
 #include "compiler/cli/files.hpp"
 #include "compiler/cli/options.hpp"
 #include "compiler/model/model.hpp"
-
-#include <memory>
-#include <string>
 
 namespace mbgen::cli {
 

@@ -1,5 +1,11 @@
 // mbgen simulate: a motion, as a table in a file and a summary.
 
+#include <fmt/format.h>
+
+#include <cmath>
+#include <memory>
+#include <optional>
+
 #include "compiler/cli/commands.hpp"
 #include "compiler/cli/files.hpp"
 #include "compiler/cli/initial_state.hpp"
@@ -8,12 +14,6 @@
 #include "compiler/cli/simulation.hpp"
 #include "compiler/cli/simulation_text.hpp"
 #include "compiler/cli/user_error.hpp"
-
-#include <fmt/format.h>
-
-#include <cmath>
-#include <memory>
-#include <optional>
 
 namespace mbgen::cli {
 namespace {
@@ -125,9 +125,10 @@ int run(const Options& options) {
 void add_simulate(CLI::App& application, int& exit_code) {
   const auto options = std::make_shared<Options>();
   CLI::App* command = application.add_subcommand("simulate", "compute a motion, write it as a table (CSV)");
-  command->footer("Example: mbgen simulate models/coach.json --duration 5 --step 1e-3 --out coach.csv\n"
-                  "Prints a summary; the file appears when it is complete. When the motion cannot go on, the file holds\n"
-                  "what there is, standard error says why, and the exit code is 1.");
+  command->footer(
+      "Example: mbgen simulate models/coach.json --duration 5 --step 1e-3 --out coach.csv\n"
+      "Prints a summary; the file appears when it is complete. When the motion cannot go on, the file holds\n"
+      "what there is, standard error says why, and the exit code is 1.");
   add_model_argument(*command, options->model);
   command->add_option("--duration", options->duration, "s (default: the model's)");
   command->add_option("--step", options->step, "s, shortened to divide the duration (default: the model's)");

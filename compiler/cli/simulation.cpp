@@ -11,7 +11,8 @@ using Clock = std::chrono::steady_clock;
 
 double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
 
-/// Integral of samples at equal distances: Simpson's rule over pairs of steps, the trapezoidal rule for an odd last one.
+/// Integral of samples at equal distances: Simpson's rule over pairs of steps, the trapezoidal rule for an odd last
+/// one.
 class Integral {
  public:
   void add(double value, double h) {
@@ -27,7 +28,7 @@ class Integral {
   double value() const { return pairs_ + rest_; }
 
  private:
-  long count_ = 0;   // of samples
+  long count_ = 0;  // of samples
   double before_ = 0, last_ = 0;
   double pairs_ = 0, rest_ = 0;
 };
@@ -45,8 +46,7 @@ class Collector {
     EnergyBalance& balance = summary.energy;
     balance.change = energy - first_energy_;
     balance.work = work_.value();
-    balance.scale =
-        std::max({balance.scale, std::abs(balance.change), std::abs(balance.work), outputs.kinetic_energy});
+    balance.scale = std::max({balance.scale, std::abs(balance.change), std::abs(balance.work), outputs.kinetic_energy});
     summary.largest.position = std::max(summary.largest.position, sample.residuals.position);
     summary.largest.velocity = std::max(summary.largest.velocity, sample.residuals.velocity);
     for (std::size_t i = 0; i < outputs.y.size(); ++i) {

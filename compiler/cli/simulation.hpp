@@ -1,21 +1,21 @@
 #pragma once
 // A motion from a state, step by step, with what is worth knowing of it.
 
-#include "compiler/cli/engine.hpp"
-
 #include <functional>
 #include <vector>
+
+#include "compiler/cli/engine.hpp"
 
 namespace mbgen::cli {
 
 struct SimulationSettings {
   long steps = 0;
-  double step = 0;            ///< s
+  double step = 0;  ///< s
 };
 
 /// One point of the motion.
 struct Sample {
-  long step = 0;              ///< 0 at the start
+  long step = 0;  ///< 0 at the start
   GenericState state;
   GenericOutputs outputs;
   Residuals residuals;
@@ -28,9 +28,9 @@ struct Range {
 
 /// Energy along the motion. In a right solution, kinetic + potential energy changes by the work of the applied forces.
 struct EnergyBalance {
-  double change = 0;          ///< J, of kinetic energy and potential energy of gravity
-  double work = 0;            ///< J, of all other applied forces and drives, integrated by Simpson's rule
-  double scale = 0;           ///< J, largest of |change|, |work| and kinetic energy along the way
+  double change = 0;  ///< J, of kinetic energy and potential energy of gravity
+  double work = 0;    ///< J, of all other applied forces and drives, integrated by Simpson's rule
+  double scale = 0;   ///< J, largest of |change|, |work| and kinetic energy along the way
   double error() const { return change - work; }
 };
 
@@ -42,7 +42,7 @@ struct SimulationSummary {
   Residuals largest;          ///< over all points
   EnergyBalance energy;
   std::vector<Range> outputs;
-  Status status;              ///< of the step that failed, or ok
+  Status status;  ///< of the step that failed, or ok
 };
 
 /// Steps the engine from `state`. on_sample gets every point, the start too.

@@ -1,12 +1,12 @@
 #include "compiler/cli/simulation_text.hpp"
 
-#include "compiler/cli/names.hpp"
-
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <iterator>
+#include <nlohmann/json.hpp>
+
+#include "compiler/cli/names.hpp"
 
 namespace mbgen::cli {
 namespace {
@@ -62,20 +62,22 @@ std::string csv_row(const Sample& sample) {
 std::string summary_text(const SimulationRecord& record) {
   const SimulationSummary& summary = record.summary;
   const EnergyBalance& energy = summary.energy;
-  std::string text = fmt::format("{}: {} steps of {:.6g} s, engine {}, integrator {}\n", record.compilation.model.name,
-                                 summary.steps, record.settings.step, record.choice.name,
-                                 name_of(record.choice.integrator));
+  std::string text =
+      fmt::format("{}: {} steps of {:.6g} s, engine {}, integrator {}\n", record.compilation.model.name, summary.steps,
+                  record.settings.step, record.choice.name, name_of(record.choice.integrator));
   text += fmt::format("  real-time factor          {:.4g} (simulated time over {:.4g} s in the solver)\n",
                       real_time_factor(record), summary.solver_seconds);
   text += fmt::format("  largest closure residual  {:.2e} m, {:.2e} m/s\n", summary.largest.position,
                       summary.largest.velocity);
-  text += fmt::format("  energy                    changed by {:.6g} J, work {:.6g} J, error {:.2e} J ({:.1e} relative)\n",
-                      energy.change, energy.work, energy.error(), relative(energy));
+  text +=
+      fmt::format("  energy                    changed by {:.6g} J, work {:.6g} J, error {:.2e} J ({:.1e} relative)\n",
+                  energy.change, energy.work, energy.error(), relative(energy));
   text += fmt::format("  status                    {} at t = {:.6g} s\n",
                       describe(record.compilation.topology, summary.status), summary.end_time);
   const std::vector<Output>& outputs = record.compilation.model.outputs;
   std::size_t width = 0;
-  for (const Output& output : outputs) width = std::max(width, output.name.size() + unit_or_one(output.unit).size() + 3);
+  for (const Output& output : outputs)
+    width = std::max(width, output.name.size() + unit_or_one(output.unit).size() + 3);
   if (!summary.outputs.empty()) {
     text += fmt::format("  {:<{}}{:>14}{:>14}{:>14}\n", "output", width, "smallest", "largest", "last");
   }

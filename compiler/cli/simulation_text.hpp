@@ -1,9 +1,9 @@
 #pragma once
 // A motion as text: the table's header and rows, and the summary.
 
-#include "compiler/cli/simulation.hpp"
-
 #include <string>
+
+#include "compiler/cli/simulation.hpp"
 
 namespace mbgen::cli {
 

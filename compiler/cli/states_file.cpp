@@ -1,16 +1,16 @@
 #include "compiler/cli/states_file.hpp"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <limits>
+#include <nlohmann/json.hpp>
+
 #include "compiler/cli/files.hpp"
 #include "compiler/cli/initial_state.hpp"
 #include "compiler/cli/names.hpp"
 #include "compiler/cli/user_error.hpp"
-
-#include <fmt/format.h>
-#include <fmt/ranges.h>
-#include <nlohmann/json.hpp>
-
-#include <algorithm>
-#include <limits>
 
 namespace mbgen::cli {
 namespace {
@@ -20,7 +20,7 @@ using Json = nlohmann::json;
 /// A value of the file and the way to it, for messages.
 struct Place {
   const Json& value;
-  std::string path;   ///< file and JSON pointer
+  std::string path;  ///< file and JSON pointer
 };
 
 [[noreturn]] void fail(const std::string& path, const std::string& message) {
@@ -32,7 +32,7 @@ Json parse(const std::string& path) {
   try {
     return Json::parse(text, nullptr, true, true);
   } catch (const Json::exception& error) {
-    const std::string message = error.what();   // "[json.exception.parse_error.101] parse error at line 1, ..."
+    const std::string message = error.what();  // "[json.exception.parse_error.101] parse error at line 1, ..."
     const std::size_t bracket = message.find("] ");
     fail(path, "no JSON: " + (bracket == std::string::npos ? message : message.substr(bracket + 2)));
   }

@@ -1,10 +1,10 @@
 #pragma once
 // The states that `evaluate` and `bench` read.
 
-#include "compiler/cli/engine.hpp"
-
 #include <string>
 #include <vector>
+
+#include "compiler/cli/engine.hpp"
 
 namespace mbgen::cli {
 
@@ -12,12 +12,12 @@ namespace mbgen::cli {
 struct FileState {
   LoadedState at;
   std::vector<double> inputs;
-  std::vector<double> zdd;                ///< accelerations that the file expects, empty when it has none
+  std::vector<double> zdd;  ///< accelerations that the file expects, empty when it has none
 };
 
 struct StatesFile {
-  std::vector<std::string> joint_order;   ///< of the file
-  std::vector<int> coordinate;            ///< tree coordinate of each name in joint_order
+  std::vector<std::string> joint_order;  ///< of the file
+  std::vector<int> coordinate;           ///< tree coordinate of each name in joint_order
   std::vector<FileState> states;
 };
 

@@ -1,10 +1,10 @@
 #pragma once
 // What the command line throws when the user's input is at fault; main turns it into exit code 1.
 
-#include "compiler/model/diagnostic.hpp"
-
 #include <stdexcept>
 #include <string>
+
+#include "compiler/model/diagnostic.hpp"
 
 namespace mbgen::cli {
 

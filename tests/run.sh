@@ -1,0 +1,10 @@
+#!/bin/sh
+# Installs what is missing (Debian 12, as root), builds everything and runs all tests.
+set -eu
+cd "$(dirname "$0")/.."
+
+.ci/install g++ clang binutils cmake ninja-build libeigen3-dev libfmt-dev nlohmann-json3-dev libcli11-dev libgtest-dev \
+  libbenchmark-dev
+cmake --preset release -DMBGEN_TESTS=ON -DMBGEN_BENCH=ON
+cmake --build --preset release
+ctest --preset release --parallel "$(nproc)"
