@@ -216,6 +216,88 @@ inline Example bead_on_circle() {
   return example;
 }
 
+/// The bead with its equation written twice, the second time with another radius: area + gap.
+inline Example redundant_bead(double gap) {
+  Example example = bead_on_circle();
+  example.topology.loops[0].equations = example.topology.blocks[0].equations = 2;
+  example.analysis.blocks[0].redundant_equations = {1};
+  ProgramBuilder closure("closure");
+  {
+    const Symbols s(closure);
+    const Expr residual = s.residual(Expr(closure, closure.input("par", 1)));
+    output(closure, "residual", 0, residual);
+    output(closure, "residual", 1, residual - gap);
+    output(closure, "dz", 0, -residual / (2.0 * s.x));
+    output(closure, "zd", 0, -(s.y / s.x) * s.yd);
+    output(closure, "zd", 1, s.yd);
+    output(closure, "pivot", 0, abs(s.x));
+  }
+  ProgramBuilder terms("closure_terms");
+  const Symbols s(terms);
+  for (int e = 0; e < 2; ++e) {
+    output(terms, "Phi0", e, s.residual(Expr(terms, terms.input("par", 1))) - e * gap);
+    output(terms, "Jz0", 2 * e, 2.0 * s.x);
+    output(terms, "Jz0", 2 * e + 1, 2.0 * s.y);
+    output(terms, "c0", e, s.c());
+  }
+  example.programs.closure = closure.finish();
+  example.programs.closure_terms = terms.finish();
+  return example;
+}
+
+/// The bead with y driven: y = 0.3 t + 0.1 t^2. No direction is free.
+inline Example driven_bead() {
+  Example example = bead_on_circle();
+  example.model.motions.resize(1);
+  example.analysis.driven = {false, true};
+  example.analysis.motion_of = {-1, 0};
+  example.analysis.blocks[0].independent = {};
+  example.analysis.blocks[0].driven = {1};
+  const auto time = [](ProgramBuilder& builder) { return Expr(builder, builder.input("t", 0)); };
+  const auto position = [](const Expr& t) { return 0.3 * t + 0.1 * (t * t); };
+  const auto velocity = [](const Expr& t) { return 0.3 + 0.2 * t; };
+  constexpr double kAcceleration = 0.2;
+
+  ProgramBuilder accelerations("accelerations"), chosen("accelerations_chosen"), closure("closure"), terms("closure_terms");
+  {
+    const Symbols s(accelerations);
+    output(accelerations, "zdd", 0, (s.c() - 2.0 * kAcceleration * s.y) / (2.0 * s.x));
+    output(accelerations, "zdd", 1, kAcceleration);
+    output(accelerations, "pivot", 0, abs(s.x));
+  }
+  for (int i = 0; i < 2; ++i) chosen.output("zdd", i, chosen.input("zdd_star0", i));
+  {
+    const Symbols s(closure);
+    const Expr residual = s.residual(Expr(closure, closure.input("par", 1)));
+    const Expr dy = position(time(closure)) - s.y, yd = velocity(time(closure));
+    const Expr dx = -(residual + 2.0 * s.y * dy) / (2.0 * s.x);
+    output(closure, "residual", 0, residual);
+    output(closure, "residual", 1, dy);
+    output(closure, "dz", 0, dx);
+    output(closure, "dz", 1, dy);
+    output(closure, "zd", 0, -(s.y / s.x) * yd);
+    output(closure, "zd", 1, yd);
+    output(closure, "pivot", 0, abs(s.x));
+  }
+  {
+    const Symbols s(terms);
+    output(terms, "Phi0", 0, s.residual(Expr(terms, terms.input("par", 1))));
+    output(terms, "Jz0", 0, 2.0 * s.x);
+    output(terms, "Jz0", 1, 2.0 * s.y);
+    output(terms, "c0", 0, s.c());
+    output(terms, "driven_position", 1, position(time(terms)));
+    output(terms, "driven_velocity", 1, velocity(time(terms)));
+    output(terms, "driven_acceleration", 1, kAcceleration);
+  }
+  example.programs.accelerations = accelerations.finish();
+  example.programs.accelerations_chosen = chosen.finish();
+  example.programs.closure = closure.finish();
+  example.programs.closure_terms = terms.finish();
+  example.programs.free_direction_coordinate = {};
+  example.programs.free_directions_of_block = {0};
+  return example;
+}
+
 inline std::vector<EmittedFile> emit(const Example& example, const EmitOptions& options = {}) {
   return mbgen::emit(example.programs, example.model, example.topology, example.analysis, options);
 }

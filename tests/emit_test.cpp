@@ -75,6 +75,10 @@ TEST(EmittedLines, areBrokenAtSpaces) {
   EXPECT_EQ(wrapped_statement("  a = " + word + " + " + word + " + " + word + ";"),
             "  a = " + word + " + " + word + " +\n      " + word + ";");
   EXPECT_EQ(wrapped_list({word, word, word}, 2), "  " + word + ", " + word + ",\n  " + word);
+  EXPECT_EQ(braced_list("  int a[] = ", {"1", "2"}, ";"), "  int a[] = {1, 2};");
+  EXPECT_EQ(braced_list("  int a[] = ", {word, word, word}, ";"),
+            "  int a[] = {\n      " + word + ", " + word + ",\n      " + word + "};");
+  EXPECT_EQ(wrapped_words(word + " " + word + "  " + word, "/// "), "/// " + word + " " + word + "\n/// " + word);
   const std::string endless(200, 'y');
   EXPECT_EQ(wrapped_statement("  " + endless + " z"), "  " + endless + "\n      z");
 }

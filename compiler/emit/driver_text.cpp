@@ -5,12 +5,12 @@
 namespace mbgen {
 namespace {
 
-/// `{1.0, 2.5}`, with one zero when there is nothing to list.
-std::string initialiser(const std::vector<double>& values) {
+/// A table of constants, with one zero when there is nothing to list.
+std::string table(const std::string& name, const std::vector<double>& values) {
   std::vector<std::string> items;
   for (const double value : values) items.push_back(number_text(value));
   if (items.empty()) items.push_back("0.0");
-  return "{\n" + wrapped_list(items, 4) + "}";
+  return braced_list("constexpr double " + name + "[] = ", items, ";");
 }
 
 /// One assignment a line: `  parameters.k = values[0];`.
@@ -38,8 +38,8 @@ EmittedFile emit_driver(const Model& model) {
   return {names.solver + "_driver.cpp",
           fill_template("driver.cpp.in", {{"banner", banner_text(model, "//")},
                                           {"solver", names.solver},
-                                          {"default_parameters", initialiser(parameters)},
-                                          {"default_inputs", initialiser(inputs)},
+                                          {"default_parameters", table("kDefaultParameters", parameters)},
+                                          {"default_inputs", table("kDefaultInputs", inputs)},
                                           {"parameters_from", assignments("parameters", names.parameters)},
                                           {"inputs_from", assignments("inputs", names.inputs)},
                                           {"outputs_to", outputs_to}})};

@@ -61,7 +61,7 @@ std::string argument_list(const ProgramShape& shape, const std::set<std::string>
 }
 
 std::string heading(const std::string& comment, const std::string& declaration) {
-  return "/// " + comment + "\n" + wrapped_statement(declaration) + "\n";
+  return wrapped_words(comment, "/// ") + "\n" + wrapped_statement(declaration) + "\n";
 }
 
 std::string whole_heading(const ProgramShape& shape, const std::set<std::string>& used) {

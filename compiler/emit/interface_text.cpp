@@ -14,15 +14,14 @@ std::string size_text(int size) { return std::to_string(std::max(size, 1)); }
 
 /// `struct Coordinate { enum Index : int { a, b }; };`: scoped like an enum class, and still an index.
 std::string enumeration(const std::string& name, const std::vector<std::string>& members) {
-  if (members.empty()) return "struct " + name + " { enum Index : int {}; };";
-  return "struct " + name + " {\n  enum Index : int {\n" + wrapped_list(members, 4) + "\n  };\n};";
+  return "struct " + name + " {\n" + braced_list("  enum Index : int ", members, ";") + "\n};";
 }
 
 std::string string_table(const std::string& name, const std::vector<std::string>& texts) {
   std::vector<std::string> literals;
   for (const std::string& text : texts) literals.push_back(string_literal(text));
   if (literals.empty()) literals.push_back("\"\"");
-  return "inline constexpr const char* const " + name + "[] = {\n" + wrapped_list(literals, 4) + "};\n";
+  return braced_list("inline constexpr const char* const " + name + "[] = ", literals, ";\n");
 }
 
 std::string size_constants(const EmitContext& context) {
@@ -123,7 +122,7 @@ std::string base_name(const std::string& path) {
 std::string cmake_flags(CompilerFamily family) {
   std::string text;
   for (const std::string& flag : solver_compile_flags(family)) text += (text.empty() ? "" : " ") + flag;
-  return text;
+  return wrapped_words(text, "      ");
 }
 
 }  // namespace

@@ -14,7 +14,7 @@ using Items = std::vector<std::string>;
 /// A static table of System; never empty, since C++ has no arrays of size zero.
 std::string table(const std::string& type, const std::string& name, Items items, const std::string& filler = "0") {
   if (items.empty()) items.push_back(filler);
-  return "  static constexpr " + type + " " + name + "[] = {\n" + wrapped_list(items, 6) + "};\n";
+  return braced_list("  static constexpr " + type + " " + name + "[] = ", items, ";\n");
 }
 
 std::string constant(const std::string& type, const std::string& name, const std::string& value) {

@@ -5,6 +5,7 @@
 #include <charconv>
 #include <cmath>
 #include <set>
+#include <sstream>
 #include <stdexcept>
 
 namespace mbgen {
@@ -68,20 +69,43 @@ std::string wrapped_list(const std::vector<std::string>& items, std::size_t inde
   return result;
 }
 
+std::string braced_list(const std::string& head, const std::vector<std::string>& items, const std::string& tail) {
+  const std::string single = head + "{" + wrapped_list(items, 0) + "}" + tail;
+  if (single.size() <= kLineWidth && single.find('\n') == std::string::npos) return single;
+  const std::size_t indent = head.find_first_not_of(' ');
+  return head + "{\n" + wrapped_list(items, (indent == std::string::npos ? 0 : indent) + 4) + "}" + tail;
+}
+
 std::string wrapped_statement(const std::string& line) {
   const std::size_t indent = line.find_first_not_of(' ');
   const std::string margin(indent == std::string::npos ? 4 : indent + 4, ' ');
   std::string result;
   std::string rest = line;
   while (rest.size() > kLineWidth) {
-    std::size_t cut = rest.rfind(' ', kLineWidth);
-    // A line may not start with its own margin again: look behind the limit when no space before it splits the text.
+    // After a comma where that leaves a line at least half full, else at any space, else beyond the limit.
+    const std::size_t comma = rest.rfind(", ", kLineWidth - 1);
+    std::size_t cut = comma != std::string::npos && comma > kLineWidth / 2 ? comma + 1 : rest.rfind(' ', kLineWidth);
     if (cut == std::string::npos || cut <= margin.size()) cut = rest.find(' ', kLineWidth);
     if (cut == std::string::npos) break;
     result += rest.substr(0, cut) + "\n";
     rest = margin + rest.substr(cut + 1);
   }
   return result + rest;
+}
+
+std::string wrapped_words(const std::string& words, const std::string& margin) {
+  std::string result, line = margin;
+  std::istringstream stream(words);
+  for (std::string word; stream >> word;) {
+    const bool is_first = line.size() == margin.size();
+    if (!is_first && line.size() + 1 + word.size() > kLineWidth) {
+      result += line + "\n";
+      line = margin + word;
+    } else {
+      line += (is_first ? "" : " ") + word;
+    }
+  }
+  return result + line;
 }
 
 std::string fill_frame(std::string_view frame_name, std::string_view frame,

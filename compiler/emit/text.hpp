@@ -24,8 +24,15 @@ std::string comment_text(std::string_view text);
 /// Lines of `indent` spaces and items joined by ", ", broken before kLineWidth. Ends without a newline.
 std::string wrapped_list(const std::vector<std::string>& items, std::size_t indent);
 
-/// One statement broken at spaces so that lines keep to kLineWidth where they can; later lines are indented by four more.
+/// `head`, the items in braces and `tail`: on one line where it fits, else the items on lines of their own.
+std::string braced_list(const std::string& head, const std::vector<std::string>& items, const std::string& tail);
+
+/// One statement broken at commas and spaces so that lines keep to kLineWidth where they can; later lines are indented
+/// by four more.
 std::string wrapped_statement(const std::string& line);
+
+/// Words on lines that each begin with `margin` and keep to kLineWidth: "/// " for comments, spaces for lists.
+std::string wrapped_words(const std::string& words, const std::string& margin);
 
 /// Fills a frame: every {{name}} becomes its value.
 /// Fails: throws std::logic_error when the frame names a placeholder without a value or a value is not used.

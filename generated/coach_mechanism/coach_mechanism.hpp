@@ -1,0 +1,203 @@
+// coach_mechanism, content hash 2678ee471f5fa604
+// Made by `mbgen generate coach_mechanism.json`, mbgen 0.1.0. Change the model, not this file.
+#pragma once
+
+#include "mbgen/integrators.hpp"
+#include "mbgen/status.hpp"
+
+/// Specialised solver of the multibody system "coach_mechanism". SI units, angles in radians.
+/// Every function is re-entrant, allocates nothing, does a bounded amount of work and leaves its result
+/// untouched unless its status is ok.
+namespace coach_mechanism {
+
+constexpr const char* kModel = "coach_mechanism";
+constexpr const char* kHash = "2678ee471f5fa604";
+
+constexpr int kCoordinates = 32;
+constexpr int kAuxiliaryStates = 0;
+constexpr int kBodies = 19;
+constexpr int kInputs = 0;
+constexpr int kOutputs = 0;
+constexpr int kParameters = 0;
+constexpr int kLoopBlocks = 2;
+constexpr int kClosureEquations = 17;
+constexpr int kMotions = 0;
+
+/// Coordinates, in the order of z, zd, zdd and tau.
+struct Coordinate {
+  enum Index : int {
+      chassis_tx, chassis_ty, chassis_tz, chassis_rz, chassis_ry, chassis_rx, lower_arm_left,
+      carrier_left_rz, carrier_left_rx, carrier_left_ry, wheel_front_left, upper_arm_left,
+      arb_front_left, lower_arm_right, carrier_right_rz, carrier_right_rx, carrier_right_ry,
+      wheel_front_right, upper_arm_right, arb_front_right, pitman_arm, bell_crank, rear_axle_tx,
+      rear_axle_ty, rear_axle_tz, rear_axle_rz, rear_axle_ry, rear_axle_rx, wheel_rear_left,
+      arb_rear_left, wheel_rear_right, arb_rear_right};
+};
+
+/// Bodies of the model.
+struct Body {
+  enum Index : int {
+      ground, chassis, lower_arm_left, carrier_left, wheel_front_left, upper_arm_left,
+      arb_front_left, lower_arm_right, carrier_right, wheel_front_right, upper_arm_right,
+      arb_front_right, pitman_arm, bell_crank, rear_axle, wheel_rear_left, arb_rear_left,
+      wheel_rear_right, arb_rear_right};
+};
+
+/// Inputs, in the order of the model.
+struct Input {
+  enum Index : int {};
+};
+
+/// Outputs, in the order of the model.
+struct Output {
+  enum Index : int {};
+};
+
+/// Tunable parameters, in the order of the model; the others are folded into the code.
+struct Parameter {
+  enum Index : int {};
+};
+
+/// Groups of loops that share joints, each by the name of its first loop.
+struct LoopBlock {
+  enum Index : int {upper_ball_left, long_rod_left};
+};
+
+/// Names and units, indexed by the enumerations above.
+inline constexpr const char* const kCoordinateNames[] = {
+    "chassis_tx", "chassis_ty", "chassis_tz", "chassis_rz", "chassis_ry", "chassis_rx",
+    "lower_arm_left", "carrier_left_rz", "carrier_left_rx", "carrier_left_ry", "wheel_front_left",
+    "upper_arm_left", "arb_front_left", "lower_arm_right", "carrier_right_rz", "carrier_right_rx",
+    "carrier_right_ry", "wheel_front_right", "upper_arm_right", "arb_front_right", "pitman_arm",
+    "bell_crank", "rear_axle_tx", "rear_axle_ty", "rear_axle_tz", "rear_axle_rz", "rear_axle_ry",
+    "rear_axle_rx", "wheel_rear_left", "arb_rear_left", "wheel_rear_right", "arb_rear_right"};
+inline constexpr const char* const kCoordinateUnits[] = {
+    "m", "m", "m", "rad", "rad", "rad", "rad", "rad", "rad", "rad", "rad", "rad", "rad", "rad",
+    "rad", "rad", "rad", "rad", "rad", "rad", "rad", "rad", "m", "m", "m", "rad", "rad", "rad",
+    "rad", "rad", "rad", "rad"};
+inline constexpr const char* const kAuxiliaryStateNames[] = {
+    ""};
+inline constexpr const char* const kBodyNames[] = {
+    "ground", "chassis", "lower_arm_left", "carrier_left", "wheel_front_left", "upper_arm_left",
+    "arb_front_left", "lower_arm_right", "carrier_right", "wheel_front_right", "upper_arm_right",
+    "arb_front_right", "pitman_arm", "bell_crank", "rear_axle", "wheel_rear_left", "arb_rear_left",
+    "wheel_rear_right", "arb_rear_right"};
+inline constexpr const char* const kInputNames[] = {
+    ""};
+inline constexpr const char* const kInputUnits[] = {
+    ""};
+inline constexpr const char* const kOutputNames[] = {
+    ""};
+inline constexpr const char* const kOutputUnits[] = {
+    ""};
+inline constexpr const char* const kParameterNames[] = {
+    ""};
+inline constexpr const char* const kParameterUnits[] = {
+    ""};
+inline constexpr const char* const kLoopBlockNames[] = {
+    "upper_ball_left, upper_ball_right, arb_link_front_left, arb_link_front_right, drag_link, tie_rod_left, tie_rod_right",
+    "long_rod_left, diag_rod_left, arb_link_rear_left, long_rod_right, diag_rod_right, arb_link_rear_right"};
+
+/// Tunable parameters with the values of the model.
+struct Parameters {
+};
+
+/// Inputs with their defaults. They are constant during a step.
+struct Inputs {
+};
+
+/// Everything that changes in time. Start from `State state{};` and assemble it.
+struct State {
+  double z[kCoordinates];  ///< coordinates: rad or m, see kCoordinateUnits
+  double zd[kCoordinates];  ///< their velocities
+  double x[1];  ///< auxiliary states, see kAuxiliaryStateNames
+  double t;  ///< s
+};
+
+/// Rates of a state that are not in the state itself.
+struct Derivative {
+  double zdd[kCoordinates];  ///< accelerations
+  double xd[1];  ///< rates of the auxiliary states
+};
+
+/// Outputs of the model, and the terms of its energy balance.
+struct Outputs {
+  double kinetic_energy;  ///< J
+  double potential_energy;  ///< J, of gravity
+  double applied_power;  ///< W, of all applied forces but gravity
+};
+
+/// Forces of the constraints.
+struct Multipliers {
+  double lambda[17];  ///< of each closure equation, loop after loop
+  double drive[1];  ///< generalised driving force of each motion: N m or N
+};
+
+/// How far the loops are from being closed, equation by equation, block after block.
+struct ClosureResidual {
+  double position[17];  ///< Phi: m, m^2 for rods, 1 for directions
+  double velocity[17];  ///< Phi_z zd - ct, the same per second
+  double largest_position;  ///< largest absolute value
+  double largest_velocity;
+};
+
+/// Closes all loops by Newton from the state as a guess, sets driven coordinates to their motions
+/// and makes the velocities consistent. Independent coordinates keep their positions and
+/// velocities.
+/// Fails: not_a_number, loop_not_closed, loop_singular.
+mbgen::Status assemble(const Parameters& parameters, const Inputs& inputs, State& state) noexcept;
+
+/// All accelerations at a consistent state. tau: generalised joint forces (N m or N), added to
+/// those of the model.
+/// Fails: not_a_number, loop_singular, no_inertia.
+mbgen::Status accelerations(const Parameters& parameters, const Inputs& inputs, const State& state,
+                            const double (&tau)[kCoordinates], Derivative& derivative) noexcept;
+
+/// One step of h seconds by the classical Runge-Kutta method, then assembly.
+/// Fails: as both, and step_invalid.
+mbgen::Status step_rk4(const Parameters& parameters, const Inputs& inputs, State& state, double h) noexcept;
+
+/// The solver at constant parameters and inputs as an integrator sees it: without joint forces from
+/// outside.
+struct Dynamics {
+  using State = coach_mechanism::State;
+  using Derivative = coach_mechanism::Derivative;
+  const Parameters& parameters;
+  const Inputs& inputs;
+  mbgen::Status derivative(const State& state, Derivative& derivative) const noexcept;
+  mbgen::Status project(State& state) const noexcept;
+};
+
+/// What step_abm4 remembers. Start with `History history{};`, and again when state or inputs were
+/// changed from outside.
+using History = mbgen::AbmHistory<Dynamics>;
+
+/// One step of h seconds by Adams-Bashforth-Moulton of order four with two evaluations, started up
+/// by Runge-Kutta, then assembly.
+/// Fails: as step_rk4.
+mbgen::Status step_abm4(const Parameters& parameters, const Inputs& inputs, State& state, History& history,
+                        double h) noexcept;
+
+/// Outputs, energies and power at a state and its accelerations. An output that is not finite is
+/// given as it is.
+/// Fails: not_a_number for the arguments.
+mbgen::Status outputs(const Parameters& parameters, const Inputs& inputs, const State& state,
+                      const double (&tau)[kCoordinates], const Derivative& derivative,
+                      Outputs& values) noexcept;
+
+/// Forces of the constraints at a state and its accelerations. Of redundant equations only the sum
+/// of their effects is unique; those left out of the frozen path get zero.
+/// Fails: not_a_number, loop_singular.
+mbgen::Status multipliers(const Parameters& parameters, const Inputs& inputs, const State& state,
+                          const double (&tau)[kCoordinates], const Derivative& derivative,
+                          Multipliers& values) noexcept;
+
+/// Closure residuals of a state. Fails: not_a_number for the arguments.
+mbgen::Status closure_residual(const Parameters& parameters, const Inputs& inputs, const State& state,
+                               ClosureResidual& residual) noexcept;
+
+/// Name of the coordinate or the loops that a status names, "" when it names none. See mbgen::text
+/// for its code.
+const char* describe(mbgen::Status status) noexcept;
+
+}  // namespace coach_mechanism

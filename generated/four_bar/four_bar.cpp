@@ -1,0 +1,784 @@
+// four_bar, content hash 96a2cec425b2f2a9
+// Made by `mbgen generate four_bar.json`, mbgen 0.1.0. Change the model, not this file.
+#include "four_bar.hpp"
+
+#include "mbgen/scalar.hpp"
+#include "mbgen/solver.hpp"
+
+#include <cmath>
+
+namespace four_bar {
+namespace {
+
+/// Projection of the loop blocks, chosen at run time.
+struct Projection {
+  double Rz[3];  ///< of each block, row by row
+  double zdd_star[3];  ///< accelerations of each block at zero independent ones
+};
+
+/// Result of compute_accelerations.
+struct Accelerations {
+  double zdd[3];  ///< accelerations
+  double xd[1];  ///< rates of the auxiliary states
+  double pivot[1];  ///< smallest pivot of each block over its reference
+  double inertia[1];  ///< pivots of the final equations
+};
+
+/// All accelerations with the frozen partition of the loop blocks.
+void compute_accelerations(const Parameters& parameters, const Inputs& inputs, const State& state,
+    const double* tau, Accelerations& __restrict result) noexcept {
+  // --- step 1: poses, axes b, accumulated inertias MR (50) ---
+  // crank
+  const double z_crank_pin = state.z[Coordinate::crank_pin];
+  const double R_crank_x_x = std::cos(z_crank_pin);
+  const double R_crank_x_z = std::sin(z_crank_pin);
+  // coupler
+  const double s1_1 = 0.05*R_crank_x_z;
+  const double r_coupler_x = s1_1 + 0.1*R_crank_x_x;
+  const double s1_2 = 0.05*R_crank_x_x;
+  const double r_coupler_z = s1_2 - 0.1*R_crank_x_z;
+  const double z_coupler_pin = state.z[Coordinate::coupler_pin];
+  const double s1_3 = std::cos(z_coupler_pin);
+  const double s1_4 = std::sin(z_coupler_pin);
+  const double R_coupler_x_x = R_crank_x_x*s1_3 - R_crank_x_z*s1_4;
+  const double R_coupler_x_z = R_crank_x_x*s1_4 + R_crank_x_z*s1_3;
+  // rocker
+  const double z_rocker_pin = state.z[Coordinate::rocker_pin];
+  const double R_rocker_x_x = std::cos(z_rocker_pin);
+  const double R_rocker_x_z = std::sin(z_rocker_pin);
+  // crank
+  const double s1_5 = s1_2 + 0.02*R_crank_x_z;
+  const double s1_6 = 0.02*R_crank_x_x - s1_1;
+  const double s1_7 = 7e-04 + (0.8*(s1_5*s1_5) + 0.8*(s1_6*s1_6));
+  // coupler
+  const double s1_8 = r_coupler_x + (0.11*R_coupler_x_z + 0.15*R_coupler_x_x);
+  const double s1_9 = r_coupler_z + (0.11*R_coupler_x_x - 0.15*R_coupler_x_z);
+  const double s1_10 = 1.5*s1_8;
+  const double s1_11 = 1.5*s1_9;
+  const double s1_12 = 0.021 + (1.5*(s1_8*s1_8) + 1.5*(s1_9*s1_9));
+  // rocker
+  const double s1_13 = 0.009999999999999953*R_rocker_x_x;
+  const double s1_14 = 0.009999999999999953*R_rocker_x_z;
+  const double s1_15 = 0.12*R_rocker_x_x - s1_14;
+  const double s1_16 = 0.4 + (0.12*R_rocker_x_z + s1_13);
+  const double s1_17 = 1.1*s1_16;
+  const double s1_18 = 0.006 + (1.1*(s1_16*s1_16) + 1.1*(s1_15*s1_15));
+  // coupler
+  const double N_crank_pin_y = s1_7 + s1_12;
+  // operations: 20 add, 33 multiply, 6 sin cos
+
+  // --- step 2: closure Jacobian Phi_z and its factors (60) ---
+  // rocker_tip
+  const double s2_1 = r_coupler_x + (0.2*R_coupler_x_z + 0.31999999999999995*R_coupler_x_x);
+  const double J_rocker_tip_crank_pin = r_coupler_z + (0.2*R_coupler_x_x -
+      0.31999999999999995*R_coupler_x_z);
+  const double s2_2 = 0.25*R_rocker_x_x - 0.019999999999999962*R_rocker_x_z;
+  const double s2_3 = 0.4 + (0.25*R_rocker_x_z + 0.019999999999999962*R_rocker_x_x);
+  const double J_rocker_tip_coupler_pin = J_rocker_tip_crank_pin - r_coupler_z;
+  const double J_rocker_tip_coupler_pin_2 = r_coupler_x - s2_1;
+  const double s2_4 = 0.4 - s2_3;
+  // loop block 0
+  const double s2_5 = 1.0/s2_2;
+  const double s2_6 = s2_4*s2_5;
+  const double s2_7 = s2_1 + J_rocker_tip_crank_pin*s2_6;
+  const double s2_8 = J_rocker_tip_coupler_pin_2 - J_rocker_tip_coupler_pin*s2_6;
+  const double s2_9 = 1.0/s2_7;
+  const double s2_10 = 2.5000000000000004*std::abs(s2_7);
+  result.pivot[0] = mbgen::min(3.999888870509994*std::abs(s2_2), s2_10);
+  // operations: 12 add, 13 multiply, 2 divide, 3 other
+
+  // --- step 3: Rz (61) ---
+  // loop block 0
+  const double Rz_crank_pin_0 = s2_8*s2_9;
+  const double Rz_rocker_pin_0 = s2_5*(J_rocker_tip_coupler_pin +
+      J_rocker_tip_crank_pin*Rz_crank_pin_0);
+  // operations: 1 add, 3 multiply
+
+  // --- step 4: velocities Z (36) ---
+  // coupler
+  const double zd_crank_pin = state.zd[Coordinate::crank_pin];
+  const double w_coupler_y = zd_crank_pin + state.zd[Coordinate::coupler_pin];
+  // operations: 1 add
+
+  // --- step 5: applied forces Q (48) ---
+  // return_spring
+  const double s5_1 = 0.15*R_rocker_x_x - s1_14;
+  const double s5_2 = 0.4 + (s1_13 + 0.15*R_rocker_x_z);
+  const double s5_3 = 0.6 - s5_2;
+  const double s5_4 = 0.1 - s5_1;
+  const double s5_5 = std::sqrt(s5_4*s5_4 + s5_3*s5_3);
+  const double tension_return_spring = parameters.k*(s5_5 - 0.18);
+  const double s5_6 = 1.0/s5_5*tension_return_spring;
+  const double s5_7 = s5_4*s5_6;
+  const double s5_8 = s5_1*(s5_3*s5_6) - s5_2*s5_7;
+  // operations: 8 add, 10 multiply, 1 divide, 1 sqrt
+
+  // --- step 6: c and dRz/dt zd (62) ---
+  // crank
+  const double s6_1 = zd_crank_pin*zd_crank_pin;
+  // coupler
+  const double s6_2 = w_coupler_y*w_coupler_y;
+  const double s6_3 = s6_2 - s6_1;
+  const double a_coupler_x = r_coupler_x*s6_3;
+  const double s6_4 = r_coupler_z*s6_3;
+  // rocker
+  const double zd_rocker_pin = state.zd[Coordinate::rocker_pin];
+  const double s6_5 = zd_rocker_pin*zd_rocker_pin;
+  const double a_rocker_x = 0.4*s6_5;
+  // rocker_tip
+  const double s6_6 = a_coupler_x - s2_1*s6_2 - (a_rocker_x - s2_3*s6_5);
+  const double s6_7 = s2_2*s6_5 + (s6_4 - J_rocker_tip_crank_pin*s6_2);
+  // loop block 0
+  const double s6_8 = s2_9*(s2_6*s6_6 - s6_7);
+  const double s6_9 = s2_5*(J_rocker_tip_crank_pin*s6_8 - s6_6);
+  // operations: 8 add, 14 multiply
+
+  // --- step 7: accelerations Zdot and accumulated forces QR - PR (51), (52) ---
+  // coupler
+  const double a_coupler_z = 9.81 + s6_4;
+  // rocker
+  const double a_rocker_z = 9.81 - 0.4*s6_9;
+  // crank
+  const double s7_1 = s1_5*(0.8*(9.81 + (s1_5*s6_8 - s1_6*s6_1)));
+  const double s7_2 = 7e-04*s6_8 + (s7_1 + s1_6*(0.8*(s1_6*s6_8 + s1_5*s6_1)));
+  // coupler
+  const double s7_3 = 1.5*(a_coupler_x - (s1_9*s6_8 + s1_8*s6_2));
+  const double s7_4 = 1.5*(a_coupler_z + (s1_8*s6_8 - s1_9*s6_2));
+  const double s7_5 = s1_9*s7_3 - s1_8*s7_4 - 0.021*s6_8;
+  // rocker
+  const double s7_6 = 1.1*(a_rocker_z + (s1_16*s6_9 - s1_15*s6_5));
+  const double s7_7 = s1_15*(1.1*(a_rocker_x - (s1_15*s6_9 + s1_16*s6_5))) - s1_16*s7_6;
+  const double s7_8 = s5_8 - (s7_7 - 0.006*s6_9) + 0.4*(s5_7 - s7_6);
+  const double Q_rocker_pin = tau[Coordinate::rocker_pin] + s7_8;
+  // coupler
+  const double s7_9 = r_coupler_z*s7_3 - r_coupler_x*s7_4 - s7_5;
+  const double Q_coupler_pin = tau[Coordinate::coupler_pin] + s7_9;
+  const double s7_10 = s7_2 - s7_5;
+  // crank
+  const double Q_crank_pin = s7_10 + (inputs.torque + tau[Coordinate::crank_pin]);
+  // operations: 29 add, 31 multiply
+
+  // --- step 8: Rz' M Rz and right-hand side (63) ---
+  // coupler
+  const double F_coupler_pin_x = s1_11 - 1.5*r_coupler_z;
+  const double F_coupler_pin_z = 1.5*r_coupler_x - s1_10;
+  const double N_coupler_pin_y = s1_12 - (r_coupler_x*s1_10 + r_coupler_z*s1_11);
+  // rocker
+  const double F_rocker_pin_z = 0.44000000000000006 - s1_17;
+  const double N_rocker_pin_y = s1_18 - 0.4*s1_17;
+  const double s8_1 = r_coupler_x*F_coupler_pin_z - r_coupler_z*F_coupler_pin_x;
+  const double s8_2 = Rz_crank_pin_0*(N_coupler_pin_y + N_crank_pin_y*Rz_crank_pin_0);
+  const double s8_3 = Rz_rocker_pin_0*(Rz_rocker_pin_0*(N_rocker_pin_y + 0.4*F_rocker_pin_z));
+  const double s8_4 = N_coupler_pin_y + s8_1 + Rz_crank_pin_0*N_coupler_pin_y + s8_2 + s8_3;
+  const double s8_5 = Q_coupler_pin + Rz_crank_pin_0*Q_crank_pin;
+  const double s8_6 = s8_5 + Rz_rocker_pin_0*Q_rocker_pin;
+  // operations: 15 add, 15 multiply
+
+  // --- step 9: independent and all accelerations (63), (62) ---
+  result.inertia[0] = s8_4 - 1e-12*s8_4;
+  const double s9_1 = s8_6*(1.0/s8_4);
+  result.zdd[Coordinate::coupler_pin] = s9_1;
+  result.zdd[Coordinate::crank_pin] = Rz_crank_pin_0*s9_1 - s6_8;
+  result.zdd[Coordinate::rocker_pin] = Rz_rocker_pin_0*s9_1 - s6_9;
+  // operations: 3 add, 4 multiply, 1 divide
+}
+
+/// Result of compute_closure.
+struct Closure {
+  double residual[5];  ///< of every closure equation, block after block, then of every motion
+  double dz[3];  ///< Newton correction; driven coordinates go to their motions
+  double zd[3];  ///< consistent velocities
+  double pivot[1];  ///< smallest pivot of each block over its reference
+};
+
+/// One Newton step of the frozen partition, and consistent velocities.
+void compute_closure(const Parameters& /*parameters*/, const Inputs& /*inputs*/, const State& state,
+    Closure& __restrict result) noexcept {
+  // --- step 1: poses, axes b, accumulated inertias MR (50) ---
+  // crank
+  const double z_crank_pin = state.z[Coordinate::crank_pin];
+  const double R_crank_x_x = std::cos(z_crank_pin);
+  const double R_crank_x_z = std::sin(z_crank_pin);
+  // coupler
+  const double r_coupler_x = 0.05*R_crank_x_z + 0.1*R_crank_x_x;
+  const double r_coupler_z = 0.05*R_crank_x_x - 0.1*R_crank_x_z;
+  const double z_coupler_pin = state.z[Coordinate::coupler_pin];
+  const double s1_1 = std::cos(z_coupler_pin);
+  const double s1_2 = std::sin(z_coupler_pin);
+  const double R_coupler_x_x = R_crank_x_x*s1_1 - R_crank_x_z*s1_2;
+  const double R_coupler_x_z = R_crank_x_x*s1_2 + R_crank_x_z*s1_1;
+  // rocker
+  const double z_rocker_pin = state.z[Coordinate::rocker_pin];
+  const double R_rocker_x_x = std::cos(z_rocker_pin);
+  const double R_rocker_x_z = std::sin(z_rocker_pin);
+  // operations: 4 add, 8 multiply, 6 sin cos
+
+  // --- step 2: closure Jacobian Phi_z and its factors (60) ---
+  // rocker_tip
+  const double s2_1 = r_coupler_x + (0.2*R_coupler_x_z + 0.31999999999999995*R_coupler_x_x);
+  const double J_rocker_tip_crank_pin = r_coupler_z + (0.2*R_coupler_x_x -
+      0.31999999999999995*R_coupler_x_z);
+  const double s2_2 = 0.25*R_rocker_x_x - 0.019999999999999962*R_rocker_x_z;
+  const double s2_3 = 0.4 + (0.25*R_rocker_x_z + 0.019999999999999962*R_rocker_x_x);
+  const double s2_4 = s2_1 - s2_3;
+  result.residual[0] = s2_4;
+  const double s2_5 = J_rocker_tip_crank_pin - s2_2;
+  result.residual[2] = s2_5;
+  const double J_rocker_tip_coupler_pin = J_rocker_tip_crank_pin - r_coupler_z;
+  const double J_rocker_tip_coupler_pin_2 = r_coupler_x - s2_1;
+  const double s2_6 = 1.0/s2_2;
+  const double s2_7 = (0.4 - s2_3)*s2_6;
+  const double s2_8 = s2_1 + J_rocker_tip_crank_pin*s2_7;
+  const double s2_9 = 1.0/s2_8;
+  const double s2_10 = 2.5000000000000004*std::abs(s2_8);
+  result.pivot[0] = mbgen::min(3.999888870509994*std::abs(s2_2), s2_10);
+  // operations: 13 add, 12 multiply, 2 divide, 3 other
+
+  // --- step 4: velocities Z (36) ---
+  // loop block 0
+  const double s3_1 = s2_9*(s2_4*s2_7 - s2_5);
+  result.dz[Coordinate::crank_pin] = -s3_1;
+  result.dz[Coordinate::rocker_pin] = -(s2_6*(J_rocker_tip_crank_pin*s3_1 - s2_4));
+  const double zd_coupler_pin = state.zd[Coordinate::coupler_pin];
+  const double s3_2 = zd_coupler_pin*J_rocker_tip_coupler_pin;
+  const double s3_3 = s2_9*(s2_7*s3_2 - zd_coupler_pin*J_rocker_tip_coupler_pin_2);
+  result.zd[Coordinate::crank_pin] = -s3_3;
+  result.zd[Coordinate::rocker_pin] = -(s2_6*(J_rocker_tip_crank_pin*s3_3 - s3_2));
+  // operations: 4 add, 10 multiply
+  result.residual[1] = 0.0;
+  result.residual[3] = 0.0;
+  result.residual[4] = 0.0;
+  result.dz[Coordinate::coupler_pin] = 0.0;
+  result.zd[Coordinate::coupler_pin] = zd_coupler_pin;
+}
+
+/// Multipliers of the closures and generalised driving forces, at given accelerations.
+void compute_multipliers(const Parameters& parameters, const Inputs& inputs, const State& state,
+    const double* tau, const Derivative& derivative, Multipliers& __restrict result) noexcept {
+  // --- step 1: poses, axes b, accumulated inertias MR (50) ---
+  // crank
+  const double z_crank_pin = state.z[Coordinate::crank_pin];
+  const double R_crank_x_x = std::cos(z_crank_pin);
+  const double R_crank_x_z = std::sin(z_crank_pin);
+  // coupler
+  const double s1_1 = 0.05*R_crank_x_z;
+  const double r_coupler_x = s1_1 + 0.1*R_crank_x_x;
+  const double s1_2 = 0.05*R_crank_x_x;
+  const double r_coupler_z = s1_2 - 0.1*R_crank_x_z;
+  const double z_coupler_pin = state.z[Coordinate::coupler_pin];
+  const double s1_3 = std::cos(z_coupler_pin);
+  const double s1_4 = std::sin(z_coupler_pin);
+  const double R_coupler_x_x = R_crank_x_x*s1_3 - R_crank_x_z*s1_4;
+  const double R_coupler_x_z = R_crank_x_x*s1_4 + R_crank_x_z*s1_3;
+  // rocker
+  const double z_rocker_pin = state.z[Coordinate::rocker_pin];
+  const double R_rocker_x_x = std::cos(z_rocker_pin);
+  const double R_rocker_x_z = std::sin(z_rocker_pin);
+  // crank
+  const double s1_5 = s1_2 + 0.02*R_crank_x_z;
+  const double s1_6 = 0.02*R_crank_x_x - s1_1;
+  // coupler
+  const double s1_7 = r_coupler_x + (0.11*R_coupler_x_z + 0.15*R_coupler_x_x);
+  const double s1_8 = r_coupler_z + (0.11*R_coupler_x_x - 0.15*R_coupler_x_z);
+  // rocker
+  const double s1_9 = 0.009999999999999953*R_rocker_x_x;
+  const double s1_10 = 0.009999999999999953*R_rocker_x_z;
+  const double s1_11 = 0.12*R_rocker_x_x - s1_10;
+  const double s1_12 = 0.4 + (0.12*R_rocker_x_z + s1_9);
+  // operations: 13 add, 18 multiply, 6 sin cos
+
+  // --- step 4: velocities Z (36) ---
+  // coupler
+  const double zd_crank_pin = state.zd[Coordinate::crank_pin];
+  const double w_coupler_y = zd_crank_pin + state.zd[Coordinate::coupler_pin];
+  // operations: 1 add
+
+  // --- step 5: applied forces Q (48) ---
+  // return_spring
+  const double s3_1 = 0.15*R_rocker_x_x - s1_10;
+  const double s3_2 = 0.4 + (s1_9 + 0.15*R_rocker_x_z);
+  const double s3_3 = 0.6 - s3_2;
+  const double s3_4 = 0.1 - s3_1;
+  const double s3_5 = std::sqrt(s3_4*s3_4 + s3_3*s3_3);
+  const double tension_return_spring = parameters.k*(s3_5 - 0.18);
+  const double s3_6 = 1.0/s3_5*tension_return_spring;
+  const double s3_7 = s3_4*s3_6;
+  const double s3_8 = s3_1*(s3_3*s3_6) - s3_2*s3_7;
+  // operations: 8 add, 10 multiply, 1 divide, 1 sqrt
+
+  // --- step 7: accelerations Zdot and accumulated forces QR - PR (51), (52) ---
+  // crank
+  const double s4_1 = zd_crank_pin*zd_crank_pin;
+  // coupler
+  const double zdd_crank_pin = derivative.zdd[Coordinate::crank_pin];
+  const double alpha_coupler_y = zdd_crank_pin + derivative.zdd[Coordinate::coupler_pin];
+  const double s4_2 = w_coupler_y*w_coupler_y;
+  const double s4_3 = s4_2 - s4_1;
+  const double a_coupler_x = r_coupler_z*(zdd_crank_pin - alpha_coupler_y) + r_coupler_x*s4_3;
+  const double s4_4 = r_coupler_z*s4_3 + r_coupler_x*(alpha_coupler_y - zdd_crank_pin);
+  const double a_coupler_z = 9.81 + s4_4;
+  // rocker
+  const double zd_rocker_pin = state.zd[Coordinate::rocker_pin];
+  const double s4_5 = zd_rocker_pin*zd_rocker_pin;
+  const double a_rocker_x = 0.4*s4_5;
+  const double zdd_rocker_pin = derivative.zdd[Coordinate::rocker_pin];
+  const double a_rocker_z = 9.81 + 0.4*zdd_rocker_pin;
+  // crank
+  const double s4_6 = s1_5*(0.8*(9.81 - (s1_6*s4_1 + zdd_crank_pin*s1_5)));
+  const double s4_7 = s1_6*(0.8*(zdd_crank_pin*s1_6 - s1_5*s4_1)) - s4_6;
+  const double s4_8 = 7e-04*zdd_crank_pin + s4_7;
+  // coupler
+  const double s4_9 = s1_8*(1.5*(a_coupler_x + (s1_8*alpha_coupler_y - s1_7*s4_2)));
+  const double s4_10 = s4_9 - s1_7*(1.5*(a_coupler_z - (s1_8*s4_2 + s1_7*alpha_coupler_y)));
+  // rocker
+  const double s4_11 = 1.1*(a_rocker_z - (s1_11*s4_5 + zdd_rocker_pin*s1_12));
+  const double s4_12 = s1_11*(1.1*(a_rocker_x + (zdd_rocker_pin*s1_11 - s1_12*s4_5)));
+  const double s4_13 = s3_8 - (0.006*zdd_rocker_pin + (s4_12 - s1_12*s4_11));
+  const double Q_rocker_pin = tau[Coordinate::rocker_pin] + (s4_13 + 0.4*(s3_7 - s4_11));
+  // coupler
+  const double s4_14 = s4_8 + (0.021*alpha_coupler_y + s4_10);
+  // crank
+  const double Q_crank_pin = inputs.torque + tau[Coordinate::crank_pin] - s4_14;
+  // operations: 32 add, 37 multiply
+
+  // --- step 9: independent and all accelerations (63), (62) ---
+  // rocker_tip
+  const double s5_1 = r_coupler_x + (0.2*R_coupler_x_z + 0.31999999999999995*R_coupler_x_x);
+  const double J_rocker_tip_crank_pin = r_coupler_z + (0.2*R_coupler_x_x -
+      0.31999999999999995*R_coupler_x_z);
+  const double s5_2 = 0.25*R_rocker_x_x - 0.019999999999999962*R_rocker_x_z;
+  const double s5_3 = 0.4 - (0.4 + (0.25*R_rocker_x_z + 0.019999999999999962*R_rocker_x_x));
+  // loop block 0
+  const double s5_4 = 1.0/s5_2;
+  const double s5_5 = s5_3*s5_4;
+  const double s5_6 = Q_rocker_pin*s5_4;
+  const double s5_7 = Q_crank_pin + J_rocker_tip_crank_pin*s5_6;
+  const double s5_8 = 1.0/(s5_1 + J_rocker_tip_crank_pin*s5_5)*s5_7;
+  result.lambda[2] = -s5_8;
+  result.lambda[0] = s5_5*s5_8 - s5_6;
+  // operations: 11 add, 14 multiply, 2 divide
+  result.lambda[1] = 0.0;
+  result.lambda[3] = 0.0;
+  result.lambda[4] = 0.0;
+}
+
+/// Result of compute_closure_terms.
+struct ClosureTerms {
+  double Phi[5];  ///< residuals
+  double Jz[15];  ///< Jacobian of each block, row by row
+  double ct[5];  ///< right-hand side of the velocities
+  double c[5];  ///< right-hand side of the accelerations
+  double driven_position[3];  ///< of driven coordinates, by their motions
+  double driven_velocity[3];  ///< of driven coordinates
+  double driven_acceleration[3];  ///< of driven coordinates
+};
+
+/// Closure equations and their derivatives, for the pivoting factorisation.
+void compute_closure_terms(const Parameters& /*parameters*/, const Inputs& /*inputs*/,
+    const State& state, ClosureTerms& __restrict result) noexcept {
+  // --- step 1: poses, axes b, accumulated inertias MR (50) ---
+  // crank
+  const double z_crank_pin = state.z[Coordinate::crank_pin];
+  const double R_crank_x_x = std::cos(z_crank_pin);
+  const double R_crank_x_z = std::sin(z_crank_pin);
+  // coupler
+  const double r_coupler_x = 0.05*R_crank_x_z + 0.1*R_crank_x_x;
+  const double r_coupler_z = 0.05*R_crank_x_x - 0.1*R_crank_x_z;
+  const double z_coupler_pin = state.z[Coordinate::coupler_pin];
+  const double s1_1 = std::cos(z_coupler_pin);
+  const double s1_2 = std::sin(z_coupler_pin);
+  const double R_coupler_x_x = R_crank_x_x*s1_1 - R_crank_x_z*s1_2;
+  const double R_coupler_x_z = R_crank_x_x*s1_2 + R_crank_x_z*s1_1;
+  // rocker
+  const double z_rocker_pin = state.z[Coordinate::rocker_pin];
+  const double R_rocker_x_x = std::cos(z_rocker_pin);
+  const double R_rocker_x_z = std::sin(z_rocker_pin);
+  // operations: 4 add, 8 multiply, 6 sin cos
+
+  // --- step 2: closure Jacobian Phi_z and its factors (60) ---
+  // crank
+  const double zd_crank_pin = state.zd[Coordinate::crank_pin];
+  const double s2_1 = zd_crank_pin*zd_crank_pin;
+  // coupler
+  const double s2_2 = zd_crank_pin + state.zd[Coordinate::coupler_pin];
+  const double s2_3 = s2_2*s2_2;
+  const double s2_4 = s2_3 - s2_1;
+  const double s2_5 = r_coupler_x*s2_4;
+  const double s2_6 = r_coupler_z*s2_4;
+  // rocker
+  const double zd_rocker_pin = state.zd[Coordinate::rocker_pin];
+  const double s2_7 = zd_rocker_pin*zd_rocker_pin;
+  const double s2_8 = 0.4*s2_7;
+  // rocker_tip
+  const double s2_9 = r_coupler_x + (0.2*R_coupler_x_z + 0.31999999999999995*R_coupler_x_x);
+  const double J_rocker_tip_crank_pin = r_coupler_z + (0.2*R_coupler_x_x -
+      0.31999999999999995*R_coupler_x_z);
+  result.Jz[0] = J_rocker_tip_crank_pin;
+  const double s2_10 = 0.25*R_rocker_x_x - 0.019999999999999962*R_rocker_x_z;
+  const double s2_11 = 0.4 + (0.25*R_rocker_x_z + 0.019999999999999962*R_rocker_x_x);
+  result.Phi[0] = s2_9 - s2_11;
+  result.Phi[2] = J_rocker_tip_crank_pin - s2_10;
+  result.Jz[2] = -s2_10;
+  result.Jz[6] = -s2_9;
+  result.Jz[1] = J_rocker_tip_crank_pin - r_coupler_z;
+  result.c[0] = -(s2_5 - s2_3*s2_9 - (s2_8 - s2_7*s2_11));
+  result.Jz[7] = r_coupler_x - s2_9;
+  result.Jz[8] = -(0.4 - s2_11);
+  result.c[2] = -(s2_7*s2_10 + (s2_6 - s2_3*J_rocker_tip_crank_pin));
+  // operations: 19 add, 18 multiply
+  result.Phi[1] = 0.0;
+  result.Phi[3] = 0.0;
+  result.Phi[4] = 0.0;
+  result.ct[0] = 0.0;
+  result.ct[1] = 0.0;
+  result.ct[2] = 0.0;
+  result.ct[3] = 0.0;
+  result.ct[4] = 0.0;
+  result.c[1] = 0.0;
+  result.c[3] = 0.0;
+  result.c[4] = 0.0;
+  result.Jz[3] = 0.0;
+  result.Jz[4] = 0.0;
+  result.Jz[5] = 0.0;
+  result.Jz[9] = 0.0;
+  result.Jz[10] = 0.0;
+  result.Jz[11] = 0.0;
+  result.Jz[12] = 0.0;
+  result.Jz[13] = 0.0;
+  result.Jz[14] = 0.0;
+  result.driven_acceleration[Coordinate::crank_pin] = 0.0;
+  result.driven_acceleration[Coordinate::coupler_pin] = 0.0;
+  result.driven_acceleration[Coordinate::rocker_pin] = 0.0;
+  result.driven_position[Coordinate::crank_pin] = 0.0;
+  result.driven_position[Coordinate::coupler_pin] = 0.0;
+  result.driven_position[Coordinate::rocker_pin] = 0.0;
+  result.driven_velocity[Coordinate::crank_pin] = 0.0;
+  result.driven_velocity[Coordinate::coupler_pin] = 0.0;
+  result.driven_velocity[Coordinate::rocker_pin] = 0.0;
+}
+
+/// Result of compute_chosen_accelerations.
+struct ChosenAccelerations {
+  double zdd[3];  ///< accelerations
+  double xd[1];  ///< rates of the auxiliary states
+  double inertia[1];  ///< pivots of the final equations
+};
+
+/// All accelerations with a partition chosen at run time.
+void compute_chosen_accelerations(const Parameters& parameters, const Inputs& inputs,
+    const State& state, const double* tau, const Projection& projection,
+    ChosenAccelerations& __restrict result) noexcept {
+  // --- step 1: poses, axes b, accumulated inertias MR (50) ---
+  // crank
+  const double z_crank_pin = state.z[Coordinate::crank_pin];
+  const double R_crank_x_x = std::cos(z_crank_pin);
+  const double R_crank_x_z = std::sin(z_crank_pin);
+  // coupler
+  const double s1_1 = 0.05*R_crank_x_z;
+  const double r_coupler_x = s1_1 + 0.1*R_crank_x_x;
+  const double s1_2 = 0.05*R_crank_x_x;
+  const double r_coupler_z = s1_2 - 0.1*R_crank_x_z;
+  const double z_coupler_pin = state.z[Coordinate::coupler_pin];
+  const double s1_3 = std::cos(z_coupler_pin);
+  const double s1_4 = std::sin(z_coupler_pin);
+  const double R_coupler_x_x = R_crank_x_x*s1_3 - R_crank_x_z*s1_4;
+  const double R_coupler_x_z = R_crank_x_x*s1_4 + R_crank_x_z*s1_3;
+  // rocker
+  const double z_rocker_pin = state.z[Coordinate::rocker_pin];
+  const double R_rocker_x_x = std::cos(z_rocker_pin);
+  const double R_rocker_x_z = std::sin(z_rocker_pin);
+  // crank
+  const double s1_5 = s1_2 + 0.02*R_crank_x_z;
+  const double s1_6 = 0.02*R_crank_x_x - s1_1;
+  const double s1_7 = 7e-04 + (0.8*(s1_5*s1_5) + 0.8*(s1_6*s1_6));
+  // coupler
+  const double s1_8 = r_coupler_x + (0.11*R_coupler_x_z + 0.15*R_coupler_x_x);
+  const double s1_9 = r_coupler_z + (0.11*R_coupler_x_x - 0.15*R_coupler_x_z);
+  const double s1_10 = 1.5*s1_8;
+  const double s1_11 = 1.5*s1_9;
+  const double s1_12 = 0.021 + (1.5*(s1_8*s1_8) + 1.5*(s1_9*s1_9));
+  // rocker
+  const double s1_13 = 0.009999999999999953*R_rocker_x_x;
+  const double s1_14 = 0.009999999999999953*R_rocker_x_z;
+  const double s1_15 = 0.12*R_rocker_x_x - s1_14;
+  const double s1_16 = 0.4 + (0.12*R_rocker_x_z + s1_13);
+  const double s1_17 = 1.1*s1_16;
+  const double s1_18 = 0.006 + (1.1*(s1_16*s1_16) + 1.1*(s1_15*s1_15));
+  // coupler
+  const double N_crank_pin_y = s1_7 + s1_12;
+  // operations: 20 add, 33 multiply, 6 sin cos
+
+  // --- step 4: velocities Z (36) ---
+  // coupler
+  const double zd_crank_pin = state.zd[Coordinate::crank_pin];
+  const double w_coupler_y = zd_crank_pin + state.zd[Coordinate::coupler_pin];
+  // operations: 1 add
+
+  // --- step 5: applied forces Q (48) ---
+  // return_spring
+  const double s3_1 = 0.15*R_rocker_x_x - s1_14;
+  const double s3_2 = 0.4 + (s1_13 + 0.15*R_rocker_x_z);
+  const double s3_3 = 0.6 - s3_2;
+  const double s3_4 = 0.1 - s3_1;
+  const double s3_5 = std::sqrt(s3_4*s3_4 + s3_3*s3_3);
+  const double tension_return_spring = parameters.k*(s3_5 - 0.18);
+  const double s3_6 = 1.0/s3_5*tension_return_spring;
+  const double s3_7 = s3_4*s3_6;
+  const double s3_8 = s3_1*(s3_3*s3_6) - s3_2*s3_7;
+  // operations: 8 add, 10 multiply, 1 divide, 1 sqrt
+
+  // --- step 7: accelerations Zdot and accumulated forces QR - PR (51), (52) ---
+  // crank
+  const double s4_1 = zd_crank_pin*zd_crank_pin;
+  // coupler
+  const double alpha_coupler_y = projection.zdd_star[0] + projection.zdd_star[1];
+  const double s4_2 = w_coupler_y*w_coupler_y;
+  const double s4_3 = s4_2 - s4_1;
+  const double s4_4 = r_coupler_z*(projection.zdd_star[0] - alpha_coupler_y);
+  const double a_coupler_x = s4_4 + r_coupler_x*s4_3;
+  const double s4_5 = r_coupler_x*(alpha_coupler_y - projection.zdd_star[0]);
+  const double a_coupler_z = 9.81 + (r_coupler_z*s4_3 + s4_5);
+  // rocker
+  const double zd_rocker_pin = state.zd[Coordinate::rocker_pin];
+  const double s4_6 = zd_rocker_pin*zd_rocker_pin;
+  const double a_rocker_x = 0.4*s4_6;
+  const double a_rocker_z = 9.81 + 0.4*projection.zdd_star[2];
+  // crank
+  const double s4_7 = s1_5*(0.8*(9.81 - (s1_6*s4_1 + s1_5*projection.zdd_star[0])));
+  const double s4_8 = s1_6*(0.8*(s1_6*projection.zdd_star[0] - s1_5*s4_1)) - s4_7;
+  const double s4_9 = 7e-04*projection.zdd_star[0] + s4_8;
+  // coupler
+  const double s4_10 = 1.5*(a_coupler_x + (s1_9*alpha_coupler_y - s1_8*s4_2));
+  const double s4_11 = 1.5*(a_coupler_z - (s1_9*s4_2 + s1_8*alpha_coupler_y));
+  const double s4_12 = 0.021*alpha_coupler_y + (s1_9*s4_10 - s1_8*s4_11);
+  // rocker
+  const double s4_13 = 1.1*(a_rocker_z - (s1_15*s4_6 + s1_16*projection.zdd_star[2]));
+  const double s4_14 = s1_15*(1.1*(a_rocker_x + (s1_15*projection.zdd_star[2] - s1_16*s4_6)));
+  const double s4_15 = s3_8 - (0.006*projection.zdd_star[2] + (s4_14 - s1_16*s4_13));
+  const double Q_rocker_pin = tau[Coordinate::rocker_pin] + (s4_15 + 0.4*(s3_7 - s4_13));
+  // coupler
+  const double s4_16 = r_coupler_z*s4_10 - r_coupler_x*s4_11 - s4_12;
+  const double Q_coupler_pin = tau[Coordinate::coupler_pin] + s4_16;
+  const double s4_17 = s4_9 + s4_12;
+  // crank
+  const double Q_crank_pin = inputs.torque + tau[Coordinate::crank_pin] - s4_17;
+  // operations: 35 add, 39 multiply
+
+  // --- step 8: Rz' M Rz and right-hand side (63) ---
+  // coupler
+  const double F_coupler_pin_x = s1_11 - 1.5*r_coupler_z;
+  const double F_coupler_pin_z = 1.5*r_coupler_x - s1_10;
+  const double N_coupler_pin_y = s1_12 - (r_coupler_x*s1_10 + r_coupler_z*s1_11);
+  // rocker
+  const double F_rocker_pin_z = 0.44000000000000006 - s1_17;
+  const double N_rocker_pin_y = s1_18 - 0.4*s1_17;
+  const double s5_1 = r_coupler_x*F_coupler_pin_z - r_coupler_z*F_coupler_pin_x;
+  const double s5_2 = projection.Rz[1]*(N_coupler_pin_y + s5_1);
+  const double s5_3 = N_crank_pin_y*projection.Rz[0] + projection.Rz[1]*N_coupler_pin_y;
+  const double s5_4 = projection.Rz[1]*(projection.Rz[0]*N_coupler_pin_y + s5_2);
+  const double s5_5 = projection.Rz[2]*(N_rocker_pin_y + 0.4*F_rocker_pin_z);
+  const double s5_6 = projection.Rz[0]*s5_3 + s5_4 + projection.Rz[2]*s5_5;
+  const double s5_7 = projection.Rz[0]*Q_crank_pin + projection.Rz[1]*Q_coupler_pin;
+  const double s5_8 = s5_7 + projection.Rz[2]*Q_rocker_pin;
+  // operations: 15 add, 19 multiply
+
+  // --- step 9: independent and all accelerations (63), (62) ---
+  result.inertia[0] = s5_6 - 1e-12*s5_6;
+  const double s6_1 = s5_8*(1.0/s5_6);
+  result.zdd[Coordinate::crank_pin] = projection.zdd_star[0] + projection.Rz[0]*s6_1;
+  result.zdd[Coordinate::coupler_pin] = projection.zdd_star[1] + projection.Rz[1]*s6_1;
+  result.zdd[Coordinate::rocker_pin] = projection.zdd_star[2] + projection.Rz[2]*s6_1;
+  // operations: 4 add, 5 multiply, 1 divide
+}
+
+/// Outputs, energies and power, at given accelerations.
+void compute_outputs(const Parameters& parameters, const Inputs& inputs, const State& state,
+    const double* tau, const Derivative& /*derivative*/, Outputs& __restrict result) noexcept {
+  // --- step 1: poses, axes b, accumulated inertias MR (50) ---
+  // crank
+  const double z_crank_pin = state.z[Coordinate::crank_pin];
+  const double R_crank_x_x = std::cos(z_crank_pin);
+  const double R_crank_x_z = std::sin(z_crank_pin);
+  // coupler
+  const double s1_1 = 0.05*R_crank_x_z;
+  const double r_coupler_x = s1_1 + 0.1*R_crank_x_x;
+  const double s1_2 = 0.05*R_crank_x_x;
+  const double r_coupler_z = s1_2 - 0.1*R_crank_x_z;
+  const double z_coupler_pin = state.z[Coordinate::coupler_pin];
+  const double s1_3 = std::cos(z_coupler_pin);
+  const double s1_4 = std::sin(z_coupler_pin);
+  const double R_coupler_x_x = R_crank_x_x*s1_3 - R_crank_x_z*s1_4;
+  const double R_coupler_x_z = R_crank_x_x*s1_4 + R_crank_x_z*s1_3;
+  // rocker
+  const double z_rocker_pin = state.z[Coordinate::rocker_pin];
+  const double R_rocker_x_x = std::cos(z_rocker_pin);
+  const double R_rocker_x_z = std::sin(z_rocker_pin);
+  // crank
+  const double s1_5 = s1_2 + 0.02*R_crank_x_z;
+  const double s1_6 = 0.02*R_crank_x_x - s1_1;
+  // coupler
+  const double s1_7 = r_coupler_x + (0.11*R_coupler_x_z + 0.15*R_coupler_x_x);
+  const double s1_8 = r_coupler_z + (0.11*R_coupler_x_x - 0.15*R_coupler_x_z);
+  // rocker
+  const double s1_9 = 0.009999999999999953*R_rocker_x_x;
+  const double s1_10 = 0.009999999999999953*R_rocker_x_z;
+  const double s1_11 = 0.12*R_rocker_x_x - s1_10;
+  const double s1_12 = 0.4 + (0.12*R_rocker_x_z + s1_9);
+  // operations: 13 add, 18 multiply, 6 sin cos
+
+  // --- step 4: velocities Z (36) ---
+  // coupler
+  const double zd_coupler_pin = state.zd[Coordinate::coupler_pin];
+  const double s2_1 = zd_coupler_pin*r_coupler_z;
+  const double v_coupler_z = zd_coupler_pin*r_coupler_x;
+  const double zd_crank_pin = state.zd[Coordinate::crank_pin];
+  const double w_coupler_y = zd_crank_pin + zd_coupler_pin;
+  // rocker
+  const double zd_rocker_pin = state.zd[Coordinate::rocker_pin];
+  const double v_rocker_z = 0.4*zd_rocker_pin;
+  // operations: 1 add, 3 multiply
+
+  // --- step 5: applied forces Q (48) ---
+  // return_spring
+  const double s3_1 = 0.15*R_rocker_x_x - s1_10;
+  const double s3_2 = 0.4 + (s1_9 + 0.15*R_rocker_x_z);
+  const double s3_3 = 0.6 - s3_2;
+  const double s3_4 = 0.1 - s3_1;
+  const double s3_5 = std::sqrt(s3_4*s3_4 + s3_3*s3_3);
+  const double tension_return_spring = parameters.k*(s3_5 - 0.18);
+  result.spring_force = tension_return_spring;
+  const double s3_6 = 1.0/s3_5*tension_return_spring;
+  const double s3_7 = s3_4*s3_6;
+  const double s3_8 = s3_1*(s3_3*s3_6) - s3_2*s3_7;
+  // operations: 8 add, 10 multiply, 1 divide, 1 sqrt
+
+  // --- step 7: accelerations Zdot and accumulated forces QR - PR (51), (52) ---
+  // crank
+  const double s4_1 = 7e-04*zd_crank_pin;
+  // coupler
+  const double s4_2 = 0.021*w_coupler_y;
+  // rocker
+  const double s4_3 = 0.006*zd_rocker_pin;
+  // crank
+  const double s4_4 = inputs.torque + tau[Coordinate::crank_pin];
+  // operations: 1 add, 3 multiply
+
+  // --- step 9: independent and all accelerations (63), (62) ---
+  // coupler_x
+  result.coupler_x = r_coupler_x + (0.25*R_coupler_x_z + 0.19999999999999998*R_coupler_x_x);
+  result.coupler_z = r_coupler_z + (0.25*R_coupler_x_x - 0.19999999999999998*R_coupler_x_z);
+  // spring_force
+  const double s5_1 = zd_crank_pin*s1_6;
+  const double s5_2 = zd_crank_pin*s1_5;
+  const double s5_3 = s1_8*w_coupler_y - s2_1;
+  const double s5_4 = v_coupler_z - s1_7*w_coupler_y;
+  const double s5_5 = zd_crank_pin*s4_1 + 0.8*(s5_2*s5_2 + s5_1*s5_1);
+  const double s5_6 = zd_rocker_pin*s1_11;
+  const double s5_7 = v_rocker_z - zd_rocker_pin*s1_12;
+  const double s5_8 = w_coupler_y*s4_2 + (s5_5 + 1.5*(s5_4*s5_4 + s5_3*s5_3));
+  result.potential_energy = 0.8*(9.81*s1_6) + 1.5*(9.81*s1_8) + 1.1*(9.81*s1_11);
+  const double s5_9 = zd_crank_pin*s4_4 + zd_coupler_pin*tau[Coordinate::coupler_pin];
+  const double s5_10 = s5_9 + (zd_rocker_pin*s3_8 + v_rocker_z*s3_7);
+  result.applied_power = zd_rocker_pin*tau[Coordinate::rocker_pin] + s5_10;
+  result.kinetic_energy = 0.5*(zd_rocker_pin*s4_3 + (s5_8 + 1.1*(s5_7*s5_7 + s5_6*s5_6)));
+  // operations: 21 add, 34 multiply
+  result.crank_angle = z_crank_pin;
+}
+
+
+/// What the runtime's algorithms need to know of this model; see mbgen/solver.hpp.
+struct System {
+  using Parameters = four_bar::Parameters;
+  using Inputs = four_bar::Inputs;
+  using State = four_bar::State;
+  using Derivative = four_bar::Derivative;
+  using Multipliers = four_bar::Multipliers;
+  static constexpr int kCoordinates = 3;
+  static constexpr int kAuxiliaryStates = 0;
+  static constexpr int kBlocks = 1;
+  static constexpr int kEquations = 5;
+  static constexpr int kFreeDirections = 1;
+  static constexpr bool kHasClosure = true;
+  static constexpr int kDrives = 0;
+  static constexpr double kClosureTolerance = 1e-12;
+  static constexpr int kBlockCoordinates = 3;
+  static constexpr mbgen::FreeDirection kFreeDirection[] = {
+      {1, 0, 0}};
+  static constexpr unsigned char kDriven[] = {
+      0, 0, 0};
+  static constexpr unsigned char kRedundant[] = {
+      0, 1, 0, 1, 1};
+  static constexpr mbgen::BlockLayout kBlockLayout[] = {
+      {5, 3, 2, 1, 0, 0, 0, 0}};
+  static constexpr int kBlockCoordinate[] = {
+      0, 1, 2};
+  static constexpr unsigned char kBlockDriven[] = {
+      0, 0, 0};
+  using Accelerations = four_bar::Accelerations;
+  static constexpr auto accelerations = &compute_accelerations;
+  using Closure = four_bar::Closure;
+  static constexpr auto closure = &compute_closure;
+  static constexpr auto multipliers = &compute_multipliers;
+  using ClosureTerms = four_bar::ClosureTerms;
+  static constexpr auto closure_terms = &compute_closure_terms;
+  using ChosenAccelerations = four_bar::ChosenAccelerations;
+  static constexpr auto chosen_accelerations = &compute_chosen_accelerations;
+  using Projection = four_bar::Projection;
+  static double argument_sum(const Parameters& parameters, const Inputs& inputs) noexcept {
+    return parameters.k + inputs.torque;
+  }
+};
+
+}  // namespace
+
+mbgen::Status assemble(const Parameters& parameters, const Inputs& inputs, State& state) noexcept {
+  return mbgen::project_state<System>(parameters, inputs, state);
+}
+
+mbgen::Status accelerations(const Parameters& parameters, const Inputs& inputs, const State& state,
+                            const double (&tau)[kCoordinates], Derivative& derivative) noexcept {
+  return mbgen::solve_accelerations<System>(parameters, inputs, state, tau, derivative);
+}
+
+mbgen::Status Dynamics::derivative(const State& state, Derivative& derivative) const noexcept {
+  static constexpr double kNoForces[kCoordinates] = {};
+  return mbgen::solve_accelerations<System>(parameters, inputs, state, kNoForces, derivative);
+}
+
+mbgen::Status Dynamics::project(State& state) const noexcept {
+  return mbgen::project_state<System>(parameters, inputs, state);
+}
+
+mbgen::Status step_rk4(const Parameters& parameters, const Inputs& inputs, State& state, double h) noexcept {
+  return mbgen::step_rk4(Dynamics{parameters, inputs}, state, h);
+}
+
+mbgen::Status step_abm4(const Parameters& parameters, const Inputs& inputs, State& state, History& history,
+                        double h) noexcept {
+  return mbgen::step_abm4(Dynamics{parameters, inputs}, state, history, h);
+}
+
+mbgen::Status outputs(const Parameters& parameters, const Inputs& inputs, const State& state,
+                      const double (&tau)[kCoordinates], const Derivative& derivative,
+                      Outputs& values) noexcept {
+  const mbgen::Status status = mbgen::solver_detail::check_arguments<System>(parameters, inputs, state, tau);
+  if (status.ok()) compute_outputs(parameters, inputs, state, tau, derivative, values);
+  return status;
+}
+
+mbgen::Status multipliers(const Parameters& parameters, const Inputs& inputs, const State& state,
+                          const double (&tau)[kCoordinates], const Derivative& derivative,
+                          Multipliers& values) noexcept {
+  return mbgen::solve_multipliers<System>(parameters, inputs, state, tau, derivative, values);
+}
+
+mbgen::Status closure_residual(const Parameters& parameters, const Inputs& inputs, const State& state,
+                               ClosureResidual& residual) noexcept {
+  return mbgen::closure_residuals<System>(parameters, inputs, state, residual);
+}
+
+const char* describe(mbgen::Status status) noexcept {
+  return mbgen::name_of(status, kCoordinateNames, kCoordinates, kLoopBlockNames, kLoopBlocks);
+}
+
+}  // namespace four_bar

@@ -1,0 +1,188 @@
+// four_bar, content hash 96a2cec425b2f2a9
+// Made by `mbgen generate four_bar.json`, mbgen 0.1.0. Change the model, not this file.
+#pragma once
+
+#include "mbgen/integrators.hpp"
+#include "mbgen/status.hpp"
+
+/// Specialised solver of the multibody system "four_bar". SI units, angles in radians.
+/// Every function is re-entrant, allocates nothing, does a bounded amount of work and leaves its result
+/// untouched unless its status is ok.
+namespace four_bar {
+
+constexpr const char* kModel = "four_bar";
+constexpr const char* kHash = "96a2cec425b2f2a9";
+
+constexpr int kCoordinates = 3;
+constexpr int kAuxiliaryStates = 0;
+constexpr int kBodies = 4;
+constexpr int kInputs = 1;
+constexpr int kOutputs = 4;
+constexpr int kParameters = 1;
+constexpr int kLoopBlocks = 1;
+constexpr int kClosureEquations = 5;
+constexpr int kMotions = 0;
+
+/// Coordinates, in the order of z, zd, zdd and tau.
+struct Coordinate {
+  enum Index : int {crank_pin, coupler_pin, rocker_pin};
+};
+
+/// Bodies of the model.
+struct Body {
+  enum Index : int {ground, crank, coupler, rocker};
+};
+
+/// Inputs, in the order of the model.
+struct Input {
+  enum Index : int {torque};
+};
+
+/// Outputs, in the order of the model.
+struct Output {
+  enum Index : int {crank_angle, coupler_x, coupler_z, spring_force};
+};
+
+/// Tunable parameters, in the order of the model; the others are folded into the code.
+struct Parameter {
+  enum Index : int {k};
+};
+
+/// Groups of loops that share joints, each by the name of its first loop.
+struct LoopBlock {
+  enum Index : int {rocker_tip};
+};
+
+/// Names and units, indexed by the enumerations above.
+inline constexpr const char* const kCoordinateNames[] = {
+    "crank_pin", "coupler_pin", "rocker_pin"};
+inline constexpr const char* const kCoordinateUnits[] = {
+    "rad", "rad", "rad"};
+inline constexpr const char* const kAuxiliaryStateNames[] = {
+    ""};
+inline constexpr const char* const kBodyNames[] = {
+    "ground", "crank", "coupler", "rocker"};
+inline constexpr const char* const kInputNames[] = {
+    "torque"};
+inline constexpr const char* const kInputUnits[] = {
+    "N m"};
+inline constexpr const char* const kOutputNames[] = {
+    "crank_angle", "coupler_x", "coupler_z", "spring_force"};
+inline constexpr const char* const kOutputUnits[] = {
+    "rad", "m", "m", "N"};
+inline constexpr const char* const kParameterNames[] = {
+    "k"};
+inline constexpr const char* const kParameterUnits[] = {
+    "N/m"};
+inline constexpr const char* const kLoopBlockNames[] = {
+    "rocker_tip"};
+
+/// Tunable parameters with the values of the model.
+struct Parameters {
+  double k = 1200.0;  ///< N/m
+};
+
+/// Inputs with their defaults. They are constant during a step.
+struct Inputs {
+  double torque = 0.0;  ///< N m
+};
+
+/// Everything that changes in time. Start from `State state{};` and assemble it.
+struct State {
+  double z[kCoordinates];  ///< coordinates: rad or m, see kCoordinateUnits
+  double zd[kCoordinates];  ///< their velocities
+  double x[1];  ///< auxiliary states, see kAuxiliaryStateNames
+  double t;  ///< s
+};
+
+/// Rates of a state that are not in the state itself.
+struct Derivative {
+  double zdd[kCoordinates];  ///< accelerations
+  double xd[1];  ///< rates of the auxiliary states
+};
+
+/// Outputs of the model, and the terms of its energy balance.
+struct Outputs {
+  double crank_angle;  ///< rad
+  double coupler_x;  ///< m
+  double coupler_z;  ///< m
+  double spring_force;  ///< N
+  double kinetic_energy;  ///< J
+  double potential_energy;  ///< J, of gravity
+  double applied_power;  ///< W, of all applied forces but gravity
+};
+
+/// Forces of the constraints.
+struct Multipliers {
+  double lambda[5];  ///< of each closure equation, loop after loop
+  double drive[1];  ///< generalised driving force of each motion: N m or N
+};
+
+/// How far the loops are from being closed, equation by equation, block after block.
+struct ClosureResidual {
+  double position[5];  ///< Phi: m, m^2 for rods, 1 for directions
+  double velocity[5];  ///< Phi_z zd - ct, the same per second
+  double largest_position;  ///< largest absolute value
+  double largest_velocity;
+};
+
+/// Closes all loops by Newton from the state as a guess, sets driven coordinates to their motions
+/// and makes the velocities consistent. Independent coordinates keep their positions and
+/// velocities.
+/// Fails: not_a_number, loop_not_closed, loop_singular.
+mbgen::Status assemble(const Parameters& parameters, const Inputs& inputs, State& state) noexcept;
+
+/// All accelerations at a consistent state. tau: generalised joint forces (N m or N), added to
+/// those of the model.
+/// Fails: not_a_number, loop_singular, no_inertia.
+mbgen::Status accelerations(const Parameters& parameters, const Inputs& inputs, const State& state,
+                            const double (&tau)[kCoordinates], Derivative& derivative) noexcept;
+
+/// One step of h seconds by the classical Runge-Kutta method, then assembly.
+/// Fails: as both, and step_invalid.
+mbgen::Status step_rk4(const Parameters& parameters, const Inputs& inputs, State& state, double h) noexcept;
+
+/// The solver at constant parameters and inputs as an integrator sees it: without joint forces from
+/// outside.
+struct Dynamics {
+  using State = four_bar::State;
+  using Derivative = four_bar::Derivative;
+  const Parameters& parameters;
+  const Inputs& inputs;
+  mbgen::Status derivative(const State& state, Derivative& derivative) const noexcept;
+  mbgen::Status project(State& state) const noexcept;
+};
+
+/// What step_abm4 remembers. Start with `History history{};`, and again when state or inputs were
+/// changed from outside.
+using History = mbgen::AbmHistory<Dynamics>;
+
+/// One step of h seconds by Adams-Bashforth-Moulton of order four with two evaluations, started up
+/// by Runge-Kutta, then assembly.
+/// Fails: as step_rk4.
+mbgen::Status step_abm4(const Parameters& parameters, const Inputs& inputs, State& state, History& history,
+                        double h) noexcept;
+
+/// Outputs, energies and power at a state and its accelerations. An output that is not finite is
+/// given as it is.
+/// Fails: not_a_number for the arguments.
+mbgen::Status outputs(const Parameters& parameters, const Inputs& inputs, const State& state,
+                      const double (&tau)[kCoordinates], const Derivative& derivative,
+                      Outputs& values) noexcept;
+
+/// Forces of the constraints at a state and its accelerations. Of redundant equations only the sum
+/// of their effects is unique; those left out of the frozen path get zero.
+/// Fails: not_a_number, loop_singular.
+mbgen::Status multipliers(const Parameters& parameters, const Inputs& inputs, const State& state,
+                          const double (&tau)[kCoordinates], const Derivative& derivative,
+                          Multipliers& values) noexcept;
+
+/// Closure residuals of a state. Fails: not_a_number for the arguments.
+mbgen::Status closure_residual(const Parameters& parameters, const Inputs& inputs, const State& state,
+                               ClosureResidual& residual) noexcept;
+
+/// Name of the coordinate or the loops that a status names, "" when it names none. See mbgen::text
+/// for its code.
+const char* describe(mbgen::Status status) noexcept;
+
+}  // namespace four_bar
