@@ -14,4 +14,4 @@ echo
 echo "the specialised solver of models/coach.json:"
 $mbgen generate models/coach.json --out $result
 echo
-$mbgen simulate models/coach.json --duration 5 --step 1e-3 --out $result/slalom.csv
+$mbgen simulate models/coach.json --duration 5 --step 1e-3 --out "$PWD/$result/slalom.csv"
