@@ -122,7 +122,8 @@ TEST(Forces, AxesAndExpressions) {
 TEST(Tyres, DefaultsAndCoefficients) {
   const Model model =
       read(arm_model(kTyreData + R"(, "tyres": { "w": { "centre": "arm.B", "data": "rubber", "stiffness": 1e6 },
-    "twin": { "centre": "arm.B", "axis": "x", "data": "rubber", "stiffness": 1e6, "count": 2, "side": -1, "radius": 0.6 } })"));
+    "twin": { "centre": "arm.B", "axis": "x", "data": "rubber", "stiffness": 1e6,
+      "count": 2, "side": -1, "radius": 0.6 } })"));
   const Tyre& tyre = model.tyres[0];
   EXPECT_EQ(tyre.model, TyreModel::pac2002);
   ASSERT_EQ(tyre.coefficients.size(), std::size(kPac2002Fields));
@@ -203,7 +204,8 @@ TEST(Outputs, SourcesAndUnits) {
 
 TEST(Initial, PositionsVelocitiesAndSolver) {
   const Model model = read(arm_model(R"("initial": { "equilibrium": true, "positions": { "pin": { "deg": 90 } },
-    "velocities": { "pin": "2*pi" } }, "solver": { "integrator": "abm4", "step": "1e-3/2", "duration": 0, "closure_tolerance": 1e-9 })"));
+    "velocities": { "pin": "2*pi" } }, "solver": { "integrator": "abm4", "step": "1e-3/2",
+      "duration": 0, "closure_tolerance": 1e-9 })"));
   EXPECT_TRUE(model.initial.equilibrium);
   EXPECT_EQ(model.initial.positions[0].value, std::numbers::pi / 2);
   EXPECT_EQ(model.initial.velocities[0].value, 2 * std::numbers::pi);

@@ -131,7 +131,8 @@ TEST(Expression, NodesArePostfix) {
 
 TEST(Expression, ReferenceValueUsesDefaults) {
   const Model model = read(arm_model(R"--("parameters": { "k": { "value": 3, "tunable": true } },
-    "inputs": { "u": { "default": 7 } }, "outputs": { "y": { "expression": "100*k + 10*u + t + z.pin + cos(zd.pin)" } })--"));
+    "inputs": { "u": { "default": 7 } },
+    "outputs": { "y": { "expression": "100*k + 10*u + t + z.pin + cos(zd.pin)" } })--"));
   EXPECT_EQ(output(model).value, 371);
 }
 

@@ -73,7 +73,8 @@ TEST(Bodies, MassInertiaAndPlace) {
   "bodies": {
     "massless": {},
     "point_mass": { "mass": 2, "inertia": [0, 0, 0] },
-    "full": { "mass": "2*m", "com": [1, "m", 3], "inertia": [2, 2.5, 3, 0.1, 0.2, 0.3], "points": { "P": ["m^2", 0, -1] } } } })");
+    "full": { "mass": "2*m", "com": [1, "m", 3], "inertia": [2, 2.5, 3, 0.1, 0.2, 0.3],
+      "points": { "P": ["m^2", 0, -1] } } } })");
   ASSERT_EQ(model.bodies.size(), 3u);
   EXPECT_EQ(model.bodies[0].mass.value, 0);
   EXPECT_EQ(model.bodies[1].mass.value, 2);
@@ -106,7 +107,8 @@ TEST(Bodies, InertiaOfARodAndOfADiscStandOnTheTriangleInequality) {
 TEST(Poses, RotationsMultiplyFromTheLeft) {
   const Model model = read(R"({ "mbgen": 1, "bodies": {
     "one": { "pose": { "origin": [1, 2, 3], "rotation": { "axis": "z", "angle": { "deg": 90 } } } },
-    "two": { "pose": { "rotation": [ { "axis": "z", "angle": "pi/2" }, { "axis": [2, 0, 0], "angle": { "deg": 90 } } ] } },
+    "two": { "pose": { "rotation": [ { "axis": "z", "angle": "pi/2" },
+      { "axis": [2, 0, 0], "angle": { "deg": 90 } } ] } },
     "three": { "pose": { "rotation": { "axis": [1, 1, 1], "angle": { "deg": 120 } } } } } })");
   expect_vector(model.bodies[0].pose.origin, {1, 2, 3});
   const auto expect_matrix = [](const Matrix3& actual, const Matrix3& expected) {

@@ -34,7 +34,8 @@ struct Body {
   Pose pose;
   Quantity mass;                                    ///< kg; zero is a massless body
   Vector3Quantity com;                              ///< m, body frame
-  std::array<Quantity, 6> inertia;                  ///< kg m^2 about the centre of mass, body axes: xx yy zz xy xz yz (matrix entries)
+  /// kg m^2 about the centre of mass, body axes: xx yy zz xy xz yz (matrix entries)
+  std::array<Quantity, 6> inertia;
   std::vector<Point> points;
 };
 
@@ -63,8 +64,10 @@ struct Joint {
   Where where;
   JointType type = JointType::revolute;
   Attachment from, to;
-  Vector3 axis{0, 0, 1};                            ///< unit, GLOBAL axes at the reference configuration; revolute, prismatic, cylindrical, planar (normal), universal (first)
-  Vector3 second_axis{0, 0, 1};                     ///< universal: second axis, perpendicular to the first, GLOBAL axes at the reference
+  /// unit, GLOBAL axes at the reference configuration; of a planar joint the normal, of a universal one the first axis
+  Vector3 axis{0, 0, 1};
+  /// universal: second axis, perpendicular to the first, GLOBAL axes at the reference
+  Vector3 second_axis{0, 0, 1};
   CutMark cut = CutMark::automatic;
   std::vector<Freedom> freedoms;                    ///< empty for fixed
 };
@@ -88,7 +91,8 @@ struct Table {
 /// A characteristic: factor times argument, or a table over the argument.
 using Law = std::variant<Quantity, Table>;
 
-/// Spring and damper between two points, tension positive: f = stiffness(l - l0) + damping(dl/dt) + preload + force(length, rate).
+/// Spring and damper between two points, tension positive:
+/// f = stiffness(l - l0) + damping(dl/dt) + preload + force(length, rate).
 struct PointSpring {
   std::string name;
   Where where;
@@ -97,11 +101,13 @@ struct PointSpring {
   std::optional<Law> damping;                       ///< N s/m, or a table of N over m/s
   std::optional<Quantity> free_length;              ///< m; without it the reference distance
   Quantity preload;                                 ///< N, tension positive
-  std::optional<int> force;                         ///< expression; local 0 `length` (m), local 1 `rate` (m/s); N, tension positive
+  /// expression; local 0 `length` (m), local 1 `rate` (m/s); N, tension positive
+  std::optional<int> force;
 };
 
 /// Spring and damper on a coordinate, or on the difference of two (anti-roll bar):
-/// x = z - z(relative_to), force on the coordinate = -(stiffness(x - free) + damping(dx/dt) + preload + force(x, dx/dt)), opposite on `relative_to`.
+/// x = z - z(relative_to), force on the coordinate, opposite on `relative_to`:
+/// f = -(stiffness(x - free) + damping(dx/dt) + preload + force(x, dx/dt)).
 struct JointSpring {
   std::string name;
   Where where;
@@ -114,7 +120,8 @@ struct JointSpring {
   std::optional<int> force;                         ///< expression; local 0 `position`, local 1 `rate`
 };
 
-/// Smooth friction on a coordinate: -(coulomb + (stiction - coulomb) exp(-(v/v_stribeck)^2)) tanh(v/velocity) - viscous v.
+/// Smooth friction on a coordinate:
+/// f = -(coulomb + (stiction - coulomb) exp(-(v/v_stribeck)^2)) tanh(v/velocity) - viscous v.
 struct JointFriction {
   std::string name;
   Where where;
@@ -123,10 +130,11 @@ struct JointFriction {
   Quantity stiction;                                ///< N m or N; the reader sets it to coulomb when absent
   Quantity viscous;                                 ///< N m s/rad or N s/m
   Quantity velocity;                                ///< rad/s or m/s over which the sign is smoothed, > 0
-  Quantity stribeck_velocity;                       ///< rad/s or m/s, > 0; the reader sets it to 10 * velocity when absent
+  /// rad/s or m/s, > 0; the reader sets it to 10 * velocity when absent
+  Quantity stribeck_velocity;
 };
 
-/// Polytropic air spring between two points: p V^n = const, compression positive force (p - p_ambient) A(l) pushes the points apart.
+/// Polytropic air spring between two points: p V^n = const; the force (p - p_ambient) A(l) pushes the points apart.
 struct AirSpring {
   std::string name;
   Where where;
@@ -136,7 +144,8 @@ struct AirSpring {
   Quantity exponent;                                ///< polytropic exponent
   std::optional<Quantity> length;                   ///< m, reference length; without it the reference distance
   Law area;                                         ///< m^2: constant, or a table over length (m)
-  std::optional<Table> volume;                      ///< m^3 over length (m); without it volume0 + area(length0) * (l - length0)
+  /// m^3 over length (m); without it volume0 + area(length0) * (l - length0)
+  std::optional<Table> volume;
   Quantity volume0;                                 ///< m^3 at the reference length (used without `volume`)
 };
 
@@ -165,17 +174,21 @@ struct Tyre {
   std::string name;
   Where where;
   Attachment centre;                                ///< wheel centre, a point of the wheel body on its spin axis
-  Vector3 axis{0, 1, 0};                            ///< unit spin axis, GLOBAL axes at the reference; forward rolling is positive about it when it points left
+  /// unit spin axis, GLOBAL axes at the reference; forward rolling is positive about it when it points left
+  Vector3 axis{0, 1, 0};
   TyreModel model = TyreModel::pac2002;
-  std::vector<Quantity> coefficients;               ///< in the order of pac2002_fields() / pac89_fields() of the runtime header tyre.hpp
-  double side = 1;                                  ///< +1: coefficients used as they are, -1: mirrored (tyre measured on the other side)
+  /// in the order of kPac2002Fields, or a0.. b0.. c0.. of pac89 (runtime header tyre.hpp)
+  std::vector<Quantity> coefficients;
+  /// +1: coefficients used as they are, -1: mirrored (tyre measured on the other side)
+  double side = 1;
   double count = 1;                                 ///< 2 for twin tyres: all forces times count
   Quantity radius;                                  ///< m, unloaded
   Quantity stiffness;                               ///< N/m, vertical, one tyre
   Quantity damping;                                 ///< N s/m, vertical, one tyre
   Quantity road_height;                             ///< m, global z of the road
   Quantity friction;                                ///< scales the friction (1 is the measured one)
-  Quantity rolling_resistance;                      ///< 1: moment = -coefficient * load * radius * tanh(speed / low_speed)
+  /// 1: moment = -coefficient * load * radius * tanh(speed / low_speed)
+  Quantity rolling_resistance;
   Quantity relaxation_x, relaxation_y;              ///< m, relaxation lengths of the slips
   Quantity low_speed;                               ///< m/s, below it slip is damped so that the wheel comes to rest
 };
@@ -258,12 +271,14 @@ struct SolverSettings {
 struct Model {
   std::string name;
   std::string file;                                 ///< as given to read_model
-  std::string hash;                                 ///< 16 hex digits over the content (includes too), for the banner and manifest
+  /// 16 hex digits over the content (includes too), for the banner and manifest
+  std::string hash;
   Vector3Quantity gravity{0.0, 0.0, -9.81};         ///< m/s^2, global
   std::vector<Parameter> parameters;
   std::vector<Input> inputs;
   std::vector<Expression> expressions;
-  int ground = -1;                                  ///< index into bodies of the body named "ground"; -1 when no element refers to it
+  /// index into bodies of the body named "ground"; -1 when there is none
+  int ground = -1;
   std::vector<Body> bodies;
   std::vector<Joint> joints;
   std::vector<Rod> rods;

@@ -1,7 +1,7 @@
 #include "compiler/model/names.hpp"
 
 #include <algorithm>
-#include <limits>
+#include <cstdlib>
 #include <numeric>
 
 namespace mbgen::reading {
@@ -42,7 +42,7 @@ std::string did_you_mean(std::string_view word, const std::vector<std::string_vi
   int best = near + 1;
   std::string_view nearest;
   for (const std::string_view candidate : candidates) {
-    if (candidate.size() > 2 * kLongestName) continue;
+    if (std::abs(static_cast<int>(candidate.size()) - size) > near) continue;
     const int distance = edit_distance(word, candidate);
     if (distance >= best) continue;
     best = distance;

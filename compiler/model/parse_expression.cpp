@@ -288,7 +288,7 @@ class ExpressionParser {
     if (found == coordinates.end()) {
       if (name.empty()) return fail(at_, shown + " needs the name of a coordinate");
       if (!may_be_unreadable(scope_.names, name)) {
-        fail(start, "unknown coordinate " + in_quotes(name), did_you_mean(name, coordinates));
+        fail(start, "unknown coordinate " + in_quotes(name), scope_.suggest ? did_you_mean(name, coordinates) : "");
       }
       return stand_in();
     }
@@ -332,6 +332,7 @@ class ExpressionParser {
     if (scope_.names.coordinates.contains(name))
       return fmt::format("coordinates are written z.{} and zd.{}", name, name);
     if (name == "z" || name == "zd") return fmt::format("coordinates are written {}.NAME", name);
+    if (!scope_.suggest) return {};
     std::vector<std::string_view> known(scope_.locals.begin(), scope_.locals.end());
     for (const auto& [parameter, index] : scope_.names.parameters) known.push_back(parameter);
     for (const auto& [input, index] : scope_.names.inputs) known.push_back(input);

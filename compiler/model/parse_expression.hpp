@@ -21,6 +21,7 @@ struct ExpressionScope {
   std::span<const Parameter> parameters;
   Depends depends = Depends::all;
   std::span<const std::string_view> locals = {};
+  bool suggest = true;  ///< name what was probably meant
 };
 
 struct ExpressionProblem {

@@ -70,9 +70,12 @@ Where where_of(const Documents& documents, Place place) {
   where.line = static_cast<int>(std::max<std::ptrdiff_t>(after - starts.begin(), 1));
   where.column = static_cast<int>(place.offset - start) + 1;
   where.pointer = pointer_of(document.root, place.offset);
-  const std::size_t end = std::min(document.text.find_first_of("\r\n", start), document.text.size());
-  if (end - start <= kLongestShownLine) {
-    where.line_text = document.text.substr(start, end - start);
+  // Only so far as a line is shown: a file may be one line.
+  const std::string_view shown = std::string_view(document.text).substr(start, kLongestShownLine + 2);
+  const std::size_t length = std::min(shown.find('\n'), shown.size());
+  if (length <= kLongestShownLine) {
+    where.line_text = shown.substr(0, length);
+    if (where.line_text.ends_with('\r')) where.line_text.pop_back();
     std::replace_if(
         where.line_text.begin(), where.line_text.end(),
         [](char c) { return static_cast<unsigned char>(c) < 0x20 && c != '\t'; }, '?');

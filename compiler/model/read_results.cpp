@@ -76,7 +76,7 @@ int find_element(Reader& reader, const Value& value, std::string_view key, const
   const auto found = names.find(reference.text);
   if (found != names.end()) return found->second;
   report(reader, reference, fmt::format("unknown {} {}", key, in_quotes(reference.text)),
-         did_you_mean(reference.text, names));
+         suggestion(reader, reference.text, names));
   return -1;
 }
 

@@ -118,7 +118,8 @@ void use_set(Reader& reader, const Value& value, const std::vector<CoefficientSe
   if (found == reader.names.tyre_data.end()) {
     const Value* data = find(value, "data");
     if (!data || data->kind != Value::Kind::text) return;
-    report(reader, *data, "unknown tyre_data " + in_quotes(tyre.data), did_you_mean(tyre.data, reader.names.tyre_data));
+    report(reader, *data, "unknown tyre_data " + in_quotes(tyre.data),
+           suggestion(reader, tyre.data, reader.names.tyre_data));
     return;
   }
   const CoefficientSet& set = sets[static_cast<std::size_t>(found->second)];

@@ -29,6 +29,15 @@ inline void report(Reader& reader, const Value& value, std::string message, std:
   report(reader, value.place, std::move(message), std::move(hint));
 }
 
+/// Nobody reads the hints after so many problems, and searching the nearest name for each takes long.
+inline bool suggests(const Reader& reader) { return reader.problems.size() < 1000; }
+
+/// The name that was probably meant, as a hint.
+template <class Target>
+std::string suggestion(const Reader& reader, std::string_view word, const NameMap<Target>& names) {
+  return suggests(reader) ? did_you_mean(word, names) : std::string();
+}
+
 /// The member's value when it is there, else the object itself: where to complain about a field.
 const Value& member_or_object(const Value& object, std::string_view key);
 

@@ -59,7 +59,7 @@ void read_value(Reader& reader, const Value& value, const FieldInfo&, Attachment
   const auto body_found = reader.names.bodies.find(body);
   if (body_found == reader.names.bodies.end()) {
     std::string hint = body == "ground" ? "give ground its points in bodies: \"ground\": { \"points\": { ... } }"
-                                        : did_you_mean(body, reader.names.bodies);
+                                        : suggestion(reader, body, reader.names.bodies);
     report(reader, place_in_text(reader.documents, value, 0), "unknown body " + in_quotes(body), std::move(hint));
     return;
   }
@@ -68,7 +68,8 @@ void read_value(Reader& reader, const Value& value, const FieldInfo&, Attachment
   if (point_found == points.end()) {
     if (reader.names.points_unreadable[static_cast<std::size_t>(body_found->second)]) return;
     report(reader, place_in_text(reader.documents, value, dot + 1),
-           fmt::format("body {} has no point {}", in_quotes(body), in_quotes(point)), did_you_mean(point, points));
+           fmt::format("body {} has no point {}", in_quotes(body), in_quotes(point)),
+           suggestion(reader, point, points));
     return;
   }
   target = {body_found->second, point_found->second};
@@ -80,7 +81,7 @@ CoordinateReference read_coordinate(Reader& reader, Place place, const std::stri
   if (may_be_unreadable(reader.names, name)) return {};
   const auto joint = reader.names.joints.find(name);
   if (joint == reader.names.joints.end()) {
-    report(reader, place, "unknown coordinate " + in_quotes(name), did_you_mean(name, reader.names.coordinates));
+    report(reader, place, "unknown coordinate " + in_quotes(name), suggestion(reader, name, reader.names.coordinates));
     return {};
   }
   std::string coordinates;
