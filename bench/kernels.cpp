@@ -1,16 +1,16 @@
 // Kernels of the runtime and stages of the compiler. Whole solvers are timed by `mbgen bench`.
 
-#include "compiler/compile.hpp"
-#include "compiler/passes/passes.hpp"
-#include "mbgen/loop.hpp"
-#include "mbgen/tyre.hpp"
-#include "runtime/generic/generic.hpp"
-
 #include <benchmark/benchmark.h>
 
 #include <random>
 #include <string>
 #include <vector>
+
+#include "compiler/compile.hpp"
+#include "compiler/passes/passes.hpp"
+#include "mbgen/loop.hpp"
+#include "mbgen/tyre.hpp"
+#include "runtime/generic/generic.hpp"
 
 namespace {
 
@@ -49,7 +49,8 @@ void generic_accelerations(benchmark::State& state, const std::string& model) {
   }
   const GenericSolver solver(compiled->model, compiled->topology, compiled->analysis);
   const std::size_t n = compiled->topology.bodies.size();
-  GenericState s{std::vector<double>(n), std::vector<double>(n), std::vector<double>(2 * compiled->model.tyres.size()), 0};
+  GenericState s{std::vector<double>(n), std::vector<double>(n), std::vector<double>(2 * compiled->model.tyres.size()),
+                 0};
   GenericDerivative derivative;
   const std::vector<double> tau(n);
   for (auto _ : state) benchmark::DoNotOptimize(solver.accelerations(s, tau, derivative).index);

@@ -51,7 +51,7 @@ TEST(Analysis, PlanarFourBarHasThreeRedundantEquations) {
   const BlockAnalysis& block = only_block(m);
   EXPECT_EQ(block.rank, 2);
   EXPECT_EQ(block.redundant_equations.size(), 3u);
-  for (const std::string& name : block.redundant_names)   // y axes: out of plane are y and both directions
+  for (const std::string& name : block.redundant_names)  // y axes: out of plane are y and both directions
     EXPECT_TRUE(name.ends_with(".y") || name.ends_with(".axis_1") || name.ends_with(".axis_2")) << name;
   EXPECT_EQ(m.analysis.degrees_of_freedom, 1);
 }

@@ -1,6 +1,7 @@
 // The pieces of the formulation at double, each against its definition by finite differences or direct summation.
 
 #include "compiler/formulation/formulation.hpp"
+
 #include "tests/mechanism_support.hpp"
 
 namespace mbgen {
@@ -19,7 +20,7 @@ double distance_between(const V& a, const V& b) { return norm(a - b); }
 
 TEST(Vector, RotationAboutASkewAxisKeepsTheAxisAndLengths) {
   const double s = 1 / std::sqrt(3.0);
-  const Matrix<double> r = rotation<double>({s, s, s}, 2 * M_PI / 3);   // permutes the coordinate axes
+  const Matrix<double> r = rotation<double>({s, s, s}, 2 * M_PI / 3);  // permutes the coordinate axes
   EXPECT_LT(distance_between(r * V{1, 0, 0}, {0, 1, 0}), 1e-14);
   EXPECT_LT(distance_between(r * V{0, 1, 0}, {0, 0, 1}), 1e-15);
   EXPECT_LT(distance_between(transposed_times(r, r * V{1, 2, 3}), {1, 2, 3}), 1e-14);
@@ -42,7 +43,8 @@ Inertia<double> cloud(const std::vector<std::pair<double, V>>& masses) {
 void expect_near(const Inertia<double>& a, const Inertia<double>& b) {
   EXPECT_NEAR(a.mass, b.mass, 1e-14);
   EXPECT_LT(distance_between(a.moment, b.moment), 1e-14);
-  for (const V& v : {V{1, 0, 0}, V{0, 1, 0}, V{0, 0, 1}}) EXPECT_LT(distance_between(a.inertia * v, b.inertia * v), 1e-13);
+  for (const V& v : {V{1, 0, 0}, V{0, 1, 0}, V{0, 0, 1}})
+    EXPECT_LT(distance_between(a.inertia * v, b.inertia * v), 1e-13);
 }
 
 TEST(Inertia, MovedEqualsTheSumOverMovedPoints) {
@@ -77,13 +79,14 @@ TEST(Inertia, RodPairGivesTheInertiaOfAUniformRod) {
   const V a = vector(random), b = vector(random);
   const double mass = 1.7;
   std::vector<std::pair<double, V>> slices;
-  const int count = 2000;   // midpoint rule: error of order 1 / count^2
+  const int count = 2000;  // midpoint rule: error of order 1 / count^2
   for (int i = 0; i < count; ++i) slices.emplace_back(mass / count, a + ((i + 0.5) / count) * (b - a));
   const Inertia<double> ends = cloud({{mass / 3, a}, {mass / 3, b}});
   const Inertia<double> whole = ends + pair_inertia(mass / 6, a, b), expected = cloud(slices);
   EXPECT_NEAR(whole.mass, expected.mass, 1e-12);
   EXPECT_LT(distance_between(whole.moment, expected.moment), 1e-12);
-  for (const V& v : {V{1, 0, 0}, V{0, 1, 0}, V{0, 0, 1}}) EXPECT_LT(distance_between(whole.inertia * v, expected.inertia * v), 1e-6);
+  for (const V& v : {V{1, 0, 0}, V{0, 1, 0}, V{0, 0, 1}})
+    EXPECT_LT(distance_between(whole.inertia * v, expected.inertia * v), 1e-6);
 }
 
 /// The formulation at a position and velocity of a model.
@@ -98,7 +101,8 @@ struct Numbers {
     for (const Input& i : m.model.inputs) e.inputs.push_back(i.default_value);
     e.z = z;
     e.zd = zd;
-    System<double> system{m.model, m.topology, layout, e, std::vector<double>(2 * m.model.tyres.size(), 0.0), {}, scribe};
+    System<double> system{m.model, m.topology, layout, e, std::vector<double>(2 * m.model.tyres.size(), 0.0),
+                          {},      scribe};
     system.constants = make_constants(m.model, m.topology, system.environment);
     return system;
   }
@@ -131,10 +135,12 @@ TEST_P(EveryModel, ClosureJacobianIsTheDerivativeOfTheResidual) {
       for (std::size_t c = 0; c < m.topology.blocks[b].joints.size(); ++c) {
         std::vector<double> unit(state.z.size(), 0.0);
         unit[m.topology.blocks[b].joints[c]] = 1;
-        const std::vector<double> ahead = numbers.residuals(along(state.z, unit, 1e-5)), behind = numbers.residuals(along(state.z, unit, -1e-5));
+        const std::vector<double> ahead = numbers.residuals(along(state.z, unit, 1e-5)),
+                                  behind = numbers.residuals(along(state.z, unit, -1e-5));
         for (int e = 0; e < m.topology.blocks[b].equations; ++e)
           EXPECT_NEAR(closed.jacobian[e][c], (ahead[first + e] - behind[first + e]) / 2e-5, 1e-8)
-              << equation_names(m.topology, m.topology.blocks[b])[e] << " by " << m.topology.bodies[m.topology.blocks[b].joints[c]].coordinate;
+              << equation_names(m.topology, m.topology.blocks[b])[e] << " by "
+              << m.topology.bodies[m.topology.blocks[b].joints[c]].coordinate;
       }
     }
   }
@@ -156,7 +162,8 @@ TEST_P(EveryModel, ClosureAccelerationIsTheSecondDerivativeOfTheResidual) {
       const BlockClosure<double> closed = closure(system, k, block, relative_motion(system, k, block));
       const double scale = 1 + largest(closed.acceleration);
       for (int e = 0; e < block.equations; ++e)
-        EXPECT_NEAR(-closed.acceleration[e], (ahead[first + e] - 2 * here[first + e] + behind[first + e]) / (h * h), 2e-5 * scale)
+        EXPECT_NEAR(-closed.acceleration[e], (ahead[first + e] - 2 * here[first + e] + behind[first + e]) / (h * h),
+                    2e-5 * scale)
             << equation_names(m.topology, block)[e];
     }
   }
@@ -185,12 +192,16 @@ TEST_P(EveryModel, SweepsGiveTheDerivativesOfGlobalPositions) {
     for (int i = 0; i < m.topology.size(); ++i) {
       const Place<double> place{i, {0.3, -0.2, 0.5}};
       const V ahead = global(place, h), here = global(place, 0), behind = global(place, -h);
-      const V velocity = (1 / (2 * h)) * (ahead - behind), acceleration = (1 / (h * h)) * (ahead - here + (behind - here));
+      const V velocity = (1 / (2 * h)) * (ahead - behind),
+              acceleration = (1 / (h * h)) * (ahead - here + (behind - here));
       const double scale = 1 + norm(acceleration);
-      EXPECT_LT(distance_between(velocity_in(system, k, v, place, kGround), velocity), 1e-6 * scale) << m.topology.bodies[i].name;
+      EXPECT_LT(distance_between(velocity_in(system, k, v, place, kGround), velocity), 1e-6 * scale)
+          << m.topology.bodies[i].name;
       const int carrier = system.layout.frame_of(i);
-      const V less_gravity = direction_in(system, k, carrier, acceleration_of(system, a, i).at(local_position(system, k, place)), kGround);
-      EXPECT_LT(distance_between(less_gravity + system.constants.gravity, acceleration), 1e-4 * scale) << m.topology.bodies[i].name;
+      const V less_gravity =
+          direction_in(system, k, carrier, acceleration_of(system, a, i).at(local_position(system, k, place)), kGround);
+      EXPECT_LT(distance_between(less_gravity + system.constants.gravity, acceleration), 1e-4 * scale)
+          << m.topology.bodies[i].name;
     }
   }
 }
@@ -200,7 +211,8 @@ INSTANTIATE_TEST_SUITE_P(Models, EveryModel, ::testing::ValuesIn(all_models()), 
 TEST(Layout, NeitherVehicleMeetsTheInertialOrigin) {
   const Mechanism m = load("models/truck_mechanism.json");
   const Layout layout = choose_layout(m.model, m.topology);
-  for (int i = 0; i < m.topology.size(); ++i) EXPECT_NE(layout.bodies[i].joint_frame, kGround) << m.topology.bodies[i].coordinate;
+  for (int i = 0; i < m.topology.size(); ++i)
+    EXPECT_NE(layout.bodies[i].joint_frame, kGround) << m.topology.bodies[i].coordinate;
 }
 
 TEST(Layout, WheelsAreRotorsAndArmsAreNot) {

@@ -1,12 +1,10 @@
 // The generic runtime against accelerations of an independent solver, and against the laws of mechanics.
 
-#include "tests/mechanism_support.hpp"
-
-#include "mbgen/integrators.hpp"
-
+#include <fstream>
 #include <nlohmann/json.hpp>
 
-#include <fstream>
+#include "mbgen/integrators.hpp"
+#include "tests/mechanism_support.hpp"
 
 namespace mbgen {
 namespace {
@@ -62,14 +60,16 @@ TEST_P(ReferenceStates, AccelerationsWithMasslessRods) {
   EXPECT_LT(worst_error(m, GetParam().states, "zdd_massless_rods"), 1e-11);
 }
 
-INSTANTIATE_TEST_SUITE_P(Vehicles, ReferenceStates,
-                         ::testing::Values(ReferenceCase{"models/coach_mechanism.json", "tests/data/reference/coach_states.json"},
-                                           ReferenceCase{"models/truck_mechanism.json", "tests/data/reference/truck_states.json"}),
-                         [](const auto& info) { return info.index == 0 ? "coach" : "truck"; });
+INSTANTIATE_TEST_SUITE_P(
+    Vehicles, ReferenceStates,
+    ::testing::Values(ReferenceCase{"models/coach_mechanism.json", "tests/data/reference/coach_states.json"},
+                      ReferenceCase{"models/truck_mechanism.json", "tests/data/reference/truck_states.json"}),
+    [](const auto& info) { return info.index == 0 ? "coach" : "truck"; });
 
 class EveryModel : public ::testing::TestWithParam<std::string> {};
 
-// A step of the exact flow: position, velocity and acceleration must belong together, whatever the formulation does inside.
+// A step of the exact flow: position, velocity and acceleration must belong together, whatever the formulation does
+// inside.
 TEST_P(EveryModel, AccelerationsKeepTheClosuresClosed) {
   const Mechanism m = load(GetParam());
   if (m.topology.loops.empty()) GTEST_SKIP() << "no loops";
@@ -79,7 +79,7 @@ TEST_P(EveryModel, AccelerationsKeepTheClosuresClosed) {
   for (const GenericState& state : states) {
     GenericDerivative derivative;
     ASSERT_TRUE(solver.accelerations(state, random_tau(m, 3), derivative).ok());
-    const double h = 1e-4;   // the residual of a parabola through an exact state is of third order
+    const double h = 1e-4;  // the residual of a parabola through an exact state is of third order
     const auto residual_after = [&](double step) {
       GenericState moved = state;
       moved.t += step;
@@ -116,7 +116,7 @@ TEST_P(EveryModel, EnergyChangesByTheAppliedPower) {
     };
     const double h = 1e-5;
     const double rate = (energy_after(h) - energy_after(-h)) / (2 * h);
-    double traffic = std::abs(here.applied_power);   // sum of the powers that pass through the joints
+    double traffic = std::abs(here.applied_power);  // sum of the powers that pass through the joints
     for (std::size_t i = 0; i < tau.size(); ++i) traffic += std::abs(tau[i] * state.zd[i]);
     EXPECT_NEAR(rate, here.applied_power, 1e-6 * traffic + 1e-7 * std::abs(here.kinetic_energy) / h * 1e-4 + 1e-6);
   }

@@ -1,11 +1,6 @@
 #pragma once
 // Models of the project, compiled up to the analysis, and random consistent states of them.
 
-#include "compiler/analysis/analysis.hpp"
-#include "compiler/model/model.hpp"
-#include "compiler/topology/topology.hpp"
-#include "runtime/generic/generic.hpp"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -13,6 +8,11 @@
 #include <random>
 #include <string>
 #include <vector>
+
+#include "compiler/analysis/analysis.hpp"
+#include "compiler/model/model.hpp"
+#include "compiler/topology/topology.hpp"
+#include "runtime/generic/generic.hpp"
 
 namespace mbgen::testing {
 
@@ -93,7 +93,8 @@ inline double largest(const std::vector<double>& values) {
 }
 
 /// Largest difference over the largest entry of `expected` (at least `floor`).
-inline double relative_error(const std::vector<double>& actual, const std::vector<double>& expected, double floor = 1e-9) {
+inline double relative_error(const std::vector<double>& actual, const std::vector<double>& expected,
+                             double floor = 1e-9) {
   double error = 0;
   for (std::size_t i = 0; i < expected.size(); ++i) error = std::max(error, std::abs(actual[i] - expected[i]));
   return error / std::max(largest(expected), floor);

@@ -98,13 +98,6 @@ TEST(InterpolateMonotoneCubic, ReproducesAStraightLine) {
   }
 }
 
-TEST(SpringDamper, AddsItsTerms) {
-  EXPECT_DOUBLE_EQ(spring_damper_force(1000.0, 50.0, 20.0, 0.1, -2.0), 20);
-  const auto cubic = [](double x) { return 500 * x * x * x; };
-  const auto digressive = [](double rate) { return 100 * std::tanh(rate); };
-  EXPECT_DOUBLE_EQ(spring_damper_law(cubic, digressive, 5.0, 0.2, 0.0), 9);
-}
-
 TEST(AirSpring, FollowsThePolytropicLaw) {
   // 6 bar absolute in 10 l; compressed to 8 l isothermally: 7.5 bar; less 1 bar ambient, on 0.02 m^2.
   EXPECT_NEAR(air_spring_force(6e5, 1e5, 1.0, 0.010, 0.008, 0.02), 13000, 1e-9);

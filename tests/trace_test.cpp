@@ -1,12 +1,12 @@
 // The traced programs, interpreted, against the formulation at double run by the generic runtime.
 
-#include "tests/mechanism_support.hpp"
-
-#include "compiler/passes/passes.hpp"
 #include "compiler/trace/trace.hpp"
-#include "runtime/generic/maggi.hpp"
 
 #include <map>
+
+#include "compiler/passes/passes.hpp"
+#include "runtime/generic/maggi.hpp"
+#include "tests/mechanism_support.hpp"
 
 namespace mbgen {
 namespace {
@@ -39,7 +39,10 @@ Slots slots_of(const GenericState& state, const std::vector<double>& tau) {
 
 class EveryModel : public ::testing::TestWithParam<std::string> {
  protected:
-  EveryModel() : m(load(GetParam())), programs(trace(m.model, m.topology, m.analysis)), solver(m.model, m.topology, m.analysis) {}
+  EveryModel()
+      : m(load(GetParam())),
+        programs(trace(m.model, m.topology, m.analysis)),
+        solver(m.model, m.topology, m.analysis) {}
   Mechanism m;
   Programs programs;
   GenericSolver solver;
@@ -54,7 +57,9 @@ TEST_P(EveryModel, FrozenAccelerationsEqualThoseOfFullPivoting) {
       ASSERT_TRUE(solver.accelerations(state, tau, expected).ok());
       const Slots actual = run(program, m, slots_of(state, tau));
       EXPECT_LT(relative_error(actual.count("zdd") ? actual.at("zdd") : std::vector<double>{}, expected.zdd), 1e-9);
-      if (!expected.xd.empty()) { EXPECT_LT(relative_error(actual.at("xd"), expected.xd), 1e-9); }
+      if (!expected.xd.empty()) {
+        EXPECT_LT(relative_error(actual.at("xd"), expected.xd), 1e-9);
+      }
       if (actual.count("inertia")) {
         for (double inertia : actual.at("inertia")) EXPECT_GT(inertia, 0);
       }
@@ -71,10 +76,12 @@ TEST_P(EveryModel, AccelerationsWithAGivenPartitionEqualTheFrozenOnes) {
       const std::size_t columns = m.topology.blocks[b].joints.size(), rows = terms.at("Phi" + std::to_string(b)).size();
       const std::vector<double>& flat = terms.at("Jz" + std::to_string(b));
       std::vector<std::vector<double>> jacobian;
-      for (std::size_t e = 0; e < rows; ++e) jacobian.emplace_back(flat.begin() + e * columns, flat.begin() + (e + 1) * columns);
+      for (std::size_t e = 0; e < rows; ++e)
+        jacobian.emplace_back(flat.begin() + e * columns, flat.begin() + (e + 1) * columns);
       const BlockFactors factors(jacobian, m.analysis.blocks[b].driven, m.analysis.blocks[b].rank);
       std::vector<double> zdd_star(columns, 0.0);
-      for (int c : m.analysis.blocks[b].driven) zdd_star[c] = terms.at("driven_acceleration")[m.topology.blocks[b].joints[c]];
+      for (int c : m.analysis.blocks[b].driven)
+        zdd_star[c] = terms.at("driven_acceleration")[m.topology.blocks[b].joints[c]];
       factors.solve(terms.at("c" + std::to_string(b)), zdd_star);
       given["zdd_star" + std::to_string(b)] = zdd_star;
       for (const std::vector<double>& row : factors.rz())
@@ -105,7 +112,9 @@ TEST_P(EveryModel, MultipliersAndOutputsEqualThoseOfTheGenericRuntime) {
     given["zdd"] = derivative.zdd;
     const GenericOutputs expected = solver.outputs(state, tau, derivative);
     const Slots outputs = run(programs.outputs, m, given);
-    if (!expected.y.empty()) { EXPECT_LT(relative_error(outputs.at("y"), expected.y), 1e-8); }
+    if (!expected.y.empty()) {
+      EXPECT_LT(relative_error(outputs.at("y"), expected.y), 1e-8);
+    }
     EXPECT_NEAR(outputs.at("energy")[0], expected.kinetic_energy, 1e-9 * std::abs(expected.kinetic_energy) + 1e-9);
     EXPECT_NEAR(outputs.at("energy")[1], expected.potential_energy, 1e-9 * std::abs(expected.potential_energy) + 1e-9);
     EXPECT_NEAR(outputs.at("power")[0], expected.applied_power, 1e-7 * std::abs(expected.applied_power) + 1e-5);

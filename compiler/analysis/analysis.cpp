@@ -1,11 +1,11 @@
 #include "compiler/analysis/analysis.hpp"
 
-#include "compiler/analysis/partition.hpp"
-#include "compiler/analysis/sampling.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
+
+#include "compiler/analysis/partition.hpp"
+#include "compiler/analysis/sampling.hpp"
 
 namespace mbgen {
 namespace {
@@ -21,17 +21,19 @@ Diagnostic problem(const Where& where, std::string message, std::string hint) {
 }
 
 /// The equation of a block that stays open most at the best that Newton found.
-Diagnostic open_loop(const Model& model, const Topology& topology, const LoopBlock& block, const Eigen::VectorXd& residual) {
+Diagnostic open_loop(const Model& model, const Topology& topology, const LoopBlock& block,
+                     const Eigen::VectorXd& residual) {
   int worst = 0;
   for (int e = 0; e < residual.size(); ++e)
     if (!(std::abs(residual[e]) <= std::abs(residual[worst]))) worst = e;
   int first = 0;
   for (int l : block.loops) {
     if (worst < first + topology.loops[l].equations)
-      return problem(where_of(model, topology.loops[l]),
-                     fmt::format("loop \"{}\" cannot be closed near the reference configuration: equation {} stays open by {:.6g}",
-                                 topology.loops[l].name, equation_names(topology, block)[worst], residual[worst]),
-                     "check the points and axes of the joints in this loop, and whether its equations contradict each other");
+      return problem(
+          where_of(model, topology.loops[l]),
+          fmt::format("loop \"{}\" cannot be closed near the reference configuration: equation {} stays open by {:.6g}",
+                      topology.loops[l].name, equation_names(topology, block)[worst], residual[worst]),
+          "check the points and axes of the joints in this loop, and whether its equations contradict each other");
     first += topology.loops[l].equations;
   }
   return {};
@@ -66,8 +68,8 @@ Result<BlockAnalysis> analyse_block(const Model& model, const Topology& topology
     if (reached < rank) {
       const Motion& motion = model.motions[analysis.motion_of[block.joints[driven.back()]]];
       return problem(motion.where,
-                     fmt::format("motions over-constrain a loop: {} driven coordinates, but the loop leaves {} free", driven.size(),
-                                 static_cast<int>(block.joints.size()) - rank),
+                     fmt::format("motions over-constrain a loop: {} driven coordinates, but the loop leaves {} free",
+                                 driven.size(), static_cast<int>(block.joints.size()) - rank),
                      "remove a motion, or drive a coordinate that the loop leaves free");
     }
   }
@@ -78,7 +80,8 @@ Result<BlockAnalysis> analyse_block(const Model& model, const Topology& topology
 }
 
 /// Rz of a block at a position, from the frozen order at double.
-std::vector<GroupProjection<double>> projections_at(System<double>& system, const Kinematics<double>& k, const Analysis& analysis) {
+std::vector<GroupProjection<double>> projections_at(System<double>& system, const Kinematics<double>& k,
+                                                    const Analysis& analysis) {
   std::vector<GroupProjection<double>> projections;
   const RelativeMotion<double> rest = at_rest<double>(system.topology);
   for (const JointGroup& group : system.topology.groups) {
@@ -104,8 +107,9 @@ std::vector<int> without_inertia(NumericSystem& numbers, const Topology& topolog
   for (const Configuration& configuration : configurations) {
     System<double>& system = numbers.at(configuration.z);
     const Kinematics<double> k = kinematics(system);
-    const ReducedSystem<double> reduced = reduced_system(system, k, inertias(system, k), projections_at(system, k, analysis),
-                                                         std::vector<double>(topology.bodies.size(), 0.0));
+    const ReducedSystem<double> reduced =
+        reduced_system(system, k, inertias(system, k), projections_at(system, k, analysis),
+                       std::vector<double>(topology.bodies.size(), 0.0));
     const ReducedSolution<double> solution = solve_reduced(reduced);
     bool all = true;
     for (std::size_t q = 0; q < names.size(); ++q) {
@@ -161,8 +165,8 @@ Result<Analysis> analyse(const Model& model, const Topology& topology) {
     analysis.blocks.push_back(std::move(*block));
   }
   if (!problems.empty()) return problems;
-  analysis.closed_configurations = static_cast<int>(
-      std::count_if(configurations.begin(), configurations.end(), [](const Configuration& c) {
+  analysis.closed_configurations =
+      static_cast<int>(std::count_if(configurations.begin(), configurations.end(), [](const Configuration& c) {
         return std::find(c.closed.begin(), c.closed.end(), false) == c.closed.end();
       }));
   analysis.degrees_of_freedom = topology.size() - analysis.independent_equations;

@@ -10,10 +10,10 @@ namespace {
 
 using Eigen::MatrixXd;
 
-constexpr double kRankTolerance = 1e-8;      // relative to the largest singular value; closures are exact to 1e-11
-constexpr double kPivotRatio = 0.05;         // design.md section 7: smallest pivot over its column that keeps the digits
-constexpr double kZero = 1e-12;              // entries below this share of the largest are structurally zero
-constexpr int kWeightings = 8;               // random column weights tried per sample
+constexpr double kRankTolerance = 1e-8;  // relative to the largest singular value; closures are exact to 1e-11
+constexpr double kPivotRatio = 0.05;     // design.md section 7: smallest pivot over its column that keeps the digits
+constexpr double kZero = 1e-12;          // entries below this share of the largest are structurally zero
+constexpr int kWeightings = 8;           // random column weights tried per sample
 
 MatrixXd columns_of(const MatrixXd& m, const std::vector<int>& columns) {
   MatrixXd result(m.rows(), columns.size());
@@ -35,7 +35,7 @@ int rank_of(const MatrixXd& m) {
 }
 
 struct Candidate {
-  std::vector<int> rows, columns;   // ascending
+  std::vector<int> rows, columns;  // ascending
   bool operator<(const Candidate& other) const { return std::tie(columns, rows) < std::tie(other.columns, other.rows); }
 };
 
@@ -48,7 +48,7 @@ Candidate pivoted(MatrixXd m, int rank, const std::vector<int>& columns) {
     int row = *rows_left.begin(), column = *columns_left.begin();
     for (int r : rows_left)
       for (int c : columns_left)
-        if (std::abs(m(r, c)) > std::abs(m(row, column)) * (1 + 1e-9)) row = r, column = c;   // ties go to the first
+        if (std::abs(m(r, c)) > std::abs(m(row, column)) * (1 + 1e-9)) row = r, column = c;  // ties go to the first
     rows_left.erase(row);
     columns_left.erase(column);
     chosen.rows.push_back(row);
@@ -63,10 +63,12 @@ Candidate pivoted(MatrixXd m, int rank, const std::vector<int>& columns) {
   return chosen;
 }
 
-std::vector<double> conditions(const std::vector<MatrixXd>& jacobians, const std::vector<double>& best, const Candidate& candidate) {
+std::vector<double> conditions(const std::vector<MatrixXd>& jacobians, const std::vector<double>& best,
+                               const Candidate& candidate) {
   std::vector<double> ratios;
   for (std::size_t s = 0; s < jacobians.size(); ++s) {
-    const Eigen::VectorXd sigma = Eigen::JacobiSVD<MatrixXd>(part_of(jacobians[s], candidate.rows, candidate.columns)).singularValues();
+    const Eigen::VectorXd sigma =
+        Eigen::JacobiSVD<MatrixXd>(part_of(jacobians[s], candidate.rows, candidate.columns)).singularValues();
     ratios.push_back(sigma[sigma.size() - 1] / best[s]);
   }
   return ratios;
@@ -88,12 +90,13 @@ struct Ordering {
 
 /// Equilibrated copies of the dependent Jacobian, eliminated in step over all samples.
 struct Elimination {
-  std::vector<MatrixXd> matrices;   // rows scaled to largest entry 1 over the samples
+  std::vector<MatrixXd> matrices;  // rows scaled to largest entry 1 over the samples
   std::vector<double> row_scale;
-  MatrixXd largest;                 // over the samples: the pattern, with fill
+  MatrixXd largest;  // over the samples: the pattern, with fill
 };
 
-Elimination equilibrated(const std::vector<MatrixXd>& jacobians, const std::vector<bool>& used, const Candidate& candidate) {
+Elimination equilibrated(const std::vector<MatrixXd>& jacobians, const std::vector<bool>& used,
+                         const Candidate& candidate) {
   Elimination e;
   for (std::size_t s = 0; s < jacobians.size(); ++s)
     if (used[s]) e.matrices.push_back(part_of(jacobians[s], candidate.rows, candidate.columns));
@@ -119,7 +122,8 @@ double pivot_ratio(const Elimination& e, int row, int column, const std::vector<
 }
 
 /// Markowitz: the sparsest entry among those that are large enough everywhere.
-std::pair<int, int> choose_pivot(const Elimination& e, const std::vector<int>& rows, const std::vector<int>& columns, double& ratio) {
+std::pair<int, int> choose_pivot(const Elimination& e, const std::vector<int>& rows, const std::vector<int>& columns,
+                                 double& ratio) {
   const auto filled = [&](int r, int c) { return e.largest(r, c) > kZero; };
   std::pair<int, int> best{-1, -1}, largest{rows[0], columns[0]};
   double best_cost = 0, largest_ratio = -1, best_ratio = 0;
@@ -147,7 +151,8 @@ double median_pivot(const Elimination& e, int row, int column) {
 }
 
 /// Eliminates one diagonal block of the triangular form and appends its pivots.
-void order_block(Elimination& e, const Candidate& candidate, const std::vector<std::pair<int, int>>& block, Ordering& ordering) {
+void order_block(Elimination& e, const Candidate& candidate, const std::vector<std::pair<int, int>>& block,
+                 Ordering& ordering) {
   std::vector<int> rows, columns;
   for (const auto& [r, c] : block) rows.push_back(r), columns.push_back(c);
   while (!rows.empty()) {
@@ -173,7 +178,8 @@ void order_block(Elimination& e, const Candidate& candidate, const std::vector<s
   }
 }
 
-Ordering order_pivots(const std::vector<MatrixXd>& jacobians, const std::vector<bool>& used, const Candidate& candidate) {
+Ordering order_pivots(const std::vector<MatrixXd>& jacobians, const std::vector<bool>& used,
+                      const Candidate& candidate) {
   Ordering ordering;
   Elimination e = equilibrated(jacobians, used, candidate);
   const std::size_t n = candidate.rows.size();
@@ -226,7 +232,8 @@ BlockAnalysis choose_partition(const std::vector<MatrixXd>& jacobians, int rank,
   std::vector<MatrixXd> usable;
   for (const MatrixXd& j : jacobians) {
     const MatrixXd movable = columns_of(j, columns);
-    const Eigen::VectorXd s = movable.cols() == 0 ? Eigen::VectorXd() : Eigen::JacobiSVD<MatrixXd>(movable).singularValues().eval();
+    const Eigen::VectorXd s =
+        movable.cols() == 0 ? Eigen::VectorXd() : Eigen::JacobiSVD<MatrixXd>(movable).singularValues().eval();
     const bool is_full = rank > 0 && s.size() >= rank && s[rank - 1] > 1e-4 * s[0];
     if (is_full) usable.push_back(j), best.push_back(s[rank - 1]), full.push_back(true);
   }
@@ -235,7 +242,9 @@ BlockAnalysis choose_partition(const std::vector<MatrixXd>& jacobians, int rank,
     std::vector<std::pair<double, Candidate>> scored;
     for (const Candidate& candidate : candidates(usable, full, rank, columns))
       scored.emplace_back(score(conditions(usable, best, candidate)), candidate);
-    const double top = std::max_element(scored.begin(), scored.end(), [](const auto& a, const auto& b) { return a.first < b.first; })->first;
+    const double top = std::max_element(scored.begin(), scored.end(), [](const auto& a, const auto& b) {
+                         return a.first < b.first;
+                       })->first;
     Ordering chosen;
     for (const auto& [value, candidate] : scored) {
       if (value < 0.4 * top) continue;
@@ -253,7 +262,8 @@ BlockAnalysis choose_partition(const std::vector<MatrixXd>& jacobians, int rank,
     result.worst_pivot_ratio = chosen.worst_ratio;
   }
   for (int c : columns)
-    if (std::find(result.dependent.begin(), result.dependent.end(), c) == result.dependent.end()) result.independent.push_back(c);
+    if (std::find(result.dependent.begin(), result.dependent.end(), c) == result.dependent.end())
+      result.independent.push_back(c);
   for (int e = 0; e < equations; ++e)
     if (std::none_of(result.pivots.begin(), result.pivots.end(), [e](const Pivot& p) { return p.equation == e; }))
       result.redundant_equations.push_back(e);

@@ -1,11 +1,10 @@
 #pragma once
 // Rank, dependent coordinates and elimination order of one loop block from its Jacobians at many closed configurations.
 
-#include "compiler/analysis/analysis.hpp"
-
 #include <Eigen/Dense>
-
 #include <vector>
+
+#include "compiler/analysis/analysis.hpp"
 
 namespace mbgen {
 
@@ -16,8 +15,9 @@ int generic_rank(const std::vector<Eigen::MatrixXd>& jacobians, const std::vecto
 /// driven: local columns that must stay independent. Requires: `rank` is reached without the driven columns.
 BlockAnalysis choose_partition(const std::vector<Eigen::MatrixXd>& jacobians, int rank, const std::vector<int>& driven);
 
-/// Diagonal blocks of the upper block-triangular form of a square pattern with a perfect matching on its diagonal candidates.
-/// Result: for each diagonal block its (row, column) pairs, first block first. Source: Dulmage and Mendelsohn; Tarjan.
+/// Diagonal blocks of the upper block-triangular form of a square pattern with a perfect matching on its diagonal
+/// candidates. Result: for each diagonal block its (row, column) pairs, first block first. Source: Dulmage and
+/// Mendelsohn; Tarjan.
 std::vector<std::vector<std::pair<int, int>>> block_triangular_form(const std::vector<std::vector<bool>>& pattern);
 
 }  // namespace mbgen

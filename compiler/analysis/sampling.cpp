@@ -5,9 +5,9 @@
 namespace mbgen {
 namespace {
 
-constexpr double kClosed = 1e-11;        // m or 1: Newton reaches it in a few steps from a good start
+constexpr double kClosed = 1e-11;  // m or 1: Newton reaches it in a few steps from a good start
 constexpr int kMostSteps = 40;
-constexpr double kLongestStep = 0.3;     // rad or m per Newton step and coordinate
+constexpr double kLongestStep = 0.3;  // rad or m per Newton step and coordinate
 
 Environment<double> default_environment(const Model& model, const Topology& topology) {
   Environment<double> e;
@@ -24,8 +24,8 @@ double largest(const Eigen::VectorXd& v) { return v.size() == 0 ? 0.0 : v.cwiseA
 }  // namespace
 
 NumericSystem::NumericSystem(const Model& model, const Topology& topology)
-    : layout_(choose_layout(model, topology)),
-      system_{model, topology, layout_, default_environment(model, topology), {}, {}, scribe_} {
+    : layout_(choose_layout(model, topology)), system_{model, topology, layout_, default_environment(model, topology),
+                                                       {},    {},       scribe_} {
   system_.x.assign(2 * model.tyres.size(), 0.0);
   system_.constants = make_constants(model, topology, system_.environment);
 }
@@ -68,10 +68,12 @@ Configuration close_from(NumericSystem& numbers, std::vector<double> start) {
       factors.compute(configuration.blocks[b].jacobian);
       Eigen::VectorXd correction = factors.solve(-residual);
       if (const double length = largest(correction); length > kLongestStep) correction *= kLongestStep / length;
-      for (std::size_t c = 0; c < topology.blocks[b].joints.size(); ++c) configuration.z[topology.blocks[b].joints[c]] += correction[c];
+      for (std::size_t c = 0; c < topology.blocks[b].joints.size(); ++c)
+        configuration.z[topology.blocks[b].joints[c]] += correction[c];
     }
   }
-  for (const Eigen::VectorXd& residual : configuration.residuals) configuration.closed.push_back(largest(residual) < kClosed);
+  for (const Eigen::VectorXd& residual : configuration.residuals)
+    configuration.closed.push_back(largest(residual) < kClosed);
   return configuration;
 }
 
@@ -79,7 +81,7 @@ std::vector<Configuration> closed_configurations(NumericSystem& numbers, int wan
   const std::vector<double> reference(numbers.at({}).topology.bodies.size(), 0.0);
   const Topology& topology = numbers.at(reference).topology;
   std::vector<Configuration> found{close_from(numbers, reference)};
-  std::mt19937_64 random(20120401);   // fixed: two runs decide alike
+  std::mt19937_64 random(20120401);  // fixed: two runs decide alike
   const double distances[] = {0.05, 0.2, 0.5, 1.0, 2.0};
   for (int attempt = 0; attempt < 2 * wanted && static_cast<int>(found.size()) <= wanted; ++attempt) {
     std::vector<double> start = reference;
@@ -89,7 +91,8 @@ std::vector<Configuration> closed_configurations(NumericSystem& numbers, int wan
       start[i] = unit * reach * distances[attempt % 5];
     }
     Configuration configuration = close_from(numbers, std::move(start));
-    const bool any = std::find(configuration.closed.begin(), configuration.closed.end(), true) != configuration.closed.end();
+    const bool any =
+        std::find(configuration.closed.begin(), configuration.closed.end(), true) != configuration.closed.end();
     if (any || topology.blocks.empty()) found.push_back(std::move(configuration));
   }
   return found;

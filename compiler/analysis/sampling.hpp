@@ -1,25 +1,24 @@
 #pragma once
 // Closed configurations of a mechanism, found from random positions around the reference.
 
-#include "compiler/formulation/formulation.hpp"
-
 #include <Eigen/Dense>
-
 #include <vector>
+
+#include "compiler/formulation/formulation.hpp"
 
 namespace mbgen {
 
 /// Closure of one block at one closed configuration.
 struct BlockSample {
-  Eigen::MatrixXd jacobian;              ///< equations x coordinates
+  Eigen::MatrixXd jacobian;  ///< equations x coordinates
 };
 
 /// A position of all coordinates; a block that could not be closed there is marked.
 struct Configuration {
   std::vector<double> z;
-  std::vector<bool> closed;              ///< per block
-  std::vector<BlockSample> blocks;       ///< per block, valid where closed
-  std::vector<Eigen::VectorXd> residuals;///< per block
+  std::vector<bool> closed;                ///< per block
+  std::vector<BlockSample> blocks;         ///< per block, valid where closed
+  std::vector<Eigen::VectorXd> residuals;  ///< per block
 };
 
 /// The formulation at double for a model at default parameters and inputs, t = 0.

@@ -1,12 +1,13 @@
-#include "compiler/analysis/partition.hpp"
-
 #include <algorithm>
+
+#include "compiler/analysis/partition.hpp"
 
 namespace mbgen {
 namespace {
 
 /// Kuhn's augmenting path: gives `row` a column, moving others when needed.
-bool augment(const std::vector<std::vector<bool>>& pattern, int row, std::vector<int>& row_of, std::vector<bool>& seen) {
+bool augment(const std::vector<std::vector<bool>>& pattern, int row, std::vector<int>& row_of,
+             std::vector<bool>& seen) {
   for (std::size_t c = 0; c < row_of.size(); ++c) {
     if (!pattern[row][c] || seen[c]) continue;
     seen[c] = true;

@@ -1,6 +1,6 @@
 #pragma once
-// Applied forces (step 5): force elements of the model as wrenches on bodies, generalised forces on coordinates, and the
-// rates of the tyres' deflection states. The laws themselves are templates of the runtime's headers.
+// Applied forces (step 5): force elements of the model as wrenches on bodies, generalised forces on coordinates, and
+// the rates of the tyres' deflection states. The laws themselves are templates of the runtime's headers.
 
 #include "compiler/formulation/force_work.hpp"
 #include "compiler/formulation/tyre_road.hpp"
@@ -16,7 +16,8 @@ void point_springs(ForceWork<T>& work) {
     work.forces.springs.push_back(
         line_element(work, spring.from, spring.to, [&](const T& length, const T& rate, const T& reference) {
           const T free = spring.free_length ? work.value(*spring.free_length) : reference;
-          T tension = work.value(spring.preload) + law(work, spring.stiffness, length - free) + law(work, spring.damping, rate);
+          T tension =
+              work.value(spring.preload) + law(work, spring.stiffness, length - free) + law(work, spring.damping, rate);
           if (spring.force) tension = tension + with_locals(work, *spring.force, length, rate);
           work.system.scribe.name(tension, "tension_" + spring.name);
           return tension;
@@ -36,10 +37,11 @@ void air_springs(ForceWork<T>& work) {
             return fixed ? work.value(*fixed) : law(work, spring.area, l);
           };
           const auto volume = [&](const T& l) {
-            return spring.volume ? law(work, Law(*spring.volume), l) : work.value(spring.volume0) + area(length0) * (l - length0);
+            return spring.volume ? law(work, Law(*spring.volume), l)
+                                 : work.value(spring.volume0) + area(length0) * (l - length0);
           };
-          const T push = air_spring_force(work.value(spring.pressure), work.value(spring.ambient), work.value(spring.exponent),
-                                          volume(length0), volume(length), area(length));
+          const T push = air_spring_force(work.value(spring.pressure), work.value(spring.ambient),
+                                          work.value(spring.exponent), volume(length0), volume(length), area(length));
           work.system.scribe.name(push, "push_" + spring.name);
           return -push;
         }));
@@ -72,8 +74,9 @@ void joint_elements(ForceWork<T>& work) {
   }
   for (const JointFriction& friction : model.frictions) {
     work.system.scribe.place(friction.name);
-    const T force = friction_force(work.value(friction.coulomb), work.value(friction.stiction), work.value(friction.viscous),
-                                   work.value(friction.velocity), work.value(friction.stribeck_velocity), e.velocity(friction.joint));
+    const T force = friction_force(work.value(friction.coulomb), work.value(friction.stiction),
+                                   work.value(friction.viscous), work.value(friction.velocity),
+                                   work.value(friction.stribeck_velocity), e.velocity(friction.joint));
     work.system.scribe.name(force, "force_" + friction.name);
     add_joint_force(work, friction.joint, force);
   }

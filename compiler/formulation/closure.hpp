@@ -1,6 +1,7 @@
 #pragma once
-// Loop closures (theory.md section 3), each block in the frame of its base body: residuals, Jacobian, acceleration right-hand side.
-// A row is a residual in m or 1; its Jacobian is the wrench of a unit multiplier on the joint columns, so a multiplier is N or N m.
+// Loop closures (theory.md section 3), each block in the frame of its base body: residuals, Jacobian, acceleration
+// right-hand side. A row is a residual in m or 1; its Jacobian is the wrench of a unit multiplier on the joint columns,
+// so a multiplier is N or N m.
 
 #include "compiler/formulation/motion.hpp"
 
@@ -9,9 +10,9 @@ namespace mbgen {
 /// Closure terms of one loop block. Columns are LoopBlock::joints, rows the equations of LoopBlock::loops in order.
 template <class T>
 struct BlockClosure {
-  std::vector<T> residual;                ///< Phi
-  std::vector<std::vector<T>> jacobian;   ///< Phi_z, [equation][column]
-  std::vector<T> acceleration;            ///< c of Phi_z zdd = c
+  std::vector<T> residual;               ///< Phi
+  std::vector<std::vector<T>> jacobian;  ///< Phi_z, [equation][column]
+  std::vector<T> acceleration;           ///< c of Phi_z zdd = c
 };
 
 /// Motion of the bodies of a block relative to its base at rest, with zero joint accelerations. Indexed by tree body.
@@ -39,8 +40,8 @@ RelativeMotion<T> relative_motion(System<T>& system, const Kinematics<T>& k, con
     const Spatial<T> below = p == block.base ? Spatial<T>{} : m.velocity[p];
     const Acceleration<T> below_acceleration = p == block.base ? Acceleration<T>{} : m.acceleration[p];
     m.velocity[i] = advanced(below, k.column[i], system.zd(i));
-    m.acceleration[i] = advanced(below_acceleration, system.revolute(i), k.axis[i], k.pin[i], system.zd(i), T(0.0), below.angular,
-                                 m.velocity[i].angular);
+    m.acceleration[i] = advanced(below_acceleration, system.revolute(i), k.axis[i], k.pin[i], system.zd(i), T(0.0),
+                                 below.angular, m.velocity[i].angular);
   }
   return m;
 }
@@ -65,12 +66,13 @@ struct Triad {
 };
 Triad triad(const Vector3& axis);
 
-/// Wrench rows of a closure: the row's Jacobian entry is +wrench_from . b for joints that move `from`, -wrench_to . b for the others.
+/// Wrench rows of a closure: the row's Jacobian entry is +wrench_from . b for joints that move `from`, -wrench_to . b
+/// for the others.
 template <class T>
 struct Row {
   T residual{0.0};
   Spatial<T> wrench_from, wrench_to;
-  T acceleration{0.0};   ///< second derivative of the residual at zero joint accelerations
+  T acceleration{0.0};  ///< second derivative of the residual at zero joint accelerations
 };
 
 /// Component of r_from - r_to along a constant direction of the base frame (53).
@@ -97,8 +99,8 @@ Row<T> in_plane(const LoopEnd<T>& from, const LoopEnd<T>& to, const Vector<T>& a
   const Vector<T> rate = velocity_at(from.velocity, from.place) - velocity_at(to.velocity, to.place);
   const T twice = dot(cross(from.velocity.angular, a), rate);
   return {dot(a, gap), wrench, wrench,
-          dot(from.acceleration.gradient * a, gap) + dot(a, from.acceleration.at(from.place) - to.acceleration.at(to.place)) +
-              (twice + twice)};
+          dot(from.acceleration.gradient * a, gap) +
+              dot(a, from.acceleration.at(from.place) - to.acceleration.at(to.place)) + (twice + twice)};
 }
 
 /// Constant distance (55), scaled by 1/(2 l): residual in m, multiplier the axial force of the rod in N.
@@ -117,8 +119,8 @@ template <class T>
 std::vector<Row<T>> joint_rows(ClosureKind kind, const LoopEnd<T>& from, const LoopEnd<T>& to, const Matrix<T>& on_from,
                                const Matrix<T>& on_to) {
   std::vector<Row<T>> rows;
-  const bool point = kind == ClosureKind::spherical || kind == ClosureKind::revolute || kind == ClosureKind::universal ||
-                     kind == ClosureKind::fixed;
+  const bool point = kind == ClosureKind::spherical || kind == ClosureKind::revolute ||
+                     kind == ClosureKind::universal || kind == ClosureKind::fixed;
   if (point)
     for (const Vector<T>& direction : {identity<T>().x, identity<T>().y, identity<T>().z})
       rows.push_back(coincidence(from, to, direction));
@@ -133,7 +135,8 @@ std::vector<Row<T>> joint_rows(ClosureKind kind, const LoopEnd<T>& from, const L
     rows.push_back(perpendicular(from, to, on_from.x, on_to.z));
     rows.push_back(perpendicular(from, to, on_from.y, on_to.z));
   }
-  if (kind == ClosureKind::prismatic || kind == ClosureKind::fixed) rows.push_back(perpendicular(from, to, on_from.x, on_to.y));
+  if (kind == ClosureKind::prismatic || kind == ClosureKind::fixed)
+    rows.push_back(perpendicular(from, to, on_from.x, on_to.y));
   return rows;
 }
 
@@ -146,8 +149,8 @@ Matrix<T> triad_on(const System<T>& system, const Kinematics<T>& k, int body, in
 }
 
 template <class T>
-LoopEnd<T> loop_end(const System<T>& system, const Kinematics<T>& k, const RelativeMotion<T>& motion, const Place<T>& place,
-                    int frame) {
+LoopEnd<T> loop_end(const System<T>& system, const Kinematics<T>& k, const RelativeMotion<T>& motion,
+                    const Place<T>& place, int frame) {
   LoopEnd<T> end{place.body, position_in(system, k, place, frame), {}, {}};
   if (place.body != frame) {
     end.velocity = motion.velocity[place.body];
@@ -157,16 +160,18 @@ LoopEnd<T> loop_end(const System<T>& system, const Kinematics<T>& k, const Relat
 }
 
 template <class T>
-std::vector<Row<T>> loop_rows(System<T>& system, const Kinematics<T>& k, const RelativeMotion<T>& motion, const Loop& loop,
-                              int frame) {
+std::vector<Row<T>> loop_rows(System<T>& system, const Kinematics<T>& k, const RelativeMotion<T>& motion,
+                              const Loop& loop, int frame) {
   system.scribe.place(loop.name);
   if (loop.kind == ClosureKind::rod) {
     const RodConstants<T>& rod = system.constants.rods[loop.rod];
-    return {distance(loop_end(system, k, motion, rod.from, frame), loop_end(system, k, motion, rod.to, frame), rod.length)};
+    return {
+        distance(loop_end(system, k, motion, rod.from, frame), loop_end(system, k, motion, rod.to, frame), rod.length)};
   }
   const Joint& joint = system.model.joints[loop.joint];
   const auto end = [&](const Attachment& at) {
-    return loop_end(system, k, motion, place_of(system.model, system.topology, system.constants, at, system.environment), frame);
+    return loop_end(system, k, motion,
+                    place_of(system.model, system.topology, system.constants, at, system.environment), frame);
   };
   const LoopEnd<T> from = end(joint.from), to = end(joint.to);
   const Vector3 axis_on_to = joint.type == JointType::universal ? joint.second_axis : joint.axis;
@@ -179,7 +184,8 @@ std::vector<Row<T>> loop_rows(System<T>& system, const Kinematics<T>& k, const R
 /// Residuals, Jacobian and, from the relative motion, acceleration right-hand side of one block (steps 2 and 6).
 /// Cost: equations times joints of each loop.
 template <class T>
-BlockClosure<T> closure(System<T>& system, const Kinematics<T>& k, const LoopBlock& block, const RelativeMotion<T>& motion) {
+BlockClosure<T> closure(System<T>& system, const Kinematics<T>& k, const LoopBlock& block,
+                        const RelativeMotion<T>& motion) {
   BlockClosure<T> result;
   for (int l : block.loops) {
     const Loop& loop = system.topology.loops[l];

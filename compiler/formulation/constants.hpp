@@ -1,22 +1,23 @@
 #pragma once
 // The numbers of a model as scalars T: constants when folded, expressions of the tunable parameters otherwise.
 
+#include <vector>
+
 #include "compiler/formulation/scribe.hpp"
 #include "compiler/model/evaluate.hpp"
 #include "compiler/topology/topology.hpp"
 
-#include <vector>
-
 namespace mbgen {
 
-/// What expressions may refer to. Coordinates that the tree does not have read as zero (the topology room refuses them).
+/// What expressions may refer to. Coordinates that the tree does not have read as zero (the topology room refuses
+/// them).
 template <class T>
 struct Environment {
   const Topology* topology = nullptr;
-  std::vector<T> parameters;   ///< all, in model order
+  std::vector<T> parameters;  ///< all, in model order
   std::vector<T> inputs;
   T t{0.0};
-  std::vector<T> z, zd;        ///< per tree coordinate
+  std::vector<T> z, zd;  ///< per tree coordinate
   std::vector<T> locals;
 
   T parameter(int i) const { return parameters[i]; }
@@ -56,17 +57,17 @@ template <class T>
 struct RodConstants {
   Place<T> from, to;
   T length{0.0};
-  T coupling{0.0};   ///< m_jk = m/6, kg
+  T coupling{0.0};  ///< m_jk = m/6, kg
 };
 
 /// All constants of a model that positions and inertias need.
 template <class T>
 struct Constants {
-  std::vector<Vector<T>> origin;          ///< per tree body: point of its joint, global at the reference configuration
-  std::vector<T> mass;                    ///< per tree body, everything merged, with the rods' end masses
-  std::vector<Vector<T>> com;             ///< per tree body, from its origin, reference axes
-  std::vector<Symmetric<T>> inertia;      ///< per tree body about com, reference axes
-  std::vector<RodConstants<T>> rods;      ///< per Model::rods
+  std::vector<Vector<T>> origin;      ///< per tree body: point of its joint, global at the reference configuration
+  std::vector<T> mass;                ///< per tree body, everything merged, with the rods' end masses
+  std::vector<Vector<T>> com;         ///< per tree body, from its origin, reference axes
+  std::vector<Symmetric<T>> inertia;  ///< per tree body about com, reference axes
+  std::vector<RodConstants<T>> rods;  ///< per Model::rods
   Vector<T> gravity;
 };
 
@@ -78,18 +79,19 @@ Matrix<T> pose_rotation(const Pose& pose) {
 
 /// Global position at the reference configuration of a point given in a body frame.
 template <class T>
-Vector<T> reference_position(const Model& model, int body, const Vector3Quantity& point, const Environment<T>& environment) {
+Vector<T> reference_position(const Model& model, int body, const Vector3Quantity& point,
+                             const Environment<T>& environment) {
   const Pose& pose = model.bodies[body].pose;
   return constant<T>(pose.origin) + pose_rotation<T>(pose) * value_of(model, point, environment);
 }
 
 /// Place of an attachment, relative to the frame of the tree body that carries it.
 template <class T>
-Place<T> place_of(const Model& model, const Topology& topology, const Constants<T>& constants, const Attachment& attachment,
-                  const Environment<T>& environment) {
+Place<T> place_of(const Model& model, const Topology& topology, const Constants<T>& constants,
+                  const Attachment& attachment, const Environment<T>& environment) {
   const int tree = topology.tree_body[attachment.body];
-  const Vector<T> global =
-      reference_position(model, attachment.body, model.bodies[attachment.body].points[attachment.point].position, environment);
+  const Vector<T> global = reference_position(
+      model, attachment.body, model.bodies[attachment.body].points[attachment.point].position, environment);
   return {tree, tree == kGround ? global : global - constants.origin[tree]};
 }
 
@@ -124,17 +126,19 @@ Part<T> part_of(const Model& model, int body, const Vector<T>& origin, const Env
 }
 
 template <class T>
-RodConstants<T> rod_constants(const Model& model, const Topology& topology, const Constants<T>& constants, const Rod& rod,
-                              const Environment<T>& environment) {
+RodConstants<T> rod_constants(const Model& model, const Topology& topology, const Constants<T>& constants,
+                              const Rod& rod, const Environment<T>& environment) {
   RodConstants<T> result{place_of(model, topology, constants, rod.from, environment),
                          place_of(model, topology, constants, rod.to, environment), T(0.0), T(0.0)};
   const auto global = [&](const Place<T>& p) { return p.body == kGround ? p.at : p.at + constants.origin[p.body]; };
-  result.length = rod.length ? value_of(model, *rod.length, environment) : norm(global(result.from) - global(result.to));
+  result.length =
+      rod.length ? value_of(model, *rod.length, environment) : norm(global(result.from) - global(result.to));
   result.coupling = value_of(model, rod.mass, environment) / T(6.0);
   return result;
 }
 
-/// Evaluates every constant. Ends of massive rods become point masses m/3 of their bodies (the other third is the coupling).
+/// Evaluates every constant. Ends of massive rods become point masses m/3 of their bodies (the other third is the
+/// coupling).
 template <class T>
 Constants<T> make_constants(const Model& model, const Topology& topology, const Environment<T>& environment) {
   Constants<T> constants;

@@ -9,7 +9,7 @@ namespace mbgen {
 /// A prescribed coordinate and its derivatives.
 template <class T>
 struct Drive {
-  int coordinate = -1;                     ///< tree index
+  int coordinate = -1;  ///< tree index
   T position{0.0}, velocity{0.0}, acceleration{0.0};
 };
 

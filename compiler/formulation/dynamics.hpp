@@ -1,6 +1,6 @@
 #pragma once
-// Equations of motion: forces accumulated from the leaves to the root (51), (52), columns of the tree mass matrix (49), and the
-// projection on the free directions (63), group by group.
+// Equations of motion: forces accumulated from the leaves to the root (51), (52), columns of the tree mass matrix (49),
+// and the projection on the free directions (63), group by group.
 
 #include "compiler/formulation/applied_forces.hpp"
 #include "compiler/formulation/inertia.hpp"
@@ -17,7 +17,8 @@ Spatial<T> lowered(const Kinematics<T>& k, int body, const Spatial<T>& wrench) {
          Spatial<T>{{}, k.orientation[body] * wrench.angular};
 }
 
-/// Forces that a rod's coupling mass puts on its ends: -m_jk times the acceleration of the other end (theory.md section 5).
+/// Forces that a rod's coupling mass puts on its ends: -m_jk times the acceleration of the other end (theory.md section
+/// 5).
 template <class T>
 void rod_forces(System<T>& system, const Kinematics<T>& k, const Accelerations<T>& a, AppliedForces<T>& forces) {
   const Velocities<T> none;
@@ -30,7 +31,8 @@ void rod_forces(System<T>& system, const Kinematics<T>& k, const Accelerations<T
       const RodConstants<T>& rod = system.constants.rods[loop.rod];
       const auto acceleration = [&](const Place<T>& end) {
         const int carrier = system.layout.frame_of(end.body);
-        return direction_in(system, k, carrier, acceleration_of(system, a, end.body).at(local_position(system, k, end)), block.base);
+        return direction_in(system, k, carrier, acceleration_of(system, a, end.body).at(local_position(system, k, end)),
+                            block.base);
       };
       apply_force(work, rod.from, -rod.coupling * acceleration(rod.to), block.base);
       apply_force(work, rod.to, -rod.coupling * acceleration(rod.from), block.base);
@@ -39,8 +41,8 @@ void rod_forces(System<T>& system, const Kinematics<T>& k, const Accelerations<T
 
 }  // namespace detail
 
-/// Generalised forces of the tree: tau + Rd' (Q - P) for given body accelerations (48), (63). forces: applied, without tau.
-/// Result: per coordinate, N or N m. Cost: linear.
+/// Generalised forces of the tree: tau + Rd' (Q - P) for given body accelerations (48), (63). forces: applied, without
+/// tau. Result: per coordinate, N or N m. Cost: linear.
 template <class T>
 std::vector<T> tree_forces(System<T>& system, const Kinematics<T>& k, const Inertias<T>& m, const Velocities<T>& v,
                            const Accelerations<T>& a, AppliedForces<T> forces, const std::vector<T>& tau) {
@@ -49,7 +51,8 @@ std::vector<T> tree_forces(System<T>& system, const Kinematics<T>& k, const Iner
   std::vector<Spatial<T>> own(n), base(n);
   for (int i = 0; i < n; ++i) {
     system.scribe.place(system.body_name(i));
-    const Spatial<T> inertial = inertial_force(m.body[i], velocity_of(system, v, i).angular, acceleration_of(system, a, i));
+    const Spatial<T> inertial =
+        inertial_force(m.body[i], velocity_of(system, v, i).angular, acceleration_of(system, a, i));
     (system.layout.bodies[i].own_frame ? own[i] : base[i]) = forces.wrench[i] - inertial;
   }
   std::vector<T> result(n);
@@ -68,13 +71,14 @@ std::vector<T> tree_forces(System<T>& system, const Kinematics<T>& k, const Iner
   return result;
 }
 
-/// The projected equations: reduced mass matrix and right-hand side, one row per free direction, parents' directions first.
+/// The projected equations: reduced mass matrix and right-hand side, one row per free direction, parents' directions
+/// first.
 template <class T>
 struct ReducedSystem {
-  std::vector<std::vector<T>> mass;    ///< lower triangle, [row][column <= row]
+  std::vector<std::vector<T>> mass;  ///< lower triangle, [row][column <= row]
   std::vector<T> right_hand_side;
-  std::vector<int> group;              ///< joint group of each direction
-  std::vector<int> first;              ///< per group: index of its first direction
+  std::vector<int> group;  ///< joint group of each direction
+  std::vector<int> first;  ///< per group: index of its first direction
 };
 
 namespace detail {
@@ -83,19 +87,20 @@ namespace detail {
 /// group's diagonal block of the tree mass matrix (49).
 template <class T>
 struct GroupMass {
-  std::vector<Spatial<T>> momentum;          ///< per joint of the group
-  std::vector<std::vector<T>> mass;          ///< symmetric, full
+  std::vector<Spatial<T>> momentum;  ///< per joint of the group
+  std::vector<std::vector<T>> mass;  ///< symmetric, full
 };
 
 /// Adds m_jk (V_j' V_k + V_k' V_j) of one rod (theory.md section 5).
 template <class T>
-void add_rod(const System<T>& system, const Kinematics<T>& k, const std::vector<int>& joints, int base, const RodConstants<T>& rod,
-             GroupMass<T>& group) {
+void add_rod(const System<T>& system, const Kinematics<T>& k, const std::vector<int>& joints, int base,
+             const RodConstants<T>& rod, GroupMass<T>& group) {
   const Vector<T> from = position_in(system, k, rod.from, base), to = position_in(system, k, rod.to, base);
   const std::size_t count = joints.size();
   std::vector<Vector<T>> at_from(count), at_to(count);
   for (std::size_t c = 0; c < count; ++c) {
-    if (on_path(system.topology, rod.from.body, joints[c])) at_from[c] = rod.coupling * velocity_at(k.column[joints[c]], from);
+    if (on_path(system.topology, rod.from.body, joints[c]))
+      at_from[c] = rod.coupling * velocity_at(k.column[joints[c]], from);
     if (on_path(system.topology, rod.to.body, joints[c])) at_to[c] = velocity_at(k.column[joints[c]], to);
   }
   for (std::size_t c = 0; c < count; ++c) {
@@ -134,7 +139,8 @@ template <class T>
 std::vector<T> momentum_below(const System<T>& system, const Kinematics<T>& k, int body, int frame, Spatial<T> wrench) {
   std::vector<T> result(system.topology.bodies.size(), T(0.0));
   for (int j = body; j != kGround; j = system.topology.bodies[j].parent) {
-    for (; frame != system.layout.bodies[j].joint_frame; frame = system.layout.bodies[frame].base) wrench = lowered(k, frame, wrench);
+    for (; frame != system.layout.bodies[j].joint_frame; frame = system.layout.bodies[frame].base)
+      wrench = lowered(k, frame, wrench);
     result[j] = dot(k.column[j], wrench);
   }
   return result;
@@ -149,8 +155,8 @@ T weighted(const std::vector<T>& values, const std::vector<std::vector<T>>& rz, 
 
 }  // namespace detail
 
-/// Rz' M Rz and Rz' (tree forces) (63), group by group: a direction's momentum is summed first, then met with the joints below.
-/// Cost: free directions times depth.
+/// Rz' M Rz and Rz' (tree forces) (63), group by group: a direction's momentum is summed first, then met with the
+/// joints below. Cost: free directions times depth.
 template <class T>
 ReducedSystem<T> reduced_system(System<T>& system, const Kinematics<T>& k, const Inertias<T>& m,
                                 const std::vector<GroupProjection<T>>& projections, const std::vector<T>& tree_force) {
@@ -172,13 +178,15 @@ ReducedSystem<T> reduced_system(System<T>& system, const Kinematics<T>& k, const
         momentum = momentum + rz[c][q] * mass.momentum[c];
         mass_times_rz[c] = detail::weighted(mass.mass[c], rz, q);
       }
-      const std::vector<T> below = detail::momentum_below(system, k, group.base, system.layout.bodies[group.joints[0]].joint_frame, momentum);
+      const std::vector<T> below =
+          detail::momentum_below(system, k, group.base, system.layout.bodies[group.joints[0]].joint_frame, momentum);
       std::vector<T> row(reduced.group.size() + 1, T(0.0));
       for (int h = group.parent; h >= 0; h = topology.groups[h].parent) {
         std::vector<T> part;
         for (int j : topology.groups[h].joints) part.push_back(below[j]);
         const std::size_t directions = projections[h].rz.empty() ? 0 : projections[h].rz[0].size();
-        for (std::size_t d = 0; d < directions; ++d) row[reduced.first[h] + d] = detail::weighted(part, projections[h].rz, d);
+        for (std::size_t d = 0; d < directions; ++d)
+          row[reduced.first[h] + d] = detail::weighted(part, projections[h].rz, d);
       }
       for (std::size_t d = 0; d <= q; ++d) row[reduced.first[g] + d] = detail::weighted(mass_times_rz, rz, d);
       reduced.mass.push_back(std::move(row));
@@ -192,8 +200,9 @@ ReducedSystem<T> reduced_system(System<T>& system, const Kinematics<T>& k, const
 /// Solution of the reduced equations by elimination from the leaves to the root, without fill-in.
 template <class T>
 struct ReducedSolution {
-  std::vector<T> acceleration;   ///< per free direction
-  std::vector<T> inertia;        ///< per free direction: pivot less 1e-12 of its diagonal; not positive where motion has no inertia
+  std::vector<T> acceleration;  ///< per free direction
+  std::vector<T>
+      inertia;  ///< per free direction: pivot less 1e-12 of its diagonal; not positive where motion has no inertia
 };
 
 template <class T>

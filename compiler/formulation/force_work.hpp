@@ -10,14 +10,14 @@ namespace mbgen {
 /// Length, its rate and the tension of an element between two points.
 template <class T>
 struct ElementState {
-  T length{0.0}, rate{0.0}, force{0.0};   ///< m, m/s, N (tension positive)
+  T length{0.0}, rate{0.0}, force{0.0};  ///< m, m/s, N (tension positive)
 };
 
 template <class T>
 struct AppliedForces {
-  std::vector<Spatial<T>> wrench;         ///< per body, about the origin of the frame that carries it
-  std::vector<T> joint;                   ///< per coordinate, N or N m
-  std::vector<T> xd;                      ///< rates of the auxiliary states
+  std::vector<Spatial<T>> wrench;  ///< per body, about the origin of the frame that carries it
+  std::vector<T> joint;            ///< per coordinate, N or N m
+  std::vector<T> xd;               ///< rates of the auxiliary states
   std::vector<ElementState<T>> springs, air_springs;
   std::vector<TyreResult<T>> tyres;
 };
@@ -84,7 +84,8 @@ ElementState<T> line_element(ForceWork<T>& work, const Attachment& from, const A
   const Place<T> a = work.place(from), b = work.place(to);
   const int frame = common_frame(work.system, a.body, b.body);
   const Vector<T> gap = position_in(work.system, work.k, b, frame) - position_in(work.system, work.k, a, frame);
-  const Vector<T> gap_rate = velocity_in(work.system, work.k, work.v, b, frame) - velocity_in(work.system, work.k, work.v, a, frame);
+  const Vector<T> gap_rate =
+      velocity_in(work.system, work.k, work.v, b, frame) - velocity_in(work.system, work.k, work.v, a, frame);
   ElementState<T> state;
   state.length = norm(gap);
   const T reciprocal = T(1.0) / state.length;

@@ -1,6 +1,7 @@
 #pragma once
 // The door of the formulation room: the equations of theory.md, written once over a scalar T. Numbers make the generic
-// runtime, symbols make the emitted programs. T offers + - * / sqrt sin cos ... select; comparisons on symbols do not compile.
+// runtime, symbols make the emitted programs. T offers + - * / sqrt sin cos ... select; comparisons on symbols do not
+// compile.
 
 #include "compiler/formulation/closure.hpp"
 #include "compiler/formulation/constants.hpp"

@@ -9,15 +9,15 @@ namespace mbgen {
 template <class T>
 struct BodyInertia {
   T mass{0.0};
-  Vector<T> com;             ///< in the carrying frame, m
-  Symmetric<T> central;      ///< about com, axes of the carrying frame, kg m^2
+  Vector<T> com;         ///< in the carrying frame, m
+  Symmetric<T> central;  ///< about com, axes of the carrying frame, kg m^2
 };
 
 template <class T>
 struct Inertias {
   std::vector<BodyInertia<T>> body;
-  std::vector<Inertia<T>> own;    ///< own bodies: M^R of all that moves on them in their frame
-  std::vector<Inertia<T>> base;   ///< all bodies: M^R in the base frame
+  std::vector<Inertia<T>> own;   ///< own bodies: M^R of all that moves on them in their frame
+  std::vector<Inertia<T>> base;  ///< all bodies: M^R in the base frame
   /// M^R for joint i, in the joint's frame.
   const Inertia<T>& of_joint(const Layout& layout, int i) const {
     const int frame = layout.bodies[i].joint_frame;
@@ -42,15 +42,18 @@ Inertia<T> about_origin(const BodyInertia<T>& body) {
   return {body.mass, body.mass * body.com, body.central + point_inertia(body.mass, body.com)};
 }
 
-/// What a rod's coupling mass adds to a body that carries both ends: the kinetic energy m_jk v_j . v_k of a common motion.
+/// What a rod's coupling mass adds to a body that carries both ends: the kinetic energy m_jk v_j . v_k of a common
+/// motion.
 template <class T>
 Inertia<T> pair_inertia(const T& coupling, const Vector<T>& a, const Vector<T>& b) {
   const Vector<T> sum = a + b;
-  const Symmetric<T> whole = point_inertia(coupling, sum), first = point_inertia(-coupling, a), second = point_inertia(-coupling, b);
+  const Symmetric<T> whole = point_inertia(coupling, sum), first = point_inertia(-coupling, a),
+                     second = point_inertia(-coupling, b);
   return {coupling + coupling, coupling * sum, whole + (first + second)};
 }
 
-/// Accumulated inertias (step 1). Rod couplings enter at the base of their loop block. Cost: linear. Source: (49), (50).
+/// Accumulated inertias (step 1). Rod couplings enter at the base of their loop block. Cost: linear. Source: (49),
+/// (50).
 template <class T>
 Inertias<T> inertias(System<T>& system, const Kinematics<T>& k) {
   const int n = system.topology.size();

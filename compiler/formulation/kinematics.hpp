@@ -1,11 +1,11 @@
 #pragma once
 // Poses of the bodies and columns b of the joints (theory.md section 1), each in the frame that the layout chose.
 
-#include "compiler/formulation/constants.hpp"
-#include "compiler/formulation/layout.hpp"
-
 #include <algorithm>
 #include <vector>
+
+#include "compiler/formulation/constants.hpp"
+#include "compiler/formulation/layout.hpp"
 
 namespace mbgen {
 
@@ -15,8 +15,8 @@ struct System {
   const Model& model;
   const Topology& topology;
   const Layout& layout;
-  Environment<T> environment;   ///< parameters, inputs, t, z, zd
-  std::vector<T> x;             ///< auxiliary states: tyre deflections u, v
+  Environment<T> environment;  ///< parameters, inputs, t, z, zd
+  std::vector<T> x;            ///< auxiliary states: tyre deflections u, v
   Constants<T> constants;
   Scribe<T>& scribe;
 
@@ -76,15 +76,17 @@ void advance_pose(const System<T>& system, Kinematics<T>& k, int i) {
 template <class T>
 void own_chain(const System<T>& system, Kinematics<T>& k, int end) {
   const int start = system.layout.bodies[end].chain_start;
-  Matrix<T> axes = identity<T>();   // of the joint's child, in the end body's frame
-  Vector<T> place;                  // its origin there
+  Matrix<T> axes = identity<T>();  // of the joint's child, in the end body's frame
+  Vector<T> place;                 // its origin there
   for (int i = end;; i = system.topology.bodies[i].parent) {
     const TreeBody& body = system.topology.bodies[i];
     k.axis[i] = axes * constant<T>(body.axis);
     k.pin[i] = place;
     k.column[i] = joint_column(system.revolute(i), k.axis[i], place);
-    if (system.revolute(i)) axes = axes * transpose(rotation(body.axis, system.z(i)));
-    else place = place - system.z(i) * k.axis[i];
+    if (system.revolute(i))
+      axes = axes * transpose(rotation(body.axis, system.z(i)));
+    else
+      place = place - system.z(i) * k.axis[i];
     if (i == start) break;
     const int p = body.parent;
     place = place + axes * (system.constants.origin[p] - system.constants.origin[i]);
@@ -137,9 +139,11 @@ Vector<T> direction_in(const System<T>& system, const Kinematics<T>& k, int body
 
 /// A direction given in a frame, in the axes of a frame at or above it (an own body reached through bases).
 template <class T>
-Vector<T> direction_up(const System<T>& system, const Kinematics<T>& k, int frame, const Vector<T>& direction, int above) {
+Vector<T> direction_up(const System<T>& system, const Kinematics<T>& k, int frame, const Vector<T>& direction,
+                       int above) {
   if (above == frame) return direction;
-  return transposed_times(k.orientation[above], direction_up(system, k, frame, direction, system.layout.bodies[above].base));
+  return transposed_times(k.orientation[above],
+                          direction_up(system, k, frame, direction, system.layout.bodies[above].base));
 }
 
 /// Deepest frame that carries both bodies.

@@ -57,8 +57,9 @@ bool is_rotor(const Model& model, const Topology& topology, int body) {
   const Joint& joint = model.joints[tree.joint];
   const Attachment& at = tree.reversed ? joint.from : joint.to;
   const Point& pin = part.points[at.point];
-  for (const Quantity& q : part.inertia) if (q.expression >= 0) return false;
-  Vector3 axis{};   // in body axes
+  for (const Quantity& q : part.inertia)
+    if (q.expression >= 0) return false;
+  Vector3 axis{};  // in body axes
   for (int k = 0; k < 3; ++k)
     for (int row = 0; row < 3; ++row) axis[k] += part.pose.rotation[3 * row + k] * tree.axis[row];
   Vector3 offset{};
@@ -73,7 +74,8 @@ bool is_rotor(const Model& model, const Topology& topology, int body) {
                           {part.inertia[3].value, part.inertia[1].value, part.inertia[5].value},
                           {part.inertia[4].value, part.inertia[5].value, part.inertia[2].value}};
   double polar = 0;
-  for (int r = 0; r < 3; ++r) for (int c = 0; c < 3; ++c) polar += axis[r] * j[r][c] * axis[c];
+  for (int r = 0; r < 3; ++r)
+    for (int c = 0; c < 3; ++c) polar += axis[r] * j[r][c] * axis[c];
   const double trace = j[0][0] + j[1][1] + j[2][2], across = (trace - polar) / 2;
   for (int r = 0; r < 3; ++r)
     for (int c = 0; c < 3; ++c) {

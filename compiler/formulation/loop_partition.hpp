@@ -7,17 +7,17 @@ namespace mbgen {
 
 /// One step of the frozen elimination of a block's dependent Jacobian.
 struct Pivot {
-  int equation = 0;        ///< row, local to the block
-  int coordinate = 0;      ///< column, local: index into LoopBlock::joints
-  double reference = 1;    ///< median |pivot| over the sampled configurations; the monitor watches |pivot| / reference
+  int equation = 0;      ///< row, local to the block
+  int coordinate = 0;    ///< column, local: index into LoopBlock::joints
+  double reference = 1;  ///< median |pivot| over the sampled configurations; the monitor watches |pivot| / reference
 };
 
 /// Partition of a block's coordinates (local columns: indices into LoopBlock::joints, ascending).
 struct LoopPartition {
-  std::vector<int> dependent;     ///< as many as the rank
-  std::vector<int> independent;   ///< driven ones left out
-  std::vector<int> driven;        ///< prescribed by motions
-  std::vector<Pivot> pivots;      ///< frozen elimination order, block-triangular then Markowitz
+  std::vector<int> dependent;    ///< as many as the rank
+  std::vector<int> independent;  ///< driven ones left out
+  std::vector<int> driven;       ///< prescribed by motions
+  std::vector<Pivot> pivots;     ///< frozen elimination order, block-triangular then Markowitz
 };
 
 }  // namespace mbgen

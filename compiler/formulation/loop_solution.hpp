@@ -9,8 +9,8 @@ namespace mbgen {
 /// Rz and the particular accelerations of one joint group (61), (62): zd = Rz zd_free, zdd = zdd_star + Rz zdd_free.
 template <class T>
 struct GroupProjection {
-  std::vector<std::vector<T>> rz;   ///< [coordinate of the group][free direction]
-  std::vector<T> zdd_star;          ///< accelerations under zero free accelerations, driven ones prescribed
+  std::vector<std::vector<T>> rz;  ///< [coordinate of the group][free direction]
+  std::vector<T> zdd_star;         ///< accelerations under zero free accelerations, driven ones prescribed
 };
 
 /// LU factors of the dependent Jacobian in the frozen order, and the monitor of its pivots.
@@ -70,8 +70,8 @@ std::vector<T> back_substituted(const FrozenFactors<T>& f, const LoopPartition& 
 /// Solves Phi_d x_d = right_hand_side for the dependent coordinates; right_hand_side per equation of the block.
 /// Result: per coordinate of the block, zero at the others.
 template <class T>
-std::vector<T> solve_frozen(const FrozenFactors<T>& f, const LoopPartition& partition, const std::vector<T>& right_hand_side,
-                            std::size_t coordinates) {
+std::vector<T> solve_frozen(const FrozenFactors<T>& f, const LoopPartition& partition,
+                            const std::vector<T>& right_hand_side, std::size_t coordinates) {
   const std::size_t rank = partition.pivots.size();
   std::vector<T> y;
   for (std::size_t k = 0; k < rank; ++k) {
@@ -83,14 +83,14 @@ std::vector<T> solve_frozen(const FrozenFactors<T>& f, const LoopPartition& part
   return back_substituted(f, partition, y, coordinates);
 }
 
-/// Solves Phi_d' y = right_hand_side (multipliers); right_hand_side per coordinate of the block (dependent entries used).
-/// Result: per equation of the block, zero at redundant ones.
+/// Solves Phi_d' y = right_hand_side (multipliers); right_hand_side per coordinate of the block (dependent entries
+/// used). Result: per equation of the block, zero at redundant ones.
 template <class T>
 std::vector<T> solve_frozen_transposed(const FrozenFactors<T>& f, const LoopPartition& partition,
                                        const std::vector<T>& right_hand_side, std::size_t equations) {
   const std::size_t rank = partition.pivots.size();
   std::vector<T> y(rank, T(0.0));
-  for (std::size_t k = 0; k < rank; ++k) {   // U' y = right_hand_side
+  for (std::size_t k = 0; k < rank; ++k) {  // U' y = right_hand_side
     T value = right_hand_side[partition.pivots[k].coordinate];
     for (std::size_t m = 0; m < k; ++m) {
       const T& upper = f.rows[m][partition.pivots[k].coordinate];
@@ -99,7 +99,7 @@ std::vector<T> solve_frozen_transposed(const FrozenFactors<T>& f, const LoopPart
     y[k] = value * f.reciprocal[k];
   }
   std::vector<T> lambda(equations, T(0.0));
-  for (std::size_t k = rank; k-- > 0;) {     // L' lambda = y
+  for (std::size_t k = rank; k-- > 0;) {  // L' lambda = y
     T value = y[k];
     for (std::size_t m = k + 1; m < rank; ++m)
       if (!is_zero(f.lower[m][k])) value = value - f.lower[m][k] * lambda[partition.pivots[m].equation];
@@ -110,8 +110,8 @@ std::vector<T> solve_frozen_transposed(const FrozenFactors<T>& f, const LoopPart
 
 /// Right-hand side with given coordinates moved over: right_hand_side - Phi_given x_given.
 template <class T>
-std::vector<T> moved_over(const std::vector<std::vector<T>>& jacobian, std::vector<T> right_hand_side, const std::vector<int>& given,
-                          const std::vector<T>& x) {
+std::vector<T> moved_over(const std::vector<std::vector<T>>& jacobian, std::vector<T> right_hand_side,
+                          const std::vector<int>& given, const std::vector<T>& x) {
   for (std::size_t e = 0; e < jacobian.size(); ++e)
     for (int c : given)
       if (!is_zero(jacobian[e][c])) right_hand_side[e] = right_hand_side[e] - jacobian[e][c] * x[c];
@@ -135,12 +135,12 @@ std::vector<std::vector<T>> frozen_rz(const FrozenFactors<T>& factors, const Loo
 
 /// zdd_star of a block by the frozen order: dependent accelerations for zero free and given driven ones (62).
 template <class T>
-std::vector<T> frozen_zdd_star(const FrozenFactors<T>& factors, const LoopPartition& partition, const BlockClosure<T>& closure,
-                               const std::vector<T>& driven_acceleration) {
+std::vector<T> frozen_zdd_star(const FrozenFactors<T>& factors, const LoopPartition& partition,
+                               const BlockClosure<T>& closure, const std::vector<T>& driven_acceleration) {
   const std::size_t coordinates = driven_acceleration.size();
-  std::vector<T> x = solve_frozen(factors, partition,
-                                  moved_over(closure.jacobian, closure.acceleration, partition.driven, driven_acceleration),
-                                  coordinates);
+  std::vector<T> x = solve_frozen(
+      factors, partition, moved_over(closure.jacobian, closure.acceleration, partition.driven, driven_acceleration),
+      coordinates);
   for (int c : partition.driven) x[c] = driven_acceleration[c];
   return x;
 }

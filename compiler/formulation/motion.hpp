@@ -1,6 +1,6 @@
 #pragma once
-// Velocity and acceleration sweeps from the root to the leaves. Accelerations are those of material points (theory.md section 1,
-// material convention) less gravity, so that gravity enters once, at the root, and body frames may move.
+// Velocity and acceleration sweeps from the root to the leaves. Accelerations are those of material points (theory.md
+// section 1, material convention) less gravity, so that gravity enters once, at the root, and body frames may move.
 
 #include "compiler/formulation/kinematics.hpp"
 
@@ -24,7 +24,7 @@ struct Velocities {
 template <class T>
 struct Accelerations {
   std::vector<Acceleration<T>> base, own;
-  Acceleration<T> ground;   ///< -g, global axes
+  Acceleration<T> ground;  ///< -g, global axes
 };
 
 /// A motion seen from another frame: r holds its axes, `place` its origin, both in the old frame.
@@ -34,7 +34,8 @@ Spatial<T> seen_from(const Matrix<T>& r, const Vector<T>& place, const Spatial<T
 }
 
 template <class T>
-Acceleration<T> seen_from(const Matrix<T>& r, const Vector<T>& place, const Acceleration<T>& a, const Vector<T>& velocity) {
+Acceleration<T> seen_from(const Matrix<T>& r, const Vector<T>& place, const Acceleration<T>& a,
+                          const Vector<T>& velocity) {
   const Vector<T> angular = transposed_times(r, a.angular);
   return {transposed_times(r, a.at(place)), angular, acceleration_gradient(velocity, angular)};
 }
@@ -45,10 +46,11 @@ Spatial<T> advanced(const Spatial<T>& parent, const Spatial<T>& column, const T&
   return parent + zd * column;
 }
 
-/// Acceleration of a joint's child from its parent's, same frame (37). velocity: angular velocities of parent and child.
+/// Acceleration of a joint's child from its parent's, same frame (37). velocity: angular velocities of parent and
+/// child.
 template <class T>
-Acceleration<T> advanced(const Acceleration<T>& parent, bool revolute, const Vector<T>& axis, const Vector<T>& pin, const T& zd,
-                         const T& zdd, const Vector<T>& parent_velocity, const Vector<T>& velocity) {
+Acceleration<T> advanced(const Acceleration<T>& parent, bool revolute, const Vector<T>& axis, const Vector<T>& pin,
+                         const T& zd, const T& zdd, const Vector<T>& parent_velocity, const Vector<T>& velocity) {
   Acceleration<T> child = parent;
   if (revolute) {
     child.angular = parent.angular + zdd * axis + cross(parent_velocity, zd * axis);
@@ -101,7 +103,8 @@ Velocities<T> velocities(System<T>& system, const Kinematics<T>& k) {
     v.base[i] = advanced(detail::parent_velocity(system, v, i), k.base_column[i], system.zd(i));
     if (layout.chain_start >= 0) {
       v.own[i] = seen_from(k.orientation[i], k.position[i], detail::parent_velocity(system, v, layout.chain_start));
-      for (int j : detail::chain_of(system.topology, system.layout, i)) v.own[i] = advanced(v.own[i], k.column[j], system.zd(j));
+      for (int j : detail::chain_of(system.topology, system.layout, i))
+        v.own[i] = advanced(v.own[i], k.column[j], system.zd(j));
     } else if (layout.own_frame) {
       v.own[i] = seen_from(k.orientation[i], k.position[i], v.base[i]);
     }
@@ -113,7 +116,8 @@ Velocities<T> velocities(System<T>& system, const Kinematics<T>& k) {
 
 /// Accelerations of all bodies for given joint accelerations (steps 6 and 7). zdd: per coordinate. Cost: linear.
 template <class T>
-Accelerations<T> accelerations(System<T>& system, const Kinematics<T>& k, const Velocities<T>& v, const std::vector<T>& zdd) {
+Accelerations<T> accelerations(System<T>& system, const Kinematics<T>& k, const Velocities<T>& v,
+                               const std::vector<T>& zdd) {
   const int n = system.topology.size();
   Accelerations<T> a;
   a.base.resize(n);
@@ -123,15 +127,17 @@ Accelerations<T> accelerations(System<T>& system, const Kinematics<T>& k, const 
     const BodyLayout& layout = system.layout.bodies[i];
     system.scribe.place(system.body_name(i));
     a.base[i] = advanced(detail::parent_acceleration(system, a, i), system.revolute(i),
-                         system.revolute(i) ? k.base_column[i].angular : k.base_column[i].linear, k.position[i], system.zd(i),
-                         zdd[i], detail::parent_velocity(system, v, i).angular, v.base[i].angular);
+                         system.revolute(i) ? k.base_column[i].angular : k.base_column[i].linear, k.position[i],
+                         system.zd(i), zdd[i], detail::parent_velocity(system, v, i).angular, v.base[i].angular);
     if (layout.chain_start >= 0) {
-      Spatial<T> velocity = seen_from(k.orientation[i], k.position[i], detail::parent_velocity(system, v, layout.chain_start));
+      Spatial<T> velocity =
+          seen_from(k.orientation[i], k.position[i], detail::parent_velocity(system, v, layout.chain_start));
       Acceleration<T> own = seen_from(k.orientation[i], k.position[i],
                                       detail::parent_acceleration(system, a, layout.chain_start), velocity.angular);
       for (int j : detail::chain_of(system.topology, system.layout, i)) {
         const Spatial<T> next = advanced(velocity, k.column[j], system.zd(j));
-        own = advanced(own, system.revolute(j), k.axis[j], k.pin[j], system.zd(j), zdd[j], velocity.angular, next.angular);
+        own = advanced(own, system.revolute(j), k.axis[j], k.pin[j], system.zd(j), zdd[j], velocity.angular,
+                       next.angular);
         velocity = next;
       }
       a.own[i] = own;
@@ -165,7 +171,8 @@ Vector<T> local_position(const System<T>& system, const Kinematics<T>& k, const 
 
 /// Velocity of a place, in the axes of a frame at or below the one that carries it, m/s.
 template <class T>
-Vector<T> velocity_in(const System<T>& system, const Kinematics<T>& k, const Velocities<T>& v, const Place<T>& place, int frame) {
+Vector<T> velocity_in(const System<T>& system, const Kinematics<T>& k, const Velocities<T>& v, const Place<T>& place,
+                      int frame) {
   const int carrier = system.layout.frame_of(place.body);
   const Vector<T> velocity = velocity_at(velocity_of(system, v, place.body), local_position(system, k, place));
   return direction_in(system, k, carrier, velocity, frame);

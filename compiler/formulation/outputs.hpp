@@ -10,15 +10,16 @@ template <class T>
 struct SolvedState {
   const Kinematics<T>& kinematics;
   const Velocities<T>& velocities;
-  const Accelerations<T>& accelerations;   ///< with the true joint accelerations
+  const Accelerations<T>& accelerations;  ///< with the true joint accelerations
   const AppliedForces<T>& forces;
   const std::vector<T>& zdd;
-  const std::vector<T>& drive_forces;      ///< per motion
+  const std::vector<T>& drive_forces;  ///< per motion
 };
 
 template <class T>
 struct Energies {
-  T kinetic{0.0}, potential{0.0}, power{0.0};   ///< J, J (gravity), W of all applied forces, tau and drives but not gravity
+  T kinetic{0.0}, potential{0.0},
+      power{0.0};  ///< J, J (gravity), W of all applied forces, tau and drives but not gravity
 };
 
 namespace detail {
@@ -37,30 +38,39 @@ T point_output(const System<T>& system, const SolvedState<T>& s, const PointOutp
   if (output.what == PointOutput::What::position) {
     global = position_in(system, s.kinematics, place, kGround);
   } else {
-    const Vector<T> in_carrier = output.what == PointOutput::What::velocity
-                                     ? velocity_at(velocity_of(system, s.velocities, place.body), local)
-                                     : acceleration_of(system, s.accelerations, place.body).at(local) +
-                                           direction_up(system, s.kinematics, kGround, system.constants.gravity, carrier);
+    const Vector<T> in_carrier =
+        output.what == PointOutput::What::velocity
+            ? velocity_at(velocity_of(system, s.velocities, place.body), local)
+            : acceleration_of(system, s.accelerations, place.body).at(local) +
+                  direction_up(system, s.kinematics, kGround, system.constants.gravity, carrier);
     if (output.in_body_axes) {
       const Vector<T> tree_axes = direction_up(system, s.kinematics, carrier, in_carrier, place.body);
-      return component(transposed_times(pose_rotation<T>(system.model.bodies[output.point.body].pose), tree_axes), output.axis);
+      return component(transposed_times(pose_rotation<T>(system.model.bodies[output.point.body].pose), tree_axes),
+                       output.axis);
     }
     global = direction_in(system, s.kinematics, carrier, in_carrier, kGround);
   }
   if (!output.in_body_axes) return component(global, output.axis);
   const Vector<T> tree_axes = direction_up(system, s.kinematics, kGround, global, place.body);
-  return component(transposed_times(pose_rotation<T>(system.model.bodies[output.point.body].pose), tree_axes), output.axis);
+  return component(transposed_times(pose_rotation<T>(system.model.bodies[output.point.body].pose), tree_axes),
+                   output.axis);
 }
 
 template <class T>
 T tyre_output(const TyreResult<T>& tyre, TyreOutput::What what) {
   switch (what) {
-    case TyreOutput::What::load: return tyre.load;
-    case TyreOutput::What::longitudinal_force: return tyre.fx;
-    case TyreOutput::What::lateral_force: return tyre.fy;
-    case TyreOutput::What::aligning_moment: return tyre.mz;
-    case TyreOutput::What::longitudinal_slip: return tyre.kappa;
-    case TyreOutput::What::lateral_slip: return tyre.alpha;
+    case TyreOutput::What::load:
+      return tyre.load;
+    case TyreOutput::What::longitudinal_force:
+      return tyre.fx;
+    case TyreOutput::What::lateral_force:
+      return tyre.fy;
+    case TyreOutput::What::aligning_moment:
+      return tyre.mz;
+    case TyreOutput::What::longitudinal_slip:
+      return tyre.kappa;
+    case TyreOutput::What::lateral_slip:
+      return tyre.alpha;
   }
   return T(0.0);
 }
@@ -124,7 +134,8 @@ Energies<T> energies(System<T>& system, const SolvedState<T>& s, const Inertias<
     const Vector<T> from = velocity_in(system, s.kinematics, s.velocities, rod.from, kGround);
     const Vector<T> to = velocity_in(system, s.kinematics, s.velocities, rod.to, kGround);
     twice = twice + T(2.0) * rod.coupling * dot(from, to);
-    const Vector<T> middle = position_in(system, s.kinematics, rod.from, kGround) + position_in(system, s.kinematics, rod.to, kGround);
+    const Vector<T> middle =
+        position_in(system, s.kinematics, rod.from, kGround) + position_in(system, s.kinematics, rod.to, kGround);
     e.potential = e.potential - rod.coupling * dot(c.gravity, middle);
   }
   for (std::size_t g = 0; g < driven.size(); ++g) e.power = e.power + s.drive_forces[g] * system.zd(driven[g]);

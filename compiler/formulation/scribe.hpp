@@ -1,14 +1,24 @@
 #pragma once
 // Titles and names for the values that the formulation makes: nothing for numbers, sections and labels for symbols.
 
-#include "compiler/formulation/vector.hpp"
-
 #include <string>
+
+#include "compiler/formulation/vector.hpp"
 
 namespace mbgen {
 
 /// The nine steps of the paper's tables 1 and 2, in order.
-enum class Step { inertias = 1, jacobian, projection, velocities, forces, closure_bias, accelerations, reduced_system, solution };
+enum class Step {
+  inertias = 1,
+  jacobian,
+  projection,
+  velocities,
+  forces,
+  closure_bias,
+  accelerations,
+  reduced_system,
+  solution
+};
 
 /// Receives step, place and name of the values in the making. This one, for numbers, ignores them.
 template <class T>
@@ -34,7 +44,8 @@ void name(Scribe<T>& scribe, const Matrix<T>& m, const std::string& text) {
   name(scribe, Vector<T>{m.x.z, m.y.z, m.z.z}, text + "_z");
 }
 template <class T>
-void name(Scribe<T>& scribe, const Spatial<T>& s, const std::string& linear, const std::string& angular, const std::string& of) {
+void name(Scribe<T>& scribe, const Spatial<T>& s, const std::string& linear, const std::string& angular,
+          const std::string& of) {
   name(scribe, s.linear, linear + "_" + of);
   name(scribe, s.angular, angular + "_" + of);
 }

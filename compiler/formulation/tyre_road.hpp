@@ -9,19 +9,21 @@ namespace detail {
 /// Contact of a wheel: axes and point in the frame that carries the wheel body.
 template <class T>
 struct RoadContact {
-  Vector<T> forward, left, up;   ///< unit
-  Vector<T> point;               ///< m
+  Vector<T> forward, left, up;  ///< unit
+  Vector<T> point;              ///< m
   TyreContact<T> motion;
 };
 
-/// Spin axis of the wheel in its carrying frame; the joint's own axis where they agree, so that the spin angle drops out.
+/// Spin axis of the wheel in its carrying frame; the joint's own axis where they agree, so that the spin angle drops
+/// out.
 template <class T>
 Vector<T> spin_axis(const ForceWork<T>& work, const Tyre& tyre, int body) {
   const System<T>& system = work.system;
   const Vector3& joint = system.topology.bodies[body].axis;
   const double along = joint[0] * tyre.axis[0] + joint[1] * tyre.axis[1] + joint[2] * tyre.axis[2];
   const int carrier = system.layout.frame_of(body);
-  if (system.revolute(body) && std::abs(std::abs(along) - 1) < 1e-12 && system.layout.bodies[body].joint_frame == carrier)
+  if (system.revolute(body) && std::abs(std::abs(along) - 1) < 1e-12 &&
+      system.layout.bodies[body].joint_frame == carrier)
     return T(along > 0 ? 1.0 : -1.0) * work.k.axis[body];
   return direction_in(system, work.k, body, constant<T>(tyre.axis), carrier);
 }
@@ -42,7 +44,7 @@ RoadContact<T> road_contact(const ForceWork<T>& work, const Tyre& tyre, std::siz
   c.left = cross(up, c.forward);
   const T height = position_in(system, work.k, centre, kGround).z - work.value(tyre.road_height);
   const T loaded_radius = height / cosine;
-  const Vector<T> down = (loaded_radius / cosine) * (sine * axis - up);   // from the centre to the contact point
+  const Vector<T> down = (loaded_radius / cosine) * (sine * axis - up);  // from the centre to the contact point
   const Vector<T> at = local_position(system, work.k, centre);
   c.point = at + down;
   const Spatial<T> velocity = velocity_of(system, work.v, centre.body);
@@ -65,11 +67,18 @@ template <class T>
 TyreResult<T> tyre_result(const ForceWork<T>& work, const Tyre& tyre, const TyreContact<T>& contact) {
   std::vector<T> coefficients;
   for (const Quantity& q : tyre.coefficients) coefficients.push_back(work.value(q));
-  const TyreProperties<T> properties{work.value(tyre.radius), work.value(tyre.stiffness), work.value(tyre.damping),
-                                     work.value(tyre.friction), work.value(tyre.rolling_resistance),
-                                     work.value(tyre.relaxation_x), work.value(tyre.relaxation_y), work.value(tyre.low_speed),
-                                     tyre.side, tyre.count};
-  if (tyre.model == TyreModel::pac2002) return tyre_forces(Pac2002<T>::from_fields(coefficients.data()), properties, contact);
+  const TyreProperties<T> properties{work.value(tyre.radius),
+                                     work.value(tyre.stiffness),
+                                     work.value(tyre.damping),
+                                     work.value(tyre.friction),
+                                     work.value(tyre.rolling_resistance),
+                                     work.value(tyre.relaxation_x),
+                                     work.value(tyre.relaxation_y),
+                                     work.value(tyre.low_speed),
+                                     tyre.side,
+                                     tyre.count};
+  if (tyre.model == TyreModel::pac2002)
+    return tyre_forces(Pac2002<T>::from_fields(coefficients.data()), properties, contact);
   return tyre_forces(Pac89<T>::from_fields(coefficients.data()), properties, contact);
 }
 

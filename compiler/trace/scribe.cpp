@@ -3,16 +3,15 @@
 namespace mbgen {
 
 void Scribe<Expr>::step(Step step) {
-  static const char* const kTitles[] = {
-      "step 1: poses, axes b, accumulated inertias MR (50)",
-      "step 2: closure Jacobian Phi_z and its factors (60)",
-      "step 3: Rz (61)",
-      "step 4: velocities Z (36)",
-      "step 5: applied forces Q (48)",
-      "step 6: c and dRz/dt zd (62)",
-      "step 7: accelerations Zdot and accumulated forces QR - PR (51), (52)",
-      "step 8: Rz' M Rz and right-hand side (63)",
-      "step 9: independent and all accelerations (63), (62)"};
+  static const char* const kTitles[] = {"step 1: poses, axes b, accumulated inertias MR (50)",
+                                        "step 2: closure Jacobian Phi_z and its factors (60)",
+                                        "step 3: Rz (61)",
+                                        "step 4: velocities Z (36)",
+                                        "step 5: applied forces Q (48)",
+                                        "step 6: c and dRz/dt zd (62)",
+                                        "step 7: accelerations Zdot and accumulated forces QR - PR (51), (52)",
+                                        "step 8: Rz' M Rz and right-hand side (63)",
+                                        "step 9: independent and all accelerations (63), (62)"};
   builder.set_section(kTitles[static_cast<int>(step) - 1]);
   builder.set_block("");
 }

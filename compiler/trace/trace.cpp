@@ -1,9 +1,9 @@
 #include "compiler/trace/trace.hpp"
 
+#include <fmt/format.h>
+
 #include "compiler/formulation/formulation.hpp"
 #include "compiler/trace/scribe.hpp"
-
-#include <fmt/format.h>
 
 namespace mbgen {
 namespace {
@@ -12,7 +12,10 @@ namespace {
 class Tracing {
  public:
   Tracing(const std::string& name, const Model& model, const Topology& topology, const Analysis& analysis)
-      : builder(name), scribe{builder}, layout(choose_layout(model, topology)), analysis(analysis),
+      : builder(name),
+        scribe{builder},
+        layout(choose_layout(model, topology)),
+        analysis(analysis),
         system{model, topology, layout, environment(model, topology), {}, {}, scribe} {
     scribe.step(Step::inertias);
     for (int i = 0; i < auxiliary_state_count(model); ++i) system.x.push_back(input("x", i));
@@ -26,7 +29,9 @@ class Tracing {
     for (int i = 0; i < count; ++i) values.push_back(input(group, i));
     return values;
   }
-  void output(const std::string& group, int index, const Expr& value) { builder.output(group, index, value.value(builder)); }
+  void output(const std::string& group, int index, const Expr& value) {
+    builder.output(group, index, value.value(builder));
+  }
   void outputs(const std::string& group, const std::vector<Expr>& values) {
     for (std::size_t i = 0; i < values.size(); ++i) output(group, static_cast<int>(i), values[i]);
   }
@@ -53,7 +58,8 @@ class Tracing {
     Environment<Expr> e;
     e.topology = &topology;
     int tunable = 0;
-    for (const Parameter& p : model.parameters) e.parameters.push_back(p.tunable ? input("par", tunable++) : Expr(p.value));
+    for (const Parameter& p : model.parameters)
+      e.parameters.push_back(p.tunable ? input("par", tunable++) : Expr(p.value));
     e.inputs = inputs("in", static_cast<int>(model.inputs.size()));
     e.t = input("t", 0);
     e.z = inputs("z", topology.size());
@@ -90,11 +96,13 @@ FrozenBlocks frozen_jacobians(Tracing& tracing, const Kinematics<Expr>& k) {
   tracing.scribe.step(Step::projection);
   for (std::size_t b = 0; b < system.topology.blocks.size(); ++b) {
     tracing.scribe.place(fmt::format("loop block {}", b));
-    blocks.rz.push_back(frozen_rz(blocks.factors[b], tracing.analysis.blocks[b], system.topology.blocks[b].joints.size()));
+    blocks.rz.push_back(
+        frozen_rz(blocks.factors[b], tracing.analysis.blocks[b], system.topology.blocks[b].joints.size()));
     for (std::size_t c = 0; c < blocks.rz[b].size(); ++c)
       for (std::size_t q = 0; q < blocks.rz[b][c].size(); ++q)
-        tracing.scribe.name(blocks.rz[b][c][q],
-                            fmt::format("Rz_{}_{}", system.topology.bodies[system.topology.blocks[b].joints[c]].coordinate, q));
+        tracing.scribe.name(
+            blocks.rz[b][c][q],
+            fmt::format("Rz_{}_{}", system.topology.bodies[system.topology.blocks[b].joints[c]].coordinate, q));
   }
   return blocks;
 }
@@ -147,8 +155,9 @@ Program trace_accelerations(const Model& model, const Topology& topology, const 
   frozen_bias(tracing, k, blocks);
   std::vector<GroupProjection<Expr>> projections;
   for (const JointGroup& group : topology.groups)
-    projections.push_back(group.block < 0 ? single_projection(tracing, group.joints[0])
-                                          : GroupProjection<Expr>{blocks.rz[group.block], blocks.zdd_star[group.block]});
+    projections.push_back(group.block < 0
+                              ? single_projection(tracing, group.joints[0])
+                              : GroupProjection<Expr>{blocks.rz[group.block], blocks.zdd_star[group.block]});
   trace_solution(tracing, k, m, v, forces, projections);
   for (std::size_t b = 0; b < topology.blocks.size(); ++b)
     if (analysis.blocks[b].rank > 0) tracing.output("pivot", static_cast<int>(b), blocks.factors[b].quality);
@@ -211,9 +220,10 @@ Program trace_closure(const Model& model, const Topology& topology, const Analys
     }
     std::vector<int> known = partition.independent;
     known.insert(known.end(), partition.driven.begin(), partition.driven.end());
-    const auto correction =
-        solve_frozen(factors, partition, moved_over(closed.jacobian, open, partition.driven, known_z), block.joints.size());
-    const auto velocity = solve_frozen(factors, partition, moved_over(closed.jacobian, still, known, known_zd), block.joints.size());
+    const auto correction = solve_frozen(
+        factors, partition, moved_over(closed.jacobian, open, partition.driven, known_z), block.joints.size());
+    const auto velocity =
+        solve_frozen(factors, partition, moved_over(closed.jacobian, still, known, known_zd), block.joints.size());
     for (int c : partition.dependent) {
       dz[block.joints[c]] = correction[c];
       zd[block.joints[c]] = velocity[c];
@@ -259,7 +269,7 @@ struct Reactions {
 Reactions reactions(Tracing& tracing, const Kinematics<Expr>& k, const std::vector<Expr>& residual_force) {
   System<Expr>& system = tracing.system;
   Reactions r;
-  std::vector<Expr> force = residual_force;   // tree forces less Phi_z' lambda
+  std::vector<Expr> force = residual_force;  // tree forces less Phi_z' lambda
   const RelativeMotion<Expr> rest = at_rest<Expr>(system.topology);
   for (std::size_t b = 0; b < system.topology.blocks.size(); ++b) {
     const LoopBlock& block = system.topology.blocks[b];
@@ -268,11 +278,10 @@ Reactions reactions(Tracing& tracing, const Kinematics<Expr>& k, const std::vect
     std::vector<Expr> right_hand_side;
     for (int j : block.joints) right_hand_side.push_back(residual_force[j]);
     const std::vector<Expr> lambda =
-        solve_frozen_transposed(factorise_frozen(closed.jacobian, tracing.analysis.blocks[b]), tracing.analysis.blocks[b],
-                                right_hand_side, closed.residual.size());
+        solve_frozen_transposed(factorise_frozen(closed.jacobian, tracing.analysis.blocks[b]),
+                                tracing.analysis.blocks[b], right_hand_side, closed.residual.size());
     for (std::size_t e = 0; e < lambda.size(); ++e)
-      for (std::size_t c = 0; c < block.joints.size(); ++c)
-        force[block.joints[c]] -= closed.jacobian[e][c] * lambda[e];
+      for (std::size_t c = 0; c < block.joints.size(); ++c) force[block.joints[c]] -= closed.jacobian[e][c] * lambda[e];
     r.lambda.insert(r.lambda.end(), lambda.begin(), lambda.end());
   }
   for (const Drive<Expr>& d : tracing.drive) r.drive.push_back(-force[d.coordinate]);
@@ -345,7 +354,8 @@ Programs trace(const Model& model, const Topology& topology, const Analysis& ana
   }
   programs.multipliers = trace_solved("multipliers", model, topology, analysis);
   programs.outputs = trace_solved("outputs", model, topology, analysis);
-  for (int i : free_coordinates(topology, analysis)) programs.free_direction_coordinate.push_back(topology.bodies[i].coordinate);
+  for (int i : free_coordinates(topology, analysis))
+    programs.free_direction_coordinate.push_back(topology.bodies[i].coordinate);
   int equation = 0;
   for (std::size_t b = 0; b < topology.blocks.size(); ++b) {
     programs.free_directions_of_block.push_back(static_cast<int>(analysis.blocks[b].independent.size()));

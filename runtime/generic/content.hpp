@@ -1,11 +1,11 @@
 #pragma once
 // What a generic solver holds, and the formulation's view of one state.
 
+#include <utility>
+
 #include "compiler/formulation/formulation.hpp"
 #include "runtime/generic/generic.hpp"
 #include "runtime/generic/maggi.hpp"
-
-#include <utility>
 
 namespace mbgen {
 
@@ -26,7 +26,8 @@ struct GenericSolver::Content {
   Environment<double> constants_environment;
   Constants<double> constants;
 
-  Content(const Model& m, const Topology& t, const Analysis& a) : model(m), topology(t), analysis(a), layout(choose_layout(m, t)) {
+  Content(const Model& m, const Topology& t, const Analysis& a)
+      : model(m), topology(t), analysis(a), layout(choose_layout(m, t)) {
     for (const Input& input : model.inputs) inputs.push_back(input.default_value);
     for (const Parameter& parameter : model.parameters) parameters.push_back(parameter.value);
     refresh();
@@ -65,7 +66,8 @@ struct GenericSolver::Content {
   }
 
   /// Rz and zdd_star of every group at this state.
-  Status projections(const System<double>& system, const Prepared& p, std::vector<GroupProjection<double>>& result) const {
+  Status projections(const System<double>& system, const Prepared& p,
+                     std::vector<GroupProjection<double>>& result) const {
     const std::vector<Drive<double>> drive = drives(system);
     const auto acceleration = [&](int joint) {
       for (const Drive<double>& d : drive)
@@ -105,7 +107,8 @@ struct GenericSolver::Content {
       for (int j : joints) right_hand_side.push_back(residual[j]);
       lambda.push_back(factors(b, p.closures[b]).multipliers(right_hand_side));
       for (std::size_t e = 0; e < lambda[b].size(); ++e)
-        for (std::size_t c = 0; c < joints.size(); ++c) residual[joints[c]] -= p.closures[b].jacobian[e][c] * lambda[b][e];
+        for (std::size_t c = 0; c < joints.size(); ++c)
+          residual[joints[c]] -= p.closures[b].jacobian[e][c] * lambda[b][e];
     }
     return lambda;
   }

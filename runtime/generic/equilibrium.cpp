@@ -1,23 +1,23 @@
-#include "runtime/generic/content.hpp"
-
 #include <algorithm>
 #include <cmath>
+
+#include "runtime/generic/content.hpp"
 
 namespace mbgen {
 namespace {
 
 constexpr int kMostSteps = 100;
-constexpr double kLongestStep = 0.05;   // rad or m per step and coordinate
-constexpr double kDifference = 1e-6;    // rad or m, for the stiffness by central differences
-constexpr double kIndifferent = 1e-7;   // stiffness below this share of the largest leaves a direction where it is
-constexpr double kSettled = 1e-11;      // rad or m: Newton steps below it end the search
-constexpr double kSlipReach = 1e-3;     // m: a slip deflection of this size counts as much as a unit of a coordinate
+constexpr double kLongestStep = 0.05;  // rad or m per step and coordinate
+constexpr double kDifference = 1e-6;   // rad or m, for the stiffness by central differences
+constexpr double kIndifferent = 1e-7;  // stiffness below this share of the largest leaves a direction where it is
+constexpr double kSettled = 1e-11;     // rad or m: Newton steps below it end the search
+constexpr double kSlipReach = 1e-3;    // m: a slip deflection of this size counts as much as a unit of a coordinate
 
 /// Static forces of the free directions at a position that satisfies the closures; frozen partition.
 struct Balance {
-  Eigen::VectorXd force;     ///< Rz' (tree forces at rest)
-  Eigen::VectorXd inertia;   ///< diagonal of Rz' M Rz
-  Eigen::MatrixXd rz;        ///< coordinates x free directions
+  Eigen::VectorXd force;    ///< Rz' (tree forces at rest)
+  Eigen::VectorXd inertia;  ///< diagonal of Rz' M Rz
+  Eigen::MatrixXd rz;       ///< coordinates x free directions
 };
 
 Eigen::MatrixXd dense_rz(const Topology& topology, const std::vector<GroupProjection<double>>& projections) {
@@ -64,7 +64,8 @@ Balance balance(const Content& content, const GenericState& state) {
 }
 
 /// The state moved along the unknowns (free directions, then slip deflections) and closed again.
-Status moved(const GenericSolver& solver, const GenericState& state, const Balance& b, const Eigen::VectorXd& change, GenericState& result) {
+Status moved(const GenericSolver& solver, const GenericState& state, const Balance& b, const Eigen::VectorXd& change,
+             GenericState& result) {
   result = state;
   const Eigen::VectorXd dz = b.rz * change.head(b.rz.cols());
   for (std::size_t i = 0; i < result.z.size(); ++i) result.z[i] += dz[static_cast<Eigen::Index>(i)];
@@ -77,7 +78,7 @@ Status moved(const GenericSolver& solver, const GenericState& state, const Balan
 Status GenericSolver::equilibrium(GenericState& state) const {
   GenericState trial = state;
   std::fill(trial.zd.begin(), trial.zd.end(), 0.0);
-  const auto settle = [&](GenericState& s) {   // motions give their driven coordinates a velocity: at rest it is zero
+  const auto settle = [&](GenericState& s) {  // motions give their driven coordinates a velocity: at rest it is zero
     const Status status = project(s);
     std::fill(s.zd.begin(), s.zd.end(), 0.0);
     return status;

@@ -1,19 +1,19 @@
 #include "runtime/generic/generic.hpp"
 
-#include "runtime/generic/content.hpp"
-
 #include <algorithm>
+
+#include "runtime/generic/content.hpp"
 
 namespace mbgen {
 
 namespace {
 
 constexpr int kMostNewtonSteps = 20;
-constexpr double kLongestNewtonStep = 0.3;   // rad or m; a longer one leaves the basin
+constexpr double kLongestNewtonStep = 0.3;  // rad or m; a longer one leaves the basin
 
 double largest(const std::vector<double>& values) {
   double result = 0;
-  for (double v : values) result = std::abs(v) <= result ? result : std::abs(v);   // NaN stays
+  for (double v : values) result = std::abs(v) <= result ? result : std::abs(v);  // NaN stays
   return result;
 }
 
@@ -46,7 +46,8 @@ void GenericSolver::set_parameters(const std::vector<double>& tunable_parameters
   content_->refresh();
 }
 
-Status GenericSolver::accelerations(const GenericState& state, const std::vector<double>& tau, GenericDerivative& derivative) const {
+Status GenericSolver::accelerations(const GenericState& state, const std::vector<double>& tau,
+                                    GenericDerivative& derivative) const {
   for (const std::vector<double>* values : {&state.z, &state.zd, &tau})
     if (const int i = first_not_finite(*values); i >= 0) return {Code::not_a_number, i};
   if (!finite(state.x) || !std::isfinite(state.t)) return {Code::not_a_number, -1};
@@ -63,7 +64,8 @@ Status GenericSolver::accelerations(const GenericState& state, const std::vector
   const Accelerations<double> a = mbgen::accelerations(system, p.kinematics, p.velocities, zdd_star);
   const std::vector<double> q = tree_forces(system, p.kinematics, m, p.velocities, a, forces, tau);
   int singular = -1;
-  derivative.zdd = solve_maggi(tree_mass_matrix(system, p.kinematics, m), q, zdd_star, content_->topology, projections, singular);
+  derivative.zdd =
+      solve_maggi(tree_mass_matrix(system, p.kinematics, m), q, zdd_star, content_->topology, projections, singular);
   if (singular >= 0) return {Code::no_inertia, singular};
   derivative.xd = forces.xd;
   if (const int i = first_not_finite(derivative.zdd); i >= 0) return {Code::not_a_number, i};

@@ -1,13 +1,13 @@
 #pragma once
 // The generic runtime: double-step Maggi for any model without generating code, theory.md sections 1 to 5 on Eigen.
 
+#include <memory>
+#include <vector>
+
 #include "compiler/analysis/analysis.hpp"
 #include "compiler/model/model.hpp"
 #include "compiler/topology/topology.hpp"
 #include "mbgen/status.hpp"
-
-#include <memory>
-#include <vector>
 
 namespace mbgen {
 
@@ -44,11 +44,13 @@ class GenericSolver {
   /// Fails: loop_not_closed, loop_singular; the state is then unchanged.
   Status project(GenericState& state) const;
   /// Lagrange multipliers in the order of Topology::loops, given accelerations.
-  std::vector<double> multipliers(const GenericState& state, const std::vector<double>& tau, const GenericDerivative& derivative) const;
+  std::vector<double> multipliers(const GenericState& state, const std::vector<double>& tau,
+                                  const GenericDerivative& derivative) const;
   /// Closure residuals in the order of Topology::loops (positions), and Phi_z zd - ct (velocities).
   std::vector<double> position_residuals(const GenericState& state) const;
   std::vector<double> velocity_residuals(const GenericState& state) const;
-  GenericOutputs outputs(const GenericState& state, const std::vector<double>& tau, const GenericDerivative& derivative) const;
+  GenericOutputs outputs(const GenericState& state, const std::vector<double>& tau,
+                         const GenericDerivative& derivative) const;
   /// Static equilibrium with the driven coordinates at their motions: zero velocities, closures satisfied, generalised
   /// forces of the free directions zero (least change of position where they are indifferent).
   Status equilibrium(GenericState& state) const;

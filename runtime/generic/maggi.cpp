@@ -5,12 +5,13 @@
 namespace mbgen {
 namespace {
 
-constexpr double kRankTolerance = 1e-10;   // relative to the first pivot
-constexpr double kNoInertia = 1e-12;       // pivot over diagonal of the reduced mass matrix
+constexpr double kRankTolerance = 1e-10;  // relative to the first pivot
+constexpr double kNoInertia = 1e-12;      // pivot over diagonal of the reduced mass matrix
 
 }  // namespace
 
-BlockFactors::BlockFactors(const std::vector<std::vector<double>>& jacobian, const std::vector<int>& driven, int rank_limit) {
+BlockFactors::BlockFactors(const std::vector<std::vector<double>>& jacobian, const std::vector<int>& driven,
+                           int rank_limit) {
   const auto equations = static_cast<Eigen::Index>(jacobian.size());
   const auto coordinates = static_cast<Eigen::Index>(jacobian.empty() ? 0 : jacobian[0].size());
   jacobian_.resize(equations, coordinates);
@@ -26,7 +27,8 @@ BlockFactors::BlockFactors(const std::vector<std::vector<double>>& jacobian, con
   rank_ = std::min<int>(rank_limit, candidates.size() == 0 ? 0 : static_cast<int>(all.rank()));
   std::vector<bool> is_dependent(coordinates, false);
   std::vector<int> row_at(equations);
-  for (Eigen::Index e = 0; e < equations && candidates.size() > 0; ++e) row_at[all.permutationP().indices()[e]] = static_cast<int>(e);
+  for (Eigen::Index e = 0; e < equations && candidates.size() > 0; ++e)
+    row_at[all.permutationP().indices()[e]] = static_cast<int>(e);
   for (int k = 0; k < rank_; ++k) {
     rows_.push_back(row_at[k]);
     dependent_columns_.push_back(movable[all.permutationQ().indices()[k]]);
@@ -72,7 +74,8 @@ std::vector<double> BlockFactors::multipliers(const std::vector<double>& right_h
   return lambda;
 }
 
-Eigen::MatrixXd tree_mass_matrix(System<double>& system, const Kinematics<double>& kinematics, const Inertias<double>& inertias) {
+Eigen::MatrixXd tree_mass_matrix(System<double>& system, const Kinematics<double>& kinematics,
+                                 const Inertias<double>& inertias) {
   const int n = system.topology.size();
   Eigen::MatrixXd mass = Eigen::MatrixXd::Zero(n, n);
   for (const JointGroup& group : system.topology.groups) {
@@ -81,7 +84,8 @@ Eigen::MatrixXd tree_mass_matrix(System<double>& system, const Kinematics<double
     for (std::size_t c = 0; c < group.joints.size(); ++c) {
       const int i = group.joints[c];
       for (std::size_t d = 0; d < group.joints.size(); ++d) mass(i, group.joints[d]) = block.mass[c][d];
-      const std::vector<double> below = detail::momentum_below(system, kinematics, group.base, frame, block.momentum[c]);
+      const std::vector<double> below =
+          detail::momentum_below(system, kinematics, group.base, frame, block.momentum[c]);
       for (int j = 0; j < n; ++j)
         if (below[j] != 0) mass(i, j) = mass(j, i) = below[j];
     }
@@ -89,17 +93,20 @@ Eigen::MatrixXd tree_mass_matrix(System<double>& system, const Kinematics<double
   return mass;
 }
 
-std::vector<double> solve_maggi(const Eigen::MatrixXd& mass, const std::vector<double>& q, const std::vector<double>& zdd_star,
-                                const Topology& topology, const std::vector<GroupProjection<double>>& projections, int& singular) {
+std::vector<double> solve_maggi(const Eigen::MatrixXd& mass, const std::vector<double>& q,
+                                const std::vector<double>& zdd_star, const Topology& topology,
+                                const std::vector<GroupProjection<double>>& projections, int& singular) {
   const Eigen::Index n = mass.rows();
   Eigen::Index free = 0;
-  for (const GroupProjection<double>& p : projections) free += p.rz.empty() ? 0 : static_cast<Eigen::Index>(p.rz[0].size());
+  for (const GroupProjection<double>& p : projections)
+    free += p.rz.empty() ? 0 : static_cast<Eigen::Index>(p.rz[0].size());
   Eigen::MatrixXd rz = Eigen::MatrixXd::Zero(n, free);
   Eigen::Index first = 0;
   for (std::size_t g = 0; g < projections.size(); ++g) {
     const std::vector<int>& joints = topology.groups[g].joints;
     for (std::size_t c = 0; c < joints.size(); ++c)
-      for (std::size_t d = 0; d < projections[g].rz[c].size(); ++d) rz(joints[c], first + static_cast<Eigen::Index>(d)) = projections[g].rz[c][d];
+      for (std::size_t d = 0; d < projections[g].rz[c].size(); ++d)
+        rz(joints[c], first + static_cast<Eigen::Index>(d)) = projections[g].rz[c][d];
     first += static_cast<Eigen::Index>(projections[g].rz[0].size());
   }
   const Eigen::MatrixXd reduced = rz.transpose() * mass * rz;

@@ -1,11 +1,10 @@
 #pragma once
 // Dense linear algebra of the generic runtime: the paper's double-step Maggi solution on Eigen, nothing specialised.
 
-#include "compiler/formulation/formulation.hpp"
-
 #include <Eigen/Dense>
-
 #include <vector>
+
+#include "compiler/formulation/formulation.hpp"
 
 namespace mbgen {
 
@@ -17,7 +16,8 @@ class BlockFactors {
   int rank() const { return rank_; }
   /// Fills the dependent entries of x, the others given: Phi_d x_d = right_hand_side - Phi_i x_i.
   void solve(const std::vector<double>& right_hand_side, std::vector<double>& x) const;
-  /// Rz (61): [column][free direction], free directions in ascending order of the columns that are neither dependent nor driven.
+  /// Rz (61): [column][free direction], free directions in ascending order of the columns that are neither dependent
+  /// nor driven.
   std::vector<std::vector<double>> rz() const;
   /// lambda of Phi_d' lambda = right_hand_side_d, per equation, zero at equations without a pivot.
   std::vector<double> multipliers(const std::vector<double>& right_hand_side) const;
@@ -30,11 +30,13 @@ class BlockFactors {
 };
 
 /// Dense mass matrix of the opened tree (49), rods' couplings included.
-Eigen::MatrixXd tree_mass_matrix(System<double>& system, const Kinematics<double>& kinematics, const Inertias<double>& inertias);
+Eigen::MatrixXd tree_mass_matrix(System<double>& system, const Kinematics<double>& kinematics,
+                                 const Inertias<double>& inertias);
 
 /// Solves Rz' M Rz zdd_free = Rz' q and returns zdd = zdd_star + Rz zdd_free (63), (62).
 /// q: tree forces under zdd_star. singular: coordinate whose direction has no inertia, else unchanged.
-std::vector<double> solve_maggi(const Eigen::MatrixXd& mass, const std::vector<double>& q, const std::vector<double>& zdd_star,
-                                const Topology& topology, const std::vector<GroupProjection<double>>& projections, int& singular);
+std::vector<double> solve_maggi(const Eigen::MatrixXd& mass, const std::vector<double>& q,
+                                const std::vector<double>& zdd_star, const Topology& topology,
+                                const std::vector<GroupProjection<double>>& projections, int& singular);
 
 }  // namespace mbgen

@@ -1,5 +1,5 @@
 #pragma once
-// Scalar force laws over a scalar T: springs and dampers, air springs, joint friction.
+// Scalar force laws over a scalar T: air springs and joint friction. Springs and dampers are linear or tables (table.hpp).
 
 #include "mbgen/scalar.hpp"
 
@@ -9,20 +9,6 @@ namespace mbgen {
 inline constexpr double kLeastFrictionVelocity = 1e-9;
 /// Least volume of an air spring over its reference volume: beyond it the pressure stays.
 inline constexpr double kLeastVolume = 1e-3;
-
-/// Force of a linear spring and damper with preload, N (N m), tension positive.
-/// stiffness: N/m (N m/rad); damping: N s/m (N m s/rad); preload: N (N m); extension: m (rad), length less free length;
-/// rate: m/s (rad/s). Source: Hooke's law and Newton's law of viscosity.
-template <class T>
-T spring_damper_force(const T& stiffness, const T& damping, const T& preload, const T& extension, const T& rate) {
-  return preload + stiffness * extension + damping * rate;
-}
-
-/// The same with any laws: spring and damper are callables T -> T, the force over extension and over rate.
-template <class T, class Spring, class Damper>
-T spring_damper_law(const Spring& spring, const Damper& damper, const T& preload, const T& extension, const T& rate) {
-  return preload + spring(extension) + damper(rate);
-}
 
 /// Force of an air spring, N, positive when it pushes its ends apart: (p - ambient) area, p V^exponent constant.
 /// pressure: Pa absolute, at reference_volume; ambient: Pa absolute; exponent: 1 isothermal to 1.4 adiabatic for air;
