@@ -234,7 +234,9 @@ Result<Topology> build_topology(const Model& model) {
   Diagnostics problems;
   find_loops(topology, model, *tree, problems);
   if (topology.bodies.empty() && problems.empty()) {
-    problems.push_back({{model.file, 0, 0, ""}, "the model has no joint that moves a body", "add a body and a joint", ""});
+    Where whole_file;
+    whole_file.file = model.file;
+    problems.push_back({whole_file, "the model has no joint that moves a body", "add a body and a joint", ""});
   }
   if (!problems.empty()) return problems;
   mark_massless(topology, model);

@@ -153,7 +153,7 @@ int TreeSearch::weight(const JointSet& joints) const {
   return coordinates;
 }
 
-// Cutting `kept` instead reroutes every other loop through `kept` along the rest of this cycle: their symmetric difference.
+// Cutting `kept` instead sends every other loop through it along the rest of this cycle: their symmetric difference.
 bool TreeSearch::try_exchange(std::vector<Cycle>& cycles, std::size_t cut, int kept) {
   JointSet cycle = cycles[cut].path;
   cycle.insert(std::lower_bound(cycle.begin(), cycle.end(), cycles[cut].joint), cycles[cut].joint);
@@ -214,7 +214,8 @@ void TreeSearch::check_reach(Diagnostics& problems) const {
     }
     std::string hint = cut_joint.empty() ? "add a joint, for example of type free from ground"
                                          : "joint " + cut_joint + " is marked \"cut\": true and holds no body";
-    if (island.size() > 1) hint += "; " + std::to_string(island.size() - 1) + " more bodies hang on it";
+    const std::size_t more = island.size() - 1;
+    if (more > 0) hint += "; " + std::to_string(more) + (more == 1 ? " more body" : " more bodies") + " on its island";
     const Body& first = model_.bodies[body];
     problems.push_back({first.where, "body " + first.name + " has no path to ground", hint, ""});
   }
@@ -254,11 +255,11 @@ std::string TreeSearch::reason(int joint) const {
     cheaper_kept |= equations(other) < equations(joint);
     equal_kept |= hold_[other] == Hold::none && equations(other) == equations(joint);
   }
-  const std::string count = std::to_string(equations(joint)) + (equations(joint) == 1 ? " equation" : " equations");
-  if (cheaper_kept) return "fewest equations (" + count + ") of the joints that need not stay in the tree";
-  if (!equal_kept) return "fewest equations (" + count + ") in its loop";
-  if (exchanged_[joint]) return "fewest equations (" + count + "), then shortest loops";
-  return "fewest equations (" + count + "), then farthest from ground and last in the file";
+  const std::string fewest = "fewest equations (" + std::to_string(equations(joint)) + ")";
+  if (cheaper_kept) return fewest + " of the joints that need not stay in the tree";
+  if (!equal_kept) return fewest + " in its loop";
+  if (exchanged_[joint]) return fewest + ", then shortest loops";
+  return fewest + ", then farthest from ground, then last in the file";
 }
 
 SpanningTree TreeSearch::result() const {

@@ -16,11 +16,11 @@ struct SpanningTree {
   std::vector<std::string> cut_reason;   ///< per model joint, empty in the tree
 };
 
-/// Chooses the tree by rank: joints marked "cut": false, joints whose coordinates are used, then those whose cutting costs
-/// most equations; of equals the nearest to ground, then the first in the file. Equals are then exchanged while the loops
-/// get shorter, counted in coordinates over all loops.
-/// Fails: a body with no path to ground, marked joints that form a cycle, a used coordinate of a joint that had to be cut.
-/// Cost: joints * log(joints), and for the exchange loops * loop length per improvement.
+/// Chooses the tree by rank: joints marked "cut": false, joints whose coordinates are used, then those whose cutting
+/// costs most equations; of equals the nearest to ground, then the first in the file. Equals are then exchanged while
+/// the loops get shorter, counted in coordinates over all loops.
+/// Fails: a body with no path to ground, marked joints that form a cycle, a used coordinate of a joint that is cut.
+/// Cost: joints * log(joints), and for the exchange the square of the loops' total length per improvement.
 Result<SpanningTree> choose_spanning_tree(const Model& model);
 
 }  // namespace mbgen

@@ -20,8 +20,8 @@ struct TreeBody {
   int joint = -1;               ///< index into Model::joints
   int component = 0;            ///< index into Joint::freedoms
   FreedomKind kind = FreedomKind::revolute;
-  Vector3 axis{0, 0, 1};        ///< unit, global axes at the reference; the motion of this body relative to its parent for a positive coordinate
-  bool reversed = false;        ///< the tree runs from `to` to `from`: axis already has the sign, the joint's point is that of `from` or `to` alike
+  Vector3 axis{0, 0, 1};        ///< unit, global axes at the reference: this body's motion for a positive coordinate
+  bool reversed = false;        ///< the tree runs from `to` to `from`: order and axis are turned round already
   bool massless = false;        ///< mass and inertia exactly zero, not tunable, and no rod end with mass on it
 };
 
