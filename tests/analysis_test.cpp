@@ -3,6 +3,10 @@
 #include "compiler/analysis/partition.hpp"
 #include "tests/mechanism_support.hpp"
 
+#include <cstdlib>
+#include <fstream>
+#include <iterator>
+
 namespace mbgen {
 namespace {
 
@@ -107,6 +111,26 @@ TEST(Analysis, AFreeDirectionWithoutInertiaIsNamed) {
   const Diagnostics problems = problems_of(m.model);
   ASSERT_EQ(problems.size(), 2u);
   for (const Diagnostic& problem : problems) EXPECT_NE(problem.message.find("moves no inertia"), std::string::npos);
+}
+
+/// Every bad model of tests/errors/analysis is refused with exactly the text beside it; MBGEN_UPDATE=1 rewrites the texts.
+TEST(Analysis, RefusesBadModelsWithExactMessages) {
+  int cases = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(source_path("tests/errors/analysis"))) {
+    if (entry.path().extension() != ".json") continue;
+    std::ifstream file(entry.path());
+    const std::string text{std::istreambuf_iterator<char>(file), {}};
+    const Result<Model> model = read_model(text, entry.path().filename().string());
+    ASSERT_TRUE(model) << to_text(model.problems());
+    const std::string actual = to_text(problems_of(*model));
+    std::filesystem::path expected_path = entry.path();
+    expected_path.replace_extension(".txt");
+    if (std::getenv("MBGEN_UPDATE")) std::ofstream(expected_path) << actual;
+    std::ifstream expected_file(expected_path);
+    EXPECT_EQ(actual, std::string(std::istreambuf_iterator<char>(expected_file), {})) << entry.path();
+    ++cases;
+  }
+  EXPECT_GE(cases, 4);
 }
 
 TEST(BlockTriangularForm, SplitsAnUpperTriangularPattern) {

@@ -1,13 +1,11 @@
 // Published problems integrated by the generic runtime.
 
-#include "tests/mechanism_support.hpp"
-
-#include "mbgen/integrators.hpp"
-
-#include <nlohmann/json.hpp>
-
 #include <cstdio>
 #include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "mbgen/integrators.hpp"
+#include "tests/mechanism_support.hpp"
 
 namespace mbgen {
 namespace {
@@ -20,7 +18,9 @@ struct Dynamics {
   using Derivative = GenericDerivative;
   const GenericSolver& solver;
   std::vector<double> tau;
-  Status derivative(const State& state, Derivative& result) const noexcept { return solver.accelerations(state, tau, result); }
+  Status derivative(const State& state, Derivative& result) const noexcept {
+    return solver.accelerations(state, tau, result);
+  }
   Status project(State& state) const noexcept { return solver.project(state); }
 };
 
@@ -32,8 +32,9 @@ std::map<std::string, std::pair<double, double>> andrews_reference(double t) {
   for (const auto& row : data["rows"])
     if (std::abs(std::stod(row["t"].get<std::string>()) - t) < 1e-12)
       for (int i = 0; i < 7; ++i)
-        values[order[i]] = {std::stod(row["q"][i].get<std::string>()) - std::stod(data["initial"][order[i]].get<std::string>()),
-                            std::stod(row["qd"][i].get<std::string>())};
+        values[order[i]] = {
+            std::stod(row["q"][i].get<std::string>()) - std::stod(data["initial"][order[i]].get<std::string>()),
+            std::stod(row["qd"][i].get<std::string>())};
   return values;
 }
 
@@ -48,7 +49,8 @@ class Andrews : public ::testing::Test {
     GenericState state{std::vector<double>(7), std::vector<double>(7), {}, 0};
     AbmHistory<Dynamics> history{};
     for (int s = 0; s < steps; ++s)
-      EXPECT_TRUE((abm ? step_abm4(dynamics, state, history, 0.03 / steps) : step_rk4(dynamics, state, 0.03 / steps)).ok());
+      EXPECT_TRUE(
+          (abm ? step_abm4(dynamics, state, history, 0.03 / steps) : step_rk4(dynamics, state, 0.03 / steps)).ok());
     double error = 0;
     for (const auto& [name, value] : andrews_reference(0.03))
       error = std::max(error, std::abs(state.z[find_coordinate(m.topology, name)] - value.first));
@@ -68,8 +70,8 @@ TEST_F(Andrews, StartsWithThePublishedAccelerations) {
 // The published solution is good to 1.1e-9 in beta, the reference to 1e-17.
 TEST_F(Andrews, ReachesThePublishedSolutionWithOrderFour) {
   const double coarse = error_after(3000, false), middle = error_after(6000, false), fine = error_after(12000, false);
-  std::printf("Andrews at 0.03 s: errors %.2e, %.2e, %.2e rad at 3000, 6000, 12000 steps; ratios %.2f, %.2f\n", coarse, middle, fine,
-              coarse / middle, middle / fine);
+  std::printf("Andrews at 0.03 s: errors %.2e, %.2e, %.2e rad at 3000, 6000, 12000 steps; ratios %.2f, %.2f\n", coarse,
+              middle, fine, coarse / middle, middle / fine);
   EXPECT_LT(fine, 1e-9);
   EXPECT_NEAR(coarse / middle, 16, 1.5);
   EXPECT_NEAR(middle / fine, 16, 1.0);

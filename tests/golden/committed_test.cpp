@@ -1,8 +1,5 @@
 // The committed solvers, linked as a user links them: no allocation, energy and closure over long runs, bad arguments.
 
-#include "coach_mechanism.hpp"
-#include "four_bar.hpp"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -10,6 +7,9 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
+
+#include "coach_mechanism.hpp"
+#include "four_bar.hpp"
 
 extern "C" void* __libc_malloc(std::size_t);
 
@@ -78,7 +78,7 @@ TEST(FourBar, KeepsEnergyAndClosureOverAMillionSteps) {
     ASSERT_TRUE(four_bar::closure_residual(parameters, {}, state, residual).ok());
     open = std::max(open, residual.largest_position);
   }
-  const double exchanged = highest - lowest;   // J that pass between kinetic and potential energy
+  const double exchanged = highest - lowest;  // J that pass between kinetic and potential energy
   std::printf("relative energy drift %.2e, largest closure residual %.2e m\n", drift / exchanged, open);
   EXPECT_GT(exchanged, 0.1 * highest);
   EXPECT_LT(drift / exchanged, 1e-8);
