@@ -3,7 +3,7 @@
 set -eu
 cd "$(dirname "$0")/.."
 
-.ci/install g++ clang binutils cmake ninja-build libeigen3-dev libfmt-dev nlohmann-json3-dev libcli11-dev libgtest-dev \
+.ci/install g++ clang binutils cmake make ninja-build libeigen3-dev libfmt-dev nlohmann-json3-dev libcli11-dev libgtest-dev \
   libbenchmark-dev
 cmake --preset release -DMBGEN_TESTS=ON -DMBGEN_BENCH=ON
 cmake --build --preset release
