@@ -163,7 +163,8 @@ inline Program bead_outputs() {
   return builder.finish();
 }
 
-/// The bead on its circle. Tunable parameters `mass` (2 kg) and `area` (1 m^2), input `push` (0 N along x), output `radius`.
+/// The bead on its circle. Tunable parameters `mass` (2 kg) and `area` (1 m^2), input `push` (0 N along x), output
+/// `radius`.
 inline Example bead_on_circle() {
   Example example = two_sliders();
   Parameter mass, folded, area;
@@ -258,7 +259,8 @@ inline Example driven_bead() {
   const auto velocity = [](const Expr& t) { return 0.3 + 0.2 * t; };
   constexpr double kAcceleration = 0.2;
 
-  ProgramBuilder accelerations("accelerations"), chosen("accelerations_chosen"), closure("closure"), terms("closure_terms");
+  ProgramBuilder accelerations("accelerations"), chosen("accelerations_chosen"), closure("closure"),
+      terms("closure_terms");
   {
     const Symbols s(accelerations);
     output(accelerations, "zdd", 0, (s.c() - 2.0 * kAcceleration * s.y) / (2.0 * s.x));

@@ -3,7 +3,7 @@
 #include "compiler/emit/expression_text.hpp"
 #include "compiler/emit/names.hpp"
 #include "compiler/emit/program_text.hpp"
-#include "compiler/emit/schedule.hpp"
+#include "compiler/emit/arrangement.hpp"
 #include "compiler/emit/text.hpp"
 #include "emit_support.hpp"
 
@@ -28,7 +28,8 @@ TEST(EmittedNumbers, areShortestAndReadBackExactly) {
   EXPECT_EQ(number_text(0.0), "0.0");
   EXPECT_EQ(number_text(-0.0), "-0.0");
   EXPECT_EQ(number_text(std::numeric_limits<double>::infinity()), "INFINITY");
-  for (const double value : {1.0 / 3, 2.2250738585072014e-308, std::numeric_limits<double>::max(), 123456789.0, 0.1 + 0.2}) {
+  for (const double value :
+       {1.0 / 3, 2.2250738585072014e-308, std::numeric_limits<double>::max(), 123456789.0, 0.1 + 0.2}) {
     EXPECT_EQ(std::stod(number_text(value)), value);
   }
 }
@@ -36,10 +37,10 @@ TEST(EmittedNumbers, areShortestAndReadBackExactly) {
 TEST(EmittedNames, areIdentifiersAndUnique) {
   std::vector<std::string> taken;
   const std::pair<const char*, const char*> expected[] = {
-      {"crank", "crank"},       {"crank", "crank_2"},  {"crank", "crank_3"}, {"crank_2", "crank_2_2"},
-      {"class", "class_"},      {"class", "class_2"},  {"4bar", "n_4bar"},   {"Rüder", "R_der"},
-      {"", "unnamed"},          {"__x", "x"},          {"a__b-c", "a_b_c"},  {"M_PI", "M_PI_"},
-      {"gamma", "gamma_"},      {"std", "std_"},       {"_", "unnamed_2"},   {"Index", "Index_"}};
+      {"crank", "crank"},  {"crank", "crank_2"}, {"crank", "crank_3"}, {"crank_2", "crank_2_2"},
+      {"class", "class_"}, {"class", "class_2"}, {"4bar", "n_4bar"},   {"Rüder", "R_der"},
+      {"", "unnamed"},     {"__x", "x"},         {"a__b-c", "a_b_c"},  {"M_PI", "M_PI_"},
+      {"gamma", "gamma_"}, {"std", "std_"},      {"_", "unnamed_2"},   {"Index", "Index_"}};
   for (const auto& [name, result] : expected) EXPECT_EQ(identifier(name, taken), result) << name;
 }
 
@@ -96,7 +97,9 @@ std::string expression(Build build) {
 }
 
 TEST(EmittedExpressions, haveTheParenthesesTheyNeed) {
-  const auto op = [](Op o, const Phrase& x, const Phrase& y = {}, const Phrase& z = {}) { return operation_phrase(o, x, y, z); };
+  const auto op = [](Op o, const Phrase& x, const Phrase& y = {}, const Phrase& z = {}) {
+    return operation_phrase(o, x, y, z);
+  };
   using P = const Phrase&;
   EXPECT_EQ(expression([&](P a, P b, P c) { return op(Op::add, op(Op::add, a, b), c); }), "a + b + c");
   EXPECT_EQ(expression([&](P a, P b, P c) { return op(Op::add, a, op(Op::add, b, c)); }), "a + (b + c)");
@@ -113,7 +116,8 @@ TEST(EmittedExpressions, haveTheParenthesesTheyNeed) {
   EXPECT_EQ(expression([&](P a, P, P) { return op(Op::multiply, a, constant_phrase(-2.5)); }), "a*(-2.5)");
   EXPECT_EQ(expression([&](P a, P, P) { return op(Op::add, constant_phrase(-2.5), a); }), "(-2.5) + a");
   EXPECT_EQ(expression([&](P, P, P) { return constant_phrase(-2.5); }), "-2.5");
-  EXPECT_EQ(expression([&](P a, P b, P c) { return op(Op::select, op(Op::subtract, a, b), b, c); }), "(a - b >= 0.0 ? b : c)");
+  EXPECT_EQ(expression([&](P a, P b, P c) { return op(Op::select, op(Op::subtract, a, b), b, c); }),
+            "(a - b >= 0.0 ? b : c)");
   EXPECT_EQ(expression([&](P a, P b, P) { return op(Op::sqrt, op(Op::min, a, b)); }), "std::sqrt(mbgen::min(a, b))");
 }
 
@@ -207,7 +211,7 @@ TEST(EmittedProgram, keepsLinesShort) {
   for (std::string line; std::getline(text, line);) EXPECT_LE(line.size(), 110u) << line;
 }
 
-TEST(Schedules, divideLargeProgramsWhereFewValuesCross) {
+TEST(Arrangements, divideLargeProgramsWhereFewValuesCross) {
   ProgramBuilder builder("p");
   Expr x(builder, builder.input("z", 0));
   // Bundles of 50 values that are needed together, one thread between them.
@@ -220,7 +224,7 @@ TEST(Schedules, divideLargeProgramsWhereFewValuesCross) {
   }
   output(builder, "zdd", 0, x);
   const Program program = builder.finish();
-  const Schedule result = schedule(program);
+  const Arrangement result = arrange(program);
   ASSERT_GE(result.parts.size(), 4u);
   for (const PartRange& part : result.parts) {
     EXPECT_GE(part.last - part.first, kSmallestPart);
@@ -244,12 +248,12 @@ TEST(Schedules, divideLargeProgramsWhereFewValuesCross) {
   EXPECT_EQ(crossing.size(), result.parts.size() - 1);
 }
 
-TEST(Schedules, leaveDeadValuesOut) {
+TEST(Arrangements, leaveDeadValuesOut) {
   ProgramBuilder builder("p");
   const Expr x(builder, builder.input("z", 0));
   builder.append(Op::sin, x.value(builder));
   output(builder, "zdd", 0, cos(x));
-  EXPECT_EQ(schedule(builder.finish()).order.size(), 1u);
+  EXPECT_EQ(arrange(builder.finish()).order.size(), 1u);
 }
 
 TEST(EmittedFiles, areTheSameBytesWhereverTheModelLies) {
@@ -273,9 +277,10 @@ TEST(EmittedFiles, areFourAndTheHeadersTheyInclude) {
   };
   EXPECT_EQ(paths({.runtime_headers = false}),
             (std::vector<std::string>{"CMakeLists.txt", "bead.cpp", "bead.hpp", "bead.json"}));
-  EXPECT_EQ(paths({}), (std::vector<std::string>{"CMakeLists.txt", "bead.cpp", "bead.hpp", "bead.json", "mbgen/blocks.hpp",
-                                                 "mbgen/closure.hpp", "mbgen/driver.hpp", "mbgen/integrators.hpp", "mbgen/loop.hpp",
-                                                 "mbgen/scalar.hpp", "mbgen/solver.hpp", "mbgen/status.hpp"}));
+  EXPECT_EQ(paths({}),
+            (std::vector<std::string>{"CMakeLists.txt", "bead.cpp", "bead.hpp", "bead.json", "mbgen/blocks.hpp",
+                                      "mbgen/closure.hpp", "mbgen/driver.hpp", "mbgen/integrators.hpp",
+                                      "mbgen/loop.hpp", "mbgen/scalar.hpp", "mbgen/solver.hpp", "mbgen/status.hpp"}));
 }
 
 TEST(EmittedFiles, beginWithTheirBanner) {

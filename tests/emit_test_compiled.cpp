@@ -205,7 +205,9 @@ TEST_P(Emitted, timesEveryState) {
   for (int i = 0; i < 37; ++i) states.insert(states.end(), {std::cos(i), std::sin(i), 0, 0, 0});
   states[20 * 5] = std::numeric_limits<double>::quiet_NaN();
   const double push = 0;
-  EXPECT_EQ(loaded.table()->time_accelerations(loaded.table()->default_parameters, &push, states.data(), taus.data(), 37, 10), 10);
+  EXPECT_EQ(
+      loaded.table()->time_accelerations(loaded.table()->default_parameters, &push, states.data(), taus.data(), 37, 10),
+      10);
 }
 
 /// A random program with every operation, `size` values and y[0..outputs).
@@ -218,20 +220,24 @@ Program random_program(int size, int outputs) {
   }
   const auto any = [&] { return values[std::uniform_int_distribution<std::size_t>(0, values.size() - 1)(random)]; };
   const auto recent = [&] {
-    return values[values.size() - 1 - std::uniform_int_distribution<std::size_t>(0, std::min<std::size_t>(values.size() - 1, 40))(random)];
+    return values[values.size() - 1 -
+                  std::uniform_int_distribution<std::size_t>(0, std::min<std::size_t>(values.size() - 1, 40))(random)];
   };
-  const Op ops[] = {Op::add, Op::subtract, Op::multiply, Op::divide, Op::negate, Op::sqrt, Op::sin, Op::cos, Op::tan,
-                    Op::asin, Op::acos, Op::atan, Op::atan2, Op::exp, Op::log, Op::pow, Op::tanh, Op::abs, Op::min,
-                    Op::max, Op::select, Op::add, Op::subtract, Op::multiply, Op::add, Op::multiply};
+  const Op ops[] = {Op::add, Op::subtract, Op::multiply, Op::divide, Op::negate,  Op::sqrt,  Op::sin,
+                    Op::cos, Op::tan,      Op::asin,     Op::acos,   Op::atan,    Op::atan2, Op::exp,
+                    Op::log, Op::pow,      Op::tanh,     Op::abs,    Op::min,     Op::max,   Op::select,
+                    Op::add, Op::subtract, Op::multiply, Op::add,    Op::multiply};
   for (int i = 0; i < size; ++i) {
     if (i % 300 == 0) builder.set_section("section " + std::to_string(i / 300));
     if (i % 50 == 0) builder.set_block("block " + std::to_string(i / 50));
     const Op op = ops[std::uniform_int_distribution<std::size_t>(0, std::size(ops) - 1)(random)];
     ValueId value = builder.append(op, recent(), arity(op) > 1 ? any() : kNoValue, arity(op) > 2 ? recent() : kNoValue);
     // Squashed, so that chains stay in range; by a quotient, since compilers know identities of composed functions.
-    value = builder.append(Op::divide, value, builder.append(Op::add, builder.constant(1), builder.append(Op::abs, value)));
+    value =
+        builder.append(Op::divide, value, builder.append(Op::add, builder.constant(1), builder.append(Op::abs, value)));
     if (i % 9 == 0) builder.label(value, "label " + std::to_string(i % 90));
-    if (i % 5 == 0) value = builder.append(Op::multiply, value, builder.constant(i % 2 == 0 ? -0.1 * i : 1.0 / (1 + i)));
+    if (i % 5 == 0)
+      value = builder.append(Op::multiply, value, builder.constant(i % 2 == 0 ? -0.1 * i : 1.0 / (1 + i)));
     values.push_back(value);
   }
   for (int o = 0; o < outputs; ++o) builder.output("y", o, values[values.size() - 1 - 7 * o]);
@@ -259,7 +265,9 @@ TEST_P(Emitted, computesWhatTheInterpreterComputes) {
     for (double& value : derivative) value = number(random);
     std::vector<double> inputs;
     for (const Slot& slot : example.programs.outputs.inputs) {
-      inputs.push_back(slot.group == "z" ? state[slot.index] : slot.group == "zd" ? state[2 + slot.index] : derivative[slot.index]);
+      inputs.push_back(slot.group == "z"    ? state[slot.index]
+                       : slot.group == "zd" ? state[2 + slot.index]
+                                            : derivative[slot.index]);
     }
     const std::vector<double> expected = interpret(example.programs.outputs, inputs);
     ASSERT_TRUE(loaded.table()->output_values(nullptr, nullptr, state, tau, derivative, y, energy).ok());
@@ -286,7 +294,8 @@ TEST_P(Emitted, needsNothingButTheMathLibrary) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Compilers, Emitted,
-                         testing::Values(Compiler{"g++", CompilerFamily::gnu}, Compiler{"clang++", CompilerFamily::clang}),
+                         testing::Values(Compiler{"g++", CompilerFamily::gnu},
+                                         Compiler{"clang++", CompilerFamily::clang}),
                          [](const auto& info) { return info.param.family == CompilerFamily::gnu ? "gnu" : "clang"; });
 
 TEST(EmittedBuildFile, buildsAlone) {

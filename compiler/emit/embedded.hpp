@@ -7,7 +7,7 @@
 namespace mbgen {
 
 struct EmbeddedFile {
-  std::string_view path;   ///< relative to the source tree, for example "templates/solver.cpp.in"
+  std::string_view path;  ///< relative to the source tree, for example "templates/solver.cpp.in"
   std::string_view text;
 };
 

@@ -17,7 +17,8 @@ void add_included_headers(std::string_view text, std::vector<EmittedFile>& files
   for (std::size_t at = text.find(kInclude); at != std::string_view::npos; at = text.find(kInclude, at + 1)) {
     const std::size_t start = text.find('"', at) + 1;
     const std::string_view path = text.substr(start, text.find('"', start) - start);
-    const bool known = std::any_of(files.begin(), files.end(), [&](const EmittedFile& file) { return file.path == path; });
+    const bool known =
+        std::any_of(files.begin(), files.end(), [&](const EmittedFile& file) { return file.path == path; });
     if (known) continue;
     for (const EmbeddedFile& file : embedded_files()) {
       if (file.path.substr(0, kRuntime.size()) != kRuntime || file.path.substr(kRuntime.size()) != path) continue;
@@ -31,8 +32,8 @@ void add_included_headers(std::string_view text, std::vector<EmittedFile>& files
 
 std::vector<EmittedFile> emit(const Programs& programs, const Model& model, const Topology& topology,
                               const Analysis& analysis, const EmitOptions& options) {
-  const EmitContext context{programs, model, topology, analysis, solver_names(model, topology),
-                            solver_layout(model, topology, analysis)};
+  const EmitContext context{
+      programs, model, topology, analysis, solver_names(model, topology), solver_layout(model, topology, analysis)};
   const std::string& name = context.names.solver;
   std::vector<EmittedFile> files = {{name + ".hpp", interface_text(context)},
                                     {name + ".cpp", solver_text(context)},
@@ -48,8 +49,9 @@ std::vector<EmittedFile> emit(const Programs& programs, const Model& model, cons
 }
 
 std::vector<std::string> solver_compile_flags(CompilerFamily family) {
-  std::vector<std::string> flags = {"-std=c++17", "-O2", "-fno-exceptions", "-fno-rtti", "-fno-math-errno",
-                                    "-fno-trapping-math", "-ffp-contract=fast"};
+  std::vector<std::string> flags = {
+      "-std=c++17",        "-O2", "-fno-exceptions", "-fno-rtti", "-fno-math-errno", "-fno-trapping-math",
+      "-ffp-contract=fast"};
   // The compilers' own vectorisers make this code larger and slower; loops turned into memcpy would need the C library.
   if (family == CompilerFamily::gnu) {
     flags.insert(flags.end(), {"-fno-tree-vectorize", "-fno-tree-loop-distribute-patterns"});

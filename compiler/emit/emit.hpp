@@ -21,7 +21,7 @@ struct EmittedFile {
 };
 
 struct EmitOptions {
-  bool runtime_headers = true;   ///< add the runtime's headers under mbgen/, so that the directory stands alone
+  bool runtime_headers = true;  ///< add the runtime's headers under mbgen/, so that the directory stands alone
 };
 
 /// The specialised solver: <model>.hpp, <model>.cpp, <model>.json (manifest), CMakeLists.txt, and the runtime headers.
@@ -35,8 +35,8 @@ EmittedFile emit_driver(const Model& model);
 /// The compilers that emitted code is tuned for.
 enum class CompilerFamily { gnu, clang };
 
-/// Flags that make emitted code fast and keep its object free of symbols other than libm's; the one place they are listed.
-/// Without the processor flag (-march) and without warnings. Source: design.md section 7.
+/// Flags that make emitted code fast and keep its object free of symbols other than libm's; the one place they are
+/// listed. Without the processor flag (-march) and without warnings. Source: design.md section 7.
 std::vector<std::string> solver_compile_flags(CompilerFamily family);
 
 /// Name of the emitted files and of the namespace: the identifier of the model's name.

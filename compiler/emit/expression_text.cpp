@@ -34,8 +34,7 @@ Phrase operation_phrase(Op op, const Phrase& a, const Phrase& b, const Phrase& c
   switch (op) {
     case Op::add: return {a.text + " + " + right_term(b), Binding::sum};
     case Op::subtract: return {a.text + " - " + right_term(b), Binding::sum};
-    case Op::multiply:
-      return {operand(a, Binding::product) + "*" + operand(b, Binding::primary), Binding::product};
+    case Op::multiply: return {operand(a, Binding::product) + "*" + operand(b, Binding::primary), Binding::product};
     case Op::divide: return {operand(a, Binding::product) + "/" + operand(b, Binding::primary), Binding::product};
     case Op::negate: return {fmt::format("-{}", operand(a, Binding::primary)), Binding::sign};
     case Op::sqrt: return {call("std::sqrt", a), Binding::primary};
@@ -62,8 +61,8 @@ Phrase operation_phrase(Op op, const Phrase& a, const Phrase& b, const Phrase& c
 
 std::string standing_alone(const Phrase& phrase) {
   const std::string& text = phrase.text;
-  const bool negative_constant = text.size() > 2 && text.compare(0, 2, "(-") == 0 && text.find(')') == text.size() - 1 &&
-                                 text.find('(', 1) == std::string::npos;
+  const bool negative_constant = text.size() > 2 && text.compare(0, 2, "(-") == 0 &&
+                                 text.find(')') == text.size() - 1 && text.find('(', 1) == std::string::npos;
   return negative_constant ? text.substr(1, text.size() - 2) : text;
 }
 

@@ -18,8 +18,8 @@ struct Phrase {
 /// A constant; negative ones in parentheses, so that they stand anywhere.
 Phrase constant_phrase(double value);
 
-/// The operation on its operands; those beyond its arity are ignored. Associativity is kept: a + (b + c) stays as it is,
-/// since floating-point sums are not associative.
+/// The operation on its operands; those beyond its arity are ignored. Associativity is kept: a + (b + c) stays as it
+/// is, since floating-point sums are not associative.
 Phrase operation_phrase(Op op, const Phrase& first, const Phrase& second, const Phrase& third);
 
 /// Text of a phrase that stands alone, after `=`.

@@ -65,16 +65,18 @@ std::string heading(const std::string& comment, const std::string& declaration) 
 }
 
 std::string whole_heading(const ProgramShape& shape, const std::set<std::string>& used) {
-  return heading(shape.title, "void " + shape.function + "(" + parameter_list(shape, used, Signature::whole) + ") noexcept {");
+  return heading(shape.title,
+                 "void " + shape.function + "(" + parameter_list(shape, used, Signature::whole) + ") noexcept {");
 }
 
 /// Kept out of line: inlined, the parts would grow together again.
 std::string part_function(const ProgramShape& shape, const PartText& part, std::size_t number) {
   const std::string name = shape.function + "_" + std::to_string(number);
   const std::string titles = comment_text(joined(part.sections, "; "));
-  return heading("Part " + std::to_string(number) + " of " + shape.function + (titles.empty() ? "." : ": " + titles + "."),
-                 "[[gnu::noinline]] void " + name + "(" + parameter_list(shape, part.arguments, Signature::used) +
-                     ") noexcept {") +
+  return heading(
+             "Part " + std::to_string(number) + " of " + shape.function + (titles.empty() ? "." : ": " + titles + "."),
+             "[[gnu::noinline]] void " + name + "(" + parameter_list(shape, part.arguments, Signature::used) +
+                 ") noexcept {") +
          part.body + "}\n\n";
 }
 
@@ -88,7 +90,8 @@ std::string function_text(const ProgramShape& shape, const std::vector<PartText>
   std::set<std::string> used;
   for (std::size_t p = 0; p < parts.size(); ++p) {
     functions += part_function(shape, parts[p], p + 1);
-    calls += "  " + shape.function + "_" + std::to_string(p + 1) + "(" + argument_list(shape, parts[p].arguments) + ");\n";
+    calls +=
+        "  " + shape.function + "_" + std::to_string(p + 1) + "(" + argument_list(shape, parts[p].arguments) + ");\n";
     used.insert(parts[p].arguments.begin(), parts[p].arguments.end());
   }
   used.erase("work");

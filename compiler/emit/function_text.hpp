@@ -12,8 +12,8 @@ namespace mbgen {
 /// Statements of one part and what its function needs.
 struct PartText {
   std::string body;
-  std::set<std::string> arguments;      ///< names that the body uses, "work" and "result" among them
-  std::vector<std::string> sections;    ///< titles, in order
+  std::set<std::string> arguments;    ///< names that the body uses, "work" and "result" among them
+  std::vector<std::string> sections;  ///< titles, in order
 };
 
 /// Struct of the result (when the shape has members), struct of the values that cross parts (when there are any), one

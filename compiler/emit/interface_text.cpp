@@ -128,32 +128,32 @@ std::string cmake_flags(CompilerFamily family) {
 }  // namespace
 
 std::string banner_text(const Model& model, const std::string& mark) {
-  return mark + " " + comment_text(model.name) + ", content hash " + model.hash + "\n" + mark + " Made by `mbgen generate " +
-         comment_text(base_name(model.file)) + "`, mbgen " + kMbgenVersion + ". Change the model, not this file.";
+  return mark + " " + comment_text(model.name) + ", content hash " + model.hash + "\n" + mark +
+         " Made by `mbgen generate " + comment_text(base_name(model.file)) + "`, mbgen " + kMbgenVersion +
+         ". Change the model, not this file.";
 }
 
 std::string interface_text(const EmitContext& context) {
   const SolverNames& names = context.names;
-  return fill_template("solver.hpp.in",
-                       {{"banner", banner_text(context.model, "//")},
-                        {"title", comment_text(context.model.name)},
-                        {"solver", names.solver},
-                        {"model_literal", string_literal(context.model.name)},
-                        {"hash_literal", string_literal(context.model.hash)},
-                        {"sizes", size_constants(context)},
-                        {"coordinates", enumeration("Coordinate", names.coordinates)},
-                        {"bodies", enumeration("Body", names.bodies)},
-                        {"inputs", enumeration("Input", names.inputs)},
-                        {"outputs", enumeration("Output", names.outputs)},
-                        {"parameters", enumeration("Parameter", names.parameters)},
-                        {"loop_blocks", enumeration("LoopBlock", names.loop_blocks)},
-                        {"tables", tables(context)},
-                        {"parameter_struct", parameter_struct(context)},
-                        {"input_struct", input_struct(context)},
-                        {"output_struct", output_struct(context)},
-                        {"auxiliary_size", size_text(context.layout.auxiliary_states)},
-                        {"multiplier_size", size_text(context.layout.equations)},
-                        {"drive_size", size_text(context.layout.drives)}});
+  return fill_template("solver.hpp.in", {{"banner", banner_text(context.model, "//")},
+                                         {"title", comment_text(context.model.name)},
+                                         {"solver", names.solver},
+                                         {"model_literal", string_literal(context.model.name)},
+                                         {"hash_literal", string_literal(context.model.hash)},
+                                         {"sizes", size_constants(context)},
+                                         {"coordinates", enumeration("Coordinate", names.coordinates)},
+                                         {"bodies", enumeration("Body", names.bodies)},
+                                         {"inputs", enumeration("Input", names.inputs)},
+                                         {"outputs", enumeration("Output", names.outputs)},
+                                         {"parameters", enumeration("Parameter", names.parameters)},
+                                         {"loop_blocks", enumeration("LoopBlock", names.loop_blocks)},
+                                         {"tables", tables(context)},
+                                         {"parameter_struct", parameter_struct(context)},
+                                         {"input_struct", input_struct(context)},
+                                         {"output_struct", output_struct(context)},
+                                         {"auxiliary_size", size_text(context.layout.auxiliary_states)},
+                                         {"multiplier_size", size_text(context.layout.equations)},
+                                         {"drive_size", size_text(context.layout.drives)}});
 }
 
 std::string build_text(const EmitContext& context) {

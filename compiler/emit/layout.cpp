@@ -43,7 +43,8 @@ void add_blocks(Places& places, const std::string& argument, const std::string& 
   const int blocks = static_cast<int>(layout.blocks.size());
   for (int b = 0; b < blocks; ++b) {
     const BlockPlaces& block = layout.blocks[b];
-    places[group + std::to_string(b)] = {argument, indexed(argument + "." + group, size(block), first(block)), {}, "0.0"};
+    places[group + std::to_string(b)] = {
+        argument, indexed(argument + "." + group, size(block), first(block)), {}, "0.0"};
   }
 }
 
@@ -69,7 +70,9 @@ Places input_places(const SolverLayout& layout, const SolverNames& names) {
 }
 
 const std::vector<std::pair<std::string, std::string>> kStateArguments = {
-    {"parameters", "const Parameters& parameters"}, {"inputs", "const Inputs& inputs"}, {"state", "const State& state"}};
+    {"parameters", "const Parameters& parameters"},
+    {"inputs", "const Inputs& inputs"},
+    {"state", "const State& state"}};
 
 ProgramShape shape(const std::string& title, const std::string& result, const std::string& function,
                    const std::vector<std::pair<std::string, std::string>>& more_arguments, const Places& inputs) {
@@ -211,7 +214,8 @@ std::vector<ShapedProgram> shaped_programs(const Programs& programs, const Solve
   }
   if (!layout.blocks.empty()) {
     all.push_back({&programs.closure_terms, "closure_terms", closure_terms_shape(layout, names, inputs)});
-    all.push_back({&programs.accelerations_chosen, "accelerations_chosen", chosen_shape(layout, names, inputs, directions)});
+    all.push_back(
+        {&programs.accelerations_chosen, "accelerations_chosen", chosen_shape(layout, names, inputs, directions)});
   }
   all.push_back({&programs.outputs, "outputs", outputs_shape(names, inputs)});
   return all;

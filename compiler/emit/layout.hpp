@@ -23,7 +23,7 @@ struct BlockPlaces {
 struct SolverLayout {
   int coordinates = 0, auxiliary_states = 0, equations = 0, drives = 0;
   int block_coordinates = 0, jacobian_entries = 0, projection_entries = 0;
-  bool has_closure = false;                 ///< loops or motions
+  bool has_closure = false;  ///< loops or motions
   std::vector<BlockPlaces> blocks;
 };
 
@@ -31,10 +31,10 @@ SolverLayout solver_layout(const Model& model, const Topology& topology, const A
 
 /// Where the slots of one group live.
 struct GroupPlace {
-  std::string argument;                 ///< function parameter that holds them, "result" for outputs
-  std::vector<std::string> texts;       ///< expression of each index, for example "state.z[Coordinate::crank_pin]"
-  std::vector<std::string> locals;      ///< name of a local copy of each index; empty: never copied
-  std::string missing = "0.0";          ///< value of an output that the program does not give
+  std::string argument;             ///< function parameter that holds them, "result" for outputs
+  std::vector<std::string> texts;   ///< expression of each index, for example "state.z[Coordinate::crank_pin]"
+  std::vector<std::string> locals;  ///< name of a local copy of each index; empty: never copied
+  std::string missing = "0.0";      ///< value of an output that the program does not give
 };
 
 using Places = std::map<std::string, GroupPlace>;
@@ -48,18 +48,18 @@ struct ArrayMember {
 
 /// Everything about one program but its values.
 struct ProgramShape {
-  std::string title;                                            ///< sentence for the comment
-  std::string function;                                         ///< "compute_accelerations"
-  std::string result;                                           ///< name of the result struct
-  std::vector<ArrayMember> members;                             ///< of the result struct
-  std::vector<std::pair<std::string, std::string>> arguments;   ///< name, declaration; in order
+  std::string title;                                           ///< sentence for the comment
+  std::string function;                                        ///< "compute_accelerations"
+  std::string result;                                          ///< name of the result struct
+  std::vector<ArrayMember> members;                            ///< of the result struct
+  std::vector<std::pair<std::string, std::string>> arguments;  ///< name, declaration; in order
   Places inputs, outputs;
 };
 
 /// The programs of a solver with their shapes; those of closures are left out when there is nothing to close.
 struct ShapedProgram {
   const Program* program = nullptr;
-  std::string key;                      ///< in the manifest: "accelerations", "closure", ...
+  std::string key;  ///< in the manifest: "accelerations", "closure", ...
   ProgramShape shape;
 };
 std::vector<ShapedProgram> shaped_programs(const Programs& programs, const SolverLayout& layout,

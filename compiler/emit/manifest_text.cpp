@@ -1,6 +1,6 @@
 #include "compiler/emit/emit.hpp"
 #include "compiler/emit/interface_text.hpp"
-#include "compiler/emit/schedule.hpp"
+#include "compiler/emit/arrangement.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -10,8 +10,8 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 Json count_json(const OperationCount& count) {
-  return {{"add", count.add},   {"multiply", count.multiply},           {"divide", count.divide},
-          {"sqrt", count.sqrt}, {"trigonometric", count.trigonometric}, {"other", count.other},
+  return {{"add", count.add},      {"multiply", count.multiply},           {"divide", count.divide},
+          {"sqrt", count.sqrt},    {"trigonometric", count.trigonometric}, {"other", count.other},
           {"total", count.total()}};
 }
 
@@ -26,7 +26,7 @@ Json program_json(const ShapedProgram& shaped) {
     sections.push_back(section);
   }
   return {{"function", shaped.shape.function},
-          {"parts", schedule(program).parts.size()},
+          {"parts", arrange(program).parts.size()},
           {"operations", count_json(count_operations(program))},
           {"sections", sections}};
 }

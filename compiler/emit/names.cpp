@@ -29,21 +29,20 @@ const std::set<std::string_view>& reserved_names() {
       "DOMAIN", "SING", "OVERFLOW", "UNDERFLOW", "PLOSS", "TLOSS", "errno", "math_errhandling", "unix", "linux", "i386",
       // Namespaces and types that emitted code uses.
       "std", "mbgen", "Index", "Coordinate", "Body", "Input", "Output", "Parameter", "LoopBlock", "Inputs", "Outputs",
-      "Parameters", "State", "Derivative", "Multipliers", "History", "System", "int8_t", "size_t", "div_t", "float_t", "double_t",
+      "Parameters", "State", "Derivative", "Multipliers", "History", "System", "int8_t", "size_t", "div_t", "float_t",
+      "double_t",
       // Functions of <cmath> and <cstdlib>, which C libraries declare in the global namespace.
-      "abs", "acos", "acosh", "asin", "asinh", "atan", "atan2", "atanh", "cbrt", "ceil", "copysign", "cos", "cosh", "div",
-      "drem", "erf", "erfc", "exit", "exp", "exp10", "exp2", "expm1", "fabs", "fdim", "finite", "floor", "fma", "fmax",
-      "fmin", "fmod", "frexp", "free", "gamma", "hypot", "ilogb", "isinf", "isnan", "j0", "j1", "jn", "labs", "ldexp",
-      "lgamma", "llrint", "log", "log10", "log1p", "log2", "logb", "lrint", "lround", "modf", "nan", "nearbyint",
-      "nextafter", "pow", "pow10", "rand", "random", "remainder", "remquo", "rint", "round", "scalb", "scalbn", "select",
-      "signbit", "significand", "signgam", "sin", "sincos", "sinh", "sqrt", "system", "tan", "tanh", "tgamma", "trunc",
-      "y0", "y1", "yn"};
+      "abs", "acos", "acosh", "asin", "asinh", "atan", "atan2", "atanh", "cbrt", "ceil", "copysign", "cos", "cosh",
+      "div", "drem", "erf", "erfc", "exit", "exp", "exp10", "exp2", "expm1", "fabs", "fdim", "finite", "floor", "fma",
+      "fmax", "fmin", "fmod", "frexp", "free", "gamma", "hypot", "ilogb", "isinf", "isnan", "j0", "j1", "jn", "labs",
+      "ldexp", "lgamma", "llrint", "log", "log10", "log1p", "log2", "logb", "lrint", "lround", "modf", "nan",
+      "nearbyint", "nextafter", "pow", "pow10", "rand", "random", "remainder", "remquo", "rint", "round", "scalb",
+      "scalbn", "select", "signbit", "significand", "signgam", "sin", "sincos", "sinh", "sqrt", "system", "tan", "tanh",
+      "tgamma", "trunc", "y0", "y1", "yn"};
   return names;
 }
 
-bool is_letter_or_digit(char c) {
-  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9');
-}
+bool is_letter_or_digit(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9'); }
 
 /// Letters, digits and single underscores, starting with a letter.
 std::string sanitised(const std::string& name) {

@@ -11,13 +11,13 @@ namespace mbgen {
 
 /// Identifiers by model index, unique within each list.
 struct SolverNames {
-  std::string solver;                     ///< files and namespace
-  std::vector<std::string> coordinates;   ///< per tree coordinate
-  std::vector<std::string> bodies;        ///< per model body
+  std::string solver;                    ///< files and namespace
+  std::vector<std::string> coordinates;  ///< per tree coordinate
+  std::vector<std::string> bodies;       ///< per model body
   std::vector<std::string> inputs;
-  std::vector<std::string> parameters;    ///< tunable ones only
-  std::vector<std::string> outputs;       ///< beside kinetic_energy, potential_energy, applied_power
-  std::vector<std::string> loop_blocks;   ///< first loop of the block
+  std::vector<std::string> parameters;   ///< tunable ones only
+  std::vector<std::string> outputs;      ///< beside kinetic_energy, potential_energy, applied_power
+  std::vector<std::string> loop_blocks;  ///< first loop of the block
 };
 
 /// Members of Outputs that every solver has.

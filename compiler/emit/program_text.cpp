@@ -2,7 +2,7 @@
 
 #include "compiler/emit/expression_text.hpp"
 #include "compiler/emit/function_text.hpp"
-#include "compiler/emit/schedule.hpp"
+#include "compiler/emit/arrangement.hpp"
 #include "compiler/emit/text.hpp"
 
 #include <fmt/format.h>
@@ -21,27 +21,32 @@ constexpr std::size_t kNamingRoom = 28;
 
 /// What is known of a value before its text is written.
 struct Fate {
-  int users = 0;                        ///< operands that are this value
-  ValueId user = kNoValue;              ///< the last of them
-  std::size_t part = 0;                 ///< of its definition
-  bool crosses = false;                 ///< used in a later part
-  bool paired = false;                  ///< sine or cosine that stands beside its partner
-  std::vector<std::string> outputs;     ///< places of the result that it goes to
+  int users = 0;                     ///< operands that are this value
+  ValueId user = kNoValue;           ///< the last of them
+  std::size_t part = 0;              ///< of its definition
+  bool crosses = false;              ///< used in a later part
+  bool paired = false;               ///< sine or cosine that stands beside its partner
+  std::vector<std::string> outputs;  ///< places of the result that it goes to
 };
 
 class ProgramWriter {
  public:
   ProgramWriter(const Program& program, const ProgramShape& shape)
-      : program_(program), shape_(shape), schedule_(schedule(program)), fates_(program.nodes.size()),
-        phrases_(program.nodes.size()), pending_(program.nodes.size(), false),
-        section_counts_(count_operations_by_section(program)), section_end_(program.sections.size(), 0) {
+      : program_(program),
+        shape_(shape),
+        arrangement_(arrange(program)),
+        fates_(program.nodes.size()),
+        phrases_(program.nodes.size()),
+        pending_(program.nodes.size(), false),
+        section_counts_(count_operations_by_section(program)),
+        section_end_(program.sections.size(), 0) {
     reserve_names();
     decide_fates();
   }
 
   std::string text() {
     std::vector<PartText> parts;
-    for (std::size_t p = 0; p < schedule_.parts.size(); ++p) parts.push_back(write_part(p));
+    for (std::size_t p = 0; p < arrangement_.parts.size(); ++p) parts.push_back(write_part(p));
     return function_text(shape_, parts, crossing_);
   }
 
@@ -55,9 +60,9 @@ class ProgramWriter {
   }
 
   void decide_fates() {
-    for (std::size_t p = 0; p < schedule_.parts.size(); ++p) {
-      for (std::size_t i = schedule_.parts[p].first; i < schedule_.parts[p].last; ++i) {
-        const ValueId v = schedule_.order[i];
+    for (std::size_t p = 0; p < arrangement_.parts.size(); ++p) {
+      for (std::size_t i = arrangement_.parts[p].first; i < arrangement_.parts[p].last; ++i) {
+        const ValueId v = arrangement_.order[i];
         const Node& node = program_.nodes[v];
         fates_[v].part = p;
         section_end_[node.section] = i;
@@ -67,7 +72,8 @@ class ProgramWriter {
           operand.user = v;
           if (operand.part != p) operand.crosses = true;
         }
-        if (i > 0 && is_angle_pair(schedule_.order[i - 1], v)) fates_[v].paired = fates_[schedule_.order[i - 1]].paired = true;
+        if (i > 0 && is_angle_pair(arrangement_.order[i - 1], v))
+          fates_[v].paired = fates_[arrangement_.order[i - 1]].paired = true;
       }
     }
     for (const OutputValue& output : program_.outputs) {
@@ -93,9 +99,9 @@ class ProgramWriter {
 
   std::string output_text(const Slot& slot) const {
     const auto place = shape_.outputs.find(slot.group);
-    if (place == shape_.outputs.end() || slot.index < 0 ||
-        slot.index >= static_cast<int>(place->second.texts.size())) {
-      throw std::logic_error(program_.name + ": no place for output " + slot.group + "[" + std::to_string(slot.index) + "]");
+    if (place == shape_.outputs.end() || slot.index < 0 || slot.index >= static_cast<int>(place->second.texts.size())) {
+      throw std::logic_error(program_.name + ": no place for output " + slot.group + "[" + std::to_string(slot.index) +
+                             "]");
     }
     return place->second.texts[slot.index];
   }
@@ -129,14 +135,15 @@ class ProgramWriter {
 
   const GroupPlace& input_place(const Slot& slot) const {
     const auto place = shape_.inputs.find(slot.group);
-    bool given = place != shape_.inputs.end() && slot.index >= 0 &&
-                 slot.index < static_cast<int>(place->second.texts.size());
+    bool given =
+        place != shape_.inputs.end() && slot.index >= 0 && slot.index < static_cast<int>(place->second.texts.size());
     if (given) {
       given = false;
       for (const auto& [name, declaration] : shape_.arguments) given = given || name == place->second.argument;
     }
     if (!given) {
-      throw std::logic_error(program_.name + ": no place for input " + slot.group + "[" + std::to_string(slot.index) + "]");
+      throw std::logic_error(program_.name + ": no place for input " + slot.group + "[" + std::to_string(slot.index) +
+                             "]");
     }
     return place->second;
   }
@@ -250,25 +257,25 @@ class ProgramWriter {
     input_uses_.clear();
     copied_inputs_.clear();
     for (std::size_t i = range.first; i < range.last; ++i) {
-      const Node& node = program_.nodes[schedule_.order[i]];
+      const Node& node = program_.nodes[arrangement_.order[i]];
       for (int k = 0; k < arity(node.op); ++k) ++input_uses_[node.operands[k]];
     }
   }
 
   PartText write_part(std::size_t p) {
     PartText part;
-    const PartRange range = schedule_.parts[p];
+    const PartRange range = arrangement_.parts[p];
     count_input_uses(range);
     int section = -1, block = -1;
     for (std::size_t i = range.first; i < range.last; ++i) {
-      const Node& node = program_.nodes[schedule_.order[i]];
+      const Node& node = program_.nodes[arrangement_.order[i]];
       write_headings(node, part, section, block);
-      write_value(schedule_.order[i], part);
+      write_value(arrangement_.order[i], part);
       if (section_end_[node.section] == i && !program_.sections[node.section].empty()) {
         add_line(part, "// operations: " + operations_text(section_counts_[node.section]));
       }
     }
-    if (p + 1 == schedule_.parts.size()) write_plain_outputs(part);
+    if (p + 1 == arrangement_.parts.size()) write_plain_outputs(part);
     return part;
   }
 
@@ -295,19 +302,19 @@ class ProgramWriter {
 
   const Program& program_;
   const ProgramShape& shape_;
-  Schedule schedule_;
+  Arrangement arrangement_;
   std::vector<Fate> fates_;
   std::vector<Phrase> phrases_;
   std::vector<bool> pending_;
   std::vector<OperationCount> section_counts_;
-  std::vector<std::size_t> section_end_;               ///< place of the last value of each section
-  std::set<int> entered_;                              ///< sections with a heading so far
+  std::vector<std::size_t> section_end_;  ///< place of the last value of each section
+  std::set<int> entered_;                 ///< sections with a heading so far
   std::set<std::string> taken_;
   std::unordered_map<std::string, int> next_number_;
   std::map<int, int> leftovers_;
   std::vector<std::string> crossing_;
-  std::unordered_map<ValueId, int> input_uses_;        ///< in the current part
-  std::set<ValueId> copied_inputs_;                    ///< in the current part
+  std::unordered_map<ValueId, int> input_uses_;  ///< in the current part
+  std::set<ValueId> copied_inputs_;              ///< in the current part
 };
 
 }  // namespace
@@ -317,9 +324,9 @@ std::string program_text(const Program& program, const ProgramShape& shape) {
 }
 
 std::string operations_text(const OperationCount& count) {
-  const std::pair<long, const char*> kinds[] = {{count.add, "add"},       {count.multiply, "multiply"},
-                                                {count.divide, "divide"}, {count.sqrt, "sqrt"},
-                                                {count.trigonometric, "sin cos"}, {count.other, "other"}};
+  const std::pair<long, const char*> kinds[] = {
+      {count.add, "add"},   {count.multiply, "multiply"},     {count.divide, "divide"},
+      {count.sqrt, "sqrt"}, {count.trigonometric, "sin cos"}, {count.other, "other"}};
   std::string text;
   for (const auto& [number, kind] : kinds) {
     if (number > 0) text += (text.empty() ? "" : ", ") + std::to_string(number) + " " + kind;

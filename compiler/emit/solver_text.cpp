@@ -37,12 +37,13 @@ Items items_of(const std::vector<Number>& numbers) {
 /// Sizes and decisions; what only closures or loops ask for is left out without them, so that nothing is unused.
 std::string constants(const EmitContext& context) {
   const SolverLayout& layout = context.layout;
-  std::string text = constant("int", "kCoordinates", std::to_string(layout.coordinates)) +
-                     constant("int", "kAuxiliaryStates", std::to_string(layout.auxiliary_states)) +
-                     constant("int", "kBlocks", std::to_string(layout.blocks.size())) +
-                     constant("int", "kEquations", std::to_string(layout.equations)) +
-                     constant("int", "kFreeDirections", std::to_string(context.programs.free_direction_coordinate.size())) +
-                     constant("bool", "kHasClosure", layout.has_closure ? "true" : "false");
+  std::string text =
+      constant("int", "kCoordinates", std::to_string(layout.coordinates)) +
+      constant("int", "kAuxiliaryStates", std::to_string(layout.auxiliary_states)) +
+      constant("int", "kBlocks", std::to_string(layout.blocks.size())) +
+      constant("int", "kEquations", std::to_string(layout.equations)) +
+      constant("int", "kFreeDirections", std::to_string(context.programs.free_direction_coordinate.size())) +
+      constant("bool", "kHasClosure", layout.has_closure ? "true" : "false");
   if (layout.has_closure) {
     text += constant("int", "kDrives", std::to_string(layout.drives)) +
             constant("double", "kClosureTolerance", number_text(context.model.solver.closure_tolerance));
@@ -109,8 +110,9 @@ std::string argument_sum(const SolverNames& names) {
 std::string projection_struct(const SolverLayout& layout) {
   if (layout.blocks.empty()) return "";
   return "/// Projection of the loop blocks, chosen at run time.\nstruct Projection {\n  double Rz[" +
-         std::to_string(std::max(layout.projection_entries, 1)) + "];  ///< of each block, row by row\n  double zdd_star[" +
-         std::to_string(layout.block_coordinates) + "];  ///< accelerations of each block at zero independent ones\n};\n\n";
+         std::to_string(std::max(layout.projection_entries, 1)) +
+         "];  ///< of each block, row by row\n  double zdd_star[" + std::to_string(layout.block_coordinates) +
+         "];  ///< accelerations of each block at zero independent ones\n};\n\n";
 }
 
 /// Residuals live where the closure program says; the tables of System assume block after block.

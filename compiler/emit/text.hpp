@@ -11,14 +11,15 @@ namespace mbgen {
 /// Width that emitted lines keep to.
 constexpr std::size_t kLineWidth = 100;
 
-/// Shortest C++ literal that reads back as the same double, always with a decimal point or an exponent: 1.0, 0.1, 1e-07.
-/// Negative ones without parentheses. Infinities and NaN become <cmath> expressions.
+/// Shortest C++ literal that reads back as the same double, always with a decimal point or an exponent: 1.0, 0.1,
+/// 1e-07. Negative ones without parentheses. Infinities and NaN become <cmath> expressions.
 std::string number_text(double value);
 
 /// String literal with everything escaped that C++ would read otherwise.
 std::string string_literal(std::string_view text);
 
-/// Text on one line for a comment: control characters become spaces, and a backslash at the end is followed by a full stop.
+/// Text on one line for a comment: control characters become spaces, and a backslash at the end is followed by a full
+/// stop.
 std::string comment_text(std::string_view text);
 
 /// Lines of `indent` spaces and items joined by ", ", broken before kLineWidth. Ends without a newline.
@@ -36,7 +37,8 @@ std::string wrapped_words(const std::string& words, const std::string& margin);
 
 /// Fills a frame: every {{name}} becomes its value.
 /// Fails: throws std::logic_error when the frame names a placeholder without a value or a value is not used.
-std::string fill_frame(std::string_view frame_name, std::string_view frame, const std::map<std::string, std::string>& values);
+std::string fill_frame(std::string_view frame_name, std::string_view frame,
+                       const std::map<std::string, std::string>& values);
 
 /// The embedded frame of this name (under templates/), filled.
 std::string fill_template(const std::string& name, const std::map<std::string, std::string>& values);

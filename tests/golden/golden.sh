@@ -1,7 +1,8 @@
 #!/bin/sh
 # Golden files: generates the chosen models again and compares with generated/, byte for byte.
 #   tests/golden/golden.sh [--update] [MBGEN]
-# MBGEN: the binary, default build/release/mbgen, else build/mbgen. --update: takes what is generated as the new golden files.
+# MBGEN: the binary, default build/release/mbgen, else build/mbgen.
+# --update: takes what is generated as the new golden files.
 set -eu
 
 here=$(cd "$(dirname "$0")" && pwd)

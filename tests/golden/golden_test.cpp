@@ -40,7 +40,8 @@ double largest(const std::vector<double>& values) {
 /// Largest difference over the largest value.
 double relative_error(const std::vector<double>& actual, const std::vector<double>& expected) {
   double difference = 0;
-  for (std::size_t i = 0; i < expected.size(); ++i) difference = std::max(difference, std::abs(actual[i] - expected[i]));
+  for (std::size_t i = 0; i < expected.size(); ++i)
+    difference = std::max(difference, std::abs(actual[i] - expected[i]));
   return difference / std::max(largest(expected), 1e-300);
 }
 
@@ -66,7 +67,8 @@ TEST_P(Golden, agreesWithTheGenericRuntime) {
   std::uniform_real_distribution<double> number(-1, 1);
   int compared = 0;
   for (int attempt = 0; attempt < 2 * kStates && compared < kStates; ++attempt) {
-    std::vector<double> state(table.state_size, 0.0), tau(n), zdd(n), position(table.closure_equations + 1), velocity = position;
+    std::vector<double> state(table.state_size, 0.0), tau(n), zdd(n), position(table.closure_equations + 1),
+        velocity = position;
     for (int i = 0; i < n; ++i) {
       state[i] = 0.2 * number(random);
       state[n + i] = 2 * number(random);
@@ -75,12 +77,15 @@ TEST_P(Golden, agreesWithTheGenericRuntime) {
     // A guess that far from the reference need not lead to a closed position.
     if (!table.project(table.default_parameters, table.default_inputs, state.data()).ok()) continue;
     ++compared;
-    ASSERT_TRUE(table.residuals(table.default_parameters, table.default_inputs, state.data(), position.data(), velocity.data()).ok());
+    ASSERT_TRUE(
+        table.residuals(table.default_parameters, table.default_inputs, state.data(), position.data(), velocity.data())
+            .ok());
     EXPECT_LE(largest(position), 1e-12);
     // Rates up to some hundred rad/s times lengths of a metre, rounded.
     EXPECT_LE(largest(velocity), 1e-11 * std::max(1.0, largest(state)));
 
-    ASSERT_TRUE(table.accelerations(table.default_parameters, table.default_inputs, state.data(), tau.data(), zdd.data()).ok());
+    ASSERT_TRUE(
+        table.accelerations(table.default_parameters, table.default_inputs, state.data(), tau.data(), zdd.data()).ok());
     GenericState same;
     same.z.assign(state.begin(), state.begin() + n);
     same.zd.assign(state.begin() + n, state.begin() + 2 * n);

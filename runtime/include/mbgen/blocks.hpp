@@ -21,21 +21,21 @@ namespace mbgen {
 
 /// Place of one loop block in the flat arrays of a solver.
 struct BlockLayout {
-  int equations;          ///< all of them, redundant ones too
+  int equations;  ///< all of them, redundant ones too
   int coordinates;
-  int rank;               ///< generic rank of the Jacobian
-  int free;               ///< coordinates - rank - driven ones
-  int first_equation;     ///< into Phi, ct, c and residual
-  int first_coordinate;   ///< into kBlockCoordinate, kBlockDriven and zdd_star
-  int first_jacobian;     ///< into Jz
-  int first_projection;   ///< into Rz
+  int rank;              ///< generic rank of the Jacobian
+  int free;              ///< coordinates - rank - driven ones
+  int first_equation;    ///< into Phi, ct, c and residual
+  int first_coordinate;  ///< into kBlockCoordinate, kBlockDriven and zdd_star
+  int first_jacobian;    ///< into Jz
+  int first_projection;  ///< into Rz
 };
 
 /// A free direction of the final equations.
 struct FreeDirection {
-  int coordinate;   ///< that names it in the frozen partition
-  int block;        ///< loop block, -1 for a joint outside all blocks
-  int place;        ///< q: place among the free directions of the block
+  int coordinate;  ///< that names it in the frozen partition
+  int block;       ///< loop block, -1 for a joint outside all blocks
+  int place;       ///< q: place among the free directions of the block
 };
 
 /// Smallest pivot of a block, over its median in the analysed configurations, with which the frozen order is trusted.
@@ -92,8 +92,8 @@ Status find_not_finite(double argument_sum, const typename System::State& state,
   int bad = first_not_finite(state.z, System::kCoordinates);
   if (bad < 0) bad = first_not_finite(state.zd, System::kCoordinates);
   if (bad < 0 && tau != nullptr) bad = first_not_finite(tau, System::kCoordinates);
-  const bool rest = std::isfinite(argument_sum) && std::isfinite(state.t) &&
-                    first_not_finite(state.x, System::kAuxiliaryStates) < 0;
+  const bool rest =
+      std::isfinite(argument_sum) && std::isfinite(state.t) && first_not_finite(state.x, System::kAuxiliaryStates) < 0;
   return bad < 0 && rest ? Status{} : Status{Code::not_a_number, bad};
 }
 

@@ -10,7 +10,8 @@ namespace mbgen {
 constexpr int kNewtonIterations = 20;
 /// Largest change of a coordinate in one Newton step (rad or m): a linear step says nothing about half a turn.
 constexpr double kLargestNewtonStep = 0.5;
-/// A closure that stopped improving is accepted below this residual (m or 1): large mechanisms round above the tolerance.
+/// A closure that stopped improving is accepted below this residual (m or 1): large mechanisms round above the
+/// tolerance.
 constexpr double kRoundingFloor = 1e-9;
 /// Residual (m or 1) above which a redundant equation contradicts the others.
 constexpr double kRedundantTolerance = 1e-6;
@@ -150,9 +151,10 @@ Status close_loops(const typename System::Parameters& parameters, const typename
 
 }  // namespace solver_detail
 
-/// Closes every loop from the state as a guess, sets driven coordinates to their motions and makes velocities consistent;
-/// independent coordinates and velocities stay.
-/// Fails: not_a_number, loop_not_closed, loop_singular; the state is then unchanged. Cost: at most kNewtonIterations steps.
+/// Closes every loop from the state as a guess, sets driven coordinates to their motions and makes velocities
+/// consistent; independent coordinates and velocities stay.
+/// Fails: not_a_number, loop_not_closed, loop_singular; the state is then unchanged. Cost: at most kNewtonIterations
+/// steps.
 template <class System>
 Status project_state(const typename System::Parameters& parameters, const typename System::Inputs& inputs,
                      typename System::State& state) noexcept {

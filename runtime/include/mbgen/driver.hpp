@@ -14,21 +14,21 @@ constexpr int kSolverTableLayout = 1;
 ///   tau         n generalised joint forces, added to those of the model
 /// Every function is re-entrant, allocates nothing and leaves its results untouched unless the status is ok.
 struct SolverTable {
-  int layout;              ///< kSolverTableLayout
-  const char* model;       ///< name of the model
-  const char* hash;        ///< content hash of the model, 16 hex digits
-  int coordinates;         ///< n
-  int auxiliary_states;    ///< nx
-  int state_size;          ///< 2 n + nx + 1
-  int derivative_size;     ///< n + nx
+  int layout;            ///< kSolverTableLayout
+  const char* model;     ///< name of the model
+  const char* hash;      ///< content hash of the model, 16 hex digits
+  int coordinates;       ///< n
+  int auxiliary_states;  ///< nx
+  int state_size;        ///< 2 n + nx + 1
+  int derivative_size;   ///< n + nx
   int parameters;
   int inputs;
   int outputs;
-  int multipliers;         ///< one per closure equation
-  int drives;              ///< one per motion
-  int closure_equations;   ///< position residuals
+  int multipliers;        ///< one per closure equation
+  int drives;             ///< one per motion
+  int closure_equations;  ///< position residuals
   int loop_blocks;
-  long history_bytes;      ///< size of the buffer that start_abm4 and step_abm4 work on, alignment that of double
+  long history_bytes;  ///< size of the buffer that start_abm4 and step_abm4 work on, alignment that of double
 
   const double* default_parameters;
   const double* default_inputs;

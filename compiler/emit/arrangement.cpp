@@ -1,4 +1,4 @@
-#include "compiler/emit/schedule.hpp"
+#include "compiler/emit/arrangement.hpp"
 
 #include <algorithm>
 #include <limits>
@@ -37,9 +37,8 @@ void sort_by_section(const Program& program, std::vector<ValueId>& order) {
       if (is_operation(operand) && operand.section > node.section) return;
     }
   }
-  std::stable_sort(order.begin(), order.end(), [&](ValueId a, ValueId b) {
-    return program.nodes[a].section < program.nodes[b].section;
-  });
+  std::stable_sort(order.begin(), order.end(),
+                   [&](ValueId a, ValueId b) { return program.nodes[a].section < program.nodes[b].section; });
 }
 
 /// The other of sine and cosine of the same angle in the same section, kNoValue when there is none.
@@ -122,11 +121,11 @@ std::vector<PartRange> divide(std::size_t size, const std::vector<long>& cost) {
 
 }  // namespace
 
-Schedule schedule(const Program& program) {
+Arrangement arrange(const Program& program) {
   std::vector<ValueId> order = live_operations(program);
   sort_by_section(program, order);
   const std::vector<ValueId> partner = angle_partners(program, order);
-  Schedule result;
+  Arrangement result;
   result.order = pair_angles(order, partner);
   result.parts = divide(result.order.size(), cut_costs(program, result.order, partner));
   return result;
