@@ -36,8 +36,8 @@ struct Loop {
   int body_from = kGround;      ///< tree indices of the two closed bodies, kGround for ground
   int body_to = kGround;
   int ancestor = kGround;       ///< lowest common ancestor (tree index)
-  std::vector<int> joints;      ///< tree joints above the ancestor, ascending: the symmetric difference of two rows of T
-  int equations = 0;            ///< spherical 3, revolute 5, prismatic 5, universal 4, cylindrical 4, planar 3, fixed 6, rod 1
+  std::vector<int> joints;      ///< ascending tree joints above the ancestor: symmetric difference of two rows of T
+  int equations = 0;            ///< fixed 6, revolute and prismatic 5, universal and cylindrical 4, others 3, rod 1
 };
 
 /// Loops that share joints, directly or through others.
@@ -60,7 +60,7 @@ struct Topology {
   std::vector<TreeBody> bodies;            ///< n tree bodies, parents first
   std::vector<std::vector<int>> children;  ///< children[i], ascending
   std::vector<int> roots;                  ///< bodies whose parent is ground
-  std::vector<int> tree_body;              ///< per model body: tree index it moves with (fixed joints merged), kGround for ground
+  std::vector<int> tree_body;              ///< per model body: the tree index it moves with, kGround for ground
   std::vector<Loop> loops;                 ///< in order: cut joints as in the model, then rods
   std::vector<LoopBlock> blocks;
   std::vector<JointGroup> groups;          ///< parents before children
@@ -71,7 +71,8 @@ struct Topology {
 
 /// Finds the tree, the cuts, the loops and the blocks.
 /// Fails: a body with no path to ground, joints marked "cut": false that form a cycle (two tree parents), a joint whose
-/// coordinate is driven, sprung or named in an expression but had to be cut; each names the body or joint and its place.
+/// coordinate is used (driven, sprung, named in an expression, an output or a start value) but had to be cut, a loop in
+/// which nothing moves, a model in which nothing moves; each names the body or joint and its place.
 /// Source: theory.md sections 1 and 3.
 Result<Topology> build_topology(const Model& model);
 
