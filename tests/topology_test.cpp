@@ -92,16 +92,16 @@ TEST(Tree, FixedJointsMergeBodies) {
 
 TEST(Tree, MasslessMeansExactlyZeroAndNotTunable) {
   ModelBuilder builder;
-  for (const char* name : {"bare", "rotor", "tunable", "carrier", "rod_end"})
+  for (const char* name : {"bare", "rotor", "tunable", "carrier", "rod_from", "rod_to"})
     builder.revolute(name, "ground", name).massless(name);
-  builder.joint("load", JointType::fixed, "carrier", "load").rod("rod", "rod_end", "ground", 0.5);
+  builder.joint("load", JointType::fixed, "carrier", "load").rod("rod", "rod_from", "rod_to", 0.5);
   builder.rod("light", "bare", "rotor", 0);
   builder.model.bodies[builder.body("rotor")].inertia[1] = 0.1;
   builder.model.bodies[builder.body("tunable")].mass.expression = 0;
   builder.model.expressions.emplace_back();
   const Topology topology = topology_of(builder.model);
-  ASSERT_EQ(body_names(topology), (Names{"bare", "rotor", "tunable", "carrier", "rod_end"}));
-  for (int i = 0; i < 5; ++i) EXPECT_EQ(topology.bodies[i].massless, i == 0) << topology.bodies[i].name;
+  ASSERT_EQ(body_names(topology), (Names{"bare", "rotor", "tunable", "carrier", "rod_from", "rod_to"}));
+  for (int i = 0; i < 6; ++i) EXPECT_EQ(topology.bodies[i].massless, i == 0) << topology.bodies[i].name;
 }
 
 TEST(Loops, FourBarIsCutFarthestFromGround) {

@@ -21,7 +21,7 @@ struct Cycle {
   JointSet path;
 };
 
-/// The tree under construction; in_tree_, parent_ and depth_ always tell of the same tree.
+/// The tree under construction: first it grows, then its ties are exchanged.
 class TreeSearch {
  public:
   explicit TreeSearch(const Model& model);
@@ -34,13 +34,12 @@ class TreeSearch {
  private:
   void reach(int body, int joint, int parent);
   void add_candidates(int body);
-  void orient();
   JointSet path_between(int a, int b) const;
-  std::vector<Cycle> cycles() const;
+  void close_cycles();
   bool exchangeable(int cut, int kept) const;
   int weight(const JointSet& joints) const;
-  bool try_exchange(std::vector<Cycle>& cycles, std::size_t cut, int kept);
-  std::string reason(int joint) const;
+  bool try_exchange(std::size_t cut, int kept);
+  std::string reason(const Cycle& cycle) const;
   int equations(int joint) const { return closure_equations(model_.joints[joint].type); }
 
   /// Candidates to extend the tree, best first: hold, equations, nearness to ground, file order.
@@ -51,9 +50,10 @@ class TreeSearch {
   std::vector<Hold> hold_;                       // per joint
   std::vector<std::vector<int>> joints_of_;      // per body, ascending
   std::vector<bool> reached_;                    // per body
-  std::vector<int> depth_, parent_, parent_joint_;
+  std::vector<int> depth_, parent_, parent_joint_;   // of the tree as it grew
   std::vector<bool> in_tree_, exchanged_;        // per joint
   std::priority_queue<Candidate> candidates_;
+  std::vector<Cycle> cycles_;                    // of the tree as it is
 };
 
 TreeSearch::TreeSearch(const Model& model)
@@ -101,23 +101,6 @@ void TreeSearch::add_candidates(int body) {
   }
 }
 
-// After exchanges: parents and depths anew from in_tree_.
-void TreeSearch::orient() {
-  if (model_.ground < 0) return;
-  std::fill(reached_.begin(), reached_.end(), false);
-  reach(model_.ground, -1, -1);
-  std::vector<int> open{model_.ground};
-  for (std::size_t i = 0; i < open.size(); ++i) {
-    const int body = open[i];
-    for (int j : joints_of_[body]) {
-      const int other = model_.joints[j].from.body == body ? model_.joints[j].to.body : model_.joints[j].from.body;
-      if (!in_tree_[j] || reached_[other]) continue;
-      reach(other, j, body);
-      open.push_back(other);
-    }
-  }
-}
-
 JointSet TreeSearch::path_between(int a, int b) const {
   JointSet path;
   while (a != b) {
@@ -129,15 +112,13 @@ JointSet TreeSearch::path_between(int a, int b) const {
   return path;
 }
 
-std::vector<Cycle> TreeSearch::cycles() const {
-  std::vector<Cycle> cycles;
+void TreeSearch::close_cycles() {
   for (std::size_t j = 0; j < model_.joints.size(); ++j) {
     const Joint& joint = model_.joints[j];
     if (in_tree_[j] || joint.type == JointType::free) continue;
-    cycles.push_back({static_cast<int>(j), path_between(joint.from.body, joint.to.body)});
+    cycles_.push_back({static_cast<int>(j), path_between(joint.from.body, joint.to.body)});
   }
-  for (const Rod& rod : model_.rods) cycles.push_back({-1, path_between(rod.from.body, rod.to.body)});
-  return cycles;
+  for (const Rod& rod : model_.rods) cycles_.push_back({-1, path_between(rod.from.body, rod.to.body)});
 }
 
 bool TreeSearch::exchangeable(int cut, int kept) const {
@@ -154,13 +135,13 @@ int TreeSearch::weight(const JointSet& joints) const {
 }
 
 // Cutting `kept` instead sends every other loop through it along the rest of this cycle: their symmetric difference.
-bool TreeSearch::try_exchange(std::vector<Cycle>& cycles, std::size_t cut, int kept) {
-  JointSet cycle = cycles[cut].path;
-  cycle.insert(std::lower_bound(cycle.begin(), cycle.end(), cycles[cut].joint), cycles[cut].joint);
+bool TreeSearch::try_exchange(std::size_t cut, int kept) {
+  JointSet cycle = cycles_[cut].path;
+  cycle.insert(std::lower_bound(cycle.begin(), cycle.end(), cycles_[cut].joint), cycles_[cut].joint);
   int change = 0;
   std::vector<std::pair<std::size_t, JointSet>> rerouted;
-  for (std::size_t k = 0; k < cycles.size(); ++k) {
-    const JointSet& path = cycles[k].path;
+  for (std::size_t k = 0; k < cycles_.size(); ++k) {
+    const JointSet& path = cycles_[k].path;
     if (k == cut || !std::binary_search(path.begin(), path.end(), kept)) continue;
     JointSet other;
     std::set_symmetric_difference(path.begin(), path.end(), cycle.begin(), cycle.end(), std::back_inserter(other));
@@ -168,30 +149,29 @@ bool TreeSearch::try_exchange(std::vector<Cycle>& cycles, std::size_t cut, int k
     rerouted.emplace_back(k, std::move(other));
   }
   if (change >= 0) return false;
-  in_tree_[cycles[cut].joint] = true;
+  in_tree_[cycles_[cut].joint] = true;
   in_tree_[kept] = false;
   exchanged_[kept] = true;
-  for (auto& [k, path] : rerouted) cycles[k].path = std::move(path);
+  for (auto& [k, path] : rerouted) cycles_[k].path = std::move(path);
   cycle.erase(std::lower_bound(cycle.begin(), cycle.end(), kept));
-  cycles[cut] = {kept, std::move(cycle)};
+  cycles_[cut] = {kept, std::move(cycle)};
   return true;
 }
 
 // Each exchange lowers the total, so the search ends.
 void TreeSearch::shorten_loops() {
-  std::vector<Cycle> all = cycles();
+  close_cycles();
   const auto improve = [&] {
-    for (std::size_t cut = 0; cut < all.size(); ++cut) {
-      if (all[cut].joint < 0) continue;
-      for (int kept : all[cut].path) {
-        if (exchangeable(all[cut].joint, kept) && try_exchange(all, cut, kept)) return true;
+    for (std::size_t cut = 0; cut < cycles_.size(); ++cut) {
+      if (cycles_[cut].joint < 0) continue;
+      for (int kept : cycles_[cut].path) {
+        if (exchangeable(cycles_[cut].joint, kept) && try_exchange(cut, kept)) return true;
       }
     }
     return false;
   };
   while (improve()) {
   }
-  orient();
 }
 
 // One message per island of bodies that no joint connects to ground.
@@ -248,10 +228,11 @@ void TreeSearch::check_marks_and_uses(Diagnostics& problems) const {
   }
 }
 
-std::string TreeSearch::reason(int joint) const {
+std::string TreeSearch::reason(const Cycle& cycle) const {
+  const int joint = cycle.joint;
   if (model_.joints[joint].cut == CutMark::cut) return "marked";
   bool cheaper_kept = false, equal_kept = false;
-  for (int other : path_between(model_.joints[joint].from.body, model_.joints[joint].to.body)) {
+  for (int other : cycle.path) {
     cheaper_kept |= equations(other) < equations(joint);
     equal_kept |= hold_[other] == Hold::none && equations(other) == equations(joint);
   }
@@ -264,8 +245,8 @@ std::string TreeSearch::reason(int joint) const {
 
 SpanningTree TreeSearch::result() const {
   SpanningTree tree{in_tree_, std::vector<std::string>(model_.joints.size())};
-  for (std::size_t j = 0; j < model_.joints.size(); ++j) {
-    if (!in_tree_[j]) tree.cut_reason[j] = reason(static_cast<int>(j));
+  for (const Cycle& cycle : cycles_) {
+    if (cycle.joint >= 0) tree.cut_reason[cycle.joint] = reason(cycle);
   }
   return tree;
 }

@@ -13,7 +13,7 @@ int closure_equations(JointType type);
 
 struct SpanningTree {
   std::vector<bool> in_tree;             ///< per model joint
-  std::vector<std::string> cut_reason;   ///< per model joint, empty in the tree
+  std::vector<std::string> cut_reason;   ///< per model joint, empty in the tree and for free joints
 };
 
 /// Chooses the tree by rank: joints marked "cut": false, joints whose coordinates are used, then those whose cutting
