@@ -1,14 +1,14 @@
 #include "compiler/compile.hpp"
 
-#include "compiler/passes/passes.hpp"
-
 #include <utility>
+
+#include "compiler/passes/passes.hpp"
 
 namespace mbgen {
 
 Programs optimise(Programs programs) {
-  for (Program* program : {&programs.accelerations, &programs.closure, &programs.closure_terms, &programs.accelerations_chosen,
-                           &programs.multipliers, &programs.outputs})
+  for (Program* program : {&programs.accelerations, &programs.closure, &programs.closure_terms,
+                           &programs.accelerations_chosen, &programs.multipliers, &programs.outputs})
     *program = optimise(std::as_const(*program));
   return programs;
 }

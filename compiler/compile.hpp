@@ -1,14 +1,14 @@
 #pragma once
 // The whole pipeline as a page one reads aloud.
 
+#include <string>
+#include <vector>
+
 #include "compiler/analysis/analysis.hpp"
 #include "compiler/emit/emit.hpp"
 #include "compiler/model/model.hpp"
 #include "compiler/topology/topology.hpp"
 #include "compiler/trace/trace.hpp"
-
-#include <string>
-#include <vector>
 
 namespace mbgen {
 

@@ -115,6 +115,24 @@ Part<T> joined(const Part<T>& a, const Part<T>& b) {
   return {mass, a.com + share * gap, inertia + point_inertia(a.mass * share, gap)};
 }
 
+/// Constants that cancelled but for rounding become zero: left and right rods, for example, leave no product of inertia.
+template <class T>
+T without_noise(const T& value, double scale) {
+  constexpr double kNoise = 1e-15;
+  return known_size(value) <= kNoise * scale && known_size(value) > 0 ? T(0.0) : value;
+}
+template <class T>
+Part<T> without_noise(const Part<T>& part) {
+  const Symmetric<T>& j = part.inertia;
+  const double size = known_size(j.xx) + known_size(j.yy) + known_size(j.zz);
+  const double reach = known_size(part.com.x) + known_size(part.com.y) + known_size(part.com.z);
+  const auto length = [&](const T& value) { return without_noise(value, reach); };
+  const auto entry = [&](const T& value) { return without_noise(value, size); };
+  return {part.mass,
+          {length(part.com.x), length(part.com.y), length(part.com.z)},
+          {entry(j.xx), entry(j.yy), entry(j.zz), entry(j.xy), entry(j.xz), entry(j.yz)}};
+}
+
 /// A model body as a part of its tree body: from the tree body's origin, in reference axes.
 template <class T>
 Part<T> part_of(const Model& model, int body, const Vector<T>& origin, const Environment<T>& environment) {
@@ -158,7 +176,8 @@ Constants<T> make_constants(const Model& model, const Topology& topology, const 
     for (const Place<T>& end : {r.from, r.to})
       if (end.body != kGround) parts[end.body] = joined(parts[end.body], Part<T>{T(2.0) * r.coupling, end.at, {}});
   }
-  for (const Part<T>& part : parts) {
+  for (const Part<T>& noisy : parts) {
+    const Part<T> part = without_noise(noisy);
     constants.mass.push_back(part.mass);
     constants.com.push_back(part.com);
     constants.inertia.push_back(part.inertia);

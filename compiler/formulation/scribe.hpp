@@ -31,6 +31,9 @@ struct Scribe {
 /// Whether a value is known to be zero when the equations are written: then work on it is not done at all.
 inline bool is_zero(double value) { return value == 0.0; }
 
+/// Size of a value that is known when the equations are written, 0 of any other.
+inline double known_size(double value) { return std::abs(value); }
+
 template <class T>
 void name(Scribe<T>& scribe, const Vector<T>& v, const std::string& text) {
   scribe.name(v.x, text + "_x");

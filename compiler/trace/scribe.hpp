@@ -4,10 +4,15 @@
 #include "compiler/formulation/scribe.hpp"
 #include "compiler/program/program.hpp"
 
+#include <cmath>
+
 namespace mbgen {
 
 /// Whether a traced value is the constant zero.
 inline bool is_zero(const Expr& value) { return value.is_constant() && value.constant() == 0.0; }
+
+/// Size of a traced constant, 0 of a value that is only known at run time.
+inline double known_size(const Expr& value) { return value.is_constant() ? std::abs(value.constant()) : 0.0; }
 
 template <>
 struct Scribe<Expr> {
