@@ -142,6 +142,9 @@ TEST_F(CommandLine, DumpsEveryStageAndNothingElse) {
     EXPECT_NE(run.out.find(mark), std::string::npos) << stage;
     EXPECT_EQ(mbgen(fmt::format("inspect four_bar.json --dump={}", stage)).out, run.out);
   }
+  ASSERT_EQ(mbgen("generate four_bar.json --out made --no-runtime").exit_code, 0);
+  EXPECT_NE(mbgen("inspect four_bar.json --dump=code").out.find(read("made/four_bar.cpp")), std::string::npos);
+  std::filesystem::remove_all(path("made"));
   const Outcome run = mbgen("check four_bar.json --dump=everything");
   EXPECT_EQ(run.exit_code, 1);
   EXPECT_NE(run.err.find("model, topology, analysis, program, optimised, code"), std::string::npos) << run.err;

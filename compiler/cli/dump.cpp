@@ -4,12 +4,12 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "compiler/cli/dump_model.hpp"
 #include "compiler/cli/names.hpp"
 #include "compiler/cli/user_error.hpp"
 #include "compiler/compile.hpp"
-#include "compiler/passes/passes.hpp"
 
 namespace mbgen::cli {
 namespace {
@@ -72,10 +72,10 @@ std::string dump_analysis(const Topology& topology, const Analysis& analysis) {
   return text;
 }
 
-std::string dump_programs(const Programs& programs, bool optimised) {
+std::string dump_programs(const Programs& programs) {
   std::string text;
   for (const Program* program : all_programs(programs)) {
-    text += fmt::format("; program {}\n{}\n", program->name, dump(optimised ? optimise(*program) : *program));
+    text += fmt::format("; program {}\n{}\n", program->name, dump(*program));
   }
   return text;
 }
@@ -104,9 +104,10 @@ std::string dump_stage(const std::string& path, const std::string& stage) {
   if (stage == "topology") return dump_topology(topology);
   const Analysis analysis = expect(analyse(model, topology));
   if (stage == "analysis") return dump_analysis(topology, analysis);
-  const Programs programs = trace(model, topology, analysis);
-  if (stage == "program") return dump_programs(programs, false);
-  if (stage == "optimised") return dump_programs(programs, true);
+  Programs programs = trace(model, topology, analysis);
+  if (stage == "program") return dump_programs(programs);
+  programs = optimise(std::move(programs));
+  if (stage == "optimised") return dump_programs(programs);
   return dump_code(emit(programs, model, topology, analysis, {.runtime_headers = false}));
 }
 
