@@ -19,8 +19,6 @@ Diagnostics problems_of(Model model) {
   return analysis ? Diagnostics{} : analysis.problems();
 }
 
-Result<Model> read(const std::string& relative) { return read_model_file(source_path(relative)); }
-
 const BlockAnalysis& only_block(const Mechanism& m) {
   EXPECT_EQ(m.analysis.blocks.size(), 1u);
   return m.analysis.blocks[0];

@@ -48,6 +48,17 @@ inline std::vector<std::string> all_models() {
   return paths;
 }
 
+/// Those of them that have closures.
+inline std::vector<std::string> models_with_loops() {
+  std::vector<std::string> paths = all_models();
+  std::erase_if(paths, [](const std::string& path) {
+    const Result<Model> model = read_model_file(source_path(path));
+    const Result<Topology> topology = model ? build_topology(*model) : Result<Topology>(Diagnostics{});
+    return topology && topology->loops.empty();   // what cannot be read stays in, to fail
+  });
+  return paths;
+}
+
 /// A name that GoogleTest accepts.
 inline std::string test_name(const ::testing::TestParamInfo<std::string>& info) {
   std::string name = info.param;
