@@ -1,11 +1,11 @@
 // Rank, redundancy, dependent coordinates and the block-triangular form.
 
-#include "compiler/analysis/partition.hpp"
-#include "tests/mechanism_support.hpp"
-
 #include <cstdlib>
 #include <fstream>
 #include <iterator>
+
+#include "compiler/analysis/partition.hpp"
+#include "tests/mechanism_support.hpp"
 
 namespace mbgen {
 namespace {
@@ -111,7 +111,8 @@ TEST(Analysis, AFreeDirectionWithoutInertiaIsNamed) {
   for (const Diagnostic& problem : problems) EXPECT_NE(problem.message.find("moves no inertia"), std::string::npos);
 }
 
-/// Every bad model of tests/errors/analysis is refused with exactly the text beside it; MBGEN_UPDATE=1 rewrites the texts.
+/// Every bad model of tests/errors/analysis is refused with exactly the text beside it; MBGEN_UPDATE=1 rewrites the
+/// texts.
 TEST(Analysis, RefusesBadModelsWithExactMessages) {
   int cases = 0;
   for (const auto& entry : std::filesystem::directory_iterator(source_path("tests/errors/analysis"))) {

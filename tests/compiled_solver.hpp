@@ -1,9 +1,6 @@
 #pragma once
 // Emitted files, compiled with every warning an error and loaded into the test.
 
-#include "compiler/emit/emit.hpp"
-#include "mbgen/driver.hpp"
-
 #include <dlfcn.h>
 
 #include <algorithm>
@@ -15,6 +12,9 @@
 #include <sstream>
 #include <string>
 #include <vector>
+
+#include "compiler/emit/emit.hpp"
+#include "mbgen/driver.hpp"
 
 namespace mbgen::test {
 

@@ -1,10 +1,10 @@
 #pragma once
 // A bead on a circle, by hand: two sliders x and y, closed by x^2 + y^2 = area. Small enough to know every answer.
 
-#include "compiler/emit/emit.hpp"
-
 #include <string>
 #include <vector>
+
+#include "compiler/emit/emit.hpp"
 
 namespace mbgen::test {
 

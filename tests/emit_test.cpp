@@ -1,21 +1,21 @@
 // Emitted text: numbers, names, frames, statements, whole programs.
 
-#include "compiler/emit/expression_text.hpp"
-#include "compiler/emit/names.hpp"
-#include "compiler/emit/program_text.hpp"
-#include "compiler/emit/arrangement.hpp"
-#include "compiler/emit/text.hpp"
-#include "emit_support.hpp"
-
 #include <gtest/gtest.h>
-#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <charconv>
 #include <fstream>
 #include <limits>
+#include <nlohmann/json.hpp>
 #include <sstream>
 #include <stdexcept>
+
+#include "compiler/emit/arrangement.hpp"
+#include "compiler/emit/expression_text.hpp"
+#include "compiler/emit/names.hpp"
+#include "compiler/emit/program_text.hpp"
+#include "compiler/emit/text.hpp"
+#include "emit_support.hpp"
 
 namespace mbgen::test {
 namespace {

@@ -1,14 +1,14 @@
 // Emitted code, compiled by both compilers with every warning an error, against what is known of it.
 
-#include "compiled_solver.hpp"
-#include "emit_support.hpp"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <limits>
 #include <numbers>
 #include <random>
+
+#include "compiled_solver.hpp"
+#include "emit_support.hpp"
 
 namespace mbgen::test {
 namespace {

@@ -54,7 +54,7 @@ inline std::vector<std::string> models_with_loops() {
   std::erase_if(paths, [](const std::string& path) {
     const Result<Model> model = read_model_file(source_path(path));
     const Result<Topology> topology = model ? build_topology(*model) : Result<Topology>(Diagnostics{});
-    return topology && topology->loops.empty();   // what cannot be read stays in, to fail
+    return topology && topology->loops.empty();  // what cannot be read stays in, to fail
   });
   return paths;
 }

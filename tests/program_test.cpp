@@ -69,7 +69,8 @@ TEST(Rules, OneDirectionEach) {
       {[](const Expr& x, const Expr& y) { return select(Expr(1.0), x, y); }, same_x},
       {[](const Expr& x, const Expr& y) { return select(Expr(-1.0), y, x); }, same_x},
       {[](const Expr& x, const Expr& y) { return select(y, x, x); }, same_x}};
-  for (std::size_t r = 0; r < rules.size(); ++r) EXPECT_EQ(text_of(rules[r].first), text_of(rules[r].second)) << "rule " << r;
+  for (std::size_t r = 0; r < rules.size(); ++r)
+    EXPECT_EQ(text_of(rules[r].first), text_of(rules[r].second)) << "rule " << r;
 }
 
 TEST(Rules, DivisionByThreeStays) {
@@ -127,7 +128,7 @@ TEST(Count, LooksAtLiveValuesBySection) {
   const Expr a = sin(x) + x;
   builder.set_section("two");
   const Expr b = sqrt(a * a) / x;
-  cos(b);   // needed by nobody
+  cos(b);  // needed by nobody
   builder.output("out", 0, (-b).value(builder));
   const Program program = builder.finish();
   const OperationCount total = count_operations(program);
@@ -183,7 +184,7 @@ TEST(Derivative, FollowsASeedAndVanishesWhereThereIsNone) {
   const std::vector<double> values = interpret(slopes, inputs);
   ASSERT_EQ(values.size(), 2u);
   EXPECT_EQ(values[0], 14);
-  EXPECT_EQ(values[1], 12);   // 2 x dx
+  EXPECT_EQ(values[1], 12);  // 2 x dx
 }
 
 /// A random program of so many operations on six inputs.
@@ -196,13 +197,27 @@ Program random_program(std::uint64_t seed, int operations) {
   for (int i = 0; i < operations; ++i) {
     const Expr a = any(), b = any();
     switch (random() % 7) {
-      case 0: values.push_back(a + b); break;
-      case 1: values.push_back(a - b); break;
-      case 2: values.push_back(tanh(a) * b); break;
-      case 3: values.push_back(a / (2.0 + b * b)); break;
-      case 4: values.push_back(sin(a)); break;
-      case 5: values.push_back(select(a, a, -b)); break;
-      default: values.push_back(a * 0.5 - 1.0); break;
+      case 0:
+        values.push_back(a + b);
+        break;
+      case 1:
+        values.push_back(a - b);
+        break;
+      case 2:
+        values.push_back(tanh(a) * b);
+        break;
+      case 3:
+        values.push_back(a / (2.0 + b * b));
+        break;
+      case 4:
+        values.push_back(sin(a));
+        break;
+      case 5:
+        values.push_back(select(a, a, -b));
+        break;
+      default:
+        values.push_back(a * 0.5 - 1.0);
+        break;
     }
   }
   for (int i = 0; i < 8; ++i) builder.output("out", i, any().value(builder));
@@ -224,7 +239,8 @@ TEST(Passes, KeepTheValuesOfRandomPrograms) {
     EXPECT_EQ(run(lean), run(program));
     EXPECT_LE(lean.nodes.size(), program.nodes.size());
     const std::vector<double> expected = run(program), actual = run(best);
-    for (std::size_t i = 0; i < expected.size(); ++i) EXPECT_NEAR(actual[i], expected[i], 1e-12 * (1 + std::abs(expected[i])));
+    for (std::size_t i = 0; i < expected.size(); ++i)
+      EXPECT_NEAR(actual[i], expected[i], 1e-12 * (1 + std::abs(expected[i])));
   }
 }
 

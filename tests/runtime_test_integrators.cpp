@@ -1,12 +1,12 @@
 // The integrators: order of convergence on problems with closed solutions, start-up, failures.
 
-#include "mbgen/integrators.hpp"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <limits>
 #include <vector>
+
+#include "mbgen/integrators.hpp"
 
 namespace mbgen {
 namespace {

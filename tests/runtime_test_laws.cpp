@@ -1,13 +1,13 @@
 // Characteristics and force laws, against values calculated by hand.
 
-#include "mbgen/forces.hpp"
-#include "mbgen/table.hpp"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <limits>
 #include <vector>
+
+#include "mbgen/forces.hpp"
+#include "mbgen/table.hpp"
 
 namespace mbgen {
 namespace {

@@ -1,15 +1,15 @@
 // The pivoting LU of loop blocks, against Eigen's FullPivLU and against the equations themselves.
 
-#include "mbgen/loop.hpp"
-
-#include <Eigen/Dense>
 #include <gtest/gtest.h>
 
+#include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <random>
 #include <vector>
+
+#include "mbgen/loop.hpp"
 
 namespace mbgen {
 namespace {

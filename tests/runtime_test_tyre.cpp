@@ -1,17 +1,17 @@
 // The magic formulas against reference values that mbgen did not make (tests/data/tyre_magic_formula.json), and their
 // behaviour at the edges.
 
-#include "mbgen/tyre.hpp"
-
 #include <gtest/gtest.h>
-#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <fstream>
 #include <map>
+#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
+
+#include "mbgen/tyre.hpp"
 
 namespace mbgen {
 namespace {
@@ -141,17 +141,16 @@ TEST(Pac2002, ScalingFactorsActWhereTheyShould) {
     bool fx, fy, mz, mx;
   };
   using Set = Pac2002<double>;
-  const Factor factors[] = {
-      {&Set::lcx, true, false, true, false},   {&Set::lex, true, false, true, false},
-      {&Set::lhx, true, false, true, false},   {&Set::lvx, true, false, true, false},
-      {&Set::lgax, true, false, true, false},  {&Set::lcy, false, true, true, true},
-      {&Set::ley, false, true, true, true},    {&Set::lhy, false, true, true, true},
-      {&Set::lvy, false, true, true, true},    {&Set::lgay, false, true, true, true},
-      {&Set::ltr, false, false, true, false},  {&Set::lres, false, false, true, false},
-      {&Set::lgaz, false, false, true, false}, {&Set::lxal, true, false, true, false},
-      {&Set::lyka, false, true, true, true},   {&Set::lvyka, false, true, true, true},
-      {&Set::ls, false, false, true, false},   {&Set::lmx, false, false, false, true},
-      {&Set::lvmx, false, false, false, true}};
+  const Factor factors[] = {{&Set::lcx, true, false, true, false},   {&Set::lex, true, false, true, false},
+                            {&Set::lhx, true, false, true, false},   {&Set::lvx, true, false, true, false},
+                            {&Set::lgax, true, false, true, false},  {&Set::lcy, false, true, true, true},
+                            {&Set::ley, false, true, true, true},    {&Set::lhy, false, true, true, true},
+                            {&Set::lvy, false, true, true, true},    {&Set::lgay, false, true, true, true},
+                            {&Set::ltr, false, false, true, false},  {&Set::lres, false, false, true, false},
+                            {&Set::lgaz, false, false, true, false}, {&Set::lxal, true, false, true, false},
+                            {&Set::lyka, false, true, true, true},   {&Set::lvyka, false, true, true, true},
+                            {&Set::ls, false, false, true, false},   {&Set::lmx, false, false, false, true},
+                            {&Set::lvmx, false, false, false, true}};
   const auto combined = [](const Set& set) { return magic_formula_pac2002(set, 5000.0, 0.03, 0.04, 0.02); };
   const TyreForces<double> before = combined(plain);
   for (const Factor& factor : factors) {

@@ -1,15 +1,15 @@
 // A wheel on the road: contact law, steady slip, and the way from rest and to rest.
 
-#include "mbgen/integrators.hpp"
-#include "mbgen/tyre.hpp"
-
 #include <gtest/gtest.h>
-#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <fstream>
+#include <nlohmann/json.hpp>
 #include <vector>
+
+#include "mbgen/integrators.hpp"
+#include "mbgen/tyre.hpp"
 
 namespace mbgen {
 namespace {

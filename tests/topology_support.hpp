@@ -1,8 +1,6 @@
 #pragma once
 // Models for the topology room's tests, built by hand: names and connections only, no geometry.
 
-#include "compiler/topology/topology.hpp"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -10,6 +8,8 @@
 #include <stdexcept>
 #include <string>
 #include <vector>
+
+#include "compiler/topology/topology.hpp"
 
 namespace mbgen::testing {
 
@@ -72,10 +72,14 @@ class ModelBuilder {
  private:
   static std::vector<Freedom> freedoms(const std::string& name, JointType type) {
     static const std::map<JointType, std::vector<std::string>> suffixes = {
-        {JointType::revolute, {""}},           {JointType::prismatic, {""}},
-        {JointType::cylindrical, {"_ty", "_ry"}}, {JointType::universal, {"_rx", "_ry"}},
-        {JointType::spherical, {"_rz", "_ry", "_rx"}}, {JointType::planar, {"_tx", "_ty", "_rz"}},
-        {JointType::free, {"_tx", "_ty", "_tz", "_rz", "_ry", "_rx"}}, {JointType::fixed, {}}};
+        {JointType::revolute, {""}},
+        {JointType::prismatic, {""}},
+        {JointType::cylindrical, {"_ty", "_ry"}},
+        {JointType::universal, {"_rx", "_ry"}},
+        {JointType::spherical, {"_rz", "_ry", "_rx"}},
+        {JointType::planar, {"_tx", "_ty", "_rz"}},
+        {JointType::free, {"_tx", "_ty", "_tz", "_rz", "_ry", "_rx"}},
+        {JointType::fixed, {}}};
     std::vector<Freedom> freedoms;
     for (const std::string& suffix : suffixes.at(type)) {
       Freedom freedom{name + suffix, FreedomKind::revolute, {0, 0, 0}};

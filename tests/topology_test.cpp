@@ -1,8 +1,8 @@
 // The tree, the loops and the blocks of small models built by hand, all expectations exact.
 
-#include "tests/topology_support.hpp"
-
 #include <cmath>
+
+#include "tests/topology_support.hpp"
 
 namespace mbgen {
 namespace {
@@ -48,8 +48,7 @@ TEST(Tree, AFreeJointIsAChainWithMasslessBodies) {
   const Topology topology = topology_of(builder.model);
   EXPECT_EQ(body_names(topology),
             (Names{"hull_aux1", "hull_aux2", "hull_aux3", "hull_aux4", "hull_aux5", "hull", "mast"}));
-  EXPECT_EQ(coordinates(topology),
-            (Names{"hull_tx", "hull_ty", "hull_tz", "hull_rz", "hull_ry", "hull_rx", "mast"}));
+  EXPECT_EQ(coordinates(topology), (Names{"hull_tx", "hull_ty", "hull_tz", "hull_rz", "hull_ry", "hull_rx", "mast"}));
   EXPECT_EQ(parents(topology), (Indices{kGround, 0, 1, 2, 3, 4, 5}));
   for (int i = 0; i < 7; ++i) {
     EXPECT_EQ(topology.bodies[i].massless, i < 5) << i;
@@ -124,11 +123,11 @@ TEST(Loops, FourBarIsCutFarthestFromGround) {
 }
 
 TEST(Loops, TheJointWithFewestEquationsIsCut) {
-  const std::vector<std::pair<JointType, int>> costs = {
-      {JointType::spherical, 3}, {JointType::planar, 3},      {JointType::universal, 4}, {JointType::cylindrical, 4},
-      {JointType::revolute, 5},  {JointType::prismatic, 5}};
+  const std::vector<std::pair<JointType, int>> costs = {{JointType::spherical, 3}, {JointType::planar, 3},
+                                                        {JointType::universal, 4}, {JointType::cylindrical, 4},
+                                                        {JointType::revolute, 5},  {JointType::prismatic, 5}};
   for (const auto& [type, equations] : costs) {
-    ModelBuilder builder;   // declared first and on ground, where ties would keep it
+    ModelBuilder builder;  // declared first and on ground, where ties would keep it
     builder.joint("cheap", type, "ground", "a").joint("weld", JointType::fixed, "a", "b");
     builder.joint("dear", JointType::fixed, "b", "c").joint("last", JointType::fixed, "c", "d");
     builder.revolute("hinge", "ground", "d");
@@ -154,8 +153,7 @@ TEST(Loops, UsedCoordinatesAndMarksAreKept) {
   used.joint_springs[0].joint = {0, 1};
   used.joint_springs[0].relative_to = CoordinateReference{1, 0};
   EXPECT_EQ(loop_names(topology_of(used)), Names{"hinge"});
-  EXPECT_EQ(topology_of(used).cut_reasons,
-            Names{"fewest equations (5) of the joints that need not stay in the tree"});
+  EXPECT_EQ(topology_of(used).cut_reasons, Names{"fewest equations (5) of the joints that need not stay in the tree"});
 
   Model marked = builder.model;
   marked.joints[1].cut = CutMark::cut;
@@ -171,9 +169,15 @@ TEST(Loops, EveryReferenceToACoordinateKeepsItsJoint) {
       [](Model& m, CoordinateReference c) { m.motions.emplace_back().joint = c; },
       [](Model& m, CoordinateReference c) { m.frictions.emplace_back().joint = c; },
       [](Model& m, CoordinateReference c) { m.joint_forces.emplace_back().joint = c; },
-      [](Model& m, CoordinateReference c) { m.initial.positions.push_back({c, 0.1, {}}); },
-      [](Model& m, CoordinateReference c) { m.initial.velocities.push_back({c, 0.1, {}}); },
-      [](Model& m, CoordinateReference c) { m.outputs.emplace_back().source = CoordinateOutput{{}, c}; },
+      [](Model& m, CoordinateReference c) {
+        m.initial.positions.push_back({c, 0.1, {}});
+      },
+      [](Model& m, CoordinateReference c) {
+        m.initial.velocities.push_back({c, 0.1, {}});
+      },
+      [](Model& m, CoordinateReference c) {
+        m.outputs.emplace_back().source = CoordinateOutput{{}, c};
+      },
       [](Model& m, CoordinateReference c) {
         ExpressionNode node;
         node.kind = ExpressionNode::Kind::velocity;
@@ -244,11 +248,9 @@ TEST(Queries, PathMatrixOfThePapersExample) {
   builder.revolute("left", "trunk", "left").revolute("left_leaf", "left", "left_leaf");
   builder.revolute("right", "trunk", "right").revolute("right_leaf", "right", "right_leaf");
   const Topology topology = topology_of(builder.model);
-  EXPECT_EQ(path_matrix(topology), (std::vector<Indices>{{1, 1, 0, 0, 1},
-                                                         {0, 1, 0, 0, 1},
-                                                         {0, 0, 1, 1, 1},
-                                                         {0, 0, 0, 1, 1},
-                                                         {0, 0, 0, 0, 1}}));
+  EXPECT_EQ(
+      path_matrix(topology),
+      (std::vector<Indices>{{1, 1, 0, 0, 1}, {0, 1, 0, 0, 1}, {0, 0, 1, 1, 1}, {0, 0, 0, 1, 1}, {0, 0, 0, 0, 1}}));
 }
 
 TEST(Queries, PathsAndAncestors) {

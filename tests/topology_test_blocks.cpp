@@ -1,10 +1,10 @@
 // Loop blocks and groups, and what must hold on any graph.
 
-#include "tests/topology_support.hpp"
-
 #include <array>
 #include <random>
 #include <set>
+
+#include "tests/topology_support.hpp"
 
 namespace mbgen {
 namespace {
@@ -80,8 +80,11 @@ TEST(Blocks, BlocksNestThroughTheirBases) {
   EXPECT_EQ(group(2), (Names{"seat_arm", "seat", "seat_link"}));
   EXPECT_EQ(group(3), Names{"lamp"});
   // frame 0, front_arm 1, cab 2, seat_arm 3, seat 4, seat_link 5, lamp 6, rear_arm 7
-  const std::vector<std::array<int, 3>> expected = {   // block, base, parent
-      {-1, kGround, -1}, {0, 0, 0}, {1, 2, 1}, {-1, 4, 2}};
+  const std::vector<std::array<int, 3>> expected = {// block, base, parent
+                                                    {-1, kGround, -1},
+                                                    {0, 0, 0},
+                                                    {1, 2, 1},
+                                                    {-1, 4, 2}};
   for (int g = 0; g < 4; ++g) {
     const JointGroup& found = topology.groups[g];
     EXPECT_EQ((std::array<int, 3>{found.block, found.base, found.parent}), expected[g]) << g;
@@ -98,7 +101,9 @@ ModelBuilder random_mechanism(std::mt19937& random) {
   const int bodies = 2 + below(12);
   const auto numbered = [](const char* word, int number) { return std::string(word).append(std::to_string(number)); };
   const auto name = [&](int body) { return body == 0 ? std::string("ground") : numbered("b", body); };
-  struct Edge { int type, a, b; };
+  struct Edge {
+    int type, a, b;
+  };
   std::vector<Edge> edges;
   for (int b = 1; b < bodies; ++b) edges.push_back({below(8), below(b), b});
   for (int k = below(6); k > 0; --k) {
@@ -141,7 +146,9 @@ void check_definitions(const Topology& topology) {
       ++seen[joint];
       EXPECT_EQ(&topology.groups[topology.group_of[joint]], &group);
       const int parent = topology.bodies[joint].parent;
-      if (parent != group.base) { EXPECT_EQ(&topology.groups[topology.group_of[parent]], &group); }
+      if (parent != group.base) {
+        EXPECT_EQ(&topology.groups[topology.group_of[parent]], &group);
+      }
     }
     EXPECT_LT(group.parent, &group - topology.groups.data());
     EXPECT_EQ(group.parent, group.base == kGround ? -1 : topology.group_of[group.base]);

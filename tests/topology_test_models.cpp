@@ -1,12 +1,11 @@
 // The models of the project: the paper's counts, the reference's joint order, closure of the reference configurations.
 
-#include "tests/topology_support.hpp"
-
-#include <nlohmann/json.hpp>
-
 #include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "tests/topology_support.hpp"
 
 namespace mbgen {
 namespace {
@@ -87,16 +86,15 @@ TEST(Models, EveryModelHasATopology) {
 
 // Points of joints coincide at the reference to rounding, far below the reader's tolerance of 1e-6 m.
 TEST(Models, ReferenceConfigurationsCloseToRounding) {
-  for (const char* path : {"models/andrews_squeezer.json", "models/slider_crank.json", "models/coach_mechanism.json",
-                           "models/truck_mechanism.json", "tests/data/models/skew_tree.json",
-                           "tests/data/models/flyball_governor.json"}) {
+  for (const char* path :
+       {"models/andrews_squeezer.json", "models/slider_crank.json", "models/coach_mechanism.json",
+        "models/truck_mechanism.json", "tests/data/models/skew_tree.json", "tests/data/models/flyball_governor.json"}) {
     const Model model = model_of(path);
     const auto place = [&](const Attachment& at) {
       const Body& body = model.bodies[at.body];
       Vector3 world = body.pose.origin;
       for (int i = 0; i < 3; ++i)
-        for (int k = 0; k < 3; ++k)
-          world[i] += body.pose.rotation[3 * i + k] * body.points[at.point].position[k].value;
+        for (int k = 0; k < 3; ++k) world[i] += body.pose.rotation[3 * i + k] * body.points[at.point].position[k].value;
       return world;
     };
     for (const Joint& joint : model.joints) {

@@ -1,10 +1,10 @@
 #pragma once
 // The order in which a program's values are emitted, and its division into functions.
 
-#include "compiler/program/program.hpp"
-
 #include <cstddef>
 #include <vector>
+
+#include "compiler/program/program.hpp"
 
 namespace mbgen {
 

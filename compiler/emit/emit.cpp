@@ -1,10 +1,10 @@
 #include "compiler/emit/emit.hpp"
 
+#include <algorithm>
+
 #include "compiler/emit/embedded.hpp"
 #include "compiler/emit/interface_text.hpp"
 #include "compiler/emit/text.hpp"
-
-#include <algorithm>
 
 namespace mbgen {
 namespace {

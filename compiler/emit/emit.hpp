@@ -1,13 +1,13 @@
 #pragma once
 // The door of the emit room: Programs -> C++ text. The same input gives the same bytes on any machine.
 
+#include <string>
+#include <vector>
+
 #include "compiler/analysis/analysis.hpp"
 #include "compiler/model/model.hpp"
 #include "compiler/topology/topology.hpp"
 #include "compiler/trace/trace.hpp"
-
-#include <string>
-#include <vector>
 
 namespace mbgen {
 

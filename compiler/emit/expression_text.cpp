@@ -1,8 +1,8 @@
 #include "compiler/emit/expression_text.hpp"
 
-#include "compiler/emit/text.hpp"
-
 #include <fmt/format.h>
+
+#include "compiler/emit/text.hpp"
 
 namespace mbgen {
 namespace {
@@ -32,29 +32,51 @@ Phrase constant_phrase(double value) {
 
 Phrase operation_phrase(Op op, const Phrase& a, const Phrase& b, const Phrase& c) {
   switch (op) {
-    case Op::add: return {a.text + " + " + right_term(b), Binding::sum};
-    case Op::subtract: return {a.text + " - " + right_term(b), Binding::sum};
-    case Op::multiply: return {operand(a, Binding::product) + "*" + operand(b, Binding::primary), Binding::product};
-    case Op::divide: return {operand(a, Binding::product) + "/" + operand(b, Binding::primary), Binding::product};
-    case Op::negate: return {fmt::format("-{}", operand(a, Binding::primary)), Binding::sign};
-    case Op::sqrt: return {call("std::sqrt", a), Binding::primary};
-    case Op::sin: return {call("std::sin", a), Binding::primary};
-    case Op::cos: return {call("std::cos", a), Binding::primary};
-    case Op::tan: return {call("std::tan", a), Binding::primary};
-    case Op::asin: return {call("std::asin", a), Binding::primary};
-    case Op::acos: return {call("std::acos", a), Binding::primary};
-    case Op::atan: return {call("std::atan", a), Binding::primary};
-    case Op::atan2: return {call("std::atan2", a, b), Binding::primary};
-    case Op::exp: return {call("std::exp", a), Binding::primary};
-    case Op::log: return {call("std::log", a), Binding::primary};
-    case Op::pow: return {call("std::pow", a, b), Binding::primary};
-    case Op::tanh: return {call("std::tanh", a), Binding::primary};
-    case Op::abs: return {call("std::abs", a), Binding::primary};
-    case Op::min: return {call("mbgen::min", a, b), Binding::primary};
-    case Op::max: return {call("mbgen::max", a, b), Binding::primary};
-    case Op::select: return {fmt::format("({} >= 0.0 ? {} : {})", a.text, b.text, c.text), Binding::primary};
+    case Op::add:
+      return {a.text + " + " + right_term(b), Binding::sum};
+    case Op::subtract:
+      return {a.text + " - " + right_term(b), Binding::sum};
+    case Op::multiply:
+      return {operand(a, Binding::product) + "*" + operand(b, Binding::primary), Binding::product};
+    case Op::divide:
+      return {operand(a, Binding::product) + "/" + operand(b, Binding::primary), Binding::product};
+    case Op::negate:
+      return {fmt::format("-{}", operand(a, Binding::primary)), Binding::sign};
+    case Op::sqrt:
+      return {call("std::sqrt", a), Binding::primary};
+    case Op::sin:
+      return {call("std::sin", a), Binding::primary};
+    case Op::cos:
+      return {call("std::cos", a), Binding::primary};
+    case Op::tan:
+      return {call("std::tan", a), Binding::primary};
+    case Op::asin:
+      return {call("std::asin", a), Binding::primary};
+    case Op::acos:
+      return {call("std::acos", a), Binding::primary};
+    case Op::atan:
+      return {call("std::atan", a), Binding::primary};
+    case Op::atan2:
+      return {call("std::atan2", a, b), Binding::primary};
+    case Op::exp:
+      return {call("std::exp", a), Binding::primary};
+    case Op::log:
+      return {call("std::log", a), Binding::primary};
+    case Op::pow:
+      return {call("std::pow", a, b), Binding::primary};
+    case Op::tanh:
+      return {call("std::tanh", a), Binding::primary};
+    case Op::abs:
+      return {call("std::abs", a), Binding::primary};
+    case Op::min:
+      return {call("mbgen::min", a, b), Binding::primary};
+    case Op::max:
+      return {call("mbgen::max", a, b), Binding::primary};
+    case Op::select:
+      return {fmt::format("({} >= 0.0 ? {} : {})", a.text, b.text, c.text), Binding::primary};
     case Op::constant:
-    case Op::input: break;
+    case Op::input:
+      break;
   }
   return a;
 }

@@ -1,9 +1,9 @@
 #pragma once
 // One operation as a C++ expression with as few parentheses as its meaning allows.
 
-#include "compiler/program/program.hpp"
-
 #include <string>
+
+#include "compiler/program/program.hpp"
 
 namespace mbgen {
 

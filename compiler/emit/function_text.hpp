@@ -1,11 +1,11 @@
 #pragma once
 // Functions and structs around the statements of a program.
 
-#include "compiler/emit/layout.hpp"
-
 #include <set>
 #include <string>
 #include <vector>
+
+#include "compiler/emit/layout.hpp"
 
 namespace mbgen {
 

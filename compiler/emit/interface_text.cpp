@@ -1,11 +1,11 @@
 #include "compiler/emit/interface_text.hpp"
 
-#include "compiler/emit/emit.hpp"
-#include "compiler/emit/text.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
+
+#include "compiler/emit/emit.hpp"
+#include "compiler/emit/text.hpp"
 
 namespace mbgen {
 namespace {

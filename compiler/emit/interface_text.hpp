@@ -1,10 +1,10 @@
 #pragma once
 // The files that people read first: the interface of a solver, its manifest and its build file.
 
+#include <string>
+
 #include "compiler/emit/layout.hpp"
 #include "compiler/emit/names.hpp"
-
-#include <string>
 
 namespace mbgen {
 

@@ -1,16 +1,16 @@
 #pragma once
 // Sizes of a solver, and where each slot of its programs lives in emitted code.
 
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
 #include "compiler/analysis/analysis.hpp"
 #include "compiler/emit/names.hpp"
 #include "compiler/model/model.hpp"
 #include "compiler/topology/topology.hpp"
 #include "compiler/trace/trace.hpp"
-
-#include <map>
-#include <string>
-#include <utility>
-#include <vector>
 
 namespace mbgen {
 

@@ -1,8 +1,8 @@
+#include <nlohmann/json.hpp>
+
+#include "compiler/emit/arrangement.hpp"
 #include "compiler/emit/emit.hpp"
 #include "compiler/emit/interface_text.hpp"
-#include "compiler/emit/arrangement.hpp"
-
-#include <nlohmann/json.hpp>
 
 namespace mbgen {
 namespace {

@@ -1,11 +1,11 @@
 #include "compiler/emit/names.hpp"
 
-#include "compiler/emit/emit.hpp"
-
 #include <algorithm>
 #include <iterator>
 #include <set>
 #include <string_view>
+
+#include "compiler/emit/emit.hpp"
 
 namespace mbgen {
 namespace {

@@ -1,11 +1,11 @@
 #pragma once
 // Names of the model as C++ identifiers.
 
-#include "compiler/model/model.hpp"
-#include "compiler/topology/topology.hpp"
-
 #include <string>
 #include <vector>
+
+#include "compiler/model/model.hpp"
+#include "compiler/topology/topology.hpp"
 
 namespace mbgen {
 

@@ -1,10 +1,5 @@
 #include "compiler/emit/program_text.hpp"
 
-#include "compiler/emit/expression_text.hpp"
-#include "compiler/emit/function_text.hpp"
-#include "compiler/emit/arrangement.hpp"
-#include "compiler/emit/text.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -12,6 +7,11 @@
 #include <set>
 #include <stdexcept>
 #include <unordered_map>
+
+#include "compiler/emit/arrangement.hpp"
+#include "compiler/emit/expression_text.hpp"
+#include "compiler/emit/function_text.hpp"
+#include "compiler/emit/text.hpp"
 
 namespace mbgen {
 namespace {

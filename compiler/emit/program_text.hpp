@@ -1,10 +1,10 @@
 #pragma once
 // A straight-line program as C++ functions.
 
+#include <string>
+
 #include "compiler/emit/layout.hpp"
 #include "compiler/program/program.hpp"
-
-#include <string>
 
 namespace mbgen {
 

@@ -1,10 +1,9 @@
-#include "compiler/emit/interface_text.hpp"
-
-#include "compiler/emit/program_text.hpp"
-#include "compiler/emit/text.hpp"
-
 #include <algorithm>
 #include <stdexcept>
+
+#include "compiler/emit/interface_text.hpp"
+#include "compiler/emit/program_text.hpp"
+#include "compiler/emit/text.hpp"
 
 namespace mbgen {
 namespace {

@@ -1,12 +1,12 @@
 #include "compiler/emit/text.hpp"
 
-#include "compiler/emit/embedded.hpp"
-
 #include <charconv>
 #include <cmath>
 #include <set>
 #include <sstream>
 #include <stdexcept>
+
+#include "compiler/emit/embedded.hpp"
 
 namespace mbgen {
 

@@ -115,7 +115,8 @@ Part<T> joined(const Part<T>& a, const Part<T>& b) {
   return {mass, a.com + share * gap, inertia + point_inertia(a.mass * share, gap)};
 }
 
-/// Constants that cancelled but for rounding become zero: left and right rods, for example, leave no product of inertia.
+/// Constants that cancelled but for rounding become zero: left and right rods, for example, leave no product of
+/// inertia.
 template <class T>
 T without_noise(const T& value, double scale) {
   constexpr double kNoise = 1e-15;

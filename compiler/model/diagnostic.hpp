@@ -11,10 +11,10 @@ namespace mbgen {
 
 /// Where a value of the model was written.
 struct Where {
-  std::string file;     ///< as given on the command line or in `include`
-  int line = 0;         ///< 1-based; 0 when the text has no line (for example a missing file)
-  int column = 0;       ///< 1-based, in bytes
-  std::string pointer;  ///< JSON pointer (RFC 6901), "" for the whole document
+  std::string file;            ///< as given on the command line or in `include`
+  int line = 0;                ///< 1-based; 0 when the text has no line (for example a missing file)
+  int column = 0;              ///< 1-based, in bytes
+  std::string pointer;         ///< JSON pointer (RFC 6901), "" for the whole document
   std::string line_text = {};  ///< the line of text, shown under the message; empty when unknown or very long
 };
 

@@ -16,24 +16,45 @@ namespace mbgen {
 
 /// A relative coordinate of the model: a joint and one of its freedoms. Resolved to a tree coordinate by Topology.
 struct CoordinateReference {
-  int joint = -1;      ///< index into Model::joints
-  int component = 0;   ///< index into Joint::freedoms
+  int joint = -1;     ///< index into Model::joints
+  int component = 0;  ///< index into Joint::freedoms
   bool operator==(const CoordinateReference&) const = default;
 };
 
 enum class Function : std::uint8_t {
-  add, subtract, multiply, divide, negate, power,
-  sqrt, sin, cos, tan, asin, acos, atan, atan2, exp, log, tanh, abs, min, max, sign, step, select
+  add,
+  subtract,
+  multiply,
+  divide,
+  negate,
+  power,
+  sqrt,
+  sin,
+  cos,
+  tan,
+  asin,
+  acos,
+  atan,
+  atan2,
+  exp,
+  log,
+  tanh,
+  abs,
+  min,
+  max,
+  sign,
+  step,
+  select
 };
 
 /// One postfix node. `first`, `second`, `third` are indices of earlier nodes.
 struct ExpressionNode {
   enum class Kind : std::uint8_t { number, parameter, input, time, position, velocity, local, call };
   Kind kind = Kind::number;
-  Function function = Function::add;    ///< for Kind::call
-  double number = 0;                    ///< for Kind::number
-  int index = -1;                       ///< parameter, input or local index
-  CoordinateReference coordinate;       ///< for Kind::position and Kind::velocity
+  Function function = Function::add;  ///< for Kind::call
+  double number = 0;                  ///< for Kind::number
+  int index = -1;                     ///< parameter, input or local index
+  CoordinateReference coordinate;     ///< for Kind::position and Kind::velocity
   int first = -1, second = -1, third = -1;
 };
 
@@ -45,8 +66,8 @@ struct Expression {
 
 /// A number of the model: a constant, or an expression that depends on more than untunable parameters.
 struct Quantity {
-  double value = 0;      ///< the constant, or the value at default parameters and inputs, t = 0, all coordinates zero
-  int expression = -1;   ///< index into Model::expressions, -1 for a constant
+  double value = 0;     ///< the constant, or the value at default parameters and inputs, t = 0, all coordinates zero
+  int expression = -1;  ///< index into Model::expressions, -1 for a constant
   Quantity() = default;
   Quantity(double constant) : value(constant) {}
 };

@@ -1,9 +1,6 @@
 #pragma once
 // The door of the model room: JSON text -> Model, or every diagnostic at once. Plain structs, SI units, radians.
 
-#include "compiler/model/diagnostic.hpp"
-#include "compiler/model/expression.hpp"
-
 #include <array>
 #include <optional>
 #include <string>
@@ -11,10 +8,13 @@
 #include <variant>
 #include <vector>
 
+#include "compiler/model/diagnostic.hpp"
+#include "compiler/model/expression.hpp"
+
 namespace mbgen {
 
 using Vector3 = std::array<double, 3>;
-using Matrix3 = std::array<double, 9>;              ///< row by row
+using Matrix3 = std::array<double, 9>;  ///< row by row
 using Vector3Quantity = std::array<Quantity, 3>;
 
 /// Pose of a body frame in the global frame at the reference configuration: x_global = origin + rotation * x_body.
@@ -25,15 +25,15 @@ struct Pose {
 
 struct Point {
   std::string name;
-  Vector3Quantity position;                         ///< m, body frame
+  Vector3Quantity position;  ///< m, body frame
 };
 
 struct Body {
   std::string name;
   Where where;
   Pose pose;
-  Quantity mass;                                    ///< kg; zero is a massless body
-  Vector3Quantity com;                              ///< m, body frame
+  Quantity mass;        ///< kg; zero is a massless body
+  Vector3Quantity com;  ///< m, body frame
   /// kg m^2 about the centre of mass, body axes: xx yy zz xy xz yz (matrix entries)
   std::array<Quantity, 6> inertia;
   std::vector<Point> points;
@@ -45,15 +45,15 @@ enum class FreedomKind { revolute, prismatic };
 
 /// One elementary freedom of a joint, in the order the joint applies them (from the `from` body to the `to` body).
 struct Freedom {
-  std::string name;                                 ///< name of the coordinate, for example "chassis_rz"
+  std::string name;  ///< name of the coordinate, for example "chassis_rz"
   FreedomKind kind = FreedomKind::revolute;
-  Vector3 axis{0, 0, 1};                            ///< unit, in GLOBAL axes at the reference configuration
+  Vector3 axis{0, 0, 1};  ///< unit, in GLOBAL axes at the reference configuration
 };
 
 /// A point of a body.
 struct Attachment {
-  int body = -1;                                    ///< index into Model::bodies
-  int point = -1;                                   ///< index into Body::points
+  int body = -1;   ///< index into Model::bodies
+  int point = -1;  ///< index into Body::points
 };
 
 /// Whether the user asks for a joint to be cut ("cut": true), kept in the tree ("cut": false) or leaves it to mbgen.
@@ -69,7 +69,7 @@ struct Joint {
   /// universal: second axis, perpendicular to the first, GLOBAL axes at the reference
   Vector3 second_axis{0, 0, 1};
   CutMark cut = CutMark::automatic;
-  std::vector<Freedom> freedoms;                    ///< empty for fixed
+  std::vector<Freedom> freedoms;  ///< empty for fixed
 };
 
 /// A bar with a spherical joint at each end: a distance constraint with exact inertia (theory.md section 5).
@@ -77,15 +77,15 @@ struct Rod {
   std::string name;
   Where where;
   Attachment from, to;
-  Quantity mass;                                    ///< kg, uniform along the rod; zero is massless
-  std::optional<Quantity> length;                   ///< m; without it the reference distance
+  Quantity mass;                   ///< kg, uniform along the rod; zero is massless
+  std::optional<Quantity> length;  ///< m; without it the reference distance
 };
 
 /// y(x) by points; outside the range the end segments (linear) or end slopes (cubic) are continued as straight lines.
 struct Table {
   enum class Interpolation { linear, monotone_cubic };
   Interpolation interpolation = Interpolation::linear;
-  std::vector<double> x, y;                         ///< x strictly increasing, at least two points
+  std::vector<double> x, y;  ///< x strictly increasing, at least two points
 };
 
 /// A characteristic: factor times argument, or a table over the argument.
@@ -97,10 +97,10 @@ struct PointSpring {
   std::string name;
   Where where;
   Attachment from, to;
-  std::optional<Law> stiffness;                     ///< N/m, or a table of N over m
-  std::optional<Law> damping;                       ///< N s/m, or a table of N over m/s
-  std::optional<Quantity> free_length;              ///< m; without it the reference distance
-  Quantity preload;                                 ///< N, tension positive
+  std::optional<Law> stiffness;         ///< N/m, or a table of N over m
+  std::optional<Law> damping;           ///< N s/m, or a table of N over m/s
+  std::optional<Quantity> free_length;  ///< m; without it the reference distance
+  Quantity preload;                     ///< N, tension positive
   /// expression; local 0 `length` (m), local 1 `rate` (m/s); N, tension positive
   std::optional<int> force;
 };
@@ -113,11 +113,11 @@ struct JointSpring {
   Where where;
   CoordinateReference joint;
   std::optional<CoordinateReference> relative_to;
-  std::optional<Law> stiffness;                     ///< N m/rad or N/m
-  std::optional<Law> damping;                       ///< N m s/rad or N s/m
-  Quantity free;                                    ///< rad or m
-  Quantity preload;                                 ///< N m or N
-  std::optional<int> force;                         ///< expression; local 0 `position`, local 1 `rate`
+  std::optional<Law> stiffness;  ///< N m/rad or N/m
+  std::optional<Law> damping;    ///< N m s/rad or N s/m
+  Quantity free;                 ///< rad or m
+  Quantity preload;              ///< N m or N
+  std::optional<int> force;      ///< expression; local 0 `position`, local 1 `rate`
 };
 
 /// Smooth friction on a coordinate:
@@ -126,10 +126,10 @@ struct JointFriction {
   std::string name;
   Where where;
   CoordinateReference joint;
-  Quantity coulomb;                                 ///< N m or N
-  Quantity stiction;                                ///< N m or N; the reader sets it to coulomb when absent
-  Quantity viscous;                                 ///< N m s/rad or N s/m
-  Quantity velocity;                                ///< rad/s or m/s over which the sign is smoothed, > 0
+  Quantity coulomb;   ///< N m or N
+  Quantity stiction;  ///< N m or N; the reader sets it to coulomb when absent
+  Quantity viscous;   ///< N m s/rad or N s/m
+  Quantity velocity;  ///< rad/s or m/s over which the sign is smoothed, > 0
   /// rad/s or m/s, > 0; the reader sets it to 10 * velocity when absent
   Quantity stribeck_velocity;
 };
@@ -139,14 +139,14 @@ struct AirSpring {
   std::string name;
   Where where;
   Attachment from, to;
-  Quantity pressure;                                ///< Pa absolute, at the reference length
-  Quantity ambient;                                 ///< Pa absolute
-  Quantity exponent;                                ///< polytropic exponent
-  std::optional<Quantity> length;                   ///< m, reference length; without it the reference distance
-  Law area;                                         ///< m^2: constant, or a table over length (m)
+  Quantity pressure;               ///< Pa absolute, at the reference length
+  Quantity ambient;                ///< Pa absolute
+  Quantity exponent;               ///< polytropic exponent
+  std::optional<Quantity> length;  ///< m, reference length; without it the reference distance
+  Law area;                        ///< m^2: constant, or a table over length (m)
   /// m^3 over length (m); without it volume0 + area(length0) * (l - length0)
   std::optional<Table> volume;
-  Quantity volume0;                                 ///< m^3 at the reference length (used without `volume`)
+  Quantity volume0;  ///< m^3 at the reference length (used without `volume`)
 };
 
 /// Force and torque on a body at a point.
@@ -154,9 +154,9 @@ struct AppliedForce {
   std::string name;
   Where where;
   Attachment at;
-  Vector3Quantity force;                            ///< N
-  Vector3Quantity torque;                           ///< N m
-  bool in_body_axes = false;                        ///< components in body axes, else in global axes
+  Vector3Quantity force;      ///< N
+  Vector3Quantity torque;     ///< N m
+  bool in_body_axes = false;  ///< components in body axes, else in global axes
 };
 
 /// Generalised force on a coordinate.
@@ -164,7 +164,7 @@ struct JointForce {
   std::string name;
   Where where;
   CoordinateReference joint;
-  Quantity force;                                   ///< N m or N
+  Quantity force;  ///< N m or N
 };
 
 enum class TyreModel { pac89, pac2002 };
@@ -173,7 +173,7 @@ enum class TyreModel { pac89, pac2002 };
 struct Tyre {
   std::string name;
   Where where;
-  Attachment centre;                                ///< wheel centre, a point of the wheel body on its spin axis
+  Attachment centre;  ///< wheel centre, a point of the wheel body on its spin axis
   /// unit spin axis, GLOBAL axes at the reference; forward rolling is positive about it when it points left
   Vector3 axis{0, 1, 0};
   TyreModel model = TyreModel::pac2002;
@@ -181,16 +181,16 @@ struct Tyre {
   std::vector<Quantity> coefficients;
   /// +1: coefficients used as they are, -1: mirrored (tyre measured on the other side)
   double side = 1;
-  double count = 1;                                 ///< 2 for twin tyres: all forces times count
-  Quantity radius;                                  ///< m, unloaded
-  Quantity stiffness;                               ///< N/m, vertical, one tyre
-  Quantity damping;                                 ///< N s/m, vertical, one tyre
-  Quantity road_height;                             ///< m, global z of the road
-  Quantity friction;                                ///< scales the friction (1 is the measured one)
+  double count = 1;      ///< 2 for twin tyres: all forces times count
+  Quantity radius;       ///< m, unloaded
+  Quantity stiffness;    ///< N/m, vertical, one tyre
+  Quantity damping;      ///< N s/m, vertical, one tyre
+  Quantity road_height;  ///< m, global z of the road
+  Quantity friction;     ///< scales the friction (1 is the measured one)
   /// 1: moment = -coefficient * load * radius * tanh(speed / low_speed)
   Quantity rolling_resistance;
-  Quantity relaxation_x, relaxation_y;              ///< m, relaxation lengths of the slips
-  Quantity low_speed;                               ///< m/s, below it slip is damped so that the wheel comes to rest
+  Quantity relaxation_x, relaxation_y;  ///< m, relaxation lengths of the slips
+  Quantity low_speed;                   ///< m/s, below it slip is damped so that the wheel comes to rest
 };
 
 /// A driven coordinate: z(t) prescribed; first and second derivatives come from the expression.
@@ -198,33 +198,37 @@ struct Motion {
   std::string name;
   Where where;
   CoordinateReference joint;
-  Quantity position;                                ///< rad or m, of t, parameters
+  Quantity position;  ///< rad or m, of t, parameters
 };
 
 struct PointOutput {
   enum class What { position, velocity, acceleration };
   What what = What::position;
   Attachment point;
-  int axis = 0;                                     ///< 0 x, 1 y, 2 z
-  bool in_body_axes = false;                        ///< components in the axes of the point's body, else global
+  int axis = 0;               ///< 0 x, 1 y, 2 z
+  bool in_body_axes = false;  ///< components in the axes of the point's body, else global
 };
 struct CoordinateOutput {
   enum class What { position, velocity, acceleration };
   What what = What::position;
   CoordinateReference coordinate;
 };
-struct ExpressionOutput { Quantity value; };        ///< over t, parameters, inputs, coordinates
+struct ExpressionOutput {
+  Quantity value;
+};  ///< over t, parameters, inputs, coordinates
 struct TyreOutput {
   enum class What { load, longitudinal_force, lateral_force, aligning_moment, longitudinal_slip, lateral_slip };
   What what = What::load;
-  int tyre = -1;                                    ///< index into Model::tyres
+  int tyre = -1;  ///< index into Model::tyres
 };
 struct SpringOutput {
   enum class What { force, length, rate };
   What what = What::force;
-  int point_spring = -1, air_spring = -1;           ///< one of them
+  int point_spring = -1, air_spring = -1;  ///< one of them
 };
-struct DriveOutput { int motion = -1; };            ///< generalised driving force of a motion
+struct DriveOutput {
+  int motion = -1;
+};  ///< generalised driving force of a motion
 
 struct Output {
   std::string name;
@@ -262,18 +266,18 @@ struct Initial {
 struct SolverSettings {
   enum class Integrator { rk4, abm4 };
   Integrator integrator = Integrator::rk4;
-  double step = 1e-3;                               ///< s
-  double duration = 1;                              ///< s
-  double closure_tolerance = 1e-12;                 ///< m or 1, largest residual that projection leaves
+  double step = 1e-3;                ///< s
+  double duration = 1;               ///< s
+  double closure_tolerance = 1e-12;  ///< m or 1, largest residual that projection leaves
 };
 
 /// A multibody system as the user described it, names resolved and every number checked.
 struct Model {
   std::string name;
-  std::string file;                                 ///< as given to read_model
+  std::string file;  ///< as given to read_model
   /// 16 hex digits over the content (includes too), for the banner and manifest
   std::string hash;
-  Vector3Quantity gravity{0.0, 0.0, -9.81};         ///< m/s^2, global
+  Vector3Quantity gravity{0.0, 0.0, -9.81};  ///< m/s^2, global
   std::vector<Parameter> parameters;
   std::vector<Input> inputs;
   std::vector<Expression> expressions;

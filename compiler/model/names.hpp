@@ -37,7 +37,7 @@ struct Names {
   NameMap<int> later_parameters;  ///< defined, but further below than what is being read
   NameMap<int> parameters, inputs, bodies, joints, springs, air_springs, tyre_data, tyres, motions;
   NameMap<CoordinateReference> coordinates;
-  std::vector<NameMap<int>> points;  ///< per body
+  std::vector<NameMap<int>> points;     ///< per body
   std::vector<bool> points_unreadable;  ///< per body: no complaint about points that are not there
   std::vector<std::string>
       unreadable_joints;  ///< their coordinates are unknown: no complaint about names that start so

@@ -11,7 +11,8 @@ Program remove_dead_values(const Program& program) {
   result.inputs.clear();
   std::vector<std::int32_t> renumbered_input(program.inputs.size(), -1);
   for (std::size_t i = 0; i < needed.size(); ++i) {
-    if (needed[i] && program.nodes[i].op == Op::input) renumbered_input[static_cast<std::size_t>(program.nodes[i].input)] = 0;
+    if (needed[i] && program.nodes[i].op == Op::input)
+      renumbered_input[static_cast<std::size_t>(program.nodes[i].input)] = 0;
   }
   for (std::size_t i = 0; i < program.inputs.size(); ++i) {
     if (renumbered_input[i] < 0) continue;

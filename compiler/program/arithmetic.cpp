@@ -29,66 +29,109 @@ int arity(Op op) {
 
 const char* op_name(Op op) {
   switch (op) {
-    case Op::constant: return "constant";
-    case Op::input: return "input";
-    case Op::add: return "add";
-    case Op::subtract: return "sub";
-    case Op::multiply: return "mul";
-    case Op::divide: return "div";
-    case Op::negate: return "neg";
-    case Op::sqrt: return "sqrt";
-    case Op::sin: return "sin";
-    case Op::cos: return "cos";
-    case Op::tan: return "tan";
-    case Op::asin: return "asin";
-    case Op::acos: return "acos";
-    case Op::atan: return "atan";
-    case Op::atan2: return "atan2";
-    case Op::exp: return "exp";
-    case Op::log: return "log";
-    case Op::pow: return "pow";
-    case Op::tanh: return "tanh";
-    case Op::abs: return "abs";
-    case Op::min: return "min";
-    case Op::max: return "max";
-    case Op::select: return "select";
+    case Op::constant:
+      return "constant";
+    case Op::input:
+      return "input";
+    case Op::add:
+      return "add";
+    case Op::subtract:
+      return "sub";
+    case Op::multiply:
+      return "mul";
+    case Op::divide:
+      return "div";
+    case Op::negate:
+      return "neg";
+    case Op::sqrt:
+      return "sqrt";
+    case Op::sin:
+      return "sin";
+    case Op::cos:
+      return "cos";
+    case Op::tan:
+      return "tan";
+    case Op::asin:
+      return "asin";
+    case Op::acos:
+      return "acos";
+    case Op::atan:
+      return "atan";
+    case Op::atan2:
+      return "atan2";
+    case Op::exp:
+      return "exp";
+    case Op::log:
+      return "log";
+    case Op::pow:
+      return "pow";
+    case Op::tanh:
+      return "tanh";
+    case Op::abs:
+      return "abs";
+    case Op::min:
+      return "min";
+    case Op::max:
+      return "max";
+    case Op::select:
+      return "select";
   }
   return "unknown";
 }
 
 double apply(Op op, double first, double second, double third) {
   switch (op) {
-    case Op::add: return first + second;
-    case Op::subtract: return first - second;
-    case Op::multiply: return first * second;
-    case Op::divide: return first / second;
-    case Op::negate: return -first;
-    case Op::sqrt: return std::sqrt(first);
-    case Op::sin: return std::sin(first);
-    case Op::cos: return std::cos(first);
-    case Op::tan: return std::tan(first);
-    case Op::asin: return std::asin(first);
-    case Op::acos: return std::acos(first);
-    case Op::atan: return std::atan(first);
-    case Op::atan2: return std::atan2(first, second);
-    case Op::exp: return std::exp(first);
-    case Op::log: return std::log(first);
-    case Op::pow: return std::pow(first, second);
-    case Op::tanh: return std::tanh(first);
-    case Op::abs: return std::abs(first);
-    case Op::min: return std::min(first, second);
-    case Op::max: return std::max(first, second);
-    case Op::select: return first >= 0 ? second : third;
+    case Op::add:
+      return first + second;
+    case Op::subtract:
+      return first - second;
+    case Op::multiply:
+      return first * second;
+    case Op::divide:
+      return first / second;
+    case Op::negate:
+      return -first;
+    case Op::sqrt:
+      return std::sqrt(first);
+    case Op::sin:
+      return std::sin(first);
+    case Op::cos:
+      return std::cos(first);
+    case Op::tan:
+      return std::tan(first);
+    case Op::asin:
+      return std::asin(first);
+    case Op::acos:
+      return std::acos(first);
+    case Op::atan:
+      return std::atan(first);
+    case Op::atan2:
+      return std::atan2(first, second);
+    case Op::exp:
+      return std::exp(first);
+    case Op::log:
+      return std::log(first);
+    case Op::pow:
+      return std::pow(first, second);
+    case Op::tanh:
+      return std::tanh(first);
+    case Op::abs:
+      return std::abs(first);
+    case Op::min:
+      return std::min(first, second);
+    case Op::max:
+      return std::max(first, second);
+    case Op::select:
+      return first >= 0 ? second : third;
     case Op::constant:
-    case Op::input: break;
+    case Op::input:
+      break;
   }
   throw std::logic_error("constants and inputs compute nothing");
 }
 
 bool is_commutative(Op op) { return op == Op::add || op == Op::multiply || op == Op::min || op == Op::max; }
 
-bool is_odd(Op op) {
-  return op == Op::sin || op == Op::tan || op == Op::asin || op == Op::atan || op == Op::tanh;
-}
+bool is_odd(Op op) { return op == Op::sin || op == Op::tan || op == Op::asin || op == Op::atan || op == Op::tanh; }
 
 }  // namespace mbgen

@@ -1,7 +1,3 @@
-#include "compiler/program/arithmetic.hpp"
-#include "compiler/program/program.hpp"
-#include "compiler/program/rules.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -10,6 +6,10 @@
 #include <limits>
 #include <stdexcept>
 #include <utility>
+
+#include "compiler/program/arithmetic.hpp"
+#include "compiler/program/program.hpp"
+#include "compiler/program/rules.hpp"
 
 namespace mbgen {
 namespace {

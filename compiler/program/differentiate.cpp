@@ -1,12 +1,12 @@
-#include "compiler/program/arithmetic.hpp"
-#include "compiler/program/program.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <set>
 #include <stdexcept>
 #include <utility>
+
+#include "compiler/program/arithmetic.hpp"
+#include "compiler/program/program.hpp"
 
 namespace mbgen {
 namespace {
@@ -15,7 +15,7 @@ namespace {
 struct Derivation {
   const Program& source;
   ProgramBuilder builder;
-  std::vector<ValueId> value;   ///< per node of `source`: the same value in `builder`
+  std::vector<ValueId> value;  ///< per node of `source`: the same value in `builder`
 
   explicit Derivation(const Program& program) : source(program), builder(ProgramBuilder::like(program)) {
     value.reserve(program.nodes.size());
@@ -29,19 +29,32 @@ struct Derivation {
 // d(tanh x) = (1 - tanh^2 x) dx  d|x| = select(x, dx, -dx)      d(-x) = -dx
 Expr derive_unary(Op op, const Expr& x, const Expr& dx, const Expr& result) {
   switch (op) {
-    case Op::negate: return -dx;
-    case Op::sqrt: return 0.5 * dx / result;
-    case Op::sin: return cos(x) * dx;
-    case Op::cos: return -(sin(x) * dx);
-    case Op::tan: return (1 + result * result) * dx;
-    case Op::asin: return dx / sqrt(1 - x * x);
-    case Op::acos: return -(dx / sqrt(1 - x * x));
-    case Op::atan: return dx / (1 + x * x);
-    case Op::exp: return result * dx;
-    case Op::log: return dx / x;
-    case Op::tanh: return (1 - result * result) * dx;
-    case Op::abs: return select(x, dx, -dx);
-    default: throw std::logic_error(fmt::format("no derivative of {}", op_name(op)));
+    case Op::negate:
+      return -dx;
+    case Op::sqrt:
+      return 0.5 * dx / result;
+    case Op::sin:
+      return cos(x) * dx;
+    case Op::cos:
+      return -(sin(x) * dx);
+    case Op::tan:
+      return (1 + result * result) * dx;
+    case Op::asin:
+      return dx / sqrt(1 - x * x);
+    case Op::acos:
+      return -(dx / sqrt(1 - x * x));
+    case Op::atan:
+      return dx / (1 + x * x);
+    case Op::exp:
+      return result * dx;
+    case Op::log:
+      return dx / x;
+    case Op::tanh:
+      return (1 - result * result) * dx;
+    case Op::abs:
+      return select(x, dx, -dx);
+    default:
+      throw std::logic_error(fmt::format("no derivative of {}", op_name(op)));
   }
 }
 
@@ -59,15 +72,24 @@ Expr derive_power(const Expr& x, const Expr& dx, const Expr& y, const Expr& dy, 
 // d(min(x, y)) = select(y - x, dx, dy)                           d(max(x, y)) = select(x - y, dx, dy)
 Expr derive_binary(Op op, const Expr& x, const Expr& dx, const Expr& y, const Expr& dy, const Expr& result) {
   switch (op) {
-    case Op::add: return dx + dy;
-    case Op::subtract: return dx - dy;
-    case Op::multiply: return dx * y + x * dy;
-    case Op::divide: return (dx - result * dy) / y;
-    case Op::pow: return derive_power(x, dx, y, dy, result);
-    case Op::atan2: return (y * dx - x * dy) / (x * x + y * y);
-    case Op::min: return select(y - x, dx, dy);
-    case Op::max: return select(x - y, dx, dy);
-    default: throw std::logic_error(fmt::format("no derivative of {}", op_name(op)));
+    case Op::add:
+      return dx + dy;
+    case Op::subtract:
+      return dx - dy;
+    case Op::multiply:
+      return dx * y + x * dy;
+    case Op::divide:
+      return (dx - result * dy) / y;
+    case Op::pow:
+      return derive_power(x, dx, y, dy, result);
+    case Op::atan2:
+      return (y * dx - x * dy) / (x * x + y * y);
+    case Op::min:
+      return select(y - x, dx, dy);
+    case Op::max:
+      return select(x - y, dx, dy);
+    default:
+      throw std::logic_error(fmt::format("no derivative of {}", op_name(op)));
   }
 }
 
@@ -109,8 +131,8 @@ std::vector<Expr> derive_all(Derivation& derivation, const std::vector<Expr>& se
 
 Program differentiate(const Program& program, std::span<const int> seed_of_input) {
   if (seed_of_input.size() != program.inputs.size()) {
-    throw std::invalid_argument(
-        fmt::format("program {} has {} inputs, {} seeds given", program.name, program.inputs.size(), seed_of_input.size()));
+    throw std::invalid_argument(fmt::format("program {} has {} inputs, {} seeds given", program.name,
+                                            program.inputs.size(), seed_of_input.size()));
   }
   Derivation derivation(program);
   std::vector<Expr> seeds;

@@ -1,8 +1,8 @@
-#include "compiler/program/program.hpp"
-
 #include <fmt/format.h>
 
 #include <iterator>
+
+#include "compiler/program/program.hpp"
 
 namespace mbgen {
 namespace {
@@ -43,7 +43,8 @@ std::string dump(const Program& program) {
     }
     append_value(text, program, value);
   }
-  for (const auto& [slot, value] : program.outputs) text += fmt::format("out {}[{}] = %{}\n", slot.group, slot.index, value);
+  for (const auto& [slot, value] : program.outputs)
+    text += fmt::format("out {}[{}] = %{}\n", slot.group, slot.index, value);
   return text;
 }
 

@@ -1,7 +1,7 @@
+#include <stdexcept>
+
 #include "compiler/program/arithmetic.hpp"
 #include "compiler/program/program.hpp"
-
-#include <stdexcept>
 
 namespace mbgen {
 namespace {

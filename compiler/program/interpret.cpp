@@ -1,9 +1,9 @@
-#include "compiler/program/arithmetic.hpp"
-#include "compiler/program/program.hpp"
-
 #include <fmt/format.h>
 
 #include <stdexcept>
+
+#include "compiler/program/arithmetic.hpp"
+#include "compiler/program/program.hpp"
 
 namespace mbgen {
 namespace {
@@ -13,20 +13,33 @@ void count(OperationCount& total, Op op) {
   switch (op) {
     case Op::constant:
     case Op::input:
-    case Op::negate: return;
+    case Op::negate:
+      return;
     case Op::add:
-    case Op::subtract: ++total.add; return;
-    case Op::multiply: ++total.multiply; return;
-    case Op::divide: ++total.divide; return;
-    case Op::sqrt: ++total.sqrt; return;
+    case Op::subtract:
+      ++total.add;
+      return;
+    case Op::multiply:
+      ++total.multiply;
+      return;
+    case Op::divide:
+      ++total.divide;
+      return;
+    case Op::sqrt:
+      ++total.sqrt;
+      return;
     case Op::sin:
     case Op::cos:
     case Op::tan:
     case Op::asin:
     case Op::acos:
     case Op::atan:
-    case Op::atan2: ++total.trigonometric; return;
-    default: ++total.other; return;
+    case Op::atan2:
+      ++total.trigonometric;
+      return;
+    default:
+      ++total.other;
+      return;
   }
 }
 

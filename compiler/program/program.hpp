@@ -14,21 +14,40 @@ using ValueId = std::uint32_t;
 constexpr ValueId kNoValue = 0xffffffffu;
 
 enum class Op : std::uint8_t {
-  constant, input,
-  add, subtract, multiply, divide, negate,
-  sqrt, sin, cos, tan, asin, acos, atan, atan2, exp, log, pow, tanh, abs, min, max,
-  select   ///< select(x, a, b): a where x >= 0, else b (b for NaN); min and max are std::min and std::max
+  constant,
+  input,
+  add,
+  subtract,
+  multiply,
+  divide,
+  negate,
+  sqrt,
+  sin,
+  cos,
+  tan,
+  asin,
+  acos,
+  atan,
+  atan2,
+  exp,
+  log,
+  pow,
+  tanh,
+  abs,
+  min,
+  max,
+  select  ///< select(x, a, b): a where x >= 0, else b (b for NaN); min and max are std::min and std::max
 };
 
 /// One value. `operands` beyond the arity of `op` are kNoValue.
 struct Node {
   Op op = Op::constant;
   ValueId operands[3] = {kNoValue, kNoValue, kNoValue};
-  double constant = 0;             ///< for Op::constant
-  std::int32_t input = -1;         ///< for Op::input: index into Program::inputs
-  std::uint16_t section = 0;       ///< index into Program::sections
-  std::uint16_t block = 0;         ///< index into Program::blocks
-  std::int32_t label = -1;         ///< index into Program::labels, or -1
+  double constant = 0;        ///< for Op::constant
+  std::int32_t input = -1;    ///< for Op::input: index into Program::inputs
+  std::uint16_t section = 0;  ///< index into Program::sections
+  std::uint16_t block = 0;    ///< index into Program::blocks
+  std::int32_t label = -1;    ///< index into Program::labels, or -1
 };
 
 /// An input or output: `group` is the array it belongs to ("z", "zd", "tau", "zdd", ...), `index` its place there.
@@ -43,17 +62,20 @@ struct OutputValue {
   ValueId value = kNoValue;
 };
 
-/// A straight-line program. Invariants (see verify): operands earlier than users and exactly as many as the arity, indices in
-/// range, constants finite, no duplicate inputs, outputs, sections or blocks, at most one value per input, no output without value.
+/// A straight-line program. Invariants (see verify): operands earlier than users and exactly as many as the arity,
+/// indices in range, constants finite, no duplicate inputs, outputs, sections or blocks, at most one value per input,
+/// no output without value.
 struct Program {
-  std::string name;                    ///< name of the emitted function
+  std::string name;  ///< name of the emitted function
   std::vector<Node> nodes;
   std::vector<Slot> inputs;
   std::vector<OutputValue> outputs;
-  std::vector<std::string> sections;   ///< titles, in order of the paper's steps; nodes of one section need not be contiguous.
-                                       ///< 0 is "": inputs, constants and what was appended before the first set_section
-  std::vector<std::string> blocks;     ///< titles such as "carrier_left: carrier_left_ry, revolute, carrier_left_aux2"; 0 is ""
-  std::vector<std::string> labels;     ///< names given by the formulation, for example "R_carrier_left_xz"
+  std::vector<std::string>
+      sections;  ///< titles, in order of the paper's steps; nodes of one section need not be contiguous.
+                 ///< 0 is "": inputs, constants and what was appended before the first set_section
+  std::vector<std::string>
+      blocks;  ///< titles such as "carrier_left: carrier_left_ry, revolute, carrier_left_aux2"; 0 is ""
+  std::vector<std::string> labels;  ///< names given by the formulation, for example "R_carrier_left_xz"
 };
 
 int arity(Op op);
@@ -61,25 +83,28 @@ const char* op_name(Op op);
 
 /// Appends with the rules fold, look up, push. One builder per program under construction.
 /// Rules (one way only): constants fold; x+0, x-0, x*1, x/1 -> x; x*0 -> 0; 0/x -> 0; x*-1, x/-1, 0-x -> -x; --x -> x;
-/// x+(-y) -> x-y; x-(-y) -> x+y; (-x)+y -> y-x; x-x -> 0; (-x)*y -> -(x*y), (-x)*(-y) -> x*y, likewise /; (-x)-y -> -(x+y);
-/// x/constant -> x*(1/constant) only when 1/constant is exact; commuted operands are ordered; equal nodes are shared;
-/// sin(-x) -> -sin x and the other odd functions, cos(-x) -> cos x, abs(-x) -> abs x, select with constant x folds,
-/// select(x, a, a) -> a; a negative constant counts as -c in the rules of + - * /; pow(x, 0) -> 1, pow(x, 1) -> x, pow(x, 2) -> x*x.
-/// What would fold to NaN or infinity stays a node. The constant -0 is stored as 0.
+/// x+(-y) -> x-y; x-(-y) -> x+y; (-x)+y -> y-x; x-x -> 0; (-x)*y -> -(x*y), (-x)*(-y) -> x*y, likewise /; (-x)-y ->
+/// -(x+y); x/constant -> x*(1/constant) only when 1/constant is exact; commuted operands are ordered; equal nodes are
+/// shared; sin(-x) -> -sin x and the other odd functions, cos(-x) -> cos x, abs(-x) -> abs x, select with constant x
+/// folds, select(x, a, a) -> a; a negative constant counts as -c in the rules of + - * /; pow(x, 0) -> 1, pow(x, 1) ->
+/// x, pow(x, 2) -> x*x. What would fold to NaN or infinity stays a node. The constant -0 is stored as 0.
 class ProgramBuilder {
  public:
   explicit ProgramBuilder(std::string name);
-  /// A builder with the name, inputs, sections and blocks of `program`, but none of its values: the start of a rewritten program.
+  /// A builder with the name, inputs, sections and blocks of `program`, but none of its values: the start of a
+  /// rewritten program.
   static ProgramBuilder like(const Program& program);
 
   ValueId constant(double value);
   /// The input of this slot; created at first use.
   ValueId input(const std::string& group, int index);
-  /// Requires: as many operands as arity(op), all of this builder; neither constant nor input. Fails: std::logic_error otherwise.
+  /// Requires: as many operands as arity(op), all of this builder; neither constant nor input. Fails: std::logic_error
+  /// otherwise.
   ValueId append(Op op, ValueId first, ValueId second = kNoValue, ValueId third = kNoValue);
   /// Fails: std::logic_error when the slot has a value already (at finish).
   void output(const std::string& group, int index, ValueId value);
-  /// Appends `node` of `source` in the same section and block under the same label. renamed: new value of each older one of `source`.
+  /// Appends `node` of `source` in the same section and block under the same label. renamed: new value of each older
+  /// one of `source`.
   ValueId copy(const Program& source, const Node& node, std::span<const ValueId> renamed);
 
   /// Values appended from now on belong to this section / block (found by title, created at first use).
@@ -99,9 +124,9 @@ class ProgramBuilder {
   ValueId share_or_push(const Node& node);
   ValueId input(std::size_t index);
   Program program_;
-  std::unordered_map<std::string, std::size_t> input_index_;    ///< by the text of the slot
-  std::vector<ValueId> input_value_;                            ///< per input, kNoValue before its first use
-  std::unordered_multimap<std::uint64_t, ValueId> shared_;      ///< values by hash
+  std::unordered_map<std::string, std::size_t> input_index_;  ///< by the text of the slot
+  std::vector<ValueId> input_value_;                          ///< per input, kNoValue before its first use
+  std::unordered_multimap<std::uint64_t, ValueId> shared_;    ///< values by hash
   std::uint16_t section_ = 0, block_ = 0;
 };
 
@@ -125,7 +150,9 @@ std::vector<bool> needed_values(const Program& program);
 /// Numbers of operations after dead values are gone.
 struct OperationCount {
   long add = 0, multiply = 0, divide = 0, sqrt = 0, trigonometric = 0, other = 0;
-  long total() const { return add + multiply + divide; }   ///< floating-point operations (add, subtract, multiply, divide); negations are free
+  long total() const {
+    return add + multiply + divide;
+  }  ///< floating-point operations (add, subtract, multiply, divide); negations are free
 };
 OperationCount count_operations(const Program& program);
 /// One count per section, in the order of program.sections.
@@ -133,14 +160,15 @@ std::vector<OperationCount> count_operations_by_section(const Program& program);
 
 /// Forward derivatives: for every output y, dy = sum over inputs of (dy/dinput) * seed.
 /// seed_of_input: for each program input, index of its seed in the input group "seed", or -1 for a zero seed.
-/// Result: the same program plus outputs in groups "d_<group>" with the same index; an output that has its derivative already
-/// keeps it, so that a second application adds second derivatives only. Each derivative is in the section and block of its value.
-/// Fails: std::invalid_argument when the number of seeds differs. At the kinks of abs, min, max, select the side that is taken counts.
+/// Result: the same program plus outputs in groups "d_<group>" with the same index; an output that has its derivative
+/// already keeps it, so that a second application adds second derivatives only. Each derivative is in the section and
+/// block of its value. Fails: std::invalid_argument when the number of seeds differs. At the kinks of abs, min, max,
+/// select the side that is taken counts.
 Program differentiate(const Program& program, std::span<const int> seed_of_input);
 
-/// Full Jacobian of the outputs of one group by the inputs of another: outputs in group "d_<output>_d_<input>" and no others,
-/// index = row * columns + column, row and column the indices of the slots, columns = largest input index + 1; structural zeros
-/// are the constant 0. Cost: columns * number of values that depend on the column.
+/// Full Jacobian of the outputs of one group by the inputs of another: outputs in group "d_<output>_d_<input>" and no
+/// others, index = row * columns + column, row and column the indices of the slots, columns = largest input index + 1;
+/// structural zeros are the constant 0. Cost: columns * number of values that depend on the column.
 Program jacobian(const Program& program, const std::string& output_group, const std::string& input_group);
 
 /// A scalar that records. Constants need no builder; mixing with a recorded value takes that value's builder.
@@ -151,7 +179,7 @@ class Expr {
   Expr(double constant) : constant_(constant) {}
   Expr(ProgramBuilder& builder, ValueId value);
 
-  bool is_constant() const { return builder_ == nullptr; }   ///< known at trace time
+  bool is_constant() const { return builder_ == nullptr; }  ///< known at trace time
   double constant() const { return constant_; }             ///< Requires: is_constant()
   ValueId value(ProgramBuilder& builder) const;
   ProgramBuilder* builder() const { return builder_; }

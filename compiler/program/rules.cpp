@@ -1,8 +1,8 @@
 #include "compiler/program/rules.hpp"
 
-#include "compiler/program/arithmetic.hpp"
-
 #include <cmath>
+
+#include "compiler/program/arithmetic.hpp"
 
 namespace mbgen {
 namespace {
@@ -49,8 +49,7 @@ ValueId simplify_subtract(ProgramBuilder& builder, ValueId x, ValueId y) {
 ValueId pull_out_signs(ProgramBuilder& builder, Op op, ValueId x, ValueId y) {
   const bool negative_x = is_negation(builder, x), negative_y = is_negation(builder, y);
   if (!negative_x && !negative_y) return kNoValue;
-  const ValueId result =
-      builder.append(op, negative_x ? negated(builder, x) : x, negative_y ? negated(builder, y) : y);
+  const ValueId result = builder.append(op, negative_x ? negated(builder, x) : x, negative_y ? negated(builder, y) : y);
   return negative_x == negative_y ? result : builder.append(Op::negate, result);
 }
 
@@ -117,13 +116,20 @@ ValueId simplify_unary(ProgramBuilder& builder, Op op, ValueId operand) {
 
 ValueId simplify(ProgramBuilder& builder, Op op, ValueId first, ValueId second, ValueId third) {
   switch (op) {
-    case Op::add: return simplify_add(builder, first, second);
-    case Op::subtract: return simplify_subtract(builder, first, second);
-    case Op::multiply: return simplify_multiply(builder, first, second);
-    case Op::divide: return simplify_divide(builder, first, second);
-    case Op::pow: return simplify_power(builder, first, second);
-    case Op::select: return simplify_select(builder, first, second, third);
-    default: return arity(op) == 1 ? simplify_unary(builder, op, first) : kNoValue;
+    case Op::add:
+      return simplify_add(builder, first, second);
+    case Op::subtract:
+      return simplify_subtract(builder, first, second);
+    case Op::multiply:
+      return simplify_multiply(builder, first, second);
+    case Op::divide:
+      return simplify_divide(builder, first, second);
+    case Op::pow:
+      return simplify_power(builder, first, second);
+    case Op::select:
+      return simplify_select(builder, first, second, third);
+    default:
+      return arity(op) == 1 ? simplify_unary(builder, op, first) : kNoValue;
   }
 }
 

@@ -5,8 +5,8 @@
 
 namespace mbgen {
 
-/// The value that `op` of these operands already is, or is rewritten to (its parts are appended), or kNoValue when no rule applies.
-/// Requires: operands of commutative operations in order, constants first; not all operands constant.
+/// The value that `op` of these operands already is, or is rewritten to (its parts are appended), or kNoValue when no
+/// rule applies. Requires: operands of commutative operations in order, constants first; not all operands constant.
 ValueId simplify(ProgramBuilder& builder, Op op, ValueId first, ValueId second, ValueId third);
 
 }  // namespace mbgen

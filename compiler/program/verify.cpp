@@ -1,6 +1,3 @@
-#include "compiler/program/arithmetic.hpp"
-#include "compiler/program/program.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -8,6 +5,9 @@
 #include <set>
 #include <stdexcept>
 #include <utility>
+
+#include "compiler/program/arithmetic.hpp"
+#include "compiler/program/program.hpp"
 
 namespace mbgen {
 namespace {

@@ -1,27 +1,34 @@
 // The tree written out joint by joint, its loops, and what moves together.
 
-#include "compiler/topology/spanning_tree.hpp"
-#include "compiler/topology/topology.hpp"
-
 #include <algorithm>
 #include <functional>
 #include <iterator>
 #include <numeric>
 #include <queue>
 
+#include "compiler/topology/spanning_tree.hpp"
+#include "compiler/topology/topology.hpp"
+
 namespace mbgen {
 namespace {
 
 ClosureKind closure_kind(JointType type) {
   switch (type) {
-    case JointType::revolute: return ClosureKind::revolute;
-    case JointType::prismatic: return ClosureKind::prismatic;
-    case JointType::universal: return ClosureKind::universal;
-    case JointType::cylindrical: return ClosureKind::cylindrical;
-    case JointType::planar: return ClosureKind::planar;
-    case JointType::fixed: return ClosureKind::fixed;
+    case JointType::revolute:
+      return ClosureKind::revolute;
+    case JointType::prismatic:
+      return ClosureKind::prismatic;
+    case JointType::universal:
+      return ClosureKind::universal;
+    case JointType::cylindrical:
+      return ClosureKind::cylindrical;
+    case JointType::planar:
+      return ClosureKind::planar;
+    case JointType::fixed:
+      return ClosureKind::fixed;
     case JointType::spherical:
-    case JointType::free: break;
+    case JointType::free:
+      break;
   }
   return ClosureKind::spherical;
 }
@@ -29,7 +36,7 @@ ClosureKind closure_kind(JointType type) {
 bool is_zero(const Quantity& quantity) { return quantity.expression < 0 && quantity.value == 0; }
 
 Vector3 negated(const Vector3& axis) {
-  const auto minus = [](double x) { return x == 0 ? 0.0 : -x; };   // no -0 in printed axes
+  const auto minus = [](double x) { return x == 0 ? 0.0 : -x; };  // no -0 in printed axes
   return {minus(axis[0]), minus(axis[1]), minus(axis[2])};
 }
 
@@ -118,11 +125,11 @@ bool check_loop(const Model& model, const Loop& loop, const Attachment& from, co
   const std::string what = (loop.rod >= 0 ? "rod " : "joint ") + loop.name;
   const std::string &a = model.bodies[from.body].name, &b = model.bodies[to.body].name;
   const bool same = from.body == to.body;
-  problems.push_back({where,
-                      what + (same ? " has both ends on body " + a
-                                   : " closes a loop in which nothing moves: bodies " + a + " and " + b +
-                                         " are fixed to each other"),
-                      same ? "connect two bodies" : "remove it, or one of the fixed joints between them", ""});
+  problems.push_back(
+      {where,
+       what + (same ? " has both ends on body " + a
+                    : " closes a loop in which nothing moves: bodies " + a + " and " + b + " are fixed to each other"),
+       same ? "connect two bodies" : "remove it, or one of the fixed joints between them", ""});
   return false;
 }
 

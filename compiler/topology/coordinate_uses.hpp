@@ -1,17 +1,17 @@
 #pragma once
 // Private to the topology room: which coordinates the model refers to, and from where.
 
-#include "compiler/model/model.hpp"
-
 #include <string>
 #include <vector>
+
+#include "compiler/model/model.hpp"
 
 namespace mbgen {
 
 /// One reference to a coordinate: a joint whose coordinate is used must stay in the tree.
 struct CoordinateUse {
   CoordinateReference coordinate;
-  std::string user;              ///< as people say it, for example "motion steer"
+  std::string user;  ///< as people say it, for example "motion steer"
 };
 
 /// Every reference of the model, in order: motions, forces on joints, expressions, initial values, outputs.

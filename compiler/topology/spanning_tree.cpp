@@ -1,11 +1,11 @@
 #include "compiler/topology/spanning_tree.hpp"
 
-#include "compiler/topology/coordinate_uses.hpp"
-
 #include <algorithm>
 #include <iterator>
 #include <queue>
 #include <tuple>
+
+#include "compiler/topology/coordinate_uses.hpp"
 
 namespace mbgen {
 namespace {
@@ -13,7 +13,7 @@ namespace {
 /// How strongly a joint is held in the tree, before its equations are counted.
 enum class Hold { none, used, marked };
 
-using JointSet = std::vector<int>;       ///< ascending indices into Model::joints
+using JointSet = std::vector<int>;  ///< ascending indices into Model::joints
 
 /// A closure as a set of joints: the tree joints between its two bodies, and the cut joint itself (-1 for a rod).
 struct Cycle {
@@ -47,19 +47,25 @@ class TreeSearch {
 
   const Model& model_;
   std::vector<CoordinateUse> uses_;
-  std::vector<Hold> hold_;                       // per joint
-  std::vector<std::vector<int>> joints_of_;      // per body, ascending
-  std::vector<bool> reached_;                    // per body
-  std::vector<int> depth_, parent_, parent_joint_;   // of the tree as it grew
-  std::vector<bool> in_tree_, exchanged_;        // per joint
+  std::vector<Hold> hold_;                          // per joint
+  std::vector<std::vector<int>> joints_of_;         // per body, ascending
+  std::vector<bool> reached_;                       // per body
+  std::vector<int> depth_, parent_, parent_joint_;  // of the tree as it grew
+  std::vector<bool> in_tree_, exchanged_;           // per joint
   std::priority_queue<Candidate> candidates_;
-  std::vector<Cycle> cycles_;                    // of the tree as it is
+  std::vector<Cycle> cycles_;  // of the tree as it is
 };
 
 TreeSearch::TreeSearch(const Model& model)
-    : model_(model), uses_(coordinate_uses(model)), hold_(model.joints.size(), Hold::none),
-      joints_of_(model.bodies.size()), reached_(model.bodies.size()), depth_(model.bodies.size()),
-      parent_(model.bodies.size(), -1), parent_joint_(model.bodies.size(), -1), in_tree_(model.joints.size()),
+    : model_(model),
+      uses_(coordinate_uses(model)),
+      hold_(model.joints.size(), Hold::none),
+      joints_of_(model.bodies.size()),
+      reached_(model.bodies.size()),
+      depth_(model.bodies.size()),
+      parent_(model.bodies.size(), -1),
+      parent_joint_(model.bodies.size(), -1),
+      in_tree_(model.joints.size()),
       exchanged_(model.joints.size()) {
   for (const CoordinateUse& use : uses_) hold_[use.coordinate.joint] = Hold::used;
   for (std::size_t j = 0; j < model.joints.size(); ++j) {
@@ -255,14 +261,19 @@ SpanningTree TreeSearch::result() const {
 
 int closure_equations(JointType type) {
   switch (type) {
-    case JointType::fixed: return 6;
+    case JointType::fixed:
+      return 6;
     case JointType::revolute:
-    case JointType::prismatic: return 5;
+    case JointType::prismatic:
+      return 5;
     case JointType::cylindrical:
-    case JointType::universal: return 4;
+    case JointType::universal:
+      return 4;
     case JointType::spherical:
-    case JointType::planar: return 3;
-    case JointType::free: break;
+    case JointType::planar:
+      return 3;
+    case JointType::free:
+      break;
   }
   return 0;
 }

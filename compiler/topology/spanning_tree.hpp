@@ -1,10 +1,10 @@
 #pragma once
 // Private to the topology room: which joints make the tree and which close loops.
 
-#include "compiler/model/model.hpp"
-
 #include <string>
 #include <vector>
+
+#include "compiler/model/model.hpp"
 
 namespace mbgen {
 
@@ -12,8 +12,8 @@ namespace mbgen {
 int closure_equations(JointType type);
 
 struct SpanningTree {
-  std::vector<bool> in_tree;             ///< per model joint
-  std::vector<std::string> cut_reason;   ///< per model joint, empty in the tree and for free joints
+  std::vector<bool> in_tree;            ///< per model joint
+  std::vector<std::string> cut_reason;  ///< per model joint, empty in the tree and for free joints
 };
 
 /// Chooses the tree by rank: joints marked "cut": false, joints whose coordinates are used, then those whose cutting

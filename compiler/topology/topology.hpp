@@ -1,10 +1,10 @@
 #pragma once
 // The door of the topology room: Model -> Topology. Graph facts only, no physics, no scalar type.
 
-#include "compiler/model/model.hpp"
-
 #include <string>
 #include <vector>
+
+#include "compiler/model/model.hpp"
 
 namespace mbgen {
 
@@ -13,16 +13,16 @@ constexpr int kGround = -1;
 /// A body of the spanning tree and its input joint of one freedom: coordinate i, joint i and body i share the index i.
 /// Parents have lower indices than their children; the paper's leaf-to-root number of body i is n - i (1-based).
 struct TreeBody {
-  std::string name;             ///< the model body, or "<joint>_aux1".. for the massless bodies inside a joint
-  std::string coordinate;       ///< name of the coordinate, for example "chassis_rz"
-  int parent = kGround;         ///< tree index
-  int model_body = -1;          ///< index into Model::bodies, -1 for an auxiliary body
-  int joint = -1;               ///< index into Model::joints
-  int component = 0;            ///< index into Joint::freedoms
+  std::string name;        ///< the model body, or "<joint>_aux1".. for the massless bodies inside a joint
+  std::string coordinate;  ///< name of the coordinate, for example "chassis_rz"
+  int parent = kGround;    ///< tree index
+  int model_body = -1;     ///< index into Model::bodies, -1 for an auxiliary body
+  int joint = -1;          ///< index into Model::joints
+  int component = 0;       ///< index into Joint::freedoms
   FreedomKind kind = FreedomKind::revolute;
-  Vector3 axis{0, 0, 1};        ///< unit, global axes at the reference: this body's motion for a positive coordinate
-  bool reversed = false;        ///< the tree runs from `to` to `from`: order and axis are turned round already
-  bool massless = false;        ///< mass and inertia exactly zero, not tunable, and no rod end with mass on it
+  Vector3 axis{0, 0, 1};  ///< unit, global axes at the reference: this body's motion for a positive coordinate
+  bool reversed = false;  ///< the tree runs from `to` to `from`: order and axis are turned round already
+  bool massless = false;  ///< mass and inertia exactly zero, not tunable, and no rod end with mass on it
 };
 
 enum class ClosureKind { spherical, revolute, prismatic, universal, cylindrical, planar, fixed, rod };
@@ -31,29 +31,29 @@ enum class ClosureKind { spherical, revolute, prismatic, universal, cylindrical,
 struct Loop {
   std::string name;
   ClosureKind kind = ClosureKind::spherical;
-  int joint = -1;               ///< index into Model::joints, or -1
-  int rod = -1;                 ///< index into Model::rods, or -1
-  int body_from = kGround;      ///< tree indices of the two closed bodies, kGround for ground
+  int joint = -1;           ///< index into Model::joints, or -1
+  int rod = -1;             ///< index into Model::rods, or -1
+  int body_from = kGround;  ///< tree indices of the two closed bodies, kGround for ground
   int body_to = kGround;
-  int ancestor = kGround;       ///< lowest common ancestor (tree index)
-  std::vector<int> joints;      ///< ascending tree joints above the ancestor: symmetric difference of two rows of T
-  int equations = 0;            ///< fixed 6, revolute and prismatic 5, universal and cylindrical 4, others 3, rod 1
+  int ancestor = kGround;   ///< lowest common ancestor (tree index)
+  std::vector<int> joints;  ///< ascending tree joints above the ancestor: symmetric difference of two rows of T
+  int equations = 0;        ///< fixed 6, revolute and prismatic 5, universal and cylindrical 4, others 3, rod 1
 };
 
 /// Loops that share joints, directly or through others.
 struct LoopBlock {
-  std::vector<int> loops;       ///< ascending indices into Topology::loops
-  std::vector<int> joints;      ///< ascending tree indices
-  int base = kGround;           ///< the body all of the block moves on: lowest common ancestor of its loops
+  std::vector<int> loops;   ///< ascending indices into Topology::loops
+  std::vector<int> joints;  ///< ascending tree indices
+  int base = kGround;       ///< the body all of the block moves on: lowest common ancestor of its loops
   int equations = 0;
 };
 
 /// A loop block or a single joint outside all blocks: the unit of projection and elimination.
 struct JointGroup {
-  int block = -1;               ///< index into Topology::blocks, -1 for a single joint
-  std::vector<int> joints;      ///< ascending tree indices
-  int base = kGround;           ///< body the group moves on
-  int parent = -1;              ///< group of the base body's joint, -1 on ground; parents come before children
+  int block = -1;           ///< index into Topology::blocks, -1 for a single joint
+  std::vector<int> joints;  ///< ascending tree indices
+  int base = kGround;       ///< body the group moves on
+  int parent = -1;          ///< group of the base body's joint, -1 on ground; parents come before children
 };
 
 struct Topology {
@@ -63,9 +63,9 @@ struct Topology {
   std::vector<int> tree_body;              ///< per model body: the tree index it moves with, kGround for ground
   std::vector<Loop> loops;                 ///< in order: cut joints as in the model, then rods
   std::vector<LoopBlock> blocks;
-  std::vector<JointGroup> groups;          ///< parents before children
-  std::vector<int> group_of;               ///< per tree joint
-  std::vector<std::string> cut_reasons;    ///< per cut joint, why it was cut: "marked", or the rule that chose it
+  std::vector<JointGroup> groups;        ///< parents before children
+  std::vector<int> group_of;             ///< per tree joint
+  std::vector<std::string> cut_reasons;  ///< per cut joint, why it was cut: "marked", or the rule that chose it
   int size() const { return static_cast<int>(bodies.size()); }
 };
 

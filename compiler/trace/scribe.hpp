@@ -1,10 +1,10 @@
 #pragma once
 // The formulation's titles and names, written into a program under construction.
 
+#include <cmath>
+
 #include "compiler/formulation/scribe.hpp"
 #include "compiler/program/program.hpp"
-
-#include <cmath>
 
 namespace mbgen {
 

@@ -1,13 +1,13 @@
 // The committed code of generated/, compiled as it stands, against the generic runtime on random states.
 
-#include "compiled_solver.hpp"
-#include "compiler/compile.hpp"
-#include "generic/generic.hpp"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <random>
+
+#include "compiled_solver.hpp"
+#include "compiler/compile.hpp"
+#include "generic/generic.hpp"
 
 namespace mbgen::test {
 namespace {

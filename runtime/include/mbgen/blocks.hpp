@@ -12,10 +12,10 @@
 //   programs   accelerations, argument_sum; with a closure: closure, multipliers; with loops: closure_terms,
 //              chosen_accelerations
 
+#include <cmath>
+
 #include "mbgen/loop.hpp"
 #include "mbgen/status.hpp"
-
-#include <cmath>
 
 namespace mbgen {
 

@@ -1,5 +1,6 @@
 #pragma once
-// Scalar force laws over a scalar T: air springs and joint friction. Springs and dampers are linear or tables (table.hpp).
+// Scalar force laws over a scalar T: air springs and joint friction. Springs and dampers are linear or tables
+// (table.hpp).
 
 #include "mbgen/scalar.hpp"
 

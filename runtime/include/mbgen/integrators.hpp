@@ -9,10 +9,10 @@
 // Every step integrates all of z, zd and x, then projects. When anything fails the state and the history stay as they
 // were. Steps allocate nothing but what copies of the System's own types allocate.
 
-#include "mbgen/status.hpp"
-
 #include <cmath>
 #include <cstddef>
+
+#include "mbgen/status.hpp"
 
 namespace mbgen {
 
@@ -36,16 +36,22 @@ struct AbmHistory {
 namespace integrator_detail {
 
 template <std::size_t N>
-constexpr std::size_t size_of(const double (&)[N]) noexcept { return N; }
+constexpr std::size_t size_of(const double (&)[N]) noexcept {
+  return N;
+}
 template <class Container>
-std::size_t size_of(const Container& values) noexcept { return values.size(); }
+std::size_t size_of(const Container& values) noexcept {
+  return values.size();
+}
 
 template <std::size_t N>
 void copy(const double (&from)[N], double (&to)[N]) noexcept {
   for (std::size_t i = 0; i < N; ++i) to[i] = from[i];
 }
 template <class Container>
-void copy(const Container& from, Container& to) noexcept { to = from; }
+void copy(const Container& from, Container& to) noexcept {
+  to = from;
+}
 
 /// Member by member: the copy of a large struct would be a call of memcpy, which a bare target may not have.
 template <class State>
@@ -186,8 +192,8 @@ Status step_abm4(const System& system, typename System::State& state, AbmHistory
   }
   typename System::State result;
   copy_state(state, result);
-  status = known == 4 ? predict_correct(system, state, history, h, result)
-                      : runge_kutta(system, state, current, h, result);
+  status =
+      known == 4 ? predict_correct(system, state, history, h, result) : runge_kutta(system, state, current, h, result);
   if (!status.ok()) return status;
   StateRates<System> next;
   status = evaluate(system, result, next);

@@ -10,12 +10,12 @@ namespace mbgen {
 struct LoopFactors {
   int equations = 0;
   int coordinates = 0;
-  int rank = 0;                 ///< number of pivots taken
-  double* matrix = nullptr;     ///< equations x coordinates; after factorisation, in permuted order: L (unit diagonal)
-                                ///< below, U on and above the diagonal of the pivots, what elimination left beyond
-  int* rows = nullptr;          ///< rows[k]: equation in place k
-  int* columns = nullptr;       ///< columns[k]: coordinate in place k; the first `rank` are dependent
-  double smallest_ratio = 0;    ///< smallest accepted |pivot| over the largest pivot; 0 without pivots
+  int rank = 0;               ///< number of pivots taken
+  double* matrix = nullptr;   ///< equations x coordinates; after factorisation, in permuted order: L (unit diagonal)
+                              ///< below, U on and above the diagonal of the pivots, what elimination left beyond
+  int* rows = nullptr;        ///< rows[k]: equation in place k
+  int* columns = nullptr;     ///< columns[k]: coordinate in place k; the first `rank` are dependent
+  double smallest_ratio = 0;  ///< smallest accepted |pivot| over the largest pivot; 0 without pivots
 };
 
 namespace loop_detail {

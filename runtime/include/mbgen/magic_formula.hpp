@@ -3,9 +3,9 @@
 // Written over a scalar T (double, or the compiler's symbolic scalar): no comparisons on T.
 // Source: H. B. Pacejka, Tyre and Vehicle Dynamics, 2nd edition, section 4.3.
 
-#include "mbgen/scalar.hpp"
-
 #include <cstddef>
+
+#include "mbgen/scalar.hpp"
 
 namespace mbgen {
 
@@ -29,11 +29,15 @@ inline constexpr double kRootFloor = 1e-30;
 
 /// sgn x with sgn 0 = +1.
 template <class T>
-T sign(const T& x) { return select(x, T(1), T(-1)); }
+T sign(const T& x) {
+  return select(x, T(1), T(-1));
+}
 
 /// x, moved away from zero to at least `least` with its sign kept: a safe divisor. Requires: least > 0.
 template <class T>
-T away_from_zero(const T& x, const T& least) { return select(x, max(x, least), min(x, -least)); }
+T away_from_zero(const T& x, const T& least) {
+  return select(x, max(x, least), min(x, -least));
+}
 
 /// The angle C atan(B x - E (B x - atan(B x))) behind every curve.
 template <class T>

@@ -3,9 +3,9 @@
 // Source: H. B. Pacejka, Tyre and Vehicle Dynamics, 2nd edition, section 4.3.2, equations (4.E1) to (4.E78), without
 // turn slip; the overturning moment with the factors of MF5.2.
 
-#include "mbgen/magic_formula.hpp"
-
 #include <utility>
+
+#include "mbgen/magic_formula.hpp"
 
 namespace mbgen {
 
@@ -18,30 +18,123 @@ struct TyreField {
 /// The coefficients of PAC2002 (MF5.2), in the order of the members of Pac2002.
 inline constexpr TyreField kPac2002Fields[] = {
     // unloaded radius, m; nominal load, N: both must be given, > 0
-    {"UNLOADED_RADIUS", 0.0}, {"FNOMIN", 0.0},
+    {"UNLOADED_RADIUS", 0.0},
+    {"FNOMIN", 0.0},
     // scaling factors
-    {"LFZO", 1.0}, {"LCX", 1.0}, {"LMUX", 1.0}, {"LEX", 1.0}, {"LKX", 1.0}, {"LHX", 1.0}, {"LVX", 1.0},
-    {"LCY", 1.0}, {"LMUY", 1.0}, {"LEY", 1.0}, {"LKY", 1.0}, {"LHY", 1.0}, {"LVY", 1.0}, {"LTR", 1.0},
-    {"LRES", 1.0}, {"LGAX", 1.0}, {"LGAY", 1.0}, {"LGAZ", 1.0}, {"LXAL", 1.0}, {"LYKA", 1.0}, {"LVYKA", 1.0},
-    {"LS", 1.0}, {"LMX", 1.0}, {"LVMX", 1.0}, {"LMY", 1.0},
+    {"LFZO", 1.0},
+    {"LCX", 1.0},
+    {"LMUX", 1.0},
+    {"LEX", 1.0},
+    {"LKX", 1.0},
+    {"LHX", 1.0},
+    {"LVX", 1.0},
+    {"LCY", 1.0},
+    {"LMUY", 1.0},
+    {"LEY", 1.0},
+    {"LKY", 1.0},
+    {"LHY", 1.0},
+    {"LVY", 1.0},
+    {"LTR", 1.0},
+    {"LRES", 1.0},
+    {"LGAX", 1.0},
+    {"LGAY", 1.0},
+    {"LGAZ", 1.0},
+    {"LXAL", 1.0},
+    {"LYKA", 1.0},
+    {"LVYKA", 1.0},
+    {"LS", 1.0},
+    {"LMX", 1.0},
+    {"LVMX", 1.0},
+    {"LMY", 1.0},
     // longitudinal force, pure and combined slip
-    {"PCX1", 0.0}, {"PDX1", 0.0}, {"PDX2", 0.0}, {"PDX3", 0.0}, {"PEX1", 0.0}, {"PEX2", 0.0}, {"PEX3", 0.0},
-    {"PEX4", 0.0}, {"PKX1", 0.0}, {"PKX2", 0.0}, {"PKX3", 0.0}, {"PHX1", 0.0}, {"PHX2", 0.0}, {"PVX1", 0.0},
-    {"PVX2", 0.0}, {"RBX1", 0.0}, {"RBX2", 0.0}, {"RCX1", 0.0}, {"REX1", 0.0}, {"REX2", 0.0}, {"RHX1", 0.0},
+    {"PCX1", 0.0},
+    {"PDX1", 0.0},
+    {"PDX2", 0.0},
+    {"PDX3", 0.0},
+    {"PEX1", 0.0},
+    {"PEX2", 0.0},
+    {"PEX3", 0.0},
+    {"PEX4", 0.0},
+    {"PKX1", 0.0},
+    {"PKX2", 0.0},
+    {"PKX3", 0.0},
+    {"PHX1", 0.0},
+    {"PHX2", 0.0},
+    {"PVX1", 0.0},
+    {"PVX2", 0.0},
+    {"RBX1", 0.0},
+    {"RBX2", 0.0},
+    {"RCX1", 0.0},
+    {"REX1", 0.0},
+    {"REX2", 0.0},
+    {"RHX1", 0.0},
     // lateral force, pure and combined slip
-    {"PCY1", 0.0}, {"PDY1", 0.0}, {"PDY2", 0.0}, {"PDY3", 0.0}, {"PEY1", 0.0}, {"PEY2", 0.0}, {"PEY3", 0.0},
-    {"PEY4", 0.0}, {"PKY1", 0.0}, {"PKY2", 0.0}, {"PKY3", 0.0}, {"PHY1", 0.0}, {"PHY2", 0.0}, {"PHY3", 0.0},
-    {"PVY1", 0.0}, {"PVY2", 0.0}, {"PVY3", 0.0}, {"PVY4", 0.0}, {"RBY1", 0.0}, {"RBY2", 0.0}, {"RBY3", 0.0},
-    {"RCY1", 0.0}, {"REY1", 0.0}, {"REY2", 0.0}, {"RHY1", 0.0}, {"RHY2", 0.0}, {"RVY1", 0.0}, {"RVY2", 0.0},
-    {"RVY3", 0.0}, {"RVY4", 0.0}, {"RVY5", 0.0}, {"RVY6", 0.0},
+    {"PCY1", 0.0},
+    {"PDY1", 0.0},
+    {"PDY2", 0.0},
+    {"PDY3", 0.0},
+    {"PEY1", 0.0},
+    {"PEY2", 0.0},
+    {"PEY3", 0.0},
+    {"PEY4", 0.0},
+    {"PKY1", 0.0},
+    {"PKY2", 0.0},
+    {"PKY3", 0.0},
+    {"PHY1", 0.0},
+    {"PHY2", 0.0},
+    {"PHY3", 0.0},
+    {"PVY1", 0.0},
+    {"PVY2", 0.0},
+    {"PVY3", 0.0},
+    {"PVY4", 0.0},
+    {"RBY1", 0.0},
+    {"RBY2", 0.0},
+    {"RBY3", 0.0},
+    {"RCY1", 0.0},
+    {"REY1", 0.0},
+    {"REY2", 0.0},
+    {"RHY1", 0.0},
+    {"RHY2", 0.0},
+    {"RVY1", 0.0},
+    {"RVY2", 0.0},
+    {"RVY3", 0.0},
+    {"RVY4", 0.0},
+    {"RVY5", 0.0},
+    {"RVY6", 0.0},
     // aligning moment, pure and combined slip
-    {"QBZ1", 0.0}, {"QBZ2", 0.0}, {"QBZ3", 0.0}, {"QBZ4", 0.0}, {"QBZ5", 0.0}, {"QBZ9", 0.0}, {"QBZ10", 0.0},
-    {"QCZ1", 0.0}, {"QDZ1", 0.0}, {"QDZ2", 0.0}, {"QDZ3", 0.0}, {"QDZ4", 0.0}, {"QDZ6", 0.0}, {"QDZ7", 0.0},
-    {"QDZ8", 0.0}, {"QDZ9", 0.0}, {"QEZ1", 0.0}, {"QEZ2", 0.0}, {"QEZ3", 0.0}, {"QEZ4", 0.0}, {"QEZ5", 0.0},
-    {"QHZ1", 0.0}, {"QHZ2", 0.0}, {"QHZ3", 0.0}, {"QHZ4", 0.0}, {"SSZ1", 0.0}, {"SSZ2", 0.0}, {"SSZ3", 0.0},
+    {"QBZ1", 0.0},
+    {"QBZ2", 0.0},
+    {"QBZ3", 0.0},
+    {"QBZ4", 0.0},
+    {"QBZ5", 0.0},
+    {"QBZ9", 0.0},
+    {"QBZ10", 0.0},
+    {"QCZ1", 0.0},
+    {"QDZ1", 0.0},
+    {"QDZ2", 0.0},
+    {"QDZ3", 0.0},
+    {"QDZ4", 0.0},
+    {"QDZ6", 0.0},
+    {"QDZ7", 0.0},
+    {"QDZ8", 0.0},
+    {"QDZ9", 0.0},
+    {"QEZ1", 0.0},
+    {"QEZ2", 0.0},
+    {"QEZ3", 0.0},
+    {"QEZ4", 0.0},
+    {"QEZ5", 0.0},
+    {"QHZ1", 0.0},
+    {"QHZ2", 0.0},
+    {"QHZ3", 0.0},
+    {"QHZ4", 0.0},
+    {"SSZ1", 0.0},
+    {"SSZ2", 0.0},
+    {"SSZ3", 0.0},
     {"SSZ4", 0.0},
     // overturning moment
-    {"QSX1", 0.0}, {"QSX2", 0.0}, {"QSX3", 0.0},
+    {"QSX1", 0.0},
+    {"QSX2", 0.0},
+    {"QSX3", 0.0},
 };
 
 /// Number of coefficients of a PAC2002 set.
@@ -51,16 +144,16 @@ inline constexpr std::size_t kPac2002Count = sizeof(kPac2002Fields) / sizeof(kPa
 template <class T>
 struct Pac2002 {
   T unloaded_radius, fnomin;  ///< unloaded radius, m; nominal load, N: both must be given, > 0
-  T lfzo, lcx, lmux, lex, lkx, lhx, lvx, lcy, lmuy, ley, lky, lhy, lvy, ltr, lres, lgax,
-      lgay, lgaz, lxal, lyka, lvyka, ls, lmx, lvmx, lmy;  ///< scaling factors
-  T pcx1, pdx1, pdx2, pdx3, pex1, pex2, pex3, pex4, pkx1, pkx2, pkx3, phx1, phx2, pvx1,
-      pvx2, rbx1, rbx2, rcx1, rex1, rex2, rhx1;  ///< longitudinal force, pure and combined slip
-  T pcy1, pdy1, pdy2, pdy3, pey1, pey2, pey3, pey4, pky1, pky2, pky3, phy1, phy2, phy3,
-      pvy1, pvy2, pvy3, pvy4, rby1, rby2, rby3, rcy1, rey1, rey2, rhy1, rhy2, rvy1, rvy2,
-      rvy3, rvy4, rvy5, rvy6;  ///< lateral force, pure and combined slip
-  T qbz1, qbz2, qbz3, qbz4, qbz5, qbz9, qbz10, qcz1, qdz1, qdz2, qdz3, qdz4, qdz6, qdz7,
-      qdz8, qdz9, qez1, qez2, qez3, qez4, qez5, qhz1, qhz2, qhz3, qhz4, ssz1, ssz2, ssz3,
-      ssz4;  ///< aligning moment, pure and combined slip
+  T lfzo, lcx, lmux, lex, lkx, lhx, lvx, lcy, lmuy, ley, lky, lhy, lvy, ltr, lres, lgax, lgay, lgaz, lxal, lyka, lvyka,
+      ls, lmx, lvmx, lmy;  ///< scaling factors
+  T pcx1, pdx1, pdx2, pdx3, pex1, pex2, pex3, pex4, pkx1, pkx2, pkx3, phx1, phx2, pvx1, pvx2, rbx1, rbx2, rcx1, rex1,
+      rex2, rhx1;  ///< longitudinal force, pure and combined slip
+  T pcy1, pdy1, pdy2, pdy3, pey1, pey2, pey3, pey4, pky1, pky2, pky3, phy1, phy2, phy3, pvy1, pvy2, pvy3, pvy4, rby1,
+      rby2, rby3, rcy1, rey1, rey2, rhy1, rhy2, rvy1, rvy2, rvy3, rvy4, rvy5,
+      rvy6;  ///< lateral force, pure and combined slip
+  T qbz1, qbz2, qbz3, qbz4, qbz5, qbz9, qbz10, qcz1, qdz1, qdz2, qdz3, qdz4, qdz6, qdz7, qdz8, qdz9, qez1, qez2, qez3,
+      qez4, qez5, qhz1, qhz2, qhz3, qhz4, ssz1, ssz2, ssz3,
+      ssz4;            ///< aligning moment, pure and combined slip
   T qsx1, qsx2, qsx3;  ///< overturning moment
 
   /// Takes kPac2002Count coefficients in the order of kPac2002Fields.
@@ -68,7 +161,9 @@ struct Pac2002 {
 
  private:
   template <std::size_t... I>
-  static Pac2002 gather(const T* fields, std::index_sequence<I...>) { return Pac2002{fields[I]...}; }
+  static Pac2002 gather(const T* fields, std::index_sequence<I...>) {
+    return Pac2002{fields[I]...};
+  }
 };
 
 static_assert(sizeof(Pac2002<double>) == kPac2002Count * sizeof(double), "one entry in kPac2002Fields per member");
@@ -77,7 +172,9 @@ namespace magic {
 
 /// Curvature factors above 1 would fold a curve back.
 template <class T>
-T curvature(const T& e) { return min(e, T(1)); }
+T curvature(const T& e) {
+  return min(e, T(1));
+}
 
 /// W(x + shift) / W(shift), W = cos(angle): the weight by which the other slip reduces a force; 1 at x = 0.
 template <class T>
@@ -90,20 +187,19 @@ T weight(const T& b, const T& c, const T& unlimited, const T& shift, const T& x)
 /// A load with what every formula needs of it.
 template <class T>
 struct Pac2002Load {
-  T nominal;    ///< N, scaled nominal load
-  T load;       ///< N, held above kLeastLoad of the nominal load
-  T proportion; ///< 1, actual load over `load`: factor of the results, 1 in the range of the formulas
-  T dfz;        ///< 1, relative deviation from the nominal load
-  T friction;   ///< 1, factor of the measured friction, held above kLeastFriction
-  T shifts;     ///< 1, factor of the shifts of the pure forces
+  T nominal;     ///< N, scaled nominal load
+  T load;        ///< N, held above kLeastLoad of the nominal load
+  T proportion;  ///< 1, actual load over `load`: factor of the results, 1 in the range of the formulas
+  T dfz;         ///< 1, relative deviation from the nominal load
+  T friction;    ///< 1, factor of the measured friction, held above kLeastFriction
+  T shifts;      ///< 1, factor of the shifts of the pure forces
 };
 
 template <class T>
 Pac2002Load<T> pac2002_load(const Pac2002<T>& set, const T& fz, const T& friction, const T& shifts) {
   const T nominal = set.fnomin * set.lfzo;
   const T load = max(fz, kLeastLoad * nominal);
-  return {nominal, load, max(fz, T(0)) / load, (load - nominal) / nominal, max(friction, T(kLeastFriction)),
-          shifts};
+  return {nominal, load, max(fz, T(0)) / load, (load - nominal) / nominal, max(friction, T(kLeastFriction)), shifts};
 }
 
 /// Force of one pure slip, N, and its slope at zero slip, N per unit of slip.
@@ -246,8 +342,7 @@ TyreForces<T> magic_formula_pac2002(const Pac2002<T>& set, const T& fz, const T&
   const T fx = longitudinal.force * magic::weight<T>(bx, set.rcx1, set.rex1 + set.rex2 * dfz, set.rhx1, alpha);
 
   const T by = set.rby1 * cos(atan(set.rby2 * (alpha - set.rby3))) * set.lyka;
-  const T y_weight =
-      magic::weight<T>(by, set.rcy1, set.rey1 + set.rey2 * dfz, set.rhy1 + set.rhy2 * dfz, kappa);
+  const T y_weight = magic::weight<T>(by, set.rcy1, set.rey1 + set.rey2 * dfz, set.rhy1 + set.rhy2 * dfz, kappa);
   const T kappa_force = lateral.friction * at.load * (set.rvy1 + set.rvy2 * dfz + set.rvy3 * gamma) *
                         cos(atan(set.rvy4 * alpha)) * sin(set.rvy5 * atan(set.rvy6 * kappa)) * set.lvyka;
   const T slip_force = y_weight * lateral.force;
@@ -260,10 +355,9 @@ TyreForces<T> magic_formula_pac2002(const Pac2002<T>& set, const T& fz, const T&
   };
   const T trail_slip = magic::pac2002_trail_slip(set, at, alpha, gamma);
   const T trail = magic::pac2002_trail<T>(set, at, trail_slip, with_kappa(trail_slip), gamma);
-  const T residual =
-      magic::pac2002_residual_moment<T>(set, at, lateral, with_kappa(alpha + lateral.slip_shift), gamma);
-  const T arm = set.unloaded_radius * set.ls *
-                (set.ssz1 + set.ssz2 * fy / at.nominal + (set.ssz3 + set.ssz4 * dfz) * gamma);
+  const T residual = magic::pac2002_residual_moment<T>(set, at, lateral, with_kappa(alpha + lateral.slip_shift), gamma);
+  const T arm =
+      set.unloaded_radius * set.ls * (set.ssz1 + set.ssz2 * fy / at.nominal + (set.ssz3 + set.ssz4 * dfz) * gamma);
   const T mz = (residual - trail * slip_force) * cos(alpha) + arm * fx;
   const T mx = magic::pac2002_overturning(set, at, fy, gamma);
   return {at.proportion * fx, at.proportion * fy, at.proportion * mz, at.proportion * mx};

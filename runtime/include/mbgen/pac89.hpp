@@ -58,18 +58,18 @@ Pac89Curves<T> pac89_curves(const Pac89<T>& set, const T& load, const T& gamma, 
   const T* c = set.c;
   const T square = load * load;
   const T tilt = abs(gamma);
-  return {pac89_curve<T>(b[0], (b[1] * square + b[2] * load) * friction,
-                         (b[3] * square + b[4] * load) * exp(-b[5] * load), b[6] * square + b[7] * load + b[8],
-                         (b[9] * load + b[10]) * shifts, T(0)),
-          pac89_curve<T>(a[0], (a[1] * square + a[2] * load) * friction,
-                         a[3] * sin(2.0 * atan(load / a[4])) * (1.0 - a[5] * tilt), a[6] * load + a[7],
-                         (a[8] * gamma + a[9] * load + a[10]) * shifts,
-                         (a[11] * load * gamma + a[12] * load + a[13]) * shifts),
-          pac89_curve<T>(c[0], (c[1] * square + c[2] * load) * friction,
-                         (c[3] * square + c[4] * load) * (1.0 - c[6] * tilt) * exp(-c[5] * load),
-                         (c[7] * square + c[8] * load + c[9]) * (1.0 - c[10] * tilt),
-                         (c[11] * gamma + c[12] * load + c[13]) * shifts,
-                         ((c[14] * square + c[15] * load) * gamma + c[16] * load + c[17]) * shifts)};
+  return {
+      pac89_curve<T>(b[0], (b[1] * square + b[2] * load) * friction, (b[3] * square + b[4] * load) * exp(-b[5] * load),
+                     b[6] * square + b[7] * load + b[8], (b[9] * load + b[10]) * shifts, T(0)),
+      pac89_curve<T>(a[0], (a[1] * square + a[2] * load) * friction,
+                     a[3] * sin(2.0 * atan(load / a[4])) * (1.0 - a[5] * tilt), a[6] * load + a[7],
+                     (a[8] * gamma + a[9] * load + a[10]) * shifts,
+                     (a[11] * load * gamma + a[12] * load + a[13]) * shifts),
+      pac89_curve<T>(c[0], (c[1] * square + c[2] * load) * friction,
+                     (c[3] * square + c[4] * load) * (1.0 - c[6] * tilt) * exp(-c[5] * load),
+                     (c[7] * square + c[8] * load + c[9]) * (1.0 - c[10] * tilt),
+                     (c[11] * gamma + c[12] * load + c[13]) * shifts,
+                     ((c[14] * square + c[15] * load) * gamma + c[16] * load + c[17]) * shifts)};
 }
 
 /// Value of a curve at slip x when another slip acts too. other: that slip expressed as the x of equal normalised slip;

@@ -9,36 +9,36 @@ namespace mbgen {
 /// Properties of a mounted tyre. Units as stated, of one tyre.
 template <class T>
 struct TyreProperties {
-  T radius;                  ///< m, unloaded, > 0
-  T stiffness, damping;      ///< N/m and N s/m, vertical
-  T friction;                ///< scales the friction of the coefficient set, 1 is the measured one, >= 0
-  T rolling_resistance;      ///< 1, moment over load and radius
+  T radius;                      ///< m, unloaded, > 0
+  T stiffness, damping;          ///< N/m and N s/m, vertical
+  T friction;                    ///< scales the friction of the coefficient set, 1 is the measured one, >= 0
+  T rolling_resistance;          ///< 1, moment over load and radius
   T relaxation_x, relaxation_y;  ///< m, relaxation lengths, > 0
-  T low_speed;               ///< m/s, > 0: below it slip is damped, and the moments of rolling fade out
-  double side = 1;           ///< -1 mirrors the coefficient set (tyre measured on the other side)
-  double count = 1;          ///< tyres side by side; forces, moments and load times count
+  T low_speed;                   ///< m/s, > 0: below it slip is damped, and the moments of rolling fade out
+  double side = 1;               ///< -1 mirrors the coefficient set (tyre measured on the other side)
+  double count = 1;              ///< tyres side by side; forces, moments and load times count
 };
 
 /// Motion of the wheel in its contact frame: origin at the contact point, x along the wheel's heading on the road,
 /// y to the left, z the road's normal (up).
 template <class T>
 struct TyreContact {
-  T deflection;              ///< m, unloaded radius less the distance of the wheel centre from the contact point
-  T deflection_rate;         ///< m/s, its time derivative
-  T vx;                      ///< m/s, velocity of the wheel centre along x
-  T vy;                      ///< m/s, velocity of the contact point (moving with the wheel, without its spin) along y
-  T spin;                    ///< rad/s, about the wheel's axis (the one to the left), positive when rolling forward
-  T camber;                  ///< rad, rotation of the wheel plane from upright about x, top to the right positive
-  T u, v;                    ///< m, deflection states along x and y, see TyreResult
+  T deflection;       ///< m, unloaded radius less the distance of the wheel centre from the contact point
+  T deflection_rate;  ///< m/s, its time derivative
+  T vx;               ///< m/s, velocity of the wheel centre along x
+  T vy;               ///< m/s, velocity of the contact point (moving with the wheel, without its spin) along y
+  T spin;             ///< rad/s, about the wheel's axis (the one to the left), positive when rolling forward
+  T camber;           ///< rad, rotation of the wheel plane from upright about x, top to the right positive
+  T u, v;             ///< m, deflection states along x and y, see TyreResult
 };
 
 /// What a tyre does to its wheel, at the contact point in contact axes, and the rates of its deflection states.
 template <class T>
 struct TyreResult {
-  T load, fx, fy;            ///< N: along z, x, y; load >= 0
-  T mx, my, mz;              ///< N m: overturning, about the wheel's axis, aligning
-  T du, dv;                  ///< m/s, rates of u and v
-  T kappa, alpha;            ///< slips behind the forces: 1, driving positive; rad, sliding left positive
+  T load, fx, fy;  ///< N: along z, x, y; load >= 0
+  T mx, my, mz;    ///< N m: overturning, about the wheel's axis, aligning
+  T du, dv;        ///< m/s, rates of u and v
+  T kappa, alpha;  ///< slips behind the forces: 1, driving positive; rad, sliding left positive
 };
 
 namespace tyre_law {
@@ -106,8 +106,8 @@ Slip<T> slip(const TyreProperties<T>& tyre, const TyreContact<T>& contact) {
   const T growth = 1.0 / max(sticking, q * (1.0 / kLargestSlip));
   const T fade = 0.5 + 0.5 * cos(magic::kPi * min(speed / tyre.low_speed, T(1)));
   const T damping = kSlipDamping * fade * max(sticking, T(0));
-  return {qx * growth - damping * vsx, atan(damping * vsy - qy * growth),
-          -vsx - transport * qx, -vsy - transport * qy, 1.0 - fade};
+  return {qx * growth - damping * vsx, atan(damping * vsy - qy * growth), -vsx - transport * qx, -vsy - transport * qy,
+          1.0 - fade};
 }
 
 /// Forces of the set in contact axes (x forward, y left, z up). shifts: see magic_formula_pac2002.
@@ -126,9 +126,13 @@ TyreForces<T> formula(const Pac89<T>& set, const T& fz, const T& kappa, const T&
 
 /// Scaling of the rolling resistance that the set carries; the formula of 1989 has none.
 template <class T>
-T rolling_factor(const Pac2002<T>& set) { return set.lmy; }
+T rolling_factor(const Pac2002<T>& set) {
+  return set.lmy;
+}
 template <class T>
-T rolling_factor(const Pac89<T>&) { return T(1); }
+T rolling_factor(const Pac89<T>&) {
+  return T(1);
+}
 
 }  // namespace tyre_law
 
