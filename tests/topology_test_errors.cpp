@@ -21,12 +21,12 @@ TEST(TopologyErrors, BodiesWithoutAPathToGround) {
   builder.revolute("late", "door", "tail", CutMark::cut);
   const Diagnostics problems = problems_of(builder.model);
   ASSERT_EQ(problems.size(), 3u);
-  expect_problem(problems[0], "/bodies/left", "body left has no path to ground",
+  expect_problem(problems[0], "/bodies/left", "body \"left\" has no path to ground",
                  "add a joint, for example of type free from ground; 1 more body on its island");
-  expect_problem(problems[1], "/bodies/alone", "body alone has no path to ground",
+  expect_problem(problems[1], "/bodies/alone", "body \"alone\" has no path to ground",
                  "add a joint, for example of type free from ground");
-  expect_problem(problems[2], "/bodies/tail", "body tail has no path to ground",
-                 "joint late is marked \"cut\": true and holds no body");
+  expect_problem(problems[2], "/bodies/tail", "body \"tail\" has no path to ground",
+                 "joint \"late\" is marked \"cut\": true and holds no body");
 }
 
 TEST(TopologyErrors, NoElementRefersToGround) {
@@ -35,7 +35,7 @@ TEST(TopologyErrors, NoElementRefersToGround) {
   builder.model.ground = -1;
   const Diagnostics problems = problems_of(builder.model);
   ASSERT_FALSE(problems.empty());
-  EXPECT_EQ(problems.back().message, "body left has no path to ground");
+  EXPECT_EQ(problems.back().message, "body \"left\" has no path to ground");
 }
 
 TEST(TopologyErrors, MarkedJointsThatFormACycle) {
@@ -45,7 +45,7 @@ TEST(TopologyErrors, MarkedJointsThatFormACycle) {
   const Diagnostics problems = problems_of(builder.model);
   ASSERT_EQ(problems.size(), 1u);
   expect_problem(problems[0], "/joints/b",
-                 "joint b is marked \"cut\": false but closes a loop: body b would have two parents",
+                 "joint \"b\" is marked \"cut\": false but closes a loop: body \"b\" would have two parents",
                  "leave one joint of the loop without the mark");
 }
 
@@ -59,7 +59,7 @@ TEST(TopologyErrors, AUsedCoordinateOfACutJoint) {
   Diagnostics problems = problems_of(builder.model);
   ASSERT_EQ(problems.size(), 1u);
   const std::string message =
-      "joint c closes a loop, so its coordinate c does not exist, but it is used by motion drive";
+      "joint \"c\" closes a loop, so its coordinate \"c\" does not exist, but it is used by motion drive";
   expect_problem(problems[0], "/joints/c", message,
                  "take the mark \"cut\": true away or mark another joint of the loop");
 
@@ -82,14 +82,17 @@ TEST(TopologyErrors, LoopsInWhichNothingMoves) {
   const Diagnostics problems = problems_of(builder.model);
   ASSERT_EQ(problems.size(), 4u);
   const std::string hint = "remove it, or one of the fixed joints between them";
-  expect_problem(problems[0], "/joints/extra",
-                 "joint extra closes a loop in which nothing moves: bodies pad and arm are fixed to each other", hint);
-  expect_problem(problems[1], "/rods/strut",
-                 "rod strut closes a loop in which nothing moves: bodies post and ground are fixed to each other",
-                 hint);
+  expect_problem(
+      problems[0], "/joints/extra",
+      "joint \"extra\" closes a loop in which nothing moves: bodies \"pad\" and \"arm\" are fixed to each other", hint);
+  expect_problem(
+      problems[1], "/rods/strut",
+      "rod \"strut\" closes a loop in which nothing moves: bodies \"post\" and \"ground\" are fixed to each other",
+      hint);
   expect_problem(problems[2], "/rods/tie",
-                 "rod tie closes a loop in which nothing moves: bodies pad and arm are fixed to each other", hint);
-  expect_problem(problems[3], "/rods/ring", "rod ring has both ends on body arm", "connect two bodies");
+                 "rod \"tie\" closes a loop in which nothing moves: bodies \"pad\" and \"arm\" are fixed to each other",
+                 hint);
+  expect_problem(problems[3], "/rods/ring", "rod \"ring\" has both ends on body \"arm\"", "connect two bodies");
 }
 
 TEST(TopologyErrors, NothingMoves) {

@@ -28,6 +28,9 @@ struct Diagnostic {
 
 using Diagnostics = std::vector<Diagnostic>;
 
+/// A name as messages show it.
+inline std::string quoted(const std::string& name) { return '"' + name + '"'; }
+
 /// Text of one diagnostic as people read it, with a final newline.
 std::string to_text(const Diagnostic& diagnostic);
 

@@ -122,14 +122,14 @@ void mark_massless(Topology& topology, const Model& model) {
 bool check_loop(const Model& model, const Loop& loop, const Attachment& from, const Attachment& to, const Where& where,
                 Diagnostics& problems) {
   if (loop.body_from != loop.body_to) return true;
-  const std::string what = (loop.rod >= 0 ? "rod " : "joint ") + loop.name;
+  const std::string what = (loop.rod >= 0 ? "rod " : "joint ") + quoted(loop.name);
   const std::string &a = model.bodies[from.body].name, &b = model.bodies[to.body].name;
   const bool same = from.body == to.body;
-  problems.push_back(
-      {where,
-       what + (same ? " has both ends on body " + a
-                    : " closes a loop in which nothing moves: bodies " + a + " and " + b + " are fixed to each other"),
-       same ? "connect two bodies" : "remove it, or one of the fixed joints between them", ""});
+  problems.push_back({where,
+                      what + (same ? " has both ends on body " + quoted(a)
+                                   : " closes a loop in which nothing moves: bodies " + quoted(a) + " and " +
+                                         quoted(b) + " are fixed to each other"),
+                      same ? "connect two bodies" : "remove it, or one of the fixed joints between them", ""});
   return false;
 }
 

@@ -199,11 +199,11 @@ void TreeSearch::check_reach(Diagnostics& problems) const {
       }
     }
     std::string hint = cut_joint.empty() ? "add a joint, for example of type free from ground"
-                                         : "joint " + cut_joint + " is marked \"cut\": true and holds no body";
+                                         : "joint " + quoted(cut_joint) + " is marked \"cut\": true and holds no body";
     const std::size_t more = island.size() - 1;
     if (more > 0) hint += "; " + std::to_string(more) + (more == 1 ? " more body" : " more bodies") + " on its island";
     const Body& first = model_.bodies[body];
-    problems.push_back({first.where, "body " + first.name + " has no path to ground", hint, ""});
+    problems.push_back({first.where, "body " + quoted(first.name) + " has no path to ground", hint, ""});
   }
 }
 
@@ -214,8 +214,8 @@ void TreeSearch::check_marks_and_uses(Diagnostics& problems) const {
     if (in_tree_[j] || joint.cut != CutMark::tree || !reached_[joint.from.body] || !reached_[joint.to.body]) continue;
     told[j] = true;
     problems.push_back({joint.where,
-                        "joint " + joint.name + " is marked \"cut\": false but closes a loop: body " +
-                            model_.bodies[joint.to.body].name + " would have two parents",
+                        "joint " + quoted(joint.name) + " is marked \"cut\": false but closes a loop: body " +
+                            quoted(model_.bodies[joint.to.body].name) + " would have two parents",
                         "leave one joint of the loop without the mark", ""});
   }
   for (const CoordinateUse& use : uses_) {
@@ -226,7 +226,7 @@ void TreeSearch::check_marks_and_uses(Diagnostics& problems) const {
     const std::string name = joint.freedoms[use.coordinate.component].name;
     const bool marked = joint.cut == CutMark::cut;
     problems.push_back({joint.where,
-                        "joint " + joint.name + " closes a loop, so its coordinate " + name +
+                        "joint " + quoted(joint.name) + " closes a loop, so its coordinate " + quoted(name) +
                             " does not exist, but it is used by " + use.user,
                         marked ? "take the mark \"cut\": true away or mark another joint of the loop"
                                : "every other joint of the loop is used or marked too; free one of them",
