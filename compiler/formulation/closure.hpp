@@ -35,7 +35,7 @@ template <class T>
 RelativeMotion<T> relative_motion(System<T>& system, const Kinematics<T>& k, const LoopBlock& block) {
   RelativeMotion<T> m = at_rest<T>(system.topology);
   for (int i : block.joints) {
-    system.scribe.place(system.body_name(i));
+    system.scribe.place(system.layout.titles[i]);
     const int p = system.topology.bodies[i].parent;
     const Spatial<T> below = p == block.base ? Spatial<T>{} : m.velocity[p];
     const Acceleration<T> below_acceleration = p == block.base ? Acceleration<T>{} : m.acceleration[p];

@@ -62,7 +62,7 @@ Inertias<T> inertias(System<T>& system, const Kinematics<T>& k) {
   m.own.resize(n);
   m.base.resize(n);
   for (int i = 0; i < n; ++i) {
-    system.scribe.place(system.body_name(i));
+    system.scribe.place(system.layout.titles[i]);
     m.body[i] = body_inertia(system, k, i);
     (system.layout.bodies[i].own_frame ? m.own[i] : m.base[i]) = about_origin(m.body[i]);
   }
@@ -77,7 +77,7 @@ Inertias<T> inertias(System<T>& system, const Kinematics<T>& k) {
                                                            position_in(system, k, rod.to, block.base));
     }
   for (int i = n - 1; i >= 0; --i) {
-    system.scribe.place(system.body_name(i));
+    system.scribe.place(system.layout.titles[i]);
     if (system.layout.bodies[i].own_frame) m.base[i] = m.base[i] + moved(k.orientation[i], k.position[i], m.own[i]);
     const int p = system.topology.bodies[i].parent;
     if (p == kGround) continue;

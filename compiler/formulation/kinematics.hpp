@@ -108,7 +108,7 @@ Kinematics<T> kinematics(System<T>& system) {
   k.column.resize(n);
   k.base_column.resize(n);
   for (int i = 0; i < static_cast<int>(n); ++i) {
-    system.scribe.place(system.body_name(i));
+    system.scribe.place(system.layout.titles[i]);
     detail::advance_pose(system, k, i);
     if (system.layout.bodies[i].chain_start >= 0) detail::own_chain(system, k, i);
     name(system.scribe, k.orientation[i], "R_" + system.body_name(i));

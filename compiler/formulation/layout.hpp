@@ -1,6 +1,7 @@
 #pragma once
 // Which frame carries which body: the choice of axes and origins that keeps the equations small and well conditioned.
 
+#include <string>
 #include <vector>
 
 #include "compiler/topology/topology.hpp"
@@ -20,6 +21,8 @@ struct BodyLayout {
 
 struct Layout {
   std::vector<BodyLayout> bodies;
+  std::vector<std::string>
+      titles;  ///< per tree body: `body: joint, kind, parent`, the heading of its values in emitted code
   /// Frame in which inertias and forces of body i are accumulated; kGround for kGround.
   int frame_of(int body) const { return body == kGround ? kGround : bodies[body].own_frame ? body : bodies[body].base; }
 };

@@ -221,17 +221,17 @@ struct AccelerationsWork {
 [[gnu::noinline]] void compute_accelerations_1(const State& state,
     AccelerationsWork& __restrict work) noexcept {
   // --- step 1: poses, axes b, accumulated inertias MR (50) ---
-  // chassis_aux4
+  // chassis_aux4: chassis_rz, revolute, chassis_aux3
   const double z_chassis_rz = state.z[Coordinate::chassis_rz];
   const double R_chassis_aux4_x_x = std::cos(z_chassis_rz);
   const double R_chassis_aux4_y_x = std::sin(z_chassis_rz);
-  // chassis_aux5
+  // chassis_aux5: chassis_ry, revolute, chassis_aux4
   const double z_chassis_ry = state.z[Coordinate::chassis_ry];
   const double R_chassis_aux5_z_z = std::cos(z_chassis_ry);
   work.s1_1 = std::sin(z_chassis_ry);
   work.R_chassis_aux5_x_x = R_chassis_aux4_x_x*R_chassis_aux5_z_z;
   work.R_chassis_aux5_y_x = R_chassis_aux4_y_x*R_chassis_aux5_z_z;
-  // chassis
+  // chassis: chassis_rx, revolute, chassis_aux5
   const double z_chassis_rx = state.z[Coordinate::chassis_rx];
   work.s1_2 = std::cos(z_chassis_rx);
   work.s1_3 = std::sin(z_chassis_rx);
@@ -243,11 +243,11 @@ struct AccelerationsWork {
   work.R_chassis_x_z = R_chassis_aux4_y_x*work.s1_3 + R_chassis_aux4_x_x*s1_5;
   work.R_chassis_y_y = R_chassis_aux4_x_x*work.s1_2 + R_chassis_aux4_y_x*s1_4;
   work.R_chassis_y_z = R_chassis_aux4_y_x*s1_5 - R_chassis_aux4_x_x*work.s1_3;
-  // lower_arm_left
+  // lower_arm_left: lower_arm_left, revolute, chassis
   const double z_lower_arm_left = state.z[Coordinate::lower_arm_left];
   work.R_lower_arm_left_y_y = std::cos(z_lower_arm_left);
   work.R_lower_arm_left_z_y = std::sin(z_lower_arm_left);
-  // carrier_left_aux1
+  // carrier_left_aux1: carrier_left_rz, revolute, lower_arm_left
   const double s1_6 = 0.44999999999999996*work.R_lower_arm_left_y_y;
   const double s1_7 = 0.44999999999999996*work.R_lower_arm_left_z_y;
   work.r_carrier_left_aux1_y = 0.4 + (s1_6 + 0.04999999999999999*work.R_lower_arm_left_z_y);
@@ -263,7 +263,7 @@ struct AccelerationsWork {
   work.b_carrier_left_rz_x = s1_9 + work.R_lower_arm_left_y_y*work.r_carrier_left_aux1_y;
   work.s1_10 = 3.6*work.R_lower_arm_left_y_y;
   work.s1_11 = 3.6*work.R_lower_arm_left_z_y;
-  // carrier_left_aux2
+  // carrier_left_aux2: carrier_left_rx, revolute, carrier_left_aux1
   const double z_carrier_left_rx = state.z[Coordinate::carrier_left_rx];
   const double s1_12 = std::cos(z_carrier_left_rx);
   const double s1_13 = std::sin(z_carrier_left_rx);
@@ -280,7 +280,7 @@ struct AccelerationsWork {
   work.b_carrier_left_rx_y = s1_17 - 3.6*work.R_carrier_left_aux1_z_x;
   const double s1_18 = work.r_carrier_left_aux1_y*work.R_carrier_left_aux1_x_x;
   work.b_carrier_left_rx_z = 3.6*work.R_carrier_left_aux1_y_x - s1_18;
-  // carrier_left
+  // carrier_left: carrier_left_ry, revolute, carrier_left_aux2
   const double z_carrier_left_ry = state.z[Coordinate::carrier_left_ry];
   const double s1_19 = std::cos(z_carrier_left_ry);
   const double s1_20 = std::sin(z_carrier_left_ry);
@@ -295,7 +295,7 @@ struct AccelerationsWork {
   work.s1_22 = 3.6*work.R_carrier_left_aux2_z_y + work.r_carrier_left_aux1_z*work.s1_14;
   work.b_carrier_left_ry_z = work.r_carrier_left_aux1_y*work.s1_14 +
       3.6*work.R_carrier_left_aux2_y_y;
-  // wheel_front_left
+  // wheel_front_left: wheel_front_left, revolute, carrier_left
   const double s1_23 = 0.16999999999999998*work.R_carrier_left_x_z;
   const double s1_24 = 0.17499999999999993*work.R_carrier_left_aux2_y_y;
   const double s1_25 = 0.17499999999999993*work.R_carrier_left_aux2_z_y;
@@ -310,19 +310,19 @@ struct AccelerationsWork {
   work.s1_30 = s1_29 + work.s1_14*work.r_wheel_front_left_z;
   const double s1_31 = work.R_carrier_left_aux2_y_y*work.r_wheel_front_left_x;
   work.b_wheel_front_left_z = work.s1_14*work.r_wheel_front_left_y + s1_31;
-  // upper_arm_left
+  // upper_arm_left: upper_arm_left, revolute, chassis
   const double z_upper_arm_left = state.z[Coordinate::upper_arm_left];
   work.R_upper_arm_left_y_y = std::cos(z_upper_arm_left);
   work.R_upper_arm_left_z_y = std::sin(z_upper_arm_left);
-  // arb_front_left
+  // arb_front_left: arb_front_left, revolute, chassis
   const double z_arb_front_left = state.z[Coordinate::arb_front_left];
   work.R_arb_front_left_x_x = std::cos(z_arb_front_left);
   work.R_arb_front_left_x_z = std::sin(z_arb_front_left);
-  // lower_arm_right
+  // lower_arm_right: lower_arm_right, revolute, chassis
   const double z_lower_arm_right = state.z[Coordinate::lower_arm_right];
   work.R_lower_arm_right_y_y = std::cos(z_lower_arm_right);
   work.R_lower_arm_right_z_y = std::sin(z_lower_arm_right);
-  // carrier_right_aux1
+  // carrier_right_aux1: carrier_right_rz, revolute, lower_arm_right
   const double s1_32 = 0.04999999999999999*work.R_lower_arm_right_z_y;
   const double s1_33 = 0.44999999999999996*work.R_lower_arm_right_z_y;
   work.r_carrier_right_aux1_y = s1_32 - 0.44999999999999996*work.R_lower_arm_right_y_y - 0.4;
@@ -338,7 +338,7 @@ struct AccelerationsWork {
   work.b_carrier_right_rz_x = s1_36 - work.R_lower_arm_right_z_y*work.s1_34;
   work.s1_37 = 3.6*work.R_lower_arm_right_y_y;
   work.s1_38 = 3.6*work.R_lower_arm_right_z_y;
-  // carrier_right_aux2
+  // carrier_right_aux2: carrier_right_rx, revolute, carrier_right_aux1
   const double z_carrier_right_rx = state.z[Coordinate::carrier_right_rx];
   const double s1_39 = std::cos(z_carrier_right_rx);
   const double s1_40 = std::sin(z_carrier_right_rx);
@@ -355,7 +355,7 @@ struct AccelerationsWork {
   work.s1_45 = 3.6*work.R_carrier_right_aux1_z_x + s1_44;
   const double s1_46 = work.r_carrier_right_aux1_y*work.R_carrier_right_aux1_x_x;
   work.b_carrier_right_rx_z = 3.6*work.R_carrier_right_aux1_y_x - s1_46;
-  // carrier_right
+  // carrier_right: carrier_right_ry, revolute, carrier_right_aux2
   const double z_carrier_right_ry = state.z[Coordinate::carrier_right_ry];
   const double s1_47 = std::cos(z_carrier_right_ry);
   const double s1_48 = std::sin(z_carrier_right_ry);
@@ -370,7 +370,7 @@ struct AccelerationsWork {
   work.b_carrier_right_ry_y = work.s1_34*work.s1_41 - 3.6*work.R_carrier_right_aux2_z_y;
   const double s1_50 = work.r_carrier_right_aux1_y*work.s1_41;
   work.b_carrier_right_ry_z = s1_50 + 3.6*work.R_carrier_right_aux2_y_y;
-  // wheel_front_right
+  // wheel_front_right: wheel_front_right, revolute, carrier_right
   const double s1_51 = 0.16999999999999998*work.R_carrier_right_x_z;
   const double s1_52 = 0.17499999999999993*work.R_carrier_right_aux2_y_y;
   const double s1_53 = 0.17499999999999993*work.R_carrier_right_aux2_z_y;
@@ -384,31 +384,31 @@ struct AccelerationsWork {
   work.s1_57 = s1_56 + work.s1_41*work.r_wheel_front_right_z;
   const double s1_58 = work.R_carrier_right_aux2_y_y*work.r_wheel_front_right_x;
   work.b_wheel_front_right_z = work.s1_41*work.r_wheel_front_right_y + s1_58;
-  // upper_arm_right
+  // upper_arm_right: upper_arm_right, revolute, chassis
   const double z_upper_arm_right = state.z[Coordinate::upper_arm_right];
   work.R_upper_arm_right_y_y = std::cos(z_upper_arm_right);
   work.R_upper_arm_right_z_y = std::sin(z_upper_arm_right);
-  // arb_front_right
+  // arb_front_right: arb_front_right, revolute, chassis
   const double z_arb_front_right = state.z[Coordinate::arb_front_right];
   work.R_arb_front_right_x_x = std::cos(z_arb_front_right);
   work.R_arb_front_right_x_z = std::sin(z_arb_front_right);
-  // pitman_arm
+  // pitman_arm: pitman_arm, revolute, chassis
   const double z_pitman_arm = state.z[Coordinate::pitman_arm];
   work.R_pitman_arm_x_x = std::cos(z_pitman_arm);
   work.R_pitman_arm_x_z = std::sin(z_pitman_arm);
-  // bell_crank
+  // bell_crank: bell_crank, revolute, chassis
   const double z_bell_crank = state.z[Coordinate::bell_crank];
   work.R_bell_crank_x_x = std::cos(z_bell_crank);
   work.R_bell_crank_y_x = std::sin(z_bell_crank);
-  // rear_axle_aux1
+  // rear_axle_aux1: rear_axle_tx, prismatic, chassis
   work.r_rear_axle_aux1_x = state.z[Coordinate::rear_axle_tx] - 2.4999999999999996;
-  // rear_axle_aux3
+  // rear_axle_aux3: rear_axle_tz, prismatic, rear_axle_aux2
   work.r_rear_axle_aux3_z = state.z[Coordinate::rear_axle_tz] - 0.5;
-  // rear_axle_aux4
+  // rear_axle_aux4: rear_axle_rz, revolute, rear_axle_aux3
   const double z_rear_axle_rz = state.z[Coordinate::rear_axle_rz];
   work.R_rear_axle_aux4_x_x = std::cos(z_rear_axle_rz);
   work.R_rear_axle_aux4_y_x = std::sin(z_rear_axle_rz);
-  // rear_axle_aux5
+  // rear_axle_aux5: rear_axle_ry, revolute, rear_axle_aux4
   const double z_rear_axle_ry = state.z[Coordinate::rear_axle_ry];
   const double R_rear_axle_aux5_z_z = std::cos(z_rear_axle_ry);
   work.s1_59 = std::sin(z_rear_axle_ry);
@@ -421,7 +421,7 @@ struct AccelerationsWork {
   const double z_rear_axle_ty = state.z[Coordinate::rear_axle_ty];
   const double s1_62 = work.r_rear_axle_aux1_x*work.R_rear_axle_aux4_x_x;
   work.b_rear_axle_ry_z = z_rear_axle_ty*work.R_rear_axle_aux4_y_x + s1_62;
-  // rear_axle
+  // rear_axle: rear_axle_rx, revolute, rear_axle_aux5
   const double z_rear_axle_rx = state.z[Coordinate::rear_axle_rx];
   const double s1_63 = std::cos(z_rear_axle_rx);
   const double s1_64 = std::sin(z_rear_axle_rx);
@@ -437,7 +437,7 @@ struct AccelerationsWork {
   work.b_rear_axle_rx_y = work.r_rear_axle_aux1_x*work.s1_59 + s1_67;
   const double s1_68 = work.r_rear_axle_aux1_x*work.R_rear_axle_aux5_y_x;
   work.b_rear_axle_rx_z = s1_68 - z_rear_axle_ty*work.R_rear_axle_aux5_x_x;
-  // wheel_rear_left
+  // wheel_rear_left: wheel_rear_left, revolute, rear_axle
   const double s1_69 = 0.93*work.R_rear_axle_x_y;
   const double s1_70 = 0.93*work.R_rear_axle_y_y;
   const double s1_71 = 0.93*work.R_rear_axle_z_y;
@@ -450,11 +450,11 @@ struct AccelerationsWork {
   work.b_wheel_rear_left_y = s1_73 - work.R_rear_axle_z_y*work.r_wheel_rear_left_x;
   const double s1_74 = work.R_rear_axle_y_y*work.r_wheel_rear_left_x;
   work.b_wheel_rear_left_z = s1_74 - work.R_rear_axle_x_y*work.r_wheel_rear_left_y;
-  // arb_rear_left
+  // arb_rear_left: arb_rear_left, revolute, chassis
   const double z_arb_rear_left = state.z[Coordinate::arb_rear_left];
   work.R_arb_rear_left_x_x = std::cos(z_arb_rear_left);
   work.R_arb_rear_left_x_z = std::sin(z_arb_rear_left);
-  // wheel_rear_right
+  // wheel_rear_right: wheel_rear_right, revolute, rear_axle
   work.r_wheel_rear_right_x = work.r_rear_axle_aux1_x - s1_69;
   work.r_wheel_rear_right_y = z_rear_axle_ty - s1_70;
   work.r_wheel_rear_right_z = work.r_rear_axle_aux3_z - s1_71;
@@ -464,11 +464,11 @@ struct AccelerationsWork {
   work.b_wheel_rear_right_y = s1_76 - work.R_rear_axle_z_y*work.r_wheel_rear_right_x;
   const double s1_77 = work.R_rear_axle_y_y*work.r_wheel_rear_right_x;
   work.b_wheel_rear_right_z = s1_77 - work.R_rear_axle_x_y*work.r_wheel_rear_right_y;
-  // arb_rear_right
+  // arb_rear_right: arb_rear_right, revolute, chassis
   const double z_arb_rear_right = state.z[Coordinate::arb_rear_right];
   work.R_arb_rear_right_x_x = std::cos(z_arb_rear_right);
   work.R_arb_rear_right_x_z = std::sin(z_arb_rear_right);
-  // lower_arm_left
+  // lower_arm_left: lower_arm_left, revolute, chassis
   const double s1_78 = 0.025000000000000022*work.R_lower_arm_left_z_y;
   const double s1_79 = 0.025000000000000022*work.R_lower_arm_left_y_y;
   work.s1_80 = 0.4 + (0.21999999999999997*work.R_lower_arm_left_y_y + s1_78);
@@ -489,7 +489,7 @@ struct AccelerationsWork {
   work.s1_95 = work.s1_85 + (324.0 + s1_91);
   work.s1_96 = work.s1_86 + (324.0 + s1_90);
   work.s1_97 = work.s1_87 - work.s1_81*work.s1_88;
-  // carrier_left
+  // carrier_left: carrier_left_ry, revolute, carrier_left_aux2
   const double s1_98 = 0.003952802359882006*work.R_carrier_left_x_x;
   const double s1_99 = 0.16710914454277284*work.R_carrier_left_x_z - s1_98;
   const double s1_100 = 0.003952802359882006*work.R_carrier_left_y_x;
@@ -550,7 +550,7 @@ struct AccelerationsWork {
   work.s1_155 = work.s1_141 - work.s1_106*work.s1_146;
   work.s1_156 = work.s1_143 - work.s1_108*work.s1_146;
   work.s1_157 = work.s1_145 - work.s1_108*work.s1_147;
-  // wheel_front_left
+  // wheel_front_left: wheel_front_left, revolute, carrier_left
   const double s1_158 = 6.0*work.R_carrier_left_y_x;
   const double s1_159 = 11.0*work.R_carrier_left_aux2_y_y;
   const double s1_160 = 6.0*work.R_carrier_left_y_z;
@@ -582,7 +582,7 @@ struct AccelerationsWork {
   work.s1_186 = work.s1_172 - work.r_wheel_front_left_y*work.s1_177;
   work.s1_187 = work.s1_174 - work.r_wheel_front_left_z*work.s1_177;
   work.s1_188 = work.s1_176 - work.r_wheel_front_left_z*work.s1_178;
-  // upper_arm_left
+  // upper_arm_left: upper_arm_left, revolute, chassis
   const double s1_189 = 0.010000000000000009*work.R_upper_arm_left_z_y;
   const double s1_190 = 0.010000000000000009*work.R_upper_arm_left_y_y;
   work.s1_191 = 0.5 + (0.15000000000000002*work.R_upper_arm_left_y_y + s1_189);
@@ -603,7 +603,7 @@ struct AccelerationsWork {
   work.s1_206 = work.s1_196 + (194.4 + s1_202);
   work.s1_207 = work.s1_197 + (194.4 + s1_201);
   work.s1_208 = work.s1_198 - work.s1_192*work.s1_199;
-  // arb_front_left
+  // arb_front_left: arb_front_left, revolute, chassis
   const double s1_209 = 0.053846153846153884*work.R_arb_front_left_x_z;
   const double s1_210 = 0.053846153846153884*work.R_arb_front_left_x_x;
   work.s1_211 = 3.95 + (s1_209 - 0.1392307692307692*work.R_arb_front_left_x_x);
@@ -631,7 +631,7 @@ struct AccelerationsWork {
   work.s1_233 = work.s1_215 - 0.5169230769230769*work.s1_226;
   work.s1_234 = work.s1_225 - work.s1_212*work.s1_226;
   work.s1_235 = work.s1_219 + 4.4799999999999995*work.s1_212;
-  // lower_arm_right
+  // lower_arm_right: lower_arm_right, revolute, chassis
   const double s1_236 = 0.025000000000000022*work.R_lower_arm_right_z_y;
   const double s1_237 = 0.025000000000000022*work.R_lower_arm_right_y_y;
   work.s1_238 = s1_236 - 0.21999999999999997*work.R_lower_arm_right_y_y - 0.4;
@@ -652,7 +652,7 @@ struct AccelerationsWork {
   work.s1_253 = work.s1_243 + (324.0 + s1_249);
   work.s1_254 = work.s1_244 + (324.0 + s1_248);
   work.s1_255 = work.s1_245 + work.s1_239*work.s1_246;
-  // carrier_right
+  // carrier_right: carrier_right_ry, revolute, carrier_right_aux2
   const double s1_256 = 0.003952802359882006*work.R_carrier_right_x_x;
   const double s1_257 = 0.16710914454277284*work.R_carrier_right_x_z - s1_256;
   const double s1_258 = 0.003952802359882006*work.R_carrier_right_y_x;
@@ -712,7 +712,7 @@ struct AccelerationsWork {
   work.s1_312 = work.s1_298 - work.s1_264*work.s1_303;
   work.s1_313 = work.s1_300 - work.s1_265*work.s1_303;
   work.s1_314 = work.s1_302 - work.s1_265*work.s1_304;
-  // wheel_front_right
+  // wheel_front_right: wheel_front_right, revolute, carrier_right
   const double s1_315 = 6.0*work.R_carrier_right_y_x;
   const double s1_316 = 11.0*work.R_carrier_right_aux2_y_y;
   const double s1_317 = 6.0*work.R_carrier_right_y_z;
@@ -744,7 +744,7 @@ struct AccelerationsWork {
   work.s1_343 = work.s1_329 - work.r_wheel_front_right_y*work.s1_334;
   work.s1_344 = work.s1_331 - work.r_wheel_front_right_z*work.s1_334;
   work.s1_345 = work.s1_333 - work.r_wheel_front_right_z*work.s1_335;
-  // upper_arm_right
+  // upper_arm_right: upper_arm_right, revolute, chassis
   const double s1_346 = 0.010000000000000009*work.R_upper_arm_right_z_y;
   const double s1_347 = 0.010000000000000009*work.R_upper_arm_right_y_y;
   work.s1_348 = s1_346 - 0.15000000000000002*work.R_upper_arm_right_y_y - 0.5;
@@ -765,7 +765,7 @@ struct AccelerationsWork {
   work.s1_363 = work.s1_353 + (194.4 + s1_359);
   work.s1_364 = work.s1_354 + (194.4 + s1_358);
   work.s1_365 = work.s1_355 + work.s1_349*work.s1_356;
-  // arb_front_right
+  // arb_front_right: arb_front_right, revolute, chassis
   const double s1_366 = 0.053846153846153884*work.R_arb_front_right_x_z;
   const double s1_367 = 0.053846153846153884*work.R_arb_front_right_x_x;
   work.s1_368 = 3.95 + (s1_366 - 0.1392307692307692*work.R_arb_front_right_x_x);
@@ -793,7 +793,7 @@ struct AccelerationsWork {
   work.s1_390 = work.s1_372 + 0.5169230769230769*work.s1_383;
   work.s1_391 = work.s1_382 - work.s1_369*work.s1_383;
   work.s1_392 = work.s1_376 + 4.4799999999999995*work.s1_369;
-  // pitman_arm
+  // pitman_arm: pitman_arm, revolute, chassis
   work.s1_393 = 4.4 - 0.14666666666666664*work.R_pitman_arm_x_z;
   work.s1_394 = 0.4 + 0.14666666666666664*work.R_pitman_arm_x_x;
   const double s1_395 = 0.0742*work.R_pitman_arm_x_z;
@@ -812,7 +812,7 @@ struct AccelerationsWork {
   work.s1_408 = 0.0842 + (s1_403 + s1_404);
   work.s1_409 = work.s1_399 + (2.25 + s1_403);
   work.s1_410 = work.s1_400 + work.s1_394*work.s1_401;
-  // bell_crank
+  // bell_crank: bell_crank, revolute, chassis
   const double s1_411 = 0.09720000000000001*work.R_bell_crank_y_x;
   const double s1_412 = 0.09720000000000001*work.R_bell_crank_x_x;
   work.s1_413 = s1_412 - 0.09380000000000002*work.R_bell_crank_y_x;
@@ -836,7 +836,7 @@ struct AccelerationsWork {
   work.s1_430 = work.s1_422 + (6.0 + s1_426);
   work.s1_431 = 0.40412866666666675 + (s1_426 + s1_427);
   work.s1_432 = work.s1_423 - work.s1_413*work.s1_424;
-  // rear_axle
+  // rear_axle: rear_axle_rx, revolute, rear_axle_aux5
   const double s1_433 = 0.00017226528854435476*work.R_rear_axle_aux5_x_x;
   work.s1_434 = 0.0019465977605512485*work.R_rear_axle_x_z + s1_433;
   const double s1_435 = 0.00017226528854435476*work.R_rear_axle_aux5_y_x;
@@ -847,7 +847,7 @@ struct AccelerationsWork {
 [[gnu::noinline]] void compute_accelerations_2(const State& state,
     AccelerationsWork& __restrict work) noexcept {
   // --- step 1: poses, axes b, accumulated inertias MR (50), continued ---
-  // rear_axle
+  // rear_axle: rear_axle_rx, revolute, rear_axle_aux5
   const double s1_437 = 0.0019465977605512485*work.R_rear_axle_z_z;
   work.s1_438 = work.r_rear_axle_aux1_x + work.s1_434;
   const double z_rear_axle_ty = state.z[Coordinate::rear_axle_ty];
@@ -889,7 +889,7 @@ struct AccelerationsWork {
   work.s1_474 = work.s1_460 - work.s1_439*work.s1_465;
   work.s1_475 = work.s1_462 - work.s1_440*work.s1_465;
   work.s1_476 = work.s1_464 - work.s1_440*work.s1_466;
-  // wheel_rear_left
+  // wheel_rear_left: wheel_rear_left, revolute, rear_axle
   const double s1_477 = 14.0*work.R_rear_axle_aux5_y_x;
   const double s1_478 = 22.0*work.R_rear_axle_y_y;
   const double s1_479 = 14.0*work.R_rear_axle_y_z;
@@ -921,7 +921,7 @@ struct AccelerationsWork {
   work.s1_505 = work.s1_491 - work.r_wheel_rear_left_y*work.s1_496;
   work.s1_506 = work.s1_493 - work.r_wheel_rear_left_z*work.s1_496;
   work.s1_507 = work.s1_495 - work.r_wheel_rear_left_z*work.s1_497;
-  // arb_rear_left
+  // arb_rear_left: arb_rear_left, revolute, chassis
   work.s1_508 = 0.16538461538461574*work.R_arb_rear_left_x_x - 3.3000000000000003;
   work.s1_509 = 0.44999999999999996 + 0.16538461538461574*work.R_arb_rear_left_x_z;
   work.s1_510 = 0.012307692307692316*work.R_arb_rear_left_x_x;
@@ -943,7 +943,7 @@ struct AccelerationsWork {
   work.s1_526 = work.s1_510 + 0.5076923076923077*work.s1_519;
   work.s1_527 = work.s1_518 + work.s1_509*work.s1_519;
   work.s1_528 = work.s1_512 + 4.3999999999999995*work.s1_509;
-  // wheel_rear_right
+  // wheel_rear_right: wheel_rear_right, revolute, rear_axle
   work.s1_529 = 200.0*work.r_wheel_rear_right_x;
   work.s1_530 = 200.0*work.r_wheel_rear_right_y;
   work.s1_531 = 200.0*work.r_wheel_rear_right_z;
@@ -956,7 +956,7 @@ struct AccelerationsWork {
   work.s1_538 = work.s1_491 - work.r_wheel_rear_right_y*work.s1_529;
   work.s1_539 = work.s1_493 - work.r_wheel_rear_right_z*work.s1_529;
   work.s1_540 = work.s1_495 - work.r_wheel_rear_right_z*work.s1_530;
-  // arb_rear_right
+  // arb_rear_right: arb_rear_right, revolute, chassis
   work.s1_541 = 0.16538461538461574*work.R_arb_rear_right_x_x - 3.3000000000000003;
   work.s1_542 = 0.44999999999999996 + 0.16538461538461574*work.R_arb_rear_right_x_z;
   work.s1_543 = 0.012307692307692316*work.R_arb_rear_right_x_x;
@@ -1378,7 +1378,7 @@ struct AccelerationsWork {
   const double s1_939 = work.s1_912*s1_930 - work.s1_914*work.s1_925 - s1_917*s1_921;
   const double s1_940 = work.s1_905 + s1_939;
   const double s1_941 = work.s1_906 + (0.19999999999999998*work.s1_914 + s1_931 - s1_917*s1_922);
-  // arb_rear_right
+  // arb_rear_right: arb_rear_right, revolute, chassis
   const double s1_942 = work.s1_552 + s1_932;
   const double s1_943 = s1_933 - 4.3999999999999995;
   const double s1_944 = s1_934 - work.s1_553;
@@ -1388,7 +1388,7 @@ struct AccelerationsWork {
   const double s1_948 = work.s1_559 + s1_938;
   const double s1_949 = work.s1_560 + s1_940;
   const double s1_950 = s1_941 - work.s1_561;
-  // wheel_rear_right
+  // wheel_rear_right: wheel_rear_right, revolute, rear_axle
   const double s1_951 = work.s1_465 + work.s1_529;
   const double s1_952 = work.s1_466 + work.s1_530;
   const double s1_953 = work.s1_467 + work.s1_531;
@@ -1398,7 +1398,7 @@ struct AccelerationsWork {
   const double s1_957 = work.s1_474 + work.s1_538;
   const double s1_958 = work.s1_475 + work.s1_539;
   const double s1_959 = work.s1_476 + work.s1_540;
-  // arb_rear_left
+  // arb_rear_left: arb_rear_left, revolute, chassis
   const double s1_960 = work.s1_519 + s1_942;
   const double s1_961 = 4.3999999999999995 + s1_943;
   const double s1_962 = s1_944 - work.s1_520;
@@ -1408,7 +1408,7 @@ struct AccelerationsWork {
   const double s1_966 = s1_948 - work.s1_526;
   const double s1_967 = work.s1_527 + s1_949;
   const double s1_968 = work.s1_528 + s1_950;
-  // wheel_rear_left
+  // wheel_rear_left: wheel_rear_left, revolute, rear_axle
   work.N_rear_axle_ty_z = work.s1_496 + s1_951;
   work.N_rear_axle_tz_x = work.s1_497 + s1_952;
   work.N_rear_axle_tx_y = work.s1_498 + s1_953;
@@ -1418,7 +1418,7 @@ struct AccelerationsWork {
   work.s1_972 = work.s1_505 + s1_957;
   work.s1_973 = work.s1_506 + s1_958;
   work.s1_974 = work.s1_507 + s1_959;
-  // rear_axle_aux1
+  // rear_axle_aux1: rear_axle_tx, prismatic, chassis
   const double s1_975 = s1_960 + work.N_rear_axle_ty_z;
   const double s1_976 = s1_961 + work.N_rear_axle_tz_x;
   const double s1_977 = s1_962 + work.N_rear_axle_tx_y;
@@ -1428,7 +1428,7 @@ struct AccelerationsWork {
   const double s1_981 = s1_966 + work.s1_972;
   const double s1_982 = s1_967 + work.s1_973;
   const double s1_983 = s1_968 + work.s1_974;
-  // bell_crank
+  // bell_crank: bell_crank, revolute, chassis
   const double s1_984 = work.s1_424 + s1_975;
   const double s1_985 = work.s1_425 + s1_976;
   const double s1_986 = s1_977 - 10.0;
@@ -1438,7 +1438,7 @@ struct AccelerationsWork {
   const double s1_990 = work.s1_432 + s1_981;
   const double s1_991 = work.s1_428 + s1_982;
   const double s1_992 = work.N_bell_crank_y + s1_983;
-  // pitman_arm
+  // pitman_arm: pitman_arm, revolute, chassis
   const double s1_993 = work.s1_401 + s1_984;
   const double s1_994 = 4.5 + s1_985;
   const double s1_995 = s1_986 - work.s1_402;
@@ -1448,7 +1448,7 @@ struct AccelerationsWork {
   const double s1_999 = s1_990 - work.s1_405;
   const double s1_1000 = work.s1_410 + s1_991;
   const double s1_1001 = work.s1_406 + s1_992;
-  // arb_front_right
+  // arb_front_right: arb_front_right, revolute, chassis
   const double s1_1002 = work.s1_383 + s1_993;
   const double s1_1003 = s1_994 - 4.4799999999999995;
   const double s1_1004 = work.s1_384 + s1_995;
@@ -1458,7 +1458,7 @@ struct AccelerationsWork {
   const double s1_1008 = work.s1_390 + s1_999;
   const double s1_1009 = work.s1_391 + s1_1000;
   const double s1_1010 = work.s1_392 + s1_1001;
-  // upper_arm_right
+  // upper_arm_right: upper_arm_right, revolute, chassis
   const double s1_1011 = 54.0 + s1_1002;
   const double s1_1012 = work.s1_356 + s1_1003;
   const double s1_1013 = s1_1004 - work.s1_357;
@@ -1468,7 +1468,7 @@ struct AccelerationsWork {
   const double s1_1017 = s1_1008 - work.s1_360;
   const double s1_1018 = work.s1_361 + s1_1009;
   const double s1_1019 = work.s1_365 + s1_1010;
-  // wheel_front_right
+  // wheel_front_right: wheel_front_right, revolute, carrier_right
   work.s1_1020 = work.s1_303 + work.s1_334;
   work.s1_1021 = work.s1_304 + work.s1_335;
   work.s1_1022 = work.s1_305 + work.s1_336;
@@ -1478,7 +1478,7 @@ struct AccelerationsWork {
   work.s1_1026 = work.s1_312 + work.s1_343;
   work.s1_1027 = work.s1_313 + work.s1_344;
   work.s1_1028 = work.s1_314 + work.s1_345;
-  // carrier_right_aux1
+  // carrier_right_aux1: carrier_right_rz, revolute, lower_arm_right
   work.s1_1029 = 90.0 + work.s1_1020;
   work.s1_1030 = work.s1_246 + work.s1_1021;
   work.s1_1031 = work.s1_1022 - work.s1_247;
@@ -1488,7 +1488,7 @@ struct AccelerationsWork {
   work.s1_1035 = work.s1_1026 - work.s1_250;
   work.s1_1036 = work.s1_251 + work.s1_1027;
   const double s1_1037 = work.s1_255 + work.s1_1028;
-  // lower_arm_right
+  // lower_arm_right: lower_arm_right, revolute, chassis
   const double s1_1038 = s1_1011 + work.s1_1029;
   const double s1_1039 = s1_1012 + work.s1_1030;
   const double s1_1040 = s1_1013 + work.s1_1031;
@@ -1498,7 +1498,7 @@ struct AccelerationsWork {
   const double s1_1044 = s1_1017 + work.s1_1035;
   const double s1_1045 = s1_1018 + work.s1_1036;
   const double s1_1046 = s1_1019 + s1_1037;
-  // arb_front_left
+  // arb_front_left: arb_front_left, revolute, chassis
   const double s1_1047 = work.s1_226 + s1_1038;
   const double s1_1048 = 4.4799999999999995 + s1_1039;
   const double s1_1049 = work.s1_227 + s1_1040;
@@ -1508,7 +1508,7 @@ struct AccelerationsWork {
   const double s1_1053 = work.s1_233 + s1_1044;
   const double s1_1054 = work.s1_234 + s1_1045;
   const double s1_1055 = s1_1046 - work.s1_235;
-  // upper_arm_left
+  // upper_arm_left: upper_arm_left, revolute, chassis
   const double s1_1056 = 54.0 + s1_1047;
   const double s1_1057 = work.s1_199 + s1_1048;
   const double s1_1058 = work.s1_200 + s1_1049;
@@ -1518,7 +1518,7 @@ struct AccelerationsWork {
   const double s1_1062 = s1_1053 - work.s1_203;
   const double s1_1063 = s1_1054 - work.s1_204;
   const double s1_1064 = work.s1_208 + s1_1055;
-  // wheel_front_left
+  // wheel_front_left: wheel_front_left, revolute, carrier_left
   work.s1_1065 = work.s1_146 + work.s1_177;
   work.s1_1066 = work.s1_147 + work.s1_178;
   work.s1_1067 = work.s1_148 + work.s1_179;
@@ -1528,7 +1528,7 @@ struct AccelerationsWork {
   work.s1_1071 = work.s1_155 + work.s1_186;
   work.s1_1072 = work.s1_156 + work.s1_187;
   work.s1_1073 = work.s1_157 + work.s1_188;
-  // carrier_left_aux1
+  // carrier_left_aux1: carrier_left_rz, revolute, lower_arm_left
   work.s1_1074 = 90.0 + work.s1_1065;
   work.s1_1075 = work.s1_88 + work.s1_1066;
   work.s1_1076 = work.s1_89 + work.s1_1067;
@@ -1538,7 +1538,7 @@ struct AccelerationsWork {
   work.s1_1080 = work.s1_1071 - work.s1_92;
   work.s1_1081 = work.s1_1072 - work.s1_93;
   const double s1_1082 = work.s1_97 + work.s1_1073;
-  // lower_arm_left
+  // lower_arm_left: lower_arm_left, revolute, chassis
   work.s1_1083 = s1_1056 + work.s1_1074;
   work.F_chassis_rx_z = s1_1057 + work.s1_1075;
   work.s1_1084 = s1_1058 + work.s1_1076;
@@ -1548,7 +1548,7 @@ struct AccelerationsWork {
   work.N_chassis_rx_y = s1_1062 + work.s1_1080;
   work.N_chassis_rx_z = s1_1063 + work.s1_1081;
   work.s1_1087 = s1_1064 + s1_1082;
-  // chassis
+  // chassis: chassis_rx, revolute, chassis_aux5
   const double s1_1088 = work.R_chassis_z_z*work.N_chassis_rx_z - work.s1_1*work.N_chassis_rx_x;
   work.N_chassis_rz_x = work.R_chassis_z_y*work.N_chassis_rx_y + s1_1088;
   const double s1_1089 = work.R_chassis_z_z*work.s1_1087 - work.s1_1*work.N_chassis_rx_y;
@@ -2040,7 +2040,7 @@ struct AccelerationsWork {
   // operations: 63 add, 114 multiply
 
   // --- step 4: velocities Z (36) ---
-  // chassis
+  // chassis: chassis_rx, revolute, chassis_aux5
   const double zd_chassis_rz = state.zd[Coordinate::chassis_rz];
   work.s4_1 = zd_chassis_rz*work.s1_1;
   work.s4_2 = zd_chassis_rz*work.R_chassis_z_y;
@@ -2051,12 +2051,12 @@ struct AccelerationsWork {
   work.w_chassis_y = work.s4_2 + work.s4_4;
   work.w_chassis_z = work.s4_3 - work.s4_5;
   work.w_chassis_x = state.zd[Coordinate::chassis_rx] - work.s4_1;
-  // lower_arm_left
+  // lower_arm_left: lower_arm_left, revolute, chassis
   const double zd_lower_arm_left = state.zd[Coordinate::lower_arm_left];
   const double s4_6 = 0.62*zd_lower_arm_left;
   const double s4_7 = 0.4*zd_lower_arm_left;
   work.w_lower_arm_left_x = zd_lower_arm_left + work.w_chassis_x;
-  // carrier_left_aux1
+  // carrier_left_aux1: carrier_left_rz, revolute, lower_arm_left
   const double zd_carrier_left_rz = state.zd[Coordinate::carrier_left_rz];
   const double s4_8 = zd_carrier_left_rz*work.b_carrier_left_rz_x;
   const double s4_9 = zd_carrier_left_rz*work.s1_10;
@@ -2065,7 +2065,7 @@ struct AccelerationsWork {
   work.s4_12 = zd_carrier_left_rz*work.R_lower_arm_left_y_y;
   work.w_carrier_left_aux1_y = work.w_chassis_y - work.s4_11;
   work.w_carrier_left_aux1_z = work.w_chassis_z + work.s4_12;
-  // carrier_left_aux2
+  // carrier_left_aux2: carrier_left_rx, revolute, carrier_left_aux1
   const double zd_carrier_left_rx = state.zd[Coordinate::carrier_left_rx];
   const double s4_13 = zd_carrier_left_rx*work.b_carrier_left_rx_x;
   const double s4_14 = zd_carrier_left_rx*work.b_carrier_left_rx_y;
@@ -2076,7 +2076,7 @@ struct AccelerationsWork {
   work.w_carrier_left_aux2_x = work.w_lower_arm_left_x + work.s4_16;
   work.w_carrier_left_aux2_y = work.w_carrier_left_aux1_y + work.s4_17;
   work.w_carrier_left_aux2_z = work.w_carrier_left_aux1_z + work.s4_18;
-  // carrier_left
+  // carrier_left: carrier_left_ry, revolute, carrier_left_aux2
   const double zd_carrier_left_ry = state.zd[Coordinate::carrier_left_ry];
   const double s4_19 = zd_carrier_left_ry*work.b_carrier_left_ry_x;
   const double s4_20 = zd_carrier_left_ry*work.s1_22;
@@ -2087,7 +2087,7 @@ struct AccelerationsWork {
   work.w_carrier_left_x = work.w_carrier_left_aux2_x - work.s4_22;
   work.w_carrier_left_y = work.w_carrier_left_aux2_y + work.s4_23;
   work.w_carrier_left_z = work.w_carrier_left_aux2_z + work.s4_24;
-  // wheel_front_left
+  // wheel_front_left: wheel_front_left, revolute, carrier_left
   const double zd_wheel_front_left = state.zd[Coordinate::wheel_front_left];
   work.s4_25 = zd_wheel_front_left*work.s1_14;
   work.s4_26 = zd_wheel_front_left*work.R_carrier_left_aux2_y_y;
@@ -2095,20 +2095,20 @@ struct AccelerationsWork {
   work.w_wheel_front_left_x = work.w_carrier_left_x - work.s4_25;
   work.w_wheel_front_left_y = work.w_carrier_left_y + work.s4_26;
   work.w_wheel_front_left_z = work.w_carrier_left_z + work.s4_27;
-  // upper_arm_left
+  // upper_arm_left: upper_arm_left, revolute, chassis
   const double zd_upper_arm_left = state.zd[Coordinate::upper_arm_left];
   work.w_upper_arm_left_x = zd_upper_arm_left + work.w_chassis_x;
-  // arb_front_left
+  // arb_front_left: arb_front_left, revolute, chassis
   const double zd_arb_front_left = state.zd[Coordinate::arb_front_left];
   const double s4_28 = 0.5*zd_arb_front_left;
   const double s4_29 = 3.95*zd_arb_front_left;
   work.w_arb_front_left_y = zd_arb_front_left + work.w_chassis_y;
-  // lower_arm_right
+  // lower_arm_right: lower_arm_right, revolute, chassis
   const double zd_lower_arm_right = state.zd[Coordinate::lower_arm_right];
   const double s4_30 = 0.62*zd_lower_arm_right;
   const double s4_31 = 0.4*zd_lower_arm_right;
   work.w_lower_arm_right_x = zd_lower_arm_right + work.w_chassis_x;
-  // carrier_right_aux1
+  // carrier_right_aux1: carrier_right_rz, revolute, lower_arm_right
   const double zd_carrier_right_rz = state.zd[Coordinate::carrier_right_rz];
   const double s4_32 = zd_carrier_right_rz*work.b_carrier_right_rz_x;
   const double s4_33 = zd_carrier_right_rz*work.s1_37;
@@ -2117,7 +2117,7 @@ struct AccelerationsWork {
   work.s4_36 = zd_carrier_right_rz*work.R_lower_arm_right_y_y;
   work.w_carrier_right_aux1_y = work.w_chassis_y - work.s4_35;
   work.w_carrier_right_aux1_z = work.w_chassis_z + work.s4_36;
-  // carrier_right_aux2
+  // carrier_right_aux2: carrier_right_rx, revolute, carrier_right_aux1
   const double zd_carrier_right_rx = state.zd[Coordinate::carrier_right_rx];
   const double s4_37 = zd_carrier_right_rx*work.b_carrier_right_rx_x;
   const double s4_38 = zd_carrier_right_rx*work.s1_45;
@@ -2128,7 +2128,7 @@ struct AccelerationsWork {
   work.w_carrier_right_aux2_x = work.w_lower_arm_right_x + work.s4_40;
   work.w_carrier_right_aux2_y = work.w_carrier_right_aux1_y + work.s4_41;
   work.w_carrier_right_aux2_z = work.w_carrier_right_aux1_z + work.s4_42;
-  // carrier_right
+  // carrier_right: carrier_right_ry, revolute, carrier_right_aux2
   const double zd_carrier_right_ry = state.zd[Coordinate::carrier_right_ry];
   const double s4_43 = zd_carrier_right_ry*work.b_carrier_right_ry_x;
   const double s4_44 = zd_carrier_right_ry*work.b_carrier_right_ry_y;
@@ -2139,7 +2139,7 @@ struct AccelerationsWork {
   work.w_carrier_right_x = work.w_carrier_right_aux2_x - work.s4_46;
   work.w_carrier_right_y = work.w_carrier_right_aux2_y + work.s4_47;
   work.w_carrier_right_z = work.w_carrier_right_aux2_z + work.s4_48;
-  // wheel_front_right
+  // wheel_front_right: wheel_front_right, revolute, carrier_right
   const double zd_wheel_front_right = state.zd[Coordinate::wheel_front_right];
   work.s4_49 = zd_wheel_front_right*work.s1_41;
   work.s4_50 = zd_wheel_front_right*work.R_carrier_right_aux2_y_y;
@@ -2147,29 +2147,29 @@ struct AccelerationsWork {
   work.w_wheel_front_right_x = work.w_carrier_right_x - work.s4_49;
   work.w_wheel_front_right_y = work.w_carrier_right_y + work.s4_50;
   work.w_wheel_front_right_z = work.w_carrier_right_z + work.s4_51;
-  // upper_arm_right
+  // upper_arm_right: upper_arm_right, revolute, chassis
   const double zd_upper_arm_right = state.zd[Coordinate::upper_arm_right];
   work.w_upper_arm_right_x = zd_upper_arm_right + work.w_chassis_x;
-  // arb_front_right
+  // arb_front_right: arb_front_right, revolute, chassis
   const double zd_arb_front_right = state.zd[Coordinate::arb_front_right];
   const double s4_52 = 0.5*zd_arb_front_right;
   const double s4_53 = 3.95*zd_arb_front_right;
   work.w_arb_front_right_y = zd_arb_front_right + work.w_chassis_y;
-  // pitman_arm
+  // pitman_arm: pitman_arm, revolute, chassis
   const double zd_pitman_arm = state.zd[Coordinate::pitman_arm];
   const double s4_54 = 0.4*zd_pitman_arm;
   const double s4_55 = 4.4*zd_pitman_arm;
   work.w_pitman_arm_y = zd_pitman_arm + work.w_chassis_y;
-  // bell_crank
+  // bell_crank: bell_crank, revolute, chassis
   const double zd_bell_crank = state.zd[Coordinate::bell_crank];
   const double s4_56 = 3.25*zd_bell_crank;
   work.w_bell_crank_z = zd_bell_crank + work.w_chassis_z;
-  // rear_axle_aux4
+  // rear_axle_aux4: rear_axle_rz, revolute, rear_axle_aux3
   const double zd_rear_axle_rz = state.zd[Coordinate::rear_axle_rz];
   work.s4_57 = state.z[Coordinate::rear_axle_ty]*zd_rear_axle_rz;
   work.s4_58 = zd_rear_axle_rz*work.r_rear_axle_aux1_x;
   work.w_rear_axle_aux4_z = zd_rear_axle_rz + work.w_chassis_z;
-  // rear_axle_aux5
+  // rear_axle_aux5: rear_axle_ry, revolute, rear_axle_aux4
   const double zd_rear_axle_ry = state.zd[Coordinate::rear_axle_ry];
   work.s4_59 = zd_rear_axle_ry*work.s1_60;
   work.s4_60 = zd_rear_axle_ry*work.s1_61;
@@ -2178,7 +2178,7 @@ struct AccelerationsWork {
   work.s4_63 = zd_rear_axle_ry*work.R_rear_axle_aux4_x_x;
   work.w_rear_axle_aux5_x = work.w_chassis_x - work.s4_62;
   work.w_rear_axle_aux5_y = work.w_chassis_y + work.s4_63;
-  // rear_axle
+  // rear_axle: rear_axle_rx, revolute, rear_axle_aux5
   const double zd_rear_axle_rx = state.zd[Coordinate::rear_axle_rx];
   work.s4_64 = zd_rear_axle_rx*work.s1_66;
   work.s4_65 = zd_rear_axle_rx*work.b_rear_axle_rx_y;
@@ -2189,7 +2189,7 @@ struct AccelerationsWork {
   work.w_rear_axle_x = work.w_rear_axle_aux5_x + work.s4_67;
   work.w_rear_axle_y = work.w_rear_axle_aux5_y + work.s4_68;
   work.w_rear_axle_z = work.w_rear_axle_aux4_z - work.s4_69;
-  // wheel_rear_left
+  // wheel_rear_left: wheel_rear_left, revolute, rear_axle
   const double zd_wheel_rear_left = state.zd[Coordinate::wheel_rear_left];
   work.s4_70 = zd_wheel_rear_left*work.R_rear_axle_x_y;
   work.s4_71 = zd_wheel_rear_left*work.R_rear_axle_y_y;
@@ -2197,12 +2197,12 @@ struct AccelerationsWork {
   work.w_wheel_rear_left_x = work.w_rear_axle_x + work.s4_70;
   work.w_wheel_rear_left_y = work.w_rear_axle_y + work.s4_71;
   work.w_wheel_rear_left_z = work.w_rear_axle_z + work.s4_72;
-  // arb_rear_left
+  // arb_rear_left: arb_rear_left, revolute, chassis
   const double zd_arb_rear_left = state.zd[Coordinate::arb_rear_left];
   work.s4_73 = 0.44999999999999996*zd_arb_rear_left;
   work.s4_74 = 3.3000000000000003*zd_arb_rear_left;
   work.w_arb_rear_left_y = zd_arb_rear_left + work.w_chassis_y;
-  // wheel_rear_right
+  // wheel_rear_right: wheel_rear_right, revolute, rear_axle
   const double zd_wheel_rear_right = state.zd[Coordinate::wheel_rear_right];
   work.s4_75 = zd_wheel_rear_right*work.R_rear_axle_x_y;
   work.s4_76 = zd_wheel_rear_right*work.R_rear_axle_y_y;
@@ -2210,7 +2210,7 @@ struct AccelerationsWork {
   work.w_wheel_rear_right_x = work.w_rear_axle_x + work.s4_75;
   work.w_wheel_rear_right_y = work.w_rear_axle_y + work.s4_76;
   work.w_wheel_rear_right_z = work.w_rear_axle_z + work.s4_77;
-  // arb_rear_right
+  // arb_rear_right: arb_rear_right, revolute, chassis
   const double zd_arb_rear_right = state.zd[Coordinate::arb_rear_right];
   work.s4_78 = 0.44999999999999996*zd_arb_rear_right;
   work.s4_79 = 3.3000000000000003*zd_arb_rear_right;
@@ -2218,11 +2218,11 @@ struct AccelerationsWork {
   // operations: 47 add, 79 multiply
 
   // --- step 6: c and dRz/dt zd (62) ---
-  // lower_arm_left
+  // lower_arm_left: lower_arm_left, revolute, chassis
   const double s6_1 = zd_lower_arm_left*zd_lower_arm_left;
   const double s6_2 = 0.4*s6_1;
   const double s6_3 = 0.62*s6_1;
-  // carrier_left_aux1
+  // carrier_left_aux1: carrier_left_rz, revolute, lower_arm_left
   const double s6_4 = s4_6 + s4_9;
   const double s6_5 = s4_7 + s4_10;
   const double s6_6 = zd_lower_arm_left*work.s4_12;
@@ -2240,7 +2240,7 @@ struct AccelerationsWork {
   const double s6_18 = work.r_carrier_left_aux1_z*(s6_15 - s6_1) - 3.6*s6_13;
   const double s6_19 = s6_2 + (work.r_carrier_left_aux1_y*(s6_14 - s6_1) + s6_17);
   const double s6_20 = work.r_carrier_left_aux1_y*s6_10 + s6_18 - s6_3;
-  // carrier_left_aux2
+  // carrier_left_aux2: carrier_left_rx, revolute, carrier_left_aux1
   const double s6_21 = s4_8 + s4_13;
   const double s6_22 = s4_14 - s6_4;
   const double s6_23 = s4_15 - s6_5;
@@ -2271,7 +2271,7 @@ struct AccelerationsWork {
   const double s6_48 = s6_16 + (s6_45 - work.r_carrier_left_aux1_y*s6_39);
   const double s6_49 = s6_19 + (work.r_carrier_left_aux1_y*(s6_40 - s6_14) - s6_46);
   const double s6_50 = s6_20 + (s6_47 - work.r_carrier_left_aux1_y*(s6_10 + s6_41));
-  // carrier_left
+  // carrier_left: carrier_left_ry, revolute, carrier_left_aux2
   const double s6_51 = s4_19 + s6_21;
   const double s6_52 = s6_22 - s4_20;
   const double s6_53 = s4_21 + s6_23;
@@ -2302,19 +2302,19 @@ struct AccelerationsWork {
   const double s6_78 = s6_48 + (work.r_carrier_left_aux1_y*(s6_39 - s6_69) + s6_75);
   const double s6_79 = s6_49 + (work.r_carrier_left_aux1_y*(s6_70 - s6_40) + s6_76);
   const double s6_80 = s6_50 + (work.r_carrier_left_aux1_y*(s6_41 - s6_71) + s6_77);
-  // upper_arm_left
+  // upper_arm_left: upper_arm_left, revolute, chassis
   const double s6_81 = zd_upper_arm_left*zd_upper_arm_left;
   const double s6_82 = 0.5*s6_81;
   const double s6_83 = 0.28*s6_81;
-  // arb_front_left
+  // arb_front_left: arb_front_left, revolute, chassis
   const double s6_84 = zd_arb_front_left*zd_arb_front_left;
   const double s6_85 = 3.95*s6_84;
   const double s6_86 = 0.5*s6_84;
-  // lower_arm_right
+  // lower_arm_right: lower_arm_right, revolute, chassis
   const double s6_87 = zd_lower_arm_right*zd_lower_arm_right;
   const double s6_88 = 0.4*s6_87;
   const double s6_89 = 0.62*s6_87;
-  // carrier_right_aux1
+  // carrier_right_aux1: carrier_right_rz, revolute, lower_arm_right
   const double s6_90 = s4_30 + s4_33;
   const double s6_91 = s4_31 - s4_34;
   const double s6_92 = zd_lower_arm_right*work.s4_36;
@@ -2332,7 +2332,7 @@ struct AccelerationsWork {
   const double s6_104 = work.s1_34*(s6_101 - s6_87) + 3.6*s6_99;
   const double s6_105 = s6_103 + (3.6*s6_98 - work.s1_34*s6_96) - s6_88;
   const double s6_106 = work.r_carrier_right_aux1_y*s6_96 - s6_104 - s6_89;
-  // carrier_right_aux2
+  // carrier_right_aux2: carrier_right_rx, revolute, carrier_right_aux1
   const double s6_107 = s4_32 + s4_37;
   const double s6_108 = s4_38 + s6_90;
   const double s6_109 = s4_39 + s6_91;
@@ -2363,7 +2363,7 @@ struct AccelerationsWork {
   const double s6_134 = s6_102 + (s6_131 - work.r_carrier_right_aux1_y*s6_125);
   const double s6_135 = s6_105 + (work.r_carrier_right_aux1_y*(s6_126 - s6_100) + s6_132);
   const double s6_136 = s6_106 + (s6_133 - work.r_carrier_right_aux1_y*(s6_96 + s6_127));
-  // carrier_right
+  // carrier_right: carrier_right_ry, revolute, carrier_right_aux2
   const double s6_137 = s4_43 + s6_107;
   const double s6_138 = s4_44 - s6_108;
   const double s6_139 = s4_45 + s6_109;
@@ -2394,19 +2394,19 @@ struct AccelerationsWork {
   const double s6_164 = s6_134 + (work.r_carrier_right_aux1_y*(s6_125 - s6_155) + s6_161);
   const double s6_165 = s6_135 + (work.r_carrier_right_aux1_y*(s6_156 - s6_126) + s6_162);
   const double s6_166 = s6_136 + (work.r_carrier_right_aux1_y*(s6_127 - s6_157) + s6_163);
-  // upper_arm_right
+  // upper_arm_right: upper_arm_right, revolute, chassis
   const double s6_167 = zd_upper_arm_right*zd_upper_arm_right;
   const double s6_168 = 0.5*s6_167;
   const double s6_169 = 0.28*s6_167;
-  // arb_front_right
+  // arb_front_right: arb_front_right, revolute, chassis
   const double s6_170 = zd_arb_front_right*zd_arb_front_right;
   const double s6_171 = 3.95*s6_170;
   const double s6_172 = 0.5*s6_170;
-  // pitman_arm
+  // pitman_arm: pitman_arm, revolute, chassis
   const double s6_173 = zd_pitman_arm*zd_pitman_arm;
   const double s6_174 = 4.4*s6_173;
   const double s6_175 = 0.4*s6_173;
-  // bell_crank
+  // bell_crank: bell_crank, revolute, chassis
   const double s6_176 = zd_bell_crank*zd_bell_crank;
   const double s6_177 = 3.25*s6_176;
   // upper_ball_left
@@ -2513,7 +2513,7 @@ struct AccelerationsWork {
 [[gnu::noinline]] void compute_accelerations_5(const State& state,
     AccelerationsWork& __restrict work) noexcept {
   // --- step 6: c and dRz/dt zd (62), continued ---
-  // rear_axle_aux4
+  // rear_axle_aux4: rear_axle_rz, revolute, rear_axle_aux3
   const double s6_260 = state.zd[Coordinate::rear_axle_tx] + work.s4_57;
   const double s6_261 = state.zd[Coordinate::rear_axle_ty] - work.s4_58;
   const double zd_rear_axle_rz = state.zd[Coordinate::rear_axle_rz];
@@ -2521,7 +2521,7 @@ struct AccelerationsWork {
   const double s6_263 = work.r_rear_axle_aux1_x*s6_262;
   const double z_rear_axle_ty = state.z[Coordinate::rear_axle_ty];
   const double s6_264 = z_rear_axle_ty*s6_262;
-  // rear_axle_aux5
+  // rear_axle_aux5: rear_axle_ry, revolute, rear_axle_aux4
   const double s6_265 = s6_260 - work.s4_59;
   const double s6_266 = s6_261 - work.s4_60;
   const double s6_267 = state.zd[Coordinate::rear_axle_tz] + work.s4_61;
@@ -2541,7 +2541,7 @@ struct AccelerationsWork {
   const double s6_281 = z_rear_axle_ty*s6_272 + (work.r_rear_axle_aux3_z*s6_275 + s6_278);
   const double s6_282 = s6_263 + s6_281;
   const double s6_283 = s6_264 + (z_rear_axle_ty*(s6_274 - s6_262) + s6_279);
-  // rear_axle
+  // rear_axle: rear_axle_rx, revolute, rear_axle_aux5
   const double s6_284 = s6_265 - work.s4_64;
   const double s6_285 = work.s4_65 + s6_266;
   const double s6_286 = work.s4_66 + s6_267;
@@ -2575,12 +2575,12 @@ struct AccelerationsWork {
   const double s6_314 = s6_283 + (z_rear_axle_ty*(s6_303 - s6_274) + s6_311);
   const double s6_315 = s6_312 - work.r_rear_axle_aux1_x*s6_301 - z_rear_axle_ty*s6_304;
   const double s6_316 = s6_280 + s6_315;
-  // arb_rear_left
+  // arb_rear_left: arb_rear_left, revolute, chassis
   const double zd_arb_rear_left = state.zd[Coordinate::arb_rear_left];
   const double s6_317 = zd_arb_rear_left*zd_arb_rear_left;
   const double s6_318 = 3.3000000000000003*s6_317;
   const double s6_319 = 0.44999999999999996*s6_317;
-  // arb_rear_right
+  // arb_rear_right: arb_rear_right, revolute, chassis
   const double zd_arb_rear_right = state.zd[Coordinate::arb_rear_right];
   const double s6_320 = zd_arb_rear_right*zd_arb_rear_right;
   const double s6_321 = 3.3000000000000003*s6_320;
@@ -2681,7 +2681,7 @@ struct AccelerationsWork {
   // operations: 560 add, 514 multiply
 
   // --- step 7: accelerations Zdot and accumulated forces QR - PR (51), (52) ---
-  // chassis
+  // chassis: chassis_rx, revolute, chassis_aux5
   work.s7_1 = 9.81*work.s1_1;
   work.a_chassis_y = 9.81*work.R_chassis_z_y;
   work.a_chassis_z = 9.81*work.R_chassis_z_z;
@@ -2704,7 +2704,7 @@ struct AccelerationsWork {
   work.s7_16 = work.s7_4 + work.s7_10;
   work.s7_17 = work.alpha_chassis_y + work.s7_12;
   work.s7_18 = work.s7_3 + work.s7_10;
-  // lower_arm_left
+  // lower_arm_left: lower_arm_left, revolute, chassis
   const double zd_lower_arm_left = state.zd[Coordinate::lower_arm_left];
   work.alpha_lower_arm_left_x = work.zdd_star_lower_arm_left - work.s7_2;
   work.alpha_lower_arm_left_y = work.alpha_chassis_y + zd_lower_arm_left*work.w_chassis_z;
@@ -2726,7 +2726,7 @@ struct AccelerationsWork {
   work.a_lower_arm_left_x = s7_33 - work.s7_1;
   work.a_lower_arm_left_y = work.a_chassis_y + (0.4*(work.s7_26 - work.s7_16) + s7_31);
   work.a_lower_arm_left_z = work.a_chassis_z + (0.4*(work.s7_7 - work.s7_27) + s7_32);
-  // carrier_left_aux1
+  // carrier_left_aux1: carrier_left_rz, revolute, lower_arm_left
   const double s7_34 = work.R_lower_arm_left_z_y*work.zdd_star_carrier_left_rz;
   const double s7_35 = work.w_chassis_z*work.s4_11 + work.w_chassis_y*work.s4_12;
   const double alpha_carrier_left_aux1_x = work.alpha_lower_arm_left_x + s7_35;
@@ -2760,7 +2760,7 @@ struct AccelerationsWork {
       s7_43)));
   const double a_carrier_left_aux1_z = work.a_lower_arm_left_z + (s7_56 + (s7_55 + 3.6*(work.s7_24 -
       s7_44)));
-  // carrier_left_aux2
+  // carrier_left_aux2: carrier_left_rx, revolute, carrier_left_aux1
   const double s7_57 = work.w_carrier_left_aux1_y*work.s4_18;
   const double s7_58 = work.w_carrier_left_aux1_z*work.s4_16;
   const double s7_59 = work.w_carrier_left_aux1_y*work.s4_16;
@@ -2794,7 +2794,7 @@ struct AccelerationsWork {
   const double a_carrier_left_aux2_y = a_carrier_left_aux1_y + s7_80;
   const double s7_81 = work.r_carrier_left_aux1_y*(s7_47 - s7_72) + s7_78;
   const double a_carrier_left_aux2_z = a_carrier_left_aux1_z + s7_81;
-  // carrier_left
+  // carrier_left: carrier_left_ry, revolute, carrier_left_aux2
   const double s7_82 = work.w_carrier_left_aux2_y*work.s4_24;
   const double s7_83 = work.w_carrier_left_aux2_x*work.s4_24;
   const double s7_84 = work.w_carrier_left_aux2_y*work.s4_22;
@@ -2828,7 +2828,7 @@ struct AccelerationsWork {
   work.a_carrier_left_x = a_carrier_left_aux2_x + (s7_104 + (s7_103 + 3.6*(work.s7_94 - s7_67)));
   work.a_carrier_left_y = a_carrier_left_aux2_y + (s7_106 + (s7_105 + 3.6*(s7_68 - work.s7_95)));
   work.a_carrier_left_z = a_carrier_left_aux2_z + (s7_108 + (s7_107 + 3.6*(s7_69 - work.s7_96)));
-  // wheel_front_left
+  // wheel_front_left: wheel_front_left, revolute, carrier_left
   const double s7_109 = work.w_carrier_left_y*work.s4_27 - work.w_carrier_left_z*work.s4_26;
   work.alpha_wheel_front_left_x = work.alpha_carrier_left_x + s7_109;
   const double s7_110 = work.w_carrier_left_x*work.s4_27 + work.w_carrier_left_z*work.s4_25;
@@ -2862,7 +2862,7 @@ struct AccelerationsWork {
   work.a_wheel_front_left_y = work.a_carrier_left_y + s7_134;
   const double s7_135 = work.r_wheel_front_left_y*(work.s7_99 - work.s7_123) + s7_132;
   work.a_wheel_front_left_z = work.a_carrier_left_z + s7_135;
-  // upper_arm_left
+  // upper_arm_left: upper_arm_left, revolute, chassis
   const double zd_upper_arm_left = state.zd[Coordinate::upper_arm_left];
   work.s7_136 = work.s6_256 + work.s7_2;
   work.alpha_upper_arm_left_y = work.alpha_chassis_y + zd_upper_arm_left*work.w_chassis_z;
@@ -2884,7 +2884,7 @@ struct AccelerationsWork {
   work.a_upper_arm_left_x = s7_151 - work.s7_1;
   work.a_upper_arm_left_y = work.a_chassis_y + (0.5*(work.s7_144 - work.s7_16) + s7_149);
   work.a_upper_arm_left_z = work.a_chassis_z + (0.5*(work.s7_7 - work.s7_145) + s7_150);
-  // arb_front_left
+  // arb_front_left: arb_front_left, revolute, chassis
   const double zd_arb_front_left = state.zd[Coordinate::arb_front_left];
   work.alpha_arb_front_left_y = work.zdd_star_arb_front_left + work.alpha_chassis_y;
   work.s7_152 = work.s7_2 + zd_arb_front_left*work.w_chassis_z;
@@ -2906,7 +2906,7 @@ struct AccelerationsWork {
   const double s7_166 = 3.95*(work.s7_13 - work.s7_157) - 0.5*(work.s7_8 - work.s7_162);
   work.a_arb_front_left_y = work.a_chassis_y + s7_166;
   work.a_arb_front_left_z = work.a_chassis_z + (0.45*(work.s7_7 - work.s7_160) + s7_165);
-  // lower_arm_right
+  // lower_arm_right: lower_arm_right, revolute, chassis
   const double zd_lower_arm_right = state.zd[Coordinate::lower_arm_right];
   work.alpha_lower_arm_right_x = work.zdd_star_lower_arm_right - work.s7_2;
   work.alpha_lower_arm_right_y = work.alpha_chassis_y + zd_lower_arm_right*work.w_chassis_z;
@@ -2928,7 +2928,7 @@ struct AccelerationsWork {
   work.s7_182 = work.s7_1 + s7_181;
   work.a_lower_arm_right_y = work.a_chassis_y + (s7_179 - 0.4*(work.s7_174 - work.s7_16));
   work.a_lower_arm_right_z = work.a_chassis_z + (s7_180 - 0.4*(work.s7_7 - work.s7_175));
-  // carrier_right_aux1
+  // carrier_right_aux1: carrier_right_rz, revolute, lower_arm_right
   const double s7_183 = work.w_chassis_z*work.s4_35 + work.w_chassis_y*work.s4_36;
   const double alpha_carrier_right_aux1_x = work.alpha_lower_arm_right_x + s7_183;
   const double alpha_carrier_right_aux1_y = work.alpha_lower_arm_right_y -
@@ -2957,7 +2957,7 @@ struct AccelerationsWork {
   const double a_carrier_right_aux1_y = work.a_lower_arm_right_y + s7_203;
   const double s7_204 = work.r_carrier_right_aux1_y*(work.s7_175 - s7_195) + s7_201;
   const double a_carrier_right_aux1_z = work.a_lower_arm_right_z + s7_204;
-  // carrier_right_aux2
+  // carrier_right_aux2: carrier_right_rx, revolute, carrier_right_aux1
   const double s7_205 = work.w_carrier_right_aux1_y*work.s4_42;
   const double s7_206 = work.w_carrier_right_aux1_z*work.s4_40;
   const double s7_207 = work.w_carrier_right_aux1_y*work.s4_40;
@@ -2990,7 +2990,7 @@ struct AccelerationsWork {
   const double a_carrier_right_aux2_y = a_carrier_right_aux1_y + s7_229;
   const double s7_230 = work.r_carrier_right_aux1_y*(s7_195 - s7_221) + s7_227;
   const double a_carrier_right_aux2_z = a_carrier_right_aux1_z + s7_230;
-  // carrier_right
+  // carrier_right: carrier_right_ry, revolute, carrier_right_aux2
   const double s7_231 = work.w_carrier_right_aux2_y*work.s4_48;
   const double s7_232 = work.w_carrier_right_aux2_x*work.s4_48;
   const double s7_233 = work.w_carrier_right_aux2_y*work.s4_46;
@@ -3024,7 +3024,7 @@ struct AccelerationsWork {
   work.a_carrier_right_y = a_carrier_right_aux2_y + s7_256;
   const double s7_257 = work.r_carrier_right_aux1_y*(s7_221 - work.s7_248) + s7_254;
   work.a_carrier_right_z = a_carrier_right_aux2_z + s7_257;
-  // wheel_front_right
+  // wheel_front_right: wheel_front_right, revolute, carrier_right
   work.s7_258 = work.w_carrier_right_y*work.s4_51 - work.w_carrier_right_z*work.s4_50;
   work.s7_259 = work.w_carrier_right_x*work.s4_51 + work.w_carrier_right_z*work.s4_49;
   work.s7_260 = work.w_carrier_right_y*work.s4_49 + work.w_carrier_right_x*work.s4_50;
@@ -3035,7 +3035,7 @@ struct AccelerationsWork {
 [[gnu::noinline]] void compute_accelerations_6(const State& state,
     AccelerationsWork& __restrict work) noexcept {
   // --- step 7: accelerations Zdot and accumulated forces QR - PR (51), (52), continued ---
-  // wheel_front_right
+  // wheel_front_right: wheel_front_right, revolute, carrier_right
   work.alpha_wheel_front_right_x = work.alpha_carrier_right_x + work.s7_258;
   work.alpha_wheel_front_right_y = work.alpha_carrier_right_y - work.s7_259;
   work.alpha_wheel_front_right_z = work.alpha_carrier_right_z + work.s7_260;
@@ -3066,7 +3066,7 @@ struct AccelerationsWork {
   work.a_wheel_front_right_y = work.a_carrier_right_y + s7_283;
   const double s7_284 = work.r_wheel_front_right_y*(work.s7_248 - work.s7_272) + s7_281;
   work.a_wheel_front_right_z = work.a_carrier_right_z + s7_284;
-  // upper_arm_right
+  // upper_arm_right: upper_arm_right, revolute, chassis
   const double zd_upper_arm_right = state.zd[Coordinate::upper_arm_right];
   work.s7_285 = work.s6_245 + work.s7_2;
   work.alpha_upper_arm_right_y = work.alpha_chassis_y + zd_upper_arm_right*work.w_chassis_z;
@@ -3088,7 +3088,7 @@ struct AccelerationsWork {
   work.s7_301 = work.s7_1 + s7_300;
   work.a_upper_arm_right_y = work.a_chassis_y + (s7_298 - 0.5*(work.s7_293 - work.s7_16));
   work.a_upper_arm_right_z = work.a_chassis_z + (s7_299 - 0.5*(work.s7_7 - work.s7_294));
-  // arb_front_right
+  // arb_front_right: arb_front_right, revolute, chassis
   const double zd_arb_front_right = state.zd[Coordinate::arb_front_right];
   work.alpha_arb_front_right_y = work.zdd_star_arb_front_right + work.alpha_chassis_y;
   work.s7_302 = work.s7_2 + zd_arb_front_right*work.w_chassis_z;
@@ -3110,7 +3110,7 @@ struct AccelerationsWork {
   const double s7_316 = 3.95*(work.s7_13 - work.s7_307) - 0.5*(work.s7_8 - work.s7_312);
   work.a_arb_front_right_y = work.a_chassis_y + s7_316;
   work.a_arb_front_right_z = work.a_chassis_z + (s7_315 - 0.45*(work.s7_7 - work.s7_310));
-  // pitman_arm
+  // pitman_arm: pitman_arm, revolute, chassis
   const double zd_pitman_arm = state.zd[Coordinate::pitman_arm];
   work.alpha_pitman_arm_y = work.zdd_star_pitman_arm + work.alpha_chassis_y;
   work.s7_317 = work.s7_2 + zd_pitman_arm*work.w_chassis_z;
@@ -3132,7 +3132,7 @@ struct AccelerationsWork {
   const double s7_331 = 4.4*(work.s7_13 - work.s7_322) - 0.4*(work.s7_8 - work.s7_327);
   work.a_pitman_arm_y = work.a_chassis_y + s7_331;
   work.a_pitman_arm_z = work.a_chassis_z + (0.5*(work.s7_7 - s7_325) + s7_330);
-  // bell_crank
+  // bell_crank: bell_crank, revolute, chassis
   const double zd_bell_crank = state.zd[Coordinate::bell_crank];
   work.alpha_bell_crank_z = work.zdd_star_bell_crank - work.s7_9;
   work.alpha_bell_crank_x = zd_bell_crank*work.w_chassis_y - work.s7_2;
@@ -3152,27 +3152,27 @@ struct AccelerationsWork {
   const double s7_343 = 3.25*(work.s7_13 - work.s7_336) - 0.6*(work.s7_8 - s7_342);
   work.a_bell_crank_y = work.a_chassis_y + s7_343;
   work.a_bell_crank_z = work.a_chassis_z + 3.25*(work.s7_14 - work.s7_337);
-  // rear_axle_aux1
+  // rear_axle_aux1: rear_axle_tx, prismatic, chassis
   const double zd_rear_axle_tx = state.zd[Coordinate::rear_axle_tx];
   const double s7_344 = zd_rear_axle_tx*work.w_chassis_z;
   const double s7_345 = zd_rear_axle_tx*work.w_chassis_y;
   const double a_rear_axle_aux1_x = work.zdd_star_rear_axle_tx - work.s7_1;
   const double a_rear_axle_aux1_y = s7_344 + (work.a_chassis_y + s7_344);
   const double a_rear_axle_aux1_z = work.a_chassis_z - s7_345 - s7_345;
-  // rear_axle_aux2
+  // rear_axle_aux2: rear_axle_ty, prismatic, rear_axle_aux1
   const double zd_rear_axle_ty = state.zd[Coordinate::rear_axle_ty];
   const double s7_346 = zd_rear_axle_ty*work.w_chassis_z;
   const double s7_347 = zd_rear_axle_ty*work.w_chassis_x;
   const double a_rear_axle_aux2_y = work.zdd_star_rear_axle_ty + a_rear_axle_aux1_y;
   const double a_rear_axle_aux2_x = a_rear_axle_aux1_x - s7_346 - s7_346;
   const double a_rear_axle_aux2_z = s7_347 + (a_rear_axle_aux1_z + s7_347);
-  // rear_axle_aux3
+  // rear_axle_aux3: rear_axle_tz, prismatic, rear_axle_aux2
   const double zd_rear_axle_tz = state.zd[Coordinate::rear_axle_tz];
   const double s7_348 = zd_rear_axle_tz*work.w_chassis_y;
   const double s7_349 = zd_rear_axle_tz*work.w_chassis_x;
   const double a_rear_axle_aux3_x = s7_348 + (a_rear_axle_aux2_x + s7_348);
   const double a_rear_axle_aux3_y = a_rear_axle_aux2_y - s7_349 - s7_349;
-  // rear_axle_aux4
+  // rear_axle_aux4: rear_axle_rz, revolute, rear_axle_aux3
   const double zd_rear_axle_rz = state.zd[Coordinate::rear_axle_rz];
   const double alpha_rear_axle_aux4_z = work.zdd_star_rear_axle_rz - work.s7_9;
   const double alpha_rear_axle_aux4_x = zd_rear_axle_rz*work.w_chassis_y - work.s7_2;
@@ -3200,7 +3200,7 @@ struct AccelerationsWork {
       s7_364);
   const double a_rear_axle_aux4_z = a_rear_axle_aux2_z + (z_rear_axle_ty*(work.s7_7 - s7_358) +
       s7_365);
-  // rear_axle_aux5
+  // rear_axle_aux5: rear_axle_ry, revolute, rear_axle_aux4
   const double s7_366 = work.R_rear_axle_aux4_y_x*work.zdd_star_rear_axle_ry;
   const double s7_367 = work.R_rear_axle_aux4_x_x*work.zdd_star_rear_axle_ry;
   const double alpha_rear_axle_aux5_x = alpha_rear_axle_aux4_x - s7_366 -
@@ -3235,7 +3235,7 @@ struct AccelerationsWork {
       s7_386);
   const double a_rear_axle_aux5_z = a_rear_axle_aux4_z + (z_rear_axle_ty*(s7_358 - s7_379) +
       s7_388);
-  // rear_axle
+  // rear_axle: rear_axle_rx, revolute, rear_axle_aux5
   const double s7_389 = work.w_rear_axle_aux4_z*work.s4_68 + work.w_rear_axle_aux5_y*work.s4_69;
   work.alpha_rear_axle_x = alpha_rear_axle_aux5_x - s7_389;
   const double s7_390 = work.w_rear_axle_aux5_x*work.s4_69 + work.w_rear_axle_aux4_z*work.s4_67;
@@ -3266,7 +3266,7 @@ struct AccelerationsWork {
   work.a_rear_axle_x = a_rear_axle_aux5_x + (z_rear_axle_ty*(s7_377 - work.s7_401) + s7_408);
   work.a_rear_axle_y = a_rear_axle_aux5_y + (z_rear_axle_ty*(work.s7_402 - s7_378) + s7_410);
   work.a_rear_axle_z = a_rear_axle_aux5_z + (z_rear_axle_ty*(s7_379 - work.s7_403) + s7_412);
-  // wheel_rear_left
+  // wheel_rear_left: wheel_rear_left, revolute, rear_axle
   const double s7_413 = work.w_rear_axle_y*work.s4_72 - work.w_rear_axle_z*work.s4_71;
   work.alpha_wheel_rear_left_x = work.alpha_rear_axle_x + s7_413;
   const double s7_414 = work.w_rear_axle_z*work.s4_70 - work.w_rear_axle_x*work.s4_72;
@@ -3300,7 +3300,7 @@ struct AccelerationsWork {
   work.a_wheel_rear_left_y = work.a_rear_axle_y + s7_438;
   const double s7_439 = work.r_wheel_rear_left_y*(work.s7_403 - work.s7_427) + s7_436;
   work.a_wheel_rear_left_z = work.a_rear_axle_z + s7_439;
-  // arb_rear_left
+  // arb_rear_left: arb_rear_left, revolute, chassis
   const double zd_arb_rear_left = state.zd[Coordinate::arb_rear_left];
   work.alpha_arb_rear_left_y = work.zdd_star_arb_rear_left + work.alpha_chassis_y;
   work.s7_440 = work.s7_2 + zd_arb_rear_left*work.w_chassis_z;
@@ -3325,7 +3325,7 @@ struct AccelerationsWork {
   const double s7_457 = s7_454 + 3.3000000000000003*(work.s7_13 - work.s7_445);
   work.a_arb_rear_left_y = work.a_chassis_y - s7_457;
   work.a_arb_rear_left_z = work.a_chassis_z + (0.45*(work.s7_7 - work.s7_448) - s7_456);
-  // wheel_rear_right
+  // wheel_rear_right: wheel_rear_right, revolute, rear_axle
   const double s7_458 = work.w_rear_axle_y*work.s4_77 - work.w_rear_axle_z*work.s4_76;
   work.alpha_wheel_rear_right_x = work.alpha_rear_axle_x + s7_458;
   const double s7_459 = work.w_rear_axle_z*work.s4_75 - work.w_rear_axle_x*work.s4_77;
@@ -3359,7 +3359,7 @@ struct AccelerationsWork {
   work.a_wheel_rear_right_y = work.a_rear_axle_y + s7_483;
   const double s7_484 = work.r_wheel_rear_right_y*(work.s7_403 - work.s7_472) + s7_481;
   work.a_wheel_rear_right_z = work.a_rear_axle_z + s7_484;
-  // arb_rear_right
+  // arb_rear_right: arb_rear_right, revolute, chassis
   const double zd_arb_rear_right = state.zd[Coordinate::arb_rear_right];
   work.alpha_arb_rear_right_y = work.zdd_star_arb_rear_right + work.alpha_chassis_y;
   work.s7_485 = work.s7_2 + zd_arb_rear_right*work.w_chassis_z;
@@ -3669,7 +3669,7 @@ struct AccelerationsWork {
   work.s7_769 = s7_745 + (work.s1_912*s7_764 - work.s1_911*s7_765);
   work.s7_770 = s7_746 + (work.s1_910*s7_765 + work.s1_912*s7_763);
   work.s7_771 = s7_747 - (work.s1_911*s7_763 + work.s1_910*s7_764);
-  // chassis
+  // chassis: chassis_rx, revolute, chassis_aux5
   const double s7_772 = 0.24897456123052653*work.s7_17 + 0.0027607966870439754*work.s7_6;
   const double s7_773 = 0.24897456123052653*work.s7_8 - 0.0027607966870439754*work.s7_13;
   const double s7_774 = 0.24897456123052653*work.s7_18 + 0.0027607966870439754*work.s7_14;
@@ -3692,7 +3692,7 @@ struct AccelerationsWork {
   work.s7_791 = s7_736 - (s7_785 - 0.24897456123052653*s7_776);
   work.s7_792 = s7_737 - (s7_783 + 150070.8160441727*work.alpha_chassis_y + s7_786);
   work.s7_793 = s7_738 - (s7_787 - 0.0027607966870439754*s7_776);
-  // lower_arm_left
+  // lower_arm_left: lower_arm_left, revolute, chassis
   const double s7_794 = 3.6*work.s7_6;
   const double s7_795 = work.s1_80*work.s7_25 + (work.s1_81*work.s7_28 - s7_794);
   const double s7_796 = work.s1_81*work.s7_29 + 3.6*work.s7_23 - work.s1_80*work.s7_26;
@@ -3712,7 +3712,7 @@ struct AccelerationsWork {
   work.s7_810 = s7_809 + (work.s1_81*work.s7_798 - 3.6*work.s7_800);
   const double s7_811 = work.w_lower_arm_left_x*s7_802 - work.w_chassis_y*s7_801 + s7_806;
   work.s7_812 = s7_811 + (3.6*work.s7_799 - work.s1_80*work.s7_798);
-  // carrier_left
+  // carrier_left: carrier_left_ry, revolute, carrier_left_aux2
   const double s7_813 = work.s1_108*work.s7_100 - work.s1_104*work.s7_94;
   const double s7_814 = work.s1_108*work.s7_101 + work.s1_104*work.s7_95;
   const double s7_815 = work.s1_104*work.s7_96 - work.s1_108*work.s7_102;
@@ -3743,7 +3743,7 @@ struct AccelerationsWork {
   work.s7_840 = work.s7_595 - (s7_834 + (work.s1_106*s7_818 - work.s1_108*s7_817));
   work.s7_841 = work.s7_596 - (s7_835 + (work.s1_108*s7_816 - work.s1_104*s7_818));
   work.s7_842 = work.s7_597 - (s7_836 + (work.s1_104*s7_817 - work.s1_106*s7_816));
-  // wheel_front_left
+  // wheel_front_left: wheel_front_left, revolute, carrier_left
   const double s7_843 = work.r_wheel_front_left_z*work.s7_124;
   const double s7_844 = s7_843 - work.r_wheel_front_left_x*work.s7_118;
   const double s7_845 = work.r_wheel_front_left_z*work.s7_125;
@@ -3783,7 +3783,7 @@ struct AccelerationsWork {
   work.s7_879 = s7_878 + (s7_874 - work.r_wheel_front_left_x*work.s7_854);
   const double s7_880 = s7_872 + (work.s1_176*work.alpha_wheel_front_left_y + s7_869);
   work.s7_881 = s7_880 + (s7_875 - work.r_wheel_front_left_y*work.s7_852);
-  // upper_arm_left
+  // upper_arm_left: upper_arm_left, revolute, chassis
   const double s7_882 = work.s1_191*work.s7_143 + (work.s1_192*work.s7_146 - s7_794);
   const double s7_883 = work.s1_192*work.s7_147 + 3.6*work.s7_141 - work.s1_191*work.s7_144;
   const double s7_884 = work.s1_191*work.s7_145 + (3.6*work.s7_142 - work.s1_192*work.s7_148);
@@ -3801,7 +3801,7 @@ struct AccelerationsWork {
   work.s7_896 = s7_895 + (work.s1_192*work.s7_885 - 3.6*work.s7_887);
   const double s7_897 = work.w_upper_arm_left_x*s7_889 - work.w_chassis_y*s7_888 + s7_892;
   work.s7_898 = s7_897 + (3.6*work.s7_886 - work.s1_191*work.s7_885);
-  // arb_front_left
+  // arb_front_left: arb_front_left, revolute, chassis
   const double s7_899 = work.s1_212*work.s7_161 - work.s1_211*work.s7_156;
   const double s7_900 = 0.5169230769230769*work.s7_16;
   const double s7_901 = work.s1_211*work.s7_158 - work.s1_212*work.s7_163;
@@ -3834,7 +3834,7 @@ struct AccelerationsWork {
   work.s7_928 = work.s7_514 - (s7_921 + (work.s1_212*s7_904 - work.s1_211*s7_907));
   const double s7_929 = s7_922 + (work.s1_211*s7_905 - 0.5169230769230769*s7_904);
   work.s7_930 = work.s7_515 - s7_929;
-  // lower_arm_right
+  // lower_arm_right: lower_arm_right, revolute, chassis
   const double s7_931 = work.s1_238*work.s7_173 - (s7_794 + work.s1_239*work.s7_176);
   const double s7_932 = 3.6*work.s7_171 - work.s1_239*work.s7_177 - work.s1_238*work.s7_174;
   const double s7_933 = work.s1_238*work.s7_175 + (work.s1_239*work.s7_178 + 3.6*work.s7_172);
@@ -3853,7 +3853,7 @@ struct AccelerationsWork {
   work.s7_946 = s7_945 - (3.6*work.s7_936 + work.s1_239*work.s7_934);
   const double s7_947 = work.w_lower_arm_right_x*s7_938 - work.w_chassis_y*s7_937 + s7_942;
   work.s7_948 = s7_947 + (3.6*work.s7_935 - work.s1_238*work.s7_934);
-  // carrier_right
+  // carrier_right: carrier_right_ry, revolute, carrier_right_aux2
   const double s7_949 = work.s1_265*work.s7_249 - work.s1_262*work.s7_243;
   const double s7_950 = work.s1_265*work.s7_250 + work.s1_262*work.s7_244;
   const double s7_951 = work.s1_262*work.s7_245 - work.s1_265*work.s7_251;
@@ -3884,7 +3884,7 @@ struct AccelerationsWork {
   work.s7_976 = work.s7_622 - (s7_970 + (work.s1_264*s7_954 - work.s1_265*s7_953));
   work.s7_977 = work.s7_623 - (s7_971 + (work.s1_265*s7_952 - work.s1_262*s7_954));
   work.s7_978 = work.s7_624 - (s7_972 + (work.s1_262*s7_953 - work.s1_264*s7_952));
-  // wheel_front_right
+  // wheel_front_right: wheel_front_right, revolute, carrier_right
   const double s7_979 = work.r_wheel_front_right_z*work.s7_273;
   const double s7_980 = s7_979 - work.r_wheel_front_right_x*work.s7_267;
   const double s7_981 = work.r_wheel_front_right_z*work.s7_274;
@@ -3924,7 +3924,7 @@ struct AccelerationsWork {
   work.s7_1015 = s7_1014 + (s7_1010 - work.r_wheel_front_right_x*work.s7_990);
   const double s7_1016 = s7_1008 + (work.s1_333*work.alpha_wheel_front_right_y + s7_1005);
   work.s7_1017 = s7_1016 + (s7_1011 - work.r_wheel_front_right_y*work.s7_988);
-  // upper_arm_right
+  // upper_arm_right: upper_arm_right, revolute, chassis
   const double s7_1018 = work.s1_348*work.s7_292 - (s7_794 + work.s1_349*work.s7_295);
   const double s7_1019 = 3.6*work.s7_290 - work.s1_349*work.s7_296 - work.s1_348*work.s7_293;
   const double s7_1020 = work.s1_348*work.s7_294 + (work.s1_349*work.s7_297 + 3.6*work.s7_291);
@@ -3942,7 +3942,7 @@ struct AccelerationsWork {
   work.s7_1032 = s7_1031 - (3.6*work.s7_1023 + work.s1_349*work.s7_1021);
   const double s7_1033 = work.w_upper_arm_right_x*s7_1025 - work.w_chassis_y*s7_1024 + s7_1028;
   work.s7_1034 = s7_1033 + (3.6*work.s7_1022 - work.s1_348*work.s7_1021);
-  // arb_front_right
+  // arb_front_right: arb_front_right, revolute, chassis
   const double s7_1035 = work.s1_369*work.s7_311 - work.s1_368*work.s7_306;
   const double s7_1036 = work.s1_368*work.s7_308 - work.s1_369*work.s7_313;
   const double s7_1037 = s7_900 + (work.s1_369*work.s7_312 + work.s1_368*work.s7_307);
@@ -3973,14 +3973,14 @@ struct AccelerationsWork {
 [[gnu::noinline]] void compute_accelerations_8(const State& state, const double* tau,
     AccelerationsWork& __restrict work) noexcept {
   // --- step 7: accelerations Zdot and accumulated forces QR - PR (51), (52), continued ---
-  // arb_front_right
+  // arb_front_right: arb_front_right, revolute, chassis
   const double s7_1058 = work.s1_369*work.s7_1040 + 0.5169230769230769*work.s7_1042;
   const double s7_1059 = 0.5169230769230769*work.s7_1039 + work.s1_368*work.s7_1040;
   const double s7_1060 = work.s7_530 + work.s7_1039;
   const double s7_1061 = work.s7_534 + work.s7_1042;
   const double s7_1062 = work.s7_1055 + (work.s1_369*work.s7_1039 - work.s1_368*work.s7_1042);
   const double s7_1063 = work.s7_536 - s7_1062;
-  // pitman_arm
+  // pitman_arm: pitman_arm, revolute, chassis
   const double s7_1064 = work.s7_559 - (work.s1_394*work.s7_326 + work.s1_393*work.s7_321);
   const double s7_1065 = work.s1_393*work.s7_322 - work.s1_394*work.s7_327 - work.s7_560;
   const double s7_1066 = work.s7_561 + (work.s1_394*work.s7_328 + work.s1_393*work.s7_323);
@@ -3999,7 +3999,7 @@ struct AccelerationsWork {
   const double s7_1079 = work.s7_553 + s7_1067;
   const double s7_1080 = work.s7_555 + s7_1069;
   const double s7_1081 = work.s7_557 - (s7_1074 + 0.0842*work.alpha_pitman_arm_y - s7_1077);
-  // bell_crank
+  // bell_crank: bell_crank, revolute, chassis
   const double s7_1082 = work.s1_413*work.s7_338 - (work.s7_547 + work.s1_414*work.s7_335);
   const double s7_1083 = work.s1_414*work.s7_336 - work.s7_548 - work.s1_413*work.s7_339;
   const double s7_1084 = work.s1_413*work.s7_340 + (work.s7_549 + work.s1_414*work.s7_337);
@@ -4019,7 +4019,7 @@ struct AccelerationsWork {
   const double s7_1098 = s7_1095 + 0.40412866666666675*work.alpha_bell_crank_z;
   const double s7_1099 = work.s7_608 + s7_1086;
   const double s7_1100 = work.s7_612 - (s7_1098 + (work.s1_414*s7_1086 - work.s1_413*s7_1085));
-  // rear_axle
+  // rear_axle: rear_axle_rx, revolute, rear_axle_aux5
   const double s7_1101 = work.s1_440*work.s7_404 - work.s1_438*work.s7_398;
   const double s7_1102 = work.s1_440*work.s7_405 + work.s1_438*work.s7_399;
   const double s7_1103 = work.s1_438*work.s7_400 - work.s1_440*work.s7_406;
@@ -4047,7 +4047,7 @@ struct AccelerationsWork {
   const double s7_1125 = work.s7_769 - (s7_1119 + (work.s1_439*s7_1106 - work.s1_440*s7_1105));
   const double s7_1126 = work.s7_770 - (s7_1120 + (work.s1_440*s7_1104 - work.s1_438*s7_1106));
   const double s7_1127 = work.s7_771 - (s7_1121 + (work.s1_438*s7_1105 - work.s1_439*s7_1104));
-  // wheel_rear_left
+  // wheel_rear_left: wheel_rear_left, revolute, rear_axle
   const double s7_1128 = work.r_wheel_rear_left_z*work.s7_428;
   const double s7_1129 = s7_1128 - work.r_wheel_rear_left_x*work.s7_422;
   const double s7_1130 = work.r_wheel_rear_left_z*work.s7_429;
@@ -4084,7 +4084,7 @@ struct AccelerationsWork {
   const double s7_1161 = s7_1156 + (work.s1_487*work.alpha_wheel_rear_left_y + s7_1152) + s7_1160;
   const double s7_1162 = work.r_wheel_rear_left_x*s7_1138 - work.r_wheel_rear_left_y*s7_1137;
   const double s7_1163 = s7_1157 + (work.s1_495*work.alpha_wheel_rear_left_y + s7_1154) + s7_1162;
-  // arb_rear_left
+  // arb_rear_left: arb_rear_left, revolute, chassis
   const double s7_1164 = work.s1_509*work.s7_449 + work.s1_508*work.s7_444;
   const double s7_1165 = 0.5076923076923077*work.s7_16;
   const double s7_1166 = work.s1_509*work.s7_451 + work.s1_508*work.s7_446;
@@ -4114,7 +4114,7 @@ struct AccelerationsWork {
   const double s7_1190 = s7_1185 + (work.s1_509*s7_1170 + 0.5076923076923077*s7_1172);
   const double s7_1191 = work.s7_687 - (s7_1186 - (work.s1_508*s7_1172 + work.s1_509*s7_1169));
   const double s7_1192 = s7_1187 + (work.s1_508*s7_1170 - 0.5076923076923077*s7_1169);
-  // wheel_rear_right
+  // wheel_rear_right: wheel_rear_right, revolute, rear_axle
   const double s7_1193 = work.r_wheel_rear_right_z*work.s7_473;
   const double s7_1194 = s7_1193 - work.r_wheel_rear_right_x*work.s7_467;
   const double s7_1195 = work.r_wheel_rear_right_z*work.s7_474;
@@ -4154,7 +4154,7 @@ struct AccelerationsWork {
   const double s7_1229 = work.r_wheel_rear_right_x*s7_1203 - work.r_wheel_rear_right_y*s7_1202;
   const double s7_1230 = s7_1222 + (work.s1_495*work.alpha_wheel_rear_right_y + s7_1219);
   const double s7_1231 = s7_1230 + s7_1229;
-  // arb_rear_right
+  // arb_rear_right: arb_rear_right, revolute, chassis
   const double s7_1232 = work.s1_542*work.s7_494 + work.s1_541*work.s7_489;
   const double s7_1233 = work.s1_542*work.s7_496 + work.s1_541*work.s7_491;
   const double s7_1234 = s7_1165 + (work.s1_541*work.s7_490 - work.s1_542*work.s7_495);
@@ -4191,7 +4191,7 @@ struct AccelerationsWork {
   const double s7_1264 = work.s7_791 + (work.s7_757 - s7_1257);
   const double s7_1265 = work.s7_792 + s7_1258;
   const double s7_1266 = work.s7_793 - (work.s7_759 + s7_1259);
-  // wheel_rear_right
+  // wheel_rear_right: wheel_rear_right, revolute, rear_axle
   const double s7_1267 = work.R_rear_axle_z_y*s7_1231 + work.R_rear_axle_x_y*s7_1225;
   const double s7_1268 = work.b_wheel_rear_right_z*s7_1204 + work.b_wheel_rear_right_x*s7_1202;
   const double s7_1269 = work.b_wheel_rear_right_y*s7_1203 + s7_1268;
@@ -4203,7 +4203,7 @@ struct AccelerationsWork {
   const double s7_1274 = s7_1125 - s7_1225;
   const double s7_1275 = s7_1126 - s7_1228;
   const double s7_1276 = s7_1127 - s7_1231;
-  // arb_rear_left
+  // arb_rear_left: arb_rear_left, revolute, chassis
   const double s7_1277 = s7_1191 + (3.3000000000000003*s7_1189 - 0.44999999999999996*s7_1188);
   work.Q_arb_rear_left = tau[Coordinate::arb_rear_left] + s7_1277;
   const double s7_1278 = s7_1261 - s7_1188;
@@ -4212,7 +4212,7 @@ struct AccelerationsWork {
   const double s7_1281 = s7_1264 - (work.s7_686 + s7_1190);
   const double s7_1282 = s7_1191 + s7_1265;
   const double s7_1283 = work.s7_688 - s7_1192 + s7_1266;
-  // wheel_rear_left
+  // wheel_rear_left: wheel_rear_left, revolute, rear_axle
   const double s7_1284 = work.R_rear_axle_z_y*s7_1163 + work.R_rear_axle_x_y*s7_1159;
   const double s7_1285 = work.b_wheel_rear_left_z*s7_1139 + work.b_wheel_rear_left_x*s7_1137;
   const double s7_1286 = work.b_wheel_rear_left_y*s7_1138 + s7_1285;
@@ -4224,26 +4224,26 @@ struct AccelerationsWork {
   const double s7_1291 = s7_1274 - s7_1159;
   const double s7_1292 = s7_1275 - s7_1161;
   const double s7_1293 = s7_1276 - s7_1163;
-  // rear_axle
+  // rear_axle: rear_axle_rx, revolute, rear_axle_aux5
   const double s7_1294 = work.R_rear_axle_aux5_x_x*s7_1291 - work.s1_59*s7_1293;
   const double s7_1295 = work.b_rear_axle_rx_z*s7_1290 + work.s1_66*s7_1288;
   const double s7_1296 = work.R_rear_axle_aux5_y_x*s7_1292 + s7_1294;
   const double s7_1297 = s7_1296 - (work.b_rear_axle_rx_y*s7_1289 + s7_1295);
   work.Q_rear_axle_rx = tau[Coordinate::rear_axle_rx] + s7_1297;
-  // rear_axle_aux5
+  // rear_axle_aux5: rear_axle_ry, revolute, rear_axle_aux4
   const double s7_1298 = work.b_rear_axle_ry_z*s7_1290 + work.s1_60*s7_1288;
   const double s7_1299 = work.R_rear_axle_aux4_x_x*s7_1292 - work.R_rear_axle_aux4_y_x*s7_1291;
   const double s7_1300 = s7_1299 + (work.s1_61*s7_1289 - s7_1298);
   work.Q_rear_axle_ry = tau[Coordinate::rear_axle_ry] + s7_1300;
-  // rear_axle_aux4
+  // rear_axle_aux4: rear_axle_rz, revolute, rear_axle_aux3
   const double s7_1301 = state.z[Coordinate::rear_axle_ty]*s7_1288;
   const double s7_1302 = s7_1293 + (work.r_rear_axle_aux1_x*s7_1289 + s7_1301);
   work.Q_rear_axle_rz = tau[Coordinate::rear_axle_rz] + s7_1302;
-  // rear_axle_aux3
+  // rear_axle_aux3: rear_axle_tz, prismatic, rear_axle_aux2
   work.Q_rear_axle_tz = tau[Coordinate::rear_axle_tz] - s7_1290;
-  // rear_axle_aux2
+  // rear_axle_aux2: rear_axle_ty, prismatic, rear_axle_aux1
   work.Q_rear_axle_ty = tau[Coordinate::rear_axle_ty] - s7_1289;
-  // rear_axle_aux1
+  // rear_axle_aux1: rear_axle_tx, prismatic, chassis
   work.Q_rear_axle_tx = tau[Coordinate::rear_axle_tx] + s7_1288;
   const double s7_1303 = s7_1278 + s7_1288;
   const double s7_1304 = s7_1279 + s7_1289;
@@ -4251,7 +4251,7 @@ struct AccelerationsWork {
   const double s7_1306 = s7_1281 + s7_1291;
   const double s7_1307 = s7_1282 + s7_1292;
   const double s7_1308 = s7_1283 + s7_1293;
-  // bell_crank
+  // bell_crank: bell_crank, revolute, chassis
   work.Q_bell_crank = tau[Coordinate::bell_crank] + (s7_1100 + 3.25*s7_1099);
   const double s7_1309 = s7_1303 - (work.s7_607 + s7_1085);
   const double s7_1310 = s7_1099 + s7_1304;
@@ -4259,7 +4259,7 @@ struct AccelerationsWork {
   const double s7_1312 = work.s7_610 - (s7_1096 + (0.6*s7_1086 + work.s1_413*s7_1087)) + s7_1306;
   const double s7_1313 = work.s7_611 - (s7_1097 - (work.s1_414*s7_1087 + 0.6*s7_1085)) + s7_1307;
   const double s7_1314 = s7_1100 + s7_1308;
-  // pitman_arm
+  // pitman_arm: pitman_arm, revolute, chassis
   work.Q_pitman_arm = tau[Coordinate::pitman_arm] + (s7_1081 - (4.4*s7_1080 + 0.4*s7_1079));
   const double s7_1315 = s7_1309 - s7_1079;
   const double s7_1316 = work.s7_554 + s7_1068 + s7_1310;
@@ -4268,7 +4268,7 @@ struct AccelerationsWork {
   const double s7_1319 = s7_1312 - s7_1318;
   const double s7_1320 = s7_1081 + s7_1313;
   const double s7_1321 = work.s7_558 - (s7_1078 + (work.s1_393*s7_1068 - 0.5*s7_1067)) + s7_1314;
-  // arb_front_right
+  // arb_front_right: arb_front_right, revolute, chassis
   const double s7_1322 = s7_1063 - (3.95*s7_1061 + 0.5*s7_1060);
   work.Q_arb_front_right = tau[Coordinate::arb_front_right] + s7_1322;
   const double s7_1323 = s7_1315 - s7_1060;
@@ -4277,7 +4277,7 @@ struct AccelerationsWork {
   const double s7_1326 = work.s7_535 - (work.s7_1053 - s7_1058) + s7_1319;
   const double s7_1327 = s7_1063 + s7_1320;
   const double s7_1328 = s7_1321 - (work.s7_537 + (work.s7_1057 + s7_1059));
-  // upper_arm_right
+  // upper_arm_right: upper_arm_right, revolute, chassis
   const double s7_1329 = 0.28*work.s7_1022 - 0.5*work.s7_1023 - work.s7_1030;
   work.Q_upper_arm_right = tau[Coordinate::upper_arm_right] + s7_1329;
   const double s7_1330 = s7_1323 - work.s7_1021;
@@ -4286,7 +4286,7 @@ struct AccelerationsWork {
   const double s7_1333 = s7_1326 - work.s7_1030;
   const double s7_1334 = s7_1327 - work.s7_1032;
   const double s7_1335 = s7_1328 - work.s7_1034;
-  // wheel_front_right
+  // wheel_front_right: wheel_front_right, revolute, carrier_right
   const double s7_1336 = work.s1_41*work.s7_1013 - work.R_carrier_right_aux2_z_y*work.s7_1017;
   const double s7_1337 = work.b_wheel_front_right_z*work.s7_990;
   const double s7_1338 = s7_1337 + work.b_wheel_front_right_x*work.s7_988;
@@ -4299,20 +4299,20 @@ struct AccelerationsWork {
   const double s7_1344 = work.s7_976 - work.s7_1013;
   const double s7_1345 = work.s7_977 - work.s7_1015;
   const double s7_1346 = work.s7_978 - work.s7_1017;
-  // carrier_right
+  // carrier_right: carrier_right_ry, revolute, carrier_right_aux2
   const double s7_1347 = work.R_carrier_right_aux2_z_y*s7_1346 - work.s1_41*s7_1344;
   const double s7_1348 = work.b_carrier_right_ry_z*s7_1343 + work.b_carrier_right_ry_x*s7_1341;
   const double s7_1349 = work.R_carrier_right_aux2_y_y*s7_1345 + s7_1347;
   const double s7_1350 = s7_1349 - (work.b_carrier_right_ry_y*s7_1342 + s7_1348);
   work.Q_carrier_right_ry = tau[Coordinate::carrier_right_ry] + s7_1350;
-  // carrier_right_aux2
+  // carrier_right_aux2: carrier_right_rx, revolute, carrier_right_aux1
   const double s7_1351 = work.R_carrier_right_aux1_z_x*s7_1346;
   const double s7_1352 = s7_1351 + work.R_carrier_right_aux1_x_x*s7_1344;
   const double s7_1353 = work.b_carrier_right_rx_z*s7_1343 + work.b_carrier_right_rx_x*s7_1341;
   const double s7_1354 = work.R_carrier_right_aux1_y_x*s7_1345 + s7_1352;
   const double s7_1355 = s7_1354 + (work.s1_45*s7_1342 - s7_1353);
   work.Q_carrier_right_rx = tau[Coordinate::carrier_right_rx] + s7_1355;
-  // carrier_right_aux1
+  // carrier_right_aux1: carrier_right_rz, revolute, lower_arm_right
   const double s7_1356 = work.s1_38*s7_1343 - work.b_carrier_right_rz_x*s7_1341;
   const double s7_1357 = work.R_lower_arm_right_y_y*s7_1346 - work.R_lower_arm_right_z_y*s7_1345;
   const double s7_1358 = s7_1357 + (work.s1_37*s7_1342 + s7_1356);
@@ -4323,7 +4323,7 @@ struct AccelerationsWork {
   const double s7_1362 = s7_1344 - work.s7_944;
   const double s7_1363 = s7_1345 - work.s7_946;
   const double s7_1364 = s7_1346 - work.s7_948;
-  // lower_arm_right
+  // lower_arm_right: lower_arm_right, revolute, chassis
   const double s7_1365 = s7_1362 + (0.62*s7_1360 - 0.4*s7_1361);
   work.Q_lower_arm_right = tau[Coordinate::lower_arm_right] + s7_1365;
   const double s7_1366 = s7_1330 - s7_1359;
@@ -4332,7 +4332,7 @@ struct AccelerationsWork {
   const double s7_1369 = s7_1333 + s7_1362;
   const double s7_1370 = s7_1334 + s7_1363;
   const double s7_1371 = s7_1335 + s7_1364;
-  // arb_front_left
+  // arb_front_left: arb_front_left, revolute, chassis
   const double s7_1372 = work.s7_928 - (3.95*work.s7_925 + 0.5*work.s7_923);
   work.Q_arb_front_left = tau[Coordinate::arb_front_left] + s7_1372;
   const double s7_1373 = s7_1366 - work.s7_923;
@@ -4341,7 +4341,7 @@ struct AccelerationsWork {
   const double s7_1376 = work.s7_927 + s7_1369;
   const double s7_1377 = work.s7_928 + s7_1370;
   const double s7_1378 = work.s7_930 + s7_1371;
-  // upper_arm_left
+  // upper_arm_left: upper_arm_left, revolute, chassis
   const double s7_1379 = 0.28*work.s7_886 + 0.5*work.s7_887 - work.s7_894;
   work.Q_upper_arm_left = tau[Coordinate::upper_arm_left] + s7_1379;
   const double s7_1380 = s7_1373 - work.s7_885;
@@ -4350,7 +4350,7 @@ struct AccelerationsWork {
   const double s7_1383 = s7_1376 - work.s7_894;
   const double s7_1384 = s7_1377 - work.s7_896;
   const double s7_1385 = s7_1378 - work.s7_898;
-  // wheel_front_left
+  // wheel_front_left: wheel_front_left, revolute, carrier_left
   const double s7_1386 = work.s1_14*work.s7_877 - work.R_carrier_left_aux2_z_y*work.s7_881;
   const double s7_1387 = work.b_wheel_front_left_z*work.s7_854;
   const double s7_1388 = s7_1387 + work.b_wheel_front_left_x*work.s7_852;
@@ -4363,20 +4363,20 @@ struct AccelerationsWork {
   const double s7_1394 = work.s7_840 - work.s7_877;
   const double s7_1395 = work.s7_841 - work.s7_879;
   const double s7_1396 = work.s7_842 - work.s7_881;
-  // carrier_left
+  // carrier_left: carrier_left_ry, revolute, carrier_left_aux2
   const double s7_1397 = work.R_carrier_left_aux2_z_y*s7_1396 - work.s1_14*s7_1394;
   const double s7_1398 = work.b_carrier_left_ry_z*s7_1393 + work.b_carrier_left_ry_x*s7_1391;
   const double s7_1399 = work.R_carrier_left_aux2_y_y*s7_1395 + s7_1397;
   const double s7_1400 = s7_1399 + (work.s1_22*s7_1392 - s7_1398);
   work.Q_carrier_left_ry = tau[Coordinate::carrier_left_ry] + s7_1400;
-  // carrier_left_aux2
+  // carrier_left_aux2: carrier_left_rx, revolute, carrier_left_aux1
   const double s7_1401 = work.R_carrier_left_aux1_z_x*s7_1396;
   const double s7_1402 = s7_1401 + work.R_carrier_left_aux1_x_x*s7_1394;
   const double s7_1403 = work.b_carrier_left_rx_z*s7_1393 + work.b_carrier_left_rx_x*s7_1391;
   const double s7_1404 = work.R_carrier_left_aux1_y_x*s7_1395 + s7_1402;
   const double s7_1405 = s7_1404 - (work.b_carrier_left_rx_y*s7_1392 + s7_1403);
   work.Q_carrier_left_rx = tau[Coordinate::carrier_left_rx] + s7_1405;
-  // carrier_left_aux1
+  // carrier_left_aux1: carrier_left_rz, revolute, lower_arm_left
   const double s7_1406 = work.s1_11*s7_1393 - work.b_carrier_left_rz_x*s7_1391;
   const double s7_1407 = work.R_lower_arm_left_y_y*s7_1396 - work.R_lower_arm_left_z_y*s7_1395;
   const double s7_1408 = s7_1407 + (work.s1_10*s7_1392 + s7_1406);
@@ -4387,7 +4387,7 @@ struct AccelerationsWork {
   const double s7_1412 = s7_1394 - work.s7_808;
   const double s7_1413 = s7_1395 - work.s7_810;
   const double s7_1414 = s7_1396 - work.s7_812;
-  // lower_arm_left
+  // lower_arm_left: lower_arm_left, revolute, chassis
   const double s7_1415 = s7_1412 + (0.62*s7_1410 + 0.4*s7_1411);
   work.Q_lower_arm_left = tau[Coordinate::lower_arm_left] + s7_1415;
   const double s7_1416 = s7_1380 - s7_1409;
@@ -4396,7 +4396,7 @@ struct AccelerationsWork {
   const double s7_1419 = s7_1383 + s7_1412;
   const double s7_1420 = s7_1384 + s7_1413;
   const double s7_1421 = s7_1385 + s7_1414;
-  // chassis
+  // chassis: chassis_rx, revolute, chassis_aux5
   const double s7_1422 = work.R_chassis_z_z*s7_1421 - work.s1_1*s7_1419;
   const double s7_1423 = work.R_chassis_z_y*s7_1420 + s7_1422;
   const double s7_1424 = work.R_chassis_aux5_x_x*s7_1416 - work.R_chassis_x_z*s7_1418;
@@ -4406,20 +4406,20 @@ struct AccelerationsWork {
   const double s7_1428 = work.R_chassis_z_z*s7_1418 + work.s1_1*s7_1416;
   const double s7_1429 = work.R_chassis_z_y*s7_1417 + s7_1428;
   work.Q_chassis_rx = tau[Coordinate::chassis_rx] + s7_1419;
-  // chassis_aux5
+  // chassis_aux5: chassis_ry, revolute, chassis_aux4
   work.Q_chassis_ry = tau[Coordinate::chassis_ry] + (work.s1_2*s7_1420 - work.s1_3*s7_1421);
-  // chassis_aux4
+  // chassis_aux4: chassis_rz, revolute, chassis_aux3
   work.Q_chassis_rz = tau[Coordinate::chassis_rz] + s7_1423;
-  // chassis_aux3
+  // chassis_aux3: chassis_tz, prismatic, chassis_aux2
   work.Q_chassis_tz = tau[Coordinate::chassis_tz] - s7_1429;
-  // chassis_aux2
+  // chassis_aux2: chassis_ty, prismatic, chassis_aux1
   work.Q_chassis_ty = tau[Coordinate::chassis_ty] + s7_1427;
-  // chassis_aux1
+  // chassis_aux1: chassis_tx, prismatic, ground
   work.Q_chassis_tx = tau[Coordinate::chassis_tx] + s7_1425;
   // operations: 1861 add, 1570 multiply
 
   // --- step 8: Rz' M Rz and right-hand side (63) ---
-  // chassis_aux1
+  // chassis_aux1: chassis_tx, prismatic, ground
   const double F_chassis_tx_x = 15305.999999999998*work.R_chassis_aux5_x_x;
   const double F_chassis_tx_y = 15305.999999999998*work.R_chassis_x_y;
   const double F_chassis_tx_z = 15305.999999999998*work.R_chassis_x_z;
@@ -4427,7 +4427,7 @@ struct AccelerationsWork {
   const double s8_1 = work.R_chassis_aux5_x_x*F_chassis_tx_x;
   const double s8_2 = work.R_chassis_x_z*F_chassis_tx_z + s8_1;
   work.s8_3 = work.R_chassis_x_y*F_chassis_tx_y + s8_2;
-  // chassis_aux2
+  // chassis_aux2: chassis_ty, prismatic, chassis_aux1
   const double F_chassis_ty_x = 15305.999999999998*work.R_chassis_aux5_y_x;
   const double F_chassis_ty_y = 15305.999999999998*work.R_chassis_y_y;
   const double F_chassis_ty_z = 15305.999999999998*work.R_chassis_y_z;
@@ -4438,7 +4438,7 @@ struct AccelerationsWork {
   const double s8_7 = work.R_chassis_aux5_x_x*F_chassis_ty_x;
   const double s8_8 = work.R_chassis_x_z*F_chassis_ty_z + s8_7;
   work.s8_9 = work.R_chassis_x_y*F_chassis_ty_y + s8_8;
-  // chassis_aux3
+  // chassis_aux3: chassis_tz, prismatic, chassis_aux2
   const double s8_10 = 15305.999999999998*work.s1_1;
   const double F_chassis_tz_y = 15305.999999999998*work.R_chassis_z_y;
   const double F_chassis_tz_z = 15305.999999999998*work.R_chassis_z_z;
@@ -4453,7 +4453,7 @@ struct AccelerationsWork {
   work.s8_16 = work.R_chassis_y_y*F_chassis_tz_y + s8_15;
   const double s8_17 = work.R_chassis_x_z*F_chassis_tz_z - work.R_chassis_aux5_x_x*s8_10;
   work.s8_18 = work.R_chassis_x_y*F_chassis_tz_y + s8_17;
-  // chassis_aux4
+  // chassis_aux4: chassis_rz, revolute, chassis_aux3
   const double F_chassis_rz_x = s8_11 - s8_12;
   const double s8_19 = work.R_chassis_z_z*N_chassis_tz_z + work.s1_1*F_chassis_rz_x;
   work.s8_20 = work.R_chassis_z_y*F_chassis_rz_y - s8_19;
@@ -4463,7 +4463,7 @@ struct AccelerationsWork {
   const double s8_24 = work.R_chassis_aux5_x_x*F_chassis_rz_x;
   const double s8_25 = s8_24 - work.R_chassis_x_z*N_chassis_tz_z;
   work.s8_26 = work.R_chassis_x_y*F_chassis_rz_y + s8_25;
-  // chassis_aux5
+  // chassis_aux5: chassis_ry, revolute, chassis_aux4
   const double F_chassis_ry_x = work.s1_3*work.F_chassis_rx_z + work.s1_2*work.s1_1084;
   const double s8_27 = work.s1_3*work.s1_1083;
   const double s8_28 = work.s1_2*work.s1_1083;
@@ -4479,7 +4479,7 @@ struct AccelerationsWork {
   work.s8_35 = s8_34 - work.R_chassis_y_y*s8_27;
   const double s8_36 = work.R_chassis_aux5_x_x*F_chassis_ry_x - work.R_chassis_x_z*s8_28;
   work.s8_37 = s8_36 - work.R_chassis_x_y*s8_27;
-  // lower_arm_left
+  // lower_arm_left: lower_arm_left, revolute, chassis
   work.s8_38 = 150.66 + work.s1_1076;
   work.F_lower_arm_left_z = work.s1_1075 - 97.2;
   work.N_lower_arm_left_x = work.s1_1077 + (0.62*work.s1_1076 - 0.4*work.s1_1075);
@@ -4490,7 +4490,7 @@ struct AccelerationsWork {
 /// Part 9 of compute_accelerations: step 8: Rz' M Rz and right-hand side (63).
 [[gnu::noinline]] void compute_accelerations_9(AccelerationsWork& __restrict work) noexcept {
   // --- step 8: Rz' M Rz and right-hand side (63), continued ---
-  // carrier_left_aux1
+  // carrier_left_aux1: carrier_left_rz, revolute, lower_arm_left
   const double s8_39 = work.R_lower_arm_left_y_y*work.s1_1066;
   const double s8_40 = s8_39 + work.R_lower_arm_left_z_y*work.s1_1067;
   const double F_carrier_left_rz_x = 218.0*work.b_carrier_left_rz_x - s8_40;
@@ -4505,7 +4505,7 @@ struct AccelerationsWork {
   const double N_carrier_left_rz_y = s8_42 - work.R_lower_arm_left_z_y*work.s1_1069 + s8_45;
   const double s8_46 = work.b_carrier_left_rz_x*work.s1_1066 + work.s1_10*work.s1_1065;
   const double N_carrier_left_rz_z = s8_43 - work.R_lower_arm_left_z_y*work.s1_1073 - s8_46;
-  // carrier_left_aux2
+  // carrier_left_aux2: carrier_left_rx, revolute, carrier_left_aux1
   const double s8_47 = work.R_carrier_left_aux1_y_x*work.s1_1067;
   const double s8_48 = work.R_carrier_left_aux1_z_x*work.s1_1065;
   const double s8_49 = work.R_carrier_left_aux1_x_x*work.s1_1066;
@@ -4530,7 +4530,7 @@ struct AccelerationsWork {
   const double N_carrier_left_rx_y = s8_63 + (s8_60 - work.b_carrier_left_rx_z*work.s1_1065);
   const double s8_64 = work.R_carrier_left_aux1_y_x*work.s1_1073 + s8_58;
   const double N_carrier_left_rx_z = s8_64 + (s8_61 - work.b_carrier_left_rx_x*work.s1_1066);
-  // carrier_left
+  // carrier_left: carrier_left_ry, revolute, carrier_left_aux2
   const double s8_65 = work.R_carrier_left_aux2_y_y*work.s1_1067;
   const double s8_66 = s8_65 - work.R_carrier_left_aux2_z_y*work.s1_1066;
   const double F_carrier_left_ry_x = s8_66 + 218.0*work.b_carrier_left_ry_x;
@@ -4548,25 +4548,25 @@ struct AccelerationsWork {
   const double N_carrier_left_ry_y = s8_74 + (s8_72 - work.b_carrier_left_ry_z*work.s1_1065);
   const double s8_75 = work.b_carrier_left_ry_x*work.s1_1066 + work.s1_22*work.s1_1065;
   const double N_carrier_left_ry_z = work.R_carrier_left_aux2_y_y*work.s1_1073 + s8_71 - s8_75;
-  // upper_arm_left
+  // upper_arm_left: upper_arm_left, revolute, chassis
   work.s8_76 = 4.2 + work.s1_200;
   work.F_upper_arm_left_z = work.s1_199 - 7.5;
   work.N_upper_arm_left_x = work.s1_205 + (0.28*work.s1_200 - 0.5*work.s1_199);
   work.N_upper_arm_left_y = 27.0 - work.s1_203;
   work.s8_77 = 15.120000000000001 + work.s1_204;
-  // arb_front_left
+  // arb_front_left: arb_front_left, revolute, chassis
   const double F_arb_front_left_x = 4.333333333333333 + work.s1_227;
   const double F_arb_front_left_z = 34.233333333333334 - work.s1_226;
   const double N_arb_front_left_x = 17.695999999999998 + work.s1_233;
   const double N_arb_front_left_y = work.s1_231 + (0.5*work.s1_227 - 3.95*work.s1_226);
   const double s8_78 = 2.2399999999999998 + work.s1_235;
-  // lower_arm_right
+  // lower_arm_right: lower_arm_right, revolute, chassis
   const double s8_79 = 150.66 + work.s1_1031;
   const double F_lower_arm_right_z = 97.2 + work.s1_1030;
   const double N_lower_arm_right_x = work.s1_1032 + (0.62*work.s1_1031 + 0.4*work.s1_1030);
   const double N_lower_arm_right_y = work.s1_1035 - 0.4*work.s1_1029;
   const double N_lower_arm_right_z = work.s1_1036 - 0.62*work.s1_1029;
-  // carrier_right_aux1
+  // carrier_right_aux1: carrier_right_rz, revolute, lower_arm_right
   const double s8_80 = work.R_lower_arm_right_y_y*work.s1_1021;
   const double s8_81 = s8_80 + work.R_lower_arm_right_z_y*work.s1_1022;
   const double F_carrier_right_rz_x = 218.0*work.b_carrier_right_rz_x - s8_81;
@@ -4581,7 +4581,7 @@ struct AccelerationsWork {
   const double N_carrier_right_rz_y = s8_83 - work.R_lower_arm_right_z_y*work.s1_1024 + s8_86;
   const double s8_87 = work.b_carrier_right_rz_x*work.s1_1021 + work.s1_37*work.s1_1020;
   const double N_carrier_right_rz_z = s8_84 - work.R_lower_arm_right_z_y*work.s1_1028 - s8_87;
-  // carrier_right_aux2
+  // carrier_right_aux2: carrier_right_rx, revolute, carrier_right_aux1
   const double s8_88 = work.R_carrier_right_aux1_y_x*work.s1_1022;
   const double s8_89 = work.R_carrier_right_aux1_z_x*work.s1_1020;
   const double s8_90 = work.R_carrier_right_aux1_x_x*work.s1_1021;
@@ -4604,7 +4604,7 @@ struct AccelerationsWork {
   const double N_carrier_right_rx_y = s8_101 + (s8_99 - work.b_carrier_right_rx_z*work.s1_1020);
   const double s8_102 = work.b_carrier_right_rx_x*work.s1_1021 + work.s1_45*work.s1_1020;
   const double N_carrier_right_rx_z = work.R_carrier_right_aux1_y_x*work.s1_1028 + s8_98 - s8_102;
-  // carrier_right
+  // carrier_right: carrier_right_ry, revolute, carrier_right_aux2
   const double s8_103 = work.R_carrier_right_aux2_y_y*work.s1_1022;
   const double s8_104 = s8_103 - work.R_carrier_right_aux2_z_y*work.s1_1021;
   const double F_carrier_right_ry_x = s8_104 + 218.0*work.b_carrier_right_ry_x;
@@ -4624,25 +4624,25 @@ struct AccelerationsWork {
   const double N_carrier_right_ry_y = s8_114 + (s8_111 - work.b_carrier_right_ry_z*work.s1_1020);
   const double s8_115 = work.R_carrier_right_aux2_y_y*work.s1_1028 + s8_109;
   const double N_carrier_right_ry_z = s8_115 + (s8_112 - work.b_carrier_right_ry_x*work.s1_1021);
-  // upper_arm_right
+  // upper_arm_right: upper_arm_right, revolute, chassis
   work.F_upper_arm_right_y = work.s1_357 - 4.2;
   work.F_upper_arm_right_z = 7.5 + work.s1_356;
   work.N_upper_arm_right_x = work.s1_362 + (0.5*work.s1_356 - 0.28*work.s1_357);
   work.s8_116 = 27.0 + work.s1_360;
   work.N_upper_arm_right_z = work.s1_361 - 15.120000000000001;
-  // arb_front_right
+  // arb_front_right: arb_front_right, revolute, chassis
   const double F_arb_front_right_x = 4.333333333333333 + work.s1_384;
   const double F_arb_front_right_z = 34.233333333333334 - work.s1_383;
   const double N_arb_front_right_x = work.s1_390 - 17.695999999999998;
   const double N_arb_front_right_y = work.s1_388 + (0.5*work.s1_384 - 3.95*work.s1_383);
   const double N_arb_front_right_z = 2.2399999999999998 + work.s1_392;
-  // pitman_arm
+  // pitman_arm: pitman_arm, revolute, chassis
   const double F_pitman_arm_x = 3.6 - work.s1_402;
   const double F_pitman_arm_z = 39.6 - work.s1_401;
   const double N_pitman_arm_x = 19.8 - work.s1_405;
   const double N_pitman_arm_y = work.s1_408 - (4.4*work.s1_401 + 0.4*work.s1_402);
   const double N_pitman_arm_z = work.s1_406 - 1.8;
-  // bell_crank
+  // bell_crank: bell_crank, revolute, chassis
   const double F_bell_crank_y = work.s1_424 - 54.16666666666667;
   const double N_bell_crank_x = work.s1_428 - 32.5;
   const double N_bell_crank_z = work.s1_431 - 3.25*work.s1_424;
@@ -5295,7 +5295,7 @@ struct AccelerationsWork {
   const double s8_752 = s8_750 - work.s3_24*work.Q_upper_arm_right + s8_751;
   const double s8_753 = s8_752 + work.Rz_pitman_arm_2*work.Q_pitman_arm;
   work.s8_754 = s8_753 + work.Rz_bell_crank_2*work.Q_bell_crank;
-  // wheel_front_left
+  // wheel_front_left: wheel_front_left, revolute, carrier_left
   const double s8_755 = work.R_carrier_left_aux2_y_y*work.s1_179;
   const double s8_756 = s8_755 - work.R_carrier_left_aux2_z_y*work.s1_178;
   const double F_wheel_front_left_x = s8_756 + 105.0*work.b_wheel_front_left_x;
@@ -5353,7 +5353,7 @@ struct AccelerationsWork {
   work.s8_803 = s8_802 - work.s3_15*s8_774;
   const double s8_804 = work.Rz_lower_arm_left_2*s8_786 + work.Rz_carrier_left_rz_2*s8_784;
   work.s8_805 = s8_804 - work.s3_29*s8_774;
-  // wheel_front_right
+  // wheel_front_right: wheel_front_right, revolute, carrier_right
   const double s8_806 = work.R_carrier_right_aux2_y_y*work.s1_336;
   const double s8_807 = s8_806 - work.R_carrier_right_aux2_z_y*work.s1_335;
   const double F_wheel_front_right_x = s8_807 + 105.0*work.b_wheel_front_right_x;
@@ -5414,7 +5414,7 @@ struct AccelerationsWork {
 [[gnu::noinline]] void compute_accelerations_11(const State& state,
     AccelerationsWork& __restrict work) noexcept {
   // --- step 8: Rz' M Rz and right-hand side (63), continued ---
-  // rear_axle_aux4
+  // rear_axle_aux4: rear_axle_rz, revolute, rear_axle_aux3
   const double z_rear_axle_ty = state.z[Coordinate::rear_axle_ty];
   const double F_rear_axle_rz_x = 1174.0*z_rear_axle_ty - work.N_rear_axle_tz_x;
   const double F_rear_axle_rz_y = work.N_rear_axle_ty_z - 1174.0*work.r_rear_axle_aux1_x;
@@ -5422,7 +5422,7 @@ struct AccelerationsWork {
   const double N_rear_axle_rz_x = work.s1_973 + work.r_rear_axle_aux1_x*work.N_rear_axle_tx_y;
   const double N_rear_axle_rz_y = work.s1_974 + z_rear_axle_ty*work.N_rear_axle_tx_y;
   const double N_rear_axle_rz_z = work.s1_971 - (z_rear_axle_ty*work.N_rear_axle_tz_x + s8_854);
-  // rear_axle_aux5
+  // rear_axle_aux5: rear_axle_ry, revolute, rear_axle_aux4
   const double s8_855 = work.R_rear_axle_aux4_x_x*work.N_rear_axle_ty_z;
   const double F_rear_axle_ry_x = work.R_rear_axle_aux4_x_x*work.N_rear_axle_tx_y -
       1174.0*work.s1_60;
@@ -5441,7 +5441,7 @@ struct AccelerationsWork {
   const double N_rear_axle_ry_y = s8_863 - (s8_861 + work.s1_60*work.N_rear_axle_tx_y);
   const double s8_864 = work.s1_60*work.N_rear_axle_tz_x - work.s1_61*work.N_rear_axle_ty_z;
   const double N_rear_axle_ry_z = s8_859 - work.R_rear_axle_aux4_y_x*work.s1_973 + s8_864;
-  // rear_axle
+  // rear_axle: rear_axle_rx, revolute, rear_axle_aux5
   const double s8_865 = work.R_rear_axle_aux5_y_x*work.N_rear_axle_tx_y;
   const double s8_866 = work.R_rear_axle_aux5_x_x*work.N_rear_axle_tx_y;
   const double s8_867 = work.R_rear_axle_aux5_x_x*work.N_rear_axle_tz_x;
@@ -5462,14 +5462,14 @@ struct AccelerationsWork {
   const double N_rear_axle_rx_y = s8_877 - (s8_874 + work.s1_66*work.N_rear_axle_tx_y);
   const double s8_878 = work.R_rear_axle_aux5_y_x*work.s1_974 + s8_872;
   const double N_rear_axle_rx_z = s8_878 + (work.s1_66*work.N_rear_axle_tz_x + s8_875);
-  // arb_rear_left
+  // arb_rear_left: arb_rear_left, revolute, chassis
   const double F_arb_rear_left_x = 3.8999999999999995 - work.s1_520;
   const double s8_879 = 28.6 + work.s1_519;
   const double s8_880 = 14.52 + work.s1_526;
   const double s8_881 = 3.3000000000000003*work.s1_519 - 0.44999999999999996*work.s1_520;
   const double N_arb_rear_left_y = work.s1_524 + s8_881;
   const double N_arb_rear_left_z = work.s1_528 - 1.9799999999999995;
-  // arb_rear_right
+  // arb_rear_right: arb_rear_right, revolute, chassis
   const double F_arb_rear_right_x = 3.8999999999999995 - work.s1_553;
   const double s8_882 = 28.6 + work.s1_552;
   const double N_arb_rear_right_x = 14.52 + work.s1_559;
@@ -5892,7 +5892,7 @@ struct AccelerationsWork {
 [[gnu::noinline]] void compute_accelerations_12(const State& state,
     AccelerationsWork& __restrict work, Accelerations& __restrict result) noexcept {
   // --- step 8: Rz' M Rz and right-hand side (63), continued ---
-  // wheel_rear_left
+  // wheel_rear_left: wheel_rear_left, revolute, rear_axle
   const double s8_1287 = work.R_rear_axle_y_y*work.s1_498 - work.R_rear_axle_z_y*work.s1_497;
   const double F_wheel_rear_left_x = s8_1287 + 200.0*work.b_wheel_rear_left_x;
   const double s8_1288 = work.R_rear_axle_z_y*work.s1_496 - work.R_rear_axle_x_y*work.s1_498;
@@ -5949,7 +5949,7 @@ struct AccelerationsWork {
   const double s8_1333 = s8_1332 - work.s3_48*F_wheel_rear_left_y - work.s3_50*s8_1316;
   const double s8_1334 = s8_1309 + (s8_1308 + (s8_1307 - work.s1_66*F_wheel_rear_left_x));
   work.s8_1335 = s8_1334 + (s8_1333 + work.Rz_rear_axle_ry_1*s8_1314);
-  // wheel_rear_right
+  // wheel_rear_right: wheel_rear_right, revolute, rear_axle
   const double s8_1336 = work.R_rear_axle_y_y*work.s1_531 - work.R_rear_axle_z_y*work.s1_530;
   const double F_wheel_rear_right_x = s8_1336 + 200.0*work.b_wheel_rear_right_x;
   const double s8_1337 = work.R_rear_axle_z_y*work.s1_529 - work.R_rear_axle_x_y*work.s1_531;
@@ -6434,11 +6434,11 @@ struct ClosureWork {
 [[gnu::noinline]] void compute_closure_1(const State& state, ClosureWork& __restrict work,
     Closure& __restrict result) noexcept {
   // --- step 1: poses, axes b, accumulated inertias MR (50) ---
-  // lower_arm_left
+  // lower_arm_left: lower_arm_left, revolute, chassis
   const double z_lower_arm_left = state.z[Coordinate::lower_arm_left];
   const double R_lower_arm_left_y_y = std::cos(z_lower_arm_left);
   const double R_lower_arm_left_z_y = std::sin(z_lower_arm_left);
-  // carrier_left_aux1
+  // carrier_left_aux1: carrier_left_rz, revolute, lower_arm_left
   const double s1_1 = 0.44999999999999996*R_lower_arm_left_y_y;
   const double s1_2 = 0.44999999999999996*R_lower_arm_left_z_y;
   const double r_carrier_left_aux1_y = 0.4 + (s1_1 + 0.04999999999999999*R_lower_arm_left_z_y);
@@ -6454,7 +6454,7 @@ struct ClosureWork {
   const double b_carrier_left_rz_x = s1_4 + R_lower_arm_left_y_y*r_carrier_left_aux1_y;
   const double s1_5 = 3.6*R_lower_arm_left_y_y;
   const double s1_6 = 3.6*R_lower_arm_left_z_y;
-  // carrier_left_aux2
+  // carrier_left_aux2: carrier_left_rx, revolute, carrier_left_aux1
   const double z_carrier_left_rx = state.z[Coordinate::carrier_left_rx];
   const double s1_7 = std::cos(z_carrier_left_rx);
   const double s1_8 = std::sin(z_carrier_left_rx);
@@ -6470,7 +6470,7 @@ struct ClosureWork {
   const double b_carrier_left_rx_y = s1_12 - 3.6*R_carrier_left_aux1_z_x;
   const double s1_13 = r_carrier_left_aux1_y*R_carrier_left_aux1_x_x;
   const double b_carrier_left_rx_z = 3.6*R_carrier_left_aux1_y_x - s1_13;
-  // carrier_left
+  // carrier_left: carrier_left_ry, revolute, carrier_left_aux2
   const double z_carrier_left_ry = state.z[Coordinate::carrier_left_ry];
   const double s1_14 = std::cos(z_carrier_left_ry);
   const double s1_15 = std::sin(z_carrier_left_ry);
@@ -6484,19 +6484,19 @@ struct ClosureWork {
   const double b_carrier_left_ry_x = s1_16 - r_carrier_left_aux1_z*R_carrier_left_aux2_y_y;
   const double s1_17 = 3.6*R_carrier_left_aux2_z_y + r_carrier_left_aux1_z*s1_9;
   const double b_carrier_left_ry_z = r_carrier_left_aux1_y*s1_9 + 3.6*R_carrier_left_aux2_y_y;
-  // upper_arm_left
+  // upper_arm_left: upper_arm_left, revolute, chassis
   const double z_upper_arm_left = state.z[Coordinate::upper_arm_left];
   const double R_upper_arm_left_y_y = std::cos(z_upper_arm_left);
   const double R_upper_arm_left_z_y = std::sin(z_upper_arm_left);
-  // arb_front_left
+  // arb_front_left: arb_front_left, revolute, chassis
   const double z_arb_front_left = state.z[Coordinate::arb_front_left];
   const double R_arb_front_left_x_x = std::cos(z_arb_front_left);
   const double R_arb_front_left_x_z = std::sin(z_arb_front_left);
-  // lower_arm_right
+  // lower_arm_right: lower_arm_right, revolute, chassis
   const double z_lower_arm_right = state.z[Coordinate::lower_arm_right];
   const double R_lower_arm_right_y_y = std::cos(z_lower_arm_right);
   const double R_lower_arm_right_z_y = std::sin(z_lower_arm_right);
-  // carrier_right_aux1
+  // carrier_right_aux1: carrier_right_rz, revolute, lower_arm_right
   const double s1_18 = 0.04999999999999999*R_lower_arm_right_z_y;
   const double s1_19 = 0.44999999999999996*R_lower_arm_right_z_y;
   const double r_carrier_right_aux1_y = s1_18 - 0.44999999999999996*R_lower_arm_right_y_y - 0.4;
@@ -6512,7 +6512,7 @@ struct ClosureWork {
   const double b_carrier_right_rz_x = s1_22 - R_lower_arm_right_z_y*s1_20;
   const double s1_23 = 3.6*R_lower_arm_right_y_y;
   const double s1_24 = 3.6*R_lower_arm_right_z_y;
-  // carrier_right_aux2
+  // carrier_right_aux2: carrier_right_rx, revolute, carrier_right_aux1
   const double z_carrier_right_rx = state.z[Coordinate::carrier_right_rx];
   const double s1_25 = std::cos(z_carrier_right_rx);
   const double s1_26 = std::sin(z_carrier_right_rx);
@@ -6530,7 +6530,7 @@ struct ClosureWork {
   const double s1_30 = 3.6*R_carrier_right_aux1_z_x + s1_20*R_carrier_right_aux1_x_x;
   const double s1_31 = r_carrier_right_aux1_y*R_carrier_right_aux1_x_x;
   const double b_carrier_right_rx_z = 3.6*R_carrier_right_aux1_y_x - s1_31;
-  // carrier_right
+  // carrier_right: carrier_right_ry, revolute, carrier_right_aux2
   const double z_carrier_right_ry = state.z[Coordinate::carrier_right_ry];
   const double s1_32 = std::cos(z_carrier_right_ry);
   const double s1_33 = std::sin(z_carrier_right_ry);
@@ -6548,31 +6548,31 @@ struct ClosureWork {
   const double b_carrier_right_ry_x = s1_20*R_carrier_right_aux2_y_y + s1_34;
   const double b_carrier_right_ry_y = s1_20*s1_27 - 3.6*R_carrier_right_aux2_z_y;
   const double b_carrier_right_ry_z = r_carrier_right_aux1_y*s1_27 + 3.6*R_carrier_right_aux2_y_y;
-  // upper_arm_right
+  // upper_arm_right: upper_arm_right, revolute, chassis
   const double z_upper_arm_right = state.z[Coordinate::upper_arm_right];
   const double R_upper_arm_right_y_y = std::cos(z_upper_arm_right);
   const double R_upper_arm_right_z_y = std::sin(z_upper_arm_right);
-  // arb_front_right
+  // arb_front_right: arb_front_right, revolute, chassis
   const double z_arb_front_right = state.z[Coordinate::arb_front_right];
   const double R_arb_front_right_x_x = std::cos(z_arb_front_right);
   const double R_arb_front_right_x_z = std::sin(z_arb_front_right);
-  // pitman_arm
+  // pitman_arm: pitman_arm, revolute, chassis
   const double z_pitman_arm = state.z[Coordinate::pitman_arm];
   const double R_pitman_arm_x_x = std::cos(z_pitman_arm);
   const double R_pitman_arm_x_z = std::sin(z_pitman_arm);
-  // bell_crank
+  // bell_crank: bell_crank, revolute, chassis
   const double z_bell_crank = state.z[Coordinate::bell_crank];
   const double R_bell_crank_x_x = std::cos(z_bell_crank);
   const double R_bell_crank_y_x = std::sin(z_bell_crank);
-  // rear_axle_aux1
+  // rear_axle_aux1: rear_axle_tx, prismatic, chassis
   work.r_rear_axle_aux1_x = state.z[Coordinate::rear_axle_tx] - 2.4999999999999996;
-  // rear_axle_aux3
+  // rear_axle_aux3: rear_axle_tz, prismatic, rear_axle_aux2
   work.r_rear_axle_aux3_z = state.z[Coordinate::rear_axle_tz] - 0.5;
-  // rear_axle_aux4
+  // rear_axle_aux4: rear_axle_rz, revolute, rear_axle_aux3
   const double z_rear_axle_rz = state.z[Coordinate::rear_axle_rz];
   work.R_rear_axle_aux4_x_x = std::cos(z_rear_axle_rz);
   work.R_rear_axle_aux4_y_x = std::sin(z_rear_axle_rz);
-  // rear_axle_aux5
+  // rear_axle_aux5: rear_axle_ry, revolute, rear_axle_aux4
   const double z_rear_axle_ry = state.z[Coordinate::rear_axle_ry];
   const double R_rear_axle_aux5_z_z = std::cos(z_rear_axle_ry);
   work.s1_35 = std::sin(z_rear_axle_ry);
@@ -6585,7 +6585,7 @@ struct ClosureWork {
   const double z_rear_axle_ty = state.z[Coordinate::rear_axle_ty];
   const double s1_38 = work.r_rear_axle_aux1_x*work.R_rear_axle_aux4_x_x;
   work.b_rear_axle_ry_z = z_rear_axle_ty*work.R_rear_axle_aux4_y_x + s1_38;
-  // rear_axle
+  // rear_axle: rear_axle_rx, revolute, rear_axle_aux5
   const double z_rear_axle_rx = state.z[Coordinate::rear_axle_rx];
   const double s1_39 = std::cos(z_rear_axle_rx);
   const double s1_40 = std::sin(z_rear_axle_rx);
@@ -6601,11 +6601,11 @@ struct ClosureWork {
   work.b_rear_axle_rx_y = work.r_rear_axle_aux1_x*work.s1_35 + s1_43;
   const double s1_44 = work.r_rear_axle_aux1_x*work.R_rear_axle_aux5_y_x;
   work.b_rear_axle_rx_z = s1_44 - z_rear_axle_ty*work.R_rear_axle_aux5_x_x;
-  // arb_rear_left
+  // arb_rear_left: arb_rear_left, revolute, chassis
   const double z_arb_rear_left = state.z[Coordinate::arb_rear_left];
   work.R_arb_rear_left_x_x = std::cos(z_arb_rear_left);
   work.R_arb_rear_left_x_z = std::sin(z_arb_rear_left);
-  // arb_rear_right
+  // arb_rear_right: arb_rear_right, revolute, chassis
   const double z_arb_rear_right = state.z[Coordinate::arb_rear_right];
   work.R_arb_rear_right_x_x = std::cos(z_arb_rear_right);
   work.R_arb_rear_right_x_z = std::sin(z_arb_rear_right);
@@ -7365,17 +7365,17 @@ struct MultipliersWork {
 [[gnu::noinline]] void compute_multipliers_1(const State& state,
     MultipliersWork& __restrict work) noexcept {
   // --- step 1: poses, axes b, accumulated inertias MR (50) ---
-  // chassis_aux4
+  // chassis_aux4: chassis_rz, revolute, chassis_aux3
   const double z_chassis_rz = state.z[Coordinate::chassis_rz];
   const double R_chassis_aux4_x_x = std::cos(z_chassis_rz);
   const double R_chassis_aux4_y_x = std::sin(z_chassis_rz);
-  // chassis_aux5
+  // chassis_aux5: chassis_ry, revolute, chassis_aux4
   const double z_chassis_ry = state.z[Coordinate::chassis_ry];
   const double R_chassis_aux5_z_z = std::cos(z_chassis_ry);
   work.s1_1 = std::sin(z_chassis_ry);
   work.R_chassis_aux5_x_x = R_chassis_aux4_x_x*R_chassis_aux5_z_z;
   work.R_chassis_aux5_y_x = R_chassis_aux4_y_x*R_chassis_aux5_z_z;
-  // chassis
+  // chassis: chassis_rx, revolute, chassis_aux5
   const double z_chassis_rx = state.z[Coordinate::chassis_rx];
   work.s1_2 = std::cos(z_chassis_rx);
   work.s1_3 = std::sin(z_chassis_rx);
@@ -7387,11 +7387,11 @@ struct MultipliersWork {
   work.R_chassis_x_z = R_chassis_aux4_y_x*work.s1_3 + R_chassis_aux4_x_x*s1_5;
   work.R_chassis_y_y = R_chassis_aux4_x_x*work.s1_2 + R_chassis_aux4_y_x*s1_4;
   work.R_chassis_y_z = R_chassis_aux4_y_x*s1_5 - R_chassis_aux4_x_x*work.s1_3;
-  // lower_arm_left
+  // lower_arm_left: lower_arm_left, revolute, chassis
   const double z_lower_arm_left = state.z[Coordinate::lower_arm_left];
   work.R_lower_arm_left_y_y = std::cos(z_lower_arm_left);
   work.R_lower_arm_left_z_y = std::sin(z_lower_arm_left);
-  // carrier_left_aux1
+  // carrier_left_aux1: carrier_left_rz, revolute, lower_arm_left
   const double s1_6 = 0.44999999999999996*work.R_lower_arm_left_y_y;
   const double s1_7 = 0.44999999999999996*work.R_lower_arm_left_z_y;
   work.r_carrier_left_aux1_y = 0.4 + (s1_6 + 0.04999999999999999*work.R_lower_arm_left_z_y);
@@ -7407,7 +7407,7 @@ struct MultipliersWork {
   work.b_carrier_left_rz_x = s1_9 + work.R_lower_arm_left_y_y*work.r_carrier_left_aux1_y;
   work.s1_10 = 3.6*work.R_lower_arm_left_y_y;
   work.s1_11 = 3.6*work.R_lower_arm_left_z_y;
-  // carrier_left_aux2
+  // carrier_left_aux2: carrier_left_rx, revolute, carrier_left_aux1
   const double z_carrier_left_rx = state.z[Coordinate::carrier_left_rx];
   const double s1_12 = std::cos(z_carrier_left_rx);
   const double s1_13 = std::sin(z_carrier_left_rx);
@@ -7418,7 +7418,7 @@ struct MultipliersWork {
   const double s1_15 = R_carrier_left_aux1_y_y*s1_13 + work.R_lower_arm_left_z_y*s1_12;
   const double R_carrier_left_aux2_z_z = work.R_lower_arm_left_y_y*s1_12 -
       R_carrier_left_aux1_z_y*s1_13;
-  // carrier_left
+  // carrier_left: carrier_left_ry, revolute, carrier_left_aux2
   const double z_carrier_left_ry = state.z[Coordinate::carrier_left_ry];
   const double s1_16 = std::cos(z_carrier_left_ry);
   const double s1_17 = std::sin(z_carrier_left_ry);
@@ -7433,7 +7433,7 @@ struct MultipliersWork {
   work.s1_19 = 3.6*work.R_carrier_left_aux2_z_y + work.r_carrier_left_aux1_z*work.s1_14;
   work.b_carrier_left_ry_z = work.r_carrier_left_aux1_y*work.s1_14 +
       3.6*work.R_carrier_left_aux2_y_y;
-  // wheel_front_left
+  // wheel_front_left: wheel_front_left, revolute, carrier_left
   const double s1_20 = 0.16999999999999998*work.R_carrier_left_x_z;
   const double s1_21 = 0.17499999999999993*work.R_carrier_left_aux2_y_y;
   const double s1_22 = 0.17499999999999993*work.R_carrier_left_aux2_z_y;
@@ -7442,19 +7442,19 @@ struct MultipliersWork {
   work.r_wheel_front_left_y = work.r_carrier_left_aux1_y + s1_23;
   const double s1_24 = s1_22 + 0.16999999999999998*work.R_carrier_left_z_z;
   work.r_wheel_front_left_z = work.r_carrier_left_aux1_z + s1_24;
-  // upper_arm_left
+  // upper_arm_left: upper_arm_left, revolute, chassis
   const double z_upper_arm_left = state.z[Coordinate::upper_arm_left];
   work.R_upper_arm_left_y_y = std::cos(z_upper_arm_left);
   work.R_upper_arm_left_z_y = std::sin(z_upper_arm_left);
-  // arb_front_left
+  // arb_front_left: arb_front_left, revolute, chassis
   const double z_arb_front_left = state.z[Coordinate::arb_front_left];
   work.R_arb_front_left_x_x = std::cos(z_arb_front_left);
   work.R_arb_front_left_x_z = std::sin(z_arb_front_left);
-  // lower_arm_right
+  // lower_arm_right: lower_arm_right, revolute, chassis
   const double z_lower_arm_right = state.z[Coordinate::lower_arm_right];
   work.R_lower_arm_right_y_y = std::cos(z_lower_arm_right);
   work.R_lower_arm_right_z_y = std::sin(z_lower_arm_right);
-  // carrier_right_aux1
+  // carrier_right_aux1: carrier_right_rz, revolute, lower_arm_right
   const double s1_25 = 0.04999999999999999*work.R_lower_arm_right_z_y;
   const double s1_26 = 0.44999999999999996*work.R_lower_arm_right_z_y;
   work.r_carrier_right_aux1_y = s1_25 - 0.44999999999999996*work.R_lower_arm_right_y_y - 0.4;
@@ -7466,7 +7466,7 @@ struct MultipliersWork {
   work.R_carrier_right_aux1_z_x = work.R_lower_arm_right_z_y*s1_28;
   const double R_carrier_right_aux1_y_y = work.R_lower_arm_right_y_y*work.R_carrier_right_aux1_x_x;
   const double R_carrier_right_aux1_z_y = work.R_lower_arm_right_z_y*work.R_carrier_right_aux1_x_x;
-  // carrier_right_aux2
+  // carrier_right_aux2: carrier_right_rx, revolute, carrier_right_aux1
   const double z_carrier_right_rx = state.z[Coordinate::carrier_right_rx];
   const double s1_29 = std::cos(z_carrier_right_rx);
   const double s1_30 = std::sin(z_carrier_right_rx);
@@ -7477,7 +7477,7 @@ struct MultipliersWork {
   const double s1_32 = R_carrier_right_aux1_y_y*s1_30 + work.R_lower_arm_right_z_y*s1_29;
   const double R_carrier_right_aux2_z_z = work.R_lower_arm_right_y_y*s1_29 -
       R_carrier_right_aux1_z_y*s1_30;
-  // carrier_right
+  // carrier_right: carrier_right_ry, revolute, carrier_right_aux2
   const double z_carrier_right_ry = state.z[Coordinate::carrier_right_ry];
   const double s1_33 = std::cos(z_carrier_right_ry);
   const double s1_34 = std::sin(z_carrier_right_ry);
@@ -7492,7 +7492,7 @@ struct MultipliersWork {
   work.b_carrier_right_ry_y = work.s1_27*work.s1_31 - 3.6*work.R_carrier_right_aux2_z_y;
   const double s1_36 = work.r_carrier_right_aux1_y*work.s1_31;
   work.b_carrier_right_ry_z = s1_36 + 3.6*work.R_carrier_right_aux2_y_y;
-  // wheel_front_right
+  // wheel_front_right: wheel_front_right, revolute, carrier_right
   const double s1_37 = 0.16999999999999998*work.R_carrier_right_x_z;
   const double s1_38 = 0.17499999999999993*work.R_carrier_right_aux2_y_y;
   const double s1_39 = 0.17499999999999993*work.R_carrier_right_aux2_z_y;
@@ -7500,31 +7500,31 @@ struct MultipliersWork {
   const double s1_40 = 0.16999999999999998*work.R_carrier_right_y_z - s1_38;
   work.r_wheel_front_right_y = work.r_carrier_right_aux1_y + s1_40;
   work.r_wheel_front_right_z = 0.16999999999999998*work.R_carrier_right_z_z - s1_39 - work.s1_27;
-  // upper_arm_right
+  // upper_arm_right: upper_arm_right, revolute, chassis
   const double z_upper_arm_right = state.z[Coordinate::upper_arm_right];
   work.R_upper_arm_right_y_y = std::cos(z_upper_arm_right);
   work.R_upper_arm_right_z_y = std::sin(z_upper_arm_right);
-  // arb_front_right
+  // arb_front_right: arb_front_right, revolute, chassis
   const double z_arb_front_right = state.z[Coordinate::arb_front_right];
   work.R_arb_front_right_x_x = std::cos(z_arb_front_right);
   work.R_arb_front_right_x_z = std::sin(z_arb_front_right);
-  // pitman_arm
+  // pitman_arm: pitman_arm, revolute, chassis
   const double z_pitman_arm = state.z[Coordinate::pitman_arm];
   work.R_pitman_arm_x_x = std::cos(z_pitman_arm);
   work.R_pitman_arm_x_z = std::sin(z_pitman_arm);
-  // bell_crank
+  // bell_crank: bell_crank, revolute, chassis
   const double z_bell_crank = state.z[Coordinate::bell_crank];
   work.R_bell_crank_x_x = std::cos(z_bell_crank);
   work.R_bell_crank_y_x = std::sin(z_bell_crank);
-  // rear_axle_aux1
+  // rear_axle_aux1: rear_axle_tx, prismatic, chassis
   work.r_rear_axle_aux1_x = state.z[Coordinate::rear_axle_tx] - 2.4999999999999996;
-  // rear_axle_aux3
+  // rear_axle_aux3: rear_axle_tz, prismatic, rear_axle_aux2
   work.r_rear_axle_aux3_z = state.z[Coordinate::rear_axle_tz] - 0.5;
-  // rear_axle_aux4
+  // rear_axle_aux4: rear_axle_rz, revolute, rear_axle_aux3
   const double z_rear_axle_rz = state.z[Coordinate::rear_axle_rz];
   work.R_rear_axle_aux4_x_x = std::cos(z_rear_axle_rz);
   work.R_rear_axle_aux4_y_x = std::sin(z_rear_axle_rz);
-  // rear_axle_aux5
+  // rear_axle_aux5: rear_axle_ry, revolute, rear_axle_aux4
   const double z_rear_axle_ry = state.z[Coordinate::rear_axle_ry];
   const double R_rear_axle_aux5_z_z = std::cos(z_rear_axle_ry);
   work.s1_41 = std::sin(z_rear_axle_ry);
@@ -7537,7 +7537,7 @@ struct MultipliersWork {
   const double z_rear_axle_ty = state.z[Coordinate::rear_axle_ty];
   const double s1_44 = work.r_rear_axle_aux1_x*work.R_rear_axle_aux4_x_x;
   work.b_rear_axle_ry_z = z_rear_axle_ty*work.R_rear_axle_aux4_y_x + s1_44;
-  // rear_axle
+  // rear_axle: rear_axle_rx, revolute, rear_axle_aux5
   const double z_rear_axle_rx = state.z[Coordinate::rear_axle_rx];
   const double s1_45 = std::cos(z_rear_axle_rx);
   const double s1_46 = std::sin(z_rear_axle_rx);
@@ -7547,26 +7547,26 @@ struct MultipliersWork {
   work.R_rear_axle_x_z = work.R_rear_axle_aux4_y_x*s1_46 + R_rear_axle_aux5_x_z*s1_45;
   work.R_rear_axle_y_z = R_rear_axle_aux5_y_z*s1_45 - work.R_rear_axle_aux4_x_x*s1_46;
   work.R_rear_axle_z_z = R_rear_axle_aux5_z_z*s1_45;
-  // wheel_rear_left
+  // wheel_rear_left: wheel_rear_left, revolute, rear_axle
   const double s1_47 = 0.93*work.R_rear_axle_x_y;
   const double s1_48 = 0.93*work.R_rear_axle_y_y;
   const double s1_49 = 0.93*work.R_rear_axle_z_y;
   work.r_wheel_rear_left_x = work.r_rear_axle_aux1_x + s1_47;
   work.r_wheel_rear_left_y = z_rear_axle_ty + s1_48;
   work.r_wheel_rear_left_z = work.r_rear_axle_aux3_z + s1_49;
-  // arb_rear_left
+  // arb_rear_left: arb_rear_left, revolute, chassis
   const double z_arb_rear_left = state.z[Coordinate::arb_rear_left];
   work.R_arb_rear_left_x_x = std::cos(z_arb_rear_left);
   work.R_arb_rear_left_x_z = std::sin(z_arb_rear_left);
-  // wheel_rear_right
+  // wheel_rear_right: wheel_rear_right, revolute, rear_axle
   work.r_wheel_rear_right_x = work.r_rear_axle_aux1_x - s1_47;
   work.r_wheel_rear_right_y = z_rear_axle_ty - s1_48;
   work.r_wheel_rear_right_z = work.r_rear_axle_aux3_z - s1_49;
-  // arb_rear_right
+  // arb_rear_right: arb_rear_right, revolute, chassis
   const double z_arb_rear_right = state.z[Coordinate::arb_rear_right];
   work.R_arb_rear_right_x_x = std::cos(z_arb_rear_right);
   work.R_arb_rear_right_x_z = std::sin(z_arb_rear_right);
-  // lower_arm_left
+  // lower_arm_left: lower_arm_left, revolute, chassis
   const double s1_50 = 0.025000000000000022*work.R_lower_arm_left_z_y;
   const double s1_51 = 0.025000000000000022*work.R_lower_arm_left_y_y;
   work.s1_52 = 0.4 + (0.21999999999999997*work.R_lower_arm_left_y_y + s1_50);
@@ -7577,7 +7577,7 @@ struct MultipliersWork {
   work.s1_57 = s1_56 + work.R_lower_arm_left_z_y*(0.8*work.R_lower_arm_left_z_y);
   work.s1_58 = work.R_lower_arm_left_z_y*s1_54 + work.R_lower_arm_left_y_y*s1_55;
   work.s1_59 = work.R_lower_arm_left_y_y*s1_54 - work.R_lower_arm_left_z_y*s1_55;
-  // carrier_left
+  // carrier_left: carrier_left_ry, revolute, carrier_left_aux2
   const double s1_60 = 0.003952802359882006*work.R_carrier_left_x_x;
   const double s1_61 = 0.16710914454277284*work.R_carrier_left_x_z - s1_60;
   const double s1_62 = 0.003952802359882006*work.R_carrier_left_y_x;
@@ -7626,7 +7626,7 @@ struct MultipliersWork {
   work.s1_105 = s1_104 - work.s1_14*s1_91;
   const double s1_106 = work.R_carrier_left_y_z*s1_94 + work.R_carrier_left_y_x*s1_88;
   work.s1_107 = work.R_carrier_left_aux2_y_y*s1_91 + s1_106;
-  // wheel_front_left
+  // wheel_front_left: wheel_front_left, revolute, carrier_left
   const double s1_108 = 6.0*work.R_carrier_left_y_x;
   const double s1_109 = 11.0*work.R_carrier_left_aux2_y_y;
   const double s1_110 = 6.0*work.R_carrier_left_y_z;
@@ -7646,7 +7646,7 @@ struct MultipliersWork {
   work.s1_124 = s1_123 - work.s1_14*s1_112;
   const double s1_125 = work.R_carrier_left_y_z*s1_113 + work.R_carrier_left_y_x*s1_111;
   work.s1_126 = work.R_carrier_left_aux2_y_y*s1_112 + s1_125;
-  // upper_arm_left
+  // upper_arm_left: upper_arm_left, revolute, chassis
   const double s1_127 = 0.010000000000000009*work.R_upper_arm_left_z_y;
   const double s1_128 = 0.010000000000000009*work.R_upper_arm_left_y_y;
   work.s1_129 = 0.5 + (0.15000000000000002*work.R_upper_arm_left_y_y + s1_127);
@@ -7657,7 +7657,7 @@ struct MultipliersWork {
   work.s1_134 = work.R_upper_arm_left_y_y*(0.1*work.R_upper_arm_left_y_y) + s1_133;
   work.s1_135 = work.R_upper_arm_left_z_y*s1_131 + work.R_upper_arm_left_y_y*s1_132;
   work.s1_136 = work.R_upper_arm_left_y_y*s1_131 - work.R_upper_arm_left_z_y*s1_132;
-  // arb_front_left
+  // arb_front_left: arb_front_left, revolute, chassis
   const double s1_137 = 0.053846153846153884*work.R_arb_front_left_x_z;
   const double s1_138 = 0.053846153846153884*work.R_arb_front_left_x_x;
   work.s1_139 = 3.95 + (s1_137 - 0.1392307692307692*work.R_arb_front_left_x_x);
@@ -7675,7 +7675,7 @@ struct MultipliersWork {
   work.s1_151 = work.R_arb_front_left_x_z*s1_149 + work.R_arb_front_left_x_x*s1_150;
   work.s1_152 = work.R_arb_front_left_x_x*s1_148 - work.R_arb_front_left_x_z*s1_145;
   work.s1_153 = work.R_arb_front_left_x_z*s1_148 + work.R_arb_front_left_x_x*s1_145;
-  // lower_arm_right
+  // lower_arm_right: lower_arm_right, revolute, chassis
   const double s1_154 = 0.025000000000000022*work.R_lower_arm_right_z_y;
   const double s1_155 = 0.025000000000000022*work.R_lower_arm_right_y_y;
   work.s1_156 = s1_154 - 0.21999999999999997*work.R_lower_arm_right_y_y - 0.4;
@@ -7686,7 +7686,7 @@ struct MultipliersWork {
   work.s1_161 = s1_160 + work.R_lower_arm_right_z_y*(0.8*work.R_lower_arm_right_z_y);
   work.s1_162 = work.R_lower_arm_right_z_y*s1_158 + work.R_lower_arm_right_y_y*s1_159;
   work.s1_163 = work.R_lower_arm_right_y_y*s1_158 - work.R_lower_arm_right_z_y*s1_159;
-  // carrier_right
+  // carrier_right: carrier_right_ry, revolute, carrier_right_aux2
   const double s1_164 = 0.003952802359882006*work.R_carrier_right_x_x;
   const double s1_165 = 0.16710914454277284*work.R_carrier_right_x_z - s1_164;
   const double s1_166 = 0.003952802359882006*work.R_carrier_right_y_x;
@@ -7734,7 +7734,7 @@ struct MultipliersWork {
   work.s1_208 = s1_207 - work.s1_31*s1_194;
   const double s1_209 = work.R_carrier_right_y_z*s1_197 + work.R_carrier_right_y_x*s1_191;
   work.s1_210 = work.R_carrier_right_aux2_y_y*s1_194 + s1_209;
-  // wheel_front_right
+  // wheel_front_right: wheel_front_right, revolute, carrier_right
   const double s1_211 = 6.0*work.R_carrier_right_y_x;
   const double s1_212 = 11.0*work.R_carrier_right_aux2_y_y;
   const double s1_213 = 6.0*work.R_carrier_right_y_z;
@@ -7754,7 +7754,7 @@ struct MultipliersWork {
   work.s1_227 = s1_226 - work.s1_31*s1_215;
   const double s1_228 = work.R_carrier_right_y_z*s1_216 + work.R_carrier_right_y_x*s1_214;
   work.s1_229 = work.R_carrier_right_aux2_y_y*s1_215 + s1_228;
-  // upper_arm_right
+  // upper_arm_right: upper_arm_right, revolute, chassis
   const double s1_230 = 0.010000000000000009*work.R_upper_arm_right_z_y;
   const double s1_231 = 0.010000000000000009*work.R_upper_arm_right_y_y;
   work.s1_232 = s1_230 - 0.15000000000000002*work.R_upper_arm_right_y_y - 0.5;
@@ -7765,7 +7765,7 @@ struct MultipliersWork {
   work.s1_237 = work.R_upper_arm_right_y_y*(0.1*work.R_upper_arm_right_y_y) + s1_236;
   work.s1_238 = work.R_upper_arm_right_z_y*s1_234 + work.R_upper_arm_right_y_y*s1_235;
   work.s1_239 = work.R_upper_arm_right_y_y*s1_234 - work.R_upper_arm_right_z_y*s1_235;
-  // arb_front_right
+  // arb_front_right: arb_front_right, revolute, chassis
   const double s1_240 = 0.053846153846153884*work.R_arb_front_right_x_z;
   const double s1_241 = 0.053846153846153884*work.R_arb_front_right_x_x;
   work.s1_242 = 3.95 + (s1_240 - 0.1392307692307692*work.R_arb_front_right_x_x);
@@ -7783,7 +7783,7 @@ struct MultipliersWork {
   work.s1_254 = work.R_arb_front_right_x_z*s1_252 + work.R_arb_front_right_x_x*s1_253;
   work.s1_255 = work.R_arb_front_right_x_x*s1_251 - work.R_arb_front_right_x_z*s1_248;
   work.s1_256 = work.R_arb_front_right_x_z*s1_251 + work.R_arb_front_right_x_x*s1_248;
-  // pitman_arm
+  // pitman_arm: pitman_arm, revolute, chassis
   work.s1_257 = 4.4 - 0.14666666666666664*work.R_pitman_arm_x_z;
   work.s1_258 = 0.4 + 0.14666666666666664*work.R_pitman_arm_x_x;
   const double s1_259 = 0.0742*work.R_pitman_arm_x_z;
@@ -7792,7 +7792,7 @@ struct MultipliersWork {
   work.s1_262 = work.R_pitman_arm_x_z*(0.03*work.R_pitman_arm_x_z) + s1_261;
   work.s1_263 = work.R_pitman_arm_x_x*s1_260 + work.R_pitman_arm_x_z*s1_259;
   work.s1_264 = work.R_pitman_arm_x_z*s1_260 - work.R_pitman_arm_x_x*s1_259;
-  // bell_crank
+  // bell_crank: bell_crank, revolute, chassis
   const double s1_265 = 0.09720000000000001*work.R_bell_crank_y_x;
   const double s1_266 = 0.09720000000000001*work.R_bell_crank_x_x;
   work.s1_267 = s1_266 - 0.09380000000000002*work.R_bell_crank_y_x;
@@ -7806,7 +7806,7 @@ struct MultipliersWork {
   work.s1_275 = work.R_bell_crank_y_x*s1_273 + work.R_bell_crank_x_x*s1_274;
   work.s1_276 = work.R_bell_crank_x_x*s1_272 + work.R_bell_crank_y_x*s1_271;
   work.s1_277 = work.R_bell_crank_x_x*s1_271 - work.R_bell_crank_y_x*s1_272;
-  // rear_axle
+  // rear_axle: rear_axle_rx, revolute, rear_axle_aux5
   const double s1_278 = 0.00017226528854435476*work.R_rear_axle_aux5_x_x;
   const double s1_279 = 0.00017226528854435476*work.R_rear_axle_aux5_y_x;
   const double s1_280 = 0.0019465977605512485*work.R_rear_axle_z_z;
@@ -7838,7 +7838,7 @@ struct MultipliersWork {
   work.s1_306 = work.R_rear_axle_x_y*s1_293 + s1_305;
   const double s1_307 = work.R_rear_axle_y_z*s1_294 - work.R_rear_axle_aux5_y_x*s1_292;
   work.s1_308 = work.R_rear_axle_y_y*s1_293 + s1_307;
-  // wheel_rear_left
+  // wheel_rear_left: wheel_rear_left, revolute, rear_axle
   const double s1_309 = 14.0*work.R_rear_axle_aux5_y_x;
   const double s1_310 = 22.0*work.R_rear_axle_y_y;
   const double s1_311 = 14.0*work.R_rear_axle_y_z;
@@ -7865,7 +7865,7 @@ struct MultipliersWork {
 [[gnu::noinline]] void compute_multipliers_2(const State& state, const Derivative& derivative,
     MultipliersWork& __restrict work) noexcept {
   // --- step 1: poses, axes b, accumulated inertias MR (50), continued ---
-  // arb_rear_left
+  // arb_rear_left: arb_rear_left, revolute, chassis
   work.s1_328 = 0.16538461538461574*work.R_arb_rear_left_x_x - 3.3000000000000003;
   work.s1_329 = 0.44999999999999996 + 0.16538461538461574*work.R_arb_rear_left_x_z;
   work.s1_330 = 0.012307692307692316*work.R_arb_rear_left_x_x;
@@ -7877,7 +7877,7 @@ struct MultipliersWork {
   work.s1_336 = s1_334 + s1_335;
   work.s1_337 = work.R_arb_rear_left_x_x*s1_333 + work.R_arb_rear_left_x_z*s1_331;
   work.s1_338 = work.R_arb_rear_left_x_z*s1_333 - work.R_arb_rear_left_x_x*s1_331;
-  // arb_rear_right
+  // arb_rear_right: arb_rear_right, revolute, chassis
   work.s1_339 = 0.16538461538461574*work.R_arb_rear_right_x_x - 3.3000000000000003;
   work.s1_340 = 0.44999999999999996 + 0.16538461538461574*work.R_arb_rear_right_x_z;
   work.s1_341 = 0.012307692307692316*work.R_arb_rear_right_x_x;
@@ -8009,7 +8009,7 @@ struct MultipliersWork {
   // operations: 380 add, 583 multiply, 44 sin cos
 
   // --- step 4: velocities Z (36) ---
-  // chassis
+  // chassis: chassis_rx, revolute, chassis_aux5
   const double zd_chassis_rz = state.zd[Coordinate::chassis_rz];
   const double s2_1 = zd_chassis_rz*work.s1_1;
   const double s2_2 = zd_chassis_rz*work.R_chassis_z_y;
@@ -8021,16 +8021,16 @@ struct MultipliersWork {
   work.w_chassis_z = s2_3 - s2_5;
   const double zd_chassis_rx = state.zd[Coordinate::chassis_rx];
   work.w_chassis_x = zd_chassis_rx - s2_1;
-  // lower_arm_left
+  // lower_arm_left: lower_arm_left, revolute, chassis
   const double zd_lower_arm_left = state.zd[Coordinate::lower_arm_left];
   const double w_lower_arm_left_x = zd_lower_arm_left + work.w_chassis_x;
-  // carrier_left_aux1
+  // carrier_left_aux1: carrier_left_rz, revolute, lower_arm_left
   const double zd_carrier_left_rz = state.zd[Coordinate::carrier_left_rz];
   const double s2_6 = zd_carrier_left_rz*work.R_lower_arm_left_z_y;
   const double s2_7 = zd_carrier_left_rz*work.R_lower_arm_left_y_y;
   const double w_carrier_left_aux1_y = work.w_chassis_y - s2_6;
   const double w_carrier_left_aux1_z = work.w_chassis_z + s2_7;
-  // carrier_left_aux2
+  // carrier_left_aux2: carrier_left_rx, revolute, carrier_left_aux1
   const double zd_carrier_left_rx = state.zd[Coordinate::carrier_left_rx];
   const double s2_8 = zd_carrier_left_rx*work.R_carrier_left_aux1_x_x;
   const double s2_9 = zd_carrier_left_rx*work.R_carrier_left_aux1_y_x;
@@ -8038,7 +8038,7 @@ struct MultipliersWork {
   const double w_carrier_left_aux2_x = w_lower_arm_left_x + s2_8;
   const double w_carrier_left_aux2_y = w_carrier_left_aux1_y + s2_9;
   const double w_carrier_left_aux2_z = w_carrier_left_aux1_z + s2_10;
-  // carrier_left
+  // carrier_left: carrier_left_ry, revolute, carrier_left_aux2
   const double zd_carrier_left_ry = state.zd[Coordinate::carrier_left_ry];
   const double s2_11 = zd_carrier_left_ry*work.s1_14;
   const double s2_12 = zd_carrier_left_ry*work.R_carrier_left_aux2_y_y;
@@ -8046,7 +8046,7 @@ struct MultipliersWork {
   work.w_carrier_left_x = w_carrier_left_aux2_x - s2_11;
   work.w_carrier_left_y = w_carrier_left_aux2_y + s2_12;
   work.w_carrier_left_z = w_carrier_left_aux2_z + s2_13;
-  // wheel_front_left
+  // wheel_front_left: wheel_front_left, revolute, carrier_left
   const double zd_wheel_front_left = state.zd[Coordinate::wheel_front_left];
   const double s2_14 = zd_wheel_front_left*work.s1_14;
   const double s2_15 = zd_wheel_front_left*work.R_carrier_left_aux2_y_y;
@@ -8054,22 +8054,22 @@ struct MultipliersWork {
   work.w_wheel_front_left_x = work.w_carrier_left_x - s2_14;
   work.w_wheel_front_left_y = work.w_carrier_left_y + s2_15;
   work.w_wheel_front_left_z = work.w_carrier_left_z + s2_16;
-  // upper_arm_left
+  // upper_arm_left: upper_arm_left, revolute, chassis
   const double zd_upper_arm_left = state.zd[Coordinate::upper_arm_left];
   const double w_upper_arm_left_x = zd_upper_arm_left + work.w_chassis_x;
-  // arb_front_left
+  // arb_front_left: arb_front_left, revolute, chassis
   const double zd_arb_front_left = state.zd[Coordinate::arb_front_left];
   work.w_arb_front_left_y = zd_arb_front_left + work.w_chassis_y;
-  // lower_arm_right
+  // lower_arm_right: lower_arm_right, revolute, chassis
   const double zd_lower_arm_right = state.zd[Coordinate::lower_arm_right];
   const double w_lower_arm_right_x = zd_lower_arm_right + work.w_chassis_x;
-  // carrier_right_aux1
+  // carrier_right_aux1: carrier_right_rz, revolute, lower_arm_right
   const double zd_carrier_right_rz = state.zd[Coordinate::carrier_right_rz];
   const double s2_17 = zd_carrier_right_rz*work.R_lower_arm_right_z_y;
   const double s2_18 = zd_carrier_right_rz*work.R_lower_arm_right_y_y;
   const double w_carrier_right_aux1_y = work.w_chassis_y - s2_17;
   const double w_carrier_right_aux1_z = work.w_chassis_z + s2_18;
-  // carrier_right_aux2
+  // carrier_right_aux2: carrier_right_rx, revolute, carrier_right_aux1
   const double zd_carrier_right_rx = state.zd[Coordinate::carrier_right_rx];
   const double s2_19 = zd_carrier_right_rx*work.R_carrier_right_aux1_x_x;
   const double s2_20 = zd_carrier_right_rx*work.R_carrier_right_aux1_y_x;
@@ -8077,7 +8077,7 @@ struct MultipliersWork {
   const double w_carrier_right_aux2_x = w_lower_arm_right_x + s2_19;
   const double w_carrier_right_aux2_y = w_carrier_right_aux1_y + s2_20;
   const double w_carrier_right_aux2_z = w_carrier_right_aux1_z + s2_21;
-  // carrier_right
+  // carrier_right: carrier_right_ry, revolute, carrier_right_aux2
   const double zd_carrier_right_ry = state.zd[Coordinate::carrier_right_ry];
   const double s2_22 = zd_carrier_right_ry*work.s1_31;
   const double s2_23 = zd_carrier_right_ry*work.R_carrier_right_aux2_y_y;
@@ -8085,7 +8085,7 @@ struct MultipliersWork {
   work.w_carrier_right_x = w_carrier_right_aux2_x - s2_22;
   work.w_carrier_right_y = w_carrier_right_aux2_y + s2_23;
   work.w_carrier_right_z = w_carrier_right_aux2_z + s2_24;
-  // wheel_front_right
+  // wheel_front_right: wheel_front_right, revolute, carrier_right
   const double zd_wheel_front_right = state.zd[Coordinate::wheel_front_right];
   const double s2_25 = zd_wheel_front_right*work.s1_31;
   const double s2_26 = zd_wheel_front_right*work.R_carrier_right_aux2_y_y;
@@ -8093,24 +8093,24 @@ struct MultipliersWork {
   work.w_wheel_front_right_x = work.w_carrier_right_x - s2_25;
   work.w_wheel_front_right_y = work.w_carrier_right_y + s2_26;
   work.w_wheel_front_right_z = work.w_carrier_right_z + s2_27;
-  // upper_arm_right
+  // upper_arm_right: upper_arm_right, revolute, chassis
   const double zd_upper_arm_right = state.zd[Coordinate::upper_arm_right];
   const double w_upper_arm_right_x = zd_upper_arm_right + work.w_chassis_x;
-  // arb_front_right
+  // arb_front_right: arb_front_right, revolute, chassis
   work.w_arb_front_right_y = state.zd[Coordinate::arb_front_right] + work.w_chassis_y;
-  // pitman_arm
+  // pitman_arm: pitman_arm, revolute, chassis
   work.w_pitman_arm_y = state.zd[Coordinate::pitman_arm] + work.w_chassis_y;
-  // bell_crank
+  // bell_crank: bell_crank, revolute, chassis
   work.w_bell_crank_z = state.zd[Coordinate::bell_crank] + work.w_chassis_z;
-  // rear_axle_aux4
+  // rear_axle_aux4: rear_axle_rz, revolute, rear_axle_aux3
   work.w_rear_axle_aux4_z = state.zd[Coordinate::rear_axle_rz] + work.w_chassis_z;
-  // rear_axle_aux5
+  // rear_axle_aux5: rear_axle_ry, revolute, rear_axle_aux4
   const double zd_rear_axle_ry = state.zd[Coordinate::rear_axle_ry];
   work.s2_28 = zd_rear_axle_ry*work.R_rear_axle_aux4_y_x;
   work.s2_29 = zd_rear_axle_ry*work.R_rear_axle_aux4_x_x;
   work.w_rear_axle_aux5_x = work.w_chassis_x - work.s2_28;
   work.w_rear_axle_aux5_y = work.w_chassis_y + work.s2_29;
-  // rear_axle
+  // rear_axle: rear_axle_rx, revolute, rear_axle_aux5
   const double zd_rear_axle_rx = state.zd[Coordinate::rear_axle_rx];
   work.s2_30 = zd_rear_axle_rx*work.R_rear_axle_aux5_x_x;
   work.s2_31 = zd_rear_axle_rx*work.R_rear_axle_aux5_y_x;
@@ -8118,7 +8118,7 @@ struct MultipliersWork {
   work.w_rear_axle_x = work.w_rear_axle_aux5_x + work.s2_30;
   work.w_rear_axle_y = work.w_rear_axle_aux5_y + work.s2_31;
   work.w_rear_axle_z = work.w_rear_axle_aux4_z - work.s2_32;
-  // wheel_rear_left
+  // wheel_rear_left: wheel_rear_left, revolute, rear_axle
   const double zd_wheel_rear_left = state.zd[Coordinate::wheel_rear_left];
   work.s2_33 = zd_wheel_rear_left*work.R_rear_axle_x_y;
   work.s2_34 = zd_wheel_rear_left*work.R_rear_axle_y_y;
@@ -8126,9 +8126,9 @@ struct MultipliersWork {
   work.w_wheel_rear_left_x = work.w_rear_axle_x + work.s2_33;
   work.w_wheel_rear_left_y = work.w_rear_axle_y + work.s2_34;
   work.w_wheel_rear_left_z = work.w_rear_axle_z + work.s2_35;
-  // arb_rear_left
+  // arb_rear_left: arb_rear_left, revolute, chassis
   work.w_arb_rear_left_y = state.zd[Coordinate::arb_rear_left] + work.w_chassis_y;
-  // wheel_rear_right
+  // wheel_rear_right: wheel_rear_right, revolute, rear_axle
   const double zd_wheel_rear_right = state.zd[Coordinate::wheel_rear_right];
   work.s2_36 = zd_wheel_rear_right*work.R_rear_axle_x_y;
   work.s2_37 = zd_wheel_rear_right*work.R_rear_axle_y_y;
@@ -8136,12 +8136,12 @@ struct MultipliersWork {
   work.w_wheel_rear_right_x = work.w_rear_axle_x + work.s2_36;
   work.w_wheel_rear_right_y = work.w_rear_axle_y + work.s2_37;
   work.w_wheel_rear_right_z = work.w_rear_axle_z + work.s2_38;
-  // arb_rear_right
+  // arb_rear_right: arb_rear_right, revolute, chassis
   work.w_arb_rear_right_y = state.zd[Coordinate::arb_rear_right] + work.w_chassis_y;
   // operations: 47 add, 38 multiply
 
   // --- step 7: accelerations Zdot and accumulated forces QR - PR (51), (52) ---
-  // chassis
+  // chassis: chassis_rx, revolute, chassis_aux5
   const double zdd_chassis_tx = derivative.zdd[Coordinate::chassis_tx];
   const double zdd_chassis_ty = derivative.zdd[Coordinate::chassis_ty];
   const double s4_1 = zdd_chassis_tx*work.R_chassis_aux5_x_x - 9.81*work.s1_1;
@@ -8176,7 +8176,7 @@ struct MultipliersWork {
   work.s4_21 = work.alpha_chassis_y + work.s4_15;
   work.s4_22 = s4_8 - work.alpha_chassis_x;
   work.s4_23 = work.s4_6 + work.s4_13;
-  // lower_arm_left
+  // lower_arm_left: lower_arm_left, revolute, chassis
   work.alpha_lower_arm_left_x = derivative.zdd[Coordinate::lower_arm_left] + work.alpha_chassis_x;
   const double alpha_lower_arm_left_y = work.alpha_chassis_y + zd_lower_arm_left*work.w_chassis_z;
   const double alpha_lower_arm_left_z = work.alpha_chassis_z - zd_lower_arm_left*work.w_chassis_y;
@@ -8197,7 +8197,7 @@ struct MultipliersWork {
   const double a_lower_arm_left_x = work.a_chassis_x + s4_37;
   work.a_lower_arm_left_y = work.a_chassis_y + (0.4*(work.s4_30 - work.s4_19) + s4_35);
   work.a_lower_arm_left_z = work.a_chassis_z + (0.4*(work.s4_20 - work.s4_31) + s4_36);
-  // carrier_left_aux1
+  // carrier_left_aux1: carrier_left_rz, revolute, lower_arm_left
   const double zdd_carrier_left_rz = derivative.zdd[Coordinate::carrier_left_rz];
   const double s4_38 = work.w_chassis_z*s2_6 + work.w_chassis_y*s2_7;
   const double alpha_carrier_left_aux1_x = work.alpha_lower_arm_left_x + s4_38;
@@ -8230,7 +8230,7 @@ struct MultipliersWork {
       s4_47)));
   const double a_carrier_left_aux1_z = work.a_lower_arm_left_z + (s4_59 + (s4_58 + 3.6*(work.s4_28 -
       s4_48)));
-  // carrier_left_aux2
+  // carrier_left_aux2: carrier_left_rx, revolute, carrier_left_aux1
   const double zdd_carrier_left_rx = derivative.zdd[Coordinate::carrier_left_rx];
   const double s4_61 = zdd_carrier_left_rx*work.R_carrier_left_aux1_x_x;
   const double s4_62 = zdd_carrier_left_rx*work.R_carrier_left_aux1_y_x;
@@ -8265,7 +8265,7 @@ struct MultipliersWork {
   const double a_carrier_left_aux2_y = a_carrier_left_aux1_y + s4_86;
   const double s4_87 = work.r_carrier_left_aux1_y*(s4_51 - s4_78) + s4_84;
   const double a_carrier_left_aux2_z = a_carrier_left_aux1_z + s4_87;
-  // carrier_left
+  // carrier_left: carrier_left_ry, revolute, carrier_left_aux2
   const double zdd_carrier_left_ry = derivative.zdd[Coordinate::carrier_left_ry];
   const double s4_88 = zdd_carrier_left_ry*work.R_carrier_left_aux2_y_y;
   const double s4_89 = zdd_carrier_left_ry*work.R_carrier_left_aux2_z_y;
@@ -8299,7 +8299,7 @@ struct MultipliersWork {
   work.a_carrier_left_x = a_carrier_left_aux2_x + (s4_109 + (s4_108 + 3.6*(work.s4_99 - s4_73)));
   work.a_carrier_left_y = a_carrier_left_aux2_y + (s4_111 + (s4_110 + 3.6*(s4_74 - work.s4_100)));
   work.a_carrier_left_z = a_carrier_left_aux2_z + (s4_113 + (s4_112 + 3.6*(s4_75 - work.s4_101)));
-  // wheel_front_left
+  // wheel_front_left: wheel_front_left, revolute, carrier_left
   const double zdd_wheel_front_left = derivative.zdd[Coordinate::wheel_front_left];
   const double s4_114 = zdd_wheel_front_left*work.R_carrier_left_aux2_y_y;
   const double s4_115 = zdd_wheel_front_left*work.R_carrier_left_aux2_z_y;
@@ -8337,7 +8337,7 @@ struct MultipliersWork {
   work.a_wheel_front_left_y = work.a_carrier_left_y + s4_141;
   const double s4_142 = work.r_wheel_front_left_y*(work.s4_104 - work.s4_130) + s4_139;
   work.a_wheel_front_left_z = work.a_carrier_left_z + s4_142;
-  // upper_arm_left
+  // upper_arm_left: upper_arm_left, revolute, chassis
   work.alpha_upper_arm_left_x = derivative.zdd[Coordinate::upper_arm_left] + work.alpha_chassis_x;
   const double alpha_upper_arm_left_y = work.alpha_chassis_y + zd_upper_arm_left*work.w_chassis_z;
   const double alpha_upper_arm_left_z = work.alpha_chassis_z - zd_upper_arm_left*work.w_chassis_y;
@@ -8352,7 +8352,7 @@ struct MultipliersWork {
   const double s4_151 = 3.6*(work.s4_17 - work.s4_145) - 0.28*(work.s4_149 - work.s4_23);
   work.a_upper_arm_left_y = work.a_chassis_y + (0.5*(work.s4_146 - work.s4_19) + s4_150);
   work.a_upper_arm_left_z = work.a_chassis_z + (0.5*(work.s4_20 - work.s4_147) + s4_151);
-  // arb_front_left
+  // arb_front_left: arb_front_left, revolute, chassis
   work.alpha_arb_front_left_y = derivative.zdd[Coordinate::arb_front_left] + work.alpha_chassis_y;
   work.alpha_arb_front_left_x = work.alpha_chassis_x - zd_arb_front_left*work.w_chassis_z;
   work.alpha_arb_front_left_z = work.alpha_chassis_z + zd_arb_front_left*work.w_chassis_x;
@@ -8373,7 +8373,7 @@ struct MultipliersWork {
   const double s4_165 = 3.95*(work.s4_16 - work.s4_156) - 0.5*(work.s4_22 - work.s4_161);
   work.a_arb_front_left_y = work.a_chassis_y + s4_165;
   work.a_arb_front_left_z = work.a_chassis_z + (0.45*(work.s4_20 - work.s4_159) + s4_164);
-  // lower_arm_right
+  // lower_arm_right: lower_arm_right, revolute, chassis
   work.alpha_lower_arm_right_x = derivative.zdd[Coordinate::lower_arm_right] + work.alpha_chassis_x;
   const double alpha_lower_arm_right_y = work.alpha_chassis_y + zd_lower_arm_right*work.w_chassis_z;
   const double alpha_lower_arm_right_z = work.alpha_chassis_z - zd_lower_arm_right*work.w_chassis_y;
@@ -8394,7 +8394,7 @@ struct MultipliersWork {
   const double a_lower_arm_right_x = work.a_chassis_x - s4_179;
   work.a_lower_arm_right_y = work.a_chassis_y + (s4_177 - 0.4*(work.s4_172 - work.s4_19));
   work.a_lower_arm_right_z = work.a_chassis_z + (s4_178 - 0.4*(work.s4_20 - work.s4_173));
-  // carrier_right_aux1
+  // carrier_right_aux1: carrier_right_rz, revolute, lower_arm_right
   const double zdd_carrier_right_rz = derivative.zdd[Coordinate::carrier_right_rz];
   const double s4_180 = zdd_carrier_right_rz*work.R_lower_arm_right_z_y;
   const double s4_181 = zdd_carrier_right_rz*work.R_lower_arm_right_y_y;
@@ -8427,7 +8427,7 @@ struct MultipliersWork {
   const double a_carrier_right_aux1_y = work.a_lower_arm_right_y + s4_201;
   const double s4_202 = work.r_carrier_right_aux1_y*(work.s4_173 - s4_193) + s4_199;
   const double a_carrier_right_aux1_z = work.a_lower_arm_right_z + s4_202;
-  // carrier_right_aux2
+  // carrier_right_aux2: carrier_right_rx, revolute, carrier_right_aux1
   const double zdd_carrier_right_rx = derivative.zdd[Coordinate::carrier_right_rx];
   const double s4_203 = zdd_carrier_right_rx*work.R_carrier_right_aux1_x_x;
   const double s4_204 = zdd_carrier_right_rx*work.R_carrier_right_aux1_y_x;
@@ -8462,7 +8462,7 @@ struct MultipliersWork {
   const double a_carrier_right_aux2_y = a_carrier_right_aux1_y + s4_228;
   const double s4_229 = work.r_carrier_right_aux1_y*(s4_193 - s4_220) + s4_226;
   const double a_carrier_right_aux2_z = a_carrier_right_aux1_z + s4_229;
-  // carrier_right
+  // carrier_right: carrier_right_ry, revolute, carrier_right_aux2
   const double zdd_carrier_right_ry = derivative.zdd[Coordinate::carrier_right_ry];
   const double s4_230 = zdd_carrier_right_ry*work.R_carrier_right_aux2_y_y;
   const double s4_231 = zdd_carrier_right_ry*work.R_carrier_right_aux2_z_y;
@@ -8496,7 +8496,7 @@ struct MultipliersWork {
   work.a_carrier_right_y = a_carrier_right_aux2_y + s4_254;
   const double s4_255 = work.r_carrier_right_aux1_y*(s4_220 - work.s4_246) + s4_252;
   work.a_carrier_right_z = a_carrier_right_aux2_z + s4_255;
-  // wheel_front_right
+  // wheel_front_right: wheel_front_right, revolute, carrier_right
   const double zdd_wheel_front_right = derivative.zdd[Coordinate::wheel_front_right];
   const double s4_256 = zdd_wheel_front_right*work.R_carrier_right_aux2_y_y;
   const double s4_257 = zdd_wheel_front_right*work.R_carrier_right_aux2_z_y;
@@ -8534,7 +8534,7 @@ struct MultipliersWork {
   work.a_wheel_front_right_y = work.a_carrier_right_y + s4_283;
   const double s4_284 = work.r_wheel_front_right_y*(work.s4_246 - work.s4_272) + s4_281;
   work.a_wheel_front_right_z = work.a_carrier_right_z + s4_284;
-  // upper_arm_right
+  // upper_arm_right: upper_arm_right, revolute, chassis
   work.alpha_upper_arm_right_x = derivative.zdd[Coordinate::upper_arm_right] + work.alpha_chassis_x;
   const double alpha_upper_arm_right_y = work.alpha_chassis_y + zd_upper_arm_right*work.w_chassis_z;
   const double alpha_upper_arm_right_z = work.alpha_chassis_z - zd_upper_arm_right*work.w_chassis_y;
@@ -8552,12 +8552,12 @@ struct MultipliersWork {
 [[gnu::noinline]] void compute_multipliers_3(const State& state, const Derivative& derivative,
     MultipliersWork& __restrict work) noexcept {
   // --- step 7: accelerations Zdot and accumulated forces QR - PR (51), (52), continued ---
-  // upper_arm_right
+  // upper_arm_right: upper_arm_right, revolute, chassis
   const double s4_292 = 3.6*(work.s4_16 - work.s4_286) - 0.28*(work.s4_22 - work.s4_290);
   const double s4_293 = 3.6*(work.s4_17 - work.s4_287) - 0.28*(work.s4_291 - work.s4_23);
   work.a_upper_arm_right_y = work.a_chassis_y + (s4_292 - 0.5*(work.s4_288 - work.s4_19));
   work.a_upper_arm_right_z = work.a_chassis_z + (s4_293 - 0.5*(work.s4_20 - work.s4_289));
-  // arb_front_right
+  // arb_front_right: arb_front_right, revolute, chassis
   const double zd_arb_front_right = state.zd[Coordinate::arb_front_right];
   work.alpha_arb_front_right_y = derivative.zdd[Coordinate::arb_front_right] + work.alpha_chassis_y;
   work.alpha_arb_front_right_x = work.alpha_chassis_x - zd_arb_front_right*work.w_chassis_z;
@@ -8579,7 +8579,7 @@ struct MultipliersWork {
   const double s4_307 = 3.95*(work.s4_16 - s4_298) - 0.5*(work.s4_22 - s4_303);
   const double a_arb_front_right_y = work.a_chassis_y + s4_307;
   work.a_arb_front_right_z = work.a_chassis_z + (s4_306 - 0.45*(work.s4_20 - work.s4_301));
-  // pitman_arm
+  // pitman_arm: pitman_arm, revolute, chassis
   const double zd_pitman_arm = state.zd[Coordinate::pitman_arm];
   work.alpha_pitman_arm_y = derivative.zdd[Coordinate::pitman_arm] + work.alpha_chassis_y;
   const double alpha_pitman_arm_x = work.alpha_chassis_x - zd_pitman_arm*work.w_chassis_z;
@@ -8601,7 +8601,7 @@ struct MultipliersWork {
   const double s4_321 = 4.4*(work.s4_16 - s4_312) - 0.4*(work.s4_22 - s4_317);
   const double a_pitman_arm_y = work.a_chassis_y + s4_321;
   work.a_pitman_arm_z = work.a_chassis_z + (0.5*(work.s4_20 - s4_315) + s4_320);
-  // bell_crank
+  // bell_crank: bell_crank, revolute, chassis
   const double zd_bell_crank = state.zd[Coordinate::bell_crank];
   work.alpha_bell_crank_z = derivative.zdd[Coordinate::bell_crank] + work.alpha_chassis_z;
   const double alpha_bell_crank_x = work.alpha_chassis_x + zd_bell_crank*work.w_chassis_y;
@@ -8622,28 +8622,28 @@ struct MultipliersWork {
   const double s4_334 = 3.25*(work.s4_16 - work.s4_326) - 0.6*(work.s4_22 - s4_332);
   work.a_bell_crank_y = work.a_chassis_y + s4_334;
   const double a_bell_crank_z = work.a_chassis_z + 3.25*(work.s4_17 - s4_327);
-  // rear_axle_aux1
+  // rear_axle_aux1: rear_axle_tx, prismatic, chassis
   const double zd_rear_axle_tx = state.zd[Coordinate::rear_axle_tx];
   const double s4_335 = zd_rear_axle_tx*work.w_chassis_z;
   const double s4_336 = zd_rear_axle_tx*work.w_chassis_y;
   const double a_rear_axle_aux1_x = derivative.zdd[Coordinate::rear_axle_tx] + work.a_chassis_x;
   const double a_rear_axle_aux1_y = s4_335 + (work.a_chassis_y + s4_335);
   const double a_rear_axle_aux1_z = work.a_chassis_z - s4_336 - s4_336;
-  // rear_axle_aux2
+  // rear_axle_aux2: rear_axle_ty, prismatic, rear_axle_aux1
   const double zd_rear_axle_ty = state.zd[Coordinate::rear_axle_ty];
   const double s4_337 = zd_rear_axle_ty*work.w_chassis_z;
   const double s4_338 = zd_rear_axle_ty*work.w_chassis_x;
   const double a_rear_axle_aux2_y = derivative.zdd[Coordinate::rear_axle_ty] + a_rear_axle_aux1_y;
   const double a_rear_axle_aux2_x = a_rear_axle_aux1_x - s4_337 - s4_337;
   const double a_rear_axle_aux2_z = s4_338 + (a_rear_axle_aux1_z + s4_338);
-  // rear_axle_aux3
+  // rear_axle_aux3: rear_axle_tz, prismatic, rear_axle_aux2
   const double zd_rear_axle_tz = state.zd[Coordinate::rear_axle_tz];
   const double s4_339 = zd_rear_axle_tz*work.w_chassis_y;
   const double s4_340 = zd_rear_axle_tz*work.w_chassis_x;
   const double a_rear_axle_aux3_z = derivative.zdd[Coordinate::rear_axle_tz] + a_rear_axle_aux2_z;
   const double a_rear_axle_aux3_x = s4_339 + (a_rear_axle_aux2_x + s4_339);
   const double a_rear_axle_aux3_y = a_rear_axle_aux2_y - s4_340 - s4_340;
-  // rear_axle_aux4
+  // rear_axle_aux4: rear_axle_rz, revolute, rear_axle_aux3
   const double zd_rear_axle_rz = state.zd[Coordinate::rear_axle_rz];
   const double alpha_rear_axle_aux4_z = derivative.zdd[Coordinate::rear_axle_rz] +
       work.alpha_chassis_z;
@@ -8672,7 +8672,7 @@ struct MultipliersWork {
       s4_355);
   const double a_rear_axle_aux4_z = a_rear_axle_aux3_z + (z_rear_axle_ty*(work.s4_20 - s4_349) +
       s4_356);
-  // rear_axle_aux5
+  // rear_axle_aux5: rear_axle_ry, revolute, rear_axle_aux4
   const double zdd_rear_axle_ry = derivative.zdd[Coordinate::rear_axle_ry];
   const double s4_357 = alpha_rear_axle_aux4_x - zdd_rear_axle_ry*work.R_rear_axle_aux4_y_x;
   const double alpha_rear_axle_aux5_x = s4_357 - work.w_rear_axle_aux4_z*work.s2_29;
@@ -8706,7 +8706,7 @@ struct MultipliersWork {
       s4_377);
   const double a_rear_axle_aux5_z = a_rear_axle_aux4_z + (z_rear_axle_ty*(s4_349 - s4_370) +
       s4_379);
-  // rear_axle
+  // rear_axle: rear_axle_rx, revolute, rear_axle_aux5
   const double zdd_rear_axle_rx = derivative.zdd[Coordinate::rear_axle_rx];
   const double s4_380 = work.w_rear_axle_aux4_z*work.s2_31 + work.w_rear_axle_aux5_y*work.s2_32;
   const double s4_381 = alpha_rear_axle_aux5_x + zdd_rear_axle_rx*work.R_rear_axle_aux5_x_x;
@@ -8740,7 +8740,7 @@ struct MultipliersWork {
   work.a_rear_axle_x = a_rear_axle_aux5_x + (z_rear_axle_ty*(s4_368 - work.s4_394) + s4_401);
   work.a_rear_axle_y = a_rear_axle_aux5_y + (z_rear_axle_ty*(work.s4_395 - s4_369) + s4_403);
   work.a_rear_axle_z = a_rear_axle_aux5_z + (z_rear_axle_ty*(s4_370 - work.s4_396) + s4_405);
-  // wheel_rear_left
+  // wheel_rear_left: wheel_rear_left, revolute, rear_axle
   const double zdd_wheel_rear_left = derivative.zdd[Coordinate::wheel_rear_left];
   const double s4_406 = work.alpha_rear_axle_x + zdd_wheel_rear_left*work.R_rear_axle_x_y;
   work.alpha_wheel_rear_left_x = work.w_rear_axle_y*work.s2_35 - work.w_rear_axle_z*work.s2_34 +
@@ -8778,7 +8778,7 @@ struct MultipliersWork {
   work.a_wheel_rear_left_y = work.a_rear_axle_y + s4_431;
   const double s4_432 = work.r_wheel_rear_left_y*(work.s4_396 - work.s4_420) + s4_429;
   work.a_wheel_rear_left_z = work.a_rear_axle_z + s4_432;
-  // arb_rear_left
+  // arb_rear_left: arb_rear_left, revolute, chassis
   const double zd_arb_rear_left = state.zd[Coordinate::arb_rear_left];
   work.alpha_arb_rear_left_y = derivative.zdd[Coordinate::arb_rear_left] + work.alpha_chassis_y;
   work.alpha_arb_rear_left_x = work.alpha_chassis_x - zd_arb_rear_left*work.w_chassis_z;
@@ -8803,7 +8803,7 @@ struct MultipliersWork {
   const double a_arb_rear_left_y = work.a_chassis_y - (s4_446 + 3.3000000000000003*(work.s4_16 -
       s4_437));
   work.a_arb_rear_left_z = work.a_chassis_z + (0.45*(work.s4_20 - work.s4_440) - s4_448);
-  // wheel_rear_right
+  // wheel_rear_right: wheel_rear_right, revolute, rear_axle
   const double zdd_wheel_rear_right = derivative.zdd[Coordinate::wheel_rear_right];
   const double s4_449 = work.alpha_rear_axle_x + zdd_wheel_rear_right*work.R_rear_axle_x_y;
   work.alpha_wheel_rear_right_x = work.w_rear_axle_y*work.s2_38 - work.w_rear_axle_z*work.s2_37 +
@@ -8841,7 +8841,7 @@ struct MultipliersWork {
   work.a_wheel_rear_right_y = work.a_rear_axle_y + s4_474;
   const double s4_475 = work.r_wheel_rear_right_y*(work.s4_396 - work.s4_463) + s4_472;
   work.a_wheel_rear_right_z = work.a_rear_axle_z + s4_475;
-  // arb_rear_right
+  // arb_rear_right: arb_rear_right, revolute, chassis
   const double zd_arb_rear_right = state.zd[Coordinate::arb_rear_right];
   work.alpha_arb_rear_right_y = derivative.zdd[Coordinate::arb_rear_right] + work.alpha_chassis_y;
   work.alpha_arb_rear_right_x = work.alpha_chassis_x - zd_arb_rear_right*work.w_chassis_z;
@@ -9046,7 +9046,7 @@ struct MultipliersWork {
   work.s4_658 = s4_639 + (work.s1_452*s4_653 - work.s1_451*s4_654);
   work.s4_659 = s4_640 + (work.s1_450*s4_654 - work.s1_452*s4_652);
   work.s4_660 = s4_641 + (work.s1_451*s4_652 - work.s1_450*s4_653);
-  // lower_arm_left
+  // lower_arm_left: lower_arm_left, revolute, chassis
   const double s4_661 = work.s1_53*work.s4_33 + 3.6*work.s4_27 - work.s1_52*work.s4_30;
   const double s4_662 = work.s1_52*work.s4_31 + (3.6*work.s4_28 - work.s1_53*work.s4_34);
   work.s4_663 = 25.0*(work.a_lower_arm_left_y + s4_661);
@@ -9056,7 +9056,7 @@ struct MultipliersWork {
   const double s4_667 = work.w_chassis_y*s4_666 - work.w_chassis_z*s4_665;
   const double s4_668 = work.s1_52*work.s4_664 - work.s1_53*work.s4_663;
   work.s4_669 = s4_667 + 0.6*work.alpha_lower_arm_left_x + s4_668;
-  // carrier_left
+  // carrier_left: carrier_left_ry, revolute, carrier_left_aux2
   const double s4_670 = work.s1_70*work.s4_105 - work.s1_66*work.s4_99;
   work.s4_671 = work.s1_70*work.s4_106 + work.s1_66*work.s4_100 - work.s1_68*work.s4_103;
   const double s4_672 = work.s1_66*work.s4_101 - work.s1_70*work.s4_107;
@@ -9069,7 +9069,7 @@ struct MultipliersWork {
 [[gnu::noinline]] void compute_multipliers_4(const State& state, const double* tau,
     MultipliersWork& __restrict work) noexcept {
   // --- step 7: accelerations Zdot and accumulated forces QR - PR (51), (52), continued ---
-  // carrier_left
+  // carrier_left: carrier_left_ry, revolute, carrier_left_aux2
   const double s4_675 = 113.0*work.s4_674;
   const double s4_676 = 113.0*(work.a_carrier_left_y + work.s4_671);
   const double s4_677 = 113.0*(work.a_carrier_left_z + work.s4_673);
@@ -9097,7 +9097,7 @@ struct MultipliersWork {
   const double s4_699 = work.s4_555 - (s4_693 + (work.s1_68*s4_677 - work.s1_70*s4_676));
   const double s4_700 = work.s4_556 - (s4_694 + (work.s1_70*s4_675 - work.s1_66*s4_677));
   const double s4_701 = work.s4_557 - (s4_695 + (work.s1_66*s4_676 - work.s1_68*s4_675));
-  // wheel_front_left
+  // wheel_front_left: wheel_front_left, revolute, carrier_left
   const double s4_702 = work.r_wheel_front_left_z*work.s4_131;
   const double s4_703 = s4_702 - work.r_wheel_front_left_x*work.s4_125;
   const double s4_704 = work.r_wheel_front_left_z*work.s4_132;
@@ -9131,7 +9131,7 @@ struct MultipliersWork {
   const double s4_732 = work.r_wheel_front_left_y*s4_713 - work.r_wheel_front_left_z*s4_712;
   const double s4_733 = work.r_wheel_front_left_z*s4_711 - work.r_wheel_front_left_x*s4_713;
   const double s4_734 = work.r_wheel_front_left_x*s4_712 - work.r_wheel_front_left_y*s4_711;
-  // upper_arm_left
+  // upper_arm_left: upper_arm_left, revolute, chassis
   const double s4_735 = work.s1_130*work.s4_148 + 3.6*work.s4_144 - work.s1_129*work.s4_146;
   const double s4_736 = work.s1_129*work.s4_147 + (3.6*work.s4_145 - work.s1_130*work.s4_149);
   const double s4_737 = 15.0*(work.a_upper_arm_left_y + s4_735);
@@ -9140,7 +9140,7 @@ struct MultipliersWork {
   const double s4_740 = work.s1_136*work.w_chassis_y + work.s1_135*work.w_chassis_z;
   const double s4_741 = work.w_chassis_y*s4_740 - work.w_chassis_z*s4_739;
   const double s4_742 = s4_741 + 0.2*work.alpha_upper_arm_left_x;
-  // arb_front_left
+  // arb_front_left: arb_front_left, revolute, chassis
   const double s4_743 = work.s1_140*work.s4_160 - work.s1_139*work.s4_155;
   const double s4_744 = work.s1_139*work.s4_157 - work.s1_140*work.s4_162;
   const double s4_745 = work.a_arb_front_left_x + (0.5169230769230769*work.s4_158 + s4_743);
@@ -9154,7 +9154,7 @@ struct MultipliersWork {
   const double s4_753 = s4_752 - work.s1_147*work.alpha_arb_front_left_z;
   const double s4_754 = s4_751 - work.w_chassis_x*(s4_750 - work.s1_147*work.w_arb_front_left_y);
   const double s4_755 = s4_754 + (0.1304*work.alpha_arb_front_left_y + s4_753);
-  // lower_arm_right
+  // lower_arm_right: lower_arm_right, revolute, chassis
   const double s4_756 = 3.6*work.s4_169 - work.s1_157*work.s4_175 - work.s1_156*work.s4_172;
   const double s4_757 = work.s1_156*work.s4_173 + (work.s1_157*work.s4_176 + 3.6*work.s4_170);
   const double s4_758 = 25.0*(work.a_lower_arm_right_y + s4_756);
@@ -9164,7 +9164,7 @@ struct MultipliersWork {
   const double s4_762 = work.w_chassis_y*s4_761 - work.w_chassis_z*s4_760;
   const double s4_763 = s4_762 + 0.6*work.alpha_lower_arm_right_x;
   const double s4_764 = s4_763 + (work.s1_157*s4_758 + work.s1_156*s4_759);
-  // carrier_right
+  // carrier_right: carrier_right_ry, revolute, carrier_right_aux2
   const double s4_765 = work.s1_173*work.s4_247 - work.s1_170*work.s4_241;
   const double s4_766 = work.s1_173*work.s4_248 + work.s1_170*work.s4_242;
   const double s4_767 = work.s1_170*work.s4_243 - work.s1_173*work.s4_249;
@@ -9195,7 +9195,7 @@ struct MultipliersWork {
   const double s4_792 = work.s4_574 - (s4_786 + (work.s1_172*s4_770 - work.s1_173*s4_769));
   const double s4_793 = work.s4_575 - (s4_787 + (work.s1_173*s4_768 - work.s1_170*s4_770));
   const double s4_794 = work.s4_576 - (s4_788 + (work.s1_170*s4_769 - work.s1_172*s4_768));
-  // wheel_front_right
+  // wheel_front_right: wheel_front_right, revolute, carrier_right
   const double s4_795 = work.r_wheel_front_right_z*work.s4_273;
   const double s4_796 = s4_795 - work.r_wheel_front_right_x*work.s4_267;
   const double s4_797 = work.r_wheel_front_right_z*work.s4_274;
@@ -9229,7 +9229,7 @@ struct MultipliersWork {
   const double s4_825 = work.r_wheel_front_right_y*s4_806 - work.r_wheel_front_right_z*s4_805;
   const double s4_826 = work.r_wheel_front_right_z*s4_804 - work.r_wheel_front_right_x*s4_806;
   const double s4_827 = work.r_wheel_front_right_x*s4_805 - work.r_wheel_front_right_y*s4_804;
-  // upper_arm_right
+  // upper_arm_right: upper_arm_right, revolute, chassis
   const double s4_828 = 3.6*work.s4_286 - work.s1_233*work.s4_290 - work.s1_232*work.s4_288;
   const double s4_829 = work.s1_232*work.s4_289 + (work.s1_233*work.s4_291 + 3.6*work.s4_287);
   const double s4_830 = 15.0*(work.a_upper_arm_right_y + s4_828);
@@ -9238,7 +9238,7 @@ struct MultipliersWork {
   const double s4_833 = work.s1_239*work.w_chassis_y + work.s1_238*work.w_chassis_z;
   const double s4_834 = work.w_chassis_y*s4_833 - work.w_chassis_z*s4_832;
   const double s4_835 = s4_834 + 0.2*work.alpha_upper_arm_right_x;
-  // arb_front_right
+  // arb_front_right: arb_front_right, revolute, chassis
   const double s4_836 = work.s1_243*work.s4_302 - work.s1_242*work.s4_297;
   const double s4_837 = work.s1_242*work.s4_299 - work.s1_243*work.s4_304;
   const double s4_838 = work.a_arb_front_right_x + (s4_836 - 0.5169230769230769*work.s4_300);
@@ -9252,7 +9252,7 @@ struct MultipliersWork {
   const double s4_846 = work.s1_250*work.alpha_arb_front_right_z;
   const double s4_847 = s4_846 + work.s1_246*work.alpha_arb_front_right_x;
   const double s4_848 = s4_844 - s4_845 + (0.1304*work.alpha_arb_front_right_y + s4_847);
-  // pitman_arm
+  // pitman_arm: pitman_arm, revolute, chassis
   const double s4_849 = work.s4_533 - (work.s1_258*work.s4_316 + work.s1_257*work.s4_311);
   const double s4_850 = work.s4_534 + (work.s1_258*work.s4_318 + work.s1_257*work.s4_313);
   const double s4_851 = 9.0*(work.a_pitman_arm_x + s4_849);
@@ -9261,7 +9261,7 @@ struct MultipliersWork {
   const double s4_854 = work.s1_264*work.w_chassis_z + work.s1_262*work.w_chassis_x;
   const double s4_855 = work.w_chassis_z*s4_854 - work.w_chassis_x*s4_853;
   const double s4_856 = s4_855 + 0.0842*work.alpha_pitman_arm_y;
-  // bell_crank
+  // bell_crank: bell_crank, revolute, chassis
   const double s4_857 = work.s1_267*work.s4_328 - (work.s4_525 + work.s1_268*work.s4_325);
   const double s4_858 = work.s1_268*work.s4_326 - work.s4_526 - work.s1_267*work.s4_329;
   const double s4_859 = 16.666666666666668*(work.a_bell_crank_y + s4_858);
@@ -9270,7 +9270,7 @@ struct MultipliersWork {
   const double s4_862 = work.w_chassis_x*s4_861 - work.w_chassis_y*s4_860;
   const double s4_863 = work.s1_267*(16.666666666666668*(work.a_bell_crank_x + s4_857));
   const double s4_864 = s4_862 + 0.40412866666666675*work.alpha_bell_crank_z;
-  // rear_axle
+  // rear_axle: rear_axle_rx, revolute, rear_axle_aux5
   const double s4_865 = work.s1_284*work.s4_397 - work.s1_282*work.s4_391;
   const double s4_866 = work.s1_284*work.s4_398 + work.s1_282*work.s4_392;
   const double s4_867 = work.s1_282*work.s4_393 - work.s1_284*work.s4_399;
@@ -9298,7 +9298,7 @@ struct MultipliersWork {
   const double s4_889 = work.s4_658 - (s4_883 + (work.s1_283*s4_870 - work.s1_284*s4_869));
   const double s4_890 = work.s4_659 - (s4_884 + (work.s1_284*s4_868 - work.s1_282*s4_870));
   const double s4_891 = work.s4_660 - (s4_885 + (work.s1_282*s4_869 - work.s1_283*s4_868));
-  // wheel_rear_left
+  // wheel_rear_left: wheel_rear_left, revolute, rear_axle
   const double s4_892 = work.r_wheel_rear_left_z*work.s4_421;
   const double s4_893 = s4_892 - work.r_wheel_rear_left_x*work.s4_415;
   const double s4_894 = work.r_wheel_rear_left_z*work.s4_422;
@@ -9332,7 +9332,7 @@ struct MultipliersWork {
   const double s4_922 = work.r_wheel_rear_left_y*s4_903 - work.r_wheel_rear_left_z*s4_902;
   const double s4_923 = work.r_wheel_rear_left_z*s4_901 - work.r_wheel_rear_left_x*s4_903;
   const double s4_924 = work.r_wheel_rear_left_x*s4_902 - work.r_wheel_rear_left_y*s4_901;
-  // arb_rear_left
+  // arb_rear_left: arb_rear_left, revolute, chassis
   const double s4_925 = work.s1_329*work.s4_441 + work.s1_328*work.s4_436;
   const double s4_926 = work.s1_329*work.s4_443 + work.s1_328*work.s4_438;
   const double s4_927 = work.a_arb_rear_left_x + (0.5076923076923077*work.s4_439 - s4_925);
@@ -9346,7 +9346,7 @@ struct MultipliersWork {
   const double s4_935 = s4_934 - work.s1_330*work.alpha_arb_rear_left_x;
   const double s4_936 = s4_933 - work.w_chassis_x*(work.s1_332*work.w_arb_rear_left_y + s4_932);
   const double s4_937 = s4_936 + (0.14461538461538465*work.alpha_arb_rear_left_y + s4_935);
-  // wheel_rear_right
+  // wheel_rear_right: wheel_rear_right, revolute, rear_axle
   const double s4_938 = work.r_wheel_rear_right_z*work.s4_464;
   const double s4_939 = s4_938 - work.r_wheel_rear_right_x*work.s4_458;
   const double s4_940 = work.r_wheel_rear_right_z*work.s4_465;
@@ -9380,7 +9380,7 @@ struct MultipliersWork {
   const double s4_968 = work.r_wheel_rear_right_y*s4_949 - work.r_wheel_rear_right_z*s4_948;
   const double s4_969 = work.r_wheel_rear_right_z*s4_947 - work.r_wheel_rear_right_x*s4_949;
   const double s4_970 = work.r_wheel_rear_right_x*s4_948 - work.r_wheel_rear_right_y*s4_947;
-  // arb_rear_right
+  // arb_rear_right: arb_rear_right, revolute, chassis
   const double s4_971 = work.s1_340*work.s4_484 + work.s1_339*work.s4_479;
   const double s4_972 = work.s1_340*work.s4_486 + work.s1_339*work.s4_481;
   const double s4_973 = work.a_arb_rear_right_x - (0.5076923076923077*work.s4_482 + s4_971);
@@ -9398,7 +9398,7 @@ struct MultipliersWork {
   const double s4_985 = work.s4_648 - (s4_983 - (work.s1_339*s4_976 + work.s1_340*s4_974));
   const double s4_986 = s4_985 + (3.3000000000000003*(work.s4_647 + s4_976) - s4_984);
   work.Q_arb_rear_right = tau[Coordinate::arb_rear_right] + s4_986;
-  // wheel_rear_right
+  // wheel_rear_right: wheel_rear_right, revolute, rear_axle
   const double s4_987 = s4_886 + s4_947;
   const double s4_988 = s4_887 + s4_948;
   const double s4_989 = s4_888 + s4_949;
@@ -9408,12 +9408,12 @@ struct MultipliersWork {
   const double s4_993 = s4_890 - s4_992;
   const double s4_994 = s4_967 + (work.s1_327*work.alpha_wheel_rear_right_y + s4_964) + s4_970;
   const double s4_995 = s4_891 - s4_994;
-  // arb_rear_left
+  // arb_rear_left: arb_rear_left, revolute, chassis
   const double s4_996 = 0.44999999999999996*(work.s4_607 + s4_928);
   const double s4_997 = work.s4_610 - (s4_937 - (work.s1_328*s4_930 + work.s1_329*s4_928));
   const double s4_998 = s4_997 + (3.3000000000000003*(work.s4_609 + s4_930) - s4_996);
   work.Q_arb_rear_left = tau[Coordinate::arb_rear_left] + s4_998;
-  // wheel_rear_left
+  // wheel_rear_left: wheel_rear_left, revolute, rear_axle
   const double s4_999 = s4_901 + s4_987;
   const double s4_1000 = s4_902 + s4_988;
   const double s4_1001 = s4_903 + s4_989;
@@ -9423,33 +9423,33 @@ struct MultipliersWork {
   const double s4_1005 = s4_993 - s4_1004;
   const double s4_1006 = s4_921 + (work.s1_327*work.alpha_wheel_rear_left_y + s4_918) + s4_924;
   const double s4_1007 = s4_995 - s4_1006;
-  // rear_axle_aux5
+  // rear_axle_aux5: rear_axle_ry, revolute, rear_axle_aux4
   const double s4_1008 = work.s1_43*s4_1000 + (work.s1_42*s4_999 - work.b_rear_axle_ry_z*s4_1001);
   const double s4_1009 = work.R_rear_axle_aux4_x_x*s4_1005 - work.R_rear_axle_aux4_y_x*s4_1003;
   work.Q_rear_axle_ry = tau[Coordinate::rear_axle_ry] + (s4_1009 + s4_1008);
-  // rear_axle_aux4
+  // rear_axle_aux4: rear_axle_rz, revolute, rear_axle_aux3
   const double s4_1010 = state.z[Coordinate::rear_axle_ty]*s4_999;
   const double s4_1011 = s4_1007 + (work.r_rear_axle_aux1_x*s4_1000 - s4_1010);
   work.Q_rear_axle_rz = tau[Coordinate::rear_axle_rz] + s4_1011;
-  // rear_axle_aux2
+  // rear_axle_aux2: rear_axle_ty, prismatic, rear_axle_aux1
   work.Q_rear_axle_ty = tau[Coordinate::rear_axle_ty] - s4_1000;
-  // rear_axle_aux1
+  // rear_axle_aux1: rear_axle_tx, prismatic, chassis
   work.Q_rear_axle_tx = tau[Coordinate::rear_axle_tx] - s4_999;
-  // bell_crank
+  // bell_crank: bell_crank, revolute, chassis
   const double s4_1012 = work.s4_564 - (s4_864 + (work.s1_268*s4_859 - s4_863));
   work.Q_bell_crank = tau[Coordinate::bell_crank] + (s4_1012 + 3.25*(work.s4_563 + s4_859));
-  // pitman_arm
+  // pitman_arm: pitman_arm, revolute, chassis
   const double s4_1013 = work.s4_532 - (s4_856 - (work.s1_257*s4_852 + work.s1_258*s4_851));
   const double s4_1014 = s4_1013 - (4.4*(work.s4_531 + s4_852) + 0.4*(work.s4_529 + s4_851));
   work.Q_pitman_arm = tau[Coordinate::pitman_arm] + s4_1014;
-  // arb_front_right
+  // arb_front_right: arb_front_right, revolute, chassis
   const double s4_1015 = work.s4_515 - (s4_848 + (work.s1_243*s4_839 - work.s1_242*s4_841));
   const double s4_1016 = s4_1015 - (3.95*(work.s4_514 + s4_841) + 0.5*(work.s4_512 + s4_839));
   work.Q_arb_front_right = tau[Coordinate::arb_front_right] + s4_1016;
-  // upper_arm_right
+  // upper_arm_right: upper_arm_right, revolute, chassis
   const double s4_1017 = s4_835 + (work.s1_233*s4_830 + work.s1_232*s4_831);
   work.Q_upper_arm_right = tau[Coordinate::upper_arm_right] + (0.28*s4_830 - 0.5*s4_831 - s4_1017);
-  // wheel_front_right
+  // wheel_front_right: wheel_front_right, revolute, carrier_right
   const double s4_1018 = s4_789 + s4_804;
   const double s4_1019 = s4_790 + s4_805;
   const double s4_1020 = s4_791 + s4_806;
@@ -9459,27 +9459,27 @@ struct MultipliersWork {
   const double s4_1024 = s4_793 - s4_1023;
   const double s4_1025 = s4_824 + (work.s1_229*work.alpha_wheel_front_right_y + s4_821) + s4_827;
   const double s4_1026 = s4_794 - s4_1025;
-  // carrier_right
+  // carrier_right: carrier_right_ry, revolute, carrier_right_aux2
   const double s4_1027 = work.R_carrier_right_aux2_z_y*s4_1026 - work.s1_31*s4_1022;
   const double s4_1028 = work.b_carrier_right_ry_z*s4_1020 + work.b_carrier_right_ry_x*s4_1018;
   const double s4_1029 = work.R_carrier_right_aux2_y_y*s4_1024 + s4_1027;
   const double s4_1030 = s4_1029 - (work.b_carrier_right_ry_y*s4_1019 + s4_1028);
   work.Q_carrier_right_ry = tau[Coordinate::carrier_right_ry] + s4_1030;
-  // carrier_right_aux1
+  // carrier_right_aux1: carrier_right_rz, revolute, lower_arm_right
   const double s4_1031 = s4_758 + s4_1019;
   const double s4_1032 = s4_759 + s4_1020;
   const double s4_1033 = s4_1022 - s4_764;
-  // lower_arm_right
+  // lower_arm_right: lower_arm_right, revolute, chassis
   const double s4_1034 = s4_1033 + (0.62*s4_1031 - 0.4*s4_1032);
   work.Q_lower_arm_right = tau[Coordinate::lower_arm_right] + s4_1034;
-  // arb_front_left
+  // arb_front_left: arb_front_left, revolute, chassis
   const double s4_1035 = work.s4_498 - (s4_755 + (work.s1_140*s4_746 - work.s1_139*s4_748));
   const double s4_1036 = s4_1035 - (3.95*(work.s4_497 + s4_748) + 0.5*(work.s4_495 + s4_746));
   work.Q_arb_front_left = tau[Coordinate::arb_front_left] + s4_1036;
-  // upper_arm_left
+  // upper_arm_left: upper_arm_left, revolute, chassis
   const double s4_1037 = s4_742 + (work.s1_129*s4_738 - work.s1_130*s4_737);
   work.Q_upper_arm_left = tau[Coordinate::upper_arm_left] + (0.28*s4_737 + 0.5*s4_738 - s4_1037);
-  // wheel_front_left
+  // wheel_front_left: wheel_front_left, revolute, carrier_left
   const double s4_1038 = s4_696 + s4_711;
   const double s4_1039 = s4_697 + s4_712;
   const double s4_1040 = s4_698 + s4_713;
@@ -9489,13 +9489,13 @@ struct MultipliersWork {
   const double s4_1044 = s4_700 - s4_1043;
   const double s4_1045 = s4_731 + (work.s1_126*work.alpha_wheel_front_left_y + s4_728) + s4_734;
   const double s4_1046 = s4_701 - s4_1045;
-  // carrier_left
+  // carrier_left: carrier_left_ry, revolute, carrier_left_aux2
   const double s4_1047 = work.R_carrier_left_aux2_z_y*s4_1046 - work.s1_14*s4_1042;
   const double s4_1048 = work.b_carrier_left_ry_z*s4_1040 + work.b_carrier_left_ry_x*s4_1038;
   const double s4_1049 = work.R_carrier_left_aux2_y_y*s4_1044 + s4_1047;
   const double s4_1050 = s4_1049 + (work.s1_19*s4_1039 - s4_1048);
   work.Q_carrier_left_ry = tau[Coordinate::carrier_left_ry] + s4_1050;
-  // carrier_left_aux1
+  // carrier_left_aux1: carrier_left_rz, revolute, lower_arm_left
   const double s4_1051 = work.s1_11*s4_1040 - work.b_carrier_left_rz_x*s4_1038;
   const double s4_1052 = work.R_lower_arm_left_y_y*s4_1046 - work.R_lower_arm_left_z_y*s4_1044;
   const double s4_1053 = s4_1052 + (work.s1_10*s4_1039 + s4_1051);
@@ -9503,7 +9503,7 @@ struct MultipliersWork {
   const double s4_1054 = work.s4_663 + s4_1039;
   const double s4_1055 = work.s4_664 + s4_1040;
   const double s4_1056 = s4_1042 - work.s4_669;
-  // lower_arm_left
+  // lower_arm_left: lower_arm_left, revolute, chassis
   const double s4_1057 = s4_1056 + (0.62*s4_1054 + 0.4*s4_1055);
   work.Q_lower_arm_left = tau[Coordinate::lower_arm_left] + s4_1057;
   // operations: 1448 add, 1202 multiply
@@ -9850,11 +9850,11 @@ struct ClosureTermsWork {
 [[gnu::noinline]] void compute_closure_terms_1(const State& state,
     ClosureTermsWork& __restrict work) noexcept {
   // --- step 1: poses, axes b, accumulated inertias MR (50) ---
-  // lower_arm_left
+  // lower_arm_left: lower_arm_left, revolute, chassis
   const double z_lower_arm_left = state.z[Coordinate::lower_arm_left];
   work.R_lower_arm_left_y_y = std::cos(z_lower_arm_left);
   work.R_lower_arm_left_z_y = std::sin(z_lower_arm_left);
-  // carrier_left_aux1
+  // carrier_left_aux1: carrier_left_rz, revolute, lower_arm_left
   const double s1_1 = 0.44999999999999996*work.R_lower_arm_left_y_y;
   const double s1_2 = 0.44999999999999996*work.R_lower_arm_left_z_y;
   work.r_carrier_left_aux1_y = 0.4 + (s1_1 + 0.04999999999999999*work.R_lower_arm_left_z_y);
@@ -9870,7 +9870,7 @@ struct ClosureTermsWork {
   work.b_carrier_left_rz_x = s1_4 + work.R_lower_arm_left_y_y*work.r_carrier_left_aux1_y;
   work.s1_5 = 3.6*work.R_lower_arm_left_y_y;
   work.s1_6 = 3.6*work.R_lower_arm_left_z_y;
-  // carrier_left_aux2
+  // carrier_left_aux2: carrier_left_rx, revolute, carrier_left_aux1
   const double z_carrier_left_rx = state.z[Coordinate::carrier_left_rx];
   const double s1_7 = std::cos(z_carrier_left_rx);
   const double s1_8 = std::sin(z_carrier_left_rx);
@@ -9887,7 +9887,7 @@ struct ClosureTermsWork {
   work.b_carrier_left_rx_y = s1_12 - 3.6*work.R_carrier_left_aux1_z_x;
   const double s1_13 = work.r_carrier_left_aux1_y*work.R_carrier_left_aux1_x_x;
   work.b_carrier_left_rx_z = 3.6*work.R_carrier_left_aux1_y_x - s1_13;
-  // carrier_left
+  // carrier_left: carrier_left_ry, revolute, carrier_left_aux2
   const double z_carrier_left_ry = state.z[Coordinate::carrier_left_ry];
   const double s1_14 = std::cos(z_carrier_left_ry);
   const double s1_15 = std::sin(z_carrier_left_ry);
@@ -9902,19 +9902,19 @@ struct ClosureTermsWork {
   work.s1_17 = 3.6*work.R_carrier_left_aux2_z_y + work.r_carrier_left_aux1_z*work.s1_9;
   work.b_carrier_left_ry_z = work.r_carrier_left_aux1_y*work.s1_9 +
       3.6*work.R_carrier_left_aux2_y_y;
-  // upper_arm_left
+  // upper_arm_left: upper_arm_left, revolute, chassis
   const double z_upper_arm_left = state.z[Coordinate::upper_arm_left];
   work.R_upper_arm_left_y_y = std::cos(z_upper_arm_left);
   work.R_upper_arm_left_z_y = std::sin(z_upper_arm_left);
-  // arb_front_left
+  // arb_front_left: arb_front_left, revolute, chassis
   const double z_arb_front_left = state.z[Coordinate::arb_front_left];
   work.R_arb_front_left_x_x = std::cos(z_arb_front_left);
   work.R_arb_front_left_x_z = std::sin(z_arb_front_left);
-  // lower_arm_right
+  // lower_arm_right: lower_arm_right, revolute, chassis
   const double z_lower_arm_right = state.z[Coordinate::lower_arm_right];
   work.R_lower_arm_right_y_y = std::cos(z_lower_arm_right);
   work.R_lower_arm_right_z_y = std::sin(z_lower_arm_right);
-  // carrier_right_aux1
+  // carrier_right_aux1: carrier_right_rz, revolute, lower_arm_right
   const double s1_18 = 0.04999999999999999*work.R_lower_arm_right_z_y;
   const double s1_19 = 0.44999999999999996*work.R_lower_arm_right_z_y;
   work.r_carrier_right_aux1_y = s1_18 - 0.44999999999999996*work.R_lower_arm_right_y_y - 0.4;
@@ -9930,7 +9930,7 @@ struct ClosureTermsWork {
   work.b_carrier_right_rz_x = s1_22 - work.R_lower_arm_right_z_y*work.s1_20;
   work.s1_23 = 3.6*work.R_lower_arm_right_y_y;
   work.s1_24 = 3.6*work.R_lower_arm_right_z_y;
-  // carrier_right_aux2
+  // carrier_right_aux2: carrier_right_rx, revolute, carrier_right_aux1
   const double z_carrier_right_rx = state.z[Coordinate::carrier_right_rx];
   const double s1_25 = std::cos(z_carrier_right_rx);
   const double s1_26 = std::sin(z_carrier_right_rx);
@@ -9947,7 +9947,7 @@ struct ClosureTermsWork {
   work.s1_31 = 3.6*work.R_carrier_right_aux1_z_x + s1_30;
   const double s1_32 = work.r_carrier_right_aux1_y*work.R_carrier_right_aux1_x_x;
   work.b_carrier_right_rx_z = 3.6*work.R_carrier_right_aux1_y_x - s1_32;
-  // carrier_right
+  // carrier_right: carrier_right_ry, revolute, carrier_right_aux2
   const double z_carrier_right_ry = state.z[Coordinate::carrier_right_ry];
   const double s1_33 = std::cos(z_carrier_right_ry);
   const double s1_34 = std::sin(z_carrier_right_ry);
@@ -9962,31 +9962,31 @@ struct ClosureTermsWork {
   work.b_carrier_right_ry_y = work.s1_20*work.s1_27 - 3.6*work.R_carrier_right_aux2_z_y;
   const double s1_36 = work.r_carrier_right_aux1_y*work.s1_27;
   work.b_carrier_right_ry_z = s1_36 + 3.6*work.R_carrier_right_aux2_y_y;
-  // upper_arm_right
+  // upper_arm_right: upper_arm_right, revolute, chassis
   const double z_upper_arm_right = state.z[Coordinate::upper_arm_right];
   work.R_upper_arm_right_y_y = std::cos(z_upper_arm_right);
   work.R_upper_arm_right_z_y = std::sin(z_upper_arm_right);
-  // arb_front_right
+  // arb_front_right: arb_front_right, revolute, chassis
   const double z_arb_front_right = state.z[Coordinate::arb_front_right];
   work.R_arb_front_right_x_x = std::cos(z_arb_front_right);
   work.R_arb_front_right_x_z = std::sin(z_arb_front_right);
-  // pitman_arm
+  // pitman_arm: pitman_arm, revolute, chassis
   const double z_pitman_arm = state.z[Coordinate::pitman_arm];
   work.R_pitman_arm_x_x = std::cos(z_pitman_arm);
   work.R_pitman_arm_x_z = std::sin(z_pitman_arm);
-  // bell_crank
+  // bell_crank: bell_crank, revolute, chassis
   const double z_bell_crank = state.z[Coordinate::bell_crank];
   work.R_bell_crank_x_x = std::cos(z_bell_crank);
   work.R_bell_crank_y_x = std::sin(z_bell_crank);
-  // rear_axle_aux1
+  // rear_axle_aux1: rear_axle_tx, prismatic, chassis
   work.r_rear_axle_aux1_x = state.z[Coordinate::rear_axle_tx] - 2.4999999999999996;
-  // rear_axle_aux3
+  // rear_axle_aux3: rear_axle_tz, prismatic, rear_axle_aux2
   work.r_rear_axle_aux3_z = state.z[Coordinate::rear_axle_tz] - 0.5;
-  // rear_axle_aux4
+  // rear_axle_aux4: rear_axle_rz, revolute, rear_axle_aux3
   const double z_rear_axle_rz = state.z[Coordinate::rear_axle_rz];
   work.R_rear_axle_aux4_x_x = std::cos(z_rear_axle_rz);
   work.R_rear_axle_aux4_y_x = std::sin(z_rear_axle_rz);
-  // rear_axle_aux5
+  // rear_axle_aux5: rear_axle_ry, revolute, rear_axle_aux4
   const double z_rear_axle_ry = state.z[Coordinate::rear_axle_ry];
   const double R_rear_axle_aux5_z_z = std::cos(z_rear_axle_ry);
   work.s1_37 = std::sin(z_rear_axle_ry);
@@ -9999,7 +9999,7 @@ struct ClosureTermsWork {
   const double z_rear_axle_ty = state.z[Coordinate::rear_axle_ty];
   const double s1_40 = work.r_rear_axle_aux1_x*work.R_rear_axle_aux4_x_x;
   work.b_rear_axle_ry_z = z_rear_axle_ty*work.R_rear_axle_aux4_y_x + s1_40;
-  // rear_axle
+  // rear_axle: rear_axle_rx, revolute, rear_axle_aux5
   const double z_rear_axle_rx = state.z[Coordinate::rear_axle_rx];
   const double s1_41 = std::cos(z_rear_axle_rx);
   const double s1_42 = std::sin(z_rear_axle_rx);
@@ -10015,25 +10015,25 @@ struct ClosureTermsWork {
   work.b_rear_axle_rx_y = work.r_rear_axle_aux1_x*work.s1_37 + s1_45;
   const double s1_46 = work.r_rear_axle_aux1_x*work.R_rear_axle_aux5_y_x;
   work.b_rear_axle_rx_z = s1_46 - z_rear_axle_ty*work.R_rear_axle_aux5_x_x;
-  // arb_rear_left
+  // arb_rear_left: arb_rear_left, revolute, chassis
   const double z_arb_rear_left = state.z[Coordinate::arb_rear_left];
   work.R_arb_rear_left_x_x = std::cos(z_arb_rear_left);
   work.R_arb_rear_left_x_z = std::sin(z_arb_rear_left);
-  // arb_rear_right
+  // arb_rear_right: arb_rear_right, revolute, chassis
   const double z_arb_rear_right = state.z[Coordinate::arb_rear_right];
   work.R_arb_rear_right_x_x = std::cos(z_arb_rear_right);
   work.R_arb_rear_right_x_z = std::sin(z_arb_rear_right);
   // operations: 52 add, 116 multiply, 38 sin cos
 
   // --- step 2: closure Jacobian Phi_z and its factors (60) ---
-  // lower_arm_left
+  // lower_arm_left: lower_arm_left, revolute, chassis
   const double zd_lower_arm_left = state.zd[Coordinate::lower_arm_left];
   const double s2_1 = 0.62*zd_lower_arm_left;
   const double s2_2 = 0.4*zd_lower_arm_left;
   const double s2_3 = zd_lower_arm_left*zd_lower_arm_left;
   const double s2_4 = 0.4*s2_3;
   const double s2_5 = 0.62*s2_3;
-  // carrier_left_aux1
+  // carrier_left_aux1: carrier_left_rz, revolute, lower_arm_left
   const double zd_carrier_left_rz = state.zd[Coordinate::carrier_left_rz];
   const double s2_6 = zd_carrier_left_rz*work.b_carrier_left_rz_x;
   const double s2_7 = zd_carrier_left_rz*work.R_lower_arm_left_z_y;
@@ -10055,7 +10055,7 @@ struct ClosureTermsWork {
   const double s2_23 = work.r_carrier_left_aux1_z*(s2_20 - s2_3) - 3.6*s2_18;
   const double s2_24 = s2_4 + (work.r_carrier_left_aux1_y*(s2_19 - s2_3) + s2_22);
   const double s2_25 = work.r_carrier_left_aux1_y*s2_15 + s2_23 - s2_5;
-  // carrier_left_aux2
+  // carrier_left_aux2: carrier_left_rx, revolute, carrier_left_aux1
   const double zd_carrier_left_rx = state.zd[Coordinate::carrier_left_rx];
   const double s2_26 = zd_carrier_left_rx*work.R_carrier_left_aux1_x_x;
   const double s2_27 = zd_carrier_left_rx*work.R_carrier_left_aux1_y_x;
@@ -10090,7 +10090,7 @@ struct ClosureTermsWork {
   const double s2_56 = s2_21 + (s2_53 - work.r_carrier_left_aux1_y*s2_47);
   const double s2_57 = s2_24 + (work.r_carrier_left_aux1_y*(s2_48 - s2_19) - s2_54);
   const double s2_58 = s2_25 + (s2_55 - work.r_carrier_left_aux1_y*(s2_15 + s2_49));
-  // carrier_left
+  // carrier_left: carrier_left_ry, revolute, carrier_left_aux2
   const double zd_carrier_left_ry = state.zd[Coordinate::carrier_left_ry];
   const double s2_59 = zd_carrier_left_ry*work.s1_9;
   const double s2_60 = zd_carrier_left_ry*work.R_carrier_left_aux2_y_y;
@@ -10128,26 +10128,26 @@ struct ClosureTermsWork {
   work.s2_92 = s2_56 + (s2_87 + (s2_86 + 3.6*(work.s2_77 - s2_44)));
   work.s2_93 = s2_57 + (s2_89 + (s2_88 + 3.6*(s2_45 - work.s2_78)));
   work.s2_94 = s2_58 + (s2_91 + (s2_90 + 3.6*(s2_46 - work.s2_79)));
-  // upper_arm_left
+  // upper_arm_left: upper_arm_left, revolute, chassis
   const double zd_upper_arm_left = state.zd[Coordinate::upper_arm_left];
   work.s2_95 = zd_upper_arm_left*zd_upper_arm_left;
   work.s2_96 = 0.5*work.s2_95;
   work.s2_97 = 0.28*work.s2_95;
-  // arb_front_left
+  // arb_front_left: arb_front_left, revolute, chassis
   const double zd_arb_front_left = state.zd[Coordinate::arb_front_left];
   work.s2_98 = 0.5*zd_arb_front_left;
   work.s2_99 = 3.95*zd_arb_front_left;
   work.s2_100 = zd_arb_front_left*zd_arb_front_left;
   work.s2_101 = 3.95*work.s2_100;
   work.s2_102 = 0.5*work.s2_100;
-  // lower_arm_right
+  // lower_arm_right: lower_arm_right, revolute, chassis
   const double zd_lower_arm_right = state.zd[Coordinate::lower_arm_right];
   const double s2_103 = 0.62*zd_lower_arm_right;
   const double s2_104 = 0.4*zd_lower_arm_right;
   work.s2_105 = zd_lower_arm_right*zd_lower_arm_right;
   work.s2_106 = 0.4*work.s2_105;
   work.s2_107 = 0.62*work.s2_105;
-  // carrier_right_aux1
+  // carrier_right_aux1: carrier_right_rz, revolute, lower_arm_right
   const double zd_carrier_right_rz = state.zd[Coordinate::carrier_right_rz];
   work.s2_108 = zd_carrier_right_rz*work.b_carrier_right_rz_x;
   work.s2_109 = zd_carrier_right_rz*work.R_lower_arm_right_z_y;
@@ -10168,7 +10168,7 @@ struct ClosureTermsWork {
 [[gnu::noinline]] void compute_closure_terms_2(const State& state,
     ClosureTermsWork& __restrict work, ClosureTerms& __restrict result) noexcept {
   // --- step 2: closure Jacobian Phi_z and its factors (60), continued ---
-  // carrier_right_aux1
+  // carrier_right_aux1: carrier_right_rz, revolute, lower_arm_right
   const double s2_121 = work.s2_105 + work.s2_116;
   const double s2_122 = work.s2_105 + work.s2_115;
   const double s2_123 = 3.6*work.s2_118;
@@ -10176,7 +10176,7 @@ struct ClosureTermsWork {
   const double s2_125 = work.s1_20*(s2_122 - work.s2_105) + 3.6*work.s2_120;
   const double s2_126 = s2_124 + (3.6*work.s2_119 - work.s1_20*work.s2_117) - work.s2_106;
   const double s2_127 = work.r_carrier_right_aux1_y*work.s2_117 - s2_125 - work.s2_107;
-  // carrier_right_aux2
+  // carrier_right_aux2: carrier_right_rx, revolute, carrier_right_aux1
   const double zd_carrier_right_rx = state.zd[Coordinate::carrier_right_rx];
   const double s2_128 = zd_carrier_right_rx*work.R_carrier_right_aux1_x_x;
   const double s2_129 = zd_carrier_right_rx*work.R_carrier_right_aux1_y_x;
@@ -10212,7 +10212,7 @@ struct ClosureTermsWork {
   const double s2_158 = s2_123 + (s2_155 - work.r_carrier_right_aux1_y*s2_149);
   const double s2_159 = s2_126 + (work.r_carrier_right_aux1_y*(s2_150 - s2_121) + s2_156);
   const double s2_160 = s2_127 + (s2_157 - work.r_carrier_right_aux1_y*(work.s2_117 + s2_151));
-  // carrier_right
+  // carrier_right: carrier_right_ry, revolute, carrier_right_aux2
   const double zd_carrier_right_ry = state.zd[Coordinate::carrier_right_ry];
   const double s2_161 = zd_carrier_right_ry*work.s1_27;
   const double s2_162 = zd_carrier_right_ry*work.R_carrier_right_aux2_y_y;
@@ -10247,26 +10247,26 @@ struct ClosureTermsWork {
   const double s2_191 = s2_158 + (work.r_carrier_right_aux1_y*(s2_149 - s2_182) + s2_188);
   const double s2_192 = s2_159 + (work.r_carrier_right_aux1_y*(s2_183 - s2_150) + s2_189);
   const double s2_193 = s2_160 + (work.r_carrier_right_aux1_y*(s2_151 - s2_184) + s2_190);
-  // upper_arm_right
+  // upper_arm_right: upper_arm_right, revolute, chassis
   const double zd_upper_arm_right = state.zd[Coordinate::upper_arm_right];
   const double s2_194 = zd_upper_arm_right*zd_upper_arm_right;
   const double s2_195 = 0.5*s2_194;
   const double s2_196 = 0.28*s2_194;
-  // arb_front_right
+  // arb_front_right: arb_front_right, revolute, chassis
   const double zd_arb_front_right = state.zd[Coordinate::arb_front_right];
   const double s2_197 = 0.5*zd_arb_front_right;
   const double s2_198 = 3.95*zd_arb_front_right;
   const double s2_199 = zd_arb_front_right*zd_arb_front_right;
   const double s2_200 = 3.95*s2_199;
   const double s2_201 = 0.5*s2_199;
-  // pitman_arm
+  // pitman_arm: pitman_arm, revolute, chassis
   const double zd_pitman_arm = state.zd[Coordinate::pitman_arm];
   const double s2_202 = 0.4*zd_pitman_arm;
   const double s2_203 = 4.4*zd_pitman_arm;
   const double s2_204 = zd_pitman_arm*zd_pitman_arm;
   const double s2_205 = 4.4*s2_204;
   const double s2_206 = 0.4*s2_204;
-  // bell_crank
+  // bell_crank: bell_crank, revolute, chassis
   const double zd_bell_crank = state.zd[Coordinate::bell_crank];
   const double s2_207 = 3.25*zd_bell_crank;
   const double s2_208 = zd_bell_crank*zd_bell_crank;
@@ -10584,7 +10584,7 @@ struct ClosureTermsWork {
 [[gnu::noinline]] void compute_closure_terms_3(const State& state,
     ClosureTermsWork& __restrict work, ClosureTerms& __restrict result) noexcept {
   // --- step 2: closure Jacobian Phi_z and its factors (60), continued ---
-  // rear_axle_aux4
+  // rear_axle_aux4: rear_axle_rz, revolute, rear_axle_aux3
   const double z_rear_axle_ty = state.z[Coordinate::rear_axle_ty];
   const double zd_rear_axle_rz = state.zd[Coordinate::rear_axle_rz];
   const double s2_439 = state.zd[Coordinate::rear_axle_tx] + z_rear_axle_ty*zd_rear_axle_rz;
@@ -10593,7 +10593,7 @@ struct ClosureTermsWork {
   const double s2_442 = zd_rear_axle_rz*zd_rear_axle_rz;
   const double s2_443 = work.r_rear_axle_aux1_x*s2_442;
   const double s2_444 = z_rear_axle_ty*s2_442;
-  // rear_axle_aux5
+  // rear_axle_aux5: rear_axle_ry, revolute, rear_axle_aux4
   const double zd_rear_axle_ry = state.zd[Coordinate::rear_axle_ry];
   const double s2_445 = zd_rear_axle_ry*work.R_rear_axle_aux4_y_x;
   const double s2_446 = zd_rear_axle_ry*work.R_rear_axle_aux4_x_x;
@@ -10617,7 +10617,7 @@ struct ClosureTermsWork {
   const double s2_464 = z_rear_axle_ty*s2_455 + (work.r_rear_axle_aux3_z*s2_458 + s2_461);
   const double s2_465 = s2_443 + s2_464;
   const double s2_466 = s2_444 + (z_rear_axle_ty*(s2_457 - s2_442) + s2_462);
-  // rear_axle
+  // rear_axle: rear_axle_rx, revolute, rear_axle_aux5
   const double zd_rear_axle_rx = state.zd[Coordinate::rear_axle_rx];
   const double s2_467 = zd_rear_axle_rx*work.R_rear_axle_aux5_x_x;
   const double s2_468 = zd_rear_axle_rx*work.R_rear_axle_aux5_y_x;
@@ -10655,14 +10655,14 @@ struct ClosureTermsWork {
   const double s2_500 = s2_466 + (z_rear_axle_ty*(s2_489 - s2_457) + s2_497);
   const double s2_501 = s2_498 - work.r_rear_axle_aux1_x*s2_487 - z_rear_axle_ty*s2_490;
   const double s2_502 = s2_463 + s2_501;
-  // arb_rear_left
+  // arb_rear_left: arb_rear_left, revolute, chassis
   const double zd_arb_rear_left = state.zd[Coordinate::arb_rear_left];
   const double s2_503 = 0.44999999999999996*zd_arb_rear_left;
   const double s2_504 = 3.3000000000000003*zd_arb_rear_left;
   const double s2_505 = zd_arb_rear_left*zd_arb_rear_left;
   const double s2_506 = 3.3000000000000003*s2_505;
   const double s2_507 = 0.44999999999999996*s2_505;
-  // arb_rear_right
+  // arb_rear_right: arb_rear_right, revolute, chassis
   const double zd_arb_rear_right = state.zd[Coordinate::arb_rear_right];
   const double s2_508 = 0.44999999999999996*zd_arb_rear_right;
   const double s2_509 = 3.3000000000000003*zd_arb_rear_right;
@@ -11369,17 +11369,17 @@ struct ChosenAccelerationsWork {
 [[gnu::noinline]] void compute_chosen_accelerations_1(const State& state,
     ChosenAccelerationsWork& __restrict work) noexcept {
   // --- step 1: poses, axes b, accumulated inertias MR (50) ---
-  // chassis_aux4
+  // chassis_aux4: chassis_rz, revolute, chassis_aux3
   const double z_chassis_rz = state.z[Coordinate::chassis_rz];
   const double R_chassis_aux4_x_x = std::cos(z_chassis_rz);
   const double R_chassis_aux4_y_x = std::sin(z_chassis_rz);
-  // chassis_aux5
+  // chassis_aux5: chassis_ry, revolute, chassis_aux4
   const double z_chassis_ry = state.z[Coordinate::chassis_ry];
   const double R_chassis_aux5_z_z = std::cos(z_chassis_ry);
   work.s1_1 = std::sin(z_chassis_ry);
   work.R_chassis_aux5_x_x = R_chassis_aux4_x_x*R_chassis_aux5_z_z;
   work.R_chassis_aux5_y_x = R_chassis_aux4_y_x*R_chassis_aux5_z_z;
-  // chassis
+  // chassis: chassis_rx, revolute, chassis_aux5
   const double z_chassis_rx = state.z[Coordinate::chassis_rx];
   work.s1_2 = std::cos(z_chassis_rx);
   work.s1_3 = std::sin(z_chassis_rx);
@@ -11391,11 +11391,11 @@ struct ChosenAccelerationsWork {
   work.R_chassis_x_z = R_chassis_aux4_y_x*work.s1_3 + R_chassis_aux4_x_x*s1_5;
   work.R_chassis_y_y = R_chassis_aux4_x_x*work.s1_2 + R_chassis_aux4_y_x*s1_4;
   work.R_chassis_y_z = R_chassis_aux4_y_x*s1_5 - R_chassis_aux4_x_x*work.s1_3;
-  // lower_arm_left
+  // lower_arm_left: lower_arm_left, revolute, chassis
   const double z_lower_arm_left = state.z[Coordinate::lower_arm_left];
   work.R_lower_arm_left_y_y = std::cos(z_lower_arm_left);
   work.R_lower_arm_left_z_y = std::sin(z_lower_arm_left);
-  // carrier_left_aux1
+  // carrier_left_aux1: carrier_left_rz, revolute, lower_arm_left
   const double s1_6 = 0.44999999999999996*work.R_lower_arm_left_y_y;
   const double s1_7 = 0.44999999999999996*work.R_lower_arm_left_z_y;
   work.r_carrier_left_aux1_y = 0.4 + (s1_6 + 0.04999999999999999*work.R_lower_arm_left_z_y);
@@ -11411,7 +11411,7 @@ struct ChosenAccelerationsWork {
   work.b_carrier_left_rz_x = s1_9 + work.R_lower_arm_left_y_y*work.r_carrier_left_aux1_y;
   work.s1_10 = 3.6*work.R_lower_arm_left_y_y;
   work.s1_11 = 3.6*work.R_lower_arm_left_z_y;
-  // carrier_left_aux2
+  // carrier_left_aux2: carrier_left_rx, revolute, carrier_left_aux1
   const double z_carrier_left_rx = state.z[Coordinate::carrier_left_rx];
   const double s1_12 = std::cos(z_carrier_left_rx);
   const double s1_13 = std::sin(z_carrier_left_rx);
@@ -11428,7 +11428,7 @@ struct ChosenAccelerationsWork {
   work.b_carrier_left_rx_y = s1_17 - 3.6*work.R_carrier_left_aux1_z_x;
   const double s1_18 = work.r_carrier_left_aux1_y*work.R_carrier_left_aux1_x_x;
   work.b_carrier_left_rx_z = 3.6*work.R_carrier_left_aux1_y_x - s1_18;
-  // carrier_left
+  // carrier_left: carrier_left_ry, revolute, carrier_left_aux2
   const double z_carrier_left_ry = state.z[Coordinate::carrier_left_ry];
   const double s1_19 = std::cos(z_carrier_left_ry);
   const double s1_20 = std::sin(z_carrier_left_ry);
@@ -11443,7 +11443,7 @@ struct ChosenAccelerationsWork {
   work.s1_22 = 3.6*work.R_carrier_left_aux2_z_y + work.r_carrier_left_aux1_z*work.s1_14;
   work.b_carrier_left_ry_z = work.r_carrier_left_aux1_y*work.s1_14 +
       3.6*work.R_carrier_left_aux2_y_y;
-  // wheel_front_left
+  // wheel_front_left: wheel_front_left, revolute, carrier_left
   const double s1_23 = 0.16999999999999998*work.R_carrier_left_x_z;
   const double s1_24 = 0.17499999999999993*work.R_carrier_left_aux2_y_y;
   const double s1_25 = 0.17499999999999993*work.R_carrier_left_aux2_z_y;
@@ -11458,19 +11458,19 @@ struct ChosenAccelerationsWork {
   work.s1_30 = s1_29 + work.s1_14*work.r_wheel_front_left_z;
   const double s1_31 = work.R_carrier_left_aux2_y_y*work.r_wheel_front_left_x;
   work.b_wheel_front_left_z = work.s1_14*work.r_wheel_front_left_y + s1_31;
-  // upper_arm_left
+  // upper_arm_left: upper_arm_left, revolute, chassis
   const double z_upper_arm_left = state.z[Coordinate::upper_arm_left];
   const double R_upper_arm_left_y_y = std::cos(z_upper_arm_left);
   const double R_upper_arm_left_z_y = std::sin(z_upper_arm_left);
-  // arb_front_left
+  // arb_front_left: arb_front_left, revolute, chassis
   const double z_arb_front_left = state.z[Coordinate::arb_front_left];
   work.R_arb_front_left_x_x = std::cos(z_arb_front_left);
   work.R_arb_front_left_x_z = std::sin(z_arb_front_left);
-  // lower_arm_right
+  // lower_arm_right: lower_arm_right, revolute, chassis
   const double z_lower_arm_right = state.z[Coordinate::lower_arm_right];
   work.R_lower_arm_right_y_y = std::cos(z_lower_arm_right);
   work.R_lower_arm_right_z_y = std::sin(z_lower_arm_right);
-  // carrier_right_aux1
+  // carrier_right_aux1: carrier_right_rz, revolute, lower_arm_right
   const double s1_32 = 0.04999999999999999*work.R_lower_arm_right_z_y;
   const double s1_33 = 0.44999999999999996*work.R_lower_arm_right_z_y;
   work.r_carrier_right_aux1_y = s1_32 - 0.44999999999999996*work.R_lower_arm_right_y_y - 0.4;
@@ -11486,7 +11486,7 @@ struct ChosenAccelerationsWork {
   work.b_carrier_right_rz_x = s1_36 - work.R_lower_arm_right_z_y*work.s1_34;
   work.s1_37 = 3.6*work.R_lower_arm_right_y_y;
   work.s1_38 = 3.6*work.R_lower_arm_right_z_y;
-  // carrier_right_aux2
+  // carrier_right_aux2: carrier_right_rx, revolute, carrier_right_aux1
   const double z_carrier_right_rx = state.z[Coordinate::carrier_right_rx];
   const double s1_39 = std::cos(z_carrier_right_rx);
   const double s1_40 = std::sin(z_carrier_right_rx);
@@ -11503,7 +11503,7 @@ struct ChosenAccelerationsWork {
   work.s1_45 = 3.6*work.R_carrier_right_aux1_z_x + s1_44;
   const double s1_46 = work.r_carrier_right_aux1_y*work.R_carrier_right_aux1_x_x;
   work.b_carrier_right_rx_z = 3.6*work.R_carrier_right_aux1_y_x - s1_46;
-  // carrier_right
+  // carrier_right: carrier_right_ry, revolute, carrier_right_aux2
   const double z_carrier_right_ry = state.z[Coordinate::carrier_right_ry];
   const double s1_47 = std::cos(z_carrier_right_ry);
   const double s1_48 = std::sin(z_carrier_right_ry);
@@ -11518,7 +11518,7 @@ struct ChosenAccelerationsWork {
   work.b_carrier_right_ry_y = work.s1_34*work.s1_41 - 3.6*work.R_carrier_right_aux2_z_y;
   const double s1_50 = work.r_carrier_right_aux1_y*work.s1_41;
   work.b_carrier_right_ry_z = s1_50 + 3.6*work.R_carrier_right_aux2_y_y;
-  // wheel_front_right
+  // wheel_front_right: wheel_front_right, revolute, carrier_right
   const double s1_51 = 0.16999999999999998*work.R_carrier_right_x_z;
   const double s1_52 = 0.17499999999999993*work.R_carrier_right_aux2_y_y;
   const double s1_53 = 0.17499999999999993*work.R_carrier_right_aux2_z_y;
@@ -11532,31 +11532,31 @@ struct ChosenAccelerationsWork {
   work.s1_57 = s1_56 + work.s1_41*work.r_wheel_front_right_z;
   const double s1_58 = work.R_carrier_right_aux2_y_y*work.r_wheel_front_right_x;
   work.b_wheel_front_right_z = work.s1_41*work.r_wheel_front_right_y + s1_58;
-  // upper_arm_right
+  // upper_arm_right: upper_arm_right, revolute, chassis
   const double z_upper_arm_right = state.z[Coordinate::upper_arm_right];
   const double R_upper_arm_right_y_y = std::cos(z_upper_arm_right);
   const double R_upper_arm_right_z_y = std::sin(z_upper_arm_right);
-  // arb_front_right
+  // arb_front_right: arb_front_right, revolute, chassis
   const double z_arb_front_right = state.z[Coordinate::arb_front_right];
   work.R_arb_front_right_x_x = std::cos(z_arb_front_right);
   work.R_arb_front_right_x_z = std::sin(z_arb_front_right);
-  // pitman_arm
+  // pitman_arm: pitman_arm, revolute, chassis
   const double z_pitman_arm = state.z[Coordinate::pitman_arm];
   work.R_pitman_arm_x_x = std::cos(z_pitman_arm);
   work.R_pitman_arm_x_z = std::sin(z_pitman_arm);
-  // bell_crank
+  // bell_crank: bell_crank, revolute, chassis
   const double z_bell_crank = state.z[Coordinate::bell_crank];
   work.R_bell_crank_x_x = std::cos(z_bell_crank);
   work.R_bell_crank_y_x = std::sin(z_bell_crank);
-  // rear_axle_aux1
+  // rear_axle_aux1: rear_axle_tx, prismatic, chassis
   work.r_rear_axle_aux1_x = state.z[Coordinate::rear_axle_tx] - 2.4999999999999996;
-  // rear_axle_aux3
+  // rear_axle_aux3: rear_axle_tz, prismatic, rear_axle_aux2
   work.r_rear_axle_aux3_z = state.z[Coordinate::rear_axle_tz] - 0.5;
-  // rear_axle_aux4
+  // rear_axle_aux4: rear_axle_rz, revolute, rear_axle_aux3
   const double z_rear_axle_rz = state.z[Coordinate::rear_axle_rz];
   work.R_rear_axle_aux4_x_x = std::cos(z_rear_axle_rz);
   work.R_rear_axle_aux4_y_x = std::sin(z_rear_axle_rz);
-  // rear_axle_aux5
+  // rear_axle_aux5: rear_axle_ry, revolute, rear_axle_aux4
   const double z_rear_axle_ry = state.z[Coordinate::rear_axle_ry];
   const double R_rear_axle_aux5_z_z = std::cos(z_rear_axle_ry);
   work.s1_59 = std::sin(z_rear_axle_ry);
@@ -11569,7 +11569,7 @@ struct ChosenAccelerationsWork {
   const double z_rear_axle_ty = state.z[Coordinate::rear_axle_ty];
   const double s1_62 = work.r_rear_axle_aux1_x*work.R_rear_axle_aux4_x_x;
   work.b_rear_axle_ry_z = z_rear_axle_ty*work.R_rear_axle_aux4_y_x + s1_62;
-  // rear_axle
+  // rear_axle: rear_axle_rx, revolute, rear_axle_aux5
   const double z_rear_axle_rx = state.z[Coordinate::rear_axle_rx];
   const double s1_63 = std::cos(z_rear_axle_rx);
   const double s1_64 = std::sin(z_rear_axle_rx);
@@ -11585,7 +11585,7 @@ struct ChosenAccelerationsWork {
   work.b_rear_axle_rx_y = work.r_rear_axle_aux1_x*work.s1_59 + s1_67;
   const double s1_68 = work.r_rear_axle_aux1_x*work.R_rear_axle_aux5_y_x;
   work.b_rear_axle_rx_z = s1_68 - z_rear_axle_ty*work.R_rear_axle_aux5_x_x;
-  // wheel_rear_left
+  // wheel_rear_left: wheel_rear_left, revolute, rear_axle
   const double s1_69 = 0.93*work.R_rear_axle_x_y;
   const double s1_70 = 0.93*work.R_rear_axle_y_y;
   const double s1_71 = 0.93*work.R_rear_axle_z_y;
@@ -11598,11 +11598,11 @@ struct ChosenAccelerationsWork {
   work.b_wheel_rear_left_y = s1_73 - work.R_rear_axle_z_y*work.r_wheel_rear_left_x;
   const double s1_74 = work.R_rear_axle_y_y*work.r_wheel_rear_left_x;
   work.b_wheel_rear_left_z = s1_74 - work.R_rear_axle_x_y*work.r_wheel_rear_left_y;
-  // arb_rear_left
+  // arb_rear_left: arb_rear_left, revolute, chassis
   const double z_arb_rear_left = state.z[Coordinate::arb_rear_left];
   work.R_arb_rear_left_x_x = std::cos(z_arb_rear_left);
   work.R_arb_rear_left_x_z = std::sin(z_arb_rear_left);
-  // wheel_rear_right
+  // wheel_rear_right: wheel_rear_right, revolute, rear_axle
   work.r_wheel_rear_right_x = work.r_rear_axle_aux1_x - s1_69;
   work.r_wheel_rear_right_y = z_rear_axle_ty - s1_70;
   work.r_wheel_rear_right_z = work.r_rear_axle_aux3_z - s1_71;
@@ -11612,11 +11612,11 @@ struct ChosenAccelerationsWork {
   work.b_wheel_rear_right_y = s1_76 - work.R_rear_axle_z_y*work.r_wheel_rear_right_x;
   const double s1_77 = work.R_rear_axle_y_y*work.r_wheel_rear_right_x;
   work.b_wheel_rear_right_z = s1_77 - work.R_rear_axle_x_y*work.r_wheel_rear_right_y;
-  // arb_rear_right
+  // arb_rear_right: arb_rear_right, revolute, chassis
   const double z_arb_rear_right = state.z[Coordinate::arb_rear_right];
   work.R_arb_rear_right_x_x = std::cos(z_arb_rear_right);
   work.R_arb_rear_right_x_z = std::sin(z_arb_rear_right);
-  // lower_arm_left
+  // lower_arm_left: lower_arm_left, revolute, chassis
   const double s1_78 = 0.025000000000000022*work.R_lower_arm_left_z_y;
   const double s1_79 = 0.025000000000000022*work.R_lower_arm_left_y_y;
   work.s1_80 = 0.4 + (0.21999999999999997*work.R_lower_arm_left_y_y + s1_78);
@@ -11637,7 +11637,7 @@ struct ChosenAccelerationsWork {
   work.s1_95 = work.s1_85 + (324.0 + s1_91);
   work.s1_96 = work.s1_86 + (324.0 + s1_90);
   work.s1_97 = work.s1_87 - work.s1_81*work.s1_88;
-  // carrier_left
+  // carrier_left: carrier_left_ry, revolute, carrier_left_aux2
   const double s1_98 = 0.003952802359882006*work.R_carrier_left_x_x;
   const double s1_99 = 0.16710914454277284*work.R_carrier_left_x_z - s1_98;
   const double s1_100 = 0.003952802359882006*work.R_carrier_left_y_x;
@@ -11698,7 +11698,7 @@ struct ChosenAccelerationsWork {
   work.s1_155 = work.s1_141 - work.s1_106*work.s1_146;
   work.s1_156 = work.s1_143 - work.s1_108*work.s1_146;
   work.s1_157 = work.s1_145 - work.s1_108*work.s1_147;
-  // wheel_front_left
+  // wheel_front_left: wheel_front_left, revolute, carrier_left
   const double s1_158 = 6.0*work.R_carrier_left_y_x;
   const double s1_159 = 11.0*work.R_carrier_left_aux2_y_y;
   const double s1_160 = 6.0*work.R_carrier_left_y_z;
@@ -11730,7 +11730,7 @@ struct ChosenAccelerationsWork {
   work.s1_186 = work.s1_172 - work.r_wheel_front_left_y*work.s1_177;
   work.s1_187 = work.s1_174 - work.r_wheel_front_left_z*work.s1_177;
   work.s1_188 = work.s1_176 - work.r_wheel_front_left_z*work.s1_178;
-  // upper_arm_left
+  // upper_arm_left: upper_arm_left, revolute, chassis
   const double s1_189 = 0.010000000000000009*R_upper_arm_left_z_y;
   const double s1_190 = 0.010000000000000009*R_upper_arm_left_y_y;
   work.s1_191 = 0.5 + (0.15000000000000002*R_upper_arm_left_y_y + s1_189);
@@ -11751,7 +11751,7 @@ struct ChosenAccelerationsWork {
   work.s1_206 = work.s1_196 + (194.4 + s1_202);
   work.s1_207 = work.s1_197 + (194.4 + s1_201);
   work.s1_208 = work.s1_198 - work.s1_192*work.s1_199;
-  // arb_front_left
+  // arb_front_left: arb_front_left, revolute, chassis
   const double s1_209 = 0.053846153846153884*work.R_arb_front_left_x_z;
   const double s1_210 = 0.053846153846153884*work.R_arb_front_left_x_x;
   work.s1_211 = 3.95 + (s1_209 - 0.1392307692307692*work.R_arb_front_left_x_x);
@@ -11779,7 +11779,7 @@ struct ChosenAccelerationsWork {
   work.s1_233 = work.s1_215 - 0.5169230769230769*work.s1_226;
   work.s1_234 = work.s1_225 - work.s1_212*work.s1_226;
   work.s1_235 = work.s1_219 + 4.4799999999999995*work.s1_212;
-  // lower_arm_right
+  // lower_arm_right: lower_arm_right, revolute, chassis
   const double s1_236 = 0.025000000000000022*work.R_lower_arm_right_z_y;
   const double s1_237 = 0.025000000000000022*work.R_lower_arm_right_y_y;
   work.s1_238 = s1_236 - 0.21999999999999997*work.R_lower_arm_right_y_y - 0.4;
@@ -11800,7 +11800,7 @@ struct ChosenAccelerationsWork {
   work.s1_253 = work.s1_243 + (324.0 + s1_249);
   work.s1_254 = work.s1_244 + (324.0 + s1_248);
   work.s1_255 = work.s1_245 + work.s1_239*work.s1_246;
-  // carrier_right
+  // carrier_right: carrier_right_ry, revolute, carrier_right_aux2
   const double s1_256 = 0.003952802359882006*work.R_carrier_right_x_x;
   const double s1_257 = 0.16710914454277284*work.R_carrier_right_x_z - s1_256;
   const double s1_258 = 0.003952802359882006*work.R_carrier_right_y_x;
@@ -11860,7 +11860,7 @@ struct ChosenAccelerationsWork {
   work.s1_312 = work.s1_298 - work.s1_264*work.s1_303;
   work.s1_313 = work.s1_300 - work.s1_265*work.s1_303;
   work.s1_314 = work.s1_302 - work.s1_265*work.s1_304;
-  // wheel_front_right
+  // wheel_front_right: wheel_front_right, revolute, carrier_right
   const double s1_315 = 6.0*work.R_carrier_right_y_x;
   const double s1_316 = 11.0*work.R_carrier_right_aux2_y_y;
   const double s1_317 = 6.0*work.R_carrier_right_y_z;
@@ -11892,7 +11892,7 @@ struct ChosenAccelerationsWork {
   work.s1_343 = work.s1_329 - work.r_wheel_front_right_y*work.s1_334;
   work.s1_344 = work.s1_331 - work.r_wheel_front_right_z*work.s1_334;
   work.s1_345 = work.s1_333 - work.r_wheel_front_right_z*work.s1_335;
-  // upper_arm_right
+  // upper_arm_right: upper_arm_right, revolute, chassis
   const double s1_346 = 0.010000000000000009*R_upper_arm_right_z_y;
   const double s1_347 = 0.010000000000000009*R_upper_arm_right_y_y;
   work.s1_348 = s1_346 - 0.15000000000000002*R_upper_arm_right_y_y - 0.5;
@@ -11913,7 +11913,7 @@ struct ChosenAccelerationsWork {
   work.s1_363 = work.s1_353 + (194.4 + s1_359);
   work.s1_364 = work.s1_354 + (194.4 + s1_358);
   work.s1_365 = work.s1_355 + work.s1_349*work.s1_356;
-  // arb_front_right
+  // arb_front_right: arb_front_right, revolute, chassis
   const double s1_366 = 0.053846153846153884*work.R_arb_front_right_x_z;
   const double s1_367 = 0.053846153846153884*work.R_arb_front_right_x_x;
   work.s1_368 = 3.95 + (s1_366 - 0.1392307692307692*work.R_arb_front_right_x_x);
@@ -11928,7 +11928,7 @@ struct ChosenAccelerationsWork {
 [[gnu::noinline]] void compute_chosen_accelerations_2(const State& state,
     ChosenAccelerationsWork& __restrict work) noexcept {
   // --- step 1: poses, axes b, accumulated inertias MR (50), continued ---
-  // arb_front_right
+  // arb_front_right: arb_front_right, revolute, chassis
   const double s1_374 = 0.003692307692307688*work.R_arb_front_right_x_x;
   const double s1_375 = s1_374 - 0.18132307692307692*work.R_arb_front_right_x_z;
   const double s1_376 = 0.016246153846153844*work.R_arb_front_right_x_z;
@@ -11949,7 +11949,7 @@ struct ChosenAccelerationsWork {
   work.s1_391 = work.s1_373 + 0.5169230769230769*work.s1_384;
   work.s1_392 = work.s1_383 - work.s1_369*work.s1_384;
   work.s1_393 = work.s1_377 + 4.4799999999999995*work.s1_369;
-  // pitman_arm
+  // pitman_arm: pitman_arm, revolute, chassis
   work.s1_394 = 4.4 - 0.14666666666666664*work.R_pitman_arm_x_z;
   work.s1_395 = 0.4 + 0.14666666666666664*work.R_pitman_arm_x_x;
   const double s1_396 = 0.0742*work.R_pitman_arm_x_z;
@@ -11968,7 +11968,7 @@ struct ChosenAccelerationsWork {
   work.s1_409 = 0.0842 + (s1_404 + s1_405);
   work.s1_410 = work.s1_400 + (2.25 + s1_404);
   work.s1_411 = work.s1_401 + work.s1_395*work.s1_402;
-  // bell_crank
+  // bell_crank: bell_crank, revolute, chassis
   const double s1_412 = 0.09720000000000001*work.R_bell_crank_y_x;
   const double s1_413 = 0.09720000000000001*work.R_bell_crank_x_x;
   work.s1_414 = s1_413 - 0.09380000000000002*work.R_bell_crank_y_x;
@@ -11992,7 +11992,7 @@ struct ChosenAccelerationsWork {
   work.s1_431 = work.s1_423 + (6.0 + s1_427);
   work.s1_432 = 0.40412866666666675 + (s1_427 + s1_428);
   work.s1_433 = work.s1_424 - work.s1_414*work.s1_425;
-  // rear_axle
+  // rear_axle: rear_axle_rx, revolute, rear_axle_aux5
   const double s1_434 = 0.00017226528854435476*work.R_rear_axle_aux5_x_x;
   const double s1_435 = 0.00017226528854435476*work.R_rear_axle_aux5_y_x;
   const double s1_436 = 0.0019465977605512485*work.R_rear_axle_z_z;
@@ -12037,7 +12037,7 @@ struct ChosenAccelerationsWork {
   work.s1_474 = work.s1_460 - work.s1_439*work.s1_465;
   work.s1_475 = work.s1_462 - work.s1_440*work.s1_465;
   work.s1_476 = work.s1_464 - work.s1_440*work.s1_466;
-  // wheel_rear_left
+  // wheel_rear_left: wheel_rear_left, revolute, rear_axle
   const double s1_477 = 14.0*work.R_rear_axle_aux5_y_x;
   const double s1_478 = 22.0*work.R_rear_axle_y_y;
   const double s1_479 = 14.0*work.R_rear_axle_y_z;
@@ -12069,7 +12069,7 @@ struct ChosenAccelerationsWork {
   work.s1_505 = work.s1_491 - work.r_wheel_rear_left_y*work.s1_496;
   work.s1_506 = work.s1_493 - work.r_wheel_rear_left_z*work.s1_496;
   work.s1_507 = work.s1_495 - work.r_wheel_rear_left_z*work.s1_497;
-  // arb_rear_left
+  // arb_rear_left: arb_rear_left, revolute, chassis
   work.s1_508 = 0.16538461538461574*work.R_arb_rear_left_x_x - 3.3000000000000003;
   work.s1_509 = 0.44999999999999996 + 0.16538461538461574*work.R_arb_rear_left_x_z;
   work.s1_510 = 0.012307692307692316*work.R_arb_rear_left_x_x;
@@ -12091,7 +12091,7 @@ struct ChosenAccelerationsWork {
   work.s1_526 = work.s1_510 + 0.5076923076923077*work.s1_519;
   work.s1_527 = work.s1_518 + work.s1_509*work.s1_519;
   work.s1_528 = work.s1_512 + 4.3999999999999995*work.s1_509;
-  // wheel_rear_right
+  // wheel_rear_right: wheel_rear_right, revolute, rear_axle
   work.s1_529 = 200.0*work.r_wheel_rear_right_x;
   work.s1_530 = 200.0*work.r_wheel_rear_right_y;
   work.s1_531 = 200.0*work.r_wheel_rear_right_z;
@@ -12104,7 +12104,7 @@ struct ChosenAccelerationsWork {
   work.s1_538 = work.s1_491 - work.r_wheel_rear_right_y*work.s1_529;
   work.s1_539 = work.s1_493 - work.r_wheel_rear_right_z*work.s1_529;
   work.s1_540 = work.s1_495 - work.r_wheel_rear_right_z*work.s1_530;
-  // arb_rear_right
+  // arb_rear_right: arb_rear_right, revolute, chassis
   work.s1_541 = 0.16538461538461574*work.R_arb_rear_right_x_x - 3.3000000000000003;
   work.s1_542 = 0.44999999999999996 + 0.16538461538461574*work.R_arb_rear_right_x_z;
   work.s1_543 = 0.012307692307692316*work.R_arb_rear_right_x_x;
@@ -12525,7 +12525,7 @@ struct ChosenAccelerationsWork {
   const double s1_938 = s1_907 + (work.s1_911*s1_930 - 0.6*work.s1_925 - s1_916*s1_921);
   const double s1_939 = s1_908 + (work.s1_912*s1_930 - work.s1_914*work.s1_925 - s1_917*s1_921);
   const double s1_940 = s1_909 + (0.19999999999999998*work.s1_914 + s1_931 - s1_917*s1_922);
-  // arb_rear_right
+  // arb_rear_right: arb_rear_right, revolute, chassis
   const double s1_941 = work.s1_552 + s1_932;
   const double s1_942 = s1_933 - 4.3999999999999995;
   const double s1_943 = s1_934 - work.s1_553;
@@ -12535,7 +12535,7 @@ struct ChosenAccelerationsWork {
   const double s1_947 = work.s1_559 + s1_938;
   const double s1_948 = work.s1_560 + s1_939;
   const double s1_949 = s1_940 - work.s1_561;
-  // wheel_rear_right
+  // wheel_rear_right: wheel_rear_right, revolute, rear_axle
   const double s1_950 = work.s1_465 + work.s1_529;
   const double s1_951 = work.s1_466 + work.s1_530;
   const double s1_952 = work.s1_467 + work.s1_531;
@@ -12545,7 +12545,7 @@ struct ChosenAccelerationsWork {
   const double s1_956 = work.s1_474 + work.s1_538;
   const double s1_957 = work.s1_475 + work.s1_539;
   const double s1_958 = work.s1_476 + work.s1_540;
-  // arb_rear_left
+  // arb_rear_left: arb_rear_left, revolute, chassis
   const double s1_959 = work.s1_519 + s1_941;
   const double s1_960 = 4.3999999999999995 + s1_942;
   const double s1_961 = s1_943 - work.s1_520;
@@ -12555,7 +12555,7 @@ struct ChosenAccelerationsWork {
   const double s1_965 = s1_947 - work.s1_526;
   const double s1_966 = work.s1_527 + s1_948;
   const double s1_967 = work.s1_528 + s1_949;
-  // wheel_rear_left
+  // wheel_rear_left: wheel_rear_left, revolute, rear_axle
   work.N_rear_axle_ty_z = work.s1_496 + s1_950;
   work.N_rear_axle_tz_x = work.s1_497 + s1_951;
   work.N_rear_axle_tx_y = work.s1_498 + s1_952;
@@ -12565,7 +12565,7 @@ struct ChosenAccelerationsWork {
   work.s1_971 = work.s1_505 + s1_956;
   work.s1_972 = work.s1_506 + s1_957;
   work.s1_973 = work.s1_507 + s1_958;
-  // rear_axle_aux1
+  // rear_axle_aux1: rear_axle_tx, prismatic, chassis
   const double s1_974 = s1_959 + work.N_rear_axle_ty_z;
   const double s1_975 = s1_960 + work.N_rear_axle_tz_x;
   const double s1_976 = s1_961 + work.N_rear_axle_tx_y;
@@ -12575,7 +12575,7 @@ struct ChosenAccelerationsWork {
   const double s1_980 = s1_965 + work.s1_971;
   const double s1_981 = s1_966 + work.s1_972;
   const double s1_982 = s1_967 + work.s1_973;
-  // bell_crank
+  // bell_crank: bell_crank, revolute, chassis
   const double s1_983 = work.s1_425 + s1_974;
   const double s1_984 = work.s1_426 + s1_975;
   const double s1_985 = s1_976 - 10.0;
@@ -12585,7 +12585,7 @@ struct ChosenAccelerationsWork {
   const double s1_989 = work.s1_433 + s1_980;
   const double s1_990 = work.s1_429 + s1_981;
   const double s1_991 = work.N_bell_crank_y + s1_982;
-  // pitman_arm
+  // pitman_arm: pitman_arm, revolute, chassis
   const double s1_992 = work.s1_402 + s1_983;
   const double s1_993 = 4.5 + s1_984;
   const double s1_994 = s1_985 - work.s1_403;
@@ -12595,7 +12595,7 @@ struct ChosenAccelerationsWork {
   const double s1_998 = s1_989 - work.s1_406;
   const double s1_999 = work.s1_411 + s1_990;
   const double s1_1000 = work.s1_407 + s1_991;
-  // arb_front_right
+  // arb_front_right: arb_front_right, revolute, chassis
   const double s1_1001 = work.s1_384 + s1_992;
   const double s1_1002 = s1_993 - 4.4799999999999995;
   const double s1_1003 = work.s1_385 + s1_994;
@@ -12605,7 +12605,7 @@ struct ChosenAccelerationsWork {
   const double s1_1007 = work.s1_391 + s1_998;
   const double s1_1008 = work.s1_392 + s1_999;
   const double s1_1009 = work.s1_393 + s1_1000;
-  // upper_arm_right
+  // upper_arm_right: upper_arm_right, revolute, chassis
   const double s1_1010 = 54.0 + s1_1001;
   const double s1_1011 = work.s1_356 + s1_1002;
   const double s1_1012 = s1_1003 - work.s1_357;
@@ -12615,7 +12615,7 @@ struct ChosenAccelerationsWork {
   const double s1_1016 = s1_1007 - work.s1_360;
   const double s1_1017 = work.s1_361 + s1_1008;
   const double s1_1018 = work.s1_365 + s1_1009;
-  // wheel_front_right
+  // wheel_front_right: wheel_front_right, revolute, carrier_right
   work.s1_1019 = work.s1_303 + work.s1_334;
   work.s1_1020 = work.s1_304 + work.s1_335;
   work.s1_1021 = work.s1_305 + work.s1_336;
@@ -12625,7 +12625,7 @@ struct ChosenAccelerationsWork {
   work.s1_1025 = work.s1_312 + work.s1_343;
   work.s1_1026 = work.s1_313 + work.s1_344;
   work.s1_1027 = work.s1_314 + work.s1_345;
-  // carrier_right_aux1
+  // carrier_right_aux1: carrier_right_rz, revolute, lower_arm_right
   work.s1_1028 = 90.0 + work.s1_1019;
   work.s1_1029 = work.s1_246 + work.s1_1020;
   work.s1_1030 = work.s1_1021 - work.s1_247;
@@ -12635,7 +12635,7 @@ struct ChosenAccelerationsWork {
   work.s1_1034 = work.s1_1025 - work.s1_250;
   work.s1_1035 = work.s1_251 + work.s1_1026;
   const double s1_1036 = work.s1_255 + work.s1_1027;
-  // lower_arm_right
+  // lower_arm_right: lower_arm_right, revolute, chassis
   const double s1_1037 = s1_1010 + work.s1_1028;
   const double s1_1038 = s1_1011 + work.s1_1029;
   const double s1_1039 = s1_1012 + work.s1_1030;
@@ -12645,7 +12645,7 @@ struct ChosenAccelerationsWork {
   const double s1_1043 = s1_1016 + work.s1_1034;
   const double s1_1044 = s1_1017 + work.s1_1035;
   const double s1_1045 = s1_1018 + s1_1036;
-  // arb_front_left
+  // arb_front_left: arb_front_left, revolute, chassis
   const double s1_1046 = work.s1_226 + s1_1037;
   const double s1_1047 = 4.4799999999999995 + s1_1038;
   const double s1_1048 = work.s1_227 + s1_1039;
@@ -12655,7 +12655,7 @@ struct ChosenAccelerationsWork {
   const double s1_1052 = work.s1_233 + s1_1043;
   const double s1_1053 = work.s1_234 + s1_1044;
   const double s1_1054 = s1_1045 - work.s1_235;
-  // upper_arm_left
+  // upper_arm_left: upper_arm_left, revolute, chassis
   const double s1_1055 = 54.0 + s1_1046;
   const double s1_1056 = work.s1_199 + s1_1047;
   const double s1_1057 = work.s1_200 + s1_1048;
@@ -12665,7 +12665,7 @@ struct ChosenAccelerationsWork {
   const double s1_1061 = s1_1052 - work.s1_203;
   const double s1_1062 = s1_1053 - work.s1_204;
   const double s1_1063 = work.s1_208 + s1_1054;
-  // wheel_front_left
+  // wheel_front_left: wheel_front_left, revolute, carrier_left
   work.s1_1064 = work.s1_146 + work.s1_177;
   work.s1_1065 = work.s1_147 + work.s1_178;
   work.s1_1066 = work.s1_148 + work.s1_179;
@@ -12675,7 +12675,7 @@ struct ChosenAccelerationsWork {
   work.s1_1070 = work.s1_155 + work.s1_186;
   work.s1_1071 = work.s1_156 + work.s1_187;
   work.s1_1072 = work.s1_157 + work.s1_188;
-  // carrier_left_aux1
+  // carrier_left_aux1: carrier_left_rz, revolute, lower_arm_left
   work.s1_1073 = 90.0 + work.s1_1064;
   work.s1_1074 = work.s1_88 + work.s1_1065;
   work.s1_1075 = work.s1_89 + work.s1_1066;
@@ -12685,7 +12685,7 @@ struct ChosenAccelerationsWork {
   work.s1_1079 = work.s1_1070 - work.s1_92;
   work.s1_1080 = work.s1_1071 - work.s1_93;
   const double s1_1081 = work.s1_97 + work.s1_1072;
-  // lower_arm_left
+  // lower_arm_left: lower_arm_left, revolute, chassis
   work.s1_1082 = s1_1055 + work.s1_1073;
   work.F_chassis_rx_z = s1_1056 + work.s1_1074;
   work.s1_1083 = s1_1057 + work.s1_1075;
@@ -12695,7 +12695,7 @@ struct ChosenAccelerationsWork {
   work.N_chassis_rx_y = s1_1061 + work.s1_1079;
   work.N_chassis_rx_z = s1_1062 + work.s1_1080;
   work.s1_1086 = s1_1063 + s1_1081;
-  // chassis
+  // chassis: chassis_rx, revolute, chassis_aux5
   const double s1_1087 = work.R_chassis_z_z*work.N_chassis_rx_z - work.s1_1*work.N_chassis_rx_x;
   work.N_chassis_rz_x = work.R_chassis_z_y*work.N_chassis_rx_y + s1_1087;
   const double s1_1088 = work.R_chassis_z_z*work.s1_1086 - work.s1_1*work.N_chassis_rx_y;
@@ -12707,7 +12707,7 @@ struct ChosenAccelerationsWork {
   // operations: 1052 add, 1126 multiply, 44 sin cos
 
   // --- step 4: velocities Z (36) ---
-  // chassis
+  // chassis: chassis_rx, revolute, chassis_aux5
   const double zd_chassis_rz = state.zd[Coordinate::chassis_rz];
   const double s2_1 = zd_chassis_rz*work.s1_1;
   const double s2_2 = zd_chassis_rz*work.R_chassis_z_y;
@@ -12719,16 +12719,16 @@ struct ChosenAccelerationsWork {
   work.w_chassis_z = s2_3 - s2_5;
   const double zd_chassis_rx = state.zd[Coordinate::chassis_rx];
   work.w_chassis_x = zd_chassis_rx - s2_1;
-  // lower_arm_left
+  // lower_arm_left: lower_arm_left, revolute, chassis
   const double zd_lower_arm_left = state.zd[Coordinate::lower_arm_left];
   work.w_lower_arm_left_x = zd_lower_arm_left + work.w_chassis_x;
-  // carrier_left_aux1
+  // carrier_left_aux1: carrier_left_rz, revolute, lower_arm_left
   const double zd_carrier_left_rz = state.zd[Coordinate::carrier_left_rz];
   const double s2_6 = zd_carrier_left_rz*work.R_lower_arm_left_z_y;
   const double s2_7 = zd_carrier_left_rz*work.R_lower_arm_left_y_y;
   const double w_carrier_left_aux1_y = work.w_chassis_y - s2_6;
   const double w_carrier_left_aux1_z = work.w_chassis_z + s2_7;
-  // carrier_left_aux2
+  // carrier_left_aux2: carrier_left_rx, revolute, carrier_left_aux1
   const double zd_carrier_left_rx = state.zd[Coordinate::carrier_left_rx];
   const double s2_8 = zd_carrier_left_rx*work.R_carrier_left_aux1_x_x;
   const double s2_9 = zd_carrier_left_rx*work.R_carrier_left_aux1_y_x;
@@ -12736,7 +12736,7 @@ struct ChosenAccelerationsWork {
   const double w_carrier_left_aux2_x = work.w_lower_arm_left_x + s2_8;
   const double w_carrier_left_aux2_y = w_carrier_left_aux1_y + s2_9;
   const double w_carrier_left_aux2_z = w_carrier_left_aux1_z + s2_10;
-  // carrier_left
+  // carrier_left: carrier_left_ry, revolute, carrier_left_aux2
   const double zd_carrier_left_ry = state.zd[Coordinate::carrier_left_ry];
   const double s2_11 = zd_carrier_left_ry*work.s1_14;
   const double s2_12 = zd_carrier_left_ry*work.R_carrier_left_aux2_y_y;
@@ -12744,7 +12744,7 @@ struct ChosenAccelerationsWork {
   work.w_carrier_left_x = w_carrier_left_aux2_x - s2_11;
   work.w_carrier_left_y = w_carrier_left_aux2_y + s2_12;
   work.w_carrier_left_z = w_carrier_left_aux2_z + s2_13;
-  // wheel_front_left
+  // wheel_front_left: wheel_front_left, revolute, carrier_left
   const double zd_wheel_front_left = state.zd[Coordinate::wheel_front_left];
   const double s2_14 = zd_wheel_front_left*work.s1_14;
   const double s2_15 = zd_wheel_front_left*work.R_carrier_left_aux2_y_y;
@@ -12752,22 +12752,22 @@ struct ChosenAccelerationsWork {
   work.w_wheel_front_left_x = work.w_carrier_left_x - s2_14;
   work.w_wheel_front_left_y = work.w_carrier_left_y + s2_15;
   work.w_wheel_front_left_z = work.w_carrier_left_z + s2_16;
-  // upper_arm_left
+  // upper_arm_left: upper_arm_left, revolute, chassis
   const double zd_upper_arm_left = state.zd[Coordinate::upper_arm_left];
   work.w_upper_arm_left_x = zd_upper_arm_left + work.w_chassis_x;
-  // arb_front_left
+  // arb_front_left: arb_front_left, revolute, chassis
   const double zd_arb_front_left = state.zd[Coordinate::arb_front_left];
   work.w_arb_front_left_y = zd_arb_front_left + work.w_chassis_y;
-  // lower_arm_right
+  // lower_arm_right: lower_arm_right, revolute, chassis
   const double zd_lower_arm_right = state.zd[Coordinate::lower_arm_right];
   work.w_lower_arm_right_x = zd_lower_arm_right + work.w_chassis_x;
-  // carrier_right_aux1
+  // carrier_right_aux1: carrier_right_rz, revolute, lower_arm_right
   const double zd_carrier_right_rz = state.zd[Coordinate::carrier_right_rz];
   const double s2_17 = zd_carrier_right_rz*work.R_lower_arm_right_z_y;
   const double s2_18 = zd_carrier_right_rz*work.R_lower_arm_right_y_y;
   const double w_carrier_right_aux1_y = work.w_chassis_y - s2_17;
   const double w_carrier_right_aux1_z = work.w_chassis_z + s2_18;
-  // carrier_right_aux2
+  // carrier_right_aux2: carrier_right_rx, revolute, carrier_right_aux1
   const double zd_carrier_right_rx = state.zd[Coordinate::carrier_right_rx];
   const double s2_19 = zd_carrier_right_rx*work.R_carrier_right_aux1_x_x;
   const double s2_20 = zd_carrier_right_rx*work.R_carrier_right_aux1_y_x;
@@ -12775,7 +12775,7 @@ struct ChosenAccelerationsWork {
   const double w_carrier_right_aux2_x = work.w_lower_arm_right_x + s2_19;
   const double w_carrier_right_aux2_y = w_carrier_right_aux1_y + s2_20;
   const double w_carrier_right_aux2_z = w_carrier_right_aux1_z + s2_21;
-  // carrier_right
+  // carrier_right: carrier_right_ry, revolute, carrier_right_aux2
   const double zd_carrier_right_ry = state.zd[Coordinate::carrier_right_ry];
   const double s2_22 = zd_carrier_right_ry*work.s1_41;
   const double s2_23 = zd_carrier_right_ry*work.R_carrier_right_aux2_y_y;
@@ -12783,7 +12783,7 @@ struct ChosenAccelerationsWork {
   work.w_carrier_right_x = w_carrier_right_aux2_x - s2_22;
   work.w_carrier_right_y = w_carrier_right_aux2_y + s2_23;
   work.w_carrier_right_z = w_carrier_right_aux2_z + s2_24;
-  // wheel_front_right
+  // wheel_front_right: wheel_front_right, revolute, carrier_right
   const double zd_wheel_front_right = state.zd[Coordinate::wheel_front_right];
   work.s2_25 = zd_wheel_front_right*work.s1_41;
   work.s2_26 = zd_wheel_front_right*work.R_carrier_right_aux2_y_y;
@@ -12791,23 +12791,23 @@ struct ChosenAccelerationsWork {
   work.w_wheel_front_right_x = work.w_carrier_right_x - work.s2_25;
   work.w_wheel_front_right_y = work.w_carrier_right_y + work.s2_26;
   work.w_wheel_front_right_z = work.w_carrier_right_z + work.s2_27;
-  // upper_arm_right
+  // upper_arm_right: upper_arm_right, revolute, chassis
   work.w_upper_arm_right_x = state.zd[Coordinate::upper_arm_right] + work.w_chassis_x;
-  // arb_front_right
+  // arb_front_right: arb_front_right, revolute, chassis
   work.w_arb_front_right_y = state.zd[Coordinate::arb_front_right] + work.w_chassis_y;
-  // pitman_arm
+  // pitman_arm: pitman_arm, revolute, chassis
   work.w_pitman_arm_y = state.zd[Coordinate::pitman_arm] + work.w_chassis_y;
-  // bell_crank
+  // bell_crank: bell_crank, revolute, chassis
   work.w_bell_crank_z = state.zd[Coordinate::bell_crank] + work.w_chassis_z;
-  // rear_axle_aux4
+  // rear_axle_aux4: rear_axle_rz, revolute, rear_axle_aux3
   work.w_rear_axle_aux4_z = state.zd[Coordinate::rear_axle_rz] + work.w_chassis_z;
-  // rear_axle_aux5
+  // rear_axle_aux5: rear_axle_ry, revolute, rear_axle_aux4
   const double zd_rear_axle_ry = state.zd[Coordinate::rear_axle_ry];
   work.s2_28 = zd_rear_axle_ry*work.R_rear_axle_aux4_y_x;
   work.s2_29 = zd_rear_axle_ry*work.R_rear_axle_aux4_x_x;
   work.w_rear_axle_aux5_x = work.w_chassis_x - work.s2_28;
   work.w_rear_axle_aux5_y = work.w_chassis_y + work.s2_29;
-  // rear_axle
+  // rear_axle: rear_axle_rx, revolute, rear_axle_aux5
   const double zd_rear_axle_rx = state.zd[Coordinate::rear_axle_rx];
   work.s2_30 = zd_rear_axle_rx*work.R_rear_axle_aux5_x_x;
   work.s2_31 = zd_rear_axle_rx*work.R_rear_axle_aux5_y_x;
@@ -12815,7 +12815,7 @@ struct ChosenAccelerationsWork {
   work.w_rear_axle_x = work.w_rear_axle_aux5_x + work.s2_30;
   work.w_rear_axle_y = work.w_rear_axle_aux5_y + work.s2_31;
   work.w_rear_axle_z = work.w_rear_axle_aux4_z - work.s2_32;
-  // wheel_rear_left
+  // wheel_rear_left: wheel_rear_left, revolute, rear_axle
   const double zd_wheel_rear_left = state.zd[Coordinate::wheel_rear_left];
   work.s2_33 = zd_wheel_rear_left*work.R_rear_axle_x_y;
   work.s2_34 = zd_wheel_rear_left*work.R_rear_axle_y_y;
@@ -12823,9 +12823,9 @@ struct ChosenAccelerationsWork {
   work.w_wheel_rear_left_x = work.w_rear_axle_x + work.s2_33;
   work.w_wheel_rear_left_y = work.w_rear_axle_y + work.s2_34;
   work.w_wheel_rear_left_z = work.w_rear_axle_z + work.s2_35;
-  // arb_rear_left
+  // arb_rear_left: arb_rear_left, revolute, chassis
   work.w_arb_rear_left_y = state.zd[Coordinate::arb_rear_left] + work.w_chassis_y;
-  // wheel_rear_right
+  // wheel_rear_right: wheel_rear_right, revolute, rear_axle
   const double zd_wheel_rear_right = state.zd[Coordinate::wheel_rear_right];
   work.s2_36 = zd_wheel_rear_right*work.R_rear_axle_x_y;
   work.s2_37 = zd_wheel_rear_right*work.R_rear_axle_y_y;
@@ -12833,12 +12833,12 @@ struct ChosenAccelerationsWork {
   work.w_wheel_rear_right_x = work.w_rear_axle_x + work.s2_36;
   work.w_wheel_rear_right_y = work.w_rear_axle_y + work.s2_37;
   work.w_wheel_rear_right_z = work.w_rear_axle_z + work.s2_38;
-  // arb_rear_right
+  // arb_rear_right: arb_rear_right, revolute, chassis
   work.w_arb_rear_right_y = state.zd[Coordinate::arb_rear_right] + work.w_chassis_y;
   // operations: 47 add, 38 multiply
 
   // --- step 7: accelerations Zdot and accumulated forces QR - PR (51), (52) ---
-  // chassis
+  // chassis: chassis_rx, revolute, chassis_aux5
   work.s4_1 = 9.81*work.s1_1;
   work.a_chassis_y = 9.81*work.R_chassis_z_y;
   work.a_chassis_z = 9.81*work.R_chassis_z_z;
@@ -12860,7 +12860,7 @@ struct ChosenAccelerationsWork {
   work.s4_16 = work.s4_4 + work.s4_10;
   work.s4_17 = work.alpha_chassis_y + work.s4_12;
   work.s4_18 = work.s4_3 + work.s4_10;
-  // lower_arm_left
+  // lower_arm_left: lower_arm_left, revolute, chassis
   work.alpha_lower_arm_left_x = projection.zdd_star[0] - work.s4_2;
   work.alpha_lower_arm_left_y = work.alpha_chassis_y + zd_lower_arm_left*work.w_chassis_z;
   work.s4_19 = work.s4_9 + zd_lower_arm_left*work.w_chassis_y;
@@ -12881,7 +12881,7 @@ struct ChosenAccelerationsWork {
   work.a_lower_arm_left_x = s4_33 - work.s4_1;
   work.a_lower_arm_left_y = work.a_chassis_y + (0.4*(work.s4_26 - work.s4_16) + s4_31);
   work.a_lower_arm_left_z = work.a_chassis_z + (0.4*(work.s4_7 - work.s4_27) + s4_32);
-  // carrier_left_aux1
+  // carrier_left_aux1: carrier_left_rz, revolute, lower_arm_left
   const double s4_34 = work.R_lower_arm_left_z_y*projection.zdd_star[1];
   const double s4_35 = work.w_chassis_z*s2_6 + work.w_chassis_y*s2_7;
   const double alpha_carrier_left_aux1_x = work.alpha_lower_arm_left_x + s4_35;
@@ -12915,7 +12915,7 @@ struct ChosenAccelerationsWork {
       s4_43)));
   const double a_carrier_left_aux1_z = work.a_lower_arm_left_z + (s4_56 + (s4_55 + 3.6*(work.s4_24 -
       s4_44)));
-  // carrier_left_aux2
+  // carrier_left_aux2: carrier_left_rx, revolute, carrier_left_aux1
   const double s4_57 = work.R_carrier_left_aux1_x_x*projection.zdd_star[2];
   const double s4_58 = work.R_carrier_left_aux1_y_x*projection.zdd_star[2];
   const double s4_59 = work.R_carrier_left_aux1_z_x*projection.zdd_star[2];
@@ -12949,7 +12949,7 @@ struct ChosenAccelerationsWork {
   const double a_carrier_left_aux2_y = a_carrier_left_aux1_y + s4_82;
   const double s4_83 = work.r_carrier_left_aux1_y*(s4_47 - s4_74) + s4_80;
   const double a_carrier_left_aux2_z = a_carrier_left_aux1_z + s4_83;
-  // carrier_left
+  // carrier_left: carrier_left_ry, revolute, carrier_left_aux2
   const double s4_84 = work.R_carrier_left_aux2_y_y*projection.zdd_star[3];
   const double s4_85 = work.R_carrier_left_aux2_z_y*projection.zdd_star[3];
   const double s4_86 = alpha_carrier_left_aux2_x - work.s1_14*projection.zdd_star[3];
@@ -12982,7 +12982,7 @@ struct ChosenAccelerationsWork {
   work.a_carrier_left_x = a_carrier_left_aux2_x + (s4_105 + (s4_104 + 3.6*(work.s4_95 - s4_69)));
   work.a_carrier_left_y = a_carrier_left_aux2_y + (s4_107 + (s4_106 + 3.6*(s4_70 - work.s4_96)));
   work.a_carrier_left_z = a_carrier_left_aux2_z + (s4_109 + (s4_108 + 3.6*(s4_71 - work.s4_97)));
-  // wheel_front_left
+  // wheel_front_left: wheel_front_left, revolute, carrier_left
   const double s4_110 = work.w_carrier_left_y*s2_16 - work.w_carrier_left_z*s2_15;
   work.alpha_wheel_front_left_x = work.alpha_carrier_left_x + s4_110;
   const double s4_111 = work.w_carrier_left_x*s2_16 + work.w_carrier_left_z*s2_14;
@@ -13016,7 +13016,7 @@ struct ChosenAccelerationsWork {
   work.a_wheel_front_left_y = work.a_carrier_left_y + s4_135;
   const double s4_136 = work.r_wheel_front_left_y*(work.s4_100 - work.s4_124) + s4_133;
   work.a_wheel_front_left_z = work.a_carrier_left_z + s4_136;
-  // upper_arm_left
+  // upper_arm_left: upper_arm_left, revolute, chassis
   work.alpha_upper_arm_left_x = projection.zdd_star[4] - work.s4_2;
   work.alpha_upper_arm_left_y = work.alpha_chassis_y + zd_upper_arm_left*work.w_chassis_z;
   work.s4_137 = work.s4_9 + zd_upper_arm_left*work.w_chassis_y;
@@ -13037,7 +13037,7 @@ struct ChosenAccelerationsWork {
   work.a_upper_arm_left_x = s4_151 - work.s4_1;
   work.a_upper_arm_left_y = work.a_chassis_y + (0.5*(work.s4_144 - work.s4_16) + s4_149);
   work.a_upper_arm_left_z = work.a_chassis_z + (0.5*(work.s4_7 - work.s4_145) + s4_150);
-  // arb_front_left
+  // arb_front_left: arb_front_left, revolute, chassis
   work.alpha_arb_front_left_y = projection.zdd_star[5] + work.alpha_chassis_y;
   work.s4_152 = work.s4_2 + zd_arb_front_left*work.w_chassis_z;
   work.alpha_arb_front_left_z = zd_arb_front_left*work.w_chassis_x - work.s4_9;
@@ -13058,7 +13058,7 @@ struct ChosenAccelerationsWork {
   const double s4_166 = 3.95*(work.s4_13 - work.s4_157) - 0.5*(work.s4_8 - work.s4_162);
   work.a_arb_front_left_y = work.a_chassis_y + s4_166;
   work.a_arb_front_left_z = work.a_chassis_z + (0.45*(work.s4_7 - work.s4_160) + s4_165);
-  // lower_arm_right
+  // lower_arm_right: lower_arm_right, revolute, chassis
   work.alpha_lower_arm_right_x = projection.zdd_star[6] - work.s4_2;
   work.alpha_lower_arm_right_y = work.alpha_chassis_y + zd_lower_arm_right*work.w_chassis_z;
   work.s4_167 = work.s4_9 + zd_lower_arm_right*work.w_chassis_y;
@@ -13079,7 +13079,7 @@ struct ChosenAccelerationsWork {
   work.s4_182 = work.s4_1 + s4_181;
   work.a_lower_arm_right_y = work.a_chassis_y + (s4_179 - 0.4*(work.s4_174 - work.s4_16));
   work.a_lower_arm_right_z = work.a_chassis_z + (s4_180 - 0.4*(work.s4_7 - work.s4_175));
-  // carrier_right_aux1
+  // carrier_right_aux1: carrier_right_rz, revolute, lower_arm_right
   const double s4_183 = work.R_lower_arm_right_z_y*projection.zdd_star[7];
   const double s4_184 = work.w_chassis_z*s2_17 + work.w_chassis_y*s2_18;
   const double alpha_carrier_right_aux1_x = work.alpha_lower_arm_right_x + s4_184;
@@ -13110,7 +13110,7 @@ struct ChosenAccelerationsWork {
   const double a_carrier_right_aux1_y = work.a_lower_arm_right_y + s4_204;
   const double s4_205 = work.r_carrier_right_aux1_y*(work.s4_175 - s4_196) + s4_202;
   const double a_carrier_right_aux1_z = work.a_lower_arm_right_z + s4_205;
-  // carrier_right_aux2
+  // carrier_right_aux2: carrier_right_rx, revolute, carrier_right_aux1
   const double s4_206 = work.R_carrier_right_aux1_x_x*projection.zdd_star[8];
   const double s4_207 = work.R_carrier_right_aux1_y_x*projection.zdd_star[8];
   const double s4_208 = work.R_carrier_right_aux1_z_x*projection.zdd_star[8];
@@ -13144,7 +13144,7 @@ struct ChosenAccelerationsWork {
   work.a_carrier_right_aux2_y = a_carrier_right_aux1_y + s4_231;
   const double s4_232 = work.r_carrier_right_aux1_y*(s4_196 - work.s4_223) + s4_229;
   work.a_carrier_right_aux2_z = a_carrier_right_aux1_z + s4_232;
-  // carrier_right
+  // carrier_right: carrier_right_ry, revolute, carrier_right_aux2
   const double s4_233 = work.R_carrier_right_aux2_y_y*projection.zdd_star[9];
   const double s4_234 = work.R_carrier_right_aux2_z_y*projection.zdd_star[9];
   const double s4_235 = alpha_carrier_right_aux2_x - work.s1_41*projection.zdd_star[9];
@@ -13165,7 +13165,7 @@ struct ChosenAccelerationsWork {
 [[gnu::noinline]] void compute_chosen_accelerations_4(const State& state,
     const Projection& projection, ChosenAccelerationsWork& __restrict work) noexcept {
   // --- step 7: accelerations Zdot and accumulated forces QR - PR (51), (52), continued ---
-  // carrier_right
+  // carrier_right: carrier_right_ry, revolute, carrier_right_aux2
   const double s4_243 = work.w_carrier_right_y*work.w_carrier_right_z;
   work.s4_244 = work.s4_239 + work.s4_240;
   work.s4_245 = work.alpha_carrier_right_z + work.s4_241;
@@ -13185,7 +13185,7 @@ struct ChosenAccelerationsWork {
   work.a_carrier_right_y = work.a_carrier_right_aux2_y + s4_257;
   const double s4_258 = work.r_carrier_right_aux1_y*(work.s4_223 - work.s4_249) + s4_255;
   work.a_carrier_right_z = work.a_carrier_right_aux2_z + s4_258;
-  // wheel_front_right
+  // wheel_front_right: wheel_front_right, revolute, carrier_right
   const double s4_259 = work.w_carrier_right_y*work.s2_27 - work.w_carrier_right_z*work.s2_26;
   work.alpha_wheel_front_right_x = work.alpha_carrier_right_x + s4_259;
   const double s4_260 = work.w_carrier_right_x*work.s2_27 + work.w_carrier_right_z*work.s2_25;
@@ -13219,7 +13219,7 @@ struct ChosenAccelerationsWork {
   work.a_wheel_front_right_y = work.a_carrier_right_y + s4_284;
   const double s4_285 = work.r_wheel_front_right_y*(work.s4_249 - work.s4_273) + s4_282;
   work.a_wheel_front_right_z = work.a_carrier_right_z + s4_285;
-  // upper_arm_right
+  // upper_arm_right: upper_arm_right, revolute, chassis
   const double zd_upper_arm_right = state.zd[Coordinate::upper_arm_right];
   work.alpha_upper_arm_right_x = projection.zdd_star[10] - work.s4_2;
   work.alpha_upper_arm_right_y = work.alpha_chassis_y + zd_upper_arm_right*work.w_chassis_z;
@@ -13241,7 +13241,7 @@ struct ChosenAccelerationsWork {
   work.s4_301 = work.s4_1 + s4_300;
   work.a_upper_arm_right_y = work.a_chassis_y + (s4_298 - 0.5*(work.s4_293 - work.s4_16));
   work.a_upper_arm_right_z = work.a_chassis_z + (s4_299 - 0.5*(work.s4_7 - work.s4_294));
-  // arb_front_right
+  // arb_front_right: arb_front_right, revolute, chassis
   const double zd_arb_front_right = state.zd[Coordinate::arb_front_right];
   work.alpha_arb_front_right_y = projection.zdd_star[11] + work.alpha_chassis_y;
   work.s4_302 = work.s4_2 + zd_arb_front_right*work.w_chassis_z;
@@ -13263,7 +13263,7 @@ struct ChosenAccelerationsWork {
   const double s4_316 = 3.95*(work.s4_13 - work.s4_307) - 0.5*(work.s4_8 - work.s4_312);
   work.a_arb_front_right_y = work.a_chassis_y + s4_316;
   work.a_arb_front_right_z = work.a_chassis_z + (s4_315 - 0.45*(work.s4_7 - work.s4_310));
-  // pitman_arm
+  // pitman_arm: pitman_arm, revolute, chassis
   const double zd_pitman_arm = state.zd[Coordinate::pitman_arm];
   work.alpha_pitman_arm_y = projection.zdd_star[12] + work.alpha_chassis_y;
   work.s4_317 = work.s4_2 + zd_pitman_arm*work.w_chassis_z;
@@ -13285,7 +13285,7 @@ struct ChosenAccelerationsWork {
   const double s4_331 = 4.4*(work.s4_13 - work.s4_322) - 0.4*(work.s4_8 - work.s4_327);
   work.a_pitman_arm_y = work.a_chassis_y + s4_331;
   work.a_pitman_arm_z = work.a_chassis_z + (0.5*(work.s4_7 - s4_325) + s4_330);
-  // bell_crank
+  // bell_crank: bell_crank, revolute, chassis
   const double zd_bell_crank = state.zd[Coordinate::bell_crank];
   work.alpha_bell_crank_z = projection.zdd_star[13] - work.s4_9;
   work.alpha_bell_crank_x = zd_bell_crank*work.w_chassis_y - work.s4_2;
@@ -13305,28 +13305,28 @@ struct ChosenAccelerationsWork {
   const double s4_343 = 3.25*(work.s4_13 - work.s4_336) - 0.6*(work.s4_8 - s4_342);
   work.a_bell_crank_y = work.a_chassis_y + s4_343;
   work.a_bell_crank_z = work.a_chassis_z + 3.25*(work.s4_14 - work.s4_337);
-  // rear_axle_aux1
+  // rear_axle_aux1: rear_axle_tx, prismatic, chassis
   const double zd_rear_axle_tx = state.zd[Coordinate::rear_axle_tx];
   const double s4_344 = zd_rear_axle_tx*work.w_chassis_z;
   const double s4_345 = zd_rear_axle_tx*work.w_chassis_y;
   const double a_rear_axle_aux1_x = projection.zdd_star[14] - work.s4_1;
   const double a_rear_axle_aux1_y = s4_344 + (work.a_chassis_y + s4_344);
   const double a_rear_axle_aux1_z = work.a_chassis_z - s4_345 - s4_345;
-  // rear_axle_aux2
+  // rear_axle_aux2: rear_axle_ty, prismatic, rear_axle_aux1
   const double zd_rear_axle_ty = state.zd[Coordinate::rear_axle_ty];
   const double s4_346 = zd_rear_axle_ty*work.w_chassis_z;
   const double s4_347 = zd_rear_axle_ty*work.w_chassis_x;
   const double a_rear_axle_aux2_y = projection.zdd_star[15] + a_rear_axle_aux1_y;
   const double a_rear_axle_aux2_x = a_rear_axle_aux1_x - s4_346 - s4_346;
   const double a_rear_axle_aux2_z = s4_347 + (a_rear_axle_aux1_z + s4_347);
-  // rear_axle_aux3
+  // rear_axle_aux3: rear_axle_tz, prismatic, rear_axle_aux2
   const double zd_rear_axle_tz = state.zd[Coordinate::rear_axle_tz];
   const double s4_348 = zd_rear_axle_tz*work.w_chassis_y;
   const double s4_349 = zd_rear_axle_tz*work.w_chassis_x;
   const double a_rear_axle_aux3_z = projection.zdd_star[16] + a_rear_axle_aux2_z;
   const double a_rear_axle_aux3_x = s4_348 + (a_rear_axle_aux2_x + s4_348);
   const double a_rear_axle_aux3_y = a_rear_axle_aux2_y - s4_349 - s4_349;
-  // rear_axle_aux4
+  // rear_axle_aux4: rear_axle_rz, revolute, rear_axle_aux3
   const double zd_rear_axle_rz = state.zd[Coordinate::rear_axle_rz];
   const double alpha_rear_axle_aux4_z = projection.zdd_star[17] - work.s4_9;
   const double alpha_rear_axle_aux4_x = zd_rear_axle_rz*work.w_chassis_y - work.s4_2;
@@ -13354,7 +13354,7 @@ struct ChosenAccelerationsWork {
       s4_364);
   const double a_rear_axle_aux4_z = a_rear_axle_aux3_z + (z_rear_axle_ty*(work.s4_7 - s4_358) +
       s4_365);
-  // rear_axle_aux5
+  // rear_axle_aux5: rear_axle_ry, revolute, rear_axle_aux4
   const double s4_366 = work.R_rear_axle_aux4_y_x*projection.zdd_star[18];
   const double s4_367 = work.R_rear_axle_aux4_x_x*projection.zdd_star[18];
   const double alpha_rear_axle_aux5_x = alpha_rear_axle_aux4_x - s4_366 -
@@ -13389,7 +13389,7 @@ struct ChosenAccelerationsWork {
       s4_386);
   const double a_rear_axle_aux5_z = a_rear_axle_aux4_z + (z_rear_axle_ty*(s4_358 - s4_379) +
       s4_388);
-  // rear_axle
+  // rear_axle: rear_axle_rx, revolute, rear_axle_aux5
   const double s4_389 = work.R_rear_axle_aux5_x_x*projection.zdd_star[19];
   const double s4_390 = work.R_rear_axle_aux5_y_x*projection.zdd_star[19];
   const double s4_391 = work.w_rear_axle_aux4_z*work.s2_31 + work.w_rear_axle_aux5_y*work.s2_32;
@@ -13422,7 +13422,7 @@ struct ChosenAccelerationsWork {
   work.a_rear_axle_x = a_rear_axle_aux5_x + (z_rear_axle_ty*(s4_377 - work.s4_403) + s4_410);
   work.a_rear_axle_y = a_rear_axle_aux5_y + (z_rear_axle_ty*(work.s4_404 - s4_378) + s4_412);
   work.a_rear_axle_z = a_rear_axle_aux5_z + (z_rear_axle_ty*(s4_379 - work.s4_405) + s4_414);
-  // wheel_rear_left
+  // wheel_rear_left: wheel_rear_left, revolute, rear_axle
   const double s4_415 = work.w_rear_axle_y*work.s2_35 - work.w_rear_axle_z*work.s2_34;
   work.alpha_wheel_rear_left_x = work.alpha_rear_axle_x + s4_415;
   const double s4_416 = work.w_rear_axle_z*work.s2_33 - work.w_rear_axle_x*work.s2_35;
@@ -13456,7 +13456,7 @@ struct ChosenAccelerationsWork {
   work.a_wheel_rear_left_y = work.a_rear_axle_y + s4_440;
   const double s4_441 = work.r_wheel_rear_left_y*(work.s4_405 - work.s4_429) + s4_438;
   work.a_wheel_rear_left_z = work.a_rear_axle_z + s4_441;
-  // arb_rear_left
+  // arb_rear_left: arb_rear_left, revolute, chassis
   const double zd_arb_rear_left = state.zd[Coordinate::arb_rear_left];
   work.alpha_arb_rear_left_y = projection.zdd_star[20] + work.alpha_chassis_y;
   work.s4_442 = work.s4_2 + zd_arb_rear_left*work.w_chassis_z;
@@ -13481,7 +13481,7 @@ struct ChosenAccelerationsWork {
   const double s4_459 = s4_456 + 3.3000000000000003*(work.s4_13 - work.s4_447);
   work.a_arb_rear_left_y = work.a_chassis_y - s4_459;
   work.a_arb_rear_left_z = work.a_chassis_z + (0.45*(work.s4_7 - work.s4_450) - s4_458);
-  // wheel_rear_right
+  // wheel_rear_right: wheel_rear_right, revolute, rear_axle
   const double s4_460 = work.w_rear_axle_y*work.s2_38 - work.w_rear_axle_z*work.s2_37;
   work.alpha_wheel_rear_right_x = work.alpha_rear_axle_x + s4_460;
   const double s4_461 = work.w_rear_axle_z*work.s2_36 - work.w_rear_axle_x*work.s2_38;
@@ -13515,7 +13515,7 @@ struct ChosenAccelerationsWork {
   work.a_wheel_rear_right_y = work.a_rear_axle_y + s4_485;
   const double s4_486 = work.r_wheel_rear_right_y*(work.s4_405 - work.s4_474) + s4_483;
   work.a_wheel_rear_right_z = work.a_rear_axle_z + s4_486;
-  // arb_rear_right
+  // arb_rear_right: arb_rear_right, revolute, chassis
   const double zd_arb_rear_right = state.zd[Coordinate::arb_rear_right];
   work.alpha_arb_rear_right_y = projection.zdd_star[21] + work.alpha_chassis_y;
   work.s4_487 = work.s4_2 + zd_arb_rear_right*work.w_chassis_z;
@@ -13828,7 +13828,7 @@ struct ChosenAccelerationsWork {
   work.s4_772 = s4_748 + (work.s1_912*s4_767 - work.s1_911*s4_768);
   work.s4_773 = s4_749 + (work.s1_910*s4_768 + work.s1_912*s4_766);
   work.s4_774 = s4_750 - (work.s1_911*s4_766 + work.s1_910*s4_767);
-  // chassis
+  // chassis: chassis_rx, revolute, chassis_aux5
   const double s4_775 = 0.24897456123052653*work.s4_17 + 0.0027607966870439754*work.s4_6;
   const double s4_776 = 0.24897456123052653*work.s4_8 - 0.0027607966870439754*work.s4_13;
   const double s4_777 = 0.24897456123052653*work.s4_18 + 0.0027607966870439754*work.s4_14;
@@ -13851,7 +13851,7 @@ struct ChosenAccelerationsWork {
   work.s4_794 = s4_739 - (s4_788 - 0.24897456123052653*s4_779);
   work.s4_795 = s4_740 - (s4_786 + 150070.8160441727*work.alpha_chassis_y + s4_789);
   work.s4_796 = s4_741 - (s4_790 - 0.0027607966870439754*s4_779);
-  // lower_arm_left
+  // lower_arm_left: lower_arm_left, revolute, chassis
   const double s4_797 = 3.6*work.s4_6;
   const double s4_798 = work.s1_80*work.s4_25 + (work.s1_81*work.s4_28 - s4_797);
   const double s4_799 = work.s1_81*work.s4_29 + 3.6*work.s4_23 - work.s1_80*work.s4_26;
@@ -13871,7 +13871,7 @@ struct ChosenAccelerationsWork {
   work.s4_813 = s4_812 + (work.s1_81*work.s4_801 - 3.6*work.s4_803);
   const double s4_814 = work.w_lower_arm_left_x*s4_805 - work.w_chassis_y*s4_804 + s4_809;
   work.s4_815 = s4_814 + (3.6*work.s4_802 - work.s1_80*work.s4_801);
-  // carrier_left
+  // carrier_left: carrier_left_ry, revolute, carrier_left_aux2
   const double s4_816 = work.s1_108*work.s4_101 - work.s1_104*work.s4_95;
   const double s4_817 = work.s1_108*work.s4_102 + work.s1_104*work.s4_96;
   const double s4_818 = work.s1_104*work.s4_97 - work.s1_108*work.s4_103;
@@ -13902,7 +13902,7 @@ struct ChosenAccelerationsWork {
   work.s4_843 = work.s4_597 - (s4_837 + (work.s1_106*s4_821 - work.s1_108*s4_820));
   work.s4_844 = work.s4_598 - (s4_838 + (work.s1_108*s4_819 - work.s1_104*s4_821));
   work.s4_845 = work.s4_599 - (s4_839 + (work.s1_104*s4_820 - work.s1_106*s4_819));
-  // wheel_front_left
+  // wheel_front_left: wheel_front_left, revolute, carrier_left
   const double s4_846 = work.r_wheel_front_left_z*work.s4_125;
   const double s4_847 = s4_846 - work.r_wheel_front_left_x*work.s4_119;
   const double s4_848 = work.r_wheel_front_left_z*work.s4_126;
@@ -13942,7 +13942,7 @@ struct ChosenAccelerationsWork {
   work.s4_882 = s4_881 + (s4_877 - work.r_wheel_front_left_x*work.s4_857);
   const double s4_883 = s4_875 + (work.s1_176*work.alpha_wheel_front_left_y + s4_872);
   work.s4_884 = s4_883 + (s4_878 - work.r_wheel_front_left_y*work.s4_855);
-  // upper_arm_left
+  // upper_arm_left: upper_arm_left, revolute, chassis
   const double s4_885 = work.s1_191*work.s4_143 + (work.s1_192*work.s4_146 - s4_797);
   const double s4_886 = work.s1_192*work.s4_147 + 3.6*work.s4_141 - work.s1_191*work.s4_144;
   const double s4_887 = work.s1_191*work.s4_145 + (3.6*work.s4_142 - work.s1_192*work.s4_148);
@@ -13961,7 +13961,7 @@ struct ChosenAccelerationsWork {
   work.s4_900 = s4_899 + (work.s1_192*work.s4_888 - 3.6*work.s4_890);
   const double s4_901 = work.w_upper_arm_left_x*s4_892 - work.w_chassis_y*s4_891 + s4_896;
   work.s4_902 = s4_901 + (3.6*work.s4_889 - work.s1_191*work.s4_888);
-  // arb_front_left
+  // arb_front_left: arb_front_left, revolute, chassis
   const double s4_903 = work.s1_212*work.s4_161 - work.s1_211*work.s4_156;
   const double s4_904 = 0.5169230769230769*work.s4_16;
   const double s4_905 = work.s1_211*work.s4_158 - work.s1_212*work.s4_163;
@@ -13994,7 +13994,7 @@ struct ChosenAccelerationsWork {
   work.s4_932 = work.s4_516 - (s4_925 + (work.s1_212*s4_908 - work.s1_211*s4_911));
   const double s4_933 = s4_926 + (work.s1_211*s4_909 - 0.5169230769230769*s4_908);
   work.s4_934 = work.s4_517 - s4_933;
-  // lower_arm_right
+  // lower_arm_right: lower_arm_right, revolute, chassis
   const double s4_935 = work.s1_238*work.s4_173 - (s4_797 + work.s1_239*work.s4_176);
   const double s4_936 = 3.6*work.s4_171 - work.s1_239*work.s4_177 - work.s1_238*work.s4_174;
   const double s4_937 = work.s1_238*work.s4_175 + (work.s1_239*work.s4_178 + 3.6*work.s4_172);
@@ -14013,7 +14013,7 @@ struct ChosenAccelerationsWork {
   work.s4_950 = s4_949 - (3.6*work.s4_940 + work.s1_239*work.s4_938);
   const double s4_951 = work.w_lower_arm_right_x*s4_942 - work.w_chassis_y*s4_941 + s4_946;
   work.s4_952 = s4_951 + (3.6*work.s4_939 - work.s1_238*work.s4_938);
-  // carrier_right
+  // carrier_right: carrier_right_ry, revolute, carrier_right_aux2
   const double s4_953 = work.s1_265*work.s4_250 - work.s1_262*work.s4_244;
   const double s4_954 = work.s1_265*work.s4_251 + work.s1_262*work.s4_245;
   const double s4_955 = work.s1_262*work.s4_246 - work.s1_265*work.s4_252;
@@ -14044,7 +14044,7 @@ struct ChosenAccelerationsWork {
   work.s4_980 = work.s4_624 - (s4_974 + (work.s1_264*s4_958 - work.s1_265*s4_957));
   work.s4_981 = work.s4_625 - (s4_975 + (work.s1_265*s4_956 - work.s1_262*s4_958));
   work.s4_982 = work.s4_626 - (s4_976 + (work.s1_262*s4_957 - work.s1_264*s4_956));
-  // wheel_front_right
+  // wheel_front_right: wheel_front_right, revolute, carrier_right
   const double s4_983 = work.r_wheel_front_right_z*work.s4_274;
   const double s4_984 = s4_983 - work.r_wheel_front_right_x*work.s4_268;
   const double s4_985 = work.r_wheel_front_right_z*work.s4_275;
@@ -14084,7 +14084,7 @@ struct ChosenAccelerationsWork {
   work.s4_1019 = s4_1018 + (s4_1014 - work.r_wheel_front_right_x*work.s4_994);
   const double s4_1020 = s4_1012 + (work.s1_333*work.alpha_wheel_front_right_y + s4_1009);
   work.s4_1021 = s4_1020 + (s4_1015 - work.r_wheel_front_right_y*work.s4_992);
-  // upper_arm_right
+  // upper_arm_right: upper_arm_right, revolute, chassis
   const double s4_1022 = work.s1_348*work.s4_292 - (s4_797 + work.s1_349*work.s4_295);
   const double s4_1023 = 3.6*work.s4_290 - work.s1_349*work.s4_296 - work.s1_348*work.s4_293;
   const double s4_1024 = work.s1_348*work.s4_294 + (work.s1_349*work.s4_297 + 3.6*work.s4_291);
@@ -14103,7 +14103,7 @@ struct ChosenAccelerationsWork {
   work.s4_1037 = s4_1036 - (3.6*work.s4_1027 + work.s1_349*work.s4_1025);
   const double s4_1038 = work.w_upper_arm_right_x*s4_1029 - work.w_chassis_y*s4_1028 + s4_1033;
   work.s4_1039 = s4_1038 + (3.6*work.s4_1026 - work.s1_348*work.s4_1025);
-  // arb_front_right
+  // arb_front_right: arb_front_right, revolute, chassis
   const double s4_1040 = work.s1_369*work.s4_311 - work.s1_368*work.s4_306;
   const double s4_1041 = work.s1_368*work.s4_308 - work.s1_369*work.s4_313;
   work.s4_1042 = work.a_arb_front_right_x + (s4_1040 - 0.5169230769230769*work.s4_309);
@@ -14117,7 +14117,7 @@ struct ChosenAccelerationsWork {
 [[gnu::noinline]] void compute_chosen_accelerations_6(const State& state, const double* tau,
     ChosenAccelerationsWork& __restrict work) noexcept {
   // --- step 7: accelerations Zdot and accumulated forces QR - PR (51), (52), continued ---
-  // arb_front_right
+  // arb_front_right: arb_front_right, revolute, chassis
   const double s4_1046 = 8.666666666666666*work.s4_1042;
   const double s4_1047 = 8.666666666666666*work.s4_1044;
   const double s4_1048 = 8.666666666666666*work.s4_1045;
@@ -14141,7 +14141,7 @@ struct ChosenAccelerationsWork {
   const double s4_1066 = s4_1061 - (work.s1_369*s4_1047 + 0.5169230769230769*s4_1048);
   const double s4_1067 = work.s4_538 - (s4_1062 + (work.s1_369*s4_1046 - work.s1_368*s4_1048));
   const double s4_1068 = s4_1063 + (0.5169230769230769*s4_1046 + work.s1_368*s4_1047);
-  // pitman_arm
+  // pitman_arm: pitman_arm, revolute, chassis
   const double s4_1069 = work.s4_561 - (work.s1_395*work.s4_326 + work.s1_394*work.s4_321);
   const double s4_1070 = work.s1_394*work.s4_322 - work.s1_395*work.s4_327 - work.s4_562;
   const double s4_1071 = work.s4_563 + (work.s1_395*work.s4_328 + work.s1_394*work.s4_323);
@@ -14160,7 +14160,7 @@ struct ChosenAccelerationsWork {
   const double s4_1084 = work.s4_555 + s4_1072;
   const double s4_1085 = work.s4_557 + s4_1074;
   const double s4_1086 = work.s4_559 - (s4_1079 + 0.0842*work.alpha_pitman_arm_y - s4_1082);
-  // bell_crank
+  // bell_crank: bell_crank, revolute, chassis
   const double s4_1087 = work.s1_414*work.s4_338 - (work.s4_549 + work.s1_415*work.s4_335);
   const double s4_1088 = work.s1_415*work.s4_336 - work.s4_550 - work.s1_414*work.s4_339;
   const double s4_1089 = work.s1_414*work.s4_340 + (work.s4_551 + work.s1_415*work.s4_337);
@@ -14180,7 +14180,7 @@ struct ChosenAccelerationsWork {
   const double s4_1103 = s4_1100 + 0.40412866666666675*work.alpha_bell_crank_z;
   const double s4_1104 = work.s4_610 + s4_1091;
   const double s4_1105 = work.s4_614 - (s4_1103 + (work.s1_415*s4_1091 - work.s1_414*s4_1090));
-  // rear_axle
+  // rear_axle: rear_axle_rx, revolute, rear_axle_aux5
   const double s4_1106 = work.s1_440*work.s4_406 - work.s1_438*work.s4_400;
   const double s4_1107 = work.s1_440*work.s4_407 + work.s1_438*work.s4_401;
   const double s4_1108 = work.s1_438*work.s4_402 - work.s1_440*work.s4_408;
@@ -14208,7 +14208,7 @@ struct ChosenAccelerationsWork {
   const double s4_1130 = work.s4_772 - (s4_1124 + (work.s1_439*s4_1111 - work.s1_440*s4_1110));
   const double s4_1131 = work.s4_773 - (s4_1125 + (work.s1_440*s4_1109 - work.s1_438*s4_1111));
   const double s4_1132 = work.s4_774 - (s4_1126 + (work.s1_438*s4_1110 - work.s1_439*s4_1109));
-  // wheel_rear_left
+  // wheel_rear_left: wheel_rear_left, revolute, rear_axle
   const double s4_1133 = work.r_wheel_rear_left_z*work.s4_430;
   const double s4_1134 = s4_1133 - work.r_wheel_rear_left_x*work.s4_424;
   const double s4_1135 = work.r_wheel_rear_left_z*work.s4_431;
@@ -14245,7 +14245,7 @@ struct ChosenAccelerationsWork {
   const double s4_1166 = s4_1161 + (work.s1_487*work.alpha_wheel_rear_left_y + s4_1157) + s4_1165;
   const double s4_1167 = work.r_wheel_rear_left_x*s4_1143 - work.r_wheel_rear_left_y*s4_1142;
   const double s4_1168 = s4_1162 + (work.s1_495*work.alpha_wheel_rear_left_y + s4_1159) + s4_1167;
-  // arb_rear_left
+  // arb_rear_left: arb_rear_left, revolute, chassis
   const double s4_1169 = work.s1_509*work.s4_451 + work.s1_508*work.s4_446;
   const double s4_1170 = 0.5076923076923077*work.s4_16;
   const double s4_1171 = work.s1_509*work.s4_453 + work.s1_508*work.s4_448;
@@ -14275,7 +14275,7 @@ struct ChosenAccelerationsWork {
   const double s4_1195 = s4_1190 + (work.s1_509*s4_1175 + 0.5076923076923077*s4_1177);
   const double s4_1196 = work.s4_690 - (s4_1191 - (work.s1_508*s4_1177 + work.s1_509*s4_1174));
   const double s4_1197 = s4_1192 + (work.s1_508*s4_1175 - 0.5076923076923077*s4_1174);
-  // wheel_rear_right
+  // wheel_rear_right: wheel_rear_right, revolute, rear_axle
   const double s4_1198 = work.r_wheel_rear_right_z*work.s4_475;
   const double s4_1199 = s4_1198 - work.r_wheel_rear_right_x*work.s4_469;
   const double s4_1200 = work.r_wheel_rear_right_z*work.s4_476;
@@ -14315,7 +14315,7 @@ struct ChosenAccelerationsWork {
   const double s4_1234 = work.r_wheel_rear_right_x*s4_1208 - work.r_wheel_rear_right_y*s4_1207;
   const double s4_1235 = s4_1227 + (work.s1_495*work.alpha_wheel_rear_right_y + s4_1224);
   const double s4_1236 = s4_1235 + s4_1234;
-  // arb_rear_right
+  // arb_rear_right: arb_rear_right, revolute, chassis
   const double s4_1237 = work.s1_542*work.s4_496 + work.s1_541*work.s4_491;
   const double s4_1238 = work.s1_542*work.s4_498 + work.s1_541*work.s4_493;
   const double s4_1239 = s4_1170 + (work.s1_541*work.s4_492 - work.s1_542*work.s4_497);
@@ -14352,7 +14352,7 @@ struct ChosenAccelerationsWork {
   const double s4_1269 = work.s4_794 + (work.s4_760 - s4_1262);
   const double s4_1270 = work.s4_795 + s4_1263;
   const double s4_1271 = work.s4_796 - (work.s4_762 + s4_1264);
-  // wheel_rear_right
+  // wheel_rear_right: wheel_rear_right, revolute, rear_axle
   const double s4_1272 = work.R_rear_axle_z_y*s4_1236 + work.R_rear_axle_x_y*s4_1230;
   const double s4_1273 = work.b_wheel_rear_right_z*s4_1209 + work.b_wheel_rear_right_x*s4_1207;
   const double s4_1274 = work.b_wheel_rear_right_y*s4_1208 + s4_1273;
@@ -14364,7 +14364,7 @@ struct ChosenAccelerationsWork {
   const double s4_1279 = s4_1130 - s4_1230;
   const double s4_1280 = s4_1131 - s4_1233;
   const double s4_1281 = s4_1132 - s4_1236;
-  // arb_rear_left
+  // arb_rear_left: arb_rear_left, revolute, chassis
   const double s4_1282 = s4_1196 + (3.3000000000000003*s4_1194 - 0.44999999999999996*s4_1193);
   work.Q_arb_rear_left = tau[Coordinate::arb_rear_left] + s4_1282;
   const double s4_1283 = s4_1266 - s4_1193;
@@ -14373,7 +14373,7 @@ struct ChosenAccelerationsWork {
   const double s4_1286 = s4_1269 - (work.s4_689 + s4_1195);
   const double s4_1287 = s4_1196 + s4_1270;
   const double s4_1288 = work.s4_691 - s4_1197 + s4_1271;
-  // wheel_rear_left
+  // wheel_rear_left: wheel_rear_left, revolute, rear_axle
   const double s4_1289 = work.R_rear_axle_z_y*s4_1168 + work.R_rear_axle_x_y*s4_1164;
   const double s4_1290 = work.b_wheel_rear_left_z*s4_1144 + work.b_wheel_rear_left_x*s4_1142;
   const double s4_1291 = work.b_wheel_rear_left_y*s4_1143 + s4_1290;
@@ -14385,26 +14385,26 @@ struct ChosenAccelerationsWork {
   const double s4_1296 = s4_1279 - s4_1164;
   const double s4_1297 = s4_1280 - s4_1166;
   const double s4_1298 = s4_1281 - s4_1168;
-  // rear_axle
+  // rear_axle: rear_axle_rx, revolute, rear_axle_aux5
   const double s4_1299 = work.R_rear_axle_aux5_x_x*s4_1296 - work.s1_59*s4_1298;
   const double s4_1300 = work.b_rear_axle_rx_z*s4_1295 + work.s1_66*s4_1293;
   const double s4_1301 = work.R_rear_axle_aux5_y_x*s4_1297 + s4_1299;
   const double s4_1302 = s4_1301 - (work.b_rear_axle_rx_y*s4_1294 + s4_1300);
   work.Q_rear_axle_rx = tau[Coordinate::rear_axle_rx] + s4_1302;
-  // rear_axle_aux5
+  // rear_axle_aux5: rear_axle_ry, revolute, rear_axle_aux4
   const double s4_1303 = work.b_rear_axle_ry_z*s4_1295 + work.s1_60*s4_1293;
   const double s4_1304 = work.R_rear_axle_aux4_x_x*s4_1297 - work.R_rear_axle_aux4_y_x*s4_1296;
   const double s4_1305 = s4_1304 + (work.s1_61*s4_1294 - s4_1303);
   work.Q_rear_axle_ry = tau[Coordinate::rear_axle_ry] + s4_1305;
-  // rear_axle_aux4
+  // rear_axle_aux4: rear_axle_rz, revolute, rear_axle_aux3
   const double s4_1306 = state.z[Coordinate::rear_axle_ty]*s4_1293;
   const double s4_1307 = s4_1298 + (work.r_rear_axle_aux1_x*s4_1294 + s4_1306);
   work.Q_rear_axle_rz = tau[Coordinate::rear_axle_rz] + s4_1307;
-  // rear_axle_aux3
+  // rear_axle_aux3: rear_axle_tz, prismatic, rear_axle_aux2
   work.Q_rear_axle_tz = tau[Coordinate::rear_axle_tz] - s4_1295;
-  // rear_axle_aux2
+  // rear_axle_aux2: rear_axle_ty, prismatic, rear_axle_aux1
   work.Q_rear_axle_ty = tau[Coordinate::rear_axle_ty] - s4_1294;
-  // rear_axle_aux1
+  // rear_axle_aux1: rear_axle_tx, prismatic, chassis
   work.Q_rear_axle_tx = tau[Coordinate::rear_axle_tx] + s4_1293;
   const double s4_1308 = s4_1283 + s4_1293;
   const double s4_1309 = s4_1284 + s4_1294;
@@ -14412,7 +14412,7 @@ struct ChosenAccelerationsWork {
   const double s4_1311 = s4_1286 + s4_1296;
   const double s4_1312 = s4_1287 + s4_1297;
   const double s4_1313 = s4_1288 + s4_1298;
-  // bell_crank
+  // bell_crank: bell_crank, revolute, chassis
   work.Q_bell_crank = tau[Coordinate::bell_crank] + (s4_1105 + 3.25*s4_1104);
   const double s4_1314 = s4_1308 - (work.s4_609 + s4_1090);
   const double s4_1315 = s4_1104 + s4_1309;
@@ -14420,7 +14420,7 @@ struct ChosenAccelerationsWork {
   const double s4_1317 = work.s4_612 - (s4_1101 + (0.6*s4_1091 + work.s1_414*s4_1092)) + s4_1311;
   const double s4_1318 = work.s4_613 - (s4_1102 - (work.s1_415*s4_1092 + 0.6*s4_1090)) + s4_1312;
   const double s4_1319 = s4_1105 + s4_1313;
-  // pitman_arm
+  // pitman_arm: pitman_arm, revolute, chassis
   work.Q_pitman_arm = tau[Coordinate::pitman_arm] + (s4_1086 - (4.4*s4_1085 + 0.4*s4_1084));
   const double s4_1320 = s4_1314 - s4_1084;
   const double s4_1321 = work.s4_556 + s4_1073 + s4_1315;
@@ -14429,7 +14429,7 @@ struct ChosenAccelerationsWork {
   const double s4_1324 = s4_1317 - s4_1323;
   const double s4_1325 = s4_1086 + s4_1318;
   const double s4_1326 = work.s4_560 - (s4_1083 + (work.s1_394*s4_1073 - 0.5*s4_1072)) + s4_1319;
-  // arb_front_right
+  // arb_front_right: arb_front_right, revolute, chassis
   const double s4_1327 = s4_1067 - (3.95*s4_1065 + 0.5*s4_1064);
   work.Q_arb_front_right = tau[Coordinate::arb_front_right] + s4_1327;
   const double s4_1328 = s4_1320 - s4_1064;
@@ -14438,7 +14438,7 @@ struct ChosenAccelerationsWork {
   const double s4_1331 = work.s4_537 - s4_1066 + s4_1324;
   const double s4_1332 = s4_1067 + s4_1325;
   const double s4_1333 = s4_1326 - (work.s4_539 + s4_1068);
-  // upper_arm_right
+  // upper_arm_right: upper_arm_right, revolute, chassis
   const double s4_1334 = 0.28*work.s4_1026 - 0.5*work.s4_1027 - work.s4_1035;
   work.Q_upper_arm_right = tau[Coordinate::upper_arm_right] + s4_1334;
   const double s4_1335 = s4_1328 - work.s4_1025;
@@ -14447,7 +14447,7 @@ struct ChosenAccelerationsWork {
   const double s4_1338 = s4_1331 - work.s4_1035;
   const double s4_1339 = s4_1332 - work.s4_1037;
   const double s4_1340 = s4_1333 - work.s4_1039;
-  // wheel_front_right
+  // wheel_front_right: wheel_front_right, revolute, carrier_right
   const double s4_1341 = work.s1_41*work.s4_1017 - work.R_carrier_right_aux2_z_y*work.s4_1021;
   const double s4_1342 = work.b_wheel_front_right_z*work.s4_994;
   const double s4_1343 = s4_1342 + work.b_wheel_front_right_x*work.s4_992;
@@ -14460,20 +14460,20 @@ struct ChosenAccelerationsWork {
   const double s4_1349 = work.s4_980 - work.s4_1017;
   const double s4_1350 = work.s4_981 - work.s4_1019;
   const double s4_1351 = work.s4_982 - work.s4_1021;
-  // carrier_right
+  // carrier_right: carrier_right_ry, revolute, carrier_right_aux2
   const double s4_1352 = work.R_carrier_right_aux2_z_y*s4_1351 - work.s1_41*s4_1349;
   const double s4_1353 = work.b_carrier_right_ry_z*s4_1348 + work.b_carrier_right_ry_x*s4_1346;
   const double s4_1354 = work.R_carrier_right_aux2_y_y*s4_1350 + s4_1352;
   const double s4_1355 = s4_1354 - (work.b_carrier_right_ry_y*s4_1347 + s4_1353);
   work.Q_carrier_right_ry = tau[Coordinate::carrier_right_ry] + s4_1355;
-  // carrier_right_aux2
+  // carrier_right_aux2: carrier_right_rx, revolute, carrier_right_aux1
   const double s4_1356 = work.R_carrier_right_aux1_z_x*s4_1351;
   const double s4_1357 = s4_1356 + work.R_carrier_right_aux1_x_x*s4_1349;
   const double s4_1358 = work.b_carrier_right_rx_z*s4_1348 + work.b_carrier_right_rx_x*s4_1346;
   const double s4_1359 = work.R_carrier_right_aux1_y_x*s4_1350 + s4_1357;
   const double s4_1360 = s4_1359 + (work.s1_45*s4_1347 - s4_1358);
   work.Q_carrier_right_rx = tau[Coordinate::carrier_right_rx] + s4_1360;
-  // carrier_right_aux1
+  // carrier_right_aux1: carrier_right_rz, revolute, lower_arm_right
   const double s4_1361 = work.s1_38*s4_1348 - work.b_carrier_right_rz_x*s4_1346;
   const double s4_1362 = work.R_lower_arm_right_y_y*s4_1351 - work.R_lower_arm_right_z_y*s4_1350;
   const double s4_1363 = s4_1362 + (work.s1_37*s4_1347 + s4_1361);
@@ -14484,7 +14484,7 @@ struct ChosenAccelerationsWork {
   const double s4_1367 = s4_1349 - work.s4_948;
   const double s4_1368 = s4_1350 - work.s4_950;
   const double s4_1369 = s4_1351 - work.s4_952;
-  // lower_arm_right
+  // lower_arm_right: lower_arm_right, revolute, chassis
   const double s4_1370 = s4_1367 + (0.62*s4_1365 - 0.4*s4_1366);
   work.Q_lower_arm_right = tau[Coordinate::lower_arm_right] + s4_1370;
   const double s4_1371 = s4_1335 - s4_1364;
@@ -14493,7 +14493,7 @@ struct ChosenAccelerationsWork {
   const double s4_1374 = s4_1338 + s4_1367;
   const double s4_1375 = s4_1339 + s4_1368;
   const double s4_1376 = s4_1340 + s4_1369;
-  // arb_front_left
+  // arb_front_left: arb_front_left, revolute, chassis
   const double s4_1377 = work.s4_932 - (3.95*work.s4_929 + 0.5*work.s4_927);
   work.Q_arb_front_left = tau[Coordinate::arb_front_left] + s4_1377;
   const double s4_1378 = s4_1371 - work.s4_927;
@@ -14502,7 +14502,7 @@ struct ChosenAccelerationsWork {
   const double s4_1381 = work.s4_931 + s4_1374;
   const double s4_1382 = work.s4_932 + s4_1375;
   const double s4_1383 = work.s4_934 + s4_1376;
-  // upper_arm_left
+  // upper_arm_left: upper_arm_left, revolute, chassis
   const double s4_1384 = 0.28*work.s4_889 + 0.5*work.s4_890 - work.s4_898;
   work.Q_upper_arm_left = tau[Coordinate::upper_arm_left] + s4_1384;
   const double s4_1385 = s4_1378 - work.s4_888;
@@ -14511,7 +14511,7 @@ struct ChosenAccelerationsWork {
   const double s4_1388 = s4_1381 - work.s4_898;
   const double s4_1389 = s4_1382 - work.s4_900;
   const double s4_1390 = s4_1383 - work.s4_902;
-  // wheel_front_left
+  // wheel_front_left: wheel_front_left, revolute, carrier_left
   const double s4_1391 = work.s1_14*work.s4_880 - work.R_carrier_left_aux2_z_y*work.s4_884;
   const double s4_1392 = work.b_wheel_front_left_z*work.s4_857;
   const double s4_1393 = s4_1392 + work.b_wheel_front_left_x*work.s4_855;
@@ -14524,20 +14524,20 @@ struct ChosenAccelerationsWork {
   const double s4_1399 = work.s4_843 - work.s4_880;
   const double s4_1400 = work.s4_844 - work.s4_882;
   const double s4_1401 = work.s4_845 - work.s4_884;
-  // carrier_left
+  // carrier_left: carrier_left_ry, revolute, carrier_left_aux2
   const double s4_1402 = work.R_carrier_left_aux2_z_y*s4_1401 - work.s1_14*s4_1399;
   const double s4_1403 = work.b_carrier_left_ry_z*s4_1398 + work.b_carrier_left_ry_x*s4_1396;
   const double s4_1404 = work.R_carrier_left_aux2_y_y*s4_1400 + s4_1402;
   const double s4_1405 = s4_1404 + (work.s1_22*s4_1397 - s4_1403);
   work.Q_carrier_left_ry = tau[Coordinate::carrier_left_ry] + s4_1405;
-  // carrier_left_aux2
+  // carrier_left_aux2: carrier_left_rx, revolute, carrier_left_aux1
   const double s4_1406 = work.R_carrier_left_aux1_z_x*s4_1401;
   const double s4_1407 = s4_1406 + work.R_carrier_left_aux1_x_x*s4_1399;
   const double s4_1408 = work.b_carrier_left_rx_z*s4_1398 + work.b_carrier_left_rx_x*s4_1396;
   const double s4_1409 = work.R_carrier_left_aux1_y_x*s4_1400 + s4_1407;
   const double s4_1410 = s4_1409 - (work.b_carrier_left_rx_y*s4_1397 + s4_1408);
   work.Q_carrier_left_rx = tau[Coordinate::carrier_left_rx] + s4_1410;
-  // carrier_left_aux1
+  // carrier_left_aux1: carrier_left_rz, revolute, lower_arm_left
   const double s4_1411 = work.s1_11*s4_1398 - work.b_carrier_left_rz_x*s4_1396;
   const double s4_1412 = work.R_lower_arm_left_y_y*s4_1401 - work.R_lower_arm_left_z_y*s4_1400;
   const double s4_1413 = s4_1412 + (work.s1_10*s4_1397 + s4_1411);
@@ -14548,7 +14548,7 @@ struct ChosenAccelerationsWork {
   const double s4_1417 = s4_1399 - work.s4_811;
   const double s4_1418 = s4_1400 - work.s4_813;
   const double s4_1419 = s4_1401 - work.s4_815;
-  // lower_arm_left
+  // lower_arm_left: lower_arm_left, revolute, chassis
   const double s4_1420 = s4_1417 + (0.62*s4_1415 + 0.4*s4_1416);
   work.Q_lower_arm_left = tau[Coordinate::lower_arm_left] + s4_1420;
   const double s4_1421 = s4_1385 - s4_1414;
@@ -14557,7 +14557,7 @@ struct ChosenAccelerationsWork {
   const double s4_1424 = s4_1388 + s4_1417;
   const double s4_1425 = s4_1389 + s4_1418;
   const double s4_1426 = s4_1390 + s4_1419;
-  // chassis
+  // chassis: chassis_rx, revolute, chassis_aux5
   const double s4_1427 = work.R_chassis_z_z*s4_1426 - work.s1_1*s4_1424;
   const double s4_1428 = work.R_chassis_z_y*s4_1425 + s4_1427;
   const double s4_1429 = work.R_chassis_aux5_x_x*s4_1421 - work.R_chassis_x_z*s4_1423;
@@ -14567,20 +14567,20 @@ struct ChosenAccelerationsWork {
   const double s4_1433 = work.R_chassis_z_z*s4_1423 + work.s1_1*s4_1421;
   const double s4_1434 = work.R_chassis_z_y*s4_1422 + s4_1433;
   work.Q_chassis_rx = tau[Coordinate::chassis_rx] + s4_1424;
-  // chassis_aux5
+  // chassis_aux5: chassis_ry, revolute, chassis_aux4
   work.Q_chassis_ry = tau[Coordinate::chassis_ry] + (work.s1_2*s4_1425 - work.s1_3*s4_1426);
-  // chassis_aux4
+  // chassis_aux4: chassis_rz, revolute, chassis_aux3
   work.Q_chassis_rz = tau[Coordinate::chassis_rz] + s4_1428;
-  // chassis_aux3
+  // chassis_aux3: chassis_tz, prismatic, chassis_aux2
   work.Q_chassis_tz = tau[Coordinate::chassis_tz] - s4_1434;
-  // chassis_aux2
+  // chassis_aux2: chassis_ty, prismatic, chassis_aux1
   work.Q_chassis_ty = tau[Coordinate::chassis_ty] + s4_1432;
-  // chassis_aux1
+  // chassis_aux1: chassis_tx, prismatic, ground
   work.Q_chassis_tx = tau[Coordinate::chassis_tx] + s4_1430;
   // operations: 1873 add, 1581 multiply
 
   // --- step 8: Rz' M Rz and right-hand side (63) ---
-  // chassis_aux1
+  // chassis_aux1: chassis_tx, prismatic, ground
   const double F_chassis_tx_x = 15305.999999999998*work.R_chassis_aux5_x_x;
   const double F_chassis_tx_y = 15305.999999999998*work.R_chassis_x_y;
   const double F_chassis_tx_z = 15305.999999999998*work.R_chassis_x_z;
@@ -14588,7 +14588,7 @@ struct ChosenAccelerationsWork {
   const double s5_1 = work.R_chassis_aux5_x_x*F_chassis_tx_x;
   const double s5_2 = work.R_chassis_x_z*F_chassis_tx_z + s5_1;
   work.s5_3 = work.R_chassis_x_y*F_chassis_tx_y + s5_2;
-  // chassis_aux2
+  // chassis_aux2: chassis_ty, prismatic, chassis_aux1
   const double F_chassis_ty_x = 15305.999999999998*work.R_chassis_aux5_y_x;
   const double F_chassis_ty_y = 15305.999999999998*work.R_chassis_y_y;
   const double F_chassis_ty_z = 15305.999999999998*work.R_chassis_y_z;
@@ -14599,7 +14599,7 @@ struct ChosenAccelerationsWork {
   const double s5_7 = work.R_chassis_aux5_x_x*F_chassis_ty_x;
   const double s5_8 = work.R_chassis_x_z*F_chassis_ty_z + s5_7;
   work.s5_9 = work.R_chassis_x_y*F_chassis_ty_y + s5_8;
-  // chassis_aux3
+  // chassis_aux3: chassis_tz, prismatic, chassis_aux2
   const double s5_10 = 15305.999999999998*work.s1_1;
   const double F_chassis_tz_y = 15305.999999999998*work.R_chassis_z_y;
   const double F_chassis_tz_z = 15305.999999999998*work.R_chassis_z_z;
@@ -14614,7 +14614,7 @@ struct ChosenAccelerationsWork {
   work.s5_16 = work.R_chassis_y_y*F_chassis_tz_y + s5_15;
   const double s5_17 = work.R_chassis_x_z*F_chassis_tz_z - work.R_chassis_aux5_x_x*s5_10;
   work.s5_18 = work.R_chassis_x_y*F_chassis_tz_y + s5_17;
-  // chassis_aux4
+  // chassis_aux4: chassis_rz, revolute, chassis_aux3
   const double F_chassis_rz_x = s5_11 - s5_12;
   const double s5_19 = work.R_chassis_z_z*N_chassis_tz_z + work.s1_1*F_chassis_rz_x;
   work.s5_20 = work.R_chassis_z_y*F_chassis_rz_y - s5_19;
@@ -14624,7 +14624,7 @@ struct ChosenAccelerationsWork {
   const double s5_24 = work.R_chassis_aux5_x_x*F_chassis_rz_x;
   const double s5_25 = s5_24 - work.R_chassis_x_z*N_chassis_tz_z;
   work.s5_26 = work.R_chassis_x_y*F_chassis_rz_y + s5_25;
-  // chassis_aux5
+  // chassis_aux5: chassis_ry, revolute, chassis_aux4
   work.F_chassis_ry_x = work.s1_3*work.F_chassis_rx_z + work.s1_2*work.s1_1083;
   work.s5_27 = work.s1_3*work.s1_1082;
   work.s5_28 = work.s1_2*work.s1_1082;
@@ -14642,19 +14642,19 @@ struct ChosenAccelerationsWork {
 [[gnu::noinline]] void compute_chosen_accelerations_7(ChosenAccelerationsWork& __restrict work)
     noexcept {
   // --- step 8: Rz' M Rz and right-hand side (63), continued ---
-  // chassis_aux5
+  // chassis_aux5: chassis_ry, revolute, chassis_aux4
   work.s5_34 = work.s5_32 + work.s5_33;
   const double s5_35 = work.R_chassis_aux5_y_x*work.F_chassis_ry_x;
   work.s5_36 = s5_35 - work.R_chassis_y_z*work.s5_28 - work.R_chassis_y_y*work.s5_27;
   const double s5_37 = work.R_chassis_aux5_x_x*work.F_chassis_ry_x;
   work.s5_38 = s5_37 - work.R_chassis_x_z*work.s5_28 - work.R_chassis_x_y*work.s5_27;
-  // lower_arm_left
+  // lower_arm_left: lower_arm_left, revolute, chassis
   const double s5_39 = 150.66 + work.s1_1075;
   const double F_lower_arm_left_z = work.s1_1074 - 97.2;
   const double N_lower_arm_left_x = work.s1_1076 + (0.62*work.s1_1075 - 0.4*work.s1_1074);
   const double N_lower_arm_left_y = work.s1_1079 + 0.4*work.s1_1073;
   const double N_lower_arm_left_z = work.s1_1080 - 0.62*work.s1_1073;
-  // carrier_left_aux1
+  // carrier_left_aux1: carrier_left_rz, revolute, lower_arm_left
   const double s5_40 = work.R_lower_arm_left_y_y*work.s1_1065;
   const double s5_41 = s5_40 + work.R_lower_arm_left_z_y*work.s1_1066;
   const double F_carrier_left_rz_x = 218.0*work.b_carrier_left_rz_x - s5_41;
@@ -14669,7 +14669,7 @@ struct ChosenAccelerationsWork {
   const double N_carrier_left_rz_y = s5_43 - work.R_lower_arm_left_z_y*work.s1_1068 + s5_46;
   const double s5_47 = work.b_carrier_left_rz_x*work.s1_1065 + work.s1_10*work.s1_1064;
   const double N_carrier_left_rz_z = s5_44 - work.R_lower_arm_left_z_y*work.s1_1072 - s5_47;
-  // carrier_left_aux2
+  // carrier_left_aux2: carrier_left_rx, revolute, carrier_left_aux1
   const double s5_48 = work.R_carrier_left_aux1_y_x*work.s1_1066;
   const double s5_49 = work.R_carrier_left_aux1_z_x*work.s1_1064;
   const double s5_50 = work.R_carrier_left_aux1_x_x*work.s1_1065;
@@ -14694,7 +14694,7 @@ struct ChosenAccelerationsWork {
   const double N_carrier_left_rx_y = s5_64 + (s5_61 - work.b_carrier_left_rx_z*work.s1_1064);
   const double s5_65 = work.R_carrier_left_aux1_y_x*work.s1_1072 + s5_59;
   const double N_carrier_left_rx_z = s5_65 + (s5_62 - work.b_carrier_left_rx_x*work.s1_1065);
-  // carrier_left
+  // carrier_left: carrier_left_ry, revolute, carrier_left_aux2
   const double s5_66 = work.R_carrier_left_aux2_y_y*work.s1_1066;
   const double s5_67 = s5_66 - work.R_carrier_left_aux2_z_y*work.s1_1065;
   const double F_carrier_left_ry_x = s5_67 + 218.0*work.b_carrier_left_ry_x;
@@ -14712,25 +14712,25 @@ struct ChosenAccelerationsWork {
   const double N_carrier_left_ry_y = s5_75 + (s5_73 - work.b_carrier_left_ry_z*work.s1_1064);
   const double s5_76 = work.b_carrier_left_ry_x*work.s1_1065 + work.s1_22*work.s1_1064;
   const double N_carrier_left_ry_z = work.R_carrier_left_aux2_y_y*work.s1_1072 + s5_72 - s5_76;
-  // upper_arm_left
+  // upper_arm_left: upper_arm_left, revolute, chassis
   work.s5_77 = 4.2 + work.s1_200;
   work.F_upper_arm_left_z = work.s1_199 - 7.5;
   work.N_upper_arm_left_x = work.s1_205 + (0.28*work.s1_200 - 0.5*work.s1_199);
   work.N_upper_arm_left_y = 27.0 - work.s1_203;
   work.s5_78 = 15.120000000000001 + work.s1_204;
-  // arb_front_left
+  // arb_front_left: arb_front_left, revolute, chassis
   const double F_arb_front_left_x = 4.333333333333333 + work.s1_227;
   const double F_arb_front_left_z = 34.233333333333334 - work.s1_226;
   const double N_arb_front_left_x = 17.695999999999998 + work.s1_233;
   const double N_arb_front_left_y = work.s1_231 + (0.5*work.s1_227 - 3.95*work.s1_226);
   const double s5_79 = 2.2399999999999998 + work.s1_235;
-  // lower_arm_right
+  // lower_arm_right: lower_arm_right, revolute, chassis
   const double s5_80 = 150.66 + work.s1_1030;
   const double F_lower_arm_right_z = 97.2 + work.s1_1029;
   const double N_lower_arm_right_x = work.s1_1031 + (0.62*work.s1_1030 + 0.4*work.s1_1029);
   const double N_lower_arm_right_y = work.s1_1034 - 0.4*work.s1_1028;
   const double N_lower_arm_right_z = work.s1_1035 - 0.62*work.s1_1028;
-  // carrier_right_aux1
+  // carrier_right_aux1: carrier_right_rz, revolute, lower_arm_right
   const double s5_81 = work.R_lower_arm_right_y_y*work.s1_1020;
   const double s5_82 = s5_81 + work.R_lower_arm_right_z_y*work.s1_1021;
   const double F_carrier_right_rz_x = 218.0*work.b_carrier_right_rz_x - s5_82;
@@ -14745,7 +14745,7 @@ struct ChosenAccelerationsWork {
   const double N_carrier_right_rz_y = s5_84 - work.R_lower_arm_right_z_y*work.s1_1023 + s5_87;
   const double s5_88 = work.b_carrier_right_rz_x*work.s1_1020 + work.s1_37*work.s1_1019;
   const double N_carrier_right_rz_z = s5_85 - work.R_lower_arm_right_z_y*work.s1_1027 - s5_88;
-  // carrier_right_aux2
+  // carrier_right_aux2: carrier_right_rx, revolute, carrier_right_aux1
   const double s5_89 = work.R_carrier_right_aux1_y_x*work.s1_1021;
   const double s5_90 = work.R_carrier_right_aux1_z_x*work.s1_1019;
   const double s5_91 = work.R_carrier_right_aux1_x_x*work.s1_1020;
@@ -14768,7 +14768,7 @@ struct ChosenAccelerationsWork {
   const double N_carrier_right_rx_y = s5_102 + (s5_100 - work.b_carrier_right_rx_z*work.s1_1019);
   const double s5_103 = work.b_carrier_right_rx_x*work.s1_1020 + work.s1_45*work.s1_1019;
   const double N_carrier_right_rx_z = work.R_carrier_right_aux1_y_x*work.s1_1027 + s5_99 - s5_103;
-  // carrier_right
+  // carrier_right: carrier_right_ry, revolute, carrier_right_aux2
   const double s5_104 = work.R_carrier_right_aux2_y_y*work.s1_1021;
   const double s5_105 = s5_104 - work.R_carrier_right_aux2_z_y*work.s1_1020;
   const double F_carrier_right_ry_x = s5_105 + 218.0*work.b_carrier_right_ry_x;
@@ -14788,25 +14788,25 @@ struct ChosenAccelerationsWork {
   const double N_carrier_right_ry_y = s5_115 + (s5_112 - work.b_carrier_right_ry_z*work.s1_1019);
   const double s5_116 = work.R_carrier_right_aux2_y_y*work.s1_1027 + s5_110;
   const double N_carrier_right_ry_z = s5_116 + (s5_113 - work.b_carrier_right_ry_x*work.s1_1020);
-  // upper_arm_right
+  // upper_arm_right: upper_arm_right, revolute, chassis
   work.F_upper_arm_right_y = work.s1_357 - 4.2;
   work.F_upper_arm_right_z = 7.5 + work.s1_356;
   work.N_upper_arm_right_x = work.s1_362 + (0.5*work.s1_356 - 0.28*work.s1_357);
   work.s5_117 = 27.0 + work.s1_360;
   work.N_upper_arm_right_z = work.s1_361 - 15.120000000000001;
-  // arb_front_right
+  // arb_front_right: arb_front_right, revolute, chassis
   const double F_arb_front_right_x = 4.333333333333333 + work.s1_385;
   const double F_arb_front_right_z = 34.233333333333334 - work.s1_384;
   const double N_arb_front_right_x = work.s1_391 - 17.695999999999998;
   const double N_arb_front_right_y = work.s1_389 + (0.5*work.s1_385 - 3.95*work.s1_384);
   const double N_arb_front_right_z = 2.2399999999999998 + work.s1_393;
-  // pitman_arm
+  // pitman_arm: pitman_arm, revolute, chassis
   const double F_pitman_arm_x = 3.6 - work.s1_403;
   const double F_pitman_arm_z = 39.6 - work.s1_402;
   const double N_pitman_arm_x = 19.8 - work.s1_406;
   const double N_pitman_arm_y = work.s1_409 - (4.4*work.s1_402 + 0.4*work.s1_403);
   const double N_pitman_arm_z = work.s1_407 - 1.8;
-  // bell_crank
+  // bell_crank: bell_crank, revolute, chassis
   const double F_bell_crank_y = work.s1_425 - 54.16666666666667;
   const double N_bell_crank_x = work.s1_429 - 32.5;
   const double N_bell_crank_z = work.s1_432 - 3.25*work.s1_425;
@@ -15542,7 +15542,7 @@ struct ChosenAccelerationsWork {
   const double s5_828 = s5_827 + projection.Rz[35]*work.Q_arb_front_right;
   const double s5_829 = s5_828 + projection.Rz[38]*work.Q_pitman_arm;
   work.s5_830 = s5_829 + projection.Rz[41]*work.Q_bell_crank;
-  // wheel_front_left
+  // wheel_front_left: wheel_front_left, revolute, carrier_left
   const double s5_831 = work.R_carrier_left_aux2_y_y*work.s1_179;
   const double s5_832 = s5_831 - work.R_carrier_left_aux2_z_y*work.s1_178;
   const double F_wheel_front_left_x = s5_832 + 105.0*work.b_wheel_front_left_x;
@@ -15600,7 +15600,7 @@ struct ChosenAccelerationsWork {
   work.s5_879 = s5_878 + projection.Rz[7]*s5_856 + projection.Rz[10]*s5_850;
   const double s5_880 = projection.Rz[2]*s5_863 + projection.Rz[5]*s5_861;
   work.s5_881 = s5_880 + projection.Rz[8]*s5_856 + projection.Rz[11]*s5_850;
-  // wheel_front_right
+  // wheel_front_right: wheel_front_right, revolute, carrier_right
   const double s5_882 = work.R_carrier_right_aux2_y_y*work.s1_336;
   const double s5_883 = s5_882 - work.R_carrier_right_aux2_z_y*work.s1_335;
   const double F_wheel_front_right_x = s5_883 + 105.0*work.b_wheel_front_right_x;
@@ -15659,7 +15659,7 @@ struct ChosenAccelerationsWork {
   work.s5_931 = s5_930 + projection.Rz[25]*s5_907 + projection.Rz[28]*s5_901;
   const double s5_932 = projection.Rz[20]*s5_914 + projection.Rz[23]*s5_912;
   work.s5_933 = s5_932 + projection.Rz[26]*s5_907 + projection.Rz[29]*s5_901;
-  // rear_axle_aux4
+  // rear_axle_aux4: rear_axle_rz, revolute, rear_axle_aux3
   const double z_rear_axle_ty = state.z[Coordinate::rear_axle_ty];
   work.F_rear_axle_rz_x = 1174.0*z_rear_axle_ty - work.N_rear_axle_tz_x;
   work.F_rear_axle_rz_y = work.N_rear_axle_ty_z - 1174.0*work.r_rear_axle_aux1_x;
@@ -15667,7 +15667,7 @@ struct ChosenAccelerationsWork {
   const double N_rear_axle_rz_x = work.s1_972 + work.r_rear_axle_aux1_x*work.N_rear_axle_tx_y;
   const double N_rear_axle_rz_y = work.s1_973 + z_rear_axle_ty*work.N_rear_axle_tx_y;
   const double N_rear_axle_rz_z = work.s1_970 - (z_rear_axle_ty*work.N_rear_axle_tz_x + s5_934);
-  // rear_axle_aux5
+  // rear_axle_aux5: rear_axle_ry, revolute, rear_axle_aux4
   const double s5_935 = work.R_rear_axle_aux4_x_x*work.N_rear_axle_ty_z;
   work.F_rear_axle_ry_x = work.R_rear_axle_aux4_x_x*work.N_rear_axle_tx_y - 1174.0*work.s1_60;
   work.F_rear_axle_ry_y = work.R_rear_axle_aux4_y_x*work.N_rear_axle_tx_y - 1174.0*work.s1_61;
@@ -15684,7 +15684,7 @@ struct ChosenAccelerationsWork {
   const double N_rear_axle_ry_y = s5_943 - (s5_941 + work.s1_60*work.N_rear_axle_tx_y);
   const double s5_944 = work.s1_60*work.N_rear_axle_tz_x - work.s1_61*work.N_rear_axle_ty_z;
   const double N_rear_axle_ry_z = s5_939 - work.R_rear_axle_aux4_y_x*work.s1_972 + s5_944;
-  // rear_axle
+  // rear_axle: rear_axle_rx, revolute, rear_axle_aux5
   const double s5_945 = work.R_rear_axle_aux5_y_x*work.N_rear_axle_tx_y;
   const double s5_946 = work.R_rear_axle_aux5_x_x*work.N_rear_axle_tx_y;
   const double s5_947 = work.R_rear_axle_aux5_x_x*work.N_rear_axle_tz_x;
@@ -15705,14 +15705,14 @@ struct ChosenAccelerationsWork {
   const double N_rear_axle_rx_y = s5_957 - (s5_954 + work.s1_66*work.N_rear_axle_tx_y);
   const double s5_958 = work.R_rear_axle_aux5_y_x*work.s1_973 + s5_952;
   const double N_rear_axle_rx_z = s5_958 + (work.s1_66*work.N_rear_axle_tz_x + s5_955);
-  // arb_rear_left
+  // arb_rear_left: arb_rear_left, revolute, chassis
   const double F_arb_rear_left_x = 3.8999999999999995 - work.s1_520;
   const double s5_959 = 28.6 + work.s1_519;
   const double s5_960 = 14.52 + work.s1_526;
   const double s5_961 = 3.3000000000000003*work.s1_519 - 0.44999999999999996*work.s1_520;
   const double N_arb_rear_left_y = work.s1_524 + s5_961;
   const double N_arb_rear_left_z = work.s1_528 - 1.9799999999999995;
-  // arb_rear_right
+  // arb_rear_right: arb_rear_right, revolute, chassis
   work.F_arb_rear_right_x = 3.8999999999999995 - work.s1_553;
   work.s5_962 = 28.6 + work.s1_552;
   work.N_arb_rear_right_x = 14.52 + work.s1_559;
@@ -16172,7 +16172,7 @@ struct ChosenAccelerationsWork {
   const double s5_1399 = s5_1398 + projection.Rz[53]*work.Q_rear_axle_rx;
   const double s5_1400 = s5_1399 + projection.Rz[55]*work.Q_arb_rear_left;
   const double s5_1401 = s5_1400 + projection.Rz[57]*work.Q_arb_rear_right;
-  // wheel_rear_left
+  // wheel_rear_left: wheel_rear_left, revolute, rear_axle
   const double s5_1402 = work.R_rear_axle_y_y*work.s1_498 - work.R_rear_axle_z_y*work.s1_497;
   const double F_wheel_rear_left_x = s5_1402 + 200.0*work.b_wheel_rear_left_x;
   const double s5_1403 = work.R_rear_axle_z_y*work.s1_496 - work.R_rear_axle_x_y*work.s1_498;
@@ -16233,7 +16233,7 @@ struct ChosenAccelerationsWork {
   const double s5_1452 = s5_1451 + projection.Rz[47]*F_wheel_rear_left_z;
   const double s5_1453 = s5_1452 + projection.Rz[49]*s5_1432 + projection.Rz[51]*s5_1430;
   work.s5_1454 = s5_1453 + projection.Rz[53]*s5_1425;
-  // wheel_rear_right
+  // wheel_rear_right: wheel_rear_right, revolute, rear_axle
   const double s5_1455 = work.R_rear_axle_y_y*work.s1_531 - work.R_rear_axle_z_y*work.s1_530;
   const double F_wheel_rear_right_x = s5_1455 + 200.0*work.b_wheel_rear_right_x;
   const double s5_1456 = work.R_rear_axle_z_y*work.s1_529 - work.R_rear_axle_x_y*work.s1_531;
@@ -16763,19 +16763,19 @@ struct OutputsWork {
 [[gnu::noinline]] void compute_outputs_1(const State& state,
     OutputsWork& __restrict work) noexcept {
   // --- step 1: poses, axes b, accumulated inertias MR (50) ---
-  // chassis_aux3
+  // chassis_aux3: chassis_tz, prismatic, chassis_aux2
   work.r_chassis_aux3_z = 1.0 + state.z[Coordinate::chassis_tz];
-  // chassis_aux4
+  // chassis_aux4: chassis_rz, revolute, chassis_aux3
   const double z_chassis_rz = state.z[Coordinate::chassis_rz];
   const double R_chassis_aux4_x_x = std::cos(z_chassis_rz);
   const double R_chassis_aux4_y_x = std::sin(z_chassis_rz);
-  // chassis_aux5
+  // chassis_aux5: chassis_ry, revolute, chassis_aux4
   const double z_chassis_ry = state.z[Coordinate::chassis_ry];
   const double R_chassis_aux5_z_z = std::cos(z_chassis_ry);
   work.s1_1 = std::sin(z_chassis_ry);
   work.R_chassis_aux5_x_x = R_chassis_aux4_x_x*R_chassis_aux5_z_z;
   work.R_chassis_aux5_y_x = R_chassis_aux4_y_x*R_chassis_aux5_z_z;
-  // chassis
+  // chassis: chassis_rx, revolute, chassis_aux5
   const double z_chassis_rx = state.z[Coordinate::chassis_rx];
   work.s1_2 = std::cos(z_chassis_rx);
   work.s1_3 = std::sin(z_chassis_rx);
@@ -16787,11 +16787,11 @@ struct OutputsWork {
   work.R_chassis_x_z = R_chassis_aux4_y_x*work.s1_3 + R_chassis_aux4_x_x*s1_5;
   work.R_chassis_y_y = R_chassis_aux4_x_x*work.s1_2 + R_chassis_aux4_y_x*s1_4;
   work.R_chassis_y_z = R_chassis_aux4_y_x*s1_5 - R_chassis_aux4_x_x*work.s1_3;
-  // lower_arm_left
+  // lower_arm_left: lower_arm_left, revolute, chassis
   const double z_lower_arm_left = state.z[Coordinate::lower_arm_left];
   work.R_lower_arm_left_y_y = std::cos(z_lower_arm_left);
   work.R_lower_arm_left_z_y = std::sin(z_lower_arm_left);
-  // carrier_left_aux1
+  // carrier_left_aux1: carrier_left_rz, revolute, lower_arm_left
   const double s1_6 = 0.44999999999999996*work.R_lower_arm_left_y_y;
   const double s1_7 = 0.44999999999999996*work.R_lower_arm_left_z_y;
   const double r_carrier_left_aux1_y = 0.4 + (s1_6 + 0.04999999999999999*work.R_lower_arm_left_z_y);
@@ -16807,7 +16807,7 @@ struct OutputsWork {
   work.b_carrier_left_rz_x = s1_9 + work.R_lower_arm_left_y_y*r_carrier_left_aux1_y;
   work.s1_10 = 3.6*work.R_lower_arm_left_y_y;
   work.s1_11 = 3.6*work.R_lower_arm_left_z_y;
-  // carrier_left_aux2
+  // carrier_left_aux2: carrier_left_rx, revolute, carrier_left_aux1
   const double z_carrier_left_rx = state.z[Coordinate::carrier_left_rx];
   const double s1_12 = std::cos(z_carrier_left_rx);
   const double s1_13 = std::sin(z_carrier_left_rx);
@@ -16824,7 +16824,7 @@ struct OutputsWork {
   work.b_carrier_left_rx_y = s1_17 - 3.6*work.R_carrier_left_aux1_z_x;
   const double s1_18 = r_carrier_left_aux1_y*work.R_carrier_left_aux1_x_x;
   work.b_carrier_left_rx_z = 3.6*work.R_carrier_left_aux1_y_x - s1_18;
-  // carrier_left
+  // carrier_left: carrier_left_ry, revolute, carrier_left_aux2
   const double z_carrier_left_ry = state.z[Coordinate::carrier_left_ry];
   const double s1_19 = std::cos(z_carrier_left_ry);
   const double s1_20 = std::sin(z_carrier_left_ry);
@@ -16842,7 +16842,7 @@ struct OutputsWork {
   work.b_carrier_left_ry_x = s1_21 - r_carrier_left_aux1_z*work.R_carrier_left_aux2_y_y;
   work.s1_22 = 3.6*work.R_carrier_left_aux2_z_y + r_carrier_left_aux1_z*work.s1_14;
   work.b_carrier_left_ry_z = r_carrier_left_aux1_y*work.s1_14 + 3.6*work.R_carrier_left_aux2_y_y;
-  // wheel_front_left
+  // wheel_front_left: wheel_front_left, revolute, carrier_left
   const double s1_23 = 0.17499999999999993*work.R_carrier_left_aux2_y_y;
   const double s1_24 = 0.17499999999999993*work.R_carrier_left_aux2_z_y;
   const double s1_25 = 0.16999999999999998*R_carrier_left_x_z - 0.17499999999999993*work.s1_14;
@@ -16857,19 +16857,19 @@ struct OutputsWork {
   work.s1_28 = s1_27 + work.s1_14*work.r_wheel_front_left_z;
   const double s1_29 = work.R_carrier_left_aux2_y_y*work.r_wheel_front_left_x;
   work.b_wheel_front_left_z = work.s1_14*work.r_wheel_front_left_y + s1_29;
-  // upper_arm_left
+  // upper_arm_left: upper_arm_left, revolute, chassis
   const double z_upper_arm_left = state.z[Coordinate::upper_arm_left];
   const double R_upper_arm_left_y_y = std::cos(z_upper_arm_left);
   const double R_upper_arm_left_z_y = std::sin(z_upper_arm_left);
-  // arb_front_left
+  // arb_front_left: arb_front_left, revolute, chassis
   const double z_arb_front_left = state.z[Coordinate::arb_front_left];
   const double R_arb_front_left_x_x = std::cos(z_arb_front_left);
   const double R_arb_front_left_x_z = std::sin(z_arb_front_left);
-  // lower_arm_right
+  // lower_arm_right: lower_arm_right, revolute, chassis
   const double z_lower_arm_right = state.z[Coordinate::lower_arm_right];
   work.R_lower_arm_right_y_y = std::cos(z_lower_arm_right);
   work.R_lower_arm_right_z_y = std::sin(z_lower_arm_right);
-  // carrier_right_aux1
+  // carrier_right_aux1: carrier_right_rz, revolute, lower_arm_right
   const double s1_30 = 0.04999999999999999*work.R_lower_arm_right_z_y;
   const double s1_31 = 0.44999999999999996*work.R_lower_arm_right_z_y;
   const double r_carrier_right_aux1_y = s1_30 - 0.44999999999999996*work.R_lower_arm_right_y_y -
@@ -16886,7 +16886,7 @@ struct OutputsWork {
   work.b_carrier_right_rz_x = s1_34 - work.R_lower_arm_right_z_y*s1_32;
   work.s1_35 = 3.6*work.R_lower_arm_right_y_y;
   work.s1_36 = 3.6*work.R_lower_arm_right_z_y;
-  // carrier_right_aux2
+  // carrier_right_aux2: carrier_right_rx, revolute, carrier_right_aux1
   const double z_carrier_right_rx = state.z[Coordinate::carrier_right_rx];
   const double s1_37 = std::cos(z_carrier_right_rx);
   const double s1_38 = std::sin(z_carrier_right_rx);
@@ -16902,7 +16902,7 @@ struct OutputsWork {
   work.s1_42 = 3.6*work.R_carrier_right_aux1_z_x + s1_32*work.R_carrier_right_aux1_x_x;
   const double s1_43 = r_carrier_right_aux1_y*work.R_carrier_right_aux1_x_x;
   work.b_carrier_right_rx_z = 3.6*work.R_carrier_right_aux1_y_x - s1_43;
-  // carrier_right
+  // carrier_right: carrier_right_ry, revolute, carrier_right_aux2
   const double z_carrier_right_ry = state.z[Coordinate::carrier_right_ry];
   const double s1_44 = std::cos(z_carrier_right_ry);
   const double s1_45 = std::sin(z_carrier_right_ry);
@@ -16920,7 +16920,7 @@ struct OutputsWork {
   work.b_carrier_right_ry_x = s1_32*work.R_carrier_right_aux2_y_y + s1_46;
   work.b_carrier_right_ry_y = s1_32*work.s1_39 - 3.6*work.R_carrier_right_aux2_z_y;
   work.b_carrier_right_ry_z = r_carrier_right_aux1_y*work.s1_39 + 3.6*work.R_carrier_right_aux2_y_y;
-  // wheel_front_right
+  // wheel_front_right: wheel_front_right, revolute, carrier_right
   const double s1_47 = 0.17499999999999993*work.R_carrier_right_aux2_y_y;
   const double s1_48 = 0.17499999999999993*work.R_carrier_right_aux2_z_y;
   const double s1_49 = 0.17499999999999993*work.s1_39 + 0.16999999999999998*R_carrier_right_x_z;
@@ -16934,31 +16934,31 @@ struct OutputsWork {
   work.s1_53 = s1_52 + work.s1_39*work.r_wheel_front_right_z;
   const double s1_54 = work.R_carrier_right_aux2_y_y*work.r_wheel_front_right_x;
   work.b_wheel_front_right_z = work.s1_39*work.r_wheel_front_right_y + s1_54;
-  // upper_arm_right
+  // upper_arm_right: upper_arm_right, revolute, chassis
   const double z_upper_arm_right = state.z[Coordinate::upper_arm_right];
   const double R_upper_arm_right_y_y = std::cos(z_upper_arm_right);
   const double R_upper_arm_right_z_y = std::sin(z_upper_arm_right);
-  // arb_front_right
+  // arb_front_right: arb_front_right, revolute, chassis
   const double z_arb_front_right = state.z[Coordinate::arb_front_right];
   const double R_arb_front_right_x_x = std::cos(z_arb_front_right);
   const double R_arb_front_right_x_z = std::sin(z_arb_front_right);
-  // pitman_arm
+  // pitman_arm: pitman_arm, revolute, chassis
   const double z_pitman_arm = state.z[Coordinate::pitman_arm];
   const double R_pitman_arm_x_x = std::cos(z_pitman_arm);
   const double R_pitman_arm_x_z = std::sin(z_pitman_arm);
-  // bell_crank
+  // bell_crank: bell_crank, revolute, chassis
   const double z_bell_crank = state.z[Coordinate::bell_crank];
   const double R_bell_crank_x_x = std::cos(z_bell_crank);
   const double R_bell_crank_y_x = std::sin(z_bell_crank);
-  // rear_axle_aux1
+  // rear_axle_aux1: rear_axle_tx, prismatic, chassis
   work.r_rear_axle_aux1_x = state.z[Coordinate::rear_axle_tx] - 2.4999999999999996;
-  // rear_axle_aux3
+  // rear_axle_aux3: rear_axle_tz, prismatic, rear_axle_aux2
   work.r_rear_axle_aux3_z = state.z[Coordinate::rear_axle_tz] - 0.5;
-  // rear_axle_aux4
+  // rear_axle_aux4: rear_axle_rz, revolute, rear_axle_aux3
   const double z_rear_axle_rz = state.z[Coordinate::rear_axle_rz];
   work.R_rear_axle_aux4_x_x = std::cos(z_rear_axle_rz);
   work.R_rear_axle_aux4_y_x = std::sin(z_rear_axle_rz);
-  // rear_axle_aux5
+  // rear_axle_aux5: rear_axle_ry, revolute, rear_axle_aux4
   const double z_rear_axle_ry = state.z[Coordinate::rear_axle_ry];
   const double R_rear_axle_aux5_z_z = std::cos(z_rear_axle_ry);
   work.s1_55 = std::sin(z_rear_axle_ry);
@@ -16971,7 +16971,7 @@ struct OutputsWork {
   const double z_rear_axle_ty = state.z[Coordinate::rear_axle_ty];
   const double s1_58 = work.r_rear_axle_aux1_x*work.R_rear_axle_aux4_x_x;
   work.b_rear_axle_ry_z = z_rear_axle_ty*work.R_rear_axle_aux4_y_x + s1_58;
-  // rear_axle
+  // rear_axle: rear_axle_rx, revolute, rear_axle_aux5
   const double z_rear_axle_rx = state.z[Coordinate::rear_axle_rx];
   const double s1_59 = std::cos(z_rear_axle_rx);
   const double s1_60 = std::sin(z_rear_axle_rx);
@@ -16987,7 +16987,7 @@ struct OutputsWork {
   work.b_rear_axle_rx_y = work.r_rear_axle_aux1_x*work.s1_55 + s1_63;
   const double s1_64 = work.r_rear_axle_aux1_x*work.R_rear_axle_aux5_y_x;
   work.b_rear_axle_rx_z = s1_64 - z_rear_axle_ty*work.R_rear_axle_aux5_x_x;
-  // wheel_rear_left
+  // wheel_rear_left: wheel_rear_left, revolute, rear_axle
   const double s1_65 = 0.93*work.R_rear_axle_x_y;
   const double s1_66 = 0.93*work.R_rear_axle_y_y;
   const double s1_67 = 0.93*work.R_rear_axle_z_y;
@@ -17000,11 +17000,11 @@ struct OutputsWork {
   work.b_wheel_rear_left_y = s1_69 - work.R_rear_axle_z_y*work.r_wheel_rear_left_x;
   const double s1_70 = work.R_rear_axle_y_y*work.r_wheel_rear_left_x;
   work.b_wheel_rear_left_z = s1_70 - work.R_rear_axle_x_y*work.r_wheel_rear_left_y;
-  // arb_rear_left
+  // arb_rear_left: arb_rear_left, revolute, chassis
   const double z_arb_rear_left = state.z[Coordinate::arb_rear_left];
   work.R_arb_rear_left_x_x = std::cos(z_arb_rear_left);
   work.R_arb_rear_left_x_z = std::sin(z_arb_rear_left);
-  // wheel_rear_right
+  // wheel_rear_right: wheel_rear_right, revolute, rear_axle
   work.r_wheel_rear_right_x = work.r_rear_axle_aux1_x - s1_65;
   work.r_wheel_rear_right_y = z_rear_axle_ty - s1_66;
   work.r_wheel_rear_right_z = work.r_rear_axle_aux3_z - s1_67;
@@ -17014,11 +17014,11 @@ struct OutputsWork {
   work.b_wheel_rear_right_y = s1_72 - work.R_rear_axle_z_y*work.r_wheel_rear_right_x;
   const double s1_73 = work.R_rear_axle_y_y*work.r_wheel_rear_right_x;
   work.b_wheel_rear_right_z = s1_73 - work.R_rear_axle_x_y*work.r_wheel_rear_right_y;
-  // arb_rear_right
+  // arb_rear_right: arb_rear_right, revolute, chassis
   const double z_arb_rear_right = state.z[Coordinate::arb_rear_right];
   work.R_arb_rear_right_x_x = std::cos(z_arb_rear_right);
   work.R_arb_rear_right_x_z = std::sin(z_arb_rear_right);
-  // lower_arm_left
+  // lower_arm_left: lower_arm_left, revolute, chassis
   const double s1_74 = 0.025000000000000022*work.R_lower_arm_left_z_y;
   const double s1_75 = 0.025000000000000022*work.R_lower_arm_left_y_y;
   work.s1_76 = 0.4 + (0.21999999999999997*work.R_lower_arm_left_y_y + s1_74);
@@ -17029,7 +17029,7 @@ struct OutputsWork {
   work.s1_81 = s1_80 + work.R_lower_arm_left_z_y*(0.8*work.R_lower_arm_left_z_y);
   work.s1_82 = work.R_lower_arm_left_z_y*s1_78 + work.R_lower_arm_left_y_y*s1_79;
   work.s1_83 = work.R_lower_arm_left_y_y*s1_78 - work.R_lower_arm_left_z_y*s1_79;
-  // carrier_left
+  // carrier_left: carrier_left_ry, revolute, carrier_left_aux2
   const double s1_84 = 0.003952802359882006*R_carrier_left_x_x;
   const double s1_85 = 0.16710914454277284*R_carrier_left_x_z - s1_84;
   const double s1_86 = 0.003952802359882006*R_carrier_left_y_x;
@@ -17078,7 +17078,7 @@ struct OutputsWork {
   work.s1_129 = s1_128 - work.s1_14*s1_115;
   const double s1_130 = R_carrier_left_y_z*s1_118 + R_carrier_left_y_x*s1_112;
   work.s1_131 = work.R_carrier_left_aux2_y_y*s1_115 + s1_130;
-  // wheel_front_left
+  // wheel_front_left: wheel_front_left, revolute, carrier_left
   const double s1_132 = 6.0*R_carrier_left_y_x;
   const double s1_133 = 11.0*work.R_carrier_left_aux2_y_y;
   const double s1_134 = 6.0*R_carrier_left_y_z;
@@ -17098,7 +17098,7 @@ struct OutputsWork {
   work.s1_148 = s1_147 - work.s1_14*s1_136;
   const double s1_149 = R_carrier_left_y_z*s1_137 + R_carrier_left_y_x*s1_135;
   work.s1_150 = work.R_carrier_left_aux2_y_y*s1_136 + s1_149;
-  // upper_arm_left
+  // upper_arm_left: upper_arm_left, revolute, chassis
   const double s1_151 = 0.010000000000000009*R_upper_arm_left_z_y;
   const double s1_152 = 0.010000000000000009*R_upper_arm_left_y_y;
   work.s1_153 = 0.5 + (0.15000000000000002*R_upper_arm_left_y_y + s1_151);
@@ -17109,7 +17109,7 @@ struct OutputsWork {
   work.s1_158 = R_upper_arm_left_y_y*(0.1*R_upper_arm_left_y_y) + s1_157;
   work.s1_159 = R_upper_arm_left_z_y*s1_155 + R_upper_arm_left_y_y*s1_156;
   work.s1_160 = R_upper_arm_left_y_y*s1_155 - R_upper_arm_left_z_y*s1_156;
-  // arb_front_left
+  // arb_front_left: arb_front_left, revolute, chassis
   const double s1_161 = 0.053846153846153884*R_arb_front_left_x_z;
   const double s1_162 = 0.053846153846153884*R_arb_front_left_x_x;
   work.s1_163 = 3.95 + (s1_161 - 0.1392307692307692*R_arb_front_left_x_x);
@@ -17127,7 +17127,7 @@ struct OutputsWork {
   work.s1_175 = s1_173 + s1_174;
   work.s1_176 = R_arb_front_left_x_x*s1_172 - R_arb_front_left_x_z*s1_169;
   work.s1_177 = R_arb_front_left_x_z*s1_172 + R_arb_front_left_x_x*s1_169;
-  // lower_arm_right
+  // lower_arm_right: lower_arm_right, revolute, chassis
   const double s1_178 = 0.025000000000000022*work.R_lower_arm_right_z_y;
   const double s1_179 = 0.025000000000000022*work.R_lower_arm_right_y_y;
   work.s1_180 = s1_178 - 0.21999999999999997*work.R_lower_arm_right_y_y - 0.4;
@@ -17138,7 +17138,7 @@ struct OutputsWork {
   work.s1_185 = s1_184 + work.R_lower_arm_right_z_y*(0.8*work.R_lower_arm_right_z_y);
   work.s1_186 = work.R_lower_arm_right_z_y*s1_182 + work.R_lower_arm_right_y_y*s1_183;
   work.s1_187 = work.R_lower_arm_right_y_y*s1_182 - work.R_lower_arm_right_z_y*s1_183;
-  // carrier_right
+  // carrier_right: carrier_right_ry, revolute, carrier_right_aux2
   const double s1_188 = 0.003952802359882006*R_carrier_right_x_x;
   const double s1_189 = 0.16710914454277284*R_carrier_right_x_z - s1_188;
   const double s1_190 = 0.003952802359882006*R_carrier_right_y_x;
@@ -17186,7 +17186,7 @@ struct OutputsWork {
   work.s1_232 = s1_231 - work.s1_39*s1_218;
   const double s1_233 = R_carrier_right_y_z*s1_221 + R_carrier_right_y_x*s1_215;
   work.s1_234 = work.R_carrier_right_aux2_y_y*s1_218 + s1_233;
-  // wheel_front_right
+  // wheel_front_right: wheel_front_right, revolute, carrier_right
   const double s1_235 = 6.0*R_carrier_right_y_x;
   const double s1_236 = 11.0*work.R_carrier_right_aux2_y_y;
   const double s1_237 = 6.0*R_carrier_right_y_z;
@@ -17206,7 +17206,7 @@ struct OutputsWork {
   work.s1_251 = s1_250 - work.s1_39*s1_239;
   const double s1_252 = R_carrier_right_y_z*s1_240 + R_carrier_right_y_x*s1_238;
   work.s1_253 = work.R_carrier_right_aux2_y_y*s1_239 + s1_252;
-  // upper_arm_right
+  // upper_arm_right: upper_arm_right, revolute, chassis
   const double s1_254 = 0.010000000000000009*R_upper_arm_right_z_y;
   const double s1_255 = 0.010000000000000009*R_upper_arm_right_y_y;
   work.s1_256 = s1_254 - 0.15000000000000002*R_upper_arm_right_y_y - 0.5;
@@ -17217,7 +17217,7 @@ struct OutputsWork {
   work.s1_261 = R_upper_arm_right_y_y*(0.1*R_upper_arm_right_y_y) + s1_260;
   work.s1_262 = R_upper_arm_right_z_y*s1_258 + R_upper_arm_right_y_y*s1_259;
   work.s1_263 = R_upper_arm_right_y_y*s1_258 - R_upper_arm_right_z_y*s1_259;
-  // arb_front_right
+  // arb_front_right: arb_front_right, revolute, chassis
   const double s1_264 = 0.053846153846153884*R_arb_front_right_x_z;
   const double s1_265 = 0.053846153846153884*R_arb_front_right_x_x;
   work.s1_266 = 3.95 + (s1_264 - 0.1392307692307692*R_arb_front_right_x_x);
@@ -17235,7 +17235,7 @@ struct OutputsWork {
   work.s1_278 = R_arb_front_right_x_z*s1_276 + R_arb_front_right_x_x*s1_277;
   work.s1_279 = R_arb_front_right_x_x*s1_275 - R_arb_front_right_x_z*s1_272;
   work.s1_280 = R_arb_front_right_x_z*s1_275 + R_arb_front_right_x_x*s1_272;
-  // pitman_arm
+  // pitman_arm: pitman_arm, revolute, chassis
   work.s1_281 = 4.4 - 0.14666666666666664*R_pitman_arm_x_z;
   work.s1_282 = 0.4 + 0.14666666666666664*R_pitman_arm_x_x;
   const double s1_283 = 0.0742*R_pitman_arm_x_z;
@@ -17244,7 +17244,7 @@ struct OutputsWork {
   work.s1_286 = R_pitman_arm_x_z*(0.03*R_pitman_arm_x_z) + s1_285;
   work.s1_287 = R_pitman_arm_x_x*s1_284 + R_pitman_arm_x_z*s1_283;
   work.s1_288 = R_pitman_arm_x_z*s1_284 - R_pitman_arm_x_x*s1_283;
-  // bell_crank
+  // bell_crank: bell_crank, revolute, chassis
   const double s1_289 = 0.09720000000000001*R_bell_crank_y_x;
   const double s1_290 = 0.09720000000000001*R_bell_crank_x_x;
   work.s1_291 = s1_290 - 0.09380000000000002*R_bell_crank_y_x;
@@ -17257,7 +17257,7 @@ struct OutputsWork {
   work.s1_298 = s1_297 + R_bell_crank_x_x*(s1_293 + 0.2800026666666667*R_bell_crank_x_x);
   work.s1_299 = R_bell_crank_x_x*s1_296 + R_bell_crank_y_x*s1_295;
   work.s1_300 = R_bell_crank_x_x*s1_295 - R_bell_crank_y_x*s1_296;
-  // rear_axle
+  // rear_axle: rear_axle_rx, revolute, rear_axle_aux5
   const double s1_301 = 0.00017226528854435476*work.R_rear_axle_aux5_x_x;
   const double s1_302 = 0.00017226528854435476*work.R_rear_axle_aux5_y_x;
   const double s1_303 = 0.0019465977605512485*work.R_rear_axle_z_z;
@@ -17289,7 +17289,7 @@ struct OutputsWork {
   work.s1_329 = work.R_rear_axle_x_y*s1_316 + s1_328;
   const double s1_330 = work.R_rear_axle_y_z*s1_317 - work.R_rear_axle_aux5_y_x*s1_315;
   work.s1_331 = work.R_rear_axle_y_y*s1_316 + s1_330;
-  // wheel_rear_left
+  // wheel_rear_left: wheel_rear_left, revolute, rear_axle
   const double s1_332 = 14.0*work.R_rear_axle_aux5_y_x;
   const double s1_333 = 22.0*work.R_rear_axle_y_y;
   const double s1_334 = 14.0*work.R_rear_axle_y_z;
@@ -17309,7 +17309,7 @@ struct OutputsWork {
   work.s1_348 = work.R_rear_axle_x_y*s1_336 + s1_347;
   const double s1_349 = work.R_rear_axle_y_z*s1_337 - work.R_rear_axle_aux5_y_x*s1_335;
   work.s1_350 = work.R_rear_axle_y_y*s1_336 + s1_349;
-  // arb_rear_left
+  // arb_rear_left: arb_rear_left, revolute, chassis
   work.s1_351 = 0.16538461538461574*work.R_arb_rear_left_x_x - 3.3000000000000003;
   work.s1_352 = 0.44999999999999996 + 0.16538461538461574*work.R_arb_rear_left_x_z;
   work.s1_353 = 0.012307692307692316*work.R_arb_rear_left_x_x;
@@ -17321,7 +17321,7 @@ struct OutputsWork {
   work.s1_359 = s1_357 + s1_358;
   work.s1_360 = work.R_arb_rear_left_x_x*s1_356 + work.R_arb_rear_left_x_z*s1_354;
   work.s1_361 = work.R_arb_rear_left_x_z*s1_356 - work.R_arb_rear_left_x_x*s1_354;
-  // arb_rear_right
+  // arb_rear_right: arb_rear_right, revolute, chassis
   work.s1_362 = 0.16538461538461574*work.R_arb_rear_right_x_x - 3.3000000000000003;
   work.s1_363 = 0.44999999999999996 + 0.16538461538461574*work.R_arb_rear_right_x_z;
   work.s1_364 = 0.012307692307692316*work.R_arb_rear_right_x_x;
@@ -17454,7 +17454,7 @@ struct OutputsWork {
   // operations: 403 add, 629 multiply, 44 sin cos
 
   // --- step 4: velocities Z (36) ---
-  // chassis
+  // chassis: chassis_rx, revolute, chassis_aux5
   const double zd_chassis_tx = state.zd[Coordinate::chassis_tx];
   const double zd_chassis_ty = state.zd[Coordinate::chassis_ty];
   const double s2_1 = zd_chassis_tx*work.R_chassis_aux5_x_x;
@@ -17470,12 +17470,12 @@ struct OutputsWork {
   work.w_chassis_z = zd_chassis_rz*work.R_chassis_z_z - zd_chassis_ry*work.s1_3;
   const double zd_chassis_rx = state.zd[Coordinate::chassis_rx];
   work.w_chassis_x = zd_chassis_rx - zd_chassis_rz*work.s1_1;
-  // lower_arm_left
+  // lower_arm_left: lower_arm_left, revolute, chassis
   const double zd_lower_arm_left = state.zd[Coordinate::lower_arm_left];
   const double v_lower_arm_left_y = work.v_chassis_y - 0.62*zd_lower_arm_left;
   const double v_lower_arm_left_z = work.v_chassis_z - 0.4*zd_lower_arm_left;
   const double w_lower_arm_left_x = zd_lower_arm_left + work.w_chassis_x;
-  // carrier_left_aux1
+  // carrier_left_aux1: carrier_left_rz, revolute, lower_arm_left
   const double zd_carrier_left_rz = state.zd[Coordinate::carrier_left_rz];
   const double v_carrier_left_aux1_x = work.v_chassis_x +
       zd_carrier_left_rz*work.b_carrier_left_rz_x;
@@ -17485,7 +17485,7 @@ struct OutputsWork {
       zd_carrier_left_rz*work.R_lower_arm_left_z_y;
   const double w_carrier_left_aux1_z = work.w_chassis_z +
       zd_carrier_left_rz*work.R_lower_arm_left_y_y;
-  // carrier_left_aux2
+  // carrier_left_aux2: carrier_left_rx, revolute, carrier_left_aux1
   const double zd_carrier_left_rx = state.zd[Coordinate::carrier_left_rx];
   const double v_carrier_left_aux2_x = v_carrier_left_aux1_x +
       zd_carrier_left_rx*work.b_carrier_left_rx_x;
@@ -17499,7 +17499,7 @@ struct OutputsWork {
       zd_carrier_left_rx*work.R_carrier_left_aux1_y_x;
   const double w_carrier_left_aux2_z = w_carrier_left_aux1_z +
       zd_carrier_left_rx*work.R_carrier_left_aux1_z_x;
-  // carrier_left
+  // carrier_left: carrier_left_ry, revolute, carrier_left_aux2
   const double zd_carrier_left_ry = state.zd[Coordinate::carrier_left_ry];
   work.v_carrier_left_x = v_carrier_left_aux2_x + zd_carrier_left_ry*work.b_carrier_left_ry_x;
   work.v_carrier_left_y = v_carrier_left_aux2_y - zd_carrier_left_ry*work.s1_22;
@@ -17507,7 +17507,7 @@ struct OutputsWork {
   work.w_carrier_left_x = w_carrier_left_aux2_x - zd_carrier_left_ry*work.s1_14;
   work.w_carrier_left_y = w_carrier_left_aux2_y + zd_carrier_left_ry*work.R_carrier_left_aux2_y_y;
   work.w_carrier_left_z = w_carrier_left_aux2_z + zd_carrier_left_ry*work.R_carrier_left_aux2_z_y;
-  // wheel_front_left
+  // wheel_front_left: wheel_front_left, revolute, carrier_left
   const double zd_wheel_front_left = state.zd[Coordinate::wheel_front_left];
   const double v_wheel_front_left_x = work.v_carrier_left_x +
       zd_wheel_front_left*work.b_wheel_front_left_x;
@@ -17519,22 +17519,22 @@ struct OutputsWork {
       zd_wheel_front_left*work.R_carrier_left_aux2_y_y;
   const double w_wheel_front_left_z = work.w_carrier_left_z +
       zd_wheel_front_left*work.R_carrier_left_aux2_z_y;
-  // upper_arm_left
+  // upper_arm_left: upper_arm_left, revolute, chassis
   const double zd_upper_arm_left = state.zd[Coordinate::upper_arm_left];
   const double v_upper_arm_left_y = work.v_chassis_y - 0.28*zd_upper_arm_left;
   const double v_upper_arm_left_z = work.v_chassis_z - 0.5*zd_upper_arm_left;
   const double w_upper_arm_left_x = zd_upper_arm_left + work.w_chassis_x;
-  // arb_front_left
+  // arb_front_left: arb_front_left, revolute, chassis
   const double zd_arb_front_left = state.zd[Coordinate::arb_front_left];
   work.v_arb_front_left_x = work.v_chassis_x + 0.5*zd_arb_front_left;
   work.v_arb_front_left_z = work.v_chassis_z + 3.95*zd_arb_front_left;
   work.w_arb_front_left_y = zd_arb_front_left + work.w_chassis_y;
-  // lower_arm_right
+  // lower_arm_right: lower_arm_right, revolute, chassis
   const double zd_lower_arm_right = state.zd[Coordinate::lower_arm_right];
   const double v_lower_arm_right_y = work.v_chassis_y - 0.62*zd_lower_arm_right;
   const double v_lower_arm_right_z = work.v_chassis_z + 0.4*zd_lower_arm_right;
   const double w_lower_arm_right_x = zd_lower_arm_right + work.w_chassis_x;
-  // carrier_right_aux1
+  // carrier_right_aux1: carrier_right_rz, revolute, lower_arm_right
   const double zd_carrier_right_rz = state.zd[Coordinate::carrier_right_rz];
   const double v_carrier_right_aux1_x = work.v_chassis_x +
       zd_carrier_right_rz*work.b_carrier_right_rz_x;
@@ -17544,7 +17544,7 @@ struct OutputsWork {
       zd_carrier_right_rz*work.R_lower_arm_right_z_y;
   const double w_carrier_right_aux1_z = work.w_chassis_z +
       zd_carrier_right_rz*work.R_lower_arm_right_y_y;
-  // carrier_right_aux2
+  // carrier_right_aux2: carrier_right_rx, revolute, carrier_right_aux1
   const double zd_carrier_right_rx = state.zd[Coordinate::carrier_right_rx];
   const double v_carrier_right_aux2_x = v_carrier_right_aux1_x +
       zd_carrier_right_rx*work.b_carrier_right_rx_x;
@@ -17557,7 +17557,7 @@ struct OutputsWork {
   const double w_carrier_right_aux2_y = w_carrier_right_aux1_y + s2_4;
   const double s2_5 = zd_carrier_right_rx*work.R_carrier_right_aux1_z_x;
   const double w_carrier_right_aux2_z = w_carrier_right_aux1_z + s2_5;
-  // carrier_right
+  // carrier_right: carrier_right_ry, revolute, carrier_right_aux2
   const double zd_carrier_right_ry = state.zd[Coordinate::carrier_right_ry];
   work.v_carrier_right_x = v_carrier_right_aux2_x + zd_carrier_right_ry*work.b_carrier_right_ry_x;
   work.v_carrier_right_y = v_carrier_right_aux2_y + zd_carrier_right_ry*work.b_carrier_right_ry_y;
@@ -17567,7 +17567,7 @@ struct OutputsWork {
   work.w_carrier_right_y = w_carrier_right_aux2_y + s2_6;
   const double s2_7 = zd_carrier_right_ry*work.R_carrier_right_aux2_z_y;
   work.w_carrier_right_z = w_carrier_right_aux2_z + s2_7;
-  // wheel_front_right
+  // wheel_front_right: wheel_front_right, revolute, carrier_right
   const double zd_wheel_front_right = state.zd[Coordinate::wheel_front_right];
   const double v_wheel_front_right_x = work.v_carrier_right_x +
       zd_wheel_front_right*work.b_wheel_front_right_x;
@@ -17579,44 +17579,44 @@ struct OutputsWork {
   const double w_wheel_front_right_y = work.w_carrier_right_y + s2_8;
   const double s2_9 = zd_wheel_front_right*work.R_carrier_right_aux2_z_y;
   const double w_wheel_front_right_z = work.w_carrier_right_z + s2_9;
-  // upper_arm_right
+  // upper_arm_right: upper_arm_right, revolute, chassis
   const double zd_upper_arm_right = state.zd[Coordinate::upper_arm_right];
   const double v_upper_arm_right_y = work.v_chassis_y - 0.28*zd_upper_arm_right;
   const double v_upper_arm_right_z = work.v_chassis_z + 0.5*zd_upper_arm_right;
   const double w_upper_arm_right_x = zd_upper_arm_right + work.w_chassis_x;
-  // arb_front_right
+  // arb_front_right: arb_front_right, revolute, chassis
   const double zd_arb_front_right = state.zd[Coordinate::arb_front_right];
   work.v_arb_front_right_x = work.v_chassis_x + 0.5*zd_arb_front_right;
   work.v_arb_front_right_z = work.v_chassis_z + 3.95*zd_arb_front_right;
   work.w_arb_front_right_y = zd_arb_front_right + work.w_chassis_y;
-  // pitman_arm
+  // pitman_arm: pitman_arm, revolute, chassis
   const double zd_pitman_arm = state.zd[Coordinate::pitman_arm];
   work.v_pitman_arm_x = work.v_chassis_x + 0.4*zd_pitman_arm;
   work.v_pitman_arm_z = work.v_chassis_z + 4.4*zd_pitman_arm;
   work.w_pitman_arm_y = zd_pitman_arm + work.w_chassis_y;
-  // bell_crank
+  // bell_crank: bell_crank, revolute, chassis
   const double zd_bell_crank = state.zd[Coordinate::bell_crank];
   work.v_bell_crank_y = work.v_chassis_y - 3.25*zd_bell_crank;
   work.w_bell_crank_z = zd_bell_crank + work.w_chassis_z;
-  // rear_axle_aux1
+  // rear_axle_aux1: rear_axle_tx, prismatic, chassis
   const double v_rear_axle_aux1_x = state.zd[Coordinate::rear_axle_tx] + work.v_chassis_x;
-  // rear_axle_aux2
+  // rear_axle_aux2: rear_axle_ty, prismatic, rear_axle_aux1
   const double v_rear_axle_aux2_y = state.zd[Coordinate::rear_axle_ty] + work.v_chassis_y;
-  // rear_axle_aux3
+  // rear_axle_aux3: rear_axle_tz, prismatic, rear_axle_aux2
   const double v_rear_axle_aux3_z = state.zd[Coordinate::rear_axle_tz] + work.v_chassis_z;
-  // rear_axle_aux4
+  // rear_axle_aux4: rear_axle_rz, revolute, rear_axle_aux3
   const double zd_rear_axle_rz = state.zd[Coordinate::rear_axle_rz];
   const double v_rear_axle_aux4_x = v_rear_axle_aux1_x + z_rear_axle_ty*zd_rear_axle_rz;
   const double v_rear_axle_aux4_y = v_rear_axle_aux2_y - zd_rear_axle_rz*work.r_rear_axle_aux1_x;
   const double w_rear_axle_aux4_z = zd_rear_axle_rz + work.w_chassis_z;
-  // rear_axle_aux5
+  // rear_axle_aux5: rear_axle_ry, revolute, rear_axle_aux4
   const double zd_rear_axle_ry = state.zd[Coordinate::rear_axle_ry];
   const double v_rear_axle_aux5_x = v_rear_axle_aux4_x - zd_rear_axle_ry*work.s1_56;
   const double v_rear_axle_aux5_y = v_rear_axle_aux4_y - zd_rear_axle_ry*work.s1_57;
   const double v_rear_axle_aux5_z = v_rear_axle_aux3_z + zd_rear_axle_ry*work.b_rear_axle_ry_z;
   const double w_rear_axle_aux5_x = work.w_chassis_x - zd_rear_axle_ry*work.R_rear_axle_aux4_y_x;
   const double w_rear_axle_aux5_y = work.w_chassis_y + zd_rear_axle_ry*work.R_rear_axle_aux4_x_x;
-  // rear_axle
+  // rear_axle: rear_axle_rx, revolute, rear_axle_aux5
   const double zd_rear_axle_rx = state.zd[Coordinate::rear_axle_rx];
   work.v_rear_axle_x = v_rear_axle_aux5_x - zd_rear_axle_rx*work.s1_62;
   work.v_rear_axle_y = v_rear_axle_aux5_y + zd_rear_axle_rx*work.b_rear_axle_rx_y;
@@ -17624,7 +17624,7 @@ struct OutputsWork {
   work.w_rear_axle_x = w_rear_axle_aux5_x + zd_rear_axle_rx*work.R_rear_axle_aux5_x_x;
   work.w_rear_axle_y = w_rear_axle_aux5_y + zd_rear_axle_rx*work.R_rear_axle_aux5_y_x;
   work.w_rear_axle_z = w_rear_axle_aux4_z - zd_rear_axle_rx*work.s1_55;
-  // wheel_rear_left
+  // wheel_rear_left: wheel_rear_left, revolute, rear_axle
   const double zd_wheel_rear_left = state.zd[Coordinate::wheel_rear_left];
   work.v_wheel_rear_left_x = work.v_rear_axle_x + zd_wheel_rear_left*work.b_wheel_rear_left_x;
   work.v_wheel_rear_left_y = work.v_rear_axle_y + zd_wheel_rear_left*work.b_wheel_rear_left_y;
@@ -17632,12 +17632,12 @@ struct OutputsWork {
   work.w_wheel_rear_left_x = work.w_rear_axle_x + zd_wheel_rear_left*work.R_rear_axle_x_y;
   work.w_wheel_rear_left_y = work.w_rear_axle_y + zd_wheel_rear_left*work.R_rear_axle_y_y;
   work.w_wheel_rear_left_z = work.w_rear_axle_z + zd_wheel_rear_left*work.R_rear_axle_z_y;
-  // arb_rear_left
+  // arb_rear_left: arb_rear_left, revolute, chassis
   const double zd_arb_rear_left = state.zd[Coordinate::arb_rear_left];
   work.v_arb_rear_left_x = work.v_chassis_x + 0.44999999999999996*zd_arb_rear_left;
   work.v_arb_rear_left_z = work.v_chassis_z - 3.3000000000000003*zd_arb_rear_left;
   work.w_arb_rear_left_y = zd_arb_rear_left + work.w_chassis_y;
-  // wheel_rear_right
+  // wheel_rear_right: wheel_rear_right, revolute, rear_axle
   const double zd_wheel_rear_right = state.zd[Coordinate::wheel_rear_right];
   work.v_wheel_rear_right_x = work.v_rear_axle_x + zd_wheel_rear_right*work.b_wheel_rear_right_x;
   work.v_wheel_rear_right_y = work.v_rear_axle_y + zd_wheel_rear_right*work.b_wheel_rear_right_y;
@@ -17645,7 +17645,7 @@ struct OutputsWork {
   work.w_wheel_rear_right_x = work.w_rear_axle_x + zd_wheel_rear_right*work.R_rear_axle_x_y;
   work.w_wheel_rear_right_y = work.w_rear_axle_y + zd_wheel_rear_right*work.R_rear_axle_y_y;
   work.w_wheel_rear_right_z = work.w_rear_axle_z + zd_wheel_rear_right*work.R_rear_axle_z_y;
-  // arb_rear_right
+  // arb_rear_right: arb_rear_right, revolute, chassis
   const double zd_arb_rear_right = state.zd[Coordinate::arb_rear_right];
   work.v_arb_rear_right_x = work.v_chassis_x + 0.44999999999999996*zd_arb_rear_right;
   work.v_arb_rear_right_z = work.v_chassis_z - 3.3000000000000003*zd_arb_rear_right;
@@ -17653,85 +17653,85 @@ struct OutputsWork {
   // operations: 113 add, 104 multiply
 
   // --- step 7: accelerations Zdot and accumulated forces QR - PR (51), (52) ---
-  // chassis
+  // chassis: chassis_rx, revolute, chassis_aux5
   const double s4_1 = 15014.70911391573*work.w_chassis_x - 22.575050285939653*work.w_chassis_z;
   const double s4_2 = 150070.8160441727*work.w_chassis_y;
   const double s4_3 = 145066.78026359034*work.w_chassis_z;
   const double s4_4 = s4_3 - 22.575050285939653*work.w_chassis_x;
-  // lower_arm_left
+  // lower_arm_left: lower_arm_left, revolute, chassis
   const double s4_5 = 0.6*w_lower_arm_left_x;
   const double s4_6 = work.s1_81*work.w_chassis_y + work.s1_83*work.w_chassis_z;
   const double s4_7 = work.s1_83*work.w_chassis_y + work.s1_82*work.w_chassis_z;
-  // carrier_left
+  // carrier_left: carrier_left_ry, revolute, carrier_left_aux2
   const double s4_8 = work.s1_129*work.w_carrier_left_z + work.s1_121*work.w_carrier_left_x;
   const double s4_9 = work.s1_127*work.w_carrier_left_y + s4_8;
   const double s4_10 = work.s1_131*work.w_carrier_left_z + work.s1_127*work.w_carrier_left_x;
   const double s4_11 = work.s1_123*work.w_carrier_left_y + s4_10;
   const double s4_12 = work.s1_125*work.w_carrier_left_z + work.s1_129*work.w_carrier_left_x;
   const double s4_13 = work.s1_131*work.w_carrier_left_y + s4_12;
-  // wheel_front_left
+  // wheel_front_left: wheel_front_left, revolute, carrier_left
   const double s4_14 = work.s1_148*w_wheel_front_left_z + work.s1_140*w_wheel_front_left_x;
   const double s4_15 = work.s1_146*w_wheel_front_left_y + s4_14;
   const double s4_16 = work.s1_150*w_wheel_front_left_z + work.s1_146*w_wheel_front_left_x;
   const double s4_17 = work.s1_142*w_wheel_front_left_y + s4_16;
   const double s4_18 = work.s1_144*w_wheel_front_left_z + work.s1_148*w_wheel_front_left_x;
   const double s4_19 = work.s1_150*w_wheel_front_left_y + s4_18;
-  // upper_arm_left
+  // upper_arm_left: upper_arm_left, revolute, chassis
   const double s4_20 = 0.2*w_upper_arm_left_x;
   const double s4_21 = work.s1_158*work.w_chassis_y + work.s1_160*work.w_chassis_z;
   const double s4_22 = work.s1_160*work.w_chassis_y + work.s1_159*work.w_chassis_z;
-  // arb_front_left
+  // arb_front_left: arb_front_left, revolute, chassis
   const double s4_23 = work.s1_177*work.w_chassis_z + work.s1_175*work.w_chassis_x;
   const double s4_24 = work.s1_167*work.w_arb_front_left_y + s4_23;
   const double s4_25 = work.s1_167*work.w_chassis_x - work.s1_171*work.w_chassis_z;
   const double s4_26 = 0.1304*work.w_arb_front_left_y + s4_25;
   const double s4_27 = work.s1_176*work.w_chassis_z + work.s1_177*work.w_chassis_x;
   const double s4_28 = s4_27 - work.s1_171*work.w_arb_front_left_y;
-  // lower_arm_right
+  // lower_arm_right: lower_arm_right, revolute, chassis
   const double s4_29 = 0.6*w_lower_arm_right_x;
   const double s4_30 = work.s1_185*work.w_chassis_y + work.s1_187*work.w_chassis_z;
   const double s4_31 = work.s1_187*work.w_chassis_y + work.s1_186*work.w_chassis_z;
-  // carrier_right
+  // carrier_right: carrier_right_ry, revolute, carrier_right_aux2
   const double s4_32 = work.s1_232*work.w_carrier_right_z + work.s1_224*work.w_carrier_right_x;
   const double s4_33 = work.s1_230*work.w_carrier_right_y + s4_32;
   const double s4_34 = work.s1_234*work.w_carrier_right_z + work.s1_230*work.w_carrier_right_x;
   const double s4_35 = work.s1_226*work.w_carrier_right_y + s4_34;
   const double s4_36 = work.s1_228*work.w_carrier_right_z + work.s1_232*work.w_carrier_right_x;
   const double s4_37 = work.s1_234*work.w_carrier_right_y + s4_36;
-  // wheel_front_right
+  // wheel_front_right: wheel_front_right, revolute, carrier_right
   const double s4_38 = work.s1_251*w_wheel_front_right_z + work.s1_243*w_wheel_front_right_x;
   const double s4_39 = work.s1_249*w_wheel_front_right_y + s4_38;
   const double s4_40 = work.s1_253*w_wheel_front_right_z + work.s1_249*w_wheel_front_right_x;
   const double s4_41 = work.s1_245*w_wheel_front_right_y + s4_40;
   const double s4_42 = work.s1_247*w_wheel_front_right_z + work.s1_251*w_wheel_front_right_x;
   const double s4_43 = work.s1_253*w_wheel_front_right_y + s4_42;
-  // upper_arm_right
+  // upper_arm_right: upper_arm_right, revolute, chassis
   const double s4_44 = 0.2*w_upper_arm_right_x;
   const double s4_45 = work.s1_261*work.w_chassis_y + work.s1_263*work.w_chassis_z;
   const double s4_46 = work.s1_263*work.w_chassis_y + work.s1_262*work.w_chassis_z;
-  // arb_front_right
+  // arb_front_right: arb_front_right, revolute, chassis
   const double s4_47 = work.s1_280*work.w_chassis_z + work.s1_278*work.w_chassis_x;
   const double s4_48 = work.s1_270*work.w_arb_front_right_y + s4_47;
   const double s4_49 = work.s1_274*work.w_chassis_z + work.s1_270*work.w_chassis_x;
   const double s4_50 = 0.1304*work.w_arb_front_right_y + s4_49;
   const double s4_51 = work.s1_279*work.w_chassis_z + work.s1_280*work.w_chassis_x;
   const double s4_52 = work.s1_274*work.w_arb_front_right_y + s4_51;
-  // pitman_arm
+  // pitman_arm: pitman_arm, revolute, chassis
   const double s4_53 = work.s1_288*work.w_chassis_z + work.s1_286*work.w_chassis_x;
   const double s4_54 = 0.0842*work.w_pitman_arm_y;
   const double s4_55 = work.s1_287*work.w_chassis_z + work.s1_288*work.w_chassis_x;
-  // bell_crank
+  // bell_crank: bell_crank, revolute, chassis
   const double s4_56 = work.s1_300*work.w_chassis_y + work.s1_298*work.w_chassis_x;
   const double s4_57 = work.s1_299*work.w_chassis_y + work.s1_300*work.w_chassis_x;
   const double s4_58 = 0.40412866666666675*work.w_bell_crank_z;
-  // rear_axle
+  // rear_axle: rear_axle_rx, revolute, rear_axle_aux5
   const double s4_59 = work.s1_329*work.w_rear_axle_z + work.s1_321*work.w_rear_axle_x;
   work.s4_60 = work.s1_327*work.w_rear_axle_y + s4_59;
   const double s4_61 = work.s1_331*work.w_rear_axle_z + work.s1_327*work.w_rear_axle_x;
   work.s4_62 = work.s1_323*work.w_rear_axle_y + s4_61;
   const double s4_63 = work.s1_325*work.w_rear_axle_z + work.s1_329*work.w_rear_axle_x;
   work.s4_64 = work.s1_331*work.w_rear_axle_y + s4_63;
-  // wheel_rear_left
+  // wheel_rear_left: wheel_rear_left, revolute, rear_axle
   const double s4_65 = work.s1_348*work.w_wheel_rear_left_z;
   const double s4_66 = s4_65 + work.s1_340*work.w_wheel_rear_left_x;
   work.s4_67 = work.s1_346*work.w_wheel_rear_left_y + s4_66;
@@ -17741,14 +17741,14 @@ struct OutputsWork {
   const double s4_71 = work.s1_344*work.w_wheel_rear_left_z;
   const double s4_72 = s4_71 + work.s1_348*work.w_wheel_rear_left_x;
   work.s4_73 = work.s1_350*work.w_wheel_rear_left_y + s4_72;
-  // arb_rear_left
+  // arb_rear_left: arb_rear_left, revolute, chassis
   const double s4_74 = work.s1_361*work.w_chassis_z + work.s1_359*work.w_chassis_x;
   work.s4_75 = s4_74 - work.s1_353*work.w_arb_rear_left_y;
   const double s4_76 = work.s1_355*work.w_chassis_z - work.s1_353*work.w_chassis_x;
   work.s4_77 = 0.14461538461538465*work.w_arb_rear_left_y + s4_76;
   const double s4_78 = work.s1_360*work.w_chassis_z + work.s1_361*work.w_chassis_x;
   work.s4_79 = work.s1_355*work.w_arb_rear_left_y + s4_78;
-  // wheel_rear_right
+  // wheel_rear_right: wheel_rear_right, revolute, rear_axle
   const double s4_80 = work.s1_348*work.w_wheel_rear_right_z;
   const double s4_81 = s4_80 + work.s1_340*work.w_wheel_rear_right_x;
   work.s4_82 = work.s1_346*work.w_wheel_rear_right_y + s4_81;
@@ -17758,7 +17758,7 @@ struct OutputsWork {
   const double s4_86 = work.s1_344*work.w_wheel_rear_right_z;
   const double s4_87 = s4_86 + work.s1_348*work.w_wheel_rear_right_x;
   work.s4_88 = work.s1_350*work.w_wheel_rear_right_y + s4_87;
-  // arb_rear_right
+  // arb_rear_right: arb_rear_right, revolute, chassis
   const double s4_89 = work.s1_372*work.w_chassis_z + work.s1_370*work.w_chassis_x;
   work.s4_90 = work.s1_364*work.w_arb_rear_right_y + s4_89;
   const double s4_91 = work.s1_364*work.w_chassis_x - work.s1_366*work.w_chassis_z;

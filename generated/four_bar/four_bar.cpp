@@ -28,11 +28,11 @@ struct Accelerations {
 void compute_accelerations(const Parameters& parameters, const Inputs& inputs, const State& state,
     const double* tau, Accelerations& __restrict result) noexcept {
   // --- step 1: poses, axes b, accumulated inertias MR (50) ---
-  // crank
+  // crank: crank_pin, revolute, ground
   const double z_crank_pin = state.z[Coordinate::crank_pin];
   const double R_crank_x_x = std::cos(z_crank_pin);
   const double R_crank_x_z = std::sin(z_crank_pin);
-  // coupler
+  // coupler: coupler_pin, revolute, crank
   const double s1_1 = 0.05*R_crank_x_z;
   const double r_coupler_x = s1_1 + 0.1*R_crank_x_x;
   const double s1_2 = 0.05*R_crank_x_x;
@@ -42,28 +42,28 @@ void compute_accelerations(const Parameters& parameters, const Inputs& inputs, c
   const double s1_4 = std::sin(z_coupler_pin);
   const double R_coupler_x_x = R_crank_x_x*s1_3 - R_crank_x_z*s1_4;
   const double R_coupler_x_z = R_crank_x_x*s1_4 + R_crank_x_z*s1_3;
-  // rocker
+  // rocker: rocker_pin, revolute, ground
   const double z_rocker_pin = state.z[Coordinate::rocker_pin];
   const double R_rocker_x_x = std::cos(z_rocker_pin);
   const double R_rocker_x_z = std::sin(z_rocker_pin);
-  // crank
+  // crank: crank_pin, revolute, ground
   const double s1_5 = s1_2 + 0.02*R_crank_x_z;
   const double s1_6 = 0.02*R_crank_x_x - s1_1;
   const double s1_7 = 7e-04 + (0.8*(s1_5*s1_5) + 0.8*(s1_6*s1_6));
-  // coupler
+  // coupler: coupler_pin, revolute, crank
   const double s1_8 = r_coupler_x + (0.11*R_coupler_x_z + 0.15*R_coupler_x_x);
   const double s1_9 = r_coupler_z + (0.11*R_coupler_x_x - 0.15*R_coupler_x_z);
   const double s1_10 = 1.5*s1_8;
   const double s1_11 = 1.5*s1_9;
   const double s1_12 = 0.021 + (1.5*(s1_8*s1_8) + 1.5*(s1_9*s1_9));
-  // rocker
+  // rocker: rocker_pin, revolute, ground
   const double s1_13 = 0.009999999999999953*R_rocker_x_x;
   const double s1_14 = 0.009999999999999953*R_rocker_x_z;
   const double s1_15 = 0.12*R_rocker_x_x - s1_14;
   const double s1_16 = 0.4 + (0.12*R_rocker_x_z + s1_13);
   const double s1_17 = 1.1*s1_16;
   const double s1_18 = 0.006 + (1.1*(s1_16*s1_16) + 1.1*(s1_15*s1_15));
-  // coupler
+  // coupler: coupler_pin, revolute, crank
   const double N_crank_pin_y = s1_7 + s1_12;
   // operations: 20 add, 33 multiply, 6 sin cos
 
@@ -95,7 +95,7 @@ void compute_accelerations(const Parameters& parameters, const Inputs& inputs, c
   // operations: 1 add, 3 multiply
 
   // --- step 4: velocities Z (36) ---
-  // coupler
+  // coupler: coupler_pin, revolute, crank
   const double zd_crank_pin = state.zd[Coordinate::crank_pin];
   const double w_coupler_y = zd_crank_pin + state.zd[Coordinate::coupler_pin];
   // operations: 1 add
@@ -114,14 +114,14 @@ void compute_accelerations(const Parameters& parameters, const Inputs& inputs, c
   // operations: 8 add, 10 multiply, 1 divide, 1 sqrt
 
   // --- step 6: c and dRz/dt zd (62) ---
-  // crank
+  // crank: crank_pin, revolute, ground
   const double s6_1 = zd_crank_pin*zd_crank_pin;
-  // coupler
+  // coupler: coupler_pin, revolute, crank
   const double s6_2 = w_coupler_y*w_coupler_y;
   const double s6_3 = s6_2 - s6_1;
   const double a_coupler_x = r_coupler_x*s6_3;
   const double s6_4 = r_coupler_z*s6_3;
-  // rocker
+  // rocker: rocker_pin, revolute, ground
   const double zd_rocker_pin = state.zd[Coordinate::rocker_pin];
   const double s6_5 = zd_rocker_pin*zd_rocker_pin;
   const double a_rocker_x = 0.4*s6_5;
@@ -134,36 +134,36 @@ void compute_accelerations(const Parameters& parameters, const Inputs& inputs, c
   // operations: 8 add, 14 multiply
 
   // --- step 7: accelerations Zdot and accumulated forces QR - PR (51), (52) ---
-  // coupler
+  // coupler: coupler_pin, revolute, crank
   const double a_coupler_z = 9.81 + s6_4;
-  // rocker
+  // rocker: rocker_pin, revolute, ground
   const double a_rocker_z = 9.81 - 0.4*s6_9;
-  // crank
+  // crank: crank_pin, revolute, ground
   const double s7_1 = s1_5*(0.8*(9.81 + (s1_5*s6_8 - s1_6*s6_1)));
   const double s7_2 = 7e-04*s6_8 + (s7_1 + s1_6*(0.8*(s1_6*s6_8 + s1_5*s6_1)));
-  // coupler
+  // coupler: coupler_pin, revolute, crank
   const double s7_3 = 1.5*(a_coupler_x - (s1_9*s6_8 + s1_8*s6_2));
   const double s7_4 = 1.5*(a_coupler_z + (s1_8*s6_8 - s1_9*s6_2));
   const double s7_5 = s1_9*s7_3 - s1_8*s7_4 - 0.021*s6_8;
-  // rocker
+  // rocker: rocker_pin, revolute, ground
   const double s7_6 = 1.1*(a_rocker_z + (s1_16*s6_9 - s1_15*s6_5));
   const double s7_7 = s1_15*(1.1*(a_rocker_x - (s1_15*s6_9 + s1_16*s6_5))) - s1_16*s7_6;
   const double s7_8 = s5_8 - (s7_7 - 0.006*s6_9) + 0.4*(s5_7 - s7_6);
   const double Q_rocker_pin = tau[Coordinate::rocker_pin] + s7_8;
-  // coupler
+  // coupler: coupler_pin, revolute, crank
   const double s7_9 = r_coupler_z*s7_3 - r_coupler_x*s7_4 - s7_5;
   const double Q_coupler_pin = tau[Coordinate::coupler_pin] + s7_9;
   const double s7_10 = s7_2 - s7_5;
-  // crank
+  // crank: crank_pin, revolute, ground
   const double Q_crank_pin = s7_10 + (inputs.torque + tau[Coordinate::crank_pin]);
   // operations: 29 add, 31 multiply
 
   // --- step 8: Rz' M Rz and right-hand side (63) ---
-  // coupler
+  // coupler: coupler_pin, revolute, crank
   const double F_coupler_pin_x = s1_11 - 1.5*r_coupler_z;
   const double F_coupler_pin_z = 1.5*r_coupler_x - s1_10;
   const double N_coupler_pin_y = s1_12 - (r_coupler_x*s1_10 + r_coupler_z*s1_11);
-  // rocker
+  // rocker: rocker_pin, revolute, ground
   const double F_rocker_pin_z = 0.44000000000000006 - s1_17;
   const double N_rocker_pin_y = s1_18 - 0.4*s1_17;
   const double s8_1 = r_coupler_x*F_coupler_pin_z - r_coupler_z*F_coupler_pin_x;
@@ -195,11 +195,11 @@ struct Closure {
 void compute_closure(const Parameters& /*parameters*/, const Inputs& /*inputs*/, const State& state,
     Closure& __restrict result) noexcept {
   // --- step 1: poses, axes b, accumulated inertias MR (50) ---
-  // crank
+  // crank: crank_pin, revolute, ground
   const double z_crank_pin = state.z[Coordinate::crank_pin];
   const double R_crank_x_x = std::cos(z_crank_pin);
   const double R_crank_x_z = std::sin(z_crank_pin);
-  // coupler
+  // coupler: coupler_pin, revolute, crank
   const double r_coupler_x = 0.05*R_crank_x_z + 0.1*R_crank_x_x;
   const double r_coupler_z = 0.05*R_crank_x_x - 0.1*R_crank_x_z;
   const double z_coupler_pin = state.z[Coordinate::coupler_pin];
@@ -207,7 +207,7 @@ void compute_closure(const Parameters& /*parameters*/, const Inputs& /*inputs*/,
   const double s1_2 = std::sin(z_coupler_pin);
   const double R_coupler_x_x = R_crank_x_x*s1_1 - R_crank_x_z*s1_2;
   const double R_coupler_x_z = R_crank_x_x*s1_2 + R_crank_x_z*s1_1;
-  // rocker
+  // rocker: rocker_pin, revolute, ground
   const double z_rocker_pin = state.z[Coordinate::rocker_pin];
   const double R_rocker_x_x = std::cos(z_rocker_pin);
   const double R_rocker_x_z = std::sin(z_rocker_pin);
@@ -256,11 +256,11 @@ void compute_closure(const Parameters& /*parameters*/, const Inputs& /*inputs*/,
 void compute_multipliers(const Parameters& parameters, const Inputs& inputs, const State& state,
     const double* tau, const Derivative& derivative, Multipliers& __restrict result) noexcept {
   // --- step 1: poses, axes b, accumulated inertias MR (50) ---
-  // crank
+  // crank: crank_pin, revolute, ground
   const double z_crank_pin = state.z[Coordinate::crank_pin];
   const double R_crank_x_x = std::cos(z_crank_pin);
   const double R_crank_x_z = std::sin(z_crank_pin);
-  // coupler
+  // coupler: coupler_pin, revolute, crank
   const double s1_1 = 0.05*R_crank_x_z;
   const double r_coupler_x = s1_1 + 0.1*R_crank_x_x;
   const double s1_2 = 0.05*R_crank_x_x;
@@ -270,17 +270,17 @@ void compute_multipliers(const Parameters& parameters, const Inputs& inputs, con
   const double s1_4 = std::sin(z_coupler_pin);
   const double R_coupler_x_x = R_crank_x_x*s1_3 - R_crank_x_z*s1_4;
   const double R_coupler_x_z = R_crank_x_x*s1_4 + R_crank_x_z*s1_3;
-  // rocker
+  // rocker: rocker_pin, revolute, ground
   const double z_rocker_pin = state.z[Coordinate::rocker_pin];
   const double R_rocker_x_x = std::cos(z_rocker_pin);
   const double R_rocker_x_z = std::sin(z_rocker_pin);
-  // crank
+  // crank: crank_pin, revolute, ground
   const double s1_5 = s1_2 + 0.02*R_crank_x_z;
   const double s1_6 = 0.02*R_crank_x_x - s1_1;
-  // coupler
+  // coupler: coupler_pin, revolute, crank
   const double s1_7 = r_coupler_x + (0.11*R_coupler_x_z + 0.15*R_coupler_x_x);
   const double s1_8 = r_coupler_z + (0.11*R_coupler_x_x - 0.15*R_coupler_x_z);
-  // rocker
+  // rocker: rocker_pin, revolute, ground
   const double s1_9 = 0.009999999999999953*R_rocker_x_x;
   const double s1_10 = 0.009999999999999953*R_rocker_x_z;
   const double s1_11 = 0.12*R_rocker_x_x - s1_10;
@@ -288,7 +288,7 @@ void compute_multipliers(const Parameters& parameters, const Inputs& inputs, con
   // operations: 13 add, 18 multiply, 6 sin cos
 
   // --- step 4: velocities Z (36) ---
-  // coupler
+  // coupler: coupler_pin, revolute, crank
   const double zd_crank_pin = state.zd[Coordinate::crank_pin];
   const double w_coupler_y = zd_crank_pin + state.zd[Coordinate::coupler_pin];
   // operations: 1 add
@@ -307,9 +307,9 @@ void compute_multipliers(const Parameters& parameters, const Inputs& inputs, con
   // operations: 8 add, 10 multiply, 1 divide, 1 sqrt
 
   // --- step 7: accelerations Zdot and accumulated forces QR - PR (51), (52) ---
-  // crank
+  // crank: crank_pin, revolute, ground
   const double s4_1 = zd_crank_pin*zd_crank_pin;
-  // coupler
+  // coupler: coupler_pin, revolute, crank
   const double zdd_crank_pin = derivative.zdd[Coordinate::crank_pin];
   const double alpha_coupler_y = zdd_crank_pin + derivative.zdd[Coordinate::coupler_pin];
   const double s4_2 = w_coupler_y*w_coupler_y;
@@ -317,27 +317,27 @@ void compute_multipliers(const Parameters& parameters, const Inputs& inputs, con
   const double a_coupler_x = r_coupler_z*(zdd_crank_pin - alpha_coupler_y) + r_coupler_x*s4_3;
   const double s4_4 = r_coupler_z*s4_3 + r_coupler_x*(alpha_coupler_y - zdd_crank_pin);
   const double a_coupler_z = 9.81 + s4_4;
-  // rocker
+  // rocker: rocker_pin, revolute, ground
   const double zd_rocker_pin = state.zd[Coordinate::rocker_pin];
   const double s4_5 = zd_rocker_pin*zd_rocker_pin;
   const double a_rocker_x = 0.4*s4_5;
   const double zdd_rocker_pin = derivative.zdd[Coordinate::rocker_pin];
   const double a_rocker_z = 9.81 + 0.4*zdd_rocker_pin;
-  // crank
+  // crank: crank_pin, revolute, ground
   const double s4_6 = s1_5*(0.8*(9.81 - (s1_6*s4_1 + zdd_crank_pin*s1_5)));
   const double s4_7 = s1_6*(0.8*(zdd_crank_pin*s1_6 - s1_5*s4_1)) - s4_6;
   const double s4_8 = 7e-04*zdd_crank_pin + s4_7;
-  // coupler
+  // coupler: coupler_pin, revolute, crank
   const double s4_9 = s1_8*(1.5*(a_coupler_x + (s1_8*alpha_coupler_y - s1_7*s4_2)));
   const double s4_10 = s4_9 - s1_7*(1.5*(a_coupler_z - (s1_8*s4_2 + s1_7*alpha_coupler_y)));
-  // rocker
+  // rocker: rocker_pin, revolute, ground
   const double s4_11 = 1.1*(a_rocker_z - (s1_11*s4_5 + zdd_rocker_pin*s1_12));
   const double s4_12 = s1_11*(1.1*(a_rocker_x + (zdd_rocker_pin*s1_11 - s1_12*s4_5)));
   const double s4_13 = s3_8 - (0.006*zdd_rocker_pin + (s4_12 - s1_12*s4_11));
   const double Q_rocker_pin = tau[Coordinate::rocker_pin] + (s4_13 + 0.4*(s3_7 - s4_11));
-  // coupler
+  // coupler: coupler_pin, revolute, crank
   const double s4_14 = s4_8 + (0.021*alpha_coupler_y + s4_10);
-  // crank
+  // crank: crank_pin, revolute, ground
   const double Q_crank_pin = inputs.torque + tau[Coordinate::crank_pin] - s4_14;
   // operations: 32 add, 37 multiply
 
@@ -377,11 +377,11 @@ struct ClosureTerms {
 void compute_closure_terms(const Parameters& /*parameters*/, const Inputs& /*inputs*/,
     const State& state, ClosureTerms& __restrict result) noexcept {
   // --- step 1: poses, axes b, accumulated inertias MR (50) ---
-  // crank
+  // crank: crank_pin, revolute, ground
   const double z_crank_pin = state.z[Coordinate::crank_pin];
   const double R_crank_x_x = std::cos(z_crank_pin);
   const double R_crank_x_z = std::sin(z_crank_pin);
-  // coupler
+  // coupler: coupler_pin, revolute, crank
   const double r_coupler_x = 0.05*R_crank_x_z + 0.1*R_crank_x_x;
   const double r_coupler_z = 0.05*R_crank_x_x - 0.1*R_crank_x_z;
   const double z_coupler_pin = state.z[Coordinate::coupler_pin];
@@ -389,23 +389,23 @@ void compute_closure_terms(const Parameters& /*parameters*/, const Inputs& /*inp
   const double s1_2 = std::sin(z_coupler_pin);
   const double R_coupler_x_x = R_crank_x_x*s1_1 - R_crank_x_z*s1_2;
   const double R_coupler_x_z = R_crank_x_x*s1_2 + R_crank_x_z*s1_1;
-  // rocker
+  // rocker: rocker_pin, revolute, ground
   const double z_rocker_pin = state.z[Coordinate::rocker_pin];
   const double R_rocker_x_x = std::cos(z_rocker_pin);
   const double R_rocker_x_z = std::sin(z_rocker_pin);
   // operations: 4 add, 8 multiply, 6 sin cos
 
   // --- step 2: closure Jacobian Phi_z and its factors (60) ---
-  // crank
+  // crank: crank_pin, revolute, ground
   const double zd_crank_pin = state.zd[Coordinate::crank_pin];
   const double s2_1 = zd_crank_pin*zd_crank_pin;
-  // coupler
+  // coupler: coupler_pin, revolute, crank
   const double s2_2 = zd_crank_pin + state.zd[Coordinate::coupler_pin];
   const double s2_3 = s2_2*s2_2;
   const double s2_4 = s2_3 - s2_1;
   const double s2_5 = r_coupler_x*s2_4;
   const double s2_6 = r_coupler_z*s2_4;
-  // rocker
+  // rocker: rocker_pin, revolute, ground
   const double zd_rocker_pin = state.zd[Coordinate::rocker_pin];
   const double s2_7 = zd_rocker_pin*zd_rocker_pin;
   const double s2_8 = 0.4*s2_7;
@@ -469,11 +469,11 @@ void compute_chosen_accelerations(const Parameters& parameters, const Inputs& in
     const State& state, const double* tau, const Projection& projection,
     ChosenAccelerations& __restrict result) noexcept {
   // --- step 1: poses, axes b, accumulated inertias MR (50) ---
-  // crank
+  // crank: crank_pin, revolute, ground
   const double z_crank_pin = state.z[Coordinate::crank_pin];
   const double R_crank_x_x = std::cos(z_crank_pin);
   const double R_crank_x_z = std::sin(z_crank_pin);
-  // coupler
+  // coupler: coupler_pin, revolute, crank
   const double s1_1 = 0.05*R_crank_x_z;
   const double r_coupler_x = s1_1 + 0.1*R_crank_x_x;
   const double s1_2 = 0.05*R_crank_x_x;
@@ -483,33 +483,33 @@ void compute_chosen_accelerations(const Parameters& parameters, const Inputs& in
   const double s1_4 = std::sin(z_coupler_pin);
   const double R_coupler_x_x = R_crank_x_x*s1_3 - R_crank_x_z*s1_4;
   const double R_coupler_x_z = R_crank_x_x*s1_4 + R_crank_x_z*s1_3;
-  // rocker
+  // rocker: rocker_pin, revolute, ground
   const double z_rocker_pin = state.z[Coordinate::rocker_pin];
   const double R_rocker_x_x = std::cos(z_rocker_pin);
   const double R_rocker_x_z = std::sin(z_rocker_pin);
-  // crank
+  // crank: crank_pin, revolute, ground
   const double s1_5 = s1_2 + 0.02*R_crank_x_z;
   const double s1_6 = 0.02*R_crank_x_x - s1_1;
   const double s1_7 = 7e-04 + (0.8*(s1_5*s1_5) + 0.8*(s1_6*s1_6));
-  // coupler
+  // coupler: coupler_pin, revolute, crank
   const double s1_8 = r_coupler_x + (0.11*R_coupler_x_z + 0.15*R_coupler_x_x);
   const double s1_9 = r_coupler_z + (0.11*R_coupler_x_x - 0.15*R_coupler_x_z);
   const double s1_10 = 1.5*s1_8;
   const double s1_11 = 1.5*s1_9;
   const double s1_12 = 0.021 + (1.5*(s1_8*s1_8) + 1.5*(s1_9*s1_9));
-  // rocker
+  // rocker: rocker_pin, revolute, ground
   const double s1_13 = 0.009999999999999953*R_rocker_x_x;
   const double s1_14 = 0.009999999999999953*R_rocker_x_z;
   const double s1_15 = 0.12*R_rocker_x_x - s1_14;
   const double s1_16 = 0.4 + (0.12*R_rocker_x_z + s1_13);
   const double s1_17 = 1.1*s1_16;
   const double s1_18 = 0.006 + (1.1*(s1_16*s1_16) + 1.1*(s1_15*s1_15));
-  // coupler
+  // coupler: coupler_pin, revolute, crank
   const double N_crank_pin_y = s1_7 + s1_12;
   // operations: 20 add, 33 multiply, 6 sin cos
 
   // --- step 4: velocities Z (36) ---
-  // coupler
+  // coupler: coupler_pin, revolute, crank
   const double zd_crank_pin = state.zd[Coordinate::crank_pin];
   const double w_coupler_y = zd_crank_pin + state.zd[Coordinate::coupler_pin];
   // operations: 1 add
@@ -528,9 +528,9 @@ void compute_chosen_accelerations(const Parameters& parameters, const Inputs& in
   // operations: 8 add, 10 multiply, 1 divide, 1 sqrt
 
   // --- step 7: accelerations Zdot and accumulated forces QR - PR (51), (52) ---
-  // crank
+  // crank: crank_pin, revolute, ground
   const double s4_1 = zd_crank_pin*zd_crank_pin;
-  // coupler
+  // coupler: coupler_pin, revolute, crank
   const double alpha_coupler_y = projection.zdd_star[0] + projection.zdd_star[1];
   const double s4_2 = w_coupler_y*w_coupler_y;
   const double s4_3 = s4_2 - s4_1;
@@ -538,38 +538,38 @@ void compute_chosen_accelerations(const Parameters& parameters, const Inputs& in
   const double a_coupler_x = s4_4 + r_coupler_x*s4_3;
   const double s4_5 = r_coupler_x*(alpha_coupler_y - projection.zdd_star[0]);
   const double a_coupler_z = 9.81 + (r_coupler_z*s4_3 + s4_5);
-  // rocker
+  // rocker: rocker_pin, revolute, ground
   const double zd_rocker_pin = state.zd[Coordinate::rocker_pin];
   const double s4_6 = zd_rocker_pin*zd_rocker_pin;
   const double a_rocker_x = 0.4*s4_6;
   const double a_rocker_z = 9.81 + 0.4*projection.zdd_star[2];
-  // crank
+  // crank: crank_pin, revolute, ground
   const double s4_7 = s1_5*(0.8*(9.81 - (s1_6*s4_1 + s1_5*projection.zdd_star[0])));
   const double s4_8 = s1_6*(0.8*(s1_6*projection.zdd_star[0] - s1_5*s4_1)) - s4_7;
   const double s4_9 = 7e-04*projection.zdd_star[0] + s4_8;
-  // coupler
+  // coupler: coupler_pin, revolute, crank
   const double s4_10 = 1.5*(a_coupler_x + (s1_9*alpha_coupler_y - s1_8*s4_2));
   const double s4_11 = 1.5*(a_coupler_z - (s1_9*s4_2 + s1_8*alpha_coupler_y));
   const double s4_12 = 0.021*alpha_coupler_y + (s1_9*s4_10 - s1_8*s4_11);
-  // rocker
+  // rocker: rocker_pin, revolute, ground
   const double s4_13 = 1.1*(a_rocker_z - (s1_15*s4_6 + s1_16*projection.zdd_star[2]));
   const double s4_14 = s1_15*(1.1*(a_rocker_x + (s1_15*projection.zdd_star[2] - s1_16*s4_6)));
   const double s4_15 = s3_8 - (0.006*projection.zdd_star[2] + (s4_14 - s1_16*s4_13));
   const double Q_rocker_pin = tau[Coordinate::rocker_pin] + (s4_15 + 0.4*(s3_7 - s4_13));
-  // coupler
+  // coupler: coupler_pin, revolute, crank
   const double s4_16 = r_coupler_z*s4_10 - r_coupler_x*s4_11 - s4_12;
   const double Q_coupler_pin = tau[Coordinate::coupler_pin] + s4_16;
   const double s4_17 = s4_9 + s4_12;
-  // crank
+  // crank: crank_pin, revolute, ground
   const double Q_crank_pin = inputs.torque + tau[Coordinate::crank_pin] - s4_17;
   // operations: 35 add, 39 multiply
 
   // --- step 8: Rz' M Rz and right-hand side (63) ---
-  // coupler
+  // coupler: coupler_pin, revolute, crank
   const double F_coupler_pin_x = s1_11 - 1.5*r_coupler_z;
   const double F_coupler_pin_z = 1.5*r_coupler_x - s1_10;
   const double N_coupler_pin_y = s1_12 - (r_coupler_x*s1_10 + r_coupler_z*s1_11);
-  // rocker
+  // rocker: rocker_pin, revolute, ground
   const double F_rocker_pin_z = 0.44000000000000006 - s1_17;
   const double N_rocker_pin_y = s1_18 - 0.4*s1_17;
   const double s5_1 = r_coupler_x*F_coupler_pin_z - r_coupler_z*F_coupler_pin_x;
@@ -595,11 +595,11 @@ void compute_chosen_accelerations(const Parameters& parameters, const Inputs& in
 void compute_outputs(const Parameters& parameters, const Inputs& inputs, const State& state,
     const double* tau, const Derivative& /*derivative*/, Outputs& __restrict result) noexcept {
   // --- step 1: poses, axes b, accumulated inertias MR (50) ---
-  // crank
+  // crank: crank_pin, revolute, ground
   const double z_crank_pin = state.z[Coordinate::crank_pin];
   const double R_crank_x_x = std::cos(z_crank_pin);
   const double R_crank_x_z = std::sin(z_crank_pin);
-  // coupler
+  // coupler: coupler_pin, revolute, crank
   const double s1_1 = 0.05*R_crank_x_z;
   const double r_coupler_x = s1_1 + 0.1*R_crank_x_x;
   const double s1_2 = 0.05*R_crank_x_x;
@@ -609,17 +609,17 @@ void compute_outputs(const Parameters& parameters, const Inputs& inputs, const S
   const double s1_4 = std::sin(z_coupler_pin);
   const double R_coupler_x_x = R_crank_x_x*s1_3 - R_crank_x_z*s1_4;
   const double R_coupler_x_z = R_crank_x_x*s1_4 + R_crank_x_z*s1_3;
-  // rocker
+  // rocker: rocker_pin, revolute, ground
   const double z_rocker_pin = state.z[Coordinate::rocker_pin];
   const double R_rocker_x_x = std::cos(z_rocker_pin);
   const double R_rocker_x_z = std::sin(z_rocker_pin);
-  // crank
+  // crank: crank_pin, revolute, ground
   const double s1_5 = s1_2 + 0.02*R_crank_x_z;
   const double s1_6 = 0.02*R_crank_x_x - s1_1;
-  // coupler
+  // coupler: coupler_pin, revolute, crank
   const double s1_7 = r_coupler_x + (0.11*R_coupler_x_z + 0.15*R_coupler_x_x);
   const double s1_8 = r_coupler_z + (0.11*R_coupler_x_x - 0.15*R_coupler_x_z);
-  // rocker
+  // rocker: rocker_pin, revolute, ground
   const double s1_9 = 0.009999999999999953*R_rocker_x_x;
   const double s1_10 = 0.009999999999999953*R_rocker_x_z;
   const double s1_11 = 0.12*R_rocker_x_x - s1_10;
@@ -627,13 +627,13 @@ void compute_outputs(const Parameters& parameters, const Inputs& inputs, const S
   // operations: 13 add, 18 multiply, 6 sin cos
 
   // --- step 4: velocities Z (36) ---
-  // coupler
+  // coupler: coupler_pin, revolute, crank
   const double zd_coupler_pin = state.zd[Coordinate::coupler_pin];
   const double s2_1 = zd_coupler_pin*r_coupler_z;
   const double v_coupler_z = zd_coupler_pin*r_coupler_x;
   const double zd_crank_pin = state.zd[Coordinate::crank_pin];
   const double w_coupler_y = zd_crank_pin + zd_coupler_pin;
-  // rocker
+  // rocker: rocker_pin, revolute, ground
   const double zd_rocker_pin = state.zd[Coordinate::rocker_pin];
   const double v_rocker_z = 0.4*zd_rocker_pin;
   // operations: 1 add, 3 multiply
@@ -653,13 +653,13 @@ void compute_outputs(const Parameters& parameters, const Inputs& inputs, const S
   // operations: 8 add, 10 multiply, 1 divide, 1 sqrt
 
   // --- step 7: accelerations Zdot and accumulated forces QR - PR (51), (52) ---
-  // crank
+  // crank: crank_pin, revolute, ground
   const double s4_1 = 7e-04*zd_crank_pin;
-  // coupler
+  // coupler: coupler_pin, revolute, crank
   const double s4_2 = 0.021*w_coupler_y;
-  // rocker
+  // rocker: rocker_pin, revolute, ground
   const double s4_3 = 0.006*zd_rocker_pin;
-  // crank
+  // crank: crank_pin, revolute, ground
   const double s4_4 = inputs.torque + tau[Coordinate::crank_pin];
   // operations: 1 add, 3 multiply
 
