@@ -79,26 +79,6 @@ Result<BlockAnalysis> analyse_block(const Model& model, const Topology& topology
   return result;
 }
 
-/// Rz of a block at a position, from the frozen order at double.
-std::vector<GroupProjection<double>> projections_at(System<double>& system, const Kinematics<double>& k,
-                                                    const Analysis& analysis) {
-  std::vector<GroupProjection<double>> projections;
-  const RelativeMotion<double> rest = at_rest<double>(system.topology);
-  for (const JointGroup& group : system.topology.groups) {
-    GroupProjection<double> p;
-    if (group.block < 0) {
-      p.rz = {analysis.driven[group.joints[0]] ? std::vector<double>{} : std::vector<double>{1.0}};
-    } else {
-      const BlockAnalysis& partition = analysis.blocks[group.block];
-      const BlockClosure<double> closed = closure(system, k, system.topology.blocks[group.block], rest);
-      p.rz = frozen_rz(factorise_frozen(closed.jacobian, partition), partition, group.joints.size());
-    }
-    p.zdd_star.assign(group.joints.size(), 0.0);
-    projections.push_back(std::move(p));
-  }
-  return projections;
-}
-
 /// Coordinates whose free motion has no inertia in every configuration, existence condition (9).
 std::vector<int> without_inertia(NumericSystem& numbers, const Topology& topology, const Analysis& analysis,
                                  const std::vector<Configuration>& configurations) {
@@ -108,7 +88,7 @@ std::vector<int> without_inertia(NumericSystem& numbers, const Topology& topolog
     System<double>& system = numbers.at(configuration.z);
     const Kinematics<double> k = kinematics(system);
     const ReducedSystem<double> reduced =
-        reduced_system(system, k, inertias(system, k), projections_at(system, k, analysis),
+        reduced_system(system, k, inertias(system, k), frozen_directions(system, k, analysis.blocks, analysis.driven),
                        std::vector<double>(topology.bodies.size(), 0.0));
     const ReducedSolution<double> solution = solve_reduced(reduced);
     bool all = true;

@@ -206,4 +206,20 @@ BlockClosure<T> closure(System<T>& system, const Kinematics<T>& k, const LoopBlo
   return result;
 }
 
+/// Values per equation, given block by block, in the order of Topology::loops.
+template <class T>
+std::vector<T> in_loop_order(const Topology& topology, const std::vector<std::vector<T>>& by_block) {
+  std::vector<std::vector<T>> of_loop(topology.loops.size());
+  for (std::size_t b = 0; b < by_block.size(); ++b) {
+    auto next = by_block[b].begin();
+    for (int l : topology.blocks[b].loops) {
+      of_loop[l].assign(next, next + topology.loops[l].equations);
+      next += topology.loops[l].equations;
+    }
+  }
+  std::vector<T> result;
+  for (const std::vector<T>& values : of_loop) result.insert(result.end(), values.begin(), values.end());
+  return result;
+}
+
 }  // namespace mbgen

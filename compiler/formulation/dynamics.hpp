@@ -232,6 +232,16 @@ ReducedSolution<T> solve_reduced(ReducedSystem<T> s) {
   return solution;
 }
 
+/// zdd_star of every group, per tree coordinate.
+template <class T>
+std::vector<T> starred_accelerations(const Topology& topology, const std::vector<GroupProjection<T>>& projections) {
+  std::vector<T> zdd_star(topology.bodies.size(), T(0.0));
+  for (std::size_t g = 0; g < topology.groups.size(); ++g)
+    for (std::size_t c = 0; c < projections[g].zdd_star.size(); ++c)
+      zdd_star[topology.groups[g].joints[c]] = projections[g].zdd_star[c];
+  return zdd_star;
+}
+
 /// All joint accelerations from those of the free directions (62).
 template <class T>
 std::vector<T> joint_accelerations(const Topology& topology, const std::vector<GroupProjection<T>>& projections,

@@ -133,6 +133,28 @@ std::vector<std::vector<T>> frozen_rz(const FrozenFactors<T>& factors, const Loo
   return rz;
 }
 
+/// Rz of every joint group at a position by the frozen order, zdd_star zero. partitions: one LoopPartition per block;
+/// driven: per tree coordinate. Cost: as the closures.
+template <class T, class Partitions>
+std::vector<GroupProjection<T>> frozen_directions(System<T>& system, const Kinematics<T>& k,
+                                                  const Partitions& partitions, const std::vector<bool>& driven) {
+  std::vector<GroupProjection<T>> projections;
+  const RelativeMotion<T> rest = at_rest<T>(system.topology);
+  for (const JointGroup& group : system.topology.groups) {
+    GroupProjection<T> p;
+    if (group.block < 0) {
+      p.rz = {driven[group.joints[0]] ? std::vector<T>{} : std::vector<T>{T(1.0)}};
+    } else {
+      const LoopPartition& partition = partitions[group.block];
+      const BlockClosure<T> closed = closure(system, k, system.topology.blocks[group.block], rest);
+      p.rz = frozen_rz(factorise_frozen(closed.jacobian, partition), partition, group.joints.size());
+    }
+    p.zdd_star.assign(group.joints.size(), T(0.0));
+    projections.push_back(std::move(p));
+  }
+  return projections;
+}
+
 /// zdd_star of a block by the frozen order: dependent accelerations for zero free and given driven ones (62).
 template <class T>
 std::vector<T> frozen_zdd_star(const FrozenFactors<T>& factors, const LoopPartition& partition,

@@ -127,11 +127,7 @@ void trace_solution(Tracing& tracing, const Kinematics<Expr>& k, const Inertias<
                     const AppliedForces<Expr>& forces, const std::vector<GroupProjection<Expr>>& projections) {
   System<Expr>& system = tracing.system;
   tracing.scribe.step(Step::accelerations);
-  std::vector<Expr> zdd_star(tracing.size(), Expr(0.0));
-  for (std::size_t g = 0; g < system.topology.groups.size(); ++g)
-    for (std::size_t c = 0; c < projections[g].zdd_star.size(); ++c)
-      zdd_star[system.topology.groups[g].joints[c]] = projections[g].zdd_star[c];
-  const Accelerations<Expr> a = accelerations(system, k, v, zdd_star);
+  const Accelerations<Expr> a = accelerations(system, k, v, starred_accelerations(system.topology, projections));
   const std::vector<Expr> q = tree_forces(system, k, m, v, a, forces, tracing.inputs("tau", tracing.size()));
   tracing.scribe.step(Step::reduced_system);
   const ReducedSystem<Expr> reduced = reduced_system(system, k, m, projections, q);
@@ -263,7 +259,8 @@ Program trace_closure_terms(const Model& model, const Topology& topology, const 
 
 /// Multipliers and driving forces of a solved state, in the frozen order (theory.md section 4).
 struct Reactions {
-  std::vector<Expr> lambda, drive;
+  std::vector<std::vector<Expr>> lambda;  ///< per block
+  std::vector<Expr> drive;                ///< per motion
 };
 
 Reactions reactions(Tracing& tracing, const Kinematics<Expr>& k, const std::vector<Expr>& residual_force) {
@@ -282,22 +279,10 @@ Reactions reactions(Tracing& tracing, const Kinematics<Expr>& k, const std::vect
                                 tracing.analysis.blocks[b], right_hand_side, closed.residual.size());
     for (std::size_t e = 0; e < lambda.size(); ++e)
       for (std::size_t c = 0; c < block.joints.size(); ++c) force[block.joints[c]] -= closed.jacobian[e][c] * lambda[e];
-    r.lambda.insert(r.lambda.end(), lambda.begin(), lambda.end());
+    r.lambda.push_back(lambda);
   }
   for (const Drive<Expr>& d : tracing.drive) r.drive.push_back(-force[d.coordinate]);
   return r;
-}
-
-/// Multipliers by block, put in the order of Topology::loops.
-std::vector<Expr> in_loop_order(const Topology& topology, const std::vector<Expr>& by_block) {
-  std::vector<std::vector<Expr>> of_loop(topology.loops.size());
-  std::size_t next = 0;
-  for (const LoopBlock& block : topology.blocks)
-    for (int l : block.loops)
-      for (int e = 0; e < topology.loops[l].equations; ++e) of_loop[l].push_back(by_block[next++]);
-  std::vector<Expr> result;
-  for (const auto& values : of_loop) result.insert(result.end(), values.begin(), values.end());
-  return result;
 }
 
 /// Programs that look at a solved state: multipliers and outputs.

@@ -16,6 +16,17 @@ struct Prepared {
   std::vector<BlockClosure<double>> closures;
 };
 
+/// A state with its true accelerations, and the forces that its constraints carry.
+struct Solved {
+  Prepared prepared;
+  Inertias<double> inertias;
+  AppliedForces<double> forces;
+  Accelerations<double> accelerations;
+  std::vector<std::vector<double>> multipliers;  ///< per block, per equation
+  std::vector<double>
+      unbalanced;  ///< tree forces less M zdd less Phi_z' lambda: what the drives must add, with opposite sign
+};
+
 struct GenericSolver::Content {
   Model model;
   Topology topology;
@@ -91,13 +102,6 @@ struct GenericSolver::Content {
     return {};
   }
 
-  /// tree forces less M zdd, tau included, per coordinate.
-  std::vector<double> residual_forces(System<double>& system, const Prepared& p, const Inertias<double>& m,
-                                      const Accelerations<double>& a, const AppliedForces<double>& forces,
-                                      const std::vector<double>& tau) const {
-    return tree_forces(system, p.kinematics, m, p.velocities, a, forces, tau);
-  }
-
   /// Multipliers by block, and what they leave of the residual forces (driving forces with opposite sign).
   std::vector<std::vector<double>> block_multipliers(const Prepared& p, std::vector<double>& residual) const {
     std::vector<std::vector<double>> lambda;
@@ -113,18 +117,16 @@ struct GenericSolver::Content {
     return lambda;
   }
 
-  std::vector<double> in_loop_order(const std::vector<std::vector<double>>& by_block) const {
-    std::vector<std::vector<double>> of_loop(topology.loops.size());
-    for (std::size_t b = 0; b < by_block.size(); ++b) {
-      auto next = by_block[b].begin();
-      for (int l : topology.blocks[b].loops) {
-        of_loop[l].assign(next, next + topology.loops[l].equations);
-        next += topology.loops[l].equations;
-      }
-    }
-    std::vector<double> result;
-    for (const auto& values : of_loop) result.insert(result.end(), values.begin(), values.end());
-    return result;
+  Solved solved(System<double>& system, const std::vector<double>& tau, const std::vector<double>& zdd) const {
+    Solved s;
+    s.prepared = prepare(system);
+    s.inertias = mbgen::inertias(system, s.prepared.kinematics);
+    s.forces = applied_forces(system, s.prepared.kinematics, s.prepared.velocities);
+    s.accelerations = mbgen::accelerations(system, s.prepared.kinematics, s.prepared.velocities, zdd);
+    s.unbalanced =
+        tree_forces(system, s.prepared.kinematics, s.inertias, s.prepared.velocities, s.accelerations, s.forces, tau);
+    s.multipliers = block_multipliers(s.prepared, s.unbalanced);
+    return s;
   }
 };
 

@@ -20,20 +20,6 @@ struct Balance {
   Eigen::MatrixXd rz;       ///< coordinates x free directions
 };
 
-Eigen::MatrixXd dense_rz(const Topology& topology, const std::vector<GroupProjection<double>>& projections) {
-  Eigen::Index free = 0;
-  for (const GroupProjection<double>& p : projections) free += static_cast<Eigen::Index>(p.rz[0].size());
-  Eigen::MatrixXd rz = Eigen::MatrixXd::Zero(topology.size(), free);
-  Eigen::Index first = 0;
-  for (std::size_t g = 0; g < projections.size(); ++g) {
-    for (std::size_t c = 0; c < projections[g].rz.size(); ++c)
-      for (std::size_t q = 0; q < projections[g].rz[c].size(); ++q)
-        rz(topology.groups[g].joints[c], first + static_cast<Eigen::Index>(q)) = projections[g].rz[c][q];
-    first += static_cast<Eigen::Index>(projections[g].rz[0].size());
-  }
-  return rz;
-}
-
 template <class Content>
 Balance balance(const Content& content, const GenericState& state) {
   System<double> system = content.system(state);
@@ -41,23 +27,10 @@ Balance balance(const Content& content, const GenericState& state) {
   const Velocities<double> v = velocities(system, k);
   const Inertias<double> m = inertias(system, k);
   const AppliedForces<double> forces = applied_forces(system, k, v);
-  const RelativeMotion<double> rest = at_rest<double>(content.topology);
-  std::vector<GroupProjection<double>> projections;
-  for (const JointGroup& group : content.topology.groups) {
-    GroupProjection<double> p;
-    if (group.block < 0) {
-      p.rz = {content.analysis.driven[group.joints[0]] ? std::vector<double>{} : std::vector<double>{1.0}};
-    } else {
-      const BlockAnalysis& partition = content.analysis.blocks[group.block];
-      const BlockClosure<double> closed = closure(system, k, content.topology.blocks[group.block], rest);
-      p.rz = frozen_rz(factorise_frozen(closed.jacobian, partition), partition, group.joints.size());
-    }
-    projections.push_back(std::move(p));
-  }
   const std::vector<double> still(state.z.size(), 0.0);
   const std::vector<double> q = tree_forces(system, k, m, v, mbgen::accelerations(system, k, v, still), forces, still);
   Balance b;
-  b.rz = dense_rz(content.topology, projections);
+  b.rz = dense_rz(content.topology, frozen_directions(system, k, content.analysis.blocks, content.analysis.driven));
   b.force = b.rz.transpose() * Eigen::Map<const Eigen::VectorXd>(q.data(), static_cast<Eigen::Index>(q.size()));
   b.inertia = (b.rz.transpose() * tree_mass_matrix(system, k, m) * b.rz).diagonal();
   return b;

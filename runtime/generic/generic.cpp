@@ -57,10 +57,7 @@ Status GenericSolver::accelerations(const GenericState& state, const std::vector
   const AppliedForces<double> forces = applied_forces(system, p.kinematics, p.velocities);
   std::vector<GroupProjection<double>> projections;
   if (const Status status = content_->projections(system, p, projections); !status.ok()) return status;
-  std::vector<double> zdd_star(state.z.size(), 0.0);
-  for (std::size_t g = 0; g < projections.size(); ++g)
-    for (std::size_t c = 0; c < projections[g].zdd_star.size(); ++c)
-      zdd_star[content_->topology.groups[g].joints[c]] = projections[g].zdd_star[c];
+  const std::vector<double> zdd_star = starred_accelerations(content_->topology, projections);
   const Accelerations<double> a = mbgen::accelerations(system, p.kinematics, p.velocities, zdd_star);
   const std::vector<double> q = tree_forces(system, p.kinematics, m, p.velocities, a, forces, tau);
   int singular = -1;
@@ -112,19 +109,15 @@ Status GenericSolver::project(GenericState& state) const {
 std::vector<double> GenericSolver::multipliers(const GenericState& state, const std::vector<double>& tau,
                                                const GenericDerivative& derivative) const {
   System<double> system = content_->system(state);
-  const Prepared p = content_->prepare(system);
-  const Inertias<double> m = inertias(system, p.kinematics);
-  const AppliedForces<double> forces = applied_forces(system, p.kinematics, p.velocities);
-  const Accelerations<double> a = mbgen::accelerations(system, p.kinematics, p.velocities, derivative.zdd);
-  std::vector<double> residual = content_->residual_forces(system, p, m, a, forces, tau);
-  return content_->in_loop_order(content_->block_multipliers(p, residual));
+  const Solved solved = content_->solved(system, tau, derivative.zdd);
+  return in_loop_order(content_->topology, solved.multipliers);
 }
 
 std::vector<double> GenericSolver::position_residuals(const GenericState& state) const {
   System<double> system = content_->system(state);
   std::vector<std::vector<double>> by_block;
   for (const BlockClosure<double>& closed : content_->prepare(system).closures) by_block.push_back(closed.residual);
-  return content_->in_loop_order(by_block);
+  return in_loop_order(content_->topology, by_block);
 }
 
 std::vector<double> GenericSolver::velocity_residuals(const GenericState& state) const {
@@ -139,27 +132,27 @@ std::vector<double> GenericSolver::velocity_residuals(const GenericState& state)
       by_block.back().push_back(sum);
     }
   }
-  return content_->in_loop_order(by_block);
+  return in_loop_order(content_->topology, by_block);
 }
 
 GenericOutputs GenericSolver::outputs(const GenericState& state, const std::vector<double>& tau,
                                       const GenericDerivative& derivative) const {
   System<double> system = content_->system(state);
-  const Prepared p = content_->prepare(system);
-  const Inertias<double> m = inertias(system, p.kinematics);
-  const AppliedForces<double> forces = applied_forces(system, p.kinematics, p.velocities);
-  const Accelerations<double> a = mbgen::accelerations(system, p.kinematics, p.velocities, derivative.zdd);
-  std::vector<double> residual = content_->residual_forces(system, p, m, a, forces, tau);
-  content_->block_multipliers(p, residual);
+  const Solved solved = content_->solved(system, tau, derivative.zdd);
   std::vector<double> drive;
   std::vector<int> driven;
   for (const Drive<double>& d : drives(system)) {
     driven.push_back(d.coordinate);
-    drive.push_back(-residual[d.coordinate]);
+    drive.push_back(-solved.unbalanced[d.coordinate]);
   }
-  const SolvedState<double> solved{p.kinematics, p.velocities, a, forces, derivative.zdd, drive};
-  const Energies<double> e = energies(system, solved, m, tau, driven);
-  return {output_values(system, solved), e.kinetic, e.potential, e.power};
+  const SolvedState<double> view{solved.prepared.kinematics,
+                                 solved.prepared.velocities,
+                                 solved.accelerations,
+                                 solved.forces,
+                                 derivative.zdd,
+                                 drive};
+  const Energies<double> e = energies(system, view, solved.inertias, tau, driven);
+  return {output_values(system, view), e.kinetic, e.potential, e.power};
 }
 
 }  // namespace mbgen

@@ -93,30 +93,32 @@ Eigen::MatrixXd tree_mass_matrix(System<double>& system, const Kinematics<double
   return mass;
 }
 
+Eigen::MatrixXd dense_rz(const Topology& topology, const std::vector<GroupProjection<double>>& projections) {
+  Eigen::Index free = 0;
+  for (const GroupProjection<double>& p : projections) free += static_cast<Eigen::Index>(p.rz[0].size());
+  Eigen::MatrixXd rz = Eigen::MatrixXd::Zero(topology.size(), free);
+  Eigen::Index first = 0;
+  for (std::size_t g = 0; g < projections.size(); ++g) {
+    for (std::size_t c = 0; c < projections[g].rz.size(); ++c)
+      for (std::size_t q = 0; q < projections[g].rz[c].size(); ++q)
+        rz(topology.groups[g].joints[c], first + static_cast<Eigen::Index>(q)) = projections[g].rz[c][q];
+    first += static_cast<Eigen::Index>(projections[g].rz[0].size());
+  }
+  return rz;
+}
+
 std::vector<double> solve_maggi(const Eigen::MatrixXd& mass, const std::vector<double>& q,
                                 const std::vector<double>& zdd_star, const Topology& topology,
                                 const std::vector<GroupProjection<double>>& projections, int& singular) {
   const Eigen::Index n = mass.rows();
-  Eigen::Index free = 0;
-  for (const GroupProjection<double>& p : projections)
-    free += p.rz.empty() ? 0 : static_cast<Eigen::Index>(p.rz[0].size());
-  Eigen::MatrixXd rz = Eigen::MatrixXd::Zero(n, free);
-  Eigen::Index first = 0;
-  for (std::size_t g = 0; g < projections.size(); ++g) {
-    const std::vector<int>& joints = topology.groups[g].joints;
-    for (std::size_t c = 0; c < joints.size(); ++c)
-      for (std::size_t d = 0; d < projections[g].rz[c].size(); ++d)
-        rz(joints[c], first + static_cast<Eigen::Index>(d)) = projections[g].rz[c][d];
-    first += static_cast<Eigen::Index>(projections[g].rz[0].size());
-  }
+  const Eigen::MatrixXd rz = dense_rz(topology, projections);
   const Eigen::MatrixXd reduced = rz.transpose() * mass * rz;
   const Eigen::VectorXd right_hand_side = rz.transpose() * Eigen::Map<const Eigen::VectorXd>(q.data(), n);
-  Eigen::VectorXd x = Eigen::VectorXd::Zero(free);
-  if (free > 0) {
+  Eigen::VectorXd x = Eigen::VectorXd::Zero(rz.cols());
+  if (rz.cols() > 0) {
     const Eigen::VectorXd scale = reduced.diagonal().cwiseMax(1e-300).cwiseSqrt().cwiseInverse();
     const Eigen::LDLT<Eigen::MatrixXd> factors(scale.asDiagonal() * reduced * scale.asDiagonal());
-    Eigen::Index weakest = 0;
-    if (!(factors.vectorD().minCoeff(&weakest) > kNoInertia)) {
+    if (!(factors.vectorD().minCoeff() > kNoInertia)) {
       Eigen::Index row = 0, direction = 0;
       reduced.diagonal().minCoeff(&direction);
       rz.col(direction).cwiseAbs().maxCoeff(&row);

@@ -33,6 +33,9 @@ class BlockFactors {
 Eigen::MatrixXd tree_mass_matrix(System<double>& system, const Kinematics<double>& kinematics,
                                  const Inertias<double>& inertias);
 
+/// Rz of all joint groups as one matrix, coordinates x free directions.
+Eigen::MatrixXd dense_rz(const Topology& topology, const std::vector<GroupProjection<double>>& projections);
+
 /// Solves Rz' M Rz zdd_free = Rz' q and returns zdd = zdd_star + Rz zdd_free (63), (62).
 /// q: tree forces under zdd_star. singular: coordinate whose direction has no inertia, else unchanged.
 std::vector<double> solve_maggi(const Eigen::MatrixXd& mass, const std::vector<double>& q,
