@@ -3,8 +3,8 @@
 set -eu
 cd "$(dirname "$0")/.."
 
-.ci/install g++ clang binutils cmake make ninja-build libeigen3-dev libfmt-dev nlohmann-json3-dev libcli11-dev libgtest-dev \
-  libbenchmark-dev
+.ci/install g++ clang binutils cmake make ninja-build libeigen3-dev libfmt-dev nlohmann-json3-dev libcli11-dev \
+  libopenblas-serial-dev libsuitesparse-dev libgtest-dev libbenchmark-dev
 cmake --preset release -DMBGEN_TESTS=ON -DMBGEN_BENCH=ON
 cmake --build --preset release
 ctest --preset release --parallel "$(nproc)"

@@ -1,6 +1,7 @@
 #pragma once
 // An engine: the equations of one model ready to be evaluated and stepped, whatever stands behind them.
 
+#include <array>
 #include <functional>
 #include <string>
 #include <string_view>
@@ -8,6 +9,7 @@
 
 #include "compiler/compile.hpp"
 #include "mbgen/status.hpp"
+#include "runtime/cartesian/cartesian.hpp"
 #include "runtime/generic/generic.hpp"
 
 namespace mbgen::cli {
@@ -45,13 +47,18 @@ struct Engine {
   std::function<void(const std::vector<double>&)> set_inputs;
   /// Evaluates the accelerations of every state, `repetitions` times over. Result: how many evaluations failed.
   std::function<long long(const std::vector<LoadedState>&, int repetitions)> time_accelerations;
+  /// Shares of the nine steps of the paper's tables in the time of one evaluation, over the same calls; empty function
+  /// where the engine has no such steps.
+  std::function<std::array<double, 9>(const std::vector<LoadedState>&, int repetitions)> step_shares;
 };
 
 /// Which engine, and how.
 struct EngineChoice {
   std::string name = "generated";
   SolverSettings::Integrator integrator = SolverSettings::Integrator::rk4;
-  bool use_cache = true;  ///< keep compiled solvers for the next time
+  GenericAlgebra algebra;                                   ///< of the generic engine
+  Stabilisation stabilisation = Stabilisation::projection;  ///< of the Cartesian engines
+  bool use_cache = true;                                    ///< keep compiled solvers for the next time
 };
 
 /// Names of the engines there are.

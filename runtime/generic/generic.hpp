@@ -8,23 +8,23 @@
 #include "compiler/model/model.hpp"
 #include "compiler/topology/topology.hpp"
 #include "mbgen/status.hpp"
+#include "runtime/generic/state.hpp"
 
 namespace mbgen {
 
-/// State of any model: all coordinates, all velocities, auxiliary states, time.
-struct GenericState {
-  std::vector<double> z, zd, x;
-  double t = 0;
+/// The library behind the dense or sparse algebra: the paper's three columns.
+enum class LinearAlgebra {
+  eigen,  ///< dense, Eigen
+  blas,   ///< the paper's LU on cblas_idamax, cblas_dswap and cblas_dger, products by cblas_dgemm
+  sparse  ///< SuiteSparse through Eigen, sparse products
 };
 
-struct GenericDerivative {
-  std::vector<double> zdd, xd;
-};
+/// How the closures choose dependent coordinates and are solved.
+enum class Factorisation { lu, qr };
 
-/// What a model's outputs function gives.
-struct GenericOutputs {
-  std::vector<double> y;
-  double kinetic_energy = 0, potential_energy = 0, applied_power = 0;
+struct GenericAlgebra {
+  LinearAlgebra library = LinearAlgebra::eigen;
+  Factorisation factorisation = Factorisation::lu;
 };
 
 /// Solver of one model at double. Copies what it needs of its arguments.

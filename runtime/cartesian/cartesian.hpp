@@ -1,0 +1,61 @@
+#pragma once
+// The door of the Cartesian judges: four formulations of the paper's first section for any model, on Eigen.
+
+#include <array>
+#include <memory>
+#include <vector>
+
+#include "compiler/model/model.hpp"
+#include "compiler/topology/topology.hpp"
+#include "mbgen/status.hpp"
+#include "runtime/generic/state.hpp"
+
+namespace mbgen {
+
+/// How (5) is solved.
+enum class CartesianMethod {
+  augmented,    ///< (5) with redundant equations removed by (12)-(15)
+  range_space,  ///< (16)-(20)
+  null_space,   ///< (27)
+  maggi         ///< (30)
+};
+
+/// What keeps the integrated constraints closed.
+enum class Stabilisation {
+  projection,  ///< mass-orthogonal projections of position and velocity after each step
+  baumgarte    ///< c - 2 alpha Phid - alpha^2 Phi in place of c
+};
+
+/// Solver of one model in Cartesian coordinates. Copies what it needs of its arguments.
+class CartesianSolver {
+ public:
+  CartesianSolver(const Model& model, const Topology& topology, CartesianMethod method, Stabilisation stabilisation);
+  ~CartesianSolver();
+  CartesianSolver(CartesianSolver&&) noexcept;
+
+  void set_inputs(const std::vector<double>& inputs);
+  void set_parameters(const std::vector<double>& tunable_parameters);
+
+  /// Accelerations of the tree coordinates. tau: per coordinate.
+  /// Fails: not_a_number; no_inertia when rank [M; Phi_q] < n (9), with the coordinate that moves most.
+  Status accelerations(const GenericState& state, const std::vector<double>& tau, GenericDerivative& derivative) const;
+  /// Mass-orthogonal projection of position, then velocity. Fails: loop_not_closed; the state is then unchanged.
+  Status project(GenericState& state) const;
+  /// One step of Runge-Kutta in Cartesian coordinates, stabilised. The bodies' own state goes on from the step before
+  /// when `state` is what that step left. The state is unchanged on failure.
+  Status step(GenericState& state, double h);
+  /// Multipliers in the order and scale of Topology::loops at a state.
+  Status multipliers(const GenericState& state, const std::vector<double>& tau, std::vector<double>& lambda) const;
+  /// Per joint of the model: force (N) and moment (N m) that it transmits to its `to` body, about the joint's point on
+  /// that body, global axes.
+  Status reactions(const GenericState& state, const std::vector<double>& tau,
+                   std::vector<std::array<double, 6>>& wrenches) const;
+  /// Largest residual of all constraints of the bodies' own state: position (m or 1) and velocity.
+  Status residuals(const GenericState& state, double& position, double& velocity) const;
+
+ private:
+  struct Content;
+  std::unique_ptr<Content> content_;
+};
+
+}  // namespace mbgen

@@ -1,0 +1,89 @@
+#pragma once
+// The mechanism in Cartesian coordinates: six per body, every joint a constraint (theory.md section 6). Slow and
+// obviously right: it shares no kinematics with the recursive formulation, whose judge it is.
+
+#include <Eigen/Dense>
+#include <memory>
+#include <vector>
+
+#include "compiler/model/model.hpp"
+#include "compiler/topology/topology.hpp"
+#include "runtime/generic/state.hpp"
+
+namespace mbgen {
+
+/// Pose and motion of one body, global axes.
+struct CartesianBody {
+  Eigen::Vector3d position;     ///< of the centre of mass, m
+  Eigen::Quaterniond attitude;  ///< body axes in global axes, unit
+  Eigen::Vector3d velocity;     ///< of the centre of mass, m/s
+  Eigen::Vector3d spin;         ///< angular velocity, rad/s
+};
+
+/// All bodies that move: those of the model but ground, massless ones too, then the rods that have mass.
+struct CartesianState {
+  std::vector<CartesianBody> bodies;
+  std::vector<double> x;  ///< auxiliary states, as GenericState::x
+  double t = 0;           ///< s
+};
+
+/// Index-1 terms at one state, n = 6 per body, m equations: M qdd + Phi_q' lambda = F, Phi_q qdd = c (5).
+/// qdd holds, body after body, the acceleration of the centre of mass and the angular acceleration, global axes.
+struct CartesianTerms {
+  Eigen::MatrixXd mass;      ///< M, n x n, positive semidefinite: zero for massless bodies
+  Eigen::VectorXd force;     ///< F, n: applied and gyroscopic
+  Eigen::MatrixXd jacobian;  ///< Phi_q, m x n, rows scaled to m or 1
+  Eigen::VectorXd residual;  ///< Phi, m
+  Eigen::VectorXd velocity;  ///< Phi_q qd - b, m: what the velocities violate (3)
+  Eigen::VectorXd bias;      ///< c of (4), m
+  std::vector<double> xd;    ///< rates of the auxiliary states
+};
+
+/// A force and a moment about a named point, global axes.
+struct CartesianWrench {
+  Eigen::Vector3d force, moment;  ///< N, N m
+};
+
+class CartesianSystem {
+ public:
+  CartesianSystem(const Model& model, const Topology& topology);
+  ~CartesianSystem();
+  CartesianSystem(CartesianSystem&&) noexcept;
+
+  int coordinates() const;  ///< n
+  int equations() const;    ///< m
+
+  /// Values in model order (all inputs; tunable parameters only).
+  void set_inputs(const std::vector<double>& inputs);
+  void set_parameters(const std::vector<double>& tunable_parameters);
+
+  /// Bodies placed along the tree by its coordinates; loops may stay open. Massive rods lie along their end points.
+  CartesianState place(const GenericState& state) const;
+  /// Tree coordinates and rates of the bodies' relative poses; angles are those nearest to `guess`.
+  GenericState joint_state(const CartesianState& state, const GenericState& guess) const;
+  /// Tree accelerations from those of the bodies. z: the coordinates at this state.
+  std::vector<double> joint_accelerations(const CartesianState& state, const GenericState& z,
+                                          const Eigen::VectorXd& qdd) const;
+  /// All terms of (5). tau: per tree coordinate, added to the model's joint forces.
+  CartesianTerms terms(const CartesianState& state, const GenericState& z, const std::vector<double>& tau) const;
+  /// Moves the bodies by a small displacement (m, rad), n values; velocities stay.
+  void displace(CartesianState& state, const Eigen::VectorXd& dq) const;
+  /// Velocities of all bodies as n values, and back.
+  Eigen::VectorXd velocities(const CartesianState& state) const;
+  void set_velocities(CartesianState& state, const Eigen::VectorXd& qd) const;
+
+  /// Multipliers of the closures of Topology::loops, in their order and scale, from those of all equations.
+  std::vector<double> loop_multipliers(const CartesianState& state, const Eigen::VectorXd& lambda) const;
+  /// Generalised driving force of each motion, from the multipliers of all equations.
+  std::vector<double> driving_forces(const Eigen::VectorXd& lambda) const;
+  /// What each joint of the model transmits (constraint, springs, drives and tau of its coordinates) from its `from` to
+  /// its `to` body, about the joint's point on `to`.
+  std::vector<CartesianWrench> joint_reactions(const CartesianState& state, const GenericState& z,
+                                               const std::vector<double>& tau, const Eigen::VectorXd& lambda) const;
+
+ private:
+  struct Content;
+  std::unique_ptr<Content> content_;
+};
+
+}  // namespace mbgen
