@@ -19,7 +19,7 @@ void point_springs(ForceWork<T>& work) {
           T tension =
               work.value(spring.preload) + law(work, spring.stiffness, length - free) + law(work, spring.damping, rate);
           if (spring.force) tension = tension + with_locals(work, *spring.force, length, rate);
-          work.system.scribe.name(tension, "tension_" + spring.name);
+          work.system.scribe.name(tension, "tension_", spring.name);
           return tension;
         }));
   }
@@ -42,7 +42,7 @@ void air_springs(ForceWork<T>& work) {
           };
           const T push = air_spring_force(work.value(spring.pressure), work.value(spring.ambient),
                                           work.value(spring.exponent), volume(length0), volume(length), area(length));
-          work.system.scribe.name(push, "push_" + spring.name);
+          work.system.scribe.name(push, "push_", spring.name);
           return -push;
         }));
   }
@@ -68,7 +68,7 @@ void joint_elements(ForceWork<T>& work) {
     T force = work.value(spring.preload) + law(work, spring.stiffness, position - work.value(spring.free)) +
               law(work, spring.damping, rate);
     if (spring.force) force = force + with_locals(work, *spring.force, position, rate);
-    work.system.scribe.name(force, "force_" + spring.name);
+    work.system.scribe.name(force, "force_", spring.name);
     add_joint_force(work, spring.joint, -force);
     if (spring.relative_to) add_joint_force(work, *spring.relative_to, force);
   }
@@ -77,7 +77,7 @@ void joint_elements(ForceWork<T>& work) {
     const T force = friction_force(work.value(friction.coulomb), work.value(friction.stiction),
                                    work.value(friction.viscous), work.value(friction.velocity),
                                    work.value(friction.stribeck_velocity), e.velocity(friction.joint));
-    work.system.scribe.name(force, "force_" + friction.name);
+    work.system.scribe.name(force, "force_", friction.name);
     add_joint_force(work, friction.joint, force);
   }
   for (const JointForce& force : model.joint_forces) {

@@ -196,7 +196,7 @@ BlockClosure<T> closure(System<T>& system, const Kinematics<T>& k, const LoopBlo
         if (std::find(loop.joints.begin(), loop.joints.end(), j) == loop.joints.end()) continue;
         const bool moves_from = on_path(system.topology, loop.body_from, j);
         columns[c] = moves_from ? dot(k.column[j], row.wrench_from) : -dot(k.column[j], row.wrench_to);
-        system.scribe.name(columns[c], "J_" + loop.name + "_" + system.topology.bodies[j].coordinate);
+        system.scribe.name(columns[c], "J_", loop.name, "_", system.topology.bodies[j].coordinate);
       }
       result.residual.push_back(row.residual);
       result.jacobian.push_back(std::move(columns));

@@ -62,7 +62,7 @@ std::vector<T> tree_forces(System<T>& system, const Kinematics<T>& k, const Iner
     if (layout.own_frame) base[i] = base[i] + detail::lowered(k, i, own[i]);
     const Spatial<T>& above = layout.joint_frame == layout.base ? base[i] : own[layout.joint_frame];
     result[i] = tau[i] + forces.joint[i] + dot(k.column[i], above);
-    system.scribe.name(result[i], "Q_" + system.topology.bodies[i].coordinate);
+    system.scribe.name(result[i], "Q_", system.topology.bodies[i].coordinate);
     const int p = system.topology.bodies[i].parent;
     if (p == kGround) continue;
     Spatial<T>& below = p == layout.base ? own[p] : base[p];

@@ -111,12 +111,12 @@ Kinematics<T> kinematics(System<T>& system) {
     system.scribe.place(system.layout.titles[i]);
     detail::advance_pose(system, k, i);
     if (system.layout.bodies[i].chain_start >= 0) detail::own_chain(system, k, i);
-    name(system.scribe, k.orientation[i], "R_" + system.body_name(i));
-    name(system.scribe, k.position[i], "r_" + system.body_name(i));
-    name(system.scribe, k.axis[i], "u_" + system.topology.bodies[i].coordinate);
+    name(system.scribe, k.orientation[i], "R_", system.body_name(i));
+    name(system.scribe, k.position[i], "r_", system.body_name(i));
+    name(system.scribe, k.axis[i], "u_", system.topology.bodies[i].coordinate);
   }
   for (int i = 0; i < static_cast<int>(n); ++i)
-    name(system.scribe, k.column[i].linear, "b_" + system.topology.bodies[i].coordinate);
+    name(system.scribe, k.column[i].linear, "b_", system.topology.bodies[i].coordinate);
   return k;
 }
 

@@ -145,8 +145,8 @@ Accelerations<T> accelerations(System<T>& system, const Kinematics<T>& k, const 
       a.own[i] = seen_from(k.orientation[i], k.position[i], a.base[i], v.own[i].angular);
     }
     const Acceleration<T>& named = layout.own_frame ? a.own[i] : a.base[i];
-    name(system.scribe, named.linear, "a_" + system.body_name(i));
-    name(system.scribe, named.angular, "alpha_" + system.body_name(i));
+    name(system.scribe, named.linear, "a_", system.body_name(i));
+    name(system.scribe, named.angular, "alpha_", system.body_name(i));
   }
   return a;
 }

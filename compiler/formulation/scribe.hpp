@@ -25,7 +25,9 @@ template <class T>
 struct Scribe {
   void step(Step) {}
   void place(const std::string&) {}
-  void name(const T&, const std::string&) {}
+  /// parts: of the name; where nobody reads it, nobody puts it together.
+  template <class... Parts>
+  void name(const T&, const Parts&...) {}
 };
 
 /// Whether a value is known to be zero when the equations are written: then work on it is not done at all.
@@ -34,23 +36,22 @@ inline bool is_zero(double value) { return value == 0.0; }
 /// Size of a value that is known when the equations are written, 0 of any other.
 inline double known_size(double value) { return std::abs(value); }
 
-template <class T>
-void name(Scribe<T>& scribe, const Vector<T>& v, const std::string& text) {
-  scribe.name(v.x, text + "_x");
-  scribe.name(v.y, text + "_y");
-  scribe.name(v.z, text + "_z");
+template <class T, class... Parts>
+void name(Scribe<T>& scribe, const Vector<T>& v, const Parts&... parts) {
+  scribe.name(v.x, parts..., "_x");
+  scribe.name(v.y, parts..., "_y");
+  scribe.name(v.z, parts..., "_z");
+}
+template <class T, class... Parts>
+void name(Scribe<T>& scribe, const Matrix<T>& m, const Parts&... parts) {
+  name(scribe, Vector<T>{m.x.x, m.y.x, m.z.x}, parts..., "_x");
+  name(scribe, Vector<T>{m.x.y, m.y.y, m.z.y}, parts..., "_y");
+  name(scribe, Vector<T>{m.x.z, m.y.z, m.z.z}, parts..., "_z");
 }
 template <class T>
-void name(Scribe<T>& scribe, const Matrix<T>& m, const std::string& text) {
-  name(scribe, Vector<T>{m.x.x, m.y.x, m.z.x}, text + "_x");
-  name(scribe, Vector<T>{m.x.y, m.y.y, m.z.y}, text + "_y");
-  name(scribe, Vector<T>{m.x.z, m.y.z, m.z.z}, text + "_z");
-}
-template <class T>
-void name(Scribe<T>& scribe, const Spatial<T>& s, const std::string& linear, const std::string& angular,
-          const std::string& of) {
-  name(scribe, s.linear, linear + "_" + of);
-  name(scribe, s.angular, angular + "_" + of);
+void name(Scribe<T>& scribe, const Spatial<T>& s, const char* linear, const char* angular, const std::string& of) {
+  name(scribe, s.linear, linear, "_", of);
+  name(scribe, s.angular, angular, "_", of);
 }
 
 }  // namespace mbgen

@@ -91,9 +91,9 @@ void tyres(ForceWork<T>& work) {
     const TyreResult<T> result = tyre_result(work, tyre, contact.motion);
     const Vector<T> force = result.fx * contact.forward + result.fy * contact.left + result.load * contact.up;
     const Vector<T> moment = result.mx * contact.forward + result.my * contact.left + result.mz * contact.up;
-    work.system.scribe.name(result.load, "load_" + tyre.name);
-    work.system.scribe.name(result.fx, "fx_" + tyre.name);
-    work.system.scribe.name(result.fy, "fy_" + tyre.name);
+    work.system.scribe.name(result.load, "load_", tyre.name);
+    work.system.scribe.name(result.fx, "fx_", tyre.name);
+    work.system.scribe.name(result.fy, "fy_", tyre.name);
     const int body = work.system.topology.tree_body[tyre.centre.body];
     if (body != kGround) {
       Spatial<T>& wrench = work.forces.wrench[body];

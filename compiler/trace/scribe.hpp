@@ -19,8 +19,12 @@ struct Scribe<Expr> {
   ProgramBuilder& builder;
   void step(Step step);
   void place(const std::string& title) { builder.set_block(title); }
-  void name(const Expr& value, const std::string& text) {
-    if (!value.is_constant()) builder.label(value.value(builder), text);
+  template <class... Parts>
+  void name(const Expr& value, const Parts&... parts) {
+    if (value.is_constant()) return;
+    std::string text;
+    (text.append(parts), ...);
+    builder.label(value.value(builder), text);
   }
 };
 

@@ -118,7 +118,7 @@ void frozen_bias(Tracing& tracing, const Kinematics<Expr>& k, FrozenBlocks& bloc
     blocks.zdd_star.push_back(frozen_zdd_star(blocks.factors[b], tracing.analysis.blocks[b], closed,
                                               tracing.driven_values(block, &Drive<Expr>::acceleration)));
     for (std::size_t c = 0; c < block.joints.size(); ++c)
-      tracing.scribe.name(blocks.zdd_star[b][c], "zdd_star_" + system.topology.bodies[block.joints[c]].coordinate);
+      tracing.scribe.name(blocks.zdd_star[b][c], "zdd_star_", system.topology.bodies[block.joints[c]].coordinate);
   }
 }
 
