@@ -1,0 +1,191 @@
+#include "runtime/cartesian/cartesian.hpp"
+
+#include <cmath>
+
+#include "runtime/cartesian/evaluation.hpp"
+#include "runtime/cartesian/methods.hpp"
+#include "runtime/cartesian/runge_kutta.hpp"
+
+namespace mbgen {
+namespace {
+
+/// Steps of the model over which Baumgarte's method closes what is open: tied to the model's own step and not to the
+/// step at hand, so that the equations that are integrated do not change with it.
+constexpr double kStepsToClose = 50;
+
+int first_not_finite(const std::vector<double>& values) {
+  for (std::size_t i = 0; i < values.size(); ++i)
+    if (!std::isfinite(values[i])) return static_cast<int>(i);
+  return -1;
+}
+
+Status check_finite(const GenericState& state, const std::vector<double>& tau) {
+  for (const std::vector<double>* values : {&state.z, &state.zd, &tau})
+    if (const int i = first_not_finite(*values); i >= 0) return {Code::not_a_number, i};
+  if (first_not_finite(state.x) >= 0 || !std::isfinite(state.t)) return {Code::not_a_number, -1};
+  return {};
+}
+
+bool same(const GenericState& a, const GenericState& b) {
+  return a.z == b.z && a.zd == b.zd && a.x == b.x && a.t == b.t;
+}
+
+/// Equations (5), solved.
+struct Solved {
+  Evaluation evaluation;
+  CartesianSolution solution;
+};
+
+}  // namespace
+
+struct CartesianSolver::Content {
+  Topology topology;
+  CartesianSystem system;
+  CartesianMethod method;
+  Stabilisation stabilisation;
+  double closure_tolerance;
+  double closing_rate;  ///< alpha of Baumgarte's method, 1/s
+  Configuration left;   ///< by the last step; its z is empty before the first one
+
+  Content(const Model& model, const Topology& t, CartesianMethod m, Stabilisation s)
+      : topology(t),
+        system(model, t),
+        method(m),
+        stabilisation(s),
+        closure_tolerance(model.solver.closure_tolerance),
+        closing_rate(1 / (kStepsToClose * model.solver.step)) {}
+
+  Mechanics mechanics() const { return {system, topology}; }
+
+  /// The bodies that the last step left, or placed along the tree.
+  Configuration configuration(const GenericState& state) const {
+    return same(left.z, state) ? left : Configuration{system.place(state), state};
+  }
+
+  Status solve_at(const Configuration& at, const std::vector<double>& tau, Solved& solved) const {
+    Status status = evaluate(mechanics(), at, tau, -1, solved.evaluation);
+    if (!status.ok()) return status;
+    const CartesianTerms& terms = solved.evaluation.terms;
+    const ConstraintFactors& factors = *solved.evaluation.factors;
+    const ReducedBias bias = factors.reduce(terms.bias);
+    status = check_compatibility(mechanics(), at, solved.evaluation, bias);
+    if (status.ok()) solved.solution = solve(method, {terms.mass, terms.force, factors, bias});
+    return status;
+  }
+
+  /// Rates at one stage of a step. rank: of the first stage, which sets it; the others are not closed.
+  Status stage(const Configuration& at, int& rank, CartesianRates& rates) const {
+    const std::vector<double> no_tau(at.z.z.size(), 0.0);
+    Evaluation evaluation;
+    Status status = evaluate(mechanics(), at, no_tau, rank, evaluation);
+    if (!status.ok()) return status;
+    CartesianTerms& terms = evaluation.terms;
+    const ConstraintFactors& factors = *evaluation.factors;
+    if (rank < 0) status = check_compatibility(mechanics(), at, evaluation, factors.reduce(terms.bias));
+    if (!status.ok()) return status;
+    rank = factors.rank();
+    if (stabilisation == Stabilisation::baumgarte)
+      terms.bias -= 2 * closing_rate * terms.velocity + closing_rate * closing_rate * terms.residual;
+    rates.qdd = solve(method, {terms.mass, terms.force, factors, factors.reduce(terms.bias)}).qdd;
+    rates.xd = terms.xd;
+    return rates.qdd.allFinite() ? Status{} : Status{Code::not_a_number, -1};
+  }
+
+  /// Where a step of h seconds leads.
+  Status advance(Configuration& at, double h) const {
+    int rank = -1;
+    const GenericState start = at.z;
+    const auto derivative = [&](const CartesianState& bodies, CartesianRates& rates) {
+      return stage({bodies, system.joint_state(bodies, start)}, rank, rates);
+    };
+    const Status status = runge_kutta_step(derivative, at.bodies, h);
+    if (!status.ok()) return status;
+    at.z = system.joint_state(at.bodies, start);
+    if (const Status finite = check_finite(at.z, {}); !finite.ok()) return finite;
+    return stabilisation == Stabilisation::projection ? close(mechanics(), closure_tolerance, at) : Status{};
+  }
+};
+
+CartesianSolver::CartesianSolver(const Model& model, const Topology& topology, CartesianMethod method,
+                                 Stabilisation stabilisation)
+    : content_(std::make_unique<Content>(model, topology, method, stabilisation)) {}
+CartesianSolver::~CartesianSolver() = default;
+CartesianSolver::CartesianSolver(CartesianSolver&&) noexcept = default;
+
+void CartesianSolver::set_inputs(const std::vector<double>& inputs) { content_->system.set_inputs(inputs); }
+
+void CartesianSolver::set_parameters(const std::vector<double>& tunable_parameters) {
+  content_->system.set_parameters(tunable_parameters);
+  content_->left = {};
+}
+
+Status CartesianSolver::accelerations(const GenericState& state, const std::vector<double>& tau,
+                                      GenericDerivative& derivative) const {
+  Status status = check_finite(state, tau);
+  if (!status.ok()) return status;
+  const Configuration at = content_->configuration(state);
+  Solved solved;
+  status = content_->solve_at(at, tau, solved);
+  if (!status.ok()) return status;
+  std::vector<double> zdd = content_->system.joint_accelerations(at.bodies, state, solved.solution.qdd);
+  if (const int i = first_not_finite(zdd); i >= 0) return {Code::not_a_number, i};
+  derivative = {std::move(zdd), solved.evaluation.terms.xd};
+  return {};
+}
+
+Status CartesianSolver::project(GenericState& state) const {
+  Configuration trial{{}, state};
+  Status status = check_finite(state, {});
+  if (!status.ok()) return status;
+  trial.bodies = content_->system.place(state);
+  status = close(content_->mechanics(), content_->closure_tolerance, trial);
+  if (status.ok()) state = trial.z;
+  return status;
+}
+
+Status CartesianSolver::step(GenericState& state, double h) {
+  if (!(h > 0) || !std::isfinite(h)) return {Code::step_invalid, -1};
+  Status status = check_finite(state, {});
+  if (!status.ok()) return status;
+  Configuration at = content_->configuration(state);
+  status = content_->advance(at, h);
+  if (!status.ok()) return status;
+  state = at.z;
+  content_->left = std::move(at);
+  return {};
+}
+
+Status CartesianSolver::multipliers(const GenericState& state, const std::vector<double>& tau,
+                                    std::vector<double>& lambda) const {
+  const Configuration at = content_->configuration(state);
+  Solved solved;
+  const Status status = content_->solve_at(at, tau, solved);
+  if (status.ok()) lambda = content_->system.loop_multipliers(at.bodies, solved.solution.lambda);
+  return status;
+}
+
+Status CartesianSolver::reactions(const GenericState& state, const std::vector<double>& tau,
+                                  std::vector<std::array<double, 6>>& wrenches) const {
+  const Configuration at = content_->configuration(state);
+  Solved solved;
+  const Status status = content_->solve_at(at, tau, solved);
+  if (!status.ok()) return status;
+  wrenches.clear();
+  for (const CartesianWrench& wrench :
+       content_->system.joint_reactions(at.bodies, state, tau, solved.solution.lambda)) {
+    const Eigen::Vector3d &f = wrench.force, &m = wrench.moment;
+    wrenches.push_back({f.x(), f.y(), f.z(), m.x(), m.y(), m.z()});
+  }
+  return {};
+}
+
+Status CartesianSolver::residuals(const GenericState& state, double& position, double& velocity) const {
+  const Configuration at = content_->configuration(state);
+  const std::vector<double> no_tau(state.z.size(), 0.0);
+  const CartesianTerms terms = content_->system.terms(at.bodies, state, no_tau);
+  position = terms.residual.size() == 0 ? 0 : terms.residual.cwiseAbs().maxCoeff();
+  velocity = terms.velocity.size() == 0 ? 0 : terms.velocity.cwiseAbs().maxCoeff();
+  return {};
+}
+
+}  // namespace mbgen

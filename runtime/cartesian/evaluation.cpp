@@ -1,0 +1,114 @@
+#include "runtime/cartesian/evaluation.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "runtime/cartesian/methods.hpp"
+
+namespace mbgen {
+namespace {
+
+constexpr double kZeroPivot = 1e-10;  // relative to the first
+/// Change of a pivot, relative to the first one, by closures that are open by 1 m or 1.
+constexpr double kPivotPerOpening = 100;
+/// Relative rounding of c, and its error by closures that are open by 1 m or 1.
+constexpr double kCompatible = 1e-8;
+constexpr double kBiasPerOpening = 100;
+/// Rates this close to the largest one (relative) are as large.
+constexpr double kTie = 1e-6;
+constexpr int kMostNewtonSteps = 20;
+constexpr double kLongestNewtonStep = 0.3;  // rad or m; a longer one leaves the basin
+
+double largest(const Eigen::VectorXd& values) { return values.size() == 0 ? 0.0 : values.cwiseAbs().maxCoeff(); }
+
+/// Tree coordinate that a motion of the bodies turns or shifts most.
+int leading_coordinate(const Mechanics& mechanics, const Configuration& at, const Eigen::VectorXd& motion) {
+  CartesianState moving = at.bodies;
+  mechanics.system.set_velocities(moving, motion);
+  const std::vector<double> rates = mechanics.system.joint_state(moving, at.z).zd;
+  double most = 0;
+  for (double rate : rates) most = std::max(most, std::abs(rate));
+  const auto leads = [most](double rate) { return std::abs(rate) >= (1 - kTie) * most; };
+  return static_cast<int>(std::find_if(rates.begin(), rates.end(), leads) - rates.begin());
+}
+
+/// The step of Newton's method on the positions, shortened where it would leave the basin.
+Eigen::VectorXd newton_step(const Evaluation& evaluation) {
+  const Eigen::VectorXd dq =
+      mass_orthogonal_correction(evaluation.terms.mass, *evaluation.factors, -evaluation.terms.residual);
+  const double longest = largest(dq);
+  return longest > kLongestNewtonStep ? Eigen::VectorXd(kLongestNewtonStep / longest * dq) : dq;
+}
+
+}  // namespace
+
+Status evaluate(const Mechanics& mechanics, const Configuration& at, const std::vector<double>& tau, int rank,
+                Evaluation& evaluation) {
+  evaluation.terms = mechanics.system.terms(at.bodies, at.z, tau);
+  PivotRule rule;
+  rule.smallest = kZeroPivot;
+  if (rank >= 0) {
+    rule.most = rank;
+  } else {
+    rule.smallest += kPivotPerOpening * largest(evaluation.terms.residual);
+  }
+  evaluation.factors.emplace(evaluation.terms.jacobian, rule);
+  const std::optional<Eigen::VectorXd> motion = motion_without_inertia(evaluation.terms.mass, *evaluation.factors);
+  if (motion) return {Code::no_inertia, leading_coordinate(mechanics, at, *motion)};
+  return {};
+}
+
+Status check_compatibility(const Mechanics& mechanics, const Configuration& at, const Evaluation& evaluation,
+                           const ReducedBias& bias) {
+  if (bias.dropped.size() == 0) return {};
+  const CartesianTerms& terms = evaluation.terms;
+  const double size = 1 + largest(terms.bias);
+  const double opening = size * largest(terms.residual) + std::sqrt(size) * largest(terms.velocity);
+  Eigen::Index worst = 0;
+  if (bias.dropped.cwiseAbs().maxCoeff(&worst) <= kCompatible * size + kBiasPerOpening * opening) return {};
+  const Eigen::VectorXd weights = evaluation.factors->dependency(static_cast<int>(worst));
+  return {Code::loop_singular, block_of(mechanics, at.bodies, weights)};
+}
+
+int block_of(const Mechanics& mechanics, const CartesianState& bodies, const Eigen::VectorXd& weights) {
+  const std::vector<double> by_loop = mechanics.system.loop_multipliers(bodies, weights);
+  double most = 0;
+  int leading = -1;
+  std::size_t next = 0;
+  for (std::size_t loop = 0; loop < mechanics.topology.loops.size(); ++loop)
+    for (int e = 0; e < mechanics.topology.loops[loop].equations; ++e, ++next)
+      if (std::abs(by_loop[next]) > most) {
+        most = std::abs(by_loop[next]);
+        leading = static_cast<int>(loop);
+      }
+  const auto contains = [leading](const LoopBlock& block) {
+    return std::find(block.loops.begin(), block.loops.end(), leading) != block.loops.end();
+  };
+  const std::vector<LoopBlock>& blocks = mechanics.topology.blocks;
+  const auto block = std::find_if(blocks.begin(), blocks.end(), contains);
+  return block == blocks.end() ? -1 : static_cast<int>(block - blocks.begin());
+}
+
+Status close(const Mechanics& mechanics, double tolerance, Configuration& configuration) {
+  const std::vector<double> no_tau(configuration.z.z.size(), 0.0);
+  CartesianState& bodies = configuration.bodies;
+  const int start = block_of(mechanics, bodies, mechanics.system.terms(bodies, configuration.z, no_tau).residual);
+  for (int step = 0; step <= kMostNewtonSteps; ++step) {
+    Evaluation evaluation;
+    if (const Status status = evaluate(mechanics, configuration, no_tau, -1, evaluation); !status.ok()) return status;
+    const double opening = largest(evaluation.terms.residual);
+    if (!std::isfinite(opening)) return {Code::not_a_number, -1};
+    if (opening <= tolerance) {
+      const Eigen::VectorXd change =
+          mass_orthogonal_correction(evaluation.terms.mass, *evaluation.factors, -evaluation.terms.velocity);
+      mechanics.system.set_velocities(bodies, mechanics.system.velocities(bodies) + change);
+      configuration.z = mechanics.system.joint_state(bodies, configuration.z);
+      return {};
+    }
+    mechanics.system.displace(bodies, newton_step(evaluation));
+    configuration.z = mechanics.system.joint_state(bodies, configuration.z);
+  }
+  return {Code::loop_not_closed, start};
+}
+
+}  // namespace mbgen

@@ -1,0 +1,55 @@
+#pragma once
+// The terms of (5) at one state, factored, and what can be wrong with them as a status.
+
+#include <optional>
+#include <vector>
+
+#include "compiler/topology/topology.hpp"
+#include "mbgen/status.hpp"
+#include "runtime/cartesian/constraint_factors.hpp"
+#include "runtime/cartesian/system.hpp"
+
+namespace mbgen {
+
+/// The mechanism, as the solver's parts see it.
+struct Mechanics {
+  const CartesianSystem& system;
+  const Topology& topology;
+};
+
+/// The state of a mechanism: its bodies, and the tree coordinates that belong to them.
+struct Configuration {
+  CartesianState bodies;
+  GenericState z;
+};
+
+/// Terms of (5) with Phi_q factored.
+struct Evaluation {
+  CartesianTerms terms;
+  std::optional<ConstraintFactors> factors;
+};
+
+/// Terms and factors of a configuration. rank: of Phi_q where it is known from a closed configuration nearby, else -1.
+/// Without it a pivot counts as zero that the open closures alone could make of a zero, else a redundant set of
+/// equations would gain rank by the rounding of positions.
+/// Fails: no_inertia when (9) does not hold, with the coordinate that moves most in the motion without inertia, the
+/// lowest of equals.
+Status evaluate(const Mechanics& mechanics, const Configuration& at, const std::vector<double>& tau, int rank,
+                Evaluation& evaluation);
+
+/// Fails: loop_singular when redundant equations contradict (14) by more than the open closures explain, with the loop
+/// block that has the largest part in it.
+Status check_compatibility(const Mechanics& mechanics, const Configuration& at, const Evaluation& evaluation,
+                           const ReducedBias& bias);
+
+/// Loop block with the largest share in weights of all equations, -1 when they are zero in all loops.
+int block_of(const Mechanics& mechanics, const CartesianState& bodies, const Eigen::VectorXd& weights);
+
+/// Moves the bodies to where the equations hold within `tolerance` (m or 1), then corrects their velocities, both
+/// mass-orthogonally; the coordinates follow.
+/// Fails: loop_not_closed, no_inertia, not_a_number; the configuration is then arbitrary.
+/// Source: Bayo, Ledesma, "Augmented Lagrangian and mass-orthogonal projection methods for constrained multibody
+/// dynamics", 1996.
+Status close(const Mechanics& mechanics, double tolerance, Configuration& configuration);
+
+}  // namespace mbgen
