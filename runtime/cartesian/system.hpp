@@ -29,6 +29,8 @@ struct CartesianState {
 
 /// Index-1 terms at one state, n = 6 per body, m equations: M qdd + Phi_q' lambda = F, Phi_q qdd = c (5).
 /// qdd holds, body after body, the acceleration of the centre of mass and the angular acceleration, global axes.
+/// Equations in order: the joints of the model, tree or cut alike; the rods; the motions. A massive rod has a spherical
+/// joint at each end, from and to, and one equation more: it does not spin about its axis (a rate only, residual zero).
 struct CartesianTerms {
   Eigen::MatrixXd mass;      ///< M, n x n, positive semidefinite: zero for massless bodies
   Eigen::VectorXd force;     ///< F, n: applied and gyroscopic

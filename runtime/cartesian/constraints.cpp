@@ -1,0 +1,124 @@
+// The equations of all joints, rods and motions.
+
+#include <cmath>
+#include <numbers>
+
+#include "compiler/model/jet.hpp"
+#include "runtime/cartesian/content.hpp"
+
+namespace mbgen {
+namespace cartesian {
+namespace {
+
+using Eigen::Vector3d;
+
+void add_point(const End& from, const End& to, std::vector<Row>& rows) {
+  for (int k = 0; k < 3; ++k) rows.push_back(coincidence(from, to, Vector3d::Unit(k)));
+}
+
+/// The directions that a joint holds: its axis on both bodies, and the turn about it.
+void add_directions(JointType type, const End& from, const End& to, const Eigen::Matrix3d& on_from,
+                    const Eigen::Matrix3d& on_to, std::vector<Row>& rows) {
+  if (type == JointType::universal) {
+    rows.push_back(perpendicular(from, to, on_from.col(2), on_to.col(2)));
+  } else if (type != JointType::spherical) {
+    rows.push_back(perpendicular(from, to, on_from.col(0), on_to.col(2)));
+    rows.push_back(perpendicular(from, to, on_from.col(1), on_to.col(2)));
+  }
+  if (type == JointType::prismatic || type == JointType::fixed)
+    rows.push_back(perpendicular(from, to, on_from.col(0), on_to.col(1)));
+}
+
+/// Equations of a joint, in the order of the closures of the recursive formulation.
+void add_joint(const PartJoint& joint, const std::vector<Moving>& bodies, std::vector<Row>& rows) {
+  if (joint.type == JointType::free) return;
+  const End from = end_of(bodies, joint.from), to = end_of(bodies, joint.to);
+  const Eigen::Matrix3d on_from = bodies[from.body].axes * joint.triad_from;
+  const Eigen::Matrix3d on_to = bodies[to.body].axes * joint.triad_to;
+  switch (joint.type) {
+    case JointType::prismatic:
+    case JointType::cylindrical:
+      rows.push_back(in_plane(from, to, on_from.col(0)));
+      rows.push_back(in_plane(from, to, on_from.col(1)));
+      break;
+    case JointType::planar:
+      rows.push_back(in_plane(from, to, on_from.col(2)));
+      break;
+    default:
+      add_point(from, to, rows);
+  }
+  add_directions(joint.type, from, to, on_from, on_to, rows);
+}
+
+/// A massless rod keeps its length; a massive one is a body with a spherical joint at each end, and does not spin.
+void add_rod(const PartRod& rod, int ground, const std::vector<Moving>& bodies, std::vector<Row>& rows) {
+  const End from = end_of(bodies, rod.from), to = end_of(bodies, rod.to);
+  if (rod.body < 0) {
+    rows.push_back(distance(from, to, rod.length));
+    return;
+  }
+  add_point(from, end_of(bodies, {rod.body, Vector3d(-rod.length / 2, 0, 0)}), rows);
+  add_point(to, end_of(bodies, {rod.body, Vector3d(rod.length / 2, 0, 0)}), rows);
+  rows.push_back(no_spin(rod.body, ground, bodies[rod.body]));
+}
+
+int row_count(JointType type) {
+  switch (type) {
+    case JointType::fixed:
+      return 6;
+    case JointType::revolute:
+    case JointType::prismatic:
+      return 5;
+    case JointType::cylindrical:
+    case JointType::universal:
+      return 4;
+    case JointType::spherical:
+    case JointType::planar:
+      return 3;
+    case JointType::free:
+      break;
+  }
+  return 0;
+}
+
+}  // namespace
+
+FirstRows first_rows(const Parts& parts, const Model& model) {
+  constexpr int kMassiveRod = 7;
+  FirstRows first;
+  int next = 0;
+  const auto add = [&](std::vector<int>& rows, int count) {
+    rows.push_back(next);
+    next += count;
+  };
+  for (const PartJoint& joint : parts.joints) add(first.joints, row_count(joint.type));
+  add(first.joints, 0);
+  for (const PartRod& rod : parts.rods) add(first.rods, rod.body < 0 ? 1 : kMassiveRod);
+  add(first.rods, 0);
+  first.motions = next;
+  first.end = next + static_cast<int>(model.motions.size());
+  return first;
+}
+
+}  // namespace cartesian
+
+using namespace cartesian;
+
+std::vector<Row> CartesianSystem::Content::equations_at(const std::vector<Moving>& bodies, const Values& values) const {
+  std::vector<Row> rows;
+  for (const PartJoint& joint : parts.joints) add_joint(joint, bodies, rows);
+  for (const PartRod& rod : parts.rods) add_rod(rod, parts.ground(), bodies, rows);
+  for (const Motion& motion : model.motions) {
+    const Jet<double> wanted = evaluate_motion<double>(motion.position, model.expressions, values);
+    Row row = coordinates_of(motion.joint.joint, bodies, *values.z)[motion.joint.component].row;
+    const bool turns = parts.joints[motion.joint.joint].freedoms[motion.joint.component].kind == FreedomKind::revolute;
+    row.residual -= wanted.value;
+    if (turns) row.residual = std::remainder(row.residual, 2 * std::numbers::pi);
+    row.rate = wanted.first;
+    row.bias += wanted.second;
+    rows.push_back(row);
+  }
+  return rows;
+}
+
+}  // namespace mbgen

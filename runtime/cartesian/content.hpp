@@ -1,0 +1,65 @@
+#pragma once
+// What a Cartesian system holds, and its view of one state.
+
+#include <utility>
+#include <vector>
+
+#include "runtime/cartesian/joint_coordinates.hpp"
+#include "runtime/cartesian/system.hpp"
+
+namespace mbgen {
+namespace cartesian {
+
+/// Where the equations stand: those of the joints of the model, then of the rods, then one per motion.
+struct FirstRows {
+  std::vector<int> joints, rods;  ///< first row of each, and one past the last of all
+  int motions = 0, end = 0;
+};
+
+FirstRows first_rows(const Parts& parts, const Model& model);
+
+/// A wrench on a body.
+struct Load {
+  int body = 0;
+  Vector6d wrench;  ///< about the centre of mass, global axes
+};
+
+/// What the model's elements do at one state.
+struct Forces {
+  std::vector<Load> loads;     ///< springs, applied forces, tyres; on ground too
+  std::vector<double> joints;  ///< per tree coordinate, N or N m
+  std::vector<double> xd;      ///< rates of the auxiliary states
+};
+
+}  // namespace cartesian
+
+struct CartesianSystem::Content {
+  Model model;
+  Topology topology;
+  cartesian::CoordinateTable table;
+  std::vector<double> inputs, parameters;
+  cartesian::Parts parts;
+  cartesian::FirstRows first;
+
+  Content(const Model& model, const Topology& topology);
+  void refresh();
+
+  cartesian::Values values(const GenericState& z, double t) const {
+    return {model, table, parameters, inputs, t, &z.z, &z.zd};
+  }
+  int moving() const { return parts.ground(); }
+
+  /// Bodies with ground as the last, which stands still.
+  std::vector<cartesian::Moving> bodies(const CartesianState& state) const;
+  std::vector<cartesian::Row> equations_at(const std::vector<cartesian::Moving>& bodies,
+                                           const cartesian::Values& values) const;
+  /// Coordinates of a joint of the model.
+  std::vector<cartesian::JointCoordinate> coordinates_of(int joint, const std::vector<cartesian::Moving>& bodies,
+                                                         const std::vector<double>& guess) const {
+    return joint_coordinates(parts.joints[joint], parts.bodies, bodies, guess);
+  }
+  cartesian::Forces forces(const std::vector<cartesian::Moving>& bodies, const std::vector<double>& x,
+                           const cartesian::Values& values) const;
+};
+
+}  // namespace mbgen

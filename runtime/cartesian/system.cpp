@@ -1,0 +1,107 @@
+#include "runtime/cartesian/system.hpp"
+
+#include "runtime/cartesian/content.hpp"
+
+namespace mbgen {
+
+using namespace cartesian;
+using Eigen::Matrix3d;
+using Eigen::Vector3d;
+
+CartesianSystem::Content::Content(const Model& m, const Topology& t) : model(m), topology(t) {
+  for (const Joint& joint : model.joints) table.emplace_back(joint.freedoms.size(), -1);
+  for (int i = 0; i < topology.size(); ++i) table[topology.bodies[i].joint][topology.bodies[i].component] = i;
+  for (const Input& input : model.inputs) inputs.push_back(input.default_value);
+  for (const Parameter& parameter : model.parameters) parameters.push_back(parameter.value);
+  refresh();
+  first = first_rows(parts, model);
+}
+
+void CartesianSystem::Content::refresh() {
+  parts = make_parts(model, topology, Values{model, table, parameters, inputs});
+}
+
+CartesianSystem::CartesianSystem(const Model& model, const Topology& topology)
+    : content_(std::make_unique<Content>(model, topology)) {}
+CartesianSystem::~CartesianSystem() = default;
+CartesianSystem::CartesianSystem(CartesianSystem&&) noexcept = default;
+
+int CartesianSystem::coordinates() const { return 6 * content_->moving(); }
+int CartesianSystem::equations() const { return content_->first.end; }
+
+void CartesianSystem::set_inputs(const std::vector<double>& inputs) {
+  content_->inputs = inputs;
+  content_->refresh();
+}
+
+void CartesianSystem::set_parameters(const std::vector<double>& tunable_parameters) {
+  std::size_t next = 0;
+  for (std::size_t p = 0; p < content_->parameters.size(); ++p)
+    if (content_->model.parameters[p].tunable) content_->parameters[p] = tunable_parameters[next++];
+  content_->refresh();
+}
+
+namespace {
+
+/// Mass, gravity and gyroscopic moment of every body.
+void add_inertia(const Parts& parts, const std::vector<Moving>& bodies, CartesianTerms& terms) {
+  for (int b = 0; b < parts.ground(); ++b) {
+    const Part& part = parts.bodies[b];
+    const Matrix3d inertia = bodies[b].axes * part.inertia * bodies[b].axes.transpose();
+    terms.mass.block<3, 3>(6 * b, 6 * b).diagonal().setConstant(part.mass);
+    terms.mass.block<3, 3>(6 * b + 3, 6 * b + 3) = 0.5 * (inertia + inertia.transpose());
+    terms.force.segment<3>(6 * b) += part.mass * parts.gravity;
+    terms.force.segment<3>(6 * b + 3) -= bodies[b].spin.cross(inertia * bodies[b].spin);
+  }
+}
+
+void add_equations(const Parts& parts, const std::vector<Moving>& bodies, const std::vector<Row>& rows,
+                   CartesianTerms& terms) {
+  for (std::size_t r = 0; r < rows.size(); ++r) {
+    const Row& row = rows[r];
+    terms.residual[r] = row.residual;
+    terms.bias[r] = row.bias;
+    terms.velocity[r] = -row.rate;
+    const auto add = [&](int body, const Vector6d& columns) {
+      if (body == parts.ground()) return;
+      terms.jacobian.block<1, 6>(r, 6 * body) += columns.transpose();
+      terms.velocity[r] += columns.head<3>().dot(bodies[body].velocity) + columns.tail<3>().dot(bodies[body].spin);
+    };
+    add(row.from, row.on_from);
+    add(row.to, row.on_to);
+  }
+}
+
+}  // namespace
+
+CartesianTerms CartesianSystem::terms(const CartesianState& state, const GenericState& z,
+                                      const std::vector<double>& tau) const {
+  const Content& c = *content_;
+  const std::vector<Moving> bodies = c.bodies(state);
+  const Values values = c.values(z, state.t);
+  const int n = coordinates(), m = equations();
+  CartesianTerms terms{Eigen::MatrixXd::Zero(n, n),
+                       Eigen::VectorXd::Zero(n),
+                       Eigen::MatrixXd::Zero(m, n),
+                       Eigen::VectorXd::Zero(m),
+                       Eigen::VectorXd::Zero(m),
+                       Eigen::VectorXd::Zero(m),
+                       {}};
+  add_inertia(c.parts, bodies, terms);
+  add_equations(c.parts, bodies, c.equations_at(bodies, values), terms);
+  Forces forces = c.forces(bodies, state.x, values);
+  const auto apply = [&](int body, const Vector6d& wrench) {
+    if (body != c.moving()) terms.force.segment<6>(6 * body) += wrench;
+  };
+  for (const Load& load : forces.loads) apply(load.body, load.wrench);
+  for (std::size_t j = 0; j < c.parts.joints.size(); ++j)
+    for (const JointCoordinate& coordinate : c.coordinates_of(static_cast<int>(j), bodies, z.z)) {
+      const double force = tau[coordinate.index] + forces.joints[coordinate.index];
+      apply(coordinate.row.from, force * coordinate.row.on_from);
+      apply(coordinate.row.to, force * coordinate.row.on_to);
+    }
+  terms.xd = std::move(forces.xd);
+  return terms;
+}
+
+}  // namespace mbgen

@@ -1,0 +1,81 @@
+#include "runtime/cartesian/tyre_contact.hpp"
+
+#include <cmath>
+
+#include "mbgen/tyre.hpp"
+
+namespace mbgen::cartesian {
+namespace {
+
+using Eigen::Vector3d;
+
+/// Contact axes and point of a wheel disc: the point of the wheel's plane on the road, straight below its centre along
+/// the plane.
+struct Contact {
+  Vector3d forward, left, up = Vector3d::UnitZ();
+  Vector3d arm;  ///< from the wheel's centre of mass to the contact point
+  TyreContact<double> motion;
+};
+
+Contact contact_of(const Tyre& tyre, const PartTyre& part, const Moving& wheel, const Values& value) {
+  Contact c;
+  const Vector3d axis = wheel.axes * part.axis, centre = wheel.axes * part.centre.arm;
+  const Vector3d velocity = wheel.velocity + wheel.spin.cross(centre);
+  c.forward = axis.cross(c.up).normalized();
+  c.left = c.up.cross(c.forward);
+  // Down the wheel's plane, a unit vector; the road is met at the loaded radius along it.
+  const Vector3d down = axis.cross(c.forward);
+  const double steepness = -down.z();
+  const double height = wheel.position.z() + centre.z() - value(tyre.road_height);
+  const double radius = height / steepness;
+  c.arm = centre + radius * down;
+  // height = radius * steepness, and `axis` tilts the plane: d(steepness)/dt = -sine * d(sine)/dt / steepness.
+  const double sine = axis.z(), sine_rate = wheel.spin.cross(axis).z();
+  const double steepness_rate = -sine * sine_rate / steepness;
+  const double spin = wheel.spin.dot(axis);
+  const Vector3d turning = wheel.spin - spin * axis;
+  c.motion.deflection = value(tyre.radius) - radius;
+  c.motion.deflection_rate = -(velocity.z() - radius * steepness_rate) / steepness;
+  c.motion.vx = velocity.dot(c.forward);
+  c.motion.vy = (velocity + turning.cross(radius * down)).dot(c.left);
+  c.motion.spin = spin;
+  c.motion.camber = std::asin(sine);
+  return c;
+}
+
+TyreResult<double> law_of(const Tyre& tyre, const TyreContact<double>& contact, const Values& value) {
+  std::vector<double> coefficients;
+  for (const Quantity& q : tyre.coefficients) coefficients.push_back(value(q));
+  const TyreProperties<double> properties{value(tyre.radius),
+                                          value(tyre.stiffness),
+                                          value(tyre.damping),
+                                          value(tyre.friction),
+                                          value(tyre.rolling_resistance),
+                                          value(tyre.relaxation_x),
+                                          value(tyre.relaxation_y),
+                                          value(tyre.low_speed),
+                                          tyre.side,
+                                          tyre.count};
+  if (tyre.model == TyreModel::pac2002)
+    return tyre_forces(Pac2002<double>::from_fields(coefficients.data()), properties, contact);
+  return tyre_forces(Pac89<double>::from_fields(coefficients.data()), properties, contact);
+}
+
+}  // namespace
+
+RoadWheel road_wheel(const Tyre& tyre, const PartTyre& part, const Moving& wheel, double u, double v,
+                     const Values& value) {
+  Contact contact = contact_of(tyre, part, wheel, value);
+  contact.motion.u = u;
+  contact.motion.v = v;
+  const TyreResult<double> result = law_of(tyre, contact.motion, value);
+  const Vector3d force = result.fx * contact.forward + result.fy * contact.left + result.load * contact.up;
+  const Vector3d moment = result.mx * contact.forward + result.my * contact.left + result.mz * contact.up;
+  RoadWheel road;
+  road.wrench << force, contact.arm.cross(force) + moment;
+  road.du = result.du;
+  road.dv = result.dv;
+  return road;
+}
+
+}  // namespace mbgen::cartesian
