@@ -125,12 +125,10 @@ TEST_F(CommandLine, BadStatesAreNamed) {
 
 TEST_F(CommandLine, UnknownEnginesListTheOnesThereAre) {
   write("pendulum.json", kPendulum);
-  for (const char* engine : {"augmented", "range-space", "null-space", "maggi", "quantum"}) {
-    const Outcome run = mbgen(fmt::format("simulate pendulum.json --out o.csv --engine {}", engine));
-    EXPECT_EQ(run.exit_code, 1);
-    EXPECT_NE(run.err.find(fmt::format("no engine \"{}\"; there are: generated, generic", engine)), std::string::npos)
-        << run.err;
-  }
+  const Outcome run = mbgen("simulate pendulum.json --out o.csv --engine quantum");
+  EXPECT_EQ(run.exit_code, 1);
+  EXPECT_EQ(run.err,
+            "--engine: no engine \"quantum\"; there are: generated, generic, augmented, range-space, null-space, maggi\n");
   EXPECT_EQ(leftovers(), Names{"pendulum.json"});
 }
 

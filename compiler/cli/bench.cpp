@@ -162,7 +162,7 @@ int run(const Options& options) {
   const Compilation compilation = expect(compile(options.model));
   const std::vector<double> inputs = input_values(compilation.model, options.engine.inputs);
   std::vector<Engine> engines;
-  for (const std::string& name : engine_names()) {
+  for (const std::string& name : relative_engine_names()) {
     EngineChoice choice = options.engine.choice;
     choice.name = name;
     engines.push_back(make_engine(compilation, choice));

@@ -11,12 +11,32 @@
 namespace mbgen::cli {
 namespace {
 
+template <CartesianMethod method>
+Engine make_judge(const Compilation& compilation, const EngineChoice& choice) {
+  return make_cartesian_engine(compilation, choice, method);
+}
+
+enum class Coordinates { relative, cartesian };
+
 struct Maker {
   const char* name;
+  Coordinates coordinates;
   Engine (*make)(const Compilation&, const EngineChoice&);
 };
 
-constexpr Maker kMakers[] = {{"generated", make_generated_engine}, {"generic", make_generic_engine}};
+constexpr Maker kMakers[] = {{"generated", Coordinates::relative, make_generated_engine},
+                             {"generic", Coordinates::relative, make_generic_engine},
+                             {"augmented", Coordinates::cartesian, make_judge<CartesianMethod::augmented>},
+                             {"range-space", Coordinates::cartesian, make_judge<CartesianMethod::range_space>},
+                             {"null-space", Coordinates::cartesian, make_judge<CartesianMethod::null_space>},
+                             {"maggi", Coordinates::cartesian, make_judge<CartesianMethod::maggi>}};
+
+std::vector<std::string> names_where(const std::function<bool(const Maker&)>& condition) {
+  std::vector<std::string> names;
+  for (const Maker& maker : kMakers)
+    if (condition(maker)) names.push_back(maker.name);
+  return names;
+}
 
 std::string loop_names(const Topology& topology, const LoopBlock& block) {
   std::vector<std::string> names;
@@ -27,12 +47,20 @@ std::string loop_names(const Topology& topology, const LoopBlock& block) {
 }  // namespace
 
 const std::vector<std::string>& engine_names() {
-  static const std::vector<std::string> names = [] {
-    std::vector<std::string> list;
-    for (const Maker& maker : kMakers) list.push_back(maker.name);
-    return list;
-  }();
+  static const std::vector<std::string> names = names_where([](const Maker&) { return true; });
   return names;
+}
+
+const std::vector<std::string>& relative_engine_names() {
+  static const std::vector<std::string> names =
+      names_where([](const Maker& maker) { return maker.coordinates == Coordinates::relative; });
+  return names;
+}
+
+bool is_cartesian(const std::string& name) {
+  const auto named = [&](const Maker& maker) { return maker.name == name; };
+  const auto maker = std::find_if(std::begin(kMakers), std::end(kMakers), named);
+  return maker != std::end(kMakers) && maker->coordinates == Coordinates::cartesian;
 }
 
 Engine make_engine(const Compilation& compilation, const EngineChoice& choice) {

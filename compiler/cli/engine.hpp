@@ -64,6 +64,13 @@ struct EngineChoice {
 /// Names of the engines there are.
 const std::vector<std::string>& engine_names();
 
+/// Those of them that work in relative coordinates and integrate by every integrator; the others are the Cartesian
+/// judges, which integrate by rk4 and have a stabilisation.
+const std::vector<std::string>& relative_engine_names();
+
+/// Whether an engine is one of the Cartesian judges.
+bool is_cartesian(const std::string& name);
+
 /// The engine of this name. Fails: UserError for a name that is unknown, or when the solver cannot be compiled.
 Engine make_engine(const Compilation& compilation, const EngineChoice& choice);
 
@@ -72,6 +79,9 @@ Engine make_generic_engine(const Compilation& compilation, const EngineChoice& c
 
 /// The specialised solver: emitted, compiled, loaded. Fails: UserError, see load_solver.
 Engine make_generated_engine(const Compilation& compilation, const EngineChoice& choice);
+
+/// A Cartesian judge, see docs/judges.md.
+Engine make_cartesian_engine(const Compilation& compilation, const EngineChoice& choice, CartesianMethod method);
 
 /// Largest absolute value, NaN when there is one, 0 for none.
 double largest_absolute(const std::vector<double>& values);

@@ -62,7 +62,7 @@ int run(const Options& options) {
   const Compilation compilation = expect(compile(options.model));
   const std::vector<double> inputs = input_values(compilation.model, options.engine.inputs);
   const StatesFile file = read_states(options.states, compilation, inputs);
-  const Engine engine = make_engine(compilation, options.engine.choice);
+  const Engine engine = make_engine(compilation, chosen_engine(options.engine));
   Json result;
   result["joint_order"] = file.joint_order;
   result["states"] = Json::array();

@@ -54,6 +54,10 @@ const char* name_of(SolverSettings::Integrator integrator) {
   return integrator == SolverSettings::Integrator::rk4 ? "rk4" : "abm4";
 }
 
+const char* name_of(Stabilisation stabilisation) {
+  return stabilisation == Stabilisation::projection ? "projection" : "baumgarte";
+}
+
 std::string body_name(const Topology& topology, int body) {
   return body == kGround ? "ground" : topology.bodies[body].name;
 }

@@ -7,6 +7,7 @@
 #include "compiler/analysis/analysis.hpp"
 #include "compiler/topology/topology.hpp"
 #include "compiler/trace/trace.hpp"
+#include "runtime/cartesian/cartesian.hpp"
 
 namespace mbgen::cli {
 
@@ -14,6 +15,7 @@ const char* name_of(FreedomKind kind);
 const char* name_of(JointType type);
 const char* name_of(ClosureKind kind);
 const char* name_of(SolverSettings::Integrator integrator);
+const char* name_of(Stabilisation stabilisation);
 
 /// Name of a tree body, "ground" for kGround.
 std::string body_name(const Topology& topology, int body);

@@ -27,9 +27,30 @@ void add_dump_option(CLI::App& command, std::string& stage) {
 
 void add_engine_options(CLI::App& command, EngineArguments& arguments) {
   command.add_option("--engine", arguments.choice.name,
-                     fmt::format("{} (default {}; generic needs no compiler)", fmt::join(engine_names(), " or "),
+                     fmt::format("{} (default {}; the others need no compiler)", fmt::join(engine_names(), ", "),
                                  arguments.choice.name));
+  command.add_option(
+      "--stabilisation", arguments.stabilisation,
+      "projection or baumgarte: what keeps the joints of a Cartesian engine together (default projection)");
   add_run_options(command, arguments);
+}
+
+EngineChoice chosen_engine(const EngineArguments& arguments) {
+  EngineChoice choice = arguments.choice;
+  const std::string& name = arguments.stabilisation;
+  if (name.empty()) return choice;
+  const std::vector<std::string>& relative = relative_engine_names();
+  if (std::find(relative.begin(), relative.end(), choice.name) != relative.end()) {
+    std::vector<std::string> cartesian;
+    std::copy_if(engine_names().begin(), engine_names().end(), std::back_inserter(cartesian), is_cartesian);
+    throw UserError(fmt::format("--stabilisation: engine \"{}\" has none to choose; those that have: {}\n", choice.name,
+                                fmt::join(cartesian, ", ")));
+  }
+  if (name != "projection" && name != "baumgarte") {
+    throw UserError(fmt::format("--stabilisation: no stabilisation \"{}\"; there are: projection, baumgarte\n", name));
+  }
+  choice.stabilisation = name == "baumgarte" ? Stabilisation::baumgarte : Stabilisation::projection;
+  return choice;
 }
 
 void add_run_options(CLI::App& command, EngineArguments& arguments) {

@@ -21,14 +21,19 @@ void add_dump_option(CLI::App& command, std::string& stage);
 /// Engine and inputs as typed.
 struct EngineArguments {
   EngineChoice choice;
+  std::string stabilisation;        ///< "" for the default
   std::vector<std::string> inputs;  ///< name=value
 };
 
 /// --input, --no-cache
 void add_run_options(CLI::App& command, EngineArguments& arguments);
 
-/// --engine and the run options
+/// --engine, --stabilisation and the run options
 void add_engine_options(CLI::App& command, EngineArguments& arguments);
+
+/// The engine that the arguments choose. Fails: UserError for a stabilisation that is unknown, or of an engine that has
+/// none.
+EngineChoice chosen_engine(const EngineArguments& arguments);
 
 /// Value of every input of the model: its default, or what `assignments` (name=value) say.
 /// Fails: UserError for a name that the model does not have or a value that is no finite number.

@@ -32,11 +32,18 @@ struct Options {
   bool json = false;
 };
 
-SolverSettings::Integrator integrator_of(const std::string& name, SolverSettings::Integrator by_default) {
-  if (name.empty()) return by_default;
-  if (name == "rk4") return SolverSettings::Integrator::rk4;
-  if (name == "abm4") return SolverSettings::Integrator::abm4;
-  throw UserError(fmt::format("--integrator: no integrator \"{}\"; there are: rk4, abm4\n", name));
+/// The integrator asked for by name, else the model's where the engine has it.
+SolverSettings::Integrator integrator_of(const std::string& name, SolverSettings::Integrator of_model,
+                                         const std::string& engine) {
+  using Integrator = SolverSettings::Integrator;
+  if (name.empty()) return is_cartesian(engine) ? Integrator::rk4 : of_model;
+  if (name == "rk4") return Integrator::rk4;
+  if (name != "abm4") throw UserError(fmt::format("--integrator: no integrator \"{}\"; there are: rk4, abm4\n", name));
+  if (is_cartesian(engine)) {
+    throw UserError(
+        fmt::format("--integrator: engine \"{}\" works in Cartesian coordinates and integrates by rk4 only\n", engine));
+  }
+  return Integrator::abm4;
 }
 
 /// The duration in whole equal steps, none longer than the one asked for.
@@ -99,8 +106,8 @@ int run(const Options& options) {
   const Compilation compilation = expect(compile(options.model));
   const SimulationSettings settings = settings_of(options, compilation.model.solver);
   const std::vector<double> inputs = input_values(compilation.model, options.engine.inputs);
-  EngineChoice choice = options.engine.choice;
-  choice.integrator = integrator_of(options.integrator, compilation.model.solver.integrator);
+  EngineChoice choice = chosen_engine(options.engine);
+  choice.integrator = integrator_of(options.integrator, compilation.model.solver.integrator, choice.name);
   TableWriter table(options.file, compilation, decimation(options, settings.steps));
   const Engine engine = make_engine(compilation, choice);
   engine.set_inputs(inputs);
@@ -133,7 +140,8 @@ void add_simulate(CLI::App& application, int& exit_code) {
   command->add_option("--duration", options->duration, "s (default: the model's)");
   command->add_option("--step", options->step, "s, shortened to divide the duration (default: the model's)");
   command->add_option("--out", options->file, "table of the motion (CSV)")->required();
-  command->add_option("--integrator", options->integrator, "rk4 or abm4 (default: the model's)");
+  command->add_option("--integrator", options->integrator,
+                      "rk4 or abm4 (default: the model's; Cartesian engines: rk4 only)");
   command->add_option("--every", options->every,
                       fmt::format("write every n-th step (default: at most {} rows)", kRows));
   add_engine_options(*command, options->engine);

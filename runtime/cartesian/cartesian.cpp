@@ -63,7 +63,7 @@ struct CartesianSolver::Content {
   }
 
   Status solve_at(const Configuration& at, const std::vector<double>& tau, Solved& solved) const {
-    Status status = evaluate(mechanics(), at, tau, -1, solved.evaluation);
+    Status status = evaluate(mechanics(), at, tau, {}, solved.evaluation);
     if (!status.ok()) return status;
     const CartesianTerms& terms = solved.evaluation.terms;
     const ConstraintFactors& factors = *solved.evaluation.factors;
@@ -73,17 +73,18 @@ struct CartesianSolver::Content {
     return status;
   }
 
-  /// Rates at one stage of a step. rank: of the first stage, which sets it; the others are not closed.
-  Status stage(const Configuration& at, int& rank, CartesianRates& rates) const {
+  /// Rates at one stage of a step. equations: those that the first stage kept, which sets them. The later stages are
+  /// not closed, so another choice among redundant equations would be another differential equation.
+  Status stage(const Configuration& at, std::vector<int>& equations, CartesianRates& rates) const {
     const std::vector<double> no_tau(at.z.z.size(), 0.0);
     Evaluation evaluation;
-    Status status = evaluate(mechanics(), at, no_tau, rank, evaluation);
+    Status status = evaluate(mechanics(), at, no_tau, equations, evaluation);
     if (!status.ok()) return status;
     CartesianTerms& terms = evaluation.terms;
     const ConstraintFactors& factors = *evaluation.factors;
-    if (rank < 0) status = check_compatibility(mechanics(), at, evaluation, factors.reduce(terms.bias));
+    if (equations.empty()) status = check_compatibility(mechanics(), at, evaluation, factors.reduce(terms.bias));
     if (!status.ok()) return status;
-    rank = factors.rank();
+    equations = factors.kept();
     if (stabilisation == Stabilisation::baumgarte)
       terms.bias -= 2 * closing_rate * terms.velocity + closing_rate * closing_rate * terms.residual;
     rates.qdd = solve(method, {terms.mass, terms.force, factors, factors.reduce(terms.bias)}).qdd;
@@ -93,10 +94,10 @@ struct CartesianSolver::Content {
 
   /// Where a step of h seconds leads.
   Status advance(Configuration& at, double h) const {
-    int rank = -1;
+    std::vector<int> equations;
     const GenericState start = at.z;
     const auto derivative = [&](const CartesianState& bodies, CartesianRates& rates) {
-      return stage({bodies, system.joint_state(bodies, start)}, rank, rates);
+      return stage({bodies, system.joint_state(bodies, start)}, equations, rates);
     };
     const Status status = runge_kutta_step(derivative, at.bodies, h);
     if (!status.ok()) return status;

@@ -48,17 +48,20 @@ void ConstraintFactors::eliminate(const Eigen::MatrixXd& jacobian, const PivotRu
   RowMajor rows = jacobian;
   std::vector<Entry> largest;
   for (Index i = 0; i < m; ++i) largest.push_back(largest_entry(rows, i));
-  std::vector<bool> is_pivot(static_cast<std::size_t>(m), false);
+  std::vector<bool> is_open(static_cast<std::size_t>(m), rule.equations.empty()), is_pivot(is_open.size(), false);
+  for (int equation : rule.equations) is_open[equation] = true;
   lower_ = Eigen::MatrixXd::Zero(m, std::min(m, n));
   double first = 0;
-  while (rank() < std::min<Index>({m, n, rule.most})) {
+  while (rank() < std::min(m, n)) {
     const Index k = rank();
     Index pivot = -1;
     for (Index i = 0; i < m; ++i)
-      if (!is_pivot[i] && (pivot < 0 || largest[i].size > largest[pivot].size)) pivot = i;
+      if (is_open[i] && (pivot < 0 || largest[i].size > largest[pivot].size)) pivot = i;
+    if (pivot < 0) break;
     if (k == 0) first = largest[pivot].size;
     if (!(largest[pivot].size > rule.smallest * first)) break;
     const Index column = largest[pivot].column;
+    is_open[pivot] = false;
     is_pivot[pivot] = true;
     pivot_rows_.push_back(static_cast<int>(pivot));
     pivot_columns_.push_back(static_cast<int>(column));

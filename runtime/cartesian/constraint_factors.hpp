@@ -2,15 +2,14 @@
 // Gauss elimination of the constraint Jacobian with row and column swaps: (12), and the bases (24) that come with it.
 
 #include <Eigen/Dense>
-#include <limits>
 #include <vector>
 
 namespace mbgen {
 
-/// When elimination stops: at the first pivot that counts as zero, or at a rank that is known.
+/// Which entries may be pivots.
 struct PivotRule {
-  double smallest = 1e-10;                     ///< relative to the first pivot; what is not larger is zero
-  int most = std::numeric_limits<int>::max();  ///< of pivots
+  double smallest = 1e-10;     ///< relative to the first pivot; what is not larger is zero
+  std::vector<int> equations;  ///< the only ones that may have pivots; empty for all
 };
 
 /// Right-hand side of the equations after elimination, L^-1 P c of (13).
@@ -26,6 +25,8 @@ class ConstraintFactors {
  public:
   ConstraintFactors(const Eigen::MatrixXd& jacobian, const PivotRule& rule);
 
+  /// Equations with a pivot, in the order of the pivots; the others are redundant.
+  const std::vector<int>& kept() const { return pivot_rows_; }
   int rank() const { return static_cast<int>(pivot_rows_.size()); }
   /// U of (13), r x n, columns in the order of the coordinates.
   const Eigen::MatrixXd& reduced() const { return reduced_; }

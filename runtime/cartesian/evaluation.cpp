@@ -42,18 +42,16 @@ Eigen::VectorXd newton_step(const Evaluation& evaluation) {
 
 }  // namespace
 
-Status evaluate(const Mechanics& mechanics, const Configuration& at, const std::vector<double>& tau, int rank,
-                Evaluation& evaluation) {
+Status evaluate(const Mechanics& mechanics, const Configuration& at, const std::vector<double>& tau,
+                const std::vector<int>& equations, Evaluation& evaluation) {
   evaluation.terms = mechanics.system.terms(at.bodies, at.z, tau);
-  PivotRule rule;
-  rule.smallest = kZeroPivot;
-  if (rank >= 0) {
-    rule.most = rank;
-  } else {
-    rule.smallest += kPivotPerOpening * largest(evaluation.terms.residual);
-  }
-  evaluation.factors.emplace(evaluation.terms.jacobian, rule);
-  const std::optional<Eigen::VectorXd> motion = motion_without_inertia(evaluation.terms.mass, *evaluation.factors);
+  const CartesianTerms& terms = evaluation.terms;
+  if (!terms.jacobian.allFinite() || !terms.mass.allFinite() || !terms.force.allFinite() || !terms.bias.allFinite())
+    return {Code::not_a_number, -1};
+  PivotRule rule{kZeroPivot, equations};
+  if (equations.empty()) rule.smallest += kPivotPerOpening * largest(terms.residual);
+  evaluation.factors.emplace(terms.jacobian, rule);
+  const std::optional<Eigen::VectorXd> motion = motion_without_inertia(terms.mass, *evaluation.factors);
   if (motion) return {Code::no_inertia, leading_coordinate(mechanics, at, *motion)};
   return {};
 }
@@ -95,7 +93,7 @@ Status close(const Mechanics& mechanics, double tolerance, Configuration& config
   const int start = block_of(mechanics, bodies, mechanics.system.terms(bodies, configuration.z, no_tau).residual);
   for (int step = 0; step <= kMostNewtonSteps; ++step) {
     Evaluation evaluation;
-    if (const Status status = evaluate(mechanics, configuration, no_tau, -1, evaluation); !status.ok()) return status;
+    if (const Status status = evaluate(mechanics, configuration, no_tau, {}, evaluation); !status.ok()) return status;
     const double opening = largest(evaluation.terms.residual);
     if (!std::isfinite(opening)) return {Code::not_a_number, -1};
     if (opening <= tolerance) {

@@ -29,13 +29,13 @@ struct Evaluation {
   std::optional<ConstraintFactors> factors;
 };
 
-/// Terms and factors of a configuration. rank: of Phi_q where it is known from a closed configuration nearby, else -1.
-/// Without it a pivot counts as zero that the open closures alone could make of a zero, else a redundant set of
-/// equations would gain rank by the rounding of positions.
-/// Fails: no_inertia when (9) does not hold, with the coordinate that moves most in the motion without inertia, the
-/// lowest of equals.
-Status evaluate(const Mechanics& mechanics, const Configuration& at, const std::vector<double>& tau, int rank,
-                Evaluation& evaluation);
+/// Terms and factors of a configuration.
+/// equations: those that a closed configuration nearby kept, none when that is to be found out here. A pivot then
+/// counts as zero when the open closures alone could make it of a zero, else redundant equations would gain rank by
+/// what is left of them. Fails: no_inertia when (9) does not hold, with the coordinate that moves most in the motion
+/// without inertia, the lowest of equals.
+Status evaluate(const Mechanics& mechanics, const Configuration& at, const std::vector<double>& tau,
+                const std::vector<int>& equations, Evaluation& evaluation);
 
 /// Fails: loop_singular when redundant equations contradict (14) by more than the open closures explain, with the loop
 /// block that has the largest part in it.

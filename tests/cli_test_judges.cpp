@@ -1,0 +1,93 @@
+// The Cartesian judges through the command line.
+
+#include "cli_test_support.hpp"
+
+namespace mbgen::cli_test {
+namespace {
+
+const std::string kSource = MBGEN_SOURCE_DIR;
+const char* const kJudges[] = {"augmented", "range-space", "null-space", "maggi"};
+
+/// Largest difference over the largest acceleration of the state, over all states.
+double worst_error(const Json& answer, const Json& reference) {
+  double worst = 0;
+  for (std::size_t s = 0; s < answer["states"].size(); ++s) {
+    EXPECT_EQ(answer["states"][s]["status"], "ok");
+    const std::vector<double> expected = reference["states"][s]["zdd"], actual = answer["states"][s]["zdd"];
+    double error = 0, largest = 0;
+    for (std::size_t i = 0; i < expected.size(); ++i) {
+      error = std::max(error, std::abs(actual.at(i) - expected[i]));
+      largest = std::max(largest, std::abs(expected[i]));
+    }
+    worst = std::max(worst, error / largest);
+  }
+  return worst;
+}
+
+class JudgesOnVehicles : public CommandLine, public ::testing::WithParamInterface<const char*> {};
+
+// The reference was made by foreign software: reference/README.md.
+TEST_P(JudgesOnVehicles, AccelerationsEqualTheReference) {
+  const std::string vehicle = kSource + "/tests/data/reference/" + GetParam() + "_states.json";
+  Json reference = Json::parse(std::ifstream(vehicle));
+  reference["states"].erase(reference["states"].begin() + 3, reference["states"].end());
+  write("states.json", reference.dump());
+  const std::string model = kSource + "/models/" + GetParam() + "_mechanism.json";
+  for (const char* judge : kJudges) {
+    const Json answer = json_of(fmt::format("evaluate {} --states states.json --engine {}", model, judge));
+    EXPECT_LT(worst_error(answer, reference), 1e-11) << judge;
+    EXPECT_LT(answer["states"][0]["position_residual"].get<double>(), 1e-12);
+    EXPECT_LT(answer["states"][0]["velocity_residual"].get<double>(), 1e-12);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Paper, JudgesOnVehicles, ::testing::Values("coach", "truck"));
+
+TEST_F(CommandLine, JudgesKeepTheFourBarClosedAndItsEnergy) {
+  write("four_bar.json", kFourBar);
+  for (const char* judge : kJudges) {
+    for (const std::string stabilisation : {"projection", "baumgarte"}) {
+      const Json report = json_of(fmt::format(
+          "simulate four_bar.json --duration 0.5 --step 1e-3 --out o.csv --json --engine {} --stabilisation {}", judge,
+          stabilisation));
+      EXPECT_EQ(report["engine"], judge);
+      EXPECT_EQ(report["stabilisation"], stabilisation);
+      EXPECT_LT(report["position_residual"], stabilisation == "projection" ? 1e-12 : 1e-8);
+      EXPECT_LT(std::abs(report["relative_energy_error"].get<double>()), 1e-7);
+      EXPECT_EQ(table("o.csv").rows.size(), 501u);
+    }
+  }
+}
+
+TEST_F(CommandLine, JudgesIntegrateByRungeKuttaOnly) {
+  std::string text = kFourBar;
+  text.insert(text.rfind('}'), R"(, "solver": { "integrator": "abm4" })");
+  write("four_bar.json", text);
+  const Outcome asked = mbgen("simulate four_bar.json --duration 0.01 --out o.csv --engine maggi --integrator abm4");
+  EXPECT_EQ(asked.exit_code, 1);
+  EXPECT_EQ(asked.err, "--integrator: engine \"maggi\" works in Cartesian coordinates and integrates by rk4 only\n");
+  const Json report = json_of("simulate four_bar.json --duration 0.01 --out o.csv --engine maggi --json");
+  EXPECT_EQ(report["integrator"], "rk4") << "the model's wish is for engines that have it";
+}
+
+TEST_F(CommandLine, StabilisationIsOfJudgesOnly) {
+  write("pendulum.json", kPendulum);
+  const std::pair<const char*, const char*> cases[] = {
+      {"--engine generic --stabilisation baumgarte",
+       "--stabilisation: engine \"generic\" has none to choose; those that have: augmented, range-space, null-space, "
+       "maggi\n"},
+      {"--stabilisation projection",
+       "--stabilisation: engine \"generated\" has none to choose; those that have: augmented, range-space, null-space, "
+       "maggi\n"},
+      {"--engine maggi --stabilisation glue",
+       "--stabilisation: no stabilisation \"glue\"; there are: projection, baumgarte\n"}};
+  for (const auto& [arguments, message] : cases) {
+    const Outcome run = mbgen(fmt::format("simulate pendulum.json --out o.csv {}", arguments));
+    EXPECT_EQ(run.exit_code, 1) << arguments;
+    EXPECT_EQ(run.err, message);
+  }
+  EXPECT_EQ(leftovers(), std::vector<std::string>{"pendulum.json"});
+}
+
+}  // namespace
+}  // namespace mbgen::cli_test
