@@ -241,15 +241,34 @@ TEST_F(CommandLine, MotionThatBreaksOffKeepsWhatThereIs) {
 
 TEST_F(CommandLine, BenchComparesTheEngines) {
   write("four_bar.json", kFourBar);
-  const Json report = json_of("bench four_bar.json --json");
+  const Json report = json_of("bench four_bar.json --json --evaluations 2000");
   EXPECT_EQ(report["model"], "four_bar");
+  EXPECT_EQ(report["evaluations"], 2000);
   ASSERT_EQ(report["engines"].size(), 2u);
   EXPECT_EQ(report["engines"][0]["name"], "generated");
   EXPECT_EQ(report["engines"][1]["name"], "generic");
   for (const Json& engine : report["engines"]) {
     EXPECT_EQ(engine["batch"], 1);
+    EXPECT_GE(engine["evaluations"].get<long>(), 2000);
     EXPECT_GT(engine["us_per_evaluation"].get<double>(), 0);
     EXPECT_LT(engine["max_relative_error"].get<double>(), 1e-9);
+  }
+}
+
+TEST_F(CommandLine, BenchTimesTheNineSteps) {
+  write("four_bar.json", kFourBar);
+  const Json engine = json_of("bench four_bar.json --json --evaluations 2000")["engines"][0];
+  const std::vector<double> steps = engine["steps"];
+  ASSERT_EQ(steps.size(), 9u);
+  double sum = 0;
+  for (const double step : steps) {
+    EXPECT_GE(step, 0);
+    sum += step;
+  }
+  EXPECT_NEAR(sum, engine["us_per_evaluation"].get<double>(), 1e-9 * sum) << "shares of the whole";
+  const std::string table = mbgen("bench four_bar.json --evaluations 2000").out;
+  for (const char* row : {"1 b, A, J, M; accumulated inertias MR", "9 zdd; driving forces", "elapsed time"}) {
+    EXPECT_NE(table.find(row), std::string::npos) << row << " in\n" << table;
   }
 }
 

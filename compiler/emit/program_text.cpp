@@ -34,7 +34,7 @@ class ProgramWriter {
   ProgramWriter(const Program& program, const ProgramShape& shape)
       : program_(program),
         shape_(shape),
-        arrangement_(arrange(program)),
+        arrangement_(arrange(program, shape.clock.empty() ? Division::cheapest : Division::by_section)),
         fates_(program.nodes.size()),
         phrases_(program.nodes.size()),
         pending_(program.nodes.size(), false),
@@ -116,11 +116,15 @@ class ProgramWriter {
     return candidate;
   }
 
-  /// The number that a section's title begins with, as in "3 Rz", else its index.
-  std::string section_tag(int section) const {
+  /// The number that a section's title begins with, as in "3 Rz", "" for none.
+  std::string section_number(int section) const {
     const std::string& title = program_.sections[section];
-    const std::size_t digits = std::min(title.find_first_not_of("0123456789"), title.size());
-    return digits > 0 ? title.substr(0, digits) : std::to_string(section);
+    return title.substr(0, std::min(title.find_first_not_of("0123456789"), title.size()));
+  }
+
+  std::string section_tag(int section) const {
+    const std::string number = section_number(section);
+    return number.empty() ? std::to_string(section) : number;
   }
 
   /// The label of the value, or its section and a number: s3_12.
@@ -275,6 +279,7 @@ class ProgramWriter {
         add_line(part, "// operations: " + operations_text(section_counts_[node.section]));
       }
     }
+    if (section >= 0 && section_end_[section] + 1 == range.last) part.ended_section = section_number(section);
     if (p + 1 == arrangement_.parts.size()) write_plain_outputs(part);
     return part;
   }
