@@ -79,7 +79,7 @@ std::string step_table(const BenchRecord& record) {
   text += header_line(columns, paper);
   for (int step = 0; step < kSteps; ++step) {
     text += fmt::format("  {:<38}", kStepTitles[step]);
-    for (const Measurement& m : columns) text += fmt::format("{:>{}.4f}", scale * (*m.steps)[step], kColumn);
+    for (const Measurement& m : columns) text += fmt::format("{:>{}.3g}", scale * (*m.steps)[step], kColumn);
     if (paper != nullptr) {
       text += "  |";
       for (const PaperColumn& column : paper->columns) text += fmt::format("{:>{}.3f}", column.seconds[step], kColumn);
@@ -87,7 +87,7 @@ std::string step_table(const BenchRecord& record) {
     text += "\n";
   }
   text += fmt::format("  {:<38}", "elapsed time");
-  for (const Measurement& m : columns) text += fmt::format("{:>{}.4f}", scale * m.microseconds, kColumn);
+  for (const Measurement& m : columns) text += fmt::format("{:>{}.3g}", scale * m.microseconds, kColumn);
   if (paper != nullptr) {
     text += "  |";
     for (const PaperColumn& column : paper->columns) text += fmt::format("{:>{}.3f}", column.total, kColumn);

@@ -93,8 +93,8 @@ std::string function_text(const ProgramShape& shape, const std::vector<PartText>
     functions += part_function(shape, parts[p], p + 1);
     calls +=
         "  " + shape.function + "_" + std::to_string(p + 1) + "(" + argument_list(shape, parts[p].arguments) + ");\n";
-    if (!shape.clock.empty() && !parts[p].ended_section.empty()) {
-      calls += "  " + shape.clock + ".at_end_of(" + parts[p].ended_section + ");\n";
+    if (!shape.clock.empty() && !parts[p].ended_step.empty()) {
+      calls += "  " + shape.clock + ".at_end_of(" + parts[p].ended_step + ");\n";
       used.insert(shape.clock);
     }
     used.insert(parts[p].arguments.begin(), parts[p].arguments.end());

@@ -116,15 +116,19 @@ class ProgramWriter {
     return candidate;
   }
 
-  /// The number that a section's title begins with, as in "3 Rz", "" for none.
-  std::string section_number(int section) const {
+  /// The number that a section's title begins with, as in "3 Rz", else its index.
+  std::string section_tag(int section) const {
     const std::string& title = program_.sections[section];
-    return title.substr(0, std::min(title.find_first_not_of("0123456789"), title.size()));
+    const std::size_t digits = std::min(title.find_first_not_of("0123456789"), title.size());
+    return digits > 0 ? title.substr(0, digits) : std::to_string(section);
   }
 
-  std::string section_tag(int section) const {
-    const std::string number = section_number(section);
-    return number.empty() ? std::to_string(section) : number;
+  /// The first number in a section's title, as in "step 3: Rz", "" for none.
+  std::string step_number(int section) const {
+    constexpr const char* kDigits = "0123456789";
+    const std::string& title = program_.sections[section];
+    const std::size_t first = title.find_first_of(kDigits);
+    return first == std::string::npos ? "" : title.substr(first, title.find_first_not_of(kDigits, first) - first);
   }
 
   /// The label of the value, or its section and a number: s3_12.
@@ -279,7 +283,7 @@ class ProgramWriter {
         add_line(part, "// operations: " + operations_text(section_counts_[node.section]));
       }
     }
-    if (section >= 0 && section_end_[section] + 1 == range.last) part.ended_section = section_number(section);
+    if (section >= 0 && section_end_[section] + 1 == range.last) part.ended_step = step_number(section);
     if (p + 1 == arrangement_.parts.size()) write_plain_outputs(part);
     return part;
   }
