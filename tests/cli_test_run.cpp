@@ -127,8 +127,9 @@ TEST_F(CommandLine, UnknownEnginesListTheOnesThereAre) {
   write("pendulum.json", kPendulum);
   const Outcome run = mbgen("simulate pendulum.json --out o.csv --engine quantum");
   EXPECT_EQ(run.exit_code, 1);
-  EXPECT_EQ(run.err,
-            "--engine: no engine \"quantum\"; there are: generated, generic, augmented, range-space, null-space, maggi\n");
+  EXPECT_EQ(
+      run.err,
+      "--engine: no engine \"quantum\"; there are: generated, generic, augmented, range-space, null-space, maggi\n");
   EXPECT_EQ(leftovers(), Names{"pendulum.json"});
 }
 
@@ -244,9 +245,10 @@ TEST_F(CommandLine, BenchComparesTheEngines) {
   const Json report = json_of("bench four_bar.json --json --evaluations 2000");
   EXPECT_EQ(report["model"], "four_bar");
   EXPECT_EQ(report["evaluations"], 2000);
-  ASSERT_EQ(report["engines"].size(), 2u);
-  EXPECT_EQ(report["engines"][0]["name"], "generated");
-  EXPECT_EQ(report["engines"][1]["name"], "generic");
+  std::vector<std::string> names;
+  for (const Json& engine : report["engines"]) names.push_back(engine["name"]);
+  EXPECT_EQ(names,
+            (std::vector<std::string>{"generated", "generic", "augmented", "range-space", "null-space", "maggi"}));
   for (const Json& engine : report["engines"]) {
     EXPECT_EQ(engine["batch"], 1);
     EXPECT_GE(engine["evaluations"].get<long>(), 2000);
