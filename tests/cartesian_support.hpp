@@ -1,0 +1,30 @@
+#pragma once
+// Equations (5) solved as they stand, by a method that minds neither massless bodies nor redundant equations.
+
+#include <Eigen/Dense>
+
+#include "runtime/cartesian/system.hpp"
+
+namespace mbgen::testing {
+
+struct Solution {
+  Eigen::VectorXd qdd, lambda;  ///< lambda of minimum norm where it is not unique
+};
+
+/// One complete orthogonal decomposition of the whole matrix.
+inline Solution solve(const CartesianTerms& terms) {
+  const Eigen::Index n = terms.force.size(), m = terms.bias.size();
+  const double scale = terms.mass.diagonal().maxCoeff();  // masses as large as the unit vectors of the constraints
+  Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(n + m, n + m);
+  matrix.topLeftCorner(n, n) = terms.mass / scale;
+  matrix.topRightCorner(n, m) = terms.jacobian.transpose();
+  matrix.bottomLeftCorner(m, n) = terms.jacobian;
+  Eigen::VectorXd right(n + m);
+  right << terms.force / scale, terms.bias;
+  const Eigen::VectorXd x = matrix.completeOrthogonalDecomposition().solve(right);
+  return {x.head(n), scale * x.tail(m)};
+}
+
+inline double largest(const Eigen::VectorXd& values) { return values.size() == 0 ? 0 : values.cwiseAbs().maxCoeff(); }
+
+}  // namespace mbgen::testing
