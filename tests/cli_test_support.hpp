@@ -7,6 +7,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -42,6 +43,22 @@ struct Table {
   double at(std::size_t row, const std::string& name) const { return rows.at(row).at(column(name)); }
   double last(const std::string& name) const { return at(rows.size() - 1, name); }
 };
+
+/// Two tables of one motion: every column but the residuals differs by less than `tolerance` of its largest value.
+/// Columns that stay near zero are measured against a thousandth of their unit.
+inline void expect_same_motion(const Table& one, const Table& other, double tolerance) {
+  ASSERT_EQ(one.names, other.names);
+  ASSERT_EQ(one.rows.size(), other.rows.size());
+  for (std::size_t c = 0; c < one.names.size(); ++c) {
+    if (one.names[c].starts_with("residual")) continue;
+    double largest = 1e-3, error = 0;
+    for (std::size_t row = 0; row < one.rows.size(); ++row) {
+      largest = std::max(largest, std::abs(one.rows[row][c]));
+      error = std::max(error, std::abs(other.rows[row][c] - one.rows[row][c]));
+    }
+    EXPECT_LT(error / largest, tolerance) << one.names[c];
+  }
+}
 
 /// A pendulum of one point mass: 2 m below its pin, which turns about y; positive angles move it to -x.
 inline const char* const kPendulum = R"({

@@ -95,18 +95,7 @@ TEST_F(CommandLine, EnginesAgreeOnTheFirstSecondOfTheSlalom) {
     ASSERT_EQ(mbgen(fmt::format("simulate {} --duration 1 --step 1e-3 --engine {} --out {}.csv", coach, engine, engine))
                   .exit_code,
               0);
-  const Table generated = table("generated.csv"), generic = table("generic.csv");
-  ASSERT_EQ(generated.names, generic.names);
-  ASSERT_EQ(generated.rows.size(), generic.rows.size());
-  for (std::size_t c = 0; c < generic.names.size(); ++c) {
-    if (generic.names[c].starts_with("residual")) continue;
-    double largest = 1e-3, error = 0;  // columns that stay near zero are measured against a thousandth of their unit
-    for (std::size_t row = 0; row < generic.rows.size(); ++row) {
-      largest = std::max(largest, std::abs(generic.rows[row][c]));
-      error = std::max(error, std::abs(generated.rows[row][c] - generic.rows[row][c]));
-    }
-    EXPECT_LT(error / largest, 1e-9) << generic.names[c];
-  }
+  expect_same_motion(table("generic.csv"), table("generated.csv"), 1e-9);
 }
 
 }  // namespace
