@@ -35,12 +35,13 @@ inline Mechanism load(const std::string& relative) {
   return {*model, *topology, *analysis};
 }
 
-/// Every model of models/ and tests/data/models, relative to the source folder, in alphabetical order.
+/// Every model of models/ and tests/data/models, relative to the source folder, in alphabetical order; parts that
+/// models include are in folders below.
 inline std::vector<std::string> all_models() {
   std::vector<std::string> paths;
   for (const char* folder : {"models", "tests/data/models"}) {
     if (!std::filesystem::exists(source_path(folder))) continue;
-    for (const auto& entry : std::filesystem::recursive_directory_iterator(source_path(folder)))
+    for (const auto& entry : std::filesystem::directory_iterator(source_path(folder)))
       if (entry.path().extension() == ".json")
         paths.push_back(std::filesystem::relative(entry.path(), source_path("")).string());
   }
