@@ -31,4 +31,8 @@ std::vector<EmittedFile> emit(const Compilation& compilation, const EmitOptions&
   return emit(compilation.programs, compilation.model, compilation.topology, compilation.analysis, options);
 }
 
+EmittedFile emit_clocked_driver(const Compilation& c) {
+  return emit_clocked_driver(c.programs, c.model, c.topology, c.analysis);
+}
+
 }  // namespace mbgen

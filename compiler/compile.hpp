@@ -29,4 +29,7 @@ Result<Compilation> compile(const std::string& path);
 /// The files of the specialised solver, see emit.
 std::vector<EmittedFile> emit(const Compilation& compilation, const EmitOptions& options = {});
 
+/// The driver that times the nine steps, see emit_clocked_driver.
+EmittedFile emit_clocked_driver(const Compilation& compilation);
+
 }  // namespace mbgen

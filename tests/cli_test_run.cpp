@@ -127,8 +127,9 @@ TEST_F(CommandLine, UnknownEnginesListTheOnesThereAre) {
   write("pendulum.json", kPendulum);
   const Outcome run = mbgen("simulate pendulum.json --out o.csv --engine quantum");
   EXPECT_EQ(run.exit_code, 1);
-  EXPECT_EQ(run.err,
-            "--engine: no engine \"quantum\"; there are: generated, generic, augmented, range-space, null-space, maggi\n");
+  EXPECT_EQ(
+      run.err,
+      "--engine: no engine \"quantum\"; there are: generated, generic, augmented, range-space, null-space, maggi\n");
   EXPECT_EQ(leftovers(), Names{"pendulum.json"});
 }
 
@@ -241,15 +242,35 @@ TEST_F(CommandLine, MotionThatBreaksOffKeepsWhatThereIs) {
 
 TEST_F(CommandLine, BenchComparesTheEngines) {
   write("four_bar.json", kFourBar);
-  const Json report = json_of("bench four_bar.json --json");
+  const Json report = json_of("bench four_bar.json --json --evaluations 2000");
   EXPECT_EQ(report["model"], "four_bar");
-  ASSERT_EQ(report["engines"].size(), 2u);
-  EXPECT_EQ(report["engines"][0]["name"], "generated");
-  EXPECT_EQ(report["engines"][1]["name"], "generic");
+  EXPECT_EQ(report["evaluations"], 2000);
+  std::vector<std::string> names;
+  for (const Json& engine : report["engines"]) names.push_back(engine["name"]);
+  EXPECT_EQ(names,
+            (std::vector<std::string>{"generated", "generic", "augmented", "range-space", "null-space", "maggi"}));
   for (const Json& engine : report["engines"]) {
     EXPECT_EQ(engine["batch"], 1);
+    EXPECT_GE(engine["evaluations"].get<long>(), 2000);
     EXPECT_GT(engine["us_per_evaluation"].get<double>(), 0);
     EXPECT_LT(engine["max_relative_error"].get<double>(), 1e-9);
+  }
+}
+
+TEST_F(CommandLine, BenchTimesTheNineSteps) {
+  write("four_bar.json", kFourBar);
+  const Json engine = json_of("bench four_bar.json --json --evaluations 2000")["engines"][0];
+  const std::vector<double> steps = engine["steps"];
+  ASSERT_EQ(steps.size(), 9u);
+  double sum = 0;
+  for (const double step : steps) {
+    EXPECT_GE(step, 0);
+    sum += step;
+  }
+  EXPECT_NEAR(sum, engine["us_per_evaluation"].get<double>(), 1e-9 * sum) << "shares of the whole";
+  const std::string table = mbgen("bench four_bar.json --evaluations 2000").out;
+  for (const char* row : {"1 b, A, J, M; accumulated inertias MR", "9 zdd; driving forces", "elapsed time"}) {
+    EXPECT_NE(table.find(row), std::string::npos) << row << " in\n" << table;
   }
 }
 

@@ -248,6 +248,44 @@ TEST(Arrangements, divideLargeProgramsWhereFewValuesCross) {
   EXPECT_EQ(crossing.size(), result.parts.size() - 1);
 }
 
+/// A program of three numbered sections, the middle one longer than a part.
+Program three_sections() {
+  ProgramBuilder builder("p");
+  Expr x(builder, builder.input("z", 0));
+  for (const auto& [title, length] : {std::pair{"step 1: inertias", 3}, {"step 4: velocities (36)", 1500}, {"step 9", 2}}) {
+    builder.set_section(title);
+    for (int i = 0; i < length; ++i) x = x * x + (1.0 + i);
+  }
+  output(builder, "zdd", 0, x);
+  return builder.finish();
+}
+
+TEST(Arrangements, canFollowTheSections) {
+  const Program program = three_sections();
+  const Arrangement result = arrange(program, Division::by_section);
+  EXPECT_EQ(result.parts.size(), 5u) << "3000 values in three parts, and one part for each other section";
+  std::size_t next = 0;
+  for (const PartRange& part : result.parts) {
+    EXPECT_EQ(part.first, next);
+    next = part.last;
+    EXPECT_EQ(program.nodes[result.order[part.first]].section, program.nodes[result.order[part.last - 1]].section);
+  }
+  EXPECT_EQ(next, result.order.size());
+}
+
+TEST(ProgramText, tellsTheClockTheEndOfEverySection) {
+  ProgramShape shape = bead_shape();
+  shape.clock = "clock";
+  shape.arguments.push_back({"clock", "mbgen::StepClock& clock"});
+  const std::string text = program_text(three_sections(), shape);
+  std::string calls = text.substr(text.rfind("Work work;"));
+  calls.erase(std::remove(calls.begin(), calls.end(), '\n'), calls.end());
+  const std::string f = shape.function;
+  EXPECT_EQ(calls, "Work work;  " + f + "_1(state, work);  clock.at_end_of(1);  " + f + "_2(work);  " + f +
+                       "_3(work);  " + f + "_4(work);  clock.at_end_of(4);  " + f +
+                       "_5(work, result);  clock.at_end_of(9);}");
+}
+
 TEST(Arrangements, leaveDeadValuesOut) {
   ProgramBuilder builder("p");
   const Expr x(builder, builder.input("z", 0));
@@ -277,10 +315,10 @@ TEST(EmittedFiles, areFourAndTheHeadersTheyInclude) {
   };
   EXPECT_EQ(paths({.runtime_headers = false}),
             (std::vector<std::string>{"CMakeLists.txt", "bead.cpp", "bead.hpp", "bead.json"}));
-  EXPECT_EQ(paths({}),
-            (std::vector<std::string>{"CMakeLists.txt", "bead.cpp", "bead.hpp", "bead.json", "mbgen/blocks.hpp",
-                                      "mbgen/closure.hpp", "mbgen/driver.hpp", "mbgen/integrators.hpp",
-                                      "mbgen/loop.hpp", "mbgen/scalar.hpp", "mbgen/solver.hpp", "mbgen/status.hpp"}));
+  EXPECT_EQ(paths({}), (std::vector<std::string>{"CMakeLists.txt", "bead.cpp", "bead.hpp", "bead.json",
+                                                 "mbgen/blocks.hpp", "mbgen/closure.hpp", "mbgen/driver.hpp",
+                                                 "mbgen/integrators.hpp", "mbgen/loop.hpp", "mbgen/scalar.hpp",
+                                                 "mbgen/solver.hpp", "mbgen/status.hpp", "mbgen/step_clock.hpp"}));
 }
 
 TEST(EmittedFiles, beginWithTheirBanner) {

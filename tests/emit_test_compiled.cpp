@@ -63,6 +63,21 @@ TEST_P(Emitted, acceleratesTheBeadOnBothPaths) {
   }
 }
 
+TEST_P(Emitted, timesTheStepsInADriverWithAClock) {
+  const Example example = bead_on_circle();
+  EXPECT_EQ(load(example, GetParam()).table()->step_ticks, nullptr);
+  std::vector<EmittedFile> files = emit(example, {.runtime_headers = false});
+  files.push_back(emit_clocked_driver(example.programs, example.model, example.topology, example.analysis));
+  const Loaded loaded(files, solver_name(example.model), GetParam(), "");
+  ASSERT_NE(loaded.table(), nullptr) << loaded.compilation().text;
+  const SolverTable& table = *loaded.table();
+  ASSERT_NE(table.step_ticks, nullptr);
+  const double state[] = {1, 0, 0, 1, 0}, tau[] = {0, 0}, push = 0;
+  long long ticks[kSteps];
+  table.step_ticks(table.default_parameters, &push, state, tau, 1, 1000, ticks);
+  for (int step = 1; step <= kSteps; ++step) EXPECT_GE(ticks[step - 1], 0) << step;
+}
+
 TEST_P(Emitted, projectsFromAGuessAndLeavesTheStateWhenItCannot) {
   const Loaded loaded = load(bead_on_circle(), GetParam());
   ASSERT_NE(loaded.table(), nullptr) << loaded.compilation().text;

@@ -158,9 +158,9 @@ std::shared_ptr<const SolverTable> open_solver(const fs::path& object, const std
 
 }  // namespace
 
-std::shared_ptr<const SolverTable> load_solver(const Compilation& compilation, bool use_cache) {
+std::shared_ptr<const SolverTable> load_solver(const Compilation& compilation, SolverUse use, bool use_cache) {
   std::vector<EmittedFile> files = emit(compilation);
-  files.push_back(emit_driver(compilation.model));
+  files.push_back(use == SolverUse::timing_steps ? emit_clocked_driver(compilation) : emit_driver(compilation.model));
   const fs::path cache = use_cache ? cache_directory() : fs::path();
   const bool has_cache = !cache.empty() && is_usable(cache);
   const TemporaryDirectory scratch(has_cache ? cache : fs::temp_directory_path() / "mbgen");

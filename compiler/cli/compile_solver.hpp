@@ -3,6 +3,7 @@
 
 #include <memory>
 
+#include "compiler/cli/engine.hpp"
 #include "compiler/compile.hpp"
 #include "mbgen/driver.hpp"
 
@@ -13,6 +14,6 @@ namespace mbgen::cli {
 /// of the code, the compiler's version, the flags and the processor; any number of mbgen may run at the same time.
 /// Fails: UserError when there is no compiler (the text names --engine generic), std::runtime_error with the end of the
 /// compiler's messages when it rejects the code.
-std::shared_ptr<const SolverTable> load_solver(const Compilation& compilation, bool use_cache);
+std::shared_ptr<const SolverTable> load_solver(const Compilation& compilation, SolverUse use, bool use_cache);
 
 }  // namespace mbgen::cli

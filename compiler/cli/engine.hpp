@@ -9,6 +9,7 @@
 
 #include "compiler/compile.hpp"
 #include "mbgen/status.hpp"
+#include "mbgen/step_clock.hpp"
 #include "runtime/cartesian/cartesian.hpp"
 #include "runtime/generic/generic.hpp"
 
@@ -49,7 +50,13 @@ struct Engine {
   std::function<long long(const std::vector<LoadedState>&, int repetitions)> time_accelerations;
   /// Shares of the nine steps of the paper's tables in the time of one evaluation, over the same calls; empty function
   /// where the engine has no such steps.
-  std::function<std::array<double, 9>(const std::vector<LoadedState>&, int repetitions)> step_shares;
+  std::function<std::array<double, kSteps>(const std::vector<LoadedState>&, int repetitions)> step_shares;
+};
+
+/// What a compiled solver is made for.
+enum class SolverUse {
+  running,       ///< everything but what follows
+  timing_steps,  ///< also Engine::step_shares
 };
 
 /// Which engine, and how.
@@ -58,7 +65,8 @@ struct EngineChoice {
   SolverSettings::Integrator integrator = SolverSettings::Integrator::rk4;
   GenericAlgebra algebra;                                   ///< of the generic engine
   Stabilisation stabilisation = Stabilisation::projection;  ///< of the Cartesian engines
-  bool use_cache = true;                                    ///< keep compiled solvers for the next time
+  SolverUse use = SolverUse::running;
+  bool use_cache = true;  ///< keep compiled solvers for the next time
 };
 
 /// Names of the engines there are.

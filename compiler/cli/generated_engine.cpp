@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <memory>
+#include <numeric>
 
 #include "compiler/cli/compile_solver.hpp"
 #include "compiler/cli/engine.hpp"
@@ -102,20 +103,38 @@ Status residuals(LoadedSolver& solver, const GenericState& state, Residuals& lar
   return status;
 }
 
-long long time_accelerations(LoadedSolver& solver, const std::vector<LoadedState>& at, int repetitions) {
-  std::vector<double> states, taus;
+/// State after state, tau after tau.
+void flatten(const std::vector<LoadedState>& at, LoadedSolver& solver, std::vector<double>& states,
+             std::vector<double>& taus) {
   for (const LoadedState& one : at) {
     flatten(one.state, solver.state);
     states.insert(states.end(), solver.state.begin(), solver.state.end());
     taus.insert(taus.end(), one.tau.begin(), one.tau.end());
   }
+}
+
+long long time_accelerations(LoadedSolver& solver, const std::vector<LoadedState>& at, int repetitions) {
+  std::vector<double> states, taus;
+  flatten(at, solver, states, taus);
   return solver.table->time_accelerations(solver.parameters.data(), solver.inputs.data(), states.data(), taus.data(),
                                           static_cast<int>(at.size()), repetitions);
 }
 
-std::shared_ptr<LoadedSolver> load(const Compilation& compilation, bool use_cache) {
+std::array<double, kSteps> step_shares(LoadedSolver& solver, const std::vector<LoadedState>& at, int repetitions) {
+  std::vector<double> states, taus;
+  flatten(at, solver, states, taus);
+  long long ticks[kSteps] = {};
+  solver.table->step_ticks(solver.parameters.data(), solver.inputs.data(), states.data(), taus.data(),
+                           static_cast<int>(at.size()), repetitions, ticks);
+  const double total = static_cast<double>(std::accumulate(std::begin(ticks), std::end(ticks), 0LL));
+  std::array<double, kSteps> shares{};
+  for (int s = 0; s < kSteps; ++s) shares[s] = total > 0 ? static_cast<double>(ticks[s]) / total : 0.0;
+  return shares;
+}
+
+std::shared_ptr<LoadedSolver> load(const Compilation& compilation, const EngineChoice& choice) {
   auto solver = std::make_shared<LoadedSolver>();
-  solver->table = load_solver(compilation, use_cache);
+  solver->table = load_solver(compilation, choice.use, choice.use_cache);
   const SolverTable& table = *solver->table;
   solver->parameters.assign(table.default_parameters, table.default_parameters + table.parameters);
   solver->inputs.assign(table.default_inputs, table.default_inputs + table.inputs);
@@ -129,7 +148,7 @@ std::shared_ptr<LoadedSolver> load(const Compilation& compilation, bool use_cach
 }  // namespace
 
 Engine make_generated_engine(const Compilation& compilation, const EngineChoice& choice) {
-  const std::shared_ptr<LoadedSolver> solver = load(compilation, choice.use_cache);
+  const std::shared_ptr<LoadedSolver> solver = load(compilation, choice);
   Engine engine;
   engine.name = choice.name;
   engine.form = "matrix";
@@ -152,6 +171,11 @@ Engine make_generated_engine(const Compilation& compilation, const EngineChoice&
   engine.time_accelerations = [solver](const std::vector<LoadedState>& at, int repetitions) {
     return time_accelerations(*solver, at, repetitions);
   };
+  if (solver->table->step_ticks != nullptr) {
+    engine.step_shares = [solver](const std::vector<LoadedState>& at, int repetitions) {
+      return step_shares(*solver, at, repetitions);
+    };
+  }
   return engine;
 }
 

@@ -95,9 +95,10 @@ std::vector<long> cut_costs(const Program& program, const std::vector<ValueId>& 
   return cost;
 }
 
-/// Cheapest division by dynamic programming over the cuts.
-std::vector<PartRange> divide(std::size_t size, const std::vector<long>& cost) {
-  if (size <= kLargestPart) return {{0, size}};
+/// Cheapest division of a range by dynamic programming over the cuts.
+std::vector<PartRange> divide(PartRange range, const std::vector<long>& cost) {
+  const std::size_t size = range.last - range.first;
+  if (size <= kLargestPart) return {range};
   constexpr long kUnreachable = std::numeric_limits<long>::max();
   std::vector<long> best(size + 1, kUnreachable);
   std::vector<std::size_t> from(size + 1, 0);
@@ -106,7 +107,7 @@ std::vector<PartRange> divide(std::size_t size, const std::vector<long>& cost) {
     const std::size_t earliest = end > kLargestPart ? end - kLargestPart : 0;
     for (std::size_t start = earliest; start + kSmallestPart <= end; ++start) {
       if (best[start] == kUnreachable) continue;
-      const long total = best[start] + cost[start];
+      const long total = best[start] + cost[range.first + start];
       if (total < best[end]) {
         best[end] = total;
         from[end] = start;
@@ -114,20 +115,38 @@ std::vector<PartRange> divide(std::size_t size, const std::vector<long>& cost) {
     }
   }
   std::vector<PartRange> parts;
-  for (std::size_t end = size; end > 0; end = from[end]) parts.push_back({from[end], end});
+  for (std::size_t end = size; end > 0; end = from[end]) parts.push_back({range.first + from[end], range.first + end});
   std::reverse(parts.begin(), parts.end());
   return parts;
 }
 
+/// Runs of values of one section.
+std::vector<PartRange> section_ranges(const Program& program, const std::vector<ValueId>& order) {
+  std::vector<PartRange> ranges;
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    const bool goes_on = i > 0 && program.nodes[order[i - 1]].section == program.nodes[order[i]].section;
+    if (!goes_on) ranges.push_back({i, i});
+    ranges.back().last = i + 1;
+  }
+  return ranges;
+}
+
 }  // namespace
 
-Arrangement arrange(const Program& program) {
+Arrangement arrange(const Program& program, Division division) {
   std::vector<ValueId> order = live_operations(program);
   sort_by_section(program, order);
   const std::vector<ValueId> partner = angle_partners(program, order);
   Arrangement result;
   result.order = pair_angles(order, partner);
-  result.parts = divide(result.order.size(), cut_costs(program, result.order, partner));
+  const std::vector<long> cost = cut_costs(program, result.order, partner);
+  std::vector<PartRange> ranges;
+  if (division == Division::by_section) ranges = section_ranges(program, result.order);
+  if (ranges.empty()) ranges = {{0, result.order.size()}};
+  for (const PartRange& range : ranges) {
+    const std::vector<PartRange> parts = divide(range, cost);
+    result.parts.insert(result.parts.end(), parts.begin(), parts.end());
+  }
   return result;
 }
 

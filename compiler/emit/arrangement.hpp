@@ -24,11 +24,17 @@ struct Arrangement {
   std::vector<PartRange> parts;  ///< at least one
 };
 
+/// Where a program is cut into parts.
+enum class Division {
+  cheapest,   ///< where the fewest values cross
+  by_section  ///< at every end of a section, and inside long ones where the fewest values cross
+};
+
 /// Orders and divides a program.
 /// Order: that of the program, with the sections one after the other where operands allow it, and the cosine of an
 /// angle right after its sine (or the other way round) where both are in one section.
-/// Parts: the division with the fewest values that cross from one part to the next; a cut inside a section counts as
-/// kSectionCost more values, one between the two functions of an angle is never made.
-Arrangement arrange(const Program& program);
+/// Parts: the cheapest division has the fewest values that cross from one part to the next; a cut inside a section
+/// counts as kSectionCost more values, one between the two functions of an angle is never made.
+Arrangement arrange(const Program& program, Division division = Division::cheapest);
 
 }  // namespace mbgen

@@ -1,5 +1,6 @@
 #include "compiler/emit/emit.hpp"
 #include "compiler/emit/interface_text.hpp"
+#include "compiler/emit/program_text.hpp"
 #include "compiler/emit/text.hpp"
 
 namespace mbgen {
@@ -22,9 +23,8 @@ std::string assignments(const std::string& structure, const std::vector<std::str
   return text;
 }
 
-}  // namespace
-
-EmittedFile emit_driver(const Model& model) {
+/// step_clock: text of the function step_ticks, "" for a driver without.
+EmittedFile driver(const Model& model, const std::string& step_clock) {
   const SolverNames names = model_names(model);
   std::vector<double> parameters, inputs;
   for (const Parameter& parameter : model.parameters) {
@@ -42,7 +42,21 @@ EmittedFile emit_driver(const Model& model) {
                                           {"default_inputs", table("kDefaultInputs", inputs)},
                                           {"parameters_from", assignments("parameters", names.parameters)},
                                           {"inputs_from", assignments("inputs", names.inputs)},
-                                          {"outputs_to", outputs_to}})};
+                                          {"outputs_to", outputs_to},
+                                          {"step_clock", step_clock},
+                                          {"step_ticks", step_clock.empty() ? "nullptr" : "step_ticks"}})};
+}
+
+}  // namespace
+
+EmittedFile emit_driver(const Model& model) { return driver(model, ""); }
+
+EmittedFile emit_clocked_driver(const Programs& programs, const Model& model, const Topology& topology,
+                                const Analysis& analysis) {
+  const SolverNames names = solver_names(model, topology);
+  const ShapedProgram clocked = clocked_accelerations(programs, solver_layout(model, topology, analysis), names);
+  const std::string program = program_text(*clocked.program, clocked.shape);
+  return driver(model, fill_template("step_clock.cpp.in", {{"solver", names.solver}, {"program", program}}));
 }
 
 }  // namespace mbgen

@@ -32,6 +32,11 @@ std::vector<EmittedFile> emit(const Programs& programs, const Model& model, cons
 /// `<model>_driver.cpp`: the table of mbgen/driver.hpp over plain arrays, for whoever loads the compiled solver.
 EmittedFile emit_driver(const Model& model);
 
+/// The same with step_ticks: it holds the program of accelerations once more, cut at its steps.
+/// Requires: as emit.
+EmittedFile emit_clocked_driver(const Programs& programs, const Model& model, const Topology& topology,
+                                const Analysis& analysis);
+
 /// The compilers that emitted code is tuned for.
 enum class CompilerFamily { gnu, clang };
 

@@ -85,13 +85,18 @@ std::string part_function(const ProgramShape& shape, const PartText& part, std::
 std::string function_text(const ProgramShape& shape, const std::vector<PartText>& parts,
                           const std::vector<std::string>& crossing) {
   const std::string structs = result_struct(shape) + work_struct(shape, crossing);
-  if (parts.size() == 1) return structs + whole_heading(shape, parts[0].arguments) + parts[0].body + "}\n";
+  if (parts.size() == 1 && shape.clock.empty())
+    return structs + whole_heading(shape, parts[0].arguments) + parts[0].body + "}\n";
   std::string functions, calls;
   std::set<std::string> used;
   for (std::size_t p = 0; p < parts.size(); ++p) {
     functions += part_function(shape, parts[p], p + 1);
     calls +=
         "  " + shape.function + "_" + std::to_string(p + 1) + "(" + argument_list(shape, parts[p].arguments) + ");\n";
+    if (!shape.clock.empty() && !parts[p].ended_step.empty()) {
+      calls += "  " + shape.clock + ".at_end_of(" + parts[p].ended_step + ");\n";
+      used.insert(shape.clock);
+    }
     used.insert(parts[p].arguments.begin(), parts[p].arguments.end());
   }
   used.erase("work");

@@ -14,6 +14,7 @@ struct PartText {
   std::string body;
   std::set<std::string> arguments;    ///< names that the body uses, "work" and "result" among them
   std::vector<std::string> sections;  ///< titles, in order
+  std::string ended_step;             ///< number of the step that ends with this part, "" for none
 };
 
 /// Struct of the result (when the shape has members), struct of the values that cross parts (when there are any), one

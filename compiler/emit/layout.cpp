@@ -202,6 +202,17 @@ SolverLayout solver_layout(const Model& model, const Topology& topology, const A
   return layout;
 }
 
+ShapedProgram clocked_accelerations(const Programs& programs, const SolverLayout& layout, const SolverNames& names) {
+  const int directions = static_cast<int>(programs.free_direction_coordinate.size());
+  ProgramShape s = accelerations_shape(layout, names, input_places(layout, names), directions);
+  s.title = "All accelerations, step by step against the clock.";
+  s.function = "compute_clocked_accelerations";
+  s.result = "ClockedAccelerations";
+  s.clock = "clock";
+  s.arguments.push_back({"clock", "mbgen::StepClock& clock"});
+  return {&programs.accelerations, "clocked_accelerations", s};
+}
+
 std::vector<ShapedProgram> shaped_programs(const Programs& programs, const SolverLayout& layout,
                                            const SolverNames& names) {
   const Places inputs = input_places(layout, names);

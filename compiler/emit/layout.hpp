@@ -54,6 +54,8 @@ struct ProgramShape {
   std::vector<ArrayMember> members;                            ///< of the result struct
   std::vector<std::pair<std::string, std::string>> arguments;  ///< name, declaration; in order
   Places inputs, outputs;
+  /// Argument that is told the end of every section by its number, "" for none: then the parts follow the sections.
+  std::string clock;
 };
 
 /// The programs of a solver with their shapes; those of closures are left out when there is nothing to close.
@@ -64,5 +66,8 @@ struct ShapedProgram {
 };
 std::vector<ShapedProgram> shaped_programs(const Programs& programs, const SolverLayout& layout,
                                            const SolverNames& names);
+
+/// The program of accelerations once more, with a clock that is told the end of each step.
+ShapedProgram clocked_accelerations(const Programs& programs, const SolverLayout& layout, const SolverNames& names);
 
 }  // namespace mbgen

@@ -34,7 +34,7 @@ class ProgramWriter {
   ProgramWriter(const Program& program, const ProgramShape& shape)
       : program_(program),
         shape_(shape),
-        arrangement_(arrange(program)),
+        arrangement_(arrange(program, shape.clock.empty() ? Division::cheapest : Division::by_section)),
         fates_(program.nodes.size()),
         phrases_(program.nodes.size()),
         pending_(program.nodes.size(), false),
@@ -121,6 +121,14 @@ class ProgramWriter {
     const std::string& title = program_.sections[section];
     const std::size_t digits = std::min(title.find_first_not_of("0123456789"), title.size());
     return digits > 0 ? title.substr(0, digits) : std::to_string(section);
+  }
+
+  /// The first number in a section's title, as in "step 3: Rz", "" for none.
+  std::string step_number(int section) const {
+    constexpr const char* kDigits = "0123456789";
+    const std::string& title = program_.sections[section];
+    const std::size_t first = title.find_first_of(kDigits);
+    return first == std::string::npos ? "" : title.substr(first, title.find_first_not_of(kDigits, first) - first);
   }
 
   /// The label of the value, or its section and a number: s3_12.
@@ -275,6 +283,7 @@ class ProgramWriter {
         add_line(part, "// operations: " + operations_text(section_counts_[node.section]));
       }
     }
+    if (section >= 0 && section_end_[section] + 1 == range.last) part.ended_step = step_number(section);
     if (p + 1 == arrangement_.parts.size()) write_plain_outputs(part);
     return part;
   }

@@ -9,8 +9,9 @@ namespace mbgen {
 namespace {
 
 constexpr double kZeroPivot = 1e-10;  // relative to the first
-/// Change of a pivot, relative to the first one, by closures that are open by 1 m or 1.
-constexpr double kPivotPerOpening = 100;
+/// Closures that are open by 1 m or 1 make of a zero a pivot of up to 2, relative to the first one, in all our models;
+/// pivots of equations that count are above 0.02.
+constexpr double kPivotPerOpening = 10, kLargestZero = 5e-3;
 /// Relative rounding of c, and its error by closures that are open by 1 m or 1.
 constexpr double kCompatible = 1e-8;
 constexpr double kBiasPerOpening = 100;
@@ -49,7 +50,8 @@ Status evaluate(const Mechanics& mechanics, const Configuration& at, const std::
   if (!terms.jacobian.allFinite() || !terms.mass.allFinite() || !terms.force.allFinite() || !terms.bias.allFinite())
     return {Code::not_a_number, -1};
   PivotRule rule{kZeroPivot, equations};
-  if (equations.empty()) rule.smallest += kPivotPerOpening * largest(terms.residual);
+  if (equations.empty())
+    rule.smallest = std::clamp(kPivotPerOpening * largest(terms.residual), kZeroPivot, kLargestZero);
   evaluation.factors.emplace(terms.jacobian, rule);
   const std::optional<Eigen::VectorXd> motion = motion_without_inertia(terms.mass, *evaluation.factors);
   if (motion) return {Code::no_inertia, leading_coordinate(mechanics, at, *motion)};

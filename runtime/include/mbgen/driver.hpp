@@ -2,11 +2,12 @@
 // The table through which mbgen drives a compiled solver that it loaded: plain functions over plain double arrays.
 
 #include "mbgen/status.hpp"
+#include "mbgen/step_clock.hpp"
 
 namespace mbgen {
 
 /// Layout of SolverTable; a loaded library with another number was made by another mbgen.
-constexpr int kSolverTableLayout = 1;
+constexpr int kSolverTableLayout = 2;
 
 /// Sizes and functions of one generated solver. Arrays, all in SI units and in the order of the model:
 ///   parameters  the tunable ones                 inputs   all of them
@@ -67,6 +68,11 @@ struct SolverTable {
   /// meets data that the one before did not.
   long long (*time_accelerations)(const double* parameters, const double* inputs, const double* states,
                                   const double* taus, int count, int repetitions) noexcept;
+
+  /// Ticks spent in each of the nine steps of the paper's tables over the same evaluations, ticks[kSteps]; null in a
+  /// driver without step clock. The steps are those of the frozen partition.
+  void (*step_ticks)(const double* parameters, const double* inputs, const double* states, const double* taus,
+                     int count, int repetitions, long long* ticks) noexcept;
 };
 
 }  // namespace mbgen

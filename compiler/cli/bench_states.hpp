@@ -1,0 +1,23 @@
+#pragma once
+// The states that engines are measured at, and how right they are there.
+
+#include <vector>
+
+#include "compiler/cli/engine.hpp"
+#include "compiler/cli/states_file.hpp"
+
+namespace mbgen::cli {
+
+/// Consistent random states around the initial one, the same on every machine.
+/// engine: closes the loops. Fails: UserError when none closes.
+std::vector<FileState> random_states(const Compilation& compilation, const Engine& engine,
+                                     const std::vector<double>& inputs);
+
+/// Fills in the accelerations to compare with, where a state has none. Fails: UserError when the engine has none.
+void complete(std::vector<FileState>& states, const Engine& reference, const Topology& topology);
+
+/// Largest error of any acceleration over the largest acceleration of its state.
+/// Fails: UserError when the engine has no accelerations at a state.
+double largest_error(const Engine& engine, const Topology& topology, const std::vector<FileState>& states);
+
+}  // namespace mbgen::cli

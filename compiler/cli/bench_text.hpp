@@ -1,0 +1,23 @@
+#pragma once
+// What bench found, for people and for machines.
+
+#include <string>
+#include <vector>
+
+#include "compiler/cli/bench_measure.hpp"
+
+namespace mbgen::cli {
+
+struct BenchRecord {
+  std::string model;
+  long long evaluations = 0;  ///< asked for
+  std::vector<Measurement> measurements;
+};
+
+/// The tables of the paper with our columns, seconds for `evaluations`; then every engine on a line.
+std::string bench_text(const BenchRecord& record);
+
+/// The contract of design.md section 1.
+std::string bench_json(const BenchRecord& record);
+
+}  // namespace mbgen::cli
