@@ -63,6 +63,24 @@ inline Example two_sliders() {
   return example;
 }
 
+/// The sliders with xdd = push, an input whose derivatives `rate` and `jerk` are inputs too.
+inline Example pushed_slider() {
+  Example example = two_sliders();
+  const auto input = [](const std::string& name, int derivative) {
+    Input result;
+    result.name = name;
+    result.derivative = derivative;
+    return result;
+  };
+  example.model.inputs = {input("jerk", -1), input("push", 2), input("rate", 0)};
+  ProgramBuilder builder("accelerations");
+  builder.output("zdd", 0, builder.input("in", 1));
+  builder.output("zdd", 1, builder.constant(0));
+  for (int i = 0; i < 2; ++i) builder.output("inertia", i, builder.constant(1));
+  example.programs.accelerations = builder.finish();
+  return example;
+}
+
 /// Inputs of the bead's programs, and what several of them need.
 struct Symbols {
   explicit Symbols(ProgramBuilder& b)

@@ -328,6 +328,24 @@ TEST(EmittedFiles, beginWithTheirBanner) {
   for (const char* path : {"bead.hpp", "bead.cpp"}) EXPECT_EQ(text_of(files, path).substr(0, banner.size()), banner);
 }
 
+TEST(EmittedFiles, advanceInputsThatHaveDerivatives) {
+  const std::vector<EmittedFile> files = emit(pushed_slider());
+  EXPECT_NE(text_of(files, "bead.cpp")
+                .find("Inputs advance_inputs(const Inputs& inputs, double dt) noexcept {\n"
+                      "  Inputs later;\n"
+                      "  later.jerk = inputs.jerk;\n"
+                      "  later.push = inputs.push + dt * (inputs.rate + dt / 2.0 * inputs.jerk);\n"
+                      "  later.rate = inputs.rate + dt * inputs.jerk;\n"
+                      "  return later;\n"
+                      "}\n"),
+            std::string::npos);
+  EXPECT_NE(text_of(files, "bead.hpp").find("go on as advance_inputs says"), std::string::npos);
+  const std::vector<EmittedFile> constant = emit(bead_on_circle());
+  for (const char* path : {"bead.hpp", "bead.cpp"}) {
+    EXPECT_EQ(text_of(constant, path).find("advance"), std::string::npos) << path;
+  }
+}
+
 TEST(EmittedFiles, manifestCountsTheOperationsOfEverySection) {
   const auto manifest = nlohmann::json::parse(text_of(emit(bead_on_circle()), "bead.json"));
   EXPECT_EQ(manifest["namespace"], "bead");

@@ -172,6 +172,25 @@ TEST_P(Emitted, stepsWithOrderFourThroughSingularPartitions) {
   EXPECT_EQ(loaded.table()->step_rk4(loaded.table()->default_parameters, &push, state, 0).code, Code::step_invalid);
 }
 
+TEST_P(Emitted, advancesInputsDuringAStep) {
+  const Loaded loaded = load(pushed_slider(), GetParam());
+  ASSERT_NE(loaded.table(), nullptr) << loaded.compilation().text;
+  const SolverTable& table = *loaded.table();
+  const double jerk = 3, push = 2, rate = -1, inputs[] = {jerk, push, rate}, h = 0.5;
+  std::vector<double> history(table.history_bytes / sizeof(double) + 1);
+  table.start_abm4(history.data());
+  for (const bool adams : {false, true}) {
+    double state[] = {0, 0, 0, 0, 7};
+    const Status status =
+        adams ? table.step_abm4(nullptr, inputs, state, history.data(), h) : table.step_rk4(nullptr, inputs, state, h);
+    ASSERT_TRUE(status.ok());
+    // Runge-Kutta integrates a parabola exactly.
+    EXPECT_DOUBLE_EQ(state[2], h * (push + h / 2 * (rate + h / 3 * jerk)));
+    EXPECT_DOUBLE_EQ(state[0], h * h * (push / 2 + h * (rate / 6 + h * jerk / 24)));
+    EXPECT_EQ(state[1], 0);
+  }
+}
+
 TEST_P(Emitted, followsMotionsOnBothPaths) {
   const Loaded loaded = load(driven_bead(), GetParam());
   ASSERT_NE(loaded.table(), nullptr) << loaded.compilation().text;
@@ -296,7 +315,7 @@ TEST_P(Emitted, computesWhatTheInterpreterComputes) {
 
 TEST_P(Emitted, needsNothingButTheMathLibrary) {
   TemporaryDirectory directory;
-  for (const Example& example : {bead_on_circle(), two_sliders(), driven_bead(), redundant_bead(0)}) {
+  for (const Example& example : {bead_on_circle(), two_sliders(), pushed_slider(), driven_bead(), redundant_bead(0)}) {
     for (const EmittedFile& file : emit(example)) write(directory.path(), file);
     const std::string base = (directory.path() / "bead").string();
     for (const char* more : {"", " -march=native"}) {

@@ -175,7 +175,7 @@ Jet<double> motion(const std::string& angle, double time) {
     "motions": { "m": { "joint": "pin", "angle": ")" +
                                      angle + "\" } }"));
   if (model.motions.empty()) return {};
-  return evaluate_motion<double>(model.motions[0].position, model.expressions, Environment{time});
+  return evaluate_motion<double>(model, model.motions[0], Environment{time});
 }
 
 TEST(Jet, ClosedForms) {
@@ -192,6 +192,31 @@ TEST(Jet, ClosedForms) {
   EXPECT_EQ(constant.value, 3);
   EXPECT_EQ(constant.first, 0);
   EXPECT_EQ(constant.second, 0);
+}
+
+/// A motion over inputs that name their derivatives, at t = 0.7; inputs have the values 20, 21, 22, 23.
+Jet<double> motion_of_inputs(const std::string& angle) {
+  const Model model = read(arm_model(R"("inputs": {
+    "u": { "derivative": "u1" }, "u1": { "derivative": "u2" }, "u2": {}, "held": {} },
+    "motions": { "m": { "joint": "pin", "angle": ")" +
+                                     angle + "\" } }"));
+  if (model.motions.empty()) return {};
+  return evaluate_motion<double>(model, model.motions[0], Environment{});
+}
+
+TEST(Jet, InputsMoveByTheirDerivatives) {
+  const auto expect = [](const Jet<double>& jet, double value, double first, double second) {
+    EXPECT_DOUBLE_EQ(jet.value, value);
+    EXPECT_DOUBLE_EQ(jet.first, first);
+    EXPECT_DOUBLE_EQ(jet.second, second);
+  };
+  expect(motion_of_inputs("u"), 20, 21, 22);
+  expect(motion_of_inputs("u1"), 21, 22, 0);
+  expect(motion_of_inputs("u2"), 22, 0, 0);
+  expect(motion_of_inputs("held*u"), 23 * 20, 23 * 21, 23 * 22);
+  expect(motion_of_inputs("u*t"), 20 * 0.7, 21 * 0.7 + 20, 22 * 0.7 + 2 * 21);
+  expect(motion_of_inputs("u^2"), 400, 2 * 20 * 21, 2 * (21 * 21 + 20 * 22));
+  expect(motion_of_inputs("sin(u)"), std::sin(20), 21 * std::cos(20), 22 * std::cos(20) - 21 * 21 * std::sin(20));
 }
 
 TEST(Jet, PowersOfZeroAndOfNegativeNumbersHaveDerivatives) {

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "compiler/model/inputs.hpp"
 #include "tests/model_support.hpp"
 
 namespace mbgen {
@@ -46,6 +47,28 @@ TEST(Inputs, Defaults) {
   EXPECT_EQ(model.inputs[0].default_value, 0);
   EXPECT_EQ(model.inputs[1].default_value, 0.25);
   EXPECT_EQ(model.inputs[1].unit, "rad");
+  EXPECT_EQ(model.inputs[1].derivative, -1);
+}
+
+TEST(Inputs, DerivativesNameInputsInAnyOrder) {
+  const Model model = read(arm_model(R"("inputs": {
+    "rate": { "derivative": "acceleration" }, "left": { "derivative": "rate" }, "right": { "derivative": "rate" },
+    "acceleration": {}, "push": {} })"));
+  ASSERT_EQ(model.inputs.size(), 5u);
+  EXPECT_EQ(model.inputs[0].derivative, 3);
+  EXPECT_EQ(model.inputs[1].derivative, 0);
+  EXPECT_EQ(model.inputs[2].derivative, 0);
+  EXPECT_EQ(model.inputs[3].derivative, -1);
+  EXPECT_TRUE(inputs_have_derivatives(model.inputs));
+  // rate 3, acceleration 4 after half a second: 1 + 3/2 + 4/8, and 3 + 4/2.
+  EXPECT_EQ(advanced_inputs(model.inputs, {3, 1, 2, 4, 7}, 0.5), (std::vector<double>{5, 3, 4, 4, 7}));
+}
+
+TEST(Inputs, AdvanceByEveryDerivativeTheyHave) {
+  const Model model = read(arm_model(R"("inputs": {
+    "u": { "derivative": "u1" }, "u1": { "derivative": "u2" }, "u2": { "derivative": "u3" }, "u3": {} })"));
+  // u = t^3 at t = 2, two seconds later: every derivative is that of the same cubic.
+  EXPECT_EQ(advanced_inputs(model.inputs, {8, 12, 12, 6}, 2), (std::vector<double>{64, 48, 24, 6}));
 }
 
 TEST(Model, Defaults) {

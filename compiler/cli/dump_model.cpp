@@ -126,7 +126,8 @@ std::string dump_model(const Model& model) {
   }
   text += "inputs\n";
   for (const Input& input : model.inputs) {
-    text += fmt::format("  {} = {} {}\n", input.name, input.default_value, input.unit);
+    text += fmt::format("  {} = {} {}{}\n", input.name, input.default_value, input.unit,
+                        input.derivative < 0 ? "" : ", derivative " + model.inputs[input.derivative].name);
   }
   text += "bodies\n";
   for (const Body& body : model.bodies) text += describe.body(body);

@@ -44,7 +44,8 @@ struct Engine {
   std::function<Status(const LoadedState&, const GenericDerivative&, std::vector<double>& lambda)> multipliers;
   std::function<Status(const LoadedState&, const GenericDerivative&, GenericOutputs&)> outputs;
   std::function<Status(const GenericState&, Residuals&)> residuals;
-  /// Values of all inputs from now on.
+  /// Values of all inputs from now on; a step begins with them and advances those that have derivatives. A multistep
+  /// method starts up anew.
   std::function<void(const std::vector<double>&)> set_inputs;
   /// Evaluates the accelerations of every state, `repetitions` times over. Result: how many evaluations failed.
   std::function<long long(const std::vector<LoadedState>&, int repetitions)> time_accelerations;

@@ -167,7 +167,10 @@ Engine make_generated_engine(const Compilation& compilation, const EngineChoice&
   engine.residuals = [solver](const GenericState& state, Residuals& largest) {
     return residuals(*solver, state, largest);
   };
-  engine.set_inputs = [solver](const std::vector<double>& inputs) { solver->inputs = inputs; };
+  engine.set_inputs = [solver](const std::vector<double>& inputs) {
+    solver->inputs = inputs;
+    solver->table->start_abm4(solver->history.data());
+  };
   engine.time_accelerations = [solver](const std::vector<LoadedState>& at, int repetitions) {
     return time_accelerations(*solver, at, repetitions);
   };

@@ -3,6 +3,8 @@
 #include <memory>
 
 #include "compiler/cli/engine.hpp"
+#include "compiler/cli/options.hpp"
+#include "compiler/model/inputs.hpp"
 #include "mbgen/integrators.hpp"
 
 namespace mbgen::cli {
@@ -14,14 +16,38 @@ struct GenericSystem {
   using Derivative = GenericDerivative;
 
   Status derivative(const GenericState& state, GenericDerivative& rates) const noexcept {
+    advance_inputs(state.t);
     return solver.accelerations(state, no_tau, rates);
   }
-  Status project(GenericState& state) const noexcept { return solver.project(state); }
+  Status project(GenericState& state) const noexcept {
+    advance_inputs(state.t);
+    return solver.project(state);
+  }
+  void advance_inputs(double t) const {
+    if (inputs_have_derivatives(model_inputs)) solver.set_inputs(advanced_inputs(model_inputs, inputs, t - start));
+  }
 
-  GenericSolver solver;
+  mutable GenericSolver solver;  // for its inputs, which advance during a step
   std::vector<double> no_tau;
+  std::vector<Input> model_inputs;
+  std::vector<double> inputs;  // at the start of the step
+  double start = 0;            // s, of the step
   AbmHistory<GenericSystem> history{};
 };
+
+Status step(GenericSystem& system, SolverSettings::Integrator integrator, GenericState& state, double h) {
+  system.start = state.t;
+  const Status status = integrator == SolverSettings::Integrator::rk4 ? step_rk4(system, state, h)
+                                                                      : step_abm4(system, state, system.history, h);
+  system.advance_inputs(system.start);
+  return status;
+}
+
+void set_inputs(GenericSystem& system, const std::vector<double>& inputs) {
+  system.inputs = inputs;
+  system.solver.set_inputs(inputs);
+  system.history = {};
+}
 
 long long time_accelerations(const GenericSolver& solver, const std::vector<LoadedState>& at, int repetitions) {
   long long failures = 0;
@@ -39,7 +65,8 @@ long long time_accelerations(const GenericSolver& solver, const std::vector<Load
 Engine make_generic_engine(const Compilation& compilation, const EngineChoice& choice) {
   const std::vector<double> no_tau(static_cast<std::size_t>(compilation.topology.size()), 0.0);
   const auto system = std::make_shared<GenericSystem>(
-      GenericSystem{GenericSolver(compilation.model, compilation.topology, compilation.analysis), no_tau, {}});
+      GenericSystem{GenericSolver(compilation.model, compilation.topology, compilation.analysis), no_tau,
+                    compilation.model.inputs, input_values(compilation.model, {})});
   Engine engine;
   engine.name = choice.name;
   engine.form = "matrix";
@@ -49,8 +76,7 @@ Engine make_generic_engine(const Compilation& compilation, const EngineChoice& c
   };
   engine.project = [system](GenericState& state) { return system->solver.project(state); };
   engine.step = [system, integrator = choice.integrator](GenericState& state, double h) {
-    return integrator == SolverSettings::Integrator::rk4 ? step_rk4(*system, state, h)
-                                                         : step_abm4(*system, state, system->history, h);
+    return step(*system, integrator, state, h);
   };
   engine.multipliers = [system](const LoadedState& at, const GenericDerivative& derivative,
                                 std::vector<double>& lambda) {
@@ -66,7 +92,7 @@ Engine make_generic_engine(const Compilation& compilation, const EngineChoice& c
                largest_absolute(system->solver.velocity_residuals(state))};
     return Status{};
   };
-  engine.set_inputs = [system](const std::vector<double>& inputs) { system->solver.set_inputs(inputs); };
+  engine.set_inputs = [system](const std::vector<double>& inputs) { set_inputs(*system, inputs); };
   engine.time_accelerations = [system](const std::vector<LoadedState>& at, int repetitions) {
     return time_accelerations(system->solver, at, repetitions);
   };

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "compiler/emit/emit.hpp"
+#include "compiler/emit/input_text.hpp"
 #include "compiler/emit/text.hpp"
 
 namespace mbgen {
@@ -135,6 +136,7 @@ std::string banner_text(const Model& model, const std::string& mark) {
 
 std::string interface_text(const EmitContext& context) {
   const SolverNames& names = context.names;
+  const InputText inputs = input_text(context.model, names);
   return fill_template("solver.hpp.in", {{"banner", banner_text(context.model, "//")},
                                          {"title", comment_text(context.model.name)},
                                          {"solver", names.solver},
@@ -150,6 +152,10 @@ std::string interface_text(const EmitContext& context) {
                                          {"tables", tables(context)},
                                          {"parameter_struct", parameter_struct(context)},
                                          {"input_struct", input_struct(context)},
+                                         {"input_comment", inputs.comment},
+                                         {"advance_declaration", inputs.declaration},
+                                         {"dynamics_comment", inputs.dynamics_comment},
+                                         {"step_start", inputs.member},
                                          {"output_struct", output_struct(context)},
                                          {"auxiliary_size", size_text(context.layout.auxiliary_states)},
                                          {"multiplier_size", size_text(context.layout.equations)},

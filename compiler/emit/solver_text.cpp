@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "compiler/emit/input_text.hpp"
 #include "compiler/emit/interface_text.hpp"
 #include "compiler/emit/program_text.hpp"
 #include "compiler/emit/text.hpp"
@@ -141,11 +142,16 @@ std::string solver_text(const EmitContext& context) {
   }
   std::string system = constants(context) + tables(context) + members + argument_sum(context.names);
   system.pop_back();
+  const InputText inputs = input_text(context.model, context.names);
   return fill_template("solver.cpp.in", {{"banner", banner_text(context.model, "//")},
                                          {"solver", context.names.solver},
                                          {"projection_struct", projection_struct(context.layout)},
                                          {"programs", programs},
-                                         {"system", system}});
+                                         {"system", system},
+                                         {"advance_inputs", inputs.definition},
+                                         {"inputs_now", inputs.now},
+                                         {"inputs", inputs.name},
+                                         {"start", inputs.start}});
 }
 
 }  // namespace mbgen

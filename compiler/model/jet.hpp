@@ -3,6 +3,7 @@
 // once.
 
 #include "compiler/model/evaluate.hpp"
+#include "compiler/model/model.hpp"
 
 namespace mbgen {
 
@@ -152,25 +153,35 @@ Jet<T> max(const Jet<T>& a, const Jet<T>& b) {
   return select(a - b, a, b);
 }
 
-/// An environment of T seen by a motion: time runs, parameters and inputs stand still.
+/// An environment of T seen by a motion: time runs, parameters stand still, and inputs move by the derivatives that the
+/// model names for them.
 template <class T, class Environment>
 struct MotionEnvironment {
+  const std::vector<Input>& inputs;  ///< of the model
   const Environment& environment;
+
   Jet<T> parameter(int index) const { return Jet<T>(environment.parameter(index)); }
-  Jet<T> input(int index) const { return Jet<T>(environment.input(index)); }
+  Jet<T> input(int index) const {
+    const int rate = derivative_of(index);
+    const int acceleration = rate < 0 ? -1 : derivative_of(rate);
+    return {environment.input(index), value_or_zero(rate), value_or_zero(acceleration)};
+  }
   Jet<T> time() const { return {environment.time(), T(1.0), T(0.0)}; }
   // read_model refuses coordinates and locals in a motion.
   Jet<T> position(const CoordinateReference&) const { return {}; }
   Jet<T> velocity(const CoordinateReference&) const { return {}; }
   Jet<T> local(int) const { return {}; }
+
+ private:
+  int derivative_of(int index) const { return inputs[static_cast<std::size_t>(index)].derivative; }
+  T value_or_zero(int index) const { return index < 0 ? T(0.0) : environment.input(index); }
 };
 
-/// Position, velocity and acceleration that a motion prescribes. environment: of T, as for evaluate; an input counts as
-/// constant over a step.
+/// Position, velocity and acceleration that a motion prescribes. environment: of T, as for evaluate.
 template <class T, class Environment>
-Jet<T> evaluate_motion(const Quantity& position, const std::vector<Expression>& expressions,
-                       const Environment& environment) {
-  return evaluate<Jet<T>>(position, expressions, MotionEnvironment<T, Environment>{environment});
+Jet<T> evaluate_motion(const Model& model, const Motion& motion, const Environment& environment) {
+  return evaluate<Jet<T>>(motion.position, model.expressions,
+                          MotionEnvironment<T, Environment>{model.inputs, environment});
 }
 
 }  // namespace mbgen

@@ -198,7 +198,7 @@ struct Motion {
   std::string name;
   Where where;
   CoordinateReference joint;
-  Quantity position;  ///< rad or m, of t, parameters
+  Quantity position;  ///< rad or m, of t, parameters, inputs
 };
 
 struct PointOutput {
@@ -250,6 +250,7 @@ struct Input {
   Where where;
   std::string unit;
   double default_value = 0;
+  int derivative = -1;  ///< index into Model::inputs of its rate of change; -1: it counts as constant
 };
 
 struct InitialValue {

@@ -30,6 +30,10 @@ struct TableFields {
   Table::Interpolation interpolation = Table::Interpolation::linear;
 };
 
+struct InputFields : Input {
+  std::optional<std::string> rate;  ///< name of the derivative
+};
+
 struct BodyFields : Body {
   const Value *point_list = nullptr;
 };

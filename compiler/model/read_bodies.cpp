@@ -107,6 +107,55 @@ void read_points(Reader& reader, std::size_t body, const Value& value, PointPlac
   }
 }
 
+/// Index of the input that `value` names as the derivative of `input`, or -1 with a complaint.
+int derivative_of(Reader& reader, const Value& value, const InputFields& input) {
+  if (value.kind != Value::Kind::text) return -1;
+  const auto found = reader.names.inputs.find(value.text);
+  if (found == reader.names.inputs.end()) {
+    report(reader, value, "unknown input " + in_quotes(value.text),
+           suggestion(reader, value.text, reader.names.inputs));
+    return -1;
+  }
+  if (value.text != input.name) return found->second;
+  report(reader, value, fmt::format("input {} cannot be its own derivative", in_quotes(input.name)));
+  return -1;
+}
+
+/// Complains about inputs with too many derivatives in a row: about the last that has one too many.
+void refuse_long_rows(Reader& reader, const Entries& entries) {
+  constexpr int kMostDerivatives = 8;  // more than any signal is known by; each makes the emitted polynomials longer
+  const std::vector<Input>& inputs = reader.model.inputs;
+  for (std::size_t i = 0; i < inputs.size(); ++i) {
+    int derivatives = 0;
+    for (int next = inputs[i].derivative; next >= 0 && derivatives < kMostDerivatives + 2; ++derivatives) {
+      next = inputs[next].derivative;
+    }
+    if (derivatives == kMostDerivatives + 1) {
+      report(
+          reader, *find(*entries[i].value, "derivative"),
+          fmt::format("input {} has more than {} derivatives in a row", in_quotes(inputs[i].name), kMostDerivatives));
+    }
+  }
+}
+
+/// Complains once about each circle of inputs that are derivatives of each other.
+void refuse_circles(Reader& reader, const Entries& entries) {
+  std::vector<Input>& inputs = reader.model.inputs;
+  std::vector<int> met_from(inputs.size(), -1);
+  for (int start = 0; start < static_cast<int>(inputs.size()); ++start) {
+    int i = start;
+    for (; i >= 0 && met_from[i] < 0; i = inputs[i].derivative) met_from[i] = start;
+    if (i < 0 || met_from[i] != start) continue;
+    std::string names = inputs[i].name;
+    for (int next = inputs[i].derivative; next != i; next = inputs[next].derivative) {
+      names += " -> " + inputs[next].name;
+    }
+    report(reader, *find(*entries[i].value, "derivative"),
+           fmt::format("inputs are derivatives of each other in a circle, {} -> {}", names, inputs[i].name));
+    inputs[i].derivative = -1;
+  }
+}
+
 void check_ground(Reader& reader, const Value& value) {
   for (const Member& member : value.members) {
     if (member.key == "points") continue;
@@ -140,7 +189,13 @@ void read_inputs(Reader& reader, const Entries& entries) {
     check_expression_name(reader, entry);
     reader.names.inputs.emplace(entry.name, static_cast<int>(reader.names.inputs.size()));
   }
-  read_list(reader, entries, reader.model.inputs, [](Reader&, const Value&, const Input&) {});
+  std::vector<InputFields> inputs;
+  read_list(reader, entries, inputs, [&](Reader&, const Value& value, InputFields& input) {
+    if (input.rate) input.derivative = derivative_of(reader, *find(value, "derivative"), input);
+  });
+  for (InputFields& input : inputs) reader.model.inputs.push_back(std::move(input));
+  refuse_circles(reader, entries);
+  refuse_long_rows(reader, entries);
 }
 
 void read_bodies(Reader& reader, const Entries& entries) {

@@ -75,14 +75,20 @@ std::span<const Field<Parameter>> fields<Parameter>() {
 }
 
 template <>
-std::span<const Field<Input>> fields<Input>() {
+std::span<const Field<InputFields>> fields<InputFields>() {
+  using F = InputFields;
   static const std::array table = {
-      field<Input, &Input::unit>({.name = "unit", .shape = Shape::text, .doc = "unit, for people"}),
-      field<Input, &Input::default_value>({.name = "default",
-                                           .shape = Shape::number,
-                                           .doc = "value when nobody sets the input",
-                                           .fallback = 0,
-                                           .depends = Depends::nothing}),
+      field<F, &F::unit>({.name = "unit", .shape = Shape::text, .doc = "unit, for people"}),
+      field<F, &F::default_value>({.name = "default",
+                                   .shape = Shape::number,
+                                   .doc = "value when nobody sets the input",
+                                   .fallback = 0,
+                                   .depends = Depends::nothing}),
+      field<F, &F::rate>(
+          {.name = "derivative",
+           .shape = Shape::reference,
+           .doc = "input that is its time derivative; without one the input counts as constant during a step",
+           .of = "inputs"}),
   };
   return table;
 }

@@ -131,7 +131,7 @@ std::vector<ObjectKind> object_kinds() {
   return {
       kind<FileFields>("model", "a multibody system; SI units, angles in rad"),
       kind<Parameter>("parameter", "a named constant"),
-      kind<Input>("input", "a value given to the solver"),
+      kind<InputFields>("input", "a value given to the solver"),
       kind<BodyFields>("body", "a rigid body"),
       kind<Pose>("pose", "a frame in the global frame"),
       kind<RotationFields>("rotation", "a rotation about an axis"),

@@ -109,7 +109,7 @@ std::vector<Row> CartesianSystem::Content::equations_at(const std::vector<Moving
   for (const PartJoint& joint : parts.joints) add_joint(joint, bodies, rows);
   for (const PartRod& rod : parts.rods) add_rod(rod, parts.ground(), bodies, rows);
   for (const Motion& motion : model.motions) {
-    const Jet<double> wanted = evaluate_motion<double>(motion.position, model.expressions, values);
+    const Jet<double> wanted = evaluate_motion<double>(model, motion, values);
     Row row = coordinates_of(motion.joint.joint, bodies, *values.z)[motion.joint.component].row;
     const bool turns = parts.joints[motion.joint.joint].freedoms[motion.joint.component].kind == FreedomKind::revolute;
     row.residual -= wanted.value;

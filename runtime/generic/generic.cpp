@@ -36,7 +36,7 @@ GenericSolver::GenericSolver(GenericSolver&&) noexcept = default;
 
 void GenericSolver::set_inputs(const std::vector<double>& inputs) {
   content_->inputs = inputs;
-  content_->refresh();
+  content_->constants_environment.inputs = inputs;  // no constant of a model depends on them
 }
 
 void GenericSolver::set_parameters(const std::vector<double>& tunable_parameters) {

@@ -114,6 +114,14 @@ void apply_step(const typename System::Closure& closure, typename System::State&
   }
 }
 
+/// Puts driven coordinates where their motions are: a state that is closed within the tolerance is off by as much.
+template <class System>
+void settle_driven(const typename System::Closure& closure, typename System::State& state) noexcept {
+  for (int i = 0; i < System::kCoordinates; ++i) {
+    if (System::kDriven[i] != 0) state.z[i] += closure.dz[i];
+  }
+}
+
 /// Newton on z and t of `trial`; at the end its velocities are consistent.
 template <class System>
 Status close_loops(const typename System::Parameters& parameters, const typename System::Inputs& inputs,
@@ -138,6 +146,7 @@ Status close_loops(const typename System::Parameters& parameters, const typename
       if (!(contradiction.size <= kRedundantTolerance)) {
         return {Code::loop_not_closed, block_of<System>(contradiction.equation)};
       }
+      settle_driven<System>(closure, trial);
       copy(closure.zd, trial.zd, System::kCoordinates);
       const int bad = first_not_finite(trial.zd, System::kCoordinates);
       return bad < 0 ? Status{} : Status{Code::not_a_number, bad};

@@ -1,0 +1,24 @@
+#pragma once
+// How the inputs of a solver go on during a step.
+
+#include <string>
+
+#include "compiler/emit/names.hpp"
+#include "compiler/model/model.hpp"
+
+namespace mbgen {
+
+/// Pieces of the emitted files that depend on whether an input has a derivative.
+struct InputText {
+  std::string comment;           ///< of struct Inputs
+  std::string declaration;       ///< of advance_inputs, empty without derivatives, as are the next
+  std::string definition;        ///< of advance_inputs
+  std::string member;            ///< of Dynamics: the time of its inputs
+  std::string now;               ///< statement that advances the inputs to a state's time
+  std::string start;             ///< initialiser of `member`
+  std::string dynamics_comment;  ///< of struct Dynamics
+  std::string name;              ///< of the inputs at a state's time
+};
+InputText input_text(const Model& model, const SolverNames& names);
+
+}  // namespace mbgen

@@ -1,0 +1,29 @@
+#include "compiler/model/inputs.hpp"
+
+#include <algorithm>
+
+namespace mbgen {
+namespace {
+
+/// Taylor polynomial of an input by Horner's rule, without its first `order` - 1 terms and their factors.
+double advanced(const std::vector<Input>& inputs, const std::vector<double>& values, int input, double dt, int order) {
+  const auto i = static_cast<std::size_t>(input);
+  if (inputs[i].derivative < 0) return values[i];
+  return values[i] + dt / order * advanced(inputs, values, inputs[i].derivative, dt, order + 1);
+}
+
+}  // namespace
+
+std::vector<double> advanced_inputs(const std::vector<Input>& inputs, const std::vector<double>& values, double dt) {
+  std::vector<double> result;
+  for (std::size_t i = 0; i < inputs.size(); ++i) {
+    result.push_back(advanced(inputs, values, static_cast<int>(i), dt, 1));
+  }
+  return result;
+}
+
+bool inputs_have_derivatives(const std::vector<Input>& inputs) {
+  return std::any_of(inputs.begin(), inputs.end(), [](const Input& input) { return input.derivative >= 0; });
+}
+
+}  // namespace mbgen
