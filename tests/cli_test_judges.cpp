@@ -43,6 +43,49 @@ TEST_P(JudgesOnVehicles, AccelerationsEqualTheReference) {
 
 INSTANTIATE_TEST_SUITE_P(Paper, JudgesOnVehicles, ::testing::Values("coach", "truck"));
 
+/// A slider-crank at its dead centre, along a direction of the x-z plane. Only the piston has mass, and the crank
+/// cannot move it: crank 1, connecting rod -1/3, so the big end -4/3.
+std::string dead_centre(double x, double z) {
+  const auto point = [x, z](double distance) { return fmt::format("[{}, 0, {}]", distance * x, distance * z); };
+  return fmt::format(R"({{ "mbgen": 1, "name": "dead_centre",
+  "bodies": {{
+    "ground": {{ "points": {{ "O": [0, 0, 0], "cylinder": {1} }} }},
+    "crank": {{ "points": {{ "O": [0, 0, 0], "pin": {0} }} }},
+    "connecting_rod": {{ "points": {{ "pin": {0}, "wrist": {1} }} }},
+    "piston": {{ "mass": 0.5, "com": {1}, "inertia": [1e-4, 1e-4, 1e-4], "points": {{ "wrist": {1} }} }}
+  }},
+  "joints": {{
+    "crank": {{ "type": "revolute", "from": "ground.O", "to": "crank.O", "axis": "y" }},
+    "piston": {{ "type": "prismatic", "from": "ground.cylinder", "to": "piston.wrist", "axis": [{2}, 0, {3}] }},
+    "big_end": {{ "type": "revolute", "from": "crank.pin", "to": "connecting_rod.pin", "axis": "y" }},
+    "small_end": {{ "type": "revolute", "from": "connecting_rod.wrist", "to": "piston.wrist", "axis": "y", "cut": true }}
+  }} }})",
+                     point(0.1), point(0.4), x, z);
+}
+
+TEST_F(CommandLine, EveryEngineSaysInTheSameWordsThatAMotionHasNoInertia) {
+  write("aligned.json", dead_centre(1, 0));
+  write("states.json", R"({"joint_order": ["crank", "piston", "big_end"], "states": [
+    {"z": [0, 0, 0]}, {"z": [0, 0, 0], "zd": [3, 0, -4]}, {"z": [0.5, 0, -0.6]}]})");
+  for (const char* engine : {"generated", "generic", "augmented", "range-space", "null-space", "maggi"}) {
+    const Json answer = json_of(fmt::format("evaluate aligned.json --states states.json --engine {}", engine));
+    for (int s = 0; s < 2; ++s) {
+      EXPECT_EQ(answer["states"][s]["status"], "no inertia: big_end") << engine;
+      EXPECT_EQ(answer["states"][s]["zdd"], nullptr) << engine;
+    }
+    EXPECT_EQ(answer["states"][2]["status"], "ok") << engine;
+  }
+}
+
+TEST_F(CommandLine, JudgesFindMotionsWithoutInertiaBehindRounding) {
+  write("skew.json", dead_centre(0.6, 0.8));
+  write("states.json", R"({"joint_order": ["crank", "piston", "big_end"], "states": [{"z": [0, 0, 0]}]})");
+  for (const char* judge : kJudges) {
+    const Json answer = json_of(fmt::format("evaluate skew.json --states states.json --engine {}", judge));
+    EXPECT_EQ(answer["states"][0]["status"], "no inertia: big_end") << judge;
+  }
+}
+
 TEST_F(CommandLine, JudgesKeepTheFourBarClosedAndItsEnergy) {
   write("four_bar.json", kFourBar);
   for (const char* judge : kJudges) {

@@ -10,7 +10,7 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 constexpr Index kPerBody = 6;
-/// Velocities of the bodies, weighted by the roots of their masses, that count as none.
+/// Root of the kinetic energy of a motion over what it would be if no body were massless: what is not larger is none.
 constexpr double kNoInertia = 1e-8;
 /// Smallest pivot of a body's inertia relative to the largest; below is rounding of an exact zero.
 constexpr double kNoMass = 1e-13;
@@ -148,9 +148,11 @@ CartesianSolution solve(CartesianMethod method, const CartesianEquations& equati
 std::optional<VectorXd> motion_without_inertia(const MatrixXd& mass, const ConstraintFactors& factors) {
   const MatrixXd& basis = factors.null_basis();
   if (basis.cols() == 0) return std::nullopt;
-  Eigen::ColPivHouseholderQR<MatrixXd> weighed(times_root_of_mass(mass, basis));
-  weighed.setThreshold(kNoInertia);
-  const Index rank = weighed.rank();
+  const VectorXd as_if_massive = typical_inertia(mass).cwiseSqrt();
+  const VectorXd scale = (as_if_massive.asDiagonal() * basis).colwise().norm().cwiseInverse();
+  const Eigen::ColPivHouseholderQR<MatrixXd> weighed(times_root_of_mass(mass, basis) * scale.asDiagonal());
+  const VectorXd pivots = weighed.matrixQR().diagonal().cwiseAbs();
+  const Index rank = (pivots.array() > kNoInertia).count();
   if (rank == basis.cols()) return std::nullopt;
   VectorXd motion = VectorXd::Zero(basis.cols());
   motion[rank] = 1;
@@ -158,7 +160,7 @@ std::optional<VectorXd> motion_without_inertia(const MatrixXd& mass, const Const
                            .topLeftCorner(rank, rank)
                            .triangularView<Eigen::Upper>()
                            .solve(weighed.matrixQR().col(rank).head(rank));
-  return basis * (weighed.colsPermutation() * motion);
+  return basis * scale.cwiseProduct(weighed.colsPermutation() * motion);
 }
 
 VectorXd mass_orthogonal_correction(const MatrixXd& mass, const ConstraintFactors& factors, const VectorXd& c) {

@@ -28,7 +28,8 @@ struct CartesianSolution {
 CartesianSolution solve(CartesianMethod method, const CartesianEquations& equations);
 
 /// A motion that the equations allow and no mass resists, n values; nothing when rank [M; Phi_q] = n (9).
-/// It is judged by velocities: the momentum-like sqrt(M) qd of the motion against that of the heaviest one.
+/// The size of a motion is the root of its kinetic energy, against that of the same motion with typical masses in place
+/// of zeros: rounding of a dead centre counts as zero, a small body of a heavy vehicle does not.
 std::optional<Eigen::VectorXd> motion_without_inertia(const Eigen::MatrixXd& mass, const ConstraintFactors& factors);
 
 /// The correction dq of least dq' M dq with Phi_q dq = c: the mass-orthogonal projections of Bayo and Ledesma, of
