@@ -42,6 +42,26 @@ TEST_P(EveryModel, PlacedBodiesSatisfyEveryConstraint) {
   }
 }
 
+// Bodies placed along a tree whose loops are open.
+TEST_P(EveryModel, OnlyEquationsOfLoopsCanBeOpen) {
+  GenericState z{std::vector<double>(m.topology.bodies.size()), no_tau, {}, 0};
+  const VectorXd away = random_vector(m.topology.size(), 8);
+  for (int i = 0; i < m.topology.size(); ++i) z.z[i] = 0.1 * away[i];
+  z.x.resize(2 * m.model.tyres.size());
+  const VectorXd residual = system.terms(system.place(z), z, no_tau).residual;
+  const int first_motion = system.equations() - static_cast<int>(m.model.motions.size());
+  std::vector<double> opening(m.topology.loops.size());
+  for (int e = 0; e < first_motion; ++e) {
+    const int loop = system.loop_of(e);
+    if (loop < 0)
+      EXPECT_LT(std::abs(residual[e]), 1e-13);
+    else
+      opening[loop] = std::max(opening[loop], std::abs(residual[e]));
+  }
+  for (double gap : opening) EXPECT_GT(gap, 1e-5);
+  for (int e = first_motion; e < system.equations(); ++e) EXPECT_EQ(system.loop_of(e), -1);
+}
+
 // Only turns of a massive rod about its own axis are held by a rate without a residual: it is left out.
 TEST_P(EveryModel, JacobianIsTheDerivativeOfTheResiduals) {
   constexpr double kStep = 1e-5;  // its square is the truncation error

@@ -68,7 +68,7 @@ struct CartesianSolver::Content {
     const CartesianTerms& terms = solved.evaluation.terms;
     const ConstraintFactors& factors = *solved.evaluation.factors;
     const ReducedBias bias = factors.reduce(terms.bias);
-    status = check_compatibility(mechanics(), at, solved.evaluation, bias);
+    status = check_compatibility(mechanics(), solved.evaluation, bias);
     if (status.ok()) solved.solution = solve(method, {terms.mass, terms.force, factors, bias});
     return status;
   }
@@ -82,7 +82,7 @@ struct CartesianSolver::Content {
     if (!status.ok()) return status;
     CartesianTerms& terms = evaluation.terms;
     const ConstraintFactors& factors = *evaluation.factors;
-    if (equations.empty()) status = check_compatibility(mechanics(), at, evaluation, factors.reduce(terms.bias));
+    if (equations.empty()) status = check_compatibility(mechanics(), evaluation, factors.reduce(terms.bias));
     if (!status.ok()) return status;
     equations = factors.kept();
     if (stabilisation == Stabilisation::baumgarte)

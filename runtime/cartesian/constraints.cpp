@@ -1,5 +1,6 @@
 // The equations of all joints, rods and motions.
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -83,7 +84,7 @@ int row_count(JointType type) {
 
 }  // namespace
 
-FirstRows first_rows(const Parts& parts, const Model& model) {
+FirstRows first_rows(const Parts& parts, const Model& model, const Topology& topology) {
   constexpr int kMassiveRod = 7;
   FirstRows first;
   int next = 0;
@@ -97,6 +98,13 @@ FirstRows first_rows(const Parts& parts, const Model& model) {
   add(first.rods, 0);
   first.motions = next;
   first.end = next + static_cast<int>(model.motions.size());
+  first.loop_of.assign(first.end, -1);
+  for (std::size_t l = 0; l < topology.loops.size(); ++l) {
+    const Loop& loop = topology.loops[l];
+    const std::vector<int>& rows = loop.rod >= 0 ? first.rods : first.joints;
+    const int index = loop.rod >= 0 ? loop.rod : loop.joint;
+    std::fill(first.loop_of.begin() + rows[index], first.loop_of.begin() + rows[index + 1], static_cast<int>(l));
+  }
   return first;
 }
 

@@ -14,9 +14,10 @@ namespace cartesian {
 struct FirstRows {
   std::vector<int> joints, rods;  ///< first row of each, and one past the last of all
   int motions = 0, end = 0;
+  std::vector<int> loop_of;  ///< per equation: index into Topology::loops, or -1
 };
 
-FirstRows first_rows(const Parts& parts, const Model& model);
+FirstRows first_rows(const Parts& parts, const Model& model, const Topology& topology);
 
 /// A wrench on a body.
 struct Load {

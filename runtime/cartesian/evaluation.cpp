@@ -58,8 +58,7 @@ Status evaluate(const Mechanics& mechanics, const Configuration& at, const std::
   return {};
 }
 
-Status check_compatibility(const Mechanics& mechanics, const Configuration& at, const Evaluation& evaluation,
-                           const ReducedBias& bias) {
+Status check_compatibility(const Mechanics& mechanics, const Evaluation& evaluation, const ReducedBias& bias) {
   if (bias.dropped.size() == 0) return {};
   const CartesianTerms& terms = evaluation.terms;
   const double size = 1 + largest(terms.bias);
@@ -67,20 +66,17 @@ Status check_compatibility(const Mechanics& mechanics, const Configuration& at, 
   Eigen::Index worst = 0;
   if (bias.dropped.cwiseAbs().maxCoeff(&worst) <= kCompatible * size + kBiasPerOpening * opening) return {};
   const Eigen::VectorXd weights = evaluation.factors->dependency(static_cast<int>(worst));
-  return {Code::loop_singular, block_of(mechanics, at.bodies, weights)};
+  return {Code::loop_singular, block_of(mechanics, weights)};
 }
 
-int block_of(const Mechanics& mechanics, const CartesianState& bodies, const Eigen::VectorXd& weights) {
-  const std::vector<double> by_loop = mechanics.system.loop_multipliers(bodies, weights);
+int block_of(const Mechanics& mechanics, const Eigen::VectorXd& weights) {
   double most = 0;
   int leading = -1;
-  std::size_t next = 0;
-  for (std::size_t loop = 0; loop < mechanics.topology.loops.size(); ++loop)
-    for (int e = 0; e < mechanics.topology.loops[loop].equations; ++e, ++next)
-      if (std::abs(by_loop[next]) > most) {
-        most = std::abs(by_loop[next]);
-        leading = static_cast<int>(loop);
-      }
+  for (int e = 0; e < mechanics.system.equations(); ++e)
+    if (mechanics.system.loop_of(e) >= 0 && std::abs(weights[e]) > most) {
+      most = std::abs(weights[e]);
+      leading = mechanics.system.loop_of(e);
+    }
   const auto contains = [leading](const LoopBlock& block) {
     return std::find(block.loops.begin(), block.loops.end(), leading) != block.loops.end();
   };
@@ -92,7 +88,7 @@ int block_of(const Mechanics& mechanics, const CartesianState& bodies, const Eig
 Status close(const Mechanics& mechanics, double tolerance, Configuration& configuration) {
   const std::vector<double> no_tau(configuration.z.z.size(), 0.0);
   CartesianState& bodies = configuration.bodies;
-  const int start = block_of(mechanics, bodies, mechanics.system.terms(bodies, configuration.z, no_tau).residual);
+  const int start = block_of(mechanics, mechanics.system.terms(bodies, configuration.z, no_tau).residual);
   for (int step = 0; step <= kMostNewtonSteps; ++step) {
     Evaluation evaluation;
     if (const Status status = evaluate(mechanics, configuration, no_tau, {}, evaluation); !status.ok()) return status;

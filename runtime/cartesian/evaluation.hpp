@@ -39,11 +39,10 @@ Status evaluate(const Mechanics& mechanics, const Configuration& at, const std::
 
 /// Fails: loop_singular when redundant equations contradict (14) by more than the open closures explain, with the loop
 /// block that has the largest part in it.
-Status check_compatibility(const Mechanics& mechanics, const Configuration& at, const Evaluation& evaluation,
-                           const ReducedBias& bias);
+Status check_compatibility(const Mechanics& mechanics, const Evaluation& evaluation, const ReducedBias& bias);
 
 /// Loop block with the largest share in weights of all equations, -1 when they are zero in all loops.
-int block_of(const Mechanics& mechanics, const CartesianState& bodies, const Eigen::VectorXd& weights);
+int block_of(const Mechanics& mechanics, const Eigen::VectorXd& weights);
 
 /// Moves the bodies to where the equations hold within `tolerance` (m or 1), then corrects their velocities, both
 /// mass-orthogonally; the coordinates follow.

@@ -21,12 +21,12 @@ bool has_point(JointType type) {
 }
 
 /// Multiplier of a massive rod's distance when its mass is split among its ends (theory.md section 5): half the
-/// difference of the forces at its ends, and what keeps its turning halves on their circles.
+/// difference of the forces at its ends, and (m_jj - m_jk) / 2 times the acceleration of one end towards the other.
 double rod_tension(const PartRod& rod, const Moving& body, const Vector3d& at_from, const Vector3d& at_to) {
   return 0.5 * (at_to - at_from).dot(body.axes.col(0)) + rod.mass * rod.length * body.spin.squaredNorm() / 12;
 }
 
-/// The wrench on the `to` body of a joint from multipliers of its rows and forces on its coordinates.
+/// A wrench about the centre of mass, seen about a point at `arm` from it.
 CartesianWrench about(const Vector3d& arm, const Vector6d& wrench) {
   return {wrench.head<3>(), wrench.tail<3>() - arm.cross(wrench.head<3>())};
 }

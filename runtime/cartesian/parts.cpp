@@ -87,7 +87,7 @@ PartRod rod_of(const Parts& parts, const Rod& rod, const Values& value) {
 
 bool is_zero(const Quantity& quantity) { return quantity.expression < 0 && quantity.value == 0; }
 
-/// Moving bodies, then the massive rods, then ground: rods need the places on all others, so ground comes twice.
+/// Moving bodies, then the massive rods, then ground.
 void add_bodies(Parts& parts, const Values& value) {
   const Model& model = value.model;
   parts.index_of.resize(model.bodies.size());

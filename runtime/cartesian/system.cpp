@@ -14,7 +14,7 @@ CartesianSystem::Content::Content(const Model& m, const Topology& t) : model(m),
   for (const Input& input : model.inputs) inputs.push_back(input.default_value);
   for (const Parameter& parameter : model.parameters) parameters.push_back(parameter.value);
   refresh();
-  first = first_rows(parts, model);
+  first = first_rows(parts, model, topology);
 }
 
 void CartesianSystem::Content::refresh() {
@@ -28,6 +28,7 @@ CartesianSystem::CartesianSystem(CartesianSystem&&) noexcept = default;
 
 int CartesianSystem::coordinates() const { return 6 * content_->moving(); }
 int CartesianSystem::equations() const { return content_->first.end; }
+int CartesianSystem::loop_of(int equation) const { return content_->first.loop_of[equation]; }
 
 void CartesianSystem::set_inputs(const std::vector<double>& inputs) {
   content_->inputs = inputs;

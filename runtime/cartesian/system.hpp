@@ -54,6 +54,8 @@ class CartesianSystem {
 
   int coordinates() const;  ///< n
   int equations() const;    ///< m
+  /// Index into Topology::loops of the closure that an equation belongs to, -1 for joints of the tree and motions.
+  int loop_of(int equation) const;
 
   /// Values in model order (all inputs; tunable parameters only).
   void set_inputs(const std::vector<double>& inputs);
