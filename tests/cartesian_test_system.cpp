@@ -145,6 +145,27 @@ TEST_P(EveryModel, VelocitiesGoThereAndBack) {
 
 INSTANTIATE_TEST_SUITE_P(Models, EveryModel, ::testing::ValuesIn(all_models()), test_name);
 
+// Mass, gravity, geometry, a rod's mass, motions and forces all change.
+TEST(CartesianSystem, TunableParametersAndInputsReachEveryTerm) {
+  const Mechanism m = load("tests/data/models/all_elements.json");
+  CartesianSystem system(m.model, m.topology);
+  GenericSolver solver(m.model, m.topology, m.analysis);
+  std::vector<double> parameters, no_tau(m.topology.bodies.size());
+  for (const Parameter& parameter : m.model.parameters) parameters.push_back(0.7 * parameter.value);
+  system.set_parameters(parameters);
+  solver.set_parameters(parameters);
+  system.set_inputs({-150});
+  solver.set_inputs({-150});
+  GenericState z = random_states(m, 1).at(0);
+  ASSERT_TRUE(solver.project(z).ok());
+  GenericDerivative expected;
+  ASSERT_TRUE(solver.accelerations(z, no_tau, expected).ok());
+  const CartesianState state = system.place(z);
+  const CartesianTerms terms = system.terms(state, z, no_tau);
+  EXPECT_LT(largest(terms.residual), 1e-10);
+  EXPECT_LT(relative_error(system.joint_accelerations(state, z, solve(terms).qdd), expected.zdd), 1e-10);
+}
+
 class Vehicle : public ::testing::TestWithParam<std::string> {};
 
 double worst_error(const Mechanism& m, const std::string& vehicle, std::vector<double> ReferenceState::*expected) {
