@@ -110,6 +110,16 @@ TEST_F(CommandLine, InspectFindsTheRedundancyOfAFourBar) {
   EXPECT_EQ(block["dependent"].size(), 2u);
   EXPECT_EQ(block["independent"].size(), 1u);
   EXPECT_EQ(block["redundant"].size(), 3u);
+  const Json& certificate = block["certificate"];
+  EXPECT_EQ(certificate["closed_configurations"], 25);
+  EXPECT_EQ(certificate["ranks"], Json::parse(R"([{"rank": 2, "configurations": 25}])"));
+  EXPECT_EQ(certificate["degrees_of_freedom"], 1);
+  EXPECT_EQ(certificate["redundant"].size(), 3u);
+  for (std::size_t e = 0; e < 3; ++e) {
+    EXPECT_EQ(certificate["redundant"][e]["name"], block["redundant"][e]);
+    EXPECT_EQ(certificate["redundant"][e]["joint"], "tip");
+    EXPECT_LT(certificate["redundant"][e]["residual"].get<double>(), 1e-12);
+  }
   int ones = 0;
   for (const Json& row : report["path_matrix"]) {
     for (const Json& entry : row) ones += entry.get<int>();
@@ -126,7 +136,9 @@ TEST_F(CommandLine, InspectPrintsTables) {
   write("four_bar.json", kFourBar);
   const Outcome run = mbgen("inspect four_bar.json");
   EXPECT_EQ(run.exit_code, 0);
-  for (const char* part : {"bodies, with ground                  4", "crank_pin", "Loop blocks", "Path matrix"}) {
+  for (const char* part :
+       {"bodies, with ground                  4", "crank_pin", "Loop blocks", "Path matrix",
+        "1: 5 equations, rank 2 in 25 of 25 closed configurations, 1 degree of freedom", "axis tilt about"}) {
     EXPECT_NE(run.out.find(part), std::string::npos) << part << "\n" << run.out;
   }
 }

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "compiler/analysis/certificate.hpp"
+#include "compiler/analysis/compatibility.hpp"
 #include "compiler/analysis/partition.hpp"
 #include "compiler/analysis/sampling.hpp"
 
@@ -53,30 +55,80 @@ std::vector<int> free_columns(const LoopBlock& block, const std::vector<bool>& d
   return columns;
 }
 
-Result<BlockAnalysis> analyse_block(const Model& model, const Topology& topology, std::size_t b,
-                                    const std::vector<Configuration>& configurations, const Analysis& analysis) {
-  const LoopBlock& block = topology.blocks[b];
-  if (!configurations[0].closed[b]) return open_loop(model, topology, block, configurations[0].residuals[b]);
+/// Where the generic rank was seen.
+std::vector<Eigen::MatrixXd> regular_jacobians(const PartView& whole) {
   std::vector<Eigen::MatrixXd> jacobians;
-  for (const Configuration& c : configurations)
-    if (c.closed[b]) jacobians.push_back(c.blocks[b].jacobian);
-  const int rank = generic_rank(jacobians, {});
+  for (std::size_t s = 0; s < whole.jacobians.size(); ++s)
+    if (whole.ranks[s] == whole.rank) jacobians.push_back(whole.jacobians[s]);
+  return jacobians;
+}
+
+/// Motions that leave a block less than its generic rank.
+Diagnostics over_constrained(const Model& model, const LoopBlock& block, const PartView& whole,
+                             const Analysis& analysis) {
   const std::vector<int> driven = driven_columns(block, analysis.driven);
-  if (!driven.empty()) {
-    const std::vector<int> free = free_columns(block, analysis.driven);
-    const int reached = free.empty() ? 0 : generic_rank(jacobians, free);
-    if (reached < rank) {
-      const Motion& motion = model.motions[analysis.motion_of[block.joints[driven.back()]]];
-      return problem(motion.where,
-                     fmt::format("motions over-constrain a loop: {} driven coordinates, but the loop leaves {} free",
-                                 driven.size(), static_cast<int>(block.joints.size()) - rank),
-                     "remove a motion, or drive a coordinate that the loop leaves free");
-    }
+  if (driven.empty()) return {};
+  const std::vector<int> free = free_columns(block, analysis.driven);
+  const int reached = free.empty() ? 0 : generic_rank(regular_jacobians(whole), free);
+  if (reached >= whole.rank) return {};
+  const Motion& motion = model.motions[analysis.motion_of[block.joints[driven.back()]]];
+  return {problem(motion.where,
+                  fmt::format("motions over-constrain a loop: {} driven coordinates, but the loop leaves {} free",
+                              driven.size(), static_cast<int>(block.joints.size()) - whole.rank),
+                  "remove a motion, or drive a coordinate that the loop leaves free")};
+}
+
+/// What was found out about the blocks; one entry per block.
+struct Findings {
+  std::vector<std::vector<ClosureEquation>> equations;
+  std::vector<PartView> views;
+  Diagnostics problems;
+};
+
+/// Rank, certificate and partition of block `b`; what is wrong with it goes to `found`.
+BlockAnalysis analyse_block(NumericSystem& numbers, std::size_t b, const std::vector<Configuration>& configurations,
+                            const Analysis& analysis, Findings& found) {
+  const Model& model = numbers.model();
+  const Topology& topology = numbers.topology();
+  const LoopBlock& block = topology.blocks[b];
+  found.equations.push_back(closure_equations(model, topology, block));
+  const std::vector<ClosureEquation>& equations = found.equations.back();
+  if (!configurations[0].closed[b]) {
+    found.problems.push_back(open_loop(model, topology, block, configurations[0].residuals[b]));
+    return {};
   }
-  BlockAnalysis result = choose_partition(jacobians, rank, driven);
-  const std::vector<std::string> names = equation_names(topology, block);
-  for (int e : result.redundant_equations) result.redundant_names.push_back(names[e]);
+  found.views.push_back(view(numbers, b, block_part(topology, block, block.loops), equations, configurations));
+  const PartView& whole = found.views.back();
+  const Certificate certificate = certify(topology, block, whole, configurations);
+  Diagnostics problems = contradictions(numbers, b, whole, certificate.immobile, equations, configurations);
+  if (problems.empty()) problems = over_constrained(model, block, whole, analysis);
+  if (!problems.empty()) {
+    found.problems.insert(found.problems.end(), problems.begin(), problems.end());
+    return {};
+  }
+  std::vector<Eigen::MatrixXd> jacobians;
+  for (int i : whole.configurations) jacobians.push_back(configurations[i].blocks[b].jacobian);
+  BlockAnalysis result = choose_partition(jacobians, whole.rank, driven_columns(block, analysis.driven));
+  for (int e : result.redundant_equations) result.redundant_names.push_back(equations[e].name);
+  result.certificate = certificate;
   return result;
+}
+
+/// Watches what the partitions left out and completes the certificates.
+void watch_blocks(NumericSystem& numbers, const std::vector<Configuration>& configurations, Analysis& analysis,
+                  Findings& found) {
+  std::vector<std::vector<int>> kept;
+  for (const BlockAnalysis& block : analysis.blocks) {
+    kept.emplace_back();
+    for (const Pivot& pivot : block.pivots) kept.back().push_back(pivot.equation);
+    std::sort(kept.back().begin(), kept.back().end());
+  }
+  const std::vector<Watch> watches = watch_redundant(numbers, found.views, kept, found.equations, configurations);
+  for (std::size_t b = 0; b < watches.size(); ++b) {
+    certify_redundant(analysis.blocks[b].certificate, analysis.blocks[b].redundant_equations, found.equations[b],
+                      watches[b].steps, watches[b].residual);
+    found.problems.insert(found.problems.end(), watches[b].problems.begin(), watches[b].problems.end());
+  }
 }
 
 /// Coordinates whose free motion has no inertia in every configuration, existence condition (9).
@@ -134,22 +186,21 @@ Result<Analysis> analyse(const Model& model, const Topology& topology) {
   NumericSystem numbers(model, topology);
   const std::vector<Configuration> configurations =
       closed_configurations(numbers, topology.blocks.empty() ? 4 : kWantedConfigurations);
-  Diagnostics problems;
+  Findings found;
   for (std::size_t b = 0; b < topology.blocks.size(); ++b) {
-    Result<BlockAnalysis> block = analyse_block(model, topology, b, configurations, analysis);
-    if (!block) {
-      problems.insert(problems.end(), block.problems().begin(), block.problems().end());
-      continue;
-    }
-    analysis.independent_equations += block->rank;
-    analysis.blocks.push_back(std::move(*block));
+    analysis.blocks.push_back(analyse_block(numbers, b, configurations, analysis, found));
+    analysis.independent_equations += analysis.blocks.back().rank;
   }
-  if (!problems.empty()) return problems;
+  if (!found.problems.empty()) return found.problems;
+  watch_blocks(numbers, configurations, analysis, found);
+  if (!found.problems.empty()) return found.problems;
   analysis.closed_configurations =
       static_cast<int>(std::count_if(configurations.begin(), configurations.end(), [](const Configuration& c) {
         return std::find(c.closed.begin(), c.closed.end(), false) == c.closed.end();
       }));
+  analysis.ranks = ranks_together(found.views, configurations);
   analysis.degrees_of_freedom = topology.size() - analysis.independent_equations;
+  Diagnostics problems;
   for (int i : without_inertia(numbers, topology, analysis, configurations)) {
     const Joint& joint = model.joints[topology.bodies[i].joint];
     problems.push_back(problem(joint.where,

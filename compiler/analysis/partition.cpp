@@ -5,15 +5,16 @@
 #include <random>
 #include <set>
 
+#include "compiler/analysis/part.hpp"
+
 namespace mbgen {
 namespace {
 
 using Eigen::MatrixXd;
 
-constexpr double kRankTolerance = 1e-8;  // relative to the largest singular value; closures are exact to 1e-11
-constexpr double kPivotRatio = 0.05;     // design.md section 7: smallest pivot over its column that keeps the digits
-constexpr double kZero = 1e-12;          // entries below this share of the largest are structurally zero
-constexpr int kWeightings = 8;           // random column weights tried per sample
+constexpr double kPivotRatio = 0.05;  // design.md section 7: smallest pivot over its column that keeps the digits
+constexpr double kZero = 1e-12;       // entries below this share of the largest are structurally zero
+constexpr int kWeightings = 8;        // random column weights tried per sample
 
 MatrixXd columns_of(const MatrixXd& m, const std::vector<int>& columns) {
   MatrixXd result(m.rows(), columns.size());
@@ -30,8 +31,7 @@ MatrixXd part_of(const MatrixXd& m, const std::vector<int>& rows, const std::vec
 
 int rank_of(const MatrixXd& m) {
   if (m.size() == 0) return 0;
-  const Eigen::VectorXd s = Eigen::JacobiSVD<MatrixXd>(m).singularValues();
-  return s[0] == 0 ? 0 : static_cast<int>((s.array() > kRankTolerance * s[0]).count());
+  return static_cast<int>((Eigen::JacobiSVD<MatrixXd>(m).singularValues().array() > kRankTolerance).count());
 }
 
 struct Candidate {

@@ -8,7 +8,8 @@
 
 namespace mbgen {
 
-/// Generic rank: the largest over the samples. columns: those that may be dependent (empty: all).
+/// Generic rank: the largest over the samples. jacobians: free of units; columns: those that may be dependent (empty:
+/// all).
 int generic_rank(const std::vector<Eigen::MatrixXd>& jacobians, const std::vector<int>& columns);
 
 /// Chooses dependent coordinates and leading equations: well conditioned over all samples, then cheapest to eliminate.

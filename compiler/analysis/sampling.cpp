@@ -1,11 +1,13 @@
 #include "compiler/analysis/sampling.hpp"
 
+#include <algorithm>
+#include <limits>
+#include <numeric>
 #include <random>
 
 namespace mbgen {
 namespace {
 
-constexpr double kClosed = 1e-11;  // m or 1: Newton reaches it in a few steps from a good start
 constexpr int kMostSteps = 40;
 constexpr double kLongestStep = 0.3;  // rad or m per Newton step and coordinate
 
@@ -19,7 +21,10 @@ Environment<double> default_environment(const Model& model, const Topology& topo
   return e;
 }
 
-double largest(const Eigen::VectorXd& v) { return v.size() == 0 ? 0.0 : v.cwiseAbs().maxCoeff(); }
+double largest(const Eigen::VectorXd& v) {
+  if (!v.allFinite()) return std::numeric_limits<double>::infinity();
+  return v.size() == 0 ? 0.0 : v.cwiseAbs().maxCoeff();
+}
 
 }  // namespace
 
@@ -33,6 +38,11 @@ NumericSystem::NumericSystem(const Model& model, const Topology& topology)
 System<double>& NumericSystem::at(const std::vector<double>& z) {
   system_.environment.z = z;
   return system_;
+}
+
+Vector<double> NumericSystem::reference_position(const Attachment& at) const {
+  return mbgen::reference_position(system_.model, at.body, system_.model.bodies[at.body].points[at.point].position,
+                                   system_.environment);
 }
 
 void evaluate_closures(NumericSystem& numbers, Configuration& configuration) {
@@ -51,36 +61,55 @@ void evaluate_closures(NumericSystem& numbers, Configuration& configuration) {
   }
 }
 
-Configuration close_from(NumericSystem& numbers, std::vector<double> start) {
+namespace {
+
+/// Least-squares Newton step of one block towards its chosen equations.
+Eigen::VectorXd newton_step(const Configuration& configuration, std::size_t b, const std::vector<int>& equations) {
+  const Eigen::MatrixXd jacobian = configuration.blocks[b].jacobian(equations, Eigen::all);
+  if (equations.empty() || !configuration.residuals[b].allFinite()) return Eigen::VectorXd::Zero(jacobian.cols());
+  Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> factors;
+  factors.setThreshold(1e-9);
+  factors.compute(jacobian);
+  return factors.solve(-configuration.residuals[b](equations));
+}
+
+}  // namespace
+
+Configuration close_equations(NumericSystem& numbers, std::vector<double> start,
+                              const std::vector<std::vector<int>>& equations) {
   Configuration configuration;
   configuration.z = std::move(start);
-  const Topology& topology = numbers.at(configuration.z).topology;
+  const Topology& topology = numbers.topology();
+  const auto open = [&](std::size_t b) { return largest(configuration.residuals[b](equations[b])); };
   for (int step = 0;; ++step) {
     evaluate_closures(numbers, configuration);
     bool done = true;
-    for (const Eigen::VectorXd& residual : configuration.residuals) done = done && largest(residual) < kClosed;
+    for (std::size_t b = 0; b < topology.blocks.size(); ++b) done = done && open(b) < kClosed;
     if (done || step == kMostSteps) break;
     for (std::size_t b = 0; b < topology.blocks.size(); ++b) {
-      const Eigen::VectorXd& residual = configuration.residuals[b];
-      if (largest(residual) < kClosed * 1e-3 || !residual.allFinite()) continue;
-      Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> factors;
-      factors.setThreshold(1e-9);
-      factors.compute(configuration.blocks[b].jacobian);
-      Eigen::VectorXd correction = factors.solve(-residual);
+      if (const double here = open(b); here < kClosed * 1e-3 || !std::isfinite(here)) continue;
+      Eigen::VectorXd correction = newton_step(configuration, b, equations[b]);
       if (const double length = largest(correction); length > kLongestStep) correction *= kLongestStep / length;
       for (std::size_t c = 0; c < topology.blocks[b].joints.size(); ++c)
         configuration.z[topology.blocks[b].joints[c]] += correction[c];
     }
   }
-  for (const Eigen::VectorXd& residual : configuration.residuals)
-    configuration.closed.push_back(largest(residual) < kClosed);
+  for (std::size_t b = 0; b < topology.blocks.size(); ++b) {
+    configuration.closed.push_back(open(b) < kClosed);
+    configuration.corrections.push_back(newton_step(configuration, b, equations[b]));
+  }
   return configuration;
 }
 
 std::vector<Configuration> closed_configurations(NumericSystem& numbers, int wanted) {
-  const std::vector<double> reference(numbers.at({}).topology.bodies.size(), 0.0);
-  const Topology& topology = numbers.at(reference).topology;
-  std::vector<Configuration> found{close_from(numbers, reference)};
+  const Topology& topology = numbers.topology();
+  const std::vector<double> reference(topology.bodies.size(), 0.0);
+  std::vector<std::vector<int>> equations;
+  for (const LoopBlock& block : topology.blocks) {
+    equations.emplace_back(block.equations);
+    std::iota(equations.back().begin(), equations.back().end(), 0);
+  }
+  std::vector<Configuration> found{close_equations(numbers, reference, equations)};
   std::mt19937_64 random(20120401);  // fixed: two runs decide alike
   const double distances[] = {0.05, 0.2, 0.5, 1.0, 2.0};
   for (int attempt = 0; attempt < 2 * wanted && static_cast<int>(found.size()) <= wanted; ++attempt) {
@@ -90,7 +119,7 @@ std::vector<Configuration> closed_configurations(NumericSystem& numbers, int wan
       const double reach = topology.bodies[i].kind == FreedomKind::revolute ? 1.0 : 0.2;
       start[i] = unit * reach * distances[attempt % 5];
     }
-    Configuration configuration = close_from(numbers, std::move(start));
+    Configuration configuration = close_equations(numbers, std::move(start), equations);
     const bool any =
         std::find(configuration.closed.begin(), configuration.closed.end(), true) != configuration.closed.end();
     if (any || topology.blocks.empty()) found.push_back(std::move(configuration));

@@ -33,6 +33,41 @@ Json report_cut_joints(const Topology& topology) {
   return list;
 }
 
+Json report_ranks(const std::vector<RankCount>& ranks) {
+  Json list = Json::array();
+  for (const RankCount& seen : ranks) list.push_back({{"rank", seen.rank}, {"configurations", seen.configurations}});
+  return list;
+}
+
+/// The redundancy certificate of a block (docs/redundancy.md).
+Json report_certificate(const Topology& topology, const LoopBlock& block, const Certificate& certificate) {
+  Json singular = Json::array();
+  for (const SingularConfiguration& seen : certificate.singular) {
+    Json positions = Json::object();
+    for (std::size_t c = 0; c < block.joints.size(); ++c) {
+      positions[topology.bodies[block.joints[c]].coordinate] = seen.z[c];
+    }
+    singular.push_back({{"rank", seen.rank}, {"times", seen.times}, {"positions", positions}});
+  }
+  Json redundant = Json::array();
+  for (const RedundantEquation& equation : certificate.redundant) {
+    redundant.push_back({{"name", equation.name},
+                         {"joint", topology.loops[equation.loop].name},
+                         {"meaning", equation.meaning},
+                         {"residual", equation.residual < 0 ? Json() : Json(equation.residual)}});
+  }
+  return {{"closed_configurations", certificate.closed_configurations},
+          {"reach", certificate.reach},
+          {"ranks", report_ranks(certificate.ranks)},
+          {"singular", singular},
+          {"smallest_kept", certificate.smallest_kept},
+          {"largest_dropped", certificate.largest_dropped},
+          {"steps", certificate.steps},
+          {"redundant", redundant},
+          {"immobile", local_names(topology, block, certificate.immobile)},
+          {"degrees_of_freedom", certificate.degrees_of_freedom}};
+}
+
 Json report_block(const Topology& topology, const LoopBlock& block, const BlockAnalysis& decided) {
   std::vector<std::string> loops;
   for (const int loop : block.loops) loops.push_back(topology.loops[loop].name);
@@ -47,7 +82,8 @@ Json report_block(const Topology& topology, const LoopBlock& block, const BlockA
           {"driven", local_names(topology, block, decided.driven)},
           {"redundant", decided.redundant_names},
           {"triangular_block_sizes", decided.triangular_sizes},
-          {"worst_pivot_ratio", decided.worst_pivot_ratio}};
+          {"worst_pivot_ratio", decided.worst_pivot_ratio},
+          {"certificate", report_certificate(topology, block, decided.certificate)}};
 }
 
 Json report_operations(const OperationCount& count) {
@@ -92,6 +128,7 @@ Json make_report(const Compilation& compilation) {
   report["degrees_of_freedom"] = analysis.degrees_of_freedom;
   report["driven_coordinates"] = model.motions.size();
   report["closed_configurations"] = analysis.closed_configurations;
+  report["ranks"] = report_ranks(analysis.ranks);
   report["loop_blocks"] = Json::array();
   for (std::size_t b = 0; b < topology.blocks.size(); ++b) {
     report["loop_blocks"].push_back(report_block(topology, topology.blocks[b], analysis.blocks[b]));

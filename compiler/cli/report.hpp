@@ -12,7 +12,10 @@ namespace mbgen::cli {
 /// joint of several freedoms is a chain of joints of one freedom with massless bodies between them; ground is a body.
 nlohmann::ordered_json make_report(const Compilation& compilation);
 
-/// The same as tables for people.
+/// The redundancy certificates of a report's loop blocks as tables for people; empty without loops.
+std::string redundancy_text(const nlohmann::ordered_json& report);
+
+/// The whole report as tables for people.
 std::string report_text(const nlohmann::ordered_json& report);
 
 }  // namespace mbgen::cli

@@ -79,9 +79,6 @@ std::string loops_text(const Json& report) {
       text += name_list(part, block[part]);
     }
   }
-  if (number > 0) {
-    text += fmt::format("  ranks seen in {} closed configurations\n", report["closed_configurations"].get<int>());
-  }
   return text;
 }
 
@@ -119,8 +116,8 @@ std::string operations_text(const Json& report) {
 }  // namespace
 
 std::string report_text(const Json& report) {
-  return counts_text(report) + tree_text(report) + loops_text(report) + path_matrix_text(report) +
-         operations_text(report);
+  return counts_text(report) + tree_text(report) + loops_text(report) + redundancy_text(report) +
+         path_matrix_text(report) + operations_text(report);
 }
 
 }  // namespace mbgen::cli

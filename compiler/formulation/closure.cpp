@@ -5,7 +5,7 @@ namespace detail {
 
 Triad triad(const Vector3& axis) {
   for (int k = 0; k < 3; ++k) {
-    if (std::abs(axis[k]) != 1.0) continue;
+    if (axis[(k + 1) % 3] != 0 || axis[(k + 2) % 3] != 0) continue;
     Triad t{{}, {}, axis};
     t.first[(k + 1) % 3] = 1;
     t.second[(k + 2) % 3] = axis[k];

@@ -1,0 +1,164 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <random>
+
+#include "compiler/analysis/compatibility.hpp"
+#include "compiler/analysis/misalignment.hpp"
+#include "compiler/analysis/opening.hpp"
+
+namespace mbgen {
+namespace {
+
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+constexpr double kShortestStep = 0.005;   // below it a motion that cannot be closed is given up
+constexpr double kShake = 0.3;            // rad, or times the lever arm: opens every loop
+constexpr double kIdentity = 1e-9;        // what rounding leaves of an equation that always holds
+constexpr double kWeakLoop = 0.01;        // margin of a loop, or of loops that cannot move: below it a misalignment
+constexpr int kFlatRank = 2;              // what closing a loop of a flat linkage takes
+constexpr double kMeantParallel = 0.785;  // rad: nearer to parallel than to across
+constexpr double kWeakBlock = 1e-4;       // margin of many loops that move: large mechanisms come near 1e-2
+
+bool contains(const std::vector<int>& values, int value) {
+  return std::find(values.begin(), values.end(), value) != values.end();
+}
+
+/// The direction in which a part with one equation less moves: the one that its weakest equation hinders least.
+VectorXd easiest_direction(const MatrixXd& jacobian, const std::vector<int>& kept, int rank) {
+  const Eigen::JacobiSVD<MatrixXd> svd(jacobian, Eigen::ComputeFullV);
+  VectorXd direction = svd.matrixV().col(rank - 1);
+  if (!kept.empty()) {
+    const MatrixXd free = null_space(jacobian(kept, Eigen::all), rank - 1);
+    direction = (free * (free.transpose() * direction)).eval();
+  }
+  return direction / direction.cwiseAbs().maxCoeff();
+}
+
+/// Leaves out the weakest equation that counts as rank and all redundant ones, moves the part by a finite step with the
+/// others closed, and says which of those left out opens most.
+Opening release(NumericSystem& numbers, std::size_t b, const PartView& view, std::size_t s,
+                const std::vector<double>& start) {
+  const LoopBlock& block = numbers.topology().blocks[b];
+  const std::vector<int> kept = strongest_rows(view.jacobians[s], view.rank - 1);
+  const VectorXd direction = easiest_direction(view.jacobians[s], kept, view.rank);
+  std::vector<std::vector<int>> equations(numbers.topology().blocks.size());
+  for (int r : kept) equations[b].push_back(view.part.rows[r]);
+  VectorXd residual = kStep * (view.jacobians[s] * direction).cwiseQuotient(view.row_scale);  // to first order
+  Opening opening;
+  direction.cwiseAbs().maxCoeff(&opening.coordinate);
+  opening.motion = kStep * view.column_scale[opening.coordinate];
+  opening.coordinate = block.joints[view.part.columns[opening.coordinate]];
+  for (double step = kStep; step > kShortestStep; step /= 2) {
+    std::vector<double> z = start;
+    move(block, view, step * direction, z);
+    const Configuration moved = close_equations(numbers, std::move(z), equations);
+    int coordinate = 0;
+    const double length = distance(block, view, start, moved.z, coordinate);
+    if (!moved.closed[b] || length < step / 2 || length > 2 * step) continue;
+    residual = moved.residuals[b](view.part.rows);
+    opening.coordinate = coordinate;
+    opening.motion = std::abs(moved.z[coordinate] - start[coordinate]);
+    break;
+  }
+  residual.cwiseAbs().maxCoeff(&opening.equation);
+  opening.residual = std::abs(residual[opening.equation]);
+  opening.equation = view.part.rows[opening.equation];
+  return opening;
+}
+
+/// True when the combinations of equations that are redundant at a closed position stay satisfied with all loops open:
+/// geometry makes them hold, as out of the plane of a flat truss, and no length or angle can contradict them.
+bool always_hold(NumericSystem& numbers, std::size_t b, const PartView& view, std::size_t s,
+                 const std::vector<double>& start) {
+  const Eigen::JacobiSVD<MatrixXd> svd(view.jacobians[s], Eigen::ComputeFullU);
+  const MatrixXd redundant = svd.matrixU().rightCols(view.jacobians[s].rows() - view.rank);
+  std::mt19937_64 random(20120403);
+  for (int trial = 0; trial < 3; ++trial) {
+    VectorXd direction(view.part.columns.size());
+    for (double& d : direction) d = kShake * (static_cast<double>(random() >> 11) * 0x1p-52 - 1.0);
+    Configuration open;
+    open.z = start;
+    move(numbers.topology().blocks[b], view, direction, open.z);
+    evaluate_closures(numbers, open);
+    const VectorXd residual = view.row_scale.cwiseProduct(open.residuals[b](view.part.rows));
+    if (!((redundant.transpose() * residual).cwiseAbs().maxCoeff() < kIdentity)) return false;
+  }
+  return true;
+}
+
+/// True when a loop would have one freedom more, were it not for one axis that the others do not share: a loop of pins
+/// and slides never turns about such an axis.
+bool one_axis_locks(const Model& model, const Topology& topology, const PartView& view) {
+  if (view.part.loops.size() > 1 || view.rank <= kFlatRank) return false;
+  const std::optional<Misalignment> off = misaligned_joint(model, topology, view.part.loops);
+  return off && (view.locked() || (off->all_single && off->angle < kMeantParallel));
+}
+
+/// What is wrong with how a part is held; empty when nothing is.
+std::string fault(NumericSystem& numbers, std::size_t b, const PartView& view, std::size_t s,
+                  const std::vector<double>& start) {
+  const Topology& topology = numbers.topology();
+  const std::vector<int>& loops = view.part.loops;
+  const bool surplus = view.locked() && static_cast<int>(view.part.rows.size()) > view.rank;
+  if (surplus && !always_hold(numbers, b, view, s, start))
+    return fmt::format("redundant equations of {} contradict each other: {} equations hold {} coordinate{}",
+                       loops_text(topology, loops), view.part.rows.size(), view.part.columns.size(),
+                       view.part.columns.size() == 1 ? "" : "s");
+  if (one_axis_locks(numbers.model(), topology, view))
+    return "one axis " + (view.locked() ? "keeps " + loops_text(topology, loops) + " from moving"
+                                        : "costs " + loops_text(topology, loops) + " a freedom");
+  const double least = view.locked() || loops.size() == 1 ? kWeakLoop : kWeakBlock;
+  if (view.margin(view.best()) >= least) return "";
+  const std::string names = loops_text(topology, loops);
+  if (view.locked()) return fmt::format("{} cannot move but {} barely held", names, loops.size() == 1 ? "is" : "are");
+  return fmt::format("{} {} a freedom to an equation that barely holds", names, loops.size() == 1 ? "loses" : "lose");
+}
+
+/// The contradiction in a part, if there is one.
+Diagnostics contradiction(NumericSystem& numbers, std::size_t b, const PartView& view,
+                          const std::vector<ClosureEquation>& equations,
+                          const std::vector<Configuration>& configurations) {
+  if (view.rank == 0) return {};
+  const std::size_t s = view.ranks[0] == view.rank ? 0 : view.best();
+  const std::vector<double>& start = configurations[view.configurations[s]].z;
+  const std::string wrong = fault(numbers, b, view, s, start);
+  if (wrong.empty()) return {};
+  const Opening opening = release(numbers, b, view, s, start);
+  return {refusal(numbers.model(), numbers.topology(), view.part.loops, wrong, opening, equations[opening.equation])};
+}
+
+}  // namespace
+
+Diagnostics contradictions(NumericSystem& numbers, std::size_t b, const PartView& whole,
+                           const std::vector<int>& immobile, const std::vector<ClosureEquation>& equations,
+                           const std::vector<Configuration>& configurations) {
+  const Topology& topology = numbers.topology();
+  const LoopBlock& block = topology.blocks[b];
+  std::vector<std::vector<int>> sets;
+  for (int l : block.loops) sets.push_back({l});
+  const std::size_t alone = sets.size();
+  std::vector<int> held;
+  for (int l : block.loops) {
+    const std::vector<int>& columns = block_part(topology, block, {l}).columns;
+    if (std::all_of(columns.begin(), columns.end(), [&](int c) { return contains(immobile, c); })) held.push_back(l);
+  }
+  for (std::vector<int>& group : connected(topology, held))
+    if (group.size() > 1) sets.push_back(std::move(group));
+  if (block.loops.size() > 1) sets.push_back(block.loops);
+  Diagnostics problems;
+  for (std::size_t i = 0; i < sets.size(); ++i) {
+    if (i >= alone && !problems.empty()) break;  // loops together repeat what a loop alone said
+    const PartView part = sets[i] == block.loops
+                              ? whole
+                              : view(numbers, b, block_part(topology, block, sets[i]), equations, configurations);
+    for (Diagnostic& problem : contradiction(numbers, b, part, equations, configurations)) {
+      const auto same = [&](const Diagnostic& other) { return other.where.pointer == problem.where.pointer; };
+      if (std::none_of(problems.begin(), problems.end(), same)) problems.push_back(std::move(problem));
+    }
+  }
+  return problems;
+}
+
+}  // namespace mbgen

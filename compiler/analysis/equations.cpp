@@ -1,0 +1,95 @@
+#include "compiler/analysis/equations.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "compiler/formulation/closure.hpp"
+
+namespace mbgen {
+namespace {
+
+struct Row {
+  std::string meaning;
+  ResidualUnit unit = ResidualUnit::metre;
+};
+
+/// "x" for a coordinate axis of either sense to three digits, else the components.
+std::string direction_text(const Vector3& direction) {
+  for (int k = 0; k < 3; ++k)
+    if (std::hypot(direction[(k + 1) % 3], direction[(k + 2) % 3]) < 5e-4) return std::string(1, "xyz"[k]);
+  const auto rounded = [&](int k) { return std::round(direction[k] * 1000) / 1000 + 0.0; };  // no negative zero
+  return fmt::format("({:.3g}, {:.3g}, {:.3g})", rounded(0), rounded(1), rounded(2));
+}
+
+std::vector<Row> point_rows() { return {{"position along x"}, {"position along y"}, {"position along z"}}; }
+
+/// An axis that leans towards the first direction of its triad has turned about the second, and the other way round.
+void add_tilts(const char* what, const detail::Triad& triad, std::vector<Row>& rows) {
+  for (const Vector3& direction : {triad.second, triad.first})
+    rows.push_back({fmt::format("{} about {}", what, direction_text(direction)), ResidualUnit::one});
+}
+
+void add_twist(const detail::Triad& triad, std::vector<Row>& rows) {
+  rows.push_back({fmt::format("turn about {}", direction_text(triad.axis)), ResidualUnit::one});
+}
+
+/// Rows of a cut joint in the order of the formulation's joint_rows.
+std::vector<Row> rows_of(ClosureKind kind, const detail::Triad& triad) {
+  const auto across = [&] {
+    return std::vector<Row>{{fmt::format("position across the axis along {}", direction_text(triad.first))},
+                            {fmt::format("position across the axis along {}", direction_text(triad.second))}};
+  };
+  std::vector<Row> rows;
+  switch (kind) {
+    case ClosureKind::spherical:
+      return point_rows();
+    case ClosureKind::revolute:
+      rows = point_rows();
+      add_tilts("axis tilt", triad, rows);
+      return rows;
+    case ClosureKind::universal:
+      rows = point_rows();
+      rows.push_back({"right angle between the two axes", ResidualUnit::one});
+      return rows;
+    case ClosureKind::prismatic:
+      rows = across();
+      add_tilts("axis tilt", triad, rows);
+      add_twist(triad, rows);
+      return rows;
+    case ClosureKind::cylindrical:
+      rows = across();
+      add_tilts("axis tilt", triad, rows);
+      return rows;
+    case ClosureKind::planar:
+      rows = {{fmt::format("position along the normal {}", direction_text(triad.axis))}};
+      add_tilts("tilt of the plane", triad, rows);
+      return rows;
+    case ClosureKind::fixed:
+      rows = point_rows();
+      add_tilts("turn", triad, rows);
+      add_twist(triad, rows);
+      return rows;
+    case ClosureKind::rod:
+      return {{"length of the rod"}};
+  }
+  return {};
+}
+
+}  // namespace
+
+std::vector<ClosureEquation> closure_equations(const Model& model, const Topology& topology, const LoopBlock& block) {
+  const std::vector<std::string> names = equation_names(topology, block);
+  std::vector<ClosureEquation> equations;
+  for (int l : block.loops) {
+    const Loop& loop = topology.loops[l];
+    const Vector3 axis = loop.joint < 0 ? Vector3{0, 0, 1} : model.joints[loop.joint].axis;
+    for (Row& row : rows_of(loop.kind, detail::triad(axis))) {
+      std::string name = names[equations.size()];
+      equations.push_back({l, std::move(name), std::move(row.meaning), row.unit});
+    }
+  }
+  return equations;
+}
+
+}  // namespace mbgen

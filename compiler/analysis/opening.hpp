@@ -1,0 +1,36 @@
+#pragma once
+// A finite motion of a part of a block, what it opens, and how a refusal says so.
+
+#include <string>
+#include <vector>
+
+#include "compiler/analysis/part.hpp"
+
+namespace mbgen {
+
+constexpr double kStep = 0.1;  ///< rad, or times the lever arm: far enough to see a residual of second order
+
+/// How far an equation opened on a finite motion.
+struct Opening {
+  int equation = 0;     ///< row of the block
+  double residual = 0;  ///< m or 1
+  int coordinate = 0;   ///< tree index of the coordinate that moved most
+  double motion = 0;    ///< of it, rad or m
+};
+
+/// Changes the joints of a part by `direction` (free of units, per column of the part).
+void move(const LoopBlock& block, const PartView& view, const Eigen::VectorXd& direction, std::vector<double>& z);
+
+/// Largest change of a joint of the part between two positions, free of units; its tree index goes to `coordinate`.
+double distance(const LoopBlock& block, const PartView& view, const std::vector<double>& from,
+                const std::vector<double>& to, int& coordinate);
+
+/// `loop "a"` or `loops "a", "b"`.
+std::string loops_text(const Topology& topology, const std::vector<int>& loops);
+
+/// The diagnostic for an equation that opens: at the joint whose axis is off, else at the loop that has the equation.
+/// fault: what is wrong with which loops.
+Diagnostic refusal(const Model& model, const Topology& topology, const std::vector<int>& loops,
+                   const std::string& fault, const Opening& opening, const ClosureEquation& equation);
+
+}  // namespace mbgen

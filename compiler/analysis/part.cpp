@@ -1,0 +1,126 @@
+#include "compiler/analysis/part.hpp"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <array>
+
+namespace mbgen {
+namespace {
+
+constexpr double kSmallest = 1e-6;   // m; below it all joints of a part share one point
+constexpr double kUncertainty = 10;  // singular values per rad of what the position is uncertain by
+
+bool contains(const std::vector<int>& values, int value) {
+  return std::find(values.begin(), values.end(), value) != values.end();
+}
+
+/// Diagonal of the box around the joints and ends of a part at the reference, m.
+double size_of(const NumericSystem& numbers, const LoopBlock& block, const BlockPart& part) {
+  const Model& model = numbers.model();
+  const Topology& topology = numbers.topology();
+  Eigen::AlignedBox3d box;
+  const auto add = [&box](const Vector<double>& p) { box.extend(Eigen::Vector3d(p.x, p.y, p.z)); };
+  for (int c : part.columns) add(numbers.constants().origin[block.joints[c]]);
+  for (int l : part.loops) {
+    const Loop& loop = topology.loops[l];
+    for (const Attachment& at : loop.rod >= 0 ? std::array{model.rods[loop.rod].from, model.rods[loop.rod].to}
+                                              : std::array{model.joints[loop.joint].from, model.joints[loop.joint].to})
+      add(numbers.reference_position(at));
+  }
+  const double size = box.diagonal().norm();
+  return size < kSmallest ? 1.0 : size;
+}
+
+}  // namespace
+
+BlockPart block_part(const Topology& topology, const LoopBlock& block, const std::vector<int>& loops) {
+  BlockPart part{loops, {}, {}};
+  int row = 0;
+  for (int l : block.loops)
+    for (int e = 0; e < topology.loops[l].equations; ++e, ++row)
+      if (contains(loops, l)) part.rows.push_back(row);
+  for (std::size_t c = 0; c < block.joints.size(); ++c)
+    if (std::any_of(loops.begin(), loops.end(),
+                    [&](int l) { return contains(topology.loops[l].joints, block.joints[c]); }))
+      part.columns.push_back(static_cast<int>(c));
+  return part;
+}
+
+std::vector<std::vector<int>> connected(const Topology& topology, const std::vector<int>& loops) {
+  const auto share = [&](int a, int b) {
+    const std::vector<int>& joints = topology.loops[a].joints;
+    return std::any_of(joints.begin(), joints.end(), [&](int j) { return contains(topology.loops[b].joints, j); });
+  };
+  std::vector<std::vector<int>> groups;
+  for (int loop : loops) {
+    std::vector<int> joined{loop};
+    for (auto group = groups.begin(); group != groups.end();) {
+      const bool touches = std::any_of(group->begin(), group->end(), [&](int other) { return share(other, loop); });
+      if (touches) joined.insert(joined.end(), group->begin(), group->end());
+      group = touches ? groups.erase(group) : group + 1;
+    }
+    std::sort(joined.begin(), joined.end());
+    groups.push_back(std::move(joined));
+  }
+  return groups;
+}
+
+double PartView::margin(std::size_t s) const {
+  if (rank == 0) return 0;
+  return singular_values[s][rank - 1] / std::max(1.0, singular_values[s][0]);
+}
+
+std::size_t PartView::best() const {
+  std::size_t best = 0;
+  for (std::size_t s = 1; s < jacobians.size(); ++s)
+    if (margin(s) > margin(best)) best = s;
+  return best;
+}
+
+PartView view(const NumericSystem& numbers, std::size_t b, const BlockPart& part,
+              const std::vector<ClosureEquation>& equations, const std::vector<Configuration>& configurations) {
+  const LoopBlock& block = numbers.topology().blocks[b];
+  PartView v;
+  v.part = part;
+  for (std::size_t i = 0; i < configurations.size(); ++i) {
+    if (!configurations[i].closed[b]) continue;
+    v.configurations.push_back(static_cast<int>(i));
+    v.jacobians.push_back(configurations[i].blocks[b].jacobian(part.rows, part.columns));
+  }
+  std::vector<bool> metres, revolute;
+  for (int r : part.rows) metres.push_back(equations[r].unit == ResidualUnit::metre);
+  for (int c : part.columns)
+    revolute.push_back(numbers.topology().bodies[block.joints[c]].kind == FreedomKind::revolute);
+  const double size = size_of(numbers, block, part);
+  v.row_scale.resize(part.rows.size());
+  v.column_scale.resize(part.columns.size());
+  for (std::size_t r = 0; r < metres.size(); ++r) v.row_scale[r] = metres[r] ? 1 / size : 1.0;
+  for (std::size_t c = 0; c < revolute.size(); ++c) v.column_scale[c] = revolute[c] ? 1.0 : size;
+  for (std::size_t i = 0; i < v.jacobians.size(); ++i) {
+    Eigen::MatrixXd& j = v.jacobians[i];
+    j = v.row_scale.asDiagonal() * j * v.column_scale.asDiagonal();
+    v.singular_values.push_back(Eigen::JacobiSVD<Eigen::MatrixXd>(j).singularValues());
+    const Eigen::VectorXd& correction = configurations[v.configurations[i]].corrections[b];
+    const double uncertain = correction(part.columns).cwiseQuotient(v.column_scale).cwiseAbs().maxCoeff();
+    const double tolerance = std::max(kRankTolerance, kUncertainty * uncertain);
+    v.ranks.push_back(static_cast<int>((v.singular_values.back().array() > tolerance).count()));
+    v.rank = std::max(v.rank, v.ranks.back());
+  }
+  return v;
+}
+
+Eigen::MatrixXd null_space(const Eigen::MatrixXd& matrix, int rank) {
+  const Eigen::JacobiSVD<Eigen::MatrixXd> svd(matrix, Eigen::ComputeFullV);
+  return svd.matrixV().rightCols(matrix.cols() - rank);
+}
+
+std::vector<int> strongest_rows(const Eigen::MatrixXd& matrix, int count) {
+  const Eigen::FullPivLU<Eigen::MatrixXd> lu(matrix);
+  const auto order = lu.permutationP().indices();
+  std::vector<int> rows;
+  for (Eigen::Index r = 0; r < matrix.rows(); ++r)
+    if (order[r] < count) rows.push_back(static_cast<int>(r));
+  return rows;
+}
+
+}  // namespace mbgen

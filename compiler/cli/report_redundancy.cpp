@@ -1,0 +1,94 @@
+// The redundancy certificates of the loop blocks as tables for people (docs/redundancy.md).
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <vector>
+
+#include "compiler/cli/report.hpp"
+
+namespace mbgen::cli {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr std::size_t kLineWidth = 110;
+
+/// Words after a title, broken into lines.
+std::string wrapped(const std::string& title, const std::vector<std::string>& words) {
+  std::string text, line = fmt::format("    {:<12}", title);
+  for (const std::string& word : words) {
+    if (line.size() + 1 + word.size() > kLineWidth) {
+      text += line + "\n";
+      line.assign(16, ' ');
+    }
+    line += " " + word;
+  }
+  return words.empty() ? "" : text + line + "\n";
+}
+
+/// `rank 2 in 24, 1 in 1 of 25 closed configurations`.
+std::string ranks_text(const Json& ranks, int configurations) {
+  std::string text;
+  for (const auto& seen : ranks) {
+    text += fmt::format("{}{} in {}", text.empty() ? "rank " : ", ", seen["rank"].get<int>(),
+                        seen["configurations"].get<int>());
+  }
+  return fmt::format("{} of {} closed configurations", text, configurations);
+}
+
+std::string freedoms_text(int freedoms) {
+  return freedoms == 0 ? "nothing moves" : fmt::format("{} degree{} of freedom", freedoms, freedoms == 1 ? "" : "s");
+}
+
+std::string equations_text(const Json& redundant, int steps) {
+  std::size_t name_width = 0, meaning_width = 0;
+  for (const auto& equation : redundant) {
+    name_width = std::max(name_width, equation["name"].get<std::string>().size());
+    meaning_width = std::max(meaning_width, equation["meaning"].get<std::string>().size());
+  }
+  std::string text;
+  for (const auto& equation : redundant) {
+    const Json& residual = equation["residual"];
+    text += fmt::format(
+        "    {:<12} {:<{}}  {:<{}}{}\n", "redundant", equation["name"].get<std::string>(), name_width,
+        equation["meaning"].get<std::string>(), meaning_width,
+        residual.is_null() ? "" : fmt::format("  within {:.1e} over {} steps", residual.get<double>(), steps));
+  }
+  return text;
+}
+
+std::string block_text(const Json& block, int number) {
+  const Json& certificate = block["certificate"];
+  std::string text = fmt::format("  {}: {} equations, {}, {}\n", number, block["equations"].get<int>(),
+                                 ranks_text(certificate["ranks"], certificate["closed_configurations"]),
+                                 freedoms_text(certificate["degrees_of_freedom"]));
+  text += fmt::format(
+      "    {:<12} up to {:.2g} rad or m from the reference; singular values kept from {:.1e}, dropped to {:.1e}\n",
+      "looked at", certificate["reach"].get<double>(), certificate["smallest_kept"].get<double>(),
+      certificate["largest_dropped"].get<double>());
+  text += equations_text(certificate["redundant"], certificate["steps"]);
+  for (const auto& seen : certificate["singular"]) {
+    std::vector<std::string> positions;
+    for (const auto& [name, value] : seen["positions"].items()) {
+      positions.push_back(fmt::format("{} {:.4g}", name, value.get<double>()));
+    }
+    if (seen["times"] > 1) positions.push_back(fmt::format("({} times)", seen["times"].get<int>()));
+    text += wrapped(fmt::format("rank {} at", seen["rank"].get<int>()), positions);
+  }
+  return text + wrapped("never moves", certificate["immobile"].get<std::vector<std::string>>());
+}
+
+}  // namespace
+
+std::string redundancy_text(const Json& report) {
+  if (report["loop_blocks"].empty()) return "";
+  std::string text =
+      fmt::format("\nRedundancy\n  all blocks: {} equations, {}\n", report["constraint_equations"].get<int>(),
+                  ranks_text(report["ranks"], report["closed_configurations"]));
+  int number = 0;
+  for (const auto& block : report["loop_blocks"]) text += block_text(block, ++number);
+  return text;
+}
+
+}  // namespace mbgen::cli
