@@ -50,10 +50,11 @@ std::string equations_text(const Json& redundant, int steps) {
   std::string text;
   for (const auto& equation : redundant) {
     const Json& residual = equation["residual"];
-    text += fmt::format(
-        "    {:<12} {:<{}}  {:<{}}{}\n", "redundant", equation["name"].get<std::string>(), name_width,
-        equation["meaning"].get<std::string>(), meaning_width,
-        residual.is_null() ? "" : fmt::format("  within {:.1e} over {} steps", residual.get<double>(), steps));
+    text +=
+        fmt::format("    {:<12} {:<{}}  {:<{}}{}\n", "redundant", equation["name"].get<std::string>(), name_width,
+                    equation["meaning"].get<std::string>(), meaning_width,
+                    residual.is_null() ? "  not watched"
+                                       : fmt::format("  within {:.1e} over {} steps", residual.get<double>(), steps));
   }
   return text;
 }
