@@ -1,8 +1,7 @@
 #pragma once
 // KLU of SuiteSparse for one pattern: ordered once, pivoted when needed, else refactored with the pivots of last time.
 
-#include <klu.h>
-
+#include <memory>
 #include <vector>
 
 namespace mbgen {
@@ -12,8 +11,6 @@ class KluFactors {
   /// A square matrix by compressed columns: starts of the columns (one more than there are) and the row of each entry.
   KluFactors(std::vector<int> starts, std::vector<int> rows);
   ~KluFactors();
-  KluFactors(const KluFactors&) = delete;
-  KluFactors& operator=(const KluFactors&) = delete;
 
   /// Of the entries, in the order of the pattern, to fill in before factorise.
   std::vector<double>& values() { return values_; }
@@ -23,14 +20,11 @@ class KluFactors {
   void solve(int count, std::vector<double>& b);
 
  private:
-  double pivot_ratio();
-  void forget();
+  struct Library;
 
   std::vector<int> starts_, rows_;
   std::vector<double> values_;
-  klu_common common_;
-  klu_symbolic* symbolic_ = nullptr;
-  klu_numeric* numeric_ = nullptr;
+  std::unique_ptr<Library> library_;
   double fresh_ratio_ = 0;  ///< when the pivots were chosen
 };
 

@@ -99,8 +99,9 @@ void PaperLu::solve(const std::vector<double>& b, const std::vector<double>& giv
   for (int k = 0; k < pivots_; ++k)
     cblas_dger(CblasColMajor, pivots_ - k - 1, 1, -1.0, a + k * ld + k + 1, 1, x.data() + k, pivots_, x.data() + k + 1,
                pivots_);
-  cblas_dgemv(CblasColMajor, CblasNoTrans, pivots_, columns_ - pivots_, -1.0, a + pivots_ * ld, rows_, given.data(), 1,
-              1.0, x.data(), 1);
+  if (pivots_ > 0 && pivots_ < columns_)
+    cblas_dgemv(CblasColMajor, CblasNoTrans, pivots_, columns_ - pivots_, -1.0, a + pivots_ * ld, rows_, given.data(),
+                1, 1.0, x.data(), 1);
   for (int k = pivots_ - 1; k >= 0; --k) {
     x[k] /= a[k * ld + k];
     cblas_dger(CblasColMajor, k, 1, -1.0, a + k * ld, 1, x.data() + k, pivots_, x.data(), pivots_);
