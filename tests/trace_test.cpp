@@ -5,7 +5,7 @@
 #include <map>
 
 #include "compiler/passes/passes.hpp"
-#include "runtime/generic/maggi.hpp"
+#include "runtime/generic/block_factors.hpp"
 #include "tests/mechanism_support.hpp"
 
 namespace mbgen {

@@ -1,6 +1,8 @@
 // The generic runtime as an engine, stepped by the integrators that generated code uses.
 
+#include <algorithm>
 #include <memory>
+#include <numeric>
 
 #include "compiler/cli/engine.hpp"
 #include "compiler/cli/options.hpp"
@@ -60,17 +62,37 @@ long long time_accelerations(const GenericSolver& solver, const std::vector<Load
   return failures;
 }
 
+std::string name_of(const GenericAlgebra& algebra) {
+  if (algebra.factorisation == Factorisation::qr) return "eigen qr";
+  return algebra.library == LinearAlgebra::eigen ? "eigen" : algebra.library == LinearAlgebra::blas ? "blas" : "sparse";
+}
+
+std::array<double, kSteps> step_shares(const GenericSolver& solver, const std::vector<LoadedState>& at,
+                                       int repetitions) {
+  StepClock clock;
+  GenericDerivative derivative;
+  for (int repetition = 0; repetition < repetitions; ++repetition) {
+    for (const LoadedState& one : at) solver.accelerations(one.state, one.tau, derivative, &clock);
+  }
+  const double whole = static_cast<double>(std::accumulate(std::begin(clock.ticks), std::end(clock.ticks), 0LL));
+  std::array<double, kSteps> shares{};
+  if (whole <= 0) return shares;
+  std::transform(std::begin(clock.ticks), std::end(clock.ticks), shares.begin(),
+                 [&](long long ticks) { return static_cast<double>(ticks) / whole; });
+  return shares;
+}
+
 }  // namespace
 
 Engine make_generic_engine(const Compilation& compilation, const EngineChoice& choice) {
   const std::vector<double> no_tau(static_cast<std::size_t>(compilation.topology.size()), 0.0);
   const auto system = std::make_shared<GenericSystem>(
-      GenericSystem{GenericSolver(compilation.model, compilation.topology, compilation.analysis), no_tau,
-                    compilation.model.inputs, input_values(compilation.model, {})});
+      GenericSystem{GenericSolver(compilation.model, compilation.topology, compilation.analysis, choice.algebra),
+                    no_tau, compilation.model.inputs, input_values(compilation.model, {})});
   Engine engine;
   engine.name = choice.name;
   engine.form = "matrix";
-  engine.linear_algebra = "eigen";
+  engine.linear_algebra = name_of(choice.algebra);
   engine.accelerations = [system](const LoadedState& at, GenericDerivative& derivative) {
     return system->solver.accelerations(at.state, at.tau, derivative);
   };
@@ -95,6 +117,9 @@ Engine make_generic_engine(const Compilation& compilation, const EngineChoice& c
   engine.set_inputs = [system](const std::vector<double>& inputs) { set_inputs(*system, inputs); };
   engine.time_accelerations = [system](const std::vector<LoadedState>& at, int repetitions) {
     return time_accelerations(system->solver, at, repetitions);
+  };
+  engine.step_shares = [system](const std::vector<LoadedState>& at, int repetitions) {
+    return step_shares(system->solver, at, repetitions);
   };
   return engine;
 }

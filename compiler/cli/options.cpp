@@ -4,13 +4,48 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <cmath>
+#include <utility>
 
 #include "compiler/cli/dump.hpp"
 #include "compiler/cli/user_error.hpp"
 
 namespace mbgen::cli {
+namespace {
+
+/// An option whose value is one of a few words.
+template <class Value, std::size_t count>
+struct WordOption {
+  const char *name, *noun;
+  std::array<std::pair<const char*, Value>, count> words;
+};
+
+constexpr WordOption<LinearAlgebra, 3> kLinearAlgebra{
+    "--linear-algebra",
+    "linear algebra",
+    {{{"eigen", LinearAlgebra::eigen}, {"blas", LinearAlgebra::blas}, {"sparse", LinearAlgebra::sparse}}}};
+constexpr WordOption<Factorisation, 2> kFactorisation{
+    "--factorisation", "factorisation", {{{"lu", Factorisation::lu}, {"qr", Factorisation::qr}}}};
+constexpr WordOption<Stabilisation, 2> kStabilisation{
+    "--stabilisation",
+    "stabilisation",
+    {{{"projection", Stabilisation::projection}, {"baumgarte", Stabilisation::baumgarte}}}};
+
+/// Fails: UserError for a word that is none of the option's.
+template <class Value, std::size_t count>
+Value meaning(const WordOption<Value, count>& option, const std::string& typed) {
+  std::vector<std::string> known;
+  for (const auto& [word, value] : option.words) {
+    if (typed == word) return value;
+    known.push_back(word);
+  }
+  throw UserError(
+      fmt::format("{}: no {} \"{}\"; there are: {}\n", option.name, option.noun, typed, fmt::join(known, ", ")));
+}
+
+}  // namespace
 
 void add_model_argument(CLI::App& command, std::string& path) {
   command.add_option("MODEL", path, "model file (JSON)")->required();
@@ -30,6 +65,12 @@ void add_engine_options(CLI::App& command, EngineArguments& arguments) {
                      fmt::format("{} (default {}; the others need no compiler)", fmt::join(engine_names(), ", "),
                                  arguments.choice.name));
   command.add_option(
+      "--linear-algebra", arguments.linear_algebra,
+      "of the generic engine: eigen (dense, block by block), blas (the paper's LU on all loops at once)\n"
+      "or sparse (KLU) (default eigen)");
+  command.add_option("--factorisation", arguments.factorisation,
+                     "of the generic engine's loops: lu, or qr with eigen only (default lu)");
+  command.add_option(
       "--stabilisation", arguments.stabilisation,
       "projection or baumgarte: what keeps the joints of a Cartesian engine together (default projection)");
   add_run_options(command, arguments);
@@ -37,19 +78,25 @@ void add_engine_options(CLI::App& command, EngineArguments& arguments) {
 
 EngineChoice chosen_engine(const EngineArguments& arguments) {
   EngineChoice choice = arguments.choice;
-  const std::string& name = arguments.stabilisation;
-  if (name.empty()) return choice;
-  const std::vector<std::string>& relative = relative_engine_names();
-  if (std::find(relative.begin(), relative.end(), choice.name) != relative.end()) {
-    std::vector<std::string> cartesian;
-    std::copy_if(engine_names().begin(), engine_names().end(), std::back_inserter(cartesian), is_cartesian);
-    throw UserError(fmt::format("--stabilisation: engine \"{}\" has none to choose; those that have: {}\n", choice.name,
-                                fmt::join(cartesian, ", ")));
+  const std::vector<std::string> generic{"generic"};
+  std::vector<std::string> cartesian;
+  std::copy_if(engine_names().begin(), engine_names().end(), std::back_inserter(cartesian), is_cartesian);
+  const auto choose = [&](const auto& option, const std::string& typed, const std::vector<std::string>& engines,
+                          auto& value) {
+    if (typed.empty()) return;
+    if (std::find(engines.begin(), engines.end(), choice.name) == engines.end()) {
+      throw UserError(fmt::format("{}: engine \"{}\" has none to choose; those that have: {}\n", option.name,
+                                  choice.name, fmt::join(engines, ", ")));
+    }
+    value = meaning(option, typed);
+  };
+  choose(kLinearAlgebra, arguments.linear_algebra, generic, choice.algebra.library);
+  choose(kFactorisation, arguments.factorisation, generic, choice.algebra.factorisation);
+  choose(kStabilisation, arguments.stabilisation, cartesian, choice.stabilisation);
+  if (choice.algebra.factorisation == Factorisation::qr && choice.algebra.library != LinearAlgebra::eigen) {
+    throw UserError(
+        fmt::format("--factorisation: qr goes with --linear-algebra eigen only, found {}\n", arguments.linear_algebra));
   }
-  if (name != "projection" && name != "baumgarte") {
-    throw UserError(fmt::format("--stabilisation: no stabilisation \"{}\"; there are: projection, baumgarte\n", name));
-  }
-  choice.stabilisation = name == "baumgarte" ? Stabilisation::baumgarte : Stabilisation::projection;
   return choice;
 }
 

@@ -21,18 +21,18 @@ void add_dump_option(CLI::App& command, std::string& stage);
 /// Engine and inputs as typed.
 struct EngineArguments {
   EngineChoice choice;
-  std::string stabilisation;        ///< "" for the default
-  std::vector<std::string> inputs;  ///< name=value
+  std::string linear_algebra, factorisation, stabilisation;  ///< "" for the default
+  std::vector<std::string> inputs;                           ///< name=value
 };
 
 /// --input, --no-cache
 void add_run_options(CLI::App& command, EngineArguments& arguments);
 
-/// --engine, --stabilisation and the run options
+/// --engine, --linear-algebra, --factorisation, --stabilisation and the run options
 void add_engine_options(CLI::App& command, EngineArguments& arguments);
 
-/// The engine that the arguments choose. Fails: UserError for a stabilisation that is unknown, or of an engine that has
-/// none.
+/// The engine that the arguments choose. Fails: UserError for a linear algebra, factorisation or stabilisation that is
+/// unknown, or that the engine does not let one choose, and for QR without Eigen.
 EngineChoice chosen_engine(const EngineArguments& arguments);
 
 /// Value of every input of the model: its default, or what `assignments` (name=value) say.

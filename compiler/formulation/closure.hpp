@@ -31,9 +31,9 @@ RelativeMotion<T> at_rest(const Topology& topology) {
   return motion;
 }
 
+/// Sets the motion of the block's bodies and leaves the others alone.
 template <class T>
-RelativeMotion<T> relative_motion(System<T>& system, const Kinematics<T>& k, const LoopBlock& block) {
-  RelativeMotion<T> m = at_rest<T>(system.topology);
+void set_relative_motion(System<T>& system, const Kinematics<T>& k, const LoopBlock& block, RelativeMotion<T>& m) {
   for (int i : block.joints) {
     system.scribe.place(system.layout.titles[i]);
     const int p = system.topology.bodies[i].parent;
@@ -43,6 +43,12 @@ RelativeMotion<T> relative_motion(System<T>& system, const Kinematics<T>& k, con
     m.acceleration[i] = advanced(below_acceleration, system.revolute(i), k.axis[i], k.pin[i], system.zd(i), T(0.0),
                                  below.angular, m.velocity[i].angular);
   }
+}
+
+template <class T>
+RelativeMotion<T> relative_motion(System<T>& system, const Kinematics<T>& k, const LoopBlock& block) {
+  RelativeMotion<T> m = at_rest<T>(system.topology);
+  set_relative_motion(system, k, block, m);
   return m;
 }
 
@@ -203,6 +209,17 @@ BlockClosure<T> closure(System<T>& system, const Kinematics<T>& k, const LoopBlo
       result.acceleration.push_back(-row.acceleration);
     }
   }
+  return result;
+}
+
+/// The acceleration right-hand side of a block alone (step 6).
+template <class T>
+std::vector<T> closure_acceleration(System<T>& system, const Kinematics<T>& k, const LoopBlock& block,
+                                    const RelativeMotion<T>& motion) {
+  std::vector<T> result;
+  for (int l : block.loops)
+    for (const detail::Row<T>& row : detail::loop_rows(system, k, motion, system.topology.loops[l], block.base))
+      result.push_back(-row.acceleration);
   return result;
 }
 

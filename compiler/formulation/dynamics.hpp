@@ -99,14 +99,17 @@ void add_rod(const System<T>& system, const Kinematics<T>& k, const std::vector<
   const Vector<T> from = position_in(system, k, rod.from, base), to = position_in(system, k, rod.to, base);
   const std::size_t count = joints.size();
   std::vector<Vector<T>> at_from(count), at_to(count);
+  std::vector<std::size_t> moving;  // joints that move an end
   for (std::size_t c = 0; c < count; ++c) {
-    if (on_path(system.topology, rod.from.body, joints[c]))
-      at_from[c] = rod.coupling * velocity_at(k.column[joints[c]], from);
-    if (on_path(system.topology, rod.to.body, joints[c])) at_to[c] = velocity_at(k.column[joints[c]], to);
+    const bool moves_from = on_path(system.topology, rod.from.body, joints[c]);
+    const bool moves_to = on_path(system.topology, rod.to.body, joints[c]);
+    if (moves_from) at_from[c] = rod.coupling * velocity_at(k.column[joints[c]], from);
+    if (moves_to) at_to[c] = velocity_at(k.column[joints[c]], to);
+    if (moves_from || moves_to) moving.push_back(c);
   }
-  for (std::size_t c = 0; c < count; ++c) {
+  for (std::size_t c : moving) {
     group.momentum[c] = group.momentum[c] + force_at(at_from[c], to) + force_at(rod.coupling * at_to[c], from);
-    for (std::size_t d = 0; d < count; ++d)
+    for (std::size_t d : moving)
       group.mass[c][d] = group.mass[c][d] + (dot(at_from[c], at_to[d]) + dot(at_to[c], at_from[d]));
   }
 }
@@ -135,15 +138,23 @@ GroupMass<T> group_mass(System<T>& system, const Kinematics<T>& k, const Inertia
   return result;
 }
 
-/// Generalised momentum of a wrench on the joints below a body, per coordinate (zero off the path).
-template <class T>
-std::vector<T> momentum_below(const System<T>& system, const Kinematics<T>& k, int body, int frame, Spatial<T> wrench) {
-  std::vector<T> result(system.topology.bodies.size(), T(0.0));
+/// Calls use(joint, generalised momentum) for a wrench on each joint from a body down to the root.
+template <class T, class Use>
+void each_momentum_below(const System<T>& system, const Kinematics<T>& k, int body, int frame, Spatial<T> wrench,
+                         const Use& use) {
   for (int j = body; j != kGround; j = system.topology.bodies[j].parent) {
     for (; frame != system.layout.bodies[j].joint_frame; frame = system.layout.bodies[frame].base)
       wrench = lowered(k, frame, wrench);
-    result[j] = dot(k.column[j], wrench);
+    use(j, dot(k.column[j], wrench));
   }
+}
+
+/// The same per coordinate, zero off the path.
+template <class T>
+std::vector<T> momentum_below(const System<T>& system, const Kinematics<T>& k, int body, int frame,
+                              const Spatial<T>& wrench) {
+  std::vector<T> result(system.topology.bodies.size(), T(0.0));
+  each_momentum_below(system, k, body, frame, wrench, [&](int j, const T& momentum) { result[j] = momentum; });
   return result;
 }
 

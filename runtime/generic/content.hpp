@@ -4,7 +4,9 @@
 #include <utility>
 
 #include "compiler/formulation/formulation.hpp"
+#include "runtime/generic/block_factors.hpp"
 #include "runtime/generic/generic.hpp"
+#include "runtime/generic/loop_algebra.hpp"
 #include "runtime/generic/maggi.hpp"
 
 namespace mbgen {
@@ -32,74 +34,91 @@ struct GenericSolver::Content {
   Topology topology;
   Analysis analysis;
   Layout layout;
-  mutable Scribe<double> scribe;
-  std::vector<double> inputs, parameters;
-  Environment<double> constants_environment;
-  Constants<double> constants;
+  Scribe<double> scribe;
+  System<double> at;  ///< the state in hand; inputs and parameters stay from state to state
+  const RelativeMotion<double> rest;
+  RelativeMotion<double> relative;  ///< bodies of all blocks, each to the base of its block
+  LoopAlgebra algebra;
+  TreeMass mass;
+  ReducedEquations reduced;
+  Eigen::VectorXd free;  ///< accelerations of the free directions
 
-  Content(const Model& m, const Topology& t, const Analysis& a)
-      : model(m), topology(t), analysis(a), layout(choose_layout(m, t)) {
-    for (const Input& input : model.inputs) inputs.push_back(input.default_value);
-    for (const Parameter& parameter : model.parameters) parameters.push_back(parameter.value);
+  Content(const Model& m, const Topology& t, const Analysis& a, const GenericAlgebra& choice)
+      : model(m),
+        topology(t),
+        analysis(a),
+        layout(choose_layout(m, t)),
+        at{model, topology, layout, {}, {}, {}, scribe},
+        rest(at_rest<double>(topology)),
+        relative(rest),
+        algebra(make_loop_algebra(choice, topology, analysis)),
+        mass(tree_mass_pattern(topology)) {
+    at.environment.topology = &topology;
+    for (const Input& input : model.inputs) at.environment.inputs.push_back(input.default_value);
+    for (const Parameter& parameter : model.parameters) at.environment.parameters.push_back(parameter.value);
     refresh();
   }
 
+  /// Computes the constants anew.
   void refresh() {
-    constants_environment = Environment<double>{};
-    constants_environment.topology = &topology;
-    constants_environment.parameters = parameters;
-    constants_environment.inputs = inputs;
-    constants_environment.z.assign(topology.bodies.size(), 0.0);
-    constants_environment.zd = constants_environment.z;
-    constants = make_constants(model, topology, constants_environment);
+    at.environment.z.assign(topology.bodies.size(), 0.0);
+    at.environment.zd = at.environment.z;
+    at.constants = make_constants(model, topology, at.environment);
   }
 
-  System<double> system(const GenericState& state) const {
-    Environment<double> environment = constants_environment;
-    environment.t = state.t;
-    environment.z = state.z;
-    environment.zd = state.zd;
-    return {model, topology, layout, std::move(environment), state.x, constants, scribe};
+  System<double>& system(const GenericState& state) {
+    at.environment.t = state.t;
+    at.environment.z = state.z;
+    at.environment.zd = state.zd;
+    at.x = state.x;
+    return at;
+  }
+
+  /// Residuals and Jacobians of all blocks.
+  std::vector<BlockClosure<double>> closures(System<double>& system, const Kinematics<double>& k) const {
+    std::vector<BlockClosure<double>> result;
+    for (const LoopBlock& block : topology.blocks) result.push_back(closure(system, k, block, rest));
+    return result;
+  }
+
+  /// c of Phi_z zdd = c.
+  PerBlock closure_accelerations(System<double>& system, const Kinematics<double>& k) {
+    PerBlock result;
+    for (const LoopBlock& block : topology.blocks) {
+      set_relative_motion(system, k, block, relative);
+      result.push_back(closure_acceleration(system, k, block, relative));
+    }
+    return result;
   }
 
   Prepared prepare(System<double>& system) const {
     Prepared p;
     p.kinematics = kinematics(system);
     p.velocities = velocities(system, p.kinematics);
-    for (const LoopBlock& block : topology.blocks)
-      p.closures.push_back(closure(system, p.kinematics, block, relative_motion(system, p.kinematics, block)));
+    p.closures = closures(system, p.kinematics);
     return p;
+  }
+
+  /// zdd under zero free accelerations: driven ones prescribed, dependent ones from c and the factors at hand.
+  std::vector<double> starred_accelerations(const System<double>& system, const PerBlock& c) const {
+    std::vector<double> zdd_star(topology.bodies.size(), 0.0);
+    for (const Drive<double>& d : drives(system)) zdd_star[d.coordinate] = d.acceleration;
+    algebra.solve(c, zdd_star);
+    return zdd_star;
+  }
+
+  /// The coordinate that moves most in a free direction.
+  int coordinate_of(int direction) const {
+    std::vector<double> moved(topology.bodies.size(), 0.0);
+    algebra.add_rz_times(Eigen::VectorXd::Unit(reduced.mass.rows(), direction), moved);
+    Eigen::Index most = 0;
+    Eigen::Map<const Eigen::VectorXd>(moved.data(), topology.size()).cwiseAbs().maxCoeff(&most);
+    return static_cast<int>(most);
   }
 
   /// Factors of a block by full pivoting, driven columns never dependent.
   BlockFactors factors(std::size_t b, const BlockClosure<double>& closed) const {
     return BlockFactors(closed.jacobian, analysis.blocks[b].driven, analysis.blocks[b].rank);
-  }
-
-  /// Rz and zdd_star of every group at this state.
-  Status projections(const System<double>& system, const Prepared& p,
-                     std::vector<GroupProjection<double>>& result) const {
-    const std::vector<Drive<double>> drive = drives(system);
-    const auto acceleration = [&](int joint) {
-      for (const Drive<double>& d : drive)
-        if (d.coordinate == joint) return d.acceleration;
-      return 0.0;
-    };
-    for (const JointGroup& group : topology.groups) {
-      GroupProjection<double> projection;
-      if (group.block < 0) {
-        projection.rz = {analysis.driven[group.joints[0]] ? std::vector<double>{} : std::vector<double>{1.0}};
-        projection.zdd_star = {acceleration(group.joints[0])};
-      } else {
-        const BlockFactors block = factors(group.block, p.closures[group.block]);
-        if (block.rank() < analysis.blocks[group.block].rank) return {Code::loop_singular, group.block};
-        for (int j : group.joints) projection.zdd_star.push_back(acceleration(j));
-        projection.rz = block.rz();
-        block.solve(p.closures[group.block].acceleration, projection.zdd_star);
-      }
-      result.push_back(std::move(projection));
-    }
-    return {};
   }
 
   /// Factors for the multipliers of a block: of redundant equations the same ones are left out at every state, unless

@@ -21,8 +21,8 @@ struct Balance {
 };
 
 template <class Content>
-Balance balance(const Content& content, const GenericState& state) {
-  System<double> system = content.system(state);
+Balance balance(Content& content, const GenericState& state) {
+  System<double>& system = content.system(state);
   const Kinematics<double> k = kinematics(system);
   const Velocities<double> v = velocities(system, k);
   const Inertias<double> m = inertias(system, k);
@@ -32,7 +32,10 @@ Balance balance(const Content& content, const GenericState& state) {
   Balance b;
   b.rz = dense_rz(content.topology, frozen_directions(system, k, content.analysis.blocks, content.analysis.driven));
   b.force = b.rz.transpose() * Eigen::Map<const Eigen::VectorXd>(q.data(), static_cast<Eigen::Index>(q.size()));
-  b.inertia = (b.rz.transpose() * tree_mass_matrix(system, k, m) * b.rz).diagonal();
+  tree_mass_matrix(system, k, m, content.mass);
+  Eigen::MatrixXd mass = Eigen::MatrixXd::Zero(b.rz.rows(), b.rz.rows());
+  spread(content.mass, mass);
+  b.inertia = (b.rz.transpose() * mass * b.rz).diagonal();
   return b;
 }
 

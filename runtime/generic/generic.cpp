@@ -1,6 +1,8 @@
 #include "runtime/generic/generic.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <functional>
 
 #include "runtime/generic/content.hpp"
 
@@ -29,78 +31,98 @@ int first_not_finite(const std::vector<double>& values) {
 
 }  // namespace
 
-GenericSolver::GenericSolver(const Model& model, const Topology& topology, const Analysis& analysis)
-    : content_(std::make_unique<Content>(model, topology, analysis)) {}
+GenericSolver::GenericSolver(const Model& model, const Topology& topology, const Analysis& analysis,
+                             const GenericAlgebra& algebra)
+    : content_(std::make_unique<Content>(model, topology, analysis, algebra)) {}
 GenericSolver::~GenericSolver() = default;
 GenericSolver::GenericSolver(GenericSolver&&) noexcept = default;
 
 void GenericSolver::set_inputs(const std::vector<double>& inputs) {
-  content_->inputs = inputs;
-  content_->constants_environment.inputs = inputs;  // no constant of a model depends on them
+  content_->at.environment.inputs = inputs;  // no constant of a model depends on them
 }
 
 void GenericSolver::set_parameters(const std::vector<double>& tunable_parameters) {
+  std::vector<double>& parameters = content_->at.environment.parameters;
   std::size_t next = 0;
-  for (std::size_t p = 0; p < content_->parameters.size(); ++p)
-    if (content_->model.parameters[p].tunable) content_->parameters[p] = tunable_parameters[next++];
+  for (std::size_t p = 0; p < parameters.size(); ++p)
+    if (content_->model.parameters[p].tunable) parameters[p] = tunable_parameters[next++];
   content_->refresh();
 }
 
 Status GenericSolver::accelerations(const GenericState& state, const std::vector<double>& tau,
-                                    GenericDerivative& derivative) const {
+                                    GenericDerivative& derivative, StepClock* clock) const {
+  const auto end_of = [clock](Step step) {
+    if (clock) clock->at_end_of(static_cast<int>(step));
+  };
+  if (clock) clock->start();
   for (const std::vector<double>* values : {&state.z, &state.zd, &tau})
     if (const int i = first_not_finite(*values); i >= 0) return {Code::not_a_number, i};
   if (!finite(state.x) || !std::isfinite(state.t)) return {Code::not_a_number, -1};
-  System<double> system = content_->system(state);
-  const Prepared p = content_->prepare(system);
-  const Inertias<double> m = inertias(system, p.kinematics);
-  const AppliedForces<double> forces = applied_forces(system, p.kinematics, p.velocities);
-  std::vector<GroupProjection<double>> projections;
-  if (const Status status = content_->projections(system, p, projections); !status.ok()) return status;
-  const std::vector<double> zdd_star = starred_accelerations(content_->topology, projections);
-  const Accelerations<double> a = mbgen::accelerations(system, p.kinematics, p.velocities, zdd_star);
-  const std::vector<double> q = tree_forces(system, p.kinematics, m, p.velocities, a, forces, tau);
-  int singular = -1;
-  derivative.zdd =
-      solve_maggi(tree_mass_matrix(system, p.kinematics, m), q, zdd_star, content_->topology, projections, singular);
-  if (singular >= 0) return {Code::no_inertia, singular};
+  Content& content = *content_;
+  System<double>& system = content.system(state);
+  const Kinematics<double> k = kinematics(system);
+  const Inertias<double> m = inertias(system, k);
+  end_of(Step::inertias);
+  if (const Status status = content.algebra.factorise(content.closures(system, k)); !status.ok()) return status;
+  end_of(Step::jacobian);
+  content.algebra.form_rz();
+  end_of(Step::projection);
+  const Velocities<double> v = velocities(system, k);
+  end_of(Step::velocities);
+  const AppliedForces<double> forces = applied_forces(system, k, v);
+  end_of(Step::forces);
+  std::vector<double> zdd = content.starred_accelerations(system, content.closure_accelerations(system, k));
+  end_of(Step::closure_bias);
+  const Accelerations<double> a = mbgen::accelerations(system, k, v, zdd);
+  const std::vector<double> q = tree_forces(system, k, m, v, a, forces, tau);
+  end_of(Step::accelerations);
+  tree_mass_matrix(system, k, m, content.mass);
+  content.algebra.reduce(content.mass, q, content.reduced);
+  end_of(Step::reduced_system);
+  if (const int direction = solve_free(content.reduced, content.free); direction >= 0)
+    return {Code::no_inertia, content.coordinate_of(direction)};
+  content.algebra.add_rz_times(content.free, zdd);
+  derivative.zdd = std::move(zdd);
   derivative.xd = forces.xd;
+  end_of(Step::solution);
   if (const int i = first_not_finite(derivative.zdd); i >= 0) return {Code::not_a_number, i};
   return {};
 }
 
 Status GenericSolver::project(GenericState& state) const {
+  if (const int i = first_not_finite(state.z); i >= 0) return {Code::not_a_number, i};
   GenericState trial = state;
   const Topology& topology = content_->topology;
-  if (const int i = first_not_finite(state.z); i >= 0) return {Code::not_a_number, i};
   const double tolerance = content_->model.solver.closure_tolerance;
   for (int step = 0;; ++step) {
-    System<double> system = content_->system(trial);
+    System<double>& system = content_->system(trial);
     for (const Drive<double>& d : drives(system)) {
       trial.z[d.coordinate] = system.environment.z[d.coordinate] = d.position;
       trial.zd[d.coordinate] = system.environment.zd[d.coordinate] = d.velocity;
     }
-    const Prepared p = content_->prepare(system);
+    const std::vector<BlockClosure<double>> closures = content_->closures(system, kinematics(system));
+    if (const Status status = content_->algebra.factorise(closures); !status.ok()) return status;
+    PerBlock right_hand_side;
+    for (const BlockClosure<double>& closed : closures) right_hand_side.emplace_back(closed.residual.size(), 0.0);
+    content_->algebra.solve(right_hand_side, trial.zd);
     int open = -1;
-    for (std::size_t b = 0; b < topology.blocks.size(); ++b) {
-      const std::vector<int>& joints = topology.blocks[b].joints;
-      const BlockFactors factors = content_->factors(b, p.closures[b]);
-      if (factors.rank() < content_->analysis.blocks[b].rank) return {Code::loop_singular, static_cast<int>(b)};
-      std::vector<double> zd, dz(joints.size(), 0.0), right_hand_side, still(p.closures[b].residual.size(), 0.0);
-      for (int j : joints) zd.push_back(trial.zd[j]);
-      factors.solve(still, zd);
-      for (std::size_t c = 0; c < joints.size(); ++c) trial.zd[joints[c]] = zd[c];
-      if (largest(p.closures[b].residual) <= tolerance) continue;
+    for (std::size_t b = 0; b < closures.size(); ++b) {
+      if (largest(closures[b].residual) <= tolerance) continue;
       open = static_cast<int>(b);
-      for (double value : p.closures[b].residual) right_hand_side.push_back(-value);
-      factors.solve(right_hand_side, dz);
-      const double longest = largest(dz);
-      if (!std::isfinite(longest)) return {Code::loop_not_closed, open};
-      const double scale = longest > kLongestNewtonStep ? kLongestNewtonStep / longest : 1.0;
-      for (std::size_t c = 0; c < joints.size(); ++c) trial.z[joints[c]] += scale * dz[c];
+      std::transform(closures[b].residual.begin(), closures[b].residual.end(), right_hand_side[b].begin(),
+                     std::negate<>());
     }
     if (open < 0) break;
     if (step == kMostNewtonSteps) return {Code::loop_not_closed, open};
+    std::vector<double> dz(trial.z.size(), 0.0);
+    content_->algebra.solve(right_hand_side, dz);
+    for (std::size_t b = 0; b < closures.size(); ++b) {
+      double longest = 0;
+      for (int j : topology.blocks[b].joints) longest = std::abs(dz[j]) <= longest ? longest : std::abs(dz[j]);
+      if (!std::isfinite(longest)) return {Code::loop_not_closed, static_cast<int>(b)};
+      const double scale = longest > kLongestNewtonStep ? kLongestNewtonStep / longest : 1.0;
+      for (int j : topology.blocks[b].joints) trial.z[j] += scale * dz[j];
+    }
   }
   state = std::move(trial);
   return {};
@@ -108,20 +130,20 @@ Status GenericSolver::project(GenericState& state) const {
 
 std::vector<double> GenericSolver::multipliers(const GenericState& state, const std::vector<double>& tau,
                                                const GenericDerivative& derivative) const {
-  System<double> system = content_->system(state);
+  System<double>& system = content_->system(state);
   const Solved solved = content_->solved(system, tau, derivative.zdd);
   return in_loop_order(content_->topology, solved.multipliers);
 }
 
 std::vector<double> GenericSolver::position_residuals(const GenericState& state) const {
-  System<double> system = content_->system(state);
+  System<double>& system = content_->system(state);
   std::vector<std::vector<double>> by_block;
   for (const BlockClosure<double>& closed : content_->prepare(system).closures) by_block.push_back(closed.residual);
   return in_loop_order(content_->topology, by_block);
 }
 
 std::vector<double> GenericSolver::velocity_residuals(const GenericState& state) const {
-  System<double> system = content_->system(state);
+  System<double>& system = content_->system(state);
   std::vector<std::vector<double>> by_block;
   const Prepared p = content_->prepare(system);
   for (std::size_t b = 0; b < p.closures.size(); ++b) {
@@ -137,7 +159,7 @@ std::vector<double> GenericSolver::velocity_residuals(const GenericState& state)
 
 GenericOutputs GenericSolver::outputs(const GenericState& state, const std::vector<double>& tau,
                                       const GenericDerivative& derivative) const {
-  System<double> system = content_->system(state);
+  System<double>& system = content_->system(state);
   const Solved solved = content_->solved(system, tau, derivative.zdd);
   std::vector<double> drive;
   std::vector<int> driven;

@@ -8,6 +8,7 @@
 #include "compiler/model/model.hpp"
 #include "compiler/topology/topology.hpp"
 #include "mbgen/status.hpp"
+#include "mbgen/step_clock.hpp"
 #include "runtime/generic/state.hpp"
 
 namespace mbgen {
@@ -16,7 +17,7 @@ namespace mbgen {
 enum class LinearAlgebra {
   eigen,  ///< dense, Eigen
   blas,   ///< the paper's LU on cblas_idamax, cblas_dswap and cblas_dger, products by cblas_dgemm
-  sparse  ///< SuiteSparse through Eigen, sparse products
+  sparse  ///< KLU of SuiteSparse, sparse products
 };
 
 /// How the closures choose dependent coordinates and are solved.
@@ -27,10 +28,13 @@ struct GenericAlgebra {
   Factorisation factorisation = Factorisation::lu;
 };
 
-/// Solver of one model at double. Copies what it needs of its arguments.
+/// Solver of one model at double. Copies what it needs of its arguments. It works in memory of its own: one thread at a
+/// time.
 class GenericSolver {
  public:
-  GenericSolver(const Model& model, const Topology& topology, const Analysis& analysis);
+  /// algebra: of the closures and the reduced equations. QR is there with Eigen only: std::invalid_argument else.
+  GenericSolver(const Model& model, const Topology& topology, const Analysis& analysis,
+                const GenericAlgebra& algebra = {});
   ~GenericSolver();
   GenericSolver(GenericSolver&&) noexcept;
 
@@ -38,8 +42,10 @@ class GenericSolver {
   void set_inputs(const std::vector<double>& inputs);
   void set_parameters(const std::vector<double>& tunable_parameters);
 
-  /// All accelerations at a state, partition by full pivoting at every call (60)-(63). tau: per coordinate.
-  Status accelerations(const GenericState& state, const std::vector<double>& tau, GenericDerivative& derivative) const;
+  /// All accelerations at a state (60)-(63). tau: per coordinate. clock, where given, is told the end of each of the
+  /// nine steps. Fails: not_a_number, loop_singular, no_inertia.
+  Status accelerations(const GenericState& state, const std::vector<double>& tau, GenericDerivative& derivative,
+                       StepClock* clock = nullptr) const;
   /// Newton on the dependent coordinates, then consistent velocities; driven coordinates are set from their motions.
   /// Fails: loop_not_closed, loop_singular; the state is then unchanged.
   Status project(GenericState& state) const;

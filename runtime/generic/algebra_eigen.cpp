@@ -1,0 +1,82 @@
+// Each loop block for itself, dense, with pivoting at every state; products of whole dense matrices by Eigen.
+
+#include "runtime/generic/block_factors.hpp"
+#include "runtime/generic/maggi.hpp"
+
+namespace mbgen {
+namespace {
+
+template <class Factors>
+class DenseBlocks {
+ public:
+  DenseBlocks(const Topology& topology, const Analysis& analysis)
+      : shape_(loop_shape(topology, analysis)),
+        rz_(Eigen::MatrixXd::Zero(shape_.coordinates, shape_.directions)),
+        mass_(Eigen::MatrixXd::Zero(shape_.coordinates, shape_.coordinates)) {
+    for (const BlockShape& block : shape_.blocks)
+      factors_.emplace_back(static_cast<int>(block.joints.size()), block.driven, block.rank);
+    for (const FreeJoint& joint : shape_.free_joints) rz_(joint.coordinate, joint.direction) = 1;
+  }
+
+  Status factorise(const std::vector<BlockClosure<double>>& closures) {
+    for (std::size_t b = 0; b < factors_.size(); ++b) {
+      factors_[b].factorise(closures[b].jacobian);
+      if (factors_[b].rank() < shape_.blocks[b].rank) return {Code::loop_singular, static_cast<int>(b)};
+    }
+    return {};
+  }
+
+  void form_rz() {
+    for (std::size_t b = 0; b < factors_.size(); ++b) {
+      const BlockShape& block = shape_.blocks[b];
+      const Factors& factors = factors_[b];
+      const Eigen::MatrixXd follow = factors.dependence();
+      for (int q = 0; q < block.directions(); ++q) {
+        auto column = rz_.col(block.first_direction + q);
+        for (int c : factors.free()) column[block.joints[c]] = 0;
+        column[block.joints[factors.free()[q]]] = 1;
+        for (int d = 0; d < block.rank; ++d) column[block.joints[factors.dependent()[d]]] = -follow(d, q);
+      }
+    }
+  }
+
+  void solve(const PerBlock& right_hand_side, std::vector<double>& x) {
+    for (std::size_t b = 0; b < factors_.size(); ++b) {
+      const std::vector<int>& joints = shape_.blocks[b].joints;
+      local_.resize(joints.size());
+      for (std::size_t c = 0; c < joints.size(); ++c) local_[c] = x[joints[c]];
+      factors_[b].solve(right_hand_side[b], local_);
+      for (std::size_t c = 0; c < joints.size(); ++c) x[joints[c]] = local_[c];
+    }
+  }
+
+  void reduce(const TreeMass& mass, const std::vector<double>& q, ReducedEquations& reduced) {
+    spread(mass, mass_);
+    mass_times_rz_.noalias() = mass_ * rz_;
+    reduced.mass.resize(shape_.directions, shape_.directions);
+    reduced.mass.triangularView<Eigen::Lower>() = rz_.transpose() * mass_times_rz_;
+    reduced.right_hand_side.noalias() = rz_.transpose() * Eigen::Map<const Eigen::VectorXd>(q.data(), rz_.rows());
+  }
+
+  void add_rz_times(const Eigen::VectorXd& free, std::vector<double>& x) const {
+    Eigen::Map<Eigen::VectorXd>(x.data(), rz_.rows()).noalias() += rz_ * free;
+  }
+
+ private:
+  LoopShape shape_;
+  std::vector<Factors> factors_;
+  Eigen::MatrixXd rz_, mass_, mass_times_rz_;
+  std::vector<double> local_;
+};
+
+}  // namespace
+
+LoopAlgebra eigen_lu_algebra(const Topology& topology, const Analysis& analysis) {
+  return algebra_of<DenseBlocks<BlockFactorsOf<PivotedLu>>>(topology, analysis);
+}
+
+LoopAlgebra eigen_qr_algebra(const Topology& topology, const Analysis& analysis) {
+  return algebra_of<DenseBlocks<BlockFactorsOf<PivotedQr>>>(topology, analysis);
+}
+
+}  // namespace mbgen

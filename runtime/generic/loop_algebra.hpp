@@ -1,0 +1,92 @@
+#pragma once
+// What the generic runtime asks of linear algebra: the loops' part of steps 2, 3, 6 and 8 of the paper's tables, behind
+// one table of functions, so that a library is chosen once and its types stay in its own file.
+
+#include <Eigen/Dense>
+#include <functional>
+#include <memory>
+#include <vector>
+
+#include "compiler/analysis/analysis.hpp"
+#include "compiler/formulation/closure.hpp"
+#include "mbgen/status.hpp"
+#include "runtime/generic/generic.hpp"
+#include "runtime/generic/tree_mass.hpp"
+
+namespace mbgen {
+
+/// Values per loop block and equation.
+using PerBlock = std::vector<std::vector<double>>;
+
+/// Sizes of one loop block, and where it stands in the whole.
+struct BlockShape {
+  std::vector<int> joints;   ///< coordinate of each column
+  std::vector<int> movable;  ///< columns that may be dependent: all but the driven ones
+  std::vector<int> driven;   ///< columns
+  int equations = 0;
+  int rank = 0;             ///< generic, hence also the number of dependent columns
+  int first_equation = 0;   ///< of all equations, block after block
+  int first_direction = 0;  ///< of all free directions
+  int directions() const { return static_cast<int>(movable.size()) - rank; }
+};
+
+/// A coordinate outside all loops that no motion drives: a free direction of its own.
+struct FreeJoint {
+  int coordinate = 0, direction = 0;
+};
+
+/// Sizes that every linear algebra needs. Free directions stand group by group, those of the parents first.
+struct LoopShape {
+  int coordinates = 0, equations = 0, directions = 0;
+  std::vector<BlockShape> blocks;
+  std::vector<FreeJoint> free_joints;
+};
+LoopShape loop_shape(const Topology& topology, const Analysis& analysis);
+
+/// Rz' M Rz zdd_free = Rz' q (63), lower triangle.
+struct ReducedEquations {
+  Eigen::MatrixXd mass;
+  Eigen::VectorXd right_hand_side;
+};
+
+/// Linear algebra for one model. It keeps the factors of the state that it was given last, so it serves one thread.
+struct LoopAlgebra {
+  /// Chooses dependent columns and factorises Phi_d of every block (60). Driven columns are never dependent.
+  /// Fails: loop_singular, where a block has less than its generic rank.
+  std::function<Status(const std::vector<BlockClosure<double>>& closures)> factorise;
+  /// Rz of all coordinates (61). Requires: factorise.
+  std::function<void()> form_rz;
+  /// Sets the dependent entries of x, per coordinate, so that Phi_z x = right_hand_side (62). Requires: factorise.
+  std::function<void(const PerBlock& right_hand_side, std::vector<double>& x)> solve;
+  /// Products of (63), q per coordinate. Requires: form_rz.
+  std::function<void(const TreeMass& mass, const std::vector<double>& q, ReducedEquations& reduced)> reduce;
+  /// x += Rz free, x per coordinate. Requires: form_rz.
+  std::function<void(const Eigen::VectorXd& free, std::vector<double>& x)> add_rz_times;
+};
+
+/// The functions of a type that has members of these names.
+template <class Loops>
+LoopAlgebra algebra_of(const Topology& topology, const Analysis& analysis) {
+  const auto held = std::make_shared<Loops>(topology, analysis);
+  return {[held](const std::vector<BlockClosure<double>>& closures) { return held->factorise(closures); },
+          [held] { held->form_rz(); },
+          [held](const PerBlock& right_hand_side, std::vector<double>& x) { held->solve(right_hand_side, x); },
+          [held](const TreeMass& mass, const std::vector<double>& q, ReducedEquations& reduced) {
+            held->reduce(mass, q, reduced);
+          },
+          [held](const Eigen::VectorXd& free, std::vector<double>& x) { held->add_rz_times(free, x); }};
+}
+
+/// Dense, each block for itself: LU with full pivoting, products by Eigen.
+LoopAlgebra eigen_lu_algebra(const Topology& topology, const Analysis& analysis);
+/// The same with Householder QR and column pivoting.
+LoopAlgebra eigen_qr_algebra(const Topology& topology, const Analysis& analysis);
+/// Dense, all loops in one matrix as in the paper: its LU by columns with row swapping, products by dgemm.
+LoopAlgebra blas_algebra(const Topology& topology, const Analysis& analysis);
+/// All loops in one sparse matrix, factorised by KLU with a partition that is kept while it is good, sparse products.
+LoopAlgebra sparse_algebra(const Topology& topology, const Analysis& analysis);
+
+/// The one that is asked for. Fails: std::invalid_argument for QR without Eigen.
+LoopAlgebra make_loop_algebra(const GenericAlgebra& choice, const Topology& topology, const Analysis& analysis);
+
+}  // namespace mbgen
