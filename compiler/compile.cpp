@@ -13,18 +13,21 @@ Programs optimise(Programs programs) {
   return programs;
 }
 
+Result<Compilation> compile(Model model) {
+  Result<Topology> topology = build_topology(model);
+  if (!topology) return topology.problems();
+
+  Result<Analysis> analysis = analyse(model, *topology);
+  if (!analysis) return analysis.problems();
+
+  Programs programs = optimise(trace(model, *topology, *analysis));
+  return Compilation{std::move(model), std::move(*topology), std::move(*analysis), std::move(programs)};
+}
+
 Result<Compilation> compile(const std::string& path) {
   Result<Model> model = read_model_file(path);
   if (!model) return model.problems();
-
-  Result<Topology> topology = build_topology(*model);
-  if (!topology) return topology.problems();
-
-  Result<Analysis> analysis = analyse(*model, *topology);
-  if (!analysis) return analysis.problems();
-
-  Programs programs = optimise(trace(*model, *topology, *analysis));
-  return Compilation{std::move(*model), std::move(*topology), std::move(*analysis), std::move(programs)};
+  return compile(std::move(*model));
 }
 
 std::vector<EmittedFile> emit(const Compilation& compilation, const EmitOptions& options) {

@@ -23,7 +23,10 @@ struct Compilation {
 /// Every program after the passes.
 Programs optimise(Programs programs);
 
-/// Reads, checks, analyses and traces the model of a file. Fails: as the first stage that fails.
+/// Analyses and traces a model. Fails: as the first stage that fails.
+Result<Compilation> compile(Model model);
+
+/// Reads and compiles the model of a file. Fails: as the first stage that fails.
 Result<Compilation> compile(const std::string& path);
 
 /// The files of the specialised solver, see emit.

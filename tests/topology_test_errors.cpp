@@ -73,6 +73,21 @@ TEST(TopologyErrors, AUsedCoordinateOfACutJoint) {
                  "every other joint of the loop is used or marked too; free one of them");
 }
 
+TEST(TopologyErrors, AMultiplierOfAJointInTheTree) {
+  ModelBuilder builder;
+  builder.revolute("a", "ground", "a").revolute("b", "a", "b").revolute("c", "ground", "b", CutMark::cut);
+  const auto ask = [&](int joint) {
+    builder.model.outputs = {{"push", {"test.json", 7, 1, "/outputs/push"}, "N", MultiplierOutput{joint, -1, 0}}};
+    return problems_of(builder.model);
+  };
+  EXPECT_TRUE(ask(2).empty());
+  const Diagnostics problems = ask(1);
+  ASSERT_EQ(problems.size(), 1u);
+  expect_problem(problems[0], "/outputs/push",
+                 "output \"push\" asks for a multiplier of joint \"b\", which is in the tree and has none",
+                 "ask for its \"reaction\", or mark the joint \"cut\": true");
+}
+
 TEST(TopologyErrors, LoopsInWhichNothingMoves) {
   ModelBuilder builder;
   builder.joint("post", JointType::fixed, "ground", "post").revolute("arm", "post", "arm");

@@ -47,6 +47,10 @@ Engine make_cartesian_engine(const Compilation& compilation, const EngineChoice&
     values = judge->observer.outputs(at.state, at.tau, derivative);
     return Status{};
   };
+  engine.reactions = [judge](const LoadedState& at, const GenericDerivative&,
+                             std::vector<std::array<double, 6>>& wrenches) {
+    return judge->solver.reactions(at.state, at.tau, wrenches);
+  };
   engine.residuals = [judge](const GenericState& state, Residuals& largest) {
     return judge->solver.residuals(state, largest.position, largest.velocity);
   };

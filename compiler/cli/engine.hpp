@@ -43,6 +43,10 @@ struct Engine {
   /// Multipliers in the order of Topology::loops and their equations.
   std::function<Status(const LoadedState&, const GenericDerivative&, std::vector<double>& lambda)> multipliers;
   std::function<Status(const LoadedState&, const GenericDerivative&, GenericOutputs&)> outputs;
+  /// What each joint of the model, then each rod, transmits to its `to` body: force (N) and moment (N m) about the
+  /// joint's point on that body, global axes. Empty function where nobody asked; an engine may leave the rods out.
+  std::function<Status(const LoadedState&, const GenericDerivative&, std::vector<std::array<double, 6>>& wrenches)>
+      reactions;
   std::function<Status(const GenericState&, Residuals&)> residuals;
   /// Values of all inputs from now on; a step begins with them and advances those that have derivatives. A multistep
   /// method starts up anew.

@@ -7,6 +7,7 @@
 #include "compiler/cli/commands.hpp"
 #include "compiler/cli/files.hpp"
 #include "compiler/cli/options.hpp"
+#include "compiler/cli/reactions.hpp"
 #include "compiler/cli/states_file.hpp"
 #include "compiler/cli/user_error.hpp"
 
@@ -19,6 +20,7 @@ struct Options {
   std::string model, states;
   EngineArguments engine;
   bool project = false;
+  bool reactions = false;
   bool json = true;
 };
 
@@ -33,15 +35,17 @@ Status check_finite(const std::vector<double>& zdd) {
 }
 
 Json evaluate_state(const Engine& engine, const Compilation& compilation, const StatesFile& file,
-                    const FileState& asked, bool project) {
+                    const FileState& asked, const Options& options) {
   LoadedState at = asked.at;
   GenericDerivative derivative;
   std::vector<double> lambda;
   engine.set_inputs(asked.inputs);
-  Status status = project ? engine.project(at.state) : Status{};
+  std::vector<std::array<double, 6>> wrenches;
+  Status status = options.project ? engine.project(at.state) : Status{};
   if (status.ok()) status = engine.accelerations(at, derivative);
   if (status.ok()) status = check_finite(derivative.zdd);
   if (status.ok()) status = engine.multipliers(at, derivative, lambda);
+  if (status.ok() && options.reactions) status = engine.reactions(at, derivative, wrenches);
 
   Json result;
   result["zdd"] = status.ok() ? Json(in_file_order(file, derivative.zdd)) : Json(nullptr);
@@ -51,7 +55,10 @@ Json evaluate_state(const Engine& engine, const Compilation& compilation, const 
   const bool has_residuals = engine.residuals(at.state, residuals).ok();
   result["position_residual"] = has_residuals ? number_or_null(residuals.position) : Json(nullptr);
   result["velocity_residual"] = has_residuals ? number_or_null(residuals.velocity) : Json(nullptr);
-  if (project && status.ok()) {
+  if (options.reactions) {
+    result["reactions"] = status.ok() ? reactions_json(compilation.model, wrenches) : Json(nullptr);
+  }
+  if (options.project && status.ok()) {
     result["z"] = in_file_order(file, at.state.z);
     result["zd"] = in_file_order(file, at.state.zd);
   }
@@ -59,15 +66,18 @@ Json evaluate_state(const Engine& engine, const Compilation& compilation, const 
 }
 
 int run(const Options& options) {
-  const Compilation compilation = expect(compile(options.model));
+  Model model = expect(read_model_file(options.model));
+  if (options.reactions) add_reaction_outputs(model);
+  const Compilation compilation = expect(compile(std::move(model)));
   const std::vector<double> inputs = input_values(compilation.model, options.engine.inputs);
   const StatesFile file = read_states(options.states, compilation, inputs);
-  const Engine engine = make_engine(compilation, chosen_engine(options.engine));
+  Engine engine = make_engine(compilation, chosen_engine(options.engine));
+  if (options.reactions) use_reaction_outputs(engine, compilation.model);
   Json result;
   result["joint_order"] = file.joint_order;
   result["states"] = Json::array();
   for (const FileState& state : file.states) {
-    result["states"].push_back(evaluate_state(engine, compilation, file, state, options.project));
+    result["states"].push_back(evaluate_state(engine, compilation, file, state, options));
   }
   print(result.dump() + "\n");
   return kDone;
@@ -88,6 +98,9 @@ void add_evaluate(CLI::App& application, int& exit_code) {
   command->add_option("--states", options->states, "file of states (JSON)")->required();
   command->add_flag("--project", options->project,
                     "make each state consistent first, and print its z and zd (default: take it as given)");
+  command->add_flag("--reactions", options->reactions,
+                    "print what every joint and rod transmits to its \"to\" body: force, and moment about the joint's "
+                    "point on that body, global axes");
   add_json_option(*command, options->json);
   add_engine_options(*command, options->engine);
   command->callback([options, &exit_code] { exit_code = run(*options); });

@@ -58,6 +58,8 @@ Places input_places(const SolverLayout& layout, const SolverNames& names) {
   places["t"] = {"state", {"state.t"}, {}, ""};
   places["tau"] = {"tau", named("tau", "Coordinate", coordinates), prefixed("tau_", coordinates), ""};
   places["zdd"] = {"derivative", named("derivative.zdd", "Coordinate", coordinates), prefixed("zdd_", coordinates), ""};
+  places["lambda"] = {"multipliers", indexed("multipliers.lambda", layout.equations), {}, ""};
+  places["drive"] = {"multipliers", indexed("multipliers.drive", layout.drives), {}, ""};
   places["in"] = {"inputs", members("inputs", names.inputs), {}, ""};
   places["par"] = {"parameters", members("parameters", names.parameters), {}, ""};
   add_blocks(
@@ -88,6 +90,7 @@ ProgramShape shape(const std::string& title, const std::string& result, const st
 
 const std::pair<std::string, std::string> kTau{"tau", "const double* tau"};
 const std::pair<std::string, std::string> kDerivative{"derivative", "const Derivative& derivative"};
+const std::pair<std::string, std::string> kMultipliers{"multipliers", "const Multipliers& multipliers"};
 const std::pair<std::string, std::string> kProjection{"projection", "const Projection& projection"};
 
 ProgramShape accelerations_shape(const SolverLayout& layout, const SolverNames& names, const Places& inputs,
@@ -160,15 +163,25 @@ ProgramShape closure_terms_shape(const SolverLayout& layout, const SolverNames& 
 
 ProgramShape multipliers_shape(const SolverLayout& layout, const Places& inputs) {
   ProgramShape s = shape("Multipliers of the closures and generalised driving forces, at given accelerations.",
-                         "Multipliers", "compute_multipliers", {kTau, kDerivative}, inputs);
+                         "ConstraintForces", "compute_multipliers", {kTau, kDerivative}, inputs);
+  const int blocks = static_cast<int>(layout.blocks.size());
+  s.members = {{"lambda", layout.equations, "multipliers, loop after loop"},
+               {"drive", layout.drives, "generalised driving forces"},
+               {"missing", layout.block_coordinates, "what multipliers and drives must provide, block after block"},
+               {"pivot", blocks, "smallest pivot of each block over its reference"}};
+  add_blocks(
+      s.outputs, "result", "missing", layout, [](const BlockPlaces& b) { return b.coordinates; },
+      [](const BlockPlaces& b) { return b.first_coordinate; });
+  s.outputs["pivot"] = result_place(indexed("result.pivot", blocks), "1.0");
   s.outputs["lambda"] = result_place(indexed("result.lambda", layout.equations));
   s.outputs["drive"] = result_place(indexed("result.drive", layout.drives));
   return s;
 }
 
-ProgramShape outputs_shape(const SolverNames& names, const Places& inputs) {
+ProgramShape outputs_shape(const SolverNames& names, const Places& inputs, bool with_multipliers) {
   ProgramShape s = shape("Outputs, energies and power, at given accelerations.", "Outputs", "compute_outputs",
                          {kTau, kDerivative}, inputs);
+  if (with_multipliers) s.arguments.push_back(kMultipliers);
   s.outputs["y"] = result_place(members("result", names.outputs));
   s.outputs["energy"] = result_place({"result.kinetic_energy", "result.potential_energy"});
   s.outputs["power"] = result_place({"result.applied_power"});
@@ -228,8 +241,13 @@ std::vector<ShapedProgram> shaped_programs(const Programs& programs, const Solve
     all.push_back(
         {&programs.accelerations_chosen, "accelerations_chosen", chosen_shape(layout, names, inputs, directions)});
   }
-  all.push_back({&programs.outputs, "outputs", outputs_shape(names, inputs)});
+  all.push_back({&programs.outputs, "outputs", outputs_shape(names, inputs, outputs_take_multipliers(programs))});
   return all;
+}
+
+bool outputs_take_multipliers(const Programs& programs) {
+  return std::any_of(programs.outputs.inputs.begin(), programs.outputs.inputs.end(),
+                     [](const Slot& slot) { return slot.group == "lambda" || slot.group == "drive"; });
 }
 
 }  // namespace mbgen

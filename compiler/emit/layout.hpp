@@ -64,6 +64,10 @@ struct ShapedProgram {
   std::string key;  ///< in the manifest: "accelerations", "closure", ...
   ProgramShape shape;
 };
+
+/// Whether the program of the outputs looks at multipliers or driving forces.
+bool outputs_take_multipliers(const Programs& programs);
+
 std::vector<ShapedProgram> shaped_programs(const Programs& programs, const SolverLayout& layout,
                                            const SolverNames& names);
 

@@ -65,6 +65,41 @@ Items free_direction_items(const EmitContext& context) {
   return items;
 }
 
+/// Place of each equation, block after block, in the order of Topology::loops.
+std::vector<int> multiplier_places(const Topology& topology) {
+  std::vector<int> first, places;
+  int next = 0;
+  for (const Loop& loop : topology.loops) {
+    first.push_back(next);
+    next += loop.equations;
+  }
+  for (const LoopBlock& block : topology.blocks) {
+    for (const int loop : block.loops) {
+      for (int e = 0; e < topology.loops[loop].equations; ++e) places.push_back(first[loop] + e);
+    }
+  }
+  return places;
+}
+
+std::vector<int> drive_coordinates(const EmitContext& context) {
+  std::vector<int> coordinates;
+  for (const Motion& motion : context.model.motions) {
+    coordinates.push_back(tree_coordinate(context.topology, motion.joint));
+  }
+  return coordinates;
+}
+
+/// The call of the outputs' program, once the arguments are found good.
+std::string outputs_call(const EmitContext& context) {
+  if (!outputs_take_multipliers(context.programs)) {
+    return "  if (status.ok()) compute_outputs(parameters, inputs, state, tau, derivative, values);";
+  }
+  return "  if (status.ok()) {\n"
+         "    compute_outputs(parameters, inputs, state, tau, derivative,\n"
+         "                    mbgen::multipliers_or_nan<System>(parameters, inputs, state, tau, derivative), values);\n"
+         "  }";
+}
+
 std::string tables(const EmitContext& context) {
   const SolverLayout& layout = context.layout;
   Items blocks;
@@ -88,7 +123,9 @@ std::string tables(const EmitContext& context) {
   }
   if (!layout.blocks.empty()) {
     text += table("int", "kBlockCoordinate", items_of(coordinates)) +
-            table("unsigned char", "kBlockDriven", items_of(block_driven));
+            table("unsigned char", "kBlockDriven", items_of(block_driven)) +
+            table("int", "kMultiplierPlace", items_of(multiplier_places(context.topology))) +
+            table("int", "kDriveCoordinate", items_of(drive_coordinates(context)));
   }
   return text;
 }
@@ -147,6 +184,7 @@ std::string solver_text(const EmitContext& context) {
                                          {"solver", context.names.solver},
                                          {"projection_struct", projection_struct(context.layout)},
                                          {"programs", programs},
+                                         {"outputs_call", outputs_call(context)},
                                          {"system", system},
                                          {"advance_inputs", inputs.definition},
                                          {"inputs_now", inputs.now},

@@ -92,7 +92,6 @@ void body_forces(ForceWork<T>& work) {
   for (const AppliedForce& applied : system.model.forces) {
     work.system.scribe.place(applied.name);
     const Place<T> place = work.place(applied.at);
-    if (place.body == kGround) continue;
     const int carrier = system.layout.frame_of(place.body);
     const auto to_carrier = [&](Vector<T> v) {
       if (!applied.in_body_axes) return direction_up(system, work.k, kGround, v, carrier);
@@ -101,9 +100,7 @@ void body_forces(ForceWork<T>& work) {
     };
     const Vector<T> force = to_carrier(value_of(system.model, applied.force, system.environment));
     const Vector<T> torque = to_carrier(value_of(system.model, applied.torque, system.environment));
-    Spatial<T>& wrench = work.forces.wrench[place.body];
-    wrench = wrench + force_at(force, local_position(system, work.k, place));
-    wrench.angular = wrench.angular + torque;
+    act(work, {applied.at.body, force, torque, local_position(system, work.k, place)});
   }
 }
 

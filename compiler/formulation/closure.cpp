@@ -28,30 +28,9 @@ Triad triad(const Vector3& axis) {
 }  // namespace detail
 
 std::vector<std::string> equation_names(const Topology& topology, const LoopBlock& block) {
-  const auto rows = [](ClosureKind kind) -> std::vector<std::string> {
-    switch (kind) {
-      case ClosureKind::spherical:
-        return {"x", "y", "z"};
-      case ClosureKind::revolute:
-        return {"x", "y", "z", "axis_1", "axis_2"};
-      case ClosureKind::universal:
-        return {"x", "y", "z", "perpendicular"};
-      case ClosureKind::prismatic:
-        return {"across_1", "across_2", "axis_1", "axis_2", "twist"};
-      case ClosureKind::cylindrical:
-        return {"across_1", "across_2", "axis_1", "axis_2"};
-      case ClosureKind::planar:
-        return {"plane", "axis_1", "axis_2"};
-      case ClosureKind::fixed:
-        return {"x", "y", "z", "axis_1", "axis_2", "twist"};
-      case ClosureKind::rod:
-        return {"distance"};
-    }
-    return {};
-  };
   std::vector<std::string> names;
   for (int l : block.loops)
-    for (const std::string& row : rows(topology.loops[l].kind)) names.push_back(topology.loops[l].name + "." + row);
+    for (const std::string& row : topology.loops[l].rows) names.push_back(topology.loops[l].name + "." + row);
   return names;
 }
 

@@ -222,4 +222,16 @@ std::vector<T> in_loop_order(const Topology& topology, const std::vector<std::ve
   return result;
 }
 
+/// The way back: values per equation in the order of Topology::loops, block by block.
+template <class T>
+std::vector<std::vector<T>> by_block(const Topology& topology, const std::vector<T>& values) {
+  std::vector<std::size_t> first(topology.loops.size() + 1, 0);
+  for (std::size_t l = 0; l < topology.loops.size(); ++l) first[l + 1] = first[l] + topology.loops[l].equations;
+  std::vector<std::vector<T>> result(topology.blocks.size());
+  for (std::size_t b = 0; b < topology.blocks.size(); ++b)
+    for (int l : topology.blocks[b].loops)
+      result[b].insert(result[b].end(), values.begin() + first[l], values.begin() + first[l + 1]);
+  return result;
+}
+
 }  // namespace mbgen

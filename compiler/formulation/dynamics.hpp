@@ -34,8 +34,9 @@ void rod_forces(System<T>& system, const Kinematics<T>& k, const Accelerations<T
         return direction_in(system, k, carrier, acceleration_of(system, a, end.body).at(local_position(system, k, end)),
                             block.base);
       };
-      apply_force(work, rod.from, -rod.coupling * acceleration(rod.to), block.base);
-      apply_force(work, rod.to, -rod.coupling * acceleration(rod.from), block.base);
+      const Rod& ends = system.model.rods[loop.rod];
+      apply_force(work, ends.from.body, rod.from, -rod.coupling * acceleration(rod.to), block.base);
+      apply_force(work, ends.to.body, rod.to, -rod.coupling * acceleration(rod.from), block.base);
     }
 }
 

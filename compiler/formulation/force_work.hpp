@@ -13,10 +13,19 @@ struct ElementState {
   T length{0.0}, rate{0.0}, force{0.0};  ///< m, m/s, N (tension positive)
 };
 
+/// One force element's force and moment on one body of the model, in the frame that carries the body.
+template <class T>
+struct Action {
+  int body = -1;            ///< index into Model::bodies
+  Vector<T> force, moment;  ///< N, N m
+  Vector<T> point;          ///< of the force, m
+};
+
 template <class T>
 struct AppliedForces {
   std::vector<Spatial<T>> wrench;  ///< per body, about the origin of the frame that carries it
   std::vector<T> joint;            ///< per coordinate, N or N m
+  std::vector<Action<T>> actions;  ///< what `wrench` is the sum of, and what acts on bodies fixed to ground
   std::vector<T> xd;               ///< rates of the auxiliary states
   std::vector<ElementState<T>> springs, air_springs;
   std::vector<TyreResult<T>> tyres;
@@ -63,14 +72,25 @@ T with_locals(const ForceWork<T>& work, int expression, const T& first, const T&
   return evaluate<T>(work.system.model.expressions[expression], environment);
 }
 
-/// Adds a force at a place, given in the axes of a frame at or below the place's.
+/// Adds a force and a moment on a body of the model.
 template <class T>
-void apply_force(ForceWork<T>& work, const Place<T>& place, const Vector<T>& force, int frame) {
-  if (place.body == kGround) return;
+void act(ForceWork<T>& work, const Action<T>& action) {
+  work.forces.actions.push_back(action);
+  const int body = work.system.topology.tree_body[action.body];
+  if (body == kGround) return;
+  Spatial<T>& wrench = work.forces.wrench[body];
+  wrench = wrench + force_at(action.force, action.point);
+  wrench.angular = wrench.angular + action.moment;
+}
+
+/// Adds a force at a place of a body, given in the axes of a frame at or below the place's.
+template <class T>
+void apply_force(ForceWork<T>& work, int model_body, const Place<T>& place, const Vector<T>& force, int frame) {
   const int carrier = work.system.layout.frame_of(place.body);
-  const Vector<T> local = direction_up(work.system, work.k, frame, force, carrier);
-  Spatial<T>& wrench = work.forces.wrench[place.body];
-  wrench = wrench + force_at(local, local_position(work.system, work.k, place));
+  act(work, {model_body,
+             direction_up(work.system, work.k, frame, force, carrier),
+             {},
+             local_position(work.system, work.k, place)});
 }
 
 template <class T>
@@ -93,8 +113,8 @@ ElementState<T> line_element(ForceWork<T>& work, const Attachment& from, const A
   const T reference = norm(global_reference(work, b) - global_reference(work, a));
   state.force = tension(state.length, state.rate, reference);
   const Vector<T> force = (state.force * reciprocal) * gap;
-  apply_force(work, a, force, frame);
-  apply_force(work, b, -force, frame);
+  apply_force(work, from.body, a, force, frame);
+  apply_force(work, to.body, b, -force, frame);
   return state;
 }
 

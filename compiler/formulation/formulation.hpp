@@ -13,3 +13,5 @@
 #include "compiler/formulation/loop_solution.hpp"
 #include "compiler/formulation/motion.hpp"
 #include "compiler/formulation/outputs.hpp"
+#include "compiler/formulation/reactions.hpp"
+#include "compiler/formulation/solved_state.hpp"

@@ -25,15 +25,22 @@ struct Inertias {
   }
 };
 
+/// A rigid part of tree body i (or of ground), given from the body's origin in its axes.
+template <class T>
+BodyInertia<T> carried_part(const System<T>& system, const Kinematics<T>& k, int i, const Part<T>& part) {
+  if (system.layout.frame_of(i) == i) return {part.mass, part.com, part.inertia};
+  Matrix<T> axes = k.orientation[i];
+  if (system.layout.bodies[i].rotor)
+    axes = system.on_base(i) ? identity<T>() : k.orientation[system.topology.bodies[i].parent];
+  return {part.mass, k.position[i] + axes * part.com, rotated(axes, part.inertia)};
+}
+
 template <class T>
 BodyInertia<T> body_inertia(const System<T>& system, const Kinematics<T>& k, int i) {
   const Constants<T>& c = system.constants;
-  const BodyLayout& layout = system.layout.bodies[i];
-  if (layout.own_frame) return {c.mass[i], c.com[i], c.inertia[i]};
-  if (is_zero(c.mass[i]) && system.topology.bodies[i].massless) return {};
-  Matrix<T> axes = k.orientation[i];
-  if (layout.rotor) axes = system.on_base(i) ? identity<T>() : k.orientation[system.topology.bodies[i].parent];
-  return {c.mass[i], k.position[i] + axes * c.com[i], rotated(axes, c.inertia[i])};
+  const bool nothing = is_zero(c.mass[i]) && system.topology.bodies[i].massless;
+  if (nothing && !system.layout.bodies[i].own_frame) return {};
+  return carried_part(system, k, i, Part<T>{c.mass[i], c.com[i], c.inertia[i]});
 }
 
 /// Ten parameters about the frame origin, Mbar of theory.md section 2.

@@ -1,20 +1,9 @@
 #pragma once
 // Model outputs and the terms of the energy balance.
 
-#include "compiler/formulation/dynamics.hpp"
+#include "compiler/formulation/reactions.hpp"
 
 namespace mbgen {
-
-/// What outputs are made of: a solved state.
-template <class T>
-struct SolvedState {
-  const Kinematics<T>& kinematics;
-  const Velocities<T>& velocities;
-  const Accelerations<T>& accelerations;  ///< with the true joint accelerations
-  const AppliedForces<T>& forces;
-  const std::vector<T>& zdd;
-  const std::vector<T>& drive_forces;  ///< per motion
-};
 
 template <class T>
 struct Energies {
@@ -27,6 +16,13 @@ namespace detail {
 template <class T>
 T component(const Vector<T>& v, int axis) {
   return axis == 0 ? v.x : axis == 1 ? v.y : v.z;
+}
+
+/// A direction of a frame in the axes of a body of the model at or above it.
+template <class T>
+Vector<T> in_axes_of(const System<T>& system, const Kinematics<T>& k, int frame, const Vector<T>& direction, int body) {
+  const Vector<T> tree_axes = direction_up(system, k, frame, direction, system.topology.tree_body[body]);
+  return transposed_times(pose_rotation<T>(system.model.bodies[body].pose), tree_axes);
 }
 
 template <class T>
@@ -43,17 +39,12 @@ T point_output(const System<T>& system, const SolvedState<T>& s, const PointOutp
             ? velocity_at(velocity_of(system, s.velocities, place.body), local)
             : acceleration_of(system, s.accelerations, place.body).at(local) +
                   direction_up(system, s.kinematics, kGround, system.constants.gravity, carrier);
-    if (output.in_body_axes) {
-      const Vector<T> tree_axes = direction_up(system, s.kinematics, carrier, in_carrier, place.body);
-      return component(transposed_times(pose_rotation<T>(system.model.bodies[output.point.body].pose), tree_axes),
-                       output.axis);
-    }
+    if (output.in_body_axes)
+      return component(in_axes_of(system, s.kinematics, carrier, in_carrier, output.point.body), output.axis);
     global = direction_in(system, s.kinematics, carrier, in_carrier, kGround);
   }
   if (!output.in_body_axes) return component(global, output.axis);
-  const Vector<T> tree_axes = direction_up(system, s.kinematics, kGround, global, place.body);
-  return component(transposed_times(pose_rotation<T>(system.model.bodies[output.point.body].pose), tree_axes),
-                   output.axis);
+  return component(in_axes_of(system, s.kinematics, kGround, global, output.point.body), output.axis);
 }
 
 template <class T>
@@ -91,11 +82,45 @@ T spring_output(const SolvedState<T>& s, const SpringOutput& output) {
   return output.what == SpringOutput::What::length ? state.length : state.rate;
 }
 
+template <class T>
+T reaction_output(const System<T>& system, const Kinematics<T>& k, const Reactions<T>& reactions,
+                  const ReactionOutput& output) {
+  const bool of_joint = output.joint >= 0, at_to = output.end == ReactionOutput::End::to;
+  const Reaction<T>& reaction = of_joint ? reactions.joints[output.joint] : reactions.rods[output.rod];
+  const Spatial<T>& wrench = at_to ? reaction.on_to : reaction.on_from;
+  const Vector<T>& value = output.what == ReactionOutput::What::force ? wrench.linear : wrench.angular;
+  if (!output.in_body_axes) return component(direction_in(system, k, reaction.frame, value, kGround), output.axis);
+  const auto end_of = [&](const auto& connection) { return at_to ? connection.to.body : connection.from.body; };
+  const int body = of_joint ? end_of(system.model.joints[output.joint]) : end_of(system.model.rods[output.rod]);
+  return component(in_axes_of(system, k, reaction.frame, value, body), output.axis);
+}
+
+template <class T>
+T multiplier_output(const Topology& topology, const SolvedState<T>& s, const MultiplierOutput& output) {
+  for (std::size_t b = 0; b < topology.blocks.size(); ++b) {
+    int first = 0;
+    for (int l : topology.blocks[b].loops) {
+      const Loop& loop = topology.loops[l];
+      if (loop.joint == output.joint && loop.rod == output.rod) return s.multipliers[b][first + output.equation];
+      first += loop.equations;
+    }
+  }
+  return T(0.0);
+}
+
+/// Whether an output looks at what joints transmit.
+inline bool asks_for_reactions(const Model& model) {
+  return std::any_of(model.outputs.begin(), model.outputs.end(),
+                     [](const Output& output) { return std::holds_alternative<ReactionOutput>(output.source); });
+}
+
 }  // namespace detail
 
 /// Values of Model::outputs.
 template <class T>
 std::vector<T> output_values(System<T>& system, const SolvedState<T>& s) {
+  Reactions<T> all_reactions;
+  if (detail::asks_for_reactions(system.model)) all_reactions = reactions(system, s);
   std::vector<T> values;
   for (const Output& output : system.model.outputs) {
     system.scribe.place(output.name);
@@ -109,6 +134,10 @@ std::vector<T> output_values(System<T>& system, const SolvedState<T>& s) {
       values.push_back(detail::tyre_output(s.forces.tyres[tyre->tyre], tyre->what));
     else if (const auto* spring = std::get_if<SpringOutput>(&output.source))
       values.push_back(detail::spring_output(s, *spring));
+    else if (const auto* reaction = std::get_if<ReactionOutput>(&output.source))
+      values.push_back(detail::reaction_output(system, s.kinematics, all_reactions, *reaction));
+    else if (const auto* multiplier = std::get_if<MultiplierOutput>(&output.source))
+      values.push_back(detail::multiplier_output(system.topology, s, *multiplier));
     else
       values.push_back(s.drive_forces[std::get<DriveOutput>(output.source).motion]);
   }

@@ -19,6 +19,7 @@ struct RoadContact {
 template <class T>
 Vector<T> spin_axis(const ForceWork<T>& work, const Tyre& tyre, int body) {
   const System<T>& system = work.system;
+  if (body == kGround) return constant<T>(tyre.axis);
   const Vector3& joint = system.topology.bodies[body].axis;
   const double along = joint[0] * tyre.axis[0] + joint[1] * tyre.axis[1] + joint[2] * tyre.axis[2];
   const int carrier = system.layout.frame_of(body);
@@ -94,12 +95,7 @@ void tyres(ForceWork<T>& work) {
     work.system.scribe.name(result.load, "load_", tyre.name);
     work.system.scribe.name(result.fx, "fx_", tyre.name);
     work.system.scribe.name(result.fy, "fy_", tyre.name);
-    const int body = work.system.topology.tree_body[tyre.centre.body];
-    if (body != kGround) {
-      Spatial<T>& wrench = work.forces.wrench[body];
-      wrench = wrench + force_at(force, contact.point);
-      wrench.angular = wrench.angular + moment;
-    }
+    act(work, {tyre.centre.body, force, moment, contact.point});
     work.forces.xd.push_back(result.du);
     work.forces.xd.push_back(result.dv);
     work.forces.tyres.push_back(result);

@@ -27,6 +27,7 @@ enum class Shape {
   coordinate,       ///< name of a coordinate
   reference,        ///< name of another element, FieldInfo::of says of which map
   force,            ///< expression with FieldInfo::locals
+  equation,         ///< number or name of a closure equation
   law,              ///< quantity or table
   table_points,     ///< [[x, y], ...]
   object,           ///< of kind FieldInfo::of

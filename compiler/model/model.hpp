@@ -3,6 +3,7 @@
 
 #include <array>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -71,6 +72,18 @@ struct Joint {
   CutMark cut = CutMark::automatic;
   std::vector<Freedom> freedoms;  ///< empty for fixed
 };
+
+/// One equation of a closed loop: its name, and the unit of its multiplier.
+struct ClosureRow {
+  std::string_view name, unit;
+};
+
+/// The equations that a cut joint of this type closes, in their order; none for a free one. Source: theory.md
+/// section 3.
+std::span<const ClosureRow> closure_rows(JointType type);
+
+/// The equation of a rod.
+constexpr ClosureRow kRodRow{"distance", "N"};
 
 /// A bar with a spherical joint at each end: a distance constraint with exact inertia (theory.md section 5).
 struct Rod {
@@ -230,11 +243,32 @@ struct DriveOutput {
   int motion = -1;
 };  ///< generalised driving force of a motion
 
+/// A component of what a joint or rod transmits from its `from` to its `to` body: everything that goes through it, the
+/// constraint as well as springs, friction, forces and drives of its coordinates. Moments are about the joint's point
+/// on `to`, at both ends; a rod transmits none.
+struct ReactionOutput {
+  enum class What { force, moment };
+  enum class End { to, from };
+  What what = What::force;
+  int joint = -1, rod = -1;   ///< one of them
+  int axis = 0;               ///< 0 x, 1 y, 2 z
+  bool in_body_axes = false;  ///< components in the axes of the body at `end`, else global
+  End end = End::to;          ///< the body that is acted on
+};
+
+/// Multiplier of one equation of a cut joint or rod (of a rod: its tension).
+struct MultiplierOutput {
+  int joint = -1, rod = -1;  ///< one of them
+  int equation = 0;          ///< index into closure_rows of the joint
+};
+
 struct Output {
   std::string name;
   Where where;
   std::string unit;
-  std::variant<ExpressionOutput, PointOutput, CoordinateOutput, TyreOutput, SpringOutput, DriveOutput> source;
+  std::variant<ExpressionOutput, PointOutput, CoordinateOutput, TyreOutput, SpringOutput, DriveOutput, ReactionOutput,
+               MultiplierOutput>
+      source;
 };
 
 struct Parameter {

@@ -35,7 +35,7 @@ std::string did_you_mean(std::string_view word, const NameMap<Target>& names) {
 /// Every name that an element may refer to, with its index in the Model.
 struct Names {
   NameMap<int> later_parameters;  ///< defined, but further below than what is being read
-  NameMap<int> parameters, inputs, bodies, joints, springs, air_springs, tyre_data, tyres, motions;
+  NameMap<int> parameters, inputs, bodies, joints, rods, springs, air_springs, tyre_data, tyres, motions;
   NameMap<CoordinateReference> coordinates;
   std::vector<NameMap<int>> points;     ///< per body
   std::vector<bool> points_unreadable;  ///< per body: no complaint about points that are not there

@@ -77,7 +77,8 @@ enum class Quantities {
   lateral_slip,
   force,
   length,
-  rate
+  rate,
+  moment
 };
 
 enum class Letter { x, y, z };
@@ -89,7 +90,9 @@ struct OutputFields {
   std::optional<Quantity> expression;
   std::optional<Attachment> point;
   std::optional<CoordinateReference> joint;
-  std::optional<std::string> tyre, spring, motion;
+  std::optional<std::string> tyre, spring, motion, reaction, multiplier;
+  const Value *equation = nullptr;
+  std::optional<ReactionOutput::End> end;
   std::optional<Quantities> quantity;
   std::optional<Letter> axis;
   std::optional<bool> in_body_axes;

@@ -61,6 +61,9 @@ Quantity scaled(Reader& reader, double factor, const Quantity& quantity) {
 
 void read_rods(Reader& reader, const Entries& entries) {
   constexpr double kSmallestLength = 1e-6;  // m
+  for (const Entry& entry : entries) {
+    reader.names.rods.emplace(entry.name, static_cast<int>(reader.names.rods.size()));
+  }
   read_list(reader, entries, reader.model.rods, [](Reader& r, const Value& value, const Rod& rod) {
     const double distance = check_ends(r, value, rod.from, rod.to);
     if (distance < kSmallestLength) {

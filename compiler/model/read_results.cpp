@@ -1,7 +1,9 @@
 // Motions, outputs, initial state, solver settings.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "compiler/model/raw.hpp"
 #include "compiler/model/reader.hpp"
@@ -34,7 +36,8 @@ void resolve_motion(Reader& reader, const Value& value, MotionFields& motion) {
   }
 }
 
-constexpr std::string_view kSources[] = {"expression", "point", "joint", "tyre", "spring", "motion"};
+constexpr std::string_view kSources[] = {"expression", "point",  "joint",    "tyre",
+                                         "spring",     "motion", "reaction", "multiplier"};
 
 /// What kind of thing an output shows; index into kSources, or -1 with a complaint.
 int source_of(Reader& reader, const Value& value) {
@@ -50,23 +53,38 @@ int source_of(Reader& reader, const Value& value) {
     }
     source = static_cast<int>(i);
   }
-  if (source < 0) report(reader, value, "output needs one of expression, point, joint, tyre, spring, motion");
+  if (source < 0) {
+    report(reader, value, "output needs one of expression, point, joint, tyre, spring, motion, reaction, multiplier");
+  }
   return source;
 }
 
-/// The quantity when it is one that the source has (from first to last), else the first, with a complaint.
-Quantities quantity_of(Reader& reader, const Value& value, const OutputFields& output, Quantities first,
-                       Quantities last, std::string_view source) {
-  if (!output.quantity) return first;
-  if (*output.quantity >= first && *output.quantity <= last) return *output.quantity;
+/// The quantity when it is one of those that the source has, else the first of them, with a complaint.
+Quantities quantity_of(Reader& reader, const Value& value, const OutputFields& output,
+                       std::initializer_list<Quantities> allowed, std::string_view source) {
+  if (!output.quantity) return *allowed.begin();
+  if (std::find(allowed.begin(), allowed.end(), *output.quantity) != allowed.end()) return *output.quantity;
   report(reader, *find(value, "quantity"), fmt::format("a {} has no {}", source, find(value, "quantity")->text));
-  return first;
+  return *allowed.begin();
 }
+
+constexpr std::initializer_list<Quantities> kMotionQuantities = {Quantities::position, Quantities::velocity,
+                                                                 Quantities::acceleration};
+constexpr std::initializer_list<Quantities> kTyreQuantities = {Quantities::load,
+                                                               Quantities::longitudinal_force,
+                                                               Quantities::lateral_force,
+                                                               Quantities::aligning_moment,
+                                                               Quantities::longitudinal_slip,
+                                                               Quantities::lateral_slip};
 
 void refuse(Reader& reader, const Value& value, std::string_view key, std::string_view source) {
   if (const Member* member = find_member(value, key)) {
     report(reader, member->place, fmt::format("an output of {} takes no {}", source, in_quotes(key)));
   }
+}
+
+void require_axis(Reader& reader, const Value& value, std::string_view source) {
+  if (!find(value, "axis")) report(reader, value, fmt::format("an output of {} needs \"axis\"", source));
 }
 
 /// Index of a named element, or -1 with a complaint.
@@ -98,9 +116,8 @@ struct Resolved {
 };
 
 Resolved point_output(Reader& reader, const Value& value, const OutputFields& output) {
-  const Quantities quantity =
-      quantity_of(reader, value, output, Quantities::position, Quantities::acceleration, "point");
-  if (!find(value, "axis")) report(reader, value, "an output of point needs \"axis\"");
+  const Quantities quantity = quantity_of(reader, value, output, kMotionQuantities, "point");
+  require_axis(reader, value, "point");
   PointOutput point;
   point.what = offset<PointOutput::What>(quantity, Quantities::position);
   point.point = *output.point;
@@ -110,15 +127,14 @@ Resolved point_output(Reader& reader, const Value& value, const OutputFields& ou
 }
 
 Resolved joint_output(Reader& reader, const Value& value, const OutputFields& output) {
-  const Quantities quantity =
-      quantity_of(reader, value, output, Quantities::position, Quantities::acceleration, "coordinate");
+  const Quantities quantity = quantity_of(reader, value, output, kMotionQuantities, "coordinate");
   const bool rotation = output.joint->joint >= 0 && is_rotation(reader.model, *output.joint);
   return {CoordinateOutput{offset<CoordinateOutput::What>(quantity, Quantities::position), *output.joint},
           motion_unit(rotation, quantity)};
 }
 
 Resolved tyre_output(Reader& reader, const Value& value, const OutputFields& output) {
-  const Quantities quantity = quantity_of(reader, value, output, Quantities::load, Quantities::lateral_slip, "tyre");
+  const Quantities quantity = quantity_of(reader, value, output, kTyreQuantities, "tyre");
   const int tyre = find_element(reader, value, "tyre", reader.names.tyres);
   const char* unit = quantity == Quantities::aligning_moment     ? "N m"
                      : quantity >= Quantities::longitudinal_slip ? "1"
@@ -128,7 +144,8 @@ Resolved tyre_output(Reader& reader, const Value& value, const OutputFields& out
 }
 
 Resolved spring_output(Reader& reader, const Value& value, const OutputFields& output) {
-  const Quantities quantity = quantity_of(reader, value, output, Quantities::force, Quantities::rate, "spring");
+  const Quantities quantity =
+      quantity_of(reader, value, output, {Quantities::force, Quantities::length, Quantities::rate}, "spring");
   SpringOutput spring;
   spring.what = offset<SpringOutput::What>(quantity, Quantities::force);
   const std::string& name = *output.spring;
@@ -152,20 +169,106 @@ Resolved motion_output(Reader& reader, const Value& value) {
   return {DriveOutput{motion}, joint.joint >= 0 && is_rotation(reader.model, joint) ? "N m" : "N"};
 }
 
+/// A joint or a rod by its name; both -1 with a complaint.
+struct Connection {
+  int joint = -1, rod = -1;
+};
+
+Connection find_connection(Reader& reader, const Value& value, std::string_view key, const std::string& name) {
+  if (find(value, key)->kind != Value::Kind::text) return {};
+  const auto joint = reader.names.joints.find(name), rod = reader.names.rods.find(name);
+  const bool is_joint = joint != reader.names.joints.end(), is_rod = rod != reader.names.rods.end();
+  if (is_joint && is_rod) {
+    report(reader, *find(value, key), in_quotes(name) + " is a joint and a rod", "rename one of them");
+    return {};
+  }
+  if (is_joint) return {joint->second, -1};
+  if (is_rod) return {-1, rod->second};
+  NameMap<int> known = reader.names.joints;
+  known.insert(reader.names.rods.begin(), reader.names.rods.end());
+  report(reader, *find(value, key), "unknown joint or rod " + in_quotes(name), suggestion(reader, name, known));
+  return {};
+}
+
+Resolved reaction_output(Reader& reader, const Value& value, const OutputFields& output) {
+  const Quantities quantity = quantity_of(reader, value, output, {Quantities::force, Quantities::moment}, "reaction");
+  require_axis(reader, value, "reaction");
+  const Connection connection = find_connection(reader, value, "reaction", *output.reaction);
+  const bool is_force = quantity == Quantities::force;
+  ReactionOutput reaction;
+  reaction.what = is_force ? ReactionOutput::What::force : ReactionOutput::What::moment;
+  reaction.joint = connection.joint;
+  reaction.rod = connection.rod;
+  reaction.axis = static_cast<int>(output.axis.value_or(Letter::x));
+  reaction.in_body_axes = output.in_body_axes.value_or(false);
+  reaction.end = output.end.value_or(ReactionOutput::End::to);
+  return {reaction, is_force ? "N" : "N m"};
+}
+
+/// Index of the equation that is written as a number or a name; 0 with a complaint.
+int equation_of(Reader& reader, const Value& value, const Value* written, std::span<const ClosureRow> rows,
+                const std::string& of) {
+  std::vector<std::string_view> names;
+  for (const ClosureRow& row : rows) names.push_back(row.name);
+  const std::string known = fmt::format("its equations are {}", fmt::join(names, ", "));
+  if (!written) {
+    if (rows.size() > 1) report(reader, value, "an output of multiplier needs \"equation\"", known);
+    return 0;
+  }
+  if (written->kind == Value::Kind::number) {
+    const double number = written->number;
+    if (number >= 0 && number < static_cast<double>(rows.size()) && number == std::floor(number)) {
+      return static_cast<int>(number);
+    }
+    report(reader, *written, fmt::format("{} has equations 0 to {}, got {}", of, rows.size() - 1, number), known);
+    return 0;
+  }
+  if (written->kind == Value::Kind::text) {
+    const auto found = std::find(names.begin(), names.end(), written->text);
+    if (found != names.end()) return static_cast<int>(found - names.begin());
+    report(reader, *written, fmt::format("{} has no equation {}", of, in_quotes(written->text)), known);
+    return 0;
+  }
+  report(reader, *written, "must be the name or number of an equation, got " + describe(*written));
+  return 0;
+}
+
+Resolved multiplier_output(Reader& reader, const Value& value, const OutputFields& output) {
+  const std::string& name = *output.multiplier;
+  const Connection connection = find_connection(reader, value, "multiplier", name);
+  MultiplierOutput multiplier{connection.joint, connection.rod, 0};
+  const auto& unreadable = reader.names.unreadable_joints;
+  const bool unknown = std::find(unreadable.begin(), unreadable.end(), name) != unreadable.end();
+  if (unknown || (connection.joint < 0 && connection.rod < 0)) return {multiplier, ""};
+  std::span<const ClosureRow> rows(&kRodRow, 1);
+  if (connection.joint >= 0) rows = closure_rows(reader.model.joints[static_cast<std::size_t>(connection.joint)].type);
+  if (rows.empty()) {
+    report(reader, *find(value, "multiplier"), fmt::format("joint {} is free and closes nothing", in_quotes(name)));
+    return {multiplier, ""};
+  }
+  const std::string of = (connection.rod >= 0 ? "rod " : "joint ") + in_quotes(name);
+  multiplier.equation = equation_of(reader, value, output.equation, rows, of);
+  return {multiplier, std::string(rows[static_cast<std::size_t>(multiplier.equation)].unit)};
+}
+
 Resolved resolve_output(Reader& reader, const Value& value, const OutputFields& output) {
   const int source = source_of(reader, value);
   if (source < 0) return {};
   const std::string_view name = kSources[static_cast<std::size_t>(source)];
-  if (name == "expression" || name == "motion") refuse(reader, value, "quantity", name);
-  if (name != "point") {
+  if (name == "expression" || name == "motion" || name == "multiplier") refuse(reader, value, "quantity", name);
+  if (name != "point" && name != "reaction") {
     refuse(reader, value, "axis", name);
     refuse(reader, value, "frame", name);
   }
+  if (name != "reaction") refuse(reader, value, "end", name);
+  if (name != "multiplier") refuse(reader, value, "equation", name);
   if (name == "expression") return {ExpressionOutput{*output.expression}, ""};
   if (name == "point") return point_output(reader, value, output);
   if (name == "joint") return joint_output(reader, value, output);
   if (name == "tyre") return tyre_output(reader, value, output);
   if (name == "spring") return spring_output(reader, value, output);
+  if (name == "reaction") return reaction_output(reader, value, output);
+  if (name == "multiplier") return multiplier_output(reader, value, output);
   return motion_output(reader, value);
 }
 

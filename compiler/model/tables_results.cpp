@@ -11,10 +11,21 @@ constexpr std::array<std::string_view, 2> kIntegrators = {"rk4", "abm4"};
 constexpr std::array<std::string_view, 2> kFrames = {"global", "body"};
 constexpr std::array<std::string_view, 3> kLetters = {"x", "y", "z"};
 /// In the order of Quantities.
-constexpr std::array<std::string_view, 12> kQuantities = {
-    "position",           "velocity",      "acceleration",    "load",
-    "longitudinal_force", "lateral_force", "aligning_moment", "longitudinal_slip",
-    "lateral_slip",       "force",         "length",          "rate"};
+constexpr std::array<std::string_view, 13> kQuantities = {"position",
+                                                          "velocity",
+                                                          "acceleration",
+                                                          "load",
+                                                          "longitudinal_force",
+                                                          "lateral_force",
+                                                          "aligning_moment",
+                                                          "longitudinal_slip",
+                                                          "lateral_slip",
+                                                          "force",
+                                                          "length",
+                                                          "rate",
+                                                          "moment"};
+/// In the order of ReactionOutput::End.
+constexpr std::array<std::string_view, 2> kEnds = {"to", "from"};
 
 template <class Object>
 ObjectKind kind(std::string_view name, std::string_view doc) {
@@ -59,19 +70,36 @@ std::span<const Field<OutputFields>> fields<OutputFields>() {
                             .shape = Shape::reference,
                             .doc = "generalised force that drives a motion",
                             .of = "motions"}),
+      field<F, &F::reaction>({.name = "reaction",
+                              .shape = Shape::reference,
+                              .doc = "what a joint or rod transmits from its `from` to its `to` body",
+                              .of = "joints"}),
+      field<F, &F::multiplier>({.name = "multiplier",
+                                .shape = Shape::reference,
+                                .doc = "multiplier of one equation of a cut joint or rod",
+                                .of = "joints"}),
       field<F, &F::quantity>(
           {.name = "quantity",
            .shape = Shape::word,
-           .doc =
-               "what of the point or coordinate (position, velocity, acceleration), of the tyre (load, "
-               "longitudinal_force, lateral_force, aligning_moment, longitudinal_slip, lateral_slip) or of the spring "
-               "(force, length, rate); default: the first of each",
+           .doc = "what of the point or coordinate (position, velocity, acceleration), of the tyre (load, "
+                  "longitudinal_force, lateral_force, aligning_moment, longitudinal_slip, lateral_slip), of the spring "
+                  "(force, length, rate) or of the reaction (force, moment); default: the first of each",
            .words = kQuantities}),
-      field<F, &F::axis>({.name = "axis", .shape = Shape::word, .doc = "component, for a point", .words = kLetters}),
-      field<F, &F::in_body_axes>({.name = "frame",
-                                  .shape = Shape::word,
-                                  .doc = "axes of the component, for a point; default global",
-                                  .words = kFrames}),
+      field<F, &F::axis>(
+          {.name = "axis", .shape = Shape::word, .doc = "component, for a point or reaction", .words = kLetters}),
+      field<F, &F::in_body_axes>(
+          {.name = "frame",
+           .shape = Shape::word,
+           .doc = "axes of the component: global (default), or of the point's body, of a reaction the body at `end`",
+           .words = kFrames}),
+      field<F, &F::end>({.name = "end",
+                         .shape = Shape::word,
+                         .doc = "body that a reaction acts on, default to; its moment is about the joint's point on "
+                                "`to` at both",
+                         .words = kEnds}),
+      field<F, &F::equation>({.name = "equation",
+                              .shape = Shape::equation,
+                              .doc = "name of the equation of a multiplier, or its number from 0"}),
   };
   return table;
 }
@@ -146,7 +174,9 @@ std::vector<ObjectKind> object_kinds() {
       kind<TyreDataFields>("tyre_data", "coefficients of a tyre"),
       kind<TyreFields>("tyre", "a tyre on a flat horizontal road"),
       kind<MotionFields>("motion", "a driven coordinate; exactly one of angle and position"),
-      kind<OutputFields>("output", "a result; exactly one of expression, point, joint, tyre, spring and motion"),
+      kind<OutputFields>("output",
+                         "a result; exactly one of expression, point, joint, tyre, spring, motion, reaction and "
+                         "multiplier"),
       kind<InitialFields>("initial", "state at the start"),
       kind<SolverSettings>("solver", "time integration"),
       kind<TableFields>("table", "a characteristic by points"),

@@ -91,6 +91,7 @@ void place_bodies(Topology& topology, const Model& model, const std::vector<bool
     const bool reversed = !placed[joint.from.body];
     const int child = reversed ? joint.from.body : joint.to.body;
     topology.tree_body[child] = place_joint(topology, model, index, reversed);
+    topology.tree_joints.push_back({index, reversed ? joint.to.body : joint.from.body, child, reversed});
     open(child);
   }
   topology.children.resize(topology.bodies.size());
@@ -153,7 +154,8 @@ void find_loops(Topology& topology, const Model& model, const SpanningTree& tree
     loop.joint = static_cast<int>(j);
     loop.body_from = topology.tree_body[joint.from.body];
     loop.body_to = topology.tree_body[joint.to.body];
-    loop.equations = closure_equations(joint.type);
+    for (const ClosureRow& row : closure_rows(joint.type)) loop.rows.emplace_back(row.name);
+    loop.equations = static_cast<int>(loop.rows.size());
     if (!check_loop(model, loop, joint.from, joint.to, joint.where, problems)) continue;
     add_loop(topology, std::move(loop));
     topology.cut_reasons.push_back(tree.cut_reason[j]);
@@ -166,8 +168,23 @@ void find_loops(Topology& topology, const Model& model, const SpanningTree& tree
     loop.rod = static_cast<int>(r);
     loop.body_from = topology.tree_body[rod.from.body];
     loop.body_to = topology.tree_body[rod.to.body];
+    loop.rows = {std::string(kRodRow.name)};
     loop.equations = 1;
     if (check_loop(model, loop, rod.from, rod.to, rod.where, problems)) add_loop(topology, std::move(loop));
+  }
+}
+
+// Only what closes a loop has multipliers.
+void check_multipliers(const Topology& topology, const Model& model, Diagnostics& problems) {
+  for (const Output& output : model.outputs) {
+    const auto* source = std::get_if<MultiplierOutput>(&output.source);
+    if (!source || source->joint < 0) continue;
+    const auto in_tree = [&](const TreeJoint& placed) { return placed.joint == source->joint; };
+    if (std::none_of(topology.tree_joints.begin(), topology.tree_joints.end(), in_tree)) continue;
+    problems.push_back({output.where,
+                        "output " + quoted(output.name) + " asks for a multiplier of joint " +
+                            quoted(model.joints[source->joint].name) + ", which is in the tree and has none",
+                        "ask for its \"reaction\", or mark the joint \"cut\": true", ""});
   }
 }
 
@@ -240,6 +257,7 @@ Result<Topology> build_topology(const Model& model) {
   place_bodies(topology, model, tree->in_tree);
   Diagnostics problems;
   find_loops(topology, model, *tree, problems);
+  check_multipliers(topology, model, problems);
   if (topology.bodies.empty() && problems.empty()) {
     Where whole_file;
     whole_file.file = model.file;

@@ -40,7 +40,7 @@ class TreeSearch {
   int weight(const JointSet& joints) const;
   bool try_exchange(std::size_t cut, int kept);
   std::string reason(const Cycle& cycle) const;
-  int equations(int joint) const { return closure_equations(model_.joints[joint].type); }
+  int equations(int joint) const { return static_cast<int>(closure_rows(model_.joints[joint].type).size()); }
 
   /// Candidates to extend the tree, best first: hold, equations, nearness to ground, file order.
   using Candidate = std::tuple<Hold, int, int, int>;
@@ -258,25 +258,6 @@ SpanningTree TreeSearch::result() const {
 }
 
 }  // namespace
-
-int closure_equations(JointType type) {
-  switch (type) {
-    case JointType::fixed:
-      return 6;
-    case JointType::revolute:
-    case JointType::prismatic:
-      return 5;
-    case JointType::cylindrical:
-    case JointType::universal:
-      return 4;
-    case JointType::spherical:
-    case JointType::planar:
-      return 3;
-    case JointType::free:
-      break;
-  }
-  return 0;
-}
 
 Result<SpanningTree> choose_spanning_tree(const Model& model) {
   TreeSearch search(model);

@@ -8,9 +8,6 @@
 
 namespace mbgen {
 
-/// Scalar equations that closing a loop by a joint of this type costs; 0 for a free joint, which closes nothing.
-int closure_equations(JointType type);
-
 struct SpanningTree {
   std::vector<bool> in_tree;            ///< per model joint
   std::vector<std::string> cut_reason;  ///< per model joint, empty in the tree and for free joints

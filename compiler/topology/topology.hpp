@@ -35,9 +35,18 @@ struct Loop {
   int rod = -1;             ///< index into Model::rods, or -1
   int body_from = kGround;  ///< tree indices of the two closed bodies, kGround for ground
   int body_to = kGround;
-  int ancestor = kGround;   ///< lowest common ancestor (tree index)
-  std::vector<int> joints;  ///< ascending tree joints above the ancestor: symmetric difference of two rows of T
-  int equations = 0;        ///< fixed 6, revolute and prismatic 5, universal and cylindrical 4, others 3, rod 1
+  int ancestor = kGround;         ///< lowest common ancestor (tree index)
+  std::vector<int> joints;        ///< ascending tree joints above the ancestor: symmetric difference of two rows of T
+  int equations = 0;              ///< fixed 6, revolute and prismatic 5, universal and cylindrical 4, others 3, rod 1
+  std::vector<std::string> rows;  ///< their names, closure_rows of the joint's type
+};
+
+/// A joint of the spanning tree, fixed ones too, seen from ground.
+struct TreeJoint {
+  int joint = -1;  ///< index into Model::joints
+  int parent = -1,
+      child = -1;         ///< indices into Model::bodies: the body that was there, and the one that the joint holds
+  bool reversed = false;  ///< the parent is the joint's `to` body
 };
 
 /// Loops that share joints, directly or through others.
@@ -61,6 +70,7 @@ struct Topology {
   std::vector<std::vector<int>> children;  ///< children[i], ascending
   std::vector<int> roots;                  ///< bodies whose parent is ground
   std::vector<int> tree_body;              ///< per model body: the tree index it moves with, kGround for ground
+  std::vector<TreeJoint> tree_joints;      ///< one per model body but ground, parents before children
   std::vector<Loop> loops;                 ///< in order: cut joints as in the model, then rods
   std::vector<LoopBlock> blocks;
   std::vector<JointGroup> groups;        ///< parents before children
@@ -72,7 +82,8 @@ struct Topology {
 /// Finds the tree, the cuts, the loops and the blocks.
 /// Fails: a body with no path to ground, joints marked "cut": false that form a cycle (two tree parents), a joint whose
 /// coordinate is used (driven, sprung, named in an expression, an output or a start value) but had to be cut, a loop in
-/// which nothing moves, a model in which nothing moves; each names the body or joint and its place.
+/// which nothing moves, a model in which nothing moves, an output that asks for a multiplier of a joint in the tree;
+/// each names the body or joint and its place.
 /// Source: theory.md sections 1 and 3.
 Result<Topology> build_topology(const Model& model);
 

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "compiler/formulation/formulation.hpp"
 #include "compiler/trace/scribe.hpp"
 
@@ -257,60 +259,98 @@ Program trace_closure_terms(const Model& model, const Topology& topology, const 
   return tracing.builder.finish();
 }
 
-/// Multipliers and driving forces of a solved state, in the frozen order (theory.md section 4).
-struct Reactions {
-  std::vector<std::vector<Expr>> lambda;  ///< per block
-  std::vector<Expr> drive;                ///< per motion
+/// A state with given accelerations, and the generalised forces that its constraints must provide.
+struct GivenState {
+  std::vector<Expr> tau, zdd;
+  Kinematics<Expr> kinematics;
+  Inertias<Expr> inertias;
+  Velocities<Expr> velocities;
+  AppliedForces<Expr> forces;
+  Accelerations<Expr> accelerations;
+  std::vector<Expr> missing;  ///< per coordinate: tree forces less M zdd, equal to Phi_z' lambda less the drives
 };
 
-Reactions reactions(Tracing& tracing, const Kinematics<Expr>& k, const std::vector<Expr>& residual_force) {
+GivenState given_state(Tracing& tracing) {
   System<Expr>& system = tracing.system;
-  Reactions r;
-  std::vector<Expr> force = residual_force;  // tree forces less Phi_z' lambda
-  const RelativeMotion<Expr> rest = at_rest<Expr>(system.topology);
-  for (std::size_t b = 0; b < system.topology.blocks.size(); ++b) {
-    const LoopBlock& block = system.topology.blocks[b];
-    const BlockClosure<Expr> closed = closure(system, k, block, rest);
-    tracing.scribe.place(fmt::format("loop block {}", b));
-    std::vector<Expr> right_hand_side;
-    for (int j : block.joints) right_hand_side.push_back(residual_force[j]);
-    const std::vector<Expr> lambda =
-        solve_frozen_transposed(factorise_frozen(closed.jacobian, tracing.analysis.blocks[b]),
-                                tracing.analysis.blocks[b], right_hand_side, closed.residual.size());
-    for (std::size_t e = 0; e < lambda.size(); ++e)
-      for (std::size_t c = 0; c < block.joints.size(); ++c) force[block.joints[c]] -= closed.jacobian[e][c] * lambda[e];
-    r.lambda.push_back(lambda);
-  }
-  for (const Drive<Expr>& d : tracing.drive) r.drive.push_back(-force[d.coordinate]);
-  return r;
+  GivenState s;
+  s.tau = tracing.inputs("tau", tracing.size());
+  s.zdd = tracing.inputs("zdd", tracing.size());
+  s.kinematics = kinematics(system);
+  s.inertias = inertias(system, s.kinematics);
+  tracing.scribe.step(Step::velocities);
+  s.velocities = velocities(system, s.kinematics);
+  tracing.scribe.step(Step::forces);
+  s.forces = applied_forces(system, s.kinematics, s.velocities);
+  tracing.scribe.step(Step::accelerations);
+  s.accelerations = accelerations(system, s.kinematics, s.velocities, s.zdd);
+  s.missing = tree_forces(system, s.kinematics, s.inertias, s.velocities, s.accelerations, s.forces, s.tau);
+  tracing.scribe.step(Step::solution);
+  return s;
 }
 
-/// Programs that look at a solved state: multipliers and outputs.
-Program trace_solved(const std::string& name, const Model& model, const Topology& topology, const Analysis& analysis) {
-  Tracing tracing(name, model, topology, analysis);
+/// Driving force of every motion, from what the multipliers leave of the missing forces.
+std::vector<Expr> driving_forces(const Tracing& tracing, const std::vector<Expr>& left) {
+  std::vector<Expr> drive;
+  for (const Drive<Expr>& d : tracing.drive) drive.push_back(-left[d.coordinate]);
+  return drive;
+}
+
+/// Multipliers and driving forces in the frozen order (theory.md section 4).
+Program trace_multipliers(const Model& model, const Topology& topology, const Analysis& analysis) {
+  Tracing tracing("multipliers", model, topology, analysis);
   System<Expr>& system = tracing.system;
-  const std::vector<Expr> tau = tracing.inputs("tau", topology.size()), zdd = tracing.inputs("zdd", topology.size());
-  const Kinematics<Expr> k = kinematics(system);
-  const Inertias<Expr> m = inertias(system, k);
-  tracing.scribe.step(Step::velocities);
-  const Velocities<Expr> v = velocities(system, k);
-  tracing.scribe.step(Step::forces);
-  const AppliedForces<Expr> forces = applied_forces(system, k, v);
-  tracing.scribe.step(Step::accelerations);
-  const Accelerations<Expr> a = accelerations(system, k, v, zdd);
-  const std::vector<Expr> residual_force = tree_forces(system, k, m, v, a, forces, tau);
-  tracing.scribe.step(Step::solution);
-  const Reactions r = reactions(tracing, k, residual_force);
-  if (name == "multipliers") {
-    tracing.outputs("lambda", in_loop_order(topology, r.lambda));
-    tracing.outputs("drive", r.drive);
-    return tracing.builder.finish();
+  const GivenState s = given_state(tracing);
+  std::vector<std::vector<Expr>> lambda;
+  std::vector<Expr> left = s.missing;
+  const RelativeMotion<Expr> rest = at_rest<Expr>(topology);
+  for (std::size_t b = 0; b < topology.blocks.size(); ++b) {
+    const LoopBlock& block = topology.blocks[b];
+    const BlockClosure<Expr> closed = closure(system, s.kinematics, block, rest);
+    tracing.scribe.place(fmt::format("loop block {}", b));
+    std::vector<Expr> right_hand_side;
+    for (int j : block.joints) right_hand_side.push_back(s.missing[j]);
+    const FrozenFactors<Expr> factors = factorise_frozen(closed.jacobian, analysis.blocks[b]);
+    lambda.push_back(solve_frozen_transposed(factors, analysis.blocks[b], right_hand_side, closed.residual.size()));
+    for (std::size_t e = 0; e < lambda[b].size(); ++e)
+      for (std::size_t c = 0; c < block.joints.size(); ++c)
+        left[block.joints[c]] -= closed.jacobian[e][c] * lambda[b][e];
+    for (std::size_t c = 0; c < block.joints.size(); ++c)
+      tracing.output(fmt::format("missing{}", b), static_cast<int>(c), right_hand_side[c]);
+    if (analysis.blocks[b].rank > 0) tracing.output("pivot", static_cast<int>(b), factors.quality);
+  }
+  tracing.outputs("lambda", in_loop_order(topology, lambda));
+  tracing.outputs("drive", driving_forces(tracing, left));
+  return tracing.builder.finish();
+}
+
+bool looks_at_multipliers(const Model& model) {
+  return !model.motions.empty() || std::any_of(model.outputs.begin(), model.outputs.end(), [](const Output& output) {
+    return std::holds_alternative<ReactionOutput>(output.source) ||
+           std::holds_alternative<MultiplierOutput>(output.source);
+  });
+}
+
+/// Multipliers come from outside, so that they are right where the frozen partition is not; without loops there are
+/// none, and the driving forces are what is missing.
+Program trace_outputs(const Model& model, const Topology& topology, const Analysis& analysis) {
+  Tracing tracing("outputs", model, topology, analysis);
+  System<Expr>& system = tracing.system;
+  const GivenState s = given_state(tracing);
+  std::vector<std::vector<Expr>> lambda;
+  std::vector<Expr> drive;
+  if (topology.loops.empty()) {
+    drive = driving_forces(tracing, s.missing);
+  } else if (looks_at_multipliers(model)) {
+    int equations = 0;
+    for (const Loop& loop : topology.loops) equations += loop.equations;
+    lambda = by_block(topology, tracing.inputs("lambda", equations));
+    drive = tracing.inputs("drive", static_cast<int>(tracing.drive.size()));
   }
   std::vector<int> driven;
   for (const Drive<Expr>& d : tracing.drive) driven.push_back(d.coordinate);
-  const SolvedState<Expr> solved{k, v, a, forces, zdd, r.drive};
+  const SolvedState<Expr> solved{s.kinematics, s.velocities, s.accelerations, s.forces, s.zdd, lambda, drive};
   tracing.outputs("y", output_values(system, solved));
-  const Energies<Expr> e = energies(system, solved, m, tau, driven);
+  const Energies<Expr> e = energies(system, solved, s.inertias, s.tau, driven);
   tracing.outputs("energy", {e.kinetic, e.potential});
   tracing.outputs("power", {e.power});
   return tracing.builder.finish();
@@ -337,8 +377,8 @@ Programs trace(const Model& model, const Topology& topology, const Analysis& ana
     programs.closure_terms = trace_closure_terms(model, topology, analysis);
     programs.accelerations_chosen = trace_accelerations_chosen(model, topology, analysis);
   }
-  programs.multipliers = trace_solved("multipliers", model, topology, analysis);
-  programs.outputs = trace_solved("outputs", model, topology, analysis);
+  programs.multipliers = trace_multipliers(model, topology, analysis);
+  programs.outputs = trace_outputs(model, topology, analysis);
   for (int i : free_coordinates(topology, analysis))
     programs.free_direction_coordinate.push_back(topology.bodies[i].coordinate);
   int equation = 0;

@@ -7,19 +7,23 @@
 //   inputs   z[n] zd[n] x[nx] t[1] tau[n]   state and joint forces
 //            in[..] par[..]                 Inputs, tunable Parameters (by index among the tunable ones)
 //            zdd[n]                         given accelerations (outputs, multipliers)
+//            lambda[m] drive[g]             constraint forces (outputs that look at them, with loops)
 //            Rz<b>[c*f+q] zdd_star<b>[c]    projection of block b chosen at run time: c local coordinate, q of f free
 //            directions
 //   outputs  zdd[n] xd[nx]
 //            pivot[b]                       smallest |pivot|/reference of block b (monitor), one per block with rank >
 //            0 inertia[k]                     > 0 when free direction k of the final equations has inertia; names:
-//            free_direction_coordinate Phi<b>[e] Jz<b>[e*c+j] ct<b>[e] c<b>[e]   closure terms: residual, Jacobian (all
-//            equations), -dPhi/dt (velocity
-//                                           right-hand side, Phi_z zd = ct), acceleration right-hand side (Phi_z zdd =
-//                                           c)
+//                                           free_direction_coordinate
+//            Phi<b>[e] Jz<b>[e*c+j] ct<b>[e] c<b>[e]   closure terms: residual, Jacobian (all equations), -dPhi/dt
+//                                           (velocity right-hand side, Phi_z zd = ct), acceleration right-hand side
+//                                           (Phi_z zdd = c)
 //            residual[e]                    all closure residuals, block after block (frozen closure step)
 //            dz[n] zd[n]                    Newton correction of positions (dependent ones; driven ones set to motion)
-//            and consistent velocities lambda[m]                      multipliers, in the order of Topology::loops and
-//            their equations drive[g]                       generalised driving force of motion g y[o] model outputs
+//                                           and consistent velocities
+//            lambda[m]                      multipliers, in the order of Topology::loops and their equations
+//            drive[g]                       generalised driving force of motion g
+//            missing<b>[c]                  tree forces less M zdd of block b: what Phi_z' lambda, less drives, equals
+//            y[o]                           model outputs
 
 #include <string>
 #include <vector>
@@ -36,9 +40,9 @@ struct Programs {
   Program closure;        ///< z zd t in par -> residual dz zd pivot; frozen Newton step; only with loops or motions
   Program closure_terms;  ///< z zd t in par -> Phi Jz ct c of every block, for the pivoting kernels; only with loops
   Program accelerations_chosen;  ///< z zd x t tau in par Rz zdd_star -> zdd xd inertia; any partition; only with loops
-  Program multipliers;           ///< z zd x t tau in par zdd -> lambda drive; only with loops or motions
-  Program outputs;  ///< z zd x t in par zdd (tau) -> y and `energy[0]` kinetic, `energy[1]` potential of gravity,
-                    ///< `power[0]` power of all applied forces but gravity
+  Program multipliers;           ///< z zd x t tau in par zdd -> lambda drive missing pivot; only with loops or motions
+  Program outputs;  ///< z zd x t in par zdd (tau lambda drive) -> y and `energy[0]` kinetic, `energy[1]` potential of
+                    ///< gravity, `power[0]` power of all applied forces but gravity
   std::vector<std::string> free_direction_coordinate;  ///< per index of `inertia`: coordinate that names the direction
   std::vector<int> free_directions_of_block;           ///< per block: f
   std::vector<int> residual_equation_of;               ///< per block: first index of its equations in `residual`

@@ -7271,90 +7271,101 @@ void compute_closure(const Parameters& /*parameters*/, const Inputs& /*inputs*/,
   compute_closure_2(state, work, result);
 }
 
+/// Result of compute_multipliers.
+struct ConstraintForces {
+  double lambda[17];  ///< multipliers, loop after loop
+  double drive[1];  ///< generalised driving forces
+  double missing[22];  ///< what multipliers and drives must provide, block after block
+  double pivot[2];  ///< smallest pivot of each block over its reference
+};
+
 /// Values of compute_multipliers that cross its parts.
-struct MultipliersWork {
+struct ConstraintForcesWork {
   double
       s1_1, R_chassis_aux5_x_x, R_chassis_aux5_y_x, s1_2, s1_3, R_chassis_z_y, R_chassis_z_z,
       R_chassis_x_y, R_chassis_x_z, R_chassis_y_y, R_chassis_y_z, R_lower_arm_left_y_y,
       R_lower_arm_left_z_y, r_carrier_left_aux1_y, r_carrier_left_aux1_z, R_carrier_left_aux1_x_x,
       R_carrier_left_aux1_y_x, R_carrier_left_aux1_z_x, b_carrier_left_rz_x, s1_10, s1_11, s1_14,
-      R_carrier_left_aux2_y_y, R_carrier_left_aux2_z_y, R_carrier_left_x_x, R_carrier_left_y_x,
-      R_carrier_left_z_x, R_carrier_left_x_z, R_carrier_left_y_z, R_carrier_left_z_z,
-      b_carrier_left_ry_x, s1_19, b_carrier_left_ry_z, r_wheel_front_left_x, r_wheel_front_left_y,
-      r_wheel_front_left_z, R_upper_arm_left_y_y, R_upper_arm_left_z_y, R_arb_front_left_x_x,
-      R_arb_front_left_x_z, R_lower_arm_right_y_y, R_lower_arm_right_z_y, r_carrier_right_aux1_y,
-      s1_27, R_carrier_right_aux1_x_x, R_carrier_right_aux1_y_x, R_carrier_right_aux1_z_x, s1_31,
-      R_carrier_right_aux2_y_y, R_carrier_right_aux2_z_y, R_carrier_right_x_x, R_carrier_right_y_x,
+      R_carrier_left_aux2_y_y, R_carrier_left_aux2_z_y, b_carrier_left_rx_x, b_carrier_left_rx_y,
+      b_carrier_left_rx_z, R_carrier_left_x_x, R_carrier_left_y_x, R_carrier_left_z_x,
+      R_carrier_left_x_z, R_carrier_left_y_z, R_carrier_left_z_z, b_carrier_left_ry_x, s1_22,
+      b_carrier_left_ry_z, r_wheel_front_left_x, r_wheel_front_left_y, r_wheel_front_left_z,
+      R_upper_arm_left_y_y, R_upper_arm_left_z_y, R_arb_front_left_x_x, R_arb_front_left_x_z,
+      R_lower_arm_right_y_y, R_lower_arm_right_z_y, r_carrier_right_aux1_y, s1_30,
+      R_carrier_right_aux1_x_x, R_carrier_right_aux1_y_x, R_carrier_right_aux1_z_x,
+      b_carrier_right_rz_x, s1_33, s1_34, s1_37, R_carrier_right_aux2_y_y, R_carrier_right_aux2_z_y,
+      b_carrier_right_rx_x, s1_41, b_carrier_right_rx_z, R_carrier_right_x_x, R_carrier_right_y_x,
       R_carrier_right_z_x, R_carrier_right_x_z, R_carrier_right_y_z, R_carrier_right_z_z,
       b_carrier_right_ry_x, b_carrier_right_ry_y, b_carrier_right_ry_z, r_wheel_front_right_x,
       r_wheel_front_right_y, r_wheel_front_right_z, R_upper_arm_right_y_y, R_upper_arm_right_z_y,
       R_arb_front_right_x_x, R_arb_front_right_x_z, R_pitman_arm_x_x, R_pitman_arm_x_z,
       R_bell_crank_x_x, R_bell_crank_y_x, r_rear_axle_aux1_x, r_rear_axle_aux3_z,
-      R_rear_axle_aux4_x_x, R_rear_axle_aux4_y_x, s1_41, R_rear_axle_aux5_x_x, R_rear_axle_aux5_y_x,
-      s1_42, s1_43, b_rear_axle_ry_z, R_rear_axle_x_y, R_rear_axle_y_y, R_rear_axle_z_y,
-      R_rear_axle_x_z, R_rear_axle_y_z, R_rear_axle_z_z, r_wheel_rear_left_x, r_wheel_rear_left_y,
-      r_wheel_rear_left_z, R_arb_rear_left_x_x, R_arb_rear_left_x_z, r_wheel_rear_right_x,
-      r_wheel_rear_right_y, r_wheel_rear_right_z, R_arb_rear_right_x_x, R_arb_rear_right_x_z, s1_52,
-      s1_53, s1_57, s1_58, s1_59, s1_66, s1_68, s1_70, s1_97, s1_99, s1_101, s1_103, s1_105, s1_107,
-      s1_116, s1_118, s1_120, s1_122, s1_124, s1_126, s1_129, s1_130, s1_134, s1_135, s1_136,
-      s1_139, s1_140, s1_143, s1_147, s1_151, s1_152, s1_153, s1_156, s1_157, s1_161, s1_162,
-      s1_163, s1_170, s1_172, s1_173, s1_200, s1_202, s1_204, s1_206, s1_208, s1_210, s1_219,
-      s1_221, s1_223, s1_225, s1_227, s1_229, s1_232, s1_233, s1_237, s1_238, s1_239, s1_242,
-      s1_243, s1_246, s1_250, s1_254, s1_255, s1_256, s1_257, s1_258, s1_262, s1_263, s1_264,
-      s1_267, s1_268, s1_275, s1_276, s1_277, s1_282, s1_283, s1_284, s1_298, s1_300, s1_302,
-      s1_304, s1_306, s1_308, s1_317, s1_319, s1_321, s1_323, s1_325, s1_327, s1_328, s1_329,
-      s1_330, s1_332, s1_336, s1_337, s1_338, s1_339, s1_340, s1_341, s1_343, s1_347, s1_348,
-      s1_349, s1_356, s1_358, s1_360, s1_363, s1_364, s1_371, s1_373, s1_374, s1_377, s1_378,
-      s1_379, s1_380, s1_381, s1_382, s1_383, s1_385, s1_387, s1_389, s1_390, s1_391, s1_396,
-      s1_397, s1_398, s1_400, s1_402, s1_404, s1_405, s1_406, s1_407, s1_408, s1_418, s1_419,
-      s1_420, s1_427, s1_428, s1_429, s1_439, s1_440, s1_441, s1_442, s1_443, s1_444, s1_445,
-      s1_446, s1_447, s1_448, s1_449, s1_450, s1_451, s1_452, s1_453, s1_454, w_chassis_y,
-      w_chassis_z, w_chassis_x, w_carrier_left_x, w_carrier_left_y, w_carrier_left_z,
-      w_wheel_front_left_x, w_wheel_front_left_y, w_wheel_front_left_z, w_arb_front_left_y,
-      w_carrier_right_x, w_carrier_right_y, w_carrier_right_z, w_wheel_front_right_x,
-      w_wheel_front_right_y, w_wheel_front_right_z, w_arb_front_right_y, w_pitman_arm_y,
-      w_bell_crank_z, w_rear_axle_aux4_z, s2_28, s2_29, w_rear_axle_aux5_x, w_rear_axle_aux5_y,
-      s2_30, s2_31, s2_32, w_rear_axle_x, w_rear_axle_y, w_rear_axle_z, s2_33, s2_34, s2_35,
-      w_wheel_rear_left_x, w_wheel_rear_left_y, w_wheel_rear_left_z, w_arb_rear_left_y, s2_36,
-      s2_37, s2_38, w_wheel_rear_right_x, w_wheel_rear_right_y, w_wheel_rear_right_z,
-      w_arb_rear_right_y, a_chassis_x, a_chassis_y, a_chassis_z, s4_6, s4_7, s4_9, alpha_chassis_x,
-      alpha_chassis_y, alpha_chassis_z, s4_13, s4_14, s4_15, s4_16, s4_17, s4_18, s4_19, s4_20,
-      s4_21, s4_22, s4_23, alpha_lower_arm_left_x, s4_27, s4_28, s4_30, s4_31, s4_33, s4_34,
-      a_lower_arm_left_y, a_lower_arm_left_z, alpha_carrier_left_x, alpha_carrier_left_y,
-      alpha_carrier_left_z, s4_99, s4_100, s4_101, s4_102, s4_103, s4_104, s4_105, s4_106, s4_107,
-      a_carrier_left_x, a_carrier_left_y, a_carrier_left_z, alpha_wheel_front_left_x,
-      alpha_wheel_front_left_y, alpha_wheel_front_left_z, s4_125, s4_126, s4_127, s4_128, s4_129,
-      s4_130, s4_131, s4_132, s4_133, a_wheel_front_left_x, a_wheel_front_left_y,
-      a_wheel_front_left_z, alpha_upper_arm_left_x, s4_144, s4_145, s4_146, s4_147, s4_148, s4_149,
-      a_upper_arm_left_y, a_upper_arm_left_z, alpha_arb_front_left_y, alpha_arb_front_left_x,
-      alpha_arb_front_left_z, s4_155, s4_156, s4_157, s4_158, s4_159, s4_160, s4_161, s4_162,
-      a_arb_front_left_x, a_arb_front_left_y, a_arb_front_left_z, alpha_lower_arm_right_x, s4_169,
-      s4_170, s4_172, s4_173, s4_175, s4_176, a_lower_arm_right_y, a_lower_arm_right_z,
-      alpha_carrier_right_x, alpha_carrier_right_y, alpha_carrier_right_z, s4_241, s4_242, s4_243,
-      s4_244, s4_245, s4_246, s4_247, s4_248, s4_249, a_carrier_right_x, a_carrier_right_y,
-      a_carrier_right_z, alpha_wheel_front_right_x, alpha_wheel_front_right_y,
-      alpha_wheel_front_right_z, s4_267, s4_268, s4_269, s4_270, s4_271, s4_272, s4_273, s4_274,
-      s4_275, a_wheel_front_right_x, a_wheel_front_right_y, a_wheel_front_right_z,
-      alpha_upper_arm_right_x, s4_286, s4_287, s4_288, s4_289, s4_290, s4_291, a_upper_arm_right_y,
+      R_rear_axle_aux4_x_x, R_rear_axle_aux4_y_x, s1_51, R_rear_axle_aux5_x_x, R_rear_axle_aux5_y_x,
+      s1_52, s1_53, b_rear_axle_ry_z, R_rear_axle_x_y, R_rear_axle_y_y, R_rear_axle_z_y,
+      R_rear_axle_x_z, R_rear_axle_y_z, R_rear_axle_z_z, s1_58, b_rear_axle_rx_y, b_rear_axle_rx_z,
+      r_wheel_rear_left_x, r_wheel_rear_left_y, r_wheel_rear_left_z, R_arb_rear_left_x_x,
+      R_arb_rear_left_x_z, r_wheel_rear_right_x, r_wheel_rear_right_y, r_wheel_rear_right_z,
+      R_arb_rear_right_x_x, R_arb_rear_right_x_z, s1_66, s1_67, s1_71, s1_72, s1_73, s1_80, s1_82,
+      s1_84, s1_111, s1_113, s1_115, s1_117, s1_119, s1_121, s1_130, s1_132, s1_134, s1_136, s1_138,
+      s1_140, s1_143, s1_144, s1_148, s1_149, s1_150, s1_153, s1_154, s1_157, s1_161, s1_165,
+      s1_166, s1_167, s1_170, s1_171, s1_175, s1_176, s1_177, s1_184, s1_186, s1_187, s1_214,
+      s1_216, s1_218, s1_220, s1_222, s1_224, s1_233, s1_235, s1_237, s1_239, s1_241, s1_243,
+      s1_246, s1_247, s1_251, s1_252, s1_253, s1_256, s1_257, s1_260, s1_264, s1_268, s1_269,
+      s1_270, s1_271, s1_272, s1_276, s1_277, s1_278, s1_281, s1_282, s1_289, s1_290, s1_291,
+      s1_296, s1_297, s1_298, s1_312, s1_314, s1_316, s1_318, s1_320, s1_322, s1_331, s1_333,
+      s1_335, s1_337, s1_339, s1_341, s1_342, s1_343, s1_344, s1_346, s1_350, s1_351, s1_352,
+      s1_353, s1_354, s1_355, s1_357, s1_361, s1_362, s1_363, s1_370, s1_372, s1_374, s1_377,
+      s1_378, s1_385, s1_387, s1_388, s1_391, s1_392, s1_393, s1_394, s1_395, s1_396, s1_397,
+      s1_399, s1_401, s1_403, s1_404, s1_405, s1_410, s1_411, s1_412, s1_414, s1_416, s1_418,
+      s1_419, s1_420, s1_421, s1_422, s1_432, s1_433, s1_434, s1_441, s1_442, s1_443, s1_453,
+      s1_454, s1_455, s1_456, s1_457, s1_458, s1_459, s1_460, s1_461, s1_462, s1_463, s1_464,
+      s1_465, s1_466, s1_467, s1_468, w_chassis_y, w_chassis_z, w_chassis_x, w_carrier_left_x,
+      w_carrier_left_y, w_carrier_left_z, w_wheel_front_left_x, w_wheel_front_left_y,
+      w_wheel_front_left_z, w_arb_front_left_y, w_carrier_right_x, w_carrier_right_y,
+      w_carrier_right_z, w_wheel_front_right_x, w_wheel_front_right_y, w_wheel_front_right_z,
+      w_arb_front_right_y, w_pitman_arm_y, w_bell_crank_z, w_rear_axle_aux4_z, s2_28, s2_29,
+      w_rear_axle_aux5_x, w_rear_axle_aux5_y, s2_30, s2_31, s2_32, w_rear_axle_x, w_rear_axle_y,
+      w_rear_axle_z, s2_33, s2_34, s2_35, w_wheel_rear_left_x, w_wheel_rear_left_y,
+      w_wheel_rear_left_z, w_arb_rear_left_y, s2_36, s2_37, s2_38, w_wheel_rear_right_x,
+      w_wheel_rear_right_y, w_wheel_rear_right_z, w_arb_rear_right_y, a_chassis_x, a_chassis_y,
+      a_chassis_z, s4_6, s4_7, s4_9, alpha_chassis_x, alpha_chassis_y, alpha_chassis_z, s4_13,
+      s4_14, s4_15, s4_16, s4_17, s4_18, s4_19, s4_20, s4_21, s4_22, s4_23, alpha_lower_arm_left_x,
+      s4_27, s4_28, s4_30, s4_31, s4_33, s4_34, a_lower_arm_left_y, a_lower_arm_left_z,
+      alpha_carrier_left_x, alpha_carrier_left_y, alpha_carrier_left_z, s4_99, s4_100, s4_101,
+      s4_102, s4_103, s4_104, s4_105, s4_106, s4_107, a_carrier_left_x, a_carrier_left_y,
+      a_carrier_left_z, alpha_wheel_front_left_x, alpha_wheel_front_left_y,
+      alpha_wheel_front_left_z, s4_125, s4_126, s4_127, s4_128, s4_129, s4_130, s4_131, s4_132,
+      s4_133, a_wheel_front_left_x, a_wheel_front_left_y, a_wheel_front_left_z,
+      alpha_upper_arm_left_x, s4_144, s4_145, s4_146, s4_147, s4_148, s4_149, a_upper_arm_left_y,
+      a_upper_arm_left_z, alpha_arb_front_left_y, alpha_arb_front_left_x, alpha_arb_front_left_z,
+      s4_155, s4_156, s4_157, s4_158, s4_159, s4_160, s4_161, s4_162, a_arb_front_left_x,
+      a_arb_front_left_y, a_arb_front_left_z, alpha_lower_arm_right_x, s4_169, s4_170, s4_172,
+      s4_173, s4_175, s4_176, a_lower_arm_right_y, a_lower_arm_right_z, alpha_carrier_right_x,
+      alpha_carrier_right_y, alpha_carrier_right_z, s4_241, s4_242, s4_243, s4_244, s4_245, s4_246,
+      s4_247, s4_248, s4_249, a_carrier_right_x, a_carrier_right_y, a_carrier_right_z,
+      alpha_wheel_front_right_x, alpha_wheel_front_right_y, alpha_wheel_front_right_z, s4_267,
+      s4_268, s4_269, s4_270, s4_271, s4_272, s4_273, s4_274, s4_275, a_wheel_front_right_x,
+      a_wheel_front_right_y, a_wheel_front_right_z, alpha_upper_arm_right_x, s4_286, s4_287, s4_288,
+      s4_289, s4_290, s4_291, s4_292, s4_293, s4_294, s4_295, s4_296, a_upper_arm_right_y,
       a_upper_arm_right_z, alpha_arb_front_right_y, alpha_arb_front_right_x,
-      alpha_arb_front_right_z, s4_297, s4_299, s4_300, s4_301, s4_302, s4_304, a_arb_front_right_x,
-      a_arb_front_right_z, alpha_pitman_arm_y, s4_311, s4_313, s4_316, s4_318, a_pitman_arm_x,
-      a_pitman_arm_z, alpha_bell_crank_z, s4_325, s4_326, s4_328, s4_329, a_bell_crank_x,
-      a_bell_crank_y, alpha_rear_axle_x, alpha_rear_axle_y, alpha_rear_axle_z, s4_391, s4_392,
-      s4_393, s4_394, s4_395, s4_396, s4_397, s4_398, s4_399, a_rear_axle_x, a_rear_axle_y,
+      alpha_arb_front_right_z, s4_301, s4_303, s4_304, s4_305, s4_306, s4_308, a_arb_front_right_x,
+      a_arb_front_right_z, alpha_pitman_arm_y, s4_315, s4_317, s4_320, s4_322, a_pitman_arm_x,
+      a_pitman_arm_z, alpha_bell_crank_z, s4_329, s4_330, s4_332, s4_333, a_bell_crank_x,
+      a_bell_crank_y, alpha_rear_axle_x, alpha_rear_axle_y, alpha_rear_axle_z, s4_395, s4_396,
+      s4_397, s4_398, s4_399, s4_400, s4_401, s4_402, s4_403, a_rear_axle_x, a_rear_axle_y,
       a_rear_axle_z, alpha_wheel_rear_left_x, alpha_wheel_rear_left_y, alpha_wheel_rear_left_z,
-      s4_415, s4_416, s4_417, s4_418, s4_419, s4_420, s4_421, s4_422, s4_423, a_wheel_rear_left_x,
+      s4_419, s4_420, s4_421, s4_422, s4_423, s4_424, s4_425, s4_426, s4_427, a_wheel_rear_left_x,
       a_wheel_rear_left_y, a_wheel_rear_left_z, alpha_arb_rear_left_y, alpha_arb_rear_left_x,
-      alpha_arb_rear_left_z, s4_436, s4_438, s4_439, s4_440, s4_441, s4_443, a_arb_rear_left_x,
+      alpha_arb_rear_left_z, s4_440, s4_442, s4_443, s4_444, s4_445, s4_447, a_arb_rear_left_x,
       a_arb_rear_left_z, alpha_wheel_rear_right_x, alpha_wheel_rear_right_y,
-      alpha_wheel_rear_right_z, s4_458, s4_459, s4_460, s4_461, s4_462, s4_463, s4_464, s4_465,
-      s4_466, a_wheel_rear_right_x, a_wheel_rear_right_y, a_wheel_rear_right_z,
-      alpha_arb_rear_right_y, alpha_arb_rear_right_x, alpha_arb_rear_right_z, s4_479, s4_481,
-      s4_482, s4_483, s4_484, s4_486, a_arb_rear_right_x, a_arb_rear_right_z, s4_495, s4_497,
-      s4_498, s4_512, s4_514, s4_515, s4_525, s4_526, s4_529, s4_531, s4_532, s4_533, s4_534,
-      s4_552, s4_553, s4_554, s4_555, s4_556, s4_557, s4_563, s4_564, s4_571, s4_572, s4_573,
-      s4_574, s4_575, s4_576, s4_607, s4_609, s4_610, s4_645, s4_647, s4_648, s4_655, s4_656,
-      s4_657, s4_658, s4_659, s4_660, s4_663, s4_664, s4_669, s4_671, s4_673, s4_674,
+      alpha_wheel_rear_right_z, s4_462, s4_463, s4_464, s4_465, s4_466, s4_467, s4_468, s4_469,
+      s4_470, a_wheel_rear_right_x, a_wheel_rear_right_y, a_wheel_rear_right_z,
+      alpha_arb_rear_right_y, alpha_arb_rear_right_x, alpha_arb_rear_right_z, s4_483, s4_485,
+      s4_486, s4_487, s4_488, s4_490, a_arb_rear_right_x, a_arb_rear_right_z, s4_499, s4_501,
+      s4_502, s4_516, s4_518, s4_519, s4_529, s4_530, s4_533, s4_535, s4_536, s4_537, s4_538,
+      s4_556, s4_557, s4_558, s4_559, s4_560, s4_561, s4_567, s4_568, s4_575, s4_576, s4_577,
+      s4_578, s4_579, s4_580, s4_611, s4_613, s4_614, s4_649, s4_651, s4_652, s4_659, s4_660,
+      s4_661, s4_662, s4_663, s4_664, s4_667, s4_668, s4_673, s4_677, s4_678, s4_679, s4_681,
       Q_arb_rear_right, Q_arb_rear_left, Q_rear_axle_ry, Q_rear_axle_rz, Q_rear_axle_ty,
       Q_rear_axle_tx, Q_bell_crank, Q_pitman_arm, Q_arb_front_right, Q_upper_arm_right,
       Q_carrier_right_ry, Q_lower_arm_right, Q_arb_front_left, Q_upper_arm_left, Q_carrier_left_ry,
@@ -7363,7 +7374,7 @@ struct MultipliersWork {
 
 /// Part 1 of compute_multipliers: step 1: poses, axes b, accumulated inertias MR (50).
 [[gnu::noinline]] void compute_multipliers_1(const State& state,
-    MultipliersWork& __restrict work) noexcept {
+    ConstraintForcesWork& __restrict work) noexcept {
   // --- step 1: poses, axes b, accumulated inertias MR (50) ---
   // chassis_aux4: chassis_rz, revolute, chassis_aux3
   const double z_chassis_rz = state.z[Coordinate::chassis_rz];
@@ -7418,30 +7429,36 @@ struct MultipliersWork {
   const double s1_15 = R_carrier_left_aux1_y_y*s1_13 + work.R_lower_arm_left_z_y*s1_12;
   const double R_carrier_left_aux2_z_z = work.R_lower_arm_left_y_y*s1_12 -
       R_carrier_left_aux1_z_y*s1_13;
+  const double s1_16 = work.r_carrier_left_aux1_y*work.R_carrier_left_aux1_z_x;
+  work.b_carrier_left_rx_x = s1_16 - work.r_carrier_left_aux1_z*work.R_carrier_left_aux1_y_x;
+  const double s1_17 = work.r_carrier_left_aux1_z*work.R_carrier_left_aux1_x_x;
+  work.b_carrier_left_rx_y = s1_17 - 3.6*work.R_carrier_left_aux1_z_x;
+  const double s1_18 = work.r_carrier_left_aux1_y*work.R_carrier_left_aux1_x_x;
+  work.b_carrier_left_rx_z = 3.6*work.R_carrier_left_aux1_y_x - s1_18;
   // carrier_left: carrier_left_ry, revolute, carrier_left_aux2
   const double z_carrier_left_ry = state.z[Coordinate::carrier_left_ry];
-  const double s1_16 = std::cos(z_carrier_left_ry);
-  const double s1_17 = std::sin(z_carrier_left_ry);
-  work.R_carrier_left_x_x = work.R_carrier_left_aux1_x_x*s1_16 - R_carrier_left_aux2_x_z*s1_17;
-  work.R_carrier_left_y_x = s1_15*s1_17 + work.R_carrier_left_aux1_y_x*s1_16;
-  work.R_carrier_left_z_x = work.R_carrier_left_aux1_z_x*s1_16 - R_carrier_left_aux2_z_z*s1_17;
-  work.R_carrier_left_x_z = R_carrier_left_aux2_x_z*s1_16 + work.R_carrier_left_aux1_x_x*s1_17;
-  work.R_carrier_left_y_z = work.R_carrier_left_aux1_y_x*s1_17 - s1_15*s1_16;
-  work.R_carrier_left_z_z = R_carrier_left_aux2_z_z*s1_16 + work.R_carrier_left_aux1_z_x*s1_17;
-  const double s1_18 = work.r_carrier_left_aux1_y*work.R_carrier_left_aux2_z_y;
-  work.b_carrier_left_ry_x = s1_18 - work.r_carrier_left_aux1_z*work.R_carrier_left_aux2_y_y;
-  work.s1_19 = 3.6*work.R_carrier_left_aux2_z_y + work.r_carrier_left_aux1_z*work.s1_14;
+  const double s1_19 = std::cos(z_carrier_left_ry);
+  const double s1_20 = std::sin(z_carrier_left_ry);
+  work.R_carrier_left_x_x = work.R_carrier_left_aux1_x_x*s1_19 - R_carrier_left_aux2_x_z*s1_20;
+  work.R_carrier_left_y_x = s1_15*s1_20 + work.R_carrier_left_aux1_y_x*s1_19;
+  work.R_carrier_left_z_x = work.R_carrier_left_aux1_z_x*s1_19 - R_carrier_left_aux2_z_z*s1_20;
+  work.R_carrier_left_x_z = R_carrier_left_aux2_x_z*s1_19 + work.R_carrier_left_aux1_x_x*s1_20;
+  work.R_carrier_left_y_z = work.R_carrier_left_aux1_y_x*s1_20 - s1_15*s1_19;
+  work.R_carrier_left_z_z = R_carrier_left_aux2_z_z*s1_19 + work.R_carrier_left_aux1_z_x*s1_20;
+  const double s1_21 = work.r_carrier_left_aux1_y*work.R_carrier_left_aux2_z_y;
+  work.b_carrier_left_ry_x = s1_21 - work.r_carrier_left_aux1_z*work.R_carrier_left_aux2_y_y;
+  work.s1_22 = 3.6*work.R_carrier_left_aux2_z_y + work.r_carrier_left_aux1_z*work.s1_14;
   work.b_carrier_left_ry_z = work.r_carrier_left_aux1_y*work.s1_14 +
       3.6*work.R_carrier_left_aux2_y_y;
   // wheel_front_left: wheel_front_left, revolute, carrier_left
-  const double s1_20 = 0.16999999999999998*work.R_carrier_left_x_z;
-  const double s1_21 = 0.17499999999999993*work.R_carrier_left_aux2_y_y;
-  const double s1_22 = 0.17499999999999993*work.R_carrier_left_aux2_z_y;
-  work.r_wheel_front_left_x = 3.6 + (s1_20 - 0.17499999999999993*work.s1_14);
-  const double s1_23 = s1_21 + 0.16999999999999998*work.R_carrier_left_y_z;
-  work.r_wheel_front_left_y = work.r_carrier_left_aux1_y + s1_23;
-  const double s1_24 = s1_22 + 0.16999999999999998*work.R_carrier_left_z_z;
-  work.r_wheel_front_left_z = work.r_carrier_left_aux1_z + s1_24;
+  const double s1_23 = 0.16999999999999998*work.R_carrier_left_x_z;
+  const double s1_24 = 0.17499999999999993*work.R_carrier_left_aux2_y_y;
+  const double s1_25 = 0.17499999999999993*work.R_carrier_left_aux2_z_y;
+  work.r_wheel_front_left_x = 3.6 + (s1_23 - 0.17499999999999993*work.s1_14);
+  const double s1_26 = s1_24 + 0.16999999999999998*work.R_carrier_left_y_z;
+  work.r_wheel_front_left_y = work.r_carrier_left_aux1_y + s1_26;
+  const double s1_27 = s1_25 + 0.16999999999999998*work.R_carrier_left_z_z;
+  work.r_wheel_front_left_z = work.r_carrier_left_aux1_z + s1_27;
   // upper_arm_left: upper_arm_left, revolute, chassis
   const double z_upper_arm_left = state.z[Coordinate::upper_arm_left];
   work.R_upper_arm_left_y_y = std::cos(z_upper_arm_left);
@@ -7455,51 +7472,61 @@ struct MultipliersWork {
   work.R_lower_arm_right_y_y = std::cos(z_lower_arm_right);
   work.R_lower_arm_right_z_y = std::sin(z_lower_arm_right);
   // carrier_right_aux1: carrier_right_rz, revolute, lower_arm_right
-  const double s1_25 = 0.04999999999999999*work.R_lower_arm_right_z_y;
-  const double s1_26 = 0.44999999999999996*work.R_lower_arm_right_z_y;
-  work.r_carrier_right_aux1_y = s1_25 - 0.44999999999999996*work.R_lower_arm_right_y_y - 0.4;
-  work.s1_27 = 0.62 + (s1_26 + 0.04999999999999999*work.R_lower_arm_right_y_y);
+  const double s1_28 = 0.04999999999999999*work.R_lower_arm_right_z_y;
+  const double s1_29 = 0.44999999999999996*work.R_lower_arm_right_z_y;
+  work.r_carrier_right_aux1_y = s1_28 - 0.44999999999999996*work.R_lower_arm_right_y_y - 0.4;
+  work.s1_30 = 0.62 + (s1_29 + 0.04999999999999999*work.R_lower_arm_right_y_y);
   const double z_carrier_right_rz = state.z[Coordinate::carrier_right_rz];
   work.R_carrier_right_aux1_x_x = std::cos(z_carrier_right_rz);
-  const double s1_28 = std::sin(z_carrier_right_rz);
-  work.R_carrier_right_aux1_y_x = work.R_lower_arm_right_y_y*s1_28;
-  work.R_carrier_right_aux1_z_x = work.R_lower_arm_right_z_y*s1_28;
+  const double s1_31 = std::sin(z_carrier_right_rz);
+  work.R_carrier_right_aux1_y_x = work.R_lower_arm_right_y_y*s1_31;
+  work.R_carrier_right_aux1_z_x = work.R_lower_arm_right_z_y*s1_31;
   const double R_carrier_right_aux1_y_y = work.R_lower_arm_right_y_y*work.R_carrier_right_aux1_x_x;
   const double R_carrier_right_aux1_z_y = work.R_lower_arm_right_z_y*work.R_carrier_right_aux1_x_x;
+  const double s1_32 = work.R_lower_arm_right_y_y*work.r_carrier_right_aux1_y;
+  work.b_carrier_right_rz_x = s1_32 - work.R_lower_arm_right_z_y*work.s1_30;
+  work.s1_33 = 3.6*work.R_lower_arm_right_y_y;
+  work.s1_34 = 3.6*work.R_lower_arm_right_z_y;
   // carrier_right_aux2: carrier_right_rx, revolute, carrier_right_aux1
   const double z_carrier_right_rx = state.z[Coordinate::carrier_right_rx];
-  const double s1_29 = std::cos(z_carrier_right_rx);
-  const double s1_30 = std::sin(z_carrier_right_rx);
-  work.s1_31 = s1_28*s1_29;
-  work.R_carrier_right_aux2_y_y = R_carrier_right_aux1_y_y*s1_29 - work.R_lower_arm_right_z_y*s1_30;
-  work.R_carrier_right_aux2_z_y = R_carrier_right_aux1_z_y*s1_29 + work.R_lower_arm_right_y_y*s1_30;
-  const double R_carrier_right_aux2_x_z = s1_28*s1_30;
-  const double s1_32 = R_carrier_right_aux1_y_y*s1_30 + work.R_lower_arm_right_z_y*s1_29;
-  const double R_carrier_right_aux2_z_z = work.R_lower_arm_right_y_y*s1_29 -
-      R_carrier_right_aux1_z_y*s1_30;
+  const double s1_35 = std::cos(z_carrier_right_rx);
+  const double s1_36 = std::sin(z_carrier_right_rx);
+  work.s1_37 = s1_31*s1_35;
+  work.R_carrier_right_aux2_y_y = R_carrier_right_aux1_y_y*s1_35 - work.R_lower_arm_right_z_y*s1_36;
+  work.R_carrier_right_aux2_z_y = R_carrier_right_aux1_z_y*s1_35 + work.R_lower_arm_right_y_y*s1_36;
+  const double R_carrier_right_aux2_x_z = s1_31*s1_36;
+  const double s1_38 = R_carrier_right_aux1_y_y*s1_36 + work.R_lower_arm_right_z_y*s1_35;
+  const double R_carrier_right_aux2_z_z = work.R_lower_arm_right_y_y*s1_35 -
+      R_carrier_right_aux1_z_y*s1_36;
+  const double s1_39 = work.r_carrier_right_aux1_y*work.R_carrier_right_aux1_z_x;
+  work.b_carrier_right_rx_x = work.s1_30*work.R_carrier_right_aux1_y_x + s1_39;
+  const double s1_40 = work.s1_30*work.R_carrier_right_aux1_x_x;
+  work.s1_41 = 3.6*work.R_carrier_right_aux1_z_x + s1_40;
+  const double s1_42 = work.r_carrier_right_aux1_y*work.R_carrier_right_aux1_x_x;
+  work.b_carrier_right_rx_z = 3.6*work.R_carrier_right_aux1_y_x - s1_42;
   // carrier_right: carrier_right_ry, revolute, carrier_right_aux2
   const double z_carrier_right_ry = state.z[Coordinate::carrier_right_ry];
-  const double s1_33 = std::cos(z_carrier_right_ry);
-  const double s1_34 = std::sin(z_carrier_right_ry);
-  work.R_carrier_right_x_x = work.R_carrier_right_aux1_x_x*s1_33 - R_carrier_right_aux2_x_z*s1_34;
-  work.R_carrier_right_y_x = s1_32*s1_34 + work.R_carrier_right_aux1_y_x*s1_33;
-  work.R_carrier_right_z_x = work.R_carrier_right_aux1_z_x*s1_33 - R_carrier_right_aux2_z_z*s1_34;
-  work.R_carrier_right_x_z = R_carrier_right_aux2_x_z*s1_33 + work.R_carrier_right_aux1_x_x*s1_34;
-  work.R_carrier_right_y_z = work.R_carrier_right_aux1_y_x*s1_34 - s1_32*s1_33;
-  work.R_carrier_right_z_z = R_carrier_right_aux2_z_z*s1_33 + work.R_carrier_right_aux1_z_x*s1_34;
-  const double s1_35 = work.r_carrier_right_aux1_y*work.R_carrier_right_aux2_z_y;
-  work.b_carrier_right_ry_x = work.s1_27*work.R_carrier_right_aux2_y_y + s1_35;
-  work.b_carrier_right_ry_y = work.s1_27*work.s1_31 - 3.6*work.R_carrier_right_aux2_z_y;
-  const double s1_36 = work.r_carrier_right_aux1_y*work.s1_31;
-  work.b_carrier_right_ry_z = s1_36 + 3.6*work.R_carrier_right_aux2_y_y;
+  const double s1_43 = std::cos(z_carrier_right_ry);
+  const double s1_44 = std::sin(z_carrier_right_ry);
+  work.R_carrier_right_x_x = work.R_carrier_right_aux1_x_x*s1_43 - R_carrier_right_aux2_x_z*s1_44;
+  work.R_carrier_right_y_x = s1_38*s1_44 + work.R_carrier_right_aux1_y_x*s1_43;
+  work.R_carrier_right_z_x = work.R_carrier_right_aux1_z_x*s1_43 - R_carrier_right_aux2_z_z*s1_44;
+  work.R_carrier_right_x_z = R_carrier_right_aux2_x_z*s1_43 + work.R_carrier_right_aux1_x_x*s1_44;
+  work.R_carrier_right_y_z = work.R_carrier_right_aux1_y_x*s1_44 - s1_38*s1_43;
+  work.R_carrier_right_z_z = R_carrier_right_aux2_z_z*s1_43 + work.R_carrier_right_aux1_z_x*s1_44;
+  const double s1_45 = work.r_carrier_right_aux1_y*work.R_carrier_right_aux2_z_y;
+  work.b_carrier_right_ry_x = work.s1_30*work.R_carrier_right_aux2_y_y + s1_45;
+  work.b_carrier_right_ry_y = work.s1_30*work.s1_37 - 3.6*work.R_carrier_right_aux2_z_y;
+  const double s1_46 = work.r_carrier_right_aux1_y*work.s1_37;
+  work.b_carrier_right_ry_z = s1_46 + 3.6*work.R_carrier_right_aux2_y_y;
   // wheel_front_right: wheel_front_right, revolute, carrier_right
-  const double s1_37 = 0.16999999999999998*work.R_carrier_right_x_z;
-  const double s1_38 = 0.17499999999999993*work.R_carrier_right_aux2_y_y;
-  const double s1_39 = 0.17499999999999993*work.R_carrier_right_aux2_z_y;
-  work.r_wheel_front_right_x = 3.6 + (0.17499999999999993*work.s1_31 + s1_37);
-  const double s1_40 = 0.16999999999999998*work.R_carrier_right_y_z - s1_38;
-  work.r_wheel_front_right_y = work.r_carrier_right_aux1_y + s1_40;
-  work.r_wheel_front_right_z = 0.16999999999999998*work.R_carrier_right_z_z - s1_39 - work.s1_27;
+  const double s1_47 = 0.16999999999999998*work.R_carrier_right_x_z;
+  const double s1_48 = 0.17499999999999993*work.R_carrier_right_aux2_y_y;
+  const double s1_49 = 0.17499999999999993*work.R_carrier_right_aux2_z_y;
+  work.r_wheel_front_right_x = 3.6 + (0.17499999999999993*work.s1_37 + s1_47);
+  const double s1_50 = 0.16999999999999998*work.R_carrier_right_y_z - s1_48;
+  work.r_wheel_front_right_y = work.r_carrier_right_aux1_y + s1_50;
+  work.r_wheel_front_right_z = 0.16999999999999998*work.R_carrier_right_z_z - s1_49 - work.s1_30;
   // upper_arm_right: upper_arm_right, revolute, chassis
   const double z_upper_arm_right = state.z[Coordinate::upper_arm_right];
   work.R_upper_arm_right_y_y = std::cos(z_upper_arm_right);
@@ -7527,486 +7554,492 @@ struct MultipliersWork {
   // rear_axle_aux5: rear_axle_ry, revolute, rear_axle_aux4
   const double z_rear_axle_ry = state.z[Coordinate::rear_axle_ry];
   const double R_rear_axle_aux5_z_z = std::cos(z_rear_axle_ry);
-  work.s1_41 = std::sin(z_rear_axle_ry);
+  work.s1_51 = std::sin(z_rear_axle_ry);
   work.R_rear_axle_aux5_x_x = work.R_rear_axle_aux4_x_x*R_rear_axle_aux5_z_z;
   work.R_rear_axle_aux5_y_x = work.R_rear_axle_aux4_y_x*R_rear_axle_aux5_z_z;
-  const double R_rear_axle_aux5_x_z = work.R_rear_axle_aux4_x_x*work.s1_41;
-  const double R_rear_axle_aux5_y_z = work.R_rear_axle_aux4_y_x*work.s1_41;
-  work.s1_42 = work.r_rear_axle_aux3_z*work.R_rear_axle_aux4_x_x;
-  work.s1_43 = work.r_rear_axle_aux3_z*work.R_rear_axle_aux4_y_x;
+  const double R_rear_axle_aux5_x_z = work.R_rear_axle_aux4_x_x*work.s1_51;
+  const double R_rear_axle_aux5_y_z = work.R_rear_axle_aux4_y_x*work.s1_51;
+  work.s1_52 = work.r_rear_axle_aux3_z*work.R_rear_axle_aux4_x_x;
+  work.s1_53 = work.r_rear_axle_aux3_z*work.R_rear_axle_aux4_y_x;
   const double z_rear_axle_ty = state.z[Coordinate::rear_axle_ty];
-  const double s1_44 = work.r_rear_axle_aux1_x*work.R_rear_axle_aux4_x_x;
-  work.b_rear_axle_ry_z = z_rear_axle_ty*work.R_rear_axle_aux4_y_x + s1_44;
+  const double s1_54 = work.r_rear_axle_aux1_x*work.R_rear_axle_aux4_x_x;
+  work.b_rear_axle_ry_z = z_rear_axle_ty*work.R_rear_axle_aux4_y_x + s1_54;
   // rear_axle: rear_axle_rx, revolute, rear_axle_aux5
   const double z_rear_axle_rx = state.z[Coordinate::rear_axle_rx];
-  const double s1_45 = std::cos(z_rear_axle_rx);
-  const double s1_46 = std::sin(z_rear_axle_rx);
-  work.R_rear_axle_x_y = R_rear_axle_aux5_x_z*s1_46 - work.R_rear_axle_aux4_y_x*s1_45;
-  work.R_rear_axle_y_y = work.R_rear_axle_aux4_x_x*s1_45 + R_rear_axle_aux5_y_z*s1_46;
-  work.R_rear_axle_z_y = R_rear_axle_aux5_z_z*s1_46;
-  work.R_rear_axle_x_z = work.R_rear_axle_aux4_y_x*s1_46 + R_rear_axle_aux5_x_z*s1_45;
-  work.R_rear_axle_y_z = R_rear_axle_aux5_y_z*s1_45 - work.R_rear_axle_aux4_x_x*s1_46;
-  work.R_rear_axle_z_z = R_rear_axle_aux5_z_z*s1_45;
+  const double s1_55 = std::cos(z_rear_axle_rx);
+  const double s1_56 = std::sin(z_rear_axle_rx);
+  work.R_rear_axle_x_y = R_rear_axle_aux5_x_z*s1_56 - work.R_rear_axle_aux4_y_x*s1_55;
+  work.R_rear_axle_y_y = work.R_rear_axle_aux4_x_x*s1_55 + R_rear_axle_aux5_y_z*s1_56;
+  work.R_rear_axle_z_y = R_rear_axle_aux5_z_z*s1_56;
+  work.R_rear_axle_x_z = work.R_rear_axle_aux4_y_x*s1_56 + R_rear_axle_aux5_x_z*s1_55;
+  work.R_rear_axle_y_z = R_rear_axle_aux5_y_z*s1_55 - work.R_rear_axle_aux4_x_x*s1_56;
+  work.R_rear_axle_z_z = R_rear_axle_aux5_z_z*s1_55;
+  const double s1_57 = work.r_rear_axle_aux3_z*work.R_rear_axle_aux5_y_x;
+  work.s1_58 = s1_57 + z_rear_axle_ty*work.s1_51;
+  const double s1_59 = work.r_rear_axle_aux3_z*work.R_rear_axle_aux5_x_x;
+  work.b_rear_axle_rx_y = work.r_rear_axle_aux1_x*work.s1_51 + s1_59;
+  const double s1_60 = work.r_rear_axle_aux1_x*work.R_rear_axle_aux5_y_x;
+  work.b_rear_axle_rx_z = s1_60 - z_rear_axle_ty*work.R_rear_axle_aux5_x_x;
   // wheel_rear_left: wheel_rear_left, revolute, rear_axle
-  const double s1_47 = 0.93*work.R_rear_axle_x_y;
-  const double s1_48 = 0.93*work.R_rear_axle_y_y;
-  const double s1_49 = 0.93*work.R_rear_axle_z_y;
-  work.r_wheel_rear_left_x = work.r_rear_axle_aux1_x + s1_47;
-  work.r_wheel_rear_left_y = z_rear_axle_ty + s1_48;
-  work.r_wheel_rear_left_z = work.r_rear_axle_aux3_z + s1_49;
+  const double s1_61 = 0.93*work.R_rear_axle_x_y;
+  const double s1_62 = 0.93*work.R_rear_axle_y_y;
+  const double s1_63 = 0.93*work.R_rear_axle_z_y;
+  work.r_wheel_rear_left_x = work.r_rear_axle_aux1_x + s1_61;
+  work.r_wheel_rear_left_y = z_rear_axle_ty + s1_62;
+  work.r_wheel_rear_left_z = work.r_rear_axle_aux3_z + s1_63;
   // arb_rear_left: arb_rear_left, revolute, chassis
   const double z_arb_rear_left = state.z[Coordinate::arb_rear_left];
   work.R_arb_rear_left_x_x = std::cos(z_arb_rear_left);
   work.R_arb_rear_left_x_z = std::sin(z_arb_rear_left);
   // wheel_rear_right: wheel_rear_right, revolute, rear_axle
-  work.r_wheel_rear_right_x = work.r_rear_axle_aux1_x - s1_47;
-  work.r_wheel_rear_right_y = z_rear_axle_ty - s1_48;
-  work.r_wheel_rear_right_z = work.r_rear_axle_aux3_z - s1_49;
+  work.r_wheel_rear_right_x = work.r_rear_axle_aux1_x - s1_61;
+  work.r_wheel_rear_right_y = z_rear_axle_ty - s1_62;
+  work.r_wheel_rear_right_z = work.r_rear_axle_aux3_z - s1_63;
   // arb_rear_right: arb_rear_right, revolute, chassis
   const double z_arb_rear_right = state.z[Coordinate::arb_rear_right];
   work.R_arb_rear_right_x_x = std::cos(z_arb_rear_right);
   work.R_arb_rear_right_x_z = std::sin(z_arb_rear_right);
   // lower_arm_left: lower_arm_left, revolute, chassis
-  const double s1_50 = 0.025000000000000022*work.R_lower_arm_left_z_y;
-  const double s1_51 = 0.025000000000000022*work.R_lower_arm_left_y_y;
-  work.s1_52 = 0.4 + (0.21999999999999997*work.R_lower_arm_left_y_y + s1_50);
-  work.s1_53 = 0.21999999999999997*work.R_lower_arm_left_z_y - s1_51 - 0.62;
-  const double s1_54 = 0.25*work.R_lower_arm_left_z_y;
-  const double s1_55 = 0.8*work.R_lower_arm_left_y_y;
-  const double s1_56 = work.R_lower_arm_left_y_y*(0.25*work.R_lower_arm_left_y_y);
-  work.s1_57 = s1_56 + work.R_lower_arm_left_z_y*(0.8*work.R_lower_arm_left_z_y);
-  work.s1_58 = work.R_lower_arm_left_z_y*s1_54 + work.R_lower_arm_left_y_y*s1_55;
-  work.s1_59 = work.R_lower_arm_left_y_y*s1_54 - work.R_lower_arm_left_z_y*s1_55;
+  const double s1_64 = 0.025000000000000022*work.R_lower_arm_left_z_y;
+  const double s1_65 = 0.025000000000000022*work.R_lower_arm_left_y_y;
+  work.s1_66 = 0.4 + (0.21999999999999997*work.R_lower_arm_left_y_y + s1_64);
+  work.s1_67 = 0.21999999999999997*work.R_lower_arm_left_z_y - s1_65 - 0.62;
+  const double s1_68 = 0.25*work.R_lower_arm_left_z_y;
+  const double s1_69 = 0.8*work.R_lower_arm_left_y_y;
+  const double s1_70 = work.R_lower_arm_left_y_y*(0.25*work.R_lower_arm_left_y_y);
+  work.s1_71 = s1_70 + work.R_lower_arm_left_z_y*(0.8*work.R_lower_arm_left_z_y);
+  work.s1_72 = work.R_lower_arm_left_z_y*s1_68 + work.R_lower_arm_left_y_y*s1_69;
+  work.s1_73 = work.R_lower_arm_left_y_y*s1_68 - work.R_lower_arm_left_z_y*s1_69;
   // carrier_left: carrier_left_ry, revolute, carrier_left_aux2
-  const double s1_60 = 0.003952802359882006*work.R_carrier_left_x_x;
-  const double s1_61 = 0.16710914454277284*work.R_carrier_left_x_z - s1_60;
-  const double s1_62 = 0.003952802359882006*work.R_carrier_left_y_x;
-  const double s1_63 = 0.16710914454277284*work.R_carrier_left_y_z - s1_62;
-  const double s1_64 = 0.003952802359882006*work.R_carrier_left_z_x;
-  const double s1_65 = 0.16710914454277284*work.R_carrier_left_z_z - s1_64;
-  work.s1_66 = 3.6 + (s1_61 - 0.07666666666666674*work.s1_14);
-  const double s1_67 = 0.07666666666666674*work.R_carrier_left_aux2_y_y + s1_63;
-  work.s1_68 = work.r_carrier_left_aux1_y + s1_67;
-  const double s1_69 = 0.07666666666666674*work.R_carrier_left_aux2_z_y + s1_65;
-  work.s1_70 = work.r_carrier_left_aux1_z + s1_69;
-  const double s1_71 = 0.04070875122910521*work.R_carrier_left_x_z;
-  const double s1_72 = 3.081700098328417*work.R_carrier_left_x_x - s1_71;
-  const double s1_73 = 0.039511111111111115*work.R_carrier_left_x_z;
-  const double s1_74 = s1_73 + 0.05791111111111111*work.R_carrier_left_x_x;
-  const double s1_75 = 0.04070875122910521*work.R_carrier_left_x_x;
-  const double s1_76 = 3.1640788593903637*work.R_carrier_left_x_z - s1_75;
-  const double s1_77 = 0.04070875122910521*work.R_carrier_left_y_z;
-  const double s1_78 = 3.081700098328417*work.R_carrier_left_y_x - s1_77;
-  const double s1_79 = s1_78 - 0.05791111111111111*work.R_carrier_left_aux2_y_y;
-  const double s1_80 = 0.039511111111111115*work.R_carrier_left_y_z;
-  const double s1_81 = s1_80 + 0.05791111111111111*work.R_carrier_left_y_x;
-  const double s1_82 = 2.6532900688298917*work.R_carrier_left_aux2_y_y - s1_81;
-  const double s1_83 = 0.04070875122910521*work.R_carrier_left_y_x;
-  const double s1_84 = 3.1640788593903637*work.R_carrier_left_y_z - s1_83;
-  const double s1_85 = s1_84 - 0.039511111111111115*work.R_carrier_left_aux2_y_y;
-  const double s1_86 = 0.04070875122910521*work.R_carrier_left_z_z;
-  const double s1_87 = 3.081700098328417*work.R_carrier_left_z_x - s1_86;
-  const double s1_88 = s1_87 - 0.05791111111111111*work.R_carrier_left_aux2_z_y;
-  const double s1_89 = 0.039511111111111115*work.R_carrier_left_z_z;
-  const double s1_90 = s1_89 + 0.05791111111111111*work.R_carrier_left_z_x;
-  const double s1_91 = 2.6532900688298917*work.R_carrier_left_aux2_z_y - s1_90;
-  const double s1_92 = 0.04070875122910521*work.R_carrier_left_z_x;
-  const double s1_93 = 3.1640788593903637*work.R_carrier_left_z_z - s1_92;
-  const double s1_94 = s1_93 - 0.039511111111111115*work.R_carrier_left_aux2_z_y;
-  const double s1_95 = work.R_carrier_left_x_z*(0.039511111111111115*work.s1_14 + s1_76);
-  const double s1_96 = s1_95 + work.R_carrier_left_x_x*(0.05791111111111111*work.s1_14 + s1_72);
-  work.s1_97 = work.s1_14*(2.6532900688298917*work.s1_14 + s1_74) + s1_96;
-  const double s1_98 = work.R_carrier_left_y_z*s1_85 + work.R_carrier_left_y_x*s1_79;
-  work.s1_99 = work.R_carrier_left_aux2_y_y*s1_82 + s1_98;
-  const double s1_100 = work.R_carrier_left_z_z*s1_94 + work.R_carrier_left_z_x*s1_88;
-  work.s1_101 = work.R_carrier_left_aux2_z_y*s1_91 + s1_100;
-  const double s1_102 = work.R_carrier_left_x_z*s1_85 + work.R_carrier_left_x_x*s1_79;
-  work.s1_103 = s1_102 - work.s1_14*s1_82;
-  const double s1_104 = work.R_carrier_left_x_z*s1_94 + work.R_carrier_left_x_x*s1_88;
-  work.s1_105 = s1_104 - work.s1_14*s1_91;
-  const double s1_106 = work.R_carrier_left_y_z*s1_94 + work.R_carrier_left_y_x*s1_88;
-  work.s1_107 = work.R_carrier_left_aux2_y_y*s1_91 + s1_106;
+  const double s1_74 = 0.003952802359882006*work.R_carrier_left_x_x;
+  const double s1_75 = 0.16710914454277284*work.R_carrier_left_x_z - s1_74;
+  const double s1_76 = 0.003952802359882006*work.R_carrier_left_y_x;
+  const double s1_77 = 0.16710914454277284*work.R_carrier_left_y_z - s1_76;
+  const double s1_78 = 0.003952802359882006*work.R_carrier_left_z_x;
+  const double s1_79 = 0.16710914454277284*work.R_carrier_left_z_z - s1_78;
+  work.s1_80 = 3.6 + (s1_75 - 0.07666666666666674*work.s1_14);
+  const double s1_81 = 0.07666666666666674*work.R_carrier_left_aux2_y_y + s1_77;
+  work.s1_82 = work.r_carrier_left_aux1_y + s1_81;
+  const double s1_83 = 0.07666666666666674*work.R_carrier_left_aux2_z_y + s1_79;
+  work.s1_84 = work.r_carrier_left_aux1_z + s1_83;
+  const double s1_85 = 0.04070875122910521*work.R_carrier_left_x_z;
+  const double s1_86 = 3.081700098328417*work.R_carrier_left_x_x - s1_85;
+  const double s1_87 = 0.039511111111111115*work.R_carrier_left_x_z;
+  const double s1_88 = s1_87 + 0.05791111111111111*work.R_carrier_left_x_x;
+  const double s1_89 = 0.04070875122910521*work.R_carrier_left_x_x;
+  const double s1_90 = 3.1640788593903637*work.R_carrier_left_x_z - s1_89;
+  const double s1_91 = 0.04070875122910521*work.R_carrier_left_y_z;
+  const double s1_92 = 3.081700098328417*work.R_carrier_left_y_x - s1_91;
+  const double s1_93 = s1_92 - 0.05791111111111111*work.R_carrier_left_aux2_y_y;
+  const double s1_94 = 0.039511111111111115*work.R_carrier_left_y_z;
+  const double s1_95 = s1_94 + 0.05791111111111111*work.R_carrier_left_y_x;
+  const double s1_96 = 2.6532900688298917*work.R_carrier_left_aux2_y_y - s1_95;
+  const double s1_97 = 0.04070875122910521*work.R_carrier_left_y_x;
+  const double s1_98 = 3.1640788593903637*work.R_carrier_left_y_z - s1_97;
+  const double s1_99 = s1_98 - 0.039511111111111115*work.R_carrier_left_aux2_y_y;
+  const double s1_100 = 0.04070875122910521*work.R_carrier_left_z_z;
+  const double s1_101 = 3.081700098328417*work.R_carrier_left_z_x - s1_100;
+  const double s1_102 = s1_101 - 0.05791111111111111*work.R_carrier_left_aux2_z_y;
+  const double s1_103 = 0.039511111111111115*work.R_carrier_left_z_z;
+  const double s1_104 = s1_103 + 0.05791111111111111*work.R_carrier_left_z_x;
+  const double s1_105 = 2.6532900688298917*work.R_carrier_left_aux2_z_y - s1_104;
+  const double s1_106 = 0.04070875122910521*work.R_carrier_left_z_x;
+  const double s1_107 = 3.1640788593903637*work.R_carrier_left_z_z - s1_106;
+  const double s1_108 = s1_107 - 0.039511111111111115*work.R_carrier_left_aux2_z_y;
+  const double s1_109 = work.R_carrier_left_x_z*(0.039511111111111115*work.s1_14 + s1_90);
+  const double s1_110 = work.R_carrier_left_x_x*(0.05791111111111111*work.s1_14 + s1_86);
+  work.s1_111 = work.s1_14*(2.6532900688298917*work.s1_14 + s1_88) + (s1_109 + s1_110);
+  const double s1_112 = work.R_carrier_left_y_z*s1_99 + work.R_carrier_left_y_x*s1_93;
+  work.s1_113 = work.R_carrier_left_aux2_y_y*s1_96 + s1_112;
+  const double s1_114 = work.R_carrier_left_z_z*s1_108 + work.R_carrier_left_z_x*s1_102;
+  work.s1_115 = work.R_carrier_left_aux2_z_y*s1_105 + s1_114;
+  const double s1_116 = work.R_carrier_left_x_z*s1_99 + work.R_carrier_left_x_x*s1_93;
+  work.s1_117 = s1_116 - work.s1_14*s1_96;
+  const double s1_118 = work.R_carrier_left_x_z*s1_108 + work.R_carrier_left_x_x*s1_102;
+  work.s1_119 = s1_118 - work.s1_14*s1_105;
+  const double s1_120 = work.R_carrier_left_y_z*s1_108 + work.R_carrier_left_y_x*s1_102;
+  work.s1_121 = work.R_carrier_left_aux2_y_y*s1_105 + s1_120;
   // wheel_front_left: wheel_front_left, revolute, carrier_left
-  const double s1_108 = 6.0*work.R_carrier_left_y_x;
-  const double s1_109 = 11.0*work.R_carrier_left_aux2_y_y;
-  const double s1_110 = 6.0*work.R_carrier_left_y_z;
-  const double s1_111 = 6.0*work.R_carrier_left_z_x;
-  const double s1_112 = 11.0*work.R_carrier_left_aux2_z_y;
-  const double s1_113 = 6.0*work.R_carrier_left_z_z;
-  const double s1_114 = work.R_carrier_left_x_z*(6.0*work.R_carrier_left_x_z);
-  const double s1_115 = s1_114 + work.R_carrier_left_x_x*(6.0*work.R_carrier_left_x_x);
-  work.s1_116 = work.s1_14*(11.0*work.s1_14) + s1_115;
-  const double s1_117 = work.R_carrier_left_y_z*s1_110 + work.R_carrier_left_y_x*s1_108;
-  work.s1_118 = work.R_carrier_left_aux2_y_y*s1_109 + s1_117;
-  const double s1_119 = work.R_carrier_left_z_z*s1_113 + work.R_carrier_left_z_x*s1_111;
-  work.s1_120 = work.R_carrier_left_aux2_z_y*s1_112 + s1_119;
-  const double s1_121 = work.R_carrier_left_x_z*s1_110 + work.R_carrier_left_x_x*s1_108;
-  work.s1_122 = s1_121 - work.s1_14*s1_109;
-  const double s1_123 = work.R_carrier_left_x_z*s1_113 + work.R_carrier_left_x_x*s1_111;
-  work.s1_124 = s1_123 - work.s1_14*s1_112;
-  const double s1_125 = work.R_carrier_left_y_z*s1_113 + work.R_carrier_left_y_x*s1_111;
-  work.s1_126 = work.R_carrier_left_aux2_y_y*s1_112 + s1_125;
+  const double s1_122 = 6.0*work.R_carrier_left_y_x;
+  const double s1_123 = 11.0*work.R_carrier_left_aux2_y_y;
+  const double s1_124 = 6.0*work.R_carrier_left_y_z;
+  const double s1_125 = 6.0*work.R_carrier_left_z_x;
+  const double s1_126 = 11.0*work.R_carrier_left_aux2_z_y;
+  const double s1_127 = 6.0*work.R_carrier_left_z_z;
+  const double s1_128 = work.R_carrier_left_x_z*(6.0*work.R_carrier_left_x_z);
+  const double s1_129 = s1_128 + work.R_carrier_left_x_x*(6.0*work.R_carrier_left_x_x);
+  work.s1_130 = work.s1_14*(11.0*work.s1_14) + s1_129;
+  const double s1_131 = work.R_carrier_left_y_z*s1_124 + work.R_carrier_left_y_x*s1_122;
+  work.s1_132 = work.R_carrier_left_aux2_y_y*s1_123 + s1_131;
+  const double s1_133 = work.R_carrier_left_z_z*s1_127 + work.R_carrier_left_z_x*s1_125;
+  work.s1_134 = work.R_carrier_left_aux2_z_y*s1_126 + s1_133;
+  const double s1_135 = work.R_carrier_left_x_z*s1_124 + work.R_carrier_left_x_x*s1_122;
+  work.s1_136 = s1_135 - work.s1_14*s1_123;
+  const double s1_137 = work.R_carrier_left_x_z*s1_127 + work.R_carrier_left_x_x*s1_125;
+  work.s1_138 = s1_137 - work.s1_14*s1_126;
+  const double s1_139 = work.R_carrier_left_y_z*s1_127 + work.R_carrier_left_y_x*s1_125;
+  work.s1_140 = work.R_carrier_left_aux2_y_y*s1_126 + s1_139;
   // upper_arm_left: upper_arm_left, revolute, chassis
-  const double s1_127 = 0.010000000000000009*work.R_upper_arm_left_z_y;
-  const double s1_128 = 0.010000000000000009*work.R_upper_arm_left_y_y;
-  work.s1_129 = 0.5 + (0.15000000000000002*work.R_upper_arm_left_y_y + s1_127);
-  work.s1_130 = 0.15000000000000002*work.R_upper_arm_left_z_y - s1_128 - 0.28;
-  const double s1_131 = 0.1*work.R_upper_arm_left_z_y;
-  const double s1_132 = 0.25*work.R_upper_arm_left_y_y;
-  const double s1_133 = work.R_upper_arm_left_z_y*(0.25*work.R_upper_arm_left_z_y);
-  work.s1_134 = work.R_upper_arm_left_y_y*(0.1*work.R_upper_arm_left_y_y) + s1_133;
-  work.s1_135 = work.R_upper_arm_left_z_y*s1_131 + work.R_upper_arm_left_y_y*s1_132;
-  work.s1_136 = work.R_upper_arm_left_y_y*s1_131 - work.R_upper_arm_left_z_y*s1_132;
+  const double s1_141 = 0.010000000000000009*work.R_upper_arm_left_z_y;
+  const double s1_142 = 0.010000000000000009*work.R_upper_arm_left_y_y;
+  work.s1_143 = 0.5 + (0.15000000000000002*work.R_upper_arm_left_y_y + s1_141);
+  work.s1_144 = 0.15000000000000002*work.R_upper_arm_left_z_y - s1_142 - 0.28;
+  const double s1_145 = 0.1*work.R_upper_arm_left_z_y;
+  const double s1_146 = 0.25*work.R_upper_arm_left_y_y;
+  const double s1_147 = work.R_upper_arm_left_z_y*(0.25*work.R_upper_arm_left_z_y);
+  work.s1_148 = work.R_upper_arm_left_y_y*(0.1*work.R_upper_arm_left_y_y) + s1_147;
+  work.s1_149 = work.R_upper_arm_left_z_y*s1_145 + work.R_upper_arm_left_y_y*s1_146;
+  work.s1_150 = work.R_upper_arm_left_y_y*s1_145 - work.R_upper_arm_left_z_y*s1_146;
   // arb_front_left: arb_front_left, revolute, chassis
-  const double s1_137 = 0.053846153846153884*work.R_arb_front_left_x_z;
-  const double s1_138 = 0.053846153846153884*work.R_arb_front_left_x_x;
-  work.s1_139 = 3.95 + (s1_137 - 0.1392307692307692*work.R_arb_front_left_x_x);
-  work.s1_140 = s1_138 + 0.1392307692307692*work.R_arb_front_left_x_z - 0.5;
-  const double s1_141 = 0.003692307692307688*work.R_arb_front_left_x_z;
-  const double s1_142 = 0.016246153846153844*work.R_arb_front_left_x_x;
-  work.s1_143 = s1_142 - 0.00676923076923076*work.R_arb_front_left_x_z;
-  const double s1_144 = 0.003692307692307688*work.R_arb_front_left_x_x;
-  const double s1_145 = s1_144 - 0.18132307692307692*work.R_arb_front_left_x_z;
-  const double s1_146 = 0.016246153846153844*work.R_arb_front_left_x_z;
-  work.s1_147 = 0.00676923076923076*work.R_arb_front_left_x_x + s1_146;
-  const double s1_148 = 0.23864615384615384*work.R_arb_front_left_x_x - s1_141;
-  const double s1_149 = 0.23864615384615384*work.R_arb_front_left_x_z + s1_144;
-  const double s1_150 = s1_141 + 0.18132307692307692*work.R_arb_front_left_x_x;
-  work.s1_151 = work.R_arb_front_left_x_z*s1_149 + work.R_arb_front_left_x_x*s1_150;
-  work.s1_152 = work.R_arb_front_left_x_x*s1_148 - work.R_arb_front_left_x_z*s1_145;
-  work.s1_153 = work.R_arb_front_left_x_z*s1_148 + work.R_arb_front_left_x_x*s1_145;
+  const double s1_151 = 0.053846153846153884*work.R_arb_front_left_x_z;
+  const double s1_152 = 0.053846153846153884*work.R_arb_front_left_x_x;
+  work.s1_153 = 3.95 + (s1_151 - 0.1392307692307692*work.R_arb_front_left_x_x);
+  work.s1_154 = s1_152 + 0.1392307692307692*work.R_arb_front_left_x_z - 0.5;
+  const double s1_155 = 0.003692307692307688*work.R_arb_front_left_x_z;
+  const double s1_156 = 0.016246153846153844*work.R_arb_front_left_x_x;
+  work.s1_157 = s1_156 - 0.00676923076923076*work.R_arb_front_left_x_z;
+  const double s1_158 = 0.003692307692307688*work.R_arb_front_left_x_x;
+  const double s1_159 = s1_158 - 0.18132307692307692*work.R_arb_front_left_x_z;
+  const double s1_160 = 0.016246153846153844*work.R_arb_front_left_x_z;
+  work.s1_161 = 0.00676923076923076*work.R_arb_front_left_x_x + s1_160;
+  const double s1_162 = 0.23864615384615384*work.R_arb_front_left_x_x - s1_155;
+  const double s1_163 = 0.23864615384615384*work.R_arb_front_left_x_z + s1_158;
+  const double s1_164 = s1_155 + 0.18132307692307692*work.R_arb_front_left_x_x;
+  work.s1_165 = work.R_arb_front_left_x_z*s1_163 + work.R_arb_front_left_x_x*s1_164;
+  work.s1_166 = work.R_arb_front_left_x_x*s1_162 - work.R_arb_front_left_x_z*s1_159;
+  work.s1_167 = work.R_arb_front_left_x_z*s1_162 + work.R_arb_front_left_x_x*s1_159;
   // lower_arm_right: lower_arm_right, revolute, chassis
-  const double s1_154 = 0.025000000000000022*work.R_lower_arm_right_z_y;
-  const double s1_155 = 0.025000000000000022*work.R_lower_arm_right_y_y;
-  work.s1_156 = s1_154 - 0.21999999999999997*work.R_lower_arm_right_y_y - 0.4;
-  work.s1_157 = 0.62 + (0.21999999999999997*work.R_lower_arm_right_z_y + s1_155);
-  const double s1_158 = 0.25*work.R_lower_arm_right_z_y;
-  const double s1_159 = 0.8*work.R_lower_arm_right_y_y;
-  const double s1_160 = work.R_lower_arm_right_y_y*(0.25*work.R_lower_arm_right_y_y);
-  work.s1_161 = s1_160 + work.R_lower_arm_right_z_y*(0.8*work.R_lower_arm_right_z_y);
-  work.s1_162 = work.R_lower_arm_right_z_y*s1_158 + work.R_lower_arm_right_y_y*s1_159;
-  work.s1_163 = work.R_lower_arm_right_y_y*s1_158 - work.R_lower_arm_right_z_y*s1_159;
+  const double s1_168 = 0.025000000000000022*work.R_lower_arm_right_z_y;
+  const double s1_169 = 0.025000000000000022*work.R_lower_arm_right_y_y;
+  work.s1_170 = s1_168 - 0.21999999999999997*work.R_lower_arm_right_y_y - 0.4;
+  work.s1_171 = 0.62 + (0.21999999999999997*work.R_lower_arm_right_z_y + s1_169);
+  const double s1_172 = 0.25*work.R_lower_arm_right_z_y;
+  const double s1_173 = 0.8*work.R_lower_arm_right_y_y;
+  const double s1_174 = work.R_lower_arm_right_y_y*(0.25*work.R_lower_arm_right_y_y);
+  work.s1_175 = s1_174 + work.R_lower_arm_right_z_y*(0.8*work.R_lower_arm_right_z_y);
+  work.s1_176 = work.R_lower_arm_right_z_y*s1_172 + work.R_lower_arm_right_y_y*s1_173;
+  work.s1_177 = work.R_lower_arm_right_y_y*s1_172 - work.R_lower_arm_right_z_y*s1_173;
   // carrier_right: carrier_right_ry, revolute, carrier_right_aux2
-  const double s1_164 = 0.003952802359882006*work.R_carrier_right_x_x;
-  const double s1_165 = 0.16710914454277284*work.R_carrier_right_x_z - s1_164;
-  const double s1_166 = 0.003952802359882006*work.R_carrier_right_y_x;
-  const double s1_167 = 0.16710914454277284*work.R_carrier_right_y_z - s1_166;
-  const double s1_168 = 0.003952802359882006*work.R_carrier_right_z_x;
-  const double s1_169 = 0.16710914454277284*work.R_carrier_right_z_z - s1_168;
-  work.s1_170 = 3.6 + (0.07666666666666674*work.s1_31 + s1_165);
-  const double s1_171 = s1_167 - 0.07666666666666674*work.R_carrier_right_aux2_y_y;
-  work.s1_172 = work.r_carrier_right_aux1_y + s1_171;
-  work.s1_173 = s1_169 - 0.07666666666666674*work.R_carrier_right_aux2_z_y - work.s1_27;
-  const double s1_174 = 0.04070875122910521*work.R_carrier_right_x_z;
-  const double s1_175 = 3.081700098328417*work.R_carrier_right_x_x - s1_174;
-  const double s1_176 = 0.039511111111111115*work.R_carrier_right_x_z;
-  const double s1_177 = s1_176 + 0.05791111111111111*work.R_carrier_right_x_x;
-  const double s1_178 = 0.04070875122910521*work.R_carrier_right_x_x;
-  const double s1_179 = 3.1640788593903637*work.R_carrier_right_x_z - s1_178;
-  const double s1_180 = 0.04070875122910521*work.R_carrier_right_y_z;
-  const double s1_181 = 3.081700098328417*work.R_carrier_right_y_x - s1_180;
-  const double s1_182 = 0.05791111111111111*work.R_carrier_right_aux2_y_y + s1_181;
-  const double s1_183 = 0.039511111111111115*work.R_carrier_right_y_z;
-  const double s1_184 = s1_183 + 0.05791111111111111*work.R_carrier_right_y_x;
-  const double s1_185 = 2.6532900688298917*work.R_carrier_right_aux2_y_y + s1_184;
-  const double s1_186 = 0.04070875122910521*work.R_carrier_right_y_x;
-  const double s1_187 = 3.1640788593903637*work.R_carrier_right_y_z - s1_186;
-  const double s1_188 = 0.039511111111111115*work.R_carrier_right_aux2_y_y + s1_187;
-  const double s1_189 = 0.04070875122910521*work.R_carrier_right_z_z;
-  const double s1_190 = 3.081700098328417*work.R_carrier_right_z_x - s1_189;
-  const double s1_191 = 0.05791111111111111*work.R_carrier_right_aux2_z_y + s1_190;
-  const double s1_192 = 0.039511111111111115*work.R_carrier_right_z_z;
-  const double s1_193 = s1_192 + 0.05791111111111111*work.R_carrier_right_z_x;
-  const double s1_194 = 2.6532900688298917*work.R_carrier_right_aux2_z_y + s1_193;
-  const double s1_195 = 0.04070875122910521*work.R_carrier_right_z_x;
-  const double s1_196 = 3.1640788593903637*work.R_carrier_right_z_z - s1_195;
-  const double s1_197 = 0.039511111111111115*work.R_carrier_right_aux2_z_y + s1_196;
-  const double s1_198 = work.R_carrier_right_x_z*(s1_179 - 0.039511111111111115*work.s1_31);
-  const double s1_199 = work.R_carrier_right_x_x*(s1_175 - 0.05791111111111111*work.s1_31);
-  work.s1_200 = s1_198 + s1_199 - work.s1_31*(s1_177 - 2.6532900688298917*work.s1_31);
-  const double s1_201 = work.R_carrier_right_y_z*s1_188 + work.R_carrier_right_y_x*s1_182;
-  work.s1_202 = work.R_carrier_right_aux2_y_y*s1_185 + s1_201;
-  const double s1_203 = work.R_carrier_right_z_z*s1_197 + work.R_carrier_right_z_x*s1_191;
-  work.s1_204 = work.R_carrier_right_aux2_z_y*s1_194 + s1_203;
-  const double s1_205 = work.R_carrier_right_x_z*s1_188 + work.R_carrier_right_x_x*s1_182;
-  work.s1_206 = s1_205 - work.s1_31*s1_185;
-  const double s1_207 = work.R_carrier_right_x_z*s1_197 + work.R_carrier_right_x_x*s1_191;
-  work.s1_208 = s1_207 - work.s1_31*s1_194;
-  const double s1_209 = work.R_carrier_right_y_z*s1_197 + work.R_carrier_right_y_x*s1_191;
-  work.s1_210 = work.R_carrier_right_aux2_y_y*s1_194 + s1_209;
+  const double s1_178 = 0.003952802359882006*work.R_carrier_right_x_x;
+  const double s1_179 = 0.16710914454277284*work.R_carrier_right_x_z - s1_178;
+  const double s1_180 = 0.003952802359882006*work.R_carrier_right_y_x;
+  const double s1_181 = 0.16710914454277284*work.R_carrier_right_y_z - s1_180;
+  const double s1_182 = 0.003952802359882006*work.R_carrier_right_z_x;
+  const double s1_183 = 0.16710914454277284*work.R_carrier_right_z_z - s1_182;
+  work.s1_184 = 3.6 + (0.07666666666666674*work.s1_37 + s1_179);
+  const double s1_185 = s1_181 - 0.07666666666666674*work.R_carrier_right_aux2_y_y;
+  work.s1_186 = work.r_carrier_right_aux1_y + s1_185;
+  work.s1_187 = s1_183 - 0.07666666666666674*work.R_carrier_right_aux2_z_y - work.s1_30;
+  const double s1_188 = 0.04070875122910521*work.R_carrier_right_x_z;
+  const double s1_189 = 3.081700098328417*work.R_carrier_right_x_x - s1_188;
+  const double s1_190 = 0.039511111111111115*work.R_carrier_right_x_z;
+  const double s1_191 = s1_190 + 0.05791111111111111*work.R_carrier_right_x_x;
+  const double s1_192 = 0.04070875122910521*work.R_carrier_right_x_x;
+  const double s1_193 = 3.1640788593903637*work.R_carrier_right_x_z - s1_192;
+  const double s1_194 = 0.04070875122910521*work.R_carrier_right_y_z;
+  const double s1_195 = 3.081700098328417*work.R_carrier_right_y_x - s1_194;
+  const double s1_196 = 0.05791111111111111*work.R_carrier_right_aux2_y_y + s1_195;
+  const double s1_197 = 0.039511111111111115*work.R_carrier_right_y_z;
+  const double s1_198 = s1_197 + 0.05791111111111111*work.R_carrier_right_y_x;
+  const double s1_199 = 2.6532900688298917*work.R_carrier_right_aux2_y_y + s1_198;
+  const double s1_200 = 0.04070875122910521*work.R_carrier_right_y_x;
+  const double s1_201 = 3.1640788593903637*work.R_carrier_right_y_z - s1_200;
+  const double s1_202 = 0.039511111111111115*work.R_carrier_right_aux2_y_y + s1_201;
+  const double s1_203 = 0.04070875122910521*work.R_carrier_right_z_z;
+  const double s1_204 = 3.081700098328417*work.R_carrier_right_z_x - s1_203;
+  const double s1_205 = 0.05791111111111111*work.R_carrier_right_aux2_z_y + s1_204;
+  const double s1_206 = 0.039511111111111115*work.R_carrier_right_z_z;
+  const double s1_207 = s1_206 + 0.05791111111111111*work.R_carrier_right_z_x;
+  const double s1_208 = 2.6532900688298917*work.R_carrier_right_aux2_z_y + s1_207;
+  const double s1_209 = 0.04070875122910521*work.R_carrier_right_z_x;
+  const double s1_210 = 3.1640788593903637*work.R_carrier_right_z_z - s1_209;
+  const double s1_211 = 0.039511111111111115*work.R_carrier_right_aux2_z_y + s1_210;
+  const double s1_212 = work.R_carrier_right_x_z*(s1_193 - 0.039511111111111115*work.s1_37);
+  const double s1_213 = work.R_carrier_right_x_x*(s1_189 - 0.05791111111111111*work.s1_37);
+  work.s1_214 = s1_212 + s1_213 - work.s1_37*(s1_191 - 2.6532900688298917*work.s1_37);
+  const double s1_215 = work.R_carrier_right_y_z*s1_202 + work.R_carrier_right_y_x*s1_196;
+  work.s1_216 = work.R_carrier_right_aux2_y_y*s1_199 + s1_215;
+  const double s1_217 = work.R_carrier_right_z_z*s1_211 + work.R_carrier_right_z_x*s1_205;
+  work.s1_218 = work.R_carrier_right_aux2_z_y*s1_208 + s1_217;
+  const double s1_219 = work.R_carrier_right_x_z*s1_202 + work.R_carrier_right_x_x*s1_196;
+  work.s1_220 = s1_219 - work.s1_37*s1_199;
+  const double s1_221 = work.R_carrier_right_x_z*s1_211 + work.R_carrier_right_x_x*s1_205;
+  work.s1_222 = s1_221 - work.s1_37*s1_208;
+  const double s1_223 = work.R_carrier_right_y_z*s1_211 + work.R_carrier_right_y_x*s1_205;
+  work.s1_224 = work.R_carrier_right_aux2_y_y*s1_208 + s1_223;
   // wheel_front_right: wheel_front_right, revolute, carrier_right
-  const double s1_211 = 6.0*work.R_carrier_right_y_x;
-  const double s1_212 = 11.0*work.R_carrier_right_aux2_y_y;
-  const double s1_213 = 6.0*work.R_carrier_right_y_z;
-  const double s1_214 = 6.0*work.R_carrier_right_z_x;
-  const double s1_215 = 11.0*work.R_carrier_right_aux2_z_y;
-  const double s1_216 = 6.0*work.R_carrier_right_z_z;
-  const double s1_217 = work.R_carrier_right_x_z*(6.0*work.R_carrier_right_x_z);
-  const double s1_218 = s1_217 + work.R_carrier_right_x_x*(6.0*work.R_carrier_right_x_x);
-  work.s1_219 = work.s1_31*(11.0*work.s1_31) + s1_218;
-  const double s1_220 = work.R_carrier_right_y_z*s1_213 + work.R_carrier_right_y_x*s1_211;
-  work.s1_221 = work.R_carrier_right_aux2_y_y*s1_212 + s1_220;
-  const double s1_222 = work.R_carrier_right_z_z*s1_216 + work.R_carrier_right_z_x*s1_214;
-  work.s1_223 = work.R_carrier_right_aux2_z_y*s1_215 + s1_222;
-  const double s1_224 = work.R_carrier_right_x_z*s1_213 + work.R_carrier_right_x_x*s1_211;
-  work.s1_225 = s1_224 - work.s1_31*s1_212;
-  const double s1_226 = work.R_carrier_right_x_z*s1_216 + work.R_carrier_right_x_x*s1_214;
-  work.s1_227 = s1_226 - work.s1_31*s1_215;
-  const double s1_228 = work.R_carrier_right_y_z*s1_216 + work.R_carrier_right_y_x*s1_214;
-  work.s1_229 = work.R_carrier_right_aux2_y_y*s1_215 + s1_228;
+  const double s1_225 = 6.0*work.R_carrier_right_y_x;
+  const double s1_226 = 11.0*work.R_carrier_right_aux2_y_y;
+  const double s1_227 = 6.0*work.R_carrier_right_y_z;
+  const double s1_228 = 6.0*work.R_carrier_right_z_x;
+  const double s1_229 = 11.0*work.R_carrier_right_aux2_z_y;
+  const double s1_230 = 6.0*work.R_carrier_right_z_z;
+  const double s1_231 = work.R_carrier_right_x_z*(6.0*work.R_carrier_right_x_z);
+  const double s1_232 = s1_231 + work.R_carrier_right_x_x*(6.0*work.R_carrier_right_x_x);
+  work.s1_233 = work.s1_37*(11.0*work.s1_37) + s1_232;
+  const double s1_234 = work.R_carrier_right_y_z*s1_227 + work.R_carrier_right_y_x*s1_225;
+  work.s1_235 = work.R_carrier_right_aux2_y_y*s1_226 + s1_234;
+  const double s1_236 = work.R_carrier_right_z_z*s1_230 + work.R_carrier_right_z_x*s1_228;
+  work.s1_237 = work.R_carrier_right_aux2_z_y*s1_229 + s1_236;
+  const double s1_238 = work.R_carrier_right_x_z*s1_227 + work.R_carrier_right_x_x*s1_225;
+  work.s1_239 = s1_238 - work.s1_37*s1_226;
+  const double s1_240 = work.R_carrier_right_x_z*s1_230 + work.R_carrier_right_x_x*s1_228;
+  work.s1_241 = s1_240 - work.s1_37*s1_229;
+  const double s1_242 = work.R_carrier_right_y_z*s1_230 + work.R_carrier_right_y_x*s1_228;
+  work.s1_243 = work.R_carrier_right_aux2_y_y*s1_229 + s1_242;
   // upper_arm_right: upper_arm_right, revolute, chassis
-  const double s1_230 = 0.010000000000000009*work.R_upper_arm_right_z_y;
-  const double s1_231 = 0.010000000000000009*work.R_upper_arm_right_y_y;
-  work.s1_232 = s1_230 - 0.15000000000000002*work.R_upper_arm_right_y_y - 0.5;
-  work.s1_233 = 0.28 + (0.15000000000000002*work.R_upper_arm_right_z_y + s1_231);
-  const double s1_234 = 0.1*work.R_upper_arm_right_z_y;
-  const double s1_235 = 0.25*work.R_upper_arm_right_y_y;
-  const double s1_236 = work.R_upper_arm_right_z_y*(0.25*work.R_upper_arm_right_z_y);
-  work.s1_237 = work.R_upper_arm_right_y_y*(0.1*work.R_upper_arm_right_y_y) + s1_236;
-  work.s1_238 = work.R_upper_arm_right_z_y*s1_234 + work.R_upper_arm_right_y_y*s1_235;
-  work.s1_239 = work.R_upper_arm_right_y_y*s1_234 - work.R_upper_arm_right_z_y*s1_235;
+  const double s1_244 = 0.010000000000000009*work.R_upper_arm_right_z_y;
+  const double s1_245 = 0.010000000000000009*work.R_upper_arm_right_y_y;
+  work.s1_246 = s1_244 - 0.15000000000000002*work.R_upper_arm_right_y_y - 0.5;
+  work.s1_247 = 0.28 + (0.15000000000000002*work.R_upper_arm_right_z_y + s1_245);
+  const double s1_248 = 0.1*work.R_upper_arm_right_z_y;
+  const double s1_249 = 0.25*work.R_upper_arm_right_y_y;
+  const double s1_250 = work.R_upper_arm_right_z_y*(0.25*work.R_upper_arm_right_z_y);
+  work.s1_251 = work.R_upper_arm_right_y_y*(0.1*work.R_upper_arm_right_y_y) + s1_250;
+  work.s1_252 = work.R_upper_arm_right_z_y*s1_248 + work.R_upper_arm_right_y_y*s1_249;
+  work.s1_253 = work.R_upper_arm_right_y_y*s1_248 - work.R_upper_arm_right_z_y*s1_249;
   // arb_front_right: arb_front_right, revolute, chassis
-  const double s1_240 = 0.053846153846153884*work.R_arb_front_right_x_z;
-  const double s1_241 = 0.053846153846153884*work.R_arb_front_right_x_x;
-  work.s1_242 = 3.95 + (s1_240 - 0.1392307692307692*work.R_arb_front_right_x_x);
-  work.s1_243 = s1_241 + 0.1392307692307692*work.R_arb_front_right_x_z - 0.5;
-  const double s1_244 = 0.003692307692307688*work.R_arb_front_right_x_z;
-  const double s1_245 = 0.016246153846153844*work.R_arb_front_right_x_x;
-  work.s1_246 = 0.00676923076923076*work.R_arb_front_right_x_z - s1_245;
-  const double s1_247 = 0.003692307692307688*work.R_arb_front_right_x_x;
-  const double s1_248 = s1_247 - 0.18132307692307692*work.R_arb_front_right_x_z;
-  const double s1_249 = 0.016246153846153844*work.R_arb_front_right_x_z;
-  work.s1_250 = 0.00676923076923076*work.R_arb_front_right_x_x + s1_249;
-  const double s1_251 = 0.23864615384615384*work.R_arb_front_right_x_x - s1_244;
-  const double s1_252 = 0.23864615384615384*work.R_arb_front_right_x_z + s1_247;
-  const double s1_253 = s1_244 + 0.18132307692307692*work.R_arb_front_right_x_x;
-  work.s1_254 = work.R_arb_front_right_x_z*s1_252 + work.R_arb_front_right_x_x*s1_253;
-  work.s1_255 = work.R_arb_front_right_x_x*s1_251 - work.R_arb_front_right_x_z*s1_248;
-  work.s1_256 = work.R_arb_front_right_x_z*s1_251 + work.R_arb_front_right_x_x*s1_248;
+  const double s1_254 = 0.053846153846153884*work.R_arb_front_right_x_z;
+  const double s1_255 = 0.053846153846153884*work.R_arb_front_right_x_x;
+  work.s1_256 = 3.95 + (s1_254 - 0.1392307692307692*work.R_arb_front_right_x_x);
+  work.s1_257 = s1_255 + 0.1392307692307692*work.R_arb_front_right_x_z - 0.5;
+  const double s1_258 = 0.003692307692307688*work.R_arb_front_right_x_z;
+  const double s1_259 = 0.016246153846153844*work.R_arb_front_right_x_x;
+  work.s1_260 = 0.00676923076923076*work.R_arb_front_right_x_z - s1_259;
+  const double s1_261 = 0.003692307692307688*work.R_arb_front_right_x_x;
+  const double s1_262 = s1_261 - 0.18132307692307692*work.R_arb_front_right_x_z;
+  const double s1_263 = 0.016246153846153844*work.R_arb_front_right_x_z;
+  work.s1_264 = 0.00676923076923076*work.R_arb_front_right_x_x + s1_263;
+  const double s1_265 = 0.23864615384615384*work.R_arb_front_right_x_x - s1_258;
+  const double s1_266 = 0.23864615384615384*work.R_arb_front_right_x_z + s1_261;
+  const double s1_267 = s1_258 + 0.18132307692307692*work.R_arb_front_right_x_x;
+  work.s1_268 = work.R_arb_front_right_x_z*s1_266 + work.R_arb_front_right_x_x*s1_267;
+  work.s1_269 = work.R_arb_front_right_x_x*s1_265 - work.R_arb_front_right_x_z*s1_262;
+  work.s1_270 = work.R_arb_front_right_x_z*s1_265 + work.R_arb_front_right_x_x*s1_262;
   // pitman_arm: pitman_arm, revolute, chassis
-  work.s1_257 = 4.4 - 0.14666666666666664*work.R_pitman_arm_x_z;
-  work.s1_258 = 0.4 + 0.14666666666666664*work.R_pitman_arm_x_x;
-  const double s1_259 = 0.0742*work.R_pitman_arm_x_z;
-  const double s1_260 = 0.03*work.R_pitman_arm_x_x;
-  const double s1_261 = work.R_pitman_arm_x_x*(0.0742*work.R_pitman_arm_x_x);
-  work.s1_262 = work.R_pitman_arm_x_z*(0.03*work.R_pitman_arm_x_z) + s1_261;
-  work.s1_263 = work.R_pitman_arm_x_x*s1_260 + work.R_pitman_arm_x_z*s1_259;
-  work.s1_264 = work.R_pitman_arm_x_z*s1_260 - work.R_pitman_arm_x_x*s1_259;
+  work.s1_271 = 4.4 - 0.14666666666666664*work.R_pitman_arm_x_z;
+  work.s1_272 = 0.4 + 0.14666666666666664*work.R_pitman_arm_x_x;
+  const double s1_273 = 0.0742*work.R_pitman_arm_x_z;
+  const double s1_274 = 0.03*work.R_pitman_arm_x_x;
+  const double s1_275 = work.R_pitman_arm_x_x*(0.0742*work.R_pitman_arm_x_x);
+  work.s1_276 = work.R_pitman_arm_x_z*(0.03*work.R_pitman_arm_x_z) + s1_275;
+  work.s1_277 = work.R_pitman_arm_x_x*s1_274 + work.R_pitman_arm_x_z*s1_273;
+  work.s1_278 = work.R_pitman_arm_x_z*s1_274 - work.R_pitman_arm_x_x*s1_273;
   // bell_crank: bell_crank, revolute, chassis
-  const double s1_265 = 0.09720000000000001*work.R_bell_crank_y_x;
-  const double s1_266 = 0.09720000000000001*work.R_bell_crank_x_x;
-  work.s1_267 = s1_266 - 0.09380000000000002*work.R_bell_crank_y_x;
-  work.s1_268 = 3.25 - (s1_265 + 0.09380000000000002*work.R_bell_crank_x_x);
-  const double s1_269 = 0.10155600000000002*work.R_bell_crank_y_x;
-  const double s1_270 = 0.10155600000000002*work.R_bell_crank_x_x;
-  const double s1_271 = 0.2800026666666667*work.R_bell_crank_y_x - s1_270;
-  const double s1_272 = 0.14412600000000006*work.R_bell_crank_x_x - s1_269;
-  const double s1_273 = 0.14412600000000006*work.R_bell_crank_y_x + s1_270;
-  const double s1_274 = s1_269 + 0.2800026666666667*work.R_bell_crank_x_x;
-  work.s1_275 = work.R_bell_crank_y_x*s1_273 + work.R_bell_crank_x_x*s1_274;
-  work.s1_276 = work.R_bell_crank_x_x*s1_272 + work.R_bell_crank_y_x*s1_271;
-  work.s1_277 = work.R_bell_crank_x_x*s1_271 - work.R_bell_crank_y_x*s1_272;
+  const double s1_279 = 0.09720000000000001*work.R_bell_crank_y_x;
+  const double s1_280 = 0.09720000000000001*work.R_bell_crank_x_x;
+  work.s1_281 = s1_280 - 0.09380000000000002*work.R_bell_crank_y_x;
+  work.s1_282 = 3.25 - (s1_279 + 0.09380000000000002*work.R_bell_crank_x_x);
+  const double s1_283 = 0.10155600000000002*work.R_bell_crank_y_x;
+  const double s1_284 = 0.10155600000000002*work.R_bell_crank_x_x;
+  const double s1_285 = 0.2800026666666667*work.R_bell_crank_y_x - s1_284;
+  const double s1_286 = 0.14412600000000006*work.R_bell_crank_x_x - s1_283;
+  const double s1_287 = 0.14412600000000006*work.R_bell_crank_y_x + s1_284;
+  const double s1_288 = s1_283 + 0.2800026666666667*work.R_bell_crank_x_x;
+  work.s1_289 = work.R_bell_crank_y_x*s1_287 + work.R_bell_crank_x_x*s1_288;
+  work.s1_290 = work.R_bell_crank_x_x*s1_286 + work.R_bell_crank_y_x*s1_285;
+  work.s1_291 = work.R_bell_crank_x_x*s1_285 - work.R_bell_crank_y_x*s1_286;
   // rear_axle: rear_axle_rx, revolute, rear_axle_aux5
-  const double s1_278 = 0.00017226528854435476*work.R_rear_axle_aux5_x_x;
-  const double s1_279 = 0.00017226528854435476*work.R_rear_axle_aux5_y_x;
-  const double s1_280 = 0.0019465977605512485*work.R_rear_axle_z_z;
-  const double s1_281 = 0.0019465977605512485*work.R_rear_axle_x_z + s1_278;
-  work.s1_282 = work.r_rear_axle_aux1_x + s1_281;
-  work.s1_283 = z_rear_axle_ty + (0.0019465977605512485*work.R_rear_axle_y_z + s1_279);
-  work.s1_284 = work.r_rear_axle_aux3_z + (s1_280 - 0.00017226528854435476*work.s1_41);
-  const double s1_285 = 264.98720045937415*work.R_rear_axle_aux5_x_x;
-  const double s1_286 = 0.02174045363192678*work.R_rear_axle_aux5_x_x;
-  const double s1_287 = 264.98720045937415*work.R_rear_axle_aux5_y_x;
-  const double s1_288 = s1_287 - 0.02174045363192678*work.R_rear_axle_y_z;
-  const double s1_289 = 45.96384415733562*work.R_rear_axle_y_y;
-  const double s1_290 = 0.02174045363192678*work.R_rear_axle_aux5_y_x;
-  const double s1_291 = 264.4099770312949*work.R_rear_axle_y_z - s1_290;
-  const double s1_292 = 0.02174045363192678*work.R_rear_axle_z_z + 264.98720045937415*work.s1_41;
-  const double s1_293 = 45.96384415733562*work.R_rear_axle_z_y;
-  const double s1_294 = 264.4099770312949*work.R_rear_axle_z_z + 0.02174045363192678*work.s1_41;
-  const double s1_295 = s1_285 - 0.02174045363192678*work.R_rear_axle_x_z;
-  const double s1_296 = work.R_rear_axle_x_z*(264.4099770312949*work.R_rear_axle_x_z - s1_286);
-  const double s1_297 = work.R_rear_axle_x_y*(45.96384415733562*work.R_rear_axle_x_y);
-  work.s1_298 = s1_297 + (s1_296 + work.R_rear_axle_aux5_x_x*s1_295);
-  const double s1_299 = work.R_rear_axle_y_z*s1_291 + work.R_rear_axle_aux5_y_x*s1_288;
-  work.s1_300 = work.R_rear_axle_y_y*s1_289 + s1_299;
-  const double s1_301 = work.R_rear_axle_z_z*s1_294 + work.s1_41*s1_292;
-  work.s1_302 = work.R_rear_axle_z_y*s1_293 + s1_301;
-  const double s1_303 = work.R_rear_axle_x_z*s1_291 + work.R_rear_axle_aux5_x_x*s1_288;
-  work.s1_304 = work.R_rear_axle_x_y*s1_289 + s1_303;
-  const double s1_305 = work.R_rear_axle_x_z*s1_294 - work.R_rear_axle_aux5_x_x*s1_292;
-  work.s1_306 = work.R_rear_axle_x_y*s1_293 + s1_305;
-  const double s1_307 = work.R_rear_axle_y_z*s1_294 - work.R_rear_axle_aux5_y_x*s1_292;
-  work.s1_308 = work.R_rear_axle_y_y*s1_293 + s1_307;
+  const double s1_292 = 0.00017226528854435476*work.R_rear_axle_aux5_x_x;
+  const double s1_293 = 0.00017226528854435476*work.R_rear_axle_aux5_y_x;
+  const double s1_294 = 0.0019465977605512485*work.R_rear_axle_z_z;
+  const double s1_295 = 0.0019465977605512485*work.R_rear_axle_x_z + s1_292;
+  work.s1_296 = work.r_rear_axle_aux1_x + s1_295;
+  work.s1_297 = z_rear_axle_ty + (0.0019465977605512485*work.R_rear_axle_y_z + s1_293);
+  work.s1_298 = work.r_rear_axle_aux3_z + (s1_294 - 0.00017226528854435476*work.s1_51);
+  const double s1_299 = 264.98720045937415*work.R_rear_axle_aux5_x_x;
+  const double s1_300 = 0.02174045363192678*work.R_rear_axle_aux5_x_x;
+  const double s1_301 = 264.98720045937415*work.R_rear_axle_aux5_y_x;
+  const double s1_302 = s1_301 - 0.02174045363192678*work.R_rear_axle_y_z;
+  const double s1_303 = 45.96384415733562*work.R_rear_axle_y_y;
+  const double s1_304 = 0.02174045363192678*work.R_rear_axle_aux5_y_x;
+  const double s1_305 = 264.4099770312949*work.R_rear_axle_y_z - s1_304;
+  const double s1_306 = 0.02174045363192678*work.R_rear_axle_z_z + 264.98720045937415*work.s1_51;
+  const double s1_307 = 45.96384415733562*work.R_rear_axle_z_y;
+  const double s1_308 = 264.4099770312949*work.R_rear_axle_z_z + 0.02174045363192678*work.s1_51;
+  const double s1_309 = s1_299 - 0.02174045363192678*work.R_rear_axle_x_z;
+  const double s1_310 = work.R_rear_axle_x_z*(264.4099770312949*work.R_rear_axle_x_z - s1_300);
+  const double s1_311 = work.R_rear_axle_x_y*(45.96384415733562*work.R_rear_axle_x_y);
+  work.s1_312 = s1_311 + (s1_310 + work.R_rear_axle_aux5_x_x*s1_309);
+  const double s1_313 = work.R_rear_axle_y_z*s1_305 + work.R_rear_axle_aux5_y_x*s1_302;
+  work.s1_314 = work.R_rear_axle_y_y*s1_303 + s1_313;
+  const double s1_315 = work.R_rear_axle_z_z*s1_308 + work.s1_51*s1_306;
+  work.s1_316 = work.R_rear_axle_z_y*s1_307 + s1_315;
+  const double s1_317 = work.R_rear_axle_x_z*s1_305 + work.R_rear_axle_aux5_x_x*s1_302;
+  work.s1_318 = work.R_rear_axle_x_y*s1_303 + s1_317;
+  const double s1_319 = work.R_rear_axle_x_z*s1_308 - work.R_rear_axle_aux5_x_x*s1_306;
+  work.s1_320 = work.R_rear_axle_x_y*s1_307 + s1_319;
+  const double s1_321 = work.R_rear_axle_y_z*s1_308 - work.R_rear_axle_aux5_y_x*s1_306;
+  work.s1_322 = work.R_rear_axle_y_y*s1_307 + s1_321;
   // wheel_rear_left: wheel_rear_left, revolute, rear_axle
-  const double s1_309 = 14.0*work.R_rear_axle_aux5_y_x;
-  const double s1_310 = 22.0*work.R_rear_axle_y_y;
-  const double s1_311 = 14.0*work.R_rear_axle_y_z;
-  const double s1_312 = 14.0*work.s1_41;
-  const double s1_313 = 22.0*work.R_rear_axle_z_y;
-  const double s1_314 = 14.0*work.R_rear_axle_z_z;
-  const double s1_315 = work.R_rear_axle_aux5_x_x*(14.0*work.R_rear_axle_aux5_x_x);
-  const double s1_316 = work.R_rear_axle_x_z*(14.0*work.R_rear_axle_x_z) + s1_315;
-  work.s1_317 = work.R_rear_axle_x_y*(22.0*work.R_rear_axle_x_y) + s1_316;
-  const double s1_318 = work.R_rear_axle_y_z*s1_311 + work.R_rear_axle_aux5_y_x*s1_309;
-  work.s1_319 = work.R_rear_axle_y_y*s1_310 + s1_318;
-  const double s1_320 = work.R_rear_axle_z_z*s1_314 + work.s1_41*s1_312;
-  work.s1_321 = work.R_rear_axle_z_y*s1_313 + s1_320;
-  const double s1_322 = work.R_rear_axle_x_z*s1_311 + work.R_rear_axle_aux5_x_x*s1_309;
-  work.s1_323 = work.R_rear_axle_x_y*s1_310 + s1_322;
-  const double s1_324 = work.R_rear_axle_x_z*s1_314 - work.R_rear_axle_aux5_x_x*s1_312;
-  work.s1_325 = work.R_rear_axle_x_y*s1_313 + s1_324;
-  const double s1_326 = work.R_rear_axle_y_z*s1_314 - work.R_rear_axle_aux5_y_x*s1_312;
-  work.s1_327 = work.R_rear_axle_y_y*s1_313 + s1_326;
+  const double s1_323 = 14.0*work.R_rear_axle_aux5_y_x;
+  const double s1_324 = 22.0*work.R_rear_axle_y_y;
+  const double s1_325 = 14.0*work.R_rear_axle_y_z;
+  const double s1_326 = 14.0*work.s1_51;
+  const double s1_327 = 22.0*work.R_rear_axle_z_y;
+  const double s1_328 = 14.0*work.R_rear_axle_z_z;
+  const double s1_329 = work.R_rear_axle_aux5_x_x*(14.0*work.R_rear_axle_aux5_x_x);
+  const double s1_330 = work.R_rear_axle_x_z*(14.0*work.R_rear_axle_x_z) + s1_329;
+  work.s1_331 = work.R_rear_axle_x_y*(22.0*work.R_rear_axle_x_y) + s1_330;
+  const double s1_332 = work.R_rear_axle_y_z*s1_325 + work.R_rear_axle_aux5_y_x*s1_323;
+  work.s1_333 = work.R_rear_axle_y_y*s1_324 + s1_332;
+  const double s1_334 = work.R_rear_axle_z_z*s1_328 + work.s1_51*s1_326;
+  work.s1_335 = work.R_rear_axle_z_y*s1_327 + s1_334;
+  const double s1_336 = work.R_rear_axle_x_z*s1_325 + work.R_rear_axle_aux5_x_x*s1_323;
+  work.s1_337 = work.R_rear_axle_x_y*s1_324 + s1_336;
+  const double s1_338 = work.R_rear_axle_x_z*s1_328 - work.R_rear_axle_aux5_x_x*s1_326;
+  work.s1_339 = work.R_rear_axle_x_y*s1_327 + s1_338;
+  const double s1_340 = work.R_rear_axle_y_z*s1_328 - work.R_rear_axle_aux5_y_x*s1_326;
+  work.s1_341 = work.R_rear_axle_y_y*s1_327 + s1_340;
 }
 
 /// Part 2 of compute_multipliers: step 1: poses, axes b, accumulated inertias MR (50); step 4:
 /// velocities Z (36); step 7: accelerations Zdot and accumulated forces QR - PR (51), (52).
 [[gnu::noinline]] void compute_multipliers_2(const State& state, const Derivative& derivative,
-    MultipliersWork& __restrict work) noexcept {
+    ConstraintForcesWork& __restrict work) noexcept {
   // --- step 1: poses, axes b, accumulated inertias MR (50), continued ---
   // arb_rear_left: arb_rear_left, revolute, chassis
-  work.s1_328 = 0.16538461538461574*work.R_arb_rear_left_x_x - 3.3000000000000003;
-  work.s1_329 = 0.44999999999999996 + 0.16538461538461574*work.R_arb_rear_left_x_z;
-  work.s1_330 = 0.012307692307692316*work.R_arb_rear_left_x_x;
-  const double s1_331 = 0.15615384615384614*work.R_arb_rear_left_x_z;
-  work.s1_332 = 0.012307692307692316*work.R_arb_rear_left_x_z;
-  const double s1_333 = 0.23076923076923084*work.R_arb_rear_left_x_x;
-  const double s1_334 = work.R_arb_rear_left_x_z*(0.23076923076923084*work.R_arb_rear_left_x_z);
-  const double s1_335 = work.R_arb_rear_left_x_x*(0.15615384615384614*work.R_arb_rear_left_x_x);
-  work.s1_336 = s1_334 + s1_335;
-  work.s1_337 = work.R_arb_rear_left_x_x*s1_333 + work.R_arb_rear_left_x_z*s1_331;
-  work.s1_338 = work.R_arb_rear_left_x_z*s1_333 - work.R_arb_rear_left_x_x*s1_331;
+  work.s1_342 = 0.16538461538461574*work.R_arb_rear_left_x_x - 3.3000000000000003;
+  work.s1_343 = 0.44999999999999996 + 0.16538461538461574*work.R_arb_rear_left_x_z;
+  work.s1_344 = 0.012307692307692316*work.R_arb_rear_left_x_x;
+  const double s1_345 = 0.15615384615384614*work.R_arb_rear_left_x_z;
+  work.s1_346 = 0.012307692307692316*work.R_arb_rear_left_x_z;
+  const double s1_347 = 0.23076923076923084*work.R_arb_rear_left_x_x;
+  const double s1_348 = work.R_arb_rear_left_x_z*(0.23076923076923084*work.R_arb_rear_left_x_z);
+  const double s1_349 = work.R_arb_rear_left_x_x*(0.15615384615384614*work.R_arb_rear_left_x_x);
+  work.s1_350 = s1_348 + s1_349;
+  work.s1_351 = work.R_arb_rear_left_x_x*s1_347 + work.R_arb_rear_left_x_z*s1_345;
+  work.s1_352 = work.R_arb_rear_left_x_z*s1_347 - work.R_arb_rear_left_x_x*s1_345;
   // arb_rear_right: arb_rear_right, revolute, chassis
-  work.s1_339 = 0.16538461538461574*work.R_arb_rear_right_x_x - 3.3000000000000003;
-  work.s1_340 = 0.44999999999999996 + 0.16538461538461574*work.R_arb_rear_right_x_z;
-  work.s1_341 = 0.012307692307692316*work.R_arb_rear_right_x_x;
-  const double s1_342 = 0.15615384615384614*work.R_arb_rear_right_x_z;
-  work.s1_343 = 0.012307692307692316*work.R_arb_rear_right_x_z;
-  const double s1_344 = 0.23076923076923084*work.R_arb_rear_right_x_x;
-  const double s1_345 = 0.23076923076923084*work.R_arb_rear_right_x_z;
-  const double s1_346 = 0.15615384615384614*work.R_arb_rear_right_x_x;
-  work.s1_347 = work.R_arb_rear_right_x_z*s1_345 + work.R_arb_rear_right_x_x*s1_346;
-  work.s1_348 = work.R_arb_rear_right_x_x*s1_344 + work.R_arb_rear_right_x_z*s1_342;
-  work.s1_349 = work.R_arb_rear_right_x_z*s1_344 - work.R_arb_rear_right_x_x*s1_342;
+  work.s1_353 = 0.16538461538461574*work.R_arb_rear_right_x_x - 3.3000000000000003;
+  work.s1_354 = 0.44999999999999996 + 0.16538461538461574*work.R_arb_rear_right_x_z;
+  work.s1_355 = 0.012307692307692316*work.R_arb_rear_right_x_x;
+  const double s1_356 = 0.15615384615384614*work.R_arb_rear_right_x_z;
+  work.s1_357 = 0.012307692307692316*work.R_arb_rear_right_x_z;
+  const double s1_358 = 0.23076923076923084*work.R_arb_rear_right_x_x;
+  const double s1_359 = 0.23076923076923084*work.R_arb_rear_right_x_z;
+  const double s1_360 = 0.15615384615384614*work.R_arb_rear_right_x_x;
+  work.s1_361 = work.R_arb_rear_right_x_z*s1_359 + work.R_arb_rear_right_x_x*s1_360;
+  work.s1_362 = work.R_arb_rear_right_x_x*s1_358 + work.R_arb_rear_right_x_z*s1_356;
+  work.s1_363 = work.R_arb_rear_right_x_z*s1_358 - work.R_arb_rear_right_x_x*s1_356;
   // arb_link_front_left
-  const double s1_350 = 0.02999999999999997*work.R_carrier_left_x_z;
-  const double s1_351 = 0.02999999999999997*work.R_carrier_left_y_z;
-  const double s1_352 = 0.030000000000000027*work.R_carrier_left_aux2_y_y;
-  const double s1_353 = 0.02999999999999997*work.R_carrier_left_z_z;
-  const double s1_354 = 0.030000000000000027*work.R_carrier_left_aux2_z_y;
-  const double s1_355 = 0.030000000000000027*work.s1_14 + (s1_350 + 0.1*work.R_carrier_left_x_x);
-  work.s1_356 = 3.6 + s1_355;
-  const double s1_357 = s1_351 + 0.1*work.R_carrier_left_y_x - s1_352;
-  work.s1_358 = work.r_carrier_left_aux1_y + s1_357;
-  const double s1_359 = s1_353 + 0.1*work.R_carrier_left_z_x - s1_354;
-  work.s1_360 = work.r_carrier_left_aux1_z + s1_359;
-  const double s1_361 = 0.09999999999999998*work.R_arb_front_left_x_z;
-  const double s1_362 = 0.09999999999999998*work.R_arb_front_left_x_x;
-  work.s1_363 = 3.95 + (s1_361 - 0.24999999999999997*work.R_arb_front_left_x_x);
-  work.s1_364 = s1_362 + 0.24999999999999997*work.R_arb_front_left_x_z - 0.5;
+  const double s1_364 = 0.02999999999999997*work.R_carrier_left_x_z;
+  const double s1_365 = 0.02999999999999997*work.R_carrier_left_y_z;
+  const double s1_366 = 0.030000000000000027*work.R_carrier_left_aux2_y_y;
+  const double s1_367 = 0.02999999999999997*work.R_carrier_left_z_z;
+  const double s1_368 = 0.030000000000000027*work.R_carrier_left_aux2_z_y;
+  const double s1_369 = 0.030000000000000027*work.s1_14 + (s1_364 + 0.1*work.R_carrier_left_x_x);
+  work.s1_370 = 3.6 + s1_369;
+  const double s1_371 = s1_365 + 0.1*work.R_carrier_left_y_x - s1_366;
+  work.s1_372 = work.r_carrier_left_aux1_y + s1_371;
+  const double s1_373 = s1_367 + 0.1*work.R_carrier_left_z_x - s1_368;
+  work.s1_374 = work.r_carrier_left_aux1_z + s1_373;
+  const double s1_375 = 0.09999999999999998*work.R_arb_front_left_x_z;
+  const double s1_376 = 0.09999999999999998*work.R_arb_front_left_x_x;
+  work.s1_377 = 3.95 + (s1_375 - 0.24999999999999997*work.R_arb_front_left_x_x);
+  work.s1_378 = s1_376 + 0.24999999999999997*work.R_arb_front_left_x_z - 0.5;
   // arb_link_front_right
-  const double s1_365 = 0.02999999999999997*work.R_carrier_right_x_z;
-  const double s1_366 = 0.02999999999999997*work.R_carrier_right_y_z;
-  const double s1_367 = 0.030000000000000027*work.R_carrier_right_aux2_y_y;
-  const double s1_368 = 0.02999999999999997*work.R_carrier_right_z_z;
-  const double s1_369 = 0.030000000000000027*work.R_carrier_right_aux2_z_y;
-  const double s1_370 = s1_365 + 0.1*work.R_carrier_right_x_x - 0.030000000000000027*work.s1_31;
-  work.s1_371 = 3.6 + s1_370;
-  const double s1_372 = s1_367 + (s1_366 + 0.1*work.R_carrier_right_y_x);
-  work.s1_373 = work.r_carrier_right_aux1_y + s1_372;
-  work.s1_374 = s1_369 + (s1_368 + 0.1*work.R_carrier_right_z_x) - work.s1_27;
-  const double s1_375 = 0.09999999999999998*work.R_arb_front_right_x_z;
-  const double s1_376 = 0.09999999999999998*work.R_arb_front_right_x_x;
-  work.s1_377 = 3.95 + (s1_375 - 0.24999999999999997*work.R_arb_front_right_x_x);
-  work.s1_378 = s1_376 + 0.24999999999999997*work.R_arb_front_right_x_z - 0.5;
+  const double s1_379 = 0.02999999999999997*work.R_carrier_right_x_z;
+  const double s1_380 = 0.02999999999999997*work.R_carrier_right_y_z;
+  const double s1_381 = 0.030000000000000027*work.R_carrier_right_aux2_y_y;
+  const double s1_382 = 0.02999999999999997*work.R_carrier_right_z_z;
+  const double s1_383 = 0.030000000000000027*work.R_carrier_right_aux2_z_y;
+  const double s1_384 = s1_379 + 0.1*work.R_carrier_right_x_x - 0.030000000000000027*work.s1_37;
+  work.s1_385 = 3.6 + s1_384;
+  const double s1_386 = s1_381 + (s1_380 + 0.1*work.R_carrier_right_y_x);
+  work.s1_387 = work.r_carrier_right_aux1_y + s1_386;
+  work.s1_388 = s1_383 + (s1_382 + 0.1*work.R_carrier_right_z_x) - work.s1_30;
+  const double s1_389 = 0.09999999999999998*work.R_arb_front_right_x_z;
+  const double s1_390 = 0.09999999999999998*work.R_arb_front_right_x_x;
+  work.s1_391 = 3.95 + (s1_389 - 0.24999999999999997*work.R_arb_front_right_x_x);
+  work.s1_392 = s1_390 + 0.24999999999999997*work.R_arb_front_right_x_z - 0.5;
   // drag_link
-  work.s1_379 = 0.3*work.R_bell_crank_x_x;
-  work.s1_380 = 3.25 - 0.3*work.R_bell_crank_y_x;
-  work.s1_381 = 4.4 - 0.21999999999999997*work.R_pitman_arm_x_z;
-  work.s1_382 = 0.4 + 0.21999999999999997*work.R_pitman_arm_x_x;
+  work.s1_393 = 0.3*work.R_bell_crank_x_x;
+  work.s1_394 = 3.25 - 0.3*work.R_bell_crank_y_x;
+  work.s1_395 = 4.4 - 0.21999999999999997*work.R_pitman_arm_x_z;
+  work.s1_396 = 0.4 + 0.21999999999999997*work.R_pitman_arm_x_x;
   // tie_rod_left
-  work.s1_383 = 0.04999999999999993*work.s1_14;
-  const double s1_384 = 0.07*work.R_carrier_left_x_z - 0.22*work.R_carrier_left_x_x;
-  work.s1_385 = 0.04999999999999993*work.R_carrier_left_aux2_y_y;
-  const double s1_386 = 0.07*work.R_carrier_left_y_z - 0.22*work.R_carrier_left_y_x;
-  work.s1_387 = 0.04999999999999993*work.R_carrier_left_aux2_z_y;
-  const double s1_388 = 0.07*work.R_carrier_left_z_z - 0.22*work.R_carrier_left_z_x;
-  work.s1_389 = 3.6 + (work.s1_383 + s1_384);
-  work.s1_390 = work.r_carrier_left_aux1_y + (s1_386 - work.s1_385);
-  work.s1_391 = work.r_carrier_left_aux1_z + (s1_388 - work.s1_387);
-  const double s1_392 = 0.08*work.R_bell_crank_y_x;
-  const double s1_393 = 0.20000000000000007*work.R_bell_crank_x_x;
-  const double s1_394 = 0.08*work.R_bell_crank_x_x;
-  const double s1_395 = 0.20000000000000007*work.R_bell_crank_y_x;
-  work.s1_396 = s1_394 - s1_395;
-  work.s1_397 = 3.25 - (s1_392 + s1_393);
+  work.s1_397 = 0.04999999999999993*work.s1_14;
+  const double s1_398 = 0.07*work.R_carrier_left_x_z - 0.22*work.R_carrier_left_x_x;
+  work.s1_399 = 0.04999999999999993*work.R_carrier_left_aux2_y_y;
+  const double s1_400 = 0.07*work.R_carrier_left_y_z - 0.22*work.R_carrier_left_y_x;
+  work.s1_401 = 0.04999999999999993*work.R_carrier_left_aux2_z_y;
+  const double s1_402 = 0.07*work.R_carrier_left_z_z - 0.22*work.R_carrier_left_z_x;
+  work.s1_403 = 3.6 + (work.s1_397 + s1_398);
+  work.s1_404 = work.r_carrier_left_aux1_y + (s1_400 - work.s1_399);
+  work.s1_405 = work.r_carrier_left_aux1_z + (s1_402 - work.s1_401);
+  const double s1_406 = 0.08*work.R_bell_crank_y_x;
+  const double s1_407 = 0.20000000000000007*work.R_bell_crank_x_x;
+  const double s1_408 = 0.08*work.R_bell_crank_x_x;
+  const double s1_409 = 0.20000000000000007*work.R_bell_crank_y_x;
+  work.s1_410 = s1_408 - s1_409;
+  work.s1_411 = 3.25 - (s1_406 + s1_407);
   // tie_rod_right
-  work.s1_398 = 0.04999999999999993*work.s1_31;
-  const double s1_399 = 0.07*work.R_carrier_right_x_z - 0.22*work.R_carrier_right_x_x;
-  work.s1_400 = 0.04999999999999993*work.R_carrier_right_aux2_y_y;
-  const double s1_401 = 0.07*work.R_carrier_right_y_z - 0.22*work.R_carrier_right_y_x;
-  work.s1_402 = 0.04999999999999993*work.R_carrier_right_aux2_z_y;
-  const double s1_403 = 0.07*work.R_carrier_right_z_z - 0.22*work.R_carrier_right_z_x;
-  work.s1_404 = 3.6 + (s1_399 - work.s1_398);
-  work.s1_405 = work.r_carrier_right_aux1_y + (work.s1_400 + s1_401);
-  work.s1_406 = work.s1_402 + s1_403 - work.s1_27;
-  work.s1_407 = s1_394 + s1_395;
-  work.s1_408 = 3.25 + (s1_392 - s1_393);
+  work.s1_412 = 0.04999999999999993*work.s1_37;
+  const double s1_413 = 0.07*work.R_carrier_right_x_z - 0.22*work.R_carrier_right_x_x;
+  work.s1_414 = 0.04999999999999993*work.R_carrier_right_aux2_y_y;
+  const double s1_415 = 0.07*work.R_carrier_right_y_z - 0.22*work.R_carrier_right_y_x;
+  work.s1_416 = 0.04999999999999993*work.R_carrier_right_aux2_z_y;
+  const double s1_417 = 0.07*work.R_carrier_right_z_z - 0.22*work.R_carrier_right_z_x;
+  work.s1_418 = 3.6 + (s1_413 - work.s1_412);
+  work.s1_419 = work.r_carrier_right_aux1_y + (work.s1_414 + s1_415);
+  work.s1_420 = work.s1_416 + s1_417 - work.s1_30;
+  work.s1_421 = s1_408 + s1_409;
+  work.s1_422 = 3.25 + (s1_406 - s1_407);
   // long_rod_left
-  const double s1_409 = 0.55*work.R_rear_axle_x_y;
-  const double s1_410 = 0.04999999999999982*work.R_rear_axle_aux5_x_x;
-  const double s1_411 = s1_410 - 0.08000000000000002*work.R_rear_axle_x_z;
-  const double s1_412 = 0.55*work.R_rear_axle_y_y;
-  const double s1_413 = 0.04999999999999982*work.R_rear_axle_aux5_y_x;
-  const double s1_414 = s1_413 - 0.08000000000000002*work.R_rear_axle_y_z;
-  const double s1_415 = 0.55*work.R_rear_axle_z_y;
-  const double s1_416 = 0.08000000000000002*work.R_rear_axle_z_z;
-  const double s1_417 = s1_416 + 0.04999999999999982*work.s1_41;
-  work.s1_418 = work.r_rear_axle_aux1_x + (s1_409 + s1_411);
+  const double s1_423 = 0.55*work.R_rear_axle_x_y;
+  const double s1_424 = 0.04999999999999982*work.R_rear_axle_aux5_x_x;
+  const double s1_425 = s1_424 - 0.08000000000000002*work.R_rear_axle_x_z;
+  const double s1_426 = 0.55*work.R_rear_axle_y_y;
+  const double s1_427 = 0.04999999999999982*work.R_rear_axle_aux5_y_x;
+  const double s1_428 = s1_427 - 0.08000000000000002*work.R_rear_axle_y_z;
+  const double s1_429 = 0.55*work.R_rear_axle_z_y;
+  const double s1_430 = 0.08000000000000002*work.R_rear_axle_z_z;
+  const double s1_431 = s1_430 + 0.04999999999999982*work.s1_51;
+  work.s1_432 = work.r_rear_axle_aux1_x + (s1_423 + s1_425);
   const double z_rear_axle_ty = state.z[Coordinate::rear_axle_ty];
-  work.s1_419 = z_rear_axle_ty + (s1_412 + s1_414);
-  work.s1_420 = work.r_rear_axle_aux3_z + (s1_415 - s1_417);
+  work.s1_433 = z_rear_axle_ty + (s1_426 + s1_428);
+  work.s1_434 = work.r_rear_axle_aux3_z + (s1_429 - s1_431);
   // diag_rod_left
-  const double s1_421 = 0.1*work.R_rear_axle_x_y;
-  const double s1_422 = 0.25*work.R_rear_axle_x_z;
-  const double s1_423 = 0.1*work.R_rear_axle_y_y;
-  const double s1_424 = 0.25*work.R_rear_axle_y_z;
-  const double s1_425 = 0.1*work.R_rear_axle_z_y;
-  const double s1_426 = 0.25*work.R_rear_axle_z_z;
-  work.s1_427 = work.r_rear_axle_aux1_x + (s1_421 + s1_422);
-  work.s1_428 = z_rear_axle_ty + (s1_423 + s1_424);
-  work.s1_429 = work.r_rear_axle_aux3_z + (s1_425 + s1_426);
+  const double s1_435 = 0.1*work.R_rear_axle_x_y;
+  const double s1_436 = 0.25*work.R_rear_axle_x_z;
+  const double s1_437 = 0.1*work.R_rear_axle_y_y;
+  const double s1_438 = 0.25*work.R_rear_axle_y_z;
+  const double s1_439 = 0.1*work.R_rear_axle_z_y;
+  const double s1_440 = 0.25*work.R_rear_axle_z_z;
+  work.s1_441 = work.r_rear_axle_aux1_x + (s1_435 + s1_436);
+  work.s1_442 = z_rear_axle_ty + (s1_437 + s1_438);
+  work.s1_443 = work.r_rear_axle_aux3_z + (s1_439 + s1_440);
   // arb_link_rear_left
-  const double s1_430 = 0.6*work.R_rear_axle_x_y;
-  const double s1_431 = 0.35000000000000053*work.R_rear_axle_aux5_x_x;
-  const double s1_432 = 0.15000000000000002*work.R_rear_axle_x_z + s1_431;
-  const double s1_433 = 0.6*work.R_rear_axle_y_y;
-  const double s1_434 = 0.35000000000000053*work.R_rear_axle_aux5_y_x;
-  const double s1_435 = 0.15000000000000002*work.R_rear_axle_y_z + s1_434;
-  const double s1_436 = 0.6*work.R_rear_axle_z_y;
-  const double s1_437 = 0.15000000000000002*work.R_rear_axle_z_z;
-  const double s1_438 = 0.35000000000000053*work.s1_41 - s1_437;
-  work.s1_439 = work.r_rear_axle_aux1_x + (s1_430 - s1_432);
-  work.s1_440 = z_rear_axle_ty + (s1_433 - s1_435);
-  work.s1_441 = work.r_rear_axle_aux3_z + (s1_436 + s1_438);
-  work.s1_442 = 0.35000000000000053*work.R_arb_rear_left_x_x - 3.3000000000000003;
-  work.s1_443 = 0.44999999999999996 + 0.35000000000000053*work.R_arb_rear_left_x_z;
+  const double s1_444 = 0.6*work.R_rear_axle_x_y;
+  const double s1_445 = 0.35000000000000053*work.R_rear_axle_aux5_x_x;
+  const double s1_446 = 0.15000000000000002*work.R_rear_axle_x_z + s1_445;
+  const double s1_447 = 0.6*work.R_rear_axle_y_y;
+  const double s1_448 = 0.35000000000000053*work.R_rear_axle_aux5_y_x;
+  const double s1_449 = 0.15000000000000002*work.R_rear_axle_y_z + s1_448;
+  const double s1_450 = 0.6*work.R_rear_axle_z_y;
+  const double s1_451 = 0.15000000000000002*work.R_rear_axle_z_z;
+  const double s1_452 = 0.35000000000000053*work.s1_51 - s1_451;
+  work.s1_453 = work.r_rear_axle_aux1_x + (s1_444 - s1_446);
+  work.s1_454 = z_rear_axle_ty + (s1_447 - s1_449);
+  work.s1_455 = work.r_rear_axle_aux3_z + (s1_450 + s1_452);
+  work.s1_456 = 0.35000000000000053*work.R_arb_rear_left_x_x - 3.3000000000000003;
+  work.s1_457 = 0.44999999999999996 + 0.35000000000000053*work.R_arb_rear_left_x_z;
   // long_rod_right
-  work.s1_444 = work.r_rear_axle_aux1_x + (s1_411 - s1_409);
-  work.s1_445 = z_rear_axle_ty + (s1_414 - s1_412);
-  work.s1_446 = work.r_rear_axle_aux3_z - (s1_415 + s1_417);
+  work.s1_458 = work.r_rear_axle_aux1_x + (s1_425 - s1_423);
+  work.s1_459 = z_rear_axle_ty + (s1_428 - s1_426);
+  work.s1_460 = work.r_rear_axle_aux3_z - (s1_429 + s1_431);
   // diag_rod_right
-  work.s1_447 = work.r_rear_axle_aux1_x + (s1_422 - s1_421);
-  work.s1_448 = z_rear_axle_ty + (s1_424 - s1_423);
-  work.s1_449 = work.r_rear_axle_aux3_z + (s1_426 - s1_425);
+  work.s1_461 = work.r_rear_axle_aux1_x + (s1_436 - s1_435);
+  work.s1_462 = z_rear_axle_ty + (s1_438 - s1_437);
+  work.s1_463 = work.r_rear_axle_aux3_z + (s1_440 - s1_439);
   // arb_link_rear_right
-  work.s1_450 = work.r_rear_axle_aux1_x - (s1_430 + s1_432);
-  work.s1_451 = z_rear_axle_ty - (s1_433 + s1_435);
-  work.s1_452 = work.r_rear_axle_aux3_z + (s1_438 - s1_436);
-  work.s1_453 = 0.35000000000000053*work.R_arb_rear_right_x_x - 3.3000000000000003;
-  work.s1_454 = 0.44999999999999996 + 0.35000000000000053*work.R_arb_rear_right_x_z;
-  // operations: 380 add, 583 multiply, 44 sin cos
+  work.s1_464 = work.r_rear_axle_aux1_x - (s1_444 + s1_446);
+  work.s1_465 = z_rear_axle_ty - (s1_447 + s1_449);
+  work.s1_466 = work.r_rear_axle_aux3_z + (s1_452 - s1_450);
+  work.s1_467 = 0.35000000000000053*work.R_arb_rear_right_x_x - 3.3000000000000003;
+  work.s1_468 = 0.44999999999999996 + 0.35000000000000053*work.R_arb_rear_right_x_z;
+  // operations: 390 add, 605 multiply, 44 sin cos
 
   // --- step 4: velocities Z (36) ---
   // chassis: chassis_rx, revolute, chassis_aux5
@@ -8079,7 +8112,7 @@ struct MultipliersWork {
   const double w_carrier_right_aux2_z = w_carrier_right_aux1_z + s2_21;
   // carrier_right: carrier_right_ry, revolute, carrier_right_aux2
   const double zd_carrier_right_ry = state.zd[Coordinate::carrier_right_ry];
-  const double s2_22 = zd_carrier_right_ry*work.s1_31;
+  const double s2_22 = zd_carrier_right_ry*work.s1_37;
   const double s2_23 = zd_carrier_right_ry*work.R_carrier_right_aux2_y_y;
   const double s2_24 = zd_carrier_right_ry*work.R_carrier_right_aux2_z_y;
   work.w_carrier_right_x = w_carrier_right_aux2_x - s2_22;
@@ -8087,7 +8120,7 @@ struct MultipliersWork {
   work.w_carrier_right_z = w_carrier_right_aux2_z + s2_24;
   // wheel_front_right: wheel_front_right, revolute, carrier_right
   const double zd_wheel_front_right = state.zd[Coordinate::wheel_front_right];
-  const double s2_25 = zd_wheel_front_right*work.s1_31;
+  const double s2_25 = zd_wheel_front_right*work.s1_37;
   const double s2_26 = zd_wheel_front_right*work.R_carrier_right_aux2_y_y;
   const double s2_27 = zd_wheel_front_right*work.R_carrier_right_aux2_z_y;
   work.w_wheel_front_right_x = work.w_carrier_right_x - s2_25;
@@ -8114,7 +8147,7 @@ struct MultipliersWork {
   const double zd_rear_axle_rx = state.zd[Coordinate::rear_axle_rx];
   work.s2_30 = zd_rear_axle_rx*work.R_rear_axle_aux5_x_x;
   work.s2_31 = zd_rear_axle_rx*work.R_rear_axle_aux5_y_x;
-  work.s2_32 = zd_rear_axle_rx*work.s1_41;
+  work.s2_32 = zd_rear_axle_rx*work.s1_51;
   work.w_rear_axle_x = work.w_rear_axle_aux5_x + work.s2_30;
   work.w_rear_axle_y = work.w_rear_axle_aux5_y + work.s2_31;
   work.w_rear_axle_z = work.w_rear_axle_aux4_z - work.s2_32;
@@ -8418,9 +8451,9 @@ struct MultipliersWork {
   const double s4_194 = alpha_carrier_right_aux1_y + s4_186;
   const double s4_195 = s4_187 - alpha_carrier_right_aux1_x;
   const double s4_196 = s4_166 + s4_183;
-  const double s4_197 = 3.6*(s4_188 - work.s4_9) - work.s1_27*(s4_174 - s4_194);
-  const double s4_198 = 3.6*(work.s4_169 - s4_189) - work.s1_27*(work.s4_175 - s4_195);
-  const double s4_199 = 3.6*(work.s4_170 - s4_190) - work.s1_27*(s4_196 - work.s4_176);
+  const double s4_197 = 3.6*(s4_188 - work.s4_9) - work.s1_30*(s4_174 - s4_194);
+  const double s4_198 = 3.6*(work.s4_169 - s4_189) - work.s1_30*(work.s4_175 - s4_195);
+  const double s4_199 = 3.6*(work.s4_170 - s4_190) - work.s1_30*(s4_196 - work.s4_176);
   const double s4_200 = work.r_carrier_right_aux1_y*(s4_171 - s4_191) + s4_197;
   const double a_carrier_right_aux1_x = a_lower_arm_right_x + s4_200;
   const double s4_201 = work.r_carrier_right_aux1_y*(s4_192 - work.s4_172) + s4_198;
@@ -8453,9 +8486,9 @@ struct MultipliersWork {
   const double s4_221 = alpha_carrier_right_aux2_y + s4_213;
   const double s4_222 = s4_214 - alpha_carrier_right_aux2_x;
   const double s4_223 = s4_209 + s4_210;
-  const double s4_224 = 3.6*(s4_215 - s4_188) - work.s1_27*(s4_194 - s4_221);
-  const double s4_225 = 3.6*(s4_189 - s4_216) - work.s1_27*(s4_195 - s4_222);
-  const double s4_226 = 3.6*(s4_190 - s4_217) - work.s1_27*(s4_223 - s4_196);
+  const double s4_224 = 3.6*(s4_215 - s4_188) - work.s1_30*(s4_194 - s4_221);
+  const double s4_225 = 3.6*(s4_189 - s4_216) - work.s1_30*(s4_195 - s4_222);
+  const double s4_226 = 3.6*(s4_190 - s4_217) - work.s1_30*(s4_223 - s4_196);
   const double s4_227 = work.r_carrier_right_aux1_y*(s4_191 - s4_218) + s4_224;
   const double a_carrier_right_aux2_x = a_carrier_right_aux1_x + s4_227;
   const double s4_228 = work.r_carrier_right_aux1_y*(s4_219 - s4_192) + s4_225;
@@ -8466,7 +8499,7 @@ struct MultipliersWork {
   const double zdd_carrier_right_ry = derivative.zdd[Coordinate::carrier_right_ry];
   const double s4_230 = zdd_carrier_right_ry*work.R_carrier_right_aux2_y_y;
   const double s4_231 = zdd_carrier_right_ry*work.R_carrier_right_aux2_z_y;
-  const double s4_232 = alpha_carrier_right_aux2_x - zdd_carrier_right_ry*work.s1_31;
+  const double s4_232 = alpha_carrier_right_aux2_x - zdd_carrier_right_ry*work.s1_37;
   work.alpha_carrier_right_x = w_carrier_right_aux2_y*s2_24 - w_carrier_right_aux2_z*s2_23 + s4_232;
   const double s4_233 = w_carrier_right_aux2_x*s2_24 + w_carrier_right_aux2_z*s2_22;
   work.alpha_carrier_right_y = alpha_carrier_right_aux2_y + s4_230 - s4_233;
@@ -8487,9 +8520,9 @@ struct MultipliersWork {
   work.s4_247 = work.alpha_carrier_right_y + s4_239;
   work.s4_248 = s4_240 - work.alpha_carrier_right_x;
   work.s4_249 = s4_235 + s4_236;
-  const double s4_250 = 3.6*(work.s4_241 - s4_215) - work.s1_27*(s4_221 - work.s4_247);
-  const double s4_251 = 3.6*(s4_216 - work.s4_242) - work.s1_27*(s4_222 - work.s4_248);
-  const double s4_252 = 3.6*(s4_217 - work.s4_243) - work.s1_27*(work.s4_249 - s4_223);
+  const double s4_250 = 3.6*(work.s4_241 - s4_215) - work.s1_30*(s4_221 - work.s4_247);
+  const double s4_251 = 3.6*(s4_216 - work.s4_242) - work.s1_30*(s4_222 - work.s4_248);
+  const double s4_252 = 3.6*(s4_217 - work.s4_243) - work.s1_30*(work.s4_249 - s4_223);
   const double s4_253 = work.r_carrier_right_aux1_y*(s4_218 - work.s4_244) + s4_250;
   work.a_carrier_right_x = a_carrier_right_aux2_x + s4_253;
   const double s4_254 = work.r_carrier_right_aux1_y*(work.s4_245 - s4_219) + s4_251;
@@ -8500,7 +8533,7 @@ struct MultipliersWork {
   const double zdd_wheel_front_right = derivative.zdd[Coordinate::wheel_front_right];
   const double s4_256 = zdd_wheel_front_right*work.R_carrier_right_aux2_y_y;
   const double s4_257 = zdd_wheel_front_right*work.R_carrier_right_aux2_z_y;
-  const double s4_258 = work.alpha_carrier_right_x - zdd_wheel_front_right*work.s1_31;
+  const double s4_258 = work.alpha_carrier_right_x - zdd_wheel_front_right*work.s1_37;
   work.alpha_wheel_front_right_x = work.w_carrier_right_y*s2_27 - work.w_carrier_right_z*s2_26 +
       s4_258;
   const double s4_259 = work.w_carrier_right_x*s2_27 + work.w_carrier_right_z*s2_25;
@@ -8545,979 +8578,1028 @@ struct MultipliersWork {
   work.s4_289 = s4_8 + work.alpha_upper_arm_right_x;
   work.s4_290 = s4_8 - work.alpha_upper_arm_right_x;
   work.s4_291 = work.s4_6 + s4_285;
+  work.s4_292 = work.s4_17 - work.s4_287;
+  work.s4_293 = work.s4_20 - work.s4_289;
+  work.s4_294 = work.s4_291 - work.s4_23;
+  work.s4_295 = 0.5*(work.s4_288 - work.s4_19);
+  work.s4_296 = 3.6*(work.s4_16 - work.s4_286) - 0.28*(work.s4_22 - work.s4_290);
 }
 
 /// Part 3 of compute_multipliers: step 7: accelerations Zdot and accumulated forces QR - PR (51),
 /// (52).
 [[gnu::noinline]] void compute_multipliers_3(const State& state, const Derivative& derivative,
-    MultipliersWork& __restrict work) noexcept {
+    ConstraintForcesWork& __restrict work) noexcept {
   // --- step 7: accelerations Zdot and accumulated forces QR - PR (51), (52), continued ---
   // upper_arm_right: upper_arm_right, revolute, chassis
-  const double s4_292 = 3.6*(work.s4_16 - work.s4_286) - 0.28*(work.s4_22 - work.s4_290);
-  const double s4_293 = 3.6*(work.s4_17 - work.s4_287) - 0.28*(work.s4_291 - work.s4_23);
-  work.a_upper_arm_right_y = work.a_chassis_y + (s4_292 - 0.5*(work.s4_288 - work.s4_19));
-  work.a_upper_arm_right_z = work.a_chassis_z + (s4_293 - 0.5*(work.s4_20 - work.s4_289));
+  work.a_upper_arm_right_y = work.a_chassis_y + (work.s4_296 - work.s4_295);
+  const double s4_297 = 3.6*work.s4_292 - 0.28*work.s4_294 - 0.5*work.s4_293;
+  work.a_upper_arm_right_z = work.a_chassis_z + s4_297;
   // arb_front_right: arb_front_right, revolute, chassis
   const double zd_arb_front_right = state.zd[Coordinate::arb_front_right];
   work.alpha_arb_front_right_y = derivative.zdd[Coordinate::arb_front_right] + work.alpha_chassis_y;
   work.alpha_arb_front_right_x = work.alpha_chassis_x - zd_arb_front_right*work.w_chassis_z;
   work.alpha_arb_front_right_z = work.alpha_chassis_z + zd_arb_front_right*work.w_chassis_x;
-  const double s4_294 = work.w_arb_front_right_y*work.w_arb_front_right_y;
-  const double s4_295 = work.w_chassis_x*work.w_arb_front_right_y;
-  const double s4_296 = work.w_chassis_z*work.w_arb_front_right_y;
-  work.s4_297 = work.s4_7 + s4_294;
-  const double s4_298 = work.alpha_arb_front_right_z + s4_295;
-  work.s4_299 = work.s4_15 - work.alpha_arb_front_right_y;
-  work.s4_300 = s4_295 - work.alpha_arb_front_right_z;
-  work.s4_301 = work.alpha_arb_front_right_x + s4_296;
-  work.s4_302 = work.s4_15 + work.alpha_arb_front_right_y;
-  const double s4_303 = s4_296 - work.alpha_arb_front_right_x;
-  work.s4_304 = work.s4_13 + s4_294;
-  const double s4_305 = 3.95*(work.s4_297 - work.s4_9) - 0.5*(work.s4_21 - work.s4_302);
-  const double s4_306 = 3.95*(work.s4_17 - work.s4_299) - 0.5*(work.s4_304 - work.s4_23);
-  work.a_arb_front_right_x = work.a_chassis_x + (s4_305 - 0.45*(work.s4_18 - work.s4_300));
-  const double s4_307 = 3.95*(work.s4_16 - s4_298) - 0.5*(work.s4_22 - s4_303);
-  const double a_arb_front_right_y = work.a_chassis_y + s4_307;
-  work.a_arb_front_right_z = work.a_chassis_z + (s4_306 - 0.45*(work.s4_20 - work.s4_301));
+  const double s4_298 = work.w_arb_front_right_y*work.w_arb_front_right_y;
+  const double s4_299 = work.w_chassis_x*work.w_arb_front_right_y;
+  const double s4_300 = work.w_chassis_z*work.w_arb_front_right_y;
+  work.s4_301 = work.s4_7 + s4_298;
+  const double s4_302 = work.alpha_arb_front_right_z + s4_299;
+  work.s4_303 = work.s4_15 - work.alpha_arb_front_right_y;
+  work.s4_304 = s4_299 - work.alpha_arb_front_right_z;
+  work.s4_305 = work.alpha_arb_front_right_x + s4_300;
+  work.s4_306 = work.s4_15 + work.alpha_arb_front_right_y;
+  const double s4_307 = s4_300 - work.alpha_arb_front_right_x;
+  work.s4_308 = work.s4_13 + s4_298;
+  const double s4_309 = 3.95*(work.s4_301 - work.s4_9) - 0.5*(work.s4_21 - work.s4_306);
+  const double s4_310 = 3.95*(work.s4_17 - work.s4_303) - 0.5*(work.s4_308 - work.s4_23);
+  work.a_arb_front_right_x = work.a_chassis_x + (s4_309 - 0.45*(work.s4_18 - work.s4_304));
+  const double s4_311 = 3.95*(work.s4_16 - s4_302) - 0.5*(work.s4_22 - s4_307);
+  const double a_arb_front_right_y = work.a_chassis_y + s4_311;
+  work.a_arb_front_right_z = work.a_chassis_z + (s4_310 - 0.45*(work.s4_20 - work.s4_305));
   // pitman_arm: pitman_arm, revolute, chassis
   const double zd_pitman_arm = state.zd[Coordinate::pitman_arm];
   work.alpha_pitman_arm_y = derivative.zdd[Coordinate::pitman_arm] + work.alpha_chassis_y;
   const double alpha_pitman_arm_x = work.alpha_chassis_x - zd_pitman_arm*work.w_chassis_z;
   const double alpha_pitman_arm_z = work.alpha_chassis_z + zd_pitman_arm*work.w_chassis_x;
-  const double s4_308 = work.w_pitman_arm_y*work.w_pitman_arm_y;
-  const double s4_309 = work.w_chassis_x*work.w_pitman_arm_y;
-  const double s4_310 = work.w_chassis_z*work.w_pitman_arm_y;
-  work.s4_311 = work.s4_7 + s4_308;
-  const double s4_312 = alpha_pitman_arm_z + s4_309;
-  work.s4_313 = work.s4_15 - work.alpha_pitman_arm_y;
-  const double s4_314 = s4_309 - alpha_pitman_arm_z;
-  const double s4_315 = alpha_pitman_arm_x + s4_310;
-  work.s4_316 = work.s4_15 + work.alpha_pitman_arm_y;
-  const double s4_317 = s4_310 - alpha_pitman_arm_x;
-  work.s4_318 = work.s4_13 + s4_308;
-  const double s4_319 = 4.4*(work.s4_311 - work.s4_9) - 0.4*(work.s4_21 - work.s4_316);
-  const double s4_320 = 4.4*(work.s4_17 - work.s4_313) - 0.4*(work.s4_318 - work.s4_23);
-  work.a_pitman_arm_x = work.a_chassis_x + (0.5*(work.s4_18 - s4_314) + s4_319);
-  const double s4_321 = 4.4*(work.s4_16 - s4_312) - 0.4*(work.s4_22 - s4_317);
-  const double a_pitman_arm_y = work.a_chassis_y + s4_321;
-  work.a_pitman_arm_z = work.a_chassis_z + (0.5*(work.s4_20 - s4_315) + s4_320);
+  const double s4_312 = work.w_pitman_arm_y*work.w_pitman_arm_y;
+  const double s4_313 = work.w_chassis_x*work.w_pitman_arm_y;
+  const double s4_314 = work.w_chassis_z*work.w_pitman_arm_y;
+  work.s4_315 = work.s4_7 + s4_312;
+  const double s4_316 = alpha_pitman_arm_z + s4_313;
+  work.s4_317 = work.s4_15 - work.alpha_pitman_arm_y;
+  const double s4_318 = s4_313 - alpha_pitman_arm_z;
+  const double s4_319 = alpha_pitman_arm_x + s4_314;
+  work.s4_320 = work.s4_15 + work.alpha_pitman_arm_y;
+  const double s4_321 = s4_314 - alpha_pitman_arm_x;
+  work.s4_322 = work.s4_13 + s4_312;
+  const double s4_323 = 4.4*(work.s4_315 - work.s4_9) - 0.4*(work.s4_21 - work.s4_320);
+  const double s4_324 = 4.4*(work.s4_17 - work.s4_317) - 0.4*(work.s4_322 - work.s4_23);
+  work.a_pitman_arm_x = work.a_chassis_x + (0.5*(work.s4_18 - s4_318) + s4_323);
+  const double s4_325 = 4.4*(work.s4_16 - s4_316) - 0.4*(work.s4_22 - s4_321);
+  const double a_pitman_arm_y = work.a_chassis_y + s4_325;
+  work.a_pitman_arm_z = work.a_chassis_z + (0.5*(work.s4_20 - s4_319) + s4_324);
   // bell_crank: bell_crank, revolute, chassis
   const double zd_bell_crank = state.zd[Coordinate::bell_crank];
   work.alpha_bell_crank_z = derivative.zdd[Coordinate::bell_crank] + work.alpha_chassis_z;
   const double alpha_bell_crank_x = work.alpha_chassis_x + zd_bell_crank*work.w_chassis_y;
   const double alpha_bell_crank_y = work.alpha_chassis_y - zd_bell_crank*work.w_chassis_x;
-  const double s4_322 = work.w_bell_crank_z*work.w_bell_crank_z;
-  const double s4_323 = work.w_chassis_x*work.w_bell_crank_z;
-  const double s4_324 = work.w_chassis_y*work.w_bell_crank_z;
-  work.s4_325 = work.s4_6 + s4_322;
-  work.s4_326 = work.s4_14 + work.alpha_bell_crank_z;
-  const double s4_327 = s4_323 - alpha_bell_crank_y;
-  work.s4_328 = work.s4_14 - work.alpha_bell_crank_z;
-  work.s4_329 = work.s4_13 + s4_322;
-  const double s4_330 = alpha_bell_crank_x + s4_324;
-  const double s4_331 = alpha_bell_crank_y + s4_323;
-  const double s4_332 = s4_324 - alpha_bell_crank_x;
-  const double s4_333 = 3.25*(work.s4_325 - work.s4_9) - 0.6*(work.s4_21 - s4_331);
-  work.a_bell_crank_x = work.a_chassis_x + s4_333;
-  const double s4_334 = 3.25*(work.s4_16 - work.s4_326) - 0.6*(work.s4_22 - s4_332);
-  work.a_bell_crank_y = work.a_chassis_y + s4_334;
-  const double a_bell_crank_z = work.a_chassis_z + 3.25*(work.s4_17 - s4_327);
+  const double s4_326 = work.w_bell_crank_z*work.w_bell_crank_z;
+  const double s4_327 = work.w_chassis_x*work.w_bell_crank_z;
+  const double s4_328 = work.w_chassis_y*work.w_bell_crank_z;
+  work.s4_329 = work.s4_6 + s4_326;
+  work.s4_330 = work.s4_14 + work.alpha_bell_crank_z;
+  const double s4_331 = s4_327 - alpha_bell_crank_y;
+  work.s4_332 = work.s4_14 - work.alpha_bell_crank_z;
+  work.s4_333 = work.s4_13 + s4_326;
+  const double s4_334 = alpha_bell_crank_x + s4_328;
+  const double s4_335 = alpha_bell_crank_y + s4_327;
+  const double s4_336 = s4_328 - alpha_bell_crank_x;
+  const double s4_337 = 3.25*(work.s4_329 - work.s4_9) - 0.6*(work.s4_21 - s4_335);
+  work.a_bell_crank_x = work.a_chassis_x + s4_337;
+  const double s4_338 = 3.25*(work.s4_16 - work.s4_330) - 0.6*(work.s4_22 - s4_336);
+  work.a_bell_crank_y = work.a_chassis_y + s4_338;
+  const double a_bell_crank_z = work.a_chassis_z + 3.25*(work.s4_17 - s4_331);
   // rear_axle_aux1: rear_axle_tx, prismatic, chassis
   const double zd_rear_axle_tx = state.zd[Coordinate::rear_axle_tx];
-  const double s4_335 = zd_rear_axle_tx*work.w_chassis_z;
-  const double s4_336 = zd_rear_axle_tx*work.w_chassis_y;
+  const double s4_339 = zd_rear_axle_tx*work.w_chassis_z;
+  const double s4_340 = zd_rear_axle_tx*work.w_chassis_y;
   const double a_rear_axle_aux1_x = derivative.zdd[Coordinate::rear_axle_tx] + work.a_chassis_x;
-  const double a_rear_axle_aux1_y = s4_335 + (work.a_chassis_y + s4_335);
-  const double a_rear_axle_aux1_z = work.a_chassis_z - s4_336 - s4_336;
+  const double a_rear_axle_aux1_y = s4_339 + (work.a_chassis_y + s4_339);
+  const double a_rear_axle_aux1_z = work.a_chassis_z - s4_340 - s4_340;
   // rear_axle_aux2: rear_axle_ty, prismatic, rear_axle_aux1
   const double zd_rear_axle_ty = state.zd[Coordinate::rear_axle_ty];
-  const double s4_337 = zd_rear_axle_ty*work.w_chassis_z;
-  const double s4_338 = zd_rear_axle_ty*work.w_chassis_x;
+  const double s4_341 = zd_rear_axle_ty*work.w_chassis_z;
+  const double s4_342 = zd_rear_axle_ty*work.w_chassis_x;
   const double a_rear_axle_aux2_y = derivative.zdd[Coordinate::rear_axle_ty] + a_rear_axle_aux1_y;
-  const double a_rear_axle_aux2_x = a_rear_axle_aux1_x - s4_337 - s4_337;
-  const double a_rear_axle_aux2_z = s4_338 + (a_rear_axle_aux1_z + s4_338);
+  const double a_rear_axle_aux2_x = a_rear_axle_aux1_x - s4_341 - s4_341;
+  const double a_rear_axle_aux2_z = s4_342 + (a_rear_axle_aux1_z + s4_342);
   // rear_axle_aux3: rear_axle_tz, prismatic, rear_axle_aux2
   const double zd_rear_axle_tz = state.zd[Coordinate::rear_axle_tz];
-  const double s4_339 = zd_rear_axle_tz*work.w_chassis_y;
-  const double s4_340 = zd_rear_axle_tz*work.w_chassis_x;
+  const double s4_343 = zd_rear_axle_tz*work.w_chassis_y;
+  const double s4_344 = zd_rear_axle_tz*work.w_chassis_x;
   const double a_rear_axle_aux3_z = derivative.zdd[Coordinate::rear_axle_tz] + a_rear_axle_aux2_z;
-  const double a_rear_axle_aux3_x = s4_339 + (a_rear_axle_aux2_x + s4_339);
-  const double a_rear_axle_aux3_y = a_rear_axle_aux2_y - s4_340 - s4_340;
+  const double a_rear_axle_aux3_x = s4_343 + (a_rear_axle_aux2_x + s4_343);
+  const double a_rear_axle_aux3_y = a_rear_axle_aux2_y - s4_344 - s4_344;
   // rear_axle_aux4: rear_axle_rz, revolute, rear_axle_aux3
   const double zd_rear_axle_rz = state.zd[Coordinate::rear_axle_rz];
   const double alpha_rear_axle_aux4_z = derivative.zdd[Coordinate::rear_axle_rz] +
       work.alpha_chassis_z;
   const double alpha_rear_axle_aux4_x = work.alpha_chassis_x + zd_rear_axle_rz*work.w_chassis_y;
   const double alpha_rear_axle_aux4_y = work.alpha_chassis_y - zd_rear_axle_rz*work.w_chassis_x;
-  const double s4_341 = work.w_rear_axle_aux4_z*work.w_rear_axle_aux4_z;
-  const double s4_342 = work.w_chassis_x*work.w_rear_axle_aux4_z;
-  const double s4_343 = work.w_chassis_y*work.w_rear_axle_aux4_z;
-  const double s4_344 = work.s4_6 + s4_341;
-  const double s4_345 = work.s4_14 + alpha_rear_axle_aux4_z;
-  const double s4_346 = s4_342 - alpha_rear_axle_aux4_y;
-  const double s4_347 = work.s4_14 - alpha_rear_axle_aux4_z;
-  const double s4_348 = work.s4_13 + s4_341;
-  const double s4_349 = alpha_rear_axle_aux4_x + s4_343;
-  const double s4_350 = alpha_rear_axle_aux4_y + s4_342;
-  const double s4_351 = s4_343 - alpha_rear_axle_aux4_x;
+  const double s4_345 = work.w_rear_axle_aux4_z*work.w_rear_axle_aux4_z;
+  const double s4_346 = work.w_chassis_x*work.w_rear_axle_aux4_z;
+  const double s4_347 = work.w_chassis_y*work.w_rear_axle_aux4_z;
+  const double s4_348 = work.s4_6 + s4_345;
+  const double s4_349 = work.s4_14 + alpha_rear_axle_aux4_z;
+  const double s4_350 = s4_346 - alpha_rear_axle_aux4_y;
+  const double s4_351 = work.s4_14 - alpha_rear_axle_aux4_z;
+  const double s4_352 = work.s4_13 + s4_345;
+  const double s4_353 = alpha_rear_axle_aux4_x + s4_347;
+  const double s4_354 = alpha_rear_axle_aux4_y + s4_346;
+  const double s4_355 = s4_347 - alpha_rear_axle_aux4_x;
   const double z_rear_axle_ty = state.z[Coordinate::rear_axle_ty];
-  const double s4_352 = work.r_rear_axle_aux3_z*(work.s4_21 - s4_350);
-  const double s4_353 = s4_352 + work.r_rear_axle_aux1_x*(s4_344 - work.s4_9);
-  const double s4_354 = work.r_rear_axle_aux3_z*(work.s4_22 - s4_351);
-  const double s4_355 = s4_354 + work.r_rear_axle_aux1_x*(work.s4_16 - s4_345);
-  const double s4_356 = work.r_rear_axle_aux1_x*(work.s4_17 - s4_346);
-  const double a_rear_axle_aux4_x = a_rear_axle_aux3_x + (z_rear_axle_ty*(work.s4_18 - s4_347) +
-      s4_353);
-  const double a_rear_axle_aux4_y = a_rear_axle_aux3_y + (z_rear_axle_ty*(s4_348 - work.s4_19) +
-      s4_355);
-  const double a_rear_axle_aux4_z = a_rear_axle_aux3_z + (z_rear_axle_ty*(work.s4_20 - s4_349) +
-      s4_356);
+  const double s4_356 = work.r_rear_axle_aux3_z*(work.s4_21 - s4_354);
+  const double s4_357 = s4_356 + work.r_rear_axle_aux1_x*(s4_348 - work.s4_9);
+  const double s4_358 = work.r_rear_axle_aux3_z*(work.s4_22 - s4_355);
+  const double s4_359 = s4_358 + work.r_rear_axle_aux1_x*(work.s4_16 - s4_349);
+  const double s4_360 = work.r_rear_axle_aux1_x*(work.s4_17 - s4_350);
+  const double a_rear_axle_aux4_x = a_rear_axle_aux3_x + (z_rear_axle_ty*(work.s4_18 - s4_351) +
+      s4_357);
+  const double a_rear_axle_aux4_y = a_rear_axle_aux3_y + (z_rear_axle_ty*(s4_352 - work.s4_19) +
+      s4_359);
+  const double a_rear_axle_aux4_z = a_rear_axle_aux3_z + (z_rear_axle_ty*(work.s4_20 - s4_353) +
+      s4_360);
   // rear_axle_aux5: rear_axle_ry, revolute, rear_axle_aux4
   const double zdd_rear_axle_ry = derivative.zdd[Coordinate::rear_axle_ry];
-  const double s4_357 = alpha_rear_axle_aux4_x - zdd_rear_axle_ry*work.R_rear_axle_aux4_y_x;
-  const double alpha_rear_axle_aux5_x = s4_357 - work.w_rear_axle_aux4_z*work.s2_29;
-  const double s4_358 = alpha_rear_axle_aux4_y + zdd_rear_axle_ry*work.R_rear_axle_aux4_x_x;
-  const double alpha_rear_axle_aux5_y = s4_358 - work.w_rear_axle_aux4_z*work.s2_28;
-  const double s4_359 = work.w_chassis_y*work.s2_28 + work.w_chassis_x*work.s2_29;
-  const double alpha_rear_axle_aux5_z = alpha_rear_axle_aux4_z + s4_359;
-  const double s4_360 = work.w_rear_axle_aux5_x*work.w_rear_axle_aux5_x;
-  const double s4_361 = work.w_rear_axle_aux5_y*work.w_rear_axle_aux5_y;
-  const double s4_362 = work.w_rear_axle_aux5_x*work.w_rear_axle_aux5_y;
-  const double s4_363 = work.w_rear_axle_aux4_z*work.w_rear_axle_aux5_x;
-  const double s4_364 = work.w_rear_axle_aux4_z*work.w_rear_axle_aux5_y;
-  const double s4_365 = s4_341 + s4_361;
-  const double s4_366 = alpha_rear_axle_aux5_z + s4_362;
-  const double s4_367 = s4_363 - alpha_rear_axle_aux5_y;
-  const double s4_368 = s4_362 - alpha_rear_axle_aux5_z;
-  const double s4_369 = s4_341 + s4_360;
-  const double s4_370 = alpha_rear_axle_aux5_x + s4_364;
-  const double s4_371 = alpha_rear_axle_aux5_y + s4_363;
-  const double s4_372 = s4_364 - alpha_rear_axle_aux5_x;
-  const double s4_373 = s4_360 + s4_361;
-  const double s4_374 = work.r_rear_axle_aux3_z*(s4_350 - s4_371);
-  const double s4_375 = s4_374 + work.r_rear_axle_aux1_x*(s4_365 - s4_344);
-  const double s4_376 = work.r_rear_axle_aux3_z*(s4_351 - s4_372);
-  const double s4_377 = s4_376 + work.r_rear_axle_aux1_x*(s4_345 - s4_366);
-  const double s4_378 = work.r_rear_axle_aux3_z*(s4_373 - work.s4_23);
-  const double s4_379 = s4_378 + work.r_rear_axle_aux1_x*(s4_346 - s4_367);
-  const double a_rear_axle_aux5_x = a_rear_axle_aux4_x + (z_rear_axle_ty*(s4_347 - s4_368) +
-      s4_375);
-  const double a_rear_axle_aux5_y = a_rear_axle_aux4_y + (z_rear_axle_ty*(s4_369 - s4_348) +
-      s4_377);
-  const double a_rear_axle_aux5_z = a_rear_axle_aux4_z + (z_rear_axle_ty*(s4_349 - s4_370) +
+  const double s4_361 = alpha_rear_axle_aux4_x - zdd_rear_axle_ry*work.R_rear_axle_aux4_y_x;
+  const double alpha_rear_axle_aux5_x = s4_361 - work.w_rear_axle_aux4_z*work.s2_29;
+  const double s4_362 = alpha_rear_axle_aux4_y + zdd_rear_axle_ry*work.R_rear_axle_aux4_x_x;
+  const double alpha_rear_axle_aux5_y = s4_362 - work.w_rear_axle_aux4_z*work.s2_28;
+  const double s4_363 = work.w_chassis_y*work.s2_28 + work.w_chassis_x*work.s2_29;
+  const double alpha_rear_axle_aux5_z = alpha_rear_axle_aux4_z + s4_363;
+  const double s4_364 = work.w_rear_axle_aux5_x*work.w_rear_axle_aux5_x;
+  const double s4_365 = work.w_rear_axle_aux5_y*work.w_rear_axle_aux5_y;
+  const double s4_366 = work.w_rear_axle_aux5_x*work.w_rear_axle_aux5_y;
+  const double s4_367 = work.w_rear_axle_aux4_z*work.w_rear_axle_aux5_x;
+  const double s4_368 = work.w_rear_axle_aux4_z*work.w_rear_axle_aux5_y;
+  const double s4_369 = s4_345 + s4_365;
+  const double s4_370 = alpha_rear_axle_aux5_z + s4_366;
+  const double s4_371 = s4_367 - alpha_rear_axle_aux5_y;
+  const double s4_372 = s4_366 - alpha_rear_axle_aux5_z;
+  const double s4_373 = s4_345 + s4_364;
+  const double s4_374 = alpha_rear_axle_aux5_x + s4_368;
+  const double s4_375 = alpha_rear_axle_aux5_y + s4_367;
+  const double s4_376 = s4_368 - alpha_rear_axle_aux5_x;
+  const double s4_377 = s4_364 + s4_365;
+  const double s4_378 = work.r_rear_axle_aux3_z*(s4_354 - s4_375);
+  const double s4_379 = s4_378 + work.r_rear_axle_aux1_x*(s4_369 - s4_348);
+  const double s4_380 = work.r_rear_axle_aux3_z*(s4_355 - s4_376);
+  const double s4_381 = s4_380 + work.r_rear_axle_aux1_x*(s4_349 - s4_370);
+  const double s4_382 = work.r_rear_axle_aux3_z*(s4_377 - work.s4_23);
+  const double s4_383 = s4_382 + work.r_rear_axle_aux1_x*(s4_350 - s4_371);
+  const double a_rear_axle_aux5_x = a_rear_axle_aux4_x + (z_rear_axle_ty*(s4_351 - s4_372) +
       s4_379);
+  const double a_rear_axle_aux5_y = a_rear_axle_aux4_y + (z_rear_axle_ty*(s4_373 - s4_352) +
+      s4_381);
+  const double a_rear_axle_aux5_z = a_rear_axle_aux4_z + (z_rear_axle_ty*(s4_353 - s4_374) +
+      s4_383);
   // rear_axle: rear_axle_rx, revolute, rear_axle_aux5
   const double zdd_rear_axle_rx = derivative.zdd[Coordinate::rear_axle_rx];
-  const double s4_380 = work.w_rear_axle_aux4_z*work.s2_31 + work.w_rear_axle_aux5_y*work.s2_32;
-  const double s4_381 = alpha_rear_axle_aux5_x + zdd_rear_axle_rx*work.R_rear_axle_aux5_x_x;
-  work.alpha_rear_axle_x = s4_381 - s4_380;
-  const double s4_382 = work.w_rear_axle_aux5_x*work.s2_32 + work.w_rear_axle_aux4_z*work.s2_30;
-  const double s4_383 = alpha_rear_axle_aux5_y + zdd_rear_axle_rx*work.R_rear_axle_aux5_y_x;
-  work.alpha_rear_axle_y = s4_382 + s4_383;
-  const double s4_384 = work.w_rear_axle_aux5_x*work.s2_31 - work.w_rear_axle_aux5_y*work.s2_30;
-  work.alpha_rear_axle_z = s4_384 + (alpha_rear_axle_aux5_z - zdd_rear_axle_rx*work.s1_41);
-  const double s4_385 = work.w_rear_axle_x*work.w_rear_axle_x;
-  const double s4_386 = work.w_rear_axle_y*work.w_rear_axle_y;
-  const double s4_387 = work.w_rear_axle_z*work.w_rear_axle_z;
-  const double s4_388 = work.w_rear_axle_x*work.w_rear_axle_y;
-  const double s4_389 = work.w_rear_axle_x*work.w_rear_axle_z;
-  const double s4_390 = work.w_rear_axle_y*work.w_rear_axle_z;
-  work.s4_391 = s4_386 + s4_387;
-  work.s4_392 = work.alpha_rear_axle_z + s4_388;
-  work.s4_393 = s4_389 - work.alpha_rear_axle_y;
-  work.s4_394 = s4_388 - work.alpha_rear_axle_z;
-  work.s4_395 = s4_385 + s4_387;
-  work.s4_396 = work.alpha_rear_axle_x + s4_390;
-  work.s4_397 = work.alpha_rear_axle_y + s4_389;
-  work.s4_398 = s4_390 - work.alpha_rear_axle_x;
-  work.s4_399 = s4_385 + s4_386;
-  const double s4_400 = work.r_rear_axle_aux3_z*(s4_371 - work.s4_397);
-  const double s4_401 = s4_400 + work.r_rear_axle_aux1_x*(work.s4_391 - s4_365);
-  const double s4_402 = work.r_rear_axle_aux3_z*(s4_372 - work.s4_398);
-  const double s4_403 = s4_402 + work.r_rear_axle_aux1_x*(s4_366 - work.s4_392);
-  const double s4_404 = work.r_rear_axle_aux3_z*(work.s4_399 - s4_373);
-  const double s4_405 = s4_404 + work.r_rear_axle_aux1_x*(s4_367 - work.s4_393);
-  work.a_rear_axle_x = a_rear_axle_aux5_x + (z_rear_axle_ty*(s4_368 - work.s4_394) + s4_401);
-  work.a_rear_axle_y = a_rear_axle_aux5_y + (z_rear_axle_ty*(work.s4_395 - s4_369) + s4_403);
-  work.a_rear_axle_z = a_rear_axle_aux5_z + (z_rear_axle_ty*(s4_370 - work.s4_396) + s4_405);
+  const double s4_384 = work.w_rear_axle_aux4_z*work.s2_31 + work.w_rear_axle_aux5_y*work.s2_32;
+  const double s4_385 = alpha_rear_axle_aux5_x + zdd_rear_axle_rx*work.R_rear_axle_aux5_x_x;
+  work.alpha_rear_axle_x = s4_385 - s4_384;
+  const double s4_386 = work.w_rear_axle_aux5_x*work.s2_32 + work.w_rear_axle_aux4_z*work.s2_30;
+  const double s4_387 = alpha_rear_axle_aux5_y + zdd_rear_axle_rx*work.R_rear_axle_aux5_y_x;
+  work.alpha_rear_axle_y = s4_386 + s4_387;
+  const double s4_388 = work.w_rear_axle_aux5_x*work.s2_31 - work.w_rear_axle_aux5_y*work.s2_30;
+  work.alpha_rear_axle_z = s4_388 + (alpha_rear_axle_aux5_z - zdd_rear_axle_rx*work.s1_51);
+  const double s4_389 = work.w_rear_axle_x*work.w_rear_axle_x;
+  const double s4_390 = work.w_rear_axle_y*work.w_rear_axle_y;
+  const double s4_391 = work.w_rear_axle_z*work.w_rear_axle_z;
+  const double s4_392 = work.w_rear_axle_x*work.w_rear_axle_y;
+  const double s4_393 = work.w_rear_axle_x*work.w_rear_axle_z;
+  const double s4_394 = work.w_rear_axle_y*work.w_rear_axle_z;
+  work.s4_395 = s4_390 + s4_391;
+  work.s4_396 = work.alpha_rear_axle_z + s4_392;
+  work.s4_397 = s4_393 - work.alpha_rear_axle_y;
+  work.s4_398 = s4_392 - work.alpha_rear_axle_z;
+  work.s4_399 = s4_389 + s4_391;
+  work.s4_400 = work.alpha_rear_axle_x + s4_394;
+  work.s4_401 = work.alpha_rear_axle_y + s4_393;
+  work.s4_402 = s4_394 - work.alpha_rear_axle_x;
+  work.s4_403 = s4_389 + s4_390;
+  const double s4_404 = work.r_rear_axle_aux3_z*(s4_375 - work.s4_401);
+  const double s4_405 = s4_404 + work.r_rear_axle_aux1_x*(work.s4_395 - s4_369);
+  const double s4_406 = work.r_rear_axle_aux3_z*(s4_376 - work.s4_402);
+  const double s4_407 = s4_406 + work.r_rear_axle_aux1_x*(s4_370 - work.s4_396);
+  const double s4_408 = work.r_rear_axle_aux3_z*(work.s4_403 - s4_377);
+  const double s4_409 = s4_408 + work.r_rear_axle_aux1_x*(s4_371 - work.s4_397);
+  work.a_rear_axle_x = a_rear_axle_aux5_x + (z_rear_axle_ty*(s4_372 - work.s4_398) + s4_405);
+  work.a_rear_axle_y = a_rear_axle_aux5_y + (z_rear_axle_ty*(work.s4_399 - s4_373) + s4_407);
+  work.a_rear_axle_z = a_rear_axle_aux5_z + (z_rear_axle_ty*(s4_374 - work.s4_400) + s4_409);
   // wheel_rear_left: wheel_rear_left, revolute, rear_axle
   const double zdd_wheel_rear_left = derivative.zdd[Coordinate::wheel_rear_left];
-  const double s4_406 = work.alpha_rear_axle_x + zdd_wheel_rear_left*work.R_rear_axle_x_y;
+  const double s4_410 = work.alpha_rear_axle_x + zdd_wheel_rear_left*work.R_rear_axle_x_y;
   work.alpha_wheel_rear_left_x = work.w_rear_axle_y*work.s2_35 - work.w_rear_axle_z*work.s2_34 +
-      s4_406;
-  const double s4_407 = work.alpha_rear_axle_y + zdd_wheel_rear_left*work.R_rear_axle_y_y;
+      s4_410;
+  const double s4_411 = work.alpha_rear_axle_y + zdd_wheel_rear_left*work.R_rear_axle_y_y;
   work.alpha_wheel_rear_left_y = work.w_rear_axle_z*work.s2_33 - work.w_rear_axle_x*work.s2_35 +
-      s4_407;
-  const double s4_408 = work.alpha_rear_axle_z + zdd_wheel_rear_left*work.R_rear_axle_z_y;
+      s4_411;
+  const double s4_412 = work.alpha_rear_axle_z + zdd_wheel_rear_left*work.R_rear_axle_z_y;
   work.alpha_wheel_rear_left_z = work.w_rear_axle_x*work.s2_34 - work.w_rear_axle_y*work.s2_33 +
-      s4_408;
-  const double s4_409 = work.w_wheel_rear_left_x*work.w_wheel_rear_left_x;
-  const double s4_410 = work.w_wheel_rear_left_y*work.w_wheel_rear_left_y;
-  const double s4_411 = work.w_wheel_rear_left_z*work.w_wheel_rear_left_z;
-  const double s4_412 = work.w_wheel_rear_left_x*work.w_wheel_rear_left_y;
-  const double s4_413 = work.w_wheel_rear_left_x*work.w_wheel_rear_left_z;
-  const double s4_414 = work.w_wheel_rear_left_y*work.w_wheel_rear_left_z;
-  work.s4_415 = s4_410 + s4_411;
-  work.s4_416 = work.alpha_wheel_rear_left_z + s4_412;
-  work.s4_417 = s4_413 - work.alpha_wheel_rear_left_y;
-  work.s4_418 = s4_412 - work.alpha_wheel_rear_left_z;
-  work.s4_419 = s4_409 + s4_411;
-  work.s4_420 = work.alpha_wheel_rear_left_x + s4_414;
-  work.s4_421 = work.alpha_wheel_rear_left_y + s4_413;
-  work.s4_422 = s4_414 - work.alpha_wheel_rear_left_x;
-  work.s4_423 = s4_409 + s4_410;
-  const double s4_424 = work.r_wheel_rear_left_z*(work.s4_397 - work.s4_421);
-  const double s4_425 = s4_424 + work.r_wheel_rear_left_x*(work.s4_415 - work.s4_391);
-  const double s4_426 = work.r_wheel_rear_left_z*(work.s4_398 - work.s4_422);
-  const double s4_427 = s4_426 + work.r_wheel_rear_left_x*(work.s4_392 - work.s4_416);
-  const double s4_428 = work.r_wheel_rear_left_z*(work.s4_423 - work.s4_399);
-  const double s4_429 = s4_428 + work.r_wheel_rear_left_x*(work.s4_393 - work.s4_417);
-  const double s4_430 = work.r_wheel_rear_left_y*(work.s4_394 - work.s4_418) + s4_425;
-  work.a_wheel_rear_left_x = work.a_rear_axle_x + s4_430;
-  const double s4_431 = work.r_wheel_rear_left_y*(work.s4_419 - work.s4_395) + s4_427;
-  work.a_wheel_rear_left_y = work.a_rear_axle_y + s4_431;
-  const double s4_432 = work.r_wheel_rear_left_y*(work.s4_396 - work.s4_420) + s4_429;
-  work.a_wheel_rear_left_z = work.a_rear_axle_z + s4_432;
+      s4_412;
+  const double s4_413 = work.w_wheel_rear_left_x*work.w_wheel_rear_left_x;
+  const double s4_414 = work.w_wheel_rear_left_y*work.w_wheel_rear_left_y;
+  const double s4_415 = work.w_wheel_rear_left_z*work.w_wheel_rear_left_z;
+  const double s4_416 = work.w_wheel_rear_left_x*work.w_wheel_rear_left_y;
+  const double s4_417 = work.w_wheel_rear_left_x*work.w_wheel_rear_left_z;
+  const double s4_418 = work.w_wheel_rear_left_y*work.w_wheel_rear_left_z;
+  work.s4_419 = s4_414 + s4_415;
+  work.s4_420 = work.alpha_wheel_rear_left_z + s4_416;
+  work.s4_421 = s4_417 - work.alpha_wheel_rear_left_y;
+  work.s4_422 = s4_416 - work.alpha_wheel_rear_left_z;
+  work.s4_423 = s4_413 + s4_415;
+  work.s4_424 = work.alpha_wheel_rear_left_x + s4_418;
+  work.s4_425 = work.alpha_wheel_rear_left_y + s4_417;
+  work.s4_426 = s4_418 - work.alpha_wheel_rear_left_x;
+  work.s4_427 = s4_413 + s4_414;
+  const double s4_428 = work.r_wheel_rear_left_z*(work.s4_401 - work.s4_425);
+  const double s4_429 = s4_428 + work.r_wheel_rear_left_x*(work.s4_419 - work.s4_395);
+  const double s4_430 = work.r_wheel_rear_left_z*(work.s4_402 - work.s4_426);
+  const double s4_431 = s4_430 + work.r_wheel_rear_left_x*(work.s4_396 - work.s4_420);
+  const double s4_432 = work.r_wheel_rear_left_z*(work.s4_427 - work.s4_403);
+  const double s4_433 = s4_432 + work.r_wheel_rear_left_x*(work.s4_397 - work.s4_421);
+  const double s4_434 = work.r_wheel_rear_left_y*(work.s4_398 - work.s4_422) + s4_429;
+  work.a_wheel_rear_left_x = work.a_rear_axle_x + s4_434;
+  const double s4_435 = work.r_wheel_rear_left_y*(work.s4_423 - work.s4_399) + s4_431;
+  work.a_wheel_rear_left_y = work.a_rear_axle_y + s4_435;
+  const double s4_436 = work.r_wheel_rear_left_y*(work.s4_400 - work.s4_424) + s4_433;
+  work.a_wheel_rear_left_z = work.a_rear_axle_z + s4_436;
   // arb_rear_left: arb_rear_left, revolute, chassis
   const double zd_arb_rear_left = state.zd[Coordinate::arb_rear_left];
   work.alpha_arb_rear_left_y = derivative.zdd[Coordinate::arb_rear_left] + work.alpha_chassis_y;
   work.alpha_arb_rear_left_x = work.alpha_chassis_x - zd_arb_rear_left*work.w_chassis_z;
   work.alpha_arb_rear_left_z = work.alpha_chassis_z + zd_arb_rear_left*work.w_chassis_x;
-  const double s4_433 = work.w_arb_rear_left_y*work.w_arb_rear_left_y;
-  const double s4_434 = work.w_chassis_x*work.w_arb_rear_left_y;
-  const double s4_435 = work.w_chassis_z*work.w_arb_rear_left_y;
-  work.s4_436 = work.s4_7 + s4_433;
-  const double s4_437 = work.alpha_arb_rear_left_z + s4_434;
-  work.s4_438 = work.s4_15 - work.alpha_arb_rear_left_y;
-  work.s4_439 = s4_434 - work.alpha_arb_rear_left_z;
-  work.s4_440 = work.alpha_arb_rear_left_x + s4_435;
-  work.s4_441 = work.s4_15 + work.alpha_arb_rear_left_y;
-  const double s4_442 = s4_435 - work.alpha_arb_rear_left_x;
-  work.s4_443 = work.s4_13 + s4_433;
-  const double s4_444 = 0.44999999999999996*(work.s4_21 - work.s4_441);
-  const double s4_445 = s4_444 + 3.3000000000000003*(work.s4_436 - work.s4_9);
-  const double s4_446 = 0.44999999999999996*(work.s4_22 - s4_442);
-  const double s4_447 = 0.44999999999999996*(work.s4_443 - work.s4_23);
-  const double s4_448 = s4_447 + 3.3000000000000003*(work.s4_17 - work.s4_438);
-  work.a_arb_rear_left_x = work.a_chassis_x + (0.45*(work.s4_18 - work.s4_439) - s4_445);
-  const double a_arb_rear_left_y = work.a_chassis_y - (s4_446 + 3.3000000000000003*(work.s4_16 -
-      s4_437));
-  work.a_arb_rear_left_z = work.a_chassis_z + (0.45*(work.s4_20 - work.s4_440) - s4_448);
+  const double s4_437 = work.w_arb_rear_left_y*work.w_arb_rear_left_y;
+  const double s4_438 = work.w_chassis_x*work.w_arb_rear_left_y;
+  const double s4_439 = work.w_chassis_z*work.w_arb_rear_left_y;
+  work.s4_440 = work.s4_7 + s4_437;
+  const double s4_441 = work.alpha_arb_rear_left_z + s4_438;
+  work.s4_442 = work.s4_15 - work.alpha_arb_rear_left_y;
+  work.s4_443 = s4_438 - work.alpha_arb_rear_left_z;
+  work.s4_444 = work.alpha_arb_rear_left_x + s4_439;
+  work.s4_445 = work.s4_15 + work.alpha_arb_rear_left_y;
+  const double s4_446 = s4_439 - work.alpha_arb_rear_left_x;
+  work.s4_447 = work.s4_13 + s4_437;
+  const double s4_448 = 0.44999999999999996*(work.s4_21 - work.s4_445);
+  const double s4_449 = s4_448 + 3.3000000000000003*(work.s4_440 - work.s4_9);
+  const double s4_450 = 0.44999999999999996*(work.s4_22 - s4_446);
+  const double s4_451 = 0.44999999999999996*(work.s4_447 - work.s4_23);
+  const double s4_452 = s4_451 + 3.3000000000000003*(work.s4_17 - work.s4_442);
+  work.a_arb_rear_left_x = work.a_chassis_x + (0.45*(work.s4_18 - work.s4_443) - s4_449);
+  const double a_arb_rear_left_y = work.a_chassis_y - (s4_450 + 3.3000000000000003*(work.s4_16 -
+      s4_441));
+  work.a_arb_rear_left_z = work.a_chassis_z + (0.45*(work.s4_20 - work.s4_444) - s4_452);
   // wheel_rear_right: wheel_rear_right, revolute, rear_axle
   const double zdd_wheel_rear_right = derivative.zdd[Coordinate::wheel_rear_right];
-  const double s4_449 = work.alpha_rear_axle_x + zdd_wheel_rear_right*work.R_rear_axle_x_y;
+  const double s4_453 = work.alpha_rear_axle_x + zdd_wheel_rear_right*work.R_rear_axle_x_y;
   work.alpha_wheel_rear_right_x = work.w_rear_axle_y*work.s2_38 - work.w_rear_axle_z*work.s2_37 +
-      s4_449;
-  const double s4_450 = work.alpha_rear_axle_y + zdd_wheel_rear_right*work.R_rear_axle_y_y;
+      s4_453;
+  const double s4_454 = work.alpha_rear_axle_y + zdd_wheel_rear_right*work.R_rear_axle_y_y;
   work.alpha_wheel_rear_right_y = work.w_rear_axle_z*work.s2_36 - work.w_rear_axle_x*work.s2_38 +
-      s4_450;
-  const double s4_451 = work.alpha_rear_axle_z + zdd_wheel_rear_right*work.R_rear_axle_z_y;
+      s4_454;
+  const double s4_455 = work.alpha_rear_axle_z + zdd_wheel_rear_right*work.R_rear_axle_z_y;
   work.alpha_wheel_rear_right_z = work.w_rear_axle_x*work.s2_37 - work.w_rear_axle_y*work.s2_36 +
-      s4_451;
-  const double s4_452 = work.w_wheel_rear_right_x*work.w_wheel_rear_right_x;
-  const double s4_453 = work.w_wheel_rear_right_y*work.w_wheel_rear_right_y;
-  const double s4_454 = work.w_wheel_rear_right_z*work.w_wheel_rear_right_z;
-  const double s4_455 = work.w_wheel_rear_right_x*work.w_wheel_rear_right_y;
-  const double s4_456 = work.w_wheel_rear_right_x*work.w_wheel_rear_right_z;
-  const double s4_457 = work.w_wheel_rear_right_y*work.w_wheel_rear_right_z;
-  work.s4_458 = s4_453 + s4_454;
-  work.s4_459 = work.alpha_wheel_rear_right_z + s4_455;
-  work.s4_460 = s4_456 - work.alpha_wheel_rear_right_y;
-  work.s4_461 = s4_455 - work.alpha_wheel_rear_right_z;
-  work.s4_462 = s4_452 + s4_454;
-  work.s4_463 = work.alpha_wheel_rear_right_x + s4_457;
-  work.s4_464 = work.alpha_wheel_rear_right_y + s4_456;
-  work.s4_465 = s4_457 - work.alpha_wheel_rear_right_x;
-  work.s4_466 = s4_452 + s4_453;
-  const double s4_467 = work.r_wheel_rear_right_z*(work.s4_397 - work.s4_464);
-  const double s4_468 = s4_467 + work.r_wheel_rear_right_x*(work.s4_458 - work.s4_391);
-  const double s4_469 = work.r_wheel_rear_right_z*(work.s4_398 - work.s4_465);
-  const double s4_470 = s4_469 + work.r_wheel_rear_right_x*(work.s4_392 - work.s4_459);
-  const double s4_471 = work.r_wheel_rear_right_z*(work.s4_466 - work.s4_399);
-  const double s4_472 = s4_471 + work.r_wheel_rear_right_x*(work.s4_393 - work.s4_460);
-  const double s4_473 = work.r_wheel_rear_right_y*(work.s4_394 - work.s4_461) + s4_468;
-  work.a_wheel_rear_right_x = work.a_rear_axle_x + s4_473;
-  const double s4_474 = work.r_wheel_rear_right_y*(work.s4_462 - work.s4_395) + s4_470;
-  work.a_wheel_rear_right_y = work.a_rear_axle_y + s4_474;
-  const double s4_475 = work.r_wheel_rear_right_y*(work.s4_396 - work.s4_463) + s4_472;
-  work.a_wheel_rear_right_z = work.a_rear_axle_z + s4_475;
+      s4_455;
+  const double s4_456 = work.w_wheel_rear_right_x*work.w_wheel_rear_right_x;
+  const double s4_457 = work.w_wheel_rear_right_y*work.w_wheel_rear_right_y;
+  const double s4_458 = work.w_wheel_rear_right_z*work.w_wheel_rear_right_z;
+  const double s4_459 = work.w_wheel_rear_right_x*work.w_wheel_rear_right_y;
+  const double s4_460 = work.w_wheel_rear_right_x*work.w_wheel_rear_right_z;
+  const double s4_461 = work.w_wheel_rear_right_y*work.w_wheel_rear_right_z;
+  work.s4_462 = s4_457 + s4_458;
+  work.s4_463 = work.alpha_wheel_rear_right_z + s4_459;
+  work.s4_464 = s4_460 - work.alpha_wheel_rear_right_y;
+  work.s4_465 = s4_459 - work.alpha_wheel_rear_right_z;
+  work.s4_466 = s4_456 + s4_458;
+  work.s4_467 = work.alpha_wheel_rear_right_x + s4_461;
+  work.s4_468 = work.alpha_wheel_rear_right_y + s4_460;
+  work.s4_469 = s4_461 - work.alpha_wheel_rear_right_x;
+  work.s4_470 = s4_456 + s4_457;
+  const double s4_471 = work.r_wheel_rear_right_z*(work.s4_401 - work.s4_468);
+  const double s4_472 = s4_471 + work.r_wheel_rear_right_x*(work.s4_462 - work.s4_395);
+  const double s4_473 = work.r_wheel_rear_right_z*(work.s4_402 - work.s4_469);
+  const double s4_474 = s4_473 + work.r_wheel_rear_right_x*(work.s4_396 - work.s4_463);
+  const double s4_475 = work.r_wheel_rear_right_z*(work.s4_470 - work.s4_403);
+  const double s4_476 = s4_475 + work.r_wheel_rear_right_x*(work.s4_397 - work.s4_464);
+  const double s4_477 = work.r_wheel_rear_right_y*(work.s4_398 - work.s4_465) + s4_472;
+  work.a_wheel_rear_right_x = work.a_rear_axle_x + s4_477;
+  const double s4_478 = work.r_wheel_rear_right_y*(work.s4_466 - work.s4_399) + s4_474;
+  work.a_wheel_rear_right_y = work.a_rear_axle_y + s4_478;
+  const double s4_479 = work.r_wheel_rear_right_y*(work.s4_400 - work.s4_467) + s4_476;
+  work.a_wheel_rear_right_z = work.a_rear_axle_z + s4_479;
   // arb_rear_right: arb_rear_right, revolute, chassis
   const double zd_arb_rear_right = state.zd[Coordinate::arb_rear_right];
   work.alpha_arb_rear_right_y = derivative.zdd[Coordinate::arb_rear_right] + work.alpha_chassis_y;
   work.alpha_arb_rear_right_x = work.alpha_chassis_x - zd_arb_rear_right*work.w_chassis_z;
   work.alpha_arb_rear_right_z = work.alpha_chassis_z + zd_arb_rear_right*work.w_chassis_x;
-  const double s4_476 = work.w_arb_rear_right_y*work.w_arb_rear_right_y;
-  const double s4_477 = work.w_chassis_x*work.w_arb_rear_right_y;
-  const double s4_478 = work.w_chassis_z*work.w_arb_rear_right_y;
-  work.s4_479 = work.s4_7 + s4_476;
-  const double s4_480 = work.alpha_arb_rear_right_z + s4_477;
-  work.s4_481 = work.s4_15 - work.alpha_arb_rear_right_y;
-  work.s4_482 = s4_477 - work.alpha_arb_rear_right_z;
-  work.s4_483 = work.alpha_arb_rear_right_x + s4_478;
-  work.s4_484 = work.s4_15 + work.alpha_arb_rear_right_y;
-  const double s4_485 = s4_478 - work.alpha_arb_rear_right_x;
-  work.s4_486 = work.s4_13 + s4_476;
-  const double s4_487 = 0.44999999999999996*(work.s4_21 - work.s4_484);
-  const double s4_488 = s4_487 + 3.3000000000000003*(work.s4_479 - work.s4_9);
-  const double s4_489 = 0.44999999999999996*(work.s4_22 - s4_485);
-  const double s4_490 = 0.44999999999999996*(work.s4_486 - work.s4_23);
-  const double s4_491 = s4_490 + 3.3000000000000003*(work.s4_17 - work.s4_481);
-  work.a_arb_rear_right_x = work.a_chassis_x - (0.45*(work.s4_18 - work.s4_482) + s4_488);
-  const double a_arb_rear_right_y = work.a_chassis_y - (s4_489 + 3.3000000000000003*(work.s4_16 -
-      s4_480));
-  work.a_arb_rear_right_z = work.a_chassis_z - (0.45*(work.s4_20 - work.s4_483) + s4_491);
+  const double s4_480 = work.w_arb_rear_right_y*work.w_arb_rear_right_y;
+  const double s4_481 = work.w_chassis_x*work.w_arb_rear_right_y;
+  const double s4_482 = work.w_chassis_z*work.w_arb_rear_right_y;
+  work.s4_483 = work.s4_7 + s4_480;
+  const double s4_484 = work.alpha_arb_rear_right_z + s4_481;
+  work.s4_485 = work.s4_15 - work.alpha_arb_rear_right_y;
+  work.s4_486 = s4_481 - work.alpha_arb_rear_right_z;
+  work.s4_487 = work.alpha_arb_rear_right_x + s4_482;
+  work.s4_488 = work.s4_15 + work.alpha_arb_rear_right_y;
+  const double s4_489 = s4_482 - work.alpha_arb_rear_right_x;
+  work.s4_490 = work.s4_13 + s4_480;
+  const double s4_491 = 0.44999999999999996*(work.s4_21 - work.s4_488);
+  const double s4_492 = s4_491 + 3.3000000000000003*(work.s4_483 - work.s4_9);
+  const double s4_493 = 0.44999999999999996*(work.s4_22 - s4_489);
+  const double s4_494 = 0.44999999999999996*(work.s4_490 - work.s4_23);
+  const double s4_495 = s4_494 + 3.3000000000000003*(work.s4_17 - work.s4_485);
+  work.a_arb_rear_right_x = work.a_chassis_x - (0.45*(work.s4_18 - work.s4_486) + s4_492);
+  const double a_arb_rear_right_y = work.a_chassis_y - (s4_493 + 3.3000000000000003*(work.s4_16 -
+      s4_484));
+  work.a_arb_rear_right_z = work.a_chassis_z - (0.45*(work.s4_20 - work.s4_487) + s4_495);
   // arb_link_front_left
-  const double s4_492 = work.s1_360*work.s4_105 - work.s1_356*work.s4_99;
-  const double s4_493 = work.s1_356*work.s4_101 - work.s1_360*work.s4_107;
-  const double s4_494 = work.a_carrier_left_x + (work.s1_358*work.s4_102 + s4_492);
-  work.s4_495 = 0.3333333333333333*s4_494;
-  const double s4_496 = work.a_carrier_left_z + (work.s1_358*work.s4_104 + s4_493);
-  work.s4_497 = 0.3333333333333333*s4_496;
-  work.s4_498 = work.s1_363*work.s4_497 - work.s1_364*work.s4_495;
-  const double s4_499 = 0.72*work.s4_19;
-  const double s4_500 = 0.72*work.s4_158 + (work.s1_364*work.s4_160 - work.s1_363*work.s4_155);
-  const double s4_501 = work.s1_364*work.s4_161 + work.s1_363*work.s4_156 - s4_499;
-  const double s4_502 = 0.72*work.s4_159 + (work.s1_363*work.s4_157 - work.s1_364*work.s4_162);
-  const double s4_503 = 0.3333333333333333*(work.a_arb_front_left_x + s4_500);
-  const double s4_504 = 0.3333333333333333*(work.a_arb_front_left_y + s4_501);
-  const double s4_505 = 0.3333333333333333*(work.a_arb_front_left_z + s4_502);
-  const double s4_506 = work.s1_360*s4_504 - work.s1_358*s4_505;
-  const double s4_507 = work.s1_356*s4_505 - work.s1_360*s4_503;
-  const double s4_508 = work.s1_358*s4_503 - work.s1_356*s4_504;
+  const double s4_496 = work.s1_374*work.s4_105 - work.s1_370*work.s4_99;
+  const double s4_497 = work.s1_370*work.s4_101 - work.s1_374*work.s4_107;
+  const double s4_498 = work.a_carrier_left_x + (work.s1_372*work.s4_102 + s4_496);
+  work.s4_499 = 0.3333333333333333*s4_498;
+  const double s4_500 = work.a_carrier_left_z + (work.s1_372*work.s4_104 + s4_497);
+  work.s4_501 = 0.3333333333333333*s4_500;
+  work.s4_502 = work.s1_377*work.s4_501 - work.s1_378*work.s4_499;
+  const double s4_503 = 0.72*work.s4_19;
+  const double s4_504 = 0.72*work.s4_158 + (work.s1_378*work.s4_160 - work.s1_377*work.s4_155);
+  const double s4_505 = work.s1_378*work.s4_161 + work.s1_377*work.s4_156 - s4_503;
+  const double s4_506 = 0.72*work.s4_159 + (work.s1_377*work.s4_157 - work.s1_378*work.s4_162);
+  const double s4_507 = 0.3333333333333333*(work.a_arb_front_left_x + s4_504);
+  const double s4_508 = 0.3333333333333333*(work.a_arb_front_left_y + s4_505);
+  const double s4_509 = 0.3333333333333333*(work.a_arb_front_left_z + s4_506);
+  const double s4_510 = work.s1_374*s4_508 - work.s1_372*s4_509;
+  const double s4_511 = work.s1_370*s4_509 - work.s1_374*s4_507;
+  const double s4_512 = work.s1_372*s4_507 - work.s1_370*s4_508;
   // arb_link_front_right
-  const double s4_509 = work.s1_374*work.s4_247 - work.s1_371*work.s4_241;
-  const double s4_510 = work.s1_371*work.s4_243 - work.s1_374*work.s4_249;
-  const double s4_511 = work.a_carrier_right_x + (work.s1_373*work.s4_244 + s4_509);
-  work.s4_512 = 0.3333333333333333*s4_511;
-  const double s4_513 = work.a_carrier_right_z + (work.s1_373*work.s4_246 + s4_510);
-  work.s4_514 = 0.3333333333333333*s4_513;
-  work.s4_515 = work.s1_377*work.s4_514 - work.s1_378*work.s4_512;
-  const double s4_516 = work.s1_378*work.s4_302 - work.s1_377*work.s4_297 - 0.72*work.s4_300;
-  const double s4_517 = s4_499 + (work.s1_378*s4_303 + work.s1_377*s4_298);
-  const double s4_518 = work.s1_377*work.s4_299 - work.s1_378*work.s4_304 - 0.72*work.s4_301;
-  const double s4_519 = 0.3333333333333333*(work.a_arb_front_right_x + s4_516);
-  const double s4_520 = 0.3333333333333333*(a_arb_front_right_y + s4_517);
-  const double s4_521 = 0.3333333333333333*(work.a_arb_front_right_z + s4_518);
-  const double s4_522 = work.s1_374*s4_520 - work.s1_373*s4_521;
-  const double s4_523 = work.s1_371*s4_521 - work.s1_374*s4_519;
-  const double s4_524 = work.s1_373*s4_519 - work.s1_371*s4_520;
+  const double s4_513 = work.s1_388*work.s4_247 - work.s1_385*work.s4_241;
+  const double s4_514 = work.s1_385*work.s4_243 - work.s1_388*work.s4_249;
+  const double s4_515 = work.a_carrier_right_x + (work.s1_387*work.s4_244 + s4_513);
+  work.s4_516 = 0.3333333333333333*s4_515;
+  const double s4_517 = work.a_carrier_right_z + (work.s1_387*work.s4_246 + s4_514);
+  work.s4_518 = 0.3333333333333333*s4_517;
+  work.s4_519 = work.s1_391*work.s4_518 - work.s1_392*work.s4_516;
+  const double s4_520 = work.s1_392*work.s4_306 - work.s1_391*work.s4_301 - 0.72*work.s4_304;
+  const double s4_521 = s4_503 + (work.s1_392*s4_307 + work.s1_391*s4_302);
+  const double s4_522 = work.s1_391*work.s4_303 - work.s1_392*work.s4_308 - 0.72*work.s4_305;
+  const double s4_523 = 0.3333333333333333*(work.a_arb_front_right_x + s4_520);
+  const double s4_524 = 0.3333333333333333*(a_arb_front_right_y + s4_521);
+  const double s4_525 = 0.3333333333333333*(work.a_arb_front_right_z + s4_522);
+  const double s4_526 = work.s1_388*s4_524 - work.s1_387*s4_525;
+  const double s4_527 = work.s1_385*s4_525 - work.s1_388*s4_523;
+  const double s4_528 = work.s1_387*s4_523 - work.s1_385*s4_524;
   // drag_link
-  work.s4_525 = 0.6*s4_331;
-  work.s4_526 = 0.6*s4_332;
-  const double s4_527 = 0.6*work.s4_23;
-  const double s4_528 = work.s1_379*work.s4_328 - (work.s4_525 + work.s1_380*work.s4_325);
-  work.s4_529 = 1.5*(work.a_bell_crank_x + s4_528);
-  const double s4_530 = a_bell_crank_z + (work.s1_379*s4_330 + (s4_527 + work.s1_380*s4_327));
-  work.s4_531 = 1.5*s4_530;
-  work.s4_532 = work.s1_381*work.s4_531 + work.s1_382*work.s4_529;
-  work.s4_533 = 0.5*s4_314;
-  work.s4_534 = 0.5*s4_315;
-  const double s4_535 = work.s4_533 - (work.s1_382*work.s4_316 + work.s1_381*work.s4_311);
-  const double s4_536 = work.s1_381*s4_312 - work.s1_382*s4_317 - 0.5*work.s4_19;
-  const double s4_537 = 1.5*(a_pitman_arm_y + s4_536);
-  const double s4_538 = work.s1_379*(1.5*(work.a_pitman_arm_x + s4_535)) - work.s1_380*s4_537;
+  work.s4_529 = 0.6*s4_335;
+  work.s4_530 = 0.6*s4_336;
+  const double s4_531 = 0.6*work.s4_23;
+  const double s4_532 = work.s1_393*work.s4_332 - (work.s4_529 + work.s1_394*work.s4_329);
+  work.s4_533 = 1.5*(work.a_bell_crank_x + s4_532);
+  const double s4_534 = a_bell_crank_z + (work.s1_393*s4_334 + (s4_531 + work.s1_394*s4_331));
+  work.s4_535 = 1.5*s4_534;
+  work.s4_536 = work.s1_395*work.s4_535 + work.s1_396*work.s4_533;
+  work.s4_537 = 0.5*s4_318;
+  work.s4_538 = 0.5*s4_319;
+  const double s4_539 = work.s4_537 - (work.s1_396*work.s4_320 + work.s1_395*work.s4_315);
+  const double s4_540 = work.s1_395*s4_316 - work.s1_396*s4_321 - 0.5*work.s4_19;
+  const double s4_541 = 1.5*(a_pitman_arm_y + s4_540);
+  const double s4_542 = work.s1_393*(1.5*(work.a_pitman_arm_x + s4_539)) - work.s1_394*s4_541;
   // tie_rod_left
-  const double s4_539 = work.s1_391*work.s4_105 - work.s1_389*work.s4_99;
-  const double s4_540 = work.s1_391*work.s4_106 + work.s1_389*work.s4_100;
-  const double s4_541 = work.a_carrier_left_x + (work.s1_390*work.s4_102 + s4_539);
-  const double s4_542 = work.a_carrier_left_y + (s4_540 - work.s1_390*work.s4_103);
-  const double s4_543 = 1.1666666666666667*s4_542;
-  const double s4_544 = s4_537 + s4_543;
-  const double s4_545 = s4_538 + (work.s1_396*(1.1666666666666667*s4_541) - work.s1_397*s4_543);
-  const double s4_546 = work.s1_396*work.s4_328 - (work.s4_525 + work.s1_397*work.s4_325);
-  const double s4_547 = work.s1_397*work.s4_326 - work.s4_526 - work.s1_396*work.s4_329;
-  const double s4_548 = 1.1666666666666667*(work.a_bell_crank_x + s4_546);
-  const double s4_549 = 1.1666666666666667*(work.a_bell_crank_y + s4_547);
-  const double s4_550 = a_bell_crank_z + (work.s1_396*s4_330 + (s4_527 + work.s1_397*s4_327));
-  const double s4_551 = 1.1666666666666667*s4_550;
-  work.s4_552 = s4_503 + s4_548;
-  work.s4_553 = s4_504 + s4_549;
-  work.s4_554 = s4_505 + s4_551;
-  work.s4_555 = s4_506 + (work.s1_391*s4_549 - work.s1_390*s4_551);
-  work.s4_556 = s4_507 + (work.s1_389*s4_551 - work.s1_391*s4_548);
-  work.s4_557 = s4_508 + (work.s1_390*s4_548 - work.s1_389*s4_549);
+  const double s4_543 = work.s1_405*work.s4_105 - work.s1_403*work.s4_99;
+  const double s4_544 = work.s1_405*work.s4_106 + work.s1_403*work.s4_100;
+  const double s4_545 = work.a_carrier_left_x + (work.s1_404*work.s4_102 + s4_543);
+  const double s4_546 = work.a_carrier_left_y + (s4_544 - work.s1_404*work.s4_103);
+  const double s4_547 = 1.1666666666666667*s4_546;
+  const double s4_548 = s4_541 + s4_547;
+  const double s4_549 = s4_542 + (work.s1_410*(1.1666666666666667*s4_545) - work.s1_411*s4_547);
+  const double s4_550 = work.s1_410*work.s4_332 - (work.s4_529 + work.s1_411*work.s4_329);
+  const double s4_551 = work.s1_411*work.s4_330 - work.s4_530 - work.s1_410*work.s4_333;
+  const double s4_552 = 1.1666666666666667*(work.a_bell_crank_x + s4_550);
+  const double s4_553 = 1.1666666666666667*(work.a_bell_crank_y + s4_551);
+  const double s4_554 = a_bell_crank_z + (work.s1_410*s4_334 + (s4_531 + work.s1_411*s4_331));
+  const double s4_555 = 1.1666666666666667*s4_554;
+  work.s4_556 = s4_507 + s4_552;
+  work.s4_557 = s4_508 + s4_553;
+  work.s4_558 = s4_509 + s4_555;
+  work.s4_559 = s4_510 + (work.s1_405*s4_553 - work.s1_404*s4_555);
+  work.s4_560 = s4_511 + (work.s1_403*s4_555 - work.s1_405*s4_552);
+  work.s4_561 = s4_512 + (work.s1_404*s4_552 - work.s1_403*s4_553);
   // tie_rod_right
-  const double s4_558 = work.s1_406*work.s4_247 - work.s1_404*work.s4_241;
-  const double s4_559 = work.s1_406*work.s4_248 + work.s1_404*work.s4_242;
-  const double s4_560 = work.a_carrier_right_x + (work.s1_405*work.s4_244 + s4_558);
-  const double s4_561 = work.a_carrier_right_y + (s4_559 - work.s1_405*work.s4_245);
-  const double s4_562 = 1.1666666666666667*s4_561;
-  work.s4_563 = s4_544 + s4_562;
-  work.s4_564 = s4_545 - (work.s1_407*(1.1666666666666667*s4_560) + work.s1_408*s4_562);
-  const double s4_565 = work.s1_407*work.s4_328 + (work.s4_525 + work.s1_408*work.s4_325);
-  const double s4_566 = work.s1_407*work.s4_329 + (work.s1_408*work.s4_326 - work.s4_526);
-  const double s4_567 = 1.1666666666666667*(work.a_bell_crank_x - s4_565);
-  const double s4_568 = 1.1666666666666667*(work.a_bell_crank_y + s4_566);
-  const double s4_569 = a_bell_crank_z + (s4_527 + work.s1_408*s4_327 - work.s1_407*s4_330);
-  const double s4_570 = 1.1666666666666667*s4_569;
-  work.s4_571 = s4_519 + s4_567;
-  work.s4_572 = s4_520 + s4_568;
-  work.s4_573 = s4_521 + s4_570;
-  work.s4_574 = s4_522 + (work.s1_406*s4_568 - work.s1_405*s4_570);
-  work.s4_575 = s4_523 + (work.s1_404*s4_570 - work.s1_406*s4_567);
-  work.s4_576 = s4_524 + (work.s1_405*s4_567 - work.s1_404*s4_568);
+  const double s4_562 = work.s1_420*work.s4_247 - work.s1_418*work.s4_241;
+  const double s4_563 = work.s1_420*work.s4_248 + work.s1_418*work.s4_242;
+  const double s4_564 = work.a_carrier_right_x + (work.s1_419*work.s4_244 + s4_562);
+  const double s4_565 = work.a_carrier_right_y + (s4_563 - work.s1_419*work.s4_245);
+  const double s4_566 = 1.1666666666666667*s4_565;
+  work.s4_567 = s4_548 + s4_566;
+  work.s4_568 = s4_549 - (work.s1_421*(1.1666666666666667*s4_564) + work.s1_422*s4_566);
+  const double s4_569 = work.s1_421*work.s4_332 + (work.s4_529 + work.s1_422*work.s4_329);
+  const double s4_570 = work.s1_421*work.s4_333 + (work.s1_422*work.s4_330 - work.s4_530);
+  const double s4_571 = 1.1666666666666667*(work.a_bell_crank_x - s4_569);
+  const double s4_572 = 1.1666666666666667*(work.a_bell_crank_y + s4_570);
+  const double s4_573 = a_bell_crank_z + (s4_531 + work.s1_422*s4_331 - work.s1_421*s4_334);
+  const double s4_574 = 1.1666666666666667*s4_573;
+  work.s4_575 = s4_523 + s4_571;
+  work.s4_576 = s4_524 + s4_572;
+  work.s4_577 = s4_525 + s4_574;
+  work.s4_578 = s4_526 + (work.s1_420*s4_572 - work.s1_419*s4_574);
+  work.s4_579 = s4_527 + (work.s1_418*s4_574 - work.s1_420*s4_571);
+  work.s4_580 = s4_528 + (work.s1_419*s4_571 - work.s1_418*s4_572);
   // long_rod_left
-  const double s4_577 = 0.55*work.s4_18;
-  const double s4_578 = 1.6*work.s4_9 - 0.55*work.s4_21;
-  const double s4_579 = 0.55*work.s4_19;
-  const double s4_580 = 0.55*work.s4_22 + 1.6*work.s4_16;
-  const double s4_581 = 0.55*work.s4_20;
-  const double s4_582 = 0.55*work.s4_23 - 1.6*work.s4_17;
-  const double s4_583 = 3.0*(work.a_chassis_x + (s4_577 + s4_578));
-  const double s4_584 = 3.0*(work.a_chassis_y - (s4_579 + s4_580));
-  const double s4_585 = 3.0*(work.a_chassis_z + (s4_581 + s4_582));
-  const double s4_586 = work.s1_420*s4_584 - work.s1_419*s4_585;
-  const double s4_587 = work.s1_418*s4_585 - work.s1_420*s4_583;
-  const double s4_588 = work.s1_419*s4_583 - work.s1_418*s4_584;
+  const double s4_581 = 0.55*work.s4_18;
+  const double s4_582 = 1.6*work.s4_9 - 0.55*work.s4_21;
+  const double s4_583 = 0.55*work.s4_19;
+  const double s4_584 = 0.55*work.s4_22 + 1.6*work.s4_16;
+  const double s4_585 = 0.55*work.s4_20;
+  const double s4_586 = 0.55*work.s4_23 - 1.6*work.s4_17;
+  const double s4_587 = 3.0*(work.a_chassis_x + (s4_581 + s4_582));
+  const double s4_588 = 3.0*(work.a_chassis_y - (s4_583 + s4_584));
+  const double s4_589 = 3.0*(work.a_chassis_z + (s4_585 + s4_586));
+  const double s4_590 = work.s1_434*s4_588 - work.s1_433*s4_589;
+  const double s4_591 = work.s1_432*s4_589 - work.s1_434*s4_587;
+  const double s4_592 = work.s1_433*s4_587 - work.s1_432*s4_588;
   // diag_rod_left
-  const double s4_589 = 0.4*work.s4_18;
-  const double s4_590 = 1.6999999999999997*work.s4_9 - 0.15000000000000002*work.s4_21;
-  const double s4_591 = 0.4*work.s4_19;
-  const double s4_592 = 0.15000000000000002*work.s4_22 + 1.6999999999999997*work.s4_16;
-  const double s4_593 = 0.4*work.s4_20;
-  const double s4_594 = 0.15000000000000002*work.s4_23 - 1.6999999999999997*work.s4_17;
-  const double s4_595 = 2.6666666666666665*(work.a_chassis_x + (s4_589 + s4_590));
-  const double s4_596 = 2.6666666666666665*(work.a_chassis_y - (s4_591 + s4_592));
-  const double s4_597 = 2.6666666666666665*(work.a_chassis_z + (s4_593 + s4_594));
-  const double s4_598 = s4_583 + s4_595;
-  const double s4_599 = s4_584 + s4_596;
-  const double s4_600 = s4_585 + s4_597;
-  const double s4_601 = s4_586 + (work.s1_429*s4_596 - work.s1_428*s4_597);
-  const double s4_602 = s4_587 + (work.s1_427*s4_597 - work.s1_429*s4_595);
-  const double s4_603 = s4_588 + (work.s1_428*s4_595 - work.s1_427*s4_596);
+  const double s4_593 = 0.4*work.s4_18;
+  const double s4_594 = 1.6999999999999997*work.s4_9 - 0.15000000000000002*work.s4_21;
+  const double s4_595 = 0.4*work.s4_19;
+  const double s4_596 = 0.15000000000000002*work.s4_22 + 1.6999999999999997*work.s4_16;
+  const double s4_597 = 0.4*work.s4_20;
+  const double s4_598 = 0.15000000000000002*work.s4_23 - 1.6999999999999997*work.s4_17;
+  const double s4_599 = 2.6666666666666665*(work.a_chassis_x + (s4_593 + s4_594));
+  const double s4_600 = 2.6666666666666665*(work.a_chassis_y - (s4_595 + s4_596));
+  const double s4_601 = 2.6666666666666665*(work.a_chassis_z + (s4_597 + s4_598));
+  const double s4_602 = s4_587 + s4_599;
+  const double s4_603 = s4_588 + s4_600;
+  const double s4_604 = s4_589 + s4_601;
+  const double s4_605 = s4_590 + (work.s1_443*s4_600 - work.s1_442*s4_601);
+  const double s4_606 = s4_591 + (work.s1_441*s4_601 - work.s1_443*s4_599);
+  const double s4_607 = s4_592 + (work.s1_442*s4_599 - work.s1_441*s4_600);
   // arb_link_rear_left
-  const double s4_604 = work.s1_441*work.s4_397 - work.s1_439*work.s4_391;
-  const double s4_605 = work.s1_439*work.s4_393 - work.s1_441*work.s4_399;
-  const double s4_606 = work.a_rear_axle_x + (work.s1_440*work.s4_394 + s4_604);
-  work.s4_607 = 0.3333333333333333*s4_606;
-  const double s4_608 = work.a_rear_axle_z + (work.s1_440*work.s4_396 + s4_605);
-  work.s4_609 = 0.3333333333333333*s4_608;
-  work.s4_610 = work.s1_442*work.s4_609 + work.s1_443*work.s4_607;
-  const double s4_611 = 0.6*work.s4_19;
-  const double s4_612 = 0.6*work.s4_439 - (work.s1_443*work.s4_441 + work.s1_442*work.s4_436);
-  const double s4_613 = 0.6*work.s4_440 + (work.s1_443*work.s4_443 + work.s1_442*work.s4_438);
-  const double s4_614 = 0.3333333333333333*(work.a_arb_rear_left_x + s4_612);
-  const double s4_615 = a_arb_rear_left_y + (work.s1_442*s4_437 - work.s1_443*s4_442 - s4_611);
-  const double s4_616 = 0.3333333333333333*s4_615;
-  const double s4_617 = 0.3333333333333333*(work.a_arb_rear_left_z + s4_613);
-  const double s4_618 = s4_598 + s4_614;
-  const double s4_619 = s4_599 + s4_616;
-  const double s4_620 = s4_600 + s4_617;
-  const double s4_621 = s4_601 + (work.s1_441*s4_616 - work.s1_440*s4_617);
-  const double s4_622 = s4_602 + (work.s1_439*s4_617 - work.s1_441*s4_614);
-  const double s4_623 = s4_603 + (work.s1_440*s4_614 - work.s1_439*s4_616);
+  const double s4_608 = work.s1_455*work.s4_401 - work.s1_453*work.s4_395;
+  const double s4_609 = work.s1_453*work.s4_397 - work.s1_455*work.s4_403;
+  const double s4_610 = work.a_rear_axle_x + (work.s1_454*work.s4_398 + s4_608);
+  work.s4_611 = 0.3333333333333333*s4_610;
+  const double s4_612 = work.a_rear_axle_z + (work.s1_454*work.s4_400 + s4_609);
+  work.s4_613 = 0.3333333333333333*s4_612;
+  work.s4_614 = work.s1_456*work.s4_613 + work.s1_457*work.s4_611;
+  const double s4_615 = 0.6*work.s4_19;
+  const double s4_616 = 0.6*work.s4_443 - (work.s1_457*work.s4_445 + work.s1_456*work.s4_440);
+  const double s4_617 = 0.6*work.s4_444 + (work.s1_457*work.s4_447 + work.s1_456*work.s4_442);
+  const double s4_618 = 0.3333333333333333*(work.a_arb_rear_left_x + s4_616);
+  const double s4_619 = a_arb_rear_left_y + (work.s1_456*s4_441 - work.s1_457*s4_446 - s4_615);
+  const double s4_620 = 0.3333333333333333*s4_619;
+  const double s4_621 = 0.3333333333333333*(work.a_arb_rear_left_z + s4_617);
+  const double s4_622 = s4_602 + s4_618;
+  const double s4_623 = s4_603 + s4_620;
+  const double s4_624 = s4_604 + s4_621;
+  const double s4_625 = s4_605 + (work.s1_455*s4_620 - work.s1_454*s4_621);
+  const double s4_626 = s4_606 + (work.s1_453*s4_621 - work.s1_455*s4_618);
+  const double s4_627 = s4_607 + (work.s1_454*s4_618 - work.s1_453*s4_620);
   // long_rod_right
-  const double s4_624 = 3.0*(work.a_chassis_x + (s4_578 - s4_577));
-  const double s4_625 = 3.0*(work.a_chassis_y + (s4_579 - s4_580));
-  const double s4_626 = 3.0*(work.a_chassis_z + (s4_582 - s4_581));
-  const double s4_627 = s4_618 + s4_624;
-  const double s4_628 = s4_619 + s4_625;
-  const double s4_629 = s4_620 + s4_626;
-  const double s4_630 = s4_621 + (work.s1_446*s4_625 - work.s1_445*s4_626);
-  const double s4_631 = s4_622 + (work.s1_444*s4_626 - work.s1_446*s4_624);
-  const double s4_632 = s4_623 + (work.s1_445*s4_624 - work.s1_444*s4_625);
+  const double s4_628 = 3.0*(work.a_chassis_x + (s4_582 - s4_581));
+  const double s4_629 = 3.0*(work.a_chassis_y + (s4_583 - s4_584));
+  const double s4_630 = 3.0*(work.a_chassis_z + (s4_586 - s4_585));
+  const double s4_631 = s4_622 + s4_628;
+  const double s4_632 = s4_623 + s4_629;
+  const double s4_633 = s4_624 + s4_630;
+  const double s4_634 = s4_625 + (work.s1_460*s4_629 - work.s1_459*s4_630);
+  const double s4_635 = s4_626 + (work.s1_458*s4_630 - work.s1_460*s4_628);
+  const double s4_636 = s4_627 + (work.s1_459*s4_628 - work.s1_458*s4_629);
   // diag_rod_right
-  const double s4_633 = 2.6666666666666665*(work.a_chassis_x + (s4_590 - s4_589));
-  const double s4_634 = 2.6666666666666665*(work.a_chassis_y + (s4_591 - s4_592));
-  const double s4_635 = 2.6666666666666665*(work.a_chassis_z + (s4_594 - s4_593));
-  const double s4_636 = s4_627 + s4_633;
-  const double s4_637 = s4_628 + s4_634;
-  const double s4_638 = s4_629 + s4_635;
-  const double s4_639 = s4_630 + (work.s1_449*s4_634 - work.s1_448*s4_635);
-  const double s4_640 = s4_631 + (work.s1_447*s4_635 - work.s1_449*s4_633);
-  const double s4_641 = s4_632 + (work.s1_448*s4_633 - work.s1_447*s4_634);
+  const double s4_637 = 2.6666666666666665*(work.a_chassis_x + (s4_594 - s4_593));
+  const double s4_638 = 2.6666666666666665*(work.a_chassis_y + (s4_595 - s4_596));
+  const double s4_639 = 2.6666666666666665*(work.a_chassis_z + (s4_598 - s4_597));
+  const double s4_640 = s4_631 + s4_637;
+  const double s4_641 = s4_632 + s4_638;
+  const double s4_642 = s4_633 + s4_639;
+  const double s4_643 = s4_634 + (work.s1_463*s4_638 - work.s1_462*s4_639);
+  const double s4_644 = s4_635 + (work.s1_461*s4_639 - work.s1_463*s4_637);
+  const double s4_645 = s4_636 + (work.s1_462*s4_637 - work.s1_461*s4_638);
   // arb_link_rear_right
-  const double s4_642 = work.s1_452*work.s4_397 - work.s1_450*work.s4_391;
-  const double s4_643 = work.s1_450*work.s4_393 - work.s1_452*work.s4_399;
-  const double s4_644 = work.a_rear_axle_x + (work.s1_451*work.s4_394 + s4_642);
-  work.s4_645 = 0.3333333333333333*s4_644;
-  const double s4_646 = work.a_rear_axle_z + (work.s1_451*work.s4_396 + s4_643);
-  work.s4_647 = 0.3333333333333333*s4_646;
-  work.s4_648 = work.s1_453*work.s4_647 + work.s1_454*work.s4_645;
-  const double s4_649 = 0.6*work.s4_482 + (work.s1_454*work.s4_484 + work.s1_453*work.s4_479);
-  const double s4_650 = s4_611 + (work.s1_453*s4_480 - work.s1_454*s4_485);
-  const double s4_651 = work.s1_454*work.s4_486 + work.s1_453*work.s4_481 - 0.6*work.s4_483;
-  const double s4_652 = 0.3333333333333333*(work.a_arb_rear_right_x - s4_649);
-  const double s4_653 = 0.3333333333333333*(a_arb_rear_right_y + s4_650);
-  const double s4_654 = 0.3333333333333333*(work.a_arb_rear_right_z + s4_651);
-  work.s4_655 = s4_636 + s4_652;
-  work.s4_656 = s4_637 + s4_653;
-  work.s4_657 = s4_638 + s4_654;
-  work.s4_658 = s4_639 + (work.s1_452*s4_653 - work.s1_451*s4_654);
-  work.s4_659 = s4_640 + (work.s1_450*s4_654 - work.s1_452*s4_652);
-  work.s4_660 = s4_641 + (work.s1_451*s4_652 - work.s1_450*s4_653);
+  const double s4_646 = work.s1_466*work.s4_401 - work.s1_464*work.s4_395;
+  const double s4_647 = work.s1_464*work.s4_397 - work.s1_466*work.s4_403;
+  const double s4_648 = work.a_rear_axle_x + (work.s1_465*work.s4_398 + s4_646);
+  work.s4_649 = 0.3333333333333333*s4_648;
+  const double s4_650 = work.a_rear_axle_z + (work.s1_465*work.s4_400 + s4_647);
+  work.s4_651 = 0.3333333333333333*s4_650;
+  work.s4_652 = work.s1_467*work.s4_651 + work.s1_468*work.s4_649;
+  const double s4_653 = 0.6*work.s4_486 + (work.s1_468*work.s4_488 + work.s1_467*work.s4_483);
+  const double s4_654 = s4_615 + (work.s1_467*s4_484 - work.s1_468*s4_489);
+  const double s4_655 = work.s1_468*work.s4_490 + work.s1_467*work.s4_485 - 0.6*work.s4_487;
+  const double s4_656 = 0.3333333333333333*(work.a_arb_rear_right_x - s4_653);
+  const double s4_657 = 0.3333333333333333*(a_arb_rear_right_y + s4_654);
+  const double s4_658 = 0.3333333333333333*(work.a_arb_rear_right_z + s4_655);
+  work.s4_659 = s4_640 + s4_656;
+  work.s4_660 = s4_641 + s4_657;
+  work.s4_661 = s4_642 + s4_658;
+  work.s4_662 = s4_643 + (work.s1_466*s4_657 - work.s1_465*s4_658);
+  work.s4_663 = s4_644 + (work.s1_464*s4_658 - work.s1_466*s4_656);
+  work.s4_664 = s4_645 + (work.s1_465*s4_656 - work.s1_464*s4_657);
   // lower_arm_left: lower_arm_left, revolute, chassis
-  const double s4_661 = work.s1_53*work.s4_33 + 3.6*work.s4_27 - work.s1_52*work.s4_30;
-  const double s4_662 = work.s1_52*work.s4_31 + (3.6*work.s4_28 - work.s1_53*work.s4_34);
-  work.s4_663 = 25.0*(work.a_lower_arm_left_y + s4_661);
-  work.s4_664 = 25.0*(work.a_lower_arm_left_z + s4_662);
-  const double s4_665 = work.s1_57*work.w_chassis_y + work.s1_59*work.w_chassis_z;
-  const double s4_666 = work.s1_59*work.w_chassis_y + work.s1_58*work.w_chassis_z;
-  const double s4_667 = work.w_chassis_y*s4_666 - work.w_chassis_z*s4_665;
-  const double s4_668 = work.s1_52*work.s4_664 - work.s1_53*work.s4_663;
-  work.s4_669 = s4_667 + 0.6*work.alpha_lower_arm_left_x + s4_668;
+  const double s4_665 = work.s1_67*work.s4_33 + 3.6*work.s4_27 - work.s1_66*work.s4_30;
+  const double s4_666 = work.s1_66*work.s4_31 + (3.6*work.s4_28 - work.s1_67*work.s4_34);
+  work.s4_667 = 25.0*(work.a_lower_arm_left_y + s4_665);
+  work.s4_668 = 25.0*(work.a_lower_arm_left_z + s4_666);
+  const double s4_669 = work.s1_71*work.w_chassis_y + work.s1_73*work.w_chassis_z;
+  const double s4_670 = work.s1_73*work.w_chassis_y + work.s1_72*work.w_chassis_z;
+  const double s4_671 = work.w_chassis_y*s4_670 - work.w_chassis_z*s4_669;
+  const double s4_672 = work.s1_66*work.s4_668 - work.s1_67*work.s4_667;
+  work.s4_673 = s4_671 + 0.6*work.alpha_lower_arm_left_x + s4_672;
   // carrier_left: carrier_left_ry, revolute, carrier_left_aux2
-  const double s4_670 = work.s1_70*work.s4_105 - work.s1_66*work.s4_99;
-  work.s4_671 = work.s1_70*work.s4_106 + work.s1_66*work.s4_100 - work.s1_68*work.s4_103;
-  const double s4_672 = work.s1_66*work.s4_101 - work.s1_70*work.s4_107;
-  work.s4_673 = work.s1_68*work.s4_104 + s4_672;
-  work.s4_674 = work.a_carrier_left_x + (work.s1_68*work.s4_102 + s4_670);
+  const double s4_674 = work.s1_84*work.s4_105 - work.s1_80*work.s4_99;
+  const double s4_675 = work.s1_80*work.s4_101 - work.s1_84*work.s4_107;
+  const double s4_676 = work.s1_84*work.s4_106 + work.s1_80*work.s4_100 - work.s1_82*work.s4_103;
+  work.s4_677 = 113.0*(work.a_carrier_left_x + (work.s1_82*work.s4_102 + s4_674));
+  work.s4_678 = 113.0*(work.a_carrier_left_y + s4_676);
+  work.s4_679 = 113.0*(work.a_carrier_left_z + (work.s1_82*work.s4_104 + s4_675));
+  const double s4_680 = work.s1_119*work.w_carrier_left_z + work.s1_111*work.w_carrier_left_x;
+  work.s4_681 = work.s1_117*work.w_carrier_left_y + s4_680;
 }
 
 /// Part 4 of compute_multipliers: step 7: accelerations Zdot and accumulated forces QR - PR (51),
 /// (52).
 [[gnu::noinline]] void compute_multipliers_4(const State& state, const double* tau,
-    MultipliersWork& __restrict work) noexcept {
+    ConstraintForcesWork& __restrict work, ConstraintForces& __restrict result) noexcept {
   // --- step 7: accelerations Zdot and accumulated forces QR - PR (51), (52), continued ---
   // carrier_left: carrier_left_ry, revolute, carrier_left_aux2
-  const double s4_675 = 113.0*work.s4_674;
-  const double s4_676 = 113.0*(work.a_carrier_left_y + work.s4_671);
-  const double s4_677 = 113.0*(work.a_carrier_left_z + work.s4_673);
-  const double s4_678 = work.s1_105*work.w_carrier_left_z + work.s1_97*work.w_carrier_left_x;
-  const double s4_679 = work.s1_103*work.w_carrier_left_y + s4_678;
-  const double s4_680 = work.s1_107*work.w_carrier_left_z + work.s1_103*work.w_carrier_left_x;
-  const double s4_681 = work.s1_99*work.w_carrier_left_y + s4_680;
-  const double s4_682 = work.s1_101*work.w_carrier_left_z + work.s1_105*work.w_carrier_left_x;
-  const double s4_683 = work.s1_107*work.w_carrier_left_y + s4_682;
-  const double s4_684 = work.s1_105*work.alpha_carrier_left_z;
-  const double s4_685 = s4_684 + work.s1_97*work.alpha_carrier_left_x;
-  const double s4_686 = work.s1_107*work.alpha_carrier_left_z;
-  const double s4_687 = s4_686 + work.s1_103*work.alpha_carrier_left_x;
-  const double s4_688 = work.s1_101*work.alpha_carrier_left_z;
-  const double s4_689 = s4_688 + work.s1_105*work.alpha_carrier_left_x;
-  const double s4_690 = work.w_carrier_left_y*s4_683 - work.w_carrier_left_z*s4_681;
-  const double s4_691 = work.w_carrier_left_z*s4_679 - work.w_carrier_left_x*s4_683;
-  const double s4_692 = work.w_carrier_left_x*s4_681 - work.w_carrier_left_y*s4_679;
-  const double s4_693 = s4_690 + (work.s1_103*work.alpha_carrier_left_y + s4_685);
-  const double s4_694 = s4_691 + (work.s1_99*work.alpha_carrier_left_y + s4_687);
-  const double s4_695 = s4_692 + (work.s1_107*work.alpha_carrier_left_y + s4_689);
-  const double s4_696 = work.s4_552 + s4_675;
-  const double s4_697 = work.s4_553 + s4_676;
-  const double s4_698 = work.s4_554 + s4_677;
-  const double s4_699 = work.s4_555 - (s4_693 + (work.s1_68*s4_677 - work.s1_70*s4_676));
-  const double s4_700 = work.s4_556 - (s4_694 + (work.s1_70*s4_675 - work.s1_66*s4_677));
-  const double s4_701 = work.s4_557 - (s4_695 + (work.s1_66*s4_676 - work.s1_68*s4_675));
+  const double s4_682 = work.s1_121*work.w_carrier_left_z + work.s1_117*work.w_carrier_left_x;
+  const double s4_683 = work.s1_113*work.w_carrier_left_y + s4_682;
+  const double s4_684 = work.s1_115*work.w_carrier_left_z + work.s1_119*work.w_carrier_left_x;
+  const double s4_685 = work.s1_121*work.w_carrier_left_y + s4_684;
+  const double s4_686 = work.s1_119*work.alpha_carrier_left_z;
+  const double s4_687 = s4_686 + work.s1_111*work.alpha_carrier_left_x;
+  const double s4_688 = work.s1_121*work.alpha_carrier_left_z;
+  const double s4_689 = s4_688 + work.s1_117*work.alpha_carrier_left_x;
+  const double s4_690 = work.s1_115*work.alpha_carrier_left_z;
+  const double s4_691 = s4_690 + work.s1_119*work.alpha_carrier_left_x;
+  const double s4_692 = work.w_carrier_left_y*s4_685 - work.w_carrier_left_z*s4_683;
+  const double s4_693 = work.w_carrier_left_z*work.s4_681 - work.w_carrier_left_x*s4_685;
+  const double s4_694 = work.w_carrier_left_x*s4_683 - work.w_carrier_left_y*work.s4_681;
+  const double s4_695 = s4_692 + (work.s1_117*work.alpha_carrier_left_y + s4_687);
+  const double s4_696 = s4_693 + (work.s1_113*work.alpha_carrier_left_y + s4_689);
+  const double s4_697 = s4_694 + (work.s1_121*work.alpha_carrier_left_y + s4_691);
+  const double s4_698 = work.s4_556 + work.s4_677;
+  const double s4_699 = work.s4_557 + work.s4_678;
+  const double s4_700 = work.s4_558 + work.s4_679;
+  const double s4_701 = s4_695 + (work.s1_82*work.s4_679 - work.s1_84*work.s4_678);
+  const double s4_702 = work.s4_559 - s4_701;
+  const double s4_703 = s4_696 + (work.s1_84*work.s4_677 - work.s1_80*work.s4_679);
+  const double s4_704 = work.s4_560 - s4_703;
+  const double s4_705 = s4_697 + (work.s1_80*work.s4_678 - work.s1_82*work.s4_677);
+  const double s4_706 = work.s4_561 - s4_705;
   // wheel_front_left: wheel_front_left, revolute, carrier_left
-  const double s4_702 = work.r_wheel_front_left_z*work.s4_131;
-  const double s4_703 = s4_702 - work.r_wheel_front_left_x*work.s4_125;
-  const double s4_704 = work.r_wheel_front_left_z*work.s4_132;
-  const double s4_705 = s4_704 + work.r_wheel_front_left_x*work.s4_126;
-  const double s4_706 = work.r_wheel_front_left_x*work.s4_127;
-  const double s4_707 = s4_706 - work.r_wheel_front_left_z*work.s4_133;
-  const double s4_708 = work.r_wheel_front_left_y*work.s4_128 + s4_703;
-  const double s4_709 = s4_705 - work.r_wheel_front_left_y*work.s4_129;
-  const double s4_710 = work.r_wheel_front_left_y*work.s4_130 + s4_707;
-  const double s4_711 = 105.0*(work.a_wheel_front_left_x + s4_708);
-  const double s4_712 = 105.0*(work.a_wheel_front_left_y + s4_709);
-  const double s4_713 = 105.0*(work.a_wheel_front_left_z + s4_710);
-  const double s4_714 = work.s1_124*work.w_wheel_front_left_z;
-  const double s4_715 = s4_714 + work.s1_116*work.w_wheel_front_left_x;
-  const double s4_716 = work.s1_122*work.w_wheel_front_left_y + s4_715;
-  const double s4_717 = work.s1_126*work.w_wheel_front_left_z;
-  const double s4_718 = s4_717 + work.s1_122*work.w_wheel_front_left_x;
-  const double s4_719 = work.s1_118*work.w_wheel_front_left_y + s4_718;
-  const double s4_720 = work.s1_120*work.w_wheel_front_left_z;
-  const double s4_721 = s4_720 + work.s1_124*work.w_wheel_front_left_x;
-  const double s4_722 = work.s1_126*work.w_wheel_front_left_y + s4_721;
-  const double s4_723 = work.s1_124*work.alpha_wheel_front_left_z;
-  const double s4_724 = s4_723 + work.s1_116*work.alpha_wheel_front_left_x;
-  const double s4_725 = work.s1_126*work.alpha_wheel_front_left_z;
-  const double s4_726 = s4_725 + work.s1_122*work.alpha_wheel_front_left_x;
-  const double s4_727 = work.s1_120*work.alpha_wheel_front_left_z;
-  const double s4_728 = s4_727 + work.s1_124*work.alpha_wheel_front_left_x;
-  const double s4_729 = work.w_wheel_front_left_y*s4_722 - work.w_wheel_front_left_z*s4_719;
-  const double s4_730 = work.w_wheel_front_left_z*s4_716 - work.w_wheel_front_left_x*s4_722;
-  const double s4_731 = work.w_wheel_front_left_x*s4_719 - work.w_wheel_front_left_y*s4_716;
-  const double s4_732 = work.r_wheel_front_left_y*s4_713 - work.r_wheel_front_left_z*s4_712;
-  const double s4_733 = work.r_wheel_front_left_z*s4_711 - work.r_wheel_front_left_x*s4_713;
-  const double s4_734 = work.r_wheel_front_left_x*s4_712 - work.r_wheel_front_left_y*s4_711;
+  const double s4_707 = work.r_wheel_front_left_z*work.s4_131;
+  const double s4_708 = s4_707 - work.r_wheel_front_left_x*work.s4_125;
+  const double s4_709 = work.r_wheel_front_left_z*work.s4_132;
+  const double s4_710 = s4_709 + work.r_wheel_front_left_x*work.s4_126;
+  const double s4_711 = work.r_wheel_front_left_x*work.s4_127;
+  const double s4_712 = s4_711 - work.r_wheel_front_left_z*work.s4_133;
+  const double s4_713 = work.r_wheel_front_left_y*work.s4_128 + s4_708;
+  const double s4_714 = s4_710 - work.r_wheel_front_left_y*work.s4_129;
+  const double s4_715 = work.r_wheel_front_left_y*work.s4_130 + s4_712;
+  const double s4_716 = 105.0*(work.a_wheel_front_left_x + s4_713);
+  const double s4_717 = 105.0*(work.a_wheel_front_left_y + s4_714);
+  const double s4_718 = 105.0*(work.a_wheel_front_left_z + s4_715);
+  const double s4_719 = work.s1_138*work.w_wheel_front_left_z;
+  const double s4_720 = s4_719 + work.s1_130*work.w_wheel_front_left_x;
+  const double s4_721 = work.s1_136*work.w_wheel_front_left_y + s4_720;
+  const double s4_722 = work.s1_140*work.w_wheel_front_left_z;
+  const double s4_723 = s4_722 + work.s1_136*work.w_wheel_front_left_x;
+  const double s4_724 = work.s1_132*work.w_wheel_front_left_y + s4_723;
+  const double s4_725 = work.s1_134*work.w_wheel_front_left_z;
+  const double s4_726 = s4_725 + work.s1_138*work.w_wheel_front_left_x;
+  const double s4_727 = work.s1_140*work.w_wheel_front_left_y + s4_726;
+  const double s4_728 = work.s1_138*work.alpha_wheel_front_left_z;
+  const double s4_729 = s4_728 + work.s1_130*work.alpha_wheel_front_left_x;
+  const double s4_730 = work.s1_140*work.alpha_wheel_front_left_z;
+  const double s4_731 = s4_730 + work.s1_136*work.alpha_wheel_front_left_x;
+  const double s4_732 = work.s1_134*work.alpha_wheel_front_left_z;
+  const double s4_733 = s4_732 + work.s1_138*work.alpha_wheel_front_left_x;
+  const double s4_734 = work.w_wheel_front_left_y*s4_727 - work.w_wheel_front_left_z*s4_724;
+  const double s4_735 = work.w_wheel_front_left_z*s4_721 - work.w_wheel_front_left_x*s4_727;
+  const double s4_736 = work.w_wheel_front_left_x*s4_724 - work.w_wheel_front_left_y*s4_721;
+  const double s4_737 = work.r_wheel_front_left_y*s4_718 - work.r_wheel_front_left_z*s4_717;
+  const double s4_738 = work.r_wheel_front_left_z*s4_716 - work.r_wheel_front_left_x*s4_718;
+  const double s4_739 = work.r_wheel_front_left_x*s4_717 - work.r_wheel_front_left_y*s4_716;
   // upper_arm_left: upper_arm_left, revolute, chassis
-  const double s4_735 = work.s1_130*work.s4_148 + 3.6*work.s4_144 - work.s1_129*work.s4_146;
-  const double s4_736 = work.s1_129*work.s4_147 + (3.6*work.s4_145 - work.s1_130*work.s4_149);
-  const double s4_737 = 15.0*(work.a_upper_arm_left_y + s4_735);
-  const double s4_738 = 15.0*(work.a_upper_arm_left_z + s4_736);
-  const double s4_739 = work.s1_134*work.w_chassis_y + work.s1_136*work.w_chassis_z;
-  const double s4_740 = work.s1_136*work.w_chassis_y + work.s1_135*work.w_chassis_z;
-  const double s4_741 = work.w_chassis_y*s4_740 - work.w_chassis_z*s4_739;
-  const double s4_742 = s4_741 + 0.2*work.alpha_upper_arm_left_x;
+  const double s4_740 = work.s1_144*work.s4_148 + 3.6*work.s4_144 - work.s1_143*work.s4_146;
+  const double s4_741 = work.s1_143*work.s4_147 + (3.6*work.s4_145 - work.s1_144*work.s4_149);
+  const double s4_742 = 15.0*(work.a_upper_arm_left_y + s4_740);
+  const double s4_743 = 15.0*(work.a_upper_arm_left_z + s4_741);
+  const double s4_744 = work.s1_148*work.w_chassis_y + work.s1_150*work.w_chassis_z;
+  const double s4_745 = work.s1_150*work.w_chassis_y + work.s1_149*work.w_chassis_z;
+  const double s4_746 = work.w_chassis_y*s4_745 - work.w_chassis_z*s4_744;
+  const double s4_747 = s4_746 + 0.2*work.alpha_upper_arm_left_x;
   // arb_front_left: arb_front_left, revolute, chassis
-  const double s4_743 = work.s1_140*work.s4_160 - work.s1_139*work.s4_155;
-  const double s4_744 = work.s1_139*work.s4_157 - work.s1_140*work.s4_162;
-  const double s4_745 = work.a_arb_front_left_x + (0.5169230769230769*work.s4_158 + s4_743);
-  const double s4_746 = 8.666666666666666*s4_745;
-  const double s4_747 = work.a_arb_front_left_z + (0.5169230769230769*work.s4_159 + s4_744);
-  const double s4_748 = 8.666666666666666*s4_747;
-  const double s4_749 = work.s1_153*work.w_chassis_z + work.s1_151*work.w_chassis_x;
-  const double s4_750 = work.s1_152*work.w_chassis_z + work.s1_153*work.w_chassis_x;
-  const double s4_751 = work.w_chassis_z*(work.s1_143*work.w_arb_front_left_y + s4_749);
-  const double s4_752 = work.s1_143*work.alpha_arb_front_left_x;
-  const double s4_753 = s4_752 - work.s1_147*work.alpha_arb_front_left_z;
-  const double s4_754 = s4_751 - work.w_chassis_x*(s4_750 - work.s1_147*work.w_arb_front_left_y);
-  const double s4_755 = s4_754 + (0.1304*work.alpha_arb_front_left_y + s4_753);
+  const double s4_748 = work.s1_154*work.s4_160 - work.s1_153*work.s4_155;
+  const double s4_749 = work.s1_153*work.s4_157 - work.s1_154*work.s4_162;
+  const double s4_750 = work.a_arb_front_left_x + (0.5169230769230769*work.s4_158 + s4_748);
+  const double s4_751 = 8.666666666666666*s4_750;
+  const double s4_752 = work.a_arb_front_left_z + (0.5169230769230769*work.s4_159 + s4_749);
+  const double s4_753 = 8.666666666666666*s4_752;
+  const double s4_754 = work.s1_167*work.w_chassis_z + work.s1_165*work.w_chassis_x;
+  const double s4_755 = work.s1_166*work.w_chassis_z + work.s1_167*work.w_chassis_x;
+  const double s4_756 = work.w_chassis_z*(work.s1_157*work.w_arb_front_left_y + s4_754);
+  const double s4_757 = work.s1_157*work.alpha_arb_front_left_x;
+  const double s4_758 = s4_757 - work.s1_161*work.alpha_arb_front_left_z;
+  const double s4_759 = s4_756 - work.w_chassis_x*(s4_755 - work.s1_161*work.w_arb_front_left_y);
+  const double s4_760 = s4_759 + (0.1304*work.alpha_arb_front_left_y + s4_758);
   // lower_arm_right: lower_arm_right, revolute, chassis
-  const double s4_756 = 3.6*work.s4_169 - work.s1_157*work.s4_175 - work.s1_156*work.s4_172;
-  const double s4_757 = work.s1_156*work.s4_173 + (work.s1_157*work.s4_176 + 3.6*work.s4_170);
-  const double s4_758 = 25.0*(work.a_lower_arm_right_y + s4_756);
-  const double s4_759 = 25.0*(work.a_lower_arm_right_z + s4_757);
-  const double s4_760 = work.s1_161*work.w_chassis_y + work.s1_163*work.w_chassis_z;
-  const double s4_761 = work.s1_163*work.w_chassis_y + work.s1_162*work.w_chassis_z;
-  const double s4_762 = work.w_chassis_y*s4_761 - work.w_chassis_z*s4_760;
-  const double s4_763 = s4_762 + 0.6*work.alpha_lower_arm_right_x;
-  const double s4_764 = s4_763 + (work.s1_157*s4_758 + work.s1_156*s4_759);
+  const double s4_761 = 3.6*work.s4_169 - work.s1_171*work.s4_175 - work.s1_170*work.s4_172;
+  const double s4_762 = work.s1_170*work.s4_173 + (work.s1_171*work.s4_176 + 3.6*work.s4_170);
+  const double s4_763 = 25.0*(work.a_lower_arm_right_y + s4_761);
+  const double s4_764 = 25.0*(work.a_lower_arm_right_z + s4_762);
+  const double s4_765 = work.s1_175*work.w_chassis_y + work.s1_177*work.w_chassis_z;
+  const double s4_766 = work.s1_177*work.w_chassis_y + work.s1_176*work.w_chassis_z;
+  const double s4_767 = work.w_chassis_y*s4_766 - work.w_chassis_z*s4_765;
+  const double s4_768 = s4_767 + 0.6*work.alpha_lower_arm_right_x;
+  const double s4_769 = s4_768 + (work.s1_171*s4_763 + work.s1_170*s4_764);
   // carrier_right: carrier_right_ry, revolute, carrier_right_aux2
-  const double s4_765 = work.s1_173*work.s4_247 - work.s1_170*work.s4_241;
-  const double s4_766 = work.s1_173*work.s4_248 + work.s1_170*work.s4_242;
-  const double s4_767 = work.s1_170*work.s4_243 - work.s1_173*work.s4_249;
-  const double s4_768 = 113.0*(work.a_carrier_right_x + (work.s1_172*work.s4_244 + s4_765));
-  const double s4_769 = 113.0*(work.a_carrier_right_y + (s4_766 - work.s1_172*work.s4_245));
-  const double s4_770 = 113.0*(work.a_carrier_right_z + (work.s1_172*work.s4_246 + s4_767));
-  const double s4_771 = work.s1_208*work.w_carrier_right_z + work.s1_200*work.w_carrier_right_x;
-  const double s4_772 = work.s1_206*work.w_carrier_right_y + s4_771;
-  const double s4_773 = work.s1_210*work.w_carrier_right_z + work.s1_206*work.w_carrier_right_x;
-  const double s4_774 = work.s1_202*work.w_carrier_right_y + s4_773;
-  const double s4_775 = work.s1_204*work.w_carrier_right_z + work.s1_208*work.w_carrier_right_x;
-  const double s4_776 = work.s1_210*work.w_carrier_right_y + s4_775;
-  const double s4_777 = work.s1_208*work.alpha_carrier_right_z;
-  const double s4_778 = s4_777 + work.s1_200*work.alpha_carrier_right_x;
-  const double s4_779 = work.s1_210*work.alpha_carrier_right_z;
-  const double s4_780 = s4_779 + work.s1_206*work.alpha_carrier_right_x;
-  const double s4_781 = work.s1_204*work.alpha_carrier_right_z;
-  const double s4_782 = s4_781 + work.s1_208*work.alpha_carrier_right_x;
-  const double s4_783 = work.w_carrier_right_y*s4_776 - work.w_carrier_right_z*s4_774;
-  const double s4_784 = work.w_carrier_right_z*s4_772 - work.w_carrier_right_x*s4_776;
-  const double s4_785 = work.w_carrier_right_x*s4_774 - work.w_carrier_right_y*s4_772;
-  const double s4_786 = s4_783 + (work.s1_206*work.alpha_carrier_right_y + s4_778);
-  const double s4_787 = s4_784 + (work.s1_202*work.alpha_carrier_right_y + s4_780);
-  const double s4_788 = s4_785 + (work.s1_210*work.alpha_carrier_right_y + s4_782);
-  const double s4_789 = work.s4_571 + s4_768;
-  const double s4_790 = work.s4_572 + s4_769;
-  const double s4_791 = work.s4_573 + s4_770;
-  const double s4_792 = work.s4_574 - (s4_786 + (work.s1_172*s4_770 - work.s1_173*s4_769));
-  const double s4_793 = work.s4_575 - (s4_787 + (work.s1_173*s4_768 - work.s1_170*s4_770));
-  const double s4_794 = work.s4_576 - (s4_788 + (work.s1_170*s4_769 - work.s1_172*s4_768));
+  const double s4_770 = work.s1_187*work.s4_247 - work.s1_184*work.s4_241;
+  const double s4_771 = work.s1_187*work.s4_248 + work.s1_184*work.s4_242;
+  const double s4_772 = work.s1_184*work.s4_243 - work.s1_187*work.s4_249;
+  const double s4_773 = 113.0*(work.a_carrier_right_x + (work.s1_186*work.s4_244 + s4_770));
+  const double s4_774 = 113.0*(work.a_carrier_right_y + (s4_771 - work.s1_186*work.s4_245));
+  const double s4_775 = 113.0*(work.a_carrier_right_z + (work.s1_186*work.s4_246 + s4_772));
+  const double s4_776 = work.s1_222*work.w_carrier_right_z + work.s1_214*work.w_carrier_right_x;
+  const double s4_777 = work.s1_220*work.w_carrier_right_y + s4_776;
+  const double s4_778 = work.s1_224*work.w_carrier_right_z + work.s1_220*work.w_carrier_right_x;
+  const double s4_779 = work.s1_216*work.w_carrier_right_y + s4_778;
+  const double s4_780 = work.s1_218*work.w_carrier_right_z + work.s1_222*work.w_carrier_right_x;
+  const double s4_781 = work.s1_224*work.w_carrier_right_y + s4_780;
+  const double s4_782 = work.s1_222*work.alpha_carrier_right_z;
+  const double s4_783 = s4_782 + work.s1_214*work.alpha_carrier_right_x;
+  const double s4_784 = work.s1_224*work.alpha_carrier_right_z;
+  const double s4_785 = s4_784 + work.s1_220*work.alpha_carrier_right_x;
+  const double s4_786 = work.s1_218*work.alpha_carrier_right_z;
+  const double s4_787 = s4_786 + work.s1_222*work.alpha_carrier_right_x;
+  const double s4_788 = work.w_carrier_right_y*s4_781 - work.w_carrier_right_z*s4_779;
+  const double s4_789 = work.w_carrier_right_z*s4_777 - work.w_carrier_right_x*s4_781;
+  const double s4_790 = work.w_carrier_right_x*s4_779 - work.w_carrier_right_y*s4_777;
+  const double s4_791 = s4_788 + (work.s1_220*work.alpha_carrier_right_y + s4_783);
+  const double s4_792 = s4_789 + (work.s1_216*work.alpha_carrier_right_y + s4_785);
+  const double s4_793 = s4_790 + (work.s1_224*work.alpha_carrier_right_y + s4_787);
+  const double s4_794 = work.s4_575 + s4_773;
+  const double s4_795 = work.s4_576 + s4_774;
+  const double s4_796 = work.s4_577 + s4_775;
+  const double s4_797 = work.s4_578 - (s4_791 + (work.s1_186*s4_775 - work.s1_187*s4_774));
+  const double s4_798 = work.s4_579 - (s4_792 + (work.s1_187*s4_773 - work.s1_184*s4_775));
+  const double s4_799 = work.s4_580 - (s4_793 + (work.s1_184*s4_774 - work.s1_186*s4_773));
   // wheel_front_right: wheel_front_right, revolute, carrier_right
-  const double s4_795 = work.r_wheel_front_right_z*work.s4_273;
-  const double s4_796 = s4_795 - work.r_wheel_front_right_x*work.s4_267;
-  const double s4_797 = work.r_wheel_front_right_z*work.s4_274;
-  const double s4_798 = s4_797 + work.r_wheel_front_right_x*work.s4_268;
-  const double s4_799 = work.r_wheel_front_right_x*work.s4_269;
-  const double s4_800 = s4_799 - work.r_wheel_front_right_z*work.s4_275;
-  const double s4_801 = work.r_wheel_front_right_y*work.s4_270 + s4_796;
-  const double s4_802 = s4_798 - work.r_wheel_front_right_y*work.s4_271;
-  const double s4_803 = work.r_wheel_front_right_y*work.s4_272 + s4_800;
-  const double s4_804 = 105.0*(work.a_wheel_front_right_x + s4_801);
-  const double s4_805 = 105.0*(work.a_wheel_front_right_y + s4_802);
-  const double s4_806 = 105.0*(work.a_wheel_front_right_z + s4_803);
-  const double s4_807 = work.s1_227*work.w_wheel_front_right_z;
-  const double s4_808 = s4_807 + work.s1_219*work.w_wheel_front_right_x;
-  const double s4_809 = work.s1_225*work.w_wheel_front_right_y + s4_808;
-  const double s4_810 = work.s1_229*work.w_wheel_front_right_z;
-  const double s4_811 = s4_810 + work.s1_225*work.w_wheel_front_right_x;
-  const double s4_812 = work.s1_221*work.w_wheel_front_right_y + s4_811;
-  const double s4_813 = work.s1_223*work.w_wheel_front_right_z;
-  const double s4_814 = s4_813 + work.s1_227*work.w_wheel_front_right_x;
-  const double s4_815 = work.s1_229*work.w_wheel_front_right_y + s4_814;
-  const double s4_816 = work.s1_227*work.alpha_wheel_front_right_z;
-  const double s4_817 = s4_816 + work.s1_219*work.alpha_wheel_front_right_x;
-  const double s4_818 = work.s1_229*work.alpha_wheel_front_right_z;
-  const double s4_819 = s4_818 + work.s1_225*work.alpha_wheel_front_right_x;
-  const double s4_820 = work.s1_223*work.alpha_wheel_front_right_z;
-  const double s4_821 = s4_820 + work.s1_227*work.alpha_wheel_front_right_x;
-  const double s4_822 = work.w_wheel_front_right_y*s4_815 - work.w_wheel_front_right_z*s4_812;
-  const double s4_823 = work.w_wheel_front_right_z*s4_809 - work.w_wheel_front_right_x*s4_815;
-  const double s4_824 = work.w_wheel_front_right_x*s4_812 - work.w_wheel_front_right_y*s4_809;
-  const double s4_825 = work.r_wheel_front_right_y*s4_806 - work.r_wheel_front_right_z*s4_805;
-  const double s4_826 = work.r_wheel_front_right_z*s4_804 - work.r_wheel_front_right_x*s4_806;
-  const double s4_827 = work.r_wheel_front_right_x*s4_805 - work.r_wheel_front_right_y*s4_804;
+  const double s4_800 = work.r_wheel_front_right_z*work.s4_273;
+  const double s4_801 = s4_800 - work.r_wheel_front_right_x*work.s4_267;
+  const double s4_802 = work.r_wheel_front_right_z*work.s4_274;
+  const double s4_803 = s4_802 + work.r_wheel_front_right_x*work.s4_268;
+  const double s4_804 = work.r_wheel_front_right_x*work.s4_269;
+  const double s4_805 = s4_804 - work.r_wheel_front_right_z*work.s4_275;
+  const double s4_806 = work.r_wheel_front_right_y*work.s4_270 + s4_801;
+  const double s4_807 = s4_803 - work.r_wheel_front_right_y*work.s4_271;
+  const double s4_808 = work.r_wheel_front_right_y*work.s4_272 + s4_805;
+  const double s4_809 = 105.0*(work.a_wheel_front_right_x + s4_806);
+  const double s4_810 = 105.0*(work.a_wheel_front_right_y + s4_807);
+  const double s4_811 = 105.0*(work.a_wheel_front_right_z + s4_808);
+  const double s4_812 = work.s1_241*work.w_wheel_front_right_z;
+  const double s4_813 = s4_812 + work.s1_233*work.w_wheel_front_right_x;
+  const double s4_814 = work.s1_239*work.w_wheel_front_right_y + s4_813;
+  const double s4_815 = work.s1_243*work.w_wheel_front_right_z;
+  const double s4_816 = s4_815 + work.s1_239*work.w_wheel_front_right_x;
+  const double s4_817 = work.s1_235*work.w_wheel_front_right_y + s4_816;
+  const double s4_818 = work.s1_237*work.w_wheel_front_right_z;
+  const double s4_819 = s4_818 + work.s1_241*work.w_wheel_front_right_x;
+  const double s4_820 = work.s1_243*work.w_wheel_front_right_y + s4_819;
+  const double s4_821 = work.s1_241*work.alpha_wheel_front_right_z;
+  const double s4_822 = s4_821 + work.s1_233*work.alpha_wheel_front_right_x;
+  const double s4_823 = work.s1_243*work.alpha_wheel_front_right_z;
+  const double s4_824 = s4_823 + work.s1_239*work.alpha_wheel_front_right_x;
+  const double s4_825 = work.s1_237*work.alpha_wheel_front_right_z;
+  const double s4_826 = s4_825 + work.s1_241*work.alpha_wheel_front_right_x;
+  const double s4_827 = work.w_wheel_front_right_y*s4_820 - work.w_wheel_front_right_z*s4_817;
+  const double s4_828 = work.w_wheel_front_right_z*s4_814 - work.w_wheel_front_right_x*s4_820;
+  const double s4_829 = work.w_wheel_front_right_x*s4_817 - work.w_wheel_front_right_y*s4_814;
+  const double s4_830 = work.r_wheel_front_right_y*s4_811 - work.r_wheel_front_right_z*s4_810;
+  const double s4_831 = work.r_wheel_front_right_z*s4_809 - work.r_wheel_front_right_x*s4_811;
+  const double s4_832 = work.r_wheel_front_right_x*s4_810 - work.r_wheel_front_right_y*s4_809;
   // upper_arm_right: upper_arm_right, revolute, chassis
-  const double s4_828 = 3.6*work.s4_286 - work.s1_233*work.s4_290 - work.s1_232*work.s4_288;
-  const double s4_829 = work.s1_232*work.s4_289 + (work.s1_233*work.s4_291 + 3.6*work.s4_287);
-  const double s4_830 = 15.0*(work.a_upper_arm_right_y + s4_828);
-  const double s4_831 = 15.0*(work.a_upper_arm_right_z + s4_829);
-  const double s4_832 = work.s1_237*work.w_chassis_y + work.s1_239*work.w_chassis_z;
-  const double s4_833 = work.s1_239*work.w_chassis_y + work.s1_238*work.w_chassis_z;
-  const double s4_834 = work.w_chassis_y*s4_833 - work.w_chassis_z*s4_832;
-  const double s4_835 = s4_834 + 0.2*work.alpha_upper_arm_right_x;
+  const double s4_833 = 3.6*work.s4_286 - work.s1_247*work.s4_290 - work.s1_246*work.s4_288;
+  const double s4_834 = work.s1_246*work.s4_289 + (work.s1_247*work.s4_291 + 3.6*work.s4_287);
+  const double s4_835 = 15.0*(work.a_upper_arm_right_y + s4_833);
+  const double s4_836 = 15.0*(work.a_upper_arm_right_z + s4_834);
+  const double s4_837 = work.s1_251*work.w_chassis_y + work.s1_253*work.w_chassis_z;
+  const double s4_838 = work.s1_253*work.w_chassis_y + work.s1_252*work.w_chassis_z;
+  const double s4_839 = work.w_chassis_y*s4_838 - work.w_chassis_z*s4_837;
+  const double s4_840 = s4_839 + 0.2*work.alpha_upper_arm_right_x;
   // arb_front_right: arb_front_right, revolute, chassis
-  const double s4_836 = work.s1_243*work.s4_302 - work.s1_242*work.s4_297;
-  const double s4_837 = work.s1_242*work.s4_299 - work.s1_243*work.s4_304;
-  const double s4_838 = work.a_arb_front_right_x + (s4_836 - 0.5169230769230769*work.s4_300);
-  const double s4_839 = 8.666666666666666*s4_838;
-  const double s4_840 = work.a_arb_front_right_z + (s4_837 - 0.5169230769230769*work.s4_301);
-  const double s4_841 = 8.666666666666666*s4_840;
-  const double s4_842 = work.s1_256*work.w_chassis_z + work.s1_254*work.w_chassis_x;
-  const double s4_843 = work.s1_255*work.w_chassis_z + work.s1_256*work.w_chassis_x;
-  const double s4_844 = work.w_chassis_z*(work.s1_246*work.w_arb_front_right_y + s4_842);
-  const double s4_845 = work.w_chassis_x*(work.s1_250*work.w_arb_front_right_y + s4_843);
-  const double s4_846 = work.s1_250*work.alpha_arb_front_right_z;
-  const double s4_847 = s4_846 + work.s1_246*work.alpha_arb_front_right_x;
-  const double s4_848 = s4_844 - s4_845 + (0.1304*work.alpha_arb_front_right_y + s4_847);
+  const double s4_841 = work.s1_257*work.s4_306 - work.s1_256*work.s4_301;
+  const double s4_842 = work.s1_256*work.s4_303 - work.s1_257*work.s4_308;
+  const double s4_843 = work.a_arb_front_right_x + (s4_841 - 0.5169230769230769*work.s4_304);
+  const double s4_844 = 8.666666666666666*s4_843;
+  const double s4_845 = work.a_arb_front_right_z + (s4_842 - 0.5169230769230769*work.s4_305);
+  const double s4_846 = 8.666666666666666*s4_845;
+  const double s4_847 = work.s1_270*work.w_chassis_z + work.s1_268*work.w_chassis_x;
+  const double s4_848 = work.s1_269*work.w_chassis_z + work.s1_270*work.w_chassis_x;
+  const double s4_849 = work.w_chassis_z*(work.s1_260*work.w_arb_front_right_y + s4_847);
+  const double s4_850 = work.w_chassis_x*(work.s1_264*work.w_arb_front_right_y + s4_848);
+  const double s4_851 = work.s1_264*work.alpha_arb_front_right_z;
+  const double s4_852 = s4_851 + work.s1_260*work.alpha_arb_front_right_x;
+  const double s4_853 = s4_849 - s4_850 + (0.1304*work.alpha_arb_front_right_y + s4_852);
   // pitman_arm: pitman_arm, revolute, chassis
-  const double s4_849 = work.s4_533 - (work.s1_258*work.s4_316 + work.s1_257*work.s4_311);
-  const double s4_850 = work.s4_534 + (work.s1_258*work.s4_318 + work.s1_257*work.s4_313);
-  const double s4_851 = 9.0*(work.a_pitman_arm_x + s4_849);
-  const double s4_852 = 9.0*(work.a_pitman_arm_z + s4_850);
-  const double s4_853 = work.s1_263*work.w_chassis_z + work.s1_264*work.w_chassis_x;
-  const double s4_854 = work.s1_264*work.w_chassis_z + work.s1_262*work.w_chassis_x;
-  const double s4_855 = work.w_chassis_z*s4_854 - work.w_chassis_x*s4_853;
-  const double s4_856 = s4_855 + 0.0842*work.alpha_pitman_arm_y;
+  const double s4_854 = work.s4_537 - (work.s1_272*work.s4_320 + work.s1_271*work.s4_315);
+  const double s4_855 = work.s4_538 + (work.s1_272*work.s4_322 + work.s1_271*work.s4_317);
+  const double s4_856 = 9.0*(work.a_pitman_arm_x + s4_854);
+  const double s4_857 = 9.0*(work.a_pitman_arm_z + s4_855);
+  const double s4_858 = work.s1_277*work.w_chassis_z + work.s1_278*work.w_chassis_x;
+  const double s4_859 = work.s1_278*work.w_chassis_z + work.s1_276*work.w_chassis_x;
+  const double s4_860 = work.w_chassis_z*s4_859 - work.w_chassis_x*s4_858;
+  const double s4_861 = s4_860 + 0.0842*work.alpha_pitman_arm_y;
   // bell_crank: bell_crank, revolute, chassis
-  const double s4_857 = work.s1_267*work.s4_328 - (work.s4_525 + work.s1_268*work.s4_325);
-  const double s4_858 = work.s1_268*work.s4_326 - work.s4_526 - work.s1_267*work.s4_329;
-  const double s4_859 = 16.666666666666668*(work.a_bell_crank_y + s4_858);
-  const double s4_860 = work.s1_277*work.w_chassis_y + work.s1_275*work.w_chassis_x;
-  const double s4_861 = work.s1_276*work.w_chassis_y + work.s1_277*work.w_chassis_x;
-  const double s4_862 = work.w_chassis_x*s4_861 - work.w_chassis_y*s4_860;
-  const double s4_863 = work.s1_267*(16.666666666666668*(work.a_bell_crank_x + s4_857));
-  const double s4_864 = s4_862 + 0.40412866666666675*work.alpha_bell_crank_z;
+  const double s4_862 = work.s1_281*work.s4_332 - (work.s4_529 + work.s1_282*work.s4_329);
+  const double s4_863 = work.s1_282*work.s4_330 - work.s4_530 - work.s1_281*work.s4_333;
+  const double s4_864 = 16.666666666666668*(work.a_bell_crank_y + s4_863);
+  const double s4_865 = work.s1_291*work.w_chassis_y + work.s1_289*work.w_chassis_x;
+  const double s4_866 = work.s1_290*work.w_chassis_y + work.s1_291*work.w_chassis_x;
+  const double s4_867 = work.w_chassis_x*s4_866 - work.w_chassis_y*s4_865;
+  const double s4_868 = work.s1_281*(16.666666666666668*(work.a_bell_crank_x + s4_862));
+  const double s4_869 = s4_867 + 0.40412866666666675*work.alpha_bell_crank_z;
   // rear_axle: rear_axle_rx, revolute, rear_axle_aux5
-  const double s4_865 = work.s1_284*work.s4_397 - work.s1_282*work.s4_391;
-  const double s4_866 = work.s1_284*work.s4_398 + work.s1_282*work.s4_392;
-  const double s4_867 = work.s1_282*work.s4_393 - work.s1_284*work.s4_399;
-  const double s4_868 = 774.0*(work.a_rear_axle_x + (work.s1_283*work.s4_394 + s4_865));
-  const double s4_869 = 774.0*(work.a_rear_axle_y + (s4_866 - work.s1_283*work.s4_395));
-  const double s4_870 = 774.0*(work.a_rear_axle_z + (work.s1_283*work.s4_396 + s4_867));
-  const double s4_871 = work.s1_306*work.w_rear_axle_z + work.s1_298*work.w_rear_axle_x;
-  const double s4_872 = work.s1_304*work.w_rear_axle_y + s4_871;
-  const double s4_873 = work.s1_308*work.w_rear_axle_z + work.s1_304*work.w_rear_axle_x;
-  const double s4_874 = work.s1_300*work.w_rear_axle_y + s4_873;
-  const double s4_875 = work.s1_302*work.w_rear_axle_z + work.s1_306*work.w_rear_axle_x;
-  const double s4_876 = work.s1_308*work.w_rear_axle_y + s4_875;
-  const double s4_877 = work.s1_306*work.alpha_rear_axle_z + work.s1_298*work.alpha_rear_axle_x;
-  const double s4_878 = work.s1_308*work.alpha_rear_axle_z + work.s1_304*work.alpha_rear_axle_x;
-  const double s4_879 = work.s1_302*work.alpha_rear_axle_z + work.s1_306*work.alpha_rear_axle_x;
-  const double s4_880 = work.w_rear_axle_y*s4_876 - work.w_rear_axle_z*s4_874;
-  const double s4_881 = work.w_rear_axle_z*s4_872 - work.w_rear_axle_x*s4_876;
-  const double s4_882 = work.w_rear_axle_x*s4_874 - work.w_rear_axle_y*s4_872;
-  const double s4_883 = s4_880 + (work.s1_304*work.alpha_rear_axle_y + s4_877);
-  const double s4_884 = s4_881 + (work.s1_300*work.alpha_rear_axle_y + s4_878);
-  const double s4_885 = s4_882 + (work.s1_308*work.alpha_rear_axle_y + s4_879);
-  const double s4_886 = work.s4_655 + s4_868;
-  const double s4_887 = work.s4_656 + s4_869;
-  const double s4_888 = work.s4_657 + s4_870;
-  const double s4_889 = work.s4_658 - (s4_883 + (work.s1_283*s4_870 - work.s1_284*s4_869));
-  const double s4_890 = work.s4_659 - (s4_884 + (work.s1_284*s4_868 - work.s1_282*s4_870));
-  const double s4_891 = work.s4_660 - (s4_885 + (work.s1_282*s4_869 - work.s1_283*s4_868));
+  const double s4_870 = work.s1_298*work.s4_401 - work.s1_296*work.s4_395;
+  const double s4_871 = work.s1_298*work.s4_402 + work.s1_296*work.s4_396;
+  const double s4_872 = work.s1_296*work.s4_397 - work.s1_298*work.s4_403;
+  const double s4_873 = 774.0*(work.a_rear_axle_x + (work.s1_297*work.s4_398 + s4_870));
+  const double s4_874 = 774.0*(work.a_rear_axle_y + (s4_871 - work.s1_297*work.s4_399));
+  const double s4_875 = 774.0*(work.a_rear_axle_z + (work.s1_297*work.s4_400 + s4_872));
+  const double s4_876 = work.s1_320*work.w_rear_axle_z + work.s1_312*work.w_rear_axle_x;
+  const double s4_877 = work.s1_318*work.w_rear_axle_y + s4_876;
+  const double s4_878 = work.s1_322*work.w_rear_axle_z + work.s1_318*work.w_rear_axle_x;
+  const double s4_879 = work.s1_314*work.w_rear_axle_y + s4_878;
+  const double s4_880 = work.s1_316*work.w_rear_axle_z + work.s1_320*work.w_rear_axle_x;
+  const double s4_881 = work.s1_322*work.w_rear_axle_y + s4_880;
+  const double s4_882 = work.s1_320*work.alpha_rear_axle_z + work.s1_312*work.alpha_rear_axle_x;
+  const double s4_883 = work.s1_322*work.alpha_rear_axle_z + work.s1_318*work.alpha_rear_axle_x;
+  const double s4_884 = work.s1_316*work.alpha_rear_axle_z + work.s1_320*work.alpha_rear_axle_x;
+  const double s4_885 = work.w_rear_axle_y*s4_881 - work.w_rear_axle_z*s4_879;
+  const double s4_886 = work.w_rear_axle_z*s4_877 - work.w_rear_axle_x*s4_881;
+  const double s4_887 = work.w_rear_axle_x*s4_879 - work.w_rear_axle_y*s4_877;
+  const double s4_888 = s4_885 + (work.s1_318*work.alpha_rear_axle_y + s4_882);
+  const double s4_889 = s4_886 + (work.s1_314*work.alpha_rear_axle_y + s4_883);
+  const double s4_890 = s4_887 + (work.s1_322*work.alpha_rear_axle_y + s4_884);
+  const double s4_891 = work.s4_659 + s4_873;
+  const double s4_892 = work.s4_660 + s4_874;
+  const double s4_893 = work.s4_661 + s4_875;
+  const double s4_894 = work.s4_662 - (s4_888 + (work.s1_297*s4_875 - work.s1_298*s4_874));
+  const double s4_895 = work.s4_663 - (s4_889 + (work.s1_298*s4_873 - work.s1_296*s4_875));
+  const double s4_896 = work.s4_664 - (s4_890 + (work.s1_296*s4_874 - work.s1_297*s4_873));
   // wheel_rear_left: wheel_rear_left, revolute, rear_axle
-  const double s4_892 = work.r_wheel_rear_left_z*work.s4_421;
-  const double s4_893 = s4_892 - work.r_wheel_rear_left_x*work.s4_415;
-  const double s4_894 = work.r_wheel_rear_left_z*work.s4_422;
-  const double s4_895 = s4_894 + work.r_wheel_rear_left_x*work.s4_416;
-  const double s4_896 = work.r_wheel_rear_left_x*work.s4_417;
-  const double s4_897 = s4_896 - work.r_wheel_rear_left_z*work.s4_423;
-  const double s4_898 = work.r_wheel_rear_left_y*work.s4_418 + s4_893;
-  const double s4_899 = s4_895 - work.r_wheel_rear_left_y*work.s4_419;
-  const double s4_900 = work.r_wheel_rear_left_y*work.s4_420 + s4_897;
-  const double s4_901 = 200.0*(work.a_wheel_rear_left_x + s4_898);
-  const double s4_902 = 200.0*(work.a_wheel_rear_left_y + s4_899);
-  const double s4_903 = 200.0*(work.a_wheel_rear_left_z + s4_900);
-  const double s4_904 = work.s1_325*work.w_wheel_rear_left_z;
-  const double s4_905 = s4_904 + work.s1_317*work.w_wheel_rear_left_x;
-  const double s4_906 = work.s1_323*work.w_wheel_rear_left_y + s4_905;
-  const double s4_907 = work.s1_327*work.w_wheel_rear_left_z;
-  const double s4_908 = s4_907 + work.s1_323*work.w_wheel_rear_left_x;
-  const double s4_909 = work.s1_319*work.w_wheel_rear_left_y + s4_908;
-  const double s4_910 = work.s1_321*work.w_wheel_rear_left_z;
-  const double s4_911 = s4_910 + work.s1_325*work.w_wheel_rear_left_x;
-  const double s4_912 = work.s1_327*work.w_wheel_rear_left_y + s4_911;
-  const double s4_913 = work.s1_325*work.alpha_wheel_rear_left_z;
-  const double s4_914 = s4_913 + work.s1_317*work.alpha_wheel_rear_left_x;
-  const double s4_915 = work.s1_327*work.alpha_wheel_rear_left_z;
-  const double s4_916 = s4_915 + work.s1_323*work.alpha_wheel_rear_left_x;
-  const double s4_917 = work.s1_321*work.alpha_wheel_rear_left_z;
-  const double s4_918 = s4_917 + work.s1_325*work.alpha_wheel_rear_left_x;
-  const double s4_919 = work.w_wheel_rear_left_y*s4_912 - work.w_wheel_rear_left_z*s4_909;
-  const double s4_920 = work.w_wheel_rear_left_z*s4_906 - work.w_wheel_rear_left_x*s4_912;
-  const double s4_921 = work.w_wheel_rear_left_x*s4_909 - work.w_wheel_rear_left_y*s4_906;
-  const double s4_922 = work.r_wheel_rear_left_y*s4_903 - work.r_wheel_rear_left_z*s4_902;
-  const double s4_923 = work.r_wheel_rear_left_z*s4_901 - work.r_wheel_rear_left_x*s4_903;
-  const double s4_924 = work.r_wheel_rear_left_x*s4_902 - work.r_wheel_rear_left_y*s4_901;
+  const double s4_897 = work.r_wheel_rear_left_z*work.s4_425;
+  const double s4_898 = s4_897 - work.r_wheel_rear_left_x*work.s4_419;
+  const double s4_899 = work.r_wheel_rear_left_z*work.s4_426;
+  const double s4_900 = s4_899 + work.r_wheel_rear_left_x*work.s4_420;
+  const double s4_901 = work.r_wheel_rear_left_x*work.s4_421;
+  const double s4_902 = s4_901 - work.r_wheel_rear_left_z*work.s4_427;
+  const double s4_903 = work.r_wheel_rear_left_y*work.s4_422 + s4_898;
+  const double s4_904 = s4_900 - work.r_wheel_rear_left_y*work.s4_423;
+  const double s4_905 = work.r_wheel_rear_left_y*work.s4_424 + s4_902;
+  const double s4_906 = 200.0*(work.a_wheel_rear_left_x + s4_903);
+  const double s4_907 = 200.0*(work.a_wheel_rear_left_y + s4_904);
+  const double s4_908 = 200.0*(work.a_wheel_rear_left_z + s4_905);
+  const double s4_909 = work.s1_339*work.w_wheel_rear_left_z;
+  const double s4_910 = s4_909 + work.s1_331*work.w_wheel_rear_left_x;
+  const double s4_911 = work.s1_337*work.w_wheel_rear_left_y + s4_910;
+  const double s4_912 = work.s1_341*work.w_wheel_rear_left_z;
+  const double s4_913 = s4_912 + work.s1_337*work.w_wheel_rear_left_x;
+  const double s4_914 = work.s1_333*work.w_wheel_rear_left_y + s4_913;
+  const double s4_915 = work.s1_335*work.w_wheel_rear_left_z;
+  const double s4_916 = s4_915 + work.s1_339*work.w_wheel_rear_left_x;
+  const double s4_917 = work.s1_341*work.w_wheel_rear_left_y + s4_916;
+  const double s4_918 = work.s1_339*work.alpha_wheel_rear_left_z;
+  const double s4_919 = s4_918 + work.s1_331*work.alpha_wheel_rear_left_x;
+  const double s4_920 = work.s1_341*work.alpha_wheel_rear_left_z;
+  const double s4_921 = s4_920 + work.s1_337*work.alpha_wheel_rear_left_x;
+  const double s4_922 = work.s1_335*work.alpha_wheel_rear_left_z;
+  const double s4_923 = s4_922 + work.s1_339*work.alpha_wheel_rear_left_x;
+  const double s4_924 = work.w_wheel_rear_left_y*s4_917 - work.w_wheel_rear_left_z*s4_914;
+  const double s4_925 = work.w_wheel_rear_left_z*s4_911 - work.w_wheel_rear_left_x*s4_917;
+  const double s4_926 = work.w_wheel_rear_left_x*s4_914 - work.w_wheel_rear_left_y*s4_911;
+  const double s4_927 = work.r_wheel_rear_left_y*s4_908 - work.r_wheel_rear_left_z*s4_907;
+  const double s4_928 = work.r_wheel_rear_left_z*s4_906 - work.r_wheel_rear_left_x*s4_908;
+  const double s4_929 = work.r_wheel_rear_left_x*s4_907 - work.r_wheel_rear_left_y*s4_906;
   // arb_rear_left: arb_rear_left, revolute, chassis
-  const double s4_925 = work.s1_329*work.s4_441 + work.s1_328*work.s4_436;
-  const double s4_926 = work.s1_329*work.s4_443 + work.s1_328*work.s4_438;
-  const double s4_927 = work.a_arb_rear_left_x + (0.5076923076923077*work.s4_439 - s4_925);
-  const double s4_928 = 8.666666666666666*s4_927;
-  const double s4_929 = work.a_arb_rear_left_z + (0.5076923076923077*work.s4_440 + s4_926);
-  const double s4_930 = 8.666666666666666*s4_929;
-  const double s4_931 = work.s1_338*work.w_chassis_z + work.s1_336*work.w_chassis_x;
-  const double s4_932 = work.s1_337*work.w_chassis_z + work.s1_338*work.w_chassis_x;
-  const double s4_933 = work.w_chassis_z*(s4_931 - work.s1_330*work.w_arb_rear_left_y);
-  const double s4_934 = work.s1_332*work.alpha_arb_rear_left_z;
-  const double s4_935 = s4_934 - work.s1_330*work.alpha_arb_rear_left_x;
-  const double s4_936 = s4_933 - work.w_chassis_x*(work.s1_332*work.w_arb_rear_left_y + s4_932);
-  const double s4_937 = s4_936 + (0.14461538461538465*work.alpha_arb_rear_left_y + s4_935);
+  const double s4_930 = work.s1_343*work.s4_445 + work.s1_342*work.s4_440;
+  const double s4_931 = work.s1_343*work.s4_447 + work.s1_342*work.s4_442;
+  const double s4_932 = work.a_arb_rear_left_x + (0.5076923076923077*work.s4_443 - s4_930);
+  const double s4_933 = 8.666666666666666*s4_932;
+  const double s4_934 = work.a_arb_rear_left_z + (0.5076923076923077*work.s4_444 + s4_931);
+  const double s4_935 = 8.666666666666666*s4_934;
+  const double s4_936 = work.s1_352*work.w_chassis_z + work.s1_350*work.w_chassis_x;
+  const double s4_937 = work.s1_351*work.w_chassis_z + work.s1_352*work.w_chassis_x;
+  const double s4_938 = work.w_chassis_z*(s4_936 - work.s1_344*work.w_arb_rear_left_y);
+  const double s4_939 = work.s1_346*work.alpha_arb_rear_left_z;
+  const double s4_940 = s4_939 - work.s1_344*work.alpha_arb_rear_left_x;
+  const double s4_941 = s4_938 - work.w_chassis_x*(work.s1_346*work.w_arb_rear_left_y + s4_937);
+  const double s4_942 = s4_941 + (0.14461538461538465*work.alpha_arb_rear_left_y + s4_940);
   // wheel_rear_right: wheel_rear_right, revolute, rear_axle
-  const double s4_938 = work.r_wheel_rear_right_z*work.s4_464;
-  const double s4_939 = s4_938 - work.r_wheel_rear_right_x*work.s4_458;
-  const double s4_940 = work.r_wheel_rear_right_z*work.s4_465;
-  const double s4_941 = s4_940 + work.r_wheel_rear_right_x*work.s4_459;
-  const double s4_942 = work.r_wheel_rear_right_x*work.s4_460;
-  const double s4_943 = s4_942 - work.r_wheel_rear_right_z*work.s4_466;
-  const double s4_944 = work.r_wheel_rear_right_y*work.s4_461 + s4_939;
-  const double s4_945 = s4_941 - work.r_wheel_rear_right_y*work.s4_462;
-  const double s4_946 = work.r_wheel_rear_right_y*work.s4_463 + s4_943;
-  const double s4_947 = 200.0*(work.a_wheel_rear_right_x + s4_944);
-  const double s4_948 = 200.0*(work.a_wheel_rear_right_y + s4_945);
-  const double s4_949 = 200.0*(work.a_wheel_rear_right_z + s4_946);
-  const double s4_950 = work.s1_325*work.w_wheel_rear_right_z;
-  const double s4_951 = s4_950 + work.s1_317*work.w_wheel_rear_right_x;
-  const double s4_952 = work.s1_323*work.w_wheel_rear_right_y + s4_951;
-  const double s4_953 = work.s1_327*work.w_wheel_rear_right_z;
-  const double s4_954 = s4_953 + work.s1_323*work.w_wheel_rear_right_x;
-  const double s4_955 = work.s1_319*work.w_wheel_rear_right_y + s4_954;
-  const double s4_956 = work.s1_321*work.w_wheel_rear_right_z;
-  const double s4_957 = s4_956 + work.s1_325*work.w_wheel_rear_right_x;
-  const double s4_958 = work.s1_327*work.w_wheel_rear_right_y + s4_957;
-  const double s4_959 = work.s1_325*work.alpha_wheel_rear_right_z;
-  const double s4_960 = s4_959 + work.s1_317*work.alpha_wheel_rear_right_x;
-  const double s4_961 = work.s1_327*work.alpha_wheel_rear_right_z;
-  const double s4_962 = s4_961 + work.s1_323*work.alpha_wheel_rear_right_x;
-  const double s4_963 = work.s1_321*work.alpha_wheel_rear_right_z;
-  const double s4_964 = s4_963 + work.s1_325*work.alpha_wheel_rear_right_x;
-  const double s4_965 = work.w_wheel_rear_right_y*s4_958 - work.w_wheel_rear_right_z*s4_955;
-  const double s4_966 = work.w_wheel_rear_right_z*s4_952 - work.w_wheel_rear_right_x*s4_958;
-  const double s4_967 = work.w_wheel_rear_right_x*s4_955 - work.w_wheel_rear_right_y*s4_952;
-  const double s4_968 = work.r_wheel_rear_right_y*s4_949 - work.r_wheel_rear_right_z*s4_948;
-  const double s4_969 = work.r_wheel_rear_right_z*s4_947 - work.r_wheel_rear_right_x*s4_949;
-  const double s4_970 = work.r_wheel_rear_right_x*s4_948 - work.r_wheel_rear_right_y*s4_947;
+  const double s4_943 = work.r_wheel_rear_right_z*work.s4_468;
+  const double s4_944 = s4_943 - work.r_wheel_rear_right_x*work.s4_462;
+  const double s4_945 = work.r_wheel_rear_right_z*work.s4_469;
+  const double s4_946 = s4_945 + work.r_wheel_rear_right_x*work.s4_463;
+  const double s4_947 = work.r_wheel_rear_right_x*work.s4_464;
+  const double s4_948 = s4_947 - work.r_wheel_rear_right_z*work.s4_470;
+  const double s4_949 = work.r_wheel_rear_right_y*work.s4_465 + s4_944;
+  const double s4_950 = s4_946 - work.r_wheel_rear_right_y*work.s4_466;
+  const double s4_951 = work.r_wheel_rear_right_y*work.s4_467 + s4_948;
+  const double s4_952 = 200.0*(work.a_wheel_rear_right_x + s4_949);
+  const double s4_953 = 200.0*(work.a_wheel_rear_right_y + s4_950);
+  const double s4_954 = 200.0*(work.a_wheel_rear_right_z + s4_951);
+  const double s4_955 = work.s1_339*work.w_wheel_rear_right_z;
+  const double s4_956 = s4_955 + work.s1_331*work.w_wheel_rear_right_x;
+  const double s4_957 = work.s1_337*work.w_wheel_rear_right_y + s4_956;
+  const double s4_958 = work.s1_341*work.w_wheel_rear_right_z;
+  const double s4_959 = s4_958 + work.s1_337*work.w_wheel_rear_right_x;
+  const double s4_960 = work.s1_333*work.w_wheel_rear_right_y + s4_959;
+  const double s4_961 = work.s1_335*work.w_wheel_rear_right_z;
+  const double s4_962 = s4_961 + work.s1_339*work.w_wheel_rear_right_x;
+  const double s4_963 = work.s1_341*work.w_wheel_rear_right_y + s4_962;
+  const double s4_964 = work.s1_339*work.alpha_wheel_rear_right_z;
+  const double s4_965 = s4_964 + work.s1_331*work.alpha_wheel_rear_right_x;
+  const double s4_966 = work.s1_341*work.alpha_wheel_rear_right_z;
+  const double s4_967 = s4_966 + work.s1_337*work.alpha_wheel_rear_right_x;
+  const double s4_968 = work.s1_335*work.alpha_wheel_rear_right_z;
+  const double s4_969 = s4_968 + work.s1_339*work.alpha_wheel_rear_right_x;
+  const double s4_970 = work.w_wheel_rear_right_y*s4_963 - work.w_wheel_rear_right_z*s4_960;
+  const double s4_971 = work.w_wheel_rear_right_z*s4_957 - work.w_wheel_rear_right_x*s4_963;
+  const double s4_972 = work.w_wheel_rear_right_x*s4_960 - work.w_wheel_rear_right_y*s4_957;
+  const double s4_973 = work.r_wheel_rear_right_y*s4_954 - work.r_wheel_rear_right_z*s4_953;
+  const double s4_974 = work.r_wheel_rear_right_z*s4_952 - work.r_wheel_rear_right_x*s4_954;
+  const double s4_975 = work.r_wheel_rear_right_x*s4_953 - work.r_wheel_rear_right_y*s4_952;
   // arb_rear_right: arb_rear_right, revolute, chassis
-  const double s4_971 = work.s1_340*work.s4_484 + work.s1_339*work.s4_479;
-  const double s4_972 = work.s1_340*work.s4_486 + work.s1_339*work.s4_481;
-  const double s4_973 = work.a_arb_rear_right_x - (0.5076923076923077*work.s4_482 + s4_971);
-  const double s4_974 = 8.666666666666666*s4_973;
-  const double s4_975 = work.a_arb_rear_right_z + (s4_972 - 0.5076923076923077*work.s4_483);
-  const double s4_976 = 8.666666666666666*s4_975;
-  const double s4_977 = work.s1_349*work.w_chassis_z + work.s1_347*work.w_chassis_x;
-  const double s4_978 = work.s1_348*work.w_chassis_z + work.s1_349*work.w_chassis_x;
-  const double s4_979 = work.w_chassis_z*(work.s1_341*work.w_arb_rear_right_y + s4_977);
-  const double s4_980 = work.s1_341*work.alpha_arb_rear_right_x;
-  const double s4_981 = s4_980 - work.s1_343*work.alpha_arb_rear_right_z;
-  const double s4_982 = s4_979 - work.w_chassis_x*(s4_978 - work.s1_343*work.w_arb_rear_right_y);
-  const double s4_983 = s4_982 + (0.14461538461538465*work.alpha_arb_rear_right_y + s4_981);
-  const double s4_984 = 0.44999999999999996*(work.s4_645 + s4_974);
-  const double s4_985 = work.s4_648 - (s4_983 - (work.s1_339*s4_976 + work.s1_340*s4_974));
-  const double s4_986 = s4_985 + (3.3000000000000003*(work.s4_647 + s4_976) - s4_984);
-  work.Q_arb_rear_right = tau[Coordinate::arb_rear_right] + s4_986;
+  const double s4_976 = work.s1_354*work.s4_488 + work.s1_353*work.s4_483;
+  const double s4_977 = work.s1_354*work.s4_490 + work.s1_353*work.s4_485;
+  const double s4_978 = work.a_arb_rear_right_x - (0.5076923076923077*work.s4_486 + s4_976);
+  const double s4_979 = 8.666666666666666*s4_978;
+  const double s4_980 = work.a_arb_rear_right_z + (s4_977 - 0.5076923076923077*work.s4_487);
+  const double s4_981 = 8.666666666666666*s4_980;
+  const double s4_982 = work.s1_363*work.w_chassis_z + work.s1_361*work.w_chassis_x;
+  const double s4_983 = work.s1_362*work.w_chassis_z + work.s1_363*work.w_chassis_x;
+  const double s4_984 = work.w_chassis_z*(work.s1_355*work.w_arb_rear_right_y + s4_982);
+  const double s4_985 = work.s1_355*work.alpha_arb_rear_right_x;
+  const double s4_986 = s4_985 - work.s1_357*work.alpha_arb_rear_right_z;
+  const double s4_987 = s4_984 - work.w_chassis_x*(s4_983 - work.s1_357*work.w_arb_rear_right_y);
+  const double s4_988 = s4_987 + (0.14461538461538465*work.alpha_arb_rear_right_y + s4_986);
+  const double s4_989 = 0.44999999999999996*(work.s4_649 + s4_979);
+  const double s4_990 = work.s4_652 - (s4_988 - (work.s1_353*s4_981 + work.s1_354*s4_979));
+  const double s4_991 = s4_990 + (3.3000000000000003*(work.s4_651 + s4_981) - s4_989);
+  work.Q_arb_rear_right = tau[Coordinate::arb_rear_right] + s4_991;
+  result.missing[21] = work.Q_arb_rear_right;
   // wheel_rear_right: wheel_rear_right, revolute, rear_axle
-  const double s4_987 = s4_886 + s4_947;
-  const double s4_988 = s4_887 + s4_948;
-  const double s4_989 = s4_888 + s4_949;
-  const double s4_990 = s4_965 + (work.s1_323*work.alpha_wheel_rear_right_y + s4_960) + s4_968;
-  const double s4_991 = s4_889 - s4_990;
-  const double s4_992 = s4_966 + (work.s1_319*work.alpha_wheel_rear_right_y + s4_962) + s4_969;
-  const double s4_993 = s4_890 - s4_992;
-  const double s4_994 = s4_967 + (work.s1_327*work.alpha_wheel_rear_right_y + s4_964) + s4_970;
-  const double s4_995 = s4_891 - s4_994;
+  const double s4_992 = s4_891 + s4_952;
+  const double s4_993 = s4_892 + s4_953;
+  const double s4_994 = s4_893 + s4_954;
+  const double s4_995 = s4_970 + (work.s1_337*work.alpha_wheel_rear_right_y + s4_965) + s4_973;
+  const double s4_996 = s4_894 - s4_995;
+  const double s4_997 = s4_971 + (work.s1_333*work.alpha_wheel_rear_right_y + s4_967) + s4_974;
+  const double s4_998 = s4_895 - s4_997;
+  const double s4_999 = s4_972 + (work.s1_341*work.alpha_wheel_rear_right_y + s4_969) + s4_975;
+  const double s4_1000 = s4_896 - s4_999;
   // arb_rear_left: arb_rear_left, revolute, chassis
-  const double s4_996 = 0.44999999999999996*(work.s4_607 + s4_928);
-  const double s4_997 = work.s4_610 - (s4_937 - (work.s1_328*s4_930 + work.s1_329*s4_928));
-  const double s4_998 = s4_997 + (3.3000000000000003*(work.s4_609 + s4_930) - s4_996);
-  work.Q_arb_rear_left = tau[Coordinate::arb_rear_left] + s4_998;
+  const double s4_1001 = 0.44999999999999996*(work.s4_611 + s4_933);
+  const double s4_1002 = work.s4_614 - (s4_942 - (work.s1_342*s4_935 + work.s1_343*s4_933));
+  const double s4_1003 = s4_1002 + (3.3000000000000003*(work.s4_613 + s4_935) - s4_1001);
+  work.Q_arb_rear_left = tau[Coordinate::arb_rear_left] + s4_1003;
+  result.missing[20] = work.Q_arb_rear_left;
   // wheel_rear_left: wheel_rear_left, revolute, rear_axle
-  const double s4_999 = s4_901 + s4_987;
-  const double s4_1000 = s4_902 + s4_988;
-  const double s4_1001 = s4_903 + s4_989;
-  const double s4_1002 = s4_919 + (work.s1_323*work.alpha_wheel_rear_left_y + s4_914) + s4_922;
-  const double s4_1003 = s4_991 - s4_1002;
-  const double s4_1004 = s4_920 + (work.s1_319*work.alpha_wheel_rear_left_y + s4_916) + s4_923;
-  const double s4_1005 = s4_993 - s4_1004;
-  const double s4_1006 = s4_921 + (work.s1_327*work.alpha_wheel_rear_left_y + s4_918) + s4_924;
-  const double s4_1007 = s4_995 - s4_1006;
+  const double s4_1004 = s4_906 + s4_992;
+  const double s4_1005 = s4_907 + s4_993;
+  const double s4_1006 = s4_908 + s4_994;
+  const double s4_1007 = s4_924 + (work.s1_337*work.alpha_wheel_rear_left_y + s4_919) + s4_927;
+  const double s4_1008 = s4_996 - s4_1007;
+  const double s4_1009 = s4_925 + (work.s1_333*work.alpha_wheel_rear_left_y + s4_921) + s4_928;
+  const double s4_1010 = s4_998 - s4_1009;
+  const double s4_1011 = s4_926 + (work.s1_341*work.alpha_wheel_rear_left_y + s4_923) + s4_929;
+  const double s4_1012 = s4_1000 - s4_1011;
+  // rear_axle: rear_axle_rx, revolute, rear_axle_aux5
+  const double s4_1013 = work.R_rear_axle_aux5_x_x*s4_1008 - work.s1_51*s4_1012;
+  const double s4_1014 = work.s1_58*s4_1004 - work.b_rear_axle_rx_z*s4_1006;
+  const double s4_1015 = work.R_rear_axle_aux5_y_x*s4_1010 + s4_1013;
+  const double s4_1016 = s4_1015 + (s4_1014 - work.b_rear_axle_rx_y*s4_1005);
+  result.missing[19] = tau[Coordinate::rear_axle_rx] + s4_1016;
   // rear_axle_aux5: rear_axle_ry, revolute, rear_axle_aux4
-  const double s4_1008 = work.s1_43*s4_1000 + (work.s1_42*s4_999 - work.b_rear_axle_ry_z*s4_1001);
-  const double s4_1009 = work.R_rear_axle_aux4_x_x*s4_1005 - work.R_rear_axle_aux4_y_x*s4_1003;
-  work.Q_rear_axle_ry = tau[Coordinate::rear_axle_ry] + (s4_1009 + s4_1008);
+  const double s4_1017 = work.s1_52*s4_1004 - work.b_rear_axle_ry_z*s4_1006;
+  const double s4_1018 = work.R_rear_axle_aux4_x_x*s4_1010 - work.R_rear_axle_aux4_y_x*s4_1008;
+  const double s4_1019 = s4_1018 + (work.s1_53*s4_1005 + s4_1017);
+  work.Q_rear_axle_ry = tau[Coordinate::rear_axle_ry] + s4_1019;
+  result.missing[18] = work.Q_rear_axle_ry;
   // rear_axle_aux4: rear_axle_rz, revolute, rear_axle_aux3
-  const double s4_1010 = state.z[Coordinate::rear_axle_ty]*s4_999;
-  const double s4_1011 = s4_1007 + (work.r_rear_axle_aux1_x*s4_1000 - s4_1010);
-  work.Q_rear_axle_rz = tau[Coordinate::rear_axle_rz] + s4_1011;
+  const double s4_1020 = state.z[Coordinate::rear_axle_ty]*s4_1004;
+  const double s4_1021 = s4_1012 + (work.r_rear_axle_aux1_x*s4_1005 - s4_1020);
+  work.Q_rear_axle_rz = tau[Coordinate::rear_axle_rz] + s4_1021;
+  result.missing[17] = work.Q_rear_axle_rz;
+  // rear_axle_aux3: rear_axle_tz, prismatic, rear_axle_aux2
+  result.missing[16] = tau[Coordinate::rear_axle_tz] - s4_1006;
   // rear_axle_aux2: rear_axle_ty, prismatic, rear_axle_aux1
-  work.Q_rear_axle_ty = tau[Coordinate::rear_axle_ty] - s4_1000;
+  work.Q_rear_axle_ty = tau[Coordinate::rear_axle_ty] - s4_1005;
+  result.missing[15] = work.Q_rear_axle_ty;
   // rear_axle_aux1: rear_axle_tx, prismatic, chassis
-  work.Q_rear_axle_tx = tau[Coordinate::rear_axle_tx] - s4_999;
+  work.Q_rear_axle_tx = tau[Coordinate::rear_axle_tx] - s4_1004;
+  result.missing[14] = work.Q_rear_axle_tx;
   // bell_crank: bell_crank, revolute, chassis
-  const double s4_1012 = work.s4_564 - (s4_864 + (work.s1_268*s4_859 - s4_863));
-  work.Q_bell_crank = tau[Coordinate::bell_crank] + (s4_1012 + 3.25*(work.s4_563 + s4_859));
+  const double s4_1022 = work.s4_568 - (s4_869 + (work.s1_282*s4_864 - s4_868));
+  work.Q_bell_crank = tau[Coordinate::bell_crank] + (s4_1022 + 3.25*(work.s4_567 + s4_864));
+  result.missing[13] = work.Q_bell_crank;
   // pitman_arm: pitman_arm, revolute, chassis
-  const double s4_1013 = work.s4_532 - (s4_856 - (work.s1_257*s4_852 + work.s1_258*s4_851));
-  const double s4_1014 = s4_1013 - (4.4*(work.s4_531 + s4_852) + 0.4*(work.s4_529 + s4_851));
-  work.Q_pitman_arm = tau[Coordinate::pitman_arm] + s4_1014;
+  const double s4_1023 = work.s4_536 - (s4_861 - (work.s1_271*s4_857 + work.s1_272*s4_856));
+  const double s4_1024 = s4_1023 - (4.4*(work.s4_535 + s4_857) + 0.4*(work.s4_533 + s4_856));
+  work.Q_pitman_arm = tau[Coordinate::pitman_arm] + s4_1024;
+  result.missing[12] = work.Q_pitman_arm;
   // arb_front_right: arb_front_right, revolute, chassis
-  const double s4_1015 = work.s4_515 - (s4_848 + (work.s1_243*s4_839 - work.s1_242*s4_841));
-  const double s4_1016 = s4_1015 - (3.95*(work.s4_514 + s4_841) + 0.5*(work.s4_512 + s4_839));
-  work.Q_arb_front_right = tau[Coordinate::arb_front_right] + s4_1016;
+  const double s4_1025 = work.s4_519 - (s4_853 + (work.s1_257*s4_844 - work.s1_256*s4_846));
+  const double s4_1026 = s4_1025 - (3.95*(work.s4_518 + s4_846) + 0.5*(work.s4_516 + s4_844));
+  work.Q_arb_front_right = tau[Coordinate::arb_front_right] + s4_1026;
+  result.missing[11] = work.Q_arb_front_right;
   // upper_arm_right: upper_arm_right, revolute, chassis
-  const double s4_1017 = s4_835 + (work.s1_233*s4_830 + work.s1_232*s4_831);
-  work.Q_upper_arm_right = tau[Coordinate::upper_arm_right] + (0.28*s4_830 - 0.5*s4_831 - s4_1017);
+  const double s4_1027 = s4_840 + (work.s1_247*s4_835 + work.s1_246*s4_836);
+  work.Q_upper_arm_right = tau[Coordinate::upper_arm_right] + (0.28*s4_835 - 0.5*s4_836 - s4_1027);
+  result.missing[10] = work.Q_upper_arm_right;
   // wheel_front_right: wheel_front_right, revolute, carrier_right
-  const double s4_1018 = s4_789 + s4_804;
-  const double s4_1019 = s4_790 + s4_805;
-  const double s4_1020 = s4_791 + s4_806;
-  const double s4_1021 = s4_822 + (work.s1_225*work.alpha_wheel_front_right_y + s4_817) + s4_825;
-  const double s4_1022 = s4_792 - s4_1021;
-  const double s4_1023 = s4_823 + (work.s1_221*work.alpha_wheel_front_right_y + s4_819) + s4_826;
-  const double s4_1024 = s4_793 - s4_1023;
-  const double s4_1025 = s4_824 + (work.s1_229*work.alpha_wheel_front_right_y + s4_821) + s4_827;
-  const double s4_1026 = s4_794 - s4_1025;
+  const double s4_1028 = s4_794 + s4_809;
+  const double s4_1029 = s4_795 + s4_810;
+  const double s4_1030 = s4_796 + s4_811;
+  const double s4_1031 = s4_827 + (work.s1_239*work.alpha_wheel_front_right_y + s4_822) + s4_830;
+  const double s4_1032 = s4_797 - s4_1031;
+  const double s4_1033 = s4_828 + (work.s1_235*work.alpha_wheel_front_right_y + s4_824) + s4_831;
+  const double s4_1034 = s4_798 - s4_1033;
+  const double s4_1035 = s4_829 + (work.s1_243*work.alpha_wheel_front_right_y + s4_826) + s4_832;
+  const double s4_1036 = s4_799 - s4_1035;
   // carrier_right: carrier_right_ry, revolute, carrier_right_aux2
-  const double s4_1027 = work.R_carrier_right_aux2_z_y*s4_1026 - work.s1_31*s4_1022;
-  const double s4_1028 = work.b_carrier_right_ry_z*s4_1020 + work.b_carrier_right_ry_x*s4_1018;
-  const double s4_1029 = work.R_carrier_right_aux2_y_y*s4_1024 + s4_1027;
-  const double s4_1030 = s4_1029 - (work.b_carrier_right_ry_y*s4_1019 + s4_1028);
-  work.Q_carrier_right_ry = tau[Coordinate::carrier_right_ry] + s4_1030;
+  const double s4_1037 = work.R_carrier_right_aux2_z_y*s4_1036 - work.s1_37*s4_1032;
+  const double s4_1038 = work.b_carrier_right_ry_z*s4_1030 + work.b_carrier_right_ry_x*s4_1028;
+  const double s4_1039 = work.R_carrier_right_aux2_y_y*s4_1034 + s4_1037;
+  const double s4_1040 = s4_1039 - (work.b_carrier_right_ry_y*s4_1029 + s4_1038);
+  work.Q_carrier_right_ry = tau[Coordinate::carrier_right_ry] + s4_1040;
+  result.missing[9] = work.Q_carrier_right_ry;
+  // carrier_right_aux2: carrier_right_rx, revolute, carrier_right_aux1
+  const double s4_1041 = work.R_carrier_right_aux1_z_x*s4_1036;
+  const double s4_1042 = s4_1041 + work.R_carrier_right_aux1_x_x*s4_1032;
+  const double s4_1043 = work.b_carrier_right_rx_z*s4_1030 + work.b_carrier_right_rx_x*s4_1028;
+  const double s4_1044 = work.R_carrier_right_aux1_y_x*s4_1034 + s4_1042;
+  const double s4_1045 = s4_1044 + (work.s1_41*s4_1029 - s4_1043);
+  result.missing[8] = tau[Coordinate::carrier_right_rx] + s4_1045;
   // carrier_right_aux1: carrier_right_rz, revolute, lower_arm_right
-  const double s4_1031 = s4_758 + s4_1019;
-  const double s4_1032 = s4_759 + s4_1020;
-  const double s4_1033 = s4_1022 - s4_764;
+  const double s4_1046 = work.s1_34*s4_1030 - work.b_carrier_right_rz_x*s4_1028;
+  const double s4_1047 = work.R_lower_arm_right_y_y*s4_1036 - work.R_lower_arm_right_z_y*s4_1034;
+  const double s4_1048 = s4_1047 + (work.s1_33*s4_1029 + s4_1046);
+  result.missing[7] = tau[Coordinate::carrier_right_rz] + s4_1048;
+  const double s4_1049 = s4_763 + s4_1029;
+  const double s4_1050 = s4_764 + s4_1030;
+  const double s4_1051 = s4_1032 - s4_769;
   // lower_arm_right: lower_arm_right, revolute, chassis
-  const double s4_1034 = s4_1033 + (0.62*s4_1031 - 0.4*s4_1032);
-  work.Q_lower_arm_right = tau[Coordinate::lower_arm_right] + s4_1034;
+  const double s4_1052 = s4_1051 + (0.62*s4_1049 - 0.4*s4_1050);
+  work.Q_lower_arm_right = tau[Coordinate::lower_arm_right] + s4_1052;
+  result.missing[6] = work.Q_lower_arm_right;
   // arb_front_left: arb_front_left, revolute, chassis
-  const double s4_1035 = work.s4_498 - (s4_755 + (work.s1_140*s4_746 - work.s1_139*s4_748));
-  const double s4_1036 = s4_1035 - (3.95*(work.s4_497 + s4_748) + 0.5*(work.s4_495 + s4_746));
-  work.Q_arb_front_left = tau[Coordinate::arb_front_left] + s4_1036;
+  const double s4_1053 = work.s4_502 - (s4_760 + (work.s1_154*s4_751 - work.s1_153*s4_753));
+  const double s4_1054 = s4_1053 - (3.95*(work.s4_501 + s4_753) + 0.5*(work.s4_499 + s4_751));
+  work.Q_arb_front_left = tau[Coordinate::arb_front_left] + s4_1054;
+  result.missing[5] = work.Q_arb_front_left;
   // upper_arm_left: upper_arm_left, revolute, chassis
-  const double s4_1037 = s4_742 + (work.s1_129*s4_738 - work.s1_130*s4_737);
-  work.Q_upper_arm_left = tau[Coordinate::upper_arm_left] + (0.28*s4_737 + 0.5*s4_738 - s4_1037);
+  const double s4_1055 = s4_747 + (work.s1_143*s4_743 - work.s1_144*s4_742);
+  work.Q_upper_arm_left = tau[Coordinate::upper_arm_left] + (0.28*s4_742 + 0.5*s4_743 - s4_1055);
+  result.missing[4] = work.Q_upper_arm_left;
   // wheel_front_left: wheel_front_left, revolute, carrier_left
-  const double s4_1038 = s4_696 + s4_711;
-  const double s4_1039 = s4_697 + s4_712;
-  const double s4_1040 = s4_698 + s4_713;
-  const double s4_1041 = s4_729 + (work.s1_122*work.alpha_wheel_front_left_y + s4_724) + s4_732;
-  const double s4_1042 = s4_699 - s4_1041;
-  const double s4_1043 = s4_730 + (work.s1_118*work.alpha_wheel_front_left_y + s4_726) + s4_733;
-  const double s4_1044 = s4_700 - s4_1043;
-  const double s4_1045 = s4_731 + (work.s1_126*work.alpha_wheel_front_left_y + s4_728) + s4_734;
-  const double s4_1046 = s4_701 - s4_1045;
+  const double s4_1056 = s4_698 + s4_716;
+  const double s4_1057 = s4_699 + s4_717;
+  const double s4_1058 = s4_700 + s4_718;
+  const double s4_1059 = s4_734 + (work.s1_136*work.alpha_wheel_front_left_y + s4_729) + s4_737;
+  const double s4_1060 = s4_702 - s4_1059;
+  const double s4_1061 = s4_735 + (work.s1_132*work.alpha_wheel_front_left_y + s4_731) + s4_738;
+  const double s4_1062 = s4_704 - s4_1061;
+  const double s4_1063 = s4_736 + (work.s1_140*work.alpha_wheel_front_left_y + s4_733) + s4_739;
+  const double s4_1064 = s4_706 - s4_1063;
   // carrier_left: carrier_left_ry, revolute, carrier_left_aux2
-  const double s4_1047 = work.R_carrier_left_aux2_z_y*s4_1046 - work.s1_14*s4_1042;
-  const double s4_1048 = work.b_carrier_left_ry_z*s4_1040 + work.b_carrier_left_ry_x*s4_1038;
-  const double s4_1049 = work.R_carrier_left_aux2_y_y*s4_1044 + s4_1047;
-  const double s4_1050 = s4_1049 + (work.s1_19*s4_1039 - s4_1048);
-  work.Q_carrier_left_ry = tau[Coordinate::carrier_left_ry] + s4_1050;
+  const double s4_1065 = work.R_carrier_left_aux2_z_y*s4_1064 - work.s1_14*s4_1060;
+  const double s4_1066 = work.b_carrier_left_ry_z*s4_1058 + work.b_carrier_left_ry_x*s4_1056;
+  const double s4_1067 = work.R_carrier_left_aux2_y_y*s4_1062 + s4_1065;
+  const double s4_1068 = s4_1067 + (work.s1_22*s4_1057 - s4_1066);
+  work.Q_carrier_left_ry = tau[Coordinate::carrier_left_ry] + s4_1068;
+  result.missing[3] = work.Q_carrier_left_ry;
+  // carrier_left_aux2: carrier_left_rx, revolute, carrier_left_aux1
+  const double s4_1069 = work.R_carrier_left_aux1_z_x*s4_1064;
+  const double s4_1070 = s4_1069 + work.R_carrier_left_aux1_x_x*s4_1060;
+  const double s4_1071 = work.b_carrier_left_rx_z*s4_1058 + work.b_carrier_left_rx_x*s4_1056;
+  const double s4_1072 = work.R_carrier_left_aux1_y_x*s4_1062 + s4_1070;
+  const double s4_1073 = s4_1072 - (work.b_carrier_left_rx_y*s4_1057 + s4_1071);
+  result.missing[2] = tau[Coordinate::carrier_left_rx] + s4_1073;
   // carrier_left_aux1: carrier_left_rz, revolute, lower_arm_left
-  const double s4_1051 = work.s1_11*s4_1040 - work.b_carrier_left_rz_x*s4_1038;
-  const double s4_1052 = work.R_lower_arm_left_y_y*s4_1046 - work.R_lower_arm_left_z_y*s4_1044;
-  const double s4_1053 = s4_1052 + (work.s1_10*s4_1039 + s4_1051);
-  work.Q_carrier_left_rz = tau[Coordinate::carrier_left_rz] + s4_1053;
-  const double s4_1054 = work.s4_663 + s4_1039;
-  const double s4_1055 = work.s4_664 + s4_1040;
-  const double s4_1056 = s4_1042 - work.s4_669;
+  const double s4_1074 = work.s1_11*s4_1058 - work.b_carrier_left_rz_x*s4_1056;
+  const double s4_1075 = work.R_lower_arm_left_y_y*s4_1064 - work.R_lower_arm_left_z_y*s4_1062;
+  const double s4_1076 = s4_1075 + (work.s1_10*s4_1057 + s4_1074);
+  work.Q_carrier_left_rz = tau[Coordinate::carrier_left_rz] + s4_1076;
+  result.missing[1] = work.Q_carrier_left_rz;
+  const double s4_1077 = work.s4_667 + s4_1057;
+  const double s4_1078 = work.s4_668 + s4_1058;
+  const double s4_1079 = s4_1060 - work.s4_673;
   // lower_arm_left: lower_arm_left, revolute, chassis
-  const double s4_1057 = s4_1056 + (0.62*s4_1054 + 0.4*s4_1055);
-  work.Q_lower_arm_left = tau[Coordinate::lower_arm_left] + s4_1057;
-  // operations: 1448 add, 1202 multiply
+  const double s4_1080 = s4_1079 + (0.62*s4_1077 + 0.4*s4_1078);
+  work.Q_lower_arm_left = tau[Coordinate::lower_arm_left] + s4_1080;
+  result.missing[0] = work.Q_lower_arm_left;
+  // operations: 1472 add, 1225 multiply
 }
 
 /// Part 5 of compute_multipliers: step 9: independent and all accelerations (63), (62).
-[[gnu::noinline]] void compute_multipliers_5(const State& state, MultipliersWork& __restrict work,
-    Multipliers& __restrict result) noexcept {
+[[gnu::noinline]] void compute_multipliers_5(const State& state,
+    ConstraintForcesWork& __restrict work, ConstraintForces& __restrict result) noexcept {
   // --- step 9: independent and all accelerations (63), (62) ---
   // upper_ball_left
-  const double s5_1 = 3.6 + (work.s1_383 + 0.36999999999999994*work.R_carrier_left_x_z);
-  const double s5_2 = 0.36999999999999994*work.R_carrier_left_y_z - work.s1_385;
+  const double s5_1 = 3.6 + (work.s1_397 + 0.36999999999999994*work.R_carrier_left_x_z);
+  const double s5_2 = 0.36999999999999994*work.R_carrier_left_y_z - work.s1_399;
   const double s5_3 = work.r_carrier_left_aux1_y + s5_2;
-  const double s5_4 = 0.36999999999999994*work.R_carrier_left_z_z - work.s1_387;
+  const double s5_4 = 0.36999999999999994*work.R_carrier_left_z_z - work.s1_401;
   const double s5_5 = work.r_carrier_left_aux1_z + s5_4;
   const double s5_6 = 0.020000000000000018*work.R_upper_arm_left_z_y;
   const double s5_7 = 0.020000000000000018*work.R_upper_arm_left_y_y;
@@ -9528,7 +9610,7 @@ struct MultipliersWork {
   const double s5_10 = 0.62 + s5_5;
   const double J_upper_ball_left_carrier_left_rz_2 = work.R_lower_arm_left_y_y*s5_1 - work.s1_10;
   const double J_upper_ball_left_carrier_left_ry_2 = work.R_carrier_left_aux2_z_y*s5_1 +
-      work.s1_14*s5_5 - work.s1_19;
+      work.s1_14*s5_5 - work.s1_22;
   const double J_upper_ball_left_upper_arm_left = 0.28 +
       (0.30000000000000004*work.R_upper_arm_left_z_y - s5_7 - 0.28);
   const double J_upper_ball_left_lower_arm_left = s5_3 - 0.4;
@@ -9537,272 +9619,298 @@ struct MultipliersWork {
   const double J_upper_ball_left_carrier_left_ry_3 = work.b_carrier_left_ry_z - s5_11;
   const double s5_12 = 0.5 + (0.30000000000000004*work.R_upper_arm_left_y_y + s5_6) - 0.5;
   // upper_ball_right
-  const double s5_13 = 3.6 + (0.36999999999999994*work.R_carrier_right_x_z - work.s1_398);
-  const double s5_14 = work.s1_400 + 0.36999999999999994*work.R_carrier_right_y_z;
+  const double s5_13 = 3.6 + (0.36999999999999994*work.R_carrier_right_x_z - work.s1_412);
+  const double s5_14 = work.s1_414 + 0.36999999999999994*work.R_carrier_right_y_z;
   const double s5_15 = work.r_carrier_right_aux1_y + s5_14;
-  const double s5_16 = work.s1_402 + 0.36999999999999994*work.R_carrier_right_z_z - work.s1_27;
+  const double s5_16 = work.s1_416 + 0.36999999999999994*work.R_carrier_right_z_z - work.s1_30;
   const double s5_17 = 0.020000000000000018*work.R_upper_arm_right_z_y;
   const double s5_18 = 0.020000000000000018*work.R_upper_arm_right_y_y;
   const double s5_19 = work.R_carrier_right_aux2_y_y*s5_16;
   const double s5_20 = s5_19 - work.R_carrier_right_aux2_z_y*s5_15;
   const double J_upper_ball_right_carrier_right_ry = work.b_carrier_right_ry_x + s5_20;
   const double s5_21 = 0.62 + s5_16;
-  const double s5_22 = work.R_carrier_right_aux2_z_y*s5_13 + work.s1_31*s5_16;
+  const double s5_22 = work.R_carrier_right_aux2_z_y*s5_13 + work.s1_37*s5_16;
   const double J_upper_ball_right_carrier_right_ry_2 = work.b_carrier_right_ry_y + s5_22;
   const double s5_23 = 0.28 + (0.30000000000000004*work.R_upper_arm_right_z_y + s5_18) - 0.28;
   const double J_upper_ball_right_lower_arm_right = 0.4 + s5_15;
-  const double s5_24 = work.R_carrier_right_aux2_y_y*s5_13 + work.s1_31*s5_15;
+  const double s5_24 = work.R_carrier_right_aux2_y_y*s5_13 + work.s1_37*s5_15;
   const double J_upper_ball_right_carrier_right_ry_3 = work.b_carrier_right_ry_z - s5_24;
   const double s5_25 = 0.5 + (s5_17 - 0.30000000000000004*work.R_upper_arm_right_y_y - 0.5);
   // arb_link_front_left
-  const double s5_26 = 3.846153846153846*(work.s1_363 - work.s1_356);
-  const double s5_27 = 3.846153846153846*(0.72 - work.s1_358);
-  const double s5_28 = 3.846153846153846*(work.s1_364 - work.s1_360);
-  const double s5_29 = work.s1_358*s5_28 - work.s1_360*s5_27;
-  const double s5_30 = work.s1_360*s5_26 - work.s1_356*s5_28;
-  const double s5_31 = work.s1_356*s5_27 - work.s1_358*s5_26;
+  const double s5_26 = 3.846153846153846*(work.s1_377 - work.s1_370);
+  const double s5_27 = 3.846153846153846*(0.72 - work.s1_372);
+  const double s5_28 = 3.846153846153846*(work.s1_378 - work.s1_374);
+  const double s5_29 = work.s1_372*s5_28 - work.s1_374*s5_27;
+  const double s5_30 = work.s1_374*s5_26 - work.s1_370*s5_28;
+  const double s5_31 = work.s1_370*s5_27 - work.s1_372*s5_26;
   const double s5_32 = s5_29 - (0.62*s5_27 + 0.4*s5_28);
   const double s5_33 = work.b_carrier_left_rz_x*s5_26 - work.s1_11*s5_28 - work.s1_10*s5_27;
   const double s5_34 = work.R_lower_arm_left_y_y*s5_31 - work.R_lower_arm_left_z_y*s5_30;
   const double s5_35 = s5_34 + s5_33;
   const double s5_36 = work.R_carrier_left_aux2_z_y*s5_31 - work.s1_14*s5_29;
   const double s5_37 = work.b_carrier_left_ry_z*s5_28 + work.b_carrier_left_ry_x*s5_26;
-  const double s5_38 = work.R_carrier_left_aux2_y_y*s5_30 + s5_36 + (s5_37 - work.s1_19*s5_27);
-  const double J_arb_link_front_left_arb_front_left = work.s1_364*s5_26 - work.s1_363*s5_28 +
+  const double s5_38 = work.R_carrier_left_aux2_y_y*s5_30 + s5_36 + (s5_37 - work.s1_22*s5_27);
+  const double J_arb_link_front_left_arb_front_left = work.s1_378*s5_26 - work.s1_377*s5_28 +
       (3.95*s5_28 + 0.5*s5_26);
   // arb_link_front_right
-  const double s5_39 = 3.846153846153846*(work.s1_377 - work.s1_371);
-  const double s5_40 = 3.846153846153846*(0.72 + work.s1_373);
-  const double s5_41 = 3.846153846153846*(work.s1_378 - work.s1_374);
-  const double s5_42 = work.s1_374*s5_40 + work.s1_373*s5_41;
+  const double s5_39 = 3.846153846153846*(work.s1_391 - work.s1_385);
+  const double s5_40 = 3.846153846153846*(0.72 + work.s1_387);
+  const double s5_41 = 3.846153846153846*(work.s1_392 - work.s1_388);
+  const double s5_42 = work.s1_388*s5_40 + work.s1_387*s5_41;
   const double s5_43 = s5_42 + (0.62*s5_40 + 0.4*s5_41);
-  const double s5_44 = work.R_carrier_right_aux2_z_y*(work.s1_373*s5_39 + work.s1_371*s5_40);
-  const double s5_45 = work.R_carrier_right_aux2_y_y*(work.s1_374*s5_39 - work.s1_371*s5_41);
+  const double s5_44 = work.R_carrier_right_aux2_z_y*(work.s1_387*s5_39 + work.s1_385*s5_40);
+  const double s5_45 = work.R_carrier_right_aux2_y_y*(work.s1_388*s5_39 - work.s1_385*s5_41);
   const double s5_46 = work.b_carrier_right_ry_z*s5_41 + work.b_carrier_right_ry_x*s5_39;
   const double s5_47 = s5_46 - work.b_carrier_right_ry_y*s5_40;
-  const double s5_48 = s5_45 - (s5_44 + work.s1_31*s5_42) + s5_47;
-  const double J_arb_link_front_right_arb_front_right = work.s1_378*s5_39 - work.s1_377*s5_41 +
+  const double s5_48 = s5_45 - (s5_44 + work.s1_37*s5_42) + s5_47;
+  const double J_arb_link_front_right_arb_front_right = work.s1_392*s5_39 - work.s1_391*s5_41 +
       (3.95*s5_41 + 0.5*s5_39);
   // drag_link
-  const double s5_49 = 0.8565801464479955*(work.s1_381 - work.s1_380);
-  const double s5_50 = 0.8565801464479955*(0.5 - work.s1_379);
-  const double s5_51 = 0.8565801464479955*(0.6 - work.s1_382);
-  const double J_drag_link_pitman_arm = 4.4*s5_51 + 0.4*s5_49 - (work.s1_381*s5_51 +
-      work.s1_382*s5_49);
-  const double s5_52 = work.s1_380*s5_50 - work.s1_379*s5_49 - 3.25*s5_50;
+  const double s5_49 = 0.8565801464479955*(work.s1_395 - work.s1_394);
+  const double s5_50 = 0.8565801464479955*(0.5 - work.s1_393);
+  const double s5_51 = 0.8565801464479955*(0.6 - work.s1_396);
+  const double J_drag_link_pitman_arm = 4.4*s5_51 + 0.4*s5_49 - (work.s1_395*s5_51 +
+      work.s1_396*s5_49);
+  const double s5_52 = work.s1_394*s5_50 - work.s1_393*s5_49 - 3.25*s5_50;
   // tie_rod_left
-  const double s5_53 = 1.2625900317976169*(work.s1_397 - work.s1_389);
-  const double s5_54 = 1.2625900317976169*(work.s1_396 - work.s1_390);
-  const double s5_55 = 1.2625900317976169*(0.6 + work.s1_391);
-  const double s5_56 = work.s1_391*s5_54 + work.s1_390*s5_55;
-  const double s5_57 = work.s1_389*s5_55 + work.s1_391*s5_53;
-  const double s5_58 = work.s1_389*s5_54 - work.s1_390*s5_53;
+  const double s5_53 = 1.2625900317976169*(work.s1_411 - work.s1_403);
+  const double s5_54 = 1.2625900317976169*(work.s1_410 - work.s1_404);
+  const double s5_55 = 1.2625900317976169*(0.6 + work.s1_405);
+  const double s5_56 = work.s1_405*s5_54 + work.s1_404*s5_55;
+  const double s5_57 = work.s1_403*s5_55 + work.s1_405*s5_53;
+  const double s5_58 = work.s1_403*s5_54 - work.s1_404*s5_53;
   const double s5_59 = 0.4*s5_55 - 0.62*s5_54 - s5_56;
   const double s5_60 = work.s1_11*s5_55 + work.b_carrier_left_rz_x*s5_53 - work.s1_10*s5_54;
   const double s5_61 = work.R_lower_arm_left_y_y*s5_58 - work.R_lower_arm_left_z_y*s5_57;
   const double s5_62 = s5_61 + s5_60;
   const double s5_63 = work.R_carrier_left_aux2_z_y*s5_58 + work.s1_14*s5_56;
   const double s5_64 = work.b_carrier_left_ry_x*s5_53 - work.b_carrier_left_ry_z*s5_55;
-  const double s5_65 = work.R_carrier_left_aux2_y_y*s5_57 + s5_63 + (s5_64 - work.s1_19*s5_54);
-  const double J_tie_rod_left_bell_crank = work.s1_397*s5_54 - work.s1_396*s5_53 - 3.25*s5_54;
+  const double s5_65 = work.R_carrier_left_aux2_y_y*s5_57 + s5_63 + (s5_64 - work.s1_22*s5_54);
+  const double J_tie_rod_left_bell_crank = work.s1_411*s5_54 - work.s1_410*s5_53 - 3.25*s5_54;
   // tie_rod_right
-  const double s5_66 = 1.2625900317976169*(work.s1_408 - work.s1_404);
-  const double s5_67 = 1.2625900317976169*(work.s1_405 + work.s1_407);
-  const double s5_68 = 1.2625900317976169*(0.6 + work.s1_406);
-  const double s5_69 = work.s1_406*s5_67 - work.s1_405*s5_68;
+  const double s5_66 = 1.2625900317976169*(work.s1_422 - work.s1_418);
+  const double s5_67 = 1.2625900317976169*(work.s1_419 + work.s1_421);
+  const double s5_68 = 1.2625900317976169*(0.6 + work.s1_420);
+  const double s5_69 = work.s1_420*s5_67 - work.s1_419*s5_68;
   const double s5_70 = s5_69 + (0.62*s5_67 - 0.4*s5_68);
-  const double s5_71 = work.R_carrier_right_aux2_z_y*(work.s1_405*s5_66 + work.s1_404*s5_67);
-  const double s5_72 = work.R_carrier_right_aux2_y_y*(work.s1_404*s5_68 + work.s1_406*s5_66);
+  const double s5_71 = work.R_carrier_right_aux2_z_y*(work.s1_419*s5_66 + work.s1_418*s5_67);
+  const double s5_72 = work.R_carrier_right_aux2_y_y*(work.s1_418*s5_68 + work.s1_420*s5_66);
   const double s5_73 = work.b_carrier_right_ry_x*s5_66 - work.b_carrier_right_ry_z*s5_68;
   const double s5_74 = s5_73 - work.b_carrier_right_ry_y*s5_67;
-  const double s5_75 = s5_72 - (s5_71 + work.s1_31*s5_69) + s5_74;
-  const double J_tie_rod_right_bell_crank = work.s1_407*s5_66 - work.s1_408*s5_67 + 3.25*s5_67;
+  const double s5_75 = s5_72 - (s5_71 + work.s1_37*s5_69) + s5_74;
+  const double J_tie_rod_right_bell_crank = work.s1_421*s5_66 - work.s1_422*s5_67 + 3.25*s5_67;
   // loop block 0
-  const double s5_76 = 1.0/s5_12;
-  const double s5_77 = J_upper_ball_left_upper_arm_left*s5_76;
-  const double s5_78 = J_upper_ball_left_carrier_left_rz_3*s5_77;
-  const double s5_79 = J_upper_ball_left_carrier_left_rz_2 + s5_78;
-  const double s5_80 = J_upper_ball_left_carrier_left_ry_3*s5_77;
-  const double s5_81 = J_upper_ball_left_carrier_left_ry_2 + s5_80;
-  const double s5_82 = 1.0/(J_upper_ball_left_lower_arm_left*s5_77 - s5_10);
-  const double s5_83 = s5_59*s5_82;
-  const double s5_84 = s5_79*s5_83 - s5_62;
-  const double s5_85 = 1.0/(s5_81*s5_83 - s5_65);
-  const double s5_86 = J_upper_ball_left_carrier_left_ry*s5_85;
-  const double s5_87 = 1.0/J_upper_ball_right_lower_arm_right;
-  const double s5_88 = s5_21*s5_87;
-  const double s5_89 = J_upper_ball_right_carrier_right_ry_3*s5_88;
-  const double s5_90 = work.Q_pitman_arm*(1.0/J_drag_link_pitman_arm);
-  result.lambda[8] = s5_90;
-  const double s5_91 = work.Q_arb_front_right*(1.0/J_arb_link_front_right_arb_front_right);
-  result.lambda[7] = s5_91;
-  const double s5_92 = work.Q_arb_front_left*(1.0/J_arb_link_front_left_arb_front_left);
-  result.lambda[6] = s5_92;
-  const double s5_93 = work.Q_upper_arm_left*s5_76;
-  const double s5_94 = J_upper_ball_left_lower_arm_left*s5_93;
-  const double s5_95 = s5_82*(work.Q_lower_arm_left + s5_32*s5_92 + s5_94);
-  const double s5_96 = J_upper_ball_left_carrier_left_ry_3*s5_93;
-  const double s5_97 = s5_85*(work.Q_carrier_left_ry + s5_38*s5_92 + s5_96 - s5_81*s5_95);
-  const double s5_98 = J_upper_ball_left_carrier_left_rz_3*s5_93;
-  const double s5_99 = work.Q_carrier_left_rz + s5_35*s5_92 + s5_98 - s5_79*s5_95 - s5_84*s5_97;
-  const double s5_100 = 1.0/(J_upper_ball_left_carrier_left_rz - s5_84*s5_86)*s5_99;
-  result.lambda[0] = s5_100;
-  const double s5_101 = work.Q_bell_crank + s5_52*s5_90 - J_tie_rod_left_bell_crank*s5_97;
-  const double s5_102 = s5_101 + J_tie_rod_left_bell_crank*s5_86*s5_100;
-  const double s5_103 = 1.0/J_tie_rod_right_bell_crank*s5_102;
-  result.lambda[10] = s5_103;
-  const double s5_104 = s5_87*(work.Q_lower_arm_right + s5_43*s5_91 + s5_70*s5_103);
-  const double s5_105 = 1.0/(s5_23 + s5_25*s5_88)*(work.Q_upper_arm_right + s5_25*s5_104);
-  result.lambda[4] = -s5_105;
-  const double s5_106 = work.Q_carrier_right_ry + s5_48*s5_91 + s5_75*s5_103;
-  const double s5_107 = (J_upper_ball_right_carrier_right_ry_2 + s5_89)*s5_105;
-  const double s5_108 = s5_106 - J_upper_ball_right_carrier_right_ry_3*s5_104 + s5_107;
-  result.lambda[3] = 1.0/J_upper_ball_right_carrier_right_ry*s5_108;
-  result.lambda[5] = s5_104 - s5_88*s5_105;
-  const double s5_109 = s5_97 - s5_86*s5_100;
-  result.lambda[9] = s5_109;
-  const double s5_110 = s5_95 + s5_83*s5_109;
-  result.lambda[1] = s5_110;
-  result.lambda[2] = s5_77*s5_110 - s5_93;
+  const double s5_76 = 4.29127197209558*std::abs(J_arb_link_front_right_arb_front_right);
+  const double s5_77 = mbgen::min(4.629526134623753*std::abs(J_drag_link_pitman_arm), s5_76);
+  const double s5_78 = 4.350721296786287*std::abs(J_arb_link_front_left_arb_front_left);
+  const double s5_79 = 1.0/s5_12;
+  const double s5_80 = J_upper_ball_left_upper_arm_left*s5_79;
+  const double s5_81 = J_upper_ball_left_lower_arm_left*s5_80 - s5_10;
+  const double s5_82 = J_upper_ball_left_carrier_left_rz_3*s5_80;
+  const double s5_83 = J_upper_ball_left_carrier_left_rz_2 + s5_82;
+  const double s5_84 = J_upper_ball_left_carrier_left_ry_3*s5_80;
+  const double s5_85 = J_upper_ball_left_carrier_left_ry_2 + s5_84;
+  const double s5_86 = 1.0/s5_81;
+  const double s5_87 = mbgen::min(mbgen::min(s5_77, s5_78), 3.3613601327239784*std::abs(s5_12));
+  const double s5_88 = s5_59*s5_86;
+  const double s5_89 = s5_83*s5_88 - s5_62;
+  const double s5_90 = s5_85*s5_88 - s5_65;
+  const double s5_91 = 1.0/s5_90;
+  const double s5_92 = mbgen::min(s5_87, 2.8846153846153846*std::abs(s5_81));
+  const double s5_93 = J_upper_ball_left_carrier_left_ry*s5_91;
+  const double s5_94 = J_upper_ball_left_carrier_left_rz - s5_89*s5_93;
+  const double s5_95 = mbgen::min(s5_92, 33.38166421817633*std::abs(s5_90));
+  const double s5_96 = 4.684116988705883*std::abs(J_tie_rod_right_bell_crank);
+  const double s5_97 = 1.0/J_upper_ball_right_lower_arm_right;
+  const double s5_98 = mbgen::min(mbgen::min(s5_95, 0.586016373672162*std::abs(s5_94)), s5_96);
+  const double s5_99 = 2.5097622301225533*std::abs(J_upper_ball_right_lower_arm_right);
+  const double s5_100 = s5_21*s5_97;
+  const double s5_101 = J_upper_ball_right_carrier_right_ry_3*s5_100;
+  const double s5_102 = s5_23 + s5_25*s5_100;
+  const double s5_103 = 3.8017502018346825*std::abs(s5_102);
+  const double s5_104 = 2.7105414977449134*std::abs(J_upper_ball_right_carrier_right_ry);
+  result.pivot[0] = mbgen::min(mbgen::min(mbgen::min(s5_98, s5_99), s5_103), s5_104);
+  const double s5_105 = work.Q_pitman_arm*(1.0/J_drag_link_pitman_arm);
+  result.lambda[8] = s5_105;
+  const double s5_106 = work.Q_arb_front_right*(1.0/J_arb_link_front_right_arb_front_right);
+  result.lambda[7] = s5_106;
+  const double s5_107 = work.Q_arb_front_left*(1.0/J_arb_link_front_left_arb_front_left);
+  result.lambda[6] = s5_107;
+  const double s5_108 = work.Q_upper_arm_left*s5_79;
+  const double s5_109 = J_upper_ball_left_lower_arm_left*s5_108;
+  const double s5_110 = s5_86*(work.Q_lower_arm_left + s5_32*s5_107 + s5_109);
+  const double s5_111 = J_upper_ball_left_carrier_left_ry_3*s5_108;
+  const double s5_112 = s5_91*(work.Q_carrier_left_ry + s5_38*s5_107 + s5_111 - s5_85*s5_110);
+  const double s5_113 = J_upper_ball_left_carrier_left_rz_3*s5_108;
+  const double s5_114 = work.Q_carrier_left_rz + s5_35*s5_107 + s5_113 - s5_83*s5_110;
+  const double s5_115 = 1.0/s5_94*(s5_114 - s5_89*s5_112);
+  result.lambda[0] = s5_115;
+  const double s5_116 = work.Q_bell_crank + s5_52*s5_105 - J_tie_rod_left_bell_crank*s5_112;
+  const double s5_117 = s5_116 + J_tie_rod_left_bell_crank*s5_93*s5_115;
+  const double s5_118 = 1.0/J_tie_rod_right_bell_crank*s5_117;
+  result.lambda[10] = s5_118;
+  const double s5_119 = s5_97*(work.Q_lower_arm_right + s5_43*s5_106 + s5_70*s5_118);
+  const double s5_120 = 1.0/s5_102*(work.Q_upper_arm_right + s5_25*s5_119);
+  result.lambda[4] = -s5_120;
+  const double s5_121 = work.Q_carrier_right_ry + s5_48*s5_106 + s5_75*s5_118;
+  const double s5_122 = (J_upper_ball_right_carrier_right_ry_2 + s5_101)*s5_120;
+  const double s5_123 = s5_121 - J_upper_ball_right_carrier_right_ry_3*s5_119 + s5_122;
+  result.lambda[3] = 1.0/J_upper_ball_right_carrier_right_ry*s5_123;
+  result.lambda[5] = s5_119 - s5_100*s5_120;
+  const double s5_124 = s5_112 - s5_93*s5_115;
+  result.lambda[9] = s5_124;
+  const double s5_125 = s5_110 + s5_88*s5_124;
+  result.lambda[1] = s5_125;
+  result.lambda[2] = s5_80*s5_125 - s5_108;
   // long_rod_left
-  const double J_long_rod_left_rear_axle_tx = 1.1757385222540742*(1.6 + work.s1_418);
-  const double s5_111 = 1.1757385222540742*(0.55 - work.s1_419);
-  const double J_long_rod_left_rear_axle_tz = 1.1757385222540742*(0.55 + work.s1_420);
-  const double s5_112 = work.s1_418*J_long_rod_left_rear_axle_tz;
+  const double J_long_rod_left_rear_axle_tx = 1.1757385222540742*(1.6 + work.s1_432);
+  const double s5_126 = 1.1757385222540742*(0.55 - work.s1_433);
+  const double J_long_rod_left_rear_axle_tz = 1.1757385222540742*(0.55 + work.s1_434);
+  const double s5_127 = work.s1_432*J_long_rod_left_rear_axle_tz;
   const double z_rear_axle_ty = state.z[Coordinate::rear_axle_ty];
-  const double s5_113 = z_rear_axle_ty*J_long_rod_left_rear_axle_tx;
-  const double s5_114 = work.s1_419*J_long_rod_left_rear_axle_tx + work.s1_418*s5_111;
-  const double s5_115 = s5_114 - (work.r_rear_axle_aux1_x*s5_111 + s5_113);
-  const double s5_116 = s5_112 - work.s1_420*J_long_rod_left_rear_axle_tx;
-  const double s5_117 = work.s1_420*s5_111 + work.s1_419*J_long_rod_left_rear_axle_tz;
-  const double s5_118 = work.b_rear_axle_ry_z*J_long_rod_left_rear_axle_tz;
-  const double s5_119 = work.s1_42*J_long_rod_left_rear_axle_tx - s5_118 - work.s1_43*s5_111;
-  const double s5_120 = work.R_rear_axle_aux4_x_x*s5_116 + work.R_rear_axle_aux4_y_x*s5_117;
-  const double s5_121 = s5_120 + s5_119;
+  const double s5_128 = z_rear_axle_ty*J_long_rod_left_rear_axle_tx;
+  const double s5_129 = work.s1_433*J_long_rod_left_rear_axle_tx + work.s1_432*s5_126;
+  const double s5_130 = s5_129 - (work.r_rear_axle_aux1_x*s5_126 + s5_128);
+  const double s5_131 = s5_127 - work.s1_434*J_long_rod_left_rear_axle_tx;
+  const double s5_132 = work.s1_434*s5_126 + work.s1_433*J_long_rod_left_rear_axle_tz;
+  const double s5_133 = work.b_rear_axle_ry_z*J_long_rod_left_rear_axle_tz;
+  const double s5_134 = work.s1_52*J_long_rod_left_rear_axle_tx - s5_133 - work.s1_53*s5_126;
+  const double s5_135 = work.R_rear_axle_aux4_x_x*s5_131 + work.R_rear_axle_aux4_y_x*s5_132;
+  const double s5_136 = s5_135 + s5_134;
   // diag_rod_left
-  const double J_diag_rod_left_rear_axle_tx = 1.162476387438193*(1.6999999999999997 + work.s1_427);
-  const double s5_122 = 1.162476387438193*(0.4 - work.s1_428);
-  const double J_diag_rod_left_rear_axle_tz = 1.162476387438193*(0.15000000000000002 + work.s1_429);
-  const double s5_123 = work.s1_427*J_diag_rod_left_rear_axle_tz;
-  const double s5_124 = z_rear_axle_ty*J_diag_rod_left_rear_axle_tx;
-  const double s5_125 = work.s1_428*J_diag_rod_left_rear_axle_tx + work.s1_427*s5_122;
-  const double s5_126 = s5_125 - (work.r_rear_axle_aux1_x*s5_122 + s5_124);
-  const double s5_127 = s5_123 - work.s1_429*J_diag_rod_left_rear_axle_tx;
-  const double s5_128 = work.s1_429*s5_122 + work.s1_428*J_diag_rod_left_rear_axle_tz;
-  const double s5_129 = work.b_rear_axle_ry_z*J_diag_rod_left_rear_axle_tz;
-  const double s5_130 = work.s1_42*J_diag_rod_left_rear_axle_tx - s5_129 - work.s1_43*s5_122;
-  const double s5_131 = work.R_rear_axle_aux4_x_x*s5_127 + work.R_rear_axle_aux4_y_x*s5_128;
-  const double s5_132 = s5_131 + s5_130;
+  const double J_diag_rod_left_rear_axle_tx = 1.162476387438193*(1.6999999999999997 + work.s1_441);
+  const double s5_137 = 1.162476387438193*(0.4 - work.s1_442);
+  const double J_diag_rod_left_rear_axle_tz = 1.162476387438193*(0.15000000000000002 + work.s1_443);
+  const double s5_138 = work.s1_441*J_diag_rod_left_rear_axle_tz;
+  const double s5_139 = z_rear_axle_ty*J_diag_rod_left_rear_axle_tx;
+  const double s5_140 = work.s1_442*J_diag_rod_left_rear_axle_tx + work.s1_441*s5_137;
+  const double s5_141 = s5_140 - (work.r_rear_axle_aux1_x*s5_137 + s5_139);
+  const double s5_142 = s5_138 - work.s1_443*J_diag_rod_left_rear_axle_tx;
+  const double s5_143 = work.s1_443*s5_137 + work.s1_442*J_diag_rod_left_rear_axle_tz;
+  const double s5_144 = work.b_rear_axle_ry_z*J_diag_rod_left_rear_axle_tz;
+  const double s5_145 = work.s1_52*J_diag_rod_left_rear_axle_tx - s5_144 - work.s1_53*s5_137;
+  const double s5_146 = work.R_rear_axle_aux4_x_x*s5_142 + work.R_rear_axle_aux4_y_x*s5_143;
+  const double s5_147 = s5_146 + s5_145;
   // arb_link_rear_left
-  const double s5_133 = 4.472135954999581*(work.s1_442 - work.s1_439);
-  const double s5_134 = 4.472135954999581*(0.6 - work.s1_440);
-  const double J_arb_link_rear_left_rear_axle_tz = 4.472135954999581*(work.s1_441 + work.s1_443);
-  const double s5_135 = z_rear_axle_ty*s5_133 - work.r_rear_axle_aux1_x*s5_134;
-  const double s5_136 = work.s1_439*s5_134 - work.s1_440*s5_133 + s5_135;
-  const double s5_137 = work.s1_439*J_arb_link_rear_left_rear_axle_tz + work.s1_441*s5_133;
-  const double s5_138 = work.s1_441*s5_134 + work.s1_440*J_arb_link_rear_left_rear_axle_tz;
-  const double s5_139 = work.b_rear_axle_ry_z*J_arb_link_rear_left_rear_axle_tz;
-  const double s5_140 = work.R_rear_axle_aux4_x_x*s5_137 + work.R_rear_axle_aux4_y_x*s5_138;
-  const double s5_141 = s5_140 - (work.s1_43*s5_134 + (s5_139 + work.s1_42*s5_133));
-  const double s5_142 = 3.3000000000000003*J_arb_link_rear_left_rear_axle_tz;
-  const double s5_143 = work.s1_442*J_arb_link_rear_left_rear_axle_tz - work.s1_443*s5_133;
-  const double J_arb_link_rear_left_arb_rear_left = s5_143 + (s5_142 + 0.44999999999999996*s5_133);
+  const double s5_148 = 4.472135954999581*(work.s1_456 - work.s1_453);
+  const double s5_149 = 4.472135954999581*(0.6 - work.s1_454);
+  const double J_arb_link_rear_left_rear_axle_tz = 4.472135954999581*(work.s1_455 + work.s1_457);
+  const double s5_150 = z_rear_axle_ty*s5_148 - work.r_rear_axle_aux1_x*s5_149;
+  const double s5_151 = work.s1_453*s5_149 - work.s1_454*s5_148 + s5_150;
+  const double s5_152 = work.s1_453*J_arb_link_rear_left_rear_axle_tz + work.s1_455*s5_148;
+  const double s5_153 = work.s1_455*s5_149 + work.s1_454*J_arb_link_rear_left_rear_axle_tz;
+  const double s5_154 = work.b_rear_axle_ry_z*J_arb_link_rear_left_rear_axle_tz;
+  const double s5_155 = work.R_rear_axle_aux4_x_x*s5_152 + work.R_rear_axle_aux4_y_x*s5_153;
+  const double s5_156 = s5_155 - (work.s1_53*s5_149 + (s5_154 + work.s1_52*s5_148));
+  const double s5_157 = 3.3000000000000003*J_arb_link_rear_left_rear_axle_tz;
+  const double s5_158 = work.s1_456*J_arb_link_rear_left_rear_axle_tz - work.s1_457*s5_148;
+  const double J_arb_link_rear_left_arb_rear_left = s5_158 + (s5_157 + 0.44999999999999996*s5_148);
   // long_rod_right
-  const double J_long_rod_right_rear_axle_tx = 1.1757385222540742*(1.6 + work.s1_444);
-  const double J_long_rod_right_rear_axle_ty = 1.1757385222540742*(0.55 + work.s1_445);
-  const double J_long_rod_right_rear_axle_tz = 1.1757385222540742*(0.55 + work.s1_446);
-  const double s5_144 = work.s1_446*J_long_rod_right_rear_axle_ty;
-  const double s5_145 = work.s1_444*J_long_rod_right_rear_axle_tz;
-  const double s5_146 = work.s1_445*J_long_rod_right_rear_axle_tx;
-  const double s5_147 = work.r_rear_axle_aux1_x*J_long_rod_right_rear_axle_ty;
-  const double s5_148 = s5_147 - z_rear_axle_ty*J_long_rod_right_rear_axle_tx;
-  const double s5_149 = s5_146 - work.s1_444*J_long_rod_right_rear_axle_ty + s5_148;
-  const double s5_150 = s5_145 - work.s1_446*J_long_rod_right_rear_axle_tx;
-  const double s5_151 = s5_144 - work.s1_445*J_long_rod_right_rear_axle_tz;
-  const double s5_152 = work.b_rear_axle_ry_z*J_long_rod_right_rear_axle_tz;
-  const double s5_153 = work.s1_42*J_long_rod_right_rear_axle_tx - s5_152;
-  const double s5_154 = work.R_rear_axle_aux4_x_x*s5_150 - work.R_rear_axle_aux4_y_x*s5_151;
-  const double s5_155 = s5_154 + (work.s1_43*J_long_rod_right_rear_axle_ty + s5_153);
+  const double J_long_rod_right_rear_axle_tx = 1.1757385222540742*(1.6 + work.s1_458);
+  const double J_long_rod_right_rear_axle_ty = 1.1757385222540742*(0.55 + work.s1_459);
+  const double J_long_rod_right_rear_axle_tz = 1.1757385222540742*(0.55 + work.s1_460);
+  const double s5_159 = work.s1_460*J_long_rod_right_rear_axle_ty;
+  const double s5_160 = work.s1_458*J_long_rod_right_rear_axle_tz;
+  const double s5_161 = work.s1_459*J_long_rod_right_rear_axle_tx;
+  const double s5_162 = work.r_rear_axle_aux1_x*J_long_rod_right_rear_axle_ty;
+  const double s5_163 = s5_162 - z_rear_axle_ty*J_long_rod_right_rear_axle_tx;
+  const double s5_164 = s5_161 - work.s1_458*J_long_rod_right_rear_axle_ty + s5_163;
+  const double s5_165 = s5_160 - work.s1_460*J_long_rod_right_rear_axle_tx;
+  const double s5_166 = s5_159 - work.s1_459*J_long_rod_right_rear_axle_tz;
+  const double s5_167 = work.b_rear_axle_ry_z*J_long_rod_right_rear_axle_tz;
+  const double s5_168 = work.s1_52*J_long_rod_right_rear_axle_tx - s5_167;
+  const double s5_169 = work.R_rear_axle_aux4_x_x*s5_165 - work.R_rear_axle_aux4_y_x*s5_166;
+  const double s5_170 = s5_169 + (work.s1_53*J_long_rod_right_rear_axle_ty + s5_168);
   // diag_rod_right
-  const double J_diag_rod_right_rear_axle_tx = 1.162476387438193*(1.6999999999999997 + work.s1_447);
-  const double J_diag_rod_right_rear_axle_ty = 1.162476387438193*(0.4 + work.s1_448);
+  const double J_diag_rod_right_rear_axle_tx = 1.162476387438193*(1.6999999999999997 + work.s1_461);
+  const double J_diag_rod_right_rear_axle_ty = 1.162476387438193*(0.4 + work.s1_462);
   const double J_diag_rod_right_rear_axle_tz = 1.162476387438193*(0.15000000000000002 +
-      work.s1_449);
-  const double s5_156 = work.s1_449*J_diag_rod_right_rear_axle_ty;
-  const double s5_157 = work.s1_447*J_diag_rod_right_rear_axle_tz;
-  const double s5_158 = work.s1_448*J_diag_rod_right_rear_axle_tx;
-  const double s5_159 = work.r_rear_axle_aux1_x*J_diag_rod_right_rear_axle_ty;
-  const double s5_160 = s5_159 - z_rear_axle_ty*J_diag_rod_right_rear_axle_tx;
-  const double s5_161 = s5_158 - work.s1_447*J_diag_rod_right_rear_axle_ty + s5_160;
-  const double s5_162 = s5_157 - work.s1_449*J_diag_rod_right_rear_axle_tx;
-  const double s5_163 = s5_156 - work.s1_448*J_diag_rod_right_rear_axle_tz;
-  const double s5_164 = work.b_rear_axle_ry_z*J_diag_rod_right_rear_axle_tz;
-  const double s5_165 = work.s1_42*J_diag_rod_right_rear_axle_tx - s5_164;
-  const double s5_166 = work.R_rear_axle_aux4_x_x*s5_162 - work.R_rear_axle_aux4_y_x*s5_163;
-  const double s5_167 = s5_166 + (work.s1_43*J_diag_rod_right_rear_axle_ty + s5_165);
+      work.s1_463);
+  const double s5_171 = work.s1_463*J_diag_rod_right_rear_axle_ty;
+  const double s5_172 = work.s1_461*J_diag_rod_right_rear_axle_tz;
+  const double s5_173 = work.s1_462*J_diag_rod_right_rear_axle_tx;
+  const double s5_174 = work.r_rear_axle_aux1_x*J_diag_rod_right_rear_axle_ty;
+  const double s5_175 = s5_174 - z_rear_axle_ty*J_diag_rod_right_rear_axle_tx;
+  const double s5_176 = s5_173 - work.s1_461*J_diag_rod_right_rear_axle_ty + s5_175;
+  const double s5_177 = s5_172 - work.s1_463*J_diag_rod_right_rear_axle_tx;
+  const double s5_178 = s5_171 - work.s1_462*J_diag_rod_right_rear_axle_tz;
+  const double s5_179 = work.b_rear_axle_ry_z*J_diag_rod_right_rear_axle_tz;
+  const double s5_180 = work.s1_52*J_diag_rod_right_rear_axle_tx - s5_179;
+  const double s5_181 = work.R_rear_axle_aux4_x_x*s5_177 - work.R_rear_axle_aux4_y_x*s5_178;
+  const double s5_182 = s5_181 + (work.s1_53*J_diag_rod_right_rear_axle_ty + s5_180);
   // arb_link_rear_right
-  const double s5_168 = 4.472135954999581*(work.s1_453 - work.s1_450);
-  const double J_arb_link_rear_right_rear_axle_ty = 4.472135954999581*(0.6 + work.s1_451);
-  const double J_arb_link_rear_right_rear_axle_tz = 4.472135954999581*(work.s1_452 + work.s1_454);
-  const double s5_169 = work.s1_452*J_arb_link_rear_right_rear_axle_ty;
-  const double s5_170 = work.r_rear_axle_aux1_x*J_arb_link_rear_right_rear_axle_ty;
-  const double s5_171 = work.s1_451*s5_168 + work.s1_450*J_arb_link_rear_right_rear_axle_ty;
-  const double s5_172 = s5_170 + z_rear_axle_ty*s5_168 - s5_171;
-  const double s5_173 = work.s1_450*J_arb_link_rear_right_rear_axle_tz + work.s1_452*s5_168;
-  const double s5_174 = s5_169 - work.s1_451*J_arb_link_rear_right_rear_axle_tz;
-  const double s5_175 = work.b_rear_axle_ry_z*J_arb_link_rear_right_rear_axle_tz;
-  const double s5_176 = work.s1_43*J_arb_link_rear_right_rear_axle_ty;
-  const double s5_177 = work.R_rear_axle_aux4_x_x*s5_173 - work.R_rear_axle_aux4_y_x*s5_174;
-  const double s5_178 = s5_177 + (s5_176 - (s5_175 + work.s1_42*s5_168));
-  const double s5_179 = 3.3000000000000003*J_arb_link_rear_right_rear_axle_tz;
-  const double s5_180 = work.s1_453*J_arb_link_rear_right_rear_axle_tz - work.s1_454*s5_168;
-  const double J_arb_link_rear_right_arb_rear_right = s5_180 + (s5_179 +
-      0.44999999999999996*s5_168);
+  const double s5_183 = 4.472135954999581*(work.s1_467 - work.s1_464);
+  const double J_arb_link_rear_right_rear_axle_ty = 4.472135954999581*(0.6 + work.s1_465);
+  const double J_arb_link_rear_right_rear_axle_tz = 4.472135954999581*(work.s1_466 + work.s1_468);
+  const double s5_184 = work.s1_466*J_arb_link_rear_right_rear_axle_ty;
+  const double s5_185 = work.r_rear_axle_aux1_x*J_arb_link_rear_right_rear_axle_ty;
+  const double s5_186 = work.s1_465*s5_183 + work.s1_464*J_arb_link_rear_right_rear_axle_ty;
+  const double s5_187 = s5_185 + z_rear_axle_ty*s5_183 - s5_186;
+  const double s5_188 = work.s1_464*J_arb_link_rear_right_rear_axle_tz + work.s1_466*s5_183;
+  const double s5_189 = s5_184 - work.s1_465*J_arb_link_rear_right_rear_axle_tz;
+  const double s5_190 = work.b_rear_axle_ry_z*J_arb_link_rear_right_rear_axle_tz;
+  const double s5_191 = work.s1_53*J_arb_link_rear_right_rear_axle_ty;
+  const double s5_192 = work.R_rear_axle_aux4_x_x*s5_188 - work.R_rear_axle_aux4_y_x*s5_189;
+  const double s5_193 = s5_192 + (s5_191 - (s5_190 + work.s1_52*s5_183));
+  const double s5_194 = 3.3000000000000003*J_arb_link_rear_right_rear_axle_tz;
+  const double s5_195 = work.s1_467*J_arb_link_rear_right_rear_axle_tz - work.s1_468*s5_183;
+  const double J_arb_link_rear_right_arb_rear_right = s5_195 + (s5_194 +
+      0.44999999999999996*s5_183);
   // loop block 1
-  const double s5_181 = 1.0/J_diag_rod_right_rear_axle_tx;
-  const double s5_182 = J_long_rod_left_rear_axle_tx*s5_181;
-  const double s5_183 = s5_111 + J_diag_rod_right_rear_axle_ty*s5_182;
-  const double s5_184 = s5_167*s5_182 - s5_121;
-  const double s5_185 = 1.0/(s5_161*s5_182 - s5_115);
-  const double s5_186 = J_long_rod_right_rear_axle_tx*s5_181;
-  const double s5_187 = s5_185*(s5_161*s5_186 - s5_149);
-  const double s5_188 = J_long_rod_right_rear_axle_ty - J_diag_rod_right_rear_axle_ty*s5_186;
-  const double s5_189 = s5_188 + s5_183*s5_187;
-  const double s5_190 = 1.0/(s5_167*s5_186 - s5_155 - s5_184*s5_187);
-  const double s5_191 = J_diag_rod_left_rear_axle_tx*s5_181;
-  const double s5_192 = s5_185*(s5_161*s5_191 - s5_126);
-  const double s5_193 = s5_190*(s5_167*s5_191 - s5_132 - s5_184*s5_192);
-  const double s5_194 = s5_183*s5_192 - (s5_122 + J_diag_rod_right_rear_axle_ty*s5_191);
-  const double s5_195 = work.Q_arb_rear_right*(1.0/J_arb_link_rear_right_arb_rear_right);
-  result.lambda[16] = s5_195;
-  const double s5_196 = work.Q_arb_rear_left*(1.0/J_arb_link_rear_left_arb_rear_left);
-  result.lambda[13] = s5_196;
-  const double s5_197 = s5_181*(work.Q_rear_axle_tx + s5_168*s5_195 + s5_133*s5_196);
-  const double s5_198 = work.Q_rear_axle_rz + s5_172*s5_195 + s5_136*s5_196 + s5_161*s5_197;
-  const double s5_199 = s5_185*s5_198;
-  const double s5_200 = work.Q_rear_axle_ry + s5_178*s5_195 + s5_141*s5_196 + s5_167*s5_197;
-  const double s5_201 = s5_190*(s5_200 - s5_184*s5_199);
-  const double s5_202 = work.Q_rear_axle_ty - J_arb_link_rear_right_rear_axle_ty*s5_195;
-  const double s5_203 = s5_202 + s5_134*s5_196 - J_diag_rod_right_rear_axle_ty*s5_197;
-  const double s5_204 = 1.0/(s5_194 - s5_189*s5_193)*(s5_203 + s5_183*s5_199 - s5_189*s5_201);
-  result.lambda[12] = s5_204;
-  const double s5_205 = s5_201 - s5_193*s5_204;
-  result.lambda[14] = s5_205;
-  const double s5_206 = s5_199 - s5_187*s5_205 - s5_192*s5_204;
-  result.lambda[11] = s5_206;
-  result.lambda[15] = s5_197 - s5_182*s5_206 - s5_186*s5_205 - s5_191*s5_204;
-  // operations: 265 add, 329 multiply, 17 divide
+  const double s5_196 = 3.204642123170383*std::abs(J_arb_link_rear_right_arb_rear_right);
+  const double s5_197 = 3.194382824999693*std::abs(J_arb_link_rear_left_arb_rear_left);
+  const double s5_198 = 1.0/J_diag_rod_right_rear_axle_tx;
+  const double s5_199 = 1.0748203921841*std::abs(J_diag_rod_right_rear_axle_tx);
+  const double s5_200 = J_long_rod_left_rear_axle_tx*s5_198;
+  const double s5_201 = s5_126 + J_diag_rod_right_rear_axle_ty*s5_200;
+  const double s5_202 = s5_176*s5_200 - s5_130;
+  const double s5_203 = s5_182*s5_200 - s5_136;
+  const double s5_204 = 1.0/s5_202;
+  const double s5_205 = mbgen::min(mbgen::min(s5_196, s5_197), s5_199);
+  const double s5_206 = J_long_rod_right_rear_axle_tx*s5_198;
+  const double s5_207 = s5_204*(s5_176*s5_206 - s5_164);
+  const double s5_208 = J_long_rod_right_rear_axle_ty - J_diag_rod_right_rear_axle_ty*s5_206;
+  const double s5_209 = s5_208 + s5_201*s5_207;
+  const double s5_210 = s5_182*s5_206 - s5_170 - s5_203*s5_207;
+  const double s5_211 = 1.0/s5_210;
+  const double s5_212 = mbgen::min(s5_205, 1.5318884572025857*std::abs(s5_202));
+  const double s5_213 = J_diag_rod_left_rear_axle_tx*s5_198;
+  const double s5_214 = s5_204*(s5_176*s5_213 - s5_141);
+  const double s5_215 = s5_211*(s5_182*s5_213 - s5_147 - s5_203*s5_214);
+  const double s5_216 = s5_201*s5_214 - (s5_137 + J_diag_rod_right_rear_axle_ty*s5_213);
+  const double s5_217 = s5_216 - s5_209*s5_215;
+  const double s5_218 = mbgen::min(s5_212, 1.7893247478820993*std::abs(s5_210));
+  result.pivot[1] = mbgen::min(s5_218, 1.4337752588788297*std::abs(s5_217));
+  const double s5_219 = work.Q_arb_rear_right*(1.0/J_arb_link_rear_right_arb_rear_right);
+  result.lambda[16] = s5_219;
+  const double s5_220 = work.Q_arb_rear_left*(1.0/J_arb_link_rear_left_arb_rear_left);
+  result.lambda[13] = s5_220;
+  const double s5_221 = s5_198*(work.Q_rear_axle_tx + s5_183*s5_219 + s5_148*s5_220);
+  const double s5_222 = work.Q_rear_axle_rz + s5_187*s5_219 + s5_151*s5_220 + s5_176*s5_221;
+  const double s5_223 = s5_204*s5_222;
+  const double s5_224 = work.Q_rear_axle_ry + s5_193*s5_219 + s5_156*s5_220 + s5_182*s5_221;
+  const double s5_225 = s5_211*(s5_224 - s5_203*s5_223);
+  const double s5_226 = work.Q_rear_axle_ty - J_arb_link_rear_right_rear_axle_ty*s5_219;
+  const double s5_227 = s5_226 + s5_149*s5_220 - J_diag_rod_right_rear_axle_ty*s5_221;
+  const double s5_228 = 1.0/s5_217*(s5_227 + s5_201*s5_223 - s5_209*s5_225);
+  result.lambda[12] = s5_228;
+  const double s5_229 = s5_225 - s5_215*s5_228;
+  result.lambda[14] = s5_229;
+  const double s5_230 = s5_223 - s5_207*s5_229 - s5_214*s5_228;
+  result.lambda[11] = s5_230;
+  result.lambda[15] = s5_221 - s5_200*s5_230 - s5_206*s5_229 - s5_213*s5_228;
+  // operations: 265 add, 346 multiply, 17 divide, 32 other
 }
 
 /// Multipliers of the closures and generalised driving forces, at given accelerations.
 void compute_multipliers(const Parameters& /*parameters*/, const Inputs& /*inputs*/,
     const State& state, const double* tau, const Derivative& derivative,
-    Multipliers& __restrict result) noexcept {
-  MultipliersWork work;
+    ConstraintForces& __restrict result) noexcept {
+  ConstraintForcesWork work;
   compute_multipliers_1(state, work);
   compute_multipliers_2(state, derivative, work);
   compute_multipliers_3(state, derivative, work);
-  compute_multipliers_4(state, tau, work);
+  compute_multipliers_4(state, tau, work, result);
   compute_multipliers_5(state, work, result);
 }
 
@@ -17768,7 +17876,6 @@ struct OutputsWork {
   // operations: 80 add, 134 multiply
 
   // --- step 9: independent and all accelerations (63), (62) ---
-  // loop block 1
   const double s5_1 = zd_chassis_tx*tau[Coordinate::chassis_tx];
   const double s5_2 = s5_1 + zd_chassis_ty*tau[Coordinate::chassis_ty];
   const double s5_3 = s5_2 + zd_chassis_tz*tau[Coordinate::chassis_tz];
@@ -17945,7 +18052,6 @@ struct OutputsWork {
 [[gnu::noinline]] void compute_outputs_3(const State& state, const double* tau,
     OutputsWork& __restrict work, Outputs& __restrict result) noexcept {
   // --- step 9: independent and all accelerations (63), (62), continued ---
-  // loop block 1
   const double s5_171 = state.zd[Coordinate::bell_crank]*tau[Coordinate::bell_crank];
   const double s5_172 = state.zd[Coordinate::rear_axle_tx]*tau[Coordinate::rear_axle_tx];
   const double s5_173 = state.zd[Coordinate::rear_axle_ty]*tau[Coordinate::rear_axle_ty];
@@ -18364,10 +18470,15 @@ struct System {
       6, 7, 8, 9, 11, 12, 13, 14, 15, 16, 18, 19, 20, 21, 22, 23, 24, 25, 26, 27, 29, 31};
   static constexpr unsigned char kBlockDriven[] = {
       0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0};
+  static constexpr int kMultiplierPlace[] = {
+      0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16};
+  static constexpr int kDriveCoordinate[] = {
+      0};
   using Accelerations = coach_mechanism::Accelerations;
   static constexpr auto accelerations = &compute_accelerations;
   using Closure = coach_mechanism::Closure;
   static constexpr auto closure = &compute_closure;
+  using ConstraintForces = coach_mechanism::ConstraintForces;
   static constexpr auto multipliers = &compute_multipliers;
   using ClosureTerms = coach_mechanism::ClosureTerms;
   static constexpr auto closure_terms = &compute_closure_terms;

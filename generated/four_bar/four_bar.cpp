@@ -252,9 +252,17 @@ void compute_closure(const Parameters& /*parameters*/, const Inputs& /*inputs*/,
   result.zd[Coordinate::coupler_pin] = zd_coupler_pin;
 }
 
+/// Result of compute_multipliers.
+struct ConstraintForces {
+  double lambda[5];  ///< multipliers, loop after loop
+  double drive[1];  ///< generalised driving forces
+  double missing[3];  ///< what multipliers and drives must provide, block after block
+  double pivot[1];  ///< smallest pivot of each block over its reference
+};
+
 /// Multipliers of the closures and generalised driving forces, at given accelerations.
 void compute_multipliers(const Parameters& parameters, const Inputs& inputs, const State& state,
-    const double* tau, const Derivative& derivative, Multipliers& __restrict result) noexcept {
+    const double* tau, const Derivative& derivative, ConstraintForces& __restrict result) noexcept {
   // --- step 1: poses, axes b, accumulated inertias MR (50) ---
   // crank: crank_pin, revolute, ground
   const double z_crank_pin = state.z[Coordinate::crank_pin];
@@ -328,18 +336,23 @@ void compute_multipliers(const Parameters& parameters, const Inputs& inputs, con
   const double s4_7 = s1_6*(0.8*(zdd_crank_pin*s1_6 - s1_5*s4_1)) - s4_6;
   const double s4_8 = 7e-04*zdd_crank_pin + s4_7;
   // coupler: coupler_pin, revolute, crank
-  const double s4_9 = s1_8*(1.5*(a_coupler_x + (s1_8*alpha_coupler_y - s1_7*s4_2)));
-  const double s4_10 = s4_9 - s1_7*(1.5*(a_coupler_z - (s1_8*s4_2 + s1_7*alpha_coupler_y)));
+  const double s4_9 = 1.5*(a_coupler_x + (s1_8*alpha_coupler_y - s1_7*s4_2));
+  const double s4_10 = 1.5*(a_coupler_z - (s1_8*s4_2 + s1_7*alpha_coupler_y));
+  const double s4_11 = 0.021*alpha_coupler_y + (s1_8*s4_9 - s1_7*s4_10);
   // rocker: rocker_pin, revolute, ground
-  const double s4_11 = 1.1*(a_rocker_z - (s1_11*s4_5 + zdd_rocker_pin*s1_12));
-  const double s4_12 = s1_11*(1.1*(a_rocker_x + (zdd_rocker_pin*s1_11 - s1_12*s4_5)));
-  const double s4_13 = s3_8 - (0.006*zdd_rocker_pin + (s4_12 - s1_12*s4_11));
-  const double Q_rocker_pin = tau[Coordinate::rocker_pin] + (s4_13 + 0.4*(s3_7 - s4_11));
+  const double s4_12 = 1.1*(a_rocker_z - (s1_11*s4_5 + zdd_rocker_pin*s1_12));
+  const double s4_13 = s1_11*(1.1*(a_rocker_x + (zdd_rocker_pin*s1_11 - s1_12*s4_5)));
+  const double s4_14 = s3_8 - (0.006*zdd_rocker_pin + (s4_13 - s1_12*s4_12));
+  const double Q_rocker_pin = tau[Coordinate::rocker_pin] + (s4_14 + 0.4*(s3_7 - s4_12));
+  result.missing[2] = Q_rocker_pin;
   // coupler: coupler_pin, revolute, crank
-  const double s4_14 = s4_8 + (0.021*alpha_coupler_y + s4_10);
+  const double s4_15 = r_coupler_z*s4_9 - r_coupler_x*s4_10 - s4_11;
+  result.missing[1] = tau[Coordinate::coupler_pin] + s4_15;
+  const double s4_16 = s4_8 + s4_11;
   // crank: crank_pin, revolute, ground
-  const double Q_crank_pin = inputs.torque + tau[Coordinate::crank_pin] - s4_14;
-  // operations: 32 add, 37 multiply
+  const double Q_crank_pin = inputs.torque + tau[Coordinate::crank_pin] - s4_16;
+  result.missing[0] = Q_crank_pin;
+  // operations: 35 add, 39 multiply
 
   // --- step 9: independent and all accelerations (63), (62) ---
   // rocker_tip
@@ -351,12 +364,14 @@ void compute_multipliers(const Parameters& parameters, const Inputs& inputs, con
   // loop block 0
   const double s5_4 = 1.0/s5_2;
   const double s5_5 = s5_3*s5_4;
-  const double s5_6 = Q_rocker_pin*s5_4;
-  const double s5_7 = Q_crank_pin + J_rocker_tip_crank_pin*s5_6;
-  const double s5_8 = 1.0/(s5_1 + J_rocker_tip_crank_pin*s5_5)*s5_7;
-  result.lambda[2] = -s5_8;
-  result.lambda[0] = s5_5*s5_8 - s5_6;
-  // operations: 11 add, 14 multiply, 2 divide
+  const double s5_6 = s5_1 + J_rocker_tip_crank_pin*s5_5;
+  const double s5_7 = 2.5000000000000004*std::abs(s5_6);
+  result.pivot[0] = mbgen::min(3.999888870509994*std::abs(s5_2), s5_7);
+  const double s5_8 = Q_rocker_pin*s5_4;
+  const double s5_9 = 1.0/s5_6*(Q_crank_pin + J_rocker_tip_crank_pin*s5_8);
+  result.lambda[2] = -s5_9;
+  result.lambda[0] = s5_5*s5_9 - s5_8;
+  // operations: 11 add, 16 multiply, 2 divide, 3 other
   result.lambda[1] = 0.0;
   result.lambda[3] = 0.0;
   result.lambda[4] = 0.0;
@@ -714,10 +729,15 @@ struct System {
       0, 1, 2};
   static constexpr unsigned char kBlockDriven[] = {
       0, 0, 0};
+  static constexpr int kMultiplierPlace[] = {
+      0, 1, 2, 3, 4};
+  static constexpr int kDriveCoordinate[] = {
+      0};
   using Accelerations = four_bar::Accelerations;
   static constexpr auto accelerations = &compute_accelerations;
   using Closure = four_bar::Closure;
   static constexpr auto closure = &compute_closure;
+  using ConstraintForces = four_bar::ConstraintForces;
   static constexpr auto multipliers = &compute_multipliers;
   using ClosureTerms = four_bar::ClosureTerms;
   static constexpr auto closure_terms = &compute_closure_terms;

@@ -150,6 +150,7 @@ GenericOutputs GenericSolver::outputs(const GenericState& state, const std::vect
                                  solved.accelerations,
                                  solved.forces,
                                  derivative.zdd,
+                                 solved.multipliers,
                                  drive};
   const Energies<double> e = energies(system, view, solved.inertias, tau, driven);
   return {output_values(system, view), e.kinetic, e.potential, e.power};

@@ -3,12 +3,12 @@
 // pivoting factorisation of its blocks. No heap, no exceptions.
 //
 // `System` is written by mbgen into the solver's source. It offers, all static:
-//   types      Parameters Inputs State Derivative, and the result of each program: Accelerations Closure ClosureTerms
-//              ChosenAccelerations Projection Multipliers
+//   types      Parameters Inputs State Derivative Multipliers, and the result of each program: Accelerations Closure
+//              ClosureTerms ChosenAccelerations Projection ConstraintForces
 //   sizes      kCoordinates kAuxiliaryStates kBlocks kEquations kDrives kBlockCoordinates kFreeDirections
 //   decisions  kHasClosure (loops or motions), kClosureTolerance
 //   tables     kBlockLayout[block] kBlockCoordinate[] kBlockDriven[] kDriven[coordinate] kRedundant[equation]
-//              kFreeDirection[direction]
+//              kFreeDirection[direction] kMultiplierPlace[equation] kDriveCoordinate[motion]
 //   programs   accelerations, argument_sum; with a closure: closure, multipliers; with loops: closure_terms,
 //              chosen_accelerations
 

@@ -88,19 +88,6 @@ int block_of(int equation) noexcept {
   return -1;
 }
 
-/// Block with the smallest pivot of the frozen partition.
-template <class System>
-int worst_block(const typename System::Parameters& parameters, const typename System::Inputs& inputs,
-                const typename System::State& state) noexcept {
-  typename System::Closure closure;
-  System::closure(parameters, inputs, state, closure);
-  int worst = System::kBlocks > 0 ? 0 : -1;
-  for (int b = 1; b < System::kBlocks; ++b) {
-    if (!(closure.pivot[b] >= closure.pivot[worst])) worst = b;
-  }
-  return worst;
-}
-
 /// z += dz, shortened when a coordinate outside the motions would jump.
 template <class System>
 void apply_step(const typename System::Closure& closure, typename System::State& state) noexcept {

@@ -136,6 +136,27 @@ inline double solve_dependent(const LoopFactors& loop, const double* right_hand_
   return largest;
 }
 
+/// Solves Phi_d' lambda = force_d: multipliers, zero at equations that are no pivots. On return `force` is what Phi'
+/// lambda leaves of it: zero at dependent coordinates.
+/// force: per coordinate (original order); lambda: per equation (original order); work: equations doubles.
+/// Source: theory.md section 4.
+inline void solve_transposed(const LoopFactors& loop, double* force, double* lambda, double* work) noexcept {
+  for (int k = 0; k < loop.rank; ++k) {
+    double value = force[loop.columns[k]];
+    for (int m = 0; m < k; ++m) value -= loop_detail::row_of(loop, m)[k] * work[m];
+    work[k] = value / loop_detail::row_of(loop, k)[k];
+  }
+  for (int k = 0; k < loop.rank; ++k) force[loop.columns[k]] = 0;
+  for (int place = loop.rank; place < loop.coordinates; ++place) {
+    for (int k = 0; k < loop.rank; ++k) force[loop.columns[place]] -= loop_detail::row_of(loop, k)[place] * work[k];
+  }
+  for (int i = loop.equations - 1; i >= 0; --i) {
+    double value = i < loop.rank ? work[i] : 0.0;
+    for (int m = i + 1; m < loop.rank; ++m) value -= loop_detail::row_of(loop, m)[i] * lambda[loop.rows[m]];
+    lambda[loop.rows[i]] = value;
+  }
+}
+
 /// Rz of the block, coordinates x f row by row, f = free directions = coordinates - rank - driven: zd = Rz zd_free.
 /// Free direction q belongs to the q-th non-dependent, non-driven coordinate in ascending original order.
 /// work: equations doubles. Source: (61).

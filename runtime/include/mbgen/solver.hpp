@@ -71,6 +71,54 @@ Status pivoted_accelerations(const typename System::Parameters& parameters, cons
   return deliver<System>(values, derivative);
 }
 
+/// Factors of block b for its multipliers: of redundant equations those left out of the frozen path get none, unless
+/// the others lose rank here.
+template <class System>
+LoopFactors multiplier_factors(int b, const typename System::ClosureTerms& terms,
+                               typename System::ClosureTerms& factored, BlockFactors<System>& factors) noexcept {
+  const BlockLayout& block = System::kBlockLayout[b];
+  const int entries = block.equations * block.coordinates;
+  copy(terms.Jz + block.first_jacobian, factored.Jz + block.first_jacobian, entries);
+  for (int e = 0; e < block.equations; ++e) {
+    double* row = factored.Jz + block.first_jacobian + e * block.coordinates;
+    for (int c = 0; c < block.coordinates; ++c)
+      row[c] = System::kRedundant[block.first_equation + e] != 0 ? 0.0 : row[c];
+  }
+  const LoopFactors kept = factors.factors_of(b, factored);
+  if (kept.rank == block.rank) return kept;
+  copy(terms.Jz + block.first_jacobian, factored.Jz + block.first_jacobian, entries);
+  return factors.factors_of(b, factored);
+}
+
+/// Replaces multipliers and driving forces of the blocks whose frozen partition is bad by those of a pivoted one.
+template <class System>
+Status repair_multipliers(const typename System::Parameters& parameters, const typename System::Inputs& inputs,
+                          const typename System::State& state, typename System::ConstraintForces& values) noexcept {
+  typename System::ClosureTerms terms, factored;
+  System::closure_terms(parameters, inputs, state, terms);
+  BlockFactors<System> factors;
+  double lambda[System::kEquations];
+  for (int b = 0; b < System::kBlocks; ++b) {
+    if (values.pivot[b] >= kPivotThreshold) continue;
+    const BlockLayout& block = System::kBlockLayout[b];
+    const LoopFactors loop = multiplier_factors<System>(b, terms, factored, factors);
+    if (loop.rank < block.rank) return {Code::loop_singular, b};
+    double* force = values.missing + block.first_coordinate;
+    solve_transposed(loop, force, lambda, factors.work);
+    for (int e = 0; e < block.equations; ++e) {
+      values.lambda[System::kMultiplierPlace[block.first_equation + e]] = lambda[e];
+    }
+    for (int g = 0; g < System::kDrives; ++g) {
+      for (int c = 0; c < block.coordinates; ++c) {
+        if (System::kBlockCoordinate[block.first_coordinate + c] == System::kDriveCoordinate[g]) {
+          values.drive[g] = -force[c];
+        }
+      }
+    }
+  }
+  return {};
+}
+
 }  // namespace solver_detail
 
 /// All accelerations at a state: the frozen program, and the pivoted one where the monitor of a loop block trips.
@@ -95,8 +143,8 @@ Status solve_accelerations(const typename System::Parameters& parameters, const 
   return deliver<System>(values, derivative);
 }
 
-/// Multipliers and driving forces of the frozen partition. Fails: not_a_number, and loop_singular where they are not
-/// finite (index: the block with the smallest pivot); the values are then unchanged.
+/// Multipliers and driving forces at given accelerations: the frozen program, and the pivoted factorisation where the
+/// monitor of a loop block trips. Fails: not_a_number, loop_singular; the values are then unchanged.
 template <class System>
 Status solve_multipliers(const typename System::Parameters& parameters, const typename System::Inputs& inputs,
                          const typename System::State& state, const double* tau,
@@ -106,17 +154,35 @@ Status solve_multipliers(const typename System::Parameters& parameters, const ty
   const Status status = check_arguments<System>(parameters, inputs, state, tau);
   if (!status.ok()) return status;
   if constexpr (System::kHasClosure) {
-    typename System::Multipliers values;
+    typename System::ConstraintForces values;
     System::multipliers(parameters, inputs, state, tau, derivative, values);
+    if constexpr (System::kBlocks > 0) {
+      if (!frozen_is_good<System>(values.pivot)) {
+        const Status repaired = repair_multipliers<System>(parameters, inputs, state, values);
+        if (!repaired.ok()) return repaired;
+      }
+    }
     if (!std::isfinite(sum(values.lambda, System::kEquations) + sum(values.drive, System::kDrives))) {
-      const int bad = first_not_finite(derivative.zdd, System::kCoordinates);
-      return bad < 0 ? Status{Code::loop_singular, worst_block<System>(parameters, inputs, state)}
-                     : Status{Code::not_a_number, bad};
+      return {Code::not_a_number, first_not_finite(derivative.zdd, System::kCoordinates)};
     }
     copy(values.lambda, multipliers.lambda, System::kEquations);
     copy(values.drive, multipliers.drive, System::kDrives);
   }
   return {};
+}
+
+/// Multipliers for outputs that look at them: not a number where they cannot be found, so that the other outputs are
+/// still given.
+template <class System>
+typename System::Multipliers multipliers_or_nan(const typename System::Parameters& parameters,
+                                                const typename System::Inputs& inputs,
+                                                const typename System::State& state, const double* tau,
+                                                const typename System::Derivative& derivative) noexcept {
+  typename System::Multipliers multipliers;
+  for (double& value : multipliers.lambda) value = NAN;
+  for (double& value : multipliers.drive) value = NAN;
+  solve_multipliers<System>(parameters, inputs, state, tau, derivative, multipliers);
+  return multipliers;
 }
 
 /// Name of what a status names: a coordinate or a loop block, "" for nothing.

@@ -1,0 +1,172 @@
+#pragma once
+// What joints and rods transmit. Newton's law body by body, from the leaves of the tree to ground: the joint that holds
+// a body gives it what inertia takes and neither applied forces nor closures provide. Bodies are those of the model,
+// so that a fixed joint has its reaction like any other.
+
+#include "compiler/formulation/dynamics.hpp"
+#include "compiler/formulation/solved_state.hpp"
+
+namespace mbgen {
+
+/// What a joint or rod does to its two bodies. Forces in N, moments in N m about the joint's point on `to`, in the axes
+/// of `frame`; a rod's forces act at its ends, without moment.
+template <class T>
+struct Reaction {
+  int frame = kGround;
+  Spatial<T> on_to, on_from;
+};
+
+template <class T>
+struct Reactions {
+  std::vector<Reaction<T>> joints, rods;  ///< per Model::joints and Model::rods
+};
+
+namespace detail {
+
+/// Sums of wrenches on the bodies of the model. A body's parts come in the frame of the tree body that it moves with,
+/// where that has one, and in the frame of that one's base.
+template <class T>
+struct BodyWrenches {
+  const System<T>& system;
+  const Kinematics<T>& k;
+  std::vector<Spatial<T>> own, base;  ///< per Model::bodies, about the origins of the two frames
+
+  BodyWrenches(const System<T>& s, const Kinematics<T>& kinematics)
+      : system(s), k(kinematics), own(s.model.bodies.size()), base(s.model.bodies.size()) {}
+
+  int tree_body(int body) const { return system.topology.tree_body[body]; }
+  int base_frame(int body) const {
+    return tree_body(body) == kGround ? kGround : system.layout.bodies[tree_body(body)].base;
+  }
+  /// frame: one of the body's two.
+  void add(int body, int frame, const Spatial<T>& wrench) {
+    Spatial<T>& sum = frame == tree_body(body) ? own[body] : base[body];
+    sum = sum + wrench;
+  }
+  /// Everything in the base frame.
+  Spatial<T> total(int body) const {
+    const int tree = tree_body(body);
+    if (tree == kGround) return own[body];
+    return system.layout.bodies[tree].own_frame ? base[body] + lowered(k, tree, own[body]) : base[body];
+  }
+};
+
+/// The same wrench about another point of the same frame.
+template <class T>
+Spatial<T> about(const Vector<T>& point, const Spatial<T>& wrench) {
+  return {wrench.linear, wrench.angular - cross(point, wrench.linear)};
+}
+
+/// What each body needs from the joints that hold it: inertia less applied forces (weight is in the accelerations).
+template <class T>
+BodyWrenches<T> needed_wrenches(System<T>& system, const SolvedState<T>& s) {
+  BodyWrenches<T> needed(system, s.kinematics);
+  const Topology& topology = system.topology;
+  for (int b = 0; b < static_cast<int>(system.model.bodies.size()); ++b) {
+    if (b == system.model.ground) continue;
+    system.scribe.place(system.model.bodies[b].name);
+    const int tree = topology.tree_body[b];
+    const Vector<T> origin = tree == kGround ? Vector<T>{} : system.constants.origin[tree];
+    const Part<T> part = without_noise(part_of(system.model, b, origin, system.environment));
+    needed.add(
+        b, system.layout.frame_of(tree),
+        inertial_force(carried_part(system, s.kinematics, tree, part), velocity_of(system, s.velocities, tree).angular,
+                       acceleration_of(system, s.accelerations, tree)));
+  }
+  for (const Action<T>& action : s.forces.actions) {
+    const int carrier = system.layout.frame_of(topology.tree_body[action.body]);
+    needed.add(action.body, carrier,
+               Spatial<T>{} - force_at(action.force, action.point) - Spatial<T>{{}, action.moment});
+  }
+  return needed;
+}
+
+/// A cut joint: its rows' wrenches times their multipliers, in the block's base frame. Phi_z' lambda stands on the side
+/// of the inertia, so `from` is acted on by the negative.
+template <class T>
+Reaction<T> cut_reaction(const System<T>& system, const Kinematics<T>& k, const Joint& joint,
+                         const std::vector<Row<T>>& rows, const T* lambda, int frame, BodyWrenches<T>& needed) {
+  Spatial<T> on_to, from_loses;
+  for (std::size_t e = 0; e < rows.size(); ++e) {
+    on_to = on_to + lambda[e] * rows[e].wrench_to;
+    from_loses = from_loses + lambda[e] * rows[e].wrench_from;
+  }
+  needed.add(joint.to.body, frame, Spatial<T>{} - on_to);
+  needed.add(joint.from.body, frame, from_loses);
+  const Vector<T> point = position_in(
+      system, k, place_of(system.model, system.topology, system.constants, joint.to, system.environment), frame);
+  return {frame, about(point, on_to), Spatial<T>{} - about(point, from_loses)};
+}
+
+/// A rod: its tension, and its inertia and weight as m/3 of the near and m/6 of the far end's acceleration.
+template <class T>
+Reaction<T> rod_reaction(const System<T>& system, const SolvedState<T>& s, const Loop& loop, const Row<T>& row,
+                         const T& tension, int frame, BodyWrenches<T>& needed) {
+  const RodConstants<T>& rod = system.constants.rods[loop.rod];
+  const auto acceleration = [&](const Place<T>& end) {
+    const Vector<T> local =
+        acceleration_of(system, s.accelerations, end.body).at(local_position(system, s.kinematics, end));
+    return direction_in(system, s.kinematics, system.layout.frame_of(end.body), local, frame);
+  };
+  Vector<T> on_to = tension * row.wrench_to.linear, on_from = -on_to;
+  if (!is_zero(rod.coupling)) {
+    const Vector<T> from = rod.coupling * acceleration(rod.from), to = rod.coupling * acceleration(rod.to);
+    on_to = on_to - (to + to + from);
+    on_from = on_from - (from + from + to);
+  }
+  const Rod& ends = system.model.rods[loop.rod];
+  const auto take = [&](int body, const Place<T>& end, const Vector<T>& force) {
+    needed.add(body, frame, Spatial<T>{} - force_at(force, position_in(system, s.kinematics, end, frame)));
+  };
+  take(ends.to.body, rod.to, on_to);
+  take(ends.from.body, rod.from, on_from);
+  return {frame, {on_to, {}}, {on_from, {}}};
+}
+
+/// Reactions of everything that closes a loop, taken off what its bodies need.
+template <class T>
+void closure_reactions(System<T>& system, const SolvedState<T>& s, BodyWrenches<T>& needed, Reactions<T>& reactions) {
+  const RelativeMotion<T> rest = at_rest<T>(system.topology);
+  for (std::size_t b = 0; b < system.topology.blocks.size(); ++b) {
+    const LoopBlock& block = system.topology.blocks[b];
+    const T* lambda = s.multipliers[b].data();
+    for (int l : block.loops) {
+      const Loop& loop = system.topology.loops[l];
+      const std::vector<Row<T>> rows = loop_rows(system, s.kinematics, rest, loop, block.base);
+      if (loop.rod >= 0)
+        reactions.rods[loop.rod] = rod_reaction(system, s, loop, rows[0], *lambda, block.base, needed);
+      else
+        reactions.joints[loop.joint] =
+            cut_reaction(system, s.kinematics, system.model.joints[loop.joint], rows, lambda, block.base, needed);
+      lambda += rows.size();
+    }
+  }
+}
+
+}  // namespace detail
+
+/// What every joint and rod transmits at a solved state. Cost: linear.
+template <class T>
+Reactions<T> reactions(System<T>& system, const SolvedState<T>& s) {
+  const Topology& topology = system.topology;
+  Reactions<T> result;
+  result.joints.resize(system.model.joints.size());
+  result.rods.resize(system.model.rods.size());
+  detail::BodyWrenches<T> needed = detail::needed_wrenches(system, s);
+  detail::closure_reactions(system, s, needed, result);
+  for (auto placed = topology.tree_joints.rbegin(); placed != topology.tree_joints.rend(); ++placed) {
+    const Joint& joint = system.model.joints[placed->joint];
+    system.scribe.place(joint.name);
+    const int frame = needed.base_frame(placed->child);
+    const Spatial<T> wrench = needed.total(placed->child);
+    needed.add(placed->parent, frame, wrench);
+    const Place<T> to = place_of(system.model, topology, system.constants, joint.to, system.environment);
+    const Spatial<T> on_child = detail::about(position_in(system, s.kinematics, to, frame), wrench);
+    const Spatial<T> on_parent = Spatial<T>{} - on_child;
+    result.joints[placed->joint] =
+        placed->reversed ? Reaction<T>{frame, on_parent, on_child} : Reaction<T>{frame, on_child, on_parent};
+  }
+  return result;
+}
+
+}  // namespace mbgen

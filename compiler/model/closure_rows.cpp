@@ -1,0 +1,35 @@
+// The equations of cut joints by name.
+#include "compiler/model/model.hpp"
+
+namespace mbgen {
+
+std::span<const ClosureRow> closure_rows(JointType type) {
+  static constexpr ClosureRow kPoint[] = {{"x", "N"},        {"y", "N"},        {"z", "N"},
+                                          {"axis_1", "N m"}, {"axis_2", "N m"}, {"twist", "N m"}};
+  static constexpr ClosureRow kUniversal[] = {{"x", "N"}, {"y", "N"}, {"z", "N"}, {"perpendicular", "N m"}};
+  static constexpr ClosureRow kAlong[] = {
+      {"across_1", "N"}, {"across_2", "N"}, {"axis_1", "N m"}, {"axis_2", "N m"}, {"twist", "N m"}};
+  static constexpr ClosureRow kPlanar[] = {{"plane", "N"}, {"axis_1", "N m"}, {"axis_2", "N m"}};
+  const std::span<const ClosureRow> point(kPoint), along(kAlong);
+  switch (type) {
+    case JointType::spherical:
+      return point.first(3);
+    case JointType::revolute:
+      return point.first(5);
+    case JointType::fixed:
+      return point;
+    case JointType::universal:
+      return kUniversal;
+    case JointType::cylindrical:
+      return along.first(4);
+    case JointType::prismatic:
+      return along;
+    case JointType::planar:
+      return kPlanar;
+    case JointType::free:
+      break;
+  }
+  return {};
+}
+
+}  // namespace mbgen
