@@ -161,12 +161,21 @@ inline Program bead_closure_terms() {
   return builder.finish();
 }
 
-inline Program bead_multipliers() {
+/// The frozen multiplier, from x; `motions` is 1 when y is driven.
+inline Program bead_multipliers(int motions = 0) {
   ProgramBuilder builder("multipliers");
   const Symbols s(builder);
   const Expr mass(builder, builder.input("par", 0));
-  const Expr force_x = Expr(builder, builder.input("tau", 0)) + Expr(builder, builder.input("in", 0));
-  output(builder, "lambda", 0, (force_x - mass * Expr(builder, builder.input("zdd", 0))) / (2.0 * s.x));
+  const auto missing = [&](int i, const Expr& force) {
+    return Expr(builder, builder.input("tau", i)) + force - mass * Expr(builder, builder.input("zdd", i));
+  };
+  const Expr missing_x = missing(0, Expr(builder, builder.input("in", 0))), missing_y = missing(1, -9.81 * mass);
+  const Expr lambda = missing_x / (2.0 * s.x);
+  output(builder, "lambda", 0, lambda);
+  for (int g = 0; g < motions; ++g) output(builder, "drive", g, 2.0 * s.y * lambda - missing_y);
+  output(builder, "missing0", 0, missing_x);
+  output(builder, "missing0", 1, missing_y);
+  output(builder, "pivot", 0, abs(s.x));
   return builder.finish();
 }
 
@@ -232,6 +241,22 @@ inline Example bead_on_circle() {
   programs.free_direction_coordinate = {"y"};
   programs.free_directions_of_block = {1};
   programs.residual_equation_of = {0};
+  return example;
+}
+
+/// The bead with its multiplier as a second output, `pull`.
+inline Example bead_with_pull() {
+  Example example = bead_on_circle();
+  Output pull;
+  pull.name = "pull";
+  pull.unit = "N";
+  pull.source = MultiplierOutput{-1, 0, 0};
+  example.model.outputs.push_back(pull);
+  ProgramBuilder builder("outputs");
+  const Symbols s(builder);
+  output(builder, "y", 0, sqrt(s.x * s.x + s.y * s.y));
+  builder.output("y", 1, builder.input("lambda", 0));
+  example.programs.outputs = builder.finish();
   return example;
 }
 
@@ -313,6 +338,7 @@ inline Example driven_bead() {
   example.programs.accelerations_chosen = chosen.finish();
   example.programs.closure = closure.finish();
   example.programs.closure_terms = terms.finish();
+  example.programs.multipliers = bead_multipliers(1);
   example.programs.free_direction_coordinate = {};
   example.programs.free_directions_of_block = {0};
   return example;

@@ -55,11 +55,10 @@ TEST_P(Emitted, acceleratesTheBeadOnBothPaths) {
     // The frozen path loses two digits at the threshold, and rounding of the state two more.
     EXPECT_NEAR(derivative[0], expected[0], 1e-12) << a;
     EXPECT_NEAR(derivative[1], expected[1], 1e-12) << a;
-    if (std::abs(std::cos(a)) > 0.1) {
-      double lambda, drive;
-      ASSERT_TRUE(table.multiplier_values(parameters, &push, state, tau, derivative, &lambda, &drive).ok());
-      EXPECT_NEAR(mass * expected[1], tau[1] - 9.81 * mass - 2 * std::sin(a) * lambda, 1e-12) << a;
-    }
+    double lambda, drive;
+    ASSERT_TRUE(table.multiplier_values(parameters, &push, state, tau, expected, &lambda, &drive).ok());
+    EXPECT_NEAR(mass * expected[0], tau[0] + push - 2 * std::cos(a) * lambda, 1e-12) << a;
+    EXPECT_NEAR(mass * expected[1], tau[1] - 9.81 * mass - 2 * std::sin(a) * lambda, 1e-12) << a;
   }
 }
 
@@ -76,6 +75,27 @@ TEST_P(Emitted, timesTheStepsInADriverWithAClock) {
   long long ticks[kSteps];
   table.step_ticks(table.default_parameters, &push, state, tau, 1, 1000, ticks);
   for (int step = 1; step <= kSteps; ++step) EXPECT_GE(ticks[step - 1], 0) << step;
+}
+
+TEST_P(Emitted, outputsTakeMultipliersWhereTheFrozenPartitionHasNone) {
+  const Loaded loaded = load(bead_with_pull(), GetParam());
+  ASSERT_NE(loaded.table(), nullptr) << loaded.compilation().text;
+  const SolverTable& table = *loaded.table();
+  const double push = 1.5, tau[] = {0.4, -0.9}, mass = table.default_parameters[0], w = 1.3;
+  double energy[3], y[2];
+  for (const double a : {0.7, std::numbers::pi / 2}) {
+    const double state[] = {std::cos(a), std::sin(a), -std::sin(a) * w, std::cos(a) * w, 0};
+    double derivative[2];
+    bead_answer(a, w, mass, tau[0] + push, tau[1], derivative);
+    ASSERT_TRUE(table.output_values(table.default_parameters, &push, state, tau, derivative, y, energy).ok());
+    EXPECT_NEAR(y[0], 1, 1e-15);
+    EXPECT_NEAR(2 * std::sin(a) * y[1], tau[1] - mass * (9.81 + derivative[1]), 1e-12) << a;
+  }
+  // At the centre there is none; what does not need it is given all the same.
+  const double centre[] = {0, 0, 0, 0, 0}, still[] = {0, 0};
+  ASSERT_TRUE(table.output_values(table.default_parameters, &push, centre, tau, still, y, energy).ok());
+  EXPECT_EQ(y[0], 0);
+  EXPECT_TRUE(std::isnan(y[1]));
 }
 
 TEST_P(Emitted, projectsFromAGuessAndLeavesTheStateWhenItCannot) {
@@ -211,6 +231,11 @@ TEST_P(Emitted, followsMotionsOnBothPaths) {
     const double xdd = -(state[2] * state[2] + yd * yd + 0.2 * y) / state[0];
     EXPECT_EQ(derivative[1], 0.2);
     EXPECT_NEAR(derivative[0], xdd, 1e-13 * std::abs(xdd));
+    double lambda, drive;
+    ASSERT_TRUE(table.multiplier_values(table.default_parameters, &push, state, tau, derivative, &lambda, &drive).ok());
+    const double mass = table.default_parameters[0], needed = mass * (0.2 + 9.81) + 2 * state[1] * lambda;
+    EXPECT_NEAR(2 * state[0] * lambda, -mass * derivative[0], 1e-13 * std::abs(mass * xdd)) << t;
+    EXPECT_NEAR(drive, needed, 1e-13 * std::abs(2 * lambda)) << t;
   }
   // Past the top the motion leaves the circle.
   double state[] = {0.1, 1, 0, 0, 2.5};

@@ -196,5 +196,22 @@ TEST(LoopFreeDirections, SpanTheNullSpaceWithUnitFreeEntriesInAscendingOrder) {
   }
 }
 
+TEST(LoopMultipliers, TakeTheForcesOfTheDependentCoordinates) {
+  std::mt19937 generator(5);
+  for (int trial = 0; trial < 100; ++trial) {
+    const int rows = 1 + trial % 7, columns = 2 + trial % 9, rank = 1 + trial % std::min(rows, columns - 1);
+    const Matrix jacobian = random_of_rank(generator, rows, columns, rank);
+    std::vector<unsigned char> driven(static_cast<std::size_t>(columns), 0);
+    if (trial % 3 == 0) driven[static_cast<std::size_t>(trial % columns)] = 1;
+    const Factorised f(jacobian, rank, driven.data());
+    const Eigen::VectorXd force = random_matrix(generator, columns, 1);
+    Eigen::VectorXd left = force, lambda(rows), work(rows);
+    solve_transposed(f.loop, left.data(), lambda.data(), work.data());
+    EXPECT_LT((force - jacobian.transpose() * lambda - left).cwiseAbs().maxCoeff(), kRounding);
+    for (int k = 0; k < f.loop.rank; ++k) EXPECT_EQ(left[f.columns[static_cast<std::size_t>(k)]], 0);
+    for (int i = f.loop.rank; i < rows; ++i) EXPECT_EQ(lambda[f.rows[static_cast<std::size_t>(i)]], 0);
+  }
+}
+
 }  // namespace
 }  // namespace mbgen

@@ -109,7 +109,54 @@ class ModelText {
     return text;
   }
 
+  std::string output(const Output& output) const {
+    const auto describe = [&](const auto& source) { return this->source(source); };
+    return fmt::format("  {} [{}]: {}\n", output.name, output.unit, std::visit(describe, output.source));
+  }
+
  private:
+  static std::string component(int axis, bool in_body_axes) {
+    return fmt::format("{}, {} axes", "xyz"[axis], in_body_axes ? "body" : "global");
+  }
+  std::string connection(int joint, int rod) const {
+    return joint >= 0 ? "joint " + model_.joints[joint].name : "rod " + model_.rods[rod].name;
+  }
+
+  std::string source(const ExpressionOutput& output) const { return quantity(output.value); }
+  std::string source(const PointOutput& output) const {
+    const char* quantities[] = {"position", "velocity", "acceleration"};
+    return fmt::format("{} of {}, {}", quantities[static_cast<int>(output.what)], attachment(output.point),
+                       component(output.axis, output.in_body_axes));
+  }
+  std::string source(const CoordinateOutput& output) const {
+    const char* quantities[] = {"position", "velocity", "acceleration"};
+    return fmt::format("{} of {}", quantities[static_cast<int>(output.what)], coordinate(output.coordinate));
+  }
+  std::string source(const TyreOutput& output) const {
+    const char* quantities[] = {
+        "load", "longitudinal force", "lateral force", "aligning moment", "longitudinal slip", "lateral slip"};
+    return fmt::format("{} of tyre {}", quantities[static_cast<int>(output.what)], model_.tyres[output.tyre].name);
+  }
+  std::string source(const SpringOutput& output) const {
+    const char* quantities[] = {"force", "length", "rate"};
+    const bool is_air = output.air_spring >= 0;
+    return fmt::format("{} of {} {}", quantities[static_cast<int>(output.what)], is_air ? "air spring" : "spring",
+                       is_air ? model_.air_springs[output.air_spring].name : model_.springs[output.point_spring].name);
+  }
+  std::string source(const DriveOutput& output) const {
+    return "driving force of motion " + model_.motions[output.motion].name;
+  }
+  std::string source(const ReactionOutput& output) const {
+    return fmt::format("{} of {} on its {} body, {}", output.what == ReactionOutput::What::force ? "force" : "moment",
+                       connection(output.joint, output.rod), output.end == ReactionOutput::End::to ? "to" : "from",
+                       component(output.axis, output.in_body_axes));
+  }
+  std::string source(const MultiplierOutput& output) const {
+    const std::string_view row =
+        output.rod >= 0 ? kRodRow.name : closure_rows(model_.joints[output.joint].type)[output.equation].name;
+    return fmt::format("multiplier {} of {}", row, connection(output.joint, output.rod));
+  }
+
   const Model& model_;
 };
 
@@ -139,7 +186,7 @@ std::string dump_model(const Model& model) {
                         describe.quantity(motion.position));
   }
   text += "outputs\n";
-  for (const Output& output : model.outputs) text += fmt::format("  {} [{}]\n", output.name, output.unit);
+  for (const Output& output : model.outputs) text += describe.output(output);
   return text;
 }
 

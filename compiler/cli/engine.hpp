@@ -44,7 +44,7 @@ struct Engine {
   std::function<Status(const LoadedState&, const GenericDerivative&, std::vector<double>& lambda)> multipliers;
   std::function<Status(const LoadedState&, const GenericDerivative&, GenericOutputs&)> outputs;
   /// What each joint of the model, then each rod, transmits to its `to` body: force (N) and moment (N m) about the
-  /// joint's point on that body, global axes. Empty function where nobody asked; an engine may leave the rods out.
+  /// joint's point on that body, global axes. Empty function where nobody asked.
   std::function<Status(const LoadedState&, const GenericDerivative&, std::vector<std::array<double, 6>>& wrenches)>
       reactions;
   std::function<Status(const GenericState&, Residuals&)> residuals;

@@ -177,6 +177,8 @@ Status CartesianSolver::reactions(const GenericState& state, const std::vector<d
     const Eigen::Vector3d &f = wrench.force, &m = wrench.moment;
     wrenches.push_back({f.x(), f.y(), f.z(), m.x(), m.y(), m.z()});
   }
+  for (const Eigen::Vector3d& f : content_->system.rod_forces(at.bodies, solved.solution.lambda))
+    wrenches.push_back({f.x(), f.y(), f.z(), 0, 0, 0});
   return {};
 }
 

@@ -46,8 +46,8 @@ class CartesianSolver {
   Status step(GenericState& state, double h);
   /// Multipliers in the order and scale of Topology::loops at a state.
   Status multipliers(const GenericState& state, const std::vector<double>& tau, std::vector<double>& lambda) const;
-  /// Per joint of the model: force (N) and moment (N m) that it transmits to its `to` body, about the joint's point on
-  /// that body, global axes.
+  /// Per joint of the model, then per rod: force (N) and moment (N m) that it transmits to its `to` body, about the
+  /// joint's point on that body, global axes.
   Status reactions(const GenericState& state, const std::vector<double>& tau,
                    std::vector<std::array<double, 6>>& wrenches) const;
   /// Largest residual of all constraints of the bodies' own state: position (m or 1) and velocity.

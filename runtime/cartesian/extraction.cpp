@@ -90,4 +90,21 @@ std::vector<CartesianWrench> CartesianSystem::joint_reactions(const CartesianSta
   return result;
 }
 
+std::vector<Vector3d> CartesianSystem::rod_forces(const CartesianState& state, const Eigen::VectorXd& lambda) const {
+  const Content& c = *content_;
+  const std::vector<Moving> bodies = c.bodies(state);
+  std::vector<Vector3d> on_to;
+  for (std::size_t r = 0; r < c.parts.rods.size(); ++r) {
+    const PartRod& rod = c.parts.rods[r];
+    const int first = c.first.rods[r];
+    if (rod.body >= 0) {
+      on_to.push_back(-lambda.segment<3>(first + 3));
+    } else {
+      const Vector3d gap = end_of(bodies, rod.from).position - end_of(bodies, rod.to).position;
+      on_to.push_back(lambda[first] / rod.length * gap);
+    }
+  }
+  return on_to;
+}
+
 }  // namespace mbgen

@@ -84,6 +84,8 @@ class CartesianSystem {
   /// its `to` body, about the joint's point on `to`.
   std::vector<CartesianWrench> joint_reactions(const CartesianState& state, const GenericState& z,
                                                const std::vector<double>& tau, const Eigen::VectorXd& lambda) const;
+  /// Force of each rod on its `to` body, N, global axes.
+  std::vector<Eigen::Vector3d> rod_forces(const CartesianState& state, const Eigen::VectorXd& lambda) const;
 
  private:
   struct Content;
