@@ -103,10 +103,9 @@ std::string csv_row(const Sample& sample) {
 std::string summary_text(const SimulationRecord& record) {
   const SimulationSummary& summary = record.summary;
   const EnergyBalance& energy = summary.energy;
-  std::string text =
-      fmt::format("{}: {} steps of {:.6g} s, engine {}, integrator {}, {}\n", record.compilation.model.name,
-                  summary.steps, record.settings.step, record.choice.name, name_of(record.choice.integrator),
-                  name_of(record.choice.stabilisation));
+  std::string text = fmt::format("{}: {} steps of {:.6g} s, engine {}, integrator {}, {}\n",
+                                 record.compilation.model.name, summary.steps, record.settings.step, record.choice.name,
+                                 name_of(record.choice.integrator), name_of(record.choice.stabilisation));
   text += fmt::format("  real-time factor          {:.4g} (simulated time over {:.4g} s in the solver)\n",
                       real_time_factor(record), summary.solver_seconds);
   text += fmt::format("  largest closure residual  {:.2e} m, {:.2e} m/s\n", summary.largest.position,
