@@ -252,7 +252,8 @@ TEST(Arrangements, divideLargeProgramsWhereFewValuesCross) {
 Program three_sections() {
   ProgramBuilder builder("p");
   Expr x(builder, builder.input("z", 0));
-  for (const auto& [title, length] : {std::pair{"step 1: inertias", 3}, {"step 4: velocities (36)", 1500}, {"step 9", 2}}) {
+  for (const auto& [title, length] :
+       {std::pair{"step 1: inertias", 3}, {"step 4: velocities (36)", 1500}, {"step 9", 2}}) {
     builder.set_section(title);
     for (int i = 0; i < length; ++i) x = x * x + (1.0 + i);
   }

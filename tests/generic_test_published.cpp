@@ -17,11 +17,11 @@ struct Dynamics {
   using State = GenericState;
   using Derivative = GenericDerivative;
   const GenericSolver& solver;
-  std::vector<double> tau;
   Status derivative(const State& state, Derivative& result) const noexcept {
-    return solver.accelerations(state, tau, result);
+    return solver.solve_motion(state, result);
   }
-  Status project(State& state) const noexcept { return solver.project(state); }
+  Status project(State& state) const noexcept { return solver.project_motion(state); }
+  Status project_nearest(State& state) const noexcept { return solver.project_nearest(state); }
 };
 
 /// Andrews' mechanism: angles and velocities of the reference row at time t, by coordinate name.
@@ -42,7 +42,7 @@ class Andrews : public ::testing::Test {
  protected:
   Mechanism m = load("models/andrews_squeezer.json");
   GenericSolver solver{m.model, m.topology, m.analysis};
-  Dynamics dynamics{solver, std::vector<double>(7, 0.0)};
+  Dynamics dynamics{solver};
 
   /// Largest error of an angle at t = 0.03 s after so many steps.
   double error_after(int steps, bool abm) const {

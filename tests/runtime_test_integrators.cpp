@@ -25,6 +25,7 @@ struct Oscillator {
     return {};
   }
   Status project(State&) const noexcept { return {}; }
+  Status project_nearest(State&) const noexcept { return {}; }
 
   static State start() { return {{1}, {0.5}, {1}, 0}; }
   /// z = cos t + sin t / 2, x = exp(-sin t).
@@ -57,6 +58,7 @@ struct CartesianPendulum {
     s.zd[1] = -s.z[0] * s.zd[0] / s.z[1];
     return {};
   }
+  Status project_nearest(State& s) const noexcept { return project(s); }
   /// Released from 60 degrees.
   static State start() { return {{std::sqrt(0.75), -0.5}, {0, 0}, {}, 0}; }
 };
@@ -139,6 +141,7 @@ struct Fallible : Oscillator {
     state.z[0] += projection_fails ? 1 : 0;
     return projection_fails ? Status{Code::loop_not_closed, 3} : Status{};
   }
+  Status project_nearest(State& state) const noexcept { return project(state); }
 };
 
 bool same(const Oscillator::State& a, const Oscillator::State& b) {

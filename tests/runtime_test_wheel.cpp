@@ -204,6 +204,7 @@ struct QuarterBus {
     return {};
   }
   Status project(State&) const noexcept { return {}; }
+  Status project_nearest(State&) const noexcept { return {}; }
 };
 
 constexpr double kStep = 5e-4;

@@ -53,6 +53,7 @@ struct BlockAnalysis : LoopPartition {
   std::vector<int> redundant_equations;      ///< local rows left out of the frozen path
   std::vector<std::string> redundant_names;  ///< the same by loop and component, for people
   std::vector<int> triangular_sizes;         ///< sizes of the diagonal blocks of the block-triangular form
+  double typical_pivot = 0;      ///< smallest of full pivoting without the driven columns, median over all samples
   double worst_pivot_ratio = 0;  ///< smallest |pivot| / largest entry of its remaining row and column, over all samples
   Certificate certificate;
 };

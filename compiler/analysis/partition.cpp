@@ -1,11 +1,14 @@
 #include "compiler/analysis/partition.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <map>
 #include <random>
 #include <set>
 
 #include "compiler/analysis/part.hpp"
+#include "mbgen/loop.hpp"
 
 namespace mbgen {
 namespace {
@@ -32,6 +35,27 @@ MatrixXd part_of(const MatrixXd& m, const std::vector<int>& rows, const std::vec
 int rank_of(const MatrixXd& m) {
   if (m.size() == 0) return 0;
   return static_cast<int>((Eigen::JacobiSVD<MatrixXd>(m).singularValues().array() > kRankTolerance).count());
+}
+
+/// Smallest pivot that the runtime's full pivoting takes, median over the samples; a scale, so two digits are enough.
+double typical_pivot(const std::vector<MatrixXd>& jacobians, int rank, const std::vector<int>& driven) {
+  std::vector<double> smallest;
+  for (const MatrixXd& jacobian : jacobians) {
+    Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> factors = jacobian;
+    std::vector<int> rows(jacobian.rows()), columns(jacobian.cols());
+    std::vector<unsigned char> is_driven(jacobian.cols(), 0);
+    for (const int c : driven) is_driven[c] = 1;
+    LoopFactors loop;
+    loop.equations = static_cast<int>(jacobian.rows());
+    loop.coordinates = static_cast<int>(jacobian.cols());
+    loop.matrix = factors.data();
+    loop.rows = rows.data();
+    loop.columns = columns.data();
+    factorise(loop, rank, is_driven.data(), kRankTolerance);
+    smallest.push_back(loop.rank == rank ? smallest_pivot(loop) : 0);
+  }
+  std::sort(smallest.begin(), smallest.end());
+  return std::stod(fmt::format("{:.2g}", smallest[smallest.size() / 2]));
 }
 
 struct Candidate {
@@ -239,6 +263,7 @@ BlockAnalysis choose_partition(const std::vector<MatrixXd>& jacobians, int rank,
   }
   if (usable.empty() && rank > 0) usable = {jacobians[0]}, best = {1.0}, full = {true};
   if (rank > 0) {
+    result.typical_pivot = typical_pivot(usable, rank, driven);
     std::vector<std::pair<double, Candidate>> scored;
     for (const Candidate& candidate : candidates(usable, full, rank, columns))
       scored.emplace_back(score(conditions(usable, best, candidate)), candidate);

@@ -40,6 +40,9 @@ Engine make_cartesian_engine(const Compilation& compilation, const EngineChoice&
   };
   engine.project = [judge](GenericState& state) { return judge->solver.project(state); };
   engine.step = [judge](GenericState& state, double h) { return judge->solver.step(state, h); };
+  engine.accelerations_in_motion = [judge](const GenericState& state, double, GenericDerivative& derivative) {
+    return judge->solver.accelerations(state, std::vector<double>(state.z.size(), 0.0), derivative);
+  };
   engine.multipliers = [judge](const LoadedState& at, const GenericDerivative&, std::vector<double>& lambda) {
     return judge->solver.multipliers(at.state, at.tau, lambda);
   };

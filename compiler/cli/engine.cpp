@@ -83,7 +83,7 @@ double largest_absolute(const std::vector<double>& values) {
 
 std::string describe(const Topology& topology, Status status) {
   std::string name;
-  const bool of_block = status.code == Code::loop_not_closed || status.code == Code::loop_singular;
+  const bool of_block = names_block(status.code);
   if (of_block && status.index >= 0 && status.index < static_cast<int>(topology.blocks.size())) {
     name = loop_names(topology, topology.blocks[status.index]);
   } else if (!of_block && status.index >= 0 && status.index < topology.size()) {

@@ -37,9 +37,13 @@ struct Engine {
   std::function<Status(const LoadedState&, GenericDerivative&)> accelerations;
   /// Closes the loops, sets the driven coordinates, makes velocities consistent. The state is unchanged on failure.
   std::function<Status(GenericState&)> project;
-  /// One step of h seconds of the chosen integrator, projected. The state is unchanged on failure.
+  /// One step of h seconds of the chosen integrator, projected; the only function that gives notices. The state is
+  /// unchanged on failure.
   /// Requires: each call continues where the one before ended (a multistep method remembers).
   std::function<Status(GenericState&, double h)> step;
+  /// Accelerations of a state that steps of h seconds led to, without joint forces: at a singular position those of the
+  /// motion through it. The derivative keeps its values unless the status is ok.
+  std::function<Status(const GenericState&, double h, GenericDerivative&)> accelerations_in_motion;
   /// Multipliers in the order of Topology::loops and their equations.
   std::function<Status(const LoadedState&, const GenericDerivative&, std::vector<double>& lambda)> multipliers;
   std::function<Status(const LoadedState&, const GenericDerivative&, GenericOutputs&)> outputs;

@@ -40,14 +40,26 @@ void unflatten(const std::vector<double>& flat, GenericState& state) {
   state.t = *place;
 }
 
+void unflatten(const LoadedSolver& solver, GenericDerivative& derivative) {
+  const auto middle = solver.derivative.begin() + solver.table->coordinates;
+  derivative.zdd.assign(solver.derivative.begin(), middle);
+  derivative.xd.assign(middle, solver.derivative.end());
+}
+
 Status accelerations(LoadedSolver& solver, const LoadedState& at, GenericDerivative& derivative) {
   flatten(at.state, solver.state);
   const Status status = solver.table->accelerations(solver.parameters.data(), solver.inputs.data(), solver.state.data(),
                                                     at.tau.data(), solver.derivative.data());
-  if (!status.ok()) return status;
-  const auto middle = solver.derivative.begin() + solver.table->coordinates;
-  derivative.zdd.assign(solver.derivative.begin(), middle);
-  derivative.xd.assign(middle, solver.derivative.end());
+  if (status.ok()) unflatten(solver, derivative);
+  return status;
+}
+
+Status accelerations_in_motion(LoadedSolver& solver, const GenericState& state, double h,
+                               GenericDerivative& derivative) {
+  flatten(state, solver.state);
+  const Status status = solver.table->accelerations_in_motion(solver.parameters.data(), solver.inputs.data(),
+                                                              solver.state.data(), h, solver.derivative.data());
+  if (status.ok()) unflatten(solver, derivative);
   return status;
 }
 
@@ -158,6 +170,9 @@ Engine make_generated_engine(const Compilation& compilation, const EngineChoice&
   engine.project = [solver](GenericState& state) { return project(*solver, state); };
   engine.step = [solver, integrator = choice.integrator](GenericState& state, double h) {
     return step(*solver, integrator, state, h);
+  };
+  engine.accelerations_in_motion = [solver](const GenericState& state, double h, GenericDerivative& derivative) {
+    return accelerations_in_motion(*solver, state, h, derivative);
   };
   engine.multipliers = [solver](const LoadedState& at, const GenericDerivative& derivative,
                                 std::vector<double>& lambda) { return multipliers(*solver, at, derivative, lambda); };

@@ -19,18 +19,21 @@ struct GenericSystem {
 
   Status derivative(const GenericState& state, GenericDerivative& rates) const noexcept {
     advance_inputs(state.t);
-    return solver.accelerations(state, no_tau, rates);
+    return solver.solve_motion(state, rates);
   }
   Status project(GenericState& state) const noexcept {
     advance_inputs(state.t);
-    return solver.project(state);
+    return solver.project_motion(state);
+  }
+  Status project_nearest(GenericState& state) const noexcept {
+    advance_inputs(state.t);
+    return solver.project_nearest(state);
   }
   void advance_inputs(double t) const {
     if (inputs_have_derivatives(model_inputs)) solver.set_inputs(advanced_inputs(model_inputs, inputs, t - start));
   }
 
   mutable GenericSolver solver;  // for its inputs, which advance during a step
-  std::vector<double> no_tau;
   std::vector<Input> model_inputs;
   std::vector<double> inputs;  // at the start of the step
   double start = 0;            // s, of the step
@@ -43,6 +46,14 @@ Status step(GenericSystem& system, SolverSettings::Integrator integrator, Generi
                                                                       : step_abm4(system, state, system.history, h);
   system.advance_inputs(system.start);
   return status;
+}
+
+Status accelerations_in_motion(GenericSystem& system, const GenericState& state, double h,
+                               GenericDerivative& derivative) {
+  system.start = state.t;
+  const Status status = rates_in_motion(system, state, h, derivative);
+  system.advance_inputs(system.start);
+  return without_notice(status);
 }
 
 void set_inputs(GenericSystem& system, const std::vector<double>& inputs) {
@@ -85,10 +96,9 @@ std::array<double, kSteps> step_shares(const GenericSolver& solver, const std::v
 }  // namespace
 
 Engine make_generic_engine(const Compilation& compilation, const EngineChoice& choice) {
-  const std::vector<double> no_tau(static_cast<std::size_t>(compilation.topology.size()), 0.0);
   const auto system = std::make_shared<GenericSystem>(
       GenericSystem{GenericSolver(compilation.model, compilation.topology, compilation.analysis, choice.algebra),
-                    no_tau, compilation.model.inputs, input_values(compilation.model, {})});
+                    compilation.model.inputs, input_values(compilation.model, {})});
   Engine engine;
   engine.name = choice.name;
   engine.form = "matrix";
@@ -99,6 +109,9 @@ Engine make_generic_engine(const Compilation& compilation, const EngineChoice& c
   engine.project = [system](GenericState& state) { return system->solver.project(state); };
   engine.step = [system, integrator = choice.integrator](GenericState& state, double h) {
     return step(*system, integrator, state, h);
+  };
+  engine.accelerations_in_motion = [system](const GenericState& state, double h, GenericDerivative& derivative) {
+    return accelerations_in_motion(*system, state, h, derivative);
   };
   engine.multipliers = [system](const LoadedState& at, const GenericDerivative& derivative,
                                 std::vector<double>& lambda) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <optional>
 
 namespace mbgen::cli {
 namespace {
@@ -66,10 +67,49 @@ class Collector {
   Integral work_;
 };
 
-/// Fills in what belongs to the state of a sample.
-Status observe(const Engine& engine, Sample& sample, LoadedState& at, GenericDerivative& derivative) {
+/// Sorts the notices of steps by loop block. A singular position takes several steps in a row, which are one passage.
+class Notices {
+ public:
+  explicit Notices(double h) : h_(h) {}
+
+  /// t: s, at the end of the step.
+  void add(Status status, double t, std::vector<BlockEvents>& blocks) {
+    if (status.code >= kFirstNotice && status.index >= static_cast<int>(blocks.size())) {
+      blocks.resize(status.index + 1);
+      entered_.resize(blocks.size());
+    }
+    for (std::size_t b = 0; b < blocks.size(); ++b) {
+      const Code code = status.index == static_cast<int>(b) ? status.code : Code::ok;
+      blocks[b].chosen_again += code == Code::chosen_again ? 1 : 0;
+      blocks[b].near_singular += code == Code::near_singular || code == Code::singular_met ? 1 : 0;
+      if (code == Code::singular_met) {
+        if (!entered_[b]) entered_[b] = t - h_;
+      } else {
+        leave(b, t - h_, blocks[b]);
+      }
+    }
+  }
+
+  void finish(double t, std::vector<BlockEvents>& blocks) {
+    for (std::size_t b = 0; b < blocks.size(); ++b) leave(b, t, blocks[b]);
+  }
+
+ private:
+  void leave(std::size_t b, double t, BlockEvents& block) {
+    if (!entered_[b]) return;
+    if (block.singular_times.size() < kSingularTimes) block.singular_times.push_back((*entered_[b] + t) / 2);
+    ++block.singular_met;
+    entered_[b].reset();
+  }
+
+  double h_;
+  std::vector<std::optional<double>> entered_;  ///< s, per block: when a singular position was entered that is not left
+};
+
+/// Fills in what belongs to the state of a sample, in a motion by steps of h seconds.
+Status observe(const Engine& engine, double h, Sample& sample, LoadedState& at, GenericDerivative& derivative) {
   at.state = sample.state;
-  Status status = engine.accelerations(at, derivative);
+  Status status = engine.accelerations_in_motion(sample.state, h, derivative);
   if (status.ok()) status = engine.outputs(at, derivative, sample.outputs);
   if (status.ok()) status = engine.residuals(sample.state, sample.residuals);
   return status;
@@ -82,12 +122,13 @@ SimulationSummary simulate(const Engine& engine, const GenericState& state, cons
   const Clock::time_point start = Clock::now();
   SimulationSummary summary;
   Collector collector(settings.step);
+  Notices notices(settings.step);
   Sample sample;
   sample.state = state;
   LoadedState at{state, std::vector<double>(state.z.size(), 0.0)};
   GenericDerivative derivative;
   for (sample.step = 0;; ++sample.step) {
-    summary.status = observe(engine, sample, at, derivative);
+    summary.status = observe(engine, settings.step, sample, at, derivative);
     if (!summary.status.ok()) break;
     collector.add(sample, summary);
     on_sample(sample);
@@ -96,7 +137,9 @@ SimulationSummary simulate(const Engine& engine, const GenericState& state, cons
     summary.status = engine.step(sample.state, settings.step);
     summary.solver_seconds += seconds_since(before);
     if (!summary.status.ok()) break;
+    notices.add(summary.status, sample.state.t, summary.blocks);
   }
+  notices.finish(summary.end_time, summary.blocks);
   summary.wall_seconds = seconds_since(start);
   return summary;
 }

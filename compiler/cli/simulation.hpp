@@ -34,6 +34,17 @@ struct EnergyBalance {
   double error() const { return change - work; }
 };
 
+/// Passages of singular positions that are told by their times.
+constexpr std::size_t kSingularTimes = 10;
+
+/// What the steps met at one loop block, by the notice that each gave.
+struct BlockEvents {
+  long chosen_again = 0;               ///< steps with another choice of coordinates, not near a singular position
+  long near_singular = 0;              ///< steps near a singular position, those through one too
+  long singular_met = 0;               ///< singular positions that were passed
+  std::vector<double> singular_times;  ///< s, of the first kSingularTimes of them
+};
+
 struct SimulationSummary {
   long steps = 0;             ///< that succeeded
   double end_time = 0;        ///< s, of the last good state
@@ -42,7 +53,8 @@ struct SimulationSummary {
   Residuals largest;          ///< over all points
   EnergyBalance energy;
   std::vector<Range> outputs;
-  Status status;  ///< of the step that failed, or ok
+  std::vector<BlockEvents> blocks;  ///< per loop block, as far as anything was met
+  Status status;                    ///< of the step that failed, or ok
 };
 
 /// Steps the engine from `state`. on_sample gets every point, the start too.

@@ -1,6 +1,7 @@
 #include "compiler/cli/simulation_text.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <iterator>
@@ -30,6 +31,46 @@ double relative(const EnergyBalance& energy) { return energy.scale > 0 ? energy.
 double real_time_factor(const SimulationRecord& record) {
   const double simulated = static_cast<double>(record.summary.steps) * record.settings.step;
   return record.summary.solver_seconds > 0 ? simulated / record.summary.solver_seconds : 0;
+}
+
+std::vector<std::string> loop_names(const Compilation& compilation, std::size_t block) {
+  std::vector<std::string> names;
+  for (const int loop : compilation.topology.blocks[block].loops) {
+    names.push_back(compilation.topology.loops[loop].name);
+  }
+  return names;
+}
+
+bool met_something(const BlockEvents& block) { return block.chosen_again > 0 || block.near_singular > 0; }
+
+/// What was met at the loop blocks, a line or two for each of them.
+std::string blocks_text(const SimulationRecord& record) {
+  std::string text;
+  for (std::size_t b = 0; b < record.summary.blocks.size(); ++b) {
+    const BlockEvents& block = record.summary.blocks[b];
+    if (!met_something(block)) continue;
+    text += fmt::format("  loops {}: coordinates chosen again in {} steps, near a singular position in {} steps\n",
+                        fmt::join(loop_names(record.compilation, b), ", "), block.chosen_again, block.near_singular);
+    if (block.singular_met == 0) continue;
+    text += fmt::format("    singular positions passed: {}, at t = {:.6g}{} s\n", block.singular_met,
+                        fmt::join(block.singular_times, ", "),
+                        block.singular_met > static_cast<long>(block.singular_times.size()) ? ", ..." : "");
+  }
+  return text;
+}
+
+nlohmann::ordered_json blocks_json(const SimulationRecord& record) {
+  nlohmann::ordered_json blocks = nlohmann::ordered_json::array();
+  for (std::size_t b = 0; b < record.summary.blocks.size(); ++b) {
+    const BlockEvents& block = record.summary.blocks[b];
+    if (!met_something(block)) continue;
+    blocks.push_back({{"loops", loop_names(record.compilation, b)},
+                      {"chosen_again_steps", block.chosen_again},
+                      {"near_singular_steps", block.near_singular},
+                      {"singular_positions", block.singular_met},
+                      {"singular_times", block.singular_times}});
+  }
+  return blocks;
 }
 
 }  // namespace
@@ -62,10 +103,9 @@ std::string csv_row(const Sample& sample) {
 std::string summary_text(const SimulationRecord& record) {
   const SimulationSummary& summary = record.summary;
   const EnergyBalance& energy = summary.energy;
-  std::string text =
-      fmt::format("{}: {} steps of {:.6g} s, engine {}, integrator {}, {}\n", record.compilation.model.name,
-                  summary.steps, record.settings.step, record.choice.name, name_of(record.choice.integrator),
-                  name_of(record.choice.stabilisation));
+  std::string text = fmt::format("{}: {} steps of {:.6g} s, engine {}, integrator {}, {}\n",
+                                 record.compilation.model.name, summary.steps, record.settings.step, record.choice.name,
+                                 name_of(record.choice.integrator), name_of(record.choice.stabilisation));
   text += fmt::format("  real-time factor          {:.4g} (simulated time over {:.4g} s in the solver)\n",
                       real_time_factor(record), summary.solver_seconds);
   text += fmt::format("  largest closure residual  {:.2e} m, {:.2e} m/s\n", summary.largest.position,
@@ -75,6 +115,7 @@ std::string summary_text(const SimulationRecord& record) {
                   energy.change, energy.work, energy.error(), relative(energy));
   text += fmt::format("  status                    {} at t = {:.6g} s\n",
                       describe(record.compilation.topology, summary.status), summary.end_time);
+  text += blocks_text(record);
   const std::vector<Output>& outputs = record.compilation.model.outputs;
   std::size_t width = 0;
   for (const Output& output : outputs)
@@ -108,6 +149,7 @@ std::string summary_json(const SimulationRecord& record) {
                        {"step", record.settings.step},
                        {"end_time", summary.end_time},
                        {"status", describe(record.compilation.topology, summary.status)},
+                       {"blocks", blocks_json(record)},
                        {"solver_seconds", summary.solver_seconds},
                        {"wall_seconds", summary.wall_seconds},
                        {"real_time_factor", real_time_factor(record)},

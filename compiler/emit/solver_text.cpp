@@ -21,9 +21,9 @@ std::string constant(const std::string& type, const std::string& name, const std
   return "  static constexpr " + type + " " + name + " = " + value + ";\n";
 }
 
-std::string braces(const std::vector<int>& numbers) {
+std::string braces(const Items& items) {
   std::string text;
-  for (const int number : numbers) text += (text.empty() ? "{" : ", ") + std::to_string(number);
+  for (const std::string& item : items) text += (text.empty() ? "{" : ", ") + item;
   return text + "}";
 }
 
@@ -33,6 +33,8 @@ Items items_of(const std::vector<Number>& numbers) {
   for (const auto number : numbers) items.push_back(std::to_string(static_cast<int>(number)));
   return items;
 }
+
+std::string braces(const std::vector<int>& numbers) { return braces(items_of(numbers)); }
 
 /// Sizes and decisions; what only closures or loops ask for is left out without them, so that nothing is unused.
 std::string constants(const EmitContext& context) {
@@ -107,8 +109,10 @@ std::string tables(const EmitContext& context) {
   std::vector<bool> block_driven, redundant(layout.equations, false);
   for (std::size_t b = 0; b < layout.blocks.size(); ++b) {
     const BlockPlaces& p = layout.blocks[b];
-    blocks.push_back(braces({p.equations, p.coordinates, p.rank, p.free, p.first_equation, p.first_coordinate,
-                             p.first_jacobian, p.first_projection}));
+    Items block = items_of(std::vector<int>{p.equations, p.coordinates, p.rank, p.free, p.first_equation,
+                                            p.first_coordinate, p.first_jacobian, p.first_projection});
+    block.push_back(number_text(context.analysis.blocks[b].typical_pivot));
+    blocks.push_back(braces(block));
     for (const int joint : context.topology.blocks[b].joints) {
       coordinates.push_back(joint);
       block_driven.push_back(context.analysis.driven[joint]);
@@ -119,7 +123,7 @@ std::string tables(const EmitContext& context) {
   if (layout.has_closure) {
     text += table("unsigned char", "kDriven", items_of(context.analysis.driven)) +
             table("unsigned char", "kRedundant", items_of(redundant)) +
-            table("mbgen::BlockLayout", "kBlockLayout", blocks, "{0, 0, 0, 0, 0, 0, 0, 0}");
+            table("mbgen::BlockLayout", "kBlockLayout", blocks, "{0, 0, 0, 0, 0, 0, 0, 0, 0.0}");
   }
   if (!layout.blocks.empty()) {
     text += table("int", "kBlockCoordinate", items_of(coordinates)) +

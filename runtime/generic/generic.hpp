@@ -49,6 +49,12 @@ class GenericSolver {
   /// Newton on the dependent coordinates, then consistent velocities; driven coordinates are set from their motions.
   /// Fails: loop_not_closed, loop_singular; the state is then unchanged.
   Status project(GenericState& state) const;
+  /// Accelerations without joint forces, projection, and projection by the shortest corrections, as integrators ask for
+  /// them: notices say how near a singular position is. Projections from a state that is not near fail with
+  /// loop_not_closed, see mbgen/motion.hpp.
+  Status solve_motion(const GenericState& state, GenericDerivative& derivative) const;
+  Status project_motion(GenericState& state) const;
+  Status project_nearest(GenericState& state) const;
   /// Lagrange multipliers in the order of Topology::loops, given accelerations.
   std::vector<double> multipliers(const GenericState& state, const std::vector<double>& tau,
                                   const GenericDerivative& derivative) const;
@@ -63,6 +69,11 @@ class GenericSolver {
 
  private:
   struct Content;
+  /// How near a singular position the blocks are. Fails: loop_singular.
+  Status notice(const GenericState& state) const;
+  /// Takes over a projected state unless it is a jump. Gives notices.
+  Status without_jump(const GenericState& closed, GenericState& state) const;
+
   std::unique_ptr<Content> content_;
 };
 

@@ -29,6 +29,7 @@ struct BlockLayout {
   int first_coordinate;  ///< into kBlockCoordinate, kBlockDriven and zdd_star
   int first_jacobian;    ///< into Jz
   int first_projection;  ///< into Rz
+  double pivot;          ///< smallest of full pivoting in a typical configuration
 };
 
 /// A free direction of the final equations.
@@ -43,6 +44,12 @@ struct FreeDirection {
 constexpr double kPivotThreshold = 0.02;
 /// A pivot below this part of the block's first one means a rank lower than the generic one.
 constexpr double kRankTolerance = 1e-10;
+/// Smallest pivot of full pivoting, over its typical value, below which a block is near a singular position: Jacobians
+/// change much within one step there.
+constexpr double kNearSingular = 0.1;
+/// The same, below which it is at one: rounding of the positions, divided by the third power of this number, is in the
+/// accelerations.
+constexpr double kSingular = 0.01;
 
 namespace solver_detail {
 
@@ -116,6 +123,22 @@ bool frozen_is_good(const double* pivot) noexcept {
   return good;
 }
 
+/// True when no frozen pivot is small enough to ask how near a singular position is; a NaN is.
+template <class System>
+bool is_far(const double* pivot) noexcept {
+  bool far = true;
+  for (int b = 0; b < System::kBlocks; ++b) far = far && pivot[b] >= kNearSingular;
+  return far;
+}
+
+/// What the smallest pivots of block b say: of full pivoting, typically and here, and of the frozen partition over its
+/// median.
+inline Status notice_of(int b, double typical_pivot, double pivot, double frozen_pivot) noexcept {
+  if (pivot < kSingular * typical_pivot) return {Code::singular_met, b};
+  if (pivot < kNearSingular * typical_pivot) return {Code::near_singular, b};
+  return frozen_pivot >= kPivotThreshold ? Status{} : Status{Code::chosen_again, b};
+}
+
 /// Factors of the blocks with their permutations.
 template <class System>
 struct BlockFactors {
@@ -136,6 +159,26 @@ struct BlockFactors {
     return loop;
   }
 };
+
+/// The most telling notice about the blocks at a position. pivot: of the frozen partition, per block.
+/// Fails: loop_singular. Cost: nothing while the frozen pivots are far from small.
+template <class System>
+Status notice_at(const typename System::Parameters& parameters, const typename System::Inputs& inputs,
+                 const typename System::State& state, const double* pivot) noexcept {
+  if (is_far<System>(pivot)) return {};
+  typename System::ClosureTerms terms;
+  System::closure_terms(parameters, inputs, state, terms);
+  BlockFactors<System> factors;
+  Status notice;
+  for (int b = 0; b < System::kBlocks; ++b) {
+    if (pivot[b] >= kNearSingular) continue;
+    const BlockLayout& block = System::kBlockLayout[b];
+    const LoopFactors loop = factors.factors_of(b, terms);
+    if (loop.rank < block.rank) return {Code::loop_singular, b};
+    notice = more_telling(notice, notice_of(b, block.pivot, smallest_pivot(loop), pivot[b]));
+  }
+  return notice;
+}
 
 }  // namespace solver_detail
 

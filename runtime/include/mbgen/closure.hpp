@@ -18,37 +18,89 @@ constexpr double kRedundantTolerance = 1e-6;
 
 namespace solver_detail {
 
-/// Replaces dz and zd of the blocks whose frozen partition is bad at this position by those of a pivoted one.
-/// Independent coordinates keep their position and velocity, driven ones take those of their motions.
+/// Which of all corrections of a block is taken.
+enum class Correction {
+  of_dependents,  ///< independent coordinates and velocities stay; frozen partition where it is good
+  shortest        ///< least sum of squares, which does not depend on a choice of coordinates
+};
+
+/// Largest number of free directions of a block, at least 1.
 template <class System>
-Status repair_closure(const typename System::Parameters& parameters, const typename System::Inputs& inputs,
-                      const typename System::State& state, typename System::Closure& closure) noexcept {
-  typename System::ClosureTerms terms;
-  System::closure_terms(parameters, inputs, state, terms);
+constexpr int most_free() noexcept {
+  int most = 1;
+  for (int b = 0; b < System::kBlocks; ++b) {
+    most = System::kBlockLayout[b].free > most ? System::kBlockLayout[b].free : most;
+  }
+  return most;
+}
+
+/// Memory for the corrections of one block.
+template <class System>
+struct CorrectionWork {
   BlockFactors<System> factors;
+  typename System::Projection projection;
+  double gram[most_free<System>() * most_free<System>()];
+  double along[most_free<System>()];
   double right_hand_side[System::kEquations];
   double solution[System::kBlockCoordinates];
-  for (int b = 0; b < System::kBlocks; ++b) {
-    if (closure.pivot[b] >= kPivotThreshold) continue;
-    const BlockLayout& block = System::kBlockLayout[b];
-    const int* coordinate = System::kBlockCoordinate + block.first_coordinate;
-    const LoopFactors loop = factors.factors_of(b, terms);
-    if (loop.rank < block.rank) return {Code::loop_singular, b};
+};
 
-    for (int e = 0; e < block.equations; ++e) right_hand_side[e] = -terms.Phi[block.first_equation + e];
-    for (int c = 0; c < block.coordinates; ++c) {
-      solution[c] = System::kDriven[coordinate[c]] != 0 ? closure.dz[coordinate[c]] : 0.0;
+/// dz and zd of block b by its factors. Driven coordinates take the position and velocity of their motions.
+template <class System, Correction correction>
+void correct_block(int b, const LoopFactors& loop, const typename System::ClosureTerms& terms,
+                   const typename System::State& state, CorrectionWork<System>& work,
+                   typename System::Closure& closure) noexcept {
+  const BlockLayout& block = System::kBlockLayout[b];
+  const int* coordinate = System::kBlockCoordinate + block.first_coordinate;
+  const auto shortened = [&] {
+    if constexpr (correction == Correction::shortest) {
+      shorten(loop.coordinates, block.free, work.projection.Rz + block.first_projection, work.gram, work.along,
+              work.solution);
     }
-    solve_dependent(loop, right_hand_side, solution, factors.work);
-    for (int c = 0; c < block.coordinates; ++c) closure.dz[coordinate[c]] = solution[c];
-
-    for (int c = 0; c < block.coordinates; ++c) {
-      solution[c] = System::kDriven[coordinate[c]] != 0 ? closure.zd[coordinate[c]] : state.zd[coordinate[c]];
-    }
-    solve_dependent(loop, terms.ct + block.first_equation, solution, factors.work);
-    for (int c = 0; c < block.coordinates; ++c) closure.zd[coordinate[c]] = solution[c];
+  };
+  if constexpr (correction == Correction::shortest) {
+    free_directions(loop, System::kBlockDriven + block.first_coordinate, work.projection.Rz + block.first_projection,
+                    work.factors.work);
   }
-  return {};
+  for (int e = 0; e < block.equations; ++e) work.right_hand_side[e] = -terms.Phi[block.first_equation + e];
+  for (int c = 0; c < block.coordinates; ++c) {
+    work.solution[c] = System::kDriven[coordinate[c]] != 0 ? closure.dz[coordinate[c]] : 0.0;
+  }
+  solve_dependent(loop, work.right_hand_side, work.solution, work.factors.work);
+  shortened();
+  for (int c = 0; c < block.coordinates; ++c) closure.dz[coordinate[c]] = work.solution[c];
+
+  for (int c = 0; c < block.coordinates; ++c) {
+    work.solution[c] = System::kDriven[coordinate[c]] != 0 ? closure.zd[coordinate[c]] : state.zd[coordinate[c]];
+  }
+  solve_dependent(loop, terms.ct + block.first_equation, work.solution, work.factors.work);
+  for (int c = 0; c < block.coordinates; ++c) work.solution[c] -= state.zd[coordinate[c]];
+  shortened();
+  for (int c = 0; c < block.coordinates; ++c) closure.zd[coordinate[c]] = state.zd[coordinate[c]] + work.solution[c];
+}
+
+/// Replaces dz and zd of the blocks whose frozen partition is bad at this position, or of all of them for the shortest
+/// correction, by those of a pivoted one. The status may be a notice. Fails: loop_singular.
+template <class System, Correction correction>
+Status correct_closure(const typename System::Parameters& parameters, const typename System::Inputs& inputs,
+                       const typename System::State& state, typename System::Closure& closure) noexcept {
+  constexpr bool of_all = correction == Correction::shortest;
+  if (!of_all && is_far<System>(closure.pivot)) return {};
+  typename System::ClosureTerms terms;
+  System::closure_terms(parameters, inputs, state, terms);
+  CorrectionWork<System> work;
+  Status notice;
+  for (int b = 0; b < System::kBlocks; ++b) {
+    if (!of_all && closure.pivot[b] >= kNearSingular) continue;
+    const BlockLayout& block = System::kBlockLayout[b];
+    const LoopFactors loop = work.factors.factors_of(b, terms);
+    if (loop.rank < block.rank) return {Code::loop_singular, b};
+    notice = more_telling(notice, notice_of(b, block.pivot, smallest_pivot(loop), closure.pivot[b]));
+    if (of_all || !(closure.pivot[b] >= kPivotThreshold)) {
+      correct_block<System, correction>(b, loop, terms, state, work, closure);
+    }
+  }
+  return notice;
 }
 
 /// A residual and the equation that has it, -1 for none.
@@ -109,34 +161,42 @@ void settle_driven(const typename System::Closure& closure, typename System::Sta
   }
 }
 
-/// Newton on z and t of `trial`; at the end its velocities are consistent.
+/// Accepts a closed position: redundant equations must hold, and velocities become consistent.
 template <class System>
+Status accept(const typename System::Closure& closure, typename System::State& trial) noexcept {
+  const Misfit contradiction = largest_residual<System>(closure, 1);
+  if (!(contradiction.size <= kRedundantTolerance)) {
+    return {Code::loop_not_closed, block_of<System>(contradiction.equation)};
+  }
+  settle_driven<System>(closure, trial);
+  copy(closure.zd, trial.zd, System::kCoordinates);
+  const int bad = first_not_finite(trial.zd, System::kCoordinates);
+  return bad < 0 ? Status{} : Status{Code::not_a_number, bad};
+}
+
+/// Newton on z and t of `trial`; at the end its velocities are consistent. The status may be a notice.
+template <class System, Correction correction>
 Status close_loops(const typename System::Parameters& parameters, const typename System::Inputs& inputs,
                    typename System::State& trial) noexcept {
   typename System::Closure closure;
   Misfit misfit;
-  double previous = 0;
+  double previous = INFINITY;
   for (int iteration = 0; iteration <= kNewtonIterations; ++iteration) {
     System::closure(parameters, inputs, trial, closure);
+    Status notice;
     if constexpr (System::kBlocks > 0) {
-      if (!frozen_is_good<System>(closure.pivot)) {
-        const Status status = repair_closure<System>(parameters, inputs, trial, closure);
-        if (!status.ok()) return status;
-      }
+      notice = correct_closure<System, correction>(parameters, inputs, trial, closure);
+      if (!notice.ok()) return notice;
     }
     misfit = largest_residual<System>(closure, 0);
     const double driven = largest_driven_step<System>(closure);
     const double size = driven > misfit.size ? driven : misfit.size;
-    const bool stalled = iteration > 0 && size <= kRoundingFloor && size > 0.5 * previous;
-    if (size <= System::kClosureTolerance || stalled) {
-      const Misfit contradiction = largest_residual<System>(closure, 1);
-      if (!(contradiction.size <= kRedundantTolerance)) {
-        return {Code::loop_not_closed, block_of<System>(contradiction.equation)};
-      }
-      settle_driven<System>(closure, trial);
-      copy(closure.zd, trial.zd, System::kCoordinates);
-      const int bad = first_not_finite(trial.zd, System::kCoordinates);
-      return bad < 0 ? Status{} : Status{Code::not_a_number, bad};
+    const bool gains = size > 0 && size < 0.5 * previous && iteration < kNewtonIterations;
+    // Near a singular position a small residual says little about the coordinates: there Newton goes on while it gains.
+    const bool is_enough = size <= System::kClosureTolerance && correction == Correction::of_dependents;
+    if (is_enough || (!gains && size <= kRoundingFloor)) {
+      const Status accepted = accept<System>(closure, trial);
+      return accepted.ok() ? notice : accepted;
     }
     previous = size;
     apply_step<System>(closure, trial);
@@ -149,8 +209,8 @@ Status close_loops(const typename System::Parameters& parameters, const typename
 
 /// Closes every loop from the state as a guess, sets driven coordinates to their motions and makes velocities
 /// consistent; independent coordinates and velocities stay.
-/// Fails: not_a_number, loop_not_closed, loop_singular; the state is then unchanged. Cost: at most kNewtonIterations
-/// steps.
+/// Fails: not_a_number, loop_not_closed, loop_singular; the state is then unchanged. Gives no notices. Cost: at most
+/// kNewtonIterations steps.
 template <class System>
 Status project_state(const typename System::Parameters& parameters, const typename System::Inputs& inputs,
                      typename System::State& state) noexcept {
@@ -160,7 +220,7 @@ Status project_state(const typename System::Parameters& parameters, const typena
   if constexpr (System::kHasClosure) {
     typename System::State trial;
     copy_state<System>(state, trial);
-    const Status status = close_loops<System>(parameters, inputs, trial);
+    const Status status = close_loops<System, Correction::of_dependents>(parameters, inputs, trial);
     if (!status.ok()) return status;
     copy_state<System>(trial, state);
   }

@@ -7,13 +7,14 @@
 namespace mbgen {
 
 /// Layout of SolverTable; a loaded library with another number was made by another mbgen.
-constexpr int kSolverTableLayout = 2;
+constexpr int kSolverTableLayout = 3;
 
 /// Sizes and functions of one generated solver. Arrays, all in SI units and in the order of the model:
 ///   parameters  the tunable ones                 inputs   all of them
 ///   state       z[n] zd[n] x[nx] t               derivative   zdd[n] xd[nx]
 ///   tau         n generalised joint forces, added to those of the model
-/// Every function is re-entrant, allocates nothing and leaves its results untouched unless the status is ok.
+/// Every function is re-entrant, allocates nothing and leaves its results untouched unless the status is ok. Steps give
+/// notices.
 struct SolverTable {
   int layout;            ///< kSolverTableLayout
   const char* model;     ///< name of the model
@@ -47,6 +48,10 @@ struct SolverTable {
   /// Empties a history: the next steps start up by Runge-Kutta.
   void (*start_abm4)(void* history) noexcept;
   Status (*step_abm4)(const double* parameters, const double* inputs, double* state, void* history, double h) noexcept;
+
+  /// Accelerations of a state that steps of h seconds led to; tau is zero.
+  Status (*accelerations_in_motion)(const double* parameters, const double* inputs, const double* state, double h,
+                                    double* derivative) noexcept;
 
   /// Outputs y[outputs] and energy[3]: kinetic (J), potential of gravity (J), power of the other applied forces (W).
   Status (*output_values)(const double* parameters, const double* inputs, const double* state, const double* tau,

@@ -109,6 +109,16 @@ inline void factorise(LoopFactors& loop, int rank_limit, const unsigned char* dr
   if (loop.rank > 0) loop.smallest_ratio = smallest / largest;
 }
 
+/// Smallest pivot taken, in the units of the matrix; infinite without pivots.
+inline double smallest_pivot(const LoopFactors& loop) noexcept {
+  double smallest = INFINITY;
+  for (int k = 0; k < loop.rank; ++k) {
+    const double size = std::abs(loop_detail::row_of(loop, k)[k]);
+    smallest = size < smallest ? size : smallest;
+  }
+  return smallest;
+}
+
 /// Solves Phi_d x_d = right_hand_side - Phi_i x_i for the dependent entries of x, the others of x given.
 /// right_hand_side: per equation (original order); x: per coordinate (original order); work: equations doubles.
 /// Result: largest residual over the equations that were not used as pivots (redundant ones).
@@ -182,6 +192,36 @@ inline void free_directions(const LoopFactors& loop, const unsigned char* driven
       work[k] = value / row[k];
       rz[loop.columns[k] * count + q] = work[k];
     }
+  }
+}
+
+/// Takes out of x what lies along the free directions: the shortest of all x that differ by them.
+/// rz: coordinates x free row by row, of full column rank; x: per coordinate; gram: free * free doubles; along: free.
+inline void shorten(int coordinates, int free, const double* rz, double* gram, double* along, double* x) noexcept {
+  for (int p = 0; p < free; ++p) {
+    along[p] = 0;
+    for (int c = 0; c < coordinates; ++c) along[p] += rz[c * free + p] * x[c];
+    for (int q = 0; q <= p; ++q) {
+      gram[p * free + q] = 0;
+      for (int c = 0; c < coordinates; ++c) gram[p * free + q] += rz[c * free + p] * rz[c * free + q];
+    }
+  }
+  // Cholesky's factor in place of the lower triangle, then both substitutions.
+  for (int p = 0; p < free; ++p) {
+    for (int q = 0; q <= p; ++q) {
+      double& entry = gram[p * free + q];
+      for (int k = 0; k < q; ++k) entry -= gram[p * free + k] * gram[q * free + k];
+      entry = p == q ? std::sqrt(entry) : entry / gram[q * free + q];
+    }
+    for (int k = 0; k < p; ++k) along[p] -= gram[p * free + k] * along[k];
+    along[p] /= gram[p * free + p];
+  }
+  for (int p = free - 1; p >= 0; --p) {
+    for (int k = p + 1; k < free; ++k) along[p] -= gram[k * free + p] * along[k];
+    along[p] /= gram[p * free + p];
+  }
+  for (int c = 0; c < coordinates; ++c) {
+    for (int p = 0; p < free; ++p) x[c] -= rz[c * free + p] * along[p];
   }
 }
 

@@ -39,19 +39,22 @@ Status deliver(const Values& values, typename System::Derivative& derivative) no
   return {};
 }
 
-/// Accelerations with a partition chosen here and now by full pivoting. Source: (60)-(63).
+/// Accelerations with a partition chosen here and now by full pivoting; the status may be a notice. frozen_pivot: per
+/// block. Source: (60)-(63).
 template <class System>
 Status pivoted_accelerations(const typename System::Parameters& parameters, const typename System::Inputs& inputs,
-                             const typename System::State& state, const double* tau,
+                             const typename System::State& state, const double* tau, const double* frozen_pivot,
                              typename System::Derivative& derivative) noexcept {
   typename System::ClosureTerms terms;
   System::closure_terms(parameters, inputs, state, terms);
   typename System::Projection projection;
   BlockFactors<System> factors;
+  Status notice;
   for (int b = 0; b < System::kBlocks; ++b) {
     const BlockLayout& block = System::kBlockLayout[b];
     const LoopFactors loop = factors.factors_of(b, terms);
     if (loop.rank < block.rank) return {Code::loop_singular, b};
+    notice = more_telling(notice, notice_of(b, block.pivot, smallest_pivot(loop), frozen_pivot[b]));
     double* zdd_star = projection.zdd_star + block.first_coordinate;
     for (int c = 0; c < block.coordinates; ++c) {
       const int place = block.first_coordinate + c;
@@ -68,7 +71,8 @@ Status pivoted_accelerations(const typename System::Parameters& parameters, cons
       return {Code::no_inertia, free_coordinate<System>(System::kFreeDirection[k], factors)};
     }
   }
-  return deliver<System>(values, derivative);
+  const Status delivered = deliver<System>(values, derivative);
+  return delivered.ok() ? notice : delivered;
 }
 
 /// Factors of block b for its multipliers: of redundant equations those left out of the frozen path get none, unless
@@ -119,28 +123,36 @@ Status repair_multipliers(const typename System::Parameters& parameters, const t
   return {};
 }
 
-}  // namespace solver_detail
-
-/// All accelerations at a state: the frozen program, and the pivoted one where the monitor of a loop block trips.
-/// Fails: not_a_number, no_inertia, loop_singular; the derivative is then unchanged.
+/// Frozen program, and the pivoted one where a monitor trips; the status may be a notice then.
+/// values: what the frozen program says.
 template <class System>
-Status solve_accelerations(const typename System::Parameters& parameters, const typename System::Inputs& inputs,
-                           const typename System::State& state, const double* tau,
-                           typename System::Derivative& derivative) noexcept {
-  using namespace solver_detail;
+Status evaluate(const typename System::Parameters& parameters, const typename System::Inputs& inputs,
+                const typename System::State& state, const double* tau, typename System::Accelerations& values,
+                typename System::Derivative& derivative) noexcept {
   const Status status = check_arguments<System>(parameters, inputs, state, tau);
   if (!status.ok()) return status;
-  typename System::Accelerations values;
   System::accelerations(parameters, inputs, state, tau, values);
   if constexpr (System::kBlocks > 0) {
     if (!frozen_is_good<System>(values.pivot)) {
-      return pivoted_accelerations<System>(parameters, inputs, state, tau, derivative);
+      return pivoted_accelerations<System>(parameters, inputs, state, tau, values.pivot, derivative);
     }
   }
   for (int k = 0; k < System::kFreeDirections; ++k) {
     if (!(values.inertia[k] > 0)) return {Code::no_inertia, System::kFreeDirection[k].coordinate};
   }
   return deliver<System>(values, derivative);
+}
+
+}  // namespace solver_detail
+
+/// All accelerations at a state: the frozen program, and the pivoted one where the monitor of a loop block trips.
+/// Fails: not_a_number, no_inertia, loop_singular; the derivative is then unchanged. Gives no notices.
+template <class System>
+Status solve_accelerations(const typename System::Parameters& parameters, const typename System::Inputs& inputs,
+                           const typename System::State& state, const double* tau,
+                           typename System::Derivative& derivative) noexcept {
+  typename System::Accelerations values;
+  return without_notice(solver_detail::evaluate<System>(parameters, inputs, state, tau, values, derivative));
 }
 
 /// Multipliers and driving forces at given accelerations: the frozen program, and the pivoted factorisation where the
@@ -188,7 +200,7 @@ typename System::Multipliers multipliers_or_nan(const typename System::Parameter
 /// Name of what a status names: a coordinate or a loop block, "" for nothing.
 constexpr const char* name_of(Status status, const char* const* coordinates, int coordinate_count,
                               const char* const* blocks, int block_count) noexcept {
-  const bool is_block = status.code == Code::loop_not_closed || status.code == Code::loop_singular;
+  const bool is_block = names_block(status.code);
   if (status.index < 0 || status.index >= (is_block ? block_count : coordinate_count)) return "";
   return (is_block ? blocks : coordinates)[status.index];
 }

@@ -1,0 +1,131 @@
+// The generic solver as integrators see it: with notices of singular positions, and without jumps.
+
+#include "mbgen/motion.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "runtime/generic/content.hpp"
+
+namespace mbgen {
+namespace {
+
+/// What the smallest pivot of a block says. Fails: loop_singular.
+Status notice_of_block(int b, const BlockAnalysis& analysis, const std::vector<std::vector<double>>& jacobian) {
+  const int coordinates = static_cast<int>(jacobian.empty() ? 0 : jacobian[0].size());
+  std::vector<double> matrix;
+  for (const std::vector<double>& row : jacobian) matrix.insert(matrix.end(), row.begin(), row.end());
+  std::vector<int> rows(jacobian.size()), columns(coordinates);
+  std::vector<unsigned char> driven(coordinates, 0);
+  for (const int c : analysis.driven) driven[c] = 1;
+  LoopFactors loop;
+  loop.equations = static_cast<int>(jacobian.size());
+  loop.coordinates = coordinates;
+  loop.matrix = matrix.data();
+  loop.rows = rows.data();
+  loop.columns = columns.data();
+  factorise(loop, analysis.rank, driven.data(), kRankTolerance);
+  if (loop.rank < analysis.rank) return {Code::loop_singular, b};
+  return solver_detail::notice_of(b, analysis.typical_pivot, smallest_pivot(loop), kPivotThreshold);
+}
+
+double largest(const std::vector<double>& values) {
+  double result = 0;
+  for (const double value : values) result = std::abs(value) <= result ? result : std::abs(value);
+  return result;
+}
+
+/// Shortest correction of a block with Phi_z x = right_hand_side.
+std::vector<double> shortest(const BlockFactors& factors, const std::vector<double>& right_hand_side) {
+  const std::vector<std::vector<double>> rz = factors.rz();
+  const int free = static_cast<int>(rz.empty() ? 0 : rz[0].size());
+  std::vector<double> x(rz.size(), 0.0), flat, gram(free * free), along(free);
+  for (const std::vector<double>& row : rz) flat.insert(flat.end(), row.begin(), row.end());
+  factors.solve(right_hand_side, x);
+  shorten(static_cast<int>(rz.size()), free, flat.data(), gram.data(), along.data(), x.data());
+  return x;
+}
+
+std::vector<double> negative(std::vector<double> values) {
+  for (double& value : values) value = -value;
+  return values;
+}
+
+/// -Phi_z v of a block.
+std::vector<double> negative_product(const std::vector<std::vector<double>>& jacobian, const std::vector<int>& joints,
+                                     const std::vector<double>& v) {
+  std::vector<double> result(jacobian.size(), 0.0);
+  for (std::size_t e = 0; e < jacobian.size(); ++e)
+    for (std::size_t c = 0; c < joints.size(); ++c) result[e] -= jacobian[e][c] * v[joints[c]];
+  return result;
+}
+
+}  // namespace
+
+Status GenericSolver::notice(const GenericState& state) const {
+  System<double>& system = content_->system(state);
+  const std::vector<BlockClosure<double>> closures = content_->closures(system, kinematics(system));
+  Status result;
+  for (std::size_t b = 0; b < closures.size(); ++b) {
+    const Status of_block = notice_of_block(static_cast<int>(b), content_->analysis.blocks[b], closures[b].jacobian);
+    if (!of_block.ok()) return of_block;
+    result = more_telling(result, of_block);
+  }
+  return result;
+}
+
+Status GenericSolver::without_jump(const GenericState& closed, GenericState& state) const {
+  for (std::size_t b = 0; b < content_->topology.blocks.size(); ++b) {
+    for (const int j : content_->topology.blocks[b].joints) {
+      const bool jumps = !(std::abs(closed.z[j] - state.z[j]) <= kLargestCorrection);
+      if (jumps && !content_->analysis.driven[j]) return {Code::loop_not_closed, static_cast<int>(b)};
+    }
+  }
+  const Status status = notice(closed);
+  if (status.ok()) state = closed;
+  return status;
+}
+
+Status GenericSolver::solve_motion(const GenericState& state, GenericDerivative& derivative) const {
+  const Status status = accelerations(state, std::vector<double>(state.z.size(), 0.0), derivative);
+  return status.ok() ? notice(state) : status;
+}
+
+Status GenericSolver::project_motion(GenericState& state) const {
+  GenericState closed = state;
+  const Status status = project(closed);
+  return status.ok() ? without_jump(closed, state) : status;
+}
+
+Status GenericSolver::project_nearest(GenericState& state) const {
+  GenericState closed = state;
+  double previous = INFINITY;
+  for (bool gains = true; gains;) {
+    System<double>& system = content_->system(closed);
+    for (const Drive<double>& d : drives(system)) {
+      closed.z[d.coordinate] = system.environment.z[d.coordinate] = d.position;
+      closed.zd[d.coordinate] = system.environment.zd[d.coordinate] = d.velocity;
+    }
+    const std::vector<BlockClosure<double>> closures = content_->closures(system, kinematics(system));
+    double size = 0;
+    for (const BlockClosure<double>& block : closures) size = std::max(size, largest(block.residual));
+    gains = size > 0 && size < 0.5 * previous;
+    previous = size;
+    for (std::size_t b = 0; b < closures.size(); ++b) {
+      const std::vector<int>& joints = content_->topology.blocks[b].joints;
+      if (!gains && !(largest(closures[b].residual) <= kRoundingFloor)) {
+        return {Code::loop_not_closed, static_cast<int>(b)};
+      }
+      const BlockFactors factors = content_->factors(b, closures[b]);
+      if (factors.rank() < content_->analysis.blocks[b].rank) return {Code::loop_singular, static_cast<int>(b)};
+      // Positions while they gain, then velocities.
+      const std::vector<double> open =
+          gains ? negative(closures[b].residual) : negative_product(closures[b].jacobian, joints, closed.zd);
+      const std::vector<double> x = shortest(factors, open);
+      for (std::size_t c = 0; c < joints.size(); ++c) (gains ? closed.z : closed.zd)[joints[c]] += x[c];
+    }
+  }
+  return without_jump(closed, state);
+}
+
+}  // namespace mbgen

@@ -1,0 +1,81 @@
+#pragma once
+// What integrators ask of a generated solver: rates and projections that tell how near a singular position they are.
+// `System` is described in blocks.hpp.
+
+#include "mbgen/closure.hpp"
+#include "mbgen/solver.hpp"
+
+namespace mbgen {
+
+/// Largest correction of a coordinate by the projection of a step (rad or m). In a motion that is followed at all it is
+/// of the order of the fifth power of the step; a larger one would be a jump to another way of assembly.
+constexpr double kLargestCorrection = 0.2;
+
+namespace solver_detail {
+
+/// Block with a coordinate outside the motions that lies further than kLargestCorrection from where it was, or -1.
+template <class System>
+int moved_far(const typename System::State& from, const typename System::State& to) noexcept {
+  for (int b = 0; b < System::kBlocks; ++b) {
+    const BlockLayout& block = System::kBlockLayout[b];
+    for (int c = block.first_coordinate; c < block.first_coordinate + block.coordinates; ++c) {
+      const int i = System::kBlockCoordinate[c];
+      if (System::kDriven[i] == 0 && !(std::abs(to.z[i] - from.z[i]) <= kLargestCorrection)) return b;
+    }
+  }
+  return -1;
+}
+
+template <class System, Correction correction>
+Status project(const typename System::Parameters& parameters, const typename System::Inputs& inputs,
+               typename System::State& state) noexcept {
+  const Status arguments = check_arguments<System>(parameters, inputs, state, nullptr);
+  if (!arguments.ok()) return arguments;
+  Status status;
+  if constexpr (System::kHasClosure) {
+    typename System::State trial;
+    copy_state<System>(state, trial);
+    status = close_loops<System, correction>(parameters, inputs, trial);
+    if (!status.ok()) return status;
+    if constexpr (System::kBlocks > 0) {
+      const int block = moved_far<System>(state, trial);
+      if (block >= 0) return {Code::loop_not_closed, block};
+    }
+    copy_state<System>(trial, state);
+  }
+  return status;
+}
+
+}  // namespace solver_detail
+
+/// solve_accelerations without joint forces from outside. Gives notices of chosen coordinates and singular positions.
+template <class System>
+Status solve_motion(const typename System::Parameters& parameters, const typename System::Inputs& inputs,
+                    const typename System::State& state, typename System::Derivative& derivative) noexcept {
+  static constexpr double kNoForces[System::kCoordinates] = {};
+  typename System::Accelerations values;
+  const Status status = solver_detail::evaluate<System>(parameters, inputs, state, kNoForces, values, derivative);
+  if constexpr (System::kBlocks > 0) {
+    if (status.code == Code::ok) return solver_detail::notice_at<System>(parameters, inputs, state, values.pivot);
+  }
+  return status;
+}
+
+/// project_state from a good guess. Gives notices.
+/// Fails: as project_state; loop_not_closed also when a coordinate would move by more than kLargestCorrection.
+template <class System>
+Status project_motion(const typename System::Parameters& parameters, const typename System::Inputs& inputs,
+                      typename System::State& state) noexcept {
+  using namespace solver_detail;
+  return solver_detail::project<System, Correction::of_dependents>(parameters, inputs, state);
+}
+
+/// The same with the shortest corrections, as far as rounding lets them go: a smooth function of the guess.
+template <class System>
+Status project_nearest(const typename System::Parameters& parameters, const typename System::Inputs& inputs,
+                       typename System::State& state) noexcept {
+  using namespace solver_detail;
+  return solver_detail::project<System, Correction::shortest>(parameters, inputs, state);
+}
+
+}  // namespace mbgen
