@@ -4,10 +4,9 @@
 #include <Eigen/Dense>
 #include <vector>
 
-namespace mbgen {
+#include "mbgen/blocks.hpp"
 
-/// A pivot below this share of the first one counts as zero.
-constexpr double kRankTolerance = 1e-10;
+namespace mbgen {
 
 /// Gauss elimination with full pivoting, P A Q = L U. All members but compute use its first `rank` pivots.
 class PivotedLu {

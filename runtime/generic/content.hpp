@@ -130,15 +130,6 @@ struct GenericSolver::Content {
     return factors_of_kept.rank() < analysis.blocks[b].rank ? factors(b, closed) : factors_of_kept;
   }
 
-  /// Factors for the multipliers of a block: of redundant equations the same ones are left out at every state, unless
-  /// the others lose rank there.
-  BlockFactors multiplier_factors(std::size_t b, const BlockClosure<double>& closed) const {
-    std::vector<std::vector<double>> kept = closed.jacobian;
-    for (int e : analysis.blocks[b].redundant_equations) std::fill(kept[e].begin(), kept[e].end(), 0.0);
-    BlockFactors factors_of_kept(kept, analysis.blocks[b].driven, analysis.blocks[b].rank);
-    return factors_of_kept.rank() < analysis.blocks[b].rank ? factors(b, closed) : factors_of_kept;
-  }
-
   /// Multipliers by block, and what they leave of the residual forces (driving forces with opposite sign).
   std::vector<std::vector<double>> block_multipliers(const Prepared& p, std::vector<double>& residual) const {
     std::vector<std::vector<double>> lambda;
