@@ -10,8 +10,9 @@ constexpr int kMostSteps = 100;
 constexpr double kLongestStep = 0.05;  // rad or m per step and coordinate
 constexpr double kDifference = 1e-6;   // rad or m, for the stiffness by central differences
 constexpr double kIndifferent = 1e-7;  // stiffness below this share of the largest leaves a direction where it is
-constexpr double kSettled = 1e-11;     // rad or m: Newton steps below it end the search
-constexpr double kSlipReach = 1e-3;    // m: a slip deflection of this size counts as much as a unit of a coordinate
+constexpr double kSettled = 1e-11;     // rad or m: steps below it end the search
+constexpr double kBalanced = 1e-3;     // rad/s^2 or m/s^2: accelerations below it are left to Newton's steps alone
+constexpr double kSlipReach = 0.1;     // m: a slip deflection of this size counts as much as a unit of a coordinate
 
 /// Static forces of the free directions at a position that satisfies the closures; frozen partition.
 struct Balance {
@@ -39,14 +40,62 @@ Balance balance(Content& content, const GenericState& state) {
   return b;
 }
 
-/// The state moved along the unknowns (free directions, then slip deflections) and closed again.
+/// Closed, with driven coordinates at their motions, and at rest although those may have velocities.
+Status settled(const GenericSolver& solver, GenericState& state) {
+  const Status status = solver.project(state);
+  std::fill(state.zd.begin(), state.zd.end(), 0.0);
+  return status;
+}
+
+/// The state moved along the unknowns (free directions, then slip deflections) and settled again.
 Status moved(const GenericSolver& solver, const GenericState& state, const Balance& b, const Eigen::VectorXd& change,
              GenericState& result) {
   result = state;
   const Eigen::VectorXd dz = b.rz * change.head(b.rz.cols());
   for (std::size_t i = 0; i < result.z.size(); ++i) result.z[i] += dz[static_cast<Eigen::Index>(i)];
   for (std::size_t i = 0; i < result.x.size(); ++i) result.x[i] += change[b.rz.cols() + static_cast<Eigen::Index>(i)];
-  return solver.project(result);
+  return settled(solver, result);
+}
+
+/// d force / d unknowns by central differences along the closures.
+template <class Content>
+Status stiffness_at(const GenericSolver& solver, const Content& content, const GenericState& state, const Balance& b,
+                    Eigen::MatrixXd& stiffness) {
+  const Eigen::Index unknowns = b.rz.cols() + static_cast<Eigen::Index>(state.x.size());
+  stiffness.resize(b.rz.cols(), unknowns);
+  for (Eigen::Index u = 0; u < unknowns; ++u) {
+    const Eigen::VectorXd change = Eigen::VectorXd::Unit(unknowns, u) * kDifference;
+    GenericState ahead, behind;
+    if (const Status status = moved(solver, state, b, change, ahead); !status.ok()) return status;
+    if (const Status status = moved(solver, state, b, -change, behind); !status.ok()) return status;
+    stiffness.col(u) = (balance(content, ahead).force - balance(content, behind).force) / (2 * kDifference);
+  }
+  return {};
+}
+
+/// The next change of the unknowns: of all that balance the linearised forces the smallest. Far from balance a drag on
+/// the inertias joins the stiffness: where nothing holds the bodies they sink no further than kLongestStep, and they
+/// go downhill. It fades with the unbalanced acceleration (1/s^2 or m/s^2), so that the end is Newton's.
+/// Source: C. T. Kelley, D. E. Keyes, "Convergence Analysis of Pseudo-Transient Continuation", SIAM J. Numer. Anal.
+/// 35(2), 1998, with the drag of switched evolution relaxation.
+Eigen::VectorXd next_change(const Balance& b, const Eigen::MatrixXd& stiffness, double unbalanced) {
+  const Eigen::Index free = b.rz.cols();
+  const Eigen::VectorXd scale = b.inertia.cwiseMax(1e-12).cwiseSqrt().cwiseInverse();
+  const double unit = scale.minCoeff();
+  Eigen::VectorXd reach = Eigen::VectorXd::Constant(stiffness.cols(), kSlipReach);
+  reach.head(free) = scale / unit;
+  Eigen::MatrixXd matrix = scale.asDiagonal() * stiffness * reach.asDiagonal();
+  if (unbalanced > kBalanced) matrix.leftCols(free).diagonal().array() -= unbalanced / (kLongestStep * unit);
+  Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> factors;
+  factors.setThreshold(kIndifferent);
+  factors.compute(matrix);
+  const Eigen::VectorXd wanted = -(scale.asDiagonal() * b.force);
+  return reach.asDiagonal() * factors.solve(wanted);
+}
+
+/// Largest acceleration of a coordinate that the forces would cause if every free direction moved alone.
+double unbalanced_acceleration(const Balance& b) {
+  return (b.rz * b.force.cwiseQuotient(b.inertia.cwiseMax(1e-12))).cwiseAbs().maxCoeff();
 }
 
 }  // namespace
@@ -54,42 +103,21 @@ Status moved(const GenericSolver& solver, const GenericState& state, const Balan
 Status GenericSolver::equilibrium(GenericState& state) const {
   GenericState trial = state;
   std::fill(trial.zd.begin(), trial.zd.end(), 0.0);
-  const auto settle = [&](GenericState& s) {  // motions give their driven coordinates a velocity: at rest it is zero
-    const Status status = project(s);
-    std::fill(s.zd.begin(), s.zd.end(), 0.0);
-    return status;
-  };
-  if (const Status status = settle(trial); !status.ok()) return status;
+  if (const Status status = settled(*this, trial); !status.ok()) return status;
   for (int step = 0;; ++step) {
     const Balance here = balance(*content_, trial);
-    const Eigen::Index free = here.rz.cols(), unknowns = free + static_cast<Eigen::Index>(trial.x.size());
-    if (free == 0) break;
-    Eigen::VectorXd reach = Eigen::VectorXd::Constant(unknowns, kSlipReach);
-    const Eigen::VectorXd scale = here.inertia.cwiseMax(1e-12).cwiseSqrt().cwiseInverse();
-    reach.head(free) = scale / scale.minCoeff();
-    Eigen::MatrixXd stiffness(free, unknowns);
-    for (Eigen::Index u = 0; u < unknowns; ++u) {
-      GenericState ahead, behind;
-      const Eigen::VectorXd change = Eigen::VectorXd::Unit(unknowns, u) * kDifference;
-      if (const Status status = moved(*this, trial, here, change, ahead); !status.ok()) return status;
-      if (const Status status = moved(*this, trial, here, -change, behind); !status.ok()) return status;
-      std::fill(ahead.zd.begin(), ahead.zd.end(), 0.0);
-      std::fill(behind.zd.begin(), behind.zd.end(), 0.0);
-      stiffness.col(u) = (balance(*content_, ahead).force - balance(*content_, behind).force) / (2 * kDifference);
-    }
-    Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> factors;
-    factors.setThreshold(kIndifferent);
-    factors.compute(scale.asDiagonal() * stiffness * reach.asDiagonal());
-    const Eigen::VectorXd wanted = -(scale.asDiagonal() * here.force);
-    Eigen::VectorXd change = reach.asDiagonal() * factors.solve(wanted);
+    if (here.rz.cols() == 0) break;
+    const double unbalanced = unbalanced_acceleration(here);
+    Eigen::MatrixXd stiffness;
+    if (const Status status = stiffness_at(*this, *content_, trial, here, stiffness); !status.ok()) return status;
+    Eigen::VectorXd change = next_change(here, stiffness, unbalanced);
     if (!change.allFinite()) return {Code::not_a_number, -1};
-    const double longest = (here.rz * change.head(free)).cwiseAbs().maxCoeff();
-    if (longest < kSettled) break;
-    if (step + 1 == kMostSteps) return {Code::no_equilibrium, -1};
+    const double longest = (here.rz * change.head(here.rz.cols())).cwiseAbs().maxCoeff();
+    if (longest < kSettled && unbalanced < kBalanced) break;
+    if (longest < kSettled || step + 1 == kMostSteps) return {Code::no_equilibrium, -1};
     if (longest > kLongestStep) change *= kLongestStep / longest;
     GenericState next;
     if (const Status status = moved(*this, trial, here, change, next); !status.ok()) return status;
-    std::fill(next.zd.begin(), next.zd.end(), 0.0);
     trial = std::move(next);
   }
   state.z = trial.z;
