@@ -2,6 +2,7 @@
 // Made by `mbgen generate coach_mechanism.json`, mbgen 0.1.0. Change the model, not this file.
 #include "coach_mechanism.hpp"
 
+#include "mbgen/motion.hpp"
 #include "mbgen/scalar.hpp"
 #include "mbgen/solver.hpp"
 
@@ -18465,7 +18466,7 @@ struct System {
   static constexpr unsigned char kRedundant[] = {
       0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0};
   static constexpr mbgen::BlockLayout kBlockLayout[] = {
-      {11, 14, 11, 3, 0, 0, 0, 0}, {6, 8, 6, 2, 11, 14, 154, 42}};
+      {11, 14, 11, 3, 0, 0, 0, 0, 0.17}, {6, 8, 6, 2, 11, 14, 154, 42, 0.38}};
   static constexpr int kBlockCoordinate[] = {
       6, 7, 8, 9, 11, 12, 13, 14, 15, 16, 18, 19, 20, 21, 22, 23, 24, 25, 26, 27, 29, 31};
   static constexpr unsigned char kBlockDriven[] = {
@@ -18502,12 +18503,15 @@ mbgen::Status accelerations(const Parameters& parameters, const Inputs& inputs, 
 }
 
 mbgen::Status Dynamics::derivative(const State& state, Derivative& derivative) const noexcept {
-  static constexpr double kNoForces[kCoordinates] = {};
-  return mbgen::solve_accelerations<System>(parameters, inputs, state, kNoForces, derivative);
+  return mbgen::solve_motion<System>(parameters, inputs, state, derivative);
 }
 
 mbgen::Status Dynamics::project(State& state) const noexcept {
-  return mbgen::project_state<System>(parameters, inputs, state);
+  return mbgen::project_motion<System>(parameters, inputs, state);
+}
+
+mbgen::Status Dynamics::project_nearest(State& state) const noexcept {
+  return mbgen::project_nearest<System>(parameters, inputs, state);
 }
 
 mbgen::Status step_rk4(const Parameters& parameters, const Inputs& inputs, State& state, double h) noexcept {
@@ -18517,6 +18521,11 @@ mbgen::Status step_rk4(const Parameters& parameters, const Inputs& inputs, State
 mbgen::Status step_abm4(const Parameters& parameters, const Inputs& inputs, State& state, History& history,
                         double h) noexcept {
   return mbgen::step_abm4(Dynamics{parameters, inputs}, state, history, h);
+}
+
+mbgen::Status accelerations_in_motion(const Parameters& parameters, const Inputs& inputs, const State& state, double h,
+                                      Derivative& derivative) noexcept {
+  return mbgen::without_notice(mbgen::rates_in_motion(Dynamics{parameters, inputs}, state, h, derivative));
 }
 
 mbgen::Status outputs(const Parameters& parameters, const Inputs& inputs, const State& state,

@@ -2,6 +2,7 @@
 // Made by `mbgen generate four_bar.json`, mbgen 0.1.0. Change the model, not this file.
 #include "four_bar.hpp"
 
+#include "mbgen/motion.hpp"
 #include "mbgen/scalar.hpp"
 #include "mbgen/solver.hpp"
 
@@ -724,7 +725,7 @@ struct System {
   static constexpr unsigned char kRedundant[] = {
       0, 1, 0, 1, 1};
   static constexpr mbgen::BlockLayout kBlockLayout[] = {
-      {5, 3, 2, 1, 0, 0, 0, 0}};
+      {5, 3, 2, 1, 0, 0, 0, 0, 0.24}};
   static constexpr int kBlockCoordinate[] = {
       0, 1, 2};
   static constexpr unsigned char kBlockDriven[] = {
@@ -761,12 +762,15 @@ mbgen::Status accelerations(const Parameters& parameters, const Inputs& inputs, 
 }
 
 mbgen::Status Dynamics::derivative(const State& state, Derivative& derivative) const noexcept {
-  static constexpr double kNoForces[kCoordinates] = {};
-  return mbgen::solve_accelerations<System>(parameters, inputs, state, kNoForces, derivative);
+  return mbgen::solve_motion<System>(parameters, inputs, state, derivative);
 }
 
 mbgen::Status Dynamics::project(State& state) const noexcept {
-  return mbgen::project_state<System>(parameters, inputs, state);
+  return mbgen::project_motion<System>(parameters, inputs, state);
+}
+
+mbgen::Status Dynamics::project_nearest(State& state) const noexcept {
+  return mbgen::project_nearest<System>(parameters, inputs, state);
 }
 
 mbgen::Status step_rk4(const Parameters& parameters, const Inputs& inputs, State& state, double h) noexcept {
@@ -776,6 +780,11 @@ mbgen::Status step_rk4(const Parameters& parameters, const Inputs& inputs, State
 mbgen::Status step_abm4(const Parameters& parameters, const Inputs& inputs, State& state, History& history,
                         double h) noexcept {
   return mbgen::step_abm4(Dynamics{parameters, inputs}, state, history, h);
+}
+
+mbgen::Status accelerations_in_motion(const Parameters& parameters, const Inputs& inputs, const State& state, double h,
+                                      Derivative& derivative) noexcept {
+  return mbgen::without_notice(mbgen::rates_in_motion(Dynamics{parameters, inputs}, state, h, derivative));
 }
 
 mbgen::Status outputs(const Parameters& parameters, const Inputs& inputs, const State& state,

@@ -138,8 +138,9 @@ mbgen::Status assemble(const Parameters& parameters, const Inputs& inputs, State
 mbgen::Status accelerations(const Parameters& parameters, const Inputs& inputs, const State& state,
                             const double (&tau)[kCoordinates], Derivative& derivative) noexcept;
 
-/// One step of h seconds by the classical Runge-Kutta method, then assembly.
-/// Fails: as both, and step_invalid.
+/// One step of h seconds by the classical Runge-Kutta method, then assembly. A status that is ok may
+/// be a notice: chosen_again, near_singular, singular_met.
+/// Fails: as both, and step_invalid; loop_not_closed also when assembly would jump.
 mbgen::Status step_rk4(const Parameters& parameters, const Inputs& inputs, State& state, double h) noexcept;
 
 /// The solver at constant parameters and inputs as an integrator sees it: without joint forces from
@@ -151,7 +152,14 @@ struct Dynamics {
   const Inputs& inputs;
   mbgen::Status derivative(const State& state, Derivative& derivative) const noexcept;
   mbgen::Status project(State& state) const noexcept;
+  mbgen::Status project_nearest(State& state) const noexcept;
 };
+
+/// Accelerations of a state that steps of h seconds led to, without joint forces from outside: at a
+/// singular position those of the motion through it.
+/// Fails: as accelerations.
+mbgen::Status accelerations_in_motion(const Parameters& parameters, const Inputs& inputs, const State& state, double h,
+                                      Derivative& derivative) noexcept;
 
 /// What step_abm4 remembers. Start with `History history{};`, and again when state or inputs were
 /// changed from outside.
@@ -159,7 +167,7 @@ using History = mbgen::AbmHistory<Dynamics>;
 
 /// One step of h seconds by Adams-Bashforth-Moulton of order four with two evaluations, started up
 /// by Runge-Kutta, then assembly.
-/// Fails: as step_rk4.
+/// Gives notices and fails as step_rk4.
 mbgen::Status step_abm4(const Parameters& parameters, const Inputs& inputs, State& state, History& history,
                         double h) noexcept;
 

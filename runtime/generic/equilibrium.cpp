@@ -59,7 +59,7 @@ Status moved(const GenericSolver& solver, const GenericState& state, const Balan
 
 /// d force / d unknowns by central differences along the closures.
 template <class Content>
-Status stiffness_at(const GenericSolver& solver, const Content& content, const GenericState& state, const Balance& b,
+Status stiffness_at(const GenericSolver& solver, Content& content, const GenericState& state, const Balance& b,
                     Eigen::MatrixXd& stiffness) {
   const Eigen::Index unknowns = b.rz.cols() + static_cast<Eigen::Index>(state.x.size());
   stiffness.resize(b.rz.cols(), unknowns);
