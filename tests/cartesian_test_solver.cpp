@@ -92,9 +92,10 @@ struct GenericSystem {
   using State = GenericState;
   using Derivative = GenericDerivative;
   Status derivative(const GenericState& state, GenericDerivative& rates) const noexcept {
-    return solver.accelerations(state, std::vector<double>(state.z.size(), 0.0), rates);
+    return solver.solve_motion(state, rates);
   }
-  Status project(GenericState& state) const noexcept { return solver.project(state); }
+  Status project(GenericState& state) const noexcept { return solver.project_motion(state); }
+  Status project_nearest(GenericState& state) const noexcept { return solver.project_nearest(state); }
   GenericSolver solver;
 };
 

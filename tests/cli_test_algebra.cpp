@@ -36,12 +36,13 @@ TEST_F(CommandLine, EveryLinearAlgebraGivesTheSameAccelerations) {
 
 TEST_F(CommandLine, SimulatesWithEveryLinearAlgebra) {
   write("four_bar.json", kFourBar);
-  const std::string common = "simulate four_bar.json --duration 0.5 --step 1e-3 --engine generic --out table.csv ";
+  // Each projects along its own dependent coordinates: the motions differ by the integrator's error, h^4.
+  const std::string common = "simulate four_bar.json --duration 0.5 --step 2.5e-4 --engine generic --out table.csv ";
   std::vector<double> angles;
   for (const char* choice : {"", "--linear-algebra blas", "--linear-algebra sparse", "--factorisation qr"}) {
     ASSERT_EQ(mbgen(common + choice).exit_code, 0) << choice;
     angles.push_back(table("table.csv").last("z.crank_pin [rad]"));
-    EXPECT_NEAR(angles.back(), angles.front(), 1e-9) << choice;
+    EXPECT_NEAR(angles.back(), angles.front(), 1e-10) << choice;
   }
 }
 

@@ -318,8 +318,9 @@ TEST(EmittedFiles, areFourAndTheHeadersTheyInclude) {
             (std::vector<std::string>{"CMakeLists.txt", "bead.cpp", "bead.hpp", "bead.json"}));
   EXPECT_EQ(paths({}), (std::vector<std::string>{"CMakeLists.txt", "bead.cpp", "bead.hpp", "bead.json",
                                                  "mbgen/blocks.hpp", "mbgen/closure.hpp", "mbgen/driver.hpp",
-                                                 "mbgen/integrators.hpp", "mbgen/loop.hpp", "mbgen/scalar.hpp",
-                                                 "mbgen/solver.hpp", "mbgen/status.hpp", "mbgen/step_clock.hpp"}));
+                                                 "mbgen/integrators.hpp", "mbgen/loop.hpp", "mbgen/motion.hpp",
+                                                 "mbgen/passage.hpp", "mbgen/scalar.hpp", "mbgen/solver.hpp",
+                                                 "mbgen/states.hpp", "mbgen/status.hpp", "mbgen/step_clock.hpp"}));
 }
 
 TEST(EmittedFiles, beginWithTheirBanner) {
