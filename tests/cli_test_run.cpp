@@ -246,9 +246,13 @@ TEST_F(CommandLine, BenchComparesTheEngines) {
   EXPECT_EQ(report["model"], "four_bar");
   EXPECT_EQ(report["evaluations"], 2000);
   std::vector<std::string> names;
-  for (const Json& engine : report["engines"]) names.push_back(engine["name"]);
-  EXPECT_EQ(names,
-            (std::vector<std::string>{"generated", "generic", "augmented", "range-space", "null-space", "maggi"}));
+  for (const Json& engine : report["engines"]) {
+    names.push_back(engine["name"]);
+    if (const std::string library = engine["linear_algebra"]; !library.empty()) names.back() += " " + library;
+  }
+  EXPECT_EQ(names, (std::vector<std::string>{"generated", "generic eigen", "generic blas", "generic sparse",
+                                             "generic eigen qr", "augmented eigen", "range-space eigen",
+                                             "null-space eigen", "maggi eigen"}));
   for (const Json& engine : report["engines"]) {
     EXPECT_EQ(engine["batch"], 1);
     EXPECT_GE(engine["evaluations"].get<long>(), 2000);

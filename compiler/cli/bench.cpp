@@ -24,13 +24,22 @@ struct Options {
   bool json = false;
 };
 
-/// Every engine.
+/// Every engine, the generic one with every linear algebra.
 std::vector<EngineChoice> choices(const EngineChoice& common) {
   std::vector<EngineChoice> list;
   for (const std::string& name : engine_names()) {
     EngineChoice choice = common;
     choice.name = name;
     choice.use = SolverUse::timing_steps;
+    if (name != "generic") {
+      list.push_back(choice);
+      continue;
+    }
+    for (const LinearAlgebra library : {LinearAlgebra::eigen, LinearAlgebra::blas, LinearAlgebra::sparse}) {
+      choice.algebra = {library, Factorisation::lu};
+      list.push_back(choice);
+    }
+    choice.algebra = {LinearAlgebra::eigen, Factorisation::qr};
     list.push_back(choice);
   }
   return list;
