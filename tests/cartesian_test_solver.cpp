@@ -233,5 +233,40 @@ TEST_F(FourBarInMotion, FailuresLeaveTheStateAsItWas) {
   EXPECT_EQ(broken.z, open.z);
 }
 
+/// A cart driven along x with a pendulum on it.
+Mechanism driven_cart(const std::string& inputs, const std::string& position) {
+  const std::string text = R"({ "mbgen": 1, "name": "driven_cart", "inputs": {)" + inputs + R"(},
+    "bodies": { "ground": { "points": { "O": [0, 0, 0] } },
+      "cart": { "mass": 2, "inertia": [1, 1, 1], "points": { "O": [0, 0, 0] } },
+      "bob": { "mass": 1, "com": [0, 0, -0.5], "inertia": [0.1, 0.1, 0.1], "points": { "O": [0, 0, 0] } } },
+    "joints": { "track": { "type": "prismatic", "from": "ground.O", "to": "cart.O", "axis": "x" },
+      "pin": { "type": "revolute", "from": "cart.O", "to": "bob.O", "axis": "y" } },
+    "motions": { "pull": { "joint": "track", "position": ")" +
+                           position + R"(" } } })";
+  const Result<Model> model = read_model(text, "driven_cart.json");
+  if (!model) throw std::runtime_error(to_text(model.problems()));
+  const Topology topology = *build_topology(*model);
+  return {*model, topology, *analyse(*model, topology)};
+}
+
+// An input with derivatives is, during a step, the polynomial in time that they make of it.
+TEST(DrivenCart, StepFollowsInputsByTheirDerivatives) {
+  const Mechanism by_input = driven_cart(R"("x": { "default": 0.3, "derivative": "v" },
+    "v": { "default": -1.2, "derivative": "a" }, "a": { "default": 5 })",
+                                         "x");
+  const Mechanism by_time = driven_cart("", "0.3 - 1.2*t + 2.5*t^2");
+  for (const Stabilisation stabilisation : {Stabilisation::projection, Stabilisation::baumgarte}) {
+    GenericState expected{{0.3, 0.4}, {-1.2, 0.7}, {}, 0}, actual = expected;
+    CartesianSolver timed = judge_of(by_time, CartesianMethod::augmented, stabilisation);
+    CartesianSolver steered = judge_of(by_input, CartesianMethod::augmented, stabilisation);
+    ASSERT_TRUE(timed.step(expected, 0.1).ok());
+    ASSERT_TRUE(steered.step(actual, 0.1).ok());
+    EXPECT_NEAR(actual.z[0], 0.3 - 0.12 + 0.025, 1e-15);
+    EXPECT_NEAR(actual.zd[0], -0.7, 1e-14);
+    EXPECT_LT(relative_error(actual.z, expected.z), 1e-14);
+    EXPECT_LT(relative_error(actual.zd, expected.zd), 1e-14);
+  }
+}
+
 }  // namespace
 }  // namespace mbgen

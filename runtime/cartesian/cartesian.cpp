@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "compiler/model/inputs.hpp"
 #include "runtime/cartesian/evaluation.hpp"
 #include "runtime/cartesian/methods.hpp"
 #include "runtime/cartesian/runge_kutta.hpp"
@@ -45,7 +46,9 @@ struct CartesianSolver::Content {
   Stabilisation stabilisation;
   double closure_tolerance;
   double closing_rate;  ///< alpha of Baumgarte's method, 1/s
-  Configuration left;   ///< by the last step; its z is empty before the first one
+  std::vector<Input> model_inputs;
+  std::vector<double> inputs;  ///< at the start of a step
+  Configuration left;          ///< by the last step; its z is empty before the first one
 
   Content(const Model& model, const Topology& t, CartesianMethod m, Stabilisation s)
       : topology(t),
@@ -53,7 +56,10 @@ struct CartesianSolver::Content {
         method(m),
         stabilisation(s),
         closure_tolerance(model.solver.closure_tolerance),
-        closing_rate(1 / (kStepsToClose * model.solver.step)) {}
+        closing_rate(1 / (kStepsToClose * model.solver.step)),
+        model_inputs(model.inputs) {
+    for (const Input& input : model.inputs) inputs.push_back(input.default_value);
+  }
 
   Mechanics mechanics() const { return {system, topology}; }
 
@@ -92,15 +98,22 @@ struct CartesianSolver::Content {
     return rates.qdd.allFinite() ? Status{} : Status{Code::not_a_number, -1};
   }
 
+  /// Inputs dt seconds after the start of the step, by the derivatives that they name.
+  void advance_inputs(double dt) {
+    if (inputs_have_derivatives(model_inputs)) system.set_inputs(advanced_inputs(model_inputs, inputs, dt));
+  }
+
   /// Where a step of h seconds leads.
-  Status advance(Configuration& at, double h) const {
+  Status advance(Configuration& at, double h) {
     std::vector<int> equations;
     const GenericState start = at.z;
     const auto derivative = [&](const CartesianState& bodies, CartesianRates& rates) {
+      advance_inputs(bodies.t - start.t);
       return stage({bodies, system.joint_state(bodies, start)}, equations, rates);
     };
     const Status status = runge_kutta_step(derivative, at.bodies, h);
     if (!status.ok()) return status;
+    advance_inputs(h);
     at.z = system.joint_state(at.bodies, start);
     if (const Status finite = check_finite(at.z, {}); !finite.ok()) return finite;
     return stabilisation == Stabilisation::projection ? close(mechanics(), closure_tolerance, at) : Status{};
@@ -113,7 +126,10 @@ CartesianSolver::CartesianSolver(const Model& model, const Topology& topology, C
 CartesianSolver::~CartesianSolver() = default;
 CartesianSolver::CartesianSolver(CartesianSolver&&) noexcept = default;
 
-void CartesianSolver::set_inputs(const std::vector<double>& inputs) { content_->system.set_inputs(inputs); }
+void CartesianSolver::set_inputs(const std::vector<double>& inputs) {
+  content_->inputs = inputs;
+  content_->system.set_inputs(inputs);
+}
 
 void CartesianSolver::set_parameters(const std::vector<double>& tunable_parameters) {
   content_->system.set_parameters(tunable_parameters);
@@ -150,6 +166,7 @@ Status CartesianSolver::step(GenericState& state, double h) {
   if (!status.ok()) return status;
   Configuration at = content_->configuration(state);
   status = content_->advance(at, h);
+  content_->advance_inputs(0);
   if (!status.ok()) return status;
   state = at.z;
   content_->left = std::move(at);
