@@ -8,6 +8,7 @@
 
 #include "compiler/cli/engine.hpp"
 #include "compiler/cli/user_error.hpp"
+#include "compiler/model/evaluate.hpp"
 
 namespace mbgen::cli {
 namespace {
@@ -104,13 +105,28 @@ std::optional<GenericSolver> driven_solver(const Compilation& compilation, const
   return GenericSolver(model, compilation.topology, *analysis);
 }
 
-/// Moves the wished coordinates from zero to their values in small steps, the loops closed at each.
+/// What motions look at when the run starts.
+struct StartEnvironment {
+  const Model& model;
+  const std::vector<double>& inputs;
+  double parameter(int index) const { return model.parameters[index].value; }
+  double input(int index) const { return inputs[index]; }
+  double time() const { return 0; }
+  double position(const CoordinateReference&) const { return 0; }
+  double velocity(const CoordinateReference&) const { return 0; }
+  double local(int) const { return 0; }
+};
+
+/// Moves the wished and the driven coordinates from zero to their values in small steps, the loops closed at each.
 /// Result: the state at the end, empty when the wishes leave no freedom for that.
-std::optional<GenericState> assemble_by_driving(const Compilation& compilation, const std::vector<Wish>& wishes) {
+std::optional<GenericState> assemble_by_driving(const Compilation& compilation, const std::vector<double>& inputs,
+                                                const std::vector<Wish>& wishes) {
   GenericState state = reference_state(compilation);
   std::vector<double> rate(state.z.size(), 0.0);
+  const StartEnvironment environment{compilation.model, inputs};
   for (const Motion& motion : compilation.model.motions) {
-    rate[tree_coordinate(compilation.topology, motion.joint)] = motion.position.value;
+    rate[tree_coordinate(compilation.topology, motion.joint)] =
+        evaluate<double>(motion.position, compilation.model.expressions, environment);
   }
   for (const Wish& wish : wishes) rate[wish.coordinate] = wish.value;
   const std::optional<GenericSolver> solver = driven_solver(compilation, wishes, state.z, rate);
@@ -127,22 +143,28 @@ std::optional<GenericState> assemble_by_driving(const Compilation& compilation, 
 
 [[noreturn]] void contradiction(const Compilation& compilation, const Wish& wish, double found, const char* what) {
   const std::string& name = compilation.topology.bodies[wish.coordinate].coordinate;
-  throw UserError(to_text(Diagnostic{
-      wish.where,
-      fmt::format("initial {} of {} contradicts the closures, {} asked, {} closes", what, name, wish.value, found),
-      "give as many values as there are degrees of freedom, or consistent ones", ""}));
+  const bool is_driven = compilation.analysis.driven[wish.coordinate];
+  throw UserError(to_text(
+      is_driven ? Diagnostic{wish.where,
+                             fmt::format("initial {} of {} contradicts its motion, {} asked, the motion gives {}", what,
+                                         name, wish.value, found),
+                             "remove it: a driven coordinate starts where its motion is", ""}
+                : Diagnostic{wish.where,
+                             fmt::format("initial {} of {} contradicts the closures, {} asked, {} closes", what, name,
+                                         wish.value, found),
+                             "give as many values as there are degrees of freedom, or consistent ones", ""}));
 }
 
 /// Closed positions with the wishes kept.
-GenericState assemble(const Compilation& compilation, const GenericSolver& solver, const std::vector<Wish>& wishes,
-                      bool only_a_guess) {
+GenericState assemble(const Compilation& compilation, const GenericSolver& solver, const std::vector<double>& inputs,
+                      const std::vector<Wish>& wishes, bool only_a_guess) {
   GenericState state = reference_state(compilation);
   for (const Wish& wish : wishes) state.z[wish.coordinate] = wish.value;
   const Status status = solver.project(state);
   const Wish* broken = status.ok() ? first_broken(wishes, state.z, kKept) : nullptr;
   if (status.ok() && (only_a_guess || broken == nullptr)) return state;
 
-  std::optional<GenericState> driven = assemble_by_driving(compilation, wishes);
+  std::optional<GenericState> driven = assemble_by_driving(compilation, inputs, wishes);
   if (driven) {
     require(solver.project(*driven), compilation.topology, "close the loops");
     state = *driven;
@@ -186,7 +208,8 @@ GenericState initial_state(const Compilation& compilation, const std::vector<dou
   const Initial& initial = compilation.model.initial;
   GenericSolver solver(compilation.model, compilation.topology, compilation.analysis);
   solver.set_inputs(inputs);
-  GenericState state = assemble(compilation, solver, wishes_of(compilation, initial.positions), initial.equilibrium);
+  GenericState state =
+      assemble(compilation, solver, inputs, wishes_of(compilation, initial.positions), initial.equilibrium);
   if (initial.equilibrium) {
     require(solver.equilibrium(state), compilation.topology, "find the static equilibrium");
   }

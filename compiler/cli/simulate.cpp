@@ -25,7 +25,7 @@ constexpr double kWholeSteps = 1e-9;
 constexpr double kMostSteps = 1e12;
 
 struct Options {
-  std::string model, file, integrator;
+  std::string model, file, integrator, input_table;
   std::optional<double> duration, step;
   long every = 0;
   EngineArguments engine;
@@ -105,16 +105,15 @@ class TableWriter {
 int run(const Options& options) {
   const Compilation compilation = expect(compile(options.model));
   const SimulationSettings settings = settings_of(options, compilation.model.solver);
-  const std::vector<double> inputs = input_values(compilation.model, options.engine.inputs);
+  const InputsOverTime inputs = inputs_over_time(compilation.model, options.engine.inputs, options.input_table);
   EngineChoice choice = chosen_engine(options.engine);
   choice.integrator = integrator_of(options.integrator, compilation.model.solver.integrator, choice.name);
   TableWriter table(options.file, compilation, decimation(options, settings.steps));
   const Engine engine = make_engine(compilation, choice);
-  engine.set_inputs(inputs);
-  const GenericState start = initial_state(compilation, inputs);
+  const GenericState start = initial_state(compilation, inputs.at(0));
 
   Progress progress(settings.steps);
-  const SimulationSummary summary = simulate(engine, start, settings, [&](const Sample& sample) {
+  const SimulationSummary summary = simulate(engine, start, inputs, settings, [&](const Sample& sample) {
     table.add(sample);
     progress.show(sample.step);
   });
@@ -135,7 +134,11 @@ void add_simulate(CLI::App& application, int& exit_code) {
   command->footer(
       "Example: mbgen simulate models/coach.json --duration 5 --step 1e-3 --out coach.csv\n"
       "Prints a summary; the file appears when it is complete. When the motion cannot go on, the file holds\n"
-      "what there is, standard error says why, and the exit code is 1.");
+      "what there is, standard error says why, and the exit code is 1.\n"
+      "Inputs keep their values (--input), or follow a table (--input-table steer.csv), whose header names them:\n"
+      "  t [s],steer [rad],torque [N m]\n"
+      "An input with a derivative among the inputs continues with it; where the table has no column for the\n"
+      "derivative, a cubic spline through the input's column gives both.");
   add_model_argument(*command, options->model);
   command->add_option("--duration", options->duration, "s (default: the model's)");
   command->add_option("--step", options->step, "s, shortened to divide the duration (default: the model's)");
@@ -144,6 +147,8 @@ void add_simulate(CLI::App& application, int& exit_code) {
                       "rk4 or abm4 (default: the model's; Cartesian engines: rk4 only)");
   command->add_option("--every", options->every,
                       fmt::format("write every n-th step (default: at most {} rows)", kRows));
+  command->add_option("--input-table", options->input_table,
+                      "inputs over time (CSV): columns t and names of inputs, straight between rows, held outside");
   add_engine_options(*command, options->engine);
   add_json_option(*command, options->json);
   command->callback([options, &exit_code] { exit_code = run(*options); });

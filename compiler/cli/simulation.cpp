@@ -115,10 +115,22 @@ Status observe(const Engine& engine, double h, Sample& sample, LoadedState& at, 
   return status;
 }
 
+/// One step, with the inputs that it is given and those at its end.
+Status step(const Engine& engine, const InputsOverTime& inputs, double h, GenericState& state) {
+  if (inputs.is_constant) return engine.step(state, h);
+  GenericState trial = state;
+  engine.set_inputs(inputs.of_step(state.t, h));
+  Status status = engine.step(trial, h);
+  engine.set_inputs(inputs.at(trial.t));
+  if (status.ok()) status = engine.project(trial);
+  if (status.ok()) state = std::move(trial);
+  return status;
+}
+
 }  // namespace
 
-SimulationSummary simulate(const Engine& engine, const GenericState& state, const SimulationSettings& settings,
-                           const std::function<void(const Sample&)>& on_sample) {
+SimulationSummary simulate(const Engine& engine, const GenericState& state, const InputsOverTime& inputs,
+                           const SimulationSettings& settings, const std::function<void(const Sample&)>& on_sample) {
   const Clock::time_point start = Clock::now();
   SimulationSummary summary;
   Collector collector(settings.step);
@@ -127,6 +139,7 @@ SimulationSummary simulate(const Engine& engine, const GenericState& state, cons
   sample.state = state;
   LoadedState at{state, std::vector<double>(state.z.size(), 0.0)};
   GenericDerivative derivative;
+  engine.set_inputs(inputs.at(state.t));
   for (sample.step = 0;; ++sample.step) {
     summary.status = observe(engine, settings.step, sample, at, derivative);
     if (!summary.status.ok()) break;
@@ -134,7 +147,7 @@ SimulationSummary simulate(const Engine& engine, const GenericState& state, cons
     on_sample(sample);
     if (sample.step == settings.steps) break;
     const Clock::time_point before = Clock::now();
-    summary.status = engine.step(sample.state, settings.step);
+    summary.status = step(engine, inputs, settings.step, sample.state);
     summary.solver_seconds += seconds_since(before);
     if (!summary.status.ok()) break;
     notices.add(summary.status, sample.state.t, summary.blocks);

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "compiler/cli/engine.hpp"
+#include "compiler/cli/inputs_over_time.hpp"
 
 namespace mbgen::cli {
 
@@ -57,9 +58,10 @@ struct SimulationSummary {
   Status status;                    ///< of the step that failed, or ok
 };
 
-/// Steps the engine from `state`. on_sample gets every point, the start too.
-/// When a step fails the motion ends at the last good state, and the summary says why.
-SimulationSummary simulate(const Engine& engine, const GenericState& state, const SimulationSettings& settings,
-                           const std::function<void(const Sample&)>& on_sample);
+/// Steps the engine from `state`. on_sample gets every point, the start too. Where inputs change, the state is
+/// projected after each step under those of its time. When a step fails the motion ends at the last good state, and the
+/// summary says why.
+SimulationSummary simulate(const Engine& engine, const GenericState& state, const InputsOverTime& inputs,
+                           const SimulationSettings& settings, const std::function<void(const Sample&)>& on_sample);
 
 }  // namespace mbgen::cli

@@ -1,0 +1,28 @@
+#pragma once
+// A CSV file of inputs over time.
+
+#include <string>
+#include <vector>
+
+#include "compiler/model/model.hpp"
+
+namespace mbgen::cli {
+
+struct InputColumn {
+  int input = -1;              ///< index into Model::inputs
+  std::vector<double> values;  ///< one per row
+};
+
+struct InputTable {
+  std::string header;     ///< file and line of the header, for messages
+  std::vector<double> t;  ///< s, strictly increasing, at least one
+  std::vector<InputColumn> columns;
+};
+
+/// Reads a table whose header is `t` and names of inputs, each with its unit in brackets where wanted: `steer [rad]`.
+/// Fields may be in quotes (RFC 4180); blank lines are skipped.
+/// Fails: UserError with file and line for an unknown or double column, a unit that is not the model's, a row of
+/// another length than the header, a field that is no finite number, t that does not increase, no rows.
+InputTable read_input_table(const std::string& path, const Model& model);
+
+}  // namespace mbgen::cli
