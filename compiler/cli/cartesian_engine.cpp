@@ -46,6 +46,9 @@ Engine make_cartesian_engine(const Compilation& compilation, const EngineChoice&
   engine.multipliers = [judge](const LoadedState& at, const GenericDerivative&, std::vector<double>& lambda) {
     return judge->solver.multipliers(at.state, at.tau, lambda);
   };
+  engine.driving_forces = [judge](const LoadedState& at, const GenericDerivative&, std::vector<double>& drive) {
+    return judge->solver.driving_forces(at.state, at.tau, drive);
+  };
   engine.outputs = [judge](const LoadedState& at, const GenericDerivative& derivative, GenericOutputs& values) {
     values = judge->observer.outputs(at.state, at.tau, derivative);
     return Status{};

@@ -46,6 +46,9 @@ struct Engine {
   std::function<Status(const GenericState&, double h, GenericDerivative&)> accelerations_in_motion;
   /// Multipliers in the order of Topology::loops and their equations.
   std::function<Status(const LoadedState&, const GenericDerivative&, std::vector<double>& lambda)> multipliers;
+  /// Generalised driving force of each motion, N or N m: its product with the rate of the coordinate is the power that
+  /// the drive puts into the system.
+  std::function<Status(const LoadedState&, const GenericDerivative&, std::vector<double>& drive)> driving_forces;
   std::function<Status(const LoadedState&, const GenericDerivative&, GenericOutputs&)> outputs;
   /// What each joint of the model, then each rod, transmits to its `to` body: force (N) and moment (N m) about the
   /// joint's point on that body, global axes. Empty function where nobody asked.

@@ -34,11 +34,18 @@ Status check_finite(const std::vector<double>& zdd) {
   return {};
 }
 
+/// {motion: generalised driving force}.
+Json drive_json(const Model& model, const std::vector<double>& drive) {
+  Json result = Json::object();
+  for (std::size_t m = 0; m < drive.size(); ++m) result[model.motions[m].name] = number_or_null(drive[m]);
+  return result;
+}
+
 Json evaluate_state(const Engine& engine, const Compilation& compilation, const StatesFile& file,
                     const FileState& asked, const Options& options) {
   LoadedState at = asked.at;
   GenericDerivative derivative;
-  std::vector<double> lambda;
+  std::vector<double> lambda, drive;
   engine.set_inputs(asked.inputs);
   std::vector<std::array<double, 6>> wrenches;
   Status status = options.project ? engine.project(at.state) : Status{};
@@ -46,10 +53,14 @@ Json evaluate_state(const Engine& engine, const Compilation& compilation, const 
   if (status.ok()) status = check_finite(derivative.zdd);
   if (status.ok()) status = engine.multipliers(at, derivative, lambda);
   if (status.ok() && options.reactions) status = engine.reactions(at, derivative, wrenches);
+  if (status.ok()) status = engine.driving_forces(at, derivative, drive);
 
   Json result;
   result["zdd"] = status.ok() ? Json(in_file_order(file, derivative.zdd)) : Json(nullptr);
   result["lambda"] = status.ok() ? Json(lambda) : Json(nullptr);
+  if (!compilation.model.motions.empty()) {
+    result["drive"] = status.ok() ? drive_json(compilation.model, drive) : Json(nullptr);
+  }
   result["status"] = describe(compilation.topology, status);
   Residuals residuals;
   const bool has_residuals = engine.residuals(at.state, residuals).ok();
@@ -93,6 +104,7 @@ void add_evaluate(CLI::App& application, int& exit_code) {
       "where states.json is {\"joint_order\": [names], \"states\": [{\"z\": [], \"zd\": [], \"tau\": []}]}; a state "
       "may\n"
       "also have \"x\", \"t\" and \"inputs\": {name: value}. tau are joint forces, added to those of the model.\n"
+      "Of a model with motions, \"drive\" are the generalised driving forces.\n"
       "A state that has no accelerations has \"zdd\": null and a status that says why; the exit code is then 0 too.");
   add_model_argument(*command, options->model);
   command->add_option("--states", options->states, "file of states (JSON)")->required();

@@ -81,11 +81,11 @@ Status step(LoadedSolver& solver, SolverSettings::Integrator integrator, Generic
   return status;
 }
 
-Status multipliers(LoadedSolver& solver, const LoadedState& at, const GenericDerivative& derivative,
-                   std::vector<double>& lambda) {
+Status constraint_forces(LoadedSolver& solver, const LoadedState& at, const GenericDerivative& derivative,
+                         std::vector<double>& lambda, std::vector<double>& drive) {
   flatten(at.state, solver.state);
   flatten(derivative, solver.derivative);
-  std::vector<double> drive(static_cast<std::size_t>(solver.table->drives));
+  drive.resize(static_cast<std::size_t>(solver.table->drives));
   lambda.resize(static_cast<std::size_t>(solver.table->multipliers));
   return solver.table->multiplier_values(solver.parameters.data(), solver.inputs.data(), solver.state.data(),
                                          at.tau.data(), solver.derivative.data(), lambda.data(), drive.data());
@@ -175,7 +175,15 @@ Engine make_generated_engine(const Compilation& compilation, const EngineChoice&
     return accelerations_in_motion(*solver, state, h, derivative);
   };
   engine.multipliers = [solver](const LoadedState& at, const GenericDerivative& derivative,
-                                std::vector<double>& lambda) { return multipliers(*solver, at, derivative, lambda); };
+                                std::vector<double>& lambda) {
+    std::vector<double> drive;
+    return constraint_forces(*solver, at, derivative, lambda, drive);
+  };
+  engine.driving_forces = [solver](const LoadedState& at, const GenericDerivative& derivative,
+                                   std::vector<double>& drive) {
+    std::vector<double> lambda;
+    return constraint_forces(*solver, at, derivative, lambda, drive);
+  };
   engine.outputs = [solver](const LoadedState& at, const GenericDerivative& derivative, GenericOutputs& values) {
     return outputs(*solver, at, derivative, values);
   };

@@ -118,6 +118,11 @@ Engine make_generic_engine(const Compilation& compilation, const EngineChoice& c
     lambda = system->solver.multipliers(at.state, at.tau, derivative);
     return Status{};
   };
+  engine.driving_forces = [system](const LoadedState& at, const GenericDerivative& derivative,
+                                   std::vector<double>& drive) {
+    drive = system->solver.driving_forces(at.state, at.tau, derivative);
+    return Status{};
+  };
   engine.outputs = [system](const LoadedState& at, const GenericDerivative& derivative, GenericOutputs& values) {
     values = system->solver.outputs(at.state, at.tau, derivative);
     return Status{};

@@ -52,6 +52,7 @@ struct CartesianSolver::Content {
 
   Content(const Model& model, const Topology& t, CartesianMethod m, Stabilisation s)
       : topology(t),
+        model_inputs(model.inputs),
         system(model, t),
         method(m),
         stabilisation(s),
@@ -179,6 +180,15 @@ Status CartesianSolver::multipliers(const GenericState& state, const std::vector
   Solved solved;
   const Status status = content_->solve_at(at, tau, solved);
   if (status.ok()) lambda = content_->system.loop_multipliers(at.bodies, solved.solution.lambda);
+  return status;
+}
+
+Status CartesianSolver::driving_forces(const GenericState& state, const std::vector<double>& tau,
+                                       std::vector<double>& drive) const {
+  const Configuration at = content_->configuration(state);
+  Solved solved;
+  const Status status = content_->solve_at(at, tau, solved);
+  if (status.ok()) drive = content_->system.driving_forces(solved.solution.lambda);
   return status;
 }
 

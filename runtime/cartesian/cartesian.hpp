@@ -33,7 +33,7 @@ class CartesianSolver {
   ~CartesianSolver();
   CartesianSolver(CartesianSolver&&) noexcept;
 
-  /// Values of all inputs from now on; a step begins with them and advances those that have derivatives.
+  /// Values of all inputs, model order; a step begins with them and advances those that have derivatives.
   void set_inputs(const std::vector<double>& inputs);
   void set_parameters(const std::vector<double>& tunable_parameters);
 
@@ -47,6 +47,8 @@ class CartesianSolver {
   Status step(GenericState& state, double h);
   /// Multipliers in the order and scale of Topology::loops at a state.
   Status multipliers(const GenericState& state, const std::vector<double>& tau, std::vector<double>& lambda) const;
+  /// Generalised driving force of each motion at a state, N or N m.
+  Status driving_forces(const GenericState& state, const std::vector<double>& tau, std::vector<double>& drive) const;
   /// Per joint of the model, then per rod: force (N) and moment (N m) that it transmits to its `to` body, about the
   /// joint's point on that body, global axes.
   Status reactions(const GenericState& state, const std::vector<double>& tau,

@@ -156,6 +156,13 @@ struct GenericSolver::Content {
     s.multipliers = block_multipliers(s.prepared, s.unbalanced);
     return s;
   }
+
+  /// Generalised driving force of each motion.
+  std::vector<double> driving_forces(const System<double>& system, const Solved& solved) const {
+    std::vector<double> force;
+    for (const Drive<double>& d : drives(system)) force.push_back(-solved.unbalanced[d.coordinate]);
+    return force;
+  }
 };
 
 }  // namespace mbgen

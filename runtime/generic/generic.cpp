@@ -135,6 +135,12 @@ std::vector<double> GenericSolver::multipliers(const GenericState& state, const 
   return in_loop_order(content_->topology, solved.multipliers);
 }
 
+std::vector<double> GenericSolver::driving_forces(const GenericState& state, const std::vector<double>& tau,
+                                                  const GenericDerivative& derivative) const {
+  System<double> system = content_->system(state);
+  return content_->driving_forces(system, content_->solved(system, tau, derivative.zdd));
+}
+
 std::vector<double> GenericSolver::position_residuals(const GenericState& state) const {
   System<double>& system = content_->system(state);
   std::vector<std::vector<double>> by_block;
@@ -161,12 +167,9 @@ GenericOutputs GenericSolver::outputs(const GenericState& state, const std::vect
                                       const GenericDerivative& derivative) const {
   System<double>& system = content_->system(state);
   const Solved solved = content_->solved(system, tau, derivative.zdd);
-  std::vector<double> drive;
+  const std::vector<double> drive = content_->driving_forces(system, solved);
   std::vector<int> driven;
-  for (const Drive<double>& d : drives(system)) {
-    driven.push_back(d.coordinate);
-    drive.push_back(-solved.unbalanced[d.coordinate]);
-  }
+  for (const Drive<double>& d : drives(system)) driven.push_back(d.coordinate);
   const SolvedState<double> view{solved.prepared.kinematics,
                                  solved.prepared.velocities,
                                  solved.accelerations,

@@ -58,6 +58,9 @@ class GenericSolver {
   /// Lagrange multipliers in the order of Topology::loops, given accelerations.
   std::vector<double> multipliers(const GenericState& state, const std::vector<double>& tau,
                                   const GenericDerivative& derivative) const;
+  /// Generalised driving force of each motion, given accelerations: N or N m, along its coordinate.
+  std::vector<double> driving_forces(const GenericState& state, const std::vector<double>& tau,
+                                     const GenericDerivative& derivative) const;
   /// Closure residuals in the order of Topology::loops (positions), and Phi_z zd - ct (velocities).
   std::vector<double> position_residuals(const GenericState& state) const;
   std::vector<double> velocity_residuals(const GenericState& state) const;
