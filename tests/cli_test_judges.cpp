@@ -41,6 +41,33 @@ TEST_P(JudgesOnVehicles, AccelerationsEqualTheReference) {
   }
 }
 
+// Of the coach all closures are independent, so that what its joints transmit is unique.
+TEST_F(CommandLine, JudgesFindTheReactionsOfTheCoach) {
+  Json reference = Json::parse(std::ifstream(kSource + "/tests/data/reference/coach_states.json"));
+  reference["states"].erase(reference["states"].begin() + 1, reference["states"].end());
+  write("states.json", reference.dump());
+  const std::string evaluate = "evaluate " + kSource + "/models/coach_mechanism.json --states states.json --reactions";
+  const auto reactions = [&](const char* engine) {
+    return Json(json_of(fmt::format("{} --engine {}", evaluate, engine))["states"][0]["reactions"]);
+  };
+  const Json expected = reactions("generic");
+  for (const char* judge : kJudges) {
+    const Json actual = reactions(judge);
+    double largest = 0, error = 0;
+    ASSERT_GT(actual.size(), 20u);
+    for (const auto& [joint, wrench] : actual.items()) {
+      for (const char* part : {"force", "moment"}) {
+        for (int axis = 0; axis < 3; ++axis) {
+          const double right = expected[joint][part][axis];
+          largest = std::max(largest, std::abs(right));
+          error = std::max(error, std::abs(wrench[part][axis].get<double>() - right));
+        }
+      }
+    }
+    EXPECT_LT(error / largest, 1e-10) << judge;
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(Paper, JudgesOnVehicles, ::testing::Values("coach", "truck"));
 
 /// A slider-crank at its dead centre, along a direction of the x-z plane. Only the piston has mass, and the crank

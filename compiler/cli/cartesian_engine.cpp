@@ -1,5 +1,5 @@
-// The Cartesian judges as engines. Accelerations, motions, multipliers and residuals are the judge's own; the model's
-// outputs and energies are read off its states by the generic runtime.
+// The Cartesian judges as engines. Accelerations, motions, multipliers, reactions and residuals are the judge's own;
+// the model's outputs and energies are read off its states by the generic runtime.
 
 #include <memory>
 

@@ -52,7 +52,6 @@ struct CartesianSolver::Content {
 
   Content(const Model& model, const Topology& t, CartesianMethod m, Stabilisation s)
       : topology(t),
-        model_inputs(model.inputs),
         system(model, t),
         method(m),
         stabilisation(s),
