@@ -261,8 +261,10 @@ TEST(DrivenCart, StepFollowsInputsByTheirDerivatives) {
     CartesianSolver steered = judge_of(by_input, CartesianMethod::augmented, stabilisation);
     ASSERT_TRUE(timed.step(expected, 0.1).ok());
     ASSERT_TRUE(steered.step(actual, 0.1).ok());
-    EXPECT_NEAR(actual.z[0], 0.3 - 0.12 + 0.025, 1e-15);
-    EXPECT_NEAR(actual.zd[0], -0.7, 1e-14);
+    if (stabilisation == Stabilisation::projection) {  // Baumgarte's corrections act between the stages
+      EXPECT_NEAR(actual.z[0], 0.3 - 0.12 + 0.025, 1e-15);
+      EXPECT_NEAR(actual.zd[0], -0.7, 1e-14);
+    }
     EXPECT_LT(relative_error(actual.z, expected.z), 1e-14);
     EXPECT_LT(relative_error(actual.zd, expected.zd), 1e-14);
   }
