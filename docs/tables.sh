@@ -4,7 +4,7 @@
 set -eu
 here=$(cd "$(dirname "$0")" && pwd)
 mbgen=${1:-$here/../build/release/mbgen}
-for model in coach truck coach_mechanism truck_mechanism; do
+for model in coach truck; do
   "$mbgen" bench "$here/../models/$model.json"
   echo
 done
