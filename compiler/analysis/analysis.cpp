@@ -6,13 +6,22 @@
 
 #include "compiler/analysis/certificate.hpp"
 #include "compiler/analysis/compatibility.hpp"
+#include "compiler/analysis/large_block.hpp"
 #include "compiler/analysis/partition.hpp"
 #include "compiler/analysis/sampling.hpp"
+#include "compiler/analysis/walk.hpp"
 
 namespace mbgen {
 namespace {
 
 constexpr int kWantedConfigurations = 24;
+
+/// One walk there and back again is enough for large blocks.
+int wanted_configurations(const Topology& topology) {
+  if (topology.blocks.empty()) return 4;
+  return std::all_of(topology.blocks.begin(), topology.blocks.end(), is_large) ? 2 * kWalkLength
+                                                                               : kWantedConfigurations;
+}
 
 Where where_of(const Model& model, const Loop& loop) {
   return loop.rod >= 0 ? model.rods[loop.rod].where : model.joints[loop.joint].where;
@@ -63,6 +72,16 @@ std::vector<Eigen::MatrixXd> regular_jacobians(const PartView& whole) {
   return jacobians;
 }
 
+Diagnostics too_many_motions(const Model& model, const LoopBlock& block, const PartView& whole,
+                             const Analysis& analysis) {
+  const std::vector<int> driven = driven_columns(block, analysis.driven);
+  const Motion& motion = model.motions[analysis.motion_of[block.joints[driven.back()]]];
+  return {problem(motion.where,
+                  fmt::format("motions over-constrain a loop: {} driven coordinates, but the loop leaves {} free",
+                              driven.size(), static_cast<int>(block.joints.size()) - whole.rank),
+                  "remove a motion, or drive a coordinate that the loop leaves free")};
+}
+
 /// Motions that leave a block less than its generic rank.
 Diagnostics over_constrained(const Model& model, const LoopBlock& block, const PartView& whole,
                              const Analysis& analysis) {
@@ -71,11 +90,7 @@ Diagnostics over_constrained(const Model& model, const LoopBlock& block, const P
   const std::vector<int> free = free_columns(block, analysis.driven);
   const int reached = free.empty() ? 0 : generic_rank(regular_jacobians(whole), free);
   if (reached >= whole.rank) return {};
-  const Motion& motion = model.motions[analysis.motion_of[block.joints[driven.back()]]];
-  return {problem(motion.where,
-                  fmt::format("motions over-constrain a loop: {} driven coordinates, but the loop leaves {} free",
-                              driven.size(), static_cast<int>(block.joints.size()) - whole.rank),
-                  "remove a motion, or drive a coordinate that the loop leaves free")};
+  return too_many_motions(model, block, whole, analysis);
 }
 
 /// What was found out about the blocks; one entry per block.
@@ -84,6 +99,31 @@ struct Findings {
   std::vector<PartView> views;
   Diagnostics problems;
 };
+
+/// The same of a large block, see large_block.hpp.
+BlockAnalysis analyse_large_block(NumericSystem& numbers, std::size_t b,
+                                  const std::vector<Configuration>& configurations, const Analysis& analysis,
+                                  Findings& found) {
+  const Model& model = numbers.model();
+  const Topology& topology = numbers.topology();
+  const LoopBlock& block = topology.blocks[b];
+  const std::vector<ClosureEquation>& equations = found.equations.back();
+  found.views.push_back(large_view(numbers, b, configurations));
+  const PartView& whole = found.views.back();
+  const Certificate certificate = certify_large(topology, b, whole, equations, configurations);
+  Diagnostics problems = contradictions(numbers, b, whole, certificate.immobile, equations, configurations);
+  if (problems.empty()) problems = large_contradictions(model, topology, b, equations, configurations);
+  const std::vector<int> driven = driven_columns(block, analysis.driven);
+  BlockAnalysis result = choose_large_partition(block, b, whole, driven, configurations);
+  if (problems.empty() && result.rank < whole.rank) problems = too_many_motions(model, block, whole, analysis);
+  if (!problems.empty()) {
+    found.problems.insert(found.problems.end(), problems.begin(), problems.end());
+    return {};
+  }
+  for (int e : result.redundant_equations) result.redundant_names.push_back(equations[e].name);
+  result.certificate = certificate;
+  return result;
+}
 
 /// Rank, certificate and partition of block `b`; what is wrong with it goes to `found`.
 BlockAnalysis analyse_block(NumericSystem& numbers, std::size_t b, const std::vector<Configuration>& configurations,
@@ -97,6 +137,7 @@ BlockAnalysis analyse_block(NumericSystem& numbers, std::size_t b, const std::ve
     found.problems.push_back(open_loop(model, topology, block, configurations[0].residuals[b]));
     return {};
   }
+  if (is_large(block)) return analyse_large_block(numbers, b, configurations, analysis, found);
   found.views.push_back(view(numbers, b, block_part(topology, block, block.loops), equations, configurations));
   const PartView& whole = found.views.back();
   const Certificate certificate = certify(topology, block, whole, configurations);
@@ -125,6 +166,7 @@ void watch_blocks(NumericSystem& numbers, const std::vector<Configuration>& conf
   }
   const std::vector<Watch> watches = watch_redundant(numbers, found.views, kept, found.equations, configurations);
   for (std::size_t b = 0; b < watches.size(); ++b) {
+    if (is_large(numbers.topology().blocks[b])) continue;
     certify_redundant(analysis.blocks[b].certificate, analysis.blocks[b].redundant_equations, found.equations[b],
                       watches[b].steps, watches[b].residual);
     found.problems.insert(found.problems.end(), watches[b].problems.begin(), watches[b].problems.end());
@@ -184,8 +226,7 @@ Result<Analysis> analyse(const Model& model, const Topology& topology) {
   Analysis analysis;
   mark_drives(model, topology, analysis);
   NumericSystem numbers(model, topology);
-  const std::vector<Configuration> configurations =
-      closed_configurations(numbers, topology.blocks.empty() ? 4 : kWantedConfigurations);
+  const std::vector<Configuration> configurations = closed_configurations(numbers, wanted_configurations(topology));
   Findings found;
   for (std::size_t b = 0; b < topology.blocks.size(); ++b) {
     analysis.blocks.push_back(analyse_block(numbers, b, configurations, analysis, found));

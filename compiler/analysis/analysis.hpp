@@ -53,7 +53,8 @@ struct BlockAnalysis : LoopPartition {
   std::vector<int> redundant_equations;      ///< local rows left out of the frozen path
   std::vector<std::string> redundant_names;  ///< the same by loop and component, for people
   std::vector<int> triangular_sizes;         ///< sizes of the diagonal blocks of the block-triangular form
-  double typical_pivot = 0;      ///< smallest of full pivoting without the driven columns, median over all samples
+  double typical_pivot = 0;      ///< smallest of full pivoting without the driven columns, median over all samples;
+                                 ///< 0 when no partition is chosen again, see chooses_again
   double worst_pivot_ratio = 0;  ///< smallest |pivot| / largest entry of its remaining row and column, over all samples
   Certificate certificate;
 };
@@ -67,6 +68,13 @@ struct Analysis {
   std::vector<bool> driven;           ///< per tree coordinate
   std::vector<int> motion_of;         ///< per tree coordinate: index into Model::motions or -1
 };
+
+/// Entries of a block Jacobian up to which another partition is chosen at run time, by full pivoting of the dense
+/// matrix: 1 MB on the stack. A larger block keeps its frozen partition, and where that is bad it is singular.
+constexpr long kMostPivotedEntries = 131072;
+inline bool chooses_again(const LoopBlock& block) {
+  return static_cast<long>(block.equations) * static_cast<long>(block.joints.size()) <= kMostPivotedEntries;
+}
 
 /// Which coordinate names which free direction: the independent, undriven coordinates, group by group.
 std::vector<int> free_coordinates(const Topology& topology, const Analysis& analysis);

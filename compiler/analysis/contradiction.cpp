@@ -146,7 +146,7 @@ Diagnostics contradictions(NumericSystem& numbers, std::size_t b, const PartView
   }
   for (std::vector<int>& group : connected(topology, held))
     if (group.size() > 1) sets.push_back(std::move(group));
-  if (block.loops.size() > 1) sets.push_back(block.loops);
+  if (block.loops.size() > 1 && !is_large(block)) sets.push_back(block.loops);
   Diagnostics problems;
   for (std::size_t i = 0; i < sets.size(); ++i) {
     if (i >= alone && !problems.empty()) break;  // loops together repeat what a loop alone said

@@ -85,7 +85,7 @@ PartView view(const NumericSystem& numbers, std::size_t b, const BlockPart& part
   for (std::size_t i = 0; i < configurations.size(); ++i) {
     if (!configurations[i].closed[b]) continue;
     v.configurations.push_back(static_cast<int>(i));
-    v.jacobians.push_back(configurations[i].blocks[b].jacobian(part.rows, part.columns));
+    v.jacobians.push_back(configurations[i].blocks[b].part(part.rows, part.columns));
   }
   std::vector<bool> metres, revolute;
   for (int r : part.rows) metres.push_back(equations[r].unit == ResidualUnit::metre);

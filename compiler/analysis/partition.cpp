@@ -37,27 +37,6 @@ int rank_of(const MatrixXd& m) {
   return static_cast<int>((Eigen::JacobiSVD<MatrixXd>(m).singularValues().array() > kRankTolerance).count());
 }
 
-/// Smallest pivot that the runtime's full pivoting takes, median over the samples; a scale, so two digits are enough.
-double typical_pivot(const std::vector<MatrixXd>& jacobians, int rank, const std::vector<int>& driven) {
-  std::vector<double> smallest;
-  for (const MatrixXd& jacobian : jacobians) {
-    Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> factors = jacobian;
-    std::vector<int> rows(jacobian.rows()), columns(jacobian.cols());
-    std::vector<unsigned char> is_driven(jacobian.cols(), 0);
-    for (const int c : driven) is_driven[c] = 1;
-    LoopFactors loop;
-    loop.equations = static_cast<int>(jacobian.rows());
-    loop.coordinates = static_cast<int>(jacobian.cols());
-    loop.matrix = factors.data();
-    loop.rows = rows.data();
-    loop.columns = columns.data();
-    factorise(loop, rank, is_driven.data(), kRankTolerance);
-    smallest.push_back(loop.rank == rank ? smallest_pivot(loop) : 0);
-  }
-  std::sort(smallest.begin(), smallest.end());
-  return std::stod(fmt::format("{:.2g}", smallest[smallest.size() / 2]));
-}
-
 struct Candidate {
   std::vector<int> rows, columns;  // ascending
   bool operator<(const Candidate& other) const { return std::tie(columns, rows) < std::tie(other.columns, other.rows); }
@@ -236,6 +215,26 @@ std::set<Candidate> candidates(const std::vector<MatrixXd>& jacobians, const std
 }
 
 }  // namespace
+
+double typical_pivot(const std::vector<MatrixXd>& jacobians, int rank, const std::vector<int>& driven) {
+  std::vector<double> smallest;
+  for (const MatrixXd& jacobian : jacobians) {
+    Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> factors = jacobian;
+    std::vector<int> rows(jacobian.rows()), columns(jacobian.cols());
+    std::vector<unsigned char> is_driven(jacobian.cols(), 0);
+    for (const int c : driven) is_driven[c] = 1;
+    LoopFactors loop;
+    loop.equations = static_cast<int>(jacobian.rows());
+    loop.coordinates = static_cast<int>(jacobian.cols());
+    loop.matrix = factors.data();
+    loop.rows = rows.data();
+    loop.columns = columns.data();
+    factorise(loop, rank, is_driven.data(), kRankTolerance);
+    smallest.push_back(loop.rank == rank ? smallest_pivot(loop) : 0);
+  }
+  std::sort(smallest.begin(), smallest.end());
+  return std::stod(fmt::format("{:.2g}", smallest[smallest.size() / 2]));
+}
 
 int generic_rank(const std::vector<MatrixXd>& jacobians, const std::vector<int>& columns) {
   int rank = 0;

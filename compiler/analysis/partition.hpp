@@ -12,6 +12,9 @@ namespace mbgen {
 /// all).
 int generic_rank(const std::vector<Eigen::MatrixXd>& jacobians, const std::vector<int>& columns);
 
+/// Smallest pivot that the runtime's full pivoting takes, median over the samples; a scale, so two digits are enough.
+double typical_pivot(const std::vector<Eigen::MatrixXd>& jacobians, int rank, const std::vector<int>& driven);
+
 /// Chooses dependent coordinates and leading equations: well conditioned over all samples, then cheapest to eliminate.
 /// driven: local columns that must stay independent. Requires: `rank` is reached without the driven columns.
 BlockAnalysis choose_partition(const std::vector<Eigen::MatrixXd>& jacobians, int rank, const std::vector<int>& driven);

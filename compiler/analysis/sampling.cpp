@@ -5,6 +5,8 @@
 #include <numeric>
 #include <random>
 
+#include "compiler/analysis/walk.hpp"
+
 namespace mbgen {
 namespace {
 
@@ -45,6 +47,14 @@ Vector<double> NumericSystem::reference_position(const Attachment& at) const {
                                    system_.environment);
 }
 
+Eigen::MatrixXd BlockSample::part(const std::vector<int>& rows, const std::vector<int>& columns) const {
+  if (sparse.empty()) return jacobian(rows, columns);
+  Eigen::MatrixXd result(rows.size(), columns.size());
+  for (std::size_t r = 0; r < rows.size(); ++r)
+    for (std::size_t c = 0; c < columns.size(); ++c) result(r, c) = sparse[rows[r]].at(columns[c]);
+  return result;
+}
+
 void evaluate_closures(NumericSystem& numbers, Configuration& configuration) {
   System<double>& system = numbers.at(configuration.z);
   const Kinematics<double> k = kinematics(system);
@@ -52,10 +62,16 @@ void evaluate_closures(NumericSystem& numbers, Configuration& configuration) {
   configuration.blocks.clear();
   configuration.residuals.clear();
   for (const LoopBlock& block : system.topology.blocks) {
-    const BlockClosure<double> closed = closure(system, k, block, rest);
-    BlockSample sample{Eigen::MatrixXd(block.equations, block.joints.size())};
-    for (int e = 0; e < block.equations; ++e)
-      for (std::size_t c = 0; c < block.joints.size(); ++c) sample.jacobian(e, c) = closed.jacobian[e][c];
+    SparseClosure<double> closed = sparse_closure(system, k, block, rest);
+    BlockSample sample;
+    if (is_large(block)) {
+      sample.sparse = std::move(closed.jacobian);
+    } else {
+      sample.jacobian = Eigen::MatrixXd::Zero(block.equations, static_cast<Eigen::Index>(block.joints.size()));
+      for (int e = 0; e < block.equations; ++e)
+        for (std::size_t i = 0; i < closed.jacobian[e].columns.size(); ++i)
+          sample.jacobian(e, closed.jacobian[e].columns[i]) = closed.jacobian[e].values[i];
+    }
     configuration.blocks.push_back(std::move(sample));
     configuration.residuals.push_back(Eigen::Map<const Eigen::VectorXd>(closed.residual.data(), block.equations));
   }
@@ -63,8 +79,28 @@ void evaluate_closures(NumericSystem& numbers, Configuration& configuration) {
 
 namespace {
 
+Eigen::VectorXd to_eigen(const std::vector<double>& values) {
+  return Eigen::Map<const Eigen::VectorXd>(values.data(), static_cast<Eigen::Index>(values.size()));
+}
+
+/// Newton step of a large block towards its chosen equations; coordinates without pivot stay.
+Eigen::VectorXd sparse_newton_step(const SparseRows& jacobian, const Eigen::VectorXd& residual, std::size_t coordinates,
+                                   const std::vector<int>& equations) {
+  LoopPartition partition;
+  partition.pivots = eliminate({&jacobian}, equations, std::vector<bool>(coordinates, false)).pivots;
+  std::vector<double> open(residual.size());
+  for (Eigen::Index e = 0; e < residual.size(); ++e) open[e] = -residual[e];
+  return to_eigen(solve_frozen(factorise_frozen(jacobian, partition, coordinates), partition, open, coordinates));
+}
+
 /// Least-squares Newton step of one block towards its chosen equations.
-Eigen::VectorXd newton_step(const Configuration& configuration, std::size_t b, const std::vector<int>& equations) {
+Eigen::VectorXd newton_step(const Configuration& configuration, std::size_t b, std::size_t coordinates,
+                            const std::vector<int>& equations) {
+  if (const SparseRows& sparse = configuration.blocks[b].sparse; !sparse.empty()) {
+    if (equations.empty() || !configuration.residuals[b].allFinite())
+      return Eigen::VectorXd::Zero(static_cast<Eigen::Index>(coordinates));
+    return sparse_newton_step(sparse, configuration.residuals[b], coordinates, equations);
+  }
   const Eigen::MatrixXd jacobian = configuration.blocks[b].jacobian(equations, Eigen::all);
   if (equations.empty() || !configuration.residuals[b].allFinite()) return Eigen::VectorXd::Zero(jacobian.cols());
   Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> factors;
@@ -88,7 +124,7 @@ Configuration close_equations(NumericSystem& numbers, std::vector<double> start,
     if (done || step == kMostSteps) break;
     for (std::size_t b = 0; b < topology.blocks.size(); ++b) {
       if (const double here = open(b); here < kClosed * 1e-3 || !std::isfinite(here)) continue;
-      Eigen::VectorXd correction = newton_step(configuration, b, equations[b]);
+      Eigen::VectorXd correction = newton_step(configuration, b, topology.blocks[b].joints.size(), equations[b]);
       if (const double length = largest(correction); length > kLongestStep) correction *= kLongestStep / length;
       for (std::size_t c = 0; c < topology.blocks[b].joints.size(); ++c)
         configuration.z[topology.blocks[b].joints[c]] += correction[c];
@@ -96,7 +132,7 @@ Configuration close_equations(NumericSystem& numbers, std::vector<double> start,
   }
   for (std::size_t b = 0; b < topology.blocks.size(); ++b) {
     configuration.closed.push_back(open(b) < kClosed);
-    configuration.corrections.push_back(newton_step(configuration, b, equations[b]));
+    configuration.corrections.push_back(newton_step(configuration, b, topology.blocks[b].joints.size(), equations[b]));
   }
   return configuration;
 }
@@ -110,6 +146,7 @@ std::vector<Configuration> closed_configurations(NumericSystem& numbers, int wan
     std::iota(equations.back().begin(), equations.back().end(), 0);
   }
   std::vector<Configuration> found{close_equations(numbers, reference, equations)};
+  std::vector<Walk> walks = start_walks(topology, found[0], equations);
   std::mt19937_64 random(20120401);  // fixed: two runs decide alike
   const double distances[] = {0.05, 0.2, 0.5, 1.0, 2.0};
   for (int attempt = 0; attempt < 2 * wanted && static_cast<int>(found.size()) <= wanted; ++attempt) {
@@ -119,6 +156,7 @@ std::vector<Configuration> closed_configurations(NumericSystem& numbers, int wan
       const double reach = topology.bodies[i].kind == FreedomKind::revolute ? 1.0 : 0.2;
       start[i] = unit * reach * distances[attempt % 5];
     }
+    for (Walk& walk : walks) step(topology, found, attempt, walk, start);
     Configuration configuration = close_equations(numbers, std::move(start), equations);
     const bool any =
         std::find(configuration.closed.begin(), configuration.closed.end(), true) != configuration.closed.end();

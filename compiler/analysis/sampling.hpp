@@ -4,15 +4,24 @@
 #include <Eigen/Dense>
 #include <vector>
 
+#include "compiler/analysis/sparse_elimination.hpp"
 #include "compiler/formulation/formulation.hpp"
 
 namespace mbgen {
 
 constexpr double kClosed = 1e-11;  ///< m or 1: Newton reaches it in a few steps from a good start
 
+/// Blocks of more joints are large: analysed by sparse elimination, at configurations along their freedoms (the rule is
+/// in docs/growth.md). Singular values would take minutes, and random starts never close so many loops at once.
+constexpr std::size_t kLargestSmallBlock = 40;
+inline bool is_large(const LoopBlock& block) { return block.joints.size() > kLargestSmallBlock; }
+
 /// Closure of one block at one closed configuration.
 struct BlockSample {
-  Eigen::MatrixXd jacobian;  ///< equations x coordinates
+  Eigen::MatrixXd jacobian;  ///< equations x coordinates; empty for a large block
+  SparseRows sparse;         ///< the same of a large block, else empty
+  /// Chosen rows and columns of it, ascending.
+  Eigen::MatrixXd part(const std::vector<int>& rows, const std::vector<int>& columns) const;
 };
 
 /// A position of all coordinates; a block that could not be closed there is marked.
@@ -47,11 +56,14 @@ class NumericSystem {
 void evaluate_closures(NumericSystem& numbers, Configuration& configuration);
 
 /// Closes the chosen equations of each block (local rows, ascending; none: the block stays) from a start by
-/// least-squares Newton steps, largest residual kClosed. Driven coordinates move like the others.
+/// least-squares Newton steps, largest residual kClosed; the steps of large blocks leave independent coordinates where
+/// they are. Driven coordinates move like the others.
 Configuration close_equations(NumericSystem& numbers, std::vector<double> start,
                               const std::vector<std::vector<int>>& equations);
 
 /// The reference configuration first, then up to `wanted` more from deterministic random starts of growing distance.
+/// Large blocks walk from the reference along a mixture of their freedoms instead, there and back again, with the
+/// equations closed that have a pivot at the reference: what the others show is their redundancy.
 std::vector<Configuration> closed_configurations(NumericSystem& numbers, int wanted);
 
 }  // namespace mbgen

@@ -12,9 +12,11 @@ using Eigen::VectorXd;
 constexpr double kContradiction = 1e-10;  // m or 1: rounding leaves 1e-13, closed is 1e-11
 constexpr double kNearSingular = 0.01;    // share of the best margin below which a configuration is no place to step
 
-/// A block can step at view index `s`: something is redundant, something moves, and the place is regular.
+/// A block can step at view index `s`: something is redundant, something moves, and the place is regular. Large blocks
+/// were watched on their walk.
 bool can_step(const PartView& view, const std::vector<int>& kept, std::size_t s) {
-  if (kept.size() == view.part.rows.size() || view.locked() || view.ranks[s] < view.rank) return false;
+  if (view.jacobians.empty() || kept.size() == view.part.rows.size() || view.locked() || view.ranks[s] < view.rank)
+    return false;
   return view.rank == 0 || view.margin(s) >= kNearSingular * view.margin(view.best());
 }
 

@@ -7,7 +7,31 @@
 
 namespace mbgen {
 
+/// Entries of a matrix row that are not structurally absent, columns ascending.
+template <class T>
+struct SparseRow {
+  std::vector<int> columns;
+  std::vector<T> values;
+  /// Entry of a column, zero where there is none.
+  T at(int column) const {
+    const auto found = std::lower_bound(columns.begin(), columns.end(), column);
+    return found == columns.end() || *found != column ? T(0.0) : values[found - columns.begin()];
+  }
+  void push_back(int column, T value) {
+    columns.push_back(column);
+    values.push_back(std::move(value));
+  }
+};
+
 /// Closure terms of one loop block. Columns are LoopBlock::joints, rows the equations of LoopBlock::loops in order.
+template <class T>
+struct SparseClosure {
+  std::vector<T> residual;             ///< Phi
+  std::vector<SparseRow<T>> jacobian;  ///< Phi_z, per equation the joints of its loop
+  std::vector<T> acceleration;         ///< c of Phi_z zdd = c
+};
+
+/// The same with all columns of the block in every row.
 template <class T>
 struct BlockClosure {
   std::vector<T> residual;               ///< Phi
@@ -190,24 +214,38 @@ std::vector<Row<T>> loop_rows(System<T>& system, const Kinematics<T>& k, const R
 /// Residuals, Jacobian and, from the relative motion, acceleration right-hand side of one block (steps 2 and 6).
 /// Cost: equations times joints of each loop.
 template <class T>
-BlockClosure<T> closure(System<T>& system, const Kinematics<T>& k, const LoopBlock& block,
-                        const RelativeMotion<T>& motion) {
-  BlockClosure<T> result;
+SparseClosure<T> sparse_closure(System<T>& system, const Kinematics<T>& k, const LoopBlock& block,
+                                const RelativeMotion<T>& motion) {
+  SparseClosure<T> result;
   for (int l : block.loops) {
     const Loop& loop = system.topology.loops[l];
     for (const detail::Row<T>& row : detail::loop_rows(system, k, motion, loop, block.base)) {
-      std::vector<T> columns(block.joints.size(), T(0.0));
-      for (std::size_t c = 0; c < block.joints.size(); ++c) {
-        const int j = block.joints[c];
-        if (std::find(loop.joints.begin(), loop.joints.end(), j) == loop.joints.end()) continue;
+      SparseRow<T> entries;
+      for (int j : loop.joints) {
+        const auto column = std::lower_bound(block.joints.begin(), block.joints.end(), j) - block.joints.begin();
         const bool moves_from = on_path(system.topology, loop.body_from, j);
-        columns[c] = moves_from ? dot(k.column[j], row.wrench_from) : -dot(k.column[j], row.wrench_to);
-        system.scribe.name(columns[c], "J_", loop.name, "_", system.topology.bodies[j].coordinate);
+        entries.push_back(static_cast<int>(column),
+                          moves_from ? dot(k.column[j], row.wrench_from) : -dot(k.column[j], row.wrench_to));
+        system.scribe.name(entries.values.back(), "J_", loop.name, "_", system.topology.bodies[j].coordinate);
       }
       result.residual.push_back(row.residual);
-      result.jacobian.push_back(std::move(columns));
+      result.jacobian.push_back(std::move(entries));
       result.acceleration.push_back(-row.acceleration);
     }
+  }
+  return result;
+}
+
+/// sparse_closure with the Jacobian written out. Cost: equations times joints of the block.
+template <class T>
+BlockClosure<T> closure(System<T>& system, const Kinematics<T>& k, const LoopBlock& block,
+                        const RelativeMotion<T>& motion) {
+  SparseClosure<T> sparse = sparse_closure(system, k, block, motion);
+  BlockClosure<T> result{std::move(sparse.residual), {}, std::move(sparse.acceleration)};
+  for (const SparseRow<T>& row : sparse.jacobian) {
+    std::vector<T> columns(block.joints.size(), T(0.0));
+    for (std::size_t i = 0; i < row.columns.size(); ++i) columns[row.columns[i]] = row.values[i];
+    result.jacobian.push_back(std::move(columns));
   }
   return result;
 }

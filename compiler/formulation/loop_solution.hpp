@@ -1,6 +1,9 @@
 #pragma once
 // The frozen solution of a loop block: elimination in an order that the analysis chose, tiny and without decisions.
 
+#include <map>
+#include <set>
+
 #include "compiler/formulation/closure.hpp"
 #include "compiler/formulation/loop_partition.hpp"
 
@@ -13,58 +16,117 @@ struct GroupProjection {
   std::vector<T> zdd_star;         ///< accelerations under zero free accelerations, driven ones prescribed
 };
 
-/// LU factors of the dependent Jacobian in the frozen order, and the monitor of its pivots.
+/// LU factors of the dependent Jacobian in the frozen order, and the monitor of its pivots. Row k belongs to pivot k.
 template <class T>
 struct FrozenFactors {
-  std::vector<std::vector<T>> rows;   ///< per pivot k: its equation after elimination, all columns of the block
-  std::vector<std::vector<T>> lower;  ///< lower[k][m]: factor of pivot row m < k in row k
-  std::vector<T> reciprocal;          ///< 1 / pivot
-  T quality{1.0};                     ///< smallest |pivot| / reference
+  std::vector<SparseRow<T>> rows;   ///< its equation after elimination, without the pivot; `columns` as in the block
+  std::vector<SparseRow<T>> upper;  ///< of them those at later pivots, `columns` are pivot numbers
+  std::vector<SparseRow<T>> lower;  ///< factors of earlier pivot rows, `columns` are pivot numbers
+  std::vector<T> reciprocal;        ///< 1 / pivot
+  T quality{1.0};                   ///< smallest |pivot| / reference
 };
 
-/// Factorises Phi_d by the frozen pivots; independent columns are carried along (60).
+namespace detail {
+
+/// Number of the pivot of each column, -1 for none.
+inline std::vector<int> pivot_numbers(const LoopPartition& partition, std::size_t coordinates) {
+  std::vector<int> number(coordinates, -1);
+  for (std::size_t k = 0; k < partition.pivots.size(); ++k)
+    number[partition.pivots[k].coordinate] = static_cast<int>(k);
+  return number;
+}
+
+/// A row under elimination.
 template <class T>
-FrozenFactors<T> factorise_frozen(const std::vector<std::vector<T>>& jacobian, const LoopPartition& partition) {
+struct WorkingRow {
+  const std::vector<int>& pivot_number;
+  std::map<int, T> entries = {};
+  std::set<int> pivots = {};  ///< numbers of those at which it has entries
+
+  void set(int column, const T& value) {
+    if (is_zero(value)) return take(column);
+    entries.insert_or_assign(column, value);
+    if (pivot_number[column] >= 0) pivots.insert(pivot_number[column]);
+  }
+  void take(int column) {
+    entries.erase(column);
+    pivots.erase(pivot_number[column]);
+  }
+  T at(int column) const {
+    const auto entry = entries.find(column);
+    return entry == entries.end() ? T(0.0) : entry->second;
+  }
+};
+
+/// The transpose of square sparse rows.
+template <class T>
+std::vector<SparseRow<T>> transposed(const std::vector<SparseRow<T>>& rows) {
+  std::vector<SparseRow<T>> columns(rows.size());
+  for (std::size_t r = 0; r < rows.size(); ++r)
+    for (std::size_t i = 0; i < rows[r].columns.size(); ++i)
+      columns[rows[r].columns[i]].push_back(static_cast<int>(r), rows[r].values[i]);
+  return columns;
+}
+
+/// value - row . x
+template <class T>
+T less_product(T value, const SparseRow<T>& row, const std::vector<T>& x) {
+  for (std::size_t i = 0; i < row.columns.size(); ++i) value = value - row.values[i] * x[row.columns[i]];
+  return value;
+}
+
+/// Solves U y = y, in place, per pivot.
+template <class T>
+void substitute_back(const FrozenFactors<T>& f, std::vector<T>& y) {
+  for (std::size_t k = y.size(); k-- > 0;) y[k] = less_product(y[k], f.upper[k], y) * f.reciprocal[k];
+}
+
+/// Values per pivot at their coordinates, zero at the others.
+template <class T>
+std::vector<T> at_coordinates(const LoopPartition& partition, const std::vector<T>& y, std::size_t coordinates) {
+  std::vector<T> x(coordinates, T(0.0));
+  for (std::size_t k = 0; k < y.size(); ++k) x[partition.pivots[k].coordinate] = y[k];
+  return x;
+}
+
+}  // namespace detail
+
+/// Factorises Phi_d by the frozen pivots; independent columns are carried along (60). coordinates: of the block.
+/// Cost: as the entries met.
+template <class T>
+FrozenFactors<T> factorise_frozen(const std::vector<SparseRow<T>>& jacobian, const LoopPartition& partition,
+                                  std::size_t coordinates) {
   using std::abs;
   using std::min;
   FrozenFactors<T> f;
-  const std::size_t rank = partition.pivots.size();
-  for (std::size_t k = 0; k < rank; ++k) {
-    std::vector<T> row = jacobian[partition.pivots[k].equation];
-    std::vector<T> lower(k, T(0.0));
-    for (std::size_t m = 0; m < k; ++m) {
-      const int column = partition.pivots[m].coordinate;
-      if (is_zero(row[column])) continue;
-      lower[m] = row[column] * f.reciprocal[m];
-      for (std::size_t c = 0; c < row.size(); ++c)
-        if (static_cast<int>(c) != column && !is_zero(f.rows[m][c])) row[c] = row[c] - lower[m] * f.rows[m][c];
-      row[column] = T(0.0);
+  const std::vector<int> pivot_number = detail::pivot_numbers(partition, coordinates);
+  for (std::size_t k = 0; k < partition.pivots.size(); ++k) {
+    const int pivot_column = partition.pivots[k].coordinate;
+    const SparseRow<T>& equation = jacobian[partition.pivots[k].equation];
+    detail::WorkingRow<T> row{pivot_number};
+    for (std::size_t i = 0; i < equation.columns.size(); ++i) row.set(equation.columns[i], equation.values[i]);
+    SparseRow<T> lower, kept, upper;
+    while (!row.pivots.empty() && *row.pivots.begin() < static_cast<int>(k)) {
+      const int m = *row.pivots.begin(), column = partition.pivots[m].coordinate;
+      const T factor = row.at(column) * f.reciprocal[m];
+      row.take(column);
+      const SparseRow<T>& above = f.rows[m];
+      for (std::size_t i = 0; i < above.columns.size(); ++i)
+        row.set(above.columns[i], row.at(above.columns[i]) - factor * above.values[i]);
+      lower.push_back(m, factor);
     }
-    const T& pivot = row[partition.pivots[k].coordinate];
+    const T pivot = row.at(pivot_column);
+    row.take(pivot_column);
+    for (int later : row.pivots) upper.push_back(later, row.at(partition.pivots[later].coordinate));
+    for (const auto& [column, value] : row.entries) kept.push_back(column, value);
     f.reciprocal.push_back(T(1.0) / pivot);
     const T ratio = abs(pivot) * T(1.0 / partition.pivots[k].reference);
     f.quality = k == 0 ? ratio : min(f.quality, ratio);
-    f.rows.push_back(std::move(row));
+    f.rows.push_back(std::move(kept));
+    f.upper.push_back(std::move(upper));
     f.lower.push_back(std::move(lower));
   }
   return f;
-}
-
-/// Solves U x_d = y, y per pivot. Result: per coordinate of the block, zero at the others.
-template <class T>
-std::vector<T> back_substituted(const FrozenFactors<T>& f, const LoopPartition& partition, const std::vector<T>& y,
-                                std::size_t coordinates) {
-  const std::size_t rank = partition.pivots.size();
-  std::vector<T> x(coordinates, T(0.0));
-  for (std::size_t k = rank; k-- > 0;) {
-    T value = y[k];
-    for (std::size_t m = k + 1; m < rank; ++m) {
-      const int column = partition.pivots[m].coordinate;
-      if (!is_zero(f.rows[k][column])) value = value - f.rows[k][column] * x[column];
-    }
-    x[partition.pivots[k].coordinate] = value * f.reciprocal[k];
-  }
-  return x;
 }
 
 /// Solves Phi_d x_d = right_hand_side for the dependent coordinates; right_hand_side per equation of the block.
@@ -72,15 +134,11 @@ std::vector<T> back_substituted(const FrozenFactors<T>& f, const LoopPartition& 
 template <class T>
 std::vector<T> solve_frozen(const FrozenFactors<T>& f, const LoopPartition& partition,
                             const std::vector<T>& right_hand_side, std::size_t coordinates) {
-  const std::size_t rank = partition.pivots.size();
   std::vector<T> y;
-  for (std::size_t k = 0; k < rank; ++k) {
-    T value = right_hand_side[partition.pivots[k].equation];
-    for (std::size_t m = 0; m < k; ++m)
-      if (!is_zero(f.lower[k][m])) value = value - f.lower[k][m] * y[m];
-    y.push_back(value);
-  }
-  return back_substituted(f, partition, y, coordinates);
+  for (std::size_t k = 0; k < partition.pivots.size(); ++k)
+    y.push_back(detail::less_product(right_hand_side[partition.pivots[k].equation], f.lower[k], y));
+  detail::substitute_back(f, y);
+  return detail::at_coordinates(partition, y, coordinates);
 }
 
 /// Solves Phi_d' y = right_hand_side (multipliers); right_hand_side per coordinate of the block (dependent entries
@@ -89,32 +147,30 @@ template <class T>
 std::vector<T> solve_frozen_transposed(const FrozenFactors<T>& f, const LoopPartition& partition,
                                        const std::vector<T>& right_hand_side, std::size_t equations) {
   const std::size_t rank = partition.pivots.size();
+  const std::vector<SparseRow<T>> upper = detail::transposed(f.upper), lower = detail::transposed(f.lower);
   std::vector<T> y(rank, T(0.0));
-  for (std::size_t k = 0; k < rank; ++k) {  // U' y = right_hand_side
-    T value = right_hand_side[partition.pivots[k].coordinate];
-    for (std::size_t m = 0; m < k; ++m) {
-      const T& upper = f.rows[m][partition.pivots[k].coordinate];
-      if (!is_zero(upper)) value = value - upper * y[m];
-    }
-    y[k] = value * f.reciprocal[k];
-  }
+  for (std::size_t k = 0; k < rank; ++k)  // U' y = right_hand_side
+    y[k] = detail::less_product(right_hand_side[partition.pivots[k].coordinate], upper[k], y) * f.reciprocal[k];
+  for (std::size_t k = rank; k-- > 0;) y[k] = detail::less_product(y[k], lower[k], y);  // L' lambda = y
   std::vector<T> lambda(equations, T(0.0));
-  for (std::size_t k = rank; k-- > 0;) {  // L' lambda = y
-    T value = y[k];
-    for (std::size_t m = k + 1; m < rank; ++m)
-      if (!is_zero(f.lower[m][k])) value = value - f.lower[m][k] * lambda[partition.pivots[m].equation];
-    lambda[partition.pivots[k].equation] = value;
-  }
+  for (std::size_t k = 0; k < rank; ++k) lambda[partition.pivots[k].equation] = y[k];
   return lambda;
 }
 
 /// Right-hand side with given coordinates moved over: right_hand_side - Phi_given x_given.
 template <class T>
-std::vector<T> moved_over(const std::vector<std::vector<T>>& jacobian, std::vector<T> right_hand_side,
+std::vector<T> moved_over(const std::vector<SparseRow<T>>& jacobian, std::vector<T> right_hand_side,
                           const std::vector<int>& given, const std::vector<T>& x) {
-  for (std::size_t e = 0; e < jacobian.size(); ++e)
-    for (int c : given)
-      if (!is_zero(jacobian[e][c])) right_hand_side[e] = right_hand_side[e] - jacobian[e][c] * x[c];
+  std::vector<int> place(x.size(), -1);  // in `given`: products are taken in its order
+  for (std::size_t i = 0; i < given.size(); ++i) place[given[i]] = static_cast<int>(i);
+  for (std::size_t e = 0; e < jacobian.size(); ++e) {
+    std::vector<std::pair<int, T>> products;
+    for (std::size_t i = 0; i < jacobian[e].columns.size(); ++i)
+      if (const int c = jacobian[e].columns[i]; place[c] >= 0 && !is_zero(jacobian[e].values[i]))
+        products.emplace_back(place[c], jacobian[e].values[i]);
+    std::sort(products.begin(), products.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+    for (const auto& [at, entry] : products) right_hand_side[e] = right_hand_side[e] - entry * x[given[at]];
+  }
   return right_hand_side;
 }
 
@@ -125,8 +181,9 @@ std::vector<std::vector<T>> frozen_rz(const FrozenFactors<T>& factors, const Loo
   std::vector<std::vector<T>> rz(coordinates);
   for (int free : partition.independent) {
     std::vector<T> y;
-    for (const std::vector<T>& row : factors.rows) y.push_back(-row[free]);
-    std::vector<T> column = back_substituted(factors, partition, y, coordinates);
+    for (const SparseRow<T>& row : factors.rows) y.push_back(-row.at(free));
+    detail::substitute_back(factors, y);
+    std::vector<T> column = detail::at_coordinates(partition, y, coordinates);
     column[free] = T(1.0);
     for (std::size_t c = 0; c < coordinates; ++c) rz[c].push_back(column[c]);
   }
@@ -146,8 +203,9 @@ std::vector<GroupProjection<T>> frozen_directions(System<T>& system, const Kinem
       p.rz = {driven[group.joints[0]] ? std::vector<T>{} : std::vector<T>{T(1.0)}};
     } else {
       const LoopPartition& partition = partitions[group.block];
-      const BlockClosure<T> closed = closure(system, k, system.topology.blocks[group.block], rest);
-      p.rz = frozen_rz(factorise_frozen(closed.jacobian, partition), partition, group.joints.size());
+      const SparseClosure<T> closed = sparse_closure(system, k, system.topology.blocks[group.block], rest);
+      const std::size_t coordinates = group.joints.size();
+      p.rz = frozen_rz(factorise_frozen(closed.jacobian, partition, coordinates), partition, coordinates);
     }
     p.zdd_star.assign(group.joints.size(), T(0.0));
     projections.push_back(std::move(p));
@@ -158,7 +216,7 @@ std::vector<GroupProjection<T>> frozen_directions(System<T>& system, const Kinem
 /// zdd_star of a block by the frozen order: dependent accelerations for zero free and given driven ones (62).
 template <class T>
 std::vector<T> frozen_zdd_star(const FrozenFactors<T>& factors, const LoopPartition& partition,
-                               const BlockClosure<T>& closure, const std::vector<T>& driven_acceleration) {
+                               const SparseClosure<T>& closure, const std::vector<T>& driven_acceleration) {
   const std::size_t coordinates = driven_acceleration.size();
   std::vector<T> x = solve_frozen(
       factors, partition, moved_over(closure.jacobian, closure.acceleration, partition.driven, driven_acceleration),

@@ -37,12 +37,15 @@ bool computes_same(const Node& a, const Node& b) {
 std::string slot_text(const Slot& slot) { return fmt::format("{}[{}]", slot.group, slot.index); }
 
 /// Index of a title, appended when it is new.
-std::uint16_t find_or_add(std::vector<std::string>& titles, const std::string& title) {
-  const auto found = std::ranges::find(titles, title);
-  const auto index = static_cast<std::size_t>(found - titles.begin());
-  if (index > std::numeric_limits<std::uint16_t>::max()) throw std::length_error("more than 65536 sections or blocks");
-  if (found == titles.end()) titles.push_back(title);
-  return static_cast<std::uint16_t>(index);
+std::uint16_t find_or_add(std::vector<std::string>& titles, std::unordered_map<std::string, std::uint16_t>& index_of,
+                          const std::string& title) {
+  if (titles.size() != index_of.size())
+    for (std::size_t i = 0; i < titles.size(); ++i) index_of.emplace(titles[i], static_cast<std::uint16_t>(i));
+  if (const auto found = index_of.find(title); found != index_of.end()) return found->second;
+  if (titles.size() > std::numeric_limits<std::uint16_t>::max())
+    throw std::length_error("more than 65536 sections or blocks");
+  titles.push_back(title);
+  return index_of[title] = static_cast<std::uint16_t>(titles.size() - 1);
 }
 
 }  // namespace
@@ -159,11 +162,11 @@ void ProgramBuilder::output(const std::string& group, int index, ValueId value) 
 }
 
 void ProgramBuilder::set_section(const std::string& title) {
-  if (program_.sections[section_] != title) section_ = find_or_add(program_.sections, title);
+  if (program_.sections[section_] != title) section_ = find_or_add(program_.sections, section_index_, title);
 }
 
 void ProgramBuilder::set_block(const std::string& title) {
-  if (program_.blocks[block_] != title) block_ = find_or_add(program_.blocks, title);
+  if (program_.blocks[block_] != title) block_ = find_or_add(program_.blocks, block_index_, title);
 }
 
 void ProgramBuilder::label(ValueId value, const std::string& name) {

@@ -127,6 +127,7 @@ class ProgramBuilder {
   std::unordered_map<std::string, std::size_t> input_index_;  ///< by the text of the slot
   std::vector<ValueId> input_value_;                          ///< per input, kNoValue before its first use
   std::unordered_multimap<std::uint64_t, ValueId> shared_;    ///< values by hash
+  std::unordered_map<std::string, std::uint16_t> section_index_, block_index_;  ///< of the titles, filled when asked
   std::uint16_t section_ = 0, block_ = 0;
 };
 

@@ -91,9 +91,10 @@ FrozenBlocks frozen_jacobians(Tracing& tracing, const Kinematics<Expr>& k) {
   tracing.scribe.step(Step::jacobian);
   const RelativeMotion<Expr> rest = at_rest<Expr>(system.topology);
   for (std::size_t b = 0; b < system.topology.blocks.size(); ++b) {
-    const BlockClosure<Expr> closed = closure(system, k, system.topology.blocks[b], rest);
+    const SparseClosure<Expr> closed = sparse_closure(system, k, system.topology.blocks[b], rest);
     tracing.scribe.place(fmt::format("loop block {}", b));
-    blocks.factors.push_back(factorise_frozen(closed.jacobian, tracing.analysis.blocks[b]));
+    const std::size_t coordinates = system.topology.blocks[b].joints.size();
+    blocks.factors.push_back(factorise_frozen(closed.jacobian, tracing.analysis.blocks[b], coordinates));
   }
   tracing.scribe.step(Step::projection);
   for (std::size_t b = 0; b < system.topology.blocks.size(); ++b) {
@@ -115,7 +116,7 @@ void frozen_bias(Tracing& tracing, const Kinematics<Expr>& k, FrozenBlocks& bloc
   tracing.scribe.step(Step::closure_bias);
   for (std::size_t b = 0; b < system.topology.blocks.size(); ++b) {
     const LoopBlock& block = system.topology.blocks[b];
-    const BlockClosure<Expr> closed = closure(system, k, block, relative_motion(system, k, block));
+    const SparseClosure<Expr> closed = sparse_closure(system, k, block, relative_motion(system, k, block));
     tracing.scribe.place(fmt::format("loop block {}", b));
     blocks.zdd_star.push_back(frozen_zdd_star(blocks.factors[b], tracing.analysis.blocks[b], closed,
                                               tracing.driven_values(block, &Drive<Expr>::acceleration)));
@@ -206,8 +207,8 @@ Program trace_closure(const Model& model, const Topology& topology, const Analys
     const LoopBlock& block = topology.blocks[b];
     const BlockAnalysis& partition = analysis.blocks[b];
     tracing.scribe.step(Step::jacobian);
-    const BlockClosure<Expr> closed = closure(system, k, block, rest);
-    const FrozenFactors<Expr> factors = factorise_frozen(closed.jacobian, partition);
+    const SparseClosure<Expr> closed = sparse_closure(system, k, block, rest);
+    const FrozenFactors<Expr> factors = factorise_frozen(closed.jacobian, partition, block.joints.size());
     tracing.scribe.step(Step::velocities);
     tracing.scribe.place(fmt::format("loop block {}", b));
     std::vector<Expr> open, still(closed.residual.size(), Expr(0.0)), known_z, known_zd;
@@ -243,13 +244,15 @@ Program trace_closure_terms(const Model& model, const Topology& topology, const 
   for (std::size_t b = 0; b < topology.blocks.size(); ++b) {
     const LoopBlock& block = topology.blocks[b];
     tracing.scribe.step(Step::jacobian);
-    const BlockClosure<Expr> closed = closure(system, k, block, relative_motion(system, k, block));
+    const SparseClosure<Expr> closed = sparse_closure(system, k, block, relative_motion(system, k, block));
     tracing.outputs(fmt::format("Phi{}", b), closed.residual);
     tracing.outputs(fmt::format("ct{}", b), std::vector<Expr>(closed.residual.size(), Expr(0.0)));
     tracing.outputs(fmt::format("c{}", b), closed.acceleration);
-    std::vector<Expr> jacobian;
-    for (const std::vector<Expr>& row : closed.jacobian) jacobian.insert(jacobian.end(), row.begin(), row.end());
-    tracing.outputs(fmt::format("Jz{}", b), jacobian);
+    const std::string group = fmt::format("Jz{}", b);
+    int first = 0;
+    for (const SparseRow<Expr>& row : closed.jacobian) {
+      for (int c = 0; c < static_cast<int>(block.joints.size()); ++c) tracing.output(group, first++, row.at(c));
+    }
   }
   for (const Drive<Expr>& d : tracing.drive) {
     tracing.output("driven_position", d.coordinate, d.position);
@@ -305,15 +308,17 @@ Program trace_multipliers(const Model& model, const Topology& topology, const An
   const RelativeMotion<Expr> rest = at_rest<Expr>(topology);
   for (std::size_t b = 0; b < topology.blocks.size(); ++b) {
     const LoopBlock& block = topology.blocks[b];
-    const BlockClosure<Expr> closed = closure(system, s.kinematics, block, rest);
+    const SparseClosure<Expr> closed = sparse_closure(system, s.kinematics, block, rest);
     tracing.scribe.place(fmt::format("loop block {}", b));
     std::vector<Expr> right_hand_side;
     for (int j : block.joints) right_hand_side.push_back(s.missing[j]);
-    const FrozenFactors<Expr> factors = factorise_frozen(closed.jacobian, analysis.blocks[b]);
+    const FrozenFactors<Expr> factors = factorise_frozen(closed.jacobian, analysis.blocks[b], block.joints.size());
     lambda.push_back(solve_frozen_transposed(factors, analysis.blocks[b], right_hand_side, closed.residual.size()));
-    for (std::size_t e = 0; e < lambda[b].size(); ++e)
-      for (std::size_t c = 0; c < block.joints.size(); ++c)
-        left[block.joints[c]] -= closed.jacobian[e][c] * lambda[b][e];
+    for (std::size_t e = 0; e < lambda[b].size(); ++e) {
+      const SparseRow<Expr>& row = closed.jacobian[e];
+      for (std::size_t i = 0; i < row.columns.size(); ++i)
+        left[block.joints[row.columns[i]]] -= row.values[i] * lambda[b][e];
+    }
     for (std::size_t c = 0; c < block.joints.size(); ++c)
       tracing.output(fmt::format("missing{}", b), static_cast<int>(c), right_hand_side[c]);
     if (analysis.blocks[b].rank > 0) tracing.output("pivot", static_cast<int>(b), factors.quality);
