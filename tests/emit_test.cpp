@@ -179,14 +179,66 @@ TEST(EmittedProgram, keepsSineAndCosineTogetherAndNamesWhatIsUsedTwice) {
   const std::string text = program_text(builder.finish(), bead_shape());
   const std::string body = text.substr(text.find("{\n", text.find("void ")) + 2);
   EXPECT_EQ(body, R"(  const double s0_1 = state.zd[Coordinate::y]*state.z[Coordinate::x];
-  const double s0_2 = std::sin(s0_1);
-  const double s0_3 = std::cos(s0_1);
+  double s0_2, s0_3;
+  mbgen::sincos(s0_1, s0_2, s0_3);
   result.zdd[Coordinate::x] = (1.0 + s0_2*s0_2)*s0_3;
   result.zdd[Coordinate::y] = 2.5;
   result.inertia[0] = 1.0;
   result.pivot[0] = 1.0;
 }
 )");
+}
+
+/// Sines and cosines as rotations in a row meet them: by section, with work between them.
+Program rotations() {
+  ProgramBuilder builder("accelerations");
+  const auto z = [&](int i) { return Expr(builder, builder.input("z", i)); };
+  builder.set_section("step 1: poses");
+  const Expr first = sin(z(0)) * cos(z(0));
+  const Expr second = first + sin(z(1)) - cos(z(0) + z(1));
+  const Expr third = second * sin(2.0 * z(0) - z(1));
+  const Expr inner = sin(first);
+  builder.set_section("step 2: forces");
+  output(builder, "zdd", 0, third);
+  output(builder, "zdd", 1, inner + cos(z(1)));
+  return builder.finish();
+}
+
+TEST(EmittedProgram, callsForManyAnglesAtOnceWhereTheirSectionBegins) {
+  const std::string text = program_text(rotations(), bead_shape());
+  const std::string body = text.substr(text.find("{\n", text.find("void ")) + 2);
+  EXPECT_EQ(body, R"(  // --- step 1: poses ---
+  const double z_x = state.z[Coordinate::x];
+  const double z_y = state.z[Coordinate::y];
+  const double angles[] = {
+      z_x, z_x + z_y, z_y, 2.0*z_x - z_y};
+  double sines[4], cosines[4];
+  mbgen::sincos(angles, sines, cosines);
+  const double s1_1 = cosines[0]*sines[0];
+  result.zdd[Coordinate::x] = (s1_1 + sines[2] - cosines[1])*sines[3];
+  const double s1_2 = mbgen::sine(s1_1);
+  // operations: 4 add, 3 multiply, 6 sin cos
+
+  // --- step 2: forces ---
+  result.zdd[Coordinate::y] = s1_2 + mbgen::cosine(z_y);
+  // operations: 1 add, 1 sin cos
+  result.inertia[0] = 1.0;
+  result.pivot[0] = 1.0;
+}
+)");
+}
+
+TEST(Arrangements, gatherOnlyAnglesThatAreKnownEarlyAndManyEnough) {
+  const Program program = rotations();
+  const AngleCalls calls = arrange(program).angle_calls;
+  ASSERT_EQ(calls.calls.size(), 1u);
+  EXPECT_EQ(calls.calls[0].angles.size(), 4u) << "z0, z1, z0 + z1, 2 z0 - z1";
+  for (ValueId v = 0; v < program.nodes.size(); ++v) {
+    const Node& node = program.nodes[v];
+    if (calls.place[v].call < 0) continue;
+    EXPECT_EQ(calls.calls[0].angles[calls.place[v].angle], node.operands[0]);
+    EXPECT_EQ(program.sections[node.section], "step 1: poses");
+  }
 }
 
 TEST(EmittedProgram, refusesSlotsThatHaveNoPlace) {
@@ -316,11 +368,11 @@ TEST(EmittedFiles, areFourAndTheHeadersTheyInclude) {
   };
   EXPECT_EQ(paths({.runtime_headers = false}),
             (std::vector<std::string>{"CMakeLists.txt", "bead.cpp", "bead.hpp", "bead.json"}));
-  EXPECT_EQ(paths({}), (std::vector<std::string>{"CMakeLists.txt", "bead.cpp", "bead.hpp", "bead.json",
-                                                 "mbgen/blocks.hpp", "mbgen/closure.hpp", "mbgen/driver.hpp",
-                                                 "mbgen/integrators.hpp", "mbgen/loop.hpp", "mbgen/motion.hpp",
-                                                 "mbgen/passage.hpp", "mbgen/scalar.hpp", "mbgen/solver.hpp",
-                                                 "mbgen/states.hpp", "mbgen/status.hpp", "mbgen/step_clock.hpp"}));
+  EXPECT_EQ(paths({}), (std::vector<std::string>{
+                           "CMakeLists.txt", "bead.cpp", "bead.hpp", "bead.json", "mbgen/blocks.hpp",
+                           "mbgen/closure.hpp", "mbgen/driver.hpp", "mbgen/integrators.hpp", "mbgen/loop.hpp",
+                           "mbgen/motion.hpp", "mbgen/passage.hpp", "mbgen/scalar.hpp", "mbgen/sincos.hpp",
+                           "mbgen/solver.hpp", "mbgen/states.hpp", "mbgen/status.hpp", "mbgen/step_clock.hpp"}));
 }
 
 TEST(EmittedFiles, beginWithTheirBanner) {

@@ -72,7 +72,7 @@ std::vector<ValueId> pair_angles(const std::vector<ValueId>& order, const std::v
 
 /// cost[i]: values defined before place i and used at or after it, with the costs of cutting there.
 std::vector<long> cut_costs(const Program& program, const std::vector<ValueId>& order,
-                            const std::vector<ValueId>& partner) {
+                            const std::vector<ValueId>& partner, const std::vector<AnglePlace>& place_in_call) {
   std::vector<std::size_t> place(program.nodes.size(), 0), last_use(program.nodes.size(), 0);
   for (std::size_t i = 0; i < order.size(); ++i) {
     const Node& node = program.nodes[order[i]];
@@ -81,6 +81,7 @@ std::vector<long> cut_costs(const Program& program, const std::vector<ValueId>& 
   }
   std::vector<long> change(order.size() + 1, 0);
   for (const ValueId v : order) {
+    if (place_in_call[v].call >= 0) continue;
     ++change[place[v] + 1];
     if (last_use[v] + 1 <= order.size()) --change[last_use[v] + 1];
   }
@@ -89,8 +90,11 @@ std::vector<long> cut_costs(const Program& program, const std::vector<ValueId>& 
   for (std::size_t i = 1; i < order.size(); ++i) {
     live += change[i];
     const bool inside_section = program.nodes[order[i - 1]].section == program.nodes[order[i]].section;
+    const int call = place_in_call[order[i]].call;
     const bool inside_angle = partner[order[i]] == order[i - 1];
-    cost[i] = inside_angle ? std::numeric_limits<int>::max() : live + (inside_section ? kSectionCost : 0);
+    const bool inside_call = call >= 0 && call == place_in_call[order[i - 1]].call;
+    cost[i] =
+        inside_angle || inside_call ? std::numeric_limits<int>::max() : live + (inside_section ? kSectionCost : 0);
   }
   return cost;
 }
@@ -139,7 +143,8 @@ Arrangement arrange(const Program& program, Division division) {
   const std::vector<ValueId> partner = angle_partners(program, order);
   Arrangement result;
   result.order = pair_angles(order, partner);
-  const std::vector<long> cost = cut_costs(program, result.order, partner);
+  result.angle_calls = gather_angles(program, result.order);
+  const std::vector<long> cost = cut_costs(program, result.order, partner, result.angle_calls.place);
   std::vector<PartRange> ranges;
   if (division == Division::by_section) ranges = section_ranges(program, result.order);
   if (ranges.empty()) ranges = {{0, result.order.size()}};

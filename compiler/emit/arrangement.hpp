@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "compiler/emit/angles.hpp"
 #include "compiler/program/program.hpp"
 
 namespace mbgen {
@@ -22,6 +23,7 @@ struct PartRange {
 struct Arrangement {
   std::vector<ValueId> order;    ///< operations that an output needs; inputs and constants are left out
   std::vector<PartRange> parts;  ///< at least one
+  AngleCalls angle_calls;        ///< sines and cosines in lanes, at the beginning of their sections
 };
 
 /// Where a program is cut into parts.
@@ -32,9 +34,10 @@ enum class Division {
 
 /// Orders and divides a program.
 /// Order: that of the program, with the sections one after the other where operands allow it, and the cosine of an
-/// angle right after its sine (or the other way round) where both are in one section.
+/// angle right after its sine (or the other way round) where both are in one section; then gather_angles.
 /// Parts: the cheapest division has the fewest values that cross from one part to the next; a cut inside a section
-/// counts as kSectionCost more values, one between the two functions of an angle is never made.
+/// counts as kSectionCost more values, one between the two functions of an angle or inside a call for many angles is
+/// never made. What such a call computes is in memory anyway and does not count as crossing.
 Arrangement arrange(const Program& program, Division division = Division::cheapest);
 
 }  // namespace mbgen

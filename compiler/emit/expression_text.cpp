@@ -45,9 +45,9 @@ Phrase operation_phrase(Op op, const Phrase& a, const Phrase& b, const Phrase& c
     case Op::sqrt:
       return {call("std::sqrt", a), Binding::primary};
     case Op::sin:
-      return {call("std::sin", a), Binding::primary};
+      return {call("mbgen::sine", a), Binding::primary};
     case Op::cos:
-      return {call("std::cos", a), Binding::primary};
+      return {call("mbgen::cosine", a), Binding::primary};
     case Op::tan:
       return {call("std::tan", a), Binding::primary};
     case Op::asin:

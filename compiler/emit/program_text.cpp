@@ -10,7 +10,9 @@
 
 #include "compiler/emit/arrangement.hpp"
 #include "compiler/emit/expression_text.hpp"
+#include "compiler/emit/fates.hpp"
 #include "compiler/emit/function_text.hpp"
+#include "compiler/emit/local_names.hpp"
 #include "compiler/emit/text.hpp"
 
 namespace mbgen {
@@ -19,14 +21,10 @@ namespace {
 /// Room for `const double s12_345 = ` before an expression that may have to be named later.
 constexpr std::size_t kNamingRoom = 28;
 
-/// What is known of a value before its text is written.
-struct Fate {
-  int users = 0;                     ///< operands that are this value
-  ValueId user = kNoValue;           ///< the last of them
-  std::size_t part = 0;              ///< of its definition
-  bool crosses = false;              ///< used in a later part
-  bool paired = false;               ///< sine or cosine that stands beside its partner
-  std::vector<std::string> outputs;  ///< places of the result that it goes to
+/// Arrays of one call for the sines and cosines of many angles.
+struct CallNames {
+  std::string sines, cosines;
+  std::string declaration;  ///< empty when the arrays are members of `work`
 };
 
 class ProgramWriter {
@@ -35,13 +33,15 @@ class ProgramWriter {
       : program_(program),
         shape_(shape),
         arrangement_(arrange(program, shape.clock.empty() ? Division::cheapest : Division::by_section)),
-        fates_(program.nodes.size()),
+        fates_(decide_fates(program, arrangement_)),
         phrases_(program.nodes.size()),
         pending_(program.nodes.size(), false),
+        names_(program),
         section_counts_(count_operations_by_section(program)),
-        section_end_(program.sections.size(), 0) {
+        section_end_(section_ends(program, arrangement_)) {
     reserve_names();
-    decide_fates();
+    name_outputs();
+    name_calls();
   }
 
   std::string text() {
@@ -54,48 +54,41 @@ class ProgramWriter {
   // --- what is decided before the first line is written ---
 
   void reserve_names() {
-    for (const auto& [name, declaration] : shape_.arguments) taken_.insert(name);
-    for (const auto& [group, place] : shape_.inputs) taken_.insert(place.locals.begin(), place.locals.end());
-    taken_.insert({"work", "result"});
+    for (const auto& [name, declaration] : shape_.arguments) names_.reserve(name);
+    for (const auto& [group, place] : shape_.inputs) {
+      for (const std::string& local : place.locals) names_.reserve(local);
+    }
+    for (const char* name : {"work", "result"}) names_.reserve(name);
   }
 
-  void decide_fates() {
-    for (std::size_t p = 0; p < arrangement_.parts.size(); ++p) {
-      for (std::size_t i = arrangement_.parts[p].first; i < arrangement_.parts[p].last; ++i) {
-        const ValueId v = arrangement_.order[i];
-        const Node& node = program_.nodes[v];
-        fates_[v].part = p;
-        section_end_[node.section] = i;
-        for (int k = 0; k < arity(node.op); ++k) {
-          Fate& operand = fates_[node.operands[k]];
-          ++operand.users;
-          operand.user = v;
-          if (operand.part != p) operand.crosses = true;
-        }
-        if (i > 0 && is_angle_pair(arrangement_.order[i - 1], v))
-          fates_[v].paired = fates_[arrangement_.order[i - 1]].paired = true;
-      }
-    }
+  void name_outputs() {
     for (const OutputValue& output : program_.outputs) {
       fates_[output.value].outputs.push_back(output_text(output.slot));
     }
   }
 
-  bool is_angle_pair(ValueId a, ValueId b) const {
-    const Node& first = program_.nodes[a];
-    const Node& second = program_.nodes[b];
-    return ((first.op == Op::sin && second.op == Op::cos) || (first.op == Op::cos && second.op == Op::sin)) &&
-           first.operands[0] == second.operands[0];
+  /// Where the calls for many angles leave their results: in `work` when another part needs one of them.
+  void name_calls() {
+    std::vector<bool> crosses(arrangement_.angle_calls.calls.size(), false);
+    for (const ValueId v : arrangement_.order) {
+      if (fates_[v].crosses && place_in_call(v).call >= 0) crosses[place_in_call(v).call] = true;
+    }
+    for (std::size_t c = 0; c < crosses.size(); ++c) {
+      const std::string size = fmt::format("[{}]", arrangement_.angle_calls.calls[c].angles.size());
+      CallNames names{names_.unique("sines"), names_.unique("cosines"), ""};
+      if (crosses[c]) {
+        for (std::string* array : {&names.sines, &names.cosines}) {
+          crossing_.push_back(*array + size);
+          *array = "work." + *array;
+        }
+      } else {
+        names.declaration = fmt::format("double {}{}, {}{};", names.sines, size, names.cosines, size);
+      }
+      call_names_.push_back(names);
+    }
   }
 
-  /// A value that only its one user needs to know: it becomes part of that user's expression.
-  bool can_be_inlined(ValueId v) const {
-    const Fate& fate = fates_[v];
-    const Node& node = program_.nodes[v];
-    if (fate.users != 1 || fate.crosses || fate.paired || !fate.outputs.empty() || node.label >= 0) return false;
-    const Node& user = program_.nodes[fate.user];
-    return user.section == node.section && user.block == node.block;
-  }
+  const AnglePlace& place_in_call(ValueId v) const { return arrangement_.angle_calls.place[v]; }
 
   std::string output_text(const Slot& slot) const {
     const auto place = shape_.outputs.find(slot.group);
@@ -108,37 +101,12 @@ class ProgramWriter {
 
   // --- names and expressions ---
 
-  std::string unique(const std::string& base) {
-    std::string candidate = base;
-    for (int& number = next_number_.try_emplace(base, 2).first->second; !taken_.insert(candidate).second; ++number) {
-      candidate = numbered(base, number);
-    }
-    return candidate;
-  }
-
-  /// The number that a section's title begins with, as in "3 Rz", else its index.
-  std::string section_tag(int section) const {
-    const std::string& title = program_.sections[section];
-    const std::size_t digits = std::min(title.find_first_not_of("0123456789"), title.size());
-    return digits > 0 ? title.substr(0, digits) : std::to_string(section);
-  }
-
   /// The first number in a section's title, as in "step 3: Rz", "" for none.
   std::string step_number(int section) const {
     constexpr const char* kDigits = "0123456789";
     const std::string& title = program_.sections[section];
     const std::size_t first = title.find_first_of(kDigits);
     return first == std::string::npos ? "" : title.substr(first, title.find_first_not_of(kDigits, first) - first);
-  }
-
-  /// The label of the value, or its section and a number: s3_12.
-  std::string new_name(const Node& node) {
-    if (node.label >= 0) return unique(identifier_base(program_.labels[node.label]));
-    std::string candidate;
-    do {
-      candidate = fmt::format("s{}_{}", section_tag(node.section), ++leftovers_[node.section]);
-    } while (!taken_.insert(candidate).second);
-    return candidate;
   }
 
   const GroupPlace& input_place(const Slot& slot) const {
@@ -160,18 +128,33 @@ class ProgramWriter {
     const Slot& slot = program_.inputs[program_.nodes[v].input];
     const GroupPlace& place = input_place(slot);
     part.arguments.insert(place.argument);
-    if (place.locals.empty() || input_uses_[v] < 2) return {place.texts[slot.index], Binding::primary};
-    const std::string& local = place.locals[slot.index];
-    if (copied_inputs_.insert(v).second) {
-      add_line(part, "const double " + local + " = " + place.texts[slot.index] + ";");
-    }
+    if (place.locals.empty() || uses_in_part_[v] < 2) return {place.texts[slot.index], Binding::primary};
+    return copied(v, place.locals[slot.index], place.texts[slot.index], part);
+  }
+
+  /// A value in memory that this part reads often, by a name of its own.
+  Phrase copied(ValueId v, const std::string& local, const std::string& place, PartText& part) {
+    if (copied_in_part_.insert(v).second) add_line(part, "const double " + local + " = " + place + ";");
     return {local, Binding::primary};
+  }
+
+  /// A sine or cosine of a call for many angles.
+  Phrase angle_phrase(ValueId v, PartText& part) {
+    const CallNames& names = call_names_[place_in_call(v).call];
+    if (names.declaration.empty()) part.arguments.insert("work");
+    const std::string& array = program_.nodes[v].op == Op::sin ? names.sines : names.cosines;
+    const std::string place = fmt::format("{}[{}]", array, place_in_call(v).angle);
+    if (uses_in_part_[v] < 2) return {place, Binding::primary};
+    std::string& local = local_of_[v];
+    if (local.empty()) local = names_.of_value(v);
+    return copied(v, local, place, part);
   }
 
   Phrase phrase_of(ValueId v, PartText& part) {
     const Node& node = program_.nodes[v];
     if (node.op == Op::constant) return constant_phrase(node.constant);
     if (node.op == Op::input) return input_phrase(v, part);
+    if (place_in_call(v).call >= 0) return angle_phrase(v, part);
     if (fates_[v].crosses) part.arguments.insert("work");
     return phrases_[v];
   }
@@ -201,7 +184,7 @@ class ProgramWriter {
 
   /// Turns the pending text of a value into a statement.
   void name_value(ValueId v, PartText& part) {
-    const std::string name = new_name(program_.nodes[v]);
+    const std::string name = names_.of_value(v);
     add_line(part, "const double " + name + " = " + standing_alone(phrases_[v]) + ";");
     phrases_[v] = {name, Binding::primary};
     pending_[v] = false;
@@ -212,9 +195,64 @@ class ProgramWriter {
     if (!fates_[v].outputs.empty()) part.arguments.insert("result");
   }
 
-  /// Writes one value, or keeps its text for its only user.
-  void write_value(ValueId v, PartText& part) {
+  /// One call for the sines and cosines of many angles.
+  void write_angle_call(int call, PartText& part) {
+    const CallNames& names = call_names_[call];
+    std::vector<std::string> list;
+    for (const ValueId angle : arrangement_.angle_calls.calls[call].angles) {
+      list.push_back(phrase_of(angle, part).text);
+      pending_[angle] = false;
+    }
+    const std::string angles = names_.unique("angles");
+    part.body += braced_list("  const double " + angles + "[] = ", list, ";\n");
+    if (names.declaration.empty()) {
+      part.arguments.insert("work");
+    } else {
+      add_line(part, names.declaration);
+    }
+    add_line(part, fmt::format("mbgen::sincos({}, {}, {});", angles, names.sines, names.cosines));
+  }
+
+  /// One call for the sine and cosine of an angle.
+  void write_angle_pair(ValueId v, PartText& part) {
+    const ValueId partner = fates_[v].partner;
+    const ValueId angle = program_.nodes[v].operands[0];
+    const std::string argument = phrase_of(angle, part).text;
+    pending_[angle] = false;
+    std::string declared;
+    for (const ValueId value : {v, partner}) {
+      const std::string name = names_.of_value(value);
+      phrases_[value] = {fates_[value].crosses ? "work." + name : name, Binding::primary};
+      if (fates_[value].crosses) {
+        crossing_.push_back(name);
+        part.arguments.insert("work");
+      } else {
+        declared += (declared.empty() ? "double " : ", ") + name;
+      }
+    }
+    if (!declared.empty()) add_line(part, declared + ";");
+    const bool is_sine = program_.nodes[v].op == Op::sin;
+    add_line(part, fmt::format("mbgen::sincos({}, {}, {});", argument, phrases_[is_sine ? v : partner].text,
+                               phrases_[is_sine ? partner : v].text));
+    store_outputs(v, part);
+    store_outputs(partner, part);
+  }
+
+  /// Writes one value, or keeps its text for its only user. last: value before it, kNoValue for none.
+  void write_value(ValueId v, ValueId last, PartText& part) {
     const Fate& fate = fates_[v];
+    if (const int call = place_in_call(v).call; call >= 0) {
+      if (last == kNoValue || place_in_call(last).call != call) write_angle_call(call, part);
+      for (const std::string& output : fate.outputs) {
+        add_line(part, output + " = " + angle_phrase(v, part).text + ";");
+        part.arguments.insert("result");
+      }
+      return;
+    }
+    if (fate.partner != kNoValue) {
+      if (fate.partner != last) write_angle_pair(v, part);
+      return;
+    }
     phrases_[v] = compose(v, part);
     while (phrases_[v].text.size() + kNamingRoom > kLineWidth) {
       const ValueId operand = longest_pending_operand(v);
@@ -226,7 +264,7 @@ class ProgramWriter {
     for (int k = 0; k < arity(node.op); ++k) pending_[node.operands[k]] = false;
 
     if (fate.crosses) {
-      const std::string name = new_name(node);
+      const std::string name = names_.of_value(v);
       crossing_.push_back(name);
       part.arguments.insert("work");
       add_line(part, "work." + name + " = " + standing_alone(phrases_[v]) + ";");
@@ -235,7 +273,7 @@ class ProgramWriter {
       part.arguments.insert("result");
       add_line(part, fate.outputs.front() + " = " + standing_alone(phrases_[v]) + ";");
       return;
-    } else if (can_be_inlined(v)) {
+    } else if (can_be_inlined(program_, fates_, v)) {
       pending_[v] = true;
       return;
     } else {
@@ -244,7 +282,9 @@ class ProgramWriter {
     store_outputs(v, part);
   }
 
-  void write_headings(const Node& node, PartText& part, int& section, int& block) {
+  void write_headings(ValueId v, PartText& part, int& section, int& block) {
+    const Node& node = program_.nodes[v];
+    const bool is_angle_call = place_in_call(v).call >= 0;
     if (section != node.section) {
       const std::string& title = program_.sections[node.section];
       const bool again = !entered_.insert(node.section).second;
@@ -254,31 +294,34 @@ class ProgramWriter {
       section = node.section;
       block = -1;
     }
-    if (block != node.block) {
+    // Calls for many angles belong to all blocks of their section.
+    if (block != node.block && !is_angle_call) {
       const std::string& title = program_.blocks[node.block];
       if (!title.empty()) add_line(part, "// " + comment_text(title));
       block = node.block;
     }
   }
 
-  void count_input_uses(const PartRange& range) {
-    input_uses_.clear();
-    copied_inputs_.clear();
+  /// The angles of one call are written once.
+  void count_uses(const PartRange& range) {
+    uses_in_part_.clear();
+    copied_in_part_.clear();
     for (std::size_t i = range.first; i < range.last; ++i) {
+      if (place_in_call(arrangement_.order[i]).call >= 0) continue;
       const Node& node = program_.nodes[arrangement_.order[i]];
-      for (int k = 0; k < arity(node.op); ++k) ++input_uses_[node.operands[k]];
+      for (int k = 0; k < arity(node.op); ++k) ++uses_in_part_[node.operands[k]];
     }
   }
 
   PartText write_part(std::size_t p) {
     PartText part;
     const PartRange range = arrangement_.parts[p];
-    count_input_uses(range);
+    count_uses(range);
     int section = -1, block = -1;
     for (std::size_t i = range.first; i < range.last; ++i) {
       const Node& node = program_.nodes[arrangement_.order[i]];
-      write_headings(node, part, section, block);
-      write_value(arrangement_.order[i], part);
+      write_headings(arrangement_.order[i], part, section, block);
+      write_value(arrangement_.order[i], i > range.first ? arrangement_.order[i - 1] : kNoValue, part);
       if (section_end_[node.section] == i && !program_.sections[node.section].empty()) {
         add_line(part, "// operations: " + operations_text(section_counts_[node.section]));
       }
@@ -315,15 +358,15 @@ class ProgramWriter {
   std::vector<Fate> fates_;
   std::vector<Phrase> phrases_;
   std::vector<bool> pending_;
+  LocalNames names_;
   std::vector<OperationCount> section_counts_;
   std::vector<std::size_t> section_end_;  ///< place of the last value of each section
   std::set<int> entered_;                 ///< sections with a heading so far
-  std::set<std::string> taken_;
-  std::unordered_map<std::string, int> next_number_;
-  std::map<int, int> leftovers_;
   std::vector<std::string> crossing_;
-  std::unordered_map<ValueId, int> input_uses_;  ///< in the current part
-  std::set<ValueId> copied_inputs_;              ///< in the current part
+  std::vector<CallNames> call_names_;
+  std::unordered_map<ValueId, std::string> local_of_;  ///< of sines and cosines that calls for many angles give
+  std::unordered_map<ValueId, int> uses_in_part_;      ///< of the current part
+  std::set<ValueId> copied_in_part_;                   ///< the current one
 };
 
 }  // namespace

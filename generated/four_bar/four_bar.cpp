@@ -4,6 +4,7 @@
 
 #include "mbgen/motion.hpp"
 #include "mbgen/scalar.hpp"
+#include "mbgen/sincos.hpp"
 #include "mbgen/solver.hpp"
 
 #include <cmath>
@@ -31,22 +32,22 @@ void compute_accelerations(const Parameters& parameters, const Inputs& inputs, c
   // --- step 1: poses, axes b, accumulated inertias MR (50) ---
   // crank: crank_pin, revolute, ground
   const double z_crank_pin = state.z[Coordinate::crank_pin];
-  const double R_crank_x_x = std::cos(z_crank_pin);
-  const double R_crank_x_z = std::sin(z_crank_pin);
+  double R_crank_x_x, R_crank_x_z;
+  mbgen::sincos(z_crank_pin, R_crank_x_z, R_crank_x_x);
   // coupler: coupler_pin, revolute, crank
   const double s1_1 = 0.05*R_crank_x_z;
   const double r_coupler_x = s1_1 + 0.1*R_crank_x_x;
   const double s1_2 = 0.05*R_crank_x_x;
   const double r_coupler_z = s1_2 - 0.1*R_crank_x_z;
   const double z_coupler_pin = state.z[Coordinate::coupler_pin];
-  const double s1_3 = std::cos(z_coupler_pin);
-  const double s1_4 = std::sin(z_coupler_pin);
+  double s1_3, s1_4;
+  mbgen::sincos(z_coupler_pin, s1_4, s1_3);
   const double R_coupler_x_x = R_crank_x_x*s1_3 - R_crank_x_z*s1_4;
   const double R_coupler_x_z = R_crank_x_x*s1_4 + R_crank_x_z*s1_3;
   // rocker: rocker_pin, revolute, ground
   const double z_rocker_pin = state.z[Coordinate::rocker_pin];
-  const double R_rocker_x_x = std::cos(z_rocker_pin);
-  const double R_rocker_x_z = std::sin(z_rocker_pin);
+  double R_rocker_x_x, R_rocker_x_z;
+  mbgen::sincos(z_rocker_pin, R_rocker_x_z, R_rocker_x_x);
   // crank: crank_pin, revolute, ground
   const double s1_5 = s1_2 + 0.02*R_crank_x_z;
   const double s1_6 = 0.02*R_crank_x_x - s1_1;
@@ -198,20 +199,20 @@ void compute_closure(const Parameters& /*parameters*/, const Inputs& /*inputs*/,
   // --- step 1: poses, axes b, accumulated inertias MR (50) ---
   // crank: crank_pin, revolute, ground
   const double z_crank_pin = state.z[Coordinate::crank_pin];
-  const double R_crank_x_x = std::cos(z_crank_pin);
-  const double R_crank_x_z = std::sin(z_crank_pin);
+  double R_crank_x_x, R_crank_x_z;
+  mbgen::sincos(z_crank_pin, R_crank_x_z, R_crank_x_x);
   // coupler: coupler_pin, revolute, crank
   const double r_coupler_x = 0.05*R_crank_x_z + 0.1*R_crank_x_x;
   const double r_coupler_z = 0.05*R_crank_x_x - 0.1*R_crank_x_z;
   const double z_coupler_pin = state.z[Coordinate::coupler_pin];
-  const double s1_1 = std::cos(z_coupler_pin);
-  const double s1_2 = std::sin(z_coupler_pin);
+  double s1_1, s1_2;
+  mbgen::sincos(z_coupler_pin, s1_2, s1_1);
   const double R_coupler_x_x = R_crank_x_x*s1_1 - R_crank_x_z*s1_2;
   const double R_coupler_x_z = R_crank_x_x*s1_2 + R_crank_x_z*s1_1;
   // rocker: rocker_pin, revolute, ground
   const double z_rocker_pin = state.z[Coordinate::rocker_pin];
-  const double R_rocker_x_x = std::cos(z_rocker_pin);
-  const double R_rocker_x_z = std::sin(z_rocker_pin);
+  double R_rocker_x_x, R_rocker_x_z;
+  mbgen::sincos(z_rocker_pin, R_rocker_x_z, R_rocker_x_x);
   // operations: 4 add, 8 multiply, 6 sin cos
 
   // --- step 2: closure Jacobian Phi_z and its factors (60) ---
@@ -267,22 +268,22 @@ void compute_multipliers(const Parameters& parameters, const Inputs& inputs, con
   // --- step 1: poses, axes b, accumulated inertias MR (50) ---
   // crank: crank_pin, revolute, ground
   const double z_crank_pin = state.z[Coordinate::crank_pin];
-  const double R_crank_x_x = std::cos(z_crank_pin);
-  const double R_crank_x_z = std::sin(z_crank_pin);
+  double R_crank_x_x, R_crank_x_z;
+  mbgen::sincos(z_crank_pin, R_crank_x_z, R_crank_x_x);
   // coupler: coupler_pin, revolute, crank
   const double s1_1 = 0.05*R_crank_x_z;
   const double r_coupler_x = s1_1 + 0.1*R_crank_x_x;
   const double s1_2 = 0.05*R_crank_x_x;
   const double r_coupler_z = s1_2 - 0.1*R_crank_x_z;
   const double z_coupler_pin = state.z[Coordinate::coupler_pin];
-  const double s1_3 = std::cos(z_coupler_pin);
-  const double s1_4 = std::sin(z_coupler_pin);
+  double s1_3, s1_4;
+  mbgen::sincos(z_coupler_pin, s1_4, s1_3);
   const double R_coupler_x_x = R_crank_x_x*s1_3 - R_crank_x_z*s1_4;
   const double R_coupler_x_z = R_crank_x_x*s1_4 + R_crank_x_z*s1_3;
   // rocker: rocker_pin, revolute, ground
   const double z_rocker_pin = state.z[Coordinate::rocker_pin];
-  const double R_rocker_x_x = std::cos(z_rocker_pin);
-  const double R_rocker_x_z = std::sin(z_rocker_pin);
+  double R_rocker_x_x, R_rocker_x_z;
+  mbgen::sincos(z_rocker_pin, R_rocker_x_z, R_rocker_x_x);
   // crank: crank_pin, revolute, ground
   const double s1_5 = s1_2 + 0.02*R_crank_x_z;
   const double s1_6 = 0.02*R_crank_x_x - s1_1;
@@ -395,20 +396,20 @@ void compute_closure_terms(const Parameters& /*parameters*/, const Inputs& /*inp
   // --- step 1: poses, axes b, accumulated inertias MR (50) ---
   // crank: crank_pin, revolute, ground
   const double z_crank_pin = state.z[Coordinate::crank_pin];
-  const double R_crank_x_x = std::cos(z_crank_pin);
-  const double R_crank_x_z = std::sin(z_crank_pin);
+  double R_crank_x_x, R_crank_x_z;
+  mbgen::sincos(z_crank_pin, R_crank_x_z, R_crank_x_x);
   // coupler: coupler_pin, revolute, crank
   const double r_coupler_x = 0.05*R_crank_x_z + 0.1*R_crank_x_x;
   const double r_coupler_z = 0.05*R_crank_x_x - 0.1*R_crank_x_z;
   const double z_coupler_pin = state.z[Coordinate::coupler_pin];
-  const double s1_1 = std::cos(z_coupler_pin);
-  const double s1_2 = std::sin(z_coupler_pin);
+  double s1_1, s1_2;
+  mbgen::sincos(z_coupler_pin, s1_2, s1_1);
   const double R_coupler_x_x = R_crank_x_x*s1_1 - R_crank_x_z*s1_2;
   const double R_coupler_x_z = R_crank_x_x*s1_2 + R_crank_x_z*s1_1;
   // rocker: rocker_pin, revolute, ground
   const double z_rocker_pin = state.z[Coordinate::rocker_pin];
-  const double R_rocker_x_x = std::cos(z_rocker_pin);
-  const double R_rocker_x_z = std::sin(z_rocker_pin);
+  double R_rocker_x_x, R_rocker_x_z;
+  mbgen::sincos(z_rocker_pin, R_rocker_x_z, R_rocker_x_x);
   // operations: 4 add, 8 multiply, 6 sin cos
 
   // --- step 2: closure Jacobian Phi_z and its factors (60) ---
@@ -487,22 +488,22 @@ void compute_chosen_accelerations(const Parameters& parameters, const Inputs& in
   // --- step 1: poses, axes b, accumulated inertias MR (50) ---
   // crank: crank_pin, revolute, ground
   const double z_crank_pin = state.z[Coordinate::crank_pin];
-  const double R_crank_x_x = std::cos(z_crank_pin);
-  const double R_crank_x_z = std::sin(z_crank_pin);
+  double R_crank_x_x, R_crank_x_z;
+  mbgen::sincos(z_crank_pin, R_crank_x_z, R_crank_x_x);
   // coupler: coupler_pin, revolute, crank
   const double s1_1 = 0.05*R_crank_x_z;
   const double r_coupler_x = s1_1 + 0.1*R_crank_x_x;
   const double s1_2 = 0.05*R_crank_x_x;
   const double r_coupler_z = s1_2 - 0.1*R_crank_x_z;
   const double z_coupler_pin = state.z[Coordinate::coupler_pin];
-  const double s1_3 = std::cos(z_coupler_pin);
-  const double s1_4 = std::sin(z_coupler_pin);
+  double s1_3, s1_4;
+  mbgen::sincos(z_coupler_pin, s1_4, s1_3);
   const double R_coupler_x_x = R_crank_x_x*s1_3 - R_crank_x_z*s1_4;
   const double R_coupler_x_z = R_crank_x_x*s1_4 + R_crank_x_z*s1_3;
   // rocker: rocker_pin, revolute, ground
   const double z_rocker_pin = state.z[Coordinate::rocker_pin];
-  const double R_rocker_x_x = std::cos(z_rocker_pin);
-  const double R_rocker_x_z = std::sin(z_rocker_pin);
+  double R_rocker_x_x, R_rocker_x_z;
+  mbgen::sincos(z_rocker_pin, R_rocker_x_z, R_rocker_x_x);
   // crank: crank_pin, revolute, ground
   const double s1_5 = s1_2 + 0.02*R_crank_x_z;
   const double s1_6 = 0.02*R_crank_x_x - s1_1;
@@ -613,22 +614,22 @@ void compute_outputs(const Parameters& parameters, const Inputs& inputs, const S
   // --- step 1: poses, axes b, accumulated inertias MR (50) ---
   // crank: crank_pin, revolute, ground
   const double z_crank_pin = state.z[Coordinate::crank_pin];
-  const double R_crank_x_x = std::cos(z_crank_pin);
-  const double R_crank_x_z = std::sin(z_crank_pin);
+  double R_crank_x_x, R_crank_x_z;
+  mbgen::sincos(z_crank_pin, R_crank_x_z, R_crank_x_x);
   // coupler: coupler_pin, revolute, crank
   const double s1_1 = 0.05*R_crank_x_z;
   const double r_coupler_x = s1_1 + 0.1*R_crank_x_x;
   const double s1_2 = 0.05*R_crank_x_x;
   const double r_coupler_z = s1_2 - 0.1*R_crank_x_z;
   const double z_coupler_pin = state.z[Coordinate::coupler_pin];
-  const double s1_3 = std::cos(z_coupler_pin);
-  const double s1_4 = std::sin(z_coupler_pin);
+  double s1_3, s1_4;
+  mbgen::sincos(z_coupler_pin, s1_4, s1_3);
   const double R_coupler_x_x = R_crank_x_x*s1_3 - R_crank_x_z*s1_4;
   const double R_coupler_x_z = R_crank_x_x*s1_4 + R_crank_x_z*s1_3;
   // rocker: rocker_pin, revolute, ground
   const double z_rocker_pin = state.z[Coordinate::rocker_pin];
-  const double R_rocker_x_x = std::cos(z_rocker_pin);
-  const double R_rocker_x_z = std::sin(z_rocker_pin);
+  double R_rocker_x_x, R_rocker_x_z;
+  mbgen::sincos(z_rocker_pin, R_rocker_x_z, R_rocker_x_x);
   // crank: crank_pin, revolute, ground
   const double s1_5 = s1_2 + 0.02*R_crank_x_z;
   const double s1_6 = 0.02*R_crank_x_x - s1_1;

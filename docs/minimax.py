@@ -1,0 +1,98 @@
+#!/usr/bin/env python3
+"""Coefficients of runtime/include/mbgen/elementary.hpp.
+
+Remez exchange on polynomials in z = x^2, at 60 digits, for the largest relative error of the whole function. The
+coefficients are rounded to double one by one from the lowest power, and those above are fitted again after each.
+Needs mpmath.
+"""
+from mpmath import mp, mpf, atan, cos, sin, sqrt, tan, pi, matrix, lu_solve, floor, log, tanh, exp, expm1
+import sys
+
+mp.dps = 60
+
+
+def remez(target, weight, low, high, fixed, count):
+    """Minimax fit of `target` on [low, high] in z: `fixed` lowest coefficients are given, `count` more are free.
+    Result: coefficients, largest |weight * error|."""
+    n = count + 1
+    points = [(low + high) / 2 - (high - low) / 2 * mp.cos(pi * (2 * k + 1) / (2 * n)) for k in range(n)]
+    first = len(fixed)
+    rest = lambda z: target(z) - sum(c * z**k for k, c in enumerate(fixed))
+    for _ in range(40):
+        a, b = matrix(n, n), matrix(n, 1)
+        for i, z in enumerate(points):
+            for k in range(count):
+                a[i, k] = z ** (first + k)
+            a[i, count] = (-1) ** i / weight(z)
+            b[i] = rest(z)
+        x = lu_solve(a, b)
+        found = [x[k] for k in range(count)]
+        error = lambda z: weight(z) * (rest(z) - sum(c * z ** (first + k) for k, c in enumerate(found)))
+        grid = [low + (high - low) * (1 - mp.cos(pi * mpf(i) / 400)) / 2 for i in range(401)]
+        values = [error(z) for z in grid]
+        extremes, start = [], 0
+        for i in range(1, 402):
+            if i == 401 or values[i] * values[start] < 0:
+                best = max(range(start, i), key=lambda j: abs(values[j]))
+                l, h = grid[max(best - 1, 0)], grid[min(best + 1, 400)]
+                for _ in range(60):
+                    p, q = l + (h - l) / 3, h - (h - l) / 3
+                    if abs(error(p)) < abs(error(q)): l = p
+                    else: h = q
+                extremes.append((l + h) / 2)
+                start = i
+        while len(extremes) > n:
+            extremes.pop(0 if abs(error(extremes[0])) < abs(error(extremes[-1])) else -1)
+        if len(extremes) < n:
+            break
+        points = extremes
+        sizes = [abs(error(z)) for z in extremes]
+        if max(sizes) - min(sizes) < max(sizes) * mpf('1e-6'):
+            break
+    return list(fixed) + found, max(abs(error(z)) for z in grid)
+
+
+def rounded(target, weight, low, high, count, fixed=()):
+    coefficients = [mpf(c) for c in fixed]
+    for k in range(len(coefficients), count):
+        fit, error = remez(target, weight, low, high, coefficients, count - k)
+        if k == len(fixed): best = error
+        coefficients.append(mpf(float(fit[k])))
+    grid = [low + (high - low) * mpf(i) / 2000 for i in range(2001)]
+    worst = max(abs(weight(z) * (target(z) - sum(c * z**k for k, c in enumerate(coefficients)))) for z in grid)
+    return coefficients, best, worst
+
+
+def show(name, coefficients, best, worst):
+    print(f"{name}: exact fit 2^{float(log(best, 2)):.1f}, rounded 2^{float(log(worst, 2)):.1f}")
+    for c in coefficients: print("   ", float(c).hex(), repr(float(c)))
+
+tiny = mpf('1e-12')
+def series(f, s):
+    return lambda z: f(sqrt(z)) if z > mpf('1e-8') else s(z)
+F = mp.factorial
+def sin_rest(z):  # (sin x / x - 1) / z
+    if z < mpf('1e-6'): return sum((-1)**(k+1) * z**k / F(2*k+3) for k in range(12))
+    x = sqrt(z); return (sin(x)/x - 1)/z
+def cos_rest(z):  # (cos x - 1 + z/2)/z^2
+    if z < mpf('1e-6'): return sum((-1)**k * z**k / F(2*k+4) for k in range(12))
+    x = sqrt(z); return (cos(x) - 1 + z/2)/z**2
+def atan_rest(z):
+    if z < mpf('1e-4'): return sum((-1)**(k+1) * z**k / (2*k+3) for k in range(20))
+    x = sqrt(z); return (atan(x)/x - 1)/z
+
+if __name__ == '__main__':
+    edge = (pi/4 * (1 + mpf(2)**-20))**2
+    show('sin', *rounded(sin_rest, lambda z: z / (sin(sqrt(z))/sqrt(z)) if z > 0 else mpf(0)+tiny, tiny, edge, 6))
+    show('cos', *rounded(cos_rest, lambda z: z*z / cos(sqrt(z)), tiny, edge, 6))
+    n = int(sys.argv[1]) if len(sys.argv) > 1 else 20
+    show('atan', *rounded(atan_rest, lambda z: z / (atan(sqrt(z))/sqrt(z)), tiny, mpf(1), n))
+    # pi/2
+    p = pi/2
+    parts=[]
+    for bits in (33,33,33):
+        e = int(floor(log(p,2)))
+        q = floor(p / mpf(2)**(e-bits+1)) * mpf(2)**(e-bits+1)
+        parts.append(q); p -= q
+    parts.append(mpf(float(p)))
+    for q in parts: print(float(q).hex(), repr(float(q)))

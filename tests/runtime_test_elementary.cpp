@@ -1,0 +1,109 @@
+// The runtime's own elementary functions against the C library's at long double, in units of the last place.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <limits>
+#include <random>
+#include <vector>
+
+#include "mbgen/sincos.hpp"
+
+namespace mbgen {
+namespace {
+
+static_assert(std::numeric_limits<long double>::digits > 60, "the reference needs digits to spare");
+
+/// |value - exact| in units of the last place of a double near `exact`.
+double error_in_ulp(double value, long double exact) {
+  int exponent = 0;
+  std::frexp(static_cast<double>(exact), &exponent);
+  const long double ulp = std::ldexp(1.0L, std::max(exponent - 53, -1074));
+  return static_cast<double>(std::abs(static_cast<long double>(value) - exact) / ulp);
+}
+
+/// Angles where reduction is hard and where it is not.
+std::vector<double> angles() {
+  std::mt19937_64 random(2012);
+  std::vector<double> result = {0.0, 1e-320, 1e-300, 1e-20, 1e-8, 0x1p-27, kLargestAngle, 0.5, 1.0};
+  for (const double range : {1e-3, 1.0, 3.2, 100.0, kLargestAngle}) {
+    std::uniform_real_distribution<double> angle(-range, range);
+    for (int i = 0; i < 100000; ++i) result.push_back(angle(random));
+  }
+  // The doubles beside every multiple of pi/4 of the range, where one of the two is near zero or near the other.
+  constexpr long double kQuarter = 0.785398163397448309615660845819875721L;
+  for (int k = 1; k * kQuarter < kLargestAngle; k += k < 1000 ? 1 : 7) {
+    const double near = static_cast<double>(k * kQuarter);
+    for (const double angle : {near, std::nextafter(near, 0.0), std::nextafter(near, 2 * near)}) {
+      if (angle <= kLargestAngle) result.push_back(angle);
+    }
+  }
+  return result;
+}
+
+TEST(SineAndCosine, areWithinOneUnitInTheLastPlace) {
+  double largest_sine = 0, largest_cosine = 0;
+  for (const double angle : angles()) {
+    double s = 0, c = 0;
+    sincos(angle, s, c);
+    largest_sine = std::max(largest_sine, error_in_ulp(s, std::sin(static_cast<long double>(angle))));
+    largest_cosine = std::max(largest_cosine, error_in_ulp(c, std::cos(static_cast<long double>(angle))));
+  }
+  std::printf("largest errors: sine %.3f ulp, cosine %.3f ulp\n", largest_sine, largest_cosine);
+  EXPECT_LE(largest_sine, 1.0);
+  EXPECT_LE(largest_cosine, 1.0);
+}
+
+TEST(SineAndCosine, areTheLibrarysBeyondTheReduction) {
+  for (const double angle : {std::nextafter(kLargestAngle, 1e9), -3e7, 1e22, 1e300}) {
+    double s = 0, c = 0;
+    sincos(angle, s, c);
+    EXPECT_EQ(s, std::sin(angle));
+    EXPECT_EQ(c, std::cos(angle));
+  }
+  for (const double angle : {INFINITY, -INFINITY, NAN}) {
+    double s = 0, c = 0;
+    sincos(angle, s, c);
+    EXPECT_TRUE(std::isnan(s) && std::isnan(c)) << angle;
+  }
+}
+
+bool same_bits(double a, double b) { return std::memcmp(&a, &b, sizeof a) == 0 || (std::isnan(a) && std::isnan(b)); }
+
+/// Bits of an array of N angles and of vectors of four against those of each angle alone.
+template <std::size_t N>
+void expect_same_bits_of(const std::vector<double>& all) {
+  typedef double Four __attribute__((vector_size(32)));
+  for (std::size_t first = 0; first + N <= all.size(); first += N) {
+    double angle[N], sines[N], cosines[N];
+    std::copy_n(all.begin() + static_cast<std::ptrdiff_t>(first), N, angle);
+    sincos(angle, sines, cosines);
+    for (std::size_t i = 0; i < N; ++i) {
+      double s = 0, c = 0;
+      sincos(angle[i], s, c);
+      ASSERT_TRUE(same_bits(s, sines[i]) && same_bits(c, cosines[i])) << angle[i] << " of " << N;
+      ASSERT_TRUE(same_bits(s, sine(angle[i])) && same_bits(c, cosine(angle[i])));
+      const Four four = {1, 2, angle[i], angle[0]};
+      Four s4, c4;
+      sincos(four, s4, c4);
+      const double s2 = s4[2], c2 = c4[2];
+      ASSERT_TRUE(same_bits(s, s2) && same_bits(c, c2)) << angle[i];
+    }
+  }
+}
+
+TEST(SineAndCosine, haveTheSameBitsAloneInLanesAndInArrays) {
+  std::vector<double> some = {1e7, 0.3, NAN, -2.0, INFINITY, 1e22, 0.7, -0.7, 2.5, 1e6, -1e7};
+  const std::vector<double> all = angles();
+  for (std::size_t i = 0; i < all.size(); i += 101) some.push_back(all[i]);
+  expect_same_bits_of<1>(some);
+  expect_same_bits_of<3>(some);
+  expect_same_bits_of<8>(some);
+  expect_same_bits_of<13>(some);
+  expect_same_bits_of<64>(some);
+}
+
+}  // namespace
+}  // namespace mbgen
