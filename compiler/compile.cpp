@@ -7,7 +7,7 @@
 namespace mbgen {
 
 Programs optimise(Programs programs) {
-  for (Program* program : {&programs.accelerations, &programs.closure, &programs.closure_terms,
+  for (Program* program : {&programs.accelerations, &programs.recursive_accelerations, &programs.closure, &programs.closure_terms,
                            &programs.accelerations_chosen, &programs.multipliers, &programs.outputs})
     *program = optimise(std::as_const(*program));
   return programs;

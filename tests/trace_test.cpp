@@ -68,7 +68,8 @@ class EveryModelWithLoops : public EveryModel {};
 
 // Both solve the same equations with other pivots: differences are rounding times the condition of the mechanism.
 TEST_P(EveryModel, FrozenAccelerationsEqualThoseOfFullPivoting) {
-  for (const Program& program : {programs.accelerations, optimise(programs.accelerations)})
+  for (const Program& program : {programs.accelerations, optimise(programs.accelerations),
+                                 programs.recursive_accelerations, optimise(programs.recursive_accelerations)})
     for (const GenericState& state : random_states(m, 5)) {
       const std::vector<double> tau = random_tau(m, 11);
       GenericDerivative expected;

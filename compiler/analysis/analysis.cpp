@@ -8,6 +8,7 @@
 #include "compiler/analysis/compatibility.hpp"
 #include "compiler/analysis/large_block.hpp"
 #include "compiler/analysis/partition.hpp"
+#include "compiler/analysis/quasi_partition.hpp"
 #include "compiler/analysis/sampling.hpp"
 #include "compiler/analysis/walk.hpp"
 
@@ -152,6 +153,7 @@ BlockAnalysis analyse_block(NumericSystem& numbers, std::size_t b, const std::ve
   BlockAnalysis result = choose_partition(jacobians, whole.rank, driven_columns(block, analysis.driven));
   for (int e : result.redundant_equations) result.redundant_names.push_back(equations[e].name);
   result.certificate = certificate;
+  result.quasi = quasi_partition(numbers, b, configurations, result, analysis.driven);
   return result;
 }
 

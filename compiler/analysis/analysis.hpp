@@ -57,6 +57,7 @@ struct BlockAnalysis : LoopPartition {
                                  ///< 0 when no partition is chosen again, see chooses_again
   double worst_pivot_ratio = 0;  ///< smallest |pivot| / largest entry of its remaining row and column, over all samples
   Certificate certificate;
+  LoopPartition quasi;  ///< the same over quasi-velocities, for the recursive form
 };
 
 struct Analysis {

@@ -14,4 +14,5 @@
 #include "compiler/formulation/motion.hpp"
 #include "compiler/formulation/outputs.hpp"
 #include "compiler/formulation/reactions.hpp"
+#include "compiler/formulation/recursion.hpp"
 #include "compiler/formulation/solved_state.hpp"

@@ -93,7 +93,7 @@ std::string title_of(const Topology& topology, int i) {
 
 }  // namespace
 
-Layout choose_layout(const Model& model, const Topology& topology) {
+Layout choose_layout(const Model& model, const Topology& topology, Frames frames) {
   const int n = topology.size();
   const std::vector<bool> loaded = loaded_bodies(model, topology);
   std::vector<bool> own = block_bases(topology), carries(n), above_carrier(n);
@@ -102,7 +102,13 @@ Layout choose_layout(const Model& model, const Topology& topology) {
     carries[i] = own[i] || loaded[i] || !topology.bodies[i].massless || branches(topology, i);
     above_carrier[i] = p != kGround && (above_carrier[p] || carries[p] || in_block(topology, p));
     const bool first = !above_carrier[i];
-    if (!in_block(topology, i) && carries[i] && (first || !topology.children[i].empty())) own[i] = true;
+    if (in_block(topology, i)) continue;
+    const bool leaf = topology.children[i].empty();
+    if (frames == Frames::few && carries[i] && (first || !leaf)) own[i] = true;
+    if (frames == Frames::own && (carries[i] || leaf)) {
+      const bool held = p != kGround && (in_block(topology, p) || carries[p]);
+      own[i] = !(held && is_rotor(model, topology, i));
+    }
   }
   Layout layout;
   layout.bodies.resize(n);

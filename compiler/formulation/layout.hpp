@@ -27,9 +27,15 @@ struct Layout {
   int frame_of(int body) const { return body == kGround ? kGround : bodies[body].own_frame ? body : bodies[body].base; }
 };
 
+/// Which bodies outside loop blocks have frames of their own.
+enum class Frames {
+  few,  ///< where it saves work on accumulated inertias: the matrix form
+  own   ///< all but rotors, whose inertia their base holds: the recursive form
+};
+
 /// Chooses the frames: own frames for block bases, for the first massive or branching body above ground (so that the
 /// far inertial origin never enters) and for massive branching bodies outside loop blocks. Source: design.md section 7,
 /// frames.
-Layout choose_layout(const Model& model, const Topology& topology);
+Layout choose_layout(const Model& model, const Topology& topology, Frames frames = Frames::few);
 
 }  // namespace mbgen

@@ -5,6 +5,7 @@
 
 #include "compiler/formulation/scribe.hpp"
 #include "compiler/program/program.hpp"
+#include "compiler/trace/trace.hpp"
 
 namespace mbgen {
 
@@ -17,6 +18,7 @@ inline double known_size(const Expr& value) { return value.is_constant() ? std::
 template <>
 struct Scribe<Expr> {
   ProgramBuilder& builder;
+  Form form = Form::matrix;
   void step(Step step);
   void place(const std::string& title) { builder.set_block(title); }
   template <class... Parts>

@@ -4,71 +4,11 @@
 
 #include <algorithm>
 
-#include "compiler/formulation/formulation.hpp"
-#include "compiler/trace/scribe.hpp"
+#include "compiler/trace/recursive.hpp"
+#include "compiler/trace/tracing.hpp"
 
 namespace mbgen {
 namespace {
-
-/// One program in the making: the formulation's view of the model, on symbols.
-class Tracing {
- public:
-  Tracing(const std::string& name, const Model& model, const Topology& topology, const Analysis& analysis)
-      : builder(name),
-        scribe{builder},
-        layout(choose_layout(model, topology)),
-        analysis(analysis),
-        system{model, topology, layout, environment(model, topology), {}, {}, scribe} {
-    scribe.step(Step::inertias);
-    for (int i = 0; i < auxiliary_state_count(model); ++i) system.x.push_back(input("x", i));
-    system.constants = make_constants(model, topology, system.environment);
-    drive = drives(system);
-  }
-
-  Expr input(const std::string& group, int index) { return {builder, builder.input(group, index)}; }
-  std::vector<Expr> inputs(const std::string& group, int count) {
-    std::vector<Expr> values;
-    for (int i = 0; i < count; ++i) values.push_back(input(group, i));
-    return values;
-  }
-  void output(const std::string& group, int index, const Expr& value) {
-    builder.output(group, index, value.value(builder));
-  }
-  void outputs(const std::string& group, const std::vector<Expr>& values) {
-    for (std::size_t i = 0; i < values.size(); ++i) output(group, static_cast<int>(i), values[i]);
-  }
-  int size() const { return system.topology.size(); }
-
-  /// Prescribed values of a block's coordinates (zero where not driven), by what a motion gives.
-  std::vector<Expr> driven_values(const LoopBlock& block, Expr Drive<Expr>::*what) const {
-    std::vector<Expr> values(block.joints.size(), Expr(0.0));
-    for (std::size_t c = 0; c < block.joints.size(); ++c)
-      for (const Drive<Expr>& d : drive)
-        if (d.coordinate == block.joints[c]) values[c] = d.*what;
-    return values;
-  }
-
-  ProgramBuilder builder;
-  Scribe<Expr> scribe;
-  Layout layout;
-  const Analysis& analysis;
-  System<Expr> system;
-  std::vector<Drive<Expr>> drive;
-
- private:
-  Environment<Expr> environment(const Model& model, const Topology& topology) {
-    Environment<Expr> e;
-    e.topology = &topology;
-    int tunable = 0;
-    for (const Parameter& p : model.parameters)
-      e.parameters.push_back(p.tunable ? input("par", tunable++) : Expr(p.value));
-    e.inputs = inputs("in", static_cast<int>(model.inputs.size()));
-    e.t = input("t", 0);
-    e.z = inputs("z", topology.size());
-    e.zd = inputs("zd", topology.size());
-    return e;
-  }
-};
 
 /// Projection of a joint outside all blocks: free, or prescribed by a motion.
 GroupProjection<Expr> single_projection(const Tracing& tracing, int joint) {
@@ -377,6 +317,7 @@ std::vector<std::string> auxiliary_state_names(const Model& model) {
 Programs trace(const Model& model, const Topology& topology, const Analysis& analysis) {
   Programs programs;
   programs.accelerations = trace_accelerations(model, topology, analysis);
+  programs.recursive_accelerations = trace_recursive_accelerations(model, topology, analysis);
   programs.closure = trace_closure(model, topology, analysis);
   if (!topology.loops.empty()) {
     programs.closure_terms = trace_closure_terms(model, topology, analysis);

@@ -1,0 +1,167 @@
+#pragma once
+// Loop closures of the recursive form (theory.md section 3): Jacobian by quasi-velocities and acceleration right-hand
+// side, each end seen from the origin of its own body. Rods by (d.d - l^2)/2.
+
+#include "compiler/formulation/closure.hpp"
+#include "compiler/formulation/recursion_motion.hpp"
+
+namespace mbgen {
+namespace detail {
+
+/// One end of a loop, in the axes of the block's base.
+template <class T>
+struct NearEnd {
+  int body = kGround;
+  Vector<T> arm;    ///< from the body's origin, m
+  Vector<T> place;  ///< from the base's origin, m
+  Spatial<T> velocity;
+  BodyAcceleration<T> bias;
+  Vector<T> point_velocity() const { return velocity_at(velocity, arm); }
+  Vector<T> point_acceleration() const { return bias.linear + bias.gradient * arm; }
+};
+
+/// Wrench rows of a closure about the origins of its two bodies; `acceleration` is the second derivative of the
+/// residual at zero accelerations.
+template <class T>
+struct NearRow {
+  Vector<T> force, moment_from, moment_to;
+  T acceleration{0.0};
+};
+
+template <class T>
+NearRow<T> near_coincidence(const NearEnd<T>& from, const NearEnd<T>& to, const Vector<T>& direction) {
+  return {direction, cross(from.arm, direction), cross(to.arm, direction),
+          dot(direction, from.point_acceleration() - to.point_acceleration())};
+}
+
+template <class T>
+NearRow<T> near_perpendicular(const NearEnd<T>& from, const NearEnd<T>& to, const Vector<T>& a, const Vector<T>& b) {
+  const Vector<T> moment = cross(a, b);
+  const T twice = dot(cross(from.velocity.angular, a), cross(to.velocity.angular, b));
+  return {{}, moment, moment, dot(from.bias.gradient * a, b) + dot(a, to.bias.gradient * b) + (twice + twice)};
+}
+
+template <class T>
+NearRow<T> near_in_plane(const NearEnd<T>& from, const NearEnd<T>& to, const Vector<T>& a) {
+  const Vector<T> gap = from.place - to.place;
+  const Vector<T> rate = from.point_velocity() - to.point_velocity();
+  const T twice = dot(cross(from.velocity.angular, a), rate);
+  return {
+      a, cross(from.arm - gap, a), cross(to.arm, a),
+      dot(from.bias.gradient * a, gap) + dot(a, from.point_acceleration() - to.point_acceleration()) + (twice + twice)};
+}
+
+template <class T>
+NearRow<T> near_distance(const NearEnd<T>& from, const NearEnd<T>& to) {
+  const Vector<T> gap = from.place - to.place;
+  const Vector<T> rate = from.point_velocity() - to.point_velocity();
+  return {gap, cross(from.arm, gap), cross(to.arm, gap),
+          dot(rate, rate) + dot(gap, from.point_acceleration() - to.point_acceleration())};
+}
+
+/// The rows of a cut joint, in the order of joint_rows.
+template <class T>
+std::vector<NearRow<T>> near_joint_rows(ClosureKind kind, const NearEnd<T>& from, const NearEnd<T>& to,
+                                        const Matrix<T>& on_from, const Matrix<T>& on_to) {
+  std::vector<NearRow<T>> rows;
+  const bool point = kind == ClosureKind::spherical || kind == ClosureKind::revolute ||
+                     kind == ClosureKind::universal || kind == ClosureKind::fixed;
+  if (point)
+    for (const Vector<T>& direction : {identity<T>().x, identity<T>().y, identity<T>().z})
+      rows.push_back(near_coincidence(from, to, direction));
+  if (kind == ClosureKind::prismatic || kind == ClosureKind::cylindrical) {
+    rows.push_back(near_in_plane(from, to, on_from.x));
+    rows.push_back(near_in_plane(from, to, on_from.y));
+  }
+  if (kind == ClosureKind::planar) rows.push_back(near_in_plane(from, to, on_from.z));
+  if (kind == ClosureKind::universal) {
+    rows.push_back(near_perpendicular(from, to, on_from.z, on_to.z));
+  } else if (kind != ClosureKind::spherical) {
+    rows.push_back(near_perpendicular(from, to, on_from.x, on_to.z));
+    rows.push_back(near_perpendicular(from, to, on_from.y, on_to.z));
+  }
+  if (kind == ClosureKind::prismatic || kind == ClosureKind::fixed)
+    rows.push_back(near_perpendicular(from, to, on_from.x, on_to.y));
+  return rows;
+}
+
+/// An end at a place of a body of the block or of its base.
+template <class T>
+NearEnd<T> near_end(const RecursionWork<T>& work, const RecursionUnit& unit, const std::vector<Spatial<T>>& velocity,
+                    const std::vector<BodyAcceleration<T>>& bias, const Place<T>& place) {
+  if (place.body == unit.base) return {place.body, place.at, place.at, {}, {}};
+  const Vector<T> arm = work.k.orientation[place.body] * place.at;
+  return {place.body, arm, work.origin(place.body) + arm, velocity[place.body], bias[place.body]};
+}
+
+template <class T>
+std::vector<NearRow<T>> near_rows(const RecursionWork<T>& work, const RecursionUnit& unit,
+                                  const std::vector<Spatial<T>>& velocity, const std::vector<BodyAcceleration<T>>& bias,
+                                  const Loop& loop) {
+  const System<T>& system = work.system;
+  const auto end = [&](const Place<T>& place) { return near_end(work, unit, velocity, bias, place); };
+  if (loop.kind == ClosureKind::rod) {
+    const RodConstants<T>& rod = system.constants.rods[loop.rod];
+    return {near_distance(end(rod.from), end(rod.to))};
+  }
+  const Joint& joint = system.model.joints[loop.joint];
+  const auto at = [&](const Attachment& a) {
+    return end(place_of(system.model, system.topology, system.constants, a, system.environment));
+  };
+  const NearEnd<T> from = at(joint.from), to = at(joint.to);
+  const auto triad_at = [&](int body, const Vector3& axis) {
+    const Triad t = triad(axis);
+    const Matrix<T> axes = body == unit.base ? identity<T>() : work.k.orientation[body];
+    return Matrix<T>{axes * constant<T>(t.first), axes * constant<T>(t.second), axes * constant<T>(t.axis)};
+  };
+  const Vector3& axis_on_to = joint.type == JointType::universal ? joint.second_axis : joint.axis;
+  return near_joint_rows(loop.kind, from, to, triad_at(from.body, joint.axis), triad_at(to.body, axis_on_to));
+}
+
+/// Adds sign times the columns of a wrench about the origin of `body` to a row.
+template <class T>
+void add_columns(const RecursionWork<T>& work, const RecursionUnit& unit, const Loop& loop, int body,
+                 const Vector<T>& force, Vector<T> moment, double sign, std::vector<T>& row) {
+  const auto local = [&](int joint) {
+    return std::lower_bound(unit.joints.begin(), unit.joints.end(), joint) - unit.joints.begin();
+  };
+  while (body != unit.base) {
+    const JointStep& step = *work.step[body];
+    const Vector<T>& acting = step.revolute ? moment : force;
+    if (std::binary_search(loop.joints.begin(), loop.joints.end(), step.joints[0])) {
+      if (step.quasi()) {
+        row[local(step.joints[0])] = T(sign) * acting.x;
+        row[local(step.joints[1])] = T(sign) * acting.y;
+        row[local(step.joints[2])] = T(sign) * acting.z;
+      } else {
+        row[local(step.joints[0])] = T(sign) * dot(work.k.axis[step.joints[0]], acting);
+      }
+    }
+    moment = moment + cross(work.offset[body], force);
+    body = work.parent(step);
+  }
+}
+
+}  // namespace detail
+
+/// Jacobian by (quasi-)velocities and acceleration right-hand side of a block, rows as in `closure`. velocity, bias: of
+/// block_motion and block_bias; zero ones give the Jacobian alone. No residuals.
+template <class T>
+BlockClosure<T> quasi_closure(const RecursionWork<T>& work, const RecursionUnit& unit,
+                              const std::vector<Spatial<T>>& velocity, const std::vector<BodyAcceleration<T>>& bias) {
+  BlockClosure<T> result;
+  for (int l : work.system.topology.blocks[unit.block].loops) {
+    const Loop& loop = work.system.topology.loops[l];
+    work.system.scribe.place(loop.name);
+    for (const detail::NearRow<T>& row : detail::near_rows(work, unit, velocity, bias, loop)) {
+      std::vector<T> columns(unit.joints.size(), T(0.0));
+      detail::add_columns(work, unit, loop, loop.body_from, row.force, row.moment_from, 1.0, columns);
+      detail::add_columns(work, unit, loop, loop.body_to, row.force, row.moment_to, -1.0, columns);
+      result.jacobian.push_back(std::move(columns));
+      result.acceleration.push_back(-row.acceleration);
+    }
+  }
+  return result;
+}
+
+}  // namespace mbgen

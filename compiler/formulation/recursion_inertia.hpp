@@ -1,0 +1,164 @@
+#pragma once
+// Inertias of the recursive form: rigid ones by their pseudo-inertia, articulated ones by what elimination adds.
+
+#include "compiler/formulation/kinematics.hpp"
+
+namespace mbgen {
+
+/// Ten parameters about an origin: mass, first moment s (integral of r dm), K (integral of r r' dm), kg m^2.
+template <class T>
+struct PseudoInertia {
+  T mass{0.0};
+  Vector<T> moment;
+  Symmetric<T> second;
+};
+
+template <class T>
+PseudoInertia<T> operator+(const PseudoInertia<T>& a, const PseudoInertia<T>& b) {
+  return {a.mass + b.mass, a.moment + b.moment, a.second + b.second};
+}
+
+/// scale a b' + b a', symmetric.
+template <class T>
+Symmetric<T> symmetric_product(const Vector<T>& a, const Vector<T>& b) {
+  const auto twice = [](const T& v) { return v + v; };
+  return {twice(a.x * b.x),      twice(a.y * b.y),      twice(a.z * b.z),
+          a.x * b.y + a.y * b.x, a.x * b.z + a.z * b.x, a.y * b.z + a.z * b.y};
+}
+
+/// scale a a'.
+template <class T>
+Symmetric<T> square(const T& scale, const Vector<T>& a) {
+  const Vector<T> s = scale * a;
+  return {s.x * a.x, s.y * a.y, s.z * a.z, s.x * a.y, s.x * a.z, s.y * a.z};
+}
+
+/// About a new origin; place: of the old one, seen from the new one.
+template <class T>
+PseudoInertia<T> shifted(const Vector<T>& place, const PseudoInertia<T>& m) {
+  const Vector<T> half = T(0.5) * m.mass * place;
+  return {m.mass, m.moment + m.mass * place, m.second + symmetric_product(m.moment + half, place)};
+}
+
+template <class T>
+PseudoInertia<T> rotated(const Matrix<T>& r, const PseudoInertia<T>& m) {
+  return {m.mass, r * m.moment, rotated(r, m.second)};
+}
+
+/// From a central inertia: J = tr(K) I - K.
+template <class T>
+PseudoInertia<T> pseudo_inertia(const T& mass, const Vector<T>& com, const Symmetric<T>& central) {
+  const T half = T(0.5) * (central.xx + central.yy + central.zz);
+  const Symmetric<T> own{half - central.xx, half - central.yy, half - central.zz,
+                         -central.xy,       -central.xz,       -central.yz};
+  return {mass, mass * com, own + square(mass, com)};
+}
+
+/// J about the origin.
+template <class T>
+Symmetric<T> inertia_matrix(const PseudoInertia<T>& m) {
+  const Symmetric<T>& k = m.second;
+  return {k.yy + k.zz, k.xx + k.zz, k.xx + k.yy, -k.xy, -k.xz, -k.yz};
+}
+
+/// Momentum about the origin of a motion about the origin.
+template <class T>
+Spatial<T> operator*(const PseudoInertia<T>& m, const Spatial<T>& motion) {
+  return {m.mass * motion.linear + cross(motion.angular, m.moment),
+          cross(m.moment, motion.linear) + inertia_matrix(m) * motion.angular};
+}
+
+/// Force and moment that a field of accelerations a + g r takes.
+template <class T>
+Spatial<T> field_force(const PseudoInertia<T>& m, const Vector<T>& a, const Matrix<T>& g) {
+  const Symmetric<T>& k = m.second;
+  const Vector<T> kx{k.xx, k.xy, k.xz}, ky{k.xy, k.yy, k.yz}, kz{k.xz, k.yz, k.zz};
+  const Vector<T> row_x{g.x.x, g.y.x, g.z.x}, row_y{g.x.y, g.y.y, g.z.y}, row_z{g.x.z, g.y.z, g.z.z};
+  const Vector<T> moment{dot(row_z, ky) - dot(row_y, kz), dot(row_x, kz) - dot(row_z, kx),
+                         dot(row_y, kx) - dot(row_x, ky)};
+  return {m.mass * a + g * m.moment, cross(m.moment, a) + moment};
+}
+
+/// Symmetric 6x6 operator from acceleration to force about an origin: force = linear a + coupling alpha,
+/// moment = coupling' a + angular alpha.
+template <class T>
+struct ArticulatedInertia {
+  Symmetric<T> linear, angular;
+  Matrix<T> coupling{};
+};
+
+template <class T>
+Matrix<T> operator+(const Matrix<T>& a, const Matrix<T>& b) {
+  return {a.x + b.x, a.y + b.y, a.z + b.z};
+}
+
+template <class T>
+ArticulatedInertia<T> operator+(const ArticulatedInertia<T>& a, const ArticulatedInertia<T>& b) {
+  return {a.linear + b.linear, a.angular + b.angular, a.coupling + b.coupling};
+}
+
+/// A rigid inertia as an operator.
+template <class T>
+ArticulatedInertia<T> articulated(const PseudoInertia<T>& m) {
+  const Vector<T>& s = m.moment;
+  const T zero(0.0);
+  return {{m.mass, m.mass, m.mass, zero, zero, zero},
+          inertia_matrix(m),
+          {{zero, -s.z, s.y}, {s.z, zero, -s.x}, {-s.y, s.x, zero}}};
+}
+
+template <class T>
+Spatial<T> operator*(const ArticulatedInertia<T>& m, const Spatial<T>& a) {
+  return {m.linear * a.linear + m.coupling * a.angular, transposed_times(m.coupling, a.linear) + m.angular * a.angular};
+}
+
+template <class T>
+ArticulatedInertia<T> rotated(const Matrix<T>& r, const ArticulatedInertia<T>& m) {
+  return {rotated(r, m.linear), rotated(r, m.angular), r * (m.coupling * transpose(r))};
+}
+
+/// d x each column.
+template <class T>
+Matrix<T> crossed(const Vector<T>& d, const Matrix<T>& m) {
+  return {cross(d, m.x), cross(d, m.y), cross(d, m.z)};
+}
+
+/// About a new origin; place: of the old one, seen from the new one.
+template <class T>
+ArticulatedInertia<T> shifted(const Vector<T>& place, const ArticulatedInertia<T>& m) {
+  const Symmetric<T>& l = m.linear;
+  const Matrix<T> linear{{l.xx, l.xy, l.xz}, {l.xy, l.yy, l.yz}, {l.xz, l.yz, l.zz}};
+  const Matrix<T> turned = crossed(place, linear);  // place~ L = -(L place~)'
+  const Matrix<T> coupling = m.coupling + transpose(turned);
+  const Matrix<T> near = crossed(place, coupling), far = crossed(place, m.coupling);
+  const Symmetric<T>& a = m.angular;
+  return {l,
+          {a.xx + (near.x.x + far.x.x), a.yy + (near.y.y + far.y.y), a.zz + (near.z.z + far.z.z),
+           a.xy + (near.y.x + far.x.y), a.xz + (near.z.x + far.x.z), a.yz + (near.z.y + far.y.z)},
+          coupling};
+}
+
+/// Less a dyad: m - (scaled) f' for scaled a multiple of f.
+template <class T>
+ArticulatedInertia<T> less_dyad(const ArticulatedInertia<T>& m, const Spatial<T>& scaled, const Spatial<T>& f) {
+  const auto less = [](const Symmetric<T>& s, const Vector<T>& a, const Vector<T>& b) {
+    return Symmetric<T>{s.xx - a.x * b.x, s.yy - a.y * b.y, s.zz - a.z * b.z,
+                        s.xy - a.x * b.y, s.xz - a.x * b.z, s.yz - a.y * b.z};
+  };
+  const Vector<T>&l = scaled.linear, &n = f.angular;
+  return {less(m.linear, scaled.linear, f.linear), less(m.angular, scaled.angular, f.angular),
+          m.coupling - Matrix<T>{n.x * l, n.y * l, n.z * l}};
+}
+
+/// The same wrench about an origin from which the old one is seen at `place`.
+template <class T>
+Spatial<T> shifted(const Vector<T>& place, const Spatial<T>& wrench) {
+  return {wrench.linear, wrench.angular + cross(place, wrench.linear)};
+}
+
+template <class T>
+Spatial<T> rotated(const Matrix<T>& r, const Spatial<T>& s) {
+  return {r * s.linear, r * s.angular};
+}
+
+}  // namespace mbgen

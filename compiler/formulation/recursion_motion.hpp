@@ -1,0 +1,178 @@
+#pragma once
+// Motions of the recursive form: every body about its own origin; in loop blocks against the base, in its axes.
+
+#include "compiler/formulation/motion.hpp"
+#include "compiler/formulation/recursion_units.hpp"
+
+namespace mbgen {
+
+/// Three joint axes by which quasi-velocities and joint rates are exchanged, in the joint's frame.
+template <class T>
+struct QuasiAxes {
+  Vector<T> axis[3];
+  Vector<T> dual[3];  ///< dual[a] . axis[b] = 1 for a = b, else 0
+  T volume{1.0};      ///< of the axes' parallelepiped: zero where the joint rates are singular
+};
+
+/// What the passes of the recursive form share.
+template <class T>
+struct RecursionWork {
+  System<T>& system;
+  const Recursion& recursion;
+  const Kinematics<T>& k;
+  std::vector<Vector<T>> offset;       ///< bodies of blocks: origin from that of the body before, base frame, m
+  std::vector<QuasiAxes<T>> quasi;     ///< per tree body that ends a quasi step
+  std::vector<const JointStep*> step;  ///< per tree body: the step that ends there, null inside a step
+
+  int parent(const JointStep& s) const { return system.topology.bodies[s.joints[0]].parent; }
+  bool own(int body) const { return recursion.layout.bodies[body].own_frame; }
+  /// Origin of a body in the frame that its input joint is seen from.
+  const Vector<T>& origin(int body) const { return k.position[body]; }
+};
+
+template <class T>
+QuasiAxes<T> quasi_axes(const System<T>& system, const Kinematics<T>& k, const JointStep& step) {
+  QuasiAxes<T> q;
+  for (int c = 0; c < 3; ++c) q.axis[c] = q.dual[c] = k.axis[step.joints[c]];
+  if (!step.revolute) return q;
+  const Vector<T> across = cross(q.axis[1], q.axis[2]);
+  q.volume = dot(q.axis[0], across);
+  const T scale = T(1.0) / q.volume;
+  q.dual[0] = scale * across;
+  q.dual[2] = scale * cross(q.axis[0], q.axis[1]);
+  const auto constant_axis = [&](int c) { return constant<double>(system.topology.bodies[step.joints[c]].axis); };
+  const bool cardan = dot(constant_axis(0), constant_axis(1)) == 0 && dot(constant_axis(1), constant_axis(2)) == 0;
+  if (!cardan) q.dual[1] = scale * cross(q.axis[2], q.axis[0]);  // else the middle axis is its own dual
+  return q;
+}
+
+template <class T>
+RecursionWork<T> recursion_work(System<T>& system, const Recursion& recursion, const Kinematics<T>& k) {
+  const std::size_t n = system.topology.bodies.size();
+  RecursionWork<T> work{system, recursion, k, {}, {}, {}};
+  work.offset.resize(n);
+  work.quasi.resize(n);
+  work.step.resize(n, nullptr);
+  for (const RecursionUnit& unit : recursion.units)
+    for (const JointStep& step : unit.steps) {
+      const int body = step.body(), first = step.joints[0], p = work.parent(step);
+      work.step[body] = &step;
+      if (step.quasi()) work.quasi[body] = quasi_axes(system, k, step);
+      if (unit.block < 0) continue;
+      const Vector<T> before = p == kGround ? Vector<T>{} : system.constants.origin[p];
+      const Matrix<T> axes = p == unit.base ? identity<T>() : k.orientation[p];
+      work.offset[body] = axes * (system.constants.origin[first] - before);
+      if (!step.revolute) work.offset[body] = work.offset[body] + system.z(first) * k.axis[first];
+    }
+  return work;
+}
+
+/// Joint motion of a step for given values of its joints' (quasi-)velocities: of the joint's child against its parent,
+/// about the child's origin when the joint's pin is there.
+template <class T>
+Spatial<T> step_motion(const RecursionWork<T>& work, const JointStep& step, const std::vector<T>& values) {
+  const Vector<T> motion = step.quasi()
+                               ? Vector<T>{values[step.joints[0]], values[step.joints[1]], values[step.joints[2]]}
+                               : values[step.joints[0]] * work.k.axis[step.joints[0]];
+  return step.revolute ? Spatial<T>{{}, motion} : Spatial<T>{motion, {}};
+}
+
+/// Motion of a block's bodies against the base, linear in the values of its joints. Per tree body, about its origin.
+template <class T>
+std::vector<Spatial<T>> block_motion(const RecursionWork<T>& work, const RecursionUnit& unit,
+                                     const std::vector<T>& values) {
+  std::vector<Spatial<T>> motion(work.k.position.size());
+  for (const JointStep& step : unit.steps) {
+    const int p = work.parent(step);
+    const Spatial<T> below = p == unit.base ? Spatial<T>{} : motion[p];
+    motion[step.body()] =
+        Spatial<T>{velocity_at(below, work.offset[step.body()]), below.angular} + step_motion(work, step, values);
+  }
+  return motion;
+}
+
+/// Sum of the joint rates of a quasi step times their axes.
+template <class T>
+Vector<T> rate_sum(const RecursionWork<T>& work, const JointStep& step) {
+  const QuasiAxes<T>& q = work.quasi[step.body()];
+  const auto rate = [&](int c) { return work.system.zd(step.joints[c]) * q.axis[c]; };
+  return rate(0) + rate(1) + rate(2);
+}
+
+/// Joint rates with those of quasi steps replaced by quasi-velocities.
+template <class T>
+std::vector<T> quasi_velocities(const RecursionWork<T>& work) {
+  std::vector<T> values = work.system.environment.zd;
+  for (const JointStep* step : work.step) {
+    if (step == nullptr || !step->quasi()) continue;
+    const Vector<T> sum = rate_sum(work, *step);
+    values[step->joints[0]] = sum.x;
+    values[step->joints[1]] = sum.y;
+    values[step->joints[2]] = sum.z;
+  }
+  return values;
+}
+
+/// Generalised forces with those of quasi steps replaced by forces on the quasi-velocities.
+template <class T>
+std::vector<T> quasi_forces(const RecursionWork<T>& work, std::vector<T> tau) {
+  for (const JointStep* step : work.step) {
+    if (step == nullptr || !step->quasi()) continue;
+    const QuasiAxes<T>& q = work.quasi[step->body()];
+    const auto part = [&](int c) { return tau[step->joints[c]] * q.dual[c]; };
+    const Vector<T> sum = part(0) + part(1) + part(2);
+    tau[step->joints[0]] = sum.x;
+    tau[step->joints[1]] = sum.y;
+    tau[step->joints[2]] = sum.z;
+  }
+  return tau;
+}
+
+/// Joint accelerations of a quasi step. before: angular velocity of the body before it, in the frame of the axes.
+template <class T>
+void set_joint_accelerations(const RecursionWork<T>& work, const JointStep& step, const Vector<T>& before,
+                             const Vector<T>& quasi, std::vector<T>& zdd) {
+  const QuasiAxes<T>& q = work.quasi[step.body()];
+  Vector<T> left = quasi;
+  if (step.revolute) {
+    Vector<T> turning = before;
+    for (int c = 0; c < 3; ++c) {
+      const Vector<T> rate = work.system.zd(step.joints[c]) * q.axis[c];
+      left = left - cross(turning, rate);
+      turning = turning + rate;
+    }
+  }
+  for (int c = 0; c < 3; ++c) zdd[step.joints[c]] = dot(q.dual[c], left);
+}
+
+/// Acceleration of a body's origin, angular, and the gradient w~w~ + alpha~.
+template <class T>
+struct BodyAcceleration {
+  Vector<T> linear, angular;
+  Matrix<T> gradient{};
+};
+
+/// Accelerations of a block's bodies against the base under the present velocities and zero (quasi-)accelerations.
+template <class T>
+std::vector<BodyAcceleration<T>> block_bias(const RecursionWork<T>& work, const RecursionUnit& unit,
+                                            const std::vector<Spatial<T>>& velocity) {
+  std::vector<BodyAcceleration<T>> bias(velocity.size());
+  for (const JointStep& step : unit.steps) {
+    const int body = step.body(), p = work.parent(step);
+    const BodyAcceleration<T> below = p == unit.base ? BodyAcceleration<T>{} : bias[p];
+    const Vector<T> turning = p == unit.base ? Vector<T>{} : velocity[p].angular;
+    BodyAcceleration<T> b{below.linear + below.gradient * work.offset[body], below.angular, below.gradient};
+    if (!step.quasi()) {
+      const Vector<T> coriolis = cross(turning, work.system.zd(step.joints[0]) * work.k.axis[step.joints[0]]);
+      if (step.revolute)
+        b.angular = b.angular + coriolis;
+      else
+        b.linear = b.linear + coriolis + coriolis;
+    }
+    if (step.revolute) b.gradient = acceleration_gradient(velocity[body].angular, b.angular);
+    bias[body] = b;
+  }
+  return bias;
+}
+
+}  // namespace mbgen

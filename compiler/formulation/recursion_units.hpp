@@ -1,0 +1,41 @@
+#pragma once
+// What the recursive form eliminates as one: loop blocks, runs of joints with massless bodies, and rotors.
+
+#include <vector>
+
+#include "compiler/formulation/layout.hpp"
+
+namespace mbgen {
+
+/// Joints that move a body against the body before it. Three revolute joints of one ball, or three prismatic ones, are
+/// taken by quasi-velocities: components of their joint motion along the axes of the frame, in place of their rates.
+struct JointStep {
+  std::vector<int> joints;  ///< one, or three of a kind, in the order in which they turn or move
+  bool revolute = true;
+  bool quasi() const { return joints.size() == 3; }
+  int body() const { return joints.back(); }
+};
+
+/// A loop block, a run of joints outside all blocks that ends at a body with an own frame, or a rotor.
+struct RecursionUnit {
+  int block = -1;                ///< index into Topology::blocks, -1 for a run or a rotor
+  bool rotor = false;            ///< a body that is symmetric about its joint's axis: its inertia is held by its base
+  int base = kGround;            ///< body that it moves on
+  std::vector<int> joints;       ///< ascending tree indices
+  std::vector<JointStep> steps;  ///< from the base on, parents first
+  int end() const { return joints.back(); }
+};
+
+/// Frames and order of the recursive form.
+struct Recursion {
+  Layout layout;                     ///< own frames for all bodies outside blocks but rotors
+  std::vector<RecursionUnit> units;  ///< parents first
+};
+
+/// Plans the recursive form. driven: per tree coordinate; a driven one is never a quasi-velocity.
+Recursion plan_recursion(const Model& model, const Topology& topology, const std::vector<bool>& driven);
+
+/// Whether the unit lets its end move in every way: six quasi-velocities.
+bool is_free(const RecursionUnit& unit);
+
+}  // namespace mbgen

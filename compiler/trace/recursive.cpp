@@ -1,0 +1,33 @@
+#include "compiler/trace/recursive.hpp"
+
+#include "compiler/trace/tracing.hpp"
+
+namespace mbgen {
+namespace {
+
+std::vector<LoopPartition> quasi_partitions(const Analysis& analysis) {
+  std::vector<LoopPartition> partitions;
+  for (const BlockAnalysis& block : analysis.blocks) partitions.push_back(block.quasi);
+  return partitions;
+}
+
+}  // namespace
+
+Program trace_recursive_accelerations(const Model& model, const Topology& topology, const Analysis& analysis) {
+  const Recursion recursion = plan_recursion(model, topology, analysis.driven);
+  Tracing tracing("accelerations", model, topology, analysis, Form::recursive);
+  System<Expr>& system = tracing.system;
+  const Kinematics<Expr> k = kinematics(system);
+  tracing.scribe.step(Step::forces);
+  const AppliedForces<Expr> forces = applied_forces(system, k, velocities(system, k));
+  const RecursiveSolution<Expr> solution = recursive_accelerations(
+      system, recursion, k, forces, tracing.drive, tracing.inputs("tau", tracing.size()), quasi_partitions(analysis));
+  tracing.outputs("inertia", solution.inertia);
+  tracing.outputs("zdd", solution.zdd);
+  tracing.outputs("xd", forces.xd);
+  for (std::size_t b = 0; b < topology.blocks.size(); ++b)
+    if (analysis.blocks[b].rank > 0) tracing.output("pivot", static_cast<int>(b), solution.quality[b]);
+  return tracing.builder.finish();
+}
+
+}  // namespace mbgen

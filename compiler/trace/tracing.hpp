@@ -1,0 +1,74 @@
+#pragma once
+// One program in the making: what the files of this room share.
+
+#include <string>
+#include <vector>
+
+#include "compiler/formulation/formulation.hpp"
+#include "compiler/trace/scribe.hpp"
+#include "compiler/trace/trace.hpp"
+
+namespace mbgen {
+
+/// One program in the making: the formulation's view of the model, on symbols.
+class Tracing {
+ public:
+  Tracing(const std::string& name, const Model& model, const Topology& topology, const Analysis& analysis,
+          Form form = Form::matrix)
+      : builder(name),
+        scribe{builder, form},
+        layout(choose_layout(model, topology, form == Form::matrix ? Frames::few : Frames::own)),
+        analysis(analysis),
+        system{model, topology, layout, environment(model, topology), {}, {}, scribe} {
+    scribe.step(Step::inertias);
+    for (int i = 0; i < auxiliary_state_count(model); ++i) system.x.push_back(input("x", i));
+    system.constants = make_constants(model, topology, system.environment);
+    drive = drives(system);
+  }
+
+  Expr input(const std::string& group, int index) { return {builder, builder.input(group, index)}; }
+  std::vector<Expr> inputs(const std::string& group, int count) {
+    std::vector<Expr> values;
+    for (int i = 0; i < count; ++i) values.push_back(input(group, i));
+    return values;
+  }
+  void output(const std::string& group, int index, const Expr& value) {
+    builder.output(group, index, value.value(builder));
+  }
+  void outputs(const std::string& group, const std::vector<Expr>& values) {
+    for (std::size_t i = 0; i < values.size(); ++i) output(group, static_cast<int>(i), values[i]);
+  }
+  int size() const { return system.topology.size(); }
+
+  /// Prescribed values of a block's coordinates (zero where not driven), by what a motion gives.
+  std::vector<Expr> driven_values(const LoopBlock& block, Expr Drive<Expr>::*what) const {
+    std::vector<Expr> values(block.joints.size(), Expr(0.0));
+    for (std::size_t c = 0; c < block.joints.size(); ++c)
+      for (const Drive<Expr>& d : drive)
+        if (d.coordinate == block.joints[c]) values[c] = d.*what;
+    return values;
+  }
+
+  ProgramBuilder builder;
+  Scribe<Expr> scribe;
+  Layout layout;
+  const Analysis& analysis;
+  System<Expr> system;
+  std::vector<Drive<Expr>> drive;
+
+ private:
+  Environment<Expr> environment(const Model& model, const Topology& topology) {
+    Environment<Expr> e;
+    e.topology = &topology;
+    int tunable = 0;
+    for (const Parameter& p : model.parameters)
+      e.parameters.push_back(p.tunable ? input("par", tunable++) : Expr(p.value));
+    e.inputs = inputs("in", static_cast<int>(model.inputs.size()));
+    e.t = input("t", 0);
+    e.z = inputs("z", topology.size());
+    e.zd = inputs("zd", topology.size());
+    return e;
+  }
+};
+
+}  // namespace mbgen
