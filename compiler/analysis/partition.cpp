@@ -17,6 +17,8 @@ using Eigen::MatrixXd;
 
 constexpr double kPivotRatio = 0.05;  // design.md section 7: smallest pivot over its column that keeps the digits
 constexpr double kZero = 1e-12;       // entries below this share of the largest are structurally zero
+constexpr double kDirectionCost = 20;  // operations on a body per free direction that moves it, about a third of a body
+constexpr double kPairCost = 5;        // and per pair of directions
 constexpr int kWeightings = 8;        // random column weights tried per sample
 
 MatrixXd columns_of(const MatrixXd& m, const std::vector<int>& columns) {
@@ -197,6 +199,28 @@ Ordering order_pivots(const std::vector<MatrixXd>& jacobians, const std::vector<
   return ordering;
 }
 
+/// What the projection of a candidate costs beyond its elimination: work of the bodies that each free direction moves,
+/// and products of every two directions that move the same one.
+double projection_cost(const std::vector<MatrixXd>& jacobians, const std::vector<bool>& used,
+                       const Candidate& candidate, const std::vector<int>& columns) {
+  std::vector<int> free;
+  for (int c : columns)
+    if (!std::binary_search(candidate.columns.begin(), candidate.columns.end(), c)) free.push_back(c);
+  MatrixXd pattern = MatrixXd::Zero(candidate.columns.size(), free.size());
+  for (std::size_t s = 0, looked_at = 0; s < jacobians.size() && looked_at < 3; ++s) {
+    if (!used[s]) continue;
+    ++looked_at;
+    const MatrixXd dependent = part_of(jacobians[s], candidate.rows, candidate.columns);
+    pattern = pattern.cwiseMax(dependent.partialPivLu().solve(part_of(jacobians[s], candidate.rows, free)).cwiseAbs());
+  }
+  double cost = 0;
+  for (Eigen::Index c = 0; c < pattern.rows(); ++c) {
+    const auto directions = static_cast<double>((pattern.row(c).array() > 1e-10).count());
+    cost += kDirectionCost * directions + kPairCost * directions * (directions + 1) / 2;
+  }
+  return cost;
+}
+
 std::set<Candidate> candidates(const std::vector<MatrixXd>& jacobians, const std::vector<bool>& full, int rank,
                                const std::vector<int>& columns) {
   std::set<Candidate> found;
@@ -276,6 +300,7 @@ BlockAnalysis choose_partition(const std::vector<MatrixXd>& jacobians, int rank,
       for (double ratio : conditions(usable, best, candidate)) good.push_back(ratio >= kPivotRatio);
       if (std::find(good.begin(), good.end(), true) == good.end()) good.assign(good.size(), true);
       Ordering ordering = order_pivots(usable, good, candidate);
+      ordering.cost += projection_cost(usable, good, candidate, columns);
       if (result.dependent.empty() || ordering.cost < chosen.cost) {
         chosen = std::move(ordering);
         result.dependent = candidate.columns;

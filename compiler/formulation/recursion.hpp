@@ -25,7 +25,7 @@ namespace detail {
 /// What moves on a body, about the body's origin in the frame that carries it (own frame, or that of its block's base).
 template <class T>
 struct Carried {
-  PseudoInertia<T> rigid;         ///< of the body itself, with what is locked to it
+  PseudoInertia<T> rigid;         ///< of the body itself and of arms on it: its angular velocity acts on it as a whole
   PseudoInertia<T> above;         ///< of the blocks' bodies on it, whose velocities `needed` has taken in already
   ArticulatedInertia<T> reduced;  ///< what eliminated units change of it
   Spatial<T> needed;              ///< force that must be given at zero acceleration, applied forces taken off
@@ -89,9 +89,9 @@ void set_constants(RecursionState<T>& s) {
   const System<T>& system = s.system();
   const Constants<T>& c = system.constants;
   const std::size_t n = system.topology.bodies.size();
-  for (std::size_t i = 0; i < n; ++i) s.constant.push_back(pseudo_inertia(c.mass[i], c.com[i], c.inertia[i]));
+  for (std::size_t i = 0; i < n; ++i) s.constant.push_back(from_central(c.mass[i], c.com[i], c.inertia[i]));
   const auto point_mass = [](const T& mass, const Vector<T>& at) {
-    return PseudoInertia<T>{mass, mass * at, square(mass, at)};
+    return pseudo_inertia(mass, mass * at, square(mass, at));
   };
   for (const RodConstants<T>& rod : c.rods)
     for (const Place<T>& end : {rod.from, rod.to})
@@ -106,7 +106,7 @@ void set_constants(RecursionState<T>& s) {
     s.polar[w] = dot(axis, j * axis);
     const Symmetric<T> spin = square(-s.polar[w], axis);
     const Vector<T> com = c.origin[w] + c.com[w] - c.origin[unit.base];
-    s.constant[unit.base] = s.constant[unit.base] + pseudo_inertia(c.mass[w], com, j + spin);
+    s.constant[unit.base] = s.constant[unit.base] + from_central(c.mass[w], com, j + spin);
     s.constant[w] = {};
   }
 }
@@ -202,104 +202,158 @@ Spatial<T> needed_in(const Carried<T>& c, const Vector<T>& a, const Vector<T>& a
   return c.needed + field_force(c.rigid, a, gradient) + c.above * motion + c.reduced * motion;
 }
 
+/// Equations of a block in the making, and what it adds to its base about the base's origin.
+template <class T>
+struct BlockGathering {
+  const RecursionUnit& unit;
+  BlockParts<T>& parts;
+  UnitEquations<T>& equations;
+  Vector<T> turning, twice;  ///< angular velocity of the base, and twice that
+  Matrix<T> turning_field;   ///< w~w~ of it
+  Carried<T> base;
+};
+
+/// The free directions: motion of the bodies, forces on the joints.
+template <class T>
+void start_equations(RecursionState<T>& s, BlockGathering<T>& g) {
+  const RecursionUnit& unit = g.unit;
+  const std::size_t n = s.system().topology.bodies.size(), free = g.parts.rz.empty() ? 0 : g.parts.rz[0].size();
+  for (std::size_t q = 0; q < free; ++q) {
+    std::vector<T> column(unit.joints.size());
+    for (std::size_t c = 0; c < column.size(); ++c) column[c] = g.parts.rz[c][q];
+    g.parts.partial.push_back(block_motion(s.work, unit, per_joint(unit, n, column)));
+    g.equations.mass.emplace_back(q + 1, T(0.0));
+    g.equations.momentum.emplace_back();
+    T force(0.0);
+    for (std::size_t c = 0; c < column.size(); ++c) force = force + column[c] * s.force[unit.joints[c]];
+    g.equations.force.push_back(force);
+  }
+  g.parts.star_motion = block_motion(s.work, unit, per_joint(unit, n, g.parts.star));
+}
+
+/// Adds a body's part of the projected equations. needed: by its own free directions.
+template <class T>
+void add_to_equations(BlockGathering<T>& g, int i, const Vector<T>& place, const PseudoInertia<T>& whole,
+                      const ArticulatedInertia<T>& reduced, const Spatial<T>& needed) {
+  for (std::size_t q = 0; q < g.equations.size(); ++q) {
+    const Spatial<T>& partial = g.parts.partial[q][i];
+    const Spatial<T> momentum = whole * partial + reduced * partial;
+    for (std::size_t d = 0; d <= q; ++d)
+      g.equations.mass[q][d] = g.equations.mass[q][d] + dot(g.parts.partial[d][i], momentum);
+    g.equations.momentum[q] = g.equations.momentum[q] + shifted(place, momentum);
+    g.equations.force[q] = g.equations.force[q] - dot(partial, needed);
+  }
+}
+
+/// An arm: one revolute joint on the base, nothing on it. The base's angular velocity acts on it as on a part of the
+/// base (there it costs nothing more), so that only its motion against the base and the Coriolis field are its own.
+template <class T>
+void gather_arm(RecursionState<T>& s, BlockGathering<T>& g, int i) {
+  const Carried<T>& arm = s.carried[i];
+  const Vector<T>& w = g.parts.velocity[i].angular;
+  const Vector<T> alpha = g.parts.star_motion[i].angular;
+  const Matrix<T> own = acceleration_gradient(w, alpha);
+  const T along = dot(g.twice, w);
+  const Matrix<T> field = own + Matrix<T>{g.twice.x * w, g.twice.y * w, g.twice.z * w} -
+                          Matrix<T>{{along, T(0.0), T(0.0)}, {T(0.0), along, T(0.0)}, {T(0.0), T(0.0), along}};
+  const Spatial<T> needed = arm.needed + field_force(arm.rigid, Vector<T>{}, field);
+  const Vector<T>& place = s.k().position[i];
+  g.base.rigid = g.base.rigid + shifted(place, arm.rigid);
+  g.base.needed = g.base.needed + shifted(place, needed);
+  const Spatial<T> as_part_of_base = field_force(arm.rigid, g.turning_field * place, g.turning_field);
+  add_to_equations(g, i, place, arm.rigid, {}, needed + as_part_of_base);
+}
+
+template <class T>
+void gather_body(RecursionState<T>& s, BlockGathering<T>& g, int i) {
+  Carried<T> body = s.carried[i];
+  if (s.work.own(i)) {
+    const Matrix<T>& axes = s.k().orientation[i];
+    body = {rotated(axes, body.rigid), rotated(axes, body.above), rotated(axes, body.reduced),
+            rotated(axes, body.needed)};
+  }
+  const Spatial<T>& v = g.parts.velocity[i];
+  const Spatial<T>& extra = g.parts.star_motion[i];
+  const Vector<T>& place = s.k().position[i];
+  const Vector<T> omega = g.turning + v.angular;
+  Vector<T> a = g.parts.bias[i].linear + extra.linear + g.turning_field * place + cross(g.twice, v.linear);
+  if (g.unit.base == kGround) a = a - s.system().constants.gravity;
+  const Vector<T> alpha = g.parts.bias[i].angular + extra.angular + cross(g.turning, v.angular);
+  const Spatial<T> needed = needed_in(body, a, alpha, acceleration_gradient(omega, alpha));
+  const PseudoInertia<T> whole = body.rigid + body.above;
+  g.base.above = g.base.above + shifted(place, whole);
+  g.base.reduced = g.base.reduced + shifted(place, body.reduced);
+  g.base.needed = g.base.needed + shifted(place, needed);
+  add_to_equations(g, i, place, whole, body.reduced, needed);
+}
+
 /// What a rod's mass adds to two point masses m/2: -m/6 times the kinetic energy of the difference of its ends. It has
 /// no momentum in a translation, and the pseudo-inertia -m/6 d d'.
 template <class T>
-void add_rods(RecursionState<T>& s, std::size_t u, const std::vector<T>& star, UnitEquations<T>& equations,
-              Carried<T>& base) {
+void gather_rod(RecursionState<T>& s, BlockGathering<T>& g, const RodConstants<T>& rod) {
+  const auto end = [&](const Place<T>& at) { return near_end(s.work, g.unit, g.parts.velocity, g.parts.bias, at); };
+  const NearEnd<T> from = end(rod.from), to = end(rod.to);
+  const auto moved = [&](const std::vector<Spatial<T>>& motion) {
+    const auto of = [&](const NearEnd<T>& e) {
+      return e.body == g.unit.base ? Vector<T>{} : velocity_at(motion[e.body], e.arm);
+    };
+    return of(from) - of(to);
+  };
+  const T mass = -rod.coupling;
+  const Vector<T> gap = from.place - to.place, scaled_gap = mass * gap;
+  const Vector<T> rate = from.point_velocity() - to.point_velocity();
+  const Vector<T> own = from.point_acceleration() - to.point_acceleration() + moved(g.parts.star_motion);
+  const Vector<T> force = mass * (own + cross(g.twice, rate) + g.turning_field * gap);
+  g.base.above = g.base.above + pseudo_inertia(T(0.0), Vector<T>{}, square(mass, gap));
+  g.base.needed.angular = g.base.needed.angular + cross(gap, force);
+  std::vector<Vector<T>> partial;
+  for (const std::vector<Spatial<T>>& motion : g.parts.partial) partial.push_back(moved(motion));
+  for (std::size_t q = 0; q < partial.size(); ++q) {
+    for (std::size_t d = 0; d <= q; ++d)
+      g.equations.mass[q][d] = g.equations.mass[q][d] + mass * dot(partial[q], partial[d]);
+    g.equations.momentum[q].angular = g.equations.momentum[q].angular + cross(scaled_gap, partial[q]);
+    g.equations.force[q] = g.equations.force[q] - dot(partial[q], force);
+  }
+}
+
+/// Whether a body of a block is an arm.
+template <class T>
+bool is_arm(const RecursionState<T>& s, const RecursionUnit& unit, const JointStep& step) {
+  const int i = step.body();
+  if (!step.revolute || step.quasi() || unit.base == kGround || s.work.own(i) || s.work.parent(step) != unit.base)
+    return false;
+  return std::none_of(s.units().begin(), s.units().end(), [i](const RecursionUnit& u) { return u.base == i; });
+}
+
+/// Equations of a block's free directions. Result: what it adds to its base.
+template <class T>
+Carried<T> gather_block(RecursionState<T>& s, std::size_t u) {
   const System<T>& system = s.system();
   const RecursionUnit& unit = s.units()[u];
-  const BlockParts<T>& parts = s.blocks[u];
-  const std::vector<Spatial<T>> star_motion = block_motion(s.work, unit, star);
   const Vector<T> turning = s.omega_of(unit.base);
-  const Matrix<T> base_gradient = acceleration_gradient(turning, Vector<T>{});
+  BlockGathering<T> g{
+      unit, s.blocks[u], s.equations[u], turning, turning + turning, acceleration_gradient(turning, Vector<T>{}), {}};
+  start_equations(s, g);
+  for (const JointStep& step : unit.steps) {
+    system.scribe.place(system.layout.titles[step.body()]);
+    if (is_arm(s, unit, step))
+      gather_arm(s, g, step.body());
+    else
+      gather_body(s, g, step.body());
+  }
   for (int l : system.topology.blocks[unit.block].loops) {
     const Loop& loop = system.topology.loops[l];
     if (loop.kind != ClosureKind::rod || is_zero(system.constants.rods[loop.rod].coupling)) continue;
     system.scribe.place(loop.name);
-    const RodConstants<T>& rod = system.constants.rods[loop.rod];
-    const auto end = [&](const Place<T>& place) { return near_end(s.work, unit, parts.velocity, parts.bias, place); };
-    const NearEnd<T> from = end(rod.from), to = end(rod.to);
-    const auto moved = [&](const std::vector<Spatial<T>>& motion) {
-      const auto of = [&](const NearEnd<T>& e) {
-        return e.body == unit.base ? Vector<T>{} : velocity_at(motion[e.body], e.arm);
-      };
-      return of(from) - of(to);
-    };
-    const T mass = -rod.coupling;
-    const Vector<T> gap = from.place - to.place;
-    const Vector<T> rate = from.point_velocity() - to.point_velocity();
-    const Vector<T> coriolis = cross(turning, rate);
-    const Vector<T> own =
-        from.point_acceleration() - to.point_acceleration() + moved(star_motion) + coriolis + coriolis;
-    const Vector<T> whole = own + base_gradient * gap;
-    base.above.second = base.above.second + square(mass, gap);
-    base.needed.angular = base.needed.angular + mass * cross(gap, whole);
-    std::vector<Vector<T>> partial;
-    for (const std::vector<Spatial<T>>& motion : parts.partial) partial.push_back(mass * moved(motion));
-    for (std::size_t q = 0; q < partial.size(); ++q) {
-      for (std::size_t d = 0; d <= q; ++d)
-        equations.mass[q][d] = equations.mass[q][d] + dot(partial[q], moved(parts.partial[d]));
-      equations.momentum[q].angular = equations.momentum[q].angular + cross(gap, partial[q]);
-      equations.force[q] = equations.force[q] - dot(partial[q], whole);
-    }
+    gather_rod(s, g, system.constants.rods[loop.rod]);
   }
+  return g.base;
 }
 
-/// Equations of a block's free directions, and its inertia and needed force about the base's origin.
+/// What the angular velocity of a run's end asks for.
 template <class T>
-Carried<T> gather_block(RecursionState<T>& s, std::size_t u, UnitEquations<T>& equations) {
-  const System<T>& system = s.system();
-  const RecursionUnit& unit = s.units()[u];
-  BlockParts<T>& parts = s.blocks[u];
-  const std::size_t n = system.topology.bodies.size(), free = parts.rz.empty() ? 0 : parts.rz[0].size();
-  const std::vector<T> star = per_joint(unit, n, parts.star);
-  for (std::size_t q = 0; q < free; ++q) {
-    std::vector<T> column(unit.joints.size());
-    for (std::size_t c = 0; c < column.size(); ++c) column[c] = parts.rz[c][q];
-    parts.partial.push_back(block_motion(s.work, unit, per_joint(unit, n, column)));
-    equations.mass.emplace_back(q + 1, T(0.0));
-    equations.momentum.emplace_back();
-    T force(0.0);
-    for (std::size_t c = 0; c < column.size(); ++c) force = force + column[c] * s.force[unit.joints[c]];
-    equations.force.push_back(force);
-  }
-  parts.star_motion = block_motion(s.work, unit, star);
-  const Vector<T> turning = s.omega_of(unit.base);
-  const Vector<T> twice = turning + turning;
-  const Matrix<T> base_gradient = acceleration_gradient(turning, Vector<T>{});
-  Carried<T> base;
-  for (const JointStep& step : unit.steps) {
-    const int i = step.body();
-    system.scribe.place(system.layout.titles[i]);
-    Carried<T> body = s.carried[i];
-    if (s.work.own(i)) {
-      const Matrix<T>& axes = s.k().orientation[i];
-      body = {rotated(axes, body.rigid), rotated(axes, body.above), rotated(axes, body.reduced),
-              rotated(axes, body.needed)};
-    }
-    const Spatial<T>& v = parts.velocity[i];
-    const Spatial<T>& extra = parts.star_motion[i];
-    const Vector<T> omega = turning + v.angular;
-    Vector<T> a = parts.bias[i].linear + extra.linear + base_gradient * s.k().position[i] + cross(twice, v.linear);
-    if (unit.base == kGround) a = a - system.constants.gravity;
-    const Vector<T> alpha = parts.bias[i].angular + extra.angular + cross(turning, v.angular);
-    const Spatial<T> needed = needed_in(body, a, alpha, acceleration_gradient(omega, alpha));
-    const Vector<T>& place = s.k().position[i];
-    const PseudoInertia<T> whole = body.rigid + body.above;
-    base.above = base.above + shifted(place, whole);
-    base.reduced = base.reduced + shifted(place, body.reduced);
-    base.needed = base.needed + shifted(place, needed);
-    for (std::size_t q = 0; q < free; ++q) {
-      const Spatial<T> momentum = whole * parts.partial[q][i] + body.reduced * parts.partial[q][i];
-      for (std::size_t d = 0; d <= q; ++d)
-        equations.mass[q][d] = equations.mass[q][d] + dot(parts.partial[d][i], momentum);
-      equations.momentum[q] = equations.momentum[q] + shifted(place, momentum);
-      equations.force[q] = equations.force[q] - dot(parts.partial[q][i], needed);
-    }
-  }
-  add_rods(s, u, star, equations, base);
-  return base;
+Spatial<T> turning_force(const RecursionState<T>& s, int end) {
+  return field_force(s.carried[end].rigid, Vector<T>{}, acceleration_gradient(s.omega[end], Vector<T>{}));
 }
 
 /// Equations of a run's free directions about its end's origin, and what it carries there at zero accelerations.
@@ -310,7 +364,7 @@ void gather_run(RecursionState<T>& s, std::size_t u, UnitEquations<T>& equations
   const RunParts<T>& run = s.runs[u];
   const Carried<T>& body = s.carried[unit.end()];
   inertia = articulated(body.rigid + body.above) + body.reduced;
-  needed = body.needed + inertia * run.bias;
+  needed = body.needed + turning_force(s, unit.end()) + inertia * run.bias;
   for (std::size_t q = 0; q < run.directions.size(); ++q) {
     equations.momentum.push_back(inertia * run.directions[q]);
     equations.mass.emplace_back();
@@ -347,7 +401,7 @@ void gather_free(RecursionState<T>& s, std::size_t u, UnitEquations<T>& equation
   }
   const Vector<T>& pin = s.k().pin[(unit.steps[0].revolute ? unit.steps[0] : unit.steps[1]).joints[0]];
   transmitted = {push, turn + cross(pin, push)};
-  const Spatial<T> available = transmitted - body.needed;
+  const Spatial<T> available = transmitted - (body.needed + turning_force(s, unit.end()));
   const std::vector<Spatial<T>> units = unit_motions<T>(unit);
   for (std::size_t q = 0; q < units.size(); ++q) {
     const Spatial<T> momentum = inertia * units[q];
@@ -373,12 +427,13 @@ template <class T>
 void eliminate_block(RecursionState<T>& s, std::size_t u) {
   const RecursionUnit& unit = s.units()[u];
   UnitEquations<T>& equations = s.equations[u];
-  Carried<T> base = gather_block(s, u, equations);
+  Carried<T> base = gather_block(s, u);
   s.system().scribe.place("loop block " + std::to_string(unit.block));
   eliminate(equations);
   if (unit.base == kGround) return;
   reduce(equations, base.reduced, base.needed);
   Carried<T>& below = s.carried[unit.base];
+  below.rigid = below.rigid + base.rigid;
   below.above = below.above + base.above;
   below.reduced = below.reduced + base.reduced;
   below.needed = below.needed + base.needed;
@@ -570,9 +625,6 @@ void set_carried(RecursionState<T>& s, const AppliedForces<T>& forces) {
       Carried<T>& c = s.carried[i];
       c.rigid = own ? s.constant[i] : rotated(s.k().orientation[i], s.constant[i]);
       c.needed = Spatial<T>{} - shifted(Vector<T>{} - work_origin(s, i), forces.wrench[i]);
-      // In a block the body's own field comes with gather_block.
-      if (own && unit.block < 0)
-        c.needed = c.needed + field_force(c.rigid, Vector<T>{}, acceleration_gradient(s.omega[i], Vector<T>{}));
     }
   }
 }

@@ -5,24 +5,36 @@
 
 namespace mbgen {
 
-/// Ten parameters about an origin: mass, first moment s (integral of r dm), K (integral of r r' dm), kg m^2.
+template <class T>
+T trace(const Symmetric<T>& s) {
+  return s.xx + s.yy + s.zz;
+}
+
+/// Ten parameters about an origin: mass, first moment s (integral of r dm), K (integral of r r' dm), kg m^2; and the
+/// trace of K, which turning does not change.
 template <class T>
 struct PseudoInertia {
   T mass{0.0};
   Vector<T> moment;
   Symmetric<T> second;
+  T trace{0.0};
 };
 
 template <class T>
+PseudoInertia<T> pseudo_inertia(const T& mass, const Vector<T>& moment, const Symmetric<T>& second) {
+  return {mass, moment, second, trace(second)};
+}
+
+template <class T>
 PseudoInertia<T> operator+(const PseudoInertia<T>& a, const PseudoInertia<T>& b) {
-  return {a.mass + b.mass, a.moment + b.moment, a.second + b.second};
+  return pseudo_inertia(a.mass + b.mass, a.moment + b.moment, a.second + b.second);
 }
 
 /// scale a b' + b a', symmetric.
 template <class T>
 Symmetric<T> symmetric_product(const Vector<T>& a, const Vector<T>& b) {
-  const auto twice = [](const T& v) { return v + v; };
-  return {twice(a.x * b.x),      twice(a.y * b.y),      twice(a.z * b.z),
+  const Vector<T> twice = b + b;
+  return {a.x * twice.x,         a.y * twice.y,         a.z * twice.z,
           a.x * b.y + a.y * b.x, a.x * b.z + a.z * b.x, a.y * b.z + a.z * b.y};
 }
 
@@ -37,28 +49,33 @@ Symmetric<T> square(const T& scale, const Vector<T>& a) {
 template <class T>
 PseudoInertia<T> shifted(const Vector<T>& place, const PseudoInertia<T>& m) {
   const Vector<T> half = T(0.5) * m.mass * place;
-  return {m.mass, m.moment + m.mass * place, m.second + symmetric_product(m.moment + half, place)};
+  return pseudo_inertia(m.mass, m.moment + m.mass * place, m.second + symmetric_product(m.moment + half, place));
 }
 
 template <class T>
 PseudoInertia<T> rotated(const Matrix<T>& r, const PseudoInertia<T>& m) {
-  return {m.mass, r * m.moment, rotated(r, m.second)};
+  const Symmetric<T>& k = m.second;
+  const Vector<T> row_x{r.x.x, r.y.x, r.z.x}, row_y{r.x.y, r.y.y, r.z.y}, row_z{r.x.z, r.y.z, r.z.z};
+  const Vector<T> x = k * row_x, y = k * row_y;
+  const T xx = dot(row_x, x), yy = dot(row_y, y);
+  const Symmetric<T> second{xx, yy, m.trace - xx - yy, dot(row_y, x), dot(row_z, x), dot(row_z, y)};
+  return {m.mass, r * m.moment, second, m.trace};
 }
 
 /// From a central inertia: J = tr(K) I - K.
 template <class T>
-PseudoInertia<T> pseudo_inertia(const T& mass, const Vector<T>& com, const Symmetric<T>& central) {
+PseudoInertia<T> from_central(const T& mass, const Vector<T>& com, const Symmetric<T>& central) {
   const T half = T(0.5) * (central.xx + central.yy + central.zz);
   const Symmetric<T> own{half - central.xx, half - central.yy, half - central.zz,
                          -central.xy,       -central.xz,       -central.yz};
-  return {mass, mass * com, own + square(mass, com)};
+  return pseudo_inertia(mass, mass * com, own + square(mass, com));
 }
 
 /// J about the origin.
 template <class T>
 Symmetric<T> inertia_matrix(const PseudoInertia<T>& m) {
   const Symmetric<T>& k = m.second;
-  return {k.yy + k.zz, k.xx + k.zz, k.xx + k.yy, -k.xy, -k.xz, -k.yz};
+  return {m.trace - k.xx, m.trace - k.yy, m.trace - k.zz, -k.xy, -k.xz, -k.yz};
 }
 
 /// Momentum about the origin of a motion about the origin.
