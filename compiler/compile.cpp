@@ -7,13 +7,24 @@
 namespace mbgen {
 
 Programs optimise(Programs programs) {
-  for (Program* program : {&programs.accelerations, &programs.recursive_accelerations, &programs.closure, &programs.closure_terms,
-                           &programs.accelerations_chosen, &programs.multipliers, &programs.outputs})
+  for (Program* program :
+       {&programs.accelerations, &programs.recursive_accelerations, &programs.closure, &programs.closure_terms,
+        &programs.accelerations_chosen, &programs.multipliers, &programs.outputs})
     *program = optimise(std::as_const(*program));
   return programs;
 }
 
-Result<Compilation> compile(Model model) {
+void take_form(Programs& programs, std::optional<Form> form) {
+  const long matrix = count_operations(programs.accelerations).total();
+  const long recursive = count_operations(programs.recursive_accelerations).total();
+  programs.operations_of_form[static_cast<int>(Form::matrix)] = matrix;
+  programs.operations_of_form[static_cast<int>(Form::recursive)] = recursive;
+  programs.form = form.value_or(recursive < matrix ? Form::recursive : Form::matrix);
+  if (programs.form == Form::recursive) programs.accelerations = std::move(programs.recursive_accelerations);
+  programs.recursive_accelerations = {};
+}
+
+Result<Compilation> compile(Model model, std::optional<Form> form) {
   Result<Topology> topology = build_topology(model);
   if (!topology) return topology.problems();
 
@@ -21,13 +32,14 @@ Result<Compilation> compile(Model model) {
   if (!analysis) return analysis.problems();
 
   Programs programs = optimise(trace(model, *topology, *analysis));
+  take_form(programs, form);
   return Compilation{std::move(model), std::move(*topology), std::move(*analysis), std::move(programs)};
 }
 
-Result<Compilation> compile(const std::string& path) {
+Result<Compilation> compile(const std::string& path, std::optional<Form> form) {
   Result<Model> model = read_model_file(path);
   if (!model) return model.problems();
-  return compile(std::move(*model));
+  return compile(std::move(*model), form);
 }
 
 std::vector<EmittedFile> emit(const Compilation& compilation, const EmitOptions& options) {

@@ -1,6 +1,7 @@
 #pragma once
 // The whole pipeline as a page one reads aloud.
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -23,11 +24,16 @@ struct Compilation {
 /// Every program after the passes.
 Programs optimise(Programs programs);
 
-/// Analyses and traces a model. Fails: as the first stage that fails.
-Result<Compilation> compile(Model model);
+/// Keeps one form of the accelerations: that asked for, else the one with fewer operations, the matrix form of equals.
+/// Requires: both forms, after the passes.
+void take_form(Programs& programs, std::optional<Form> form);
+
+/// Analyses and traces a model. form: of the accelerations, none for the cheaper one. Fails: as the first stage that
+/// fails.
+Result<Compilation> compile(Model model, std::optional<Form> form = {});
 
 /// Reads and compiles the model of a file. Fails: as the first stage that fails.
-Result<Compilation> compile(const std::string& path);
+Result<Compilation> compile(const std::string& path, std::optional<Form> form = {});
 
 /// The files of the specialised solver, see emit.
 std::vector<EmittedFile> emit(const Compilation& compilation, const EmitOptions& options = {});

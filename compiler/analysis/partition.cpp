@@ -15,11 +15,11 @@ namespace {
 
 using Eigen::MatrixXd;
 
-constexpr double kPivotRatio = 0.05;  // design.md section 7: smallest pivot over its column that keeps the digits
-constexpr double kZero = 1e-12;       // entries below this share of the largest are structurally zero
+constexpr double kPivotRatio = 0.05;   // design.md section 7: smallest pivot over its column that keeps the digits
+constexpr double kZero = 1e-12;        // entries below this share of the largest are structurally zero
 constexpr double kDirectionCost = 20;  // operations on a body per free direction that moves it, about a third of a body
 constexpr double kPairCost = 5;        // and per pair of directions
-constexpr int kWeightings = 8;        // random column weights tried per sample
+constexpr int kWeightings = 8;         // random column weights tried per sample
 
 MatrixXd columns_of(const MatrixXd& m, const std::vector<int>& columns) {
   MatrixXd result(m.rows(), columns.size());

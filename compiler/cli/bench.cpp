@@ -18,7 +18,7 @@ namespace mbgen::cli {
 namespace {
 
 struct Options {
-  std::string model, states;
+  std::string model, form, states;
   long long evaluations = kPaperEvaluations;
   EngineArguments engine;
   bool json = false;
@@ -57,7 +57,7 @@ int run(const Options& options) {
   if (options.evaluations < 1) {
     throw UserError(fmt::format("--evaluations: must be positive, found {}\n", options.evaluations));
   }
-  const Compilation compilation = expect(compile(options.model));
+  const Compilation compilation = expect(compile(options.model, chosen_form(options.form)));
   const std::vector<double> inputs = input_values(compilation.model, options.engine.inputs);
   std::vector<Engine> engines;
   for (const EngineChoice& choice : choices(options.engine.choice)) {
@@ -98,6 +98,7 @@ void add_bench(CLI::App& application, int& exit_code) {
   command->add_option("--evaluations", options->evaluations,
                       fmt::format("of each engine (default: {}, as in the paper)", kPaperEvaluations));
   add_run_options(*command, options->engine);
+  add_form_option(*command, options->form);
   add_json_option(*command, options->json);
   command->callback([options, &exit_code] { exit_code = run(*options); });
 }

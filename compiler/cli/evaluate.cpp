@@ -17,7 +17,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 struct Options {
-  std::string model, states;
+  std::string model, form, states;
   EngineArguments engine;
   bool project = false;
   bool reactions = false;
@@ -79,7 +79,7 @@ Json evaluate_state(const Engine& engine, const Compilation& compilation, const 
 int run(const Options& options) {
   Model model = expect(read_model_file(options.model));
   if (options.reactions) add_reaction_outputs(model);
-  const Compilation compilation = expect(compile(std::move(model)));
+  const Compilation compilation = expect(compile(std::move(model), chosen_form(options.form)));
   const std::vector<double> inputs = input_values(compilation.model, options.engine.inputs);
   const StatesFile file = read_states(options.states, compilation, inputs);
   Engine engine = make_engine(compilation, chosen_engine(options.engine));
@@ -114,6 +114,7 @@ void add_evaluate(CLI::App& application, int& exit_code) {
                     "print what every joint and rod transmits to its \"to\" body: force, and moment about the joint's "
                     "point on that body, global axes");
   add_json_option(*command, options->json);
+  add_form_option(*command, options->form);
   add_engine_options(*command, options->engine);
   command->callback([options, &exit_code] { exit_code = run(*options); });
 }

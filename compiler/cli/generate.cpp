@@ -17,7 +17,7 @@ namespace mbgen::cli {
 namespace {
 
 struct Options {
-  std::string model, directory, dump;
+  std::string model, form, directory, dump;
   EmitOptions emit;
   bool json = false;
 };
@@ -28,7 +28,7 @@ int run(const Options& options) {
     return kDone;
   }
   if (options.directory.empty()) throw UserError("generate: --out DIR is required\n");
-  const Compilation compilation = expect(compile(options.model));
+  const Compilation compilation = expect(compile(options.model, chosen_form(options.form)));
   std::vector<NamedText> files;
   std::vector<std::string> paths;
   for (EmittedFile& file : emit(compilation, options.emit)) {
@@ -57,6 +57,7 @@ void add_generate(CLI::App& application, int& exit_code) {
   command->add_flag_callback(
       "--no-runtime", [options] { options->emit.runtime_headers = false; },
       "leave out the runtime's headers (mbgen/*.hpp)");
+  add_form_option(*command, options->form);
   add_json_option(*command, options->json);
   add_dump_option(*command, options->dump);
   command->callback([options, &exit_code] { exit_code = run(*options); });

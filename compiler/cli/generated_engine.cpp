@@ -163,7 +163,7 @@ Engine make_generated_engine(const Compilation& compilation, const EngineChoice&
   const std::shared_ptr<LoadedSolver> solver = load(compilation, choice);
   Engine engine;
   engine.name = choice.name;
-  engine.form = "matrix";
+  engine.form = name_of(compilation.programs.form);
   engine.accelerations = [solver](const LoadedState& at, GenericDerivative& derivative) {
     return accelerations(*solver, at, derivative);
   };

@@ -14,7 +14,7 @@ namespace mbgen::cli {
 namespace {
 
 struct Options {
-  std::string model, dump;
+  std::string model, form, dump;
   bool json = false;
 };
 
@@ -23,7 +23,7 @@ int run(const Options& options) {
     print(dump_stage(options.model, options.dump));
     return kDone;
   }
-  const nlohmann::ordered_json report = make_report(expect(compile(options.model)));
+  const nlohmann::ordered_json report = make_report(expect(compile(options.model, chosen_form(options.form))));
   print(options.json ? report.dump(2) + "\n" : report_text(report));
   return kDone;
 }
@@ -36,6 +36,7 @@ void add_inspect(CLI::App& application, int& exit_code) {
       "inspect", "show the tree, the loops, what is redundant, the coordinates and the operations of a model");
   command->footer("Example: mbgen inspect models/coach_mechanism.json --json");
   add_model_argument(*command, options->model);
+  add_form_option(*command, options->form);
   add_json_option(*command, options->json);
   add_dump_option(*command, options->dump);
   command->callback([options, &exit_code] { exit_code = run(*options); });

@@ -28,6 +28,7 @@ constexpr WordOption<LinearAlgebra, 3> kLinearAlgebra{
     {{{"eigen", LinearAlgebra::eigen}, {"blas", LinearAlgebra::blas}, {"sparse", LinearAlgebra::sparse}}}};
 constexpr WordOption<Factorisation, 2> kFactorisation{
     "--factorisation", "factorisation", {{{"lu", Factorisation::lu}, {"qr", Factorisation::qr}}}};
+constexpr WordOption<Form, 2> kForm{"--form", "form", {{{"recursive", Form::recursive}, {"matrix", Form::matrix}}}};
 constexpr WordOption<Stabilisation, 2> kStabilisation{
     "--stabilisation",
     "stabilisation",
@@ -53,6 +54,16 @@ void add_model_argument(CLI::App& command, std::string& path) {
 
 void add_json_option(CLI::App& command, bool& json) {
   command.add_flag("--json", json, "print the result for machines");
+}
+
+void add_form_option(CLI::App& command, std::string& form) {
+  command.add_option("--form", form,
+                     "form of the generated equations: recursive, or matrix, the paper's steps (default: the one with "
+                     "fewer operations)");
+}
+
+std::optional<Form> chosen_form(const std::string& typed) {
+  return typed.empty() ? std::nullopt : std::optional<Form>(meaning(kForm, typed));
 }
 
 void add_dump_option(CLI::App& command, std::string& stage) {

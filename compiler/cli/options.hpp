@@ -2,6 +2,7 @@
 // Arguments that several commands share.
 
 #include <CLI/CLI.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -14,6 +15,12 @@ void add_model_argument(CLI::App& command, std::string& path);
 
 /// --json
 void add_json_option(CLI::App& command, bool& json);
+
+/// --form recursive|matrix
+void add_form_option(CLI::App& command, std::string& form);
+
+/// The form that was typed, none for "". Fails: UserError for a form that there is not.
+std::optional<Form> chosen_form(const std::string& typed);
 
 /// --dump=STAGE
 void add_dump_option(CLI::App& command, std::string& stage);

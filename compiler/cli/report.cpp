@@ -142,6 +142,9 @@ Json make_report(const Compilation& compilation) {
                                      {"massless", body.massless}});
   }
   report["path_matrix"] = path_matrix(topology);
+  report["form"] = name_of(programs.form);
+  report["operations_of_form"] = {{"matrix", programs.operations_of_form[static_cast<int>(Form::matrix)]},
+                                  {"recursive", programs.operations_of_form[static_cast<int>(Form::recursive)]}};
   report["operations"] = Json::object();
   for (const Program* program : all_programs(programs)) {
     report["operations"][program->name] = report_program(*program);

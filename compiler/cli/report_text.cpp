@@ -101,7 +101,10 @@ std::string operation_row(const std::string& title, const Json& count) {
 }
 
 std::string operations_text(const Json& report) {
-  std::string text;
+  const Json& forms = report["operations_of_form"];
+  std::string text =
+      fmt::format("\nForm of the accelerations: {} ({} operations matrix, {} recursive)\n",
+                  report["form"].get<std::string>(), forms["matrix"].get<long>(), forms["recursive"].get<long>());
   for (const auto& [name, program] : report["operations"].items()) {
     text += fmt::format("\n  {:<52}{:>8}{:>8}{:>8}{:>8}{:>8}{:>8}{:>8}\n", "Operations of " + name, "+ -", "*", "/",
                         "sqrt", "trig", "other", "+ - * /");

@@ -25,7 +25,7 @@ constexpr double kWholeSteps = 1e-9;
 constexpr double kMostSteps = 1e12;
 
 struct Options {
-  std::string model, file, integrator, input_table;
+  std::string model, form, file, integrator, input_table;
   std::optional<double> duration, step;
   long every = 0;
   EngineArguments engine;
@@ -103,7 +103,7 @@ class TableWriter {
 };
 
 int run(const Options& options) {
-  const Compilation compilation = expect(compile(options.model));
+  const Compilation compilation = expect(compile(options.model, chosen_form(options.form)));
   const SimulationSettings settings = settings_of(options, compilation.model.solver);
   const InputsOverTime inputs = inputs_over_time(compilation.model, options.engine.inputs, options.input_table);
   EngineChoice choice = chosen_engine(options.engine);
@@ -149,6 +149,7 @@ void add_simulate(CLI::App& application, int& exit_code) {
                       fmt::format("write every n-th step (default: at most {} rows)", kRows));
   command->add_option("--input-table", options->input_table,
                       "inputs over time (CSV): columns t and names of inputs, straight between rows, held outside");
+  add_form_option(*command, options->form);
   add_engine_options(*command, options->engine);
   add_json_option(*command, options->json);
   command->callback([options, &exit_code] { exit_code = run(*options); });

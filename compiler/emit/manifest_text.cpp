@@ -60,6 +60,7 @@ std::string manifest_text(const EmitContext& context) {
                          {"model", context.model.name},
                          {"hash", context.model.hash},
                          {"namespace", names.solver},
+                         {"form", name_of(context.programs.form)},
                          {"sizes",
                           {{"coordinates", context.layout.coordinates},
                            {"auxiliary_states", context.layout.auxiliary_states},

@@ -12,12 +12,20 @@
 
 namespace mbgen {
 
+/// How much inertia a free direction moves.
+template <class T>
+struct DirectionInertia {
+  int block = -1;  ///< index into Topology::blocks, -1 outside
+  int place = 0;   ///< of the direction in its block, outside blocks its coordinate
+  T value{0.0};    ///< not positive: none
+};
+
 /// Result of the recursive form.
 template <class T>
 struct RecursiveSolution {
   std::vector<T> zdd;      ///< per coordinate
   std::vector<T> quality;  ///< per block: smallest |pivot| / reference
-  std::vector<T> inertia;  ///< per free direction, in the order of free_coordinates; not positive: moves no inertia
+  std::vector<DirectionInertia<T>> inertia;
 };
 
 namespace detail {
@@ -507,25 +515,30 @@ Vector<T> quasi_of(const JointStep& step, const std::vector<T>& values) {
   return {values[step.joints[0]], values[step.joints[1]], values[step.joints[2]]};
 }
 
-/// Where the joint rates of a unit's balls are singular the monitors fall, of its block or of its free directions.
+/// Inertias of a unit's free directions. Where the joint rates of its balls are singular the monitor falls, of its
+/// block or of the middle joint's direction.
 template <class T>
-void watch_balls(const RecursionState<T>& s, std::size_t u, RecursiveSolution<T>& solution) {
+void watch_unit(const RecursionState<T>& s, std::size_t u, RecursiveSolution<T>& solution) {
   using std::abs;
   using std::min;
   const RecursionUnit& unit = s.units()[u];
+  std::vector<DirectionInertia<T>> found;
+  for (std::size_t q = 0; q < s.equations[u].size(); ++q) {
+    const int column = unit.rotor ? unit.end() : unit.block < 0 ? s.runs[u].columns[q] : static_cast<int>(q);
+    found.push_back({unit.block, column, s.equations[u].inertia[q]});
+  }
   for (const JointStep& step : unit.steps) {
     if (!step.quasi() || !step.revolute) continue;
     const T& volume = s.work.quasi[step.body()].volume;
     if (unit.block >= 0) {
       T& quality = solution.quality[unit.block];
       quality = min(quality, abs(volume));
-      continue;
+    } else {
+      for (DirectionInertia<T>& d : found)
+        if (d.place == step.joints[1]) d.value = min(d.value, volume * volume - T(1e-12));
     }
-    const std::vector<int>& columns = s.runs[u].columns;
-    const auto middle = std::find(columns.begin(), columns.end(), step.joints[1]) - columns.begin();
-    T& inertia = solution.inertia[solution.inertia.size() - columns.size() + middle];
-    inertia = min(inertia, volume * volume - T(1e-12));
   }
+  solution.inertia.insert(solution.inertia.end(), found.begin(), found.end());
 }
 
 template <class T>
@@ -703,8 +716,7 @@ RecursiveSolution<T> recursive_accelerations(System<T>& system, const Recursion&
       detail::solve_block(s, u, solution.zdd);
     else
       detail::solve_run(s, u, solution.zdd);
-    solution.inertia.insert(solution.inertia.end(), s.equations[u].inertia.begin(), s.equations[u].inertia.end());
-    detail::watch_balls(s, u, solution);
+    detail::watch_unit(s, u, solution);
   }
   return solution;
 }

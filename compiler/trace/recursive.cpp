@@ -1,5 +1,7 @@
 #include "compiler/trace/recursive.hpp"
 
+#include <algorithm>
+
 #include "compiler/trace/tracing.hpp"
 
 namespace mbgen {
@@ -22,7 +24,15 @@ Program trace_recursive_accelerations(const Model& model, const Topology& topolo
   const AppliedForces<Expr> forces = applied_forces(system, k, velocities(system, k));
   const RecursiveSolution<Expr> solution = recursive_accelerations(
       system, recursion, k, forces, tracing.drive, tracing.inputs("tau", tracing.size()), quasi_partitions(analysis));
-  tracing.outputs("inertia", solution.inertia);
+  const std::vector<int> names = free_coordinates(topology, analysis);
+  for (const DirectionInertia<Expr>& direction : solution.inertia) {
+    const int coordinate =
+        direction.block < 0
+            ? direction.place
+            : topology.blocks[direction.block].joints[analysis.blocks[direction.block].independent[direction.place]];
+    const auto index = std::find(names.begin(), names.end(), coordinate) - names.begin();
+    tracing.output("inertia", static_cast<int>(index), direction.value);
+  }
   tracing.outputs("zdd", solution.zdd);
   tracing.outputs("xd", forces.xd);
   for (std::size_t b = 0; b < topology.blocks.size(); ++b)

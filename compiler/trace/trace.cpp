@@ -303,6 +303,8 @@ Program trace_outputs(const Model& model, const Topology& topology, const Analys
 
 }  // namespace
 
+const char* name_of(Form form) { return form == Form::matrix ? "matrix" : "recursive"; }
+
 int auxiliary_state_count(const Model& model) { return 2 * static_cast<int>(model.tyres.size()); }
 
 std::vector<std::string> auxiliary_state_names(const Model& model) {

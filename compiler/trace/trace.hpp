@@ -41,6 +41,8 @@ enum class Form {
   recursive  ///< loop blocks and joints are eliminated into the inertia of the body that they move on
 };
 
+const char* name_of(Form form);
+
 struct Programs {
   Program accelerations;  ///< z zd x t tau in par -> zdd xd pivot inertia; frozen partition, the hot path
   Program closure;        ///< z zd t in par -> residual dz zd pivot; frozen Newton step; only with loops or motions
@@ -49,7 +51,9 @@ struct Programs {
   Program multipliers;           ///< z zd x t tau in par zdd -> lambda drive missing pivot; only with loops or motions
   Program outputs;  ///< z zd x t in par zdd (tau lambda drive) -> y and `energy[0]` kinetic, `energy[1]` potential of
                     ///< gravity, `power[0]` power of all applied forces but gravity
-  Program recursive_accelerations;                     ///< the slots of `accelerations`, in the recursive form
+  Program recursive_accelerations;  ///< the slots of `accelerations`, in the recursive form; empty once one is taken
+  Form form = Form::matrix;         ///< of `accelerations`
+  long operations_of_form[2] = {0, 0};  ///< of `accelerations` after the passes, by Form, once one is taken
   std::vector<std::string> free_direction_coordinate;  ///< per index of `inertia`: coordinate that names the direction
   std::vector<int> free_directions_of_block;           ///< per block: f
   std::vector<int> residual_equation_of;               ///< per block: first index of its equations in `residual`
