@@ -3,6 +3,7 @@
 // Every pass keeps name, outputs, sections, blocks and labels, and verifies its result.
 
 #include "compiler/passes/dead_values.hpp"
+#include "compiler/passes/factor_sums.hpp"
 #include "compiler/passes/merge_divisions.hpp"
 
 namespace mbgen {

@@ -1,0 +1,172 @@
+#include "compiler/passes/factor_sums.hpp"
+
+#include <algorithm>
+#include <map>
+
+namespace mbgen {
+namespace {
+
+bool is_sum(Op op) { return op == Op::add || op == Op::subtract || op == Op::negate; }
+
+/// A signed term: one value, or the product of two.
+struct Term {
+  bool negative = false;
+  ValueId first = kNoValue, second = kNoValue;  ///< of the rewritten program; second is kNoValue for a plain term
+  bool is_product() const { return second != kNoValue; }
+};
+
+class SumWriter {
+ public:
+  explicit SumWriter(const Program& program)
+      : program_(program),
+        builder_(ProgramBuilder::like(program)),
+        uses_(program.nodes.size(), 0),
+        renamed_(program.nodes.size(), kNoValue) {
+    for (const Node& node : program.nodes)
+      for (int k = 0; k < arity(node.op); ++k) ++uses_[node.operands[k]];
+    for (const OutputValue& output : program.outputs) uses_[output.value] += 2;
+    find_absorbed();
+  }
+
+  Program rewritten() {
+    for (ValueId v = 0; v < program_.nodes.size(); ++v) {
+      if (absorbed_[v]) continue;
+      const Node& node = program_.nodes[v];
+      renamed_[v] = is_sum(node.op) ? write_sum(v) : builder_.copy(program_, node, renamed_);
+    }
+    for (const auto& [slot, value] : program_.outputs) builder_.output(slot.group, slot.index, renamed_[value]);
+    return builder_.finish();
+  }
+
+ private:
+  /// Sums and products inside a sum: they are written with it.
+  void find_absorbed() {
+    absorbed_.assign(program_.nodes.size(), false);
+    for (ValueId v = 0; v < program_.nodes.size(); ++v) {
+      const Node& user = program_.nodes[v];
+      if (!is_sum(user.op)) continue;
+      for (int k = 0; k < arity(user.op); ++k) {
+        const ValueId operand = user.operands[k];
+        const Node& node = program_.nodes[operand];
+        const bool fits = is_sum(node.op) || node.op == Op::multiply;
+        if (fits && uses_[operand] == 1 && node.label < 0 && node.section == user.section) absorbed_[operand] = true;
+      }
+    }
+  }
+
+  void collect(ValueId v, bool negative, std::vector<Term>& terms) const {
+    const Node& node = program_.nodes[v];
+    if (is_sum(node.op)) {
+      for (int k = 0; k < arity(node.op); ++k) {
+        const bool minus = node.op == Op::negate || (node.op == Op::subtract && k == 1);
+        collect_operand(node.operands[k], negative != minus, terms);
+      }
+      return;
+    }
+    terms.push_back({negative, renamed_[node.operands[0]], renamed_[node.operands[1]]});
+  }
+
+  void collect_operand(ValueId v, bool negative, std::vector<Term>& terms) const {
+    if (absorbed_[v])
+      collect(v, negative, terms);
+    else
+      terms.push_back({negative, renamed_[v], kNoValue});
+  }
+
+  ValueId write_sum(ValueId v) {
+    const Node& node = program_.nodes[v];
+    std::vector<Term> terms;
+    collect(v, false, terms);
+    builder_.set_section(program_.sections[node.section]);
+    builder_.set_block(program_.blocks[node.block]);
+    const ValueId sum = write(std::move(terms));
+    if (node.label >= 0) builder_.label(sum, program_.labels[static_cast<std::size_t>(node.label)]);
+    return sum;
+  }
+
+  static void cancel(std::vector<Term>& terms) {
+    for (std::size_t i = 0; i < terms.size(); ++i) {
+      const auto opposite = std::find_if(terms.begin() + static_cast<long>(i) + 1, terms.end(), [&](const Term& t) {
+        return t.first == terms[i].first && t.second == terms[i].second && t.negative != terms[i].negative;
+      });
+      if (opposite == terms.end()) continue;
+      terms.erase(opposite);
+      terms.erase(terms.begin() + static_cast<long>(i));
+      --i;
+    }
+  }
+
+  /// Constants become one term, last of the plain ones.
+  void merge_constants(std::vector<Term>& terms) {
+    double sum = 0;
+    const auto is_constant = [&](const Term& t) { return !t.is_product() && builder_.is_constant(t.first); };
+    for (const Term& t : terms)
+      if (is_constant(t)) sum += (t.negative ? -1 : 1) * builder_.node(t.first).constant;
+    if (std::erase_if(terms, is_constant) > 0 && sum != 0) terms.push_back({false, builder_.constant(sum), kNoValue});
+  }
+
+  /// The value that most products have as a factor, kNoValue when none is in two.
+  static ValueId common_factor(const std::vector<Term>& terms) {
+    std::map<ValueId, int> count;
+    for (const Term& t : terms) {
+      if (!t.is_product()) continue;
+      ++count[t.first];
+      if (t.second != t.first) ++count[t.second];
+    }
+    ValueId best = kNoValue;
+    int most = 1;
+    for (const auto& [value, number] : count)
+      if (number > most) best = value, most = number;
+    return best;
+  }
+
+  /// Takes common factors out, one after the other.
+  void factor(std::vector<Term>& terms) {
+    for (ValueId common = common_factor(terms); common != kNoValue; common = common_factor(terms)) {
+      std::vector<Term> cofactors, others;
+      for (const Term& t : terms) {
+        if (t.is_product() && (t.first == common || t.second == common))
+          cofactors.push_back({t.negative, t.first == common ? t.second : t.first, kNoValue});
+        else
+          others.push_back(t);
+      }
+      terms = std::move(others);
+      const bool all_negative =
+          std::all_of(cofactors.begin(), cofactors.end(), [](const Term& t) { return t.negative; });
+      for (Term& t : cofactors) t.negative = t.negative != all_negative;
+      const ValueId sum = write(std::move(cofactors));
+      if (!builder_.is_constant(sum, 0)) terms.push_back({all_negative, common, sum});
+    }
+  }
+
+  ValueId write(std::vector<Term> terms) {
+    cancel(terms);
+    merge_constants(terms);
+    factor(terms);
+    std::stable_partition(terms.begin(), terms.end(), [](const Term& t) { return !t.is_product(); });
+    if (terms.empty()) return builder_.constant(0);
+    const auto first = std::find_if(terms.begin(), terms.end(), [](const Term& t) { return !t.negative; });
+    if (first != terms.end()) std::rotate(terms.begin(), first, first + 1);
+    ValueId sum = kNoValue;
+    for (const Term& t : terms) {
+      const ValueId value = t.is_product() ? builder_.append(Op::multiply, t.first, t.second) : t.first;
+      if (sum == kNoValue)
+        sum = t.negative ? builder_.append(Op::negate, value) : value;
+      else
+        sum = builder_.append(t.negative ? Op::subtract : Op::add, sum, value);
+    }
+    return sum;
+  }
+
+  const Program& program_;
+  ProgramBuilder builder_;
+  std::vector<int> uses_;
+  std::vector<bool> absorbed_;
+  std::vector<ValueId> renamed_;
+};
+
+}  // namespace
+
+Program factor_sums(const Program& program) { return SumWriter(program).rewritten(); }
+
+}  // namespace mbgen
