@@ -123,6 +123,7 @@ BlockAnalysis analyse_large_block(NumericSystem& numbers, std::size_t b,
   }
   for (int e : result.redundant_equations) result.redundant_names.push_back(equations[e].name);
   result.certificate = certificate;
+  result.quasi = quasi_partition(numbers, b, configurations, result, analysis.driven);
   return result;
 }
 

@@ -7,6 +7,8 @@
 namespace mbgen {
 namespace {
 
+static_assert(kLargestQuasiBlock <= kLargestSmallBlock, "a block with quasi-velocities has dense samples");
+
 /// Length of the rod that an equation of a block closes, 1 for those of joints.
 double row_length(const Topology& topology, const LoopBlock& block, const Constants<double>& constants, int equation) {
   for (int l : block.loops) {
@@ -38,9 +40,9 @@ LoopPartition quasi_partition(NumericSystem& numbers, std::size_t b, const std::
     System<double> system{at.model, at.topology, recursion.layout, at.environment, at.x, at.constants, at.scribe};
     const Kinematics<double> k = kinematics(system);
     const auto rows = quasi_jacobian(recursion_work(system, recursion, k), *unit);
-    Eigen::MatrixXd jacobian(rows.size(), unit->joints.size());
+    Eigen::MatrixXd jacobian = Eigen::MatrixXd::Zero(rows.size(), unit->joints.size());
     for (std::size_t e = 0; e < rows.size(); ++e)
-      for (std::size_t c = 0; c < rows[e].size(); ++c) jacobian(e, c) = rows[e][c];
+      for (std::size_t i = 0; i < rows[e].columns.size(); ++i) jacobian(e, rows[e].columns[i]) = rows[e].values[i];
     jacobians.push_back(std::move(jacobian));
   }
   return choose_partition(jacobians, analysis.rank, analysis.driven);

@@ -67,6 +67,7 @@ struct RecursionState {
   const std::vector<Drive<T>>& drives;
   std::vector<PseudoInertia<T>> constant;  ///< per tree body in its axes: with rotors and rods' ends
   std::vector<T> polar;                    ///< per tree body: a rotor's inertia about its axis
+  std::vector<T> velocity;                 ///< per joint: (quasi-)velocities
   std::vector<Vector<T>> omega;            ///< per tree body: angular velocity in the frame that carries it
   std::vector<Carried<T>> carried;
   std::vector<BlockParts<T>> blocks;        ///< per Recursion::units, empty where not a block
@@ -123,7 +124,7 @@ void set_constants(RecursionState<T>& s) {
 template <class T>
 void set_velocities(RecursionState<T>& s) {
   const System<T>& system = s.system();
-  const std::vector<T> values = quasi_velocities(s.work);
+  s.velocity = quasi_velocities(s.work);
   s.omega.resize(system.topology.bodies.size());
   for (std::size_t u = 0; u < s.units().size(); ++u) {
     const RecursionUnit& unit = s.units()[u];
@@ -131,7 +132,7 @@ void set_velocities(RecursionState<T>& s) {
     const Vector<T> base = s.omega_of(unit.base);
     if (unit.rotor) continue;
     if (unit.block >= 0) {
-      s.blocks[u].velocity = block_motion(s.work, unit, values);
+      s.blocks[u].velocity = block_motion(s.work, unit, s.velocity);
       for (const JointStep& step : unit.steps) {
         const int i = step.body();
         s.omega[i] = base + s.blocks[u].velocity[i].angular;
@@ -141,7 +142,7 @@ void set_velocities(RecursionState<T>& s) {
     }
     Vector<T>& omega = s.omega[unit.end()];
     omega = s.runs[u].before = transposed_times(s.k().orientation[unit.end()], base);
-    for (const JointStep& step : unit.steps) omega = omega + step_motion(s.work, step, values).angular;
+    for (const JointStep& step : unit.steps) omega = omega + step_motion(s.work, step, s.velocity).angular;
   }
 }
 
@@ -150,14 +151,13 @@ template <class T>
 void set_run_bias(RecursionState<T>& s, std::size_t u) {
   const RecursionUnit& unit = s.units()[u];
   RunParts<T>& run = s.runs[u];
-  const std::vector<T> values = quasi_velocities(s.work);
   const Matrix<T> base_gradient = acceleration_gradient(s.omega_of(unit.base), Vector<T>{});
   run.bias.linear = transposed_times(s.k().orientation[unit.end()], base_gradient * s.from_base(unit, unit.end()));
   Vector<T> turning = run.before;
   for (const JointStep& step : unit.steps) {
     const Vector<T>& pin = s.k().pin[step.joints[0]];
     const Vector<T> rate =
-        step.revolute ? step_motion(s.work, step, values).angular : step_motion(s.work, step, values).linear;
+        step.revolute ? step_motion(s.work, step, s.velocity).angular : step_motion(s.work, step, s.velocity).linear;
     const Matrix<T> before = acceleration_gradient(turning, run.bias.angular);
     const T* driven = s.driven(step.joints[0]);
     const Vector<T> prescribed = driven ? *driven * s.k().axis[step.joints[0]] : Vector<T>{};
@@ -190,7 +190,7 @@ void set_block_bias(RecursionState<T>& s, std::size_t u, const Partition& partit
   for (std::size_t c = 0; c < unit.joints.size(); ++c)
     if (const T* value = s.driven(unit.joints[c])) driven[c] = *value;
   parts.bias = block_bias(s.work, unit, parts.velocity);
-  const BlockClosure<T> closed = quasi_closure(s.work, unit, parts.velocity, parts.bias);
+  const SparseClosure<T> closed = quasi_closure(s.work, unit, parts.velocity, parts.bias);
   parts.star = frozen_zdd_star(parts.factors, partition, closed, driven);
 }
 
@@ -603,11 +603,10 @@ void solve_run(RecursionState<T>& s, std::size_t u, std::vector<T>& zdd) {
   for (int j : unit.joints)
     if (const T* driven = s.driven(j)) zdd[j] = *driven;
   for (std::size_t q = 0; q < free.size(); ++q) zdd[run.columns[q]] = free[q];
-  const std::vector<T> values = quasi_velocities(s.work);
   Vector<T> turning = run.before;
   for (const JointStep& step : unit.steps) {
     if (step.quasi()) set_joint_accelerations(s.work, step, turning, quasi_of(step, zdd), zdd);
-    turning = turning + step_motion(s.work, step, values).angular;
+    turning = turning + step_motion(s.work, step, s.velocity).angular;
   }
 }
 
@@ -652,7 +651,7 @@ RecursiveSolution<T> recursive_accelerations(System<T>& system, const Recursion&
                                              const std::vector<T>& tau, const Partitions& partitions) {
   const std::size_t n = system.topology.bodies.size(), units = recursion.units.size();
   const RecursionWork<T> work = recursion_work(system, recursion, k);
-  detail::RecursionState<T> s{work, drives, {}, {}, {}, {}, {}, {}, {}, {}, {}};
+  detail::RecursionState<T> s{work, drives, {}, {}, {}, {}, {}, {}, {}, {}, {}, {}};
   s.blocks.resize(units);
   s.runs.resize(units);
   s.equations.resize(units);
@@ -664,10 +663,10 @@ RecursiveSolution<T> recursive_accelerations(System<T>& system, const Recursion&
   for (std::size_t u = 0; u < units; ++u) {
     const RecursionUnit& unit = recursion.units[u];
     if (unit.block < 0) continue;
-    const BlockClosure<T> closed =
+    const SparseClosure<T> closed =
         quasi_closure(work, unit, std::vector<Spatial<T>>(n), std::vector<BodyAcceleration<T>>(n));
     system.scribe.place("loop block " + std::to_string(unit.block));
-    s.blocks[u].factors = factorise_frozen(closed.jacobian, partitions[unit.block]);
+    s.blocks[u].factors = factorise_frozen(closed.jacobian, partitions[unit.block], unit.joints.size());
     solution.quality[unit.block] = s.blocks[u].factors.quality;
   }
   system.scribe.step(Step::projection);
@@ -723,7 +722,7 @@ RecursiveSolution<T> recursive_accelerations(System<T>& system, const Recursion&
 
 /// Jacobian of a block by (quasi-)velocities at the present position, for choosing its partition.
 template <class T>
-std::vector<std::vector<T>> quasi_jacobian(const RecursionWork<T>& work, const RecursionUnit& unit) {
+std::vector<SparseRow<T>> quasi_jacobian(const RecursionWork<T>& work, const RecursionUnit& unit) {
   const std::size_t n = work.system.topology.bodies.size();
   return quasi_closure(work, unit, std::vector<Spatial<T>>(n), std::vector<BodyAcceleration<T>>(n)).jacobian;
 }

@@ -2,6 +2,8 @@
 // Loop closures of the recursive form (theory.md section 3): Jacobian by quasi-velocities and acceleration right-hand
 // side, each end seen from the origin of its own body. Rods by (d.d - l^2)/2.
 
+#include <map>
+
 #include "compiler/formulation/closure.hpp"
 #include "compiler/formulation/recursion_motion.hpp"
 
@@ -121,9 +123,9 @@ std::vector<NearRow<T>> near_rows(const RecursionWork<T>& work, const RecursionU
 /// Adds sign times the columns of a wrench about the origin of `body` to a row.
 template <class T>
 void add_columns(const RecursionWork<T>& work, const RecursionUnit& unit, const Loop& loop, int body,
-                 const Vector<T>& force, Vector<T> moment, double sign, std::vector<T>& row) {
+                 const Vector<T>& force, Vector<T> moment, double sign, std::map<int, T>& row) {
   const auto local = [&](int joint) {
-    return std::lower_bound(unit.joints.begin(), unit.joints.end(), joint) - unit.joints.begin();
+    return static_cast<int>(std::lower_bound(unit.joints.begin(), unit.joints.end(), joint) - unit.joints.begin());
   };
   while (body != unit.base) {
     const JointStep& step = *work.step[body];
@@ -147,17 +149,19 @@ void add_columns(const RecursionWork<T>& work, const RecursionUnit& unit, const 
 /// Jacobian by (quasi-)velocities and acceleration right-hand side of a block, rows as in `closure`. velocity, bias: of
 /// block_motion and block_bias; zero ones give the Jacobian alone. No residuals.
 template <class T>
-BlockClosure<T> quasi_closure(const RecursionWork<T>& work, const RecursionUnit& unit,
-                              const std::vector<Spatial<T>>& velocity, const std::vector<BodyAcceleration<T>>& bias) {
-  BlockClosure<T> result;
+SparseClosure<T> quasi_closure(const RecursionWork<T>& work, const RecursionUnit& unit,
+                               const std::vector<Spatial<T>>& velocity, const std::vector<BodyAcceleration<T>>& bias) {
+  SparseClosure<T> result;
   for (int l : work.system.topology.blocks[unit.block].loops) {
     const Loop& loop = work.system.topology.loops[l];
     work.system.scribe.place(loop.name);
     for (const detail::NearRow<T>& row : detail::near_rows(work, unit, velocity, bias, loop)) {
-      std::vector<T> columns(unit.joints.size(), T(0.0));
+      std::map<int, T> columns;
       detail::add_columns(work, unit, loop, loop.body_from, row.force, row.moment_from, 1.0, columns);
       detail::add_columns(work, unit, loop, loop.body_to, row.force, row.moment_to, -1.0, columns);
-      result.jacobian.push_back(std::move(columns));
+      SparseRow<T> entries;
+      for (const auto& [column, value] : columns) entries.push_back(column, value);
+      result.jacobian.push_back(std::move(entries));
       result.acceleration.push_back(-row.acceleration);
     }
   }

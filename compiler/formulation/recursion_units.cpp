@@ -20,13 +20,14 @@ bool is_triple(const Topology& topology, const std::vector<int>& joints, std::si
   return true;
 }
 
-/// quasi_translations: prismatic triples gain nothing where their axes are those of the frame already.
+/// In a block prismatic triples gain nothing: their axes are those of the frame already.
 std::vector<JointStep> steps_of(const Topology& topology, const std::vector<int>& joints,
-                                const std::vector<bool>& driven, bool quasi_translations) {
+                                const std::vector<bool>& driven, bool in_block) {
+  const bool quasi = !in_block || joints.size() <= kLargestQuasiBlock;
   std::vector<JointStep> steps;
   for (std::size_t c = 0; c < joints.size();) {
     const bool revolute = topology.bodies[joints[c]].kind == FreedomKind::revolute;
-    const std::size_t count = (revolute || quasi_translations) && is_triple(topology, joints, c, driven) ? 3 : 1;
+    const std::size_t count = quasi && (revolute || !in_block) && is_triple(topology, joints, c, driven) ? 3 : 1;
     steps.push_back({{joints.begin() + c, joints.begin() + c + count}, revolute});
     c += count;
   }
@@ -54,7 +55,7 @@ Recursion plan_recursion(const Model& model, const Topology& topology, const std
       }
       unit.base = topology.bodies[start].parent;
     }
-    unit.steps = steps_of(topology, unit.joints, driven, group.block < 0);
+    unit.steps = steps_of(topology, unit.joints, driven, group.block >= 0);
     recursion.units.push_back(std::move(unit));
   }
   return recursion;

@@ -1,11 +1,15 @@
 #pragma once
 // What the recursive form eliminates as one: loop blocks, runs of joints with massless bodies, and rotors.
 
+#include <cstddef>
 #include <vector>
 
 #include "compiler/formulation/layout.hpp"
 
 namespace mbgen {
+
+/// Blocks of more joints have no quasi-velocities: they are analysed once, over joint rates.
+constexpr std::size_t kLargestQuasiBlock = 40;
 
 /// Joints that move a body against the body before it. Three revolute joints of one ball, or three prismatic ones, are
 /// taken by quasi-velocities: components of their joint motion along the axes of the frame, in place of their rates.
