@@ -436,7 +436,7 @@ void eliminate_block(RecursionState<T>& s, std::size_t u) {
   const RecursionUnit& unit = s.units()[u];
   UnitEquations<T>& equations = s.equations[u];
   Carried<T> base = gather_block(s, u);
-  s.system().scribe.place("loop block " + std::to_string(unit.block));
+  s.system().scribe.place("");
   eliminate(equations);
   if (unit.base == kGround) return;
   reduce(equations, base.reduced, base.needed);
@@ -445,6 +445,12 @@ void eliminate_block(RecursionState<T>& s, std::size_t u) {
   below.above = below.above + base.above;
   below.reduced = below.reduced + base.reduced;
   below.needed = below.needed + base.needed;
+}
+
+/// A block as its loops name it.
+inline std::string block_name(const Topology& topology, int block) {
+  const LoopBlock& b = topology.blocks[block];
+  return topology.loops[b.loops[0]].name + (b.loops.size() > 1 ? " .. " + topology.loops[b.loops.back()].name : "");
 }
 
 template <class T>
@@ -622,22 +628,83 @@ void solve_rotor(RecursionState<T>& s, std::size_t u, std::vector<T>& zdd) {
   zdd[w] = e.force[0] * e.reciprocal[0] - dot(s.k().axis[w], s.acceleration[unit.base].angular);
 }
 
-/// What each body carries before any unit is eliminated (steps 1 and 7): its inertia and the force that it needs.
+/// Adds what the bodies of a unit carry themselves to what units above have left there: inertia, applied forces.
 template <class T>
-void set_carried(RecursionState<T>& s, const AppliedForces<T>& forces) {
-  const System<T>& system = s.system();
-  s.carried.resize(system.topology.bodies.size());
-  for (const RecursionUnit& unit : s.units()) {
-    if (unit.rotor) continue;
-    for (const JointStep& step : unit.steps) {
-      const int i = step.body();
-      if (unit.block < 0 && i != unit.end()) continue;
-      system.scribe.place(system.layout.titles[i]);
-      const bool own = s.work.own(i);
-      Carried<T>& c = s.carried[i];
-      c.rigid = own ? s.constant[i] : rotated(s.k().orientation[i], s.constant[i]);
-      c.needed = Spatial<T>{} - shifted(Vector<T>{} - work_origin(s, i), forces.wrench[i]);
+void add_own_parts(RecursionState<T>& s, const RecursionUnit& unit, const AppliedForces<T>& forces) {
+  for (const JointStep& step : unit.steps) {
+    const int i = step.body();
+    if (unit.block < 0 && i != unit.end()) continue;
+    s.system().scribe.place(s.system().layout.titles[i]);
+    Carried<T>& c = s.carried[i];
+    c.rigid = c.rigid + (s.work.own(i) ? s.constant[i] : rotated(s.k().orientation[i], s.constant[i]));
+    c.needed = c.needed - shifted(Vector<T>{} - work_origin(s, i), forces.wrench[i]);
+  }
+}
+
+/// Steps 2, 3, 6, 7 and 8 of a loop block.
+template <class T, class Partition>
+void eliminate_block(RecursionState<T>& s, std::size_t u, const AppliedForces<T>& forces, const Partition& partition,
+                     T& quality) {
+  const RecursionUnit& unit = s.units()[u];
+  Scribe<T>& scribe = s.system().scribe;
+  const std::string name = block_name(s.system().topology, unit.block);
+  const std::size_t n = s.system().topology.bodies.size();
+  BlockParts<T>& parts = s.blocks[u];
+  scribe.step(Step::jacobian, name);
+  const SparseClosure<T> closed =
+      quasi_closure(s.work, unit, std::vector<Spatial<T>>(n), std::vector<BodyAcceleration<T>>(n));
+  scribe.place("");
+  parts.factors = factorise_frozen(closed.jacobian, partition, unit.joints.size());
+  quality = parts.factors.quality;
+  scribe.step(Step::projection, name);
+  parts.rz = frozen_rz(parts.factors, partition, unit.joints.size());
+  scribe.step(Step::closure_bias, name);
+  set_block_bias(s, u, partition);
+  scribe.step(Step::accelerations, name);
+  add_own_parts(s, unit, forces);
+  scribe.step(Step::reduced_system, name);
+  eliminate_block(s, u);
+}
+
+/// The way to the root (steps 2 to 8).
+template <class T, class Partitions>
+void eliminate_units(RecursionState<T>& s, const AppliedForces<T>& forces, const Partitions& partitions,
+                     RecursiveSolution<T>& solution) {
+  Scribe<T>& scribe = s.system().scribe;
+  for (std::size_t u = s.units().size(); u-- > 0;) {
+    const RecursionUnit& unit = s.units()[u];
+    if (unit.block >= 0) {
+      eliminate_block(s, u, forces, partitions[unit.block], solution.quality[unit.block]);
+      continue;
     }
+    scribe.step(Step::reduced_system);
+    scribe.place(s.system().layout.titles[unit.end()]);
+    if (unit.rotor) {
+      eliminate_rotor(s, u, forces);
+      continue;
+    }
+    set_run_bias(s, u);
+    add_own_parts(s, unit, forces);
+    eliminate_run(s, u);
+  }
+}
+
+/// The way back to the leaves (step 9).
+template <class T>
+void solve_units(RecursionState<T>& s, RecursiveSolution<T>& solution) {
+  const System<T>& system = s.system();
+  system.scribe.step(Step::solution);
+  solution.zdd.assign(system.topology.bodies.size(), T(0.0));
+  for (std::size_t u = 0; u < s.units().size(); ++u) {
+    const RecursionUnit& unit = s.units()[u];
+    system.scribe.place(system.layout.titles[unit.end()]);
+    if (unit.rotor)
+      solve_rotor(s, u, solution.zdd);
+    else if (unit.block >= 0)
+      solve_block(s, u, solution.zdd);
+    else
+      solve_run(s, u, solution.zdd);
+    watch_unit(s, u, solution);
   }
 }
 
@@ -656,67 +723,18 @@ RecursiveSolution<T> recursive_accelerations(System<T>& system, const Recursion&
   s.runs.resize(units);
   s.equations.resize(units);
   s.acceleration.resize(n);
+  s.carried.resize(n);
   detail::set_constants(s);
   RecursiveSolution<T> solution;
   solution.quality.assign(system.topology.blocks.size(), T(1.0));
-  system.scribe.step(Step::jacobian);
-  for (std::size_t u = 0; u < units; ++u) {
-    const RecursionUnit& unit = recursion.units[u];
-    if (unit.block < 0) continue;
-    const SparseClosure<T> closed =
-        quasi_closure(work, unit, std::vector<Spatial<T>>(n), std::vector<BodyAcceleration<T>>(n));
-    system.scribe.place("loop block " + std::to_string(unit.block));
-    s.blocks[u].factors = factorise_frozen(closed.jacobian, partitions[unit.block], unit.joints.size());
-    solution.quality[unit.block] = s.blocks[u].factors.quality;
-  }
-  system.scribe.step(Step::projection);
-  for (std::size_t u = 0; u < units; ++u) {
-    const RecursionUnit& unit = recursion.units[u];
-    if (unit.block < 0) continue;
-    system.scribe.place("loop block " + std::to_string(unit.block));
-    s.blocks[u].rz = frozen_rz(s.blocks[u].factors, partitions[unit.block], unit.joints.size());
-  }
   system.scribe.step(Step::velocities);
   detail::set_velocities(s);
-  system.scribe.step(Step::closure_bias);
-  for (std::size_t u = 0; u < units; ++u) {
-    const RecursionUnit& unit = recursion.units[u];
-    system.scribe.place(system.layout.titles[unit.end()]);
-    if (unit.rotor) continue;
-    if (unit.block < 0)
-      detail::set_run_bias(s, u);
-    else
-      detail::set_block_bias(s, u, partitions[unit.block]);
-  }
   system.scribe.step(Step::accelerations);
   s.force = tau;
   for (std::size_t i = 0; i < n; ++i) s.force[i] = s.force[i] + forces.joint[i];
   s.force = quasi_forces(work, s.force);
-  detail::set_carried(s, forces);
-  system.scribe.step(Step::reduced_system);
-  for (std::size_t u = units; u-- > 0;) {
-    const RecursionUnit& unit = recursion.units[u];
-    system.scribe.place(system.layout.titles[unit.end()]);
-    if (unit.rotor)
-      detail::eliminate_rotor(s, u, forces);
-    else if (unit.block >= 0)
-      detail::eliminate_block(s, u);
-    else
-      detail::eliminate_run(s, u);
-  }
-  system.scribe.step(Step::solution);
-  solution.zdd.assign(n, T(0.0));
-  for (std::size_t u = 0; u < units; ++u) {
-    const RecursionUnit& unit = recursion.units[u];
-    system.scribe.place(system.layout.titles[unit.end()]);
-    if (unit.rotor)
-      detail::solve_rotor(s, u, solution.zdd);
-    else if (unit.block >= 0)
-      detail::solve_block(s, u, solution.zdd);
-    else
-      detail::solve_run(s, u, solution.zdd);
-    detail::watch_unit(s, u, solution);
-  }
+  detail::eliminate_units(s, forces, partitions, solution);
+  detail::solve_units(s, solution);
   return solution;
 }
 

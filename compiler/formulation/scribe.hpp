@@ -24,6 +24,8 @@ enum class Step {
 template <class T>
 struct Scribe {
   void step(Step) {}
+  /// A step of one part of the mechanism.
+  void step(Step, const std::string&) {}
   void place(const std::string&) {}
   /// parts: of the name; where nobody reads it, nobody puts it together.
   template <class... Parts>

@@ -2,7 +2,7 @@
 
 namespace mbgen {
 
-void Scribe<Expr>::step(Step step) {
+void Scribe<Expr>::step(Step step, const std::string& part) {
   static const char* const kTitles[] = {"step 1: poses, axes b, accumulated inertias MR (50)",
                                         "step 2: closure Jacobian Phi_z and its factors (60)",
                                         "step 3: Rz (61)",
@@ -21,7 +21,8 @@ void Scribe<Expr>::step(Step step) {
                                                  "step 7: inertias of the bodies and forces on joints",
                                                  "step 8: elimination from the leaves to the root (63)",
                                                  "step 9: accelerations from the root to the leaves (63), (62)"};
-  builder.set_section((form == Form::matrix ? kTitles : kRecursiveTitles)[static_cast<int>(step) - 1]);
+  const std::string title = (form == Form::matrix ? kTitles : kRecursiveTitles)[static_cast<int>(step) - 1];
+  builder.set_section(part.empty() ? title : title + ", " + part);
   builder.set_block("");
 }
 

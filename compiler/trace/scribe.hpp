@@ -19,7 +19,7 @@ template <>
 struct Scribe<Expr> {
   ProgramBuilder& builder;
   Form form = Form::matrix;
-  void step(Step step);
+  void step(Step step, const std::string& part = "");
   void place(const std::string& title) { builder.set_block(title); }
   template <class... Parts>
   void name(const Expr& value, const Parts&... parts) {
