@@ -11,6 +11,8 @@ Programs optimise(Programs programs) {
        {&programs.accelerations, &programs.recursive_accelerations, &programs.closure, &programs.closure_terms,
         &programs.accelerations_chosen, &programs.multipliers, &programs.outputs})
     *program = optimise(std::as_const(*program));
+  // The matrix form keeps the order of the paper's steps.
+  programs.recursive_accelerations = shorten_lifetimes(programs.recursive_accelerations);
   return programs;
 }
 

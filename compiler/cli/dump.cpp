@@ -107,6 +107,7 @@ std::string dump_stage(const std::string& path, const std::string& stage) {
   Programs programs = trace(model, topology, analysis);
   if (stage == "program") return dump_programs(programs);
   programs = optimise(std::move(programs));
+  take_form(programs, {});
   if (stage == "optimised") return dump_programs(programs);
   return dump_code(emit(programs, model, topology, analysis, {.runtime_headers = false}));
 }

@@ -12,9 +12,11 @@ namespace {
 
 /// The number that a section's title begins with, as in "3 Rz", else its index.
 std::string section_tag(const Program& program, int section) {
+  constexpr const char* kDigits = "0123456789";
   const std::string& title = program.sections[section];
-  const std::size_t digits = std::min(title.find_first_not_of("0123456789"), title.size());
-  return digits > 0 ? title.substr(0, digits) : std::to_string(section);
+  const std::size_t first = std::min(title.find_first_of(kDigits), title.size());
+  const std::string number = title.substr(first, title.find_first_not_of(kDigits, first) - first);
+  return number.empty() ? std::to_string(section) : number;
 }
 
 }  // namespace
@@ -32,7 +34,8 @@ std::string LocalNames::of_value(ValueId value) {
   if (node.label >= 0) return unique(identifier_base(program_.labels[node.label]));
   std::string candidate;
   do {
-    candidate = fmt::format("s{}_{}", section_tag(program_, node.section), ++leftovers_[node.section]);
+    candidate =
+        fmt::format("s{}_{}", section_tag(program_, node.section), ++leftovers_[section_tag(program_, node.section)]);
   } while (!taken_.insert(candidate).second);
   return candidate;
 }

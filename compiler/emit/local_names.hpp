@@ -26,7 +26,7 @@ class LocalNames {
   const Program& program_;
   std::unordered_set<std::string> taken_;
   std::unordered_map<std::string, int> next_number_;  ///< by base
-  std::map<int, int> leftovers_;                      ///< numbers given so far, by section
+  std::map<std::string, int> leftovers_;              ///< numbers given so far, by section
 };
 
 }  // namespace mbgen

@@ -182,6 +182,10 @@ class ProgramWriter {
 
   static void add_line(PartText& part, const std::string& line) { part.body += wrapped_statement("  " + line) + "\n"; }
 
+  static void add_comment(PartText& part, const std::string& words) {
+    part.body += wrapped_words(words, "  // ") + "\n";
+  }
+
   /// Turns the pending text of a value into a statement.
   void name_value(ValueId v, PartText& part) {
     const std::string name = names_.of_value(v);
@@ -290,14 +294,14 @@ class ProgramWriter {
       const bool again = !entered_.insert(node.section).second;
       part.sections.push_back(title);
       if (section >= 0) part.body += "\n";
-      if (!title.empty()) add_line(part, "// --- " + comment_text(title) + (again ? ", continued" : "") + " ---");
+      if (!title.empty()) add_comment(part, "--- " + comment_text(title) + (again ? ", continued" : "") + " ---");
       section = node.section;
       block = -1;
     }
     // Calls for many angles belong to all blocks of their section.
     if (block != node.block && !is_angle_call) {
       const std::string& title = program_.blocks[node.block];
-      if (!title.empty()) add_line(part, "// " + comment_text(title));
+      if (!title.empty()) add_comment(part, comment_text(title));
       block = node.block;
     }
   }
@@ -323,7 +327,7 @@ class ProgramWriter {
       write_headings(arrangement_.order[i], part, section, block);
       write_value(arrangement_.order[i], i > range.first ? arrangement_.order[i - 1] : kNoValue, part);
       if (section_end_[node.section] == i && !program_.sections[node.section].empty()) {
-        add_line(part, "// operations: " + operations_text(section_counts_[node.section]));
+        add_comment(part, "operations: " + operations_text(section_counts_[node.section]));
       }
     }
     if (section >= 0 && section_end_[section] + 1 == range.last) part.ended_step = step_number(section);

@@ -5,6 +5,7 @@
 #include "compiler/passes/dead_values.hpp"
 #include "compiler/passes/factor_sums.hpp"
 #include "compiler/passes/merge_divisions.hpp"
+#include "compiler/passes/shorten_lifetimes.hpp"
 
 namespace mbgen {
 

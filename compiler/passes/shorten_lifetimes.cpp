@@ -1,0 +1,92 @@
+#include "compiler/passes/shorten_lifetimes.hpp"
+
+#include <algorithm>
+#include <numeric>
+#include <utility>
+
+namespace mbgen {
+namespace {
+
+bool is_operation(const Node& node) { return node.op != Op::constant && node.op != Op::input; }
+
+/// Numbers of uses, and of the last user per value; outputs live to the end.
+struct Uses {
+  std::vector<int> count;
+  std::vector<ValueId> first, last;  ///< users, kNoValue for none
+
+  explicit Uses(const Program& program)
+      : count(program.nodes.size(), 0), first(program.nodes.size(), kNoValue), last(program.nodes.size(), kNoValue) {
+    for (ValueId v = 0; v < program.nodes.size(); ++v)
+      for (int k = 0; k < arity(program.nodes[v].op); ++k) {
+        const ValueId operand = program.nodes[v].operands[k];
+        ++count[operand];
+        if (first[operand] == kNoValue) first[operand] = v;
+        last[operand] = v;
+      }
+  }
+};
+
+/// The program with its values sorted by key, those of one key as they were.
+Program sorted(const Program& program, const std::vector<ValueId>& key) {
+  std::vector<ValueId> order(program.nodes.size());
+  std::iota(order.begin(), order.end(), ValueId{0});
+  std::stable_sort(order.begin(), order.end(), [&](ValueId a, ValueId b) { return key[a] < key[b]; });
+  Program result = program;
+  std::vector<ValueId> renamed(program.nodes.size());
+  for (ValueId place = 0; place < order.size(); ++place) renamed[order[place]] = place;
+  for (ValueId place = 0; place < order.size(); ++place) {
+    Node node = program.nodes[order[place]];
+    const Node& neighbour = program.nodes[key[order[place]]];
+    if (is_operation(node) && is_operation(neighbour)) {
+      node.section = neighbour.section;
+      node.block = neighbour.block;
+    }
+    for (int k = 0; k < arity(node.op); ++k) node.operands[k] = renamed[node.operands[k]];
+    result.nodes[place] = node;
+  }
+  for (OutputValue& output : result.outputs) output.value = renamed[output.value];
+  return verified(std::move(result));
+}
+
+/// Sums of values that have no other use, as early as their operands allow.
+Program with_early_sums(const Program& program) {
+  const Uses uses(program);
+  std::vector<ValueId> key(program.nodes.size());
+  for (ValueId v = 0; v < program.nodes.size(); ++v) {
+    const Node& node = program.nodes[v];
+    key[v] = v;
+    const bool is_sum = node.op == Op::add || node.op == Op::subtract;
+    const bool is_lone_product =
+        node.op == Op::multiply && uses.count[v] == 1 &&
+        (program.nodes[uses.first[v]].op == Op::add || program.nodes[uses.first[v]].op == Op::subtract);
+    if (!is_sum && !is_lone_product) continue;
+    if (is_sum && uses.count[node.operands[0]] > 1 && uses.count[node.operands[1]] > 1) continue;
+    key[v] = 0;
+    for (int k = 0; k < arity(node.op); ++k) key[v] = std::max(key[v], key[node.operands[k]]);
+  }
+  return sorted(program, key);
+}
+
+/// Values that end the life of no operand, as late as their first use allows.
+Program with_late_values(const Program& program) {
+  const Uses uses(program);
+  std::vector<ValueId> key(program.nodes.size()), needed(program.nodes.size(), kNoValue);
+  for (ValueId v = static_cast<ValueId>(program.nodes.size()); v-- > 0;) {
+    const Node& node = program.nodes[v];
+    const bool is_angle = node.op == Op::sin || node.op == Op::cos;  // they are taken together
+    bool stays = !is_operation(node) || needed[v] == kNoValue || is_angle;
+    for (int k = 0; k < arity(node.op); ++k) {
+      const ValueId operand = node.operands[k];
+      stays = stays || (is_operation(program.nodes[operand]) && uses.last[operand] == v);
+    }
+    key[v] = stays ? v : needed[v];
+    for (int k = 0; k < arity(node.op); ++k) needed[node.operands[k]] = std::min(needed[node.operands[k]], key[v]);
+  }
+  return sorted(program, key);
+}
+
+}  // namespace
+
+Program shorten_lifetimes(const Program& program) { return with_late_values(with_early_sums(program)); }
+
+}  // namespace mbgen
