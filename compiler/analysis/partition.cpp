@@ -19,6 +19,7 @@ constexpr double kPivotRatio = 0.05;   // design.md section 7: smallest pivot ov
 constexpr double kZero = 1e-12;        // entries below this share of the largest are structurally zero
 constexpr double kDirectionCost = 20;  // operations on a body per free direction that moves it, about a third of a body
 constexpr double kPairCost = 5;        // and per pair of directions
+constexpr double kScoreShare = 0.4;    // of the best score: below it a partition is not taken for being cheap
 constexpr int kWeightings = 8;         // random column weights tried per sample
 
 MatrixXd columns_of(const MatrixXd& m, const std::vector<int>& columns) {
@@ -238,6 +239,73 @@ std::set<Candidate> candidates(const std::vector<MatrixXd>& jacobians, const std
   return found;
 }
 
+/// What a partition is chosen from.
+struct Search {
+  const std::vector<MatrixXd>& jacobians;
+  const std::vector<double>& best;  ///< weakest singular value of all columns, per sample
+  const std::vector<bool>& full;
+  const std::vector<int>& columns;  ///< those that may depend
+  int rank = 0;
+};
+
+struct Choice {
+  Candidate candidate;
+  Ordering ordering;
+  double least_score = 0;  ///< what a candidate must reach to be taken
+};
+
+/// Order and cost of a candidate.
+Ordering ordering_of(const Search& search, const Candidate& candidate) {
+  std::vector<bool> good;
+  for (double ratio : conditions(search.jacobians, search.best, candidate)) good.push_back(ratio >= kPivotRatio);
+  if (std::find(good.begin(), good.end(), true) == good.end()) good.assign(good.size(), true);
+  Ordering ordering = order_pivots(search.jacobians, good, candidate);
+  ordering.cost += projection_cost(search.jacobians, good, candidate, search.columns);
+  return ordering;
+}
+
+/// The cheapest of the well conditioned ones that random column weights bring up.
+Choice best_candidate(const Search& search) {
+  std::vector<std::pair<double, Candidate>> scored;
+  double top = 0;
+  for (const Candidate& candidate : candidates(search.jacobians, search.full, search.rank, search.columns)) {
+    scored.emplace_back(score(conditions(search.jacobians, search.best, candidate)), candidate);
+    top = std::max(top, scored.back().first);
+  }
+  Choice chosen;
+  for (const auto& [value, candidate] : scored) {
+    if (value < kScoreShare * top) continue;
+    Ordering ordering = ordering_of(search, candidate);
+    if (chosen.candidate.columns.empty() || ordering.cost < chosen.ordering.cost)
+      chosen = {candidate, std::move(ordering), kScoreShare * top};
+  }
+  return chosen;
+}
+
+/// Exchanges a dependent column for a free one as long as that is cheaper and the condition holds.
+Choice improved(const Search& search, Choice chosen) {
+  const std::vector<bool> all(search.jacobians.size(), true);
+  for (bool found = true; found;) {
+    found = false;
+    const std::vector<int> dependent = chosen.candidate.columns;
+    for (int free : search.columns) {
+      if (std::binary_search(dependent.begin(), dependent.end(), free)) continue;
+      for (int leaving : dependent) {
+        std::vector<int> columns = dependent;
+        *std::find(columns.begin(), columns.end(), leaving) = free;
+        const Candidate candidate = pivoted(search.jacobians[0], search.rank, columns);
+        if (projection_cost(search.jacobians, all, candidate, search.columns) >= chosen.ordering.cost) continue;
+        if (score(conditions(search.jacobians, search.best, candidate)) < chosen.least_score) continue;
+        Ordering ordering = ordering_of(search, candidate);
+        if (ordering.cost >= chosen.ordering.cost) continue;
+        chosen = {candidate, std::move(ordering), chosen.least_score};
+        found = true;
+      }
+    }
+  }
+  return chosen;
+}
+
 }  // namespace
 
 double typical_pivot(const std::vector<MatrixXd>& jacobians, int rank, const std::vector<int>& driven) {
@@ -287,28 +355,12 @@ BlockAnalysis choose_partition(const std::vector<MatrixXd>& jacobians, int rank,
   if (usable.empty() && rank > 0) usable = {jacobians[0]}, best = {1.0}, full = {true};
   if (rank > 0) {
     result.typical_pivot = typical_pivot(usable, rank, driven);
-    std::vector<std::pair<double, Candidate>> scored;
-    for (const Candidate& candidate : candidates(usable, full, rank, columns))
-      scored.emplace_back(score(conditions(usable, best, candidate)), candidate);
-    const double top = std::max_element(scored.begin(), scored.end(), [](const auto& a, const auto& b) {
-                         return a.first < b.first;
-                       })->first;
-    Ordering chosen;
-    for (const auto& [value, candidate] : scored) {
-      if (value < 0.4 * top) continue;
-      std::vector<bool> good;
-      for (double ratio : conditions(usable, best, candidate)) good.push_back(ratio >= kPivotRatio);
-      if (std::find(good.begin(), good.end(), true) == good.end()) good.assign(good.size(), true);
-      Ordering ordering = order_pivots(usable, good, candidate);
-      ordering.cost += projection_cost(usable, good, candidate, columns);
-      if (result.dependent.empty() || ordering.cost < chosen.cost) {
-        chosen = std::move(ordering);
-        result.dependent = candidate.columns;
-      }
-    }
-    result.pivots = chosen.pivots;
-    result.triangular_sizes = chosen.triangular_sizes;
-    result.worst_pivot_ratio = chosen.worst_ratio;
+    const Search search{usable, best, full, columns, rank};
+    const Choice chosen = improved(search, best_candidate(search));
+    result.dependent = chosen.candidate.columns;
+    result.pivots = chosen.ordering.pivots;
+    result.triangular_sizes = chosen.ordering.triangular_sizes;
+    result.worst_pivot_ratio = chosen.ordering.worst_ratio;
   }
   for (int c : columns)
     if (std::find(result.dependent.begin(), result.dependent.end(), c) == result.dependent.end())
