@@ -29,160 +29,136 @@ struct Accelerations {
 /// All accelerations with the frozen partition of the loop blocks.
 void compute_accelerations(const Parameters& parameters, const Inputs& inputs, const State& state,
     const double* tau, Accelerations& __restrict result) noexcept {
-  // --- step 1: poses, axes b, accumulated inertias MR (50) ---
+  // --- step 1: poses and axes b ---
   // crank: crank_pin, revolute, ground
   const double z_crank_pin = state.z[Coordinate::crank_pin];
   double R_crank_x_x, R_crank_x_z;
   mbgen::sincos(z_crank_pin, R_crank_x_z, R_crank_x_x);
   // coupler: coupler_pin, revolute, crank
-  const double s1_1 = 0.05*R_crank_x_z;
-  const double r_coupler_x = s1_1 + 0.1*R_crank_x_x;
-  const double s1_2 = 0.05*R_crank_x_x;
-  const double r_coupler_z = s1_2 - 0.1*R_crank_x_z;
+  const double r_coupler_x = 0.05*R_crank_x_z + 0.1*R_crank_x_x;
+  const double r_coupler_z = 0.05*R_crank_x_x - 0.1*R_crank_x_z;
   const double z_coupler_pin = state.z[Coordinate::coupler_pin];
-  double s1_3, s1_4;
-  mbgen::sincos(z_coupler_pin, s1_4, s1_3);
-  const double R_coupler_x_x = R_crank_x_x*s1_3 - R_crank_x_z*s1_4;
-  const double R_coupler_x_z = R_crank_x_x*s1_4 + R_crank_x_z*s1_3;
+  double s1_1, s1_2;
+  mbgen::sincos(z_coupler_pin, s1_2, s1_1);
+  const double R_coupler_x_x = R_crank_x_x*s1_1 - R_crank_x_z*s1_2;
+  const double R_coupler_x_z = R_crank_x_x*s1_2 + R_crank_x_z*s1_1;
   // rocker: rocker_pin, revolute, ground
   const double z_rocker_pin = state.z[Coordinate::rocker_pin];
   double R_rocker_x_x, R_rocker_x_z;
   mbgen::sincos(z_rocker_pin, R_rocker_x_z, R_rocker_x_x);
-  // crank: crank_pin, revolute, ground
-  const double s1_5 = s1_2 + 0.02*R_crank_x_z;
-  const double s1_6 = 0.02*R_crank_x_x - s1_1;
-  const double s1_7 = 7e-04 + (0.8*(s1_5*s1_5) + 0.8*(s1_6*s1_6));
-  // coupler: coupler_pin, revolute, crank
-  const double s1_8 = r_coupler_x + (0.11*R_coupler_x_z + 0.15*R_coupler_x_x);
-  const double s1_9 = r_coupler_z + (0.11*R_coupler_x_x - 0.15*R_coupler_x_z);
-  const double s1_10 = 1.5*s1_8;
-  const double s1_11 = 1.5*s1_9;
-  const double s1_12 = 0.021 + (1.5*(s1_8*s1_8) + 1.5*(s1_9*s1_9));
-  // rocker: rocker_pin, revolute, ground
-  const double s1_13 = 0.009999999999999953*R_rocker_x_x;
-  const double s1_14 = 0.009999999999999953*R_rocker_x_z;
-  const double s1_15 = 0.12*R_rocker_x_x - s1_14;
-  const double s1_16 = 0.4 + (0.12*R_rocker_x_z + s1_13);
-  const double s1_17 = 1.1*s1_16;
-  const double s1_18 = 0.006 + (1.1*(s1_16*s1_16) + 1.1*(s1_15*s1_15));
-  // coupler: coupler_pin, revolute, crank
-  const double N_crank_pin_y = s1_7 + s1_12;
-  // operations: 20 add, 33 multiply, 6 sin cos
-
-  // --- step 2: closure Jacobian Phi_z and its factors (60) ---
-  // rocker_tip
-  const double s2_1 = r_coupler_x + (0.2*R_coupler_x_z + 0.31999999999999995*R_coupler_x_x);
-  const double J_rocker_tip_crank_pin = r_coupler_z + (0.2*R_coupler_x_x -
-      0.31999999999999995*R_coupler_x_z);
-  const double s2_2 = 0.25*R_rocker_x_x - 0.019999999999999962*R_rocker_x_z;
-  const double s2_3 = 0.4 + (0.25*R_rocker_x_z + 0.019999999999999962*R_rocker_x_x);
-  const double J_rocker_tip_coupler_pin = J_rocker_tip_crank_pin - r_coupler_z;
-  const double J_rocker_tip_coupler_pin_2 = r_coupler_x - s2_1;
-  const double s2_4 = 0.4 - s2_3;
-  // loop block 0
-  const double s2_5 = 1.0/s2_2;
-  const double s2_6 = s2_4*s2_5;
-  const double s2_7 = s2_1 + J_rocker_tip_crank_pin*s2_6;
-  const double s2_8 = J_rocker_tip_coupler_pin_2 - J_rocker_tip_coupler_pin*s2_6;
-  const double s2_9 = 1.0/s2_7;
-  const double s2_10 = 2.5000000000000004*std::abs(s2_7);
-  result.pivot[0] = mbgen::min(3.999888870509994*std::abs(s2_2), s2_10);
-  // operations: 12 add, 13 multiply, 2 divide, 3 other
-
-  // --- step 3: Rz (61) ---
-  // loop block 0
-  const double Rz_crank_pin_0 = s2_8*s2_9;
-  const double Rz_rocker_pin_0 = s2_5*(J_rocker_tip_coupler_pin +
-      J_rocker_tip_crank_pin*Rz_crank_pin_0);
-  // operations: 1 add, 3 multiply
-
-  // --- step 4: velocities Z (36) ---
-  // coupler: coupler_pin, revolute, crank
-  const double zd_crank_pin = state.zd[Coordinate::crank_pin];
-  const double w_coupler_y = zd_crank_pin + state.zd[Coordinate::coupler_pin];
-  // operations: 1 add
+  // operations: 4 add, 8 multiply, 6 sin cos
 
   // --- step 5: applied forces Q (48) ---
   // return_spring
-  const double s5_1 = 0.15*R_rocker_x_x - s1_14;
-  const double s5_2 = 0.4 + (s1_13 + 0.15*R_rocker_x_z);
+  const double s5_1 = 0.15*R_rocker_x_x - 0.009999999999999953*R_rocker_x_z;
+  const double s5_2 = 0.4 + 0.15*R_rocker_x_z + 0.009999999999999953*R_rocker_x_x;
   const double s5_3 = 0.6 - s5_2;
   const double s5_4 = 0.1 - s5_1;
   const double s5_5 = std::sqrt(s5_4*s5_4 + s5_3*s5_3);
   const double tension_return_spring = parameters.k*(s5_5 - 0.18);
   const double s5_6 = 1.0/s5_5*tension_return_spring;
   const double s5_7 = s5_4*s5_6;
-  const double s5_8 = s5_1*(s5_3*s5_6) - s5_2*s5_7;
-  // operations: 8 add, 10 multiply, 1 divide, 1 sqrt
+  const double s5_8 = s5_1*(s5_3*s5_6) - s5_2*s5_7 + 0.4*s5_7;
+  // operations: 9 add, 13 multiply, 1 divide, 1 sqrt
 
-  // --- step 6: c and dRz/dt zd (62) ---
-  // crank: crank_pin, revolute, ground
-  const double s6_1 = zd_crank_pin*zd_crank_pin;
-  // coupler: coupler_pin, revolute, crank
-  const double s6_2 = w_coupler_y*w_coupler_y;
-  const double s6_3 = s6_2 - s6_1;
-  const double a_coupler_x = r_coupler_x*s6_3;
-  const double s6_4 = r_coupler_z*s6_3;
-  // rocker: rocker_pin, revolute, ground
-  const double zd_rocker_pin = state.zd[Coordinate::rocker_pin];
-  const double s6_5 = zd_rocker_pin*zd_rocker_pin;
-  const double a_rocker_x = 0.4*s6_5;
+  // --- step 2: closure Jacobian Phi_z and its factors (60), rocker_tip ---
   // rocker_tip
-  const double s6_6 = a_coupler_x - s2_1*s6_2 - (a_rocker_x - s2_3*s6_5);
-  const double s6_7 = s2_2*s6_5 + (s6_4 - J_rocker_tip_crank_pin*s6_2);
-  // loop block 0
-  const double s6_8 = s2_9*(s2_6*s6_6 - s6_7);
-  const double s6_9 = s2_5*(J_rocker_tip_crank_pin*s6_8 - s6_6);
+  const double s2_1 = 0.2*R_coupler_x_z + 0.31999999999999995*R_coupler_x_x;
+  const double s2_2 = 0.2*R_coupler_x_x - 0.31999999999999995*R_coupler_x_z;
+  const double s2_3 = 0.25*R_rocker_x_z + 0.019999999999999962*R_rocker_x_x;
+  const double s2_4 = 0.25*R_rocker_x_x - 0.019999999999999962*R_rocker_x_z;
+  const double s2_5 = r_coupler_z + s2_2;
+  const double s2_6 = 1.0/s2_4;
+  const double s2_7 = s2_3*s2_6;
+  const double s2_8 = s2_5*s2_7 - r_coupler_x - s2_1;
+  const double s2_9 = s2_2*s2_7 - s2_1;
+  const double s2_10 = 2.5000000000000004*std::abs(s2_8);
+  result.pivot[0] = mbgen::min(3.999888870509994*std::abs(s2_4), s2_10);
+  // operations: 8 add, 13 multiply, 1 divide, 3 other
+
+  // --- step 3: Rz (61), rocker_tip ---
+  const double s3_1 = 1.0/s2_8;
+  const double s3_2 = s2_9*s3_1;
+  const double s3_3 = s2_6*(s2_5*s3_2 - s2_2);
+  // operations: 1 add, 3 multiply, 1 divide
+
+  // --- step 6: c and dRz/dt zd (62), rocker_tip ---
+  const double zd_crank_pin = state.zd[Coordinate::crank_pin];
+  const double s6_1 = zd_crank_pin*zd_crank_pin;
+  const double s6_2 = r_coupler_z*s6_1;
+  const double w_coupler_y = zd_crank_pin + state.zd[Coordinate::coupler_pin];
+  const double s6_3 = w_coupler_y*w_coupler_y;
+  const double zd_rocker_pin = state.zd[Coordinate::rocker_pin];
+  const double s6_4 = zd_rocker_pin*zd_rocker_pin;
+  const double s6_5 = r_coupler_x*s6_1;
+  const double s6_6 = s2_3*s6_4 - s6_5 - s2_1*s6_3;
+  const double s6_7 = s2_4*s6_4 - s6_2 - s2_2*s6_3 + s2_7*s6_6;
+  // rocker_tip
+  const double s6_8 = s3_1*s6_7;
+  const double s6_9 = s6_5 + r_coupler_z*s6_8;
+  const double s6_10 = s2_6*(s2_5*s6_8 - s6_6);
   // operations: 8 add, 14 multiply
 
-  // --- step 7: accelerations Zdot and accumulated forces QR - PR (51), (52) ---
-  // coupler: coupler_pin, revolute, crank
-  const double a_coupler_z = 9.81 + s6_4;
-  // rocker: rocker_pin, revolute, ground
-  const double a_rocker_z = 9.81 - 0.4*s6_9;
+  // --- step 7: inertias of the bodies and forces on joints, rocker_tip ---
   // crank: crank_pin, revolute, ground
-  const double s7_1 = s1_5*(0.8*(9.81 + (s1_5*s6_8 - s1_6*s6_1)));
-  const double s7_2 = 7e-04*s6_8 + (s7_1 + s1_6*(0.8*(s1_6*s6_8 + s1_5*s6_1)));
+  const double s7_1 = 0.0008000000000000001*R_crank_x_z + 0.0026500000000000004*R_crank_x_x;
+  const double s7_2 = 0.00037000000000000005*R_crank_x_z + 0.0008000000000000001*R_crank_x_x;
+  const double s7_3 = R_crank_x_z*s7_2 + R_crank_x_x*s7_1;
+  const double s7_4 = s7_3 + (0.0030200000000000005 - s7_3);
+  const double s7_5 = 0.016*R_crank_x_z + 0.04000000000000001*R_crank_x_x;
+  const double s7_6 = 5.000000000000002e-05 + s7_4 - 5.000000000000002e-05;
   // coupler: coupler_pin, revolute, crank
-  const double s7_3 = 1.5*(a_coupler_x - (s1_9*s6_8 + s1_8*s6_2));
-  const double s7_4 = 1.5*(a_coupler_z + (s1_8*s6_8 - s1_9*s6_2));
-  const double s7_5 = s1_9*s7_3 - s1_8*s7_4 - 0.021*s6_8;
+  const double s7_7 = 0.024749999999999998*R_coupler_x_z + 0.049249999999999995*R_coupler_x_x;
+  const double s7_8 = 0.02365*R_coupler_x_z + 0.024749999999999998*R_coupler_x_x;
+  const double s7_9 = R_coupler_x_z*s7_8 + R_coupler_x_x*s7_7;
+  const double s7_10 = s7_9 + (0.07289999999999999 - s7_9);
+  const double s7_11 = 0.165*R_coupler_x_z + 0.22499999999999998*R_coupler_x_x;
+  const double s7_12 = 0.165*R_coupler_x_x - 0.22499999999999998*R_coupler_x_z;
+  const double s7_13 = 0.0005000000000000004 + s7_10 - 0.0005000000000000004;
   // rocker: rocker_pin, revolute, ground
-  const double s7_6 = 1.1*(a_rocker_z + (s1_16*s6_9 - s1_15*s6_5));
-  const double s7_7 = s1_15*(1.1*(a_rocker_x - (s1_15*s6_9 + s1_16*s6_5))) - s1_16*s7_6;
-  const double s7_8 = s5_8 - (s7_7 - 0.006*s6_9) + 0.4*(s5_7 - s7_6);
-  const double Q_rocker_pin = tau[Coordinate::rocker_pin] + s7_8;
+  const double s7_14 = 0.001319999999999994*R_rocker_x_z + 0.00020999999999999925*R_rocker_x_x;
+  const double s7_15 = 0.021740000000000002*R_rocker_x_z + 0.001319999999999994*R_rocker_x_x;
+  const double s7_16 = R_rocker_x_z*s7_15 + R_rocker_x_x*s7_14;
+  const double s7_17 = s7_16 + (0.02195 - s7_16);
+  const double s7_18 = 0.132*R_rocker_x_z + 0.010999999999999949*R_rocker_x_x;
+  const double s7_19 = 0.00010000000000000026 + s7_17 - 0.00010000000000000026;
+  // operations: 25 add, 26 multiply
+
+  // --- step 8: elimination from the leaves to the root (63), rocker_tip ---
   // coupler: coupler_pin, revolute, crank
-  const double s7_9 = r_coupler_z*s7_3 - r_coupler_x*s7_4 - s7_5;
-  const double Q_coupler_pin = tau[Coordinate::coupler_pin] + s7_9;
-  const double s7_10 = s7_2 - s7_5;
+  const double s8_1 = r_coupler_z*s3_2;
+  const double s8_2 = r_coupler_x*s3_2;
+  const double s8_3 = 1.0 - s3_2;
+  const double s8_4 = s7_12*s8_3;
+  const double s8_5 = s8_3*(s8_3*s7_13 - s7_11*s8_2 - s7_12*s8_1);
   // crank: crank_pin, revolute, ground
-  const double Q_crank_pin = s7_10 + (inputs.torque + tau[Coordinate::crank_pin]);
-  // operations: 29 add, 31 multiply
-
-  // --- step 8: Rz' M Rz and right-hand side (63) ---
-  // coupler: coupler_pin, revolute, crank
-  const double F_coupler_pin_x = s1_11 - 1.5*r_coupler_z;
-  const double F_coupler_pin_z = 1.5*r_coupler_x - s1_10;
-  const double N_coupler_pin_y = s1_12 - (r_coupler_x*s1_10 + r_coupler_z*s1_11);
+  const double s8_6 = 9.81*s7_5 + s6_8*s7_4;
   // rocker: rocker_pin, revolute, ground
-  const double F_rocker_pin_z = 0.44000000000000006 - s1_17;
-  const double N_rocker_pin_y = s1_18 - 0.4*s1_17;
-  const double s8_1 = r_coupler_x*F_coupler_pin_z - r_coupler_z*F_coupler_pin_x;
-  const double s8_2 = Rz_crank_pin_0*(N_coupler_pin_y + N_crank_pin_y*Rz_crank_pin_0);
-  const double s8_3 = Rz_rocker_pin_0*(Rz_rocker_pin_0*(N_rocker_pin_y + 0.4*F_rocker_pin_z));
-  const double s8_4 = N_coupler_pin_y + s8_1 + Rz_crank_pin_0*N_coupler_pin_y + s8_2 + s8_3;
-  const double s8_5 = Q_coupler_pin + Rz_crank_pin_0*Q_crank_pin;
-  const double s8_6 = s8_5 + Rz_rocker_pin_0*Q_rocker_pin;
-  // operations: 15 add, 15 multiply
+  // crank: crank_pin, revolute, ground
+  const double s8_7 = s3_2*(s3_2*s7_6) + s8_5;
+  // coupler: coupler_pin, revolute, crank
+  const double s8_8 = 9.81 - s6_2 + r_coupler_x*s6_8;
+  const double s8_9 = s8_3*(s7_11*s8_8 + s7_12*s6_9 + s6_8*s7_10);
+  const double s8_10 = s6_8*s7_12 + s6_3*s7_11 + 1.5*s6_9;
+  const double s8_11 = s6_8*s7_11 - s6_3*s7_12 + 1.5*s8_8;
+  const double s8_12 = s8_4 - 1.5*s8_1;
+  const double s8_13 = 1.5*s8_2 - s7_11*s8_3;
+  // rocker: rocker_pin, revolute, ground
+  const double s8_14 = tau[Coordinate::coupler_pin] - s8_2*s8_11 - s8_1*s8_10 + s8_9;
+  const double s8_15 = s3_3*(tau[Coordinate::rocker_pin] + (s5_8 + 9.81*s7_18 + s6_10*s7_17));
+  const double s8_16 = s8_14 - s3_2*(inputs.torque + tau[Coordinate::crank_pin] + s8_6) - s8_15;
+  const double s8_17 = s8_7 + s8_2*s8_13 - s8_1*s8_12 + s3_3*(s3_3*s7_19);
+  result.inertia[0] = s8_17 - 1e-12*s8_17;
+  const double s8_18 = 1.0/s8_17;
+  // operations: 29 add, 36 multiply, 1 divide
 
-  // --- step 9: independent and all accelerations (63), (62) ---
-  result.inertia[0] = s8_4 - 1e-12*s8_4;
-  const double s9_1 = s8_6*(1.0/s8_4);
+  // --- step 9: accelerations from the root to the leaves (63), (62) ---
+  // rocker: rocker_pin, revolute, ground
+  const double s9_1 = s8_16*s8_18;
   result.zdd[Coordinate::coupler_pin] = s9_1;
-  result.zdd[Coordinate::crank_pin] = Rz_crank_pin_0*s9_1 - s6_8;
-  result.zdd[Coordinate::rocker_pin] = Rz_rocker_pin_0*s9_1 - s6_9;
-  // operations: 3 add, 4 multiply, 1 divide
+  result.zdd[Coordinate::crank_pin] = -(s6_8 + s3_2*s9_1);
+  result.zdd[Coordinate::rocker_pin] = -(s6_10 + s3_3*s9_1);
+  // operations: 2 add, 3 multiply
 }
 
 /// Result of compute_closure.
@@ -217,11 +193,11 @@ void compute_closure(const Parameters& /*parameters*/, const Inputs& /*inputs*/,
 
   // --- step 2: closure Jacobian Phi_z and its factors (60) ---
   // rocker_tip
-  const double s2_1 = r_coupler_x + (0.2*R_coupler_x_z + 0.31999999999999995*R_coupler_x_x);
-  const double J_rocker_tip_crank_pin = r_coupler_z + (0.2*R_coupler_x_x -
-      0.31999999999999995*R_coupler_x_z);
+  const double s2_1 = r_coupler_x + 0.2*R_coupler_x_z + 0.31999999999999995*R_coupler_x_x;
+  const double J_rocker_tip_crank_pin = r_coupler_z + 0.2*R_coupler_x_x -
+      0.31999999999999995*R_coupler_x_z;
   const double s2_2 = 0.25*R_rocker_x_x - 0.019999999999999962*R_rocker_x_z;
-  const double s2_3 = 0.4 + (0.25*R_rocker_x_z + 0.019999999999999962*R_rocker_x_x);
+  const double s2_3 = 0.4 + 0.25*R_rocker_x_z + 0.019999999999999962*R_rocker_x_x;
   const double s2_4 = s2_1 - s2_3;
   result.residual[0] = s2_4;
   const double s2_5 = J_rocker_tip_crank_pin - s2_2;
@@ -238,14 +214,14 @@ void compute_closure(const Parameters& /*parameters*/, const Inputs& /*inputs*/,
 
   // --- step 4: velocities Z (36) ---
   // loop block 0
-  const double s3_1 = s2_9*(s2_4*s2_7 - s2_5);
-  result.dz[Coordinate::crank_pin] = -s3_1;
-  result.dz[Coordinate::rocker_pin] = -(s2_6*(J_rocker_tip_crank_pin*s3_1 - s2_4));
+  const double s4_1 = s2_9*(s2_4*s2_7 - s2_5);
+  result.dz[Coordinate::crank_pin] = -s4_1;
+  result.dz[Coordinate::rocker_pin] = -(s2_6*(J_rocker_tip_crank_pin*s4_1 - s2_4));
   const double zd_coupler_pin = state.zd[Coordinate::coupler_pin];
-  const double s3_2 = zd_coupler_pin*J_rocker_tip_coupler_pin;
-  const double s3_3 = s2_9*(s2_7*s3_2 - zd_coupler_pin*J_rocker_tip_coupler_pin_2);
-  result.zd[Coordinate::crank_pin] = -s3_3;
-  result.zd[Coordinate::rocker_pin] = -(s2_6*(J_rocker_tip_crank_pin*s3_3 - s3_2));
+  const double s4_2 = zd_coupler_pin*J_rocker_tip_coupler_pin;
+  const double s4_3 = s2_9*(s2_7*s4_2 - zd_coupler_pin*J_rocker_tip_coupler_pin_2);
+  result.zd[Coordinate::crank_pin] = -s4_3;
+  result.zd[Coordinate::rocker_pin] = -(s2_6*(J_rocker_tip_crank_pin*s4_3 - s4_2));
   // operations: 4 add, 10 multiply
   result.residual[1] = 0.0;
   result.residual[3] = 0.0;
@@ -288,13 +264,13 @@ void compute_multipliers(const Parameters& parameters, const Inputs& inputs, con
   const double s1_5 = s1_2 + 0.02*R_crank_x_z;
   const double s1_6 = 0.02*R_crank_x_x - s1_1;
   // coupler: coupler_pin, revolute, crank
-  const double s1_7 = r_coupler_x + (0.11*R_coupler_x_z + 0.15*R_coupler_x_x);
-  const double s1_8 = r_coupler_z + (0.11*R_coupler_x_x - 0.15*R_coupler_x_z);
+  const double s1_7 = r_coupler_x + 0.11*R_coupler_x_z + 0.15*R_coupler_x_x;
+  const double s1_8 = r_coupler_z + 0.11*R_coupler_x_x - 0.15*R_coupler_x_z;
   // rocker: rocker_pin, revolute, ground
-  const double s1_9 = 0.009999999999999953*R_rocker_x_x;
-  const double s1_10 = 0.009999999999999953*R_rocker_x_z;
-  const double s1_11 = 0.12*R_rocker_x_x - s1_10;
-  const double s1_12 = 0.4 + (0.12*R_rocker_x_z + s1_9);
+  const double s1_9 = 0.009999999999999953*R_rocker_x_z;
+  const double s1_10 = 0.12*R_rocker_x_x - s1_9;
+  const double s1_11 = 0.4 + 0.009999999999999953*R_rocker_x_x;
+  const double s1_12 = s1_11 + 0.12*R_rocker_x_z;
   // operations: 13 add, 18 multiply, 6 sin cos
 
   // --- step 4: velocities Z (36) ---
@@ -305,75 +281,73 @@ void compute_multipliers(const Parameters& parameters, const Inputs& inputs, con
 
   // --- step 5: applied forces Q (48) ---
   // return_spring
-  const double s3_1 = 0.15*R_rocker_x_x - s1_10;
-  const double s3_2 = 0.4 + (s1_9 + 0.15*R_rocker_x_z);
-  const double s3_3 = 0.6 - s3_2;
-  const double s3_4 = 0.1 - s3_1;
-  const double s3_5 = std::sqrt(s3_4*s3_4 + s3_3*s3_3);
-  const double tension_return_spring = parameters.k*(s3_5 - 0.18);
-  const double s3_6 = 1.0/s3_5*tension_return_spring;
-  const double s3_7 = s3_4*s3_6;
-  const double s3_8 = s3_1*(s3_3*s3_6) - s3_2*s3_7;
-  // operations: 8 add, 10 multiply, 1 divide, 1 sqrt
+  const double s5_1 = 0.15*R_rocker_x_x - s1_9;
+  const double s5_2 = s1_11 + 0.15*R_rocker_x_z;
+  const double s5_3 = 0.6 - s5_2;
+  const double s5_4 = 0.1 - s5_1;
+  const double s5_5 = std::sqrt(s5_4*s5_4 + s5_3*s5_3);
+  const double tension_return_spring = parameters.k*(s5_5 - 0.18);
+  const double s5_6 = 1.0/s5_5*tension_return_spring;
+  const double s5_7 = s5_4*s5_6;
+  const double s5_8 = s5_1*(s5_3*s5_6) - s5_2*s5_7;
+  // operations: 7 add, 10 multiply, 1 divide, 1 sqrt
 
   // --- step 7: accelerations Zdot and accumulated forces QR - PR (51), (52) ---
   // crank: crank_pin, revolute, ground
-  const double s4_1 = zd_crank_pin*zd_crank_pin;
+  const double s7_1 = zd_crank_pin*zd_crank_pin;
   // coupler: coupler_pin, revolute, crank
   const double zdd_crank_pin = derivative.zdd[Coordinate::crank_pin];
   const double alpha_coupler_y = zdd_crank_pin + derivative.zdd[Coordinate::coupler_pin];
-  const double s4_2 = w_coupler_y*w_coupler_y;
-  const double s4_3 = s4_2 - s4_1;
-  const double a_coupler_x = r_coupler_z*(zdd_crank_pin - alpha_coupler_y) + r_coupler_x*s4_3;
-  const double s4_4 = r_coupler_z*s4_3 + r_coupler_x*(alpha_coupler_y - zdd_crank_pin);
-  const double a_coupler_z = 9.81 + s4_4;
+  const double s7_2 = w_coupler_y*w_coupler_y;
+  const double s7_3 = s7_2 - s7_1;
+  const double a_coupler_x = r_coupler_z*(zdd_crank_pin - alpha_coupler_y) + r_coupler_x*s7_3;
+  const double a_coupler_z = 9.81 + r_coupler_z*s7_3 + r_coupler_x*(alpha_coupler_y -
+      zdd_crank_pin);
   // rocker: rocker_pin, revolute, ground
   const double zd_rocker_pin = state.zd[Coordinate::rocker_pin];
-  const double s4_5 = zd_rocker_pin*zd_rocker_pin;
-  const double a_rocker_x = 0.4*s4_5;
+  const double s7_4 = zd_rocker_pin*zd_rocker_pin;
+  const double a_rocker_x = 0.4*s7_4;
   const double zdd_rocker_pin = derivative.zdd[Coordinate::rocker_pin];
   const double a_rocker_z = 9.81 + 0.4*zdd_rocker_pin;
   // crank: crank_pin, revolute, ground
-  const double s4_6 = s1_5*(0.8*(9.81 - (s1_6*s4_1 + zdd_crank_pin*s1_5)));
-  const double s4_7 = s1_6*(0.8*(zdd_crank_pin*s1_6 - s1_5*s4_1)) - s4_6;
-  const double s4_8 = 7e-04*zdd_crank_pin + s4_7;
   // coupler: coupler_pin, revolute, crank
-  const double s4_9 = 1.5*(a_coupler_x + (s1_8*alpha_coupler_y - s1_7*s4_2));
-  const double s4_10 = 1.5*(a_coupler_z - (s1_8*s4_2 + s1_7*alpha_coupler_y));
-  const double s4_11 = 0.021*alpha_coupler_y + (s1_8*s4_9 - s1_7*s4_10);
+  const double s7_5 = 1.5*(a_coupler_x + s1_8*alpha_coupler_y - s1_7*s7_2);
+  const double s7_6 = 1.5*(a_coupler_z - s1_8*s7_2 - s1_7*alpha_coupler_y);
+  const double s7_7 = 0.021*alpha_coupler_y + s1_8*s7_5 - s1_7*s7_6;
   // rocker: rocker_pin, revolute, ground
-  const double s4_12 = 1.1*(a_rocker_z - (s1_11*s4_5 + zdd_rocker_pin*s1_12));
-  const double s4_13 = s1_11*(1.1*(a_rocker_x + (zdd_rocker_pin*s1_11 - s1_12*s4_5)));
-  const double s4_14 = s3_8 - (0.006*zdd_rocker_pin + (s4_13 - s1_12*s4_12));
-  const double Q_rocker_pin = tau[Coordinate::rocker_pin] + (s4_14 + 0.4*(s3_7 - s4_12));
+  const double s7_8 = 1.1*(a_rocker_z - s1_10*s7_4 - zdd_rocker_pin*s1_12);
+  const double s7_9 = s1_10*(1.1*(a_rocker_x + zdd_rocker_pin*s1_10 - s1_12*s7_4));
+  const double s7_10 = tau[Coordinate::rocker_pin] + s5_8 - 0.006*zdd_rocker_pin - s7_9;
+  const double Q_rocker_pin = s7_10 + s1_12*s7_8 + 0.4*(s5_7 - s7_8);
   result.missing[2] = Q_rocker_pin;
   // coupler: coupler_pin, revolute, crank
-  const double s4_15 = r_coupler_z*s4_9 - r_coupler_x*s4_10 - s4_11;
-  result.missing[1] = tau[Coordinate::coupler_pin] + s4_15;
-  const double s4_16 = s4_8 + s4_11;
+  const double s7_11 = tau[Coordinate::coupler_pin] - s7_7 + r_coupler_z*s7_5;
+  result.missing[1] = s7_11 - r_coupler_x*s7_6;
   // crank: crank_pin, revolute, ground
-  const double Q_crank_pin = inputs.torque + tau[Coordinate::crank_pin] - s4_16;
+  const double s7_12 = inputs.torque + tau[Coordinate::crank_pin] - s7_7 - 7e-04*zdd_crank_pin;
+  const double s7_13 = s7_12 - s1_6*(0.8*(zdd_crank_pin*s1_6 - s1_5*s7_1));
+  const double Q_crank_pin = s7_13 + s1_5*(0.8*(9.81 - s1_6*s7_1 - zdd_crank_pin*s1_5));
   result.missing[0] = Q_crank_pin;
   // operations: 35 add, 39 multiply
 
   // --- step 9: independent and all accelerations (63), (62) ---
   // rocker_tip
-  const double s5_1 = r_coupler_x + (0.2*R_coupler_x_z + 0.31999999999999995*R_coupler_x_x);
-  const double J_rocker_tip_crank_pin = r_coupler_z + (0.2*R_coupler_x_x -
-      0.31999999999999995*R_coupler_x_z);
-  const double s5_2 = 0.25*R_rocker_x_x - 0.019999999999999962*R_rocker_x_z;
-  const double s5_3 = 0.4 - (0.4 + (0.25*R_rocker_x_z + 0.019999999999999962*R_rocker_x_x));
+  const double J_rocker_tip_crank_pin = r_coupler_z + 0.2*R_coupler_x_x -
+      0.31999999999999995*R_coupler_x_z;
+  const double s9_1 = 0.25*R_rocker_x_x - 0.019999999999999962*R_rocker_x_z;
+  const double s9_2 = 0.25*R_rocker_x_z + 0.019999999999999962*R_rocker_x_x;
   // loop block 0
-  const double s5_4 = 1.0/s5_2;
-  const double s5_5 = s5_3*s5_4;
-  const double s5_6 = s5_1 + J_rocker_tip_crank_pin*s5_5;
-  const double s5_7 = 2.5000000000000004*std::abs(s5_6);
-  result.pivot[0] = mbgen::min(3.999888870509994*std::abs(s5_2), s5_7);
-  const double s5_8 = Q_rocker_pin*s5_4;
-  const double s5_9 = 1.0/s5_6*(Q_crank_pin + J_rocker_tip_crank_pin*s5_8);
-  result.lambda[2] = -s5_9;
-  result.lambda[0] = s5_5*s5_9 - s5_8;
-  // operations: 11 add, 16 multiply, 2 divide, 3 other
+  const double s9_3 = 1.0/s9_1;
+  const double s9_4 = s9_2*s9_3;
+  const double s9_5 = r_coupler_x + 0.2*R_coupler_x_z + 0.31999999999999995*R_coupler_x_x;
+  const double s9_6 = s9_5 - J_rocker_tip_crank_pin*s9_4;
+  const double s9_7 = 2.5000000000000004*std::abs(s9_6);
+  result.pivot[0] = mbgen::min(3.999888870509994*std::abs(s9_1), s9_7);
+  const double s9_8 = Q_rocker_pin*s9_3;
+  const double s9_9 = 1.0/s9_6*(Q_crank_pin + J_rocker_tip_crank_pin*s9_8);
+  result.lambda[2] = -s9_9;
+  result.lambda[0] = -(s9_8 + s9_4*s9_9);
+  // operations: 9 add, 16 multiply, 2 divide, 3 other
   result.lambda[1] = 0.0;
   result.lambda[3] = 0.0;
   result.lambda[4] = 0.0;
@@ -413,36 +387,31 @@ void compute_closure_terms(const Parameters& /*parameters*/, const Inputs& /*inp
   // operations: 4 add, 8 multiply, 6 sin cos
 
   // --- step 2: closure Jacobian Phi_z and its factors (60) ---
-  // crank: crank_pin, revolute, ground
-  const double zd_crank_pin = state.zd[Coordinate::crank_pin];
-  const double s2_1 = zd_crank_pin*zd_crank_pin;
   // coupler: coupler_pin, revolute, crank
-  const double s2_2 = zd_crank_pin + state.zd[Coordinate::coupler_pin];
-  const double s2_3 = s2_2*s2_2;
-  const double s2_4 = s2_3 - s2_1;
-  const double s2_5 = r_coupler_x*s2_4;
-  const double s2_6 = r_coupler_z*s2_4;
+  const double zd_crank_pin = state.zd[Coordinate::crank_pin];
+  const double s2_1 = zd_crank_pin + state.zd[Coordinate::coupler_pin];
+  const double s2_2 = s2_1*s2_1;
+  const double s2_3 = s2_2 - zd_crank_pin*zd_crank_pin;
   // rocker: rocker_pin, revolute, ground
   const double zd_rocker_pin = state.zd[Coordinate::rocker_pin];
-  const double s2_7 = zd_rocker_pin*zd_rocker_pin;
-  const double s2_8 = 0.4*s2_7;
+  const double s2_4 = zd_rocker_pin*zd_rocker_pin;
   // rocker_tip
-  const double s2_9 = r_coupler_x + (0.2*R_coupler_x_z + 0.31999999999999995*R_coupler_x_x);
-  const double J_rocker_tip_crank_pin = r_coupler_z + (0.2*R_coupler_x_x -
-      0.31999999999999995*R_coupler_x_z);
+  const double s2_5 = r_coupler_x + 0.2*R_coupler_x_z + 0.31999999999999995*R_coupler_x_x;
+  const double J_rocker_tip_crank_pin = r_coupler_z + 0.2*R_coupler_x_x -
+      0.31999999999999995*R_coupler_x_z;
   result.Jz[0] = J_rocker_tip_crank_pin;
-  const double s2_10 = 0.25*R_rocker_x_x - 0.019999999999999962*R_rocker_x_z;
-  const double s2_11 = 0.4 + (0.25*R_rocker_x_z + 0.019999999999999962*R_rocker_x_x);
-  result.Phi[0] = s2_9 - s2_11;
-  result.Phi[2] = J_rocker_tip_crank_pin - s2_10;
-  result.Jz[2] = -s2_10;
-  result.Jz[6] = -s2_9;
+  const double s2_6 = 0.25*R_rocker_x_x - 0.019999999999999962*R_rocker_x_z;
+  const double s2_7 = 0.4 + 0.25*R_rocker_x_z + 0.019999999999999962*R_rocker_x_x;
+  result.Phi[0] = s2_5 - s2_7;
+  result.Phi[2] = J_rocker_tip_crank_pin - s2_6;
+  result.Jz[2] = -s2_6;
+  result.Jz[6] = -s2_5;
   result.Jz[1] = J_rocker_tip_crank_pin - r_coupler_z;
-  result.c[0] = -(s2_5 - s2_3*s2_9 - (s2_8 - s2_7*s2_11));
-  result.Jz[7] = r_coupler_x - s2_9;
-  result.Jz[8] = -(0.4 - s2_11);
-  result.c[2] = -(s2_7*s2_10 + (s2_6 - s2_3*J_rocker_tip_crank_pin));
-  // operations: 19 add, 18 multiply
+  result.c[0] = s2_2*s2_5 - r_coupler_x*s2_3 + s2_4*(0.4 - s2_7);
+  result.Jz[7] = r_coupler_x - s2_5;
+  result.Jz[8] = s2_7 - 0.4;
+  result.c[2] = s2_2*J_rocker_tip_crank_pin - s2_4*s2_6 - r_coupler_z*s2_3;
+  // operations: 19 add, 17 multiply
   result.Phi[1] = 0.0;
   result.Phi[3] = 0.0;
   result.Phi[4] = 0.0;
@@ -507,23 +476,24 @@ void compute_chosen_accelerations(const Parameters& parameters, const Inputs& in
   // crank: crank_pin, revolute, ground
   const double s1_5 = s1_2 + 0.02*R_crank_x_z;
   const double s1_6 = 0.02*R_crank_x_x - s1_1;
-  const double s1_7 = 7e-04 + (0.8*(s1_5*s1_5) + 0.8*(s1_6*s1_6));
+  const double s1_7 = s1_5*s1_5;
+  const double s1_8 = s1_6*s1_6;
   // coupler: coupler_pin, revolute, crank
-  const double s1_8 = r_coupler_x + (0.11*R_coupler_x_z + 0.15*R_coupler_x_x);
-  const double s1_9 = r_coupler_z + (0.11*R_coupler_x_x - 0.15*R_coupler_x_z);
-  const double s1_10 = 1.5*s1_8;
+  const double s1_9 = r_coupler_x + 0.11*R_coupler_x_z + 0.15*R_coupler_x_x;
+  const double s1_10 = r_coupler_z + 0.11*R_coupler_x_x - 0.15*R_coupler_x_z;
   const double s1_11 = 1.5*s1_9;
-  const double s1_12 = 0.021 + (1.5*(s1_8*s1_8) + 1.5*(s1_9*s1_9));
+  const double s1_12 = 1.5*s1_10;
+  const double s1_13 = 0.021 + 1.5*(s1_9*s1_9 + s1_10*s1_10);
   // rocker: rocker_pin, revolute, ground
-  const double s1_13 = 0.009999999999999953*R_rocker_x_x;
   const double s1_14 = 0.009999999999999953*R_rocker_x_z;
   const double s1_15 = 0.12*R_rocker_x_x - s1_14;
-  const double s1_16 = 0.4 + (0.12*R_rocker_x_z + s1_13);
-  const double s1_17 = 1.1*s1_16;
-  const double s1_18 = 0.006 + (1.1*(s1_16*s1_16) + 1.1*(s1_15*s1_15));
+  const double s1_16 = 0.4 + 0.009999999999999953*R_rocker_x_x;
+  const double s1_17 = s1_16 + 0.12*R_rocker_x_z;
+  const double s1_18 = 1.1*s1_17;
+  const double s1_19 = 0.006 + 1.1*(s1_17*s1_17 + s1_15*s1_15);
   // coupler: coupler_pin, revolute, crank
-  const double N_crank_pin_y = s1_7 + s1_12;
-  // operations: 20 add, 33 multiply, 6 sin cos
+  const double N_crank_pin_y = 7e-04 + s1_13 + 0.8*(s1_7 + s1_8);
+  // operations: 20 add, 30 multiply, 6 sin cos
 
   // --- step 4: velocities Z (36) ---
   // coupler: coupler_pin, revolute, crank
@@ -533,78 +503,77 @@ void compute_chosen_accelerations(const Parameters& parameters, const Inputs& in
 
   // --- step 5: applied forces Q (48) ---
   // return_spring
-  const double s3_1 = 0.15*R_rocker_x_x - s1_14;
-  const double s3_2 = 0.4 + (s1_13 + 0.15*R_rocker_x_z);
-  const double s3_3 = 0.6 - s3_2;
-  const double s3_4 = 0.1 - s3_1;
-  const double s3_5 = std::sqrt(s3_4*s3_4 + s3_3*s3_3);
-  const double tension_return_spring = parameters.k*(s3_5 - 0.18);
-  const double s3_6 = 1.0/s3_5*tension_return_spring;
-  const double s3_7 = s3_4*s3_6;
-  const double s3_8 = s3_1*(s3_3*s3_6) - s3_2*s3_7;
-  // operations: 8 add, 10 multiply, 1 divide, 1 sqrt
+  const double s5_1 = 0.15*R_rocker_x_x - s1_14;
+  const double s5_2 = s1_16 + 0.15*R_rocker_x_z;
+  const double s5_3 = 0.6 - s5_2;
+  const double s5_4 = 0.1 - s5_1;
+  const double s5_5 = std::sqrt(s5_4*s5_4 + s5_3*s5_3);
+  const double tension_return_spring = parameters.k*(s5_5 - 0.18);
+  const double s5_6 = 1.0/s5_5*tension_return_spring;
+  const double s5_7 = s5_4*s5_6;
+  const double s5_8 = s5_1*(s5_3*s5_6) - s5_2*s5_7;
+  // operations: 7 add, 10 multiply, 1 divide, 1 sqrt
 
   // --- step 7: accelerations Zdot and accumulated forces QR - PR (51), (52) ---
   // crank: crank_pin, revolute, ground
-  const double s4_1 = zd_crank_pin*zd_crank_pin;
+  const double s7_1 = zd_crank_pin*zd_crank_pin;
   // coupler: coupler_pin, revolute, crank
   const double alpha_coupler_y = projection.zdd_star[0] + projection.zdd_star[1];
-  const double s4_2 = w_coupler_y*w_coupler_y;
-  const double s4_3 = s4_2 - s4_1;
-  const double s4_4 = r_coupler_z*(projection.zdd_star[0] - alpha_coupler_y);
-  const double a_coupler_x = s4_4 + r_coupler_x*s4_3;
-  const double s4_5 = r_coupler_x*(alpha_coupler_y - projection.zdd_star[0]);
-  const double a_coupler_z = 9.81 + (r_coupler_z*s4_3 + s4_5);
+  const double s7_2 = w_coupler_y*w_coupler_y;
+  const double s7_3 = s7_2 - s7_1;
+  const double s7_4 = r_coupler_z*(projection.zdd_star[0] - alpha_coupler_y);
+  const double a_coupler_x = s7_4 + r_coupler_x*s7_3;
+  const double s7_5 = r_coupler_x*(alpha_coupler_y - projection.zdd_star[0]);
+  const double a_coupler_z = 9.81 + r_coupler_z*s7_3 + s7_5;
   // rocker: rocker_pin, revolute, ground
   const double zd_rocker_pin = state.zd[Coordinate::rocker_pin];
-  const double s4_6 = zd_rocker_pin*zd_rocker_pin;
-  const double a_rocker_x = 0.4*s4_6;
+  const double s7_6 = zd_rocker_pin*zd_rocker_pin;
+  const double a_rocker_x = 0.4*s7_6;
   const double a_rocker_z = 9.81 + 0.4*projection.zdd_star[2];
   // crank: crank_pin, revolute, ground
-  const double s4_7 = s1_5*(0.8*(9.81 - (s1_6*s4_1 + s1_5*projection.zdd_star[0])));
-  const double s4_8 = s1_6*(0.8*(s1_6*projection.zdd_star[0] - s1_5*s4_1)) - s4_7;
-  const double s4_9 = 7e-04*projection.zdd_star[0] + s4_8;
   // coupler: coupler_pin, revolute, crank
-  const double s4_10 = 1.5*(a_coupler_x + (s1_9*alpha_coupler_y - s1_8*s4_2));
-  const double s4_11 = 1.5*(a_coupler_z - (s1_9*s4_2 + s1_8*alpha_coupler_y));
-  const double s4_12 = 0.021*alpha_coupler_y + (s1_9*s4_10 - s1_8*s4_11);
+  const double s7_7 = 1.5*(a_coupler_x + s1_10*alpha_coupler_y - s1_9*s7_2);
+  const double s7_8 = 1.5*(a_coupler_z - s1_10*s7_2 - s1_9*alpha_coupler_y);
+  const double s7_9 = 0.021*alpha_coupler_y + s1_10*s7_7 - s1_9*s7_8;
   // rocker: rocker_pin, revolute, ground
-  const double s4_13 = 1.1*(a_rocker_z - (s1_15*s4_6 + s1_16*projection.zdd_star[2]));
-  const double s4_14 = s1_15*(1.1*(a_rocker_x + (s1_15*projection.zdd_star[2] - s1_16*s4_6)));
-  const double s4_15 = s3_8 - (0.006*projection.zdd_star[2] + (s4_14 - s1_16*s4_13));
-  const double Q_rocker_pin = tau[Coordinate::rocker_pin] + (s4_15 + 0.4*(s3_7 - s4_13));
+  const double s7_10 = 1.1*(a_rocker_z - s1_15*s7_6 - s1_17*projection.zdd_star[2]);
+  const double s7_11 = s1_15*(1.1*(a_rocker_x + s1_15*projection.zdd_star[2] - s1_17*s7_6));
+  const double s7_12 = s5_8 + tau[Coordinate::rocker_pin] - 0.006*projection.zdd_star[2];
+  const double Q_rocker_pin = s7_12 - s7_11 + s1_17*s7_10 + 0.4*(s5_7 - s7_10);
   // coupler: coupler_pin, revolute, crank
-  const double s4_16 = r_coupler_z*s4_10 - r_coupler_x*s4_11 - s4_12;
-  const double Q_coupler_pin = tau[Coordinate::coupler_pin] + s4_16;
-  const double s4_17 = s4_9 + s4_12;
+  const double s7_13 = tau[Coordinate::coupler_pin] - s7_9 + r_coupler_z*s7_7;
+  const double Q_coupler_pin = s7_13 - r_coupler_x*s7_8;
   // crank: crank_pin, revolute, ground
-  const double Q_crank_pin = inputs.torque + tau[Coordinate::crank_pin] - s4_17;
+  const double s7_14 = inputs.torque + tau[Coordinate::crank_pin] - s7_9;
+  const double s7_15 = s1_6*(0.8*(s1_6*projection.zdd_star[0] - s1_5*s7_1));
+  const double s7_16 = s1_5*(0.8*(9.81 - s1_6*s7_1 - s1_5*projection.zdd_star[0]));
+  const double Q_crank_pin = s7_14 - 7e-04*projection.zdd_star[0] - s7_15 + s7_16;
   // operations: 35 add, 39 multiply
 
   // --- step 8: Rz' M Rz and right-hand side (63) ---
   // coupler: coupler_pin, revolute, crank
-  const double F_coupler_pin_x = s1_11 - 1.5*r_coupler_z;
-  const double F_coupler_pin_z = 1.5*r_coupler_x - s1_10;
-  const double N_coupler_pin_y = s1_12 - (r_coupler_x*s1_10 + r_coupler_z*s1_11);
+  const double F_coupler_pin_x = s1_12 - 1.5*r_coupler_z;
+  const double F_coupler_pin_z = 1.5*r_coupler_x - s1_11;
+  const double N_coupler_pin_y = s1_13 - r_coupler_x*s1_11 - r_coupler_z*s1_12;
   // rocker: rocker_pin, revolute, ground
-  const double F_rocker_pin_z = 0.44000000000000006 - s1_17;
-  const double N_rocker_pin_y = s1_18 - 0.4*s1_17;
-  const double s5_1 = r_coupler_x*F_coupler_pin_z - r_coupler_z*F_coupler_pin_x;
-  const double s5_2 = projection.Rz[1]*(N_coupler_pin_y + s5_1);
-  const double s5_3 = N_crank_pin_y*projection.Rz[0] + projection.Rz[1]*N_coupler_pin_y;
-  const double s5_4 = projection.Rz[1]*(projection.Rz[0]*N_coupler_pin_y + s5_2);
-  const double s5_5 = projection.Rz[2]*(N_rocker_pin_y + 0.4*F_rocker_pin_z);
-  const double s5_6 = projection.Rz[0]*s5_3 + s5_4 + projection.Rz[2]*s5_5;
-  const double s5_7 = projection.Rz[0]*Q_crank_pin + projection.Rz[1]*Q_coupler_pin;
-  const double s5_8 = s5_7 + projection.Rz[2]*Q_rocker_pin;
+  const double F_rocker_pin_z = 0.44000000000000006 - s1_18;
+  const double N_rocker_pin_y = s1_19 - 0.4*s1_18;
+  const double s8_1 = N_coupler_pin_y + r_coupler_x*F_coupler_pin_z;
+  const double s8_2 = projection.Rz[1]*(s8_1 - r_coupler_z*F_coupler_pin_x);
+  const double s8_3 = N_crank_pin_y*projection.Rz[0] + projection.Rz[1]*N_coupler_pin_y;
+  const double s8_4 = projection.Rz[1]*(projection.Rz[0]*N_coupler_pin_y + s8_2);
+  const double s8_5 = projection.Rz[2]*(N_rocker_pin_y + 0.4*F_rocker_pin_z);
+  const double s8_6 = projection.Rz[0]*s8_3 + s8_4 + projection.Rz[2]*s8_5;
+  const double s8_7 = projection.Rz[0]*Q_crank_pin + projection.Rz[1]*Q_coupler_pin;
+  const double s8_8 = s8_7 + projection.Rz[2]*Q_rocker_pin;
   // operations: 15 add, 19 multiply
 
   // --- step 9: independent and all accelerations (63), (62) ---
-  result.inertia[0] = s5_6 - 1e-12*s5_6;
-  const double s6_1 = s5_8*(1.0/s5_6);
-  result.zdd[Coordinate::crank_pin] = projection.zdd_star[0] + projection.Rz[0]*s6_1;
-  result.zdd[Coordinate::coupler_pin] = projection.zdd_star[1] + projection.Rz[1]*s6_1;
-  result.zdd[Coordinate::rocker_pin] = projection.zdd_star[2] + projection.Rz[2]*s6_1;
+  result.inertia[0] = s8_6 - 1e-12*s8_6;
+  const double s9_1 = s8_8*(1.0/s8_6);
+  result.zdd[Coordinate::crank_pin] = projection.zdd_star[0] + projection.Rz[0]*s9_1;
+  result.zdd[Coordinate::coupler_pin] = projection.zdd_star[1] + projection.Rz[1]*s9_1;
+  result.zdd[Coordinate::rocker_pin] = projection.zdd_star[2] + projection.Rz[2]*s9_1;
   // operations: 4 add, 5 multiply, 1 divide
 }
 
@@ -634,19 +603,19 @@ void compute_outputs(const Parameters& parameters, const Inputs& inputs, const S
   const double s1_5 = s1_2 + 0.02*R_crank_x_z;
   const double s1_6 = 0.02*R_crank_x_x - s1_1;
   // coupler: coupler_pin, revolute, crank
-  const double s1_7 = r_coupler_x + (0.11*R_coupler_x_z + 0.15*R_coupler_x_x);
-  const double s1_8 = r_coupler_z + (0.11*R_coupler_x_x - 0.15*R_coupler_x_z);
+  const double s1_7 = r_coupler_x + 0.11*R_coupler_x_z + 0.15*R_coupler_x_x;
+  const double s1_8 = r_coupler_z + 0.11*R_coupler_x_x - 0.15*R_coupler_x_z;
   // rocker: rocker_pin, revolute, ground
-  const double s1_9 = 0.009999999999999953*R_rocker_x_x;
-  const double s1_10 = 0.009999999999999953*R_rocker_x_z;
-  const double s1_11 = 0.12*R_rocker_x_x - s1_10;
-  const double s1_12 = 0.4 + (0.12*R_rocker_x_z + s1_9);
+  const double s1_9 = 0.009999999999999953*R_rocker_x_z;
+  const double s1_10 = 0.12*R_rocker_x_x - s1_9;
+  const double s1_11 = 0.4 + 0.009999999999999953*R_rocker_x_x;
+  const double s1_12 = s1_11 + 0.12*R_rocker_x_z;
   // operations: 13 add, 18 multiply, 6 sin cos
 
   // --- step 4: velocities Z (36) ---
   // coupler: coupler_pin, revolute, crank
   const double zd_coupler_pin = state.zd[Coordinate::coupler_pin];
-  const double s2_1 = zd_coupler_pin*r_coupler_z;
+  const double s4_1 = zd_coupler_pin*r_coupler_z;
   const double v_coupler_z = zd_coupler_pin*r_coupler_x;
   const double zd_crank_pin = state.zd[Coordinate::crank_pin];
   const double w_coupler_y = zd_crank_pin + zd_coupler_pin;
@@ -657,48 +626,48 @@ void compute_outputs(const Parameters& parameters, const Inputs& inputs, const S
 
   // --- step 5: applied forces Q (48) ---
   // return_spring
-  const double s3_1 = 0.15*R_rocker_x_x - s1_10;
-  const double s3_2 = 0.4 + (s1_9 + 0.15*R_rocker_x_z);
-  const double s3_3 = 0.6 - s3_2;
-  const double s3_4 = 0.1 - s3_1;
-  const double s3_5 = std::sqrt(s3_4*s3_4 + s3_3*s3_3);
-  const double tension_return_spring = parameters.k*(s3_5 - 0.18);
+  const double s5_1 = 0.15*R_rocker_x_x - s1_9;
+  const double s5_2 = s1_11 + 0.15*R_rocker_x_z;
+  const double s5_3 = 0.6 - s5_2;
+  const double s5_4 = 0.1 - s5_1;
+  const double s5_5 = std::sqrt(s5_4*s5_4 + s5_3*s5_3);
+  const double tension_return_spring = parameters.k*(s5_5 - 0.18);
   result.spring_force = tension_return_spring;
-  const double s3_6 = 1.0/s3_5*tension_return_spring;
-  const double s3_7 = s3_4*s3_6;
-  const double s3_8 = s3_1*(s3_3*s3_6) - s3_2*s3_7;
-  // operations: 8 add, 10 multiply, 1 divide, 1 sqrt
+  const double s5_6 = 1.0/s5_5*tension_return_spring;
+  const double s5_7 = s5_4*s5_6;
+  const double s5_8 = s5_1*(s5_3*s5_6) - s5_2*s5_7;
+  // operations: 7 add, 10 multiply, 1 divide, 1 sqrt
 
   // --- step 7: accelerations Zdot and accumulated forces QR - PR (51), (52) ---
   // crank: crank_pin, revolute, ground
-  const double s4_1 = 7e-04*zd_crank_pin;
+  const double s7_1 = 7e-04*zd_crank_pin;
   // coupler: coupler_pin, revolute, crank
-  const double s4_2 = 0.021*w_coupler_y;
+  const double s7_2 = 0.021*w_coupler_y;
   // rocker: rocker_pin, revolute, ground
-  const double s4_3 = 0.006*zd_rocker_pin;
+  const double s7_3 = 0.006*zd_rocker_pin;
   // crank: crank_pin, revolute, ground
-  const double s4_4 = inputs.torque + tau[Coordinate::crank_pin];
+  const double s7_4 = inputs.torque + tau[Coordinate::crank_pin];
   // operations: 1 add, 3 multiply
 
   // --- step 9: independent and all accelerations (63), (62) ---
   // coupler_x
-  result.coupler_x = r_coupler_x + (0.25*R_coupler_x_z + 0.19999999999999998*R_coupler_x_x);
-  result.coupler_z = r_coupler_z + (0.25*R_coupler_x_x - 0.19999999999999998*R_coupler_x_z);
+  result.coupler_x = r_coupler_x + 0.25*R_coupler_x_z + 0.19999999999999998*R_coupler_x_x;
+  result.coupler_z = r_coupler_z + 0.25*R_coupler_x_x - 0.19999999999999998*R_coupler_x_z;
   // spring_force
-  const double s5_1 = zd_crank_pin*s1_6;
-  const double s5_2 = zd_crank_pin*s1_5;
-  const double s5_3 = s1_8*w_coupler_y - s2_1;
-  const double s5_4 = v_coupler_z - s1_7*w_coupler_y;
-  const double s5_5 = zd_crank_pin*s4_1 + 0.8*(s5_2*s5_2 + s5_1*s5_1);
-  const double s5_6 = zd_rocker_pin*s1_11;
-  const double s5_7 = v_rocker_z - zd_rocker_pin*s1_12;
-  const double s5_8 = w_coupler_y*s4_2 + (s5_5 + 1.5*(s5_4*s5_4 + s5_3*s5_3));
-  result.potential_energy = 0.8*(9.81*s1_6) + 1.5*(9.81*s1_8) + 1.1*(9.81*s1_11);
-  const double s5_9 = zd_crank_pin*s4_4 + zd_coupler_pin*tau[Coordinate::coupler_pin];
-  const double s5_10 = s5_9 + (zd_rocker_pin*s3_8 + v_rocker_z*s3_7);
-  result.applied_power = zd_rocker_pin*tau[Coordinate::rocker_pin] + s5_10;
-  result.kinetic_energy = 0.5*(zd_rocker_pin*s4_3 + (s5_8 + 1.1*(s5_7*s5_7 + s5_6*s5_6)));
-  // operations: 21 add, 34 multiply
+  const double s9_1 = zd_crank_pin*s1_6;
+  const double s9_2 = zd_crank_pin*s1_5;
+  const double s9_3 = s1_8*w_coupler_y - s4_1;
+  const double s9_4 = v_coupler_z - s1_7*w_coupler_y;
+  const double s9_5 = zd_rocker_pin*s1_10;
+  const double s9_6 = v_rocker_z - zd_rocker_pin*s1_12;
+  const double s9_7 = zd_rocker_pin*s7_3 + w_coupler_y*s7_2 + zd_crank_pin*s7_1;
+  const double s9_8 = s9_7 + 0.8*(s9_2*s9_2 + s9_1*s9_1) + 1.5*(s9_4*s9_4 + s9_3*s9_3);
+  result.potential_energy = 0.8*(9.81*s1_6) + 1.5*(9.81*s1_8) + 1.1*(9.81*s1_10);
+  const double s9_9 = zd_crank_pin*s7_4 + zd_coupler_pin*tau[Coordinate::coupler_pin];
+  const double s9_10 = zd_rocker_pin*(tau[Coordinate::rocker_pin] + s5_8);
+  result.applied_power = s9_9 + v_rocker_z*s5_7 + s9_10;
+  result.kinetic_energy = 0.5*(s9_8 + 1.1*(s9_6*s9_6 + s9_5*s9_5));
+  // operations: 21 add, 33 multiply
   result.crank_angle = z_crank_pin;
 }
 
