@@ -1,0 +1,83 @@
+#include "bench/compare/contestants.hpp"
+
+#include <fmt/format.h>
+
+#include <exception>
+#include <memory>
+
+#include "bench/foreign/mujoco_mechanism.hpp"
+#include "bench/foreign/simbody_mechanism.hpp"
+#include "bench/foreign/straightforward_maggi.hpp"
+
+namespace mbgen::compare {
+namespace {
+
+using namespace foreign;
+
+ForeignState foreign_state(const cli::LoadedState& at) { return {at.state.z, at.state.zd, at.tau}; }
+
+/// An engine around a mechanism with accelerations, load and run.
+template <class Mechanism>
+cli::Engine engine_of(std::shared_ptr<Mechanism> mechanism) {
+  cli::Engine engine;
+  engine.accelerations = [mechanism](const cli::LoadedState& at, GenericDerivative& derivative) {
+    derivative.zdd = mechanism->accelerations(foreign_state(at));
+    return Status{};
+  };
+  engine.time_accelerations = [mechanism](const std::vector<cli::LoadedState>& at, int repetitions) {
+    if (repetitions == 0) {
+      std::vector<ForeignState> states;
+      for (const cli::LoadedState& one : at) states.push_back(foreign_state(one));
+      mechanism->load(states);
+    }
+    mechanism->run(repetitions);
+    return 0LL;
+  };
+  return engine;
+}
+
+/// Gives a contestant its engine, or says why there is none.
+template <class Mechanism, class... Arguments>
+void take_part(Contestant& contestant, const Arguments&... arguments) {
+  try {
+    contestant.engine = engine_of(std::make_shared<Mechanism>(arguments...));
+  } catch (const std::exception& problem) {
+    contestant.absent = problem.what();
+  }
+}
+
+Contestant mbgen_engine(const Compilation& compilation, const std::string& engine, const std::string& name,
+                        const std::string& remark) {
+  cli::EngineChoice choice;
+  choice.name = engine;
+  return {engine, name, remark, "", true, cli::make_engine(compilation, choice)};
+}
+
+}  // namespace
+
+std::vector<Contestant> contestants(const Compilation& compilation) {
+  const ReferenceMechanism mechanism = reference_mechanism(compilation.model, compilation.topology);
+  std::vector<Contestant> all;
+  all.push_back(mbgen_engine(compilation, "generated", "mbgen, generated", ""));
+  all.push_back(mbgen_engine(compilation, "generic", "mbgen, generic (Eigen)", "flags of mbgen itself"));
+  all.push_back(
+      {"straightforward", "straightforward Maggi on Eigen", "full pivoting in every evaluation", "", true, {}});
+  take_part<StraightforwardMaggi>(all.back(), mechanism, compilation.topology);
+  all.push_back({"simbody",
+                 fmt::format("Simbody {}", SimbodyMechanism::version()),
+                 "Debian's package, built with assertions",
+                 "",
+                 true,
+                 {}});
+  take_part<SimbodyMechanism>(all.back(), mechanism);
+  all.push_back({"mujoco",
+                 fmt::format("MuJoCo {}", MujocoMechanism::version()),
+                 "Debian's package, no AVX; constraints are soft",
+                 "",
+                 compilation.topology.loops.empty(),
+                 {}});
+  take_part<MujocoMechanism>(all.back(), mechanism);
+  return all;
+}
+
+}  // namespace mbgen::compare

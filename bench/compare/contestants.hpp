@@ -1,0 +1,24 @@
+#pragma once
+// Who takes part in the comparison: mbgen's engines and other people's, behind one interface.
+
+#include <string>
+#include <vector>
+
+#include "compiler/cli/engine.hpp"
+
+namespace mbgen::compare {
+
+/// An engine with what a reader of its figures must know.
+struct Contestant {
+  std::string key;     ///< for machines: generated, generic, straightforward, simbody, mujoco
+  std::string name;    ///< for tables
+  std::string remark;  ///< "" when there is nothing to say
+  std::string absent;  ///< why there is no engine; "" when there is one
+  bool exact = true;   ///< solves the equations of motion, and not something near them
+  cli::Engine engine;  ///< name, accelerations and time_accelerations are set
+};
+
+/// Everybody, mbgen's generated solver first. Fails: UserError when the generated code cannot be compiled.
+std::vector<Contestant> contestants(const Compilation& compilation);
+
+}  // namespace mbgen::compare
