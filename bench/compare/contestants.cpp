@@ -8,6 +8,7 @@
 #include "bench/foreign/mujoco_mechanism.hpp"
 #include "bench/foreign/simbody_mechanism.hpp"
 #include "bench/foreign/straightforward_maggi.hpp"
+#include "compiler/cli/user_error.hpp"
 
 namespace mbgen::compare {
 namespace {
@@ -53,12 +54,24 @@ Contestant mbgen_engine(const Compilation& compilation, const std::string& engin
   return {engine, name, remark, "", true, cli::make_engine(compilation, choice)};
 }
 
+/// The generated solver, and that of the other form of the equations where there is one.
+void add_generated(const Compilation& compilation, std::vector<Contestant>& all) {
+  const Form form = compilation.programs.form;
+  all.push_back(mbgen_engine(compilation, "generated", fmt::format("mbgen, generated, {}", name_of(form)), ""));
+  const Form other_form = form == Form::matrix ? Form::recursive : Form::matrix;
+  const Compilation other = cli::expect(compile(compilation.model, other_form));
+  if (other.programs.form == form) return;
+  all.push_back(mbgen_engine(other, "generated", fmt::format("mbgen, generated, {}", name_of(other_form)),
+                             "the form with more operations"));
+  all.back().key = "other_form";
+}
+
 }  // namespace
 
 std::vector<Contestant> contestants(const Compilation& compilation) {
   const ReferenceMechanism mechanism = reference_mechanism(compilation.model, compilation.topology);
   std::vector<Contestant> all;
-  all.push_back(mbgen_engine(compilation, "generated", "mbgen, generated", ""));
+  add_generated(compilation, all);
   all.push_back(mbgen_engine(compilation, "generic", "mbgen, generic (Eigen)", "flags of mbgen itself"));
   all.push_back(
       {"straightforward", "straightforward Maggi on Eigen", "full pivoting in every evaluation", "", true, {}});
