@@ -26,6 +26,20 @@ void take_form(Programs& programs, std::optional<Form> form) {
   programs.recursive_accelerations = {};
 }
 
+void count_savings(Compilation& compilation) {
+  const auto operations = [](const Program& program) { return count_operations(program).total(); };
+  Programs& programs = compilation.programs;
+  const long* of_form = programs.operations_of_form;
+  std::vector<Saving>& savings = programs.savings;
+  savings.push_back(
+      {"recursive form", of_form[static_cast<int>(Form::matrix)], of_form[static_cast<int>(Form::recursive)]});
+  for (const auto& [name, program] : trace_without(compilation.model, compilation.topology, compilation.analysis))
+    savings.push_back({name, operations(optimise(program)), of_form[static_cast<int>(Form::recursive)]});
+  const Programs traced = trace(compilation.model, compilation.topology, compilation.analysis);
+  const Program& start = programs.form == Form::recursive ? traced.recursive_accelerations : traced.accelerations;
+  for (const PassCount& pass : count_passes(start)) savings.push_back({pass.name, pass.before, pass.after});
+}
+
 Result<Compilation> compile(Model model, std::optional<Form> form) {
   Result<Topology> topology = build_topology(model);
   if (!topology) return topology.problems();

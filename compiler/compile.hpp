@@ -28,6 +28,9 @@ Programs optimise(Programs programs);
 /// Requires: both forms, after the passes.
 void take_form(Programs& programs, std::optional<Form> form);
 
+/// Counts what treatments and passes save: traces the accelerations again without each. For `inspect`.
+void count_savings(Compilation& compilation);
+
 /// Analyses and traces a model. form: of the accelerations, none for the cheaper one. Fails: as the first stage that
 /// fails.
 Result<Compilation> compile(Model model, std::optional<Form> form = {});

@@ -145,6 +145,9 @@ Json make_report(const Compilation& compilation) {
   report["form"] = name_of(programs.form);
   report["operations_of_form"] = {{"matrix", programs.operations_of_form[static_cast<int>(Form::matrix)]},
                                   {"recursive", programs.operations_of_form[static_cast<int>(Form::recursive)]}};
+  report["savings"] = Json::array();
+  for (const Saving& saving : programs.savings)
+    report["savings"].push_back({{"treatment", saving.name}, {"without", saving.without}, {"with", saving.with}});
   report["operations"] = Json::object();
   for (const Program* program : all_programs(programs)) {
     report["operations"][program->name] = report_program(*program);

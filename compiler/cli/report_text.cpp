@@ -105,6 +105,9 @@ std::string operations_text(const Json& report) {
   std::string text =
       fmt::format("\nForm of the accelerations: {} ({} operations matrix, {} recursive)\n",
                   report["form"].get<std::string>(), forms["matrix"].get<long>(), forms["recursive"].get<long>());
+  for (const auto& saving : report["savings"])
+    text += fmt::format("  {:<40}{:>8} operations without it, {:>8} with\n", saving["treatment"].get<std::string>(),
+                        saving["without"].get<long>(), saving["with"].get<long>());
   for (const auto& [name, program] : report["operations"].items()) {
     text += fmt::format("\n  {:<52}{:>8}{:>8}{:>8}{:>8}{:>8}{:>8}{:>8}\n", "Operations of " + name, "+ -", "*", "/",
                         "sqrt", "trig", "other", "+ - * /");

@@ -105,6 +105,7 @@ Layout choose_layout(const Model& model, const Topology& topology, Frames frames
     if (in_block(topology, i)) continue;
     const bool leaf = topology.children[i].empty();
     if (frames == Frames::few && carries[i] && (first || !leaf)) own[i] = true;
+    if (frames == Frames::all) own[i] = carries[i] || leaf;
     if (frames == Frames::own && (carries[i] || leaf)) {
       const bool held = p != kGround && (in_block(topology, p) || carries[p]);
       own[i] = !(held && is_rotor(model, topology, i));

@@ -30,7 +30,8 @@ struct Layout {
 /// Which bodies outside loop blocks have frames of their own.
 enum class Frames {
   few,  ///< where it saves work on accumulated inertias: the matrix form
-  own   ///< all but rotors, whose inertia their base holds: the recursive form
+  own,  ///< all but rotors, whose inertia their base holds: the recursive form
+  all   ///< rotors as well
 };
 
 /// Chooses the frames: own frames for block bases, for the first massive or branching body above ground (so that the

@@ -328,6 +328,7 @@ void gather_rod(RecursionState<T>& s, BlockGathering<T>& g, const RodConstants<T
 template <class T>
 bool is_arm(const RecursionState<T>& s, const RecursionUnit& unit, const JointStep& step) {
   const int i = step.body();
+  if (!s.work.recursion.choices.arms) return false;
   if (!step.revolute || step.quasi() || unit.base == kGround || s.work.own(i) || s.work.parent(step) != unit.base)
     return false;
   return std::none_of(s.units().begin(), s.units().end(), [i](const RecursionUnit& u) { return u.base == i; });

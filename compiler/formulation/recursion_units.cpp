@@ -36,8 +36,9 @@ std::vector<JointStep> steps_of(const Topology& topology, const std::vector<int>
 
 }  // namespace
 
-Recursion plan_recursion(const Model& model, const Topology& topology, const std::vector<bool>& driven) {
-  Recursion recursion{choose_layout(model, topology, Frames::own), {}};
+Recursion plan_recursion(const Model& model, const Topology& topology, const std::vector<bool>& driven,
+                         RecursionChoices choices) {
+  Recursion recursion{choices, choose_layout(model, topology, choices.rotors ? Frames::own : Frames::all), {}};
   for (const JointGroup& group : topology.groups) {
     RecursionUnit unit;
     const int last = group.joints.back();

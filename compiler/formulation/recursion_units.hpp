@@ -30,14 +30,22 @@ struct RecursionUnit {
   int end() const { return joints.back(); }
 };
 
+/// Treatments that the recursive form can do without; what each saves is counted (see RecursionChoices in `inspect`).
+struct RecursionChoices {
+  bool rotors = true;  ///< bodies symmetric about their joint's axis are held by their base
+  bool arms = true;    ///< the base's angular velocity acts on a block's single-joint bodies as on parts of the base
+};
+
 /// Frames and order of the recursive form.
 struct Recursion {
+  RecursionChoices choices;
   Layout layout;                     ///< own frames for all bodies outside blocks but rotors
   std::vector<RecursionUnit> units;  ///< parents first
 };
 
 /// Plans the recursive form. driven: per tree coordinate; a driven one is never a quasi-velocity.
-Recursion plan_recursion(const Model& model, const Topology& topology, const std::vector<bool>& driven);
+Recursion plan_recursion(const Model& model, const Topology& topology, const std::vector<bool>& driven,
+                         RecursionChoices choices = {});
 
 /// Whether the unit lets its end move in every way: six quasi-velocities.
 bool is_free(const RecursionUnit& unit);

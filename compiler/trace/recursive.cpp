@@ -15,9 +15,10 @@ std::vector<LoopPartition> quasi_partitions(const Analysis& analysis) {
 
 }  // namespace
 
-Program trace_recursive_accelerations(const Model& model, const Topology& topology, const Analysis& analysis) {
-  const Recursion recursion = plan_recursion(model, topology, analysis.driven);
-  Tracing tracing("accelerations", model, topology, analysis, Form::recursive);
+Program trace_recursive_accelerations(const Model& model, const Topology& topology, const Analysis& analysis,
+                                      RecursionChoices choices) {
+  const Recursion recursion = plan_recursion(model, topology, analysis.driven, choices);
+  Tracing tracing("accelerations", model, topology, analysis, &recursion.layout);
   System<Expr>& system = tracing.system;
   const Kinematics<Expr> k = kinematics(system);
   tracing.scribe.step(Step::forces);
@@ -38,6 +39,16 @@ Program trace_recursive_accelerations(const Model& model, const Topology& topolo
   for (std::size_t b = 0; b < topology.blocks.size(); ++b)
     if (analysis.blocks[b].rank > 0) tracing.output("pivot", static_cast<int>(b), solution.quality[b]);
   return tracing.builder.finish();
+}
+
+std::vector<std::pair<std::string, Program>> trace_without(const Model& model, const Topology& topology,
+                                                           const Analysis& analysis) {
+  std::vector<std::pair<std::string, Program>> programs;
+  programs.emplace_back("rotors held by their base",
+                        trace_recursive_accelerations(model, topology, analysis, {.rotors = false}));
+  programs.emplace_back("arms turn with their base",
+                        trace_recursive_accelerations(model, topology, analysis, {.arms = false}));
+  return programs;
 }
 
 }  // namespace mbgen

@@ -43,6 +43,12 @@ enum class Form {
 
 const char* name_of(Form form);
 
+/// What a treatment of the equations saves, in operations of the accelerations.
+struct Saving {
+  std::string name;
+  long without = 0, with = 0;
+};
+
 struct Programs {
   Program accelerations;  ///< z zd x t tau in par -> zdd xd pivot inertia; frozen partition, the hot path
   Program closure;        ///< z zd t in par -> residual dz zd pivot; frozen Newton step; only with loops or motions
@@ -54,6 +60,7 @@ struct Programs {
   Program recursive_accelerations;  ///< the slots of `accelerations`, in the recursive form; empty once one is taken
   Form form = Form::matrix;         ///< of `accelerations`
   long operations_of_form[2] = {0, 0};  ///< of `accelerations` after the passes, by Form, once one is taken
+  std::vector<Saving> savings;          ///< treatments with their counts, where they were counted
   std::vector<std::string> free_direction_coordinate;  ///< per index of `inertia`: coordinate that names the direction
   std::vector<int> free_directions_of_block;           ///< per block: f
   std::vector<int> residual_equation_of;               ///< per block: first index of its equations in `residual`
@@ -65,7 +72,11 @@ int auxiliary_state_count(const Model& model);
 /// Names and units of the auxiliary states.
 std::vector<std::string> auxiliary_state_names(const Model& model);
 
-/// Traces every program of the matrix form (theory.md sections 1 to 5), in the paper's nine steps.
+/// The recursive program without one treatment each, with its name.
+std::vector<std::pair<std::string, Program>> trace_without(const Model& model, const Topology& topology,
+                                                           const Analysis& analysis);
+
+/// Traces every program (theory.md sections 1 to 5); the accelerations in both forms.
 Programs trace(const Model& model, const Topology& topology, const Analysis& analysis);
 
 }  // namespace mbgen

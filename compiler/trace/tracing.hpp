@@ -14,10 +14,10 @@ namespace mbgen {
 class Tracing {
  public:
   Tracing(const std::string& name, const Model& model, const Topology& topology, const Analysis& analysis,
-          Form form = Form::matrix)
+          const Layout* recursive_layout = nullptr)
       : builder(name),
-        scribe{builder, form},
-        layout(choose_layout(model, topology, form == Form::matrix ? Frames::few : Frames::own)),
+        scribe{builder, recursive_layout ? Form::recursive : Form::matrix},
+        layout(recursive_layout ? *recursive_layout : choose_layout(model, topology)),
         analysis(analysis),
         system{model, topology, layout, environment(model, topology), {}, {}, scribe} {
     scribe.step(Step::inertias);
