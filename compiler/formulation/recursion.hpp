@@ -137,12 +137,14 @@ void set_velocities(RecursionState<T>& s) {
         const int i = step.body();
         s.omega[i] = base + s.blocks[u].velocity[i].angular;
         if (s.work.own(i)) s.omega[i] = transposed_times(s.k().orientation[i], s.omega[i]);
+        name(system.scribe, s.omega[i], "w_", system.body_name(i));
       }
       continue;
     }
     Vector<T>& omega = s.omega[unit.end()];
     omega = s.runs[u].before = transposed_times(s.k().orientation[unit.end()], base);
     for (const JointStep& step : unit.steps) omega = omega + step_motion(s.work, step, s.velocity).angular;
+    name(system.scribe, omega, "w_", system.body_name(unit.end()));
   }
 }
 
@@ -192,6 +194,8 @@ void set_block_bias(RecursionState<T>& s, std::size_t u, const Partition& partit
   parts.bias = block_bias(s.work, unit, parts.velocity);
   const SparseClosure<T> closed = quasi_closure(s.work, unit, parts.velocity, parts.bias);
   parts.star = frozen_zdd_star(parts.factors, partition, closed, driven);
+  for (std::size_t c = 0; c < parts.star.size(); ++c)
+    s.system().scribe.name(parts.star[c], "zdd_star_", s.system().topology.bodies[unit.joints[c]].coordinate);
 }
 
 /// A vector over a block's columns as values per tree joint.
@@ -292,6 +296,7 @@ void gather_body(RecursionState<T>& s, BlockGathering<T>& g, int i) {
   g.base.above = g.base.above + shifted(place, whole);
   g.base.reduced = g.base.reduced + shifted(place, body.reduced);
   g.base.needed = g.base.needed + shifted(place, needed);
+  name(s.system().scribe, needed, "f", "n", s.system().body_name(i));
   add_to_equations(g, i, place, whole, body.reduced, needed);
 }
 
@@ -578,6 +583,8 @@ void solve_block(RecursionState<T>& s, std::size_t u, std::vector<T>& zdd) {
     if (grounded) a.linear = a.linear - system.constants.gravity;
     if (s.work.own(i))
       a = {transposed_times(s.k().orientation[i], a.linear), transposed_times(s.k().orientation[i], a.angular)};
+    name(system.scribe, a.linear, "a_", system.body_name(i));
+    name(system.scribe, a.angular, "alpha_", system.body_name(i));
     s.acceleration[i] = a;
   }
 }
@@ -607,6 +614,8 @@ void solve_run(RecursionState<T>& s, std::size_t u, std::vector<T>& zdd) {
     a = base + run.bias;
     for (std::size_t q = 0; q < free.size(); ++q) a = a + free[q] * run.directions[q];
   }
+  name(s.system().scribe, a.linear, "a_", s.system().body_name(e));
+  name(s.system().scribe, a.angular, "alpha_", s.system().body_name(e));
   for (int j : unit.joints)
     if (const T* driven = s.driven(j)) zdd[j] = *driven;
   for (std::size_t q = 0; q < free.size(); ++q) zdd[run.columns[q]] = free[q];
@@ -659,6 +668,9 @@ void eliminate_block(RecursionState<T>& s, std::size_t u, const AppliedForces<T>
   quality = parts.factors.quality;
   scribe.step(Step::projection, name);
   parts.rz = frozen_rz(parts.factors, partition, unit.joints.size());
+  for (std::size_t c = 0; c < parts.rz.size(); ++c)
+    for (std::size_t q = 0; q < parts.rz[c].size(); ++q)
+      scribe.name(parts.rz[c][q], "Rz_", s.system().topology.bodies[unit.joints[c]].coordinate, "_", std::to_string(q));
   scribe.step(Step::closure_bias, name);
   set_block_bias(s, u, partition);
   scribe.step(Step::accelerations, name);

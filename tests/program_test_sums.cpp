@@ -1,0 +1,142 @@
+// The passes that rewrite and reorder sums.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+#include <random>
+
+#include "compiler/passes/passes.hpp"
+
+namespace mbgen {
+namespace {
+
+/// A program of one output over inputs x[0..5].
+Program program_of(const std::function<Expr(const std::vector<Expr>&)>& body) {
+  ProgramBuilder builder("f");
+  std::vector<Expr> x;
+  for (int i = 0; i < 6; ++i) x.emplace_back(builder, builder.input("x", i));
+  builder.set_section("step 1");
+  builder.output("y", 0, body(x).value(builder));
+  return builder.finish();
+}
+
+long operations(const Program& program) { return count_operations(remove_dead_values(program)).total(); }
+
+TEST(FactorSums, TakesACommonFactorOut) {
+  const Program program = program_of([](const auto& x) { return x[0] * x[1] + x[0] * x[2] + x[3] - x[0] * x[4]; });
+  EXPECT_EQ(operations(program), 6);
+  EXPECT_EQ(operations(factor_sums(program)), 4);  // x3 + x0 (x1 + x2 - x4)
+}
+
+TEST(FactorSums, CancelsAcrossTheSum) {
+  const Program program = program_of([](const auto& x) { return (x[0] * x[1] + x[2]) - (x[0] * x[1] - x[3]); });
+  EXPECT_EQ(operations(factor_sums(program)), 1);  // x2 + x3
+  const Program nothing = program_of([](const auto& x) { return (x[0] + x[1]) - (x[1] + x[0]); });
+  EXPECT_EQ(operations(factor_sums(nothing)), 0);
+  EXPECT_EQ(interpret(factor_sums(nothing), std::vector<double>(nothing.inputs.size(), 3.0))[0], 0.0);
+}
+
+TEST(FactorSums, PutsConstantsTogether) {
+  const Program program = program_of([](const auto& x) { return (2.5 + x[0] * x[1]) + (x[2] - 0.5); });
+  EXPECT_EQ(operations(factor_sums(program)), 3);
+}
+
+TEST(FactorSums, LeavesNamedValuesAndThoseOfTwoUsersAlone) {
+  ProgramBuilder builder("f");
+  const Expr a(builder, builder.input("x", 0)), b(builder, builder.input("x", 1)), c(builder, builder.input("x", 2));
+  const Expr product = a * b, sum = product + a * c;
+  builder.label(product.value(builder), "named");
+  builder.output("y", 0, sum.value(builder));
+  builder.output("y", 1, (sum * c).value(builder));
+  const Program rewritten = factor_sums(builder.finish());
+  EXPECT_EQ(rewritten.labels, std::vector<std::string>{"named"});
+  EXPECT_EQ(operations(rewritten), 4);
+}
+
+TEST(FactorSums, NegativeSumsKeepTheirSign) {
+  const Program program = program_of([](const auto& x) { return -(x[0] * x[1]) - x[2] * x[1] - x[3] * x[4]; });
+  const Program rewritten = factor_sums(program);
+  EXPECT_EQ(interpret(rewritten, std::vector<double>{2, 3, 5, 7, 11, 13})[0], -(6.0 + 15.0 + 77.0));
+}
+
+/// Random straight-line programs of sums and products.
+Program random_program(unsigned seed) {
+  std::mt19937 random(seed);
+  ProgramBuilder builder("f");
+  std::vector<Expr> values;
+  for (int i = 0; i < 5; ++i) values.emplace_back(builder, builder.input("x", i));
+  const auto any = [&] { return values[random() % values.size()]; };
+  for (int i = 0; i < 60; ++i) {
+    builder.set_section("step " + std::to_string(i / 20 + 1));
+    switch (random() % 4) {
+      case 0:
+        values.push_back(any() + any());
+        break;
+      case 1:
+        values.push_back(any() - any());
+        break;
+      case 2:
+        values.push_back(any() * any());
+        break;
+      default:
+        values.push_back(any() * 0.25 - any());
+    }
+    values.back() = values.back() * 0.5;  // so that values stay small
+  }
+  for (int i = 0; i < 4; ++i) builder.output("y", i, any().value(builder));
+  return builder.finish();
+}
+
+TEST(Passes, RandomSumsKeepTheirValuesAndGetNoDearer) {
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> number(-1, 1);
+  for (unsigned seed = 0; seed < 300; ++seed) {
+    const Program program = remove_dead_values(random_program(seed)), rewritten = factor_sums(program);
+    EXPECT_LE(operations(rewritten), operations(program)) << seed;
+    const Program ordered = shorten_lifetimes(rewritten);
+    EXPECT_EQ(operations(ordered), operations(rewritten)) << seed;
+    std::vector<double> inputs(program.inputs.size());
+    for (double& value : inputs) value = number(random);
+    ASSERT_EQ(rewritten.inputs, program.inputs);
+    const std::vector<double> expected = interpret(program, inputs), actual = interpret(rewritten, inputs);
+    for (std::size_t i = 0; i < expected.size(); ++i) EXPECT_NEAR(actual[i], expected[i], 1e-12) << seed;
+    EXPECT_EQ(interpret(ordered, inputs), actual) << seed;
+  }
+}
+
+TEST(ShortenLifetimes, ATermJoinsItsSumWhenItIsKnown) {
+  ProgramBuilder builder("f");
+  std::vector<Expr> x;
+  for (int i = 0; i < 4; ++i) x.emplace_back(builder, builder.input("x", i));
+  const Expr a = sin(x[0]), b = sin(x[1]), c = sin(x[2]), d = sin(x[3]);
+  builder.output("y", 0, (((a + b) + c) + d).value(builder));
+  const Program ordered = shorten_lifetimes(builder.finish());
+  std::vector<Op> operations;
+  for (const Node& node : ordered.nodes)
+    if (node.op != Op::input) operations.push_back(node.op);
+  EXPECT_EQ(operations, (std::vector<Op>{Op::sin, Op::sin, Op::add, Op::sin, Op::add, Op::sin, Op::add}));
+}
+
+TEST(ShortenLifetimes, AValueOfLastingOperandsIsComputedWhereItIsUsed) {
+  ProgramBuilder builder("f");
+  const Expr a(builder, builder.input("x", 0)), b(builder, builder.input("x", 1));
+  builder.set_section("step 1");
+  const Expr u = tan(a), v = tan(b), early = u * v;
+  builder.set_section("step 2");
+  const Expr work = exp(u) * exp(v);
+  builder.output("y", 0, (work / early).value(builder));
+  builder.output("y", 1, (u / v).value(builder));
+  const Program ordered = shorten_lifetimes(builder.finish());
+  const auto is_product = [](const Node& node) { return node.op == Op::multiply; };
+  int products = 0;
+  for (const Node& node : ordered.nodes) {
+    if (!is_product(node)) continue;
+    EXPECT_EQ(ordered.sections[node.section], "step 2");
+    ++products;
+  }
+  EXPECT_EQ(products, 2);
+}
+
+}  // namespace
+}  // namespace mbgen
