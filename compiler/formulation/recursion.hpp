@@ -243,17 +243,24 @@ void start_equations(RecursionState<T>& s, BlockGathering<T>& g) {
   g.parts.star_motion = block_motion(s.work, unit, per_joint(unit, n, g.parts.star));
 }
 
-/// Adds a body's part of the projected equations. needed: by its own free directions.
+/// A motion about another point of the body, `arm` from where it is given.
 template <class T>
-void add_to_equations(BlockGathering<T>& g, int i, const Vector<T>& place, const PseudoInertia<T>& whole,
-                      const ArticulatedInertia<T>& reduced, const Spatial<T>& needed) {
-  for (std::size_t q = 0; q < g.equations.size(); ++q) {
-    const Spatial<T>& partial = g.parts.partial[q][i];
-    const Spatial<T> momentum = whole * partial + reduced * partial;
-    for (std::size_t d = 0; d <= q; ++d)
-      g.equations.mass[q][d] = g.equations.mass[q][d] + dot(g.parts.partial[d][i], momentum);
+Spatial<T> about_point(const Spatial<T>& motion, const Vector<T>& arm) {
+  return {velocity_at(motion, arm), motion.angular};
+}
+
+/// Adds a body's part of the projected equations, about the point `arm` from its origin and `place` from the base's.
+/// needed: by its own free directions.
+template <class T>
+void add_to_equations(BlockGathering<T>& g, int i, const Vector<T>& arm, const Vector<T>& place,
+                      const PseudoInertia<T>& whole, const ArticulatedInertia<T>& reduced, const Spatial<T>& needed) {
+  std::vector<Spatial<T>> partial;
+  for (const std::vector<Spatial<T>>& motion : g.parts.partial) partial.push_back(about_point(motion[i], arm));
+  for (std::size_t q = 0; q < partial.size(); ++q) {
+    const Spatial<T> momentum = whole * partial[q] + reduced * partial[q];
+    for (std::size_t d = 0; d <= q; ++d) g.equations.mass[q][d] = g.equations.mass[q][d] + dot(partial[d], momentum);
     g.equations.momentum[q] = g.equations.momentum[q] + shifted(place, momentum);
-    g.equations.force[q] = g.equations.force[q] - dot(partial, needed);
+    g.equations.force[q] = g.equations.force[q] - dot(partial[q], needed);
   }
 }
 
@@ -273,31 +280,46 @@ void gather_arm(RecursionState<T>& s, BlockGathering<T>& g, int i) {
   g.base.rigid = g.base.rigid + shifted(place, arm.rigid);
   g.base.needed = g.base.needed + shifted(place, needed);
   const Spatial<T> as_part_of_base = field_force(arm.rigid, g.turning_field * place, g.turning_field);
-  add_to_equations(g, i, place, arm.rigid, {}, needed + as_part_of_base);
+  add_to_equations(g, i, Vector<T>{}, place, arm.rigid, {}, needed + as_part_of_base);
 }
 
+/// Whether a unit with a door of its own moves on a body.
+template <class T>
+bool bears_units(const RecursionState<T>& s, int body) {
+  return std::any_of(s.units().begin(), s.units().end(),
+                     [body](const RecursionUnit& u) { return u.base == body && !u.rotor; });
+}
+
+/// Any other body of a block: about its centre of mass where nothing moves on it and that was chosen, else its origin.
 template <class T>
 void gather_body(RecursionState<T>& s, BlockGathering<T>& g, int i) {
+  const Matrix<T>& axes = s.k().orientation[i];
   Carried<T> body = s.carried[i];
-  if (s.work.own(i)) {
-    const Matrix<T>& axes = s.k().orientation[i];
+  Vector<T> arm;
+  if (s.work.own(i))
     body = {rotated(axes, body.rigid), rotated(axes, body.above), rotated(axes, body.reduced),
             rotated(axes, body.needed)};
+  if (s.work.recursion.choices.centres && !is_zero(s.constant[i].mass) && !bears_units(s, i)) {
+    const PseudoInertia<T>& constant = s.constant[i];
+    const Vector<T> com = (T(1.0) / constant.mass) * constant.moment;
+    arm = axes * com;
+    body.rigid = rotated(axes, centred(constant));
+    body.needed = shifted(-arm, body.needed);
   }
-  const Spatial<T>& v = g.parts.velocity[i];
-  const Spatial<T>& extra = g.parts.star_motion[i];
-  const Vector<T>& place = s.k().position[i];
+  const Spatial<T> v = about_point(g.parts.velocity[i], arm), extra = about_point(g.parts.star_motion[i], arm);
+  const BodyAcceleration<T>& bias = g.parts.bias[i];
+  const Vector<T> place = s.k().position[i] + arm;
   const Vector<T> omega = g.turning + v.angular;
-  Vector<T> a = g.parts.bias[i].linear + extra.linear + g.turning_field * place + cross(g.twice, v.linear);
+  Vector<T> a = bias.linear + bias.gradient * arm + extra.linear + g.turning_field * place + cross(g.twice, v.linear);
   if (g.unit.base == kGround) a = a - s.system().constants.gravity;
-  const Vector<T> alpha = g.parts.bias[i].angular + extra.angular + cross(g.turning, v.angular);
+  const Vector<T> alpha = bias.angular + extra.angular + cross(g.turning, v.angular);
   const Spatial<T> needed = needed_in(body, a, alpha, acceleration_gradient(omega, alpha));
   const PseudoInertia<T> whole = body.rigid + body.above;
   g.base.above = g.base.above + shifted(place, whole);
   g.base.reduced = g.base.reduced + shifted(place, body.reduced);
   g.base.needed = g.base.needed + shifted(place, needed);
   name(s.system().scribe, needed, "f", "n", s.system().body_name(i));
-  add_to_equations(g, i, place, whole, body.reduced, needed);
+  add_to_equations(g, i, arm, place, whole, body.reduced, needed);
 }
 
 /// What a rod's mass adds to two point masses m/2: -m/6 times the kinetic energy of the difference of its ends. It has

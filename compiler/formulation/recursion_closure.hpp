@@ -19,7 +19,9 @@ struct NearEnd {
   Spatial<T> velocity;
   BodyAcceleration<T> bias;
   Vector<T> point_velocity() const { return velocity_at(velocity, arm); }
-  Vector<T> point_acceleration() const { return bias.linear + bias.gradient * arm; }
+  Vector<T> point_acceleration() const {
+    return bias.linear + cross(bias.angular, arm) + cross(velocity.angular, cross(velocity.angular, arm));
+  }
 };
 
 /// Wrench rows of a closure about the origins of its two bodies; `acceleration` is the second derivative of the

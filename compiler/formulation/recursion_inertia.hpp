@@ -62,6 +62,13 @@ PseudoInertia<T> rotated(const Matrix<T>& r, const PseudoInertia<T>& m) {
   return {m.mass, r * m.moment, second, m.trace};
 }
 
+/// Entries that cancelled but for rounding become zero.
+template <class T>
+Symmetric<T> without_noise(const Symmetric<T>& s, const T& size) {
+  const auto entry = [&](const T& value) { return without_noise(value, known_size(size)); };
+  return {entry(s.xx), entry(s.yy), entry(s.zz), entry(s.xy), entry(s.xz), entry(s.yz)};
+}
+
 /// From a central inertia: J = tr(K) I - K.
 template <class T>
 PseudoInertia<T> from_central(const T& mass, const Vector<T>& com, const Symmetric<T>& central) {
@@ -69,6 +76,13 @@ PseudoInertia<T> from_central(const T& mass, const Vector<T>& com, const Symmetr
   const Symmetric<T> own{half - central.xx, half - central.yy, half - central.zz,
                          -central.xy,       -central.xz,       -central.yz};
   return pseudo_inertia(mass, mass * com, own + square(mass, com));
+}
+
+/// The same about the centre of mass, with no first moment. Requires: mass.
+template <class T>
+PseudoInertia<T> centred(const PseudoInertia<T>& m) {
+  const Vector<T> com = (T(1.0) / m.mass) * m.moment;
+  return pseudo_inertia(m.mass, Vector<T>{}, without_noise(m.second + square(-m.mass, com), m.trace));
 }
 
 /// J about the origin.

@@ -41,11 +41,20 @@ Program trace_recursive_accelerations(const Model& model, const Topology& topolo
   return tracing.builder.finish();
 }
 
+Program cheapest_recursion(const Model& model, const Topology& topology, const Analysis& analysis) {
+  Program centres = trace_recursive_accelerations(model, topology, analysis);
+  if (topology.blocks.empty()) return centres;
+  Program origins = trace_recursive_accelerations(model, topology, analysis, {.centres = false});
+  return count_operations(origins).total() < count_operations(centres).total() ? origins : centres;
+}
+
 std::vector<std::pair<std::string, Program>> trace_without(const Model& model, const Topology& topology,
                                                            const Analysis& analysis) {
   std::vector<std::pair<std::string, Program>> programs;
   programs.emplace_back("rotors held by their base",
                         trace_recursive_accelerations(model, topology, analysis, {.rotors = false}));
+  programs.emplace_back("bodies seen from their centres of mass",
+                        trace_recursive_accelerations(model, topology, analysis, {.centres = false}));
   programs.emplace_back("arms turn with their base",
                         trace_recursive_accelerations(model, topology, analysis, {.arms = false}));
   return programs;

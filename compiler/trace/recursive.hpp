@@ -10,4 +10,7 @@ namespace mbgen {
 Program trace_recursive_accelerations(const Model& model, const Topology& topology, const Analysis& analysis,
                                       RecursionChoices choices = {});
 
+/// The same with the reference points of the blocks' bodies that take fewer operations.
+Program cheapest_recursion(const Model& model, const Topology& topology, const Analysis& analysis);
+
 }  // namespace mbgen

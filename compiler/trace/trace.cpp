@@ -319,7 +319,7 @@ std::vector<std::string> auxiliary_state_names(const Model& model) {
 Programs trace(const Model& model, const Topology& topology, const Analysis& analysis) {
   Programs programs;
   programs.accelerations = trace_accelerations(model, topology, analysis);
-  programs.recursive_accelerations = trace_recursive_accelerations(model, topology, analysis);
+  programs.recursive_accelerations = cheapest_recursion(model, topology, analysis);
   programs.closure = trace_closure(model, topology, analysis);
   if (!topology.loops.empty()) {
     programs.closure_terms = trace_closure_terms(model, topology, analysis);
