@@ -86,18 +86,17 @@ void compute_accelerations(const Parameters& parameters, const Inputs& inputs, c
   const double zd_crank_pin = state.zd[Coordinate::crank_pin];
   const double s6_1 = zd_crank_pin*zd_crank_pin;
   const double s6_2 = r_coupler_z*s6_1;
-  const double w_coupler_y = zd_crank_pin + state.zd[Coordinate::coupler_pin];
-  const double s6_3 = w_coupler_y*w_coupler_y;
-  const double zd_rocker_pin = state.zd[Coordinate::rocker_pin];
-  const double s6_4 = zd_rocker_pin*zd_rocker_pin;
-  const double s6_5 = r_coupler_x*s6_1;
-  const double s6_6 = s2_3*s6_4 - s6_5 - s2_1*s6_3;
-  const double s6_7 = s2_4*s6_4 - s6_2 - s2_2*s6_3 + s2_7*s6_6;
   // rocker_tip
-  const double s6_8 = s3_1*s6_7;
-  const double s6_9 = s6_5 + r_coupler_z*s6_8;
-  const double s6_10 = s2_6*(s2_5*s6_8 - s6_6);
-  // operations: 8 add, 14 multiply
+  const double zd_rocker_pin = state.zd[Coordinate::rocker_pin];
+  const double s6_3 = r_coupler_x*s6_1;
+  const double w_coupler_y = zd_crank_pin + state.zd[Coordinate::coupler_pin];
+  const double s6_4 = zd_rocker_pin*(zd_rocker_pin*s2_4) - s6_2;
+  const double s6_5 = zd_rocker_pin*(zd_rocker_pin*s2_3) - s6_3;
+  const double s6_6 = s6_5 - w_coupler_y*(w_coupler_y*s2_1);
+  const double s6_7 = s3_1*(s6_4 - w_coupler_y*(w_coupler_y*s2_2) + s2_7*s6_6);
+  const double s6_8 = s6_3 + r_coupler_z*s6_7;
+  const double s6_9 = s2_6*(s2_5*s6_7 - s6_6);
+  // operations: 8 add, 16 multiply
 
   // --- step 7: inertias of the bodies and forces on joints, rocker_tip ---
   // crank: crank_pin, revolute, ground
@@ -126,38 +125,39 @@ void compute_accelerations(const Parameters& parameters, const Inputs& inputs, c
 
   // --- step 8: elimination from the leaves to the root (63), rocker_tip ---
   // coupler: coupler_pin, revolute, crank
-  const double s8_1 = r_coupler_z*s3_2;
-  const double s8_2 = r_coupler_x*s3_2;
-  const double s8_3 = 1.0 - s3_2;
-  const double s8_4 = s7_12*s8_3;
-  const double s8_5 = s8_3*(s8_3*s7_13 - s7_11*s8_2 - s7_12*s8_1);
+  const double s8_1 = w_coupler_y*w_coupler_y;
+  const double s8_2 = r_coupler_z*s3_2;
+  const double s8_3 = r_coupler_x*s3_2;
+  const double s8_4 = 1.0 - s3_2;
+  const double s8_5 = s7_12*s8_4;
+  const double s8_6 = s8_4*(s8_4*s7_13 - s7_11*s8_3 - s7_12*s8_2);
   // crank: crank_pin, revolute, ground
-  const double s8_6 = 9.81*s7_5 + s6_8*s7_4;
+  const double s8_7 = 9.81*s7_5 + s6_7*s7_4;
   // rocker: rocker_pin, revolute, ground
   // crank: crank_pin, revolute, ground
-  const double s8_7 = s3_2*(s3_2*s7_6) + s8_5;
+  const double s8_8 = s3_2*(s3_2*s7_6) + s8_6;
   // coupler: coupler_pin, revolute, crank
-  const double s8_8 = 9.81 - s6_2 + r_coupler_x*s6_8;
-  const double s8_9 = s8_3*(s7_11*s8_8 + s7_12*s6_9 + s6_8*s7_10);
-  const double s8_10 = s6_8*s7_12 + s6_3*s7_11 + 1.5*s6_9;
-  const double s8_11 = s6_8*s7_11 - s6_3*s7_12 + 1.5*s8_8;
-  const double s8_12 = s8_4 - 1.5*s8_1;
-  const double s8_13 = 1.5*s8_2 - s7_11*s8_3;
+  const double s8_9 = 9.81 - s6_2 + r_coupler_x*s6_7;
+  const double s8_10 = s8_4*(s7_11*s8_9 + s7_12*s6_8 + s6_7*s7_10);
+  const double s8_11 = s6_7*s7_12 + s8_1*s7_11 + 1.5*s6_8;
+  const double f_coupler_z = s6_7*s7_11 - s8_1*s7_12 + 1.5*s8_9;
+  const double s8_12 = s8_5 - 1.5*s8_2;
+  const double s8_13 = 1.5*s8_3 - s7_11*s8_4;
   // rocker: rocker_pin, revolute, ground
-  const double s8_14 = tau[Coordinate::coupler_pin] - s8_2*s8_11 - s8_1*s8_10 + s8_9;
-  const double s8_15 = s3_3*(tau[Coordinate::rocker_pin] + (s5_8 + 9.81*s7_18 + s6_10*s7_17));
-  const double s8_16 = s8_14 - s3_2*(inputs.torque + tau[Coordinate::crank_pin] + s8_6) - s8_15;
-  const double s8_17 = s8_7 + s8_2*s8_13 - s8_1*s8_12 + s3_3*(s3_3*s7_19);
+  const double s8_14 = tau[Coordinate::coupler_pin] - s8_3*f_coupler_z - s8_2*s8_11 + s8_10;
+  const double s8_15 = s3_3*(tau[Coordinate::rocker_pin] + (s5_8 + 9.81*s7_18 + s6_9*s7_17));
+  const double s8_16 = s8_14 - s3_2*(inputs.torque + tau[Coordinate::crank_pin] + s8_7) - s8_15;
+  const double s8_17 = s8_8 + s8_3*s8_13 - s8_2*s8_12 + s3_3*(s3_3*s7_19);
   result.inertia[0] = s8_17 - 1e-12*s8_17;
   const double s8_18 = 1.0/s8_17;
-  // operations: 29 add, 36 multiply, 1 divide
+  // operations: 29 add, 37 multiply, 1 divide
 
   // --- step 9: accelerations from the root to the leaves (63), (62) ---
   // rocker: rocker_pin, revolute, ground
   const double s9_1 = s8_16*s8_18;
   result.zdd[Coordinate::coupler_pin] = s9_1;
-  result.zdd[Coordinate::crank_pin] = -(s6_8 + s3_2*s9_1);
-  result.zdd[Coordinate::rocker_pin] = -(s6_10 + s3_3*s9_1);
+  result.zdd[Coordinate::crank_pin] = -(s6_7 + s3_2*s9_1);
+  result.zdd[Coordinate::rocker_pin] = -(s6_9 + s3_3*s9_1);
   // operations: 2 add, 3 multiply
 }
 
