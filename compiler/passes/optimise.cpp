@@ -12,6 +12,7 @@ struct Pass {
 constexpr Pass kPasses[] = {
     {"divisions by one value merged", merge_divisions},
     {"sums factored", factor_sums},
+    {"sums of what that left factored", factor_sums},
 };
 
 }  // namespace

@@ -100,54 +100,39 @@ void compute_accelerations(const Parameters& parameters, const Inputs& inputs, c
 
   // --- step 7: inertias of the bodies and forces on joints, rocker_tip ---
   // crank: crank_pin, revolute, ground
-  const double s7_1 = 0.0008000000000000001*R_crank_x_z + 0.0026500000000000004*R_crank_x_x;
-  const double s7_2 = 0.00037000000000000005*R_crank_x_z + 0.0008000000000000001*R_crank_x_x;
-  const double s7_3 = R_crank_x_z*s7_2 + R_crank_x_x*s7_1;
-  const double s7_4 = s7_3 + (0.0030200000000000005 - s7_3);
-  const double s7_5 = 0.016*R_crank_x_z + 0.04000000000000001*R_crank_x_x;
-  const double s7_6 = 5.000000000000002e-05 + s7_4 - 5.000000000000002e-05;
+  const double s7_1 = 0.016*R_crank_x_z + 0.04000000000000001*R_crank_x_x;
   // coupler: coupler_pin, revolute, crank
-  const double s7_7 = 0.024749999999999998*R_coupler_x_z + 0.049249999999999995*R_coupler_x_x;
-  const double s7_8 = 0.02365*R_coupler_x_z + 0.024749999999999998*R_coupler_x_x;
-  const double s7_9 = R_coupler_x_z*s7_8 + R_coupler_x_x*s7_7;
-  const double s7_10 = s7_9 + (0.07289999999999999 - s7_9);
-  const double s7_11 = 0.165*R_coupler_x_z + 0.22499999999999998*R_coupler_x_x;
-  const double s7_12 = 0.165*R_coupler_x_x - 0.22499999999999998*R_coupler_x_z;
-  const double s7_13 = 0.0005000000000000004 + s7_10 - 0.0005000000000000004;
+  const double s7_2 = 0.165*R_coupler_x_z + 0.22499999999999998*R_coupler_x_x;
+  const double s7_3 = 0.165*R_coupler_x_x - 0.22499999999999998*R_coupler_x_z;
   // rocker: rocker_pin, revolute, ground
-  const double s7_14 = 0.001319999999999994*R_rocker_x_z + 0.00020999999999999925*R_rocker_x_x;
-  const double s7_15 = 0.021740000000000002*R_rocker_x_z + 0.001319999999999994*R_rocker_x_x;
-  const double s7_16 = R_rocker_x_z*s7_15 + R_rocker_x_x*s7_14;
-  const double s7_17 = s7_16 + (0.02195 - s7_16);
-  const double s7_18 = 0.132*R_rocker_x_z + 0.010999999999999949*R_rocker_x_x;
-  const double s7_19 = 0.00010000000000000026 + s7_17 - 0.00010000000000000026;
-  // operations: 25 add, 26 multiply
+  const double s7_4 = 0.132*R_rocker_x_z + 0.010999999999999949*R_rocker_x_x;
+  // operations: 4 add, 8 multiply
 
   // --- step 8: elimination from the leaves to the root (63), rocker_tip ---
+  // rocker: rocker_pin, revolute, ground
   // coupler: coupler_pin, revolute, crank
   const double s8_1 = w_coupler_y*w_coupler_y;
   const double s8_2 = r_coupler_z*s3_2;
   const double s8_3 = r_coupler_x*s3_2;
   const double s8_4 = 1.0 - s3_2;
-  const double s8_5 = s7_12*s8_4;
-  const double s8_6 = s8_4*(s8_4*s7_13 - s7_11*s8_3 - s7_12*s8_2);
-  // crank: crank_pin, revolute, ground
-  const double s8_7 = 9.81*s7_5 + s6_7*s7_4;
+  const double s8_5 = s7_3*s8_4;
+  const double s8_6 = s8_4*(0.07289999999999999*s8_4 - s7_2*s8_3 - s7_3*s8_2);
   // rocker: rocker_pin, revolute, ground
+  const double s8_7 = inputs.torque + tau[Coordinate::crank_pin] + 9.81*s7_1;
   // crank: crank_pin, revolute, ground
-  const double s8_8 = s3_2*(s3_2*s7_6) + s8_6;
+  const double s8_8 = s3_2*(0.0030200000000000005*s3_2) + s8_6;
   // coupler: coupler_pin, revolute, crank
   const double s8_9 = 9.81 - s6_2 + r_coupler_x*s6_7;
-  const double s8_10 = s8_4*(s7_11*s8_9 + s7_12*s6_8 + s6_7*s7_10);
-  const double s8_11 = s6_7*s7_12 + s8_1*s7_11 + 1.5*s6_8;
-  const double f_coupler_z = s6_7*s7_11 - s8_1*s7_12 + 1.5*s8_9;
+  const double s8_10 = s8_4*(s7_2*s8_9 + s7_3*s6_8 + 0.07289999999999999*s6_7);
+  const double s8_11 = s6_7*s7_3 + s8_1*s7_2 + 1.5*s6_8;
+  const double f_coupler_z = s6_7*s7_2 - s8_1*s7_3 + 1.5*s8_9;
   const double s8_12 = s8_5 - 1.5*s8_2;
-  const double s8_13 = 1.5*s8_3 - s7_11*s8_4;
+  const double s8_13 = 1.5*s8_3 - s7_2*s8_4;
   // rocker: rocker_pin, revolute, ground
   const double s8_14 = tau[Coordinate::coupler_pin] - s8_3*f_coupler_z - s8_2*s8_11 + s8_10;
-  const double s8_15 = s3_3*(tau[Coordinate::rocker_pin] + (s5_8 + 9.81*s7_18 + s6_9*s7_17));
-  const double s8_16 = s8_14 - s3_2*(inputs.torque + tau[Coordinate::crank_pin] + s8_7) - s8_15;
-  const double s8_17 = s8_8 + s8_3*s8_13 - s8_2*s8_12 + s3_3*(s3_3*s7_19);
+  const double s8_15 = s3_3*(tau[Coordinate::rocker_pin] + s5_8 + 9.81*s7_4 + 0.02195*s6_9);
+  const double s8_16 = s8_14 - s3_2*(s8_7 + 0.0030200000000000005*s6_7) - s8_15;
+  const double s8_17 = s8_8 + s8_3*s8_13 - s8_2*s8_12 + s3_3*(0.02195*s3_3);
   result.inertia[0] = s8_17 - 1e-12*s8_17;
   const double s8_18 = 1.0/s8_17;
   // operations: 29 add, 37 multiply, 1 divide
@@ -476,23 +461,21 @@ void compute_chosen_accelerations(const Parameters& parameters, const Inputs& in
   // crank: crank_pin, revolute, ground
   const double s1_5 = s1_2 + 0.02*R_crank_x_z;
   const double s1_6 = 0.02*R_crank_x_x - s1_1;
-  const double s1_7 = s1_5*s1_5;
-  const double s1_8 = s1_6*s1_6;
   // coupler: coupler_pin, revolute, crank
-  const double s1_9 = r_coupler_x + 0.11*R_coupler_x_z + 0.15*R_coupler_x_x;
-  const double s1_10 = r_coupler_z + 0.11*R_coupler_x_x - 0.15*R_coupler_x_z;
-  const double s1_11 = 1.5*s1_9;
-  const double s1_12 = 1.5*s1_10;
-  const double s1_13 = 0.021 + 1.5*(s1_9*s1_9 + s1_10*s1_10);
+  const double s1_7 = r_coupler_x + 0.11*R_coupler_x_z + 0.15*R_coupler_x_x;
+  const double s1_8 = r_coupler_z + 0.11*R_coupler_x_x - 0.15*R_coupler_x_z;
+  const double s1_9 = 1.5*s1_7;
+  const double s1_10 = 1.5*s1_8;
+  const double s1_11 = 0.021 + 1.5*(s1_7*s1_7 + s1_8*s1_8);
   // rocker: rocker_pin, revolute, ground
-  const double s1_14 = 0.009999999999999953*R_rocker_x_z;
-  const double s1_15 = 0.12*R_rocker_x_x - s1_14;
-  const double s1_16 = 0.4 + 0.009999999999999953*R_rocker_x_x;
-  const double s1_17 = s1_16 + 0.12*R_rocker_x_z;
-  const double s1_18 = 1.1*s1_17;
-  const double s1_19 = 0.006 + 1.1*(s1_17*s1_17 + s1_15*s1_15);
+  const double s1_12 = 0.009999999999999953*R_rocker_x_z;
+  const double s1_13 = 0.12*R_rocker_x_x - s1_12;
+  const double s1_14 = 0.4 + 0.009999999999999953*R_rocker_x_x;
+  const double s1_15 = s1_14 + 0.12*R_rocker_x_z;
+  const double s1_16 = 1.1*s1_15;
+  const double s1_17 = 0.006 + 1.1*(s1_15*s1_15 + s1_13*s1_13);
   // coupler: coupler_pin, revolute, crank
-  const double N_crank_pin_y = 7e-04 + s1_13 + 0.8*(s1_7 + s1_8);
+  const double N_crank_pin_y = 7e-04 + s1_11 + 0.8*(s1_5*s1_5 + s1_6*s1_6);
   // operations: 20 add, 30 multiply, 6 sin cos
 
   // --- step 4: velocities Z (36) ---
@@ -503,8 +486,8 @@ void compute_chosen_accelerations(const Parameters& parameters, const Inputs& in
 
   // --- step 5: applied forces Q (48) ---
   // return_spring
-  const double s5_1 = 0.15*R_rocker_x_x - s1_14;
-  const double s5_2 = s1_16 + 0.15*R_rocker_x_z;
+  const double s5_1 = 0.15*R_rocker_x_x - s1_12;
+  const double s5_2 = s1_14 + 0.15*R_rocker_x_z;
   const double s5_3 = 0.6 - s5_2;
   const double s5_4 = 0.1 - s5_1;
   const double s5_5 = std::sqrt(s5_4*s5_4 + s5_3*s5_3);
@@ -532,14 +515,14 @@ void compute_chosen_accelerations(const Parameters& parameters, const Inputs& in
   const double a_rocker_z = 9.81 + 0.4*projection.zdd_star[2];
   // crank: crank_pin, revolute, ground
   // coupler: coupler_pin, revolute, crank
-  const double s7_7 = 1.5*(a_coupler_x + s1_10*alpha_coupler_y - s1_9*s7_2);
-  const double s7_8 = 1.5*(a_coupler_z - s1_10*s7_2 - s1_9*alpha_coupler_y);
-  const double s7_9 = 0.021*alpha_coupler_y + s1_10*s7_7 - s1_9*s7_8;
+  const double s7_7 = 1.5*(a_coupler_x + s1_8*alpha_coupler_y - s1_7*s7_2);
+  const double s7_8 = 1.5*(a_coupler_z - s1_8*s7_2 - s1_7*alpha_coupler_y);
+  const double s7_9 = 0.021*alpha_coupler_y + s1_8*s7_7 - s1_7*s7_8;
   // rocker: rocker_pin, revolute, ground
-  const double s7_10 = 1.1*(a_rocker_z - s1_15*s7_6 - s1_17*projection.zdd_star[2]);
-  const double s7_11 = s1_15*(1.1*(a_rocker_x + s1_15*projection.zdd_star[2] - s1_17*s7_6));
+  const double s7_10 = 1.1*(a_rocker_z - s1_13*s7_6 - s1_15*projection.zdd_star[2]);
+  const double s7_11 = s1_13*(1.1*(a_rocker_x + s1_13*projection.zdd_star[2] - s1_15*s7_6));
   const double s7_12 = s5_8 + tau[Coordinate::rocker_pin] - 0.006*projection.zdd_star[2];
-  const double Q_rocker_pin = s7_12 - s7_11 + s1_17*s7_10 + 0.4*(s5_7 - s7_10);
+  const double Q_rocker_pin = s7_12 - s7_11 + s1_15*s7_10 + 0.4*(s5_7 - s7_10);
   // coupler: coupler_pin, revolute, crank
   const double s7_13 = tau[Coordinate::coupler_pin] - s7_9 + r_coupler_z*s7_7;
   const double Q_coupler_pin = s7_13 - r_coupler_x*s7_8;
@@ -552,12 +535,12 @@ void compute_chosen_accelerations(const Parameters& parameters, const Inputs& in
 
   // --- step 8: Rz' M Rz and right-hand side (63) ---
   // coupler: coupler_pin, revolute, crank
-  const double F_coupler_pin_x = s1_12 - 1.5*r_coupler_z;
-  const double F_coupler_pin_z = 1.5*r_coupler_x - s1_11;
-  const double N_coupler_pin_y = s1_13 - r_coupler_x*s1_11 - r_coupler_z*s1_12;
+  const double F_coupler_pin_x = s1_10 - 1.5*r_coupler_z;
+  const double F_coupler_pin_z = 1.5*r_coupler_x - s1_9;
+  const double N_coupler_pin_y = s1_11 - r_coupler_x*s1_9 - r_coupler_z*s1_10;
   // rocker: rocker_pin, revolute, ground
-  const double F_rocker_pin_z = 0.44000000000000006 - s1_18;
-  const double N_rocker_pin_y = s1_19 - 0.4*s1_18;
+  const double F_rocker_pin_z = 0.44000000000000006 - s1_16;
+  const double N_rocker_pin_y = s1_17 - 0.4*s1_16;
   const double s8_1 = N_coupler_pin_y + r_coupler_x*F_coupler_pin_z;
   const double s8_2 = projection.Rz[1]*(s8_1 - r_coupler_z*F_coupler_pin_x);
   const double s8_3 = N_crank_pin_y*projection.Rz[0] + projection.Rz[1]*N_coupler_pin_y;
