@@ -214,6 +214,14 @@ Spatial<T> needed_in(const Carried<T>& c, const Vector<T>& a, const Vector<T>& a
   return c.needed + field_force(c.rigid, a, gradient) + c.above * motion + c.reduced * motion;
 }
 
+/// What a body of a block holds of the bodies on it, about its origin.
+template <class T>
+struct Held {
+  PseudoInertia<T> inertia;
+  Spatial<T> needed;
+  std::vector<Spatial<T>> momentum;  ///< per free direction: of their motion against this body
+};
+
 /// Equations of a block in the making, and what it adds to its base about the base's origin.
 template <class T>
 struct BlockGathering {
@@ -223,6 +231,7 @@ struct BlockGathering {
   Vector<T> turning, twice;  ///< angular velocity of the base, and twice that
   Matrix<T> turning_field;   ///< w~w~ of it
   Carried<T> base;
+  std::vector<Held<T>> held;  ///< per tree body
 };
 
 /// The free directions: motion of the bodies, forces on the joints.
@@ -290,35 +299,93 @@ bool bears_units(const RecursionState<T>& s, int body) {
                      [body](const RecursionUnit& u) { return u.base == body && !u.rotor; });
 }
 
+/// Force that a body of a block needs at zero base and free accelerations, about the point `arm` from its origin.
+template <class T>
+Spatial<T> needed_of(RecursionState<T>& s, BlockGathering<T>& g, int i, const Carried<T>& body, const Vector<T>& arm) {
+  const Spatial<T> v = about_point(g.parts.velocity[i], arm), extra = about_point(g.parts.star_motion[i], arm);
+  const BodyAcceleration<T>& bias = g.parts.bias[i];
+  const Vector<T> place = s.k().position[i] + arm;
+  Vector<T> a = bias.linear + bias.gradient * arm + extra.linear + g.turning_field * place + cross(g.twice, v.linear);
+  if (g.unit.base == kGround) a = a - s.system().constants.gravity;
+  const Vector<T> alpha = bias.angular + extra.angular + cross(g.turning, v.angular);
+  const Spatial<T> needed = needed_in(body, a, alpha, acceleration_gradient(g.turning + v.angular, alpha));
+  name(s.system().scribe, needed, "f", "n", s.system().body_name(i));
+  return needed;
+}
+
+/// A body on another body of its block, by one joint: its motion is that of the body below and of its own joint, so
+/// that the body below holds its inertia, and only its joint's motion b is projected here.
+template <class T>
+void gather_held(RecursionState<T>& s, BlockGathering<T>& g, const JointStep& step) {
+  const int i = step.body(), below = s.work.parent(step);
+  const Vector<T>& axis = s.k().axis[i];
+  const Spatial<T> b = step.revolute ? Spatial<T>{{}, axis} : Spatial<T>{axis, {}};
+  const PseudoInertia<T> whole = s.carried[i].rigid + g.held[i].inertia;
+  const Spatial<T> needed = needed_of(s, g, i, s.carried[i], Vector<T>{}) + g.held[i].needed;
+  const Vector<T>& offset = s.work.offset[i];
+  const Spatial<T> momentum = whole * b, seen_below = shifted(offset, momentum);
+  const T half = T(0.5) * dot(b, momentum);
+  Held<T>& held = g.held[below];
+  held.inertia = held.inertia + shifted(offset, whole);
+  held.needed = held.needed + shifted(offset, needed);
+  held.momentum.resize(g.equations.size());
+  const auto local = std::lower_bound(g.unit.joints.begin(), g.unit.joints.end(), i) - g.unit.joints.begin();
+  const std::vector<T>& rate = g.parts.rz[local];
+  std::vector<T> coupled;
+  for (std::size_t q = 0; q < g.equations.size(); ++q) {
+    coupled.push_back(dot(seen_below, g.parts.partial[q][below]) + half * rate[q]);
+    for (std::size_t d = 0; d <= q; ++d)
+      g.equations.mass[q][d] = g.equations.mass[q][d] + (rate[q] * coupled[d] + rate[d] * coupled[q]);
+    held.momentum[q] = held.momentum[q] + rate[q] * seen_below;
+    if (!g.held[i].momentum.empty()) held.momentum[q] = held.momentum[q] + shifted(offset, g.held[i].momentum[q]);
+    g.equations.force[q] = g.equations.force[q] - rate[q] * dot(b, needed);
+  }
+}
+
+/// Whether a body of a block is an arm.
+template <class T>
+bool is_arm(const RecursionState<T>& s, const RecursionUnit& unit, const JointStep& step) {
+  const int i = step.body();
+  if (!s.work.recursion.choices.arms) return false;
+  if (!step.revolute || step.quasi() || unit.base == kGround || s.work.own(i) || s.work.parent(step) != unit.base)
+    return false;
+  return std::none_of(s.units().begin(), s.units().end(), [i](const RecursionUnit& u) { return u.base == i; });
+}
+
+/// Whether a body of a block is held by the one below.
+template <class T>
+bool is_held(const RecursionState<T>& s, const RecursionUnit& unit, const JointStep& step) {
+  const int below = s.work.parent(step);
+  if (!s.work.recursion.choices.holding || step.quasi() || below == unit.base || s.work.own(step.body())) return false;
+  return !bears_units(s, step.body()) && s.work.step[below] != nullptr && !is_arm(s, unit, *s.work.step[below]);
+}
+
 /// Any other body of a block: about its centre of mass where nothing moves on it and that was chosen, else its origin.
 template <class T>
 void gather_body(RecursionState<T>& s, BlockGathering<T>& g, int i) {
   const Matrix<T>& axes = s.k().orientation[i];
+  const Held<T>& held = g.held[i];
   Carried<T> body = s.carried[i];
   Vector<T> arm;
   if (s.work.own(i))
     body = {rotated(axes, body.rigid), rotated(axes, body.above), rotated(axes, body.reduced),
             rotated(axes, body.needed)};
-  if (s.work.recursion.choices.centres && !is_zero(s.constant[i].mass) && !bears_units(s, i)) {
+  const bool is_bare = held.momentum.empty() && !is_zero(s.constant[i].mass) && !bears_units(s, i);
+  if (s.work.recursion.choices.centres && is_bare) {
     const PseudoInertia<T>& constant = s.constant[i];
     const Vector<T> com = (T(1.0) / constant.mass) * constant.moment;
     arm = axes * com;
     body.rigid = rotated(axes, centred(constant));
     body.needed = shifted(-arm, body.needed);
   }
-  const Spatial<T> v = about_point(g.parts.velocity[i], arm), extra = about_point(g.parts.star_motion[i], arm);
-  const BodyAcceleration<T>& bias = g.parts.bias[i];
   const Vector<T> place = s.k().position[i] + arm;
-  const Vector<T> omega = g.turning + v.angular;
-  Vector<T> a = bias.linear + bias.gradient * arm + extra.linear + g.turning_field * place + cross(g.twice, v.linear);
-  if (g.unit.base == kGround) a = a - s.system().constants.gravity;
-  const Vector<T> alpha = bias.angular + extra.angular + cross(g.turning, v.angular);
-  const Spatial<T> needed = needed_in(body, a, alpha, acceleration_gradient(omega, alpha));
-  const PseudoInertia<T> whole = body.rigid + body.above;
+  const Spatial<T> needed = needed_of(s, g, i, body, arm) + held.needed;
+  const PseudoInertia<T> whole = body.rigid + body.above + held.inertia;
   g.base.above = g.base.above + shifted(place, whole);
   g.base.reduced = g.base.reduced + shifted(place, body.reduced);
   g.base.needed = g.base.needed + shifted(place, needed);
-  name(s.system().scribe, needed, "f", "n", s.system().body_name(i));
+  for (std::size_t q = 0; q < held.momentum.size(); ++q)
+    g.equations.momentum[q] = g.equations.momentum[q] + shifted(place, held.momentum[q]);
   add_to_equations(g, i, arm, place, whole, body.reduced, needed);
 }
 
@@ -351,16 +418,6 @@ void gather_rod(RecursionState<T>& s, BlockGathering<T>& g, const RodConstants<T
   }
 }
 
-/// Whether a body of a block is an arm.
-template <class T>
-bool is_arm(const RecursionState<T>& s, const RecursionUnit& unit, const JointStep& step) {
-  const int i = step.body();
-  if (!s.work.recursion.choices.arms) return false;
-  if (!step.revolute || step.quasi() || unit.base == kGround || s.work.own(i) || s.work.parent(step) != unit.base)
-    return false;
-  return std::none_of(s.units().begin(), s.units().end(), [i](const RecursionUnit& u) { return u.base == i; });
-}
-
 /// Equations of a block's free directions. Result: what it adds to its base.
 template <class T>
 Carried<T> gather_block(RecursionState<T>& s, std::size_t u) {
@@ -370,12 +427,15 @@ Carried<T> gather_block(RecursionState<T>& s, std::size_t u) {
   BlockGathering<T> g{
       unit, s.blocks[u], s.equations[u], turning, turning + turning, acceleration_gradient(turning, Vector<T>{}), {}};
   start_equations(s, g);
-  for (const JointStep& step : unit.steps) {
-    system.scribe.place(system.layout.titles[step.body()]);
-    if (is_arm(s, unit, step))
-      gather_arm(s, g, step.body());
+  g.held.resize(system.topology.bodies.size());
+  for (auto step = unit.steps.rbegin(); step != unit.steps.rend(); ++step) {
+    system.scribe.place(system.layout.titles[step->body()]);
+    if (is_arm(s, unit, *step))
+      gather_arm(s, g, step->body());
+    else if (is_held(s, unit, *step))
+      gather_held(s, g, *step);
     else
-      gather_body(s, g, step.body());
+      gather_body(s, g, step->body());
   }
   for (int l : system.topology.blocks[unit.block].loops) {
     const Loop& loop = system.topology.loops[l];

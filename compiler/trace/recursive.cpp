@@ -42,10 +42,15 @@ Program trace_recursive_accelerations(const Model& model, const Topology& topolo
 }
 
 Program cheapest_recursion(const Model& model, const Topology& topology, const Analysis& analysis) {
-  Program centres = trace_recursive_accelerations(model, topology, analysis);
-  if (topology.blocks.empty()) return centres;
-  Program origins = trace_recursive_accelerations(model, topology, analysis, {.centres = false});
-  return count_operations(origins).total() < count_operations(centres).total() ? origins : centres;
+  Program cheapest = trace_recursive_accelerations(model, topology, analysis);
+  if (topology.blocks.empty()) return cheapest;
+  for (const RecursionChoices choices :
+       {RecursionChoices{.holding = true, .centres = false}, RecursionChoices{.holding = false, .centres = true},
+        RecursionChoices{.holding = false, .centres = false}}) {
+    Program other = trace_recursive_accelerations(model, topology, analysis, choices);
+    if (count_operations(other).total() < count_operations(cheapest).total()) cheapest = std::move(other);
+  }
+  return cheapest;
 }
 
 std::vector<std::pair<std::string, Program>> trace_without(const Model& model, const Topology& topology,
@@ -53,6 +58,8 @@ std::vector<std::pair<std::string, Program>> trace_without(const Model& model, c
   std::vector<std::pair<std::string, Program>> programs;
   programs.emplace_back("rotors held by their base",
                         trace_recursive_accelerations(model, topology, analysis, {.rotors = false}));
+  programs.emplace_back("bodies of blocks held by the body below",
+                        trace_recursive_accelerations(model, topology, analysis, {.holding = false}));
   programs.emplace_back("bodies seen from their centres of mass",
                         trace_recursive_accelerations(model, topology, analysis, {.centres = false}));
   programs.emplace_back("arms turn with their base",

@@ -109,7 +109,7 @@ void compute_accelerations(const Parameters& parameters, const Inputs& inputs, c
   // operations: 4 add, 8 multiply
 
   // --- step 8: elimination from the leaves to the root (63), rocker_tip ---
-  // rocker: rocker_pin, revolute, ground
+  // crank: crank_pin, revolute, ground
   // coupler: coupler_pin, revolute, crank
   const double s8_1 = w_coupler_y*w_coupler_y;
   const double s8_2 = r_coupler_z*s3_2;
@@ -117,10 +117,10 @@ void compute_accelerations(const Parameters& parameters, const Inputs& inputs, c
   const double s8_4 = 1.0 - s3_2;
   const double s8_5 = s7_3*s8_4;
   const double s8_6 = s8_4*(0.07289999999999999*s8_4 - s7_2*s8_3 - s7_3*s8_2);
-  // rocker: rocker_pin, revolute, ground
-  const double s8_7 = inputs.torque + tau[Coordinate::crank_pin] + 9.81*s7_1;
   // crank: crank_pin, revolute, ground
-  const double s8_8 = s3_2*(0.0030200000000000005*s3_2) + s8_6;
+  const double s8_7 = inputs.torque + tau[Coordinate::crank_pin] + 9.81*s7_1;
+  // rocker: rocker_pin, revolute, ground
+  const double s8_8 = s3_3*(0.02195*s3_3) + s8_6;
   // coupler: coupler_pin, revolute, crank
   const double s8_9 = 9.81 - s6_2 + r_coupler_x*s6_7;
   const double s8_10 = s8_4*(s7_2*s8_9 + s7_3*s6_8 + 0.07289999999999999*s6_7);
@@ -128,11 +128,11 @@ void compute_accelerations(const Parameters& parameters, const Inputs& inputs, c
   const double f_coupler_z = s6_7*s7_2 - s8_1*s7_3 + 1.5*s8_9;
   const double s8_12 = s8_5 - 1.5*s8_2;
   const double s8_13 = 1.5*s8_3 - s7_2*s8_4;
-  // rocker: rocker_pin, revolute, ground
+  // crank: crank_pin, revolute, ground
   const double s8_14 = tau[Coordinate::coupler_pin] - s8_3*f_coupler_z - s8_2*s8_11 + s8_10;
   const double s8_15 = s3_3*(tau[Coordinate::rocker_pin] + s5_8 + 9.81*s7_4 + 0.02195*s6_9);
   const double s8_16 = s8_14 - s3_2*(s8_7 + 0.0030200000000000005*s6_7) - s8_15;
-  const double s8_17 = s8_8 + s8_3*s8_13 - s8_2*s8_12 + s3_3*(0.02195*s3_3);
+  const double s8_17 = s8_8 + s8_3*s8_13 - s8_2*s8_12 + s3_2*(0.0030200000000000005*s3_2);
   result.inertia[0] = s8_17 - 1e-12*s8_17;
   const double s8_18 = 1.0/s8_17;
   // operations: 29 add, 37 multiply, 1 divide
