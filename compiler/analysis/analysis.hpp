@@ -1,6 +1,7 @@
 #pragma once
 // The door of the analysis room: what must be decided with numbers, offline, over many closed configurations.
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -75,6 +76,11 @@ struct Analysis {
 constexpr long kMostPivotedEntries = 131072;
 inline bool chooses_again(const LoopBlock& block) {
   return static_cast<long>(block.equations) * static_cast<long>(block.joints.size()) <= kMostPivotedEntries;
+}
+
+inline bool chooses_again(const Topology& topology) {
+  return std::all_of(topology.blocks.begin(), topology.blocks.end(),
+                     [](const LoopBlock& block) { return chooses_again(block); });
 }
 
 /// Which coordinate names which free direction: the independent, undriven coordinates, group by group.

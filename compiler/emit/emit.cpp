@@ -33,7 +33,8 @@ void add_included_headers(std::string_view text, std::vector<EmittedFile>& files
 std::vector<EmittedFile> emit(const Programs& programs, const Model& model, const Topology& topology,
                               const Analysis& analysis, const EmitOptions& options) {
   const EmitContext context{
-      programs, model, topology, analysis, solver_names(model, topology), solver_layout(model, topology, analysis)};
+      programs, model, topology, analysis, solver_names(model, topology), solver_layout(model, topology, analysis),
+      options.roll_above};
   const std::string& name = context.names.solver;
   std::vector<EmittedFile> files = {{name + ".hpp", interface_text(context)},
                                     {name + ".cpp", solver_text(context)},

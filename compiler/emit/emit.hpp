@@ -6,6 +6,7 @@
 
 #include "compiler/analysis/analysis.hpp"
 #include "compiler/model/model.hpp"
+#include "compiler/passes/roll.hpp"
 #include "compiler/topology/topology.hpp"
 #include "compiler/trace/trace.hpp"
 
@@ -22,6 +23,7 @@ struct EmittedFile {
 
 struct EmitOptions {
   bool runtime_headers = true;  ///< add the runtime's headers under mbgen/, so that the directory stands alone
+  std::size_t roll_above = kRollAbove;  ///< operations of a program above which equal subsystems become loops
 };
 
 /// The specialised solver: <model>.hpp, <model>.cpp, <model>.json (manifest), CMakeLists.txt, and the runtime headers.

@@ -16,6 +16,7 @@ struct EmitContext {
   const Analysis& analysis;
   SolverNames names;
   SolverLayout layout;
+  std::size_t roll_above = kRollAbove;  ///< see EmitOptions
 };
 
 /// First lines of every emitted file, each after `mark` ("//" or "#"): model, content hash, command, mbgen version.

@@ -33,7 +33,12 @@ Texts prefixed(const std::string& prefix, const std::vector<std::string>& names)
 }
 
 GroupPlace result_place(Texts texts, const std::string& missing = "0.0") {
-  return {"result", std::move(texts), {}, missing};
+  return {"result", std::move(texts), {}, missing, "", 0};
+}
+
+/// Slots in the order of an array.
+GroupPlace result_array(const std::string& array, Texts texts, const std::string& missing = "0.0") {
+  return {"result", std::move(texts), {}, missing, array, 0};
 }
 
 /// Adds a group with one sub-array per block: "Phi0", "Phi1", ... in one flat array.
@@ -44,7 +49,8 @@ void add_blocks(Places& places, const std::string& argument, const std::string& 
   for (int b = 0; b < blocks; ++b) {
     const BlockPlaces& block = layout.blocks[b];
     places[group + std::to_string(b)] = {
-        argument, indexed(argument + "." + group, size(block), first(block)), {}, "0.0"};
+        argument,    indexed(argument + "." + group, size(block), first(block)), {}, "0.0", argument + "." + group,
+        first(block)};
   }
 }
 
@@ -52,16 +58,22 @@ void add_blocks(Places& places, const std::string& argument, const std::string& 
 Places input_places(const SolverLayout& layout, const SolverNames& names) {
   const auto& coordinates = names.coordinates;
   Places places;
-  places["z"] = {"state", named("state.z", "Coordinate", coordinates), prefixed("z_", coordinates), ""};
-  places["zd"] = {"state", named("state.zd", "Coordinate", coordinates), prefixed("zd_", coordinates), ""};
-  places["x"] = {"state", indexed("state.x", layout.auxiliary_states), {}, ""};
-  places["t"] = {"state", {"state.t"}, {}, ""};
-  places["tau"] = {"tau", named("tau", "Coordinate", coordinates), prefixed("tau_", coordinates), ""};
-  places["zdd"] = {"derivative", named("derivative.zdd", "Coordinate", coordinates), prefixed("zdd_", coordinates), ""};
-  places["lambda"] = {"multipliers", indexed("multipliers.lambda", layout.equations), {}, ""};
-  places["drive"] = {"multipliers", indexed("multipliers.drive", layout.drives), {}, ""};
-  places["in"] = {"inputs", members("inputs", names.inputs), {}, ""};
-  places["par"] = {"parameters", members("parameters", names.parameters), {}, ""};
+  places["z"] = {"state", named("state.z", "Coordinate", coordinates), prefixed("z_", coordinates), "", "state.z", 0};
+  places["zd"] = {"state", named("state.zd", "Coordinate", coordinates), prefixed("zd_", coordinates), "", "state.zd",
+                  0};
+  places["x"] = {"state", indexed("state.x", layout.auxiliary_states), {}, "", "state.x", 0};
+  places["t"] = {"state", {"state.t"}, {}, "", "", 0};
+  places["tau"] = {"tau", named("tau", "Coordinate", coordinates), prefixed("tau_", coordinates), "", "tau", 0};
+  places["zdd"] = {"derivative",
+                   named("derivative.zdd", "Coordinate", coordinates),
+                   prefixed("zdd_", coordinates),
+                   "",
+                   "derivative.zdd",
+                   0};
+  places["lambda"] = {"multipliers", indexed("multipliers.lambda", layout.equations), {}, "", "multipliers.lambda", 0};
+  places["drive"] = {"multipliers", indexed("multipliers.drive", layout.drives), {}, "", "multipliers.drive", 0};
+  places["in"] = {"inputs", members("inputs", names.inputs), {}, "", "", 0};
+  places["par"] = {"parameters", members("parameters", names.parameters), {}, "", "", 0};
   add_blocks(
       places, "projection", "Rz", layout, [](const BlockPlaces& b) { return b.coordinates * b.free; },
       [](const BlockPlaces& b) { return b.first_projection; });
@@ -102,11 +114,11 @@ ProgramShape accelerations_shape(const SolverLayout& layout, const SolverNames& 
                {"xd", layout.auxiliary_states, "rates of the auxiliary states"},
                {"pivot", blocks, "smallest pivot of each block over its reference"},
                {"inertia", directions, "pivots of the final equations"}};
-  s.outputs["zdd"] = result_place(named("result.zdd", "Coordinate", names.coordinates));
-  s.outputs["xd"] = result_place(indexed("result.xd", layout.auxiliary_states));
+  s.outputs["zdd"] = result_array("result.zdd", named("result.zdd", "Coordinate", names.coordinates));
+  s.outputs["xd"] = result_array("result.xd", indexed("result.xd", layout.auxiliary_states));
   // A block of rank zero has no pivot to watch.
-  s.outputs["pivot"] = result_place(indexed("result.pivot", blocks), "1.0");
-  s.outputs["inertia"] = result_place(indexed("result.inertia", directions), "1.0");
+  s.outputs["pivot"] = result_array("result.pivot", indexed("result.pivot", blocks), "1.0");
+  s.outputs["inertia"] = result_array("result.inertia", indexed("result.inertia", directions), "1.0");
   return s;
 }
 
@@ -130,10 +142,10 @@ ProgramShape closure_shape(const SolverLayout& layout, const SolverNames& names,
                {"dz", layout.coordinates, "Newton correction; driven coordinates go to their motions"},
                {"zd", layout.coordinates, "consistent velocities"},
                {"pivot", blocks, "smallest pivot of each block over its reference"}};
-  s.outputs["residual"] = result_place(indexed("result.residual", residuals));
-  s.outputs["dz"] = result_place(named("result.dz", "Coordinate", names.coordinates));
-  s.outputs["zd"] = result_place(named("result.zd", "Coordinate", names.coordinates));
-  s.outputs["pivot"] = result_place(indexed("result.pivot", blocks), "1.0");
+  s.outputs["residual"] = result_array("result.residual", indexed("result.residual", residuals));
+  s.outputs["dz"] = result_array("result.dz", named("result.dz", "Coordinate", names.coordinates));
+  s.outputs["zd"] = result_array("result.zd", named("result.zd", "Coordinate", names.coordinates));
+  s.outputs["pivot"] = result_array("result.pivot", indexed("result.pivot", blocks), "1.0");
   return s;
 }
 
@@ -152,11 +164,17 @@ ProgramShape closure_terms_shape(const SolverLayout& layout, const SolverNames& 
   for (const char* group : {"Phi", "ct", "c"}) {
     add_blocks(s.outputs, "result", group, layout, equations, first_equation);
   }
-  add_blocks(
-      s.outputs, "result", "Jz", layout, [](const BlockPlaces& b) { return b.equations * b.coordinates; },
-      [](const BlockPlaces& b) { return b.first_jacobian; });
+  if (!layout.chooses_again) {
+    s.members[1] = {"rate", layout.equations, "Jacobian times velocities"};
+    add_blocks(s.outputs, "result", "rate", layout, equations, first_equation);
+  } else {
+    add_blocks(
+        s.outputs, "result", "Jz", layout, [](const BlockPlaces& b) { return b.equations * b.coordinates; },
+        [](const BlockPlaces& b) { return b.first_jacobian; });
+  }
   for (const char* group : {"driven_position", "driven_velocity", "driven_acceleration"}) {
-    s.outputs[group] = result_place(named(std::string("result.") + group, "Coordinate", names.coordinates));
+    s.outputs[group] = result_array(std::string("result.") + group,
+                                    named(std::string("result.") + group, "Coordinate", names.coordinates));
   }
   return s;
 }
@@ -172,9 +190,9 @@ ProgramShape multipliers_shape(const SolverLayout& layout, const Places& inputs)
   add_blocks(
       s.outputs, "result", "missing", layout, [](const BlockPlaces& b) { return b.coordinates; },
       [](const BlockPlaces& b) { return b.first_coordinate; });
-  s.outputs["pivot"] = result_place(indexed("result.pivot", blocks), "1.0");
-  s.outputs["lambda"] = result_place(indexed("result.lambda", layout.equations));
-  s.outputs["drive"] = result_place(indexed("result.drive", layout.drives));
+  s.outputs["pivot"] = result_array("result.pivot", indexed("result.pivot", blocks), "1.0");
+  s.outputs["lambda"] = result_array("result.lambda", indexed("result.lambda", layout.equations));
+  s.outputs["drive"] = result_array("result.drive", indexed("result.drive", layout.drives));
   return s;
 }
 
@@ -196,6 +214,7 @@ SolverLayout solver_layout(const Model& model, const Topology& topology, const A
   layout.auxiliary_states = auxiliary_state_count(model);
   layout.drives = static_cast<int>(model.motions.size());
   layout.has_closure = !topology.loops.empty() || !model.motions.empty();
+  layout.chooses_again = chooses_again(topology);
   for (std::size_t b = 0; b < topology.blocks.size(); ++b) {
     BlockPlaces block;
     block.equations = topology.blocks[b].equations;
@@ -238,8 +257,9 @@ std::vector<ShapedProgram> shaped_programs(const Programs& programs, const Solve
   }
   if (!layout.blocks.empty()) {
     all.push_back({&programs.closure_terms, "closure_terms", closure_terms_shape(layout, names, inputs)});
-    all.push_back(
-        {&programs.accelerations_chosen, "accelerations_chosen", chosen_shape(layout, names, inputs, directions)});
+    if (layout.chooses_again)
+      all.push_back(
+          {&programs.accelerations_chosen, "accelerations_chosen", chosen_shape(layout, names, inputs, directions)});
   }
   all.push_back({&programs.outputs, "outputs", outputs_shape(names, inputs, outputs_take_multipliers(programs))});
   return all;

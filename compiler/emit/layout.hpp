@@ -9,6 +9,7 @@
 #include "compiler/analysis/analysis.hpp"
 #include "compiler/emit/names.hpp"
 #include "compiler/model/model.hpp"
+#include "compiler/passes/roll.hpp"
 #include "compiler/topology/topology.hpp"
 #include "compiler/trace/trace.hpp"
 
@@ -23,7 +24,8 @@ struct BlockPlaces {
 struct SolverLayout {
   int coordinates = 0, auxiliary_states = 0, equations = 0, drives = 0;
   int block_coordinates = 0, jacobian_entries = 0, projection_entries = 0;
-  bool has_closure = false;  ///< loops or motions
+  bool has_closure = false;   ///< loops or motions
+  bool chooses_again = true;  ///< another partition at run time; see analysis.hpp
   std::vector<BlockPlaces> blocks;
 };
 
@@ -35,6 +37,8 @@ struct GroupPlace {
   std::vector<std::string> texts;   ///< expression of each index, for example "state.z[Coordinate::crank_pin]"
   std::vector<std::string> locals;  ///< name of a local copy of each index; empty: never copied
   std::string missing = "0.0";      ///< value of an output that the program does not give
+  std::string array;  ///< array whose places from `first` on hold the slots in order; empty: they are no array
+  int first = 0;
 };
 
 using Places = std::map<std::string, GroupPlace>;
@@ -56,6 +60,7 @@ struct ProgramShape {
   Places inputs, outputs;
   /// Argument that is told the end of every section by its number, "" for none: then the parts follow the sections.
   std::string clock;
+  std::size_t roll_above = kRollAbove;  ///< operations above which equal subsystems become loops
 };
 
 /// The programs of a solver with their shapes; those of closures are left out when there is nothing to close.

@@ -3,6 +3,7 @@
 #include "compiler/emit/arrangement.hpp"
 #include "compiler/emit/emit.hpp"
 #include "compiler/emit/interface_text.hpp"
+#include "compiler/emit/rolled_text.hpp"
 
 namespace mbgen {
 namespace {
@@ -25,10 +26,16 @@ Json program_json(const ShapedProgram& shaped) {
     section.update(count_json(counts[s]));
     sections.push_back(section);
   }
-  return {{"function", shaped.shape.function},
-          {"parts", arrange(program).parts.size()},
-          {"operations", count_json(count_operations(program))},
-          {"sections", sections}};
+  Json json = {{"function", shaped.shape.function}};
+  if (const std::optional<Rolling> rolling = rolled(program, shaped.shape)) {
+    json["loops"] = rolling->loops.size();
+    json["written_operations"] = rolling->written();
+  } else {
+    json["parts"] = arrange(program).parts.size();
+  }
+  json["operations"] = count_json(count_operations(program));
+  json["sections"] = sections;
+  return json;
 }
 
 Json blocks_json(const EmitContext& context) {
@@ -53,7 +60,8 @@ Json blocks_json(const EmitContext& context) {
 std::string manifest_text(const EmitContext& context) {
   const SolverNames& names = context.names;
   Json programs = Json::object();
-  for (const ShapedProgram& shaped : shaped_programs(context.programs, context.layout, names)) {
+  for (ShapedProgram shaped : shaped_programs(context.programs, context.layout, names)) {
+    shaped.shape.roll_above = context.roll_above;
     programs[shaped.key] = program_json(shaped);
   }
   const Json manifest = {{"mbgen", kMbgenVersion},

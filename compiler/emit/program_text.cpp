@@ -13,6 +13,7 @@
 #include "compiler/emit/fates.hpp"
 #include "compiler/emit/function_text.hpp"
 #include "compiler/emit/local_names.hpp"
+#include "compiler/emit/rolled_text.hpp"
 #include "compiler/emit/text.hpp"
 
 namespace mbgen {
@@ -376,6 +377,7 @@ class ProgramWriter {
 }  // namespace
 
 std::string program_text(const Program& program, const ProgramShape& shape) {
+  if (const std::optional<Rolling> rolling = rolled(program, shape)) return rolled_text(program, shape, *rolling);
   return ProgramWriter(program, shape).text();
 }
 

@@ -50,6 +50,7 @@ std::string constants(const EmitContext& context) {
     text += constant("int", "kDrives", std::to_string(layout.drives)) +
             constant("double", "kClosureTolerance", number_text(context.model.solver.closure_tolerance));
   }
+  if (!layout.chooses_again) text += constant("bool", "kFrozenOnly", "true");
   if (!layout.blocks.empty()) text += constant("int", "kBlockCoordinates", std::to_string(layout.block_coordinates));
   return text;
 }
@@ -149,7 +150,7 @@ std::string argument_sum(const SolverNames& names) {
 
 /// Accelerations and velocities that the pivoting path hands to the program of the chosen partition.
 std::string projection_struct(const SolverLayout& layout) {
-  if (layout.blocks.empty()) return "";
+  if (layout.blocks.empty() || !layout.chooses_again) return "";
   return "/// Projection of the loop blocks, chosen at run time.\nstruct Projection {\n  double Rz[" +
          std::to_string(std::max(layout.projection_entries, 1)) +
          "];  ///< of each block, row by row\n  double zdd_star[" + std::to_string(layout.block_coordinates) +
@@ -170,7 +171,8 @@ void check_residual_order(const EmitContext& context) {
 std::string solver_text(const EmitContext& context) {
   check_residual_order(context);
   std::string programs, members;
-  for (const ShapedProgram& shaped : shaped_programs(context.programs, context.layout, context.names)) {
+  for (ShapedProgram shaped : shaped_programs(context.programs, context.layout, context.names)) {
+    shaped.shape.roll_above = context.roll_above;
     programs += program_text(*shaped.program, shaped.shape) + "\n";
     const std::string member = shaped.shape.function.substr(std::string("compute_").size());
     if (!shaped.shape.members.empty()) {
@@ -178,7 +180,7 @@ std::string solver_text(const EmitContext& context) {
     }
     if (shaped.key != "outputs") members += constant("auto", member, "&" + shaped.shape.function);
   }
-  if (!context.layout.blocks.empty()) {
+  if (!context.layout.blocks.empty() && context.layout.chooses_again) {
     members += "  using Projection = " + context.names.solver + "::Projection;\n";
   }
   std::string system = constants(context) + tables(context) + members + argument_sum(context.names);

@@ -177,6 +177,17 @@ Program trace_closure(const Model& model, const Topology& topology, const Analys
   return tracing.builder.finish();
 }
 
+/// Phi_z zd per equation.
+std::vector<Expr> rates_of(const System<Expr>& system, const SparseClosure<Expr>& closed, const LoopBlock& block) {
+  std::vector<Expr> rates;
+  for (const SparseRow<Expr>& row : closed.jacobian) {
+    rates.emplace_back(0.0);
+    for (std::size_t i = 0; i < row.columns.size(); ++i)
+      rates.back() += row.values[i] * system.zd(block.joints[row.columns[i]]);
+  }
+  return rates;
+}
+
 Program trace_closure_terms(const Model& model, const Topology& topology, const Analysis& analysis) {
   Tracing tracing("closure_terms", model, topology, analysis);
   System<Expr>& system = tracing.system;
@@ -188,6 +199,10 @@ Program trace_closure_terms(const Model& model, const Topology& topology, const 
     tracing.outputs(fmt::format("Phi{}", b), closed.residual);
     tracing.outputs(fmt::format("ct{}", b), std::vector<Expr>(closed.residual.size(), Expr(0.0)));
     tracing.outputs(fmt::format("c{}", b), closed.acceleration);
+    if (!chooses_again(topology)) {
+      tracing.outputs(fmt::format("rate{}", b), rates_of(system, closed, block));
+      continue;
+    }
     const std::string group = fmt::format("Jz{}", b);
     int first = 0;
     for (const SparseRow<Expr>& row : closed.jacobian) {
@@ -323,7 +338,7 @@ Programs trace(const Model& model, const Topology& topology, const Analysis& ana
   programs.closure = trace_closure(model, topology, analysis);
   if (!topology.loops.empty()) {
     programs.closure_terms = trace_closure_terms(model, topology, analysis);
-    programs.accelerations_chosen = trace_accelerations_chosen(model, topology, analysis);
+    if (chooses_again(topology)) programs.accelerations_chosen = trace_accelerations_chosen(model, topology, analysis);
   }
   programs.multipliers = trace_multipliers(model, topology, analysis);
   programs.outputs = trace_outputs(model, topology, analysis);

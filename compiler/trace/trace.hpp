@@ -17,6 +17,7 @@
 //            Phi<b>[e] Jz<b>[e*c+j] ct<b>[e] c<b>[e]   closure terms: residual, Jacobian (all equations), -dPhi/dt
 //                                           (velocity right-hand side, Phi_z zd = ct), acceleration right-hand side
 //                                           (Phi_z zdd = c)
+//            rate<b>[e]                     Phi_z zd, for Jz where a block is too large, see chooses_again
 //            residual[e]                    all closure residuals, block after block (frozen closure step)
 //            dz[n] zd[n]                    Newton correction of positions (dependent ones; driven ones set to motion)
 //                                           and consistent velocities
@@ -53,7 +54,8 @@ struct Programs {
   Program accelerations;  ///< z zd x t tau in par -> zdd xd pivot inertia; frozen partition, the hot path
   Program closure;        ///< z zd t in par -> residual dz zd pivot; frozen Newton step; only with loops or motions
   Program closure_terms;  ///< z zd t in par -> Phi Jz ct c of every block, for the pivoting kernels; only with loops
-  Program accelerations_chosen;  ///< z zd x t tau in par Rz zdd_star -> zdd xd inertia; any partition; only with loops
+  Program accelerations_chosen;  ///< z zd x t tau in par Rz zdd_star -> zdd xd inertia; any partition; only with
+                                 ///< loops, and where it is chosen again
   Program multipliers;           ///< z zd x t tau in par zdd -> lambda drive missing pivot; only with loops or motions
   Program outputs;  ///< z zd x t in par zdd (tau lambda drive) -> y and `energy[0]` kinetic, `energy[1]` potential of
                     ///< gravity, `power[0]` power of all applied forces but gravity

@@ -6,13 +6,16 @@
 //   types      Parameters Inputs State Derivative Multipliers, and the result of each program: Accelerations Closure
 //              ClosureTerms ChosenAccelerations Projection ConstraintForces
 //   sizes      kCoordinates kAuxiliaryStates kBlocks kEquations kDrives kBlockCoordinates kFreeDirections
-//   decisions  kHasClosure (loops or motions), kClosureTolerance
+//   decisions  kHasClosure (loops or motions), kClosureTolerance; kFrozenOnly = true where a block is too large for
+//              another partition to be chosen at run time
 //   tables     kBlockLayout[block] kBlockCoordinate[] kBlockDriven[] kDriven[coordinate] kRedundant[equation]
 //              kFreeDirection[direction] kMultiplierPlace[equation] kDriveCoordinate[motion]
 //   programs   accelerations, argument_sum; with a closure: closure, multipliers; with loops: closure_terms,
-//              chosen_accelerations
+//              chosen_accelerations. With kFrozenOnly there are no chosen_accelerations and no Projection, and
+//              closure_terms gives `rate` = Phi_z zd for Jz
 
 #include <cmath>
+#include <type_traits>
 
 #include "mbgen/loop.hpp"
 #include "mbgen/status.hpp"
@@ -38,6 +41,12 @@ struct FreeDirection {
   int block;       ///< loop block, -1 for a joint outside all blocks
   int place;       ///< q: place among the free directions of the block
 };
+
+/// Whether another partition is chosen at run time where the frozen one is bad.
+template <class System, class = void>
+constexpr bool kChoosesAgain = System::kBlocks > 0;
+template <class System>
+constexpr bool kChoosesAgain<System, std::void_t<decltype(System::kFrozenOnly)>> = !System::kFrozenOnly;
 
 /// Smallest pivot of a block, over its median in the analysed configurations, with which the frozen order is trusted.
 /// The analysis accepts ratios from 0.05; two digits of the answer are at stake here, where it is left.
@@ -123,6 +132,15 @@ bool frozen_is_good(const double* pivot) noexcept {
   return good;
 }
 
+/// What a solver says that only has the frozen partition. Fails: loop_singular where that is bad.
+template <class System>
+Status frozen_status(const double* pivot) noexcept {
+  for (int b = 0; b < System::kBlocks; ++b) {
+    if (!(pivot[b] >= kPivotThreshold)) return {Code::loop_singular, b};
+  }
+  return {};
+}
+
 /// True when no frozen pivot is small enough to ask how near a singular position is; a NaN is.
 template <class System>
 bool is_far(const double* pivot) noexcept {
@@ -165,17 +183,21 @@ struct BlockFactors {
 template <class System>
 Status notice_at(const typename System::Parameters& parameters, const typename System::Inputs& inputs,
                  const typename System::State& state, const double* pivot) noexcept {
-  if (is_far<System>(pivot)) return {};
-  typename System::ClosureTerms terms;
-  System::closure_terms(parameters, inputs, state, terms);
-  BlockFactors<System> factors;
   Status notice;
-  for (int b = 0; b < System::kBlocks; ++b) {
-    if (pivot[b] >= kNearSingular) continue;
-    const BlockLayout& block = System::kBlockLayout[b];
-    const LoopFactors loop = factors.factors_of(b, terms);
-    if (loop.rank < block.rank) return {Code::loop_singular, b};
-    notice = more_telling(notice, notice_of(b, block.pivot, smallest_pivot(loop), pivot[b]));
+  if constexpr (kChoosesAgain<System>) {
+    if (is_far<System>(pivot)) return {};
+    typename System::ClosureTerms terms;
+    System::closure_terms(parameters, inputs, state, terms);
+    BlockFactors<System> factors;
+    for (int b = 0; b < System::kBlocks; ++b) {
+      if (pivot[b] >= kNearSingular) continue;
+      const BlockLayout& block = System::kBlockLayout[b];
+      const LoopFactors loop = factors.factors_of(b, terms);
+      if (loop.rank < block.rank) return {Code::loop_singular, b};
+      notice = more_telling(notice, notice_of(b, block.pivot, smallest_pivot(loop), pivot[b]));
+    }
+  } else {
+    notice = frozen_status<System>(pivot);
   }
   return notice;
 }

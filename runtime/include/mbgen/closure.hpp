@@ -184,10 +184,12 @@ Status close_loops(const typename System::Parameters& parameters, const typename
   for (int iteration = 0; iteration <= kNewtonIterations; ++iteration) {
     System::closure(parameters, inputs, trial, closure);
     Status notice;
-    if constexpr (System::kBlocks > 0) {
+    if constexpr (kChoosesAgain<System>) {
       notice = correct_closure<System, correction>(parameters, inputs, trial, closure);
-      if (!notice.ok()) return notice;
+    } else {
+      notice = frozen_status<System>(closure.pivot);
     }
+    if (!notice.ok()) return notice;
     misfit = largest_residual<System>(closure, 0);
     const double driven = largest_driven_step<System>(closure);
     const double size = driven > misfit.size ? driven : misfit.size;
@@ -203,6 +205,25 @@ Status close_loops(const typename System::Parameters& parameters, const typename
     if (!std::isfinite(sum(trial.z, System::kCoordinates))) break;
   }
   return {Code::loop_not_closed, block_of<System>(misfit.equation)};
+}
+
+/// Adds Phi_z zd to the values per equation.
+template <class System>
+void add_rates(const typename System::ClosureTerms& terms, const typename System::State& state,
+               double* velocity) noexcept {
+  if constexpr (kChoosesAgain<System>) {
+    for (int b = 0; b < System::kBlocks; ++b) {
+      const BlockLayout& block = System::kBlockLayout[b];
+      for (int e = 0; e < block.equations; ++e) {
+        const double* row = terms.Jz + block.first_jacobian + e * block.coordinates;
+        for (int c = 0; c < block.coordinates; ++c) {
+          velocity[block.first_equation + e] += row[c] * state.zd[System::kBlockCoordinate[block.first_coordinate + c]];
+        }
+      }
+    }
+  } else {
+    for (int e = 0; e < System::kEquations; ++e) velocity[e] += terms.rate[e];
+  }
 }
 
 }  // namespace solver_detail
@@ -239,17 +260,8 @@ Status closure_residuals(const typename System::Parameters& parameters, const ty
     typename System::ClosureTerms terms;
     System::closure_terms(parameters, inputs, state, terms);
     copy(terms.Phi, residual.position, System::kEquations);
-    for (int b = 0; b < System::kBlocks; ++b) {
-      const BlockLayout& block = System::kBlockLayout[b];
-      for (int e = 0; e < block.equations; ++e) {
-        const double* row = terms.Jz + block.first_jacobian + e * block.coordinates;
-        double rate = -terms.ct[block.first_equation + e];
-        for (int c = 0; c < block.coordinates; ++c) {
-          rate += row[c] * state.zd[System::kBlockCoordinate[block.first_coordinate + c]];
-        }
-        residual.velocity[block.first_equation + e] = rate;
-      }
-    }
+    for (int e = 0; e < System::kEquations; ++e) residual.velocity[e] = -terms.ct[e];
+    add_rates<System>(terms, state, residual.velocity);
   }
   residual.largest_position = largest(residual.position, System::kEquations);
   residual.largest_velocity = largest(residual.velocity, System::kEquations);

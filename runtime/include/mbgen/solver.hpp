@@ -132,7 +132,11 @@ Status evaluate(const typename System::Parameters& parameters, const typename Sy
   const Status status = check_arguments<System>(parameters, inputs, state, tau);
   if (!status.ok()) return status;
   System::accelerations(parameters, inputs, state, tau, values);
-  if constexpr (System::kBlocks > 0) {
+  if constexpr (System::kBlocks > 0 && !kChoosesAgain<System>) {
+    const Status frozen = frozen_status<System>(values.pivot);
+    if (!frozen.ok()) return frozen;
+  }
+  if constexpr (kChoosesAgain<System>) {
     if (!frozen_is_good<System>(values.pivot)) {
       return pivoted_accelerations<System>(parameters, inputs, state, tau, values.pivot, derivative);
     }
@@ -168,7 +172,11 @@ Status solve_multipliers(const typename System::Parameters& parameters, const ty
   if constexpr (System::kHasClosure) {
     typename System::ConstraintForces values;
     System::multipliers(parameters, inputs, state, tau, derivative, values);
-    if constexpr (System::kBlocks > 0) {
+    if constexpr (System::kBlocks > 0 && !kChoosesAgain<System>) {
+      const Status frozen = frozen_status<System>(values.pivot);
+      if (!frozen.ok()) return frozen;
+    }
+    if constexpr (kChoosesAgain<System>) {
       if (!frozen_is_good<System>(values.pivot)) {
         const Status repaired = repair_multipliers<System>(parameters, inputs, state, values);
         if (!repaired.ok()) return repaired;

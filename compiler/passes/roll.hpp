@@ -1,0 +1,40 @@
+#pragma once
+
+#include <cstddef>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "compiler/program/program.hpp"
+
+namespace mbgen {
+
+/// `count` slices of `period` values each that compute the same with other numbers: one loop.
+struct RolledLoop {
+  std::size_t first = 0;   ///< place in Rolling::order
+  std::size_t period = 0;  ///< values of one slice
+  std::size_t count = 0;   ///< slices
+  std::size_t end() const { return first + period * count; }
+};
+
+struct Rolling {
+  std::vector<ValueId> order;     ///< operations that an output needs, in program order
+  std::vector<RolledLoop> loops;  ///< ascending, disjoint; what lies between stays straight
+  /// Operations that are written down: those of one slice of each loop, and the straight ones.
+  std::size_t written() const;
+};
+
+/// Operations and outputs of a program, together, above which it is rolled: beyond it straight code streams through the
+/// instruction cache and takes long to compile. Measured in docs/growth.md.
+constexpr std::size_t kRollAbove = 8192;
+
+/// Finds the loops over equal subsystems: runs of consecutive slices with the same operations in the same sections on
+/// operands of the same kinds (constant, input of a group, value) for the same groups of outputs. Which constant, input
+/// or value it is may differ from slice to slice; the emitted code takes it from a table where it is no linear function
+/// of the slice. Longest savings first, from the start of the program; a loop starts where the fewest values cross
+/// from one slice to the next.
+/// indexed: groups of slots whose index may differ from slice to slice.
+///   sin %z0; mul %c0 ..; sin %z1; mul %c1 ..; sin %z2; mul %c2 ..  =>  3 slices of 2 values
+Rolling roll(const Program& program, const std::set<std::string>& indexed);
+
+}  // namespace mbgen

@@ -1,0 +1,74 @@
+// Loop blocks too large for singular values: the same decisions by sparse elimination.
+
+#include <cstdio>
+
+#include "compiler/analysis/large_block.hpp"
+#include "compiler/analysis/partition.hpp"
+#include "tests/mechanism_support.hpp"
+
+namespace mbgen {
+namespace {
+
+using namespace mbgen::testing;
+
+/// A model of bench/growth_model.sh; `edit` changes its text.
+Result<Model> grown(const std::string& kind, int size, const std::string& edit = "cat") {
+  const std::string command =
+      "sh " + source_path("bench/growth_model.sh") + " " + kind + " " + std::to_string(size) + " | " + edit;
+  std::string text;
+  FILE* pipe = popen(command.c_str(), "r");
+  char buffer[4096];
+  while (const std::size_t count = fread(buffer, 1, sizeof buffer, pipe)) text.append(buffer, count);
+  pclose(pipe);
+  return read_model(text, "grown.json");
+}
+
+TEST(LargeBlock, FourBarsHaveOneFreedom) {
+  const Result<Model> model = grown("four-bar", 60);
+  ASSERT_TRUE(model) << to_text(model.problems());
+  const Result<Topology> topology = build_topology(*model);
+  const Result<Analysis> analysis = analyse(*model, *topology);
+  ASSERT_TRUE(analysis) << to_text(analysis.problems());
+  ASSERT_EQ(analysis->blocks.size(), 1u);
+  const BlockAnalysis& block = analysis->blocks[0];
+  EXPECT_EQ(block.rank, 120);
+  EXPECT_EQ(block.pivots.size(), 120u);
+  EXPECT_EQ(block.redundant_equations.size(), 180u);  // out of the plane
+  EXPECT_EQ(block.independent.size(), 1u);
+  EXPECT_GE(block.worst_pivot_ratio, 0.05);
+  EXPECT_GT(block.typical_pivot, 0.1);
+  EXPECT_EQ(analysis->degrees_of_freedom, 1);
+  ASSERT_EQ(block.certificate.ranks.size(), 1u);
+  EXPECT_EQ(block.certificate.ranks[0].configurations, 9);
+  EXPECT_GT(block.certificate.reach, 0.5);
+  EXPECT_TRUE(block.certificate.immobile.empty());
+  for (const RedundantEquation& redundant : block.certificate.redundant) EXPECT_LT(redundant.residual, 1e-10);
+}
+
+TEST(LargeBlock, ATiltedAxisIsNamed) {
+  const Result<Model> model = grown("four-bar", 60, R"(sed '/"A30": { "type"/s/"z"/[0, 0.1, 1]/')");
+  ASSERT_TRUE(model) << to_text(model.problems());
+  const Result<Topology> topology = build_topology(*model);
+  const Result<Analysis> analysis = analyse(*model, *topology);
+  ASSERT_FALSE(analysis);
+  EXPECT_NE(to_text(analysis.problems()).find("the axis of joint \"A30\""), std::string::npos)
+      << to_text(analysis.problems());
+}
+
+TEST(LargeBlock, EliminationAgreesWithSingularValues) {
+  // Rows 0 + 1 = 2 and an empty one; column 3 barred.
+  const auto row = [](std::vector<int> columns, std::vector<double> values) {
+    return SparseRow<double>{std::move(columns), std::move(values)};
+  };
+  const SparseRows first = {row({0, 1, 3}, {1, 2, 1}), row({1, 2}, {3, -1}), row({0, 1, 2, 3}, {1, 5, -1, 1}),
+                            row({0}, {1e-12})};
+  const SparseRows second = {row({0, 1, 3}, {2, 1, 1}), row({1, 2}, {1, 4}), row({0, 1, 2, 3}, {2, 2, 4, 1}),
+                             row({0}, {0})};
+  const SparseElimination e = eliminate({&first, &second}, {0, 1, 2, 3}, {false, false, false, true});
+  EXPECT_EQ(e.pivots.size(), 2u);
+  EXPECT_LT(e.largest_dropped, 1e-12);
+  for (const Pivot& pivot : e.pivots) EXPECT_NE(pivot.coordinate, 3);
+}
+
+}  // namespace
+}  // namespace mbgen
