@@ -1,5 +1,7 @@
 #include "bench/compare/comparison.hpp"
 
+#include <fmt/format.h>
+
 #include <filesystem>
 
 #include "bench/compare/agreement.hpp"
@@ -8,12 +10,16 @@
 namespace mbgen::compare {
 namespace {
 
-constexpr const char* kReference = "straightforward";  // of states that bring no accelerations
-
 const Contestant& find(const std::vector<Contestant>& contestants, const std::string& key) {
   for (const Contestant& contestant : contestants)
     if (contestant.key == key) return contestant;
   return contestants.front();
+}
+
+/// Whose accelerations count where states bring none: not those of mbgen, if somebody else has any.
+const Contestant& reference_of(const std::vector<Contestant>& contestants) {
+  const Contestant& foreign = find(contestants, "straightforward");
+  return foreign.absent.empty() ? foreign : find(contestants, "generic");
 }
 
 /// "coach" of coach_mechanism: the name of the file of states.
@@ -44,6 +50,11 @@ Row row_of(const Contestant& contestant, const Contestant& reference, const std:
 
 Model model_of(const std::string& path, bool rods_are_massless) {
   Model model = cli::expect(read_model_file(path));
+  const std::size_t forces = model.springs.size() + model.joint_springs.size() + model.frictions.size() +
+                             model.air_springs.size() + model.forces.size() + model.joint_forces.size() +
+                             model.tyres.size() + model.motions.size();
+  if (forces > 0)
+    throw cli::UserError(fmt::format("{}: has force elements or motions, which other solvers do not get\n", path));
   if (!rods_are_massless) return model;
   for (Rod& rod : model.rods) rod.mass = 0.0;
   model.name += "_massless_rods";
@@ -90,7 +101,7 @@ Comparison compare_on(const std::string& model_path, const Settings& settings) {
   const std::string mechanism = model.name.substr(0, model.name.find("_massless_rods"));
   const Compilation compilation = cli::expect(compile(model));
   const std::vector<Contestant> all = contestants(compilation);
-  const Contestant& reference = find(all, kReference);
+  const Contestant& reference = reference_of(all);
   const StatesInUse in_use = states_in_use(compilation, states_file(mechanism, settings.states_directory),
                                            settings.rods_are_massless, find(all, "generic").engine, reference);
   Comparison comparison{mechanism,
