@@ -47,6 +47,19 @@ void take_part(Contestant& contestant, const Arguments&... arguments) {
   }
 }
 
+/// All loops as one block over all coordinates: Phi_z as the paper factors it.
+Topology in_one_block(Topology topology) {
+  LoopBlock all;
+  for (const LoopBlock& block : topology.blocks) {
+    all.loops.insert(all.loops.end(), block.loops.begin(), block.loops.end());
+    all.equations += block.equations;
+  }
+  for (int i = 0; i < topology.size(); ++i) all.joints.push_back(i);
+  topology.blocks.clear();
+  if (all.equations > 0) topology.blocks.push_back(all);
+  return topology;
+}
+
 Contestant mbgen_engine(const Compilation& compilation, const std::string& engine, const std::string& name,
                         const std::string& remark) {
   cli::EngineChoice choice;
@@ -74,7 +87,9 @@ std::vector<Contestant> contestants(const Compilation& compilation) {
   add_generated(compilation, all);
   all.push_back(mbgen_engine(compilation, "generic", "mbgen, generic (Eigen)", "flags of mbgen itself"));
   all.push_back(
-      {"straightforward", "straightforward Maggi on Eigen", "full pivoting in every evaluation", "", true, {}});
+      {"straightforward", "straightforward Maggi on Eigen", "full pivoting of the whole Phi_z", "", true, {}});
+  take_part<StraightforwardMaggi>(all.back(), mechanism, in_one_block(compilation.topology));
+  all.push_back({"straightforward_blocks", "the same, block by block", "full pivoting per loop block", "", true, {}});
   take_part<StraightforwardMaggi>(all.back(), mechanism, compilation.topology);
   all.push_back({"simbody",
                  fmt::format("Simbody {}", SimbodyMechanism::version()),

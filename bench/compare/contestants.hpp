@@ -10,7 +10,8 @@ namespace mbgen::compare {
 
 /// An engine with what a reader of its figures must know.
 struct Contestant {
-  std::string key;     ///< for machines: generated, other_form, generic, straightforward, simbody, mujoco
+  std::string
+      key;  ///< for machines: generated, other_form, generic, straightforward, straightforward_blocks, simbody, mujoco
   std::string name;    ///< for tables
   std::string remark;  ///< "" when there is nothing to say
   std::string absent;  ///< why there is no engine; "" when there is one

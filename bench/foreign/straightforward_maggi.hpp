@@ -15,6 +15,7 @@ namespace mbgen::foreign {
 /// along the paths of the tree, nothing is done twice. Knows cut spherical and revolute joints and rods.
 class [[gnu::visibility("default")]] StraightforwardMaggi {
  public:
+  /// topology: its loop blocks are what is factored at once; one block with all loops and joints factors Phi_z whole.
   /// Fails: std::invalid_argument for another closure.
   StraightforwardMaggi(const ReferenceMechanism& mechanism, const Topology& topology);
   ~StraightforwardMaggi();
