@@ -1,12 +1,11 @@
 #!/usr/bin/env python3
-"""Coefficients of runtime/include/mbgen/elementary.hpp.
+"""Coefficients of runtime/include/mbgen/sincos.hpp and arc_tangent.hpp.
 
 Remez exchange on polynomials in z = x^2, at 60 digits, for the largest relative error of the whole function. The
 coefficients are rounded to double one by one from the lowest power, and those above are fitted again after each.
 Needs mpmath.
 """
-from mpmath import mp, mpf, atan, cos, sin, sqrt, tan, pi, matrix, lu_solve, floor, log, tanh, exp, expm1
-import sys
+from mpmath import atan, cos, floor, log, lu_solve, matrix, mp, mpf, pi, sin, sqrt
 
 mp.dps = 60
 
@@ -67,32 +66,39 @@ def show(name, coefficients, best, worst):
     print(f"{name}: exact fit 2^{float(log(best, 2)):.1f}, rounded 2^{float(log(worst, 2)):.1f}")
     for c in coefficients: print("   ", float(c).hex(), repr(float(c)))
 
-tiny = mpf('1e-12')
-def series(f, s):
-    return lambda z: f(sqrt(z)) if z > mpf('1e-8') else s(z)
-F = mp.factorial
-def sin_rest(z):  # (sin x / x - 1) / z
-    if z < mpf('1e-6'): return sum((-1)**(k+1) * z**k / F(2*k+3) for k in range(12))
-    x = sqrt(z); return (sin(x)/x - 1)/z
-def cos_rest(z):  # (cos x - 1 + z/2)/z^2
-    if z < mpf('1e-6'): return sum((-1)**k * z**k / F(2*k+4) for k in range(12))
-    x = sqrt(z); return (cos(x) - 1 + z/2)/z**2
-def atan_rest(z):
-    if z < mpf('1e-4'): return sum((-1)**(k+1) * z**k / (2*k+3) for k in range(20))
-    x = sqrt(z); return (atan(x)/x - 1)/z
+TINY = mpf('1e-12')
+
+
+def series(term, count):
+    return lambda z: sum(term(k) * z**k for k in range(count))
+
+
+def near_zero(function, powers, bound):
+    """`function`, by its power series where it would cancel."""
+    return lambda z: powers(z) if abs(z) < mpf(bound) else function(z)
+
+
+sin_rest = near_zero(lambda z: (sin(sqrt(z)) / sqrt(z) - 1) / z,
+                     series(lambda k: mpf(-1) ** (k + 1) / mp.factorial(2 * k + 3), 12), '1e-6')
+cos_rest = near_zero(lambda z: (cos(sqrt(z)) - 1 + z / 2) / z**2,
+                     series(lambda k: mpf(-1) ** k / mp.factorial(2 * k + 4), 12), '1e-6')
+atan_rest = near_zero(lambda z: (atan(sqrt(z)) / sqrt(z) - 1) / z,
+                      series(lambda k: mpf(-1) ** (k + 1) / (2 * k + 3), 20), '1e-4')
+
+
+def parts(value, sizes):
+    """`value` as a sum of doubles of so many bits."""
+    for bits in sizes:
+        unit = mpf(2) ** (int(floor(log(value, 2))) - bits + 1)
+        part = floor(value / unit) * unit if bits < 53 else mpf(float(value))
+        value -= part
+        print("   ", float(part).hex())
+
 
 if __name__ == '__main__':
-    edge = (pi/4 * (1 + mpf(2)**-20))**2
-    show('sin', *rounded(sin_rest, lambda z: z / (sin(sqrt(z))/sqrt(z)) if z > 0 else mpf(0)+tiny, tiny, edge, 6))
-    show('cos', *rounded(cos_rest, lambda z: z*z / cos(sqrt(z)), tiny, edge, 6))
-    n = int(sys.argv[1]) if len(sys.argv) > 1 else 20
-    show('atan', *rounded(atan_rest, lambda z: z / (atan(sqrt(z))/sqrt(z)), tiny, mpf(1), n))
-    # pi/2
-    p = pi/2
-    parts=[]
-    for bits in (33,33,33):
-        e = int(floor(log(p,2)))
-        q = floor(p / mpf(2)**(e-bits+1)) * mpf(2)**(e-bits+1)
-        parts.append(q); p -= q
-    parts.append(mpf(float(p)))
-    for q in parts: print(float(q).hex(), repr(float(q)))
+    edge = (pi / 4 * (1 + mpf(2) ** -20)) ** 2
+    show('sin', *rounded(sin_rest, lambda z: z * sqrt(z) / sin(sqrt(z)), TINY, edge, 6))
+    show('cos', *rounded(cos_rest, lambda z: z * z / cos(sqrt(z)), TINY, edge, 6))
+    show('atan', *rounded(atan_rest, lambda z: z * sqrt(z) / atan(sqrt(z)), TINY, mpf(1), 20))
+    print('pi/2:')
+    parts(pi / 2, (33, 33, 33, 53))

@@ -9,6 +9,7 @@
 #include <random>
 #include <vector>
 
+#include "mbgen/arc_tangent.hpp"
 #include "mbgen/sincos.hpp"
 
 namespace mbgen {
@@ -103,6 +104,48 @@ TEST(SineAndCosine, haveTheSameBitsAloneInLanesAndInArrays) {
   expect_same_bits_of<8>(some);
   expect_same_bits_of<13>(some);
   expect_same_bits_of<64>(some);
+}
+
+/// Tangents of all sizes, and around one, where the two branches of the method meet.
+std::vector<double> tangents() {
+  std::mt19937_64 random(2012);
+  std::vector<double> result = {1e-320, 1e-300, 1e-9, 0x1p-27, 0.5, 1.0, 2.0, 1e9, 1e300};
+  for (const double range : {1e-3, 1.0, 2.0, 10.0, 1e3}) {
+    std::uniform_real_distribution<double> tangent(-range, range);
+    for (int i = 0; i < 100000; ++i) result.push_back(tangent(random));
+  }
+  for (int i = 1; i < 1000; ++i) {
+    result.push_back(1.0 + i * 0x1p-52);
+    result.push_back(1.0 - i * 0x1p-53);
+  }
+  return result;
+}
+
+TEST(ArcTangent, isWithinOneAndAHalfUnitsInTheLastPlace) {
+  double largest = 0;
+  for (const double tangent : tangents()) {
+    largest = std::max(largest, error_in_ulp(arc_tangent(tangent), std::atan(static_cast<long double>(tangent))));
+  }
+  std::printf("largest error: %.3f ulp\n", largest);
+  EXPECT_LE(largest, 1.5);
+}
+
+TEST(ArcTangent, keepsSignsAndMeetsInfinityAndNaN) {
+  EXPECT_EQ(arc_tangent<double>(INFINITY), std::acos(0.0));
+  EXPECT_EQ(arc_tangent<double>(-INFINITY), -std::acos(0.0));
+  EXPECT_TRUE(std::isnan(arc_tangent<double>(NAN)));
+  EXPECT_TRUE(same_bits(arc_tangent(0.0), 0.0));
+  EXPECT_TRUE(same_bits(arc_tangent(-0.0), -0.0));
+}
+
+TEST(ArcTangent, hasTheSameBitsAloneAndInArrays) {
+  const std::vector<double> all = tangents();
+  double some[13], angles[13];
+  for (std::size_t i = 0; i + 13 * 29 < all.size(); i += 13 * 29) {
+    for (std::size_t k = 0; k < 13; ++k) some[k] = all[i + 29 * k];
+    arc_tangents(some, angles);
+    for (std::size_t k = 0; k < 13; ++k) ASSERT_TRUE(same_bits(angles[k], arc_tangent(some[k]))) << some[k];
+  }
 }
 
 }  // namespace

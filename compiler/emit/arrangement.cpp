@@ -72,7 +72,7 @@ std::vector<ValueId> pair_angles(const std::vector<ValueId>& order, const std::v
 
 /// cost[i]: values defined before place i and used at or after it, with the costs of cutting there.
 std::vector<long> cut_costs(const Program& program, const std::vector<ValueId>& order,
-                            const std::vector<ValueId>& partner, const std::vector<AnglePlace>& place_in_call) {
+                            const std::vector<ValueId>& partner, const std::vector<ArrayPlace>& place_in_call) {
   std::vector<std::size_t> place(program.nodes.size(), 0), last_use(program.nodes.size(), 0);
   for (std::size_t i = 0; i < order.size(); ++i) {
     const Node& node = program.nodes[order[i]];
@@ -143,8 +143,8 @@ Arrangement arrange(const Program& program, Division division) {
   const std::vector<ValueId> partner = angle_partners(program, order);
   Arrangement result;
   result.order = pair_angles(order, partner);
-  result.angle_calls = gather_angles(program, result.order);
-  const std::vector<long> cost = cut_costs(program, result.order, partner, result.angle_calls.place);
+  result.array_calls = gather_calls(program, result.order);
+  const std::vector<long> cost = cut_costs(program, result.order, partner, result.array_calls.place);
   std::vector<PartRange> ranges;
   if (division == Division::by_section) ranges = section_ranges(program, result.order);
   if (ranges.empty()) ranges = {{0, result.order.size()}};

@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "compiler/emit/angles.hpp"
+#include "compiler/emit/array_calls.hpp"
 #include "compiler/program/program.hpp"
 
 namespace mbgen {
@@ -23,7 +23,7 @@ struct PartRange {
 struct Arrangement {
   std::vector<ValueId> order;    ///< operations that an output needs; inputs and constants are left out
   std::vector<PartRange> parts;  ///< at least one
-  AngleCalls angle_calls;        ///< sines and cosines in lanes, at the beginning of their sections
+  ArrayCalls array_calls;        ///< elementary functions in lanes
 };
 
 /// Where a program is cut into parts.
@@ -34,9 +34,9 @@ enum class Division {
 
 /// Orders and divides a program.
 /// Order: that of the program, with the sections one after the other where operands allow it, and the cosine of an
-/// angle right after its sine (or the other way round) where both are in one section; then gather_angles.
+/// angle right after its sine (or the other way round) where both are in one section; then gather_calls.
 /// Parts: the cheapest division has the fewest values that cross from one part to the next; a cut inside a section
-/// counts as kSectionCost more values, one between the two functions of an angle or inside a call for many angles is
+/// counts as kSectionCost more values, one between the two functions of an angle or inside a call for many arguments is
 /// never made. What such a call computes is in memory anyway and does not count as crossing.
 Arrangement arrange(const Program& program, Division division = Division::cheapest);
 

@@ -55,7 +55,7 @@ Phrase operation_phrase(Op op, const Phrase& a, const Phrase& b, const Phrase& c
     case Op::acos:
       return {call("std::acos", a), Binding::primary};
     case Op::atan:
-      return {call("std::atan", a), Binding::primary};
+      return {call("mbgen::arc_tangent", a), Binding::primary};
     case Op::atan2:
       return {call("std::atan2", a, b), Binding::primary};
     case Op::exp:

@@ -4,7 +4,7 @@ namespace mbgen {
 namespace {
 
 bool is_angle_pair(const Program& program, const Arrangement& arrangement, ValueId a, ValueId b) {
-  if (arrangement.angle_calls.place[a].call >= 0 || arrangement.angle_calls.place[b].call >= 0) return false;
+  if (arrangement.array_calls.place[a].call >= 0 || arrangement.array_calls.place[b].call >= 0) return false;
   const Node& first = program.nodes[a];
   const Node& second = program.nodes[b];
   return ((first.op == Op::sin && second.op == Op::cos) || (first.op == Op::cos && second.op == Op::sin)) &&

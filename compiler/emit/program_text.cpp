@@ -22,10 +22,11 @@ namespace {
 /// Room for `const double s12_345 = ` before an expression that may have to be named later.
 constexpr std::size_t kNamingRoom = 28;
 
-/// Arrays of one call for the sines and cosines of many angles.
+/// Arrays of one call for many arguments.
 struct CallNames {
-  std::string sines, cosines;
-  std::string declaration;  ///< empty when the arrays are members of `work`
+  std::string function, arguments;
+  std::vector<std::string> results;
+  std::string declaration;  ///< of the results, empty when they are members of `work`
 };
 
 class ProgramWriter {
@@ -68,28 +69,32 @@ class ProgramWriter {
     }
   }
 
-  /// Where the calls for many angles leave their results: in `work` when another part needs one of them.
+  /// Where the calls for many arguments leave their results: in `work` when another part needs one of them.
   void name_calls() {
-    std::vector<bool> crosses(arrangement_.angle_calls.calls.size(), false);
+    const std::vector<ArrayCall>& calls = arrangement_.array_calls.calls;
+    std::vector<bool> crosses(calls.size(), false);
     for (const ValueId v : arrangement_.order) {
       if (fates_[v].crosses && place_in_call(v).call >= 0) crosses[place_in_call(v).call] = true;
     }
-    for (std::size_t c = 0; c < crosses.size(); ++c) {
-      const std::string size = fmt::format("[{}]", arrangement_.angle_calls.calls[c].angles.size());
-      CallNames names{names_.unique("sines"), names_.unique("cosines"), ""};
-      if (crosses[c]) {
-        for (std::string* array : {&names.sines, &names.cosines}) {
-          crossing_.push_back(*array + size);
-          *array = "work." + *array;
+    for (std::size_t c = 0; c < calls.size(); ++c) {
+      CallNames names = calls[c].op == Op::sin ? CallNames{"mbgen::sincos", "angles", {"sines", "cosines"}, ""}
+                                               : CallNames{"mbgen::arc_tangents", "tangents", {"arcs"}, ""};
+      names.arguments = names_.unique(names.arguments);
+      for (std::string& array : names.results) {
+        array = names_.unique(array);
+        const std::string declared = fmt::format("{}[{}]", array, calls[c].arguments.size());
+        if (crosses[c]) {
+          crossing_.push_back(declared);
+          array = "work." + array;
+        } else {
+          names.declaration += (names.declaration.empty() ? "double " : ", ") + declared;
         }
-      } else {
-        names.declaration = fmt::format("double {}{}, {}{};", names.sines, size, names.cosines, size);
       }
       call_names_.push_back(names);
     }
   }
 
-  const AnglePlace& place_in_call(ValueId v) const { return arrangement_.angle_calls.place[v]; }
+  const ArrayPlace& place_in_call(ValueId v) const { return arrangement_.array_calls.place[v]; }
 
   std::string output_text(const Slot& slot) const {
     const auto place = shape_.outputs.find(slot.group);
@@ -139,12 +144,12 @@ class ProgramWriter {
     return {local, Binding::primary};
   }
 
-  /// A sine or cosine of a call for many angles.
-  Phrase angle_phrase(ValueId v, PartText& part) {
+  /// A result of a call for many arguments.
+  Phrase result_phrase(ValueId v, PartText& part) {
     const CallNames& names = call_names_[place_in_call(v).call];
     if (names.declaration.empty()) part.arguments.insert("work");
-    const std::string& array = program_.nodes[v].op == Op::sin ? names.sines : names.cosines;
-    const std::string place = fmt::format("{}[{}]", array, place_in_call(v).angle);
+    const std::string& array = program_.nodes[v].op == Op::cos ? names.results.back() : names.results.front();
+    const std::string place = fmt::format("{}[{}]", array, place_in_call(v).argument);
     if (uses_in_part_[v] < 2) return {place, Binding::primary};
     std::string& local = local_of_[v];
     if (local.empty()) local = names_.of_value(v);
@@ -155,7 +160,7 @@ class ProgramWriter {
     const Node& node = program_.nodes[v];
     if (node.op == Op::constant) return constant_phrase(node.constant);
     if (node.op == Op::input) return input_phrase(v, part);
-    if (place_in_call(v).call >= 0) return angle_phrase(v, part);
+    if (place_in_call(v).call >= 0) return result_phrase(v, part);
     if (fates_[v].crosses) part.arguments.insert("work");
     return phrases_[v];
   }
@@ -200,22 +205,23 @@ class ProgramWriter {
     if (!fates_[v].outputs.empty()) part.arguments.insert("result");
   }
 
-  /// One call for the sines and cosines of many angles.
-  void write_angle_call(int call, PartText& part) {
+  /// One call for many arguments.
+  void write_array_call(int call, PartText& part) {
     const CallNames& names = call_names_[call];
     std::vector<std::string> list;
-    for (const ValueId angle : arrangement_.angle_calls.calls[call].angles) {
-      list.push_back(phrase_of(angle, part).text);
-      pending_[angle] = false;
+    for (const ValueId argument : arrangement_.array_calls.calls[call].arguments) {
+      list.push_back(phrase_of(argument, part).text);
+      pending_[argument] = false;
     }
-    const std::string angles = names_.unique("angles");
-    part.body += braced_list("  const double " + angles + "[] = ", list, ";\n");
+    part.body += braced_list("  const double " + names.arguments + "[] = ", list, ";\n");
     if (names.declaration.empty()) {
       part.arguments.insert("work");
     } else {
-      add_line(part, names.declaration);
+      add_line(part, names.declaration + ";");
     }
-    add_line(part, fmt::format("mbgen::sincos({}, {}, {});", angles, names.sines, names.cosines));
+    std::string results;
+    for (const std::string& array : names.results) results += ", " + array;
+    add_line(part, names.function + "(" + names.arguments + results + ");");
   }
 
   /// One call for the sine and cosine of an angle.
@@ -247,9 +253,9 @@ class ProgramWriter {
   void write_value(ValueId v, ValueId last, PartText& part) {
     const Fate& fate = fates_[v];
     if (const int call = place_in_call(v).call; call >= 0) {
-      if (last == kNoValue || place_in_call(last).call != call) write_angle_call(call, part);
+      if (last == kNoValue || place_in_call(last).call != call) write_array_call(call, part);
       for (const std::string& output : fate.outputs) {
-        add_line(part, output + " = " + angle_phrase(v, part).text + ";");
+        add_line(part, output + " = " + result_phrase(v, part).text + ";");
         part.arguments.insert("result");
       }
       return;
@@ -289,7 +295,7 @@ class ProgramWriter {
 
   void write_headings(ValueId v, PartText& part, int& section, int& block) {
     const Node& node = program_.nodes[v];
-    const bool is_angle_call = place_in_call(v).call >= 0;
+    const bool is_array_call = place_in_call(v).call >= 0;
     if (section != node.section) {
       const std::string& title = program_.sections[node.section];
       const bool again = !entered_.insert(node.section).second;
@@ -299,8 +305,8 @@ class ProgramWriter {
       section = node.section;
       block = -1;
     }
-    // Calls for many angles belong to all blocks of their section.
-    if (block != node.block && !is_angle_call) {
+    // Calls for many arguments belong to all blocks of their section.
+    if (block != node.block && !is_array_call) {
       const std::string& title = program_.blocks[node.block];
       if (!title.empty()) add_comment(part, comment_text(title));
       block = node.block;
@@ -369,7 +375,7 @@ class ProgramWriter {
   std::set<int> entered_;                 ///< sections with a heading so far
   std::vector<std::string> crossing_;
   std::vector<CallNames> call_names_;
-  std::unordered_map<ValueId, std::string> local_of_;  ///< of sines and cosines that calls for many angles give
+  std::unordered_map<ValueId, std::string> local_of_;  ///< of results of calls for many arguments
   std::unordered_map<ValueId, int> uses_in_part_;      ///< of the current part
   std::set<ValueId> copied_in_part_;                   ///< the current one
 };

@@ -1,0 +1,161 @@
+#include "compiler/emit/array_calls.hpp"
+
+#include <algorithm>
+#include <map>
+#include <span>
+#include <unordered_map>
+#include <utility>
+
+namespace mbgen {
+namespace {
+
+using Range = std::span<const ValueId>;
+
+/// The function that a call for many arguments has for an operation; constant for those that have none.
+Op called_function(Op op) {
+  if (op == Op::sin || op == Op::cos) return Op::sin;
+  return op == Op::atan ? Op::atan : Op::constant;
+}
+
+/// What is known of the values of the section at hand. Members by value id; the others of the program are not looked
+/// at.
+struct Levels {
+  std::vector<bool> is_here;    ///< in this section
+  std::vector<bool> is_called;  ///< computed by a call for many arguments
+  std::vector<int> level;       ///< calls, one after the other, that the value waits for; its own too
+};
+
+/// Arguments of one call, before it is split, with the values that it computes for each.
+struct Group {
+  std::vector<ValueId> arguments;
+  std::vector<std::vector<ValueId>> values;  ///< per argument
+};
+
+using Groups = std::map<std::pair<int, Op>, Group>;  ///< by level and function
+
+void find_levels(const Program& program, Range range, Levels& levels) {
+  for (const ValueId v : range) {
+    const Node& node = program.nodes[v];
+    int level = levels.is_called[v] ? 1 : 0;
+    for (int k = 0; k < arity(node.op); ++k) {
+      if (!levels.is_here[node.operands[k]]) continue;
+      level = std::max(level, levels.level[node.operands[k]] + (levels.is_called[v] ? 1 : 0));
+    }
+    levels.level[v] = level;
+  }
+}
+
+Groups groups_of(const Program& program, Range range, const Levels& levels) {
+  Groups groups;
+  std::map<std::pair<int, Op>, std::unordered_map<ValueId, std::size_t>> place_of;
+  for (const ValueId v : range) {
+    if (!levels.is_called[v]) continue;
+    const Node& node = program.nodes[v];
+    const std::pair<int, Op> key{levels.level[v], called_function(node.op)};
+    Group& group = groups[key];
+    const auto [place, is_new] = place_of[key].try_emplace(node.operands[0], group.arguments.size());
+    if (is_new) {
+      group.arguments.push_back(node.operands[0]);
+      group.values.emplace_back();
+    }
+    group.values[place->second].push_back(v);
+  }
+  return groups;
+}
+
+/// Groups that are large enough: the values of the others are computed alone, which may bring later ones together.
+Groups settle(const Program& program, Range range, Levels& levels) {
+  for (const ValueId v : range) {
+    levels.is_here[v] = true;
+    levels.is_called[v] = called_function(program.nodes[v].op) != Op::constant;
+  }
+  while (true) {
+    find_levels(program, range, levels);
+    Groups groups = groups_of(program, range, levels);
+    const auto small = std::find_if(groups.begin(), groups.end(),
+                                    [](const auto& entry) { return entry.second.arguments.size() < kFewestInLanes; });
+    if (small == groups.end()) return groups;
+    for (const auto& values : small->second.values) {
+      for (const ValueId v : values) levels.is_called[v] = false;
+    }
+  }
+}
+
+/// A section in its new order.
+class NewOrder {
+ public:
+  NewOrder(const Program& program, Range range, ArrayCalls& result)
+      : program_(program), range_(range), result_(result), is_placed_(program.nodes.size(), false) {}
+
+  /// What the arguments need and stands nowhere yet, in the old order.
+  void add_needed(const Group& group) {
+    std::vector<bool> is_needed(program_.nodes.size(), false);
+    for (const ValueId v : group.arguments) is_needed[v] = true;
+    std::vector<ValueId> found;
+    for (std::size_t i = range_.size(); i-- > 0;) {
+      const ValueId v = range_[i];
+      if (!is_needed[v] || is_placed_[v]) continue;
+      found.push_back(v);
+      for (int k = 0; k < arity(program_.nodes[v].op); ++k) is_needed[program_.nodes[v].operands[k]] = true;
+    }
+    for (std::size_t i = found.size(); i-- > 0;) add(found[i]);
+  }
+
+  void add_calls(Op op, const Group& group) {
+    for (std::size_t a = 0; a < group.arguments.size(); ++a) {
+      if (a % kMostInLanes == 0) result_.calls.push_back({op, {}});
+      ArrayCall& call = result_.calls.back();
+      for (const ValueId v : group.values[a]) {
+        result_.place[v] = {static_cast<int>(result_.calls.size()) - 1, static_cast<int>(call.arguments.size())};
+        add(v);
+      }
+      call.arguments.push_back(group.arguments[a]);
+    }
+  }
+
+  std::vector<ValueId> finished() {
+    for (const ValueId v : range_) {
+      if (!is_placed_[v]) order_.push_back(v);
+    }
+    return std::move(order_);
+  }
+
+ private:
+  void add(ValueId v) {
+    order_.push_back(v);
+    is_placed_[v] = true;
+  }
+
+  const Program& program_;
+  Range range_;
+  ArrayCalls& result_;
+  std::vector<bool> is_placed_;
+  std::vector<ValueId> order_;
+};
+
+}  // namespace
+
+ArrayCalls gather_calls(const Program& program, std::vector<ValueId>& order) {
+  ArrayCalls result;
+  result.place.resize(program.nodes.size());
+  Levels levels{std::vector<bool>(program.nodes.size(), false), std::vector<bool>(program.nodes.size(), false),
+                std::vector<int>(program.nodes.size(), 0)};
+  const auto section_of = [&](std::size_t i) { return program.nodes[order[i]].section; };
+  for (std::size_t first = 0, last = 0; first < order.size(); first = last) {
+    while (last < order.size() && section_of(last) == section_of(first)) ++last;
+    const std::span<ValueId> range(order.data() + first, last - first);
+    const Groups groups = settle(program, range, levels);
+    if (!groups.empty()) {
+      NewOrder new_order(program, range, result);
+      for (const auto& [key, group] : groups) {
+        new_order.add_needed(group);
+        new_order.add_calls(key.second, group);
+      }
+      std::ranges::copy(new_order.finished(), range.begin());
+    }
+    for (const ValueId v : range) levels.is_here[v] = false;
+  }
+  return result;
+}
+
+}  // namespace mbgen

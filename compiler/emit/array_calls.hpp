@@ -1,0 +1,39 @@
+#pragma once
+// Elementary functions of many arguments that one call computes, in lanes.
+
+#include <vector>
+
+#include "compiler/program/program.hpp"
+
+namespace mbgen {
+
+/// Fewer arguments than this are left to calls of their own.
+constexpr std::size_t kFewestInLanes = 4;
+/// More arguments than this are split into several calls: their values stay in one part of the program.
+constexpr std::size_t kMostInLanes = 64;
+
+/// One call. Its values stand one after the other in the order of the program.
+struct ArrayCall {
+  Op op = Op::sin;  ///< sin: sine and cosine of each argument; atan
+  std::vector<ValueId> arguments;
+};
+
+/// A value that a call for many arguments computes.
+struct ArrayPlace {
+  int call = -1;     ///< index of the call, -1 for a value of none
+  int argument = 0;  ///< index of its argument in the call
+};
+
+struct ArrayCalls {
+  std::vector<ArrayCall> calls;
+  std::vector<ArrayPlace> place;  ///< per value of the program
+};
+
+/// Brings sines, cosines and arc tangents of a section together in `order`, as far as none needs another: first what
+/// the arguments of the first of them need, then these, then what the arguments of those need that use their results,
+/// and so on; last the rest of the section. Groups of fewer than kFewestInLanes arguments stay where they are. Example:
+/// wheels that each have sin(c*atan(slip)) in turn become all slips, one call for the arc tangents, all products, one
+/// call for the sines.
+ArrayCalls gather_calls(const Program& program, std::vector<ValueId>& order);
+
+}  // namespace mbgen
