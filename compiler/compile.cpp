@@ -58,12 +58,20 @@ Result<Compilation> compile(const std::string& path, std::optional<Form> form) {
   return compile(std::move(*model), form);
 }
 
+Compilation contracted(Compilation compilation) {
+  Programs& programs = compilation.programs;
+  for (Program* program : {&programs.accelerations, &programs.closure, &programs.closure_terms,
+                           &programs.accelerations_chosen, &programs.multipliers, &programs.outputs})
+    *program = contract(std::as_const(*program));
+  return compilation;
+}
+
 std::vector<EmittedFile> emit(const Compilation& compilation, const EmitOptions& options) {
   return emit(compilation.programs, compilation.model, compilation.topology, compilation.analysis, options);
 }
 
-EmittedFile emit_clocked_driver(const Compilation& c) {
-  return emit_clocked_driver(c.programs, c.model, c.topology, c.analysis);
+EmittedFile emit_clocked_driver(const Compilation& c, int lanes) {
+  return emit_clocked_driver(c.programs, c.model, c.topology, c.analysis, lanes);
 }
 
 }  // namespace mbgen

@@ -38,10 +38,13 @@ Result<Compilation> compile(Model model, std::optional<Form> form = {});
 /// Reads and compiles the model of a file. Fails: as the first stage that fails.
 Result<Compilation> compile(const std::string& path, std::optional<Form> form = {});
 
-/// The files of the specialised solver, see emit.
+/// The same with every program contracted, for a solver with lanes, see EmitOptions.
+Compilation contracted(Compilation compilation);
+
+/// The files of the specialised solver, see emit. Requires: with lanes, contracted.
 std::vector<EmittedFile> emit(const Compilation& compilation, const EmitOptions& options = {});
 
 /// The driver that times the nine steps, see emit_clocked_driver.
-EmittedFile emit_clocked_driver(const Compilation& compilation);
+EmittedFile emit_clocked_driver(const Compilation& compilation, int lanes = 0);
 
 }  // namespace mbgen

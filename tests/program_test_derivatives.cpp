@@ -207,6 +207,43 @@ TEST(PassText, ThreeDivisionsByOneValueShareAReciprocal) {
   EXPECT_EQ(count_operations(optimise(divisions(3, three))).divide, 0);
 }
 
+TEST(PassText, ProductsThatOneSumNeedsGoIntoIt) {
+  ProgramBuilder builder("f");
+  const auto x = [&](int i) { return Expr(builder, builder.input("x", i)); };
+  const Expr shared = x(0) * x(0), named = x(1) * x(1);
+  builder.label(named.value(builder), "named");
+  const auto output = [&](int i, const Expr& value) { builder.output("y", i, value.value(builder)); };
+  output(0, x(0) * x(1) + x(1));
+  output(1, x(0) * x(2) - x(1));
+  output(2, x(1) - x(2) * x(2));
+  const Expr earlier = 2.0 * x(0), later = 3.0 * x(1);
+  output(3, earlier + later);
+  output(4, shared + x(1));
+  output(5, shared - named);
+  EXPECT_EQ(dump(contract(builder.finish())),
+            "program f\n"
+            "%0 = input x[0]\n"
+            "%1 = mul %0 %0\n"
+            "%2 = input x[1]\n"
+            "%3 = mul %2 %2  ; named\n"
+            "%4 = muladd %0 %2 %2\n"
+            "%5 = input x[2]\n"
+            "%6 = mulsub %0 %5 %2\n"
+            "%7 = submul %2 %5 %5\n"
+            "%8 = constant 2\n"
+            "%9 = mul %8 %0\n"
+            "%10 = constant 3\n"
+            "%11 = muladd %10 %2 %9\n"
+            "%12 = add %1 %2\n"
+            "%13 = sub %1 %3\n"
+            "out y[0] = %4\n"
+            "out y[1] = %6\n"
+            "out y[2] = %7\n"
+            "out y[3] = %11\n"
+            "out y[4] = %12\n"
+            "out y[5] = %13\n");
+}
+
 TEST(Passes, MergedQuotientsAreWithinTheStatedRounding) {
   const Program program = divisions(4, [](ProgramBuilder& builder) { return Expr(builder, builder.input("d", 0)); });
   const Program merged = optimise(program);

@@ -21,17 +21,22 @@ struct Options {
   std::string model, form, states;
   long long evaluations = kPaperEvaluations;
   EngineArguments engine;
+  int lanes = 0;
   bool json = false;
 };
 
-/// Every engine, the generic one with every linear algebra.
-std::vector<EngineChoice> choices(const EngineChoice& common) {
+/// Every engine, the generated one also in lanes when asked for, the generic one with every linear algebra.
+std::vector<EngineChoice> choices(const EngineChoice& common, int lanes) {
   std::vector<EngineChoice> list;
   for (const std::string& name : engine_names()) {
     EngineChoice choice = common;
     choice.name = name;
     choice.use = SolverUse::timing_steps;
     if (name != "generic") {
+      list.push_back(choice);
+      if (name != "generated" || lanes == 0) continue;
+      choice.use = SolverUse::running;
+      choice.lanes = lanes;
       list.push_back(choice);
       continue;
     }
@@ -60,7 +65,7 @@ int run(const Options& options) {
   const Compilation compilation = expect(compile(options.model, chosen_form(options.form)));
   const std::vector<double> inputs = input_values(compilation.model, options.engine.inputs);
   std::vector<Engine> engines;
-  for (const EngineChoice& choice : choices(options.engine.choice)) {
+  for (const EngineChoice& choice : choices(options.engine.choice, options.lanes)) {
     engines.push_back(make_engine(compilation, choice));
     engines.back().set_inputs(inputs);
   }
@@ -97,6 +102,7 @@ void add_bench(CLI::App& application, int& exit_code) {
   command->add_option("--states", options->states, "file of states as for evaluate (default: random consistent ones)");
   command->add_option("--evaluations", options->evaluations,
                       fmt::format("of each engine (default: {}, as in the paper)", kPaperEvaluations));
+  add_batch_option(*command, options->lanes);
   add_run_options(*command, options->engine);
   add_form_option(*command, options->form);
   add_json_option(*command, options->json);

@@ -42,10 +42,11 @@ const PaperTable* paper_table(const std::string& model) {
   return nullptr;
 }
 
-/// Name of an engine with what distinguishes it: "generic eigen qr".
+/// Name of an engine with what distinguishes it: "generic eigen qr", "generated x8" for batches of eight.
 std::string full_name(const Engine& engine) {
   std::string name = engine.name;
   if (!engine.linear_algebra.empty()) name += " " + engine.linear_algebra;
+  if (engine.batch > 1) name += fmt::format(" x{}", engine.batch);
   return name;
 }
 
@@ -118,13 +119,10 @@ std::string bench_text(const BenchRecord& record) {
 std::string bench_json(const BenchRecord& record) {
   Json engines = Json::array();
   for (const Measurement& m : record.measurements) {
-    Json engine = {{"name", m.engine->name},
-                   {"form", m.engine->form},
-                   {"linear_algebra", m.engine->linear_algebra},
-                   {"batch", 1},
-                   {"evaluations", m.evaluations},
-                   {"us_per_evaluation", m.microseconds},
-                   {"spread", m.spread}};
+    Json engine = {
+        {"name", m.engine->name},   {"form", m.engine->form},       {"linear_algebra", m.engine->linear_algebra},
+        {"batch", m.engine->batch}, {"evaluations", m.evaluations}, {"us_per_evaluation", m.microseconds},
+        {"spread", m.spread}};
     if (m.steps) engine["steps"] = *m.steps;
     engine["max_relative_error"] = m.largest_error;
     engines.push_back(std::move(engine));

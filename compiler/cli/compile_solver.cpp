@@ -49,7 +49,7 @@ bool is_usable(const fs::path& directory) {
   return !problem && ::access(directory.c_str(), W_OK | X_OK) == 0;
 }
 
-Compiler find_compiler(const fs::path& scratch) {
+Compiler find_compiler(const fs::path& scratch, Contraction contraction) {
   Compiler compiler;
   const std::string chosen = environment("CXX");
   compiler.words = split_words(chosen);
@@ -65,7 +65,7 @@ Compiler find_compiler(const fs::path& scratch) {
   }
   compiler.version = read_text(answer);
   const bool is_clang = compiler.version.find("clang") != std::string::npos;
-  compiler.flags = solver_compile_flags(is_clang ? CompilerFamily::clang : CompilerFamily::gnu);
+  compiler.flags = solver_compile_flags(is_clang ? CompilerFamily::clang : CompilerFamily::gnu, contraction);
   compiler.flags.insert(compiler.flags.end(), {"-march=native", "-std=c++17", "-fPIC"});
   return compiler;
 }
@@ -158,13 +158,15 @@ std::shared_ptr<const SolverTable> open_solver(const fs::path& object, const std
 
 }  // namespace
 
-std::shared_ptr<const SolverTable> load_solver(const Compilation& compilation, SolverUse use, bool use_cache) {
-  std::vector<EmittedFile> files = emit(compilation);
-  files.push_back(use == SolverUse::timing_steps ? emit_clocked_driver(compilation) : emit_driver(compilation.model));
+std::shared_ptr<const SolverTable> load_solver(const Compilation& compilation, const EngineChoice& choice) {
+  const bool use_cache = choice.use_cache;
+  std::vector<EmittedFile> files = emit(compilation, {.lanes = choice.lanes});
+  files.push_back(choice.use == SolverUse::timing_steps ? emit_clocked_driver(compilation, choice.lanes)
+                                                        : emit_driver(compilation.model, choice.lanes));
   const fs::path cache = use_cache ? cache_directory() : fs::path();
   const bool has_cache = !cache.empty() && is_usable(cache);
   const TemporaryDirectory scratch(has_cache ? cache : fs::temp_directory_path() / "mbgen");
-  const Compiler compiler = find_compiler(scratch.path());
+  const Compiler compiler = find_compiler(scratch.path(), contraction_of(choice.lanes));
   const fs::path kept = cache / object_name(solver_name(compilation.model), files, compiler);
 
   if (has_cache && fs::exists(kept)) {

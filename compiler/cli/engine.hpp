@@ -32,6 +32,7 @@ struct Engine {
   std::string name;            ///< as on the command line
   std::string form;            ///< of the equations, for tables
   std::string linear_algebra;  ///< library behind it, "" for code of its own
+  int batch = 1;               ///< states that one call for accelerations takes
 
   /// All accelerations. The derivative keeps its values unless the status is ok.
   std::function<Status(const LoadedState&, GenericDerivative&)> accelerations;
@@ -78,6 +79,7 @@ struct EngineChoice {
   GenericAlgebra algebra;                                   ///< of the generic engine
   Stabilisation stabilisation = Stabilisation::projection;  ///< of the Cartesian engines
   SolverUse use = SolverUse::running;
+  int lanes = 0;          ///< of the generated engine: accelerations in batches of so many, 0 for one by one
   bool use_cache = true;  ///< keep compiled solvers for the next time
 };
 

@@ -113,6 +113,7 @@ void add_evaluate(CLI::App& application, int& exit_code) {
   command->add_flag("--reactions", options->reactions,
                     "print what every joint and rod transmits to its \"to\" body: force, and moment about the joint's "
                     "point on that body, global axes");
+  add_batch_option(*command, options->engine.choice.lanes);
   add_json_option(*command, options->json);
   add_form_option(*command, options->form);
   add_engine_options(*command, options->engine);

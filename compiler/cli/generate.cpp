@@ -28,7 +28,8 @@ int run(const Options& options) {
     return kDone;
   }
   if (options.directory.empty()) throw UserError("generate: --out DIR is required\n");
-  const Compilation compilation = expect(compile(options.model, chosen_form(options.form)));
+  Compilation compilation = expect(compile(options.model, chosen_form(options.form)));
+  if (options.emit.lanes > 0) compilation = contracted(std::move(compilation));
   std::vector<NamedText> files;
   std::vector<std::string> paths;
   for (EmittedFile& file : emit(compilation, options.emit)) {
@@ -58,6 +59,7 @@ void add_generate(CLI::App& application, int& exit_code) {
       "--no-runtime", [options] { options->emit.runtime_headers = false; },
       "leave out the runtime's headers (mbgen/*.hpp)");
   add_form_option(*command, options->form);
+  add_batch_option(*command, options->emit.lanes);
   add_json_option(*command, options->json);
   add_dump_option(*command, options->dump);
   command->callback([options, &exit_code] { exit_code = run(*options); });

@@ -54,6 +54,26 @@ Status accelerations(LoadedSolver& solver, const LoadedState& at, GenericDerivat
   return status;
 }
 
+/// The same as one lane of a batch whose other lanes are the same state.
+Status accelerations_in_lanes(LoadedSolver& solver, const LoadedState& at, GenericDerivative& derivative) {
+  const SolverTable& table = *solver.table;
+  const auto lanes = static_cast<std::size_t>(table.lanes);
+  flatten(at.state, solver.state);
+  std::vector<double> states, taus, derivatives(lanes * solver.derivative.size());
+  for (std::size_t lane = 0; lane < lanes; ++lane) {
+    states.insert(states.end(), solver.state.begin(), solver.state.end());
+    taus.insert(taus.end(), at.tau.begin(), at.tau.end());
+  }
+  std::vector<Status> statuses(lanes);
+  table.batch_accelerations(solver.parameters.data(), solver.inputs.data(), states.data(), taus.data(),
+                            derivatives.data(), statuses.data());
+  if (!statuses.back().ok()) return statuses.back();
+  std::copy(derivatives.end() - static_cast<std::ptrdiff_t>(solver.derivative.size()), derivatives.end(),
+            solver.derivative.begin());
+  unflatten(solver, derivative);
+  return statuses.back();
+}
+
 Status accelerations_in_motion(LoadedSolver& solver, const GenericState& state, double h,
                                GenericDerivative& derivative) {
   flatten(state, solver.state);
@@ -128,8 +148,9 @@ void flatten(const std::vector<LoadedState>& at, LoadedSolver& solver, std::vect
 long long time_accelerations(LoadedSolver& solver, const std::vector<LoadedState>& at, int repetitions) {
   std::vector<double> states, taus;
   flatten(at, solver, states, taus);
-  return solver.table->time_accelerations(solver.parameters.data(), solver.inputs.data(), states.data(), taus.data(),
-                                          static_cast<int>(at.size()), repetitions);
+  const auto time = solver.table->lanes > 0 ? solver.table->time_batch_accelerations : solver.table->time_accelerations;
+  return time(solver.parameters.data(), solver.inputs.data(), states.data(), taus.data(), static_cast<int>(at.size()),
+              repetitions);
 }
 
 std::array<double, kSteps> step_shares(LoadedSolver& solver, const std::vector<LoadedState>& at, int repetitions) {
@@ -146,7 +167,7 @@ std::array<double, kSteps> step_shares(LoadedSolver& solver, const std::vector<L
 
 std::shared_ptr<LoadedSolver> load(const Compilation& compilation, const EngineChoice& choice) {
   auto solver = std::make_shared<LoadedSolver>();
-  solver->table = load_solver(compilation, choice.use, choice.use_cache);
+  solver->table = choice.lanes > 0 ? load_solver(contracted(compilation), choice) : load_solver(compilation, choice);
   const SolverTable& table = *solver->table;
   solver->parameters.assign(table.default_parameters, table.default_parameters + table.parameters);
   solver->inputs.assign(table.default_inputs, table.default_inputs + table.inputs);
@@ -164,8 +185,10 @@ Engine make_generated_engine(const Compilation& compilation, const EngineChoice&
   Engine engine;
   engine.name = choice.name;
   engine.form = name_of(compilation.programs.form);
-  engine.accelerations = [solver](const LoadedState& at, GenericDerivative& derivative) {
-    return accelerations(*solver, at, derivative);
+  engine.batch = std::max(choice.lanes, 1);
+  const auto evaluate = choice.lanes > 0 ? accelerations_in_lanes : accelerations;
+  engine.accelerations = [solver, evaluate](const LoadedState& at, GenericDerivative& derivative) {
+    return evaluate(*solver, at, derivative);
   };
   engine.project = [solver](GenericState& state) { return project(*solver, state); };
   engine.step = [solver, integrator = choice.integrator](GenericState& state, double h) {

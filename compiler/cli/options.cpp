@@ -71,6 +71,11 @@ void add_dump_option(CLI::App& command, std::string& stage) {
                      fmt::format("print what a stage made, and nothing else: {}", fmt::join(dump_stages(), ", ")));
 }
 
+void add_batch_option(CLI::App& command, int& lanes) {
+  command.add_option("--batch", lanes, "4 or 8: solve so many independent instances in one call, in SIMD lanes")
+      ->check(CLI::IsMember({4, 8}));
+}
+
 void add_engine_options(CLI::App& command, EngineArguments& arguments) {
   command.add_option("--engine", arguments.choice.name,
                      fmt::format("{} (default {}; the others need no compiler)", fmt::join(engine_names(), ", "),
@@ -101,6 +106,10 @@ EngineChoice chosen_engine(const EngineArguments& arguments) {
     }
     value = meaning(option, typed);
   };
+  if (choice.lanes > 0 && choice.name != "generated") {
+    throw UserError(
+        fmt::format("--batch: engine \"{}\" has none to choose; those that have: generated\n", choice.name));
+  }
   choose(kLinearAlgebra, arguments.linear_algebra, generic, choice.algebra.library);
   choose(kFactorisation, arguments.factorisation, generic, choice.algebra.factorisation);
   choose(kStabilisation, arguments.stabilisation, cartesian, choice.stabilisation);

@@ -25,6 +25,9 @@ std::optional<Form> chosen_form(const std::string& typed);
 /// --dump=STAGE
 void add_dump_option(CLI::App& command, std::string& stage);
 
+/// --batch: 4 or 8 instances a call, 0 when it is not given.
+void add_batch_option(CLI::App& command, int& lanes);
+
 /// Engine and inputs as typed.
 struct EngineArguments {
   EngineChoice choice;

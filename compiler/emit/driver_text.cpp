@@ -24,7 +24,7 @@ std::string assignments(const std::string& structure, const std::vector<std::str
 }
 
 /// step_clock: text of the function step_ticks, "" for a driver without.
-EmittedFile driver(const Model& model, const std::string& step_clock) {
+EmittedFile driver(const Model& model, int lanes, const std::string& step_clock) {
   const SolverNames names = model_names(model);
   std::vector<double> parameters, inputs;
   for (const Parameter& parameter : model.parameters) {
@@ -35,28 +35,38 @@ EmittedFile driver(const Model& model, const std::string& step_clock) {
   for (std::size_t i = 0; i < names.outputs.size(); ++i) {
     outputs_to += "  y[" + std::to_string(i) + "] = values." + names.outputs[i] + ";\n";
   }
+  const std::string batch = lanes > 0 ? fill_template("batch_driver.cpp.in", {{"solver", names.solver}}) : "";
   return {names.solver + "_driver.cpp",
-          fill_template("driver.cpp.in", {{"banner", banner_text(model, "//")},
-                                          {"solver", names.solver},
-                                          {"default_parameters", table("kDefaultParameters", parameters)},
-                                          {"default_inputs", table("kDefaultInputs", inputs)},
-                                          {"parameters_from", assignments("parameters", names.parameters)},
-                                          {"inputs_from", assignments("inputs", names.inputs)},
-                                          {"outputs_to", outputs_to},
-                                          {"step_clock", step_clock},
-                                          {"step_ticks", step_clock.empty() ? "nullptr" : "step_ticks"}})};
+          fill_template("driver.cpp.in",
+                        {{"banner", banner_text(model, "//")},
+                         {"solver", names.solver},
+                         {"default_parameters", table("kDefaultParameters", parameters)},
+                         {"default_inputs", table("kDefaultInputs", inputs)},
+                         {"parameters_from", assignments("parameters", names.parameters)},
+                         {"inputs_from", assignments("inputs", names.inputs)},
+                         {"outputs_to", outputs_to},
+                         {"interface", lanes > 0 ? "_batch" : ""},
+                         {"batch", batch},
+                         {"batch_entries", lanes > 0 ? std::to_string(lanes) +
+                                                           ",\n    batch_accelerations,\n    time_batch_accelerations"
+                                                     : "0,\n    nullptr,\n    nullptr"},
+                         {"step_clock", step_clock},
+                         {"step_ticks", step_clock.empty() ? "nullptr" : "step_ticks"}})};
 }
 
 }  // namespace
 
-EmittedFile emit_driver(const Model& model) { return driver(model, ""); }
+EmittedFile emit_driver(const Model& model, int lanes) { return driver(model, lanes, ""); }
 
 EmittedFile emit_clocked_driver(const Programs& programs, const Model& model, const Topology& topology,
-                                const Analysis& analysis) {
+                                const Analysis& analysis, int lanes) {
   const SolverNames names = solver_names(model, topology);
   const ShapedProgram clocked = clocked_accelerations(programs, solver_layout(model, topology, analysis), names);
   const std::string program = program_text(*clocked.program, clocked.shape);
-  return driver(model, fill_template("step_clock.cpp.in", {{"solver", names.solver}, {"program", program}}));
+  const std::string more = lanes > 0 ? "#include \"mbgen/multiply_add.hpp\"\n" : "";
+  return driver(model, lanes,
+                fill_template("step_clock.cpp.in",
+                              {{"contraction_include", more}, {"solver", names.solver}, {"program", program}}));
 }
 
 }  // namespace mbgen

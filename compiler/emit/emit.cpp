@@ -32,27 +32,41 @@ void add_included_headers(std::string_view text, std::vector<EmittedFile>& files
 
 std::vector<EmittedFile> emit(const Programs& programs, const Model& model, const Topology& topology,
                               const Analysis& analysis, const EmitOptions& options) {
-  const EmitContext context{
-      programs, model, topology, analysis, solver_names(model, topology), solver_layout(model, topology, analysis),
-      options.roll_above};
+  const EmitContext context{programs,
+                            model,
+                            topology,
+                            analysis,
+                            solver_names(model, topology),
+                            solver_layout(model, topology, analysis),
+                            options.roll_above,
+                            options.lanes};
   const std::string& name = context.names.solver;
   std::vector<EmittedFile> files = {{name + ".hpp", interface_text(context)},
                                     {name + ".cpp", solver_text(context)},
                                     {name + ".json", manifest_text(context)},
                                     {"CMakeLists.txt", build_text(context)}};
+  if (options.lanes > 0) {
+    files.push_back({name + "_batch.hpp", batch_interface_text(context)});
+    files.push_back({name + "_batch.cpp", batch_text(context)});
+  }
   if (options.runtime_headers) {
-    const std::string interface = files[0].text, solver = files[1].text;
-    add_included_headers(interface, files);
-    add_included_headers(solver, files);
-    add_included_headers(emit_driver(model).text, files);
+    std::vector<std::string> texts;
+    for (const EmittedFile& file : files) texts.push_back(file.text);
+    for (const std::string& text : texts) add_included_headers(text, files);
+    add_included_headers(emit_driver(model, options.lanes).text, files);
   }
   return files;
 }
 
-std::vector<std::string> solver_compile_flags(CompilerFamily family) {
+std::vector<std::string> solver_compile_flags(CompilerFamily family, Contraction contraction) {
   std::vector<std::string> flags = {
-      "-std=c++17",        "-O2", "-fno-exceptions", "-fno-rtti", "-fno-math-errno", "-fno-trapping-math",
-      "-ffp-contract=fast"};
+      "-std=c++17",
+      "-O2",
+      "-fno-exceptions",
+      "-fno-rtti",
+      "-fno-math-errno",
+      "-fno-trapping-math",
+      contraction == Contraction::by_compiler ? "-ffp-contract=fast" : "-ffp-contract=off"};
   // The compilers' own vectorisers make this code larger and slower; loops turned into memcpy would need the C library.
   if (family == CompilerFamily::gnu) {
     flags.insert(flags.end(), {"-fno-tree-vectorize", "-fno-tree-loop-distribute-patterns"});

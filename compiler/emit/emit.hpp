@@ -22,29 +22,45 @@ struct EmittedFile {
 };
 
 struct EmitOptions {
-  bool runtime_headers = true;  ///< add the runtime's headers under mbgen/, so that the directory stands alone
+  bool runtime_headers = true;          ///< add the runtime's headers under mbgen/, so that the directory stands alone
   std::size_t roll_above = kRollAbove;  ///< operations of a program above which equal subsystems become loops
+  int lanes = 0;  ///< instances that a call of the batch interface solves, 0 for no such interface
 };
 
-/// The specialised solver: <model>.hpp, <model>.cpp, <model>.json (manifest), CMakeLists.txt, and the runtime headers.
-/// Requires: `programs` traced from the same model, topology and analysis.
+/// The specialised solver: <model>.hpp, <model>.cpp, <model>.json (manifest), CMakeLists.txt, and the runtime headers;
+/// with lanes also <model>_batch.hpp and <model>_batch.cpp.
+/// Requires: `programs` traced from the same model, topology and analysis; with lanes also contracted, so that lanes
+/// and scalar solver round alike.
 std::vector<EmittedFile> emit(const Programs& programs, const Model& model, const Topology& topology,
                               const Analysis& analysis, const EmitOptions& options = {});
 
 /// `<model>_driver.cpp`: the table of mbgen/driver.hpp over plain arrays, for whoever loads the compiled solver.
-EmittedFile emit_driver(const Model& model);
+/// lanes: as the solver has them.
+EmittedFile emit_driver(const Model& model, int lanes = 0);
 
 /// The same with step_ticks: it holds the program of accelerations once more, cut at its steps.
 /// Requires: as emit.
 EmittedFile emit_clocked_driver(const Programs& programs, const Model& model, const Topology& topology,
-                                const Analysis& analysis);
+                                const Analysis& analysis, int lanes = 0);
 
 /// The compilers that emitted code is tuned for.
 enum class CompilerFamily { gnu, clang };
 
+/// Who contracts products and sums into fused multiply-adds.
+enum class Contraction {
+  by_compiler,
+  in_program  ///< the pass `contract`; the compiler must not
+};
+
+/// Who contracts the code of a solver with so many lanes.
+constexpr Contraction contraction_of(int lanes) {
+  return lanes > 0 ? Contraction::in_program : Contraction::by_compiler;
+}
+
 /// Flags that make emitted code fast and keep its object free of symbols other than libm's; the one place they are
 /// listed. Without the processor flag (-march) and without warnings. Source: design.md section 7.
-std::vector<std::string> solver_compile_flags(CompilerFamily family);
+std::vector<std::string> solver_compile_flags(CompilerFamily family,
+                                              Contraction contraction = Contraction::by_compiler);
 
 /// Name of the emitted files and of the namespace: the identifier of the model's name.
 std::string solver_name(const Model& model);

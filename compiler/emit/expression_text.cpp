@@ -23,6 +23,10 @@ std::string call(const std::string& function, const Phrase& first, const Phrase&
   return function + "(" + first.text + ", " + second.text + ")";
 }
 
+std::string call(const std::string& function, const Phrase& first, const Phrase& second, const Phrase& third) {
+  return function + "(" + first.text + ", " + second.text + ", " + third.text + ")";
+}
+
 }  // namespace
 
 Phrase constant_phrase(double value) {
@@ -74,11 +78,25 @@ Phrase operation_phrase(Op op, const Phrase& a, const Phrase& b, const Phrase& c
       return {call("mbgen::max", a, b), Binding::primary};
     case Op::select:
       return {fmt::format("({} >= 0.0 ? {} : {})", a.text, b.text, c.text), Binding::primary};
+    case Op::multiply_add:
+      return {call("mbgen::multiply_add", a, b, c), Binding::primary};
+    case Op::multiply_subtract:
+      return {call("mbgen::multiply_subtract", a, b, c), Binding::primary};
+    case Op::subtract_product:
+      return {call("mbgen::subtract_product", a, b, c), Binding::primary};
     case Op::constant:
     case Op::input:
       break;
   }
   return a;
+}
+
+Phrase lane_operation_phrase(Op op, const Phrase& a, const Phrase& b, const Phrase& c) {
+  constexpr std::string_view kLibrary = "std::";
+  if (op == Op::select) return {call("mbgen::select", a, b, c), Binding::primary};
+  Phrase phrase = operation_phrase(op, a, b, c);
+  if (phrase.text.starts_with(kLibrary)) phrase.text.replace(0, kLibrary.size(), "mbgen::");
+  return phrase;
 }
 
 std::string standing_alone(const Phrase& phrase) {

@@ -22,6 +22,9 @@ Phrase constant_phrase(double value);
 /// is, since floating-point sums are not associative.
 Phrase operation_phrase(Op op, const Phrase& first, const Phrase& second, const Phrase& third);
 
+/// The same on vectors, by functions of mbgen/lanes.hpp.
+Phrase lane_operation_phrase(Op op, const Phrase& first, const Phrase& second, const Phrase& third);
+
 /// Text of a phrase that stands alone, after `=`.
 std::string standing_alone(const Phrase& phrase);
 

@@ -9,16 +9,16 @@ std::string result_struct(const ProgramShape& shape) {
   if (shape.members.empty()) return "";
   std::string text = "/// Result of " + shape.function + ".\nstruct " + shape.result + " {\n";
   for (const ArrayMember& member : shape.members) {
-    text += "  double " + member.name + "[" + std::to_string(member.size > 0 ? member.size : 1) + "];  ///< " +
-            member.comment + "\n";
+    text += "  " + shape.scalar + " " + member.name + "[" + std::to_string(member.size > 0 ? member.size : 1) +
+            "];  ///< " + member.comment + "\n";
   }
   return text + "};\n\n";
 }
 
 std::string work_struct(const ProgramShape& shape, const std::vector<std::string>& crossing) {
   if (crossing.empty()) return "";
-  return "/// Values of " + shape.function + " that cross its parts.\nstruct " + shape.result + "Work {\n  double\n" +
-         wrapped_list(crossing, 6) + ";\n};\n\n";
+  return "/// Values of " + shape.function + " that cross its parts.\nstruct " + shape.result + "Work {\n  " +
+         shape.scalar + "\n" + wrapped_list(crossing, 6) + ";\n};\n\n";
 }
 
 /// Whether a function has every parameter of the shape, the unused ones without a name, or only those it uses.

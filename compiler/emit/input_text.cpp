@@ -19,10 +19,18 @@ std::string polynomial(const Model& model, const SolverNames& names, int input, 
   return fmt::format("{} + {} * {}", value, factor, is_last ? rest : fmt::format("({})", rest));
 }
 
+}  // namespace
+
+std::string input_polynomial(const Model& model, const SolverNames& names, int input) {
+  return polynomial(model, names, input, 1);
+}
+
+namespace {
+
 std::string definition(const Model& model, const SolverNames& names) {
   std::string text = "Inputs advance_inputs(const Inputs& inputs, double dt) noexcept {\n  Inputs later;\n";
   for (std::size_t i = 0; i < names.inputs.size(); ++i) {
-    const std::string value = polynomial(model, names, static_cast<int>(i), 1);
+    const std::string value = input_polynomial(model, names, static_cast<int>(i));
     text += wrapped_statement(fmt::format("  later.{} = {};", names.inputs[i], value)) + "\n";
   }
   return text + "  return later;\n}\n\n";

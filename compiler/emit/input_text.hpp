@@ -21,4 +21,7 @@ struct InputText {
 };
 InputText input_text(const Model& model, const SolverNames& names);
 
+/// Value of an input dt seconds later, in terms of `inputs` and `dt`.
+std::string input_polynomial(const Model& model, const SolverNames& names, int input);
+
 }  // namespace mbgen

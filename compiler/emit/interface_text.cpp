@@ -81,37 +81,15 @@ std::string tables(const EmitContext& context) {
   return text;
 }
 
-std::string member(const std::string& name, const std::string& value, const std::string& unit) {
-  const std::string declaration = "  double " + name + (value.empty() ? "" : " = " + value) + ";";
-  return declaration + (unit.empty() ? "" : "  ///< " + comment_text(unit)) + "\n";
+std::string member(const NumberMember& number) {
+  const std::string declaration = "  double " + number.name + (number.value.empty() ? "" : " = " + number.value) + ";";
+  return declaration + (number.unit.empty() ? "" : "  ///< " + comment_text(number.unit)) + "\n";
 }
 
-std::string parameter_struct(const EmitContext& context) {
-  std::string text = "struct Parameters {\n";
-  std::size_t index = 0;
-  for (const Parameter& parameter : context.model.parameters) {
-    if (!parameter.tunable) continue;
-    text += member(context.names.parameters[index++], number_text(parameter.value), parameter.unit);
-  }
+std::string structure(const std::string& name, const std::vector<NumberMember>& members) {
+  std::string text = "struct " + name + " {\n";
+  for (const NumberMember& number : members) text += member(number);
   return text + "};";
-}
-
-std::string input_struct(const EmitContext& context) {
-  std::string text = "struct Inputs {\n";
-  for (std::size_t i = 0; i < context.model.inputs.size(); ++i) {
-    const Input& input = context.model.inputs[i];
-    text += member(context.names.inputs[i], number_text(input.default_value), input.unit);
-  }
-  return text + "};";
-}
-
-std::string output_struct(const EmitContext& context) {
-  std::string text = "struct Outputs {\n";
-  for (std::size_t i = 0; i < context.model.outputs.size(); ++i) {
-    text += member(context.names.outputs[i], "", context.model.outputs[i].unit);
-  }
-  return text + member("kinetic_energy", "", "J") + member("potential_energy", "", "J, of gravity") +
-         member("applied_power", "", "W, of all applied forces but gravity") + "};";
 }
 
 /// The file name without its directories: the same text wherever the model lies.
@@ -120,13 +98,42 @@ std::string base_name(const std::string& path) {
   return slash == std::string::npos ? path : path.substr(slash + 1);
 }
 
-std::string cmake_flags(CompilerFamily family) {
+std::string cmake_flags(CompilerFamily family, int lanes) {
   std::string text;
-  for (const std::string& flag : solver_compile_flags(family)) text += (text.empty() ? "" : " ") + flag;
+  for (const std::string& flag : solver_compile_flags(family, contraction_of(lanes)))
+    text += (text.empty() ? "" : " ") + flag;
   return wrapped_words(text, "      ");
 }
 
 }  // namespace
+
+std::vector<NumberMember> parameter_members(const EmitContext& context) {
+  std::vector<NumberMember> members;
+  for (const Parameter& parameter : context.model.parameters) {
+    if (!parameter.tunable) continue;
+    members.push_back({context.names.parameters[members.size()], number_text(parameter.value), parameter.unit});
+  }
+  return members;
+}
+
+std::vector<NumberMember> input_members(const EmitContext& context) {
+  std::vector<NumberMember> members;
+  for (const Input& input : context.model.inputs) {
+    members.push_back({context.names.inputs[members.size()], number_text(input.default_value), input.unit});
+  }
+  return members;
+}
+
+std::vector<NumberMember> output_members(const EmitContext& context) {
+  std::vector<NumberMember> members;
+  for (const Output& output : context.model.outputs) {
+    members.push_back({context.names.outputs[members.size()], "", output.unit});
+  }
+  members.insert(members.end(), {{"kinetic_energy", "", "J"},
+                                 {"potential_energy", "", "J, of gravity"},
+                                 {"applied_power", "", "W, of all applied forces but gravity"}});
+  return members;
+}
 
 std::string banner_text(const Model& model, const std::string& mark) {
   return mark + " " + comment_text(model.name) + ", content hash " + model.hash + "\n" + mark +
@@ -150,23 +157,26 @@ std::string interface_text(const EmitContext& context) {
                                          {"parameters", enumeration("Parameter", names.parameters)},
                                          {"loop_blocks", enumeration("LoopBlock", names.loop_blocks)},
                                          {"tables", tables(context)},
-                                         {"parameter_struct", parameter_struct(context)},
-                                         {"input_struct", input_struct(context)},
+                                         {"parameter_struct", structure("Parameters", parameter_members(context))},
+                                         {"input_struct", structure("Inputs", input_members(context))},
                                          {"input_comment", inputs.comment},
                                          {"advance_declaration", inputs.declaration},
                                          {"dynamics_comment", inputs.dynamics_comment},
                                          {"step_start", inputs.member},
-                                         {"output_struct", output_struct(context)},
+                                         {"output_struct", structure("Outputs", output_members(context))},
                                          {"auxiliary_size", size_text(context.layout.auxiliary_states)},
                                          {"multiplier_size", size_text(context.layout.equations)},
                                          {"drive_size", size_text(context.layout.drives)}});
 }
 
 std::string build_text(const EmitContext& context) {
+  const std::string& solver = context.names.solver;
+  const std::string sources = solver + ".cpp" + (context.lanes > 0 ? " " + solver + "_batch.cpp" : "");
   return fill_template("CMakeLists.txt.in", {{"banner", banner_text(context.model, "#")},
-                                             {"solver", context.names.solver},
-                                             {"gnu_flags", cmake_flags(CompilerFamily::gnu)},
-                                             {"clang_flags", cmake_flags(CompilerFamily::clang)}});
+                                             {"solver", solver},
+                                             {"sources", sources},
+                                             {"gnu_flags", cmake_flags(CompilerFamily::gnu, context.lanes)},
+                                             {"clang_flags", cmake_flags(CompilerFamily::clang, context.lanes)}});
 }
 
 }  // namespace mbgen

@@ -17,6 +17,7 @@ struct EmitContext {
   SolverNames names;
   SolverLayout layout;
   std::size_t roll_above = kRollAbove;  ///< see EmitOptions
+  int lanes = 0;                        ///< of the batch interface, 0 for none
 };
 
 /// First lines of every emitted file, each after `mark` ("//" or "#"): model, content hash, command, mbgen version.
@@ -27,6 +28,24 @@ std::string interface_text(const EmitContext& context);
 
 /// `<model>.cpp`.
 std::string solver_text(const EmitContext& context);
+
+/// Members of the struct System, see mbgen/blocks.hpp and mbgen/batch.hpp. members: those that are its programs' and
+/// their results'; scalar: type of its values.
+std::string system_text(const EmitContext& context, const std::string& members, const std::string& scalar);
+
+/// `<model>_batch.hpp`. Requires: context.lanes > 0, as for the next.
+std::string batch_interface_text(const EmitContext& context);
+
+/// `<model>_batch.cpp`.
+std::string batch_text(const EmitContext& context);
+
+/// Members of struct Parameters or Inputs or Outputs: name, value ("" for none), unit.
+struct NumberMember {
+  std::string name, value, unit;
+};
+std::vector<NumberMember> parameter_members(const EmitContext& context);
+std::vector<NumberMember> input_members(const EmitContext& context);
+std::vector<NumberMember> output_members(const EmitContext& context);
 
 /// `<model>.json`: sizes, names, loop blocks and operation counts of every section of every program.
 std::string manifest_text(const EmitContext& context);

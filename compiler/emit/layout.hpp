@@ -58,6 +58,7 @@ struct ProgramShape {
   std::vector<ArrayMember> members;                            ///< of the result struct
   std::vector<std::pair<std::string, std::string>> arguments;  ///< name, declaration; in order
   Places inputs, outputs;
+  std::string scalar = "double";  ///< type of every value: double, or a vector of them
   /// Argument that is told the end of every section by its number, "" for none: then the parts follow the sections.
   std::string clock;
   std::size_t roll_above = kRollAbove;  ///< operations above which equal subsystems become loops

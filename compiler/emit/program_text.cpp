@@ -87,7 +87,7 @@ class ProgramWriter {
           crossing_.push_back(declared);
           array = "work." + array;
         } else {
-          names.declaration += (names.declaration.empty() ? "double " : ", ") + declared;
+          names.declaration += (names.declaration.empty() ? shape_.scalar + " " : ", ") + declared;
         }
       }
       call_names_.push_back(names);
@@ -140,7 +140,7 @@ class ProgramWriter {
 
   /// A value in memory that this part reads often, by a name of its own.
   Phrase copied(ValueId v, const std::string& local, const std::string& place, PartText& part) {
-    if (copied_in_part_.insert(v).second) add_line(part, "const double " + local + " = " + place + ";");
+    if (copied_in_part_.insert(v).second) add_line(part, "const " + shape_.scalar + " " + local + " = " + place + ";");
     return {local, Binding::primary};
   }
 
@@ -169,8 +169,14 @@ class ProgramWriter {
     const Node& node = program_.nodes[v];
     Phrase operands[3];
     for (int k = 0; k < arity(node.op); ++k) operands[k] = phrase_of(node.operands[k], part);
-    return operation_phrase(node.op, operands[0], operands[1], operands[2]);
+    const auto phrase = is_in_lanes() ? lane_operation_phrase : operation_phrase;
+    return phrase(node.op, operands[0], operands[1], operands[2]);
   }
+
+  bool is_in_lanes() const { return shape_.scalar != "double"; }
+
+  /// A plain number where a value is asked for.
+  std::string number(const std::string& text) const { return (is_in_lanes() ? shape_.scalar + "{} + " : "") + text; }
 
   /// The operand with the longest text that has no statement of its own yet, kNoValue when all have.
   ValueId longest_pending_operand(ValueId v) const {
@@ -195,7 +201,7 @@ class ProgramWriter {
   /// Turns the pending text of a value into a statement.
   void name_value(ValueId v, PartText& part) {
     const std::string name = names_.of_value(v);
-    add_line(part, "const double " + name + " = " + standing_alone(phrases_[v]) + ";");
+    add_line(part, "const " + shape_.scalar + " " + name + " = " + standing_alone(phrases_[v]) + ";");
     phrases_[v] = {name, Binding::primary};
     pending_[v] = false;
   }
@@ -213,7 +219,7 @@ class ProgramWriter {
       list.push_back(phrase_of(argument, part).text);
       pending_[argument] = false;
     }
-    part.body += braced_list("  const double " + names.arguments + "[] = ", list, ";\n");
+    part.body += braced_list("  const " + shape_.scalar + " " + names.arguments + "[] = ", list, ";\n");
     if (names.declaration.empty()) {
       part.arguments.insert("work");
     } else {
@@ -238,7 +244,7 @@ class ProgramWriter {
         crossing_.push_back(name);
         part.arguments.insert("work");
       } else {
-        declared += (declared.empty() ? "double " : ", ") + name;
+        declared += (declared.empty() ? shape_.scalar + " " : ", ") + name;
       }
     }
     if (!declared.empty()) add_line(part, declared + ";");
@@ -350,14 +356,15 @@ class ProgramWriter {
       given.insert(place);
       const Op op = program_.nodes[output.value].op;
       if (op == Op::constant || op == Op::input) {
-        add_line(part, place + " = " + standing_alone(phrase_of(output.value, part)) + ";");
+        const std::string value = standing_alone(phrase_of(output.value, part));
+        add_line(part, place + " = " + (op == Op::constant ? number(value) : value) + ";");
         part.arguments.insert("result");
       }
     }
     for (const auto& [group, place] : shape_.outputs) {
       for (const std::string& text : place.texts) {
         if (given.count(text)) continue;
-        add_line(part, text + " = " + place.missing + ";");
+        add_line(part, text + " = " + number(place.missing) + ";");
         part.arguments.insert("result");
       }
     }

@@ -11,6 +11,9 @@ namespace {
 
 using Items = std::vector<std::string>;
 
+/// Text that only a solver which chooses its coordinates at run time needs; lanes leave that to the scalar solver.
+std::string where_chosen(const std::string& scalar, const std::string& text) { return scalar == "double" ? text : ""; }
+
 /// A static table of System; never empty, since C++ has no arrays of size zero.
 std::string table(const std::string& type, const std::string& name, Items items, const std::string& filler = "0") {
   if (items.empty()) items.push_back(filler);
@@ -37,7 +40,7 @@ Items items_of(const std::vector<Number>& numbers) {
 std::string braces(const std::vector<int>& numbers) { return braces(items_of(numbers)); }
 
 /// Sizes and decisions; what only closures or loops ask for is left out without them, so that nothing is unused.
-std::string constants(const EmitContext& context) {
+std::string constants(const EmitContext& context, const std::string& scalar) {
   const SolverLayout& layout = context.layout;
   std::string text =
       constant("int", "kCoordinates", std::to_string(layout.coordinates)) +
@@ -50,8 +53,10 @@ std::string constants(const EmitContext& context) {
     text += constant("int", "kDrives", std::to_string(layout.drives)) +
             constant("double", "kClosureTolerance", number_text(context.model.solver.closure_tolerance));
   }
-  if (!layout.chooses_again) text += constant("bool", "kFrozenOnly", "true");
-  if (!layout.blocks.empty()) text += constant("int", "kBlockCoordinates", std::to_string(layout.block_coordinates));
+  if (!layout.chooses_again) text += where_chosen(scalar, constant("bool", "kFrozenOnly", "true"));
+  if (!layout.blocks.empty()) {
+    text += where_chosen(scalar, constant("int", "kBlockCoordinates", std::to_string(layout.block_coordinates)));
+  }
   return text;
 }
 
@@ -103,7 +108,7 @@ std::string outputs_call(const EmitContext& context) {
          "  }";
 }
 
-std::string tables(const EmitContext& context) {
+std::string tables(const EmitContext& context, const std::string& scalar) {
   const SolverLayout& layout = context.layout;
   Items blocks;
   std::vector<int> coordinates;
@@ -120,32 +125,35 @@ std::string tables(const EmitContext& context) {
     }
     for (const int e : context.analysis.blocks[b].redundant_equations) redundant[p.first_equation + e] = true;
   }
-  std::string text = table("mbgen::FreeDirection", "kFreeDirection", free_direction_items(context), "{0, -1, 0}");
+  std::string text = where_chosen(
+      scalar, table("mbgen::FreeDirection", "kFreeDirection", free_direction_items(context), "{0, -1, 0}"));
   if (layout.has_closure) {
     text += table("unsigned char", "kDriven", items_of(context.analysis.driven)) +
             table("unsigned char", "kRedundant", items_of(redundant)) +
-            table("mbgen::BlockLayout", "kBlockLayout", blocks, "{0, 0, 0, 0, 0, 0, 0, 0, 0.0}");
+            where_chosen(scalar, table("mbgen::BlockLayout", "kBlockLayout", blocks, "{0, 0, 0, 0, 0, 0, 0, 0, 0.0}"));
   }
   if (!layout.blocks.empty()) {
     text += table("int", "kBlockCoordinate", items_of(coordinates)) +
-            table("unsigned char", "kBlockDriven", items_of(block_driven)) +
-            table("int", "kMultiplierPlace", items_of(multiplier_places(context.topology))) +
-            table("int", "kDriveCoordinate", items_of(drive_coordinates(context)));
+            where_chosen(scalar, table("unsigned char", "kBlockDriven", items_of(block_driven)) +
+                                     table("int", "kMultiplierPlace", items_of(multiplier_places(context.topology))) +
+                                     table("int", "kDriveCoordinate", items_of(drive_coordinates(context))));
   }
   return text;
 }
 
 /// Sum of all parameters and inputs: not finite when one of them is not.
-std::string argument_sum(const SolverNames& names) {
+std::string argument_sum(const SolverNames& names, const std::string& scalar) {
   Items terms;
   for (const std::string& name : names.parameters) terms.push_back("parameters." + name);
   for (const std::string& name : names.inputs) terms.push_back("inputs." + name);
   std::string sum;
   for (const std::string& term : terms) sum += (sum.empty() ? "" : " + ") + term;
+  const std::string zero = scalar == "double" ? "0.0" : scalar + "{}";
   const auto parameter = [](bool used, const std::string& name) { return used ? name : "/*" + name + "*/"; };
-  return "  static double argument_sum(const Parameters& " + parameter(!names.parameters.empty(), "parameters") +
-         ", const Inputs& " + parameter(!names.inputs.empty(), "inputs") + ") noexcept {\n" +
-         wrapped_statement("    return " + (sum.empty() ? "0.0" : sum) + ";") + "\n  }\n";
+  return "  static " + scalar + " argument_sum(const Parameters& " +
+         parameter(!names.parameters.empty(), "parameters") + ", const Inputs& " +
+         parameter(!names.inputs.empty(), "inputs") + ") noexcept {\n" +
+         wrapped_statement("    return " + (sum.empty() ? zero : sum) + ";") + "\n  }\n";
 }
 
 /// Accelerations and velocities that the pivoting path hands to the program of the chosen partition.
@@ -168,6 +176,13 @@ void check_residual_order(const EmitContext& context) {
 
 }  // namespace
 
+std::string system_text(const EmitContext& context, const std::string& members, const std::string& scalar) {
+  std::string system =
+      constants(context, scalar) + tables(context, scalar) + members + argument_sum(context.names, scalar);
+  system.pop_back();
+  return system;
+}
+
 std::string solver_text(const EmitContext& context) {
   check_residual_order(context);
   std::string programs, members;
@@ -183,19 +198,20 @@ std::string solver_text(const EmitContext& context) {
   if (!context.layout.blocks.empty() && context.layout.chooses_again) {
     members += "  using Projection = " + context.names.solver + "::Projection;\n";
   }
-  std::string system = constants(context) + tables(context) + members + argument_sum(context.names);
-  system.pop_back();
+  const std::string system = system_text(context, members, "double");
   const InputText inputs = input_text(context.model, context.names);
-  return fill_template("solver.cpp.in", {{"banner", banner_text(context.model, "//")},
-                                         {"solver", context.names.solver},
-                                         {"projection_struct", projection_struct(context.layout)},
-                                         {"programs", programs},
-                                         {"outputs_call", outputs_call(context)},
-                                         {"system", system},
-                                         {"advance_inputs", inputs.definition},
-                                         {"inputs_now", inputs.now},
-                                         {"inputs", inputs.name},
-                                         {"start", inputs.start}});
+  return fill_template("solver.cpp.in",
+                       {{"banner", banner_text(context.model, "//")},
+                        {"solver", context.names.solver},
+                        {"contraction_include", context.lanes > 0 ? "#include \"mbgen/multiply_add.hpp\"\n" : ""},
+                        {"projection_struct", projection_struct(context.layout)},
+                        {"programs", programs},
+                        {"outputs_call", outputs_call(context)},
+                        {"system", system},
+                        {"advance_inputs", inputs.definition},
+                        {"inputs_now", inputs.now},
+                        {"inputs", inputs.name},
+                        {"start", inputs.start}});
 }
 
 }  // namespace mbgen

@@ -4,6 +4,7 @@
 
 #include <vector>
 
+#include "compiler/passes/contract.hpp"
 #include "compiler/passes/dead_values.hpp"
 #include "compiler/passes/factor_sums.hpp"
 #include "compiler/passes/merge_divisions.hpp"

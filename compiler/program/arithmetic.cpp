@@ -21,6 +21,9 @@ int arity(Op op) {
     case Op::max:
       return 2;
     case Op::select:
+    case Op::multiply_add:
+    case Op::multiply_subtract:
+    case Op::subtract_product:
       return 3;
     default:
       return 1;
@@ -75,6 +78,12 @@ const char* op_name(Op op) {
       return "max";
     case Op::select:
       return "select";
+    case Op::multiply_add:
+      return "muladd";
+    case Op::multiply_subtract:
+      return "mulsub";
+    case Op::subtract_product:
+      return "submul";
   }
   return "unknown";
 }
@@ -123,6 +132,12 @@ double apply(Op op, double first, double second, double third) {
       return std::max(first, second);
     case Op::select:
       return first >= 0 ? second : third;
+    case Op::multiply_add:
+      return std::fma(first, second, third);
+    case Op::multiply_subtract:
+      return std::fma(first, second, -third);
+    case Op::subtract_product:
+      return std::fma(-second, third, first);
     case Op::constant:
     case Op::input:
       break;

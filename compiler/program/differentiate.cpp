@@ -109,6 +109,12 @@ Expr derive(Derivation& derivation, std::size_t index, const std::vector<Expr>& 
   const Expr result(derivation.builder, derivation.value[index]);
   // d(select(c, x, y)) = select(c, dx, dy)
   if (node.op == Op::select) return select(operand[0], derivative[1], derivative[2]);
+  // d(x y + z) = dx y + x dy + dz and its like
+  if (node.op == Op::multiply_add) return derivative[0] * operand[1] + operand[0] * derivative[1] + derivative[2];
+  if (node.op == Op::multiply_subtract) return derivative[0] * operand[1] + operand[0] * derivative[1] - derivative[2];
+  if (node.op == Op::subtract_product) {
+    return derivative[0] - (derivative[1] * operand[2] + operand[1] * derivative[2]);
+  }
   if (arity(node.op) == 1) return derive_unary(node.op, operand[0], derivative[0], result);
   return derive_binary(node.op, operand[0], derivative[0], operand[1], derivative[1], result);
 }

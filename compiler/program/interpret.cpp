@@ -22,6 +22,12 @@ void count(OperationCount& total, Op op) {
     case Op::multiply:
       ++total.multiply;
       return;
+    case Op::multiply_add:
+    case Op::multiply_subtract:
+    case Op::subtract_product:
+      ++total.multiply;
+      ++total.add;
+      return;
     case Op::divide:
       ++total.divide;
       return;

@@ -36,7 +36,11 @@ enum class Op : std::uint8_t {
   abs,
   min,
   max,
-  select  ///< select(x, a, b): a where x >= 0, else b (b for NaN); min and max are std::min and std::max
+  select,       ///< select(x, a, b): a where x >= 0, else b (b for NaN); min and max are std::min and std::max
+  // Rounded once; only the pass `contract` makes these.
+  multiply_add,       ///< multiply_add(a, b, c): a b + c
+  multiply_subtract,  ///< multiply_subtract(a, b, c): a b - c
+  subtract_product    ///< subtract_product(c, a, b): c - a b
 };
 
 /// One value. `operands` beyond the arity of `op` are kNoValue.

@@ -30,7 +30,7 @@ std::string verify_operands(const Program& program, std::size_t value) {
 /// value_seen: per input, whether an earlier node is its value; updated.
 std::string verify_node(const Program& program, std::size_t value, std::vector<bool>& value_seen) {
   const Node& node = program.nodes[value];
-  if (node.op > Op::select) return fmt::format("%{}: unknown operation {}", value, static_cast<int>(node.op));
+  if (node.op > Op::subtract_product) return fmt::format("%{}: unknown operation {}", value, static_cast<int>(node.op));
   if (std::string problem = verify_operands(program, value); !problem.empty()) return problem;
   if (node.op == Op::constant && !std::isfinite(node.constant)) {
     return fmt::format("%{}: constant {} is not finite", value, node.constant);

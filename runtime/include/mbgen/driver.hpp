@@ -7,7 +7,7 @@
 namespace mbgen {
 
 /// Layout of SolverTable; a loaded library with another number was made by another mbgen.
-constexpr int kSolverTableLayout = 3;
+constexpr int kSolverTableLayout = 4;
 
 /// Sizes and functions of one generated solver. Arrays, all in SI units and in the order of the model:
 ///   parameters  the tunable ones                 inputs   all of them
@@ -78,6 +78,17 @@ struct SolverTable {
   /// driver without step clock. The steps are those of the frozen partition.
   void (*step_ticks)(const double* parameters, const double* inputs, const double* states, const double* taus,
                      int count, int repetitions, long long* ticks) noexcept;
+
+  int lanes;  ///< instances of a batch, 0 for a solver without batch interface; the functions that follow are null then
+
+  /// All accelerations of `lanes` states (state after state, tau after tau). Results of a state are untouched unless
+  /// its status is ok.
+  void (*batch_accelerations)(const double* parameters, const double* inputs, const double* states, const double* taus,
+                              double* derivatives, Status* statuses) noexcept;
+
+  /// As time_accelerations, batch after batch; the last one is filled up with the last state.
+  long long (*time_batch_accelerations)(const double* parameters, const double* inputs, const double* states,
+                                        const double* taus, int count, int repetitions) noexcept;
 };
 
 }  // namespace mbgen

@@ -37,7 +37,7 @@ inline Status check_step(double h) noexcept {
 
 template <class Care, class System>
 Status finish(const System& system, double h, typename System::State& state) noexcept {
-  const Status status = check_finite(state);
+  const Status status = Care::check(state);
   return status.ok() ? Care::close(system, state, h) : status;
 }
 

@@ -133,6 +133,11 @@ constexpr bool asks_for_care(Status status) noexcept {
 struct Plain {
   static constexpr bool goes_on(Status status) noexcept { return status.ok() && !asks_for_care(status); }
 
+  template <class State>
+  static Status check(const State& result) noexcept {
+    return check_finite(result);
+  }
+
   template <class System>
   static Status rates(const System& system, const typename System::State& stage, double /*h*/,
                       StateRates<System>& rates) noexcept {
@@ -152,6 +157,11 @@ constexpr Status as_near(Status status) noexcept {
 /// Stages closed before they are evaluated, and singular positions passed.
 struct Careful {
   static constexpr bool goes_on(Status status) noexcept { return status.ok(); }
+
+  template <class State>
+  static Status check(const State& result) noexcept {
+    return check_finite(result);
+  }
 
   /// Closes a state; at a singular position it also has the rates.
   template <class System>

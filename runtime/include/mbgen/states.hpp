@@ -1,9 +1,10 @@
 #pragma once
-// What integrators do with states and rates of any System: arrays of double or containers with size(), see
-// integrators.hpp.
+// What integrators do with states and rates of any System: arrays of doubles or of their vectors, or containers with
+// size(), see integrators.hpp.
 
 #include <cmath>
 #include <cstddef>
+#include <type_traits>
 
 #include "mbgen/status.hpp"
 
@@ -18,8 +19,8 @@ struct StateRates {
 
 namespace integrator_detail {
 
-template <std::size_t N>
-constexpr std::size_t size_of(const double (&)[N]) noexcept {
+template <class Value, std::size_t N>
+constexpr std::size_t size_of(const Value (&)[N]) noexcept {
   return N;
 }
 template <class Container>
@@ -27,8 +28,8 @@ std::size_t size_of(const Container& values) noexcept {
   return values.size();
 }
 
-template <std::size_t N>
-void copy(const double (&from)[N], double (&to)[N]) noexcept {
+template <class Value, std::size_t N>
+void copy(const Value (&from)[N], Value (&to)[N]) noexcept {
   for (std::size_t i = 0; i < N; ++i) to[i] = from[i];
 }
 template <class Container>
@@ -73,8 +74,9 @@ Status evaluate(const System& system, const typename System::State& state, State
 template <class System, int N>
 void advance(const typename System::State& start, const double (&weights)[N],
              const StateRates<System>* const (&rates)[N], typename System::State& state) noexcept {
+  using Value = std::decay_t<decltype(start.z[0])>;
   for (std::size_t i = 0; i < size_of(start.z); ++i) {
-    double dz = 0, dzd = 0;
+    Value dz{}, dzd{};
     for (int k = 0; k < N; ++k) {
       dz += weights[k] * rates[k]->zd[i];
       dzd += weights[k] * rates[k]->derivative.zdd[i];
@@ -83,7 +85,7 @@ void advance(const typename System::State& start, const double (&weights)[N],
     state.zd[i] = start.zd[i] + dzd;
   }
   for (std::size_t i = 0; i < size_of(start.x); ++i) {
-    double dx = 0;
+    Value dx{};
     for (int k = 0; k < N; ++k) dx += weights[k] * rates[k]->derivative.xd[i];
     state.x[i] = start.x[i] + dx;
   }

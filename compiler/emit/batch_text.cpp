@@ -1,0 +1,153 @@
+// The batch interface: the solver's programs once more, on vectors.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+
+#include "compiler/emit/input_text.hpp"
+#include "compiler/emit/interface_text.hpp"
+#include "compiler/emit/program_text.hpp"
+#include "compiler/emit/text.hpp"
+#include "compiler/model/inputs.hpp"
+
+namespace mbgen {
+namespace {
+
+using Members = std::vector<NumberMember>;
+
+std::string size_text(int size) { return std::to_string(std::max(size, 1)); }
+
+int alignment(const EmitContext& context) { return 8 * context.lanes; }
+
+/// A row of every number; one with a value has it in every lane.
+std::string row_struct(const std::string& name, const Members& members, const EmitContext& context) {
+  std::string text = fmt::format("struct alignas({}) {} {{\n", alignment(context), name);
+  for (const NumberMember& member : members) {
+    const std::string declaration = "  double " + member.name + "[kLanes]";
+    const std::vector<std::string> values(static_cast<std::size_t>(context.lanes), member.value);
+    text += member.value.empty() ? declaration + ";" : braced_list(declaration + " = ", values, ";");
+    text += (member.unit.empty() ? "" : "  ///< " + comment_text(member.unit)) + "\n";
+  }
+  return text + "};";
+}
+
+std::string lane_struct(const std::string& name, const std::vector<std::string>& members) {
+  std::string text = "struct " + name + " {\n";
+  for (const std::string& member : members) text += "  Lanes " + member + ";\n";
+  return text + "};\n";
+}
+
+std::vector<std::string> names_of(const Members& members) {
+  std::vector<std::string> names;
+  for (const NumberMember& member : members) names.push_back(member.name);
+  return names;
+}
+
+/// The structs of the interface with a vector in place of each number.
+std::string lane_structs(const EmitContext& context) {
+  const SolverLayout& layout = context.layout;
+  const std::string auxiliary = size_text(layout.auxiliary_states);
+  return lane_struct("Parameters", names_of(parameter_members(context))) +
+         lane_struct("Inputs", names_of(input_members(context))) +
+         lane_struct("State", {"z[kCoordinates]", "zd[kCoordinates]", "x[" + auxiliary + "]", "t"}) +
+         lane_struct("Derivative", {"zdd[kCoordinates]", "xd[" + auxiliary + "]"}) +
+         lane_struct("Multipliers",
+                     {"lambda[" + size_text(layout.equations) + "]", "drive[" + size_text(layout.drives) + "]"}) +
+         lane_struct("Outputs", names_of(output_members(context)));
+}
+
+/// One statement a member: a format of its name.
+std::string statements(const Members& members, const char* format) {
+  std::string text;
+  for (const NumberMember& member : members) {
+    text += wrapped_statement(fmt::format(fmt::runtime(format), member.name)) + "\n";
+  }
+  return text;
+}
+
+/// The program on vectors: a sibling of the scalar function, with the same name and arguments.
+ShapedProgram in_lanes(ShapedProgram shaped) {
+  shaped.shape.scalar = "Lanes";
+  shaped.shape.roll_above = std::numeric_limits<std::size_t>::max();  // loops over subsystems are of doubles
+  for (auto& [name, declaration] : shaped.shape.arguments) {
+    if (name == "tau") declaration = "const Lanes* tau";
+  }
+  return shaped;
+}
+
+/// The inputs of a step dt seconds after its start.
+std::string inputs_at(const EmitContext& context) {
+  if (!inputs_have_derivatives(context.model.inputs)) {
+    return "  static const Inputs& inputs_at(const Inputs& inputs, const Lanes& /*dt*/) noexcept { return inputs; }\n";
+  }
+  std::string text = "  static Inputs inputs_at(const Inputs& inputs, const Lanes& dt) noexcept {\n    Inputs later;\n";
+  for (std::size_t i = 0; i < context.names.inputs.size(); ++i) {
+    const std::string value = input_polynomial(context.model, context.names, static_cast<int>(i));
+    text += wrapped_statement(fmt::format("    later.{} = {};", context.names.inputs[i], value)) + "\n";
+  }
+  return text + "    return later;\n  }\n";
+}
+
+std::string outputs_call(const EmitContext& context) {
+  if (!outputs_take_multipliers(context.programs)) {
+    return "  const Mask good = mbgen::batch_detail::arguments_are_finite<System>(p, in, at, tau);\n"
+           "  lanes::compute_outputs(p, in, at, tau, rates, result);";
+  }
+  return "  lanes::Multipliers constraint;\n"
+         "  const Mask good = mbgen::constrain_lanes<System>(p, in, at, tau, rates, constraint);\n"
+         "  lanes::compute_outputs(p, in, at, tau, rates, constraint, result);";
+}
+
+}  // namespace
+
+std::string batch_interface_text(const EmitContext& context) {
+  return fill_template("batch.hpp.in",
+                       {{"banner", banner_text(context.model, "//")},
+                        {"solver", context.names.solver},
+                        {"lanes", std::to_string(context.lanes)},
+                        {"alignment", std::to_string(alignment(context))},
+                        {"parameter_struct", row_struct("Parameters", parameter_members(context), context)},
+                        {"input_struct", row_struct("Inputs", input_members(context), context)},
+                        {"output_struct", row_struct("Outputs", output_members(context), context)},
+                        {"auxiliary_size", size_text(context.layout.auxiliary_states)},
+                        {"multiplier_size", size_text(context.layout.equations)},
+                        {"drive_size", size_text(context.layout.drives)}});
+}
+
+std::string batch_text(const EmitContext& context) {
+  std::string programs, members;
+  for (const ShapedProgram& scalar : shaped_programs(context.programs, context.layout, context.names)) {
+    if (scalar.key == "closure_terms" || scalar.key == "accelerations_chosen") continue;  // of lanes that are alone
+    const ShapedProgram shaped = in_lanes(scalar);
+    programs += program_text(*shaped.program, shaped.shape) + "\n";
+    if (shaped.key == "outputs") continue;
+    members += "  using " + shaped.shape.result + " = lanes::" + shaped.shape.result + ";\n" +
+               "  static constexpr auto " + shaped.shape.function.substr(std::string("compute_").size()) +
+               " = &lanes::" + shaped.shape.function + ";\n";
+  }
+  const Members parameters = parameter_members(context), inputs = input_members(context),
+                outputs = output_members(context);
+  constexpr const char* kLoad = "  values.{0} = load(batch.{0});";
+  constexpr const char* kOne = "  one.{0} = batch.{0}[lane];";
+  constexpr const char* kSet = "  batch.{0}[lane] = one.{0};";
+  return fill_template("batch.cpp.in",
+                       {{"banner", banner_text(context.model, "//")},
+                        {"solver", context.names.solver},
+                        {"lane_structs", lane_structs(context)},
+                        {"programs", programs},
+                        {"system", system_text(context, members, "Lanes")},
+                        {"inputs_at", inputs_at(context)},
+                        {"load_parameters", statements(parameters, kLoad)},
+                        {"load_inputs", statements(inputs, kLoad)},
+                        {"parameters_of", statements(parameters, kOne)},
+                        {"inputs_of", statements(inputs, kOne)},
+                        {"outputs_of", statements(outputs, kOne)},
+                        {"set_parameters", statements(parameters, kSet)},
+                        {"set_inputs", statements(inputs, kSet)},
+                        {"set_outputs", statements(outputs, kSet)},
+                        {"store_outputs", statements(outputs, "  store_row(good, result.{0}, values.{0});")},
+                        {"outputs_call", outputs_call(context)}});
+}
+
+}  // namespace mbgen

@@ -1,0 +1,230 @@
+#pragma once
+// Accelerations, closures, multipliers and outputs of several instances in lanes, by the frozen programs alone. Each
+// function says which lanes are good: there the scalar solver would have gone the same way, with the same bits. What
+// is in the other lanes means nothing; the caller solves them one by one.
+//
+// `System` is that of blocks.hpp with vectors in place of doubles: Lanes, Mask, kLanes, and types, tables and programs
+// as there; beyond it inputs_at(inputs, dt), the inputs dt seconds later.
+
+#include "mbgen/batch_status.hpp"
+#include "mbgen/blocks.hpp"
+#include "mbgen/closure.hpp"
+#include "mbgen/lanes.hpp"
+#include "mbgen/motion.hpp"
+#include "mbgen/states.hpp"
+
+namespace mbgen {
+
+namespace batch_detail {
+
+template <class System>
+constexpr typename System::Mask every_lane() noexcept {
+  return ~typename System::Mask{};
+}
+
+/// Sum of the first `count` rows with four accumulators, to halve the waiting twice.
+template <class Lanes>
+[[gnu::always_inline]] inline Lanes sum(const Lanes* rows, int count) noexcept {
+  Lanes sums[4] = {};
+  int i = 0;
+  for (; i + 3 < count; i += 4) {
+    for (int k = 0; k < 4; ++k) sums[k] += rows[i + k];
+  }
+  for (; i < count; ++i) sums[0] += rows[i];
+  return (sums[0] + sums[1]) + (sums[2] + sums[3]);
+}
+
+template <class Lanes>
+[[gnu::always_inline]] inline MaskOf<Lanes> is_finite(const Lanes& value) noexcept {
+  return value - value == 0.0;
+}
+
+/// Lanes whose arguments are surely finite; tau may be null.
+template <class System>
+typename System::Mask arguments_are_finite(const typename System::Parameters& parameters,
+                                           const typename System::Inputs& inputs, const typename System::State& state,
+                                           const typename System::Lanes* tau) noexcept {
+  typename System::Lanes total = System::argument_sum(parameters, inputs) + state.t;
+  total += sum(state.z, System::kCoordinates) + sum(state.zd, System::kCoordinates);
+  total += sum(state.x, System::kAuxiliaryStates);
+  if (tau != nullptr) total += sum(tau, System::kCoordinates);
+  return is_finite(total);
+}
+
+/// Lanes in which every block has at least this pivot over its reference.
+template <class System, class Lanes>
+typename System::Mask pivots_reach(const Lanes* pivot, double threshold) noexcept {
+  typename System::Mask good = every_lane<System>();
+  for (int b = 0; b < System::kBlocks; ++b) good &= pivot[b] >= threshold;
+  return good;
+}
+
+/// The larger, NaN counting as larger than what came before.
+template <class Lanes>
+[[gnu::always_inline]] inline Lanes larger(const Lanes& size, const Lanes& largest) noexcept {
+  return choose(size <= largest, largest, size);
+}
+
+/// Largest residual of the equations whose redundancy flag is `redundant`.
+template <class System>
+typename System::Lanes largest_residual(const typename System::Closure& closure, unsigned char redundant) noexcept {
+  typename System::Lanes largest{};
+  for (int e = 0; e < System::kEquations; ++e) {
+    if (System::kRedundant[e] == redundant) largest = larger(mbgen::abs(closure.residual[e]), largest);
+  }
+  return largest;
+}
+
+template <class System>
+typename System::Lanes largest_driven_step(const typename System::Closure& closure) noexcept {
+  typename System::Lanes largest{};
+  for (int i = 0; i < System::kCoordinates; ++i) {
+    if (System::kDriven[i] != 0) largest = larger(mbgen::abs(closure.dz[i]), largest);
+  }
+  return largest;
+}
+
+/// z += dz in the lanes of the mask, shortened where a coordinate outside the motions would jump.
+template <class System>
+void apply_step(const typename System::Closure& closure, const typename System::Mask& mask,
+                typename System::State& state) noexcept {
+  using Lanes = typename System::Lanes;
+  Lanes largest{};
+  for (int i = 0; i < System::kCoordinates; ++i) {
+    if (System::kDriven[i] != 0) continue;
+    const Lanes size = mbgen::abs(closure.dz[i]);
+    largest = choose(size > largest, size, largest);
+  }
+  const Lanes one = Lanes{} + 1.0;
+  const Lanes factor = choose(largest > kLargestNewtonStep, kLargestNewtonStep / largest, one);
+  for (int i = 0; i < System::kCoordinates; ++i) {
+    const Lanes step = System::kDriven[i] != 0 ? closure.dz[i] : factor * closure.dz[i];
+    take(mask, state.z[i] + step, state.z[i]);
+  }
+}
+
+/// Accepts the closed positions in the lanes of the mask. Result: where that holds.
+template <class System>
+typename System::Mask accept(const typename System::Closure& closure, const typename System::Mask& mask,
+                             typename System::State& trial) noexcept {
+  for (int i = 0; i < System::kCoordinates; ++i) {
+    if (System::kDriven[i] != 0) take(mask, trial.z[i] + closure.dz[i], trial.z[i]);
+    take(mask, closure.zd[i], trial.zd[i]);
+  }
+  return (largest_residual<System>(closure, 1) <= kRedundantTolerance) &
+         is_finite(sum(closure.zd, System::kCoordinates));
+}
+
+/// Newton on z and t of `trial`, far from singular positions; at the end its velocities are consistent. wanted: lanes
+/// that matter. Result: those that came through.
+template <class System>
+typename System::Mask close_lanes(const typename System::Parameters& parameters, const typename System::Inputs& inputs,
+                                  const typename System::Mask& wanted, typename System::State& trial) noexcept {
+  using Lanes = typename System::Lanes;
+  using Mask = typename System::Mask;
+  typename System::Closure closure;
+  Mask open = wanted, done{};
+  Lanes previous = Lanes{} + INFINITY;
+  for (int iteration = 0; iteration <= kNewtonIterations && bits_of(open) != 0; ++iteration) {
+    System::closure(parameters, inputs, trial, closure);
+    open &= pivots_reach<System>(closure.pivot, kNearSingular);
+    const Lanes misfit = largest_residual<System>(closure, 0);
+    const Lanes driven = largest_driven_step<System>(closure);
+    const Lanes size = choose(driven > misfit, driven, misfit);
+    const Mask may_gain = iteration < kNewtonIterations ? every_lane<System>() : Mask{};
+    const Mask gains = (size > 0.0) & (size < 0.5 * previous) & may_gain;
+    const Mask closed = open & ((size <= System::kClosureTolerance) | (~gains & (size <= kRoundingFloor)));
+    done |= closed & accept<System>(closure, closed, trial);
+    open &= ~closed;
+    previous = size;
+    apply_step<System>(closure, open, trial);
+    open &= is_finite(sum(trial.z, System::kCoordinates));
+  }
+  return done;
+}
+
+/// Lanes in which no coordinate outside the motions lies further than kLargestCorrection from where it was.
+template <class System>
+typename System::Mask stayed_near(const typename System::State& from, const typename System::State& to) noexcept {
+  typename System::Mask near = every_lane<System>();
+  if constexpr (System::kBlocks > 0) {
+    for (const int i : System::kBlockCoordinate) {
+      if (System::kDriven[i] == 0) near &= mbgen::abs(to.z[i] - from.z[i]) <= kLargestCorrection;
+    }
+  }
+  return near;
+}
+
+}  // namespace batch_detail
+
+/// All accelerations at a state. least_pivot: of every block over its reference. Result: the good lanes.
+template <class System>
+typename System::Mask accelerate_lanes(const typename System::Parameters& parameters,
+                                       const typename System::Inputs& inputs, const typename System::State& state,
+                                       const typename System::Lanes* tau, double least_pivot,
+                                       typename System::Derivative& derivative) noexcept {
+  using namespace batch_detail;
+  typename System::Accelerations values;
+  System::accelerations(parameters, inputs, state, tau, values);
+  typename System::Mask good =
+      arguments_are_finite<System>(parameters, inputs, state, tau) & pivots_reach<System>(values.pivot, least_pivot);
+  for (int k = 0; k < System::kFreeDirections; ++k) good &= values.inertia[k] > 0.0;
+  for (int i = 0; i < System::kCoordinates; ++i) derivative.zdd[i] = values.zdd[i];
+  for (int i = 0; i < System::kAuxiliaryStates; ++i) derivative.xd[i] = values.xd[i];
+  // The array of a solver without auxiliary states has one entry all the same, and integrators integrate it.
+  if constexpr (System::kAuxiliaryStates == 0) derivative.xd[0] = typename System::Lanes{};
+  return good & is_finite(sum(values.zdd, System::kCoordinates) + sum(values.xd, System::kAuxiliaryStates));
+}
+
+/// Closes every loop from the state as a guess, as project_state. Result: the good lanes.
+template <class System>
+typename System::Mask project_lanes(const typename System::Parameters& parameters,
+                                    const typename System::Inputs& inputs, typename System::State& state) noexcept {
+  using namespace batch_detail;
+  const typename System::Mask finite = arguments_are_finite<System>(parameters, inputs, state, nullptr);
+  if constexpr (System::kHasClosure) return close_lanes<System>(parameters, inputs, finite, state);
+  return finite;
+}
+
+/// The same from a good guess, as project_motion.
+template <class System>
+typename System::Mask project_lanes_in_motion(const typename System::Parameters& parameters,
+                                              const typename System::Inputs& inputs,
+                                              typename System::State& state) noexcept {
+  typename System::State guess;
+  integrator_detail::copy_state(state, guess);
+  const typename System::Mask good = project_lanes<System>(parameters, inputs, state);
+  return good & batch_detail::stayed_near<System>(guess, state);
+}
+
+/// Multipliers and driving forces at given accelerations, as solve_multipliers. Result: the good lanes.
+template <class System>
+typename System::Mask constrain_lanes(const typename System::Parameters& parameters,
+                                      const typename System::Inputs& inputs, const typename System::State& state,
+                                      const typename System::Lanes* tau, const typename System::Derivative& derivative,
+                                      typename System::Multipliers& multipliers) noexcept {
+  using namespace batch_detail;
+  typename System::Mask good = arguments_are_finite<System>(parameters, inputs, state, tau);
+  if constexpr (System::kHasClosure) {
+    typename System::ConstraintForces values;
+    System::multipliers(parameters, inputs, state, tau, derivative, values);
+    good &= pivots_reach<System>(values.pivot, kPivotThreshold) &
+            is_finite(sum(values.lambda, System::kEquations) + sum(values.drive, System::kDrives));
+    for (int e = 0; e < System::kEquations; ++e) multipliers.lambda[e] = values.lambda[e];
+    for (int g = 0; g < System::kDrives; ++g) multipliers.drive[g] = values.drive[g];
+  }
+  return good;
+}
+
+/// Statuses of a call: ok for the good lanes, what `alone` (int lane -> Status) finds for the others.
+template <int W, class Mask, class Alone>
+LaneStatuses<W> with_the_others_alone(const Mask& good, const Alone& alone) noexcept {
+  LaneStatuses<W> statuses{};
+  const unsigned bits = bits_of(good);
+  for (int lane = 0; lane < W; ++lane) {
+    if ((bits >> lane & 1u) == 0) statuses[lane] = alone(lane);
+  }
+  return statuses;
+}
+
+}  // namespace mbgen

@@ -1,0 +1,126 @@
+#pragma once
+// Steps of several instances in lanes: the integrators of integrators.hpp over vectors. A lane in which anything but
+// the plain way of a step is met is not good, and the caller takes its whole step again by the scalar solver.
+
+#include "mbgen/batch.hpp"
+#include "mbgen/integrators.hpp"
+
+namespace mbgen {
+
+namespace batch_detail {
+
+/// A System of batch.hpp as an integrator sees it. Its functions always say ok; `good` loses the lanes that are not.
+template <class System>
+struct LaneDynamics {
+  using State = typename System::State;
+  using Derivative = typename System::Derivative;
+  const typename System::Parameters& parameters;
+  const typename System::Inputs& inputs;
+  const typename System::Lanes& start;  ///< s, time of the inputs
+  typename System::Mask& good;
+
+  Status derivative(const State& state, Derivative& derivative) const noexcept {
+    static constexpr typename System::Lanes kNoForces[System::kCoordinates] = {};
+    good &= accelerate_lanes<System>(parameters, System::inputs_at(inputs, state.t - start), state, kNoForces,
+                                     kNearSingular, derivative);
+    return {};
+  }
+  Status project(State& state) const noexcept {
+    good &= project_lanes_in_motion<System>(parameters, System::inputs_at(inputs, state.t - start), state);
+    return {};
+  }
+};
+
+/// Stages as they are; what they meet is in the mask.
+struct LaneStages {
+  static constexpr bool goes_on(Status) noexcept { return true; }
+
+  template <class State>
+  static Status check(const State&) noexcept {
+    return {};
+  }
+  template <class System>
+  static Status rates(const System& system, const typename System::State& stage, double /*h*/,
+                      StateRates<System>& rates) noexcept {
+    return integrator_detail::evaluate(system, stage, rates);
+  }
+  template <class System>
+  static Status close(const System& system, typename System::State& state, double /*h*/) noexcept {
+    return system.project(state);
+  }
+};
+
+}  // namespace batch_detail
+
+/// True for a step size that a step takes.
+inline bool is_step(double h) noexcept { return integrator_detail::check_step(h).ok(); }
+
+/// One step by the classical Runge-Kutta method, as step_rk4. result: a copy of the state. Result: the good lanes.
+/// Requires: is_step(h).
+template <class System>
+typename System::Mask step_lanes_rk4(const typename System::Parameters& parameters,
+                                     const typename System::Inputs& inputs, const typename System::State& state,
+                                     double h, typename System::State& result) noexcept {
+  typename System::Mask good = batch_detail::every_lane<System>();
+  const batch_detail::LaneDynamics<System> dynamics{parameters, inputs, state.t, good};
+  integrator_detail::try_rk4<batch_detail::LaneStages>(dynamics, state, h, result);
+  return good;
+}
+
+namespace batch_detail {
+
+template <class Lanes, int W, int N>
+void load_rows(const double (&from)[N][W], Lanes (&to)[N]) noexcept {
+  for (int i = 0; i < N; ++i) to[i] = load(from[i]);
+}
+
+/// Rows of the lanes in the mask.
+template <class Mask, class Lanes, int W, int N>
+void store_rows(const Mask& mask, const Lanes (&from)[N], double (&to)[N][W]) noexcept {
+  for (int i = 0; i < N; ++i) store(choose(mask, from[i], load(to[i])), to[i]);
+}
+
+}  // namespace batch_detail
+
+/// One step by Adams-Bashforth-Moulton, as step_abm4. Result: the good lanes, whose history has it. Lanes that know
+/// fewer rates than others are not good. Requires: is_step(h).
+template <class System, class History>
+typename System::Mask step_rows_abm4(const typename System::Parameters& parameters,
+                                     const typename System::Inputs& inputs, const typename System::State& state,
+                                     History& history, double h, typename System::State& result) noexcept {
+  using namespace batch_detail;
+  using Dynamics = LaneDynamics<System>;
+  AbmHistory<Dynamics> past;
+  for (int k = 0; k < 4; ++k) {
+    load_rows(history.zd[k], past.rates[k].zd);
+    load_rows(history.zdd[k], past.rates[k].derivative.zdd);
+    load_rows(history.xd[k], past.rates[k].derivative.xd);
+  }
+  int known[System::kLanes], most = 0;
+  for (int lane = 0; lane < System::kLanes; ++lane) {
+    const bool goes_on = history.h[lane] == h && history.t[lane] == state.t[lane];
+    known[lane] = goes_on ? history.count[lane] : 0;
+    most = known[lane] > most ? known[lane] : most;
+  }
+  typename System::Mask good{};
+  for (int lane = 0; lane < System::kLanes; ++lane) good[lane] = known[lane] == most ? -1 : 0;
+  const Dynamics dynamics{parameters, inputs, state.t, good};
+  integrator_detail::Ends<Dynamics> ends;
+  integrator_detail::try_abm4<LaneStages>(dynamics, state, past, most, h, result, ends);
+
+  const StateRates<Dynamics>* const rates[] = {&ends.next, &ends.current, &past.rates[1], &past.rates[2]};
+  for (int k = 0; k < 4; ++k) {
+    store_rows(good, rates[k]->zd, history.zd[k]);
+    store_rows(good, rates[k]->derivative.zdd, history.zdd[k]);
+    store_rows(good, rates[k]->derivative.xd, history.xd[k]);
+  }
+  for (int lane = 0; lane < System::kLanes; ++lane) {
+    if (good[lane] == 0) continue;
+    history.count[lane] = most < 1 ? 2 : most < 4 ? most + 1 : 4;
+    history.h[lane] = h;
+    history.t[lane] = result.t[lane];
+  }
+  return good;
+}
+
+}  // namespace mbgen

@@ -1,0 +1,258 @@
+#pragma once
+// Several doubles in one vector (the vector_size extension of GCC and clang), lane by lane: the functions that emitted
+// programs call, each with the bits of its scalar sibling. In a call of several arguments plain numbers count for
+// every lane.
+
+#include <cmath>
+#include <type_traits>
+
+#include "mbgen/multiply_add.hpp"
+#include "mbgen/scalar.hpp"
+
+#if defined(__AVX__) && defined(__FMA__)
+#include <immintrin.h>
+#endif
+
+// Vectors wider than the processor's have no settled way to be passed; nothing here is called across files.
+#pragma GCC diagnostic ignored "-Wpsabi"
+
+namespace mbgen {
+
+/// A vector of W doubles.
+template <int W>
+struct LaneTypes {
+  typedef double Lanes __attribute__((vector_size(8 * W), may_alias));
+  /// The same where doubles stand: as little aligned as they are.
+  typedef double InArray __attribute__((vector_size(8 * W), aligned(8), may_alias));
+};
+
+/// Number of lanes of a vector.
+template <class Lanes>
+inline constexpr int kLanesOf = static_cast<int>(sizeof(Lanes) / sizeof(double));
+
+/// What a comparison of vectors gives: all bits of a lane where it holds, none elsewhere.
+template <class Lanes>
+using MaskOf = decltype(Lanes() < Lanes());
+
+/// The vector among the types of arguments.
+template <class... Arguments>
+using WidestOf = decltype((Arguments() + ...));
+
+/// One row of an array of structures turned inside out: a quantity of every lane.
+template <int W>
+[[gnu::always_inline]] inline typename LaneTypes<W>::Lanes load(const double (&row)[W]) noexcept {
+  return *reinterpret_cast<const typename LaneTypes<W>::InArray*>(&row);
+}
+
+template <class Lanes, int W>
+[[gnu::always_inline]] inline void store(const Lanes& value, double (&row)[W]) noexcept {
+  *reinterpret_cast<typename LaneTypes<W>::InArray*>(&row) = value;
+}
+
+/// Lanes of `chosen` where the mask has them, of `other` elsewhere.
+template <class Mask, class Lanes>
+[[gnu::always_inline]] inline Lanes choose(const Mask& mask, const Lanes& chosen, const Lanes& other) noexcept {
+  return mask ? chosen : other;
+}
+
+/// One bit per lane, the first the lowest.
+template <class Mask>
+[[gnu::always_inline]] inline unsigned bits_of(const Mask& mask) noexcept {
+  unsigned bits = 0;
+  for (int lane = 0; lane < kLanesOf<Mask>; ++lane) bits |= mask[lane] != 0 ? 1u << lane : 0u;
+  return bits;
+}
+
+/// Lanes of `to` that the mask has become those of `from`.
+template <class Mask, class Lanes>
+[[gnu::always_inline]] inline void take(const Mask& mask, const Lanes& from, Lanes& to) noexcept {
+  to = choose(mask, from, to);
+}
+
+/// Keeps the stack aligned: clang 14 stores wide vectors there unaligned unless an aligned local escapes.
+template <class Lanes>
+struct AlignedStack {
+  [[gnu::always_inline]] AlignedStack() noexcept { asm volatile("" : : "r"(this)); }
+  alignas(sizeof(Lanes)) char place = 0;
+};
+
+namespace lanes_detail {
+
+/// A number in every lane. The difference keeps the sign of zero.
+template <class Lanes>
+[[gnu::always_inline]] inline Lanes all(double value) noexcept {
+  return value - Lanes{};
+}
+template <class Lanes>
+[[gnu::always_inline]] inline Lanes all(const Lanes& value) noexcept {
+  return value;
+}
+
+template <class Lanes>
+[[gnu::always_inline]] inline Lanes fused(const Lanes& a, const Lanes& b, const Lanes& c) noexcept {
+  Lanes result{};
+  for (int lane = 0; lane < kLanesOf<Lanes>; ++lane) result[lane] = mbgen::multiply_add(a[lane], b[lane], c[lane]);
+  return result;
+}
+
+#if defined(__AVX__) && defined(__FMA__)
+[[gnu::always_inline]] inline __m256d fused(const __m256d& a, const __m256d& b, const __m256d& c) noexcept {
+  return _mm256_fmadd_pd(a, b, c);
+}
+#if defined(__AVX512F__)
+[[gnu::always_inline]] inline __m512d fused(const __m512d& a, const __m512d& b, const __m512d& c) noexcept {
+  return _mm512_fmadd_pd(a, b, c);
+}
+#else
+using Eight = LaneTypes<8>::Lanes;
+[[gnu::always_inline]] inline Eight fused(const Eight& a, const Eight& b, const Eight& c) noexcept {
+  const __m256d low =
+      _mm256_fmadd_pd(__builtin_shufflevector(a, a, 0, 1, 2, 3), __builtin_shufflevector(b, b, 0, 1, 2, 3),
+                      __builtin_shufflevector(c, c, 0, 1, 2, 3));
+  const __m256d high =
+      _mm256_fmadd_pd(__builtin_shufflevector(a, a, 4, 5, 6, 7), __builtin_shufflevector(b, b, 4, 5, 6, 7),
+                      __builtin_shufflevector(c, c, 4, 5, 6, 7));
+  return __builtin_shufflevector(low, high, 0, 1, 2, 3, 4, 5, 6, 7);
+}
+#endif
+#endif
+
+/// A function of the C library, lane after lane.
+template <class Lanes, class Function>
+[[gnu::always_inline]] inline Lanes each(const Lanes& x, Function function) noexcept {
+  Lanes result{};
+  for (int lane = 0; lane < kLanesOf<Lanes>; ++lane) result[lane] = function(static_cast<double>(x[lane]));
+  return result;
+}
+template <class Lanes, class Function>
+[[gnu::always_inline]] inline Lanes each(const Lanes& x, const Lanes& y, Function function) noexcept {
+  Lanes result{};
+  for (int lane = 0; lane < kLanesOf<Lanes>; ++lane) {
+    result[lane] = function(static_cast<double>(x[lane]), static_cast<double>(y[lane]));
+  }
+  return result;
+}
+
+}  // namespace lanes_detail
+
+/// a b + c.
+template <class A, class B, class C, class Lanes = WidestOf<A, B, C>>
+[[gnu::always_inline]] inline Lanes multiply_add(const A& a, const B& b, const C& c) noexcept {
+  using namespace lanes_detail;
+  return fused(all<Lanes>(a), all<Lanes>(b), all<Lanes>(c));
+}
+
+/// a b - c.
+template <class A, class B, class C, class Lanes = WidestOf<A, B, C>>
+[[gnu::always_inline]] inline Lanes multiply_subtract(const A& a, const B& b, const C& c) noexcept {
+  using namespace lanes_detail;
+  return fused(all<Lanes>(a), all<Lanes>(b), -all<Lanes>(c));
+}
+
+/// c - a b.
+template <class C, class A, class B, class Lanes = WidestOf<A, B, C>>
+[[gnu::always_inline]] inline Lanes subtract_product(const C& c, const A& a, const B& b) noexcept {
+  using namespace lanes_detail;
+  return fused(-all<Lanes>(a), all<Lanes>(b), all<Lanes>(c));
+}
+
+/// a where condition >= 0, else b (b for NaN).
+template <class Lanes, class A, class B, class = std::enable_if_t<!std::is_arithmetic_v<Lanes>>>
+[[gnu::always_inline]] inline Lanes select(const Lanes& condition, const A& a, const B& b) noexcept {
+  using namespace lanes_detail;
+  return condition >= 0.0 ? all<Lanes>(a) : all<Lanes>(b);
+}
+
+/// The smaller of two; the first when they are equal or not comparable.
+template <class A, class B, class Lanes = WidestOf<A, B>>
+[[gnu::always_inline]] inline Lanes min(const A& a, const B& b) noexcept {
+  const Lanes first = lanes_detail::all<Lanes>(a), second = lanes_detail::all<Lanes>(b);
+  return second < first ? second : first;
+}
+
+/// The larger of two; the first when they are equal or not comparable.
+template <class A, class B, class Lanes = WidestOf<A, B>>
+[[gnu::always_inline]] inline Lanes max(const A& a, const B& b) noexcept {
+  const Lanes first = lanes_detail::all<Lanes>(a), second = lanes_detail::all<Lanes>(b);
+  return first < second ? second : first;
+}
+
+/// Absolute value.
+template <class Lanes>
+[[gnu::always_inline]] inline Lanes abs(const Lanes& x) noexcept {
+  using Bits = MaskOf<Lanes>;
+  return __builtin_bit_cast(Lanes, __builtin_bit_cast(Bits, x) & 0x7fffffffffffffff);
+}
+
+template <class Lanes>
+[[gnu::always_inline]] inline Lanes sqrt(const Lanes& x) noexcept {
+#if defined(__AVX512F__)
+  if constexpr (kLanesOf<Lanes> == 8)
+    return _mm512_mask_sqrt_pd(x, 0xff, x);  // the plain one makes g++ 12 warn of itself
+#endif
+#if defined(__AVX__) && defined(__FMA__)
+  if constexpr (kLanesOf<Lanes> == 4) return _mm256_sqrt_pd(x);
+#endif
+  return lanes_detail::each(x, [](double value) { return std::sqrt(value); });
+}
+
+template <class Lanes>
+inline Lanes sin(const Lanes& x) noexcept {
+  return lanes_detail::each(x, [](double value) { return std::sin(value); });
+}
+
+template <class Lanes>
+inline Lanes cos(const Lanes& x) noexcept {
+  return lanes_detail::each(x, [](double value) { return std::cos(value); });
+}
+
+template <class Lanes>
+inline Lanes tan(const Lanes& x) noexcept {
+  return lanes_detail::each(x, [](double value) { return std::tan(value); });
+}
+
+template <class Lanes>
+inline Lanes asin(const Lanes& x) noexcept {
+  return lanes_detail::each(x, [](double value) { return std::asin(value); });
+}
+
+template <class Lanes>
+inline Lanes acos(const Lanes& x) noexcept {
+  return lanes_detail::each(x, [](double value) { return std::acos(value); });
+}
+
+template <class Lanes>
+inline Lanes atan(const Lanes& x) noexcept {
+  return lanes_detail::each(x, [](double value) { return std::atan(value); });
+}
+
+template <class Lanes>
+inline Lanes exp(const Lanes& x) noexcept {
+  return lanes_detail::each(x, [](double value) { return std::exp(value); });
+}
+
+template <class Lanes>
+inline Lanes log(const Lanes& x) noexcept {
+  return lanes_detail::each(x, [](double value) { return std::log(value); });
+}
+
+template <class Lanes>
+inline Lanes tanh(const Lanes& x) noexcept {
+  return lanes_detail::each(x, [](double value) { return std::tanh(value); });
+}
+
+template <class A, class B, class Lanes = WidestOf<A, B>>
+inline Lanes atan2(const A& y, const B& x) noexcept {
+  using lanes_detail::all;
+  return lanes_detail::each(all<Lanes>(y), all<Lanes>(x),
+                            [](double first, double second) { return std::atan2(first, second); });
+}
+
+template <class A, class B, class Lanes = WidestOf<A, B>>
+inline Lanes pow(const A& base, const B& exponent) noexcept {
+  using lanes_detail::all;
+  return lanes_detail::each(all<Lanes>(base), all<Lanes>(exponent),
+                            [](double first, double second) { return std::pow(first, second); });
+}
+
+}  // namespace mbgen

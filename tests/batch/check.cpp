@@ -1,0 +1,191 @@
+// Every function of a batch interface against the scalar solver, lane by lane: statuses and bits.
+//   c++ ... -DSOLVER=four_bar -DINTERFACE='"four_bar_batch.hpp"' check.cpp, with the solver's sources
+// Prints what differs; exit code 1 then.
+
+#include INTERFACE
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <cstring>
+#include <random>
+
+namespace {
+
+namespace solver = SOLVER;
+namespace batch = SOLVER::batch;
+using solver::kCoordinates;
+using batch::kLanes;
+
+constexpr int kRounds = 20;
+constexpr double kStep = 1e-3;
+
+int failures = 0;
+std::mt19937 random_bits(1);
+
+double number(double range) { return std::uniform_real_distribution<double>(-range, range)(random_bits); }
+
+void expect_status(const char* what, int lane, mbgen::Status found, mbgen::Status expected) {
+  if (found.code == expected.code && found.index == expected.index) return;
+  if (failures++ < 20) {
+    std::printf("%s, lane %d: %s %d instead of %s %d\n", what, lane, text(found.code), found.index, text(expected.code),
+                expected.index);
+  }
+}
+
+/// The same bits, or both no number.
+template <class Struct>
+void expect_same(const char* what, int lane, const Struct& found, const Struct& expected) {
+  constexpr std::size_t kNumbers = sizeof(Struct) / sizeof(double);
+  double a[kNumbers], b[kNumbers];
+  std::memcpy(a, &found, sizeof a);
+  std::memcpy(b, &expected, sizeof b);
+  for (std::size_t i = 0; i < kNumbers; ++i) {
+    if (std::memcmp(a + i, b + i, sizeof(double)) == 0 || (std::isnan(a[i]) && std::isnan(b[i]))) continue;
+    if (failures++ < 20) std::printf("%s, lane %d, number %zu: %.17g instead of %.17g\n", what, lane, i, a[i], b[i]);
+  }
+}
+
+/// One instance, as the scalar solver has it.
+struct Instance {
+  solver::Parameters parameters;
+  solver::Inputs inputs;
+  solver::State state{};
+  double tau[kCoordinates] = {};
+  solver::Derivative derivative{};
+  solver::Outputs outputs{};
+  solver::Multipliers multipliers{};
+  solver::History history{};
+};
+
+struct Batch {
+  batch::Parameters parameters;
+  batch::Inputs inputs;
+  batch::State state{};
+  batch::JointForces forces{};
+  batch::Derivative derivative{};
+  batch::Outputs outputs{};
+  batch::Multipliers multipliers{};
+  batch::History history{};
+};
+
+/// A consistent state near the reference configuration.
+void make_consistent(Instance& one) {
+  for (int attempt = 0; attempt < 100; ++attempt) {
+    const double range = 0.2 / (1 + attempt);
+    for (double& z : one.state.z) z = number(range);
+    for (double& zd : one.state.zd) zd = number(0.5);
+    for (double& x : one.state.x) x = number(1e-4);
+    if (solver::kAuxiliaryStates == 0) one.state.x[0] = 0;
+    one.state.t = number(1) + 1;
+    if (assemble(one.parameters, one.inputs, one.state).ok()) return;
+  }
+  std::printf("no consistent state found\n");
+  ++failures;
+}
+
+void gather(const Instance (&all)[kLanes], Batch& lanes) {
+  for (int lane = 0; lane < kLanes; ++lane) {
+    set_lane(lanes.parameters, lane, all[lane].parameters);
+    set_lane(lanes.inputs, lane, all[lane].inputs);
+    set_lane(lanes.state, lane, all[lane].state);
+    set_lane(lanes.derivative, lane, all[lane].derivative);
+    set_lane(lanes.outputs, lane, all[lane].outputs);
+    set_lane(lanes.multipliers, lane, all[lane].multipliers);
+    for (int i = 0; i < kCoordinates; ++i) lanes.forces.tau[i][lane] = all[lane].tau[i];
+  }
+}
+
+void check_evaluation(Instance (&all)[kLanes], Batch& lanes) {
+  const batch::Statuses a = accelerations(lanes.parameters, lanes.inputs, lanes.state, lanes.forces, lanes.derivative);
+  for (int lane = 0; lane < kLanes; ++lane) {
+    Instance& one = all[lane];
+    expect_status("accelerations", lane, a[lane],
+                  accelerations(one.parameters, one.inputs, one.state, one.tau, one.derivative));
+    expect_same("derivative", lane, lane_of(lanes.derivative, lane), one.derivative);
+  }
+  const batch::Statuses m =
+      multipliers(lanes.parameters, lanes.inputs, lanes.state, lanes.forces, lanes.derivative, lanes.multipliers);
+  const batch::Statuses o =
+      outputs(lanes.parameters, lanes.inputs, lanes.state, lanes.forces, lanes.derivative, lanes.outputs);
+  for (int lane = 0; lane < kLanes; ++lane) {
+    Instance& one = all[lane];
+    expect_status("multipliers", lane, m[lane],
+                  multipliers(one.parameters, one.inputs, one.state, one.tau, one.derivative, one.multipliers));
+    expect_same("multipliers", lane, lane_of(lanes.multipliers, lane), one.multipliers);
+    expect_status("outputs", lane, o[lane],
+                  outputs(one.parameters, one.inputs, one.state, one.tau, one.derivative, one.outputs));
+    expect_same("outputs", lane, lane_of(lanes.outputs, lane), one.outputs);
+  }
+}
+
+void check_assembly(Instance (&all)[kLanes], Batch& lanes) {
+  for (int lane = 0; lane < kLanes; ++lane) {
+    for (double& z : all[lane].state.z) z += number(0.02);
+    set_lane(lanes.state, lane, all[lane].state);
+  }
+  const batch::Statuses s = assemble(lanes.parameters, lanes.inputs, lanes.state);
+  for (int lane = 0; lane < kLanes; ++lane) {
+    expect_status("assemble", lane, s[lane], assemble(all[lane].parameters, all[lane].inputs, all[lane].state));
+    expect_same("assembled state", lane, lane_of(lanes.state, lane), all[lane].state);
+  }
+}
+
+void check_steps(Instance (&all)[kLanes], Batch& lanes, bool adams, int steps) {
+  for (int step = 0; step < steps; ++step) {
+    // Another step size starts the multistep method up again; one lane does so alone.
+    const double h = step == 6 ? kStep / 2 : kStep;
+    if (adams && step == 9) all[1].history.count = lanes.history.count[1] = 0;
+    const batch::Statuses s = adams ? step_abm4(lanes.parameters, lanes.inputs, lanes.state, lanes.history, h)
+                                    : step_rk4(lanes.parameters, lanes.inputs, lanes.state, h);
+    for (int lane = 0; lane < kLanes; ++lane) {
+      Instance& one = all[lane];
+      const mbgen::Status expected = adams ? step_abm4(one.parameters, one.inputs, one.state, one.history, h)
+                                           : step_rk4(one.parameters, one.inputs, one.state, h);
+      expect_status(adams ? "step_abm4" : "step_rk4", lane, s[lane], expected);
+      expect_same(adams ? "state of step_abm4" : "state of step_rk4", lane, lane_of(lanes.state, lane), one.state);
+    }
+  }
+}
+
+/// Everything once; `trouble` spoils some of the instances first.
+template <class Trouble>
+void check(const Trouble& trouble) {
+  static Instance all[kLanes];
+  static Batch lanes;
+  lanes.history = {};
+  for (Instance& one : all) {
+    one = {};
+    make_consistent(one);
+    for (double& tau : one.tau) tau = number(10);
+  }
+  trouble(all);
+  gather(all, lanes);
+  check_evaluation(all, lanes);
+  check_steps(all, lanes, false, 3);
+  check_steps(all, lanes, true, 12);
+  check_evaluation(all, lanes);
+  check_assembly(all, lanes);
+}
+
+}  // namespace
+
+int main() {
+  for (int round = 0; round < kRounds; ++round) check([](Instance (&)[kLanes]) {});
+  for (int round = 0; round < kRounds; ++round) {
+    check([](Instance (&all)[kLanes]) {
+      // What is no number, a loop that is wide open, and a motion that overflows.
+      all[1].state.z[random_bits() % kCoordinates] = NAN;
+      for (double& z : all[2].state.z) z += number(3);
+      all[3].state.zd[random_bits() % kCoordinates] = 1e200;
+    });
+  }
+  // A step that is none changes nothing.
+  static Batch lanes;
+  if (step_rk4(lanes.parameters, lanes.inputs, lanes.state, 0)[kLanes - 1].code != mbgen::Code::step_invalid) {
+    std::printf("a step of no length\n");
+    ++failures;
+  }
+  if (failures > 0) std::printf("%d differences\n", failures);
+  return failures > 0 ? 1 : 0;
+}
