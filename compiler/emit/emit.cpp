@@ -67,6 +67,8 @@ std::vector<std::string> solver_compile_flags(CompilerFamily family, Contraction
       "-fno-math-errno",
       "-fno-trapping-math",
       contraction == Contraction::by_compiler ? "-ffp-contract=fast" : "-ffp-contract=off"};
+  // Vectors wider than the processor's stay inside one file; this note of g++ has no line that a pragma could reach.
+  if (contraction != Contraction::by_compiler && family == CompilerFamily::gnu) flags.push_back("-Wno-psabi");
   // The compilers' own vectorisers make this code larger and slower; loops turned into memcpy would need the C library.
   if (family == CompilerFamily::gnu) {
     flags.insert(flags.end(), {"-fno-tree-vectorize", "-fno-tree-loop-distribute-patterns"});
