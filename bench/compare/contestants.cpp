@@ -61,9 +61,10 @@ Topology in_one_block(Topology topology) {
 }
 
 Contestant mbgen_engine(const Compilation& compilation, const std::string& engine, const std::string& name,
-                        const std::string& remark) {
+                        const std::string& remark, int lanes = 0) {
   cli::EngineChoice choice;
   choice.name = engine;
+  choice.lanes = lanes;
   return {engine, name, remark, "", true, cli::make_engine(compilation, choice)};
 }
 
@@ -71,6 +72,8 @@ Contestant mbgen_engine(const Compilation& compilation, const std::string& engin
 void add_generated(const Compilation& compilation, std::vector<Contestant>& all) {
   const Form form = compilation.programs.form;
   all.push_back(mbgen_engine(compilation, "generated", fmt::format("mbgen, generated, {}", name_of(form)), ""));
+  all.push_back(mbgen_engine(compilation, "generated", "mbgen, generated, eight in lanes", "per instance", 8));
+  all.back().key = "batch8";
   const Form other_form = form == Form::matrix ? Form::recursive : Form::matrix;
   const Compilation other = cli::expect(compile(compilation.model, other_form));
   if (other.programs.form == form) return;
