@@ -5,6 +5,6 @@ set -eu
 here=$(cd "$(dirname "$0")" && pwd)
 mbgen=${1:-$here/../build/release/mbgen}
 for model in coach truck; do
-  "$mbgen" bench "$here/../models/$model.json"
+  "$mbgen" bench "$here/../models/$model.json" --form matrix
   echo
 done

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "compiler/cli/paper_tables.hpp"
+#include "compiler/trace/trace.hpp"
 
 namespace mbgen::cli {
 namespace {
@@ -93,7 +94,14 @@ std::string step_table(const BenchRecord& record) {
     text += "  |";
     for (const PaperColumn& column : paper->columns) text += fmt::format("{:>{}.3f}", column.total, kColumn);
   }
-  return text + "\n\n";
+  text += "\n";
+  const bool recursive = std::any_of(columns.begin(), columns.end(),
+                                     [](const Measurement& m) { return m.engine->form == name_of(Form::recursive); });
+  if (recursive) {
+    text += "  The recursive form has its inertias in step 7, its elimination to the root in 8, the way back in 9\n"
+            "  (docs/recursive.md); --form matrix has the paper's steps.\n";
+  }
+  return text + "\n";
 }
 
 std::string engine_table(const BenchRecord& record) {
