@@ -90,11 +90,11 @@ typename System::Mask step_rows_abm4(const typename System::Parameters& paramete
                                      History& history, double h, typename System::State& result) noexcept {
   using namespace batch_detail;
   using Dynamics = LaneDynamics<System>;
-  AbmHistory<Dynamics> past;
+  StateRates<Dynamics> known_rates[4], start, next;
   for (int k = 0; k < 4; ++k) {
-    load_rows(history.zd[k], past.rates[k].zd);
-    load_rows(history.zdd[k], past.rates[k].derivative.zdd);
-    load_rows(history.xd[k], past.rates[k].derivative.xd);
+    load_rows(history.zd[k], known_rates[k].zd);
+    load_rows(history.zdd[k], known_rates[k].derivative.zdd);
+    load_rows(history.xd[k], known_rates[k].derivative.xd);
   }
   int known[System::kLanes], most = 0;
   for (int lane = 0; lane < System::kLanes; ++lane) {
@@ -105,10 +105,11 @@ typename System::Mask step_rows_abm4(const typename System::Parameters& paramete
   typename System::Mask good{};
   for (int lane = 0; lane < System::kLanes; ++lane) good[lane] = known[lane] == most ? -1 : 0;
   const Dynamics dynamics{parameters, inputs, state.t, good};
-  integrator_detail::Ends<Dynamics> ends;
-  integrator_detail::try_abm4<LaneStages>(dynamics, state, past, most, h, result, ends);
+  const integrator_detail::PastRates<Dynamics> past = {most > 0 ? &known_rates[0] : &start, &known_rates[1],
+                                                       &known_rates[2], &known_rates[3]};
+  integrator_detail::try_abm4<LaneStages>(dynamics, state, past, most, h, result, start, next);
 
-  const StateRates<Dynamics>* const rates[] = {&ends.next, &ends.current, &past.rates[1], &past.rates[2]};
+  const StateRates<Dynamics>* const rates[] = {&next, past[0], past[1], past[2]};
   for (int k = 0; k < 4; ++k) {
     store_rows(good, rates[k]->zd, history.zd[k]);
     store_rows(good, rates[k]->derivative.zdd, history.zdd[k]);

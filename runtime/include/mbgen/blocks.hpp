@@ -17,6 +17,7 @@
 #include <cmath>
 #include <type_traits>
 
+#include "mbgen/array_lanes.hpp"
 #include "mbgen/loop.hpp"
 #include "mbgen/status.hpp"
 
@@ -62,27 +63,26 @@ constexpr double kSingular = 0.01;
 
 namespace solver_detail {
 
-inline void copy(const double* from, double* to, int count) noexcept {
-  for (int i = 0; i < count; ++i) to[i] = from[i];
+[[gnu::always_inline]] inline void copy(const double* from, double* to, int count) noexcept {
+  using namespace array_detail;
+  int i = 0;
+  for (; i + kLanes <= count; i += kLanes) put_lanes(lanes_at(from + i), to + i);
+  for (; i < count; ++i) to[i] = from[i];
 }
 
 template <class System>
 void copy_state(const typename System::State& from, typename System::State& to) noexcept {
-  copy(from.z, to.z, System::kCoordinates);
-  copy(from.zd, to.zd, System::kCoordinates);
-  copy(from.x, to.x, static_cast<int>(sizeof from.x / sizeof from.x[0]));
+  copy_array(from.z, to.z);
+  copy_array(from.zd, to.zd);
+  copy_array(from.x, to.x);
   to.t = from.t;
 }
 
-/// Sum with two accumulators: not finite when an entry is not; the second halves the chain of dependent additions.
-inline double sum(const double* values, int count) noexcept {
-  double even = 0, odd = 0;
-  int i = 0;
-  for (; i + 1 < count; i += 2) {
-    even += values[i];
-    odd += values[i + 1];
-  }
-  return i < count ? even + odd + values[i] : even + odd;
+/// Sum of entries, in no order that counts: not finite when an entry is not.
+[[gnu::always_inline]] inline double sum(const double* values, int count) noexcept {
+  Total total(0);
+  total.add(values, count);
+  return total.value();
 }
 
 /// Largest absolute value, NaN when one is; 0 of nothing.
@@ -118,10 +118,12 @@ template <class System>
 Status check_arguments(const typename System::Parameters& parameters, const typename System::Inputs& inputs,
                        const typename System::State& state, const double* tau) noexcept {
   const double arguments = System::argument_sum(parameters, inputs);
-  double total = sum(state.z, System::kCoordinates) + sum(state.zd, System::kCoordinates) +
-                 sum(state.x, System::kAuxiliaryStates) + (state.t + arguments);
-  if (tau != nullptr) total += sum(tau, System::kCoordinates);
-  return std::isfinite(total) ? Status{} : find_not_finite<System>(arguments, state, tau);
+  Total total(state.t + arguments);
+  total.add(state.z, System::kCoordinates);
+  total.add(state.zd, System::kCoordinates);
+  total.add(state.x, System::kAuxiliaryStates);
+  if (tau != nullptr) total.add(tau, System::kCoordinates);
+  return std::isfinite(total.value()) ? Status{} : find_not_finite<System>(arguments, state, tau);
 }
 
 /// True when every monitor of the frozen partition is good; a NaN is not.

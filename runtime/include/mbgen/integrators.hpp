@@ -23,11 +23,19 @@ namespace mbgen {
 /// Empty it the same way when the state or an input was changed from outside.
 template <class System>
 struct AbmHistory {
-  StateRates<System> rates[4];  ///< [0] at the state that the last step left, then backwards
-  int count = 0;                ///< how many of them are known
-  double h = 0;                 ///< s, the step between them
-  double t = 0;                 ///< s, the time of [0]
+  static constexpr int kRing = 5;   ///< four that are known, and room for those of the next step
+  StateRates<System> rates[kRing];  ///< see past_rates
+  int newest = 0;                   ///< place of the rates at the state that the last step left; then backwards in time
+  int count = 0;                    ///< how many of them are known
+  double h = 0;                     ///< s, the step between them
+  double t = 0;                     ///< s, the time of the newest
 };
+
+/// Rates of `history`, k = 0 at the state that the last step left, then backwards in time; k < 4.
+template <class System>
+const StateRates<System>& past_rates(const AbmHistory<System>& history, int k) noexcept {
+  return history.rates[(history.newest + k) % history.kRing];
+}
 
 namespace integrator_detail {
 
@@ -47,36 +55,39 @@ Status runge_kutta(const System& system, const typename System::State& start, co
                    typename System::State& result) noexcept {
   StateRates<System> second, third, fourth;
   result.t = start.t + 0.5 * h;
-  advance<System, 1>(start, {0.5 * h}, {&first}, result);
+  advance<System>(start, {0.5 * h}, {&first}, result);
   Status status = Care::rates(system, result, h, second);
   Status met = status;
   if (!Care::goes_on(status)) return status;
-  advance<System, 1>(start, {0.5 * h}, {&second}, result);
+  advance<System>(start, {0.5 * h}, {&second}, result);
   status = Care::rates(system, result, h, third);
   met = more_telling(met, status);
   if (!Care::goes_on(status)) return status;
   result.t = start.t + h;
-  advance<System, 1>(start, {h}, {&third}, result);
+  advance<System>(start, {h}, {&third}, result);
   status = Care::rates(system, result, h, fourth);
   met = more_telling(met, status);
   if (!Care::goes_on(status)) return status;
-  advance<System, 4>(start, {h / 6, h / 3, h / 3, h / 6}, {&first, &second, &third, &fourth}, result);
+  advance<System>(start, {h / 6, h / 3, h / 3, h / 6}, {&first, &second, &third, &fourth}, result);
   status = finish<Care>(system, h, result);
   return status.ok() ? more_telling(met, status) : status;
 }
 
-/// Adams-Bashforth from the history, one evaluation, Adams-Moulton. The status may be a notice.
+/// The last four rates, the newest first.
+template <class System>
+using PastRates = const StateRates<System>* [4];
+
+/// Adams-Bashforth from the past rates, one evaluation, Adams-Moulton. The status may be a notice.
 template <class Care, class System>
-Status predict_correct(const System& system, const typename System::State& start, const AbmHistory<System>& history,
-                       double h, typename System::State& result) noexcept {
-  const StateRates<System>* const r[] = {&history.rates[0], &history.rates[1], &history.rates[2], &history.rates[3]};
+Status predict_correct(const System& system, const typename System::State& start, const PastRates<System>& r, double h,
+                       typename System::State& result) noexcept {
   const double c = h / 24;
   StateRates<System> predicted;
   result.t = start.t + h;
-  advance<System, 4>(start, {55 * c, -59 * c, 37 * c, -9 * c}, r, result);
+  advance<System>(start, {55 * c, -59 * c, 37 * c, -9 * c}, {r[0], r[1], r[2], r[3]}, result);
   const Status met = Care::rates(system, result, h, predicted);
   if (!Care::goes_on(met)) return met;
-  advance<System, 4>(start, {9 * c, 19 * c, -5 * c, c}, {&predicted, r[0], r[1], r[2]}, result);
+  advance<System>(start, {9 * c, 19 * c, -5 * c, c}, {&predicted, r[0], r[1], r[2]}, result);
   const Status status = finish<Care>(system, h, result);
   return status.ok() ? more_telling(met, status) : status;
 }
@@ -92,29 +103,22 @@ Status try_rk4(const System& system, const typename System::State& state, double
   return status.ok() ? more_telling(met, status) : status;
 }
 
-/// Rates at both ends of a step.
-template <class System>
-struct Ends {
-  StateRates<System> current, next;
-};
-
-/// One step with the history where it is full, else by Runge-Kutta, to `result`, a copy of the state. known: how many
-/// rates the history has for this step.
+/// One step from past rates where four are known, else by Runge-Kutta, to `result`, a copy of the state. known: how
+/// many are; without any, those at the state go to `current`, which is past[0]. next: rates at the result.
 template <class Care, class System>
-Status try_abm4(const System& system, const typename System::State& state, const AbmHistory<System>& history, int known,
-                double h, typename System::State& result, Ends<System>& ends) noexcept {
+Status try_abm4(const System& system, const typename System::State& state, const PastRates<System>& past, int known,
+                double h, typename System::State& result, StateRates<System>& current,
+                StateRates<System>& next) noexcept {
   Status met;
-  if (known > 0) {
-    copy_rates(history.rates[0], ends.current);
-  } else {
-    met = Care::rates(system, state, h, ends.current);
+  if (known == 0) {
+    met = Care::rates(system, state, h, current);
     if (!Care::goes_on(met)) return met;
   }
-  Status status = known == 4 ? predict_correct<Care>(system, state, history, h, result)
-                             : runge_kutta<Care>(system, state, ends.current, h, result);
+  Status status = known == 4 ? predict_correct<Care>(system, state, past, h, result)
+                             : runge_kutta<Care>(system, state, *past[0], h, result);
   met = more_telling(met, status);
   if (!Care::goes_on(status)) return status;
-  status = Care::rates(system, result, h, ends.next);
+  status = Care::rates(system, result, h, next);
   return status.ok() ? more_telling(met, status) : status;
 }
 
@@ -153,18 +157,21 @@ Status step_abm4(const System& system, typename System::State& state, AbmHistory
   if (!status.ok()) return status;
   const int known = history.h == h && history.t == state.t ? history.count : 0;
   typename System::State result;
-  Ends<System> ends;
+  StateRates<System> start;  // not in the ring: a step that fails leaves all of it
+  PastRates<System> past;
+  for (int k = 0; k < 4; ++k) past[k] = &past_rates(history, k);
+  if (known == 0) past[0] = &start;
+  const int next = (history.newest + history.kRing - 1) % history.kRing;
   copy_state(state, result);
-  status = try_abm4<Plain>(system, state, history, known, h, result, ends);
+  status = try_abm4<Plain>(system, state, past, known, h, result, start, history.rates[next]);
   if (asks_for_care(status)) {
     copy_state(state, result);
-    status = try_abm4<Careful>(system, state, history, known, h, result, ends);
+    status = try_abm4<Careful>(system, state, past, known, h, result, start, history.rates[next]);
   }
   if (!status.ok()) return status;
 
-  for (int k = 3; k > 1; --k) copy_rates(history.rates[k - 1], history.rates[k]);
-  copy_rates(ends.current, history.rates[1]);
-  copy_rates(ends.next, history.rates[0]);
+  if (known == 0) copy_rates(start, history.rates[history.newest]);
+  history.newest = next;
   history.count = known < 1 ? 2 : known < 4 ? known + 1 : 4;
   history.h = h;
   history.t = result.t;

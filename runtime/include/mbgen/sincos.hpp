@@ -17,6 +17,8 @@
 #include <cstdint>
 #include <type_traits>
 
+#include "mbgen/array_lanes.hpp"
+
 namespace mbgen {
 
 /// Largest |angle| (rad) of the reduction, 167 000 revolutions. Beyond it the C library takes over.
@@ -102,16 +104,9 @@ inline void replace_beyond(const T& angle, T& sine, T& cosine) noexcept {
   }
 }
 
-#if defined(__AVX512F__)
-constexpr int kLanes = 8;
-#elif defined(__AVX__)
-constexpr int kLanes = 4;
-#else
-constexpr int kLanes = 2;
-#endif
-typedef double Lanes __attribute__((vector_size(8 * kLanes)));
-/// Lanes where doubles stand: as little aligned as they are.
-typedef double LanesInArray __attribute__((vector_size(8 * kLanes), aligned(8), may_alias));
+using array_detail::kLanes;
+using array_detail::Lanes;
+using array_detail::LanesInArray;
 
 }  // namespace elementary_detail
 

@@ -28,7 +28,10 @@ int free_coordinate(const FreeDirection& direction, const BlockFactors<System>& 
 /// Copies zdd and xd of a program's result when they are finite.
 template <class System, class Values>
 Status deliver(const Values& values, typename System::Derivative& derivative) noexcept {
-  if (!std::isfinite(sum(values.zdd, System::kCoordinates) + sum(values.xd, System::kAuxiliaryStates))) {
+  Total total(0);
+  total.add(values.zdd, System::kCoordinates);
+  total.add(values.xd, System::kAuxiliaryStates);
+  if (!std::isfinite(total.value())) {
     const int bad = first_not_finite(values.zdd, System::kCoordinates);
     if (bad >= 0 || first_not_finite(values.xd, System::kAuxiliaryStates) >= 0) return {Code::not_a_number, bad};
   }

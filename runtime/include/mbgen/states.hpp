@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <type_traits>
 
+#include "mbgen/array_lanes.hpp"
 #include "mbgen/status.hpp"
 
 namespace mbgen {
@@ -31,6 +32,10 @@ std::size_t size_of(const Container& values) noexcept {
 template <class Value, std::size_t N>
 void copy(const Value (&from)[N], Value (&to)[N]) noexcept {
   for (std::size_t i = 0; i < N; ++i) to[i] = from[i];
+}
+template <std::size_t N>
+void copy(const double (&from)[N], double (&to)[N]) noexcept {
+  copy_array(from, to);
 }
 template <class Container>
 void copy(const Container& from, Container& to) noexcept {
@@ -70,25 +75,48 @@ Status evaluate(const System& system, const typename System::State& state, State
   return system.derivative(state, rates.derivative);
 }
 
-/// state = start + sum of weights[k] rates[k]; the time is the caller's. weights: s.
-template <class System, int N>
-void advance(const typename System::State& start, const double (&weights)[N],
-             const StateRates<System>* const (&rates)[N], typename System::State& state) noexcept {
-  using Value = std::decay_t<decltype(start.z[0])>;
-  for (std::size_t i = 0; i < size_of(start.z); ++i) {
-    Value dz{}, dzd{};
-    for (int k = 0; k < N; ++k) {
-      dz += weights[k] * rates[k]->zd[i];
-      dzd += weights[k] * rates[k]->derivative.zdd[i];
-    }
-    state.z[i] = start.z[i] + dz;
-    state.zd[i] = start.zd[i] + dzd;
+/// Entry `i` of start + sum of weights[k] values[k].
+template <class Values, std::size_t K>
+void combine_entry(const Values& start, const double (&weights)[K], const Values* const (&values)[K], std::size_t i,
+                   Values& to) noexcept {
+  std::decay_t<decltype(to[0])> sum{};
+  for (std::size_t k = 0; k < K; ++k) sum += weights[k] * (*values[k])[i];
+  to[i] = start[i] + sum;
+}
+
+/// to = start + sum of weights[k] values[k].
+template <class Values, std::size_t K>
+void combine(const Values& start, const double (&weights)[K], const Values* const (&values)[K], Values& to) noexcept {
+  for (std::size_t i = 0; i < size_of(start); ++i) combine_entry(start, weights, values, i, to);
+}
+/// The same of doubles, in lanes.
+template <std::size_t N, std::size_t K>
+void combine(const double (&start)[N], const double (&weights)[K], const double (*const (&values)[K])[N],
+             double (&to)[N]) noexcept {
+  using namespace array_detail;
+  const auto several = [&](std::size_t i) {
+    Lanes sum = {};
+    for (std::size_t k = 0; k < K; ++k) sum += weights[k] * lanes_at(*values[k] + i);
+    put_lanes(lanes_at(start + i) + sum, to + i);
+  };
+  for_all<N>(several, [&](std::size_t i) { combine_entry(start, weights, values, i, to); });
+}
+
+/// state = start + sum of weights[k] rates[k]; the time is the caller's. weights: s. The states must not overlap.
+template <class System, std::size_t K>
+void advance(const typename System::State& start, const double (&weights)[K],
+             const StateRates<System>* const (&rates)[K], typename System::State& state) noexcept {
+  const decltype(System::State::z)* zd[K];
+  const decltype(System::State::zd)* zdd[K];
+  const decltype(System::State::x)* xd[K];
+  for (std::size_t k = 0; k < K; ++k) {
+    zd[k] = &rates[k]->zd;
+    zdd[k] = &rates[k]->derivative.zdd;
+    xd[k] = &rates[k]->derivative.xd;
   }
-  for (std::size_t i = 0; i < size_of(start.x); ++i) {
-    Value dx{};
-    for (int k = 0; k < N; ++k) dx += weights[k] * rates[k]->derivative.xd[i];
-    state.x[i] = start.x[i] + dx;
-  }
+  combine(start.z, weights, zd, state.z);
+  combine(start.zd, weights, zdd, state.zd);
+  combine(start.x, weights, xd, state.x);
 }
 
 /// not_a_number when a coordinate, velocity or auxiliary state is not finite.
