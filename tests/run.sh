@@ -4,7 +4,7 @@ set -eu
 cd "$(dirname "$0")/.."
 
 .ci/install g++ clang binutils cmake make ninja-build libeigen3-dev libfmt-dev nlohmann-json3-dev libcli11-dev \
-  libopenblas-serial-dev libsuitesparse-dev libgtest-dev libbenchmark-dev
+  libopenblas-serial-dev libsuitesparse-dev libgtest-dev libbenchmark-dev libsimbody-dev libmujoco-dev
 cmake --preset release -DMBGEN_TESTS=ON -DMBGEN_BENCH=ON
 cmake --build --preset release
 ctest --preset release --parallel "$(nproc)"

@@ -5,10 +5,10 @@
 #include <exception>
 #include <memory>
 
-#include "bench/foreign/mujoco_mechanism.hpp"
-#include "bench/foreign/simbody_mechanism.hpp"
 #include "bench/foreign/straightforward_maggi.hpp"
 #include "compiler/cli/user_error.hpp"
+#include "tests/oracle/mujoco_mechanism.hpp"
+#include "tests/oracle/simbody_mechanism.hpp"
 
 namespace mbgen::compare {
 namespace {

@@ -1,4 +1,4 @@
-#include "bench/foreign/reference_mechanism.hpp"
+#include "tests/oracle/reference_mechanism.hpp"
 
 #include <Eigen/Geometry>
 
@@ -104,8 +104,9 @@ ReferenceMechanism reference_mechanism(const Model& model, const Topology& topol
   for (const TreeBody& body : topology.bodies) {
     // A joint of the tree turns about the point of its `from` body.
     const Vector3d pin = place_of(model, model.joints[body.joint].from);
+    const Vector3d at_to = place_of(model, model.joints[body.joint].to);
     mechanism.bodies.push_back({body.name, body.parent, body.joint, body.model_body, kind_of(body.kind),
-                                vector_of(body.axis), pin, RigidMass{0, pin, Matrix3d::Zero()}});
+                                vector_of(body.axis), pin, RigidMass{0, pin, Matrix3d::Zero()}, body.reversed, at_to});
   }
   for (std::size_t b = 0; b < model.bodies.size(); ++b) {
     if (topology.tree_body[b] == kGround) continue;
@@ -114,6 +115,10 @@ ReferenceMechanism reference_mechanism(const Model& model, const Topology& topol
   }
   for (const Loop& loop : topology.loops) mechanism.closures.push_back(closure_of(model, loop));
   return mechanism;
+}
+
+ReferencePoint reference_point(const Model& model, const Topology& topology, int body, int point) {
+  return {topology.tree_body[body], place_of(model, {body, point}), axes_of(model.bodies[body])};
 }
 
 Perpendiculars perpendiculars(const Vector3d& axis) {

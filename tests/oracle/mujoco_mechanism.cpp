@@ -1,4 +1,4 @@
-#include "bench/foreign/mujoco_mechanism.hpp"
+#include "tests/oracle/mujoco_mechanism.hpp"
 
 #include <fmt/format.h>
 #include <mujoco/mujoco.h>

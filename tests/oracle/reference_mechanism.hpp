@@ -35,6 +35,8 @@ struct ReferenceBody {
   Eigen::Vector3d axis = Eigen::Vector3d::UnitZ();
   Eigen::Vector3d pin = Eigen::Vector3d::Zero();
   RigidMass mass;
+  bool reversed = false;                            ///< the joint's `to` body is the parent
+  Eigen::Vector3d at_to = Eigen::Vector3d::Zero();  ///< the joint's point on its `to` body
 };
 
 /// A cut joint or a rod, indices as in Topology::loops.
@@ -57,8 +59,17 @@ struct ReferenceMechanism {
 };
 
 /// Bodies, joints, closures, rods and gravity of a model at its default parameters and inputs. Force elements, tyres
-/// and motions are not looked at: their forces belong into tau.
+/// and motions are not looked at: see force_elements_of.hpp.
 ReferenceMechanism reference_mechanism(const Model& model, const Topology& topology);
+
+/// A point of a model body on the tree.
+struct ReferencePoint {
+  int body = kGround;     ///< tree body
+  Eigen::Vector3d place;  ///< m, global at the reference
+  Eigen::Matrix3d axes;   ///< of the model body there
+};
+/// body, point: as of an Attachment.
+ReferencePoint reference_point(const Model& model, const Topology& topology, int body, int point);
 
 /// Two unit vectors perpendicular to a unit axis and to each other, right-handed with it.
 struct Perpendiculars {
@@ -69,6 +80,7 @@ Perpendiculars perpendiculars(const Eigen::Vector3d& axis);
 /// Position and velocity of a mechanism's coordinates with joint forces, in the order of Topology::bodies.
 struct ForeignState {
   std::vector<double> z, zd, tau;
+  double t = 0;
 };
 
 }  // namespace mbgen::foreign

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "bench/foreign/reference_mechanism.hpp"
+#include "tests/oracle/reference_mechanism.hpp"
 
 namespace mbgen::foreign {
 
