@@ -121,7 +121,7 @@ TEST(Certificate, FourBarLosesWhatIsOutOfItsPlane) {
 }
 
 TEST(Certificate, DoubleLoopsLoseThreeEquationsEach) {
-  for (const char* path : {"tests/data/models/double_loop.json", "tests/data/models/n_four_bar_2.json"}) {
+  for (const char* path : {"tests/data/models/double_loop.json", "models/iftomm/a02_n_four_bar_2.json"}) {
     const Mechanism m = load(path);
     EXPECT_EQ(certificate(m).redundant.size(), 6u) << path;
     EXPECT_EQ(certificate(m).degrees_of_freedom, 1) << path;
@@ -132,7 +132,7 @@ TEST(Certificate, DoubleLoopsLoseThreeEquationsEach) {
 
 /// The bars of the N-four-bar line up at crank angles of a quarter turn; Newton's method is drawn there.
 TEST(Certificate, NamesTheSingularConfigurationsThatItMet) {
-  const Mechanism m = load("tests/data/models/n_four_bar_2.json");
+  const Mechanism m = load("models/iftomm/a02_n_four_bar_2.json");
   ASSERT_FALSE(certificate(m).singular.empty());
   for (const SingularConfiguration& met : certificate(m).singular) {
     EXPECT_LT(met.rank, 4);
@@ -146,7 +146,7 @@ TEST(Certificate, NamesTheSingularConfigurationsThatItMet) {
 
 /// IFToMM's benchmark counts 30 equations of rank 29 in Cartesian coordinates: the five tree joints take 25 of them.
 TEST(Certificate, BricardHasOneRedundantEquationEverywhere) {
-  const Mechanism m = load("tests/data/models/bricard.json");
+  const Mechanism m = load("models/iftomm/a04_bricard.json");
   const Certificate& c = certificate(m);
   EXPECT_EQ(5 * m.topology.size() + m.topology.blocks[0].equations, 30);
   EXPECT_EQ(5 * m.topology.size() + m.analysis.independent_equations, 29);

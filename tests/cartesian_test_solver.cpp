@@ -153,9 +153,9 @@ INSTANTIATE_TEST_SUITE_P(Models, JudgesInMotion,
                                            Run{"models/slider_crank.json", 0.1, 5e-4},
                                            Run{"models/double_pendulum.json", 0.2, 4e-3},
                                            Run{"models/andrews_squeezer.json", 2e-3, 5e-5},
-                                           Run{"tests/data/models/flyball_governor.json", 5e-3, 2e-4},
+                                           Run{"models/iftomm/a05_flyball_governor.json", 5e-3, 2e-4},
                                            Run{"tests/data/models/governor_rods.json", 0.1, 4e-3},
-                                           Run{"tests/data/models/bricard.json", 0.4, 2e-2}));
+                                           Run{"models/iftomm/a04_bricard.json", 0.4, 2e-2}));
 
 /// Largest residuals over a part of a motion.
 struct Drift {

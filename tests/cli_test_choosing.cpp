@@ -100,7 +100,7 @@ TEST_F(Choosing, SliderCrankTurnsThroughItsDeadCentres) {
 // IFToMM A02: the bars of the N-four-bar line up at t = 0.714 s and 1.228 s.
 TEST_F(Choosing, NFourBarPassesThePositionsWhereItsBarsLineUp) {
   for (const char* engine : kEngines) {
-    const Motion motion = simulate(MBGEN_SOURCE_DIR "/tests/data/models/n_four_bar_2.json", 10, 1e-3, engine);
+    const Motion motion = simulate(MBGEN_SOURCE_DIR "/models/iftomm/a02_n_four_bar_2.json", 10, 1e-3, engine);
     const std::vector<double> times = motion.block()["singular_times"];
     ASSERT_EQ(times.size(), 10u) << engine;
     EXPECT_NEAR(times[0], 0.714, 1e-3) << engine;

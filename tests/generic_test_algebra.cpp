@@ -177,7 +177,7 @@ TEST(EveryAlgebra, ChoosesAgainWhereTheFrozenChoiceHasNoSolution) {
 
 // All bars in one line: the loops lose an equation, whatever is chosen. Beside it all is well again.
 TEST(EveryAlgebra, SaysWhereTheLoopsLoseRank) {
-  const Mechanism m = load("tests/data/models/n_four_bar_2.json");
+  const Mechanism m = load("models/iftomm/a02_n_four_bar_2.json");
   GenericState down{std::vector<double>(m.topology.size()), std::vector<double>(m.topology.size()), {}, 0};
   const std::vector<double> tau(m.topology.size(), 0.0);
   for (const char* name : {"A0", "A1", "A2"}) down.z[find_coordinate(m.topology, name)] = -std::acos(-1.0) / 2;

@@ -35,11 +35,11 @@ inline Mechanism load(const std::string& relative) {
   return {*model, *topology, *analysis};
 }
 
-/// Every model of models/ and tests/data/models, relative to the source folder, in alphabetical order; parts that
-/// models include are in folders below.
+/// Every model of models/, its iftomm/ and published/, and tests/data/models, relative to the source folder, in
+/// alphabetical order; parts that models include are in folders below.
 inline std::vector<std::string> all_models() {
   std::vector<std::string> paths;
-  for (const char* folder : {"models", "tests/data/models"}) {
+  for (const char* folder : {"models", "models/iftomm", "models/published", "tests/data/models"}) {
     if (!std::filesystem::exists(source_path(folder))) continue;
     for (const auto& entry : std::filesystem::directory_iterator(source_path(folder)))
       if (entry.path().extension() == ".json")

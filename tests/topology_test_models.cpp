@@ -73,7 +73,7 @@ TEST(Models, CoachNeedsNoMarks) {
 }
 
 TEST(Models, EveryModelHasATopology) {
-  for (const char* folder : {"models", "tests/data/models"}) {
+  for (const char* folder : {"models", "models/iftomm", "models/published", "tests/data/models"}) {
     for (const auto& entry : std::filesystem::directory_iterator(source_path(folder))) {
       if (entry.path().extension() != ".json") continue;
       const Result<Model> model = read_model_file(entry.path().string());
@@ -88,7 +88,7 @@ TEST(Models, EveryModelHasATopology) {
 TEST(Models, ReferenceConfigurationsCloseToRounding) {
   for (const char* path :
        {"models/andrews_squeezer.json", "models/slider_crank.json", "models/coach_mechanism.json",
-        "models/truck_mechanism.json", "tests/data/models/skew_tree.json", "tests/data/models/flyball_governor.json"}) {
+        "models/truck_mechanism.json", "tests/data/models/skew_tree.json", "models/iftomm/a05_flyball_governor.json"}) {
     const Model model = model_of(path);
     const auto place = [&](const Attachment& at) {
       const Body& body = model.bodies[at.body];

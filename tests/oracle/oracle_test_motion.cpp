@@ -61,7 +61,7 @@ void PrintTo(const Course& course, std::ostream* stream) { *stream << course.mod
 INSTANTIATE_TEST_SUITE_P(Closed, MotionInSimbody,
                          ::testing::Values(Course{"models/four_bar.json", 2000, 1e-9, 1e-6},
                                            Course{"models/slider_crank.json", 4000, 1e-9, 3e-6},
-                                           Course{"tests/data/models/bricard.json", 1000, 1e-9, 1e-6},
+                                           Course{"models/iftomm/a04_bricard.json", 1000, 1e-9, 1e-6},
                                            Course{"tests/data/models/spatial_four_bar.json", 4000, 1e-10, 1e-6},
                                            Course{"models/coach.json", 1000, 1e-8, 1e-6}),
                          [](const auto& info) {

@@ -1,0 +1,38 @@
+#!/bin/sh
+# Makes the tables of docs/verification.md anew and puts them between the markers there: docs/verification.sh [BUILD]
+# BUILD: a build directory with the tests, default build/release. Half a minute.
+set -eu
+here=$(cd "$(dirname "$0")" && pwd)
+build=${1:-$here/../build/release}
+page=$here/verification.md
+scratch=$(mktemp -d)
+trap 'rm -rf "$scratch"' EXIT
+
+"$build/tests/published/verification_table" > "$scratch/published"
+
+# From the lines that the tests print: "MODEL: accelerations as in Simbody, 1.0e-13 relative" and the like.
+"$build/tests/oracle/oracle_test" > "$scratch/lines"
+awk '
+  { model = $1; sub(/:$/, "", model) }
+  /: accelerations as in Simbody/ { order[++count] = model; accelerations[model] = $(NF - 1) }
+  /: accelerations as in MuJoCo/ { tree[model] = $(NF - 1) }
+  / carry what Simbody says/ { reactions[model] = $10 " (" $2 ")" }
+  /: 5 s as in Simbody/ { motion[model] = $7 }
+  END {
+    print "| model | accelerations | reactions (joints and rods) | accelerations, MuJoCo | 5 s of motion |"
+    print "|---|---|---|---|---|"
+    for (i = 1; i <= count; ++i) {
+      m = order[i]
+      printf "| %s | %s | %s | %s | %s |\n", m, accelerations[m], reactions[m], tree[m], motion[m]
+    }
+  }' "$scratch/lines" > "$scratch/oracle"
+
+awk -v folder="$scratch" '
+  /^<!-- [a-z]*: end -->/ { inside = 0 }
+  !inside { print }
+  /^<!-- [a-z]*: begin -->/ {
+    inside = 1
+    table = folder "/" substr($2, 1, length($2) - 1)
+    while ((getline line < table) > 0) print line
+  }' "$page" > "$scratch/page"
+cat "$scratch/page" > "$page"

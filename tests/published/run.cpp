@@ -1,0 +1,64 @@
+#include "tests/published/run.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <fstream>
+#include <stdexcept>
+
+#include "compiler/cli/initial_state.hpp"
+#include "compiler/cli/user_error.hpp"
+
+namespace mbgen::published {
+namespace {
+
+std::string source_path(const std::string& relative) { return std::string(MBGEN_SOURCE_DIR) + "/" + relative; }
+
+}  // namespace
+
+nlohmann::json reference(const std::string& name) {
+  return nlohmann::json::parse(std::ifstream(source_path("tests/data/reference/" + name)));
+}
+
+double number(const nlohmann::json& value) {
+  return value.is_string() ? std::stod(value.get<std::string>()) : value.get<double>();
+}
+
+Compilation compiled(const std::string& model) { return cli::expect(compile(source_path(model))); }
+Compilation compiled(Model model) { return cli::expect(compile(std::move(model))); }
+
+Run::Run(const std::string& model, double h, Start start) : compilation_(compiled(model)), h_(h) {
+  engine_ = cli::make_engine(compilation_, {});
+  state_.state = start == Start::initial ? cli::initial_state(compilation_, {}) : cli::reference_state(compilation_);
+  state_.tau.assign(state_.state.z.size(), 0.0);
+}
+
+void Run::go_to(double t) {
+  for (const long last = std::lround(t / h_); steps_ < last; ++steps_) {
+    const Status status = engine_.step(state_.state, h_);
+    if (!status.ok())
+      throw std::runtime_error(fmt::format("{} at {} s", cli::describe(compilation_.topology, status), state_.state.t));
+  }
+}
+
+GenericOutputs Run::outputs() const {
+  GenericDerivative derivative;
+  GenericOutputs values;
+  Status status = engine_.accelerations_in_motion(state_.state, h_, derivative);
+  if (status.ok()) status = engine_.outputs(state_, derivative, values);
+  if (!status.ok()) throw std::runtime_error(cli::describe(compilation_.topology, status));
+  return values;
+}
+
+double Run::output(const std::string& name) const {
+  for (std::size_t i = 0; i < compilation_.model.outputs.size(); ++i)
+    if (compilation_.model.outputs[i].name == name) return outputs().y[i];
+  throw std::runtime_error("no output " + name);
+}
+
+double Run::energy() const {
+  const GenericOutputs values = outputs();
+  return values.kinetic_energy + values.potential_energy;
+}
+
+}  // namespace mbgen::published

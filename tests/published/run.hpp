@@ -1,0 +1,45 @@
+#pragma once
+// A model running in generated code, read by the names of its outputs.
+
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "compiler/cli/engine.hpp"
+
+namespace mbgen::published {
+
+/// Data of a problem, tests/data/reference/<name>.
+nlohmann::json reference(const std::string& name);
+
+/// A number that JSON holds as a number or as text with more digits.
+double number(const nlohmann::json& value);
+
+/// A model of the project, or one in hand. Fails: std::runtime_error with the diagnostics.
+Compilation compiled(const std::string& model);
+Compilation compiled(Model model);
+
+/// Where a run starts: where the model says, or at its reference configuration.
+enum class Start { initial, reference };
+
+class Run {
+ public:
+  /// Runge-Kutta steps of h seconds. Fails: std::runtime_error with the diagnostics.
+  Run(const std::string& model, double h, Start start = Start::initial);
+
+  /// Steps on to a time that is a whole number of steps. Fails: std::runtime_error with the status and the time.
+  void go_to(double t);
+  double output(const std::string& name) const;
+  /// Kinetic energy and that of gravity, J.
+  double energy() const;
+
+ private:
+  GenericOutputs outputs() const;
+
+  Compilation compilation_;
+  cli::Engine engine_;
+  cli::LoadedState state_;
+  double h_;
+  long steps_ = 0;
+};
+
+}  // namespace mbgen::published
