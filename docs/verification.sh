@@ -1,6 +1,6 @@
 #!/bin/sh
-# Makes the tables of docs/verification.md anew and puts them between the markers there: docs/verification.sh [BUILD]
-# BUILD: a build directory with the tests, default build/release. Half a minute.
+# Makes the tables of docs/verification.md anew and puts them between the markers there: docs/verification.sh [BUILD] [--long]
+# BUILD: a build directory with the tests, default build/release. Half a minute; with --long also what takes minutes.
 set -eu
 here=$(cd "$(dirname "$0")" && pwd)
 build=${1:-$here/../build/release}
@@ -9,6 +9,7 @@ scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
 
 "$build/tests/published/verification_table" > "$scratch/published"
+[ "${2:-}" != --long ] || "$build/tests/published/verification_table" --long > "$scratch/long"
 
 # From the lines that the tests print: "MODEL: accelerations as in Simbody, 1.0e-13 relative" and the like.
 "$build/tests/oracle/oracle_test" > "$scratch/lines"
@@ -31,8 +32,7 @@ awk -v folder="$scratch" '
   /^<!-- [a-z]*: end -->/ { inside = 0 }
   !inside { print }
   /^<!-- [a-z]*: begin -->/ {
-    inside = 1
     table = folder "/" substr($2, 1, length($2) - 1)
-    while ((getline line < table) > 0) print line
+    while ((getline line < table) > 0) { print line; inside = 1 }  # no table, no change
   }' "$page" > "$scratch/page"
 cat "$scratch/page" > "$page"

@@ -17,4 +17,9 @@ std::vector<Problem> problems() {
   };
 }
 
+std::vector<Problem> long_problems() {
+  return {{"A02_40", "N-four-bar, N = 40 (LIM A02)", "bench/growth_model.sh",
+           [] { return std::vector<Figure>{n_four_bar_of(40, 20)}; }}};
+}
+
 }  // namespace mbgen::published

@@ -27,9 +27,13 @@ struct Problem {
 
 /// All problems in the order of the table.
 std::vector<Problem> problems();
+/// Those that take minutes: not tests.
+std::vector<Problem> long_problems();
 
 std::vector<Figure> simple_pendulum();
 std::vector<Figure> n_four_bar();
+/// A02 for any N over whole seconds.
+Figure n_four_bar_of(int n, int seconds);
 std::vector<Figure> andrews();
 std::vector<Figure> bricard();
 std::vector<Figure> flyball_governor();

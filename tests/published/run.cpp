@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <cstdio>
 #include <fstream>
 #include <stdexcept>
 
@@ -27,7 +28,20 @@ double number(const nlohmann::json& value) {
 Compilation compiled(const std::string& model) { return cli::expect(compile(source_path(model))); }
 Compilation compiled(Model model) { return cli::expect(compile(std::move(model))); }
 
-Run::Run(const std::string& model, double h, Start start) : compilation_(compiled(model)), h_(h) {
+Compilation compiled_text(const std::string& text) { return compiled(cli::expect(read_model(text, "text.json"))); }
+
+std::string output_of(const std::string& command) {
+  FILE* const pipe = popen(fmt::format("cd '{}' && {}", MBGEN_SOURCE_DIR, command).c_str(), "r");
+  if (pipe == nullptr) throw std::runtime_error("cannot run " + command);
+  std::string text;
+  for (int c = std::fgetc(pipe); c != EOF; c = std::fgetc(pipe)) text += static_cast<char>(c);
+  if (pclose(pipe) != 0) throw std::runtime_error("failed: " + command);
+  return text;
+}
+
+Run::Run(const std::string& model, double h, Start start) : Run(compiled(model), h, start) {}
+
+Run::Run(Compilation compilation, double h, Start start) : compilation_(std::move(compilation)), h_(h) {
   engine_ = cli::make_engine(compilation_, {});
   state_.state = start == Start::initial ? cli::initial_state(compilation_, {}) : cli::reference_state(compilation_);
   state_.tau.assign(state_.state.z.size(), 0.0);

@@ -17,6 +17,10 @@ double number(const nlohmann::json& value);
 /// A model of the project, or one in hand. Fails: std::runtime_error with the diagnostics.
 Compilation compiled(const std::string& model);
 Compilation compiled(Model model);
+/// A model written down. Fails: std::runtime_error with the diagnostics.
+Compilation compiled_text(const std::string& text);
+/// What a command prints that is run in the source folder. Fails: std::runtime_error when it fails.
+std::string output_of(const std::string& command);
 
 /// Where a run starts: where the model says, or at its reference configuration.
 enum class Start { initial, reference };
@@ -25,6 +29,7 @@ class Run {
  public:
   /// Runge-Kutta steps of h seconds. Fails: std::runtime_error with the diagnostics.
   Run(const std::string& model, double h, Start start = Start::initial);
+  Run(Compilation compilation, double h, Start start = Start::initial);
 
   /// Steps on to a time that is a whole number of steps. Fails: std::runtime_error with the status and the time.
   void go_to(double t);
