@@ -15,9 +15,11 @@ using Json = nlohmann::json;
 
 std::vector<Figure> babyboot() {
   const Json data = reference("babyboot.json");
+  const Run start("models/published/babyboot.json", 1e-3);
   std::vector<Figure> figures;
   for (const double h : {1e-3, 1e-4}) {
-    Run run("models/published/babyboot.json", h);
+    Run run = start;
+    run.set_step(h);
     run.go_to(10);
     const auto error = [&](const Json& expected) {
       return std::max(std::abs(run.output("qA") - number(expected["qA_deg"])),

@@ -39,16 +39,22 @@ std::string output_of(const std::string& command) {
   return text;
 }
 
-Run::Run(const std::string& model, double h, Start start) : Run(compiled(model), h, start) {}
+Run::Run(const std::string& model, double h) : Run(compiled(model), h) {}
 
-Run::Run(Compilation compilation, double h, Start start) : compilation_(std::move(compilation)), h_(h) {
-  engine_ = cli::make_engine(compilation_, {});
-  state_.state = start == Start::initial ? cli::initial_state(compilation_, {}) : cli::reference_state(compilation_);
+Run::Run(Compilation compilation, double h) : compilation_(std::move(compilation)), h_(h) {
+  cli::EngineChoice choice;
+  choice.use_cache = false;  // the solver of this source, whatever was compiled before
+  engine_ = cli::make_engine(compilation_, choice);
+  state_.state = cli::initial_state(compilation_, {});
   state_.tau.assign(state_.state.z.size(), 0.0);
 }
 
+void Run::take_reference() { state_.state = cli::reference_state(compilation_); }
+
+void Run::set_step(double h) { h_ = h; }
+
 void Run::go_to(double t) {
-  for (const long last = std::lround(t / h_); steps_ < last; ++steps_) {
+  for (long steps = std::lround((t - state_.state.t) / h_); steps > 0; --steps) {
     const Status status = engine_.step(state_.state, h_);
     if (!status.ok())
       throw std::runtime_error(fmt::format("{} at {} s", cli::describe(compilation_.topology, status), state_.state.t));

@@ -22,15 +22,17 @@ Compilation compiled_text(const std::string& text);
 /// What a command prints that is run in the source folder. Fails: std::runtime_error when it fails.
 std::string output_of(const std::string& command);
 
-/// Where a run starts: where the model says, or at its reference configuration.
-enum class Start { initial, reference };
-
+/// Copies share the compiled solver, and each goes on from where it was copied.
 class Run {
  public:
-  /// Runge-Kutta steps of h seconds. Fails: std::runtime_error with the diagnostics.
-  Run(const std::string& model, double h, Start start = Start::initial);
-  Run(Compilation compilation, double h, Start start = Start::initial);
+  /// Starts as the model says, Runge-Kutta steps of h seconds. Fails: std::runtime_error with the diagnostics.
+  Run(const std::string& model, double h);
+  Run(Compilation compilation, double h);
 
+  /// Takes the model to its reference configuration, at rest.
+  void take_reference();
+  /// Another length of steps from now on. Requires: the time is a whole number of them.
+  void set_step(double h);
   /// Steps on to a time that is a whole number of steps. Fails: std::runtime_error with the status and the time.
   void go_to(double t);
   double output(const std::string& name) const;
@@ -44,7 +46,6 @@ class Run {
   cli::Engine engine_;
   cli::LoadedState state_;
   double h_;
-  long steps_ = 0;
 };
 
 }  // namespace mbgen::published
