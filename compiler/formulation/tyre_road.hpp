@@ -31,7 +31,7 @@ Vector<T> spin_axis(const ForceWork<T>& work, const Tyre& tyre, int body) {
 
 template <class T>
 RoadContact<T> road_contact(const ForceWork<T>& work, const Tyre& tyre, std::size_t index) {
-  using std::atan2;
+  using std::atan;
   const System<T>& system = work.system;
   const Place<T> centre = work.place(tyre.centre);
   const int carrier = system.layout.frame_of(centre.body);
@@ -58,7 +58,7 @@ RoadContact<T> road_contact(const ForceWork<T>& work, const Tyre& tyre, std::siz
   c.motion.vx = dot(centre_velocity, c.forward);
   c.motion.vy = dot(centre_velocity + cross(turning, down), c.left);
   c.motion.spin = spin;
-  c.motion.camber = atan2(sine, cosine);
+  c.motion.camber = atan(sine / cosine);
   c.motion.u = system.x[2 * index];
   c.motion.v = system.x[2 * index + 1];
   return c;

@@ -3,6 +3,7 @@
 // Written over a scalar T (double, or the compiler's symbolic scalar): no comparisons on T.
 // Source: H. B. Pacejka, Tyre and Vehicle Dynamics, 2nd edition, section 4.3.
 
+#include <cmath>
 #include <cstddef>
 
 #include "mbgen/scalar.hpp"
@@ -37,6 +38,19 @@ T sign(const T& x) {
 template <class T>
 T away_from_zero(const T& x, const T& least) {
   return select(x, max(x, least), min(x, -least));
+}
+
+/// cos(atan x). Requires: |x| < 1e150.
+template <class T>
+T cos_of_arc(const T& x) {
+  using std::sqrt;
+  return 1.0 / sqrt(1.0 + x * x);
+}
+
+/// sin(2 atan x). Requires: |x| < 1e150.
+template <class T>
+T sin_of_double_arc(const T& x) {
+  return 2.0 * x / (1.0 + x * x);
 }
 
 /// The angle C atan(B x - E (B x - atan(B x))) behind every curve.

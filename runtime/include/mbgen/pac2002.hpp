@@ -237,7 +237,6 @@ struct Pac2002Lateral {
 
 template <class T>
 Pac2002Lateral<T> pac2002_lateral(const Pac2002<T>& set, const Pac2002Load<T>& at, const T& alpha, const T& camber) {
-  using std::atan;
   using std::sin;
   const T gamma = camber * set.lgay;
   const T scale = set.lmuy * at.friction;
@@ -249,7 +248,7 @@ Pac2002Lateral<T> pac2002_lateral(const Pac2002<T>& set, const Pac2002Load<T>& a
   const T friction = (set.pdy1 + set.pdy2 * at.dfz) * (1.0 - set.pdy3 * gamma * gamma) * scale;
   const T d = friction * at.load;
   const T e = (set.pey1 + set.pey2 * at.dfz) * (1.0 - (set.pey3 + set.pey4 * gamma) * sign(slip)) * set.ley;
-  const T unguarded = set.pky1 * at.nominal * sin(2.0 * atan(at.load / (set.pky2 * at.nominal))) *
+  const T unguarded = set.pky1 * at.nominal * sin_of_double_arc<T>(at.load / (set.pky2 * at.nominal)) *
                       (1.0 - set.pky3 * abs(gamma)) * set.lky;
   const T stiffness = away_from_zero<T>(unguarded, 1e-9 * at.load);
   const T b = stiffness / away_from_zero<T>(c * d, 1e-9 * at.load);
@@ -263,7 +262,7 @@ T pac2002_trail_slip(const Pac2002<T>& set, const Pac2002Load<T>& at, const T& a
 }
 
 /// Pneumatic trail, m, before the factor cos alpha. alpha: rad, shift included; slip: rad, the same with the
-/// longitudinal slip in it. The curvature follows alpha alone, as in MF5.2.
+/// longitudinal slip in it, of either sign. The curvature follows alpha alone, as in MF5.2.
 template <class T>
 T pac2002_trail(const Pac2002<T>& set, const Pac2002Load<T>& at, const T& alpha, const T& slip, const T& camber) {
   using std::atan;
@@ -278,18 +277,17 @@ T pac2002_trail(const Pac2002<T>& set, const Pac2002Load<T>& at, const T& alpha,
   return d * cos(angle<T>(b, set.qcz1, curvature(e), slip));
 }
 
-/// Residual aligning moment, N m, at the slip angle `slip` (rad, shifts included), before the factor cos alpha.
+/// Residual aligning moment, N m, at the slip angle `slip` (rad, shifts included, of either sign), before the factor
+/// cos alpha.
 template <class T>
 T pac2002_residual_moment(const Pac2002<T>& set, const Pac2002Load<T>& at, const Pac2002Lateral<T>& lateral,
                           const T& slip, const T& camber) {
-  using std::atan;
-  using std::cos;
   const T gamma = camber * set.lgaz;
   const T friction = set.lmuy * at.friction;
   const T b = set.qbz9 * set.lky / friction + set.qbz10 * lateral.b * lateral.c;
   const T d = at.load * set.unloaded_radius * friction *
               ((set.qdz6 + set.qdz7 * at.dfz) * set.lres + (set.qdz8 + set.qdz9 * at.dfz) * gamma);
-  return d * cos(atan(b * slip));
+  return d * cos_of_arc<T>(b * slip);
 }
 
 /// Overturning moment, N m, that goes with the lateral force fy.
@@ -332,26 +330,26 @@ TyreForces<T> magic_formula_pac2002(const Pac2002<T>& set, const T& fz, const T&
   using std::cos;
   using std::sin;
   using std::sqrt;
-  using std::tan;
   const magic::Pac2002Load<T> at = magic::pac2002_load(set, fz, friction, shifts);
   const T dfz = at.dfz;
   const magic::Pac2002Longitudinal<T> longitudinal = magic::pac2002_longitudinal(set, at, kappa, gamma);
   const magic::Pac2002Lateral<T> lateral = magic::pac2002_lateral(set, at, alpha, gamma);
 
-  const T bx = set.rbx1 * cos(atan(set.rbx2 * kappa)) * set.lxal;
+  const T bx = set.rbx1 * magic::cos_of_arc<T>(set.rbx2 * kappa) * set.lxal;
   const T fx = longitudinal.force * magic::weight<T>(bx, set.rcx1, set.rex1 + set.rex2 * dfz, set.rhx1, alpha);
 
-  const T by = set.rby1 * cos(atan(set.rby2 * (alpha - set.rby3))) * set.lyka;
+  const T by = set.rby1 * magic::cos_of_arc<T>(set.rby2 * (alpha - set.rby3)) * set.lyka;
   const T y_weight = magic::weight<T>(by, set.rcy1, set.rey1 + set.rey2 * dfz, set.rhy1 + set.rhy2 * dfz, kappa);
   const T kappa_force = lateral.friction * at.load * (set.rvy1 + set.rvy2 * dfz + set.rvy3 * gamma) *
-                        cos(atan(set.rvy4 * alpha)) * sin(set.rvy5 * atan(set.rvy6 * kappa)) * set.lvyka;
+                        magic::cos_of_arc<T>(set.rvy4 * alpha) * sin(set.rvy5 * atan(set.rvy6 * kappa)) * set.lvyka;
   const T slip_force = y_weight * lateral.force;
   const T fy = slip_force + kappa_force;
 
   const T ratio = longitudinal.stiffness / lateral.stiffness * kappa;
+  // Without the sign of the slip: trail and residual moment are even in it.
   const auto with_kappa = [&ratio](const T& slip) {
-    const T tangent = tan(slip);
-    return atan(sqrt(tangent * tangent + ratio * ratio + magic::kRootFloor)) * magic::sign(slip);
+    const T tangent = sin(slip) / cos(slip);
+    return atan(sqrt(tangent * tangent + ratio * ratio + magic::kRootFloor));
   };
   const T trail_slip = magic::pac2002_trail_slip(set, at, alpha, gamma);
   const T trail = magic::pac2002_trail<T>(set, at, trail_slip, with_kappa(trail_slip), gamma);

@@ -50,9 +50,7 @@ struct Pac89Curves {
 
 template <class T>
 Pac89Curves<T> pac89_curves(const Pac89<T>& set, const T& load, const T& gamma, const T& friction, const T& shifts) {
-  using std::atan;
   using std::exp;
-  using std::sin;
   const T* a = set.a;
   const T* b = set.b;
   const T* c = set.c;
@@ -62,7 +60,7 @@ Pac89Curves<T> pac89_curves(const Pac89<T>& set, const T& load, const T& gamma, 
       pac89_curve<T>(b[0], (b[1] * square + b[2] * load) * friction, (b[3] * square + b[4] * load) * exp(-b[5] * load),
                      b[6] * square + b[7] * load + b[8], (b[9] * load + b[10]) * shifts, T(0)),
       pac89_curve<T>(a[0], (a[1] * square + a[2] * load) * friction,
-                     a[3] * sin(2.0 * atan(load / a[4])) * (1.0 - a[5] * tilt), a[6] * load + a[7],
+                     a[3] * sin_of_double_arc<T>(load / a[4]) * (1.0 - a[5] * tilt), a[6] * load + a[7],
                      (a[8] * gamma + a[9] * load + a[10]) * shifts,
                      (a[11] * load * gamma + a[12] * load + a[13]) * shifts),
       pac89_curve<T>(c[0], (c[1] * square + c[2] * load) * friction,
