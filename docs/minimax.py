@@ -1,11 +1,11 @@
 #!/usr/bin/env python3
-"""Coefficients of runtime/include/mbgen/sincos.hpp and arc_tangent.hpp.
+"""Coefficients of runtime/include/mbgen/sincos.hpp, arc_tangent.hpp, exponential.hpp and logarithm.hpp.
 
 Remez exchange on polynomials in z = x^2, at 60 digits, for the largest relative error of the whole function. The
 coefficients are rounded to double one by one from the lowest power, and those above are fitted again after each.
 Needs mpmath.
 """
-from mpmath import atan, cos, floor, log, lu_solve, matrix, mp, mpf, pi, sin, sqrt
+from mpmath import atan, atanh, cos, floor, log, lu_solve, matrix, mp, mpf, pi, sin, sqrt
 
 mp.dps = 60
 
@@ -84,6 +84,12 @@ cos_rest = near_zero(lambda z: (cos(sqrt(z)) - 1 + z / 2) / z**2,
                      series(lambda k: mpf(-1) ** k / mp.factorial(2 * k + 4), 12), '1e-6')
 atan_rest = near_zero(lambda z: (atan(sqrt(z)) / sqrt(z) - 1) / z,
                       series(lambda k: mpf(-1) ** (k + 1) / (2 * k + 3), 20), '1e-4')
+# e^r - 1 - r, its even and its odd powers by themselves.
+cosh_rest = near_zero(lambda z: (mp.cosh(sqrt(z)) - 1) / z, series(lambda k: 1 / mp.factorial(2 * k + 2), 12), '1e-4')
+sinh_rest = near_zero(lambda z: (mp.sinh(sqrt(z)) / sqrt(z) - 1) / z,
+                      series(lambda k: 1 / mp.factorial(2 * k + 3), 12), '1e-4')
+log_rest = near_zero(lambda z: 2 * (atanh(sqrt(z)) / sqrt(z) - 1) / z,
+                     series(lambda k: mpf(2) / (2 * k + 3), 20), '1e-4')
 
 
 def parts(value, sizes):
@@ -100,5 +106,12 @@ if __name__ == '__main__':
     show('sin', *rounded(sin_rest, lambda z: z * sqrt(z) / sin(sqrt(z)), TINY, edge, 6))
     show('cos', *rounded(cos_rest, lambda z: z * z / cos(sqrt(z)), TINY, edge, 6))
     show('atan', *rounded(atan_rest, lambda z: z * sqrt(z) / atan(sqrt(z)), TINY, mpf(1), 20))
+    edge = (log(2) / 2 * (1 + mpf(2) ** -20)) ** 2
+    show('exp, even powers', *rounded(cosh_rest, lambda z: sqrt(z), TINY, edge, 6))
+    show('exp, odd powers', *rounded(sinh_rest, lambda z: z, TINY, edge, 5))
+    edge = ((sqrt(2) - 1) / (sqrt(2) + 1)) ** 2 * (1 + mpf(2) ** -20)
+    show('log', *rounded(log_rest, lambda z: z * sqrt(z) / atanh(sqrt(z)) / 2, TINY, edge, 9))
     print('pi/2:')
     parts(pi / 2, (33, 33, 33, 53))
+    print('log(2):')
+    parts(log(2), (32, 53))

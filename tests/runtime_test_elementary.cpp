@@ -9,8 +9,7 @@
 #include <random>
 #include <vector>
 
-#include "mbgen/arc_tangent.hpp"
-#include "mbgen/sincos.hpp"
+#include "mbgen/elementary.hpp"
 
 namespace mbgen {
 namespace {
@@ -146,6 +145,164 @@ TEST(ArcTangent, hasTheSameBitsAloneAndInArrays) {
     arc_tangents(some, angles);
     for (std::size_t k = 0; k < 13; ++k) ASSERT_TRUE(same_bits(angles[k], arc_tangent(some[k]))) << some[k];
   }
+}
+
+/// Numbers of all sizes, evenly among those of a size and among sizes.
+std::vector<double> numbers(double least, double largest, int count) {
+  std::mt19937_64 random(2012);
+  std::uniform_real_distribution<double> even(least, largest), size(-40, std::log(std::max(-least, largest)));
+  std::vector<double> result;
+  for (int i = 0; i < count; ++i) {
+    result.push_back(even(random));
+    const double scaled = std::exp(size(random));
+    result.push_back(least < 0 && i % 2 == 0 ? std::max(-scaled, least) : std::min(scaled, largest));
+  }
+  return result;
+}
+
+TEST(Exponential, isWithinOneUnitInTheLastPlaceOnTheWholeRange) {
+  double largest = 0;
+  for (const double x : numbers(-745, 709.7, 300000)) {
+    largest = std::max(largest, error_in_ulp(exponential(x), std::exp(static_cast<long double>(x))));
+  }
+  std::printf("largest error: %.3f ulp\n", largest);
+  EXPECT_LE(largest, 1.0);
+}
+
+TEST(Exponential, endsInZeroAndInfinity) {
+  for (const double x : {-745.2, -800.0, -1e300, -HUGE_VAL}) EXPECT_EQ(exponential(x), 0.0) << x;
+  for (const double x : {709.79, 800.0, 1e300, HUGE_VAL}) EXPECT_EQ(exponential(x), HUGE_VAL) << x;
+  EXPECT_EQ(exponential(0.0), 1.0);
+  EXPECT_EQ(exponential(-0.0), 1.0);
+  EXPECT_TRUE(std::isnan(exponential<double>(NAN)));
+}
+
+TEST(HyperbolicTangent, isWithinOneAndAHalfUnitsInTheLastPlace) {
+  double largest = 0;
+  for (const double x : numbers(-25, 25, 300000)) {
+    largest = std::max(largest, error_in_ulp(hyperbolic_tangent(x), std::tanh(static_cast<long double>(x))));
+  }
+  std::printf("largest error: %.3f ulp\n", largest);
+  EXPECT_LE(largest, 1.5);
+}
+
+TEST(HyperbolicTangent, keepsSignsAndMeetsInfinityAndNaN) {
+  EXPECT_EQ(hyperbolic_tangent(HUGE_VAL), 1.0);
+  EXPECT_EQ(hyperbolic_tangent(-HUGE_VAL), -1.0);
+  EXPECT_EQ(hyperbolic_tangent(1e-310), 1e-310);
+  EXPECT_TRUE(same_bits(hyperbolic_tangent(0.0), 0.0));
+  EXPECT_TRUE(same_bits(hyperbolic_tangent(-0.0), -0.0));
+  EXPECT_TRUE(std::isnan(hyperbolic_tangent<double>(NAN)));
+}
+
+TEST(Logarithm, isWithinOneUnitInTheLastPlace) {
+  double largest = 0;
+  for (const double x : numbers(-700, 700, 200000)) {
+    for (const double argument : {std::exp(x), 1 + x / 700, 1 + x * 1e-12}) {
+      if (!(argument >= 0x1p-1022)) continue;
+      largest = std::max(largest, error_in_ulp(logarithm(argument), std::log(static_cast<long double>(argument))));
+    }
+  }
+  std::printf("largest error: %.3f ulp\n", largest);
+  EXPECT_LE(largest, 1.0);
+}
+
+TEST(Logarithm, isTheLibrarysWhereItIsNotOurs) {
+  for (const double x : {0.0, -0.0, 1e-310, HUGE_VAL, -1.0, static_cast<double>(NAN)}) {
+    EXPECT_TRUE(same_bits(logarithm(x), std::log(x))) << x;
+  }
+}
+
+TEST(Power, isWithinTwoUnitsInTheLastPlaceOnItsRange) {
+  double largest = 0;
+  const std::vector<double> exponents = numbers(-40, 40, 200000), logarithms = numbers(-20, 20, 200000);
+  for (std::size_t i = 0; i < exponents.size(); ++i) {
+    const double y = exponents[i], x = std::exp(logarithms[exponents.size() - 1 - i]);
+    if (std::abs(y * std::log(x)) > kLargestPower) continue;
+    largest = std::max(largest, error_in_ulp(power(x, y), std::pow(static_cast<long double>(x), y)));
+  }
+  std::printf("largest error: %.3f ulp\n", largest);
+  EXPECT_LE(largest, 2.0);
+}
+
+TEST(Power, isTheLibrarysBeyondItsRange) {
+  const double pairs[][2] = {{0.0, 2.0},    {-2.0, 3.0}, {-2.0, 0.5}, {1.0, HUGE_VAL}, {2.0, 100.0},    {1e-310, 1.5},
+                             {HUGE_VAL, 2}, {NAN, 0.0},  {3.0, NAN},  {0.0, 0.0},      {2.0, -HUGE_VAL}};
+  for (const auto& [x, y] : pairs) EXPECT_TRUE(same_bits(power(x, y), std::pow(x, y))) << x << "^" << y;
+}
+
+TEST(ArcTangentOfTwo, isWithinTwoUnitsInTheLastPlace) {
+  double largest = 0;
+  const std::vector<double> all = numbers(-10, 10, 200000);
+  for (std::size_t i = 1; i < all.size(); ++i) {
+    const double y = all[i - 1], x = all[i];
+    largest = std::max(largest, error_in_ulp(arc_tangent(y, x), std::atan2(static_cast<long double>(y), x)));
+  }
+  std::printf("largest error: %.3f ulp\n", largest);
+  EXPECT_LE(largest, 2.0);
+}
+
+TEST(ArcTangentOfTwo, isTheLibrarysAtZeroAndInfinity) {
+  for (const double y : {0.0, -0.0, 1.0, -1.0, HUGE_VAL, -HUGE_VAL, static_cast<double>(NAN)}) {
+    for (const double x : {0.0, -0.0, 1.0, -1.0, HUGE_VAL, -HUGE_VAL, static_cast<double>(NAN)}) {
+      EXPECT_TRUE(same_bits(arc_tangent(y, x), std::atan2(y, x))) << y << " " << x;
+    }
+  }
+}
+
+TEST(InverseSineAndCosine, areWithinThreeUnitsInTheLastPlace) {
+  double largest = 0;
+  for (const double x : numbers(-1, 1, 200000)) {
+    largest = std::max(largest, error_in_ulp(arc_sine(x), std::asin(static_cast<long double>(x))));
+    largest = std::max(largest, error_in_ulp(arc_cosine(x), std::acos(static_cast<long double>(x))));
+  }
+  std::printf("largest error: %.3f ulp\n", largest);
+  EXPECT_LE(largest, 3.0);
+  EXPECT_TRUE(std::isnan(arc_sine(1.5)) && std::isnan(arc_cosine(-1.5)));
+}
+
+TEST(Tangent, isWithinTwoAndAHalfUnitsInTheLastPlace) {
+  double largest = 0;
+  for (const double angle : angles()) {
+    largest = std::max(largest, error_in_ulp(tangent(angle), std::tan(static_cast<long double>(angle))));
+  }
+  std::printf("largest error: %.3f ulp\n", largest);
+  EXPECT_LE(largest, 2.5);
+}
+
+/// Bits of arrays of N and of vectors of two against those of each argument alone.
+template <std::size_t N>
+void expect_same_bits_in_arrays(const std::vector<double>& all) {
+  typedef double Two __attribute__((vector_size(16)));
+  for (std::size_t first = 0; first + N <= all.size(); first += N) {
+    double x[N], y[N], exponential_of[N], tangent_of[N], power_of[N];
+    std::copy_n(all.begin() + static_cast<std::ptrdiff_t>(first), N, x);
+    for (std::size_t i = 0; i < N; ++i) y[i] = x[N - 1 - i];
+    exponentials(x, exponential_of);
+    hyperbolic_tangents(x, tangent_of);
+    powers(x, y, power_of);
+    for (std::size_t i = 0; i < N; ++i) {
+      ASSERT_TRUE(same_bits(exponential_of[i], exponential(x[i]))) << x[i];
+      ASSERT_TRUE(same_bits(tangent_of[i], hyperbolic_tangent(x[i]))) << x[i];
+      ASSERT_TRUE(same_bits(power_of[i], power(x[i], y[i]))) << x[i] << " " << y[i];
+      const Two two = {x[0], x[i]}, other = {y[0], y[i]};
+      const double alone[] = {logarithm(x[i]), power(x[i], y[i]), arc_tangent(x[i], y[i])};
+      const Two lanes[] = {logarithm(two), power(two, other), arc_tangent(two, other)};
+      for (int k = 0; k < 3; ++k) {
+        const double lane = lanes[k][1];
+        ASSERT_TRUE(same_bits(alone[k], lane)) << x[i] << " " << y[i] << " " << k;
+      }
+    }
+  }
+}
+
+TEST(ExponentialsAndPowers, haveTheSameBitsAloneInLanesAndInArrays) {
+  std::vector<double> some = {0.0, -0.0, 1.0, -1.0, 1e-310, 1e300, -1e300, INFINITY, -INFINITY, NAN, 0.5, 2.0, 33.0};
+  for (const double x : numbers(-30, 30, 4000)) some.push_back(x);
+  expect_same_bits_in_arrays<1>(some);
+  expect_same_bits_in_arrays<2>(some);
+  expect_same_bits_in_arrays<6>(some);
+  expect_same_bits_in_arrays<13>(some);
 }
 
 }  // namespace

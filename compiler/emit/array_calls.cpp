@@ -1,20 +1,21 @@
 #include "compiler/emit/array_calls.hpp"
 
 #include <algorithm>
+#include <array>
 #include <map>
 #include <span>
-#include <unordered_map>
 #include <utility>
 
 namespace mbgen {
 namespace {
 
 using Range = std::span<const ValueId>;
+using Arguments = std::array<ValueId, 2>;  ///< the second is kNoValue for functions of one
 
 /// The function that a call for many arguments has for an operation; constant for those that have none.
 Op called_function(Op op) {
   if (op == Op::sin || op == Op::cos) return Op::sin;
-  return op == Op::atan ? Op::atan : Op::constant;
+  return op == Op::atan || op == Op::exp || op == Op::tanh || op == Op::pow ? op : Op::constant;
 }
 
 /// What is known of the values of the section at hand. Members by value id; the others of the program are not looked
@@ -27,7 +28,7 @@ struct Levels {
 
 /// Arguments of one call, before it is split, with the values that it computes for each.
 struct Group {
-  std::vector<ValueId> arguments;
+  std::vector<Arguments> arguments;
   std::vector<std::vector<ValueId>> values;  ///< per argument
 };
 
@@ -47,15 +48,16 @@ void find_levels(const Program& program, Range range, Levels& levels) {
 
 Groups groups_of(const Program& program, Range range, const Levels& levels) {
   Groups groups;
-  std::map<std::pair<int, Op>, std::unordered_map<ValueId, std::size_t>> place_of;
+  std::map<std::pair<int, Op>, std::map<Arguments, std::size_t>> place_of;
   for (const ValueId v : range) {
     if (!levels.is_called[v]) continue;
     const Node& node = program.nodes[v];
     const std::pair<int, Op> key{levels.level[v], called_function(node.op)};
     Group& group = groups[key];
-    const auto [place, is_new] = place_of[key].try_emplace(node.operands[0], group.arguments.size());
+    const Arguments arguments = {node.operands[0], node.operands[1]};
+    const auto [place, is_new] = place_of[key].try_emplace(arguments, group.arguments.size());
     if (is_new) {
-      group.arguments.push_back(node.operands[0]);
+      group.arguments.push_back(arguments);
       group.values.emplace_back();
     }
     group.values[place->second].push_back(v);
@@ -90,7 +92,11 @@ class NewOrder {
   /// What the arguments need and stands nowhere yet, in the old order.
   void add_needed(const Group& group) {
     std::vector<bool> is_needed(program_.nodes.size(), false);
-    for (const ValueId v : group.arguments) is_needed[v] = true;
+    for (const Arguments& arguments : group.arguments) {
+      for (const ValueId v : arguments) {
+        if (v != kNoValue) is_needed[v] = true;
+      }
+    }
     std::vector<ValueId> found;
     for (std::size_t i = range_.size(); i-- > 0;) {
       const ValueId v = range_[i];
@@ -103,13 +109,14 @@ class NewOrder {
 
   void add_calls(Op op, const Group& group) {
     for (std::size_t a = 0; a < group.arguments.size(); ++a) {
-      if (a % kMostInLanes == 0) result_.calls.push_back({op, {}});
+      if (a % kMostInLanes == 0) result_.calls.push_back({op, {}, {}});
       ArrayCall& call = result_.calls.back();
       for (const ValueId v : group.values[a]) {
         result_.place[v] = {static_cast<int>(result_.calls.size()) - 1, static_cast<int>(call.arguments.size())};
         add(v);
       }
-      call.arguments.push_back(group.arguments[a]);
+      call.arguments.push_back(group.arguments[a][0]);
+      if (op == Op::pow) call.exponents.push_back(group.arguments[a][1]);
     }
   }
 
@@ -133,6 +140,13 @@ class NewOrder {
   std::vector<ValueId> order_;
 };
 
+/// Place after the last value of each section.
+std::vector<std::size_t> ends_of_sections(const Program& program, const std::vector<ValueId>& order) {
+  std::vector<std::size_t> ends(program.sections.size(), 0);
+  for (std::size_t i = 0; i < order.size(); ++i) ends[program.nodes[order[i]].section] = i + 1;
+  return ends;
+}
+
 }  // namespace
 
 ArrayCalls gather_calls(const Program& program, std::vector<ValueId>& order) {
@@ -140,9 +154,11 @@ ArrayCalls gather_calls(const Program& program, std::vector<ValueId>& order) {
   result.place.resize(program.nodes.size());
   Levels levels{std::vector<bool>(program.nodes.size(), false), std::vector<bool>(program.nodes.size(), false),
                 std::vector<int>(program.nodes.size(), 0)};
-  const auto section_of = [&](std::size_t i) { return program.nodes[order[i]].section; };
+  const std::vector<std::size_t> ends = ends_of_sections(program, order);
   for (std::size_t first = 0, last = 0; first < order.size(); first = last) {
-    while (last < order.size() && section_of(last) == section_of(first)) ++last;
+    // Sections that stand between others' values go with those.
+    last = first + 1;
+    for (std::size_t i = first; i < last; ++i) last = std::max(last, ends[program.nodes[order[i]].section]);
     const std::span<ValueId> range(order.data() + first, last - first);
     const Groups groups = settle(program, range, levels);
     if (!groups.empty()) {

@@ -14,8 +14,9 @@ constexpr std::size_t kMostInLanes = 64;
 
 /// One call. Its values stand one after the other in the order of the program.
 struct ArrayCall {
-  Op op = Op::sin;  ///< sin: sine and cosine of each argument; atan
+  Op op = Op::sin;  ///< sin: sine and cosine of each argument; atan, exp, tanh, pow
   std::vector<ValueId> arguments;
+  std::vector<ValueId> exponents;  ///< of pow
 };
 
 /// A value that a call for many arguments computes.
@@ -29,7 +30,7 @@ struct ArrayCalls {
   std::vector<ArrayPlace> place;  ///< per value of the program
 };
 
-/// Brings sines, cosines and arc tangents of a section together in `order`, as far as none needs another: first what
+/// Brings elementary functions of a section together in `order`, as far as none needs another: first what
 /// the arguments of the first of them need, then these, then what the arguments of those need that use their results,
 /// and so on; last the rest of the section. Groups of fewer than kFewestInLanes arguments stay where they are. Example:
 /// wheels that each have sin(c*atan(slip)) in turn become all slips, one call for the arc tangents, all products, one

@@ -53,23 +53,23 @@ Phrase operation_phrase(Op op, const Phrase& a, const Phrase& b, const Phrase& c
     case Op::cos:
       return {call("mbgen::cosine", a), Binding::primary};
     case Op::tan:
-      return {call("std::tan", a), Binding::primary};
+      return {call("mbgen::tangent", a), Binding::primary};
     case Op::asin:
-      return {call("std::asin", a), Binding::primary};
+      return {call("mbgen::arc_sine", a), Binding::primary};
     case Op::acos:
-      return {call("std::acos", a), Binding::primary};
+      return {call("mbgen::arc_cosine", a), Binding::primary};
     case Op::atan:
       return {call("mbgen::arc_tangent", a), Binding::primary};
     case Op::atan2:
-      return {call("std::atan2", a, b), Binding::primary};
+      return {call("mbgen::arc_tangent", a, b), Binding::primary};
     case Op::exp:
-      return {call("std::exp", a), Binding::primary};
+      return {call("mbgen::exponential", a), Binding::primary};
     case Op::log:
-      return {call("std::log", a), Binding::primary};
+      return {call("mbgen::logarithm", a), Binding::primary};
     case Op::pow:
-      return {call("std::pow", a, b), Binding::primary};
+      return {call("mbgen::power", a, b), Binding::primary};
     case Op::tanh:
-      return {call("std::tanh", a), Binding::primary};
+      return {call("mbgen::hyperbolic_tangent", a), Binding::primary};
     case Op::abs:
       return {call("std::abs", a), Binding::primary};
     case Op::min:

@@ -9,6 +9,7 @@
 #include <unordered_map>
 
 #include "compiler/emit/arrangement.hpp"
+#include "compiler/emit/call_names.hpp"
 #include "compiler/emit/expression_text.hpp"
 #include "compiler/emit/fates.hpp"
 #include "compiler/emit/function_text.hpp"
@@ -21,13 +22,6 @@ namespace {
 
 /// Room for `const double s12_345 = ` before an expression that may have to be named later.
 constexpr std::size_t kNamingRoom = 28;
-
-/// Arrays of one call for many arguments.
-struct CallNames {
-  std::string function, arguments;
-  std::vector<std::string> results;
-  std::string declaration;  ///< of the results, empty when they are members of `work`
-};
 
 class ProgramWriter {
  public:
@@ -77,9 +71,9 @@ class ProgramWriter {
       if (fates_[v].crosses && place_in_call(v).call >= 0) crosses[place_in_call(v).call] = true;
     }
     for (std::size_t c = 0; c < calls.size(); ++c) {
-      CallNames names = calls[c].op == Op::sin ? CallNames{"mbgen::sincos", "angles", {"sines", "cosines"}, ""}
-                                               : CallNames{"mbgen::arc_tangents", "tangents", {"arcs"}, ""};
+      CallNames names = names_of_call(calls[c].op);
       names.arguments = names_.unique(names.arguments);
+      if (!names.exponents.empty()) names.exponents = names_.unique(names.exponents);
       for (std::string& array : names.results) {
         array = names_.unique(array);
         const std::string declared = fmt::format("{}[{}]", array, calls[c].arguments.size());
@@ -211,23 +205,30 @@ class ProgramWriter {
     if (!fates_[v].outputs.empty()) part.arguments.insert("result");
   }
 
+  void write_arguments(const std::string& array, const std::vector<ValueId>& values, PartText& part) {
+    std::vector<std::string> list;
+    for (const ValueId v : values) {
+      const bool is_number = program_.nodes[v].op == Op::constant;
+      list.push_back(is_number ? number(phrase_of(v, part).text) : phrase_of(v, part).text);
+      pending_[v] = false;
+    }
+    part.body += braced_list("  const " + shape_.scalar + " " + array + "[] = ", list, ";\n");
+  }
+
   /// One call for many arguments.
   void write_array_call(int call, PartText& part) {
     const CallNames& names = call_names_[call];
-    std::vector<std::string> list;
-    for (const ValueId argument : arrangement_.array_calls.calls[call].arguments) {
-      list.push_back(phrase_of(argument, part).text);
-      pending_[argument] = false;
-    }
-    part.body += braced_list("  const " + shape_.scalar + " " + names.arguments + "[] = ", list, ";\n");
+    const ArrayCall& array_call = arrangement_.array_calls.calls[call];
+    write_arguments(names.arguments, array_call.arguments, part);
+    if (!names.exponents.empty()) write_arguments(names.exponents, array_call.exponents, part);
     if (names.declaration.empty()) {
       part.arguments.insert("work");
     } else {
       add_line(part, names.declaration + ";");
     }
-    std::string results;
-    for (const std::string& array : names.results) results += ", " + array;
-    add_line(part, names.function + "(" + names.arguments + results + ");");
+    std::string rest = names.exponents.empty() ? "" : ", " + names.exponents;
+    for (const std::string& array : names.results) rest += ", " + array;
+    add_line(part, names.function + "(" + names.arguments + rest + ");");
   }
 
   /// One call for the sine and cosine of an angle.

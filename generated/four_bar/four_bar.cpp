@@ -2,10 +2,9 @@
 // Made by `mbgen generate four_bar.json`, mbgen 0.1.0. Change the model, not this file.
 #include "four_bar.hpp"
 
-#include "mbgen/arc_tangent.hpp"
+#include "mbgen/elementary.hpp"
 #include "mbgen/motion.hpp"
 #include "mbgen/scalar.hpp"
-#include "mbgen/sincos.hpp"
 #include "mbgen/solver.hpp"
 
 #include <cmath>

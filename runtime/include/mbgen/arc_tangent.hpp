@@ -1,7 +1,7 @@
 #pragma once
-// The arc tangent without branches: for double, for vectors of double and for arrays of either. As in sincos.hpp each
-// lane is computed as a double alone is, and contraction has one way. Method: the reciprocal of arguments above one,
-// and one minimax polynomial on [0, 1] by docs/minimax.py.
+// The arc tangent of one and of two arguments without branches: for double, for vectors of double and for arrays of
+// either. As in sincos.hpp each lane is computed as a double alone is, and contraction has one way. Method: the
+// reciprocal of arguments above one, and one minimax polynomial on [0, 1] by docs/minimax.py.
 
 #include "mbgen/sincos.hpp"
 
@@ -17,7 +17,6 @@ constexpr double kArcTangent[20] = {
     0x1.d7b81d7230aa7p-8,  -0x1.7a389c1ee4d06p-9, 0x1.b3f97ce2c59e9p-11, -0x1.3f353ebe9bc54p-13, 0x1.bbec0ab1795f7p-17};
 
 constexpr double kHalfPiHigh = 0x1.921fb54442d18p+0, kHalfPiLow = 0x1.1a62633145c07p-54;
-constexpr std::int64_t kSign = -0x7fffffffffffffff - 1;
 
 /// first where the mask is set (all bits of a lane), else second.
 template <class T>
@@ -62,6 +61,31 @@ inline void find_arc_tangent(const T& x, T& angle) noexcept {
   angle = __builtin_bit_cast(T, __builtin_bit_cast(B, positive) ^ sign);
 }
 
+/// The direction of (x, y); marks the lanes where both are zero or one is not finite.
+template <class T>
+inline void find_direction(const T& y, const T& x, T& angle, Bits<T>& marked) noexcept {
+  using B = Bits<T>;
+  const B y_bits = __builtin_bit_cast(B, y), x_bits = __builtin_bit_cast(B, x);
+  const B y_size = y_bits & kSignless, x_size = x_bits & kSignless;
+  const B is_steep = (x_size - y_size) >> 63;
+  const B is_behind = x_bits >> 63;
+  const B larger = (y_size & is_steep) | (x_size & ~is_steep), smaller = (x_size & is_steep) | (y_size & ~is_steep);
+  constexpr std::int64_t infinity = 0x7ff0000000000000;
+  marked |= (larger == 0) | (larger >= infinity);
+  // Half a turn is exactly twice the quarter, in both parts.
+  const T quarter = T() + kHalfPiHigh, quarter_rest = T() + kHalfPiLow;
+  const T half = quarter + quarter, half_rest = quarter_rest + quarter_rest;
+  T base, base_rest, positive;
+  choose(is_steep, quarter, half, base);
+  choose(is_steep, quarter_rest, half_rest, base_rest);
+  const B has_base = is_steep | is_behind;
+  base = __builtin_bit_cast(T, __builtin_bit_cast(B, base) & has_base);
+  base_rest = __builtin_bit_cast(T, __builtin_bit_cast(B, base_rest) & has_base);
+  const T t = __builtin_bit_cast(T, smaller) / __builtin_bit_cast(T, larger);
+  turn_from<T>(base, base_rest, t, (is_steep ^ is_behind) & kSign, positive);
+  angle = __builtin_bit_cast(T, __builtin_bit_cast(B, positive) | (y_bits & kSign));
+}
+
 }  // namespace elementary_detail
 
 /// The angle (rad) whose tangent is x, within 1.5 ulp: pi/2 for infinity, NaN for NaN.
@@ -72,21 +96,37 @@ inline T arc_tangent(const T& x) noexcept {
   return angle;
 }
 
+/// The direction (rad) of (x, y) within 2 ulp; where both are zero or one is not finite, as the C library.
+template <class T>
+inline T arc_tangent(const T& y, const T& x) noexcept {
+  using namespace elementary_detail;
+  T angle;
+  Bits<T> marked = {};
+  find_direction(y, x, angle, marked);
+  if (__builtin_expect(any(marked), 0)) {
+    replace_marked(
+        marked, [](double a, double b) { return std::atan2(a, b); }, angle, y, x);
+  }
+  return angle;
+}
+
+/// The angle (rad) whose sine or cosine is x, within 3 ulp; NaN beyond one. root: sqrt((1 - x) (1 + x)).
+template <class T>
+inline T arc_sine(const T& x, const T& root) noexcept {
+  return arc_tangent(x, root);
+}
+template <class T>
+inline T arc_cosine(const T& x, const T& root) noexcept {
+  return arc_tangent(root, x);
+}
+inline double arc_sine(double x) noexcept { return arc_sine(x, std::sqrt((1 - x) * (1 + x))); }
+inline double arc_cosine(double x) noexcept { return arc_cosine(x, std::sqrt((1 - x) * (1 + x))); }
+
 /// The angles (rad) whose tangents are given, as arc_tangent. The arrays must not overlap.
 template <class T, std::size_t N>
 inline void arc_tangents(const T (&tangents)[N], T (&angles)[N]) noexcept {
-  using namespace elementary_detail;
-  if constexpr (!std::is_same_v<T, double> || N < kLanes) {
-    for (std::size_t i = 0; i < N; ++i) find_arc_tangent(tangents[i], angles[i]);
-  } else {
-    for (std::size_t i = 0; i < N; i += kLanes) {
-      const std::size_t at = i + kLanes <= N ? i : N - kLanes;  // the last lanes end with the array
-      const Lanes tangent = *reinterpret_cast<const LanesInArray*>(tangents + at);
-      Lanes angle;
-      find_arc_tangent(tangent, angle);
-      *reinterpret_cast<LanesInArray*>(angles + at) = angle;
-    }
-  }
+  elementary_detail::each_entry(tangents, angles,
+                                [](const auto& x, auto& angle) { elementary_detail::find_arc_tangent(x, angle); });
 }
 
 }  // namespace mbgen

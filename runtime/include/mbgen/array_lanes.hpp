@@ -15,26 +15,44 @@ constexpr int kLanes = 4;
 #else
 constexpr int kLanes = 2;
 #endif
-typedef double Lanes __attribute__((vector_size(8 * kLanes)));
-/// Lanes where doubles stand: as little aligned as they are.
-typedef double LanesInArray __attribute__((vector_size(8 * kLanes), aligned(8), may_alias));
 
-[[gnu::always_inline]] inline Lanes lanes_at(const double* values) noexcept {
-  return *reinterpret_cast<const LanesInArray*>(values);
-}
-[[gnu::always_inline]] inline void put_lanes(const Lanes& lanes, double* values) noexcept {
-  *reinterpret_cast<LanesInArray*>(values) = lanes;
+template <int W>
+struct Vector {
+  typedef double Lanes __attribute__((vector_size(8 * W)));
+  /// Lanes where doubles stand: as little aligned as they are.
+  typedef double InArray __attribute__((vector_size(8 * W), aligned(8), may_alias));
+};
+template <int W>
+using LanesOf = typename Vector<W>::Lanes;
+using Lanes = LanesOf<kLanes>;
+
+/// Lanes for an array of so many entries: as many as the processor has and the array fills, 1 for fewer than two.
+constexpr int width_for(std::size_t entries) noexcept {
+  int width = kLanes;
+  while (width > 1 && static_cast<std::size_t>(width) > entries) width /= 2;
+  return width;
 }
 
-/// Calls `several` with the first index of kLanes entries until all N have been met; the last call ends with the array
-/// and may meet entries again. Calls `one` for each entry where there are fewer than kLanes.
+template <int W = kLanes>
+[[gnu::always_inline]] inline LanesOf<W> lanes_at(const double* values) noexcept {
+  return *reinterpret_cast<const typename Vector<W>::InArray*>(values);
+}
+template <class L>
+[[gnu::always_inline]] inline void put_lanes(const L& lanes, double* values) noexcept {
+  constexpr int width = static_cast<int>(sizeof(L) / sizeof(double));
+  *reinterpret_cast<typename Vector<width>::InArray*>(values) = lanes;
+}
+
+/// Calls `several` with the first index of W = width_for(N) entries until all N have been met; the last call ends with
+/// the array and may meet entries again. Calls `one` for a single entry.
 template <std::size_t N, class Several, class One>
 [[gnu::always_inline]] inline void for_all(Several several, One one) noexcept {
-  if constexpr (N < kLanes) {
-    for (std::size_t i = 0; i < N; ++i) one(i);
+  constexpr std::size_t width = width_for(N);
+  if constexpr (N == 1) {
+    one(0);
   } else {
-    for (std::size_t i = 0; i + kLanes <= N; i += kLanes) several(i);
-    if constexpr (N % kLanes != 0) several(N - kLanes);
+    for (std::size_t i = 0; i + width <= N; i += width) several(i);
+    if constexpr (N % width != 0) several(N - width);
   }
 }
 
@@ -44,7 +62,8 @@ template <std::size_t N, class Several, class One>
 template <std::size_t N>
 [[gnu::always_inline]] inline void copy_array(const double (&from)[N], double (&to)[N]) noexcept {
   using namespace array_detail;
-  for_all<N>([&](std::size_t i) { put_lanes(lanes_at(from + i), to + i); }, [&](std::size_t i) { to[i] = from[i]; });
+  for_all<N>([&](std::size_t i) { put_lanes(lanes_at<width_for(N)>(from + i), to + i); },
+             [&](std::size_t i) { to[i] = from[i]; });
 }
 
 /// Sum of arrays, in no order that counts: not finite when an entry is not.

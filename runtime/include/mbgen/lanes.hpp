@@ -6,6 +6,7 @@
 #include <cmath>
 #include <type_traits>
 
+#include "mbgen/elementary.hpp"
 #include "mbgen/multiply_add.hpp"
 #include "mbgen/scalar.hpp"
 
@@ -124,15 +125,6 @@ template <class Lanes, class Function>
   for (int lane = 0; lane < kLanesOf<Lanes>; ++lane) result[lane] = function(static_cast<double>(x[lane]));
   return result;
 }
-template <class Lanes, class Function>
-[[gnu::always_inline]] inline Lanes each(const Lanes& x, const Lanes& y, Function function) noexcept {
-  Lanes result{};
-  for (int lane = 0; lane < kLanesOf<Lanes>; ++lane) {
-    result[lane] = function(static_cast<double>(x[lane]), static_cast<double>(y[lane]));
-  }
-  return result;
-}
-
 }  // namespace lanes_detail
 
 /// a b + c.
@@ -196,63 +188,32 @@ template <class Lanes>
   return lanes_detail::each(x, [](double value) { return std::sqrt(value); });
 }
 
-template <class Lanes>
-inline Lanes sin(const Lanes& x) noexcept {
-  return lanes_detail::each(x, [](double value) { return std::sin(value); });
+/// Angles within 3 ulp, as arc_sine and arc_cosine of a double.
+template <class Lanes, class = std::enable_if_t<!std::is_arithmetic_v<Lanes>>>
+inline Lanes arc_sine(const Lanes& x) noexcept {
+  return arc_sine<Lanes>(x, sqrt((1.0 - x) * (1.0 + x)));
+}
+template <class Lanes, class = std::enable_if_t<!std::is_arithmetic_v<Lanes>>>
+inline Lanes arc_cosine(const Lanes& x) noexcept {
+  return arc_cosine<Lanes>(x, sqrt((1.0 - x) * (1.0 + x)));
 }
 
-template <class Lanes>
-inline Lanes cos(const Lanes& x) noexcept {
-  return lanes_detail::each(x, [](double value) { return std::cos(value); });
+/// Functions of two arguments, one of which is the same for all lanes.
+template <class Lanes, class = std::enable_if_t<!std::is_arithmetic_v<Lanes>>>
+inline Lanes power(const Lanes& base, double exponent) noexcept {
+  return power<Lanes>(base, lanes_detail::all<Lanes>(exponent));
 }
-
-template <class Lanes>
-inline Lanes tan(const Lanes& x) noexcept {
-  return lanes_detail::each(x, [](double value) { return std::tan(value); });
+template <class Lanes, class = std::enable_if_t<!std::is_arithmetic_v<Lanes>>>
+inline Lanes power(double base, const Lanes& exponent) noexcept {
+  return power<Lanes>(lanes_detail::all<Lanes>(base), exponent);
 }
-
-template <class Lanes>
-inline Lanes asin(const Lanes& x) noexcept {
-  return lanes_detail::each(x, [](double value) { return std::asin(value); });
+template <class Lanes, class = std::enable_if_t<!std::is_arithmetic_v<Lanes>>>
+inline Lanes arc_tangent(const Lanes& y, double x) noexcept {
+  return arc_tangent<Lanes>(y, lanes_detail::all<Lanes>(x));
 }
-
-template <class Lanes>
-inline Lanes acos(const Lanes& x) noexcept {
-  return lanes_detail::each(x, [](double value) { return std::acos(value); });
-}
-
-template <class Lanes>
-inline Lanes atan(const Lanes& x) noexcept {
-  return lanes_detail::each(x, [](double value) { return std::atan(value); });
-}
-
-template <class Lanes>
-inline Lanes exp(const Lanes& x) noexcept {
-  return lanes_detail::each(x, [](double value) { return std::exp(value); });
-}
-
-template <class Lanes>
-inline Lanes log(const Lanes& x) noexcept {
-  return lanes_detail::each(x, [](double value) { return std::log(value); });
-}
-
-template <class Lanes>
-inline Lanes tanh(const Lanes& x) noexcept {
-  return lanes_detail::each(x, [](double value) { return std::tanh(value); });
-}
-
-template <class A, class B, class Lanes = WidestOf<A, B>>
-inline Lanes atan2(const A& y, const B& x) noexcept {
-  using lanes_detail::all;
-  return lanes_detail::each(all<Lanes>(y), all<Lanes>(x),
-                            [](double first, double second) { return std::atan2(first, second); });
-}
-
-template <class A, class B, class Lanes = WidestOf<A, B>>
-inline Lanes pow(const A& base, const B& exponent) noexcept {
-  using lanes_detail::all;
-  return lanes_detail::each(all<Lanes>(base), all<Lanes>(exponent),
-                            [](double first, double second) { return std::pow(first, second); });
+template <class Lanes, class = std::enable_if_t<!std::is_arithmetic_v<Lanes>>>
+inline Lanes arc_tangent(double y, const Lanes& x) noexcept {
+  return arc_tangent<Lanes>(lanes_detail::all<Lanes>(y), x);
 }
 
 }  // namespace mbgen

@@ -43,7 +43,7 @@ constexpr double kSine[6] = {-0x1.5555555555548p-3, 0x1.111111110f730p-7,   -0x1
                              0x1.71de35552b52cp-19, -0x1.ae5e4b83e46f4p-26, 0x1.5d8b559495e22p-33};
 constexpr double kCosine[6] = {0x1.555555555554bp-5,   -0x1.6c16c16c15015p-10, 0x1.a01a019c8f254p-16,
                                -0x1.27e4f7f19148bp-22, 0x1.1ee9dbcefbdc4p-29,  -0x1.8fa684873cb97p-37};
-constexpr std::int64_t kSignless = 0x7fffffffffffffff;
+constexpr std::int64_t kSignless = 0x7fffffffffffffff, kSign = -0x7fffffffffffffff - 1;
 
 /// Sine and cosine by reduction, for |angle| up to kLargestAngle.
 /// References, not values: vectors wider than the processor's have no settled way to be passed.
@@ -104,9 +104,54 @@ inline void replace_beyond(const T& angle, T& sine, T& cosine) noexcept {
   }
 }
 
-using array_detail::kLanes;
-using array_detail::Lanes;
-using array_detail::LanesInArray;
+/// Calls the C library for the marked lanes: result = function(x) or function(x, y).
+template <class Function, class... Doubles>
+inline void replace_marked(std::int64_t marked, Function function, double& result, Doubles... arguments) noexcept {
+  if (marked != 0) result = function(arguments...);
+}
+template <class B, class T, class Function, class... Arguments, class = std::enable_if_t<!std::is_integral_v<B>>>
+inline void replace_marked(const B& marked, Function function, T& result, const Arguments&... arguments) noexcept {
+  for (int lane = 0; lane < kLanesOf<T>; ++lane) {
+    if (marked[lane] != 0) result[lane] = function(static_cast<double>(arguments[lane])...);
+  }
+}
+
+using array_detail::lanes_at;
+using array_detail::LanesOf;
+using array_detail::put_lanes;
+using array_detail::width_for;
+
+/// values[i] = function of the i-th arguments, for doubles in lanes. function(arguments..., result).
+template <class T, std::size_t N, class Function>
+inline void each_entry(const T (&arguments)[N], T (&values)[N], Function function) noexcept {
+  const auto one = [&](std::size_t i) { function(arguments[i], values[i]); };
+  if constexpr (std::is_same_v<T, double>) {
+    const auto several = [&](std::size_t i) {
+      constexpr int width = width_for(N);
+      LanesOf<width> value;
+      function(lanes_at<width>(arguments + i), value);
+      put_lanes(value, values + i);
+    };
+    array_detail::for_all<N>(several, one);
+  } else {
+    for (std::size_t i = 0; i < N; ++i) one(i);
+  }
+}
+template <class T, std::size_t N, class Function>
+inline void each_entry(const T (&first)[N], const T (&second)[N], T (&values)[N], Function function) noexcept {
+  const auto one = [&](std::size_t i) { function(first[i], second[i], values[i]); };
+  if constexpr (std::is_same_v<T, double>) {
+    const auto several = [&](std::size_t i) {
+      constexpr int width = width_for(N);
+      LanesOf<width> value;
+      function(lanes_at<width>(first + i), lanes_at<width>(second + i), value);
+      put_lanes(value, values + i);
+    };
+    array_detail::for_all<N>(several, one);
+  } else {
+    for (std::size_t i = 0; i < N; ++i) one(i);
+  }
+}
 
 }  // namespace elementary_detail
 
@@ -136,6 +181,14 @@ inline T cosine(const T& angle) noexcept {
   return c;
 }
 
+/// Their quotient, within 2.5 ulp.
+template <class T>
+inline T tangent(const T& angle) noexcept {
+  T s, c;
+  sincos(angle, s, c);
+  return s / c;
+}
+
 /// Sines and cosines of many angles (rad), as sincos. The arrays must not overlap.
 template <class T, std::size_t N>
 inline void sincos(const T (&angles)[N], T (&sines)[N], T (&cosines)[N]) noexcept {
@@ -147,19 +200,21 @@ inline void sincos(const T (&angles)[N], T (&sines)[N], T (&cosines)[N]) noexcep
 template <std::size_t N>
 inline void sincos(const double (&angles)[N], double (&sines)[N], double (&cosines)[N]) noexcept {
   using namespace elementary_detail;
-  if constexpr (N < kLanes) {
-    for (std::size_t i = 0; i < N; ++i) sincos(angles[i], sines[i], cosines[i]);
+  constexpr int width = width_for(N);
+  if constexpr (width == 1) {
+    sincos(angles[0], sines[0], cosines[0]);
   } else {
-    Bits<Lanes> beyond = {};
-    for (std::size_t i = 0; i < N; i += kLanes) {
-      const std::size_t at = i + kLanes <= N ? i : N - kLanes;  // the last lanes end with the array
-      const Lanes angle = *reinterpret_cast<const LanesInArray*>(angles + at);
-      Lanes sine, cosine;
+    using Angles = LanesOf<width>;
+    Bits<Angles> beyond = {};
+    const auto several = [&](std::size_t i) {
+      const Angles angle = lanes_at<width>(angles + i);
+      Angles sine, cosine;
       reduced_sincos(angle, sine, cosine);
-      *reinterpret_cast<LanesInArray*>(sines + at) = sine;
-      *reinterpret_cast<LanesInArray*>(cosines + at) = cosine;
+      put_lanes(sine, sines + i);
+      put_lanes(cosine, cosines + i);
       mark_beyond(angle, beyond);
-    }
+    };
+    array_detail::for_all<N>(several, [](std::size_t) {});
     if (__builtin_expect(any(beyond), 0)) {
       for (std::size_t i = 0; i < N; ++i) replace_beyond(angles[i], sines[i], cosines[i]);
     }

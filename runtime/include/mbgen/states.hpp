@@ -95,9 +95,10 @@ void combine(const double (&start)[N], const double (&weights)[K], const double 
              double (&to)[N]) noexcept {
   using namespace array_detail;
   const auto several = [&](std::size_t i) {
-    Lanes sum = {};
-    for (std::size_t k = 0; k < K; ++k) sum += weights[k] * lanes_at(*values[k] + i);
-    put_lanes(lanes_at(start + i) + sum, to + i);
+    constexpr int width = width_for(N);
+    LanesOf<width> sum = {};
+    for (std::size_t k = 0; k < K; ++k) sum += weights[k] * lanes_at<width>(*values[k] + i);
+    put_lanes(lanes_at<width>(start + i) + sum, to + i);
   };
   for_all<N>(several, [&](std::size_t i) { combine_entry(start, weights, values, i, to); });
 }

@@ -1,0 +1,7 @@
+#pragma once
+// The elementary functions of emitted code; docs/arithmetic.md says how exact they are.
+
+#include "mbgen/arc_tangent.hpp"
+#include "mbgen/exponential.hpp"
+#include "mbgen/logarithm.hpp"
+#include "mbgen/sincos.hpp"
