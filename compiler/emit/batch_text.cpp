@@ -10,6 +10,7 @@
 #include "compiler/emit/program_text.hpp"
 #include "compiler/emit/text.hpp"
 #include "compiler/model/inputs.hpp"
+#include "compiler/passes/fewest_alive.hpp"
 
 namespace mbgen {
 namespace {
@@ -120,7 +121,7 @@ std::string batch_text(const EmitContext& context) {
   for (const ShapedProgram& scalar : shaped_programs(context.programs, context.layout, context.names)) {
     if (scalar.key == "closure_terms" || scalar.key == "accelerations_chosen") continue;  // of lanes that are alone
     const ShapedProgram shaped = in_lanes(scalar);
-    programs += program_text(*shaped.program, shaped.shape) + "\n";
+    programs += program_text(fewest_alive(*shaped.program), shaped.shape) + "\n";
     if (shaped.key == "outputs") continue;
     members += "  using " + shaped.shape.result + " = lanes::" + shaped.shape.result + ";\n" +
                "  static constexpr auto " + shaped.shape.function.substr(std::string("compute_").size()) +

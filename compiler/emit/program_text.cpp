@@ -23,6 +23,9 @@ namespace {
 /// Room for `const double s12_345 = ` before an expression that may have to be named later.
 constexpr std::size_t kNamingRoom = 28;
 
+/// Values of a section that come back to it for less than this have no heading of their own.
+constexpr std::size_t kShortestRun = 12;
+
 class ProgramWriter {
  public:
   ProgramWriter(const Program& program, const ProgramShape& shape)
@@ -300,11 +303,21 @@ class ProgramWriter {
     store_outputs(v, part);
   }
 
-  void write_headings(ValueId v, PartText& part, int& section, int& block) {
+  /// True when more than a few values of a section follow from place `i` on. The names of the others tell their step.
+  bool is_worth_heading(std::size_t i) const {
+    const std::uint16_t section = program_.nodes[arrangement_.order[i]].section;
+    const std::size_t last = i + kShortestRun;
+    while (i < last && i < arrangement_.order.size() && program_.nodes[arrangement_.order[i]].section == section) ++i;
+    return i == last;
+  }
+
+  void write_headings(std::size_t i, PartText& part, int& section, int& block) {
+    const ValueId v = arrangement_.order[i];
     const Node& node = program_.nodes[v];
     const bool is_array_call = place_in_call(v).call >= 0;
     if (section != node.section) {
       const std::string& title = program_.sections[node.section];
+      if (section >= 0 && entered_.count(node.section) > 0 && !is_worth_heading(i)) return;
       const bool again = !entered_.insert(node.section).second;
       part.sections.push_back(title);
       if (section >= 0) part.body += "\n";
@@ -338,7 +351,7 @@ class ProgramWriter {
     int section = -1, block = -1;
     for (std::size_t i = range.first; i < range.last; ++i) {
       const Node& node = program_.nodes[arrangement_.order[i]];
-      write_headings(arrangement_.order[i], part, section, block);
+      write_headings(i, part, section, block);
       write_value(arrangement_.order[i], i > range.first ? arrangement_.order[i - 1] : kNoValue, part);
       if (section_end_[node.section] == i && !program_.sections[node.section].empty()) {
         add_comment(part, "operations: " + operations_text(section_counts_[node.section]));

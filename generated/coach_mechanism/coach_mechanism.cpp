@@ -1989,8 +1989,6 @@ struct AccelerationsWork {
 /// upper_ball_left .. tie_rod_right; step 8: elimination from the leaves to the root (63),
 /// upper_ball_left .. tie_rod_right; step 7: inertias of the bodies and forces on joints,
 /// upper_ball_left .. tie_rod_right; step 8: elimination from the leaves to the root (63),
-/// upper_ball_left .. tie_rod_right; step 7: inertias of the bodies and forces on joints,
-/// upper_ball_left .. tie_rod_right; step 8: elimination from the leaves to the root (63),
 /// upper_ball_left .. tie_rod_right.
 [[gnu::noinline]] void compute_accelerations_5(const State& state, const double* tau,
     AccelerationsWork& __restrict work) noexcept {
@@ -2261,16 +2259,8 @@ struct AccelerationsWork {
   work.s7_228 = s7_227 + 2.0300000000000007*R_bell_crank_x_x;
   const double s7_229 = 2.0700000000000003*R_bell_crank_x_x;
   work.s7_230 = s7_229 - 2.0300000000000007*R_bell_crank_y_x;
-
-  // --- step 8: elimination from the leaves to the root (63), upper_ball_left .. tie_rod_right,
-  // continued ---
-  // tie_rod_right
   const double s8_530 = tau[Coordinate::bell_crank] - work.s7_230*work.s8_73;
   work.s8_531 = s8_530 + work.s7_228*work.s8_51;
-
-  // --- step 7: inertias of the bodies and forces on joints, upper_ball_left .. tie_rod_right,
-  // continued ---
-  // bell_crank: bell_crank, revolute, chassis
   work.s7_231 = work.s7_226 + (work.s7_222 + work.s7_224) - work.s7_226;
   // operations: 152 add, 194 multiply
 

@@ -1,0 +1,134 @@
+#include "compiler/passes/fewest_alive.hpp"
+
+#include <algorithm>
+#include <queue>
+#include <utility>
+
+namespace mbgen {
+namespace {
+
+bool is_operation(const Node& node) { return node.op != Op::constant && node.op != Op::input; }
+/// An operation of the program by its place among them. Inputs and constants are in memory and belong to none.
+struct Unit {
+  ValueId value = kNoValue;
+  std::vector<std::uint32_t> operands, users;  ///< units, each once
+};
+
+std::vector<Unit> units_of(const Program& program) {
+  std::vector<Unit> units;
+  std::vector<std::uint32_t> unit_of(program.nodes.size());
+  for (ValueId v = 0; v < program.nodes.size(); ++v) {
+    const Node& node = program.nodes[v];
+    if (!is_operation(node)) continue;
+    const auto place = static_cast<std::uint32_t>(units.size());
+    unit_of[v] = place;
+    Unit unit{v, {}, {}};
+    for (int k = 0; k < arity(node.op); ++k) {
+      if (!is_operation(program.nodes[node.operands[k]])) continue;
+      const std::uint32_t operand = unit_of[node.operands[k]];
+      if (std::ranges::find(unit.operands, operand) != unit.operands.end()) continue;
+      unit.operands.push_back(operand);
+      units[operand].users.push_back(place);
+    }
+    units.push_back(std::move(unit));
+  }
+  return units;
+}
+
+using Order = std::vector<std::uint32_t>;  ///< of units
+
+/// Built from its end: of the units whose users all stand, the one that brings the fewest new values to life comes
+/// next, the latest of them.
+Order order_from_end(const std::vector<Unit>& units) {
+  std::vector<std::size_t> waiting(units.size());
+  std::vector<int> unborn(units.size());
+  std::vector<bool> is_alive(units.size(), false), is_placed(units.size(), false);
+  std::priority_queue<std::pair<int, std::uint32_t>> ready;  ///< by what it does not bring to life, place
+  for (std::uint32_t u = 0; u < units.size(); ++u) {
+    waiting[u] = units[u].users.size();
+    unborn[u] = static_cast<int>(units[u].operands.size());
+    if (waiting[u] == 0) ready.emplace(-unborn[u] - 1, u);
+  }
+  const auto priority = [&](std::uint32_t u) { return -unborn[u] - (units[u].users.empty() ? 1 : 0); };
+  Order order;
+  while (!ready.empty()) {
+    const auto [known, u] = ready.top();
+    ready.pop();
+    if (is_placed[u] || known != priority(u)) continue;
+    is_placed[u] = true;
+    order.push_back(u);
+    for (const std::uint32_t operand : units[u].operands) {
+      if (!is_alive[operand]) {
+        is_alive[operand] = true;
+        for (const std::uint32_t user : units[operand].users) {
+          --unborn[user];
+          if (waiting[user] == 0 && !is_placed[user]) ready.emplace(priority(user), user);
+        }
+      }
+      if (--waiting[operand] == 0) ready.emplace(priority(operand), operand);
+    }
+  }
+  std::ranges::reverse(order);
+  return order;
+}
+
+/// The same order, but a unit that ends the life of a value comes as soon as its operands are known.
+Order order_with_early_ends(const std::vector<Unit>& units, const Order& order) {
+  std::vector<std::size_t> waiting(units.size()), uses(units.size());
+  std::vector<bool> is_placed(units.size(), false);
+  for (std::uint32_t u = 0; u < units.size(); ++u) {
+    waiting[u] = units[u].operands.size();
+    uses[u] = units[u].users.size();
+  }
+  const auto ends_a_life = [&](std::uint32_t u) {
+    return std::ranges::any_of(units[u].operands, [&](std::uint32_t operand) { return uses[operand] == 1; });
+  };
+  Order result;
+  std::queue<std::uint32_t> next;
+  for (const std::uint32_t start : order) {
+    next.push(start);
+    while (!next.empty()) {
+      const std::uint32_t u = next.front();
+      next.pop();
+      if (is_placed[u]) continue;
+      is_placed[u] = true;
+      result.push_back(u);
+      for (const std::uint32_t operand : units[u].operands) --uses[operand];
+      for (const std::uint32_t user : units[u].users) --waiting[user];
+      std::vector<std::uint32_t> near = units[u].users;
+      for (const std::uint32_t operand : units[u].operands)
+        near.insert(near.end(), units[operand].users.begin(), units[operand].users.end());
+      std::ranges::sort(near);
+      for (const std::uint32_t user : near)
+        if (!is_placed[user] && waiting[user] == 0 && ends_a_life(user)) next.push(user);
+    }
+  }
+  return result;
+}
+
+/// The program with its operations in the order of their units.
+Program reordered(const Program& program, const std::vector<Unit>& units, const Order& order) {
+  std::vector<ValueId> places;
+  for (ValueId v = 0; v < program.nodes.size(); ++v)
+    if (!is_operation(program.nodes[v])) places.push_back(v);
+  for (const std::uint32_t u : order) places.push_back(units[u].value);
+  Program result = program;
+  std::vector<ValueId> renamed(program.nodes.size());
+  for (ValueId place = 0; place < places.size(); ++place) renamed[places[place]] = place;
+  for (ValueId place = 0; place < places.size(); ++place) {
+    Node node = program.nodes[places[place]];
+    for (int k = 0; k < arity(node.op); ++k) node.operands[k] = renamed[node.operands[k]];
+    result.nodes[place] = node;
+  }
+  for (OutputValue& output : result.outputs) output.value = renamed[output.value];
+  return verified(std::move(result));
+}
+
+}  // namespace
+
+Program fewest_alive(const Program& program) {
+  const std::vector<Unit> units = units_of(program);
+  return reordered(program, units, order_with_early_ends(units, order_from_end(units)));
+}
+
+}  // namespace mbgen
