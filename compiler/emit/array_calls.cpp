@@ -18,10 +18,10 @@ Op called_function(Op op) {
   return op == Op::atan || op == Op::exp || op == Op::tanh || op == Op::pow ? op : Op::constant;
 }
 
-/// What is known of the values of the section at hand. Members by value id; the others of the program are not looked
+/// What is known of the values of the range at hand. Members by value id; the others of the program are not looked
 /// at.
 struct Levels {
-  std::vector<bool> is_here;    ///< in this section
+  std::vector<bool> is_here;    ///< in this range
   std::vector<bool> is_called;  ///< computed by a call for many arguments
   std::vector<int> level;       ///< calls, one after the other, that the value waits for; its own too
 };
@@ -67,10 +67,6 @@ Groups groups_of(const Program& program, Range range, const Levels& levels) {
 
 /// Groups that are large enough: the values of the others are computed alone, which may bring later ones together.
 Groups settle(const Program& program, Range range, Levels& levels) {
-  for (const ValueId v : range) {
-    levels.is_here[v] = true;
-    levels.is_called[v] = called_function(program.nodes[v].op) != Op::constant;
-  }
   while (true) {
     find_levels(program, range, levels);
     Groups groups = groups_of(program, range, levels);
@@ -83,11 +79,15 @@ Groups settle(const Program& program, Range range, Levels& levels) {
   }
 }
 
-/// A section in its new order.
+/// A range in its new order; it starts as before where calls stand already.
 class NewOrder {
  public:
   NewOrder(const Program& program, Range range, ArrayCalls& result)
-      : program_(program), range_(range), result_(result), is_placed_(program.nodes.size(), false) {}
+      : program_(program), range_(range), result_(result), is_placed_(program.nodes.size(), false) {
+    std::size_t kept = range.size();
+    while (kept > 0 && result.place[range[kept - 1]].call < 0) --kept;
+    for (std::size_t i = 0; i < kept; ++i) add(range[i]);
+  }
 
   /// What the arguments need and stands nowhere yet, in the old order.
   void add_needed(const Group& group) {
@@ -140,11 +140,52 @@ class NewOrder {
   std::vector<ValueId> order_;
 };
 
-/// Place after the last value of each section.
-std::vector<std::size_t> ends_of_sections(const Program& program, const std::vector<ValueId>& order) {
-  std::vector<std::size_t> ends(program.sections.size(), 0);
-  for (std::size_t i = 0; i < order.size(); ++i) ends[program.nodes[order[i]].section] = i + 1;
-  return ends;
+/// An input, a constant or one operation on them.
+bool is_given(const Program& program, ValueId v) {
+  const auto is_leaf = [&](ValueId value) {
+    return program.nodes[value].op == Op::input || program.nodes[value].op == Op::constant;
+  };
+  const Node& node = program.nodes[v];
+  for (int k = 0; k < arity(node.op); ++k) {
+    if (!is_leaf(node.operands[k])) return false;
+  }
+  return true;
+}
+
+/// Puts what is computed by calls before the rest of the range. is_candidate: values that may be.
+template <class IsCandidate>
+void gather(const Program& program, std::span<ValueId> range, Levels& levels, ArrayCalls& result,
+            IsCandidate is_candidate) {
+  for (const ValueId v : range) {
+    const bool is_free = called_function(program.nodes[v].op) != Op::constant && result.place[v].call < 0;
+    levels.is_here[v] = true;
+    levels.is_called[v] = is_free && is_candidate(v);
+  }
+  const Groups groups = settle(program, range, levels);
+  if (!groups.empty()) {
+    NewOrder new_order(program, range, result);
+    for (const auto& [key, group] : groups) {
+      new_order.add_needed(group);
+      new_order.add_calls(key.second, group);
+    }
+    std::ranges::copy(new_order.finished(), range.begin());
+  }
+  for (const ValueId v : range) levels.is_here[v] = levels.is_called[v] = false;
+}
+
+/// Functions of what is given from the start, over all that a section has between other sections' values.
+void gather_given(const Program& program, std::vector<ValueId>& order, Levels& levels, ArrayCalls& result) {
+  for (std::size_t section = 0; section < program.sections.size(); ++section) {
+    const auto is_in_section = [&](ValueId v) { return program.nodes[v].section == section; };
+    const auto first = std::ranges::find_if(order, is_in_section);
+    if (first == order.end()) continue;
+    const auto last = std::find_if(order.rbegin(), order.rend(), is_in_section).base();
+    if (std::all_of(first, last, is_in_section)) continue;
+    gather(program, std::span<ValueId>(first, last), levels, result, [&](ValueId v) {
+      const Node& node = program.nodes[v];
+      return is_in_section(v) && node.op != Op::pow && is_given(program, node.operands[0]);
+    });
+  }
 }
 
 }  // namespace
@@ -154,22 +195,12 @@ ArrayCalls gather_calls(const Program& program, std::vector<ValueId>& order) {
   result.place.resize(program.nodes.size());
   Levels levels{std::vector<bool>(program.nodes.size(), false), std::vector<bool>(program.nodes.size(), false),
                 std::vector<int>(program.nodes.size(), 0)};
-  const std::vector<std::size_t> ends = ends_of_sections(program, order);
+  gather_given(program, order, levels, result);
+  const auto section_of = [&](std::size_t i) { return program.nodes[order[i]].section; };
   for (std::size_t first = 0, last = 0; first < order.size(); first = last) {
-    // Sections that stand between others' values go with those.
-    last = first + 1;
-    for (std::size_t i = first; i < last; ++i) last = std::max(last, ends[program.nodes[order[i]].section]);
-    const std::span<ValueId> range(order.data() + first, last - first);
-    const Groups groups = settle(program, range, levels);
-    if (!groups.empty()) {
-      NewOrder new_order(program, range, result);
-      for (const auto& [key, group] : groups) {
-        new_order.add_needed(group);
-        new_order.add_calls(key.second, group);
-      }
-      std::ranges::copy(new_order.finished(), range.begin());
-    }
-    for (const ValueId v : range) levels.is_here[v] = false;
+    while (last < order.size() && section_of(last) == section_of(first)) ++last;
+    gather(program, std::span<ValueId>(order.data() + first, last - first), levels, result,
+           [](ValueId) { return true; });
   }
   return result;
 }

@@ -32,7 +32,8 @@ struct ArrayCalls {
 
 /// Brings elementary functions of a section together in `order`, as far as none needs another: first what
 /// the arguments of the first of them need, then these, then what the arguments of those need that use their results,
-/// and so on; last the rest of the section. Groups of fewer than kFewestInLanes arguments stay where they are. Example:
+/// and so on; last the rest of the section. What needs inputs only is gathered from all of a section before that, where
+/// others' values stand between its own. Groups of fewer than kFewestInLanes arguments stay where they are. Example:
 /// wheels that each have sin(c*atan(slip)) in turn become all slips, one call for the arc tangents, all products, one
 /// call for the sines.
 ArrayCalls gather_calls(const Program& program, std::vector<ValueId>& order);
