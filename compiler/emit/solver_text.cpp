@@ -128,15 +128,16 @@ std::string tables(const EmitContext& context, const std::string& scalar) {
   std::string text = where_chosen(
       scalar, table("mbgen::FreeDirection", "kFreeDirection", free_direction_items(context), "{0, -1, 0}"));
   if (layout.has_closure) {
-    text += table("unsigned char", "kDriven", items_of(context.analysis.driven)) +
-            table("unsigned char", "kRedundant", items_of(redundant)) +
-            where_chosen(scalar, table("mbgen::BlockLayout", "kBlockLayout", blocks, "{0, 0, 0, 0, 0, 0, 0, 0, 0.0}"));
+    text +=
+        table("unsigned char", "kDriven", items_of(context.analysis.driven)) +
+        table("unsigned char", "kRedundant", items_of(redundant)) +
+        where_chosen(scalar, table("int", "kDriveCoordinate", items_of(drive_coordinates(context))) +
+                                 table("mbgen::BlockLayout", "kBlockLayout", blocks, "{0, 0, 0, 0, 0, 0, 0, 0, 0.0}"));
   }
   if (!layout.blocks.empty()) {
     text += table("int", "kBlockCoordinate", items_of(coordinates)) +
             where_chosen(scalar, table("unsigned char", "kBlockDriven", items_of(block_driven)) +
-                                     table("int", "kMultiplierPlace", items_of(multiplier_places(context.topology))) +
-                                     table("int", "kDriveCoordinate", items_of(drive_coordinates(context))));
+                                     table("int", "kMultiplierPlace", items_of(multiplier_places(context.topology))));
   }
   return text;
 }

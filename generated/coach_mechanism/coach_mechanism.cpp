@@ -14705,6 +14705,8 @@ struct System {
       0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0};
   static constexpr unsigned char kRedundant[] = {
       0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0};
+  static constexpr int kDriveCoordinate[] = {
+      0};
   static constexpr mbgen::BlockLayout kBlockLayout[] = {
       {11, 14, 11, 3, 0, 0, 0, 0, 0.17}, {6, 8, 6, 2, 11, 14, 154, 42, 0.38}};
   static constexpr int kBlockCoordinate[] = {
@@ -14713,8 +14715,6 @@ struct System {
       0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0};
   static constexpr int kMultiplierPlace[] = {
       0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16};
-  static constexpr int kDriveCoordinate[] = {
-      0};
   using Accelerations = coach_mechanism::Accelerations;
   static constexpr auto accelerations = &compute_accelerations;
   using Closure = coach_mechanism::Closure;

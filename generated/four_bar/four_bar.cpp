@@ -677,6 +677,8 @@ struct System {
       0, 0, 0};
   static constexpr unsigned char kRedundant[] = {
       0, 1, 0, 1, 1};
+  static constexpr int kDriveCoordinate[] = {
+      0};
   static constexpr mbgen::BlockLayout kBlockLayout[] = {
       {5, 3, 2, 1, 0, 0, 0, 0, 0.24}};
   static constexpr int kBlockCoordinate[] = {
@@ -685,8 +687,6 @@ struct System {
       0, 0, 0};
   static constexpr int kMultiplierPlace[] = {
       0, 1, 2, 3, 4};
-  static constexpr int kDriveCoordinate[] = {
-      0};
   using Accelerations = four_bar::Accelerations;
   static constexpr auto accelerations = &compute_accelerations;
   using Closure = four_bar::Closure;

@@ -124,8 +124,8 @@ Misfit largest_residual(const typename System::Closure& closure, unsigned char r
 template <class System>
 double largest_driven_step(const typename System::Closure& closure) noexcept {
   double largest = 0;
-  for (int i = 0; i < System::kCoordinates; ++i) {
-    const double size = System::kDriven[i] != 0 ? std::abs(closure.dz[i]) : 0.0;
+  for (int g = 0; g < System::kDrives; ++g) {
+    const double size = std::abs(closure.dz[System::kDriveCoordinate[g]]);
     if (!(size <= largest)) largest = size;
   }
   return largest;
@@ -156,8 +156,8 @@ void apply_step(const typename System::Closure& closure, typename System::State&
 /// Puts driven coordinates where their motions are: a state that is closed within the tolerance is off by as much.
 template <class System>
 void settle_driven(const typename System::Closure& closure, typename System::State& state) noexcept {
-  for (int i = 0; i < System::kCoordinates; ++i) {
-    if (System::kDriven[i] != 0) state.z[i] += closure.dz[i];
+  for (int g = 0; g < System::kDrives; ++g) {
+    state.z[System::kDriveCoordinate[g]] += closure.dz[System::kDriveCoordinate[g]];
   }
 }
 
@@ -170,6 +170,7 @@ Status accept(const typename System::Closure& closure, typename System::State& t
   }
   settle_driven<System>(closure, trial);
   copy(closure.zd, trial.zd, System::kCoordinates);
+  if (std::isfinite(sum(trial.zd, System::kCoordinates))) return {};
   const int bad = first_not_finite(trial.zd, System::kCoordinates);
   return bad < 0 ? Status{} : Status{Code::not_a_number, bad};
 }
