@@ -1,0 +1,413 @@
+#include "tests/property/random_mechanism.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <numeric>
+
+namespace mbgen::testing {
+namespace {
+
+/// Numbers of one mechanism.
+class Dice {
+ public:
+  explicit Dice(std::uint64_t seed) : random_(seed) {}
+
+  double between(double low, double high) { return std::uniform_real_distribution<double>(low, high)(random_); }
+  int upto(int highest) { return std::uniform_int_distribution<int>(0, highest)(random_); }
+  bool chance(double share) { return between(0, 1) < share; }
+  Point point(double size) { return {between(-size, size), between(-size, size), between(-size, size)}; }
+
+  /// A coordinate axis as often as any direction.
+  Point axis() {
+    if (chance(0.5)) {
+      Point result{};
+      result[upto(2)] = chance(0.5) ? 1 : -1;
+      return result;
+    }
+    Point result = point(1);
+    const double length = std::hypot(result[0], result[1], result[2]);
+    if (length < 0.1) return {0, 0, 1};
+    for (double& component : result) component /= length;
+    return result;
+  }
+
+ private:
+  std::mt19937_64 random_;
+};
+
+Point plus(Point a, const Point& b) {
+  for (int i = 0; i < 3; ++i) a[i] += b[i];
+  return a;
+}
+
+/// A direction across another.
+Point across(const Point& axis) {
+  Point result = std::abs(axis[0]) < 0.6 ? Point{0, -axis[2], axis[1]} : Point{-axis[1], axis[0], 0};
+  const double length = std::hypot(result[0], result[1], result[2]);
+  for (double& component : result) component /= length;
+  return result;
+}
+
+Point times(const std::array<Point, 3>& m, const Point& p) {
+  Point result{};
+  for (int i = 0; i < 3; ++i)
+    for (int k = 0; k < 3; ++k) result[i] += m[i][k] * p[k];
+  return result;
+}
+
+/// A real inertia: that of three masses on skew lines, so that the triangle inequality holds.
+std::array<double, 6> inertia_of(Dice& dice, double mass) {
+  std::array<double, 6> result{};
+  for (int k = 0; k < 4; ++k) {
+    const Point p = dice.point(0.3);
+    const double m = mass / 4;
+    result[0] += m * (p[1] * p[1] + p[2] * p[2]);
+    result[1] += m * (p[0] * p[0] + p[2] * p[2]);
+    result[2] += m * (p[0] * p[0] + p[1] * p[1]);
+    result[3] -= m * p[0] * p[1];
+    result[4] -= m * p[0] * p[2];
+    result[5] -= m * p[1] * p[2];
+  }
+  for (int i = 0; i < 3; ++i) result[i] += 0.002 * mass;
+  return result;
+}
+
+/// Builds a mechanism body by body.
+class Workshop {
+ public:
+  Workshop(Dice& dice, std::uint64_t seed) : dice_(dice) { made_.seed = seed; }
+
+  RandomMechanism made() && { return std::move(made_); }
+  Dice& dice() { return dice_; }
+  int size() const { return static_cast<int>(made_.bodies.size()); }
+  const Point& place_of(int body) const { return body == kOnGround ? origin_ : places_[body]; }
+  RandomMechanism& mechanism() { return made_; }
+
+  int add_body(const Point& place) {
+    const double mass = std::exp(dice_.between(-1, 2));
+    made_.bodies.push_back(
+        {"b" + std::to_string(size()), mass, plus(place, dice_.point(0.2)), inertia_of(dice_, mass)});
+    places_.push_back(place);
+    return size() - 1;
+  }
+
+  void add_joint(const std::string& type, int from, int to, const Point& at, const Point& axis, bool cut = false) {
+    made_.joints.push_back({"j" + std::to_string(made_.joints.size()), type, from, to, at, axis, cut});
+  }
+
+  /// A new body on another one.
+  int hang(const std::string& type, int from) {
+    const Point at = plus(place_of(from), dice_.point(0.4));
+    const int body = add_body(plus(at, dice_.point(0.3)));
+    // Now and then the file says it the other way round.
+    if (from != kOnGround && dice_.chance(0.2))
+      add_joint(type, body, from, at, dice_.axis());
+    else
+      add_joint(type, from, body, at, dice_.axis());
+    return body;
+  }
+
+  void add_rod(int from, int to, double mass) { link("rod", from, to, mass, 0); }
+  void add_spring(int from, int to) { link("spring", from, to, 0, std::exp(dice_.between(2, 7))); }
+
+ private:
+  void link(const char* kind, int from, int to, double mass, double stiffness) {
+    const Point start = plus(place_of(from), dice_.point(0.3)), end = plus(place_of(to), dice_.point(0.3));
+    made_.links.push_back({kind + std::to_string(made_.links.size()), from, to, start, end, mass, stiffness});
+  }
+
+  Dice& dice_;
+  Point origin_{};
+  RandomMechanism made_;
+  std::vector<Point> places_;
+};
+
+std::string plain_type(Dice& dice) { return dice.chance(0.75) ? "revolute" : "prismatic"; }
+
+std::string any_type(Dice& dice) {
+  static constexpr const char* kTypes[] = {"revolute",  "revolute",    "prismatic", "universal",
+                                           "spherical", "cylindrical", "planar",    "fixed"};
+  return dice.chance(0.5) ? plain_type(dice) : kTypes[dice.upto(7)];
+}
+
+void grow_tree(Workshop& shop, int count, bool plain) {
+  Dice& dice = shop.dice();
+  for (int k = 0; k < count; ++k) {
+    const int from = shop.size() == 0 ? kOnGround : dice.chance(0.6) ? shop.size() - 1 : dice.upto(shop.size()) - 1;
+    shop.hang(plain ? plain_type(dice) : any_type(dice), from);
+  }
+}
+
+/// A chain of `count` bodies from a body.
+std::vector<int> grow_chain(Workshop& shop, int count, int from, bool plain) {
+  std::vector<int> chain;
+  for (int k = 0; k < count; ++k) chain.push_back(from = shop.hang(plain ? plain_type(shop.dice()) : "revolute", from));
+  return chain;
+}
+
+void close_chain(Workshop& shop) {
+  Dice& dice = shop.dice();
+  const int base = dice.chance(0.5) ? kOnGround : shop.hang(plain_type(dice), kOnGround);
+  const std::vector<int> chain = grow_chain(shop, 5 + dice.upto(2), base, false);
+  static constexpr const char* kClosures[] = {"spherical", "universal", "cylindrical", "planar"};
+  const char* type = kClosures[dice.upto(chain.size() > 5 ? 3 : 0)];
+  shop.add_joint(type, base, chain.back(), plus(shop.place_of(chain.back()), dice.point(0.3)), dice.axis(), true);
+  if (dice.chance(0.4)) shop.add_rod(chain[0], chain[3], dice.chance(0.5) ? 0.7 : 0);
+}
+
+/// Four-bars in the plane across `axis`, one after the other.
+void add_four_bars(Workshop& shop) {
+  Dice& dice = shop.dice();
+  const int base = dice.chance(0.4) ? kOnGround : shop.hang("revolute", kOnGround);
+  const int letter = dice.upto(2);
+  Point axis{}, along{}, up{};
+  axis[letter] = along[(letter + 1) % 3] = up[(letter + 2) % 3] = 1;
+  const auto at = [&](double x, double y) {
+    Point result = shop.place_of(base);
+    for (int i = 0; i < 3; ++i) result[i] += x * along[i] + y * up[i];
+    return result;
+  };
+  const int cells = 1 + dice.upto(2);
+  const double width = dice.between(0.3, 0.6), height = dice.between(0.2, 0.5);
+  int left = shop.add_body(at(0, height / 2));
+  shop.add_joint("revolute", base, left, at(0, 0), axis);
+  for (int c = 0; c < cells; ++c) {
+    const double x = c * width, next = x + width * dice.between(0.9, 1.1);
+    const int coupler = shop.add_body(at(x + width / 2, height)), right = shop.add_body(at(next, height / 2));
+    shop.add_joint("revolute", left, coupler, at(x, height), axis);
+    shop.add_joint("revolute", base, right, at((c + 1) * width, 0), axis);
+    shop.add_joint("revolute", coupler, right, at((c + 1) * width, height), axis, true);
+    left = right;
+  }
+}
+
+void add_rods(Workshop& shop) {
+  Dice& dice = shop.dice();
+  grow_tree(shop, 3 + dice.upto(4), true);
+  const int wanted = 1 + dice.upto(2);
+  for (int k = 0; k < wanted; ++k) {
+    const int from = dice.upto(shop.size()) - 1, to = dice.upto(shop.size() - 1);
+    if (from != to) shop.add_rod(from, to, dice.chance(0.5) ? dice.between(0.2, 2) : 0);
+  }
+}
+
+/// Links without mass between revolute joints across one another.
+void add_massless_links(Workshop& shop) {
+  Dice& dice = shop.dice();
+  int from = kOnGround;
+  for (int k = 0; k < 2 + dice.upto(2); ++k) {
+    const int first = dice.upto(2);
+    for (const bool massless : {true, false}) {
+      const int body = shop.hang("revolute", from);
+      RandomJoint& joint = shop.mechanism().joints.back();
+      joint.axis = {};
+      joint.axis[massless ? first : (first + 1) % 3] = 1;
+      if (massless) shop.mechanism().bodies[body] = {shop.mechanism().bodies[body].name, 0, {}, {}};
+      from = body;
+    }
+  }
+}
+
+}  // namespace
+
+RandomMechanism random_mechanism(Family family, std::uint64_t seed) {
+  Dice dice(seed * 1000003 + static_cast<std::uint64_t>(family));
+  Workshop shop(dice, seed);
+  switch (family) {
+    case Family::tree:
+      grow_tree(shop, 2 + dice.upto(8), false);
+      break;
+    case Family::deep_chain:
+      grow_chain(shop, 20 + dice.upto(40), kOnGround, true);
+      break;
+    case Family::closed_chain:
+      close_chain(shop);
+      break;
+    case Family::planar_loops:
+      add_four_bars(shop);
+      break;
+    case Family::rods:
+      add_rods(shop);
+      break;
+    case Family::massless_links:
+      add_massless_links(shop);
+      break;
+    case Family::floating:
+      shop.hang("free", kOnGround);
+      grow_chain(shop, 1 + dice.upto(4), 0, true);
+      shop.mechanism().gravity = {};
+      break;
+    case Family::tiny:
+      if (dice.chance(0.8)) shop.hang(dice.chance(0.3) ? "free" : any_type(dice), kOnGround);
+      break;
+  }
+  if (shop.size() > 1 && dice.chance(0.5)) shop.add_spring(0, shop.size() - 1);
+  return std::move(shop).made();
+}
+
+std::string model_text(const RandomMechanism& mechanism) {
+  using Json = nlohmann::ordered_json;
+  Json model{{"mbgen", 1}, {"name", "random"}, {"gravity", mechanism.gravity}};
+  Json ground = Json::object();
+  std::vector<Json> points(mechanism.bodies.size() + 1, Json::object());
+  const auto name_of = [&](int body) {
+    return body == kOnGround ? std::string("ground") : mechanism.bodies[body].name;
+  };
+  const auto place = [&](const std::string& owner, const char* end, int body, const Point& at) {
+    points[body + 1][owner + end] = at;
+    return name_of(body) + "." + owner + end;
+  };
+  Json joints = Json::object(), rods = Json::object(), springs = Json::object();
+  for (const RandomJoint& joint : mechanism.joints) {
+    Json entry{{"type", joint.type},
+               {"from", place(joint.name, "_from", joint.from, joint.at)},
+               {"to", place(joint.name, "_to", joint.to, joint.at)}};
+    static constexpr const char* kNeedAxis[] = {"revolute", "prismatic", "cylindrical", "planar"};
+    if (std::ranges::find(kNeedAxis, joint.type) != std::end(kNeedAxis)) entry["axis"] = joint.axis;
+    if (joint.type == "universal") {
+      entry["axis"] = joint.axis;
+      entry["axis2"] = across(joint.axis);
+    }
+    if (joint.cut) entry["cut"] = true;
+    joints[joint.name] = entry;
+  }
+  for (const RandomLink& link : mechanism.links) {
+    Json entry{{"from", place(link.name, "_from", link.from, link.start)},
+               {"to", place(link.name, "_to", link.to, link.end)}};
+    if (link.stiffness > 0) {
+      entry["stiffness"] = link.stiffness;
+      entry["free_length"] = kFreeLength;
+      springs[link.name] = entry;
+    } else {
+      if (link.mass > 0) entry["mass"] = link.mass;
+      rods[link.name] = entry;
+    }
+  }
+  Json bodies{{"ground", {{"points", points[0]}}}};
+  for (std::size_t b = 0; b < mechanism.bodies.size(); ++b) {
+    const RandomBody& body = mechanism.bodies[b];
+    Json entry = Json::object();
+    if (body.mass > 0) entry = {{"mass", body.mass}, {"com", body.com}, {"inertia", body.inertia}};
+    Json named = points[b + 1];
+    named["com"] = body.com;
+    entry["points"] = named;
+    bodies[body.name] = entry;
+  }
+  model["bodies"] = bodies;
+  if (!joints.empty()) model["joints"] = joints;
+  if (!rods.empty()) model["rods"] = rods;
+  if (!springs.empty()) model["springs"] = springs;
+  Json outputs = Json::object();
+  for (const RandomBody& body : mechanism.bodies)
+    for (const char* letter : {"x", "y", "z"})
+      outputs[body.name + "_v" + letter] = {{"point", body.name + ".com"}, {"quantity", "velocity"}, {"axis", letter}};
+  for (const RandomLink& link : mechanism.links)
+    if (link.stiffness > 0) outputs[link.name + "_length"] = {{"spring", link.name}, {"quantity", "length"}};
+  if (!outputs.empty()) model["outputs"] = outputs;
+  return model.dump(2) + "\n";
+}
+
+namespace {
+
+/// Without a body and what hangs on it. Requires: it bears no other body.
+RandomMechanism without_body(RandomMechanism m, int body) {
+  m.bodies.erase(m.bodies.begin() + body);
+  const auto touches = [body](const auto& e) { return e.from == body || e.to == body; };
+  std::erase_if(m.joints, touches);
+  std::erase_if(m.links, touches);
+  const auto renumber = [body](int& b) { b -= b > body; };
+  for (RandomJoint& joint : m.joints) renumber(joint.from), renumber(joint.to);
+  for (RandomLink& link : m.links) renumber(link.from), renumber(link.to);
+  return m;
+}
+
+bool is_leaf(const RandomMechanism& m, int body) {
+  return std::ranges::count_if(
+             m.joints, [body](const RandomJoint& j) { return !j.cut && (j.from == body || j.to == body); }) <= 1;
+}
+
+}  // namespace
+
+std::vector<RandomMechanism> simpler(const RandomMechanism& m) {
+  std::vector<RandomMechanism> result;
+  for (int b = static_cast<int>(m.bodies.size()); b-- > 0;)
+    if (is_leaf(m, b)) result.push_back(without_body(m, b));
+  const auto change = [&](const auto& edit) {
+    RandomMechanism changed = m;
+    edit(changed);
+    if (model_text(changed) != model_text(m)) result.push_back(std::move(changed));
+  };
+  for (std::size_t l = 0; l < m.links.size(); ++l)
+    change([l](RandomMechanism& c) { c.links.erase(c.links.begin() + static_cast<std::ptrdiff_t>(l)); });
+  for (std::size_t j = 0; j < m.joints.size(); ++j)
+    if (m.joints[j].cut)
+      change([j](RandomMechanism& c) { c.joints.erase(c.joints.begin() + static_cast<std::ptrdiff_t>(j)); });
+  change([](RandomMechanism& c) { c.gravity = {}; });
+  for (std::size_t j = 0; j < m.joints.size(); ++j) {
+    change([j](RandomMechanism& c) { c.joints[j].axis = {0, 0, 1}; });
+    if (!m.joints[j].cut) change([j](RandomMechanism& c) { c.joints[j].type = "revolute"; });
+  }
+  for (std::size_t b = 0; b < m.bodies.size(); ++b)
+    if (m.bodies[b].mass > 0)
+      change([b](RandomMechanism& c) { c.bodies[b] = {c.bodies[b].name, 1, {}, {1, 1, 1, 0, 0, 0}}; });
+  return result;
+}
+
+RandomMechanism moved(RandomMechanism m, const std::array<Point, 3>& rotation, const Point& translation) {
+  const auto point = [&](Point& p) { p = plus(times(rotation, p), translation); };
+  m.gravity = times(rotation, m.gravity);
+  for (RandomBody& body : m.bodies) {
+    point(body.com);
+    const auto& i = body.inertia;
+    const std::array<Point, 3> matrix{{{i[0], i[3], i[4]}, {i[3], i[1], i[5]}, {i[4], i[5], i[2]}}};
+    const auto entry = [&](int r, int c) {
+      const Point column = times(matrix, rotation[c]);
+      return rotation[r][0] * column[0] + rotation[r][1] * column[1] + rotation[r][2] * column[2];
+    };
+    body.inertia = {entry(0, 0), entry(1, 1), entry(2, 2), entry(0, 1), entry(0, 2), entry(1, 2)};
+  }
+  for (RandomJoint& joint : m.joints) {
+    point(joint.at);
+    joint.axis = times(rotation, joint.axis);
+  }
+  for (RandomLink& link : m.links) point(link.start), point(link.end);
+  return m;
+}
+
+RandomMechanism mirrored(RandomMechanism m) {
+  const std::array<Point, 3> mirror{{{1, 0, 0}, {0, -1, 0}, {0, 0, 1}}};
+  m = moved(std::move(m), mirror, {});
+  for (RandomJoint& joint : m.joints)
+    if (joint.type == "revolute")
+      for (double& component : joint.axis) component = -component;  // a mirror turns rotations round
+  return m;
+}
+
+RandomMechanism renumbered(RandomMechanism m, std::uint64_t seed) {
+  std::mt19937_64 random(seed);
+  std::vector<int> order(m.bodies.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::ranges::shuffle(order, random);
+  std::vector<RandomBody> bodies;
+  std::vector<int> place(order.size());
+  for (std::size_t k = 0; k < order.size(); ++k) {
+    bodies.push_back(m.bodies[order[k]]);
+    place[order[k]] = static_cast<int>(k);
+  }
+  m.bodies = std::move(bodies);
+  const auto renumber = [&](int& b) { b = b == kOnGround ? b : place[b]; };
+  for (RandomJoint& joint : m.joints) renumber(joint.from), renumber(joint.to);
+  for (RandomLink& link : m.links) renumber(link.from), renumber(link.to);
+  std::ranges::shuffle(m.joints, random);
+  std::ranges::shuffle(m.links, random);
+  return m;
+}
+
+bool has_plain_joints(const RandomMechanism& m) {
+  return std::ranges::all_of(m.joints, [](const RandomJoint& joint) {
+    return joint.type == "revolute" || joint.type == "prismatic" || (joint.cut && joint.type == "spherical");
+  });
+}
+
+}  // namespace mbgen::testing

@@ -1,0 +1,83 @@
+#pragma once
+// Random mechanisms as values: made from a seed, transformed, shrunk and written as model files.
+
+#include <array>
+#include <cstdint>
+#include <random>
+#include <string>
+#include <vector>
+
+namespace mbgen::testing {
+
+using Point = std::array<double, 3>;
+
+constexpr int kOnGround = -1;
+constexpr double kFreeLength = 0.2;  ///< of every spring, m
+
+struct RandomBody {
+  std::string name;
+  double mass = 1;  ///< kg, 0: a massless link
+  Point com{};
+  std::array<double, 6> inertia{0.1, 0.1, 0.1, 0, 0, 0};  ///< xx yy zz xy xz yz, about the centre of mass
+};
+
+struct RandomJoint {
+  std::string name, type;
+  int from = kOnGround, to = 0;  ///< bodies
+  Point at{}, axis{0, 0, 1};
+  bool cut = false;
+};
+
+/// A rod, or a spring where it has a stiffness.
+struct RandomLink {
+  std::string name;
+  int from = kOnGround, to = 0;
+  Point start{}, end{};
+  double mass = 0;
+  double stiffness = 0;
+};
+
+/// All points in global axes at the reference; no damping, no motions.
+struct RandomMechanism {
+  std::uint64_t seed = 0;
+  Point gravity{0, 0, -9.81};
+  std::vector<RandomBody> bodies;
+  std::vector<RandomJoint> joints;
+  std::vector<RandomLink> links;
+};
+
+/// Kinds of mechanisms that a seed may ask for.
+enum class Family {
+  tree,
+  deep_chain,      ///< up to 60 joints
+  closed_chain,    ///< by a spherical joint or another one, to a body or to ground
+  planar_loops,    ///< four-bars with redundant equations, on a moving base
+  rods,            ///< with and without mass, several in one block
+  massless_links,  ///< between massive bodies
+  floating,        ///< a free base without gravity
+  tiny             ///< one body or none
+};
+constexpr int kFamilies = 8;
+
+RandomMechanism random_mechanism(Family family, std::uint64_t seed);
+
+/// The model file. Outputs: velocity of each body's centre of mass (x, y, z), then the length of each spring.
+std::string model_text(const RandomMechanism& mechanism);
+
+/// Smaller or simpler mechanisms, the smallest first.
+std::vector<RandomMechanism> simpler(const RandomMechanism& mechanism);
+
+/// Every point r becomes R r + t, every direction R d; rotation: row by row.
+RandomMechanism moved(RandomMechanism mechanism, const std::array<Point, 3>& rotation, const Point& translation);
+
+/// The mirror image in the plane y = 0, with axes that keep every coordinate. Requires: revolute and prismatic joints.
+RandomMechanism mirrored(RandomMechanism mechanism);
+
+/// Bodies, joints and links in another order.
+RandomMechanism renumbered(RandomMechanism mechanism, std::uint64_t seed);
+
+/// Whether all coordinates belong to axes of the file: revolute and prismatic joints, and cuts of any kind that look at
+/// points only.
+bool has_plain_joints(const RandomMechanism& mechanism);
+
+}  // namespace mbgen::testing
