@@ -293,6 +293,7 @@ inline Example redundant_bead(double gap) {
 inline Example driven_bead() {
   Example example = bead_on_circle();
   example.model.motions.resize(1);
+  example.model.motions[0].joint = {1, 0};
   example.analysis.driven = {false, true};
   example.analysis.motion_of = {-1, 0};
   example.analysis.blocks[0].independent = {};
