@@ -66,6 +66,9 @@ Compiler find_compiler(const fs::path& scratch, Contraction contraction) {
   compiler.version = read_text(answer);
   const bool is_clang = compiler.version.find("clang") != std::string::npos;
   compiler.flags = solver_compile_flags(is_clang ? CompilerFamily::clang : CompilerFamily::gnu, contraction);
+#if defined(__x86_64__)
+  if (!is_clang && contraction == Contraction::in_program) compiler.flags.push_back(kFlagOfLanesOnX86);
+#endif
   compiler.flags.insert(compiler.flags.end(), {"-march=native", "-std=c++17", "-fPIC"});
   return compiler;
 }

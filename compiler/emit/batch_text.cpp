@@ -17,6 +17,11 @@ namespace {
 
 using Members = std::vector<NumberMember>;
 
+/// AVX-512 addresses vectors by multiples of their size: so many after a pointer take one byte, the others four.
+constexpr std::size_t kReachedByOneByte = 128;
+/// Values between two calls of mbgen::read_back(): docs/batch.md.
+constexpr std::size_t kReadBackAfter = 64;
+
 std::string size_text(int size) { return std::to_string(std::max(size, 1)); }
 
 int alignment(const EmitContext& context) { return 8 * context.lanes; }
@@ -70,6 +75,8 @@ std::string statements(const Members& members, const char* format) {
 /// The program on vectors: a sibling of the scalar function, with the same name and arguments.
 ShapedProgram in_lanes(ShapedProgram shaped) {
   shaped.shape.scalar = "Lanes";
+  shaped.shape.most_crossing = kReachedByOneByte;
+  shaped.shape.read_back_after = kReadBackAfter;
   shaped.shape.roll_above = std::numeric_limits<std::size_t>::max();  // loops over subsystems are of doubles
   for (auto& [name, declaration] : shaped.shape.arguments) {
     if (name == "tau") declaration = "const Lanes* tau";

@@ -62,6 +62,10 @@ constexpr Contraction contraction_of(int lanes) {
 std::vector<std::string> solver_compile_flags(CompilerFamily family,
                                               Contraction contraction = Contraction::by_compiler);
 
+/// What g++ needs beside them for solvers with lanes on x86-64, and only there: in a red zone it places vectors beside
+/// their alignment, so that each of them on the stack is addressed with four bytes in place of one.
+constexpr const char* kFlagOfLanesOnX86 = "-mno-red-zone";
+
 /// Name of the emitted files and of the namespace: the identifier of the model's name.
 std::string solver_name(const Model& model);
 

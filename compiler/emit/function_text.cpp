@@ -15,10 +15,18 @@ std::string result_struct(const ProgramShape& shape) {
   return text + "};\n\n";
 }
 
-std::string work_struct(const ProgramShape& shape, const std::vector<std::string>& crossing) {
-  if (crossing.empty()) return "";
-  return "/// Values of " + shape.function + " that cross its parts.\nstruct " + shape.result + "Work {\n  " +
-         shape.scalar + "\n" + wrapped_list(crossing, 6) + ";\n};\n\n";
+/// The type of such an argument: AccelerationsWork of "work", AccelerationsWork2 of "work2".
+std::string work_type(const ProgramShape& shape, const CrossingStruct& work) {
+  return shape.result + "W" + work.argument.substr(1);
+}
+
+std::string work_structs(const ProgramShape& shape, const CrossingStructs& crossing) {
+  std::string text;
+  for (const CrossingStruct& work : crossing) {
+    text += "/// Values of " + shape.function + " that cross its parts.\nstruct " + work_type(shape, work) + " {\n  " +
+            shape.scalar + "\n" + wrapped_list(work.members, 6) + ";\n};\n\n";
+  }
+  return text;
 }
 
 /// Whether a function has every parameter of the shape, the unused ones without a name, or only those it uses.
@@ -30,7 +38,8 @@ std::string joined(const std::vector<std::string>& items, const std::string& sep
   return text;
 }
 
-std::string parameter_list(const ProgramShape& shape, const std::set<std::string>& used, Signature signature) {
+std::string parameter_list(const ProgramShape& shape, const CrossingStructs& crossing,
+                           const std::set<std::string>& used, Signature signature) {
   std::vector<std::string> list;
   for (const auto& [name, declaration] : shape.arguments) {
     if (used.count(name)) {
@@ -39,8 +48,10 @@ std::string parameter_list(const ProgramShape& shape, const std::set<std::string
       list.push_back(declaration.substr(0, declaration.size() - name.size()) + "/*" + name + "*/");
     }
   }
-  // Nothing else reaches these two: without the promise every store would make the compiler read the state again.
-  if (used.count("work")) list.push_back(shape.result + "Work& __restrict work");
+  // Nothing else reaches these: without the promise every store would make the compiler read the state again.
+  for (const CrossingStruct& work : crossing) {
+    if (used.count(work.argument)) list.push_back(work_type(shape, work) + "& __restrict " + work.argument);
+  }
   if (used.count("result")) {
     list.push_back(shape.result + "& __restrict result");
   } else if (signature == Signature::whole) {
@@ -49,14 +60,16 @@ std::string parameter_list(const ProgramShape& shape, const std::set<std::string
   return joined(list, ", ");
 }
 
-std::string argument_list(const ProgramShape& shape, const std::set<std::string>& used) {
+std::string argument_list(const ProgramShape& shape, const CrossingStructs& crossing,
+                          const std::set<std::string>& used) {
   std::vector<std::string> list;
   for (const auto& [name, declaration] : shape.arguments) {
     if (used.count(name)) list.push_back(name);
   }
-  for (const char* name : {"work", "result"}) {
-    if (used.count(name)) list.push_back(name);
+  for (const CrossingStruct& work : crossing) {
+    if (used.count(work.argument)) list.push_back(work.argument);
   }
+  if (used.count("result")) list.push_back("result");
   return joined(list, ", ");
 }
 
@@ -66,16 +79,17 @@ std::string heading(const std::string& comment, const std::string& declaration) 
 
 std::string whole_heading(const ProgramShape& shape, const std::set<std::string>& used) {
   return heading(shape.title,
-                 "void " + shape.function + "(" + parameter_list(shape, used, Signature::whole) + ") noexcept {");
+                 "void " + shape.function + "(" + parameter_list(shape, {}, used, Signature::whole) + ") noexcept {");
 }
 
 /// Kept out of line: inlined, the parts would grow together again.
-std::string part_function(const ProgramShape& shape, const PartText& part, std::size_t number) {
+std::string part_function(const ProgramShape& shape, const CrossingStructs& crossing, const PartText& part,
+                          std::size_t number) {
   const std::string name = shape.function + "_" + std::to_string(number);
   const std::string titles = comment_text(joined(part.sections, "; "));
   return heading(
              "Part " + std::to_string(number) + " of " + shape.function + (titles.empty() ? "." : ": " + titles + "."),
-             "[[gnu::noinline]] void " + name + "(" + parameter_list(shape, part.arguments, Signature::used) +
+             "[[gnu::noinline]] void " + name + "(" + parameter_list(shape, crossing, part.arguments, Signature::used) +
                  ") noexcept {") +
          part.body + "}\n\n";
 }
@@ -83,24 +97,27 @@ std::string part_function(const ProgramShape& shape, const PartText& part, std::
 }  // namespace
 
 std::string function_text(const ProgramShape& shape, const std::vector<PartText>& parts,
-                          const std::vector<std::string>& crossing) {
-  const std::string structs = result_struct(shape) + work_struct(shape, crossing);
+                          const CrossingStructs& crossing) {
+  const std::string structs = result_struct(shape) + work_structs(shape, crossing);
   if (parts.size() == 1 && shape.clock.empty())
     return structs + whole_heading(shape, parts[0].arguments) + parts[0].body + "}\n";
   std::string functions, calls;
   std::set<std::string> used;
   for (std::size_t p = 0; p < parts.size(); ++p) {
-    functions += part_function(shape, parts[p], p + 1);
-    calls +=
-        "  " + shape.function + "_" + std::to_string(p + 1) + "(" + argument_list(shape, parts[p].arguments) + ");\n";
+    functions += part_function(shape, crossing, parts[p], p + 1);
+    calls += "  " + shape.function + "_" + std::to_string(p + 1) + "(" +
+             argument_list(shape, crossing, parts[p].arguments) + ");\n";
     if (!shape.clock.empty() && !parts[p].ended_step.empty()) {
       calls += "  " + shape.clock + ".at_end_of(" + parts[p].ended_step + ");\n";
       used.insert(shape.clock);
     }
     used.insert(parts[p].arguments.begin(), parts[p].arguments.end());
   }
-  used.erase("work");
-  const std::string work = crossing.empty() ? "" : "  " + shape.result + "Work work;\n";
+  std::string work;
+  for (const CrossingStruct& values : crossing) {
+    used.erase(values.argument);
+    work += "  " + work_type(shape, values) + " " + values.argument + ";\n";
+  }
   return structs + functions + whole_heading(shape, used) + work + calls + "}\n";
 }
 

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "compiler/emit/crossing.hpp"
 #include "compiler/emit/layout.hpp"
 
 namespace mbgen {
@@ -12,15 +13,15 @@ namespace mbgen {
 /// Statements of one part and what its function needs.
 struct PartText {
   std::string body;
-  std::set<std::string> arguments;    ///< names that the body uses, "work" and "result" among them
+  std::set<std::string> arguments;    ///< names that the body uses, those of `crossing` and "result" among them
   std::vector<std::string> sections;  ///< titles, in order
   std::string ended_step;             ///< number of the step that ends with this part, "" for none
 };
 
 /// Struct of the result (when the shape has members), struct of the values that cross parts (when there are any), one
 /// static function per part and the function that calls them; a single part is that function itself.
-/// crossing: names of the members of `work`.
+/// crossing: structs of the values that cross parts.
 std::string function_text(const ProgramShape& shape, const std::vector<PartText>& parts,
-                          const std::vector<std::string>& crossing);
+                          const CrossingStructs& crossing);
 
 }  // namespace mbgen

@@ -105,6 +105,14 @@ std::string cmake_flags(CompilerFamily family, int lanes) {
   return wrapped_words(text, "      ");
 }
 
+/// What g++ is told on x86-64 alone.
+std::string x86_flags(int lanes) {
+  if (lanes == 0) return "";
+  return fmt::format(
+      "  if(CMAKE_SYSTEM_PROCESSOR MATCHES \"x86_64|AMD64\")\n    list(APPEND solver_flags {})\n  endif()\n",
+      kFlagOfLanesOnX86);
+}
+
 }  // namespace
 
 std::vector<NumberMember> parameter_members(const EmitContext& context) {
@@ -176,6 +184,7 @@ std::string build_text(const EmitContext& context) {
                                              {"solver", solver},
                                              {"sources", sources},
                                              {"gnu_flags", cmake_flags(CompilerFamily::gnu, context.lanes)},
+                                             {"x86_flags", x86_flags(context.lanes)},
                                              {"clang_flags", cmake_flags(CompilerFamily::clang, context.lanes)}});
 }
 

@@ -62,6 +62,10 @@ struct ProgramShape {
   /// Argument that is told the end of every section by its number, "" for none: then the parts follow the sections.
   std::string clock;
   std::size_t roll_above = kRollAbove;  ///< operations above which equal subsystems become loops
+  /// Values in one struct of those that cross parts, 0: all in one.
+  std::size_t most_crossing = 0;
+  /// Values after which mbgen::read_back() is called, 0: never.
+  std::size_t read_back_after = 0;
 };
 
 /// The programs of a solver with their shapes; those of closures are left out when there is nothing to close.

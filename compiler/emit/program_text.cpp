@@ -79,16 +79,34 @@ class ProgramWriter {
       if (!names.exponents.empty()) names.exponents = names_.unique(names.exponents);
       for (std::string& array : names.results) {
         array = names_.unique(array);
-        const std::string declared = fmt::format("{}[{}]", array, calls[c].arguments.size());
+        const std::size_t size = calls[c].arguments.size();
+        const std::string declared = fmt::format("{}[{}]", array, size);
         if (crosses[c]) {
-          crossing_.push_back(declared);
-          array = "work." + array;
+          const std::string argument = add_crossing(declared, size);
+          names.work.insert(argument);
+          array = argument + "." + array;
         } else {
           names.declaration += (names.declaration.empty() ? shape_.scalar + " " : ", ") + declared;
         }
       }
       call_names_.push_back(names);
     }
+  }
+
+  /// Declares a member of `work`. Result: the argument that holds it.
+  std::string add_crossing(const std::string& member, std::size_t values) {
+    const auto name_of = [&](std::size_t number) { return number == 1 ? std::string("work") : names_.unique("work"); };
+    CrossingStruct& home = struct_with_room(crossing_, values, shape_.most_crossing, name_of);
+    home.members.push_back(member);
+    home.values += values;
+    return home.argument;
+  }
+
+  /// The place of a value in `work`, and the argument noted.
+  std::string crossing_place(ValueId v, const std::string& name, PartText& part) {
+    const std::string argument = work_of_[v] = add_crossing(name, 1);
+    part.arguments.insert(argument);
+    return argument + "." + name;
   }
 
   const ArrayPlace& place_in_call(ValueId v) const { return arrangement_.array_calls.place[v]; }
@@ -144,7 +162,7 @@ class ProgramWriter {
   /// A result of a call for many arguments.
   Phrase result_phrase(ValueId v, PartText& part) {
     const CallNames& names = call_names_[place_in_call(v).call];
-    if (names.declaration.empty()) part.arguments.insert("work");
+    part.arguments.insert(names.work.begin(), names.work.end());
     const std::string& array = program_.nodes[v].op == Op::cos ? names.results.back() : names.results.front();
     const std::string place = fmt::format("{}[{}]", array, place_in_call(v).argument);
     if (uses_in_part_[v] < 2) return {place, Binding::primary};
@@ -158,7 +176,7 @@ class ProgramWriter {
     if (node.op == Op::constant) return constant_phrase(node.constant);
     if (node.op == Op::input) return input_phrase(v, part);
     if (place_in_call(v).call >= 0) return result_phrase(v, part);
-    if (fates_[v].crosses) part.arguments.insert("work");
+    if (fates_[v].crosses) part.arguments.insert(work_of_.at(v));
     return phrases_[v];
   }
 
@@ -224,11 +242,8 @@ class ProgramWriter {
     const ArrayCall& array_call = arrangement_.array_calls.calls[call];
     write_arguments(names.arguments, array_call.arguments, part);
     if (!names.exponents.empty()) write_arguments(names.exponents, array_call.exponents, part);
-    if (names.declaration.empty()) {
-      part.arguments.insert("work");
-    } else {
-      add_line(part, names.declaration + ";");
-    }
+    part.arguments.insert(names.work.begin(), names.work.end());
+    if (!names.declaration.empty()) add_line(part, names.declaration + ";");
     std::string rest = names.exponents.empty() ? "" : ", " + names.exponents;
     for (const std::string& array : names.results) rest += ", " + array;
     add_line(part, names.function + "(" + names.arguments + rest + ");");
@@ -243,11 +258,8 @@ class ProgramWriter {
     std::string declared;
     for (const ValueId value : {v, partner}) {
       const std::string name = names_.of_value(value);
-      phrases_[value] = {fates_[value].crosses ? "work." + name : name, Binding::primary};
-      if (fates_[value].crosses) {
-        crossing_.push_back(name);
-        part.arguments.insert("work");
-      } else {
+      phrases_[value] = {fates_[value].crosses ? crossing_place(value, name, part) : name, Binding::primary};
+      if (!fates_[value].crosses) {
         declared += (declared.empty() ? shape_.scalar + " " : ", ") + name;
       }
     }
@@ -285,11 +297,9 @@ class ProgramWriter {
     for (int k = 0; k < arity(node.op); ++k) pending_[node.operands[k]] = false;
 
     if (fate.crosses) {
-      const std::string name = names_.of_value(v);
-      crossing_.push_back(name);
-      part.arguments.insert("work");
-      add_line(part, "work." + name + " = " + standing_alone(phrases_[v]) + ";");
-      phrases_[v] = {"work." + name, Binding::primary};
+      const std::string place = crossing_place(v, names_.of_value(v), part);
+      add_line(part, place + " = " + standing_alone(phrases_[v]) + ";");
+      phrases_[v] = {place, Binding::primary};
     } else if (fate.users == 0 && fate.outputs.size() == 1) {
       part.arguments.insert("result");
       add_line(part, fate.outputs.front() + " = " + standing_alone(phrases_[v]) + ";");
@@ -353,6 +363,9 @@ class ProgramWriter {
       const Node& node = program_.nodes[arrangement_.order[i]];
       write_headings(i, part, section, block);
       write_value(arrangement_.order[i], i > range.first ? arrangement_.order[i - 1] : kNoValue, part);
+      if (shape_.read_back_after > 0 && (i + 1 - range.first) % shape_.read_back_after == 0) {
+        add_line(part, "mbgen::read_back();");
+      }
       if (section_end_[node.section] == i && !program_.sections[node.section].empty()) {
         add_comment(part, "operations: " + operations_text(section_counts_[node.section]));
       }
@@ -394,7 +407,8 @@ class ProgramWriter {
   std::vector<OperationCount> section_counts_;
   std::vector<std::size_t> section_end_;  ///< place of the last value of each section
   std::set<int> entered_;                 ///< sections with a heading so far
-  std::vector<std::string> crossing_;
+  CrossingStructs crossing_;
+  std::unordered_map<ValueId, std::string> work_of_;  ///< arguments that hold the values that cross
   std::vector<CallNames> call_names_;
   std::unordered_map<ValueId, std::string> local_of_;  ///< of results of calls for many arguments
   std::unordered_map<ValueId, int> uses_in_part_;      ///< of the current part

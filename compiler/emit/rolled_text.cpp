@@ -71,8 +71,7 @@ class RolledWriter {
       write_unit(u);
     }
     if (parts[0].body.empty() && parts.size() > 2) parts.erase(parts.begin());
-    const std::vector<std::string> crossing = {fmt::format("value[{}]", std::max(places_.stored, 1))};
-    return function_text(shape_, parts, crossing);
+    return function_text(shape_, parts, {{"work", {fmt::format("value[{}]", std::max(places_.stored, 1))}}});
   }
 
  private:

@@ -70,12 +70,8 @@ template <class Mask, class Lanes>
   to = choose(mask, from, to);
 }
 
-/// Keeps the stack aligned: clang 14 stores wide vectors there unaligned unless an aligned local escapes.
-template <class Lanes>
-struct AlignedStack {
-  [[gnu::always_inline]] AlignedStack() noexcept { asm volatile("" : : "r"(this)); }
-  alignas(sizeof(Lanes)) char place = 0;
-};
+/// What was stored is read from there afterwards: compilers keep a second copy of it on the stack otherwise.
+[[gnu::always_inline]] inline void read_back() noexcept { asm volatile("" : : : "memory"); }
 
 namespace lanes_detail {
 
@@ -89,20 +85,42 @@ template <class Lanes>
   return value;
 }
 
+/// a b + c, and the same with the sign of the product or of c turned. Each is one instruction of its own: g++ negates
+/// an operand that several of them share beforehand.
 template <class Lanes>
 [[gnu::always_inline]] inline Lanes fused(const Lanes& a, const Lanes& b, const Lanes& c) noexcept {
   Lanes result{};
   for (int lane = 0; lane < kLanesOf<Lanes>; ++lane) result[lane] = mbgen::multiply_add(a[lane], b[lane], c[lane]);
   return result;
 }
+template <class Lanes>
+[[gnu::always_inline]] inline Lanes fused_less(const Lanes& a, const Lanes& b, const Lanes& c) noexcept {
+  return fused(a, b, -c);
+}
+template <class Lanes>
+[[gnu::always_inline]] inline Lanes fused_from(const Lanes& a, const Lanes& b, const Lanes& c) noexcept {
+  return fused(-a, b, c);
+}
 
 #if defined(__AVX__) && defined(__FMA__)
 [[gnu::always_inline]] inline __m256d fused(const __m256d& a, const __m256d& b, const __m256d& c) noexcept {
   return _mm256_fmadd_pd(a, b, c);
 }
+[[gnu::always_inline]] inline __m256d fused_less(const __m256d& a, const __m256d& b, const __m256d& c) noexcept {
+  return _mm256_fmsub_pd(a, b, c);
+}
+[[gnu::always_inline]] inline __m256d fused_from(const __m256d& a, const __m256d& b, const __m256d& c) noexcept {
+  return _mm256_fnmadd_pd(a, b, c);
+}
 #if defined(__AVX512F__)
 [[gnu::always_inline]] inline __m512d fused(const __m512d& a, const __m512d& b, const __m512d& c) noexcept {
   return _mm512_fmadd_pd(a, b, c);
+}
+[[gnu::always_inline]] inline __m512d fused_less(const __m512d& a, const __m512d& b, const __m512d& c) noexcept {
+  return _mm512_fmsub_pd(a, b, c);
+}
+[[gnu::always_inline]] inline __m512d fused_from(const __m512d& a, const __m512d& b, const __m512d& c) noexcept {
+  return _mm512_fnmadd_pd(a, b, c);
 }
 #else
 using Eight = LaneTypes<8>::Lanes;
@@ -138,14 +156,14 @@ template <class A, class B, class C, class Lanes = WidestOf<A, B, C>>
 template <class A, class B, class C, class Lanes = WidestOf<A, B, C>>
 [[gnu::always_inline]] inline Lanes multiply_subtract(const A& a, const B& b, const C& c) noexcept {
   using namespace lanes_detail;
-  return fused(all<Lanes>(a), all<Lanes>(b), -all<Lanes>(c));
+  return fused_less(all<Lanes>(a), all<Lanes>(b), all<Lanes>(c));
 }
 
 /// c - a b.
 template <class C, class A, class B, class Lanes = WidestOf<A, B, C>>
 [[gnu::always_inline]] inline Lanes subtract_product(const C& c, const A& a, const B& b) noexcept {
   using namespace lanes_detail;
-  return fused(-all<Lanes>(a), all<Lanes>(b), all<Lanes>(c));
+  return fused_from(all<Lanes>(a), all<Lanes>(b), all<Lanes>(c));
 }
 
 /// a where condition >= 0, else b (b for NaN).

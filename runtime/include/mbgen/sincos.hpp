@@ -193,7 +193,14 @@ inline T tangent(const T& angle) noexcept {
 template <class T, std::size_t N>
 inline void sincos(const T (&angles)[N], T (&sines)[N], T (&cosines)[N]) noexcept {
   using namespace elementary_detail;
-  for (std::size_t i = 0; i < N; ++i) sincos(angles[i], sines[i], cosines[i]);
+  Bits<T> beyond = {};
+  for (std::size_t i = 0; i < N; ++i) {
+    reduced_sincos(angles[i], sines[i], cosines[i]);
+    mark_beyond(angles[i], beyond);
+  }
+  if (__builtin_expect(any(beyond), 0)) {
+    for (std::size_t i = 0; i < N; ++i) replace_beyond(angles[i], sines[i], cosines[i]);
+  }
 }
 
 /// The same of doubles, in lanes.
