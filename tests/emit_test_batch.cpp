@@ -52,10 +52,10 @@ TEST_P(Batch, hasTheBitsAndStatusesOfTheScalarSolver) {
     EXPECT_EQ(symbol.rfind("_ZN" + std::to_string(name.size()) + name, 0), 0u) << symbol;
   }
   const std::string base = (directory.path() / name).string(), check = (directory.path() / "check").string();
-  const Finished linked =
-      run(std::string(which.compiler.command) + " -std=c++17 -O1 -DSOLVER=" + name + " -DINTERFACE='\"" + batch +
-          ".hpp\"' -I" + directory.path().string() + " -I" MBGEN_SOURCE_DIR
-          "/runtime/include " MBGEN_SOURCE_DIR "/tests/batch/check.cpp " + base + ".o " + base + "_batch.o -o " + check);
+  const Finished linked = run(std::string(which.compiler.command) + " -std=c++17 -O1 -DSOLVER=" + name +
+                              " -DINTERFACE='\"" + batch + ".hpp\"' -I" + directory.path().string() +
+                              " -I" MBGEN_SOURCE_DIR "/runtime/include " MBGEN_SOURCE_DIR "/tests/batch/check.cpp " +
+                              base + ".o " + base + "_batch.o -o " + check);
   ASSERT_EQ(linked.code, 0) << linked.text;
   const Finished checked = run(check);
   EXPECT_EQ(checked.code, 0) << checked.text;
@@ -64,16 +64,17 @@ TEST_P(Batch, hasTheBitsAndStatusesOfTheScalarSolver) {
 constexpr Compiler kGnu{"g++", CompilerFamily::gnu};
 constexpr Compiler kClang{"clang++", CompilerFamily::clang};
 
-INSTANTIATE_TEST_SUITE_P(Models, Batch,
-                         testing::Values(Case{"models/four_bar.json", "four_bar", kGnu, 8, "-march=native"},
-                                         Case{"models/four_bar.json", "four_bar", kClang, 4, "-march=native"},
-                                         Case{"tests/data/models/driven_five_bar.json", "driven_five_bar", kClang, 8,
-                                              ""},
-                                         Case{"tests/data/models/all_elements.json", "all_elements", kGnu, 4, ""}),
-                         [](const auto& info) {
-                           return std::string(info.param.name) + "_" + std::to_string(info.param.lanes) +
-                                  (info.param.compiler.family == CompilerFamily::gnu ? "_gnu" : "_clang");
-                         });
+INSTANTIATE_TEST_SUITE_P(
+    Models, Batch,
+    testing::Values(Case{"models/four_bar.json", "four_bar", kGnu, 8, "-march=native"},
+                    Case{"models/four_bar.json", "four_bar", kClang, 4, "-march=native"},
+                    Case{"tests/data/models/driven_five_bar.json", "driven_five_bar", kClang, 8, ""},
+                    Case{"models/four_bar.json", "four_bar", kGnu, 4, ""},
+                    Case{"tests/data/models/all_elements.json", "all_elements", kGnu, 4, "-march=native"}),
+    [](const auto& info) {
+      return std::string(info.param.name) + "_" + std::to_string(info.param.lanes) +
+             (info.param.compiler.family == CompilerFamily::gnu ? "_gnu" : "_clang");
+    });
 
 TEST(BatchFiles, leaveTheOthersAsTheyAre) {
   Result<Compilation> compilation = compile(std::string(MBGEN_SOURCE_DIR "/models/four_bar.json"));

@@ -72,8 +72,11 @@ void add_dump_option(CLI::App& command, std::string& stage) {
 }
 
 void add_batch_option(CLI::App& command, int& lanes) {
-  command.add_option("--batch", lanes, "4 or 8: solve so many independent instances in one call, in SIMD lanes")
-      ->check(CLI::IsMember({4, 8}));
+  command
+      .add_option_function<std::string>(
+          "--batch", [&lanes](const std::string& typed) { lanes = std::stoi(typed); },
+          "4 or 8: solve so many independent instances in one call, in SIMD lanes")
+      ->check(CLI::IsMember(std::vector<std::string>{"4", "8"}));
 }
 
 void add_engine_options(CLI::App& command, EngineArguments& arguments) {
