@@ -5,6 +5,7 @@
 #include <filesystem>
 
 #include "bench/compare/agreement.hpp"
+#include "compiler/cli/bench_states.hpp"
 #include "compiler/cli/user_error.hpp"
 
 namespace mbgen::compare {
@@ -120,8 +121,7 @@ Comparison compare_on(const std::string& model_path, const Settings& settings) {
     if (row.exact && !(row.deviation < kAgreement)) comparison.disagreeing.push_back(row.name);
   }
   if (!comparison.disagreeing.empty()) return comparison;
-  std::vector<cli::LoadedState> at;
-  for (const cli::FileState& state : in_use.states) at.push_back(state.at);
+  const std::vector<cli::LoadedState> at = cli::timed_states(in_use.states, kLanes);
   const std::vector<Timing> timings = time_in_turns(all, at, settings.rounds, settings.seconds);
   for (std::size_t k = 0; k < timings.size(); ++k) comparison.rows[k].timing = timings[k];
   if (settings.counts_code) comparison.code = code_facts(model, at);

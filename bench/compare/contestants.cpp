@@ -72,7 +72,7 @@ Contestant mbgen_engine(const Compilation& compilation, const std::string& engin
 void add_generated(const Compilation& compilation, std::vector<Contestant>& all) {
   const Form form = compilation.programs.form;
   all.push_back(mbgen_engine(compilation, "generated", fmt::format("mbgen, generated, {}", name_of(form)), ""));
-  all.push_back(mbgen_engine(compilation, "generated", "mbgen, generated, eight in lanes", "per instance", 8));
+  all.push_back(mbgen_engine(compilation, "generated", "mbgen, generated, eight in lanes", "per instance", kLanes));
   all.back().key = "batch8";
   const Form other_form = form == Form::matrix ? Form::recursive : Form::matrix;
   const Compilation other = cli::expect(compile(compilation.model, other_form));

@@ -8,10 +8,13 @@
 
 namespace mbgen::compare {
 
+/// Instances in one batch of the row `batch8`.
+inline constexpr int kLanes = 8;
+
 /// An engine with what a reader of its figures must know.
 struct Contestant {
-  std::string
-      key;  ///< for machines: generated, other_form, generic, straightforward, straightforward_blocks, simbody, mujoco
+  /// For machines: generated, batch8, other_form, generic, straightforward, straightforward_blocks, simbody, mujoco.
+  std::string key;
   std::string name;    ///< for tables
   std::string remark;  ///< "" when there is nothing to say
   std::string absent;  ///< why there is no engine; "" when there is one

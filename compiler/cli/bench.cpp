@@ -74,8 +74,7 @@ int run(const Options& options) {
                                                          : read_states(options.states, compilation, inputs).states;
   if (states.empty()) throw UserError(fmt::format("{}: has no states\n", options.states));
   complete(states, reference, compilation.topology);
-  std::vector<LoadedState> at;
-  for (const FileState& state : states) at.push_back(state.at);
+  const std::vector<LoadedState> at = timed_states(states, options.lanes);
   BenchRecord record{compilation.model.name, options.evaluations, measure(engines, at, options.evaluations)};
   for (Measurement& measurement : record.measurements) {
     measurement.largest_error = largest_error(*measurement.engine, compilation.topology, states);

@@ -54,6 +54,14 @@ void complete(std::vector<FileState>& states, const Engine& reference, const Top
   }
 }
 
+std::vector<LoadedState> timed_states(const std::vector<FileState>& states, int lanes) {
+  const std::size_t batch = static_cast<std::size_t>(std::max(lanes, 1));
+  const std::size_t count = (states.size() + batch - 1) / batch * batch;
+  std::vector<LoadedState> timed;
+  for (std::size_t k = 0; k < count; ++k) timed.push_back(states[k % states.size()].at);
+  return timed;
+}
+
 double largest_error(const Engine& engine, const Topology& topology, const std::vector<FileState>& states) {
   double largest = 0;
   for (const FileState& state : states) {

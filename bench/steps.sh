@@ -1,0 +1,62 @@
+#!/bin/sh
+# Whole steps of generated solvers, alone in a loop: time, real-time factor at 1e-3 s, instructions.
+#   bench/steps.sh [-b MBGEN] [-n STEPS] [-t TURNS] [MODEL.json...]
+# Default: build/release/mbgen, else build/mbgen; 5000 steps in 20 turns; models/coach.json and truck.json, 5 s of slalom.
+# Times are for this processor; instructions, when valgrind is installed, for x86-64-v3 (valgrind knows no AVX-512).
+set -eu
+
+here=$(cd "$(dirname "$0")" && pwd)
+root=$(cd "$here/.." && pwd)
+binary=$root/build/release/mbgen
+[ -x "$binary" ] || binary=$root/build/mbgen
+steps=5000
+turns=20
+while getopts b:n:t: option; do
+  case $option in
+    b) binary=$OPTARG ;;
+    n) steps=$OPTARG ;;
+    t) turns=$OPTARG ;;
+    *) exit 2 ;;
+  esac
+done
+shift $((OPTIND - 1))
+[ $# -gt 0 ] || set -- "$root/models/coach.json" "$root/models/truck.json"
+
+scratch=$(mktemp -d)
+trap 'rm -rf "$scratch"' EXIT
+
+# compile MARCH NAME DIRECTORY: the solver with the flags of its CMake file, and the loop around it
+compile() {
+  cmake -S "$3" -B "$3/$1" -DMBGEN_MARCH="$1" >/dev/null
+  cmake --build "$3/$1" >/dev/null
+  c++ -std=c++17 -O2 -I "$3" -DSOLVER="$2" -DINTERFACE="\"$2.hpp\"" "$here/steps.cpp" "$3/$1/lib$2.a" -o "$3/steps_$1"
+}
+
+# instructions PROGRAM STATE INTEGRATOR: of one step, by the difference of two runs
+instructions() {
+  for count in 100 300; do
+    valgrind --tool=callgrind --callgrind-out-file=/dev/null "$1" "$2" "$count" 1 "$3" 2>&1 |
+      awk '/Collected/ { print $NF }'
+  done | awk '{ n[NR] = $1 } END { printf "%.0f", (n[2] - n[1]) / 200 }'
+}
+
+printf '%-10s %-6s %12s %12s %12s %14s\n' model method 'least, us' 'median, us' 'real time' instructions
+for model in "$@"; do
+  name=$(basename "$model" .json)
+  directory=$scratch/$name
+  "$binary" generate "$model" --out "$directory" >/dev/null
+  "$binary" simulate "$model" --duration 1e-3 --step 1e-3 --engine generic --out "$scratch/start.csv" >/dev/null
+  awk -F, 'NR == 1 { for (i = 1; i <= NF; ++i) is_state[i] = $i ~ /^zd?\./ }
+           NR == 2 { for (i = 1; i <= NF; ++i) if (is_state[i]) print $i }' "$scratch/start.csv" >"$scratch/state"
+  compile native "$name" "$directory"
+  if command -v valgrind >/dev/null; then compile x86-64-v3 "$name" "$directory"; fi
+  for method in rk4 abm4; do
+    times=$("$directory/steps_native" "$scratch/state" "$steps" "$turns" "$method")
+    counted=-
+    if [ -x "$directory/steps_x86-64-v3" ]; then
+      counted=$(instructions "$directory/steps_x86-64-v3" "$scratch/state" "$method")
+    fi
+    echo "$name $method $times $counted" |
+      awk '{ printf "%-10s %-6s %12.2f %12.2f %12.0f %14s\n", $1, $2, 1e6 * $3, 1e6 * $4, 1e-3 / $3, $5 }'
+  done
+done

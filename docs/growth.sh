@@ -1,0 +1,38 @@
+#!/bin/sh
+# Measures anew what docs/growth.md holds, puts the table between the markers there and draws docs/growth.svg:
+#   docs/growth.sh [TABLE]     TABLE: what bench/growth.sh printed, to draw without measuring
+# Needs gnuplot (Debian: gnuplot-nox). Some minutes; the machine should have nothing else to do.
+set -eu
+here=$(cd "$(dirname "$0")" && pwd)
+scratch=$(mktemp -d)
+trap 'rm -rf "$scratch"' EXIT
+if [ $# -gt 0 ]; then grep '^|' "$1" > "$scratch/table"; else "$here/../bench/growth.sh" > "$scratch/table"; fi
+
+awk -v table="$scratch/table" '
+  /^<!-- growth: end -->/ { inside = 0 }
+  !inside { print }
+  /^<!-- growth: begin -->/ {
+    inside = 1
+    while ((getline line < table) > 0) print line
+  }' "$here/growth.md" > "$scratch/page"
+cat "$scratch/page" > "$here/growth.md"
+
+for kind in chain four-bar; do
+  awk -F'|' -v kind="$kind" '$2 ~ kind { print $3, $6, $8, $9 + $10 }' "$scratch/table" > "$scratch/$kind"
+done
+gnuplot << END
+set terminal svg size 960,320 font "sans,12" background "white"
+set output "$here/growth.svg"
+set multiplot layout 1,3
+set logscale xy
+set key top left
+set grid
+set xlabel "joints of the chain, four-bars"
+lines = "with linespoints pointtype 7 pointsize 0.5 linewidth 2"
+set title "one evaluation, us"
+plot "$scratch/chain" using 1:2 @lines title "chain", "$scratch/four-bar" using 1:2 @lines title "four-bars"
+set title "whole solver, kB"
+plot "$scratch/chain" using 1:3 @lines title "chain", "$scratch/four-bar" using 1:3 @lines title "four-bars"
+set title "generate and compile, s"
+plot "$scratch/chain" using 1:4 @lines title "chain", "$scratch/four-bar" using 1:4 @lines title "four-bars"
+END
