@@ -87,6 +87,21 @@ TEST(EmittedLines, areBrokenAtSpaces) {
 TEST(EmittedLiterals, areEscaped) {
   EXPECT_EQ(string_literal("N m \"x\" \\ \n1"), "\"N m \\\"x\\\" \\\\ \\0121\"");
   EXPECT_EQ(comment_text("a\nb\\"), "a b\\.");
+  // Trigraphs, controls of the direction of writing, ends of lines, bytes that are no UTF-8; what people write stays.
+  EXPECT_EQ(string_literal("?\?/"), "\"?\\?/\"");
+  EXPECT_EQ(string_literal("m\u00b2\u202e\xff"), "\"m\u00b2\\342\\200\\256\\377\"");
+  EXPECT_EQ(comment_text("m\u00b2\u202e\u2028\xed\xa0\x80 ?\?/"), "m\u00b2      ?\?/.");
+}
+
+TEST(EmittedNames, ofSolversLeaveTheGlobalNamespaceAlone) {
+  const std::pair<const char*, const char*> expected[] = {
+      {"main", "main_"}, {"index", "index_"}, {"sinf", "sinf_"},  {"uint8_t", "uint8_t_"}, {"test", "test_"},
+      {"all", "all_"},   {"lanes", "lanes_"}, {"coach", "coach"}, {"ball", "ball"},        {"A_B", "A_B_"}};
+  for (const auto& [name, result] : expected) {
+    Model model;
+    model.name = name;
+    EXPECT_EQ(solver_name(model), result);
+  }
 }
 
 /// Text of the expression that `build` makes of three inputs.

@@ -15,11 +15,12 @@ constexpr std::size_t kLineWidth = 100;
 /// 1e-07. Negative ones without parentheses. Infinities and NaN become <cmath> expressions.
 std::string number_text(double value);
 
-/// String literal with everything escaped that C++ would read otherwise.
+/// String literal with everything escaped that C++ would read otherwise, or people: bytes that are no UTF-8, trigraphs,
+/// controls of the direction of writing.
 std::string string_literal(std::string_view text);
 
-/// Text on one line for a comment: control characters become spaces, and a backslash at the end is followed by a full
-/// stop.
+/// Text on one line for a comment: control characters and bytes that are no UTF-8 become spaces, and a backslash at the
+/// end is followed by a full stop.
 std::string comment_text(std::string_view text);
 
 /// Lines of `indent` spaces and items joined by ", ", broken before kLineWidth. Ends without a newline.

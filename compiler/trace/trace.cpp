@@ -320,17 +320,6 @@ Program trace_outputs(const Model& model, const Topology& topology, const Analys
 
 const char* name_of(Form form) { return form == Form::matrix ? "matrix" : "recursive"; }
 
-int auxiliary_state_count(const Model& model) { return 2 * static_cast<int>(model.tyres.size()); }
-
-std::vector<std::string> auxiliary_state_names(const Model& model) {
-  std::vector<std::string> names;
-  for (const Tyre& tyre : model.tyres) {
-    names.push_back(tyre.name + "_u");
-    names.push_back(tyre.name + "_v");
-  }
-  return names;
-}
-
 Programs trace(const Model& model, const Topology& topology, const Analysis& analysis) {
   Programs programs;
   programs.accelerations = trace_accelerations(model, topology, analysis);

@@ -182,6 +182,7 @@ typename System::Mask project_lanes(const typename System::Parameters& parameter
                                     const typename System::Inputs& inputs, typename System::State& state) noexcept {
   using namespace batch_detail;
   const typename System::Mask finite = arguments_are_finite<System>(parameters, inputs, state, nullptr);
+  static_assert(System::kHasClosure || System::kEquations == 0);  // else clang++ sees a constant that nobody uses
   if constexpr (System::kHasClosure) return close_lanes<System>(parameters, inputs, finite, state);
   return finite;
 }
