@@ -13,6 +13,7 @@
 #include "compiler/emit/expression_text.hpp"
 #include "compiler/emit/fates.hpp"
 #include "compiler/emit/function_text.hpp"
+#include "compiler/emit/headings.hpp"
 #include "compiler/emit/local_names.hpp"
 #include "compiler/emit/rolled_text.hpp"
 #include "compiler/emit/text.hpp"
@@ -22,9 +23,6 @@ namespace {
 
 /// Room for `const double s12_345 = ` before an expression that may have to be named later.
 constexpr std::size_t kNamingRoom = 28;
-
-/// Values of a section that come back to it for less than this have no heading of their own.
-constexpr std::size_t kShortestRun = 12;
 
 class ProgramWriter {
  public:
@@ -36,8 +34,7 @@ class ProgramWriter {
         phrases_(program.nodes.size()),
         pending_(program.nodes.size(), false),
         names_(program),
-        section_counts_(count_operations_by_section(program)),
-        section_end_(section_ends(program, arrangement_)) {
+        headings_(program, arrangement_) {
     reserve_names();
     name_outputs();
     name_calls();
@@ -122,14 +119,6 @@ class ProgramWriter {
 
   // --- names and expressions ---
 
-  /// The first number in a section's title, as in "step 3: Rz", "" for none.
-  std::string step_number(int section) const {
-    constexpr const char* kDigits = "0123456789";
-    const std::string& title = program_.sections[section];
-    const std::size_t first = title.find_first_of(kDigits);
-    return first == std::string::npos ? "" : title.substr(first, title.find_first_not_of(kDigits, first) - first);
-  }
-
   const GroupPlace& input_place(const Slot& slot) const {
     const auto place = shape_.inputs.find(slot.group);
     bool given =
@@ -208,10 +197,6 @@ class ProgramWriter {
   // --- lines ---
 
   static void add_line(PartText& part, const std::string& line) { part.body += wrapped_statement("  " + line) + "\n"; }
-
-  static void add_comment(PartText& part, const std::string& words) {
-    part.body += wrapped_words(words, "  // ") + "\n";
-  }
 
   /// Turns the pending text of a value into a statement.
   void name_value(ValueId v, PartText& part) {
@@ -313,36 +298,6 @@ class ProgramWriter {
     store_outputs(v, part);
   }
 
-  /// True when more than a few values of a section follow from place `i` on. The names of the others tell their step.
-  bool is_worth_heading(std::size_t i) const {
-    const std::uint16_t section = program_.nodes[arrangement_.order[i]].section;
-    const std::size_t last = i + kShortestRun;
-    while (i < last && i < arrangement_.order.size() && program_.nodes[arrangement_.order[i]].section == section) ++i;
-    return i == last;
-  }
-
-  void write_headings(std::size_t i, PartText& part, int& section, int& block) {
-    const ValueId v = arrangement_.order[i];
-    const Node& node = program_.nodes[v];
-    const bool is_array_call = place_in_call(v).call >= 0;
-    if (section != node.section) {
-      const std::string& title = program_.sections[node.section];
-      if (section >= 0 && entered_.count(node.section) > 0 && !is_worth_heading(i)) return;
-      const bool again = !entered_.insert(node.section).second;
-      part.sections.push_back(title);
-      if (section >= 0) part.body += "\n";
-      if (!title.empty()) add_comment(part, "--- " + comment_text(title) + (again ? ", continued" : "") + " ---");
-      section = node.section;
-      block = -1;
-    }
-    // Calls for many arguments belong to all blocks of their section.
-    if (block != node.block && !is_array_call) {
-      const std::string& title = program_.blocks[node.block];
-      if (!title.empty()) add_comment(part, comment_text(title));
-      block = node.block;
-    }
-  }
-
   /// The angles of one call are written once.
   void count_uses(const PartRange& range) {
     uses_in_part_.clear();
@@ -358,19 +313,17 @@ class ProgramWriter {
     PartText part;
     const PartRange range = arrangement_.parts[p];
     count_uses(range);
-    int section = -1, block = -1;
+    headings_.start_part();
     for (std::size_t i = range.first; i < range.last; ++i) {
-      const Node& node = program_.nodes[arrangement_.order[i]];
-      write_headings(i, part, section, block);
-      write_value(arrangement_.order[i], i > range.first ? arrangement_.order[i - 1] : kNoValue, part);
+      const ValueId v = arrangement_.order[i];
+      headings_.write_before(i, place_in_call(v).call >= 0, part);
+      write_value(v, i > range.first ? arrangement_.order[i - 1] : kNoValue, part);
       if (shape_.read_back_after > 0 && (i + 1 - range.first) % shape_.read_back_after == 0) {
         add_line(part, "mbgen::read_back();");
       }
-      if (section_end_[node.section] == i && !program_.sections[node.section].empty()) {
-        add_comment(part, "operations: " + operations_text(section_counts_[node.section]));
-      }
+      headings_.write_after(i, part);
     }
-    if (section >= 0 && section_end_[section] + 1 == range.last) part.ended_step = step_number(section);
+    part.ended_step = headings_.ended_step(range.last);
     if (p + 1 == arrangement_.parts.size()) write_plain_outputs(part);
     return part;
   }
@@ -404,9 +357,7 @@ class ProgramWriter {
   std::vector<Phrase> phrases_;
   std::vector<bool> pending_;
   LocalNames names_;
-  std::vector<OperationCount> section_counts_;
-  std::vector<std::size_t> section_end_;  ///< place of the last value of each section
-  std::set<int> entered_;                 ///< sections with a heading so far
+  Headings headings_;
   CrossingStructs crossing_;
   std::unordered_map<ValueId, std::string> work_of_;  ///< arguments that hold the values that cross
   std::vector<CallNames> call_names_;

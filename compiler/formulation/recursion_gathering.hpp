@@ -1,0 +1,322 @@
+#pragma once
+// Recursive form: the projected equations (63) of one loop block or run, and what it leaves to its base.
+
+#include "compiler/formulation/recursion_bias.hpp"
+
+namespace mbgen::detail {
+
+/// Inertia and needed force of a body as its own block or run sees them at zero base and free accelerations.
+/// a, gradient: acceleration field of the body about its origin.
+template <class T>
+Spatial<T> needed_in(const Carried<T>& c, const Vector<T>& a, const Vector<T>& alpha, const Matrix<T>& gradient) {
+  const Spatial<T> motion{a, alpha};
+  return c.needed + field_force(c.rigid, a, gradient) + c.above * motion + c.reduced * motion;
+}
+
+/// What a body of a block holds of the bodies on it, about its origin.
+template <class T>
+struct Held {
+  PseudoInertia<T> inertia;
+  Spatial<T> needed;
+  std::vector<Spatial<T>> momentum;  ///< per free direction: of their motion against this body
+};
+
+/// Equations of a block in the making, and what it adds to its base about the base's origin.
+template <class T>
+struct BlockGathering {
+  const RecursionUnit& unit;
+  BlockParts<T>& parts;
+  UnitEquations<T>& equations;
+  Vector<T> turning, twice;  ///< angular velocity of the base, and twice that
+  Matrix<T> turning_field;   ///< w~w~ of it
+  Carried<T> base;
+  std::vector<Held<T>> held;  ///< per tree body
+};
+
+/// The free directions: motion of the bodies, forces on the joints.
+template <class T>
+void start_equations(RecursionState<T>& s, BlockGathering<T>& g) {
+  const RecursionUnit& unit = g.unit;
+  const std::size_t n = s.system().topology.bodies.size(), free = g.parts.rz.empty() ? 0 : g.parts.rz[0].size();
+  for (std::size_t q = 0; q < free; ++q) {
+    std::vector<T> column(unit.joints.size());
+    for (std::size_t c = 0; c < column.size(); ++c) column[c] = g.parts.rz[c][q];
+    g.parts.partial.push_back(block_motion(s.work, unit, per_joint(unit, n, column)));
+    g.equations.mass.emplace_back(q + 1, T(0.0));
+    g.equations.momentum.emplace_back();
+    T force(0.0);
+    for (std::size_t c = 0; c < column.size(); ++c) force = force + column[c] * s.force[unit.joints[c]];
+    g.equations.force.push_back(force);
+  }
+  g.parts.star_motion = block_motion(s.work, unit, per_joint(unit, n, g.parts.star));
+}
+
+/// A motion about another point of the body, `arm` from where it is given.
+template <class T>
+Spatial<T> about_point(const Spatial<T>& motion, const Vector<T>& arm) {
+  return {velocity_at(motion, arm), motion.angular};
+}
+
+/// Adds a body's part of the projected equations, about the point `arm` from its origin and `place` from the base's.
+/// needed: by its own free directions.
+template <class T>
+void add_to_equations(BlockGathering<T>& g, int i, const Vector<T>& arm, const Vector<T>& place,
+                      const PseudoInertia<T>& whole, const ArticulatedInertia<T>& reduced, const Spatial<T>& needed) {
+  std::vector<Spatial<T>> partial;
+  for (const std::vector<Spatial<T>>& motion : g.parts.partial) partial.push_back(about_point(motion[i], arm));
+  for (std::size_t q = 0; q < partial.size(); ++q) {
+    const Spatial<T> momentum = whole * partial[q] + reduced * partial[q];
+    for (std::size_t d = 0; d <= q; ++d) g.equations.mass[q][d] = g.equations.mass[q][d] + dot(partial[d], momentum);
+    g.equations.momentum[q] = g.equations.momentum[q] + shifted(place, momentum);
+    g.equations.force[q] = g.equations.force[q] - dot(partial[q], needed);
+  }
+}
+
+/// An arm: one revolute joint on the base, nothing on it. The base's angular velocity acts on it as on a part of the
+/// base (there it costs nothing more), so that only its motion against the base and the Coriolis field are its own.
+template <class T>
+void gather_arm(RecursionState<T>& s, BlockGathering<T>& g, int i) {
+  const Carried<T>& arm = s.carried[i];
+  const Vector<T>& w = g.parts.velocity[i].angular;
+  const Vector<T> alpha = g.parts.star_motion[i].angular;
+  const Matrix<T> own = acceleration_gradient(w, alpha);
+  const T along = dot(g.twice, w);
+  const Matrix<T> field = own + Matrix<T>{g.twice.x * w, g.twice.y * w, g.twice.z * w} -
+                          Matrix<T>{{along, T(0.0), T(0.0)}, {T(0.0), along, T(0.0)}, {T(0.0), T(0.0), along}};
+  const Spatial<T> needed = arm.needed + field_force(arm.rigid, Vector<T>{}, field);
+  const Vector<T>& place = s.k().position[i];
+  g.base.rigid = g.base.rigid + shifted(place, arm.rigid);
+  g.base.needed = g.base.needed + shifted(place, needed);
+  const Spatial<T> as_part_of_base = field_force(arm.rigid, g.turning_field * place, g.turning_field);
+  add_to_equations(g, i, Vector<T>{}, place, arm.rigid, {}, needed + as_part_of_base);
+}
+
+/// Whether a unit with a door of its own moves on a body.
+template <class T>
+bool bears_units(const RecursionState<T>& s, int body) {
+  return std::any_of(s.units().begin(), s.units().end(),
+                     [body](const RecursionUnit& u) { return u.base == body && !u.rotor; });
+}
+
+/// Force that a body of a block needs at zero base and free accelerations, about the point `arm` from its origin.
+template <class T>
+Spatial<T> needed_of(RecursionState<T>& s, BlockGathering<T>& g, int i, const Carried<T>& body, const Vector<T>& arm) {
+  const Spatial<T> v = about_point(g.parts.velocity[i], arm), extra = about_point(g.parts.star_motion[i], arm);
+  const BodyAcceleration<T>& bias = g.parts.bias[i];
+  const Vector<T> place = s.k().position[i] + arm;
+  Vector<T> a = bias.linear + bias.gradient * arm + extra.linear + g.turning_field * place + cross(g.twice, v.linear);
+  if (g.unit.base == kGround) a = a - s.system().constants.gravity;
+  const Vector<T> alpha = bias.angular + extra.angular + cross(g.turning, v.angular);
+  const Spatial<T> needed = needed_in(body, a, alpha, acceleration_gradient(g.turning + v.angular, alpha));
+  name(s.system().scribe, needed, "f", "n", s.system().body_name(i));
+  return needed;
+}
+
+/// A body on another body of its block, by one joint: its motion is that of the body below and of its own joint, so
+/// that the body below holds its inertia, and only its joint's motion b is projected here.
+template <class T>
+void gather_held(RecursionState<T>& s, BlockGathering<T>& g, const JointStep& step) {
+  const int i = step.body(), below = s.work.parent(step);
+  const Vector<T>& axis = s.k().axis[i];
+  const Spatial<T> b = step.revolute ? Spatial<T>{{}, axis} : Spatial<T>{axis, {}};
+  const PseudoInertia<T> whole = s.carried[i].rigid + g.held[i].inertia;
+  const Spatial<T> needed = needed_of(s, g, i, s.carried[i], Vector<T>{}) + g.held[i].needed;
+  const Vector<T>& offset = s.work.offset[i];
+  const Spatial<T> momentum = whole * b, seen_below = shifted(offset, momentum);
+  const T half = T(0.5) * dot(b, momentum);
+  Held<T>& held = g.held[below];
+  held.inertia = held.inertia + shifted(offset, whole);
+  held.needed = held.needed + shifted(offset, needed);
+  held.momentum.resize(g.equations.size());
+  const auto local = std::lower_bound(g.unit.joints.begin(), g.unit.joints.end(), i) - g.unit.joints.begin();
+  const std::vector<T>& rate = g.parts.rz[local];
+  std::vector<T> coupled;
+  for (std::size_t q = 0; q < g.equations.size(); ++q) {
+    coupled.push_back(dot(seen_below, g.parts.partial[q][below]) + half * rate[q]);
+    for (std::size_t d = 0; d <= q; ++d)
+      g.equations.mass[q][d] = g.equations.mass[q][d] + (rate[q] * coupled[d] + rate[d] * coupled[q]);
+    held.momentum[q] = held.momentum[q] + rate[q] * seen_below;
+    if (!g.held[i].momentum.empty()) held.momentum[q] = held.momentum[q] + shifted(offset, g.held[i].momentum[q]);
+    g.equations.force[q] = g.equations.force[q] - rate[q] * dot(b, needed);
+  }
+}
+
+/// Whether a body of a block is an arm.
+template <class T>
+bool is_arm(const RecursionState<T>& s, const RecursionUnit& unit, const JointStep& step) {
+  const int i = step.body();
+  if (!s.work.recursion.choices.arms) return false;
+  if (!step.revolute || step.quasi() || unit.base == kGround || s.work.own(i) || s.work.parent(step) != unit.base)
+    return false;
+  return std::none_of(s.units().begin(), s.units().end(), [i](const RecursionUnit& u) { return u.base == i; });
+}
+
+/// Whether a body of a block is held by the one below.
+template <class T>
+bool is_held(const RecursionState<T>& s, const RecursionUnit& unit, const JointStep& step) {
+  const int below = s.work.parent(step);
+  if (!s.work.recursion.choices.holding || step.quasi() || below == unit.base || s.work.own(step.body())) return false;
+  return !bears_units(s, step.body()) && s.work.step[below] != nullptr && !is_arm(s, unit, *s.work.step[below]);
+}
+
+/// Any other body of a block: about its centre of mass where nothing moves on it and that was chosen, else its origin.
+template <class T>
+void gather_body(RecursionState<T>& s, BlockGathering<T>& g, int i) {
+  const Matrix<T>& axes = s.k().orientation[i];
+  const Held<T>& held = g.held[i];
+  Carried<T> body = s.carried[i];
+  Vector<T> arm;
+  if (s.work.own(i))
+    body = {rotated(axes, body.rigid), rotated(axes, body.above), rotated(axes, body.reduced),
+            rotated(axes, body.needed)};
+  const bool is_bare = held.momentum.empty() && !is_zero(s.constant[i].mass) && !bears_units(s, i);
+  if (s.work.recursion.choices.centres && is_bare) {
+    const PseudoInertia<T>& constant = s.constant[i];
+    const Vector<T> com = (T(1.0) / constant.mass) * constant.moment;
+    arm = axes * com;
+    body.rigid = rotated(axes, centred(constant));
+    body.needed = shifted(-arm, body.needed);
+  }
+  const Vector<T> place = s.k().position[i] + arm;
+  const Spatial<T> needed = needed_of(s, g, i, body, arm) + held.needed;
+  const PseudoInertia<T> whole = body.rigid + body.above + held.inertia;
+  g.base.above = g.base.above + shifted(place, whole);
+  g.base.reduced = g.base.reduced + shifted(place, body.reduced);
+  g.base.needed = g.base.needed + shifted(place, needed);
+  for (std::size_t q = 0; q < held.momentum.size(); ++q)
+    g.equations.momentum[q] = g.equations.momentum[q] + shifted(place, held.momentum[q]);
+  add_to_equations(g, i, arm, place, whole, body.reduced, needed);
+}
+
+/// What a rod's mass adds to two point masses m/2: -m/6 times the kinetic energy of the difference of its ends. It has
+/// no momentum in a translation, and the pseudo-inertia -m/6 d d'.
+template <class T>
+void gather_rod(RecursionState<T>& s, BlockGathering<T>& g, const RodConstants<T>& rod) {
+  const auto end = [&](const Place<T>& at) { return near_end(s.work, g.unit, g.parts.velocity, g.parts.bias, at); };
+  const NearEnd<T> from = end(rod.from), to = end(rod.to);
+  const auto moved = [&](const std::vector<Spatial<T>>& motion) {
+    const auto of = [&](const NearEnd<T>& e) {
+      return e.body == g.unit.base ? Vector<T>{} : velocity_at(motion[e.body], e.arm);
+    };
+    return of(from) - of(to);
+  };
+  const T mass = -rod.coupling;
+  const Vector<T> gap = from.place - to.place, scaled_gap = mass * gap;
+  const Vector<T> rate = from.point_velocity() - to.point_velocity();
+  const Vector<T> own = from.point_acceleration() - to.point_acceleration() + moved(g.parts.star_motion);
+  const Vector<T> force = mass * (own + cross(g.twice, rate) + g.turning_field * gap);
+  g.base.above = g.base.above + pseudo_inertia(T(0.0), Vector<T>{}, square(mass, gap));
+  g.base.needed.angular = g.base.needed.angular + cross(gap, force);
+  std::vector<Vector<T>> partial;
+  for (const std::vector<Spatial<T>>& motion : g.parts.partial) partial.push_back(moved(motion));
+  for (std::size_t q = 0; q < partial.size(); ++q) {
+    for (std::size_t d = 0; d <= q; ++d)
+      g.equations.mass[q][d] = g.equations.mass[q][d] + mass * dot(partial[q], partial[d]);
+    g.equations.momentum[q].angular = g.equations.momentum[q].angular + cross(scaled_gap, partial[q]);
+    g.equations.force[q] = g.equations.force[q] - dot(partial[q], force);
+  }
+}
+
+/// Equations of a block's free directions. Result: what it adds to its base.
+template <class T>
+Carried<T> gather_block(RecursionState<T>& s, std::size_t u) {
+  const System<T>& system = s.system();
+  const RecursionUnit& unit = s.units()[u];
+  const Vector<T> turning = s.omega_of(unit.base);
+  BlockGathering<T> g{
+      unit, s.blocks[u], s.equations[u], turning, turning + turning, acceleration_gradient(turning, Vector<T>{}),
+      {},   {}};
+  start_equations(s, g);
+  g.held.resize(system.topology.bodies.size());
+  for (auto step = unit.steps.rbegin(); step != unit.steps.rend(); ++step) {
+    system.scribe.place(system.layout.titles[step->body()]);
+    if (is_arm(s, unit, *step))
+      gather_arm(s, g, step->body());
+    else if (is_held(s, unit, *step))
+      gather_held(s, g, *step);
+    else
+      gather_body(s, g, step->body());
+  }
+  for (int l : system.topology.blocks[unit.block].loops) {
+    const Loop& loop = system.topology.loops[l];
+    if (loop.kind != ClosureKind::rod || is_zero(system.constants.rods[loop.rod].coupling)) continue;
+    system.scribe.place(loop.name);
+    gather_rod(s, g, system.constants.rods[loop.rod]);
+  }
+  return g.base;
+}
+
+/// What the angular velocity of a run's end asks for.
+template <class T>
+Spatial<T> turning_force(const RecursionState<T>& s, int end) {
+  return field_force(s.carried[end].rigid, Vector<T>{}, acceleration_gradient(s.omega[end], Vector<T>{}));
+}
+
+/// Equations of a run's free directions about its end's origin, and what it carries there at zero accelerations.
+template <class T>
+void gather_run(RecursionState<T>& s, std::size_t u, UnitEquations<T>& equations, ArticulatedInertia<T>& inertia,
+                Spatial<T>& needed) {
+  const RecursionUnit& unit = s.units()[u];
+  const RunParts<T>& run = s.runs[u];
+  const Carried<T>& body = s.carried[unit.end()];
+  inertia = articulated(body.rigid + body.above) + body.reduced;
+  needed = body.needed + turning_force(s, unit.end()) + inertia * run.bias;
+  for (std::size_t q = 0; q < run.directions.size(); ++q) {
+    equations.momentum.push_back(inertia * run.directions[q]);
+    equations.mass.emplace_back();
+    for (std::size_t d = 0; d <= q; ++d) equations.mass[q].push_back(dot(run.directions[d], equations.momentum[q]));
+    equations.force.push_back(s.force[run.columns[q]] - dot(run.directions[q], needed));
+  }
+}
+
+/// Unit motions of a free run's end about its origin, in the order of its steps.
+template <class T>
+std::vector<Spatial<T>> unit_motions(const RecursionUnit& unit) {
+  const Matrix<T> e = identity<T>();
+  std::vector<Spatial<T>> units;
+  for (const JointStep& step : unit.steps)
+    for (const Vector<T>& axis : {e.x, e.y, e.z})
+      units.push_back(step.revolute ? Spatial<T>{{}, axis} : Spatial<T>{axis, {}});
+  return units;
+}
+
+/// A free run: the acceleration of its end is the unknown, and its base gets the joint's forces alone.
+template <class T>
+void gather_free(RecursionState<T>& s, std::size_t u, UnitEquations<T>& equations, Spatial<T>& transmitted) {
+  const RecursionUnit& unit = s.units()[u];
+  const Carried<T>& body = s.carried[unit.end()];
+  const RunParts<T>& run = s.runs[u];
+  const ArticulatedInertia<T> inertia = articulated(body.rigid + body.above) + body.reduced;
+  // directions: pin x e for turns, so forces at the origin follow from those on the quasi-velocities
+  Vector<T> push, turn;
+  for (std::size_t q = 0; q < 6; ++q) {
+    const JointStep& step = q < 3 ? unit.steps[0] : unit.steps[1];
+    Vector<T>& part = step.revolute ? turn : push;
+    const T& value = s.force[run.columns[q]];
+    (q % 3 == 0 ? part.x : q % 3 == 1 ? part.y : part.z) = value;
+  }
+  const Vector<T>& pin = s.k().pin[(unit.steps[0].revolute ? unit.steps[0] : unit.steps[1]).joints[0]];
+  transmitted = {push, turn + cross(pin, push)};
+  const Spatial<T> available = transmitted - (body.needed + turning_force(s, unit.end()));
+  const std::vector<Spatial<T>> units = unit_motions<T>(unit);
+  for (std::size_t q = 0; q < units.size(); ++q) {
+    const Spatial<T> momentum = inertia * units[q];
+    equations.mass.emplace_back();
+    for (std::size_t d = 0; d <= q; ++d) equations.mass[q].push_back(dot(units[d], momentum));
+    equations.momentum.emplace_back();
+    equations.force.push_back(dot(units[q], available));
+  }
+}
+
+/// Adds what a unit carries to the body that it moves on. axes, place: of the frame that it is given in, seen from
+/// the frame that carries the base.
+template <class T>
+void hand_down(RecursionState<T>& s, int base, const Matrix<T>& axes, const Vector<T>& place,
+               const ArticulatedInertia<T>& inertia, const Spatial<T>& needed) {
+  if (base == kGround) return;
+  Carried<T>& below = s.carried[base];
+  below.reduced = below.reduced + shifted(place, rotated(axes, inertia));
+  below.needed = below.needed + shifted(place, rotated(axes, needed));
+}
+
+}  // namespace mbgen::detail
