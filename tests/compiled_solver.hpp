@@ -70,7 +70,7 @@ inline bool is_installed(const Compiler& compiler) {
 inline std::string compile_command(const Compiler& compiler) {
   std::string text = compiler.command;
   for (const std::string& flag : solver_compile_flags(compiler.family)) text += " " + flag;
-  return text + " -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Werror";
+  return text + " -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Wdouble-promotion -Werror";
 }
 
 /// Symbols that an object file leaves to others: of libm alone, unless something is wrong.

@@ -33,8 +33,9 @@ Finished compile_source(const Case& which, const fs::path& directory, const std:
     command += " " + flag;
   }
   const std::string base = (directory / source).string();
-  return run(command + " -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Werror " + which.more_flags + " -I" +
-             directory.string() + " -I" MBGEN_SOURCE_DIR "/runtime/include -c " + base + ".cpp -o " + base + ".o");
+  return run(command + " -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Wdouble-promotion -Werror " +
+             which.more_flags + " -I" + directory.string() + " -I" MBGEN_SOURCE_DIR "/runtime/include -c " + base +
+             ".cpp -o " + base + ".o");
 }
 
 TEST_P(Batch, hasTheBitsAndStatusesOfTheScalarSolver) {
@@ -54,7 +55,8 @@ TEST_P(Batch, hasTheBitsAndStatusesOfTheScalarSolver) {
   const std::string base = (directory.path() / name).string(), check = (directory.path() / "check").string();
   const Finished linked = run(std::string(which.compiler.command) + " -std=c++17 -O1 -DSOLVER=" + name +
                               " -DINTERFACE='\"" + batch + ".hpp\"' -I" + directory.path().string() +
-                              " -I" MBGEN_SOURCE_DIR "/runtime/include " MBGEN_SOURCE_DIR "/tests/batch/check.cpp " +
+                              " -I" MBGEN_SOURCE_DIR "/runtime/include " MBGEN_SOURCE_DIR
+                              "/tests/batch/check.cpp " MBGEN_SOURCE_DIR "/tests/batch/heap.cpp " +
                               base + ".o " + base + "_batch.o -o " + check);
   ASSERT_EQ(linked.code, 0) << linked.text;
   const Finished checked = run(check);

@@ -73,11 +73,11 @@ int run(const Options& options) {
   std::vector<FileState> states = options.states.empty() ? random_states(compilation, reference, inputs)
                                                          : read_states(options.states, compilation, inputs).states;
   if (states.empty()) throw UserError(fmt::format("{}: has no states\n", options.states));
-  complete(states, reference, compilation.topology);
+  complete(states, reference, compilation);
   const std::vector<LoadedState> at = timed_states(states, options.lanes);
   BenchRecord record{compilation.model.name, options.evaluations, measure(engines, at, options.evaluations)};
   for (Measurement& measurement : record.measurements) {
-    measurement.largest_error = largest_error(*measurement.engine, compilation.topology, states);
+    measurement.largest_error = largest_error(*measurement.engine, compilation, states);
   }
   print(options.json ? bench_json(record) : bench_text(record));
   return kDone;

@@ -20,12 +20,12 @@ constexpr double kForceSpread = 100;      // N or N m
 /// Uniform in [-1, 1), the same numbers on every machine.
 double uniform(std::mt19937& generator) { return static_cast<double>(generator()) / 2147483648.0 - 1.0; }
 
-std::vector<double> accelerations_at(const Engine& engine, const Topology& topology, const LoadedState& at) {
+std::vector<double> accelerations_at(const Engine& engine, const Compilation& compilation, const LoadedState& at) {
   GenericDerivative derivative;
   const Status status = engine.accelerations(at, derivative);
   if (!status.ok()) {
     throw UserError(
-        fmt::format("bench: engine {} has no accelerations: {}\n", engine.name, describe(topology, status)));
+        fmt::format("bench: engine {} has no accelerations: {}\n", engine.name, describe(compilation, status)));
   }
   return derivative.zdd;
 }
@@ -48,9 +48,9 @@ std::vector<FileState> random_states(const Compilation& compilation, const Engin
   return states;
 }
 
-void complete(std::vector<FileState>& states, const Engine& reference, const Topology& topology) {
+void complete(std::vector<FileState>& states, const Engine& reference, const Compilation& compilation) {
   for (FileState& state : states) {
-    if (state.zdd.empty()) state.zdd = accelerations_at(reference, topology, state.at);
+    if (state.zdd.empty()) state.zdd = accelerations_at(reference, compilation, state.at);
   }
 }
 
@@ -62,10 +62,10 @@ std::vector<LoadedState> timed_states(const std::vector<FileState>& states, int 
   return timed;
 }
 
-double largest_error(const Engine& engine, const Topology& topology, const std::vector<FileState>& states) {
+double largest_error(const Engine& engine, const Compilation& compilation, const std::vector<FileState>& states) {
   double largest = 0;
   for (const FileState& state : states) {
-    std::vector<double> difference = accelerations_at(engine, topology, state.at);
+    std::vector<double> difference = accelerations_at(engine, compilation, state.at);
     for (std::size_t i = 0; i < difference.size(); ++i) difference[i] -= state.zdd[i];
     const double scale = largest_absolute(state.zdd);
     largest = std::max(largest, scale > 0 ? largest_absolute(difference) / scale : largest_absolute(difference));

@@ -14,7 +14,7 @@ std::vector<FileState> random_states(const Compilation& compilation, const Engin
                                      const std::vector<double>& inputs);
 
 /// Fills in the accelerations to compare with, where a state has none. Fails: UserError when the engine has none.
-void complete(std::vector<FileState>& states, const Engine& reference, const Topology& topology);
+void complete(std::vector<FileState>& states, const Engine& reference, const Compilation& compilation);
 
 /// What engines are timed at: the states, repeated from the first on until they fill batches of `lanes`; half empty
 /// batches would count as slow ones. lanes: 0 for none.
@@ -22,6 +22,6 @@ std::vector<LoadedState> timed_states(const std::vector<FileState>& states, int 
 
 /// Largest error of any acceleration over the largest acceleration of its state.
 /// Fails: UserError when the engine has no accelerations at a state.
-double largest_error(const Engine& engine, const Topology& topology, const std::vector<FileState>& states);
+double largest_error(const Engine& engine, const Compilation& compilation, const std::vector<FileState>& states);
 
 }  // namespace mbgen::cli

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "compiler/cli/names.hpp"
 #include "compiler/cli/user_error.hpp"
 
 namespace mbgen::cli {
@@ -42,6 +43,30 @@ std::string loop_names(const Topology& topology, const LoopBlock& block) {
   std::vector<std::string> names;
   for (const int loop : block.loops) names.push_back(topology.loops[loop].name);
   return fmt::format("{}", fmt::join(names, ", "));
+}
+
+/// Names of everything that a status may be about.
+std::vector<std::string> names_of(const Compilation& compilation, Subject subject) {
+  const Model& model = compilation.model;
+  const Topology& topology = compilation.topology;
+  std::vector<std::string> names;
+  switch (subject) {
+    case Subject::coordinate:
+      return coordinate_names(topology);
+    case Subject::loop_block:
+      for (const LoopBlock& block : topology.blocks) names.push_back(loop_names(topology, block));
+      return names;
+    case Subject::input:
+      for (const Input& input : model.inputs) names.push_back(input.name);
+      return names;
+    case Subject::parameter:
+      for (const Parameter& parameter : model.parameters)
+        if (parameter.tunable) names.push_back(parameter.name);
+      return names;
+    case Subject::auxiliary_state:
+      return auxiliary_state_names(model);
+  }
+  return names;
 }
 
 }  // namespace
@@ -81,15 +106,10 @@ double largest_absolute(const std::vector<double>& values) {
   return largest;
 }
 
-std::string describe(const Topology& topology, Status status) {
-  std::string name;
-  const bool of_block = names_block(status.code);
-  if (of_block && status.index >= 0 && status.index < static_cast<int>(topology.blocks.size())) {
-    name = loop_names(topology, topology.blocks[status.index]);
-  } else if (!of_block && status.index >= 0 && status.index < topology.size()) {
-    name = topology.bodies[status.index].coordinate;
-  }
-  return name.empty() ? text(status.code) : fmt::format("{}: {}", text(status.code), name);
+std::string describe(const Compilation& compilation, Status status) {
+  const std::vector<std::string> names = names_of(compilation, subject_of(status.code));
+  const bool is_named = status.index >= 0 && status.index < static_cast<int>(names.size());
+  return is_named ? fmt::format("{}: {}", text(status.code), names[status.index]) : text(status.code);
 }
 
 }  // namespace mbgen::cli

@@ -108,7 +108,7 @@ Engine make_cartesian_engine(const Compilation& compilation, const EngineChoice&
 /// Largest absolute value, NaN when there is one, 0 for none.
 double largest_absolute(const std::vector<double>& values);
 
-/// What a status says, with the coordinate or the loops of the block that it names: "loop not closed: rod_left, tip".
-std::string describe(const Topology& topology, Status status);
+/// What a status says, with what it names: "loop not closed: rod_left, tip".
+std::string describe(const Compilation& compilation, Status status);
 
 }  // namespace mbgen::cli

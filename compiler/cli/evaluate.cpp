@@ -26,14 +26,6 @@ struct Options {
 
 Json number_or_null(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
 
-/// Accelerations that are not finite are no result, whatever their status.
-Status check_finite(const std::vector<double>& zdd) {
-  for (std::size_t i = 0; i < zdd.size(); ++i) {
-    if (!std::isfinite(zdd[i])) return {Code::not_a_number, static_cast<int>(i)};
-  }
-  return {};
-}
-
 /// {motion: generalised driving force}.
 Json drive_json(const Model& model, const std::vector<double>& drive) {
   Json result = Json::object();
@@ -50,7 +42,7 @@ Json evaluate_state(const Engine& engine, const Compilation& compilation, const 
   std::vector<std::array<double, 6>> wrenches;
   Status status = options.project ? engine.project(at.state) : Status{};
   if (status.ok()) status = engine.accelerations(at, derivative);
-  if (status.ok()) status = check_finite(derivative.zdd);
+  if (status.ok()) status = check_finite(derivative);
   if (status.ok()) status = engine.multipliers(at, derivative, lambda);
   if (status.ok() && options.reactions) status = engine.reactions(at, derivative, wrenches);
   if (status.ok()) status = engine.driving_forces(at, derivative, drive);
@@ -61,7 +53,7 @@ Json evaluate_state(const Engine& engine, const Compilation& compilation, const 
   if (!compilation.model.motions.empty()) {
     result["drive"] = status.ok() ? drive_json(compilation.model, drive) : Json(nullptr);
   }
-  result["status"] = describe(compilation.topology, status);
+  result["status"] = describe(compilation, status);
   Residuals residuals;
   const bool has_residuals = engine.residuals(at.state, residuals).ok();
   result["position_residual"] = has_residuals ? number_or_null(residuals.position) : Json(nullptr);

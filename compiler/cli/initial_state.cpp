@@ -50,9 +50,9 @@ const Wish* first_broken(const std::vector<Wish>& wishes, const std::vector<doub
   return nullptr;
 }
 
-void require(Status status, const Topology& topology, const char* action) {
+void require(Status status, const Compilation& compilation, const char* action) {
   if (!status.ok()) {
-    throw UserError(fmt::format("initial state: cannot {}: {}\n", action, describe(topology, status)));
+    throw UserError(fmt::format("initial state: cannot {}: {}\n", action, describe(compilation, status)));
   }
 }
 
@@ -134,7 +134,7 @@ std::optional<GenericState> assemble_by_driving(const Compilation& compilation, 
   const int steps = std::max(1, static_cast<int>(std::ceil(largest_absolute(rate) / kAssemblyStep)));
   for (int k = 1; k <= steps; ++k) {
     state.t = static_cast<double>(k) / steps;
-    require(solver->project(state), compilation.topology, "move the joints to the asked positions");
+    require(solver->project(state), compilation, "move the joints to the asked positions");
   }
   state.t = 0;
   std::fill(state.zd.begin(), state.zd.end(), 0.0);
@@ -166,10 +166,10 @@ GenericState assemble(const Compilation& compilation, const GenericSolver& solve
 
   std::optional<GenericState> driven = assemble_by_driving(compilation, inputs, wishes);
   if (driven) {
-    require(solver.project(*driven), compilation.topology, "close the loops");
+    require(solver.project(*driven), compilation, "close the loops");
     state = *driven;
   } else {
-    require(status, compilation.topology, "close the loops");
+    require(status, compilation, "close the loops");
   }
   broken = first_broken(wishes, state.z, kRounding);
   if (broken != nullptr) contradiction(compilation, *broken, state.z[broken->coordinate], "position");
@@ -181,13 +181,13 @@ void set_velocities(const Compilation& compilation, const GenericSolver& solver,
                     GenericState& state) {
   GenericState simple = state;
   for (const Wish& wish : wishes) simple.zd[wish.coordinate] = wish.value;
-  require(solver.project(simple), compilation.topology, "close the loops");
+  require(solver.project(simple), compilation, "close the loops");
   const Wish* broken = first_broken(wishes, simple.zd, kKept);
   if (broken != nullptr) {
     std::vector<double> rate = simple.zd;
     for (const Wish& wish : wishes) rate[wish.coordinate] = wish.value;
     const std::optional<GenericSolver> driven = driven_solver(compilation, wishes, simple.z, rate);
-    if (driven) require(driven->project(simple), compilation.topology, "give the joints the asked velocities");
+    if (driven) require(driven->project(simple), compilation, "give the joints the asked velocities");
     broken = first_broken(wishes, simple.zd, kRounding);
     if (broken != nullptr) contradiction(compilation, *broken, simple.zd[broken->coordinate], "velocity");
   }
@@ -211,7 +211,7 @@ GenericState initial_state(const Compilation& compilation, const std::vector<dou
   GenericState state =
       assemble(compilation, solver, inputs, wishes_of(compilation, initial.positions), initial.equilibrium);
   if (initial.equilibrium) {
-    require(solver.equilibrium(state), compilation.topology, "find the static equilibrium");
+    require(solver.equilibrium(state), compilation, "find the static equilibrium");
   }
   set_velocities(compilation, solver, wishes_of(compilation, initial.velocities), state);
   return state;

@@ -122,7 +122,7 @@ int run(const Options& options) {
   print(options.json ? summary_json(record) : summary_text(record));
   if (summary.status.ok()) return kDone;
   fmt::print(stderr, "simulate: stopped after t = {} s: {}; {} holds the motion up to there\n", summary.end_time,
-             describe(compilation.topology, summary.status), options.file);
+             describe(compilation, summary.status), options.file);
   return kUserFault;
 }
 

@@ -115,8 +115,8 @@ std::string summary_text(const SimulationRecord& record) {
   text +=
       fmt::format("  energy                    changed by {:.6g} J, work {:.6g} J, error {:.2e} J ({:.1e} relative)\n",
                   energy.change, energy.work, energy.error(), relative(energy));
-  text += fmt::format("  status                    {} at t = {:.6g} s\n",
-                      describe(record.compilation.topology, summary.status), summary.end_time);
+  text += fmt::format("  status                    {} at t = {:.6g} s\n", describe(record.compilation, summary.status),
+                      summary.end_time);
   text += blocks_text(record);
   const std::vector<Output>& outputs = record.compilation.model.outputs;
   std::size_t width = 0;
@@ -150,7 +150,7 @@ std::string summary_json(const SimulationRecord& record) {
                        {"steps", summary.steps},
                        {"step", record.settings.step},
                        {"end_time", summary.end_time},
-                       {"status", describe(record.compilation.topology, summary.status)},
+                       {"status", describe(record.compilation, summary.status)},
                        {"blocks", blocks_json(record)},
                        {"solver_seconds", summary.solver_seconds},
                        {"wall_seconds", summary.wall_seconds},

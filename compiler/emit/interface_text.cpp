@@ -113,6 +113,17 @@ std::string x86_flags(int lanes) {
       kFlagOfLanesOnX86);
 }
 
+/// A solver with lanes has the same bits anyway, see docs/determinism.md.
+std::string same_bits_option(int lanes) {
+  if (lanes > 0) return "";
+  return "option(MBGEN_SAME_BITS \"the same bits with every compiler and processor, at some cost of time\" OFF)\n";
+}
+
+std::string same_bits_flag(int lanes) {
+  if (lanes > 0) return "";
+  return "if(MBGEN_SAME_BITS)\n  list(APPEND solver_flags -ffp-contract=off)\nendif()\n";
+}
+
 }  // namespace
 
 std::vector<NumberMember> parameter_members(const EmitContext& context) {
@@ -185,6 +196,8 @@ std::string build_text(const EmitContext& context) {
                                              {"sources", sources},
                                              {"gnu_flags", cmake_flags(CompilerFamily::gnu, context.lanes)},
                                              {"x86_flags", x86_flags(context.lanes)},
+                                             {"same_bits_option", same_bits_option(context.lanes)},
+                                             {"same_bits_flag", same_bits_flag(context.lanes)},
                                              {"clang_flags", cmake_flags(CompilerFamily::clang, context.lanes)}});
 }
 

@@ -97,6 +97,13 @@ std::vector<int> drive_coordinates(const EmitContext& context) {
   return coordinates;
 }
 
+/// Where each parameter or input is in its struct, to name one that is not finite.
+std::string member_table(const std::string& structure, const std::string& name, const Items& members) {
+  Items places;
+  for (const std::string& member : members) places.push_back("&" + structure + "::" + member);
+  return table("double", structure + "::*" + name, places, "nullptr");
+}
+
 /// The call of the outputs' program, once the arguments are found good.
 std::string outputs_call(const EmitContext& context) {
   if (!outputs_take_multipliers(context.programs)) {
@@ -127,6 +134,8 @@ std::string tables(const EmitContext& context, const std::string& scalar) {
   }
   std::string text = where_chosen(
       scalar, table("mbgen::FreeDirection", "kFreeDirection", free_direction_items(context), "{0, -1, 0}"));
+  text += where_chosen(scalar, member_table("Parameters", "kParameterMember", context.names.parameters) +
+                                   member_table("Inputs", "kInputMember", context.names.inputs));
   if (layout.has_closure) {
     text +=
         table("unsigned char", "kDriven", items_of(context.analysis.driven)) +

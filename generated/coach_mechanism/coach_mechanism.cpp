@@ -14701,6 +14701,10 @@ struct System {
   static constexpr mbgen::FreeDirection kFreeDirection[] = {
       {0, -1, 0}, {1, -1, 0}, {2, -1, 0}, {3, -1, 0}, {4, -1, 0}, {5, -1, 0}, {6, 0, 0}, {13, 0, 1},
       {21, 0, 2}, {10, -1, 0}, {17, -1, 0}, {24, 1, 0}, {27, 1, 1}, {28, -1, 0}, {30, -1, 0}};
+  static constexpr double Parameters::*kParameterMember[] = {
+      nullptr};
+  static constexpr double Inputs::*kInputMember[] = {
+      nullptr};
   static constexpr unsigned char kDriven[] = {
       0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0};
   static constexpr unsigned char kRedundant[] = {
@@ -14788,7 +14792,9 @@ mbgen::Status closure_residual(const Parameters& parameters, const Inputs& input
 }
 
 const char* describe(mbgen::Status status) noexcept {
-  return mbgen::name_of(status, kCoordinateNames, kCoordinates, kLoopBlockNames, kLoopBlocks);
+  return mbgen::name_of(status, {kCoordinateNames, kCoordinates}, {kLoopBlockNames, kLoopBlocks},
+                        {kInputNames, kInputs}, {kParameterNames, kParameters},
+                        {kAuxiliaryStateNames, kAuxiliaryStates});
 }
 
 }  // namespace coach_mechanism

@@ -673,6 +673,10 @@ struct System {
   static constexpr int kBlockCoordinates = 3;
   static constexpr mbgen::FreeDirection kFreeDirection[] = {
       {1, 0, 0}};
+  static constexpr double Parameters::*kParameterMember[] = {
+      &Parameters::k};
+  static constexpr double Inputs::*kInputMember[] = {
+      &Inputs::torque};
   static constexpr unsigned char kDriven[] = {
       0, 0, 0};
   static constexpr unsigned char kRedundant[] = {
@@ -760,7 +764,9 @@ mbgen::Status closure_residual(const Parameters& parameters, const Inputs& input
 }
 
 const char* describe(mbgen::Status status) noexcept {
-  return mbgen::name_of(status, kCoordinateNames, kCoordinates, kLoopBlockNames, kLoopBlocks);
+  return mbgen::name_of(status, {kCoordinateNames, kCoordinates}, {kLoopBlockNames, kLoopBlocks},
+                        {kInputNames, kInputs}, {kParameterNames, kParameters},
+                        {kAuxiliaryStateNames, kAuxiliaryStates});
 }
 
 }  // namespace four_bar

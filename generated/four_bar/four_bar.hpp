@@ -189,8 +189,8 @@ mbgen::Status multipliers(const Parameters& parameters, const Inputs& inputs, co
 mbgen::Status closure_residual(const Parameters& parameters, const Inputs& inputs, const State& state,
                                ClosureResidual& residual) noexcept;
 
-/// Name of the coordinate or the loops that a status names, "" when it names none. See mbgen::text
-/// for its code.
+/// Name of the coordinate, loops, input, parameter or auxiliary state that a status names, "" when it
+/// names none. See mbgen::text for its code.
 const char* describe(mbgen::Status status) noexcept;
 
 }  // namespace four_bar

@@ -14,19 +14,6 @@ namespace {
 /// step at hand, so that the equations that are integrated do not change with it.
 constexpr double kStepsToClose = 50;
 
-int first_not_finite(const std::vector<double>& values) {
-  for (std::size_t i = 0; i < values.size(); ++i)
-    if (!std::isfinite(values[i])) return static_cast<int>(i);
-  return -1;
-}
-
-Status check_finite(const GenericState& state, const std::vector<double>& tau) {
-  for (const std::vector<double>* values : {&state.z, &state.zd, &tau})
-    if (const int i = first_not_finite(*values); i >= 0) return {Code::not_a_number, i};
-  if (first_not_finite(state.x) >= 0 || !std::isfinite(state.t)) return {Code::not_a_number, -1};
-  return {};
-}
-
 bool same(const GenericState& a, const GenericState& b) {
   return a.z == b.z && a.zd == b.zd && a.x == b.x && a.t == b.t;
 }
@@ -115,7 +102,7 @@ struct CartesianSolver::Content {
     if (!status.ok()) return status;
     advance_inputs(h);
     at.z = system.joint_state(at.bodies, start);
-    if (const Status finite = check_finite(at.z, {}); !finite.ok()) return finite;
+    if (const Status finite = check_finite(at.z, {}, inputs); !finite.ok()) return finite;
     return stabilisation == Stabilisation::projection ? close(mechanics(), closure_tolerance, at) : Status{};
   }
 };
@@ -138,21 +125,22 @@ void CartesianSolver::set_parameters(const std::vector<double>& tunable_paramete
 
 Status CartesianSolver::accelerations(const GenericState& state, const std::vector<double>& tau,
                                       GenericDerivative& derivative) const {
-  Status status = check_finite(state, tau);
+  Status status = check_finite(state, tau, content_->inputs);
   if (!status.ok()) return status;
   const Configuration at = content_->configuration(state);
   Solved solved;
   status = content_->solve_at(at, tau, solved);
   if (!status.ok()) return status;
   std::vector<double> zdd = content_->system.joint_accelerations(at.bodies, state, solved.solution.qdd);
-  if (const int i = first_not_finite(zdd); i >= 0) return {Code::not_a_number, i};
-  derivative = {std::move(zdd), solved.evaluation.terms.xd};
-  return {};
+  GenericDerivative result{std::move(zdd), solved.evaluation.terms.xd};
+  status = check_finite(result);
+  if (status.ok()) derivative = std::move(result);
+  return status;
 }
 
 Status CartesianSolver::project(GenericState& state) const {
   Configuration trial{{}, state};
-  Status status = check_finite(state, {});
+  Status status = check_finite(state, {}, content_->inputs);
   if (!status.ok()) return status;
   trial.bodies = content_->system.place(state);
   status = close(content_->mechanics(), content_->closure_tolerance, trial);
@@ -162,7 +150,7 @@ Status CartesianSolver::project(GenericState& state) const {
 
 Status CartesianSolver::step(GenericState& state, double h) {
   if (!(h > 0) || !std::isfinite(h)) return {Code::step_invalid, -1};
-  Status status = check_finite(state, {});
+  Status status = check_finite(state, {}, content_->inputs);
   if (!status.ok()) return status;
   Configuration at = content_->configuration(state);
   status = content_->advance(at, h);

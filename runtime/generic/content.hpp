@@ -66,6 +66,19 @@ struct GenericSolver::Content {
     at.constants = make_constants(model, topology, at.environment);
   }
 
+  /// Names what is not finite among the arguments of a call.
+  Status check_arguments(const GenericState& state, const std::vector<double>& tau) const {
+    const Status status = check_finite(state, tau, at.environment.inputs);
+    if (!status.ok()) return status;
+    int tunable = 0;
+    for (std::size_t p = 0; p < model.parameters.size(); ++p) {
+      if (!model.parameters[p].tunable) continue;
+      if (!std::isfinite(at.environment.parameters[p])) return {Code::parameter_not_a_number, tunable};
+      ++tunable;
+    }
+    return {};
+  }
+
   System<double>& system(const GenericState& state) {
     at.environment.t = state.t;
     at.environment.z = state.z;

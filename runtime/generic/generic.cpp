@@ -4,6 +4,7 @@
 #include <cmath>
 #include <functional>
 
+#include "mbgen/closure.hpp"
 #include "runtime/generic/content.hpp"
 
 namespace mbgen {
@@ -17,16 +18,6 @@ double largest(const std::vector<double>& values) {
   double result = 0;
   for (double v : values) result = std::abs(v) <= result ? result : std::abs(v);  // NaN stays
   return result;
-}
-
-bool finite(const std::vector<double>& values) {
-  return std::all_of(values.begin(), values.end(), [](double v) { return std::isfinite(v); });
-}
-
-int first_not_finite(const std::vector<double>& values) {
-  for (std::size_t i = 0; i < values.size(); ++i)
-    if (!std::isfinite(values[i])) return static_cast<int>(i);
-  return -1;
 }
 
 }  // namespace
@@ -55,11 +46,11 @@ Status GenericSolver::accelerations(const GenericState& state, const std::vector
     if (clock) clock->at_end_of(static_cast<int>(step));
   };
   if (clock) clock->start();
-  for (const std::vector<double>* values : {&state.z, &state.zd, &tau})
-    if (const int i = first_not_finite(*values); i >= 0) return {Code::not_a_number, i};
-  if (!finite(state.x) || !std::isfinite(state.t)) return {Code::not_a_number, -1};
   Content& content = *content_;
+  if (const Status status = content.check_arguments(state, tau); !status.ok()) return status;
   System<double>& system = content.system(state);
+  for (const Drive<double>& d : drives(system))
+    if (!std::isfinite(d.acceleration)) return {Code::not_a_number, d.coordinate};
   const Kinematics<double> k = kinematics(system);
   const Inertias<double> m = inertias(system, k);
   end_of(Step::inertias);
@@ -82,21 +73,23 @@ Status GenericSolver::accelerations(const GenericState& state, const std::vector
   if (const int direction = solve_free(content.reduced, content.free); direction >= 0)
     return {Code::no_inertia, content.coordinate_of(direction)};
   content.algebra.add_rz_times(content.free, zdd);
-  derivative.zdd = std::move(zdd);
-  derivative.xd = forces.xd;
+  GenericDerivative result{std::move(zdd), forces.xd};
   end_of(Step::solution);
-  if (const int i = first_not_finite(derivative.zdd); i >= 0) return {Code::not_a_number, i};
-  return {};
+  const Status status = check_finite(result);
+  if (status.ok()) derivative = std::move(result);
+  return status;
 }
 
 Status GenericSolver::project(GenericState& state) const {
-  if (const int i = first_not_finite(state.z); i >= 0) return {Code::not_a_number, i};
+  if (const Status status = content_->check_arguments(state, {}); !status.ok()) return status;
   GenericState trial = state;
   const Topology& topology = content_->topology;
   const double tolerance = content_->model.solver.closure_tolerance;
+  double previous = INFINITY;
   for (int step = 0;; ++step) {
     System<double>& system = content_->system(trial);
     for (const Drive<double>& d : drives(system)) {
+      if (!std::isfinite(d.position + d.velocity)) return {Code::not_a_number, d.coordinate};
       trial.z[d.coordinate] = system.environment.z[d.coordinate] = d.position;
       trial.zd[d.coordinate] = system.environment.zd[d.coordinate] = d.velocity;
     }
@@ -106,13 +99,18 @@ Status GenericSolver::project(GenericState& state) const {
     for (const BlockClosure<double>& closed : closures) right_hand_side.emplace_back(closed.residual.size(), 0.0);
     content_->algebra.solve(right_hand_side, trial.zd);
     int open = -1;
+    double size = 0;
     for (std::size_t b = 0; b < closures.size(); ++b) {
-      if (largest(closures[b].residual) <= tolerance) continue;
+      const double of_block = largest(closures[b].residual);
+      if (of_block <= tolerance) continue;
       open = static_cast<int>(b);
+      size = of_block <= size ? size : of_block;
       std::transform(closures[b].residual.begin(), closures[b].residual.end(), right_hand_side[b].begin(),
                      std::negate<>());
     }
-    if (open < 0) break;
+    // Angles of many turns round above the tolerance, as in mbgen/closure.hpp.
+    if (open < 0 || (!(size < 0.5 * previous) && size <= kRoundingFloor)) break;
+    previous = size;
     if (step == kMostNewtonSteps) return {Code::loop_not_closed, open};
     std::vector<double> dz(trial.z.size(), 0.0);
     content_->algebra.solve(right_hand_side, dz);
@@ -124,8 +122,9 @@ Status GenericSolver::project(GenericState& state) const {
       for (int j : topology.blocks[b].joints) trial.z[j] += scale * dz[j];
     }
   }
-  state = std::move(trial);
-  return {};
+  const Status status = content_->check_arguments(trial, {});
+  if (status.ok()) state = std::move(trial);
+  return status;
 }
 
 std::vector<double> GenericSolver::multipliers(const GenericState& state, const std::vector<double>& tau,

@@ -98,11 +98,13 @@ Status GenericSolver::project_motion(GenericState& state) const {
 }
 
 Status GenericSolver::project_nearest(GenericState& state) const {
+  if (const Status status = content_->check_arguments(state, {}); !status.ok()) return status;
   GenericState closed = state;
   double previous = INFINITY;
   for (bool gains = true; gains;) {
     System<double>& system = content_->system(closed);
     for (const Drive<double>& d : drives(system)) {
+      if (!std::isfinite(d.position + d.velocity)) return {Code::not_a_number, d.coordinate};
       closed.z[d.coordinate] = system.environment.z[d.coordinate] = d.position;
       closed.zd[d.coordinate] = system.environment.zd[d.coordinate] = d.velocity;
     }
@@ -125,7 +127,8 @@ Status GenericSolver::project_nearest(GenericState& state) const {
       for (std::size_t c = 0; c < joints.size(); ++c) (gains ? closed.z : closed.zd)[joints[c]] += x[c];
     }
   }
-  return without_jump(closed, state);
+  const Status status = content_->check_arguments(closed, {});
+  return status.ok() ? without_jump(closed, state) : status;
 }
 
 }  // namespace mbgen

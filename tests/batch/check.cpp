@@ -1,21 +1,26 @@
-// Every function of a batch interface against the scalar solver, lane by lane: statuses and bits.
-//   c++ ... -DSOLVER=four_bar -DINTERFACE='"four_bar_batch.hpp"' check.cpp, with the solver's sources
-// Prints what differs; exit code 1 then.
+// Every function of a batch interface against the scalar solver, lane by lane: statuses and bits; none may touch the
+// heap.
+//   c++ ... -DSOLVER=four_bar -DINTERFACE='"four_bar_batch.hpp"' check.cpp heap.cpp, with the solver's sources
+// Without heap.cpp the heap is not watched. Prints what differs; exit code 1 then.
 
 #include INTERFACE
 
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <cstdlib>
 #include <cstring>
 #include <random>
+
+/// Calls of the heap so far, by heap.cpp.
+extern "C" [[gnu::weak]] long heap_calls();
 
 namespace {
 
 namespace solver = SOLVER;
 namespace batch = SOLVER::batch;
-using solver::kCoordinates;
 using batch::kLanes;
+using solver::kCoordinates;
 
 constexpr int kRounds = 20;
 constexpr double kStep = 1e-3;
@@ -45,6 +50,15 @@ void expect_same(const char* what, int lane, const Struct& found, const Struct& 
     if (failures++ < 20) std::printf("%s, lane %d, number %zu: %.17g instead of %.17g\n", what, lane, i, a[i], b[i]);
   }
 }
+
+/// Expects no call of the heap since `before`.
+void expect_no_heap(const char* what, long before) {
+  if (heap_calls == nullptr || heap_calls() == before) return;
+  const long count = heap_calls() - before;
+  if (failures++ < 20) std::printf("%s: %ld calls of the heap\n", what, count);
+}
+
+long heap_now() { return heap_calls == nullptr ? 0 : heap_calls(); }
 
 /// One instance, as the scalar solver has it.
 struct Instance {
@@ -116,6 +130,10 @@ void check_evaluation(Instance (&all)[kLanes], Batch& lanes) {
     expect_status("outputs", lane, o[lane],
                   outputs(one.parameters, one.inputs, one.state, one.tau, one.derivative, one.outputs));
     expect_same("outputs", lane, lane_of(lanes.outputs, lane), one.outputs);
+    solver::ClosureResidual residual;
+    solver::Derivative moving = one.derivative;
+    solver::closure_residual(one.parameters, one.inputs, one.state, residual);
+    solver::describe(solver::accelerations_in_motion(one.parameters, one.inputs, one.state, kStep, moving));
   }
 }
 
@@ -160,21 +178,36 @@ void check(const Trouble& trouble) {
     for (double& tau : one.tau) tau = number(10);
   }
   trouble(all);
+  const long before = heap_now();
   gather(all, lanes);
   check_evaluation(all, lanes);
+  expect_no_heap("evaluation", before);
   check_steps(all, lanes, false, 3);
   check_steps(all, lanes, true, 12);
+  expect_no_heap("steps", before);
   check_evaluation(all, lanes);
   check_assembly(all, lanes);
+  expect_no_heap("assembly", before);
 }
 
 }  // namespace
 
 int main() {
-  for (int round = 0; round < kRounds; ++round) check([](Instance (&)[kLanes]) {});
+  if (heap_calls != nullptr) {
+    const long before = heap_calls();
+    void* volatile block = std::malloc(1);  // volatile, or the compiler does without
+    std::free(block);
+    double* volatile number = new double;
+    delete number;
+    if (heap_calls() != before + 4) std::printf("%d: the heap is not watched\n", ++failures);
+  }
+  for (int round = 0; round < kRounds; ++round) check([](Instance(&)[kLanes]) {});
   for (int round = 0; round < kRounds; ++round) {
-    check([](Instance (&all)[kLanes]) {
-      // What is no number, a loop that is wide open, and a motion that overflows.
+    check([](Instance(&all)[kLanes]) {
+      // Far from the reference, what is no number, a loop that is wide open, and a motion that
+      // overflows.
+      for (double& z : all[0].state.z) z += number(3);
+      if (!assemble(all[0].parameters, all[0].inputs, all[0].state).ok()) make_consistent(all[0]);
       all[1].state.z[random_bits() % kCoordinates] = NAN;
       for (double& z : all[2].state.z) z += number(3);
       all[3].state.zd[random_bits() % kCoordinates] = 1e200;

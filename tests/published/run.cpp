@@ -57,7 +57,7 @@ void Run::go_to(double t) {
   for (long steps = std::lround((t - state_.state.t) / h_); steps > 0; --steps) {
     const Status status = engine_.step(state_.state, h_);
     if (!status.ok())
-      throw std::runtime_error(fmt::format("{} at {} s", cli::describe(compilation_.topology, status), state_.state.t));
+      throw std::runtime_error(fmt::format("{} at {} s", cli::describe(compilation_, status), state_.state.t));
   }
 }
 
@@ -66,7 +66,7 @@ GenericOutputs Run::outputs() const {
   GenericOutputs values;
   Status status = engine_.accelerations_in_motion(state_.state, h_, derivative);
   if (status.ok()) status = engine_.outputs(state_, derivative, values);
-  if (!status.ok()) throw std::runtime_error(cli::describe(compilation_.topology, status));
+  if (!status.ok()) throw std::runtime_error(cli::describe(compilation_, status));
   return values;
 }
 

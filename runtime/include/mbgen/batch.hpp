@@ -6,6 +6,8 @@
 // `System` is that of blocks.hpp with vectors in place of doubles: Lanes, Mask, kLanes, and types, tables and programs
 // as there; beyond it inputs_at(inputs, dt), the inputs dt seconds later.
 
+#include <limits>
+
 #include "mbgen/batch_status.hpp"
 #include "mbgen/blocks.hpp"
 #include "mbgen/closure.hpp"
@@ -111,8 +113,9 @@ typename System::Mask accept(const typename System::Closure& closure, const type
     if (System::kDriven[i] != 0) take(mask, trial.z[i] + closure.dz[i], trial.z[i]);
     take(mask, closure.zd[i], trial.zd[i]);
   }
-  return (largest_residual<System>(closure, 1) <= kRedundantTolerance) &
-         is_finite(sum(closure.zd, System::kCoordinates));
+  typename System::Lanes total = sum(closure.zd, System::kCoordinates);
+  if constexpr (System::kDrives > 0) total += sum(trial.z, System::kCoordinates);
+  return (largest_residual<System>(closure, 1) <= kRedundantTolerance) & is_finite(total);
 }
 
 /// Newton on z and t of `trial`, far from singular positions; at the end its velocities are consistent. wanted: lanes
@@ -124,7 +127,7 @@ typename System::Mask close_lanes(const typename System::Parameters& parameters,
   using Mask = typename System::Mask;
   typename System::Closure closure;
   Mask open = wanted, done{};
-  Lanes previous = Lanes{} + INFINITY;
+  Lanes previous = Lanes{} + std::numeric_limits<double>::infinity();
   for (int iteration = 0; iteration <= kNewtonIterations && bits_of(open) != 0; ++iteration) {
     System::closure(parameters, inputs, trial, closure);
     open &= pivots_reach<System>(closure.pivot, kNearSingular);

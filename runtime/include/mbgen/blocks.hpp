@@ -9,12 +9,14 @@
 //   decisions  kHasClosure (loops or motions), kClosureTolerance; kFrozenOnly = true where a block is too large for
 //              another partition to be chosen at run time
 //   tables     kBlockLayout[block] kBlockCoordinate[] kBlockDriven[] kDriven[coordinate] kRedundant[equation]
-//              kFreeDirection[direction] kMultiplierPlace[equation] kDriveCoordinate[motion]
+//              kFreeDirection[direction] kMultiplierPlace[equation] kDriveCoordinate[motion]; kParameterMember
+//              kInputMember, null in place of none
 //   programs   accelerations, argument_sum; with a closure: closure, multipliers; with loops: closure_terms,
 //              chosen_accelerations. With kFrozenOnly there are no chosen_accelerations and no Projection, and
 //              closure_terms gives `rate` = Phi_z zd for Jz
 
 #include <cmath>
+#include <initializer_list>
 #include <type_traits>
 
 #include "mbgen/array_lanes.hpp"
@@ -102,28 +104,42 @@ inline int first_not_finite(const double* values, int count) noexcept {
   return -1;
 }
 
-/// Names what is not finite in a state. A sum of large finite values can overflow, so ok is a possible answer.
+/// Place of the first member that is not finite, or -1; null stands in a table that would be empty.
+template <class Struct, std::size_t N>
+int first_not_finite(const Struct& values, double Struct::*const (&members)[N]) noexcept {
+  for (std::size_t i = 0; i < N; ++i) {
+    if (members[i] != nullptr && !std::isfinite(values.*members[i])) return static_cast<int>(i);
+  }
+  return -1;
+}
+
+/// Names what is not finite among the arguments. A sum of large finite values can overflow, so ok is a possible answer.
 template <class System>
-Status find_not_finite(double argument_sum, const typename System::State& state, const double* tau) noexcept {
-  int bad = first_not_finite(state.z, System::kCoordinates);
-  if (bad < 0) bad = first_not_finite(state.zd, System::kCoordinates);
-  if (bad < 0 && tau != nullptr) bad = first_not_finite(tau, System::kCoordinates);
-  const bool rest =
-      std::isfinite(argument_sum) && std::isfinite(state.t) && first_not_finite(state.x, System::kAuxiliaryStates) < 0;
-  return bad < 0 && rest ? Status{} : Status{Code::not_a_number, bad};
+Status find_not_finite(const typename System::Parameters& parameters, const typename System::Inputs& inputs,
+                       const typename System::State& state, const double* tau) noexcept {
+  for (const double* values : {static_cast<const double*>(state.z), static_cast<const double*>(state.zd), tau}) {
+    const int bad = values == nullptr ? -1 : first_not_finite(values, System::kCoordinates);
+    if (bad >= 0) return {Code::not_a_number, bad};
+  }
+  if (!std::isfinite(state.t)) return {Code::time_not_a_number, -1};
+  const int auxiliary = first_not_finite(state.x, System::kAuxiliaryStates);
+  if (auxiliary >= 0) return {Code::auxiliary_not_a_number, auxiliary};
+  const int input = first_not_finite(inputs, System::kInputMember);
+  if (input >= 0) return {Code::input_not_a_number, input};
+  const int parameter = first_not_finite(parameters, System::kParameterMember);
+  return parameter < 0 ? Status{} : Status{Code::parameter_not_a_number, parameter};
 }
 
 /// Status of the arguments of a call; tau may be null.
 template <class System>
 Status check_arguments(const typename System::Parameters& parameters, const typename System::Inputs& inputs,
                        const typename System::State& state, const double* tau) noexcept {
-  const double arguments = System::argument_sum(parameters, inputs);
-  Total total(state.t + arguments);
+  Total total(state.t + System::argument_sum(parameters, inputs));
   total.add(state.z, System::kCoordinates);
   total.add(state.zd, System::kCoordinates);
   total.add(state.x, System::kAuxiliaryStates);
   if (tau != nullptr) total.add(tau, System::kCoordinates);
-  return std::isfinite(total.value()) ? Status{} : find_not_finite<System>(arguments, state, tau);
+  return std::isfinite(total.value()) ? Status{} : find_not_finite<System>(parameters, inputs, state, tau);
 }
 
 /// True when every monitor of the frozen partition is good; a NaN is not.

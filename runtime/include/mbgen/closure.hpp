@@ -2,6 +2,8 @@
 // Closing the loops of a generated solver: Newton with the frozen partition, and with a pivoted one where that is bad.
 // `System` is described in blocks.hpp. Source: theory.md sections 3 and 4.
 
+#include <limits>
+
 #include "mbgen/blocks.hpp"
 
 namespace mbgen {
@@ -170,8 +172,10 @@ Status accept(const typename System::Closure& closure, typename System::State& t
   }
   settle_driven<System>(closure, trial);
   copy(closure.zd, trial.zd, System::kCoordinates);
-  if (std::isfinite(sum(trial.zd, System::kCoordinates))) return {};
-  const int bad = first_not_finite(trial.zd, System::kCoordinates);
+  // A motion can have a velocity where it has no position: the square root of a constant input.
+  if (std::isfinite(sum(trial.zd, System::kCoordinates) + sum(trial.z, System::kCoordinates))) return {};
+  int bad = first_not_finite(trial.zd, System::kCoordinates);
+  if (bad < 0) bad = first_not_finite(trial.z, System::kCoordinates);
   return bad < 0 ? Status{} : Status{Code::not_a_number, bad};
 }
 
@@ -181,7 +185,7 @@ Status close_loops(const typename System::Parameters& parameters, const typename
                    typename System::State& trial) noexcept {
   typename System::Closure closure;
   Misfit misfit;
-  double previous = INFINITY;
+  double previous = std::numeric_limits<double>::infinity();
   for (int iteration = 0; iteration <= kNewtonIterations; ++iteration) {
     System::closure(parameters, inputs, trial, closure);
     Status notice;

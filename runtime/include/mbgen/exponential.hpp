@@ -42,7 +42,7 @@ inline void reduce_exponential(const T& x, const T& x_rest, T& rounded, T& r, T&
 /// 2^n, n in the low bits. Requires: -1022 <= n <= 1023.
 template <class T>
 inline void power_of_two(const Bits<T>& low_bits, T& power) noexcept {
-  power = __builtin_bit_cast(T, (low_bits + 1023) << 52);
+  power = __builtin_bit_cast(T, shifted_left(low_bits + 1023, 52));
 }
 
 /// e^(x + x_rest), 0 and infinity beyond the range of doubles.

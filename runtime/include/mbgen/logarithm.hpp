@@ -49,7 +49,7 @@ inline void find_logarithm(const T& x, T& high, T& low) noexcept {
   const auto exponent = __builtin_bit_cast(typename UnsignedOf<T>::Type, scaled) >> 52;  // k + 1023
   const B whole = __builtin_bit_cast(B, exponent);
   const T k = __builtin_bit_cast(T, whole | kWholeNumber) - (0x1p52 + 1023);
-  const T m = __builtin_bit_cast(T, bits - (whole << 52) + kOne);
+  const T m = __builtin_bit_cast(T, bits - shifted_left(whole, 52) + kOne);
 
   const T f = m - 1.0, d = m + 1.0;
   const T d_rest = m - (d - 1.0);

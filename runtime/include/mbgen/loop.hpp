@@ -2,6 +2,7 @@
 // Loop closures at run time: LU with full pivoting of one block's Jacobian, and what is solved with it.
 
 #include <cmath>
+#include <limits>
 
 namespace mbgen {
 
@@ -111,7 +112,7 @@ inline void factorise(LoopFactors& loop, int rank_limit, const unsigned char* dr
 
 /// Smallest pivot taken, in the units of the matrix; infinite without pivots.
 inline double smallest_pivot(const LoopFactors& loop) noexcept {
-  double smallest = INFINITY;
+  double smallest = std::numeric_limits<double>::infinity();
   for (int k = 0; k < loop.rank; ++k) {
     const double size = std::abs(loop_detail::row_of(loop, k)[k]);
     smallest = size < smallest ? size : smallest;

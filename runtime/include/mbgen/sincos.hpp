@@ -45,6 +45,15 @@ constexpr double kCosine[6] = {0x1.555555555554bp-5,   -0x1.6c16c16c15015p-10, 0
                                -0x1.27e4f7f19148bp-22, 0x1.1ee9dbcefbdc4p-29,  -0x1.8fa684873cb97p-37};
 constexpr std::int64_t kSignless = 0x7fffffffffffffff, kSign = -0x7fffffffffffffff - 1;
 
+/// Left shift without the undefined cases of signed integers.
+[[gnu::always_inline]] inline std::int64_t shifted_left(std::int64_t bits, int places) noexcept {
+  return static_cast<std::int64_t>(static_cast<std::uint64_t>(bits) << places);
+}
+template <class B, class = std::enable_if_t<!std::is_integral_v<B>>>
+[[gnu::always_inline]] inline B shifted_left(const B& bits, int places) noexcept {
+  return bits << places;
+}
+
 /// Sine and cosine by reduction, for |angle| up to kLargestAngle.
 /// References, not values: vectors wider than the processor's have no settled way to be passed.
 template <class T>

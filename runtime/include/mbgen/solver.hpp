@@ -2,6 +2,8 @@
 // Accelerations and constraint forces of a generated solver: the frozen program where the pivot monitors are good, the
 // pivoting factorisation where one trips. `System` is described in blocks.hpp.
 
+#include <limits>
+
 #include "mbgen/blocks.hpp"
 #include "mbgen/closure.hpp"
 
@@ -32,8 +34,10 @@ Status deliver(const Values& values, typename System::Derivative& derivative) no
   total.add(values.zdd, System::kCoordinates);
   total.add(values.xd, System::kAuxiliaryStates);
   if (!std::isfinite(total.value())) {
-    const int bad = first_not_finite(values.zdd, System::kCoordinates);
-    if (bad >= 0 || first_not_finite(values.xd, System::kAuxiliaryStates) >= 0) return {Code::not_a_number, bad};
+    const int coordinate = first_not_finite(values.zdd, System::kCoordinates);
+    if (coordinate >= 0) return {Code::not_a_number, coordinate};
+    const int auxiliary = first_not_finite(values.xd, System::kAuxiliaryStates);
+    if (auxiliary >= 0) return {Code::auxiliary_not_a_number, auxiliary};
   }
   copy(values.zdd, derivative.zdd, System::kCoordinates);
   copy(values.xd, derivative.xd, System::kAuxiliaryStates);
@@ -202,18 +206,10 @@ typename System::Multipliers multipliers_or_nan(const typename System::Parameter
                                                 const typename System::State& state, const double* tau,
                                                 const typename System::Derivative& derivative) noexcept {
   typename System::Multipliers multipliers;
-  for (double& value : multipliers.lambda) value = NAN;
-  for (double& value : multipliers.drive) value = NAN;
+  for (double& value : multipliers.lambda) value = std::numeric_limits<double>::quiet_NaN();
+  for (double& value : multipliers.drive) value = std::numeric_limits<double>::quiet_NaN();
   solve_multipliers<System>(parameters, inputs, state, tau, derivative, multipliers);
   return multipliers;
-}
-
-/// Name of what a status names: a coordinate or a loop block, "" for nothing.
-constexpr const char* name_of(Status status, const char* const* coordinates, int coordinate_count,
-                              const char* const* blocks, int block_count) noexcept {
-  const bool is_block = names_block(status.code);
-  if (status.index < 0 || status.index >= (is_block ? block_count : coordinate_count)) return "";
-  return (is_block ? blocks : coordinates)[status.index];
 }
 
 }  // namespace mbgen

@@ -132,7 +132,7 @@ bool sum_is_finite(const double (&values)[N]) noexcept {
   return std::isfinite(total.value());
 }
 
-/// not_a_number when a coordinate, velocity or auxiliary state is not finite.
+/// Fails: not_a_number, auxiliary_not_a_number for what is not finite.
 template <class State>
 Status check_finite(const State& state) noexcept {
   if (sum_is_finite(state.z) && sum_is_finite(state.zd) && sum_is_finite(state.x)) return {};
@@ -140,7 +140,7 @@ Status check_finite(const State& state) noexcept {
     if (!std::isfinite(state.z[i]) || !std::isfinite(state.zd[i])) return {Code::not_a_number, static_cast<int>(i)};
   }
   for (std::size_t i = 0; i < size_of(state.x); ++i) {
-    if (!std::isfinite(state.x[i])) return {Code::not_a_number, -1};
+    if (!std::isfinite(state.x[i])) return {Code::auxiliary_not_a_number, static_cast<int>(i)};
   }
   return {};
 }

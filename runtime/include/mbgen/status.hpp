@@ -4,23 +4,28 @@
 namespace mbgen {
 
 /// Failures, and from kFirstNotice on notices, the more telling ones last: the call did what it was asked, and the
-/// caller may want to know how. Only steps give notices.
+/// caller may want to know how. Only steps give notices. Where a function says that it fails with not_a_number, the
+/// four codes after it are meant too.
 enum class Code : int {
   ok = 0,
-  not_a_number,     ///< a state, input or parameter is not finite; index: coordinate, or -1
-  loop_not_closed,  ///< Newton did not close a loop block; index: block
-  loop_singular,    ///< a loop block lost rank at this position; index: block
-  no_inertia,       ///< a free direction has no inertia; index: coordinate
-  no_equilibrium,   ///< no static equilibrium was found from the start position; index: -1
-  step_invalid,     ///< the step size is not positive and finite; index: -1
-  chosen_again,     ///< the pivoting LU served a loop block with another choice of coordinates; index: block
-  near_singular,    ///< a loop block came near a singular position; index: block
-  singular_met      ///< a loop block met a singular position, and passed it; index: block
+  not_a_number,            ///< something of a coordinate is not finite; index: coordinate, or -1
+  input_not_a_number,      ///< an input is not finite; index: input
+  parameter_not_a_number,  ///< a tunable parameter is not finite; index: parameter
+  auxiliary_not_a_number,  ///< an auxiliary state or its rate is not finite; index: auxiliary state
+  time_not_a_number,       ///< the time is not finite; index: -1
+  loop_not_closed,         ///< Newton did not close a loop block; index: block
+  loop_singular,           ///< a loop block lost rank at this position; index: block
+  no_inertia,              ///< a free direction has no inertia; index: coordinate
+  no_equilibrium,          ///< no static equilibrium was found from the start position; index: -1
+  step_invalid,            ///< the step size is not positive and finite; index: -1
+  chosen_again,            ///< the pivoting LU served a loop block with another choice of coordinates; index: block
+  near_singular,           ///< a loop block came near a singular position; index: block
+  singular_met             ///< a loop block met a singular position, and passed it; index: block
 };
 
 constexpr Code kFirstNotice = Code::chosen_again;
 
-/// Result of every call. `index` names the loop block or coordinate (see Code), -1 when nothing is to name.
+/// Result of every call. `index` is the place of what the code is about (see Code), -1 when there is none to name.
 struct Status {
   Code code = Code::ok;
   int index = -1;
@@ -34,6 +39,14 @@ constexpr const char* text(Code code) noexcept {
       return "ok";
     case Code::not_a_number:
       return "not a number";
+    case Code::input_not_a_number:
+      return "input not a number";
+    case Code::parameter_not_a_number:
+      return "parameter not a number";
+    case Code::auxiliary_not_a_number:
+      return "auxiliary state not a number";
+    case Code::time_not_a_number:
+      return "time not a number";
     case Code::loop_not_closed:
       return "loop not closed";
     case Code::loop_singular:
@@ -54,9 +67,40 @@ constexpr const char* text(Code code) noexcept {
   return "unknown";
 }
 
-/// True when the index of a code is that of a loop block, not of a coordinate.
-constexpr bool names_block(Code code) noexcept {
-  return code == Code::loop_not_closed || code == Code::loop_singular || code >= kFirstNotice;
+/// What the index of a code counts.
+enum class Subject { coordinate, loop_block, input, parameter, auxiliary_state };
+
+constexpr Subject subject_of(Code code) noexcept {
+  switch (code) {
+    case Code::loop_not_closed:
+    case Code::loop_singular:
+    case Code::chosen_again:
+    case Code::near_singular:
+    case Code::singular_met:
+      return Subject::loop_block;
+    case Code::input_not_a_number:
+      return Subject::input;
+    case Code::parameter_not_a_number:
+      return Subject::parameter;
+    case Code::auxiliary_not_a_number:
+      return Subject::auxiliary_state;
+    default:
+      return Subject::coordinate;
+  }
+}
+
+/// A table of names.
+struct Names {
+  const char* const* names;
+  int count;
+};
+
+/// Name of what a status is about, "" when it names none.
+constexpr const char* name_of(Status status, Names coordinates, Names loop_blocks, Names inputs, Names parameters,
+                              Names auxiliary_states) noexcept {
+  const Names tables[] = {coordinates, loop_blocks, inputs, parameters, auxiliary_states};
+  const Names table = tables[static_cast<int>(subject_of(status.code))];
+  return status.index < 0 || status.index >= table.count ? "" : table.names[status.index];
 }
 
 /// The status without its notice: a failure, or ok.
