@@ -165,7 +165,9 @@ TEST(Expression, DepthAndLengthAreNoDanger) {
   EXPECT_NE(messages(force(repeated("sin(", kMany))).find("nested too deeply"), std::string::npos);
   EXPECT_NE(messages(force(repeated("2^", kMany) + "1")).find("nested too deeply"), std::string::npos);
   EXPECT_EQ(messages(force(repeated("-", kMany) + "t")), "") << "signs do not nest";
-  EXPECT_EQ(messages(force(repeated("t + ", kMany) + "t")), "") << "sums do not nest";
+  EXPECT_EQ(messages(force(repeated("t + ", 4999) + "t")), "") << "sums do not nest";
+  EXPECT_EQ(messages(force(repeated("1 + ", kMany) + "t")), "") << "numbers fold";
+  EXPECT_NE(messages(force(repeated("t + ", 5000) + "t")).find("has more than 10000"), std::string::npos);
   EXPECT_EQ(messages(force(repeated("(", 90) + "t" + repeated(")", 90))), "") << "what people write is shallow";
 }
 

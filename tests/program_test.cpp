@@ -85,6 +85,16 @@ TEST(Rules, WhatWouldNotBeFiniteIsNotFolded) {
   EXPECT_EQ(builder.node(builder.append(Op::log, builder.constant(-1))).op, Op::log);
 }
 
+TEST(Rules, ConstantsThatAreNotFiniteAreComputedWhereTheyAreUsed) {
+  // Expr folds 1/0 like double; a program, whose constants are finite, recomputes it.
+  for (const Expr& value : {Expr(1.0) / Expr(0.0), Expr(-1.0) / Expr(0.0), Expr(0.0) / Expr(0.0)}) {
+    ProgramBuilder builder("f");
+    builder.output("y", 0, (Expr(builder, builder.input("x", 0)) + value).value(builder));
+    const double result = interpret(builder.finish(), std::vector<double>{1})[0];
+    EXPECT_TRUE(result == value.constant() || (std::isnan(result) && std::isnan(value.constant()))) << result;
+  }
+}
+
 TEST(Builder, SharesEqualValuesAndNamesTheFirst) {
   ProgramBuilder builder("f");
   const Expr x(builder, builder.input("in", 0));

@@ -42,6 +42,24 @@ TEST(FactorSums, PutsConstantsTogether) {
   EXPECT_EQ(operations(factor_sums(program)), 3);
 }
 
+TEST(FactorSums, LeavesConstantsApartWhoseSumIsTooLarge) {
+  const Program program = program_of([](const auto& x) { return (1e308 + x[0]) + (1e308 + x[1]); });
+  const std::vector<double> inputs = {-1e308, -1e308, 0, 0, 0, 0};
+  EXPECT_EQ(interpret(program, inputs)[0], 0.0);
+  EXPECT_FALSE(std::isnan(interpret(factor_sums(program), inputs)[0]));
+}
+
+TEST(FactorSums, TakesSumsOfAnyLength) {
+  const Program program = program_of([](const auto& x) {
+    Expr sum = x[0];
+    for (int i = 0; i < 300'000; ++i) sum = (i % 2 == 0 ? x[1] : x[2]) - sum;
+    return sum;
+  });
+  // Every second term is the opposite of the one two before: 150000 (x2 - x1) + x0.
+  const std::vector<double> inputs = {0.5, 2, 3, 0, 0, 0};
+  EXPECT_EQ(interpret(factor_sums(program), inputs)[0], 150'000.5);
+}
+
 TEST(FactorSums, LeavesNamedValuesAndThoseOfTwoUsersAlone) {
   ProgramBuilder builder("f");
   const Expr a(builder, builder.input("x", 0)), b(builder, builder.input("x", 1)), c(builder, builder.input("x", 2));

@@ -56,6 +56,7 @@ class ExpressionParser {
 
  private:
   static constexpr int kMaximumDepth = 200;  ///< of sums and powers; each costs five calls on the stack
+  static constexpr std::size_t kMostNodes = 10'000;  ///< far beyond what people write; some passes are quadratic
   using Kind = ExpressionNode::Kind;
 
   int fail(std::size_t offset, std::string message, std::string hint = {}) {
@@ -94,6 +95,9 @@ class ExpressionParser {
   }
 
   int push(ExpressionNode node) {
+    if (nodes_.size() >= kMostNodes) {
+      return fail(at_, fmt::format("expression has more than {} numbers, names and operations", kMostNodes));
+    }
     nodes_.push_back(node);
     return static_cast<int>(nodes_.size()) - 1;
   }

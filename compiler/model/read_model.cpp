@@ -76,7 +76,10 @@ void load_include(Reader& reader, Files& files, const std::string& file, const V
   }
   if (std::find(files.known.begin(), files.known.end(), identity) != files.known.end()) return;
   if (files.open.size() >= kDeepest) return fail(fmt::format("includes are nested deeper than {} files", kDeepest));
-  FileText content = read_text(path);
+  std::error_code ignored;
+  const fs::file_status status = fs::status(path, ignored);
+  const bool is_special = fs::exists(status) && !fs::is_regular_file(status) && !fs::is_directory(status);
+  FileText content = is_special ? FileText{{}, "cannot read file, it is a device or pipe"} : read_text(path);
   if (!content.problem.empty()) return fail("include " + in_quotes(item.text) + ": " + content.problem);
   load(reader, files, path, std::move(content.text));
 }

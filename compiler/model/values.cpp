@@ -191,10 +191,13 @@ void read_value(Reader& reader, const Value& value, const FieldInfo& info, doubl
 }
 
 void read_value(Reader& reader, const Value& value, const FieldInfo&, std::string& target) {
-  if (value.kind == Value::Kind::text) {
-    target = value.text;
-  } else {
+  constexpr std::size_t kLongestText = 256;
+  if (value.kind != Value::Kind::text) {
     wrong_type(reader, value, "a text");
+  } else if (value.text.size() > kLongestText) {
+    report(reader, value, fmt::format("text is longer than {} bytes, it has {}", kLongestText, value.text.size()));
+  } else {
+    target = value.text;
   }
 }
 

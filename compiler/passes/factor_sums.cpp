@@ -1,7 +1,10 @@
 #include "compiler/passes/factor_sums.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <deque>
 #include <map>
+#include <utility>
 
 namespace mbgen {
 namespace {
@@ -54,54 +57,61 @@ class SumWriter {
     }
   }
 
-  void collect(ValueId v, bool negative, std::vector<Term>& terms) const {
-    const Node& node = program_.nodes[v];
-    if (is_sum(node.op)) {
-      for (int k = 0; k < arity(node.op); ++k) {
-        const bool minus = node.op == Op::negate || (node.op == Op::subtract && k == 1);
-        collect_operand(node.operands[k], negative != minus, terms);
+  /// Terms of the sum `root`, in the order in which they stand; without recursion, for sums of any length.
+  std::vector<Term> terms_of(ValueId root) const {
+    std::vector<Term> terms;
+    std::vector<std::pair<ValueId, bool>> pending{{root, false}};  // value and sign, the next one last
+    while (!pending.empty()) {
+      const auto [v, negative] = pending.back();
+      pending.pop_back();
+      const Node& node = program_.nodes[v];
+      if (v != root && !absorbed_[v]) {
+        terms.push_back({negative, renamed_[v], kNoValue});
+      } else if (!is_sum(node.op)) {
+        terms.push_back({negative, renamed_[node.operands[0]], renamed_[node.operands[1]]});
+      } else {
+        for (int k = arity(node.op) - 1; k >= 0; --k) {
+          const bool minus = node.op == Op::negate || (node.op == Op::subtract && k == 1);
+          pending.push_back({node.operands[k], negative != minus});
+        }
       }
-      return;
     }
-    terms.push_back({negative, renamed_[node.operands[0]], renamed_[node.operands[1]]});
-  }
-
-  void collect_operand(ValueId v, bool negative, std::vector<Term>& terms) const {
-    if (absorbed_[v])
-      collect(v, negative, terms);
-    else
-      terms.push_back({negative, renamed_[v], kNoValue});
+    return terms;
   }
 
   ValueId write_sum(ValueId v) {
     const Node& node = program_.nodes[v];
-    std::vector<Term> terms;
-    collect(v, false, terms);
     builder_.set_section(program_.sections[node.section]);
     builder_.set_block(program_.blocks[node.block]);
-    const ValueId sum = write(std::move(terms));
+    const ValueId sum = write(terms_of(v));
     if (node.label >= 0) builder_.label(sum, program_.labels[static_cast<std::size_t>(node.label)]);
     return sum;
   }
 
+  /// Removes each term with the first later one that is its opposite.
   static void cancel(std::vector<Term>& terms) {
+    std::map<std::pair<ValueId, ValueId>, std::deque<std::size_t>> waiting;  // all of one sign, by what they are
+    std::vector<bool> cancelled(terms.size(), false);
     for (std::size_t i = 0; i < terms.size(); ++i) {
-      const auto opposite = std::find_if(terms.begin() + static_cast<long>(i) + 1, terms.end(), [&](const Term& t) {
-        return t.first == terms[i].first && t.second == terms[i].second && t.negative != terms[i].negative;
-      });
-      if (opposite == terms.end()) continue;
-      terms.erase(opposite);
-      terms.erase(terms.begin() + static_cast<long>(i));
-      --i;
+      std::deque<std::size_t>& equal = waiting[{terms[i].first, terms[i].second}];
+      if (equal.empty() || terms[equal.front()].negative == terms[i].negative) {
+        equal.push_back(i);
+      } else {
+        cancelled[i] = cancelled[equal.front()] = true;
+        equal.pop_front();
+      }
     }
+    std::size_t i = 0;
+    std::erase_if(terms, [&](const Term&) { return cancelled[i++]; });
   }
 
-  /// Constants become one term, last of the plain ones.
+  /// Constants become one term, last of the plain ones, unless their sum is too large for a number.
   void merge_constants(std::vector<Term>& terms) {
     double sum = 0;
     const auto is_constant = [&](const Term& t) { return !t.is_product() && builder_.is_constant(t.first); };
     for (const Term& t : terms)
       if (is_constant(t)) sum += (t.negative ? -1 : 1) * builder_.node(t.first).constant;
+    if (!std::isfinite(sum)) return;
     if (std::erase_if(terms, is_constant) > 0 && sum != 0) terms.push_back({false, builder_.constant(sum), kNoValue});
   }
 

@@ -1,3 +1,4 @@
+#include <cmath>
 #include <stdexcept>
 
 #include "compiler/program/arithmetic.hpp"
@@ -20,6 +21,13 @@ Expr record(Op op, const Expr& a, const Expr& b) {
   return Expr(builder, builder.append(op, a.value(builder), b.value(builder)));
 }
 
+/// What is infinite or no number as values that do not fold: programs have finite constants.
+ValueId not_finite(ProgramBuilder& builder, double value) {
+  if (std::isnan(value)) return builder.append(Op::log, builder.constant(-1));
+  const ValueId infinity = builder.append(Op::log, builder.constant(0));
+  return value < 0 ? infinity : builder.append(Op::negate, infinity);
+}
+
 }  // namespace
 
 // A recorded value that folded to a constant forgets its builder, so that it goes on folding without one.
@@ -30,7 +38,7 @@ Expr::Expr(ProgramBuilder& builder, ValueId value) : builder_(&builder), value_(
 }
 
 ValueId Expr::value(ProgramBuilder& builder) const {
-  if (is_constant()) return builder.constant(constant_);
+  if (is_constant()) return std::isfinite(constant_) ? builder.constant(constant_) : not_finite(builder, constant_);
   if (builder_ != &builder) throw std::logic_error("an expression mixes values of two programs");
   return value_;
 }

@@ -165,7 +165,7 @@ const Names kTexts = {"\"; int evil = 1; //",
                       "</script><script>alert(1)</script>",
                       "R\"(x)\"",
                       "\x01\x1f\x7f\t",
-                      std::string(10'000, 'u')};
+                      std::string(256, 'u')};
 
 /// Prints the units, each with its final zero, and the acceleration of the first joint.
 constexpr const char* kPrintingMain = R"(#include "model.hpp"
