@@ -16,9 +16,25 @@ namespace mbgen::cli {
 namespace {
 
 constexpr std::size_t kReadPiece = 1 << 16;
+constexpr std::size_t kMostRead = std::size_t{1} << 30;
 
 [[noreturn]] void fail_with(const std::filesystem::path& path, const char* action) {
   throw UserError(fmt::format("{}: cannot {}: {}\n", path.string(), action, std::strerror(errno)));
+}
+
+/// The file that a path stands for: where a symbolic link leads, so that the link stays one.
+std::filesystem::path behind_links(const std::filesystem::path& path) {
+  std::error_code problem;
+  if (!std::filesystem::is_symlink(path, problem)) return path;
+  const std::filesystem::path target = std::filesystem::canonical(path, problem);
+  return problem ? path : target;
+}
+
+/// Whether a path is a device, pipe or socket, which no file may replace.
+bool is_special(const std::filesystem::path& path) {
+  std::error_code problem;
+  const std::filesystem::file_status status = std::filesystem::status(path, problem);
+  return !problem && std::filesystem::exists(status) && !std::filesystem::is_regular_file(status);
 }
 
 void make_directories(const std::filesystem::path& path) {
@@ -41,19 +57,32 @@ std::string read_text(const std::filesystem::path& path) {
     text.resize(size + kReadPiece);
     taken = std::fread(text.data() + size, 1, kReadPiece, stream);
     text.resize(size + taken);
-  } while (taken == kReadPiece);
+  } while (taken == kReadPiece && text.size() <= kMostRead);
   const int error = std::ferror(stream) != 0 ? errno : 0;
   std::fclose(stream);
   if (error != 0) {
     errno = error;
     fail_with(path, "read");
   }
+  if (text.size() > kMostRead) throw UserError(fmt::format("{}: cannot read: larger than 1 GB\n", path.string()));
   return text;
 }
 
-AtomicFile::AtomicFile(std::filesystem::path path) : path_(std::move(path)) {
-  if (std::filesystem::is_directory(path_)) {
+void require_other_file(const std::filesystem::path& output, const std::filesystem::path& input) {
+  std::error_code problem;
+  if (!std::filesystem::equivalent(output, input, problem) || problem) return;
+  throw UserError(fmt::format("{}: cannot write: it is read by this command\n", output.string()));
+}
+
+AtomicFile::AtomicFile(const std::filesystem::path& path) : path_(behind_links(path)) {
+  std::error_code ignored;
+  if (std::filesystem::is_directory(path_, ignored)) {
     throw UserError(fmt::format("{}: cannot write: it is a directory\n", path_.string()));
+  }
+  if (is_special(path_)) {
+    stream_ = std::fopen(path_.c_str(), "wb");
+    if (stream_ == nullptr) fail("write");
+    return;
   }
   std::string name = (path_.parent_path() / fmt::format(".{}.XXXXXX", path_.filename().string())).string();
   const int descriptor = ::mkstemp(name.data());
@@ -88,6 +117,7 @@ void AtomicFile::close() {
 
 void AtomicFile::commit() {
   close();
+  if (temporary_.empty()) return;
   if (std::rename(temporary_.c_str(), path_.c_str()) != 0) fail("write");
   temporary_.clear();
 }

@@ -9,14 +9,18 @@
 
 namespace mbgen::cli {
 
-/// Content of a file. Fails: UserError when it cannot be read.
+/// Content of a file. Fails: UserError when it cannot be read, or is larger than 1 GB.
 std::string read_text(const std::filesystem::path& path);
 
-/// A file that appears under its name when it is complete: written beside it under another name until `commit`.
+/// Fails: UserError when `output` is the file that is read as `input`: writing would destroy it.
+void require_other_file(const std::filesystem::path& output, const std::filesystem::path& input);
+
+/// A file that appears under its name when it is complete: written beside it as `.NAME.XXXXXX` until `commit`, which is
+/// all that a process killed before leaves behind. A symbolic link stays one; devices and pipes are written directly.
 class AtomicFile {
  public:
   /// Creates the temporary file. Fails: UserError when the directory is missing or not writable.
-  explicit AtomicFile(std::filesystem::path path);
+  explicit AtomicFile(const std::filesystem::path& path);
   AtomicFile(AtomicFile&& other) noexcept;
   AtomicFile& operator=(AtomicFile&&) = delete;
   /// Removes the temporary file when it was not committed.

@@ -34,11 +34,13 @@ int run(const Options& options) {
   std::vector<std::string> paths;
   for (EmittedFile& file : emit(compilation, options.emit)) {
     paths.push_back((std::filesystem::path(options.directory) / file.path).string());
+    require_other_file(paths.back(), options.model);  // the manifest is named like the model
     files.push_back({std::move(file.path), std::move(file.text)});
   }
   write_files(options.directory, files);
   if (options.json) {
-    print(nlohmann::ordered_json({{"model", compilation.model.name}, {"files", paths}}).dump(2) + "\n");
+    const nlohmann::ordered_json report = {{"model", compilation.model.name}, {"files", paths}};
+    print(report.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n");  // a path may be no UTF-8
   } else {
     for (const std::string& path : paths) print(path + "\n");
   }

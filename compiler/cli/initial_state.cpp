@@ -196,14 +196,6 @@ void set_velocities(const Compilation& compilation, const GenericSolver& solver,
 
 }  // namespace
 
-GenericState reference_state(const Compilation& compilation) {
-  GenericState state;
-  state.z.assign(static_cast<std::size_t>(compilation.topology.size()), 0.0);
-  state.zd = state.z;
-  state.x.assign(static_cast<std::size_t>(auxiliary_state_count(compilation.model)), 0.0);
-  return state;
-}
-
 GenericState initial_state(const Compilation& compilation, const std::vector<double>& inputs) {
   const Initial& initial = compilation.model.initial;
   GenericSolver solver(compilation.model, compilation.topology, compilation.analysis);

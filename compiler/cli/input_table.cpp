@@ -7,7 +7,7 @@
 #include <string_view>
 
 #include "compiler/cli/files.hpp"
-#include "compiler/cli/options.hpp"
+#include "compiler/cli/number.hpp"
 #include "compiler/cli/user_error.hpp"
 
 namespace mbgen::cli {
@@ -112,7 +112,10 @@ void read_row(const Line& line, const std::vector<std::string>& fields, const Mo
 }  // namespace
 
 InputTable read_input_table(const std::string& path, const Model& model) {
-  const std::string text = read_text(path);
+  return parse_input_table(read_text(path), path, model);
+}
+
+InputTable parse_input_table(const std::string& text, const std::string& path, const Model& model) {
   std::string_view rest = text;
   constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
   if (rest.substr(0, kByteOrderMark.size()) == kByteOrderMark) rest.remove_prefix(kByteOrderMark.size());

@@ -25,4 +25,7 @@ struct InputTable {
 /// another length than the header, a field that is no finite number, t that does not increase, no rows.
 InputTable read_input_table(const std::string& path, const Model& model);
 
+/// The same from the file's text; path: as messages name it.
+InputTable parse_input_table(const std::string& text, const std::string& path, const Model& model);
+
 }  // namespace mbgen::cli

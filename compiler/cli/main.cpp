@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <csignal>
 #include <exception>
 
 #include "compiler/cli/commands.hpp"
@@ -36,6 +37,7 @@ int run(int argc, char** argv) {
 
 int main(int argc, char** argv) {
   using namespace mbgen::cli;
+  std::signal(SIGXFSZ, SIG_IGN);  // a file that grows too large is an error of its write, not the end of the process
   try {
     return run(argc, argv);
   } catch (const UserError& error) {

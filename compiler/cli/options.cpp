@@ -5,11 +5,11 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <utility>
 
 #include "compiler/cli/dump.hpp"
+#include "compiler/cli/number.hpp"
 #include "compiler/cli/user_error.hpp"
 
 namespace mbgen::cli {
@@ -129,16 +129,6 @@ void add_run_options(CLI::App& command, EngineArguments& arguments) {
   command.add_flag_callback(
       "--no-cache", [&arguments] { arguments.choice.use_cache = false; },
       "compile anew and keep nothing (default: keep solvers under ~/.cache/mbgen)");
-}
-
-double parse_number(const std::string& text, const std::string& what) {
-  double value = 0;
-  const char* end = text.data() + text.size();
-  const auto [stop, error] = std::from_chars(text.data(), end, value);
-  if (error != std::errc() || stop != end || !std::isfinite(value)) {
-    throw UserError(fmt::format("{}: \"{}\" is not a finite number\n", what, text));
-  }
-  return value;
 }
 
 std::vector<double> input_values(const Model& model, const std::vector<std::string>& assignments) {

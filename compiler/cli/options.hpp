@@ -49,7 +49,4 @@ EngineChoice chosen_engine(const EngineArguments& arguments);
 /// Fails: UserError for a name that the model does not have or a value that is no finite number.
 std::vector<double> input_values(const Model& model, const std::vector<std::string>& assignments);
 
-/// A finite number. Fails: UserError with `what` in front.
-double parse_number(const std::string& text, const std::string& what);
-
 }  // namespace mbgen::cli

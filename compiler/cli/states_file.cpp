@@ -27,8 +27,7 @@ struct Place {
   throw UserError(fmt::format("{}: {}\n", path, message));
 }
 
-Json parse(const std::string& path) {
-  const std::string text = read_text(path);
+Json parse(const std::string& text, const std::string& path) {
   try {
     return Json::parse(text, nullptr, true, true);
   } catch (const Json::exception& error) {
@@ -131,7 +130,12 @@ std::vector<double> read_expected(const Json& state, const StatesFile& file) {
 
 StatesFile read_states(const std::string& path, const Compilation& compilation,
                        const std::vector<double>& default_inputs) {
-  const Json json = parse(path);
+  return parse_states(read_text(path), path, compilation, default_inputs);
+}
+
+StatesFile parse_states(const std::string& text, const std::string& path, const Compilation& compilation,
+                        const std::vector<double>& default_inputs) {
+  const Json json = parse(text, path);
   if (!json.is_object() || !json.contains("states") || !json["states"].is_array()) {
     fail(path, "must be an object with an array \"states\"");
   }

@@ -28,6 +28,10 @@ struct StatesFile {
 StatesFile read_states(const std::string& path, const Compilation& compilation,
                        const std::vector<double>& default_inputs);
 
+/// The same from the file's text; path: as messages name it.
+StatesFile parse_states(const std::string& text, const std::string& path, const Compilation& compilation,
+                        const std::vector<double>& default_inputs);
+
 /// Values in the order of the model, put in the order of the file.
 std::vector<double> in_file_order(const StatesFile& file, const std::vector<double>& values);
 

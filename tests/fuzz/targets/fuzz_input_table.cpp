@@ -1,0 +1,20 @@
+// Bytes as the table of inputs of `simulate --input-table`: columns of one length, or a UserError.
+#include "compiler/cli/input_table.hpp"
+#include "compiler/cli/user_error.hpp"
+#include "fuzz_tables.hpp"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  using namespace mbgen;
+  static const Compilation compilation = fuzz::small_compilation();
+  try {
+    const cli::InputTable table = cli::parse_input_table(fuzz::text_of(data, size), "table.csv", compilation.model);
+    fuzz::require(!table.t.empty() && std::is_sorted(table.t.begin(), table.t.end()), "time increases");
+    for (const cli::InputColumn& column : table.columns) {
+      fuzz::require(column.input >= 0 && column.input < 2, "a column has its input");
+      fuzz::require(column.values.size() == table.t.size(), "columns are as long as the time");
+    }
+  } catch (const cli::UserError& error) {
+    fuzz::require(error.what()[0] != 0, "an error has a text");
+  }
+  return 0;
+}
