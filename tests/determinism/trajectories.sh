@@ -64,8 +64,8 @@ for model in "$@"; do
   for kind in plain batch; do
     directory=$scratch/$kind-$(basename "$model" .json)
     case $kind in
-      plain) options= flags=-DMBGEN_SAME_BITS=ON ;;
-      batch) options="--batch 4" flags= ;;
+      plain) options='' flags=-DMBGEN_SAME_BITS=ON ;;
+      batch) options="--batch 4" flags='' ;;
     esac
     # shellcheck disable=SC2086  # several words or none
     "$mbgen" generate "$model" --out "$directory" $options >/dev/null
