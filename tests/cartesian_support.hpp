@@ -3,9 +3,13 @@
 
 #include <Eigen/Dense>
 
+#include "runtime/cartesian/cartesian.hpp"
 #include "runtime/cartesian/system.hpp"
 
 namespace mbgen::testing {
+
+inline constexpr CartesianMethod kMethods[] = {CartesianMethod::augmented, CartesianMethod::range_space,
+                                               CartesianMethod::null_space, CartesianMethod::maggi};
 
 struct Solution {
   Eigen::VectorXd qdd, lambda;  ///< lambda of minimum norm where it is not unique

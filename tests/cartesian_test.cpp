@@ -7,6 +7,7 @@
 
 #include "runtime/cartesian/methods.hpp"
 #include "runtime/cartesian/runge_kutta.hpp"
+#include "tests/cartesian_support.hpp"
 
 namespace mbgen {
 namespace {
@@ -16,9 +17,6 @@ using Eigen::Vector3d;
 using Eigen::VectorXd;
 
 constexpr double kGravity = 9.81;
-constexpr CartesianMethod kMethods[] = {CartesianMethod::augmented, CartesianMethod::range_space,
-                                        CartesianMethod::null_space, CartesianMethod::maggi};
-
 Eigen::Matrix3d cross(const Vector3d& v) {
   Eigen::Matrix3d m;
   m << 0, -v.z(), v.y(), v.z(), 0, -v.x(), -v.y(), v.x(), 0;
@@ -138,7 +136,7 @@ TEST_P(Methods, MasslessLinkTransmitsForceAlongItselfOnly) {
   EXPECT_LT((terms.jacobian * s.qdd - terms.bias).cwiseAbs().maxCoeff(), 1e-12);
 }
 
-INSTANTIATE_TEST_SUITE_P(All, Methods, ::testing::ValuesIn(kMethods));
+INSTANTIATE_TEST_SUITE_P(All, Methods, ::testing::ValuesIn(mbgen::testing::kMethods));
 
 TEST(Existence, MotionThatNoMassResistsIsFound) {
   // a point mass whose pin is at its centre: it turns freely without inertia

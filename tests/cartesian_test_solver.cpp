@@ -4,15 +4,13 @@
 
 #include "mbgen/integrators.hpp"
 #include "runtime/cartesian/cartesian.hpp"
+#include "tests/cartesian_support.hpp"
 #include "tests/mechanism_support.hpp"
 
 namespace mbgen {
 namespace {
 
 using namespace mbgen::testing;
-
-constexpr CartesianMethod kMethods[] = {CartesianMethod::augmented, CartesianMethod::range_space,
-                                        CartesianMethod::null_space, CartesianMethod::maggi};
 
 CartesianSolver judge_of(const Mechanism& m, CartesianMethod method,
                          Stabilisation stabilisation = Stabilisation::projection) {

@@ -8,7 +8,6 @@ namespace mbgen::cli_test {
 namespace {
 
 const double kPi = std::acos(-1.0);
-const char* const kEngines[] = {"generated", "generic"};
 
 /// Lengths of a planar four-bar linkage of uniform bars, 1 kg per m: ground, crank, coupler, rocker; the crank's angle.
 struct FourBar {

@@ -5,7 +5,6 @@
 namespace mbgen::cli_test {
 namespace {
 
-const std::string kSource = MBGEN_SOURCE_DIR;
 const char* const kJudges[] = {"augmented", "range-space", "null-space", "maggi"};
 
 /// Largest difference over the largest acceleration of the state, over all states.

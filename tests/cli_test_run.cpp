@@ -9,7 +9,6 @@ namespace mbgen::cli_test {
 namespace {
 
 using Names = std::vector<std::string>;
-const char* const kEngines[] = {"generated", "generic"};
 
 /// Two evaluations of the same formulas round differently in the last digits: a hundred units in the last place.
 constexpr double kRounding = 1e-14 * 100;

@@ -22,6 +22,9 @@ namespace mbgen::cli_test {
 
 using Json = nlohmann::json;
 
+inline const std::string kSource = MBGEN_SOURCE_DIR;
+inline constexpr const char* kEngines[] = {"generated", "generic"};
+
 /// What one run left behind.
 struct Outcome {
   int exit_code = -1;

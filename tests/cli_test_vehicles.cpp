@@ -8,8 +8,6 @@
 namespace mbgen::cli_test {
 namespace {
 
-const std::string kSource = MBGEN_SOURCE_DIR;
-
 /// Largest error over the largest acceleration of the state, over all states of a reference file.
 double worst_error(const Json& answer, const Json& reference, const std::string& key) {
   double worst = 0;

@@ -123,13 +123,6 @@ std::string four_bar_text() {
   return {std::istreambuf_iterator<char>(file), {}};
 }
 
-Mechanism mechanism_of(const std::string& text) {
-  const Result<Model> model = read_model(text, "test.json");
-  if (!model) throw std::runtime_error(to_text(model.problems()));
-  const Topology topology = *build_topology(*model);
-  return {*model, topology, *analyse(*model, topology)};
-}
-
 // Crank and coupler of the four-bar in line: the point that closes the loop moves along one line for both, so the
 // rocker must be dependent. Offline, here, it was made the independent one.
 TEST(EveryAlgebra, ChoosesAgainWhereTheFrozenChoiceHasNoSolution) {

@@ -12,16 +12,6 @@ using namespace mbgen::testing;
 constexpr double kGravity = 9.81;
 constexpr double kRounding = 1e-13;  // of sums of a few terms of order 1 to 10
 
-Mechanism mechanism_of(const std::string& text) {
-  Result<Model> model = read_model(text, "test.json");
-  if (!model) throw std::runtime_error(to_text(model.problems()));
-  Result<Topology> topology = build_topology(*model);
-  if (!topology) throw std::runtime_error(to_text(topology.problems()));
-  Result<Analysis> analysis = analyse(*model, *topology);
-  if (!analysis) throw std::runtime_error(to_text(analysis.problems()));
-  return {*model, *topology, *analysis};
-}
-
 /// A mechanism at an instant, where its motions put it, with its accelerations.
 struct Instant {
   GenericState state;

@@ -27,12 +27,6 @@ std::string mass_and_bob(const std::string& joint_springs) {
          joint_springs + " } }";
 }
 
-Mechanism mechanism_of(const std::string& text) {
-  const Model model = read(text);
-  const Topology topology = *build_topology(model);
-  return {model, topology, *analyse(model, topology)};
-}
-
 /// The reference configuration, at rest.
 GenericState reference(const Mechanism& m) {
   GenericState state;

@@ -24,9 +24,8 @@ struct Mechanism {
 
 inline std::string source_path(const std::string& relative) { return std::string(MBGEN_SOURCE_DIR) + "/" + relative; }
 
-/// Reads and analyses a model; a failure stops the test with its diagnostics.
-inline Mechanism load(const std::string& relative) {
-  Result<Model> model = read_model_file(source_path(relative));
+/// Analyses what was read; a failure stops the test with its diagnostics.
+inline Mechanism analysed(const Result<Model>& model) {
   if (!model) throw std::runtime_error(to_text(model.problems()));
   Result<Topology> topology = build_topology(*model);
   if (!topology) throw std::runtime_error(to_text(topology.problems()));
@@ -34,6 +33,10 @@ inline Mechanism load(const std::string& relative) {
   if (!analysis) throw std::runtime_error(to_text(analysis.problems()));
   return {*model, *topology, *analysis};
 }
+
+/// The model of a file of the project, and the one of a text.
+inline Mechanism load(const std::string& relative) { return analysed(read_model_file(source_path(relative))); }
+inline Mechanism mechanism_of(const std::string& text) { return analysed(read_model(text, "test.json")); }
 
 /// Every model of models/, its iftomm/ and published/, and tests/data/models, relative to the source folder, in
 /// alphabetical order; parts that models include are in folders below.
