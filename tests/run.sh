@@ -1,5 +1,5 @@
 #!/bin/sh
-# Installs what is missing (Debian 12, as root), builds everything and runs all tests.
+# Installs what is missing (Debian 12, as root), builds everything, runs all tests and says how many cases of each kind ran.
 set -eu
 cd "$(dirname "$0")/.."
 
@@ -7,4 +7,7 @@ cd "$(dirname "$0")/.."
   libopenblas-serial-dev libsuitesparse-dev libgtest-dev libbenchmark-dev libsimbody-dev libmujoco-dev
 cmake --preset release -DMBGEN_TESTS=ON -DMBGEN_BENCH=ON
 cmake --build --preset release
-ctest --preset release --parallel "$(nproc)"
+status=0
+ctest --preset release --parallel "$(nproc)" || status=$?
+awk -f tests/cases.awk build/release/Testing/Temporary/LastTest.log
+exit "$status"
