@@ -110,7 +110,7 @@ TEST_P(Hostile, macrosOfTheHeadersNameNothing) {
 }
 
 TEST_P(Hostile, wordsOfTheLanguageAndOfTheCodeNameNothing) {
-  const Names language = words_of(
+  constexpr const char* kLanguage =
       "alignas alignof and and_eq asm auto bitand bitor bool break case catch char char8_t char16_t char32_t class "
       "compl "
       "concept const consteval constexpr constinit const_cast continue co_await co_return co_yield decltype default "
@@ -118,11 +118,11 @@ TEST_P(Hostile, wordsOfTheLanguageAndOfTheCodeNameNothing) {
       "long module mutable namespace new noexcept not not_eq nullptr operator or or_eq private protected public "
       "register reinterpret_cast requires return short signed sizeof static static_assert static_cast struct switch "
       "template this thread_local throw true try typedef typeid typename union unsigned using virtual void volatile "
-      "wchar_t while xor xor_eq final override main __func__ _Pragma __attribute__ __int128 typeof asm__ defined");
+      "wchar_t while xor xor_eq final override main __func__ _Pragma __attribute__ __int128 typeof asm__ defined";
   std::string code;
-  for (const EmittedFile& file : all_files(pendulums(language))) code += file.text;
-  EXPECT_EQ(complaints(all_files(pendulums(language))), "");
-  Names words = words_of(std::regex_replace(code, std::regex("//[^\n]*|\"[^\"\n]*\""), ""));
+  for (const EmittedFile& file : all_files(pendulums({"pin", "push"}))) code += file.text;
+  code = std::regex_replace(code, std::regex("//[^\n]*|\"[^\"\n]*\""), "");
+  const Names words = words_of(code + kLanguage);
   ASSERT_GT(words.size(), 300u);
   EXPECT_EQ(complaints(all_files(pendulums(words))), "");
 }
