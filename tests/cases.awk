@@ -21,7 +21,7 @@ function add(kind, number) {
 /: 5 s as in Simbody/ { add("motions of 5 s as in Simbody", 1) }
 /: accelerations as in MuJoCo/ { add("models with accelerations as in MuJoCo", 1) }
 / mutants: [0-9]+ refused, / { add("mutated model files", $1) }
-/^Done [0-9]+ runs in / { add("inputs of the fuzzer", $2) }
+/^fuzz .*: [0-9]+ inputs, none broke it/ { add("inputs of the fuzzer", $3) }
 / killed, [0-9]+ finished before/ { add("commands killed while they wrote files", $1) }
 
 END {
