@@ -1,10 +1,11 @@
 #!/bin/sh
-# Installs what is missing (Debian 12, as root), builds everything, runs all tests, says how many cases of each kind ran.
+# Installs what is missing (Debian 12, as root), builds everything, runs all tests, counts their cases.
 set -eu
 cd "$(dirname "$0")/.."
 
 .ci/install g++ clang binutils cmake make ninja-build libeigen3-dev libfmt-dev nlohmann-json3-dev libcli11-dev \
-  libclang-rt-14-dev libopenblas-serial-dev libsuitesparse-dev libgtest-dev libbenchmark-dev libsimbody-dev libmujoco-dev
+  libopenblas-serial-dev libsuitesparse-dev libgtest-dev libbenchmark-dev libsimbody-dev libmujoco-dev \
+  libclang-rt-14-dev locales
 cmake --preset release -DMBGEN_TESTS=ON -DMBGEN_BENCH=ON
 cmake --build --preset release
 status=0
