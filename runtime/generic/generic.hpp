@@ -29,7 +29,8 @@ struct GenericAlgebra {
 };
 
 /// Solver of one model at double. Copies what it needs of its arguments. It works in memory of its own: one thread at a
-/// time.
+/// time, and any number of solvers in as many threads. With LinearAlgebra::blas one thread of the whole process:
+/// Debian's serial OpenBLAS shares buffers without a lock.
 class GenericSolver {
  public:
   /// algebra: of the closures and the reduced equations. QR is there with Eigen only: std::invalid_argument else.
