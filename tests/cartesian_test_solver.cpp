@@ -2,9 +2,9 @@
 
 #include <cmath>
 
-#include "mbgen/integrators.hpp"
 #include "runtime/cartesian/cartesian.hpp"
 #include "tests/cartesian_support.hpp"
+#include "tests/dynamics.hpp"
 #include "tests/mechanism_support.hpp"
 
 namespace mbgen {
@@ -85,18 +85,6 @@ TEST_P(Judges, ProjectionClosesWhatIsOpenAndLeavesTheRest) {
 
 INSTANTIATE_TEST_SUITE_P(Models, Judges, ::testing::ValuesIn(all_models()), test_name);
 
-/// What the integrators ask of a system.
-struct GenericSystem {
-  using State = GenericState;
-  using Derivative = GenericDerivative;
-  Status derivative(const GenericState& state, GenericDerivative& rates) const noexcept {
-    return solver.solve_motion(state, rates);
-  }
-  Status project(GenericState& state) const noexcept { return solver.project_motion(state); }
-  Status project_nearest(GenericState& state) const noexcept { return solver.project_nearest(state); }
-  GenericSolver solver;
-};
-
 struct Run {
   std::string model;
   double duration, step;  ///< s
@@ -116,7 +104,8 @@ class JudgesInMotion : public ::testing::TestWithParam<Run> {
   }
   /// The state at the end by the recursive formulation, in steps too small to matter.
   GenericState truth() const {
-    GenericSystem system{{m.model, m.topology, m.analysis}};
+    const GenericSolver solver(m.model, m.topology, m.analysis);
+    const Dynamics system{solver};
     GenericState state = start;
     const int steps = 16 * static_cast<int>(std::round(GetParam().duration / GetParam().step));
     for (int k = 0; k < steps; ++k) EXPECT_TRUE(step_rk4(system, state, GetParam().duration / steps).ok());

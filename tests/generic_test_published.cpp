@@ -4,25 +4,13 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
-#include "mbgen/integrators.hpp"
+#include "tests/dynamics.hpp"
 #include "tests/mechanism_support.hpp"
 
 namespace mbgen {
 namespace {
 
 using namespace mbgen::testing;
-
-/// A generic solver as the integrators see it.
-struct Dynamics {
-  using State = GenericState;
-  using Derivative = GenericDerivative;
-  const GenericSolver& solver;
-  Status derivative(const State& state, Derivative& result) const noexcept {
-    return solver.solve_motion(state, result);
-  }
-  Status project(State& state) const noexcept { return solver.project_motion(state); }
-  Status project_nearest(State& state) const noexcept { return solver.project_nearest(state); }
-};
 
 /// Andrews' mechanism: angles and velocities of the reference row at time t, by coordinate name.
 std::map<std::string, std::pair<double, double>> andrews_reference(double t) {

@@ -6,6 +6,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "compiler/cli/json_text.hpp"
 #include "compiler/cli/paper_tables.hpp"
 #include "compiler/trace/trace.hpp"
 
@@ -98,8 +99,9 @@ std::string step_table(const BenchRecord& record) {
   const bool recursive = std::any_of(columns.begin(), columns.end(),
                                      [](const Measurement& m) { return m.engine->form == name_of(Form::recursive); });
   if (recursive) {
-    text += "  The recursive form has its inertias in step 7, its elimination to the root in 8, the way back in 9\n"
-            "  (docs/recursive.md); --form matrix has the paper's steps.\n";
+    text +=
+        "  The recursive form has its inertias in step 7, its elimination to the root in 8, the way back in 9\n"
+        "  (docs/recursive.md); --form matrix has the paper's steps.\n";
   }
   return text + "\n";
 }
@@ -149,7 +151,7 @@ std::string bench_json(const BenchRecord& record) {
                                  {"total_seconds", column.total}});
     }
   }
-  return result.dump(2) + "\n";
+  return json_text(result);
 }
 
 }  // namespace mbgen::cli

@@ -8,6 +8,7 @@
 #include "compiler/cli/commands.hpp"
 #include "compiler/cli/dump.hpp"
 #include "compiler/cli/files.hpp"
+#include "compiler/cli/json_text.hpp"
 #include "compiler/cli/options.hpp"
 #include "compiler/compile.hpp"
 
@@ -31,8 +32,7 @@ std::string to_json(const std::string& file, const Diagnostics& problems) {
                     {"message", problem.message},
                     {"hint", problem.hint}});
   }
-  const Json report = {{"model", file}, {"ok", problems.empty()}, {"problems", list}};
-  return report.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";  // a file name may be no UTF-8
+  return json_text({{"model", file}, {"ok", problems.empty()}, {"problems", list}});
 }
 
 int run(const Options& options) {

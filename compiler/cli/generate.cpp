@@ -9,6 +9,7 @@
 #include "compiler/cli/commands.hpp"
 #include "compiler/cli/dump.hpp"
 #include "compiler/cli/files.hpp"
+#include "compiler/cli/json_text.hpp"
 #include "compiler/cli/options.hpp"
 #include "compiler/cli/user_error.hpp"
 #include "compiler/compile.hpp"
@@ -39,8 +40,7 @@ int run(const Options& options) {
   }
   write_files(options.directory, files);
   if (options.json) {
-    const nlohmann::ordered_json report = {{"model", compilation.model.name}, {"files", paths}};
-    print(report.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n");  // a path may be no UTF-8
+    print(json_text({{"model", compilation.model.name}, {"files", paths}}));
   } else {
     for (const std::string& path : paths) print(path + "\n");
   }

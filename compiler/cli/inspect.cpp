@@ -5,6 +5,7 @@
 #include "compiler/cli/commands.hpp"
 #include "compiler/cli/dump.hpp"
 #include "compiler/cli/files.hpp"
+#include "compiler/cli/json_text.hpp"
 #include "compiler/cli/options.hpp"
 #include "compiler/cli/report.hpp"
 #include "compiler/cli/user_error.hpp"
@@ -29,7 +30,7 @@ int run(const Options& options) {
   Compilation compilation = expect(compile(options.model, chosen_form(options.form)));
   if (compilation.topology.size() <= kMostBodiesCounted) count_savings(compilation);
   const nlohmann::ordered_json report = make_report(compilation);
-  print(options.json ? report.dump(2) + "\n" : report_text(report));
+  print(options.json ? json_text(report) : report_text(report));
   return kDone;
 }
 

@@ -7,6 +7,7 @@
 #include <iterator>
 #include <nlohmann/json.hpp>
 
+#include "compiler/cli/json_text.hpp"
 #include "compiler/cli/names.hpp"
 
 namespace mbgen::cli {
@@ -165,7 +166,7 @@ std::string summary_json(const SimulationRecord& record) {
                        {"outputs", outputs},
                        {"file", record.file},
                        {"rows", record.rows}};
-  return report.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+  return json_text(report);
 }
 
 }  // namespace mbgen::cli

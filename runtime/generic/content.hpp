@@ -79,6 +79,16 @@ struct GenericSolver::Content {
     return {};
   }
 
+  /// Puts driven coordinates and their velocities where their motions are. Fails: not_a_number.
+  static Status follow_motions(System<double>& system, GenericState& state) {
+    for (const Drive<double>& d : drives(system)) {
+      if (!std::isfinite(d.position + d.velocity)) return {Code::not_a_number, d.coordinate};
+      state.z[d.coordinate] = system.environment.z[d.coordinate] = d.position;
+      state.zd[d.coordinate] = system.environment.zd[d.coordinate] = d.velocity;
+    }
+    return {};
+  }
+
   System<double>& system(const GenericState& state) {
     at.environment.t = state.t;
     at.environment.z = state.z;

@@ -88,11 +88,7 @@ Status GenericSolver::project(GenericState& state) const {
   double previous = INFINITY;
   for (int step = 0;; ++step) {
     System<double>& system = content_->system(trial);
-    for (const Drive<double>& d : drives(system)) {
-      if (!std::isfinite(d.position + d.velocity)) return {Code::not_a_number, d.coordinate};
-      trial.z[d.coordinate] = system.environment.z[d.coordinate] = d.position;
-      trial.zd[d.coordinate] = system.environment.zd[d.coordinate] = d.velocity;
-    }
+    if (const Status status = Content::follow_motions(system, trial); !status.ok()) return status;
     const std::vector<BlockClosure<double>> closures = content_->closures(system, kinematics(system));
     if (const Status status = content_->algebra.factorise(closures); !status.ok()) return status;
     PerBlock right_hand_side;

@@ -103,11 +103,7 @@ Status GenericSolver::project_nearest(GenericState& state) const {
   double previous = INFINITY;
   for (bool gains = true; gains;) {
     System<double>& system = content_->system(closed);
-    for (const Drive<double>& d : drives(system)) {
-      if (!std::isfinite(d.position + d.velocity)) return {Code::not_a_number, d.coordinate};
-      closed.z[d.coordinate] = system.environment.z[d.coordinate] = d.position;
-      closed.zd[d.coordinate] = system.environment.zd[d.coordinate] = d.velocity;
-    }
+    if (const Status status = Content::follow_motions(system, closed); !status.ok()) return status;
     const std::vector<BlockClosure<double>> closures = content_->closures(system, kinematics(system));
     double size = 0;
     for (const BlockClosure<double>& block : closures) size = std::max(size, largest(block.residual));

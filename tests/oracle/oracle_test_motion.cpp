@@ -2,25 +2,13 @@
 
 #include <cstdio>
 
-#include "mbgen/integrators.hpp"
+#include "tests/dynamics.hpp"
 #include "tests/oracle/oracle_support.hpp"
 
 namespace mbgen {
 namespace {
 
 using namespace mbgen::testing;
-
-/// A generic solver as the integrators see it.
-struct Dynamics {
-  using State = GenericState;
-  using Derivative = GenericDerivative;
-  const GenericSolver& solver;
-  Status derivative(const State& state, Derivative& result) const noexcept {
-    return solver.solve_motion(state, result);
-  }
-  Status project(State& state) const noexcept { return solver.project_motion(state); }
-  Status project_nearest(State& state) const noexcept { return solver.project_nearest(state); }
-};
 
 /// One motion: the largest difference of a coordinate at any of ten instants, rad or m.
 struct Course {

@@ -11,6 +11,11 @@ namespace mbgen::testing {
 
 using Point = std::array<double, 3>;
 
+inline Point plus(Point a, const Point& b) {
+  for (int i = 0; i < 3; ++i) a[i] += b[i];
+  return a;
+}
+
 constexpr int kOnGround = -1;
 constexpr double kFreeLength = 0.2;  ///< of every spring, m
 

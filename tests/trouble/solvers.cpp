@@ -7,7 +7,7 @@
 
 #include "compiled_solver.hpp"
 #include "compiler/cli/engine.hpp"
-#include "mbgen/integrators.hpp"
+#include "dynamics.hpp"
 
 /// Calls of the heap by this program so far, see tests/batch/heap.cpp.
 extern "C" long heap_calls();
@@ -15,22 +15,10 @@ extern "C" long heap_calls();
 namespace mbgen::trouble {
 namespace {
 
-double largest(const std::vector<double>& values) {
-  double result = 0;
-  for (const double value : values) result = std::abs(value) <= result ? result : std::abs(value);
-  return result;
-}
-
-/// What integrators ask of the generic runtime.
-struct GenericSystem {
-  using State = GenericState;
-  using Derivative = GenericDerivative;
+/// The generic runtime with what its multistep method remembers.
+struct GenericRun {
   GenericSolver solver;
-  AbmHistory<GenericSystem> history{};
-
-  Status derivative(const State& state, Derivative& rates) const noexcept { return solver.solve_motion(state, rates); }
-  Status project(State& state) const noexcept { return solver.project_motion(state); }
-  Status project_nearest(State& state) const noexcept { return solver.project_nearest(state); }
+  AbmHistory<testing::Dynamics> history{};
 };
 
 /// What a function of an emitted solver says. Fails: std::logic_error when it has touched the heap.
@@ -66,23 +54,25 @@ GenericState unflat(const std::vector<double>& values, std::size_t coordinates) 
 }  // namespace
 
 Solver generic_solver(const Compilation& compilation) {
-  const auto system = std::make_shared<GenericSystem>(
-      GenericSystem{GenericSolver(compilation.model, compilation.topology, compilation.analysis)});
-  const auto given = [system](const Case& at) -> GenericSystem& {
-    system->solver.set_inputs(at.inputs);
-    system->solver.set_parameters(at.parameters);
-    return *system;
+  const auto run = std::make_shared<GenericRun>(
+      GenericRun{GenericSolver(compilation.model, compilation.topology, compilation.analysis)});
+  const auto given = [run](const Case& at) -> GenericRun& {
+    run->solver.set_inputs(at.inputs);
+    run->solver.set_parameters(at.parameters);
+    return *run;
   };
   Solver solver;
   solver.name = "generic";
   solver.accelerations = [given](Case& at) { return given(at).solver.accelerations(at.state, at.tau, at.derivative); };
   solver.project = [given](Case& at) { return given(at).solver.project(at.state); };
-  solver.rk4 = [given](Case& at) { return step_rk4(given(at), at.state, at.h); };
+  solver.rk4 = [given](Case& at) { return step_rk4(testing::Dynamics{given(at).solver}, at.state, at.h); };
   solver.abm4 = [given](Case& at) {
-    GenericSystem& s = given(at);
-    return step_abm4(s, at.state, s.history, at.h);
+    GenericRun& run = given(at);
+    return step_abm4(testing::Dynamics{run.solver}, at.state, run.history, at.h);
   };
-  solver.largest_residual = [given](const Case& at) { return largest(given(at).solver.position_residuals(at.state)); };
+  solver.largest_residual = [given](const Case& at) {
+    return cli::largest_absolute(given(at).solver.position_residuals(at.state));
+  };
   solver.describe = [&compilation](Status status) { return cli::describe(compilation, status); };
   return solver;
 }
@@ -132,7 +122,7 @@ Solver generated_solver(const Compilation& compilation, const std::string& comma
   solver.largest_residual = [loaded, &table](const Case& at) {
     std::vector<double> position(static_cast<std::size_t>(table.closure_equations)), velocity = position;
     table.residuals(at.parameters.data(), at.inputs.data(), flat(at.state).data(), position.data(), velocity.data());
-    return largest(position);
+    return cli::largest_absolute(position);
   };
   solver.describe = [loaded, &table](Status status) {
     const std::string name = table.describe(status);

@@ -70,8 +70,7 @@ inline void find_direction(const T& y, const T& x, T& angle, Bits<T>& marked) no
   const B is_steep = (x_size - y_size) >> 63;
   const B is_behind = x_bits >> 63;
   const B larger = (y_size & is_steep) | (x_size & ~is_steep), smaller = (x_size & is_steep) | (y_size & ~is_steep);
-  constexpr std::int64_t infinity = 0x7ff0000000000000;
-  marked |= (larger == 0) | (larger >= infinity);
+  marked |= (larger == 0) | (larger >= kInfinity);
   // Half a turn is exactly twice the quarter, in both parts.
   const T quarter = T() + kHalfPiHigh, quarter_rest = T() + kHalfPiLow;
   const T half = quarter + quarter, half_rest = quarter_rest + quarter_rest;
@@ -125,8 +124,8 @@ inline double arc_cosine(double x) noexcept { return arc_cosine(x, std::sqrt((1 
 /// The angles (rad) whose tangents are given, as arc_tangent. The arrays must not overlap.
 template <class T, std::size_t N>
 inline void arc_tangents(const T (&tangents)[N], T (&angles)[N]) noexcept {
-  elementary_detail::each_entry(tangents, angles,
-                                [](const auto& x, auto& angle) { elementary_detail::find_arc_tangent(x, angle); });
+  elementary_detail::each_entry([](const auto& x, auto& angle) { elementary_detail::find_arc_tangent(x, angle); },
+                                angles, tangents);
 }
 
 }  // namespace mbgen

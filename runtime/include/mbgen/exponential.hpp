@@ -106,14 +106,14 @@ inline T hyperbolic_tangent(const T& x) noexcept {
 /// The same of many arguments. The arrays must not overlap.
 template <class T, std::size_t N>
 inline void exponentials(const T (&arguments)[N], T (&values)[N]) noexcept {
-  elementary_detail::each_entry(arguments, values, [](const auto& x, auto& value) {
-    elementary_detail::find_exponential(x, std::decay_t<decltype(x)>(), value);
-  });
+  elementary_detail::each_entry(
+      [](const auto& x, auto& value) { elementary_detail::find_exponential(x, std::decay_t<decltype(x)>(), value); },
+      values, arguments);
 }
 template <class T, std::size_t N>
 inline void hyperbolic_tangents(const T (&arguments)[N], T (&values)[N]) noexcept {
   elementary_detail::each_entry(
-      arguments, values, [](const auto& x, auto& value) { elementary_detail::find_hyperbolic_tangent(x, value); });
+      [](const auto& x, auto& value) { elementary_detail::find_hyperbolic_tangent(x, value); }, values, arguments);
 }
 
 }  // namespace mbgen

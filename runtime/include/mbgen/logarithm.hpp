@@ -18,7 +18,7 @@ namespace elementary_detail {
 constexpr double kLogarithm[8] = {0x1.5555555555555p-1, 0x1.9999999999d10p-2, 0x1.24924924399bep-2,
                                   0x1.c71c724b41256p-3, 0x1.745ce1d52c8e0p-3, 0x1.3b20225a5220fp-3,
                                   0x1.0f677496b8b3bp-3, 0x1.0f0c1ff9a6234p-3};
-constexpr std::int64_t kLeastNormal = 0x0010000000000000, kInfinity = 0x7ff0000000000000;
+constexpr std::int64_t kLeastNormal = 0x0010000000000000;
 constexpr std::int64_t kOne = 0x3ff0000000000000, kRootOfHalf = 0x3fe6a09e667f3bcd;
 /// Bits of 2^52: with a small whole number in the low bits the double 2^52 plus that.
 constexpr std::int64_t kWholeNumber = 0x4330000000000000;
@@ -132,9 +132,9 @@ inline T power(const T& x, const T& y) noexcept {
 /// The same of many arguments. The arrays must not overlap.
 template <class T, std::size_t N>
 inline void powers(const T (&bases)[N], const T (&exponents)[N], T (&values)[N]) noexcept {
-  elementary_detail::each_entry(bases, exponents, values, [](const auto& x, const auto& y, auto& value) {
-    elementary_detail::find_power(x, y, value);
-  });
+  elementary_detail::each_entry(
+      [](const auto& x, const auto& y, auto& value) { elementary_detail::find_power(x, y, value); }, values, bases,
+      exponents);
 }
 
 }  // namespace mbgen

@@ -44,6 +44,7 @@ constexpr double kSine[6] = {-0x1.5555555555548p-3, 0x1.111111110f730p-7,   -0x1
 constexpr double kCosine[6] = {0x1.555555555554bp-5,   -0x1.6c16c16c15015p-10, 0x1.a01a019c8f254p-16,
                                -0x1.27e4f7f19148bp-22, 0x1.1ee9dbcefbdc4p-29,  -0x1.8fa684873cb97p-37};
 constexpr std::int64_t kSignless = 0x7fffffffffffffff, kSign = -0x7fffffffffffffff - 1;
+constexpr std::int64_t kInfinity = 0x7ff0000000000000;
 
 /// Left shift without the undefined cases of signed integers.
 [[gnu::always_inline]] inline std::int64_t shifted_left(std::int64_t bits, int places) noexcept {
@@ -130,30 +131,15 @@ using array_detail::LanesOf;
 using array_detail::put_lanes;
 using array_detail::width_for;
 
-/// values[i] = function of the i-th arguments, for doubles in lanes. function(arguments..., result).
-template <class T, std::size_t N, class Function>
-inline void each_entry(const T (&arguments)[N], T (&values)[N], Function function) noexcept {
-  const auto one = [&](std::size_t i) { function(arguments[i], values[i]); };
+/// values[i] = function of the i-th entries of the arguments, for doubles in lanes. function(arguments..., result).
+template <class T, std::size_t N, class Function, class... Arguments>
+inline void each_entry(Function function, T (&values)[N], const Arguments&... arguments) noexcept {
+  const auto one = [&](std::size_t i) { function(arguments[i]..., values[i]); };
   if constexpr (std::is_same_v<T, double>) {
     const auto several = [&](std::size_t i) {
       constexpr int width = width_for(N);
       LanesOf<width> value;
-      function(lanes_at<width>(arguments + i), value);
-      put_lanes(value, values + i);
-    };
-    array_detail::for_all<N>(several, one);
-  } else {
-    for (std::size_t i = 0; i < N; ++i) one(i);
-  }
-}
-template <class T, std::size_t N, class Function>
-inline void each_entry(const T (&first)[N], const T (&second)[N], T (&values)[N], Function function) noexcept {
-  const auto one = [&](std::size_t i) { function(first[i], second[i], values[i]); };
-  if constexpr (std::is_same_v<T, double>) {
-    const auto several = [&](std::size_t i) {
-      constexpr int width = width_for(N);
-      LanesOf<width> value;
-      function(lanes_at<width>(first + i), lanes_at<width>(second + i), value);
+      function(lanes_at<width>(arguments + i)..., value);
       put_lanes(value, values + i);
     };
     array_detail::for_all<N>(several, one);
