@@ -11,8 +11,6 @@ Programs optimise(Programs programs) {
        {&programs.accelerations, &programs.recursive_accelerations, &programs.closure, &programs.closure_terms,
         &programs.accelerations_chosen, &programs.multipliers, &programs.outputs})
     *program = optimise(std::as_const(*program));
-  // The matrix form keeps the order of the paper's steps.
-  programs.recursive_accelerations = shorten_lifetimes(programs.recursive_accelerations);
   return programs;
 }
 
@@ -22,6 +20,7 @@ void take_form(Programs& programs, std::optional<Form> form) {
   programs.operations_of_form[static_cast<int>(Form::matrix)] = matrix;
   programs.operations_of_form[static_cast<int>(Form::recursive)] = recursive;
   programs.form = form.value_or(recursive < matrix ? Form::recursive : Form::matrix);
+  // The matrix form keeps the order of the paper's steps.
   if (programs.form == Form::recursive) programs.accelerations = std::move(programs.recursive_accelerations);
   programs.recursive_accelerations = {};
 }
@@ -58,20 +57,21 @@ Result<Compilation> compile(const std::string& path, std::optional<Form> form) {
   return compile(std::move(*model), form);
 }
 
-Compilation contracted(Compilation compilation) {
-  Programs& programs = compilation.programs;
+Programs as_emitted(Programs programs) {
   for (Program* program : {&programs.accelerations, &programs.closure, &programs.closure_terms,
                            &programs.accelerations_chosen, &programs.multipliers, &programs.outputs})
     *program = contract(std::as_const(*program));
-  return compilation;
+  // The matrix form keeps the order of the paper's steps.
+  if (programs.form == Form::recursive) programs.accelerations = shorten_lifetimes(programs.accelerations);
+  return programs;
 }
 
 std::vector<EmittedFile> emit(const Compilation& compilation, const EmitOptions& options) {
-  return emit(compilation.programs, compilation.model, compilation.topology, compilation.analysis, options);
+  return emit(as_emitted(compilation.programs), compilation.model, compilation.topology, compilation.analysis, options);
 }
 
 EmittedFile emit_clocked_driver(const Compilation& c, int lanes) {
-  return emit_clocked_driver(c.programs, c.model, c.topology, c.analysis, lanes);
+  return emit_clocked_driver(as_emitted(c.programs), c.model, c.topology, c.analysis, lanes);
 }
 
 }  // namespace mbgen

@@ -38,10 +38,11 @@ Result<Compilation> compile(Model model, std::optional<Form> form = {});
 /// Reads and compiles the model of a file. Fails: as the first stage that fails.
 Result<Compilation> compile(const std::string& path, std::optional<Form> form = {});
 
-/// The same with every program contracted, for a solver with lanes, see EmitOptions.
-Compilation contracted(Compilation compilation);
+/// Every program as it is emitted: contracted, so that every compiler rounds alike, and the recursive form in an order
+/// for few registers.
+Programs as_emitted(Programs programs);
 
-/// The files of the specialised solver, see emit. Requires: with lanes, contracted.
+/// The files of the specialised solver, see emit.
 std::vector<EmittedFile> emit(const Compilation& compilation, const EmitOptions& options = {});
 
 /// The driver that times the nine steps, see emit_clocked_driver.

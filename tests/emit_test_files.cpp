@@ -46,6 +46,7 @@ TEST(EmittedFiles, areFourAndTheHeadersTheyInclude) {
                                                  "mbgen/driver.hpp",
                                                  "mbgen/elementary.hpp",
                                                  "mbgen/exponential.hpp",
+                                                 "mbgen/fma.hpp",
                                                  "mbgen/integrators.hpp",
                                                  "mbgen/logarithm.hpp",
                                                  "mbgen/loop.hpp",

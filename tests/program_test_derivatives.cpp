@@ -114,15 +114,15 @@ TEST(Derivative, TextIsTheProgramItsSeedsAndTheirProducts) {
   builder.output("y", 0, (sin(z) + t).value(builder));
   EXPECT_EQ(dump(differentiate(builder.finish(), std::vector<int>{0, -1})),
             "program f\n"
-            "%0 = input z[0]\n"
-            "%1 = input t[0]\n"
+            "%0 = input t[0]\n"
+            "%1 = input z[0]\n"
             "; section positions\n"
-            "%2 = sin %0\n"
-            "%3 = add %1 %2\n"
-            "%4 = input seed[0]\n"
-            "%5 = cos %0\n"
-            "%6 = mul %4 %5\n"
-            "out y[0] = %3\n"
+            "%2 = sin %1\n"
+            "%3 = input seed[0]\n"
+            "%4 = add %0 %2\n"
+            "%5 = cos %1\n"
+            "%6 = mul %3 %5\n"
+            "out y[0] = %4\n"
             "out d_y[0] = %6\n");
 }
 
@@ -207,10 +207,10 @@ TEST(PassText, ThreeDivisionsByOneValueShareAReciprocal) {
   EXPECT_EQ(count_operations(optimise(divisions(3, three))).divide, 0);
 }
 
-TEST(PassText, ProductsThatOneSumNeedsGoIntoIt) {
+TEST(PassText, ProductsThatOnlySumsNeedGoIntoThem) {
   ProgramBuilder builder("f");
   const auto x = [&](int i) { return Expr(builder, builder.input("x", i)); };
-  const Expr shared = x(0) * x(0), named = x(1) * x(1);
+  const Expr kept = x(0) * x(0), named = x(1) * x(1), shared = x(0) * x(3);
   builder.label(named.value(builder), "named");
   const auto output = [&](int i, const Expr& value) { builder.output("y", i, value.value(builder)); };
   output(0, x(0) * x(1) + x(1));
@@ -218,30 +218,38 @@ TEST(PassText, ProductsThatOneSumNeedsGoIntoIt) {
   output(2, x(1) - x(2) * x(2));
   const Expr earlier = 2.0 * x(0), later = 3.0 * x(1);
   output(3, earlier + later);
-  output(4, shared + x(1));
-  output(5, shared - named);
+  output(4, kept + x(1));
+  output(5, sqrt(kept) - named);
+  output(6, shared + x(1));
+  output(7, x(2) - shared);
   EXPECT_EQ(dump(contract(builder.finish())),
             "program f\n"
             "%0 = input x[0]\n"
             "%1 = mul %0 %0\n"
             "%2 = input x[1]\n"
             "%3 = mul %2 %2  ; named\n"
-            "%4 = muladd %0 %2 %2\n"
-            "%5 = input x[2]\n"
-            "%6 = mulsub %0 %5 %2\n"
-            "%7 = submul %2 %5 %5\n"
-            "%8 = constant 2\n"
-            "%9 = mul %8 %0\n"
-            "%10 = constant 3\n"
-            "%11 = muladd %10 %2 %9\n"
-            "%12 = add %1 %2\n"
-            "%13 = sub %1 %3\n"
-            "out y[0] = %4\n"
-            "out y[1] = %6\n"
-            "out y[2] = %7\n"
-            "out y[3] = %11\n"
-            "out y[4] = %12\n"
-            "out y[5] = %13\n");
+            "%4 = input x[3]\n"
+            "%5 = muladd %0 %2 %2\n"
+            "%6 = input x[2]\n"
+            "%7 = mulsub %0 %6 %2\n"
+            "%8 = submul %2 %6 %6\n"
+            "%9 = constant 2\n"
+            "%10 = mul %9 %0\n"
+            "%11 = constant 3\n"
+            "%12 = muladd %11 %2 %10\n"
+            "%13 = add %1 %2\n"
+            "%14 = sqrt %1\n"
+            "%15 = sub %14 %3\n"
+            "%16 = muladd %0 %4 %2\n"
+            "%17 = submul %6 %0 %4\n"
+            "out y[0] = %5\n"
+            "out y[1] = %7\n"
+            "out y[2] = %8\n"
+            "out y[3] = %12\n"
+            "out y[4] = %13\n"
+            "out y[5] = %15\n"
+            "out y[6] = %16\n"
+            "out y[7] = %17\n");
 }
 
 TEST(Passes, MergedQuotientsAreWithinTheStatedRounding) {

@@ -49,7 +49,7 @@ bool is_usable(const fs::path& directory) {
   return !problem && ::access(directory.c_str(), W_OK | X_OK) == 0;
 }
 
-Compiler find_compiler(const fs::path& scratch, Contraction contraction) {
+Compiler find_compiler(const fs::path& scratch, int lanes) {
   Compiler compiler;
   const std::string chosen = environment("CXX");
   compiler.words = split_words(chosen);
@@ -65,9 +65,9 @@ Compiler find_compiler(const fs::path& scratch, Contraction contraction) {
   }
   compiler.version = read_text(answer);
   const bool is_clang = compiler.version.find("clang") != std::string::npos;
-  compiler.flags = solver_compile_flags(is_clang ? CompilerFamily::clang : CompilerFamily::gnu, contraction);
+  compiler.flags = solver_compile_flags(is_clang ? CompilerFamily::clang : CompilerFamily::gnu);
 #if defined(__x86_64__)
-  if (!is_clang && contraction == Contraction::in_program) compiler.flags.push_back(kFlagOfLanesOnX86);
+  if (!is_clang && lanes > 0) compiler.flags.push_back(kFlagOfLanesOnX86);
 #endif
   compiler.flags.insert(compiler.flags.end(), {"-march=native", "-std=c++17", "-fPIC"});
   return compiler;
@@ -169,7 +169,7 @@ std::shared_ptr<const SolverTable> load_solver(const Compilation& compilation, c
   const fs::path cache = use_cache ? cache_directory() : fs::path();
   const bool has_cache = !cache.empty() && is_usable(cache);
   const TemporaryDirectory scratch(has_cache ? cache : fs::temp_directory_path() / "mbgen");
-  const Compiler compiler = find_compiler(scratch.path(), contraction_of(choice.lanes));
+  const Compiler compiler = find_compiler(scratch.path(), choice.lanes);
   const fs::path kept = cache / object_name(solver_name(compilation.model), files, compiler);
 
   if (has_cache && fs::exists(kept)) {

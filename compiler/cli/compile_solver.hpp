@@ -10,9 +10,10 @@
 namespace mbgen::cli {
 
 /// Emits the solver and its driver, compiles them with $CXX (or c++) for this processor and loads the result.
-/// choice: its use, its lanes, and use_cache: look for the object under ${XDG_CACHE_HOME:-~/.cache}/mbgen first, and keep it there. Its name is a hash
-/// of the code, the compiler's version, the flags and the processor; any number of mbgen may run at the same time.
-/// Requires: with lanes, contracted. Fails: UserError when there is no compiler (the text names --engine generic), std::runtime_error with the end of the
+/// choice: its use, its lanes, and use_cache: look for the object under ${XDG_CACHE_HOME:-~/.cache}/mbgen first, and
+/// keep it there. Its name is a hash of the code, the compiler's version, the flags and the processor; any number of
+/// mbgen may run at the same time.
+/// Fails: UserError when there is no compiler (the text names --engine generic), std::runtime_error with the end of the
 /// compiler's messages when it rejects the code.
 std::shared_ptr<const SolverTable> load_solver(const Compilation& compilation, const EngineChoice& choice);
 

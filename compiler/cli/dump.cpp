@@ -109,7 +109,7 @@ std::string dump_stage(const std::string& path, const std::string& stage) {
   programs = optimise(std::move(programs));
   take_form(programs, {});
   if (stage == "optimised") return dump_programs(programs);
-  return dump_code(emit(programs, model, topology, analysis, {.runtime_headers = false}));
+  return dump_code(emit(as_emitted(std::move(programs)), model, topology, analysis, {.runtime_headers = false}));
 }
 
 }  // namespace mbgen::cli

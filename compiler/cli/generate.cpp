@@ -29,8 +29,7 @@ int run(const Options& options) {
     return kDone;
   }
   if (options.directory.empty()) throw UserError("generate: --out DIR is required\n");
-  Compilation compilation = expect(compile(options.model, chosen_form(options.form)));
-  if (options.emit.lanes > 0) compilation = contracted(std::move(compilation));
+  const Compilation compilation = expect(compile(options.model, chosen_form(options.form)));
   std::vector<NamedText> files;
   std::vector<std::string> paths;
   for (EmittedFile& file : emit(compilation, options.emit)) {

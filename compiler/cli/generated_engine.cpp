@@ -167,7 +167,7 @@ std::array<double, kSteps> step_shares(LoadedSolver& solver, const std::vector<L
 
 std::shared_ptr<LoadedSolver> load(const Compilation& compilation, const EngineChoice& choice) {
   auto solver = std::make_shared<LoadedSolver>();
-  solver->table = choice.lanes > 0 ? load_solver(contracted(compilation), choice) : load_solver(compilation, choice);
+  solver->table = load_solver(compilation, choice);
   const SolverTable& table = *solver->table;
   solver->parameters.assign(table.default_parameters, table.default_parameters + table.parameters);
   solver->inputs.assign(table.default_inputs, table.default_inputs + table.inputs);

@@ -63,10 +63,7 @@ EmittedFile emit_clocked_driver(const Programs& programs, const Model& model, co
   const SolverNames names = solver_names(model, topology);
   const ShapedProgram clocked = clocked_accelerations(programs, solver_layout(model, topology, analysis), names);
   const std::string program = program_text(*clocked.program, clocked.shape);
-  const std::string more = lanes > 0 ? "#include \"mbgen/multiply_add.hpp\"\n" : "";
-  return driver(model, lanes,
-                fill_template("step_clock.cpp.in",
-                              {{"contraction_include", more}, {"solver", names.solver}, {"program", program}}));
+  return driver(model, lanes, fill_template("step_clock.cpp.in", {{"solver", names.solver}, {"program", program}}));
 }
 
 }  // namespace mbgen

@@ -58,17 +58,12 @@ std::vector<EmittedFile> emit(const Programs& programs, const Model& model, cons
   return files;
 }
 
-std::vector<std::string> solver_compile_flags(CompilerFamily family, Contraction contraction) {
+std::vector<std::string> solver_compile_flags(CompilerFamily family) {
   std::vector<std::string> flags = {
-      "-std=c++17",
-      "-O2",
-      "-fno-exceptions",
-      "-fno-rtti",
-      "-fno-math-errno",
-      "-fno-trapping-math",
-      contraction == Contraction::by_compiler ? "-ffp-contract=fast" : "-ffp-contract=off"};
+      "-std=c++17",       "-O2", "-fno-exceptions", "-fno-rtti", "-fno-math-errno", "-fno-trapping-math",
+      "-ffp-contract=off"};
   // Vectors wider than the processor's stay inside one file; this note of g++ has no line that a pragma could reach.
-  if (contraction != Contraction::by_compiler && family == CompilerFamily::gnu) flags.push_back("-Wno-psabi");
+  if (family == CompilerFamily::gnu) flags.push_back("-Wno-psabi");
   // The compilers' own vectorisers make this code larger and slower; loops turned into memcpy would need the C library.
   if (family == CompilerFamily::gnu) {
     flags.insert(flags.end(), {"-fno-tree-vectorize", "-fno-tree-loop-distribute-patterns"});

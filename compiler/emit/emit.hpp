@@ -29,8 +29,7 @@ struct EmitOptions {
 
 /// The specialised solver: <model>.hpp, <model>.cpp, <model>.json (manifest), CMakeLists.txt, and the runtime headers;
 /// with lanes also <model>_batch.hpp and <model>_batch.cpp.
-/// Requires: `programs` traced from the same model, topology and analysis; with lanes also contracted, so that lanes
-/// and scalar solver round alike.
+/// Requires: `programs` traced from the same model, topology and analysis, and contracted: compilers do not contract.
 std::vector<EmittedFile> emit(const Programs& programs, const Model& model, const Topology& topology,
                               const Analysis& analysis, const EmitOptions& options = {});
 
@@ -46,21 +45,10 @@ EmittedFile emit_clocked_driver(const Programs& programs, const Model& model, co
 /// The compilers that emitted code is tuned for.
 enum class CompilerFamily { gnu, clang };
 
-/// Who contracts products and sums into fused multiply-adds.
-enum class Contraction {
-  by_compiler,
-  in_program  ///< the pass `contract`; the compiler must not
-};
-
-/// Who contracts the code of a solver with so many lanes.
-constexpr Contraction contraction_of(int lanes) {
-  return lanes > 0 ? Contraction::in_program : Contraction::by_compiler;
-}
-
 /// Flags that make emitted code fast and keep its object free of symbols other than libm's; the one place they are
-/// listed. Without the processor flag (-march) and without warnings. Source: design.md section 7.
-std::vector<std::string> solver_compile_flags(CompilerFamily family,
-                                              Contraction contraction = Contraction::by_compiler);
+/// listed. Without the processor flag (-march) and without warnings. Source: design.md section 7, but for contraction,
+/// which is the program's own: see docs/determinism.md.
+std::vector<std::string> solver_compile_flags(CompilerFamily family);
 
 /// What g++ needs beside them for solvers with lanes on x86-64, and only there: in a red zone it places vectors beside
 /// their alignment, so that each of them on the stack is addressed with four bytes in place of one.

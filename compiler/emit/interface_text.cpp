@@ -98,10 +98,9 @@ std::string base_name(const std::string& path) {
   return slash == std::string::npos ? path : path.substr(slash + 1);
 }
 
-std::string cmake_flags(CompilerFamily family, int lanes) {
+std::string cmake_flags(CompilerFamily family) {
   std::string text;
-  for (const std::string& flag : solver_compile_flags(family, contraction_of(lanes)))
-    text += (text.empty() ? "" : " ") + flag;
+  for (const std::string& flag : solver_compile_flags(family)) text += (text.empty() ? "" : " ") + flag;
   return wrapped_words(text, "      ");
 }
 
@@ -111,17 +110,6 @@ std::string x86_flags(int lanes) {
   return fmt::format(
       "  if(CMAKE_SYSTEM_PROCESSOR MATCHES \"x86_64|AMD64\")\n    list(APPEND solver_flags {})\n  endif()\n",
       kFlagOfLanesOnX86);
-}
-
-/// A solver with lanes has the same bits anyway, see docs/determinism.md.
-std::string same_bits_option(int lanes) {
-  if (lanes > 0) return "";
-  return "option(MBGEN_SAME_BITS \"the same bits with every compiler and processor, at some cost of time\" OFF)\n";
-}
-
-std::string same_bits_flag(int lanes) {
-  if (lanes > 0) return "";
-  return "if(MBGEN_SAME_BITS)\n  list(APPEND solver_flags -ffp-contract=off)\nendif()\n";
 }
 
 }  // namespace
@@ -194,11 +182,9 @@ std::string build_text(const EmitContext& context) {
   return fill_template("CMakeLists.txt.in", {{"banner", banner_text(context.model, "#")},
                                              {"solver", solver},
                                              {"sources", sources},
-                                             {"gnu_flags", cmake_flags(CompilerFamily::gnu, context.lanes)},
+                                             {"gnu_flags", cmake_flags(CompilerFamily::gnu)},
                                              {"x86_flags", x86_flags(context.lanes)},
-                                             {"same_bits_option", same_bits_option(context.lanes)},
-                                             {"same_bits_flag", same_bits_flag(context.lanes)},
-                                             {"clang_flags", cmake_flags(CompilerFamily::clang, context.lanes)}});
+                                             {"clang_flags", cmake_flags(CompilerFamily::clang)}});
 }
 
 }  // namespace mbgen

@@ -210,18 +210,16 @@ std::string solver_text(const EmitContext& context) {
   }
   const std::string system = system_text(context, members, "double");
   const InputText inputs = input_text(context.model, context.names);
-  return fill_template("solver.cpp.in",
-                       {{"banner", banner_text(context.model, "//")},
-                        {"solver", context.names.solver},
-                        {"contraction_include", context.lanes > 0 ? "#include \"mbgen/multiply_add.hpp\"\n" : ""},
-                        {"projection_struct", projection_struct(context.layout)},
-                        {"programs", programs},
-                        {"outputs_call", outputs_call(context)},
-                        {"system", system},
-                        {"advance_inputs", inputs.definition},
-                        {"inputs_now", inputs.now},
-                        {"inputs", inputs.name},
-                        {"start", inputs.start}});
+  return fill_template("solver.cpp.in", {{"banner", banner_text(context.model, "//")},
+                                         {"solver", context.names.solver},
+                                         {"projection_struct", projection_struct(context.layout)},
+                                         {"programs", programs},
+                                         {"outputs_call", outputs_call(context)},
+                                         {"system", system},
+                                         {"advance_inputs", inputs.definition},
+                                         {"inputs_now", inputs.now},
+                                         {"inputs", inputs.name},
+                                         {"start", inputs.start}});
 }
 
 }  // namespace mbgen

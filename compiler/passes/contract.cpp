@@ -1,33 +1,48 @@
 #include "compiler/passes/contract.hpp"
 
+#include <algorithm>
 #include <span>
 #include <utility>
+#include <vector>
 
 #include "compiler/passes/dead_values.hpp"
 
 namespace mbgen {
 namespace {
 
-/// Products that one value needs and nothing else, one flag per node.
-std::vector<bool> single_products(const Program& program) {
-  std::vector<int> users(program.nodes.size(), 0);
-  for (const Node& node : program.nodes) {
-    for (int k = 0; k < arity(node.op); ++k) ++users[node.operands[k]];
+bool is_sum(const Node& node) { return node.op == Op::add || node.op == Op::subtract; }
+
+/// The sums that need a product, empty when something else needs it too.
+std::vector<std::vector<ValueId>> sums_of_products(const Program& program) {
+  std::vector<std::vector<ValueId>> sums(program.nodes.size());
+  std::vector<bool> is_kept(program.nodes.size(), false);
+  for (const OutputValue& output : program.outputs) is_kept[output.value] = true;
+  for (std::size_t i = 0; i < program.nodes.size(); ++i) {
+    const Node& node = program.nodes[i];
+    for (int k = 0; k < arity(node.op); ++k) {
+      const ValueId operand = node.operands[k];
+      if (!is_sum(node) || node.operands[0] == node.operands[1]) is_kept[operand] = true;
+      sums[operand].push_back(static_cast<ValueId>(i));
+    }
   }
-  for (const OutputValue& output : program.outputs) users[output.value] += 2;
-  std::vector<bool> single(program.nodes.size(), false);
-  for (std::size_t i = 0; i < users.size(); ++i) {
-    single[i] = users[i] == 1 && program.nodes[i].op == Op::multiply && program.nodes[i].label < 0;
+  for (std::size_t i = 0; i < sums.size(); ++i) {
+    const Node& node = program.nodes[i];
+    if (is_kept[i] || node.op != Op::multiply || node.label >= 0) sums[i].clear();
   }
-  return single;
+  return sums;
 }
 
-/// Which operand of a sum or difference goes into it, -1 for none.
-int contracted_operand(const Node& node, const std::vector<bool>& single) {
-  if (node.op != Op::add && node.op != Op::subtract) return -1;
-  const bool first = single[node.operands[0]], second = single[node.operands[1]];
-  if (first && second) return node.operands[0] > node.operands[1] ? 0 : 1;
-  return first ? 0 : second ? 1 : -1;
+/// Per node, which operand goes into it, -1 for none. A product goes into all sums that need it or stays; the later of
+/// two in one sum goes first, for the other is known before.
+std::vector<int> contracted_operands(const Program& program) {
+  const std::vector<std::vector<ValueId>> sums = sums_of_products(program);
+  std::vector<int> contracted(program.nodes.size(), -1);
+  for (std::size_t product = sums.size(); product-- > 0;) {
+    const bool all_free = std::ranges::all_of(sums[product], [&](ValueId sum) { return contracted[sum] < 0; });
+    if (!all_free) continue;
+    for (const ValueId sum : sums[product]) contracted[sum] = program.nodes[sum].operands[0] == product ? 0 : 1;
+  }
+  return contracted;
 }
 
 // a b + c -> muladd(a, b, c)
@@ -45,12 +60,13 @@ ValueId contracted(ProgramBuilder& builder, const Program& program, const Node& 
 }  // namespace
 
 Program contract(const Program& program) {
-  const std::vector<bool> single = single_products(program);
+  const std::vector<int> operands = contracted_operands(program);
   ProgramBuilder builder = ProgramBuilder::like(program);
   std::vector<ValueId> renamed;
   renamed.reserve(program.nodes.size());
-  for (const Node& node : program.nodes) {
-    const int operand = contracted_operand(node, single);
+  for (std::size_t i = 0; i < program.nodes.size(); ++i) {
+    const Node& node = program.nodes[i];
+    const int operand = operands[i];
     if (operand < 0) {
       renamed.push_back(builder.copy(program, node, renamed));
       continue;

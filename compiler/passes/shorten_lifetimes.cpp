@@ -7,6 +7,13 @@
 namespace mbgen {
 namespace {
 
+bool is_sum(const Node& node) { return node.op == Op::add || node.op == Op::subtract; }
+
+/// A sum with a product in it.
+bool is_contracted(const Node& node) {
+  return node.op == Op::multiply_add || node.op == Op::multiply_subtract || node.op == Op::subtract_product;
+}
+
 bool is_operation(const Node& node) { return node.op != Op::constant && node.op != Op::input; }
 
 /// Numbers of uses, and of the last user per value; outputs live to the end.
@@ -48,19 +55,25 @@ Program sorted(const Program& program, const std::vector<ValueId>& key) {
   return verified(std::move(result));
 }
 
-/// Sums of values that have no other use, as early as their operands allow.
+/// Whether the value, computed as soon as its operands are known, makes no more of them live on.
+bool comes_early(const Program& program, const Uses& uses, ValueId value) {
+  const Node& node = program.nodes[value];
+  const auto lives_on = [&](ValueId operand) { return uses.count[operand] > 1; };
+  if (is_sum(node)) return !lives_on(node.operands[0]) || !lives_on(node.operands[1]);
+  if (is_contracted(node)) return !lives_on(node.operands[node.op == Op::subtract_product ? 0 : 2]);
+  if (node.op != Op::multiply || uses.count[value] != 1) return false;
+  const Node& user = program.nodes[uses.first[value]];
+  return is_sum(user) || is_contracted(user);
+}
+
+/// Sums of values that have no other use, and the products in them, as early as their operands allow.
 Program with_early_sums(const Program& program) {
   const Uses uses(program);
   std::vector<ValueId> key(program.nodes.size());
   for (ValueId v = 0; v < program.nodes.size(); ++v) {
-    const Node& node = program.nodes[v];
     key[v] = v;
-    const bool is_sum = node.op == Op::add || node.op == Op::subtract;
-    const bool is_lone_product =
-        node.op == Op::multiply && uses.count[v] == 1 &&
-        (program.nodes[uses.first[v]].op == Op::add || program.nodes[uses.first[v]].op == Op::subtract);
-    if (!is_sum && !is_lone_product) continue;
-    if (is_sum && uses.count[node.operands[0]] > 1 && uses.count[node.operands[1]] > 1) continue;
+    if (!comes_early(program, uses, v)) continue;
+    const Node& node = program.nodes[v];
     key[v] = 0;
     for (int k = 0; k < arity(node.op); ++k) key[v] = std::max(key[v], key[node.operands[k]]);
   }

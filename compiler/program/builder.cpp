@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "compiler/program/arithmetic.hpp"
+#include "compiler/program/canonical_order.hpp"
 #include "compiler/program/program.hpp"
 #include "compiler/program/rules.hpp"
 
@@ -87,11 +88,10 @@ ValueId ProgramBuilder::input(const std::string& group, int index) {
 ValueId ProgramBuilder::input(std::size_t index) {
   ValueId& value = input_value_[index];
   if (value == kNoValue) {
-    value = static_cast<ValueId>(program_.nodes.size());
     Node node;
     node.op = Op::input;
     node.input = static_cast<std::int32_t>(index);
-    program_.nodes.push_back(node);
+    value = push(node);
   }
   return value;
 }
@@ -136,10 +136,15 @@ ValueId ProgramBuilder::share_or_push(const Node& node) {
   for (auto candidate = begin; candidate != end; ++candidate) {
     if (computes_same(program_.nodes[candidate->second], node)) return candidate->second;
   }
-  const auto value = static_cast<ValueId>(program_.nodes.size());
-  program_.nodes.push_back(node);
+  const ValueId value = push(node);
   shared_.emplace(hash, value);
   return value;
+}
+
+ValueId ProgramBuilder::push(const Node& node) {
+  program_.nodes.push_back(node);
+  moments_.push_back(moment_);
+  return static_cast<ValueId>(program_.nodes.size() - 1);
 }
 
 ValueId ProgramBuilder::copy(const Program& source, const Node& node, std::span<const ValueId> renamed) {
@@ -158,18 +163,22 @@ ValueId ProgramBuilder::copy(const Program& source, const Node& node, std::span<
 }
 
 void ProgramBuilder::output(const std::string& group, int index, ValueId value) {
+  ++moment_;
   program_.outputs.push_back({{group, index}, value});
 }
 
 void ProgramBuilder::set_section(const std::string& title) {
+  ++moment_;
   if (program_.sections[section_] != title) section_ = find_or_add(program_.sections, section_index_, title);
 }
 
 void ProgramBuilder::set_block(const std::string& title) {
+  ++moment_;
   if (program_.blocks[block_] != title) block_ = find_or_add(program_.blocks, block_index_, title);
 }
 
 void ProgramBuilder::label(ValueId value, const std::string& name) {
+  ++moment_;
   Node& named = program_.nodes[value];
   if (named.op == Op::constant || named.op == Op::input || named.label >= 0) return;
   named.label = static_cast<std::int32_t>(program_.labels.size());
@@ -184,6 +193,11 @@ Program ProgramBuilder::finish() {
   Program finished = std::move(program_);
   *this = ProgramBuilder("");
   return verified(std::move(finished));
+}
+
+Program ProgramBuilder::finish_in_canonical_order() {
+  const std::vector<std::uint32_t> moments = std::move(moments_);
+  return verified(in_canonical_order(finish(), moments));
 }
 
 }  // namespace mbgen

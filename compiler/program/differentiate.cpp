@@ -156,7 +156,7 @@ Program differentiate(const Program& program, std::span<const int> seed_of_input
     if (taken.contains({group, slot.index})) continue;
     derivation.builder.output(group, slot.index, derivatives[value].value(derivation.builder));
   }
-  return derivation.builder.finish();
+  return derivation.builder.finish_in_canonical_order();
 }
 
 Program jacobian(const Program& program, const std::string& output_group, const std::string& input_group) {
@@ -177,7 +177,7 @@ Program jacobian(const Program& program, const std::string& output_group, const 
       derivation.builder.output(group, slot.index * columns + column, derivatives[value].value(derivation.builder));
     }
   }
-  return derivation.builder.finish();
+  return derivation.builder.finish_in_canonical_order();
 }
 
 }  // namespace mbgen

@@ -36,7 +36,7 @@ enum class Op : std::uint8_t {
   abs,
   min,
   max,
-  select,       ///< select(x, a, b): a where x >= 0, else b (b for NaN); min and max are std::min and std::max
+  select,  ///< select(x, a, b): a where x >= 0, else b (b for NaN); min and max are std::min and std::max
   // Rounded once; only the pass `contract` makes these.
   multiply_add,       ///< multiply_add(a, b, c): a b + c
   multiply_subtract,  ///< multiply_subtract(a, b, c): a b - c
@@ -121,13 +121,20 @@ class ProgramBuilder {
   bool is_constant(ValueId value) const { return node(value).op == Op::constant; }
   bool is_constant(ValueId value, double constant) const;
 
-  /// The finished program, verified. The builder is empty afterwards. Fails: std::logic_error with the text of verify.
+  /// The finished program, verified, its values in the order in which they were appended. The builder is empty
+  /// afterwards. Fails: std::logic_error with the text of verify.
   Program finish();
+  /// The same for a program whose values come from C++ expressions, which compilers evaluate in orders of their own:
+  /// its order does not depend on them.
+  Program finish_in_canonical_order();
 
  private:
   ValueId share_or_push(const Node& node);
   ValueId input(std::size_t index);
+  ValueId push(const Node& node);
   Program program_;
+  std::vector<std::uint32_t> moments_;  ///< per node, the statements before it: sections, blocks, labels, outputs
+  std::uint32_t moment_ = 0;
   std::unordered_map<std::string, std::size_t> input_index_;  ///< by the text of the slot
   std::vector<ValueId> input_value_;                          ///< per input, kNoValue before its first use
   std::unordered_multimap<std::uint64_t, ValueId> shared_;    ///< values by hash

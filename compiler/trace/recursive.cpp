@@ -38,7 +38,7 @@ Program trace_recursive_accelerations(const Model& model, const Topology& topolo
   tracing.outputs("xd", forces.xd);
   for (std::size_t b = 0; b < topology.blocks.size(); ++b)
     if (analysis.blocks[b].rank > 0) tracing.output("pivot", static_cast<int>(b), solution.quality[b]);
-  return tracing.builder.finish();
+  return tracing.builder.finish_in_canonical_order();
 }
 
 Program cheapest_recursion(const Model& model, const Topology& topology, const Analysis& analysis) {

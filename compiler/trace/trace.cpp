@@ -100,7 +100,7 @@ Program trace_accelerations(const Model& model, const Topology& topology, const 
   trace_solution(tracing, k, m, v, forces, projections);
   for (std::size_t b = 0; b < topology.blocks.size(); ++b)
     if (analysis.blocks[b].rank > 0) tracing.output("pivot", static_cast<int>(b), blocks.factors[b].quality);
-  return tracing.builder.finish();
+  return tracing.builder.finish_in_canonical_order();
 }
 
 Program trace_accelerations_chosen(const Model& model, const Topology& topology, const Analysis& analysis) {
@@ -129,7 +129,7 @@ Program trace_accelerations_chosen(const Model& model, const Topology& topology,
     projections.push_back(std::move(chosen));
   }
   trace_solution(tracing, k, m, v, forces, projections);
-  return tracing.builder.finish();
+  return tracing.builder.finish_in_canonical_order();
 }
 
 /// Newton correction of positions and consistent velocities by the frozen factors (60), (61).
@@ -174,7 +174,7 @@ Program trace_closure(const Model& model, const Topology& topology, const Analys
   tracing.outputs("residual", residual);
   tracing.outputs("dz", dz);
   tracing.outputs("zd", zd);
-  return tracing.builder.finish();
+  return tracing.builder.finish_in_canonical_order();
 }
 
 /// Phi_z zd per equation.
@@ -214,7 +214,7 @@ Program trace_closure_terms(const Model& model, const Topology& topology, const 
     tracing.output("driven_velocity", d.coordinate, d.velocity);
     tracing.output("driven_acceleration", d.coordinate, d.acceleration);
   }
-  return tracing.builder.finish();
+  return tracing.builder.finish_in_canonical_order();
 }
 
 /// A state with given accelerations, and the generalised forces that its constraints must provide.
@@ -280,7 +280,7 @@ Program trace_multipliers(const Model& model, const Topology& topology, const An
   }
   tracing.outputs("lambda", in_loop_order(topology, lambda));
   tracing.outputs("drive", driving_forces(tracing, left));
-  return tracing.builder.finish();
+  return tracing.builder.finish_in_canonical_order();
 }
 
 bool looks_at_multipliers(const Model& model) {
@@ -313,7 +313,7 @@ Program trace_outputs(const Model& model, const Topology& topology, const Analys
   const Energies<Expr> e = energies(system, solved, s.inertias, s.tau, driven);
   tracing.outputs("energy", {e.kinetic, e.potential});
   tracing.outputs("power", {e.power});
-  return tracing.builder.finish();
+  return tracing.builder.finish_in_canonical_order();
 }
 
 }  // namespace

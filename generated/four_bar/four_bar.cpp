@@ -3,6 +3,7 @@
 #include "four_bar.hpp"
 
 #include "mbgen/elementary.hpp"
+#include "mbgen/fma.hpp"
 #include "mbgen/motion.hpp"
 #include "mbgen/scalar.hpp"
 #include "mbgen/solver.hpp"
@@ -35,13 +36,13 @@ void compute_accelerations(const Parameters& parameters, const Inputs& inputs, c
   double R_crank_x_x, R_crank_x_z;
   mbgen::sincos(z_crank_pin, R_crank_x_z, R_crank_x_x);
   // coupler: coupler_pin, revolute, crank
-  const double r_coupler_x = 0.05*R_crank_x_z + 0.1*R_crank_x_x;
-  const double r_coupler_z = 0.05*R_crank_x_x - 0.1*R_crank_x_z;
   const double z_coupler_pin = state.z[Coordinate::coupler_pin];
   double s1_1, s1_2;
   mbgen::sincos(z_coupler_pin, s1_2, s1_1);
-  const double R_coupler_x_x = R_crank_x_x*s1_1 - R_crank_x_z*s1_2;
-  const double R_coupler_x_z = R_crank_x_x*s1_2 + R_crank_x_z*s1_1;
+  const double R_coupler_x_x = mbgen::fnma(R_crank_x_z, s1_2, R_crank_x_x*s1_1);
+  const double R_coupler_x_z = mbgen::fma(R_crank_x_x, s1_2, R_crank_x_z*s1_1);
+  const double r_coupler_x = mbgen::fma(0.1, R_crank_x_x, 0.05*R_crank_x_z);
+  const double r_coupler_z = mbgen::fnma(0.1, R_crank_x_z, 0.05*R_crank_x_x);
   // rocker: rocker_pin, revolute, ground
   const double z_rocker_pin = state.z[Coordinate::rocker_pin];
   double R_rocker_x_x, R_rocker_x_z;
@@ -50,37 +51,37 @@ void compute_accelerations(const Parameters& parameters, const Inputs& inputs, c
 
   // --- step 5: applied forces Q (48) ---
   // return_spring
-  const double s5_1 = 0.15*R_rocker_x_x - 0.009999999999999953*R_rocker_x_z;
-  const double s5_2 = 0.4 + 0.15*R_rocker_x_z + 0.009999999999999953*R_rocker_x_x;
-  const double s5_3 = 0.6 - s5_2;
+  const double s5_1 = mbgen::fnma(0.009999999999999953, R_rocker_x_z, 0.15*R_rocker_x_x);
+  const double s5_2 = mbgen::fma(0.15, R_rocker_x_z, 0.4);
+  const double s5_3 = mbgen::fma(0.009999999999999953, R_rocker_x_x, s5_2);
   const double s5_4 = 0.1 - s5_1;
-  const double s5_5 = std::sqrt(s5_4*s5_4 + s5_3*s5_3);
-  const double tension_return_spring = parameters.k*(s5_5 - 0.18);
-  const double s5_6 = 1.0/s5_5*tension_return_spring;
-  const double s5_7 = s5_4*s5_6;
-  const double s5_8 = s5_1*(s5_3*s5_6) - s5_2*s5_7 + 0.4*s5_7;
+  const double s5_5 = 0.6 - s5_3;
+  const double s5_6 = std::sqrt(mbgen::fma(s5_5, s5_5, s5_4*s5_4));
+  const double tension_return_spring = parameters.k*(s5_6 - 0.18);
+  const double s5_7 = tension_return_spring*(1.0/s5_6);
+  const double s5_8 = s5_4*s5_7;
+  const double s5_9 = mbgen::fma(0.4, s5_8, mbgen::fnma(s5_3, s5_8, s5_1*(s5_5*s5_7)));
   // operations: 9 add, 13 multiply, 1 divide, 1 sqrt
 
   // --- step 2: closure Jacobian Phi_z and its factors (60), rocker_tip ---
   // rocker_tip
-  const double s2_1 = 0.2*R_coupler_x_z + 0.31999999999999995*R_coupler_x_x;
-  const double s2_2 = 0.2*R_coupler_x_x - 0.31999999999999995*R_coupler_x_z;
-  const double s2_3 = 0.25*R_rocker_x_z + 0.019999999999999962*R_rocker_x_x;
-  const double s2_4 = 0.25*R_rocker_x_x - 0.019999999999999962*R_rocker_x_z;
-  const double s2_5 = r_coupler_z + s2_2;
-  const double s2_6 = 1.0/s2_4;
-  const double s2_7 = s2_3*s2_6;
-  const double s2_8 = s2_5*s2_7 - r_coupler_x - s2_1;
-  const double s2_9 = s2_2*s2_7 - s2_1;
-  const double s2_10 = 2.5000000000000004*std::abs(s2_8);
-  result.pivot[0] = mbgen::min(3.999888870509994*std::abs(s2_4), s2_10);
-  // operations: 8 add, 13 multiply, 1 divide, 3 other
+  const double s2_1 = mbgen::fma(0.31999999999999995, R_coupler_x_x, 0.2*R_coupler_x_z);
+  const double s2_2 = mbgen::fnma(0.31999999999999995, R_coupler_x_z, 0.2*R_coupler_x_x);
+  const double s2_3 = mbgen::fma(0.019999999999999962, R_rocker_x_x, 0.25*R_rocker_x_z);
+  const double s2_4 = mbgen::fnma(0.019999999999999962, R_rocker_x_z, 0.25*R_rocker_x_x);
+  const double s2_5 = 1.0/s2_4;
+  const double s2_6 = s2_3*s2_5;
+  const double s2_7 = r_coupler_z + s2_2;
+  const double s2_8 = mbgen::fms(s2_7, s2_6, r_coupler_x) - s2_1;
+  const double s2_9 = 2.5000000000000004*std::abs(s2_8);
+  result.pivot[0] = mbgen::min(3.999888870509994*std::abs(s2_4), s2_9);
+  // operations: 7 add, 12 multiply, 1 divide, 3 other
 
   // --- step 3: Rz (61), rocker_tip ---
   const double s3_1 = 1.0/s2_8;
-  const double s3_2 = s2_9*s3_1;
-  const double s3_3 = s2_6*(s2_5*s3_2 - s2_2);
-  // operations: 1 add, 3 multiply, 1 divide
+  const double s3_2 = mbgen::fms(s2_2, s2_6, s2_1)*s3_1;
+  const double s3_3 = s2_5*mbgen::fms(s2_7, s3_2, s2_2);
+  // operations: 2 add, 4 multiply, 1 divide
 
   // --- step 6: c and dRz/dt zd (62), rocker_tip ---
   const double zd_crank_pin = state.zd[Coordinate::crank_pin];
@@ -90,60 +91,67 @@ void compute_accelerations(const Parameters& parameters, const Inputs& inputs, c
   const double zd_rocker_pin = state.zd[Coordinate::rocker_pin];
   const double s6_3 = r_coupler_x*s6_1;
   const double w_coupler_y = zd_crank_pin + state.zd[Coordinate::coupler_pin];
-  const double s6_4 = zd_rocker_pin*(zd_rocker_pin*s2_4) - s6_2;
-  const double s6_5 = zd_rocker_pin*(zd_rocker_pin*s2_3) - s6_3;
-  const double s6_6 = s6_5 - w_coupler_y*(w_coupler_y*s2_1);
-  const double s6_7 = s3_1*(s6_4 - w_coupler_y*(w_coupler_y*s2_2) + s2_7*s6_6);
-  const double s6_8 = s6_3 + r_coupler_z*s6_7;
-  const double s6_9 = s2_6*(s2_5*s6_7 - s6_6);
-  // operations: 8 add, 16 multiply
+  const double s6_4 = mbgen::fms(zd_rocker_pin, zd_rocker_pin*s2_3, s6_3);
+  const double s6_5 = mbgen::fnma(w_coupler_y, w_coupler_y*s2_1, s6_4);
+  const double s6_6 = mbgen::fms(zd_rocker_pin, zd_rocker_pin*s2_4, s6_2);
+  const double s6_7 = mbgen::fma(s2_6, s6_5, mbgen::fnma(w_coupler_y, w_coupler_y*s2_2, s6_6));
+  const double s6_8 = s3_1*s6_7;
+  const double s6_9 = s2_5*mbgen::fms(s2_7, s6_8, s6_5);
+  // operations: 7 add, 15 multiply
 
   // --- step 7: inertias of the bodies and forces on joints, rocker_tip ---
   // crank: crank_pin, revolute, ground
-  const double s7_1 = 0.016*R_crank_x_z + 0.04000000000000001*R_crank_x_x;
+  const double s7_1 = mbgen::fma(0.04000000000000001, R_crank_x_x, 0.016*R_crank_x_z);
   // coupler: coupler_pin, revolute, crank
-  const double s7_2 = 0.165*R_coupler_x_z + 0.22499999999999998*R_coupler_x_x;
-  const double s7_3 = 0.165*R_coupler_x_x - 0.22499999999999998*R_coupler_x_z;
+  const double s7_2 = mbgen::fma(0.22499999999999998, R_coupler_x_x, 0.165*R_coupler_x_z);
+  const double s7_3 = mbgen::fnma(0.22499999999999998, R_coupler_x_z, 0.165*R_coupler_x_x);
   // rocker: rocker_pin, revolute, ground
-  const double s7_4 = 0.132*R_rocker_x_z + 0.010999999999999949*R_rocker_x_x;
+  const double s7_4 = mbgen::fma(0.010999999999999949, R_rocker_x_x, 0.132*R_rocker_x_z);
   // operations: 4 add, 8 multiply
 
   // --- step 8: elimination from the leaves to the root (63), rocker_tip ---
   // crank: crank_pin, revolute, ground
   // coupler: coupler_pin, revolute, crank
   const double s8_1 = w_coupler_y*w_coupler_y;
-  const double s8_2 = r_coupler_z*s3_2;
-  const double s8_3 = r_coupler_x*s3_2;
-  const double s8_4 = 1.0 - s3_2;
-  const double s8_5 = s7_3*s8_4;
-  const double s8_6 = s8_4*(0.07289999999999999*s8_4 - s7_2*s8_3 - s7_3*s8_2);
+  const double s8_2 = 1.0 - s3_2;
+  const double s8_3 = r_coupler_z*s3_2;
+  const double s8_4 = r_coupler_x*s3_2;
+  const double s8_5 = mbgen::fnma(s7_3, s8_3, 0.07289999999999999*s8_2);
+  const double s8_6 = mbgen::fnma(s7_2, s8_4, s8_5);
   // crank: crank_pin, revolute, ground
-  const double s8_7 = inputs.torque + tau[Coordinate::crank_pin] + 9.81*s7_1;
+  const double s8_7 = mbgen::fma(9.81, s7_1, inputs.torque + tau[Coordinate::crank_pin]);
+  const double s8_8 = mbgen::fma(0.0030200000000000005, s6_8, s8_7);
+  const double s8_9 = mbgen::fma(9.81, s7_4, tau[Coordinate::rocker_pin] + s5_9);
+  const double s8_10 = mbgen::fma(0.02195, s6_9, s8_9);
   // rocker: rocker_pin, revolute, ground
-  const double s8_8 = s3_3*(0.02195*s3_3) + s8_6;
+  const double s8_11 = s3_3*(0.02195*s3_3);
   // coupler: coupler_pin, revolute, crank
-  const double s8_9 = 9.81 - s6_2 + r_coupler_x*s6_7;
-  const double s8_10 = s8_4*(s7_2*s8_9 + s7_3*s6_8 + 0.07289999999999999*s6_7);
-  const double s8_11 = s6_7*s7_3 + s8_1*s7_2 + 1.5*s6_8;
-  const double f_coupler_z = s6_7*s7_2 - s8_1*s7_3 + 1.5*s8_9;
-  const double s8_12 = s8_5 - 1.5*s8_2;
-  const double s8_13 = 1.5*s8_3 - s7_2*s8_4;
+  const double s8_12 = mbgen::fnma(s7_2, s8_2, 1.5*s8_4);
+  const double s8_13 = mbgen::fnma(1.5, s8_3, s7_3*s8_2);
   // crank: crank_pin, revolute, ground
-  const double s8_14 = tau[Coordinate::coupler_pin] - s8_3*f_coupler_z - s8_2*s8_11 + s8_10;
-  const double s8_15 = s3_3*(tau[Coordinate::rocker_pin] + s5_8 + 9.81*s7_4 + 0.02195*s6_9);
-  const double s8_16 = s8_14 - s3_2*(s8_7 + 0.0030200000000000005*s6_7) - s8_15;
-  const double s8_17 = s8_8 + s8_3*s8_13 - s8_2*s8_12 + s3_2*(0.0030200000000000005*s3_2);
-  result.inertia[0] = s8_17 - 1e-12*s8_17;
-  const double s8_18 = 1.0/s8_17;
-  // operations: 29 add, 37 multiply, 1 divide
+  const double s8_14 = mbgen::fnma(s8_3, s8_13, mbgen::fma(s8_4, s8_12, s8_11));
+  const double s8_15 = mbgen::fma(s8_2, s8_6, s8_14);
+  const double s8_16 = mbgen::fma(s3_2, 0.0030200000000000005*s3_2, s8_15);
+  // coupler: coupler_pin, revolute, crank
+  const double s8_17 = mbgen::fma(r_coupler_z, s6_8, s6_3);
+  const double s8_18 = mbgen::fma(r_coupler_x, s6_8, 9.81 - s6_2);
+  const double f_coupler_z = mbgen::fma(1.5, s8_18, mbgen::fnma(s8_1, s7_3, s6_8*s7_2));
+  const double s8_19 = mbgen::fma(s7_2, s8_18, s7_3*s8_17);
+  const double s8_20 = mbgen::fnma(s8_4, f_coupler_z, tau[Coordinate::coupler_pin]);
+  const double s8_21 = mbgen::fma(1.5, s8_17, mbgen::fma(s6_8, s7_3, s8_1*s7_2));
+  const double s8_22 = mbgen::fma(0.07289999999999999, s6_8, s8_19);
+  const double s8_23 = mbgen::fma(s8_2, s8_22, mbgen::fnma(s8_3, s8_21, s8_20));
+  const double s8_24 = mbgen::fnma(s3_3, s8_10, mbgen::fnma(s3_2, s8_8, s8_23));
+  result.inertia[0] = mbgen::fnma(1e-12, s8_16, s8_16);
+  // operations: 30 add, 38 multiply
 
   // --- step 9: accelerations from the root to the leaves (63), (62) ---
   // rocker: rocker_pin, revolute, ground
-  const double s9_1 = s8_16*s8_18;
+  const double s9_1 = s8_24*(1.0/s8_16);
   result.zdd[Coordinate::coupler_pin] = s9_1;
-  result.zdd[Coordinate::crank_pin] = -(s6_7 + s3_2*s9_1);
-  result.zdd[Coordinate::rocker_pin] = -(s6_9 + s3_3*s9_1);
-  // operations: 2 add, 3 multiply
+  result.zdd[Coordinate::crank_pin] = -mbgen::fma(s3_2, s9_1, s6_8);
+  result.zdd[Coordinate::rocker_pin] = -mbgen::fma(s3_3, s9_1, s6_9);
+  // operations: 2 add, 3 multiply, 1 divide
 }
 
 /// Result of compute_closure.
@@ -163,13 +171,13 @@ void compute_closure(const Parameters& /*parameters*/, const Inputs& /*inputs*/,
   double R_crank_x_x, R_crank_x_z;
   mbgen::sincos(z_crank_pin, R_crank_x_z, R_crank_x_x);
   // coupler: coupler_pin, revolute, crank
-  const double r_coupler_x = 0.05*R_crank_x_z + 0.1*R_crank_x_x;
-  const double r_coupler_z = 0.05*R_crank_x_x - 0.1*R_crank_x_z;
   const double z_coupler_pin = state.z[Coordinate::coupler_pin];
   double s1_1, s1_2;
   mbgen::sincos(z_coupler_pin, s1_2, s1_1);
-  const double R_coupler_x_x = R_crank_x_x*s1_1 - R_crank_x_z*s1_2;
-  const double R_coupler_x_z = R_crank_x_x*s1_2 + R_crank_x_z*s1_1;
+  const double R_coupler_x_x = mbgen::fnma(R_crank_x_z, s1_2, R_crank_x_x*s1_1);
+  const double R_coupler_x_z = mbgen::fma(R_crank_x_x, s1_2, R_crank_x_z*s1_1);
+  const double r_coupler_x = mbgen::fma(0.1, R_crank_x_x, 0.05*R_crank_x_z);
+  const double r_coupler_z = mbgen::fnma(0.1, R_crank_x_z, 0.05*R_crank_x_x);
   // rocker: rocker_pin, revolute, ground
   const double z_rocker_pin = state.z[Coordinate::rocker_pin];
   double R_rocker_x_x, R_rocker_x_z;
@@ -178,35 +186,38 @@ void compute_closure(const Parameters& /*parameters*/, const Inputs& /*inputs*/,
 
   // --- step 2: closure Jacobian Phi_z and its factors (60) ---
   // rocker_tip
-  const double s2_1 = r_coupler_x + 0.2*R_coupler_x_z + 0.31999999999999995*R_coupler_x_x;
-  const double J_rocker_tip_crank_pin = r_coupler_z + 0.2*R_coupler_x_x -
-      0.31999999999999995*R_coupler_x_z;
-  const double s2_2 = 0.25*R_rocker_x_x - 0.019999999999999962*R_rocker_x_z;
-  const double s2_3 = 0.4 + 0.25*R_rocker_x_z + 0.019999999999999962*R_rocker_x_x;
-  const double s2_4 = s2_1 - s2_3;
-  result.residual[0] = s2_4;
-  const double s2_5 = J_rocker_tip_crank_pin - s2_2;
-  result.residual[2] = s2_5;
+  const double s2_1 = mbgen::fma(0.2, R_coupler_x_x, r_coupler_z);
+  const double J_rocker_tip_crank_pin = mbgen::fnma(0.31999999999999995, R_coupler_x_z, s2_1);
+  const double s2_2 = mbgen::fnma(0.019999999999999962, R_rocker_x_z, 0.25*R_rocker_x_x);
+  const double s2_3 = mbgen::fma(0.2, R_coupler_x_z, r_coupler_x);
+  const double s2_4 = mbgen::fma(0.31999999999999995, R_coupler_x_x, s2_3);
+  const double s2_5 = mbgen::fma(0.25, R_rocker_x_z, 0.4);
+  const double s2_6 = mbgen::fma(0.019999999999999962, R_rocker_x_x, s2_5);
+  const double s2_7 = s2_4 - s2_6;
+  result.residual[0] = s2_7;
+  const double s2_8 = J_rocker_tip_crank_pin - s2_2;
+  result.residual[2] = s2_8;
   const double J_rocker_tip_coupler_pin = J_rocker_tip_crank_pin - r_coupler_z;
-  const double J_rocker_tip_coupler_pin_2 = r_coupler_x - s2_1;
-  const double s2_6 = 1.0/s2_2;
-  const double s2_7 = (0.4 - s2_3)*s2_6;
-  const double s2_8 = s2_1 + J_rocker_tip_crank_pin*s2_7;
-  const double s2_9 = 1.0/s2_8;
-  const double s2_10 = 2.5000000000000004*std::abs(s2_8);
-  result.pivot[0] = mbgen::min(3.999888870509994*std::abs(s2_2), s2_10);
+  const double J_rocker_tip_coupler_pin_2 = r_coupler_x - s2_4;
+  const double s2_9 = 1.0/s2_2;
+  const double s2_10 = (0.4 - s2_6)*s2_9;
+  const double s2_11 = mbgen::fma(J_rocker_tip_crank_pin, s2_10, s2_4);
+  const double s2_12 = 1.0/s2_11;
+  const double s2_13 = 2.5000000000000004*std::abs(s2_11);
+  result.pivot[0] = mbgen::min(3.999888870509994*std::abs(s2_2), s2_13);
   // operations: 13 add, 12 multiply, 2 divide, 3 other
 
   // --- step 4: velocities Z (36) ---
   // loop block 0
-  const double s4_1 = s2_9*(s2_4*s2_7 - s2_5);
-  result.dz[Coordinate::crank_pin] = -s4_1;
-  result.dz[Coordinate::rocker_pin] = -(s2_6*(J_rocker_tip_crank_pin*s4_1 - s2_4));
   const double zd_coupler_pin = state.zd[Coordinate::coupler_pin];
-  const double s4_2 = zd_coupler_pin*J_rocker_tip_coupler_pin;
-  const double s4_3 = s2_9*(s2_7*s4_2 - zd_coupler_pin*J_rocker_tip_coupler_pin_2);
-  result.zd[Coordinate::crank_pin] = -s4_3;
-  result.zd[Coordinate::rocker_pin] = -(s2_6*(J_rocker_tip_crank_pin*s4_3 - s4_2));
+  const double s4_1 = zd_coupler_pin*J_rocker_tip_coupler_pin;
+  const double s4_2 = s2_12*mbgen::fms(s2_7, s2_10, s2_8);
+  result.dz[Coordinate::crank_pin] = -s4_2;
+  const double s4_3 = mbgen::fnma(zd_coupler_pin, J_rocker_tip_coupler_pin_2, s2_10*s4_1);
+  const double s4_4 = s2_12*s4_3;
+  result.zd[Coordinate::crank_pin] = -s4_4;
+  result.dz[Coordinate::rocker_pin] = -(s2_9*mbgen::fms(J_rocker_tip_crank_pin, s4_2, s2_7));
+  result.zd[Coordinate::rocker_pin] = -(s2_9*mbgen::fms(J_rocker_tip_crank_pin, s4_4, s4_1));
   // operations: 4 add, 10 multiply
   result.residual[1] = 0.0;
   result.residual[3] = 0.0;
@@ -232,30 +243,32 @@ void compute_multipliers(const Parameters& parameters, const Inputs& inputs, con
   double R_crank_x_x, R_crank_x_z;
   mbgen::sincos(z_crank_pin, R_crank_x_z, R_crank_x_x);
   // coupler: coupler_pin, revolute, crank
-  const double s1_1 = 0.05*R_crank_x_z;
-  const double r_coupler_x = s1_1 + 0.1*R_crank_x_x;
-  const double s1_2 = 0.05*R_crank_x_x;
-  const double r_coupler_z = s1_2 - 0.1*R_crank_x_z;
   const double z_coupler_pin = state.z[Coordinate::coupler_pin];
-  double s1_3, s1_4;
-  mbgen::sincos(z_coupler_pin, s1_4, s1_3);
-  const double R_coupler_x_x = R_crank_x_x*s1_3 - R_crank_x_z*s1_4;
-  const double R_coupler_x_z = R_crank_x_x*s1_4 + R_crank_x_z*s1_3;
+  double s1_1, s1_2;
+  mbgen::sincos(z_coupler_pin, s1_2, s1_1);
+  const double R_coupler_x_x = mbgen::fnma(R_crank_x_z, s1_2, R_crank_x_x*s1_1);
+  const double R_coupler_x_z = mbgen::fma(R_crank_x_x, s1_2, R_crank_x_z*s1_1);
+  const double s1_3 = 0.05*R_crank_x_z;
+  const double r_coupler_x = mbgen::fma(0.1, R_crank_x_x, s1_3);
+  const double s1_4 = 0.05*R_crank_x_x;
+  const double r_coupler_z = mbgen::fnma(0.1, R_crank_x_z, s1_4);
   // rocker: rocker_pin, revolute, ground
   const double z_rocker_pin = state.z[Coordinate::rocker_pin];
   double R_rocker_x_x, R_rocker_x_z;
   mbgen::sincos(z_rocker_pin, R_rocker_x_z, R_rocker_x_x);
   // crank: crank_pin, revolute, ground
-  const double s1_5 = s1_2 + 0.02*R_crank_x_z;
-  const double s1_6 = 0.02*R_crank_x_x - s1_1;
+  const double s1_5 = mbgen::fms(0.02, R_crank_x_x, s1_3);
+  const double s1_6 = mbgen::fma(0.02, R_crank_x_z, s1_4);
   // coupler: coupler_pin, revolute, crank
-  const double s1_7 = r_coupler_x + 0.11*R_coupler_x_z + 0.15*R_coupler_x_x;
-  const double s1_8 = r_coupler_z + 0.11*R_coupler_x_x - 0.15*R_coupler_x_z;
+  const double s1_7 = mbgen::fma(0.11, R_coupler_x_x, r_coupler_z);
+  const double s1_8 = mbgen::fnma(0.15, R_coupler_x_z, s1_7);
+  const double s1_9 = mbgen::fma(0.11, R_coupler_x_z, r_coupler_x);
+  const double s1_10 = mbgen::fma(0.15, R_coupler_x_x, s1_9);
   // rocker: rocker_pin, revolute, ground
-  const double s1_9 = 0.009999999999999953*R_rocker_x_z;
-  const double s1_10 = 0.12*R_rocker_x_x - s1_9;
-  const double s1_11 = 0.4 + 0.009999999999999953*R_rocker_x_x;
-  const double s1_12 = s1_11 + 0.12*R_rocker_x_z;
+  const double s1_11 = 0.009999999999999953*R_rocker_x_z;
+  const double s1_12 = mbgen::fms(0.12, R_rocker_x_x, s1_11);
+  const double s1_13 = mbgen::fma(0.009999999999999953, R_rocker_x_x, 0.4);
+  const double s1_14 = mbgen::fma(0.12, R_rocker_x_z, s1_13);
   // operations: 13 add, 18 multiply, 6 sin cos
 
   // --- step 4: velocities Z (36) ---
@@ -266,72 +279,80 @@ void compute_multipliers(const Parameters& parameters, const Inputs& inputs, con
 
   // --- step 5: applied forces Q (48) ---
   // return_spring
-  const double s5_1 = 0.15*R_rocker_x_x - s1_9;
-  const double s5_2 = s1_11 + 0.15*R_rocker_x_z;
-  const double s5_3 = 0.6 - s5_2;
-  const double s5_4 = 0.1 - s5_1;
-  const double s5_5 = std::sqrt(s5_4*s5_4 + s5_3*s5_3);
+  const double s5_1 = mbgen::fms(0.15, R_rocker_x_x, s1_11);
+  const double s5_2 = 0.1 - s5_1;
+  const double s5_3 = mbgen::fma(0.15, R_rocker_x_z, s1_13);
+  const double s5_4 = 0.6 - s5_3;
+  const double s5_5 = std::sqrt(mbgen::fma(s5_4, s5_4, s5_2*s5_2));
   const double tension_return_spring = parameters.k*(s5_5 - 0.18);
-  const double s5_6 = 1.0/s5_5*tension_return_spring;
-  const double s5_7 = s5_4*s5_6;
-  const double s5_8 = s5_1*(s5_3*s5_6) - s5_2*s5_7;
+  const double s5_6 = tension_return_spring*(1.0/s5_5);
+  const double s5_7 = s5_2*s5_6;
+  const double s5_8 = mbgen::fnma(s5_3, s5_7, s5_1*(s5_4*s5_6));
   // operations: 7 add, 10 multiply, 1 divide, 1 sqrt
 
   // --- step 7: accelerations Zdot and accumulated forces QR - PR (51), (52) ---
   // crank: crank_pin, revolute, ground
   const double s7_1 = zd_crank_pin*zd_crank_pin;
   // coupler: coupler_pin, revolute, crank
-  const double zdd_crank_pin = derivative.zdd[Coordinate::crank_pin];
-  const double alpha_coupler_y = zdd_crank_pin + derivative.zdd[Coordinate::coupler_pin];
   const double s7_2 = w_coupler_y*w_coupler_y;
   const double s7_3 = s7_2 - s7_1;
-  const double a_coupler_x = r_coupler_z*(zdd_crank_pin - alpha_coupler_y) + r_coupler_x*s7_3;
-  const double a_coupler_z = 9.81 + r_coupler_z*s7_3 + r_coupler_x*(alpha_coupler_y -
-      zdd_crank_pin);
+  const double zdd_crank_pin = derivative.zdd[Coordinate::crank_pin];
+  const double alpha_coupler_y = zdd_crank_pin + derivative.zdd[Coordinate::coupler_pin];
+  const double s7_4 = zdd_crank_pin - alpha_coupler_y;
+  const double a_coupler_x = mbgen::fma(r_coupler_z, s7_4, r_coupler_x*s7_3);
+  const double s7_5 = mbgen::fma(r_coupler_x, alpha_coupler_y - zdd_crank_pin, 9.81);
+  const double a_coupler_z = mbgen::fma(r_coupler_z, s7_3, s7_5);
   // rocker: rocker_pin, revolute, ground
   const double zd_rocker_pin = state.zd[Coordinate::rocker_pin];
-  const double s7_4 = zd_rocker_pin*zd_rocker_pin;
-  const double a_rocker_x = 0.4*s7_4;
+  const double s7_6 = zd_rocker_pin*zd_rocker_pin;
+  const double a_rocker_x = 0.4*s7_6;
   const double zdd_rocker_pin = derivative.zdd[Coordinate::rocker_pin];
-  const double a_rocker_z = 9.81 + 0.4*zdd_rocker_pin;
+  const double a_rocker_z = mbgen::fma(0.4, zdd_rocker_pin, 9.81);
   // crank: crank_pin, revolute, ground
   // coupler: coupler_pin, revolute, crank
-  const double s7_5 = 1.5*(a_coupler_x + s1_8*alpha_coupler_y - s1_7*s7_2);
-  const double s7_6 = 1.5*(a_coupler_z - s1_8*s7_2 - s1_7*alpha_coupler_y);
-  const double s7_7 = 0.021*alpha_coupler_y + s1_8*s7_5 - s1_7*s7_6;
+  const double s7_7 = mbgen::fnma(s1_10, s7_2, mbgen::fma(s1_8, alpha_coupler_y, a_coupler_x));
+  const double s7_8 = 1.5*s7_7;
+  const double s7_9 = mbgen::fnma(s1_10, alpha_coupler_y, a_coupler_z);
+  const double s7_10 = 1.5*mbgen::fnma(s1_8, s7_2, s7_9);
+  const double s7_11 = mbgen::fnma(s1_10, s7_10, mbgen::fma(s1_8, s7_8, 0.021*alpha_coupler_y));
   // rocker: rocker_pin, revolute, ground
-  const double s7_8 = 1.1*(a_rocker_z - s1_10*s7_4 - zdd_rocker_pin*s1_12);
-  const double s7_9 = s1_10*(1.1*(a_rocker_x + zdd_rocker_pin*s1_10 - s1_12*s7_4));
-  const double s7_10 = tau[Coordinate::rocker_pin] + s5_8 - 0.006*zdd_rocker_pin - s7_9;
-  const double Q_rocker_pin = s7_10 + s1_12*s7_8 + 0.4*(s5_7 - s7_8);
+  const double s7_12 = mbgen::fnma(s1_12, s7_6, mbgen::fnma(zdd_rocker_pin, s1_14, a_rocker_z));
+  const double s7_13 = 1.1*s7_12;
+  const double s7_14 = mbgen::fnma(s1_14, s7_6, mbgen::fma(zdd_rocker_pin, s1_12, a_rocker_x));
+  const double s7_15 = mbgen::fnma(0.006, zdd_rocker_pin, tau[Coordinate::rocker_pin] + s5_8);
+  const double s7_16 = mbgen::fma(s1_14, s7_13, mbgen::fnma(s1_12, 1.1*s7_14, s7_15));
+  const double Q_rocker_pin = mbgen::fma(0.4, s5_7 - s7_13, s7_16);
   result.missing[2] = Q_rocker_pin;
   // coupler: coupler_pin, revolute, crank
-  const double s7_11 = tau[Coordinate::coupler_pin] - s7_7 + r_coupler_z*s7_5;
-  result.missing[1] = s7_11 - r_coupler_x*s7_6;
+  const double s7_17 = mbgen::fma(r_coupler_z, s7_8, tau[Coordinate::coupler_pin] - s7_11);
+  result.missing[1] = mbgen::fnma(r_coupler_x, s7_10, s7_17);
   // crank: crank_pin, revolute, ground
-  const double s7_12 = inputs.torque + tau[Coordinate::crank_pin] - s7_7 - 7e-04*zdd_crank_pin;
-  const double s7_13 = s7_12 - s1_6*(0.8*(zdd_crank_pin*s1_6 - s1_5*s7_1));
-  const double Q_crank_pin = s7_13 + s1_5*(0.8*(9.81 - s1_6*s7_1 - zdd_crank_pin*s1_5));
+  const double s7_18 = inputs.torque + tau[Coordinate::crank_pin] - s7_11;
+  const double s7_19 = 0.8*mbgen::fnma(s1_6, s7_1, zdd_crank_pin*s1_5);
+  const double s7_20 = 0.8*mbgen::fnma(s1_5, s7_1, mbgen::fnma(zdd_crank_pin, s1_6, 9.81));
+  const double s7_21 = mbgen::fnma(s1_5, s7_19, mbgen::fnma(7e-04, zdd_crank_pin, s7_18));
+  const double Q_crank_pin = mbgen::fma(s1_6, s7_20, s7_21);
   result.missing[0] = Q_crank_pin;
   // operations: 35 add, 39 multiply
 
   // --- step 9: independent and all accelerations (63), (62) ---
   // rocker_tip
-  const double J_rocker_tip_crank_pin = r_coupler_z + 0.2*R_coupler_x_x -
-      0.31999999999999995*R_coupler_x_z;
-  const double s9_1 = 0.25*R_rocker_x_x - 0.019999999999999962*R_rocker_x_z;
-  const double s9_2 = 0.25*R_rocker_x_z + 0.019999999999999962*R_rocker_x_x;
+  const double s9_1 = mbgen::fma(0.2, R_coupler_x_x, r_coupler_z);
+  const double J_rocker_tip_crank_pin = mbgen::fnma(0.31999999999999995, R_coupler_x_z, s9_1);
+  const double s9_2 = mbgen::fnma(0.019999999999999962, R_rocker_x_z, 0.25*R_rocker_x_x);
+  const double s9_3 = mbgen::fma(0.019999999999999962, R_rocker_x_x, 0.25*R_rocker_x_z);
   // loop block 0
-  const double s9_3 = 1.0/s9_1;
-  const double s9_4 = s9_2*s9_3;
-  const double s9_5 = r_coupler_x + 0.2*R_coupler_x_z + 0.31999999999999995*R_coupler_x_x;
-  const double s9_6 = s9_5 - J_rocker_tip_crank_pin*s9_4;
-  const double s9_7 = 2.5000000000000004*std::abs(s9_6);
-  result.pivot[0] = mbgen::min(3.999888870509994*std::abs(s9_1), s9_7);
-  const double s9_8 = Q_rocker_pin*s9_3;
-  const double s9_9 = 1.0/s9_6*(Q_crank_pin + J_rocker_tip_crank_pin*s9_8);
-  result.lambda[2] = -s9_9;
-  result.lambda[0] = -(s9_8 + s9_4*s9_9);
+  const double s9_4 = 1.0/s9_2;
+  const double s9_5 = Q_rocker_pin*s9_4;
+  const double s9_6 = s9_3*s9_4;
+  const double s9_7 = mbgen::fma(0.2, R_coupler_x_z, r_coupler_x);
+  const double s9_8 = mbgen::fma(0.31999999999999995, R_coupler_x_x, s9_7);
+  const double s9_9 = mbgen::fnma(J_rocker_tip_crank_pin, s9_6, s9_8);
+  const double s9_10 = 1.0/s9_9*mbgen::fma(J_rocker_tip_crank_pin, s9_5, Q_crank_pin);
+  result.lambda[2] = -s9_10;
+  const double s9_11 = 2.5000000000000004*std::abs(s9_9);
+  result.pivot[0] = mbgen::min(3.999888870509994*std::abs(s9_2), s9_11);
+  result.lambda[0] = -mbgen::fma(s9_6, s9_10, s9_5);
   // operations: 9 add, 16 multiply, 2 divide, 3 other
   result.lambda[1] = 0.0;
   result.lambda[3] = 0.0;
@@ -358,13 +379,13 @@ void compute_closure_terms(const Parameters& /*parameters*/, const Inputs& /*inp
   double R_crank_x_x, R_crank_x_z;
   mbgen::sincos(z_crank_pin, R_crank_x_z, R_crank_x_x);
   // coupler: coupler_pin, revolute, crank
-  const double r_coupler_x = 0.05*R_crank_x_z + 0.1*R_crank_x_x;
-  const double r_coupler_z = 0.05*R_crank_x_x - 0.1*R_crank_x_z;
   const double z_coupler_pin = state.z[Coordinate::coupler_pin];
   double s1_1, s1_2;
   mbgen::sincos(z_coupler_pin, s1_2, s1_1);
-  const double R_coupler_x_x = R_crank_x_x*s1_1 - R_crank_x_z*s1_2;
-  const double R_coupler_x_z = R_crank_x_x*s1_2 + R_crank_x_z*s1_1;
+  const double R_coupler_x_x = mbgen::fnma(R_crank_x_z, s1_2, R_crank_x_x*s1_1);
+  const double R_coupler_x_z = mbgen::fma(R_crank_x_x, s1_2, R_crank_x_z*s1_1);
+  const double r_coupler_x = mbgen::fma(0.1, R_crank_x_x, 0.05*R_crank_x_z);
+  const double r_coupler_z = mbgen::fnma(0.1, R_crank_x_z, 0.05*R_crank_x_x);
   // rocker: rocker_pin, revolute, ground
   const double z_rocker_pin = state.z[Coordinate::rocker_pin];
   double R_rocker_x_x, R_rocker_x_z;
@@ -376,26 +397,29 @@ void compute_closure_terms(const Parameters& /*parameters*/, const Inputs& /*inp
   const double zd_crank_pin = state.zd[Coordinate::crank_pin];
   const double s2_1 = zd_crank_pin + state.zd[Coordinate::coupler_pin];
   const double s2_2 = s2_1*s2_1;
-  const double s2_3 = s2_2 - zd_crank_pin*zd_crank_pin;
+  const double s2_3 = mbgen::fnma(zd_crank_pin, zd_crank_pin, s2_2);
   // rocker: rocker_pin, revolute, ground
   const double zd_rocker_pin = state.zd[Coordinate::rocker_pin];
   const double s2_4 = zd_rocker_pin*zd_rocker_pin;
   // rocker_tip
-  const double s2_5 = r_coupler_x + 0.2*R_coupler_x_z + 0.31999999999999995*R_coupler_x_x;
-  const double J_rocker_tip_crank_pin = r_coupler_z + 0.2*R_coupler_x_x -
-      0.31999999999999995*R_coupler_x_z;
+  const double s2_5 = mbgen::fma(0.2, R_coupler_x_x, r_coupler_z);
+  const double J_rocker_tip_crank_pin = mbgen::fnma(0.31999999999999995, R_coupler_x_z, s2_5);
   result.Jz[0] = J_rocker_tip_crank_pin;
-  const double s2_6 = 0.25*R_rocker_x_x - 0.019999999999999962*R_rocker_x_z;
-  const double s2_7 = 0.4 + 0.25*R_rocker_x_z + 0.019999999999999962*R_rocker_x_x;
-  result.Phi[0] = s2_5 - s2_7;
-  result.Phi[2] = J_rocker_tip_crank_pin - s2_6;
+  const double s2_6 = mbgen::fnma(0.019999999999999962, R_rocker_x_z, 0.25*R_rocker_x_x);
   result.Jz[2] = -s2_6;
-  result.Jz[6] = -s2_5;
+  const double s2_7 = mbgen::fma(0.2, R_coupler_x_z, r_coupler_x);
+  const double s2_8 = mbgen::fma(0.31999999999999995, R_coupler_x_x, s2_7);
+  result.Jz[6] = -s2_8;
+  const double s2_9 = mbgen::fma(0.25, R_rocker_x_z, 0.4);
+  const double s2_10 = mbgen::fma(0.019999999999999962, R_rocker_x_x, s2_9);
+  result.Phi[0] = s2_8 - s2_10;
+  result.Phi[2] = J_rocker_tip_crank_pin - s2_6;
   result.Jz[1] = J_rocker_tip_crank_pin - r_coupler_z;
-  result.c[0] = s2_2*s2_5 - r_coupler_x*s2_3 + s2_4*(0.4 - s2_7);
-  result.Jz[7] = r_coupler_x - s2_5;
-  result.Jz[8] = s2_7 - 0.4;
-  result.c[2] = s2_2*J_rocker_tip_crank_pin - s2_4*s2_6 - r_coupler_z*s2_3;
+  result.c[0] = mbgen::fma(s2_4, 0.4 - s2_10, mbgen::fnma(r_coupler_x, s2_3, s2_2*s2_8));
+  result.Jz[7] = r_coupler_x - s2_8;
+  result.Jz[8] = s2_10 - 0.4;
+  const double s2_11 = mbgen::fnma(s2_4, s2_6, s2_2*J_rocker_tip_crank_pin);
+  result.c[2] = mbgen::fnma(r_coupler_z, s2_3, s2_11);
   // operations: 19 add, 17 multiply
   result.Phi[1] = 0.0;
   result.Phi[3] = 0.0;
@@ -445,37 +469,39 @@ void compute_chosen_accelerations(const Parameters& parameters, const Inputs& in
   double R_crank_x_x, R_crank_x_z;
   mbgen::sincos(z_crank_pin, R_crank_x_z, R_crank_x_x);
   // coupler: coupler_pin, revolute, crank
-  const double s1_1 = 0.05*R_crank_x_z;
-  const double r_coupler_x = s1_1 + 0.1*R_crank_x_x;
-  const double s1_2 = 0.05*R_crank_x_x;
-  const double r_coupler_z = s1_2 - 0.1*R_crank_x_z;
   const double z_coupler_pin = state.z[Coordinate::coupler_pin];
-  double s1_3, s1_4;
-  mbgen::sincos(z_coupler_pin, s1_4, s1_3);
-  const double R_coupler_x_x = R_crank_x_x*s1_3 - R_crank_x_z*s1_4;
-  const double R_coupler_x_z = R_crank_x_x*s1_4 + R_crank_x_z*s1_3;
+  double s1_1, s1_2;
+  mbgen::sincos(z_coupler_pin, s1_2, s1_1);
+  const double R_coupler_x_x = mbgen::fnma(R_crank_x_z, s1_2, R_crank_x_x*s1_1);
+  const double R_coupler_x_z = mbgen::fma(R_crank_x_x, s1_2, R_crank_x_z*s1_1);
+  const double s1_3 = 0.05*R_crank_x_z;
+  const double r_coupler_x = mbgen::fma(0.1, R_crank_x_x, s1_3);
+  const double s1_4 = 0.05*R_crank_x_x;
+  const double r_coupler_z = mbgen::fnma(0.1, R_crank_x_z, s1_4);
   // rocker: rocker_pin, revolute, ground
   const double z_rocker_pin = state.z[Coordinate::rocker_pin];
   double R_rocker_x_x, R_rocker_x_z;
   mbgen::sincos(z_rocker_pin, R_rocker_x_z, R_rocker_x_x);
   // crank: crank_pin, revolute, ground
-  const double s1_5 = s1_2 + 0.02*R_crank_x_z;
-  const double s1_6 = 0.02*R_crank_x_x - s1_1;
+  const double s1_5 = mbgen::fms(0.02, R_crank_x_x, s1_3);
+  const double s1_6 = mbgen::fma(0.02, R_crank_x_z, s1_4);
   // coupler: coupler_pin, revolute, crank
-  const double s1_7 = r_coupler_x + 0.11*R_coupler_x_z + 0.15*R_coupler_x_x;
-  const double s1_8 = r_coupler_z + 0.11*R_coupler_x_x - 0.15*R_coupler_x_z;
-  const double s1_9 = 1.5*s1_7;
-  const double s1_10 = 1.5*s1_8;
-  const double s1_11 = 0.021 + 1.5*(s1_7*s1_7 + s1_8*s1_8);
+  const double s1_7 = mbgen::fma(0.11, R_coupler_x_x, r_coupler_z);
+  const double s1_8 = mbgen::fnma(0.15, R_coupler_x_z, s1_7);
+  const double s1_9 = 1.5*s1_8;
+  const double s1_10 = mbgen::fma(0.11, R_coupler_x_z, r_coupler_x);
+  const double s1_11 = mbgen::fma(0.15, R_coupler_x_x, s1_10);
+  const double s1_12 = 1.5*s1_11;
+  const double s1_13 = mbgen::fma(1.5, mbgen::fma(s1_8, s1_8, s1_11*s1_11), 0.021);
   // rocker: rocker_pin, revolute, ground
-  const double s1_12 = 0.009999999999999953*R_rocker_x_z;
-  const double s1_13 = 0.12*R_rocker_x_x - s1_12;
-  const double s1_14 = 0.4 + 0.009999999999999953*R_rocker_x_x;
-  const double s1_15 = s1_14 + 0.12*R_rocker_x_z;
-  const double s1_16 = 1.1*s1_15;
-  const double s1_17 = 0.006 + 1.1*(s1_15*s1_15 + s1_13*s1_13);
+  const double s1_14 = 0.009999999999999953*R_rocker_x_z;
+  const double s1_15 = mbgen::fms(0.12, R_rocker_x_x, s1_14);
+  const double s1_16 = mbgen::fma(0.009999999999999953, R_rocker_x_x, 0.4);
+  const double s1_17 = mbgen::fma(0.12, R_rocker_x_z, s1_16);
+  const double s1_18 = 1.1*s1_17;
+  const double s1_19 = mbgen::fma(1.1, mbgen::fma(s1_17, s1_17, s1_15*s1_15), 0.006);
   // coupler: coupler_pin, revolute, crank
-  const double N_crank_pin_y = 7e-04 + s1_11 + 0.8*(s1_5*s1_5 + s1_6*s1_6);
+  const double N_crank_pin_y = mbgen::fma(0.8, mbgen::fma(s1_5, s1_5, s1_6*s1_6), 7e-04 + s1_13);
   // operations: 20 add, 30 multiply, 6 sin cos
 
   // --- step 4: velocities Z (36) ---
@@ -486,77 +512,86 @@ void compute_chosen_accelerations(const Parameters& parameters, const Inputs& in
 
   // --- step 5: applied forces Q (48) ---
   // return_spring
-  const double s5_1 = 0.15*R_rocker_x_x - s1_12;
-  const double s5_2 = s1_14 + 0.15*R_rocker_x_z;
-  const double s5_3 = 0.6 - s5_2;
-  const double s5_4 = 0.1 - s5_1;
-  const double s5_5 = std::sqrt(s5_4*s5_4 + s5_3*s5_3);
+  const double s5_1 = mbgen::fms(0.15, R_rocker_x_x, s1_14);
+  const double s5_2 = 0.1 - s5_1;
+  const double s5_3 = mbgen::fma(0.15, R_rocker_x_z, s1_16);
+  const double s5_4 = 0.6 - s5_3;
+  const double s5_5 = std::sqrt(mbgen::fma(s5_4, s5_4, s5_2*s5_2));
   const double tension_return_spring = parameters.k*(s5_5 - 0.18);
-  const double s5_6 = 1.0/s5_5*tension_return_spring;
-  const double s5_7 = s5_4*s5_6;
-  const double s5_8 = s5_1*(s5_3*s5_6) - s5_2*s5_7;
+  const double s5_6 = tension_return_spring*(1.0/s5_5);
+  const double s5_7 = s5_2*s5_6;
+  const double s5_8 = mbgen::fnma(s5_3, s5_7, s5_1*(s5_4*s5_6));
   // operations: 7 add, 10 multiply, 1 divide, 1 sqrt
 
   // --- step 7: accelerations Zdot and accumulated forces QR - PR (51), (52) ---
   // crank: crank_pin, revolute, ground
   const double s7_1 = zd_crank_pin*zd_crank_pin;
   // coupler: coupler_pin, revolute, crank
-  const double alpha_coupler_y = projection.zdd_star[0] + projection.zdd_star[1];
   const double s7_2 = w_coupler_y*w_coupler_y;
   const double s7_3 = s7_2 - s7_1;
-  const double s7_4 = r_coupler_z*(projection.zdd_star[0] - alpha_coupler_y);
-  const double a_coupler_x = s7_4 + r_coupler_x*s7_3;
-  const double s7_5 = r_coupler_x*(alpha_coupler_y - projection.zdd_star[0]);
-  const double a_coupler_z = 9.81 + r_coupler_z*s7_3 + s7_5;
+  const double alpha_coupler_y = projection.zdd_star[0] + projection.zdd_star[1];
+  const double s7_4 = projection.zdd_star[0] - alpha_coupler_y;
+  const double a_coupler_x = mbgen::fma(r_coupler_z, s7_4, r_coupler_x*s7_3);
+  const double s7_5 = mbgen::fma(r_coupler_x, alpha_coupler_y - projection.zdd_star[0], 9.81);
+  const double a_coupler_z = mbgen::fma(r_coupler_z, s7_3, s7_5);
   // rocker: rocker_pin, revolute, ground
   const double zd_rocker_pin = state.zd[Coordinate::rocker_pin];
   const double s7_6 = zd_rocker_pin*zd_rocker_pin;
   const double a_rocker_x = 0.4*s7_6;
-  const double a_rocker_z = 9.81 + 0.4*projection.zdd_star[2];
+  const double a_rocker_z = mbgen::fma(0.4, projection.zdd_star[2], 9.81);
   // crank: crank_pin, revolute, ground
+  const double s7_7 = mbgen::fnma(s1_5, s7_1, mbgen::fnma(s1_6, projection.zdd_star[0], 9.81));
   // coupler: coupler_pin, revolute, crank
-  const double s7_7 = 1.5*(a_coupler_x + s1_8*alpha_coupler_y - s1_7*s7_2);
-  const double s7_8 = 1.5*(a_coupler_z - s1_8*s7_2 - s1_7*alpha_coupler_y);
-  const double s7_9 = 0.021*alpha_coupler_y + s1_8*s7_7 - s1_7*s7_8;
+  const double s7_8 = mbgen::fnma(s1_11, s7_2, mbgen::fma(s1_8, alpha_coupler_y, a_coupler_x));
+  const double s7_9 = 1.5*s7_8;
+  const double s7_10 = mbgen::fnma(s1_11, alpha_coupler_y, a_coupler_z);
+  const double s7_11 = 1.5*mbgen::fnma(s1_8, s7_2, s7_10);
+  const double s7_12 = mbgen::fnma(s1_11, s7_11, mbgen::fma(s1_8, s7_9, 0.021*alpha_coupler_y));
   // rocker: rocker_pin, revolute, ground
-  const double s7_10 = 1.1*(a_rocker_z - s1_13*s7_6 - s1_15*projection.zdd_star[2]);
-  const double s7_11 = s1_13*(1.1*(a_rocker_x + s1_13*projection.zdd_star[2] - s1_15*s7_6));
-  const double s7_12 = s5_8 + tau[Coordinate::rocker_pin] - 0.006*projection.zdd_star[2];
-  const double Q_rocker_pin = s7_12 - s7_11 + s1_15*s7_10 + 0.4*(s5_7 - s7_10);
+  const double s7_13 = mbgen::fnma(s1_15, s7_6, a_rocker_z);
+  const double s7_14 = 1.1*mbgen::fnma(s1_17, projection.zdd_star[2], s7_13);
+  const double s7_15 = mbgen::fma(s1_15, projection.zdd_star[2], a_rocker_x);
+  const double s7_16 = s5_8 + tau[Coordinate::rocker_pin];
+  const double s7_17 = mbgen::fnma(0.006, projection.zdd_star[2], s7_16);
+  const double s7_18 = mbgen::fnma(s1_15, 1.1*mbgen::fnma(s1_17, s7_6, s7_15), s7_17);
+  const double Q_rocker_pin = mbgen::fma(0.4, s5_7 - s7_14, mbgen::fma(s1_17, s7_14, s7_18));
   // coupler: coupler_pin, revolute, crank
-  const double s7_13 = tau[Coordinate::coupler_pin] - s7_9 + r_coupler_z*s7_7;
-  const double Q_coupler_pin = s7_13 - r_coupler_x*s7_8;
+  const double s7_19 = mbgen::fma(r_coupler_z, s7_9, tau[Coordinate::coupler_pin] - s7_12);
+  const double Q_coupler_pin = mbgen::fnma(r_coupler_x, s7_11, s7_19);
   // crank: crank_pin, revolute, ground
-  const double s7_14 = inputs.torque + tau[Coordinate::crank_pin] - s7_9;
-  const double s7_15 = s1_6*(0.8*(s1_6*projection.zdd_star[0] - s1_5*s7_1));
-  const double s7_16 = s1_5*(0.8*(9.81 - s1_6*s7_1 - s1_5*projection.zdd_star[0]));
-  const double Q_crank_pin = s7_14 - 7e-04*projection.zdd_star[0] - s7_15 + s7_16;
+  const double s7_20 = inputs.torque + tau[Coordinate::crank_pin] - s7_12;
+  const double s7_21 = 0.8*mbgen::fnma(s1_6, s7_1, s1_5*projection.zdd_star[0]);
+  const double s7_22 = mbgen::fnma(7e-04, projection.zdd_star[0], s7_20);
+  const double Q_crank_pin = mbgen::fma(s1_6, 0.8*s7_7, mbgen::fnma(s1_5, s7_21, s7_22));
   // operations: 35 add, 39 multiply
 
   // --- step 8: Rz' M Rz and right-hand side (63) ---
   // coupler: coupler_pin, revolute, crank
-  const double F_coupler_pin_x = s1_10 - 1.5*r_coupler_z;
-  const double F_coupler_pin_z = 1.5*r_coupler_x - s1_9;
-  const double N_coupler_pin_y = s1_11 - r_coupler_x*s1_9 - r_coupler_z*s1_10;
+  const double F_coupler_pin_x = mbgen::fnma(1.5, r_coupler_z, s1_9);
+  const double F_coupler_pin_z = mbgen::fms(1.5, r_coupler_x, s1_12);
+  const double N_coupler_pin_y = mbgen::fnma(r_coupler_z, s1_9, mbgen::fnma(r_coupler_x, s1_12,
+      s1_13));
   // rocker: rocker_pin, revolute, ground
-  const double F_rocker_pin_z = 0.44000000000000006 - s1_16;
-  const double N_rocker_pin_y = s1_17 - 0.4*s1_16;
-  const double s8_1 = N_coupler_pin_y + r_coupler_x*F_coupler_pin_z;
-  const double s8_2 = projection.Rz[1]*(s8_1 - r_coupler_z*F_coupler_pin_x);
-  const double s8_3 = N_crank_pin_y*projection.Rz[0] + projection.Rz[1]*N_coupler_pin_y;
-  const double s8_4 = projection.Rz[1]*(projection.Rz[0]*N_coupler_pin_y + s8_2);
-  const double s8_5 = projection.Rz[2]*(N_rocker_pin_y + 0.4*F_rocker_pin_z);
-  const double s8_6 = projection.Rz[0]*s8_3 + s8_4 + projection.Rz[2]*s8_5;
-  const double s8_7 = projection.Rz[0]*Q_crank_pin + projection.Rz[1]*Q_coupler_pin;
-  const double s8_8 = s8_7 + projection.Rz[2]*Q_rocker_pin;
+  const double F_rocker_pin_z = 0.44000000000000006 - s1_18;
+  const double N_rocker_pin_y = mbgen::fnma(0.4, s1_18, s1_19);
+  const double s8_1 = mbgen::fma(projection.Rz[0], Q_crank_pin, projection.Rz[2]*Q_rocker_pin);
+  const double s8_2 = mbgen::fma(projection.Rz[1], Q_coupler_pin, s8_1);
+  const double s8_3 = N_crank_pin_y*projection.Rz[0];
+  const double s8_4 = mbgen::fma(r_coupler_x, F_coupler_pin_z, N_coupler_pin_y);
+  const double s8_5 = mbgen::fnma(r_coupler_z, F_coupler_pin_x, s8_4);
+  const double s8_6 = projection.Rz[2]*mbgen::fma(0.4, F_rocker_pin_z, N_rocker_pin_y);
+  const double s8_7 = mbgen::fma(projection.Rz[1], N_coupler_pin_y, s8_3);
+  const double s8_8 = mbgen::fma(projection.Rz[1], s8_5, projection.Rz[0]*N_coupler_pin_y);
+  const double s8_9 = mbgen::fma(projection.Rz[0], s8_7, projection.Rz[2]*s8_6);
+  const double s8_10 = mbgen::fma(projection.Rz[1], s8_8, s8_9);
   // operations: 15 add, 19 multiply
 
   // --- step 9: independent and all accelerations (63), (62) ---
-  result.inertia[0] = s8_6 - 1e-12*s8_6;
-  const double s9_1 = s8_8*(1.0/s8_6);
-  result.zdd[Coordinate::crank_pin] = projection.zdd_star[0] + projection.Rz[0]*s9_1;
-  result.zdd[Coordinate::coupler_pin] = projection.zdd_star[1] + projection.Rz[1]*s9_1;
-  result.zdd[Coordinate::rocker_pin] = projection.zdd_star[2] + projection.Rz[2]*s9_1;
+  const double s9_1 = s8_2*(1.0/s8_10);
+  result.inertia[0] = mbgen::fnma(1e-12, s8_10, s8_10);
+  result.zdd[Coordinate::crank_pin] = mbgen::fma(projection.Rz[0], s9_1, projection.zdd_star[0]);
+  result.zdd[Coordinate::coupler_pin] = mbgen::fma(projection.Rz[1], s9_1, projection.zdd_star[1]);
+  result.zdd[Coordinate::rocker_pin] = mbgen::fma(projection.Rz[2], s9_1, projection.zdd_star[2]);
   // operations: 4 add, 5 multiply, 1 divide
 }
 
@@ -569,30 +604,32 @@ void compute_outputs(const Parameters& parameters, const Inputs& inputs, const S
   double R_crank_x_x, R_crank_x_z;
   mbgen::sincos(z_crank_pin, R_crank_x_z, R_crank_x_x);
   // coupler: coupler_pin, revolute, crank
-  const double s1_1 = 0.05*R_crank_x_z;
-  const double r_coupler_x = s1_1 + 0.1*R_crank_x_x;
-  const double s1_2 = 0.05*R_crank_x_x;
-  const double r_coupler_z = s1_2 - 0.1*R_crank_x_z;
   const double z_coupler_pin = state.z[Coordinate::coupler_pin];
-  double s1_3, s1_4;
-  mbgen::sincos(z_coupler_pin, s1_4, s1_3);
-  const double R_coupler_x_x = R_crank_x_x*s1_3 - R_crank_x_z*s1_4;
-  const double R_coupler_x_z = R_crank_x_x*s1_4 + R_crank_x_z*s1_3;
+  double s1_1, s1_2;
+  mbgen::sincos(z_coupler_pin, s1_2, s1_1);
+  const double R_coupler_x_x = mbgen::fnma(R_crank_x_z, s1_2, R_crank_x_x*s1_1);
+  const double R_coupler_x_z = mbgen::fma(R_crank_x_x, s1_2, R_crank_x_z*s1_1);
+  const double s1_3 = 0.05*R_crank_x_z;
+  const double r_coupler_x = mbgen::fma(0.1, R_crank_x_x, s1_3);
+  const double s1_4 = 0.05*R_crank_x_x;
+  const double r_coupler_z = mbgen::fnma(0.1, R_crank_x_z, s1_4);
   // rocker: rocker_pin, revolute, ground
   const double z_rocker_pin = state.z[Coordinate::rocker_pin];
   double R_rocker_x_x, R_rocker_x_z;
   mbgen::sincos(z_rocker_pin, R_rocker_x_z, R_rocker_x_x);
   // crank: crank_pin, revolute, ground
-  const double s1_5 = s1_2 + 0.02*R_crank_x_z;
-  const double s1_6 = 0.02*R_crank_x_x - s1_1;
+  const double s1_5 = mbgen::fms(0.02, R_crank_x_x, s1_3);
+  const double s1_6 = mbgen::fma(0.02, R_crank_x_z, s1_4);
   // coupler: coupler_pin, revolute, crank
-  const double s1_7 = r_coupler_x + 0.11*R_coupler_x_z + 0.15*R_coupler_x_x;
-  const double s1_8 = r_coupler_z + 0.11*R_coupler_x_x - 0.15*R_coupler_x_z;
+  const double s1_7 = mbgen::fma(0.11, R_coupler_x_x, r_coupler_z);
+  const double s1_8 = mbgen::fnma(0.15, R_coupler_x_z, s1_7);
+  const double s1_9 = mbgen::fma(0.11, R_coupler_x_z, r_coupler_x);
+  const double s1_10 = mbgen::fma(0.15, R_coupler_x_x, s1_9);
   // rocker: rocker_pin, revolute, ground
-  const double s1_9 = 0.009999999999999953*R_rocker_x_z;
-  const double s1_10 = 0.12*R_rocker_x_x - s1_9;
-  const double s1_11 = 0.4 + 0.009999999999999953*R_rocker_x_x;
-  const double s1_12 = s1_11 + 0.12*R_rocker_x_z;
+  const double s1_11 = 0.009999999999999953*R_rocker_x_z;
+  const double s1_12 = mbgen::fms(0.12, R_rocker_x_x, s1_11);
+  const double s1_13 = mbgen::fma(0.009999999999999953, R_rocker_x_x, 0.4);
+  const double s1_14 = mbgen::fma(0.12, R_rocker_x_z, s1_13);
   // operations: 13 add, 18 multiply, 6 sin cos
 
   // --- step 4: velocities Z (36) ---
@@ -609,16 +646,16 @@ void compute_outputs(const Parameters& parameters, const Inputs& inputs, const S
 
   // --- step 5: applied forces Q (48) ---
   // return_spring
-  const double s5_1 = 0.15*R_rocker_x_x - s1_9;
-  const double s5_2 = s1_11 + 0.15*R_rocker_x_z;
-  const double s5_3 = 0.6 - s5_2;
-  const double s5_4 = 0.1 - s5_1;
-  const double s5_5 = std::sqrt(s5_4*s5_4 + s5_3*s5_3);
+  const double s5_1 = mbgen::fms(0.15, R_rocker_x_x, s1_11);
+  const double s5_2 = 0.1 - s5_1;
+  const double s5_3 = mbgen::fma(0.15, R_rocker_x_z, s1_13);
+  const double s5_4 = 0.6 - s5_3;
+  const double s5_5 = std::sqrt(mbgen::fma(s5_4, s5_4, s5_2*s5_2));
   const double tension_return_spring = parameters.k*(s5_5 - 0.18);
   result.spring_force = tension_return_spring;
-  const double s5_6 = 1.0/s5_5*tension_return_spring;
-  const double s5_7 = s5_4*s5_6;
-  const double s5_8 = s5_1*(s5_3*s5_6) - s5_2*s5_7;
+  const double s5_6 = tension_return_spring*(1.0/s5_5);
+  const double s5_7 = s5_2*s5_6;
+  const double s5_8 = mbgen::fnma(s5_3, s5_7, s5_1*(s5_4*s5_6));
   // operations: 7 add, 10 multiply, 1 divide, 1 sqrt
 
   // --- step 7: accelerations Zdot and accumulated forces QR - PR (51), (52) ---
@@ -634,22 +671,27 @@ void compute_outputs(const Parameters& parameters, const Inputs& inputs, const S
 
   // --- step 9: independent and all accelerations (63), (62) ---
   // coupler_x
-  result.coupler_x = r_coupler_x + 0.25*R_coupler_x_z + 0.19999999999999998*R_coupler_x_x;
-  result.coupler_z = r_coupler_z + 0.25*R_coupler_x_x - 0.19999999999999998*R_coupler_x_z;
+  const double s9_1 = mbgen::fma(0.25, R_coupler_x_z, r_coupler_x);
+  result.coupler_x = mbgen::fma(0.19999999999999998, R_coupler_x_x, s9_1);
+  const double s9_2 = mbgen::fma(0.25, R_coupler_x_x, r_coupler_z);
+  result.coupler_z = mbgen::fnma(0.19999999999999998, R_coupler_x_z, s9_2);
   // spring_force
-  const double s9_1 = zd_crank_pin*s1_6;
-  const double s9_2 = zd_crank_pin*s1_5;
-  const double s9_3 = s1_8*w_coupler_y - s4_1;
-  const double s9_4 = v_coupler_z - s1_7*w_coupler_y;
-  const double s9_5 = zd_rocker_pin*s1_10;
-  const double s9_6 = v_rocker_z - zd_rocker_pin*s1_12;
-  const double s9_7 = zd_rocker_pin*s7_3 + w_coupler_y*s7_2 + zd_crank_pin*s7_1;
-  const double s9_8 = s9_7 + 0.8*(s9_2*s9_2 + s9_1*s9_1) + 1.5*(s9_4*s9_4 + s9_3*s9_3);
-  result.potential_energy = 0.8*(9.81*s1_6) + 1.5*(9.81*s1_8) + 1.1*(9.81*s1_10);
-  const double s9_9 = zd_crank_pin*s7_4 + zd_coupler_pin*tau[Coordinate::coupler_pin];
-  const double s9_10 = zd_rocker_pin*(tau[Coordinate::rocker_pin] + s5_8);
-  result.applied_power = s9_9 + v_rocker_z*s5_7 + s9_10;
-  result.kinetic_energy = 0.5*(s9_8 + 1.1*(s9_6*s9_6 + s9_5*s9_5));
+  const double s9_3 = zd_crank_pin*s1_6;
+  const double s9_4 = zd_crank_pin*s7_4;
+  const double s9_5 = mbgen::fma(zd_coupler_pin, tau[Coordinate::coupler_pin], s9_4);
+  const double s9_6 = tau[Coordinate::rocker_pin] + s5_8;
+  result.applied_power = mbgen::fma(zd_rocker_pin, s9_6, mbgen::fma(v_rocker_z, s5_7, s9_5));
+  result.potential_energy = mbgen::fma(1.5, 9.81*s1_8, mbgen::fma(0.8, 9.81*s1_5,
+      1.1*(9.81*s1_12)));
+  const double s9_7 = zd_rocker_pin*s1_12;
+  const double s9_8 = mbgen::fnma(zd_rocker_pin, s1_14, v_rocker_z);
+  const double s9_9 = zd_crank_pin*s1_5;
+  const double s9_10 = mbgen::fnma(s1_10, w_coupler_y, v_coupler_z);
+  const double s9_11 = mbgen::fms(s1_8, w_coupler_y, s4_1);
+  const double s9_12 = mbgen::fma(1.1, mbgen::fma(s9_8, s9_8, s9_7*s9_7), zd_rocker_pin*s7_3);
+  const double s9_13 = mbgen::fma(zd_crank_pin, s7_1, mbgen::fma(w_coupler_y, s7_2, s9_12));
+  const double s9_14 = mbgen::fma(0.8, mbgen::fma(s9_9, s9_9, s9_3*s9_3), s9_13);
+  result.kinetic_energy = 0.5*mbgen::fma(1.5, mbgen::fma(s9_11, s9_11, s9_10*s9_10), s9_14);
   // operations: 21 add, 33 multiply
   result.crank_angle = z_crank_pin;
 }

@@ -56,7 +56,7 @@ Compilation pendulums(const Names& names, const Names& units = {"1"}, const std:
 /// Solver, batch interface and driver.
 std::vector<EmittedFile> all_files(const Compilation& compilation) {
   constexpr int kLanes = 4;
-  std::vector<EmittedFile> files = emit(contracted(compilation), {.runtime_headers = false, .lanes = kLanes});
+  std::vector<EmittedFile> files = emit(compilation, {.runtime_headers = false, .lanes = kLanes});
   files.push_back(emit_driver(compilation.model, kLanes));
   return files;
 }

@@ -7,7 +7,7 @@
 #include <type_traits>
 
 #include "mbgen/elementary.hpp"
-#include "mbgen/multiply_add.hpp"
+#include "mbgen/fma.hpp"
 #include "mbgen/scalar.hpp"
 
 #if defined(__AVX__) && defined(__FMA__)
@@ -90,7 +90,7 @@ template <class Lanes>
 template <class Lanes>
 [[gnu::always_inline]] inline Lanes fused(const Lanes& a, const Lanes& b, const Lanes& c) noexcept {
   Lanes result{};
-  for (int lane = 0; lane < kLanesOf<Lanes>; ++lane) result[lane] = mbgen::multiply_add(a[lane], b[lane], c[lane]);
+  for (int lane = 0; lane < kLanesOf<Lanes>; ++lane) result[lane] = mbgen::fma(a[lane], b[lane], c[lane]);
   return result;
 }
 template <class Lanes>
@@ -147,21 +147,21 @@ template <class Lanes, class Function>
 
 /// a b + c.
 template <class A, class B, class C, class Lanes = WidestOf<A, B, C>>
-[[gnu::always_inline]] inline Lanes multiply_add(const A& a, const B& b, const C& c) noexcept {
+[[gnu::always_inline]] inline Lanes fma(const A& a, const B& b, const C& c) noexcept {
   using namespace lanes_detail;
   return fused(all<Lanes>(a), all<Lanes>(b), all<Lanes>(c));
 }
 
 /// a b - c.
 template <class A, class B, class C, class Lanes = WidestOf<A, B, C>>
-[[gnu::always_inline]] inline Lanes multiply_subtract(const A& a, const B& b, const C& c) noexcept {
+[[gnu::always_inline]] inline Lanes fms(const A& a, const B& b, const C& c) noexcept {
   using namespace lanes_detail;
   return fused_less(all<Lanes>(a), all<Lanes>(b), all<Lanes>(c));
 }
 
 /// c - a b.
-template <class C, class A, class B, class Lanes = WidestOf<A, B, C>>
-[[gnu::always_inline]] inline Lanes subtract_product(const C& c, const A& a, const B& b) noexcept {
+template <class A, class B, class C, class Lanes = WidestOf<A, B, C>>
+[[gnu::always_inline]] inline Lanes fnma(const A& a, const B& b, const C& c) noexcept {
   using namespace lanes_detail;
   return fused_from(all<Lanes>(a), all<Lanes>(b), all<Lanes>(c));
 }

@@ -1,0 +1,131 @@
+#include "compiler/program/canonical_order.hpp"
+
+#include <algorithm>
+#include <array>
+#include <numeric>
+#include <string>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+#include "compiler/program/arithmetic.hpp"
+
+namespace mbgen {
+namespace {
+
+using Rank = std::uint32_t;
+
+/// Per node, the longest chain of operands of the same moment below it.
+std::vector<std::uint32_t> depths_within_moments(const Program& program, std::span<const std::uint32_t> moments) {
+  std::vector<std::uint32_t> depths(program.nodes.size(), 0);
+  for (std::size_t i = 0; i < depths.size(); ++i) {
+    const Node& node = program.nodes[i];
+    for (int k = 0; k < arity(node.op); ++k) {
+      if (moments[node.operands[k]] == moments[i]) depths[i] = std::max(depths[i], depths[node.operands[k]] + 1);
+    }
+  }
+  return depths;
+}
+
+/// Ranks of the operands, in ascending order when they commute.
+std::array<Rank, 3> operand_ranks(const Node& node, std::span<const Rank> ranks) {
+  std::array<Rank, 3> result = {0, 0, 0};
+  for (std::size_t k = 0; k < static_cast<std::size_t>(arity(node.op)); ++k) result[k] = ranks[node.operands[k]];
+  if (is_commutative(node.op) && result[1] < result[0]) std::swap(result[0], result[1]);
+  return result;
+}
+
+/// Places of the nodes in an order of what they compute: by moment, depth, operation and the ranks of the operands.
+std::vector<Rank> ranks_of_nodes(const Program& program, std::span<const std::uint32_t> moments) {
+  const std::vector<std::uint32_t> depths = depths_within_moments(program, moments);
+  const auto wave = [&](ValueId value) { return std::pair(moments[value], depths[value]); };
+  std::vector<ValueId> order(program.nodes.size());
+  std::iota(order.begin(), order.end(), ValueId{0});
+  std::ranges::sort(order, {}, wave);
+  std::vector<Rank> ranks(program.nodes.size());
+  const auto key = [&](ValueId value) {
+    const Node& node = program.nodes[value];
+    static const Slot kNone;
+    const Slot& slot = node.op == Op::input ? program.inputs[static_cast<std::size_t>(node.input)] : kNone;
+    return std::tuple<Op, double, const std::string&, int, std::array<Rank, 3>>(node.op, node.constant, slot.group,
+                                                                                slot.index, operand_ranks(node, ranks));
+  };
+  for (auto begin = order.begin(); begin != order.end();) {
+    const auto end = std::find_if(begin, order.end(), [&](ValueId value) { return wave(value) != wave(*begin); });
+    std::sort(begin, end, [&](ValueId a, ValueId b) { return key(a) < key(b); });
+    for (; begin != end; ++begin) ranks[*begin] = static_cast<Rank>(begin - order.begin());
+  }
+  return ranks;
+}
+
+/// Where the walk of a moment begins: at its values with names, in the order of naming, then at those that no other
+/// value of the moment needs.
+std::vector<ValueId> starts_of_moments(const Program& program, std::span<const std::uint32_t> moments,
+                                       std::span<const Rank> ranks) {
+  std::vector<bool> is_start(program.nodes.size(), true);
+  for (std::size_t i = 0; i < is_start.size(); ++i) {
+    const Node& node = program.nodes[i];
+    for (int k = 0; k < arity(node.op); ++k) {
+      const ValueId operand = node.operands[k];
+      if (moments[operand] == moments[i] && program.nodes[operand].label < 0) is_start[operand] = false;
+    }
+  }
+  std::vector<ValueId> starts;
+  for (std::size_t i = 0; i < is_start.size(); ++i) {
+    if (is_start[i]) starts.push_back(static_cast<ValueId>(i));
+  }
+  std::ranges::sort(starts, {}, [&](ValueId value) {
+    const std::int32_t label = program.nodes[value].label;
+    return std::tuple(moments[value], label < 0, label, ranks[value]);
+  });
+  return starts;
+}
+
+/// The operands that follow from `value`, first one last, so that a stack takes it first.
+void push_operands(const Node& node, std::span<const Rank> ranks, std::vector<ValueId>& stack) {
+  std::array<ValueId, 3> operands = {node.operands[0], node.operands[1], node.operands[2]};
+  if (is_commutative(node.op) && ranks[operands[1]] < ranks[operands[0]]) std::swap(operands[0], operands[1]);
+  for (int k = arity(node.op); k-- > 0;) stack.push_back(operands[static_cast<std::size_t>(k)]);
+}
+
+/// Operands before users, depth first from the starts.
+std::vector<ValueId> depth_first(const Program& program, std::span<const ValueId> starts, std::span<const Rank> ranks) {
+  std::vector<ValueId> order, stack;
+  std::vector<bool> entered(program.nodes.size(), false), placed(program.nodes.size(), false);
+  for (const ValueId start : starts) {
+    stack.push_back(start);
+    while (!stack.empty()) {
+      const ValueId value = stack.back();
+      if (!entered[value]) {
+        entered[value] = true;
+        push_operands(program.nodes[value], ranks, stack);
+        continue;
+      }
+      stack.pop_back();
+      if (!placed[value]) order.push_back(value);
+      placed[value] = true;
+    }
+  }
+  return order;
+}
+
+}  // namespace
+
+Program in_canonical_order(const Program& program, std::span<const std::uint32_t> moments) {
+  const std::vector<Rank> ranks = ranks_of_nodes(program, moments);
+  const std::vector<ValueId> order = depth_first(program, starts_of_moments(program, moments, ranks), ranks);
+  std::vector<ValueId> renumbered(program.nodes.size(), kNoValue);
+  for (std::size_t i = 0; i < order.size(); ++i) renumbered[order[i]] = static_cast<ValueId>(i);
+  Program result = program;
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    Node& node = result.nodes[i] = program.nodes[order[i]];
+    for (int k = 0; k < arity(node.op); ++k) node.operands[k] = renumbered[node.operands[k]];
+    const auto place = [&](ValueId value) { return std::pair(program.nodes[order[value]].op != Op::constant, value); };
+    if (is_commutative(node.op) && place(node.operands[1]) < place(node.operands[0]))
+      std::swap(node.operands[0], node.operands[1]);
+  }
+  for (OutputValue& output : result.outputs) output.value = renumbered[output.value];
+  return result;
+}
+
+}  // namespace mbgen
