@@ -1,7 +1,7 @@
 #pragma once
 // The arc tangent of one and of two arguments without branches: for double, for vectors of double and for arrays of
-// either. As in sincos.hpp each lane is computed as a double alone is, and contraction has one way. Method: the
-// reciprocal of arguments above one, and one minimax polynomial on [0, 1] by docs/minimax.py.
+// either. As in sincos.hpp each lane is computed as a double alone is. Method: the reciprocal of arguments above one,
+// and one minimax polynomial on [0, 1] by docs/minimax.py.
 
 #include "mbgen/sincos.hpp"
 
@@ -31,17 +31,13 @@ template <class T>
 inline void turn_from(const T& base, const T& base_rest, const T& t, const Bits<T>& flip, T& result) noexcept {
   const auto& p = kArcTangent;
   const T z = t * t, z2 = z * z, z4 = z2 * z2;
-  const T p0 = (z * p[1] + p[0]) + z2 * (z * p[3] + p[2]);
-  const T p4 = (z * p[5] + p[4]) + z2 * (z * p[7] + p[6]);
-  const T p8 = (z * p[9] + p[8]) + z2 * (z * p[11] + p[10]);
-  const T p12 = (z * p[13] + p[12]) + z2 * (z * p[15] + p[14]);
-  const T p16 = (z * p[17] + p[16]) + z2 * (z * p[19] + p[18]);
-  const T polynomial = p0 + z4 * (p4 + z4 * (p8 + z4 * (p12 + z4 * p16)));
+  const auto four = [&](int i) -> T { return fma(z2, fma(z, p[i + 3], p[i + 2]), fma(z, p[i + 1], p[i])); };
+  const T polynomial = fma(z4, fma(z4, fma(z4, fma(z4, four(16), four(12)), four(8)), four(4)), four(0));
   const T turn = __builtin_bit_cast(T, __builtin_bit_cast(Bits<T>, t) ^ flip);
   const T cube = turn * z;
   const T sum = base + turn;
   const T rest = base_rest + ((base - sum) + turn);
-  result = sum + (cube * polynomial + rest);
+  result = sum + fma(cube, polynomial, rest);
 }
 
 /// The angle whose tangent is x. T, here and above, by reference: see reduced_sincos.

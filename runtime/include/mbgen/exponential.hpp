@@ -1,8 +1,7 @@
 #pragma once
 // Exponential function and hyperbolic tangent without branches: for double, for vectors of double and for arrays of
-// either. As in sincos.hpp each lane is computed as a double alone is, and contraction has one way, or two of the same
-// bits. Method: reduction by a multiple of log 2 whose first part has 32 bits (Cody, Waite), minimax polynomials of the
-// even and of the odd powers by docs/minimax.py.
+// either. As in sincos.hpp each lane is computed as a double alone is. Method: reduction by a multiple of log 2 whose
+// first part has 32 bits (Cody, Waite), minimax polynomials of the even and of the odd powers by docs/minimax.py.
 
 #include "mbgen/sincos.hpp"
 
@@ -26,17 +25,17 @@ constexpr double kFlatExponent = -80;
 /// Requires: |x| < 2^19; x_rest: small next to the last place of one.
 template <class T>
 inline void reduce_exponential(const T& x, const T& x_rest, T& rounded, T& r, T& more) noexcept {
-  rounded = x * kLog2E + kRounding;
+  rounded = fma(x, kLog2E, kRounding);
   const T multiple = rounded - kRounding;
-  const T high = x - multiple * kLog2High;  // exact
-  r = high - multiple * kLog2Low;
-  const T rest = ((high - r) - multiple * kLog2Low) + x_rest;
+  const T high = fnma(multiple, kLog2High, x);  // exact
+  r = fnma(multiple, kLog2Low, high);
+  const T rest = fnma(multiple, kLog2Low, high - r) + x_rest;
   const T z = r * r, zz = z * z;
   const auto& e = kEvenPowers;
   const auto& o = kOddPowers;
-  const T even = (z * e[1] + e[0]) + zz * ((z * e[3] + e[2]) + zz * (z * e[5] + e[4]));
-  const T odd = (z * o[1] + o[0]) + zz * ((z * o[3] + o[2]) + zz * o[4]);
-  more = z * (even + r * odd) + (rest + r * rest);
+  const T even = fma(zz, fma(zz, fma(z, e[5], e[4]), fma(z, e[3], e[2])), fma(z, e[1], e[0]));
+  const T odd = fma(zz, fma(zz, o[4], fma(z, o[3], o[2])), fma(z, o[1], o[0]));
+  more = fma(z, fma(r, odd, even), fma(r, rest, rest));
 }
 
 /// 2^n, n in the low bits. Requires: -1022 <= n <= 1023.
@@ -56,7 +55,7 @@ inline void find_exponential(const T& x, const T& x_rest, T& result) noexcept {
   const T sum = one + r;
   const T value = sum + (((one - sum) + r) + more);
   // In two steps, for results that are nearly infinite or have lost digits.
-  const T half = (rounded - kRounding) * 0.5 + kRounding;
+  const T half = fma(rounded - kRounding, 0.5, kRounding);
   power_of_two<T>(__builtin_bit_cast(Bits<T>, half), first);
   power_of_two<T>(__builtin_bit_cast(Bits<T>, rounded) - __builtin_bit_cast(Bits<T>, half), second);
   result = value * first * second;
@@ -74,14 +73,14 @@ inline void find_hyperbolic_tangent(const T& x, T& result) noexcept {
   power_of_two<T>(__builtin_bit_cast(B, rounded), power);
   // d = e^within - 1 = (power - 1) + power r + power more, in two parts; tanh |x| = -d / (2 + d)
   const T base = power - 1.0;
-  const T sum = base + power * r;  // the product is exact
-  const T tail = ((base - sum) + power * r) + power * more;
+  const T sum = fma(power, r, base);
+  const T tail = fma(power, more, fma(power, r, base - sum));
   const T d = sum + tail;
   const T d_rest = (sum - d) + tail;
   const T divisor = 2.0 + d;
   const T divisor_rest = (d - (divisor - 2.0)) + d_rest;
   const T quotient = d / divisor;
-  const T positive = -(quotient + (d_rest - quotient * divisor_rest) / divisor);
+  const T positive = -(quotient + fnma(quotient, divisor_rest, d_rest) / divisor);
   result = __builtin_bit_cast(T, (__builtin_bit_cast(B, positive) & kSignless) | sign);
 }
 

@@ -1,6 +1,14 @@
 #pragma once
-// Products in sums, rounded once where the processor can: code that calls these has the same bits on every compiler.
-// Without such an instruction product and sum are rounded each, for lanes as for doubles. Names as of the instructions.
+// Products in sums, rounded once where the processor can: code that calls these has the same bits from every compiler.
+// Without such an instruction product and sum are rounded each. For double and, lane by lane, for vectors of double
+// (the vector_size extension of GCC and clang), where plain numbers count for every lane. Names as of the instructions.
+
+#if defined(__AVX__) && defined(__FMA__)
+#include <immintrin.h>
+#endif
+
+// Vectors wider than the processor's have no settled way to be passed; nothing here is called across files.
+#pragma GCC diagnostic ignored "-Wpsabi"
 
 namespace mbgen {
 
@@ -18,5 +26,99 @@ inline double fms(double a, double b, double c) noexcept { return mbgen::fma(a, 
 
 /// c - a b.
 inline double fnma(double a, double b, double c) noexcept { return mbgen::fma(-a, b, c); }
+
+/// Number of lanes of a vector.
+template <class Lanes>
+inline constexpr int kLanesOf = static_cast<int>(sizeof(Lanes) / sizeof(double));
+
+/// The vector among the types of arguments.
+template <class... Arguments>
+using WidestOf = decltype((Arguments() + ...));
+
+namespace lanes_detail {
+
+/// A number in every lane. The difference keeps the sign of zero.
+template <class Lanes>
+[[gnu::always_inline]] inline Lanes all(double value) noexcept {
+  return value - Lanes{};
+}
+template <class Lanes>
+[[gnu::always_inline]] inline Lanes all(const Lanes& value) noexcept {
+  return value;
+}
+
+/// a b + c, and the same with the sign of the product or of c turned. Each is one instruction of its own: g++ negates
+/// an operand that several of them share beforehand.
+template <class Lanes>
+[[gnu::always_inline]] inline Lanes fused(const Lanes& a, const Lanes& b, const Lanes& c) noexcept {
+  Lanes result{};
+  for (int lane = 0; lane < kLanesOf<Lanes>; ++lane) result[lane] = mbgen::fma(a[lane], b[lane], c[lane]);
+  return result;
+}
+template <class Lanes>
+[[gnu::always_inline]] inline Lanes fused_less(const Lanes& a, const Lanes& b, const Lanes& c) noexcept {
+  return fused(a, b, -c);
+}
+template <class Lanes>
+[[gnu::always_inline]] inline Lanes fused_from(const Lanes& a, const Lanes& b, const Lanes& c) noexcept {
+  return fused(-a, b, c);
+}
+
+#if defined(__AVX__) && defined(__FMA__)
+[[gnu::always_inline]] inline __m128d fused(const __m128d& a, const __m128d& b, const __m128d& c) noexcept {
+  return _mm_fmadd_pd(a, b, c);
+}
+[[gnu::always_inline]] inline __m256d fused(const __m256d& a, const __m256d& b, const __m256d& c) noexcept {
+  return _mm256_fmadd_pd(a, b, c);
+}
+[[gnu::always_inline]] inline __m256d fused_less(const __m256d& a, const __m256d& b, const __m256d& c) noexcept {
+  return _mm256_fmsub_pd(a, b, c);
+}
+[[gnu::always_inline]] inline __m256d fused_from(const __m256d& a, const __m256d& b, const __m256d& c) noexcept {
+  return _mm256_fnmadd_pd(a, b, c);
+}
+#if defined(__AVX512F__)
+[[gnu::always_inline]] inline __m512d fused(const __m512d& a, const __m512d& b, const __m512d& c) noexcept {
+  return _mm512_fmadd_pd(a, b, c);
+}
+[[gnu::always_inline]] inline __m512d fused_less(const __m512d& a, const __m512d& b, const __m512d& c) noexcept {
+  return _mm512_fmsub_pd(a, b, c);
+}
+[[gnu::always_inline]] inline __m512d fused_from(const __m512d& a, const __m512d& b, const __m512d& c) noexcept {
+  return _mm512_fnmadd_pd(a, b, c);
+}
+#else
+typedef double Eight __attribute__((vector_size(64)));
+[[gnu::always_inline]] inline Eight fused(const Eight& a, const Eight& b, const Eight& c) noexcept {
+  const __m256d low =
+      _mm256_fmadd_pd(__builtin_shufflevector(a, a, 0, 1, 2, 3), __builtin_shufflevector(b, b, 0, 1, 2, 3),
+                      __builtin_shufflevector(c, c, 0, 1, 2, 3));
+  const __m256d high =
+      _mm256_fmadd_pd(__builtin_shufflevector(a, a, 4, 5, 6, 7), __builtin_shufflevector(b, b, 4, 5, 6, 7),
+                      __builtin_shufflevector(c, c, 4, 5, 6, 7));
+  return __builtin_shufflevector(low, high, 0, 1, 2, 3, 4, 5, 6, 7);
+}
+#endif
+#endif
+
+}  // namespace lanes_detail
+
+template <class A, class B, class C, class Lanes = WidestOf<A, B, C>>
+[[gnu::always_inline]] inline Lanes fma(const A& a, const B& b, const C& c) noexcept {
+  using namespace lanes_detail;
+  return fused(all<Lanes>(a), all<Lanes>(b), all<Lanes>(c));
+}
+
+template <class A, class B, class C, class Lanes = WidestOf<A, B, C>>
+[[gnu::always_inline]] inline Lanes fms(const A& a, const B& b, const C& c) noexcept {
+  using namespace lanes_detail;
+  return fused_less(all<Lanes>(a), all<Lanes>(b), all<Lanes>(c));
+}
+
+template <class A, class B, class C, class Lanes = WidestOf<A, B, C>>
+[[gnu::always_inline]] inline Lanes fnma(const A& a, const B& b, const C& c) noexcept {
+  using namespace lanes_detail;
+  return fused_from(all<Lanes>(a), all<Lanes>(b), all<Lanes>(c));
+}
 
 }  // namespace mbgen

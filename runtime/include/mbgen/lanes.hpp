@@ -10,13 +10,6 @@
 #include "mbgen/fma.hpp"
 #include "mbgen/scalar.hpp"
 
-#if defined(__AVX__) && defined(__FMA__)
-#include <immintrin.h>
-#endif
-
-// Vectors wider than the processor's have no settled way to be passed; nothing here is called across files.
-#pragma GCC diagnostic ignored "-Wpsabi"
-
 namespace mbgen {
 
 /// A vector of W doubles.
@@ -27,17 +20,9 @@ struct LaneTypes {
   typedef double InArray __attribute__((vector_size(8 * W), aligned(8), may_alias));
 };
 
-/// Number of lanes of a vector.
-template <class Lanes>
-inline constexpr int kLanesOf = static_cast<int>(sizeof(Lanes) / sizeof(double));
-
 /// What a comparison of vectors gives: all bits of a lane where it holds, none elsewhere.
 template <class Lanes>
 using MaskOf = decltype(Lanes() < Lanes());
-
-/// The vector among the types of arguments.
-template <class... Arguments>
-using WidestOf = decltype((Arguments() + ...));
 
 /// One row of an array of structures turned inside out: a quantity of every lane.
 template <int W>
@@ -75,67 +60,6 @@ template <class Mask, class Lanes>
 
 namespace lanes_detail {
 
-/// A number in every lane. The difference keeps the sign of zero.
-template <class Lanes>
-[[gnu::always_inline]] inline Lanes all(double value) noexcept {
-  return value - Lanes{};
-}
-template <class Lanes>
-[[gnu::always_inline]] inline Lanes all(const Lanes& value) noexcept {
-  return value;
-}
-
-/// a b + c, and the same with the sign of the product or of c turned. Each is one instruction of its own: g++ negates
-/// an operand that several of them share beforehand.
-template <class Lanes>
-[[gnu::always_inline]] inline Lanes fused(const Lanes& a, const Lanes& b, const Lanes& c) noexcept {
-  Lanes result{};
-  for (int lane = 0; lane < kLanesOf<Lanes>; ++lane) result[lane] = mbgen::fma(a[lane], b[lane], c[lane]);
-  return result;
-}
-template <class Lanes>
-[[gnu::always_inline]] inline Lanes fused_less(const Lanes& a, const Lanes& b, const Lanes& c) noexcept {
-  return fused(a, b, -c);
-}
-template <class Lanes>
-[[gnu::always_inline]] inline Lanes fused_from(const Lanes& a, const Lanes& b, const Lanes& c) noexcept {
-  return fused(-a, b, c);
-}
-
-#if defined(__AVX__) && defined(__FMA__)
-[[gnu::always_inline]] inline __m256d fused(const __m256d& a, const __m256d& b, const __m256d& c) noexcept {
-  return _mm256_fmadd_pd(a, b, c);
-}
-[[gnu::always_inline]] inline __m256d fused_less(const __m256d& a, const __m256d& b, const __m256d& c) noexcept {
-  return _mm256_fmsub_pd(a, b, c);
-}
-[[gnu::always_inline]] inline __m256d fused_from(const __m256d& a, const __m256d& b, const __m256d& c) noexcept {
-  return _mm256_fnmadd_pd(a, b, c);
-}
-#if defined(__AVX512F__)
-[[gnu::always_inline]] inline __m512d fused(const __m512d& a, const __m512d& b, const __m512d& c) noexcept {
-  return _mm512_fmadd_pd(a, b, c);
-}
-[[gnu::always_inline]] inline __m512d fused_less(const __m512d& a, const __m512d& b, const __m512d& c) noexcept {
-  return _mm512_fmsub_pd(a, b, c);
-}
-[[gnu::always_inline]] inline __m512d fused_from(const __m512d& a, const __m512d& b, const __m512d& c) noexcept {
-  return _mm512_fnmadd_pd(a, b, c);
-}
-#else
-using Eight = LaneTypes<8>::Lanes;
-[[gnu::always_inline]] inline Eight fused(const Eight& a, const Eight& b, const Eight& c) noexcept {
-  const __m256d low =
-      _mm256_fmadd_pd(__builtin_shufflevector(a, a, 0, 1, 2, 3), __builtin_shufflevector(b, b, 0, 1, 2, 3),
-                      __builtin_shufflevector(c, c, 0, 1, 2, 3));
-  const __m256d high =
-      _mm256_fmadd_pd(__builtin_shufflevector(a, a, 4, 5, 6, 7), __builtin_shufflevector(b, b, 4, 5, 6, 7),
-                      __builtin_shufflevector(c, c, 4, 5, 6, 7));
-  return __builtin_shufflevector(low, high, 0, 1, 2, 3, 4, 5, 6, 7);
-}
-#endif
-#endif
-
 /// A function of the C library, lane after lane.
 template <class Lanes, class Function>
 [[gnu::always_inline]] inline Lanes each(const Lanes& x, Function function) noexcept {
@@ -144,27 +68,6 @@ template <class Lanes, class Function>
   return result;
 }
 }  // namespace lanes_detail
-
-/// a b + c.
-template <class A, class B, class C, class Lanes = WidestOf<A, B, C>>
-[[gnu::always_inline]] inline Lanes fma(const A& a, const B& b, const C& c) noexcept {
-  using namespace lanes_detail;
-  return fused(all<Lanes>(a), all<Lanes>(b), all<Lanes>(c));
-}
-
-/// a b - c.
-template <class A, class B, class C, class Lanes = WidestOf<A, B, C>>
-[[gnu::always_inline]] inline Lanes fms(const A& a, const B& b, const C& c) noexcept {
-  using namespace lanes_detail;
-  return fused_less(all<Lanes>(a), all<Lanes>(b), all<Lanes>(c));
-}
-
-/// c - a b.
-template <class A, class B, class C, class Lanes = WidestOf<A, B, C>>
-[[gnu::always_inline]] inline Lanes fnma(const A& a, const B& b, const C& c) noexcept {
-  using namespace lanes_detail;
-  return fused_from(all<Lanes>(a), all<Lanes>(b), all<Lanes>(c));
-}
 
 /// a where condition >= 0, else b (b for NaN).
 template <class Lanes, class A, class B, class = std::enable_if_t<!std::is_arithmetic_v<Lanes>>>

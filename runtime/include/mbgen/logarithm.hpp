@@ -1,6 +1,6 @@
 #pragma once
 // Natural logarithm and powers without branches: for double, for vectors of double and for arrays of either. As in
-// sincos.hpp each lane is computed as a double alone is, and contraction has one way, or several of the same bits.
+// sincos.hpp each lane is computed as a double alone is.
 // Method: x = 2^k m with m between the square roots of 1/2 and 2, log m = 2 artanh((m - 1) / (m + 1)) with the quotient
 // and the sum in two doubles each, a minimax polynomial by docs/minimax.py; for powers the product with the exponent in
 // two doubles, then the exponential function.
@@ -58,17 +58,18 @@ inline void find_logarithm(const T& x, T& high, T& low) noexcept {
   upper_half(quotient, u);
   upper_half(d, d_upper);
   const T d_lower = (d - d_upper) + d_rest;
-  const T u_rest = ((f - u * d_upper) - u * d_lower) / d;  // the first product is exact
+  const T u_rest = fnma(u, d_lower, fnma(u, d_upper, f)) / d;  // the first product is exact
 
   const auto& p = kLogarithm;
   const T z = quotient * quotient, zz = z * z;
-  const T polynomial =
-      ((z * p[1] + p[0]) + zz * (z * p[3] + p[2])) + (zz * zz) * ((z * p[5] + p[4]) + zz * (z * p[7] + p[6]));
+  const T first_half = fma(zz, fma(z, p[3], p[2]), fma(z, p[1], p[0]));
+  const T second_half = fma(zz, fma(z, p[7], p[6]), fma(z, p[5], p[4]));
+  const T polynomial = fma(zz * zz, second_half, first_half);
   const T cube = quotient * z;
-  const T of_m = (u_rest + u_rest) + cube * polynomial;
+  const T of_m = fma(cube, polynomial, u_rest + u_rest);
   const T of_power = k * kLog2High, twice = u + u;  // exact
   const T sum = of_power + twice;
-  const T rest = ((of_power - sum) + twice) + (of_m + k * kLog2Low);
+  const T rest = ((of_power - sum) + twice) + fma(k, kLog2Low, of_m);
   const T total = sum + rest;
   upper_half(total, high);
   low = (sum - high) + rest;
@@ -88,9 +89,9 @@ inline void find_power(const T& x, const T& y, T& result) noexcept {
   find_logarithm(x, high, low);
   upper_half(y, y_upper);
   const T y_lower = y - y_upper;
-  const T product = y_upper * high;        // exact, as is y_lower * high
-  const T sum = product + y_lower * high;  // y high, rounded
-  const T rest = ((product - sum) + y_lower * high) + y * low;
+  const T product = y_upper * high;           // exact, as is y_lower * high
+  const T sum = fma(y_lower, high, product);  // y high, rounded
+  const T rest = fma(y, low, fma(y_lower, high, product - sum));
   const T total = sum + rest;
   constexpr std::int64_t largest = __builtin_bit_cast(std::int64_t, kLargestPower);
   Bits<T> marked = {};

@@ -3,9 +3,8 @@
 // extension of GCC and clang), and for arrays of either.
 //
 // Every function computes each angle by the same operations, so that scalar code, lanes and arrays have the same bits.
-// No product is added to another product: a compiler that contracts a*b + c has one way to do so. g++ and clang++ give
-// the same bits: at -O2 with contraction one set on processors with fused multiply-add, without contraction another,
-// the same everywhere.
+// Products in sums are fused by name (fma.hpp), none is left to the compiler: g++ and clang++ give the same bits, one
+// set on processors with fused multiply-add, another on those without.
 //
 // Method: reduction by a multiple of pi/2 whose parts have 33 bits each, so that products with a multiple below 2^20
 // are exact (W. J. Cody, W. Waite, Software Manual for the Elementary Functions, 1980); rounding errors of the
@@ -18,6 +17,7 @@
 #include <type_traits>
 
 #include "mbgen/array_lanes.hpp"
+#include "mbgen/fma.hpp"
 
 namespace mbgen {
 
@@ -29,9 +29,6 @@ namespace elementary_detail {
 /// Integers as wide as T, lane by lane: what comparing vectors gives.
 template <class T>
 using Bits = std::conditional_t<std::is_same_v<T, double>, std::int64_t, decltype(T() < T())>;
-
-template <class T>
-inline constexpr int kLanesOf = sizeof(T) / sizeof(double);
 
 constexpr double kTwoOverPi = 0x1.45f306dc9c883p-1;
 /// 1.5 * 2^52: adding it rounds to a whole number and leaves that in the low bits.
@@ -60,27 +57,29 @@ template <class B, class = std::enable_if_t<!std::is_integral_v<B>>>
 template <class T>
 inline void reduced_sincos(const T& angle, T& sine, T& cosine) noexcept {
   using B = Bits<T>;
-  const T rounded = angle * kTwoOverPi + kRounding;
+  const T rounded = fma(angle, kTwoOverPi, kRounding);
   const T multiple = rounded - kRounding;
-  const T first = angle - multiple * kHalfPi[0];  // exact
-  const T second = first - multiple * kHalfPi[1];
-  const T x = second - multiple * kHalfPi[2];
-  T rest = ((first - second) - multiple * kHalfPi[1]) + ((second - x) - multiple * kHalfPi[2]);
-  rest = rest - multiple * kHalfPi[3];
+  const T first = fnma(multiple, kHalfPi[0], angle);  // exact
+  const T second = fnma(multiple, kHalfPi[1], first);
+  const T x = fnma(multiple, kHalfPi[2], second);
+  const T lost = fnma(multiple, kHalfPi[1], first - second) + fnma(multiple, kHalfPi[2], second - x);
+  const T rest = fnma(multiple, kHalfPi[3], lost);
 
   const T z = x * x, zz = z * z, half = 0.5 * z, cube = z * x;
-  const T s = (z * kSine[1] + kSine[0]) + zz * ((z * kSine[3] + kSine[2]) + zz * (z * kSine[5] + kSine[4]));
-  const T c = (z * kCosine[1] + kCosine[0]) + zz * ((z * kCosine[3] + kCosine[2]) + zz * (z * kCosine[5] + kCosine[4]));
+  const auto& a = kSine;
+  const auto& b = kCosine;
+  const T s = fma(zz, fma(zz, fma(z, a[5], a[4]), fma(z, a[3], a[2])), fma(z, a[1], a[0]));
+  const T c = fma(zz, fma(zz, fma(z, b[5], b[4]), fma(z, b[3], b[2])), fma(z, b[1], b[0]));
   const T near_one = 1.0 - half;
-  const T small_sine = x + (cube * s + (rest - half * rest));
-  const T small_cosine = near_one + (zz * c + (((1.0 - near_one) - half) - x * rest));
+  const T small_sine = x + fma(cube, s, fnma(half, rest, rest));
+  const T small_cosine = near_one + fma(zz, c, fnma(x, rest, (1.0 - near_one) - half));
 
   const B quarter = __builtin_bit_cast(B, rounded);
   const B odd = -(quarter & 1);
-  const B a = __builtin_bit_cast(B, small_sine), b = __builtin_bit_cast(B, small_cosine);
-  const B exchange = (a ^ b) & odd;
-  sine = __builtin_bit_cast(T, (a ^ exchange) ^ ((quarter & 2) << 62));
-  cosine = __builtin_bit_cast(T, (b ^ exchange) ^ (((quarter + 1) & 2) << 62));
+  const B sine_bits = __builtin_bit_cast(B, small_sine), cosine_bits = __builtin_bit_cast(B, small_cosine);
+  const B exchange = (sine_bits ^ cosine_bits) & odd;
+  sine = __builtin_bit_cast(T, (sine_bits ^ exchange) ^ ((quarter & 2) << 62));
+  cosine = __builtin_bit_cast(T, (cosine_bits ^ exchange) ^ (((quarter + 1) & 2) << 62));
 }
 
 /// Marks the lanes whose angle is beyond the reduction, or no number.
