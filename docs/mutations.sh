@@ -12,7 +12,7 @@ export CCACHE_BASEDIR="$tree" CCACHE_NOHASHDIR=1
 # What a suite says of the fault that is in.
 verdict() {
   case $1 in
-    model) test=$tree/build/model_test ;;
+    model | emit) test=$tree/build/$1_test ;;
     *) test=$tree/build/tests/$1/$1_test ;;
   esac
   if ! ninja -C "$tree/build" "$1_test" > "$scratch/build.log" 2>&1; then
@@ -27,7 +27,7 @@ verdict() {
 
 (cd "$here" && git ls-files -z | xargs -0 cp --parents -u -p -t "$tree")
 cmake -S "$tree" -B "$tree/build" -G Ninja -DCMAKE_BUILD_TYPE=Release > /dev/null
-ninja -C "$tree/build" model_test oracle_test published_test > /dev/null
+ninja -C "$tree/build" model_test emit_test oracle_test published_test > /dev/null
 echo "| fault | file | caught by |"
 echo "|---|---|---|"
 grep -v '^#' "$here/tests/mutations.txt" | while IFS='|' read -r suite file expression what; do
