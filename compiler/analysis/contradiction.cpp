@@ -21,10 +21,6 @@ constexpr int kFlatRank = 2;              // what closing a loop of a flat linka
 constexpr double kMeantParallel = 0.785;  // rad: nearer to parallel than to across
 constexpr double kWeakBlock = 1e-4;       // margin of many loops that move: large mechanisms come near 1e-2
 
-bool contains(const std::vector<int>& values, int value) {
-  return std::find(values.begin(), values.end(), value) != values.end();
-}
-
 /// The direction in which a part with one equation less moves: the one that its weakest equation hinders least.
 VectorXd easiest_direction(const MatrixXd& jacobian, const std::vector<int>& kept, int rank) {
   const Eigen::JacobiSVD<MatrixXd> svd(jacobian, Eigen::ComputeFullV);

@@ -13,7 +13,7 @@ namespace mbgen {
 namespace {
 
 constexpr double kContradiction = 1e-10;  // m or 1, as in watch.cpp
-constexpr double kStill = 1e-6;           // share of the largest motion, as in certificate.cpp
+constexpr double kStillShare = 1e-6;      // share of the largest motion, as in certificate.cpp
 
 std::vector<int> all_below(std::size_t count) {
   std::vector<int> indices(count);
@@ -72,7 +72,7 @@ std::vector<int> immobile_columns(const std::vector<const SparseRows*>& samples,
     const std::vector<double> way = mixed_freedoms(*sample, partition, weights);
     double longest = 0;
     for (double part : way) longest = std::max(longest, std::abs(part));
-    for (std::size_t c = 0; c < coordinates; ++c) moves[c] = moves[c] || std::abs(way[c]) > kStill * longest;
+    for (std::size_t c = 0; c < coordinates; ++c) moves[c] = moves[c] || std::abs(way[c]) > kStillShare * longest;
   }
   std::vector<int> still;
   for (std::size_t c = 0; c < coordinates; ++c)

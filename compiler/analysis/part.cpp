@@ -10,10 +10,6 @@ namespace {
 constexpr double kSmallest = 1e-6;   // m; below it all joints of a part share one point
 constexpr double kUncertainty = 10;  // singular values per rad of what the position is uncertain by
 
-bool contains(const std::vector<int>& values, int value) {
-  return std::find(values.begin(), values.end(), value) != values.end();
-}
-
 /// Diagonal of the box around the joints and ends of a part at the reference, m.
 double size_of(const NumericSystem& numbers, const LoopBlock& block, const BlockPart& part) {
   const Model& model = numbers.model();
@@ -32,6 +28,10 @@ double size_of(const NumericSystem& numbers, const LoopBlock& block, const Block
 }
 
 }  // namespace
+
+bool contains(const std::vector<int>& values, int value) {
+  return std::find(values.begin(), values.end(), value) != values.end();
+}
 
 BlockPart block_part(const Topology& topology, const LoopBlock& block, const std::vector<int>& loops) {
   BlockPart part{loops, {}, {}};

@@ -17,6 +17,8 @@ struct BlockPart {
   std::vector<int> loops, rows, columns;
 };
 
+bool contains(const std::vector<int>& values, int value);
+
 /// The loops given, of one block.
 BlockPart block_part(const Topology& topology, const LoopBlock& block, const std::vector<int>& loops);
 

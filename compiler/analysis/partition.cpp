@@ -8,6 +8,7 @@
 #include <set>
 
 #include "compiler/analysis/part.hpp"
+#include "compiler/analysis/sparse_elimination.hpp"
 #include "mbgen/loop.hpp"
 
 namespace mbgen {
@@ -15,7 +16,6 @@ namespace {
 
 using Eigen::MatrixXd;
 
-constexpr double kPivotRatio = 0.05;   // design.md section 7: smallest pivot over its column that keeps the digits
 constexpr double kZero = 1e-12;        // entries below this share of the largest are structurally zero
 constexpr double kDirectionCost = 20;  // operations on a body per free direction that moves it, about a third of a body
 constexpr double kPairCost = 5;        // and per pair of directions

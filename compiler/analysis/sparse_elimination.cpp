@@ -11,13 +11,12 @@ namespace {
 
 using Values = Eigen::ArrayXd;  // one per sample
 
-constexpr double kNothing = 1e-8;     // of a row's largest entry, and in m or 1: closures are exact to 1e-11
-constexpr double kNoise = 1e-12;      // entries below it are rounding
-constexpr double kPivotRatio = 0.05;  // as for small blocks, see partition.cpp
-constexpr int kSearchedRows = 6;      // shortest rows that are looked at for each pivot
+constexpr double kNothing = 1e-8;  // of a row's largest entry, and in m or 1: closures are exact to 1e-11
+constexpr double kNoise = 1e-12;   // entries below it are rounding
+constexpr int kSearchedRows = 6;   // shortest rows that are looked at for each pivot
 
 /// A pivot that could be taken next.
-struct Choice {
+struct PivotChoice {
   int row = -1, column = -1;
   long cost = 0;
   double ratio = 0;
@@ -69,7 +68,7 @@ class Eliminator {
   }
 
   /// Ratios within a factor of two or so count as equal: rounding must not tell equal cells apart.
-  static bool better(const Choice& a, const Choice& b) {
+  static bool better(const PivotChoice& a, const PivotChoice& b) {
     if (b.row < 0) return true;
     const bool good = a.ratio >= kPivotRatio, other_good = b.ratio >= kPivotRatio;
     if (good != other_good) return good;
@@ -78,20 +77,20 @@ class Eliminator {
   }
 
   /// The best of the shortest rows, or of all when none of those has a good pivot.
-  Choice best() const {
-    Choice best;
+  PivotChoice best() const {
+    PivotChoice best;
     int looked_at = 0;
     for (const auto& [length, r] : queue_) {
       if (++looked_at > kSearchedRows && best.ratio >= kPivotRatio) break;
       for (const auto& [c, values] : rows_[r]) {
-        const Choice here{r, c, static_cast<long>((length - 1) * (columns_[c].size() - 1)), ratio(r, c)};
+        const PivotChoice here{r, c, static_cast<long>((length - 1) * (columns_[c].size() - 1)), ratio(r, c)};
         if (better(here, best)) best = here;
       }
     }
     return best;
   }
 
-  void take(const Choice& choice) {
+  void take(const PivotChoice& choice) {
     const std::map<int, Values> pivot_row = std::move(rows_[choice.row]);
     const Values pivot = pivot_row.at(choice.column);
     queue_.erase({pivot_row.size(), choice.row});
@@ -125,7 +124,7 @@ class Eliminator {
     row.clear();
   }
 
-  void note(const Choice& choice, const Values& pivot) {
+  void note(const PivotChoice& choice, const Values& pivot) {
     std::vector<double> sizes;
     for (double value : pivot) sizes.push_back(std::abs(value) * scale_[choice.row]);
     std::sort(sizes.begin(), sizes.end());

@@ -12,6 +12,9 @@ namespace mbgen::cli {
 /// joint of several freedoms is a chain of joints of one freedom with massless bodies between them; ground is a body.
 nlohmann::ordered_json make_report(const Compilation& compilation);
 
+/// Words after a title, broken into lines; empty without words.
+std::string wrapped(const std::string& title, const std::vector<std::string>& words);
+
 /// The redundancy certificates of a report's loop blocks as tables for people; empty without loops.
 std::string redundancy_text(const nlohmann::ordered_json& report);
 

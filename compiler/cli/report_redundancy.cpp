@@ -12,21 +12,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr std::size_t kLineWidth = 110;
-
-/// Words after a title, broken into lines.
-std::string wrapped(const std::string& title, const std::vector<std::string>& words) {
-  std::string text, line = fmt::format("    {:<12}", title);
-  for (const std::string& word : words) {
-    if (line.size() + 1 + word.size() > kLineWidth) {
-      text += line + "\n";
-      line.assign(16, ' ');
-    }
-    line += " " + word;
-  }
-  return words.empty() ? "" : text + line + "\n";
-}
-
 /// `rank 2 in 24, 1 in 1 of 25 closed configurations`.
 std::string ranks_text(const Json& ranks, int configurations) {
   std::string text;

@@ -11,23 +11,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr std::size_t kLineWidth = 110;
-
-/// A list of names after a title, broken into lines.
-std::string name_list(const std::string& title, const Json& names) {
-  std::string text;
-  std::string line = fmt::format("    {:<12}", title);
-  for (const auto& name : names) {
-    const std::string word = fmt::format(" {}", name.get<std::string>());
-    if (line.size() + word.size() > kLineWidth) {
-      text += line + "\n";
-      line.assign(16, ' ');
-    }
-    line += word;
-  }
-  return names.empty() ? "" : text + line + "\n";
-}
-
 std::string counts_text(const Json& report) {
   std::string text = fmt::format("{}\n", report["name"].get<std::string>());
   const std::vector<std::pair<const char*, const char*>> rows = {
@@ -76,7 +59,7 @@ std::string loops_text(const Json& report) {
                     block["joints"].get<int>(), block["base"].get<std::string>(), block["equations"].get<int>(),
                     block["rank"].get<int>(), fmt::join(block["triangular_block_sizes"].get<std::vector<int>>(), " "));
     for (const char* part : {"loops", "dependent", "independent", "driven", "redundant"}) {
-      text += name_list(part, block[part]);
+      text += wrapped(part, block[part].get<std::vector<std::string>>());
     }
   }
   return text;
@@ -120,6 +103,19 @@ std::string operations_text(const Json& report) {
 }
 
 }  // namespace
+
+std::string wrapped(const std::string& title, const std::vector<std::string>& words) {
+  constexpr std::size_t kReportWidth = 110;
+  std::string text, line = fmt::format("    {:<12}", title);
+  for (const std::string& word : words) {
+    if (line.size() + 1 + word.size() > kReportWidth) {
+      text += line + "\n";
+      line.assign(16, ' ');
+    }
+    line += " " + word;
+  }
+  return words.empty() ? "" : text + line + "\n";
+}
 
 std::string report_text(const Json& report) {
   return counts_text(report) + tree_text(report) + loops_text(report) + redundancy_text(report) +

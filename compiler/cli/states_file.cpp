@@ -15,11 +15,11 @@
 namespace mbgen::cli {
 namespace {
 
-using Json = nlohmann::json;
+using UnorderedJson = nlohmann::json;
 
 /// A value of the file and the way to it, for messages.
 struct Place {
-  const Json& value;
+  const UnorderedJson& value;
   std::string path;  ///< file and JSON pointer
 };
 
@@ -27,10 +27,10 @@ struct Place {
   throw UserError(fmt::format("{}: {}\n", path, message));
 }
 
-Json parse(const std::string& text, const std::string& path) {
+UnorderedJson parse(const std::string& text, const std::string& path) {
   try {
-    return Json::parse(text, nullptr, true, true);
-  } catch (const Json::exception& error) {
+    return UnorderedJson::parse(text, nullptr, true, true);
+  } catch (const UnorderedJson::exception& error) {
     const std::string message = error.what();  // "[json.exception.parse_error.101] parse error at line 1, ..."
     const std::size_t bracket = message.find("] ");
     fail(path, "no JSON: " + (bracket == std::string::npos ? message : message.substr(bracket + 2)));
@@ -118,10 +118,10 @@ FileState read_state(const Place& place, const Compilation& compilation, const S
 }
 
 /// Expected accelerations where the file has them; whatever else stands there is none of ours.
-std::vector<double> read_expected(const Json& state, const StatesFile& file) {
+std::vector<double> read_expected(const UnorderedJson& state, const StatesFile& file) {
   const auto found = state.find("zdd");
   if (found == state.end() || !found->is_array() || found->size() != file.coordinate.size()) return {};
-  const auto is_number = [](const Json& value) { return value.is_number(); };
+  const auto is_number = [](const UnorderedJson& value) { return value.is_number(); };
   if (!std::all_of(found->begin(), found->end(), is_number)) return {};
   return read_coordinates({state, ""}, "zdd", file);
 }
@@ -135,15 +135,15 @@ StatesFile read_states(const std::string& path, const Compilation& compilation,
 
 StatesFile parse_states(const std::string& text, const std::string& path, const Compilation& compilation,
                         const std::vector<double>& default_inputs) {
-  const Json json = parse(text, path);
+  const UnorderedJson json = parse(text, path);
   if (!json.is_object() || !json.contains("states") || !json["states"].is_array()) {
     fail(path, "must be an object with an array \"states\"");
   }
   StatesFile file;
-  const Json model_order = coordinate_names(compilation.topology);
+  const UnorderedJson model_order = coordinate_names(compilation.topology);
   const bool has_order = json.contains("joint_order");
   read_order({has_order ? json["joint_order"] : model_order, path + ": /joint_order"}, compilation.topology, file);
-  const Json& states = json["states"];
+  const UnorderedJson& states = json["states"];
   for (std::size_t i = 0; i < states.size(); ++i) {
     file.states.push_back(
         read_state({states[i], fmt::format("{}: /states/{}", path, i)}, compilation, file, default_inputs));

@@ -22,8 +22,6 @@ constexpr std::size_t kReachedByOneByte = 128;
 /// Values between two calls of mbgen::read_back(): docs/batch.md.
 constexpr std::size_t kReadBackAfter = 64;
 
-std::string size_text(int size) { return std::to_string(std::max(size, 1)); }
-
 int alignment(const EmitContext& context) { return 8 * context.lanes; }
 
 /// A row of every number; one with a value has it in every lane.
@@ -97,7 +95,7 @@ std::string inputs_at(const EmitContext& context) {
   return text + "    return later;\n  }\n";
 }
 
-std::string outputs_call(const EmitContext& context) {
+std::string batch_outputs_call(const EmitContext& context) {
   if (!outputs_take_multipliers(context.programs)) {
     return "  const Mask good = mbgen::batch_detail::arguments_are_finite<System>(p, in, at, tau);\n"
            "  lanes::compute_outputs(p, in, at, tau, rates, result);";
@@ -155,7 +153,7 @@ std::string batch_text(const EmitContext& context) {
                         {"set_inputs", statements(inputs, kSet)},
                         {"set_outputs", statements(outputs, kSet)},
                         {"store_outputs", statements(outputs, "  store_row(good, result.{0}, values.{0});")},
-                        {"outputs_call", outputs_call(context)}});
+                        {"outputs_call", batch_outputs_call(context)}});
 }
 
 }  // namespace mbgen

@@ -11,8 +11,6 @@
 namespace mbgen {
 namespace {
 
-std::string size_text(int size) { return std::to_string(std::max(size, 1)); }
-
 /// `struct Coordinate { enum Index : int { a, b }; };`: scoped like an enum class, and still an index.
 std::string enumeration(const std::string& name, const std::vector<std::string>& members) {
   return "struct " + name + " {\n" + braced_list("  enum Index : int ", members, ";") + "\n};";

@@ -1,5 +1,6 @@
 #include "compiler/emit/text.hpp"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <set>
@@ -63,6 +64,8 @@ std::string number_text(double value) {
   if (text.find_first_of(".e") == std::string::npos) text += ".0";
   return text;
 }
+
+std::string size_text(int size) { return std::to_string(std::max(size, 1)); }
 
 std::string string_literal(std::string_view text) {
   std::string literal = "\"";

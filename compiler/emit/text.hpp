@@ -15,6 +15,9 @@ constexpr std::size_t kLineWidth = 100;
 /// 1e-07. Negative ones without parentheses. Infinities and NaN become <cmath> expressions.
 std::string number_text(double value);
 
+/// Size of a member array: C++ has no empty ones.
+std::string size_text(int size);
+
 /// String literal with everything escaped that C++ would read otherwise, or people: bytes that are no UTF-8, trigraphs,
 /// controls of the direction of writing.
 std::string string_literal(std::string_view text);

@@ -5,12 +5,7 @@
 #include <numeric>
 
 namespace mbgen::reading {
-namespace {
-
-bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; }
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
-
-}  // namespace
+namespace {}  // namespace
 
 bool is_valid_name(std::string_view name) {
   return !name.empty() && name.size() <= kLongestName && is_letter(name[0]) &&

@@ -14,6 +14,9 @@ constexpr std::size_t kLongestName = 64;
 constexpr const char* kNameRule =
     "a name has letters, digits and _, does not start with a digit, and is at most 64 long";
 
+constexpr bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; }
+constexpr bool is_digit(char c) { return c >= '0' && c <= '9'; }
+
 bool is_valid_name(std::string_view name);
 
 /// Insertions, deletions, replacements and swaps of neighbours between two words. Cost: product of the lengths.

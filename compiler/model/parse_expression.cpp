@@ -35,9 +35,6 @@ const FunctionEntry* find_function(std::string_view name) {
   return found == std::end(kFunctions) ? nullptr : found;
 }
 
-bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; }
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
-
 /// Recursive descent. Invariant: every operand of nodes_ stands before its user, and the last node is the latest value.
 class ExpressionParser {
  public:
@@ -55,7 +52,7 @@ class ExpressionParser {
   }
 
  private:
-  static constexpr int kMaximumDepth = 200;  ///< of sums and powers; each costs five calls on the stack
+  static constexpr int kMaximumDepth = 200;          ///< of sums and powers; each costs five calls on the stack
   static constexpr std::size_t kMostNodes = 10'000;  ///< far beyond what people write; some passes are quadratic
   using Kind = ExpressionNode::Kind;
 

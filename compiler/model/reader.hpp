@@ -22,6 +22,9 @@ struct Reader {
 };
 
 constexpr double kUnreadable = std::numeric_limits<double>::quiet_NaN();
+/// What `frame` may say of a force or a reaction.
+constexpr std::array<std::string_view, 2> kFrames = {"global", "body"};
+
 constexpr double kLargestNumber = 1e15;
 
 void report(Reader& reader, Place place, std::string message, std::string hint = {});

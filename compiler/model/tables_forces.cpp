@@ -8,7 +8,6 @@ namespace mbgen::reading {
 namespace {
 
 constexpr std::array<std::string_view, 2> kInterpolations = {"linear", "monotone_cubic"};
-constexpr std::array<std::string_view, 2> kFrames = {"global", "body"};
 constexpr std::array<std::string_view, 2> kTyreModels = {"pac89", "pac2002"};
 constexpr std::array<std::string_view, 2> kPointSpringLocals = {"length", "rate"};
 constexpr std::array<std::string_view, 2> kJointSpringLocals = {"position", "rate"};

@@ -8,7 +8,6 @@ namespace mbgen::reading {
 namespace {
 
 constexpr std::array<std::string_view, 2> kIntegrators = {"rk4", "abm4"};
-constexpr std::array<std::string_view, 2> kFrames = {"global", "body"};
 constexpr std::array<std::string_view, 3> kLetters = {"x", "y", "z"};
 /// In the order of Quantities.
 constexpr std::array<std::string_view, 13> kQuantities = {"position",

@@ -6,11 +6,10 @@
 #include <vector>
 
 #include "compiler/passes/dead_values.hpp"
+#include "compiler/passes/kinds.hpp"
 
 namespace mbgen {
 namespace {
-
-bool is_sum(const Node& node) { return node.op == Op::add || node.op == Op::subtract; }
 
 /// The sums that need a product, empty when something else needs it too.
 std::vector<std::vector<ValueId>> sums_of_products(const Program& program) {

@@ -4,10 +4,11 @@
 #include <queue>
 #include <utility>
 
+#include "compiler/passes/kinds.hpp"
+
 namespace mbgen {
 namespace {
 
-bool is_operation(const Node& node) { return node.op != Op::constant && node.op != Op::input; }
 /// An operation of the program by its place among them. Inputs and constants are in memory and belong to none.
 struct Unit {
   ValueId value = kNoValue;

@@ -4,6 +4,8 @@
 #include <cstdint>
 #include <unordered_map>
 
+#include "compiler/passes/kinds.hpp"
+
 namespace mbgen {
 namespace {
 
@@ -18,8 +20,6 @@ std::uint64_t mixed(std::uint64_t hash, std::uint64_t word) {
   hash = (hash ^ (hash >> 30)) * 0xbf58476d1ce4e5b9u;
   return hash ^ (hash >> 27);
 }
-
-bool is_operation(const Node& node) { return node.op != Op::constant && node.op != Op::input; }
 
 std::vector<ValueId> live_operations(const Program& program) {
   const std::vector<bool> needed = needed_values(program);

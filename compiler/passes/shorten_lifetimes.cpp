@@ -4,17 +4,10 @@
 #include <numeric>
 #include <utility>
 
+#include "compiler/passes/kinds.hpp"
+
 namespace mbgen {
 namespace {
-
-bool is_sum(const Node& node) { return node.op == Op::add || node.op == Op::subtract; }
-
-/// A sum with a product in it.
-bool is_contracted(const Node& node) {
-  return node.op == Op::multiply_add || node.op == Op::multiply_subtract || node.op == Op::subtract_product;
-}
-
-bool is_operation(const Node& node) { return node.op != Op::constant && node.op != Op::input; }
 
 /// Numbers of uses, and of the last user per value; outputs live to the end.
 struct Uses {

@@ -1,7 +1,9 @@
 #pragma once
 // What a generic solver holds, and the formulation's view of one state.
 
+#include <cmath>
 #include <utility>
+#include <vector>
 
 #include "compiler/formulation/formulation.hpp"
 #include "runtime/generic/block_factors.hpp"
@@ -17,6 +19,13 @@ struct Prepared {
   Velocities<double> velocities;
   std::vector<BlockClosure<double>> closures;
 };
+
+/// Largest magnitude; NaN stays.
+inline double largest_absolute(const std::vector<double>& values) {
+  double result = 0;
+  for (const double value : values) result = std::abs(value) <= result ? result : std::abs(value);
+  return result;
+}
 
 /// A state with its true accelerations, and the forces that its constraints carry.
 struct Solved {

@@ -14,12 +14,6 @@ namespace {
 constexpr int kMostNewtonSteps = 20;
 constexpr double kLongestNewtonStep = 0.3;  // rad or m; a longer one leaves the basin
 
-double largest(const std::vector<double>& values) {
-  double result = 0;
-  for (double v : values) result = std::abs(v) <= result ? result : std::abs(v);  // NaN stays
-  return result;
-}
-
 }  // namespace
 
 GenericSolver::GenericSolver(const Model& model, const Topology& topology, const Analysis& analysis,
@@ -97,7 +91,7 @@ Status GenericSolver::project(GenericState& state) const {
     int open = -1;
     double size = 0;
     for (std::size_t b = 0; b < closures.size(); ++b) {
-      const double of_block = largest(closures[b].residual);
+      const double of_block = largest_absolute(closures[b].residual);
       if (of_block <= tolerance) continue;
       open = static_cast<int>(b);
       size = of_block <= size ? size : of_block;

@@ -29,12 +29,6 @@ Status notice_of_block(int b, const BlockAnalysis& analysis, const std::vector<s
   return solver_detail::notice_of(b, analysis.typical_pivot, smallest_pivot(loop), kPivotThreshold);
 }
 
-double largest(const std::vector<double>& values) {
-  double result = 0;
-  for (const double value : values) result = std::abs(value) <= result ? result : std::abs(value);
-  return result;
-}
-
 /// Shortest correction of a block with Phi_z x = right_hand_side.
 std::vector<double> shortest(const BlockFactors& factors, const std::vector<double>& right_hand_side) {
   const std::vector<std::vector<double>> rz = factors.rz();
@@ -106,12 +100,12 @@ Status GenericSolver::project_nearest(GenericState& state) const {
     if (const Status status = Content::follow_motions(system, closed); !status.ok()) return status;
     const std::vector<BlockClosure<double>> closures = content_->closures(system, kinematics(system));
     double size = 0;
-    for (const BlockClosure<double>& block : closures) size = std::max(size, largest(block.residual));
+    for (const BlockClosure<double>& block : closures) size = std::max(size, largest_absolute(block.residual));
     gains = size > 0 && size < 0.5 * previous;
     previous = size;
     for (std::size_t b = 0; b < closures.size(); ++b) {
       const std::vector<int>& joints = content_->topology.blocks[b].joints;
-      if (!gains && !(largest(closures[b].residual) <= kRoundingFloor)) {
+      if (!gains && !(largest_absolute(closures[b].residual) <= kRoundingFloor)) {
         return {Code::loop_not_closed, static_cast<int>(b)};
       }
       const BlockFactors factors = content_->factors(b, closures[b]);
