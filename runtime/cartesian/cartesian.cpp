@@ -35,7 +35,7 @@ struct CartesianSolver::Content {
   double closing_rate;  ///< alpha of Baumgarte's method, 1/s
   std::vector<Input> model_inputs;
   std::vector<double> inputs;  ///< at the start of a step
-  Configuration left;          ///< by the last step; its z is empty before the first one
+  PlacedState left;            ///< by the last step; its z is empty before the first one
 
   Content(const Model& model, const Topology& t, CartesianMethod m, Stabilisation s)
       : topology(t),
@@ -51,11 +51,11 @@ struct CartesianSolver::Content {
   Mechanics mechanics() const { return {system, topology}; }
 
   /// The bodies that the last step left, or placed along the tree.
-  Configuration configuration(const GenericState& state) const {
-    return same(left.z, state) ? left : Configuration{system.place(state), state};
+  PlacedState configuration(const GenericState& state) const {
+    return same(left.z, state) ? left : PlacedState{system.place(state), state};
   }
 
-  Status solve_at(const Configuration& at, const std::vector<double>& tau, Solved& solved) const {
+  Status solve_at(const PlacedState& at, const std::vector<double>& tau, Solved& solved) const {
     Status status = evaluate(mechanics(), at, tau, {}, solved.evaluation);
     if (!status.ok()) return status;
     const CartesianTerms& terms = solved.evaluation.terms;
@@ -68,7 +68,7 @@ struct CartesianSolver::Content {
 
   /// Rates at one stage of a step. equations: those that the first stage kept, which sets them. The later stages are
   /// not closed, so another choice among redundant equations would be another differential equation.
-  Status stage(const Configuration& at, std::vector<int>& equations, CartesianRates& rates) const {
+  Status stage(const PlacedState& at, std::vector<int>& equations, CartesianRates& rates) const {
     const std::vector<double> no_tau(at.z.z.size(), 0.0);
     Evaluation evaluation;
     Status status = evaluate(mechanics(), at, no_tau, equations, evaluation);
@@ -91,7 +91,7 @@ struct CartesianSolver::Content {
   }
 
   /// Where a step of h seconds leads.
-  Status advance(Configuration& at, double h) {
+  Status advance(PlacedState& at, double h) {
     std::vector<int> equations;
     const GenericState start = at.z;
     const auto derivative = [&](const CartesianState& bodies, CartesianRates& rates) {
@@ -127,7 +127,7 @@ Status CartesianSolver::accelerations(const GenericState& state, const std::vect
                                       GenericDerivative& derivative) const {
   Status status = check_finite(state, tau, content_->inputs);
   if (!status.ok()) return status;
-  const Configuration at = content_->configuration(state);
+  const PlacedState at = content_->configuration(state);
   Solved solved;
   status = content_->solve_at(at, tau, solved);
   if (!status.ok()) return status;
@@ -139,7 +139,7 @@ Status CartesianSolver::accelerations(const GenericState& state, const std::vect
 }
 
 Status CartesianSolver::project(GenericState& state) const {
-  Configuration trial{{}, state};
+  PlacedState trial{{}, state};
   Status status = check_finite(state, {}, content_->inputs);
   if (!status.ok()) return status;
   trial.bodies = content_->system.place(state);
@@ -152,7 +152,7 @@ Status CartesianSolver::step(GenericState& state, double h) {
   if (!(h > 0) || !std::isfinite(h)) return {Code::step_invalid, -1};
   Status status = check_finite(state, {}, content_->inputs);
   if (!status.ok()) return status;
-  Configuration at = content_->configuration(state);
+  PlacedState at = content_->configuration(state);
   status = content_->advance(at, h);
   content_->advance_inputs(0);
   if (!status.ok()) return status;
@@ -163,7 +163,7 @@ Status CartesianSolver::step(GenericState& state, double h) {
 
 Status CartesianSolver::multipliers(const GenericState& state, const std::vector<double>& tau,
                                     std::vector<double>& lambda) const {
-  const Configuration at = content_->configuration(state);
+  const PlacedState at = content_->configuration(state);
   Solved solved;
   const Status status = content_->solve_at(at, tau, solved);
   if (status.ok()) lambda = content_->system.loop_multipliers(at.bodies, solved.solution.lambda);
@@ -172,7 +172,7 @@ Status CartesianSolver::multipliers(const GenericState& state, const std::vector
 
 Status CartesianSolver::driving_forces(const GenericState& state, const std::vector<double>& tau,
                                        std::vector<double>& drive) const {
-  const Configuration at = content_->configuration(state);
+  const PlacedState at = content_->configuration(state);
   Solved solved;
   const Status status = content_->solve_at(at, tau, solved);
   if (status.ok()) drive = content_->system.driving_forces(solved.solution.lambda);
@@ -181,7 +181,7 @@ Status CartesianSolver::driving_forces(const GenericState& state, const std::vec
 
 Status CartesianSolver::reactions(const GenericState& state, const std::vector<double>& tau,
                                   std::vector<std::array<double, 6>>& wrenches) const {
-  const Configuration at = content_->configuration(state);
+  const PlacedState at = content_->configuration(state);
   Solved solved;
   const Status status = content_->solve_at(at, tau, solved);
   if (!status.ok()) return status;
@@ -197,7 +197,7 @@ Status CartesianSolver::reactions(const GenericState& state, const std::vector<d
 }
 
 Status CartesianSolver::residuals(const GenericState& state, double& position, double& velocity) const {
-  const Configuration at = content_->configuration(state);
+  const PlacedState at = content_->configuration(state);
   const std::vector<double> no_tau(state.z.size(), 0.0);
   const CartesianTerms terms = content_->system.terms(at.bodies, state, no_tau);
   position = terms.residual.size() == 0 ? 0 : terms.residual.cwiseAbs().maxCoeff();

@@ -23,7 +23,7 @@ constexpr double kLongestNewtonStep = 0.3;  // rad or m; a longer one leaves the
 double largest(const Eigen::VectorXd& values) { return values.size() == 0 ? 0.0 : values.cwiseAbs().maxCoeff(); }
 
 /// Tree coordinate that a motion of the bodies turns or shifts most.
-int leading_coordinate(const Mechanics& mechanics, const Configuration& at, const Eigen::VectorXd& motion) {
+int leading_coordinate(const Mechanics& mechanics, const PlacedState& at, const Eigen::VectorXd& motion) {
   CartesianState moving = at.bodies;
   mechanics.system.set_velocities(moving, motion);
   const std::vector<double> rates = mechanics.system.joint_state(moving, at.z).zd;
@@ -43,7 +43,7 @@ Eigen::VectorXd newton_step(const Evaluation& evaluation) {
 
 }  // namespace
 
-Status evaluate(const Mechanics& mechanics, const Configuration& at, const std::vector<double>& tau,
+Status evaluate(const Mechanics& mechanics, const PlacedState& at, const std::vector<double>& tau,
                 const std::vector<int>& equations, Evaluation& evaluation) {
   evaluation.terms = mechanics.system.terms(at.bodies, at.z, tau);
   const CartesianTerms& terms = evaluation.terms;
@@ -85,7 +85,7 @@ int block_of(const Mechanics& mechanics, const Eigen::VectorXd& weights) {
   return block == blocks.end() ? -1 : static_cast<int>(block - blocks.begin());
 }
 
-Status close(const Mechanics& mechanics, double tolerance, Configuration& configuration) {
+Status close(const Mechanics& mechanics, double tolerance, PlacedState& configuration) {
   const std::vector<double> no_tau(configuration.z.z.size(), 0.0);
   CartesianState& bodies = configuration.bodies;
   const int start = block_of(mechanics, mechanics.system.terms(bodies, configuration.z, no_tau).residual);

@@ -17,8 +17,8 @@ struct Mechanics {
   const Topology& topology;
 };
 
-/// The state of a mechanism: its bodies, and the tree coordinates that belong to them.
-struct Configuration {
+/// The state of a mechanism: its bodies where they are, and the tree coordinates that belong to them.
+struct PlacedState {
   CartesianState bodies;
   GenericState z;
 };
@@ -34,7 +34,7 @@ struct Evaluation {
 /// counts as zero when the open closures alone could make it of a zero, else redundant equations would gain rank by
 /// what is left of them. Fails: no_inertia when (9) does not hold, with the coordinate that moves most in the motion
 /// without inertia, the lowest of equals.
-Status evaluate(const Mechanics& mechanics, const Configuration& at, const std::vector<double>& tau,
+Status evaluate(const Mechanics& mechanics, const PlacedState& at, const std::vector<double>& tau,
                 const std::vector<int>& equations, Evaluation& evaluation);
 
 /// Fails: loop_singular when redundant equations contradict (14) by more than the open closures explain, with the loop
@@ -49,6 +49,6 @@ int block_of(const Mechanics& mechanics, const Eigen::VectorXd& weights);
 /// Fails: loop_not_closed, no_inertia, not_a_number; the configuration is then arbitrary.
 /// Source: Bayo, Ledesma, "Augmented Lagrangian and mass-orthogonal projection methods for constrained multibody
 /// dynamics", 1996.
-Status close(const Mechanics& mechanics, double tolerance, Configuration& configuration);
+Status close(const Mechanics& mechanics, double tolerance, PlacedState& configuration);
 
 }  // namespace mbgen
