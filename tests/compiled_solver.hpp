@@ -62,6 +62,9 @@ struct Compiler {
   CompilerFamily family;
 };
 
+/// For names of tests.
+inline void PrintTo(const Compiler& compiler, std::ostream* out) { *out << compiler.command; }
+
 inline bool is_installed(const Compiler& compiler) {
   return run(std::string(compiler.command) + " --version").code == 0;
 }

@@ -24,6 +24,10 @@ struct Case {
   const char* more_flags;
 };
 
+void PrintTo(const Case& which, std::ostream* out) {
+  *out << which.compiler.command << ", " << which.lanes << " lanes";
+}
+
 class Batch : public testing::TestWithParam<Case> {};
 
 /// Compiles one source with the flags of solvers in lanes, every warning an error.

@@ -12,6 +12,8 @@ struct ReferenceCase {
   std::string model, states;
 };
 
+void PrintTo(const ReferenceCase& which, std::ostream* out) { *out << which.model; }
+
 /// Largest relative error over the reference states.
 double worst_error(const Mechanism& m, const std::string& states_file, std::vector<double> ReferenceState::*expected) {
   const GenericSolver solver(m.model, m.topology, m.analysis);

@@ -88,6 +88,8 @@ struct AlgebraCase {
   const char *name, *model, *states;
 };
 
+void PrintTo(const AlgebraCase& which, std::ostream* out) { *out << which.name; }
+
 class AlgebrasAtReferenceStates : public ::testing::TestWithParam<AlgebraCase> {};
 
 // The truck has eleven redundant equations; the reference is good to 1e-11 (reference/README.md).

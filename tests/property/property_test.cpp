@@ -1,5 +1,6 @@
 // What must hold for every mechanism, on random ones. A failure shrinks to a small model file, which is printed.
-// MBGEN_PROPERTY_CASES: mechanisms of each family, 12 by default; MBGEN_PROPERTY_SEED: the first seed.
+// MBGEN_PROPERTY_CASES: mechanisms of each family, 12 by default; MBGEN_PROPERTY_SEED: the first seed;
+// MBGEN_PROPERTY_COMPILED: the solver of every so many is compiled, 12 by default.
 
 #include <gtest/gtest.h>
 
@@ -96,6 +97,35 @@ Complaint engines_disagree(const RandomMechanism&, const Mechanism& m) {
               differ("judge " + std::to_string(static_cast<int>(method)), actual.zdd, expected.zdd, kTolerance))
         return c;
     }
+  }
+  return {};
+}
+
+int from_environment(const char* name, int otherwise) {
+  const char* text = std::getenv(name);
+  return text == nullptr ? otherwise : std::atoi(text);
+}
+
+/// The emitted solver, compiled, gives the accelerations of the generic runtime and the same step.
+Complaint compiled_solver_disagrees(const RandomMechanism& random, const Mechanism& m) {
+  if (random.seed % static_cast<unsigned>(from_environment("MBGEN_PROPERTY_COMPILED", 12)) != 0) return {};
+  Programs programs = optimise(trace(m.model, m.topology, m.analysis));
+  take_form(programs, {});
+  const Compilation compilation{m.model, m.topology, m.analysis, std::move(programs)};
+  cli::EngineChoice choice;
+  choice.use_cache = false;
+  const cli::Engine compiled = cli::make_engine(compilation, choice);
+  choice.name = "generic";
+  const cli::Engine generic = cli::make_engine(compilation, choice);
+  for (const GenericState& state : good_states(m, 2)) {
+    const cli::LoadedState loaded{state, random_tau(m, 3)};
+    GenericDerivative expected, actual;
+    if (!generic.accelerations(loaded, expected).ok()) return "generic refuses a state";
+    if (!compiled.accelerations(loaded, actual).ok()) return "the compiled solver refuses a state";
+    if (const Complaint c = differ("the compiled solver", actual.zdd, expected.zdd, kTolerance)) return c;
+    GenericState there = state, here = state;
+    if (generic.step(there, 1e-4).code != Code::ok || compiled.step(here, 1e-4).code != Code::ok) continue;
+    if (const Complaint c = differ("a step of the compiled solver", here.zd, there.zd, kTolerance)) return c;
   }
   return {};
 }
@@ -255,10 +285,15 @@ struct Property {
 };
 
 constexpr Property kProperties[] = {
-    {"engines agree", engines_disagree},          {"translation changes nothing", translation_shows},
-    {"rotation changes nothing", rotation_shows}, {"a mirror changes nothing", mirror_shows},
-    {"order changes nothing", order_shows},       {"energy is conserved", energy_drifts},
-    {"momentum is conserved", momentum_drifts},   {"the file's format does not matter", format_shows},
+    {"engines agree", engines_disagree},
+    {"the compiled solver agrees", compiled_solver_disagrees},
+    {"translation changes nothing", translation_shows},
+    {"rotation changes nothing", rotation_shows},
+    {"a mirror changes nothing", mirror_shows},
+    {"order changes nothing", order_shows},
+    {"energy is conserved", energy_drifts},
+    {"momentum is conserved", momentum_drifts},
+    {"the file's format does not matter", format_shows},
     {"the same bytes twice", bytes_change},
 };
 
@@ -279,11 +314,6 @@ RandomMechanism shrunk(const Property& property, RandomMechanism random) {
     }
   }
   return random;
-}
-
-int from_environment(const char* name, int otherwise) {
-  const char* text = std::getenv(name);
-  return text == nullptr ? otherwise : std::atoi(text);
 }
 
 class EveryFamily : public ::testing::TestWithParam<int> {};

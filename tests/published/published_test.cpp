@@ -5,8 +5,12 @@
 #include <gtest/gtest.h>
 
 #include <cstdio>
+#include <ostream>
 
 namespace mbgen::published {
+
+void PrintTo(const Problem& problem, std::ostream* out) { *out << problem.title; }
+
 namespace {
 
 class Published : public ::testing::TestWithParam<Problem> {};
