@@ -207,6 +207,7 @@ double projection_cost(const std::vector<MatrixXd>& jacobians, const std::vector
   std::vector<int> free;
   for (int c : columns)
     if (!std::binary_search(candidate.columns.begin(), candidate.columns.end(), c)) free.push_back(c);
+  if (free.empty()) return 0;
   MatrixXd pattern = MatrixXd::Zero(candidate.columns.size(), free.size());
   for (std::size_t s = 0, looked_at = 0; s < jacobians.size() && looked_at < 3; ++s) {
     if (!used[s]) continue;

@@ -19,9 +19,9 @@ constexpr double kLogarithm[8] = {0x1.5555555555555p-1, 0x1.9999999999d10p-2, 0x
                                   0x1.c71c724b41256p-3, 0x1.745ce1d52c8e0p-3, 0x1.3b20225a5220fp-3,
                                   0x1.0f677496b8b3bp-3, 0x1.0f0c1ff9a6234p-3};
 constexpr std::int64_t kLeastNormal = 0x0010000000000000;
-constexpr std::int64_t kOne = 0x3ff0000000000000, kRootOfHalf = 0x3fe6a09e667f3bcd;
+constexpr std::uint64_t kOne = 0x3ff0000000000000, kRootOfHalf = 0x3fe6a09e667f3bcd;
 /// Bits of 2^52: with a small whole number in the low bits the double 2^52 plus that.
-constexpr std::int64_t kWholeNumber = 0x4330000000000000;
+constexpr std::uint64_t kWholeNumber = 0x4330000000000000;
 /// The first 26 digits of a double: products of two such are exact.
 constexpr std::int64_t kUpperHalf = -(std::int64_t{1} << 27);
 
@@ -43,13 +43,11 @@ struct UnsignedOf<double> {
 /// log x = high + low, high of 26 digits. Requires: x a positive normal number (others give some number).
 template <class T>
 inline void find_logarithm(const T& x, T& high, T& low) noexcept {
-  using B = Bits<T>;
-  const B bits = __builtin_bit_cast(B, x);
-  const B scaled = bits + (kOne - kRootOfHalf);
-  const auto exponent = __builtin_bit_cast(typename UnsignedOf<T>::Type, scaled) >> 52;  // k + 1023
-  const B whole = __builtin_bit_cast(B, exponent);
-  const T k = __builtin_bit_cast(T, whole | kWholeNumber) - (0x1p52 + 1023);
-  const T m = __builtin_bit_cast(T, bits - shifted_left(whole, 52) + kOne);
+  using Word = typename UnsignedOf<T>::Type;
+  const Word bits = __builtin_bit_cast(Word, x);
+  const Word exponent = (bits + (kOne - kRootOfHalf)) >> 52;  // k + 1023
+  const T k = __builtin_bit_cast(T, exponent | kWholeNumber) - (0x1p52 + 1023);
+  const T m = __builtin_bit_cast(T, bits - (exponent << 52) + kOne);
 
   const T f = m - 1.0, d = m + 1.0;
   const T d_rest = m - (d - 1.0);
