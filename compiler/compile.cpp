@@ -20,7 +20,6 @@ void take_form(Programs& programs, std::optional<Form> form) {
   programs.operations_of_form[static_cast<int>(Form::matrix)] = matrix;
   programs.operations_of_form[static_cast<int>(Form::recursive)] = recursive;
   programs.form = form.value_or(recursive < matrix ? Form::recursive : Form::matrix);
-  // The matrix form keeps the order of the paper's steps.
   if (programs.form == Form::recursive) programs.accelerations = std::move(programs.recursive_accelerations);
   programs.recursive_accelerations = {};
 }

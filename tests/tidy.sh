@@ -1,12 +1,11 @@
 #!/bin/sh
-# clang-tidy with the committed configuration (.clang-tidy) over compiler/ and runtime/: tests/tidy.sh [BUILD] [FILE...]
-# BUILD: a build directory, for its compile commands, default build/release. Installs clang-tidy; some 20 minutes on two
-# processors. Exit code 1 when there is a warning.
+# clang-tidy with the committed configuration (.clang-tidy) over compiler/ and runtime/: tests/tidy.sh [FILE...]
+# Installs clang-tidy; some 20 minutes on two processors. Exit code 1 when there is a warning.
 set -eu
 cd "$(dirname "$0")/.."
 .ci/install clang-tidy >&2
-build=${1:-build/release}
-[ $# -eq 0 ] || shift
+build=build/tidy
+cmake -S . -B "$build" -G Ninja -DMBGEN_TESTS=OFF -DMBGEN_BENCH=OFF >/dev/null  # for the compile commands
 if [ $# -eq 0 ]; then
   # shellcheck disable=SC2046  # no blanks in our names
   set -- $(git ls-files 'compiler/*.cpp' 'runtime/*.cpp')
