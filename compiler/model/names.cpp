@@ -5,7 +5,6 @@
 #include <numeric>
 
 namespace mbgen::reading {
-namespace {}  // namespace
 
 bool is_valid_name(std::string_view name) {
   return !name.empty() && name.size() <= kLongestName && is_letter(name[0]) &&

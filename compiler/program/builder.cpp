@@ -114,10 +114,7 @@ ValueId ProgramBuilder::append(Op op, ValueId first, ValueId second, ValueId thi
     const double value = apply(op, values[0], values[1], values[2]);
     if (std::isfinite(value)) return constant(value);
   }
-  if (is_commutative(op)) {
-    const auto place = [this](ValueId value) { return std::pair(!is_constant(value), value); };
-    if (place(operands[1]) < place(operands[0])) std::swap(operands[0], operands[1]);
-  }
+  order_operands(program_.nodes, op, operands);
   if (!all_constant) {
     const ValueId simpler = simplify(*this, op, operands[0], operands[1], operands[2]);
     if (simpler != kNoValue) return simpler;

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "compiler/program/arithmetic.hpp"
+#include "compiler/program/rules.hpp"
 
 namespace mbgen {
 namespace {
@@ -120,9 +121,7 @@ Program in_canonical_order(const Program& program, std::span<const std::uint32_t
   for (std::size_t i = 0; i < order.size(); ++i) {
     Node& node = result.nodes[i] = program.nodes[order[i]];
     for (int k = 0; k < arity(node.op); ++k) node.operands[k] = renumbered[node.operands[k]];
-    const auto place = [&](ValueId value) { return std::pair(program.nodes[order[value]].op != Op::constant, value); };
-    if (is_commutative(node.op) && place(node.operands[1]) < place(node.operands[0]))
-      std::swap(node.operands[0], node.operands[1]);
+    order_operands(result.nodes, node.op, node.operands);
   }
   for (OutputValue& output : result.outputs) output.value = renumbered[output.value];
   return result;

@@ -1,6 +1,7 @@
 #include "compiler/program/rules.hpp"
 
 #include <cmath>
+#include <utility>
 
 #include "compiler/program/arithmetic.hpp"
 
@@ -113,6 +114,12 @@ ValueId simplify_unary(ProgramBuilder& builder, Op op, ValueId operand) {
 }
 
 }  // namespace
+
+void order_operands(const std::vector<Node>& nodes, Op op, ValueId (&operands)[3]) {
+  if (!is_commutative(op)) return;
+  const auto place = [&](ValueId value) { return std::pair(nodes[value].op != Op::constant, value); };
+  if (place(operands[1]) < place(operands[0])) std::swap(operands[0], operands[1]);
+}
 
 ValueId simplify(ProgramBuilder& builder, Op op, ValueId first, ValueId second, ValueId third) {
   switch (op) {

@@ -101,6 +101,12 @@ Complaint engines_disagree(const RandomMechanism&, const Mechanism& m) {
   return {};
 }
 
+Compilation compiled(const Mechanism& m) {
+  Programs programs = optimise(trace(m.model, m.topology, m.analysis));
+  take_form(programs, {});
+  return {m.model, m.topology, m.analysis, std::move(programs)};
+}
+
 int from_environment(const char* name, int otherwise) {
   const char* text = std::getenv(name);
   return text == nullptr ? otherwise : std::atoi(text);
@@ -109,22 +115,20 @@ int from_environment(const char* name, int otherwise) {
 /// The emitted solver, compiled, gives the accelerations of the generic runtime and the same step.
 Complaint compiled_solver_disagrees(const RandomMechanism& random, const Mechanism& m) {
   if (random.seed % static_cast<unsigned>(from_environment("MBGEN_PROPERTY_COMPILED", 12)) != 0) return {};
-  Programs programs = optimise(trace(m.model, m.topology, m.analysis));
-  take_form(programs, {});
-  const Compilation compilation{m.model, m.topology, m.analysis, std::move(programs)};
+  const Compilation compilation = compiled(m);
   cli::EngineChoice choice;
   choice.use_cache = false;
-  const cli::Engine compiled = cli::make_engine(compilation, choice);
+  const cli::Engine emitted = cli::make_engine(compilation, choice);
   choice.name = "generic";
   const cli::Engine generic = cli::make_engine(compilation, choice);
   for (const GenericState& state : good_states(m, 2)) {
     const cli::LoadedState loaded{state, random_tau(m, 3)};
     GenericDerivative expected, actual;
     if (!generic.accelerations(loaded, expected).ok()) return "generic refuses a state";
-    if (!compiled.accelerations(loaded, actual).ok()) return "the compiled solver refuses a state";
+    if (!emitted.accelerations(loaded, actual).ok()) return "the compiled solver refuses a state";
     if (const Complaint c = differ("the compiled solver", actual.zdd, expected.zdd, kTolerance)) return c;
     GenericState there = state, here = state;
-    if (generic.step(there, 1e-4).code != Code::ok || compiled.step(here, 1e-4).code != Code::ok) continue;
+    if (generic.step(there, 1e-4).code != Code::ok || emitted.step(here, 1e-4).code != Code::ok) continue;
     if (const Complaint c = differ("a step of the compiled solver", here.zd, there.zd, kTolerance)) return c;
   }
   return {};
@@ -268,12 +272,7 @@ Complaint format_shows(const RandomMechanism& random, const Mechanism& m) {
 /// Two compilations write the same bytes.
 Complaint bytes_change(const RandomMechanism&, const Mechanism& m) {
   if (m.topology.size() > 12) return {};
-  const auto files = [&m] {
-    Programs programs = optimise(trace(m.model, m.topology, m.analysis));
-    take_form(programs, {});
-    return emit(Compilation{m.model, m.topology, m.analysis, std::move(programs)});
-  };
-  const std::vector<EmittedFile> first = files(), second = files();
+  const std::vector<EmittedFile> first = emit(compiled(m)), second = emit(compiled(m));
   for (std::size_t f = 0; f < first.size(); ++f)
     if (first[f].text != second[f].text) return first[f].path + " differs";
   return {};
