@@ -159,7 +159,7 @@ TEST_P(EveryModelWithLoops, ClosureAccelerationIsTheSecondDerivativeOfTheResidua
     for (std::size_t b = 0, first = 0; b < m.topology.blocks.size(); first += m.topology.blocks[b].equations, ++b) {
       const LoopBlock& block = m.topology.blocks[b];
       const BlockClosure<double> closed = closure(system, k, block, relative_motion(system, k, block));
-      const double scale = 1 + largest(closed.acceleration);
+      const double scale = 1 + largest_absolute(closed.acceleration);
       for (int e = 0; e < block.equations; ++e)
         EXPECT_NEAR(-closed.acceleration[e], (ahead[first + e] - 2 * here[first + e] + behind[first + e]) / (h * h),
                     2e-5 * scale)

@@ -73,11 +73,11 @@ TEST(Equilibrium, TruckComesDownToItsRoad) {
     const GenericSolver solver(m.model, m.topology, m.analysis);
     GenericState state = reference(m);
     EXPECT_TRUE(solver.equilibrium(state).ok()) << lower;
-    EXPECT_LT(largest(solver.position_residuals(state)), 1e-12);
+    EXPECT_LT(largest_absolute(solver.position_residuals(state)), 1e-12);
     const std::vector<double> no_tau(state.z.size(), 0.0);
     GenericDerivative derivative;
     EXPECT_TRUE(solver.accelerations(state, no_tau, derivative).ok());
-    EXPECT_LT(largest(derivative.zdd), 1e-6) << lower;
+    EXPECT_LT(largest_absolute(derivative.zdd), 1e-6) << lower;
     std::vector<double> loads;
     const std::vector<double> y = solver.outputs(state, no_tau, derivative).y;
     for (std::size_t i = 0; i < y.size(); ++i)

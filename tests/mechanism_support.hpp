@@ -101,18 +101,12 @@ inline std::vector<double> random_tau(const Mechanism& mechanism, std::uint64_t 
   return tau;
 }
 
-inline double largest(const std::vector<double>& values) {
-  double result = 0;
-  for (double v : values) result = std::max(result, std::abs(v));
-  return result;
-}
-
 /// Largest difference over the largest entry of `expected` (at least `floor`).
 inline double relative_error(const std::vector<double>& actual, const std::vector<double>& expected,
                              double floor = 1e-9) {
   double error = 0;
   for (std::size_t i = 0; i < expected.size(); ++i) error = std::max(error, std::abs(actual[i] - expected[i]));
-  return error / std::max(largest(expected), floor);
+  return error / std::max(largest_absolute(expected), floor);
 }
 
 }  // namespace mbgen::testing

@@ -54,7 +54,7 @@ double deviation(const Contestant& contestant, const std::vector<cli::FileState>
       const double d = std::abs(derivative.zdd[i] - state.zdd[i]);
       difference = d <= difference ? difference : d;  // keeps what is not a number
     }
-    const double relative = difference / cli::largest_absolute(state.zdd);
+    const double relative = difference / largest_absolute(state.zdd);
     largest = relative <= largest ? largest : relative;
   }
   return largest;

@@ -27,7 +27,7 @@ LoopPartition quasi_partition(NumericSystem& numbers, std::size_t b, const std::
   const Recursion recursion = plan_recursion(numbers.model(), topology, driven);
   const auto unit = std::find_if(recursion.units.begin(), recursion.units.end(),
                                  [&](const RecursionUnit& u) { return u.block == static_cast<int>(b); });
-  LoopPartition result = analysis;
+  LoopPartition result = static_cast<const LoopPartition&>(analysis);
   if (std::none_of(unit->steps.begin(), unit->steps.end(), [](const JointStep& s) { return s.quasi(); })) {
     for (Pivot& pivot : result.pivots)
       pivot.reference *= row_length(topology, topology.blocks[b], numbers.constants(), pivot.equation);
@@ -45,7 +45,8 @@ LoopPartition quasi_partition(NumericSystem& numbers, std::size_t b, const std::
       for (std::size_t i = 0; i < rows[e].columns.size(); ++i) jacobian(e, rows[e].columns[i]) = rows[e].values[i];
     jacobians.push_back(std::move(jacobian));
   }
-  return choose_partition(jacobians, analysis.rank, analysis.driven);
+  const BlockAnalysis chosen = choose_partition(jacobians, analysis.rank, analysis.driven);
+  return static_cast<const LoopPartition&>(chosen);
 }
 
 }  // namespace mbgen

@@ -92,7 +92,7 @@ class Eliminator {
 
   void take(const PivotChoice& choice) {
     const std::map<int, Values> pivot_row = std::move(rows_[choice.row]);
-    const Values pivot = pivot_row.at(choice.column);
+    const Values& pivot = pivot_row.at(choice.column);
     queue_.erase({pivot_row.size(), choice.row});
     for (const auto& [c, values] : pivot_row) columns_[c].erase(choice.row);
     note(choice, pivot);

@@ -98,14 +98,6 @@ Engine make_engine(const Compilation& compilation, const EngineChoice& choice) {
   return maker->make(compilation, choice);
 }
 
-double largest_absolute(const std::vector<double>& values) {
-  double largest = 0;
-  for (const double value : values) {
-    if (!(std::abs(value) <= largest)) largest = std::abs(value);  // NaN is larger than every number
-  }
-  return largest;
-}
-
 std::string describe(const Compilation& compilation, Status status) {
   const std::vector<std::string> names = names_of(compilation, subject_of(status.code));
   const bool is_named = status.index >= 0 && status.index < static_cast<int>(names.size());

@@ -105,9 +105,6 @@ Engine make_generated_engine(const Compilation& compilation, const EngineChoice&
 /// A Cartesian judge, see docs/judges.md.
 Engine make_cartesian_engine(const Compilation& compilation, const EngineChoice& choice, CartesianMethod method);
 
-/// Largest absolute value, NaN when there is one, 0 for none.
-double largest_absolute(const std::vector<double>& values);
-
 /// What a status says, with what it names: "loop not closed: rod_left, tip".
 std::string describe(const Compilation& compilation, Status status);
 

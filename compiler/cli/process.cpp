@@ -8,8 +8,6 @@
 #include <cerrno>
 #include <sstream>
 
-extern char** environ;
-
 namespace mbgen::cli {
 namespace {
 

@@ -46,7 +46,7 @@ namespace {
 
 /// Mass, gravity and gyroscopic moment of every body.
 void add_inertia(const Parts& parts, const std::vector<Moving>& bodies, CartesianTerms& terms) {
-  for (int b = 0; b < parts.ground(); ++b) {
+  for (Eigen::Index b = 0; b < parts.ground(); ++b) {
     const Part& part = parts.bodies[b];
     const Matrix3d inertia = bodies[b].axes * part.inertia * bodies[b].axes.transpose();
     terms.mass.block<3, 3>(6 * b, 6 * b).diagonal().setConstant(part.mass);
@@ -63,7 +63,7 @@ void add_equations(const Parts& parts, const std::vector<Moving>& bodies, const 
     terms.residual[r] = row.residual;
     terms.bias[r] = row.bias;
     terms.velocity[r] = -row.rate;
-    const auto add = [&](int body, const Vector6d& columns) {
+    const auto add = [&](Eigen::Index body, const Vector6d& columns) {
       if (body == parts.ground()) return;
       terms.jacobian.block<1, 6>(r, 6 * body) += columns.transpose();
       terms.velocity[r] += columns.head<3>().dot(bodies[body].velocity) + columns.tail<3>().dot(bodies[body].spin);
@@ -91,7 +91,7 @@ CartesianTerms CartesianSystem::terms(const CartesianState& state, const Generic
   add_inertia(c.parts, bodies, terms);
   add_equations(c.parts, bodies, c.equations_at(bodies, values), terms);
   Forces forces = c.forces(bodies, state.x, values);
-  const auto apply = [&](int body, const Vector6d& wrench) {
+  const auto apply = [&](Eigen::Index body, const Vector6d& wrench) {
     if (body != c.moving()) terms.force.segment<6>(6 * body) += wrench;
   };
   for (const Load& load : forces.loads) apply(load.body, load.wrench);

@@ -20,13 +20,6 @@ struct Prepared {
   std::vector<BlockClosure<double>> closures;
 };
 
-/// Largest magnitude; NaN stays.
-inline double largest_absolute(const std::vector<double>& values) {
-  double result = 0;
-  for (const double value : values) result = std::abs(value) <= result ? result : std::abs(value);
-  return result;
-}
-
 /// A state with its true accelerations, and the forces that its constraints carry.
 struct Solved {
   Prepared prepared;

@@ -106,7 +106,7 @@ Status GenericSolver::project(GenericState& state) const {
     content_->algebra.solve(right_hand_side, dz);
     for (std::size_t b = 0; b < closures.size(); ++b) {
       double longest = 0;
-      for (int j : topology.blocks[b].joints) longest = std::abs(dz[j]) <= longest ? longest : std::abs(dz[j]);
+      for (int j : topology.blocks[b].joints) longest = std::isnan(dz[j]) ? dz[j] : std::max(longest, std::abs(dz[j]));
       if (!std::isfinite(longest)) return {Code::loop_not_closed, static_cast<int>(b)};
       const double scale = longest > kLongestNewtonStep ? kLongestNewtonStep / longest : 1.0;
       for (int j : topology.blocks[b].joints) trial.z[j] += scale * dz[j];

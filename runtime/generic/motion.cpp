@@ -33,7 +33,7 @@ Status notice_of_block(int b, const BlockAnalysis& analysis, const std::vector<s
 std::vector<double> shortest(const BlockFactors& factors, const std::vector<double>& right_hand_side) {
   const std::vector<std::vector<double>> rz = factors.rz();
   const int free = static_cast<int>(rz.empty() ? 0 : rz[0].size());
-  std::vector<double> x(rz.size(), 0.0), flat, gram(free * free), along(free);
+  std::vector<double> x(rz.size(), 0.0), flat, gram(static_cast<std::size_t>(free) * free), along(free);
   for (const std::vector<double>& row : rz) flat.insert(flat.end(), row.begin(), row.end());
   factors.solve(right_hand_side, x);
   shorten(static_cast<int>(rz.size()), free, flat.data(), gram.data(), along.data(), x.data());

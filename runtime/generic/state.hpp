@@ -31,6 +31,16 @@ inline int first_not_finite(const std::vector<double>& values) {
   return bad == values.end() ? -1 : static_cast<int>(bad - values.begin());
 }
 
+/// Largest absolute value, NaN when there is one, 0 for none.
+inline double largest_absolute(const std::vector<double>& values) {
+  double largest = 0;
+  for (const double value : values) {
+    if (std::isnan(value)) return value;
+    largest = std::max(largest, std::abs(value));
+  }
+  return largest;
+}
+
 /// Names what is not finite among the arguments of a call. tau: per coordinate, may be empty; inputs: all of the model.
 inline Status check_finite(const GenericState& state, const std::vector<double>& tau,
                            const std::vector<double>& inputs) {

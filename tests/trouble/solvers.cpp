@@ -71,7 +71,7 @@ Solver generic_solver(const Compilation& compilation) {
     return step_abm4(testing::Dynamics{run.solver}, at.state, run.history, at.h);
   };
   solver.largest_residual = [given](const Case& at) {
-    return cli::largest_absolute(given(at).solver.position_residuals(at.state));
+    return largest_absolute(given(at).solver.position_residuals(at.state));
   };
   solver.describe = [&compilation](Status status) { return cli::describe(compilation, status); };
   return solver;
@@ -122,7 +122,7 @@ Solver generated_solver(const Compilation& compilation, const std::string& comma
   solver.largest_residual = [loaded, &table](const Case& at) {
     std::vector<double> position(static_cast<std::size_t>(table.closure_equations)), velocity = position;
     table.residuals(at.parameters.data(), at.inputs.data(), flat(at.state).data(), position.data(), velocity.data());
-    return cli::largest_absolute(position);
+    return largest_absolute(position);
   };
   solver.describe = [loaded, &table](Status status) {
     const std::string name = table.describe(status);

@@ -18,9 +18,9 @@ constexpr int kLanes = 2;
 
 template <int W>
 struct Vector {
-  typedef double Lanes __attribute__((vector_size(8 * W)));
+  using Lanes __attribute__((vector_size(8 * W))) = double;
   /// Lanes where doubles stand: as little aligned as they are.
-  typedef double InArray __attribute__((vector_size(8 * W), aligned(8), may_alias));
+  using InArray __attribute__((vector_size(8 * W), aligned(8), may_alias)) = double;
 };
 template <int W>
 using LanesOf = typename Vector<W>::Lanes;

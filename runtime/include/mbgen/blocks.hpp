@@ -47,9 +47,9 @@ struct FreeDirection {
 
 /// Whether another partition is chosen at run time where the frozen one is bad.
 template <class System, class = void>
-constexpr bool kChoosesAgain = System::kBlocks > 0;
+inline constexpr bool kChoosesAgain = System::kBlocks > 0;
 template <class System>
-constexpr bool kChoosesAgain<System, std::void_t<decltype(System::kFrozenOnly)>> = !System::kFrozenOnly;
+inline constexpr bool kChoosesAgain<System, std::void_t<decltype(System::kFrozenOnly)>> = !System::kFrozenOnly;
 
 /// Smallest pivot of a block, over its median in the analysed configurations, with which the frozen order is trusted.
 /// The analysis accepts ratios from 0.05; two digits of the answer are at stake here, where it is left.
@@ -91,7 +91,8 @@ void copy_state(const typename System::State& from, typename System::State& to) 
 inline double largest(const double* values, int count) noexcept {
   double result = 0;
   for (int i = 0; i < count; ++i) {
-    if (!(std::abs(values[i]) <= result)) result = std::abs(values[i]);
+    if (std::isnan(values[i])) return values[i];
+    result = std::abs(values[i]) > result ? std::abs(values[i]) : result;
   }
   return result;
 }

@@ -116,8 +116,10 @@ template <class System>
 Misfit largest_residual(const typename System::Closure& closure, unsigned char redundant) noexcept {
   Misfit largest;
   for (int e = 0; e < System::kEquations; ++e) {
+    if (System::kRedundant[e] != redundant) continue;
     const double size = std::abs(closure.residual[e]);
-    if (System::kRedundant[e] == redundant && !(size <= largest.size)) largest = {size, e};
+    if (std::isnan(size)) return {size, e};
+    if (size > largest.size) largest = {size, e};
   }
   return largest;
 }
@@ -128,7 +130,8 @@ double largest_driven_step(const typename System::Closure& closure) noexcept {
   double largest = 0;
   for (int g = 0; g < System::kDrives; ++g) {
     const double size = std::abs(closure.dz[System::kDriveCoordinate[g]]);
-    if (!(size <= largest)) largest = size;
+    if (std::isnan(size)) return size;
+    largest = size > largest ? size : largest;
   }
   return largest;
 }

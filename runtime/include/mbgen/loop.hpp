@@ -2,6 +2,7 @@
 // Loop closures at run time: LU with full pivoting of one block's Jacobian, and what is solved with it.
 
 #include <cmath>
+#include <cstddef>
 #include <limits>
 
 namespace mbgen {
@@ -21,7 +22,9 @@ struct LoopFactors {
 
 namespace loop_detail {
 
-inline double* row_of(const LoopFactors& loop, int row) noexcept { return loop.matrix + row * loop.coordinates; }
+inline double* row_of(const LoopFactors& loop, int row) noexcept {
+  return loop.matrix + std::ptrdiff_t{row} * loop.coordinates;
+}
 
 template <class T>
 void swap(T& a, T& b) noexcept {
@@ -142,7 +145,8 @@ inline double solve_dependent(const LoopFactors& loop, const double* right_hand_
     const double* row = loop_detail::row_of(loop, i);
     double residual = work[i];
     for (int j = loop.rank; j < loop.coordinates; ++j) residual -= row[j] * x[loop.columns[j]];
-    if (!(std::abs(residual) <= largest)) largest = std::abs(residual);
+    if (std::isnan(residual)) return residual;
+    largest = std::abs(residual) > largest ? std::abs(residual) : largest;
   }
   return largest;
 }
