@@ -22,7 +22,7 @@ namespace mbgen {
 /// Rates that step_abm4 remembers. Start with a value-initialised one: `AbmHistory<System> history{};`.
 /// Empty it the same way when the state or an input was changed from outside.
 template <class System>
-struct AbmHistory {
+struct AbmHistory {                 // NOLINT(bugprone-reserved-identifier): of the compiler, where it copies the rates
   static constexpr int kRing = 5;   ///< four that are known, and room for those of the next step
   StateRates<System> rates[kRing];  ///< see past_rates
   int newest = 0;                   ///< place of the rates at the state that the last step left; then backwards in time
