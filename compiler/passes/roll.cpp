@@ -108,6 +108,7 @@ class LoopFinder {
          next != places.end() && *next - i <= kLongestPeriod && tried < kTriedPeriods; ++next, ++tried) {
       const std::size_t period = *next - i, length = repeats(i, period), first = best_start(i, period, length);
       // The first slice stays straight: what it takes from the slice before comes from elsewhere.
+      // NOLINTNEXTLINE(clang-analyzer-core.DivideZero): the next place is beyond i
       const std::size_t count = (i + length - first) / period;
       if (count < kFewestSlices || (count - 1) * period <= saved) continue;
       saved = (count - 1) * period;
