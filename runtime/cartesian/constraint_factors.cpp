@@ -38,7 +38,7 @@ ConstraintFactors::ConstraintFactors(const Eigen::MatrixXd& jacobian, const Pivo
     null_basis_(independent_columns_[i], i) = 1;
     dependent_part.col(i) = -reduced_.col(independent_columns_[i]);
   }
-  dependent_.triangularView<Eigen::Upper>().solveInPlace(dependent_part);
+  if (dependent_part.size() > 0) dependent_.triangularView<Eigen::Upper>().solveInPlace(dependent_part);
   for (Index k = 0; k < r; ++k) null_basis_.row(pivot_columns_[k]) = dependent_part.row(k);
 }
 

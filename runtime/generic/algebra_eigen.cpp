@@ -54,7 +54,7 @@ class DenseBlocks {
     spread(mass, mass_);
     mass_times_rz_.noalias() = mass_ * rz_;
     reduced.mass.resize(shape_.directions, shape_.directions);
-    reduced.mass.triangularView<Eigen::Lower>() = rz_.transpose() * mass_times_rz_;
+    if (shape_.directions > 0) reduced.mass.triangularView<Eigen::Lower>() = rz_.transpose() * mass_times_rz_;
     reduced.right_hand_side.noalias() = rz_.transpose() * Eigen::Map<const Eigen::VectorXd>(q.data(), rz_.rows());
   }
 

@@ -17,7 +17,8 @@ std::vector<int> PivotedLu::rows() const {
 
 Eigen::MatrixXd PivotedLu::dependence(int rank) const {
   Eigen::MatrixXd result = factors_.matrixLU().topRows(rank).rightCols(factors_.cols() - rank);
-  factors_.matrixLU().topLeftCorner(rank, rank).triangularView<Eigen::Upper>().solveInPlace(result);
+  if (result.size() > 0)
+    factors_.matrixLU().topLeftCorner(rank, rank).triangularView<Eigen::Upper>().solveInPlace(result);
   return result;
 }
 
@@ -46,7 +47,8 @@ void PivotedQr::compute(const Eigen::MatrixXd& a) {
 
 Eigen::MatrixXd PivotedQr::dependence(int rank) const {
   Eigen::MatrixXd result = factors_.matrixQR().topRows(rank).rightCols(factors_.cols() - rank);
-  factors_.matrixQR().topLeftCorner(rank, rank).triangularView<Eigen::Upper>().solveInPlace(result);
+  if (result.size() > 0)
+    factors_.matrixQR().topLeftCorner(rank, rank).triangularView<Eigen::Upper>().solveInPlace(result);
   return result;
 }
 

@@ -10,13 +10,14 @@
 #include "coach_mechanism.hpp"
 #include "four_bar.hpp"
 
-/// Calls of the heap by this program so far, see tests/batch/heap.cpp.
-extern "C" long heap_calls();
+/// Calls of the heap by this program so far, see tests/batch/heap.cpp; null under sanitizers.
+extern "C" [[gnu::weak]] long heap_calls();
 
 namespace mbgen {
 namespace {
 
 TEST(CoachMechanism, TenThousandStepsAllocateNothing) {
+  if (heap_calls == nullptr) GTEST_SKIP() << "the heap is not watched under sanitizers, which have their own";
   coach_mechanism::State state{};
   state.zd[coach_mechanism::Coordinate::chassis_rx] = 0.1;
   ASSERT_TRUE(coach_mechanism::assemble({}, {}, state).ok());

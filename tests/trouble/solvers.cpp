@@ -9,8 +9,8 @@
 #include "compiler/cli/engine.hpp"
 #include "dynamics.hpp"
 
-/// Calls of the heap by this program so far, see tests/batch/heap.cpp.
-extern "C" long heap_calls();
+/// Calls of the heap by this program so far, see tests/batch/heap.cpp; null under sanitizers.
+extern "C" [[gnu::weak]] long heap_calls();
 
 namespace mbgen::trouble {
 namespace {
@@ -24,6 +24,7 @@ struct GenericRun {
 /// What a function of an emitted solver says. Fails: std::logic_error when it has touched the heap.
 template <class Call>
 Status watched(const Call& call) {
+  if (heap_calls == nullptr) return call();
   const long before = heap_calls();
   const Status status = call();
   if (heap_calls() != before) throw std::logic_error("an emitted function touches the heap");
