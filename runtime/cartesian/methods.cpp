@@ -89,6 +89,7 @@ CartesianSolution range_space(const CartesianEquations& e) {
   mass.noalias() += reduced.transpose() * weighted;
   const VectorXd force = e.force + weighted.transpose() * e.bias.kept;
   const Eigen::LLT<MatrixXd> first(mass);
+  if (reduced.rows() == 0) return with_multipliers(e, first.solve(force), VectorXd());
   const VectorXd x = first.matrixL().solve(force);
   const MatrixXd transposed_21 = first.matrixL().solve(reduced.transpose());
   const Eigen::LLT<MatrixXd> second(transposed_21.transpose() * transposed_21);
