@@ -93,7 +93,7 @@ check_builds() {
     for level in O0 O3; do
       build=$root/build/determinism/$compiler-$level
       cmake -S "$root" -B "$build" -G Ninja -DCMAKE_CXX_COMPILER="$compiler" -DCMAKE_BUILD_TYPE=None \
-        -DCMAKE_CXX_FLAGS="-$level" -DMBGEN_TESTS=OFF -DMBGEN_BENCH=OFF >/dev/null
+        -DCMAKE_CXX_FLAGS="-$level" -DMBGEN_UNITY=ON -DMBGEN_TESTS=OFF -DMBGEN_BENCH=OFF >/dev/null
       cmake --build "$build" --target mbgen >/dev/null
       mbgen=$build/mbgen
       emit_all "$scratch/$compiler-$level" "$root"/models/*.json "$root"/models/iftomm/*.json \
