@@ -24,6 +24,12 @@ void take_form(Programs& programs, std::optional<Form> form) {
   programs.recursive_accelerations = {};
 }
 
+void take_out_derived_constants(Programs& programs) {
+  Program* const all[] = {&programs.accelerations,        &programs.closure,     &programs.closure_terms,
+                          &programs.accelerations_chosen, &programs.multipliers, &programs.outputs};
+  programs.derived_constants = take_out_derived(all, "par", "derived_constants");
+}
+
 void count_savings(Compilation& compilation) {
   const auto operations = [](const Program& program) { return count_operations(program).total(); };
   Programs& programs = compilation.programs;
@@ -47,6 +53,7 @@ Result<Compilation> compile(Model model, std::optional<Form> form) {
 
   Programs programs = optimise(trace(model, *topology, *analysis));
   take_form(programs, form);
+  take_out_derived_constants(programs);
   return Compilation{std::move(model), std::move(*topology), std::move(*analysis), std::move(programs)};
 }
 

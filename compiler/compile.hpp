@@ -28,6 +28,10 @@ Programs optimise(Programs programs);
 /// Requires: both forms, after the passes.
 void take_form(Programs& programs, std::optional<Form> form);
 
+/// Takes what depends on tunable parameters alone out of every program: it is computed where they change.
+/// Requires: one form, after the passes.
+void take_out_derived_constants(Programs& programs);
+
 /// Counts what treatments and passes save: traces the accelerations again without each. For `inspect`.
 void count_savings(Compilation& compilation);
 

@@ -81,7 +81,9 @@ TEST_F(Choosing, DoubleCrankTurnsOnWhileItsChoiceFailsInEveryTurn) {
     EXPECT_GT(motion.last("z.crank [rad]"), 6 * 2 * kPi) << engine;
     EXPECT_LT(std::abs(motion.report["relative_energy_error"].get<double>()), 1e-6) << engine;
     EXPECT_LT(motion.report["position_residual"].get<double>(), 1.1e-12) << engine;
-    if (engine == std::string("generated")) EXPECT_GT(motion.block()["chosen_again_steps"].get<long>(), 12);
+    if (engine == std::string("generated")) {
+      EXPECT_GT(motion.block()["chosen_again_steps"].get<long>(), 12);
+    }
   }
 }
 

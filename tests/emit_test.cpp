@@ -154,7 +154,7 @@ struct Accelerations {
 };
 
 /// All accelerations with the frozen partition of the loop blocks.
-void compute_accelerations(const Parameters& parameters, const Inputs& inputs, const State& state,
+void compute_accelerations(const Tuned& parameters, const Inputs& inputs, const State& state,
     const double* tau, Accelerations& __restrict result) noexcept {
   // --- 1 forces ---
   const double force_x = inputs.push + tau[Coordinate::x];

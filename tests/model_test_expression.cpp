@@ -136,6 +136,19 @@ TEST(Expression, ReferenceValueUsesDefaults) {
   EXPECT_EQ(output(model).value, 371);
 }
 
+TEST(Expression, HoldsParametersThatFollowTunableOnes) {
+  const Model model = read(arm_model(R"--("parameters": { "a": { "value": 5, "tunable": true }, "b": "3*a^2",
+    "c": { "value": "b - 2", "unit": "m" } }, "outputs": { "y": { "expression": "a + c*b" } })--"));
+  ASSERT_EQ(model.parameters.size(), 3u);
+  EXPECT_EQ(model.parameters[2].value, 73);
+  EXPECT_FALSE(model.parameters[2].tunable);
+  const int expression = output(model).expression;
+  ASSERT_GE(expression, 0);
+  EXPECT_EQ(output(model).value, 5 + 73 * 75);
+  // The environment's a is 2: both parameters go with it.
+  EXPECT_EQ(evaluate<double>(model.expressions.at(expression), Environment{}), 2 + 10 * 12);
+}
+
 TEST(Expression, MayBeSingularWhereAllCoordinatesAreZero) {
   EXPECT_EQ(messages(arm_model(R"--("joint_forces": { "f": { "joint": "pin", "force": "1/z.pin + log(t)" } })--")), "");
 }

@@ -169,7 +169,9 @@ std::string dump_model(const Model& model) {
   text += "parameters\n";
   for (const Parameter& parameter : model.parameters) {
     text += fmt::format("  {} = {} {}{}\n", parameter.name, parameter.value, parameter.unit,
-                        parameter.tunable ? ", tunable" : "");
+                        parameter.tunable           ? ", tunable"
+                        : parameter.expression >= 0 ? ", follows from tunable ones"
+                                                    : "");
   }
   text += "inputs\n";
   for (const Input& input : model.inputs) {

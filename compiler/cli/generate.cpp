@@ -9,6 +9,7 @@
 #include "compiler/cli/commands.hpp"
 #include "compiler/cli/dump.hpp"
 #include "compiler/cli/files.hpp"
+#include "compiler/cli/initial_state.hpp"
 #include "compiler/cli/json_text.hpp"
 #include "compiler/cli/options.hpp"
 #include "compiler/cli/user_error.hpp"
@@ -20,8 +21,16 @@ namespace {
 struct Options {
   std::string model, form, directory, dump;
   EmitOptions emit;
-  bool json = false;
+  bool c_interface = false, json = false;
 };
+
+/// The initial state of the model, at the default inputs.
+InitialState start_of(const Compilation& compilation) {
+  std::vector<double> inputs;
+  for (const Input& input : compilation.model.inputs) inputs.push_back(input.default_value);
+  GenericState state = initial_state(compilation, inputs);
+  return {std::move(state.z), std::move(state.zd), std::move(state.x)};
+}
 
 int run(const Options& options) {
   if (!options.dump.empty()) {
@@ -30,9 +39,11 @@ int run(const Options& options) {
   }
   if (options.directory.empty()) throw UserError("generate: --out DIR is required\n");
   const Compilation compilation = expect(compile(options.model, chosen_form(options.form)));
+  EmitOptions emitted = options.emit;
+  if (options.c_interface) emitted.c_interface = start_of(compilation);
   std::vector<NamedText> files;
   std::vector<std::string> paths;
-  for (EmittedFile& file : emit(compilation, options.emit)) {
+  for (EmittedFile& file : emit(compilation, emitted)) {
     paths.push_back((std::filesystem::path(options.directory) / file.path).string());
     require_other_file(paths.back(), options.model);  // the manifest is named like the model
     files.push_back({std::move(file.path), std::move(file.text)});
@@ -59,6 +70,8 @@ void add_generate(CLI::App& application, int& exit_code) {
   command->add_flag_callback(
       "--no-runtime", [options] { options->emit.runtime_headers = false; },
       "leave out the runtime's headers (mbgen/*.hpp)");
+  command->add_flag("--c-api", options->c_interface,
+                    "add an interface in C99 (<model>_c.h, <model>_c.cpp) and a Python module over it (<model>.py)");
   add_form_option(*command, options->form);
   add_batch_option(*command, options->emit.lanes);
   add_json_option(*command, options->json);

@@ -83,8 +83,9 @@ std::vector<std::string> local_names(const Topology& topology, const LoopBlock& 
 
 std::vector<const Program*> all_programs(const Programs& programs) {
   std::vector<const Program*> list;
-  for (const Program* program : {&programs.accelerations, &programs.closure, &programs.closure_terms,
-                                 &programs.accelerations_chosen, &programs.multipliers, &programs.outputs}) {
+  for (const Program* program :
+       {&programs.accelerations, &programs.closure, &programs.closure_terms, &programs.accelerations_chosen,
+        &programs.multipliers, &programs.outputs, &programs.derived_constants}) {
     if (!program->outputs.empty()) list.push_back(program);
   }
   return list;

@@ -9,6 +9,7 @@
 #include "compiler/emit/interface_text.hpp"
 #include "compiler/emit/program_text.hpp"
 #include "compiler/emit/text.hpp"
+#include "compiler/emit/tuned_text.hpp"
 #include "compiler/model/inputs.hpp"
 #include "compiler/passes/fewest_alive.hpp"
 
@@ -52,7 +53,7 @@ std::vector<std::string> names_of(const Members& members) {
 std::string lane_structs(const EmitContext& context) {
   const SolverLayout& layout = context.layout;
   const std::string auxiliary = size_text(layout.auxiliary_states);
-  return lane_struct("Parameters", names_of(parameter_members(context))) +
+  return lane_struct("Parameters", names_of(parameter_members(context))) + tuned_type_text(context.programs, "Lanes") +
          lane_struct("Inputs", names_of(input_members(context))) +
          lane_struct("State", {"z[kCoordinates]", "zd[kCoordinates]", "x[" + auxiliary + "]", "t"}) +
          lane_struct("Derivative", {"zdd[kCoordinates]", "xd[" + auxiliary + "]"}) +
@@ -127,7 +128,8 @@ std::string batch_text(const EmitContext& context) {
     if (scalar.key == "closure_terms" || scalar.key == "accelerations_chosen") continue;  // of lanes that are alone
     const ShapedProgram shaped = in_lanes(scalar);
     programs += program_text(fewest_alive(*shaped.program), shaped.shape) + "\n";
-    if (shaped.key == "outputs") continue;
+    if (shaped.key == "derived_constants") programs += tuned_constructor_text(context.programs);
+    if (shaped.key == "outputs" || shaped.key == "derived_constants") continue;
     members += "  using " + shaped.shape.result + " = lanes::" + shaped.shape.result + ";\n" +
                "  static constexpr auto " + shaped.shape.function.substr(std::string("compute_").size()) +
                " = &lanes::" + shaped.shape.function + ";\n";

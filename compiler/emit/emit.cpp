@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "compiler/emit/c_interface_text.hpp"
 #include "compiler/emit/embedded.hpp"
 #include "compiler/emit/interface_text.hpp"
 #include "compiler/emit/text.hpp"
@@ -39,7 +40,8 @@ std::vector<EmittedFile> emit(const Programs& programs, const Model& model, cons
                             solver_names(model, topology),
                             solver_layout(model, topology, analysis),
                             options.roll_above,
-                            options.lanes};
+                            options.lanes,
+                            options.c_interface.has_value()};
   const std::string& name = context.names.solver;
   std::vector<EmittedFile> files = {{name + ".hpp", interface_text(context)},
                                     {name + ".cpp", solver_text(context)},
@@ -48,6 +50,11 @@ std::vector<EmittedFile> emit(const Programs& programs, const Model& model, cons
   if (options.lanes > 0) {
     files.push_back({name + "_batch.hpp", batch_interface_text(context)});
     files.push_back({name + "_batch.cpp", batch_text(context)});
+  }
+  if (options.c_interface) {
+    files.push_back({name + "_c.h", c_header_text(context)});
+    files.push_back({name + "_c.cpp", c_source_text(context, *options.c_interface)});
+    files.push_back({name + ".py", python_text(context)});
   }
   if (options.runtime_headers) {
     std::vector<std::string> texts;

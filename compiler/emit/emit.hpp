@@ -1,6 +1,7 @@
 #pragma once
 // The door of the emit room: Programs -> C++ text. The same input gives the same bytes on any machine.
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -21,10 +22,16 @@ struct EmittedFile {
   std::string text;
 };
 
+/// Where the solvers of a C interface start: loops closed, velocities consistent.
+struct InitialState {
+  std::vector<double> z, zd, x;
+};
+
 struct EmitOptions {
   bool runtime_headers = true;          ///< add the runtime's headers under mbgen/, so that the directory stands alone
   std::size_t roll_above = kRollAbove;  ///< operations of a program above which equal subsystems become loops
   int lanes = 0;  ///< instances that a call of the batch interface solves, 0 for no such interface
+  std::optional<InitialState> c_interface = {};  ///< add <model>_c.h, <model>_c.cpp and <model>.py
 };
 
 /// The specialised solver: <model>.hpp, <model>.cpp, <model>.json (manifest), CMakeLists.txt, and the runtime headers;

@@ -7,6 +7,7 @@
 #include "compiler/emit/emit.hpp"
 #include "compiler/emit/input_text.hpp"
 #include "compiler/emit/text.hpp"
+#include "compiler/emit/tuned_text.hpp"
 
 namespace mbgen {
 namespace {
@@ -163,6 +164,7 @@ std::string interface_text(const EmitContext& context) {
                                          {"loop_blocks", enumeration("LoopBlock", names.loop_blocks)},
                                          {"tables", tables(context)},
                                          {"parameter_struct", structure("Parameters", parameter_members(context))},
+                                         {"tuned_type", tuned_type_text(context.programs, "double")},
                                          {"input_struct", structure("Inputs", input_members(context))},
                                          {"input_comment", inputs.comment},
                                          {"advance_declaration", inputs.declaration},
@@ -176,13 +178,16 @@ std::string interface_text(const EmitContext& context) {
 
 std::string build_text(const EmitContext& context) {
   const std::string& solver = context.names.solver;
-  const std::string sources = solver + ".cpp" + (context.lanes > 0 ? " " + solver + "_batch.cpp" : "");
+  const std::string sources = solver + ".cpp" + (context.lanes > 0 ? " " + solver + "_batch.cpp" : "") +
+                              (context.c_interface ? " " + solver + "_c.cpp" : "");
+  const std::string shared = context.c_interface ? fill_template("shared.cmake.in", {{"solver", solver}}) : "";
   return fill_template("CMakeLists.txt.in", {{"banner", banner_text(context.model, "#")},
                                              {"solver", solver},
                                              {"sources", sources},
                                              {"gnu_flags", cmake_flags(CompilerFamily::gnu)},
                                              {"x86_flags", x86_flags(context.lanes)},
-                                             {"clang_flags", cmake_flags(CompilerFamily::clang)}});
+                                             {"clang_flags", cmake_flags(CompilerFamily::clang)},
+                                             {"shared", shared}});
 }
 
 }  // namespace mbgen

@@ -18,6 +18,7 @@ struct EmitContext {
   SolverLayout layout;
   std::size_t roll_above = kRollAbove;  ///< see EmitOptions
   int lanes = 0;                        ///< of the batch interface, 0 for none
+  bool c_interface = false;             ///< whether there is one
 };
 
 /// First lines of every emitted file, each after `mark` ("//" or "#"): model, content hash, command, mbgen version.

@@ -55,7 +55,7 @@ void add_blocks(Places& places, const std::string& argument, const std::string& 
 }
 
 /// Inputs that every program may use; a program's signature lists those it gets.
-Places input_places(const SolverLayout& layout, const SolverNames& names) {
+Places input_places(const Programs& programs, const SolverLayout& layout, const SolverNames& names) {
   const auto& coordinates = names.coordinates;
   Places places;
   places["z"] = {"state", named("state.z", "Coordinate", coordinates), prefixed("z_", coordinates), "", "state.z", 0};
@@ -74,6 +74,8 @@ Places input_places(const SolverLayout& layout, const SolverNames& names) {
   places["drive"] = {"multipliers", indexed("multipliers.drive", layout.drives), {}, "", "multipliers.drive", 0};
   places["in"] = {"inputs", members("inputs", names.inputs), {}, "", "", 0};
   places["par"] = {"parameters", members("parameters", names.parameters), {}, "", "", 0};
+  const int derived = derived_constant_count(programs);
+  places["derived"] = {"parameters", indexed("parameters.derived", derived), {}, "", "parameters.derived", 0};
   add_blocks(
       places, "projection", "Rz", layout, [](const BlockPlaces& b) { return b.coordinates * b.free; },
       [](const BlockPlaces& b) { return b.first_projection; });
@@ -84,9 +86,7 @@ Places input_places(const SolverLayout& layout, const SolverNames& names) {
 }
 
 const std::vector<std::pair<std::string, std::string>> kStateArguments = {
-    {"parameters", "const Parameters& parameters"},
-    {"inputs", "const Inputs& inputs"},
-    {"state", "const State& state"}};
+    {"parameters", "const Tuned& parameters"}, {"inputs", "const Inputs& inputs"}, {"state", "const State& state"}};
 
 ProgramShape shape(const std::string& title, const std::string& result, const std::string& function,
                    const std::vector<std::pair<std::string, std::string>>& more_arguments, const Places& inputs) {
@@ -206,6 +206,17 @@ ProgramShape outputs_shape(const SolverNames& names, const Places& inputs, bool 
   return s;
 }
 
+ProgramShape derived_shape(const Places& inputs, int count) {
+  ProgramShape s;
+  s.title = "Constants that follow from tunable parameters.";
+  s.function = "compute_derived_constants";
+  s.result = "Tuned";
+  s.arguments = {{"parameters", "const Parameters& parameters"}};
+  s.inputs = inputs;
+  s.outputs["derived"] = result_array("result.derived", indexed("result.derived", count));
+  return s;
+}
+
 }  // namespace
 
 SolverLayout solver_layout(const Model& model, const Topology& topology, const Analysis& analysis) {
@@ -234,9 +245,13 @@ SolverLayout solver_layout(const Model& model, const Topology& topology, const A
   return layout;
 }
 
+int derived_constant_count(const Programs& programs) {
+  return static_cast<int>(programs.derived_constants.outputs.size());
+}
+
 ShapedProgram clocked_accelerations(const Programs& programs, const SolverLayout& layout, const SolverNames& names) {
   const int directions = static_cast<int>(programs.free_direction_coordinate.size());
-  ProgramShape s = accelerations_shape(layout, names, input_places(layout, names), directions);
+  ProgramShape s = accelerations_shape(layout, names, input_places(programs, layout, names), directions);
   s.title = "All accelerations, step by step against the clock.";
   s.function = "compute_clocked_accelerations";
   s.result = "ClockedAccelerations";
@@ -247,7 +262,7 @@ ShapedProgram clocked_accelerations(const Programs& programs, const SolverLayout
 
 std::vector<ShapedProgram> shaped_programs(const Programs& programs, const SolverLayout& layout,
                                            const SolverNames& names) {
-  const Places inputs = input_places(layout, names);
+  const Places inputs = input_places(programs, layout, names);
   const int directions = static_cast<int>(programs.free_direction_coordinate.size());
   std::vector<ShapedProgram> all = {
       {&programs.accelerations, "accelerations", accelerations_shape(layout, names, inputs, directions)}};
@@ -262,6 +277,9 @@ std::vector<ShapedProgram> shaped_programs(const Programs& programs, const Solve
           {&programs.accelerations_chosen, "accelerations_chosen", chosen_shape(layout, names, inputs, directions)});
   }
   all.push_back({&programs.outputs, "outputs", outputs_shape(names, inputs, outputs_take_multipliers(programs))});
+  if (derived_constant_count(programs) > 0)
+    all.insert(all.begin(), {&programs.derived_constants, "derived_constants",
+                             derived_shape(inputs, derived_constant_count(programs))});
   return all;
 }
 

@@ -75,6 +75,9 @@ struct ShapedProgram {
   ProgramShape shape;
 };
 
+/// Number of constants that follow from tunable parameters.
+int derived_constant_count(const Programs& programs);
+
 /// Whether the program of the outputs looks at multipliers or driving forces.
 bool outputs_take_multipliers(const Programs& programs);
 

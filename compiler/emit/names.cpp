@@ -84,7 +84,7 @@ SolverNames model_names(const Model& model) {
   names.solver = solver_name(model);
   names.bodies = identifiers(names_of(model.bodies));
   names.inputs = identifiers(names_of(model.inputs));
-  names.parameters = identifiers(tunable_names(model));
+  names.parameters = identifiers(tunable_names(model), {"derived"});
   names.outputs = identifiers(names_of(model.outputs), {std::begin(kEnergyMembers), std::end(kEnergyMembers)});
   return names;
 }

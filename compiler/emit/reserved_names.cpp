@@ -26,7 +26,7 @@ const std::set<std::string_view>& reserved_names() {
       "math_errhandling", "unix", "linux", "i386",
       // Namespaces and types that emitted code uses.
       "std", "mbgen", "Index", "Coordinate", "Body", "Input", "Output", "Parameter", "LoopBlock", "Inputs", "Outputs",
-      "Parameters", "State", "Derivative", "Multipliers", "History", "System", "Lanes", "Mask",
+      "Parameters", "Tuned", "State", "Derivative", "Multipliers", "History", "System", "Lanes", "Mask",
       // Constants of the interface.
       "kModel", "kHash", "kCoordinates", "kAuxiliaryStates", "kBodies", "kInputs", "kOutputs", "kParameters",
       "kLoopBlocks", "kClosureEquations", "kMotions", "kCoordinateNames", "kCoordinateUnits", "kAuxiliaryStateNames",

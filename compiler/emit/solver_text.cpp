@@ -5,6 +5,7 @@
 #include "compiler/emit/interface_text.hpp"
 #include "compiler/emit/program_text.hpp"
 #include "compiler/emit/text.hpp"
+#include "compiler/emit/tuned_text.hpp"
 
 namespace mbgen {
 namespace {
@@ -203,7 +204,8 @@ std::string solver_text(const EmitContext& context) {
     if (!shaped.shape.members.empty()) {
       members += "  using " + shaped.shape.result + " = " + context.names.solver + "::" + shaped.shape.result + ";\n";
     }
-    if (shaped.key != "outputs") members += constant("auto", member, "&" + shaped.shape.function);
+    if (shaped.key != "outputs" && shaped.key != "derived_constants")
+      members += constant("auto", member, "&" + shaped.shape.function);
   }
   if (!context.layout.blocks.empty() && context.layout.chooses_again) {
     members += "  using Projection = " + context.names.solver + "::Projection;\n";
@@ -214,6 +216,7 @@ std::string solver_text(const EmitContext& context) {
                                          {"solver", context.names.solver},
                                          {"projection_struct", projection_struct(context.layout)},
                                          {"programs", programs},
+                                         {"tuned_constructor", tuned_constructor_text(context.programs)},
                                          {"outputs_call", outputs_call(context)},
                                          {"system", system},
                                          {"advance_inputs", inputs.definition},

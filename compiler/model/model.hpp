@@ -274,9 +274,11 @@ struct Output {
 struct Parameter {
   std::string name;
   Where where;
-  double value = 0;
+  double value = 0;  ///< with the tunable ones at theirs
   std::string unit;
   bool tunable = false;
+  int expression =
+      -1;  ///< index into Model::expressions: what it is of tunable ones; expressions that use it contain it
 };
 
 struct Input {

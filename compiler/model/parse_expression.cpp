@@ -112,6 +112,17 @@ class ExpressionParser {
     return push(node);
   }
 
+  /// The value of another expression, node by node.
+  int push_copy(const std::vector<ExpressionNode>& nodes) {
+    const int first = static_cast<int>(nodes_.size());
+    int last = -1;
+    for (ExpressionNode node : nodes) {
+      for (int* operand : {&node.first, &node.second, &node.third}) *operand += *operand < 0 ? 0 : first;
+      if ((last = push(node)) < 0) return last;
+    }
+    return last;
+  }
+
   bool is_number(int index) const { return index < 0 || nodes_[static_cast<std::size_t>(index)].kind == Kind::number; }
   double number_at(int index) const { return index < 0 ? 0 : nodes_[static_cast<std::size_t>(index)].number; }
 
@@ -314,8 +325,13 @@ class ExpressionParser {
     if (name == "t") return scope_.depends < Depends::motion ? forbidden(start, "t") : push_indexed(Kind::time, -1);
     if (parameter != names.parameters.end()) {
       const Parameter& found = scope_.parameters[static_cast<std::size_t>(parameter->second)];
-      if (!found.tunable) return push_number(found.value);
-      if (scope_.depends < Depends::parameters) return forbidden(start, "tunable parameter " + in_quotes(name));
+      const bool follows = found.expression >= 0;
+      if (!found.tunable && !follows) return push_number(found.value);
+      if (scope_.depends < Depends::parameters) {
+        return forbidden(start, follows ? "parameter " + in_quotes(name) + ", which follows from tunable ones"
+                                        : "tunable parameter " + in_quotes(name));
+      }
+      if (follows) return push_copy(scope_.expressions[static_cast<std::size_t>(found.expression)].nodes);
       return push_indexed(Kind::parameter, parameter->second);
     }
     if (const auto input = names.inputs.find(name); input != names.inputs.end()) {

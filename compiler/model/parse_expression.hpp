@@ -19,6 +19,7 @@ enum class Depends { nothing, parameters, motion, all };
 struct ExpressionScope {
   const Names& names;
   std::span<const Parameter> parameters;
+  std::span<const Expression> expressions;  ///< those of the parameters among them
   Depends depends = Depends::all;
   std::span<const std::string_view> locals = {};
   bool suggest = true;  ///< name what was probably meant
@@ -36,7 +37,8 @@ struct ParsedExpression {
   std::vector<ExpressionProblem> problems;
 };
 
-/// Parses an expression. Untunable parameters become numbers; operations on numbers are carried out.
+/// Parses an expression. Untunable parameters become numbers, those that follow from tunable ones their expressions;
+/// operations on numbers are carried out.
 /// Fails: at the first error of grammar; before it, with every unknown or forbidden name and every value that is not
 /// finite.
 ParsedExpression parse_expression(std::string_view text, const ExpressionScope& scope);

@@ -30,6 +30,10 @@ struct TableFields {
   Table::Interpolation interpolation = Table::Interpolation::linear;
 };
 
+struct ParameterFields : Parameter {
+  Quantity quantity;
+};
+
 struct InputFields : Input {
   std::optional<std::string> rate;  ///< name of the derivative
 };

@@ -166,17 +166,23 @@ void check_ground(Reader& reader, const Value& value) {
 }  // namespace
 
 void read_parameters(Reader& reader, const Entries& entries) {
-  const FieldInfo& value_info = fields<Parameter>()[0].info;
+  const FieldInfo& value_info = fields<ParameterFields>()[0].info;
   for (const Entry& entry : entries) reader.names.later_parameters.emplace(entry.name, 0);
   for (const Entry& entry : entries) {
     check_expression_name(reader, entry);
-    Parameter parameter = with_defaults<Parameter>();
+    ParameterFields parameter = with_defaults<ParameterFields>();
     parameter.name = entry.name;
     parameter.where = where_of(reader.documents, entry.place);
     if (entry.value->kind == Value::Kind::object && !find(*entry.value, "deg")) {
       read_fields(reader, *entry.value, parameter);
     } else {
-      read_value(reader, *entry.value, value_info, parameter.value);
+      read_value(reader, *entry.value, value_info, parameter.quantity);
+    }
+    parameter.value = parameter.quantity.value;
+    parameter.expression = parameter.quantity.expression;
+    if (parameter.tunable && parameter.expression >= 0) {
+      report(reader, entry.place, in_quotes(entry.name) + " follows from tunable parameters and cannot be tuned itself",
+             "leave out \"tunable\": it changes with them");
     }
     reader.names.later_parameters.erase(entry.name);
     reader.names.parameters.emplace(entry.name, static_cast<int>(reader.model.parameters.size()));

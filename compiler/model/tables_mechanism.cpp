@@ -59,16 +59,17 @@ std::span<const Field<FileFields>> fields<FileFields>() {
 }
 
 template <>
-std::span<const Field<Parameter>> fields<Parameter>() {
+std::span<const Field<ParameterFields>> fields<ParameterFields>() {
+  using F = ParameterFields;
   static const std::array table = {
-      field<Parameter, &Parameter::value>({.name = "value",
-                                           .shape = Shape::number,
-                                           .doc = "value, may use parameters above it",
-                                           .need = Need::required,
-                                           .depends = Depends::nothing,
-                                           .angle = true}),
-      field<Parameter, &Parameter::unit>({.name = "unit", .shape = Shape::text, .doc = "unit, for people"}),
-      field<Parameter, &Parameter::tunable>(
+      field<F, &F::quantity>({.name = "value",
+                              .shape = Shape::quantity,
+                              .doc = "value, may use parameters above it; it follows those that are tunable",
+                              .need = Need::required,
+                              .depends = Depends::parameters,
+                              .angle = true}),
+      field<F, &F::unit>({.name = "unit", .shape = Shape::text, .doc = "unit, for people"}),
+      field<F, &F::tunable>(
           {.name = "tunable", .shape = Shape::boolean, .doc = "can be changed in the generated solver", .fallback = 0}),
   };
   return table;

@@ -157,7 +157,7 @@ std::span<const Field<SolverSettings>> fields<SolverSettings>() {
 std::vector<ObjectKind> object_kinds() {
   return {
       kind<FileFields>("model", "a multibody system; SI units, angles in rad"),
-      kind<Parameter>("parameter", "a named constant"),
+      kind<ParameterFields>("parameter", "a named constant"),
       kind<InputFields>("input", "a value given to the solver"),
       kind<BodyFields>("body", "a rigid body"),
       kind<Pose>("pose", "a frame in the global frame"),

@@ -6,6 +6,7 @@
 
 #include "compiler/passes/contract.hpp"
 #include "compiler/passes/dead_values.hpp"
+#include "compiler/passes/derived_constants.hpp"
 #include "compiler/passes/factor_sums.hpp"
 #include "compiler/passes/fewest_alive.hpp"
 #include "compiler/passes/merge_divisions.hpp"

@@ -59,6 +59,7 @@ struct Programs {
   Program multipliers;           ///< z zd x t tau in par zdd -> lambda drive missing pivot; only with loops or motions
   Program outputs;  ///< z zd x t in par zdd (tau lambda drive) -> y and `energy[0]` kinetic, `energy[1]` potential of
                     ///< gravity, `power[0]` power of all applied forces but gravity
+  Program derived_constants;  ///< par -> derived: what the others take of the tunable parameters; only with such things
   Program recursive_accelerations;  ///< the slots of `accelerations`, in the recursive form; empty once one is taken
   Form form = Form::matrix;         ///< of `accelerations`
   long operations_of_form[2] = {0, 0};  ///< of `accelerations` after the passes, by Form, once one is taken

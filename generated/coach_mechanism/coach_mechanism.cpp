@@ -3693,7 +3693,7 @@ struct AccelerationsWork {
 }
 
 /// All accelerations with the frozen partition of the loop blocks.
-void compute_accelerations(const Parameters& /*parameters*/, const Inputs& /*inputs*/,
+void compute_accelerations(const Tuned& /*parameters*/, const Inputs& /*inputs*/,
     const State& state, const double* tau, Accelerations& __restrict result) noexcept {
   AccelerationsWork work;
   compute_accelerations_1(state, tau, work);
@@ -3712,7 +3712,7 @@ struct Closure {
 };
 
 /// One Newton step of the frozen partition, and consistent velocities.
-void compute_closure(const Parameters& /*parameters*/, const Inputs& /*inputs*/, const State& state,
+void compute_closure(const Tuned& /*parameters*/, const Inputs& /*inputs*/, const State& state,
     Closure& __restrict result) noexcept {
   // --- step 1: poses, axes b, accumulated inertias MR (50) ---
   const double angles[] = {
@@ -7510,9 +7510,8 @@ struct ConstraintForcesWork {
 }
 
 /// Multipliers of the closures and generalised driving forces, at given accelerations.
-void compute_multipliers(const Parameters& /*parameters*/, const Inputs& /*inputs*/,
-    const State& state, const double* tau, const Derivative& derivative,
-    ConstraintForces& __restrict result) noexcept {
+void compute_multipliers(const Tuned& /*parameters*/, const Inputs& /*inputs*/, const State& state,
+    const double* tau, const Derivative& derivative, ConstraintForces& __restrict result) noexcept {
   ConstraintForcesWork work;
   compute_multipliers_1(state, work);
   compute_multipliers_2(state, derivative, work);
@@ -8793,7 +8792,7 @@ struct ClosureTermsWork {
 }
 
 /// Closure equations and their derivatives, for the pivoting factorisation.
-void compute_closure_terms(const Parameters& /*parameters*/, const Inputs& /*inputs*/,
+void compute_closure_terms(const Tuned& /*parameters*/, const Inputs& /*inputs*/,
     const State& state, ClosureTerms& __restrict result) noexcept {
   ClosureTermsWork work;
   compute_closure_terms_1(state, work, result);
@@ -14838,7 +14837,7 @@ struct ChosenAccelerationsWork {
 }
 
 /// All accelerations with a partition chosen at run time.
-void compute_chosen_accelerations(const Parameters& /*parameters*/, const Inputs& /*inputs*/,
+void compute_chosen_accelerations(const Tuned& /*parameters*/, const Inputs& /*inputs*/,
     const State& state, const double* tau, const Projection& projection,
     ChosenAccelerations& __restrict result) noexcept {
   ChosenAccelerationsWork work;
@@ -16567,7 +16566,7 @@ struct OutputsWork {
 }
 
 /// Outputs, energies and power, at given accelerations.
-void compute_outputs(const Parameters& /*parameters*/, const Inputs& /*inputs*/, const State& state,
+void compute_outputs(const Tuned& /*parameters*/, const Inputs& /*inputs*/, const State& state,
     const double* tau, const Derivative& /*derivative*/, Outputs& __restrict result) noexcept {
   OutputsWork work;
   compute_outputs_1(state, work);
@@ -16577,7 +16576,7 @@ void compute_outputs(const Parameters& /*parameters*/, const Inputs& /*inputs*/,
 
 /// What the runtime's algorithms need to know of this model; see mbgen/solver.hpp.
 struct System {
-  using Parameters = coach_mechanism::Parameters;
+  using Parameters = coach_mechanism::Tuned;
   using Inputs = coach_mechanism::Inputs;
   using State = coach_mechanism::State;
   using Derivative = coach_mechanism::Derivative;
@@ -16630,11 +16629,11 @@ struct System {
 
 }  // namespace
 
-mbgen::Status assemble(const Parameters& parameters, const Inputs& inputs, State& state) noexcept {
+mbgen::Status assemble(const Tuned& parameters, const Inputs& inputs, State& state) noexcept {
   return mbgen::project_state<System>(parameters, inputs, state);
 }
 
-mbgen::Status accelerations(const Parameters& parameters, const Inputs& inputs, const State& state,
+mbgen::Status accelerations(const Tuned& parameters, const Inputs& inputs, const State& state,
                             const double (&tau)[kCoordinates], Derivative& derivative) noexcept {
   return mbgen::solve_accelerations<System>(parameters, inputs, state, tau, derivative);
 }
@@ -16651,21 +16650,21 @@ mbgen::Status Dynamics::project_nearest(State& state) const noexcept {
   return mbgen::project_nearest<System>(parameters, inputs, state);
 }
 
-mbgen::Status step_rk4(const Parameters& parameters, const Inputs& inputs, State& state, double h) noexcept {
+mbgen::Status step_rk4(const Tuned& parameters, const Inputs& inputs, State& state, double h) noexcept {
   return mbgen::step_rk4(Dynamics{parameters, inputs}, state, h);
 }
 
-mbgen::Status step_abm4(const Parameters& parameters, const Inputs& inputs, State& state, History& history,
+mbgen::Status step_abm4(const Tuned& parameters, const Inputs& inputs, State& state, History& history,
                         double h) noexcept {
   return mbgen::step_abm4(Dynamics{parameters, inputs}, state, history, h);
 }
 
-mbgen::Status accelerations_in_motion(const Parameters& parameters, const Inputs& inputs, const State& state, double h,
+mbgen::Status accelerations_in_motion(const Tuned& parameters, const Inputs& inputs, const State& state, double h,
                                       Derivative& derivative) noexcept {
   return mbgen::without_notice(mbgen::rates_in_motion(Dynamics{parameters, inputs}, state, h, derivative));
 }
 
-mbgen::Status outputs(const Parameters& parameters, const Inputs& inputs, const State& state,
+mbgen::Status outputs(const Tuned& parameters, const Inputs& inputs, const State& state,
                       const double (&tau)[kCoordinates], const Derivative& derivative,
                       Outputs& values) noexcept {
   const mbgen::Status status = mbgen::solver_detail::check_arguments<System>(parameters, inputs, state, tau);
@@ -16673,13 +16672,13 @@ mbgen::Status outputs(const Parameters& parameters, const Inputs& inputs, const 
   return status;
 }
 
-mbgen::Status multipliers(const Parameters& parameters, const Inputs& inputs, const State& state,
+mbgen::Status multipliers(const Tuned& parameters, const Inputs& inputs, const State& state,
                           const double (&tau)[kCoordinates], const Derivative& derivative,
                           Multipliers& values) noexcept {
   return mbgen::solve_multipliers<System>(parameters, inputs, state, tau, derivative, values);
 }
 
-mbgen::Status closure_residual(const Parameters& parameters, const Inputs& inputs, const State& state,
+mbgen::Status closure_residual(const Tuned& parameters, const Inputs& inputs, const State& state,
                                ClosureResidual& residual) noexcept {
   return mbgen::closure_residuals<System>(parameters, inputs, state, residual);
 }

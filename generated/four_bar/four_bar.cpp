@@ -28,7 +28,7 @@ struct Accelerations {
 };
 
 /// All accelerations with the frozen partition of the loop blocks.
-void compute_accelerations(const Parameters& parameters, const Inputs& inputs, const State& state,
+void compute_accelerations(const Tuned& parameters, const Inputs& inputs, const State& state,
     const double* tau, Accelerations& __restrict result) noexcept {
   // --- step 1: poses and axes b ---
   // crank: crank_pin, revolute, ground
@@ -57,7 +57,7 @@ void compute_accelerations(const Parameters& parameters, const Inputs& inputs, c
   const double s5_4 = 0.1 - s5_1;
   const double s5_5 = 0.6 - s5_3;
   const double s5_6 = std::sqrt(mbgen::fma(s5_5, s5_5, s5_4*s5_4));
-  const double tension_return_spring = parameters.k*(s5_6 - 0.18);
+  const double tension_return_spring = (s5_6 - 0.18)*parameters.k;
   const double s5_7 = tension_return_spring*(1.0/s5_6);
   const double s5_8 = s5_4*s5_7;
   const double s5_9 = mbgen::fma(0.4, s5_8, mbgen::fnma(s5_3, s5_8, s5_1*(s5_5*s5_7)));
@@ -163,7 +163,7 @@ struct Closure {
 };
 
 /// One Newton step of the frozen partition, and consistent velocities.
-void compute_closure(const Parameters& /*parameters*/, const Inputs& /*inputs*/, const State& state,
+void compute_closure(const Tuned& /*parameters*/, const Inputs& /*inputs*/, const State& state,
     Closure& __restrict result) noexcept {
   // --- step 1: poses, axes b, accumulated inertias MR (50) ---
   // crank: crank_pin, revolute, ground
@@ -235,7 +235,7 @@ struct ConstraintForces {
 };
 
 /// Multipliers of the closures and generalised driving forces, at given accelerations.
-void compute_multipliers(const Parameters& parameters, const Inputs& inputs, const State& state,
+void compute_multipliers(const Tuned& parameters, const Inputs& inputs, const State& state,
     const double* tau, const Derivative& derivative, ConstraintForces& __restrict result) noexcept {
   // --- step 1: poses, axes b, accumulated inertias MR (50) ---
   // crank: crank_pin, revolute, ground
@@ -284,7 +284,7 @@ void compute_multipliers(const Parameters& parameters, const Inputs& inputs, con
   const double s5_3 = mbgen::fma(0.15, R_rocker_x_z, s1_13);
   const double s5_4 = 0.6 - s5_3;
   const double s5_5 = std::sqrt(mbgen::fma(s5_4, s5_4, s5_2*s5_2));
-  const double tension_return_spring = parameters.k*(s5_5 - 0.18);
+  const double tension_return_spring = (s5_5 - 0.18)*parameters.k;
   const double s5_6 = tension_return_spring*(1.0/s5_5);
   const double s5_7 = s5_2*s5_6;
   const double s5_8 = mbgen::fnma(s5_3, s5_7, s5_1*(s5_4*s5_6));
@@ -371,7 +371,7 @@ struct ClosureTerms {
 };
 
 /// Closure equations and their derivatives, for the pivoting factorisation.
-void compute_closure_terms(const Parameters& /*parameters*/, const Inputs& /*inputs*/,
+void compute_closure_terms(const Tuned& /*parameters*/, const Inputs& /*inputs*/,
     const State& state, ClosureTerms& __restrict result) noexcept {
   // --- step 1: poses, axes b, accumulated inertias MR (50) ---
   // crank: crank_pin, revolute, ground
@@ -460,8 +460,8 @@ struct ChosenAccelerations {
 };
 
 /// All accelerations with a partition chosen at run time.
-void compute_chosen_accelerations(const Parameters& parameters, const Inputs& inputs,
-    const State& state, const double* tau, const Projection& projection,
+void compute_chosen_accelerations(const Tuned& parameters, const Inputs& inputs, const State& state,
+    const double* tau, const Projection& projection,
     ChosenAccelerations& __restrict result) noexcept {
   // --- step 1: poses, axes b, accumulated inertias MR (50) ---
   // crank: crank_pin, revolute, ground
@@ -517,7 +517,7 @@ void compute_chosen_accelerations(const Parameters& parameters, const Inputs& in
   const double s5_3 = mbgen::fma(0.15, R_rocker_x_z, s1_16);
   const double s5_4 = 0.6 - s5_3;
   const double s5_5 = std::sqrt(mbgen::fma(s5_4, s5_4, s5_2*s5_2));
-  const double tension_return_spring = parameters.k*(s5_5 - 0.18);
+  const double tension_return_spring = (s5_5 - 0.18)*parameters.k;
   const double s5_6 = tension_return_spring*(1.0/s5_5);
   const double s5_7 = s5_2*s5_6;
   const double s5_8 = mbgen::fnma(s5_3, s5_7, s5_1*(s5_4*s5_6));
@@ -596,7 +596,7 @@ void compute_chosen_accelerations(const Parameters& parameters, const Inputs& in
 }
 
 /// Outputs, energies and power, at given accelerations.
-void compute_outputs(const Parameters& parameters, const Inputs& inputs, const State& state,
+void compute_outputs(const Tuned& parameters, const Inputs& inputs, const State& state,
     const double* tau, const Derivative& /*derivative*/, Outputs& __restrict result) noexcept {
   // --- step 1: poses, axes b, accumulated inertias MR (50) ---
   // crank: crank_pin, revolute, ground
@@ -651,7 +651,7 @@ void compute_outputs(const Parameters& parameters, const Inputs& inputs, const S
   const double s5_3 = mbgen::fma(0.15, R_rocker_x_z, s1_13);
   const double s5_4 = 0.6 - s5_3;
   const double s5_5 = std::sqrt(mbgen::fma(s5_4, s5_4, s5_2*s5_2));
-  const double tension_return_spring = parameters.k*(s5_5 - 0.18);
+  const double tension_return_spring = (s5_5 - 0.18)*parameters.k;
   result.spring_force = tension_return_spring;
   const double s5_6 = tension_return_spring*(1.0/s5_5);
   const double s5_7 = s5_2*s5_6;
@@ -699,7 +699,7 @@ void compute_outputs(const Parameters& parameters, const Inputs& inputs, const S
 
 /// What the runtime's algorithms need to know of this model; see mbgen/solver.hpp.
 struct System {
-  using Parameters = four_bar::Parameters;
+  using Parameters = four_bar::Tuned;
   using Inputs = four_bar::Inputs;
   using State = four_bar::State;
   using Derivative = four_bar::Derivative;
@@ -751,11 +751,11 @@ struct System {
 
 }  // namespace
 
-mbgen::Status assemble(const Parameters& parameters, const Inputs& inputs, State& state) noexcept {
+mbgen::Status assemble(const Tuned& parameters, const Inputs& inputs, State& state) noexcept {
   return mbgen::project_state<System>(parameters, inputs, state);
 }
 
-mbgen::Status accelerations(const Parameters& parameters, const Inputs& inputs, const State& state,
+mbgen::Status accelerations(const Tuned& parameters, const Inputs& inputs, const State& state,
                             const double (&tau)[kCoordinates], Derivative& derivative) noexcept {
   return mbgen::solve_accelerations<System>(parameters, inputs, state, tau, derivative);
 }
@@ -772,21 +772,21 @@ mbgen::Status Dynamics::project_nearest(State& state) const noexcept {
   return mbgen::project_nearest<System>(parameters, inputs, state);
 }
 
-mbgen::Status step_rk4(const Parameters& parameters, const Inputs& inputs, State& state, double h) noexcept {
+mbgen::Status step_rk4(const Tuned& parameters, const Inputs& inputs, State& state, double h) noexcept {
   return mbgen::step_rk4(Dynamics{parameters, inputs}, state, h);
 }
 
-mbgen::Status step_abm4(const Parameters& parameters, const Inputs& inputs, State& state, History& history,
+mbgen::Status step_abm4(const Tuned& parameters, const Inputs& inputs, State& state, History& history,
                         double h) noexcept {
   return mbgen::step_abm4(Dynamics{parameters, inputs}, state, history, h);
 }
 
-mbgen::Status accelerations_in_motion(const Parameters& parameters, const Inputs& inputs, const State& state, double h,
+mbgen::Status accelerations_in_motion(const Tuned& parameters, const Inputs& inputs, const State& state, double h,
                                       Derivative& derivative) noexcept {
   return mbgen::without_notice(mbgen::rates_in_motion(Dynamics{parameters, inputs}, state, h, derivative));
 }
 
-mbgen::Status outputs(const Parameters& parameters, const Inputs& inputs, const State& state,
+mbgen::Status outputs(const Tuned& parameters, const Inputs& inputs, const State& state,
                       const double (&tau)[kCoordinates], const Derivative& derivative,
                       Outputs& values) noexcept {
   const mbgen::Status status = mbgen::solver_detail::check_arguments<System>(parameters, inputs, state, tau);
@@ -794,13 +794,13 @@ mbgen::Status outputs(const Parameters& parameters, const Inputs& inputs, const 
   return status;
 }
 
-mbgen::Status multipliers(const Parameters& parameters, const Inputs& inputs, const State& state,
+mbgen::Status multipliers(const Tuned& parameters, const Inputs& inputs, const State& state,
                           const double (&tau)[kCoordinates], const Derivative& derivative,
                           Multipliers& values) noexcept {
   return mbgen::solve_multipliers<System>(parameters, inputs, state, tau, derivative, values);
 }
 
-mbgen::Status closure_residual(const Parameters& parameters, const Inputs& inputs, const State& state,
+mbgen::Status closure_residual(const Tuned& parameters, const Inputs& inputs, const State& state,
                                ClosureResidual& residual) noexcept {
   return mbgen::closure_residuals<System>(parameters, inputs, state, residual);
 }

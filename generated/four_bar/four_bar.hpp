@@ -82,6 +82,9 @@ struct Parameters {
   double k = 1200.0;  ///< N/m
 };
 
+/// What functions take: no constants follow from the parameters.
+using Tuned = Parameters;
+
 /// Inputs with their defaults. They are constant during a step.
 struct Inputs {
   double torque = 0.0;  ///< N m
@@ -130,25 +133,25 @@ struct ClosureResidual {
 /// and makes the velocities consistent. Independent coordinates keep their positions and
 /// velocities.
 /// Fails: not_a_number, loop_not_closed, loop_singular.
-mbgen::Status assemble(const Parameters& parameters, const Inputs& inputs, State& state) noexcept;
+mbgen::Status assemble(const Tuned& parameters, const Inputs& inputs, State& state) noexcept;
 
 /// All accelerations at a consistent state. tau: generalised joint forces (N m or N), added to
 /// those of the model.
 /// Fails: not_a_number, loop_singular, no_inertia.
-mbgen::Status accelerations(const Parameters& parameters, const Inputs& inputs, const State& state,
+mbgen::Status accelerations(const Tuned& parameters, const Inputs& inputs, const State& state,
                             const double (&tau)[kCoordinates], Derivative& derivative) noexcept;
 
 /// One step of h seconds by the classical Runge-Kutta method, then assembly. A status that is ok may
 /// be a notice: chosen_again, near_singular, singular_met.
 /// Fails: as both, and step_invalid; loop_not_closed also when assembly would jump.
-mbgen::Status step_rk4(const Parameters& parameters, const Inputs& inputs, State& state, double h) noexcept;
+mbgen::Status step_rk4(const Tuned& parameters, const Inputs& inputs, State& state, double h) noexcept;
 
 /// The solver at constant parameters and inputs as an integrator sees it: without joint forces from
 /// outside.
 struct Dynamics {
   using State = four_bar::State;
   using Derivative = four_bar::Derivative;
-  const Parameters& parameters;
+  const Tuned& parameters;
   const Inputs& inputs;
   mbgen::Status derivative(const State& state, Derivative& derivative) const noexcept;
   mbgen::Status project(State& state) const noexcept;
@@ -158,7 +161,7 @@ struct Dynamics {
 /// Accelerations of a state that steps of h seconds led to, without joint forces from outside: at a
 /// singular position those of the motion through it.
 /// Fails: as accelerations.
-mbgen::Status accelerations_in_motion(const Parameters& parameters, const Inputs& inputs, const State& state, double h,
+mbgen::Status accelerations_in_motion(const Tuned& parameters, const Inputs& inputs, const State& state, double h,
                                       Derivative& derivative) noexcept;
 
 /// What step_abm4 remembers. Start with `History history{};`, and again when state or inputs were
@@ -168,25 +171,25 @@ using History = mbgen::AbmHistory<Dynamics>;
 /// One step of h seconds by Adams-Bashforth-Moulton of order four with two evaluations, started up
 /// by Runge-Kutta, then assembly.
 /// Gives notices and fails as step_rk4.
-mbgen::Status step_abm4(const Parameters& parameters, const Inputs& inputs, State& state, History& history,
+mbgen::Status step_abm4(const Tuned& parameters, const Inputs& inputs, State& state, History& history,
                         double h) noexcept;
 
 /// Outputs, energies and power at a state and its accelerations. An output that is not finite is
 /// given as it is.
 /// Fails: not_a_number for the arguments.
-mbgen::Status outputs(const Parameters& parameters, const Inputs& inputs, const State& state,
+mbgen::Status outputs(const Tuned& parameters, const Inputs& inputs, const State& state,
                       const double (&tau)[kCoordinates], const Derivative& derivative,
                       Outputs& values) noexcept;
 
 /// Forces of the constraints at a state and its accelerations. Of redundant equations only the sum
 /// of their effects is unique; those left out of the frozen path get zero.
 /// Fails: not_a_number, loop_singular.
-mbgen::Status multipliers(const Parameters& parameters, const Inputs& inputs, const State& state,
+mbgen::Status multipliers(const Tuned& parameters, const Inputs& inputs, const State& state,
                           const double (&tau)[kCoordinates], const Derivative& derivative,
                           Multipliers& values) noexcept;
 
 /// Closure residuals of a state. Fails: not_a_number for the arguments.
-mbgen::Status closure_residual(const Parameters& parameters, const Inputs& inputs, const State& state,
+mbgen::Status closure_residual(const Tuned& parameters, const Inputs& inputs, const State& state,
                                ClosureResidual& residual) noexcept;
 
 /// Name of the coordinate, loops, input, parameter or auxiliary state that a status names, "" when it

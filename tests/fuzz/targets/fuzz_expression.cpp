@@ -78,8 +78,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const std::string text = fuzz::text_of(data + 1, size - 1);
   const auto depends = static_cast<reading::Depends>(data[0] % 4);
   const bool has_locals = data[0] / 4 % 2 == 1;
-  const reading::ExpressionScope scope{known, list, depends, has_locals ? kLocals : std::span<const std::string_view>(),
-                                       true};
+  const reading::ExpressionScope scope{
+      known, list, {}, depends, has_locals ? kLocals : std::span<const std::string_view>(), true};
   const reading::ParsedExpression parsed = reading::parse_expression(text, scope);
   for (const reading::ExpressionProblem& problem : parsed.problems) {
     fuzz::require(problem.offset <= text.size(), "a problem stands inside the text");

@@ -1,0 +1,20 @@
+#pragma once
+// The C interface of a solver, and a Python module over it.
+
+#include <string>
+
+#include "compiler/emit/emit.hpp"
+#include "compiler/emit/interface_text.hpp"
+
+namespace mbgen {
+
+/// `<model>_c.h`, C99.
+std::string c_header_text(const EmitContext& context);
+
+/// `<model>_c.cpp`. initial: where a solver starts.
+std::string c_source_text(const EmitContext& context, const InitialState& initial);
+
+/// `<model>.py`: ctypes and numpy over the shared library, nothing to compile.
+std::string python_text(const EmitContext& context);
+
+}  // namespace mbgen

@@ -1,0 +1,42 @@
+#!/bin/sh
+# The C interface and the Python module of the four-bar, built by the emitted CMake file alone: tests/c_interface/check.sh MBGEN
+set -eu
+here=$(cd "$(dirname "$0")" && pwd)
+mbgen=$(realpath "$1")
+scratch=$(mktemp -d)
+trap 'rm -rf "$scratch"' EXIT
+"$mbgen" generate "$here/../../models/four_bar.json" --c-api --out "$scratch/four_bar" >/dev/null
+cmake -S "$scratch/four_bar" -B "$scratch/four_bar/build" >/dev/null
+cmake --build "$scratch/four_bar/build" >/dev/null
+warnings="-Wall -Wextra -Wpedantic -Wconversion -Wshadow -Wdouble-promotion -Werror"
+library=$scratch/four_bar/build/libfour_bar.a
+# shellcheck disable=SC2086  # several words
+{
+  cc -std=c99 $warnings -Wstrict-prototypes -I "$scratch/four_bar" -c "$here/check.c" -o "$scratch/check.o"
+  c++ -std=c++17 $warnings -I "$scratch/four_bar" "$here/native.cpp" "$library" -o "$scratch/native"
+  c++ -std=c++17 $warnings -O2 -ffp-contract=off -I "$scratch/four_bar" -c "$scratch/four_bar/four_bar_c.cpp" -o "$scratch/o"
+}
+cc "$scratch/check.o" "$library" -lm -o "$scratch/check"
+"$scratch/native" >"$scratch/native.txt"
+"$scratch/check" >"$scratch/check.txt"
+cmp "$scratch/native.txt" "$scratch/check.txt"
+echo "C99 caller: bits of the solver"
+# The examples of docs/embedding.md say the same.
+examples=$here/../../examples/c_interface
+cc -std=c99 -Wall -Wextra -Wpedantic -Werror -I "$scratch/four_bar" "$examples/four_bar.c" "$library" -lm -o "$scratch/example"
+"$scratch/example" >"$scratch/example.txt"
+[ "$(wc -l <"$scratch/example.txt")" -eq 4 ]
+symbols=$(nm -D --defined-only "$scratch/four_bar/build/libfour_bar_c.so" | awk '{ print $3 }' | grep -v '^four_bar_' || true)
+[ -z "$symbols" ] || { echo "the shared library exports more: $symbols"; exit 1; }
+needed=$(nm -D --undefined-only "$scratch/four_bar/build/libfour_bar_c.so" | grep -E ' (U|v) ' | grep -vE 'sin|cos|GLIBC' || true)
+[ -z "$needed" ] || { echo "the shared library needs more than libm: $needed"; exit 1; }
+for python in python3 /usr/bin/python3; do
+  if "$python" -c 'import numpy' 2>/dev/null; then
+    "$python" "$here/check.py" "$scratch/four_bar" >"$scratch/python.txt"
+    cmp "$scratch/native.txt" "$scratch/python.txt"
+    "$python" "$examples/four_bar_run.py" "$scratch/four_bar" | cmp - "$scratch/example.txt"
+    echo "Python module: bits of the solver"
+    exit 0
+  fi
+done
+echo "Python module: skipped, python3 with numpy is not installed (apt-get install python3-numpy)"

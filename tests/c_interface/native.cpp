@@ -1,0 +1,30 @@
+// The run of check.c by the solver itself, printed alike.
+
+#include <cstdio>
+#include <cstdlib>
+
+#include "four_bar.hpp"
+#include "four_bar_c.h"
+
+int main() {
+  four_bar_state start;
+  void* memory = std::malloc(four_bar_size());
+  four_bar_get_state(four_bar_initialise(memory, four_bar_size()), &start);
+  std::free(memory);
+  four_bar::State state{};
+  for (int i = 0; i < four_bar::kCoordinates; ++i) state.z[i] = start.z[i], state.zd[i] = start.zd[i];
+  four_bar::Parameters parameters;
+  four_bar::Inputs inputs;
+  if (!four_bar::assemble(parameters, inputs, state).ok()) return 1;
+  for (int i = 0; i < 1000; ++i) {
+    if (i == 500) parameters.k = 1500, inputs.torque = 2;
+    if (!four_bar::step_rk4(parameters, inputs, state, 1e-3).ok()) return 1;
+  }
+  const double tau[four_bar::kCoordinates] = {};
+  four_bar::Derivative derivative;
+  four_bar::Outputs outputs;
+  if (!four_bar::accelerations(parameters, inputs, state, tau, derivative).ok()) return 1;
+  if (!four_bar::outputs(parameters, inputs, state, tau, derivative, outputs).ok()) return 1;
+  for (int i = 0; i < four_bar::kCoordinates; ++i) std::printf("%a %a\n", state.z[i], state.zd[i]);
+  std::printf("%a %a %a\n", state.t, outputs.spring_force, outputs.kinetic_energy);
+}
