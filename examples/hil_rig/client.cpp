@@ -1,0 +1,66 @@
+#include "client.hpp"
+
+#include <poll.h>
+#include <unistd.h>
+
+#include <algorithm>
+
+#include "link.hpp"
+#include "realtime.hpp"
+#include "udp.hpp"
+
+namespace hil_rig {
+
+namespace {
+
+struct Heard {
+  Header header;
+  Motion motion;
+};
+
+// The newest of the motions that wait.
+std::optional<Heard> newest_motion(const Socket& socket, Numbers& numbers, ClientResult& result) {
+  std::optional<Heard> newest;
+  std::array<std::uint8_t, kLargestPacket + 64> bytes;
+  for (long size = socket.receive(bytes); size >= 0; size = socket.receive(bytes)) {
+    const std::optional<Header> header = open(bytes.data(), static_cast<std::size_t>(size));
+    long skipped = 0;
+    if (!header || header->type != Type::motion || note(numbers, header->sequence, skipped) != Order::newer) {
+      ++result.dropped;
+      continue;
+    }
+    ++result.motions;
+    newest = Heard{*header, payload_of<Motion>(bytes.data())};
+  }
+  return newest;
+}
+
+}  // namespace
+
+std::uint32_t new_session() {
+  const auto now = static_cast<std::uint64_t>(monotonic_now());
+  return static_cast<std::uint32_t>(now / 1000) ^ (static_cast<std::uint32_t>(getpid()) << 16);
+}
+
+ClientResult run_client(const std::string& own, const std::string& plant,
+                        const std::function<Command(const Motion&)>& decide) {
+  const Socket socket(address_of(own));
+  const sockaddr_in to = address_of(plant);
+  const std::uint32_t session = new_session();
+  Numbers numbers;
+  ClientResult result;
+  for (std::uint32_t sequence = 1;; ++sequence) {
+    pollfd waiting = {socket.descriptor(), POLLIN, 0};
+    if (poll(&waiting, 1, result.motions == 0 ? 10000 : 2000) == 0) return result;
+    const std::optional<Heard> heard = newest_motion(socket, numbers, result);
+    if (!heard) continue;
+    result.last = heard->motion;
+    Packet packet;
+    const std::size_t size =
+        encode({Type::command, session, sequence, heard->header.time, 0, 0}, decide(heard->motion), packet);
+    socket.send({packet.data(), size}, to);
+    if ((heard->header.flags & kLast) != 0) return result.ended = true, result;
+  }
+}
+
+}  // namespace hil_rig

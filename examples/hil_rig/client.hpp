@@ -1,0 +1,27 @@
+#pragma once
+// The driver's end of the line: answers every motion with a command.
+
+#include <functional>
+#include <string>
+
+#include "packet.hpp"
+
+namespace hil_rig {
+
+/// What became of a client's run.
+struct ClientResult {
+  long motions = 0;    ///< received whole and newer than those before
+  long dropped = 0;    ///< broken, doubled or late
+  bool ended = false;  ///< the plant said so; otherwise it fell silent
+  Motion last;
+};
+
+/// Answers motions that come at `own` with what `decide` makes of them, sent to `plant`, until the plant ends or is
+/// silent for 2 s (10 s before the first motion). Addresses as 127.0.0.1:7001. Throws std::runtime_error.
+ClientResult run_client(const std::string& own, const std::string& plant,
+                        const std::function<Command(const Motion&)>& decide);
+
+/// Number of a session: differs from run to run.
+std::uint32_t new_session();
+
+}  // namespace hil_rig
