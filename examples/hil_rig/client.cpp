@@ -18,14 +18,26 @@ struct Heard {
   Motion motion;
 };
 
+// What the client knows of the plant's packets; a plant that started anew is another session.
+struct Hearing {
+  std::optional<std::uint32_t> session;
+  Numbers numbers;
+};
+
+bool is_newer(Hearing& hearing, const Header& header) {
+  long skipped = 0;
+  if (hearing.session == header.session) return note(hearing.numbers, header.sequence, skipped) == Order::newer;
+  hearing = {header.session, {header.sequence, ~std::uint64_t{0}}};
+  return true;
+}
+
 // The newest of the motions that wait.
-std::optional<Heard> newest_motion(const Socket& socket, Numbers& numbers, ClientResult& result) {
+std::optional<Heard> newest_motion(const Socket& socket, Hearing& hearing, ClientResult& result) {
   std::optional<Heard> newest;
   std::array<std::uint8_t, kLargestPacket + 64> bytes;
   for (long size = socket.receive(bytes); size >= 0; size = socket.receive(bytes)) {
     const std::optional<Header> header = open(bytes.data(), static_cast<std::size_t>(size));
-    long skipped = 0;
-    if (!header || header->type != Type::motion || note(numbers, header->sequence, skipped) != Order::newer) {
+    if (!header || header->type != Type::motion || !is_newer(hearing, *header)) {
       ++result.dropped;
       continue;
     }
@@ -47,12 +59,12 @@ ClientResult run_client(const std::string& own, const std::string& plant,
   const Socket socket(address_of(own));
   const sockaddr_in to = address_of(plant);
   const std::uint32_t session = new_session();
-  Numbers numbers;
+  Hearing hearing;
   ClientResult result;
   for (std::uint32_t sequence = 1;; ++sequence) {
     pollfd waiting = {socket.descriptor(), POLLIN, 0};
     if (poll(&waiting, 1, result.motions == 0 ? 10000 : 2000) == 0) return result;
-    const std::optional<Heard> heard = newest_motion(socket, numbers, result);
+    const std::optional<Heard> heard = newest_motion(socket, hearing, result);
     if (!heard) continue;
     result.last = heard->motion;
     Packet packet;

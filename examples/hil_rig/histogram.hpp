@@ -43,14 +43,14 @@ inline std::int64_t mean(const Histogram& histogram) {
   return histogram.count == 0 ? 0 : histogram.sum / histogram.count;
 }
 
-/// Smallest time, us, that a share of all counted times does not pass; the largest when it is in the overflows.
+/// Smallest time, us, that a share of all counted times does not pass; kBins when that is in the overflows.
 inline std::int64_t quantile(const Histogram& histogram, double share) {
   long below = 0;
   for (int us = 0; us < Histogram::kBins; ++us) {
     below += histogram.bins[static_cast<std::size_t>(us)];
     if (static_cast<double>(below) >= share * static_cast<double>(histogram.count)) return us;
   }
-  return histogram.largest;
+  return Histogram::kBins;
 }
 
 /// The format of `cyclictest --histfile`, the histograms as its threads.

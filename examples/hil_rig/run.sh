@@ -22,6 +22,7 @@ $result/hil_driver >$result/driver.txt &
 driver=$!
 (sleep "$((seconds / 2))" && $result/hil_tune --name bar_front --value 12000 >$result/tune.txt 2>&1) &
 tune=$!
+trap 'kill $driver $tune 2>/dev/null || true' EXIT
 $result/hil_plant --duration "$seconds" --cpu "$(($(nproc) - 1))" --histogram $result/histogram.txt
 wait $driver $tune
 cat $result/driver.txt $result/tune.txt

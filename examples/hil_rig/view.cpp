@@ -35,10 +35,13 @@ void print_counts(std::FILE* file, const Counts& counts, const char* format, con
 }
 
 void print_times(std::FILE* file, const char* name, const Histogram& histogram) {
-  std::fprintf(file, "%-22s min %ld  mean %ld  99%% %ld  99.9%% %ld  max %ld us\n", name,
-               static_cast<long>(smallest(histogram)), static_cast<long>(mean(histogram)),
-               static_cast<long>(quantile(histogram, 0.99)), static_cast<long>(quantile(histogram, 0.999)),
-               static_cast<long>(histogram.largest));
+  std::fprintf(file, "%-22s min %ld  mean %ld", name, static_cast<long>(smallest(histogram)),
+               static_cast<long>(mean(histogram)));
+  for (const auto& [share, label] : {std::pair{0.99, "99%"}, std::pair{0.999, "99.9%"}}) {
+    const auto us = static_cast<long>(quantile(histogram, share));
+    std::fprintf(file, us < Histogram::kBins ? "  %s %ld" : "  %s over %ld", label, us);
+  }
+  std::fprintf(file, "  max %ld us\n", static_cast<long>(histogram.largest));
 }
 
 // The whole view anew at the top left of a terminal.
@@ -118,8 +121,9 @@ void View::show(const Glance& glance) {
 
 void print_result(std::FILE* file, const Tally& tally, const Plant& plant) {
   const Motion m = motion_of(plant);
-  std::fprintf(file, "status                 %s %s\n", mbgen::text(tally.status.code),
-               coach_rig::describe(tally.status));
+  const char* subject = coach_rig::describe(tally.status);
+  std::fprintf(file, "status                 %s%s%s\n", mbgen::text(tally.status.code), *subject == 0 ? "" : ": ",
+               subject);
   std::fprintf(file, "at the end             t %.3f s, along %.2f m, left %.3f m, %.2f m/s\n", m.time, m.x, m.y,
                m.forward_speed);
   coach_rig::ClosureResidual residual;
