@@ -54,16 +54,16 @@ std::uint32_t new_session() {
   return static_cast<std::uint32_t>(now / 1000) ^ (static_cast<std::uint32_t>(getpid()) << 16);
 }
 
-ClientResult run_client(const std::string& own, const std::string& plant,
-                        const std::function<Command(const Motion&)>& decide) {
-  const Socket socket(address_of(own));
-  const sockaddr_in to = address_of(plant);
+ClientResult run_client(const ClientSettings& settings, const std::function<Command(const Motion&)>& decide) {
+  const Socket socket(address_of(settings.own));
+  const sockaddr_in to = address_of(settings.plant);
   const std::uint32_t session = new_session();
   Hearing hearing;
   ClientResult result;
   for (std::uint32_t sequence = 1;; ++sequence) {
     pollfd waiting = {socket.descriptor(), POLLIN, 0};
-    if (poll(&waiting, 1, result.motions == 0 ? 10000 : 2000) == 0) return result;
+    const double patience = result.motions == 0 ? std::max(10.0, settings.patience) : settings.patience;
+    if (poll(&waiting, 1, static_cast<int>(1000 * patience)) == 0) return result;
     const std::optional<Heard> heard = newest_motion(socket, hearing, result);
     if (!heard) continue;
     result.last = heard->motion;

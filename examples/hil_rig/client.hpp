@@ -16,10 +16,15 @@ struct ClientResult {
   Motion last;
 };
 
-/// Answers motions that come at `own` with what `decide` makes of them, sent to `plant`, until the plant ends or is
-/// silent for 2 s (10 s before the first motion). Addresses as 127.0.0.1:7001. Throws std::runtime_error.
-ClientResult run_client(const std::string& own, const std::string& plant,
-                        const std::function<Command(const Motion&)>& decide);
+/// Who hears what from whom; addresses as 127.0.0.1:7001.
+struct ClientSettings {
+  std::string own;      ///< motions come here
+  std::string plant;    ///< commands go there
+  double patience = 2;  ///< s, the client ends when the plant is silent for so long; 10 s before the first motion
+};
+
+/// Answers motions with what `decide` makes of them until the plant ends or is silent. Throws std::runtime_error.
+ClientResult run_client(const ClientSettings& settings, const std::function<Command(const Motion&)>& decide);
 
 /// Number of a session: differs from run to run.
 std::uint32_t new_session();

@@ -19,6 +19,7 @@ int run(int argc, char** argv) {
                                         {"plant", "127.0.0.1:7001"},
                                         {"lane-change", "3.5"},
                                         {"speed", "20"},
+                                        {"patience", "2"},
                                         {"record", ""}});
   Driver driver;
   driver.lane_change = number_of(options, "lane-change", -10.0, 10.0);
@@ -29,8 +30,9 @@ int run(int argc, char** argv) {
     if (!record) throw std::runtime_error("cannot write " + name);
     std::fputs("t [s],steering [rad],drive_torque [N m]\n", record.get());
   }
+  const ClientSettings settings = {options.at("listen"), options.at("plant"), number_of(options, "patience", 0.1, 1e4)};
   double worst = 0, recorded = -1;
-  const ClientResult result = run_client(options.at("listen"), options.at("plant"), [&](const Motion& motion) {
+  const ClientResult result = run_client(settings, [&](const Motion& motion) {
     const Command command = drive(driver, motion);
     worst = std::max(worst, std::abs(motion.y - path(driver, motion.x)));
     if (record && motion.time >= recorded + 0.05) {

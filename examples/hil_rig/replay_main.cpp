@@ -13,10 +13,12 @@ namespace {
 int run(int argc, char** argv) {
   using namespace hil_rig;
   const Options options = read_options(
-      argc, argv, {{"listen", "127.0.0.1:7002"}, {"plant", "127.0.0.1:7001"}, {"recording", "recording.csv"}});
+      argc, argv,
+      {{"listen", "127.0.0.1:7002"}, {"plant", "127.0.0.1:7001"}, {"patience", "2"}, {"recording", "recording.csv"}});
   const std::vector<RecordedCommand> rows = read_recording(options.at("recording"));
-  const ClientResult result = run_client(options.at("listen"), options.at("plant"),
-                                         [&](const Motion& motion) { return recorded_command(rows, motion.time); });
+  const ClientSettings settings = {options.at("listen"), options.at("plant"), number_of(options, "patience", 0.1, 1e4)};
+  const ClientResult result =
+      run_client(settings, [&](const Motion& motion) { return recorded_command(rows, motion.time); });
   std::printf("replay: %ld motions, %ld dropped, at the end %.2f m along and %.3f m left, %s\n", result.motions,
               result.dropped, result.last.x, result.last.y, result.ended ? "the plant ended" : "the plant fell silent");
   return 0;

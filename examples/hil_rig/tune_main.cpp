@@ -32,12 +32,12 @@ int run(int argc, char** argv) {
   const sockaddr_in to = address_of(options.at("control"));
   const std::uint32_t session = new_session();
   std::array<std::uint8_t, kLargestPacket> bytes{};
-  for (std::uint32_t sequence = 1; sequence <= 5; ++sequence) {
+  for (std::uint32_t sequence = 1; sequence <= 10; ++sequence) {
     Packet packet;
     const std::size_t size = encode({Type::setting, session, sequence, 0, number, 0}, setting, packet);
     socket.send({packet.data(), size}, to);
     pollfd waiting = {socket.descriptor(), POLLIN, 0};
-    if (poll(&waiting, 1, 500) == 0) continue;
+    if (poll(&waiting, 1, 1000) == 0) continue;
     const long came = socket.receive(bytes);
     const auto header = came < 0 ? std::nullopt : open(bytes.data(), static_cast<std::size_t>(came));
     if (!header || header->type != Type::answer || header->session != session) continue;

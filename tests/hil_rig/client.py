@@ -1,6 +1,6 @@
 """A driver from the tables of docs/hil_rig.md alone, with Python's own checksum: client.py OWN PLANT CONTROL MOTIONS
 
-Answers so many motions, sets a parameter meanwhile, then falls silent.
+Answers so many motions or more, until the plant follows, sets parameters, then falls silent.
 """
 
 import math
@@ -29,22 +29,24 @@ def opened(packet, kind, count):
 
 with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as line:
     line.bind(own)
-    line.settimeout(20)
-    before = None
-    for count in range(motions):
+    line.settimeout(300)
+    before, count, farthest = None, 0, 0.0
+    while count < motions or farthest < 0.01:
         sequence, time, _, _, values = opened(line.recv(1024), 2, 14)
         t, x, y, yaw, roll, speed, yaw_rate, lateral, steering, torque, *loads = values
         assert all(map(math.isfinite, values)), values
         assert before is None or (sequence, time) > before, "motions come in order"
-        assert 15 < speed < 25 and abs(x - 20 * t) < 5, (t, x, speed)
+        assert 10 < speed < 25 and 0 < x < 20.1 * t + 1, (t, x, speed)
         assert abs(sum(loads) / (15400 * 9.81) - 1) < 0.2, loads
         before = sequence, time
         line.sendto(sealed(1, count, time, 0, 0.02, 700.0), plant)
-    assert abs(steering - 0.02) < 0.02, steering
+        farthest = max(farthest, steering)
+        count += 1
+    assert farthest < 0.0201, "the pitman arm goes where it is told"
     with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as other:
-        other.settimeout(20)
+        other.settimeout(300)
         for subject, value, taken, now in ((2, 9000.0, 1, 9000.0), (3, -1.0, 0, 15000.0), (99, 1.0, 0, 0.0)):
             other.sendto(sealed(3, subject, 0, subject, value), control)
             _, _, its_subject, flags, values = opened(other.recv(1024), 4, 1)
             assert (its_subject, flags, values) == (subject, taken, [now]), (its_subject, flags, values)
-print(f"client.py: {motions} motions answered, 3 settings")
+print(f"client.py: {count} motions answered, 3 settings")

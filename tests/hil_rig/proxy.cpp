@@ -21,7 +21,7 @@ int main(int argc, char** argv) {
   Bytes bytes(512);
   for (bool ended = false; !ended;) {
     pollfd waiting[] = {{at_driver.descriptor(), POLLIN, 0}, {at_plant.descriptor(), POLLIN, 0}};
-    if (poll(waiting, 2, 20000) == 0) return 1;
+    if (poll(waiting, 2, 300000) == 0) return 1;
     for (long size = at_plant.receive(bytes); size >= 0; size = at_plant.receive(bytes)) {
       const auto header = open(bytes.data(), static_cast<std::size_t>(size));
       ended = ended || (header && (header->flags & kLast) != 0);
