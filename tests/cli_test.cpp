@@ -170,12 +170,13 @@ TEST_F(CommandLine, GenerateWritesTheSolverAndListsItsFiles) {
   for (const Json& file : report["files"]) {
     EXPECT_TRUE(std::filesystem::exists(path(file.get<std::string>()))) << file;
   }
-  for (const char* file : {"four_bar.hpp", "four_bar.cpp", "four_bar.json", "CMakeLists.txt", "mbgen/solver.hpp"}) {
+  for (const char* file :
+       {"four_bar.hpp", "four_bar.cpp", "four_bar.json", "four_bar_cost.txt", "CMakeLists.txt", "mbgen/solver.hpp"}) {
     EXPECT_TRUE(std::filesystem::exists(path("made/here") / file)) << file;
   }
   const Outcome bare = mbgen("generate four_bar.json --out bare --no-runtime");
   EXPECT_EQ(bare.exit_code, 0) << bare.err;
-  EXPECT_EQ(std::count(bare.out.begin(), bare.out.end(), '\n'), 4) << bare.out;
+  EXPECT_EQ(std::count(bare.out.begin(), bare.out.end(), '\n'), 5) << bare.out;
   EXPECT_FALSE(std::filesystem::exists(path("bare/mbgen")));
   EXPECT_EQ(read("bare/four_bar.cpp"), read("made/here/four_bar.cpp"));
 }

@@ -26,7 +26,7 @@ TEST(EmittedFiles, areTheSameBytesWhereverTheModelLies) {
   EXPECT_EQ(emit_driver(here.model).text, emit_driver(there.model).text);
 }
 
-TEST(EmittedFiles, areFourAndTheHeadersTheyInclude) {
+TEST(EmittedFiles, areFiveAndTheHeadersTheyInclude) {
   const auto paths = [](const EmitOptions& options) {
     std::vector<std::string> result;
     for (const EmittedFile& file : emit(bead_on_circle(), options)) result.push_back(file.path);
@@ -34,11 +34,12 @@ TEST(EmittedFiles, areFourAndTheHeadersTheyInclude) {
     return result;
   };
   EXPECT_EQ(paths({.runtime_headers = false}),
-            (std::vector<std::string>{"CMakeLists.txt", "bead.cpp", "bead.hpp", "bead.json"}));
+            (std::vector<std::string>{"CMakeLists.txt", "bead.cpp", "bead.hpp", "bead.json", "bead_cost.txt"}));
   EXPECT_EQ(paths({}), (std::vector<std::string>{"CMakeLists.txt",
                                                  "bead.cpp",
                                                  "bead.hpp",
                                                  "bead.json",
+                                                 "bead_cost.txt",
                                                  "mbgen/arc_tangent.hpp",
                                                  "mbgen/array_lanes.hpp",
                                                  "mbgen/blocks.hpp",

@@ -17,14 +17,6 @@ using Json = nlohmann::ordered_json;
 
 constexpr int kColumn = 11;
 
-std::string processor_name() {
-  std::ifstream file("/proc/cpuinfo");
-  for (std::string line; std::getline(file, line);) {
-    if (line.starts_with("model name")) return line.substr(std::min(line.size(), line.find(':') + 2));
-  }
-  return "unknown processor";
-}
-
 /// "gcc 12.2.0" or what the compiler that built mbgen calls itself.
 std::string compiler_name() {
 #if defined(__clang__)
@@ -119,6 +111,14 @@ std::string engine_table(const BenchRecord& record) {
 }
 
 }  // namespace
+
+std::string processor_name() {
+  std::ifstream file("/proc/cpuinfo");
+  for (std::string line; std::getline(file, line);) {
+    if (line.starts_with("model name")) return line.substr(std::min(line.size(), line.find(':') + 2));
+  }
+  return "unknown processor";
+}
 
 std::string bench_text(const BenchRecord& record) {
   return fmt::format("{}: all accelerations of one state; {}, mbgen built by {}\n", record.model, processor_name(),

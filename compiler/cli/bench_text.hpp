@@ -14,6 +14,9 @@ struct BenchRecord {
   std::vector<Measurement> measurements;
 };
 
+/// What the processor of this machine calls itself.
+std::string processor_name();
+
 /// The tables of the paper with our columns, seconds for `evaluations`; then every engine on a line.
 std::string bench_text(const BenchRecord& record);
 

@@ -23,12 +23,6 @@ namespace fs = std::filesystem;
 constexpr std::size_t kMessageTail = 2000;  // characters of the compiler's messages that a person still reads
 constexpr const char* kSymbol = "mbgen_solver_table";
 
-struct Compiler {
-  std::vector<std::string> words;  ///< of $CXX
-  std::string version;             ///< what it says of itself
-  std::vector<std::string> flags;
-};
-
 /// A value of the environment, "" when it is not set.
 std::string environment(const char* name) {
   const char* value = std::getenv(name);
@@ -47,30 +41,6 @@ bool is_usable(const fs::path& directory) {
   std::error_code problem;
   fs::create_directories(directory, problem);
   return !problem && ::access(directory.c_str(), W_OK | X_OK) == 0;
-}
-
-Compiler find_compiler(const fs::path& scratch, int lanes) {
-  Compiler compiler;
-  const std::string chosen = environment("CXX");
-  compiler.words = split_words(chosen);
-  if (compiler.words.empty()) compiler.words = {"c++"};
-  std::vector<std::string> question = compiler.words;
-  question.push_back("--version");
-  const fs::path answer = scratch / "version";
-  if (run_side_by_side({{question, answer}})[0] != 0) {
-    throw UserError(
-        fmt::format("no C++ compiler: `{}` does not run; install one (apt-get install g++), name it in the "
-                    "environment variable CXX, or use --engine generic\n",
-                    fmt::join(compiler.words, " ")));
-  }
-  compiler.version = read_text(answer);
-  const bool is_clang = compiler.version.find("clang") != std::string::npos;
-  compiler.flags = solver_compile_flags(is_clang ? CompilerFamily::clang : CompilerFamily::gnu);
-#if defined(__x86_64__)
-  if (!is_clang && lanes > 0) compiler.flags.push_back(kFlagOfLanesOnX86);
-#endif
-  compiler.flags.insert(compiler.flags.end(), {"-march=native", "-std=c++17", "-fPIC"});
-  return compiler;
 }
 
 /// The line of /proc/cpuinfo that says what instructions there are: code made for one processor may not run on another.
@@ -116,13 +86,6 @@ std::string object_name(const std::string& solver, const std::vector<EmittedFile
       fmt::format("the compiler rejects the generated code: {}\n{}", fmt::join(command.arguments, " "), messages));
 }
 
-void run_all(const std::vector<Command>& commands) {
-  const std::vector<int> codes = run_side_by_side(commands);
-  for (std::size_t i = 0; i < codes.size(); ++i) {
-    if (codes[i] != 0) reject(commands[i]);
-  }
-}
-
 /// Compiles every source side by side and links them. Result: the shared object, in `scratch`.
 fs::path build(const fs::path& scratch, const std::vector<EmittedFile>& files, const Compiler& compiler) {
   std::vector<NamedText> texts;
@@ -134,10 +97,8 @@ fs::path build(const fs::path& scratch, const std::vector<EmittedFile>& files, c
     texts.push_back({file.path, file.text});
     if (!file.path.ends_with(".cpp")) continue;
     const std::string source = (scratch / file.path).string();
-    Command compilation{compiler.words, source + ".log"};
-    compilation.arguments.insert(compilation.arguments.end(), compiler.flags.begin(), compiler.flags.end());
-    compilation.arguments.insert(compilation.arguments.end(),
-                                 {"-I", scratch.string(), "-c", source, "-o", source + ".o"});
+    Command compilation{compilation_of(compiler, scratch), source + ".log"};
+    compilation.arguments.insert(compilation.arguments.end(), {"-fPIC", "-c", source, "-o", source + ".o"});
     compilations.push_back(std::move(compilation));
     link.arguments.push_back(source + ".o");
   }
@@ -160,6 +121,44 @@ std::shared_ptr<const SolverTable> open_solver(const fs::path& object, const std
 }
 
 }  // namespace
+
+Compiler find_compiler(const fs::path& scratch, int lanes) {
+  Compiler compiler;
+  const std::string chosen = environment("CXX");
+  compiler.words = split_words(chosen);
+  if (compiler.words.empty()) compiler.words = {"c++"};
+  std::vector<std::string> question = compiler.words;
+  question.push_back("--version");
+  const fs::path answer = scratch / "version";
+  if (run_side_by_side({{question, answer}})[0] != 0) {
+    throw UserError(
+        fmt::format("no C++ compiler: `{}` does not run; install one (apt-get install g++), name it in the "
+                    "environment variable CXX, or do without: --engine generic, generate without --measure\n",
+                    fmt::join(compiler.words, " ")));
+  }
+  compiler.version = read_text(answer);
+  compiler.is_clang = compiler.version.find("clang") != std::string::npos;
+  compiler.flags = solver_compile_flags(compiler.is_clang ? CompilerFamily::clang : CompilerFamily::gnu);
+#if defined(__x86_64__)
+  if (!compiler.is_clang && lanes > 0) compiler.flags.push_back(kFlagOfLanesOnX86);
+#endif
+  compiler.flags.push_back("-march=native");
+  return compiler;
+}
+
+std::vector<std::string> compilation_of(const Compiler& compiler, const fs::path& scratch) {
+  std::vector<std::string> words = compiler.words;
+  words.insert(words.end(), compiler.flags.begin(), compiler.flags.end());
+  words.insert(words.end(), {"-I", scratch.string()});
+  return words;
+}
+
+void run_all(const std::vector<Command>& commands) {
+  const std::vector<int> codes = run_side_by_side(commands);
+  for (std::size_t i = 0; i < codes.size(); ++i) {
+    if (codes[i] != 0) reject(commands[i]);
+  }
+}
 
 std::shared_ptr<const SolverTable> load_solver(const Compilation& compilation, const EngineChoice& choice) {
   const bool use_cache = choice.use_cache;

@@ -2,15 +2,18 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <optional>
 
 #include "compiler/cli/commands.hpp"
 #include "compiler/cli/dump.hpp"
 #include "compiler/cli/files.hpp"
 #include "compiler/cli/initial_state.hpp"
 #include "compiler/cli/json_text.hpp"
+#include "compiler/cli/measured_cost.hpp"
 #include "compiler/cli/options.hpp"
 #include "compiler/cli/user_error.hpp"
 #include "compiler/compile.hpp"
@@ -21,7 +24,8 @@ namespace {
 struct Options {
   std::string model, form, directory, dump;
   EmitOptions emit;
-  bool c_interface = false, json = false;
+  bool c_interface = false, measure = false, json = false;
+  std::optional<double> budget;  ///< microseconds of a step
 };
 
 /// The initial state of the model, at the default inputs.
@@ -32,27 +36,59 @@ InitialState start_of(const Compilation& compilation) {
   return {std::move(state.z), std::move(state.zd), std::move(state.x)};
 }
 
+/// Fails: UserError for a budget that is none.
+void check_budget(const Options& options) {
+  if (!options.budget) return;
+  if (!options.measure) throw UserError("--budget-us: needs --measure\n");
+  if (!(*options.budget > 0) || !std::isfinite(*options.budget)) {
+    throw UserError(fmt::format("--budget-us: must be positive and finite, found {}\n", *options.budget));
+  }
+}
+
+/// The files of the measured cost.
+std::vector<EmittedFile> measured_files(const MeasuredCost& cost, const Compilation& compilation) {
+  return {{cost.solver + "_measured.json", json_text(measured_json(cost, compilation))},
+          {cost.solver + "_measured.txt", measured_text(cost, compilation)}};
+}
+
+/// Writes the files. Result: their paths.
+std::vector<std::string> write_all(const Options& options, std::vector<EmittedFile> emitted) {
+  std::vector<NamedText> files;
+  std::vector<std::string> paths;
+  for (EmittedFile& file : emitted) {
+    paths.push_back((std::filesystem::path(options.directory) / file.path).string());
+    require_other_file(paths.back(), options.model);  // the manifest is named like the model
+    files.push_back({std::move(file.path), std::move(file.text)});
+  }
+  write_files(options.directory, files);
+  return paths;
+}
+
 int run(const Options& options) {
   if (!options.dump.empty()) {
     print(dump_stage(options.model, options.dump));
     return kDone;
   }
   if (options.directory.empty()) throw UserError("generate: --out DIR is required\n");
+  check_budget(options);
   const Compilation compilation = expect(compile(options.model, chosen_form(options.form)));
   EmitOptions emitted = options.emit;
   if (options.c_interface) emitted.c_interface = start_of(compilation);
-  std::vector<NamedText> files;
-  std::vector<std::string> paths;
-  for (EmittedFile& file : emit(compilation, emitted)) {
-    paths.push_back((std::filesystem::path(options.directory) / file.path).string());
-    require_other_file(paths.back(), options.model);  // the manifest is named like the model
-    files.push_back({std::move(file.path), std::move(file.text)});
+  std::vector<EmittedFile> files = emit(compilation, emitted);
+  std::optional<MeasuredCost> cost;
+  if (options.measure) {
+    cost = measure_cost(compilation, emitted, options.budget);
+    for (EmittedFile& file : measured_files(*cost, compilation)) files.push_back(std::move(file));
   }
-  write_files(options.directory, files);
+  const std::vector<std::string> paths = write_all(options, std::move(files));
+  if (cost && exceeds_budget(*cost)) throw UserError(budget_text(*cost));
   if (options.json) {
-    print(json_text({{"model", compilation.model.name}, {"files", paths}}));
+    nlohmann::ordered_json report = {{"model", compilation.model.name}, {"files", paths}};
+    if (cost) report["measured"] = measured_json(*cost, compilation);
+    print(json_text(report));
   } else {
     for (const std::string& path : paths) print(path + "\n");
+    if (cost) print(budget_text(*cost));
   }
   return kDone;
 }
@@ -74,6 +110,10 @@ void add_generate(CLI::App& application, int& exit_code) {
                     "add an interface in C99 (<model>_c.h, <model>_c.cpp) and a Python module over it (<model>.py)");
   add_form_option(*command, options->form);
   add_batch_option(*command, options->emit.lanes);
+  command->add_flag("--measure", options->measure,
+                    "compile the solver and time a step: adds <model>_measured.txt and .json to the cost sheet");
+  command->add_option("--budget-us", options->budget,
+                      "with --measure: fail when the slowest step takes longer than so many microseconds");
   add_json_option(*command, options->json);
   add_dump_option(*command, options->dump);
   command->callback([options, &exit_code] { exit_code = run(*options); });

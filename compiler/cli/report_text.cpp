@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "compiler/cli/report.hpp"
+#include "compiler/emit/cost_sheet.hpp"
 
 namespace mbgen::cli {
 namespace {
@@ -75,14 +76,6 @@ std::string path_matrix_text(const Json& report) {
   return text;
 }
 
-std::string operation_row(const std::string& title, const Json& count) {
-  std::string row = fmt::format("  {:<52}", title);
-  for (const char* kind : {"add", "multiply", "divide", "sqrt", "trigonometric", "other", "total"}) {
-    row += fmt::format("{:>8}", count[kind].get<long>());
-  }
-  return row + "\n";
-}
-
 std::string operations_text(const Json& report) {
   const Json& forms = report["operations_of_form"];
   std::string text =
@@ -92,12 +85,7 @@ std::string operations_text(const Json& report) {
     text += fmt::format("  {:<40}{:>8} operations without it, {:>8} with\n", saving["treatment"].get<std::string>(),
                         saving["without"].get<long>(), saving["with"].get<long>());
   for (const auto& [name, program] : report["operations"].items()) {
-    text += fmt::format("\n  {:<52}{:>8}{:>8}{:>8}{:>8}{:>8}{:>8}{:>8}\n", "Operations of " + name, "+ -", "*", "/",
-                        "sqrt", "trig", "other", "+ - * /");
-    for (const auto& section : program["sections"]) {
-      text += operation_row(section["section"].get<std::string>(), section);
-    }
-    text += operation_row("total", program["total"]);
+    text += operations_table("Operations of " + name, program["sections"], program["total"], "section");
   }
   return text;
 }

@@ -1,8 +1,10 @@
 #include "compiler/emit/emit.hpp"
 
 #include <algorithm>
+#include <nlohmann/json.hpp>
 
 #include "compiler/emit/c_interface_text.hpp"
+#include "compiler/emit/cost_sheet.hpp"
 #include "compiler/emit/embedded.hpp"
 #include "compiler/emit/interface_text.hpp"
 #include "compiler/emit/text.hpp"
@@ -43,9 +45,11 @@ std::vector<EmittedFile> emit(const Programs& programs, const Model& model, cons
                             options.lanes,
                             options.c_interface.has_value()};
   const std::string& name = context.names.solver;
+  const nlohmann::ordered_json manifest = manifest_json(context);
   std::vector<EmittedFile> files = {{name + ".hpp", interface_text(context)},
                                     {name + ".cpp", solver_text(context)},
-                                    {name + ".json", manifest_text(context)},
+                                    {name + ".json", manifest_text(manifest)},
+                                    {name + "_cost.txt", cost_text(manifest, banner_text(model, "#"))},
                                     {"CMakeLists.txt", build_text(context)}};
   if (options.lanes > 0) {
     files.push_back({name + "_batch.hpp", batch_interface_text(context)});

@@ -34,8 +34,8 @@ struct EmitOptions {
   std::optional<InitialState> c_interface = {};  ///< add <model>_c.h, <model>_c.cpp and <model>.py
 };
 
-/// The specialised solver: <model>.hpp, <model>.cpp, <model>.json (manifest), CMakeLists.txt, and the runtime headers;
-/// with lanes also <model>_batch.hpp and <model>_batch.cpp.
+/// The specialised solver: <model>.hpp, <model>.cpp, <model>.json (manifest), <model>_cost.txt (cost sheet),
+/// CMakeLists.txt, and the runtime headers; with lanes also <model>_batch.hpp and <model>_batch.cpp.
 /// Requires: `programs` traced from the same model, topology and analysis, and contracted: compilers do not contract.
 std::vector<EmittedFile> emit(const Programs& programs, const Model& model, const Topology& topology,
                               const Analysis& analysis, const EmitOptions& options = {});

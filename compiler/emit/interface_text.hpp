@@ -1,6 +1,7 @@
 #pragma once
 // The files that people read first: the interface of a solver, its manifest and its build file.
 
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 
 #include "compiler/emit/layout.hpp"
@@ -48,8 +49,11 @@ std::vector<NumberMember> parameter_members(const EmitContext& context);
 std::vector<NumberMember> input_members(const EmitContext& context);
 std::vector<NumberMember> output_members(const EmitContext& context);
 
-/// `<model>.json`: sizes, names, loop blocks and operation counts of every section of every program.
-std::string manifest_text(const EmitContext& context);
+/// What the manifest says: sizes, names, loop blocks, operation counts of every section of every program, worst case.
+nlohmann::ordered_json manifest_json(const EmitContext& context);
+
+/// `<model>.json`.
+std::string manifest_text(const nlohmann::ordered_json& manifest);
 
 /// `CMakeLists.txt`.
 std::string build_text(const EmitContext& context);

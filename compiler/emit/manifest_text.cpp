@@ -1,6 +1,7 @@
 #include <nlohmann/json.hpp>
 
 #include "compiler/emit/arrangement.hpp"
+#include "compiler/emit/cost_sheet.hpp"
 #include "compiler/emit/emit.hpp"
 #include "compiler/emit/interface_text.hpp"
 #include "compiler/emit/rolled_text.hpp"
@@ -57,32 +58,37 @@ Json blocks_json(const EmitContext& context) {
 
 }  // namespace
 
-std::string manifest_text(const EmitContext& context) {
+Json manifest_json(const EmitContext& context) {
   const SolverNames& names = context.names;
   Json programs = Json::object();
   for (ShapedProgram shaped : shaped_programs(context.programs, context.layout, names)) {
     shaped.shape.roll_above = context.roll_above;
     programs[shaped.key] = program_json(shaped);
   }
-  const Json manifest = {{"mbgen", kMbgenVersion},
-                         {"model", context.model.name},
-                         {"hash", context.model.hash},
-                         {"namespace", names.solver},
-                         {"form", name_of(context.programs.form)},
-                         {"sizes",
-                          {{"coordinates", context.layout.coordinates},
-                           {"auxiliary_states", context.layout.auxiliary_states},
-                           {"closure_equations", context.layout.equations},
-                           {"independent_equations", context.analysis.independent_equations},
-                           {"degrees_of_freedom", context.analysis.degrees_of_freedom},
-                           {"motions", context.layout.drives}}},
-                         {"coordinates", names.coordinates},
-                         {"bodies", names.bodies},
-                         {"inputs", names.inputs},
-                         {"outputs", names.outputs},
-                         {"parameters", names.parameters},
-                         {"loop_blocks", blocks_json(context)},
-                         {"programs", programs}};
+  const Json worst_case = worst_case_json(context, programs);
+  return {{"mbgen", kMbgenVersion},
+          {"model", context.model.name},
+          {"hash", context.model.hash},
+          {"namespace", names.solver},
+          {"form", name_of(context.programs.form)},
+          {"sizes",
+           {{"coordinates", context.layout.coordinates},
+            {"auxiliary_states", context.layout.auxiliary_states},
+            {"closure_equations", context.layout.equations},
+            {"independent_equations", context.analysis.independent_equations},
+            {"degrees_of_freedom", context.analysis.degrees_of_freedom},
+            {"motions", context.layout.drives}}},
+          {"coordinates", names.coordinates},
+          {"bodies", names.bodies},
+          {"inputs", names.inputs},
+          {"outputs", names.outputs},
+          {"parameters", names.parameters},
+          {"loop_blocks", blocks_json(context)},
+          {"programs", programs},
+          {"worst_case", worst_case}};
+}
+
+std::string manifest_text(const Json& manifest) {
   return manifest.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

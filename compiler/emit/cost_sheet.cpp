@@ -1,0 +1,133 @@
+#include "compiler/emit/cost_sheet.hpp"
+
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+#include "mbgen/worst_case.hpp"
+
+namespace mbgen {
+namespace {
+
+using CostJson = nlohmann::ordered_json;
+
+constexpr int kTitleWidth = 70;
+constexpr int kBoundWidth = 30;
+constexpr const char* kKinds[] = {"add", "multiply", "divide", "sqrt", "trigonometric", "other", "total"};
+constexpr const char* kKindTitles[] = {"+ -", "*", "/", "sqrt", "trig", "other", "+ - * /"};
+constexpr const char* kCalls[] = {"accelerations", "closures", "factorisations", "operations"};
+
+/// What the calls of one function lead to. has_care: the pivoting path may be taken everywhere.
+CostJson call_json(const EmitContext& context, const CostJson& programs, const char* function, const char* title,
+                   CallCount calls, bool has_care) {
+  const auto operations = [&](const char* program) {
+    return programs.contains(program) ? programs[program]["operations"]["total"].get<long>() : 0L;
+  };
+  const bool chooses = has_care && context.layout.chooses_again && !context.layout.blocks.empty();
+  const int projections = context.layout.has_closure ? calls.projections : 0;
+  const long closures = static_cast<long>(projections) * kMostClosures;
+  const long terms = chooses ? operations("closure_terms") : 0;
+  const long of_acceleration =
+      operations("accelerations") + terms + (chooses ? operations("accelerations_chosen") : 0L);
+  return {{"function", function},
+          {"case", title},
+          {"accelerations", calls.accelerations},
+          {"projections", projections},
+          {"closures", closures},
+          {"factorisations", chooses ? calls.accelerations + closures : 0L},
+          {"operations", calls.accelerations * of_acceleration + closures * (operations("closure") + terms)}};
+}
+
+CostJson calls_json(const EmitContext& context, const CostJson& programs) {
+  constexpr CallCount kEvaluation = {1, 0}, kProjection = {0, 1};
+  CostJson calls = CostJson::array();
+  const auto add = [&](const char* function, const char* title, CallCount count, bool has_care) {
+    calls.push_back(call_json(context, programs, function, title, count, has_care));
+  };
+  const auto add_both = [&](const char* function, CallCount regular, CallCount worst) {
+    add(function, "regular", regular, false);
+    if (context.layout.has_closure) add(function, "worst", worst, true);
+  };
+  add_both("accelerations", kEvaluation, kEvaluation);
+  if (context.layout.has_closure) add_both("assemble", kProjection, kProjection);
+  add_both("step_rk4", kRk4Calls.regular, kRk4Calls.worst);
+  add("step_abm4", "starting", kAbm4Calls.starting, false);
+  add_both("step_abm4", kAbm4Calls.regular, kAbm4Calls.worst);
+  return calls;
+}
+
+std::string operation_row(const std::string& title, const CostJson& count) {
+  std::string row = fmt::format("  {:<{}}", title, kTitleWidth);
+  for (const char* kind : kKinds) row += fmt::format("{:>8}", count[kind].get<long>());
+  return row + "\n";
+}
+
+std::string bounds_text(const CostJson& worst) {
+  std::string text = fmt::format("\n  {:<{}}", "At most, in one call", kBoundWidth);
+  for (const char* title : kCalls) text += fmt::format("{:>15}", title);
+  text += "\n";
+  for (const CostJson& call : worst["calls"]) {
+    text += fmt::format("  {:<{}}",
+                        fmt::format("{}, {}", call["function"].get<std::string>(), call["case"].get<std::string>()),
+                        kBoundWidth);
+    for (const char* title : kCalls) text += fmt::format("{:>15}", call[title].get<long>());
+    text += "\n";
+  }
+  if (!worst.contains("newton_iterations")) return text;
+  text += fmt::format(
+      "\n  A step projects: Newton, at most {} times, with one evaluation of the closures before each iteration and "
+      "one\n"
+      "  after the last. Worst is a step that meets a singular position in every stage: at most {} spacings are "
+      "tried,\n"
+      "  then {} states around it evaluated.\n",
+      worst["newton_iterations"].get<int>(), worst["spacings"].get<int>(), worst["nodes"].get<int>());
+  if (!worst["factorisation"].empty()) text += "  A factorisation is one of every loop block:\n";
+  for (const CostJson& loop : worst["factorisation"]) {
+    text += fmt::format("    {}: {} equations in {} coordinates, {} pivots\n", loop["loop_block"].get<std::string>(),
+                        loop["equations"].get<int>(), loop["coordinates"].get<int>(), loop["pivots"].get<int>());
+  }
+  return text;
+}
+
+}  // namespace
+
+CostJson worst_case_json(const EmitContext& context, const CostJson& programs) {
+  CostJson worst = CostJson::object();
+  if (context.layout.has_closure) {
+    worst["newton_iterations"] = kNewtonIterations;
+    worst["spacings"] = kSpacings;
+    worst["nodes"] = 2 * kNodes;
+    worst["factorisation"] = CostJson::array();
+    for (std::size_t b = 0; context.layout.chooses_again && b < context.layout.blocks.size(); ++b) {
+      const BlockPlaces& block = context.layout.blocks[b];
+      worst["factorisation"].push_back({{"loop_block", context.names.loop_blocks[b]},
+                                        {"equations", block.equations},
+                                        {"coordinates", block.coordinates},
+                                        {"pivots", block.rank}});
+    }
+  }
+  worst["calls"] = calls_json(context, programs);
+  return worst;
+}
+
+std::string operations_table(const std::string& title, const CostJson& sections, const CostJson& total,
+                             const char* section_key) {
+  std::string text = fmt::format("\n  {:<{}}", title, kTitleWidth);
+  for (const char* kind : kKindTitles) text += fmt::format("{:>8}", kind);
+  text += "\n";
+  for (const CostJson& section : sections) text += operation_row(section[section_key].get<std::string>(), section);
+  return text + operation_row("total", total);
+}
+
+std::string cost_text(const CostJson& manifest, const std::string& banner) {
+  std::string text = banner + "\n";
+  for (const auto& [name, program] : manifest["programs"].items()) {
+    text += operations_table("Operations of " + name, program["sections"], program["operations"], "title");
+  }
+  return text + bounds_text(manifest["worst_case"]) +
+         "\n  Operations are those of the programs above; sums over coordinates and the elimination itself come on "
+         "top.\n"
+         "  Bytes, stack and microseconds on a machine: mbgen generate --measure.\n";
+}
+
+}  // namespace mbgen

@@ -1,0 +1,22 @@
+#pragma once
+// What a solver costs before it is compiled: operations by kind, and how often its loops run at most.
+
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+
+#include "compiler/emit/interface_text.hpp"
+
+namespace mbgen {
+
+/// `worst_case` of the manifest: bounds of every loop whose length is no size of the model, and what a call of each
+/// function adds up to. programs: `programs` of the manifest. See docs/cost_sheet.md.
+nlohmann::ordered_json worst_case_json(const EmitContext& context, const nlohmann::ordered_json& programs);
+
+/// `<model>_cost.txt`: operations and worst_case of the manifest for people. banner: its first lines.
+std::string cost_text(const nlohmann::ordered_json& manifest, const std::string& banner);
+
+/// One table of operations by kind: a row per section, and the total. section_key: of a section's name.
+std::string operations_table(const std::string& title, const nlohmann::ordered_json& sections,
+                             const nlohmann::ordered_json& total, const char* section_key);
+
+}  // namespace mbgen

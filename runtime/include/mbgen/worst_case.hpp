@@ -1,0 +1,43 @@
+#pragma once
+// How often a step evaluates accelerations and closes loops, at most: the bounds of every loop of this folder that does
+// not run over sizes of the model. See closure.hpp, passage.hpp and integrators.hpp; tests hold the counts to be exact.
+
+#include "mbgen/closure.hpp"
+#include "mbgen/passage.hpp"
+
+namespace mbgen {
+
+/// Calls of a System's functions; see integrators.hpp.
+struct CallCount {
+  int accelerations = 0;  ///< of derivative
+  int projections = 0;    ///< of project and project_nearest
+};
+
+constexpr CallCount operator+(CallCount a, CallCount b) noexcept {
+  return {a.accelerations + b.accelerations, a.projections + b.projections};
+}
+constexpr CallCount operator*(int times, CallCount count) noexcept {
+  return {times * count.accelerations, times * count.projections};
+}
+
+/// Evaluations of the closures in one projection: one before each Newton step, and one after the last.
+constexpr int kMostClosures = kNewtonIterations + 1;
+
+/// A singular position passed, or not after all: nodes on both sides at every spacing, then all nodes evaluated.
+constexpr CallCount kPassageCalls = {2 * kNodes, 2 * kSpacings + 2 * kNodes};
+
+/// A stage closed with care, and its rates.
+constexpr CallCount kCarefulClosing = CallCount{0, 1} + kPassageCalls;
+constexpr CallCount kCarefulRates = kCarefulClosing + CallCount{1, 0};
+
+/// Calls in one step.
+struct StepCalls {
+  CallCount regular;   ///< far from singular positions, the history full
+  CallCount starting;  ///< the same with an empty history
+  CallCount worst;     ///< a step that begins as `starting` and is taken again with every stage closed with care
+};
+
+constexpr StepCalls kRk4Calls = {{4, 1}, {4, 1}, CallCount{4, 1} + 4 * kCarefulRates + kCarefulClosing};
+constexpr StepCalls kAbm4Calls = {{2, 1}, {5, 1}, CallCount{5, 1} + 5 * kCarefulRates + kCarefulClosing};
+
+}  // namespace mbgen
