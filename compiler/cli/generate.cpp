@@ -73,7 +73,7 @@ int run(const Options& options) {
   check_budget(options);
   const Compilation compilation = expect(compile(options.model, chosen_form(options.form)));
   EmitOptions emitted = options.emit;
-  if (options.c_interface) emitted.c_interface = start_of(compilation);
+  if (options.c_interface || options.emit.calibration) emitted.c_interface = start_of(compilation);
   std::vector<EmittedFile> files = emit(compilation, emitted);
   std::optional<MeasuredCost> cost;
   if (options.measure) {
@@ -108,6 +108,9 @@ void add_generate(CLI::App& application, int& exit_code) {
       "leave out the runtime's headers (mbgen/*.hpp)");
   command->add_flag("--c-api", options->c_interface,
                     "add an interface in C99 (<model>_c.h, <model>_c.cpp) and a Python module over it (<model>.py)");
+  command->add_flag("--a2l", options->emit.calibration,
+                    "add a calibration file, ASAP2 (<model>.a2l), the header of its symbols (<model>_a2l.h), and what "
+                    "--c-api adds");
   add_form_option(*command, options->form);
   add_batch_option(*command, options->emit.lanes);
   command->add_flag("--measure", options->measure,

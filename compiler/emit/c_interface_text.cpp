@@ -33,14 +33,6 @@ std::vector<std::string> coordinate_names(const Topology& topology) {
   return names;
 }
 
-/// FOUR_BAR_, for macros.
-std::string guard_of(const std::string& solver) {
-  std::string guard = solver + "_";
-  std::transform(guard.begin(), guard.end(), guard.begin(),
-                 [](char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c; });
-  return guard;
-}
-
 /// A struct of numbers; C has no empty ones.
 std::string c_structure(const std::string& name, const std::vector<NumberMember>& members) {
   std::string text = "typedef struct " + name + " {\n";
@@ -125,12 +117,21 @@ std::string python_fields(const std::vector<NumberMember>& members) {
 
 }  // namespace
 
+std::string c_banner_text(const Model& model) { return "/*\n" + apart(banner_text(model, " *")) + "\n */"; }
+
+std::string guard_of(const std::string& solver) {
+  std::string guard = solver + "_";
+  std::transform(guard.begin(), guard.end(), guard.begin(),
+                 [](char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c; });
+  return guard;
+}
+
 std::string c_header_text(const EmitContext& context) {
   const SolverNames& names = context.names;
   const std::string& solver = names.solver;
   const bool with_derivatives = inputs_have_derivatives(context.model.inputs);
   return fill_template("c_interface.h.in",
-                       {{"banner", "/*\n" + apart(banner_text(context.model, " *")) + "\n */"},
+                       {{"banner", c_banner_text(context.model)},
                         {"title", c_comment_text(context.model.name)},
                         {"solver", solver},
                         {"guard", guard_of(solver)},

@@ -8,6 +8,12 @@
 
 namespace mbgen {
 
+/// banner_text as one comment of C.
+std::string c_banner_text(const Model& model);
+
+/// FOUR_BAR_, for macros.
+std::string guard_of(const std::string& solver);
+
 /// `<model>_c.h`, C99.
 std::string c_header_text(const EmitContext& context);
 

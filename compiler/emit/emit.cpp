@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "compiler/emit/c_interface_text.hpp"
+#include "compiler/emit/calibration_text.hpp"
 #include "compiler/emit/cost_sheet.hpp"
 #include "compiler/emit/embedded.hpp"
 #include "compiler/emit/interface_text.hpp"
@@ -59,6 +60,10 @@ std::vector<EmittedFile> emit(const Programs& programs, const Model& model, cons
     files.push_back({name + "_c.h", c_header_text(context)});
     files.push_back({name + "_c.cpp", c_source_text(context, *options.c_interface)});
     files.push_back({name + ".py", python_text(context)});
+    if (options.calibration) {
+      files.push_back({name + ".a2l", calibration_text(context)});
+      files.push_back({name + "_a2l.h", calibration_header_text(context)});
+    }
   }
   if (options.runtime_headers) {
     std::vector<std::string> texts;

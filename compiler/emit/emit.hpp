@@ -32,6 +32,7 @@ struct EmitOptions {
   std::size_t roll_above = kRollAbove;  ///< operations of a program above which equal subsystems become loops
   int lanes = 0;  ///< instances that a call of the batch interface solves, 0 for no such interface
   std::optional<InitialState> c_interface = {};  ///< add <model>_c.h, <model>_c.cpp and <model>.py
+  bool calibration = false;                      ///< and <model>.a2l with <model>_a2l.h, which stand on them
 };
 
 /// The specialised solver: <model>.hpp, <model>.cpp, <model>.json (manifest), <model>_cost.txt (cost sheet),

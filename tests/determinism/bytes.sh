@@ -21,6 +21,7 @@ emit_all() {
     {
       env $environment "$mbgen" generate "$each" --out "$target/$name" >/dev/null
       env $environment "$mbgen" generate "$each" --batch 8 --out "$target/$name-batch" >/dev/null
+      env $environment "$mbgen" generate "$each" --a2l --out "$target/$name-a2l" >/dev/null
       env $environment "$mbgen" inspect "$each" --json >"$target/$name.inspect"
     }
   done

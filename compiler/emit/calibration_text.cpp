@@ -1,0 +1,231 @@
+#include "compiler/emit/calibration_text.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+
+#include "compiler/emit/c_interface_text.hpp"
+#include "compiler/emit/text.hpp"
+
+namespace mbgen {
+namespace {
+
+constexpr std::size_t kLongestString = 255;  // MAX_STRING of the standard
+constexpr std::size_t kLongestPart = 100;    // an identifier's part has 128 characters at most, some are added
+constexpr int kNumberBytes = 8;
+constexpr const char* kLargest = "1.7976931348623157e+308";
+constexpr const char* kByteOrderMark = "\xef\xbb\xbf";
+
+/// A number of the structures that the application defines.
+struct CalibrationNumber {
+  std::string name;    ///< "four_bar.z.crank_pin"
+  std::string text;    ///< as people know it
+  std::string unit;    ///< "" for none
+  std::string symbol;  ///< of the structure
+  int offset = 0;      ///< bytes from its beginning
+};
+
+using CalibrationNumbers = std::vector<CalibrationNumber>;
+
+/// The numbers of a file, by the structure that holds them.
+struct CalibrationNumberSets {
+  CalibrationNumbers parameters, inputs, outputs, state;
+};
+
+/// What every name of the file begins with.
+std::string prefix_of(const EmitContext& context) { return context.names.solver.substr(0, kLongestPart); }
+
+/// A quoted string: one line, not longer than the standard lets it be.
+std::string a2l_string(const std::string& text) {
+  std::string line = comment_text(text);
+  if (line.size() > kLongestString) {
+    std::size_t end = kLongestString;
+    while (end > 0 && (static_cast<unsigned char>(line[end]) & 0xc0) == 0x80) --end;  // not inside a character
+    line.resize(end);
+  }
+  std::string quoted = "\"";
+  for (const char c : line) {
+    if (c == '"' || c == '\\') quoted += '\\';
+    quoted += c;
+  }
+  return quoted + "\"";
+}
+
+/// Adds the next number of a structure. group: part of the name between the solver's and the number's.
+void add_number(const EmitContext& context, const std::string& structure, const std::string& group,
+                const std::string& name, const std::string& text, const std::string& unit, CalibrationNumbers& numbers,
+                int place) {
+  numbers.push_back({prefix_of(context) + "." + group + name, text, unit, context.names.solver + "_a2l_" + structure,
+                     kNumberBytes * place});
+}
+
+/// Members of a structure of named numbers; texts: what the model calls them, for those that it names.
+CalibrationNumbers members_of(const EmitContext& context, const std::string& structure,
+                              const std::vector<NumberMember>& members, const std::vector<std::string>& texts) {
+  CalibrationNumbers numbers;
+  for (std::size_t i = 0; i < members.size(); ++i) {
+    const bool is_of_model = i < texts.size();
+    // Units of the energies go on in words.
+    const std::string unit = is_of_model ? members[i].unit : members[i].unit.substr(0, members[i].unit.find(','));
+    add_number(context, structure, structure + ".", members[i].name, is_of_model ? texts[i] : members[i].name, unit,
+               numbers, static_cast<int>(i));
+  }
+  return numbers;
+}
+
+CalibrationNumbers state_numbers(const EmitContext& context) {
+  const Topology& topology = context.topology;
+  const int coordinates = std::max(context.layout.coordinates, 1);
+  const int auxiliary = std::max(context.layout.auxiliary_states, 1);
+  CalibrationNumbers numbers;
+  for (const bool is_rate : {false, true}) {
+    for (std::size_t i = 0; i < topology.bodies.size(); ++i) {
+      const std::string unit = topology.bodies[i].kind == FreedomKind::revolute ? "rad" : "m";
+      add_number(context, "state", is_rate ? "zd." : "z.", context.names.coordinates[i],
+                 (is_rate ? "velocity of " : "") + topology.bodies[i].coordinate, is_rate ? unit + "/s" : unit, numbers,
+                 static_cast<int>(i) + (is_rate ? coordinates : 0));
+    }
+  }
+  std::vector<std::string> taken;
+  const std::vector<std::string> names = auxiliary_state_names(context.model);
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    add_number(context, "state", "x.", identifier(names[i], taken), names[i], "m", numbers,
+               2 * coordinates + static_cast<int>(i));
+  }
+  add_number(context, "state", "", "t", "time", "s", numbers, 2 * coordinates + auxiliary);
+  return numbers;
+}
+
+CalibrationNumberSets numbers_of(const EmitContext& context) {
+  std::vector<std::string> parameters, inputs, outputs;
+  for (const Parameter& parameter : context.model.parameters) {
+    if (parameter.tunable) parameters.push_back(parameter.name);
+  }
+  for (const Input& input : context.model.inputs) inputs.push_back(input.name);
+  for (const Output& output : context.model.outputs) outputs.push_back(output.name);
+  return {members_of(context, "parameters", parameter_members(context), parameters),
+          members_of(context, "inputs", input_members(context), inputs),
+          members_of(context, "outputs", output_members(context), outputs), state_numbers(context)};
+}
+
+/// Name of the conversion of each unit.
+std::map<std::string, std::string> methods_of(const EmitContext& context, const CalibrationNumberSets& sets) {
+  std::map<std::string, std::string> methods = {{"", "NO_COMPU_METHOD"}};
+  std::vector<std::string> taken;
+  for (const CalibrationNumbers* numbers : {&sets.parameters, &sets.inputs, &sets.outputs, &sets.state}) {
+    for (const CalibrationNumber& number : *numbers) {
+      if (methods.count(number.unit)) continue;
+      methods[number.unit] = prefix_of(context) + ".unit." + identifier(number.unit.substr(0, kLongestPart), taken);
+    }
+  }
+  return methods;
+}
+
+std::string methods_text(const std::map<std::string, std::string>& methods) {
+  std::string text;
+  for (const auto& [unit, name] : methods) {
+    if (unit.empty()) continue;
+    text += fmt::format("    /begin COMPU_METHOD {} \"as it is\" IDENTICAL \"%16.9\" {}\n    /end COMPU_METHOD\n\n",
+                        name, a2l_string(unit));
+  }
+  return text;
+}
+
+std::string link_text(const CalibrationNumber& number) {
+  return fmt::format("      SYMBOL_LINK \"{}\" {}\n", number.symbol, number.offset);
+}
+
+std::string characteristics_text(const EmitContext& context, const CalibrationNumbers& numbers,
+                                 const std::map<std::string, std::string>& methods) {
+  std::string text;
+  for (const CalibrationNumber& number : numbers) {
+    text += fmt::format(
+        "    /begin CHARACTERISTIC {} {}\n      VALUE 0x0 {}.number 0 {} -{} {}\n{}    /end CHARACTERISTIC\n\n",
+        number.name, a2l_string(number.text), prefix_of(context), methods.at(number.unit), kLargest, kLargest,
+        link_text(number));
+  }
+  return text;
+}
+
+std::string measurements_text(const CalibrationNumbers& numbers, const std::map<std::string, std::string>& methods) {
+  std::string text;
+  for (const CalibrationNumber& number : numbers) {
+    text += fmt::format(
+        "    /begin MEASUREMENT {} {}\n      FLOAT64_IEEE {} 0 0 -{} {}\n      ECU_ADDRESS 0x0\n{}"
+        "    /end MEASUREMENT\n\n",
+        number.name, a2l_string(number.text), methods.at(number.unit), kLargest, kLargest, link_text(number));
+  }
+  return text;
+}
+
+/// A block that lists the names of numbers; "" for none.
+std::string list_text(const std::string& keyword, const CalibrationNumbers& numbers) {
+  if (numbers.empty()) return "";
+  std::string text = "      /begin " + keyword + "\n";
+  for (const CalibrationNumber& number : numbers) text += "        " + number.name + "\n";
+  return text + "      /end " + keyword + "\n";
+}
+
+std::string groups_text(const std::string& prefix, const CalibrationNumberSets& sets) {
+  struct Group {
+    const char *name, *text, *keyword;
+    const CalibrationNumbers& numbers;
+  };
+  const Group groups[] = {{"parameters", "tunable parameters", "REF_CHARACTERISTIC", sets.parameters},
+                          {"inputs", "inputs", "REF_MEASUREMENT", sets.inputs},
+                          {"outputs", "outputs", "REF_MEASUREMENT", sets.outputs},
+                          {"state", "coordinates, velocities, auxiliary states, time", "REF_MEASUREMENT", sets.state}};
+  std::string names, text;
+  for (const Group& group : groups) {
+    if (group.numbers.empty()) continue;
+    names += fmt::format("        {}_{}\n", prefix, group.name);
+    text += fmt::format("    /begin GROUP {}_{} \"{}\"\n{}    /end GROUP\n\n", prefix, group.name, group.text,
+                        list_text(group.keyword, group.numbers));
+  }
+  return fmt::format(
+             "    /begin GROUP {}_solver \"all of it\"\n      ROOT\n      /begin SUB_GROUP\n{}      /end SUB_GROUP\n"
+             "    /end GROUP\n\n",
+             prefix, names) +
+         text;
+}
+
+std::string function_text(const std::string& prefix, const CalibrationNumberSets& sets) {
+  return fmt::format("    /begin FUNCTION {}_function \"one step\"\n", prefix) +
+         list_text("DEF_CHARACTERISTIC", sets.parameters) + list_text("IN_MEASUREMENT", sets.inputs) +
+         list_text("OUT_MEASUREMENT", sets.outputs) + list_text("LOC_MEASUREMENT", sets.state) + "    /end FUNCTION\n";
+}
+
+bool is_ascii(const std::string& text) {
+  return std::none_of(text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0x80) != 0; });
+}
+
+}  // namespace
+
+std::string calibration_text(const EmitContext& context) {
+  const std::string& solver = context.names.solver;
+  const CalibrationNumberSets sets = numbers_of(context);
+  const std::map<std::string, std::string> methods = methods_of(context, sets);
+  const std::string objects = characteristics_text(context, sets.parameters, methods) +
+                              measurements_text(sets.inputs, methods) + measurements_text(sets.outputs, methods) +
+                              measurements_text(sets.state, methods);
+  const std::string text = fill_template("calibration.a2l.in", {{"banner", c_banner_text(context.model)},
+                                                                {"solver", solver},
+                                                                {"prefix", prefix_of(context)},
+                                                                {"title", a2l_string(context.model.name)},
+                                                                {"hash", a2l_string(context.model.hash)},
+                                                                {"version", a2l_string(kMbgenVersion)},
+                                                                {"methods", methods_text(methods)},
+                                                                {"objects", objects},
+                                                                {"groups", groups_text(prefix_of(context), sets)},
+                                                                {"function", function_text(prefix_of(context), sets)}});
+  return is_ascii(text) ? text : kByteOrderMark + text;
+}
+
+std::string calibration_header_text(const EmitContext& context) {
+  return fill_template("calibration.h.in", {{"banner", c_banner_text(context.model)},
+                                            {"solver", context.names.solver},
+                                            {"guard", guard_of(context.names.solver)}});
+}
+
+}  // namespace mbgen
