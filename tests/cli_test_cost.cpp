@@ -92,6 +92,16 @@ TEST_F(CommandLine, StackIsThatOfTheDeepestPath) {
   EXPECT_GT(bytes["four_bar::step_rk4"], bytes["four_bar::describe"]);
 }
 
+TEST_F(CommandLine, StackIsTheSumOfFramesWithoutACallGraph) {
+  if (std::system("clang++ --version >/dev/null 2>&1") != 0) GTEST_SKIP() << "clang++ is not installed";
+  write("four_bar.json", kFourBar);
+  set("CXX", "clang++");
+  const Json stack = json_of("generate four_bar.json --out made --measure --json")["measured"]["stack"];
+  EXPECT_EQ(stack["count"], "sum of all frames");
+  ASSERT_EQ(stack["functions"].size(), 1);
+  EXPECT_GT(stack["functions"][0]["bytes"], 1000);
+}
+
 TEST_F(CommandLine, BudgetFailsWhenItIsExceededAndSaysWhatLeads) {
   write("four_bar.json", kFourBar);
   const Outcome over = mbgen("generate four_bar.json --out made --measure --budget-us 0.000001");
