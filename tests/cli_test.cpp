@@ -181,6 +181,33 @@ TEST_F(CommandLine, GenerateWritesTheSolverAndListsItsFiles) {
   EXPECT_EQ(read("bare/four_bar.cpp"), read("made/here/four_bar.cpp"));
 }
 
+TEST_F(CommandLine, GenerateTakesAnotherName) {
+  write("four_bar.json", kFourBar);
+  ASSERT_EQ(mbgen("generate four_bar.json --name left --no-runtime --out made").exit_code, 0);
+  EXPECT_NE(read("made/left.hpp").find("namespace left {"), std::string::npos);
+  EXPECT_NE(read("made/left.cpp").find("#include \"left.hpp\""), std::string::npos);
+  for (const auto& [name, possible] : std::map<std::string, std::string>{
+           {"double", "double_"}, {"front-axle", "front_axle"}, {"../up", "up"}, {"2nd", "n_2nd"}}) {
+    const Outcome run = mbgen(fmt::format("generate four_bar.json --name {} --out other", name));
+    EXPECT_EQ(run.exit_code, 1) << name;
+    EXPECT_EQ(run.err,
+              fmt::format("--name: \"{}\" cannot name files and a C++ namespace; \"{}\" can\n", name, possible));
+  }
+  EXPECT_EQ(leftovers(), (Names{"four_bar.json", "made"}));
+}
+
+TEST_F(CommandLine, GenerateTellsBuildToolsWhatItRead) {
+  std::filesystem::create_directory(path("parts"));
+  write("parts/linkage.json", kFourBar);
+  write("a #1 $.json", R"({ "mbgen": 1, "name": "top", "include": ["parts/linkage.json"] })");
+  ASSERT_EQ(mbgen("generate 'a #1 $.json' --no-runtime --out 'made here' --depfile rule.d").exit_code, 0);
+  EXPECT_EQ(read("rule.d"), "made\\ here/top.json: \\\n  a\\ \\#1\\ $$.json \\\n  parts/linkage.json\n");
+  const Outcome lost = mbgen("generate parts/linkage.json --no-runtime --out other --depfile missing/rule.d");
+  EXPECT_EQ(lost.exit_code, 1);
+  EXPECT_NE(lost.err.find("missing/rule.d"), std::string::npos) << lost.err;
+  EXPECT_EQ(leftovers(), (Names{"a #1 $.json", "made here", "parts", "rule.d"}));
+}
+
 TEST_F(CommandLine, GenerateLeavesNothingWhereItCannotWrite) {
   write("four_bar.json", kFourBar);
   write("file", "");

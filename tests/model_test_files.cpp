@@ -89,6 +89,21 @@ TEST_F(Files, EscapedKeysGiveAPointer) {
   EXPECT_EQ(text.substr(0, text.find('\n')), "test.json:1:29: /a~1b~0c: unknown key \"a/b~c\"");
 }
 
+TEST_F(Files, FilesThatWereReadAreListedOnce) {
+  fs::create_directories(directory_ / "parts");
+  write("parts/deep.json", R"({ "mbgen": 1, "gravity": [0, 0, -1] })");
+  write("parts/first.json", R"({ "mbgen": 1, "include": ["deep.json"] })");
+  write("second.json", R"({ "mbgen": 1, "include": ["parts/../parts/deep.json"] })");
+  std::string text = arm_model("");
+  text.insert(text.find('{') + 1, R"("include": ["parts/first.json", "second.json"],)");
+  const std::string path = write("arm.json", text);
+  const auto in_directory = [&](const char* name) { return (directory_ / name).string(); };
+  EXPECT_EQ(read_file(path).files,
+            (std::vector<std::string>{path, in_directory("parts/first.json"), in_directory("parts/deep.json"),
+                                      in_directory("second.json")}));
+  EXPECT_EQ(read(arm_model("")).files, std::vector<std::string>{"test.json"});
+}
+
 TEST_F(Files, IncludesMergeInOrderAndTheIncludingFileWins) {
   write("first.json", R"({ "mbgen": 1, "name": "other", "gravity": [0, 0, -1], "parameters": { "k": 2 },
     "bodies": { "ground": { "points": { "G": [1, 2, 3] } },

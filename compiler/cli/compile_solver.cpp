@@ -140,7 +140,9 @@ Compiler find_compiler(const fs::path& scratch, int lanes) {
   compiler.is_clang = compiler.version.find("clang") != std::string::npos;
   compiler.flags = solver_compile_flags(compiler.is_clang ? CompilerFamily::clang : CompilerFamily::gnu);
 #if defined(__x86_64__)
-  if (!compiler.is_clang && lanes > 0) compiler.flags.push_back(kFlagOfLanesOnX86);
+  if (!compiler.is_clang && lanes > 0) {
+    for (std::string& flag : lane_flags_of_gnu_on_x86()) compiler.flags.push_back(std::move(flag));
+  }
 #endif
   compiler.flags.push_back("-march=native");
   return compiler;

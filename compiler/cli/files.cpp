@@ -68,10 +68,12 @@ std::string read_text(const std::filesystem::path& path) {
   return text;
 }
 
-void require_other_file(const std::filesystem::path& output, const std::filesystem::path& input) {
-  std::error_code problem;
-  if (!std::filesystem::equivalent(output, input, problem) || problem) return;
-  throw UserError(fmt::format("{}: cannot write: it is read by this command\n", output.string()));
+void require_other_file(const std::filesystem::path& output, const std::vector<std::string>& inputs) {
+  for (const std::string& input : inputs) {
+    std::error_code problem;
+    if (!std::filesystem::equivalent(output, input, problem) || problem) continue;
+    throw UserError(fmt::format("{}: cannot write: it is read by this command\n", output.string()));
+  }
 }
 
 AtomicFile::AtomicFile(const std::filesystem::path& path) : path_(behind_links(path)) {

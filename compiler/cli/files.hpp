@@ -12,8 +12,8 @@ namespace mbgen::cli {
 /// Content of a file. Fails: UserError when it cannot be read, or is larger than 1 GB.
 std::string read_text(const std::filesystem::path& path);
 
-/// Fails: UserError when `output` is the file that is read as `input`: writing would destroy it.
-void require_other_file(const std::filesystem::path& output, const std::filesystem::path& input);
+/// Fails: UserError when `output` is one of the files that are read: writing would destroy it.
+void require_other_file(const std::filesystem::path& output, const std::vector<std::string>& inputs);
 
 /// A file that appears under its name when it is complete: written beside it as `.NAME.XXXXXX` until `commit`, which is
 /// all that a process killed before leaves behind. A symbolic link stays one; devices and pipes are written directly.
@@ -59,7 +59,8 @@ struct NamedText {
   std::string text;
 };
 
-/// Writes a set of files; directories are created. No file gets its name before all are written.
+/// Writes a set of files; directories are created. No file gets its name before all are written; then they do in the
+/// order given, so that the last one is new only where all are.
 /// Fails: UserError; files that were there before are then as they were.
 void write_files(const std::filesystem::path& directory, const std::vector<NamedText>& files);
 

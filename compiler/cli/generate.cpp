@@ -9,6 +9,7 @@
 #include <optional>
 
 #include "compiler/cli/commands.hpp"
+#include "compiler/cli/depfile.hpp"
 #include "compiler/cli/dump.hpp"
 #include "compiler/cli/files.hpp"
 #include "compiler/cli/initial_state.hpp"
@@ -22,7 +23,7 @@ namespace mbgen::cli {
 namespace {
 
 struct Options {
-  std::string model, form, directory, dump;
+  std::string model, form, directory, name, depfile, dump;
   EmitOptions emit;
   bool c_interface = false, measure = false, json = false;
   std::optional<double> budget;  ///< microseconds of a step
@@ -36,6 +37,18 @@ InitialState start_of(const Compilation& compilation) {
   return {std::move(state.z), std::move(state.zd), std::move(state.x)};
 }
 
+/// The model, under the name that was asked for.
+Model read_named(const Options& options) {
+  Model model = expect(read_model_file(options.model));
+  if (options.name.empty()) return model;
+  model.name = options.name;
+  if (const std::string possible = solver_name(model); possible != options.name) {
+    throw UserError(
+        fmt::format("--name: \"{}\" cannot name files and a C++ namespace; \"{}\" can\n", options.name, possible));
+  }
+  return model;
+}
+
 /// Fails: UserError for a budget that is none.
 void check_budget(const Options& options) {
   if (!options.budget) return;
@@ -45,21 +58,34 @@ void check_budget(const Options& options) {
   }
 }
 
-/// The files of the measured cost.
-std::vector<EmittedFile> measured_files(const MeasuredCost& cost, const Compilation& compilation) {
-  return {{cost.solver + "_measured.json", json_text(measured_json(cost, compilation))},
-          {cost.solver + "_measured.txt", measured_text(cost, compilation)}};
+/// Adds the files of the measured cost; the manifest stays the last one.
+void add_measured_files(const MeasuredCost& cost, const Compilation& compilation, std::vector<EmittedFile>& files) {
+  files.insert(files.end() - 1, {{cost.solver + "_measured.json", json_text(measured_json(cost, compilation))},
+                                 {cost.solver + "_measured.txt", measured_text(cost, compilation)}});
 }
 
-/// Writes the files. Result: their paths.
-std::vector<std::string> write_all(const Options& options, std::vector<EmittedFile> emitted) {
+/// The rule for --depfile, on disk but for its name.
+std::optional<AtomicFile> depfile_of(const Options& options, const std::string& output, const Model& model) {
+  if (options.depfile.empty()) return {};
+  require_other_file(options.depfile, model.files);
+  AtomicFile file(options.depfile);
+  file.write(depfile_text(output, model.files));
+  file.close();
+  return file;
+}
+
+/// Writes the files and the rule for them. Result: their paths.
+std::vector<std::string> write_all(const Options& options, const Model& model, std::vector<EmittedFile> emitted) {
   std::vector<NamedText> files;
   std::vector<std::string> paths;
   for (EmittedFile& file : emitted) {
     paths.push_back((std::filesystem::path(options.directory) / file.path).string());
-    require_other_file(paths.back(), options.model);  // the manifest is named like the model
+    require_other_file(paths.back(), model.files);  // the manifest is named like the model
     files.push_back({std::move(file.path), std::move(file.text)});
   }
+  std::optional<AtomicFile> depfile = depfile_of(options, paths.back(), model);
+  // Killed in between, mbgen leaves the manifest older than the model: a build tool starts it again.
+  if (depfile) depfile->commit();
   write_files(options.directory, files);
   return paths;
 }
@@ -71,16 +97,16 @@ int run(const Options& options) {
   }
   if (options.directory.empty()) throw UserError("generate: --out DIR is required\n");
   check_budget(options);
-  const Compilation compilation = expect(compile(options.model, chosen_form(options.form)));
+  const Compilation compilation = expect(compile(read_named(options), chosen_form(options.form)));
   EmitOptions emitted = options.emit;
   if (options.c_interface || options.emit.calibration) emitted.c_interface = start_of(compilation);
   std::vector<EmittedFile> files = emit(compilation, emitted);
   std::optional<MeasuredCost> cost;
   if (options.measure) {
     cost = measure_cost(compilation, emitted, options.budget);
-    for (EmittedFile& file : measured_files(*cost, compilation)) files.push_back(std::move(file));
+    add_measured_files(*cost, compilation, files);
   }
-  const std::vector<std::string> paths = write_all(options, std::move(files));
+  const std::vector<std::string> paths = write_all(options, compilation.model, std::move(files));
   if (cost && exceeds_budget(*cost)) throw UserError(budget_text(*cost));
   if (options.json) {
     nlohmann::ordered_json report = {{"model", compilation.model.name}, {"files", paths}};
@@ -111,6 +137,8 @@ void add_generate(CLI::App& application, int& exit_code) {
   command->add_flag("--a2l", options->emit.calibration,
                     "add a calibration file, ASAP2 (<model>.a2l), the header of its symbols (<model>_a2l.h), and what "
                     "--c-api adds");
+  command->add_option("--name", options->name, "name of the files and the namespace (default: the model's)");
+  add_depfile_option(*command, options->depfile);
   add_form_option(*command, options->form);
   add_batch_option(*command, options->emit.lanes);
   command->add_flag("--measure", options->measure,

@@ -103,8 +103,9 @@ class TableWriter {
 };
 
 int run(const Options& options) {
-  for (const std::string& input : {options.model, options.input_table}) require_other_file(options.file, input);
   const Compilation compilation = expect(compile(options.model, chosen_form(options.form)));
+  require_other_file(options.file, compilation.model.files);
+  require_other_file(options.file, {options.input_table});
   const SimulationSettings settings = settings_of(options, compilation.model.solver);
   const InputsOverTime inputs = inputs_over_time(compilation.model, options.engine.inputs, options.input_table);
   EngineChoice choice = chosen_engine(options.engine);

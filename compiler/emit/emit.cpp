@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
+#include <sstream>
 
 #include "compiler/emit/c_interface_text.hpp"
 #include "compiler/emit/calibration_text.hpp"
@@ -32,6 +33,16 @@ void add_included_headers(std::string_view text, std::vector<EmittedFile>& files
   }
 }
 
+/// The lines of an embedded list of flags that are no comments.
+std::vector<std::string> flags_in(const std::string& name) {
+  std::vector<std::string> flags;
+  std::istringstream lines{std::string(template_text(name))};
+  for (std::string line; std::getline(lines, line);) {
+    if (line.starts_with('-')) flags.push_back(line);
+  }
+  return flags;
+}
+
 }  // namespace
 
 std::vector<EmittedFile> emit(const Programs& programs, const Model& model, const Topology& topology,
@@ -49,7 +60,6 @@ std::vector<EmittedFile> emit(const Programs& programs, const Model& model, cons
   const nlohmann::ordered_json manifest = manifest_json(context);
   std::vector<EmittedFile> files = {{name + ".hpp", interface_text(context)},
                                     {name + ".cpp", solver_text(context)},
-                                    {name + ".json", manifest_text(manifest)},
                                     {name + "_cost.txt", cost_text(manifest, banner_text(model, "#"))},
                                     {"CMakeLists.txt", build_text(context)}};
   if (options.lanes > 0) {
@@ -71,22 +81,14 @@ std::vector<EmittedFile> emit(const Programs& programs, const Model& model, cons
     for (const std::string& text : texts) add_included_headers(text, files);
     add_included_headers(emit_driver(model, options.lanes).text, files);
   }
+  files.push_back({name + ".json", manifest_text(manifest)});
   return files;
 }
 
 std::vector<std::string> solver_compile_flags(CompilerFamily family) {
-  std::vector<std::string> flags = {
-      "-std=c++17",       "-O2", "-fno-exceptions", "-fno-rtti", "-fno-math-errno", "-fno-trapping-math",
-      "-ffp-contract=off"};
-  // Vectors wider than the processor's stay inside one file; this note of g++ has no line that a pragma could reach.
-  if (family == CompilerFamily::gnu) flags.push_back("-Wno-psabi");
-  // The compilers' own vectorisers make this code larger and slower; loops turned into memcpy would need the C library.
-  if (family == CompilerFamily::gnu) {
-    flags.insert(flags.end(), {"-fno-tree-vectorize", "-fno-tree-loop-distribute-patterns"});
-  } else {
-    flags.insert(flags.end(), {"-fno-vectorize", "-fno-slp-vectorize", "-fno-builtin-memcpy", "-fno-builtin-memset"});
-  }
-  return flags;
+  return flags_in(family == CompilerFamily::gnu ? "gnu.flags" : "clang.flags");
 }
+
+std::vector<std::string> lane_flags_of_gnu_on_x86() { return flags_in("gnu_lanes_x86.flags"); }
 
 }  // namespace mbgen

@@ -35,8 +35,8 @@ struct EmitOptions {
   bool calibration = false;                      ///< and <model>.a2l with <model>_a2l.h, which stand on them
 };
 
-/// The specialised solver: <model>.hpp, <model>.cpp, <model>.json (manifest), <model>_cost.txt (cost sheet),
-/// CMakeLists.txt, and the runtime headers; with lanes also <model>_batch.hpp and <model>_batch.cpp.
+/// The specialised solver: <model>.hpp, <model>.cpp, <model>_cost.txt (cost sheet), CMakeLists.txt, with lanes also
+/// <model>_batch.hpp and <model>_batch.cpp, the runtime headers, and last <model>.json (manifest): where it is, all are.
 /// Requires: `programs` traced from the same model, topology and analysis, and contracted: compilers do not contract.
 std::vector<EmittedFile> emit(const Programs& programs, const Model& model, const Topology& topology,
                               const Analysis& analysis, const EmitOptions& options = {});
@@ -53,14 +53,13 @@ EmittedFile emit_clocked_driver(const Programs& programs, const Model& model, co
 /// The compilers that emitted code is tuned for.
 enum class CompilerFamily { gnu, clang };
 
-/// Flags that make emitted code fast and keep its object free of symbols other than libm's; the one place they are
-/// listed. Without the processor flag (-march) and without warnings. Source: design.md section 7, but for contraction,
-/// which is the program's own: see docs/determinism.md.
+/// Flags that make emitted code fast and keep its object free of symbols other than libm's: those of templates/*.flags,
+/// which the CMake package reads too. Without the processor flag (-march) and without warnings. Source: design.md
+/// section 7, but for contraction, which is the program's own: see docs/determinism.md.
 std::vector<std::string> solver_compile_flags(CompilerFamily family);
 
-/// What g++ needs beside them for solvers with lanes on x86-64, and only there: in a red zone it places vectors beside
-/// their alignment, so that each of them on the stack is addressed with four bytes in place of one.
-constexpr const char* kFlagOfLanesOnX86 = "-mno-red-zone";
+/// What g++ needs beside them for solvers with lanes on x86-64, and only there.
+std::vector<std::string> lane_flags_of_gnu_on_x86();
 
 /// Name of the emitted files and of the namespace: the identifier of the model's name.
 std::string solver_name(const Model& model);

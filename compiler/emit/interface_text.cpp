@@ -1,6 +1,7 @@
 #include "compiler/emit/interface_text.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 
@@ -98,9 +99,7 @@ std::string base_name(const std::string& path) {
 }
 
 std::string cmake_flags(CompilerFamily family) {
-  std::string text;
-  for (const std::string& flag : solver_compile_flags(family)) text += (text.empty() ? "" : " ") + flag;
-  return wrapped_words(text, "      ");
+  return wrapped_words(fmt::format("{}", fmt::join(solver_compile_flags(family), " ")), "      ");
 }
 
 /// What g++ is told on x86-64 alone.
@@ -108,7 +107,7 @@ std::string x86_flags(int lanes) {
   if (lanes == 0) return "";
   return fmt::format(
       "  if(CMAKE_SYSTEM_PROCESSOR MATCHES \"x86_64|AMD64\")\n    list(APPEND solver_flags {})\n  endif()\n",
-      kFlagOfLanesOnX86);
+      fmt::join(lane_flags_of_gnu_on_x86(), " "));
 }
 
 }  // namespace

@@ -183,12 +183,15 @@ std::string fill_frame(std::string_view frame_name, std::string_view frame,
   return result;
 }
 
-std::string fill_template(const std::string& name, const std::map<std::string, std::string>& values) {
-  const std::string path = "templates/" + name;
+std::string_view template_text(const std::string& name) {
   for (const EmbeddedFile& file : embedded_files()) {
-    if (file.path == path) return fill_frame(path, file.text, values);
+    if (file.path == "templates/" + name) return file.text;
   }
-  throw std::logic_error(path + ": not embedded");
+  throw std::logic_error("templates/" + name + ": not embedded");
+}
+
+std::string fill_template(const std::string& name, const std::map<std::string, std::string>& values) {
+  return fill_frame("templates/" + name, template_text(name), values);
 }
 
 }  // namespace mbgen

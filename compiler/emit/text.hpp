@@ -44,6 +44,9 @@ std::string wrapped_words(const std::string& words, const std::string& margin);
 std::string fill_frame(std::string_view frame_name, std::string_view frame,
                        const std::map<std::string, std::string>& values);
 
+/// The embedded file of this name under templates/. Fails: throws std::logic_error when there is none.
+std::string_view template_text(const std::string& name);
+
 /// The embedded frame of this name (under templates/), filled.
 std::string fill_template(const std::string& name, const std::map<std::string, std::string>& values);
 

@@ -311,7 +311,8 @@ struct SolverSettings {
 /// A multibody system as the user described it, names resolved and every number checked.
 struct Model {
   std::string name;
-  std::string file;  ///< as given to read_model
+  std::string file;                ///< as given to read_model
+  std::vector<std::string> files;  ///< that and every file it includes, in the order of reading, each once
   /// 16 hex digits over the content (includes too), for the banner and manifest
   std::string hash;
   Vector3Quantity gravity{0.0, 0.0, -9.81};  ///< m/s^2, global

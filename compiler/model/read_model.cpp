@@ -234,6 +234,7 @@ Result<Model> read_model(std::string_view text, const std::string& file_name) {
   }
   if (!reader.problems.empty()) return to_diagnostics(reader.documents, std::move(reader.problems));
   reader.model.hash = hash_of(reader.documents);
+  for (const Document& document : reader.documents) reader.model.files.push_back(document.file);
   return std::move(reader.model);
 }
 

@@ -143,13 +143,18 @@ TEST_F(WholeFiles, SymbolicLinksStayLinks) {
 }
 
 TEST_F(WholeFiles, WhatIsReadIsNotWritten) {
-  // The manifest is named like the model.
+  // The manifest is named like the model; of the second one the file is read by an include.
+  const std::string including = R"({ "mbgen": 1, "name": "pendulum", "include": ["pendulum.json"] })";
+  write("all.json", including);
   for (const char* command : {"generate pendulum.json --out .", "generate ./pendulum.json --out ../$(basename $PWD)",
-                              "simulate pendulum.json --engine generic --out pendulum.json"}) {
+                              "simulate pendulum.json --engine generic --out pendulum.json",
+                              "generate all.json --out .", "generate all.json --out solver --depfile ./pendulum.json",
+                              "simulate all.json --engine generic --out pendulum.json"}) {
     const Outcome run = shell(std::string("MBGEN ") + command);
     EXPECT_EQ(run.exit_code, 1) << command;
     EXPECT_NE(run.err.find("it is read by this command"), std::string::npos) << run.err;
-    EXPECT_EQ(tree(), (std::map<std::string, std::string>{{"pendulum.json", kPendulum}})) << command;
+    EXPECT_EQ(tree(), (std::map<std::string, std::string>{{"all.json", including}, {"pendulum.json", kPendulum}}))
+        << command;
   }
   write("torque.csv", "t,torque\n0,1\n");
   EXPECT_EQ(shell(fmt::format("MBGEN {} --input-table torque.csv --out torque.csv", kSimulate)).exit_code, 1);
@@ -209,6 +214,31 @@ TEST_F(WholeFiles, KilledGenerationsLeaveFilesWhole) {
     fs::remove_all(path("solver"));
   }
   EXPECT_GT(killed, 0);
+}
+
+TEST_F(WholeFiles, TheManifestIsNewOnlyWhereAllIs) {
+  ASSERT_EQ(shell("MBGEN generate pendulum.json --out new").exit_code, 0);
+  const std::map<std::string, std::string> whole = tree("new");
+  std::size_t moments = 1;
+  for (bool ended = false; !ended; ++moments) {
+    SCOPED_TRACE(moments);
+    write("rule.d", kOld);
+    for (const auto& [name, text] : whole) {
+      fs::create_directories(path("solver/" + name).parent_path());
+      write("solver/" + name, kOld);
+    }
+    ended = shell(fmt::format("export LD_PRELOAD='{}' ASAN_OPTIONS=verify_asan_link_order=0 KILLED_AT_RENAME={}; "
+                              "MBGEN generate pendulum.json --out solver --depfile rule.d",
+                              KILLED_AT_RENAME, moments))
+                .exit_code == 0;
+    EXPECT_EQ(read("rule.d") == kOld, moments == 1);
+    EXPECT_EQ(read("solver/pendulum.json") != kOld, ended);
+    std::size_t renewed = 0;
+    for (const auto& [name, text] : whole) renewed += read("solver/" + name) == text;
+    EXPECT_EQ(renewed, std::min(std::max<std::size_t>(moments, 2) - 2, whole.size()));
+    fs::remove_all(path("solver"));
+  }
+  EXPECT_EQ(moments, whole.size() + 3) << "one moment before each rename, of the rule first, and one after all";
 }
 
 TEST_F(WholeFiles, HostilePathsGetWhatIsAnnouncedAndNothingElse) {

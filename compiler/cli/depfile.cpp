@@ -1,0 +1,38 @@
+#include "compiler/cli/depfile.hpp"
+
+#include <fmt/format.h>
+
+#include "compiler/cli/user_error.hpp"
+
+namespace mbgen::cli {
+namespace {
+
+/// A path with what Make would read as its own escaped: blanks, the backslashes before them, # and $.
+std::string escaped(const std::string& path) {
+  std::string text;
+  std::size_t backslashes = 0;
+  for (const char c : path) {
+    if (c == '\n' || c == '\r') throw UserError("--depfile: a path with the end of a line in it: " + path + "\n");
+    if (c == ' ' || c == '\t') text += std::string(backslashes + 1, '\\');
+    if (c == '#') text += '\\';
+    if (c == '$') text += '$';
+    text += c;
+    backslashes = c == '\\' ? backslashes + 1 : 0;
+  }
+  return text;
+}
+
+}  // namespace
+
+void add_depfile_option(CLI::App& command, std::string& path) {
+  command.add_option("--depfile", path,
+                     "write the files that the model is read from as a rule of Make, for build tools");
+}
+
+std::string depfile_text(const std::string& output, const std::vector<std::string>& inputs) {
+  std::string text = escaped(output) + ":";
+  for (const std::string& input : inputs) text += " \\\n  " + escaped(input);
+  return text + "\n";
+}
+
+}  // namespace mbgen::cli

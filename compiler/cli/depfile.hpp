@@ -1,0 +1,17 @@
+#pragma once
+// What a build tool has to know: which files a command has read.
+
+#include <CLI/CLI.hpp>
+#include <string>
+#include <vector>
+
+namespace mbgen::cli {
+
+/// --depfile FILE
+void add_depfile_option(CLI::App& command, std::string& path);
+
+/// The rule `output: inputs` in the syntax of Make, as compilers write it with -MD.
+/// Fails: UserError for the end of a line in a path, which Make cannot say.
+std::string depfile_text(const std::string& output, const std::vector<std::string>& inputs);
+
+}  // namespace mbgen::cli
