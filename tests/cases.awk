@@ -22,6 +22,7 @@ function add(kind, number) {
 /: accelerations as in MuJoCo/ { add("models with accelerations as in MuJoCo", 1) }
 / mutants: [0-9]+ refused, / { add("mutated model files", $1) }
 /^fuzz .*: [0-9]+ inputs, none broke it/ { add("inputs of the fuzzer", $3) }
+/^package: [0-9]+ cases/ { add("uses of the installed package", $2) }
 / killed, [0-9]+ finished before/ { add("commands killed while they wrote files", $1) }
 
 END {
