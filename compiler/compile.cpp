@@ -76,6 +76,13 @@ std::vector<EmittedFile> emit(const Compilation& compilation, const EmitOptions&
   return emit(as_emitted(compilation.programs), compilation.model, compilation.topology, compilation.analysis, options);
 }
 
+FmuFiles emit_fmu(const Compilation& c, const InitialState& initial, FmiVersion version) {
+  // Derivatives by parameters go through the constants that follow from them: these programs hold them.
+  Programs whole = optimise(trace(c.model, c.topology, c.analysis));
+  take_form(whole, c.programs.form);
+  return emit_fmu(whole, as_emitted(c.programs), c.model, c.topology, c.analysis, initial, version);
+}
+
 EmittedFile emit_clocked_driver(const Compilation& c, int lanes) {
   return emit_clocked_driver(as_emitted(c.programs), c.model, c.topology, c.analysis, lanes);
 }

@@ -7,6 +7,7 @@
 
 #include "compiler/analysis/analysis.hpp"
 #include "compiler/emit/emit.hpp"
+#include "compiler/emit/fmu.hpp"
 #include "compiler/model/model.hpp"
 #include "compiler/topology/topology.hpp"
 #include "compiler/trace/trace.hpp"
@@ -48,6 +49,9 @@ Programs as_emitted(Programs programs);
 
 /// The files of the specialised solver, see emit.
 std::vector<EmittedFile> emit(const Compilation& compilation, const EmitOptions& options = {});
+
+/// The files of an FMU that starts from `initial`, see emit_fmu.
+FmuFiles emit_fmu(const Compilation& compilation, const InitialState& initial, FmiVersion version);
 
 /// The driver that times the nine steps, see emit_clocked_driver.
 EmittedFile emit_clocked_driver(const Compilation& compilation, int lanes = 0);

@@ -13,6 +13,7 @@ enum ExitCode : int { kDone = 0, kUserFault = 1, kOurDefect = 2 };
 void add_check(CLI::App& application, int& exit_code);
 void add_inspect(CLI::App& application, int& exit_code);
 void add_generate(CLI::App& application, int& exit_code);
+void add_export(CLI::App& application, int& exit_code);
 void add_simulate(CLI::App& application, int& exit_code);
 void add_evaluate(CLI::App& application, int& exit_code);
 void add_bench(CLI::App& application, int& exit_code);

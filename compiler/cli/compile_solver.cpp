@@ -12,7 +12,7 @@
 #include <stdexcept>
 
 #include "compiler/cli/files.hpp"
-#include "compiler/cli/process.hpp"
+#include "compiler/cli/host_compiler.hpp"
 #include "compiler/cli/user_error.hpp"
 
 namespace mbgen::cli {
@@ -20,7 +20,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t kMessageTail = 2000;  // characters of the compiler's messages that a person still reads
 constexpr const char* kSymbol = "mbgen_solver_table";
 
 /// A value of the environment, "" when it is not set.
@@ -66,7 +65,8 @@ class Hash {
   std::uint64_t value_ = 0xcbf29ce484222325u;
 };
 
-std::string object_name(const std::string& solver, const std::vector<EmittedFile>& files, const Compiler& compiler) {
+std::string object_name(const std::string& solver, const std::vector<EmittedFile>& files,
+                        const HostCompiler& compiler) {
   Hash hash;
   for (const EmittedFile& file : files) {
     hash.add(file.path);
@@ -79,15 +79,8 @@ std::string object_name(const std::string& solver, const std::vector<EmittedFile
   return fmt::format("{}-{}.so", solver, hash.text());
 }
 
-[[noreturn]] void reject(const Command& command) {
-  std::string messages = read_text(command.log);
-  if (messages.size() > kMessageTail) messages = "...\n" + messages.substr(messages.size() - kMessageTail);
-  throw std::runtime_error(
-      fmt::format("the compiler rejects the generated code: {}\n{}", fmt::join(command.arguments, " "), messages));
-}
-
 /// Compiles every source side by side and links them. Result: the shared object, in `scratch`.
-fs::path build(const fs::path& scratch, const std::vector<EmittedFile>& files, const Compiler& compiler) {
+fs::path build(const fs::path& scratch, const std::vector<EmittedFile>& files, const HostCompiler& compiler) {
   std::vector<NamedText> texts;
   std::vector<Command> compilations;
   const fs::path result = scratch / "solver.so";
@@ -97,7 +90,7 @@ fs::path build(const fs::path& scratch, const std::vector<EmittedFile>& files, c
     texts.push_back({file.path, file.text});
     if (!file.path.ends_with(".cpp")) continue;
     const std::string source = (scratch / file.path).string();
-    Command compilation{compilation_of(compiler, scratch), source + ".log"};
+    Command compilation{compilation_of(compiler, {scratch}), source + ".log"};
     compilation.arguments.insert(compilation.arguments.end(), {"-fPIC", "-c", source, "-o", source + ".o"});
     compilations.push_back(std::move(compilation));
     link.arguments.push_back(source + ".o");
@@ -122,46 +115,6 @@ std::shared_ptr<const SolverTable> open_solver(const fs::path& object, const std
 
 }  // namespace
 
-Compiler find_compiler(const fs::path& scratch, int lanes) {
-  Compiler compiler;
-  const std::string chosen = environment("CXX");
-  compiler.words = split_words(chosen);
-  if (compiler.words.empty()) compiler.words = {"c++"};
-  std::vector<std::string> question = compiler.words;
-  question.push_back("--version");
-  const fs::path answer = scratch / "version";
-  if (run_side_by_side({{question, answer}})[0] != 0) {
-    throw UserError(
-        fmt::format("no C++ compiler: `{}` does not run; install one (apt-get install g++), name it in the "
-                    "environment variable CXX, or do without: --engine generic, generate without --measure\n",
-                    fmt::join(compiler.words, " ")));
-  }
-  compiler.version = read_text(answer);
-  compiler.is_clang = compiler.version.find("clang") != std::string::npos;
-  compiler.flags = solver_compile_flags(compiler.is_clang ? CompilerFamily::clang : CompilerFamily::gnu);
-#if defined(__x86_64__)
-  if (!compiler.is_clang && lanes > 0) {
-    for (std::string& flag : lane_flags_of_gnu_on_x86()) compiler.flags.push_back(std::move(flag));
-  }
-#endif
-  compiler.flags.push_back("-march=native");
-  return compiler;
-}
-
-std::vector<std::string> compilation_of(const Compiler& compiler, const fs::path& scratch) {
-  std::vector<std::string> words = compiler.words;
-  words.insert(words.end(), compiler.flags.begin(), compiler.flags.end());
-  words.insert(words.end(), {"-I", scratch.string()});
-  return words;
-}
-
-void run_all(const std::vector<Command>& commands) {
-  const std::vector<int> codes = run_side_by_side(commands);
-  for (std::size_t i = 0; i < codes.size(); ++i) {
-    if (codes[i] != 0) reject(commands[i]);
-  }
-}
-
 std::shared_ptr<const SolverTable> load_solver(const Compilation& compilation, const EngineChoice& choice) {
   const bool use_cache = choice.use_cache;
   std::vector<EmittedFile> files = emit(compilation, {.lanes = choice.lanes});
@@ -170,7 +123,7 @@ std::shared_ptr<const SolverTable> load_solver(const Compilation& compilation, c
   const fs::path cache = use_cache ? cache_directory() : fs::path();
   const bool has_cache = !cache.empty() && is_usable(cache);
   const TemporaryDirectory scratch(has_cache ? cache : fs::temp_directory_path() / "mbgen");
-  const Compiler compiler = find_compiler(scratch.path(), choice.lanes);
+  const HostCompiler compiler = find_compiler(scratch.path(), "-march=native", choice.lanes);
   const fs::path kept = cache / object_name(solver_name(compilation.model), files, compiler);
 
   if (has_cache && fs::exists(kept)) {

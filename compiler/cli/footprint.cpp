@@ -85,8 +85,8 @@ void add_all_frames(const std::vector<fs::path>& objects, const std::string& sol
 
 }  // namespace
 
-Footprint measure_footprint(const std::vector<EmittedFile>& files, const std::string& solver, const Compiler& compiler,
-                            const fs::path& scratch) {
+Footprint measure_footprint(const std::vector<EmittedFile>& files, const std::string& solver,
+                            const HostCompiler& compiler, const fs::path& scratch) {
   std::vector<NamedText> texts;
   std::vector<Command> compilations;
   std::vector<fs::path> objects;
@@ -95,7 +95,7 @@ Footprint measure_footprint(const std::vector<EmittedFile>& files, const std::st
     if (!file.path.ends_with(".cpp")) continue;
     const fs::path source = scratch / file.path;
     objects.push_back(fs::path(source).replace_extension(".o"));
-    Command compilation{compilation_of(compiler, scratch), source.string() + ".log"};
+    Command compilation{compilation_of(compiler, {scratch}), source.string() + ".log"};
     compilation.arguments.push_back("-fstack-usage");
     if (!compiler.is_clang) compilation.arguments.push_back("-fcallgraph-info=su");
     compilation.arguments.insert(compilation.arguments.end(), {"-c", source.string(), "-o", objects.back().string()});

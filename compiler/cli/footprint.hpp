@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "compiler/cli/compile_solver.hpp"
+#include "compiler/cli/host_compiler.hpp"
 
 namespace mbgen::cli {
 
@@ -34,7 +34,7 @@ struct Footprint {
 
 /// Compiles the solver's sources in `scratch` as the emitted CMake file does, and counts.
 /// Requires: `files` with the runtime's headers. Fails: as run_all.
-Footprint measure_footprint(const std::vector<EmittedFile>& files, const std::string& solver, const Compiler& compiler,
-                            const std::filesystem::path& scratch);
+Footprint measure_footprint(const std::vector<EmittedFile>& files, const std::string& solver,
+                            const HostCompiler& compiler, const std::filesystem::path& scratch);
 
 }  // namespace mbgen::cli

@@ -54,7 +54,7 @@ MeasuredCost measure_cost(const Compilation& compilation, EmitOptions options, s
   MeasuredCost cost;
   cost.solver = solver_name(compilation.model);
   const TemporaryDirectory scratch(std::filesystem::temp_directory_path() / "mbgen");
-  const Compiler compiler = find_compiler(scratch.path(), options.lanes);
+  const HostCompiler compiler = find_compiler(scratch.path(), "-march=native", options.lanes);
   cost.compiler = compiler.version.substr(0, compiler.version.find('\n'));
   cost.flags = fmt::format("{}", fmt::join(compiler.flags, " "));
   cost.processor = processor_name();

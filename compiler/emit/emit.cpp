@@ -76,13 +76,17 @@ std::vector<EmittedFile> emit(const Programs& programs, const Model& model, cons
     }
   }
   if (options.runtime_headers) {
-    std::vector<std::string> texts;
-    for (const EmittedFile& file : files) texts.push_back(file.text);
-    for (const std::string& text : texts) add_included_headers(text, files);
+    add_runtime_headers(files);
     add_included_headers(emit_driver(model, options.lanes).text, files);
   }
   files.push_back({name + ".json", manifest_text(manifest)});
   return files;
+}
+
+void add_runtime_headers(std::vector<EmittedFile>& files) {
+  std::vector<std::string> texts;
+  for (const EmittedFile& file : files) texts.push_back(file.text);
+  for (const std::string& text : texts) add_included_headers(text, files);
 }
 
 std::vector<std::string> solver_compile_flags(CompilerFamily family) {

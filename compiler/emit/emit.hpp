@@ -50,6 +50,9 @@ EmittedFile emit_driver(const Model& model, int lanes = 0);
 EmittedFile emit_clocked_driver(const Programs& programs, const Model& model, const Topology& topology,
                                 const Analysis& analysis, int lanes = 0);
 
+/// Adds the runtime's headers that the files include, under mbgen/.
+void add_runtime_headers(std::vector<EmittedFile>& files);
+
 /// The compilers that emitted code is tuned for.
 enum class CompilerFamily { gnu, clang };
 

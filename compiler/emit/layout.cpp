@@ -54,37 +54,6 @@ void add_blocks(Places& places, const std::string& argument, const std::string& 
   }
 }
 
-/// Inputs that every program may use; a program's signature lists those it gets.
-Places input_places(const Programs& programs, const SolverLayout& layout, const SolverNames& names) {
-  const auto& coordinates = names.coordinates;
-  Places places;
-  places["z"] = {"state", named("state.z", "Coordinate", coordinates), prefixed("z_", coordinates), "", "state.z", 0};
-  places["zd"] = {"state", named("state.zd", "Coordinate", coordinates), prefixed("zd_", coordinates), "", "state.zd",
-                  0};
-  places["x"] = {"state", indexed("state.x", layout.auxiliary_states), {}, "", "state.x", 0};
-  places["t"] = {"state", {"state.t"}, {}, "", "", 0};
-  places["tau"] = {"tau", named("tau", "Coordinate", coordinates), prefixed("tau_", coordinates), "", "tau", 0};
-  places["zdd"] = {"derivative",
-                   named("derivative.zdd", "Coordinate", coordinates),
-                   prefixed("zdd_", coordinates),
-                   "",
-                   "derivative.zdd",
-                   0};
-  places["lambda"] = {"multipliers", indexed("multipliers.lambda", layout.equations), {}, "", "multipliers.lambda", 0};
-  places["drive"] = {"multipliers", indexed("multipliers.drive", layout.drives), {}, "", "multipliers.drive", 0};
-  places["in"] = {"inputs", members("inputs", names.inputs), {}, "", "", 0};
-  places["par"] = {"parameters", members("parameters", names.parameters), {}, "", "", 0};
-  const int derived = derived_constant_count(programs);
-  places["derived"] = {"parameters", indexed("parameters.derived", derived), {}, "", "parameters.derived", 0};
-  add_blocks(
-      places, "projection", "Rz", layout, [](const BlockPlaces& b) { return b.coordinates * b.free; },
-      [](const BlockPlaces& b) { return b.first_projection; });
-  add_blocks(
-      places, "projection", "zdd_star", layout, [](const BlockPlaces& b) { return b.coordinates; },
-      [](const BlockPlaces& b) { return b.first_coordinate; });
-  return places;
-}
-
 const std::vector<std::pair<std::string, std::string>> kStateArguments = {
     {"parameters", "const Tuned& parameters"}, {"inputs", "const Inputs& inputs"}, {"state", "const State& state"}};
 
@@ -218,6 +187,36 @@ ProgramShape derived_shape(const Places& inputs, int count) {
 }
 
 }  // namespace
+
+Places input_places(const Programs& programs, const SolverLayout& layout, const SolverNames& names) {
+  const auto& coordinates = names.coordinates;
+  Places places;
+  places["z"] = {"state", named("state.z", "Coordinate", coordinates), prefixed("z_", coordinates), "", "state.z", 0};
+  places["zd"] = {"state", named("state.zd", "Coordinate", coordinates), prefixed("zd_", coordinates), "", "state.zd",
+                  0};
+  places["x"] = {"state", indexed("state.x", layout.auxiliary_states), {}, "", "state.x", 0};
+  places["t"] = {"state", {"state.t"}, {}, "", "", 0};
+  places["tau"] = {"tau", named("tau", "Coordinate", coordinates), prefixed("tau_", coordinates), "", "tau", 0};
+  places["zdd"] = {"derivative",
+                   named("derivative.zdd", "Coordinate", coordinates),
+                   prefixed("zdd_", coordinates),
+                   "",
+                   "derivative.zdd",
+                   0};
+  places["lambda"] = {"multipliers", indexed("multipliers.lambda", layout.equations), {}, "", "multipliers.lambda", 0};
+  places["drive"] = {"multipliers", indexed("multipliers.drive", layout.drives), {}, "", "multipliers.drive", 0};
+  places["in"] = {"inputs", members("inputs", names.inputs), {}, "", "", 0};
+  places["par"] = {"parameters", members("parameters", names.parameters), {}, "", "", 0};
+  const int derived = derived_constant_count(programs);
+  places["derived"] = {"parameters", indexed("parameters.derived", derived), {}, "", "parameters.derived", 0};
+  add_blocks(
+      places, "projection", "Rz", layout, [](const BlockPlaces& b) { return b.coordinates * b.free; },
+      [](const BlockPlaces& b) { return b.first_projection; });
+  add_blocks(
+      places, "projection", "zdd_star", layout, [](const BlockPlaces& b) { return b.coordinates; },
+      [](const BlockPlaces& b) { return b.first_coordinate; });
+  return places;
+}
 
 SolverLayout solver_layout(const Model& model, const Topology& topology, const Analysis& analysis) {
   SolverLayout layout;

@@ -43,6 +43,9 @@ struct GroupPlace {
 
 using Places = std::map<std::string, GroupPlace>;
 
+/// Inputs that every program may use; a program's signature lists those it gets.
+Places input_places(const Programs& programs, const SolverLayout& layout, const SolverNames& names);
+
 /// A struct member that holds an array: name, size, comment.
 struct ArrayMember {
   std::string name;

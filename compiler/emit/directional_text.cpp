@@ -1,0 +1,139 @@
+#include "compiler/emit/directional_text.hpp"
+
+#include <algorithm>
+
+#include "compiler/emit/program_text.hpp"
+#include "compiler/emit/text.hpp"
+#include "compiler/passes/passes.hpp"
+
+namespace mbgen {
+namespace {
+
+/// A group of inputs that a direction has, with the texts of its entries in struct Direction.
+struct SeedGroup {
+  std::string name;
+  int first = 0;
+  std::vector<std::string> texts;
+};
+
+std::vector<SeedGroup> seed_groups(const EmitContext& context) {
+  const SolverLayout& layout = context.layout;
+  const std::pair<const char*, int> sizes[] = {{"z", layout.coordinates},
+                                               {"zd", layout.coordinates},
+                                               {"x", layout.auxiliary_states},
+                                               {"t", 1},
+                                               {"in", static_cast<int>(context.names.inputs.size())},
+                                               {"par", static_cast<int>(context.names.parameters.size())},
+                                               {"zdd", layout.coordinates},
+                                               {"lambda", layout.equations},
+                                               {"drive", layout.drives}};
+  std::vector<SeedGroup> groups;
+  int next = 0;
+  for (const auto& [name, size] : sizes) {
+    SeedGroup group{name, next, {}};
+    const std::string member = std::string("direction.") + name;
+    for (int i = 0; i < size; ++i)
+      group.texts.push_back(group.name == "t" ? member : member + "[" + std::to_string(i) + "]");
+    next += size;
+    groups.push_back(std::move(group));
+  }
+  return groups;
+}
+
+/// Derivatives of every output along the direction, and the pivots; no other outputs.
+Program along(const Program& program, const std::vector<SeedGroup>& groups) {
+  std::vector<int> seeds;
+  for (const Slot& slot : program.inputs) {
+    const auto group = std::find_if(groups.begin(), groups.end(), [&](const auto& g) { return g.name == slot.group; });
+    seeds.push_back(group == groups.end() ? -1 : group->first + slot.index);
+  }
+  Program derived = differentiate(program, seeds);
+  std::erase_if(derived.outputs, [](const OutputValue& output) {
+    return output.slot.group != "pivot" && !output.slot.group.starts_with("d_");
+  });
+  return contract(optimise(derived));
+}
+
+GroupPlace member_place(const std::string& array, int size, int first = 0, const std::string& missing = "0.0") {
+  GroupPlace place{"result", {}, {}, missing, "result." + array, first};
+  for (int i = 0; i < size; ++i) place.texts.push_back(place.array + "[" + std::to_string(first + i) + "]");
+  return place;
+}
+
+using Argument = std::pair<std::string, std::string>;
+
+ProgramShape shape_along(const EmitContext& context, const std::string& function, const std::string& result,
+                         const std::vector<Argument>& arguments) {
+  ProgramShape shape;
+  shape.title = "Derivatives along a direction.";
+  shape.function = function;
+  shape.result = result;
+  shape.arguments = {
+      {"parameters", "const Tuned& parameters"}, {"inputs", "const Inputs& inputs"}, {"state", "const State& state"}};
+  shape.arguments.insert(shape.arguments.end(), arguments.begin(), arguments.end());
+  shape.arguments.push_back({"direction", "const Direction& direction"});
+  shape.inputs = input_places(context.programs, context.layout, context.names);
+  GroupPlace& seed = shape.inputs["seed"];
+  seed.argument = "direction";
+  for (const SeedGroup& group : seed_groups(context))
+    seed.texts.insert(seed.texts.end(), group.texts.begin(), group.texts.end());
+  shape.roll_above = context.roll_above;
+  return shape;
+}
+
+}  // namespace
+
+std::string directional_header_text(const EmitContext& context) {
+  return fill_template("directional.hpp.in",
+                       {{"banner", banner_text(context.model, "//")},
+                        {"solver", context.names.solver},
+                        {"auxiliary_size", size_text(context.layout.auxiliary_states)},
+                        {"input_size", size_text(static_cast<int>(context.names.inputs.size()))},
+                        {"parameter_size", size_text(static_cast<int>(context.names.parameters.size()))},
+                        {"multiplier_size", size_text(context.layout.equations)},
+                        {"drive_size", size_text(context.layout.drives)},
+                        {"block_size", size_text(static_cast<int>(context.layout.blocks.size()))}});
+}
+
+std::string directional_source_text(const EmitContext& context, const Programs& programs) {
+  const SolverLayout& layout = context.layout;
+  const std::vector<SeedGroup> groups = seed_groups(context);
+  const Argument tau{"tau", "const double* tau"}, derivative{"derivative", "const Derivative& derivative"},
+      multipliers{"multipliers", "const Multipliers& multipliers"};
+  const int outputs = static_cast<int>(context.names.outputs.size());
+  const GroupPlace pivot = member_place("pivot", static_cast<int>(layout.blocks.size()), 0, "1.0");
+
+  ProgramShape closure = shape_along(context, "closure_along", "ClosureAlong", {});
+  closure.outputs = {{"d_dz", member_place("dz", layout.coordinates)},
+                     {"d_zd", member_place("zd", layout.coordinates)},
+                     {"pivot", pivot}};
+  ProgramShape accelerations = shape_along(context, "accelerations_along", "AccelerationsAlong", {tau});
+  accelerations.outputs = {{"d_zdd", member_place("zdd", layout.coordinates)},
+                           {"d_xd", member_place("xd", layout.auxiliary_states)},
+                           {"pivot", pivot}};
+  ProgramShape forces = shape_along(context, "multipliers_along", "MultipliersAlong", {tau, derivative});
+  forces.outputs = {{"d_lambda", member_place("lambda", layout.equations)},
+                    {"d_drive", member_place("drive", layout.drives)}};
+  ProgramShape results = shape_along(context, "outputs_along", "OutputsAlong", {tau, derivative, multipliers});
+  results.outputs = {{"d_y", member_place("y", outputs)},
+                     {"d_energy", member_place("y", 2, outputs)},
+                     {"d_power", member_place("y", 1, outputs + 2)}};
+
+  const std::pair<const Program*, const ProgramShape*> all[] = {{&programs.closure, &closure},
+                                                                {&programs.accelerations, &accelerations},
+                                                                {&programs.multipliers, &forces},
+                                                                {&programs.outputs, &results}};
+  std::string text;
+  for (const auto& [program, shape] : all) {
+    Program derived = along(*program, groups);
+    // What the shape has no place for is not asked for: pivots of the multipliers, what they are made of.
+    std::erase_if(derived.outputs,
+                  [&](const OutputValue& output) { return !shape->outputs.contains(output.slot.group); });
+    text += program_text(remove_dead_values(derived), *shape) + "\n";
+  }
+  return fill_template(
+      "directional.cpp.in",
+      {{"banner", banner_text(context.model, "//")}, {"solver", context.names.solver}, {"programs", text}});
+}
+
+}  // namespace mbgen

@@ -1,0 +1,20 @@
+#pragma once
+// Units as people write them, in terms of the base units.
+
+#include <array>
+#include <optional>
+#include <string_view>
+
+namespace mbgen {
+
+/// A unit as factor times a product of powers: 1 unit = factor kg^.. m^.. s^.. A^.. K^.. mol^.. cd^.. rad^..
+struct UnitExponents {
+  double factor = 1;
+  std::array<int, 8> exponents{};  ///< kg m s A K mol cd rad
+};
+
+/// Reads "N m s/rad", "kg m^2", "N/(m/s)": symbols with whole powers, side by side or with * or . between them; a slash
+/// divides by what comes next to it. None for what it does not know.
+std::optional<UnitExponents> unit_exponents(std::string_view unit);
+
+}  // namespace mbgen

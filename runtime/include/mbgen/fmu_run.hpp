@@ -1,0 +1,171 @@
+#pragma once
+// The life of an instance of FMI 2 or 3: its modes, steps, continuous states and saved runs. See fmu.hpp.
+
+#include "mbgen/fmu.hpp"
+
+namespace mbgen::fmu {
+
+/// Times of the experiment. Answer: error for times that are none.
+template <class Model>
+Answer set_times(Core<Model>& core, double start, bool has_stop, double stop) noexcept {
+  if (!std::isfinite(start) || (has_stop && !(stop > start))) return Answer::error;
+  core.run.start_time = core.run.state.t = start;
+  core.run.stop_time = has_stop ? stop : HUGE_VAL;
+  core.is_solved = false;
+  core.run.is_start = core.run.is_start && start == 0;
+  return Answer::ok;
+}
+
+/// Closes the loops and goes on to event mode (model exchange) or step mode. Answer: error where they do not close.
+template <class Model>
+Answer leave_initialization(Core<Model>& core) noexcept {
+  core.is_solved = false;
+  if (!solve(core)) return Answer::error;
+  core.run.state = core.solved;
+  core.run.history = {};
+  core.run.mode = core.run.interface == Interface::model_exchange ? kEvent : kStep;
+  return Answer::ok;
+}
+
+/// Steps of the model's size where a whole number of them fits, else of the next smaller equal ones.
+struct Division {
+  double count, size;
+};
+inline Division divided(double interval, double step) noexcept {
+  const double nearest = std::floor(interval / step + 0.5);
+  if (nearest >= 1 && std::abs(interval - nearest * step) <= kWholeSteps * step) return {nearest, step};
+  const double count = std::floor(interval / step) + 1;
+  return {count, interval / count};
+}
+
+/// Steps from a communication point to the next. Answer: error for a point or size that cannot be; discard where the
+/// solver fails, the run is then as before.
+template <class Model>
+Answer do_step(Core<Model>& core, double point, double size) noexcept {
+  Run<Model>& run = core.run;
+  if (!std::isfinite(point) || !std::isfinite(size) || !(size > 0)) return Answer::error;
+  if (!(std::abs(point - run.state.t) <= 0.5 * Model::kStep)) return Answer::error;
+  if (point + size > run.stop_time + 0.5 * Model::kStep) return Answer::error;
+  const Division division = divided(size, Model::kStep);
+  const Run<Model> before = run;
+  for (double i = 0; i < division.count; ++i) {
+    core.status = Model::step(run.parameters, run.inputs, run.state, run.history, division.size);
+    if (!core.status.ok()) {
+      run = before;
+      return Answer::discard;
+    }
+    run.inputs = Model::advanced(run.inputs, division.size);
+  }
+  core.is_solved = false;
+  return Answer::ok;
+}
+
+/// Continuous states in their order: positions, velocities of independent coordinates, auxiliary states.
+template <class Model>
+double& continuous_state(Run<Model>& run, int index) noexcept {
+  if (index < Model::kPositionStates) return run.state.z[Model::kPositions[index]];
+  index -= Model::kPositionStates;
+  if (index < Model::kVelocityStates) return run.state.zd[Model::kVelocities[index]];
+  return run.state.x[index - Model::kVelocityStates];
+}
+
+template <class Model>
+Answer get_states(Core<Model>& core, double* states, unsigned long count) noexcept {
+  if (count != kStates<Model> || !is_array(states, states, count)) return Answer::error;
+  for (int i = 0; i < kStates<Model>; ++i) states[i] = continuous_state(core.run, i);
+  return Answer::ok;
+}
+
+template <class Model>
+Answer set_states(Core<Model>& core, const double* states, unsigned long count) noexcept {
+  if (count != kStates<Model> || !is_array(states, states, count)) return Answer::error;
+  for (int i = 0; i < kStates<Model>; ++i) {
+    if (!std::isfinite(states[i])) return Answer::discard;  // the importer's step was too large
+  }
+  for (int i = 0; i < kStates<Model>; ++i) continuous_state(core.run, i) = states[i];
+  core.is_solved = core.run.is_start = false;
+  return Answer::ok;
+}
+
+template <class Model>
+Answer get_derivatives(Core<Model>& core, double* rates, unsigned long count) noexcept {
+  if (count != kStates<Model> || !is_array(rates, rates, count)) return Answer::error;
+  if (!solve(core)) return Answer::discard;
+  for (int i = 0; i < Model::kPositionStates; ++i) *rates++ = core.solved.zd[Model::kPositions[i]];
+  for (int i = 0; i < Model::kVelocityStates; ++i) *rates++ = core.derivative.zdd[Model::kVelocities[i]];
+  for (int i = 0; i < Model::kAuxiliaryStates; ++i) *rates++ = core.derivative.xd[i];
+  return Answer::ok;
+}
+
+template <class Model>
+Answer get_nominals(double* nominals, unsigned long count) noexcept {
+  if (count != kStates<Model> || !is_array(nominals, nominals, count)) return Answer::error;
+  for (int i = 0; i < kStates<Model>; ++i) nominals[i] = 1;
+  return Answer::ok;
+}
+
+template <class Model>
+Answer set_time(Core<Model>& core, double time) noexcept {
+  if (!std::isfinite(time)) return Answer::error;
+  core.run.state.t = time;
+  core.is_solved = core.run.is_start = false;
+  return Answer::ok;
+}
+
+/// Whether a dependent position has drifted from the closed loops. Requires: solved.
+template <class Model>
+bool has_drifted(const Core<Model>& core) noexcept {
+  for (int i = 0; i < Model::kPositionStates; ++i) {
+    const int coordinate = Model::kPositions[i];
+    if (!(std::abs(core.solved.z[coordinate] - core.run.state.z[coordinate]) <= kLargestDrift)) return true;
+  }
+  return false;
+}
+
+/// Puts positions back on the closed loops; they are states of the importer's, who is told.
+template <class Model>
+Answer settle(Core<Model>& core, bool& has_changed) noexcept {
+  if (!solve(core)) return Answer::discard;
+  has_changed = has_drifted(core);
+  if (has_changed) {
+    for (int i = 0; i < Model::kCoordinates; ++i) core.run.state.z[i] = core.solved.z[i];
+  }
+  return Answer::ok;
+}
+
+/// Takes over a saved run. Answer: error for one of the other interface.
+template <class Model>
+Answer restore(const Run<Model>& saved, Core<Model>& core) noexcept {
+  if (saved.interface != core.run.interface) return Answer::error;
+  core.run = saved;
+  core.is_solved = false;
+  return Answer::ok;
+}
+
+/// Bytes of a saved run: the model's token, then the run.
+template <class Model>
+constexpr unsigned long kSerialisedSize = sizeof(Model::kToken) + sizeof(Run<Model>);
+
+template <class Model, class Byte>
+Answer serialise(const Run<Model>& saved, Byte* bytes, unsigned long size) noexcept {
+  static_assert(sizeof(Byte) == 1);
+  if (bytes == nullptr || size < kSerialisedSize<Model>) return Answer::error;
+  for (const char c : Model::kToken) *bytes++ = static_cast<Byte>(c);
+  const auto* source = reinterpret_cast<const unsigned char*>(&saved);
+  for (unsigned long i = 0; i < sizeof(saved); ++i) bytes[i] = static_cast<Byte>(source[i]);
+  return Answer::ok;
+}
+
+/// Answer: error for bytes that are no run of this model.
+template <class Model, class Byte>
+Answer deserialise(const Byte* bytes, unsigned long size, Run<Model>& saved) noexcept {
+  if (bytes == nullptr || size != kSerialisedSize<Model>) return Answer::error;
+  for (const char c : Model::kToken) {
+    if (*bytes++ != static_cast<Byte>(c)) return Answer::error;
+  }
+  auto* target = reinterpret_cast<unsigned char*>(&saved);
+  for (unsigned long i = 0; i < sizeof(saved); ++i) target[i] = static_cast<unsigned char>(bytes[i]);
+  return Answer::ok;
+}
+
+}  // namespace mbgen::fmu

@@ -1,0 +1,60 @@
+#!/bin/sh
+# FMUs of several models: valid, reproducible, alone but for libm, and run by our own importer: tests/fmi/check.sh MBGEN [MODEL..]
+set -eu
+here=$(cd "$(dirname "$0")" && pwd)
+root=$here/../..
+mbgen=$(realpath "$1")
+shift
+[ $# -gt 0 ] || set -- four_bar slider_crank coach_rig
+scratch=$(mktemp -d)
+trap 'rm -rf "$scratch"' EXIT
+fail() { echo "fmi: $*"; exit 1; }
+warnings="-Wall -Wextra -Wpedantic -Wshadow -Werror"
+# shellcheck disable=SC2086  # several words
+c++ -std=c++17 -O1 $warnings -I "$root/templates" "$here/importer.cpp" -o "$scratch/importer" -ldl
+libm=$(cc -print-file-name=libm.so.6)
+nm -D --defined-only "$libm" | awk '{ sub(/@.*/, "", $3); print $3 }' | sort -u >"$scratch/libm"
+
+# All functions of the standard, nothing else, and nothing that libm does not have.
+check_symbols() {  # VERSION LIBRARY
+  sed -n "s/^FMI$1_Export .* \(fmi$1[A-Za-z0-9]*\);/\1/p" "$root/templates/fmi$1Functions.h" | sort >"$scratch/standard"
+  nm -D --defined-only "$2" | awk '{ print $NF }' | sort >"$scratch/exported"
+  cmp "$scratch/standard" "$scratch/exported" || fail "$2 exports other functions than FMI $1 has"
+  nm -D --undefined-only "$2" | awk '{ sub(/@.*/, "", $NF); print $NF }' | sort >"$scratch/imported"
+  [ -z "$(comm -23 "$scratch/imported" "$scratch/libm")" ] || fail "$2 imports $(comm -23 "$scratch/imported" "$scratch/libm")"
+}
+
+cases=0
+for model in "$@"; do
+  "$mbgen" simulate "$root/models/$model.json" --duration "$([ "$model" = slider_crank ] && echo 0.03 || echo 0.3)" \
+    --every 1 --out "$scratch/$model.csv" >/dev/null
+  for version in 2 3; do
+    fmu=$scratch/${model}_$version
+    mkdir "$fmu"
+    "$mbgen" export "$root/models/$model.json" --fmi $version -o "$fmu.fmu" >/dev/null
+    (cd "$fmu" && cmake -E tar xf "$fmu.fmu")
+    schema=$root/tests/data/fmi/fmi$version-schema/fmi${version}
+    xmllint --noout --schema "${schema}ModelDescription.xsd" "$fmu/modelDescription.xml" 2>"$scratch/log" || fail "$(cat "$scratch/log")"
+    [ $version -eq 2 ] || xmllint --noout --schema "${schema}BuildDescription.xsd" "$fmu/sources/buildDescription.xml" 2>"$scratch/log" || fail "$(cat "$scratch/log")"
+    library=$(find "$fmu/binaries" -name '*.so')
+    check_symbols $version "$library"
+    [ -z "$(find "$fmu" -name 'fmi*Functions.h')" ] || fail "the standard's headers are in sources/"
+    echo "$model, FMI $version"
+    "$scratch/importer" $version "$library" "$fmu/modelDescription.xml" "$scratch/$model.csv"
+    cases=$((cases + 1))
+  done
+done
+
+# The same bytes again, and a library from the sources alone, as an importer with its own headers makes it.
+model=$1
+sleep 1
+"$mbgen" export "$root/models/$model.json" --fmi 3 -o "$scratch/again.fmu" >/dev/null
+cmp "$scratch/again.fmu" "$scratch/${model}_3.fmu" || fail "another export has other bytes"
+for version in 2 3; do
+  fmu=$scratch/${model}_$version
+  # shellcheck disable=SC2046,SC2086  # file names without blanks
+  c++ -std=c++17 $warnings -fPIC -shared -O1 -I "$fmu/sources" -I "$root/templates" "$fmu"/sources/*.cpp -lm -o "$scratch/source.so"
+  nm -D --defined-only "$scratch/source.so" | grep -q " fmi${version}DoStep$" || fail "the sources of FMI $version export no functions"
+  cases=$((cases + 1))
+done
+echo "fmi: $cases FMUs passed"

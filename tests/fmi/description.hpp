@@ -1,0 +1,88 @@
+#pragma once
+// What the importer reads of a model description: names, references and dependencies. It is written by mbgen, element by
+// element on lines of their own, and checked against the schemas by xmllint: no XML parser is needed here.
+
+#include <cstdlib>
+#include <fstream>
+#include <map>
+#include <regex>
+#include <set>
+#include <sstream>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+struct Variable {
+  std::string name, causality, initial;
+  unsigned reference = 0;
+};
+
+struct Unknown {
+  unsigned reference = 0;
+  std::set<unsigned> dependencies;
+};
+
+struct Description {
+  std::string token, identifier;
+  double step = 0;
+  std::vector<Variable> variables;  ///< by reference
+  std::vector<Unknown> outputs, derivatives;
+  std::map<unsigned, unsigned> state_of;  ///< by reference of the derivative
+
+  unsigned reference(const std::string& name) const {
+    for (const Variable& variable : variables)
+      if (variable.name == name) return variable.reference;
+    throw std::runtime_error("no variable " + name);
+  }
+  std::vector<unsigned> states() const {
+    std::vector<unsigned> result;
+    for (const Unknown& derivative : derivatives) result.push_back(state_of.at(derivative.reference));
+    return result;
+  }
+};
+
+inline std::string attribute(const std::string& line, const std::string& name) {
+  std::smatch match;
+  return std::regex_search(line, match, std::regex(" " + name + "=\"([^\"]*)\"")) ? match[1].str() : "";
+}
+
+inline Unknown unknown_of(const std::string& line, unsigned offset) {
+  Unknown unknown;
+  const std::string place = attribute(line, offset == 1 ? "index" : "valueReference");
+  unknown.reference = static_cast<unsigned>(std::stoul(place)) - offset;
+  std::istringstream list(attribute(line, "dependencies"));
+  for (unsigned known = 0; list >> known;) unknown.dependencies.insert(known - offset);
+  return unknown;
+}
+
+inline Description read_description(const std::string& path) {
+  Description description;
+  std::ifstream file(path);
+  std::string section;
+  unsigned offset = 0, last = 0;
+  for (std::string line; std::getline(file, line);) {
+    const std::string token = attribute(line, "guid") + attribute(line, "instantiationToken");
+    if (!token.empty()) description.token = token;
+    if (!attribute(line, "guid").empty()) offset = 1;
+    if (!attribute(line, "modelIdentifier").empty()) description.identifier = attribute(line, "modelIdentifier");
+    if (!attribute(line, "stepSize").empty()) description.step = std::strtod(attribute(line, "stepSize").c_str(), nullptr);
+    if (line.find("<Outputs>") != std::string::npos) section = "Output";
+    if (line.find("<Derivatives>") != std::string::npos) section = "Derivative";
+    if (line.find("<InitialUnknowns>") != std::string::npos) section = "";
+    if (line.find(" causality=") != std::string::npos) {
+      last = static_cast<unsigned>(std::stoul(attribute(line, "valueReference")));
+      description.variables.push_back({attribute(line, "name"), attribute(line, "causality"), attribute(line, "initial"), last});
+    }
+    if (!attribute(line, "derivative").empty()) {
+      description.state_of[last] = static_cast<unsigned>(std::stoul(attribute(line, "derivative"))) - offset;
+    }
+    const bool is_output = line.find("<Output ") != std::string::npos;
+    const bool is_derivative = line.find("<ContinuousStateDerivative ") != std::string::npos;
+    const bool is_unknown = line.find("<Unknown ") != std::string::npos;
+    if (is_output || (is_unknown && section == "Output")) description.outputs.push_back(unknown_of(line, offset));
+    if (is_derivative || (is_unknown && section == "Derivative"))
+      description.derivatives.push_back(unknown_of(line, offset));
+  }
+  if (description.token.empty() || description.variables.empty()) throw std::runtime_error("no description in " + path);
+  return description;
+}

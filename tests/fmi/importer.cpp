@@ -1,0 +1,323 @@
+// A small importer: loads an FMU and drives it through its whole life, both interfaces, with rollback and wrong calls.
+// Co-simulation must give the bits of `mbgen simulate`, model exchange its accuracy.
+//   importer 2|3 LIBRARY modelDescription.xml TABLE.csv
+
+#include <cmath>
+#include <cstdio>
+#include <cstring>
+#include <limits>
+
+#include "fmi2_unit.hpp"
+#include "fmi3_unit.hpp"
+
+namespace {
+
+constexpr int kOk = 0, kDiscard = 2, kError = 3;
+
+using Row = std::vector<double>;
+
+/// The table of `mbgen simulate`: names of its columns but time and residual, and their rows.
+struct Table {
+  std::vector<std::string> names;
+  std::vector<Row> rows;
+};
+
+Table read_table(const std::string& path) {
+  std::ifstream file(path);
+  std::string line, field;
+  Table table;
+  std::getline(file, line);
+  for (std::istringstream fields(line); std::getline(fields, field, ',');)
+    table.names.push_back(field.substr(0, field.find(' ')));
+  while (std::getline(file, line)) {
+    Row row;
+    for (std::istringstream fields(line); std::getline(fields, field, ',');)
+      row.push_back(std::strtod(field.c_str(), nullptr));
+    row.pop_back();
+    row.erase(row.begin());
+    table.rows.push_back(row);
+  }
+  table.names.pop_back();
+  table.names.erase(table.names.begin());
+  require(table.rows.size() > 10, "rows of " + path);
+  return table;
+}
+
+struct Case {
+  const Library& library;
+  const Description& description;
+  const Table& table;
+  std::vector<unsigned> columns;  ///< references of the table's columns
+};
+
+bool same_bits(const Row& a, const Row& b) {
+  return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(double)) == 0;
+}
+
+template <class Unit>
+Row values(Unit& unit, const std::vector<unsigned>& references) {
+  Row result;
+  require(unit.get(references, result) == kOk, "get");
+  return result;
+}
+
+template <class Unit>
+void start(Unit& unit) {
+  require(unit.setup(0, 0) == kOk, "setup");
+  require(unit.leave() == kOk, "end of the initialisation");
+}
+
+/// Every row of the table by steps of `stride` rows; memory from the importer or not.
+template <class Unit>
+void co_simulate(const Case& c, std::size_t stride, bool gives_memory) {
+  Unit unit(c.library, c.description, false, gives_memory);
+  start(unit);
+  const double h = c.description.step;
+  for (std::size_t i = 0;; i += stride) {
+    require(same_bits(values(unit, c.columns), c.table.rows[i]), "bits of row " + std::to_string(i));
+    if (i + stride >= c.table.rows.size()) break;
+    require(unit.step(static_cast<double>(i) * h, static_cast<double>(stride) * h) == kOk, "step");
+  }
+  require(unit.terminate() == kOk && values(unit, c.columns).size() == c.columns.size(), "values after the end");
+  require(unit.reset() == kOk, "reset");
+  start(unit);
+  require(same_bits(values(unit, c.columns), c.table.rows[0]), "bits after a reset");
+}
+
+/// Rows from now on.
+template <class Unit>
+std::vector<Row> run_on(const Case& c, Unit& unit, int first, int count) {
+  std::vector<Row> rows;
+  for (int i = first; i < first + count; ++i) {
+    require(unit.step(i * c.description.step, c.description.step) == kOk, "step");
+    rows.push_back(values(unit, c.columns));
+  }
+  return rows;
+}
+
+template <class Unit>
+void roll_back(const Case& c) {
+  Unit unit(c.library, c.description, false), other(c.library, c.description, false);
+  start(unit);
+  run_on(c, unit, 0, 3);
+  void* state = nullptr;
+  std::vector<char> bytes;
+  require(unit.save(state) == kOk && unit.serialise(state, bytes) == kOk, "save");
+  const std::vector<Row> first = run_on(c, unit, 3, 5);
+  require(unit.restore(state) == kOk, "restore");
+  const std::vector<Row> second = run_on(c, unit, 3, 5);
+  void* copy = nullptr;
+  require(other.deserialise(bytes, copy) == kOk && other.restore(copy) == kOk, "restore from bytes");
+  const std::vector<Row> third = run_on(c, other, 3, 5);
+  for (std::size_t i = 0; i < first.size(); ++i)
+    require(same_bits(first[i], second[i]) && same_bits(first[i], third[i]), "bits after a rollback");
+  bytes[0] ^= 1;
+  void* broken = nullptr;
+  require(other.deserialise(bytes, broken) == kError && broken == nullptr, "foreign bytes are refused");
+  require(unit.forget(state) == kOk && state == nullptr && other.forget(copy) == kOk, "forget");
+}
+
+/// The classical Runge-Kutta method of an importer, with the same step as the solver's.
+template <class Unit>
+void integrate(const Case& c, Unit& unit, double t, double h, Row& x) {
+  const auto rates = [&](double time, const Row& at) {
+    Row result(x.size());
+    require(unit.set_time(time) == kOk && unit.set_states(at) == kOk && unit.derivatives(result) == kOk, "derivatives");
+    return result;
+  };
+  const auto moved = [&](const Row& by, double weight) {
+    Row at = x;
+    for (std::size_t i = 0; i < at.size(); ++i) at[i] += weight * by[i];
+    return at;
+  };
+  const Row a = rates(t, x), b = rates(t + h / 2, moved(a, h / 2)), d = rates(t + h / 2, moved(b, h / 2)),
+            e = rates(t + h, moved(d, h));
+  for (std::size_t i = 0; i < x.size(); ++i) x[i] += h / 6 * (a[i] + 2 * b[i] + 2 * d[i] + e[i]);
+  require(unit.set_time(t + h) == kOk && unit.set_states(x) == kOk, "states");
+  bool event = false, has_changed = false;
+  require(unit.completed(event) == kOk, "completed step");
+  if (!event) return;
+  require(unit.enter_event() == kOk && unit.update(has_changed) == kOk && has_changed, "drift is taken back");
+  require(unit.enter_continuous() == kOk && unit.states(x) == kOk, "states after an event");
+  static_cast<void>(c);
+}
+
+template <class Unit>
+void exchange(const Case& c) {
+  Unit unit(c.library, c.description, true);
+  start(unit);
+  bool has_changed = true;
+  require(unit.update(has_changed) == kOk && !has_changed && unit.enter_continuous() == kOk, "continuous time");
+  Row x(c.description.derivatives.size());
+  require(unit.states(x) == kOk, "states");
+  require(same_bits(x, values(unit, c.description.states())), "states are the variables that the derivatives name");
+  Row rates(x.size());
+  std::vector<unsigned> references;
+  for (const Unknown& unknown : c.description.derivatives) references.push_back(unknown.reference);
+  require(unit.derivatives(rates) == kOk && same_bits(rates, values(unit, references)), "derivatives are variables");
+  void* state = nullptr;
+  const std::size_t steps = std::min<std::size_t>(c.table.rows.size() - 1, 200);
+  const double h = c.description.step;
+  Row kept;
+  for (std::size_t i = 0; i < steps; ++i) {
+    if (i == steps / 2) {
+      require(unit.save(state) == kOk, "save");
+      kept = x;
+    }
+    integrate(c, unit, static_cast<double>(i) * h, h, x);
+  }
+  const Row end = values(unit, c.columns), last = x;
+  for (std::size_t k = 0; k < end.size(); ++k) {
+    double scale = 1e-3;
+    for (const Row& row : c.table.rows) scale = std::max(scale, std::abs(row[k]));
+    require(std::abs(end[k] - c.table.rows[steps][k]) < 1e-5 * scale, "accuracy of " + c.table.names[k]);
+  }
+  require(unit.restore(state) == kOk && unit.states(x) == kOk && same_bits(x, kept), "states after a rollback");
+  for (std::size_t i = steps / 2; i < steps; ++i) integrate(c, unit, static_cast<double>(i) * h, h, x);
+  require(same_bits(x, last) && same_bits(end, values(unit, c.columns)), "bits after a rollback");
+  require(unit.forget(state) == kOk && unit.terminate() == kOk, "end");
+}
+
+/// Directional derivatives against central differences of the FMU itself; what is no dependency must not matter.
+template <class Unit>
+void differentiate(const Case& c) {
+  Unit unit(c.library, c.description, true);
+  start(unit);
+  require(unit.enter_continuous() == kOk, "continuous time");
+  const std::vector<unsigned> states = c.description.states();
+  Row x(states.size());
+  require(unit.states(x) == kOk, "states");
+  // Away from the start, where much is zero.
+  for (int i = 0; i < 20; ++i) integrate(c, unit, i * c.description.step, c.description.step, x);
+  std::vector<unsigned> knowns = states, unknowns;
+  for (const Variable& variable : c.description.variables)
+    if (variable.causality == "input") knowns.push_back(variable.reference);
+  std::vector<Unknown> all = c.description.outputs;
+  all.insert(all.end(), c.description.derivatives.begin(), c.description.derivatives.end());
+  for (const Unknown& unknown : all) unknowns.push_back(unknown.reference);
+  const Row here = values(unit, unknowns);
+  int zeros = 0, others = 0;
+  for (std::size_t k = 0; k < knowns.size(); ++k) {
+    Row rates, at[2];
+    require(unit.directional(unknowns, {knowns[k]}, {1.0}, rates) == kOk, "directional derivative");
+    const double value = values(unit, {knowns[k]})[0], delta = 1e-6 * std::max(1.0, std::abs(value));
+    for (int side = 0; side < 2; ++side) {
+      const double moved = value + (side == 0 ? -delta : delta);
+      if (k < states.size()) {
+        Row y = x;
+        y[k] = moved;
+        require(unit.set_states(y) == kOk, "states");
+      } else {
+        require(unit.set({knowns[k]}, {moved}) == kOk, "input");
+      }
+      at[side] = values(unit, unknowns);
+    }
+    require(k < states.size() ? unit.set_states(x) == kOk : unit.set({knowns[k]}, {value}) == kOk, "back");
+    for (std::size_t u = 0; u < all.size(); ++u) {
+      const double difference = (at[1][u] - at[0][u]) / (2 * delta);
+      const std::string what = c.description.variables[unknowns[u]].name + " by " + c.description.variables[knowns[k]].name;
+      if (all[u].dependencies.count(knowns[k]) == 0) {
+        ++zeros;
+        // The closures are solved to 1e-12 from another guess: that is all that may differ.
+        require(rates[u] == 0 && std::abs(at[1][u] - at[0][u]) <= 1e-8 * (1 + std::abs(here[u])), "no dependency: " + what);
+      } else {
+        ++others;
+        const double rounding = 1e-13 * (1 + std::abs(here[u])) / delta;
+        require(std::abs(rates[u] - difference) <= 2e-4 * (std::abs(rates[u]) + std::abs(difference)) + 1e3 * rounding,
+                what + ": " + std::to_string(rates[u]) + ", by differences " + std::to_string(difference));
+      }
+    }
+  }
+  std::printf("  %d derivatives equal differences, %d are zero as the dependencies say\n", others, zeros);
+}
+
+/// Calls out of order, with wrong arguments or of the other interface: each is refused and changes nothing.
+template <class Unit>
+void call_wrongly(const Case& c) {
+  Unit unit(c.library, c.description, false);
+  Row one(1), x(c.description.derivatives.size());
+  const double h = c.description.step, nan = std::numeric_limits<double>::quiet_NaN();
+  const unsigned output = c.description.outputs[0].reference;
+  require(unit.get({output}, one) == kError, "get before the initialisation");
+  require(unit.step(0, h) == kError, "step before the initialisation");
+  require(unit.leave() == kError && unit.terminate() == kError, "end of what has not begun");
+  require(unit.setup(nan, 0) == kError, "start at NaN");
+  require(unit.setup(0, 5 * h) == kOk, "setup");
+  require(unit.setup(0, 5 * h) == kError, "setup twice");
+  require(unit.leave() == kOk, "end of the initialisation");
+  require(unit.set({output}, {1.0}) == kError, "set an output");
+  require(unit.get({100000}, one) == kError, "unknown reference");
+  require(unit.step(0, -h) == kError && unit.step(0, 0) == kError && unit.step(0, nan) == kError, "step sizes");
+  require(unit.step(3 * h, h) == kError, "another communication point");
+  require(unit.step(0, 6 * h) == kError, "beyond the stop time");
+  require(unit.set_time(1) == kError && unit.set_states(x) == kError && unit.derivatives(x) == kError &&
+              unit.enter_event() == kError && unit.enter_continuous() == kError,
+          "functions of the other interface");
+  require(unit.restore(nullptr) == kError, "no state");
+  unit.refusals();
+  require(unit.instantiate_with("another") == nullptr, "another token");
+  for (const Variable& variable : c.description.variables) {
+    if (variable.causality == "input" || variable.causality == "parameter")
+      require(unit.set({variable.reference}, {nan}) == kError, "NaN");
+  }
+  require(same_bits(values(unit, c.columns), c.table.rows[0]), "wrong calls have changed nothing");
+  require(unit.step(0, h) == kOk && same_bits(values(unit, c.columns), c.table.rows[1]), "and the run goes on");
+
+  Unit other(c.library, c.description, true);
+  require(other.setup(0, 0) == kOk && other.set_states(x) == kError, "states during the initialisation");
+  require(other.leave() == kOk && other.step(0, h) == kError && other.set_states(x) == kError, "states in event mode");
+  require(other.enter_continuous() == kOk && other.enter_continuous() == kError, "continuous time twice");
+  x.assign(x.size() + 1, 0);
+  require(other.derivatives(x) == kError && other.states(x) != kOk, "number of states");
+}
+
+/// Tunable parameters and inputs matter, and a parameter set between steps acts from then on.
+template <class Unit>
+void tune(const Case& c) {
+  Unit unit(c.library, c.description, false);
+  start(unit);
+  run_on(c, unit, 0, 2);
+  int tuned = 0;
+  for (const Variable& variable : c.description.variables) {
+    if (variable.causality != "parameter") continue;
+    void* state = nullptr;
+    require(unit.save(state) == kOk, "save");
+    const double value = values(unit, {variable.reference})[0];
+    require(unit.set({variable.reference}, {1.1 * value}) == kOk, "set " + variable.name);
+    require(!same_bits(run_on(c, unit, 2, 1)[0], c.table.rows[3]), variable.name + " matters");
+    require(unit.restore(state) == kOk && values(unit, {variable.reference})[0] == value, "parameter after a rollback");
+    require(same_bits(run_on(c, unit, 2, 1)[0], c.table.rows[3]), "bits after a rollback");
+    require(unit.restore(state) == kOk && unit.forget(state) == kOk, "forget");
+    ++tuned;
+  }
+  std::printf("  %d tunable parameters\n", tuned);
+}
+
+template <class Unit>
+void drive(const Case& c) {
+  co_simulate<Unit>(c, 1, true);
+  co_simulate<Unit>(c, 3, false);
+  roll_back<Unit>(c);
+  exchange<Unit>(c);
+  differentiate<Unit>(c);
+  call_wrongly<Unit>(c);
+  tune<Unit>(c);
+}
+
+}  // namespace
+
+int main(int count, char** arguments) {
+  if (count != 5) return 2;
+  try {
+    const Library library(arguments[2]);
+    const Description description = read_description(arguments[3]);
+    const Table table = read_table(arguments[4]);
+    Case c{library, description, table, {}};
+    for (const std::string& name : table.names) c.columns.push_back(description.reference(name));
+    std::string(arguments[1]) == "2" ? drive<Unit2>(c) : drive<Unit3>(c);
+  } catch (const std::exception& error) {
+    std::printf("importer: %s: %s\n", arguments[2], error.what());
+    return 1;
+  }
+  std::printf("  FMI %s: %d checks passed\n", arguments[1], checks);
+}
