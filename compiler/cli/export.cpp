@@ -51,16 +51,18 @@ void write_sources(const fs::path& directory, const std::vector<EmittedFile>& fi
 
 /// Compiles the sources into a library that exports the functions of FMI and imports none but libm's.
 void compile_library(const fs::path& scratch, const fs::path& content, const FmuFiles& files, const fs::path& library) {
+  const fs::path exported = scratch / "bare" / "exported";
   HostCompiler compiler = find_compiler(scratch, kProcessor, 0);
   compiler.flags.insert(compiler.flags.end(), {"-fPIC", "-fvisibility=hidden", "-fno-stack-protector"});
   write_sources(scratch / "include", files.headers);
-  write_sources(scratch / "bare", {files.bare});
+  write_sources(scratch / "bare", {files.bare, {exported.filename(), "{ global: fmi[23]*; local: *; };\n"}});
   std::vector<fs::path> sources = {scratch / "bare" / files.bare.path};
   for (const std::string& source : files.sources) sources.push_back(content / "sources" / source);
   std::vector<Command> compilations;
   Command link{compiler.words, scratch / "link.log"};
-  link.arguments.insert(link.arguments.end(), {"-shared", "-nostartfiles", "-nodefaultlibs", "-Wl,--no-undefined",
-                                               "-Wl,--build-id=none", "-s", "-o", library.string()});
+  link.arguments.insert(link.arguments.end(),
+                        {"-shared", "-nostartfiles", "-nodefaultlibs", "-Wl,--no-undefined", "-Wl,--build-id=none",
+                         "-Wl,--version-script=" + exported.string(), "-s", "-o", library.string()});
   for (const fs::path& source : sources) {
     const std::string object = (scratch / source.filename()).string() + ".o";
     Command compilation{compilation_of(compiler, {content / "sources", scratch / "include"}), object + ".log"};

@@ -1,6 +1,6 @@
 #pragma once
-// What the importer reads of a model description: names, references and dependencies. It is written by mbgen, element by
-// element on lines of their own, and checked against the schemas by xmllint: no XML parser is needed here.
+// What the importer reads of a model description: names, references and dependencies. It is written by mbgen, element
+// by element on lines of their own, and checked against the schemas by xmllint: no XML parser is needed here.
 
 #include <cstdlib>
 #include <fstream>
@@ -65,13 +65,15 @@ inline Description read_description(const std::string& path) {
     if (!token.empty()) description.token = token;
     if (!attribute(line, "guid").empty()) offset = 1;
     if (!attribute(line, "modelIdentifier").empty()) description.identifier = attribute(line, "modelIdentifier");
-    if (!attribute(line, "stepSize").empty()) description.step = std::strtod(attribute(line, "stepSize").c_str(), nullptr);
+    if (!attribute(line, "stepSize").empty())
+      description.step = std::strtod(attribute(line, "stepSize").c_str(), nullptr);
     if (line.find("<Outputs>") != std::string::npos) section = "Output";
     if (line.find("<Derivatives>") != std::string::npos) section = "Derivative";
     if (line.find("<InitialUnknowns>") != std::string::npos) section = "";
     if (line.find(" causality=") != std::string::npos) {
       last = static_cast<unsigned>(std::stoul(attribute(line, "valueReference")));
-      description.variables.push_back({attribute(line, "name"), attribute(line, "causality"), attribute(line, "initial"), last});
+      description.variables.push_back(
+          {attribute(line, "name"), attribute(line, "causality"), attribute(line, "initial"), last});
     }
     if (!attribute(line, "derivative").empty()) {
       description.state_of[last] = static_cast<unsigned>(std::stoul(attribute(line, "derivative"))) - offset;

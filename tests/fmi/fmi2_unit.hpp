@@ -11,7 +11,8 @@
 
 inline int messages = 0;
 
-inline void log_2(fmi2ComponentEnvironment, fmi2String instance, fmi2Status, fmi2String category, fmi2String format, ...) {
+inline void log_2(fmi2ComponentEnvironment, fmi2String instance, fmi2Status, fmi2String category, fmi2String format,
+                  ...) {
   char text[300];
   va_list arguments;
   va_start(arguments, format);
@@ -25,10 +26,10 @@ class Unit2 {
  public:
   static constexpr int kVersion = 2;
   Unit2(const Library& library, const Description& description, bool is_exchange, bool gives_memory = true)
-      : library_(library), callbacks_{log_2, gives_memory ? std::calloc : nullptr, gives_memory ? std::free : nullptr,
-                                      nullptr, nullptr} {
-    component_ = call<fmi2InstantiateTYPE>("fmi2Instantiate")("unit", is_exchange ? fmi2ModelExchange : fmi2CoSimulation,
-                                                              description.token.c_str(), "", &callbacks_, 0, 1);
+      : library_(library),
+        callbacks_{log_2, gives_memory ? std::calloc : nullptr, gives_memory ? std::free : nullptr, nullptr, nullptr} {
+    component_ = call<fmi2InstantiateTYPE>("fmi2Instantiate")(
+        "unit", is_exchange ? fmi2ModelExchange : fmi2CoSimulation, description.token.c_str(), "", &callbacks_, 0, 1);
     require(component_ != nullptr, "fmi2Instantiate");
   }
   ~Unit2() { call<fmi2FreeInstanceTYPE>("fmi2FreeInstance")(component_); }
@@ -36,7 +37,8 @@ class Unit2 {
   Unit2& operator=(const Unit2&) = delete;
 
   int setup(double start, double stop) {
-    const int status = call<fmi2SetupExperimentTYPE>("fmi2SetupExperiment")(component_, 0, 0, start, stop > start, stop);
+    const int status =
+        call<fmi2SetupExperimentTYPE>("fmi2SetupExperiment")(component_, 0, 0, start, stop > start, stop);
     return status != 0 ? status : call<fmi2EnterInitializationModeTYPE>("fmi2EnterInitializationMode")(component_);
   }
   int leave() { return simple("fmi2ExitInitializationMode"); }
@@ -60,7 +62,8 @@ class Unit2 {
   }
   int completed(bool& event) {
     fmi2Boolean enter = 0, end = 0;
-    const int status = call<fmi2CompletedIntegratorStepTYPE>("fmi2CompletedIntegratorStep")(component_, 1, &enter, &end);
+    const int status =
+        call<fmi2CompletedIntegratorStepTYPE>("fmi2CompletedIntegratorStep")(component_, 1, &enter, &end);
     event = enter != 0;
     return status;
   }
@@ -81,8 +84,9 @@ class Unit2 {
     size_t size = 0;
     const int status = call<fmi2SerializedFMUstateSizeTYPE>("fmi2SerializedFMUstateSize")(component_, state, &size);
     bytes.resize(size);
-    return status != 0 ? status
-                       : call<fmi2SerializeFMUstateTYPE>("fmi2SerializeFMUstate")(component_, state, bytes.data(), size);
+    return status != 0
+               ? status
+               : call<fmi2SerializeFMUstateTYPE>("fmi2SerializeFMUstate")(component_, state, bytes.data(), size);
   }
   int deserialise(const std::vector<char>& bytes, void*& state) {
     return call<fmi2DeSerializeFMUstateTYPE>("fmi2DeSerializeFMUstate")(component_, bytes.data(), bytes.size(), &state);
@@ -102,15 +106,16 @@ class Unit2 {
     fmi2Status status = fmi2OK;
     require(call<fmi2CancelStepTYPE>("fmi2CancelStep")(component_) == fmi2Error, "CancelStep");
     require(call<fmi2SetRealInputDerivativesTYPE>("fmi2SetRealInputDerivatives")(component_, &reference, 1, &whole,
-                                                                                &value) == fmi2Error,
+                                                                                 &value) == fmi2Error,
             "SetRealInputDerivatives");
     require(call<fmi2GetRealOutputDerivativesTYPE>("fmi2GetRealOutputDerivatives")(component_, &reference, 1, &whole,
-                                                                                  &value) == fmi2Error,
+                                                                                   &value) == fmi2Error,
             "GetRealOutputDerivatives");
     require(call<fmi2GetIntegerTYPE>("fmi2GetInteger")(component_, &reference, 1, &whole) == fmi2Error, "GetInteger");
     require(call<fmi2GetBooleanTYPE>("fmi2GetBoolean")(component_, &reference, 1, &whole) == fmi2Error, "GetBoolean");
     require(call<fmi2GetStringTYPE>("fmi2GetString")(component_, &reference, 1, &text) == fmi2Error, "GetString");
-    require(call<fmi2GetStatusTYPE>("fmi2GetStatus")(component_, fmi2DoStepStatus, &status) == fmi2Discard, "GetStatus");
+    require(call<fmi2GetStatusTYPE>("fmi2GetStatus")(component_, fmi2DoStepStatus, &status) == fmi2Discard,
+            "GetStatus");
     require(call<fmi2SetDebugLoggingTYPE>("fmi2SetDebugLogging")(component_, 1, 1, &(text = "noise")) == fmi2Error,
             "SetDebugLogging");
     return 8;

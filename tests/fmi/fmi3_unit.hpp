@@ -27,8 +27,8 @@ class Unit3 {
   Unit3& operator=(const Unit3&) = delete;
 
   int setup(double start, double stop) {
-    return call<fmi3EnterInitializationModeTYPE>("fmi3EnterInitializationMode")(instance_, false, 0, start, stop > start,
-                                                                                stop);
+    return call<fmi3EnterInitializationModeTYPE>("fmi3EnterInitializationMode")(instance_, false, 0, start,
+                                                                                stop > start, stop);
   }
   int leave() { return simple("fmi3ExitInitializationMode"); }
   int get(const std::vector<unsigned>& references, std::vector<double>& values) {
@@ -59,7 +59,8 @@ class Unit3 {
     return call<fmi3GetContinuousStatesTYPE>("fmi3GetContinuousStates")(instance_, x.data(), x.size());
   }
   int derivatives(std::vector<double>& x) {
-    return call<fmi3GetContinuousStateDerivativesTYPE>("fmi3GetContinuousStateDerivatives")(instance_, x.data(), x.size());
+    return call<fmi3GetContinuousStateDerivativesTYPE>("fmi3GetContinuousStateDerivatives")(instance_, x.data(),
+                                                                                            x.size());
   }
   int completed(bool& event) {
     bool end = false;
@@ -85,7 +86,8 @@ class Unit3 {
     const int status = call<fmi3SerializedFMUStateSizeTYPE>("fmi3SerializedFMUStateSize")(instance_, state, &size);
     bytes.resize(size);
     auto* place = reinterpret_cast<fmi3Byte*>(bytes.data());
-    return status != 0 ? status : call<fmi3SerializeFMUStateTYPE>("fmi3SerializeFMUState")(instance_, state, place, size);
+    return status != 0 ? status
+                       : call<fmi3SerializeFMUStateTYPE>("fmi3SerializeFMUState")(instance_, state, place, size);
   }
   int deserialise(const std::vector<char>& bytes, void*& state) {
     return call<fmi3DeserializeFMUStateTYPE>("fmi3DeserializeFMUState")(
@@ -113,13 +115,13 @@ class Unit3 {
     require(call<fmi3GetBooleanTYPE>("fmi3GetBoolean")(instance_, &reference, 1, &truth, 1) == fmi3Error, "GetBoolean");
     require(call<fmi3GetClockTYPE>("fmi3GetClock")(instance_, &reference, 1, &truth) == fmi3Error, "GetClock");
     require(call<fmi3GetAdjointDerivativeTYPE>("fmi3GetAdjointDerivative")(instance_, &reference, 1, &reference, 1,
-                                                                          &value, 1, &value, 1) == fmi3Error,
+                                                                           &value, 1, &value, 1) == fmi3Error,
             "GetAdjointDerivative");
-    require(call<fmi3GetOutputDerivativesTYPE>("fmi3GetOutputDerivatives")(instance_, &reference, 1, &whole, &value, 1) ==
-                fmi3Error,
+    require(call<fmi3GetOutputDerivativesTYPE>("fmi3GetOutputDerivatives")(instance_, &reference, 1, &whole, &value,
+                                                                           1) == fmi3Error,
             "GetOutputDerivatives");
-    require(call<fmi3GetNumberOfVariableDependenciesTYPE>("fmi3GetNumberOfVariableDependencies")(instance_, 1, &count) ==
-                fmi3Error,
+    require(call<fmi3GetNumberOfVariableDependenciesTYPE>("fmi3GetNumberOfVariableDependencies")(instance_, 1,
+                                                                                                 &count) == fmi3Error,
             "GetNumberOfVariableDependencies");
     require(call<fmi3ActivateModelPartitionTYPE>("fmi3ActivateModelPartition")(instance_, 1, 0) == fmi3Error,
             "ActivateModelPartition");

@@ -215,11 +215,13 @@ void differentiate(const Case& c) {
     require(k < states.size() ? unit.set_states(x) == kOk : unit.set({knowns[k]}, {value}) == kOk, "back");
     for (std::size_t u = 0; u < all.size(); ++u) {
       const double difference = (at[1][u] - at[0][u]) / (2 * delta);
-      const std::string what = c.description.variables[unknowns[u]].name + " by " + c.description.variables[knowns[k]].name;
+      const std::string what =
+          c.description.variables[unknowns[u]].name + " by " + c.description.variables[knowns[k]].name;
       if (all[u].dependencies.count(knowns[k]) == 0) {
         ++zeros;
         // The closures are solved to 1e-12 from another guess: that is all that may differ.
-        require(rates[u] == 0 && std::abs(at[1][u] - at[0][u]) <= 1e-8 * (1 + std::abs(here[u])), "no dependency: " + what);
+        require(rates[u] == 0 && std::abs(at[1][u] - at[0][u]) <= 1e-8 * (1 + std::abs(here[u])),
+                "no dependency: " + what);
       } else {
         ++others;
         const double rounding = 1e-13 * (1 + std::abs(here[u])) / delta;
