@@ -59,4 +59,13 @@ cmp "$scratch/again.fmu" "$fmu.fmu" || fail "another export has other bytes"
 # shellcheck disable=SC2086  # several words
 c++ -std=c++17 $warnings -fPIC -shared -O1 -I "$fmu/sources" -I "$root/templates" "$fmu"/sources/*.cpp -lm -o "$scratch/source.so"
 nm -D --defined-only "$scratch/source.so" | grep -q " fmi$2DoStep$" || fail "the sources of FMI $2 export no functions"
+
+# Without a compiler there are the sources; a version that there is not, or a directory, is the user's fault.
+refused() { "$@" >"$scratch/log" 2>&1 && fail "accepted: $*" || [ $? -eq 1 ] && [ ! -e "$scratch/no.fmu" ]; }
+CXX=/none "$mbgen" export "$root/models/pendulum.json" --fmi 3 --sources-only -o "$scratch/sources.fmu" >/dev/null
+cmake -E tar tf "$scratch/sources.fmu" | grep -q "^sources/pendulum_fmi3.cpp$" || fail "no sources"
+CXX=/none refused "$mbgen" export "$root/models/pendulum.json" --fmi 3 -o "$scratch/no.fmu"
+grep -q "sources-only" "$scratch/log" || fail "the message does not say what to do"
+refused "$mbgen" export "$root/models/pendulum.json" --fmi 4 -o "$scratch/no.fmu"
+refused "$mbgen" export "$root/models/pendulum.json" --fmi 2 -o "$scratch/none/no.fmu"
 echo "fmi: $cases FMUs passed"

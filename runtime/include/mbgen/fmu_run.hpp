@@ -38,25 +38,33 @@ inline Division divided(double interval, double step) noexcept {
   return {count, interval / count};
 }
 
+/// One step of the integrator, and inputs at its end. Result: whether it went well; else the run is as before.
+template <class Model>
+bool take_step(Core<Model>& core, double size) noexcept {
+  Run<Model>& run = core.run;
+  core.status = Model::step(run.parameters, run.inputs, run.state, run.history, size);
+  if (!core.status.ok()) return false;
+  run.inputs = Model::advanced(run.inputs, size);
+  core.is_solved = false;
+  return true;
+}
+
 /// Steps from a communication point to the next. Answer: error for a point or size that cannot be; discard where the
 /// solver fails, the run is then as before.
 template <class Model>
 Answer do_step(Core<Model>& core, double point, double size) noexcept {
-  Run<Model>& run = core.run;
   if (!std::isfinite(point) || !std::isfinite(size) || !(size > 0)) return Answer::error;
-  if (!(std::abs(point - run.state.t) <= 0.5 * Model::kStep)) return Answer::error;
-  if (point + size > run.stop_time + 0.5 * Model::kStep) return Answer::error;
+  if (!(std::abs(point - core.run.state.t) <= 0.5 * Model::kStep)) return Answer::error;
+  if (point + size > core.run.stop_time + 0.5 * Model::kStep) return Answer::error;
   const Division division = divided(size, Model::kStep);
-  const Run<Model> before = run;
+  if (division.count == 1) return take_step(core, division.size) ? Answer::ok : Answer::discard;
+  const Run<Model> before = core.run;
   for (double i = 0; i < division.count; ++i) {
-    core.status = Model::step(run.parameters, run.inputs, run.state, run.history, division.size);
-    if (!core.status.ok()) {
-      run = before;
-      return Answer::discard;
-    }
-    run.inputs = Model::advanced(run.inputs, division.size);
+    if (take_step(core, division.size)) continue;
+    core.run = before;
+    core.is_solved = false;
+    return Answer::discard;
   }
-  core.is_solved = false;
   return Answer::ok;
 }
 
