@@ -15,6 +15,7 @@
 #include "compiler/cli/json_text.hpp"
 #include "compiler/cli/options.hpp"
 #include "compiler/cli/user_error.hpp"
+#include "compiler/cli/zip_archive.hpp"
 #include "compiler/compile.hpp"
 
 namespace mbgen::cli {
@@ -40,13 +41,15 @@ struct Options {
 /// Where every entry of the archive says that it was last changed.
 constexpr const char* kTimeOfEntries = "--mtime=2000-01-01 00:00:00 UTC";
 
+/// Permissions of entries, whatever the user's mask is.
+constexpr fs::perms kReadable =
+    fs::perms::owner_read | fs::perms::owner_write | fs::perms::group_read | fs::perms::others_read;
+
 void write_sources(const fs::path& directory, const std::vector<EmittedFile>& files) {
   std::vector<NamedText> texts;
   for (const EmittedFile& file : files) texts.push_back({file.path, file.text});
   write_files(directory, texts);
-  for (const EmittedFile& file : files)
-    fs::permissions(directory / file.path,
-                    fs::perms::owner_read | fs::perms::owner_write | fs::perms::group_read | fs::perms::others_read);
+  for (const EmittedFile& file : files) fs::permissions(directory / file.path, kReadable);
 }
 
 /// Compiles the sources into a library that exports the functions of FMI and imports none but libm's.
@@ -67,12 +70,14 @@ void compile_library(const fs::path& scratch, const fs::path& content, const Fmu
     const std::string object = (scratch / source.filename()).string() + ".o";
     Command compilation{compilation_of(compiler, {content / "sources", scratch / "include"}), object + ".log"};
     compilation.arguments.insert(compilation.arguments.end(), {"-c", source.string(), "-o", object});
+    if (source.filename() == files.large) compilation.arguments.push_back("-O1");
     compilations.push_back(std::move(compilation));
     link.arguments.push_back(object);
   }
   link.arguments.insert(link.arguments.end(), {"-Wl,--as-needed", "-lm", "-lgcc"});
   run_all(compilations);
   run_all({link});
+  fs::permissions(library, kReadable | fs::perms::owner_exec | fs::perms::group_exec | fs::perms::others_exec);
 }
 
 /// A zip archive of these entries: the same bytes for the same files, whenever it is made.
@@ -110,7 +115,7 @@ int run(const Options& options) {
     entries.push_back(binary.string());
   }
   pack(scratch.path(), content, entries, scratch.path() / "packed.zip");
-  file.write(read_text(scratch.path() / "packed.zip"));
+  file.write(without_circumstances(read_text(scratch.path() / "packed.zip")));
   file.close();
   file.commit();
   if (options.json) {

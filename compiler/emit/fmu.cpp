@@ -110,6 +110,7 @@ FmuFiles emit_fmu(const Programs& programs, const Programs& emitted, const Model
   FmuFiles files;
   files.identifier = solver;
   files.sources = {solver + ".cpp", solver + "_directional.cpp", solver + functions};
+  files.large = solver + "_directional.cpp";
   add_runtime_headers(sources);
   if (version == FmiVersion::three)
     sources.push_back({"buildDescription.xml", build_description(context, files.sources)});

@@ -15,6 +15,7 @@ struct FmuFiles {
   std::vector<EmittedFile> packed;   ///< modelDescription.xml and everything under sources/
   std::vector<EmittedFile> headers;  ///< the standard's, for compiling here; importers have their own
   std::vector<std::string> sources;  ///< files of sources/ that are compiled
+  std::string large;                 ///< the one of them that is large, and called too seldom to be made fast
   EmittedFile bare;                  ///< source of what compilers call for copies, for a library that imports only libm
 };
 

@@ -12,7 +12,7 @@
 
 namespace {
 
-constexpr int kOk = 0, kDiscard = 2, kError = 3;
+constexpr int kOk = 0, kError = 3;
 
 using Row = std::vector<double>;
 
@@ -241,6 +241,7 @@ void call_wrongly(const Case& c) {
   const double h = c.description.step, nan = std::numeric_limits<double>::quiet_NaN();
   const unsigned output = c.description.outputs[0].reference;
   require(unit.get({output}, one) == kError, "get before the initialisation");
+  require(unit.get(c.description.states(), x) == (Unit::kVersion == 2 ? kError : kOk), "start values");
   require(unit.step(0, h) == kError, "step before the initialisation");
   require(unit.leave() == kError && unit.terminate() == kError, "end of what has not begun");
   require(unit.setup(nan, 0) == kError, "start at NaN");

@@ -172,13 +172,16 @@ double value_at(const Core<Model>& core, Place place) noexcept {
   }
 }
 
-/// Values of any variables. Answer: error for an unknown reference, discard where the model has no solution.
+/// Values of any variables. Answer: error for an unknown reference, and before the initialisation for what has no start
+/// value; discard where the model has no solution.
 template <class Model>
 Answer get_values(Core<Model>& core, const unsigned* references, unsigned long count, double* values) noexcept {
   for (unsigned long i = 0; i < count; ++i) {
     const Place place = place_of<Model>(references[i]);
     if (place.group == Group::none) return Answer::error;
-    if (asks_for_solution(core.run, place) && !solve(core)) return Answer::discard;
+    if (!asks_for_solution(core.run, place)) continue;
+    if (core.run.mode == kInstantiated) return Answer::error;
+    if (!solve(core)) return Answer::discard;
   }
   for (unsigned long i = 0; i < count; ++i) values[i] = value_at(core, place_of<Model>(references[i]));
   return Answer::ok;
