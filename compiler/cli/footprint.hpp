@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "compiler/cli/host_compiler.hpp"
+#include "compiler/emit/emit.hpp"
 
 namespace mbgen::cli {
 
