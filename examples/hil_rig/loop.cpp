@@ -47,7 +47,10 @@ struct Cycle {
   // One cycle at `now`, ns since the loop began. Result: whether it is the last.
   bool run(std::int64_t now) noexcept {
     take_packets(now);
-    if (shared.parameters.take(plant.parameters)) say(Event::Kind::parameters, 0);
+    if (coach_rig::Parameters taken; shared.parameters.take(taken)) {
+      plant.parameters = taken;
+      say(Event::Kind::parameters, 0);
+    }
     const Phase before = phase;
     phase = phase_of(tally.link, settings.policy, now);
     if (phase != before) say(Event::Kind::phase, static_cast<long>(phase));

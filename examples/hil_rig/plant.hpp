@@ -14,7 +14,7 @@ constexpr double kStep = 1e-3;  ///< s, of the model and of the clock
 
 /// The coach at a time, and what it was told.
 struct Plant {
-  coach_rig::Parameters parameters;
+  coach_rig::Tuned parameters;
   coach_rig::Inputs inputs;
   coach_rig::State state{};
   coach_rig::Outputs outputs{};
