@@ -17,7 +17,7 @@
 namespace mbgen::cli {
 namespace {
 
-struct Options {
+struct BenchOptions {
   std::string model, form, states;
   long long evaluations = kPaperEvaluations;
   EngineArguments engine;
@@ -58,7 +58,7 @@ const Engine& reference_engine(const std::vector<Engine>& engines) {
   return engines.front();
 }
 
-int run(const Options& options) {
+int run(const BenchOptions& options) {
   if (options.evaluations < 1) {
     throw UserError(fmt::format("--evaluations: must be positive, found {}\n", options.evaluations));
   }
@@ -86,7 +86,7 @@ int run(const Options& options) {
 }  // namespace
 
 void add_bench(CLI::App& application, int& exit_code) {
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<BenchOptions>();
   CLI::App* command =
       application.add_subcommand("bench", "measure the nine steps and the time of one evaluation, per engine");
   command->footer(fmt::format(

@@ -15,7 +15,7 @@
 namespace mbgen::cli {
 namespace {
 
-struct Options {
+struct CheckOptions {
   std::string model, dump;
   bool json = false;
 };
@@ -35,7 +35,7 @@ std::string to_json(const std::string& file, const Diagnostics& problems) {
   return json_text({{"model", file}, {"ok", problems.empty()}, {"problems", list}});
 }
 
-int run(const Options& options) {
+int run(const CheckOptions& options) {
   if (!options.dump.empty()) {
     print(dump_stage(options.model, options.dump));
     return kDone;
@@ -54,7 +54,7 @@ int run(const Options& options) {
 }  // namespace
 
 void add_check(CLI::App& application, int& exit_code) {
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<CheckOptions>();
   CLI::App* command = application.add_subcommand("check", "read and verify a model, report every problem at once");
   command->footer("Example: mbgen check models/coach.json");
   add_model_argument(*command, options->model);

@@ -16,7 +16,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-struct Options {
+struct EvaluateOptions {
   std::string model, form, states;
   EngineArguments engine;
   bool project = false;
@@ -34,7 +34,7 @@ Json drive_json(const Model& model, const std::vector<double>& drive) {
 }
 
 Json evaluate_state(const Engine& engine, const Compilation& compilation, const StatesFile& file,
-                    const FileState& asked, const Options& options) {
+                    const FileState& asked, const EvaluateOptions& options) {
   LoadedState at = asked.at;
   GenericDerivative derivative;
   std::vector<double> lambda, drive;
@@ -68,7 +68,7 @@ Json evaluate_state(const Engine& engine, const Compilation& compilation, const 
   return result;
 }
 
-int run(const Options& options) {
+int run(const EvaluateOptions& options) {
   Model model = expect(read_model_file(options.model));
   if (options.reactions) add_reaction_outputs(model);
   const Compilation compilation = expect(compile(std::move(model), chosen_form(options.form)));
@@ -89,7 +89,7 @@ int run(const Options& options) {
 }  // namespace
 
 void add_evaluate(CLI::App& application, int& exit_code) {
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<EvaluateOptions>();
   CLI::App* command = application.add_subcommand("evaluate", "print the accelerations at given states, as JSON");
   command->footer(
       "Example: mbgen evaluate models/pendulum.json --states states.json\n"

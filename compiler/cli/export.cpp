@@ -32,7 +32,7 @@ constexpr const char* kProcessor = "";
 constexpr const char* kDirectory[] = {"aarch64-linux", "aarch64-linux"};
 #endif
 
-struct Options {
+struct ExportOptions {
   std::string model, form, file;
   int version = 0;
   bool sources_only = false, json = false;
@@ -92,7 +92,7 @@ void pack(const fs::path& scratch, const fs::path& content, std::vector<std::str
                               read_text(scratch / "zip.log")));
 }
 
-int run(const Options& options) {
+int run(const ExportOptions& options) {
   const Compilation compilation = expect(compile(options.model, chosen_form(options.form)));
   require_other_file(options.file, compilation.model.files);
   std::vector<double> inputs;
@@ -129,7 +129,7 @@ int run(const Options& options) {
 }  // namespace
 
 void add_export(CLI::App& application, int& exit_code) {
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<ExportOptions>();
   CLI::App* command = application.add_subcommand("export", "write a Functional Mock-up Unit of a model");
   command->footer(
       "Example: mbgen export models/coach_rig.json --fmi 3 -o coach_rig.fmu\n"

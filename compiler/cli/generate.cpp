@@ -22,7 +22,7 @@
 namespace mbgen::cli {
 namespace {
 
-struct Options {
+struct GenerateOptions {
   std::string model, form, directory, name, depfile, dump;
   EmitOptions emit;
   bool c_interface = false, measure = false, json = false;
@@ -38,7 +38,7 @@ InitialState start_of(const Compilation& compilation) {
 }
 
 /// The model, under the name that was asked for.
-Model read_named(const Options& options) {
+Model read_named(const GenerateOptions& options) {
   Model model = expect(read_model_file(options.model));
   if (options.name.empty()) return model;
   model.name = options.name;
@@ -50,7 +50,7 @@ Model read_named(const Options& options) {
 }
 
 /// Fails: UserError for a budget that is none.
-void check_budget(const Options& options) {
+void check_budget(const GenerateOptions& options) {
   if (!options.budget) return;
   if (!options.measure) throw UserError("--budget-us: needs --measure\n");
   if (!(*options.budget > 0) || !std::isfinite(*options.budget)) {
@@ -65,7 +65,7 @@ void add_measured_files(const MeasuredCost& cost, const Compilation& compilation
 }
 
 /// The rule for --depfile, on disk but for its name.
-std::optional<AtomicFile> depfile_of(const Options& options, const std::string& output, const Model& model) {
+std::optional<AtomicFile> depfile_of(const GenerateOptions& options, const std::string& output, const Model& model) {
   if (options.depfile.empty()) return {};
   require_other_file(options.depfile, model.files);
   AtomicFile file(options.depfile);
@@ -75,7 +75,8 @@ std::optional<AtomicFile> depfile_of(const Options& options, const std::string& 
 }
 
 /// Writes the files and the rule for them. Result: their paths.
-std::vector<std::string> write_all(const Options& options, const Model& model, std::vector<EmittedFile> emitted) {
+std::vector<std::string> write_all(const GenerateOptions& options, const Model& model,
+                                   std::vector<EmittedFile> emitted) {
   std::vector<NamedText> files;
   std::vector<std::string> paths;
   for (EmittedFile& file : emitted) {
@@ -90,7 +91,7 @@ std::vector<std::string> write_all(const Options& options, const Model& model, s
   return paths;
 }
 
-int run(const Options& options) {
+int run(const GenerateOptions& options) {
   if (!options.dump.empty()) {
     print(dump_stage(options.model, options.dump));
     return kDone;
@@ -122,7 +123,7 @@ int run(const Options& options) {
 }  // namespace
 
 void add_generate(CLI::App& application, int& exit_code) {
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<GenerateOptions>();
   CLI::App* command = application.add_subcommand("generate", "write the specialised C++ solver of a model");
   command->footer(
       "Example: mbgen generate models/coach.json --out coach_solver\n"

@@ -17,12 +17,12 @@ namespace {
 /// Tracing again without each treatment takes a second from here on.
 constexpr int kMostBodiesCounted = 200;
 
-struct Options {
+struct InspectOptions {
   std::string model, form, dump;
   bool json = false;
 };
 
-int run(const Options& options) {
+int run(const InspectOptions& options) {
   if (!options.dump.empty()) {
     print(dump_stage(options.model, options.dump));
     return kDone;
@@ -37,7 +37,7 @@ int run(const Options& options) {
 }  // namespace
 
 void add_inspect(CLI::App& application, int& exit_code) {
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<InspectOptions>();
   CLI::App* command = application.add_subcommand(
       "inspect", "show the tree, the loops, what is redundant, the coordinates and the operations of a model");
   command->footer("Example: mbgen inspect models/coach_mechanism.json --json");

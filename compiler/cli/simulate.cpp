@@ -24,7 +24,7 @@ constexpr long kRows = 10000;
 constexpr double kWholeSteps = 1e-9;
 constexpr double kMostSteps = 1e12;
 
-struct Options {
+struct SimulateOptions {
   std::string model, form, file, integrator, input_table;
   std::optional<double> duration, step;
   long every = 0;
@@ -47,7 +47,7 @@ SolverSettings::Integrator integrator_of(const std::string& name, SolverSettings
 }
 
 /// The duration in whole equal steps, none longer than the one asked for.
-SimulationSettings settings_of(const Options& options, const SolverSettings& by_default) {
+SimulationSettings settings_of(const SimulateOptions& options, const SolverSettings& by_default) {
   const double duration = options.duration.value_or(by_default.duration);
   const double step = options.step.value_or(by_default.step);
   if (!(duration > 0) || !std::isfinite(duration)) {
@@ -64,7 +64,7 @@ SimulationSettings settings_of(const Options& options, const SolverSettings& by_
 }
 
 /// Rows between two written ones: first, last and every n-th point are written.
-long decimation(const Options& options, long steps) {
+long decimation(const SimulateOptions& options, long steps) {
   if (options.every < 0) throw UserError(fmt::format("--every: must be positive, found {}\n", options.every));
   return options.every > 0 ? options.every : (steps + kRows - 3) / (kRows - 2);
 }
@@ -102,7 +102,7 @@ class TableWriter {
   Sample last_;
 };
 
-int run(const Options& options) {
+int run(const SimulateOptions& options) {
   const Compilation compilation = expect(compile(options.model, chosen_form(options.form)));
   require_other_file(options.file, compilation.model.files);
   require_other_file(options.file, {options.input_table});
@@ -131,7 +131,7 @@ int run(const Options& options) {
 }  // namespace
 
 void add_simulate(CLI::App& application, int& exit_code) {
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<SimulateOptions>();
   CLI::App* command = application.add_subcommand("simulate", "compute a motion, write it as a table (CSV)");
   command->footer(
       "Example: mbgen simulate models/coach.json --duration 5 --step 1e-3 --out coach.csv\n"

@@ -6,7 +6,7 @@ here=$(cd "$(dirname "$0")" && pwd)
 root=$here/../..
 mbgen=$(realpath "$1")
 shift
-[ $# -gt 0 ] || set -- four_bar:2 four_bar:3 slider_crank:2 coach_rig:3
+[ $# -gt 0 ] || set -- four_bar:3 slider_crank:2 coach_rig:3
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
 fail() { echo "fmi: $*"; exit 1; }
