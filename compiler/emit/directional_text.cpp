@@ -127,8 +127,8 @@ std::string directional_source_text(const EmitContext& context, const Programs& 
   for (const auto& [program, shape] : all) {
     Program derived = along(*program, groups);
     // What the shape has no place for is not asked for: pivots of the multipliers, what they are made of.
-    std::erase_if(derived.outputs,
-                  [&](const OutputValue& output) { return !shape->outputs.contains(output.slot.group); });
+    const Places& wanted = shape->outputs;
+    std::erase_if(derived.outputs, [&](const OutputValue& output) { return !wanted.contains(output.slot.group); });
     text += program_text(remove_dead_values(derived), *shape) + "\n";
   }
   return fill_template(
