@@ -54,6 +54,10 @@ std::uint32_t new_session() {
   return static_cast<std::uint32_t>(now / 1000) ^ (static_cast<std::uint32_t>(getpid()) << 16);
 }
 
+ClientSettings client_settings(const Options& options) {
+  return {options.at("listen"), options.at("plant"), number_of(options, "patience", 0.1, 1e4)};
+}
+
 ClientResult run_client(const ClientSettings& settings, const std::function<Command(const Motion&)>& decide) {
   const Socket socket(address_of(settings.own));
   const sockaddr_in to = address_of(settings.plant);

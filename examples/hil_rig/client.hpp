@@ -4,6 +4,7 @@
 #include <functional>
 #include <string>
 
+#include "options.hpp"
 #include "packet.hpp"
 
 namespace hil_rig {
@@ -22,6 +23,9 @@ struct ClientSettings {
   std::string plant;    ///< commands go there
   double patience = 2;  ///< s, the client ends when the plant is silent for so long; 10 s before the first motion
 };
+
+/// From the options `listen`, `plant` and `patience`. Throws std::runtime_error for a patience that is none.
+ClientSettings client_settings(const Options& options);
 
 /// Answers motions with what `decide` makes of them until the plant ends or is silent. Throws std::runtime_error.
 ClientResult run_client(const ClientSettings& settings, const std::function<Command(const Motion&)>& decide);

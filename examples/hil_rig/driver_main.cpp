@@ -1,7 +1,6 @@
 // The driver: drives a double lane change at 20 m/s, or along the straight, and may record what it did.
 
 #include <cstdio>
-#include <exception>
 #include <memory>
 
 #include "client.hpp"
@@ -30,7 +29,7 @@ int run(int argc, char** argv) {
     if (!record) throw std::runtime_error("cannot write " + name);
     std::fputs("t [s],steering [rad],drive_torque [N m]\n", record.get());
   }
-  const ClientSettings settings = {options.at("listen"), options.at("plant"), number_of(options, "patience", 0.1, 1e4)};
+  const ClientSettings settings = client_settings(options);
   double worst = 0, recorded = -1;
   const ClientResult result = run_client(settings, [&](const Motion& motion) {
     const Command command = drive(driver, motion);
@@ -49,10 +48,5 @@ int run(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  try {
-    return run(argc, argv);
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "hil_driver: %s\n", error.what());
-    return 1;
-  }
+  return hil_rig::guarded("hil_driver", [&] { return run(argc, argv); });
 }

@@ -2,6 +2,8 @@
 // Command lines of the form --name value.
 
 #include <charconv>
+#include <cstdio>
+#include <exception>
 #include <map>
 #include <stdexcept>
 #include <string>
@@ -39,6 +41,17 @@ Number number_of(const Options& options, const std::string& name, Number smalles
                              std::to_string(largest));
   }
   return value;
+}
+
+/// The command of this name: what `run` returns, or 1 after its error on a line.
+template <class Run>
+int guarded(const char* name, const Run& run) {
+  try {
+    return run();
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "%s: %s\n", name, error.what());
+    return 1;
+  }
 }
 
 }  // namespace hil_rig

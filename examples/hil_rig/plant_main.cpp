@@ -7,7 +7,6 @@
 
 #include <cmath>
 #include <cstdio>
-#include <exception>
 #include <memory>
 #include <thread>
 
@@ -121,10 +120,5 @@ int run(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  try {
-    return run(argc, argv);
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "hil_plant: %s\n", error.what());
-    return 1;
-  }
+  return hil_rig::guarded("hil_plant", [&] { return run(argc, argv); });
 }

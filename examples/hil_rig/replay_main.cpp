@@ -2,7 +2,6 @@
 // does.
 
 #include <cstdio>
-#include <exception>
 
 #include "client.hpp"
 #include "options.hpp"
@@ -16,7 +15,7 @@ int run(int argc, char** argv) {
       argc, argv,
       {{"listen", "127.0.0.1:7002"}, {"plant", "127.0.0.1:7001"}, {"patience", "2"}, {"recording", "recording.csv"}});
   const std::vector<RecordedCommand> rows = read_recording(options.at("recording"));
-  const ClientSettings settings = {options.at("listen"), options.at("plant"), number_of(options, "patience", 0.1, 1e4)};
+  const ClientSettings settings = client_settings(options);
   const ClientResult result =
       run_client(settings, [&](const Motion& motion) { return recorded_command(rows, motion.time); });
   std::printf("replay: %ld motions, %ld dropped, at the end %.2f m along and %.3f m left, %s\n", result.motions,
@@ -27,10 +26,5 @@ int run(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  try {
-    return run(argc, argv);
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "hil_replay: %s\n", error.what());
-    return 1;
-  }
+  return hil_rig::guarded("hil_replay", [&] { return run(argc, argv); });
 }

@@ -3,7 +3,6 @@
 #include <poll.h>
 
 #include <cstdio>
-#include <exception>
 
 #include "client.hpp"
 #include "coach_rig.hpp"
@@ -52,10 +51,5 @@ int run(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  try {
-    return run(argc, argv);
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "hil_tune: %s\n", error.what());
-    return 1;
-  }
+  return hil_rig::guarded("hil_tune", [&] { return run(argc, argv); });
 }

@@ -20,10 +20,18 @@ fail() {
 }
 # The number that a run's result has under a name.
 value() { awk -v name="$1" 'index($0, name " ") == 1 { print $NF }' "$2"; }
-# Waits until a line is in a file.
+# Whether one of the processes is running; those that ended are kept as zombies until someone waits for them.
+any_runs() {
+  for process in $children; do
+    if grep -q '^State:[[:space:]]*[^Z]' "/proc/$process/status" 2>/dev/null; then return 0; fi
+  done
+  return 1
+}
+# Waits until a line is in a file; in vain where nobody is left who could write it.
 await() {
   tries=0
   until grep -q "$1" "$2" 2>/dev/null; do
+    any_runs || grep -q "$1" "$2" 2>/dev/null || fail "never came, all processes have ended: $1"
     tries=$((tries + 1))
     [ $tries -lt 6000 ] || fail "never came: $1"
     sleep 0.05
