@@ -67,7 +67,7 @@ struct Run {
   double start_time = 0, stop_time = HUGE_VAL;  ///< s
   typename Model::State state{};
   typename Model::Inputs inputs;
-  typename Model::Parameters parameters;
+  typename Model::Tuned parameters;
   typename Model::History history{};
 };
 
@@ -229,13 +229,18 @@ Answer set_values(Core<Model>& core, const unsigned* references, unsigned long c
   for (unsigned long i = 0; i < count; ++i) {
     if (!may_be_set(core.run, place_of<Model>(references[i])) || !std::isfinite(values[i])) return Answer::error;
   }
+  bool is_tuned = false;
   for (unsigned long i = 0; i < count; ++i) {
-    double& value = place_to_set(core.run, place_of<Model>(references[i]));
+    const Place place = place_of<Model>(references[i]);
+    double& value = place_to_set(core.run, place);
     if (value == values[i]) continue;
     value = values[i];
+    is_tuned = is_tuned || place.group == Group::parameter;
     core.is_solved = core.run.is_start = false;
     core.run.history = {};
   }
+  // The constants that follow from the parameters are worked out anew.
+  if (is_tuned) core.run.parameters = typename Model::Parameters(core.run.parameters);
   return Answer::ok;
 }
 
