@@ -35,4 +35,14 @@ std::string depfile_text(const std::string& output, const std::vector<std::strin
   return text + "\n";
 }
 
+std::optional<AtomicFile> depfile_of(const std::string& path, const std::string& output,
+                                     const std::vector<std::string>& inputs) {
+  if (path.empty()) return {};
+  require_other_file(path, inputs);
+  AtomicFile file(path);
+  file.write(depfile_text(output, inputs));
+  file.close();
+  return file;
+}
+
 }  // namespace mbgen::cli

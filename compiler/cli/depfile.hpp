@@ -2,8 +2,11 @@
 // What a build tool has to know: which files a command has read.
 
 #include <CLI/CLI.hpp>
+#include <optional>
 #include <string>
 #include <vector>
+
+#include "compiler/cli/files.hpp"
 
 namespace mbgen::cli {
 
@@ -13,5 +16,9 @@ void add_depfile_option(CLI::App& command, std::string& path);
 /// The rule `output: inputs` in the syntax of Make, as compilers write it with -MD.
 /// Fails: UserError for the end of a line in a path, which Make cannot say.
 std::string depfile_text(const std::string& output, const std::vector<std::string>& inputs);
+
+/// That rule in a file, complete but for its name; none where `path` is empty. Fails: UserError.
+std::optional<AtomicFile> depfile_of(const std::string& path, const std::string& output,
+                                     const std::vector<std::string>& inputs);
 
 }  // namespace mbgen::cli

@@ -6,9 +6,11 @@
 #include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <stdexcept>
 
 #include "compiler/cli/commands.hpp"
+#include "compiler/cli/depfile.hpp"
 #include "compiler/cli/files.hpp"
 #include "compiler/cli/host_compiler.hpp"
 #include "compiler/cli/initial_state.hpp"
@@ -33,7 +35,7 @@ constexpr const char* kDirectory[] = {"aarch64-linux", "aarch64-linux"};
 #endif
 
 struct ExportOptions {
-  std::string model, form, file;
+  std::string model, form, file, depfile;
   int version = 0;
   bool sources_only = false, json = false;
 };
@@ -95,13 +97,11 @@ void pack(const fs::path& scratch, const fs::path& content, std::vector<std::str
 int run(const ExportOptions& options) {
   const Compilation compilation = expect(compile(options.model, chosen_form(options.form)));
   require_other_file(options.file, compilation.model.files);
-  std::vector<double> inputs;
-  for (const Input& input : compilation.model.inputs) inputs.push_back(input.default_value);
-  GenericState start = initial_state(compilation, inputs);
   const FmiVersion version = options.version == 2 ? FmiVersion::two : FmiVersion::three;
-  const FmuFiles files = emit_fmu(compilation, {std::move(start.z), std::move(start.zd), std::move(start.x)}, version);
+  const FmuFiles files = emit_fmu(compilation, default_initial_state(compilation), version);
 
   AtomicFile file(options.file);
+  std::optional<AtomicFile> depfile = depfile_of(options.depfile, options.file, compilation.model.files);
   const TemporaryDirectory scratch(fs::temp_directory_path());
   const fs::path content = scratch.path() / "content";
   write_sources(content, files.packed);
@@ -117,6 +117,7 @@ int run(const ExportOptions& options) {
   pack(scratch.path(), content, entries, scratch.path() / "packed.zip");
   file.write(without_circumstances(read_text(scratch.path() / "packed.zip")));
   file.close();
+  if (depfile) depfile->commit();
   file.commit();
   if (options.json) {
     print(json_text({{"model", compilation.model.name}, {"fmi", options.version}, {"file", options.file}}));
@@ -140,6 +141,7 @@ void add_export(CLI::App& application, int& exit_code) {
       ->check(CLI::IsMember(std::vector<int>{2, 3}));
   command->add_option("-o,--out", options->file, "the FMU")->required();
   command->add_flag("--sources-only", options->sources_only, "leave the library out; needs no compiler");
+  add_depfile_option(*command, options->depfile);
   add_form_option(*command, options->form);
   add_json_option(*command, options->json);
   command->callback([options, &exit_code] { exit_code = run(*options); });

@@ -29,14 +29,6 @@ struct GenerateOptions {
   std::optional<double> budget;  ///< microseconds of a step
 };
 
-/// The initial state of the model, at the default inputs.
-InitialState start_of(const Compilation& compilation) {
-  std::vector<double> inputs;
-  for (const Input& input : compilation.model.inputs) inputs.push_back(input.default_value);
-  GenericState state = initial_state(compilation, inputs);
-  return {std::move(state.z), std::move(state.zd), std::move(state.x)};
-}
-
 /// The model, under the name that was asked for.
 Model read_named(const GenerateOptions& options) {
   Model model = expect(read_model_file(options.model));
@@ -64,16 +56,6 @@ void add_measured_files(const MeasuredCost& cost, const Compilation& compilation
                                  {cost.solver + "_measured.txt", measured_text(cost, compilation)}});
 }
 
-/// The rule for --depfile, on disk but for its name.
-std::optional<AtomicFile> depfile_of(const GenerateOptions& options, const std::string& output, const Model& model) {
-  if (options.depfile.empty()) return {};
-  require_other_file(options.depfile, model.files);
-  AtomicFile file(options.depfile);
-  file.write(depfile_text(output, model.files));
-  file.close();
-  return file;
-}
-
 /// Writes the files and the rule for them. Result: their paths.
 std::vector<std::string> write_all(const GenerateOptions& options, const Model& model,
                                    std::vector<EmittedFile> emitted) {
@@ -84,7 +66,7 @@ std::vector<std::string> write_all(const GenerateOptions& options, const Model& 
     require_other_file(paths.back(), model.files);  // the manifest is named like the model
     files.push_back({std::move(file.path), std::move(file.text)});
   }
-  std::optional<AtomicFile> depfile = depfile_of(options, paths.back(), model);
+  std::optional<AtomicFile> depfile = depfile_of(options.depfile, paths.back(), model.files);
   // Killed in between, mbgen leaves the manifest older than the model: a build tool starts it again.
   if (depfile) depfile->commit();
   write_files(options.directory, files);
@@ -100,7 +82,7 @@ int run(const GenerateOptions& options) {
   check_budget(options);
   const Compilation compilation = expect(compile(read_named(options), chosen_form(options.form)));
   EmitOptions emitted = options.emit;
-  if (options.c_interface || options.emit.calibration) emitted.c_interface = start_of(compilation);
+  if (options.c_interface || options.emit.calibration) emitted.c_interface = default_initial_state(compilation);
   std::vector<EmittedFile> files = emit(compilation, emitted);
   std::optional<MeasuredCost> cost;
   if (options.measure) {

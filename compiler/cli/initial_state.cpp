@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "compiler/cli/engine.hpp"
+#include "compiler/cli/options.hpp"
 #include "compiler/cli/user_error.hpp"
 #include "compiler/model/evaluate.hpp"
 
@@ -207,6 +208,11 @@ GenericState initial_state(const Compilation& compilation, const std::vector<dou
   }
   set_velocities(compilation, solver, wishes_of(compilation, initial.velocities), state);
   return state;
+}
+
+InitialState default_initial_state(const Compilation& compilation) {
+  GenericState state = initial_state(compilation, input_values(compilation.model, {}));
+  return {std::move(state.z), std::move(state.zd), std::move(state.x)};
 }
 
 }  // namespace mbgen::cli

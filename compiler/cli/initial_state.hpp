@@ -17,4 +17,7 @@ GenericState reference_state(const Compilation& compilation);
 /// Fails: UserError when the loops do not close there, there is no equilibrium, or values contradict the closures.
 GenericState initial_state(const Compilation& compilation, const std::vector<double>& inputs);
 
+/// The same at the default inputs, as emitted code holds it.
+InitialState default_initial_state(const Compilation& compilation);
+
 }  // namespace mbgen::cli
