@@ -15,8 +15,8 @@ constexpr double kDegree = 0.017453292519943295;  // rad
 std::string motion_text(const Topology& topology, const Opening& opening, const ClosureEquation& equation) {
   const TreeBody& body = topology.bodies[opening.coordinate];
   return fmt::format("moving {} by {:.2g} {} opens {} ({}) by {:.3g}{}", body.coordinate, opening.motion,
-                     body.kind == FreedomKind::revolute ? "rad" : "m", equation.name, equation.meaning,
-                     opening.residual, equation.unit == ResidualUnit::metre ? " m" : "");
+                     unit_of(body.kind), equation.name, equation.meaning, opening.residual,
+                     equation.unit == ResidualUnit::metre ? " m" : "");
 }
 
 std::string advice(const Model& model, const std::optional<Misalignment>& off) {

@@ -79,7 +79,7 @@ nlohmann::ordered_json blocks_json(const SimulationRecord& record) {
 std::string csv_header(const Compilation& compilation) {
   std::string line = "t [s]";
   for (const TreeBody& body : compilation.topology.bodies) {
-    line += fmt::format(",z.{} [{}]", body.coordinate, body.kind == FreedomKind::revolute ? "rad" : "m");
+    line += fmt::format(",z.{} [{}]", body.coordinate, unit_of(body.kind));
   }
   for (const TreeBody& body : compilation.topology.bodies) {
     line += fmt::format(",zd.{} [{}]", body.coordinate, body.kind == FreedomKind::revolute ? "rad/s" : "m/s");

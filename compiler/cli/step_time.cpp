@@ -8,6 +8,7 @@
 
 #include "compiler/cli/engine.hpp"
 #include "compiler/cli/initial_state.hpp"
+#include "compiler/cli/names.hpp"
 #include "compiler/cli/options.hpp"
 #include "compiler/cli/paper_tables.hpp"
 #include "compiler/cli/user_error.hpp"
@@ -111,7 +112,6 @@ std::vector<SectionTime> sections_of(const Engine& engine, const std::vector<Loa
 
 StepTime measure_step(const Compilation& compilation) {
   const SolverSettings& settings = compilation.model.solver;
-  const bool is_multistep = settings.integrator == SolverSettings::Integrator::abm4;
   EngineChoice choice;
   choice.integrator = settings.integrator;
   choice.use = SolverUse::timing_steps;
@@ -127,13 +127,13 @@ StepTime measure_step(const Compilation& compilation) {
   }
 
   StepTime time;
-  time.integrator = is_multistep ? "abm4" : "rk4";
+  time.integrator = name_of(settings.integrator);
   time.h = settings.step;
   time.steps = static_cast<int>(shortest.size());
   time.slowest = *std::max_element(shortest.begin(), shortest.end());
   std::nth_element(shortest.begin(), shortest.begin() + time.steps / 2, shortest.end());
   time.median = shortest[time.steps / 2];
-  time.evaluations = (is_multistep ? kAbm4Calls : kRk4Calls).regular.accelerations;
+  time.evaluations = (settings.is_multistep() ? kAbm4Calls : kRk4Calls).regular.accelerations;
   time.sections = sections_of(motion.engine, some_of(states), time.evaluations, time.median);
   return time;
 }

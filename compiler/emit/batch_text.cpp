@@ -43,12 +43,6 @@ std::string lane_struct(const std::string& name, const std::vector<std::string>&
   return text + "};\n";
 }
 
-std::vector<std::string> names_of(const Members& members) {
-  std::vector<std::string> names;
-  for (const NumberMember& member : members) names.push_back(member.name);
-  return names;
-}
-
 /// The structs of the interface with a vector in place of each number.
 std::string lane_structs(const EmitContext& context) {
   const SolverLayout& layout = context.layout;

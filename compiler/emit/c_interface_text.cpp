@@ -25,8 +25,6 @@ std::string apart(const std::string& text) {
 
 std::string c_comment_text(const std::string& text) { return apart(comment_text(text)); }
 
-bool is_multistep(const Model& model) { return model.solver.integrator == SolverSettings::Integrator::abm4; }
-
 std::vector<std::string> coordinate_names(const Topology& topology) {
   std::vector<std::string> names;
   for (const TreeBody& body : topology.bodies) names.push_back(body.coordinate);
@@ -64,19 +62,8 @@ std::string copies(const std::vector<NumberMember>& members) {
   return text;
 }
 
-std::string constants(const std::string& name, std::vector<double> values) {
-  if (values.empty()) values.push_back(0);
-  std::vector<std::string> items;
-  for (const double value : values) items.push_back(number_text(value));
-  return braced_list(fmt::format("constexpr double {}[{}] = ", name, values.size()), items, ";\n");
-}
-
-/// The members of Parameters by index.
-std::string parameter_table(const EmitContext& context) {
-  std::vector<std::string> items;
-  for (const std::string& name : context.names.parameters) items.push_back("&Parameters::" + name);
-  if (items.empty()) items.push_back("nullptr");
-  return braced_list("constexpr double Parameters::*kParameterMembers[] = ", items, ";");
+std::string constants(const std::string& name, const std::vector<double>& values) {
+  return array_text("constexpr double " + name, number_texts(values), "0.0") + "\n";
 }
 
 std::string name_functions(const EmitContext& context) {
@@ -130,20 +117,21 @@ std::string c_header_text(const EmitContext& context) {
   const SolverNames& names = context.names;
   const std::string& solver = names.solver;
   const bool with_derivatives = inputs_have_derivatives(context.model.inputs);
-  return fill_template("c_interface.h.in",
-                       {{"banner", c_banner_text(context.model)},
-                        {"title", c_comment_text(context.model.name)},
-                        {"solver", solver},
-                        {"guard", guard_of(solver)},
-                        {"sizes", sizes_text(context)},
-                        {"parameter_struct", c_structure(solver + "_parameters", parameter_members(context))},
-                        {"input_struct", c_structure(solver + "_inputs", input_members(context))},
-                        {"input_comment", with_derivatives ? ", but for those whose derivative is an input too" : ""},
-                        {"output_struct", c_structure(solver + "_outputs", output_members(context))},
-                        {"coordinate_size", size_text(context.layout.coordinates)},
-                        {"auxiliary_size", size_text(context.layout.auxiliary_states)},
-                        {"first_notice", std::to_string(static_cast<int>(kFirstNotice))},
-                        {"integrator", is_multistep(context.model) ? "Adams-Bashforth-Moulton" : "Runge-Kutta"}});
+  return fill_template(
+      "c_interface.h.in",
+      {{"banner", c_banner_text(context.model)},
+       {"title", c_comment_text(context.model.name)},
+       {"solver", solver},
+       {"guard", guard_of(solver)},
+       {"sizes", sizes_text(context)},
+       {"parameter_struct", c_structure(solver + "_parameters", parameter_members(context))},
+       {"input_struct", c_structure(solver + "_inputs", input_members(context))},
+       {"input_comment", with_derivatives ? ", but for those whose derivative is an input too" : ""},
+       {"output_struct", c_structure(solver + "_outputs", output_members(context))},
+       {"coordinate_size", size_text(context.layout.coordinates)},
+       {"auxiliary_size", size_text(context.layout.auxiliary_states)},
+       {"first_notice", std::to_string(static_cast<int>(kFirstNotice))},
+       {"integrator", context.model.solver.is_multistep() ? "Adams-Bashforth-Moulton" : "Runge-Kutta"}});
 }
 
 std::string c_source_text(const EmitContext& context, const InitialState& initial) {
@@ -160,8 +148,9 @@ std::string c_source_text(const EmitContext& context, const InitialState& initia
        {"inputs_in", copies(input_members(context))},
        {"inputs_out", copies(input_members(context))},
        {"outputs_out", copies(output_members(context))},
-       {"parameter_table", parameter_table(context)},
-       {"step", solver + (is_multistep(context.model)
+       {"parameter_table", array_text("constexpr double Parameters::*kParameterMembers",
+                                      member_places("Parameters", context.names.parameters), "nullptr")},
+       {"step", solver + (context.model.solver.is_multistep()
                               ? "::step_abm4(solver->parameters, solver->inputs, solver->state, solver->history, h)"
                               : "::step_rk4(solver->parameters, solver->inputs, solver->state, h)")},
        {"name_functions", name_functions(context)},

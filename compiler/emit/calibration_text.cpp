@@ -81,7 +81,7 @@ CalibrationNumbers state_numbers(const EmitContext& context) {
   CalibrationNumbers numbers;
   for (const bool is_rate : {false, true}) {
     for (std::size_t i = 0; i < topology.bodies.size(); ++i) {
-      const std::string unit = topology.bodies[i].kind == FreedomKind::revolute ? "rad" : "m";
+      const std::string unit = unit_of(topology.bodies[i].kind);
       add_number(context, "state", is_rate ? "zd." : "z.", context.names.coordinates[i],
                  (is_rate ? "velocity of " : "") + topology.bodies[i].coordinate, is_rate ? unit + "/s" : unit, numbers,
                  static_cast<int>(i) + (is_rate ? coordinates : 0));
@@ -98,15 +98,10 @@ CalibrationNumbers state_numbers(const EmitContext& context) {
 }
 
 CalibrationNumberSets numbers_of(const EmitContext& context) {
-  std::vector<std::string> parameters, inputs, outputs;
-  for (const Parameter& parameter : context.model.parameters) {
-    if (parameter.tunable) parameters.push_back(parameter.name);
-  }
-  for (const Input& input : context.model.inputs) inputs.push_back(input.name);
-  for (const Output& output : context.model.outputs) outputs.push_back(output.name);
-  return {members_of(context, "parameters", parameter_members(context), parameters),
-          members_of(context, "inputs", input_members(context), inputs),
-          members_of(context, "outputs", output_members(context), outputs), state_numbers(context)};
+  const Model& model = context.model;
+  return {members_of(context, "parameters", parameter_members(context), tunable_names(model)),
+          members_of(context, "inputs", input_members(context), names_of(model.inputs)),
+          members_of(context, "outputs", output_members(context), names_of(model.outputs)), state_numbers(context)};
 }
 
 /// Name of the conversion of each unit.

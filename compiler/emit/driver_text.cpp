@@ -6,14 +6,6 @@
 namespace mbgen {
 namespace {
 
-/// A table of constants, with one zero when there is nothing to list.
-std::string table(const std::string& name, const std::vector<double>& values) {
-  std::vector<std::string> items;
-  for (const double value : values) items.push_back(number_text(value));
-  if (items.empty()) items.push_back("0.0");
-  return braced_list("constexpr double " + name + "[] = ", items, ";");
-}
-
 /// One assignment a line: `  parameters.k = values[0];`.
 std::string assignments(const std::string& structure, const std::vector<std::string>& names) {
   std::string text;
@@ -36,22 +28,24 @@ EmittedFile driver(const Model& model, int lanes, const std::string& step_clock)
     outputs_to += "  y[" + std::to_string(i) + "] = values." + names.outputs[i] + ";\n";
   }
   const std::string batch = lanes > 0 ? fill_template("batch_driver.cpp.in", {{"solver", names.solver}}) : "";
-  return {names.solver + "_driver.cpp",
-          fill_template("driver.cpp.in",
-                        {{"banner", banner_text(model, "//")},
-                         {"solver", names.solver},
-                         {"default_parameters", table("kDefaultParameters", parameters)},
-                         {"default_inputs", table("kDefaultInputs", inputs)},
-                         {"parameters_from", assignments("parameters", names.parameters)},
-                         {"inputs_from", assignments("inputs", names.inputs)},
-                         {"outputs_to", outputs_to},
-                         {"interface", lanes > 0 ? "_batch" : ""},
-                         {"batch", batch},
-                         {"batch_entries", lanes > 0 ? std::to_string(lanes) +
-                                                           ",\n    batch_accelerations,\n    time_batch_accelerations"
-                                                     : "0,\n    nullptr,\n    nullptr"},
-                         {"step_clock", step_clock},
-                         {"step_ticks", step_clock.empty() ? "nullptr" : "step_ticks"}})};
+  return {
+      names.solver + "_driver.cpp",
+      fill_template(
+          "driver.cpp.in",
+          {{"banner", banner_text(model, "//")},
+           {"solver", names.solver},
+           {"default_parameters", array_text("constexpr double kDefaultParameters", number_texts(parameters), "0.0")},
+           {"default_inputs", array_text("constexpr double kDefaultInputs", number_texts(inputs), "0.0")},
+           {"parameters_from", assignments("parameters", names.parameters)},
+           {"inputs_from", assignments("inputs", names.inputs)},
+           {"outputs_to", outputs_to},
+           {"interface", lanes > 0 ? "_batch" : ""},
+           {"batch", batch},
+           {"batch_entries", lanes > 0
+                                 ? std::to_string(lanes) + ",\n    batch_accelerations,\n    time_batch_accelerations"
+                                 : "0,\n    nullptr,\n    nullptr"},
+           {"step_clock", step_clock},
+           {"step_ticks", step_clock.empty() ? "nullptr" : "step_ticks"}})};
 }
 
 }  // namespace

@@ -2,10 +2,7 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-
 #include "compiler/emit/directional_text.hpp"
-#include "compiler/emit/embedded.hpp"
 #include "compiler/emit/text.hpp"
 #include "compiler/model/inputs.hpp"
 
@@ -15,59 +12,53 @@ namespace {
 std::string integers(const std::string& name, const std::vector<int>& values) {
   std::vector<std::string> items;
   for (const int value : values) items.push_back(std::to_string(value));
-  if (items.empty()) items.push_back("-1");
-  return braced_list("  static constexpr int " + name + "[] = ", items, ";");
+  return array_text("  static constexpr int " + name, items, "-1");
 }
 
 std::string numbers(const std::string& name, const std::vector<double>& values) {
-  std::vector<std::string> items;
-  for (const double value : values) items.push_back(number_text(value));
-  if (items.empty()) items.push_back("0.0");
-  return braced_list("  static constexpr double " + name + "[] = ", items, ";\n");
+  return array_text("  static constexpr double " + name, number_texts(values), "0.0") + "\n";
 }
 
 /// A table of pointers to the members of a struct.
 std::string members(const std::string& structure, const std::string& name, const std::vector<NumberMember>& list) {
-  std::vector<std::string> items;
-  for (const NumberMember& member : list) items.push_back("&" + structure + "::" + member.name);
-  if (items.empty()) items.push_back("nullptr");
-  return braced_list("  static constexpr double " + structure + "::*" + name + "[] = ", items, ";\n");
+  return array_text("  static constexpr double " + structure + "::*" + name, member_places(structure, names_of(list)),
+                    "nullptr") +
+         "\n";
 }
 
 std::string model_text(const EmitContext& context, const FmuLayout& fmu, const InitialState& initial) {
   const SolverLayout& layout = context.layout;
-  const bool is_multistep = context.model.solver.integrator == SolverSettings::Integrator::abm4;
   const auto truth = [](bool value) { return value ? "true" : "false"; };
-  return fill_template("fmu_model.hpp.in",
-                       {{"banner", banner_text(context.model, "//")},
-                        {"solver", context.names.solver},
-                        {"token", fmu_token(context.model)},
-                        {"step_size", number_text(context.model.solver.step)},
-                        {"output_count", std::to_string(output_members(context).size())},
-                        {"multiplier_size", size_text(layout.equations)},
-                        {"drive_size", size_text(layout.drives)},
-                        {"has_closure", truth(layout.has_closure)},
-                        {"takes_multipliers", truth(outputs_take_multipliers(context.programs))},
-                        {"position_count", std::to_string(fmu.positions.size())},
-                        {"positions", integers("kPositions", fmu.positions)},
-                        {"velocity_count", std::to_string(fmu.velocities.size())},
-                        {"velocities", integers("kVelocities", fmu.velocities)},
-                        {"initial_state", numbers("kInitialZ", initial.z) + numbers("kInitialZd", initial.zd) +
-                                              numbers("kInitialX", initial.x)},
-                        {"members", members("Parameters", "kParameterMember", parameter_members(context)) +
-                                        members("Inputs", "kInputMember", input_members(context)) +
-                                        members("Outputs", "kOutputMember", output_members(context))},
-                        {"step", is_multistep ? "step_abm4(parameters, inputs, state, history, h)"
-                                              : "step_rk4(parameters, inputs, state, h)"},
-                        {"advanced", inputs_have_derivatives(context.model.inputs)
-                                         ? fmt::format("{}::advance_inputs(inputs, h)", context.names.solver)
-                                         : "inputs"}});
+  return fill_template(
+      "fmu_model.hpp.in",
+      {{"banner", banner_text(context.model, "//")},
+       {"solver", context.names.solver},
+       {"token", fmu_token(context.model)},
+       {"step_size", number_text(context.model.solver.step)},
+       {"output_count", std::to_string(output_members(context).size())},
+       {"multiplier_size", size_text(layout.equations)},
+       {"drive_size", size_text(layout.drives)},
+       {"has_closure", truth(layout.has_closure)},
+       {"takes_multipliers", truth(outputs_take_multipliers(context.programs))},
+       {"position_count", std::to_string(fmu.positions.size())},
+       {"positions", integers("kPositions", fmu.positions)},
+       {"velocity_count", std::to_string(fmu.velocities.size())},
+       {"velocities", integers("kVelocities", fmu.velocities)},
+       {"initial_state",
+        numbers("kInitialZ", initial.z) + numbers("kInitialZd", initial.zd) + numbers("kInitialX", initial.x)},
+       {"members", members("Parameters", "kParameterMember", parameter_members(context)) +
+                       members("Inputs", "kInputMember", input_members(context)) +
+                       members("Outputs", "kOutputMember", output_members(context))},
+       {"step", context.model.solver.is_multistep() ? "step_abm4(parameters, inputs, state, history, h)"
+                                                    : "step_rk4(parameters, inputs, state, h)"},
+       {"advanced", inputs_have_derivatives(context.model.inputs)
+                        ? fmt::format("{}::advance_inputs(inputs, h)", context.names.solver)
+                        : "inputs"}});
 }
 
 std::string entry_points(const EmitContext& context, FmiVersion version) {
-  const std::map<std::string, std::string> names = {{"banner", banner_text(context.model, "//")},
-                                                    {"solver", context.names.solver}};
-  std::map<std::string, std::string> values = names;
+  std::map<std::string, std::string> values = {{"banner", banner_text(context.model, "//")},
+                                               {"solver", context.names.solver}};
   if (version == FmiVersion::two) {
     values["interfaces"] = fill_template("fmi2_interfaces.cpp.in", {});
     return fill_template("fmi2.cpp.in", values);
@@ -78,12 +69,7 @@ std::string entry_points(const EmitContext& context, FmiVersion version) {
 }
 
 /// A file of templates/ as it is.
-EmittedFile embedded(const std::string& name) {
-  const auto file = std::find_if(embedded_files().begin(), embedded_files().end(),
-                                 [&](const EmbeddedFile& f) { return f.path == "templates/" + name; });
-  if (file == embedded_files().end()) throw std::logic_error("no embedded file " + name);
-  return {name, std::string(file->text)};
-}
+EmittedFile embedded(const std::string& name) { return {name, std::string(template_text(name))}; }
 
 std::vector<EmittedFile> standard_headers(FmiVersion version) {
   if (version == FmiVersion::two)

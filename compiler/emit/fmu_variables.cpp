@@ -61,9 +61,7 @@ void add_outputs(const EmitContext& context, FmuLayout& fmu) {
 
 void add_motion(const EmitContext& context, const InitialState& initial, const References& first, FmuLayout& fmu) {
   const auto& bodies = context.topology.bodies;
-  const auto unit = [&](std::size_t i, const char* per) {
-    return (bodies[i].kind == FreedomKind::revolute ? "rad" : "m") + std::string(per);
-  };
+  const auto unit = [&](std::size_t i, const char* per) { return unit_of(bodies[i].kind) + std::string(per); };
   for (std::size_t i = 0; i < bodies.size(); ++i) {
     const int c = static_cast<int>(i);
     const Start start = contains(fmu.velocities, c)  ? Start::exact

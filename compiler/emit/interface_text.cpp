@@ -47,36 +47,26 @@ std::string size_constants(const EmitContext& context) {
 
 std::string tables(const EmitContext& context) {
   const Model& model = context.model;
-  std::vector<std::string> coordinate_names, coordinate_units, body_names, input_names, input_units, output_names,
-      output_units, parameter_names, parameter_units, block_names;
+  std::vector<std::string> coordinate_names, coordinate_units, input_units, output_units, parameter_units, block_names;
   for (const TreeBody& body : context.topology.bodies) {
     coordinate_names.push_back(body.coordinate);
-    coordinate_units.push_back(body.kind == FreedomKind::revolute ? "rad" : "m");
+    coordinate_units.push_back(unit_of(body.kind));
   }
-  for (const Body& body : model.bodies) body_names.push_back(body.name);
-  for (const Input& input : model.inputs) {
-    input_names.push_back(input.name);
-    input_units.push_back(input.unit);
-  }
-  for (const Output& output : model.outputs) {
-    output_names.push_back(output.name);
-    output_units.push_back(output.unit);
-  }
+  for (const Input& input : model.inputs) input_units.push_back(input.unit);
+  for (const Output& output : model.outputs) output_units.push_back(output.unit);
   for (const Parameter& parameter : model.parameters) {
-    if (!parameter.tunable) continue;
-    parameter_names.push_back(parameter.name);
-    parameter_units.push_back(parameter.unit);
+    if (parameter.tunable) parameter_units.push_back(parameter.unit);
   }
   for (std::size_t b = 0; b < context.topology.blocks.size(); ++b) {
     block_names.push_back(block_title(context.topology, static_cast<int>(b)));
   }
-  std::string text = string_table("kCoordinateNames", coordinate_names) +
-                     string_table("kCoordinateUnits", coordinate_units) +
-                     string_table("kAuxiliaryStateNames", auxiliary_state_names(model)) +
-                     string_table("kBodyNames", body_names) + string_table("kInputNames", input_names) +
-                     string_table("kInputUnits", input_units) + string_table("kOutputNames", output_names) +
-                     string_table("kOutputUnits", output_units) + string_table("kParameterNames", parameter_names) +
-                     string_table("kParameterUnits", parameter_units) + string_table("kLoopBlockNames", block_names);
+  std::string text =
+      string_table("kCoordinateNames", coordinate_names) + string_table("kCoordinateUnits", coordinate_units) +
+      string_table("kAuxiliaryStateNames", auxiliary_state_names(model)) +
+      string_table("kBodyNames", names_of(model.bodies)) + string_table("kInputNames", names_of(model.inputs)) +
+      string_table("kInputUnits", input_units) + string_table("kOutputNames", names_of(model.outputs)) +
+      string_table("kOutputUnits", output_units) + string_table("kParameterNames", tunable_names(model)) +
+      string_table("kParameterUnits", parameter_units) + string_table("kLoopBlockNames", block_names);
   text.pop_back();
   return text;
 }

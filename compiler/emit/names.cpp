@@ -32,21 +32,6 @@ bool contains(const std::vector<std::string>& names, const std::string& name) {
   return std::find(names.begin(), names.end(), name) != names.end();
 }
 
-std::vector<std::string> tunable_names(const Model& model) {
-  std::vector<std::string> names;
-  for (const Parameter& parameter : model.parameters) {
-    if (parameter.tunable) names.push_back(parameter.name);
-  }
-  return names;
-}
-
-template <class Item>
-std::vector<std::string> names_of(const std::vector<Item>& items) {
-  std::vector<std::string> names;
-  for (const Item& item : items) names.push_back(item.name);
-  return names;
-}
-
 std::vector<std::string> identifiers(const std::vector<std::string>& names, std::vector<std::string> taken = {}) {
   std::vector<std::string> result;
   for (const std::string& name : names) result.push_back(identifier(name, taken));
@@ -54,6 +39,14 @@ std::vector<std::string> identifiers(const std::vector<std::string>& names, std:
 }
 
 }  // namespace
+
+std::vector<std::string> tunable_names(const Model& model) {
+  std::vector<std::string> names;
+  for (const Parameter& parameter : model.parameters) {
+    if (parameter.tunable) names.push_back(parameter.name);
+  }
+  return names;
+}
 
 std::string identifier_base(const std::string& name) {
   std::string base = sanitised(name);

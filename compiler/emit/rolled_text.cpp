@@ -99,7 +99,7 @@ class RolledWriter {
     std::string& name = tables_[{type, items}];
     if (name.empty()) {
       name = names_taken_.unique(base);
-      before_loop_ += braced_list("  static constexpr " + type + " " + name + "[] = ", items, ";\n");
+      before_loop_ += array_text("  static constexpr " + type + " " + name, items, "0") + "\n";
     }
     return name + "[k]";
   }

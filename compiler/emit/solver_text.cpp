@@ -15,10 +15,9 @@ using Items = std::vector<std::string>;
 /// Text that only a solver which chooses its coordinates at run time needs; lanes leave that to the scalar solver.
 std::string where_chosen(const std::string& scalar, const std::string& text) { return scalar == "double" ? text : ""; }
 
-/// A static table of System; never empty, since C++ has no arrays of size zero.
+/// A static table of System.
 std::string table(const std::string& type, const std::string& name, Items items, const std::string& filler = "0") {
-  if (items.empty()) items.push_back(filler);
-  return braced_list("  static constexpr " + type + " " + name + "[] = ", items, ";\n");
+  return array_text("  static constexpr " + type + " " + name, std::move(items), filler) + "\n";
 }
 
 std::string constant(const std::string& type, const std::string& name, const std::string& value) {
@@ -100,9 +99,7 @@ std::vector<int> drive_coordinates(const EmitContext& context) {
 
 /// Where each parameter or input is in its struct, to name one that is not finite.
 std::string member_table(const std::string& structure, const std::string& name, const Items& members) {
-  Items places;
-  for (const std::string& member : members) places.push_back("&" + structure + "::" + member);
-  return table("double", structure + "::*" + name, places, "nullptr");
+  return table("double", structure + "::*" + name, member_places(structure, members), "nullptr");
 }
 
 /// The call of the outputs' program, once the arguments are found good.

@@ -125,6 +125,23 @@ std::string braced_list(const std::string& head, const std::vector<std::string>&
   return head + "{\n" + wrapped_list(items, (indent == std::string::npos ? 0 : indent) + 4) + "}" + tail;
 }
 
+std::string array_text(const std::string& head, std::vector<std::string> items, const std::string& filler) {
+  if (items.empty()) items.push_back(filler);
+  return braced_list(head + "[] = ", items, ";");
+}
+
+std::vector<std::string> number_texts(const std::vector<double>& values) {
+  std::vector<std::string> texts;
+  for (const double value : values) texts.push_back(number_text(value));
+  return texts;
+}
+
+std::vector<std::string> member_places(const std::string& structure, const std::vector<std::string>& members) {
+  std::vector<std::string> places;
+  for (const std::string& member : members) places.push_back("&" + structure + "::" + member);
+  return places;
+}
+
 std::string wrapped_statement(const std::string& line) {
   const std::size_t indent = line.find_first_not_of(' ');
   const std::string margin(indent == std::string::npos ? 4 : indent + 4, ' ');

@@ -32,6 +32,16 @@ std::string wrapped_list(const std::vector<std::string>& items, std::size_t inde
 /// `head`, the items in braces and `tail`: on one line where it fits, else the items on lines of their own.
 std::string braced_list(const std::string& head, const std::vector<std::string>& items, const std::string& tail);
 
+/// Declaration of an array: `head[] = {items};`, no newline. The filler where there are none: C++ has no arrays of size
+/// zero.
+std::string array_text(const std::string& head, std::vector<std::string> items, const std::string& filler);
+
+/// Numbers as literals.
+std::vector<std::string> number_texts(const std::vector<double>& values);
+
+/// Places of the members of a struct, for an array of pointers to them: "&Inputs::torque".
+std::vector<std::string> member_places(const std::string& structure, const std::vector<std::string>& members);
+
 /// One statement broken at commas and spaces so that lines keep to kLineWidth where they can; later lines are indented
 /// by four more.
 std::string wrapped_statement(const std::string& line);

@@ -44,6 +44,9 @@ enum class JointType { revolute, prismatic, cylindrical, universal, spherical, p
 
 enum class FreedomKind { revolute, prismatic };
 
+/// Of a coordinate.
+constexpr const char* unit_of(FreedomKind kind) { return kind == FreedomKind::revolute ? "rad" : "m"; }
+
 /// One elementary freedom of a joint, in the order the joint applies them (from the `from` body to the `to` body).
 struct Freedom {
   std::string name;  ///< name of the coordinate, for example "chassis_rz"
@@ -306,6 +309,9 @@ struct SolverSettings {
   double step = 1e-3;                ///< s
   double duration = 1;               ///< s
   double closure_tolerance = 1e-12;  ///< m or 1, largest residual that projection leaves
+
+  /// Whether a step looks back on those before.
+  bool is_multistep() const { return integrator == Integrator::abm4; }
 };
 
 /// A multibody system as the user described it, names resolved and every number checked.

@@ -16593,16 +16593,12 @@ struct System {
   static constexpr mbgen::FreeDirection kFreeDirection[] = {
       {0, -1, 0}, {1, -1, 0}, {2, -1, 0}, {3, -1, 0}, {4, -1, 0}, {5, -1, 0}, {6, 0, 0}, {13, 0, 1},
       {21, 0, 2}, {10, -1, 0}, {17, -1, 0}, {24, 1, 0}, {27, 1, 1}, {28, -1, 0}, {30, -1, 0}};
-  static constexpr double Parameters::*kParameterMember[] = {
-      nullptr};
-  static constexpr double Inputs::*kInputMember[] = {
-      nullptr};
+  static constexpr double Parameters::*kParameterMember[] = {nullptr};
+  static constexpr double Inputs::*kInputMember[] = {nullptr};
   static constexpr unsigned char kDriven[] = {
       0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0};
-  static constexpr unsigned char kRedundant[] = {
-      0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0};
-  static constexpr int kDriveCoordinate[] = {
-      0};
+  static constexpr unsigned char kRedundant[] = {0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0};
+  static constexpr int kDriveCoordinate[] = {0};
   static constexpr mbgen::BlockLayout kBlockLayout[] = {
       {11, 14, 11, 3, 0, 0, 0, 0, 0.17}, {6, 8, 6, 2, 11, 14, 154, 42, 0.38}};
   static constexpr int kBlockCoordinate[] = {

@@ -713,26 +713,16 @@ struct System {
   static constexpr int kDrives = 0;
   static constexpr double kClosureTolerance = 1e-12;
   static constexpr int kBlockCoordinates = 3;
-  static constexpr mbgen::FreeDirection kFreeDirection[] = {
-      {1, 0, 0}};
-  static constexpr double Parameters::*kParameterMember[] = {
-      &Parameters::k};
-  static constexpr double Inputs::*kInputMember[] = {
-      &Inputs::torque};
-  static constexpr unsigned char kDriven[] = {
-      0, 0, 0};
-  static constexpr unsigned char kRedundant[] = {
-      0, 1, 0, 1, 1};
-  static constexpr int kDriveCoordinate[] = {
-      0};
-  static constexpr mbgen::BlockLayout kBlockLayout[] = {
-      {5, 3, 2, 1, 0, 0, 0, 0, 0.24}};
-  static constexpr int kBlockCoordinate[] = {
-      0, 1, 2};
-  static constexpr unsigned char kBlockDriven[] = {
-      0, 0, 0};
-  static constexpr int kMultiplierPlace[] = {
-      0, 1, 2, 3, 4};
+  static constexpr mbgen::FreeDirection kFreeDirection[] = {{1, 0, 0}};
+  static constexpr double Parameters::*kParameterMember[] = {&Parameters::k};
+  static constexpr double Inputs::*kInputMember[] = {&Inputs::torque};
+  static constexpr unsigned char kDriven[] = {0, 0, 0};
+  static constexpr unsigned char kRedundant[] = {0, 1, 0, 1, 1};
+  static constexpr int kDriveCoordinate[] = {0};
+  static constexpr mbgen::BlockLayout kBlockLayout[] = {{5, 3, 2, 1, 0, 0, 0, 0, 0.24}};
+  static constexpr int kBlockCoordinate[] = {0, 1, 2};
+  static constexpr unsigned char kBlockDriven[] = {0, 0, 0};
+  static constexpr int kMultiplierPlace[] = {0, 1, 2, 3, 4};
   using Accelerations = four_bar::Accelerations;
   static constexpr auto accelerations = &compute_accelerations;
   using Closure = four_bar::Closure;
