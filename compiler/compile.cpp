@@ -1,16 +1,25 @@
 #include "compiler/compile.hpp"
 
+#include <array>
 #include <utility>
 
 #include "compiler/passes/passes.hpp"
 
 namespace mbgen {
 
+namespace {
+
+/// The programs that a solver runs, whatever its form.
+std::array<Program*, 6> solver_programs(Programs& programs) {
+  return {&programs.accelerations,        &programs.closure,     &programs.closure_terms,
+          &programs.accelerations_chosen, &programs.multipliers, &programs.outputs};
+}
+
+}  // namespace
+
 Programs optimise(Programs programs) {
-  for (Program* program :
-       {&programs.accelerations, &programs.recursive_accelerations, &programs.closure, &programs.closure_terms,
-        &programs.accelerations_chosen, &programs.multipliers, &programs.outputs})
-    *program = optimise(std::as_const(*program));
+  for (Program* program : solver_programs(programs)) *program = optimise(std::as_const(*program));
+  programs.recursive_accelerations = optimise(std::as_const(programs.recursive_accelerations));
   return programs;
 }
 
@@ -25,9 +34,7 @@ void take_form(Programs& programs, std::optional<Form> form) {
 }
 
 void take_out_derived_constants(Programs& programs) {
-  Program* const all[] = {&programs.accelerations,        &programs.closure,     &programs.closure_terms,
-                          &programs.accelerations_chosen, &programs.multipliers, &programs.outputs};
-  programs.derived_constants = take_out_derived(all, "par", "derived_constants");
+  programs.derived_constants = take_out_derived(solver_programs(programs), "par", "derived_constants");
 }
 
 void count_savings(Compilation& compilation) {
@@ -64,9 +71,7 @@ Result<Compilation> compile(const std::string& path, std::optional<Form> form) {
 }
 
 Programs as_emitted(Programs programs) {
-  for (Program* program : {&programs.accelerations, &programs.closure, &programs.closure_terms,
-                           &programs.accelerations_chosen, &programs.multipliers, &programs.outputs})
-    *program = contract(std::as_const(*program));
+  for (Program* program : solver_programs(programs)) *program = contract(std::as_const(*program));
   // The matrix form keeps the order of the paper's steps.
   if (programs.form == Form::recursive) programs.accelerations = shorten_lifetimes(programs.accelerations);
   return programs;
@@ -76,11 +81,18 @@ std::vector<EmittedFile> emit(const Compilation& compilation, const EmitOptions&
   return emit(as_emitted(compilation.programs), compilation.model, compilation.topology, compilation.analysis, options);
 }
 
-FmuFiles emit_fmu(const Compilation& c, const InitialState& initial, FmiVersion version) {
-  // Derivatives by parameters go through the constants that follow from them: these programs hold them.
+Programs whole_programs(const Compilation& c) {
   Programs whole = optimise(trace(c.model, c.topology, c.analysis));
   take_form(whole, c.programs.form);
-  return emit_fmu(whole, as_emitted(c.programs), c.model, c.topology, c.analysis, initial, version);
+  return whole;
+}
+
+FmuFiles emit_fmu(const Compilation& c, const InitialState& initial, FmiVersion version) {
+  return emit_fmu(whole_programs(c), as_emitted(c.programs), c.model, c.topology, c.analysis, initial, version);
+}
+
+Result<LinearSystem> linearise(const Compilation& c, const OperatingPoint& point) {
+  return linearise(c.model, c.topology, c.analysis, whole_programs(c), point);
 }
 
 EmittedFile emit_clocked_driver(const Compilation& c, int lanes) {

@@ -8,6 +8,7 @@
 #include "compiler/analysis/analysis.hpp"
 #include "compiler/emit/emit.hpp"
 #include "compiler/emit/fmu.hpp"
+#include "compiler/linearisation/linearisation.hpp"
 #include "compiler/model/model.hpp"
 #include "compiler/topology/topology.hpp"
 #include "compiler/trace/trace.hpp"
@@ -49,6 +50,13 @@ Programs as_emitted(Programs programs);
 
 /// The files of the specialised solver, see emit.
 std::vector<EmittedFile> emit(const Compilation& compilation, const EmitOptions& options = {});
+
+/// Every program after the passes with the constants that follow from tunable parameters still in it: derivatives go
+/// through them.
+Programs whole_programs(const Compilation& compilation);
+
+/// Linearises the model, see linearisation.hpp.
+Result<LinearSystem> linearise(const Compilation& compilation, const OperatingPoint& point);
 
 /// The files of an FMU that starts from `initial`, see emit_fmu.
 FmuFiles emit_fmu(const Compilation& compilation, const InitialState& initial, FmiVersion version);

@@ -1,0 +1,106 @@
+// mbgen equilibrium: where a model stays at rest.
+
+#include <fmt/format.h>
+
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "compiler/cli/commands.hpp"
+#include "compiler/cli/files.hpp"
+#include "compiler/cli/json_text.hpp"
+#include "compiler/cli/operating_point.hpp"
+#include "compiler/cli/options.hpp"
+#include "compiler/cli/user_error.hpp"
+
+namespace mbgen::cli {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+struct EquilibriumOptions {
+  std::string model, file;
+  std::vector<std::string> inputs;
+  bool json = false;
+};
+
+/// The equilibrium and what holds there.
+struct Equilibrium {
+  GenericState state;
+  GenericDerivative rates;  ///< zero but for rounding, and for what may roll or turn freely
+  GenericOutputs outputs;
+};
+
+Equilibrium find(const Compilation& compilation, const std::vector<double>& inputs) {
+  Equilibrium found{equilibrium_state(compilation, inputs), {}, {}};
+  GenericSolver solver(compilation.model, compilation.topology, compilation.analysis);
+  solver.set_inputs(inputs);
+  const std::vector<double> no_forces(found.state.z.size(), 0.0);
+  const Status status = solver.accelerations(found.state, no_forces, found.rates);
+  if (!status.ok()) throw UserError(fmt::format("at the equilibrium: {}\n", describe(compilation, status)));
+  found.outputs = solver.outputs(found.state, no_forces, found.rates);
+  return found;
+}
+
+Json equilibrium_json(const Compilation& compilation, const Equilibrium& found) {
+  Json positions = Json::object(), outputs = Json::object();
+  for (std::size_t i = 0; i < found.state.z.size(); ++i) {
+    positions[compilation.topology.bodies[i].coordinate] = found.state.z[i];
+  }
+  for (std::size_t i = 0; i < compilation.model.outputs.size(); ++i) {
+    outputs[compilation.model.outputs[i].name] = found.outputs.y[i];
+  }
+  return {{"model", compilation.model.name},
+          {"positions", positions},
+          {"largest_acceleration", largest_absolute(found.rates.zdd)},
+          {"outputs", outputs}};
+}
+
+std::string equilibrium_text(const Compilation& compilation, const Equilibrium& found) {
+  std::string text = fmt::format("{}: static equilibrium, accelerations below {:.1e}\n\nCoordinates\n",
+                                 compilation.model.name, largest_absolute(found.rates.zdd));
+  for (std::size_t i = 0; i < found.state.z.size(); ++i) {
+    const TreeBody& body = compilation.topology.bodies[i];
+    text += fmt::format("  {:<40}{:>16.9g} {}\n", body.coordinate, found.state.z[i], unit_of(body.kind));
+  }
+  if (!compilation.model.outputs.empty()) text += "\nOutputs\n";
+  for (std::size_t i = 0; i < compilation.model.outputs.size(); ++i) {
+    const Output& output = compilation.model.outputs[i];
+    text += fmt::format("  {:<40}{:>16.9g} {}\n", output.name, found.outputs.y[i], output.unit);
+  }
+  return text;
+}
+
+/// A file to include: a model that starts there.
+void write_start(const EquilibriumOptions& options, const Compilation& compilation, const Equilibrium& found) {
+  require_other_file(options.file, compilation.model.files);
+  const Json positions = equilibrium_json(compilation, found)["positions"];
+  AtomicFile file(options.file);
+  file.write(json_text({{"mbgen", 1}, {"initial", {{"positions", positions}}}}));
+  file.close();
+  file.commit();
+}
+
+int run(const EquilibriumOptions& options) {
+  const Compilation compilation = expect(compile(options.model));
+  const Equilibrium found = find(compilation, input_values(compilation.model, options.inputs));
+  if (!options.file.empty()) write_start(options, compilation, found);
+  print(options.json ? json_text(equilibrium_json(compilation, found)) : equilibrium_text(compilation, found));
+  return kDone;
+}
+
+}  // namespace
+
+void add_equilibrium(CLI::App& application, int& exit_code) {
+  const auto options = std::make_shared<EquilibriumOptions>();
+  CLI::App* command = application.add_subcommand("equilibrium", "find where a model stays at rest");
+  command->footer(
+      "Example: mbgen equilibrium models/coach.json\n"
+      "Starts from the model's initial state. Driven coordinates stay at their motions, loops closed.");
+  add_model_argument(*command, options->model);
+  command->add_option("--input", options->inputs, "value of an input, name=value; may be given several times");
+  command->add_option("--out", options->file, "write the positions as a file that a model may include: its start");
+  add_json_option(*command, options->json);
+  command->callback([options, &exit_code] { exit_code = run(*options); });
+}
+
+}  // namespace mbgen::cli

@@ -1,0 +1,175 @@
+// mbgen linearize: small motions about a state.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <numeric>
+
+#include "compiler/cli/commands.hpp"
+#include "compiler/cli/files.hpp"
+#include "compiler/cli/json_text.hpp"
+#include "compiler/cli/operating_point.hpp"
+#include "compiler/cli/options.hpp"
+#include "compiler/cli/user_error.hpp"
+
+namespace mbgen::cli {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// A coordinate that moves less than this part of the one that moves most is not named.
+constexpr double kNamed = 0.1;
+constexpr std::size_t kMostNamed = 4;
+
+struct LinearizeOptions {
+  std::string model, file;
+  StateArguments state;
+  bool json = false;
+};
+
+std::vector<std::string> state_names(const Compilation& compilation, const LinearSystem& system) {
+  const std::vector<std::string> auxiliary = auxiliary_state_names(compilation.model);
+  std::vector<std::string> names;
+  for (const LinearState& state : system.states) {
+    const auto index = static_cast<std::size_t>(state.index);
+    if (state.kind == LinearState::Kind::auxiliary) {
+      names.push_back("x." + auxiliary[index]);
+    } else {
+      const bool is_velocity = state.kind == LinearState::Kind::velocity;
+      names.push_back((is_velocity ? "zd." : "z.") + compilation.topology.bodies[index].coordinate);
+    }
+  }
+  return names;
+}
+
+Json matrix_json(const Eigen::MatrixXd& matrix) {
+  Json rows = Json::array();
+  for (Eigen::Index i = 0; i < matrix.rows(); ++i) {
+    Json row = Json::array();
+    for (Eigen::Index j = 0; j < matrix.cols(); ++j) row.push_back(matrix(i, j));
+    rows.push_back(std::move(row));
+  }
+  return rows;
+}
+
+Json complex_json(std::complex<double> value) { return Json::array({value.real(), value.imag()}); }
+
+Json modes_json(const Compilation& compilation, const std::vector<Mode>& list) {
+  Json result = Json::array();
+  for (const Mode& mode : list) {
+    Json shape = Json::object();
+    for (std::size_t i = 0; i < mode.coordinates.size(); ++i) {
+      shape[compilation.topology.bodies[i].coordinate] = complex_json(mode.coordinates[i]);
+    }
+    result.push_back({{"eigenvalue", complex_json(mode.eigenvalue)},
+                      {"frequency", mode.frequency()},
+                      {"undamped_frequency", mode.undamped_frequency()},
+                      {"damping_ratio", mode.damping_ratio()},
+                      {"neutral", mode.is_neutral},
+                      {"shape", std::move(shape)}});
+  }
+  return result;
+}
+
+Json linear_json(const Compilation& compilation, const OperatingPoint& point, const LinearSystem& system,
+                 const std::vector<Mode>& list) {
+  Json inputs = Json::array(), outputs = Json::array(), z = Json::object();
+  for (const Input& input : compilation.model.inputs) inputs.push_back(input.name);
+  for (const Output& output : compilation.model.outputs) outputs.push_back(output.name);
+  for (std::size_t i = 0; i < point.z.size(); ++i) z[compilation.topology.bodies[i].coordinate] = point.z[i];
+  return {{"model", compilation.model.name},
+          {"states", state_names(compilation, system)},
+          {"inputs", inputs},
+          {"outputs", outputs},
+          {"positions", z},
+          {"drift", std::vector<double>(system.drift.begin(), system.drift.end())},
+          {"A", matrix_json(system.A)},
+          {"B", matrix_json(system.B)},
+          {"C", matrix_json(system.C)},
+          {"D", matrix_json(system.D)},
+          {"modes", modes_json(compilation, list)}};
+}
+
+/// The coordinates that move most in a mode, the largest first.
+std::string leading_coordinates(const Compilation& compilation, const Mode& mode) {
+  std::vector<std::size_t> order(mode.coordinates.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+    return std::abs(mode.coordinates[a]) > std::abs(mode.coordinates[b]);
+  });
+  std::string text;
+  for (std::size_t i = 0; i < std::min(order.size(), kMostNamed); ++i) {
+    const double size = std::abs(mode.coordinates[order[i]]);
+    if (!(size >= kNamed)) break;
+    text += fmt::format("{}{} {:.2f}", i == 0 ? "" : ", ", compilation.topology.bodies[order[i]].coordinate, size);
+  }
+  return text;
+}
+
+/// Four decimals; what they round to zero has no sign.
+std::string without_minus_zero(double value) {
+  const std::string text = fmt::format("{:.4f}", value);
+  return text == "-0.0000" ? "0.0000" : text;
+}
+
+std::string linear_text(const Compilation& compilation, const LinearSystem& system, const std::vector<Mode>& list) {
+  const double drift = system.drift.size() > 0 ? system.drift.cwiseAbs().maxCoeff() : 0.0;
+  std::string text =
+      fmt::format("{}: {} states, {} inputs, {} outputs\nrates of the states at this point: at most {:.3g}\n\n",
+                  compilation.model.name, system.states.size(), compilation.model.inputs.size(),
+                  compilation.model.outputs.size(), drift);
+  text += "        eigenvalue [1/s]           frequency [Hz]   damping   moves most\n";
+  int number = 0;
+  for (const Mode& mode : list) {
+    const bool oscillates = mode.eigenvalue.imag() > 0 && !mode.is_neutral;
+    const std::string frequency = oscillates ? fmt::format("{:.4f}", mode.frequency()) : "-";
+    const std::string damping = oscillates ? without_minus_zero(mode.damping_ratio()) : "-";
+    const std::string imaginary = oscillates ? fmt::format("+-{:.4f} i", mode.eigenvalue.imag()) : "";
+    const std::string real = mode.is_neutral ? "0" : without_minus_zero(mode.eigenvalue.real());
+    std::string line = fmt::format("{:>4}{:>14} {:<17}{:>12}{:>12}   {}", ++number, real, imaginary, frequency, damping,
+                                   leading_coordinates(compilation, mode));
+    line.erase(line.find_last_not_of(' ') + 1);
+    text += line + "\n";
+  }
+  const auto is_unstable = [](const Mode& mode) { return !mode.is_neutral && mode.eigenvalue.real() > 0; };
+  const auto unstable = std::count_if(list.begin(), list.end(), is_unstable);
+  if (unstable > 0) text += fmt::format("\nunstable: {} of {} modes grow\n", unstable, list.size());
+  return text;
+}
+
+int run(const LinearizeOptions& options) {
+  const Compilation compilation = expect(compile(options.model));
+  const OperatingPoint point = operating_point(compilation, options.state);
+  const LinearSystem system = expect(linearise(compilation, point));
+  const std::vector<Mode> list = modes(system);
+  if (!options.file.empty()) {
+    require_other_file(options.file, compilation.model.files);
+    AtomicFile file(options.file);
+    file.write(json_text(linear_json(compilation, point, system, list)));
+    file.close();
+    file.commit();
+  }
+  print(options.json ? json_text(linear_json(compilation, point, system, list))
+                     : linear_text(compilation, system, list));
+  return kDone;
+}
+
+}  // namespace
+
+void add_linearize(CLI::App& application, int& exit_code) {
+  const auto options = std::make_shared<LinearizeOptions>();
+  CLI::App* command = application.add_subcommand("linearize", "linear equations and modes about a state");
+  command->footer(
+      "Example: mbgen linearize models/coach.json --at equilibrium\n"
+      "States are positions and velocities of the independent coordinates and the slips of the tyres; the loops stay\n"
+      "closed. --json and --out give A, B, C, D, the eigenvalues and the mode shapes over all coordinates.");
+  add_model_argument(*command, options->model);
+  add_state_options(*command, options->state);
+  command->add_option("--out", options->file, "write matrices and modes to this file, as --json prints them");
+  add_json_option(*command, options->json);
+  command->callback([options, &exit_code] { exit_code = run(*options); });
+}
+
+}  // namespace mbgen::cli

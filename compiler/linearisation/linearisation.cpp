@@ -1,0 +1,208 @@
+#include "compiler/linearisation/linearisation.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "compiler/linearisation/groups.hpp"
+#include "mbgen/blocks.hpp"
+
+namespace mbgen {
+namespace {
+
+/// The programs, each with its derivatives along a direction.
+struct DifferentiatedPrograms {
+  Program closure, accelerations, multipliers, outputs;
+  bool has_closure = false, has_multipliers = false;
+};
+
+DifferentiatedPrograms differentiated(const Programs& programs, const std::vector<DirectionGroup>& groups) {
+  DifferentiatedPrograms all;
+  all.has_closure = !programs.closure.outputs.empty();
+  all.has_multipliers = !programs.multipliers.outputs.empty();
+  if (all.has_closure) all.closure = differentiate(programs.closure, seeds_of(programs.closure, groups));
+  all.accelerations = differentiate(programs.accelerations, seeds_of(programs.accelerations, groups));
+  if (all.has_multipliers) {
+    all.multipliers = differentiate(programs.multipliers, seeds_of(programs.multipliers, groups));
+  }
+  all.outputs = differentiate(programs.outputs, seeds_of(programs.outputs, groups));
+  return all;
+}
+
+/// What belongs to an operating point, by the groups of the programs' inputs.
+Groups known_at(const Model& model, const Topology& topology, const OperatingPoint& point) {
+  Groups known = {{"z", point.z},
+                  {"zd", point.zd},
+                  {"x", point.x},
+                  {"t", {point.t}},
+                  {"tau", std::vector<double>(static_cast<std::size_t>(topology.size()), 0.0)},
+                  {"in", point.inputs},
+                  {"par", {}}};
+  for (const Parameter& parameter : model.parameters) {
+    if (parameter.tunable) known["par"].push_back(parameter.value);
+  }
+  return known;
+}
+
+/// Index of a loop block that stands badly with its frozen partition.
+std::optional<int> singular_block(const Groups& results) {
+  const auto pivots = results.find("pivot");
+  if (pivots == results.end()) return {};
+  for (std::size_t b = 0; b < pivots->second.size(); ++b) {
+    if (!(pivots->second[b] >= kPivotThreshold)) return static_cast<int>(b);
+  }
+  return {};
+}
+
+/// Derivatives at one point along any direction.
+class Derivatives {
+ public:
+  Derivatives(const DifferentiatedPrograms& programs, const std::vector<DirectionGroup>& groups, Groups known,
+              int outputs)
+      : programs_(programs), groups_(groups), known_(std::move(known)), outputs_(outputs) {}
+
+  /// The accelerations and what else the outputs take. Result: a loop block that is singular here.
+  std::optional<int> solve() {
+    known_["seed"] = std::vector<double>(static_cast<std::size_t>(direction_size(groups_)), 0.0);
+    if (programs_.has_closure) {
+      if (const auto block = singular_block(evaluate(programs_.closure, known_))) return block;
+    }
+    const Groups solution = evaluate(programs_.accelerations, known_);
+    if (const auto block = singular_block(solution)) return block;
+    known_["zdd"] = solution.at("zdd");
+    known_["xd"] = group_of(solution, "xd", size_of("x"));
+    if (!programs_.has_multipliers) return {};
+    const Groups forces = evaluate(programs_.multipliers, known_);
+    for (const char* name : {"lambda", "drive"}) known_[name] = group_of(forces, name, size_of(name));
+    return {};
+  }
+
+  /// Completes a direction of states or inputs and gives the rates that go with it: groups z, zd, zdd, xd, y.
+  /// The Newton step of the closure has the derivative of the closed positions: at the solution it does not depend on
+  /// the dependent positions.
+  Groups along(const std::string& group, int index) {
+    Groups direction;
+    for (const DirectionGroup& part : groups_) direction[part.name].assign(static_cast<std::size_t>(part.size), 0.0);
+    direction[group][static_cast<std::size_t>(index)] = 1;
+    if (programs_.has_closure) {
+      const std::vector<double> moved = group_of(run(programs_.closure, direction), "d_dz", size_of("z"));
+      for (std::size_t i = 0; i < moved.size(); ++i) direction["z"][i] += moved[i];
+      direction["zd"] = group_of(run(programs_.closure, direction), "d_zd", size_of("z"));
+    }
+    const Groups rates = run(programs_.accelerations, direction);
+    direction["zdd"] = group_of(rates, "d_zdd", size_of("z"));
+    if (programs_.has_multipliers) {
+      const Groups forces = run(programs_.multipliers, direction);
+      direction["lambda"] = group_of(forces, "d_lambda", size_of("lambda"));
+      direction["drive"] = group_of(forces, "d_drive", size_of("drive"));
+    }
+    return {{"z", direction["z"]},
+            {"zd", direction["zd"]},
+            {"zdd", direction["zdd"]},
+            {"xd", group_of(rates, "d_xd", size_of("x"))},
+            {"y", group_of(run(programs_.outputs, direction), "d_y", outputs_)}};
+  }
+
+  /// The point itself: groups zd, zdd, xd and others.
+  const Groups& known() const { return known_; }
+
+ private:
+  int size_of(const std::string& group) const {
+    const auto found = std::find_if(groups_.begin(), groups_.end(), [&](const auto& g) { return g.name == group; });
+    return found->size;
+  }
+
+  Groups run(const Program& program, const Groups& direction) {
+    known_["seed"] = joined(groups_, direction);
+    return evaluate(program, known_);
+  }
+
+  const DifferentiatedPrograms& programs_;
+  const std::vector<DirectionGroup>& groups_;
+  Groups known_;
+  int outputs_;
+};
+
+std::vector<LinearState> states_of(const Model& model, const Topology& topology, const Analysis& analysis) {
+  std::vector<LinearState> states;
+  const std::vector<int> independent = free_coordinates(topology, analysis);
+  for (const LinearState::Kind kind : {LinearState::Kind::position, LinearState::Kind::velocity}) {
+    for (const int coordinate : independent) states.push_back({kind, coordinate});
+  }
+  for (int i = 0; i < auxiliary_state_count(model); ++i) states.push_back({LinearState::Kind::auxiliary, i});
+  return states;
+}
+
+/// The rates of the states among those of everything.
+Eigen::VectorXd rates_of(const std::vector<LinearState>& states, const Groups& rates) {
+  constexpr const char* kRates[] = {"zd", "zdd", "xd"};
+  Eigen::VectorXd result(static_cast<Eigen::Index>(states.size()));
+  for (std::size_t i = 0; i < states.size(); ++i) {
+    const std::vector<double>& group = rates.at(kRates[static_cast<int>(states[i].kind)]);
+    result[static_cast<Eigen::Index>(i)] = group[static_cast<std::size_t>(states[i].index)];
+  }
+  return result;
+}
+
+Eigen::VectorXd vector_of(const std::vector<double>& values) {
+  return Eigen::Map<const Eigen::VectorXd>(values.data(), static_cast<Eigen::Index>(values.size()));
+}
+
+Diagnostic problem(const Model& model, std::string message, std::string hint) {
+  return {Where{model.file, 0, 0, ""}, std::move(message), std::move(hint), ""};
+}
+
+Diagnostic singular(const Model& model, const Topology& topology, int block) {
+  const Loop& loop = topology.loops[topology.blocks[static_cast<std::size_t>(block)].loops.front()];
+  return problem(model, "cannot be linearised here: loop " + quoted(loop.name) + " is singular at this position",
+                 "linearise at a position near by");
+}
+
+}  // namespace
+
+Result<LinearSystem> linearise(const Model& model, const Topology& topology, const Analysis& analysis,
+                               const Programs& programs, const OperatingPoint& point) {
+  const int n = topology.size(), outputs = static_cast<int>(model.outputs.size()),
+            inputs = static_cast<int>(model.inputs.size());
+  int equations = 0;
+  for (const Loop& loop : topology.loops) equations += loop.equations;
+  const std::vector<DirectionGroup> groups = {{"z", n},
+                                              {"zd", n},
+                                              {"x", auxiliary_state_count(model)},
+                                              {"in", inputs},
+                                              {"zdd", n},
+                                              {"lambda", equations},
+                                              {"drive", static_cast<int>(model.motions.size())}};
+  const DifferentiatedPrograms all = differentiated(programs, groups);
+  Derivatives derivatives(all, groups, known_at(model, topology, point), outputs);
+  if (const std::optional<int> block = derivatives.solve()) return singular(model, topology, *block);
+
+  LinearSystem system;
+  system.states = states_of(model, topology, analysis);
+  const auto size = static_cast<Eigen::Index>(system.states.size());
+  system.A.resize(size, size);
+  system.B.resize(size, inputs);
+  system.C.resize(outputs, size);
+  system.D.resize(outputs, inputs);
+  system.coordinates.resize(n, size);
+  system.drift = rates_of(system.states, derivatives.known());
+  constexpr const char* kGroups[] = {"z", "zd", "x"};
+  for (Eigen::Index j = 0; j < size; ++j) {
+    const LinearState& state = system.states[static_cast<std::size_t>(j)];
+    const Groups rates = derivatives.along(kGroups[static_cast<int>(state.kind)], state.index);
+    system.A.col(j) = rates_of(system.states, rates);
+    system.C.col(j) = vector_of(rates.at("y"));
+    system.coordinates.col(j) = vector_of(rates.at("z"));
+  }
+  for (int j = 0; j < inputs; ++j) {
+    const Groups rates = derivatives.along("in", j);
+    system.B.col(j) = rates_of(system.states, rates);
+    system.D.col(j) = vector_of(rates.at("y"));
+  }
+  const bool is_finite = system.A.allFinite() && system.B.allFinite() && system.C.allFinite() && system.D.allFinite();
+  if (is_finite) return system;
+  return problem(model, "cannot be linearised here: a derivative is not finite",
+                 "a law may have a corner or a pole at this state; linearise beside it");
+}
+
+}  // namespace mbgen

@@ -1,0 +1,67 @@
+#pragma once
+// The door of the linearisation room: the equations of motion for small deviations from one state.
+
+#include <Eigen/Core>
+#include <complex>
+#include <string>
+#include <vector>
+
+#include "compiler/analysis/analysis.hpp"
+#include "compiler/model/model.hpp"
+#include "compiler/topology/topology.hpp"
+#include "compiler/trace/trace.hpp"
+
+namespace mbgen {
+
+/// Where a model is linearised. Requires of it: closed loops and consistent velocities.
+struct OperatingPoint {
+  std::vector<double> z, zd, x;  ///< all coordinates, all velocities, auxiliary states
+  double t = 0;                  ///< s
+  std::vector<double> inputs;    ///< all of the model
+};
+
+/// A state of the linear system.
+struct LinearState {
+  enum class Kind { position, velocity, auxiliary };
+  Kind kind = Kind::position;
+  int index = 0;  ///< tree coordinate, or auxiliary state
+};
+
+/// s' = A s + B u and y = C s + D u for the deviations s of the states, u of the inputs and y of the outputs.
+/// States are the positions of the independent coordinates, their velocities, and the auxiliary states; the dependent
+/// coordinates follow, so that loops stay closed and driven coordinates at their motions. Time stands still.
+struct LinearSystem {
+  std::vector<LinearState> states;
+  Eigen::MatrixXd A;            ///< states x states
+  Eigen::MatrixXd B;            ///< states x inputs of the model
+  Eigen::MatrixXd C;            ///< outputs of the model x states
+  Eigen::MatrixXd D;            ///< outputs x inputs
+  Eigen::MatrixXd coordinates;  ///< coordinates x states: deviations of all positions
+  Eigen::VectorXd drift;        ///< s' at the point itself; zero for accelerations in an equilibrium
+};
+
+/// Linearises by the symbolic program's derivatives, differentiated forward (program.hpp) along each state and input.
+/// programs: after the passes, nothing taken out of them.
+/// Fails: a loop block at whose position the frozen partition is singular (its loop named), derivatives that are not
+/// finite (state or input named).
+/// Cost: one run of the differentiated programs per state and input.
+Result<LinearSystem> linearise(const Model& model, const Topology& topology, const Analysis& analysis,
+                               const Programs& programs, const OperatingPoint& point);
+
+/// A solution s = Re(shape exp(eigenvalue t)) of s' = A s; of a conjugate pair the one that turns forward.
+struct Mode {
+  std::complex<double> eigenvalue;                ///< 1/s
+  std::vector<std::complex<double>> states;       ///< per state
+  std::vector<std::complex<double>> coordinates;  ///< per tree coordinate, the largest of them 1
+  bool is_neutral = false;                        ///< eigenvalue zero but for rounding: the system may stay anywhere
+
+  double frequency() const { return std::abs(eigenvalue.imag()) / 6.283185307179586; }    ///< Hz, damped
+  double undamped_frequency() const { return std::abs(eigenvalue) / 6.283185307179586; }  ///< Hz
+  /// Fraction of the critical damping; -1 to 1.
+  double damping_ratio() const { return is_neutral ? 0.0 : -eigenvalue.real() / std::abs(eigenvalue); }
+};
+
+/// Modes of the system, the fastest oscillations first, then those that do not oscillate, the fastest first.
+std::vector<Mode> modes(const LinearSystem& system);
+
+}  // namespace mbgen
