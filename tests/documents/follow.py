@@ -1,9 +1,10 @@
 #!/usr/bin/env python3
 """Follows documents word for word: writes the files that they show, runs their commands, compares what they print.
 
-    tests/documents/follow.py [--path DIRECTORY]... [--sources TREE] [--update] DOCUMENT...
+    tests/documents/follow.py [--path DIRECTORY]... [--sources TREE] [--in DIRECTORY] [--update] DOCUMENT...
 
-Each document is followed in an empty directory of its own, with --path first in PATH. In it these blocks count:
+Each document is followed by one shell in an empty directory of its own, or in that of --in, with --path first in PATH.
+These blocks count:
 
     ```json car.json          a block with the name of a file after its language: written as it stands
     ```console                commands after "$ ", lines that end with a backslash go on; then what they print.
@@ -22,7 +23,6 @@ import subprocess
 import sys
 import tempfile
 
-LONGEST_COMMAND = 900  # s
 IN_SOURCES = "<!-- in the tree of sources -->"
 ANY_LINES, ANY_TEXT = "...", re.escape("...")
 
@@ -81,23 +81,44 @@ def matches(expected, printed):
     return re.fullmatch(pattern, printed[0]) is not None and matches(expected[1:], printed[1:])
 
 
-def run(command, directory, environment):
-    result = subprocess.run(
-        ["sh", "-c", command],
-        cwd=directory,
-        env=environment,
-        stdin=subprocess.DEVNULL,
-        stdout=subprocess.PIPE,
-        stderr=subprocess.STDOUT,
-        timeout=LONGEST_COMMAND,
-    )
-    return result.returncode, [line.rstrip() for line in result.stdout.decode("utf-8", "replace").splitlines()]
+class Shell:
+    """A shell that keeps its directory and its variables from command to command."""
+
+    def __init__(self, directory, environment):
+        self.process = subprocess.Popen(
+            ["sh"],
+            cwd=directory,
+            env=environment,
+            stdin=subprocess.PIPE,
+            stdout=subprocess.PIPE,
+            stderr=subprocess.STDOUT,
+            encoding="utf-8",
+            errors="replace",
+        )
+        self.mark = f"end-of-command-{os.getpid()}"
+
+    def run(self, command):
+        """Exit code, and lines printed."""
+        self.process.stdin.write(f"{{ {command}\n}} </dev/null\nprintf '\\n%s %d\\n' {self.mark} $?\n")
+        self.process.stdin.flush()
+        lines = []
+        for line in self.process.stdout:
+            if line.startswith(self.mark):
+                if lines and not lines[-1]:
+                    lines.pop()  # of the mark
+                return int(line.split()[1]), lines
+            lines.append(line.rstrip())
+        return self.process.wait(), lines  # the command ended the shell
+
+    def close(self):
+        self.process.stdin.close()
+        self.process.wait()
 
 
-def follow_session(session, document, directory, environment, replacements):
+def follow_session(session, document, shell, replacements):
     problems = 0
     for index, (number, command, expected) in enumerate(session.commands):
-        code, printed = run(command, directory, environment)
+        code, printed = shell.run(command)
         wanted = session.exit_code if index + 1 == len(session.commands) else 0
         if code != wanted:
             print(f"{document}:{number}: exit code {code}, not {wanted}: {command}")
@@ -125,18 +146,21 @@ def follow(document, options):
     environment = dict(os.environ, LC_ALL="C.UTF-8", NO_COLOR="1")
     environment["PATH"] = os.pathsep.join([str(path.resolve()) for path in options.path] + [environment["PATH"]])
     problems, commands, replacements = 0, 0, []
-    with tempfile.TemporaryDirectory(prefix="follow.") as directory:
-        if IN_SOURCES in text:
+    with tempfile.TemporaryDirectory(prefix="follow.") as empty:
+        directory = options.directory or empty
+        if IN_SOURCES in text and not options.directory:
             for entry in sorted(options.sources.resolve().iterdir()):
                 if not entry.name.startswith(".") and entry.name != "build":
                     os.symlink(entry, os.path.join(directory, entry.name))
+        shell = Shell(directory, environment)
         for block in blocks_of(text):
             if isinstance(block, Session):
                 commands += len(block.commands)
-                problems += follow_session(block, document, directory, environment, replacements)
+                problems += follow_session(block, document, shell, replacements)
             else:
                 name, content = block
                 pathlib.Path(directory, name).write_text(content)
+        shell.close()
     if options.update:
         update(document, text, replacements)
     if commands == 0:
@@ -150,6 +174,7 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--path", type=pathlib.Path, action="append", default=[])
     parser.add_argument("--sources", type=pathlib.Path, default=pathlib.Path(__file__).resolve().parents[2])
+    parser.add_argument("--in", dest="directory", type=pathlib.Path)
     parser.add_argument("--update", action="store_true")
     parser.add_argument("documents", type=pathlib.Path, nargs="+", metavar="DOCUMENT")
     options = parser.parse_args()
