@@ -22,6 +22,21 @@ configure_file(cmake/mbgen.pc.in ${package_files}/mbgen.pc @ONLY)
 write_basic_package_version_file(${package_files}/mbgenConfigVersion.cmake COMPATIBILITY SameMinorVersion
   ARCH_INDEPENDENT)
 
+# The man page and what shells complete, as the binary itself tells them.
+set(mbgen_words ${CMAKE_CURRENT_BINARY_DIR}/words)
+add_custom_command(OUTPUT ${mbgen_words}/mbgen.1 ${mbgen_words}/mbgen ${mbgen_words}/_mbgen ${mbgen_words}/mbgen.fish
+  COMMAND ${CMAKE_COMMAND} -E make_directory ${mbgen_words}
+  COMMAND mbgen manual > ${mbgen_words}/mbgen.1
+  COMMAND mbgen completion bash > ${mbgen_words}/mbgen
+  COMMAND mbgen completion zsh > ${mbgen_words}/_mbgen
+  COMMAND mbgen completion fish > ${mbgen_words}/mbgen.fish
+  VERBATIM)
+add_custom_target(mbgen_words ALL DEPENDS ${mbgen_words}/mbgen.1)
+install(FILES ${mbgen_words}/mbgen.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1 OPTIONAL)
+install(FILES ${mbgen_words}/mbgen DESTINATION ${CMAKE_INSTALL_DATAROOTDIR}/bash-completion/completions OPTIONAL)
+install(FILES ${mbgen_words}/_mbgen DESTINATION ${CMAKE_INSTALL_DATAROOTDIR}/zsh/vendor-completions OPTIONAL)
+install(FILES ${mbgen_words}/mbgen.fish DESTINATION ${CMAKE_INSTALL_DATAROOTDIR}/fish/vendor_completions.d OPTIONAL)
+
 install(TARGETS mbgen RUNTIME)
 install(DIRECTORY runtime/include/mbgen DESTINATION ${mbgen_include_directory} FILES_MATCHING PATTERN *.hpp)
 install(FILES ${package_files}/mbgenConfig.cmake ${package_files}/mbgenFunctions.cmake

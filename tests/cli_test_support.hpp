@@ -129,9 +129,14 @@ class CommandLine : public ::testing::Test {
 
   /// `mbgen ARGUMENTS`, in the shell's syntax, with the test's directory as the current one.
   Outcome mbgen(const std::string& arguments, const std::string& standard_output = ".out") const {
+    return shell(fmt::format("'{}' {}", MBGEN_BINARY, arguments), standard_output);
+  }
+
+  /// Any command in that directory.
+  Outcome shell(const std::string& words, const std::string& standard_output = ".out") const {
     std::string command = fmt::format("cd '{}' && ", directory_.string());
     for (const auto& [name, value] : environment_) command += fmt::format("{}='{}' ", name, value);
-    command += fmt::format("'{}' {} >{} 2>.err", MBGEN_BINARY, arguments, standard_output);
+    command += fmt::format("{} >{} 2>.err", words, standard_output);
     const int state = std::system(command.c_str());
     return {WIFEXITED(state) ? WEXITSTATUS(state) : -1, read(".out"), read(".err")};
   }

@@ -85,7 +85,28 @@ TEST(Diagnostic, CaretStandsUnderTheColumn) {
   const Diagnostic problem{{"m.json", 3, 5, "/a"}, "must be positive, got -1", "use another", "\t\xC3\xA9 -1"};
   // Column 5 in bytes is the minus sign: a tab, one character of two bytes, a blank.
   EXPECT_EQ(to_text(problem),
-            "m.json:3:5: /a: must be positive, got -1\n  \t\xC3\xA9 -1\n  \t  ^\n  hint: use another\n");
+            "m.json:3:5: /a: must be positive, got -1\n  \t\xC3\xA9 -1\n  \t  ^~\n  hint: use another\n");
+}
+
+TEST(Diagnostic, TildesCoverWhatIsMeant) {
+  const auto marked = [](const std::string& line, int column) {
+    return line.substr(static_cast<std::size_t>(column - 1), static_cast<std::size_t>(marked_length(line, column)));
+  };
+  const std::string line = R"("k\"e": { "at": "arm.B", "mass": -1.5e-3, "x": [é] })";
+  EXPECT_EQ(marked(line, 1), R"("k\"e")");
+  EXPECT_EQ(marked(line, 9), "{");
+  EXPECT_EQ(marked(line, 18), "arm");
+  EXPECT_EQ(marked(line, 34), "-1.5e-3");
+  EXPECT_EQ(marked(line, 49), "é");
+  EXPECT_EQ(marked_length(line, 200), 1);
+  EXPECT_EQ(marked_length("\"open", 1), 5);
+}
+
+TEST(Diagnostic, ColoursForATerminal) {
+  const Diagnostic problem{{"m.json", 3, 2, "/a"}, "must be positive, got -1", "use another", " -1"};
+  EXPECT_EQ(to_text(problem, Style::coloured),
+            "\033[1mm.json:3:2:\033[0m /a: \033[1;31mmust be positive, got -1\033[0m\n   -1\n   "
+            "\033[1;32m^~\033[0m\n  \033[36mhint:\033[0m use another\n");
 }
 
 TEST(Diagnostic, WithoutALineOnlyTheFileIsNamed) {

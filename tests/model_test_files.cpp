@@ -80,7 +80,7 @@ TEST_F(Files, CommentsAndWindowsLinesAreRead) {
   const std::string text = "{\r\n  \"mbgen\": 1, // , \"x\": 1\r\n  /* \" */ \"bodys\": {}\r\n}";
   EXPECT_EQ(messages(text).substr(0, 42), "test.json:1:1: model has no bodies\n  {\n  ^");
   EXPECT_NE(
-      messages(text).find("test.json:3:11: /bodys: unknown key \"bodys\"\n    /* \" */ \"bodys\": {}\n            ^\n"),
+      messages(text).find("test.json:3:11: /bodys: unknown key \"bodys\"\n    /* \" */ \"bodys\": {}\n            ^~~~~~~\n"),
       std::string::npos);
 }
 

@@ -10,6 +10,7 @@
 #include "compiler/cli/files.hpp"
 #include "compiler/cli/json_text.hpp"
 #include "compiler/cli/options.hpp"
+#include "compiler/cli/user_error.hpp"
 #include "compiler/compile.hpp"
 
 namespace mbgen::cli {
@@ -28,6 +29,7 @@ std::string to_json(const std::string& file, const Diagnostics& problems) {
     list.push_back({{"file", problem.where.file},
                     {"line", problem.where.line},
                     {"column", problem.where.column},
+                    {"length", marked_length(problem.where.line_text, problem.where.column)},
                     {"pointer", problem.where.pointer},
                     {"message", problem.message},
                     {"hint", problem.hint}});
@@ -46,7 +48,7 @@ int run(const CheckOptions& options) {
   } else if (compilation) {
     print(fmt::format("{}: ok\n", options.model));
   } else {
-    fmt::print(stderr, "{}", to_text(compilation.problems()));
+    throw UserError(compilation.problems());
   }
   return compilation ? kDone : kUserFault;
 }

@@ -35,7 +35,7 @@ std::vector<Wish> wishes_of(const Compilation& compilation, const std::vector<In
     const int coordinate = tree_coordinate(compilation.topology, value.coordinate);
     if (coordinate < 0) {
       throw UserError(
-          to_text(Diagnostic{value.where, "initial value of a joint that was cut", "mark it \"cut\": false", ""}));
+          Diagnostics{{value.where, "initial value of a joint that was cut", "mark it \"cut\": false", ""}});
     }
     wishes.push_back({coordinate, value.coordinate, value.value, value.where});
   }
@@ -145,7 +145,7 @@ std::optional<GenericState> assemble_by_driving(const Compilation& compilation, 
 [[noreturn]] void contradiction(const Compilation& compilation, const Wish& wish, double found, const char* what) {
   const std::string& name = compilation.topology.bodies[wish.coordinate].coordinate;
   const bool is_driven = compilation.analysis.driven[wish.coordinate];
-  throw UserError(to_text(
+  throw UserError(Diagnostics{
       is_driven ? Diagnostic{wish.where,
                              fmt::format("initial {} of {} contradicts its motion, {} asked, the motion gives {}", what,
                                          name, wish.value, found),
@@ -153,7 +153,7 @@ std::optional<GenericState> assemble_by_driving(const Compilation& compilation, 
                 : Diagnostic{wish.where,
                              fmt::format("initial {} of {} contradicts the closures, {} asked, {} closes", what, name,
                                          wish.value, found),
-                             "give as many values as there are degrees of freedom, or consistent ones", ""}));
+                             "give as many values as there are degrees of freedom, or consistent ones", ""}});
 }
 
 /// Closed positions with the wishes kept.

@@ -1,9 +1,12 @@
 // mbgen: a JSON description of a multibody system becomes a specialised C++ solver.
 
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <csignal>
+#include <cstdlib>
 #include <exception>
+#include <string_view>
 
 #include "compiler/cli/commands.hpp"
 #include "compiler/cli/files.hpp"
@@ -13,6 +16,15 @@
 namespace mbgen::cli {
 namespace {
 
+/// Colours on a terminal, unless somebody wants none (no-color.org) or the terminal cannot.
+Style style_of_errors() {
+  const char* refused = std::getenv("NO_COLOR");
+  const char* terminal = std::getenv("TERM");
+  const bool is_refused = refused != nullptr && *refused != 0;
+  const bool is_dumb = terminal == nullptr || std::string_view(terminal) == "dumb";
+  return isatty(STDERR_FILENO) == 1 && !is_refused && !is_dumb ? Style::coloured : Style::plain;
+}
+
 int run(int argc, char** argv) {
   CLI::App application("mbgen makes a specialised C++ solver from a description of a multibody system.", "mbgen");
   int exit_code = kDone;
@@ -21,8 +33,8 @@ int run(int argc, char** argv) {
   application.footer(
       "Each command explains itself: mbgen simulate --help\n"
       "Exit codes: 0 done, 1 the input is at fault, 2 mbgen is at fault.");
-  for (const auto add : {add_check, add_inspect, add_generate, add_export, add_simulate, add_evaluate, add_equilibrium,
-                         add_linearize, add_bench, add_schema}) {
+  for (const auto add : {add_check, add_explain, add_inspect, add_generate, add_export, add_simulate, add_evaluate,
+                         add_equilibrium, add_linearize, add_bench, add_schema, add_completion, add_manual}) {
     add(application, exit_code);
   }
   try {
@@ -42,7 +54,7 @@ int main(int argc, char** argv) {
   try {
     return run(argc, argv);
   } catch (const UserError& error) {
-    fmt::print(stderr, "{}", error.what());
+    fmt::print(stderr, "{}", error.text(style_of_errors()));
     return kUserFault;
   } catch (const std::exception& error) {
     fmt::print(stderr, "mbgen: a defect of mbgen, please report it with the model: {}\n", error.what());

@@ -1,26 +1,41 @@
-// mbgen schema: the JSON Schema of the model format.
+// mbgen schema: the model format for machines and for people.
 
 #include <memory>
+#include <nlohmann/json.hpp>
 #include <string>
 
 #include "compiler/cli/commands.hpp"
 #include "compiler/cli/files.hpp"
 #include "compiler/cli/options.hpp"
+#include "compiler/cli/schema_reference.hpp"
 #include "compiler/model/model.hpp"
 
 namespace mbgen::cli {
+namespace {
+
+struct SchemaOptions {
+  bool json = true, markdown = false;
+};
+
+int run(const SchemaOptions& options) {
+  std::string schema = model_schema();
+  if (options.markdown) {
+    print(schema_reference(nlohmann::ordered_json::parse(schema)));
+  } else {
+    print(schema.ends_with('\n') ? schema : schema + '\n');
+  }
+  return kDone;
+}
+
+}  // namespace
 
 void add_schema(CLI::App& application, int& exit_code) {
+  const auto options = std::make_shared<SchemaOptions>();
   CLI::App* command = application.add_subcommand("schema", "print the JSON Schema of the model format");
   command->footer("Example: mbgen schema > mbgen.schema.json");
-  const auto json = std::make_shared<bool>(true);
-  add_json_option(*command, *json);
-  command->callback([json, &exit_code] {
-    std::string schema = model_schema();
-    if (!schema.ends_with('\n')) schema += '\n';
-    print(schema);
-    exit_code = kDone;
-  });
+  command->add_flag("--markdown", options->markdown, "print it as a document for people instead");
+  add_json_option(*command, options->json);
+  command->callback([options, &exit_code] { exit_code = run(*options); });
 }
 
 }  // namespace mbgen::cli

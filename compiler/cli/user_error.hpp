@@ -12,12 +12,20 @@ namespace mbgen::cli {
 class UserError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
+  /// What is wrong with a model, place by place.
+  explicit UserError(Diagnostics problems) : std::runtime_error(to_text(problems)), problems_(std::move(problems)) {}
+
+  /// The text for a terminal or a pipe.
+  std::string text(Style style) const { return problems_.empty() ? what() : to_text(problems_, style); }
+
+ private:
+  Diagnostics problems_;
 };
 
-/// Value of a result. Fails: UserError with the text of every diagnostic.
+/// Value of a result. Fails: UserError with every diagnostic.
 template <class Value>
 Value expect(Result<Value> result) {
-  if (!result) throw UserError(to_text(result.problems()));
+  if (!result) throw UserError(result.problems());
   return std::move(*result);
 }
 

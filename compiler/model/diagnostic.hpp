@@ -31,11 +31,18 @@ using Diagnostics = std::vector<Diagnostic>;
 /// A name as messages show it.
 inline std::string quoted(const std::string& name) { return '"' + name + '"'; }
 
+/// Number of bytes from `column` (1-based) of a line that a message about this place means: a string with its quotes, a
+/// number, a name, else one character.
+int marked_length(const std::string& line, int column);
+
+/// For files and pipes, or for terminals.
+enum class Style { plain, coloured };
+
 /// Text of one diagnostic as people read it, with a final newline.
-std::string to_text(const Diagnostic& diagnostic);
+std::string to_text(const Diagnostic& diagnostic, Style style = Style::plain);
 
 /// Text of all diagnostics, in order of appearance.
-std::string to_text(const Diagnostics& diagnostics);
+std::string to_text(const Diagnostics& diagnostics, Style style = Style::plain);
 
 /// A value, or the diagnostics that say why there is none.
 template <class Value>

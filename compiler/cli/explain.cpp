@@ -1,0 +1,36 @@
+// mbgen explain: what mbgen made of a model, in words.
+
+#include <memory>
+
+#include "compiler/cli/commands.hpp"
+#include "compiler/cli/explanation.hpp"
+#include "compiler/cli/files.hpp"
+#include "compiler/cli/options.hpp"
+#include "compiler/cli/user_error.hpp"
+
+namespace mbgen::cli {
+namespace {
+
+struct ExplainOptions {
+  std::string model, form;
+};
+
+int run(const ExplainOptions& options) {
+  print(explanation_text(expect(compile(options.model, chosen_form(options.form)))));
+  return kDone;
+}
+
+}  // namespace
+
+void add_explain(CLI::App& application, int& exit_code) {
+  const auto options = std::make_shared<ExplainOptions>();
+  CLI::App* command = application.add_subcommand("explain", "say in words what mbgen made of a model, and why");
+  command->footer(
+      "Example: mbgen explain models/four_bar.json\n"
+      "The same facts as tables and as JSON: mbgen inspect.");
+  add_model_argument(*command, options->model);
+  add_form_option(*command, options->form);
+  command->callback([options, &exit_code] { exit_code = run(*options); });
+}
+
+}  // namespace mbgen::cli

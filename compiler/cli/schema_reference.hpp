@@ -1,0 +1,13 @@
+#pragma once
+// The model format as a document, from its schema.
+
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+
+namespace mbgen::cli {
+
+/// Every object of the schema as a section in Markdown, its fields as a table: what a value may be, whether it has to
+/// be there, and what it means.
+std::string schema_reference(const nlohmann::ordered_json& schema);
+
+}  // namespace mbgen::cli
