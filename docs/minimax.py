@@ -2,9 +2,11 @@
 """Coefficients of runtime/include/mbgen/sincos.hpp, arc_tangent.hpp, exponential.hpp and logarithm.hpp.
 
 Remez exchange on polynomials in z = x^2, at 60 digits, for the largest relative error of the whole function. The
-coefficients are rounded to double one by one from the lowest power, and those above are fitted again after each.
+coefficients are rounded to double (for single_precision.hpp: to float) one by one from the lowest power, and those above are fitted again after each.
 Needs mpmath.
 """
+from struct import pack, unpack
+
 from mpmath import atan, atanh, cos, floor, log, lu_solve, matrix, mp, mpf, pi, sin, sqrt
 
 mp.dps = 60
@@ -51,12 +53,17 @@ def remez(target, weight, low, high, fixed, count):
     return list(fixed) + found, max(abs(error(z)) for z in grid)
 
 
-def rounded(target, weight, low, high, count, fixed=()):
+def single(x):
+    """x rounded to single precision."""
+    return unpack('f', pack('f', float(x)))[0]
+
+
+def rounded(target, weight, low, high, count, fixed=(), to=float):
     coefficients = [mpf(c) for c in fixed]
     for k in range(len(coefficients), count):
         fit, error = remez(target, weight, low, high, coefficients, count - k)
         if k == len(fixed): best = error
-        coefficients.append(mpf(float(fit[k])))
+        coefficients.append(mpf(to(fit[k])))
     grid = [low + (high - low) * mpf(i) / 2000 for i in range(2001)]
     worst = max(abs(weight(z) * (target(z) - sum(c * z**k for k, c in enumerate(coefficients)))) for z in grid)
     return coefficients, best, worst
@@ -92,11 +99,11 @@ log_rest = near_zero(lambda z: 2 * (atanh(sqrt(z)) / sqrt(z) - 1) / z,
                      series(lambda k: mpf(2) / (2 * k + 3), 20), '1e-4')
 
 
-def parts(value, sizes):
-    """`value` as a sum of doubles of so many bits."""
-    for bits in sizes:
+def parts(value, sizes, to=float):
+    """`value` as a sum of doubles, or floats, of so many bits; the last one is rounded."""
+    for place, bits in enumerate(sizes):
         unit = mpf(2) ** (int(floor(log(value, 2))) - bits + 1)
-        part = floor(value / unit) * unit if bits < 53 else mpf(float(value))
+        part = floor(value / unit) * unit if place + 1 < len(sizes) else mpf(to(value))
         value -= part
         print("   ", float(part).hex())
 
@@ -115,3 +122,18 @@ if __name__ == '__main__':
     parts(pi / 2, (33, 33, 33, 53))
     print('log(2):')
     parts(log(2), (32, 53))
+
+    print('single precision')
+    edge = (pi / 4 * (1 + mpf(2) ** -10)) ** 2
+    show('sin', *rounded(sin_rest, lambda z: z * sqrt(z) / sin(sqrt(z)), TINY, edge, 4, to=single))
+    show('cos', *rounded(cos_rest, lambda z: z * z / cos(sqrt(z)), TINY, edge, 3, to=single))
+    show('atan', *rounded(atan_rest, lambda z: z * sqrt(z) / atan(sqrt(z)), TINY, mpf(1), 9, to=single))
+    edge = (log(2) / 2 * (1 + mpf(2) ** -10)) ** 2
+    show('exp, even powers', *rounded(cosh_rest, lambda z: sqrt(z), TINY, edge, 3, to=single))
+    show('exp, odd powers', *rounded(sinh_rest, lambda z: z, TINY, edge, 3, to=single))
+    edge = ((sqrt(2) - 1) / (sqrt(2) + 1)) ** 2 * (1 + mpf(2) ** -10)
+    show('log', *rounded(log_rest, lambda z: z * sqrt(z) / atanh(sqrt(z)) / 2, TINY, edge, 5, to=single))
+    print('pi/2:')
+    parts(pi / 2, (9, 9, 9, 24), single)
+    print('log(2):')
+    parts(log(2), (14, 24), single)

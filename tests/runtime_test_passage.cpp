@@ -30,7 +30,7 @@ struct Bead {
   static Status notice(const State& s) {
     const double pivot = std::max(std::abs(slope(s, 0)), std::abs(slope(s, 1)));
     if (pivot < 1e-10) return {Code::loop_singular, 0};
-    return solver_detail::notice_of(0, 1, pivot, 1);
+    return solver_detail::notice_of(0, 1, pivot, 1.0);
   }
 
   Status derivative(const State& s, Derivative& rates) const noexcept {

@@ -73,14 +73,38 @@ std::vector<std::string> write_all(const GenerateOptions& options, const Model& 
   return paths;
 }
 
+/// Fails: UserError for what there is in double precision only.
+void require_precision(const GenerateOptions& options) {
+  if (options.emit.scalar == "double") return;
+  if (options.c_interface) {
+    throw UserError(
+        "generate: --c-api exchanges doubles: leave it out with --scalar float and use the C++ interface, or leave out "
+        "--scalar\n");
+  }
+  if (options.emit.lanes > 0) {
+    throw UserError("generate: --batch has lanes of doubles: leave out --batch or --scalar float\n");
+  }
+}
+
+/// Fails: UserError for a number of the model that single precision has no place for.
+void require_range(const Compilation& compilation, const std::string& scalar) {
+  if (scalar == "double") return;
+  if (const std::optional<double> number = beyond_single_precision(compilation.programs, compilation.model)) {
+    throw UserError(fmt::format("{}: {} is beyond single precision; use other units, or leave out --scalar float\n",
+                                compilation.model.file, *number));
+  }
+}
+
 int run(const GenerateOptions& options) {
   if (!options.dump.empty()) {
     print(dump_stage(options.model, options.dump));
     return kDone;
   }
   if (options.directory.empty()) throw UserError("generate: --out DIR is required\n");
+  require_precision(options);
   check_budget(options);
   const Compilation compilation = expect(compile(read_named(options), chosen_form(options.form)));
+  require_range(compilation, options.emit.scalar);
   EmitOptions emitted = options.emit;
   if (options.c_interface || options.emit.calibration) emitted.c_interface = default_initial_state(compilation);
   std::vector<EmittedFile> files = emit(compilation, emitted);
@@ -124,6 +148,7 @@ void add_generate(CLI::App& application, int& exit_code) {
   add_depfile_option(*command, options->depfile);
   add_form_option(*command, options->form);
   add_batch_option(*command, options->emit.lanes);
+  add_scalar_option(*command, options->emit.scalar);
   command->add_flag("--measure", options->measure,
                     "compile the solver and time a step: adds <model>_measured.txt and .json to the cost sheet");
   command->add_option("--budget-us", options->budget,

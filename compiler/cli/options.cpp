@@ -79,6 +79,13 @@ void add_batch_option(CLI::App& command, int& lanes) {
       ->check(CLI::IsMember(std::vector<std::string>{"4", "8"}));
 }
 
+void add_scalar_option(CLI::App& command, std::string& scalar) {
+  command
+      .add_option("--scalar", scalar,
+                  "float: single precision, for processors without double (docs/targets.md) (default double)")
+      ->check(CLI::IsMember(std::vector<std::string>{"double", "float"}));
+}
+
 void add_engine_options(CLI::App& command, EngineArguments& arguments) {
   command.add_option("--engine", arguments.choice.name,
                      fmt::format("{} (default {}; the others need no compiler)", fmt::join(engine_names(), ", "),

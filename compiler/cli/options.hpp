@@ -28,6 +28,9 @@ void add_dump_option(CLI::App& command, std::string& stage);
 /// --batch: 4 or 8 instances a call, 0 when it is not given.
 void add_batch_option(CLI::App& command, int& lanes);
 
+/// --scalar double|float
+void add_scalar_option(CLI::App& command, std::string& scalar);
+
 /// Engine and inputs as typed.
 struct EngineArguments {
   EngineChoice choice;

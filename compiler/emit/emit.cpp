@@ -1,6 +1,8 @@
 #include "compiler/emit/emit.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <nlohmann/json.hpp>
 #include <sstream>
 
@@ -55,7 +57,8 @@ std::vector<EmittedFile> emit(const Programs& programs, const Model& model, cons
                             solver_layout(model, topology, analysis),
                             options.roll_above,
                             options.lanes,
-                            options.c_interface.has_value()};
+                            options.c_interface.has_value(),
+                            options.scalar};
   const std::string& name = context.names.solver;
   const nlohmann::ordered_json manifest = manifest_json(context);
   std::vector<EmittedFile> files = {{name + ".hpp", interface_text(context)},
@@ -77,7 +80,7 @@ std::vector<EmittedFile> emit(const Programs& programs, const Model& model, cons
   }
   if (options.runtime_headers) {
     add_runtime_headers(files);
-    add_included_headers(emit_driver(model, options.lanes).text, files);
+    if (options.scalar == "double") add_included_headers(emit_driver(model, options.lanes).text, files);
   }
   files.push_back({name + ".json", manifest_text(manifest)});
   return files;
@@ -87,6 +90,23 @@ void add_runtime_headers(std::vector<EmittedFile>& files) {
   std::vector<std::string> texts;
   for (const EmittedFile& file : files) texts.push_back(file.text);
   for (const std::string& text : texts) add_included_headers(text, files);
+}
+
+std::optional<double> beyond_single_precision(const Programs& programs, const Model& model) {
+  std::vector<double> numbers;
+  for (const Program* program :
+       {&programs.accelerations, &programs.closure, &programs.closure_terms, &programs.accelerations_chosen,
+        &programs.multipliers, &programs.outputs, &programs.derived_constants}) {
+    for (const Node& node : program->nodes) {
+      if (node.op == Op::constant) numbers.push_back(node.constant);
+    }
+  }
+  for (const Parameter& parameter : model.parameters) numbers.push_back(parameter.tunable ? parameter.value : 0);
+  for (const Input& input : model.inputs) numbers.push_back(input.default_value);
+  for (const double number : numbers) {
+    if (std::isfinite(number) && std::abs(number) > std::numeric_limits<float>::max()) return number;
+  }
+  return {};
 }
 
 std::vector<std::string> solver_compile_flags(CompilerFamily family) {

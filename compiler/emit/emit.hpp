@@ -30,7 +30,8 @@ struct InitialState {
 struct EmitOptions {
   bool runtime_headers = true;          ///< add the runtime's headers under mbgen/, so that the directory stands alone
   std::size_t roll_above = kRollAbove;  ///< operations of a program above which equal subsystems become loops
-  int lanes = 0;  ///< instances that a call of the batch interface solves, 0 for no such interface
+  int lanes = 0;                  ///< instances that a call of the batch interface solves, 0 for no such interface
+  std::string scalar = "double";  ///< of the solver: double, or float without the two interfaces
   std::optional<InitialState> c_interface = {};  ///< add <model>_c.h, <model>_c.cpp and <model>.py
   bool calibration = false;                      ///< and <model>.a2l with <model>_a2l.h, which stand on them
 };
@@ -40,6 +41,9 @@ struct EmitOptions {
 /// Requires: `programs` traced from the same model, topology and analysis, and contracted: compilers do not contract.
 std::vector<EmittedFile> emit(const Programs& programs, const Model& model, const Topology& topology,
                               const Analysis& analysis, const EmitOptions& options = {});
+
+/// A number of the programs or a default of the model that is finite and no float is, none when all are.
+std::optional<double> beyond_single_precision(const Programs& programs, const Model& model);
 
 /// `<model>_driver.cpp`: the table of mbgen/driver.hpp over plain arrays, for whoever loads the compiled solver.
 /// lanes: as the solver has them.

@@ -29,8 +29,8 @@ std::string call(const std::string& function, const Phrase& first, const Phrase&
 
 }  // namespace
 
-Phrase constant_phrase(double value) {
-  const std::string text = number_text(value);
+Phrase constant_phrase(double value, const std::string& scalar) {
+  const std::string text = number_text(value, scalar);
   return {text.front() == '-' ? fmt::format("({})", text) : text, Binding::primary};
 }
 
@@ -91,8 +91,13 @@ Phrase operation_phrase(Op op, const Phrase& a, const Phrase& b, const Phrase& c
   return a;
 }
 
-Phrase lane_operation_phrase(Op op, const Phrase& a, const Phrase& b, const Phrase& c) {
+Phrase operation_phrase(const std::string& scalar, Op op, const Phrase& a, const Phrase& b, const Phrase& c) {
   constexpr std::string_view kLibrary = "std::";
+  if (scalar == "double") return operation_phrase(op, a, b, c);
+  if (scalar == "float") {
+    if (op != Op::select) return operation_phrase(op, a, b, c);
+    return {fmt::format("({} >= 0.0f ? {} : {})", a.text, b.text, c.text), Binding::primary};
+  }
   if (op == Op::select) return {call("mbgen::select", a, b, c), Binding::primary};
   Phrase phrase = operation_phrase(op, a, b, c);
   if (phrase.text.starts_with(kLibrary)) phrase.text.replace(0, kLibrary.size(), "mbgen::");

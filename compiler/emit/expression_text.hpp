@@ -16,14 +16,16 @@ struct Phrase {
 };
 
 /// A constant; negative ones in parentheses, so that they stand anywhere.
-Phrase constant_phrase(double value);
+/// scalar: type of the values, "double", "float" or a vector of doubles.
+Phrase constant_phrase(double value, const std::string& scalar);
 
 /// The operation on its operands; those beyond its arity are ignored. Associativity is kept: a + (b + c) stays as it
 /// is, since floating-point sums are not associative.
 Phrase operation_phrase(Op op, const Phrase& first, const Phrase& second, const Phrase& third);
 
-/// The same on vectors, by functions of mbgen/lanes.hpp.
-Phrase lane_operation_phrase(Op op, const Phrase& first, const Phrase& second, const Phrase& third);
+/// The same on values of a scalar type: on vectors by functions of mbgen/lanes.hpp.
+Phrase operation_phrase(const std::string& scalar, Op op, const Phrase& first, const Phrase& second,
+                        const Phrase& third);
 
 /// Text of a phrase that stands alone, after `=`.
 std::string standing_alone(const Phrase& phrase);

@@ -19,9 +19,11 @@ struct InputText {
   std::string dynamics_comment;  ///< of struct Dynamics
   std::string name;              ///< of the inputs at a state's time
 };
-InputText input_text(const Model& model, const SolverNames& names);
+/// scalar: type of the inputs, double or float; the time of `start` is a double all the same.
+InputText input_text(const Model& model, const SolverNames& names, const std::string& scalar);
 
 /// Value of an input dt seconds later, in terms of `inputs` and `dt`.
-std::string input_polynomial(const Model& model, const SolverNames& names, int input);
+std::string input_polynomial(const Model& model, const SolverNames& names, int input,
+                             const std::string& scalar = "double");
 
 }  // namespace mbgen

@@ -71,14 +71,15 @@ std::string tables(const EmitContext& context) {
   return text;
 }
 
-std::string member(const NumberMember& number) {
-  const std::string declaration = "  double " + number.name + (number.value.empty() ? "" : " = " + number.value) + ";";
+std::string member(const NumberMember& number, const std::string& scalar) {
+  const std::string value = number.value.empty() ? "" : " = " + number.value;
+  const std::string declaration = "  " + scalar + " " + number.name + value + ";";
   return declaration + (number.unit.empty() ? "" : "  ///< " + comment_text(number.unit)) + "\n";
 }
 
-std::string structure(const std::string& name, const std::vector<NumberMember>& members) {
+std::string structure(const std::string& name, const std::vector<NumberMember>& members, const std::string& scalar) {
   std::string text = "struct " + name + " {\n";
-  for (const NumberMember& number : members) text += member(number);
+  for (const NumberMember& number : members) text += member(number, scalar);
   return text + "};";
 }
 
@@ -106,7 +107,8 @@ std::vector<NumberMember> parameter_members(const EmitContext& context) {
   std::vector<NumberMember> members;
   for (const Parameter& parameter : context.model.parameters) {
     if (!parameter.tunable) continue;
-    members.push_back({context.names.parameters[members.size()], number_text(parameter.value), parameter.unit});
+    members.push_back(
+        {context.names.parameters[members.size()], number_text(parameter.value, context.scalar), parameter.unit});
   }
   return members;
 }
@@ -114,7 +116,8 @@ std::vector<NumberMember> parameter_members(const EmitContext& context) {
 std::vector<NumberMember> input_members(const EmitContext& context) {
   std::vector<NumberMember> members;
   for (const Input& input : context.model.inputs) {
-    members.push_back({context.names.inputs[members.size()], number_text(input.default_value), input.unit});
+    members.push_back(
+        {context.names.inputs[members.size()], number_text(input.default_value, context.scalar), input.unit});
   }
   return members;
 }
@@ -138,31 +141,33 @@ std::string banner_text(const Model& model, const std::string& mark) {
 
 std::string interface_text(const EmitContext& context) {
   const SolverNames& names = context.names;
-  const InputText inputs = input_text(context.model, names);
-  return fill_template("solver.hpp.in", {{"banner", banner_text(context.model, "//")},
-                                         {"title", comment_text(context.model.name)},
-                                         {"solver", names.solver},
-                                         {"model_literal", string_literal(context.model.name)},
-                                         {"hash_literal", string_literal(context.model.hash)},
-                                         {"sizes", size_constants(context)},
-                                         {"coordinates", enumeration("Coordinate", names.coordinates)},
-                                         {"bodies", enumeration("Body", names.bodies)},
-                                         {"inputs", enumeration("Input", names.inputs)},
-                                         {"outputs", enumeration("Output", names.outputs)},
-                                         {"parameters", enumeration("Parameter", names.parameters)},
-                                         {"loop_blocks", enumeration("LoopBlock", names.loop_blocks)},
-                                         {"tables", tables(context)},
-                                         {"parameter_struct", structure("Parameters", parameter_members(context))},
-                                         {"tuned_type", tuned_type_text(context.programs, "double")},
-                                         {"input_struct", structure("Inputs", input_members(context))},
-                                         {"input_comment", inputs.comment},
-                                         {"advance_declaration", inputs.declaration},
-                                         {"dynamics_comment", inputs.dynamics_comment},
-                                         {"step_start", inputs.member},
-                                         {"output_struct", structure("Outputs", output_members(context))},
-                                         {"auxiliary_size", size_text(context.layout.auxiliary_states)},
-                                         {"multiplier_size", size_text(context.layout.equations)},
-                                         {"drive_size", size_text(context.layout.drives)}});
+  const InputText inputs = input_text(context.model, names, context.scalar);
+  return fill_template("solver.hpp.in",
+                       {{"banner", banner_text(context.model, "//")},
+                        {"title", comment_text(context.model.name)},
+                        {"solver", names.solver},
+                        {"model_literal", string_literal(context.model.name)},
+                        {"hash_literal", string_literal(context.model.hash)},
+                        {"sizes", size_constants(context)},
+                        {"coordinates", enumeration("Coordinate", names.coordinates)},
+                        {"bodies", enumeration("Body", names.bodies)},
+                        {"inputs", enumeration("Input", names.inputs)},
+                        {"outputs", enumeration("Output", names.outputs)},
+                        {"parameters", enumeration("Parameter", names.parameters)},
+                        {"loop_blocks", enumeration("LoopBlock", names.loop_blocks)},
+                        {"tables", tables(context)},
+                        {"parameter_struct", structure("Parameters", parameter_members(context), context.scalar)},
+                        {"tuned_type", tuned_type_text(context.programs, context.scalar)},
+                        {"input_struct", structure("Inputs", input_members(context), context.scalar)},
+                        {"input_comment", inputs.comment},
+                        {"advance_declaration", inputs.declaration},
+                        {"dynamics_comment", inputs.dynamics_comment},
+                        {"step_start", inputs.member},
+                        {"output_struct", structure("Outputs", output_members(context), context.scalar)},
+                        {"scalar", context.scalar},
+                        {"auxiliary_size", size_text(context.layout.auxiliary_states)},
+                        {"multiplier_size", size_text(context.layout.equations)},
+                        {"drive_size", size_text(context.layout.drives)}});
 }
 
 std::string build_text(const EmitContext& context) {

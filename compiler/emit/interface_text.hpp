@@ -20,6 +20,7 @@ struct EmitContext {
   std::size_t roll_above = kRollAbove;  ///< see EmitOptions
   int lanes = 0;                        ///< of the batch interface, 0 for none
   bool c_interface = false;             ///< whether there is one
+  std::string scalar = "double";        ///< of the solver: double or float
 };
 
 /// First lines of every emitted file, each after `mark` ("//" or "#"): model, content hash, command, mbgen version.

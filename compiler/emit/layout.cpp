@@ -186,6 +186,18 @@ ProgramShape derived_shape(const Places& inputs, int count) {
   return s;
 }
 
+/// The shape with floats in place of doubles. The time stays one, and is narrowed where a program looks at it.
+void take_floats(ProgramShape& shape) {
+  shape.scalar = "float";
+  for (auto& [name, declaration] : shape.arguments) {
+    if (name == kTau.first) declaration = "const float* tau";
+  }
+  shape.inputs["t"].texts = {"static_cast<float>(state.t)"};
+  for (auto& [group, place] : shape.outputs) {
+    if (!place.missing.empty()) place.missing += "f";
+  }
+}
+
 }  // namespace
 
 Places input_places(const Programs& programs, const SolverLayout& layout, const SolverNames& names) {
@@ -259,8 +271,10 @@ ShapedProgram clocked_accelerations(const Programs& programs, const SolverLayout
   return {&programs.accelerations, "clocked_accelerations", s};
 }
 
+bool is_number(const std::string& scalar) { return scalar == "double" || scalar == "float"; }
+
 std::vector<ShapedProgram> shaped_programs(const Programs& programs, const SolverLayout& layout,
-                                           const SolverNames& names) {
+                                           const SolverNames& names, const std::string& scalar) {
   const Places inputs = input_places(programs, layout, names);
   const int directions = static_cast<int>(programs.free_direction_coordinate.size());
   std::vector<ShapedProgram> all = {
@@ -279,6 +293,9 @@ std::vector<ShapedProgram> shaped_programs(const Programs& programs, const Solve
   if (derived_constant_count(programs) > 0)
     all.insert(all.begin(), {&programs.derived_constants, "derived_constants",
                              derived_shape(inputs, derived_constant_count(programs))});
+  if (scalar == "float") {
+    for (ShapedProgram& shaped : all) take_floats(shaped.shape);
+  }
   return all;
 }
 

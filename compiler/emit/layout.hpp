@@ -61,7 +61,7 @@ struct ProgramShape {
   std::vector<ArrayMember> members;                            ///< of the result struct
   std::vector<std::pair<std::string, std::string>> arguments;  ///< name, declaration; in order
   Places inputs, outputs;
-  std::string scalar = "double";  ///< type of every value: double, or a vector of them
+  std::string scalar = "double";  ///< type of every value: double, float, or a vector of doubles
   /// Argument that is told the end of every section by its number, "" for none: then the parts follow the sections.
   std::string clock;
   std::size_t roll_above = kRollAbove;  ///< operations above which equal subsystems become loops
@@ -81,11 +81,15 @@ struct ShapedProgram {
 /// Number of constants that follow from tunable parameters.
 int derived_constant_count(const Programs& programs);
 
+/// Whether a scalar type is that of plain numbers: double or float.
+bool is_number(const std::string& scalar);
+
 /// Whether the program of the outputs looks at multipliers or driving forces.
 bool outputs_take_multipliers(const Programs& programs);
 
+/// scalar: double or float.
 std::vector<ShapedProgram> shaped_programs(const Programs& programs, const SolverLayout& layout,
-                                           const SolverNames& names);
+                                           const SolverNames& names, const std::string& scalar = "double");
 
 /// The program of accelerations once more, with a clock that is told the end of each step.
 ShapedProgram clocked_accelerations(const Programs& programs, const SolverLayout& layout, const SolverNames& names);

@@ -61,31 +61,33 @@ Json blocks_json(const EmitContext& context) {
 Json manifest_json(const EmitContext& context) {
   const SolverNames& names = context.names;
   Json programs = Json::object();
-  for (ShapedProgram shaped : shaped_programs(context.programs, context.layout, names)) {
+  for (ShapedProgram shaped : shaped_programs(context.programs, context.layout, names, context.scalar)) {
     shaped.shape.roll_above = context.roll_above;
     programs[shaped.key] = program_json(shaped);
   }
   const Json worst_case = worst_case_json(context, programs);
-  return {{"mbgen", kMbgenVersion},
-          {"model", context.model.name},
-          {"hash", context.model.hash},
-          {"namespace", names.solver},
-          {"form", name_of(context.programs.form)},
-          {"sizes",
-           {{"coordinates", context.layout.coordinates},
-            {"auxiliary_states", context.layout.auxiliary_states},
-            {"closure_equations", context.layout.equations},
-            {"independent_equations", context.analysis.independent_equations},
-            {"degrees_of_freedom", context.analysis.degrees_of_freedom},
-            {"motions", context.layout.drives}}},
-          {"coordinates", names.coordinates},
-          {"bodies", names.bodies},
-          {"inputs", names.inputs},
-          {"outputs", names.outputs},
-          {"parameters", names.parameters},
-          {"loop_blocks", blocks_json(context)},
-          {"programs", programs},
-          {"worst_case", worst_case}};
+  Json manifest = {{"mbgen", kMbgenVersion},
+                   {"model", context.model.name},
+                   {"hash", context.model.hash},
+                   {"namespace", names.solver},
+                   {"form", name_of(context.programs.form)},
+                   {"sizes",
+                    {{"coordinates", context.layout.coordinates},
+                     {"auxiliary_states", context.layout.auxiliary_states},
+                     {"closure_equations", context.layout.equations},
+                     {"independent_equations", context.analysis.independent_equations},
+                     {"degrees_of_freedom", context.analysis.degrees_of_freedom},
+                     {"motions", context.layout.drives}}},
+                   {"coordinates", names.coordinates},
+                   {"bodies", names.bodies},
+                   {"inputs", names.inputs},
+                   {"outputs", names.outputs},
+                   {"parameters", names.parameters},
+                   {"loop_blocks", blocks_json(context)},
+                   {"programs", programs},
+                   {"worst_case", worst_case}};
+  if (context.scalar != "double") manifest["scalar"] = context.scalar;
+  return manifest;
 }
 
 std::string manifest_text(const Json& manifest) {

@@ -162,7 +162,7 @@ class ProgramWriter {
 
   Phrase phrase_of(ValueId v, PartText& part) {
     const Node& node = program_.nodes[v];
-    if (node.op == Op::constant) return constant_phrase(node.constant);
+    if (node.op == Op::constant) return constant_phrase(node.constant, shape_.scalar);
     if (node.op == Op::input) return input_phrase(v, part);
     if (place_in_call(v).call >= 0) return result_phrase(v, part);
     if (fates_[v].crosses) part.arguments.insert(work_of_.at(v));
@@ -173,11 +173,10 @@ class ProgramWriter {
     const Node& node = program_.nodes[v];
     Phrase operands[3];
     for (int k = 0; k < arity(node.op); ++k) operands[k] = phrase_of(node.operands[k], part);
-    const auto phrase = is_in_lanes() ? lane_operation_phrase : operation_phrase;
-    return phrase(node.op, operands[0], operands[1], operands[2]);
+    return operation_phrase(shape_.scalar, node.op, operands[0], operands[1], operands[2]);
   }
 
-  bool is_in_lanes() const { return shape_.scalar != "double"; }
+  bool is_in_lanes() const { return !is_number(shape_.scalar); }
 
   /// A plain number where a value is asked for.
   std::string number(const std::string& text) const { return (is_in_lanes() ? shape_.scalar + "{} + " : "") + text; }

@@ -136,9 +136,10 @@ class RolledWriter {
     bool same = true;
     for (const ValueId v : operands) {
       same = same && program_.nodes[v].constant == first;
-      items.push_back(number_text(program_.nodes[v].constant));
+      items.push_back(number_text(program_.nodes[v].constant, shape_.scalar));
     }
-    return same ? constant_phrase(first) : Phrase{table_text("double", "kConstants", items), Binding::primary};
+    return same ? constant_phrase(first, shape_.scalar)
+                : Phrase{table_text(shape_.scalar, "kConstants", items), Binding::primary};
   }
 
   Phrase operand_phrase(std::size_t unit, const std::vector<ValueId>& operands) {
@@ -206,7 +207,7 @@ class RolledWriter {
     const std::string& name = names_[u][offset] = name_of(unit, offset);
     if (is_angle_pair(u, offset)) {
       const std::string& other = names_[u][offset + 1] = name_of(unit, offset + 1);
-      add_line("double " + name + ", " + other + ";");
+      add_line(shape_.scalar + " " + name + ", " + other + ";");
       const bool sine_first = node.op == Op::sin;
       add_line(fmt::format("mbgen::sincos({}, {}, {});", standing_alone(operands[0]), sine_first ? name : other,
                            sine_first ? other : name));
@@ -214,8 +215,8 @@ class RolledWriter {
       deliver(unit, offset + 1);
       return 2;
     }
-    add_line("const double " + name + " = " +
-             standing_alone(operation_phrase(node.op, operands[0], operands[1], operands[2])) + ";");
+    add_line("const " + shape_.scalar + " " + name + " = " +
+             standing_alone(operation_phrase(shape_.scalar, node.op, operands[0], operands[1], operands[2])) + ";");
     deliver(unit, offset);
     return 1;
   }
@@ -289,7 +290,8 @@ class RolledWriter {
 
   std::string plain_text(const OutputValue& output) {
     const Node& node = program_.nodes[output.value];
-    return node.op == Op::constant ? standing_alone(constant_phrase(node.constant)) : input_phrase({output.value}).text;
+    if (node.op != Op::constant) return input_phrase({output.value}).text;
+    return standing_alone(constant_phrase(node.constant, shape_.scalar));
   }
 
   /// Constants, inputs, and outputs that the program does not give: what is frequent fills its array first.

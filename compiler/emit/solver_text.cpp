@@ -13,7 +13,7 @@ namespace {
 using Items = std::vector<std::string>;
 
 /// Text that only a solver which chooses its coordinates at run time needs; lanes leave that to the scalar solver.
-std::string where_chosen(const std::string& scalar, const std::string& text) { return scalar == "double" ? text : ""; }
+std::string where_chosen(const std::string& scalar, const std::string& text) { return is_number(scalar) ? text : ""; }
 
 /// A static table of System.
 std::string table(const std::string& type, const std::string& name, Items items, const std::string& filler = "0") {
@@ -51,7 +51,8 @@ std::string constants(const EmitContext& context, const std::string& scalar) {
       constant("bool", "kHasClosure", layout.has_closure ? "true" : "false");
   if (layout.has_closure) {
     text += constant("int", "kDrives", std::to_string(layout.drives)) +
-            constant("double", "kClosureTolerance", number_text(context.model.solver.closure_tolerance));
+            constant(context.scalar, "kClosureTolerance",
+                     number_text(context.model.solver.closure_tolerance, context.scalar));
   }
   if (!layout.chooses_again) text += where_chosen(scalar, constant("bool", "kFrozenOnly", "true"));
   if (!layout.blocks.empty()) {
@@ -98,8 +99,9 @@ std::vector<int> drive_coordinates(const EmitContext& context) {
 }
 
 /// Where each parameter or input is in its struct, to name one that is not finite.
-std::string member_table(const std::string& structure, const std::string& name, const Items& members) {
-  return table("double", structure + "::*" + name, member_places(structure, members), "nullptr");
+std::string member_table(const std::string& scalar, const std::string& structure, const std::string& name,
+                         const Items& members) {
+  return table(scalar, structure + "::*" + name, member_places(structure, members), "nullptr");
 }
 
 /// The call of the outputs' program, once the arguments are found good.
@@ -132,8 +134,8 @@ std::string tables(const EmitContext& context, const std::string& scalar) {
   }
   std::string text = where_chosen(
       scalar, table("mbgen::FreeDirection", "kFreeDirection", free_direction_items(context), "{0, -1, 0}"));
-  text += where_chosen(scalar, member_table("Parameters", "kParameterMember", context.names.parameters) +
-                                   member_table("Inputs", "kInputMember", context.names.inputs));
+  text += where_chosen(scalar, member_table(scalar, "Parameters", "kParameterMember", context.names.parameters) +
+                                   member_table(scalar, "Inputs", "kInputMember", context.names.inputs));
   if (layout.has_closure) {
     text +=
         table("unsigned char", "kDriven", items_of(context.analysis.driven)) +
@@ -156,7 +158,7 @@ std::string argument_sum(const SolverNames& names, const std::string& scalar) {
   for (const std::string& name : names.inputs) terms.push_back("inputs." + name);
   std::string sum;
   for (const std::string& term : terms) sum += (sum.empty() ? "" : " + ") + term;
-  const std::string zero = scalar == "double" ? "0.0" : scalar + "{}";
+  const std::string zero = is_number(scalar) ? number_text(0, scalar) : scalar + "{}";
   const auto parameter = [](bool used, const std::string& name) { return used ? name : "/*" + name + "*/"; };
   return "  static " + scalar + " argument_sum(const Parameters& " +
          parameter(!names.parameters.empty(), "parameters") + ", const Inputs& " +
@@ -165,11 +167,11 @@ std::string argument_sum(const SolverNames& names, const std::string& scalar) {
 }
 
 /// Accelerations and velocities that the pivoting path hands to the program of the chosen partition.
-std::string projection_struct(const SolverLayout& layout) {
+std::string projection_struct(const SolverLayout& layout, const std::string& scalar) {
   if (layout.blocks.empty() || !layout.chooses_again) return "";
-  return "/// Projection of the loop blocks, chosen at run time.\nstruct Projection {\n  double Rz[" +
-         std::to_string(std::max(layout.projection_entries, 1)) +
-         "];  ///< of each block, row by row\n  double zdd_star[" + std::to_string(layout.block_coordinates) +
+  return "/// Projection of the loop blocks, chosen at run time.\nstruct Projection {\n  " + scalar + " Rz[" +
+         std::to_string(std::max(layout.projection_entries, 1)) + "];  ///< of each block, row by row\n  " + scalar +
+         " zdd_star[" + std::to_string(layout.block_coordinates) +
          "];  ///< accelerations of each block at zero independent ones\n};\n\n";
 }
 
@@ -194,7 +196,7 @@ std::string system_text(const EmitContext& context, const std::string& members, 
 std::string solver_text(const EmitContext& context) {
   check_residual_order(context);
   std::string programs, members;
-  for (ShapedProgram shaped : shaped_programs(context.programs, context.layout, context.names)) {
+  for (ShapedProgram shaped : shaped_programs(context.programs, context.layout, context.names, context.scalar)) {
     shaped.shape.roll_above = context.roll_above;
     programs += program_text(*shaped.program, shaped.shape) + "\n";
     const std::string member = shaped.shape.function.substr(std::string("compute_").size());
@@ -207,11 +209,12 @@ std::string solver_text(const EmitContext& context) {
   if (!context.layout.blocks.empty() && context.layout.chooses_again) {
     members += "  using Projection = " + context.names.solver + "::Projection;\n";
   }
-  const std::string system = system_text(context, members, "double");
-  const InputText inputs = input_text(context.model, context.names);
+  const std::string system = system_text(context, members, context.scalar);
+  const InputText inputs = input_text(context.model, context.names, context.scalar);
   return fill_template("solver.cpp.in", {{"banner", banner_text(context.model, "//")},
                                          {"solver", context.names.solver},
-                                         {"projection_struct", projection_struct(context.layout)},
+                                         {"scalar", context.scalar},
+                                         {"projection_struct", projection_struct(context.layout, context.scalar)},
                                          {"programs", programs},
                                          {"tuned_constructor", tuned_constructor_text(context.programs)},
                                          {"outputs_call", outputs_call(context)},

@@ -38,6 +38,18 @@ bool is_control(std::string_view character) {
   return start == "\xE2\x81" && last >= 0xA6 && last <= 0xA9;
 }
 
+/// Shortest decimal text that reads back as the same number.
+template <class Number>
+std::string shortest_text(Number value) {
+  if (std::isnan(value)) return "NAN";
+  if (std::isinf(value)) return value > 0 ? "INFINITY" : "-INFINITY";
+  char buffer[40];
+  const auto end = std::to_chars(buffer, buffer + sizeof buffer, value).ptr;
+  std::string text(buffer, end);
+  if (text.find_first_of(".e") == std::string::npos) text += ".0";
+  return text;
+}
+
 /// Gives every character of a text to `plain`, and what is none, or a control, to `other`.
 template <class Plain, class Other>
 void for_each_character(std::string_view text, Plain plain, Other other) {
@@ -55,14 +67,11 @@ void for_each_character(std::string_view text, Plain plain, Other other) {
 
 }  // namespace
 
-std::string number_text(double value) {
-  if (std::isnan(value)) return "NAN";
-  if (std::isinf(value)) return value > 0 ? "INFINITY" : "-INFINITY";
-  char buffer[40];
-  const auto end = std::to_chars(buffer, buffer + sizeof buffer, value).ptr;
-  std::string text(buffer, end);
-  if (text.find_first_of(".e") == std::string::npos) text += ".0";
-  return text;
+std::string number_text(double value) { return shortest_text(value); }
+
+std::string number_text(double value, const std::string& scalar) {
+  if (scalar != "float" || !std::isfinite(value)) return shortest_text(value);
+  return shortest_text(static_cast<float>(value)) + "f";
 }
 
 std::string size_text(int size) { return std::to_string(std::max(size, 1)); }

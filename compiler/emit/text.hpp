@@ -15,6 +15,10 @@ constexpr std::size_t kLineWidth = 100;
 /// 1e-07. Negative ones without parentheses. Infinities and NaN become <cmath> expressions.
 std::string number_text(double value);
 
+/// The same as a literal of a scalar type: for "float" the shortest that reads back as the nearest float, 0.1f, else as
+/// above.
+std::string number_text(double value, const std::string& scalar);
+
 /// Size of a member array: C++ has no empty ones.
 std::string size_text(int size);
 

@@ -49,7 +49,7 @@ std::optional<int> singular_block(const Groups& results) {
   const auto pivots = results.find("pivot");
   if (pivots == results.end()) return {};
   for (std::size_t b = 0; b < pivots->second.size(); ++b) {
-    if (!(pivots->second[b] >= kPivotThreshold)) return static_cast<int>(b);
+    if (!(pivots->second[b] >= kPivotThreshold<double>)) return static_cast<int>(b);
   }
   return {};
 }

@@ -5,7 +5,7 @@
 namespace mbgen {
 
 void PivotedLu::compute(const Eigen::MatrixXd& a) {
-  factors_.setThreshold(kRankTolerance);
+  factors_.setThreshold(kRankTolerance<double>);
   factors_.compute(a);
 }
 
@@ -41,7 +41,7 @@ Eigen::VectorXd PivotedLu::solve_transposed(int rank, const Eigen::VectorXd& f) 
 }
 
 void PivotedQr::compute(const Eigen::MatrixXd& a) {
-  factors_.setThreshold(kRankTolerance);
+  factors_.setThreshold(kRankTolerance<double>);
   factors_.compute(a);
 }
 

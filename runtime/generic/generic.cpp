@@ -99,7 +99,7 @@ Status GenericSolver::project(GenericState& state) const {
                      std::negate<>());
     }
     // Angles of many turns round above the tolerance, as in mbgen/closure.hpp.
-    if (open < 0 || (!(size < 0.5 * previous) && size <= kRoundingFloor)) break;
+    if (open < 0 || (!(size < 0.5 * previous) && size <= kRoundingFloor<double>)) break;
     previous = size;
     if (step == kMostNewtonSteps) return {Code::loop_not_closed, open};
     std::vector<double> dz(trial.z.size(), 0.0);

@@ -24,9 +24,9 @@ Status notice_of_block(int b, const BlockAnalysis& analysis, const std::vector<s
   loop.matrix = matrix.data();
   loop.rows = rows.data();
   loop.columns = columns.data();
-  factorise(loop, analysis.rank, driven.data(), kRankTolerance);
+  factorise(loop, analysis.rank, driven.data(), kRankTolerance<double>);
   if (loop.rank < analysis.rank) return {Code::loop_singular, b};
-  return solver_detail::notice_of(b, analysis.typical_pivot, smallest_pivot(loop), kPivotThreshold);
+  return solver_detail::notice_of(b, analysis.typical_pivot, smallest_pivot(loop), kPivotThreshold<double>);
 }
 
 /// Shortest correction of a block with Phi_z x = right_hand_side.
@@ -71,7 +71,7 @@ Status GenericSolver::notice(const GenericState& state) const {
 Status GenericSolver::without_jump(const GenericState& closed, GenericState& state) const {
   for (std::size_t b = 0; b < content_->topology.blocks.size(); ++b) {
     for (const int j : content_->topology.blocks[b].joints) {
-      const bool jumps = !(std::abs(closed.z[j] - state.z[j]) <= kLargestCorrection);
+      const bool jumps = !(std::abs(closed.z[j] - state.z[j]) <= kLargestCorrection<double>);
       if (jumps && !content_->analysis.driven[j]) return {Code::loop_not_closed, static_cast<int>(b)};
     }
   }
@@ -105,7 +105,7 @@ Status GenericSolver::project_nearest(GenericState& state) const {
     previous = size;
     for (std::size_t b = 0; b < closures.size(); ++b) {
       const std::vector<int>& joints = content_->topology.blocks[b].joints;
-      if (!gains && !(largest_absolute(closures[b].residual) <= kRoundingFloor)) {
+      if (!gains && !(largest_absolute(closures[b].residual) <= kRoundingFloor<double>)) {
         return {Code::loop_not_closed, static_cast<int>(b)};
       }
       const BlockFactors factors = content_->factors(b, closures[b]);

@@ -53,7 +53,7 @@ bool PaperLu::take_pivot(int place, double share) {
   if (found_[group] == most_[group]) return false;
   const double* column = matrix_.data() + static_cast<std::size_t>(place) * rows_;
   const int row = pivots_ + static_cast<int>(cblas_idamax(rows_ - pivots_, column + pivots_, 1));
-  const double least = std::max(share * column_size_[original], kRankTolerance * group_size_[group]);
+  const double least = std::max(share * column_size_[original], kRankTolerance<double> * group_size_[group]);
   if (!(std::abs(column[row]) > least)) return false;
   eliminate(row, place);
   ++found_[group];

@@ -1,6 +1,6 @@
 #pragma once
-// Arrays of doubles several at a time: vectors as wide as the processor's (the vector_size extension of GCC and clang).
-// What an operation gives for an entry does not depend on the lanes it is computed in, except in a Total.
+// Arrays of doubles or floats several at a time: vectors as wide as the processor's (the vector_size extension of GCC
+// and clang). What an operation gives for an entry does not depend on the lanes it is computed in, except in a Total.
 
 #include <cstddef>
 
@@ -9,45 +9,54 @@ namespace mbgen {
 namespace array_detail {
 
 #if defined(__AVX512F__)
-constexpr int kLanes = 8;
+constexpr int kVectorBytes = 64;
 #elif defined(__AVX__)
-constexpr int kLanes = 4;
+constexpr int kVectorBytes = 32;
 #else
-constexpr int kLanes = 2;
+constexpr int kVectorBytes = 16;
 #endif
 
-template <int W>
+/// Lanes of the processor's vectors.
+template <class Real = double>
+constexpr int kLanes = kVectorBytes / static_cast<int>(sizeof(Real));
+
+template <int W, class Real = double>
 struct Vector {
   using Lanes __attribute__((vector_size(8 * W))) = double;
   /// Lanes where doubles stand: as little aligned as they are.
   using InArray __attribute__((vector_size(8 * W), aligned(8), may_alias)) = double;
 };
 template <int W>
-using LanesOf = typename Vector<W>::Lanes;
-using Lanes = LanesOf<kLanes>;
+struct Vector<W, float> {
+  using Lanes __attribute__((vector_size(4 * W))) = float;
+  using InArray __attribute__((vector_size(4 * W), aligned(4), may_alias)) = float;
+};
+template <int W, class Real = double>
+using LanesOf = typename Vector<W, Real>::Lanes;
 
 /// Lanes for an array of so many entries: as many as the processor has and the array fills, 1 for fewer than two.
+template <class Real = double>
 constexpr int width_for(std::size_t entries) noexcept {
-  int width = kLanes;
+  int width = kLanes<Real>;
   while (width > 1 && static_cast<std::size_t>(width) > entries) width /= 2;
   return width;
 }
 
-template <int W = kLanes>
-[[gnu::always_inline]] inline LanesOf<W> lanes_at(const double* values) noexcept {
-  return *reinterpret_cast<const typename Vector<W>::InArray*>(values);
+template <int W, class Real>
+[[gnu::always_inline]] inline LanesOf<W, Real> lanes_at(const Real* values) noexcept {
+  return *reinterpret_cast<const typename Vector<W, Real>::InArray*>(values);
 }
-template <class L>
-[[gnu::always_inline]] inline void put_lanes(const L& lanes, double* values) noexcept {
-  constexpr int width = static_cast<int>(sizeof(L) / sizeof(double));
-  *reinterpret_cast<typename Vector<width>::InArray*>(values) = lanes;
+template <class L, class Real>
+[[gnu::always_inline]] inline void put_lanes(const L& lanes, Real* values) noexcept {
+  constexpr int width = static_cast<int>(sizeof(L) / sizeof(Real));
+  *reinterpret_cast<typename Vector<width, Real>::InArray*>(values) = lanes;
 }
 
 /// Calls `several` with the first index of W = width_for(N) entries until all N have been met; the last call ends with
 /// the array and may meet entries again. Calls `one` for a single entry.
-template <std::size_t N, class Several, class One>
+template <std::size_t N, class Real = double, class Several, class One>
 [[gnu::always_inline]] inline void for_all(Several several, One one) noexcept {
-  constexpr std::size_t width = width_for(N);
+  constexpr std::size_t width = width_for<Real>(N);
   if constexpr (N == 1) {
     one(0);
   } else {
@@ -59,34 +68,36 @@ template <std::size_t N, class Several, class One>
 }  // namespace array_detail
 
 /// to = from; the arrays must not overlap.
-template <std::size_t N>
-[[gnu::always_inline]] inline void copy_array(const double (&from)[N], double (&to)[N]) noexcept {
+template <class Real, std::size_t N>
+[[gnu::always_inline]] inline void copy_array(const Real (&from)[N], Real (&to)[N]) noexcept {
   using namespace array_detail;
-  for_all<N>([&](std::size_t i) { put_lanes(lanes_at<width_for(N)>(from + i), to + i); },
-             [&](std::size_t i) { to[i] = from[i]; });
+  for_all<N, Real>([&](std::size_t i) { put_lanes(lanes_at<width_for<Real>(N)>(from + i), to + i); },
+                   [&](std::size_t i) { to[i] = from[i]; });
 }
 
 /// Sum of arrays, in no order that counts: not finite when an entry is not.
+template <class Real>
 class Total {
  public:
-  explicit Total(double start) noexcept : rest_(start) {}
+  explicit Total(Real start) noexcept : rest_(start) {}
 
-  [[gnu::always_inline]] void add(const double* values, int count) noexcept {
+  [[gnu::always_inline]] void add(const Real* values, int count) noexcept {
     using namespace array_detail;
+    constexpr int width = kLanes<Real>;
     int i = 0;
-    for (; i + kLanes <= count; i += kLanes) lanes_ += lanes_at(values + i);
+    for (; i + width <= count; i += width) lanes_ += lanes_at<width>(values + i);
     for (; i < count; ++i) rest_ += values[i];
   }
 
-  [[gnu::always_inline]] double value() const noexcept {
-    double total = rest_;
-    for (int lane = 0; lane < array_detail::kLanes; ++lane) total += lanes_[lane];
+  [[gnu::always_inline]] Real value() const noexcept {
+    Real total = rest_;
+    for (int lane = 0; lane < array_detail::kLanes<Real>; ++lane) total += lanes_[lane];
     return total;
   }
 
  private:
-  array_detail::Lanes lanes_ = {};
-  double rest_;
+  array_detail::LanesOf<array_detail::kLanes<Real>, Real> lanes_ = {};
+  Real rest_;
 };
 
 }  // namespace mbgen

@@ -98,7 +98,7 @@ void apply_step(const typename System::Closure& closure, const typename System::
     largest = choose(size > largest, size, largest);
   }
   const Lanes one = Lanes{} + 1.0;
-  const Lanes factor = choose(largest > kLargestNewtonStep, kLargestNewtonStep / largest, one);
+  const Lanes factor = choose(largest > kLargestNewtonStep<double>, kLargestNewtonStep<double> / largest, one);
   for (int i = 0; i < System::kCoordinates; ++i) {
     const Lanes step = System::kDriven[i] != 0 ? closure.dz[i] : factor * closure.dz[i];
     take(mask, state.z[i] + step, state.z[i]);
@@ -115,7 +115,7 @@ typename System::Mask accept(const typename System::Closure& closure, const type
   }
   typename System::Lanes total = sum(closure.zd, System::kCoordinates);
   if constexpr (System::kDrives > 0) total += sum(trial.z, System::kCoordinates);
-  return (largest_residual<System>(closure, 1) <= kRedundantTolerance) & is_finite(total);
+  return (largest_residual<System>(closure, 1) <= kRedundantTolerance<double>)&is_finite(total);
 }
 
 /// Newton on z and t of `trial`, far from singular positions; at the end its velocities are consistent. wanted: lanes
@@ -130,13 +130,13 @@ typename System::Mask close_lanes(const typename System::Parameters& parameters,
   Lanes previous = Lanes{} + std::numeric_limits<double>::infinity();
   for (int iteration = 0; iteration <= kNewtonIterations && bits_of(open) != 0; ++iteration) {
     System::closure(parameters, inputs, trial, closure);
-    open &= pivots_reach<System>(closure.pivot, kNearSingular);
+    open &= pivots_reach<System>(closure.pivot, kNearSingular<double>);
     const Lanes misfit = largest_residual<System>(closure, 0);
     const Lanes driven = largest_driven_step<System>(closure);
     const Lanes size = choose(driven > misfit, driven, misfit);
     const Mask may_gain = iteration < kNewtonIterations ? every_lane<System>() : Mask{};
     const Mask gains = (size > 0.0) & (size < 0.5 * previous) & may_gain;
-    const Mask closed = open & ((size <= System::kClosureTolerance) | (~gains & (size <= kRoundingFloor)));
+    const Mask closed = open & ((size <= System::kClosureTolerance) | (~gains & (size <= kRoundingFloor<double>)));
     done |= closed & accept<System>(closure, closed, trial);
     open &= ~closed;
     previous = size;
@@ -212,7 +212,7 @@ typename System::Mask constrain_lanes(const typename System::Parameters& paramet
   if constexpr (System::kHasClosure) {
     typename System::ConstraintForces values;
     System::multipliers(parameters, inputs, state, tau, derivative, values);
-    good &= pivots_reach<System>(values.pivot, kPivotThreshold) &
+    good &= pivots_reach<System>(values.pivot, kPivotThreshold<double>) &
             is_finite(sum(values.lambda, System::kEquations) + sum(values.drive, System::kDrives));
     for (int e = 0; e < System::kEquations; ++e) multipliers.lambda[e] = values.lambda[e];
     for (int g = 0; g < System::kDrives; ++g) multipliers.drive[g] = values.drive[g];

@@ -22,7 +22,7 @@ struct LaneDynamics {
   Status derivative(const State& state, Derivative& derivative) const noexcept {
     static constexpr typename System::Lanes kNoForces[System::kCoordinates] = {};
     good &= accelerate_lanes<System>(parameters, System::inputs_at(inputs, state.t - start), state, kNoForces,
-                                     kNearSingular, derivative);
+                                     kNearSingular<double>, derivative);
     return {};
   }
   Status project(State& state) const noexcept {

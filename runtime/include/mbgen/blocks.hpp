@@ -4,7 +4,8 @@
 //
 // `System` is written by mbgen into the solver's source. It offers, all static:
 //   types      Parameters Inputs State Derivative Multipliers, and the result of each program: Accelerations Closure
-//              ClosureTerms ChosenAccelerations Projection ConstraintForces
+//              ClosureTerms ChosenAccelerations Projection ConstraintForces. State::z are double or float, and so is
+//              every number but times and steps
 //   sizes      kCoordinates kAuxiliaryStates kBlocks kEquations kDrives kBlockCoordinates kFreeDirections
 //   decisions  kHasClosure (loops or motions), kClosureTolerance; kFrozenOnly = true where a block is too large for
 //              another partition to be chosen at run time
@@ -21,6 +22,7 @@
 
 #include "mbgen/array_lanes.hpp"
 #include "mbgen/loop.hpp"
+#include "mbgen/precision.hpp"
 #include "mbgen/status.hpp"
 
 namespace mbgen {
@@ -53,22 +55,21 @@ inline constexpr bool kChoosesAgain<System, std::void_t<decltype(System::kFrozen
 
 /// Smallest pivot of a block, over its median in the analysed configurations, with which the frozen order is trusted.
 /// The analysis accepts ratios from 0.05; two digits of the answer are at stake here, where it is left.
-constexpr double kPivotThreshold = 0.02;
-/// A pivot below this part of the block's first one means a rank lower than the generic one.
-constexpr double kRankTolerance = 1e-10;
+template <class Real>
+inline constexpr Real kPivotThreshold = Real(0.02);
 /// Smallest pivot of full pivoting, over its typical value, below which a block is near a singular position: Jacobians
 /// change much within one step there.
-constexpr double kNearSingular = 0.1;
-/// The same, below which it is at one: rounding of the positions, divided by the third power of this number, is in the
-/// accelerations.
-constexpr double kSingular = 0.01;
+template <class Real>
+inline constexpr Real kNearSingular = Real(0.1);
 
 namespace solver_detail {
 
-[[gnu::always_inline]] inline void copy(const double* from, double* to, int count) noexcept {
+template <class Real>
+[[gnu::always_inline]] inline void copy(const Real* from, Real* to, int count) noexcept {
   using namespace array_detail;
+  constexpr int width = kLanes<Real>;
   int i = 0;
-  for (; i + kLanes <= count; i += kLanes) put_lanes(lanes_at(from + i), to + i);
+  for (; i + width <= count; i += width) put_lanes(lanes_at<width>(from + i), to + i);
   for (; i < count; ++i) to[i] = from[i];
 }
 
@@ -81,15 +82,17 @@ void copy_state(const typename System::State& from, typename System::State& to) 
 }
 
 /// Sum of entries, in no order that counts: not finite when an entry is not.
-[[gnu::always_inline]] inline double sum(const double* values, int count) noexcept {
-  Total total(0);
+template <class Real>
+[[gnu::always_inline]] inline Real sum(const Real* values, int count) noexcept {
+  Total<Real> total(0);
   total.add(values, count);
   return total.value();
 }
 
 /// Largest absolute value, NaN when one is; 0 of nothing.
-inline double largest(const double* values, int count) noexcept {
-  double result = 0;
+template <class Real>
+inline Real largest(const Real* values, int count) noexcept {
+  Real result = 0;
   for (int i = 0; i < count; ++i) {
     if (std::isnan(values[i])) return values[i];
     result = std::abs(values[i]) > result ? std::abs(values[i]) : result;
@@ -98,7 +101,8 @@ inline double largest(const double* values, int count) noexcept {
 }
 
 /// Place of the first entry that is not finite, or -1.
-inline int first_not_finite(const double* values, int count) noexcept {
+template <class Real>
+inline int first_not_finite(const Real* values, int count) noexcept {
   for (int i = 0; i < count; ++i) {
     if (!std::isfinite(values[i])) return i;
   }
@@ -106,8 +110,8 @@ inline int first_not_finite(const double* values, int count) noexcept {
 }
 
 /// Place of the first member that is not finite, or -1; null stands in a table that would be empty.
-template <class Struct, std::size_t N>
-int first_not_finite(const Struct& values, double Struct::*const (&members)[N]) noexcept {
+template <class Struct, class Real, std::size_t N>
+int first_not_finite(const Struct& values, Real Struct::*const (&members)[N]) noexcept {
   for (std::size_t i = 0; i < N; ++i) {
     if (members[i] != nullptr && !std::isfinite(values.*members[i])) return static_cast<int>(i);
   }
@@ -117,8 +121,9 @@ int first_not_finite(const Struct& values, double Struct::*const (&members)[N]) 
 /// Names what is not finite among the arguments. A sum of large finite values can overflow, so ok is a possible answer.
 template <class System>
 Status find_not_finite(const typename System::Parameters& parameters, const typename System::Inputs& inputs,
-                       const typename System::State& state, const double* tau) noexcept {
-  for (const double* values : {static_cast<const double*>(state.z), static_cast<const double*>(state.zd), tau}) {
+                       const typename System::State& state, const RealOf<System>* tau) noexcept {
+  using Real = RealOf<System>;
+  for (const Real* values : {static_cast<const Real*>(state.z), static_cast<const Real*>(state.zd), tau}) {
     const int bad = values == nullptr ? -1 : first_not_finite(values, System::kCoordinates);
     if (bad >= 0) return {Code::not_a_number, bad};
   }
@@ -134,8 +139,8 @@ Status find_not_finite(const typename System::Parameters& parameters, const type
 /// Status of the arguments of a call; tau may be null.
 template <class System>
 Status check_arguments(const typename System::Parameters& parameters, const typename System::Inputs& inputs,
-                       const typename System::State& state, const double* tau) noexcept {
-  Total total(state.t + System::argument_sum(parameters, inputs));
+                       const typename System::State& state, const RealOf<System>* tau) noexcept {
+  Total<RealOf<System>> total(static_cast<RealOf<System>>(state.t) + System::argument_sum(parameters, inputs));
   total.add(state.z, System::kCoordinates);
   total.add(state.zd, System::kCoordinates);
   total.add(state.x, System::kAuxiliaryStates);
@@ -145,54 +150,57 @@ Status check_arguments(const typename System::Parameters& parameters, const type
 
 /// True when every monitor of the frozen partition is good; a NaN is not.
 template <class System>
-bool frozen_is_good(const double* pivot) noexcept {
+bool frozen_is_good(const RealOf<System>* pivot) noexcept {
   bool good = true;
-  for (int b = 0; b < System::kBlocks; ++b) good = good && pivot[b] >= kPivotThreshold;
+  for (int b = 0; b < System::kBlocks; ++b) good = good && pivot[b] >= kPivotThreshold<RealOf<System>>;
   return good;
 }
 
 /// What a solver says that only has the frozen partition. Fails: loop_singular where that is bad.
 template <class System>
-Status frozen_status(const double* pivot) noexcept {
+Status frozen_status(const RealOf<System>* pivot) noexcept {
   for (int b = 0; b < System::kBlocks; ++b) {
-    if (!(pivot[b] >= kPivotThreshold)) return {Code::loop_singular, b};
+    if (!(pivot[b] >= kPivotThreshold<RealOf<System>>)) return {Code::loop_singular, b};
   }
   return {};
 }
 
 /// True when no frozen pivot is small enough to ask how near a singular position is; a NaN is.
 template <class System>
-bool is_far(const double* pivot) noexcept {
+bool is_far(const RealOf<System>* pivot) noexcept {
   bool far = true;
-  for (int b = 0; b < System::kBlocks; ++b) far = far && pivot[b] >= kNearSingular;
+  for (int b = 0; b < System::kBlocks; ++b) far = far && pivot[b] >= kNearSingular<RealOf<System>>;
   return far;
 }
 
 /// What the smallest pivots of block b say: of full pivoting, typically and here, and of the frozen partition over its
 /// median.
-inline Status notice_of(int b, double typical_pivot, double pivot, double frozen_pivot) noexcept {
-  if (pivot < kSingular * typical_pivot) return {Code::singular_met, b};
-  if (pivot < kNearSingular * typical_pivot) return {Code::near_singular, b};
-  return frozen_pivot >= kPivotThreshold ? Status{} : Status{Code::chosen_again, b};
+template <class Real>
+inline Status notice_of(int b, double typical_pivot, Real pivot, Real frozen_pivot) noexcept {
+  const Real typical = static_cast<Real>(typical_pivot);
+  if (pivot < kSingular<Real> * typical) return {Code::singular_met, b};
+  if (pivot < kNearSingular<Real> * typical) return {Code::near_singular, b};
+  return frozen_pivot >= kPivotThreshold<Real> ? Status{} : Status{Code::chosen_again, b};
 }
 
 /// Factors of the blocks with their permutations.
 template <class System>
 struct BlockFactors {
+  using Real = RealOf<System>;
   int rows[System::kEquations > 0 ? System::kEquations : 1];
   int columns[System::kBlockCoordinates > 0 ? System::kBlockCoordinates : 1];
-  double work[System::kEquations > 0 ? System::kEquations : 1];
+  Real work[System::kEquations > 0 ? System::kEquations : 1];
 
   /// Factorises block b of `terms` in place.
-  LoopFactors factors_of(int b, typename System::ClosureTerms& terms) noexcept {
+  LoopFactorsOf<Real> factors_of(int b, typename System::ClosureTerms& terms) noexcept {
     const BlockLayout& block = System::kBlockLayout[b];
-    LoopFactors loop;
+    LoopFactorsOf<Real> loop;
     loop.equations = block.equations;
     loop.coordinates = block.coordinates;
     loop.matrix = terms.Jz + block.first_jacobian;
     loop.rows = rows + block.first_equation;
     loop.columns = columns + block.first_coordinate;
-    factorise(loop, block.rank, System::kBlockDriven + block.first_coordinate, kRankTolerance);
+    factorise(loop, block.rank, System::kBlockDriven + block.first_coordinate, kRankTolerance<Real>);
     return loop;
   }
 };
@@ -201,7 +209,7 @@ struct BlockFactors {
 /// Fails: loop_singular. Cost: nothing while the frozen pivots are far from small.
 template <class System>
 Status notice_at(const typename System::Parameters& parameters, const typename System::Inputs& inputs,
-                 const typename System::State& state, const double* pivot) noexcept {
+                 const typename System::State& state, const RealOf<System>* pivot) noexcept {
   Status notice;
   if constexpr (kChoosesAgain<System>) {
     if (is_far<System>(pivot)) return {};
@@ -209,9 +217,9 @@ Status notice_at(const typename System::Parameters& parameters, const typename S
     System::closure_terms(parameters, inputs, state, terms);
     BlockFactors<System> factors;
     for (int b = 0; b < System::kBlocks; ++b) {
-      if (pivot[b] >= kNearSingular) continue;
+      if (pivot[b] >= kNearSingular<RealOf<System>>) continue;
       const BlockLayout& block = System::kBlockLayout[b];
-      const LoopFactors loop = factors.factors_of(b, terms);
+      const LoopFactorsOf<RealOf<System>> loop = factors.factors_of(b, terms);
       if (loop.rank < block.rank) return {Code::loop_singular, b};
       notice = more_telling(notice, notice_of(b, block.pivot, smallest_pivot(loop), pivot[b]));
     }

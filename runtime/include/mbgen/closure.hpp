@@ -11,12 +11,8 @@ namespace mbgen {
 /// Newton steps before a block counts as not closed; from a fair guess five are enough.
 constexpr int kNewtonIterations = 20;
 /// Largest change of a coordinate in one Newton step (rad or m): a linear step says nothing about half a turn.
-constexpr double kLargestNewtonStep = 0.5;
-/// A closure that stopped improving is accepted below this residual (m or 1): large mechanisms round above the
-/// tolerance.
-constexpr double kRoundingFloor = 1e-9;
-/// Residual (m or 1) above which a redundant equation contradicts the others.
-constexpr double kRedundantTolerance = 1e-6;
+template <class Real>
+inline constexpr Real kLargestNewtonStep = Real(0.5);
 
 namespace solver_detail {
 
@@ -39,17 +35,18 @@ constexpr int most_free() noexcept {
 /// Memory for the corrections of one block.
 template <class System>
 struct CorrectionWork {
+  using Real = RealOf<System>;
   BlockFactors<System> factors;
   typename System::Projection projection;
-  double gram[most_free<System>() * most_free<System>()];
-  double along[most_free<System>()];
-  double right_hand_side[System::kEquations];
-  double solution[System::kBlockCoordinates];
+  Real gram[most_free<System>() * most_free<System>()];
+  Real along[most_free<System>()];
+  Real right_hand_side[System::kEquations];
+  Real solution[System::kBlockCoordinates];
 };
 
 /// dz and zd of block b by its factors. Driven coordinates take the position and velocity of their motions.
 template <class System, Correction correction>
-void correct_block(int b, const LoopFactors& loop, const typename System::ClosureTerms& terms,
+void correct_block(int b, const LoopFactorsOf<RealOf<System>>& loop, const typename System::ClosureTerms& terms,
                    const typename System::State& state, CorrectionWork<System>& work,
                    typename System::Closure& closure) noexcept {
   const BlockLayout& block = System::kBlockLayout[b];
@@ -66,7 +63,7 @@ void correct_block(int b, const LoopFactors& loop, const typename System::Closur
   }
   for (int e = 0; e < block.equations; ++e) work.right_hand_side[e] = -terms.Phi[block.first_equation + e];
   for (int c = 0; c < block.coordinates; ++c) {
-    work.solution[c] = System::kDriven[coordinate[c]] != 0 ? closure.dz[coordinate[c]] : 0.0;
+    work.solution[c] = System::kDriven[coordinate[c]] != 0 ? closure.dz[coordinate[c]] : RealOf<System>(0);
   }
   solve_dependent(loop, work.right_hand_side, work.solution, work.factors.work);
   shortened();
@@ -93,12 +90,12 @@ Status correct_closure(const typename System::Parameters& parameters, const type
   CorrectionWork<System> work;
   Status notice;
   for (int b = 0; b < System::kBlocks; ++b) {
-    if (!of_all && closure.pivot[b] >= kNearSingular) continue;
+    if (!of_all && closure.pivot[b] >= kNearSingular<RealOf<System>>) continue;
     const BlockLayout& block = System::kBlockLayout[b];
-    const LoopFactors loop = work.factors.factors_of(b, terms);
+    const LoopFactorsOf<RealOf<System>> loop = work.factors.factors_of(b, terms);
     if (loop.rank < block.rank) return {Code::loop_singular, b};
     notice = more_telling(notice, notice_of(b, block.pivot, smallest_pivot(loop), closure.pivot[b]));
-    if (of_all || !(closure.pivot[b] >= kPivotThreshold)) {
+    if (of_all || !(closure.pivot[b] >= kPivotThreshold<RealOf<System>>)) {
       correct_block<System, correction>(b, loop, terms, state, work, closure);
     }
   }
@@ -106,18 +103,19 @@ Status correct_closure(const typename System::Parameters& parameters, const type
 }
 
 /// A residual and the equation that has it, -1 for none.
+template <class Real>
 struct Misfit {
-  double size = 0;
+  Real size = 0;
   int equation = -1;
 };
 
 /// Largest residual of the equations whose redundancy flag is `redundant`; NaN is larger than every number.
 template <class System>
-Misfit largest_residual(const typename System::Closure& closure, unsigned char redundant) noexcept {
-  Misfit largest;
+Misfit<RealOf<System>> largest_residual(const typename System::Closure& closure, unsigned char redundant) noexcept {
+  Misfit<RealOf<System>> largest;
   for (int e = 0; e < System::kEquations; ++e) {
     if (System::kRedundant[e] != redundant) continue;
-    const double size = std::abs(closure.residual[e]);
+    const RealOf<System> size = std::abs(closure.residual[e]);
     if (std::isnan(size)) return {size, e};
     if (size > largest.size) largest = {size, e};
   }
@@ -126,10 +124,10 @@ Misfit largest_residual(const typename System::Closure& closure, unsigned char r
 
 /// Largest distance of a driven coordinate from its motion.
 template <class System>
-double largest_driven_step(const typename System::Closure& closure) noexcept {
-  double largest = 0;
+RealOf<System> largest_driven_step(const typename System::Closure& closure) noexcept {
+  RealOf<System> largest = 0;
   for (int g = 0; g < System::kDrives; ++g) {
-    const double size = std::abs(closure.dz[System::kDriveCoordinate[g]]);
+    const RealOf<System> size = std::abs(closure.dz[System::kDriveCoordinate[g]]);
     if (std::isnan(size)) return size;
     largest = size > largest ? size : largest;
   }
@@ -148,11 +146,12 @@ int block_of(int equation) noexcept {
 /// z += dz, shortened when a coordinate outside the motions would jump.
 template <class System>
 void apply_step(const typename System::Closure& closure, typename System::State& state) noexcept {
-  double largest = 0;
+  using Real = RealOf<System>;
+  Real largest = 0;
   for (int i = 0; i < System::kCoordinates; ++i) {
     if (System::kDriven[i] == 0) largest = std::abs(closure.dz[i]) > largest ? std::abs(closure.dz[i]) : largest;
   }
-  const double factor = largest > kLargestNewtonStep ? kLargestNewtonStep / largest : 1.0;
+  const Real factor = largest > kLargestNewtonStep<Real> ? kLargestNewtonStep<Real> / largest : Real(1);
   for (int i = 0; i < System::kCoordinates; ++i) {
     state.z[i] += System::kDriven[i] != 0 ? closure.dz[i] : factor * closure.dz[i];
   }
@@ -169,8 +168,8 @@ void settle_driven(const typename System::Closure& closure, typename System::Sta
 /// Accepts a closed position: redundant equations must hold, and velocities become consistent.
 template <class System>
 Status accept(const typename System::Closure& closure, typename System::State& trial) noexcept {
-  const Misfit contradiction = largest_residual<System>(closure, 1);
-  if (!(contradiction.size <= kRedundantTolerance)) {
+  const Misfit<RealOf<System>> contradiction = largest_residual<System>(closure, 1);
+  if (!(contradiction.size <= kRedundantTolerance<RealOf<System>>)) {
     return {Code::loop_not_closed, block_of<System>(contradiction.equation)};
   }
   settle_driven<System>(closure, trial);
@@ -182,13 +181,22 @@ Status accept(const typename System::Closure& closure, typename System::State& t
   return bad < 0 ? Status{} : Status{Code::not_a_number, bad};
 }
 
+/// Largest residual that ends Newton: the model's, as far as the precision has it.
+template <class System>
+constexpr RealOf<System> closure_tolerance() noexcept {
+  constexpr RealOf<System> least = kLeastClosureTolerance<RealOf<System>>;
+  return System::kClosureTolerance > least ? System::kClosureTolerance : least;
+}
+
 /// Newton on z and t of `trial`; at the end its velocities are consistent. The status may be a notice.
 template <class System, Correction correction>
 Status close_loops(const typename System::Parameters& parameters, const typename System::Inputs& inputs,
                    typename System::State& trial) noexcept {
+  using Real = RealOf<System>;
+  constexpr Real tolerance = closure_tolerance<System>();
   typename System::Closure closure;
-  Misfit misfit;
-  double previous = std::numeric_limits<double>::infinity();
+  Misfit<Real> misfit;
+  Real previous = std::numeric_limits<Real>::infinity();
   for (int iteration = 0; iteration <= kNewtonIterations; ++iteration) {
     System::closure(parameters, inputs, trial, closure);
     Status notice;
@@ -199,12 +207,12 @@ Status close_loops(const typename System::Parameters& parameters, const typename
     }
     if (!notice.ok()) return notice;
     misfit = largest_residual<System>(closure, 0);
-    const double driven = largest_driven_step<System>(closure);
-    const double size = driven > misfit.size ? driven : misfit.size;
-    const bool gains = size > 0 && size < 0.5 * previous && iteration < kNewtonIterations;
+    const Real driven = largest_driven_step<System>(closure);
+    const Real size = driven > misfit.size ? driven : misfit.size;
+    const bool gains = size > 0 && size < Real(0.5) * previous && iteration < kNewtonIterations;
     // Near a singular position a small residual says little about the coordinates: there Newton goes on while it gains.
-    const bool is_enough = size <= System::kClosureTolerance && correction == Correction::of_dependents;
-    if (is_enough || (!gains && size <= kRoundingFloor)) {
+    const bool is_enough = size <= tolerance && correction == Correction::of_dependents;
+    if (is_enough || (!gains && size <= kRoundingFloor<Real>)) {
       const Status accepted = accept<System>(closure, trial);
       return accepted.ok() ? notice : accepted;
     }
@@ -218,12 +226,12 @@ Status close_loops(const typename System::Parameters& parameters, const typename
 /// Adds Phi_z zd to the values per equation.
 template <class System>
 void add_rates(const typename System::ClosureTerms& terms, const typename System::State& state,
-               double* velocity) noexcept {
+               RealOf<System>* velocity) noexcept {
   if constexpr (kChoosesAgain<System>) {
     for (int b = 0; b < System::kBlocks; ++b) {
       const BlockLayout& block = System::kBlockLayout[b];
       for (int e = 0; e < block.equations; ++e) {
-        const double* row = terms.Jz + block.first_jacobian + e * block.coordinates;
+        const RealOf<System>* row = terms.Jz + block.first_jacobian + e * block.coordinates;
         for (int c = 0; c < block.coordinates; ++c) {
           velocity[block.first_equation + e] += row[c] * state.zd[System::kBlockCoordinate[block.first_coordinate + c]];
         }

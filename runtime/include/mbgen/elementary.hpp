@@ -5,3 +5,4 @@
 #include "mbgen/exponential.hpp"
 #include "mbgen/logarithm.hpp"
 #include "mbgen/sincos.hpp"
+#include "mbgen/single_precision.hpp"

@@ -1,7 +1,8 @@
 #pragma once
 // Products in sums, rounded once where the processor can: code that calls these has the same bits from every compiler.
-// Without such an instruction product and sum are rounded each. For double and, lane by lane, for vectors of double
-// (the vector_size extension of GCC and clang), where plain numbers count for every lane. Names as of the instructions.
+// Without such an instruction product and sum are rounded each. For double, float and, lane by lane, for vectors of
+// double (the vector_size extension of GCC and clang), where plain numbers count for every lane. Names as of the
+// instructions.
 
 #if defined(__AVX__) && defined(__FMA__)
 #include <immintrin.h>
@@ -21,11 +22,21 @@ inline double fma(double a, double b, double c) noexcept {
 #endif
 }
 
+inline float fma(float a, float b, float c) noexcept {
+#if defined(__FP_FAST_FMAF) || defined(__FMA__) || defined(__aarch64__)
+  return __builtin_fmaf(a, b, c);
+#else
+  return a * b + c;
+#endif
+}
+
 /// a b - c.
 inline double fms(double a, double b, double c) noexcept { return mbgen::fma(a, b, -c); }
+inline float fms(float a, float b, float c) noexcept { return mbgen::fma(a, b, -c); }
 
 /// c - a b.
 inline double fnma(double a, double b, double c) noexcept { return mbgen::fma(-a, b, c); }
+inline float fnma(float a, float b, float c) noexcept { return mbgen::fma(-a, b, c); }
 
 /// Number of lanes of a vector.
 template <class Lanes>

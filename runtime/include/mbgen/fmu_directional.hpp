@@ -11,7 +11,7 @@ namespace mbgen::fmu {
 template <class Model, class Along>
 bool is_frozen(const Along& along) noexcept {
   for (int b = 0; b < Model::kLoopBlocks; ++b) {
-    if (!(along.pivot[b] >= kPivotThreshold)) return false;
+    if (!(along.pivot[b] >= kPivotThreshold<double>)) return false;
   }
   return true;
 }

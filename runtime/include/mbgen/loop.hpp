@@ -8,21 +8,25 @@
 namespace mbgen {
 
 /// Factors of one block Jacobian (equations x coordinates, row by row) with full pivoting, in the caller's memory.
-/// Rows and columns are permuted so that the leading rank x rank part is the dependent Jacobian.
-struct LoopFactors {
+/// Rows and columns are permuted so that the leading rank x rank part is the dependent Jacobian. Real: double or float.
+template <class Real>
+struct LoopFactorsOf {
   int equations = 0;
   int coordinates = 0;
-  int rank = 0;               ///< number of pivots taken
-  double* matrix = nullptr;   ///< equations x coordinates; after factorisation, in permuted order: L (unit diagonal)
-                              ///< below, U on and above the diagonal of the pivots, what elimination left beyond
-  int* rows = nullptr;        ///< rows[k]: equation in place k
-  int* columns = nullptr;     ///< columns[k]: coordinate in place k; the first `rank` are dependent
-  double smallest_ratio = 0;  ///< smallest accepted |pivot| over the largest pivot; 0 without pivots
+  int rank = 0;             ///< number of pivots taken
+  Real* matrix = nullptr;   ///< equations x coordinates; after factorisation, in permuted order: L (unit diagonal)
+                            ///< below, U on and above the diagonal of the pivots, what elimination left beyond
+  int* rows = nullptr;      ///< rows[k]: equation in place k
+  int* columns = nullptr;   ///< columns[k]: coordinate in place k; the first `rank` are dependent
+  Real smallest_ratio = 0;  ///< smallest accepted |pivot| over the largest pivot; 0 without pivots
 };
+
+using LoopFactors = LoopFactorsOf<double>;
 
 namespace loop_detail {
 
-inline double* row_of(const LoopFactors& loop, int row) noexcept {
+template <class Real>
+inline Real* row_of(const LoopFactorsOf<Real>& loop, int row) noexcept {
   return loop.matrix + std::ptrdiff_t{row} * loop.coordinates;
 }
 
@@ -38,24 +42,27 @@ inline bool is_driven(const unsigned char* driven, int coordinate) noexcept {
 }
 
 /// A candidate for the next pivot; size 0 when there is none.
+template <class Real>
 struct Pivot {
   int row = 0, column = 0;
-  double size = 0;
+  Real size = 0;
 };
 
-inline bool all_finite(const LoopFactors& loop) noexcept {
+template <class Real>
+inline bool all_finite(const LoopFactorsOf<Real>& loop) noexcept {
   bool finite = true;
   for (int i = 0; i < loop.equations * loop.coordinates; ++i) finite = finite && std::isfinite(loop.matrix[i]);
   return finite;
 }
 
 /// Largest entry among the rows and columns from place `first` on, driven columns left out.
-inline Pivot find_pivot(const LoopFactors& loop, int first, const unsigned char* driven) noexcept {
-  Pivot pivot;
+template <class Real>
+inline Pivot<Real> find_pivot(const LoopFactorsOf<Real>& loop, int first, const unsigned char* driven) noexcept {
+  Pivot<Real> pivot;
   for (int i = first; i < loop.equations; ++i) {
-    const double* row = row_of(loop, i);
+    const Real* row = row_of(loop, i);
     for (int j = first; j < loop.coordinates; ++j) {
-      const double size = std::abs(row[j]);
+      const Real size = std::abs(row[j]);
       if (size > pivot.size && !is_driven(driven, loop.columns[j])) pivot = {i, j, size};
     }
   }
@@ -63,7 +70,8 @@ inline Pivot find_pivot(const LoopFactors& loop, int first, const unsigned char*
 }
 
 /// Brings the pivot to place k of the diagonal.
-inline void move_pivot(LoopFactors& loop, int k, const Pivot& pivot) noexcept {
+template <class Real>
+inline void move_pivot(LoopFactorsOf<Real>& loop, int k, const Pivot<Real>& pivot) noexcept {
   if (pivot.row != k) {
     for (int j = 0; j < loop.coordinates; ++j) swap(row_of(loop, k)[j], row_of(loop, pivot.row)[j]);
     swap(loop.rows[k], loop.rows[pivot.row]);
@@ -75,11 +83,12 @@ inline void move_pivot(LoopFactors& loop, int k, const Pivot& pivot) noexcept {
 }
 
 /// Eliminates column k below the diagonal and keeps the factors in its place.
-inline void eliminate(LoopFactors& loop, int k) noexcept {
-  const double* pivot_row = row_of(loop, k);
+template <class Real>
+inline void eliminate(LoopFactorsOf<Real>& loop, int k) noexcept {
+  const Real* pivot_row = row_of(loop, k);
   for (int i = k + 1; i < loop.equations; ++i) {
-    double* row = row_of(loop, i);
-    const double factor = row[k] / pivot_row[k];
+    Real* row = row_of(loop, i);
+    const Real factor = row[k] / pivot_row[k];
     row[k] = factor;
     if (factor == 0) continue;
     for (int j = k + 1; j < loop.coordinates; ++j) row[j] -= factor * pivot_row[j];
@@ -92,16 +101,17 @@ inline void eliminate(LoopFactors& loop, int k) noexcept {
 /// Stops at `rank_limit` pivots, or when the next pivot is below tolerance times the first.
 /// Requires: matrix filled, rows and columns point to arrays of their sizes. Cost: equations * coordinates * rank.
 /// A matrix with an entry that is not finite has rank 0.
-inline void factorise(LoopFactors& loop, int rank_limit, const unsigned char* driven, double tolerance) noexcept {
+template <class Real>
+inline void factorise(LoopFactorsOf<Real>& loop, int rank_limit, const unsigned char* driven, Real tolerance) noexcept {
   for (int i = 0; i < loop.equations; ++i) loop.rows[i] = i;
   for (int j = 0; j < loop.coordinates; ++j) loop.columns[j] = j;
   loop.rank = 0;
   loop.smallest_ratio = 0;
   if (!loop_detail::all_finite(loop)) return;
-  double first = 0, smallest = 0, largest = 0;
+  Real first = 0, smallest = 0, largest = 0;
   while (loop.rank < rank_limit) {
     const int k = loop.rank;
-    const loop_detail::Pivot pivot = loop_detail::find_pivot(loop, k, driven);
+    const loop_detail::Pivot<Real> pivot = loop_detail::find_pivot(loop, k, driven);
     if (k == 0) first = smallest = pivot.size;
     if (!(pivot.size > 0) || pivot.size < tolerance * first) break;
     smallest = pivot.size < smallest ? pivot.size : smallest;
@@ -114,36 +124,38 @@ inline void factorise(LoopFactors& loop, int rank_limit, const unsigned char* dr
 }
 
 /// Smallest pivot taken, in the units of the matrix; infinite without pivots.
-inline double smallest_pivot(const LoopFactors& loop) noexcept {
-  double smallest = std::numeric_limits<double>::infinity();
+template <class Real>
+inline Real smallest_pivot(const LoopFactorsOf<Real>& loop) noexcept {
+  Real smallest = std::numeric_limits<Real>::infinity();
   for (int k = 0; k < loop.rank; ++k) {
-    const double size = std::abs(loop_detail::row_of(loop, k)[k]);
+    const Real size = std::abs(loop_detail::row_of(loop, k)[k]);
     smallest = size < smallest ? size : smallest;
   }
   return smallest;
 }
 
 /// Solves Phi_d x_d = right_hand_side - Phi_i x_i for the dependent entries of x, the others of x given.
-/// right_hand_side: per equation (original order); x: per coordinate (original order); work: equations doubles.
+/// right_hand_side: per equation (original order); x: per coordinate (original order); work: equations numbers.
 /// Result: largest residual over the equations that were not used as pivots (redundant ones).
 /// Source: (60)-(62).
-inline double solve_dependent(const LoopFactors& loop, const double* right_hand_side, double* x,
-                              double* work) noexcept {
+template <class Real>
+inline Real solve_dependent(const LoopFactorsOf<Real>& loop, const Real* right_hand_side, Real* x,
+                            Real* work) noexcept {
   for (int i = 0; i < loop.equations; ++i) {
-    const double* row = loop_detail::row_of(loop, i);
+    const Real* row = loop_detail::row_of(loop, i);
     work[i] = right_hand_side[loop.rows[i]];
     for (int j = 0; j < i && j < loop.rank; ++j) work[i] -= row[j] * work[j];
   }
   for (int k = loop.rank - 1; k >= 0; --k) {
-    const double* row = loop_detail::row_of(loop, k);
-    double value = work[k];
+    const Real* row = loop_detail::row_of(loop, k);
+    Real value = work[k];
     for (int j = k + 1; j < loop.coordinates; ++j) value -= row[j] * x[loop.columns[j]];
     x[loop.columns[k]] = value / row[k];
   }
-  double largest = 0;
+  Real largest = 0;
   for (int i = loop.rank; i < loop.equations; ++i) {
-    const double* row = loop_detail::row_of(loop, i);
-    double residual = work[i];
+    const Real* row = loop_detail::row_of(loop, i);
+    Real residual = work[i];
     for (int j = loop.rank; j < loop.coordinates; ++j) residual -= row[j] * x[loop.columns[j]];
     if (std::isnan(residual)) return residual;
     largest = std::abs(residual) > largest ? std::abs(residual) : largest;
@@ -153,11 +165,12 @@ inline double solve_dependent(const LoopFactors& loop, const double* right_hand_
 
 /// Solves Phi_d' lambda = force_d: multipliers, zero at equations that are no pivots. On return `force` is what Phi'
 /// lambda leaves of it: zero at dependent coordinates.
-/// force: per coordinate (original order); lambda: per equation (original order); work: equations doubles.
+/// force: per coordinate (original order); lambda: per equation (original order); work: equations numbers.
 /// Source: theory.md section 4.
-inline void solve_transposed(const LoopFactors& loop, double* force, double* lambda, double* work) noexcept {
+template <class Real>
+inline void solve_transposed(const LoopFactorsOf<Real>& loop, Real* force, Real* lambda, Real* work) noexcept {
   for (int k = 0; k < loop.rank; ++k) {
-    double value = force[loop.columns[k]];
+    Real value = force[loop.columns[k]];
     for (int m = 0; m < k; ++m) value -= loop_detail::row_of(loop, m)[k] * work[m];
     work[k] = value / loop_detail::row_of(loop, k)[k];
   }
@@ -166,7 +179,7 @@ inline void solve_transposed(const LoopFactors& loop, double* force, double* lam
     for (int k = 0; k < loop.rank; ++k) force[loop.columns[place]] -= loop_detail::row_of(loop, k)[place] * work[k];
   }
   for (int i = loop.equations - 1; i >= 0; --i) {
-    double value = i < loop.rank ? work[i] : 0.0;
+    Real value = i < loop.rank ? work[i] : Real(0);
     for (int m = i + 1; m < loop.rank; ++m) value -= loop_detail::row_of(loop, m)[i] * lambda[loop.rows[m]];
     lambda[loop.rows[i]] = value;
   }
@@ -174,8 +187,10 @@ inline void solve_transposed(const LoopFactors& loop, double* force, double* lam
 
 /// Rz of the block, coordinates x f row by row, f = free directions = coordinates - rank - driven: zd = Rz zd_free.
 /// Free direction q belongs to the q-th non-dependent, non-driven coordinate in ascending original order.
-/// work: equations doubles. Source: (61).
-inline void free_directions(const LoopFactors& loop, const unsigned char* driven, double* rz, double* work) noexcept {
+/// work: equations numbers. Source: (61).
+template <class Real>
+inline void free_directions(const LoopFactorsOf<Real>& loop, const unsigned char* driven, Real* rz,
+                            Real* work) noexcept {
   int count = 0;
   for (int place = loop.rank; place < loop.coordinates; ++place) {
     count += loop_detail::is_driven(driven, loop.columns[place]) ? 0 : 1;
@@ -191,8 +206,8 @@ inline void free_directions(const LoopFactors& loop, const unsigned char* driven
     }
     rz[coordinate * count + q] = 1;
     for (int k = loop.rank - 1; k >= 0; --k) {
-      const double* row = loop_detail::row_of(loop, k);
-      double value = -row[place];
+      const Real* row = loop_detail::row_of(loop, k);
+      Real value = -row[place];
       for (int j = k + 1; j < loop.rank; ++j) value -= row[j] * work[j];
       work[k] = value / row[k];
       rz[loop.columns[k] * count + q] = work[k];
@@ -201,8 +216,9 @@ inline void free_directions(const LoopFactors& loop, const unsigned char* driven
 }
 
 /// Takes out of x what lies along the free directions: the shortest of all x that differ by them.
-/// rz: coordinates x free row by row, of full column rank; x: per coordinate; gram: free * free doubles; along: free.
-inline void shorten(int coordinates, int free, const double* rz, double* gram, double* along, double* x) noexcept {
+/// rz: coordinates x free row by row, of full column rank; x: per coordinate; gram: free * free numbers; along: free.
+template <class Real>
+inline void shorten(int coordinates, int free, const Real* rz, Real* gram, Real* along, Real* x) noexcept {
   for (int p = 0; p < free; ++p) {
     along[p] = 0;
     for (int c = 0; c < coordinates; ++c) along[p] += rz[c * free + p] * x[c];
@@ -214,7 +230,7 @@ inline void shorten(int coordinates, int free, const double* rz, double* gram, d
   // Cholesky's factor in place of the lower triangle, then both substitutions.
   for (int p = 0; p < free; ++p) {
     for (int q = 0; q <= p; ++q) {
-      double& entry = gram[p * free + q];
+      Real& entry = gram[p * free + q];
       for (int k = 0; k < q; ++k) entry -= gram[p * free + k] * gram[q * free + k];
       entry = p == q ? std::sqrt(entry) : entry / gram[q * free + q];
     }

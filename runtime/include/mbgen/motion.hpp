@@ -9,18 +9,20 @@ namespace mbgen {
 
 /// Largest correction of a coordinate by the projection of a step (rad or m). In a motion that is followed at all it is
 /// of the order of the fifth power of the step; a larger one would be a jump to another way of assembly.
-constexpr double kLargestCorrection = 0.2;
+template <class Real>
+inline constexpr Real kLargestCorrection = Real(0.2);
 
 namespace solver_detail {
 
 /// Block with a coordinate outside the motions that lies further than kLargestCorrection from where it was, or -1.
 template <class System>
 int moved_far(const typename System::State& from, const typename System::State& to) noexcept {
+  constexpr RealOf<System> largest = kLargestCorrection<RealOf<System>>;
   for (int b = 0; b < System::kBlocks; ++b) {
     const BlockLayout& block = System::kBlockLayout[b];
     for (int c = block.first_coordinate; c < block.first_coordinate + block.coordinates; ++c) {
       const int i = System::kBlockCoordinate[c];
-      if (System::kDriven[i] == 0 && !(std::abs(to.z[i] - from.z[i]) <= kLargestCorrection)) return b;
+      if (System::kDriven[i] == 0 && !(std::abs(to.z[i] - from.z[i]) <= largest)) return b;
     }
   }
   return -1;
@@ -52,7 +54,7 @@ Status project(const typename System::Parameters& parameters, const typename Sys
 template <class System>
 Status solve_motion(const typename System::Parameters& parameters, const typename System::Inputs& inputs,
                     const typename System::State& state, typename System::Derivative& derivative) noexcept {
-  static constexpr double kNoForces[System::kCoordinates] = {};
+  static constexpr RealOf<System> kNoForces[System::kCoordinates] = {};
   typename System::Accelerations values;
   const Status status = solver_detail::evaluate<System>(parameters, inputs, state, kNoForces, values, derivative);
   if constexpr (System::kBlocks > 0) {

@@ -8,6 +8,7 @@
 // positions is divided by d, of the velocities by d^2, of the accelerations by d^3; and a stage that violates the
 // closures by the square of the step sees other Jacobians than those of the branch.
 
+#include "mbgen/precision.hpp"
 #include "mbgen/states.hpp"
 
 namespace mbgen {
@@ -17,9 +18,6 @@ constexpr int kNodes = 4;
 /// First distance of two nodes, over the step. It doubles until the innermost nodes are clear of the singular position.
 constexpr double kFirstSpacing = 0.125;
 constexpr int kSpacings = 20;
-/// Positions interpolated by polynomials of degree seven and of degree five agree to this part of the way to the outer
-/// nodes; otherwise the nodes lie on different branches, or the motion does not lead through.
-constexpr double kSmoothness = 1e-7;
 
 namespace integrator_detail {
 
@@ -61,10 +59,10 @@ double spacing_of(const System& system, const typename System::State& state, dou
 /// Sums over the nodes.
 template <class System>
 struct Interpolation {
-  typename System::State state;           ///< z and zd by degree seven; x and t of the middle
-  decltype(System::State::z) correction;  ///< z by degree five less z by degree seven
-  StateRates<System> rates;               ///< by degree seven
-  double way = 0;                         ///< largest distance of a coordinate from the middle
+  typename System::State state;                  ///< z and zd by degree seven; x and t of the middle
+  decltype(System::State::z) correction;         ///< z by degree five less z by degree seven
+  StateRates<System> rates;                      ///< by degree seven
+  WeightOf<decltype(System::State::z)> way = 0;  ///< largest distance of a coordinate from the middle
 };
 
 template <class System>
@@ -95,7 +93,7 @@ bool add_node(const System& system, const typename System::State& middle, double
   add(weight, rates.derivative.zdd, sums.rates.derivative.zdd);
   add(weight, rates.derivative.xd, sums.rates.derivative.xd);
   for (std::size_t i = 0; i < size_of(node.z); ++i) {
-    const double way = std::abs(node.z[i] - middle.z[i]);
+    const auto way = std::abs(node.z[i] - middle.z[i]);
     sums.way = way > sums.way ? way : sums.way;
   }
   return true;
@@ -114,8 +112,9 @@ bool pass_through(const System& system, const typename System::State& state, dou
     const double time = (place + 1) * spacing;
     if (!add_node(system, state, time, place, sums) || !add_node(system, state, -time, place, sums)) return false;
   }
+  using Real = WeightOf<decltype(System::State::z)>;
   for (std::size_t i = 0; i < size_of(sums.correction); ++i) {
-    if (!(std::abs(sums.correction[i]) <= kSmoothness * sums.way)) return false;
+    if (!(std::abs(sums.correction[i]) <= kSmoothness<Real> * sums.way)) return false;
   }
   copy_state(sums.state, through);
   copy(through.zd, sums.rates.zd);

@@ -1,6 +1,6 @@
 #pragma once
-// The scalar functions that force laws use beyond <cmath>, for double. The symbolic scalar of the compiler brings its
-// own by argument-dependent lookup, so a law written with `using` declarations serves both.
+// The scalar functions that force laws use beyond <cmath>, for double and float. The symbolic scalar of the compiler
+// brings its own by argument-dependent lookup, so a law written with `using` declarations serves both.
 
 #include <cmath>
 
@@ -8,14 +8,18 @@ namespace mbgen {
 
 /// a where condition >= 0, else b (b for NaN). Laws use it in place of comparisons, which a symbolic scalar lacks.
 constexpr double select(double condition, double a, double b) noexcept { return condition >= 0 ? a : b; }
+constexpr float select(float condition, float a, float b) noexcept { return condition >= 0 ? a : b; }
 
 /// The smaller of two; the first when they are equal or not comparable.
 constexpr double min(double a, double b) noexcept { return b < a ? b : a; }
+constexpr float min(float a, float b) noexcept { return b < a ? b : a; }
 
 /// The larger of two; the first when they are equal or not comparable.
 constexpr double max(double a, double b) noexcept { return a < b ? b : a; }
+constexpr float max(float a, float b) noexcept { return a < b ? b : a; }
 
 /// Absolute value.
 constexpr double abs(double a) noexcept { return a < 0 ? -a : (a == 0 ? 0.0 : a); }
+constexpr float abs(float a) noexcept { return a < 0 ? -a : (a == 0 ? 0.0f : a); }
 
 }  // namespace mbgen

@@ -30,7 +30,7 @@ int free_coordinate(const FreeDirection& direction, const BlockFactors<System>& 
 /// Copies zdd and xd of a program's result when they are finite.
 template <class System, class Values>
 Status deliver(const Values& values, typename System::Derivative& derivative) noexcept {
-  Total total(0);
+  Total<RealOf<System>> total(0);
   total.add(values.zdd, System::kCoordinates);
   total.add(values.xd, System::kAuxiliaryStates);
   if (!std::isfinite(total.value())) {
@@ -50,8 +50,8 @@ Status deliver(const Values& values, typename System::Derivative& derivative) no
 /// block. Source: (60)-(63).
 template <class System>
 Status pivoted_accelerations(const typename System::Parameters& parameters, const typename System::Inputs& inputs,
-                             const typename System::State& state, const double* tau, const double* frozen_pivot,
-                             typename System::Derivative& derivative) noexcept {
+                             const typename System::State& state, const RealOf<System>* tau,
+                             const RealOf<System>* frozen_pivot, typename System::Derivative& derivative) noexcept {
   typename System::ClosureTerms terms;
   System::closure_terms(parameters, inputs, state, terms);
   typename System::Projection projection;
@@ -59,13 +59,14 @@ Status pivoted_accelerations(const typename System::Parameters& parameters, cons
   Status notice;
   for (int b = 0; b < System::kBlocks; ++b) {
     const BlockLayout& block = System::kBlockLayout[b];
-    const LoopFactors loop = factors.factors_of(b, terms);
+    const LoopFactorsOf<RealOf<System>> loop = factors.factors_of(b, terms);
     if (loop.rank < block.rank) return {Code::loop_singular, b};
     notice = more_telling(notice, notice_of(b, block.pivot, smallest_pivot(loop), frozen_pivot[b]));
-    double* zdd_star = projection.zdd_star + block.first_coordinate;
+    RealOf<System>* zdd_star = projection.zdd_star + block.first_coordinate;
     for (int c = 0; c < block.coordinates; ++c) {
       const int place = block.first_coordinate + c;
-      zdd_star[c] = System::kBlockDriven[place] != 0 ? terms.driven_acceleration[System::kBlockCoordinate[place]] : 0.0;
+      const bool driven = System::kBlockDriven[place] != 0;
+      zdd_star[c] = driven ? terms.driven_acceleration[System::kBlockCoordinate[place]] : RealOf<System>(0);
     }
     solve_dependent(loop, terms.c + block.first_equation, zdd_star, factors.work);
     free_directions(loop, System::kBlockDriven + block.first_coordinate, projection.Rz + block.first_projection,
@@ -85,17 +86,18 @@ Status pivoted_accelerations(const typename System::Parameters& parameters, cons
 /// Factors of block b for its multipliers: of redundant equations those left out of the frozen path get none, unless
 /// the others lose rank here.
 template <class System>
-LoopFactors multiplier_factors(int b, const typename System::ClosureTerms& terms,
-                               typename System::ClosureTerms& factored, BlockFactors<System>& factors) noexcept {
+LoopFactorsOf<RealOf<System>> multiplier_factors(int b, const typename System::ClosureTerms& terms,
+                                                 typename System::ClosureTerms& factored,
+                                                 BlockFactors<System>& factors) noexcept {
   const BlockLayout& block = System::kBlockLayout[b];
   const int entries = block.equations * block.coordinates;
   copy(terms.Jz + block.first_jacobian, factored.Jz + block.first_jacobian, entries);
   for (int e = 0; e < block.equations; ++e) {
-    double* row = factored.Jz + block.first_jacobian + e * block.coordinates;
+    RealOf<System>* row = factored.Jz + block.first_jacobian + e * block.coordinates;
     for (int c = 0; c < block.coordinates; ++c)
-      row[c] = System::kRedundant[block.first_equation + e] != 0 ? 0.0 : row[c];
+      row[c] = System::kRedundant[block.first_equation + e] != 0 ? RealOf<System>(0) : row[c];
   }
-  const LoopFactors kept = factors.factors_of(b, factored);
+  const LoopFactorsOf<RealOf<System>> kept = factors.factors_of(b, factored);
   if (kept.rank == block.rank) return kept;
   copy(terms.Jz + block.first_jacobian, factored.Jz + block.first_jacobian, entries);
   return factors.factors_of(b, factored);
@@ -108,13 +110,13 @@ Status repair_multipliers(const typename System::Parameters& parameters, const t
   typename System::ClosureTerms terms, factored;
   System::closure_terms(parameters, inputs, state, terms);
   BlockFactors<System> factors;
-  double lambda[System::kEquations];
+  RealOf<System> lambda[System::kEquations];
   for (int b = 0; b < System::kBlocks; ++b) {
-    if (values.pivot[b] >= kPivotThreshold) continue;
+    if (values.pivot[b] >= kPivotThreshold<RealOf<System>>) continue;
     const BlockLayout& block = System::kBlockLayout[b];
-    const LoopFactors loop = multiplier_factors<System>(b, terms, factored, factors);
+    const LoopFactorsOf<RealOf<System>> loop = multiplier_factors<System>(b, terms, factored, factors);
     if (loop.rank < block.rank) return {Code::loop_singular, b};
-    double* force = values.missing + block.first_coordinate;
+    RealOf<System>* force = values.missing + block.first_coordinate;
     solve_transposed(loop, force, lambda, factors.work);
     for (int e = 0; e < block.equations; ++e) {
       values.lambda[System::kMultiplierPlace[block.first_equation + e]] = lambda[e];
@@ -134,7 +136,7 @@ Status repair_multipliers(const typename System::Parameters& parameters, const t
 /// values: what the frozen program says.
 template <class System>
 Status evaluate(const typename System::Parameters& parameters, const typename System::Inputs& inputs,
-                const typename System::State& state, const double* tau, typename System::Accelerations& values,
+                const typename System::State& state, const RealOf<System>* tau, typename System::Accelerations& values,
                 typename System::Derivative& derivative) noexcept {
   const Status status = check_arguments<System>(parameters, inputs, state, tau);
   if (!status.ok()) return status;
@@ -160,7 +162,7 @@ Status evaluate(const typename System::Parameters& parameters, const typename Sy
 /// Fails: not_a_number, no_inertia, loop_singular; the derivative is then unchanged. Gives no notices.
 template <class System>
 Status solve_accelerations(const typename System::Parameters& parameters, const typename System::Inputs& inputs,
-                           const typename System::State& state, const double* tau,
+                           const typename System::State& state, const RealOf<System>* tau,
                            typename System::Derivative& derivative) noexcept {
   typename System::Accelerations values;
   return without_notice(solver_detail::evaluate<System>(parameters, inputs, state, tau, values, derivative));
@@ -170,7 +172,7 @@ Status solve_accelerations(const typename System::Parameters& parameters, const 
 /// monitor of a loop block trips. Fails: not_a_number, loop_singular; the values are then unchanged.
 template <class System>
 Status solve_multipliers(const typename System::Parameters& parameters, const typename System::Inputs& inputs,
-                         const typename System::State& state, const double* tau,
+                         const typename System::State& state, const RealOf<System>* tau,
                          const typename System::Derivative& derivative,
                          typename System::Multipliers& multipliers) noexcept {
   using namespace solver_detail;
@@ -203,11 +205,11 @@ Status solve_multipliers(const typename System::Parameters& parameters, const ty
 template <class System>
 typename System::Multipliers multipliers_or_nan(const typename System::Parameters& parameters,
                                                 const typename System::Inputs& inputs,
-                                                const typename System::State& state, const double* tau,
+                                                const typename System::State& state, const RealOf<System>* tau,
                                                 const typename System::Derivative& derivative) noexcept {
   typename System::Multipliers multipliers;
-  for (double& value : multipliers.lambda) value = std::numeric_limits<double>::quiet_NaN();
-  for (double& value : multipliers.drive) value = std::numeric_limits<double>::quiet_NaN();
+  for (auto& value : multipliers.lambda) value = std::numeric_limits<RealOf<System>>::quiet_NaN();
+  for (auto& value : multipliers.drive) value = std::numeric_limits<RealOf<System>>::quiet_NaN();
   solve_multipliers<System>(parameters, inputs, state, tau, derivative, multipliers);
   return multipliers;
 }

@@ -1,12 +1,13 @@
 #pragma once
-// What integrators do with states and rates of any System: arrays of doubles or of their vectors, or containers with
-// size(), see integrators.hpp.
+// What integrators do with states and rates of any System: arrays of doubles or floats or of vectors, or containers
+// with size(), see integrators.hpp.
 
 #include <cmath>
 #include <cstddef>
 #include <type_traits>
 
 #include "mbgen/array_lanes.hpp"
+#include "mbgen/precision.hpp"
 #include "mbgen/status.hpp"
 
 namespace mbgen {
@@ -37,6 +38,10 @@ template <std::size_t N>
 void copy(const double (&from)[N], double (&to)[N]) noexcept {
   copy_array(from, to);
 }
+template <std::size_t N>
+void copy(const float (&from)[N], float (&to)[N]) noexcept {
+  copy_array(from, to);
+}
 template <class Container>
 void copy(const Container& from, Container& to) noexcept {
   to = from;
@@ -61,7 +66,8 @@ void copy_rates(const StateRates<System>& from, StateRates<System>& to) noexcept
 /// to += weight * from.
 template <class Values>
 void add(double weight, const Values& from, Values& to) noexcept {
-  for (std::size_t i = 0; i < size_of(to); ++i) to[i] += weight * from[i];
+  const auto factor = static_cast<WeightOf<Values>>(weight);
+  for (std::size_t i = 0; i < size_of(to); ++i) to[i] += factor * from[i];
 }
 
 template <class Values>
@@ -76,8 +82,8 @@ Status evaluate(const System& system, const typename System::State& state, State
 }
 
 /// Entry `i` of start + sum of weights[k] values[k].
-template <class Values, std::size_t K>
-void combine_entry(const Values& start, const double (&weights)[K], const Values* const (&values)[K], std::size_t i,
+template <class Values, class Weight, std::size_t K>
+void combine_entry(const Values& start, const Weight (&weights)[K], const Values* const (&values)[K], std::size_t i,
                    Values& to) noexcept {
   std::decay_t<decltype(to[0])> sum{};
   for (std::size_t k = 0; k < K; ++k) sum += weights[k] * (*values[k])[i];
@@ -85,39 +91,41 @@ void combine_entry(const Values& start, const double (&weights)[K], const Values
 }
 
 /// to = start + sum of weights[k] values[k].
-template <class Values, std::size_t K>
-void combine(const Values& start, const double (&weights)[K], const Values* const (&values)[K], Values& to) noexcept {
+template <class Values, class Weight, std::size_t K>
+void combine(const Values& start, const Weight (&weights)[K], const Values* const (&values)[K], Values& to) noexcept {
   for (std::size_t i = 0; i < size_of(start); ++i) combine_entry(start, weights, values, i, to);
 }
-/// The same of doubles, in lanes.
-template <std::size_t N, std::size_t K>
-void combine(const double (&start)[N], const double (&weights)[K], const double (*const (&values)[K])[N],
-             double (&to)[N]) noexcept {
+/// The same of doubles or floats, in lanes.
+template <class Real, std::size_t N, std::size_t K>
+void combine(const Real (&start)[N], const Real (&weights)[K], const Real (*const (&values)[K])[N],
+             Real (&to)[N]) noexcept {
   using namespace array_detail;
   const auto several = [&](std::size_t i) {
-    constexpr int width = width_for(N);
-    LanesOf<width> sum = {};
+    constexpr int width = width_for<Real>(N);
+    LanesOf<width, Real> sum = {};
     for (std::size_t k = 0; k < K; ++k) sum += weights[k] * lanes_at<width>(*values[k] + i);
     put_lanes(lanes_at<width>(start + i) + sum, to + i);
   };
-  for_all<N>(several, [&](std::size_t i) { combine_entry(start, weights, values, i, to); });
+  for_all<N, Real>(several, [&](std::size_t i) { combine_entry(start, weights, values, i, to); });
 }
 
 /// state = start + sum of weights[k] rates[k]; the time is the caller's. weights: s. The states must not overlap.
 template <class System, std::size_t K>
 void advance(const typename System::State& start, const double (&weights)[K],
              const StateRates<System>* const (&rates)[K], typename System::State& state) noexcept {
+  WeightOf<decltype(System::State::z)> factors[K];
   const decltype(System::State::z)* zd[K];
   const decltype(System::State::zd)* zdd[K];
   const decltype(System::State::x)* xd[K];
   for (std::size_t k = 0; k < K; ++k) {
+    factors[k] = static_cast<WeightOf<decltype(System::State::z)>>(weights[k]);
     zd[k] = &rates[k]->zd;
     zdd[k] = &rates[k]->derivative.zdd;
     xd[k] = &rates[k]->derivative.xd;
   }
-  combine(start.z, weights, zd, state.z);
-  combine(start.zd, weights, zdd, state.zd);
-  combine(start.x, weights, xd, state.x);
+  combine(start.z, factors, zd, state.z);
+  combine(start.zd, factors, zdd, state.zd);
+  combine(start.x, factors, xd, state.x);
 }
 
 /// False when an entry is not finite, or the sum of all overflows.
@@ -125,9 +133,9 @@ template <class Values>
 bool sum_is_finite(const Values&) noexcept {
   return false;
 }
-template <std::size_t N>
-bool sum_is_finite(const double (&values)[N]) noexcept {
-  Total total(0);
+template <class Real, std::size_t N, class = std::enable_if_t<std::is_floating_point_v<Real>>>
+bool sum_is_finite(const Real (&values)[N]) noexcept {
+  Total<Real> total(0);
   total.add(values, static_cast<int>(N));
   return std::isfinite(total.value());
 }
