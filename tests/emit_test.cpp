@@ -23,6 +23,8 @@ namespace {
 TEST(EmittedNumbers, areShortestAndReadBackExactly) {
   EXPECT_EQ(number_text(1), "1.0");
   EXPECT_EQ(number_text(0.1), "0.1");
+  EXPECT_EQ(number_text(0.1, "float"), "0.1f");
+  EXPECT_EQ(number_text(-3.0, "float"), "-3.0f");
   EXPECT_EQ(number_text(-9.81), "-9.81");
   EXPECT_EQ(number_text(1e22), "1e+22");
   EXPECT_EQ(number_text(0.0), "0.0");

@@ -21,6 +21,21 @@ cc "$scratch/check.o" "$library" -lm -o "$scratch/check"
 "$scratch/check" >"$scratch/check.txt"
 cmp "$scratch/native.txt" "$scratch/check.txt"
 echo "C99 caller: bits of the solver"
+# The same for aarch64, static and shared, where its compiler and qemu are installed.
+if command -v aarch64-linux-gnu-g++ >/dev/null 2>&1 && command -v qemu-aarch64 >/dev/null 2>&1; then
+  build=$scratch/four_bar/aarch64
+  cmake -S "$scratch/four_bar" -B "$build" -DCMAKE_CXX_COMPILER=aarch64-linux-gnu-g++ -DCMAKE_SYSTEM_NAME=Linux \
+    -DCMAKE_SYSTEM_PROCESSOR=aarch64 >/dev/null
+  cmake --build "$build" >/dev/null
+  aarch64-linux-gnu-gcc -std=c99 -I "$scratch/four_bar" -c "$here/check.c" -o "$build/check.o"
+  aarch64-linux-gnu-gcc "$build/check.o" "$build/libfour_bar.a" -static -lm -o "$build/static"
+  aarch64-linux-gnu-gcc "$build/check.o" -L "$build" -lfour_bar_c -Wl,-rpath,"$build" -lm -o "$build/shared"
+  qemu-aarch64 "$build/static" | cmp - "$scratch/native.txt"
+  qemu-aarch64 -L /usr/aarch64-linux-gnu "$build/shared" | cmp - "$scratch/native.txt"
+  echo "C99 caller on aarch64, static and shared: bits of the solver"
+else
+  echo "C99 caller on aarch64: skipped, aarch64-linux-gnu-g++ or qemu-aarch64 is not installed (apt-get install g++-aarch64-linux-gnu qemu-user)"
+fi
 # The examples of docs/embedding.md say the same.
 examples=$here/../../examples/c_interface
 cc -std=c99 -Wall -Wextra -Wpedantic -Werror -I "$scratch/four_bar" "$examples/four_bar.c" "$library" -lm -o "$scratch/example"

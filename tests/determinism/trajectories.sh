@@ -1,16 +1,19 @@
 #!/bin/sh
 # The same trajectories, bit for bit, from g++ and clang++ on x86-64 and from g++ for aarch64 (under qemu), by the CMake
 # file of the emitted solver; see docs/determinism.md. What is not installed is left out, and said to be.
-#   tests/determinism/trajectories.sh [-b MBGEN] [-i] [MODEL.json...]      default: build/mbgen, the linkages, all elements, the coach
-# -i: installs the cross compiler and qemu first (Debian, as root).
+#   tests/determinism/trajectories.sh [-b MBGEN] [-i] [-s SCALAR] [MODEL.json...]
+# default: build/mbgen, double and float, the linkages, all elements, the coach
+# -i: installs the cross compiler and qemu first (Debian, as root). -s: double or float only.
 set -eu
 here=$(cd "$(dirname "$0")" && pwd)
 root=$here/../..
 mbgen=$root/build/mbgen
-while getopts b:i option; do
+scalars="double float"
+while getopts b:is: option; do
   case $option in
     b) mbgen=$OPTARG ;;
     i) "$root/.ci/install" g++ clang cmake make g++-aarch64-linux-gnu qemu-user ;;
+    s) scalars=$OPTARG ;;
     *) exit 2 ;;
   esac
 done
@@ -60,16 +63,21 @@ compare() {
 
 failures=0
 cross="-DCMAKE_SYSTEM_NAME=Linux -DCMAKE_SYSTEM_PROCESSOR=aarch64"
-for model in "$@"; do
-  directory=$scratch/$(basename "$model" .json)
-  "$mbgen" generate "$model" --out "$directory" >/dev/null
+# trajectories MODEL SCALAR
+trajectories() {
+  directory=$scratch/$(basename "$1" .json).$2
+  "$mbgen" generate "$1" --scalar "$2" --out "$directory" >/dev/null
   name=$(basename "$(ls "$directory"/*.json)" .json)
-  echo "$name:"
+  echo "$name, $2:"
   trajectory "$directory" "$name" x86-64-g++ g++ ""
   trajectory "$directory" "$name" x86-64-clang++ clang++ ""
   # shellcheck disable=SC2086  # several words
   trajectory "$directory" "$name" aarch64-g++ aarch64-linux-gnu-g++ qemu-aarch64 $cross
   compare "$directory" x86-64-g++ x86-64-clang++ aarch64-g++
+}
+
+for model in "$@"; do
+  for scalar in $scalars; do trajectories "$model" "$scalar"; done
 done
 if [ "$failures" -gt 0 ]; then
   echo "trajectories: $failures differ"

@@ -7,23 +7,34 @@
 #include <cstddef>
 #include <cstdio>
 #include <cstring>
+#include <type_traits>
 
 namespace {
 
 using namespace SOLVER;
 
+using Number = std::remove_all_extents_t<decltype(State::z)>;  // double or float
+
 constexpr int kSteps = 500;
 constexpr double kStep = 1e-3;
 
-/// Every number of a struct of doubles.
+/// Every number of a struct of them.
 template <class Struct>
 void print(const char* what, const Struct& values) {
-  constexpr std::size_t kNumbers = sizeof(Struct) / sizeof(double);
-  double numbers[kNumbers];
+  constexpr std::size_t kNumbers = sizeof(Struct) / sizeof(Number);
+  Number numbers[kNumbers];
   std::memcpy(numbers, &values, sizeof numbers);
   std::printf("%s", what);
-  for (const double number : numbers) std::printf(" %a", number);
+  for (const Number number : numbers) std::printf(" %a", static_cast<double>(number));
   std::printf("\n");
+}
+
+/// Without its time, which is a double, and what the compiler puts before that.
+void print(const char* what, const State& state) {
+  print(what, state.z);
+  print(what, state.zd);
+  print(what, state.x);
+  std::printf("t %a\n", state.t);
 }
 
 void print(const char* what, mbgen::Status status) {
@@ -31,7 +42,7 @@ void print(const char* what, mbgen::Status status) {
 }
 
 void look_at(const Parameters& parameters, const Inputs& inputs, const State& state) {
-  const double tau[kCoordinates] = {};
+  const Number tau[kCoordinates] = {};
   Derivative derivative{};
   Outputs values{};
   Multipliers forces{};
@@ -50,7 +61,7 @@ int main() {
   const Parameters parameters;
   const Inputs inputs;
   State state{};
-  for (int i = 0; i < kCoordinates; ++i) state.zd[i] = 0.1 + 0.01 * (i % 7);
+  for (int i = 0; i < kCoordinates; ++i) state.zd[i] = static_cast<Number>(0.1 + 0.01 * (i % 7));
   print("assemble", assemble(parameters, inputs, state));
   History history{};
   for (int step = 0; step <= 2 * kSteps; ++step) {
