@@ -152,7 +152,7 @@ typename System::Mask stayed_near(const typename System::State& from, const type
   typename System::Mask near = every_lane<System>();
   if constexpr (System::kBlocks > 0) {
     for (const int i : System::kBlockCoordinate) {
-      if (System::kDriven[i] == 0) near &= mbgen::abs(to.z[i] - from.z[i]) <= kLargestCorrection;
+      if (System::kDriven[i] == 0) near &= mbgen::abs(to.z[i] - from.z[i]) <= kLargestCorrection<double>;
     }
   }
   return near;
