@@ -59,9 +59,13 @@ inline void reduced_sincos(float angle, float& sine, float& cosine) noexcept {
   const float multiple = rounded - kRounding;
   const float first = mbgen::fnma(multiple, kHalfPi[0], angle);  // exact
   const float second = mbgen::fnma(multiple, kHalfPi[1], first);
-  const float x = mbgen::fnma(multiple, kHalfPi[2], second);
-  const float lost = mbgen::fnma(multiple, kHalfPi[1], first - second) + mbgen::fnma(multiple, kHalfPi[2], second - x);
-  const float rest = mbgen::fnma(multiple, kHalfPi[3], lost);
+  const float third = mbgen::fnma(multiple, kHalfPi[2], second);
+  const float lost =
+      mbgen::fnma(multiple, kHalfPi[1], first - second) + mbgen::fnma(multiple, kHalfPi[2], second - third);
+  const float low = mbgen::fnma(multiple, kHalfPi[3], lost);
+  // The part of large angles is many units of x: only below one unit is the first power of `rest` enough.
+  const float x = third + low;
+  const float rest = (third - x) + low;
 
   const float z = x * x, zz = z * z, half = 0.5f * z, cube = z * x;
   const auto& a = kSine;
@@ -150,8 +154,7 @@ inline bool has_no_logarithm(float x) noexcept { return !(x >= number_of(kLeastN
 
 }  // namespace single_detail
 
-/// Sine and cosine of an angle (rad) within 1 ulp up to 10 rad and 2.5 ulp beyond, of numbers below 2^-9: of 2^-33; NaN
-/// of what is not finite.
+/// Sine and cosine of an angle (rad) within 1 ulp, of numbers below 2^-9: of 2^-33; NaN of what is not finite.
 inline void sincos(const float& angle, float& sine, float& cosine) noexcept {
   const float kept = angle;  // the results may take its place
   single_detail::reduced_sincos(kept, sine, cosine);
