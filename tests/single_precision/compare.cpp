@@ -1,9 +1,11 @@
 // A solver in single precision against the same in double precision; see check.sh.
-//   compare STEPS H, built with -DSOLVER=four_bar -DSINGLE=four_bar_float and their headers; initial.hpp has the
+//   compare STEPS H MOMENT, built with -DSOLVER=four_bar -DSINGLE=four_bar_float and their headers; initial.hpp has the
 //   initial state
 //
 // Accelerations: at states of the single trajectory, those of float code may differ from those of double code by what
-// kUnits units of the last place in each coordinate and velocity would change, and by as many units of their own.
+// kUnits units of the last place in each coordinate and velocity, in the time, and of MOMENT (N m or N) in each joint's
+// force would change, and by as many units of their own. MOMENT is what forces have about the origin of the body on
+// which their loop or tree stands, and is rounded at: joints far from there get small differences of such moments.
 // Trajectory: it may leave the double one by kFactor times as much as a double trajectory does whose coordinates and
 // velocities are moved after every step by up to kMoved units of single precision, at random: closures are left open by
 // 2^-20, that is sixteen units.
@@ -63,7 +65,7 @@ const single::Inputs kSingleInputs;
 constexpr double kNoForces[kCount] = {};
 constexpr float kNoSingleForces[kCount] = {};
 
-void look_at_accelerations(const single::State& state, Findings& findings) {
+void look_at_accelerations(const single::State& state, double moment, Findings& findings) {
   single::Derivative found{};
   exact::Derivative right{}, other{};
   exact::State at{};
@@ -75,15 +77,18 @@ void look_at_accelerations(const single::State& state, Findings& findings) {
   }
   std::vector<double> allowed(kCount);
   for (int i = 0; i < kCount; ++i) allowed[i] = unit_of(right.zdd[i]);
-  const auto add_change_by = [&](double& argument) {
+  double tau[kCount] = {};
+  const auto add_change = [&](double& argument, double change) {
     const double kept = argument;
-    argument += unit_of(kept);
-    exact::accelerations(kParameters, kInputs, at, kNoForces, other);
+    argument += change;
+    exact::accelerations(kParameters, kInputs, at, tau, other);
     argument = kept;
     for (int i = 0; i < kCount; ++i) allowed[i] += std::abs(other.zdd[i] - right.zdd[i]);
   };
-  for (double& z : at.z) add_change_by(z);
-  for (double& zd : at.zd) add_change_by(zd);
+  for (double& z : at.z) add_change(z, unit_of(z));
+  for (double& zd : at.zd) add_change(zd, unit_of(zd));
+  for (double& force : tau) add_change(force, kUnit * moment);
+  add_change(at.t, unit_of(at.t));
   for (int i = 0; i < kCount; ++i) {
     const double error = std::abs(static_cast<double>(found.zdd[i]) - right.zdd[i]);
     findings.acceleration = std::max(findings.acceleration, error / (kUnits * allowed[i]));
@@ -123,7 +128,7 @@ exact::State initial_state() {
   return state;
 }
 
-Findings compare(int steps, double h) {
+Findings compare(int steps, double h, double moment) {
   Findings findings;
   exact::State right = initial_state(), moved = right, seen{};
   single::State state{};
@@ -134,7 +139,7 @@ Findings compare(int steps, double h) {
   };
   Balance balance, balance_double;
   for (int step = 0; step < steps; ++step) {
-    if (step % kLook == 0) look_at_accelerations(state, findings);
+    if (step % kLook == 0) look_at_accelerations(state, moment, findings);
     findings.failures += exact::step_rk4(kParameters, kInputs, right, h).ok() ? 0 : 1;
     findings.failures += exact::step_rk4(kParameters, kInputs, moved, h).ok() ? 0 : 1;
     const mbgen::Status status = single::step_rk4(kSingleParameters, kSingleInputs, state, h);
@@ -165,8 +170,8 @@ Findings compare(int steps, double h) {
 }  // namespace
 
 int main(int count, char** words) {
-  if (count != 3) return 2;
-  const Findings found = compare(std::atoi(words[1]), std::atof(words[2]));
+  if (count != 4) return 2;
+  const Findings found = compare(std::atoi(words[1]), std::atof(words[2]), std::atof(words[3]));
   std::printf("accelerations: error %.2f of what is allowed\n", found.acceleration);
   std::printf("trajectory: apart by %.2e, moved by noise %.2e\n", found.apart, found.moved);
   std::printf("closures: residual %.2e, rate %.2e\n", found.residual, found.residual_rate);
