@@ -1,9 +1,9 @@
 // A solver in single precision against the same in double precision; see check.sh.
-//   compare STEPS H MOMENT, built with -DSOLVER=four_bar -DSINGLE=four_bar_float and their headers; initial.hpp has the
-//   initial state
+//   compare STEPS H MOMENT UNITS, built with -DSOLVER=four_bar -DSINGLE=four_bar_float and their headers; initial.hpp
+//   has the initial state
 //
 // Accelerations: at states of the single trajectory, those of float code may differ from those of double code by what
-// kUnits units of the last place in each coordinate and velocity, in the time, and of MOMENT (N m or N) in each joint's
+// UNITS units of the last place in each coordinate and velocity, in the time, and of MOMENT (N m or N) in each joint's
 // force would change, and by as many units of their own. MOMENT is what forces have about the origin of the body on
 // which their loop or tree stands, and is rounded at: joints far from there get small differences of such moments.
 // Trajectory: it may leave the double one by kFactor times as much as a double trajectory does whose coordinates and
@@ -28,7 +28,7 @@ namespace exact = SOLVER;
 namespace single = SINGLE;
 
 constexpr int kCount = exact::kCoordinates;
-constexpr double kUnit = 0x1p-24, kUnits = 8, kMoved = 16, kFactor = 2;
+constexpr double kUnit = 0x1p-24, kMoved = 16, kFactor = 2;
 constexpr int kLook = 10;  // steps between two looks at the accelerations
 
 template <class From, class To>
@@ -65,7 +65,7 @@ const single::Inputs kSingleInputs;
 constexpr double kNoForces[kCount] = {};
 constexpr float kNoSingleForces[kCount] = {};
 
-void look_at_accelerations(const single::State& state, double moment, Findings& findings) {
+void look_at_accelerations(const single::State& state, double moment, double units, Findings& findings) {
   single::Derivative found{};
   exact::Derivative right{}, other{};
   exact::State at{};
@@ -91,7 +91,7 @@ void look_at_accelerations(const single::State& state, double moment, Findings& 
   add_change(at.t, unit_of(at.t));
   for (int i = 0; i < kCount; ++i) {
     const double error = std::abs(static_cast<double>(found.zdd[i]) - right.zdd[i]);
-    findings.acceleration = std::max(findings.acceleration, error / (kUnits * allowed[i]));
+    findings.acceleration = std::max(findings.acceleration, error / (units * allowed[i]));
   }
 }
 
@@ -128,7 +128,7 @@ exact::State initial_state() {
   return state;
 }
 
-Findings compare(int steps, double h, double moment) {
+Findings compare(int steps, double h, double moment, double units) {
   Findings findings;
   exact::State right = initial_state(), moved = right, seen{};
   single::State state{};
@@ -139,7 +139,7 @@ Findings compare(int steps, double h, double moment) {
   };
   Balance balance, balance_double;
   for (int step = 0; step < steps; ++step) {
-    if (step % kLook == 0) look_at_accelerations(state, moment, findings);
+    if (step % kLook == 0) look_at_accelerations(state, moment, units, findings);
     findings.failures += exact::step_rk4(kParameters, kInputs, right, h).ok() ? 0 : 1;
     findings.failures += exact::step_rk4(kParameters, kInputs, moved, h).ok() ? 0 : 1;
     const mbgen::Status status = single::step_rk4(kSingleParameters, kSingleInputs, state, h);
@@ -170,8 +170,8 @@ Findings compare(int steps, double h, double moment) {
 }  // namespace
 
 int main(int count, char** words) {
-  if (count != 4) return 2;
-  const Findings found = compare(std::atoi(words[1]), std::atof(words[2]), std::atof(words[3]));
+  if (count != 5) return 2;
+  const Findings found = compare(std::atoi(words[1]), std::atof(words[2]), std::atof(words[3]), std::atof(words[4]));
   std::printf("accelerations: error %.2f of what is allowed\n", found.acceleration);
   std::printf("trajectory: apart by %.2e, moved by noise %.2e\n", found.apart, found.moved);
   std::printf("closures: residual %.2e, rate %.2e\n", found.residual, found.residual_rate);

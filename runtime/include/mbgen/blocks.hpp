@@ -54,11 +54,14 @@ template <class System>
 inline constexpr bool kChoosesAgain<System, std::void_t<decltype(System::kFrozenOnly)>> = !System::kFrozenOnly;
 
 /// Smallest pivot of a block, over its median in the analysed configurations, with which the frozen order is trusted.
-/// The analysis accepts ratios from 0.05; two digits of the answer are at stake here, where it is left.
+/// The analysis accepts ratios from 0.05; two digits of the answer are at stake here, where it is left. Accelerations lose
+/// with the square of the pivot, and floats have no two digits to spare.
 template <class Real>
-inline constexpr Real kPivotThreshold = Real(0.02);
+inline constexpr Real kPivotThreshold = 0.02;
+template <>
+inline constexpr float kPivotThreshold<float> = 0.1f;
 /// Smallest pivot of full pivoting, over its typical value, below which a block is near a singular position: Jacobians
-/// change much within one step there.
+/// change much within one step there. Not below kPivotThreshold.
 template <class Real>
 inline constexpr Real kNearSingular = Real(0.1);
 
