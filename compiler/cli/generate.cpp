@@ -76,13 +76,11 @@ std::vector<std::string> write_all(const GenerateOptions& options, const Model& 
 /// Fails: UserError for what there is in double precision only.
 void require_precision(const GenerateOptions& options) {
   if (options.emit.scalar == "double") return;
-  if (options.c_interface) {
-    throw UserError(
-        "generate: --c-api exchanges doubles: leave it out with --scalar float and use the C++ interface, or leave out "
-        "--scalar\n");
-  }
   if (options.emit.lanes > 0) {
     throw UserError("generate: --batch has lanes of doubles: leave out --batch or --scalar float\n");
+  }
+  if (options.measure) {
+    throw UserError("generate: --measure times a solver in double precision: leave out --measure or --scalar float\n");
   }
 }
 

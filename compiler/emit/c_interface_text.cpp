@@ -32,13 +32,13 @@ std::vector<std::string> coordinate_names(const Topology& topology) {
 }
 
 /// A struct of numbers; C has no empty ones.
-std::string c_structure(const std::string& name, const std::vector<NumberMember>& members) {
+std::string c_structure(const std::string& scalar, const std::string& name, const std::vector<NumberMember>& members) {
   std::string text = "typedef struct " + name + " {\n";
   for (const NumberMember& member : members) {
     const std::string unit = member.unit.empty() ? "" : " /* " + c_comment_text(member.unit) + " */";
-    text += "  double " + member.name + ";" + unit + "\n";
+    text += "  " + scalar + " " + member.name + ";" + unit + "\n";
   }
-  if (members.empty()) text += "  double unused_; /* there are none */\n";
+  if (members.empty()) text += "  " + scalar + " unused_; /* there are none */\n";
   return text + "} " + name + ";";
 }
 
@@ -62,8 +62,10 @@ std::string copies(const std::vector<NumberMember>& members) {
   return text;
 }
 
-std::string constants(const std::string& name, const std::vector<double>& values) {
-  return array_text("constexpr double " + name, number_texts(values), "0.0") + "\n";
+std::string constants(const std::string& scalar, const std::string& name, const std::vector<double>& values) {
+  return array_text(fmt::format("constexpr {} {}", scalar, name), number_texts(values, scalar),
+                    number_text(0, scalar)) +
+         "\n";
 }
 
 std::string name_functions(const EmitContext& context) {
@@ -93,12 +95,12 @@ std::string python_list(const std::vector<std::string>& items) {
   return fmt::format("[{}]", fmt::join(literals, ", "));
 }
 
-std::string python_fields(const std::vector<NumberMember>& members) {
+std::string python_fields(const std::string& scalar, const std::vector<NumberMember>& members) {
   std::string text;
   for (const NumberMember& member : members)
-    text += fmt::format("        ({}, ctypes.c_double),{}\n", string_literal(member.name),
+    text += fmt::format("        ({}, ctypes.c_{}),{}\n", string_literal(member.name), scalar,
                         member.unit.empty() ? "" : "  # " + comment_text(member.unit));
-  if (members.empty()) text += "        (\"unused_\", ctypes.c_double),\n";
+  if (members.empty()) text += fmt::format("        (\"unused_\", ctypes.c_{}),\n", scalar);
   return text;
 }
 
@@ -122,12 +124,13 @@ std::string c_header_text(const EmitContext& context) {
       {{"banner", c_banner_text(context.model)},
        {"title", c_comment_text(context.model.name)},
        {"solver", solver},
+       {"scalar", context.scalar},
        {"guard", guard_of(solver)},
        {"sizes", sizes_text(context)},
-       {"parameter_struct", c_structure(solver + "_parameters", parameter_members(context))},
-       {"input_struct", c_structure(solver + "_inputs", input_members(context))},
+       {"parameter_struct", c_structure(context.scalar, solver + "_parameters", parameter_members(context))},
+       {"input_struct", c_structure(context.scalar, solver + "_inputs", input_members(context))},
        {"input_comment", with_derivatives ? ", but for those whose derivative is an input too" : ""},
-       {"output_struct", c_structure(solver + "_outputs", output_members(context))},
+       {"output_struct", c_structure(context.scalar, solver + "_outputs", output_members(context))},
        {"coordinate_size", size_text(context.layout.coordinates)},
        {"auxiliary_size", size_text(context.layout.auxiliary_states)},
        {"first_notice", std::to_string(static_cast<int>(kFirstNotice))},
@@ -140,15 +143,17 @@ std::string c_source_text(const EmitContext& context, const InitialState& initia
       "c_interface.cpp.in",
       {{"banner", banner_text(context.model, "//")},
        {"solver", solver},
-       {"initial_state",
-        constants("kInitialZ", initial.z) + constants("kInitialZd", initial.zd) + constants("kInitialX", initial.x)},
+       {"scalar", context.scalar},
+       {"initial_state", constants(context.scalar, "kInitialZ", initial.z) +
+                             constants(context.scalar, "kInitialZd", initial.zd) +
+                             constants(context.scalar, "kInitialX", initial.x)},
        {"coordinate_size", size_text(context.layout.coordinates)},
        {"parameters_in", copies(parameter_members(context))},
        {"parameters_out", copies(parameter_members(context))},
        {"inputs_in", copies(input_members(context))},
        {"inputs_out", copies(input_members(context))},
        {"outputs_out", copies(output_members(context))},
-       {"parameter_table", array_text("constexpr double Parameters::*kParameterMembers",
+       {"parameter_table", array_text(fmt::format("constexpr {} Parameters::*kParameterMembers", context.scalar),
                                       member_places("Parameters", context.names.parameters), "nullptr")},
        {"step", solver + (context.model.solver.is_multistep()
                               ? "::step_abm4(solver->parameters, solver->inputs, solver->state, solver->history, h)"
@@ -162,9 +167,11 @@ std::string python_text(const EmitContext& context) {
   return fill_template("module.py.in", {{"banner", banner_text(model, "#")},
                                         {"title", string_literal(model.name)},
                                         {"solver", context.names.solver},
-                                        {"parameters", python_fields(parameter_members(context))},
-                                        {"inputs", python_fields(input_members(context))},
-                                        {"outputs", python_fields(output_members(context))},
+                                        {"scalar", context.scalar},
+                                        {"numpy_type", context.scalar == "float" ? "float32" : "float64"},
+                                        {"parameters", python_fields(context.scalar, parameter_members(context))},
+                                        {"inputs", python_fields(context.scalar, input_members(context))},
+                                        {"outputs", python_fields(context.scalar, output_members(context))},
                                         {"coordinate_names", python_list(coordinate_names(context.topology))},
                                         {"coordinate_size", size_text(context.layout.coordinates)},
                                         {"auxiliary_size", size_text(context.layout.auxiliary_states)}});

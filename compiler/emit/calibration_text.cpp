@@ -13,9 +13,19 @@ namespace {
 
 constexpr std::size_t kLongestString = 255;  // MAX_STRING of the standard
 constexpr std::size_t kLongestPart = 100;    // an identifier's part has 128 characters at most, some are added
-constexpr int kNumberBytes = 8;
-constexpr const char* kLargest = "1.7976931348623157e+308";
+constexpr int kTimeBytes = 8;                // the time is a double in both precisions
 constexpr const char* kByteOrderMark = "\xef\xbb\xbf";
+
+/// How the standard writes numbers of a type.
+struct CalibrationType {
+  int bytes;
+  std::string name, largest;
+};
+
+CalibrationType type_of(const std::string& scalar) {
+  if (scalar == "float") return {4, "FLOAT32_IEEE", "3.4028235e+38"};
+  return {8, "FLOAT64_IEEE", "1.7976931348623157e+308"};
+}
 
 /// A number of the structures that the application defines.
 struct CalibrationNumber {
@@ -24,6 +34,7 @@ struct CalibrationNumber {
   std::string unit;    ///< "" for none
   std::string symbol;  ///< of the structure
   int offset = 0;      ///< bytes from its beginning
+  CalibrationType type;
 };
 
 using CalibrationNumbers = std::vector<CalibrationNumber>;
@@ -57,7 +68,7 @@ void add_number(const EmitContext& context, const std::string& structure, const 
                 const std::string& name, const std::string& text, const std::string& unit, CalibrationNumbers& numbers,
                 int place) {
   numbers.push_back({prefix_of(context) + "." + group + name, text, unit, context.names.solver + "_a2l_" + structure,
-                     kNumberBytes * place});
+                     type_of(context.scalar).bytes * place, type_of(context.scalar)});
 }
 
 /// Members of a structure of named numbers; texts: what the model calls them, for those that it names.
@@ -94,6 +105,9 @@ CalibrationNumbers state_numbers(const EmitContext& context) {
                2 * coordinates + static_cast<int>(i));
   }
   add_number(context, "state", "", "t", "time", "s", numbers, 2 * coordinates + auxiliary);
+  CalibrationNumber& time = numbers.back();
+  time.type = type_of("double");
+  time.offset = (time.offset + kTimeBytes - 1) / kTimeBytes * kTimeBytes;  // as compilers align it
   return numbers;
 }
 
@@ -137,8 +151,8 @@ std::string characteristics_text(const EmitContext& context, const CalibrationNu
   for (const CalibrationNumber& number : numbers) {
     text += fmt::format(
         "    /begin CHARACTERISTIC {} {}\n      VALUE 0x0 {}.number 0 {} -{} {}\n{}    /end CHARACTERISTIC\n\n",
-        number.name, a2l_string(number.text), prefix_of(context), methods.at(number.unit), kLargest, kLargest,
-        link_text(number));
+        number.name, a2l_string(number.text), prefix_of(context), methods.at(number.unit), number.type.largest,
+        number.type.largest, link_text(number));
   }
   return text;
 }
@@ -147,9 +161,10 @@ std::string measurements_text(const CalibrationNumbers& numbers, const std::map<
   std::string text;
   for (const CalibrationNumber& number : numbers) {
     text += fmt::format(
-        "    /begin MEASUREMENT {} {}\n      FLOAT64_IEEE {} 0 0 -{} {}\n      ECU_ADDRESS 0x0\n{}"
+        "    /begin MEASUREMENT {} {}\n      {} {} 0 0 -{} {}\n      ECU_ADDRESS 0x0\n{}"
         "    /end MEASUREMENT\n\n",
-        number.name, a2l_string(number.text), methods.at(number.unit), kLargest, kLargest, link_text(number));
+        number.name, a2l_string(number.text), number.type.name, methods.at(number.unit), number.type.largest,
+        number.type.largest, link_text(number));
   }
   return text;
 }
@@ -204,16 +219,19 @@ std::string calibration_text(const EmitContext& context) {
   const std::string objects = characteristics_text(context, sets.parameters, methods) +
                               measurements_text(sets.inputs, methods) + measurements_text(sets.outputs, methods) +
                               measurements_text(sets.state, methods);
-  const std::string text = fill_template("calibration.a2l.in", {{"banner", c_banner_text(context.model)},
-                                                                {"solver", solver},
-                                                                {"prefix", prefix_of(context)},
-                                                                {"title", a2l_string(context.model.name)},
-                                                                {"hash", a2l_string(context.model.hash)},
-                                                                {"version", a2l_string(kMbgenVersion)},
-                                                                {"methods", methods_text(methods)},
-                                                                {"objects", objects},
-                                                                {"groups", groups_text(prefix_of(context), sets)},
-                                                                {"function", function_text(prefix_of(context), sets)}});
+  const std::string text =
+      fill_template("calibration.a2l.in", {{"banner", c_banner_text(context.model)},
+                                           {"solver", solver},
+                                           {"prefix", prefix_of(context)},
+                                           {"title", a2l_string(context.model.name)},
+                                           {"hash", a2l_string(context.model.hash)},
+                                           {"version", a2l_string(kMbgenVersion)},
+                                           {"numbers", context.scalar == "float" ? "Floats" : "Doubles"},
+                                           {"number_type", type_of(context.scalar).name},
+                                           {"methods", methods_text(methods)},
+                                           {"objects", objects},
+                                           {"groups", groups_text(prefix_of(context), sets)},
+                                           {"function", function_text(prefix_of(context), sets)}});
   return is_ascii(text) ? text : kByteOrderMark + text;
 }
 

@@ -139,9 +139,9 @@ std::string array_text(const std::string& head, std::vector<std::string> items, 
   return braced_list(head + "[] = ", items, ";");
 }
 
-std::vector<std::string> number_texts(const std::vector<double>& values) {
+std::vector<std::string> number_texts(const std::vector<double>& values, const std::string& scalar) {
   std::vector<std::string> texts;
-  for (const double value : values) texts.push_back(number_text(value));
+  for (const double value : values) texts.push_back(number_text(value, scalar));
   return texts;
 }
 

@@ -40,8 +40,8 @@ std::string braced_list(const std::string& head, const std::vector<std::string>&
 /// zero.
 std::string array_text(const std::string& head, std::vector<std::string> items, const std::string& filler);
 
-/// Numbers as literals.
-std::vector<std::string> number_texts(const std::vector<double>& values);
+/// Numbers as literals of a scalar type.
+std::vector<std::string> number_texts(const std::vector<double>& values, const std::string& scalar = "double");
 
 /// Places of the members of a struct, for an array of pointers to them: "&Inputs::torque".
 std::vector<std::string> member_places(const std::string& structure, const std::vector<std::string>& members);

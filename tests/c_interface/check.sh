@@ -1,18 +1,22 @@
 #!/bin/sh
-# The C interface and the Python module of the four-bar, built by the emitted CMake file alone: tests/c_interface/check.sh MBGEN
+# The C interface and the Python module of the four-bar, built by the emitted CMake file alone:
+#   tests/c_interface/check.sh MBGEN [SCALAR]      default: double
 set -eu
 here=$(cd "$(dirname "$0")" && pwd)
 mbgen=$(realpath "$1")
+scalar=${2:-double}
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
-"$mbgen" generate "$here/../../models/four_bar.json" --c-api --out "$scratch/four_bar" >/dev/null
+"$mbgen" generate "$here/../../models/four_bar.json" --c-api --scalar "$scalar" --out "$scratch/four_bar" >/dev/null
 cmake -S "$scratch/four_bar" -B "$scratch/four_bar/build" >/dev/null
 cmake --build "$scratch/four_bar/build" >/dev/null
 warnings="-Wall -Wextra -Wpedantic -Wconversion -Wshadow -Wdouble-promotion -Werror"
+caller="-I $scratch/four_bar"
+[ "$scalar" = double ] || caller="$caller -DSINGLE_PRECISION"
 library=$scratch/four_bar/build/libfour_bar.a
 # shellcheck disable=SC2086  # several words
 {
-  cc -std=c99 $warnings -Wstrict-prototypes -I "$scratch/four_bar" -c "$here/check.c" -o "$scratch/check.o"
+  cc -std=c99 $warnings -Wstrict-prototypes $caller -c "$here/check.c" -o "$scratch/check.o"
   c++ -std=c++17 $warnings -I "$scratch/four_bar" "$here/native.cpp" "$library" -o "$scratch/native"
   c++ -std=c++17 $warnings -O2 -ffp-contract=off -I "$scratch/four_bar" -c "$scratch/four_bar/four_bar_c.cpp" -o "$scratch/o"
 }
@@ -27,7 +31,8 @@ if command -v aarch64-linux-gnu-g++ >/dev/null 2>&1 && command -v qemu-aarch64 >
   cmake -S "$scratch/four_bar" -B "$build" -DCMAKE_CXX_COMPILER=aarch64-linux-gnu-g++ -DCMAKE_SYSTEM_NAME=Linux \
     -DCMAKE_SYSTEM_PROCESSOR=aarch64 >/dev/null
   cmake --build "$build" >/dev/null
-  aarch64-linux-gnu-gcc -std=c99 -I "$scratch/four_bar" -c "$here/check.c" -o "$build/check.o"
+  # shellcheck disable=SC2086  # several words
+  aarch64-linux-gnu-gcc -std=c99 $caller -c "$here/check.c" -o "$build/check.o"
   aarch64-linux-gnu-gcc "$build/check.o" "$build/libfour_bar.a" -static -lm -o "$build/static"
   aarch64-linux-gnu-gcc "$build/check.o" -L "$build" -lfour_bar_c -Wl,-rpath,"$build" -lm -o "$build/shared"
   qemu-aarch64 "$build/static" | cmp - "$scratch/native.txt"
