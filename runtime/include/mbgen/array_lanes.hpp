@@ -84,9 +84,8 @@ class Total {
   [[gnu::always_inline]] void add(const Real* values, int count) noexcept {
     using namespace array_detail;
     constexpr int width = kLanes<Real>;
-    int i = 0;
-    for (; i + width <= count; i += width) lanes_ += lanes_at<width>(values + i);
-    for (; i < count; ++i) rest_ += values[i];
+    for (int i = 0; i + width <= count; i += width) lanes_ += lanes_at<width>(values + i);
+    for (int i = count - count % width; i < count; ++i) rest_ += values[i];
   }
 
   [[gnu::always_inline]] Real value() const noexcept {

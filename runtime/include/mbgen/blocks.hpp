@@ -71,9 +71,8 @@ template <class Real>
 [[gnu::always_inline]] inline void copy(const Real* from, Real* to, int count) noexcept {
   using namespace array_detail;
   constexpr int width = kLanes<Real>;
-  int i = 0;
-  for (; i + width <= count; i += width) put_lanes(lanes_at<width>(from + i), to + i);
-  for (; i < count; ++i) to[i] = from[i];
+  for (int i = 0; i + width <= count; i += width) put_lanes(lanes_at<width>(from + i), to + i);
+  for (int i = count - count % width; i < count; ++i) to[i] = from[i];
 }
 
 template <class System>
