@@ -18,9 +18,13 @@ std::string joined(const std::vector<std::string>& parts, const char* between) {
 }
 
 /// A cell of a table: no bar ends it before its time.
-std::string cell(std::string text) {
-  for (std::size_t at = text.find('|'); at != std::string::npos; at = text.find('|', at + 2)) text.insert(at, "\\");
-  return text;
+std::string cell(const std::string& text) {
+  std::string escaped;
+  for (const char c : text) {
+    if (c == '|') escaped += '\\';
+    escaped += c;
+  }
+  return escaped;
 }
 
 bool has_section(const Json& definition) { return definition.contains("properties"); }
