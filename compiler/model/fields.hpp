@@ -34,11 +34,12 @@ enum class Shape {
   map,              ///< name -> object of kind FieldInfo::of
   points,           ///< name -> three quantities
   values,           ///< coordinate -> constant
+  overrides,        ///< parameter -> quantity
+  names,            ///< name -> name
   rotations,        ///< one object of kind FieldInfo::of, or an array of them
   coefficients,     ///< name -> quantity, or "a", "b", "c" -> arrays
   parameters,       ///< name -> a constant, or an object of kind FieldInfo::of
-  paths,            ///< array of texts
-  reserved          ///< refused: kept for a later version
+  paths             ///< array of texts
 };
 
 enum class Need { optional, required };

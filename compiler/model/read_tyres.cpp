@@ -107,14 +107,15 @@ void check_tyre(Reader& reader, const Value& value, TyreFields& tyre) {
   if (tyre.centre.body >= 0 && tyre.centre.body == reader.model.ground) {
     report(reader, *find(value, "centre"), "a tyre on ground has no effect");
   }
-  tyre.axis = global_direction(reader.model, tyre.centre.body, tyre.axis);
+  tyre.axis = placed_axis(reader, tyre.centre.body, tyre.axis, FreedomKind::revolute);
+  tyre.side *= handedness(current_scope(reader).placement);
   if (std::hypot(tyre.axis[0], tyre.axis[1]) < kSmallestTilt) {
     report(reader, member_or_object(value, "axis"), "axis of a tyre is vertical, the wheel would lie on the road");
   }
 }
 
 void use_set(Reader& reader, const Value& value, const std::vector<CoefficientSet>& sets, TyreFields& tyre) {
-  const auto found = reader.names.tyre_data.find(tyre.data);
+  const auto found = find_visible(reader.names.tyre_data, tyre.data, current_scope(reader).visible);
   if (found == reader.names.tyre_data.end()) {
     const Value* data = find(value, "data");
     if (!data || data->kind != Value::Kind::text) return;

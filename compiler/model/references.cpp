@@ -12,16 +12,6 @@ namespace {
 
 Matrix3 identity() { return {1, 0, 0, 0, 1, 0, 0, 0, 1}; }
 
-Matrix3 product(const Matrix3& a, const Matrix3& b) {
-  Matrix3 result{};
-  for (std::size_t row = 0; row < 3; ++row) {
-    for (std::size_t column = 0; column < 3; ++column) {
-      for (std::size_t k = 0; k < 3; ++k) result[3 * row + column] += a[3 * row + k] * b[3 * k + column];
-    }
-  }
-  return result;
-}
-
 /// Rotation by `angle` about a unit axis (Rodrigues).
 Matrix3 rotation_about(const Vector3& axis, double angle) {
   const double c = std::cos(angle), s = std::sin(angle);
@@ -56,37 +46,42 @@ void read_value(Reader& reader, const Value& value, const FieldInfo&, Attachment
     return;
   }
   const std::string body = value.text.substr(0, dot), point = value.text.substr(dot + 1);
-  const auto body_found = reader.names.bodies.find(body);
-  if (body_found == reader.names.bodies.end()) {
+  const int index = find_body(reader, body);
+  if (index < 0) {
     std::string hint = body == "ground" ? "give ground its points in bodies: \"ground\": { \"points\": { ... } }"
                                         : suggestion(reader, body, reader.names.bodies);
     report(reader, place_in_text(reader.documents, value, 0), "unknown body " + in_quotes(body), std::move(hint));
     return;
   }
-  const NameMap<int>& points = reader.names.points[static_cast<std::size_t>(body_found->second)];
-  const auto point_found = points.find(point);
+  const NameMap<int>& points = reader.names.points[static_cast<std::size_t>(index)];
+  const auto point_found = find_visible(points, point, current_scope(reader).visible);
   if (point_found == points.end()) {
-    if (reader.names.points_unreadable[static_cast<std::size_t>(body_found->second)]) return;
+    if (reader.names.points_unreadable[static_cast<std::size_t>(index)]) return;
     report(reader, place_in_text(reader.documents, value, dot + 1),
            fmt::format("body {} has no point {}", in_quotes(body), in_quotes(point)),
            suggestion(reader, point, points));
     return;
   }
-  target = {body_found->second, point_found->second};
+  target = {index, point_found->second};
 }
 
 CoordinateReference read_coordinate(Reader& reader, Place place, const std::string& name) {
-  const auto found = reader.names.coordinates.find(name);
-  if (found != reader.names.coordinates.end()) return found->second;
+  const Visibility& visible = current_scope(reader).visible;
+  if (const CoordinateReference* found = find_coordinate(reader.names, name, visible)) return *found;
   if (may_be_unreadable(reader.names, name)) return {};
-  const auto joint = reader.names.joints.find(name);
+  const auto joint = find_visible(reader.names.joints, name, visible);
   if (joint == reader.names.joints.end()) {
-    report(reader, place, "unknown coordinate " + in_quotes(name), suggestion(reader, name, reader.names.coordinates));
+    std::string hint = suggests(reader) ? did_you_mean(name, reader.names.coordinates[reader.scope]) : "";
+    report(reader, place, "unknown coordinate " + in_quotes(name), std::move(hint));
     return {};
   }
   std::string coordinates;
-  for (const Freedom& freedom : reader.model.joints[static_cast<std::size_t>(joint->second)].freedoms) {
-    coordinates += (coordinates.empty() ? "" : ", ") + freedom.name;
+  const int freedoms = static_cast<int>(reader.model.joints[static_cast<std::size_t>(joint->second)].freedoms.size());
+  for (int component = 0; component < freedoms; ++component) {
+    for (const auto& [coordinate, reference] : reader.names.coordinates[visible.front().scope]) {
+      if (reference == CoordinateReference{joint->second, component})
+        coordinates += (coordinates.empty() ? "" : ", ") + coordinate;
+    }
   }
   if (coordinates.empty()) {
     report(reader, place, fmt::format("joint {} is fixed and has no coordinate", in_quotes(name)));

@@ -90,7 +90,10 @@ Json shape_of(const FieldInfo& info) {
     case Shape::points:
       return map_of(reference("vector"));
     case Shape::values:
+    case Shape::overrides:
       return map_of(reference("angle"));
+    case Shape::names:
+      return map_of({{"type", "string"}});
     case Shape::rotations:
       return either(reference(info.of), {{"type", "array"}, {"items", reference(info.of)}});
     case Shape::coefficients:
@@ -99,8 +102,6 @@ Json shape_of(const FieldInfo& info) {
                either(reference("quantity"), {{"type", "array"}, {"items", reference("quantity")}})}};
     case Shape::paths:
       return {{"type", "array"}, {"items", {{"type", "string"}}}};
-    case Shape::reserved:
-      return false;
   }
   return {};
 }
@@ -123,7 +124,6 @@ Json field_schema(const FieldInfo& info) {
 Json kind_schema(const ObjectKind& kind) {
   Json properties = Json::object(), required = Json::array();
   for (const FieldInfo& info : kind.fields) {
-    if (info.shape == Shape::reserved) continue;
     properties[std::string(info.name)] = field_schema(info);
     if (info.need == Need::required) required.push_back(info.name);
   }

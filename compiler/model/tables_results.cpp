@@ -157,6 +157,7 @@ std::span<const Field<SolverSettings>> fields<SolverSettings>() {
 std::vector<ObjectKind> object_kinds() {
   return {
       kind<FileFields>("model", "a multibody system; SI units, angles in rad"),
+      kind<InstanceFields>("instance", "a subsystem: a file placed in this one"),
       kind<ParameterFields>("parameter", "a named constant"),
       kind<InputFields>("input", "a value given to the solver"),
       kind<BodyFields>("body", "a rigid body"),

@@ -43,8 +43,9 @@ bool check_number(Reader& reader, const Value& value, const FieldInfo& info, dou
 
 /// The nodes of an expression text. Result: nothing when there were problems.
 std::optional<Expression> parse(Reader& reader, const Value& value, const FieldInfo& info) {
-  const ExpressionScope scope{reader.names, reader.model.parameters, reader.model.expressions, info.depends,
-                              info.locals,  suggests(reader)};
+  const Scope& place = current_scope(reader);
+  const ExpressionScope scope{reader.names, place.visible, reader.model.parameters, reader.model.expressions,
+                              info.depends, info.locals,   suggests(reader),        place.keeps_direction};
   ParsedExpression parsed = parse_expression(value.text, scope);
   for (ExpressionProblem& problem : parsed.problems) {
     report(reader, place_in_text(reader.documents, value, problem.offset), std::move(problem.message),
@@ -128,7 +129,7 @@ void read_axis(Reader& reader, const Value& value, const FieldInfo& info, Vector
 }  // namespace
 
 void report(Reader& reader, Place place, std::string message, std::string hint) {
-  reader.problems.push_back({place, std::move(message), std::move(hint)});
+  reader.problems.push_back({place, std::move(message), std::move(hint), current_scope(reader).path});
 }
 
 const Value& member_or_object(const Value& object, std::string_view key) {
@@ -147,8 +148,6 @@ bool check_keys(Reader& reader, const Value& value, const std::vector<const Fiel
     const auto row = std::find(known.begin(), known.end(), member.key);
     if (row == known.end()) {
       report(reader, member.place, "unknown key " + in_quotes(member.key), did_you_mean(member.key, known));
-    } else if (rows[static_cast<std::size_t>(row - known.begin())]->shape == Shape::reserved) {
-      report(reader, member.place, "key " + in_quotes(member.key) + " is not supported yet");
     }
   }
   for (const FieldInfo* row : rows) {
