@@ -235,10 +235,11 @@ void place_body(Reader& reader, Body& body) {
 }
 
 Vector3Quantity placed_point(Reader& reader, int body, const Vector3Quantity& written) {
-  if (reader.scope == 0) return written;
   const auto index = static_cast<std::size_t>(body);
+  const bool own = reader.names.body_scopes[index] == reader.scope;
+  if (own && reader.scope == 0) return written;
   const Matrix3 matrix = to_body_frame(reader, body);
-  if (reader.names.body_scopes[index] == reader.scope) return transformed(reader, matrix, written);
+  if (own) return transformed(reader, matrix, written);
   const Placement& placement = current_scope(reader).placement;
   const Pose& pose = reader.model.bodies[index].pose;
   Vector3 offset{};
@@ -250,7 +251,6 @@ Vector3 placed_axis(const Reader& reader, int body, const Vector3& written, Free
   if (body < 0) return {kUnreadable, kUnreadable, kUnreadable};
   const auto index = static_cast<std::size_t>(body);
   const Matrix3& of_body = reader.model.bodies[index].pose.rotation;
-  if (reader.scope == 0) return rotated(of_body, written);
   const Placement& placement = current_scope(reader).placement;
   const double sign = sense(current_scope(reader), written, kind);
   const Vector3 flip = {sign * placement.flip[0], sign * placement.flip[1], sign * placement.flip[2]};
@@ -272,7 +272,8 @@ void refuse_reversed(Reader& reader, Place place, const CoordinateReference& coo
 }
 
 void place_force(Reader& reader, AppliedForce& force) {
-  if (reader.scope == 0 || force.at.body < 0) return;
+  if (force.at.body < 0) return;
+  if (reader.scope == 0 && reader.names.body_scopes[static_cast<std::size_t>(force.at.body)] == 0) return;
   const Placement& placement = current_scope(reader).placement;
   const Matrix3 matrix =
       force.in_body_axes ? to_body_frame(reader, force.at.body) : flipped_columns(placement.rotation, placement.flip);

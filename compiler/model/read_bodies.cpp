@@ -249,13 +249,13 @@ void read_body(Reader& reader, const Entry& entry, PointPlaces& places) {
   if (body.point_list) read_points(reader, static_cast<std::size_t>(index), *body.point_list, places);
 }
 
-/// Points that a subsystem adds to a body of what places it.
+/// Points of a body that another scope defines.
 void read_outer_points(Reader& reader, const Entry& entry, PointPlaces& places) {
   for (const Member& member : entry.value->members) {
     if (member.key == "points") continue;
     report(reader, member.place,
-           fmt::format("body {} is one of what places the instance and has points only, got {}",
-                       in_quotes(entry.written), in_quotes(member.key)));
+           fmt::format("body {} is defined elsewhere and has points only here, got {}", in_quotes(entry.written),
+                       in_quotes(member.key)));
   }
   BodyFields body = with_defaults<BodyFields>();
   if (!read_fields(reader, *entry.value, body) || !body.point_list) return;
@@ -312,11 +312,11 @@ void read_bodies(Reader& reader, const Entries& entries) {
   PointPlaces places;
   for (const Entry& entry : entries) {
     const InScope in_scope(reader, entry.scope);
-    if (!is_outer_body(reader, entry.written)) read_body(reader, entry, places);
+    if (!entry.adds_points) read_body(reader, entry, places);
   }
   for (const Entry& entry : entries) {
     const InScope in_scope(reader, entry.scope);
-    if (is_outer_body(reader, entry.written)) read_outer_points(reader, entry, places);
+    if (entry.adds_points) read_outer_points(reader, entry, places);
   }
 }
 

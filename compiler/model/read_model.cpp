@@ -38,12 +38,34 @@ void report_twice(Reader& reader, const Entry& entry, const FirstPlace& first) {
          first.scope != entry.scope ? "give the instance another prefix or suffix" : "");
 }
 
-/// Adds the entries of one map to those of its section.
-void collect_map(Reader& reader, const Value& map, bool bodies, NameMap<FirstPlace>& places, Entries& entries) {
+/// Names of the bodies that instances define.
+NameMap<std::size_t> bodies_of_instances(Reader& reader) {
+  NameMap<std::size_t> names;
+  for (std::size_t scope = 1; scope < reader.scopes.size(); ++scope) {
+    const InScope in_scope(reader, scope);
+    for (const FileFields& file : reader.scopes[scope].files) {
+      if (!file.bodies) continue;
+      for (const Member& member : file.bodies->members) {
+        const std::string name = full_name(current_scope(reader).visible.front(), member.key);
+        if (!is_outer_body(reader, member.key)) names.emplace(name, scope);
+      }
+    }
+  }
+  return names;
+}
+
+/// Adds the entries of one map to those of its section. inner: of a map of bodies, those that instances define.
+void collect_map(Reader& reader, const Value& map, const NameMap<std::size_t>* inner, NameMap<FirstPlace>& places,
+                 Entries& entries) {
   for (const Member& member : map.members) {
     const std::string name = full_name(current_scope(reader).visible.front(), member.key);
-    const Entry entry{name, member.key, member.place, &member.value, reader.scope};
-    if (bodies && is_outer_body(reader, member.key)) {
+    Entry entry{name, member.key, member.place, &member.value, reader.scope};
+    if (inner) {
+      const auto defined = inner->find(name);
+      const bool by_instance = defined != inner->end() && defined->second > reader.scope && extends_body(entry);
+      entry.adds_points = by_instance || is_outer_body(reader, member.key);
+    }
+    if (entry.adds_points) {
       entries.push_back(entry);
       continue;
     }
@@ -55,7 +77,7 @@ void collect_map(Reader& reader, const Value& map, bool bodies, NameMap<FirstPla
     }
     const bool same_scope = first->second.scope == reader.scope;
     if (!is_new && same_scope && first->second.place.file == member.place.file) continue;  // a duplicate key
-    if (!is_new && !(bodies && same_scope && extends_body(entry))) {
+    if (!is_new && !(inner && same_scope && extends_body(entry))) {
       report_twice(reader, entry, first->second);
       continue;
     }
@@ -67,13 +89,16 @@ void collect_map(Reader& reader, const Value& map, bool bodies, NameMap<FirstPla
 Entries collect(Reader& reader, const Value* FileFields::*section) {
   Entries entries;
   NameMap<FirstPlace> places;
+  NameMap<std::size_t> inner;
+  const bool bodies = section == &FileFields::bodies;
+  if (bodies) inner = bodies_of_instances(reader);
   for (std::size_t scope = 0; scope < reader.scopes.size(); ++scope) {
     const InScope in_scope(reader, scope);
     for (const FileFields& file : reader.scopes[scope].files) {
       const Value* map = file.*section;
       if (!map) continue;
       if (map->kind == Value::Kind::object) {
-        collect_map(reader, *map, section == &FileFields::bodies, places, entries);
+        collect_map(reader, *map, bodies ? &inner : nullptr, places, entries);
       } else {
         report(reader, *map, "must be an object of named elements, got " + describe(*map));
       }

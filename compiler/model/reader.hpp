@@ -175,6 +175,7 @@ struct Entry {
   Place place;          ///< of the key
   const Value* value;
   std::size_t scope = 0;
+  bool adds_points = false;  ///< to a body that another scope defines
 };
 using Entries = std::vector<Entry>;
 
