@@ -139,9 +139,10 @@ Scope scope_of_instance(const Reader& reader, const std::string& name, InstanceF
 
 void load_instance(Reader& reader, Loading& loading, const std::string& file, const Member& member) {
   InstanceFields instance;
-  if (!is_valid_name(member.key)) report(reader, member.place, "invalid name " + in_quotes(member.key), kNameRule);
+  const bool named = is_valid_name(member.key);
+  if (!named) report(reader, member.place, "invalid name " + in_quotes(member.key), kNameRule);
   const bool readable = read_fields(reader, member.value, instance);
-  loading.complete = loading.complete && readable && instance.file;
+  loading.complete = loading.complete && named && readable && instance.file;
   if (!readable || !instance.file) return;
   if (reader.scopes.size() > kMostInstances) {
     if (loading.complete) report(reader, member.place, fmt::format("model has more than {} instances", kMostInstances));
