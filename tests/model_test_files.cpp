@@ -214,19 +214,38 @@ TEST_F(Files, InstancesNestAndAreFilesOfTheModel) {
   EXPECT_EQ(model.joints[2].freedoms[0].axis, (Vector3{-1, 0, 0}));
   EXPECT_EQ(model.joints[3].freedoms[0].axis, (Vector3{1, 0, 0}));
   ASSERT_EQ(model.bodies.size(), 5u);
-  const Body& front_left = model.bodies[1];
+  const Body& front_left = model.bodies[0];
   EXPECT_EQ(front_left.name, "front_leg_left");
   EXPECT_EQ(front_left.mass.value, 6);
   EXPECT_EQ(front_left.inertia[2].value, 12);
   EXPECT_EQ(front_left.pose.origin, (Vector3{1, 0, 0}));
-  EXPECT_EQ(model.bodies[2].mass.value, 1);
-  EXPECT_EQ(model.bodies[2].points[0].position[1].value, -1);
-  EXPECT_EQ(model.bodies[3].mass.value, 8);
+  EXPECT_EQ(model.bodies[1].mass.value, 1);
+  EXPECT_EQ(model.bodies[1].points[0].position[1].value, -1);
+  EXPECT_EQ(model.bodies[2].mass.value, 8);
   const Body& ground = model.bodies[static_cast<std::size_t>(model.ground)];
   ASSERT_EQ(ground.points.size(), 4u);
   EXPECT_EQ(ground.points[2].name, "rear_pin_left");
   EXPECT_EQ(ground.points[2].position[1].value, -1);
   EXPECT_EQ(model.outputs[1].name, "front_angle_right");
+}
+
+TEST_F(Files, TablesOfCsvFilesAreThoseTypedIn) {
+  const std::string csv = write(
+      "damper.csv", "\xEF\xBB\xBF# rig\r\n\"v [m/s]\", spare ,force [N]\r\n-1,0,+9.5e3\r\n\r\n 0.5 ,1, \"2\" \r\n");
+  const auto with_table = [](const std::string& table) {
+    return arm_model("\"springs\": { \"s\": { \"from\": \"ground.T\", \"to\": \"arm.B\", \"damping\": " + table +
+                     " } }");
+  };
+  const std::string path = write("model.json", with_table(R"({ "csv": "damper.csv", "x": "v", "y": "force [N]" })"));
+  const Model from_file = read_file(path), typed = read(with_table(R"({ "table": [[-1, 9500], [0.5, 2]] })"));
+  ASSERT_EQ(from_file.springs.size(), 1u);
+  EXPECT_EQ(from_file.files, (std::vector<std::string>{path, csv}));
+  const Table &one = std::get<Table>(*from_file.springs[0].damping),
+              &other = std::get<Table>(*typed.springs[0].damping);
+  EXPECT_EQ(one.x, other.x);
+  EXPECT_EQ(one.y, other.y);
+  write("damper.csv", "v,force\n0,0\n1,1\n");
+  EXPECT_NE(read_file(path).hash, from_file.hash);
 }
 
 }  // namespace

@@ -68,6 +68,9 @@ using Problems = std::vector<Problem>;
 /// too, but parsing goes on.
 bool parse_document(Document& document, std::uint32_t index, Problems& problems);
 
+/// Sets document.line_starts from its text.
+void find_lines(Document& document);
+
 /// The member's value, or nullptr; the first one when the key is there twice.
 const Value* find(const Value& object, std::string_view key);
 /// The member, or nullptr.

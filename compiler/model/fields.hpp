@@ -82,6 +82,7 @@ struct ObjectKind {
   std::string_view name;
   std::string_view doc;
   std::vector<FieldInfo> fields;
+  std::vector<std::string_view> exactly_one = {};  ///< of these fields one must be there, and only one
 };
 
 /// Every kind, the whole file ("model") first.

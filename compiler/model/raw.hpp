@@ -39,6 +39,8 @@ struct RotationFields {
 
 struct TableFields {
   std::vector<std::array<double, 2>> points;
+  std::optional<std::string> csv;
+  std::string x, y;  ///< columns of the CSV file
   Table::Interpolation interpolation = Table::Interpolation::linear;
 };
 

@@ -30,11 +30,6 @@ struct Loading {
   bool complete = true;           ///< false when names that a file defines could not be read
 };
 
-/// A file that another one names.
-struct NamedFile {
-  std::string path, identity;
-};
-
 void load(Reader& reader, Loading& loading, std::size_t document);
 
 std::string file_name(const std::string& path) { return fs::path(path).filename().string(); }
@@ -68,11 +63,6 @@ std::optional<std::size_t> open_file(Reader& reader, Loading& loading, const Val
   document.parsed = parse_document(document, static_cast<std::uint32_t>(index), reader.problems);
   if (!document.parsed) loading.complete = false;
   return document.parsed ? std::optional(index) : std::nullopt;
-}
-
-NamedFile beside(const std::string& file, const std::string& named) {
-  const std::string path = (fs::path(file).parent_path() / named).lexically_normal().string();
-  return {path, canonical(path)};
 }
 
 void load_include(Reader& reader, Loading& loading, const std::string& file, const Value& item) {
@@ -208,6 +198,11 @@ void load(Reader& reader, Loading& loading, std::size_t index) {
 }
 
 }  // namespace
+
+NamedFile beside(const std::string& file, const std::string& named) {
+  const std::string path = (fs::path(file).parent_path() / named).lexically_normal().string();
+  return {path, canonical(path)};
+}
 
 std::size_t add_document(Reader& reader, const std::string& file, std::string text) {
   Document& document = reader.documents.emplace_back();

@@ -197,6 +197,12 @@ void read_list(Reader& reader, const Entries& entries, std::vector<Element>& lis
 /// Reads a file, what it includes and the subsystems it places into reader.scopes. Result: false when names that it
 /// defines could not be read.
 bool load_files(Reader& reader, const std::string& file, std::string text);
+/// A file that another one names, and its canonical path.
+struct NamedFile {
+  std::string path, identity;
+};
+/// named: relative to the directory of `file`.
+NamedFile beside(const std::string& file, const std::string& named);
 /// A file of the model beside those that load_files reads, so that messages can point into it. Result: its index.
 std::size_t add_document(Reader& reader, const std::string& file, std::string text);
 /// Reads where the instances stand. Requires: parameters are read.

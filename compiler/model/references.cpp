@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "compiler/model/csv_table.hpp"
 #include "compiler/model/raw.hpp"
 #include "compiler/model/reader.hpp"
 
@@ -20,6 +21,18 @@ Matrix3 rotation_about(const Vector3& axis, double angle) {
   return {c + x * x * d,     x * y * d - z * s, x * z * d + y * s,  //
           y * x * d + z * s, c + y * y * d,     y * z * d - x * s,  //
           z * x * d - y * s, z * y * d + x * s, c + z * z * d};
+}
+
+/// Points stand in the model or in a file, and columns belong to files.
+void check_table(Reader& reader, const Value& value) {
+  const Member *points = find_member(value, "table"), *csv = find_member(value, "csv");
+  if (!points && !csv) report(reader, value, "a table needs \"table\" or \"csv\"");
+  if (points && csv) report(reader, csv->place, "table has both \"table\" and \"csv\"");
+  for (const std::string_view key : {"x", "y"}) {
+    const Member* column = find_member(value, key);
+    if (column && !csv)
+      report(reader, column->place, fmt::format("a table without \"csv\" takes no {}", in_quotes(key)));
+  }
 }
 
 }  // namespace
@@ -129,6 +142,9 @@ void read_value(Reader& reader, const Value& value, const FieldInfo& info, Law& 
   }
   TableFields fields = with_defaults<TableFields>();
   read_fields(reader, value, fields);
+  check_table(reader, value);
+  if (fields.csv && find(value, "csv")->kind == Value::Kind::text)
+    fields.points = read_csv_table(reader, value, {fields.x, fields.y});
   Table table;
   table.interpolation = fields.interpolation;
   for (const auto& [x, y] : fields.points) {

@@ -129,6 +129,9 @@ Json kind_schema(const ObjectKind& kind) {
   }
   Json schema = {{"type", "object"}, {"description", kind.doc}, {"properties", properties}};
   if (!required.empty()) schema["required"] = required;
+  Json alternatives = Json::array();
+  for (const std::string_view name : kind.exactly_one) alternatives.push_back({{"required", Json::array({name})}});
+  if (!alternatives.empty()) schema["oneOf"] = alternatives;
   schema["additionalProperties"] = false;
   return schema;
 }

@@ -27,8 +27,8 @@ constexpr std::array<std::string_view, 13> kQuantities = {"position",
 constexpr std::array<std::string_view, 2> kEnds = {"to", "from"};
 
 template <class Object>
-ObjectKind kind(std::string_view name, std::string_view doc) {
-  ObjectKind result{name, doc, {}};
+ObjectKind kind(std::string_view name, std::string_view doc, std::vector<std::string_view> exactly_one = {}) {
+  ObjectKind result{name, doc, {}, std::move(exactly_one)};
   for (const Field<Object>& row : fields<Object>()) result.fields.push_back(row.info);
   return result;
 }
@@ -173,13 +173,14 @@ std::vector<ObjectKind> object_kinds() {
       kind<JointForce>("joint_force", "generalised force on a coordinate"),
       kind<TyreDataFields>("tyre_data", "coefficients of a tyre"),
       kind<TyreFields>("tyre", "a tyre on a flat horizontal road"),
-      kind<MotionFields>("motion", "a driven coordinate; exactly one of angle and position"),
+      kind<MotionFields>("motion", "a driven coordinate; exactly one of angle and position", {"angle", "position"}),
       kind<OutputFields>("output",
                          "a result; exactly one of expression, point, joint, tyre, spring, motion, reaction and "
-                         "multiplier"),
+                         "multiplier",
+                         {"expression", "point", "joint", "tyre", "spring", "motion", "reaction", "multiplier"}),
       kind<InitialFields>("initial", "state at the start"),
       kind<SolverSettings>("solver", "time integration"),
-      kind<TableFields>("table", "a characteristic by points"),
+      kind<TableFields>("table", "a characteristic by points, exactly one of table and csv", {"table", "csv"}),
   };
 }
 
