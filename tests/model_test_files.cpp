@@ -244,7 +244,7 @@ TEST_F(Files, TablesOfCsvFilesAreThoseTypedIn) {
               &other = std::get<Table>(*typed.springs[0].damping);
   EXPECT_EQ(one.x, other.x);
   EXPECT_EQ(one.y, other.y);
-  write("damper.csv", "v,force\n0,0\n1,1\n");
+  write("damper.csv", "v,force [N]\n0,0\n1,1\n");
   EXPECT_NE(read_file(path).hash, from_file.hash);
 }
 

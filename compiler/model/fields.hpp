@@ -83,6 +83,8 @@ struct ObjectKind {
   std::string_view doc;
   std::vector<FieldInfo> fields;
   std::vector<std::string_view> exactly_one = {};  ///< of these fields one must be there, and only one
+  /// the second field must be there where the first one is
+  std::vector<std::pair<std::string_view, std::string_view>> needs = {};
 };
 
 /// Every kind, the whole file ("model") first.

@@ -77,6 +77,7 @@ struct TyreDataFields {
 
 struct TyreFields : Tyre {
   std::string data;
+  std::optional<std::string> tir;  ///< file
 };
 
 struct MotionFields : Motion {

@@ -132,6 +132,7 @@ Json kind_schema(const ObjectKind& kind) {
   Json alternatives = Json::array();
   for (const std::string_view name : kind.exactly_one) alternatives.push_back({{"required", Json::array({name})}});
   if (!alternatives.empty()) schema["oneOf"] = alternatives;
+  for (const auto& [name, needed] : kind.needs) schema["dependentRequired"][std::string(name)] = Json::array({needed});
   schema["additionalProperties"] = false;
   return schema;
 }

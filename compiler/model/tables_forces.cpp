@@ -232,11 +232,12 @@ std::span<const Field<TyreFields>> fields<TyreFields>() {
       field<S, &S::centre>(end("centre", "wheel centre, a point of the wheel body on its axis")),
       field<S, &S::axis>(
           {.name = "axis", .shape = Shape::axis, .doc = "spin axis in the wheel frame, to the left, default y"}),
-      field<S, &S::data>({.name = "data",
-                          .shape = Shape::reference,
-                          .doc = "name of the coefficient set",
-                          .need = Need::required,
-                          .of = "tyre_data"}),
+      field<S, &S::data>(
+          {.name = "data", .shape = Shape::reference, .doc = "name of the coefficient set", .of = "tyre_data"}),
+      field<S, &S::tir>({.name = "tir",
+                         .shape = Shape::text,
+                         .doc = "file of PAC2002 or Magic Formula 5.2 with the coefficients, relative to this file; "
+                                "also the default of radius, stiffness, damping, rolling_resistance and relaxation"}),
       field<S, &S::side>({.name = "side",
                           .shape = Shape::number,
                           .doc = "1: coefficients as they are; -1: mirrored",
@@ -251,9 +252,8 @@ std::span<const Field<TyreFields>> fields<TyreFields>() {
       field<S, &S::radius>(number("radius", "unloaded radius; default: UNLOADED_RADIUS of a pac2002 set", "m",
                                   std::nullopt, Bound::positive)),
       field<S, &S::stiffness>({.name = "stiffness",
-                               .doc = "vertical stiffness of one tyre",
+                               .doc = "vertical stiffness of one tyre; default: VERTICAL_STIFFNESS of a .tir file",
                                .unit = "N/m",
-                               .need = Need::required,
                                .bound = Bound::positive}),
       field<S, &S::damping>(number("damping", "vertical damping of one tyre", "N s/m", 0, Bound::not_negative)),
       field<S, &S::road_height>(number("road_height", "global z of the road", "m", 0, Bound::none)),

@@ -27,8 +27,9 @@ constexpr std::array<std::string_view, 13> kQuantities = {"position",
 constexpr std::array<std::string_view, 2> kEnds = {"to", "from"};
 
 template <class Object>
-ObjectKind kind(std::string_view name, std::string_view doc, std::vector<std::string_view> exactly_one = {}) {
-  ObjectKind result{name, doc, {}, std::move(exactly_one)};
+ObjectKind kind(std::string_view name, std::string_view doc, std::vector<std::string_view> exactly_one = {},
+                std::vector<std::pair<std::string_view, std::string_view>> needs = {}) {
+  ObjectKind result{name, doc, {}, std::move(exactly_one), std::move(needs)};
   for (const Field<Object>& row : fields<Object>()) result.fields.push_back(row.info);
   return result;
 }
@@ -172,7 +173,8 @@ std::vector<ObjectKind> object_kinds() {
       kind<AppliedForce>("force", "force and torque on a body"),
       kind<JointForce>("joint_force", "generalised force on a coordinate"),
       kind<TyreDataFields>("tyre_data", "coefficients of a tyre"),
-      kind<TyreFields>("tyre", "a tyre on a flat horizontal road"),
+      kind<TyreFields>("tyre", "a tyre on a flat horizontal road; exactly one of data and tir", {"data", "tir"},
+                       {{"data", "stiffness"}}),
       kind<MotionFields>("motion", "a driven coordinate; exactly one of angle and position", {"angle", "position"}),
       kind<OutputFields>("output",
                          "a result; exactly one of expression, point, joint, tyre, spring, motion, reaction and "
