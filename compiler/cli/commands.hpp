@@ -11,6 +11,7 @@ enum ExitCode : int { kDone = 0, kUserFault = 1, kOurDefect = 2 };
 // Each adds its command to the application; when the command line names it, it runs and sets the exit code.
 // Fails: UserError.
 void add_check(CLI::App& application, int& exit_code);
+void add_new(CLI::App& application, int& exit_code);
 void add_inspect(CLI::App& application, int& exit_code);
 void add_generate(CLI::App& application, int& exit_code);
 void add_export(CLI::App& application, int& exit_code);

@@ -38,25 +38,6 @@ bool has_any(const Value& value, std::initializer_list<std::string_view> keys) {
   return false;
 }
 
-/// factor * quantity.
-Quantity scaled(Reader& reader, double factor, const Quantity& quantity) {
-  Quantity result(factor * quantity.value);
-  if (quantity.expression < 0) return result;
-  Expression expression = reader.model.expressions[static_cast<std::size_t>(quantity.expression)];
-  expression.text = fmt::format("{}*({})", factor, expression.text);
-  const int argument = static_cast<int>(expression.nodes.size()) - 1;
-  ExpressionNode number, call;
-  number.number = factor;
-  call.kind = ExpressionNode::Kind::call;
-  call.function = Function::multiply;
-  call.first = argument;
-  call.second = argument + 1;
-  expression.nodes.insert(expression.nodes.end(), {number, call});
-  reader.model.expressions.push_back(std::move(expression));
-  result.expression = static_cast<int>(reader.model.expressions.size()) - 1;
-  return result;
-}
-
 }  // namespace
 
 void read_rods(Reader& reader, const Entries& entries) {

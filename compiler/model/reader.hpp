@@ -79,6 +79,9 @@ void read_value(Reader& reader, const Value& value, const FieldInfo& info, Pose&
 void read_value(Reader& reader, const Value& value, const FieldInfo& info, std::vector<std::array<double, 2>>& target);
 void read_value(Reader& reader, const Value& value, const FieldInfo& info, const Value*& target);
 
+/// factor * quantity.
+Quantity scaled(Reader& reader, double factor, const Quantity& quantity);
+
 /// Index into info.words, or -1.
 int read_word(Reader& reader, const Value& value, const FieldInfo& info);
 

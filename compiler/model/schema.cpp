@@ -29,7 +29,7 @@ Json shared_definitions() {
   const Json expression = {
       {"type", "string"}, {"minLength", 1}, {"description", "expression, for example \"2*k*sin(pi*t)\""}};
   const Json degrees = {{"type", "object"},
-                        {"properties", {{"deg", {{"type", "number"}}}}},
+                        {"properties", {{"deg", reference("quantity")}}},
                         {"required", {"deg"}},
                         {"additionalProperties", false},
                         {"description", "angle in degrees"}};

@@ -60,9 +60,9 @@ TirEntries entries_of(Reader& reader, const Document& document, std::uint32_t fi
                          static_cast<std::uint32_t>((value.empty() ? content.data() : value.data()) - text.data())};
     const auto [first, is_new] = entries.emplace(key, TirEntry{value, place});
     if (is_new) continue;
-    report(
-        reader, place,
-        fmt::format("{} is given twice, first at {}", key, place_text(reader.documents, first->second.place, place)));
+    report(reader, place,
+           fmt::format("key {} is given twice, first at {}", key,
+                       place_text(reader.documents, first->second.place, place)));
   }
   return entries;
 }
@@ -78,7 +78,8 @@ std::optional<double> number_of_key(Reader& reader, const TirEntries& entries, s
   const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), number);
   const bool whole = error == std::errc() && end == digits.data() + digits.size();
   if (whole && std::isfinite(number) && std::abs(number) <= kLargestNumber) return number;
-  report(reader, entry->second.place, fmt::format("{} must be a number, got {}", key, in_quotes(entry->second.value)));
+  report(reader, entry->second.place,
+         fmt::format("key {} must be a number, got {}", key, in_quotes(entry->second.value)));
   return std::nullopt;
 }
 
@@ -184,7 +185,7 @@ std::optional<TirTyre> read_tir(Reader& reader, const Value& value) {
       if (!entries.contains(name)) {
         report(reader, value, fmt::format("file has no {}", name));
       } else if (number && *number <= 0) {
-        report(reader, entries.find(name)->second.place, fmt::format("{} must be positive, got {}", name, *number));
+        report(reader, entries.find(name)->second.place, fmt::format("key {} must be positive, got {}", name, *number));
       }
     }
     const double unit = is_radius ? length : is_load ? force : 1;

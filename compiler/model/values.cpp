@@ -87,8 +87,12 @@ void read_degrees(Reader& reader, const Value& value, const FieldInfo& info, Qua
   const Value* degrees = find(value, "deg");
   if (!degrees || value.members.size() != 1) {
     wrong_type(reader, value, "an angle: a number or an expression in rad, or {\"deg\": number}");
+  } else if (degrees->kind == Value::Kind::text) {
+    Quantity quantity(kUnreadable);
+    read_expression(reader, *degrees, info, quantity);
+    target = scaled(reader, std::numbers::pi / 180, quantity);
   } else if (degrees->kind != Value::Kind::number) {
-    wrong_type(reader, *degrees, "a number of degrees");
+    wrong_type(reader, *degrees, "a number or an expression of degrees");
   } else if (check_number(reader, *degrees, info, degrees->number)) {
     target = degrees->number * std::numbers::pi / 180;
   }
@@ -127,6 +131,24 @@ void read_axis(Reader& reader, const Value& value, const FieldInfo& info, Vector
 }
 
 }  // namespace
+
+Quantity scaled(Reader& reader, double factor, const Quantity& quantity) {
+  Quantity result(factor * quantity.value);
+  if (quantity.expression < 0) return result;
+  Expression expression = reader.model.expressions[static_cast<std::size_t>(quantity.expression)];
+  expression.text = fmt::format("{}*({})", factor, expression.text);
+  const int argument = static_cast<int>(expression.nodes.size()) - 1;
+  ExpressionNode number, call;
+  number.number = factor;
+  call.kind = ExpressionNode::Kind::call;
+  call.function = Function::multiply;
+  call.first = argument;
+  call.second = argument + 1;
+  expression.nodes.insert(expression.nodes.end(), {number, call});
+  reader.model.expressions.push_back(std::move(expression));
+  result.expression = static_cast<int>(reader.model.expressions.size()) - 1;
+  return result;
+}
 
 void report(Reader& reader, Place place, std::string message, std::string hint) {
   reader.problems.push_back({place, std::move(message), std::move(hint), current_scope(reader).path});
