@@ -32,7 +32,7 @@ function readerAccepts(file) {
 }
 
 const schema = JSON.parse(execFileSync(mbgen, ["schema"], { encoding: "utf8" }));
-const validate = new Ajv2020({ allErrors: false, strict: true, allowUnionTypes: true, strictTypes: false }).compile(schema);
+const validate = new Ajv2020({ allErrors: false, strict: true, allowUnionTypes: true, strictTypes: false, strictRequired: false }).compile(schema);
 
 /** What the schema says of a file: "" when it accepts, else why not. */
 function complaint(file) {
