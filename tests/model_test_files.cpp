@@ -168,5 +168,85 @@ TEST_F(Files, NameComesFromTheFileWhenAbsent) {
   EXPECT_EQ(read(arm_model("\"name\": \"four_bar\"")).name, "four_bar");
 }
 
+TEST_F(Files, InstancesThatMultiplyAreBounded) {
+  constexpr int kDepth = 20;  // a million bodies
+  write("d0.json", R"({ "bodies": { "b": {} } })");
+  for (int i = 1; i <= kDepth; ++i) {
+    write(fmt::format("d{}.json", i),
+          fmt::format(R"({{ "mbgen": 1, "instances": {{ "a": {{ "file": "d{0}.json", "prefix": "a" }},
+                            "b": {{ "file": "d{0}.json", "prefix": "b" }} }} }})",
+                      i - 1));
+  }
+  const Result<Model> result = read_model_file((directory_ / "d20.json").string());
+  ASSERT_FALSE(result);
+  EXPECT_NE(to_text(result.problems()).find("model has more than 10000 instances"), std::string::npos);
+}
+
+TEST_F(Files, InstancesOfLargeFilesAreBounded) {
+  write("large.json", R"({ "bodies": { "b": {} } } //)" + std::string(std::size_t{1} << 20, ' '));
+  std::string instances;
+  for (int i = 0; i < 80; ++i) instances += fmt::format("{}\"i{}\": {{ \"file\": \"large.json\" }}", i ? ", " : "", i);
+  const std::string path = write("all.json", "{ \"mbgen\": 1, \"instances\": { " + instances + " } }");
+  const Result<Model> result = read_model_file(path);
+  ASSERT_FALSE(result);
+  EXPECT_NE(to_text(result.problems()).find("files of the model have more than 64 MB, each instance counted"),
+            std::string::npos);
+}
+
+TEST_F(Files, InstancesNestAndAreFilesOfTheModel) {
+  const std::string leg = write("leg.json", R"({ "parameters": { "mass": 1, "length": "2*mass" },
+    "bodies": { "ground": { "points": { "pin": [0, 1, 0] } },
+                "leg": { "mass": "mass", "inertia": [9, 9, "length"], "points": { "pin": [0, 1, 0] } } },
+    "joints": { "leg": { "type": "revolute", "from": "ground.pin", "to": "leg.pin", "axis": "x" } },
+    "outputs": { "angle": { "joint": "leg" } } })");
+  const std::string pair = write("pair.json", R"({ "parameters": { "mass": 5 }, "instances": {
+    "left": { "file": "leg.json", "suffix": "_left", "parameters": { "mass": "mass + 1" } },
+    "right": { "file": "leg.json", "suffix": "_right", "mirror": "xz" } } })");
+  const std::string path = write("walker.json", R"({ "mbgen": 1, "instances": {
+    "front": { "file": "pair.json", "offset": [1, 0, 0] },
+    "rear": { "file": "pair.json", "parameters": { "mass": 7 }, "rotation": { "axis": "z", "angle": { "deg": 180 } } } } })");
+  const Model model = read_file(path);
+  EXPECT_EQ(model.files, (std::vector<std::string>{path, pair, leg}));
+  ASSERT_EQ(model.joints.size(), 4u);
+  EXPECT_EQ(model.joints[0].name, "front_leg_left");
+  EXPECT_EQ(model.joints[3].freedoms[0].name, "rear_leg_right");
+  EXPECT_EQ(model.joints[1].freedoms[0].axis, (Vector3{-1, 0, 0}));
+  EXPECT_EQ(model.joints[2].freedoms[0].axis, (Vector3{-1, 0, 0}));
+  EXPECT_EQ(model.joints[3].freedoms[0].axis, (Vector3{1, 0, 0}));
+  ASSERT_EQ(model.bodies.size(), 5u);
+  const Body& front_left = model.bodies[0];
+  EXPECT_EQ(front_left.name, "front_leg_left");
+  EXPECT_EQ(front_left.mass.value, 6);
+  EXPECT_EQ(front_left.inertia[2].value, 12);
+  EXPECT_EQ(front_left.pose.origin, (Vector3{1, 0, 0}));
+  EXPECT_EQ(model.bodies[1].mass.value, 1);
+  EXPECT_EQ(model.bodies[1].points[0].position[1].value, -1);
+  EXPECT_EQ(model.bodies[2].mass.value, 8);
+  const Body& ground = model.bodies[static_cast<std::size_t>(model.ground)];
+  ASSERT_EQ(ground.points.size(), 4u);
+  EXPECT_EQ(ground.points[2].name, "rear_pin_left");
+  EXPECT_EQ(ground.points[2].position[1].value, -1);
+  EXPECT_EQ(model.outputs[1].name, "front_angle_right");
+}
+
+TEST_F(Files, TablesOfCsvFilesAreThoseTypedIn) {
+  const std::string csv = write(
+      "damper.csv", "\xEF\xBB\xBF# rig\r\n\"v [m/s]\", spare ,force [N]\r\n-1,0,+9.5e3\r\n\r\n 0.5 ,1, \"2\" \r\n");
+  const auto with_table = [](const std::string& table) {
+    return arm_model("\"springs\": { \"s\": { \"from\": \"ground.T\", \"to\": \"arm.B\", \"damping\": " + table +
+                     " } }");
+  };
+  const std::string path = write("model.json", with_table(R"({ "csv": "damper.csv", "x": "v", "y": "force [N]" })"));
+  const Model from_file = read_file(path), typed = read(with_table(R"({ "table": [[-1, 9500], [0.5, 2]] })"));
+  ASSERT_EQ(from_file.springs.size(), 1u);
+  EXPECT_EQ(from_file.files, (std::vector<std::string>{path, csv}));
+  const Table &one = std::get<Table>(*from_file.springs[0].damping),
+              &other = std::get<Table>(*typed.springs[0].damping);
+  EXPECT_EQ(one.x, other.x);
+  EXPECT_EQ(one.y, other.y);
+  write("damper.csv", "v,force [N]\n0,0\n1,1\n");
+  EXPECT_NE(read_file(path).hash, from_file.hash);
+}
+
 }  // namespace
 }  // namespace mbgen

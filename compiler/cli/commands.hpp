@@ -12,6 +12,7 @@ enum ExitCode : int { kDone = 0, kUserFault = 1, kOurDefect = 2 };
 // Fails: UserError.
 void add_check(CLI::App& application, int& exit_code);
 void add_explain(CLI::App& application, int& exit_code);
+void add_new(CLI::App& application, int& exit_code);
 void add_inspect(CLI::App& application, int& exit_code);
 void add_generate(CLI::App& application, int& exit_code);
 void add_export(CLI::App& application, int& exit_code);

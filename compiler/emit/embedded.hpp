@@ -1,5 +1,5 @@
 #pragma once
-// Files of templates/ and runtime/include that are compiled into mbgen (written by embed.cmake).
+// Files of templates/, runtime/include and models/starters that are compiled into mbgen (written by embed.cmake).
 
 #include <string_view>
 #include <vector>

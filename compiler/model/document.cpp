@@ -222,14 +222,14 @@ bool TreeBuilder::parse_error(std::size_t position, const std::string& token, co
   return false;
 }
 
+}  // namespace
+
 void find_lines(Document& document) {
   document.line_starts = {document.text.starts_with(kByteOrderMark) ? 3u : 0u};
   for (std::size_t at = document.text.find('\n'); at != std::string::npos; at = document.text.find('\n', at + 1)) {
     document.line_starts.push_back(static_cast<std::uint32_t>(at + 1));
   }
 }
-
-}  // namespace
 
 bool parse_document(Document& document, std::uint32_t index, Problems& problems) {
   const std::string& text = document.text;

@@ -46,6 +46,8 @@ struct Member {
 struct Document {
   std::string file;
   std::string text;
+  std::string identity;  ///< canonical path: a file that is used several times is parsed once
+  bool parsed = false;   ///< without problems of syntax
   std::vector<std::uint32_t> line_starts;
   Value root;
 };
@@ -57,6 +59,7 @@ struct Problem {
   Place place;
   std::string message;
   std::string hint;
+  std::string instance = {};  ///< path of the instance whose file this is, as "front.left"; empty for the model's own
 };
 using Problems = std::vector<Problem>;
 
@@ -64,6 +67,9 @@ using Problems = std::vector<Problem>;
 /// Fails (false, with problems added): syntax, size, nesting deeper than kMaximumDepth. Duplicate keys are problems,
 /// too, but parsing goes on.
 bool parse_document(Document& document, std::uint32_t index, Problems& problems);
+
+/// Sets document.line_starts from its text.
+void find_lines(Document& document);
 
 /// The member's value, or nullptr; the first one when the key is there twice.
 const Value* find(const Value& object, std::string_view key);
@@ -79,7 +85,7 @@ std::string place_text(const Documents& documents, Place place, Place from);
 /// Place of byte `index` of the decoded string `value`; escapes in the source are accounted for.
 Place place_in_text(const Documents& documents, const Value& value, std::size_t index);
 
-/// Problems by file and position, as diagnostics.
+/// Problems by file and position, as diagnostics; what several instances of one file have in common is told once.
 Diagnostics to_diagnostics(const Documents& documents, Problems problems);
 
 /// What a message calls a value: `3.5`, `"abc"`, `an array of 2`, `an object`.

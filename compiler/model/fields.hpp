@@ -34,11 +34,12 @@ enum class Shape {
   map,              ///< name -> object of kind FieldInfo::of
   points,           ///< name -> three quantities
   values,           ///< coordinate -> constant
+  overrides,        ///< parameter -> quantity
+  names,            ///< name -> name
   rotations,        ///< one object of kind FieldInfo::of, or an array of them
   coefficients,     ///< name -> quantity, or "a", "b", "c" -> arrays
   parameters,       ///< name -> a constant, or an object of kind FieldInfo::of
-  paths,            ///< array of texts
-  reserved          ///< refused: kept for a later version
+  paths             ///< array of texts
 };
 
 enum class Need { optional, required };
@@ -81,6 +82,9 @@ struct ObjectKind {
   std::string_view name;
   std::string_view doc;
   std::vector<FieldInfo> fields;
+  std::vector<std::string_view> exactly_one = {};  ///< of these fields one must be there, and only one
+  /// the second field must be there where the first one is
+  std::vector<std::pair<std::string_view, std::string_view>> needs = {};
 };
 
 /// Every kind, the whole file ("model") first.

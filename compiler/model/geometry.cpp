@@ -14,6 +14,18 @@ const Freedom& freedom_of(const Model& model, const CoordinateReference& coordin
 
 }  // namespace
 
+Matrix3 product(const Matrix3& a, const Matrix3& b) {
+  Matrix3 result{};
+  for (std::size_t row = 0; row < 3; ++row) {
+    for (std::size_t column = 0; column < 3; ++column) {
+      for (std::size_t k = 0; k < 3; ++k) result[3 * row + column] += a[3 * row + k] * b[3 * k + column];
+    }
+  }
+  return result;
+}
+
+Matrix3 transposed(const Matrix3& a) { return {a[0], a[3], a[6], a[1], a[4], a[7], a[2], a[5], a[8]}; }
+
 Vector3 rotated(const Matrix3& rotation, const Vector3& vector) {
   Vector3 result{};
   for (std::size_t i = 0; i < 3; ++i) {
@@ -39,11 +51,6 @@ Vector3 reference_position(const Model& model, const Attachment& attachment) {
   Vector3 position = rotated(body.pose.rotation, {local[0].value, local[1].value, local[2].value});
   for (std::size_t i = 0; i < 3; ++i) position[i] += body.pose.origin[i];
   return position;
-}
-
-Vector3 global_direction(const Model& model, int body, const Vector3& direction) {
-  if (body < 0) return {kUnreadable, kUnreadable, kUnreadable};
-  return rotated(body_of(model, body).pose.rotation, direction);
 }
 
 std::string attachment_text(const Model& model, const Attachment& attachment) {

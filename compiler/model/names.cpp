@@ -49,6 +49,28 @@ std::string did_you_mean(std::string_view word, const std::vector<std::string_vi
   return known;
 }
 
+std::string full_name(const Level& level, std::string_view name) {
+  return level.before + std::string(name) + level.after;
+}
+
+std::string_view name_from_inside(std::string_view full, const Visibility& visible) {
+  for (const Level& level : visible) {
+    const std::size_t affixes = level.before.size() + level.after.size();
+    if (full.size() > affixes && full.starts_with(level.before) && full.ends_with(level.after))
+      return full.substr(level.before.size(), full.size() - affixes);
+  }
+  return full;
+}
+
+const CoordinateReference* find_coordinate(const Names& names, std::string_view name, const Visibility& visible) {
+  for (const Level& level : visible) {
+    if (level.scope >= names.coordinates.size()) continue;
+    const auto& coordinates = names.coordinates[level.scope];
+    if (const auto found = coordinates.find(name); found != coordinates.end()) return &found->second;
+  }
+  return nullptr;
+}
+
 bool may_be_unreadable(const Names& names, std::string_view coordinate) {
   return std::any_of(names.unreadable_joints.begin(), names.unreadable_joints.end(),
                      [&](const std::string& joint) { return coordinate.starts_with(joint); });

@@ -295,27 +295,31 @@ class ExpressionParser {
     const std::string_view name = word();
     const std::string shown = fmt::format("{}.{}", prefix, name);
     if (scope_.depends < Depends::all) return forbidden(start, "coordinate " + shown);
-    const NameMap<CoordinateReference>& coordinates = scope_.names.coordinates;
-    const auto found = coordinates.find(name);
-    if (found == coordinates.end()) {
+    const CoordinateReference* found = find_coordinate(scope_.names, name, scope_.visible);
+    if (!found) {
       if (name.empty()) return fail(at_, shown + " needs the name of a coordinate");
       if (!may_be_unreadable(scope_.names, name)) {
+        const auto& coordinates = scope_.names.coordinates[scope_.visible.front().scope];
         fail(start, "unknown coordinate " + in_quotes(name), scope_.suggest ? did_you_mean(name, coordinates) : "");
       }
       return stand_in();
     }
+    const auto& reversed = scope_.names.reversed;
+    if (scope_.refuse_reversed && std::find(reversed.begin(), reversed.end(), *found) != reversed.end())
+      fail(start, reversed_message(name), std::string(kReversedHint));
     ExpressionNode node;
     node.kind = prefix == "z" ? Kind::position : Kind::velocity;
-    node.coordinate = found->second;
+    node.coordinate = *found;
     return push(node);
   }
 
   int value_of_name(std::string_view name, std::size_t start) {
     const Names& names = scope_.names;
-    const auto parameter = names.parameters.find(name);
+    const auto parameter = find_visible(names.parameters, name, scope_.visible);
+    const auto input = find_visible(names.inputs, name, scope_.visible);
     const auto local = std::find(scope_.locals.begin(), scope_.locals.end(), name);
     if (local != scope_.locals.end()) {
-      if (parameter != names.parameters.end() || names.inputs.contains(name)) {
+      if (parameter != names.parameters.end() || input != names.inputs.end()) {
         fail(start, in_quotes(name) + " is a variable of this expression and also a parameter or input",
              "rename the parameter or input");
       }
@@ -334,7 +338,7 @@ class ExpressionParser {
       if (follows) return push_copy(scope_.expressions[static_cast<std::size_t>(found.expression)].nodes);
       return push_indexed(Kind::parameter, parameter->second);
     }
-    if (const auto input = names.inputs.find(name); input != names.inputs.end()) {
+    if (input != names.inputs.end()) {
       if (scope_.depends < Depends::motion) return forbidden(start, "input " + in_quotes(name));
       return push_indexed(Kind::input, input->second);
     }
@@ -343,16 +347,18 @@ class ExpressionParser {
   }
 
   std::string hint_for(std::string_view name) const {
-    if (scope_.names.later_parameters.contains(name))
+    const NameMap<int>& later = scope_.names.later_parameters;
+    if (find_visible(later, name, scope_.visible) != later.end())
       return "parameter " + in_quotes(name) + " must be defined above its use";
     if (find_function(name)) return fmt::format("{} is a function, write {}(...)", name, name);
-    if (scope_.names.coordinates.contains(name))
+    if (find_coordinate(scope_.names, name, scope_.visible))
       return fmt::format("coordinates are written z.{} and zd.{}", name, name);
     if (name == "z" || name == "zd") return fmt::format("coordinates are written {}.NAME", name);
     if (!scope_.suggest) return {};
     std::vector<std::string_view> known(scope_.locals.begin(), scope_.locals.end());
-    for (const auto& [parameter, index] : scope_.names.parameters) known.push_back(parameter);
-    for (const auto& [input, index] : scope_.names.inputs) known.push_back(input);
+    for (const auto& [parameter, index] : scope_.names.parameters)
+      known.push_back(name_from_inside(parameter, scope_.visible));
+    for (const auto& [input, index] : scope_.names.inputs) known.push_back(name_from_inside(input, scope_.visible));
     known.insert(known.end(), {"pi", "t"});
     return did_you_mean(name, known);
   }

@@ -18,11 +18,13 @@ enum class Depends { nothing, parameters, motion, all };
 /// What the names of an expression mean and which of them it may use.
 struct ExpressionScope {
   const Names& names;
+  const Visibility& visible;  ///< from where names are looked up
   std::span<const Parameter> parameters;
   std::span<const Expression> expressions;  ///< those of the parameters among them
   Depends depends = Depends::all;
   std::span<const std::string_view> locals = {};
-  bool suggest = true;  ///< name what was probably meant
+  bool suggest = true;           ///< name what was probably meant
+  bool refuse_reversed = false;  ///< coordinates of Names::reversed mean something else here
 };
 
 struct ExpressionProblem {

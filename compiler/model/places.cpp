@@ -110,9 +110,23 @@ Diagnostics to_diagnostics(const Documents& documents, Problems problems) {
     return std::tie(a.place.file, a.place.offset) < std::tie(b.place.file, b.place.offset);
   });
   Diagnostics diagnostics;
-  for (Problem& problem : problems) {
-    diagnostics.push_back(
-        {where_of(documents, problem.place), std::move(problem.message), std::move(problem.hint), {}});
+  for (std::size_t start = 0, end = 0; start < problems.size(); start = end) {
+    const Place place = problems[start].place;
+    while (end < problems.size() && problems[end].place.file == place.file &&
+           problems[end].place.offset == place.offset)
+      ++end;
+    // What several instances have in common follows the first of them.
+    for (std::size_t i = start; i < end; ++i) {
+      const auto says_the_same = [&](const Problem& other) { return other.message == problems[i].message; };
+      const auto first = problems.begin() + static_cast<std::ptrdiff_t>(start);
+      const auto here = problems.begin() + static_cast<std::ptrdiff_t>(i);
+      if (std::any_of(first, here, says_the_same)) continue;
+      const auto more = std::count_if(here + 1, problems.begin() + static_cast<std::ptrdiff_t>(end), says_the_same);
+      std::string message = problems[i].message;
+      if (!problems[i].instance.empty()) message += ", in instance " + in_quotes(problems[i].instance);
+      if (!problems[i].instance.empty() && more > 0) message += fmt::format(" and {} more", more);
+      diagnostics.push_back({where_of(documents, place), std::move(message), problems[i].hint, {}});
+    }
   }
   return diagnostics;
 }

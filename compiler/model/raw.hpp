@@ -13,11 +13,23 @@ namespace mbgen::reading {
 
 /// The whole file: its sections, read later because each needs the names of those before it.
 struct FileFields {
+  std::size_t document = 0;  ///< index into Documents
   const Value *version = nullptr, *name = nullptr, *gravity = nullptr, *include = nullptr;
   const Value *parameters = nullptr, *inputs = nullptr, *bodies = nullptr, *joints = nullptr, *rods = nullptr;
   const Value *springs = nullptr, *joint_springs = nullptr, *frictions = nullptr, *air_springs = nullptr;
   const Value *forces = nullptr, *joint_forces = nullptr, *tyre_data = nullptr, *tyres = nullptr, *motions = nullptr;
   const Value *outputs = nullptr, *initial = nullptr, *solver = nullptr, *instances = nullptr;
+};
+
+/// Planes that a subsystem is mirrored about.
+enum class Mirror { xz, yz, xy };
+
+/// A subsystem as the model places it; what depends on parameters is read when they are known.
+struct InstanceFields {
+  std::optional<std::string> file, prefix, suffix;
+  const Value *offset = nullptr, *rotation = nullptr, *parameters = nullptr, *connect = nullptr;
+  std::optional<Mirror> mirror;
+  std::optional<bool> parallel;
 };
 
 struct RotationFields {
@@ -27,6 +39,8 @@ struct RotationFields {
 
 struct TableFields {
   std::vector<std::array<double, 2>> points;
+  std::optional<std::string> csv;
+  std::string x, y;  ///< columns of the CSV file
   Table::Interpolation interpolation = Table::Interpolation::linear;
 };
 
@@ -63,6 +77,7 @@ struct TyreDataFields {
 
 struct TyreFields : Tyre {
   std::string data;
+  std::optional<std::string> tir;  ///< file
 };
 
 struct MotionFields : Motion {

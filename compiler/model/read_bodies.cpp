@@ -13,8 +13,8 @@ namespace {
 constexpr double kInertiaSlack = 1e-9;  ///< of the trace: inertias typed with few digits pass, wrong ones do not
 
 void check_expression_name(Reader& reader, const Entry& entry) {
-  if (is_reserved_name(entry.name)) {
-    report(reader, entry.place, "name " + in_quotes(entry.name) + " is reserved, expressions use it");
+  if (is_reserved_name(entry.name) || is_reserved_name(entry.written)) {
+    report(reader, entry.place, "name " + in_quotes(entry.written) + " is reserved, expressions use it");
   } else if (reader.names.parameters.contains(entry.name)) {
     report(reader, entry.place, in_quotes(entry.name) + " is a parameter and an input");
   }
@@ -76,7 +76,11 @@ void check_body(Reader& reader, const Value& value, const Body& body) {
   check_inertia(reader, *inertia, body);
 }
 
-using PointPlaces = std::vector<NameMap<Place>>;
+struct PointPlace {
+  Place place;
+  std::size_t scope = 0;
+};
+using PointPlaces = std::vector<NameMap<PointPlace>>;
 
 void read_points(Reader& reader, std::size_t body, const Value& value, PointPlaces& places) {
   if (value.kind != Value::Kind::object) {
@@ -84,25 +88,30 @@ void read_points(Reader& reader, std::size_t body, const Value& value, PointPlac
     reader.names.points_unreadable[body] = true;
     return;
   }
+  const bool own = reader.names.body_scopes[body] == reader.scope;
   for (const Member& member : value.members) {
-    if (!is_valid_name(member.key)) report(reader, member.place, "invalid name " + in_quotes(member.key), kNameRule);
+    const std::string name = own ? member.key : full_name(current_scope(reader).visible.front(), member.key);
+    if (!is_valid_name(name)) report(reader, member.place, "invalid name " + in_quotes(name), kNameRule);
     std::vector<Point>& points = reader.model.bodies[body].points;
-    if (const auto first = places[body].find(member.key); first != places[body].end()) {
-      const bool reported = first->second.file == member.place.file;  // by the parser, as a duplicate key
+    if (const auto first = places[body].find(name); first != places[body].end()) {
+      // A duplicate key was reported by the parser.
+      const bool reported = first->second.place.file == member.place.file && first->second.scope == reader.scope;
       if (!reported) {
         report(reader, member.place,
-               fmt::format("point {} of body {} is defined twice, first at {}", in_quotes(member.key),
+               fmt::format("point {} of body {} is defined twice, first at {}", in_quotes(name),
                            in_quotes(reader.model.bodies[body].name),
-                           place_text(reader.documents, first->second, member.place)));
+                           place_text(reader.documents, first->second.place, member.place)));
       }
       continue;
     }
     const FieldInfo info{.name = "point", .shape = Shape::quantity_vector, .depends = Depends::parameters};
+    Vector3Quantity written;
+    read_value(reader, member.value, info, written);
     Point point;
-    point.name = member.key;
-    read_value(reader, member.value, info, point.position);
-    places[body].emplace(member.key, member.place);
-    reader.names.points[body].emplace(member.key, static_cast<int>(points.size()));
+    point.name = name;
+    point.position = placed_point(reader, static_cast<int>(body), written);
+    places[body].emplace(name, PointPlace{member.place, reader.scope});
+    reader.names.points[body].emplace(name, static_cast<int>(points.size()));
     points.push_back(std::move(point));
   }
 }
@@ -110,13 +119,13 @@ void read_points(Reader& reader, std::size_t body, const Value& value, PointPlac
 /// Index of the input that `value` names as the derivative of `input`, or -1 with a complaint.
 int derivative_of(Reader& reader, const Value& value, const InputFields& input) {
   if (value.kind != Value::Kind::text) return -1;
-  const auto found = reader.names.inputs.find(value.text);
+  const auto found = find_visible(reader.names.inputs, value.text, current_scope(reader).visible);
   if (found == reader.names.inputs.end()) {
     report(reader, value, "unknown input " + in_quotes(value.text),
            suggestion(reader, value.text, reader.names.inputs));
     return -1;
   }
-  if (value.text != input.name) return found->second;
+  if (found->first != input.name) return found->second;
   report(reader, value, fmt::format("input {} cannot be its own derivative", in_quotes(input.name)));
   return -1;
 }
@@ -156,6 +165,55 @@ void refuse_circles(Reader& reader, const Entries& entries) {
   }
 }
 
+/// The value that an instance gives a parameter of its subsystem, or nullptr.
+const Value* override_of(const Reader& reader, const Entry& entry) {
+  const Value* overrides = reader.scopes[entry.scope].instance.parameters;
+  return overrides ? find(*overrides, entry.written) : nullptr;
+}
+
+/// Complains about values for parameters that the subsystem does not have.
+void check_overrides(Reader& reader, const Entries& entries) {
+  for (std::size_t i = 1; i < reader.scopes.size(); ++i) {
+    const Scope& scope = reader.scopes[i];
+    const InScope in_scope(reader, scope.parent);
+    const Value* overrides = scope.instance.parameters;
+    if (!overrides) continue;
+    if (overrides->kind != Value::Kind::object) {
+      report(reader, *overrides, "must be an object of parameters, got " + describe(*overrides));
+      continue;
+    }
+    std::vector<std::string_view> known;
+    for (const Entry& entry : entries) {
+      if (entry.scope == i) known.push_back(entry.written);
+    }
+    for (const Member& member : overrides->members) {
+      if (std::find(known.begin(), known.end(), member.key) != known.end()) continue;
+      report(reader, member.place,
+             fmt::format("subsystem {} has no parameter {}", in_quotes(scope.file), in_quotes(member.key)),
+             did_you_mean(member.key, known));
+    }
+  }
+}
+
+/// A parameter as its file has it, with the value of the instance where it gives one.
+void read_parameter(Reader& reader, const Entry& entry, ParameterFields& parameter) {
+  const FieldInfo& value_info = fields<ParameterFields>()[0].info;
+  const Value& value = *entry.value;
+  if (value.kind == Value::Kind::object && !find(value, "deg")) {
+    read_fields(reader, value, parameter);
+  } else {
+    read_value(reader, value, value_info, parameter.quantity);
+  }
+  if (const Value* given = override_of(reader, entry)) {
+    const InScope in_scope(reader, current_scope(reader).parent);
+    read_value(reader, *given, value_info, parameter.quantity);
+    if (parameter.quantity.expression >= 0) parameter.tunable = false;  // it follows from those of the model
+  } else if (parameter.tunable && parameter.quantity.expression >= 0) {
+    report(reader, entry.place, in_quotes(entry.name) + " follows from tunable parameters and cannot be tuned itself",
+           "leave out \"tunable\": it changes with them");
+  }
+}
+
 void check_ground(Reader& reader, const Value& value) {
   for (const Member& member : value.members) {
     if (member.key == "points") continue;
@@ -163,27 +221,73 @@ void check_ground(Reader& reader, const Value& value) {
   }
 }
 
+/// Index of a new body.
+int add_body(Reader& reader, Body body, bool readable, PointPlaces& places) {
+  const int index = static_cast<int>(reader.model.bodies.size());
+  if (body.name == "ground") reader.model.ground = index;
+  reader.names.bodies.emplace(body.name, index);
+  reader.names.body_scopes.push_back(reader.scope);
+  reader.names.points.emplace_back();
+  reader.names.points_unreadable.push_back(!readable);
+  reader.model.bodies.push_back(std::move(body));
+  places.emplace_back();
+  return index;
+}
+
+/// A body that the current scope defines, or points that one of its files adds to it.
+void read_body(Reader& reader, const Entry& entry, PointPlaces& places) {
+  BodyFields body = with_defaults<BodyFields>();
+  body.name = entry.name;
+  body.where = where_of(reader.documents, entry.place);
+  const bool ground = entry.name == "ground";
+  if (ground) check_ground(reader, *entry.value);
+  const bool readable = read_fields(reader, *entry.value, body);
+  if (readable && !ground) check_body(reader, *entry.value, body);
+  place_body(reader, body);
+  const auto found = reader.names.bodies.find(entry.name);
+  const int index = found == reader.names.bodies.end() ? add_body(reader, body, readable, places) : found->second;
+  if (body.point_list) read_points(reader, static_cast<std::size_t>(index), *body.point_list, places);
+}
+
+/// Points of a body that another scope defines.
+void read_outer_points(Reader& reader, const Entry& entry, PointPlaces& places) {
+  for (const Member& member : entry.value->members) {
+    if (member.key == "points") continue;
+    report(reader, member.place,
+           fmt::format("body {} is defined elsewhere and has points only here, got {}", in_quotes(entry.written),
+                       in_quotes(member.key)));
+  }
+  BodyFields body = with_defaults<BodyFields>();
+  if (!read_fields(reader, *entry.value, body) || !body.point_list) return;
+  int index = find_body(reader, entry.written);
+  if (index < 0 && find_outer_name(reader, entry.written) == "ground") {
+    const InScope in_scope(reader, 0);
+    Body ground;
+    ground.name = "ground";
+    ground.where = where_of(reader.documents, entry.place);
+    index = add_body(reader, std::move(ground), true, places);
+  }
+  if (index >= 0) return read_points(reader, static_cast<std::size_t>(index), *body.point_list, places);
+  const Value& target = *current_scope(reader).connections.find(entry.written)->second;
+  const InScope in_parent(reader, current_scope(reader).parent);
+  report(reader, target, "unknown body " + in_quotes(target.text),
+         suggestion(reader, target.text, reader.names.bodies));
+}
+
 }  // namespace
 
 void read_parameters(Reader& reader, const Entries& entries) {
-  const FieldInfo& value_info = fields<ParameterFields>()[0].info;
   for (const Entry& entry : entries) reader.names.later_parameters.emplace(entry.name, 0);
+  check_overrides(reader, entries);
   for (const Entry& entry : entries) {
+    const InScope in_scope(reader, entry.scope);
     check_expression_name(reader, entry);
     ParameterFields parameter = with_defaults<ParameterFields>();
     parameter.name = entry.name;
     parameter.where = where_of(reader.documents, entry.place);
-    if (entry.value->kind == Value::Kind::object && !find(*entry.value, "deg")) {
-      read_fields(reader, *entry.value, parameter);
-    } else {
-      read_value(reader, *entry.value, value_info, parameter.quantity);
-    }
+    read_parameter(reader, entry, parameter);
     parameter.value = parameter.quantity.value;
     parameter.expression = parameter.quantity.expression;
-    if (parameter.tunable && parameter.expression >= 0) {
-      report(reader, entry.place, in_quotes(entry.name) + " follows from tunable parameters and cannot be tuned itself",
-             "leave out \"tunable\": it changes with them");
-    }
     reader.names.later_parameters.erase(entry.name);
     reader.names.parameters.emplace(entry.name, static_cast<int>(reader.model.parameters.size()));
     reader.model.parameters.push_back(std::move(parameter));
@@ -205,25 +309,14 @@ void read_inputs(Reader& reader, const Entries& entries) {
 }
 
 void read_bodies(Reader& reader, const Entries& entries) {
-  Model& model = reader.model;
   PointPlaces places;
   for (const Entry& entry : entries) {
-    BodyFields body = with_defaults<BodyFields>();
-    body.name = entry.name;
-    body.where = where_of(reader.documents, entry.place);
-    const bool ground = entry.name == "ground";
-    if (ground) check_ground(reader, *entry.value);
-    const bool readable = read_fields(reader, *entry.value, body);
-    if (readable && !ground) check_body(reader, *entry.value, body);
-    const auto [found, is_new] = reader.names.bodies.emplace(entry.name, static_cast<int>(model.bodies.size()));
-    if (is_new) {
-      model.bodies.push_back(body);
-      reader.names.points.emplace_back();
-      reader.names.points_unreadable.push_back(!readable);
-      places.emplace_back();
-      if (ground) model.ground = found->second;
-    }
-    if (body.point_list) read_points(reader, static_cast<std::size_t>(found->second), *body.point_list, places);
+    const InScope in_scope(reader, entry.scope);
+    if (!entry.adds_points) read_body(reader, entry, places);
+  }
+  for (const Entry& entry : entries) {
+    const InScope in_scope(reader, entry.scope);
+    if (entry.adds_points) read_outer_points(reader, entry, places);
   }
 }
 

@@ -38,25 +38,6 @@ bool has_any(const Value& value, std::initializer_list<std::string_view> keys) {
   return false;
 }
 
-/// factor * quantity.
-Quantity scaled(Reader& reader, double factor, const Quantity& quantity) {
-  Quantity result(factor * quantity.value);
-  if (quantity.expression < 0) return result;
-  Expression expression = reader.model.expressions[static_cast<std::size_t>(quantity.expression)];
-  expression.text = fmt::format("{}*({})", factor, expression.text);
-  const int argument = static_cast<int>(expression.nodes.size()) - 1;
-  ExpressionNode number, call;
-  number.number = factor;
-  call.kind = ExpressionNode::Kind::call;
-  call.function = Function::multiply;
-  call.first = argument;
-  call.second = argument + 1;
-  expression.nodes.insert(expression.nodes.end(), {number, call});
-  reader.model.expressions.push_back(std::move(expression));
-  result.expression = static_cast<int>(reader.model.expressions.size()) - 1;
-  return result;
-}
-
 }  // namespace
 
 void read_rods(Reader& reader, const Entries& entries) {
@@ -90,6 +71,8 @@ void read_joint_springs(Reader& reader, const Entries& entries) {
       report(r, value, "spring has no stiffness, damping, preload or force");
     }
     check_degrees(r, value, "free", spring.joint);
+    refuse_reversed(r, member_or_object(value, "joint").place, spring.joint);
+    if (spring.relative_to) refuse_reversed(r, member_or_object(value, "relative_to").place, *spring.relative_to);
     if (spring.joint.joint < 0 || !spring.relative_to || spring.relative_to->joint < 0) return;
     const std::string joint = in_quotes(coordinate_name(r.model, spring.joint));
     if (spring.joint == *spring.relative_to) {
@@ -137,15 +120,18 @@ void read_air_springs(Reader& reader, const Entries& entries) {
 }
 
 void read_forces(Reader& reader, const Entries& entries) {
-  read_list(reader, entries, reader.model.forces, [](Reader& r, const Value& value, const AppliedForce& force) {
+  read_list(reader, entries, reader.model.forces, [](Reader& r, const Value& value, AppliedForce& force) {
     if (!has_any(value, {"force", "torque"})) report(r, value, "applied force has neither force nor torque");
     if (force.at.body >= 0 && force.at.body == r.model.ground)
       report(r, *find(value, "at"), "a force on ground has no effect");
+    place_force(r, force);
   });
 }
 
 void read_joint_forces(Reader& reader, const Entries& entries) {
-  read_list(reader, entries, reader.model.joint_forces, [](Reader&, const Value&, const JointForce&) {});
+  read_list(reader, entries, reader.model.joint_forces, [](Reader& r, const Value& value, const JointForce& force) {
+    refuse_reversed(r, member_or_object(value, "joint").place, force.joint);
+  });
 }
 
 }  // namespace mbgen::reading

@@ -148,8 +148,8 @@ void check_axes(Reader& reader, const Value& value, const JointFields& joint) {
     }
   }
   if (!joint.written_axis || !joint.axis_to) return;
-  const double angle = angle_between(global_direction(reader.model, joint.from.body, *joint.written_axis),
-                                     global_direction(reader.model, joint.to.body, *joint.axis_to));
+  const double angle = angle_between(placed_axis(reader, joint.from.body, *joint.written_axis, FreedomKind::prismatic),
+                                     placed_axis(reader, joint.to.body, *joint.axis_to, FreedomKind::prismatic));
   if (angle > kAngleTolerance) {
     const bool opposite = angle > std::numbers::pi - kAngleTolerance;
     report(reader, *find(value, "axis_to"),
@@ -175,19 +175,43 @@ void check_closure(Reader& reader, const Value& value, const JointFields& joint)
 }
 
 /// Turns the axes to global ones.
-void resolve_axes(const Model& model, JointFields& joint) {
-  const auto global = [&](const Vector3& axis) { return global_direction(model, joint.from.body, axis); };
-  if (joint.written_axis) joint.axis = global(*joint.written_axis);
-  if (joint.axis2) joint.second_axis = global(*joint.axis2);
-  for (Freedom& freedom : joint.freedoms) freedom.axis = global(freedom.axis);
+void resolve_axes(Reader& reader, JointFields& joint, int index) {
+  const auto kind =
+      joint.type == JointType::prismatic || joint.type == JointType::cylindrical || joint.type == JointType::planar
+          ? FreedomKind::prismatic
+          : FreedomKind::revolute;
+  const auto global = [&](const Vector3& axis, FreedomKind of) {
+    return placed_axis(reader, joint.from.body, axis, of);
+  };
+  if (joint.written_axis) joint.axis = global(*joint.written_axis, kind);
+  if (joint.axis2) joint.second_axis = global(*joint.axis2, kind);
+  for (std::size_t i = 0; i < joint.freedoms.size(); ++i) {
+    Freedom& freedom = joint.freedoms[i];
+    if (is_reversed(reader, freedom.axis, freedom.kind)) reader.names.reversed.push_back({index, static_cast<int>(i)});
+    freedom.axis = global(freedom.axis, freedom.kind);
+  }
 }
 
-void add_coordinates(Reader& reader, const Entry& entry, const Joint& joint, int index) {
+/// Tells the scope of a joint, and those that enclose it, how they call its coordinates.
+void name_coordinates(Reader& reader, const Entry& entry, const Joint& joint, int index) {
+  const Visibility& visible = reader.scopes[entry.scope].visible;
+  const Level& own = visible.front();
+  for (const Level& level : visible) {
+    const std::string before = own.before.substr(level.before.size());
+    const std::string after = own.after.substr(0, own.after.size() - level.after.size());
+    for (std::size_t i = 0; i < joint.freedoms.size(); ++i) {
+      const std::string freedom = joint.freedoms[i].name.substr(joint.name.size());
+      reader.names.coordinates[level.scope].emplace(before + entry.written + after + freedom,
+                                                    CoordinateReference{index, static_cast<int>(i)});
+    }
+  }
+}
+
+void check_coordinates(Reader& reader, const Entry& entry, const Joint& joint) {
   for (std::size_t i = 0; i < joint.freedoms.size(); ++i) {
     const std::string& name = joint.freedoms[i].name;
-    const auto [found, is_new] =
-        reader.names.coordinates.emplace(name, CoordinateReference{index, static_cast<int>(i)});
-    if (is_new) continue;
+    const auto found = reader.names.coordinates[0].find(name);
+    if (found == reader.names.coordinates[0].end()) continue;
     const Joint& other = reader.model.joints[static_cast<std::size_t>(found->second.joint)];
     report(reader, entry.place,
            fmt::format("coordinate {} is also one of joint {}", in_quotes(name), in_quotes(other.name)),
@@ -199,6 +223,7 @@ void add_coordinates(Reader& reader, const Entry& entry, const Joint& joint, int
 
 void read_joints(Reader& reader, const Entries& entries) {
   for (const Entry& entry : entries) {
+    const InScope in_scope(reader, entry.scope);
     const Value& value = *entry.value;
     JointFields joint = with_defaults<JointFields>();
     joint.name = entry.name;
@@ -216,10 +241,12 @@ void read_joints(Reader& reader, const Entries& entries) {
     const int index = static_cast<int>(reader.model.joints.size());
     if (named) {
       joint.freedoms = freedoms_of(joint);
-      resolve_axes(reader.model, joint);
-      add_coordinates(reader, entry, joint, index);
+      resolve_axes(reader, joint, index);
+      check_coordinates(reader, entry, joint);
+      name_coordinates(reader, entry, joint, index);
     } else {
       reader.names.unreadable_joints.push_back(entry.name);
+      if (entry.written != entry.name) reader.names.unreadable_joints.push_back(entry.written);
     }
     reader.names.joints.emplace(entry.name, index);
     reader.model.joints.push_back(joint);

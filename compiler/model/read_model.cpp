@@ -1,13 +1,11 @@
-// The door: files and their includes, merged and read section by section.
+// The door: the sections of all files, read one after the other.
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
-#include <system_error>
 
 #include "compiler/model/model.hpp"
-#include "compiler/model/raw.hpp"
+#include "compiler/model/read_text.hpp"
 #include "compiler/model/reader.hpp"
 
 namespace mbgen {
@@ -15,107 +13,6 @@ namespace reading {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// The text of a file, or why there is none.
-struct FileText {
-  std::string text;
-  std::string problem;
-};
-
-FileText read_text(const std::string& path) {
-  std::error_code error;
-  if (!fs::exists(path, error)) return {{}, "cannot read file, it does not exist"};
-  if (fs::is_directory(path, error)) return {{}, "cannot read file, it is a directory"};
-  std::ifstream stream(path, std::ios::binary);
-  if (!stream) return {{}, "cannot read file"};
-  std::string text, chunk(std::size_t{1} << 16, '\0');
-  while (stream && text.size() <= kMaximumBytes) {
-    stream.read(chunk.data(), static_cast<std::streamsize>(chunk.size()));
-    text.append(chunk, 0, static_cast<std::size_t>(stream.gcount()));
-  }
-  if (text.size() > kMaximumBytes) return {{}, "file is larger than 64 MB"};
-  return {std::move(text), {}};
-}
-
-std::string canonical(const std::string& path) {
-  std::error_code error;
-  const fs::path result = fs::weakly_canonical(path, error);
-  return error ? path : result.string();
-}
-
-/// The files of a model in the order in which they are merged: includes before the file that includes them.
-struct Files {
-  std::vector<FileFields> merged;
-  std::vector<std::string> open;   ///< canonical paths from the first file to the one being read
-  std::vector<std::string> known;  ///< canonical paths of all files: one that is included twice counts once
-  bool complete = true;            ///< false when the names that a file defines could not be read
-};
-
-void load(Reader& reader, Files& files, const std::string& file, std::string text);
-
-/// Complains about a section that is no object.
-bool is_map(Reader& reader, const Value& section) {
-  if (section.kind == Value::Kind::object) return true;
-  report(reader, section, "must be an object of named elements, got " + describe(section));
-  return false;
-}
-
-void load_include(Reader& reader, Files& files, const std::string& file, const Value& item) {
-  constexpr std::size_t kDeepest = 32;
-  if (item.kind != Value::Kind::text) return report(reader, item, "must be the path of a file, got " + describe(item));
-  const std::string path = (fs::path(file).parent_path() / item.text).lexically_normal().string();
-  const std::string identity = canonical(path);
-  const auto fail = [&](std::string message) {
-    report(reader, item, std::move(message));
-    files.complete = false;
-  };
-  if (const auto first = std::find(files.open.begin(), files.open.end(), identity); first != files.open.end()) {
-    std::string cycle;
-    for (auto step = first; step != files.open.end(); ++step) cycle += fs::path(*step).filename().string() + " -> ";
-    return fail("cycle of includes, " + cycle + fs::path(identity).filename().string());
-  }
-  if (std::find(files.known.begin(), files.known.end(), identity) != files.known.end()) return;
-  if (files.open.size() >= kDeepest) return fail(fmt::format("includes are nested deeper than {} files", kDeepest));
-  std::error_code ignored;
-  const fs::file_status status = fs::status(path, ignored);
-  const bool is_special = fs::exists(status) && !fs::is_regular_file(status) && !fs::is_directory(status);
-  FileText content = is_special ? FileText{{}, "cannot read file, it is a device or pipe"} : read_text(path);
-  if (!content.problem.empty()) return fail("include " + in_quotes(item.text) + ": " + content.problem);
-  load(reader, files, path, std::move(content.text));
-}
-
-/// Parses a file and what it includes, and appends them to files.merged.
-void load(Reader& reader, Files& files, const std::string& file, std::string text) {
-  const bool first = reader.documents.empty();
-  const auto index = static_cast<std::uint32_t>(reader.documents.size());
-  Document& document = reader.documents.emplace_back();
-  document.file = file;
-  document.text = std::move(text);
-  files.known.push_back(canonical(file));
-  if (!parse_document(document, index, reader.problems)) {
-    files.complete = false;
-    return;
-  }
-  FileFields fields;
-  if (!read_fields(reader, document.root, fields)) return;
-  if (fields.version) {
-    const bool known = fields.version->kind == Value::Kind::number && fields.version->number == 1;
-    if (!known) report(reader, *fields.version, "version of the format must be 1, got " + describe(*fields.version));
-  } else if (first) {
-    report(reader, document.root, "key \"mbgen\" is missing", "write \"mbgen\": 1, the version of the format");
-  }
-  for (const Value* section : {fields.parameters, fields.inputs, fields.bodies, fields.joints}) {
-    if (section && !is_map(reader, *section)) files.complete = false;
-  }
-  if (fields.include && fields.include->kind != Value::Kind::array) {
-    report(reader, *fields.include, "must be an array of paths, got " + describe(*fields.include));
-  } else if (fields.include) {
-    files.open.push_back(canonical(file));
-    for (const Value& item : fields.include->items) load_include(reader, files, file, item);
-    files.open.pop_back();
-  }
-  files.merged.push_back(fields);
-}
 
 /// A body of an including file with nothing but points adds them to the body of an included file; so does any ground.
 bool extends_body(const Entry& entry) {
@@ -125,49 +22,126 @@ bool extends_body(const Entry& entry) {
   return points_only || entry.name == "ground";
 }
 
-/// The entries of one section in all files.
-Entries collect(Reader& reader, const Files& files, const Value* FileFields::*section) {
-  Entries entries;
-  NameMap<Place> places;
-  for (const FileFields& file : files.merged) {
-    const Value* map = file.*section;
-    if (!map || !is_map(reader, *map)) continue;
-    for (const Member& member : map->members) {
-      const Entry entry{member.key, member.place, &member.value};
-      const auto [first, is_new] = places.emplace(member.key, member.place);
-      if (is_new && !is_valid_name(member.key))
-        report(reader, member.place, "invalid name " + in_quotes(member.key), kNameRule);
-      if (!is_new && first->second.file == member.place.file) continue;  // reported as a duplicate key
-      if (!is_new && !(section == &FileFields::bodies && extends_body(entry))) {
-        report(reader, member.place,
-               fmt::format("name {} is defined twice, first at {}", in_quotes(member.key),
-                           place_text(reader.documents, first->second, member.place)));
-        continue;
+/// Where a name stands first.
+struct FirstPlace {
+  Place place;
+  std::size_t scope = 0;
+};
+
+/// Complains about a name that is there already.
+void report_twice(Reader& reader, const Entry& entry, const FirstPlace& first) {
+  std::string where = place_text(reader.documents, first.place, entry.place);
+  const std::string& instance = reader.scopes[first.scope].path;
+  if (first.scope != entry.scope)
+    where += instance.empty() ? " of the model" : fmt::format(" of instance {}", in_quotes(instance));
+  report(reader, entry.place, fmt::format("name {} is defined twice, first at {}", in_quotes(entry.name), where),
+         first.scope != entry.scope ? "give the instance another prefix or suffix" : "");
+}
+
+/// Names of the bodies that instances define.
+NameMap<std::size_t> bodies_of_instances(Reader& reader) {
+  NameMap<std::size_t> names;
+  for (std::size_t scope = 1; scope < reader.scopes.size(); ++scope) {
+    const InScope in_scope(reader, scope);
+    for (const FileFields& file : reader.scopes[scope].files) {
+      if (!file.bodies) continue;
+      for (const Member& member : file.bodies->members) {
+        const std::string name = full_name(current_scope(reader).visible.front(), member.key);
+        if (!is_outer_body(reader, member.key)) names.emplace(name, scope);
       }
+    }
+  }
+  return names;
+}
+
+/// Adds the entries of one map to those of its section. inner: of a map of bodies, those that instances define.
+void collect_map(Reader& reader, const Value& map, const NameMap<std::size_t>* inner, NameMap<FirstPlace>& places,
+                 Entries& entries) {
+  for (const Member& member : map.members) {
+    const std::string name = full_name(current_scope(reader).visible.front(), member.key);
+    Entry entry{name, member.key, member.place, &member.value, reader.scope};
+    if (inner) {
+      const auto defined = inner->find(name);
+      const bool by_instance = defined != inner->end() && defined->second > reader.scope && extends_body(entry);
+      entry.adds_points = by_instance || is_outer_body(reader, member.key);
+    }
+    if (entry.adds_points) {
       entries.push_back(entry);
+      continue;
+    }
+    const auto [first, is_new] = places.emplace(name, FirstPlace{member.place, reader.scope});
+    if (is_new && !is_valid_name(member.key)) {
+      report(reader, member.place, "invalid name " + in_quotes(member.key), kNameRule);
+    } else if (is_new && !is_valid_name(name)) {
+      report(reader, member.place, "invalid name " + in_quotes(name), kNameRule);
+    }
+    const bool same_scope = first->second.scope == reader.scope;
+    if (!is_new && same_scope && first->second.place.file == member.place.file) continue;  // a duplicate key
+    if (!is_new && !(inner && same_scope && extends_body(entry))) {
+      report_twice(reader, entry, first->second);
+      continue;
+    }
+    entries.push_back(entry);
+  }
+}
+
+/// The entries of one section in all files: the model's own, then those of each instance.
+Entries collect(Reader& reader, const Value* FileFields::*section) {
+  Entries entries;
+  NameMap<FirstPlace> places;
+  NameMap<std::size_t> inner;
+  const bool bodies = section == &FileFields::bodies;
+  if (bodies) inner = bodies_of_instances(reader);
+  for (std::size_t scope = 0; scope < reader.scopes.size(); ++scope) {
+    const InScope in_scope(reader, scope);
+    for (const FileFields& file : reader.scopes[scope].files) {
+      const Value* map = file.*section;
+      if (!map) continue;
+      if (map->kind == Value::Kind::object) {
+        collect_map(reader, *map, bodies ? &inner : nullptr, places, entries);
+      } else {
+        report(reader, *map, "must be an object of named elements, got " + describe(*map));
+      }
     }
   }
   return entries;
 }
 
-std::vector<const Value*> all_of(const Files& files, const Value* FileFields::*section) {
-  std::vector<const Value*> values;
-  for (const FileFields& file : files.merged) {
-    if (file.*section) values.push_back(file.*section);
+std::vector<Part> parts_of(const Reader& reader, std::size_t scope, const Value* FileFields::*section) {
+  std::vector<Part> parts;
+  for (const FileFields& file : reader.scopes[scope].files) {
+    if (file.*section) parts.push_back({file.*section, scope});
   }
-  return values;
+  return parts;
 }
 
-void read_gravity(Reader& reader, const Files& files) {
+/// What the instances say of the start, innermost first, then what the model says.
+std::vector<Part> initial_parts(const Reader& reader) {
+  std::vector<std::size_t> order;
+  for (std::size_t scope = 0; scope < reader.scopes.size(); ++scope) order.push_back(scope);
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+    return reader.scopes[a].visible.size() > reader.scopes[b].visible.size();
+  });
+  std::vector<Part> parts;
+  for (const std::size_t scope : order) {
+    for (const Part& part : parts_of(reader, scope, &FileFields::initial)) parts.push_back(part);
+  }
+  return parts;
+}
+
+void read_gravity(Reader& reader) {
   const FieldInfo info{.name = "gravity", .shape = Shape::quantity_vector, .depends = Depends::parameters};
-  for (const Value* value : all_of(files, &FileFields::gravity)) read_value(reader, *value, info, reader.model.gravity);
+  for (const Part& part : parts_of(reader, 0, &FileFields::gravity)) {
+    read_value(reader, *part.value, info, reader.model.gravity);
+  }
 }
 
-void read_sections(Reader& reader, const Files& files) {
-  const auto entries = [&](const Value* FileFields::*section) { return collect(reader, files, section); };
+void read_sections(Reader& reader) {
+  const auto entries = [&](const Value* FileFields::*section) { return collect(reader, section); };
   read_parameters(reader, entries(&FileFields::parameters));
   read_inputs(reader, entries(&FileFields::inputs));
-  read_gravity(reader, files);
+  read_gravity(reader);
+  place_instances(reader);
   read_bodies(reader, entries(&FileFields::bodies));
   read_joints(reader, entries(&FileFields::joints));
   read_rods(reader, entries(&FileFields::rods));
@@ -181,8 +155,8 @@ void read_sections(Reader& reader, const Files& files) {
   read_tyres(reader, tyre_data, entries(&FileFields::tyres));
   read_motions(reader, entries(&FileFields::motions));
   read_outputs(reader, entries(&FileFields::outputs));
-  read_initial(reader, all_of(files, &FileFields::initial));
-  read_solver(reader, all_of(files, &FileFields::solver));
+  read_initial(reader, initial_parts(reader));
+  read_solver(reader, parts_of(reader, 0, &FileFields::solver));
 }
 
 /// The file's name without directory and extension, made a valid name.
@@ -223,14 +197,13 @@ std::string hash_of(const Documents& documents) {
 Result<Model> read_model(std::string_view text, const std::string& file_name) {
   using namespace reading;
   Reader reader;
-  Files files;
   reader.model.file = file_name;
-  load(reader, files, file_name, std::string(text));
   // Names that could not be read would all be unknown: that problem comes first.
-  if (files.complete && !files.merged.empty()) {
-    read_name(reader, files.merged.back());
-    read_sections(reader, files);
-    if (all_of(files, &FileFields::bodies).empty()) report(reader, reader.documents[0].root, "model has no bodies");
+  if (load_files(reader, file_name, std::string(text))) {
+    read_name(reader, reader.scopes[0].files.back());
+    read_sections(reader);
+    if (reader.model.bodies.empty() && parts_of(reader, 0, &FileFields::bodies).empty())
+      report(reader, reader.documents[0].root, "model has no bodies");
   }
   if (!reader.problems.empty()) return to_diagnostics(reader.documents, std::move(reader.problems));
   reader.model.hash = hash_of(reader.documents);

@@ -18,6 +18,7 @@ void resolve_motion(Reader& reader, const Value& value, MotionFields& motion) {
   if (angle && displacement) {
     report(reader, find_member(value, "position")->place, "motion has both \"angle\" and \"position\"");
   }
+  refuse_reversed(reader, member_or_object(value, "joint").place, motion.joint);
   motion.position = motion.angle ? *motion.angle : motion.displacement.value_or(Quantity());
   if (motion.joint.joint < 0 || (angle && displacement)) return;
   const bool rotation = is_rotation(reader.model, motion.joint);
@@ -91,7 +92,7 @@ void require_axis(Reader& reader, const Value& value, std::string_view source) {
 int find_element(Reader& reader, const Value& value, std::string_view key, const NameMap<int>& names) {
   const Value& reference = *find(value, key);
   if (reference.kind != Value::Kind::text) return -1;
-  const auto found = names.find(reference.text);
+  const auto found = find_visible(names, reference.text, current_scope(reader).visible);
   if (found != names.end()) return found->second;
   report(reader, reference, fmt::format("unknown {} {}", key, in_quotes(reference.text)),
          suggestion(reader, reference.text, names));
@@ -149,11 +150,14 @@ Resolved spring_output(Reader& reader, const Value& value, const OutputFields& o
   SpringOutput spring;
   spring.what = offset<SpringOutput::What>(quantity, Quantities::force);
   const std::string& name = *output.spring;
-  const bool is_spring = reader.names.springs.contains(name), is_air_spring = reader.names.air_springs.contains(name);
+  const Visibility& visible = current_scope(reader).visible;
+  const auto air_spring = find_visible(reader.names.air_springs, name, visible);
+  const bool is_spring = find_visible(reader.names.springs, name, visible) != reader.names.springs.end();
+  const bool is_air_spring = air_spring != reader.names.air_springs.end();
   if (is_spring && is_air_spring) {
     report(reader, *find(value, "spring"), in_quotes(name) + " is a spring and an air spring", "rename one of them");
   } else if (is_air_spring) {
-    spring.air_spring = reader.names.air_springs.at(name);
+    spring.air_spring = air_spring->second;
   } else {
     NameMap<int> known = reader.names.springs;
     if (!is_spring) known.insert(reader.names.air_springs.begin(), reader.names.air_springs.end());
@@ -176,7 +180,9 @@ struct Connection {
 
 Connection find_connection(Reader& reader, const Value& value, std::string_view key, const std::string& name) {
   if (find(value, key)->kind != Value::Kind::text) return {};
-  const auto joint = reader.names.joints.find(name), rod = reader.names.rods.find(name);
+  const Visibility& visible = current_scope(reader).visible;
+  const auto joint = find_visible(reader.names.joints, name, visible),
+             rod = find_visible(reader.names.rods, name, visible);
   const bool is_joint = joint != reader.names.joints.end(), is_rod = rod != reader.names.rods.end();
   if (is_joint && is_rod) {
     report(reader, *find(value, key), in_quotes(name) + " is a joint and a rod", "rename one of them");
@@ -283,6 +289,7 @@ void read_initial_values(Reader& reader, const Value* values, std::string_view k
     InitialValue initial;
     initial.where = where_of(reader.documents, member.place);
     initial.coordinate = read_coordinate(reader, member.place, member.key);
+    refuse_reversed(reader, member.place, initial.coordinate);
     read_value(reader, member.value, info, initial.value);
     if (initial.coordinate.joint < 0) continue;
     if (member.value.kind == Value::Kind::object && !is_rotation(reader.model, initial.coordinate)) {
@@ -323,21 +330,23 @@ void read_outputs(Reader& reader, const Entries& entries) {
   }
 }
 
-void read_initial(Reader& reader, const std::vector<const Value*>& values) {
+void read_initial(Reader& reader, const std::vector<Part>& parts) {
   InitialFields fields = with_defaults<InitialFields>();
   Initial& initial = reader.model.initial;
-  for (const Value* value : values) {
+  for (const auto& [value, scope] : parts) {
+    const InScope in_scope(reader, scope);
     fields.positions = fields.velocities = nullptr;
     read_fields(reader, *value, fields);
     read_initial_values(reader, fields.positions, "positions", initial.positions);
     read_initial_values(reader, fields.velocities, "velocities", initial.velocities);
+    if (scope != 0) fields.equilibrium = false;  // a question of the whole model
   }
   initial.equilibrium = fields.equilibrium;
 }
 
-void read_solver(Reader& reader, const std::vector<const Value*>& values) {
+void read_solver(Reader& reader, const std::vector<Part>& parts) {
   reader.model.solver = with_defaults<SolverSettings>();
-  for (const Value* value : values) read_fields(reader, *value, reader.model.solver);
+  for (const Part& part : parts) read_fields(reader, *part.value, reader.model.solver);
 }
 
 }  // namespace mbgen::reading

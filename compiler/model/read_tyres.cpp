@@ -6,6 +6,7 @@
 
 #include "compiler/model/raw.hpp"
 #include "compiler/model/reader.hpp"
+#include "compiler/model/tir_file.hpp"
 #include "mbgen/tyre.hpp"
 
 namespace mbgen::reading {
@@ -107,14 +108,44 @@ void check_tyre(Reader& reader, const Value& value, TyreFields& tyre) {
   if (tyre.centre.body >= 0 && tyre.centre.body == reader.model.ground) {
     report(reader, *find(value, "centre"), "a tyre on ground has no effect");
   }
-  tyre.axis = global_direction(reader.model, tyre.centre.body, tyre.axis);
+  tyre.axis = placed_axis(reader, tyre.centre.body, tyre.axis, FreedomKind::revolute);
+  tyre.side *= handedness(current_scope(reader).placement);
   if (std::hypot(tyre.axis[0], tyre.axis[1]) < kSmallestTilt) {
     report(reader, member_or_object(value, "axis"), "axis of a tyre is vertical, the wheel would lie on the road");
   }
 }
 
+/// Takes coefficients from a .tir file, and properties of the tyre that the model does not give.
+void use_file(Reader& reader, const Value& value, TyreFields& tyre) {
+  const Value& file = *find(value, "tir");
+  if (file.kind != Value::Kind::text) return;
+  const std::optional<TirTyre> read = read_tir(reader, file);
+  if (!read) return;
+  tyre.model = TyreModel::pac2002;
+  tyre.coefficients = read->coefficients;
+  const auto take = [&](std::string_view key, const std::optional<double>& number, Quantity& target) {
+    if (number && !find(value, key)) target = *number;
+  };
+  take("radius", read->coefficients[pac2002_index(kRadiusName)].value, tyre.radius);
+  take("stiffness", read->stiffness, tyre.stiffness);
+  take("damping", read->damping, tyre.damping);
+  take("rolling_resistance", read->rolling_resistance, tyre.rolling_resistance);
+  take("relaxation_x", read->relaxation_x, tyre.relaxation_x);
+  take("relaxation_y", read->relaxation_y, tyre.relaxation_y);
+  if (!find(value, "stiffness") && tyre.stiffness.value <= 0)
+    report(reader, file, "file has no VERTICAL_STIFFNESS above zero", "give the tyre its \"stiffness\"");
+}
+
+/// Coefficients stand in a set of the model or in a file.
+void check_source(Reader& reader, const Value& value) {
+  const Member *data = find_member(value, "data"), *tir = find_member(value, "tir");
+  if (!data && !tir) report(reader, value, "a tyre needs \"data\" or \"tir\"");
+  if (data && tir) report(reader, tir->place, "tyre has both \"data\" and \"tir\"");
+  if (data && !tir && !find(value, "stiffness")) report(reader, value, "key \"stiffness\" is missing");
+}
+
 void use_set(Reader& reader, const Value& value, const std::vector<CoefficientSet>& sets, TyreFields& tyre) {
-  const auto found = reader.names.tyre_data.find(tyre.data);
+  const auto found = find_visible(reader.names.tyre_data, tyre.data, current_scope(reader).visible);
   if (found == reader.names.tyre_data.end()) {
     const Value* data = find(value, "data");
     if (!data || data->kind != Value::Kind::text) return;
@@ -142,8 +173,13 @@ void read_tyres(Reader& reader, const Entries& tyre_data, const Entries& tyres) 
   }
   std::vector<TyreFields> list;
   read_list(reader, tyres, list, [&](Reader& r, const Value& value, TyreFields& tyre) {
+    check_source(r, value);
     check_tyre(r, value, tyre);
-    use_set(r, value, sets, tyre);
+    if (tyre.tir) {
+      use_file(r, value, tyre);
+    } else {
+      use_set(r, value, sets, tyre);
+    }
   });
   for (const TyreFields& tyre : list) reader.model.tyres.push_back(tyre);
 }

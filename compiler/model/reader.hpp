@@ -11,6 +11,7 @@
 #include "compiler/model/fields.hpp"
 #include "compiler/model/model.hpp"
 #include "compiler/model/names.hpp"
+#include "compiler/model/scopes.hpp"
 
 namespace mbgen::reading {
 
@@ -19,6 +20,23 @@ struct Reader {
   Problems problems;
   Model model;
   Names names;
+  std::vector<Scope> scopes = {Scope{}};  ///< the model, then its instances, each after the one that places it
+  std::size_t scope = 0;                  ///< whose text is being read
+};
+
+inline const Scope& current_scope(const Reader& reader) { return reader.scopes[reader.scope]; }
+
+/// Reads the text of a scope as long as it lives.
+class InScope {
+ public:
+  InScope(Reader& reader, std::size_t scope) : reader_(reader), before_(reader.scope) { reader.scope = scope; }
+  InScope(const InScope&) = delete;
+  InScope& operator=(const InScope&) = delete;
+  ~InScope() { reader_.scope = before_; }
+
+ private:
+  Reader& reader_;
+  std::size_t before_;
 };
 
 constexpr double kUnreadable = std::numeric_limits<double>::quiet_NaN();
@@ -38,7 +56,7 @@ inline bool suggests(const Reader& reader) { return reader.problems.size() < 100
 /// The name that was probably meant, as a hint.
 template <class Target>
 std::string suggestion(const Reader& reader, std::string_view word, const NameMap<Target>& names) {
-  return suggests(reader) ? did_you_mean(word, names) : std::string();
+  return suggests(reader) ? did_you_mean(word, names, current_scope(reader).visible) : std::string();
 }
 
 /// The member's value when it is there, else the object itself: where to complain about a field.
@@ -60,6 +78,9 @@ void read_value(Reader& reader, const Value& value, const FieldInfo& info, Law& 
 void read_value(Reader& reader, const Value& value, const FieldInfo& info, Pose& target);
 void read_value(Reader& reader, const Value& value, const FieldInfo& info, std::vector<std::array<double, 2>>& target);
 void read_value(Reader& reader, const Value& value, const FieldInfo& info, const Value*& target);
+
+/// factor * quantity.
+Quantity scaled(Reader& reader, double factor, const Quantity& quantity);
 
 /// Index into info.words, or -1.
 int read_word(Reader& reader, const Value& value, const FieldInfo& info);
@@ -152,9 +173,12 @@ bool read_fields(Reader& reader, const Value& value, Object& object) {
 
 /// One named object of a map of the model, from any of its files.
 struct Entry {
-  std::string name;
-  Place place;  ///< of the key
+  std::string name;     ///< in the model
+  std::string written;  ///< in its file
+  Place place;          ///< of the key
   const Value* value;
+  std::size_t scope = 0;
+  bool adds_points = false;  ///< to a body that another scope defines
 };
 using Entries = std::vector<Entry>;
 
@@ -163,6 +187,7 @@ using Entries = std::vector<Entry>;
 template <class Element, class Check>
 void read_list(Reader& reader, const Entries& entries, std::vector<Element>& list, Check check) {
   for (const Entry& entry : entries) {
+    const InScope in_scope(reader, entry.scope);
     Element element = with_defaults<Element>();
     element.name = entry.name;
     element.where = where_of(reader.documents, entry.place);
@@ -170,6 +195,42 @@ void read_list(Reader& reader, const Entries& entries, std::vector<Element>& lis
     list.push_back(std::move(element));
   }
 }
+
+// Instances.
+/// Reads a file, what it includes and the subsystems it places into reader.scopes. Result: false when names that it
+/// defines could not be read.
+bool load_files(Reader& reader, const std::string& file, std::string text);
+/// A file that another one names, and its canonical path.
+struct NamedFile {
+  std::string path, identity;
+};
+/// named: relative to the directory of `file`.
+NamedFile beside(const std::string& file, const std::string& named);
+/// A file of the model beside those that load_files reads, so that messages can point into it. Result: its index.
+std::size_t add_document(Reader& reader, const std::string& file, std::string text);
+/// Reads where the instances stand. Requires: parameters are read.
+void place_instances(Reader& reader);
+/// Whether a body of the current scope is one of what places it: it is connected, or ground.
+bool is_outer_body(const Reader& reader, std::string_view name);
+/// What the innermost scope that defines it, or the model, calls a body of the current scope.
+std::string find_outer_name(const Reader& reader, std::string_view name);
+/// Index of the body that the current scope calls so, or -1.
+int find_body(const Reader& reader, std::string_view name);
+/// Moves a body that the current scope defines to its place.
+void place_body(Reader& reader, Body& body);
+/// 1, or -1 in a mirrored instance.
+double handedness(const Placement& placement);
+/// A point of the current scope in the frame of its body.
+Vector3Quantity placed_point(Reader& reader, int body, const Vector3Quantity& written);
+/// An axis of the current scope in global axes, in the direction about which (along which) it counts positive: a
+/// mirrored rotation counts such that equal coordinates are mirrored motions, or keeps its direction.
+Vector3 placed_axis(const Reader& reader, int body, const Vector3& written, FreedomKind kind);
+/// Whether coordinates of this axis have the other sign than a mirrored motion.
+bool is_reversed(const Reader& reader, const Vector3& written, FreedomKind kind);
+/// Complains about a use of a coordinate inside a mirrored instance where it has the other sign.
+void refuse_reversed(Reader& reader, Place place, const CoordinateReference& coordinate);
+/// Turns the components of an applied force.
+void place_force(Reader& reader, AppliedForce& force);
 
 // The sections of a model, in the order in which they must be read: each knows the names of those before it.
 void read_parameters(Reader& reader, const Entries& entries);
@@ -186,11 +247,18 @@ void read_joint_forces(Reader& reader, const Entries& entries);
 void read_tyres(Reader& reader, const Entries& tyre_data, const Entries& tyres);
 void read_motions(Reader& reader, const Entries& entries);
 void read_outputs(Reader& reader, const Entries& entries);
-/// Files from the innermost include to the file asked for: the later value wins.
-void read_initial(Reader& reader, const std::vector<const Value*>& values);
-void read_solver(Reader& reader, const std::vector<const Value*>& values);
+/// A section that is one object, of one file.
+struct Part {
+  const Value* value;
+  std::size_t scope = 0;
+};
+/// Files from the innermost instance and include to the file asked for: the later value wins.
+void read_initial(Reader& reader, const std::vector<Part>& parts);
+void read_solver(Reader& reader, const std::vector<Part>& parts);
 
 // Geometry at the reference configuration.
+Matrix3 product(const Matrix3& a, const Matrix3& b);
+Matrix3 transposed(const Matrix3& a);
 Vector3 rotated(const Matrix3& rotation, const Vector3& vector);
 Vector3 cross(const Vector3& a, const Vector3& b);
 double dot(const Vector3& a, const Vector3& b);
@@ -199,8 +267,6 @@ double norm(const Vector3& a);
 double angle_between(const Vector3& a, const Vector3& b);
 /// Global position of a point at default parameters, m; NaN for an attachment that could not be read.
 Vector3 reference_position(const Model& model, const Attachment& attachment);
-/// Components of a body's direction in global axes; NaN when the body could not be read.
-Vector3 global_direction(const Model& model, int body, const Vector3& direction);
 /// "body.point" as the user writes it.
 std::string attachment_text(const Model& model, const Attachment& attachment);
 /// True for rotations. Requires: a valid reference.

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "compiler/model/csv_table.hpp"
 #include "compiler/model/raw.hpp"
 #include "compiler/model/reader.hpp"
 
@@ -11,16 +12,6 @@ namespace mbgen::reading {
 namespace {
 
 Matrix3 identity() { return {1, 0, 0, 0, 1, 0, 0, 0, 1}; }
-
-Matrix3 product(const Matrix3& a, const Matrix3& b) {
-  Matrix3 result{};
-  for (std::size_t row = 0; row < 3; ++row) {
-    for (std::size_t column = 0; column < 3; ++column) {
-      for (std::size_t k = 0; k < 3; ++k) result[3 * row + column] += a[3 * row + k] * b[3 * k + column];
-    }
-  }
-  return result;
-}
 
 /// Rotation by `angle` about a unit axis (Rodrigues).
 Matrix3 rotation_about(const Vector3& axis, double angle) {
@@ -30,6 +21,18 @@ Matrix3 rotation_about(const Vector3& axis, double angle) {
   return {c + x * x * d,     x * y * d - z * s, x * z * d + y * s,  //
           y * x * d + z * s, c + y * y * d,     y * z * d - x * s,  //
           z * x * d - y * s, z * y * d + x * s, c + z * z * d};
+}
+
+/// Points stand in the model or in a file, and columns belong to files.
+void check_table(Reader& reader, const Value& value) {
+  const Member *points = find_member(value, "table"), *csv = find_member(value, "csv");
+  if (!points && !csv) report(reader, value, "a table needs \"table\" or \"csv\"");
+  if (points && csv) report(reader, csv->place, "table has both \"table\" and \"csv\"");
+  for (const std::string_view key : {"x", "y"}) {
+    const Member* column = find_member(value, key);
+    if (column && !csv)
+      report(reader, column->place, fmt::format("a table without \"csv\" takes no {}", in_quotes(key)));
+  }
 }
 
 }  // namespace
@@ -56,37 +59,42 @@ void read_value(Reader& reader, const Value& value, const FieldInfo&, Attachment
     return;
   }
   const std::string body = value.text.substr(0, dot), point = value.text.substr(dot + 1);
-  const auto body_found = reader.names.bodies.find(body);
-  if (body_found == reader.names.bodies.end()) {
+  const int index = find_body(reader, body);
+  if (index < 0) {
     std::string hint = body == "ground" ? "give ground its points in bodies: \"ground\": { \"points\": { ... } }"
                                         : suggestion(reader, body, reader.names.bodies);
     report(reader, place_in_text(reader.documents, value, 0), "unknown body " + in_quotes(body), std::move(hint));
     return;
   }
-  const NameMap<int>& points = reader.names.points[static_cast<std::size_t>(body_found->second)];
-  const auto point_found = points.find(point);
+  const NameMap<int>& points = reader.names.points[static_cast<std::size_t>(index)];
+  const auto point_found = find_visible(points, point, current_scope(reader).visible);
   if (point_found == points.end()) {
-    if (reader.names.points_unreadable[static_cast<std::size_t>(body_found->second)]) return;
+    if (reader.names.points_unreadable[static_cast<std::size_t>(index)]) return;
     report(reader, place_in_text(reader.documents, value, dot + 1),
            fmt::format("body {} has no point {}", in_quotes(body), in_quotes(point)),
            suggestion(reader, point, points));
     return;
   }
-  target = {body_found->second, point_found->second};
+  target = {index, point_found->second};
 }
 
 CoordinateReference read_coordinate(Reader& reader, Place place, const std::string& name) {
-  const auto found = reader.names.coordinates.find(name);
-  if (found != reader.names.coordinates.end()) return found->second;
+  const Visibility& visible = current_scope(reader).visible;
+  if (const CoordinateReference* found = find_coordinate(reader.names, name, visible)) return *found;
   if (may_be_unreadable(reader.names, name)) return {};
-  const auto joint = reader.names.joints.find(name);
+  const auto joint = find_visible(reader.names.joints, name, visible);
   if (joint == reader.names.joints.end()) {
-    report(reader, place, "unknown coordinate " + in_quotes(name), suggestion(reader, name, reader.names.coordinates));
+    std::string hint = suggests(reader) ? did_you_mean(name, reader.names.coordinates[reader.scope]) : "";
+    report(reader, place, "unknown coordinate " + in_quotes(name), std::move(hint));
     return {};
   }
   std::string coordinates;
-  for (const Freedom& freedom : reader.model.joints[static_cast<std::size_t>(joint->second)].freedoms) {
-    coordinates += (coordinates.empty() ? "" : ", ") + freedom.name;
+  const int freedoms = static_cast<int>(reader.model.joints[static_cast<std::size_t>(joint->second)].freedoms.size());
+  for (int component = 0; component < freedoms; ++component) {
+    for (const auto& [coordinate, reference] : reader.names.coordinates[visible.front().scope]) {
+      if (reference == CoordinateReference{joint->second, component})
+        coordinates += (coordinates.empty() ? "" : ", ") + coordinate;
+    }
   }
   if (coordinates.empty()) {
     report(reader, place, fmt::format("joint {} is fixed and has no coordinate", in_quotes(name)));
@@ -134,6 +142,9 @@ void read_value(Reader& reader, const Value& value, const FieldInfo& info, Law& 
   }
   TableFields fields = with_defaults<TableFields>();
   read_fields(reader, value, fields);
+  check_table(reader, value);
+  if (fields.csv && find(value, "csv")->kind == Value::Kind::text)
+    fields.points = read_csv_table(reader, value, {fields.x, fields.y});
   Table table;
   table.interpolation = fields.interpolation;
   for (const auto& [x, y] : fields.points) {

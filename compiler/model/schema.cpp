@@ -29,7 +29,7 @@ Json shared_definitions() {
   const Json expression = {
       {"type", "string"}, {"minLength", 1}, {"description", "expression, for example \"2*k*sin(pi*t)\""}};
   const Json degrees = {{"type", "object"},
-                        {"properties", {{"deg", {{"type", "number"}}}}},
+                        {"properties", {{"deg", reference("quantity")}}},
                         {"required", {"deg"}},
                         {"additionalProperties", false},
                         {"description", "angle in degrees"}};
@@ -90,7 +90,10 @@ Json shape_of(const FieldInfo& info) {
     case Shape::points:
       return map_of(reference("vector"));
     case Shape::values:
+    case Shape::overrides:
       return map_of(reference("angle"));
+    case Shape::names:
+      return map_of({{"type", "string"}});
     case Shape::rotations:
       return either(reference(info.of), {{"type", "array"}, {"items", reference(info.of)}});
     case Shape::coefficients:
@@ -99,8 +102,6 @@ Json shape_of(const FieldInfo& info) {
                either(reference("quantity"), {{"type", "array"}, {"items", reference("quantity")}})}};
     case Shape::paths:
       return {{"type", "array"}, {"items", {{"type", "string"}}}};
-    case Shape::reserved:
-      return false;
   }
   return {};
 }
@@ -123,12 +124,15 @@ Json field_schema(const FieldInfo& info) {
 Json kind_schema(const ObjectKind& kind) {
   Json properties = Json::object(), required = Json::array();
   for (const FieldInfo& info : kind.fields) {
-    if (info.shape == Shape::reserved) continue;
     properties[std::string(info.name)] = field_schema(info);
     if (info.need == Need::required) required.push_back(info.name);
   }
   Json schema = {{"type", "object"}, {"description", kind.doc}, {"properties", properties}};
   if (!required.empty()) schema["required"] = required;
+  Json alternatives = Json::array();
+  for (const std::string_view name : kind.exactly_one) alternatives.push_back({{"required", Json::array({name})}});
+  if (!alternatives.empty()) schema["oneOf"] = alternatives;
+  for (const auto& [name, needed] : kind.needs) schema["dependentRequired"][std::string(name)] = Json::array({needed});
   schema["additionalProperties"] = false;
   return schema;
 }

@@ -11,6 +11,10 @@ namespace {
 constexpr std::array<std::string_view, 8> kJointTypes = {"revolute",  "prismatic", "cylindrical", "universal",
                                                          "spherical", "planar",    "free",        "fixed"};
 
+/// In the order of Mirror.
+constexpr std::array<std::string_view, 3> kMirrors = {"xz", "yz", "xy"};
+constexpr std::array<std::string_view, 2> kCoordinateSenses = {"mirrored", "parallel"};
+
 FieldInfo section(std::string_view name, std::string_view of, std::string_view doc) {
   return {.name = name, .shape = Shape::map, .doc = doc, .of = of};
 }
@@ -53,7 +57,52 @@ std::span<const Field<FileFields>> fields<FileFields>() {
       field<F, &F::outputs>(section("outputs", "output", "results to write at every step")),
       field<F, &F::initial>({.name = "initial", .shape = Shape::object, .doc = "state at the start", .of = "initial"}),
       field<F, &F::solver>({.name = "solver", .shape = Shape::object, .doc = "time integration", .of = "solver"}),
-      field<F, &F::instances>({.name = "instances", .shape = Shape::reserved}),
+      field<F, &F::instances>(section("instances", "instance", "subsystems: files that are placed in this one")),
+  };
+  return table;
+}
+
+template <>
+std::span<const Field<InstanceFields>> fields<InstanceFields>() {
+  using F = InstanceFields;
+  static const std::array table = {
+      field<F, &F::file>({.name = "file",
+                          .shape = Shape::text,
+                          .doc = "file of the subsystem, in the format of a model, relative to this file",
+                          .need = Need::required}),
+      field<F, &F::prefix>({.name = "prefix",
+                            .shape = Shape::text,
+                            .doc = "put before every name of the subsystem; default: the instance's name and _, or "
+                                   "nothing where a suffix is given"}),
+      field<F, &F::suffix>({.name = "suffix", .shape = Shape::text, .doc = "put after every name of the subsystem"}),
+      field<F, &F::connect>({.name = "connect",
+                             .shape = Shape::names,
+                             .doc = "bodies of the subsystem that are bodies of this file: its name here; the points "
+                                    "that the subsystem gives them are added to them"}),
+      field<F, &F::parameters>({.name = "parameters",
+                                .shape = Shape::overrides,
+                                .doc = "values for parameters of the subsystem, over parameters of this file",
+                                .depends = Depends::parameters,
+                                .angle = true}),
+      field<F, &F::mirror>({.name = "mirror",
+                            .shape = Shape::word,
+                            .doc = "plane of the subsystem's own axes that it is mirrored about, before it is turned "
+                                   "and moved; xz makes a right side of a left one",
+                            .words = kMirrors}),
+      field<F, &F::parallel>({.name = "coordinates",
+                              .shape = Shape::word,
+                              .doc = "what equal coordinates of a mirrored joint mean: mirrored motions (default), or "
+                                     "parallel ones: the axis keeps its direction",
+                              .words = kCoordinateSenses}),
+      field<F, &F::rotation>({.name = "rotation",
+                              .shape = Shape::rotations,
+                              .doc = "turn about the subsystem's origin: one rotation, or a list whose matrices are "
+                                     "multiplied left to right",
+                              .of = "rotation"}),
+      field<F, &F::offset>({.name = "offset",
+                            .shape = Shape::vector,
+                            .doc = "where the subsystem's origin stands, default [0, 0, 0]",
+                            .unit = "m"}),
   };
   return table;
 }

@@ -8,7 +8,7 @@ namespace mbgen::reading {
 namespace {
 
 constexpr std::array<std::string_view, 2> kIntegrators = {"rk4", "abm4"};
-constexpr std::array<std::string_view, 3> kLetters = {"x", "y", "z"};
+constexpr std::array<std::string_view, 3> kAxisLetters = {"x", "y", "z"};
 /// In the order of Quantities.
 constexpr std::array<std::string_view, 13> kQuantities = {"position",
                                                           "velocity",
@@ -27,8 +27,9 @@ constexpr std::array<std::string_view, 13> kQuantities = {"position",
 constexpr std::array<std::string_view, 2> kEnds = {"to", "from"};
 
 template <class Object>
-ObjectKind kind(std::string_view name, std::string_view doc) {
-  ObjectKind result{name, doc, {}};
+ObjectKind kind(std::string_view name, std::string_view doc, std::vector<std::string_view> exactly_one = {},
+                std::vector<std::pair<std::string_view, std::string_view>> needs = {}) {
+  ObjectKind result{name, doc, {}, std::move(exactly_one), std::move(needs)};
   for (const Field<Object>& row : fields<Object>()) result.fields.push_back(row.info);
   return result;
 }
@@ -85,7 +86,7 @@ std::span<const Field<OutputFields>> fields<OutputFields>() {
                   "(force, length, rate) or of the reaction (force, moment); default: the first of each",
            .words = kQuantities}),
       field<F, &F::axis>(
-          {.name = "axis", .shape = Shape::word, .doc = "component, for a point or reaction", .words = kLetters}),
+          {.name = "axis", .shape = Shape::word, .doc = "component, for a point or reaction", .words = kAxisLetters}),
       field<F, &F::in_body_axes>(
           {.name = "frame",
            .shape = Shape::word,
@@ -157,6 +158,7 @@ std::span<const Field<SolverSettings>> fields<SolverSettings>() {
 std::vector<ObjectKind> object_kinds() {
   return {
       kind<FileFields>("model", "a multibody system; SI units, angles in rad"),
+      kind<InstanceFields>("instance", "a subsystem: a file placed in this one"),
       kind<ParameterFields>("parameter", "a named constant"),
       kind<InputFields>("input", "a value given to the solver"),
       kind<BodyFields>("body", "a rigid body"),
@@ -171,14 +173,16 @@ std::vector<ObjectKind> object_kinds() {
       kind<AppliedForce>("force", "force and torque on a body"),
       kind<JointForce>("joint_force", "generalised force on a coordinate"),
       kind<TyreDataFields>("tyre_data", "coefficients of a tyre"),
-      kind<TyreFields>("tyre", "a tyre on a flat horizontal road"),
-      kind<MotionFields>("motion", "a driven coordinate; exactly one of angle and position"),
+      kind<TyreFields>("tyre", "a tyre on a flat horizontal road; exactly one of data and tir", {"data", "tir"},
+                       {{"data", "stiffness"}}),
+      kind<MotionFields>("motion", "a driven coordinate; exactly one of angle and position", {"angle", "position"}),
       kind<OutputFields>("output",
                          "a result; exactly one of expression, point, joint, tyre, spring, motion, reaction and "
-                         "multiplier"),
+                         "multiplier",
+                         {"expression", "point", "joint", "tyre", "spring", "motion", "reaction", "multiplier"}),
       kind<InitialFields>("initial", "state at the start"),
       kind<SolverSettings>("solver", "time integration"),
-      kind<TableFields>("table", "a characteristic by points"),
+      kind<TableFields>("table", "a characteristic by points, exactly one of table and csv", {"table", "csv"}),
   };
 }
 

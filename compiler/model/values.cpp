@@ -43,8 +43,9 @@ bool check_number(Reader& reader, const Value& value, const FieldInfo& info, dou
 
 /// The nodes of an expression text. Result: nothing when there were problems.
 std::optional<Expression> parse(Reader& reader, const Value& value, const FieldInfo& info) {
-  const ExpressionScope scope{reader.names, reader.model.parameters, reader.model.expressions, info.depends,
-                              info.locals,  suggests(reader)};
+  const Scope& place = current_scope(reader);
+  const ExpressionScope scope{reader.names, place.visible, reader.model.parameters, reader.model.expressions,
+                              info.depends, info.locals,   suggests(reader),        place.keeps_direction};
   ParsedExpression parsed = parse_expression(value.text, scope);
   for (ExpressionProblem& problem : parsed.problems) {
     report(reader, place_in_text(reader.documents, value, problem.offset), std::move(problem.message),
@@ -86,8 +87,12 @@ void read_degrees(Reader& reader, const Value& value, const FieldInfo& info, Qua
   const Value* degrees = find(value, "deg");
   if (!degrees || value.members.size() != 1) {
     wrong_type(reader, value, "an angle: a number or an expression in rad, or {\"deg\": number}");
+  } else if (degrees->kind == Value::Kind::text) {
+    Quantity quantity(kUnreadable);
+    read_expression(reader, *degrees, info, quantity);
+    target = scaled(reader, std::numbers::pi / 180, quantity);
   } else if (degrees->kind != Value::Kind::number) {
-    wrong_type(reader, *degrees, "a number of degrees");
+    wrong_type(reader, *degrees, "a number or an expression of degrees");
   } else if (check_number(reader, *degrees, info, degrees->number)) {
     target = degrees->number * std::numbers::pi / 180;
   }
@@ -127,8 +132,26 @@ void read_axis(Reader& reader, const Value& value, const FieldInfo& info, Vector
 
 }  // namespace
 
+Quantity scaled(Reader& reader, double factor, const Quantity& quantity) {
+  Quantity result(factor * quantity.value);
+  if (quantity.expression < 0) return result;
+  Expression expression = reader.model.expressions[static_cast<std::size_t>(quantity.expression)];
+  expression.text = fmt::format("{}*({})", factor, expression.text);
+  const int argument = static_cast<int>(expression.nodes.size()) - 1;
+  ExpressionNode number, call;
+  number.number = factor;
+  call.kind = ExpressionNode::Kind::call;
+  call.function = Function::multiply;
+  call.first = argument;
+  call.second = argument + 1;
+  expression.nodes.insert(expression.nodes.end(), {number, call});
+  reader.model.expressions.push_back(std::move(expression));
+  result.expression = static_cast<int>(reader.model.expressions.size()) - 1;
+  return result;
+}
+
 void report(Reader& reader, Place place, std::string message, std::string hint) {
-  reader.problems.push_back({place, std::move(message), std::move(hint)});
+  reader.problems.push_back({place, std::move(message), std::move(hint), current_scope(reader).path});
 }
 
 const Value& member_or_object(const Value& object, std::string_view key) {
@@ -147,8 +170,6 @@ bool check_keys(Reader& reader, const Value& value, const std::vector<const Fiel
     const auto row = std::find(known.begin(), known.end(), member.key);
     if (row == known.end()) {
       report(reader, member.place, "unknown key " + in_quotes(member.key), did_you_mean(member.key, known));
-    } else if (rows[static_cast<std::size_t>(row - known.begin())]->shape == Shape::reserved) {
-      report(reader, member.place, "key " + in_quotes(member.key) + " is not supported yet");
     }
   }
   for (const FieldInfo* row : rows) {

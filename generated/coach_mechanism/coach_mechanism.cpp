@@ -1,4 +1,4 @@
-// coach_mechanism, content hash 2678ee471f5fa604
+// coach_mechanism, content hash 736a3d9dded7669b
 // Made by `mbgen generate coach_mechanism.json`, mbgen 0.1.0. Change the model, not this file.
 #include "coach_mechanism.hpp"
 

@@ -1,0 +1,153 @@
+#include "compiler/model/csv_table.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <charconv>
+#include <cmath>
+#include <optional>
+
+#include "compiler/model/read_text.hpp"
+
+namespace mbgen::reading {
+namespace {
+
+/// A field of a line, without blanks and quotes around it.
+struct CsvField {
+  std::string_view text;
+  Place place;
+};
+
+std::string_view trimmed(std::string_view text) {
+  const std::size_t first = text.find_first_not_of(" \t\r");
+  if (first == std::string_view::npos) return {};
+  return text.substr(first, text.find_last_not_of(" \t\r") + 1 - first);
+}
+
+/// Fields of the line that starts at `start`. Quotes keep the commas between them.
+std::vector<CsvField> fields_of(const Document& document, std::uint32_t file, std::size_t start, std::size_t end) {
+  const std::string_view text = document.text;
+  std::vector<CsvField> fields;
+  bool quoted = false;
+  for (std::size_t at = start, from = start; at <= end; ++at) {
+    if (at < end && text[at] == '"') quoted = !quoted;
+    if (at < end && (quoted || text[at] != ',')) continue;
+    std::string_view field = trimmed(text.substr(from, at - from));
+    if (field.size() >= 2 && field.front() == '"' && field.back() == '"') field = field.substr(1, field.size() - 2);
+    const std::size_t offset = field.empty() ? from : static_cast<std::size_t>(field.data() - text.data());
+    fields.push_back({field, {file, static_cast<std::uint32_t>(offset)}});
+    from = at + 1;
+  }
+  return fields;
+}
+
+/// A heading without its unit.
+std::string_view name_of(std::string_view heading) {
+  const std::size_t bracket = heading.rfind('[');
+  return bracket == std::string_view::npos || !heading.ends_with(']') ? heading : trimmed(heading.substr(0, bracket));
+}
+
+std::optional<double> number_of(std::string_view text) {
+  if (text.starts_with('+')) text.remove_prefix(1);
+  double number = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+  if (error != std::errc() || end != text.data() + text.size() || !std::isfinite(number)) return std::nullopt;
+  return number;
+}
+
+/// Index of a named column; nothing with a complaint.
+std::optional<std::size_t> find_column(Reader& reader, const Value& table, std::string_view key,
+                                       const std::string& wanted, const std::vector<CsvField>& header) {
+  const std::size_t by_position = key == "x" ? 0 : 1;
+  if (wanted.empty()) {
+    if (by_position < header.size()) return by_position;
+    report(reader, header[0].place, "a table needs two columns, found one");
+    return std::nullopt;
+  }
+  std::vector<std::string_view> names;
+  for (std::size_t i = 0; i < header.size(); ++i) {
+    names.push_back(name_of(header[i].text));
+    if (header[i].text == wanted || names.back() == wanted) return i;
+  }
+  report(reader, *find(table, key), fmt::format("file has no column {}", in_quotes(wanted)),
+         did_you_mean(wanted, names));
+  return std::nullopt;
+}
+
+/// The number in a column of a line; nothing with a complaint.
+std::optional<double> number_in(Reader& reader, const std::vector<CsvField>& fields, std::size_t column) {
+  const CsvField& field = column < fields.size() ? fields[column] : fields.back();
+  if (column >= fields.size()) {
+    report(reader, field.place, fmt::format("line has {} fields, column {} is missing", fields.size(), column + 1));
+    return std::nullopt;
+  }
+  const std::optional<double> number = number_of(field.text);
+  if (!number || std::abs(*number) > kLargestNumber) {
+    report(reader, field.place, fmt::format("must be a number, got {}", in_quotes(field.text)),
+           "fields are separated by commas, numbers have a decimal point");
+    return std::nullopt;
+  }
+  return number;
+}
+
+}  // namespace
+
+const Document* open_beside(Reader& reader, const Value& value, std::string_view what, std::uint32_t& index) {
+  const std::string& file = reader.documents[value.place.file].file;
+  const NamedFile named = beside(file, value.text);
+  for (std::size_t i = 0; i < reader.documents.size(); ++i) {
+    if (reader.documents[i].identity != named.identity || reader.documents[i].parsed) continue;
+    index = static_cast<std::uint32_t>(i);
+    return &reader.documents[i];
+  }
+  FileText content = read_regular_file(named.path);
+  if (!content.problem.empty()) {
+    report(reader, value, fmt::format("{} {}: {}", what, in_quotes(value.text), content.problem));
+    return nullptr;
+  }
+  index = static_cast<std::uint32_t>(add_document(reader, named.path, std::move(content.text)));
+  Document& document = reader.documents[index];
+  document.identity = named.identity;
+  find_lines(document);
+  return &document;
+}
+
+std::vector<std::array<double, 2>> read_csv_table(Reader& reader, const Value& table, const CsvColumns& columns) {
+  std::uint32_t file = 0;
+  const Document* document = open_beside(reader, *find(table, "csv"), "table", file);
+  if (!document) return {};
+  std::vector<std::array<double, 2>> points;
+  std::optional<std::size_t> x, y;
+  std::vector<std::uint32_t> starts = document->line_starts;
+  starts.push_back(static_cast<std::uint32_t>(document->text.size() + 1));
+  for (std::size_t line = 0; line + 1 < starts.size(); ++line) {
+    const std::string_view text =
+        trimmed(std::string_view(document->text).substr(starts[line], starts[line + 1] - starts[line] - 1));
+    if (text.empty() || text.starts_with('#')) continue;
+    const std::vector<CsvField> fields = fields_of(*document, file, starts[line], starts[line + 1] - 1);
+    if (!x) {
+      x = find_column(reader, table, "x", columns.x, fields);
+      y = find_column(reader, table, "y", columns.y, fields);
+      if (!x || !y) return {};
+      if (number_of(fields[*x].text) && number_of(fields[*y].text)) {
+        report(reader, fields[0].place, "first line must hold the names of the columns, got numbers");
+        return {};
+      }
+      continue;
+    }
+    const std::optional<double> at = number_in(reader, fields, *x);
+    const std::optional<double> value = at ? number_in(reader, fields, *y) : std::nullopt;
+    if (!at || !value) return {};
+    if (!points.empty() && *at <= points.back()[0]) {
+      report(reader, fields[*x].place,
+             fmt::format("x of a table must increase, {} comes after {}", *at, points.back()[0]));
+      return {};
+    }
+    points.push_back({*at, *value});
+  }
+  if (points.size() < 2)
+    report(reader, *find(table, "csv"), fmt::format("table needs at least 2 rows of numbers, found {}", points.size()));
+  return points;
+}
+
+}  // namespace mbgen::reading
