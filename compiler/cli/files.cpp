@@ -156,4 +156,11 @@ void print(std::string_view text) {
   }
 }
 
+void write_or_print(const std::string& file, std::string_view text) {
+  if (file == "-") return print(text);
+  AtomicFile output(file);
+  output.write(text);
+  output.commit();
+}
+
 }  // namespace mbgen::cli

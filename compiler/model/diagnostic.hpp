@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -30,6 +31,9 @@ using Diagnostics = std::vector<Diagnostic>;
 
 /// A name as messages show it.
 inline std::string quoted(const std::string& name) { return '"' + name + '"'; }
+
+/// `did you mean "x"?` when a candidate is near a word; else the candidates when they are few; else empty.
+std::string did_you_mean(std::string_view word, const std::vector<std::string_view>& candidates);
 
 /// Text of one diagnostic as people read it, with a final newline.
 std::string to_text(const Diagnostic& diagnostic);

@@ -181,6 +181,7 @@ void read_sections(Reader& reader, const Files& files) {
   read_tyres(reader, tyre_data, entries(&FileFields::tyres));
   read_motions(reader, entries(&FileFields::motions));
   read_outputs(reader, entries(&FileFields::outputs));
+  read_shapes(reader, entries(&FileFields::shapes));
   read_initial(reader, all_of(files, &FileFields::initial));
   read_solver(reader, all_of(files, &FileFields::solver));
 }

@@ -186,6 +186,7 @@ void read_joint_forces(Reader& reader, const Entries& entries);
 void read_tyres(Reader& reader, const Entries& tyre_data, const Entries& tyres);
 void read_motions(Reader& reader, const Entries& entries);
 void read_outputs(Reader& reader, const Entries& entries);
+void read_shapes(Reader& reader, const Entries& entries);
 /// Files from the innermost include to the file asked for: the later value wins.
 void read_initial(Reader& reader, const std::vector<const Value*>& values);
 void read_solver(Reader& reader, const std::vector<const Value*>& values);

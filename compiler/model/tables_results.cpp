@@ -176,6 +176,7 @@ std::vector<ObjectKind> object_kinds() {
       kind<OutputFields>("output",
                          "a result; exactly one of expression, point, joint, tyre, spring, motion, reaction and "
                          "multiplier"),
+      kind<ShapeFields>("shape", "how a part of a body is drawn"),
       kind<InitialFields>("initial", "state at the start"),
       kind<SolverSettings>("solver", "time integration"),
       kind<TableFields>("table", "a characteristic by points"),
