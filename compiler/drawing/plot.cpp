@@ -29,7 +29,11 @@ struct Ticks {
 Ticks ticks_around(double low, double high, int wanted) {
   double width = high - low;
   const double size = std::max(std::abs(low), std::abs(high));
-  if (!(width > 1e-12 * size)) width = size > 0 ? 0.1 * size : 1;
+  if (!(width > 1e-12 * size)) {  // a constant stands in the middle
+    width = size > 0 ? 0.1 * size : 1;
+    low -= width / 2;
+    high += width / 2;
+  }
   const double raw = width / wanted, power = std::pow(10.0, std::floor(std::log10(raw)));
   const double ratio = raw / power;
   Ticks ticks;

@@ -14,12 +14,14 @@ using Json = nlohmann::ordered_json;
 
 /// Tyres are about so wide, in radii; the middles of twin tyres stand this far apart, in widths.
 constexpr double kTyreWidth = 0.56, kTwinGap = 1.12;
-/// Lighter than so many kg/m^3 a body's box of equal mass and inertia is a hull; of steel and iron it is a few thousand.
-constexpr double kHullDensity = 700;
+/// Heavier than so many kg and lighter than so many kg/m^3 a body's box of equal mass and inertia is a hull; of steel and iron it is a few thousand.
+constexpr double kHullMass = 50, kHullDensity = 700;
 /// Radius of a body's tubes over the largest distance of its points, and its bounds over the size of the model.
 constexpr double kTube = 0.05, kThinnest = 0.0016, kThickest = 0.011;
+/// Tubes inside a hull are thinner by this factor.
+constexpr double kInside = 0.4;
 /// Radii over the size of the model.
-constexpr double kRod = 0.0022, kDamper = 0.0032, kSpring = 0.0075, kJoint = 0.0038;
+constexpr double kRod = 0.0022, kDamper = 0.0032, kSpring = 0.0075, kSpringSlimness = 0.075, kJoint = 0.0022;
 
 Vector3 values(const Vector3Quantity& vector) { return {vector[0].value, vector[1].value, vector[2].value}; }
 
@@ -130,7 +132,7 @@ void add_tyres(const Model& model, const Tyre& tyre, Json& shapes) {
 /// The box of a body's mass and inertia, where its axes are the body's and it is far lighter than metal.
 void add_hull(const Body& body, Json& shapes) {
   const double mass = body.mass.value;
-  if (!(mass > 0)) return;
+  if (!(mass > kHullMass)) return;
   Vector3 size{};
   double volume = 1;
   for (int i = 0; i < 3; ++i) {
@@ -149,7 +151,7 @@ void add_tubes(const Body& body, const std::set<Vector3>& points, double size, J
   for (const Vector3& a : points) {
     for (const Vector3& b : points) largest = std::max(largest, distance(a, b));
   }
-  const double radius = std::clamp(kTube * largest, kThinnest * size, kThickest * size);
+  const double radius = std::clamp(kTube * largest, kThinnest * size, kThickest * size) * (shapes.empty() ? 1 : kInside);
   const auto add = [&](const Vector3& from, const Vector3& to) {
     if (distance(from, to) > radius / 2) {
       shapes.push_back({{"kind", "tube"}, {"from", from}, {"to", to}, {"radius", radius}});
@@ -184,6 +186,11 @@ Json bodies_json(const Model& model, double size) {
 
 Json end_json(const Model& model, const Attachment& at) { return {at.body, place_of(model, at)}; }
 
+double reference_length(const Model& model, const PointSpring& spring) {
+  const auto global = [&](const Attachment& at) { return to_global(model.bodies[at.body].pose, place_of(model, at)); };
+  return distance(global(spring.from), global(spring.to));
+}
+
 Json links_json(const Model& model, double size) {
   Json links = Json::array();
   std::set<std::array<int, 4>> taken;
@@ -206,7 +213,8 @@ Json links_json(const Model& model, double size) {
   }
   for (const PointSpring& spring : model.springs) {
     const bool is_damper = spring.damping.has_value(), is_spring = spring.stiffness || spring.force;
-    add(spring, is_damper && is_spring ? "strut" : is_damper ? "damper" : "spring", is_spring ? kSpring : kDamper);
+    add(spring, is_damper && is_spring ? "strut" : is_damper ? "damper" : "spring", 
+        is_spring ? std::max(kSpring, kSpringSlimness * reference_length(model, spring) / size) : kDamper);
   }
   return links;
 }

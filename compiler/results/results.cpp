@@ -33,6 +33,7 @@ int find_column(const Results& results, const std::string& name) {
 Result<Results> read_results(std::string_view bytes, const std::string& file) {
   using namespace results_detail;
   constexpr const char* kHint = "a result is what mbgen simulate writes";
+  if (bytes.empty()) return problem(file, 0, "the file is empty", kHint);
   Result<Results> results = is_mat(bytes) ? read_mat(bytes, file) : read_csv(bytes, file);
   if (!results) return results;
   const std::string& first = results->columns.front().heading.name;

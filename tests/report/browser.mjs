@@ -103,15 +103,15 @@ async function checkZoom(page) {
 }
 
 async function checkPicker(page) {
-  const count = () => page.locator(".plot").count();
-  const before = await count();
+  const becomes = (count) => page.waitForFunction((n) => document.querySelectorAll(".plot").length === n, count, { timeout: 5000 });
+  const before = await page.locator(".plot").count();
   await page.locator("#add-plot").click();
   await page.locator("#picker-filter").fill("z.");
   await page.locator("#picker-list label:visible input").first().check();
   await page.locator("#picker button.primary").click();
-  assert.equal(await count(), before + 1);
+  await becomes(before + 1);
   await page.locator(".plot").last().locator("button", { hasText: "Remove" }).click();
-  assert.equal(await count(), before);
+  await becomes(before);
 }
 
 async function checkCameras(page) {
@@ -142,9 +142,16 @@ try {
   await checkCameras(wide.page);
   const end = await wide.page.evaluate(() => window.mbgenReport.player.state.end);
   await wide.page.mouse.move(1, 1);
+  await wide.page.locator("#charts").evaluate((charts) => charts.scrollTo(0, 0));
   await seek(wide.page, 0.62 * end);
   await settle(wide.page);
   await wide.page.screenshot({ path: path.join(pictures, "report.png") });
+  await wide.page.locator("#followed").selectOption("bell_crank");
+  await wide.page.locator("#layers input[name=hulls]").uncheck();
+  await wide.page.locator("#view").focus();
+  for (const key of "wwwwddde") await wide.page.keyboard.press(key);
+  await settle(wide.page);
+  await wide.page.locator("#motion").screenshot({ path: path.join(pictures, "report_suspension.png") });
   await checkNothingIsLoaded(wide);
   await wide.close();
 

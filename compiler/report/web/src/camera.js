@@ -12,14 +12,15 @@ export function cameraNames(scene) {
   return scene.follow >= 0 ? ["follow", "chase", "beside the road", "from above"] : ["orbit", "from above"];
 }
 
-export function createCamera(scene, element, heading) {
+/** heading(): unit vector ahead in the plane of the ground; reach(): size of what is looked at, m. */
+export function createCamera(scene, element, heading, reach) {
   const up = new Vector3(...scene.up);
-  const camera = new PerspectiveCamera(kField, 1, 0.003 * scene.size, 60 * scene.size);
+  const camera = new PerspectiveCamera(kField, 1, 0.02 * scene.size, 40 * scene.size);
   camera.up.copy(up);
   const controls = new OrbitControls(camera, element);
   controls.enableDamping = false;
   controls.maxDistance = 12 * scene.size;
-  controls.minDistance = 0.02 * scene.size;
+  controls.minDistance = 0.05 * scene.size;
   controls.target.set(...scene.centre);
   let mode = cameraNames(scene)[0];
   const target = new Vector3(...scene.centre);
@@ -32,7 +33,7 @@ export function createCamera(scene, element, heading) {
 
   function place(angle, elevation, distance) {
     const direction = around(angle).multiplyScalar(Math.cos(elevation)).addScaledVector(up, Math.sin(elevation));
-    camera.position.copy(controls.target).addScaledVector(direction, distance * scene.size);
+    camera.position.copy(controls.target).addScaledVector(direction, distance * reach());
     controls.update();
   }
 
@@ -45,11 +46,11 @@ export function createCamera(scene, element, heading) {
     if (name === "from above") place(Math.PI, 1.5, 2.6);
     else if (name === "chase") place(Math.PI, 0.32, 1.9);
     else if (name === "beside the road") {
-      controls.target.copy(centre).addScaledVector(around(0), 1.6 * scene.size);
+      controls.target.copy(centre).addScaledVector(around(0), 1.6 * reach());
       place(-1.9, 0.3, 2.4);
       controls.target.copy(centre);
       controls.update();
-    } else place(0.72, 0.36, 1.95);
+    } else place(0.66, 0.3, 1.62);
   }
 
   /** Goes with the place to look at; in the chase with its heading too. */

@@ -18,10 +18,14 @@ function niceStep(size) {
 
 function gridLines(step, every) {
   const reach = kLines * step;
+  const piece = 4 * step;
   const places = [];
   for (let i = -kLines; i <= kLines; ++i) {
     if ((i % 5 === 0) !== every) continue;
-    places.push(i * step, -reach, 0, i * step, reach, 0, -reach, i * step, 0, reach, i * step, 0);
+    // In pieces: some rasterisers lose a line that passes behind the camera.
+    for (let from = -reach; from < reach; from += piece) {
+      places.push(i * step, from, 0, i * step, from + piece, 0, from, i * step, 0, from + piece, i * step, 0);
+    }
   }
   const geometry = new BufferGeometry();
   geometry.setAttribute("position", new BufferAttribute(new Float32Array(places), 3));
@@ -36,7 +40,9 @@ export function createGround(scene, height) {
   const step = niceStep(scene.size / 8);
   const group = new Group();
   group.quaternion.copy(turn);
-  const plane = new Mesh(new CircleGeometry(1.4 * kLines * step, 64), new MeshStandardMaterial({ roughness: 1, metalness: 0 }));
+  const plane = new Mesh(new CircleGeometry(1.4 * kLines * step, 64), new MeshStandardMaterial({
+    roughness: 1, metalness: 0, polygonOffset: true, polygonOffsetFactor: 2, polygonOffsetUnits: 2,
+  }));
   plane.receiveShadow = true;
   plane.position.z = -0.0008 * scene.size;
   const fine = new LineSegments(gridLines(step, false), new LineBasicMaterial({ transparent: true, opacity: 0.45 }));

@@ -3,23 +3,22 @@
 import { CatmullRomCurve3, CylinderGeometry, Group, LatheGeometry, Mesh, TubeGeometry, Vector2, Vector3 } from "three";
 import { alignY, ball, material } from "./shapes.js";
 
-const kCoils = 6;
-
 function part(geometry, surface) {
   const mesh = new Mesh(geometry, surface);
   mesh.castShadow = true;
   return mesh;
 }
 
-/** A coil of length 1 along y; stretched by its scale. */
-function coil(radius) {
+/** A coil of length 1 along y; stretched by its scale. length: at first, it decides how many turns there are. */
+function coil(radius, length) {
   const points = [];
-  const steps = kCoils * 14;
+  const turns = Math.min(14, Math.max(5, Math.round(length / (0.9 * radius))));
+  const steps = turns * 14;
   for (let i = 0; i <= steps; ++i) {
-    const angle = (2 * Math.PI * kCoils * i) / steps;
+    const angle = (2 * Math.PI * turns * i) / steps;
     points.push(new Vector3(radius * Math.cos(angle), 0.04 + (0.92 * i) / steps, radius * Math.sin(angle)));
   }
-  return part(new TubeGeometry(new CatmullRomCurve3(points), steps * 2, 0.14 * radius, 7), material("#c9912b"));
+  return part(new TubeGeometry(new CatmullRomCurve3(points), steps * 2, 0.15 * radius, 7), material("#c9912b"));
 }
 
 /** Folds of an air spring of length 1 along y. */
@@ -66,9 +65,9 @@ function stretched(mesh) {
 function parts(link, length) {
   const { kind, radius } = link;
   if (kind === "damper") return [damper(radius, length)];
-  if (kind === "spring") return [stretched(coil(radius))];
+  if (kind === "spring") return [stretched(coil(radius, length))];
   if (kind === "air_spring") return [stretched(bellows(radius))];
-  if (kind === "strut") return [stretched(coil(radius)), damper(0.42 * radius, length)];
+  if (kind === "strut") return [stretched(coil(radius, length)), damper(0.42 * radius, length)];
   const rod = cylinder(radius, 1, "#c2603a");
   return [{
     objects: [rod],
@@ -84,7 +83,7 @@ export function linkObject(link, length) {
   const group = new Group();
   const pieces = parts(link, length || 1e-6);
   pieces.forEach((piece) => group.add(...piece.objects));
-  const ends = [0, 1].map(() => ball([0, 0, 0], 1.25 * Math.min(link.radius, 0.05 * length || link.radius), material("#7b838c")));
+  const ends = [0, 1].map(() => ball([0, 0, 0], (link.kind === "rod" ? 1.3 : 0.5) * link.radius, material("#7b838c")));
   group.add(...ends);
   group.userData.layer = "links";
   const axis = new Vector3();

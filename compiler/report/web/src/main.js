@@ -49,6 +49,10 @@ function connectControls(player, view, data) {
   at("speed").addEventListener("change", () => player.setSpeed(Number(at("speed").value)));
   cameraNames(data.scene).forEach((name) => at("camera").append(option(name, name)));
   at("camera").addEventListener("change", () => view?.chooseCamera(at("camera").value));
+  if (data.scene.follow < 0) at("followed").append(option(-1, "the whole model"));
+  data.scene.bodies.forEach((body, i) => body.shapes.length > 0 && at("followed").append(option(i, body.name)));
+  at("followed").value = String(data.scene.follow);
+  at("followed").addEventListener("change", () => view?.followBody(Number(at("followed").value)));
   data.animations.forEach((animation, i) => at("animation").append(option(i, animation.name)));
   at("animation-choice").hidden = data.animations.length < 2;
   at("animation").addEventListener("change", () => {

@@ -92,7 +92,7 @@ function box({ at, size, hull }, surface, sceneSize) {
   const mesh = new Mesh(geometry, surface);
   if (seeThrough) {
     mesh.material = surface.clone();
-    Object.assign(mesh.material, { transparent: true, opacity: hull ? 0.2 : 0.42, depthWrite: false });
+    Object.assign(mesh.material, { transparent: true, opacity: hull ? 0.2 : 0.34, depthWrite: false });
     mesh.renderOrder = 2;
     mesh.castShadow = true;
   } else {

@@ -1,7 +1,7 @@
 // The animation: a scene in three.js, posed for the player's time.
 
 import {
-  AmbientLight, Color, DirectionalLight, Fog, HemisphereLight, PCFShadowMap, Quaternion, Scene, Vector3, WebGLRenderer,
+  AmbientLight, Box3, Color, DirectionalLight, Fog, HemisphereLight, PCFShadowMap, Quaternion, Scene, Vector3, WebGLRenderer,
 } from "three";
 import { cameraNames, createCamera } from "./camera.js";
 import { indexAt, poseOffset } from "./data.js";
@@ -80,32 +80,47 @@ export function createView(scene, animation, element) {
   sun.shadow.mapSize.set(2048, 2048);
   sun.shadow.radius = 3;
   sun.shadow.bias = -0.0006;
-  const reach = 0.8 * scene.size;
-  Object.assign(sun.shadow.camera, { left: -reach, right: reach, top: reach, bottom: -reach, near: 0.05 * scene.size, far: 6 * scene.size });
+  const lit = 0.8 * scene.size;
+  Object.assign(sun.shadow.camera, { left: -lit, right: lit, top: lit, bottom: -lit, near: 0.05 * scene.size, far: 6 * scene.size });
   const sky = new HemisphereLight("#ffffff", "#8a8f96", 1.35);
   sky.position.copy(up);
   world.add(sun, sun.target, sky, new AmbientLight("#ffffff", 0.25));
 
-  /** The middle of what the camera follows. */
+  /** The body that the camera follows, -1 for none, and what it looks at: a place in the body's frame. */
+  let follow = scene.follow;
+  let reach = scene.size;
   const centre = new Vector3();
   const middle = new Vector3();
-  if (scene.follow >= 0) {
-    const followed = bodies[scene.follow];
-    middle.set(...scene.centre).sub(followed.position).applyQuaternion(followed.quaternion.clone().invert());
+  function followBody(body) {
+    follow = body;
+    reach = scene.size;
+    if (body < 0) return;
+    const { position, quaternion } = bodies[body];
+    if (body === scene.follow) middle.set(...scene.centre);
+    else {
+      const box = new Box3().setFromObject(bodies[body]);
+      box.getCenter(middle);
+      reach = Math.max(0.22 * scene.size, 1.6 * box.getSize(new Vector3()).length());
+    }
+    middle.sub(position).applyQuaternion(quaternion.clone().invert());
   }
+  followBody(follow);
+  /** Where the vehicle heads, in the plane of the ground; without one the camera stands before a joint's axis. */
+  function headNow() {
+    if (scene.follow >= 0) heading.set(1, 0, 0).applyQuaternion(bodies[scene.follow].quaternion);
+    else if (pin) heading.set(...pin.axis).applyQuaternion(bodies[pin.body].quaternion).negate();
+    heading.addScaledVector(up, -heading.dot(up));
+    if (heading.lengthSq() < 0.25) heading.set(0, -1, 0);
+    heading.normalize();
+  }
+  const pin = scene.joints.find((joint) => joint.on_ground && joint.kind === "revolute");
+  headNow();
   function centreNow() {
-    if (scene.follow < 0) return centre.set(...scene.centre);
-    const followed = bodies[scene.follow];
-    heading.set(1, 0, 0).applyQuaternion(followed.quaternion);
-    heading.addScaledVector(up, -heading.dot(up)).normalize();
-    return centre.copy(middle).applyQuaternion(followed.quaternion).add(followed.position);
+    if (follow < 0) return centre.set(...scene.centre);
+    if (scene.follow >= 0) headNow();
+    return centre.copy(middle).applyQuaternion(bodies[follow].quaternion).add(bodies[follow].position);
   }
-  if (scene.follow < 0) {
-    // A mechanism that lies in a plane is looked at from its side.
-    heading.set(1, 0, 0).addScaledVector(up, -up.x).normalize();
-    if (heading.lengthSq() < 0.5) heading.set(0, 1, 0);
-  }
-  const viewer = createCamera(scene, renderer.domElement, () => heading);
+  const viewer = createCamera(scene, renderer.domElement, () => heading, () => reach);
 
   const names = document.createElement("div");
   names.className = "names";
@@ -207,6 +222,12 @@ export function createView(scene, animation, element) {
         : name === "hulls" ? bodies.some((body) => body.children.some((child) => child.userData.layer === "hulls")) : true),
     chooseCamera(name) {
       viewer.choose(name, centreNow());
+      isStale = true;
+    },
+    /** Follows another body, -1 for the whole model. */
+    followBody(body) {
+      followBody(body);
+      viewer.choose(viewer.mode(), centreNow());
       isStale = true;
     },
     orbit(...steps) {
