@@ -149,7 +149,7 @@ try {
   await wide.page.locator("#followed").selectOption("bell_crank");
   await wide.page.locator("#layers input[name=hulls]").uncheck();
   await wide.page.locator("#view").focus();
-  for (const key of "wwwwddde") await wide.page.keyboard.press(key);
+  for (const key of "wwaaaaaa") await wide.page.keyboard.press(key);
   await settle(wide.page);
   await wide.page.locator("#motion").screenshot({ path: path.join(pictures, "report_suspension.png") });
   await checkNothingIsLoaded(wide);
