@@ -162,6 +162,36 @@ TEST(Poses, AResultOfAnotherModelIsRefused) {
                         pendulum.topology.bodies[1].coordinate));
 }
 
+// By hand from the places of the spring's ends.
+TEST(Forces, AreThoseOfTheSpringsLaw) {
+  Case four_bar = a_case(model_of("four_bar.json"));
+  for (const TreeBody& body : four_bar.topology.bodies) {
+    four_bar.results.columns.push_back({{"zd." + body.coordinate, "rad/s"}, {0, 0, 0}});
+  }
+  const Json table = table_json(four_bar.source());
+  ASSERT_EQ(table["columns"].back()["group"], "force");
+  const std::string name = four_bar.model.springs[0].name;
+  EXPECT_EQ(table["columns"].back()["name"], name + ".force");
+  const GenericSolver solver(four_bar.model, four_bar.topology, four_bar.analysis);
+  GenericState state;
+  for (int i = 0; i < four_bar.topology.size(); ++i) state.z.push_back(four_bar.results.columns[i + 1].values[2]);
+  const std::vector<Pose> poses = solver.poses(state);
+  const PointSpring& spring = four_bar.model.springs[0];
+  Vector3 ends[2];
+  for (int e = 0; e < 2; ++e) {
+    const Attachment& at = e == 0 ? spring.from : spring.to;
+    const Pose& pose = poses[at.body];
+    const Vector3Quantity& local = four_bar.model.bodies[at.body].points[at.point].position;
+    for (int i = 0; i < 3; ++i) {
+      ends[e][i] = pose.origin[i];
+      for (int k = 0; k < 3; ++k) ends[e][i] += pose.rotation[3 * i + k] * local[k].value;
+    }
+  }
+  const double length = std::hypot(ends[1][0] - ends[0][0], ends[1][1] - ends[0][1], ends[1][2] - ends[0][2]);
+  const double force = std::get<Quantity>(*spring.stiffness).value * (length - spring.free_length->value);
+  EXPECT_NEAR(table["columns"].back()["last"].get<double>(), force + spring.preload.value, 1e-9 * std::abs(force));
+}
+
 std::size_t count_kind(const Json& shapes, const std::string& kind) {
   std::size_t count = 0;
   for (const Json& shape : shapes) count += shape["kind"] == kind ? 1 : 0;

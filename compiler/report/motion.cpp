@@ -9,6 +9,7 @@
 #include <cstring>
 #include <nlohmann/json.hpp>
 
+#include "compiler/report/forces.hpp"
 #include "runtime/generic/generic.hpp"
 
 namespace mbgen {
@@ -138,15 +139,22 @@ Json table_json(const ReportSource& source) {
   const std::vector<std::size_t> rows = kept_rows(columns.front().values, most);
   std::vector<float> numbers;
   Json list = Json::array();
-  for (const Column& column : columns) {
+  const auto describe = [&](const Column& column, const char* group) {
     const auto [low, high] = std::minmax_element(column.values.begin(), column.values.end());
     list.push_back({{"name", column.heading.name},
                     {"unit", column.heading.unit == "1" ? "" : column.heading.unit},
-                    {"group", list.empty() ? "time" : group_of(column.heading.name)},
+                    {"group", group},
                     {"smallest", *low},
                     {"largest", *high},
                     {"last", column.values.back()}});
+  };
+  for (const Column& column : columns) {
+    describe(column, list.empty() ? "time" : group_of(column.heading.name));
     for (const std::size_t row : rows) numbers.push_back(static_cast<float>(column.values[row]));
+  }
+  for (const Column& column : element_forces(source, rows)) {
+    describe(column, "force");
+    for (const double value : column.values) numbers.push_back(static_cast<float>(value));
   }
   return {{"rows", rows.size()}, {"all_rows", source.results.rows()}, {"columns", list}, {"data", base64(numbers)}};
 }

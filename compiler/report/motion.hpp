@@ -22,7 +22,8 @@ std::vector<std::size_t> kept_rows(const std::vector<double>& time, std::size_t 
 Result<nlohmann::ordered_json> motion_json(const ReportSource& source, const std::string& file);
 
 /// All columns: rows, per column name, unit, group (coordinate, velocity, output, residual), smallest, largest and last
-/// of all rows; data column by column.
+/// of all rows; data column by column. Behind them the forces of springs (group force), with extremes of the kept rows.
+/// Requires: the result has all coordinates.
 nlohmann::ordered_json table_json(const ReportSource& source);
 
 }  // namespace mbgen
