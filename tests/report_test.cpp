@@ -41,9 +41,7 @@ Case a_case(Model model, int rows = 3) {
   return {std::move(model), std::move(topology), std::move(analysis), std::move(results)};
 }
 
-Model model_of(const std::string& file) {
-  return *read_model_file(std::string(MBGEN_SOURCE_DIR) + "/models/" + file);
-}
+Model model_of(const std::string& file) { return *read_model_file(std::string(MBGEN_SOURCE_DIR) + "/models/" + file); }
 
 /// The numbers of a text in base64, decoded letter by letter.
 std::vector<float> decoded(const std::string& text) {

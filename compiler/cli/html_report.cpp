@@ -8,8 +8,8 @@
 
 #include "compiler/cli/commands.hpp"
 #include "compiler/cli/files.hpp"
-#include "compiler/cli/options.hpp"
 #include "compiler/cli/motion_table.hpp"
+#include "compiler/cli/options.hpp"
 #include "compiler/cli/result_file.hpp"
 #include "compiler/cli/user_error.hpp"
 #include "compiler/report/report.hpp"
@@ -24,8 +24,8 @@ struct HtmlReportOptions {
 /// What the run of a result says of its model. Fails: UserError when there is none, or it is of another table.
 nlohmann::json run_of(const Results& results, const std::string& path) {
   if (results.run.empty()) {
-    throw UserError(fmt::format("{}: nothing says which model this is of, {} is missing; give --model\n", path,
-                                run_file(path)));
+    throw UserError(
+        fmt::format("{}: nothing says which model this is of, {} is missing; give --model\n", path, run_file(path)));
   }
   const nlohmann::json run = nlohmann::json::parse(results.run, nullptr, false);
   const auto has = [&](const char* key, const auto& is_right) { return run.contains(key) && is_right(run[key]); };

@@ -47,8 +47,9 @@ void add_inspect(CLI::App& application, int& exit_code) {
   const auto options = std::make_shared<InspectOptions>();
   CLI::App* command = application.add_subcommand(
       "inspect", "show the tree, the loops, what is redundant, the coordinates and the operations of a model");
-  command->footer("Example: mbgen inspect models/coach_mechanism.json --json\n"
-                  "         mbgen inspect models/coach.json --svg coach.svg");
+  command->footer(
+      "Example: mbgen inspect models/coach_mechanism.json --json\n"
+      "         mbgen inspect models/coach.json --svg coach.svg");
   add_model_argument(*command, options->model);
   add_form_option(*command, options->form);
   add_json_option(*command, options->json);

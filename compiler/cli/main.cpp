@@ -21,8 +21,8 @@ int run(int argc, char** argv) {
   application.footer(
       "Each command explains itself: mbgen simulate --help\n"
       "Exit codes: 0 done, 1 the input is at fault, 2 mbgen is at fault.");
-  for (const auto add : {add_check, add_inspect, add_generate, add_export, add_simulate, add_plot, add_report, add_evaluate,
-                         add_equilibrium, add_linearize, add_bench, add_schema}) {
+  for (const auto add : {add_check, add_inspect, add_generate, add_export, add_simulate, add_plot, add_report,
+                         add_evaluate, add_equilibrium, add_linearize, add_bench, add_schema}) {
     add(application, exit_code);
   }
   try {

@@ -23,7 +23,8 @@ struct Curve {
 
 /// One frame of a plot.
 struct Panel {
-  std::string unit;  ///< of all its curves, "" for none: the label of the axis; N, N m, Pa, J and W take a prefix k or M
+  std::string
+      unit;  ///< of all its curves, "" for none: the label of the axis; N, N m, Pa, J and W take a prefix k or M
   std::vector<Curve> curves;
 };
 
@@ -33,8 +34,8 @@ struct PlotSize {
   int panel_height = 200;
 };
 
-/// Curves over time (s, increasing), panels below each other with one time axis; ticks at 1, 2 or 5 times a power of ten.
-/// Curves of many points are drawn with what shows at this size: the extremes of each column of pixels.
+/// Curves over time (s, increasing), panels below each other with one time axis; ticks at 1, 2 or 5 times a power of
+/// ten. Curves of many points are drawn with what shows at this size: the extremes of each column of pixels.
 std::string plot_svg(const std::vector<double>& time, const std::vector<Panel>& panels, const PlotSize& size = {});
 
 }  // namespace mbgen

@@ -212,9 +212,9 @@ std::string tree_line(const Sheet& sheet, const Row& row) {
   const Row& parent = sheet.rows[row.parent];
   const TreeJoint& joint = sheet.topology.tree_joints[row.joint];
   const double trunk = parent.x + 14, y = row.y + row.height / 2;
-  std::string text = fmt::format("<path d=\"M{} {}V{}H{}\" fill=\"none\" stroke=\"#7a8692\" stroke-width=\"1.4\"/>\n",
-                                 svg::number(trunk), svg::number(parent.y + parent.height), svg::number(y),
-                                 svg::number(row.x));
+  std::string text =
+      fmt::format("<path d=\"M{} {}V{}H{}\" fill=\"none\" stroke=\"#7a8692\" stroke-width=\"1.4\"/>\n",
+                  svg::number(trunk), svg::number(parent.y + parent.height), svg::number(y), svg::number(row.x));
   text += fmt::format("<g><title>joint {}{}</title>{}</g>\n", svg::escaped(sheet.model.joints[joint.joint].name),
                       joint.reversed ? ", held at its to side" : "",
                       svg::text_at(trunk + 8, y - 7, kind_at(sheet, row), " font-size=\"10\" fill=\"#4a5560\""));
@@ -254,7 +254,8 @@ std::string bracket_text(const Sheet& sheet, const Bracket& bracket) {
       svg::number(sheet.lane + svg::text_width(label, kSmallFont) + 3), svg::number(from), svg::number(track),
       svg::number(to), svg::number(lower.right()), colour, is_rod ? "1" : "2.4");
   for (const auto& [x, y] : {std::pair(upper.right(), from), std::pair(lower.right(), to)}) {
-    text += fmt::format("<circle cx=\"{}\" cy=\"{}\" r=\"2.6\" fill=\"{}\"/>\n", svg::number(x), svg::number(y), colour);
+    text +=
+        fmt::format("<circle cx=\"{}\" cy=\"{}\" r=\"2.6\" fill=\"{}\"/>\n", svg::number(x), svg::number(y), colour);
   }
   return text + svg::text_at(sheet.lane, from + 3.5, label,
                              fmt::format(" font-size=\"10\" fill=\"{}\" stroke=\"none\"", colour));
@@ -264,7 +265,8 @@ std::string bracket_text(const Sheet& sheet, const Bracket& bracket) {
 std::string legend(Sheet& sheet) {
   double y = sheet.height + 4, x = kMargin;
   const auto word = [&](const char* mark_text, const char* meaning) {
-    std::string text = fmt::format("<g transform=\"translate({} {})\">{}</g>\n", svg::number(x), svg::number(y), mark_text);
+    std::string text =
+        fmt::format("<g transform=\"translate({} {})\">{}</g>\n", svg::number(x), svg::number(y), mark_text);
     text += svg::text_at(x + 26, y + 4, meaning, " font-size=\"11\"");
     x += 44 + svg::text_width(meaning, 11);
     return text;
@@ -274,8 +276,9 @@ std::string legend(Sheet& sheet) {
   text += word("<circle cx=\"10\" r=\"4\" fill=\"#2d3742\" stroke=\"#2d3742\"/>", "independent");
   text += word("<circle cx=\"10\" r=\"4\" fill=\"#fff\" stroke=\"#2d3742\"/>", "dependent");
   text += word("<rect x=\"6\" y=\"-4\" width=\"8\" height=\"8\" fill=\"#d9822b\"/>", "driven");
-  text += word("<rect y=\"-6\" width=\"20\" height=\"12\" rx=\"3\" fill=\"#fff\" stroke=\"#2d3742\" stroke-dasharray=\"5 3\"/>",
-               "massless");
+  text += word(
+      "<rect y=\"-6\" width=\"20\" height=\"12\" rx=\"3\" fill=\"#fff\" stroke=\"#2d3742\" stroke-dasharray=\"5 3\"/>",
+      "massless");
   text += word("<path d=\"M0 0H20\" stroke=\"#4a5560\" stroke-width=\"2.4\"/>", "cut joint");
   text += word("<path d=\"M0 0H20\" stroke=\"#4a5560\"/>", "rod");
   for (std::size_t b = 0; b < sheet.topology.blocks.size(); ++b) {

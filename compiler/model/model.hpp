@@ -220,10 +220,10 @@ struct DisplayShape {
   std::string name;
   Where where;
   Kind kind = Kind::box;
-  Attachment from;          ///< corner of a box, end of a cylinder, centre of a sphere
-  Attachment to;            ///< opposite corner or other end, on the same body; none for a sphere
-  double radius = 0;        ///< m, of a cylinder or sphere
-  std::array<int, 3> rgb{}; ///< 0 to 255 each; used where has_colour
+  Attachment from;           ///< corner of a box, end of a cylinder, centre of a sphere
+  Attachment to;             ///< opposite corner or other end, on the same body; none for a sphere
+  double radius = 0;         ///< m, of a cylinder or sphere
+  std::array<int, 3> rgb{};  ///< 0 to 255 each; used where has_colour
   bool has_colour = false;
 };
 

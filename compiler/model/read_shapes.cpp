@@ -34,7 +34,8 @@ void check_shape(Reader& reader, const Value& value, ShapeFields& shape) {
   if (is_sphere && to) report(reader, *to, "a sphere has no other end");
   if (!is_sphere && !to) report(reader, value, fmt::format("a {} needs \"to\"", is_box ? "box" : "cylinder"));
   if (is_box && radius) report(reader, *radius, "a box has no radius");
-  if (!is_box && !radius) report(reader, value, fmt::format("a {} needs \"radius\"", is_sphere ? "sphere" : "cylinder"));
+  if (!is_box && !radius)
+    report(reader, value, fmt::format("a {} needs \"radius\"", is_sphere ? "sphere" : "cylinder"));
   if (is_sphere || !to || shape.from.body < 0 || shape.to.body < 0 || shape.from.body == shape.to.body) return;
   report(reader, *to,
          fmt::format("both points of a shape are on one body, {} is on another than {}",

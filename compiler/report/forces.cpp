@@ -42,12 +42,14 @@ Model watched(Model model) {
   model.outputs.clear();
   for (std::size_t s = 0; s < model.springs.size(); ++s) {
     if (depends_on_inputs(model, model.springs[s])) continue;
-    model.outputs.push_back({model.springs[s].name + ".force", {}, "N",
-                             SpringOutput{SpringOutput::What::force, static_cast<int>(s), -1}});
+    model.outputs.push_back(
+        {model.springs[s].name + ".force", {}, "N", SpringOutput{SpringOutput::What::force, static_cast<int>(s), -1}});
   }
   for (std::size_t s = 0; s < model.air_springs.size(); ++s) {
     if (depends_on_inputs(model, model.air_springs[s])) continue;
-    model.outputs.push_back({model.air_springs[s].name + ".force", {}, "N",
+    model.outputs.push_back({model.air_springs[s].name + ".force",
+                             {},
+                             "N",
                              SpringOutput{SpringOutput::What::force, -1, static_cast<int>(s)}});
   }
   return model;

@@ -35,8 +35,8 @@ Quaternion quaternion_of(const Matrix3& r) {
   const auto largest = std::max_element(squares.begin(), squares.end()) - squares.begin();
   const double twice = std::sqrt(std::max(0.0, squares[largest]));
   const double part = 0.5 / twice;
-  const std::array<double, 3> off = {r[7] - r[5], r[2] - r[6], r[3] - r[1]};            // 4 w (x, y, z)
-  const std::array<double, 3> sum = {r[5] + r[7], r[2] + r[6], r[1] + r[3]};            // 4 (yz, xz, xy)
+  const std::array<double, 3> off = {r[7] - r[5], r[2] - r[6], r[3] - r[1]};  // 4 w (x, y, z)
+  const std::array<double, 3> sum = {r[5] + r[7], r[2] + r[6], r[1] + r[3]};  // 4 (yz, xz, xy)
   Quaternion q{};
   q[largest] = 0.5 * twice;
   if (largest == 3) {

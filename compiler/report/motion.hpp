@@ -16,9 +16,9 @@ std::string base64(const std::vector<float>& numbers);
 /// enough, and no more than `most`.
 std::vector<std::size_t> kept_rows(const std::vector<double>& time, std::size_t most);
 
-/// An animation: name, kind "time", count, times (s) and poses: per time and body of the model seven numbers, origin (m)
-/// and unit quaternion x y z w. Other kinds of animation have the same poses (a mode: those of one period).
-/// Fails: see report_html.
+/// An animation: name, kind "time", count, times (s) and poses: per time and body of the model seven numbers, origin
+/// (m) and unit quaternion x y z w. Other kinds of animation have the same poses (a mode: those of one period). Fails:
+/// see report_html.
 Result<nlohmann::ordered_json> motion_json(const ReportSource& source, const std::string& file);
 
 /// All columns: rows, per column name, unit, group (coordinate, velocity, output, residual), smallest, largest and last

@@ -14,7 +14,8 @@ using Json = nlohmann::ordered_json;
 
 /// Tyres are about so wide, in radii; the middles of twin tyres stand this far apart, in widths.
 constexpr double kTyreWidth = 0.56, kTwinGap = 1.12;
-/// Heavier than so many kg and lighter than so many kg/m^3 a body's box of equal mass and inertia is a hull; of steel and iron it is a few thousand.
+/// Heavier than so many kg and lighter than so many kg/m^3 a body's box of equal mass and inertia is a hull; of steel
+/// and iron it is a few thousand.
 constexpr double kHullMass = 50, kHullDensity = 700;
 /// Radius of a body's tubes over the largest distance of its points, and its bounds over the size of the model.
 constexpr double kTube = 0.05, kThinnest = 0.0016, kThickest = 0.011;
@@ -151,7 +152,8 @@ void add_tubes(const Body& body, const std::set<Vector3>& points, double size, J
   for (const Vector3& a : points) {
     for (const Vector3& b : points) largest = std::max(largest, distance(a, b));
   }
-  const double radius = std::clamp(kTube * largest, kThinnest * size, kThickest * size) * (shapes.empty() ? 1 : kInside);
+  const double radius =
+      std::clamp(kTube * largest, kThinnest * size, kThickest * size) * (shapes.empty() ? 1 : kInside);
   const auto add = [&](const Vector3& from, const Vector3& to) {
     if (distance(from, to) > radius / 2) {
       shapes.push_back({{"kind", "tube"}, {"from", from}, {"to", to}, {"radius", radius}});
@@ -213,7 +215,10 @@ Json links_json(const Model& model, double size) {
   }
   for (const PointSpring& spring : model.springs) {
     const bool is_damper = spring.damping.has_value(), is_spring = spring.stiffness || spring.force;
-    add(spring, is_damper && is_spring ? "strut" : is_damper ? "damper" : "spring", 
+    add(spring,
+        is_damper && is_spring ? "strut"
+        : is_damper            ? "damper"
+                               : "spring",
         is_spring ? std::max(kSpring, kSpringSlimness * reference_length(model, spring) / size) : kDamper);
   }
   return links;
@@ -239,7 +244,9 @@ int body_to_follow(const Model& model) {
   int follow = -1;
   for (const Joint& joint : model.joints) {
     if (joint.type != JointType::free && joint.type != JointType::planar) continue;
-    const int body = joint.from.body == model.ground ? joint.to.body : joint.to.body == model.ground ? joint.from.body : -1;
+    const int body = joint.from.body == model.ground ? joint.to.body
+                     : joint.to.body == model.ground ? joint.from.body
+                                                     : -1;
     if (body >= 0 && (follow < 0 || model.bodies[body].mass.value > model.bodies[follow].mass.value)) follow = body;
   }
   return follow;

@@ -17,7 +17,8 @@
 namespace mbgen {
 namespace {
 
-static_assert(std::endian::native == std::endian::little, "MAT files are written in the order of a little-endian machine");
+static_assert(std::endian::native == std::endian::little,
+              "MAT files are written in the order of a little-endian machine");
 
 constexpr std::int32_t kDoubles = 0, kText = 51;  ///< little-endian doubles; text whose letters stand as bytes (P = 5)
 constexpr std::size_t kMostEntries = 1'000'000'000;
@@ -123,8 +124,8 @@ Result<Results> read_mat(std::string_view bytes, const std::string& file) {
     records[name] = record;
   }
   const Record data = records["data"], names = records["names"], units = records["units"], run = records["run"];
-  const bool fits = data.type == kDoubles && names.type == kText && units.type == kText &&
-                    names.rows == data.columns && units.rows == data.columns;
+  const bool fits = data.type == kDoubles && names.type == kText && units.type == kText && names.rows == data.columns &&
+                    units.rows == data.columns;
   if (!fits || data.columns == 0) return refuse();
   Results results;
   for (std::size_t c = 0; c < data.columns; ++c) {

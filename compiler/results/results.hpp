@@ -48,8 +48,9 @@ std::string mat_text(const Results& results);
 
 /// Reads a table that `mbgen simulate` wrote; its bytes say whether it is CSV or MAT. file: for messages.
 /// Ensures: every number is finite, time increases.
-/// Fails: a file without rows, a row of another length than the header, a field that is no finite number, time that does
-/// not increase or does not stand first, a heading that stands twice, a MAT file of another level, byte order or make.
+/// Fails: a file without rows, a row of another length than the header, a field that is no finite number, time that
+/// does not increase or does not stand first, a heading that stands twice, a MAT file of another level, byte order or
+/// make.
 Result<Results> read_results(std::string_view bytes, const std::string& file);
 
 }  // namespace mbgen

@@ -6,14 +6,16 @@ model=$(cd "$(dirname "$0")/../.." && pwd)/models/coach.json
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
 cd "$scratch"
-python3 -c 'import scipy.io' 2> /dev/null || { echo "skipped: no scipy (apt-get install python3-scipy)"; exit 77; }
+python=python3
+"$python" -c 'import scipy.io' 2> /dev/null || python=/usr/bin/python3  # another may hide Debian's
+"$python" -c 'import scipy.io' 2> /dev/null || { echo "skipped: no scipy (apt-get install python3-scipy)"; exit 77; }
 
 "$mbgen" simulate "$model" --duration 0.2 --step 1e-3 --engine generic --out coach.csv > summary_csv
 "$mbgen" simulate "$model" --duration 0.2 --step 1e-3 --engine generic --out coach.mat > summary_mat
 "$mbgen" simulate "$model" --duration 0.2 --step 1e-3 --engine generic --out coach.data --format mat > /dev/null
 cmp coach.mat coach.data
 [ ! -e coach.mat.run.json ] || { echo "a MAT file holds its run itself"; exit 1; }
-python3 - << 'END'
+"$python" - << 'END'
 import csv, json, math
 import scipy.io
 mat = scipy.io.loadmat("coach.mat")

@@ -26,8 +26,8 @@ macro(run what)
   execute_process(COMMAND ${ARGN} WORKING_DIRECTORY ${WORK} TIMEOUT 300 RESULT_VARIABLE failed
     OUTPUT_VARIABLE said ERROR_VARIABLE said)
   if(failed)
-    string(STRIP "${said}" said)
-    give_up("${what} failed (${failed}): ${said}")
+    string(STRIP "${what} failed (${failed}): ${said}" reason)
+    give_up("${reason}")
   endif()
 endmacro()
 
