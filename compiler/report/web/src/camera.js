@@ -12,8 +12,8 @@ export function cameraNames(scene) {
   return scene.follow >= 0 ? ["follow", "chase", "beside the road", "from above"] : ["orbit", "from above"];
 }
 
-/** heading(): unit vector ahead in the plane of the ground; reach(): size of what is looked at, m. */
-export function createCamera(scene, element, heading, reach) {
+/** looked: what is looked at, see target.js. */
+export function createCamera(scene, element, looked) {
   const up = new Vector3(...scene.up);
   const camera = new PerspectiveCamera(kField, 1, 0.02 * scene.size, 40 * scene.size);
   camera.up.copy(up);
@@ -28,12 +28,12 @@ export function createCamera(scene, element, heading, reach) {
 
   /** A direction in the plane of the ground, `angle` from the body's heading. */
   function around(angle) {
-    return heading().clone().applyAxisAngle(up, angle);
+    return looked.heading.clone().applyAxisAngle(up, angle);
   }
 
   function place(angle, elevation, distance) {
     const direction = around(angle).multiplyScalar(Math.cos(elevation)).addScaledVector(up, Math.sin(elevation));
-    camera.position.copy(controls.target).addScaledVector(direction, distance * reach());
+    camera.position.copy(controls.target).addScaledVector(direction, distance * looked.reach());
     controls.update();
   }
 
@@ -46,7 +46,7 @@ export function createCamera(scene, element, heading, reach) {
     if (name === "from above") place(Math.PI, 1.5, 2.6);
     else if (name === "chase") place(Math.PI, 0.32, 1.9);
     else if (name === "beside the road") {
-      controls.target.copy(centre).addScaledVector(around(0), 1.6 * reach());
+      controls.target.copy(centre).addScaledVector(around(0), 1.6 * looked.reach());
       place(-1.9, 0.3, 2.4);
       controls.target.copy(centre);
       controls.update();
@@ -70,7 +70,7 @@ export function createCamera(scene, element, heading, reach) {
   }
 
   function turnWith() {
-    const ahead = heading();
+    const ahead = looked.heading;
     if (yaw) {
       const angle = Math.atan2(new Vector3().crossVectors(yaw, ahead).dot(up), yaw.dot(ahead));
       const arm = new Vector3().subVectors(camera.position, controls.target).applyAxisAngle(up, angle);

@@ -85,7 +85,6 @@ export function linkObject(link, length) {
   pieces.forEach((piece) => group.add(...piece.objects));
   const ends = [0, 1].map(() => ball([0, 0, 0], (link.kind === "rod" ? 1.3 : 0.5) * link.radius, material("#7b838c")));
   group.add(...ends);
-  group.userData.layer = "links";
   const axis = new Vector3();
   return {
     group,

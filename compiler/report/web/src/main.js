@@ -5,7 +5,8 @@ import { createPicker } from "./picker.js";
 import { createPlayer } from "./player.js";
 import { createPlots, firstPlots } from "./plots.js";
 import { writeSummary } from "./summary.js";
-import { createView, kLayers } from "./view.js";
+import { createView } from "./view.js";
+import { kLayers } from "./world.js";
 import { cameraNames } from "./camera.js";
 
 const kSpeeds = [0.05, 0.1, 0.25, 0.5, 1, 2, 4];

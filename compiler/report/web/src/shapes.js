@@ -2,7 +2,7 @@
 
 import {
   BoxGeometry, CylinderGeometry, EdgesGeometry, Group, LatheGeometry, LineBasicMaterial, LineSegments, Mesh,
-  MeshStandardMaterial, Quaternion, SphereGeometry, Vector2, Vector3,
+  MeshStandardMaterial, SphereGeometry, Vector2, Vector3,
 } from "three";
 
 const kRound = 24; // sides of a cylinder
@@ -105,7 +105,7 @@ function box({ at, size, hull }, surface, sceneSize) {
   edges.renderOrder = 3;
   group.add(mesh, edges);
   group.position.set(...at);
-  group.userData.layer = seeThrough ? "hulls" : "bodies";
+  if (seeThrough) group.userData.layer = "hulls";
   return group;
 }
 
@@ -126,7 +126,6 @@ export function bodyGroup(body, index, sceneSize) {
   const group = new Group();
   const surface = material(bodyColour(index));
   body.shapes.forEach((shape) => group.add(shapeMesh(shape, surface, sceneSize)));
-  group.userData.name = body.name;
   return group;
 }
 
@@ -157,13 +156,3 @@ export function jointMark(joint, up) {
   group.position.set(...joint.at);
   return group;
 }
-
-/** Frees what the graphics card holds of an object. */
-export function dispose(object) {
-  object.traverse((part) => {
-    part.geometry?.dispose();
-    part.material?.dispose();
-  });
-}
-
-export { kUpOfCylinder, Quaternion };
