@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <filesystem>
 #include <iterator>
 
 #include "compiler/cli/simulation_text.hpp"
@@ -23,12 +22,6 @@ std::string csv_row(const std::vector<double>& values) {
   std::string line;
   for (const double value : values) fmt::format_to(std::back_inserter(line), "{}{}", line.empty() ? "" : ",", value);
   return line + "\n";
-}
-
-bool is_device(const std::string& path) {
-  std::error_code problem;
-  const auto status = std::filesystem::status(path, problem);
-  return !problem && std::filesystem::exists(status) && !std::filesystem::is_regular_file(status);
 }
 
 }  // namespace
@@ -68,7 +61,7 @@ void MotionTable::commit(const std::string& run) {
     results_.run = run;
     file_.write(mat_text(results_));
   }
-  const bool stands_alone = format_ == TableFormat::mat || is_device(path_);
+  const bool stands_alone = format_ == TableFormat::mat || is_special(path_);
   file_.commit();
   if (stands_alone) return;
   AtomicFile beside(run_file(path_));

@@ -12,10 +12,10 @@
 namespace mbgen {
 namespace {
 
-constexpr double kLeft = 78, kRight = 18, kTop = 34, kGap = 44, kFont = 12;
+constexpr double kLeft = 78, kRight = 18, kTop = 34, kGap = 44, kPlotFont = 12;
 /// Apart for people who see colours otherwise too (Okabe and Ito, darkened for thin lines on white).
-constexpr std::array<const char*, 8> kColours = {"#0b63a5", "#c8501e", "#00805d", "#a0447f",
-                                                 "#a87900", "#2b8fbf", "#4d4d4d", "#7a3fb0"};
+constexpr std::array<const char*, 8> kCurveColours = {"#0b63a5", "#c8501e", "#00805d", "#a0447f",
+                                                      "#a87900", "#2b8fbf", "#4d4d4d", "#7a3fb0"};
 
 /// Ticks of an axis: from `first` times `step`, `count` intervals.
 struct Ticks {
@@ -130,11 +130,11 @@ std::string legend(const Frame& frame, const Panel& panel, const std::string& un
   std::string text = svg::text_at(frame.left - 7, frame.top - 13, unit, " text-anchor=\"end\"");
   double x = frame.left;
   for (std::size_t c = 0; c < panel.curves.size(); ++c) {
-    const char* colour = kColours[c % kColours.size()];
+    const char* colour = kCurveColours[c % kCurveColours.size()];
     text += fmt::format("<path stroke=\"{}\" stroke-width=\"3\" d=\"M{} {}h16\"/>\n", colour, svg::number(x),
                         svg::number(frame.top - 17));
     text += svg::text_at(x + 21, frame.top - 13, panel.curves[c].label);
-    x += 40 + svg::text_width(panel.curves[c].label, kFont);
+    x += 40 + svg::text_width(panel.curves[c].label, kPlotFont);
   }
   return text;
 }
@@ -156,7 +156,8 @@ std::string panel_text(const std::vector<double>& time, const Panel& panel, cons
       path += fmt::format("{}{:.1f} {:.1f}", path.empty() ? "M" : "L", frame.left + x * frame.width,
                           frame.top + (1 - y) * frame.height);
     }
-    text += fmt::format("<path class=\"curve\" stroke=\"{}\" d=\"{}\"/>\n", kColours[c % kColours.size()], path);
+    text +=
+        fmt::format("<path class=\"curve\" stroke=\"{}\" d=\"{}\"/>\n", kCurveColours[c % kCurveColours.size()], path);
   }
   return text + fmt::format("<rect class=\"frame\" x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\"/>\n",
                             svg::number(frame.left), svg::number(frame.top), svg::number(frame.width),
@@ -172,7 +173,7 @@ std::string plot_svg(const std::vector<double>& time, const std::vector<Panel>& 
       "height=\"{}\" viewBox=\"0 0 {} {}\">\n<style>.grid{{stroke:#e2e2e2;fill:none}}.frame{{stroke:#888;fill:none}}"
       ".curve{{fill:none;stroke-width:1.5;stroke-linejoin:round}}</style>\n<rect width=\"100%\" height=\"100%\" "
       "fill=\"white\"/>\n",
-      kFont, size.width, svg::number(height), size.width, svg::number(height));
+      kPlotFont, size.width, svg::number(height), size.width, svg::number(height));
   constexpr int kTimeTicks = 8;
   Ticks times = ticks_around(time.front(), time.back(), kTimeTicks);
   Frame frame{kLeft, kTop, size.width - kLeft - kRight, static_cast<double>(size.panel_height)};

@@ -22,14 +22,16 @@ constexpr int kFewLevels = 10;
 struct BlockColours {
   const char *ground, *line;
 };
-constexpr std::array<BlockColours, 6> kColours = {{{"#e6f0fa", "#1f6fb2"},
-                                                   {"#fdeee2", "#b8560f"},
-                                                   {"#e5f4ea", "#1c7a43"},
-                                                   {"#f5e8f4", "#93428c"},
-                                                   {"#f8f3d8", "#80690a"},
-                                                   {"#e8eaec", "#4a5560"}}};
+constexpr std::array<BlockColours, 6> kBlockColours = {{{"#e6f0fa", "#1f6fb2"},
+                                                        {"#fdeee2", "#b8560f"},
+                                                        {"#e5f4ea", "#1c7a43"},
+                                                        {"#f5e8f4", "#93428c"},
+                                                        {"#f8f3d8", "#80690a"},
+                                                        {"#e8eaec", "#4a5560"}}};
 
-const BlockColours& colours_of(int block) { return kColours[static_cast<std::size_t>(block) % kColours.size()]; }
+const BlockColours& colours_of(int block) {
+  return kBlockColours[static_cast<std::size_t>(block) % kBlockColours.size()];
+}
 
 /// A body and its place in the picture.
 struct Row {
