@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
+#include <utility>
 
 #include "compiler/drawing/drawing.hpp"
 #include "compiler/drawing/svg.hpp"
@@ -91,6 +93,48 @@ std::vector<std::size_t> shown(const std::vector<double>& time, const std::vecto
   return points;
 }
 
+/// A place in the picture, px.
+struct Spot {
+  double x, y;
+};
+
+/// Distance of a place from the line through two others, or from the first where they are one.
+double off_line(const Spot& spot, const Spot& from, const Spot& to) {
+  const double dx = to.x - from.x, dy = to.y - from.y, length = std::hypot(dx, dy);
+  if (!(length > 0)) return std::hypot(spot.x - from.x, spot.y - from.y);
+  return std::abs((spot.x - from.x) * dy - (spot.y - from.y) * dx) / length;
+}
+
+/// A line of fewer places that leaves none of these by more than what an eye sees.
+/// Source: D. Douglas, T. Peucker, "Algorithms for the reduction of the number of points", Cartographica 10(2), 1973.
+std::vector<Spot> simplified(const std::vector<Spot>& spots) {
+  constexpr double kSeen = 0.1;  // px
+  std::vector<bool> is_kept(spots.size(), false);
+  is_kept.front() = is_kept.back() = true;
+  std::vector<std::pair<std::size_t, std::size_t>> spans = {{0, spots.size() - 1}};
+  while (!spans.empty()) {
+    const auto [first, last] = spans.back();
+    spans.pop_back();
+    std::size_t furthest = first;
+    double distance = kSeen;
+    for (std::size_t i = first + 1; i < last; ++i) {
+      const double off = off_line(spots[i], spots[first], spots[last]);
+      if (off <= distance) continue;
+      furthest = i;
+      distance = off;
+    }
+    if (furthest == first) continue;
+    is_kept[furthest] = true;
+    spans.emplace_back(first, furthest);
+    spans.emplace_back(furthest, last);
+  }
+  std::vector<Spot> kept;
+  for (std::size_t i = 0; i < spots.size(); ++i) {
+    if (is_kept[i]) kept.push_back(spots[i]);
+  }
+  return kept;
+}
+
 /// A number of a tick, with as many decimals as the step needs.
 std::string tick_text(const Ticks& ticks, int i) {
   const double value = (ticks.first + i) * ticks.step;
@@ -149,12 +193,15 @@ std::string panel_text(const std::vector<double>& time, const Panel& panel, cons
   std::string text = grid(frame, vertical, times, end, is_last) + legend(frame, panel, scale.unit);
   for (std::size_t c = 0; c < panel.curves.size(); ++c) {
     const std::vector<double>& values = panel.curves[c].values;
-    std::string path;
+    std::vector<Spot> spots;
     for (const std::size_t i : shown(time, values, static_cast<int>(frame.width))) {
       const double x = end > start ? (time[i] - start) / (end - start) : 0;
       const double y = (values[i] * scale.factor - vertical.low()) / (vertical.high() - vertical.low());
-      path += fmt::format("{}{:.1f} {:.1f}", path.empty() ? "M" : "L", frame.left + x * frame.width,
-                          frame.top + (1 - y) * frame.height);
+      spots.push_back({frame.left + x * frame.width, frame.top + (1 - y) * frame.height});
+    }
+    std::string path;
+    for (const Spot& spot : simplified(spots)) {
+      path += fmt::format("{}{:.1f} {:.1f}", path.empty() ? "M" : "L", spot.x, spot.y);
     }
     text +=
         fmt::format("<path class=\"curve\" stroke=\"{}\" d=\"{}\"/>\n", kCurveColours[c % kCurveColours.size()], path);
