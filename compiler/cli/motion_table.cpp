@@ -13,7 +13,10 @@ namespace {
 /// The header of a CSV file, with a line end.
 std::string csv_header(const std::vector<Column>& columns) {
   std::string line;
-  for (const Column& column : columns) line += (line.empty() ? "" : ",") + csv_field(heading_text(column.heading));
+  for (const Column& column : columns) {
+    if (!line.empty()) line += ',';
+    line += csv_field(heading_text(column.heading));
+  }
   return line + "\n";
 }
 
