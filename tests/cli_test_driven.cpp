@@ -273,8 +273,10 @@ TEST_F(Driven, EvaluatePrintsTheDrivingForces) {
 TEST_F(Driven, CoachIsSteeredByATable) {
   std::string text = text_of("models/coach.json");
   text = replaced(
-      text, "[\"coach_mechanism.json\", \"parts/coach_road.json\", \"tyres/",
-      fmt::format("[\"{0}/coach_mechanism.json\", \"{0}/parts/coach_road.json\", \"{0}/tyres/", source("models")));
+      text, "[\"coach_mechanism.json\", \"parts/coach_road.json\", \"parts/coach_shapes.json\", \"tyres/",
+      fmt::format("[\"{0}/coach_mechanism.json\", \"{0}/parts/coach_road.json\", \"{0}/parts/coach_shapes.json\", "
+                  "\"{0}/tyres/",
+                  source("models")));
   write("coach.json", text);
   text = replaced(text, R"j("steer_amplitude*sin(2*pi*steer_frequency*t)*(1 - exp(-(t/0.4)^2))")j", R"("steer")");
   write("steered.json", replaced(text, R"("motions": {)", R"("inputs": {

@@ -18,6 +18,8 @@ void add_generate(CLI::App& application, int& exit_code);
 void add_export(CLI::App& application, int& exit_code);
 void add_simulate(CLI::App& application, int& exit_code);
 void add_evaluate(CLI::App& application, int& exit_code);
+void add_plot(CLI::App& application, int& exit_code);
+void add_report(CLI::App& application, int& exit_code);
 void add_equilibrium(CLI::App& application, int& exit_code);
 void add_linearize(CLI::App& application, int& exit_code);
 void add_bench(CLI::App& application, int& exit_code);

@@ -30,13 +30,6 @@ std::filesystem::path behind_links(const std::filesystem::path& path) {
   return problem ? path : target;
 }
 
-/// Whether a path is a device, pipe or socket, which no file may replace.
-bool is_special(const std::filesystem::path& path) {
-  std::error_code problem;
-  const std::filesystem::file_status status = std::filesystem::status(path, problem);
-  return !problem && std::filesystem::exists(status) && !std::filesystem::is_regular_file(status);
-}
-
 void make_directories(const std::filesystem::path& path) {
   std::error_code problem;
   std::filesystem::create_directories(path, problem);
@@ -46,6 +39,12 @@ void make_directories(const std::filesystem::path& path) {
 }
 
 }  // namespace
+
+bool is_special(const std::filesystem::path& path) {
+  std::error_code problem;
+  const std::filesystem::file_status status = std::filesystem::status(path, problem);
+  return !problem && std::filesystem::exists(status) && !std::filesystem::is_regular_file(status);
+}
 
 std::string read_text(const std::filesystem::path& path) {
   std::FILE* stream = std::fopen(path.c_str(), "rb");
@@ -154,6 +153,13 @@ void print(std::string_view text) {
   if (std::fwrite(text.data(), 1, text.size(), stdout) != text.size() || std::fflush(stdout) != 0) {
     throw UserError(fmt::format("standard output: cannot write: {}\n", std::strerror(errno)));
   }
+}
+
+void write_or_print(const std::string& file, std::string_view text) {
+  if (file == "-") return print(text);
+  AtomicFile output(file);
+  output.write(text);
+  output.commit();
 }
 
 }  // namespace mbgen::cli

@@ -15,6 +15,9 @@ std::string read_text(const std::filesystem::path& path);
 /// Fails: UserError when `output` is one of the files that are read: writing would destroy it.
 void require_other_file(const std::filesystem::path& output, const std::vector<std::string>& inputs);
 
+/// Whether a path is a device, pipe or socket, which no file may replace.
+bool is_special(const std::filesystem::path& path);
+
 /// A file that appears under its name when it is complete: written beside it as `.NAME.XXXXXX` until `commit`, which is
 /// all that a process killed before leaves behind. A symbolic link stays one; devices and pipes are written directly.
 class AtomicFile {
@@ -66,5 +69,8 @@ void write_files(const std::filesystem::path& directory, const std::vector<Named
 
 /// Writes to standard output. Fails: UserError when it does not take the text.
 void print(std::string_view text);
+
+/// Writes a file whole, or to standard output where its name is "-". Fails: UserError.
+void write_or_print(const std::string& file, std::string_view text);
 
 }  // namespace mbgen::cli

@@ -9,6 +9,7 @@
 #include "compiler/cli/files.hpp"
 #include "compiler/cli/number.hpp"
 #include "compiler/cli/user_error.hpp"
+#include "compiler/results/results.hpp"
 
 namespace mbgen::cli {
 namespace {
@@ -27,37 +28,6 @@ std::string_view trimmed(std::string_view text) {
   const std::size_t first = text.find_first_not_of(" \t\r");
   if (first == std::string_view::npos) return {};
   return text.substr(first, text.find_last_not_of(" \t\r") + 1 - first);
-}
-
-/// Fields of a line, without the blanks around them and the quotes.
-std::vector<std::string> fields_of(std::string_view text) {
-  std::vector<std::string> fields(1);
-  bool quoted = false;
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    if (text[i] == '"') {
-      const bool doubled = quoted && i + 1 < text.size() && text[i + 1] == '"';
-      if (doubled) fields.back() += text[i++];
-      if (!doubled) quoted = !quoted;
-    } else if (text[i] == ',' && !quoted) {
-      fields.emplace_back();
-    } else {
-      fields.back() += text[i];
-    }
-  }
-  for (std::string& field : fields) field = trimmed(field);
-  return fields;
-}
-
-/// A field of the header: `name [unit]` or `name`.
-struct Heading {
-  std::string name, unit;
-};
-
-Heading heading_of(const std::string& field) {
-  const std::size_t bracket = field.rfind('[');
-  if (bracket == std::string::npos || field.back() != ']') return {field, ""};
-  return {std::string(trimmed(std::string_view(field).substr(0, bracket))),
-          field.substr(bracket + 1, field.size() - bracket - 2)};
 }
 
 void check_unit(const Line& line, const Heading& heading, const std::string& unit) {
@@ -126,9 +96,9 @@ InputTable parse_input_table(const std::string& text, const std::string& path, c
     rest.remove_prefix(std::min(length + 1, rest.size()));
     if (trimmed(content).empty()) continue;
     if (table.columns.empty()) {
-      read_header(line, fields_of(content), model, table);
+      read_header(line, csv_fields(content), model, table);
     } else {
-      read_row(line, fields_of(content), model, table);
+      read_row(line, csv_fields(content), model, table);
     }
   }
   if (table.t.empty()) throw UserError(fmt::format("{}: the table has no rows\n", path));

@@ -10,6 +10,7 @@
 #include "compiler/cli/report.hpp"
 #include "compiler/cli/user_error.hpp"
 #include "compiler/compile.hpp"
+#include "compiler/drawing/drawing.hpp"
 
 namespace mbgen::cli {
 namespace {
@@ -18,7 +19,7 @@ namespace {
 constexpr int kMostBodiesCounted = 200;
 
 struct InspectOptions {
-  std::string model, form, dump;
+  std::string model, form, dump, svg;
   bool json = false;
 };
 
@@ -28,6 +29,12 @@ int run(const InspectOptions& options) {
     return kDone;
   }
   Compilation compilation = expect(compile(options.model, chosen_form(options.form)));
+  if (!options.svg.empty()) {
+    const std::string drawing = topology_svg(compilation.model, compilation.topology, compilation.analysis);
+    require_other_file(options.svg, compilation.model.files);
+    write_or_print(options.svg, drawing);
+    return kDone;
+  }
   if (compilation.topology.size() <= kMostBodiesCounted) count_savings(compilation);
   const nlohmann::ordered_json report = make_report(compilation);
   print(options.json ? json_text(report) : report_text(report));
@@ -40,10 +47,13 @@ void add_inspect(CLI::App& application, int& exit_code) {
   const auto options = std::make_shared<InspectOptions>();
   CLI::App* command = application.add_subcommand(
       "inspect", "show the tree, the loops, what is redundant, the coordinates and the operations of a model");
-  command->footer("Example: mbgen inspect models/coach_mechanism.json --json");
+  command->footer(
+      "Example: mbgen inspect models/coach_mechanism.json --json\n"
+      "         mbgen inspect models/coach.json --svg coach.svg");
   add_model_argument(*command, options->model);
   add_form_option(*command, options->form);
   add_json_option(*command, options->json);
+  command->add_option("--svg", options->svg, "draw the topology into this file; - for standard output");
   add_dump_option(*command, options->dump);
   command->callback([options, &exit_code] { exit_code = run(*options); });
 }

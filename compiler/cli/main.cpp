@@ -34,8 +34,8 @@ int run(int argc, char** argv) {
       "Each command explains itself: mbgen simulate --help\n"
       "Exit codes: 0 done, 1 the input is at fault, 2 mbgen is at fault.");
   for (const auto add :
-       {add_new, add_check, add_explain, add_inspect, add_generate, add_export, add_simulate, add_evaluate,
-        add_equilibrium, add_linearize, add_bench, add_schema, add_completion, add_manual}) {
+       {add_new, add_check, add_explain, add_inspect, add_generate, add_export, add_simulate, add_plot, add_report,
+        add_evaluate, add_equilibrium, add_linearize, add_bench, add_schema, add_completion, add_manual}) {
     add(application, exit_code);
   }
   try {

@@ -4,52 +4,6 @@
 
 namespace mbgen::cli {
 
-const char* name_of(FreedomKind kind) { return kind == FreedomKind::revolute ? "revolute" : "prismatic"; }
-
-const char* name_of(JointType type) {
-  switch (type) {
-    case JointType::revolute:
-      return "revolute";
-    case JointType::prismatic:
-      return "prismatic";
-    case JointType::cylindrical:
-      return "cylindrical";
-    case JointType::universal:
-      return "universal";
-    case JointType::spherical:
-      return "spherical";
-    case JointType::planar:
-      return "planar";
-    case JointType::free:
-      return "free";
-    case JointType::fixed:
-      return "fixed";
-  }
-  return "unknown";
-}
-
-const char* name_of(ClosureKind kind) {
-  switch (kind) {
-    case ClosureKind::spherical:
-      return "spherical";
-    case ClosureKind::revolute:
-      return "revolute";
-    case ClosureKind::prismatic:
-      return "prismatic";
-    case ClosureKind::universal:
-      return "universal";
-    case ClosureKind::cylindrical:
-      return "cylindrical";
-    case ClosureKind::planar:
-      return "planar";
-    case ClosureKind::fixed:
-      return "fixed";
-    case ClosureKind::rod:
-      return "rod";
-  }
-  return "unknown";
-}
-
 const char* name_of(SolverSettings::Integrator integrator) {
   return integrator == SolverSettings::Integrator::rk4 ? "rk4" : "abm4";
 }

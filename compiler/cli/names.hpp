@@ -1,5 +1,5 @@
 #pragma once
-// Names for people: of kinds, bodies, coordinates and programs.
+// Names for people: of methods, bodies, coordinates and programs.
 
 #include <string>
 #include <vector>
@@ -11,9 +11,6 @@
 
 namespace mbgen::cli {
 
-const char* name_of(FreedomKind kind);
-const char* name_of(JointType type);
-const char* name_of(ClosureKind kind);
 const char* name_of(SolverSettings::Integrator integrator);
 const char* name_of(Stabilisation stabilisation);
 

@@ -9,6 +9,7 @@
 #include "compiler/cli/commands.hpp"
 #include "compiler/cli/files.hpp"
 #include "compiler/cli/initial_state.hpp"
+#include "compiler/cli/motion_table.hpp"
 #include "compiler/cli/options.hpp"
 #include "compiler/cli/progress.hpp"
 #include "compiler/cli/simulation.hpp"
@@ -25,7 +26,7 @@ constexpr double kWholeSteps = 1e-9;
 constexpr double kMostSteps = 1e12;
 
 struct SimulateOptions {
-  std::string model, form, file, integrator, input_table;
+  std::string model, form, file, format, integrator, input_table;
   std::optional<double> duration, step;
   long every = 0;
   EngineArguments engine;
@@ -69,39 +70,6 @@ long decimation(const SimulateOptions& options, long steps) {
   return options.every > 0 ? options.every : (steps + kRows - 3) / (kRows - 2);
 }
 
-/// The table: points on their way to the file.
-class TableWriter {
- public:
-  TableWriter(const std::string& path, const Compilation& compilation, long every) : file_(path), every_(every) {
-    file_.write(csv_header(compilation));
-  }
-  void add(const Sample& sample) {
-    is_written_ = sample.step % every_ == 0;
-    if (is_written_) {
-      write(sample);
-    } else {
-      last_ = sample;
-    }
-  }
-  /// Gives the file its name; the last point is always written. Result: rows.
-  long commit() {
-    if (!is_written_) write(last_);
-    file_.commit();
-    return rows_;
-  }
-
- private:
-  void write(const Sample& sample) {
-    file_.write(csv_row(sample));
-    ++rows_;
-  }
-  AtomicFile file_;
-  long every_;
-  long rows_ = 0;
-  bool is_written_ = true;
-  Sample last_;
-};
-
 int run(const SimulateOptions& options) {
   const Compilation compilation = expect(compile(options.model, chosen_form(options.form)));
   require_other_file(options.file, compilation.model.files);
@@ -110,7 +78,8 @@ int run(const SimulateOptions& options) {
   const InputsOverTime inputs = inputs_over_time(compilation.model, options.engine.inputs, options.input_table);
   EngineChoice choice = chosen_engine(options.engine);
   choice.integrator = integrator_of(options.integrator, compilation.model.solver.integrator, choice.name);
-  TableWriter table(options.file, compilation, decimation(options, settings.steps));
+  MotionTable table(options.file, table_format(options.format, options.file), compilation,
+                    decimation(options, settings.steps));
   const Engine engine = make_engine(compilation, choice);
   const GenericState start = initial_state(compilation, inputs.at(0));
 
@@ -120,7 +89,8 @@ int run(const SimulateOptions& options) {
     progress.show(sample.step);
   });
   progress.clear();
-  const SimulationRecord record{compilation, choice, settings, summary, options.file, table.commit()};
+  const SimulationRecord record{compilation, choice, settings, summary, options.file, table.finish()};
+  table.commit(run_json(record));
   print(options.json ? summary_json(record) : summary_text(record));
   if (summary.status.ok()) return kDone;
   fmt::print(stderr, "simulate: stopped after t = {} s: {}; {} holds the motion up to there\n", summary.end_time,
@@ -132,11 +102,12 @@ int run(const SimulateOptions& options) {
 
 void add_simulate(CLI::App& application, int& exit_code) {
   const auto options = std::make_shared<SimulateOptions>();
-  CLI::App* command = application.add_subcommand("simulate", "compute a motion, write it as a table (CSV)");
+  CLI::App* command = application.add_subcommand("simulate", "compute a motion, write it as a table (CSV or MAT)");
   command->footer(
       "Example: mbgen simulate models/coach.json --duration 5 --step 1e-3 --out coach.csv\n"
       "Prints a summary; the file appears when it is complete. When the motion cannot go on, the file holds\n"
       "what there is, standard error says why, and the exit code is 1.\n"
+      "Beside a CSV file FILE.run.json says which run it is of, for mbgen report; a MAT file holds that itself.\n"
       "Inputs keep their values (--input), or follow a table (--input-table steer.csv), whose header names them:\n"
       "  t [s],steer [rad],torque [N m]\n"
       "An input with a derivative among the inputs continues with it; where the table has no column for the\n"
@@ -144,7 +115,8 @@ void add_simulate(CLI::App& application, int& exit_code) {
   add_model_argument(*command, options->model);
   command->add_option("--duration", options->duration, "s (default: the model's)");
   command->add_option("--step", options->step, "s, shortened to divide the duration (default: the model's)");
-  command->add_option("--out", options->file, "table of the motion (CSV)")->required();
+  command->add_option("--out", options->file, "table of the motion")->required();
+  command->add_option("--format", options->format, "csv or mat (level 4) (default: by the ending of --out)");
   command->add_option("--integrator", options->integrator,
                       "rk4 or abm4 (default: the model's; Cartesian engines: rk4 only)");
   command->add_option("--every", options->every,

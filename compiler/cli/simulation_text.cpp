@@ -4,7 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <iterator>
+#include <filesystem>
 #include <nlohmann/json.hpp>
 
 #include "compiler/cli/json_text.hpp"
@@ -13,16 +13,7 @@
 namespace mbgen::cli {
 namespace {
 
-/// A field of a CSV file, quoted where it has to be (RFC 4180).
-std::string csv_field(const std::string& text) {
-  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
-  std::string quoted = "\"";
-  for (const char letter : text) {
-    if (letter == '"') quoted += '"';
-    quoted += letter;
-  }
-  return quoted + "\"";
-}
+using Json = nlohmann::ordered_json;
 
 std::string unit_or_one(const std::string& unit) { return unit.empty() ? "1" : unit; }
 
@@ -60,8 +51,8 @@ std::string blocks_text(const SimulationRecord& record) {
   return text;
 }
 
-nlohmann::ordered_json blocks_json(const SimulationRecord& record) {
-  nlohmann::ordered_json blocks = nlohmann::ordered_json::array();
+Json blocks_json(const SimulationRecord& record) {
+  Json blocks = Json::array();
   for (std::size_t b = 0; b < record.summary.blocks.size(); ++b) {
     const BlockEvents& block = record.summary.blocks[b];
     if (!met_something(block)) continue;
@@ -74,31 +65,56 @@ nlohmann::ordered_json blocks_json(const SimulationRecord& record) {
   return blocks;
 }
 
-}  // namespace
-
-std::string csv_header(const Compilation& compilation) {
-  std::string line = "t [s]";
-  for (const TreeBody& body : compilation.topology.bodies) {
-    line += fmt::format(",z.{} [{}]", body.coordinate, unit_of(body.kind));
+/// What a run gave, the same on every machine and at every time.
+Json results_json(const SimulationRecord& record) {
+  const SimulationSummary& summary = record.summary;
+  Json outputs = Json::object();
+  for (std::size_t i = 0; i < summary.outputs.size(); ++i) {
+    const Range& range = summary.outputs[i];
+    outputs[record.compilation.model.outputs[i].name] = {
+        {"smallest", range.smallest}, {"largest", range.largest}, {"last", range.last}};
   }
-  for (const TreeBody& body : compilation.topology.bodies) {
-    line += fmt::format(",zd.{} [{}]", body.coordinate, body.kind == FreedomKind::revolute ? "rad/s" : "m/s");
-  }
-  for (const Output& output : compilation.model.outputs) {
-    line += ',';
-    line += csv_field(fmt::format("{} [{}]", output.name, unit_or_one(output.unit)));
-  }
-  return line + ",residual [m]\n";
+  return {{"model", record.compilation.model.name},
+          {"engine", record.choice.name},
+          {"integrator", name_of(record.choice.integrator)},
+          {"stabilisation", name_of(record.choice.stabilisation)},
+          {"steps", summary.steps},
+          {"step", record.settings.step},
+          {"end_time", summary.end_time},
+          {"status", describe(record.compilation, summary.status)},
+          {"blocks", blocks_json(record)},
+          {"position_residual", summary.largest.position},
+          {"velocity_residual", summary.largest.velocity},
+          {"energy_change", summary.energy.change},
+          {"work", summary.energy.work},
+          {"energy_error", summary.energy.error()},
+          {"relative_energy_error", relative(summary.energy)},
+          {"outputs", outputs},
+          {"rows", record.rows}};
 }
 
-std::string csv_row(const Sample& sample) {
-  std::string line = fmt::format("{}", sample.state.t);
-  const auto append = [&line](double value) { fmt::format_to(std::back_inserter(line), ",{}", value); };
-  for (const double value : sample.state.z) append(value);
-  for (const double value : sample.state.zd) append(value);
-  for (const double value : sample.outputs.y) append(value);
-  append(sample.residuals.position);
-  return line + "\n";
+}  // namespace
+
+std::vector<Heading> headings(const Compilation& compilation) {
+  std::vector<Heading> result = {{"t", "s"}};
+  for (const TreeBody& body : compilation.topology.bodies) {
+    result.push_back({"z." + body.coordinate, unit_of(body.kind)});
+  }
+  for (const TreeBody& body : compilation.topology.bodies) {
+    result.push_back({"zd." + body.coordinate, fmt::format("{}/s", unit_of(body.kind))});
+  }
+  for (const Output& output : compilation.model.outputs) result.push_back({output.name, unit_or_one(output.unit)});
+  result.push_back({"residual", "m"});
+  return result;
+}
+
+std::vector<double> table_row(const Sample& sample) {
+  std::vector<double> row = {sample.state.t};
+  for (const auto* values : {&sample.state.z, &sample.state.zd, &sample.outputs.y}) {
+    row.insert(row.end(), values->begin(), values->end());
+  }
+  row.push_back(sample.residuals.position);
+  return row;
 }
 
 std::string summary_text(const SimulationRecord& record) {
@@ -136,37 +152,24 @@ std::string summary_text(const SimulationRecord& record) {
 }
 
 std::string summary_json(const SimulationRecord& record) {
-  using Json = nlohmann::ordered_json;
+  Json report = results_json(record);
   const SimulationSummary& summary = record.summary;
-  Json outputs = Json::object();
-  for (std::size_t i = 0; i < summary.outputs.size(); ++i) {
-    const Range& range = summary.outputs[i];
-    outputs[record.compilation.model.outputs[i].name] = {
-        {"smallest", range.smallest}, {"largest", range.largest}, {"last", range.last}};
-  }
-  const Json report = {{"model", record.compilation.model.name},
-                       {"engine", record.choice.name},
-                       {"integrator", name_of(record.choice.integrator)},
-                       {"stabilisation", name_of(record.choice.stabilisation)},
-                       {"steps", summary.steps},
-                       {"step", record.settings.step},
-                       {"end_time", summary.end_time},
-                       {"status", describe(record.compilation, summary.status)},
-                       {"blocks", blocks_json(record)},
-                       {"solver_seconds", summary.solver_seconds},
-                       {"wall_seconds", summary.wall_seconds},
-                       {"real_time_factor", real_time_factor(record, summary.solver_seconds)},
-                       {"real_time_factor_with_outputs", real_time_factor(record, summary.wall_seconds)},
-                       {"position_residual", summary.largest.position},
-                       {"velocity_residual", summary.largest.velocity},
-                       {"energy_change", summary.energy.change},
-                       {"work", summary.energy.work},
-                       {"energy_error", summary.energy.error()},
-                       {"relative_energy_error", relative(summary.energy)},
-                       {"outputs", outputs},
-                       {"file", record.file},
-                       {"rows", record.rows}};
+  report.update({{"solver_seconds", summary.solver_seconds},
+                 {"wall_seconds", summary.wall_seconds},
+                 {"real_time_factor", real_time_factor(record, summary.solver_seconds)},
+                 {"real_time_factor_with_outputs", real_time_factor(record, summary.wall_seconds)},
+                 {"file", record.file}});
   return json_text(report);
+}
+
+std::string run_json(const SimulationRecord& record) {
+  const Model& model = record.compilation.model;
+  const std::filesystem::path directory = std::filesystem::path(record.file).parent_path();
+  Json run = {{"mbgen_run", 1},
+              {"model_file", std::filesystem::proximate(model.file, directory.empty() ? "." : directory).string()},
+              {"model_hash", model.hash}};
+  run.update(results_json(record));
+  return json_text(run);
 }
 
 }  // namespace mbgen::cli

@@ -2,16 +2,18 @@
 // A motion as text: the table's header and rows, and the summary.
 
 #include <string>
+#include <vector>
 
 #include "compiler/cli/simulation.hpp"
+#include "compiler/results/results.hpp"
 
 namespace mbgen::cli {
 
-/// Names and units of all columns, `name [unit]`, with a line end: t, coordinates, velocities, outputs, residual.
-std::string csv_header(const Compilation& compilation);
+/// Names and units of all columns: t, coordinates, velocities, outputs, residual.
+std::vector<Heading> headings(const Compilation& compilation);
 
-/// The numbers of one point, shortest form that reads back the same, with a line end.
-std::string csv_row(const Sample& sample);
+/// The numbers of one point, in the order of the headings.
+std::vector<double> table_row(const Sample& sample);
 
 /// A finished simulation.
 struct SimulationRecord {
@@ -28,5 +30,9 @@ std::string summary_text(const SimulationRecord& record);
 
 /// The same for machines.
 std::string summary_json(const SimulationRecord& record);
+
+/// What stands beside or in a table so that `report` finds the model: its file seen from the table's directory, its
+/// hash, and the summary without what changes from run to run.
+std::string run_json(const SimulationRecord& record);
 
 }  // namespace mbgen::cli

@@ -1,6 +1,8 @@
-# Writes a C++ file that holds the given files as string literals: cmake -DSOURCE= -DOUTPUT= -DFILES=a,b -P embed.cmake
+# Writes a C++ file that holds the given files as string literals:
+#   cmake -DSOURCE= -DOUTPUT= -DFILES=a,b -DHEADER= -DTYPE= -DFUNCTION= -P embed.cmake
+# HEADER declares TYPE, a struct of path and text, and FUNCTION, which returns a const std::vector<TYPE>&.
 string(REPLACE "," ";" FILES "${FILES}")
-set(text "#include \"compiler/emit/embedded.hpp\"\n\nnamespace mbgen {\n\nconst std::vector<EmbeddedFile>& embedded_files() {\n  static const std::vector<EmbeddedFile> files = {\n")
+set(text "#include \"${HEADER}\"\n\nnamespace mbgen {\n\nconst std::vector<${TYPE}>& ${FUNCTION}() {\n  static const std::vector<${TYPE}> files = {\n")
 foreach(file ${FILES})
   file(READ ${SOURCE}/${file} content)
   # Split in pieces: a literal may not be longer than 64 kB on every compiler.

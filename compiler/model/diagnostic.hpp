@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -37,6 +38,8 @@ int marked_length(const std::string& line, int column);
 
 /// For files and pipes, or for terminals.
 enum class Style { plain, coloured };
+/// `did you mean "x"?` when a candidate is near a word; else the candidates when they are few; else empty.
+std::string did_you_mean(std::string_view word, const std::vector<std::string_view>& candidates);
 
 /// Text of one diagnostic as people read it, with a final newline.
 std::string to_text(const Diagnostic& diagnostic, Style style = Style::plain);

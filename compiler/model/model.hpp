@@ -47,6 +47,10 @@ enum class FreedomKind { revolute, prismatic };
 /// Of a coordinate.
 constexpr const char* unit_of(FreedomKind kind) { return kind == FreedomKind::revolute ? "rad" : "m"; }
 
+/// As the model format writes them.
+const char* name_of(JointType type);
+const char* name_of(FreedomKind kind);
+
 /// One elementary freedom of a joint, in the order the joint applies them (from the `from` body to the `to` body).
 struct Freedom {
   std::string name;  ///< name of the coordinate, for example "chassis_rz"
@@ -209,6 +213,20 @@ struct Tyre {
   Quantity low_speed;                   ///< m/s, below it slip is damped so that the wheel comes to rest
 };
 
+/// How pictures show a body or a part of it; it has no effect on the motion. A box has its edges along the axes of the
+/// body's frame.
+struct DisplayShape {
+  enum class Kind { box, cylinder, sphere };
+  std::string name;
+  Where where;
+  Kind kind = Kind::box;
+  Attachment from;           ///< corner of a box, end of a cylinder, centre of a sphere
+  Attachment to;             ///< opposite corner or other end, on the same body; none for a sphere
+  double radius = 0;         ///< m, of a cylinder or sphere
+  std::array<int, 3> rgb{};  ///< 0 to 255 each; used where has_colour
+  bool has_colour = false;
+};
+
 /// A driven coordinate: z(t) prescribed; first and second derivatives come from the expression.
 struct Motion {
   std::string name;
@@ -339,6 +357,7 @@ struct Model {
   std::vector<Tyre> tyres;
   std::vector<Motion> motions;
   std::vector<Output> outputs;
+  std::vector<DisplayShape> shapes;
   Initial initial;
   SolverSettings solver;
 };

@@ -28,16 +28,25 @@ int edit_distance(std::string_view a, std::string_view b) {
   return row[b.size()];
 }
 
+bool may_be_unreadable(const Names& names, std::string_view coordinate) {
+  return std::any_of(names.unreadable_joints.begin(), names.unreadable_joints.end(),
+                     [&](const std::string& joint) { return coordinate.starts_with(joint); });
+}
+
+}  // namespace mbgen::reading
+
+namespace mbgen {
+
 std::string did_you_mean(std::string_view word, const std::vector<std::string_view>& candidates) {
   constexpr std::size_t kMostSearched = 2000, kMostListed = 8;
-  if (candidates.empty() || candidates.size() > kMostSearched || word.size() > 2 * kLongestName) return {};
+  if (candidates.empty() || candidates.size() > kMostSearched || word.size() > 2 * reading::kLongestName) return {};
   const int size = static_cast<int>(word.size());
   const int near = std::min(std::max(1, size / 3), size - 1);  // one letter is not like another
   int best = near + 1;
   std::string_view nearest;
   for (const std::string_view candidate : candidates) {
     if (std::abs(static_cast<int>(candidate.size()) - size) > near) continue;
-    const int distance = edit_distance(word, candidate);
+    const int distance = reading::edit_distance(word, candidate);
     if (distance >= best) continue;
     best = distance;
     nearest = candidate;
@@ -48,6 +57,10 @@ std::string did_you_mean(std::string_view word, const std::vector<std::string_vi
   for (std::size_t i = 0; i < candidates.size(); ++i) known += (i ? ", " : "") + std::string(candidates[i]);
   return known;
 }
+
+}  // namespace mbgen
+
+namespace mbgen::reading {
 
 std::string full_name(const Level& level, std::string_view name) {
   return level.before + std::string(name) + level.after;
@@ -69,11 +82,6 @@ const CoordinateReference* find_coordinate(const Names& names, std::string_view 
     if (const auto found = coordinates.find(name); found != coordinates.end()) return &found->second;
   }
   return nullptr;
-}
-
-bool may_be_unreadable(const Names& names, std::string_view coordinate) {
-  return std::any_of(names.unreadable_joints.begin(), names.unreadable_joints.end(),
-                     [&](const std::string& joint) { return coordinate.starts_with(joint); });
 }
 
 }  // namespace mbgen::reading

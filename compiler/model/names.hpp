@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "compiler/model/diagnostic.hpp"
 #include "compiler/model/expression.hpp"
 
 namespace mbgen::reading {
@@ -22,8 +23,7 @@ bool is_valid_name(std::string_view name);
 /// Insertions, deletions, replacements and swaps of neighbours between two words. Cost: product of the lengths.
 int edit_distance(std::string_view a, std::string_view b);
 
-/// `did you mean "x"?` when a candidate is near; else the candidates when they are few; else empty.
-std::string did_you_mean(std::string_view word, const std::vector<std::string_view>& candidates);
+using mbgen::did_you_mean;
 
 template <class Target>
 using NameMap = std::map<std::string, Target, std::less<>>;

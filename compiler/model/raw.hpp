@@ -18,7 +18,7 @@ struct FileFields {
   const Value *parameters = nullptr, *inputs = nullptr, *bodies = nullptr, *joints = nullptr, *rods = nullptr;
   const Value *springs = nullptr, *joint_springs = nullptr, *frictions = nullptr, *air_springs = nullptr;
   const Value *forces = nullptr, *joint_forces = nullptr, *tyre_data = nullptr, *tyres = nullptr, *motions = nullptr;
-  const Value *outputs = nullptr, *initial = nullptr, *solver = nullptr, *instances = nullptr;
+  const Value *outputs = nullptr, *shapes = nullptr, *initial = nullptr, *solver = nullptr, *instances = nullptr;
 };
 
 /// Planes that a subsystem is mirrored about.
@@ -115,6 +115,11 @@ struct OutputFields {
   std::optional<Quantities> quantity;
   std::optional<Letter> axis;
   std::optional<bool> in_body_axes;
+};
+
+struct ShapeFields : DisplayShape {
+  std::optional<double> written_radius;
+  std::string colour;
 };
 
 struct InitialFields {

@@ -155,6 +155,7 @@ void read_sections(Reader& reader) {
   read_tyres(reader, tyre_data, entries(&FileFields::tyres));
   read_motions(reader, entries(&FileFields::motions));
   read_outputs(reader, entries(&FileFields::outputs));
+  read_shapes(reader, entries(&FileFields::shapes));
   read_initial(reader, initial_parts(reader));
   read_solver(reader, parts_of(reader, 0, &FileFields::solver));
 }

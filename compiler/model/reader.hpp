@@ -247,6 +247,7 @@ void read_joint_forces(Reader& reader, const Entries& entries);
 void read_tyres(Reader& reader, const Entries& tyre_data, const Entries& tyres);
 void read_motions(Reader& reader, const Entries& entries);
 void read_outputs(Reader& reader, const Entries& entries);
+void read_shapes(Reader& reader, const Entries& entries);
 /// A section that is one object, of one file.
 struct Part {
   const Value* value;

@@ -7,6 +7,9 @@
 namespace mbgen::reading {
 namespace {
 
+/// In the order of DisplayShape::Kind.
+constexpr std::array<std::string_view, 3> kShapeKinds = {"box", "cylinder", "sphere"};
+
 /// In the order of JointType.
 constexpr std::array<std::string_view, 8> kJointTypes = {"revolute",  "prismatic", "cylindrical", "universal",
                                                          "spherical", "planar",    "free",        "fixed"};
@@ -55,6 +58,7 @@ std::span<const Field<FileFields>> fields<FileFields>() {
       field<F, &F::tyres>(section("tyres", "tyre", "tyres on a flat horizontal road")),
       field<F, &F::motions>(section("motions", "motion", "driven coordinates")),
       field<F, &F::outputs>(section("outputs", "output", "results to write at every step")),
+      field<F, &F::shapes>(section("shapes", "shape", "how pictures show bodies, without effect on the motion")),
       field<F, &F::initial>({.name = "initial", .shape = Shape::object, .doc = "state at the start", .of = "initial"}),
       field<F, &F::solver>({.name = "solver", .shape = Shape::object, .doc = "time integration", .of = "solver"}),
       field<F, &F::instances>(section("instances", "instance", "subsystems: files that are placed in this one")),
@@ -264,6 +268,32 @@ std::span<const Field<Rod>> fields<Rod>() {
                                 .unit = "m",
                                 .bound = Bound::positive,
                                 .depends = Depends::parameters}),
+  };
+  return table;
+}
+
+template <>
+std::span<const Field<ShapeFields>> fields<ShapeFields>() {
+  using F = ShapeFields;
+  static const std::array table = {
+      field<F, &F::kind>({.name = "type",
+                          .shape = Shape::word,
+                          .doc = "what is drawn; a box has its edges along the axes of the body's frame",
+                          .need = Need::required,
+                          .words = kShapeKinds}),
+      field<F, &F::from>({.name = "from",
+                          .shape = Shape::attachment,
+                          .doc = "corner of a box, end of a cylinder, centre of a sphere",
+                          .need = Need::required}),
+      field<F, &F::to>({.name = "to",
+                        .shape = Shape::attachment,
+                        .doc = "opposite corner of a box, other end of a cylinder, on the same body"}),
+      field<F, &F::written_radius>({.name = "radius",
+                                    .shape = Shape::number,
+                                    .doc = "radius of a cylinder or sphere",
+                                    .unit = "m",
+                                    .bound = Bound::positive}),
+      field<F, &F::colour>({.name = "colour", .shape = Shape::text, .doc = "\"#rrggbb\"; default: the body's"}),
   };
   return table;
 }

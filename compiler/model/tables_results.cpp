@@ -180,6 +180,7 @@ std::vector<ObjectKind> object_kinds() {
                          "a result; exactly one of expression, point, joint, tyre, spring, motion, reaction and "
                          "multiplier",
                          {"expression", "point", "joint", "tyre", "spring", "motion", "reaction", "multiplier"}),
+      kind<ShapeFields>("shape", "how a part of a body is drawn"),
       kind<InitialFields>("initial", "state at the start"),
       kind<SolverSettings>("solver", "time integration"),
       kind<TableFields>("table", "a characteristic by points, exactly one of table and csv", {"table", "csv"}),

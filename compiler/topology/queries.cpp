@@ -2,6 +2,28 @@
 
 namespace mbgen {
 
+const char* name_of(ClosureKind kind) {
+  switch (kind) {
+    case ClosureKind::spherical:
+      return "spherical";
+    case ClosureKind::revolute:
+      return "revolute";
+    case ClosureKind::prismatic:
+      return "prismatic";
+    case ClosureKind::universal:
+      return "universal";
+    case ClosureKind::cylindrical:
+      return "cylindrical";
+    case ClosureKind::planar:
+      return "planar";
+    case ClosureKind::fixed:
+      return "fixed";
+    case ClosureKind::rod:
+      return "rod";
+  }
+  return "unknown";
+}
+
 bool on_path(const Topology& topology, int i, int j) {
   if (j < 0) return false;
   while (i > j) i = topology.bodies[i].parent;

@@ -27,6 +27,9 @@ struct TreeBody {
 
 enum class ClosureKind { spherical, revolute, prismatic, universal, cylindrical, planar, fixed, rod };
 
+/// As the model format writes them.
+const char* name_of(ClosureKind kind);
+
 /// A closure: a cut joint or a rod. A cut joint of type free closes nothing and is not listed.
 struct Loop {
   std::string name;

@@ -130,6 +130,25 @@ std::vector<double> GenericSolver::driving_forces(const GenericState& state, con
   return content_->driving_forces(system, content_->solved(system, tau, derivative.zdd));
 }
 
+std::vector<Pose> GenericSolver::poses(const GenericState& state) const {
+  System<double>& system = content_->system(state);
+  const Kinematics<double> k = kinematics(system);
+  std::vector<Pose> poses;
+  for (std::size_t b = 0; b < content_->model.bodies.size(); ++b) {
+    const Pose& reference = content_->model.bodies[b].pose;
+    const int tree = content_->topology.tree_body[b];
+    poses.push_back(reference);
+    if (tree == kGround) continue;
+    const Vector<double> from_joint = constant<double>(reference.origin) - system.constants.origin[tree];
+    const Vector<double> origin = position_in(system, k, {tree, from_joint}, kGround);
+    const Matrix<double> axes = pose_rotation<double>(reference);
+    const auto turned = [&](const Vector<double>& axis) { return direction_in(system, k, tree, axis, kGround); };
+    const Vector<double> x = turned(axes.x), y = turned(axes.y), z = turned(axes.z);
+    poses.back() = {{origin.x, origin.y, origin.z}, {x.x, y.x, z.x, x.y, y.y, z.y, x.z, y.z, z.z}};
+  }
+  return poses;
+}
+
 std::vector<double> GenericSolver::position_residuals(const GenericState& state) const {
   System<double>& system = content_->system(state);
   std::vector<std::vector<double>> by_block;

@@ -65,6 +65,9 @@ class GenericSolver {
   /// Closure residuals in the order of Topology::loops (positions), and Phi_z zd - ct (velocities).
   std::vector<double> position_residuals(const GenericState& state) const;
   std::vector<double> velocity_residuals(const GenericState& state) const;
+  /// Pose of every body of the model in the global frame, fixed ones and ground too: of its frame as the model gives
+  /// it.
+  std::vector<Pose> poses(const GenericState& state) const;
   GenericOutputs outputs(const GenericState& state, const std::vector<double>& tau,
                          const GenericDerivative& derivative) const;
   /// Static equilibrium with the driven coordinates at their motions: zero velocities, closures satisfied, generalised

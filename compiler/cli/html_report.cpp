@@ -1,0 +1,89 @@
+// mbgen report: a result as one HTML page.
+
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "compiler/cli/commands.hpp"
+#include "compiler/cli/files.hpp"
+#include "compiler/cli/motion_table.hpp"
+#include "compiler/cli/options.hpp"
+#include "compiler/cli/result_file.hpp"
+#include "compiler/cli/user_error.hpp"
+#include "compiler/report/report.hpp"
+
+namespace mbgen::cli {
+namespace {
+
+struct HtmlReportOptions {
+  std::string result, model, file;
+};
+
+/// What the run of a result says of its model. Fails: UserError when there is none, or it is of another table.
+nlohmann::json run_of(const Results& results, const std::string& path) {
+  if (results.run.empty()) {
+    throw UserError(
+        fmt::format("{}: nothing says which model this is of, {} is missing; give --model\n", path, run_file(path)));
+  }
+  const nlohmann::json run = nlohmann::json::parse(results.run, nullptr, false);
+  const auto has = [&](const char* key, const auto& is_right) { return run.contains(key) && is_right(run[key]); };
+  const auto text = [](const nlohmann::json& value) { return value.is_string(); };
+  const auto count = [&](const nlohmann::json& value) { return value == results.rows(); };
+  if (!run.is_object() || !has("model_file", text) || !has("model_hash", text)) {
+    throw UserError(fmt::format("{}: not what mbgen simulate writes of a run; give --model\n", run_file(path)));
+  }
+  if (!has("rows", count)) {
+    throw UserError(fmt::format("{}: of another table, with {} rows instead of {}; simulate again or give --model\n",
+                                run_file(path), run.value("rows", nlohmann::json()).dump(), results.rows()));
+  }
+  return run;
+}
+
+/// The model of a result: the one asked for, else the one that the run names, unchanged since. Fails: UserError.
+Model model_of(const Results& results, const HtmlReportOptions& options) {
+  if (!options.model.empty()) return expect(read_model_file(options.model));
+  const nlohmann::json run = run_of(results, options.result);
+  const std::filesystem::path directory = std::filesystem::path(options.result).parent_path();
+  Model model = expect(read_model_file((directory / run["model_file"].get<std::string>()).lexically_normal().string()));
+  if (model.hash == run["model_hash"]) return model;
+  throw UserError(fmt::format("{}: changed since {} was written; simulate again, or give --model to take it as it is\n",
+                              model.file, options.result));
+}
+
+int run(const HtmlReportOptions& options) {
+  if (!has_report_page()) {
+    throw UserError(
+        "report: this mbgen was built without reports; install nodejs and npm (Debian: apt-get install nodejs npm) and "
+        "build it again with -DMBGEN_REPORTS=ON, with access to registry.npmjs.org\n");
+  }
+  require_other_file(options.file, {options.result, run_file(options.result)});
+  Results results = read_result_file(options.result);
+  const Model model = model_of(results, options);
+  require_other_file(options.file, model.files);
+  const Topology topology = expect(build_topology(model));
+  const Analysis analysis = expect(analyse(model, topology));
+  const std::string file = std::filesystem::path(options.result).filename().string();
+  write_or_print(options.file, expect(report_html({model, topology, analysis, results}, file)));
+  return kDone;
+}
+
+}  // namespace
+
+void add_report(CLI::App& application, int& exit_code) {
+  const auto options = std::make_shared<HtmlReportOptions>();
+  CLI::App* command =
+      application.add_subcommand("report", "write a result as a page: animation, plots, summary, topology (HTML)");
+  command->footer(
+      "Example: mbgen simulate models/coach.json --duration 5 --out coach.csv\n"
+      "         mbgen report coach.csv -o coach.html\n"
+      "The page is one file that needs no network. A result says which model it is of, in FILE.run.json beside a CSV\n"
+      "table and inside a MAT file; --model names it where that is missing or the model has changed.");
+  command->add_option("RESULT", options->result, "what mbgen simulate wrote (CSV or MAT)")->required();
+  command->add_option("--model", options->model, "the model (default: the one that the result names)");
+  command->add_option("-o,--out", options->file, "the page; - for standard output")->required();
+  command->callback([options, &exit_code] { exit_code = run(*options); });
+}
+
+}  // namespace mbgen::cli

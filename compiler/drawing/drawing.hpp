@@ -1,0 +1,41 @@
+#pragma once
+// The door of the drawing room: pictures as SVG text, the same bytes for the same arguments.
+
+#include <string>
+#include <vector>
+
+#include "compiler/analysis/analysis.hpp"
+#include "compiler/model/model.hpp"
+#include "compiler/topology/topology.hpp"
+
+namespace mbgen {
+
+/// The topology of a model: a row a body, indented by its depth from ground, its tree joint on the line to its parent
+/// with a mark a coordinate (independent, dependent, driven); cut joints and rods as brackets at the right between the
+/// bodies that they close; the bodies of a loop block on a ground of one colour. Massless bodies are dashed.
+std::string topology_svg(const Model& model, const Topology& topology, const Analysis& analysis);
+
+/// One curve of a plot.
+struct Curve {
+  std::string label;
+  std::vector<double> values;  ///< one per time; finite
+};
+
+/// One frame of a plot.
+struct Panel {
+  std::string
+      unit;  ///< of all its curves, "" for none: the label of the axis; N, N m, Pa, J and W take a prefix k or M
+  std::vector<Curve> curves;
+};
+
+/// Size of a plot, in pixels.
+struct PlotSize {
+  int width = 960;
+  int panel_height = 200;
+};
+
+/// Curves over time (s, increasing), panels below each other with one time axis; ticks at 1, 2 or 5 times a power of
+/// ten. Curves of many points are drawn with what shows at this size: the extremes of each column of pixels.
+std::string plot_svg(const std::vector<double>& time, const std::vector<Panel>& panels, const PlotSize& size = {});
+
+}  // namespace mbgen

@@ -1,0 +1,21 @@
+#pragma once
+// Pieces of SVG text.
+
+#include <string>
+#include <string_view>
+
+namespace mbgen::svg {
+
+/// Text as it stands between tags or in attributes: & < > " escaped, control characters (XML has none) replaced.
+std::string escaped(std::string_view text);
+
+/// A number with at most two decimals, none where it is whole: what pixels need.
+std::string number(double value);
+
+/// <text> at a place; attributes: further ones, with a blank in front.
+std::string text_at(double x, double y, std::string_view text, std::string_view attributes = {});
+
+/// Width of a text of a sans-serif font, px: an estimate from above for letters as names have them.
+double text_width(std::string_view text, double font_size);
+
+}  // namespace mbgen::svg

@@ -1,0 +1,125 @@
+#include "compiler/report/report.hpp"
+
+#include <algorithm>
+#include <array>
+#include <nlohmann/json.hpp>
+
+#include "compiler/drawing/drawing.hpp"
+#include "compiler/report/motion.hpp"
+#include "compiler/report/page.hpp"
+#include "compiler/report/scene.hpp"
+
+namespace mbgen {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// JSON inside a page: no letter of it can end the element that holds it.
+std::string script_text(const Json& json) {
+  std::string text;
+  for (const char letter : json.dump(-1, ' ', false, Json::error_handler_t::replace)) {
+    if (letter == '<') {
+      text += "\\u003c";
+    } else {
+      text += letter;
+    }
+  }
+  return text;
+}
+
+std::string html_text(const std::string& text) {
+  std::string escaped;
+  for (const char letter : text) {
+    if (letter == '&') {
+      escaped += "&amp;";
+    } else if (letter == '<') {
+      escaped += "&lt;";
+    } else {
+      escaped += letter;
+    }
+  }
+  return escaped;
+}
+
+Json blocks_json(const Topology& topology, const Analysis& analysis) {
+  Json blocks = Json::array();
+  for (std::size_t b = 0; b < topology.blocks.size(); ++b) {
+    const LoopBlock& block = topology.blocks[b];
+    const BlockAnalysis& decided = analysis.blocks[b];
+    Json loops = Json::array(), independent = Json::array();
+    for (const int loop : block.loops) loops.push_back(topology.loops[loop].name);
+    for (const int column : decided.independent) {
+      independent.push_back(topology.bodies[block.joints[column]].coordinate);
+    }
+    blocks.push_back({{"base", block.base == kGround ? "ground" : topology.bodies[block.base].name},
+                      {"coordinates", block.joints.size()},
+                      {"equations", block.equations},
+                      {"rank", decided.rank},
+                      {"loops", loops},
+                      {"independent", independent},
+                      {"redundant", decided.redundant_names}});
+  }
+  return blocks;
+}
+
+Json model_json(const ReportSource& source) {
+  const auto& [model, topology, analysis, results] = source;
+  long equations = 0;
+  for (const Loop& loop : topology.loops) equations += loop.equations;
+  return {{"name", model.name},
+          {"file", model.file},
+          {"hash", model.hash},
+          {"bodies", model.bodies.size()},
+          {"joints", model.joints.size()},
+          {"rods", model.rods.size()},
+          {"springs", model.springs.size() + model.joint_springs.size() + model.air_springs.size()},
+          {"tyres", model.tyres.size()},
+          {"coordinates", topology.size()},
+          {"equations", equations},
+          {"independent_equations", analysis.independent_equations},
+          {"degrees_of_freedom", analysis.degrees_of_freedom},
+          {"driven", model.motions.size()},
+          {"blocks", blocks_json(topology, analysis)}};
+}
+
+std::string_view page_file(std::string_view path) {
+  const std::vector<PageFile>& files = report_page_files();
+  const auto found = std::find_if(files.begin(), files.end(), [&](const PageFile& file) { return file.path == path; });
+  return found == files.end() ? std::string_view() : found->text;
+}
+
+/// The frame with what stands for {{title}}, {{style}}, {{data}} and {{script}}, once each and in this order.
+std::string filled(std::string_view frame, const std::array<std::pair<std::string_view, std::string_view>, 4>& texts) {
+  std::string page;
+  for (const auto& [name, text] : texts) {
+    const std::string mark = "{{" + std::string(name) + "}}";
+    const std::size_t place = std::min(frame.find(mark), frame.size());
+    page += frame.substr(0, place);
+    page += text;
+    frame.remove_prefix(std::min(place + mark.size(), frame.size()));
+  }
+  page += frame;
+  return page;
+}
+
+}  // namespace
+
+bool has_report_page() { return !report_page_files().empty(); }
+
+Result<std::string> report_html(const ReportSource& source, const std::string& file) {
+  const Result<Json> motion = motion_json(source, file);
+  if (!motion) return motion.problems();
+  const Json run = Json::parse(source.results.run, nullptr, false);
+  Json data = {{"format", 1}, {"result", file}, {"model", model_json(source)}};
+  data["run"] = run.is_object() ? run : Json(nullptr);
+  data["scene"] = scene_json(source.model);
+  data["animations"] = {*motion};
+  data["table"] = table_json(source);
+  data["topology"] = topology_svg(source.model, source.topology, source.analysis);
+  return filled(page_file("index.html"), {{{"title", html_text(source.model.name)},
+                                           {"style", page_file("report.css")},
+                                           {"data", script_text(data)},
+                                           {"script", page_file("report.js")}}});
+}
+
+}  // namespace mbgen

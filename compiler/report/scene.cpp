@@ -1,0 +1,290 @@
+#include "compiler/report/scene.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <set>
+
+namespace mbgen {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// Tyres are about so wide, in radii; the middles of twin tyres stand this far apart, in widths.
+constexpr double kTyreWidth = 0.56, kTwinGap = 1.12;
+/// Heavier than so many kg and lighter than so many kg/m^3 a body's box of equal mass and inertia is a hull; of steel
+/// and iron it is a few thousand.
+constexpr double kHullMass = 50, kHullDensity = 700;
+/// Radius of a body's tubes over the largest distance of its points, and its bounds over the size of the model.
+constexpr double kTube = 0.05, kThinnest = 0.0016, kThickest = 0.011;
+/// Tubes inside a hull are thinner by this factor.
+constexpr double kInside = 0.4;
+/// Radii over the size of the model.
+constexpr double kRod = 0.0022, kDamper = 0.0032, kSpring = 0.0075, kSpringSlimness = 0.075, kJoint = 0.0022;
+
+Vector3 values(const Vector3Quantity& vector) { return {vector[0].value, vector[1].value, vector[2].value}; }
+
+Vector3 place_of(const Model& model, const Attachment& at) {
+  return values(model.bodies[at.body].points[at.point].position);
+}
+
+double distance(const Vector3& a, const Vector3& b) { return std::hypot(b[0] - a[0], b[1] - a[1], b[2] - a[2]); }
+
+Vector3 to_global(const Pose& pose, const Vector3& local) {
+  Vector3 global = pose.origin;
+  for (int i = 0; i < 9; ++i) global[i / 3] += pose.rotation[i] * local[i % 3];
+  return global;
+}
+
+/// A global direction in the axes of a body.
+Vector3 to_body_axes(const Pose& pose, const Vector3& direction) {
+  Vector3 local{};
+  for (int i = 0; i < 9; ++i) local[i % 3] += pose.rotation[i] * direction[i / 3];
+  return local;
+}
+
+/// Everything that is fixed to a point of a body.
+template <class Visit>
+void visit_attachments(const Model& model, const Visit& visit) {
+  for (const Joint& joint : model.joints) {
+    if (joint.type != JointType::free) visit(joint.from);
+    visit(joint.to);
+  }
+  const auto both = [&](const auto& elements) {
+    for (const auto& element : elements) {
+      visit(element.from);
+      visit(element.to);
+    }
+  };
+  both(model.rods);
+  both(model.springs);
+  both(model.air_springs);
+}
+
+/// Box around the points that something is fixed to, at the reference.
+struct Extent {
+  Vector3 low{1e300, 1e300, 1e300}, high{-1e300, -1e300, -1e300};
+  bool empty() const { return low[0] > high[0]; }
+  void add(const Vector3& point, double margin = 0) {
+    for (int i = 0; i < 3; ++i) {
+      low[i] = std::min(low[i], point[i] - margin);
+      high[i] = std::max(high[i], point[i] + margin);
+    }
+  }
+};
+
+Extent extent_of(const Model& model) {
+  Extent extent;
+  const auto add = [&](const Attachment& at) {
+    extent.add(to_global(model.bodies[at.body].pose, place_of(model, at)));
+  };
+  visit_attachments(model, add);
+  for (const DisplayShape& shape : model.shapes) {
+    add(shape.from);
+    if (shape.kind != DisplayShape::Kind::sphere) add(shape.to);
+  }
+  for (const Tyre& tyre : model.tyres) {
+    extent.add(to_global(model.bodies[tyre.centre.body].pose, place_of(model, tyre.centre)), tyre.radius.value);
+  }
+  for (const Body& body : model.bodies) {
+    if (body.mass.value > 0) extent.add(to_global(body.pose, values(body.com)));
+  }
+  return extent;
+}
+
+std::string colour_text(const DisplayShape& shape) {
+  return fmt::format("#{:02x}{:02x}{:02x}", shape.rgb[0], shape.rgb[1], shape.rgb[2]);
+}
+
+Json shape_json(const Model& model, const DisplayShape& shape) {
+  const Vector3 from = place_of(model, shape.from);
+  Json json;
+  if (shape.kind == DisplayShape::Kind::sphere) {
+    json = {{"kind", "sphere"}, {"at", from}, {"radius", shape.radius}};
+  } else if (const Vector3 to = place_of(model, shape.to); shape.kind == DisplayShape::Kind::cylinder) {
+    json = {{"kind", "cylinder"}, {"from", from}, {"to", to}, {"radius", shape.radius}};
+  } else {
+    Vector3 middle{}, size{};
+    for (int i = 0; i < 3; ++i) {
+      middle[i] = (from[i] + to[i]) / 2;
+      size[i] = std::abs(to[i] - from[i]);
+    }
+    json = {{"kind", "box"}, {"at", middle}, {"size", size}};
+  }
+  if (shape.has_colour) json["colour"] = colour_text(shape);
+  return json;
+}
+
+/// One tyre, or two side by side.
+void add_tyres(const Model& model, const Tyre& tyre, Json& shapes) {
+  const Vector3 axis = to_body_axes(model.bodies[tyre.centre.body].pose, tyre.axis);
+  const Vector3 centre = place_of(model, tyre.centre);
+  const double radius = tyre.radius.value, width = kTyreWidth * radius;
+  const int count = std::clamp(static_cast<int>(std::lround(tyre.count)), 1, 4);
+  for (int i = 0; i < count; ++i) {
+    Vector3 at = centre;
+    for (int k = 0; k < 3; ++k) at[k] += (i - (count - 1) / 2.0) * kTwinGap * width * axis[k];
+    shapes.push_back({{"kind", "tyre"}, {"at", at}, {"axis", axis}, {"radius", radius}, {"width", width}});
+  }
+}
+
+/// The box of a body's mass and inertia, where its axes are the body's and it is far lighter than metal.
+void add_hull(const Body& body, Json& shapes) {
+  const double mass = body.mass.value;
+  if (!(mass > kHullMass)) return;
+  Vector3 size{};
+  double volume = 1;
+  for (int i = 0; i < 3; ++i) {
+    const double own = body.inertia[i].value;
+    const double square = 6 * (body.inertia[0].value + body.inertia[1].value + body.inertia[2].value - 2 * own) / mass;
+    size[i] = std::sqrt(std::max(0.0, square));
+    volume *= size[i];
+  }
+  if (volume <= 0 || mass / volume > kHullDensity) return;
+  shapes.push_back({{"kind", "box"}, {"at", values(body.com)}, {"size", size}, {"hull", true}});
+}
+
+/// Tubes from the middle of a body to its points.
+void add_tubes(const Body& body, const std::set<Vector3>& points, double size, Json& shapes) {
+  double largest = 0;
+  for (const Vector3& a : points) {
+    for (const Vector3& b : points) largest = std::max(largest, distance(a, b));
+  }
+  const double radius =
+      std::clamp(kTube * largest, kThinnest * size, kThickest * size) * (shapes.empty() ? 1 : kInside);
+  const auto add = [&](const Vector3& from, const Vector3& to) {
+    if (distance(from, to) > radius / 2) {
+      shapes.push_back({{"kind", "tube"}, {"from", from}, {"to", to}, {"radius", radius}});
+    }
+  };
+  if (points.size() == 2) return add(*points.begin(), *points.rbegin());
+  Vector3 middle{};
+  for (const Vector3& point : points) {
+    for (int i = 0; i < 3; ++i) middle[i] += point[i] / static_cast<double>(points.size());
+  }
+  if (body.mass.value > 0) middle = values(body.com);
+  for (const Vector3& point : points) add(middle, point);
+  if (points.size() < 2) shapes.push_back({{"kind", "sphere"}, {"at", middle}, {"radius", 2 * kThickest * size}});
+}
+
+Json bodies_json(const Model& model, double size) {
+  std::vector<std::set<Vector3>> points(model.bodies.size());
+  visit_attachments(model, [&](const Attachment& at) { points[at.body].insert(place_of(model, at)); });
+  std::vector<Json> shapes(model.bodies.size(), Json::array());
+  for (const DisplayShape& shape : model.shapes) shapes[shape.from.body].push_back(shape_json(model, shape));
+  for (const Tyre& tyre : model.tyres) add_tyres(model, tyre, shapes[tyre.centre.body]);
+  Json bodies = Json::array();
+  for (std::size_t b = 0; b < model.bodies.size(); ++b) {
+    if (shapes[b].empty() && static_cast<int>(b) != model.ground) {
+      add_hull(model.bodies[b], shapes[b]);
+      if (!points[b].empty()) add_tubes(model.bodies[b], points[b], size, shapes[b]);
+    }
+    bodies.push_back({{"name", model.bodies[b].name}, {"shapes", shapes[b]}});
+  }
+  return bodies;
+}
+
+Json end_json(const Model& model, const Attachment& at) { return {at.body, place_of(model, at)}; }
+
+double reference_length(const Model& model, const PointSpring& spring) {
+  const auto global = [&](const Attachment& at) { return to_global(model.bodies[at.body].pose, place_of(model, at)); };
+  return distance(global(spring.from), global(spring.to));
+}
+
+Json links_json(const Model& model, double size) {
+  Json links = Json::array();
+  std::set<std::array<int, 4>> taken;
+  const auto add = [&](const auto& element, const char* kind, double radius) {
+    const Attachment &from = element.from, &to = element.to;
+    // A bump stop inside an air spring has its ends: one of them is seen.
+    if (!taken.insert({from.body, from.point, to.body, to.point}).second) return;
+    links.push_back({{"name", element.name},
+                     {"kind", kind},
+                     {"from", end_json(model, from)},
+                     {"to", end_json(model, to)},
+                     {"radius", radius * size}});
+  };
+  for (const Rod& rod : model.rods) add(rod, "rod", kRod);
+  for (const AirSpring& spring : model.air_springs) {
+    const Quantity* area = std::get_if<Quantity>(&spring.area);
+    constexpr double kPi = 3.14159265358979323846;
+    const double radius = area ? std::sqrt(area->value / kPi) : kSpring * size;
+    add(spring, "air_spring", radius / size);
+  }
+  for (const PointSpring& spring : model.springs) {
+    const bool is_damper = spring.damping.has_value(), is_spring = spring.stiffness || spring.force;
+    add(spring,
+        is_damper && is_spring ? "strut"
+        : is_damper            ? "damper"
+                               : "spring",
+        is_spring ? std::max(kSpring, kSpringSlimness * reference_length(model, spring) / size) : kDamper);
+  }
+  return links;
+}
+
+Json joints_json(const Model& model, double size) {
+  Json joints = Json::array();
+  for (const Joint& joint : model.joints) {
+    if (joint.type == JointType::free || joint.type == JointType::fixed) continue;
+    joints.push_back({{"name", joint.name},
+                      {"kind", name_of(joint.type)},
+                      {"body", joint.from.body},
+                      {"on_ground", joint.from.body == model.ground || joint.to.body == model.ground},
+                      {"at", place_of(model, joint.from)},
+                      {"axis", to_body_axes(model.bodies[joint.from.body].pose, joint.axis)},
+                      {"radius", kJoint * size}});
+  }
+  return joints;
+}
+
+/// The heaviest body that moves freely, for the camera to go with.
+int body_to_follow(const Model& model) {
+  int follow = -1;
+  for (const Joint& joint : model.joints) {
+    if (joint.type != JointType::free && joint.type != JointType::planar) continue;
+    const int body = joint.from.body == model.ground ? joint.to.body
+                     : joint.to.body == model.ground ? joint.from.body
+                                                     : -1;
+    if (body >= 0 && (follow < 0 || model.bodies[body].mass.value > model.bodies[follow].mass.value)) follow = body;
+  }
+  return follow;
+}
+
+}  // namespace
+
+Json scene_json(const Model& model) {
+  Extent extent = extent_of(model);
+  if (extent.empty()) extent.add({0, 0, 0}, 1);
+  constexpr double kLeastSize = 1e-3;
+  const double size = std::max(kLeastSize, distance(extent.low, extent.high));
+  Vector3 centre{}, up = values(model.gravity);
+  for (int i = 0; i < 3; ++i) centre[i] = (extent.low[i] + extent.high[i]) / 2;
+  const double gravity = std::hypot(up[0], up[1], up[2]);
+  for (double& component : up) component = gravity > 0 ? -component / gravity : 0;
+  if (!(gravity > 0)) up = {0, 0, 1};
+  Json scene = {{"bodies", bodies_json(model, size)},
+                {"links", links_json(model, size)},
+                {"joints", joints_json(model, size)},
+                {"up", up},
+                {"road", nullptr},
+                {"floor", nullptr},
+                {"centre", centre},
+                {"size", size},
+                {"follow", body_to_follow(model)}};
+  if (!model.tyres.empty()) {
+    scene["road"] = model.tyres.front().road_height.value;
+  } else if (gravity > 0) {
+    double lowest = 1e300;
+    for (int corner = 0; corner < 8; ++corner) {
+      double height = 0;
+      for (int i = 0; i < 3; ++i) height += up[i] * ((corner >> i & 1) != 0 ? extent.high[i] : extent.low[i]);
+      lowest = std::min(lowest, height);
+    }
+    scene["floor"] = lowest - 0.08 * size;
+  }
+  return scene;
+}
+
+}  // namespace mbgen

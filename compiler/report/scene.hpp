@@ -1,0 +1,21 @@
+#pragma once
+// What the animation shows of a model: bodies as shapes, and what runs between them.
+
+#include <nlohmann/json_fwd.hpp>
+
+#include "compiler/model/model.hpp"
+
+namespace mbgen {
+
+/// As JSON:
+///   bodies: name and shapes of each body of the model; a shape is a tyre {at, axis, radius, width}, box {at, size},
+///     cylinder or tube {from, to, radius} or sphere {at, radius}, in the body's frame, m, perhaps with a colour
+///   links: rods, springs, dampers, struts, air_springs: name, kind, [body, place] of both ends, radius
+///   joints: name, kind, body, place and axis in its frame, radius
+///   up: unit vector; road: height of the road or null; floor: where a grid is drawn, or null
+///   centre and size: of all points at the reference; follow: body that the camera goes with, or -1
+/// Shapes are those of Model::shapes; a body without any is drawn by its tyre, else as tubes from its centre of mass to
+/// the points that something is fixed to, and as the box of its mass and inertia where that is far lighter than metal.
+nlohmann::ordered_json scene_json(const Model& model);
+
+}  // namespace mbgen

@@ -1,0 +1,78 @@
+// One chart of uPlot: how columns are shown, its axes and its legend.
+
+import { valueAt } from "./data.js";
+import { colour, curveColour } from "./theme.js";
+
+export const kHeight = 168;
+const kDegrees = 180 / Math.PI;
+const kLargeFrom = 2000;
+const kFont = "11px system-ui, sans-serif";
+
+/** Factor and unit as a column is shown: angles in degrees, large forces in kilo. */
+export function shownUnit({ unit, smallest, largest }) {
+  if (unit === "rad" || unit.startsWith("rad/")) return { factor: kDegrees, unit: unit.replace("rad", "deg") };
+  const size = Math.max(Math.abs(smallest), Math.abs(largest));
+  if (["N", "N m", "Pa", "J", "W"].includes(unit) && size >= kLargeFrom) return { factor: 1e-3, unit: `k${unit}` };
+  return { factor: 1, unit };
+}
+
+function formatted(value) {
+  const size = Math.abs(value);
+  if (size !== 0 && (size < 1e-3 || size >= 1e6)) return value.toExponential(2);
+  return value.toPrecision(4);
+}
+
+function axes(unit) {
+  const line = { stroke: colour("line"), width: 1 };
+  const common = { stroke: colour("soft"), grid: line, ticks: { ...line, size: 4 }, font: kFont };
+  return [
+    { ...common, space: 60, size: 24, values: (u, splits) => splits.map((t) => `${Number(t.toPrecision(6))}`) },
+    { ...common, size: 52, space: 26, label: unit || undefined, labelSize: 14, labelGap: 0, labelFont: kFont },
+  ];
+}
+
+/** Options of uPlot for some columns; charts of one key show their cursors together. */
+export function chartOptions(columns, width, key, hooks) {
+  return {
+    width,
+    height: kHeight,
+    legend: { show: false },
+    scales: { x: { time: false } },
+    axes: axes(shownUnit(columns[0]).unit),
+    series: [{}, ...columns.map(({ name }, i) => ({ label: name, stroke: curveColour(i), width: 1.5, points: { show: false } }))],
+    cursor: { sync: { key, setSeries: false }, drag: { x: true, y: false, setScale: true }, points: { size: 6 } },
+    hooks,
+  };
+}
+
+/** Values of columns as they are shown, for uPlot. */
+export function chartData(times, columns) {
+  return [times, ...columns.map((column) => {
+    const { factor } = shownUnit(column);
+    return factor === 1 ? column.values : column.values.map((value) => factor * value);
+  })];
+}
+
+/** A list of names with their values at a time. */
+export function createLegend(times, columns) {
+  const list = document.createElement("ul");
+  list.className = "legend";
+  const values = columns.map(({ name }, i) => {
+    const item = document.createElement("li");
+    const swatch = document.createElement("i");
+    swatch.style.background = curveColour(i);
+    const value = document.createElement("output");
+    item.append(swatch, name, value);
+    list.append(item);
+    return value;
+  });
+  return {
+    list,
+    show(time) {
+      columns.forEach((column, i) => {
+        const { factor, unit } = shownUnit(column);
+        values[i].textContent = `${formatted(factor * valueAt(times, column.values, time))} ${unit}`;
+      });
+    },
+  };
+}

@@ -1,0 +1,77 @@
+// All objects of a scene, in layers that can be hidden.
+
+import { Scene, Vector3 } from "three";
+import { createGround, createTracks } from "./ground.js";
+import { createLights } from "./lights.js";
+import { linkObject } from "./links.js";
+import { poseBodies } from "./poses.js";
+import { bodyGroup, jointMark } from "./shapes.js";
+
+/** What can be shown and hidden, and whether it is shown at first. */
+export const kLayers = { bodies: true, hulls: true, links: true, joints: true, ground: true, tracks: true, names: false };
+
+/** Bodies with the marks of their joints, in layers. */
+function createBodies(scene) {
+  const bodies = scene.bodies.map((body, index) => bodyGroup(body, index, scene.size));
+  scene.joints.forEach((joint) => {
+    const mark = jointMark(joint, scene.up);
+    mark.userData.layer = "joints";
+    bodies[joint.body].add(mark);
+  });
+  return bodies;
+}
+
+export function createWorld(scene, animation) {
+  const world = new Scene();
+  const bodies = createBodies(scene);
+  world.add(...bodies);
+  poseBodies(bodies, animation, animation.start);
+
+  const ends = [new Vector3(), new Vector3()];
+  /** Where the ends of a link are, as the bodies stand now. */
+  function endPlaces(link) {
+    [link.from, link.to].forEach(([body, at], i) => {
+      ends[i].set(...at).applyQuaternion(bodies[body].quaternion).add(bodies[body].position);
+    });
+    return ends;
+  }
+  const links = scene.links.map((link) => {
+    const [from, to] = endPlaces(link);
+    return { link, ...linkObject(link, from.distanceTo(to)) };
+  });
+  world.add(...links.map(({ group }) => group));
+
+  const height = scene.road ?? scene.floor;
+  const ground = height === null ? null : createGround(scene, height);
+  const tracks = scene.road === null ? null : createTracks(scene, animation, height);
+  const lights = createLights(scene);
+  world.add(...lights.objects, ...[ground, tracks].flatMap((part) => (part ? [part.group] : [])));
+
+  const inLayer = (name) => {
+    const found = [];
+    world.traverse((object) => object.userData.layer === name && found.push(object));
+    return found;
+  };
+  const layers = {
+    bodies: bodies.flatMap((body) => body.children.filter((child) => !child.userData.layer)),
+    hulls: inLayer("hulls"),
+    links: links.map(({ group }) => group),
+    joints: inLayer("joints"),
+    ground: ground ? [ground.group] : [],
+    tracks: tracks ? [tracks.group] : [],
+  };
+
+  return {
+    scene: world,
+    bodies,
+    ground,
+    tracks,
+    lights,
+    layers,
+    /** Puts bodies and links where they are at a time of an animation. */
+    pose(shown, time) {
+      poseBodies(bodies, shown, time);
+      links.forEach(({ link, place }) => place(...endPlaces(link)));
+    },
+  };
+}

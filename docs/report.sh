@@ -1,0 +1,11 @@
+#!/bin/sh
+# Makes the pictures of docs/report.md: docs/report.sh [MBGEN]. Needs chromium, node and npm.
+set -eu
+here=$(cd "$(dirname "$0")" && pwd)
+mbgen=${1:-$here/../build/release/mbgen}
+scratch=$(mktemp -d)
+trap 'rm -rf "$scratch"' EXIT
+
+"$here/../tests/report/browser.sh" "$mbgen" "$scratch"
+mv "$scratch/report.png" "$scratch/report_suspension.png" "$here"
+"$mbgen" inspect "$here/../models/coach.json" --svg "$here/coach_topology.svg"

@@ -1,0 +1,37 @@
+#!/bin/sh
+# The page of the coach's slalom in Debian's chromium: tests/report/browser.sh MBGEN [PICTURES]
+# PICTURES: directory that takes the screenshots. Skipped (77) without chromium, node and npm, or where mbgen was built
+# without reports. MBGEN_REPORT_MODULES: where playwright-core is kept from one run to the next.
+set -eu
+mbgen=$(realpath "$1")
+here=$(cd "$(dirname "$0")" && pwd)
+scratch=$(mktemp -d)
+trap 'rm -rf "$scratch"' EXIT
+pictures=${2:-$scratch}
+modules=${MBGEN_REPORT_MODULES:-$scratch}/modules
+
+for tool in chromium node npm; do
+  command -v "$tool" > /dev/null || { echo "skipped: $tool is missing (apt-get install chromium nodejs npm)"; exit 77; }
+done
+
+cd "$scratch"
+"$mbgen" simulate "$here/../../models/coach.json" --duration 5 --step 1e-3 --engine generic --out coach.csv > /dev/null
+if ! "$mbgen" report coach.csv -o coach.html 2> problem; then
+  grep -q "built without reports" problem || { cat problem; exit 1; }
+  echo "skipped: $(cat problem)"
+  exit 77
+fi
+size=$(wc -c < coach.html)
+[ "$size" -lt 3000000 ] || { echo "the page of 5 s of the coach has $size bytes"; exit 1; }
+
+# The lock is put beside the modules last, as the mark of a complete installation.
+mkdir -p "$modules"
+if ! cmp -s "$here/package-lock.json" "$modules/installed"; then
+  cp "$here/package.json" "$here/package-lock.json" "$modules"
+  if ! (cd "$modules" && npm ci --no-audit --no-fund --loglevel=error > npm.log 2>&1); then
+    echo "skipped: npm ci: $(cat "$modules/npm.log")"
+    exit 77
+  fi
+  cp "$here/package-lock.json" "$modules/installed"
+fi
+node "$here/browser.mjs" coach.html "$pictures" "$modules"
