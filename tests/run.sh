@@ -3,7 +3,7 @@
 set -eu
 cd "$(dirname "$0")/.."
 
-.ci/install g++ clang binutils cmake make ninja-build libeigen3-dev libfmt-dev nlohmann-json3-dev libcli11-dev \
+.ci/install g++ clang binutils cmake make ninja-build libeigen3-dev libfmt-dev nlohmann-json3-dev libcli11-dev libpugixml-dev \
   libopenblas-serial-dev libsuitesparse-dev libgtest-dev libbenchmark-dev libsimbody-dev libmujoco-dev \
   libclang-rt-14-dev locales python3-numpy dpkg-dev pkg-config libxml2-utils
 cmake --preset release -DMBGEN_TESTS=ON -DMBGEN_BENCH=ON
