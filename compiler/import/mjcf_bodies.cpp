@@ -106,7 +106,7 @@ void add_joint(Mjcf& mjcf, const Placed& joint, JointType type, int from, int to
     result.reference =
         inherited_number(mjcf, element, joint.childclass, "ref", 0) * (is_angle ? std::numbers::pi / 180 : 1.0);
     if (result.reference != 0) {
-      made.comment += fmt::format("{}zero is {} of the MJCF", made.comment.empty() ? "" : "; ", result.reference);
+      made.comment += fmt::format("{}zero is {:.6g} of the MJCF", made.comment.empty() ? "" : "; ", result.reference);
     }
     add_passive_forces(mjcf, joint, result);
   }

@@ -3,7 +3,6 @@
 #include <fmt/ranges.h>
 
 #include <cmath>
-#include <cstdlib>
 #include <numbers>
 
 #include "compiler/import/assembly.hpp"
@@ -11,23 +10,22 @@
 namespace mbgen::importing {
 namespace {
 
-constexpr double kNoLength = 1e-14;     // m: what frames multiplied there and back leave of nothing
 constexpr double kNoDirection = 1e-14;  // of the largest component of an axis; rad
-constexpr double kLastDigits = 4e-16;   // relative: what may be rounded away to write a number with fewer digits
+constexpr double kNoise = 4e-15;        // m, or of the size of an axis or inertia
+constexpr int kDecimals = 12;
 
-/// Shortest text of the number, fifteen digits where they say as much.
-std::string number_text(double value) {
-  if (value == 0) return "0";
-  const std::string rounded = fmt::format("{:.15g}", value);
-  if (std::abs(std::strtod(rounded.c_str(), nullptr) - value) <= kLastDigits * std::abs(value)) {
-    return fmt::format("{}", std::strtod(rounded.c_str(), nullptr));
-  }
-  return fmt::format("{}", value);
+std::string number_text(double value) { return value == 0 ? "0" : fmt::format("{}", value); }
+
+/// The number without the last digits that frames multiplied there and back leave: with twelve decimals (of the power
+/// of ten above `scale`) where that is as good.
+double without_noise(double value, double scale) {
+  const double power = std::pow(10, kDecimals - std::ceil(std::log10(scale)));
+  const double rounded = std::round(value * power) / power;
+  return std::abs(rounded - value) < kNoise * scale ? rounded : value;
 }
 
-/// Components below `nothing` are written as zero.
-std::string vector_text(const Vector3d& v, double nothing) {
-  const auto component = [&](int i) { return number_text(std::abs(v[i]) < nothing ? 0.0 : v[i]); };
+std::string vector_text(const Vector3d& v) {
+  const auto component = [&](int i) { return number_text(without_noise(v[i], 1)); };
   return fmt::format("[{}, {}, {}]", component(0), component(1), component(2));
 }
 
@@ -42,7 +40,7 @@ std::string axis_text(const Vector3d& direction) {
   }
   const Vector3d scaled = direction / largest;
   const bool is_clean = (scaled - scaled.array().round().matrix()).cwiseAbs().maxCoeff() < kNoDirection;
-  return vector_text(is_clean ? Vector3d(scaled.array().round()) : Vector3d(direction), kNoDirection * largest);
+  return vector_text(is_clean ? Vector3d(scaled.array().round()) : direction);
 }
 
 std::string angle_text(double angle) {
@@ -53,7 +51,7 @@ std::string angle_text(double angle) {
 }
 
 std::string pose_text(const Isometry3d& pose) {
-  std::string text = fmt::format("\"origin\": {}", vector_text(pose.translation(), kNoLength));
+  std::string text = fmt::format("\"origin\": {}", vector_text(pose.translation()));
   const Eigen::AngleAxisd rotation(pose.linear());
   if (std::abs(rotation.angle()) > kNoDirection) {
     text += fmt::format(", \"rotation\": {{ \"axis\": {}, \"angle\": {} }}", axis_text(rotation.axis()),
@@ -63,8 +61,9 @@ std::string pose_text(const Isometry3d& pose) {
 }
 
 std::string inertia_text(const Matrix3d& inertia) {
-  const double nothing = 1e-15 * inertia.trace();
-  const auto entry = [&](int i, int j) { return number_text(std::abs(inertia(i, j)) < nothing ? 0.0 : inertia(i, j)); };
+  const double scale = inertia.trace();
+  if (scale == 0) return "[0, 0, 0]";
+  const auto entry = [&](int i, int j) { return number_text(without_noise(inertia(i, j), scale)); };
   const std::string diagonal = fmt::format("{}, {}, {}", entry(0, 0), entry(1, 1), entry(2, 2));
   const std::string products = fmt::format("{}, {}, {}", entry(0, 1), entry(0, 2), entry(1, 2));
   return products == "0, 0, 0" ? fmt::format("[{}]", diagonal) : fmt::format("[{}, {}]", diagonal, products);
@@ -91,13 +90,13 @@ std::string body_text(const BodyDraft& body, bool is_ground) {
   if (!is_ground && is_placed) lines.push_back(fmt::format("\"pose\": {}", pose_text(body.pose)));
   if (body.mass > 0) {
     std::string line = fmt::format("\"mass\": {}", number_text(body.mass));
-    if (body.com.cwiseAbs().maxCoeff() >= kNoLength) line += ", \"com\": " + vector_text(body.com, kNoLength);
+    if (body.com.cwiseAbs().maxCoeff() >= kNoise) line += ", \"com\": " + vector_text(body.com);
     lines.push_back(line + ", \"inertia\": " + inertia_text(body.inertia));
   }
   if (!body.points.empty()) {
     std::vector<std::string> points;
     for (const auto& [name, at] : body.points) {
-      points.push_back(fmt::format("\"{}\": {}", name, vector_text(at, kNoLength)));
+      points.push_back(fmt::format("\"{}\": {}", name, vector_text(at)));
     }
     lines.push_back(fmt::format("\"points\": {{ {} }}", fmt::join(points, ", ")));
   }
@@ -177,7 +176,7 @@ std::string model_text(const Assembly& assembly) {
   }
   std::string text = comment_text(assembly.comment, "");
   text += fmt::format("{{\n  \"mbgen\": 1, \"name\": \"{}\", \"gravity\": {}", assembly.name,
-                      vector_text(assembly.gravity, 0));
+                      vector_text(assembly.gravity));
   text += section("inputs", inputs) + section("bodies", body_lines) + section("joints", joints);
   text += section("joint_springs", springs) + section("frictions", frictions) + section("joint_forces", forces);
   if (assembly.step > 0) text += fmt::format(",\n  \"solver\": {{ \"step\": {} }}", number_text(assembly.step));

@@ -85,21 +85,45 @@ int root_of(Reading& reading, const UrdfRobot& robot) {
   return root;
 }
 
-/// Walks from the root; a link is placed by the first joint that reaches it.
+/// Places the child of a joint whose parent is placed.
+void place(UrdfRobot& robot, int index, std::vector<BodyDraft>& bodies) {
+  const UrdfJoint& joint = robot.joints[static_cast<std::size_t>(index)];
+  UrdfLink& below = link(robot, joint.child);
+  below.is_placed = true;
+  below.placed_by = index;
+  bodies[static_cast<std::size_t>(below.body)].pose =
+      bodies[static_cast<std::size_t>(link(robot, joint.parent).body)].pose * moved(joint);
+}
+
+/// The first joint in the file that leads from a placed link to one that is not; -1 without any.
+int leaving_joint(const UrdfRobot& robot) {
+  for (std::size_t i = 0; i < robot.joints.size(); ++i) {
+    const UrdfJoint& joint = robot.joints[i];
+    if (robot.links[static_cast<std::size_t>(joint.parent)].is_placed &&
+        !robot.links[static_cast<std::size_t>(joint.child)].is_placed) {
+      return static_cast<int>(i);
+    }
+  }
+  return -1;
+}
+
+/// Walks from the root. A link is placed by the first of its joints in the file, by another only where that one comes
+/// from a link below it.
 void place_links(UrdfRobot& robot, int root, std::vector<BodyDraft>& bodies) {
   link(robot, root).is_placed = true;
   std::vector<int> reached = {root};
-  for (std::size_t next = 0; next < reached.size(); ++next) {
-    const UrdfLink& parent = link(robot, reached[next]);
-    for (const int index : parent.children) {
-      const UrdfJoint& joint = robot.joints[static_cast<std::size_t>(index)];
-      UrdfLink& below = link(robot, joint.child);
-      if (below.is_placed) continue;
-      below.is_placed = true;
-      below.placed_by = index;
-      bodies[static_cast<std::size_t>(below.body)].pose =
-          bodies[static_cast<std::size_t>(parent.body)].pose * moved(joint);
-      reached.push_back(joint.child);
+  for (std::size_t next = 0;; ++next) {
+    if (next == reached.size()) {
+      const int other = leaving_joint(robot);
+      if (other < 0) return;
+      place(robot, other, bodies);
+      reached.push_back(robot.joints[static_cast<std::size_t>(other)].child);
+    }
+    for (const int index : link(robot, reached[next]).children) {
+      const int child = robot.joints[static_cast<std::size_t>(index)].child;
+      if (link(robot, child).is_placed || link(robot, child).parents.front() != index) continue;
+      place(robot, index, bodies);
+      reached.push_back(child);
     }
   }
 }
@@ -151,7 +175,7 @@ void add_joint(Reading& reading, UrdfRobot& robot, int index, Assembly& assembly
   if (has_axis(joint.type)) draft.axis = child_pose.linear() * joint.axis;
   draft.comment = limits_text(reading, joint);
   if (joint.reference != 0) {
-    draft.comment += fmt::format("{}zero is {} of the URDF", draft.comment.empty() ? "" : "; ", joint.reference);
+    draft.comment += fmt::format("{}zero is {:.6g} of the URDF", draft.comment.empty() ? "" : "; ", joint.reference);
   }
   note_mimic(reading, robot, joint);
   if (below.placed_by != index) {
