@@ -15,14 +15,15 @@ namespace mbgen {
 enum class RobotBase { fixed, floating };
 
 struct ImportRequest {
-  std::string file;                   ///< path of the robot's file, used in messages and as the base of <include>
-  std::string text;                   ///< its content
-  std::string loops_file;             ///< path of the sidecar, for messages
-  std::optional<std::string> loops;   ///< content of the sidecar with loops and positions (URDF), see docs/import.md
+  std::string file;             ///< path of the robot's file, used in messages and as the base of <include>
+  std::string text;             ///< its content
+  std::string loops_file = {};  ///< path of the sidecar, for messages
+  std::optional<std::string> loops =
+      {};                             ///< content of the sidecar with loops and positions (URDF), see docs/import.md
   RobotBase base = RobotBase::fixed;  ///< of a URDF robot
   /// Content of a file that the robot's file includes, nothing when it cannot be read. Called with a path relative to
   /// the working directory.
-  std::function<std::optional<std::string>(const std::string& path)> read;
+  std::function<std::optional<std::string>(const std::string& path)> read = {};
 };
 
 struct ImportedModel {

@@ -10,17 +10,17 @@ namespace mbgen::importing {
 
 struct UrdfLink {
   const Element* element = nullptr;
-  std::string name;
-  int body = -1;              ///< index into Assembly::bodies
-  std::vector<int> parents;   ///< joints whose child it is, in the order of the file
-  std::vector<int> children;  ///< joints whose parent it is
-  int placed_by = -1;         ///< joint of the spanning tree that places it; -1 for the root
+  std::string name = {};
+  int body = -1;                   ///< index into Assembly::bodies
+  std::vector<int> parents = {};   ///< joints whose child it is, in the order of the file
+  std::vector<int> children = {};  ///< joints whose parent it is
+  int placed_by = -1;              ///< joint of the spanning tree that places it; -1 for the root
   bool is_placed = false;
 };
 
 struct UrdfJoint {
   const Element* element = nullptr;
-  std::string name;
+  std::string name = {};
   JointType type = JointType::fixed;
   int parent = -1, child = -1;                 ///< indices into UrdfRobot::links
   Isometry3d origin = Isometry3d::Identity();  ///< joint frame in the parent's at zero
@@ -69,7 +69,7 @@ void add_extension_loops(Reading& reading, const Element& root, const UrdfRobot&
 struct Sidecar {
   struct Loop {
     std::string name, pointer;
-    LoopEnds ends;  ///< frames in the links
+    LoopEnds ends = {};  ///< frames in the links
     int from = -1, to = -1;
     bool has_far_frame = false;
   };

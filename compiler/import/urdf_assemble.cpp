@@ -43,7 +43,9 @@ void read_inertial(Reading& reading, const UrdfLink& link, BodyDraft& body) {
   const std::string fault = fault_of_inertia(body.mass, written);
   if (fault.empty()) return;
   problem(reading, (body.mass < 0 ? mass : inertia)->spot, fmt::format("link {}: {}", quoted_text(link.name), fault),
-          body.mass < 0 ? "" : "no principal moment of a rigid body exceeds the sum of the other two");
+          fault.find("triangle") == std::string::npos
+              ? ""
+              : "no principal moment of a rigid body exceeds the sum of the other two");
 }
 
 /// The links from one that is its own ancestor round to itself: "a -> b -> a".

@@ -49,13 +49,23 @@ std::string add_loop(Assembly& assembly, const std::string& name, const LoopEnds
   return gap_of(ends);
 }
 
+/// A problem of the sidecar; where it stands in the text is not known, its JSON pointer is.
+void sidecar_problem(Reading& reading, const std::string& pointer, std::string message, std::string hint) {
+  Diagnostic diagnostic;
+  diagnostic.where.file = reading.request.loops_file;
+  diagnostic.where.pointer = pointer;
+  diagnostic.message = std::move(message);
+  diagnostic.hint = std::move(hint);
+  reading.problems.push_back(std::move(diagnostic));
+}
+
 /// Loops of the sidecar as they are read.
 struct SidecarReader {
   Reading& reading;
   UrdfRobot& robot;
 
   void fail(const std::string& pointer, std::string message, std::string hint = {}) {
-    reading.problems.push_back({{reading.request.loops_file, 0, 0, pointer}, std::move(message), std::move(hint), {}});
+    sidecar_problem(reading, pointer, std::move(message), std::move(hint));
   }
 
   std::optional<double> angle_or_length(const Json& value, const std::string& pointer) {
@@ -232,10 +242,8 @@ void add_sidecar_loops(Reading& reading, const Sidecar& sidecar, const UrdfRobot
     if (!loop.has_far_frame) ends.to = pose(to).inverse() * pose(from) * ends.from;
     const std::string gap = add_loop(assembly, loop.name, ends, from, to);
     if (gap.empty()) continue;
-    reading.problems.push_back({{reading.request.loops_file, 0, 0, loop.pointer},
-                                "loop does not close, " + gap,
-                                "name joint positions at which it closes, as \"positions\": { \"joint\": 0.3 }",
-                                {}});
+    sidecar_problem(reading, loop.pointer, "loop does not close, " + gap,
+                    "name joint positions at which it closes, as \"positions\": { \"joint\": 0.3 }");
   }
 }
 

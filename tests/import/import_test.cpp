@@ -93,11 +93,11 @@ TEST(ImportUrdf, TellsWhatItLeavesOut) {
   const ImportedModel model = imported("arm.urdf");
   EXPECT_TRUE(has_note(model, "<visual> (2 of them) not carried over"));
   EXPECT_TRUE(has_note(model, "<collision> not carried over"));
-  EXPECT_TRUE(has_note(model, "<limit> (7 of them) not carried over"));
+  EXPECT_TRUE(has_note(model, "<limit> (6 of them) not carried over"));
   EXPECT_TRUE(has_note(model, "<transmission> not carried over"));
   EXPECT_TRUE(has_note(model, "joint \"right\" should follow \"left\" (right = 1 * left + 0): it is left free"));
   EXPECT_TRUE(has_note(model, "friction of 1 joint is smoothed below 0.001 rad/s or m/s"));
-  EXPECT_EQ(model.bodies, 10);
+  EXPECT_EQ(model.bodies, 9);
   EXPECT_EQ(model.joints, 9);
 }
 
@@ -105,7 +105,9 @@ TEST(ImportUrdf, TheBaseIsFixedUnlessItFloats) {
   ImportRequest request = request_of("r.urdf",
                                      "<robot name='r'><link name='base'><inertial><mass value='2'/><inertia ixx='1' "
                                      "iyy='1' izz='1' ixy='0' ixz='0' iyz='0'/></inertial></link></robot>");
-  EXPECT_EQ(mechanism_of(imported_text(request).json).topology.size(), 0);
+  const Result<Model> fixed = read_model(imported_text(request).json, "r.json");
+  ASSERT_TRUE(fixed) << to_text(fixed.problems());
+  EXPECT_EQ(fixed->joints[0].type, JointType::fixed);
   EXPECT_TRUE(has_note(imported_text(request), "root link \"base\" is fixed to the ground"));
   request.base = RobotBase::floating;
   EXPECT_EQ(mechanism_of(imported_text(request).json).topology.size(), 6);
