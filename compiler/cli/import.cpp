@@ -82,8 +82,8 @@ int run(const ImportOptions& options) {
   }
   for (const Diagnostic& note : model.notes) fmt::print(stderr, "{}", note_text(note));
   print(options.file.empty() ? model.json
-                             : fmt::format("{}: {} bodies, {} joints, {} of them close loops, {} notes\n", options.file,
-                                           model.bodies, model.joints, model.loops, model.notes.size()));
+                             : fmt::format("{}: bodies {}, joints {}, of them closing loops {}, notes {}\n",
+                                           options.file, model.bodies, model.joints, model.loops, model.notes.size()));
   return kDone;
 }
 
