@@ -6,7 +6,7 @@
 set -eu
 cd "$(dirname "$0")/.."
 
-.ci/install g++ cmake ninja-build binutils valgrind libeigen3-dev libfmt-dev nlohmann-json3-dev libcli11-dev \
+.ci/install g++ cmake ninja-build binutils valgrind libeigen3-dev libfmt-dev nlohmann-json3-dev libcli11-dev libpugixml-dev \
   libopenblas-serial-dev libsuitesparse-dev libsimbody-dev libmujoco-dev >&2
 build=${MBGEN_BUILD:-build/compare}
 cmake -S . -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=Release -DMBGEN_TESTS=OFF >&2

@@ -5,7 +5,7 @@ set -eu
 cd "$(dirname "$0")/.."
 result=build/coach
 
-.ci/install g++ cmake ninja-build libeigen3-dev libfmt-dev nlohmann-json3-dev libcli11-dev \
+.ci/install g++ cmake ninja-build libeigen3-dev libfmt-dev nlohmann-json3-dev libcli11-dev libpugixml-dev \
   libopenblas-serial-dev libsuitesparse-dev
 cmake --preset release -DMBGEN_TESTS=OFF -DMBGEN_BENCH=OFF --log-level=NOTICE
 cmake --build --preset release --target mbgen

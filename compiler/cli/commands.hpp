@@ -23,6 +23,7 @@ void add_report(CLI::App& application, int& exit_code);
 void add_equilibrium(CLI::App& application, int& exit_code);
 void add_linearize(CLI::App& application, int& exit_code);
 void add_bench(CLI::App& application, int& exit_code);
+void add_import(CLI::App& application, int& exit_code);
 void add_schema(CLI::App& application, int& exit_code);
 void add_completion(CLI::App& application, int& exit_code);
 void add_manual(CLI::App& application, int& exit_code);

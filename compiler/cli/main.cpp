@@ -35,7 +35,7 @@ int run(int argc, char** argv) {
       "Exit codes: 0 done, 1 the input is at fault, 2 mbgen is at fault.");
   for (const auto add :
        {add_new, add_check, add_explain, add_inspect, add_generate, add_export, add_simulate, add_plot, add_report,
-        add_evaluate, add_equilibrium, add_linearize, add_bench, add_schema, add_completion, add_manual}) {
+        add_evaluate, add_equilibrium, add_linearize, add_bench, add_import, add_schema, add_completion, add_manual}) {
     add(application, exit_code);
   }
   try {

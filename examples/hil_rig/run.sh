@@ -8,7 +8,7 @@ seconds=${1:-10}
 result=build/hil_rig
 
 if [ -z "${MBGEN:-}" ]; then
-  .ci/install g++ cmake ninja-build libeigen3-dev libfmt-dev nlohmann-json3-dev libcli11-dev \
+  .ci/install g++ cmake ninja-build libeigen3-dev libfmt-dev nlohmann-json3-dev libcli11-dev libpugixml-dev \
     libopenblas-serial-dev libsuitesparse-dev
   cmake --preset release -DMBGEN_TESTS=OFF -DMBGEN_BENCH=OFF --log-level=NOTICE
   cmake --build --preset release --target mbgen

@@ -1,0 +1,112 @@
+// mbgen import: a robot in URDF or MJCF becomes a model.
+
+#include "compiler/import/import.hpp"
+
+#include <fmt/format.h>
+
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+
+#include "compiler/cli/commands.hpp"
+#include "compiler/cli/files.hpp"
+#include "compiler/cli/json_text.hpp"
+#include "compiler/cli/options.hpp"
+#include "compiler/cli/user_error.hpp"
+#include "compiler/model/model.hpp"
+
+namespace mbgen::cli {
+namespace {
+
+struct ImportOptions {
+  std::string robot, loops, file, base = "fixed";
+  bool json = false;
+};
+
+ImportRequest import_request(const ImportOptions& options) {
+  ImportRequest request{.file = options.robot, .text = read_text(options.robot)};
+  if (!options.loops.empty()) {
+    request.loops_file = options.loops;
+    request.loops = read_text(options.loops);
+  }
+  request.base = options.base == "floating" ? RobotBase::floating : RobotBase::fixed;
+  request.read = [](const std::string& path) -> std::optional<std::string> {
+    try {
+      return read_text(path);
+    } catch (const UserError&) {
+      return std::nullopt;
+    }
+  };
+  return request;
+}
+
+std::string note_text(const Diagnostic& note) {
+  std::string text =
+      fmt::format("{}:{}:{}: note: {}\n", note.where.file, note.where.line, note.where.column, note.message);
+  if (!note.hint.empty()) text += fmt::format("  hint: {}\n", note.hint);
+  return text;
+}
+
+nlohmann::ordered_json import_json(const ImportOptions& options, const ImportedModel& model) {
+  nlohmann::ordered_json notes = nlohmann::ordered_json::array();
+  for (const Diagnostic& note : model.notes) {
+    notes.push_back({{"file", note.where.file},
+                     {"line", note.where.line},
+                     {"column", note.where.column},
+                     {"message", note.message},
+                     {"hint", note.hint}});
+  }
+  return {{"robot", options.robot}, {"format", model.format}, {"model", model.name},  {"file", options.file},
+          {"bodies", model.bodies}, {"joints", model.joints}, {"loops", model.loops}, {"notes", notes}};
+}
+
+int run(const ImportOptions& options) {
+  if (options.json && options.file.empty())
+    throw UserError("--json: the report takes standard output, give the model a file with --out\n");
+  const ImportedModel model = expect(import_robot(import_request(options)));
+  const std::string file = options.file.empty() ? model.name + ".json" : options.file;
+  // What the translation lets through must be a model; where it is not, the translation is at fault.
+  if (const Result<Model> read = read_model(model.json, file); !read) {
+    throw std::logic_error("the imported model cannot be read:\n" + to_text(read.problems()));
+  }
+  if (!options.file.empty()) {
+    require_other_file(options.file, model.files);
+    if (!options.loops.empty()) require_other_file(options.file, {options.loops});
+    AtomicFile written(options.file);
+    written.write(model.json);
+    written.commit();
+  }
+  if (options.json) {
+    print(json_text(import_json(options, model)));
+    return kDone;
+  }
+  for (const Diagnostic& note : model.notes) fmt::print(stderr, "{}", note_text(note));
+  print(options.file.empty() ? model.json
+                             : fmt::format("{}: bodies {}, joints {}, of them closing loops {}, notes {}\n",
+                                           options.file, model.bodies, model.joints, model.loops, model.notes.size()));
+  return kDone;
+}
+
+}  // namespace
+
+void add_import(CLI::App& application, int& exit_code) {
+  const auto options = std::make_shared<ImportOptions>();
+  CLI::App* command = application.add_subcommand("import", "make a model of a robot in URDF or MJCF");
+  command->footer(
+      "Example: mbgen import robot.urdf --out robot.json\n"
+      "What could not be carried over is told on standard error, with the line it stands in. Without --out the model "
+      "is\n"
+      "printed. What becomes of each element, and the file of --loops: docs/import.md.");
+  command->add_option("ROBOT", options->robot, "URDF (<robot>) or MJCF (<mujoco>) file")->required();
+  command->add_option("-o,--out", options->file, "write the model to this file");
+  command->add_option("--loops", options->loops,
+                      "JSON file with loops that a URDF has no word for, and positions where they close");
+  command
+      ->add_option("--base", options->base,
+                   "of a URDF robot: fixed, or floating where its root link moves freely (default fixed)")
+      ->check(CLI::IsMember(std::vector<std::string>{"fixed", "floating"}));
+  add_json_option(*command, options->json);
+  command->callback([options, &exit_code] { exit_code = run(*options); });
+}
+
+}  // namespace mbgen::cli

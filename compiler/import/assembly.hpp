@@ -1,0 +1,97 @@
+#pragma once
+// A mechanism on its way from a robot's file to a model: bodies placed at the reference configuration, joints in global
+// axes, so that whatever frames a format has, what is written meets at the reference.
+
+#include <Eigen/Geometry>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "compiler/import/xml.hpp"
+#include "compiler/model/model.hpp"
+
+namespace mbgen::importing {
+
+using Eigen::Isometry3d;
+using Eigen::Matrix3d;
+using Eigen::Vector3d;
+
+constexpr int kGroundDraft = 0;  ///< index of the ground in Assembly::bodies
+
+struct BodyDraft {
+  std::string name;
+  Isometry3d pose = Isometry3d::Identity();                   ///< body frame in the global one at the reference
+  double mass = 0;                                            ///< kg
+  Vector3d com = Vector3d::Zero();                            ///< m, body frame
+  Matrix3d inertia = Matrix3d::Zero();                        ///< kg m^2 about the centre of mass, body axes
+  std::vector<std::pair<std::string, Vector3d>> points = {};  ///< m, body frame
+  std::string comment = {};
+};
+
+struct JointDraft {
+  std::string name;
+  JointType type = JointType::fixed;
+  int from = kGroundDraft, to = kGroundDraft;  ///< indices into Assembly::bodies
+  Vector3d at = Vector3d::Zero();              ///< m, global at the reference
+  Vector3d axis = Vector3d::Zero();            ///< global at the reference; zero for joints without an axis
+  bool cut = false;
+  std::string comment = {};
+};
+
+struct SpringDraft {
+  std::string coordinate;
+  double stiffness = 0, damping = 0, free = 0;
+};
+
+struct FrictionDraft {
+  std::string coordinate;
+  double coulomb = 0;
+};
+
+/// A force on a coordinate that an input of the same name as the actuator sets.
+struct ActuatorDraft {
+  std::string name, coordinate, force, unit;
+};
+
+struct Assembly {
+  std::string name, comment;
+  Vector3d gravity{0, 0, -9.81};
+  double step = 0;  ///< s; 0: the format's default
+  std::vector<BodyDraft> bodies{{.name = "ground"}};
+  std::vector<JointDraft> joints;
+  std::vector<SpringDraft> springs;
+  std::vector<FrictionDraft> frictions;
+  std::vector<ActuatorDraft> actuators;
+  std::set<std::string> body_names{"ground"}, coordinate_names;
+  /// Expressions know these as something else.
+  std::set<std::string> input_names{"pi",   "t",    "z",    "zd",    "sqrt", "sin",   "cos",  "tan",
+                                    "asin", "acos", "atan", "atan2", "exp",  "log",   "tanh", "abs",
+                                    "min",  "max",  "pow",  "sign",  "step", "select"};
+};
+
+/// A speed at which Coulomb friction is half smoothed: rad/s or m/s. Robots' formats have none.
+constexpr double kFrictionVelocity = 1e-3;
+
+/// The text as a name of the model format that none of `taken` is; it is added to them. What is no letter or digit
+/// becomes _.
+std::string unique_name(std::string_view text, std::set<std::string>& taken);
+std::string valid_name(std::string_view text);
+
+/// A name for a joint, such that its coordinates have names of their own.
+std::string unique_joint_name(Assembly& assembly, std::string_view text);
+
+/// Adds a point to a body, under this name or one like it. Result: its name.
+std::string add_point(BodyDraft& body, std::string_view name, const Vector3d& position);
+
+/// Spring, damper and friction of a coordinate, where they are not zero.
+void add_joint_forces(Assembly& assembly, const std::string& coordinate, double stiffness, double damping, double free,
+                      double friction);
+
+/// Why no rigid body has this mass and inertia, or "".
+std::string fault_of_inertia(double mass, const Matrix3d& inertia);
+
+/// Text of the model.
+std::string model_text(const Assembly& assembly);
+
+}  // namespace mbgen::importing

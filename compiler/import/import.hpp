@@ -1,0 +1,44 @@
+#pragma once
+// The door of the import room: a robot in URDF or MJCF -> a model in mbgen's JSON, with a list of what could not be
+// carried over.
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "compiler/model/diagnostic.hpp"
+
+namespace mbgen {
+
+/// Where the root link of a URDF robot is. The format does not say; a root link named "world" is the ground itself.
+enum class RobotBase { fixed, floating };
+
+struct ImportRequest {
+  std::string file;             ///< path of the robot's file, used in messages and as the base of <include>
+  std::string text;             ///< its content
+  std::string loops_file = {};  ///< path of the sidecar, for messages
+  /// content of the sidecar (URDF only): loops, and positions where they close; see docs/import.md
+  std::optional<std::string> loops = {};
+  RobotBase base = RobotBase::fixed;  ///< of a URDF robot
+  /// Content of a file that the robot's file includes, nothing when it cannot be read. Called with a path relative to
+  /// the working directory.
+  std::function<std::optional<std::string>(const std::string& path)> read = {};
+};
+
+struct ImportedModel {
+  std::string name;                ///< of the model, from the robot's
+  std::string format;              ///< "URDF" or "MJCF"
+  std::string json;                ///< the model, with comments, in the format that read_model takes
+  int bodies = 0, joints = 0;      ///< without the ground; with the joints that close loops
+  int loops = 0;                   ///< joints that close loops
+  Diagnostics notes;               ///< what was not carried over, or not as it stands, in order of position
+  std::vector<std::string> files;  ///< every file that was read, the robot's first
+};
+
+/// Translates a robot. The root element says which format it has: <robot> is URDF, <mujoco> is MJCF.
+/// Ensures: joints meet at the reference configuration, which is the robot's at zero joint positions.
+/// Fails: with every problem found, in order of position.
+Result<ImportedModel> import_robot(const ImportRequest& request);
+
+}  // namespace mbgen

@@ -1,0 +1,98 @@
+#pragma once
+// MJCF, the format of MuJoCo (https://mujoco.readthedocs.io/en/stable/XMLreference.html): what its elements say and
+// what becomes of them.
+
+#include <functional>
+#include <map>
+
+#include "compiler/import/assembly.hpp"
+
+namespace mbgen::importing {
+
+/// Of the <compiler> element.
+struct MjcfSettings {
+  enum class InertiaFromGeom { automatic, always, never };
+  bool is_in_degrees = true;
+  std::string euler_sequence = "xyz";  ///< lower case turns about moving axes, upper case about fixed ones
+  InertiaFromGeom inertia_from_geom = InertiaFromGeom::automatic;
+  bool balances_inertia = false;
+  double bound_mass = 0, bound_inertia = 0;  ///< least mass and principal moment of a body; 0: none
+  double total_mass = -1;                    ///< kg, what all masses are scaled to; negative: as they are
+  double first_group = 0, last_group = 5;    ///< of geoms whose mass counts
+};
+
+/// Elements of a <default> class by their names, and the class it inherits from.
+struct MjcfClass {
+  std::string parent;
+  std::map<std::string, const Element*, std::less<>> elements;
+};
+
+struct MjcfJoint {
+  std::string coordinate;  ///< name of the joint in the model
+  JointType type = JointType::revolute;
+  double reference = 0;  ///< rad or m: MuJoCo's coordinate at the reference configuration
+};
+
+/// What was left out of some elements: said once, where it first stands.
+struct MjcfLoss {
+  Spot first;
+  int count = 0;
+};
+
+struct Mjcf {
+  Reading& reading;
+  Assembly& assembly;
+  MjcfSettings settings = {};
+  std::map<std::string, MjcfClass, std::less<>> classes = {};
+  std::map<std::string, int, std::less<>> body_of = {};  ///< index into Assembly::bodies
+  std::map<std::string, MjcfJoint, std::less<>> joint_of = {};
+  std::map<std::string, Isometry3d, std::less<>> site_of = {};  ///< global at the reference
+  std::map<std::string, int, std::less<>> body_of_site = {};
+  std::map<std::string, MjcfLoss> losses = {};  ///< by their text
+};
+
+/// Counts a loss of which one note tells; `text` follows the number of places.
+void lose(Mjcf& mjcf, Spot spot, const std::string& text);
+
+/// <compiler>, <option>, <default>.
+void read_settings(Mjcf& mjcf, const Element& root);
+
+/// An attribute of an element, of its class, of the classes that it inherits from, or nullptr.
+/// childclass: the class of elements that name none.
+const Attribute* inherited(const Mjcf& mjcf, const Element& element, const std::string& childclass,
+                           std::string_view name);
+double inherited_number(Mjcf& mjcf, const Element& element, const std::string& childclass, std::string_view name,
+                        double fallback);
+Vector3d inherited_vector(Mjcf& mjcf, const Element& element, const std::string& childclass, std::string_view name,
+                          const Vector3d& fallback);
+std::string inherited_text(const Mjcf& mjcf, const Element& element, const std::string& childclass,
+                           std::string_view name, std::string_view fallback);
+/// Checks that the class an element names is there. Fails: with a problem.
+void require_class(Mjcf& mjcf, const Element& element, std::string_view attribute_name);
+
+/// pos and quat, axisangle, euler, xyaxes or zaxis.
+Isometry3d read_pose(Mjcf& mjcf, const Element& element, const std::string& childclass);
+
+/// Calls `visit(child, frame, childclass)` for the children of a body, those inside <frame> too; the frame is theirs in
+/// the body.
+using VisitChild = std::function<void(const Element&, const Isometry3d&, const std::string&)>;
+void for_children(Mjcf& mjcf, const Element& body, const std::string& childclass, const VisitChild& visit);
+
+/// The body's mass, centre of mass and inertia, by its <inertial> or its geoms.
+void read_mass(Mjcf& mjcf, const Element& element, const std::string& childclass, BodyDraft& body);
+/// Scales all masses where <compiler settotalmass> asks for it.
+void scale_masses(Mjcf& mjcf);
+
+/// The tree of <worldbody>.
+void read_bodies(Mjcf& mjcf, const Element& world);
+/// Joints of a body, between it and its parent; without any it is fixed.
+void read_joints(Mjcf& mjcf, const Element& element, const std::string& childclass, int parent, int body);
+
+/// <equality>, <actuator>, after the bodies.
+void read_equalities(Mjcf& mjcf, const Element& section);
+void read_actuators(Mjcf& mjcf, const Element& section);
+
+/// The whole translation. Problems and notes are added.
+void import_mjcf(Reading& reading, const Element& root, Assembly& assembly);
+
+}  // namespace mbgen::importing

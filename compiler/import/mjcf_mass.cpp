@@ -1,0 +1,196 @@
+// MJCF: masses, as <inertial> gives them or of the shapes of the geoms.
+#include <fmt/format.h>
+
+#include <Eigen/Eigenvalues>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include "compiler/import/mjcf.hpp"
+
+namespace mbgen::importing {
+namespace {
+
+constexpr double kPi = std::numbers::pi;
+constexpr double kDensity = 1000;  // kg/m^3, MuJoCo's default
+
+/// Mass of volume one, and the moments about the centre of mass for mass one, in the geom's axes.
+struct Shape {
+  double volume = 0;
+  Vector3d moments = Vector3d::Zero();
+};
+
+Shape box(const Vector3d& a) {
+  const Vector3d s = a.cwiseAbs2();
+  return {8 * a.prod(), Vector3d(s[1] + s[2], s[0] + s[2], s[0] + s[1]) / 3};
+}
+
+Shape ellipsoid(const Vector3d& a) {
+  const Vector3d s = a.cwiseAbs2();
+  return {4 * kPi / 3 * a.prod(), Vector3d(s[1] + s[2], s[0] + s[2], s[0] + s[1]) / 5};
+}
+
+Shape cylinder(double radius, double half) {
+  const double across = radius * radius / 4 + half * half / 3;
+  return {2 * kPi * radius * radius * half, {across, across, radius * radius / 2}};
+}
+
+/// A cylinder with a half ball at each end, whose centre of mass is 3/8 of the radius beyond the cylinder's end.
+Shape capsule(double radius, double half) {
+  const double r2 = radius * radius;
+  const double straight = 2 * kPi * r2 * half, balls = 4 * kPi / 3 * r2 * radius, volume = straight + balls;
+  const double ball_across = 2 * r2 / 5 + half * half + 0.75 * half * radius;
+  const double across = (straight * (r2 / 4 + half * half / 3) + balls * ball_across) / volume;
+  return {volume, {across, across, (straight * r2 / 2 + balls * 2 * r2 / 5) / volume}};
+}
+
+/// A geom that has a mass: its frame in the body and its shape.
+struct Solid {
+  double mass = 0;
+  Isometry3d frame = Isometry3d::Identity();
+  Vector3d moments = Vector3d::Zero();
+};
+
+/// The geom's shape by its type. Fails (nothing): it has no volume of its own, or a problem was added.
+std::optional<Shape> shape_of(Mjcf& mjcf, const Element& geom, const std::string& type,
+                              const std::vector<double>& size) {
+  const std::size_t needed = type == "sphere" ? 1 : type == "box" || type == "ellipsoid" ? 3 : 2;
+  const bool is_positive =
+      size.size() >= needed &&
+      std::all_of(size.begin(), size.begin() + static_cast<std::ptrdiff_t>(needed), [](double s) { return s > 0; });
+  if (!is_positive) {
+    problem(mjcf.reading, geom.spot,
+            fmt::format("a {} needs {} positive size{}", type, needed, needed == 1 ? "" : "s"));
+    return std::nullopt;
+  }
+  if (type == "sphere") return ellipsoid(Vector3d::Constant(size[0]));
+  if (type == "box") return box({size[0], size[1], size[2]});
+  if (type == "ellipsoid") return ellipsoid({size[0], size[1], size[2]});
+  return type == "cylinder" ? cylinder(size[0], size[1]) : capsule(size[0], size[1]);
+}
+
+/// Size and frame by fromto: the z axis runs between the two points.
+void lay_between(Mjcf& mjcf, const Attribute& fromto, const std::string& type, std::vector<double>& size,
+                 Isometry3d& frame) {
+  const std::vector<double> v = numbers(mjcf.reading, fromto, 6, 6).value_or(std::vector<double>{0, 0, 0, 0, 0, 1});
+  const Vector3d from(v[0], v[1], v[2]), to(v[3], v[4], v[5]);
+  if ((to - from).norm() == 0) problem(mjcf.reading, fromto.spot, "fromto has zero length");
+  frame.translation() = (from + to) / 2;
+  frame.linear() = Eigen::Quaterniond::FromTwoVectors(Vector3d::UnitZ(), to - from).toRotationMatrix();
+  if (size.empty()) return;
+  const double half = (to - from).norm() / 2;
+  size = type == "box" || type == "ellipsoid" ? std::vector<double>{size[0], size[0], half}
+                                              : std::vector<double>{size[0], half};
+}
+
+std::optional<Solid> read_solid(Mjcf& mjcf, const Element& geom, const std::string& childclass) {
+  static constexpr std::array<std::string_view, 5> solid_types = {"sphere", "capsule", "ellipsoid", "cylinder", "box"};
+  require_class(mjcf, geom, "class");
+  const bool has_mesh = inherited(mjcf, geom, childclass, "mesh") != nullptr;
+  const std::string type = inherited_text(mjcf, geom, childclass, "type", has_mesh ? "mesh" : "sphere");
+  const double group = inherited_number(mjcf, geom, childclass, "group", 0);
+  if (group < mjcf.settings.first_group || group > mjcf.settings.last_group) return std::nullopt;
+  const double given = inherited_number(mjcf, geom, childclass, "mass", -1);
+  const double density = inherited_number(mjcf, geom, childclass, "density", kDensity);
+  if (given == 0 || (given < 0 && density == 0)) return std::nullopt;
+  if (std::find(solid_types.begin(), solid_types.end(), type) == solid_types.end() || has_mesh) {
+    if (type != "plane")
+      lose(mjcf, geom.spot, "geom of a mesh: its mass is not carried over, give the body an <inertial>");
+    return std::nullopt;
+  }
+  std::vector<double> size;
+  if (const Attribute* found = inherited(mjcf, geom, childclass, "size")) {
+    size = numbers(mjcf.reading, *found, 1, 3).value_or(std::vector<double>{});
+  }
+  Isometry3d frame = read_pose(mjcf, geom, childclass);
+  if (const Attribute* fromto = inherited(mjcf, geom, childclass, "fromto"); fromto && type != "sphere") {
+    lay_between(mjcf, *fromto, type, size, frame);
+  }
+  const std::optional<Shape> shape = shape_of(mjcf, geom, type, size);
+  if (!shape) return std::nullopt;
+  const double mass = given >= 0 ? given : density * shape->volume;
+  return Solid{mass, frame, mass * shape->moments};
+}
+
+/// All the geoms of a body together.
+void add_solids(const std::vector<Solid>& solids, BodyDraft& body) {
+  Vector3d moment = Vector3d::Zero();
+  for (const Solid& solid : solids) {
+    body.mass += solid.mass;
+    moment += solid.mass * solid.frame.translation();
+  }
+  if (body.mass == 0) return;
+  body.com = moment / body.mass;
+  for (const Solid& solid : solids) {
+    const Vector3d d = solid.frame.translation() - body.com;
+    body.inertia += solid.frame.linear() * solid.moments.asDiagonal() * solid.frame.linear().transpose();
+    body.inertia += solid.mass * (d.squaredNorm() * Matrix3d::Identity() - d * d.transpose());
+  }
+}
+
+void read_inertial(Mjcf& mjcf, const Element& inertial, BodyDraft& body) {
+  const Isometry3d frame = read_pose(mjcf, inertial, "");
+  if (!required_text(mjcf.reading, inertial, "mass")) return;
+  body.mass = number(mjcf.reading, inertial, "mass", 0);
+  body.com = frame.translation();
+  Matrix3d written = Matrix3d::Zero();
+  if (const Attribute* full = attribute(inertial, "fullinertia")) {
+    const std::vector<double> v = numbers(mjcf.reading, *full, 6, 6).value_or(std::vector<double>(6, 0.0));
+    written << v[0], v[3], v[4], v[3], v[1], v[5], v[4], v[5], v[2];
+  } else if (const Attribute* diagonal = attribute(inertial, "diaginertia")) {
+    const std::vector<double> v = numbers(mjcf.reading, *diagonal, 3, 3).value_or(std::vector<double>(3, 0.0));
+    written = Vector3d(v[0], v[1], v[2]).asDiagonal();
+  } else {
+    problem(mjcf.reading, inertial.spot, "<inertial> needs diaginertia or fullinertia");
+  }
+  body.inertia = frame.linear() * written * frame.linear().transpose();
+}
+
+/// What <compiler> asks to make of every inertia.
+void correct_inertia(const MjcfSettings& settings, BodyDraft& body) {
+  if (settings.bound_mass > 0) body.mass = std::max(body.mass, settings.bound_mass);
+  if (settings.bound_inertia <= 0 && !settings.balances_inertia) return;
+  const Eigen::SelfAdjointEigenSolver<Matrix3d> principal(body.inertia);
+  Vector3d moments = principal.eigenvalues().cwiseMax(settings.bound_inertia);
+  if (settings.balances_inertia && moments[0] + moments[1] < moments[2]) moments.setConstant(moments.mean());
+  body.inertia = principal.eigenvectors() * moments.asDiagonal() * principal.eigenvectors().transpose();
+}
+
+}  // namespace
+
+void read_mass(Mjcf& mjcf, const Element& element, const std::string& childclass, BodyDraft& body) {
+  using From = MjcfSettings::InertiaFromGeom;
+  const Element* inertial = child(element, "inertial");
+  const bool uses_geoms = mjcf.settings.inertia_from_geom == From::always ||
+                          (mjcf.settings.inertia_from_geom == From::automatic && !inertial);
+  if (uses_geoms) {
+    std::vector<Solid> solids;
+    for_children(mjcf, element, childclass, [&](const Element& geom, const Isometry3d& frame, const std::string& name) {
+      if (geom.name != "geom") return;
+      std::optional<Solid> solid = read_solid(mjcf, geom, name);
+      if (!solid) return;
+      solid->frame = frame * solid->frame;
+      solids.push_back(*solid);
+    });
+    add_solids(solids, body);
+  } else if (inertial) {
+    read_inertial(mjcf, *inertial, body);
+  }
+  correct_inertia(mjcf.settings, body);
+  const std::string fault = fault_of_inertia(body.mass, body.inertia);
+  if (!fault.empty())
+    problem(mjcf.reading, (inertial ? *inertial : element).spot,
+            fmt::format("body {}: {}", quoted_text(body.name), fault));
+}
+
+void scale_masses(Mjcf& mjcf) {
+  double mass = 0;
+  for (const BodyDraft& body : mjcf.assembly.bodies) mass += body.mass;
+  if (mjcf.settings.total_mass <= 0 || mass == 0) return;
+  for (BodyDraft& body : mjcf.assembly.bodies) {
+    body.mass *= mjcf.settings.total_mass / mass;
+    body.inertia *= mjcf.settings.total_mass / mass;
+  }
+}
+
+}  // namespace mbgen::importing
