@@ -163,6 +163,16 @@ void check_ground(Reader& reader, const Value& value) {
   }
 }
 
+/// Reads a parameter as a study varies it.
+void vary(const Reader& reader, ParameterFields& parameter) {
+  const auto varied = std::find_if(reader.varied.begin(), reader.varied.end(),
+                                   [&](const VariedParameter& one) { return one.name == parameter.name; });
+  if (varied == reader.varied.end()) return;
+  parameter.value = varied->value.value_or(parameter.value);
+  parameter.tunable = varied->tunable;
+  parameter.expression = -1;
+}
+
 }  // namespace
 
 void read_parameters(Reader& reader, const Entries& entries) {
@@ -184,6 +194,7 @@ void read_parameters(Reader& reader, const Entries& entries) {
       report(reader, entry.place, in_quotes(entry.name) + " follows from tunable parameters and cannot be tuned itself",
              "leave out \"tunable\": it changes with them");
     }
+    vary(reader, parameter);
     reader.names.later_parameters.erase(entry.name);
     reader.names.parameters.emplace(entry.name, static_cast<int>(reader.model.parameters.size()));
     reader.model.parameters.push_back(std::move(parameter));

@@ -326,12 +326,14 @@ void read_outputs(Reader& reader, const Entries& entries) {
 void read_initial(Reader& reader, const std::vector<const Value*>& values) {
   InitialFields fields = with_defaults<InitialFields>();
   Initial& initial = reader.model.initial;
+  reader.folds_tunable = !reader.varied.empty();  // who varies parameters finds the initial state of each value
   for (const Value* value : values) {
     fields.positions = fields.velocities = nullptr;
     read_fields(reader, *value, fields);
     read_initial_values(reader, fields.positions, "positions", initial.positions);
     read_initial_values(reader, fields.velocities, "velocities", initial.velocities);
   }
+  reader.folds_tunable = false;
   initial.equilibrium = fields.equilibrium;
 }
 

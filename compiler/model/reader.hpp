@@ -11,6 +11,7 @@
 #include "compiler/model/fields.hpp"
 #include "compiler/model/model.hpp"
 #include "compiler/model/names.hpp"
+#include "compiler/model/varied.hpp"
 
 namespace mbgen::reading {
 
@@ -19,6 +20,8 @@ struct Reader {
   Problems problems;
   Model model;
   Names names;
+  std::vector<VariedParameter> varied = {};
+  bool folds_tunable = false;  ///< what is read now takes tunable parameters at their values
 };
 
 constexpr double kUnreadable = std::numeric_limits<double>::quiet_NaN();
