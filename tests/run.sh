@@ -5,7 +5,7 @@ cd "$(dirname "$0")/.."
 
 .ci/install g++ clang binutils cmake make ninja-build libeigen3-dev libfmt-dev nlohmann-json3-dev libcli11-dev \
   libopenblas-serial-dev libsuitesparse-dev libgtest-dev libbenchmark-dev libsimbody-dev libmujoco-dev \
-  libclang-rt-14-dev locales python3-numpy dpkg-dev pkg-config libxml2-utils
+  libclang-rt-14-dev locales python3-numpy dpkg-dev pkg-config libxml2-utils openmpi-bin
 cmake --preset release -DMBGEN_TESTS=ON -DMBGEN_BENCH=ON
 cmake --build --preset release
 status=0

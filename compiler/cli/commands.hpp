@@ -18,6 +18,7 @@ void add_simulate(CLI::App& application, int& exit_code);
 void add_evaluate(CLI::App& application, int& exit_code);
 void add_equilibrium(CLI::App& application, int& exit_code);
 void add_linearize(CLI::App& application, int& exit_code);
+void add_sweep(CLI::App& application, int& exit_code);
 void add_bench(CLI::App& application, int& exit_code);
 void add_schema(CLI::App& application, int& exit_code);
 

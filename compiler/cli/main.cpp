@@ -22,7 +22,7 @@ int run(int argc, char** argv) {
       "Each command explains itself: mbgen simulate --help\n"
       "Exit codes: 0 done, 1 the input is at fault, 2 mbgen is at fault.");
   for (const auto add : {add_check, add_inspect, add_generate, add_export, add_simulate, add_evaluate, add_equilibrium,
-                         add_linearize, add_bench, add_schema}) {
+                         add_linearize, add_sweep, add_bench, add_schema}) {
     add(application, exit_code);
   }
   try {

@@ -13,17 +13,6 @@
 namespace mbgen::cli {
 namespace {
 
-/// A field of a CSV file, quoted where it has to be (RFC 4180).
-std::string csv_field(const std::string& text) {
-  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
-  std::string quoted = "\"";
-  for (const char letter : text) {
-    if (letter == '"') quoted += '"';
-    quoted += letter;
-  }
-  return quoted + "\"";
-}
-
 std::string unit_or_one(const std::string& unit) { return unit.empty() ? "1" : unit; }
 
 double relative(const EnergyBalance& energy) { return energy.scale > 0 ? energy.error() / energy.scale : 0; }
@@ -75,6 +64,16 @@ nlohmann::ordered_json blocks_json(const SimulationRecord& record) {
 }
 
 }  // namespace
+
+std::string csv_field(const std::string& text) {
+  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
+  std::string quoted = "\"";
+  for (const char letter : text) {
+    if (letter == '"') quoted += '"';
+    quoted += letter;
+  }
+  return quoted + "\"";
+}
 
 std::string csv_header(const Compilation& compilation) {
   std::string line = "t [s]";

@@ -7,6 +7,9 @@
 
 namespace mbgen::cli {
 
+/// A field of a CSV file, quoted where it has to be (RFC 4180).
+std::string csv_field(const std::string& text);
+
 /// Names and units of all columns, `name [unit]`, with a line end: t, coordinates, velocities, outputs, residual.
 std::string csv_header(const Compilation& compilation);
 
