@@ -30,7 +30,7 @@ std::vector<std::string> pieces(const std::string& text, char separator) {
   return list;
 }
 
-[[noreturn]] void fail(const std::string& text, const std::string& problem) {
+[[noreturn]] void refuse_vary(const std::string& text, const std::string& problem) {
   throw UserError(fmt::format("--vary \"{}\": {}\n", text, problem));
 }
 
@@ -46,12 +46,12 @@ void add_range(const std::string& text, const std::vector<std::string>& parts, s
   const std::string what = fmt::format("--vary \"{}\"", text);
   const double first = parse_number(parts[0], what), step = parse_number(parts[1], what),
                last = parse_number(parts[2], what);
-  if (step == 0) fail(text, "the step of a range cannot be 0");
+  if (step == 0) refuse_vary(text, "the step of a range cannot be 0");
   const double steps = std::floor((last - first) / step + kEndOfRange);
   if (steps < 0) {
-    fail(text, fmt::format("a range from {} by steps of {} does not come to {}", first, step, last));
+    refuse_vary(text, fmt::format("a range from {} by steps of {} does not come to {}", first, step, last));
   }
-  if (!(steps < kMostCases)) fail(text, "the range has more than 10 million values");
+  if (!(steps < kMostCases)) refuse_vary(text, "the range has more than 10 million values");
   const double scale = std::max({std::abs(first), std::abs(last), std::abs(step)});
   for (long k = 0; k <= static_cast<long>(steps); ++k) {
     values.push_back(rounded(first + static_cast<double>(k) * step, scale));
@@ -67,7 +67,7 @@ std::vector<double> read_values(const std::string& text, const std::string& list
     } else if (parts.size() == 3) {
       add_range(text, parts, values);
     } else {
-      fail(text, "a range is written first:step:last");
+      refuse_vary(text, "a range is written first:step:last");
     }
   }
   return values;
@@ -84,12 +84,13 @@ int index_of(const std::vector<Item>& list, const std::string& name) {
   for (const Parameter& parameter : model.parameters) known.push_back(parameter.name);
   for (const Input& input : model.inputs) known.push_back(input.name);
   const std::string hint = known.empty() ? "it has none" : reading::did_you_mean(name, known);
-  fail(text, fmt::format("the model has no parameter or input \"{}\"{}{}", name, hint.empty() ? "" : "; ", hint));
+  refuse_vary(text,
+              fmt::format("the model has no parameter or input \"{}\"{}{}", name, hint.empty() ? "" : "; ", hint));
 }
 
 SweepAxis read_axis(const std::string& text, const Model& model) {
   const std::size_t sign = text.find('=');
-  if (sign == std::string::npos) fail(text, "must be name=first:step:last or name=value,value");
+  if (sign == std::string::npos) refuse_vary(text, "must be name=first:step:last or name=value,value");
   SweepAxis axis;
   axis.name = pieces(text.substr(0, sign), '=').front();
   axis.index = index_of(model.parameters, axis.name);
@@ -127,9 +128,9 @@ SweepGrid read_grid(const std::vector<std::string>& texts, const Model& model) {
   double size = 1;
   for (const std::string& text : texts) {
     SweepAxis axis = read_axis(text, model);
-    if (index_of(grid.axes, axis.name) >= 0) fail(text, fmt::format("\"{}\" is varied twice", axis.name));
+    if (index_of(grid.axes, axis.name) >= 0) refuse_vary(text, fmt::format("\"{}\" is varied twice", axis.name));
     size *= static_cast<double>(axis.values.size());
-    if (!(size <= kMostCases)) fail(text, "the grid has more than 10 million cases");
+    if (!(size <= kMostCases)) refuse_vary(text, "the grid has more than 10 million cases");
     grid.axes.push_back(std::move(axis));
   }
   return grid;

@@ -95,7 +95,7 @@ void require_unchanged(const Study& study, const Result<Model>& of_case) {
 }
 
 /// The system of one case. Fails: UserError.
-Compilation compilation_of(const Study& study, const StudySolver& solver, Model model) {
+Compilation compilation_of_case(const Study& study, const StudySolver& solver, Model model) {
   if (!study.is_tuned) return analysed(std::move(model));
   Compilation compilation{std::move(model), solver.compilation.topology, solver.compilation.analysis, {}};
   compilation.programs.form = solver.compilation.programs.form;
@@ -236,7 +236,7 @@ CaseResult run_case(const Study& study, const StudySolver& solver, long index) {
   Result<Model> model = read_varied_model(study.arguments.model, varied_parameters(study.grid, values, study.is_tuned));
   require_unchanged(study, model);
   try {
-    const Compilation compilation = compilation_of(study, solver, expect(std::move(model)));
+    const Compilation compilation = compilation_of_case(study, solver, expect(std::move(model)));
     const Engine engine = solver.table ? make_generated_engine(solver.table, compilation, study.choice)
                                        : make_engine(compilation, study.choice);
     return measured(study, compilation, engine, inputs_of(study, compilation.model, values));
