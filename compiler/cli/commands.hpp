@@ -22,6 +22,7 @@ void add_plot(CLI::App& application, int& exit_code);
 void add_report(CLI::App& application, int& exit_code);
 void add_equilibrium(CLI::App& application, int& exit_code);
 void add_linearize(CLI::App& application, int& exit_code);
+void add_sweep(CLI::App& application, int& exit_code);
 void add_bench(CLI::App& application, int& exit_code);
 void add_import(CLI::App& application, int& exit_code);
 void add_schema(CLI::App& application, int& exit_code);

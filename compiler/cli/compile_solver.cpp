@@ -4,13 +4,13 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include <cstdint>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <stdexcept>
 
 #include "compiler/cli/files.hpp"
+#include "compiler/cli/hash.hpp"
 #include "compiler/cli/host_compiler.hpp"
 #include "compiler/cli/user_error.hpp"
 
@@ -49,20 +49,6 @@ std::string processor() {
   }
   return "";
 }
-
-/// FNV-1a, 64 bits, over texts and their borders.
-class Hash {
- public:
-  void add(const std::string& text) {
-    for (const char byte : text) mix(static_cast<unsigned char>(byte));
-    mix(0x100);
-  }
-  std::string text() const { return fmt::format("{:016x}", value_); }
-
- private:
-  void mix(std::uint64_t byte) { value_ = (value_ ^ byte) * 0x100000001b3u; }
-  std::uint64_t value_ = 0xcbf29ce484222325u;
-};
 
 std::string object_name(const std::string& solver, const std::vector<EmittedFile>& files,
                         const HostCompiler& compiler) {

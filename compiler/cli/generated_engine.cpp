@@ -165,11 +165,14 @@ std::array<double, kSteps> step_shares(LoadedSolver& solver, const std::vector<L
   return shares;
 }
 
-std::shared_ptr<LoadedSolver> load(const Compilation& compilation, const EngineChoice& choice) {
+/// The memory of one engine, parameters at the model's values.
+std::shared_ptr<LoadedSolver> prepared(std::shared_ptr<const SolverTable> shared, const Model& model) {
   auto solver = std::make_shared<LoadedSolver>();
-  solver->table = load_solver(compilation, choice);
+  solver->table = std::move(shared);
   const SolverTable& table = *solver->table;
-  solver->parameters.assign(table.default_parameters, table.default_parameters + table.parameters);
+  for (const Parameter& parameter : model.parameters) {
+    if (parameter.tunable) solver->parameters.push_back(parameter.value);
+  }
   solver->inputs.assign(table.default_inputs, table.default_inputs + table.inputs);
   solver->state.resize(static_cast<std::size_t>(table.state_size));
   solver->derivative.resize(static_cast<std::size_t>(table.derivative_size));
@@ -181,7 +184,12 @@ std::shared_ptr<LoadedSolver> load(const Compilation& compilation, const EngineC
 }  // namespace
 
 Engine make_generated_engine(const Compilation& compilation, const EngineChoice& choice) {
-  const std::shared_ptr<LoadedSolver> solver = load(compilation, choice);
+  return make_generated_engine(load_solver(compilation, choice), compilation, choice);
+}
+
+Engine make_generated_engine(const std::shared_ptr<const SolverTable>& table, const Compilation& compilation,
+                             const EngineChoice& choice) {
+  const std::shared_ptr<LoadedSolver> solver = prepared(table, compilation.model);
   Engine engine;
   engine.name = choice.name;
   engine.form = name_of(compilation.programs.form);

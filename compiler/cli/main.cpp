@@ -33,9 +33,9 @@ int run(int argc, char** argv) {
   application.footer(
       "Each command explains itself: mbgen simulate --help\n"
       "Exit codes: 0 done, 1 the input is at fault, 2 mbgen is at fault.");
-  for (const auto add :
-       {add_new, add_check, add_explain, add_inspect, add_generate, add_export, add_simulate, add_plot, add_report,
-        add_evaluate, add_equilibrium, add_linearize, add_bench, add_import, add_schema, add_completion, add_manual}) {
+  for (const auto add : {add_new, add_check, add_explain, add_inspect, add_generate, add_export, add_simulate, add_plot,
+                         add_report, add_evaluate, add_equilibrium, add_linearize, add_sweep, add_bench, add_import,
+                         add_schema, add_completion, add_manual}) {
     add(application, exit_code);
   }
   try {

@@ -2,9 +2,7 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
 #include <memory>
-#include <optional>
 
 #include "compiler/cli/commands.hpp"
 #include "compiler/cli/files.hpp"
@@ -13,6 +11,7 @@
 #include "compiler/cli/options.hpp"
 #include "compiler/cli/progress.hpp"
 #include "compiler/cli/simulation.hpp"
+#include "compiler/cli/simulation_options.hpp"
 #include "compiler/cli/simulation_text.hpp"
 #include "compiler/cli/user_error.hpp"
 
@@ -21,48 +20,14 @@ namespace {
 
 /// Rows that a table has at most unless --every is given: enough for every plot.
 constexpr long kRows = 10000;
-/// A duration this close (relative) to a whole number of steps is one.
-constexpr double kWholeSteps = 1e-9;
-constexpr double kMostSteps = 1e12;
 
 struct SimulateOptions {
-  std::string model, form, file, format, integrator, input_table;
-  std::optional<double> duration, step;
+  std::string model, form, file, format;
+  SimulationArguments simulation;
   long every = 0;
   EngineArguments engine;
   bool json = false;
 };
-
-/// The integrator asked for by name, else the model's where the engine has it.
-SolverSettings::Integrator integrator_of(const std::string& name, SolverSettings::Integrator of_model,
-                                         const std::string& engine) {
-  using Integrator = SolverSettings::Integrator;
-  if (name.empty()) return is_cartesian(engine) ? Integrator::rk4 : of_model;
-  if (name == "rk4") return Integrator::rk4;
-  if (name != "abm4") throw UserError(fmt::format("--integrator: no integrator \"{}\"; there are: rk4, abm4\n", name));
-  if (is_cartesian(engine)) {
-    throw UserError(
-        fmt::format("--integrator: engine \"{}\" works in Cartesian coordinates and integrates by rk4 only\n", engine));
-  }
-  return Integrator::abm4;
-}
-
-/// The duration in whole equal steps, none longer than the one asked for.
-SimulationSettings settings_of(const SimulateOptions& options, const SolverSettings& by_default) {
-  const double duration = options.duration.value_or(by_default.duration);
-  const double step = options.step.value_or(by_default.step);
-  if (!(duration > 0) || !std::isfinite(duration)) {
-    throw UserError(fmt::format("--duration: must be positive and finite, found {}\n", duration));
-  }
-  if (!(step > 0) || !std::isfinite(step)) {
-    throw UserError(fmt::format("--step: must be positive and finite, found {}\n", step));
-  }
-  const double steps = std::max(1.0, std::ceil(duration / step * (1 - kWholeSteps)));
-  if (!(steps < kMostSteps)) {
-    throw UserError(fmt::format("--step: {} s is too small for a duration of {} s\n", step, duration));
-  }
-  return {static_cast<long>(steps), duration / steps};
-}
 
 /// Rows between two written ones: first, last and every n-th point are written.
 long decimation(const SimulateOptions& options, long steps) {
@@ -73,11 +38,12 @@ long decimation(const SimulateOptions& options, long steps) {
 int run(const SimulateOptions& options) {
   const Compilation compilation = expect(compile(options.model, chosen_form(options.form)));
   require_other_file(options.file, compilation.model.files);
-  require_other_file(options.file, {options.input_table});
-  const SimulationSettings settings = settings_of(options, compilation.model.solver);
-  const InputsOverTime inputs = inputs_over_time(compilation.model, options.engine.inputs, options.input_table);
+  require_other_file(options.file, {options.simulation.input_table});
+  const SimulationSettings settings = settings_of(options.simulation, compilation.model.solver);
+  const InputsOverTime inputs =
+      inputs_over_time(compilation.model, options.engine.inputs, options.simulation.input_table);
   EngineChoice choice = chosen_engine(options.engine);
-  choice.integrator = integrator_of(options.integrator, compilation.model.solver.integrator, choice.name);
+  choice.integrator = integrator_of(options.simulation.integrator, compilation.model.solver.integrator, choice.name);
   MotionTable table(options.file, table_format(options.format, options.file), compilation,
                     decimation(options, settings.steps));
   const Engine engine = make_engine(compilation, choice);
@@ -113,16 +79,11 @@ void add_simulate(CLI::App& application, int& exit_code) {
       "An input with a derivative among the inputs continues with it; where the table has no column for the\n"
       "derivative, a cubic spline through the input's column gives both.");
   add_model_argument(*command, options->model);
-  command->add_option("--duration", options->duration, "s (default: the model's)");
-  command->add_option("--step", options->step, "s, shortened to divide the duration (default: the model's)");
+  add_simulation_options(*command, options->simulation);
   command->add_option("--out", options->file, "table of the motion")->required();
   command->add_option("--format", options->format, "csv or mat (level 4) (default: by the ending of --out)");
-  command->add_option("--integrator", options->integrator,
-                      "rk4 or abm4 (default: the model's; Cartesian engines: rk4 only)");
   command->add_option("--every", options->every,
                       fmt::format("write every n-th step (default: at most {} rows)", kRows));
-  command->add_option("--input-table", options->input_table,
-                      "inputs over time (CSV): columns t and names of inputs, straight between rows, held outside");
   add_form_option(*command, options->form);
   add_engine_options(*command, options->engine);
   add_json_option(*command, options->json);

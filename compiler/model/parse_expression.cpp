@@ -48,7 +48,7 @@ class ExpressionParser {
       skip_space();
       if (at_ < text_.size()) fail_after_value();
     }
-    return {{std::string(text_), std::move(nodes_)}, std::move(problems_)};
+    return {{std::string(text_), std::move(nodes_)}, std::move(problems_), std::move(reductions_)};
   }
 
  private:
@@ -249,11 +249,14 @@ class ExpressionParser {
 
   int call(std::string_view name, std::size_t start) {
     const FunctionEntry* entry = find_function(name);
-    if (!entry) {
+    const ReductionName* reduction = find_reduction(name);
+    if (!entry && !reduction) {
       std::vector<std::string_view> known;
       for (const FunctionEntry& function : kFunctions) known.push_back(function.name);
+      for (const ReductionName& one : scope_.reductions) known.push_back(one.name);
       return fail(start, "unknown function " + in_quotes(name), did_you_mean(name, known));
     }
+    const std::size_t first_node = nodes_.size();
     int arguments[3] = {-1, -1, -1};
     int count = 0;
     if (!accept(')')) {
@@ -265,11 +268,41 @@ class ExpressionParser {
       } while (accept(','));
       if (!accept(')')) return fail_closing(start + name.size());
     }
-    if (count != entry->arity) {
-      return fail(start, fmt::format("{} takes {} argument{}, got {}", name, entry->arity, entry->arity == 1 ? "" : "s",
-                                     count));
+    if (reduction && count == reduction->arity) return push_reduction(*reduction, first_node, arguments[0], start);
+    const int arity = entry ? entry->arity : reduction->arity;
+    if (count != arity) {
+      return fail(start, fmt::format("{} takes {} argument{}, got {}", name, arity, arity == 1 ? "" : "s", count));
     }
     return push_call(entry->function, start, arguments[0], arguments[1], arguments[2]);
+  }
+
+  const ReductionName* find_reduction(std::string_view name) const {
+    const auto found = std::find_if(scope_.reductions.begin(), scope_.reductions.end(),
+                                    [&](const ReductionName& one) { return one.name == name; });
+    return found == scope_.reductions.end() ? nullptr : &*found;
+  }
+
+  /// Takes the nodes of the arguments, from `first_node` on, into a call of their own. first: node of the first one.
+  int push_reduction(const ReductionName& reduction, std::size_t first_node, int first, std::size_t start) {
+    ReductionCall call;
+    call.reduction = static_cast<int>(&reduction - scope_.reductions.data());
+    auto operand = nodes_.begin() + static_cast<std::ptrdiff_t>(first_node);
+    if (reduction.arity == 2) {
+      if (!is_number(first)) {
+        return fail(start, fmt::format("{} takes a number first, {}(1.5, x)", reduction.name, reduction.name));
+      }
+      call.constant = number_at(first);
+      ++operand;
+    }
+    const int offset = static_cast<int>(operand - nodes_.begin());
+    call.operand.nodes.assign(operand, nodes_.end());
+    for (ExpressionNode& node : call.operand.nodes) {
+      for (int* place : {&node.first, &node.second, &node.third}) *place -= *place < 0 ? 0 : offset;
+    }
+    call.operand.text = std::string(text_.substr(start, at_ - start));
+    nodes_.resize(first_node);
+    reductions_.push_back(std::move(call));
+    return push_indexed(Kind::local, static_cast<int>(scope_.locals.size() + reductions_.size()) - 1);
   }
 
   /// A stand-in for a name that was complained about, so that the rest is read, too.
@@ -330,7 +363,7 @@ class ExpressionParser {
     if (parameter != names.parameters.end()) {
       const Parameter& found = scope_.parameters[static_cast<std::size_t>(parameter->second)];
       const bool follows = found.expression >= 0;
-      if (!found.tunable && !follows) return push_number(found.value);
+      if (scope_.folds_tunable || (!found.tunable && !follows)) return push_number(found.value);
       if (scope_.depends < Depends::parameters) {
         return forbidden(start, follows ? "parameter " + in_quotes(name) + ", which follows from tunable ones"
                                         : "tunable parameter " + in_quotes(name));
@@ -350,7 +383,7 @@ class ExpressionParser {
     const NameMap<int>& later = scope_.names.later_parameters;
     if (find_visible(later, name, scope_.visible) != later.end())
       return "parameter " + in_quotes(name) + " must be defined above its use";
-    if (find_function(name)) return fmt::format("{} is a function, write {}(...)", name, name);
+    if (find_function(name) || find_reduction(name)) return fmt::format("{} is a function, write {}(...)", name, name);
     if (find_coordinate(scope_.names, name, scope_.visible))
       return fmt::format("coordinates are written z.{} and zd.{}", name, name);
     if (name == "z" || name == "zd") return fmt::format("coordinates are written {}.NAME", name);
@@ -369,6 +402,7 @@ class ExpressionParser {
   int depth_ = 0;
   std::vector<ExpressionNode> nodes_;
   std::vector<ExpressionProblem> problems_;
+  std::vector<ReductionCall> reductions_;
 };
 
 }  // namespace

@@ -15,6 +15,20 @@ namespace mbgen::reading {
 /// What a number of the model may depend on; each allows what the ones before it allow, `motion` and up also inputs.
 enum class Depends { nothing, parameters, motion, all };
 
+/// A function of the course of a value over time, for expressions over a motion: max(x), or with a constant in front,
+/// at(1.5, x).
+struct ReductionName {
+  std::string_view name;
+  int arity = 1;  ///< 2 with a constant
+};
+
+/// A use of such a function.
+struct ReductionCall {
+  int reduction = -1;   ///< index into ExpressionScope::reductions
+  double constant = 0;  ///< where it takes one
+  Expression operand;
+};
+
 /// What the names of an expression mean and which of them it may use.
 struct ExpressionScope {
   const Names& names;
@@ -25,6 +39,8 @@ struct ExpressionScope {
   std::span<const std::string_view> locals = {};
   bool suggest = true;           ///< name what was probably meant
   bool refuse_reversed = false;  ///< coordinates of Names::reversed mean something else here
+  bool folds_tunable = false;    ///< tunable parameters become numbers, too
+  std::span<const ReductionName> reductions = {};
 };
 
 struct ExpressionProblem {
@@ -37,6 +53,8 @@ struct ExpressionProblem {
 struct ParsedExpression {
   Expression expression;
   std::vector<ExpressionProblem> problems;
+  /// Inner ones first; the value of the k-th is the local variable ExpressionScope::locals.size() + k.
+  std::vector<ReductionCall> reductions = {};
 };
 
 /// Parses an expression. Untunable parameters become numbers, those that follow from tunable ones their expressions;

@@ -274,6 +274,16 @@ void read_outer_points(Reader& reader, const Entry& entry, PointPlaces& places) 
          suggestion(reader, target.text, reader.names.bodies));
 }
 
+/// Reads a parameter as a study varies it.
+void vary(const Reader& reader, ParameterFields& parameter) {
+  const auto varied = std::find_if(reader.varied.begin(), reader.varied.end(),
+                                   [&](const VariedParameter& one) { return one.name == parameter.name; });
+  if (varied == reader.varied.end()) return;
+  parameter.value = varied->value.value_or(parameter.value);
+  parameter.tunable = varied->tunable;
+  parameter.expression = -1;
+}
+
 }  // namespace
 
 void read_parameters(Reader& reader, const Entries& entries) {
@@ -288,6 +298,7 @@ void read_parameters(Reader& reader, const Entries& entries) {
     read_parameter(reader, entry, parameter);
     parameter.value = parameter.quantity.value;
     parameter.expression = parameter.quantity.expression;
+    vary(reader, parameter);
     reader.names.later_parameters.erase(entry.name);
     reader.names.parameters.emplace(entry.name, static_cast<int>(reader.model.parameters.size()));
     reader.model.parameters.push_back(std::move(parameter));

@@ -192,12 +192,9 @@ std::string hash_of(const Documents& documents) {
   return fmt::format("{:016x}", hash);
 }
 
-}  // namespace
-}  // namespace reading
-
-Result<Model> read_model(std::string_view text, const std::string& file_name) {
-  using namespace reading;
+Result<Model> read(std::string_view text, const std::string& file_name, const std::vector<VariedParameter>& varied) {
   Reader reader;
+  reader.varied = varied;
   reader.model.file = file_name;
   // Names that could not be read would all be unknown: that problem comes first.
   if (load_files(reader, file_name, std::string(text))) {
@@ -212,10 +209,23 @@ Result<Model> read_model(std::string_view text, const std::string& file_name) {
   return std::move(reader.model);
 }
 
-Result<Model> read_model_file(const std::string& path) {
-  reading::FileText content = reading::read_text(path);
+Result<Model> read_file(const std::string& path, const std::vector<VariedParameter>& varied) {
+  FileText content = read_text(path);
   if (!content.problem.empty()) return Diagnostic{{path, 0, 0, {}, {}}, content.problem, {}, {}};
-  return read_model(content.text, path);
+  return read(content.text, path, varied);
+}
+
+}  // namespace
+}  // namespace reading
+
+Result<Model> read_model(std::string_view text, const std::string& file_name) {
+  return reading::read(text, file_name, {});
+}
+
+Result<Model> read_model_file(const std::string& path) { return reading::read_file(path, {}); }
+
+Result<Model> read_varied_model(const std::string& path, const std::vector<VariedParameter>& varied) {
+  return reading::read_file(path, varied);
 }
 
 }  // namespace mbgen

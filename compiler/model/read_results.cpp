@@ -333,6 +333,7 @@ void read_outputs(Reader& reader, const Entries& entries) {
 void read_initial(Reader& reader, const std::vector<Part>& parts) {
   InitialFields fields = with_defaults<InitialFields>();
   Initial& initial = reader.model.initial;
+  reader.folds_tunable = !reader.varied.empty();  // who varies parameters finds the initial state of each value
   for (const auto& [value, scope] : parts) {
     const InScope in_scope(reader, scope);
     fields.positions = fields.velocities = nullptr;
@@ -341,6 +342,7 @@ void read_initial(Reader& reader, const std::vector<Part>& parts) {
     read_initial_values(reader, fields.velocities, "velocities", initial.velocities);
     if (scope != 0) fields.equilibrium = false;  // a question of the whole model
   }
+  reader.folds_tunable = false;
   initial.equilibrium = fields.equilibrium;
 }
 

@@ -12,6 +12,7 @@
 #include "compiler/model/model.hpp"
 #include "compiler/model/names.hpp"
 #include "compiler/model/scopes.hpp"
+#include "compiler/model/varied.hpp"
 
 namespace mbgen::reading {
 
@@ -22,6 +23,8 @@ struct Reader {
   Names names;
   std::vector<Scope> scopes = {Scope{}};  ///< the model, then its instances, each after the one that places it
   std::size_t scope = 0;                  ///< whose text is being read
+  std::vector<VariedParameter> varied = {};
+  bool folds_tunable = false;  ///< what is read now takes tunable parameters at their values
 };
 
 inline const Scope& current_scope(const Reader& reader) { return reader.scopes[reader.scope]; }

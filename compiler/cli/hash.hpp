@@ -1,0 +1,27 @@
+#pragma once
+// A hash of texts, to name what was made of them and to see what was damaged.
+
+#include <fmt/format.h>
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+namespace mbgen::cli {
+
+/// FNV-1a, 64 bits, over texts and their borders.
+class Hash {
+ public:
+  void add(std::string_view text) {
+    for (const char byte : text) mix(static_cast<unsigned char>(byte));
+    mix(0x100);
+  }
+  /// 16 hex digits.
+  std::string text() const { return fmt::format("{:016x}", value_); }
+
+ private:
+  void mix(std::uint64_t byte) { value_ = (value_ ^ byte) * 0x100000001b3u; }
+  std::uint64_t value_ = 0xcbf29ce484222325u;
+};
+
+}  // namespace mbgen::cli

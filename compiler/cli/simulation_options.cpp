@@ -1,0 +1,57 @@
+#include "compiler/cli/simulation_options.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "compiler/cli/user_error.hpp"
+
+namespace mbgen::cli {
+namespace {
+
+/// A duration this close (relative) to a whole number of steps is one.
+constexpr double kWholeSteps = 1e-9;
+constexpr double kMostSteps = 1e12;
+
+}  // namespace
+
+void add_simulation_options(CLI::App& command, SimulationArguments& arguments) {
+  command.add_option("--duration", arguments.duration, "s (default: the model's)");
+  command.add_option("--step", arguments.step, "s, shortened to divide the duration (default: the model's)");
+  command.add_option("--integrator", arguments.integrator,
+                     "rk4 or abm4 (default: the model's; Cartesian engines: rk4 only)");
+  command.add_option("--input-table", arguments.input_table,
+                     "inputs over time (CSV): columns t and names of inputs, straight between rows, held outside");
+}
+
+SolverSettings::Integrator integrator_of(const std::string& name, SolverSettings::Integrator of_model,
+                                         const std::string& engine) {
+  using Integrator = SolverSettings::Integrator;
+  if (name.empty()) return is_cartesian(engine) ? Integrator::rk4 : of_model;
+  if (name == "rk4") return Integrator::rk4;
+  if (name != "abm4") throw UserError(fmt::format("--integrator: no integrator \"{}\"; there are: rk4, abm4\n", name));
+  if (is_cartesian(engine)) {
+    throw UserError(
+        fmt::format("--integrator: engine \"{}\" works in Cartesian coordinates and integrates by rk4 only\n", engine));
+  }
+  return Integrator::abm4;
+}
+
+SimulationSettings settings_of(const SimulationArguments& arguments, const SolverSettings& by_default) {
+  const double duration = arguments.duration.value_or(by_default.duration);
+  const double step = arguments.step.value_or(by_default.step);
+  if (!(duration > 0) || !std::isfinite(duration)) {
+    throw UserError(fmt::format("--duration: must be positive and finite, found {}\n", duration));
+  }
+  if (!(step > 0) || !std::isfinite(step)) {
+    throw UserError(fmt::format("--step: must be positive and finite, found {}\n", step));
+  }
+  const double steps = std::max(1.0, std::ceil(duration / step * (1 - kWholeSteps)));
+  if (!(steps < kMostSteps)) {
+    throw UserError(fmt::format("--step: {} s is too small for a duration of {} s\n", step, duration));
+  }
+  return {static_cast<long>(steps), duration / steps};
+}
+
+}  // namespace mbgen::cli

@@ -1,0 +1,28 @@
+#pragma once
+// How a motion is computed, as typed.
+
+#include <CLI/CLI.hpp>
+#include <optional>
+#include <string>
+
+#include "compiler/cli/simulation.hpp"
+
+namespace mbgen::cli {
+
+struct SimulationArguments {
+  std::optional<double> duration, step;  ///< s
+  std::string integrator, input_table;   ///< "" for the default, for none
+};
+
+/// --duration, --step, --integrator, --input-table
+void add_simulation_options(CLI::App& command, SimulationArguments& arguments);
+
+/// The duration in whole equal steps, none longer than the one asked for. Fails: UserError for values that make none.
+SimulationSettings settings_of(const SimulationArguments& arguments, const SolverSettings& by_default);
+
+/// The integrator asked for by name, else the model's where the engine has it. Fails: UserError for an unknown one, or
+/// one that the engine does not have.
+SolverSettings::Integrator integrator_of(const std::string& name, SolverSettings::Integrator of_model,
+                                         const std::string& engine);
+
+}  // namespace mbgen::cli

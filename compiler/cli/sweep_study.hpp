@@ -1,0 +1,69 @@
+#pragma once
+// A parameter study: what is varied, what is asked of each motion, and how one case is computed.
+
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "compiler/cli/compile_solver.hpp"
+#include "compiler/cli/options.hpp"
+#include "compiler/cli/simulation_options.hpp"
+#include "compiler/cli/sweep_grid.hpp"
+#include "compiler/model/metric.hpp"
+#include "compiler/model/varied.hpp"
+
+namespace mbgen::cli {
+
+/// A study as typed.
+struct StudyArguments {
+  std::string model;
+  std::vector<std::string> vary, metrics;
+  SimulationArguments simulation;
+  EngineArguments engine;
+  bool has_engine = false;  ///< the engine was typed, not taken by default
+};
+
+/// A study that was read and checked.
+struct Study {
+  StudyArguments arguments;
+  Model model;  ///< as the file has it, but for the varied parameters: they are tunable where `is_tuned`
+  SweepGrid grid;
+  Metrics metrics;
+  SimulationSettings settings;
+  EngineChoice choice;
+  bool is_tuned = true;       ///< one analysis and one solver serve all cases; else each case is analysed anew
+  std::string why_not_tuned;  ///< the first place that asks for a constant
+};
+
+/// What came of one case.
+struct CaseResult {
+  std::string status;           ///< "ok", or one line that says why there are no values
+  std::vector<double> metrics;  ///< of all metrics; NaN unless the status is ok
+  bool is_ok() const { return status == "ok"; }
+};
+
+using CaseResults = std::map<long, CaseResult>;
+
+/// Reads the model and everything that is asked of it. Varied parameters become tunable; where one stands for a number
+/// that has to be constant, and no engine was asked for, the generic one is taken. Fails: UserError.
+Study read_study(const StudyArguments& arguments);
+
+/// Everything that the result of a study depends on, as one line of JSON: two studies of the same line have the same
+/// results. Fails: UserError for an input table that cannot be read.
+std::string description(const Study& study);
+
+/// What all cases share, and threads may: analysis, compiled solver.
+struct StudySolver {
+  Compilation compilation;
+  std::shared_ptr<const SolverTable> table;  ///< null for engines that are made of the model of each case
+};
+
+/// Analyses, generates and compiles. Fails: UserError.
+StudySolver prepare(const Study& study);
+
+/// Simulates one case and takes its metrics. What is wrong with a case is its status.
+/// Fails: std::exception where mbgen is at fault, UserError when the model was changed meanwhile.
+CaseResult run_case(const Study& study, const StudySolver& solver, long index);
+
+}  // namespace mbgen::cli
