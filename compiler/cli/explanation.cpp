@@ -209,7 +209,7 @@ std::string block_explanation(const Compilation& c, std::size_t b) {
   if (!driven.empty()) text += paragraph(fmt::format("Driven: {}.", listed(driven)));
   if (!independent.empty())
     text += paragraph(fmt::format(
-        "Independent, chosen because the equations are well conditioned by it over all these positions: {}.",
+        "Independent, chosen because the equations stay well conditioned with them over all these positions: {}.",
         listed(independent)));
   if (!dependent.empty()) text += paragraph(fmt::format("These follow: {}.", listed(dependent)));
   if (!decided.certificate.immobile.empty()) {

@@ -160,10 +160,10 @@ TEST_F(Sweep, SaysWhatIsWrongWithAMetric) {
   }
   const Outcome near = mbgen("sweep spring.json --vary mass=1 --metric 'max(stifness)' --out a.csv");
   EXPECT_EQ(near.err,
-            "--metric:1:5: unknown name \"stifness\" in expression\n  max(stifness)\n      ^\n"
+            "--metric:1:5: unknown name \"stifness\" in expression\n  max(stifness)\n      ^~~~~~~~\n"
             "  hint: did you mean \"stiffness\"?\n");
   const Outcome twice = mbgen("sweep spring.json --vary mass=1 --metric 'max(x)' --metric 'max(x)' --out a.csv");
-  EXPECT_EQ(twice.err, "--metric:2:1: metric \"max(x)\" is there twice\n  max(x)\n  ^\n");
+  EXPECT_EQ(twice.err, "--metric:2:1: metric \"max(x)\" is there twice\n  max(x)\n  ^~~\n");
 }
 
 }  // namespace
