@@ -18,7 +18,7 @@ reading::Names names() {
   reading::Names names;
   names.parameters = {{"k", 0}, {"c", 1}};
   names.inputs = {{"u", 0}};
-  names.coordinates = {{"pin", {0, 0}}, {"ball_x", {1, 0}}};
+  names.coordinates = {{{"pin", {0, 0}}, {"ball_x", {1, 0}}}};
   names.later_parameters = {{"later", 2}};
   names.unreadable_joints = {"broken"};
   return names;
@@ -75,11 +75,16 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   if (size == 0) return 0;
   static const reading::Names known = names();
   static const std::vector<Parameter> list = parameters();
+  static const reading::Visibility visible = {{0, {}, {}}};
   const std::string text = fuzz::text_of(data + 1, size - 1);
   const auto depends = static_cast<reading::Depends>(data[0] % 4);
   const bool has_locals = data[0] / 4 % 2 == 1;
-  const reading::ExpressionScope scope{
-      known, list, {}, depends, has_locals ? kLocals : std::span<const std::string_view>(), true};
+  const reading::ExpressionScope scope{.names = known,
+                                       .visible = visible,
+                                       .parameters = list,
+                                       .expressions = {},
+                                       .depends = depends,
+                                       .locals = has_locals ? kLocals : std::span<const std::string_view>()};
   const reading::ParsedExpression parsed = reading::parse_expression(text, scope);
   for (const reading::ExpressionProblem& problem : parsed.problems) {
     fuzz::require(problem.offset <= text.size(), "a problem stands inside the text");
