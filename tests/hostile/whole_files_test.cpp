@@ -164,7 +164,7 @@ TEST_F(WholeFiles, WhatIsReadIsNotWritten) {
 TEST_F(WholeFiles, KilledSimulationsLeaveTheOldTableOrTheNew) {
   const std::string command = fmt::format("MBGEN {} --duration 4 --out ", kSimulate);
   ASSERT_EQ(shell(command + "new.csv").exit_code, 0);
-  const std::string whole = read("new.csv");
+  const std::string whole = read("new.csv"), whole_run = read("new.csv.run.json");
   std::vector<std::string> words = {"mbgen"};
   std::istringstream split(std::string(kSimulate) + "--duration 4 --out table.csv");
   for (std::string word; split >> word;) words.push_back(word);
@@ -182,8 +182,15 @@ TEST_F(WholeFiles, KilledSimulationsLeaveTheOldTableOrTheNew) {
     const std::string found = read("table.csv");
     EXPECT_TRUE(found == kOld || found == whole) << found.size() << " bytes of " << whole.size();
     for (const std::string& name : leftovers()) {
-      if (name == "pendulum.json" || name == "table.csv" || name == "new.csv") continue;
-      EXPECT_TRUE(name.starts_with(".table.csv.") && name.size() == std::string(".table.csv.XXXXXX").size()) << name;
+      if (name == "pendulum.json" || name == "table.csv" || name == "new.csv" || name == "new.csv.run.json") continue;
+      if (name == "table.csv.run.json") {
+        EXPECT_EQ(read(name), whole_run);
+        fs::remove(path(name));
+        continue;
+      }
+      const std::string ending = name.starts_with(".table.csv.run.json.") ? ".run.json.XXXXXX" : ".XXXXXX";
+      EXPECT_TRUE(name.starts_with(".table.csv.") && name.size() == std::string(".table.csv").size() + ending.size())
+          << name;
       fs::remove(path(name));
       ++temporaries;
     }
