@@ -11,6 +11,7 @@ if ! command -v debootstrap >/dev/null; then
 fi
 if [ $# -gt 0 ]; then
   debian=$1
+  trap 'umount "$debian/proc" 2>/dev/null || true' EXIT
 else
   debian=$(mktemp -d)
   trap 'umount "$debian/proc" 2>/dev/null || true; rm -rf --one-file-system "$debian"' EXIT
