@@ -49,12 +49,6 @@ std::string listed(const std::vector<std::string>& names) {
   return text;
 }
 
-int equation_count(const Topology& topology) {
-  int equations = 0;
-  for (const Loop& loop : topology.loops) equations += loop.equations;
-  return equations;
-}
-
 std::string overview_text(const Compilation& c) {
   const auto bodies = static_cast<long>(c.model.bodies.size()) - (c.model.ground >= 0 ? 1 : 0);
   std::string words = fmt::format(

@@ -110,8 +110,6 @@ Json make_report(const Compilation& compilation) {
   const Json cut_joints = report_cut_joints(topology);
   const long moving_bodies = topology.size() + count_merged_bodies(model, topology);
   const auto is_massless = [](const TreeBody& body) { return body.massless; };
-  long equations = 0;
-  for (const Loop& loop : topology.loops) equations += loop.equations;
 
   Json report;
   report["name"] = model.name;
@@ -123,7 +121,7 @@ Json make_report(const Compilation& compilation) {
   report["cut_joint_names"] = cut_joints;
   report["rods"] = model.rods.size();
   report["relative_coordinates"] = topology.size();
-  report["constraint_equations"] = equations;
+  report["constraint_equations"] = equation_count(topology);
   report["independent_equations"] = analysis.independent_equations;
   report["degrees_of_freedom"] = analysis.degrees_of_freedom;
   report["driven_coordinates"] = model.motions.size();

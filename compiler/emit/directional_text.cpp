@@ -9,45 +9,34 @@
 namespace mbgen {
 namespace {
 
-/// A group of inputs that a direction has, with the texts of its entries in struct Direction.
-struct SeedGroup {
-  std::string name;
-  int first = 0;
-  std::vector<std::string> texts;
-};
-
-std::vector<SeedGroup> seed_groups(const EmitContext& context) {
+/// What struct Direction holds, in this order.
+std::vector<DirectionGroup> direction_groups(const EmitContext& context) {
   const SolverLayout& layout = context.layout;
-  const std::pair<const char*, int> sizes[] = {{"z", layout.coordinates},
-                                               {"zd", layout.coordinates},
-                                               {"x", layout.auxiliary_states},
-                                               {"t", 1},
-                                               {"in", static_cast<int>(context.names.inputs.size())},
-                                               {"par", static_cast<int>(context.names.parameters.size())},
-                                               {"zdd", layout.coordinates},
-                                               {"lambda", layout.equations},
-                                               {"drive", layout.drives}};
-  std::vector<SeedGroup> groups;
-  int next = 0;
-  for (const auto& [name, size] : sizes) {
-    SeedGroup group{name, next, {}};
-    const std::string member = std::string("direction.") + name;
-    for (int i = 0; i < size; ++i)
-      group.texts.push_back(group.name == "t" ? member : member + "[" + std::to_string(i) + "]");
-    next += size;
-    groups.push_back(std::move(group));
+  return {{"z", layout.coordinates},
+          {"zd", layout.coordinates},
+          {"x", layout.auxiliary_states},
+          {"t", 1},
+          {"in", static_cast<int>(context.names.inputs.size())},
+          {"par", static_cast<int>(context.names.parameters.size())},
+          {"zdd", layout.coordinates},
+          {"lambda", layout.equations},
+          {"drive", layout.drives}};
+}
+
+/// Texts of the entries of struct Direction.
+std::vector<std::string> direction_texts(const std::vector<DirectionGroup>& groups) {
+  std::vector<std::string> texts;
+  for (const DirectionGroup& group : groups) {
+    for (int i = 0; i < group.size; ++i) {
+      texts.push_back("direction." + group.name + (group.name == "t" ? "" : "[" + std::to_string(i) + "]"));
+    }
   }
-  return groups;
+  return texts;
 }
 
 /// Derivatives of every output along the direction, and the pivots; no other outputs.
-Program along(const Program& program, const std::vector<SeedGroup>& groups) {
-  std::vector<int> seeds;
-  for (const Slot& slot : program.inputs) {
-    const auto group = std::find_if(groups.begin(), groups.end(), [&](const auto& g) { return g.name == slot.group; });
-    seeds.push_back(group == groups.end() ? -1 : group->first + slot.index);
-  }
-  Program derived = differentiate(program, seeds);
+Program along(const Program& program, const std::vector<DirectionGroup>& groups) {
+  Program derived = differentiate(program, seeds_of(program, groups));
   std::erase_if(derived.outputs, [](const OutputValue& output) {
     return output.slot.group != "pivot" && !output.slot.group.starts_with("d_");
   });
@@ -75,8 +64,7 @@ ProgramShape shape_along(const EmitContext& context, const std::string& function
   shape.inputs = input_places(context.programs, context.layout, context.names);
   GroupPlace& seed = shape.inputs["seed"];
   seed.argument = "direction";
-  for (const SeedGroup& group : seed_groups(context))
-    seed.texts.insert(seed.texts.end(), group.texts.begin(), group.texts.end());
+  seed.texts = direction_texts(direction_groups(context));
   shape.roll_above = context.roll_above;
   return shape;
 }
@@ -97,7 +85,7 @@ std::string directional_header_text(const EmitContext& context) {
 
 std::string directional_source_text(const EmitContext& context, const Programs& programs) {
   const SolverLayout& layout = context.layout;
-  const std::vector<SeedGroup> groups = seed_groups(context);
+  const std::vector<DirectionGroup> groups = direction_groups(context);
   const Argument tau{"tau", "const double* tau"}, derivative{"derivative", "const Derivative& derivative"},
       multipliers{"multipliers", "const Multipliers& multipliers"};
   const int outputs = static_cast<int>(context.names.outputs.size());

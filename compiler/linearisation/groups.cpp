@@ -42,17 +42,4 @@ std::vector<double> joined(std::span<const DirectionGroup> groups, const Groups&
   return entries;
 }
 
-std::vector<int> seeds_of(const Program& program, std::span<const DirectionGroup> groups) {
-  std::vector<int> seeds;
-  for (const Slot& slot : program.inputs) {
-    int first = 0, seed = -1;
-    for (const DirectionGroup& group : groups) {
-      if (group.name == slot.group) seed = first + slot.index;
-      first += group.size;
-    }
-    seeds.push_back(seed);
-  }
-  return seeds;
-}
-
 }  // namespace mbgen

@@ -164,14 +164,12 @@ Result<LinearSystem> linearise(const Model& model, const Topology& topology, con
                                const Programs& programs, const OperatingPoint& point) {
   const int n = topology.size(), outputs = static_cast<int>(model.outputs.size()),
             inputs = static_cast<int>(model.inputs.size());
-  int equations = 0;
-  for (const Loop& loop : topology.loops) equations += loop.equations;
   const std::vector<DirectionGroup> groups = {{"z", n},
                                               {"zd", n},
                                               {"x", auxiliary_state_count(model)},
                                               {"in", inputs},
                                               {"zdd", n},
-                                              {"lambda", equations},
+                                              {"lambda", equation_count(topology)},
                                               {"drive", static_cast<int>(model.motions.size())}};
   const DifferentiatedPrograms all = differentiated(programs, groups);
   Derivatives derivatives(all, groups, known_at(model, topology, point), outputs);

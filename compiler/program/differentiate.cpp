@@ -135,6 +135,19 @@ std::vector<Expr> derive_all(Derivation& derivation, const std::vector<Expr>& se
 
 }  // namespace
 
+std::vector<int> seeds_of(const Program& program, std::span<const DirectionGroup> groups) {
+  std::vector<int> seeds;
+  for (const Slot& slot : program.inputs) {
+    int first = 0, seed = -1;
+    for (const DirectionGroup& group : groups) {
+      if (group.name == slot.group) seed = first + slot.index;
+      first += group.size;
+    }
+    seeds.push_back(seed);
+  }
+  return seeds;
+}
+
 Program differentiate(const Program& program, std::span<const int> seed_of_input) {
   if (seed_of_input.size() != program.inputs.size()) {
     throw std::invalid_argument(fmt::format("program {} has {} inputs, {} seeds given", program.name,

@@ -170,6 +170,16 @@ OperationCount count_operations(const Program& program);
 /// One count per section, in the order of program.sections.
 std::vector<OperationCount> count_operations_by_section(const Program& program);
 
+/// A part of a direction: rates of change of a group of inputs.
+struct DirectionGroup {
+  std::string name;
+  int size = 0;
+};
+
+/// Place of each input of a program in a direction that holds these groups one after another, -1 for inputs that are in
+/// none of them: the seeds for `differentiate`.
+std::vector<int> seeds_of(const Program& program, std::span<const DirectionGroup> groups);
+
 /// Forward derivatives: for every output y, dy = sum over inputs of (dy/dinput) * seed.
 /// seed_of_input: for each program input, index of its seed in the input group "seed", or -1 for a zero seed.
 /// Result: the same program plus outputs in groups "d_<group>" with the same index; an output that has its derivative

@@ -64,8 +64,6 @@ Json blocks_json(const Topology& topology, const Analysis& analysis) {
 
 Json model_json(const ReportSource& source) {
   const auto& [model, topology, analysis, results] = source;
-  long equations = 0;
-  for (const Loop& loop : topology.loops) equations += loop.equations;
   return {{"name", model.name},
           {"file", model.file},
           {"hash", model.hash},
@@ -75,7 +73,7 @@ Json model_json(const ReportSource& source) {
           {"springs", model.springs.size() + model.joint_springs.size() + model.air_springs.size()},
           {"tyres", model.tyres.size()},
           {"coordinates", topology.size()},
-          {"equations", equations},
+          {"equations", equation_count(topology)},
           {"independent_equations", analysis.independent_equations},
           {"degrees_of_freedom", analysis.degrees_of_freedom},
           {"driven", model.motions.size()},

@@ -54,6 +54,12 @@ std::vector<int> path_to(const Topology& topology, int i, int base) {
   return path;
 }
 
+int equation_count(const Topology& topology) {
+  int equations = 0;
+  for (const Loop& loop : topology.loops) equations += loop.equations;
+  return equations;
+}
+
 int tree_coordinate(const Topology& topology, const CoordinateReference& reference) {
   for (int i = 0; i < topology.size(); ++i) {
     const TreeBody& body = topology.bodies[i];

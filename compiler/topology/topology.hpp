@@ -105,6 +105,9 @@ std::vector<int> path_to(const Topology& topology, int i, int base);
 /// Tree index of a coordinate of the model, or -1 when its joint was cut.
 int tree_coordinate(const Topology& topology, const CoordinateReference& reference);
 
+/// Number of equations of all loops, redundant ones too.
+int equation_count(const Topology& topology);
+
 /// Index of the coordinate of this name, or -1.
 int find_coordinate(const Topology& topology, const std::string& name);
 

@@ -301,9 +301,7 @@ Program trace_outputs(const Model& model, const Topology& topology, const Analys
   if (topology.loops.empty()) {
     drive = driving_forces(tracing, s.missing);
   } else if (looks_at_multipliers(model)) {
-    int equations = 0;
-    for (const Loop& loop : topology.loops) equations += loop.equations;
-    lambda = by_block(topology, tracing.inputs("lambda", equations));
+    lambda = by_block(topology, tracing.inputs("lambda", equation_count(topology)));
     drive = tracing.inputs("drive", static_cast<int>(tracing.drive.size()));
   }
   std::vector<int> driven;
