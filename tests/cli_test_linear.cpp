@@ -50,6 +50,14 @@ TEST_F(CommandLine, LinearizeTakesAStateOfAFile) {
   EXPECT_EQ(beyond.err, "--index: states.json has states 1 to 2, found 3\n");
 }
 
+TEST_F(CommandLine, InputsStandBeforeTheModelToo) {
+  write("oscillator.json", kOscillator);
+  const Json found = json_of("equilibrium --input force=5 oscillator.json --json");
+  EXPECT_NEAR(found["positions"]["slide"].get<double>(), (5 - 20) / 50.0, 1e-10);
+  EXPECT_NEAR(json_of("linearize --input force=5 oscillator.json --json")["drift"][1].get<double>(), (5 - 20) / 2.0,
+              1e-12);
+}
+
 TEST_F(CommandLine, EquilibriumIsAStartToInclude) {
   write("oscillator.json", kOscillator);
   const Json found = json_of("equilibrium oscillator.json --input force=5 --out start.json --json");

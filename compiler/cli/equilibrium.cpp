@@ -74,10 +74,7 @@ std::string equilibrium_text(const Compilation& compilation, const Equilibrium& 
 void write_start(const EquilibriumOptions& options, const Compilation& compilation, const Equilibrium& found) {
   require_other_file(options.file, compilation.model.files);
   const Json positions = equilibrium_json(compilation, found)["positions"];
-  AtomicFile file(options.file);
-  file.write(json_text({{"mbgen", 1}, {"initial", {{"positions", positions}}}}));
-  file.close();
-  file.commit();
+  write_file(options.file, json_text({{"mbgen", 1}, {"initial", {{"positions", positions}}}}));
 }
 
 int run(const EquilibriumOptions& options) {
@@ -97,7 +94,7 @@ void add_equilibrium(CLI::App& application, int& exit_code) {
       "Example: mbgen equilibrium models/coach.json\n"
       "Starts from the model's initial state. Driven coordinates stay at their motions, loops closed.");
   add_model_argument(*command, options->model);
-  command->add_option("--input", options->inputs, "value of an input, name=value; may be given several times");
+  add_input_option(*command, options->inputs);
   command->add_option("--out", options->file, "write the positions as a file that a model may include: its start");
   add_json_option(*command, options->json);
   command->callback([options, &exit_code] { exit_code = run(*options); });

@@ -155,11 +155,15 @@ void print(std::string_view text) {
   }
 }
 
+void write_file(const std::filesystem::path& path, std::string_view text) {
+  AtomicFile file(path);
+  file.write(text);
+  file.commit();
+}
+
 void write_or_print(const std::string& file, std::string_view text) {
   if (file == "-") return print(text);
-  AtomicFile output(file);
-  output.write(text);
-  output.commit();
+  write_file(file, text);
 }
 
 }  // namespace mbgen::cli

@@ -70,7 +70,10 @@ void write_files(const std::filesystem::path& directory, const std::vector<Named
 /// Writes to standard output. Fails: UserError when it does not take the text.
 void print(std::string_view text);
 
-/// Writes a file whole, or to standard output where its name is "-". Fails: UserError.
+/// Writes a file whole. Fails: UserError.
+void write_file(const std::filesystem::path& path, std::string_view text);
+
+/// The same, or to standard output where its name is "-". Fails: UserError.
 void write_or_print(const std::string& file, std::string_view text);
 
 }  // namespace mbgen::cli

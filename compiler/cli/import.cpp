@@ -72,9 +72,7 @@ int run(const ImportOptions& options) {
   if (!options.file.empty()) {
     require_other_file(options.file, model.files);
     if (!options.loops.empty()) require_other_file(options.file, {options.loops});
-    AtomicFile written(options.file);
-    written.write(model.json);
-    written.commit();
+    write_file(options.file, model.json);
   }
   if (options.json) {
     print(json_text(import_json(options, model)));

@@ -144,15 +144,12 @@ int run(const LinearizeOptions& options) {
   const OperatingPoint point = operating_point(compilation, options.state);
   const LinearSystem system = expect(linearise(compilation, point));
   const std::vector<Mode> list = modes(system);
+  const std::string json = json_text(linear_json(compilation, point, system, list));
   if (!options.file.empty()) {
     require_other_file(options.file, compilation.model.files);
-    AtomicFile file(options.file);
-    file.write(json_text(linear_json(compilation, point, system, list)));
-    file.close();
-    file.commit();
+    write_file(options.file, json);
   }
-  print(options.json ? json_text(linear_json(compilation, point, system, list))
-                     : linear_text(compilation, system, list));
+  print(options.json ? json : linear_text(compilation, system, list));
   return kDone;
 }
 

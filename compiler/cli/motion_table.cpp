@@ -67,9 +67,7 @@ void MotionTable::commit(const std::string& run) {
   const bool stands_alone = format_ == TableFormat::mat || is_special(path_);
   file_.commit();
   if (stands_alone) return;
-  AtomicFile beside(run_file(path_));
-  beside.write(run);
-  beside.commit();
+  write_file(run_file(path_), run);
 }
 
 void MotionTable::write(const Sample& sample) {

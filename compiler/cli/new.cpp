@@ -73,9 +73,7 @@ int run(const NewOptions& options) {
   if (!options.force && std::filesystem::exists(std::filesystem::symlink_status(path, ignored)))
     throw UserError(
         fmt::format("{}: file exists\n  hint: name another one with --out, or overwrite it with --force\n", path));
-  AtomicFile file(path);
-  file.write(starter.text);
-  file.commit();
+  write_file(path, starter.text);
   print(options.json ? json_text({{"kind", starter.kind}, {"file", path}}) : path + "\n");
   return kDone;
 }

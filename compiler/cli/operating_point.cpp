@@ -43,7 +43,7 @@ void add_state_options(CLI::App& command, StateArguments& arguments) {
   command.add_option("--states", arguments.states, "a state of this file, as evaluate reads it, made consistent")
       ->excludes(at);
   command.add_option("--index", arguments.index, "which state of the file, counted from 1 (default 1)");
-  command.add_option("--input", arguments.inputs, "value of an input, name=value; may be given several times");
+  add_input_option(command, arguments.inputs);
 }
 
 GenericState equilibrium_state(const Compilation& compilation, const std::vector<double>& inputs) {

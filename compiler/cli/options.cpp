@@ -130,9 +130,12 @@ EngineChoice chosen_engine(const EngineArguments& arguments) {
   return choice;
 }
 
+void add_input_option(CLI::App& command, std::vector<std::string>& inputs) {
+  command.add_option("--input", inputs, "name=value of a model input; may be repeated")->allow_extra_args(false);
+}
+
 void add_run_options(CLI::App& command, EngineArguments& arguments) {
-  command.add_option("--input", arguments.inputs, "name=value of a model input; may be repeated")
-      ->allow_extra_args(false);
+  add_input_option(command, arguments.inputs);
   command.add_flag_callback(
       "--no-cache", [&arguments] { arguments.choice.use_cache = false; },
       "compile anew and keep nothing (default: keep solvers under ~/.cache/mbgen)");

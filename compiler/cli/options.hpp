@@ -38,6 +38,9 @@ struct EngineArguments {
   std::vector<std::string> inputs;                           ///< name=value
 };
 
+/// --input
+void add_input_option(CLI::App& command, std::vector<std::string>& inputs);
+
 /// --input, --no-cache
 void add_run_options(CLI::App& command, EngineArguments& arguments);
 

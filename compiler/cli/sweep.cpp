@@ -147,9 +147,7 @@ int write_slurm_script(const SweepOptions& options, const Study& study) {
   if (options.parts < 1) throw UserError(fmt::format("--parts: must be positive, found {}\n", options.parts));
   const long parts = std::min(options.parts, study.grid.size());
   require_other_file(options.slurm, study.model.files);
-  AtomicFile file(options.slurm);
-  file.write(slurm_script(study.model.name, words_of(options), parts, std::max(options.jobs, 1)));
-  file.commit();
+  write_file(options.slurm, slurm_script(study.model.name, words_of(options), parts, std::max(options.jobs, 1)));
   print(fmt::format("{}: {} cases in {} parts; submit with: sh {}\n", options.slurm, study.grid.size(), parts,
                     options.slurm));
   return kDone;
@@ -168,9 +166,7 @@ void check(const SweepOptions& options) {
 }
 
 void finish(const SweepOptions& options, const Study& study, const CaseResults& results) {
-  AtomicFile table(options.file);
-  table.write(results_csv(study, results));
-  table.commit();
+  write_file(options.file, results_csv(study, results));
   print(options.json ? results_json(study, results, options.file) : results_text(study, results, options.file));
 }
 

@@ -104,34 +104,12 @@ std::string body_text(const BodyDraft& body, bool is_ground) {
                      fmt::join(lines, ",\n      "));
 }
 
-const char* type_text(JointType type) {
-  switch (type) {
-    case JointType::revolute:
-      return "revolute";
-    case JointType::prismatic:
-      return "prismatic";
-    case JointType::cylindrical:
-      return "cylindrical";
-    case JointType::universal:
-      return "universal";
-    case JointType::spherical:
-      return "spherical";
-    case JointType::planar:
-      return "planar";
-    case JointType::free:
-      return "free";
-    case JointType::fixed:
-      return "fixed";
-  }
-  return "";
-}
-
 /// Adds the joint's points to its bodies.
 std::string joint_text(const JointDraft& joint, std::vector<BodyDraft>& bodies) {
   BodyDraft &from = bodies[static_cast<std::size_t>(joint.from)], &to = bodies[static_cast<std::size_t>(joint.to)];
   const std::string at_from = add_point(from, joint.name, from.pose.inverse() * joint.at);
   const std::string at_to = add_point(to, joint.name, to.pose.inverse() * joint.at);
-  std::string text = fmt::format("\"type\": \"{}\", \"from\": \"{}.{}\", \"to\": \"{}.{}\"", type_text(joint.type),
+  std::string text = fmt::format("\"type\": \"{}\", \"from\": \"{}.{}\", \"to\": \"{}.{}\"", name_of(joint.type),
                                  from.name, at_from, to.name, at_to);
   if (!joint.axis.isZero(0)) text += ", \"axis\": " + axis_text(from.pose.linear().transpose() * joint.axis);
   if (joint.cut) text += ", \"cut\": true";
