@@ -214,14 +214,44 @@ TEST_F(CommandLine, BadArgumentsOfSimulateLeaveNoFile) {
   EXPECT_EQ(leftovers(), Names{"pendulum.json"});
 }
 
-TEST_F(CommandLine, ContradictingStartsAreNamed) {
+/// The four-bar with these positions at the start.
+std::string four_bar_from(const std::string& positions) {
   std::string text = kFourBar;
-  text.replace(text.find("\"crank_pin\": 0.6"), 16, "\"crank_pin\": 0.6, \"rocker_pin\": -0.9");
-  write("four_bar.json", text);
-  const Outcome run = mbgen("simulate four_bar.json --duration 1 --step 1e-3 --out o.csv --engine generic");
-  EXPECT_EQ(run.exit_code, 1);
-  EXPECT_NE(run.err.find("contradicts the closures"), std::string::npos) << run.err;
-  EXPECT_NE(run.err.find("four_bar.json:"), std::string::npos) << run.err;
+  return text.replace(text.find("\"crank_pin\": 0.6"), 16, positions);
+}
+
+TEST_F(CommandLine, StartsThatDoNotFitAreMovedAndTold) {
+  write("four_bar.json", four_bar_from(R"("crank_pin": { "value": 0.6, "locked": true }, "rocker_pin": -0.9)"));
+  const std::string run = "simulate four_bar.json --duration 0.01 --step 1e-3 --out o.csv --engine generic";
+  const Outcome told = mbgen(run);
+  EXPECT_EQ(told.exit_code, 0);
+  EXPECT_TRUE(
+      told.err.starts_with("note: the initial values do not fit together; nearest to them the loops close with\n"
+                           "  position of rocker_pin from -0.9 to "))
+      << told.err;
+  const Json moved = json_of(run + " --json")["moved_start"];
+  ASSERT_EQ(moved.size(), 1u);
+  EXPECT_EQ(moved[0]["coordinate"], "rocker_pin");
+  EXPECT_EQ(moved[0]["quantity"], "position");
+  EXPECT_EQ(moved[0]["asked"], -0.9);
+  // What the crank alone leads to is the only closed position at hand.
+  write("four_bar.json", four_bar_from(R"("crank_pin": 0.6)"));
+  const Json start = json_of("linearize four_bar.json --json")["positions"];
+  EXPECT_NEAR(moved[0]["found"].get<double>(), start["rocker_pin"].get<double>(), 1e-9);
+}
+
+TEST_F(CommandLine, LocksThatDoNotFitNameTheOpenLoop) {
+  write("four_bar.json", four_bar_from(R"("crank_pin": { "value": 0.6, "locked": true },
+    "rocker_pin": { "value": -0.9, "locked": true })"));
+  for (const char* command :
+       {"simulate four_bar.json --duration 1 --step 1e-3 --out o.csv --engine generic", "check four_bar.json"}) {
+    const Outcome run = mbgen(command);
+    EXPECT_EQ(run.exit_code, 1) << command;
+    const std::size_t at =
+        run.err.find("the locked positions do not fit together: loop \"tip\" stays open by 138.5 mm");
+    EXPECT_NE(at, std::string::npos) << run.err;
+    EXPECT_TRUE(run.err.starts_with("four_bar.json:")) << run.err;
+  }
   EXPECT_EQ(leftovers(), Names{"four_bar.json"});
 }
 

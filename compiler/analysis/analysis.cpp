@@ -38,17 +38,14 @@ Diagnostic open_loop(const Model& model, const Topology& topology, const LoopBlo
   int worst = 0;
   for (int e = 0; e < residual.size(); ++e)
     if (!(std::abs(residual[e]) <= std::abs(residual[worst]))) worst = e;
-  int first = 0;
-  for (int l : block.loops) {
-    if (worst < first + topology.loops[l].equations)
-      return problem(
-          where_of(model, topology.loops[l]),
-          fmt::format("loop \"{}\" cannot be closed near the reference configuration: equation {} stays open by {:.6g}",
-                      topology.loops[l].name, equation_names(topology, block)[worst], residual[worst]),
-          "check the points and axes of the joints in this loop, and whether its equations contradict each other");
-    first += topology.loops[l].equations;
-  }
-  return {};
+  const ClosureEquation equation = closure_equations(model, topology, block)[worst];
+  const Loop& loop = topology.loops[equation.loop];
+  return problem(
+      where_of(model, loop),
+      fmt::format("loop {} cannot be closed near the reference configuration: it stays open by {} ({}, {})",
+                  quoted(loop.name), opening_text(equation.unit, opening(model, topology, equation, residual[worst])),
+                  equation.name, equation.meaning),
+      "check the points and axes of the joints in this loop, and whether its equations contradict each other");
 }
 
 std::vector<int> driven_columns(const LoopBlock& block, const std::vector<bool>& driven) {

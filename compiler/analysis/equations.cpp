@@ -2,7 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "compiler/formulation/closure.hpp"
 
@@ -77,6 +79,21 @@ std::vector<Row> rows_of(ClosureKind kind, const detail::Triad& triad) {
 }
 
 }  // namespace
+
+double opening(const Model& model, const Topology& topology, const ClosureEquation& equation, double residual) {
+  const int index = topology.loops[equation.loop].rod;
+  if (index < 0) return residual;
+  const Rod& rod = model.rods[index];
+  const Vector3 from = reference_position(model, rod.from), to = reference_position(model, rod.to);
+  const double length = rod.length ? rod.length->value : std::hypot(from[0] - to[0], from[1] - to[1], from[2] - to[2]);
+  return std::sqrt(length * length + 2 * length * residual) - length;  // of (d^2 - l^2) / (2 l)
+}
+
+std::string opening_text(ResidualUnit unit, double opening) {
+  const double size = std::abs(opening);
+  if (unit == ResidualUnit::metre) return fmt::format("{:.4g} mm", size * 1000);
+  return fmt::format("{:.4g} deg", std::asin(std::min(size, 1.0)) * 180 / std::numbers::pi);
+}
 
 std::vector<ClosureEquation> closure_equations(const Model& model, const Topology& topology, const LoopBlock& block) {
   const std::vector<std::string> names = equation_names(topology, block);

@@ -19,6 +19,13 @@ struct ClosureEquation {
   ResidualUnit unit = ResidualUnit::metre;
 };
 
+/// How far an equation with this residual opens its loop: m (of a rod the length that it lacks), or the sine of an
+/// angle.
+double opening(const Model& model, const Topology& topology, const ClosureEquation& equation, double residual);
+
+/// An opening as people say it: "12.3 mm", or "4.5 deg".
+std::string opening_text(ResidualUnit unit, double opening);
+
 /// The equations of a block. Source: theory.md section 3.
 std::vector<ClosureEquation> closure_equations(const Model& model, const Topology& topology, const LoopBlock& block);
 

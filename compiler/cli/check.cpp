@@ -8,6 +8,7 @@
 #include "compiler/cli/commands.hpp"
 #include "compiler/cli/dump.hpp"
 #include "compiler/cli/files.hpp"
+#include "compiler/cli/initial_state.hpp"
 #include "compiler/cli/json_text.hpp"
 #include "compiler/cli/options.hpp"
 #include "compiler/cli/user_error.hpp"
@@ -37,20 +38,34 @@ std::string to_json(const std::string& file, const Diagnostics& problems) {
   return json_text({{"model", file}, {"ok", problems.empty()}, {"problems", list}});
 }
 
+/// What is wrong with the model, or with the state that it starts from; what of that moves goes to standard error.
+Diagnostics problems_of(const std::string& file) {
+  const Result<Compilation> compilation = compile(file);
+  if (!compilation) return compilation.problems();
+  const Initial& initial = compilation->model.initial;
+  if (!initial.equilibrium && initial.positions.empty() && initial.velocities.empty()) return {};
+  try {
+    noted_initial_state(*compilation, input_values(compilation->model, {}));
+  } catch (const UserError& error) {
+    return error.problems();
+  }
+  return {};
+}
+
 int run(const CheckOptions& options) {
   if (!options.dump.empty()) {
     print(dump_stage(options.model, options.dump));
     return kDone;
   }
-  const Result<Compilation> compilation = compile(options.model);
+  const Diagnostics problems = problems_of(options.model);
   if (options.json) {
-    print(to_json(options.model, compilation ? Diagnostics{} : compilation.problems()));
-  } else if (compilation) {
+    print(to_json(options.model, problems));
+  } else if (problems.empty()) {
     print(fmt::format("{}: ok\n", options.model));
   } else {
-    throw UserError(compilation.problems());
+    throw UserError(problems);
   }
-  return compilation ? kDone : kUserFault;
+  return problems.empty() ? kDone : kUserFault;
 }
 
 }  // namespace

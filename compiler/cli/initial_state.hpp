@@ -1,6 +1,7 @@
 #pragma once
 // The state that a motion starts from.
 
+#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
@@ -12,10 +13,37 @@ namespace mbgen::cli {
 /// All coordinates zero, at rest, t = 0: the reference configuration, driven coordinates not yet at their motions.
 GenericState reference_state(const Compilation& compilation);
 
-/// The state that the model's `initial` asks for: `positions` as asked with the loops closed, static equilibrium when
-/// wanted (positions are then the guess), `velocities` as asked, the rest consistent. inputs: all of them, model order.
-/// Fails: UserError when the loops do not close there, there is no equilibrium, or values contradict the closures.
+/// A start value that the model asks for and that gave way, since the loops do not close at all of them.
+struct MovedValue {
+  Where where;
+  int coordinate = -1;
+  bool is_velocity = false;
+  double asked = 0, found = 0;  ///< rad or m, or per second
+};
+
+struct Start {
+  GenericState state;
+  std::vector<MovedValue> moved;  ///< none of a static equilibrium's positions, which are guesses
+};
+
+/// The state that the model's `initial` asks for: `positions` as asked with the loops closed, or where they do not fit
+/// together nearest to them (weighted least squares with locks), static equilibrium when wanted (positions are then the
+/// guess), `velocities` likewise, the rest consistent. inputs: all of them, model order.
+/// Fails: UserError when locked or driven values leave a loop open, there is no equilibrium, or a value contradicts the
+/// motion of its coordinate.
+Start initial_start(const Compilation& compilation, const std::vector<double>& inputs);
+
+/// The state alone.
 GenericState initial_state(const Compilation& compilation, const std::vector<double>& inputs);
+
+/// The state; what moved goes to standard error.
+GenericState noted_initial_state(const Compilation& compilation, const std::vector<double>& inputs);
+
+/// What moved and by how much, for people: "" where nothing moved by more than values of a few digits are off.
+std::string moved_text(const Compilation& compilation, const std::vector<MovedValue>& moved);
+
+/// The same for machines, every value that moved: coordinate, quantity, asked, found.
+nlohmann::ordered_json moved_json(const Compilation& compilation, const std::vector<MovedValue>& moved);
 
 /// The same at the default inputs, as emitted code holds it.
 InitialState default_initial_state(const Compilation& compilation);

@@ -47,7 +47,7 @@ void add_state_options(CLI::App& command, StateArguments& arguments) {
 }
 
 GenericState equilibrium_state(const Compilation& compilation, const std::vector<double>& inputs) {
-  GenericState state = initial_state(compilation, inputs);
+  GenericState state = noted_initial_state(compilation, inputs);
   GenericSolver solver(compilation.model, compilation.topology, compilation.analysis);
   solver.set_inputs(inputs);
   const Status status = solver.equilibrium(state);
@@ -62,7 +62,7 @@ OperatingPoint operating_point(const Compilation& compilation, const StateArgume
   std::vector<double> inputs = input_values(compilation.model, arguments.inputs);
   GenericState state = !arguments.states.empty()       ? state_of_file(compilation, arguments, inputs)
                        : arguments.at == "equilibrium" ? equilibrium_state(compilation, inputs)
-                                                       : initial_state(compilation, inputs);
+                                                       : noted_initial_state(compilation, inputs);
   return {std::move(state.z), std::move(state.zd), std::move(state.x), state.t, std::move(inputs)};
 }
 

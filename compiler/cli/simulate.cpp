@@ -47,15 +47,16 @@ int run(const SimulateOptions& options) {
   MotionTable table(options.file, table_format(options.format, options.file), compilation,
                     decimation(options, settings.steps));
   const Engine engine = make_engine(compilation, choice);
-  const GenericState start = initial_state(compilation, inputs.at(0));
+  const Start start = initial_start(compilation, inputs.at(0));
+  fmt::print(stderr, "{}", moved_text(compilation, start.moved));
 
   Progress progress(settings.steps);
-  const SimulationSummary summary = simulate(engine, start, inputs, settings, [&](const Sample& sample) {
+  const SimulationSummary summary = simulate(engine, start.state, inputs, settings, [&](const Sample& sample) {
     table.add(sample);
     progress.show(sample.step);
   });
   progress.clear();
-  const SimulationRecord record{compilation, choice, settings, summary, options.file, table.finish()};
+  const SimulationRecord record{compilation, choice, settings, summary, options.file, table.finish(), start.moved};
   table.commit(run_json(record));
   print(options.json ? summary_json(record) : summary_text(record));
   if (summary.status.ok()) return kDone;

@@ -78,6 +78,7 @@ Json results_json(const SimulationRecord& record) {
           {"engine", record.choice.name},
           {"integrator", name_of(record.choice.integrator)},
           {"stabilisation", name_of(record.choice.stabilisation)},
+          {"moved_start", moved_json(record.compilation, record.moved)},
           {"steps", summary.steps},
           {"step", record.settings.step},
           {"end_time", summary.end_time},

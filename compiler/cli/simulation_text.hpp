@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "compiler/cli/initial_state.hpp"
 #include "compiler/cli/simulation.hpp"
 #include "compiler/results/results.hpp"
 
@@ -23,6 +24,7 @@ struct SimulationRecord {
   const SimulationSummary& summary;
   std::string file;
   long rows = 0;
+  std::vector<MovedValue> moved;  ///< of the start
 };
 
 /// For people: steps, real-time factor, closure residual, energy balance, ranges of the outputs.

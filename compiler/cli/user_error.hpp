@@ -15,6 +15,9 @@ class UserError : public std::runtime_error {
   /// What is wrong with a model, place by place.
   explicit UserError(Diagnostics problems) : std::runtime_error(to_text(problems)), problems_(std::move(problems)) {}
 
+  /// What is wrong with the model; none where the surroundings are at fault.
+  const Diagnostics& problems() const { return problems_; }
+
   /// The text for a terminal or a pipe.
   std::string text(Style style) const { return problems_.empty() ? what() : to_text(problems_, style); }
 

@@ -1,5 +1,7 @@
 #include "compiler/emit/directional_text.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "compiler/emit/program_text.hpp"
@@ -28,7 +30,7 @@ std::vector<std::string> direction_texts(const std::vector<DirectionGroup>& grou
   std::vector<std::string> texts;
   for (const DirectionGroup& group : groups) {
     for (int i = 0; i < group.size; ++i) {
-      texts.push_back("direction." + group.name + (group.name == "t" ? "" : "[" + std::to_string(i) + "]"));
+      texts.push_back(group.name == "t" ? "direction.t" : fmt::format("direction.{}[{}]", group.name, i));
     }
   }
   return texts;

@@ -33,7 +33,7 @@ enum class Shape {
   object,           ///< of kind FieldInfo::of
   map,              ///< name -> object of kind FieldInfo::of
   points,           ///< name -> three quantities
-  values,           ///< coordinate -> constant
+  values,           ///< coordinate -> constant, or an object of kind FieldInfo::of
   overrides,        ///< parameter -> quantity
   names,            ///< name -> name
   rotations,        ///< one object of kind FieldInfo::of, or an array of them

@@ -44,15 +44,6 @@ double norm(const Vector3& a) { return std::hypot(a[0], a[1], a[2]); }
 
 double angle_between(const Vector3& a, const Vector3& b) { return std::atan2(norm(cross(a, b)), dot(a, b)); }
 
-Vector3 reference_position(const Model& model, const Attachment& attachment) {
-  if (attachment.body < 0 || attachment.point < 0) return {kUnreadable, kUnreadable, kUnreadable};
-  const Body& body = body_of(model, attachment.body);
-  const Vector3Quantity& local = body.points[static_cast<std::size_t>(attachment.point)].position;
-  Vector3 position = rotated(body.pose.rotation, {local[0].value, local[1].value, local[2].value});
-  for (std::size_t i = 0; i < 3; ++i) position[i] += body.pose.origin[i];
-  return position;
-}
-
 std::string attachment_text(const Model& model, const Attachment& attachment) {
   const Body& body = body_of(model, attachment.body);
   return body.name + "." + body.points[static_cast<std::size_t>(attachment.point)].name;
@@ -67,3 +58,17 @@ const std::string& coordinate_name(const Model& model, const CoordinateReference
 }
 
 }  // namespace mbgen::reading
+
+namespace mbgen {
+
+Vector3 reference_position(const Model& model, const Attachment& attachment) {
+  if (attachment.body < 0 || attachment.point < 0)
+    return {reading::kUnreadable, reading::kUnreadable, reading::kUnreadable};
+  const Body& body = model.bodies[static_cast<std::size_t>(attachment.body)];
+  const Vector3Quantity& local = body.points[static_cast<std::size_t>(attachment.point)].position;
+  Vector3 position = reading::rotated(body.pose.rotation, {local[0].value, local[1].value, local[2].value});
+  for (std::size_t i = 0; i < 3; ++i) position[i] += body.pose.origin[i];
+  return position;
+}
+
+}  // namespace mbgen

@@ -310,10 +310,13 @@ struct Input {
   int derivative = -1;  ///< index into Model::inputs of its rate of change; -1: it counts as constant
 };
 
+/// A value that a coordinate or its velocity is to have at the start.
 struct InitialValue {
   CoordinateReference coordinate;
-  double value = 0;
+  double value = 0;  ///< rad or m, or per second
   Where where;
+  double weight = 1;    ///< of its squared error, where the values asked for do not fit together
+  bool locked = false;  ///< it is kept then, whatever the others
 };
 
 struct Initial {
@@ -361,6 +364,10 @@ struct Model {
   Initial initial;
   SolverSettings solver;
 };
+
+/// Global position of a point at the reference configuration and default parameters, m; NaN for an attachment that
+/// could not be read.
+Vector3 reference_position(const Model& model, const Attachment& attachment);
 
 /// Reads and checks a model.
 /// text: JSON with comments; file_name: its path, used in messages and as the base of `include` paths.

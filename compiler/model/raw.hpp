@@ -122,6 +122,11 @@ struct ShapeFields : DisplayShape {
   std::string colour;
 };
 
+struct InitialValueFields {
+  double value = 0, weight = 1;
+  bool locked = false;
+};
+
 struct InitialFields {
   bool equilibrium = false;
   const Value *positions = nullptr, *velocities = nullptr;

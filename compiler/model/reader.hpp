@@ -269,8 +269,6 @@ double dot(const Vector3& a, const Vector3& b);
 double norm(const Vector3& a);
 /// Angle between two vectors, 0 to pi.
 double angle_between(const Vector3& a, const Vector3& b);
-/// Global position of a point at default parameters, m; NaN for an attachment that could not be read.
-Vector3 reference_position(const Model& model, const Attachment& attachment);
 /// "body.point" as the user writes it.
 std::string attachment_text(const Model& model, const Attachment& attachment);
 /// True for rotations. Requires: a valid reference.

@@ -90,6 +90,7 @@ Json shape_of(const FieldInfo& info) {
     case Shape::points:
       return map_of(reference("vector"));
     case Shape::values:
+      return map_of(either(reference("angle"), reference(info.of)));
     case Shape::overrides:
       return map_of(reference("angle"));
     case Shape::names:

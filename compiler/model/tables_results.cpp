@@ -105,6 +105,30 @@ std::span<const Field<OutputFields>> fields<OutputFields>() {
 }
 
 template <>
+std::span<const Field<InitialValueFields>> fields<InitialValueFields>() {
+  using F = InitialValueFields;
+  static const std::array table = {
+      field<F, &F::value>({.name = "value",
+                           .shape = Shape::number,
+                           .doc = "of the coordinate or its velocity",
+                           .unit = "rad, m, rad/s or m/s",
+                           .need = Need::required,
+                           .depends = Depends::nothing,
+                           .angle = true}),
+      field<F, &F::weight>(
+          {.name = "weight",
+           .shape = Shape::number,
+           .doc = "of its squared error against those of the other values, where they do not fit together",
+           .fallback = 1,
+           .bound = Bound::positive,
+           .depends = Depends::nothing}),
+      field<F, &F::locked>(
+          {.name = "locked", .shape = Shape::boolean, .doc = "the value is kept, the others give way", .fallback = 0}),
+  };
+  return table;
+}
+
+template <>
 std::span<const Field<InitialFields>> fields<InitialFields>() {
   using F = InitialFields;
   static const std::array table = {
@@ -112,18 +136,22 @@ std::span<const Field<InitialFields>> fields<InitialFields>() {
                                  .shape = Shape::boolean,
                                  .doc = "start from static equilibrium, then give the velocities",
                                  .fallback = 0}),
-      field<F, &F::positions>({.name = "positions",
-                               .shape = Shape::values,
-                               .doc = "coordinates at the start; the others are zero or follow from the closures",
-                               .unit = "rad or m",
-                               .depends = Depends::nothing,
-                               .angle = true}),
+      field<F, &F::positions>(
+          {.name = "positions",
+           .shape = Shape::values,
+           .doc = "coordinates at the start; the others are zero or follow from the closures; values that "
+                  "do not fit together are moved as little as possible",
+           .unit = "rad or m",
+           .depends = Depends::nothing,
+           .angle = true,
+           .of = "initial_value"}),
       field<F, &F::velocities>({.name = "velocities",
                                 .shape = Shape::values,
                                 .doc = "velocities at the start",
                                 .unit = "rad/s or m/s",
                                 .depends = Depends::nothing,
-                                .angle = true}),
+                                .angle = true,
+                                .of = "initial_value"}),
   };
   return table;
 }
@@ -182,6 +210,7 @@ std::vector<ObjectKind> object_kinds() {
                          {"expression", "point", "joint", "tyre", "spring", "motion", "reaction", "multiplier"}),
       kind<ShapeFields>("shape", "how a part of a body is drawn"),
       kind<InitialFields>("initial", "state at the start"),
+      kind<InitialValueFields>("initial_value", "a value at the start, and what it may give way to"),
       kind<SolverSettings>("solver", "time integration"),
       kind<TableFields>("table", "a characteristic by points, exactly one of table and csv", {"table", "csv"}),
   };

@@ -28,6 +28,14 @@ struct GenericAlgebra {
   Factorisation factorisation = Factorisation::lu;
 };
 
+/// A value that is asked of a coordinate or its velocity.
+struct CoordinateWish {
+  int coordinate = -1;
+  double value = 0;     ///< rad or m, or per second
+  double weight = 1;    ///< of its squared error, against those of the other wishes
+  bool locked = false;  ///< to be met exactly; of driven coordinates the motion says where they are
+};
+
 /// Solver of one model at double. Copies what it needs of its arguments. It works in memory of its own: one thread at a
 /// time, and any number of solvers in as many threads. With LinearAlgebra::blas one thread of the whole process:
 /// Debian's serial OpenBLAS shares buffers without a lock.
@@ -70,6 +78,13 @@ class GenericSolver {
   std::vector<Pose> poses(const GenericState& state) const;
   GenericOutputs outputs(const GenericState& state, const std::vector<double>& tau,
                          const GenericDerivative& derivative) const;
+  /// Moves a closed state at rest to the closed positions whose wished coordinates are nearest to their values: the
+  /// least weighted sum of squares, locked and driven ones exact, the others as near to where they were as steps along
+  /// the closures lead. Fails: not_a_number; loop_not_closed, `state` is then at the least open positions that were
+  /// found, locked and driven coordinates in place.
+  Status assemble(GenericState& state, const std::vector<CoordinateWish>& positions) const;
+  /// The same for velocities, at the positions of `state`: the least that meet the wishes.
+  Status assemble_velocities(GenericState& state, const std::vector<CoordinateWish>& velocities) const;
   /// Static equilibrium with the driven coordinates at their motions: zero velocities, closures satisfied, generalised
   /// forces of the free directions zero (least change of position where they are indifferent).
   Status equilibrium(GenericState& state) const;

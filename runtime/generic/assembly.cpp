@@ -1,0 +1,299 @@
+// Positions and velocities nearest to what is asked of them, with the loops closed: weighted least squares with locks,
+// loop block by loop block, since no closure sees the coordinates of two blocks.
+
+#include <algorithm>
+#include <cmath>
+
+#include "runtime/generic/content.hpp"
+
+namespace mbgen {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+constexpr double kClosed = 1e-9;               // m or 1, per second for velocities: larger residuals count as open
+constexpr double kTight = 1e-13;               // m or 1: below it a residual is rounding
+constexpr double kShortestCorrection = 1e-11;  // rad or m: shorter steps end a search
+constexpr double kNegligible = 1e-9;           // singular values below this share of the largest count as none
+constexpr double kLongestCorrection = 0.3;     // rad or m per step and coordinate
+constexpr double kLargestMove = 0.05;          // rad or m: of a wish between two positions closed one after the other
+constexpr double kMostMoves = 20000;           // larger ones then, for wishes that are farther away
+constexpr int kMostCorrections = 400;          // of a closure, and of the last search
+constexpr int kStepsOnTheWay = 4;              // of the searches before: the next one starts where they end
+constexpr double kEasier = 0.2, kHarder = 5;   // what success and failure of a step make of its damping
+
+/// What is asked of a block. Columns are those of LoopBlock::joints.
+struct Demand {
+  std::vector<int> fixed, movable;  ///< columns
+  VectorXd value;                   ///< per column, zero where nothing is asked
+  VectorXd weight;  ///< per movable column: square root of the weight over the largest one, zero where nothing is asked
+};
+
+/// A loop block of a state, whose coordinates are to move.
+template <class Content>
+struct MovableBlock {
+  Content& content;
+  const LoopBlock& block;
+  const Demand& demand;
+  GenericState& state;
+};
+
+/// Residual and Jacobian of a block.
+struct Closure {
+  VectorXd residual;
+  MatrixXd jacobian;
+};
+
+/// x nearest to zero with a x = b in the sense of least squares.
+VectorXd least(const MatrixXd& a, const VectorXd& b) {
+  if (a.size() == 0) return VectorXd::Zero(a.cols());
+  Eigen::CompleteOrthogonalDecomposition<MatrixXd> factors;
+  factors.setThreshold(kNegligible);
+  factors.compute(a);
+  return factors.solve(b);
+}
+
+/// The same with damping * |x|^2 beside the squares.
+VectorXd least(const MatrixXd& a, const VectorXd& b, double damping) {
+  MatrixXd stacked(a.rows() + a.cols(), a.cols());
+  stacked << a, std::sqrt(damping) * MatrixXd::Identity(a.cols(), a.cols());
+  VectorXd right_hand_side = VectorXd::Zero(stacked.rows());
+  right_hand_side.head(b.size()) = b;
+  return least(stacked, right_hand_side);
+}
+
+/// Orthonormal directions in which the product with `a` does not change.
+MatrixXd indifferent_directions(const MatrixXd& a) {
+  if (a.size() == 0) return MatrixXd::Identity(a.cols(), a.cols());
+  Eigen::CompleteOrthogonalDecomposition<MatrixXd> factors;
+  factors.setThreshold(kNegligible);
+  factors.compute(a);
+  const MatrixXd turned = factors.matrixZ().transpose();
+  return factors.colsPermutation() * turned.rightCols(a.cols() - factors.rank());
+}
+
+double largest(const VectorXd& values) { return values.size() > 0 ? values.lpNorm<Eigen::Infinity>() : 0.0; }
+
+/// Shortened where it moves a coordinate farther than kLongestCorrection.
+VectorXd capped(const VectorXd& step) {
+  return step * (kLongestCorrection / std::max(largest(step), kLongestCorrection));
+}
+
+/// Driven coordinates as locked wishes, in place of what else is asked of them.
+std::vector<CoordinateWish> with_drives(std::vector<CoordinateWish> wishes, const std::vector<Drive<double>>& drives,
+                                        double Drive<double>::*value) {
+  for (const Drive<double>& drive : drives) {
+    std::erase_if(wishes, [&](const CoordinateWish& wish) { return wish.coordinate == drive.coordinate; });
+    wishes.push_back({drive.coordinate, drive.*value, 1, true});
+  }
+  return wishes;
+}
+
+Demand demand_of(const LoopBlock& block, const std::vector<CoordinateWish>& wishes) {
+  Demand demand;
+  demand.value = VectorXd::Zero(static_cast<Index>(block.joints.size()));
+  std::vector<double> weights;
+  for (std::size_t c = 0; c < block.joints.size(); ++c) {
+    const auto wish =
+        std::find_if(wishes.begin(), wishes.end(), [&](const auto& w) { return w.coordinate == block.joints[c]; });
+    const bool asked = wish != wishes.end();
+    if (asked) demand.value[static_cast<Index>(c)] = wish->value;
+    if (asked && wish->locked) {
+      demand.fixed.push_back(static_cast<int>(c));
+    } else {
+      demand.movable.push_back(static_cast<int>(c));
+      weights.push_back(asked ? wish->weight : 0.0);
+    }
+  }
+  demand.weight = Eigen::Map<const VectorXd>(weights.data(), static_cast<Index>(weights.size()));
+  const double heaviest = largest(demand.weight);
+  if (heaviest > 0) demand.weight = (demand.weight / heaviest).cwiseSqrt();
+  return demand;
+}
+
+VectorXd of_block(const LoopBlock& block, const std::vector<double>& values) {
+  VectorXd result(static_cast<Index>(block.joints.size()));
+  for (std::size_t c = 0; c < block.joints.size(); ++c) result[static_cast<Index>(c)] = values[block.joints[c]];
+  return result;
+}
+
+void set_block(const LoopBlock& block, const VectorXd& from, std::vector<double>& values) {
+  for (std::size_t c = 0; c < block.joints.size(); ++c) values[block.joints[c]] = from[static_cast<Index>(c)];
+}
+
+/// The closure at block coordinates z, which the state takes over.
+template <class Content>
+Closure closure_at(const MovableBlock<Content>& m, const VectorXd& z) {
+  set_block(m.block, z, m.state.z);
+  System<double>& system = m.content.system(m.state);
+  const BlockClosure<double> closed = closure(system, kinematics(system), m.block, m.content.rest);
+  Closure result{Eigen::Map<const VectorXd>(closed.residual.data(), static_cast<Index>(closed.residual.size())),
+                 MatrixXd(static_cast<Index>(closed.residual.size()), z.size())};
+  for (std::size_t e = 0; e < closed.jacobian.size(); ++e)
+    result.jacobian.row(static_cast<Index>(e)) =
+        Eigen::Map<const Eigen::RowVectorXd>(closed.jacobian[e].data(), z.size());
+  return result;
+}
+
+/// Closes a block by its movable coordinates, or opens it as little as can be. Damping by the squared residual keeps
+/// Newton's order: N. Yamashita, M. Fukushima, "On the rate of convergence of the Levenberg-Marquardt method",
+/// Computing Supplement 15, 2001. Result: |Phi|.
+template <class Content>
+double close(const MovableBlock<Content>& m, VectorXd& z) {
+  Closure here = closure_at(m, z);
+  double damping = 1;
+  for (int step = 0; step < kMostCorrections && here.residual.norm() > kTight; ++step) {
+    const VectorXd change = capped(
+        least(here.jacobian(Eigen::all, m.demand.movable), -here.residual, damping * here.residual.squaredNorm()));
+    VectorXd trial = z;
+    trial(m.demand.movable) += change;
+    Closure there = closure_at(m, trial);
+    const bool gains = there.residual.norm() < here.residual.norm();
+    damping *= gains ? kEasier : kHarder;
+    if (gains) {
+      z = std::move(trial);
+      here = std::move(there);
+    }
+    if (!(largest(change) > kShortestCorrection)) break;
+  }
+  set_block(m.block, z, m.state.z);
+  return here.residual.norm();
+}
+
+/// Weighted distances of the movable columns from a target.
+VectorXd missing(const Demand& demand, const VectorXd& target, const VectorXd& z) {
+  return demand.weight.cwiseProduct(target(demand.movable) - z(demand.movable));
+}
+
+/// Takes the fixed coordinates to their place on the way from `start` to what is asked (share: 0 to 1), closes the
+/// block, and goes along the closures to where the other wishes, taken as far, are met best. Result: |Phi|.
+template <class Content>
+double approach(const MovableBlock<Content>& m, const VectorXd& start, double share, int most_steps, VectorXd& z) {
+  const Demand& demand = m.demand;
+  const VectorXd target = start + share * (demand.value - start);
+  z(demand.fixed) = target(demand.fixed);
+  double open = close(m, z), damping = 1e-6;
+  for (int step = 0; step < most_steps; ++step) {
+    const VectorXd lacking = missing(demand, target, z);
+    const MatrixXd directions = indifferent_directions(closure_at(m, z).jacobian(Eigen::all, demand.movable));
+    if (directions.cols() == 0) break;
+    const VectorXd change = capped(directions * least(demand.weight.asDiagonal() * directions, lacking, damping));
+    if (!(largest(change) > kShortestCorrection)) break;
+    VectorXd trial = z;
+    trial(demand.movable) += change;
+    const double open_there = close(m, trial);
+    const bool gains = missing(demand, target, trial).norm() < lacking.norm() && open_there <= std::max(open, kClosed);
+    damping *= gains ? kEasier : kHarder;
+    if (gains) {
+      z = std::move(trial);
+      open = open_there;
+    }
+  }
+  set_block(m.block, z, m.state.z);
+  return open;
+}
+
+/// A position of a block that was found: how far it is open, and how far from what is asked.
+struct Found {
+  VectorXd z;
+  double open = 0, missing = 0;
+};
+
+/// Follows the closures from where the block is to what is asked of it, in moves so small that it stays on its branch.
+template <class Content>
+Found followed(const MovableBlock<Content>& m, const VectorXd& start) {
+  const VectorXd way = m.demand.value - start;
+  const double farthest =
+      std::max(largest(way(m.demand.fixed)), largest(m.demand.weight.cwiseSign().cwiseProduct(way(m.demand.movable))));
+  const double moves = std::clamp(std::ceil(farthest / kLargestMove), 1.0, kMostMoves);
+  Found found{start};
+  for (int k = 1; k < static_cast<int>(moves); ++k) approach(m, start, k / moves, kStepsOnTheWay, found.z);
+  found.open = approach(m, start, 1, kMostCorrections, found.z);
+  found.missing = missing(m.demand, m.demand.value, found.z).norm();
+  return found;
+}
+
+/// Closes the block from the very values that are asked: what is asked exactly may lie on another branch.
+template <class Content>
+Found leapt(const MovableBlock<Content>& m, const VectorXd& start) {
+  Found found{m.demand.value};
+  for (std::size_t c = 0; c < m.demand.movable.size(); ++c) {
+    const int column = m.demand.movable[c];
+    if (m.demand.weight[static_cast<Index>(c)] == 0) found.z[column] = start[column];
+  }
+  found.open = approach(m, start, 1, kMostCorrections, found.z);
+  found.missing = missing(m.demand, m.demand.value, found.z).norm();
+  return found;
+}
+
+/// Takes a block to what is asked of it. Result: |Phi|.
+template <class Content>
+double assemble_block(const MovableBlock<Content>& m) {
+  const VectorXd start = of_block(m.block, m.state.z);
+  Found best = followed(m, start);
+  if (!(best.open <= kClosed) || best.missing > kClosed) {
+    Found other = leapt(m, start);
+    const bool closes = best.open <= kClosed && other.open <= kClosed;
+    if (closes ? other.missing < best.missing : other.open < best.open) best = std::move(other);
+  }
+  set_block(m.block, best.z, m.state.z);
+  return best.open;
+}
+
+/// The block's velocities that meet what is asked best, with Phi_z zd = 0. Result: |Phi_z zd|.
+template <class Content>
+double set_velocities(const MovableBlock<Content>& m) {
+  const Demand& demand = m.demand;
+  const MatrixXd jacobian = closure_at(m, of_block(m.block, m.state.z)).jacobian;
+  const MatrixXd movable = jacobian(Eigen::all, demand.movable);
+  VectorXd zd = demand.value;
+  const VectorXd needed = least(movable, -jacobian(Eigen::all, demand.fixed) * demand.value(demand.fixed));
+  const MatrixXd directions = indifferent_directions(movable);
+  zd(demand.movable) = needed;
+  zd(demand.movable) += directions * least(demand.weight.asDiagonal() * directions, missing(demand, demand.value, zd));
+  set_block(m.block, zd, m.state.zd);
+  return (jacobian * zd).norm();
+}
+
+}  // namespace
+
+Status GenericSolver::assemble(GenericState& state, const std::vector<CoordinateWish>& positions) const {
+  if (const Status status = content_->check_arguments(state, {}); !status.ok()) return status;
+  GenericState driven = state;
+  System<double>& system = content_->system(state);
+  if (const Status status = Content::follow_motions(system, driven); !status.ok()) return status;
+  const std::vector<CoordinateWish> wishes = with_drives(positions, drives(system), &Drive<double>::position);
+  const std::vector<double> start = state.z;
+  for (const CoordinateWish& wish : wishes) state.z[wish.coordinate] = wish.value;
+  for (const LoopBlock& block : content_->topology.blocks) set_block(block, of_block(block, start), state.z);
+  Status result;
+  for (std::size_t b = 0; b < content_->topology.blocks.size(); ++b) {
+    const LoopBlock& block = content_->topology.blocks[b];
+    const Demand demand = demand_of(block, wishes);
+    if (demand.fixed.empty() && largest(demand.weight) == 0) continue;
+    const double open = assemble_block<Content>({*content_, block, demand, state});
+    if (!(open <= kClosed) && result.ok()) result = {Code::loop_not_closed, static_cast<int>(b)};
+  }
+  return result;
+}
+
+Status GenericSolver::assemble_velocities(GenericState& state, const std::vector<CoordinateWish>& velocities) const {
+  if (const Status status = content_->check_arguments(state, {}); !status.ok()) return status;
+  System<double>& system = content_->system(state);
+  if (const Status status = Content::follow_motions(system, state); !status.ok()) return status;
+  const std::vector<CoordinateWish> wishes = with_drives(velocities, drives(system), &Drive<double>::velocity);
+  for (const CoordinateWish& wish : wishes) state.zd[wish.coordinate] = wish.value;
+  Status result;
+  for (std::size_t b = 0; b < content_->topology.blocks.size(); ++b) {
+    const LoopBlock& block = content_->topology.blocks[b];
+    const Demand demand = demand_of(block, wishes);
+    const double open = set_velocities<Content>({*content_, block, demand, state});
+    const double scale = std::max(1.0, largest(of_block(block, state.zd)));
+    if (!(open <= kClosed * scale) && result.ok()) result = {Code::loop_not_closed, static_cast<int>(b)};
+  }
+  return result;
+}
+
+}  // namespace mbgen
