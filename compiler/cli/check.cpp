@@ -9,6 +9,7 @@
 #include "compiler/cli/dump.hpp"
 #include "compiler/cli/files.hpp"
 #include "compiler/cli/json_text.hpp"
+#include "compiler/cli/notes.hpp"
 #include "compiler/cli/options.hpp"
 #include "compiler/cli/user_error.hpp"
 #include "compiler/compile.hpp"
@@ -21,20 +22,12 @@ struct CheckOptions {
   bool json = false;
 };
 
-using Json = nlohmann::ordered_json;
-
-std::string to_json(const std::string& file, const Diagnostics& problems) {
-  Json list = Json::array();
-  for (const Diagnostic& problem : problems) {
-    list.push_back({{"file", problem.where.file},
-                    {"line", problem.where.line},
-                    {"column", problem.where.column},
-                    {"length", marked_length(problem.where.line_text, problem.where.column)},
-                    {"pointer", problem.where.pointer},
-                    {"message", problem.message},
-                    {"hint", problem.hint}});
-  }
-  return json_text({{"model", file}, {"ok", problems.empty()}, {"problems", list}});
+std::string to_json(const std::string& file, const Result<Compilation>& compilation) {
+  const Diagnostics none;
+  return json_text({{"model", file},
+                    {"ok", bool(compilation)},
+                    {"problems", diagnostics_json(compilation ? none : compilation.problems())},
+                    {"notes", diagnostics_json(compilation ? compilation->model.notes : none)}});
 }
 
 int run(const CheckOptions& options) {
@@ -44,8 +37,9 @@ int run(const CheckOptions& options) {
   }
   const Result<Compilation> compilation = compile(options.model);
   if (options.json) {
-    print(to_json(options.model, compilation ? Diagnostics{} : compilation.problems()));
+    print(to_json(options.model, compilation));
   } else if (compilation) {
+    for (const Diagnostic& note : compilation->model.notes) fmt::print(stderr, "{}", note_text(note));
     print(fmt::format("{}: ok\n", options.model));
   } else {
     throw UserError(compilation.problems());
@@ -58,7 +52,9 @@ int run(const CheckOptions& options) {
 void add_check(CLI::App& application, int& exit_code) {
   const auto options = std::make_shared<CheckOptions>();
   CLI::App* command = application.add_subcommand("check", "read and verify a model, report every problem at once");
-  command->footer("Example: mbgen check models/coach.json");
+  command->footer(
+      "Example: mbgen check models/coach.json\n"
+      "What the model does not use of its tyre files is told on standard error, one note per file.");
   add_model_argument(*command, options->model);
   add_json_option(*command, options->json);
   add_dump_option(*command, options->dump);
