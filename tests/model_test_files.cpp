@@ -250,6 +250,27 @@ TEST_F(Files, AnInstanceAddsPointsToBodiesOfThoseInside) {
   EXPECT_EQ(right.points.size(), 1u);
 }
 
+// What a wheel and its brake call each other does not depend on how often they are there.
+TEST_F(Files, InstancesOfTheSameSuffixHaveOneSetOfNames) {
+  write("wheel.json", R"({ "parameters": { "mass": 3 },
+    "bodies": { "ground": { "points": { "hub": [0, 1, 0] } },
+                "wheel": { "mass": "mass", "inertia": [1, 1, 1], "points": { "hub": [0, 1, 0] } } },
+    "joints": { "wheel": { "type": "cylindrical", "from": "ground.hub", "to": "wheel.hub", "axis": "y" } } })");
+  write("brake.json", R"({ "joint_forces": { "brake": { "joint": "wheel_ry", "force": "-mass*zd.wheel_ty" } },
+    "outputs": { "turn": { "joint": "wheel_ry" } } })");
+  const Model model = read_file(write("car.json", R"({ "mbgen": 1, "instances": {
+    "left": { "file": "wheel.json", "suffix": "_left" },
+    "right": { "file": "wheel.json", "suffix": "_right", "mirror": "xz", "parameters": { "mass": 4 } },
+    "brake_right": { "file": "brake.json", "suffix": "_right" },
+    "brake_left": { "file": "brake.json", "suffix": "_left" } } })"));
+  ASSERT_EQ(model.joint_forces.size(), 2u);
+  EXPECT_EQ(model.joint_forces[0].name, "brake_right");
+  EXPECT_EQ(model.joint_forces[0].joint.joint, 1);
+  EXPECT_EQ(model.joint_forces[1].joint.joint, 0);
+  ASSERT_EQ(model.outputs.size(), 2u);
+  EXPECT_EQ(model.outputs[1].name, "turn_left");
+}
+
 TEST_F(Files, TablesOfCsvFilesAreThoseTypedIn) {
   const std::string csv = write(
       "damper.csv", "\xEF\xBB\xBF# rig\r\n\"v [m/s]\", spare ,force [N]\r\n-1,0,+9.5e3\r\n\r\n 0.5 ,1, \"2\" \r\n");
