@@ -101,7 +101,7 @@ TEST_F(TirFile, NotesOnceWhatTheModelDoesNotUse) {
   ASSERT_EQ(model->notes.size(), 1u);
   const Diagnostic& note = model->notes[0];
   EXPECT_EQ(note.message,
-            "the model does not use turn slip (PECP1); inflation pressure (PPX2, PPY1); unknown to the format (PKY11); "
+            "the model does not use turn slip (PECP1); inflation pressure (PPX2, PPY1); unknown names (PKY11); "
             "tables (SHAPE)");
   EXPECT_EQ(std::filesystem::path(note.where.file).filename(), "tyre.tir");
   EXPECT_EQ(note.where.line, 22);
@@ -115,14 +115,14 @@ TEST_F(TirFile, NotesNothingOfAFileThatIsUsedAsAWhole) {
 }
 
 TEST_F(TirFile, NotesNoMoreNamesThanOneReads) {
-  std::string tir = "PROPERTY_FILE_FORMAT = 'PAC2002'\nbad key\t= 1\n" + kLeastTir;
+  std::string tir = "PROPERTY_FILE_FORMAT = 'PAC2002'\nbad key\t= 1\n7 = 1\n= 1\n" + kLeastTir;
   for (int i = 1; i <= 30; ++i) tir += fmt::format("PDXP{} = 1\n", i);
   const Result<Model> model = wheel(tir, "");
   ASSERT_TRUE(model) << to_text(model.problems());
   ASSERT_EQ(model->notes.size(), 1u);
   const std::string& message = model->notes[0].message;
   EXPECT_NE(message.find("PDXP19, PDXP2 and 18 more)"), std::string::npos) << message;
-  EXPECT_NE(message.find("unknown to the format (\"BAD KEY\")"), std::string::npos) << message;
+  EXPECT_NE(message.find("unknown names (\"\", \"7\", \"BAD KEY\")"), std::string::npos) << message;
   EXPECT_EQ(model->notes[0].where.line, 2);
 }
 

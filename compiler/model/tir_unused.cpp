@@ -16,18 +16,18 @@ struct TirGroup {
 };
 
 constexpr TirGroup kGroups[] = {
-    {"turn slip", {}, {"PECP", "PDXP", "PKYP", "PDYP", "PHYP", "QDTP", "QBRP", "QCRP", "QDRP"}},
-    {"inflation pressure", {"LIP"}, {"PPX", "PPY", "PPZ", "QPZ", "PFZ"}},
+    {"turn slip", {"LMP"}, {"PECP", "PDXP", "PKYP", "PDYP", "PHYP", "QDTP", "QBRP", "QCRP", "QDRP"}},
+    {"inflation pressure", {"LIP"}, {"PPX", "PPY", "PPZ", "PPMX", "QPZ", "PFZ"}},
     {"rolling resistance beyond QSY1", {}, {"QSY"}},
     {"overturning moment beyond QSX3", {}, {"QSX"}},
     {"relaxation over load and camber", {}, {"PTX", "PTY"}},
     {"gyroscopic moment", {"MBELT", "LGYR"}, {"QTZ"}},
     {"radius and stiffness over load and speed",
-     {"BREFF", "DREFF", "FREFF", "QFCX", "QFCY", "QFCG", "BOTTOM_OFFST", "BOTTOM_STIFF"},
-     {"QV", "QFZ", "QFCX", "QFCY", "QFCG"}},
-    {"contact patch", {"PAE", "PBE", "PCE"}, {"PA", "PB"}},
+     {"BREFF", "DREFF", "FREFF", "QFCX", "QFCY", "QFCG", "Q_FCX", "Q_FCY", "BOTTOM_OFFST", "BOTTOM_STIFF"},
+     {"QV", "QFZ", "QFCX", "QFCY", "QFCG", "Q_V", "Q_FZ", "Q_RE", "Q_CAM", "Q_FYS"}},
+    {"contact patch", {"PAE", "PBE", "PCE", "PLS"}, {"PA", "PB", "PW", "Q_RA", "Q_RB"}},
 };
-constexpr std::string_view kUnknownPurpose = "unknown to the format";
+constexpr std::string_view kUnknownPurpose = "unknown names";
 
 /// Sections that every file has and that say nothing of forces, and how limits of validity are called.
 constexpr std::string_view kSilentSections[] = {"MDI_HEADER", "UNITS", "MODEL", "DIMENSION"};
@@ -38,7 +38,7 @@ constexpr std::string_view kSilentKeys[] = {"IP", "IP_NOM", "NOMPRES", "INFLPRES
 
 template <class Words>
 bool is_among(std::string_view word, const Words& words) {
-  return std::find(std::begin(words), std::end(words), word) != std::end(words);
+  return !word.empty() && std::find(std::begin(words), std::end(words), word) != std::end(words);
 }
 
 std::string_view purpose_of(std::string_view key) {
