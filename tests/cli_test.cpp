@@ -37,7 +37,32 @@ TEST_F(CommandLine, CheckSaysOkAndNothingElse) {
   EXPECT_EQ(run.out, "pendulum.json: ok\n");
   EXPECT_EQ(run.err, "");
   EXPECT_EQ(json_of("check pendulum.json --json"),
-            Json({{"model", "pendulum.json"}, {"ok", true}, {"problems", Json::array()}}));
+            Json({{"model", "pendulum.json"}, {"ok", true}, {"problems", Json::array()}, {"notes", Json::array()}}));
+}
+
+TEST_F(CommandLine, CheckAndExplainSayWhatOfATyreFileIsNotUsed) {
+  write("tyre.tir", "PROPERTY_FILE_FORMAT = 'PAC2002'\nUNLOADED_RADIUS = 0.5\nFNOMIN = 4e3\nPECP1 = 1\n");
+  write("wheel.json", R"({ "mbgen": 1, "bodies": { "ground": { "points": { "c": [0, 0, 0.5] } },
+      "wheel": { "mass": 1, "inertia": [1, 1, 1], "points": { "c": [0, 0, 0.5] } } },
+    "joints": { "wheel": { "type": "free", "from": "ground.c", "to": "wheel.c" } },
+    "tyres": { "tyre": { "centre": "wheel.c", "tir": "tyre.tir", "stiffness": 1e5 } } })");
+  const std::string said = "the model does not use turn slip (PECP1)";
+  const Outcome run = mbgen("check wheel.json");
+  EXPECT_EQ(run.exit_code, 0);
+  EXPECT_EQ(run.out, "wheel.json: ok\n");
+  EXPECT_EQ(run.err, "tyre.tir:4:1: note: " + said + "\n");
+  const Json report = json_of("check wheel.json --json");
+  EXPECT_TRUE(report["ok"]);
+  EXPECT_TRUE(report["problems"].empty());
+  EXPECT_EQ(report["notes"], Json::array({{{"file", "tyre.tir"},
+                                           {"line", 4},
+                                           {"column", 1},
+                                           {"length", 5},
+                                           {"pointer", ""},
+                                           {"message", said},
+                                           {"hint", ""}}}));
+  EXPECT_NE(mbgen("explain wheel.json").out.find("\nNotes\n-----\ntyre.tir:4:1: note: " + said + "\n"),
+            std::string::npos);
 }
 
 TEST_F(CommandLine, CheckReportsEveryProblemWithItsPlace) {

@@ -79,9 +79,9 @@ TEST_F(Files, CommentsAndWindowsLinesAreRead) {
   EXPECT_EQ(read("// one\r\n/* two\r\n * , : { */ " + arm_model("")).bodies.size(), 2u);
   const std::string text = "{\r\n  \"mbgen\": 1, // , \"x\": 1\r\n  /* \" */ \"bodys\": {}\r\n}";
   EXPECT_EQ(messages(text).substr(0, 42), "test.json:1:1: model has no bodies\n  {\n  ^");
-  EXPECT_NE(
-      messages(text).find("test.json:3:11: /bodys: unknown key \"bodys\"\n    /* \" */ \"bodys\": {}\n            ^~~~~~~\n"),
-      std::string::npos);
+  EXPECT_NE(messages(text).find(
+                "test.json:3:11: /bodys: unknown key \"bodys\"\n    /* \" */ \"bodys\": {}\n            ^~~~~~~\n"),
+            std::string::npos);
 }
 
 TEST_F(Files, EscapedKeysGiveAPointer) {
@@ -227,6 +227,48 @@ TEST_F(Files, InstancesNestAndAreFilesOfTheModel) {
   EXPECT_EQ(ground.points[2].name, "rear_pin_left");
   EXPECT_EQ(ground.points[2].position[1].value, -1);
   EXPECT_EQ(model.outputs[1].name, "front_angle_right");
+}
+
+// An instance may say of the bodies of those that it places what a model may say: where more of their points are.
+TEST_F(Files, AnInstanceAddsPointsToBodiesOfThoseInside) {
+  write("leg.json", R"({ "bodies": { "ground": { "points": { "pin": [0, 1, 0] } },
+                                     "leg": { "mass": 1, "inertia": [1, 1, 1], "points": { "pin": [0, 1, 0] } } },
+    "joints": { "leg": { "type": "revolute", "from": "ground.pin", "to": "leg.pin", "axis": "x" } } })");
+  write("pair.json", R"({ "bodies": { "leg_left": { "points": { "toe": [0.2, 1, -1] } } }, "instances": {
+    "left": { "file": "leg.json", "suffix": "_left" },
+    "right": { "file": "leg.json", "suffix": "_right", "mirror": "xz" } } })");
+  const Model model = read_file(write("walker.json", R"({ "mbgen": 1, "instances": {
+    "pair": { "file": "pair.json", "prefix": "", "offset": [3, 0, 0], "mirror": "xz" } } })"));
+  ASSERT_EQ(model.bodies.size(), 3u);
+  const Body &left = model.bodies[0], &right = model.bodies[1];
+  EXPECT_EQ(left.name, "leg_left");
+  EXPECT_EQ(left.mass.value, 1);
+  ASSERT_EQ(left.points.size(), 2u);
+  EXPECT_EQ(left.points[1].name, "toe");
+  EXPECT_DOUBLE_EQ(left.points[1].position[0].value, 0.2);  // the frame of the leg moves along
+  EXPECT_EQ(left.points[1].position[1].value, -1);
+  EXPECT_EQ(right.points.size(), 1u);
+}
+
+// What a wheel and its brake call each other does not depend on how often they are there.
+TEST_F(Files, InstancesOfTheSameSuffixHaveOneSetOfNames) {
+  write("wheel.json", R"({ "parameters": { "mass": 3 },
+    "bodies": { "ground": { "points": { "hub": [0, 1, 0] } },
+                "wheel": { "mass": "mass", "inertia": [1, 1, 1], "points": { "hub": [0, 1, 0] } } },
+    "joints": { "wheel": { "type": "cylindrical", "from": "ground.hub", "to": "wheel.hub", "axis": "y" } } })");
+  write("brake.json", R"({ "joint_forces": { "brake": { "joint": "wheel_ry", "force": "-mass*zd.wheel_ty" } },
+    "outputs": { "turn": { "joint": "wheel_ry" } } })");
+  const Model model = read_file(write("car.json", R"({ "mbgen": 1, "instances": {
+    "left": { "file": "wheel.json", "suffix": "_left" },
+    "right": { "file": "wheel.json", "suffix": "_right", "mirror": "xz", "parameters": { "mass": 4 } },
+    "brake_right": { "file": "brake.json", "suffix": "_right" },
+    "brake_left": { "file": "brake.json", "suffix": "_left" } } })"));
+  ASSERT_EQ(model.joint_forces.size(), 2u);
+  EXPECT_EQ(model.joint_forces[0].name, "brake_right");
+  EXPECT_EQ(model.joint_forces[0].joint.joint, 1);
+  EXPECT_EQ(model.joint_forces[1].joint.joint, 0);
+  ASSERT_EQ(model.outputs.size(), 2u);
+  EXPECT_EQ(model.outputs[1].name, "turn_left");
 }
 
 TEST_F(Files, TablesOfCsvFilesAreThoseTypedIn) {

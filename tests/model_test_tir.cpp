@@ -87,5 +87,44 @@ TEST_F(TirFile, GivesWhatTheModelDoesNot) {
   EXPECT_NEAR(tyre.relaxation_y.value, 0.5 * 1.2 * std::sin(2 * std::atan(1 / 2.5)), 1e-15);
 }
 
+const std::string kLeastTir = "UNLOADED_RADIUS = 0.5\nFNOMIN = 4000\nVERTICAL_STIFFNESS = 2e5\n";
+
+TEST_F(TirFile, NotesOnceWhatTheModelDoesNotUse) {
+  const Result<Model> model = wheel(
+      "[MDI_HEADER]\nOWNER = 'me'\n[UNITS]\nLENGTH = 'meter'\nMASS = 'kg'\n[MODEL]\nPROPERTY_FILE_FORMAT = 'PAC2002'\n"
+      "USE_MODE = 14\n[DIMENSION]\nWIDTH = 0.3\n[LONG_SLIP_RANGE]\nKPUMAX = 1\n[VERTICAL]\n" +
+          kLeastTir +
+          "[LATERAL]\nPTY1 = 1\nPTY3 = 0\nLSGAL = 1\nLIP = 1\n  PPY1 = 0.4\nPPX2 = -1E-1\nPKY11 = 0\n"
+          "[TURNSLIP_COEFFICIENTS]\nPECP1 = 0.7\nPECP2 = 0.0\n[SHAPE]\n{radial width}\n1.0 0.5\n0.9 1.0\n",
+      R"(}, "again": { "centre": "wheel.c", "tir": "tyre.tir")");
+  ASSERT_TRUE(model) << to_text(model.problems());
+  ASSERT_EQ(model->notes.size(), 1u);
+  const Diagnostic& note = model->notes[0];
+  EXPECT_EQ(note.message,
+            "the model does not use turn slip (PECP1); inflation pressure (PPX2, PPY1); unknown names (PKY11); "
+            "tables (SHAPE)");
+  EXPECT_EQ(std::filesystem::path(note.where.file).filename(), "tyre.tir");
+  EXPECT_EQ(note.where.line, 22);
+  EXPECT_EQ(note.where.column, 3);
+}
+
+TEST_F(TirFile, NotesNothingOfAFileThatIsUsedAsAWhole) {
+  const Result<Model> model = wheel("PROPERTY_FILE_FORMAT = 'PAC2002'\nANGLE = 'rad'\nQSY1 = 0.01\n" + kLeastTir, "");
+  ASSERT_TRUE(model) << to_text(model.problems());
+  EXPECT_TRUE(model->notes.empty());
+}
+
+TEST_F(TirFile, NotesNoMoreNamesThanOneReads) {
+  std::string tir = "PROPERTY_FILE_FORMAT = 'PAC2002'\nbad key\t= 1\n7 = 1\n= 1\n" + kLeastTir;
+  for (int i = 1; i <= 30; ++i) tir += fmt::format("PDXP{} = 1\n", i);
+  const Result<Model> model = wheel(tir, "");
+  ASSERT_TRUE(model) << to_text(model.problems());
+  ASSERT_EQ(model->notes.size(), 1u);
+  const std::string& message = model->notes[0].message;
+  EXPECT_NE(message.find("PDXP19, PDXP2 and 18 more)"), std::string::npos) << message;
+  EXPECT_NE(message.find("unknown names (\"\", \"7\", \"BAD KEY\")"), std::string::npos) << message;
+  EXPECT_EQ(model->notes[0].where.line, 2);
+}
+
 }  // namespace
 }  // namespace mbgen

@@ -10,6 +10,7 @@
 #include "compiler/cli/files.hpp"
 #include "compiler/cli/initial_state.hpp"
 #include "compiler/cli/json_text.hpp"
+#include "compiler/cli/notes.hpp"
 #include "compiler/cli/options.hpp"
 #include "compiler/cli/user_error.hpp"
 #include "compiler/compile.hpp"
@@ -22,34 +23,24 @@ struct CheckOptions {
   bool json = false;
 };
 
-using Json = nlohmann::ordered_json;
+struct Findings {
+  Diagnostics problems, notes;
+};
 
-std::string to_json(const std::string& file, const Diagnostics& problems) {
-  Json list = Json::array();
-  for (const Diagnostic& problem : problems) {
-    list.push_back({{"file", problem.where.file},
-                    {"line", problem.where.line},
-                    {"column", problem.where.column},
-                    {"length", marked_length(problem.where.line_text, problem.where.column)},
-                    {"pointer", problem.where.pointer},
-                    {"message", problem.message},
-                    {"hint", problem.hint}});
-  }
-  return json_text({{"model", file}, {"ok", problems.empty()}, {"problems", list}});
-}
-
-/// What is wrong with the model, or with the state that it starts from; what of that moves goes to standard error.
-Diagnostics problems_of(const std::string& file) {
+/// What is wrong with the model or the state that it starts from, or what there is to say of them.
+Findings findings_of(const std::string& file) {
   const Result<Compilation> compilation = compile(file);
-  if (!compilation) return compilation.problems();
+  if (!compilation) return {compilation.problems(), {}};
+  Findings findings{{}, compilation->model.notes};
   const Initial& initial = compilation->model.initial;
-  if (!initial.equilibrium && initial.positions.empty() && initial.velocities.empty()) return {};
+  if (!initial.equilibrium && initial.positions.empty() && initial.velocities.empty()) return findings;
   try {
-    noted_initial_state(*compilation, input_values(compilation->model, {}));
+    const Start start = initial_start(*compilation, input_values(compilation->model, {}));
+    for (Diagnostic& note : moved_notes(*compilation, start.moved)) findings.notes.push_back(std::move(note));
   } catch (const UserError& error) {
-    return error.problems();
+    findings.problems = error.problems();
   }
-  return {};
+  return findings;
 }
 
 int run(const CheckOptions& options) {
@@ -57,10 +48,14 @@ int run(const CheckOptions& options) {
     print(dump_stage(options.model, options.dump));
     return kDone;
   }
-  const Diagnostics problems = problems_of(options.model);
+  const auto [problems, notes] = findings_of(options.model);
   if (options.json) {
-    print(to_json(options.model, problems));
+    print(json_text({{"model", options.model},
+                     {"ok", problems.empty()},
+                     {"problems", diagnostics_json(problems)},
+                     {"notes", diagnostics_json(notes)}}));
   } else if (problems.empty()) {
+    print_notes(notes);
     print(fmt::format("{}: ok\n", options.model));
   } else {
     throw UserError(problems);
@@ -73,7 +68,11 @@ int run(const CheckOptions& options) {
 void add_check(CLI::App& application, int& exit_code) {
   const auto options = std::make_shared<CheckOptions>();
   CLI::App* command = application.add_subcommand("check", "read and verify a model, report every problem at once");
-  command->footer("Example: mbgen check models/coach.json");
+  command->footer(
+      "Example: mbgen check models/coach.json\n"
+      "Standard error has notes of what is not wrong: what the model does not use of its tyre files, and how far "
+      "initial\n"
+      "values that do not fit together are moved.");
   add_model_argument(*command, options->model);
   add_json_option(*command, options->json);
   add_dump_option(*command, options->dump);

@@ -10,6 +10,7 @@
 #include <sstream>
 
 #include "compiler/cli/names.hpp"
+#include "compiler/cli/notes.hpp"
 
 namespace mbgen::cli {
 namespace {
@@ -255,13 +256,21 @@ std::string operations_explanation(const Programs& programs) {
   return text;
 }
 
+std::string notes_explanation(const Diagnostics& notes) {
+  if (notes.empty()) return {};
+  std::string text = heading("Notes");
+  for (const Diagnostic& note : notes) text += paragraph(note_text(note));
+  return text;
+}
+
 }  // namespace
 
 std::string explanation_text(const Compilation& compilation) {
   std::string text =
       overview_text(compilation) + tree_explanation(compilation.topology) + cuts_explanation(compilation);
   for (std::size_t b = 0; b < compilation.topology.blocks.size(); ++b) text += block_explanation(compilation, b);
-  return text + freedoms_explanation(compilation) + operations_explanation(compilation.programs);
+  return text + freedoms_explanation(compilation) + operations_explanation(compilation.programs) +
+         notes_explanation(compilation.model.notes);
 }
 
 }  // namespace mbgen::cli

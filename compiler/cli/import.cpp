@@ -11,6 +11,7 @@
 #include "compiler/cli/commands.hpp"
 #include "compiler/cli/files.hpp"
 #include "compiler/cli/json_text.hpp"
+#include "compiler/cli/notes.hpp"
 #include "compiler/cli/options.hpp"
 #include "compiler/cli/user_error.hpp"
 #include "compiler/model/model.hpp"
@@ -40,24 +41,11 @@ ImportRequest import_request(const ImportOptions& options) {
   return request;
 }
 
-std::string note_text(const Diagnostic& note) {
-  std::string text =
-      fmt::format("{}:{}:{}: note: {}\n", note.where.file, note.where.line, note.where.column, note.message);
-  if (!note.hint.empty()) text += fmt::format("  hint: {}\n", note.hint);
-  return text;
-}
-
 nlohmann::ordered_json import_json(const ImportOptions& options, const ImportedModel& model) {
-  nlohmann::ordered_json notes = nlohmann::ordered_json::array();
-  for (const Diagnostic& note : model.notes) {
-    notes.push_back({{"file", note.where.file},
-                     {"line", note.where.line},
-                     {"column", note.where.column},
-                     {"message", note.message},
-                     {"hint", note.hint}});
-  }
-  return {{"robot", options.robot}, {"format", model.format}, {"model", model.name},  {"file", options.file},
-          {"bodies", model.bodies}, {"joints", model.joints}, {"loops", model.loops}, {"notes", notes}};
+  return {{"robot", options.robot}, {"format", model.format},
+          {"model", model.name},    {"file", options.file},
+          {"bodies", model.bodies}, {"joints", model.joints},
+          {"loops", model.loops},   {"notes", diagnostics_json(model.notes)}};
 }
 
 int run(const ImportOptions& options) {
@@ -78,7 +66,7 @@ int run(const ImportOptions& options) {
     print(json_text(import_json(options, model)));
     return kDone;
   }
-  for (const Diagnostic& note : model.notes) fmt::print(stderr, "{}", note_text(note));
+  print_notes(model.notes);
   print(options.file.empty() ? model.json
                              : fmt::format("{}: bodies {}, joints {}, of them closing loops {}, notes {}\n",
                                            options.file, model.bodies, model.joints, model.loops, model.notes.size()));

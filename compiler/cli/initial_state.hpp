@@ -39,8 +39,8 @@ GenericState initial_state(const Compilation& compilation, const std::vector<dou
 /// The state; what moved goes to standard error.
 GenericState noted_initial_state(const Compilation& compilation, const std::vector<double>& inputs);
 
-/// What moved and by how much, for people: "" where nothing moved by more than values of a few digits are off.
-std::string moved_text(const Compilation& compilation, const std::vector<MovedValue>& moved);
+/// A note for each value that moved and by how much; none where none moved by more than values of a few digits are off.
+Diagnostics moved_notes(const Compilation& compilation, const std::vector<MovedValue>& moved);
 
 /// The same for machines, every value that moved: coordinate, quantity, asked, found.
 nlohmann::ordered_json moved_json(const Compilation& compilation, const std::vector<MovedValue>& moved);

@@ -8,6 +8,7 @@
 #include "compiler/cli/files.hpp"
 #include "compiler/cli/initial_state.hpp"
 #include "compiler/cli/motion_table.hpp"
+#include "compiler/cli/notes.hpp"
 #include "compiler/cli/options.hpp"
 #include "compiler/cli/progress.hpp"
 #include "compiler/cli/simulation.hpp"
@@ -48,7 +49,7 @@ int run(const SimulateOptions& options) {
                     decimation(options, settings.steps));
   const Engine engine = make_engine(compilation, choice);
   const Start start = initial_start(compilation, inputs.at(0));
-  fmt::print(stderr, "{}", moved_text(compilation, start.moved));
+  print_notes(moved_notes(compilation, start.moved));
 
   Progress progress(settings.steps);
   const SimulationSummary summary = simulate(engine, start.state, inputs, settings, [&](const Sample& sample) {

@@ -342,6 +342,7 @@ struct Model {
   std::vector<std::string> files;  ///< that and every file it includes, in the order of reading, each once
   /// 16 hex digits over the content (includes too), for the banner and manifest
   std::string hash;
+  Diagnostics notes;  ///< what its files say and it does not use; nothing is wrong
   Vector3Quantity gravity{0.0, 0.0, -9.81};  ///< m/s^2, global
   std::vector<Parameter> parameters;
   std::vector<Input> inputs;

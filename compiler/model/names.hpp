@@ -38,7 +38,7 @@ std::string did_you_mean(std::string_view word, const NameMap<Target>& names) {
 /// The file of the model with its includes, or an instance: where names are defined, and what the model puts before and
 /// after them.
 struct Level {
-  std::size_t scope = 0;  ///< index into Reader::scopes
+  std::size_t scope = 0;  ///< index into Reader::scopes: the first with these two
   std::string before, after;
 };
 
@@ -72,7 +72,7 @@ std::string did_you_mean(std::string_view word, const NameMap<Target>& names, co
 struct Names {
   NameMap<int> later_parameters;  ///< defined, but further below than what is being read
   NameMap<int> parameters, inputs, bodies, joints, rods, springs, air_springs, tyre_data, tyres, motions;
-  std::vector<NameMap<CoordinateReference>> coordinates;  ///< per scope, as they are called there; the model first
+  std::vector<NameMap<CoordinateReference>> coordinates;  ///< per Level::scope, as they are called there
   std::vector<std::size_t> body_scopes;                   ///< per body: the scope that defines it
   std::vector<NameMap<int>> points;                       ///< per body
   std::vector<bool> points_unreadable;                    ///< per body: no complaint about points that are not there

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <system_error>
 
@@ -28,6 +29,8 @@ struct Loading {
   std::vector<std::string> open;  ///< canonical paths from the first file to the one being read
   std::size_t bytes = 0;          ///< of text, of each instance again
   bool complete = true;           ///< false when names that a file defines could not be read
+  /// The first scope of each prefix and suffix: those of the same have one set of names.
+  std::map<std::pair<std::string, std::string>, std::size_t> levels = {{{}, 0}};
 };
 
 void load(Reader& reader, Loading& loading, std::size_t document);
@@ -112,7 +115,7 @@ void read_connections(Reader& reader, Scope& scope) {
 }
 
 /// The scope of an instance, without its files.
-Scope scope_of_instance(const Reader& reader, const std::string& name, InstanceFields instance) {
+Scope scope_of_instance(const Reader& reader, Loading& loading, const std::string& name, InstanceFields instance) {
   const Scope& parent = current_scope(reader);
   Scope scope;
   scope.path = parent.path.empty() ? name : parent.path + "." + name;
@@ -122,7 +125,9 @@ Scope scope_of_instance(const Reader& reader, const std::string& name, InstanceF
   const bool is_named = scope.instance.prefix || scope.instance.suffix;
   const std::string prefix = is_named ? scope.instance.prefix.value_or("") : name + "_";
   const Level& outer = parent.visible.front();
-  scope.visible = {{reader.scopes.size(), outer.before + prefix, scope.instance.suffix.value_or("") + outer.after}};
+  const std::string before = outer.before + prefix, after = scope.instance.suffix.value_or("") + outer.after;
+  const std::size_t level = loading.levels.emplace(std::pair(before, after), reader.scopes.size()).first->second;
+  scope.visible = {{level, before, after}};
   scope.visible.insert(scope.visible.end(), parent.visible.begin(), parent.visible.end());
   return scope;
 }
@@ -144,7 +149,7 @@ void load_instance(Reader& reader, Loading& loading, const std::string& file, co
     loading.complete = false;
     return;
   }
-  Scope scope = scope_of_instance(reader, member.key, std::move(instance));
+  Scope scope = scope_of_instance(reader, loading, member.key, std::move(instance));
   scope.file = path.text;
   read_connections(reader, scope);
   if (!check_affixes(reader, member.value, scope)) loading.complete = false;

@@ -38,7 +38,13 @@ void report_twice(Reader& reader, const Entry& entry, const FirstPlace& first) {
          first.scope != entry.scope ? "give the instance another prefix or suffix" : "");
 }
 
-/// Names of the bodies that instances define.
+/// Whether an instance is placed by another one, or by one that it places.
+bool is_inside(const Reader& reader, std::size_t instance, std::size_t outer) {
+  while (instance > outer) instance = reader.scopes[instance].parent;
+  return instance == outer;
+}
+
+/// Names of the bodies that instances define, those inside an instance over those that it says of them.
 NameMap<std::size_t> bodies_of_instances(Reader& reader) {
   NameMap<std::size_t> names;
   for (std::size_t scope = 1; scope < reader.scopes.size(); ++scope) {
@@ -47,7 +53,9 @@ NameMap<std::size_t> bodies_of_instances(Reader& reader) {
       if (!file.bodies) continue;
       for (const Member& member : file.bodies->members) {
         const std::string name = full_name(current_scope(reader).visible.front(), member.key);
-        if (!is_outer_body(reader, member.key)) names.emplace(name, scope);
+        if (is_outer_body(reader, member.key)) continue;
+        const auto [first, is_new] = names.emplace(name, scope);
+        if (!is_new && is_inside(reader, scope, first->second)) first->second = scope;
       }
     }
   }
@@ -62,7 +70,8 @@ void collect_map(Reader& reader, const Value& map, const NameMap<std::size_t>* i
     Entry entry{name, member.key, member.place, &member.value, reader.scope};
     if (inner) {
       const auto defined = inner->find(name);
-      const bool by_instance = defined != inner->end() && defined->second > reader.scope && extends_body(entry);
+      const bool by_instance = defined != inner->end() && defined->second != reader.scope &&
+                               is_inside(reader, defined->second, reader.scope) && extends_body(entry);
       entry.adds_points = by_instance || is_outer_body(reader, member.key);
     }
     if (entry.adds_points) {

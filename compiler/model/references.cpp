@@ -84,7 +84,7 @@ CoordinateReference read_coordinate(Reader& reader, Place place, const std::stri
   if (may_be_unreadable(reader.names, name)) return {};
   const auto joint = find_visible(reader.names.joints, name, visible);
   if (joint == reader.names.joints.end()) {
-    std::string hint = suggests(reader) ? did_you_mean(name, reader.names.coordinates[reader.scope]) : "";
+    std::string hint = suggests(reader) ? did_you_mean(name, reader.names.coordinates[visible.front().scope]) : "";
     report(reader, place, "unknown coordinate " + in_quotes(name), std::move(hint));
     return {};
   }

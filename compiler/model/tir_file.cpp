@@ -5,7 +5,6 @@
 #include <charconv>
 #include <cmath>
 #include <iterator>
-#include <map>
 
 #include "compiler/model/csv_table.hpp"
 #include "mbgen/pac2002.hpp"
@@ -13,23 +12,10 @@
 namespace mbgen::reading {
 namespace {
 
-/// KEY = value of a section.
-struct TirEntry {
-  std::string_view value;  ///< without quotes and comment
-  Place place;             ///< of the value
-};
-using TirEntries = std::map<std::string, TirEntry, std::less<>>;
-
 std::string_view without_blanks(std::string_view text) {
   const std::size_t first = text.find_first_not_of(" \t\r");
   if (first == std::string_view::npos) return {};
   return text.substr(first, text.find_last_not_of(" \t\r") + 1 - first);
-}
-
-std::string upper(std::string_view text) {
-  std::string result(text);
-  for (char& c : result) c = c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c;
-  return result;
 }
 
 /// The line up to its comment; quotes keep what stands between them.
@@ -42,44 +28,66 @@ std::string_view without_comment(std::string_view line) {
   return line;
 }
 
-/// All entries of a file; rows of tables, which have no key, are passed over.
+/// Adds what a line says. Complains about a second value.
+void add_entry(Reader& reader, TirEntries& entries, std::string_view line, TirEntry entry) {
+  const std::size_t equals = line.find('=');
+  const std::string key = upper(without_blanks(line.substr(0, equals)));
+  entry.value = without_blanks(line.substr(equals + 1));
+  if (entry.value.size() >= 2 && entry.value.front() == '\'' && entry.value.back() == '\'')
+    entry.value = without_blanks(entry.value.substr(1, entry.value.size() - 2));
+  const std::ptrdiff_t column = entry.value.empty() ? 0 : entry.value.data() - line.data();
+  entry.place = {entry.key.file, entry.key.offset + static_cast<std::uint32_t>(column)};
+  const auto [first, is_new] = entries.keys.emplace(key, entry);
+  if (is_new) return;
+  report(reader, entry.place,
+         fmt::format("key {} is given twice, first at {}", key,
+                     place_text(reader.documents, first->second.place, entry.place)));
+}
+
+/// The entry of a key, which is used then, or nullptr.
+const TirEntry* use_entry(TirEntries& entries, std::string_view key) {
+  const auto found = entries.keys.find(key);
+  if (found == entries.keys.end()) return nullptr;
+  found->second.used = true;
+  return &found->second;
+}
+
+/// All entries of a file; of tables, whose rows have no key, the section.
 TirEntries entries_of(Reader& reader, const Document& document, std::uint32_t file) {
   TirEntries entries;
   const std::string_view text = document.text;
+  std::string_view section;
+  Place section_place;
+  const auto place_of = [&](std::string_view part) {
+    return Place{file, static_cast<std::uint32_t>(part.data() - text.data())};
+  };
   for (std::size_t line = 0; line < document.line_starts.size(); ++line) {
     const std::size_t start = document.line_starts[line];
     const std::string_view content =
         without_blanks(without_comment(text.substr(start, std::min(text.find('\n', start), text.size()) - start)));
+    if (content.empty() || content.front() == '{') continue;  // names of columns
+    if (content.front() == '[') {
+      section = without_blanks(content.substr(1, content.find(']') - 1));
+      section_place = place_of(content);
+      continue;
+    }
     const std::size_t equals = content.find('=');
-    if (content.empty() || content.front() == '[' || equals == std::string_view::npos) continue;
-    const std::string key = upper(without_blanks(content.substr(0, equals)));
-    std::string_view value = without_blanks(content.substr(equals + 1));
-    if (value.size() >= 2 && value.front() == '\'' && value.back() == '\'')
-      value = without_blanks(value.substr(1, value.size() - 2));
-    const Place place = {file,
-                         static_cast<std::uint32_t>((value.empty() ? content.data() : value.data()) - text.data())};
-    const auto [first, is_new] = entries.emplace(key, TirEntry{value, place});
-    if (is_new) continue;
-    report(reader, place,
-           fmt::format("key {} is given twice, first at {}", key,
-                       place_text(reader.documents, first->second.place, place)));
+    if (equals == std::string_view::npos) {
+      const bool known = !entries.tables.empty() && entries.tables.back().first.data() == section.data();
+      if (!known) entries.tables.emplace_back(section, section.empty() ? place_of(content) : section_place);
+      continue;
+    }
+    add_entry(reader, entries, content, {.section = section, .key = place_of(content)});
   }
   return entries;
 }
 
 /// The number of a key; nothing when it is absent, or with a complaint.
-std::optional<double> number_of_key(Reader& reader, const TirEntries& entries, std::string_view key) {
-  const auto entry = entries.find(key);
-  if (entry == entries.end()) return std::nullopt;
-  std::string text(entry->second.value);
-  for (char& c : text) c = c == 'd' || c == 'D' ? 'e' : c;  // exponents of Fortran
-  const std::string_view digits = std::string_view(text).substr(text.starts_with('+') ? 1 : 0);
-  double number = 0;
-  const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), number);
-  const bool whole = error == std::errc() && end == digits.data() + digits.size();
-  if (whole && std::isfinite(number) && std::abs(number) <= kLargestNumber) return number;
-  report(reader, entry->second.place,
-         fmt::format("key {} must be a number, got {}", key, in_quotes(entry->second.value)));
+std::optional<double> number_of_key(Reader& reader, TirEntries& entries, std::string_view key) {
+  const TirEntry* entry = use_entry(entries, key);
+  if (!entry) return std::nullopt;
+  if (const std::optional<double> number = number_of(*entry)) return number;
+  report(reader, entry->place, fmt::format("key {} must be a number, got {}", key, in_quotes(entry->value)));
   return std::nullopt;
 }
 
@@ -111,66 +119,80 @@ constexpr TirUnit kUnits[] = {
 };
 
 /// Factor to SI of a quantity; 1 without a word of it. Complains about unknown words.
-double unit_of(Reader& reader, const TirEntries& entries, std::string_view quantity) {
-  const auto entry = entries.find(quantity);
-  if (entry == entries.end()) return 1;
+double unit_of(Reader& reader, TirEntries& entries, std::string_view quantity) {
+  const TirEntry* entry = use_entry(entries, quantity);
+  if (!entry) return 1;
   std::string known;
   for (const TirUnit& unit : kUnits) {
     if (unit.quantity != quantity) continue;
-    if (unit.word == upper(entry->second.value)) return unit.factor;
+    if (unit.word == upper(entry->value)) return unit.factor;
     known += (known.empty() ? "" : ", ") + std::string(unit.word);
   }
-  report(reader, entry->second.place,
-         fmt::format("unit of {} must be one of {}, got {}", quantity, known, in_quotes(entry->second.value)));
+  report(reader, entry->place,
+         fmt::format("unit of {} must be one of {}, got {}", quantity, known, in_quotes(entry->value)));
   return 1;
 }
 
 /// Complains about files of other tyre models.
-void check_tyre_model(Reader& reader, const Value& value, const TirEntries& entries) {
+void check_tyre_model(Reader& reader, const Value& value, TirEntries& entries) {
   constexpr std::string_view kHint = "the files understood are PAC2002 and Magic Formula 5.2 (FITTYP 6 or 21)";
-  const auto format = entries.find("PROPERTY_FILE_FORMAT"), type = entries.find("FITTYP");
-  if (format == entries.end() && type == entries.end()) {
+  const TirEntry *format = use_entry(entries, "PROPERTY_FILE_FORMAT"), *type = use_entry(entries, "FITTYP");
+  if (!format && !type) {
     report(reader, value, "file names no tyre model, neither PROPERTY_FILE_FORMAT nor FITTYP", std::string(kHint));
     return;
   }
-  const std::string word = format == entries.end() ? "MF-TYRE" : upper(format->second.value);
+  const std::string word = !format ? "MF-TYRE" : upper(format->value);
   if (word != "PAC2002" && word != "MF_05" && word != "MF-TYRE") {
-    report(reader, format->second.place, "tyre model " + in_quotes(format->second.value) + " is not supported",
-           std::string(kHint));
+    report(reader, format->place, "tyre model " + in_quotes(format->value) + " is not supported", std::string(kHint));
     return;
   }
-  if (type == entries.end()) {
+  if (!type) {
     if (word != "MF-TYRE") return;
-    report(reader, format->second.place,
-           "tyre model " + in_quotes(format->second.value) + " needs FITTYP, which tells its version",
+    report(reader, format->place, "tyre model " + in_quotes(format->value) + " needs FITTYP, which tells its version",
            std::string(kHint));
     return;
   }
   const std::optional<double> number = number_of_key(reader, entries, "FITTYP");
   if (!number || *number == 6 || *number == 21) return;
-  report(reader, type->second.place, fmt::format("tyre model FITTYP {} is not supported", *number), std::string(kHint));
+  report(reader, type->place, fmt::format("tyre model FITTYP {} is not supported", *number), std::string(kHint));
 }
 
 /// Relaxation lengths of PAC2002 at nominal load and upright, m; zero ones are left to the tyre's own defaults.
-void read_relaxation(Reader& reader, const TirEntries& entries, double radius, TirTyre& tyre) {
+void read_relaxation(Reader& reader, TirEntries& entries, double radius, TirTyre& tyre) {
   const auto number = [&](std::string_view key, double absent) {
     return number_of_key(reader, entries, key).value_or(absent);
   };
   const double x = radius * std::abs(number("PTX1", 0)) * number("LSGKP", 1);
   if (x > 0) tyre.relaxation_x = x;
-  const double pty1 = number("PTY1", 0), pty2 = number("PTY2", 0);
-  const double y = pty2 == 0 ? 0 : radius * std::abs(pty1 * std::sin(2 * std::atan(1 / pty2))) * number("LSGAL", 1);
+  const double pty1 = number("PTY1", 0), pty2 = number("PTY2", 0), scale = number("LSGAL", 1);
+  const double y = pty2 == 0 ? 0 : radius * std::abs(pty1 * std::sin(2 * std::atan(1 / pty2))) * scale;
   if (y > 0) tyre.relaxation_y = y;
 }
 
 }  // namespace
+
+std::string upper(std::string_view text) {
+  std::string result(text);
+  for (char& c : result) c = c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c;
+  return result;
+}
+
+std::optional<double> number_of(const TirEntry& entry) {
+  std::string text(entry.value);
+  for (char& c : text) c = c == 'd' || c == 'D' ? 'e' : c;  // exponents of Fortran
+  const std::string_view digits = std::string_view(text).substr(text.starts_with('+') ? 1 : 0);
+  double number = 0;
+  const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), number);
+  const bool whole = error == std::errc() && end == digits.data() + digits.size();
+  return whole && std::isfinite(number) && std::abs(number) <= kLargestNumber ? std::optional(number) : std::nullopt;
+}
 
 std::optional<TirTyre> read_tir(Reader& reader, const Value& value) {
   const std::size_t problems = reader.problems.size();
   std::uint32_t file = 0;
   const Document* document = open_beside(reader, value, "tyre file", file);
   if (!document) return std::nullopt;
-  const TirEntries entries = entries_of(reader, *document, file);
+  TirEntries entries = entries_of(reader, *document, file);
   check_tyre_model(reader, value, entries);
   if (reader.problems.size() > problems) return std::nullopt;
   const double length = unit_of(reader, entries, "LENGTH"), force = unit_of(reader, entries, "FORCE");
@@ -182,10 +204,11 @@ std::optional<TirTyre> read_tir(Reader& reader, const Value& value) {
     const std::optional<double> number = number_of_key(reader, entries, name);
     const bool is_radius = name == "UNLOADED_RADIUS", is_load = name == "FNOMIN";
     if (is_radius || is_load) {
-      if (!entries.contains(name)) {
+      const TirEntry* entry = use_entry(entries, name);
+      if (!entry) {
         report(reader, value, fmt::format("file has no {}", name));
       } else if (number && *number <= 0) {
-        report(reader, entries.find(name)->second.place, fmt::format("key {} must be positive, got {}", name, *number));
+        report(reader, entry->place, fmt::format("key {} must be positive, got {}", name, *number));
       }
     }
     const double unit = is_radius ? length : is_load ? force : 1;
@@ -197,7 +220,9 @@ std::optional<TirTyre> read_tir(Reader& reader, const Value& value) {
   if (tyre.damping) *tyre.damping *= force * time / length;
   tyre.rolling_resistance = number_of_key(reader, entries, "QSY1");
   read_relaxation(reader, entries, tyre.coefficients[0].value, tyre);
-  return reader.problems.size() > problems ? std::nullopt : std::optional(tyre);
+  if (reader.problems.size() > problems) return std::nullopt;
+  note_unused(reader, entries);
+  return tyre;
 }
 
 }  // namespace mbgen::reading

@@ -1,7 +1,10 @@
 #pragma once
 // Tyre property files of Adams and TNO (.tir).
 
+#include <map>
 #include <optional>
+#include <string>
+#include <string_view>
 #include <vector>
 
 #include "compiler/model/reader.hpp"
@@ -16,10 +19,34 @@ struct TirTyre {
   std::optional<double> relaxation_x, relaxation_y;  ///< m, at nominal load and upright: PTX1; PTY1 and PTY2
 };
 
+/// KEY = value of a section.
+struct TirEntry {
+  std::string_view value;    ///< without quotes and comment
+  Place place;               ///< of the value
+  std::string_view section;  ///< without brackets, as written
+  Place key;
+  bool used = false;  ///< its number or word was asked for
+};
+
+struct TirEntries {
+  std::map<std::string, TirEntry, std::less<>> keys;       ///< in capitals
+  std::vector<std::pair<std::string_view, Place>> tables;  ///< sections with rows that have no key
+};
+
 /// Reads a file of PAC2002 or Magic Formula 5.2, relative to the file that names it. Sections, units, comments ($ and
-/// !) and texts in quotes are understood; coefficients without a part in the formulas of tyre.hpp are passed over.
+/// !) and texts in quotes are understood; what has no part in the formulas of tyre.hpp is passed over, with a note.
 /// Fails: nothing, with complaints at lines of the file: another tyre model, units that are unknown, a coefficient
 /// that is no number or stands twice, no radius or nominal load.
 std::optional<TirTyre> read_tir(Reader& reader, const Value& value);
+
+/// Letters of the alphabet in capitals, as keys and sections are compared.
+std::string upper(std::string_view text);
+
+/// The number of an entry, with an exponent of C or Fortran; nothing when it is none.
+std::optional<double> number_of(const TirEntry& entry);
+
+/// Notes in the model, once per file, what of it nobody asked for, sorted by what it is for. Silent on what every file
+/// has, header, units, dimensions, limits of validity, and on coefficients at which a formula is as without them.
+void note_unused(Reader& reader, const TirEntries& entries);
 
 }  // namespace mbgen::reading

@@ -1,0 +1,34 @@
+#include "compiler/cli/notes.hpp"
+
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+namespace mbgen::cli {
+
+std::string note_text(const Diagnostic& note) {
+  std::string text =
+      fmt::format("{}:{}:{}: note: {}\n", note.where.file, note.where.line, note.where.column, note.message);
+  if (!note.hint.empty()) text += fmt::format("  hint: {}\n", note.hint);
+  return text;
+}
+
+void print_notes(const Diagnostics& notes) {
+  for (const Diagnostic& note : notes) fmt::print(stderr, "{}", note_text(note));
+}
+
+nlohmann::ordered_json diagnostics_json(const Diagnostics& diagnostics) {
+  nlohmann::ordered_json list = nlohmann::ordered_json::array();
+  for (const Diagnostic& one : diagnostics) {
+    list.push_back({{"file", one.where.file},
+                    {"line", one.where.line},
+                    {"column", one.where.column},
+                    {"length", marked_length(one.where.line_text, one.where.column)},
+                    {"pointer", one.where.pointer},
+                    {"message", one.message},
+                    {"hint", one.hint}});
+  }
+  return list;
+}
+
+}  // namespace mbgen::cli

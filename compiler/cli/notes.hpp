@@ -1,0 +1,20 @@
+#pragma once
+// Notes: what a command has to say of a file in which nothing is wrong.
+
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+
+#include "compiler/model/diagnostic.hpp"
+
+namespace mbgen::cli {
+
+/// One note as people read it, without the line of text that it names.
+std::string note_text(const Diagnostic& note);
+
+/// Notes on standard error.
+void print_notes(const Diagnostics& notes);
+
+/// Problems or notes as machines read them, an array.
+nlohmann::ordered_json diagnostics_json(const Diagnostics& diagnostics);
+
+}  // namespace mbgen::cli

@@ -1,0 +1,106 @@
+// What of a .tir file the model does not use.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+#include "compiler/model/tir_file.hpp"
+
+namespace mbgen::reading {
+namespace {
+
+/// Coefficients of the format that no formula of ours has: a name, or its start before a number.
+struct TirGroup {
+  std::string_view purpose;
+  std::array<std::string_view, 10> names, numbered;
+};
+
+constexpr TirGroup kGroups[] = {
+    {"turn slip", {"LMP"}, {"PECP", "PDXP", "PKYP", "PDYP", "PHYP", "QDTP", "QBRP", "QCRP", "QDRP"}},
+    {"inflation pressure", {"LIP"}, {"PPX", "PPY", "PPZ", "PPMX", "QPZ", "PFZ"}},
+    {"rolling resistance beyond QSY1", {}, {"QSY"}},
+    {"overturning moment beyond QSX3", {}, {"QSX"}},
+    {"relaxation over load and camber", {}, {"PTX", "PTY"}},
+    {"gyroscopic moment", {"MBELT", "LGYR"}, {"QTZ"}},
+    {"radius and stiffness over load and speed",
+     {"BREFF", "DREFF", "FREFF", "QFCX", "QFCY", "QFCG", "Q_FCX", "Q_FCY", "BOTTOM_OFFST", "BOTTOM_STIFF"},
+     {"QV", "QFZ", "QFCX", "QFCY", "QFCG", "Q_V", "Q_FZ", "Q_RE", "Q_CAM", "Q_FYS"}},
+    {"contact patch", {"PAE", "PBE", "PCE", "PLS"}, {"PA", "PB", "PW", "Q_RA", "Q_RB"}},
+};
+constexpr std::string_view kUnknownPurpose = "unknown names";
+
+/// Sections that every file has and that say nothing of forces, and how limits of validity are called.
+constexpr std::string_view kSilentSections[] = {"MDI_HEADER", "UNITS", "MODEL", "DIMENSION"};
+constexpr std::string_view kSilentEnding = "_RANGE";
+
+/// Pressures of measurement and limits, which coefficients of inflation pressure need.
+constexpr std::string_view kSilentKeys[] = {"IP", "IP_NOM", "NOMPRES", "INFLPRES", "PRESMIN", "PRESMAX"};
+
+template <class Words>
+bool is_among(std::string_view word, const Words& words) {
+  return !word.empty() && std::find(std::begin(words), std::end(words), word) != std::end(words);
+}
+
+std::string_view purpose_of(std::string_view key) {
+  const std::size_t last = key.find_last_not_of("0123456789");
+  const std::string_view start = key.substr(0, last == std::string_view::npos ? 0 : last + 1);
+  for (const TirGroup& group : kGroups) {
+    if (is_among(key, group.names) || (start != key && is_among(start, group.numbered))) return group.purpose;
+  }
+  return kUnknownPurpose;
+}
+
+/// Whether a formula with this coefficient would be as one without: a factor of 1, else a term of 0.
+bool is_neutral(std::string_view key, const TirEntry& entry) {
+  return number_of(entry) == (key.starts_with('L') ? 1.0 : 0.0);
+}
+
+bool is_silent(const std::string& key, const TirEntry& entry) {
+  const std::string section = upper(entry.section);
+  return entry.used || is_among(section, kSilentSections) || section.ends_with(kSilentEnding) ||
+         is_among(key, kSilentKeys) || (purpose_of(key) != kUnknownPurpose && is_neutral(key, entry));
+}
+
+bool is_earlier(Place a, Place b) { return a.offset < b.offset; }
+
+/// " turn slip (PECP1, PECP2);" of the keys of one purpose, at most so many of them by name.
+std::string list_of(std::string_view purpose, const std::vector<std::string_view>& keys) {
+  constexpr std::size_t kMostNamed = 12;
+  if (keys.empty()) return {};
+  std::string names;
+  for (std::size_t i = 0; i < std::min(keys.size(), kMostNamed); ++i) {
+    names += i ? ", " : "";
+    names += is_valid_name(keys[i]) ? std::string(keys[i]) : in_quotes(keys[i]);
+  }
+  if (keys.size() > kMostNamed) names += fmt::format(" and {} more", keys.size() - kMostNamed);
+  return fmt::format("{} ({}); ", purpose, names);
+}
+
+}  // namespace
+
+void note_unused(Reader& reader, const TirEntries& entries) {
+  std::map<std::string_view, std::vector<std::string_view>> keys;
+  std::vector<Place> places;
+  for (const auto& [key, entry] : entries.keys) {
+    if (is_silent(key, entry)) continue;
+    keys[purpose_of(key)].push_back(key);
+    places.push_back(entry.key);
+  }
+  std::vector<std::string_view> tables;
+  for (const auto& [section, place] : entries.tables) {
+    tables.push_back(section);
+    places.push_back(place);
+  }
+  if (places.empty()) return;
+  std::string lists;
+  for (const TirGroup& group : kGroups) lists += list_of(group.purpose, keys[group.purpose]);
+  lists += list_of(kUnknownPurpose, keys[kUnknownPurpose]) + list_of("tables", tables);
+  lists.resize(lists.size() - 2);
+  Where where = where_of(reader.documents, *std::min_element(places.begin(), places.end(), is_earlier));
+  const auto is_of_file = [&](const Diagnostic& note) { return note.where.file == where.file; };
+  Diagnostics& notes = reader.model.notes;
+  if (std::any_of(notes.begin(), notes.end(), is_of_file)) return;  // several tyres are of the file
+  notes.push_back({std::move(where), "the model does not use " + lists, {}, {}});
+}
+
+}  // namespace mbgen::reading
