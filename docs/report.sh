@@ -1,5 +1,5 @@
 #!/bin/sh
-# Makes the pictures of docs/report.md: docs/report.sh [MBGEN]. Needs chromium, node and npm.
+# Makes the pictures of docs/report.md and docs/linearisation.md: docs/report.sh [MBGEN]. Needs chromium, node and npm.
 set -eu
 here=$(cd "$(dirname "$0")" && pwd)
 mbgen=${1:-$here/../build/release/mbgen}
@@ -7,5 +7,5 @@ scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
 
 "$here/../tests/report/browser.sh" "$mbgen" "$scratch"
-mv "$scratch/report.png" "$scratch/report_suspension.png" "$here"
+mv "$scratch/report.png" "$scratch/report_suspension.png" "$scratch/modes.png" "$here"
 "$mbgen" inspect "$here/../models/coach.json" --svg "$here/coach_topology.svg"

@@ -80,6 +80,38 @@ TEST_F(CommandLine, EquilibriumOfWhatFallsIsRefused) {
       << outcome.err;
 }
 
+TEST_F(CommandLine, LinearizeWritesAPageOfItsModes) {
+  write("oscillator.json", kOscillator);
+  const std::string text = mbgen("linearize oscillator.json --at equilibrium").out;
+  const Outcome outcome = mbgen("linearize oscillator.json --at equilibrium --report modes.html");
+  if (outcome.err.find("built without reports") != std::string::npos) GTEST_SKIP() << outcome.err;
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_EQ(outcome.out, text);
+  const std::string page = read("modes.html");
+  const std::size_t data = page.find('{', page.find("<script id=\"data\""));
+  const Json shown = Json::parse(page.substr(data, page.find("</script>", data) - data));
+  EXPECT_EQ(shown["point"]["state"], "static equilibrium");
+  EXPECT_EQ(shown["animations"][0]["eigenvalue"],
+            json_of("linearize oscillator.json --at equilibrium --json")["modes"][0]["eigenvalue"]);
+
+  EXPECT_EQ(mbgen("linearize oscillator.json --report oscillator.json").exit_code, 1);
+  write("fixed.json", R"({ "mbgen": 1, "bodies": { "ground": { "points": { "A": [0, 0, 0] } },
+    "mass": { "mass": 2, "inertia": [1, 1, 1], "points": { "A": [0, 0, 0] } } },
+    "joints": { "slide": { "type": "prismatic", "from": "ground.A", "to": "mass.A", "axis": "z" } },
+    "motions": { "hold": { "joint": "slide", "position": 0 } } })");
+  const Outcome fixed = mbgen("linearize fixed.json --report fixed.html");
+  EXPECT_EQ(fixed.exit_code, 1);
+  EXPECT_EQ(fixed.err, "--report: fixed.json has no modes, nothing is free\n");
+}
+
+// Their real parts are rounding, of either sign.
+TEST_F(CommandLine, ModesWithoutDampingAreNotUnstable) {
+  const Outcome outcome =
+      mbgen(fmt::format("linearize {}/models/double_pendulum.json --at equilibrium", MBGEN_SOURCE_DIR));
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_EQ(outcome.out.find("unstable"), std::string::npos) << outcome.out;
+}
+
 TEST_F(CommandLine, LinearizeKeepsTheModel) {
   write("oscillator.json", kOscillator);
   for (const char* command : {"linearize", "equilibrium"}) {

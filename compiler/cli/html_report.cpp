@@ -1,5 +1,7 @@
 // mbgen report: a result as one HTML page.
 
+#include "compiler/cli/html_report.hpp"
+
 #include <fmt/format.h>
 
 #include <filesystem>
@@ -53,11 +55,7 @@ Model model_of(const Results& results, const HtmlReportOptions& options) {
 }
 
 int run(const HtmlReportOptions& options) {
-  if (!has_report_page()) {
-    throw UserError(
-        "report: this mbgen was built without reports; install nodejs and npm (Debian: apt-get install nodejs npm) and "
-        "build it again with -DMBGEN_REPORTS=ON, with access to registry.npmjs.org\n");
-  }
+  require_report_page("report");
   require_other_file(options.file, {options.result, run_file(options.result)});
   Results results = read_result_file(options.result);
   const Model model = model_of(results, options);
@@ -70,6 +68,13 @@ int run(const HtmlReportOptions& options) {
 }
 
 }  // namespace
+
+void require_report_page(const std::string& asked) {
+  if (has_report_page()) return;
+  throw UserError(asked +
+                  ": this mbgen was built without reports; install nodejs and npm (Debian: apt-get install nodejs npm) "
+                  "and build it again with -DMBGEN_REPORTS=ON, with access to registry.npmjs.org\n");
+}
 
 void add_report(CLI::App& application, int& exit_code) {
   const auto options = std::make_shared<HtmlReportOptions>();

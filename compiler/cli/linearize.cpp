@@ -5,26 +5,23 @@
 #include <algorithm>
 #include <memory>
 #include <nlohmann/json.hpp>
-#include <numeric>
 
 #include "compiler/cli/commands.hpp"
 #include "compiler/cli/files.hpp"
+#include "compiler/cli/html_report.hpp"
 #include "compiler/cli/json_text.hpp"
 #include "compiler/cli/operating_point.hpp"
 #include "compiler/cli/options.hpp"
 #include "compiler/cli/user_error.hpp"
+#include "compiler/report/report.hpp"
 
 namespace mbgen::cli {
 namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// A coordinate that moves less than this part of the one that moves most is not named.
-constexpr double kNamed = 0.1;
-constexpr std::size_t kMostNamed = 4;
-
 struct LinearizeOptions {
-  std::string model, file;
+  std::string model, file, page;
   StateArguments state;
   bool json = false;
 };
@@ -92,54 +89,56 @@ Json linear_json(const Compilation& compilation, const OperatingPoint& point, co
           {"modes", modes_json(compilation, list)}};
 }
 
-/// The coordinates that move most in a mode, the largest first.
-std::string leading_coordinates(const Compilation& compilation, const Mode& mode) {
-  std::vector<std::size_t> order(mode.coordinates.size());
-  std::iota(order.begin(), order.end(), std::size_t{0});
-  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
-    return std::abs(mode.coordinates[a]) > std::abs(mode.coordinates[b]);
-  });
-  std::string text;
-  for (std::size_t i = 0; i < std::min(order.size(), kMostNamed); ++i) {
-    const double size = std::abs(mode.coordinates[order[i]]);
-    if (!(size >= kNamed)) break;
-    text += fmt::format("{}{} {:.2f}", i == 0 ? "" : ", ", compilation.topology.bodies[order[i]].coordinate, size);
-  }
-  return text;
-}
-
 /// Four decimals; what they round to zero has no sign.
 std::string without_minus_zero(double value) {
   const std::string text = fmt::format("{:.4f}", value);
   return text == "-0.0000" ? "0.0000" : text;
 }
 
+double largest_drift(const LinearSystem& system) {
+  return system.drift.size() > 0 ? system.drift.cwiseAbs().maxCoeff() : 0.0;
+}
+
 std::string linear_text(const Compilation& compilation, const LinearSystem& system, const std::vector<Mode>& list) {
-  const double drift = system.drift.size() > 0 ? system.drift.cwiseAbs().maxCoeff() : 0.0;
   std::string text =
       fmt::format("{}: {} states, {} inputs, {} outputs\nrates of the states at this point: at most {:.3g}\n\n",
                   compilation.model.name, system.states.size(), compilation.model.inputs.size(),
-                  compilation.model.outputs.size(), drift);
+                  compilation.model.outputs.size(), largest_drift(system));
   text += "        eigenvalue [1/s]           frequency [Hz]   damping   moves most\n";
   int number = 0;
   for (const Mode& mode : list) {
-    const bool oscillates = mode.eigenvalue.imag() > 0 && !mode.is_neutral;
+    const bool oscillates = mode.oscillates();
     const std::string frequency = oscillates ? fmt::format("{:.4f}", mode.frequency()) : "-";
     const std::string damping = oscillates ? without_minus_zero(mode.damping_ratio()) : "-";
     const std::string imaginary = oscillates ? fmt::format("+-{:.4f} i", mode.eigenvalue.imag()) : "";
     const std::string real = mode.is_neutral ? "0" : without_minus_zero(mode.eigenvalue.real());
     std::string line = fmt::format("{:>4}{:>14} {:<17}{:>12}{:>12}   {}", ++number, real, imaginary, frequency, damping,
-                                   leading_coordinates(compilation, mode));
+                                   leading_coordinates(compilation.topology, mode));
     line.erase(line.find_last_not_of(' ') + 1);
     text += line + "\n";
   }
-  const auto is_unstable = [](const Mode& mode) { return !mode.is_neutral && mode.eigenvalue.real() > 0; };
-  const auto unstable = std::count_if(list.begin(), list.end(), is_unstable);
+  const auto unstable = std::count_if(list.begin(), list.end(), [](const Mode& mode) { return mode.is_unstable; });
   if (unstable > 0) text += fmt::format("\nunstable: {} of {} modes grow\n", unstable, list.size());
   return text;
 }
 
+/// Which state was asked for, in words.
+std::string state_text(const StateArguments& state) {
+  if (!state.states.empty()) return fmt::format("state {} of {}", state.index, state.states);
+  return state.at == "equilibrium" ? "static equilibrium" : "initial state";
+}
+
+void write_page(const LinearizeOptions& options, const Compilation& compilation, const OperatingPoint& point,
+                const LinearSystem& system, const std::vector<Mode>& list) {
+  require_other_file(options.page, compilation.model.files);
+  if (list.empty()) throw UserError(fmt::format("--report: {} has no modes, nothing is free\n", options.model));
+  const auto& [model, topology, analysis, programs] = compilation;
+  write_file(options.page,
+             modes_html({model, topology, analysis, point, list, state_text(options.state), largest_drift(system)}));
+}
+
 int run(const LinearizeOptions& options) {
+  if (!options.page.empty()) require_report_page("--report");
   const Compilation compilation = expect(compile(options.model));
   const OperatingPoint point = operating_point(compilation, options.state);
   const LinearSystem system = expect(linearise(compilation, point));
@@ -149,6 +148,7 @@ int run(const LinearizeOptions& options) {
     require_other_file(options.file, compilation.model.files);
     write_file(options.file, json);
   }
+  if (!options.page.empty()) write_page(options, compilation, point, system, list);
   print(options.json ? json : linear_text(compilation, system, list));
   return kDone;
 }
@@ -159,12 +159,14 @@ void add_linearize(CLI::App& application, int& exit_code) {
   const auto options = std::make_shared<LinearizeOptions>();
   CLI::App* command = application.add_subcommand("linearize", "linear equations and modes about a state");
   command->footer(
-      "Example: mbgen linearize models/coach.json --at equilibrium\n"
+      "Example: mbgen linearize models/coach.json --at equilibrium --report modes.html\n"
       "States are positions and velocities of the independent coordinates and the slips of the tyres; the loops stay\n"
-      "closed. --json and --out give A, B, C, D, the eigenvalues and the mode shapes over all coordinates.");
+      "closed. --json and --out give A, B, C, D, the eigenvalues and the mode shapes over all coordinates.\n"
+      "--report writes a page that animates the mode shapes: one file that needs no network.");
   add_model_argument(*command, options->model);
   add_state_options(*command, options->state);
   command->add_option("--out", options->file, "write matrices and modes to this file, as --json prints them");
+  command->add_option("--report", options->page, "write the modes as a page: list, animation, eigenvalues (HTML)");
   add_json_option(*command, options->json);
   command->callback([options, &exit_code] { exit_code = run(*options); });
 }

@@ -54,7 +54,9 @@ struct Mode {
   std::vector<std::complex<double>> states;       ///< per state
   std::vector<std::complex<double>> coordinates;  ///< per tree coordinate, the largest of them 1
   bool is_neutral = false;                        ///< eigenvalue zero but for rounding: the system may stay anywhere
+  bool is_unstable = false;                       ///< grows, by more than rounding
 
+  bool oscillates() const { return eigenvalue.imag() > 0 && !is_neutral; }
   double frequency() const { return std::abs(eigenvalue.imag()) / 6.283185307179586; }    ///< Hz, damped
   double undamped_frequency() const { return std::abs(eigenvalue) / 6.283185307179586; }  ///< Hz
   /// Fraction of the critical damping; -1 to 1.
@@ -63,5 +65,8 @@ struct Mode {
 
 /// Modes of the system, the fastest oscillations first, then those that do not oscillate, the fastest first.
 std::vector<Mode> modes(const LinearSystem& system);
+
+/// The coordinates that move most in a mode with their sizes, the largest first; "" when none does.
+std::string leading_coordinates(const Topology& topology, const Mode& mode);
 
 }  // namespace mbgen

@@ -1,5 +1,8 @@
+#include <fmt/format.h>
+
 #include <Eigen/Eigenvalues>
 #include <algorithm>
+#include <numeric>
 
 #include "compiler/linearisation/linearisation.hpp"
 
@@ -9,6 +12,11 @@ namespace {
 /// An eigenvalue this much smaller than the largest is zero: those of a chain of two, as position and velocity of a
 /// body that nothing holds are, come out at the square root of the rounding.
 constexpr double kNeutral = 1e-6;
+/// Growth this much smaller than the largest eigenvalue is rounding: what has no damping does not grow.
+constexpr double kGrowth = 1e-9;
+/// A coordinate that moves less than this part of the one that moves most is not named.
+constexpr double kNamed = 0.1;
+constexpr std::size_t kMostNamed = 4;
 
 Mode mode_of(const LinearSystem& system, std::complex<double> eigenvalue, const Eigen::VectorXcd& vector) {
   Mode mode;
@@ -52,10 +60,26 @@ std::vector<Mode> modes(const LinearSystem& system) {
     if (eigenvalue.imag() < 0) continue;
     Mode mode = mode_of(system, eigenvalue, solver.eigenvectors().col(i));
     mode.is_neutral = is_neutral;
+    mode.is_unstable = !is_neutral && eigenvalue.real() > kGrowth * largest;
     result.push_back(std::move(mode));
   }
   std::stable_sort(result.begin(), result.end(), comes_before);
   return result;
+}
+
+std::string leading_coordinates(const Topology& topology, const Mode& mode) {
+  std::vector<std::size_t> order(mode.coordinates.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+    return std::abs(mode.coordinates[a]) > std::abs(mode.coordinates[b]);
+  });
+  std::string text;
+  for (std::size_t i = 0; i < std::min(order.size(), kMostNamed); ++i) {
+    const double size = std::abs(mode.coordinates[order[i]]);
+    if (!(size >= kNamed)) break;
+    text += fmt::format("{}{} {:.2f}", i == 0 ? "" : ", ", topology.bodies[order[i]].coordinate, size);
+  }
+  return text;
 }
 
 }  // namespace mbgen

@@ -1,5 +1,5 @@
 #pragma once
-// A motion as the page reads it: numbers of 32 bits, little-endian, in base64.
+// A motion as the page reads it.
 
 #include <nlohmann/json_fwd.hpp>
 #include <string>
@@ -9,16 +9,12 @@
 
 namespace mbgen {
 
-/// RFC 4648, of the numbers' bytes.
-std::string base64(const std::vector<float>& numbers);
-
 /// Rows that are kept of a table: the first, evenly spaced ones and the last; none closer than 10 ms where that leaves
 /// enough, and no more than `most`.
 std::vector<std::size_t> kept_rows(const std::vector<double>& time, std::size_t most);
 
 /// An animation: name, kind "time", count, times (s) and poses: per time and body of the model seven numbers, origin
-/// (m) and unit quaternion x y z w. Other kinds of animation have the same poses (a mode: those of one period). Fails:
-/// see report_html.
+/// (m) and unit quaternion x y z w. Fails: see report_html.
 Result<nlohmann::ordered_json> motion_json(const ReportSource& source, const std::string& file);
 
 /// All columns: rows, per column name, unit, group (coordinate, velocity, output, residual), smallest, largest and last

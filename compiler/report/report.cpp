@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "compiler/drawing/drawing.hpp"
+#include "compiler/report/modes.hpp"
 #include "compiler/report/motion.hpp"
 #include "compiler/report/page.hpp"
 #include "compiler/report/scene.hpp"
@@ -62,8 +63,7 @@ Json blocks_json(const Topology& topology, const Analysis& analysis) {
   return blocks;
 }
 
-Json model_json(const ReportSource& source) {
-  const auto& [model, topology, analysis, results] = source;
+Json model_json(const Model& model, const Topology& topology, const Analysis& analysis) {
   return {{"name", model.name},
           {"file", model.file},
           {"hash", model.hash},
@@ -100,6 +100,13 @@ std::string filled(std::string_view frame, const std::array<std::pair<std::strin
   return page;
 }
 
+std::string page_of(const Model& model, const Json& data) {
+  return filled(page_file("index.html"), {{{"title", html_text(model.name)},
+                                           {"style", page_file("report.css")},
+                                           {"data", script_text(data)},
+                                           {"script", page_file("report.js")}}});
+}
+
 }  // namespace
 
 bool has_report_page() { return !report_page_files().empty(); }
@@ -108,16 +115,23 @@ Result<std::string> report_html(const ReportSource& source, const std::string& f
   const Result<Json> motion = motion_json(source, file);
   if (!motion) return motion.problems();
   const Json run = Json::parse(source.results.run, nullptr, false);
-  Json data = {{"format", 1}, {"result", file}, {"model", model_json(source)}};
+  Json data = {{"format", 1}, {"result", file}, {"model", model_json(source.model, source.topology, source.analysis)}};
   data["run"] = run.is_object() ? run : Json(nullptr);
   data["scene"] = scene_json(source.model);
   data["animations"] = {*motion};
   data["table"] = table_json(source);
   data["topology"] = topology_svg(source.model, source.topology, source.analysis);
-  return filled(page_file("index.html"), {{{"title", html_text(source.model.name)},
-                                           {"style", page_file("report.css")},
-                                           {"data", script_text(data)},
-                                           {"script", page_file("report.js")}}});
+  return page_of(source.model, data);
+}
+
+std::string modes_html(const ModesSource& source) {
+  Json data = {{"format", 1}, {"model", model_json(source.model, source.topology, source.analysis)}};
+  data["scene"] = scene_json(source.model);
+  // The camera looks at what it follows where the point has taken it.
+  data["scene"]["centre"] = carried(source, data["scene"]["follow"], data["scene"]["centre"]);
+  data.update(modes_json(source));
+  data["topology"] = topology_svg(source.model, source.topology, source.analysis);
+  return page_of(source.model, data);
 }
 
 }  // namespace mbgen

@@ -1,9 +1,10 @@
 #pragma once
-// The door of the report room: a result and its model as one HTML page that needs nothing else.
+// The door of the report room: a result, or the modes of a model, as one HTML page that needs nothing else.
 
 #include <string>
 
 #include "compiler/analysis/analysis.hpp"
+#include "compiler/linearisation/linearisation.hpp"
 #include "compiler/model/model.hpp"
 #include "compiler/results/results.hpp"
 #include "compiler/topology/topology.hpp"
@@ -27,5 +28,21 @@ struct ReportSource {
 /// Fails: a result that lacks a coordinate of the model (file: the result's name, for the message).
 /// Requires: has_report_page().
 Result<std::string> report_html(const ReportSource& source, const std::string& file);
+
+/// What a page of modes is made from.
+struct ModesSource {
+  const Model& model;
+  const Topology& topology;
+  const Analysis& analysis;
+  const OperatingPoint& point;
+  const std::vector<Mode>& modes;  ///< about the point; at least one
+  std::string state;               ///< which state the point is, for people
+  double drift = 0;                ///< largest rate of the states at the point
+};
+
+/// The page: a list of the modes, each animated about the point with its loops closed, the eigenvalues in their plane,
+/// summary, topology. Names are escaped.
+/// Requires: has_report_page().
+std::string modes_html(const ModesSource& source);
 
 }  // namespace mbgen

@@ -7,6 +7,8 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "compiler/report/places.hpp"
+
 namespace mbgen {
 namespace {
 
@@ -24,46 +26,7 @@ constexpr double kInside = 0.4;
 /// Radii over the size of the model.
 constexpr double kRod = 0.0022, kDamper = 0.0032, kSpring = 0.0075, kSpringSlimness = 0.075, kJoint = 0.0022;
 
-Vector3 values(const Vector3Quantity& vector) { return {vector[0].value, vector[1].value, vector[2].value}; }
-
-Vector3 place_of(const Model& model, const Attachment& at) {
-  return values(model.bodies[at.body].points[at.point].position);
-}
-
-double distance(const Vector3& a, const Vector3& b) { return std::hypot(b[0] - a[0], b[1] - a[1], b[2] - a[2]); }
-
-Vector3 to_global(const Pose& pose, const Vector3& local) {
-  Vector3 global = pose.origin;
-  for (int i = 0; i < 9; ++i) global[i / 3] += pose.rotation[i] * local[i % 3];
-  return global;
-}
-
-/// A global direction in the axes of a body.
-Vector3 to_body_axes(const Pose& pose, const Vector3& direction) {
-  Vector3 local{};
-  for (int i = 0; i < 9; ++i) local[i % 3] += pose.rotation[i] * direction[i / 3];
-  return local;
-}
-
-/// Everything that is fixed to a point of a body.
-template <class Visit>
-void visit_attachments(const Model& model, const Visit& visit) {
-  for (const Joint& joint : model.joints) {
-    if (joint.type != JointType::free) visit(joint.from);
-    visit(joint.to);
-  }
-  const auto both = [&](const auto& elements) {
-    for (const auto& element : elements) {
-      visit(element.from);
-      visit(element.to);
-    }
-  };
-  both(model.rods);
-  both(model.springs);
-  both(model.air_springs);
-}
-
-/// Box around the points that something is fixed to, at the reference.
+/// Box around what is drawn, at the reference.
 struct Extent {
   Vector3 low{1e300, 1e300, 1e300}, high{-1e300, -1e300, -1e300};
   bool empty() const { return low[0] > high[0]; }
@@ -77,21 +40,16 @@ struct Extent {
 
 Extent extent_of(const Model& model) {
   Extent extent;
-  const auto add = [&](const Attachment& at) {
-    extent.add(to_global(model.bodies[at.body].pose, place_of(model, at)));
-  };
-  visit_attachments(model, add);
-  for (const DisplayShape& shape : model.shapes) {
-    add(shape.from);
-    if (shape.kind != DisplayShape::Kind::sphere) add(shape.to);
+  for (const BodyPlace& place : drawn_places(model)) {
+    extent.add(to_global(model.bodies[place.body].pose, place.at), place.margin);
   }
-  for (const Tyre& tyre : model.tyres) {
-    extent.add(to_global(model.bodies[tyre.centre.body].pose, place_of(model, tyre.centre)), tyre.radius.value);
-  }
-  for (const Body& body : model.bodies) {
-    if (body.mass.value > 0) extent.add(to_global(body.pose, values(body.com)));
-  }
+  if (extent.empty()) extent.add({0, 0, 0}, 1);
   return extent;
+}
+
+double size_of(const Extent& extent) {
+  constexpr double kLeastSize = 1e-3;
+  return std::max(kLeastSize, distance(extent.low, extent.high));
 }
 
 std::string colour_text(const DisplayShape& shape) {
@@ -171,7 +129,7 @@ void add_tubes(const Body& body, const std::set<Vector3>& points, double size, J
 
 Json bodies_json(const Model& model, double size) {
   std::vector<std::set<Vector3>> points(model.bodies.size());
-  visit_attachments(model, [&](const Attachment& at) { points[at.body].insert(place_of(model, at)); });
+  for (const Attachment& at : attachments(model)) points[at.body].insert(place_of(model, at));
   std::vector<Json> shapes(model.bodies.size(), Json::array());
   for (const DisplayShape& shape : model.shapes) shapes[shape.from.body].push_back(shape_json(model, shape));
   for (const Tyre& tyre : model.tyres) add_tyres(model, tyre, shapes[tyre.centre.body]);
@@ -254,11 +212,11 @@ int body_to_follow(const Model& model) {
 
 }  // namespace
 
+double model_size(const Model& model) { return size_of(extent_of(model)); }
+
 Json scene_json(const Model& model) {
-  Extent extent = extent_of(model);
-  if (extent.empty()) extent.add({0, 0, 0}, 1);
-  constexpr double kLeastSize = 1e-3;
-  const double size = std::max(kLeastSize, distance(extent.low, extent.high));
+  const Extent extent = extent_of(model);
+  const double size = size_of(extent);
   Vector3 centre{}, up = values(model.gravity);
   for (int i = 0; i < 3; ++i) centre[i] = (extent.low[i] + extent.high[i]) / 2;
   const double gravity = std::hypot(up[0], up[1], up[2]);

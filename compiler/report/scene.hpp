@@ -7,6 +7,9 @@
 
 namespace mbgen {
 
+/// The diagonal of the box around all that is drawn at the reference, m.
+double model_size(const Model& model);
+
 /// As JSON:
 ///   bodies: name and shapes of each body of the model; a shape is a tyre {at, axis, radius, width}, box {at, size},
 ///     cylinder or tube {from, to, radius} or sphere {at, radius}, in the body's frame, m, perhaps with a colour

@@ -3,44 +3,13 @@
 // SCREENSHOTS: directory for the pictures. Ends with an error at the first thing that is wrong.
 
 import assert from "node:assert/strict";
-import { createRequire } from "node:module";
-import { pathToFileURL } from "node:url";
 import path from "node:path";
+import { checkNothingIsLoaded, launch, openPage, picture, seek, settle } from "./page.mjs";
 
 const [report, pictures, modules] = process.argv.slice(2);
-const { chromium } = createRequire(path.resolve(modules ?? ".", "package.json"))("playwright-core");
-
-const kFlags = ["--no-sandbox", "--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader",
-  "--ignore-gpu-blocklist", "--disable-dev-shm-usage", "--force-color-profile=srgb"];
-
-/** A page of its own, with all that the console says and every request. */
-async function openReport(browser, options) {
-  const context = await browser.newContext(options);
-  const page = await context.newPage();
-  const complaints = [];
-  const requests = [];
-  page.on("console", (message) => ["error", "warning"].includes(message.type()) && complaints.push(message.text()));
-  page.on("pageerror", (problem) => complaints.push(String(problem)));
-  page.on("request", (request) => requests.push(request.url()));
-  const url = pathToFileURL(path.resolve(report)).href;
-  await page.goto(url);
-  await page.waitForFunction(() => window.mbgenReport);
-  return { page, complaints, requests, url, close: () => context.close() };
-}
+const openReport = (browser, options) => openPage(browser, report, options);
 
 const time = (page) => page.evaluate(() => window.mbgenReport.player.state.time);
-const seek = (page, at) => page.evaluate((t) => window.mbgenReport.player.seek(t), at);
-
-/** Waits until the picture of the time shown is drawn. */
-async function settle(page) {
-  await page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
-}
-
-/** The picture of the animation alone. */
-async function picture(page) {
-  await settle(page);
-  return page.locator("#view").screenshot();
-}
 
 /** Distance in px of the first plot's time line from where its time stands on the axis. */
 const markerError = (page) => page.evaluate(() => {
@@ -128,12 +97,20 @@ async function checkCameras(page) {
   await page.keyboard.press("1");
 }
 
-async function checkNothingIsLoaded({ requests, complaints, url }) {
-  assert.deepEqual(complaints.filter((text) => !text.includes("GPU stall due to ReadPixels")), []);
-  assert.deepEqual(requests, [url], "the page asked for something");
+/** Whoever comes back to the vehicle finds it where it is by now, not where it began. */
+async function checkFollowing(page) {
+  const place = () => page.evaluate(() => window.mbgenReport.view.cameraPlace());
+  await seek(page, 0.8 * (await page.evaluate(() => window.mbgenReport.player.state.end)));
+  await settle(page);
+  await page.locator("#camera").selectOption("chase");
+  await page.locator("#camera").selectOption("follow");
+  const before = await place();
+  await page.locator("#followed").selectOption("bell_crank");
+  await page.locator("#followed").selectOption("chassis");
+  (await place()).forEach((x, i) => assert.ok(Math.abs(x - before[i]) < 1e-6, "the camera does not come back"));
 }
 
-const browser = await chromium.launch({ executablePath: "/usr/bin/chromium", args: kFlags });
+const browser = await launch(modules);
 try {
   const wide = await openReport(browser, { viewport: { width: 1280, height: 800 } });
   await checkPlaying(wide.page);
@@ -162,6 +139,7 @@ try {
   await seek(narrow.page, 0.62 * end);
   await settle(narrow.page);
   await narrow.page.screenshot({ path: path.join(pictures, "report_narrow.png") });
+  await checkFollowing(narrow.page);
   await checkNothingIsLoaded(narrow);
   await narrow.close();
 } finally {

@@ -1,10 +1,11 @@
 #!/bin/sh
-# The page of the coach's slalom in Debian's chromium: tests/report/browser.sh MBGEN [PICTURES]
+# The pages of the coach's slalom and of its modes in Debian's chromium: tests/report/browser.sh MBGEN [PICTURES]
 # PICTURES: directory that takes the screenshots. Skipped (77) without chromium, node and npm, or where mbgen was built
 # without reports. MBGEN_REPORT_MODULES: where playwright-core is kept from one run to the next.
 set -eu
 mbgen=$(realpath "$1")
 here=$(cd "$(dirname "$0")" && pwd)
+models=$here/../../models
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
 pictures=${2:-$scratch}
@@ -15,14 +16,18 @@ for tool in chromium node npm; do
 done
 
 cd "$scratch"
-"$mbgen" simulate "$here/../../models/coach.json" --duration 5 --step 1e-3 --engine generic --out coach.csv > /dev/null
+"$mbgen" simulate "$models/coach.json" --duration 5 --step 1e-3 --engine generic --out coach.csv > /dev/null
 if ! "$mbgen" report coach.csv -o coach.html 2> problem; then
   grep -q "built without reports" problem || { cat problem; exit 1; }
   echo "skipped: $(cat problem)"
   exit 77
 fi
-size=$(wc -c < coach.html)
-[ "$size" -lt 3000000 ] || { echo "the page of 5 s of the coach has $size bytes"; exit 1; }
+"$mbgen" linearize "$models/coach.json" --at equilibrium --json --report modes.html > modes.json
+"$mbgen" linearize "$models/four_bar.json" --report growing.html > /dev/null
+for page in coach modes; do
+  size=$(wc -c < $page.html)
+  [ "$size" -lt 3000000 ] || { echo "$page.html of the coach has $size bytes"; exit 1; }
+done
 
 # The lock is put beside the modules last, as the mark of a complete installation.
 mkdir -p "$modules"
@@ -35,3 +40,4 @@ if ! cmp -s "$here/package-lock.json" "$modules/installed"; then
   cp "$here/package-lock.json" "$modules/installed"
 fi
 node "$here/browser.mjs" coach.html "$pictures" "$modules"
+node "$here/modes.mjs" modes.html modes.json growing.html "$pictures" "$modules"

@@ -1,6 +1,7 @@
 // The data of the page as mbgen wrote them (compiler/report): JSON, its long lists as 32-bit numbers in base64.
 
-const kPose = 7; // origin and quaternion x y z w
+import { kPose } from "./numbers.js";
+import { createSwing } from "./swing.js";
 
 function floats(text) {
   const bytes = Uint8Array.from(atob(text), (letter) => letter.charCodeAt(0));
@@ -24,11 +25,16 @@ function decodeTable(table) {
   return { ...table, columns, times: columns[0].values };
 }
 
-/** Reads the page's data: model, run, scene, animations, table, topology. */
+/** Reads the page's data: model, scene, animations, topology, and of a result run and table, of modes point and rest. */
 export function readData() {
   const data = JSON.parse(document.getElementById("data").textContent);
-  data.animations = data.animations.map((animation) => decodeAnimation(animation, data.scene.bodies.length));
-  data.table = decodeTable(data.table);
+  if (data.table) {
+    data.animations = data.animations.map((animation) => decodeAnimation(animation, data.scene.bodies.length));
+    data.table = decodeTable(data.table);
+  } else {
+    const rest = floats(data.rest);
+    data.animations = data.animations.map((mode) => createSwing({ ...mode, poses: floats(mode.poses) }, rest));
+  }
   return data;
 }
 

@@ -5,16 +5,10 @@ import {
   MeshStandardMaterial, Quaternion, Vector3,
 } from "three";
 import { originAt, poseOffset } from "./data.js";
+import { niceStep } from "./numbers.js";
 
 const kLines = 60; // to each side
 const kMostTrackPoints = 1500;
-
-/** 1, 2 or 5 times a power of ten, at most `size`. */
-function niceStep(size) {
-  const power = 10 ** Math.floor(Math.log10(size));
-  const digit = size / power;
-  return power * (digit >= 5 ? 5 : digit >= 2 ? 2 : 1);
-}
 
 function gridLines(step, every) {
   const reach = kLines * step;

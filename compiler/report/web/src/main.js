@@ -1,6 +1,7 @@
-// The page of mbgen report: animation, plots, tables and topology of one result.
+// The page of mbgen: animation, tables and topology, with the plots of a result or the list of a model's modes.
 
 import { readData } from "./data.js";
+import { createModes } from "./modes.js";
 import { createPicker } from "./picker.js";
 import { createPlayer } from "./player.js";
 import { createPlots, firstPlots } from "./plots.js";
@@ -10,6 +11,7 @@ import { kLayers } from "./world.js";
 import { cameraNames } from "./camera.js";
 
 const kSpeeds = [0.05, 0.1, 0.25, 0.5, 1, 2, 4];
+const kModeSpeeds = [-4, -3, -2, -1, 0, 1, 2, 3].flatMap((power) => [1, 2, 5].map((digit) => Number(`${digit}e${power}`)));
 const kFrame = 1 / 60; // s, of a step by key at normal speed
 
 const at = (id) => document.getElementById(id);
@@ -24,7 +26,7 @@ function tryView(data) {
     return createView(data.scene, data.animations[0], at("view"));
   } catch (problem) {
     at("tip").hidden = false;
-    at("tip").textContent = `No animation: this browser gives no WebGL (${problem.message}). Plots and tables are complete.`;
+    at("tip").textContent = `No animation: this browser gives no WebGL (${problem.message}). All else is complete.`;
     return null;
   }
 }
@@ -33,9 +35,10 @@ function writeHeader(data) {
   const { model } = data;
   at("name").textContent = model.name;
   at("facts").textContent = `${model.degrees_of_freedom - model.driven} free and ${model.driven} driven degrees of freedom, ${model.coordinates} coordinates, ${model.equations} loop equations`;
+  if (data.point) at("facts").textContent += `; modes about its ${data.point.state}`;
 }
 
-function connectControls(player, view, data) {
+function connectControls(player, view, data, speeds) {
   const { state } = player;
   const scrub = at("scrub");
   at("play").addEventListener("click", player.toggle);
@@ -45,8 +48,7 @@ function connectControls(player, view, data) {
     player.pause();
     player.seek(wanted);
   });
-  kSpeeds.forEach((speed) => at("speed").append(option(speed, `${speed} x`)));
-  at("speed").value = "1";
+  speeds.forEach((speed) => at("speed").append(option(speed, `${speed} x`)));
   at("speed").addEventListener("change", () => player.setSpeed(Number(at("speed").value)));
   cameraNames(data.scene).forEach((name) => at("camera").append(option(name, name)));
   at("camera").addEventListener("change", () => view?.chooseCamera(at("camera").value));
@@ -54,13 +56,6 @@ function connectControls(player, view, data) {
   data.scene.bodies.forEach((body, i) => body.shapes.length > 0 && at("followed").append(option(i, body.name)));
   at("followed").value = String(data.scene.follow);
   at("followed").addEventListener("change", () => view?.followBody(Number(at("followed").value)));
-  data.animations.forEach((animation, i) => at("animation").append(option(i, animation.name)));
-  at("animation-choice").hidden = data.animations.length < 2;
-  at("animation").addEventListener("change", () => {
-    const animation = data.animations[Number(at("animation").value)];
-    view?.showAnimation(animation);
-    player.setRange(animation.start, animation.end);
-  });
   Object.entries(kLayers).forEach(([name, isShown]) => {
     if (!view?.hasLayer(name)) return;
     const box = Object.assign(document.createElement("input"), { type: "checkbox", checked: isShown, name });
@@ -78,8 +73,11 @@ function showState(player, view) {
     scrub.min = String(state.start);
     scrub.max = String(state.end);
     scrub.value = String(state.time);
-    scrub.setAttribute("aria-valuetext", `${state.time.toFixed(2)} seconds`);
-    at("clock").textContent = `${state.time.toFixed(2)} / ${state.end.toFixed(2)} s`;
+    // A hundredth of what is shown, and of a second.
+    const digits = Math.max(2, 2 - Math.floor(Math.log10(state.end - state.start || 1)));
+    scrub.setAttribute("aria-valuetext", `${state.time.toFixed(digits)} seconds`);
+    at("clock").textContent = `${state.time.toFixed(digits)} / ${state.end.toFixed(digits)} s`;
+    at("speed").value = String(state.speed);
     at("play").classList.toggle("playing", state.playing);
     at("play").setAttribute("aria-label", state.playing ? "pause" : "play");
     view?.show(state.time);
@@ -88,14 +86,13 @@ function showState(player, view) {
   show();
 }
 
-function connectKeys(player, view, data) {
+/** others: actions of further keys. */
+function connectKeys(player, view, data, speeds, others) {
   const { state } = player;
   const names = cameraNames(data.scene);
   function changeSpeed(by) {
-    const place = kSpeeds.indexOf(state.speed) + by;
-    if (place < 0 || place >= kSpeeds.length) return;
-    at("speed").value = String(kSpeeds[place]);
-    player.setSpeed(kSpeeds[place]);
+    const place = speeds.indexOf(state.speed) + by;
+    if (place >= 0 && place < speeds.length) player.setSpeed(speeds[place]);
   }
   function step(frames) {
     player.pause();
@@ -120,14 +117,16 @@ function connectKeys(player, view, data) {
     s: () => view?.orbit(0, -1, 0),
     e: () => view?.orbit(0, 0, 1),
     q: () => view?.orbit(0, 0, -1),
+    ...others,
   };
   [0, 1, 2, 3].forEach((place) => {
     actions[place + 1] = () => chooseCamera(place);
   });
   document.addEventListener("keydown", (event) => {
     if (event.ctrlKey || event.altKey || event.metaKey || at("picker").open) return;
-    // Buttons, lists and fields keep the keys that they use themselves; the slider's are ours.
-    const isControl = event.target.closest("button, select, input, a, summary") && event.target !== at("scrub");
+    // Buttons, lists and fields keep the keys that they use themselves; those of time and modes are ours.
+    const isOurs = event.target === at("scrub") || event.target.name === "mode";
+    const isControl = event.target.closest("button, select, input, a, summary") && !isOurs;
     const action = actions[event.key];
     if (!action || isControl) return;
     event.preventDefault();
@@ -135,20 +134,41 @@ function connectKeys(player, view, data) {
   });
 }
 
-function start() {
-  const data = readData();
-  const { start: from, end } = data.animations[0];
-  const player = createPlayer(from, end);
-  writeHeader(data);
-  const view = tryView(data);
-  connectControls(player, view, data);
-  showState(player, view);
-  connectKeys(player, view, data);
+function startPlots(data, player) {
   const pick = createPicker(data.table);
   const plots = createPlots(data.table, player, at("charts"), pick);
   firstPlots(data.table).forEach(plots.add);
   at("add-plot").addEventListener("click", () => pick([], plots.add));
   at("reset-zoom").addEventListener("click", plots.resetZoom);
+  return plots;
+}
+
+/** The modes, the first of them moving; and the keys that choose one. */
+function startModes(data, player, view) {
+  const modes = createModes(data.animations, player, view);
+  if (!window.matchMedia("(prefers-reduced-motion: reduce)").matches) player.play();
+  const keys = {
+    ArrowUp: () => modes.choose(modes.chosen() - 1),
+    ArrowDown: () => modes.choose(modes.chosen() + 1),
+  };
+  return { modes, keys };
+}
+
+function start() {
+  const data = readData();
+  const isResult = Boolean(data.table);
+  const speeds = isResult ? kSpeeds : kModeSpeeds;
+  const player = createPlayer(data.animations[0], !isResult);
+  at("plots").hidden = !isResult;
+  at("modes").hidden = isResult;
+  at("mode-keys").hidden = isResult;
+  writeHeader(data);
+  const view = tryView(data);
+  connectControls(player, view, data, speeds);
+  showState(player, view);
+  const plots = isResult ? startPlots(data, player) : null;
+  const { modes, keys } = isResult ? { modes: null, keys: {} } : startModes(data, player, view);
+  connectKeys(player, view, data, speeds, keys);
   writeSummary(data, at("tables"));
   at("drawing").innerHTML = data.topology; // SVG that mbgen drew, names escaped
   function frame(now) {
@@ -157,7 +177,7 @@ function start() {
     requestAnimationFrame(frame);
   }
   requestAnimationFrame(frame);
-  window.mbgenReport = { player, view, plots }; // for tests
+  window.mbgenReport = { player, view, plots, modes, data }; // for tests
 }
 
 start();

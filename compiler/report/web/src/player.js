@@ -1,7 +1,10 @@
 // The time that the page shows, and its course while it plays.
 
-/** Time between start and end (s). Listeners are told of every change: ({time, playing, speed}). */
-export function createPlayer(start, end) {
+/**
+ * Time between start and end (s); at the end it stops, or begins again where it loops. Listeners are told of every
+ * change: ({time, playing, speed}).
+ */
+export function createPlayer({ start, end }, loops) {
   const state = { time: start, start, end, playing: false, speed: 1 };
   const listeners = [];
   let last = null;
@@ -25,8 +28,13 @@ export function createPlayer(start, end) {
     if (!state.playing) return;
     const passed = last === null ? 0 : (now - last) / 1000;
     last = now;
-    state.time = Math.min(state.end, state.time + passed * state.speed);
-    if (state.time >= state.end) state.playing = false;
+    const time = state.time + passed * state.speed;
+    if (loops) {
+      state.time = state.start + ((time - state.start) % (state.end - state.start));
+    } else {
+      state.time = Math.min(state.end, time);
+      state.playing = time < state.end;
+    }
     tell();
   }
 
@@ -35,6 +43,7 @@ export function createPlayer(start, end) {
     seek,
     advance,
     toggle: () => setPlaying(!state.playing),
+    play: () => setPlaying(true),
     pause: () => setPlaying(false),
     setSpeed(speed) {
       state.speed = speed;

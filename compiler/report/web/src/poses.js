@@ -2,13 +2,23 @@
 
 import { Quaternion, Vector3 } from "three";
 import { indexAt, poseOffset } from "./data.js";
+import { poseSwing } from "./swing.js";
 
 const before = new Vector3();
 const after = new Vector3();
 const turn = new Quaternion();
 const turnAfter = new Quaternion();
 
+/** Where the camera takes the bodies to be: it goes with a motion, and stands while a mode swings. */
+export function poseForCamera(bodies, animation, time) {
+  poseBodies(bodies, animation, animation.kind === "mode" ? null : time);
+}
+
 export function poseBodies(bodies, animation, time) {
+  if (animation.kind === "mode") {
+    poseSwing(bodies, animation, time);
+    return;
+  }
   const { times, poses } = animation;
   const frame = indexAt(times, time);
   const next = Math.min(frame + 1, times.length - 1);

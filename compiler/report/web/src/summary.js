@@ -1,12 +1,6 @@
-// The tables of the page: model, run, outputs, loop blocks.
+// The tables of the page: model, run or point, outputs, loop blocks.
 
-function number(value) {
-  if (value === null || value === undefined) return "";
-  if (typeof value !== "number") return String(value);
-  if (Number.isInteger(value) && Math.abs(value) < 1e6) return String(value);
-  const size = Math.abs(value);
-  return size < 1e-3 || size >= 1e6 ? value.toExponential(2) : Number(value.toPrecision(5)).toString();
-}
+import { shortNumber } from "./numbers.js";
 
 function table(caption, heads, rows) {
   const element = document.createElement("table");
@@ -21,7 +15,7 @@ function table(caption, heads, rows) {
     row.append(Object.assign(document.createElement("th"), { textContent: first, scope: "row" }));
     others.forEach((value) => {
       const cell = row.insertCell();
-      cell.textContent = number(value);
+      cell.textContent = shortNumber(value);
       if (typeof value === "number") cell.className = "number";
     });
   });
@@ -53,16 +47,25 @@ function runRows(run, result) {
   ];
 }
 
-export function writeSummary(data, element) {
-  const { model, run } = data;
-  const times = data.table.times;
-  const result = { name: data.result, rows: data.table.all_rows, start: times[0], end: times[data.table.rows - 1] };
-  const outputs = data.table.columns.filter((column) => column.group === "output");
-  element.append(table("Model", [], modelRows(model)), table("Run", [], runRows(run, result)));
+function resultTables(data) {
+  const { times, columns, rows, all_rows } = data.table;
+  const result = { name: data.result, rows: all_rows, start: times[0], end: times[rows - 1] };
+  const outputs = columns.filter((column) => column.group === "output");
+  const tables = [table("Run", [], runRows(data.run, result))];
   if (outputs.length > 0) {
-    element.append(table("Outputs", ["", "unit", "smallest", "largest", "last"],
+    tables.push(table("Outputs", ["", "unit", "smallest", "largest", "last"],
       outputs.map((column) => [column.name, column.unit, column.smallest, column.largest, column.last])));
   }
+  return tables;
+}
+
+function pointTable({ state, drift }) {
+  return table("Point", [], [["modes about", state], ["largest rate of the states there, per s", drift]]);
+}
+
+export function writeSummary(data, element) {
+  const { model } = data;
+  element.append(table("Model", [], modelRows(model)), ...(data.table ? resultTables(data) : [pointTable(data.point)]));
   if (model.blocks.length > 0) {
     element.append(table("Loop blocks", ["", "on", "coordinates", "equations", "rank", "closed by", "independent"],
       model.blocks.map((block, b) => [`block ${b + 1}`, block.base, block.coordinates, block.equations, block.rank,

@@ -9,6 +9,7 @@ export function createTarget(scene, bodies) {
   const centre = new Vector3();
   const heading = new Vector3(1, 0, 0);
   const middle = new Vector3(); // of the followed body, in its frame
+  const whole = new Vector3(); // of the vehicle, in the frame of the scene's own choice
   let followed = scene.follow;
   let reach = scene.size;
 
@@ -26,16 +27,21 @@ export function createTarget(scene, bodies) {
     followed = body;
     reach = scene.size;
     if (body < 0) return;
-    const { position, quaternion } = bodies[body];
-    if (body === scene.follow) middle.set(...scene.centre);
-    else {
-      const box = new Box3().setFromObject(bodies[body]);
-      box.getCenter(middle);
-      reach = Math.max(0.22 * scene.size, 1.6 * box.getSize(new Vector3()).length());
+    if (body === scene.follow) {
+      middle.copy(whole);
+      return;
     }
-    middle.sub(position).applyQuaternion(quaternion.clone().invert());
+    const box = new Box3().setFromObject(bodies[body]);
+    toFrame(box.getCenter(middle), body);
+    reach = Math.max(0.22 * scene.size, 1.6 * box.getSize(new Vector3()).length());
   }
 
+  function toFrame(place, body) {
+    const { position, quaternion } = bodies[body];
+    return place.sub(position).applyQuaternion(quaternion.clone().invert());
+  }
+
+  if (followed >= 0) toFrame(whole.set(...scene.centre), followed);
   choose(followed);
   turnHead();
   return {

@@ -3,6 +3,7 @@
 import { Color, Fog, PCFShadowMap, WebGLRenderer } from "three";
 import { cameraNames, createCamera } from "./camera.js";
 import { createNames } from "./names.js";
+import { poseBodies, poseForCamera } from "./poses.js";
 import { createTarget } from "./target.js";
 import { colour, onThemeChange } from "./theme.js";
 import { createWorld } from "./world.js";
@@ -41,6 +42,14 @@ export function createView(scene, animation, element) {
     isStale = true;
   };
 
+  /** What the camera looks at, where it is now. */
+  function centre() {
+    poseForCamera(world.bodies, shown, time);
+    const place = target.centre();
+    poseBodies(world.bodies, shown, time);
+    return place;
+  }
+
   function resize() {
     const { clientWidth, clientHeight } = element;
     if (clientWidth === 0 || clientHeight === 0) return;
@@ -52,10 +61,10 @@ export function createView(scene, animation, element) {
   function draw() {
     if (!isStale) return;
     world.pose(shown, time);
-    const centre = target.centre();
-    viewer.follow(centre);
+    const place = centre();
+    viewer.follow(place);
     world.ground?.follow(viewer.controls.target);
-    world.lights.aim(centre, target.heading);
+    world.lights.aim(place, target.heading);
     renderer.render(world.scene, viewer.camera);
     names.place(viewer.camera);
     isStale = false; // following moves the camera, which says that it changed
@@ -66,7 +75,7 @@ export function createView(scene, animation, element) {
   onThemeChange(changing(() => paint(world, scene.size)));
   resize();
   paint(world, scene.size);
-  viewer.choose(cameraNames(scene)[0], target.centre());
+  viewer.choose(cameraNames(scene)[0], centre());
 
   return {
     draw,
@@ -80,17 +89,18 @@ export function createView(scene, animation, element) {
         object.visible = isShown;
       });
     }),
-    chooseCamera: changing((name) => viewer.choose(name, target.centre())),
+    chooseCamera: changing((name) => viewer.choose(name, centre())),
     /** Follows another body, -1 for the whole model. */
     followBody: changing((body) => {
       target.choose(body);
-      viewer.choose(viewer.mode(), target.centre());
+      viewer.choose(viewer.mode(), centre());
     }),
     orbit: changing(viewer.orbit),
     showAnimation: changing((next) => {
       shown = next;
     }),
-    /** Where the camera stands, for tests. */
+    /** Where the camera stands, and where a link's ends are in the picture drawn last, for tests. */
     cameraPlace: () => viewer.camera.position.toArray(),
+    endPlaces: (link) => world.endPlaces(link).map((end) => end.toArray()),
   };
 }

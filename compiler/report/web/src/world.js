@@ -4,7 +4,7 @@ import { Scene, Vector3 } from "three";
 import { createGround, createTracks } from "./ground.js";
 import { createLights } from "./lights.js";
 import { linkObject } from "./links.js";
-import { poseBodies } from "./poses.js";
+import { poseBodies, poseForCamera } from "./poses.js";
 import { bodyGroup, jointMark } from "./shapes.js";
 
 /** What can be shown and hidden, and whether it is shown at first. */
@@ -25,7 +25,7 @@ export function createWorld(scene, animation) {
   const world = new Scene();
   const bodies = createBodies(scene);
   world.add(...bodies);
-  poseBodies(bodies, animation, animation.start);
+  poseForCamera(bodies, animation, animation.start);
 
   const ends = [new Vector3(), new Vector3()];
   /** Where the ends of a link are, as the bodies stand now. */
@@ -39,11 +39,11 @@ export function createWorld(scene, animation) {
     const [from, to] = endPlaces(link);
     return { link, ...linkObject(link, from.distanceTo(to)) };
   });
-  world.add(...links.map(({ group }) => group));
+  links.forEach(({ group }) => world.add(group)); // there may be none, which add refuses
 
   const height = scene.road ?? scene.floor;
   const ground = height === null ? null : createGround(scene, height);
-  const tracks = scene.road === null ? null : createTracks(scene, animation, height);
+  const tracks = scene.road === null || animation.kind === "mode" ? null : createTracks(scene, animation, height);
   const lights = createLights(scene);
   world.add(...lights.objects, ...[ground, tracks].flatMap((part) => (part ? [part.group] : [])));
 
@@ -68,6 +68,7 @@ export function createWorld(scene, animation) {
     tracks,
     lights,
     layers,
+    endPlaces,
     /** Puts bodies and links where they are at a time of an animation. */
     pose(shown, time) {
       poseBodies(bodies, shown, time);

@@ -1,0 +1,11 @@
+#pragma once
+// What the commands that write pages share.
+
+#include <string>
+
+namespace mbgen::cli {
+
+/// Fails: UserError when this mbgen was built without the page. asked: the command or option that needs it.
+void require_report_page(const std::string& asked);
+
+}  // namespace mbgen::cli

@@ -1,0 +1,37 @@
+#pragma once
+// Places on the bodies of a model: where things are fixed to them and what is drawn of them.
+
+#include <vector>
+
+#include "compiler/model/model.hpp"
+
+namespace mbgen {
+
+/// A place that moves with a body.
+struct BodyPlace {
+  int body = -1;
+  Vector3 at{};       ///< m, body frame
+  double margin = 0;  ///< m: what is drawn reaches so far around it
+};
+
+Vector3 values(const Vector3Quantity& vector);
+
+/// Where an attachment is in the frame of its body.
+Vector3 place_of(const Model& model, const Attachment& at);
+
+double distance(const Vector3& a, const Vector3& b);
+
+/// A place of a body's frame in the global frame, and the other way round.
+Vector3 to_global(const Pose& pose, const Vector3& local);
+Vector3 to_local(const Pose& pose, const Vector3& global);
+
+/// A global direction in the axes of a body.
+Vector3 to_body_axes(const Pose& pose, const Vector3& direction);
+
+/// Everything that is fixed to a point of a body.
+std::vector<Attachment> attachments(const Model& model);
+
+/// The places that say how large a model is and how far it moves: attachments, ends of shapes, tyres, centres of mass.
+std::vector<BodyPlace> drawn_places(const Model& model);
+
+}  // namespace mbgen
