@@ -21,10 +21,10 @@ struct TirTyre {
 
 /// KEY = value of a section.
 struct TirEntry {
-  std::string_view value;    ///< without quotes and comment
-  Place place;               ///< of the value
-  std::string_view section;  ///< without brackets, as written
-  Place key;
+  std::string_view value = {};    ///< without quotes and comment
+  Place place = {};               ///< of the value
+  std::string_view section = {};  ///< without brackets, as written
+  Place key = {};
   bool used = false;  ///< its number or word was asked for
 };
 
