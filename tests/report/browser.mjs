@@ -1,12 +1,13 @@
 // Opens a report in chromium, uses it as people do, and checks what it shows:
-//   node browser.mjs REPORT.html SCREENSHOTS [PAGE_MODULES]
+//   node browser.mjs REPORT.html SCREENSHOTS [PAGE_MODULES [MOVED.html]]
+// MOVED.html: of a run whose initial value of rocker_pin was moved.
 // SCREENSHOTS: directory for the pictures. Ends with an error at the first thing that is wrong.
 
 import assert from "node:assert/strict";
 import path from "node:path";
 import { checkNothingIsLoaded, launch, openPage, picture, seek, settle } from "./page.mjs";
 
-const [report, pictures, modules] = process.argv.slice(2);
+const [report, pictures, modules, moved] = process.argv.slice(2);
 const openReport = (browser, options) => openPage(browser, report, options);
 
 const time = (page) => page.evaluate(() => window.mbgenReport.player.state.time);
@@ -110,8 +111,20 @@ async function checkFollowing(page) {
   (await place()).forEach((x, i) => assert.ok(Math.abs(x - before[i]) < 1e-6, "the camera does not come back"));
 }
 
+async function checkMovedStart(browser) {
+  const opened = await openPage(browser, moved);
+  const row = opened.page.locator("table", { hasText: "Initial values that moved" }).locator("tbody tr");
+  assert.equal(await row.count(), 1);
+  const [name, quantity, asked, found] = await row.locator("th, td").allTextContents();
+  assert.deepEqual([name, quantity, asked], ["rocker_pin", "position", "-0.9"]);
+  assert.ok(Math.abs(found - -0.1625) < 1e-3, `rocker_pin is said to be moved to ${found}`);
+  await checkNothingIsLoaded(opened);
+  await opened.close();
+}
+
 const browser = await launch(modules);
 try {
+  if (moved) await checkMovedStart(browser);
   const wide = await openReport(browser, { viewport: { width: 1280, height: 800 } });
   await checkPlaying(wide.page);
   await checkScrubbing(wide.page);

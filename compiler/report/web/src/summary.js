@@ -52,6 +52,11 @@ function resultTables(data) {
   const result = { name: data.result, rows: all_rows, start: times[0], end: times[rows - 1] };
   const outputs = columns.filter((column) => column.group === "output");
   const tables = [table("Run", [], runRows(data.run, result))];
+  const moved = data.run?.moved_start ?? [];
+  if (moved.length > 0) {
+    tables.push(table("Initial values that moved to close the loops", ["", "quantity", "asked", "found"],
+      moved.map((value) => [value.coordinate, value.quantity, value.asked, value.found])));
+  }
   if (outputs.length > 0) {
     tables.push(table("Outputs", ["", "unit", "smallest", "largest", "last"],
       outputs.map((column) => [column.name, column.unit, column.smallest, column.largest, column.last])));
