@@ -10,30 +10,10 @@
 
 #include "compiler/model/document.hpp"
 #include "compiler/model/evaluate.hpp"
+#include "compiler/model/named_functions.hpp"
 
 namespace mbgen::reading {
 namespace {
-
-struct FunctionEntry {
-  std::string_view name;
-  Function function;
-  int arity;
-};
-
-constexpr FunctionEntry kFunctions[] = {
-    {"sqrt", Function::sqrt, 1}, {"sin", Function::sin, 1},     {"cos", Function::cos, 1},
-    {"tan", Function::tan, 1},   {"asin", Function::asin, 1},   {"acos", Function::acos, 1},
-    {"atan", Function::atan, 1}, {"atan2", Function::atan2, 2}, {"exp", Function::exp, 1},
-    {"log", Function::log, 1},   {"tanh", Function::tanh, 1},   {"abs", Function::abs, 1},
-    {"min", Function::min, 2},   {"max", Function::max, 2},     {"pow", Function::power, 2},
-    {"sign", Function::sign, 1}, {"step", Function::step, 1},   {"select", Function::select, 3},
-};
-
-const FunctionEntry* find_function(std::string_view name) {
-  const auto* found = std::find_if(std::begin(kFunctions), std::end(kFunctions),
-                                   [&](const FunctionEntry& entry) { return entry.name == name; });
-  return found == std::end(kFunctions) ? nullptr : found;
-}
 
 /// Recursive descent. Invariant: every operand of nodes_ stands before its user, and the last node is the latest value.
 class ExpressionParser {
@@ -248,11 +228,11 @@ class ExpressionParser {
   }
 
   int call(std::string_view name, std::size_t start) {
-    const FunctionEntry* entry = find_function(name);
+    const NamedFunction* entry = find_function(name);
     const ReductionName* reduction = find_reduction(name);
     if (!entry && !reduction) {
       std::vector<std::string_view> known;
-      for (const FunctionEntry& function : kFunctions) known.push_back(function.name);
+      for (const NamedFunction& function : named_functions()) known.push_back(function.name);
       for (const ReductionName& one : scope_.reductions) known.push_back(one.name);
       return fail(start, "unknown function " + in_quotes(name), did_you_mean(name, known));
     }
@@ -409,10 +389,6 @@ class ExpressionParser {
 
 ParsedExpression parse_expression(std::string_view text, const ExpressionScope& scope) {
   return ExpressionParser(text, scope).run();
-}
-
-bool is_reserved_name(std::string_view name) {
-  return name == "pi" || name == "t" || name == "z" || name == "zd" || find_function(name) != nullptr;
 }
 
 }  // namespace mbgen::reading

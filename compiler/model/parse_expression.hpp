@@ -63,7 +63,4 @@ struct ParsedExpression {
 /// finite.
 ParsedExpression parse_expression(std::string_view text, const ExpressionScope& scope);
 
-/// True for names that expressions give a meaning of their own: pi, t, z, zd and the functions.
-bool is_reserved_name(std::string_view name);
-
 }  // namespace mbgen::reading

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "compiler/model/named_functions.hpp"
 #include "compiler/model/raw.hpp"
 #include "compiler/model/reader.hpp"
 
