@@ -215,5 +215,17 @@ TEST(Initial, PositionsVelocitiesAndSolver) {
   EXPECT_EQ(model.solver.closure_tolerance, 1e-9);
 }
 
+TEST(Initial, ValuesSayWhatGivesWay) {
+  const Model model = read(arm_model(R"("parameters": { "w": 3 }, "initial": {
+    "positions": { "pin": { "value": { "deg": 90 }, "weight": "2*w" } },
+    "velocities": { "pin": { "value": 4, "locked": true } } })"));
+  EXPECT_EQ(model.initial.positions[0].value, std::numbers::pi / 2);
+  EXPECT_EQ(model.initial.positions[0].weight, 6);
+  EXPECT_FALSE(model.initial.positions[0].locked);
+  EXPECT_EQ(model.initial.velocities[0].value, 4);
+  EXPECT_EQ(model.initial.velocities[0].weight, 1);
+  EXPECT_TRUE(model.initial.velocities[0].locked);
+}
+
 }  // namespace
 }  // namespace mbgen

@@ -33,7 +33,8 @@ const std::string kSeed = R"--({ "mbgen": 1, /* a comment */
 "tyres": { "w": { "centre": "tip.B", "data": "d", "stiffness": 1e6 } },
 "outputs": { "y": { "tyre": "w" }, "q": { "spring": "a" },
              "e": { "expression": "select(z.pin, min(u, c), -z.ball_ry^2)" } },
-"initial": { "positions": { "pin": { "deg": 3 } } }, "solver": { "step": 1e-3 } })--";
+"initial": { "positions": { "pin": { "value": { "deg": 3 }, "weight": 2, "locked": true } } },
+"solver": { "step": 1e-3 } })--";
 
 std::string damaged(std::mt19937& random) {
   constexpr const char* kPieces[] = {
