@@ -48,14 +48,6 @@ std::string four_bar() {
                      kBase, kCrank, x, z);
 }
 
-GenericState at_reference(const Mechanism& m) {
-  GenericState state;
-  state.z.assign(static_cast<std::size_t>(m.topology.size()), 0.0);
-  state.zd = state.z;
-  state.x.assign(2 * m.model.tyres.size(), 0.0);
-  return state;
-}
-
 double distance_of_angles(double a, double b) { return std::remainder(a - b, 2 * std::numbers::pi); }
 
 /// The least of weight_crank (crank - asked)^2 + weight_rocker (rocker - asked)^2 over both branches, point by point.
@@ -93,7 +85,7 @@ TEST_F(FourBar, MovesNoMoreThanItMust) {
                               {1.0, 2, -0.3, 1},  {0.8, 1, 0.9, 10},   {-1.2, 1, -0.2, 3}, {0.2, 1, -2.4, 20},
                               {-0.4, 1e-3, 3, 1}, {0.05, 1, 0.02, 1e3}};
   for (const auto& [crank, weight_crank, rocker, weight_rocker] : wishes) {
-    GenericState state = at_reference(m);
+    GenericState state = reference_state(m);
     ASSERT_TRUE(solver
                     .assemble(state, {{coordinate("crank"), crank, weight_crank, false},
                                       {coordinate("rocker"), rocker, weight_rocker, false}})
@@ -109,7 +101,7 @@ TEST_F(FourBar, MovesNoMoreThanItMust) {
 }
 
 TEST_F(FourBar, ALockIsKept) {
-  GenericState state = at_reference(m);
+  GenericState state = reference_state(m);
   ASSERT_TRUE(
       solver.assemble(state, {{coordinate("crank"), 0.7, 1, true}, {coordinate("rocker"), -0.9, 1, false}}).ok());
   EXPECT_NEAR(state.z[coordinate("crank")], 0.7, 1e-12);
@@ -118,7 +110,7 @@ TEST_F(FourBar, ALockIsKept) {
 }
 
 TEST_F(FourBar, WhatCannotCloseIsOpenedAsLittleAsCanBe) {
-  GenericState state = at_reference(m);
+  GenericState state = reference_state(m);
   const double crank = 0.7, rocker = -1.1;
   const Status status =
       solver.assemble(state, {{coordinate("crank"), crank, 1, true}, {coordinate("rocker"), rocker, 1, true}});
@@ -135,7 +127,7 @@ TEST_F(FourBar, WhatCannotCloseIsOpenedAsLittleAsCanBe) {
 }
 
 TEST_F(FourBar, VelocitiesAreTheNearestAlongTheOnlyFreedom) {
-  GenericState state = at_reference(m);
+  GenericState state = reference_state(m);
   const int crank = coordinate("crank"), rocker = coordinate("rocker");
   ASSERT_TRUE(solver.assemble_velocities(state, {{crank, 3, 4, false}, {rocker, 5, 1, false}}).ok());
   const double step = 1e-6, half = std::numbers::pi / 2;
@@ -170,7 +162,7 @@ class EveryClosedModel : public ::testing::TestWithParam<std::string> {};
 TEST_P(EveryClosedModel, IsNearestToWhatIsAsked) {
   const Mechanism m = load(GetParam());
   const GenericSolver solver(m.model, m.topology, m.analysis);
-  GenericState state = at_reference(m);
+  GenericState state = reference_state(m);
   ASSERT_TRUE(solver.project(state).ok());
   std::mt19937 random(7);
   std::uniform_real_distribution<double> off(-0.02, 0.02), weight(0.2, 5);

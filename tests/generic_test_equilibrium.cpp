@@ -27,18 +27,9 @@ std::string mass_and_bob(const std::string& joint_springs) {
          joint_springs + " } }";
 }
 
-/// The reference configuration, at rest.
-GenericState reference(const Mechanism& m) {
-  GenericState state;
-  state.z.assign(static_cast<std::size_t>(m.topology.size()), 0.0);
-  state.zd = state.z;
-  state.x.assign(2 * m.model.tyres.size(), 0.0);
-  return state;
-}
-
 TEST(Equilibrium, MassHangsOnItsSpring) {
   const Mechanism m = mechanism_of(mass_and_bob(R"("soft": { "joint": "slide", "stiffness": 15, "free": 0.4 })"));
-  GenericState state = reference(m);
+  GenericState state = reference_state(m);
   state.zd = {3, 1};
   ASSERT_TRUE(GenericSolver(m.model, m.topology, m.analysis).equilibrium(state).ok());
   EXPECT_NEAR(state.z[0], 0.4 - 2 * 9.81 / 15, 1e-10);
@@ -50,7 +41,7 @@ TEST(Equilibrium, BobGoesDownhillFromNearTheTop) {
   const Mechanism m = mechanism_of(mass_and_bob(R"("soft": { "joint": "slide", "stiffness": 15 })"));
   const GenericSolver solver(m.model, m.topology, m.analysis);
   for (const double start : {3.0, -3.0, 1.6}) {
-    GenericState state = reference(m);
+    GenericState state = reference_state(m);
     state.z[1] = start;
     ASSERT_TRUE(solver.equilibrium(state).ok()) << start;
     EXPECT_NEAR(state.z[1], 0, 1e-10) << start;
@@ -59,7 +50,7 @@ TEST(Equilibrium, BobGoesDownhillFromNearTheTop) {
 
 TEST(Equilibrium, FallingMassHasNone) {
   const Mechanism m = mechanism_of(mass_and_bob(""));
-  GenericState state = reference(m);
+  GenericState state = reference_state(m);
   state.z[1] = 0.3;
   EXPECT_EQ(GenericSolver(m.model, m.topology, m.analysis).equilibrium(state).code, Code::no_equilibrium);
   EXPECT_EQ(state.z, (std::vector<double>{0, 0.3}));
@@ -71,7 +62,7 @@ TEST(Equilibrium, TruckComesDownToItsRoad) {
     Mechanism m = load("models/truck.json");
     for (Tyre& tyre : m.model.tyres) tyre.road_height = Quantity(tyre.road_height.value - lower);
     const GenericSolver solver(m.model, m.topology, m.analysis);
-    GenericState state = reference(m);
+    GenericState state = reference_state(m);
     EXPECT_TRUE(solver.equilibrium(state).ok()) << lower;
     EXPECT_LT(largest_absolute(solver.position_residuals(state)), 1e-12);
     const std::vector<double> no_tau(state.z.size(), 0.0);

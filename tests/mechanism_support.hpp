@@ -71,6 +71,12 @@ inline std::string test_name(const ::testing::TestParamInfo<std::string>& info) 
   return name;
 }
 
+/// The reference configuration, at rest.
+inline GenericState reference_state(const Mechanism& mechanism) {
+  const std::vector<double> zeros(static_cast<std::size_t>(mechanism.topology.size()), 0.0);
+  return {zeros, zeros, std::vector<double>(2 * mechanism.model.tyres.size(), 0.0), 0};
+}
+
 /// Random states near the reference that satisfy closures and motions; velocities of a few units. At most `wanted`.
 inline std::vector<GenericState> random_states(const Mechanism& mechanism, int wanted, double reach = 0.15) {
   const GenericSolver solver(mechanism.model, mechanism.topology, mechanism.analysis);
