@@ -33,8 +33,10 @@ rm -f "$debian.log"
 # The same mirrors and certificates as here.
 cp /etc/resolv.conf /etc/hosts "$debian/etc/"
 if [ -d /etc/apt/apt.conf.d ]; then cp -r /etc/apt/apt.conf.d/. "$debian/etc/apt/apt.conf.d/"; fi
+if [ -f /etc/ssl/certs/ca-certificates.crt ]; then cp /etc/ssl/certs/ca-certificates.crt "$debian/root/certificates.crt"; fi
 mount -t proc proc "$debian/proc" || echo "chroot: /proc cannot be mounted, going on without"
 git clone -q "$root" "$debian/root/mbgen"
 chroot "$debian" /usr/bin/env -i HOME=/root TERM=dumb PATH=/usr/sbin:/usr/bin:/sbin:/bin DEBIAN_FRONTEND=noninteractive \
+  NODE_EXTRA_CA_CERTS=/root/certificates.crt \
   ${http_proxy:+http_proxy="$http_proxy"} ${https_proxy:+https_proxy="$https_proxy"} \
   sh -euc "cd /root/mbgen; apt-get update -q >/dev/null; $follow"
