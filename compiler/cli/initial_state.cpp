@@ -17,6 +17,7 @@ namespace {
 constexpr double kKept = 1e-9;
 /// What a motion may be off the value that the model gives with a few digits.
 constexpr double kRounding = 1e-3;
+
 /// A value that was asked of a coordinate.
 struct Wish {
   int coordinate = -1;

@@ -46,13 +46,16 @@ struct Closure {
   MatrixXd jacobian;
 };
 
-/// x nearest to zero with a x = b in the sense of least squares.
-VectorXd least(const MatrixXd& a, const VectorXd& b) {
-  if (a.size() == 0) return VectorXd::Zero(a.cols());
+Eigen::CompleteOrthogonalDecomposition<MatrixXd> factors_of(const MatrixXd& a) {
   Eigen::CompleteOrthogonalDecomposition<MatrixXd> factors;
   factors.setThreshold(kNegligible);
   factors.compute(a);
-  return factors.solve(b);
+  return factors;
+}
+
+/// x nearest to zero with a x = b in the sense of least squares.
+VectorXd least(const MatrixXd& a, const VectorXd& b) {
+  return a.size() == 0 ? VectorXd(VectorXd::Zero(a.cols())) : VectorXd(factors_of(a).solve(b));
 }
 
 /// The same with damping * |x|^2 beside the squares.
@@ -67,9 +70,7 @@ VectorXd least(const MatrixXd& a, const VectorXd& b, double damping) {
 /// Orthonormal directions in which the product with `a` does not change.
 MatrixXd indifferent_directions(const MatrixXd& a) {
   if (a.size() == 0) return MatrixXd::Identity(a.cols(), a.cols());
-  Eigen::CompleteOrthogonalDecomposition<MatrixXd> factors;
-  factors.setThreshold(kNegligible);
-  factors.compute(a);
+  const auto factors = factors_of(a);
   const MatrixXd turned = factors.matrixZ().transpose();
   return factors.colsPermutation() * turned.rightCols(a.cols() - factors.rank());
 }
@@ -175,10 +176,12 @@ double approach(const MovableBlock<Content>& m, const VectorXd& start, double sh
   const VectorXd target = start + share * (demand.value - start);
   z(demand.fixed) = target(demand.fixed);
   double open = close(m, z), damping = 1e-6;
-  for (int step = 0; step < most_steps; ++step) {
+  const auto directions_here = [&] {
+    return indifferent_directions(closure_at(m, z).jacobian(Eigen::all, demand.movable));
+  };
+  MatrixXd directions = directions_here();
+  for (int step = 0; step < most_steps && directions.cols() > 0; ++step) {
     const VectorXd lacking = missing(demand, target, z);
-    const MatrixXd directions = indifferent_directions(closure_at(m, z).jacobian(Eigen::all, demand.movable));
-    if (directions.cols() == 0) break;
     const VectorXd change = capped(directions * least(demand.weight.asDiagonal() * directions, lacking, damping));
     if (!(largest(change) > kShortestCorrection)) break;
     VectorXd trial = z;
@@ -189,6 +192,7 @@ double approach(const MovableBlock<Content>& m, const VectorXd& start, double sh
     if (gains) {
       z = std::move(trial);
       open = open_there;
+      directions = directions_here();
     }
   }
   set_block(m.block, z, m.state.z);
@@ -261,11 +265,10 @@ double set_velocities(const MovableBlock<Content>& m) {
 
 Status GenericSolver::assemble(GenericState& state, const std::vector<CoordinateWish>& positions) const {
   if (const Status status = content_->check_arguments(state, {}); !status.ok()) return status;
-  GenericState driven = state;
-  System<double>& system = content_->system(state);
-  if (const Status status = Content::follow_motions(system, driven); !status.ok()) return status;
-  const std::vector<CoordinateWish> wishes = with_drives(positions, drives(system), &Drive<double>::position);
   const std::vector<double> start = state.z;
+  System<double>& system = content_->system(state);
+  if (const Status status = Content::follow_motions(system, state); !status.ok()) return status;
+  const std::vector<CoordinateWish> wishes = with_drives(positions, drives(system), &Drive<double>::position);
   for (const CoordinateWish& wish : wishes) state.z[wish.coordinate] = wish.value;
   for (const LoopBlock& block : content_->topology.blocks) set_block(block, of_block(block, start), state.z);
   Status result;
