@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "compiler/emit/input_text.hpp"
 #include "compiler/emit/text.hpp"
 #include "compiler/model/inputs.hpp"
 #include "mbgen/status.hpp"
@@ -88,12 +89,87 @@ std::string name_functions(const EmitContext& context) {
   return text;
 }
 
+/// What the interfaces say and do about rates of inputs.
+struct RatesText {
+  std::string comment;                ///< of the inputs, in C
+  std::string declaration, function;  ///< of set_rates_given, empty where no rates can be made, as are the next
+  std::string member, restart;        ///< of the struct that a solver is
+  std::string now;                    ///< the inputs at the time of the state
+  std::string step;                   ///< body of the step
+};
+
+RatesText rates_text(const EmitContext& context) {
+  const std::string& solver = context.names.solver;
+  const std::string inputs = "solver->inputs",
+                    step = solver + (context.model.solver.is_multistep()
+                                         ? "::step_abm4(solver->parameters, {}, solver->state, solver->history, h)"
+                                         : "::step_rk4(solver->parameters, {}, solver->state, h)");
+  const auto step_with = [&](const std::string& name) { return fmt::format(fmt::runtime(step), name); };
+  if (!inputs_have_derivatives(context.model.inputs)) {
+    return {"/* Inputs. They are constant during a step. */", "", "", "", "", inputs,
+            "  return to_c(" + step_with(inputs) + ");\n"};
+  }
+  const std::string h = context.scalar == "float" ? "static_cast<float>(h)" : "h";
+  const std::string advance = "solver->inputs = " + solver + "::advance_inputs(solver->inputs, " + h + ");\n";
+  const std::string goes_on =
+      "Inputs. Those whose derivative is an input too go on by it, during a step and after it until they are set "
+      "again; "
+      "the others are constant.";
+  if (input_rows(context.model.inputs).empty()) {
+    return {"/*\n" + wrapped_words(goes_on, " * ") + "\n */",
+            "",
+            "",
+            "",
+            "",
+            inputs,
+            "  const mbgen::Status status = " + step_with(inputs) + ";\n  if (status.ok()) " + advance +
+                "  return to_c(status);\n"};
+  }
+  const std::string made =
+      " Of an input whose rates are all left at zero the solver makes them from the values that it is given before "
+      "each "
+      "step: the input follows a smooth curve through these, half a step late for the input and for each of its rates. "
+      "After " +
+      solver +
+      "_reset, _assemble and _set_state it stands at its value. Rates of which one was other than "
+      "zero since then are taken as they are given.";
+  const std::string api = guard_of(solver) + "API ",
+                    name = "void " + solver + "_set_rates_given(" + solver + "_solver* solver, int given)";
+  return {.comment = "/*\n" + wrapped_words(goes_on + made, " * ") + "\n */",
+          .declaration =
+              "/* With 1 the rates of inputs are taken as they are given, also where all of them are zero; 0 is the "
+              "default. */\n" +
+              api + name + ";\n",
+          .function = "\n" + name + " { solver->paths.rates_given = given != 0; }\n",
+          .member = "  " + solver + "::InputPaths paths;  ///< of inputs whose rates are not given\n",
+          .restart = "  solver->paths.restart();\n",
+          .now = "solver->paths.now(solver->inputs)",
+          .step = (context.model.solver.is_multistep()
+                       ? "  if (solver->paths.moves(solver->inputs)) solver->history = {};\n"
+                       : std::string()) +
+                  "  " + solver +
+                  "::InputPaths paths = solver->paths;\n"
+                  "  const Inputs inputs = paths.of_step(solver->inputs, h);\n"
+                  "  const mbgen::Status status = " +
+                  step_with("inputs") +
+                  ";\n"
+                  "  if (status.ok()) {\n    solver->paths = paths;\n    " +
+                  advance + "  }\n  return to_c(status);\n"};
+}
+
 /// Quoted, for Python: the escapes of C++ that string_literal writes are those of Python, too.
 std::string python_list(const std::vector<std::string>& items) {
   std::vector<std::string> literals;
   for (const std::string& item : items) literals.push_back(string_literal(item));
   return fmt::format("[{}]", fmt::join(literals, ", "));
 }
+
+constexpr const char* kPythonRatesDeclared = "        (\"set_rates_given\", None, [pointer, number]),\n";
+constexpr const char* kPythonRatesGiven = R"(
+    def set_rates_given(self, given=True):
+        """Whether rates of inputs are taken as they are given, also where all of them are zero."""
+        self._call("set_rates_given", self._solver, int(given))
+)";
 
 std::string python_fields(const std::string& scalar, const std::vector<NumberMember>& members) {
   std::string text;
@@ -118,7 +194,7 @@ std::string guard_of(const std::string& solver) {
 std::string c_header_text(const EmitContext& context) {
   const SolverNames& names = context.names;
   const std::string& solver = names.solver;
-  const bool with_derivatives = inputs_have_derivatives(context.model.inputs);
+  const RatesText rates = rates_text(context);
   return fill_template(
       "c_interface.h.in",
       {{"banner", c_banner_text(context.model)},
@@ -129,7 +205,8 @@ std::string c_header_text(const EmitContext& context) {
        {"sizes", sizes_text(context)},
        {"parameter_struct", c_structure(context.scalar, solver + "_parameters", parameter_members(context))},
        {"input_struct", c_structure(context.scalar, solver + "_inputs", input_members(context))},
-       {"input_comment", with_derivatives ? ", but for those whose derivative is an input too" : ""},
+       {"input_comment", rates.comment},
+       {"rates_given", rates.declaration},
        {"output_struct", c_structure(context.scalar, solver + "_outputs", output_members(context))},
        {"coordinate_size", size_text(context.layout.coordinates)},
        {"auxiliary_size", size_text(context.layout.auxiliary_states)},
@@ -139,6 +216,7 @@ std::string c_header_text(const EmitContext& context) {
 
 std::string c_source_text(const EmitContext& context, const InitialState& initial) {
   const std::string& solver = context.names.solver;
+  const RatesText rates = rates_text(context);
   return fill_template(
       "c_interface.cpp.in",
       {{"banner", banner_text(context.model, "//")},
@@ -155,16 +233,21 @@ std::string c_source_text(const EmitContext& context, const InitialState& initia
        {"outputs_out", copies(output_members(context))},
        {"parameter_table", array_text(fmt::format("constexpr {} Parameters::*kParameterMembers", context.scalar),
                                       member_places("Parameters", context.names.parameters), "nullptr")},
-       {"step", solver + (context.model.solver.is_multistep()
-                              ? "::step_abm4(solver->parameters, solver->inputs, solver->state, solver->history, h)"
-                              : "::step_rk4(solver->parameters, solver->inputs, solver->state, h)")},
+       {"step", rates.step},
+       {"paths_member", rates.member},
+       {"paths_restart", rates.restart},
+       {"inputs_now", rates.now},
+       {"rates_given", rates.function},
        {"name_functions", name_functions(context)},
        {"version", kMbgenVersion}});
 }
 
 std::string python_text(const EmitContext& context) {
   const Model& model = context.model;
+  const bool makes_rates = !input_rows(model.inputs).empty();
   return fill_template("module.py.in", {{"banner", banner_text(model, "#")},
+                                        {"declare_rates", makes_rates ? kPythonRatesDeclared : ""},
+                                        {"rates_given", makes_rates ? kPythonRatesGiven : ""},
                                         {"title", string_literal(model.name)},
                                         {"solver", context.names.solver},
                                         {"scalar", context.scalar},

@@ -1,6 +1,9 @@
 #include "compiler/emit/input_text.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
 
 #include "compiler/emit/text.hpp"
 #include "compiler/model/inputs.hpp"
@@ -21,6 +24,24 @@ std::string polynomial(const Model& model, const SolverNames& names, int input, 
 
 }  // namespace
 
+std::vector<std::vector<int>> input_rows(const std::vector<Input>& inputs) {
+  std::vector<int> users(inputs.size(), 0);
+  for (const Input& input : inputs) {
+    if (input.derivative >= 0) ++users[static_cast<std::size_t>(input.derivative)];
+  }
+  std::vector<std::vector<int>> rows;
+  for (std::size_t i = 0; i < inputs.size(); ++i) {
+    if (users[i] > 0 || inputs[i].derivative < 0) continue;
+    std::vector<int> row;
+    for (int next = static_cast<int>(i); next >= 0; next = inputs[static_cast<std::size_t>(next)].derivative) {
+      row.push_back(next);
+    }
+    const auto is_shared = [&](int input) { return users[static_cast<std::size_t>(input)] > 1; };
+    if (std::none_of(row.begin(), row.end(), is_shared)) rows.push_back(std::move(row));
+  }
+  return rows;
+}
+
 std::string input_polynomial(const Model& model, const SolverNames& names, int input, const std::string& scalar) {
   return polynomial(model, names, input, 1, scalar);
 }
@@ -34,6 +55,25 @@ std::string definition(const Model& model, const SolverNames& names, const std::
     text += wrapped_statement(fmt::format("  later.{} = {};", names.inputs[i], value)) + "\n";
   }
   return text + "  return later;\n}\n\n";
+}
+
+/// Declarations of kInputRows and InputPaths.
+std::string rows_text(const Model& model, const SolverNames& names, const std::string& scalar) {
+  std::vector<std::string> rows;
+  for (const std::vector<int>& row : input_rows(model.inputs)) {
+    std::vector<std::string> members;
+    for (const int input : row) members.push_back("&Inputs::" + names.inputs[static_cast<std::size_t>(input)]);
+    rows.push_back(fmt::format("    {{{}, {{{}}}}}", row.size(), fmt::join(members, ", ")));
+  }
+  if (rows.empty()) return "";
+  return "\n/// Inputs with their derivatives.\ninline constexpr mbgen::InputRow<Inputs, " + scalar +
+         "> kInputRows[] = {\n" + fmt::format("{}", fmt::join(rows, ",\n")) + "};\n\n" +
+         wrapped_words(
+             "Makes the rates of inputs whose caller gives values only, see mbgen/input_paths.hpp. Start with "
+             "`InputPaths paths{};`, give every step `paths.of_step(inputs, h)`. Without it who leaves a rate "
+             "at zero says that the input stands still.",
+             "/// ") +
+         "\nusing InputPaths = mbgen::InputPaths<Inputs, kInputRows>;\n";
 }
 
 }  // namespace
@@ -51,6 +91,7 @@ InputText input_text(const Model& model, const SolverNames& names, const std::st
                                               "/// "),
             .name = "inputs"};
   }
+  const std::string rows = rows_text(model, names, scalar);
   return {.comment = wrapped_words("Inputs with their defaults, as they are at the start of a step. During the step "
                                    "those with a derivative among the inputs go on as advance_inputs says, the others "
                                    "are constant; after it give new values.",
@@ -67,7 +108,9 @@ InputText input_text(const Model& model, const SolverNames& names, const std::st
           .dynamics_comment = wrapped_words("The solver at constant parameters and advancing inputs as an integrator "
                                             "sees it: without joint forces from outside.",
                                             "/// "),
-          .name = "now"};
+          .name = "now",
+          .include = rows.empty() ? "" : "#include \"mbgen/input_paths.hpp\"\n",
+          .rows = rows};
 }
 
 }  // namespace mbgen

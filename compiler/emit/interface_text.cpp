@@ -161,6 +161,8 @@ std::string interface_text(const EmitContext& context) {
                         {"input_struct", structure("Inputs", input_members(context), context.scalar)},
                         {"input_comment", inputs.comment},
                         {"advance_declaration", inputs.declaration},
+                        {"input_include", inputs.include},
+                        {"input_rows", inputs.rows},
                         {"dynamics_comment", inputs.dynamics_comment},
                         {"step_start", inputs.member},
                         {"output_struct", structure("Outputs", output_members(context), context.scalar)},

@@ -8,13 +8,9 @@ import four_bar
 linkage = four_bar.Solver()
 linkage.assemble()
 for i in range(1, 1001):
-    inputs = linkage.inputs
-    inputs.torque = 0.0 if i < 500 else 2.0
-    linkage.inputs = inputs
+    linkage.inputs.torque = 0.0 if i < 500 else 2.0
     if i == 750:
-        parameters = linkage.parameters
-        parameters.k = 1500.0
-        linkage.parameters = parameters
+        linkage.parameters.k = 1500.0
     linkage.step(1e-3)
     if i % 250 == 0:
         outputs = linkage.outputs()
