@@ -9,6 +9,7 @@
 #include <sstream>
 
 #include "compiler/cli/files.hpp"
+#include "compiler/cli/own_directory.hpp"
 #include "compiler/cli/process.hpp"
 #include "compiler/cli/user_error.hpp"
 
@@ -132,7 +133,7 @@ std::optional<long> instructions(const fs::path& scratch, const std::string& sou
 }  // namespace
 
 CodeFacts code_facts(const Model& model, const std::vector<cli::LoadedState>& states) {
-  const cli::TemporaryDirectory directory(fs::temp_directory_path());
+  const cli::TemporaryDirectory directory(cli::temporary_parent());
   const fs::path& scratch = directory.path();
   CodeFacts facts;
   facts.generation_seconds = generate(model, scratch, facts.operations);

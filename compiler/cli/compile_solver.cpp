@@ -2,9 +2,7 @@
 
 #include <dlfcn.h>
 #include <fmt/format.h>
-#include <unistd.h>
 
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <stdexcept>
@@ -12,6 +10,7 @@
 #include "compiler/cli/files.hpp"
 #include "compiler/cli/hash.hpp"
 #include "compiler/cli/host_compiler.hpp"
+#include "compiler/cli/own_directory.hpp"
 #include "compiler/cli/user_error.hpp"
 
 namespace mbgen::cli {
@@ -20,26 +19,6 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* kSymbol = "mbgen_solver_table";
-
-/// A value of the environment, "" when it is not set.
-std::string environment(const char* name) {
-  const char* value = std::getenv(name);
-  return value == nullptr ? "" : value;
-}
-
-/// Where compiled solvers are kept, "" when there is no such place.
-fs::path cache_directory() {
-  const std::string cache = environment("XDG_CACHE_HOME");
-  if (!cache.empty()) return fs::path(cache) / "mbgen";
-  const std::string home = environment("HOME");
-  return home.empty() ? fs::path() : fs::path(home) / ".cache" / "mbgen";
-}
-
-bool is_usable(const fs::path& directory) {
-  std::error_code problem;
-  fs::create_directories(directory, problem);
-  return !problem && ::access(directory.c_str(), W_OK | X_OK) == 0;
-}
 
 /// The line of /proc/cpuinfo that says what instructions there are: code made for one processor may not run on another.
 std::string processor() {
@@ -105,18 +84,19 @@ std::shared_ptr<const SolverTable> load_solver(const Compilation& compilation, c
   std::vector<EmittedFile> files = emit(compilation, {.lanes = choice.lanes});
   files.push_back(choice.use == SolverUse::timing_steps ? emit_clocked_driver(compilation, choice.lanes)
                                                         : emit_driver(compilation.model, choice.lanes));
-  const fs::path cache = use_cache ? cache_directory() : fs::path();
-  const bool has_cache = !cache.empty() && is_usable(cache);
-  const TemporaryDirectory scratch(has_cache ? cache : fs::temp_directory_path() / "mbgen");
+  const fs::path cache = use_cache ? own_cache() : fs::path();
+  const bool has_cache = !cache.empty();
+  const TemporaryDirectory scratch(has_cache ? cache : temporary_parent());
   const HostCompiler compiler = find_compiler(scratch.path(), "-march=native", choice.lanes);
   const fs::path kept = cache / object_name(solver_name(compilation.model), files, compiler);
 
-  if (has_cache && fs::exists(kept)) {
+  if (has_cache && is_own_file(kept)) {
     if (auto solver = open_solver(kept, compilation.model.hash)) return solver;
   }
   fs::path object = build(scratch.path(), files, compiler);
   if (has_cache) {
-    fs::rename(object, kept);  // atomic, and onto the same bytes when another mbgen was faster
+    fs::permissions(object, fs::perms::owner_all);  // whatever the umask leaves to others
+    fs::rename(object, kept);                       // atomic, and onto the same bytes when another mbgen was faster
     object = kept;
   }
   auto solver = open_solver(object, compilation.model.hash);

@@ -16,6 +16,7 @@
 #include "compiler/cli/initial_state.hpp"
 #include "compiler/cli/json_text.hpp"
 #include "compiler/cli/options.hpp"
+#include "compiler/cli/own_directory.hpp"
 #include "compiler/cli/user_error.hpp"
 #include "compiler/cli/zip_archive.hpp"
 #include "compiler/compile.hpp"
@@ -102,7 +103,7 @@ int run(const ExportOptions& options) {
 
   AtomicFile file(options.file);
   std::optional<AtomicFile> depfile = depfile_of(options.depfile, options.file, compilation.model.files);
-  const TemporaryDirectory scratch(fs::temp_directory_path());
+  const TemporaryDirectory scratch(temporary_parent());
   const fs::path content = scratch.path() / "content";
   write_sources(content, files.packed);
   std::vector<std::string> entries;

@@ -10,6 +10,7 @@
 #include <cstring>
 #include <utility>
 
+#include "compiler/cli/own_directory.hpp"
 #include "compiler/cli/user_error.hpp"
 
 namespace mbgen::cli {
@@ -124,7 +125,12 @@ void AtomicFile::commit() {
 }
 
 TemporaryDirectory::TemporaryDirectory(const std::filesystem::path& parent) {
-  make_directories(parent);
+  if (const std::string fault = foreign_hand(parent, true); !fault.empty()) {
+    throw UserError(
+        fmt::format("{}: not used for temporary files, others could exchange what is compiled there: {}\n"
+                    "  hint: name a directory of your own in TMPDIR, or make this one sticky (chmod +t)\n",
+                    parent.string(), fault));
+  }
   std::string name = (parent / "build-XXXXXX").string();
   if (::mkdtemp(name.data()) == nullptr) fail_with(parent, "create a directory in it");
   path_ = name;

@@ -42,10 +42,10 @@ class AtomicFile {
   std::FILE* stream_ = nullptr;
 };
 
-/// A directory of its own that is removed with all it holds at the end of its life.
+/// A directory of the user alone (mode 0700) that is removed with all it holds at the end of its life.
 class TemporaryDirectory {
  public:
-  /// Creates it in `parent`. Fails: UserError.
+  /// Creates it in `parent`. Fails: UserError; also where others could put another in its place.
   explicit TemporaryDirectory(const std::filesystem::path& parent);
   TemporaryDirectory(const TemporaryDirectory&) = delete;
   TemporaryDirectory& operator=(const TemporaryDirectory&) = delete;

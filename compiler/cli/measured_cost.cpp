@@ -9,6 +9,7 @@
 
 #include "compiler/cli/bench_text.hpp"
 #include "compiler/cli/files.hpp"
+#include "compiler/cli/own_directory.hpp"
 
 namespace mbgen::cli {
 namespace {
@@ -53,7 +54,7 @@ MeasuredCost measure_cost(const Compilation& compilation, EmitOptions options, s
   options.runtime_headers = true;
   MeasuredCost cost;
   cost.solver = solver_name(compilation.model);
-  const TemporaryDirectory scratch(std::filesystem::temp_directory_path() / "mbgen");
+  const TemporaryDirectory scratch(temporary_parent());
   const HostCompiler compiler = find_compiler(scratch.path(), "-march=native", options.lanes);
   cost.compiler = compiler.version.substr(0, compiler.version.find('\n'));
   cost.flags = fmt::format("{}", fmt::join(compiler.flags, " "));
