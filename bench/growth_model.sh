@@ -3,10 +3,15 @@
 #
 #   bench/growth_model.sh four-bar N > n_four_bar_N.json   IFToMM benchmark A02: N parallelograms side by side, N >= 1
 #   bench/growth_model.sh chain N > chain_N.json           N revolute joints one after the other, N >= 1
+#   bench/growth_model.sh star N > star_N.json             N pendulums on ground
+#   bench/growth_model.sh ring N > ring_N.json             one loop of N revolute joints about z, N >= 4
+#   bench/growth_model.sh spatial-ring N > ring_N.json     the same with joints about axes of all directions, N >= 7
+#   bench/growth_model.sh separate N > separate_N.json     N four-bars that share nothing but ground
+#   bench/growth_model.sh grid N > grid_N.json             N rows of N four-bars, each on top of the one before
 set -eu
 
 usage() {
-  sed -n '2,5s/^# \{0,1\}//p' "$0" >&2
+  sed -n '2,11s/^# \{0,1\}//p' "$0" >&2
   exit 1
 }
 
@@ -64,8 +69,108 @@ chain() {
   }'
 }
 
+star() {
+  awk -v n="$1" 'BEGIN {
+    printf "// %d pendulums. Made by bench/growth_model.sh.\n{\n", n
+    printf "  \"mbgen\": 1, \"name\": \"star_%d\", \"gravity\": [0, -9.81, 0],\n  \"bodies\": {\n    \"ground\": { \"points\": { ", n
+    for (k = 1; k <= n; ++k) printf "%s\"P%d\": [%d, 0, 0]", (k > 1 ? ", " : ""), k, k
+    printf " } }"
+    for (k = 1; k <= n; ++k) {
+      printf ",\n    \"bob%d\": { \"mass\": 1, \"com\": [%d.3, -0.4, 0], \"inertia\": [0.01, 0.01, 0.01],\n", k, k
+      printf "      \"points\": { \"P\": [%d, 0, 0] } }", k
+    }
+    printf "\n  },\n  \"joints\": {\n"
+    for (k = 1; k <= n; ++k)
+      printf "%s    \"P%d\": { \"type\": \"revolute\", \"from\": \"ground.P%d\", \"to\": \"bob%d.P\", \"axis\": \"z\" }", (k > 1 ? ",\n" : ""), k, k, k
+    printf "\n  }\n}\n"
+  }'
+}
+
+# An oval with waves, links of about 0.1 m; the last joint closes it on ground. spatial: out of the plane as well.
+ring() {
+  awk -v n="$1" -v spatial="$2" 'BEGIN {
+    turn = 8 * atan2(1, 1); radius = n * 0.1 / turn
+    for (k = 0; k < n; ++k) {
+      a = turn * k / n; r = radius * (1 + 0.1 * sin(3 * a))
+      x[k] = r * cos(a); y[k] = r * sin(a); z[k] = spatial ? 0.3 * radius * sin(2 * a) : 0
+      p[k] = sprintf("[%.6f, %.6f, %.6f]", x[k], y[k], z[k])
+    }
+    printf "// One loop of %d revolute joints. Made by bench/growth_model.sh.\n{\n", n
+    printf "  \"mbgen\": 1, \"name\": \"ring_%d\", \"gravity\": [0, -9.81, 0],\n  \"bodies\": {\n", n
+    printf "    \"ground\": { \"points\": { \"J0\": %s, \"J%d\": %s } }", p[0], n - 1, p[n - 1]
+    for (k = 1; k < n; ++k) {
+      printf ",\n    \"link%d\": { \"mass\": 1, \"com\": [%.6f, %.6f, %.6f], \"inertia\": [0.002, 0.002, 0.002],\n", k, (x[k - 1] + x[k]) / 2, (y[k - 1] + y[k]) / 2, (z[k - 1] + z[k]) / 2
+      printf "      \"points\": { \"J%d\": %s, \"J%d\": %s } }", k - 1, p[k - 1], k, p[k]
+    }
+    printf "\n  },\n  \"joints\": {\n"
+    for (k = 0; k < n; ++k) {
+      axis = spatial ? sprintf("[%.3f, %.3f, %.3f]", sin(1.7 * k), cos(2.3 * k), sin(0.9 * k + 1)) : "\"z\""
+      from = k == 0 ? "ground" : sprintf("link%d", k); to = k == n - 1 ? "ground" : sprintf("link%d", k + 1)
+      printf "%s    \"J%d\": { \"type\": \"revolute\", \"from\": \"%s.J%d\", \"to\": \"%s.J%d\", \"axis\": %s }", (k > 0 ? ",\n" : ""), k, from, k, to, k, axis
+    }
+    printf "\n  }\n}\n"
+  }'
+}
+
+separate() {
+  awk -v n="$1" 'BEGIN {
+    printf "// %d four-bars. Made by bench/growth_model.sh.\n{\n", n
+    printf "  \"mbgen\": 1, \"name\": \"separate_%d\", \"gravity\": [0, -9.81, 0],\n  \"bodies\": {\n    \"ground\": { \"points\": { ", n
+    for (k = 0; k < n; ++k) printf "%s\"A%d\": [%d, 0, 0], \"D%d\": [%.1f, 0, 0]", (k ? ", " : ""), k, 3 * k, k, 3 * k + 1.2
+    printf " } }"
+    for (k = 0; k < n; ++k) {
+      x = 3 * k
+      printf ",\n    \"crank%d\": { \"mass\": 1, \"com\": [%d, 0.2, 0], \"inertia\": [0.01, 0.001, 0.01],\n", k, x
+      printf "      \"points\": { \"A\": [%d, 0, 0], \"B\": [%d, 0.4, 0] } }", x, x
+      printf ",\n    \"coupler%d\": { \"mass\": 1, \"com\": [%.1f, 0.65, 0], \"inertia\": [0.01, 0.05, 0.05],\n", k, x + 0.5
+      printf "      \"points\": { \"B\": [%d, 0.4, 0], \"C\": [%d, 0.9, 0] } }", x, x + 1
+      printf ",\n    \"rocker%d\": { \"mass\": 1, \"com\": [%.1f, 0.45, 0], \"inertia\": [0.05, 0.005, 0.05],\n", k, x + 1.1
+      printf "      \"points\": { \"D\": [%.1f, 0, 0], \"C\": [%d, 0.9, 0] } }", x + 1.2, x + 1
+    }
+    printf "\n  },\n  \"joints\": {\n"
+    for (k = 0; k < n; ++k) {
+      printf "%s    \"A%d\": { \"type\": \"revolute\", \"from\": \"ground.A%d\", \"to\": \"crank%d.A\", \"axis\": \"z\" },\n", (k ? ",\n" : ""), k, k, k
+      printf "    \"B%d\": { \"type\": \"revolute\", \"from\": \"crank%d.B\", \"to\": \"coupler%d.B\", \"axis\": \"z\" },\n", k, k, k
+      printf "    \"D%d\": { \"type\": \"revolute\", \"from\": \"ground.D%d\", \"to\": \"rocker%d.D\", \"axis\": \"z\" },\n", k, k, k
+      printf "    \"C%d\": { \"type\": \"revolute\", \"from\": \"coupler%d.C\", \"to\": \"rocker%d.C\", \"axis\": \"z\" }", k, k, k
+    }
+    printf "\n  }\n}\n"
+  }'
+}
+
+# Every row swings by itself: N freedoms.
+grid() {
+  awk -v n="$1" 'BEGIN {
+    printf "// %d rows of %d four-bars. Made by bench/growth_model.sh.\n{\n", n, n
+    printf "  \"mbgen\": 1, \"name\": \"grid_%d\", \"gravity\": [0, -9.81, 0],\n  \"bodies\": {\n    \"ground\": { \"points\": { ", n
+    for (i = 0; i <= n; ++i) printf "%s\"N%d_0\": [%d, 0, 0]", (i ? ", " : ""), i, i
+    printf " } }"
+    for (j = 0; j < n; ++j) for (i = 0; i <= n; ++i) {
+      printf ",\n    \"up%d_%d\": { \"mass\": 1, \"com\": [%d, %.1f, 0], \"inertia\": [\"1/12\", 0, \"1/12\"],\n", i, j, i, j + 0.5
+      printf "      \"points\": { \"N%d_%d\": [%d, %d, 0], \"N%d_%d\": [%d, %d, 0] } }", i, j, i, j, i, j + 1, i, j + 1
+      if (i == 0) continue
+      printf ",\n    \"over%d_%d\": { \"mass\": 1, \"com\": [%.1f, %d, 0], \"inertia\": [0, \"1/12\", \"1/12\"],\n", i, j, i - 0.5, j + 1
+      printf "      \"points\": { \"N%d_%d\": [%d, %d, 0], \"N%d_%d\": [%d, %d, 0] } }", i - 1, j + 1, i - 1, j + 1, i, j + 1, i, j + 1
+    }
+    printf "\n  },\n  \"joints\": {\n"
+    for (j = 0; j < n; ++j) for (i = 0; i <= n; ++i) {
+      from = j == 0 ? "ground" : sprintf("up%d_%d", i, j - 1)
+      printf "%s    \"A%d_%d\": { \"type\": \"revolute\", \"from\": \"%s.N%d_%d\", \"to\": \"up%d_%d.N%d_%d\", \"axis\": \"z\" }", (i + j > 0 ? ",\n" : ""), i, j, from, i, j, i, j, i, j
+      if (i == 0) continue
+      printf ",\n    \"B%d_%d\": { \"type\": \"revolute\", \"from\": \"up%d_%d.N%d_%d\", \"to\": \"over%d_%d.N%d_%d\", \"axis\": \"z\" }", i, j, i - 1, j, i - 1, j + 1, i, j, i - 1, j + 1
+      printf ",\n    \"C%d_%d\": { \"type\": \"revolute\", \"from\": \"over%d_%d.N%d_%d\", \"to\": \"up%d_%d.N%d_%d\", \"axis\": \"z\" }", i, j, i, j, i, j + 1, i, j, i, j + 1
+    }
+    printf "\n  }\n}\n"
+  }'
+}
+
 case "$1" in
   four-bar) four_bar "$2" ;;
   chain) chain "$2" ;;
+  star) star "$2" ;;
+  ring) ring "$2" 0 ;;
+  spatial-ring) ring "$2" 1 ;;
+  separate) separate "$2" ;;
+  grid) grid "$2" ;;
   *) usage ;;
 esac

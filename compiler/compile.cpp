@@ -1,5 +1,8 @@
 #include "compiler/compile.hpp"
 
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <array>
 #include <utility>
 
@@ -28,7 +31,10 @@ void take_form(Programs& programs, std::optional<Form> form) {
   const long recursive = count_operations(programs.recursive_accelerations).total();
   programs.operations_of_form[static_cast<int>(Form::matrix)] = matrix;
   programs.operations_of_form[static_cast<int>(Form::recursive)] = recursive;
-  programs.form = form.value_or(recursive < matrix ? Form::recursive : Form::matrix);
+  const bool has_matrix = !programs.accelerations.outputs.empty();
+  const bool has_recursive = !programs.recursive_accelerations.outputs.empty();
+  const bool is_recursive = has_recursive && (recursive < matrix || !has_matrix);
+  programs.form = form.value_or(is_recursive ? Form::recursive : Form::matrix);
   if (programs.form == Form::recursive) programs.accelerations = std::move(programs.recursive_accelerations);
   programs.recursive_accelerations = {};
 }
@@ -41,6 +47,7 @@ void count_savings(Compilation& compilation) {
   const auto operations = [](const Program& program) { return count_operations(program).total(); };
   Programs& programs = compilation.programs;
   const long* of_form = programs.operations_of_form;
+  if (of_form[0] == 0 || of_form[1] == 0) return;
   std::vector<Saving>& savings = programs.savings;
   savings.push_back(
       {"recursive form", of_form[static_cast<int>(Form::matrix)], of_form[static_cast<int>(Form::recursive)]});
@@ -51,17 +58,52 @@ void count_savings(Compilation& compilation) {
   for (const PassCount& pass : count_passes(start)) savings.push_back({pass.name, pass.before, pass.after});
 }
 
-Result<Compilation> compile(Model model, std::optional<Form> form) {
+Result<Compilation> decide(Model model) {
   Result<Topology> topology = build_topology(model);
   if (!topology) return topology.problems();
 
   Result<Analysis> analysis = analyse(model, *topology);
   if (!analysis) return analysis.problems();
 
-  Programs programs = optimise(trace(model, *topology, *analysis));
-  take_form(programs, form);
-  take_out_derived_constants(programs);
-  return Compilation{std::move(model), std::move(*topology), std::move(*analysis), std::move(programs)};
+  return Compilation{std::move(model), std::move(*topology), std::move(*analysis), {}};
+}
+
+Result<Compilation> decide(const std::string& path) {
+  Result<Model> model = read_model_file(path);
+  if (!model) return model.problems();
+  return decide(std::move(*model));
+}
+
+Diagnostics too_large(const Compilation& c, std::optional<Form> form) {
+  const auto [matrix, recursive] = least_operations(c.topology, c.analysis);
+  const double least = !form ? std::min(matrix, recursive) : *form == Form::matrix ? matrix : recursive;
+  if (least <= kMostOperations) return {};
+  Where whole_file;
+  whole_file.file = c.model.file;
+  const bool other = form && std::min(matrix, recursive) <= kMostOperations;
+  return {
+      {whole_file,
+       fmt::format("the {} of this model is too large to be written: {} coordinates with {} free directions take at "
+                   "least {:.2g} operations, at most {:.2g} are written",
+                   form ? fmt::format("{} form", name_of(*form)) : "solver", c.topology.size(),
+                   free_coordinates(c.topology, c.analysis).size(), least, kMostOperations),
+       other ? fmt::format("--form {} is smaller", name_of(*form == Form::matrix ? Form::recursive : Form::matrix))
+             : "simulate it with --engine generic, which writes nothing, or make the model smaller",
+       ""}};
+}
+
+void add_programs(Compilation& decided, std::optional<Form> form) {
+  decided.programs = optimise(trace(decided.model, decided.topology, decided.analysis, form));
+  take_form(decided.programs, form);
+  take_out_derived_constants(decided.programs);
+}
+
+Result<Compilation> compile(Model model, std::optional<Form> form) {
+  Result<Compilation> decided = decide(std::move(model));
+  if (!decided) return decided;
+  if (Diagnostics problems = too_large(*decided, form); !problems.empty()) return problems;
+  add_programs(*decided, form);
+  return decided;
 }
 
 Result<Compilation> compile(const std::string& path, std::optional<Form> form) {
@@ -82,7 +124,7 @@ std::vector<EmittedFile> emit(const Compilation& compilation, const EmitOptions&
 }
 
 Programs whole_programs(const Compilation& c) {
-  Programs whole = optimise(trace(c.model, c.topology, c.analysis));
+  Programs whole = optimise(trace(c.model, c.topology, c.analysis, c.programs.form));
   take_form(whole, c.programs.form);
   return whole;
 }

@@ -34,11 +34,26 @@ void take_form(Programs& programs, std::optional<Form> form);
 /// Requires: one form, after the passes.
 void take_out_derived_constants(Programs& programs);
 
-/// Counts what treatments and passes save: traces the accelerations again without each. For `inspect`.
+/// Counts what treatments and passes save: traces the accelerations again without each. For `inspect`; nothing where
+/// only one form was traced.
 void count_savings(Compilation& compilation);
 
+/// Reads, where it is a file, and analyses a model: no programs. All that is needed to check it, and by engines other
+/// than the generated one. Fails: as the first stage that fails.
+Result<Compilation> decide(Model model);
+Result<Compilation> decide(const std::string& path);
+
+/// Operations of a program up to which a solver is written: millions take gigabytes here and hours in a C++ compiler.
+constexpr double kMostOperations = 2097152;
+
+/// One diagnostic with the size when the solver of a decided model is too large to be written.
+Diagnostics too_large(const Compilation& decided, std::optional<Form> form = {});
+
+/// Traces the programs of a decided model that is not too large. form: of the accelerations, none for the cheaper one.
+void add_programs(Compilation& decided, std::optional<Form> form = {});
+
 /// Analyses and traces a model. form: of the accelerations, none for the cheaper one. Fails: as the first stage that
-/// fails.
+/// fails, too_large.
 Result<Compilation> compile(Model model, std::optional<Form> form = {});
 
 /// Reads and compiles the model of a file. Fails: as the first stage that fails.

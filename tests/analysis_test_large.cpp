@@ -1,7 +1,5 @@
 // Loop blocks too large for singular values: the same decisions by sparse elimination.
 
-#include <cstdio>
-
 #include "compiler/analysis/large_block.hpp"
 #include "compiler/analysis/partition.hpp"
 #include "tests/mechanism_support.hpp"
@@ -10,18 +8,6 @@ namespace mbgen {
 namespace {
 
 using namespace mbgen::testing;
-
-/// A model of bench/growth_model.sh; `edit` changes its text.
-Result<Model> grown(const std::string& kind, int size, const std::string& edit = "cat") {
-  const std::string command =
-      "sh " + source_path("bench/growth_model.sh") + " " + kind + " " + std::to_string(size) + " | " + edit;
-  std::string text;
-  FILE* pipe = popen(command.c_str(), "r");
-  char buffer[4096];
-  while (const std::size_t count = fread(buffer, 1, sizeof buffer, pipe)) text.append(buffer, count);
-  pclose(pipe);
-  return read_model(text, "grown.json");
-}
 
 TEST(LargeBlock, FourBarsHaveOneFreedom) {
   const Result<Model> model = grown("four-bar", 60);
@@ -53,6 +39,48 @@ TEST(LargeBlock, ATiltedAxisIsNamed) {
   ASSERT_FALSE(analysis);
   EXPECT_NE(to_text(analysis.problems()).find("the axis of joint \"A30\""), std::string::npos)
       << to_text(analysis.problems());
+}
+
+// One loop is a large block, too: a chain drive, a track. Planar ones have three redundant equations.
+TEST(LargeBlock, ARingOfManyJointsKeepsItsFreedoms) {
+  for (const int size : {50, 200})
+    for (const bool is_planar : {true, false}) {
+      const Mechanism m = analysed(grown(is_planar ? "ring" : "spatial-ring", size));
+      ASSERT_EQ(m.analysis.blocks.size(), 1u);
+      const BlockAnalysis& block = m.analysis.blocks[0];
+      EXPECT_EQ(m.analysis.degrees_of_freedom, size - (is_planar ? 3 : 6));
+      EXPECT_EQ(block.rank, is_planar ? 2 : 5);
+      EXPECT_EQ(block.redundant_equations.size(), is_planar ? 3u : 0u);
+      EXPECT_GE(block.worst_pivot_ratio, 0.05);
+      ASSERT_EQ(block.certificate.ranks.size(), 1u);
+      EXPECT_EQ(block.certificate.ranks[0].configurations, 9);
+      EXPECT_TRUE(block.certificate.immobile.empty());
+      for (const RedundantEquation& redundant : block.certificate.redundant) EXPECT_LT(redundant.residual, 1e-10);
+    }
+}
+
+TEST(LargeBlock, ATiltedAxisOfARingIsNamed) {
+  const Result<Model> model = grown("ring", 50, R"(sed '/"J25": { "type"/s/"z"/[0, 0.1, 1]/')");
+  ASSERT_TRUE(model) << to_text(model.problems());
+  const Result<Topology> topology = build_topology(*model);
+  const Result<Analysis> analysis = analyse(*model, *topology);
+  ASSERT_FALSE(analysis);
+  EXPECT_NE(to_text(analysis.problems()).find("the axis of joint \"J25\""), std::string::npos)
+      << to_text(analysis.problems());
+}
+
+// The matrix form eliminates a chain's directions with the cube of their number, and a block's have no shorter way.
+TEST(LeastOperations, GrowWithTheCubeOfAChainInTheMatrixFormAlone) {
+  const Mechanism small = analysed(grown("chain", 60)), large = analysed(grown("chain", 120));
+  const LeastOperations of_small = least_operations(small.topology, small.analysis);
+  const LeastOperations of_large = least_operations(large.topology, large.analysis);
+  EXPECT_NEAR(of_large.matrix / of_small.matrix, 8, 0.4);
+  EXPECT_EQ(of_large.recursive, 2 * of_small.recursive);
+  EXPECT_TRUE(is_worth_writing(of_small.matrix, of_small.recursive));
+  EXPECT_FALSE(is_worth_writing(of_large.matrix, of_large.recursive));
+  const Mechanism ring = analysed(grown("spatial-ring", 200));
+  EXPECT_GT(least_operations(ring.topology, ring.analysis).recursive,
+            least_operations(ring.topology, ring.analysis).matrix);
 }
 
 TEST(LargeBlock, EliminationAgreesWithSingularValues) {

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cstdio>
 #include <filesystem>
 #include <random>
 #include <string>
@@ -32,6 +33,18 @@ inline Mechanism analysed(const Result<Model>& model) {
   Result<Analysis> analysis = analyse(*model, *topology);
   if (!analysis) throw std::runtime_error(to_text(analysis.problems()));
   return {*model, *topology, *analysis};
+}
+
+/// A model of bench/growth_model.sh; `edit` changes its text.
+inline Result<Model> grown(const std::string& kind, int size, const std::string& edit = "cat") {
+  const std::string command =
+      "sh " + source_path("bench/growth_model.sh") + " " + kind + " " + std::to_string(size) + " | " + edit;
+  std::string text;
+  FILE* pipe = popen(command.c_str(), "r");
+  char buffer[4096];
+  while (const std::size_t count = fread(buffer, 1, sizeof buffer, pipe)) text.append(buffer, count);
+  pclose(pipe);
+  return read_model(text, "grown.json");
 }
 
 /// The model of a file of the project, and the one of a text.

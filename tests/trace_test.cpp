@@ -152,6 +152,36 @@ TEST(Trace, TwoRunsGiveTheSameProgram) {
   EXPECT_EQ(dump(first.accelerations), dump(second.accelerations));
 }
 
+// A form that grows faster than the model is not written where the other one does not: chains in the matrix form.
+TEST(Trace, ALongChainIsTracedInTheRecursiveFormAlone) {
+  const auto operations = [](int size) {
+    const Mechanism m = analysed(grown("chain", size));
+    const Programs programs = trace(m.model, m.topology, m.analysis);
+    EXPECT_TRUE(programs.accelerations.outputs.empty());
+    return count_operations(programs.recursive_accelerations).total();
+  };
+  const long of_100 = operations(100), of_130 = operations(130), of_160 = operations(160);
+  // offsets between rounded coordinates are equal or not: a few operations fold or do not
+  EXPECT_NEAR(static_cast<double>(of_160 - of_130), static_cast<double>(of_130 - of_100), 0.002 * (of_130 - of_100));
+}
+
+// Rings as large blocks: frozen accelerations in the matrix form against full pivoting.
+TEST(Trace, ARingOfFiftyJointsIsTracedInTheMatrixFormAlone) {
+  for (const char* kind : {"ring", "spatial-ring"}) {
+    const Mechanism m = analysed(grown(kind, 50));
+    const Programs programs = trace(m.model, m.topology, m.analysis);
+    EXPECT_TRUE(programs.recursive_accelerations.outputs.empty());
+    const GenericSolver solver(m.model, m.topology, m.analysis);
+    for (const GenericState& state : random_states(m, 2)) {
+      const std::vector<double> tau = random_tau(m, 19);
+      GenericDerivative expected;
+      ASSERT_TRUE(solver.accelerations(state, tau, expected).ok());
+      const Slots actual = run(programs.accelerations, m, slots_of(state, tau));
+      EXPECT_LT(relative_error(actual.at("zdd"), expected.zdd), 1e-9) << kind;
+    }
+  }
+}
+
 // Position and velocity of the root must not enter: the equations live in the frame of the chassis.
 TEST(Trace, RootPositionDropsOutOfTheCoach) {
   const Mechanism m = load("models/coach_mechanism.json");

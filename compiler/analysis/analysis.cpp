@@ -16,6 +16,7 @@ namespace mbgen {
 namespace {
 
 constexpr int kWantedConfigurations = 24;
+constexpr double kLeastOfABody = 64;  // operations; N-four-bars, which are planar, take 63
 
 /// One walk there and back again is enough for large blocks.
 int wanted_configurations(const Topology& topology) {
@@ -120,7 +121,6 @@ BlockAnalysis analyse_large_block(NumericSystem& numbers, std::size_t b,
   }
   for (int e : result.redundant_equations) result.redundant_names.push_back(equations[e].name);
   result.certificate = certificate;
-  result.quasi = quasi_partition(numbers, b, configurations, result, analysis.driven);
   return result;
 }
 
@@ -151,7 +151,6 @@ BlockAnalysis analyse_block(NumericSystem& numbers, std::size_t b, const std::ve
   BlockAnalysis result = choose_partition(jacobians, whole.rank, driven_columns(block, analysis.driven));
   for (int e : result.redundant_equations) result.redundant_names.push_back(equations[e].name);
   result.certificate = certificate;
-  result.quasi = quasi_partition(numbers, b, configurations, result, analysis.driven);
   return result;
 }
 
@@ -222,6 +221,22 @@ std::vector<int> free_coordinates(const Topology& topology, const Analysis& anal
   return result;
 }
 
+LeastOperations least_operations(const Topology& topology, const Analysis& analysis) {
+  const double bodies = kLeastOfABody * topology.size();
+  LeastOperations least{bodies, bodies};
+  std::vector<double> below;  // per group: free directions of the groups that it moves on
+  for (const JointGroup& group : topology.groups) {
+    const double free = group.block >= 0 ? static_cast<double>(analysis.blocks[group.block].independent.size())
+                                         : (analysis.driven[group.joints[0]] ? 0.0 : 1.0);
+    const double before = group.parent < 0 ? 0.0 : below[group.parent];
+    // each direction is taken out of the triangle of those before it
+    for (double d = before; d < before + free; ++d) least.matrix += d * (d + 1);
+    if (group.block >= 0) least.recursive += 3 * static_cast<double>(group.joints.size()) * free * (free - 1);
+    below.push_back(before + free);
+  }
+  return least;
+}
+
 Result<Analysis> analyse(const Model& model, const Topology& topology) {
   Analysis analysis;
   mark_drives(model, topology, analysis);
@@ -233,6 +248,7 @@ Result<Analysis> analyse(const Model& model, const Topology& topology) {
     analysis.independent_equations += analysis.blocks.back().rank;
   }
   if (!found.problems.empty()) return found.problems;
+  set_quasi_partitions(numbers, configurations, analysis);
   watch_blocks(numbers, configurations, analysis, found);
   if (!found.problems.empty()) return found.problems;
   analysis.closed_configurations =

@@ -78,8 +78,25 @@ inline bool chooses_again(const LoopBlock& block) {
   return static_cast<long>(block.equations) * static_cast<long>(block.joints.size()) <= kMostPivotedEntries;
 }
 
-inline bool chooses_again(const Topology& topology) {
-  return std::all_of(topology.blocks.begin(), topology.blocks.end(),
+/// About the operations of the two forms of the equations of motion, from below, where one of their parts grows
+/// faster than the model: the elimination of the free directions along a tree, and the directions of one large block.
+struct LeastOperations {
+  double matrix = 0, recursive = 0;
+};
+LeastOperations least_operations(const Topology& topology, const Analysis& analysis);
+
+/// A form that takes so many operations more than the other one is not written: a chain of 74 joints in the matrix
+/// form.
+constexpr double kMostMoreOfAForm = 131072;
+inline bool is_worth_writing(double least_of_form, double least_of_other) {
+  return least_of_form <= least_of_other + kMostMoreOfAForm;
+}
+
+/// The equations for a partition chosen at run time are in the matrix form: it has to be worth writing.
+inline bool chooses_again(const Topology& topology, const Analysis& analysis) {
+  const LeastOperations least = least_operations(topology, analysis);
+  return is_worth_writing(least.matrix, least.recursive) &&
+         std::all_of(topology.blocks.begin(), topology.blocks.end(),
                      [](const LoopBlock& block) { return chooses_again(block); });
 }
 

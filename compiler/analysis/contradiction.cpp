@@ -145,8 +145,8 @@ Diagnostics contradictions(NumericSystem& numbers, std::size_t b, const PartView
   if (block.loops.size() > 1 && !is_large(block)) sets.push_back(block.loops);
   Diagnostics problems;
   for (std::size_t i = 0; i < sets.size(); ++i) {
-    if (i >= alone && !problems.empty()) break;  // loops together repeat what a loop alone said
-    const PartView part = sets[i] == block.loops
+    if (i >= alone && !problems.empty()) break;                       // loops together repeat what a loop alone said
+    const PartView part = sets[i] == block.loops && !is_large(block)  // the view of a large block has no Jacobians
                               ? whole
                               : view(numbers, b, block_part(topology, block, sets[i]), equations, configurations);
     for (Diagnostic& problem : contradiction(numbers, b, part, equations, configurations)) {

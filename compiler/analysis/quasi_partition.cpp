@@ -19,34 +19,60 @@ double row_length(const Topology& topology, const LoopBlock& block, const Consta
   return 1.0;
 }
 
-}  // namespace
+/// The partition of a block without balls.
+LoopPartition without_rod_lengths(const NumericSystem& numbers, const LoopBlock& block, LoopPartition partition) {
+  for (Pivot& pivot : partition.pivots)
+    pivot.reference *= row_length(numbers.topology(), block, numbers.constants(), pivot.equation);
+  return partition;
+}
 
-LoopPartition quasi_partition(NumericSystem& numbers, std::size_t b, const std::vector<Configuration>& configurations,
-                              const BlockAnalysis& analysis, const std::vector<bool>& driven) {
-  const Topology& topology = numbers.topology();
-  const Recursion recursion = plan_recursion(numbers.model(), topology, driven);
-  const auto unit = std::find_if(recursion.units.begin(), recursion.units.end(),
-                                 [&](const RecursionUnit& u) { return u.block == static_cast<int>(b); });
-  LoopPartition result = static_cast<const LoopPartition&>(analysis);
-  if (std::none_of(unit->steps.begin(), unit->steps.end(), [](const JointStep& s) { return s.quasi(); })) {
-    for (Pivot& pivot : result.pivots)
-      pivot.reference *= row_length(topology, topology.blocks[b], numbers.constants(), pivot.equation);
-    return result;
-  }
-  std::vector<Eigen::MatrixXd> jacobians;
+Eigen::MatrixXd dense(const std::vector<SparseRow<double>>& rows, std::size_t columns) {
+  Eigen::MatrixXd result =
+      Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(rows.size()), static_cast<Eigen::Index>(columns));
+  for (std::size_t e = 0; e < rows.size(); ++e)
+    for (std::size_t i = 0; i < rows[e].columns.size(); ++i) result(e, rows[e].columns[i]) = rows[e].values[i];
+  return result;
+}
+
+/// Jacobians of the given units by (quasi-)velocities, per unit, over the configurations in which their blocks are
+/// closed.
+std::vector<std::vector<Eigen::MatrixXd>> quasi_jacobians(NumericSystem& numbers,
+                                                          const std::vector<Configuration>& configurations,
+                                                          const Recursion& recursion,
+                                                          const std::vector<const RecursionUnit*>& units) {
+  std::vector<std::vector<Eigen::MatrixXd>> jacobians(units.size());
   for (const Configuration& configuration : configurations) {
-    if (!configuration.closed[b]) continue;
     const System<double>& at = numbers.at(configuration.z);
     System<double> system{at.model, at.topology, recursion.layout, at.environment, at.x, at.constants, at.scribe};
     const Kinematics<double> k = kinematics(system);
-    const auto rows = quasi_jacobian(recursion_work(system, recursion, k), *unit);
-    Eigen::MatrixXd jacobian = Eigen::MatrixXd::Zero(rows.size(), unit->joints.size());
-    for (std::size_t e = 0; e < rows.size(); ++e)
-      for (std::size_t i = 0; i < rows[e].columns.size(); ++i) jacobian(e, rows[e].columns[i]) = rows[e].values[i];
-    jacobians.push_back(std::move(jacobian));
+    const RecursionWork<double> work = recursion_work(system, recursion, k);
+    for (std::size_t u = 0; u < units.size(); ++u)
+      if (configuration.closed[units[u]->block])
+        jacobians[u].push_back(dense(quasi_jacobian(work, *units[u]), units[u]->joints.size()));
   }
-  const BlockAnalysis chosen = choose_partition(jacobians, analysis.rank, analysis.driven);
-  return static_cast<const LoopPartition&>(chosen);
+  return jacobians;
+}
+
+}  // namespace
+
+void set_quasi_partitions(NumericSystem& numbers, const std::vector<Configuration>& configurations,
+                          Analysis& analysis) {
+  const Topology& topology = numbers.topology();
+  const Recursion recursion = plan_recursion(numbers.model(), topology, analysis.driven);
+  std::vector<const RecursionUnit*> with_balls;
+  for (const RecursionUnit& unit : recursion.units) {
+    if (unit.block < 0) continue;
+    BlockAnalysis& block = analysis.blocks[unit.block];
+    block.quasi = without_rod_lengths(numbers, topology.blocks[unit.block], block);
+    if (std::any_of(unit.steps.begin(), unit.steps.end(), [](const JointStep& s) { return s.quasi(); }))
+      with_balls.push_back(&unit);
+  }
+  if (with_balls.empty()) return;
+  const auto jacobians = quasi_jacobians(numbers, configurations, recursion, with_balls);
+  for (std::size_t u = 0; u < with_balls.size(); ++u) {
+    BlockAnalysis& block = analysis.blocks[with_balls[u]->block];
+    block.quasi = choose_partition(jacobians[u], block.rank, block.driven);
+  }
 }
 
 }  // namespace mbgen

@@ -1,14 +1,14 @@
 #pragma once
-// The partition of a loop block for the recursive form, whose columns are quasi-velocities where joints are balls.
+// The partitions of loop blocks for the recursive form, whose columns are quasi-velocities where joints are balls.
 
 #include "compiler/analysis/analysis.hpp"
 #include "compiler/analysis/sampling.hpp"
 
 namespace mbgen {
 
-/// Partition of block `b` over its (quasi-)velocities, from that of its joint rates. A block without balls keeps its
-/// partition; only the references of its rods' pivots change, whose rows are not divided by the rods' lengths.
-LoopPartition quasi_partition(NumericSystem& numbers, std::size_t b, const std::vector<Configuration>& configurations,
-                              const BlockAnalysis& analysis, const std::vector<bool>& driven);
+/// Sets BlockAnalysis::quasi of every block: its partition over (quasi-)velocities, from that of its joint rates. A
+/// block without balls keeps its partition; only the references of its rods' pivots change, whose rows are not divided
+/// by the rods' lengths. The kinematics are worked out once per configuration, and only where a block has balls.
+void set_quasi_partitions(NumericSystem& numbers, const std::vector<Configuration>& configurations, Analysis& analysis);
 
 }  // namespace mbgen

@@ -56,12 +56,18 @@ Eigen::MatrixXd BlockSample::part(const std::vector<int>& rows, const std::vecto
 }
 
 void evaluate_closures(NumericSystem& numbers, Configuration& configuration) {
+  evaluate_closures(numbers, configuration, std::vector<bool>(numbers.topology().blocks.size(), true));
+}
+
+void evaluate_closures(NumericSystem& numbers, Configuration& configuration, const std::vector<bool>& moved) {
   System<double>& system = numbers.at(configuration.z);
   const Kinematics<double> k = kinematics(system);
   const RelativeMotion<double> rest = at_rest<double>(system.topology);
-  configuration.blocks.clear();
-  configuration.residuals.clear();
-  for (const LoopBlock& block : system.topology.blocks) {
+  configuration.blocks.resize(moved.size());
+  configuration.residuals.resize(moved.size());
+  for (std::size_t b = 0; b < moved.size(); ++b) {
+    if (!moved[b]) continue;
+    const LoopBlock& block = system.topology.blocks[b];
     SparseClosure<double> closed = sparse_closure(system, k, block, rest);
     BlockSample sample;
     if (is_large(block)) {
@@ -72,8 +78,8 @@ void evaluate_closures(NumericSystem& numbers, Configuration& configuration) {
         for (std::size_t i = 0; i < closed.jacobian[e].columns.size(); ++i)
           sample.jacobian(e, closed.jacobian[e].columns[i]) = closed.jacobian[e].values[i];
     }
-    configuration.blocks.push_back(std::move(sample));
-    configuration.residuals.push_back(Eigen::Map<const Eigen::VectorXd>(closed.residual.data(), block.equations));
+    configuration.blocks[b] = std::move(sample);
+    configuration.residuals[b] = Eigen::Map<const Eigen::VectorXd>(closed.residual.data(), block.equations);
   }
 }
 
@@ -117,13 +123,16 @@ Configuration close_equations(NumericSystem& numbers, std::vector<double> start,
   configuration.z = std::move(start);
   const Topology& topology = numbers.topology();
   const auto open = [&](std::size_t b) { return largest(configuration.residuals[b](equations[b])); };
+  std::vector<bool> moved(topology.blocks.size(), true);
   for (int step = 0;; ++step) {
-    evaluate_closures(numbers, configuration);
+    evaluate_closures(numbers, configuration, moved);
+    moved.assign(moved.size(), false);
     bool done = true;
     for (std::size_t b = 0; b < topology.blocks.size(); ++b) done = done && open(b) < kClosed;
     if (done || step == kMostSteps) break;
     for (std::size_t b = 0; b < topology.blocks.size(); ++b) {
       if (const double here = open(b); here < kClosed * 1e-3 || !std::isfinite(here)) continue;
+      moved[b] = true;
       Eigen::VectorXd correction = newton_step(configuration, b, topology.blocks[b].joints.size(), equations[b]);
       if (const double length = largest(correction); length > kLongestStep) correction *= kLongestStep / length;
       for (std::size_t c = 0; c < topology.blocks[b].joints.size(); ++c)

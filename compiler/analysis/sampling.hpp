@@ -54,6 +54,8 @@ class NumericSystem {
 
 /// Residuals and Jacobians of all blocks at a position.
 void evaluate_closures(NumericSystem& numbers, Configuration& configuration);
+/// The same of the blocks whose coordinates moved since (per block): no closure sees the coordinates of another block.
+void evaluate_closures(NumericSystem& numbers, Configuration& configuration, const std::vector<bool>& moved);
 
 /// Closes the chosen equations of each block (local rows, ascending; none: the block stays) from a start by
 /// least-squares Newton steps, largest residual kClosed; the steps of large blocks leave independent coordinates where

@@ -58,11 +58,16 @@ class Eliminator {
     }
   }
 
-  /// Smallest |entry| over the largest one of its remaining row and column, over all samples.
-  double ratio(int r, int c) const {
-    const Values size = rows_[r].at(c).abs();
-    Values largest = size;
-    for (const auto& [other, values] : rows_[r]) largest = largest.max(values.abs());
+  /// Largest |entry| of what remains of a row, per sample.
+  Values largest_of(int r) const {
+    Values largest = rows_[r].begin()->second.abs();
+    for (const auto& [column, values] : rows_[r]) largest = largest.max(values.abs());
+    return largest;
+  }
+
+  /// Smallest |entry| over the largest one of its remaining row (given) and column, over all samples.
+  double ratio(int c, const Values& entry, Values largest) const {
+    const Values size = entry.abs();
     for (int other : columns_[c]) largest = largest.max(rows_[other].at(c).abs());
     return (largest > 0).select(size / largest, 0.0).minCoeff();
   }
@@ -82,8 +87,10 @@ class Eliminator {
     int looked_at = 0;
     for (const auto& [length, r] : queue_) {
       if (++looked_at > kSearchedRows && best.ratio >= kPivotRatio) break;
+      const Values largest = largest_of(r);
       for (const auto& [c, values] : rows_[r]) {
-        const PivotChoice here{r, c, static_cast<long>((length - 1) * (columns_[c].size() - 1)), ratio(r, c)};
+        const PivotChoice here{r, c, static_cast<long>((length - 1) * (columns_[c].size() - 1)),
+                               ratio(c, values, largest)};
         if (better(here, best)) best = here;
       }
     }

@@ -29,7 +29,7 @@ struct Findings {
 
 /// What is wrong with the model or the state that it starts from, or what there is to say of them.
 Findings findings_of(const std::string& file) {
-  const Result<Compilation> compilation = compile(file);
+  const Result<Compilation> compilation = decide(file);
   if (!compilation) return {compilation.problems(), {}};
   Findings findings{{}, compilation->model.notes};
   const Initial& initial = compilation->model.initial;

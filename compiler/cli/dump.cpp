@@ -104,6 +104,8 @@ std::string dump_stage(const std::string& path, const std::string& stage) {
   if (stage == "topology") return dump_topology(topology);
   const Analysis analysis = expect(analyse(model, topology));
   if (stage == "analysis") return dump_analysis(topology, analysis);
+  if (const Diagnostics problems = too_large({model, topology, analysis, {}}); !problems.empty())
+    throw UserError(problems);
   Programs programs = trace(model, topology, analysis);
   if (stage == "program") return dump_programs(programs);
   programs = optimise(std::move(programs));

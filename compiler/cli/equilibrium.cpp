@@ -78,7 +78,7 @@ void write_start(const EquilibriumOptions& options, const Compilation& compilati
 }
 
 int run(const EquilibriumOptions& options) {
-  const Compilation compilation = expect(compile(options.model));
+  const Compilation compilation = expect(decide(options.model));
   const Equilibrium found = find(compilation, input_values(compilation.model, options.inputs));
   if (!options.file.empty()) write_start(options, compilation, found);
   print(options.json ? json_text(equilibrium_json(compilation, found)) : equilibrium_text(compilation, found));

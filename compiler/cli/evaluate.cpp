@@ -71,10 +71,13 @@ Json evaluate_state(const Engine& engine, const Compilation& compilation, const 
 int run(const EvaluateOptions& options) {
   Model model = expect(read_model_file(options.model));
   if (options.reactions) add_reaction_outputs(model);
-  const Compilation compilation = expect(compile(std::move(model), chosen_form(options.form)));
+  const EngineChoice choice = chosen_engine(options.engine);
+  const std::optional<Form> form = chosen_form(options.form);
+  const Compilation compilation =
+      expect(choice.name == "generated" ? compile(std::move(model), form) : decide(std::move(model)));
   const std::vector<double> inputs = input_values(compilation.model, options.engine.inputs);
   const StatesFile file = read_states(options.states, compilation, inputs);
-  Engine engine = make_engine(compilation, chosen_engine(options.engine));
+  Engine engine = make_engine(compilation, choice);
   if (options.reactions) use_reaction_outputs(engine, compilation.model);
   Json result;
   result["joint_order"] = file.joint_order;

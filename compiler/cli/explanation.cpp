@@ -236,11 +236,12 @@ std::string operations_explanation(const Programs& programs) {
   const Program& accelerations = programs.accelerations;
   const std::vector<OperationCount> counts = count_operations_by_section(accelerations);
   const long total = count_operations(accelerations).total();
-  std::string text = heading("Operations") +
-                     paragraph(fmt::format("One evaluation of all accelerations takes {} additions, multiplications "
-                                           "and divisions, in the {} form ({} in the other):",
-                                           total, name_of(programs.form),
-                                           programs.operations_of_form[programs.form == Form::matrix ? 1 : 0]));
+  const long other = programs.operations_of_form[programs.form == Form::matrix ? 1 : 0];
+  std::string text =
+      heading("Operations") +
+      paragraph(fmt::format("One evaluation of all accelerations takes {} additions, multiplications "
+                            "and divisions, in the {} form ({} in the other):",
+                            total, name_of(programs.form), other > 0 ? std::to_string(other) : "many more"));
   std::vector<std::size_t> order(counts.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::stable_sort(order.begin(), order.end(),

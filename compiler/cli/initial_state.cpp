@@ -18,6 +18,13 @@ constexpr double kKept = 1e-9;
 /// What a motion may be off the value that the model gives with a few digits.
 constexpr double kRounding = 1e-3;
 
+/// Sparse where a block's matrix is too large to be pivoted as a whole.
+GenericAlgebra algebra_for(const Topology& topology) {
+  const bool is_dense = std::all_of(topology.blocks.begin(), topology.blocks.end(),
+                                    [](const LoopBlock& block) { return chooses_again(block); });
+  return {is_dense ? LinearAlgebra::eigen : LinearAlgebra::sparse, Factorisation::lu};
+}
+
 /// A value that was asked of a coordinate.
 struct Wish {
   int coordinate = -1;
@@ -122,7 +129,8 @@ void add_moved(const std::vector<Wish>& wishes, const std::vector<double>& value
 
 Start initial_start(const Compilation& compilation, const std::vector<double>& inputs) {
   const Initial& initial = compilation.model.initial;
-  GenericSolver solver(compilation.model, compilation.topology, compilation.analysis);
+  GenericSolver solver(compilation.model, compilation.topology, compilation.analysis,
+                       algebra_for(compilation.topology));
   solver.set_inputs(inputs);
   const std::vector<Wish> positions = wishes_of(compilation, initial.positions),
                           velocities = wishes_of(compilation, initial.velocities);

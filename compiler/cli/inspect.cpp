@@ -6,6 +6,7 @@
 #include "compiler/cli/dump.hpp"
 #include "compiler/cli/files.hpp"
 #include "compiler/cli/json_text.hpp"
+#include "compiler/cli/notes.hpp"
 #include "compiler/cli/options.hpp"
 #include "compiler/cli/report.hpp"
 #include "compiler/cli/user_error.hpp"
@@ -28,14 +29,18 @@ int run(const InspectOptions& options) {
     print(dump_stage(options.model, options.dump));
     return kDone;
   }
-  Compilation compilation = expect(compile(options.model, chosen_form(options.form)));
+  const std::optional<Form> form = chosen_form(options.form);
+  Compilation compilation = expect(decide(options.model));
   if (!options.svg.empty()) {
     const std::string drawing = topology_svg(compilation.model, compilation.topology, compilation.analysis);
     require_other_file(options.svg, compilation.model.files);
     write_or_print(options.svg, drawing);
     return kDone;
   }
-  if (compilation.topology.size() <= kMostBodiesCounted) count_savings(compilation);
+  const Diagnostics problems = too_large(compilation, form);
+  print_notes(problems);
+  if (problems.empty()) add_programs(compilation, form);
+  if (problems.empty() && compilation.topology.size() <= kMostBodiesCounted) count_savings(compilation);
   const nlohmann::ordered_json report = make_report(compilation);
   print(options.json ? json_text(report) : report_text(report));
   return kDone;

@@ -7,8 +7,10 @@
 namespace mbgen::cli {
 
 std::string note_text(const Diagnostic& note) {
-  std::string text =
-      fmt::format("{}:{}:{}: note: {}\n", note.where.file, note.where.line, note.where.column, note.message);
+  const std::string place = note.where.line > 0
+                                ? fmt::format("{}:{}:{}", note.where.file, note.where.line, note.where.column)
+                                : note.where.file;
+  std::string text = fmt::format("{}: note: {}\n", place, note.message);
   if (!note.hint.empty()) text += fmt::format("  hint: {}\n", note.hint);
   return text;
 }

@@ -105,6 +105,9 @@ Json report_program(const Program& program) {
 
 }  // namespace
 
+/// Rows of a path matrix that are written out: more bodies have their parents alone, in `coordinates`.
+constexpr int kMostBodiesInPathMatrix = 500;
+
 Json make_report(const Compilation& compilation) {
   const auto& [model, topology, analysis, programs] = compilation;
   const Json cut_joints = report_cut_joints(topology);
@@ -139,8 +142,8 @@ Json make_report(const Compilation& compilation) {
                                      {"parent", body_name(topology, body.parent)},
                                      {"massless", body.massless}});
   }
-  report["path_matrix"] = path_matrix(topology);
-  report["form"] = name_of(programs.form);
+  if (topology.size() <= kMostBodiesInPathMatrix) report["path_matrix"] = path_matrix(topology);
+  report["form"] = programs.accelerations.outputs.empty() ? Json(nullptr) : Json(name_of(programs.form));
   report["operations_of_form"] = {{"matrix", programs.operations_of_form[static_cast<int>(Form::matrix)]},
                                   {"recursive", programs.operations_of_form[static_cast<int>(Form::recursive)]}};
   report["savings"] = Json::array();

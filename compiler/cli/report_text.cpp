@@ -67,6 +67,7 @@ std::string loops_text(const Json& report) {
 }
 
 std::string path_matrix_text(const Json& report) {
+  if (!report.contains("path_matrix")) return "";
   std::string text = "\nPath matrix, from the leaves to the root\n";
   for (const auto& row : report["path_matrix"]) {
     text += "  ";
@@ -77,10 +78,13 @@ std::string path_matrix_text(const Json& report) {
 }
 
 std::string operations_text(const Json& report) {
-  const Json& forms = report["operations_of_form"];
-  std::string text =
-      fmt::format("\nForm of the accelerations: {} ({} operations matrix, {} recursive)\n",
-                  report["form"].get<std::string>(), forms["matrix"].get<long>(), forms["recursive"].get<long>());
+  if (report["form"].is_null()) return "";
+  const auto count = [&](const char* form, const char* unit) {
+    const long operations = report["operations_of_form"][form].get<long>();
+    return operations > 0 ? fmt::format("{}{} {}", operations, unit, form) : fmt::format("many more {}", form);
+  };
+  std::string text = fmt::format("\nForm of the accelerations: {} ({}, {})\n", report["form"].get<std::string>(),
+                                 count("matrix", " operations"), count("recursive", ""));
   for (const auto& saving : report["savings"])
     text += fmt::format("  {:<40}{:>8} operations without it, {:>8} with\n", saving["treatment"].get<std::string>(),
                         saving["without"].get<long>(), saving["with"].get<long>());

@@ -37,13 +37,15 @@ long decimation(const SimulateOptions& options, long steps) {
 }
 
 int run(const SimulateOptions& options) {
-  const Compilation compilation = expect(compile(options.model, chosen_form(options.form)));
+  EngineChoice choice = chosen_engine(options.engine);
+  const std::optional<Form> form = chosen_form(options.form);
+  const Compilation compilation =
+      expect(choice.name == "generated" ? compile(options.model, form) : decide(options.model));
   require_other_file(options.file, compilation.model.files);
   require_other_file(options.file, {options.simulation.input_table});
   const SimulationSettings settings = settings_of(options.simulation, compilation.model.solver);
   const InputsOverTime inputs =
       inputs_over_time(compilation.model, options.engine.inputs, options.simulation.input_table);
-  EngineChoice choice = chosen_engine(options.engine);
   choice.integrator = integrator_of(options.simulation.integrator, compilation.model.solver.integrator, choice.name);
   MotionTable table(options.file, table_format(options.format, options.file), compilation,
                     decimation(options, settings.steps));

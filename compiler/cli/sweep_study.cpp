@@ -77,13 +77,6 @@ InputsOverTime inputs_of(const Study& study, const Model& model, const std::vect
   return inputs_over_time(model, assignments, study.arguments.simulation.input_table);
 }
 
-/// Topology and analysis without programs: all that engines other than the generated one need.
-Compilation analysed(Model model) {
-  Topology topology = expect(build_topology(model));
-  Analysis analysis = expect(analyse(model, topology));
-  return {std::move(model), std::move(topology), std::move(analysis), {}};
-}
-
 /// Fails: UserError when the model is not what it was when the study was read, or cannot be read any more.
 void require_unchanged(const Study& study, const Result<Model>& of_case) {
   const std::string& hash = study.model.hash;
@@ -96,7 +89,7 @@ void require_unchanged(const Study& study, const Result<Model>& of_case) {
 
 /// The system of one case. Fails: UserError.
 Compilation compilation_of_case(const Study& study, const StudySolver& solver, Model model) {
-  if (!study.is_tuned) return analysed(std::move(model));
+  if (!study.is_tuned) return expect(decide(std::move(model)));
   Compilation compilation{std::move(model), solver.compilation.topology, solver.compilation.analysis, {}};
   compilation.programs.form = solver.compilation.programs.form;
   return compilation;
@@ -225,7 +218,7 @@ std::string description(const Study& study) {
 
 StudySolver prepare(const Study& study) {
   if (!study.is_tuned) return {};
-  if (study.choice.name != "generated") return {analysed(study.model), nullptr};
+  if (study.choice.name != "generated") return {expect(decide(study.model)), nullptr};
   StudySolver solver{expect(compile(study.model)), nullptr};
   solver.table = load_solver(solver.compilation, study.choice);
   return solver;

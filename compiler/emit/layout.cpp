@@ -236,7 +236,7 @@ SolverLayout solver_layout(const Model& model, const Topology& topology, const A
   layout.auxiliary_states = auxiliary_state_count(model);
   layout.drives = static_cast<int>(model.motions.size());
   layout.has_closure = !topology.loops.empty() || !model.motions.empty();
-  layout.chooses_again = chooses_again(topology);
+  layout.chooses_again = chooses_again(topology, analysis);
   for (std::size_t b = 0; b < topology.blocks.size(); ++b) {
     BlockPlaces block;
     block.equations = topology.blocks[b].equations;

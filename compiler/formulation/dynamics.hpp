@@ -158,11 +158,38 @@ std::vector<T> momentum_below(const System<T>& system, const Kinematics<T>& k, i
   return result;
 }
 
+/// Columns of Rz without their zeros: per free direction, the coordinates of the group that move with it.
 template <class T>
-T weighted(const std::vector<T>& values, const std::vector<std::vector<T>>& rz, std::size_t direction) {
+std::vector<SparseRow<T>> moving_coordinates(const std::vector<std::vector<T>>& rz) {
+  std::vector<SparseRow<T>> directions(rz.empty() ? 0 : rz[0].size());
+  for (std::size_t c = 0; c < rz.size(); ++c)
+    for (std::size_t q = 0; q < rz[c].size(); ++q)
+      if (!is_zero(rz[c][q])) directions[q].push_back(static_cast<int>(c), rz[c][q]);
+  return directions;
+}
+
+template <class T>
+T weighted(const std::vector<T>& values, const SparseRow<T>& direction) {
   T sum(0.0);
-  for (std::size_t c = 0; c < values.size(); ++c) sum = sum + values[c] * rz[c][direction];
+  for (std::size_t i = 0; i < direction.columns.size(); ++i)
+    sum = sum + values[direction.columns[i]] * direction.values[i];
   return sum;
+}
+
+/// Entries of the reduced mass matrix between a direction of a group with this momentum and those of the groups below.
+template <class T>
+void couple_below(const System<T>& system, const Kinematics<T>& k, const JointGroup& group, const Spatial<T>& momentum,
+                  const std::vector<std::vector<SparseRow<T>>>& moving, const std::vector<int>& first,
+                  std::vector<T>& row) {
+  if (group.parent < 0) return;
+  const Topology& topology = system.topology;
+  const std::vector<T> below =
+      momentum_below(system, k, group.base, system.layout.bodies[group.joints[0]].joint_frame, momentum);
+  for (int h = group.parent; h >= 0; h = topology.groups[h].parent) {
+    std::vector<T> part;
+    for (int j : topology.groups[h].joints) part.push_back(below[j]);
+    for (std::size_t d = 0; d < moving[h].size(); ++d) row[first[h] + d] = weighted(part, moving[h][d]);
+  }
 }
 
 }  // namespace detail
@@ -174,35 +201,27 @@ ReducedSystem<T> reduced_system(System<T>& system, const Kinematics<T>& k, const
                                 const std::vector<GroupProjection<T>>& projections, const std::vector<T>& tree_force) {
   const Topology& topology = system.topology;
   ReducedSystem<T> reduced;
+  std::vector<std::vector<SparseRow<T>>> moving;
   for (std::size_t g = 0; g < topology.groups.size(); ++g) {
     const JointGroup& group = topology.groups[g];
-    const std::vector<std::vector<T>>& rz = projections[g].rz;
+    moving.push_back(detail::moving_coordinates(projections[g].rz));
     reduced.first.push_back(static_cast<int>(reduced.group.size()));
-    const std::size_t free = rz.empty() ? 0 : rz[0].size();
-    if (free == 0) continue;
+    if (moving[g].empty()) continue;
     const detail::GroupMass<T> mass = detail::group_mass(system, k, m, group);
     std::vector<T> force;
     for (int i : group.joints) force.push_back(tree_force[i]);
-    for (std::size_t q = 0; q < free; ++q) {
+    for (std::size_t q = 0; q < moving[g].size(); ++q) {
+      const SparseRow<T>& direction = moving[g][q];
       Spatial<T> momentum;
-      std::vector<T> mass_times_rz(group.joints.size(), T(0.0));
-      for (std::size_t c = 0; c < group.joints.size(); ++c) {
-        momentum = momentum + rz[c][q] * mass.momentum[c];
-        mass_times_rz[c] = detail::weighted(mass.mass[c], rz, q);
-      }
-      const std::vector<T> below =
-          detail::momentum_below(system, k, group.base, system.layout.bodies[group.joints[0]].joint_frame, momentum);
+      for (std::size_t i = 0; i < direction.columns.size(); ++i)
+        momentum = momentum + direction.values[i] * mass.momentum[direction.columns[i]];
+      std::vector<T> mass_times_rz;
+      for (const std::vector<T>& mass_row : mass.mass) mass_times_rz.push_back(detail::weighted(mass_row, direction));
       std::vector<T> row(reduced.group.size() + 1, T(0.0));
-      for (int h = group.parent; h >= 0; h = topology.groups[h].parent) {
-        std::vector<T> part;
-        for (int j : topology.groups[h].joints) part.push_back(below[j]);
-        const std::size_t directions = projections[h].rz.empty() ? 0 : projections[h].rz[0].size();
-        for (std::size_t d = 0; d < directions; ++d)
-          row[reduced.first[h] + d] = detail::weighted(part, projections[h].rz, d);
-      }
-      for (std::size_t d = 0; d <= q; ++d) row[reduced.first[g] + d] = detail::weighted(mass_times_rz, rz, d);
+      detail::couple_below(system, k, group, momentum, moving, reduced.first, row);
+      for (std::size_t d = 0; d <= q; ++d) row[reduced.first[g] + d] = detail::weighted(mass_times_rz, moving[g][d]);
       reduced.mass.push_back(std::move(row));
-      reduced.right_hand_side.push_back(detail::weighted(force, rz, q));
+      reduced.right_hand_side.push_back(detail::weighted(force, direction));
       reduced.group.push_back(static_cast<int>(g));
     }
   }

@@ -43,15 +43,23 @@ int find_chain_start(const Topology& topology, const std::vector<bool>& carries,
   return start;
 }
 
-/// Inertia of the merged constant bodies is symmetric about the joint axis through the joint point.
-bool is_rotor(const Model& model, const Topology& topology, int body) {
+/// Per tree body, how many bodies of the model move with it as one, rods' ends counted as well.
+std::vector<int> parts_of_bodies(const Model& model, const Topology& topology) {
+  std::vector<int> parts(topology.size(), 0);
+  const auto count = [&](int tree_body) {
+    if (tree_body != kGround) ++parts[tree_body];
+  };
+  for (int tree_body : topology.tree_body) count(tree_body);
+  for (const Rod& rod : model.rods)
+    for (const Attachment& end : {rod.from, rod.to}) count(topology.tree_body[end.body]);
+  return parts;
+}
+
+/// Inertia of the merged constant bodies is symmetric about the joint axis through the joint point. parts: of the body,
+/// rods' ends counted as well.
+bool is_rotor(const Model& model, const Topology& topology, int body, int parts) {
   const TreeBody& tree = topology.bodies[body];
   if (tree.kind != FreedomKind::revolute || !topology.children[body].empty() || tree.massless) return false;
-  int parts = 0;
-  for (std::size_t b = 0; b < topology.tree_body.size(); ++b) parts += topology.tree_body[b] == body;
-  for (const Rod& rod : model.rods)
-    for (const Attachment& end : {rod.from, rod.to})
-      if (topology.tree_body[end.body] == body) return false;
   if (parts != 1 || tree.model_body < 0) return false;
   const Body& part = model.bodies[tree.model_body];
   const Joint& joint = model.joints[tree.joint];
@@ -96,6 +104,7 @@ std::string title_of(const Topology& topology, int i) {
 Layout choose_layout(const Model& model, const Topology& topology, Frames frames) {
   const int n = topology.size();
   const std::vector<bool> loaded = loaded_bodies(model, topology);
+  const std::vector<int> parts = parts_of_bodies(model, topology);
   std::vector<bool> own = block_bases(topology), carries(n), above_carrier(n);
   for (int i = 0; i < n; ++i) {
     const int p = topology.bodies[i].parent;
@@ -108,7 +117,7 @@ Layout choose_layout(const Model& model, const Topology& topology, Frames frames
     if (frames == Frames::all) own[i] = carries[i] || leaf;
     if (frames == Frames::own && (carries[i] || leaf)) {
       const bool held = p != kGround && (in_block(topology, p) || carries[p]);
-      own[i] = !(held && is_rotor(model, topology, i));
+      own[i] = !(held && is_rotor(model, topology, i, parts[i]));
     }
   }
   Layout layout;
@@ -123,7 +132,7 @@ Layout choose_layout(const Model& model, const Topology& topology, Frames frames
     else
       body.base = p == kGround ? kGround : own[p] ? p : layout.bodies[p].base;
     body.joint_frame = body.base;
-    body.rotor = !own[i] && is_rotor(model, topology, i);
+    body.rotor = !own[i] && is_rotor(model, topology, i, parts[i]);
   }
   for (int i = 0; i < n; ++i) {
     if (!own[i] || in_block(topology, i)) continue;

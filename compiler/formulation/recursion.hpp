@@ -230,11 +230,10 @@ void eliminate_block(RecursionState<T>& s, std::size_t u, const AppliedForces<T>
   const RecursionUnit& unit = s.units()[u];
   Scribe<T>& scribe = s.system().scribe;
   const std::string name = block_name(s.system().topology, unit.block);
-  const std::size_t n = s.system().topology.bodies.size();
   BlockParts<T>& parts = s.blocks[u];
   scribe.step(Step::jacobian, name);
   const SparseClosure<T> closed =
-      quasi_closure(s.work, unit, std::vector<Spatial<T>>(n), std::vector<BodyAcceleration<T>>(n));
+      quasi_closure(s.work, unit, PerBody<Spatial<T>>(unit), PerBody<BodyAcceleration<T>>(unit));
   scribe.place("");
   parts.factors = factorise_frozen(closed.jacobian, partition, unit.joints.size());
   quality = parts.factors.quality;
@@ -326,8 +325,7 @@ RecursiveSolution<T> recursive_accelerations(System<T>& system, const Recursion&
 /// Jacobian of a block by (quasi-)velocities at the present position, for choosing its partition.
 template <class T>
 std::vector<SparseRow<T>> quasi_jacobian(const RecursionWork<T>& work, const RecursionUnit& unit) {
-  const std::size_t n = work.system.topology.bodies.size();
-  return quasi_closure(work, unit, std::vector<Spatial<T>>(n), std::vector<BodyAcceleration<T>>(n)).jacobian;
+  return quasi_closure(work, unit, PerBody<Spatial<T>>(unit), PerBody<BodyAcceleration<T>>(unit)).jacobian;
 }
 
 }  // namespace mbgen

@@ -112,10 +112,10 @@ void set_block_bias(RecursionState<T>& s, std::size_t u, const Partition& partit
     s.system().scribe.name(parts.star[c], "zdd_star_", s.system().topology.bodies[unit.joints[c]].coordinate);
 }
 
-/// A vector over a block's columns as values per tree joint.
+/// A vector over a block's columns as values by tree joint.
 template <class T>
-std::vector<T> per_joint(const RecursionUnit& unit, std::size_t size, const std::vector<T>& local) {
-  std::vector<T> values(size, T(0.0));
+PerBody<T> per_joint(const RecursionUnit& unit, const std::vector<T>& local) {
+  PerBody<T> values(unit);
   for (std::size_t c = 0; c < unit.joints.size(); ++c) values[unit.joints[c]] = local[c];
   return values;
 }

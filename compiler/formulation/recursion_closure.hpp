@@ -91,8 +91,8 @@ std::vector<NearRow<T>> near_joint_rows(ClosureKind kind, const NearEnd<T>& from
 
 /// An end at a place of a body of the block or of its base.
 template <class T>
-NearEnd<T> near_end(const RecursionWork<T>& work, const RecursionUnit& unit, const std::vector<Spatial<T>>& velocity,
-                    const std::vector<BodyAcceleration<T>>& bias, const Place<T>& place) {
+NearEnd<T> near_end(const RecursionWork<T>& work, const RecursionUnit& unit, const PerBody<Spatial<T>>& velocity,
+                    const PerBody<BodyAcceleration<T>>& bias, const Place<T>& place) {
   if (place.body == unit.base) return {place.body, place.at, place.at, {}, {}};
   const Vector<T> arm = work.k.orientation[place.body] * place.at;
   return {place.body, arm, work.origin(place.body) + arm, velocity[place.body], bias[place.body]};
@@ -100,7 +100,7 @@ NearEnd<T> near_end(const RecursionWork<T>& work, const RecursionUnit& unit, con
 
 template <class T>
 std::vector<NearRow<T>> near_rows(const RecursionWork<T>& work, const RecursionUnit& unit,
-                                  const std::vector<Spatial<T>>& velocity, const std::vector<BodyAcceleration<T>>& bias,
+                                  const PerBody<Spatial<T>>& velocity, const PerBody<BodyAcceleration<T>>& bias,
                                   const Loop& loop) {
   const System<T>& system = work.system;
   const auto end = [&](const Place<T>& place) { return near_end(work, unit, velocity, bias, place); };
@@ -152,7 +152,7 @@ void add_columns(const RecursionWork<T>& work, const RecursionUnit& unit, const 
 /// block_motion and block_bias; zero ones give the Jacobian alone. No residuals.
 template <class T>
 SparseClosure<T> quasi_closure(const RecursionWork<T>& work, const RecursionUnit& unit,
-                               const std::vector<Spatial<T>>& velocity, const std::vector<BodyAcceleration<T>>& bias) {
+                               const PerBody<Spatial<T>>& velocity, const PerBody<BodyAcceleration<T>>& bias) {
   SparseClosure<T> result;
   for (int l : work.system.topology.blocks[unit.block].loops) {
     const Loop& loop = work.system.topology.loops[l];

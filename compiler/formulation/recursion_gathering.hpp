@@ -30,25 +30,25 @@ struct BlockGathering {
   Vector<T> turning, twice;  ///< angular velocity of the base, and twice that
   Matrix<T> turning_field;   ///< w~w~ of it
   Carried<T> base;
-  std::vector<Held<T>> held;  ///< per tree body
+  PerBody<Held<T>> held;
 };
 
 /// The free directions: motion of the bodies, forces on the joints.
 template <class T>
 void start_equations(RecursionState<T>& s, BlockGathering<T>& g) {
   const RecursionUnit& unit = g.unit;
-  const std::size_t n = s.system().topology.bodies.size(), free = g.parts.rz.empty() ? 0 : g.parts.rz[0].size();
+  const std::size_t free = g.parts.rz.empty() ? 0 : g.parts.rz[0].size();
   for (std::size_t q = 0; q < free; ++q) {
     std::vector<T> column(unit.joints.size());
     for (std::size_t c = 0; c < column.size(); ++c) column[c] = g.parts.rz[c][q];
-    g.parts.partial.push_back(block_motion(s.work, unit, per_joint(unit, n, column)));
+    g.parts.partial.push_back(block_motion(s.work, unit, per_joint(unit, column)));
     g.equations.mass.emplace_back(q + 1, T(0.0));
     g.equations.momentum.emplace_back();
     T force(0.0);
     for (std::size_t c = 0; c < column.size(); ++c) force = force + column[c] * s.force[unit.joints[c]];
     g.equations.force.push_back(force);
   }
-  g.parts.star_motion = block_motion(s.work, unit, per_joint(unit, n, g.parts.star));
+  g.parts.star_motion = block_motion(s.work, unit, per_joint(unit, g.parts.star));
 }
 
 /// A motion about another point of the body, `arm` from where it is given.
@@ -63,7 +63,7 @@ template <class T>
 void add_to_equations(BlockGathering<T>& g, int i, const Vector<T>& arm, const Vector<T>& place,
                       const PseudoInertia<T>& whole, const ArticulatedInertia<T>& reduced, const Spatial<T>& needed) {
   std::vector<Spatial<T>> partial;
-  for (const std::vector<Spatial<T>>& motion : g.parts.partial) partial.push_back(about_point(motion[i], arm));
+  for (const PerBody<Spatial<T>>& motion : g.parts.partial) partial.push_back(about_point(motion[i], arm));
   for (std::size_t q = 0; q < partial.size(); ++q) {
     const Spatial<T> momentum = whole * partial[q] + reduced * partial[q];
     for (std::size_t d = 0; d <= q; ++d) g.equations.mass[q][d] = g.equations.mass[q][d] + dot(partial[d], momentum);
@@ -194,7 +194,7 @@ template <class T>
 void gather_rod(RecursionState<T>& s, BlockGathering<T>& g, const RodConstants<T>& rod) {
   const auto end = [&](const Place<T>& at) { return near_end(s.work, g.unit, g.parts.velocity, g.parts.bias, at); };
   const NearEnd<T> from = end(rod.from), to = end(rod.to);
-  const auto moved = [&](const std::vector<Spatial<T>>& motion) {
+  const auto moved = [&](const PerBody<Spatial<T>>& motion) {
     const auto of = [&](const NearEnd<T>& e) {
       return e.body == g.unit.base ? Vector<T>{} : velocity_at(motion[e.body], e.arm);
     };
@@ -208,7 +208,7 @@ void gather_rod(RecursionState<T>& s, BlockGathering<T>& g, const RodConstants<T
   g.base.above = g.base.above + pseudo_inertia(T(0.0), Vector<T>{}, square(mass, gap));
   g.base.needed.angular = g.base.needed.angular + cross(gap, force);
   std::vector<Vector<T>> partial;
-  for (const std::vector<Spatial<T>>& motion : g.parts.partial) partial.push_back(moved(motion));
+  for (const PerBody<Spatial<T>>& motion : g.parts.partial) partial.push_back(moved(motion));
   for (std::size_t q = 0; q < partial.size(); ++q) {
     for (std::size_t d = 0; d <= q; ++d)
       g.equations.mass[q][d] = g.equations.mass[q][d] + mass * dot(partial[q], partial[d]);
@@ -223,11 +223,10 @@ Carried<T> gather_block(RecursionState<T>& s, std::size_t u) {
   const System<T>& system = s.system();
   const RecursionUnit& unit = s.units()[u];
   const Vector<T> turning = s.omega_of(unit.base);
-  BlockGathering<T> g{
-      unit, s.blocks[u], s.equations[u], turning, turning + turning, acceleration_gradient(turning, Vector<T>{}),
-      {},   {}};
+  BlockGathering<T> g{unit,    s.blocks[u],           s.equations[u],
+                      turning, turning + turning,     acceleration_gradient(turning, Vector<T>{}),
+                      {},      PerBody<Held<T>>(unit)};
   start_equations(s, g);
-  g.held.resize(system.topology.bodies.size());
   for (auto step = unit.steps.rbegin(); step != unit.steps.rend(); ++step) {
     system.scribe.place(system.layout.titles[step->body()]);
     if (is_arm(s, unit, *step))

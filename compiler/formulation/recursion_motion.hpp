@@ -69,19 +69,20 @@ RecursionWork<T> recursion_work(System<T>& system, const Recursion& recursion, c
 
 /// Joint motion of a step for given values of its joints' (quasi-)velocities: of the joint's child against its parent,
 /// about the child's origin when the joint's pin is there.
-template <class T>
-Spatial<T> step_motion(const RecursionWork<T>& work, const JointStep& step, const std::vector<T>& values) {
+/// values: by tree joint.
+template <class T, class Values>
+Spatial<T> step_motion(const RecursionWork<T>& work, const JointStep& step, const Values& values) {
   const Vector<T> motion = step.quasi()
                                ? Vector<T>{values[step.joints[0]], values[step.joints[1]], values[step.joints[2]]}
                                : values[step.joints[0]] * work.k.axis[step.joints[0]];
   return step.revolute ? Spatial<T>{{}, motion} : Spatial<T>{motion, {}};
 }
 
-/// Motion of a block's bodies against the base, linear in the values of its joints. Per tree body, about its origin.
-template <class T>
-std::vector<Spatial<T>> block_motion(const RecursionWork<T>& work, const RecursionUnit& unit,
-                                     const std::vector<T>& values) {
-  std::vector<Spatial<T>> motion(work.k.position.size());
+/// Motion of a block's bodies against the base, linear in the values of its joints (by tree joint), about their
+/// origins.
+template <class T, class Values>
+PerBody<Spatial<T>> block_motion(const RecursionWork<T>& work, const RecursionUnit& unit, const Values& values) {
+  PerBody<Spatial<T>> motion(unit);
   for (const JointStep& step : unit.steps) {
     const int p = work.parent(step);
     const Spatial<T> below = p == unit.base ? Spatial<T>{} : motion[p];
@@ -154,9 +155,9 @@ struct BodyAcceleration {
 
 /// Accelerations of a block's bodies against the base under the present velocities and zero (quasi-)accelerations.
 template <class T>
-std::vector<BodyAcceleration<T>> block_bias(const RecursionWork<T>& work, const RecursionUnit& unit,
-                                            const std::vector<Spatial<T>>& velocity) {
-  std::vector<BodyAcceleration<T>> bias(velocity.size());
+PerBody<BodyAcceleration<T>> block_bias(const RecursionWork<T>& work, const RecursionUnit& unit,
+                                        const PerBody<Spatial<T>>& velocity) {
+  PerBody<BodyAcceleration<T>> bias(unit);
   for (const JointStep& step : unit.steps) {
     const int body = step.body(), p = work.parent(step);
     const BodyAcceleration<T> below = p == unit.base ? BodyAcceleration<T>{} : bias[p];

@@ -41,11 +41,11 @@ template <class T>
 struct BlockParts {
   FrozenFactors<T> factors;
   std::vector<std::vector<T>> rz;
-  std::vector<T> star;                           ///< per local column: accelerations at zero free ones
-  std::vector<Spatial<T>> velocity;              ///< per tree body, against the base
-  std::vector<BodyAcceleration<T>> bias;         ///< at zero accelerations
-  std::vector<std::vector<Spatial<T>>> partial;  ///< per free direction: motion of the bodies
-  std::vector<Spatial<T>> star_motion;           ///< motion for `star`
+  std::vector<T> star;                       ///< per local column: accelerations at zero free ones
+  PerBody<Spatial<T>> velocity;              ///< against the base
+  PerBody<BodyAcceleration<T>> bias;         ///< at zero accelerations
+  std::vector<PerBody<Spatial<T>>> partial;  ///< per free direction: motion of the bodies
+  PerBody<Spatial<T>> star_motion;           ///< motion for `star`
 };
 
 /// What a run needs on the way back.

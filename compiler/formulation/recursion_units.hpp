@@ -1,6 +1,7 @@
 #pragma once
 // What the recursive form eliminates as one: loop blocks, runs of joints with massless bodies, and rotors.
 
+#include <algorithm>
 #include <cstddef>
 #include <vector>
 
@@ -28,6 +29,25 @@ struct RecursionUnit {
   std::vector<int> joints;       ///< ascending tree indices
   std::vector<JointStep> steps;  ///< from the base on, parents first
   int end() const { return joints.back(); }
+};
+
+/// Values for the bodies of one unit alone, by tree index: its storage grows with the unit, not with the model. Of the
+/// unit's joints it keeps a reference.
+template <class V>
+class PerBody {
+ public:
+  PerBody() = default;
+  explicit PerBody(const RecursionUnit& unit) : joints_(&unit.joints), values_(unit.joints.size()) {}
+  V& operator[](int body) { return values_[place_of(body)]; }
+  const V& operator[](int body) const { return values_[place_of(body)]; }
+  std::size_t size() const { return values_.size(); }
+
+ private:
+  std::size_t place_of(int body) const {
+    return static_cast<std::size_t>(std::lower_bound(joints_->begin(), joints_->end(), body) - joints_->begin());
+  }
+  const std::vector<int>* joints_ = nullptr;
+  std::vector<V> values_;
 };
 
 /// Treatments that the recursive form can do without; what each saves is counted (see RecursionChoices in `inspect`).

@@ -54,9 +54,11 @@ FrozenBlocks frozen_jacobians(Tracing& tracing, const Kinematics<Expr>& k) {
 void frozen_bias(Tracing& tracing, const Kinematics<Expr>& k, FrozenBlocks& blocks) {
   System<Expr>& system = tracing.system;
   tracing.scribe.step(Step::closure_bias);
+  RelativeMotion<Expr> relative = at_rest<Expr>(system.topology);
   for (std::size_t b = 0; b < system.topology.blocks.size(); ++b) {
     const LoopBlock& block = system.topology.blocks[b];
-    const SparseClosure<Expr> closed = sparse_closure(system, k, block, relative_motion(system, k, block));
+    set_relative_motion(system, k, block, relative);
+    const SparseClosure<Expr> closed = sparse_closure(system, k, block, relative);
     tracing.scribe.place(fmt::format("loop block {}", b));
     blocks.zdd_star.push_back(frozen_zdd_star(blocks.factors[b], tracing.analysis.blocks[b], closed,
                                               tracing.driven_values(block, &Drive<Expr>::acceleration)));
@@ -192,14 +194,17 @@ Program trace_closure_terms(const Model& model, const Topology& topology, const 
   Tracing tracing("closure_terms", model, topology, analysis);
   System<Expr>& system = tracing.system;
   const Kinematics<Expr> k = kinematics(system);
+  RelativeMotion<Expr> relative = at_rest<Expr>(topology);
+  const bool again = chooses_again(topology, analysis);
   for (std::size_t b = 0; b < topology.blocks.size(); ++b) {
     const LoopBlock& block = topology.blocks[b];
     tracing.scribe.step(Step::jacobian);
-    const SparseClosure<Expr> closed = sparse_closure(system, k, block, relative_motion(system, k, block));
+    set_relative_motion(system, k, block, relative);
+    const SparseClosure<Expr> closed = sparse_closure(system, k, block, relative);
     tracing.outputs(fmt::format("Phi{}", b), closed.residual);
     tracing.outputs(fmt::format("ct{}", b), std::vector<Expr>(closed.residual.size(), Expr(0.0)));
     tracing.outputs(fmt::format("c{}", b), closed.acceleration);
-    if (!chooses_again(topology)) {
+    if (!again) {
       tracing.outputs(fmt::format("rate{}", b), rates_of(system, closed, block));
       continue;
     }
@@ -318,14 +323,18 @@ Program trace_outputs(const Model& model, const Topology& topology, const Analys
 
 const char* name_of(Form form) { return form == Form::matrix ? "matrix" : "recursive"; }
 
-Programs trace(const Model& model, const Topology& topology, const Analysis& analysis) {
+Programs trace(const Model& model, const Topology& topology, const Analysis& analysis, std::optional<Form> form) {
   Programs programs;
-  programs.accelerations = trace_accelerations(model, topology, analysis);
-  programs.recursive_accelerations = cheapest_recursion(model, topology, analysis);
+  const LeastOperations least = least_operations(topology, analysis);
+  if (form == Form::matrix || is_worth_writing(least.matrix, least.recursive))
+    programs.accelerations = trace_accelerations(model, topology, analysis);
+  if (form == Form::recursive || is_worth_writing(least.recursive, least.matrix))
+    programs.recursive_accelerations = cheapest_recursion(model, topology, analysis);
   programs.closure = trace_closure(model, topology, analysis);
   if (!topology.loops.empty()) {
     programs.closure_terms = trace_closure_terms(model, topology, analysis);
-    if (chooses_again(topology)) programs.accelerations_chosen = trace_accelerations_chosen(model, topology, analysis);
+    if (chooses_again(topology, analysis))
+      programs.accelerations_chosen = trace_accelerations_chosen(model, topology, analysis);
   }
   programs.multipliers = trace_multipliers(model, topology, analysis);
   programs.outputs = trace_outputs(model, topology, analysis);

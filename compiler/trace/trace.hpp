@@ -26,6 +26,7 @@
 //            missing<b>[c]                  tree forces less M zdd of block b: what Phi_z' lambda, less drives, equals
 //            y[o]                           model outputs
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -62,7 +63,8 @@ struct Programs {
   Program derived_constants;  ///< par -> derived: what the others take of the tunable parameters; only with such things
   Program recursive_accelerations;  ///< the slots of `accelerations`, in the recursive form; empty once one is taken
   Form form = Form::matrix;         ///< of `accelerations`
-  long operations_of_form[2] = {0, 0};  ///< of `accelerations` after the passes, by Form, once one is taken
+  long operations_of_form[2] = {0, 0};  ///< of `accelerations` after the passes, by Form, once one is taken;
+                                        ///< 0: not traced
   std::vector<Saving> savings;          ///< treatments with their counts, where they were counted
   std::vector<std::string> free_direction_coordinate;  ///< per index of `inertia`: coordinate that names the direction
   std::vector<int> free_directions_of_block;           ///< per block: f
@@ -79,7 +81,8 @@ std::vector<std::string> auxiliary_state_names(const Model& model);
 std::vector<std::pair<std::string, Program>> trace_without(const Model& model, const Topology& topology,
                                                            const Analysis& analysis);
 
-/// Traces every program (theory.md sections 1 to 5); the accelerations in both forms.
-Programs trace(const Model& model, const Topology& topology, const Analysis& analysis);
+/// Traces every program (theory.md sections 1 to 5); the accelerations in both forms, but one that is
+/// not worth writing only where it is `form`.
+Programs trace(const Model& model, const Topology& topology, const Analysis& analysis, std::optional<Form> form = {});
 
 }  // namespace mbgen
