@@ -43,6 +43,8 @@ install(FILES ${package_files}/mbgenConfig.cmake ${package_files}/mbgenFunctions
   ${package_files}/mbgenConfigVersion.cmake DESTINATION ${package_directory})
 install(FILES ${package_files}/mbgen.pc DESTINATION ${CMAKE_INSTALL_DATAROOTDIR}/pkgconfig)
 
+install(FILES cmake/copyright DESTINATION ${CMAKE_INSTALL_DATAROOTDIR}/doc/mbgen)
+
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME mbgen)
 set(CPACK_PACKAGE_CONTACT "maintainers of mbgen <mbgen@localhost>")

@@ -30,14 +30,19 @@ TEST_F(CommandLine, UnknownWordsAreTheUsersFault) {
   }
 }
 
-TEST_F(CommandLine, CheckSaysOkAndNothingElse) {
+TEST_F(CommandLine, CheckSaysOkAndWhatTheModelHas) {
   write("pendulum.json", kPendulum);
   const Outcome run = mbgen("check pendulum.json");
   EXPECT_EQ(run.exit_code, 0);
-  EXPECT_EQ(run.out, "pendulum.json: ok\n");
+  EXPECT_EQ(run.out, "pendulum.json: ok\n  bodies 1, freedoms 1, of them driven 0, notes 0\n");
   EXPECT_EQ(run.err, "");
-  EXPECT_EQ(json_of("check pendulum.json --json"),
-            Json({{"model", "pendulum.json"}, {"ok", true}, {"problems", Json::array()}, {"notes", Json::array()}}));
+  EXPECT_EQ(json_of("check pendulum.json --json"), Json({{"model", "pendulum.json"},
+                                                         {"ok", true},
+                                                         {"bodies", 1},
+                                                         {"freedoms", 1},
+                                                         {"driven", 0},
+                                                         {"problems", Json::array()},
+                                                         {"notes", Json::array()}}));
 }
 
 TEST_F(CommandLine, CheckAndExplainSayWhatOfATyreFileIsNotUsed) {
@@ -49,7 +54,7 @@ TEST_F(CommandLine, CheckAndExplainSayWhatOfATyreFileIsNotUsed) {
   const std::string said = "the model does not use turn slip (PECP1)";
   const Outcome run = mbgen("check wheel.json");
   EXPECT_EQ(run.exit_code, 0);
-  EXPECT_EQ(run.out, "wheel.json: ok\n");
+  EXPECT_EQ(run.out, "wheel.json: ok\n  bodies 1, freedoms 6, of them driven 0, notes 1\n");
   EXPECT_EQ(run.err, "tyre.tir:4:1: note: " + said + "\n");
   const Json report = json_of("check wheel.json --json");
   EXPECT_TRUE(report["ok"]);

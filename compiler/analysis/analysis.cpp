@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "compiler/analysis/certificate.hpp"
 #include "compiler/analysis/compatibility.hpp"
@@ -172,10 +173,47 @@ void watch_blocks(NumericSystem& numbers, const std::vector<Configuration>& conf
   }
 }
 
+/// Diagonal of the box around all joints and centres of mass at the reference, m.
+double extent_of(const Model& model) {
+  Vector3 low{}, high{};
+  bool is_first = true;
+  const auto add = [&](const Vector3& at) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      low[i] = is_first ? at[i] : std::min(low[i], at[i]);
+      high[i] = is_first ? at[i] : std::max(high[i], at[i]);
+    }
+    is_first = false;
+  };
+  for (const Joint& joint : model.joints) add(reference_position(model, joint.to));
+  for (const Body& body : model.bodies) {
+    Vector3 at = body.pose.origin;
+    for (std::size_t i = 0; i < 9; ++i) at[i / 3] += body.pose.rotation[i] * body.com[i % 3].value;
+    if (body.mass.value > 0) add(at);
+  }
+  return std::hypot(high[0] - low[0], high[1] - low[1], high[2] - low[2]);
+}
+
+/// Per tree joint: what rounding leaves of the inertia of a motion of all that it carries which in truth has none.
+std::vector<double> rounding_of_inertia(const Model& model, const Topology& topology) {
+  constexpr double kRounding = 1e-14;
+  const double extent = extent_of(model);
+  std::vector<double> carried(topology.bodies.size(), 0.0);  // kg
+  for (std::size_t b = 0; b < model.bodies.size(); ++b)
+    if (topology.tree_body[b] >= 0) carried[topology.tree_body[b]] += model.bodies[b].mass.value;
+  std::vector<double> rounding(topology.bodies.size());
+  for (int i = topology.size() - 1; i >= 0; --i) {
+    const TreeBody& body = topology.bodies[i];
+    if (body.parent >= 0) carried[body.parent] += carried[i];
+    rounding[i] = kRounding * carried[i] * (body.kind == FreedomKind::revolute ? extent * extent : 1);
+  }
+  return rounding;
+}
+
 /// Coordinates whose free motion has no inertia in every configuration, existence condition (9).
-std::vector<int> without_inertia(NumericSystem& numbers, const Topology& topology, const Analysis& analysis,
-                                 const std::vector<Configuration>& configurations) {
+std::vector<int> without_inertia(NumericSystem& numbers, const Model& model, const Topology& topology,
+                                 const Analysis& analysis, const std::vector<Configuration>& configurations) {
   const std::vector<int> names = free_coordinates(topology, analysis);
+  const std::vector<double> rounding = rounding_of_inertia(model, topology);
   std::vector<bool> moved(names.size(), false);
   for (const Configuration& configuration : configurations) {
     System<double>& system = numbers.at(configuration.z);
@@ -186,7 +224,7 @@ std::vector<int> without_inertia(NumericSystem& numbers, const Topology& topolog
     const ReducedSolution<double> solution = solve_reduced(reduced);
     bool all = true;
     for (std::size_t q = 0; q < names.size(); ++q) {
-      moved[q] = moved[q] || solution.inertia[q] > 0;
+      moved[q] = moved[q] || solution.inertia[q] > rounding[names[q]];
       all = all && moved[q];
     }
     if (all) break;
@@ -258,7 +296,7 @@ Result<Analysis> analyse(const Model& model, const Topology& topology) {
   analysis.ranks = ranks_together(found.views, configurations);
   analysis.degrees_of_freedom = topology.size() - analysis.independent_equations;
   Diagnostics problems;
-  for (int i : without_inertia(numbers, topology, analysis, configurations)) {
+  for (int i : without_inertia(numbers, model, topology, analysis, configurations)) {
     const Joint& joint = model.joints[topology.bodies[i].joint];
     problems.push_back(problem(joint.where,
                                fmt::format("coordinate \"{}\" moves no inertia: its acceleration is not determined",

@@ -5,6 +5,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "compiler/analysis/unheld.hpp"
 #include "compiler/cli/commands.hpp"
 #include "compiler/cli/dump.hpp"
 #include "compiler/cli/files.hpp"
@@ -25,13 +26,20 @@ struct CheckOptions {
 
 struct Findings {
   Diagnostics problems, notes;
+  int bodies = 0, freedoms = 0, driven = 0;  ///< that move; with the driven ones; coordinates that motions prescribe
 };
 
 /// What is wrong with the model or the state that it starts from, or what there is to say of them.
 Findings findings_of(const std::string& file) {
   const Result<Compilation> compilation = decide(file);
   if (!compilation) return {compilation.problems(), {}};
-  Findings findings{{}, compilation->model.notes};
+  const Model& model = compilation->model;
+  Findings findings{{}, model.notes};
+  findings.bodies = static_cast<int>(model.bodies.size()) - (model.ground >= 0 ? 1 : 0);
+  findings.freedoms = compilation->analysis.degrees_of_freedom;
+  findings.driven = static_cast<int>(model.motions.size());
+  for (Diagnostic& note : unheld_motions(model, compilation->topology, compilation->analysis))
+    findings.notes.push_back(std::move(note));
   const Initial& initial = compilation->model.initial;
   if (!initial.equilibrium && initial.positions.empty() && initial.velocities.empty()) return findings;
   try {
@@ -48,15 +56,17 @@ int run(const CheckOptions& options) {
     print(dump_stage(options.model, options.dump));
     return kDone;
   }
-  const auto [problems, notes] = findings_of(options.model);
+  const auto [problems, notes, bodies, freedoms, driven] = findings_of(options.model);
   if (options.json) {
-    print(json_text({{"model", options.model},
-                     {"ok", problems.empty()},
-                     {"problems", diagnostics_json(problems)},
-                     {"notes", diagnostics_json(notes)}}));
+    nlohmann::ordered_json report = {{"model", options.model}, {"ok", problems.empty()}};
+    if (problems.empty()) report.update({{"bodies", bodies}, {"freedoms", freedoms}, {"driven", driven}});
+    report["problems"] = diagnostics_json(problems);
+    report["notes"] = diagnostics_json(notes);
+    print(json_text(report));
   } else if (problems.empty()) {
     print_notes(notes);
-    print(fmt::format("{}: ok\n", options.model));
+    print(fmt::format("{}: ok\n  bodies {}, freedoms {}, of them driven {}, notes {}\n", options.model, bodies,
+                      freedoms, driven, notes.size()));
   } else {
     throw UserError(problems);
   }
@@ -70,9 +80,12 @@ void add_check(CLI::App& application, int& exit_code) {
   CLI::App* command = application.add_subcommand("check", "read and verify a model, report every problem at once");
   command->footer(
       "Example: mbgen check models/coach.json\n"
-      "Standard error has notes of what is not wrong: what the model does not use of its tyre files, and how far "
-      "initial\n"
-      "values that do not fit together are moved.");
+      "Standard error has notes of what is allowed and may not be meant: axes of tyres and wheels out of balance, "
+      "damping\n"
+      "that adds energy, likely mistakes of units, what nothing holds, what tyre files have and the model does not "
+      "use, "
+      "and how\n"
+      "far initial values that do not fit together are moved.");
   add_model_argument(*command, options->model);
   add_json_option(*command, options->json);
   add_dump_option(*command, options->dump);

@@ -95,7 +95,7 @@ void add_equilibrium(CLI::App& application, int& exit_code) {
       "Starts from the model's initial state. Driven coordinates stay at their motions, loops closed.");
   add_model_argument(*command, options->model);
   add_input_option(*command, options->inputs);
-  command->add_option("--out", options->file, "write the positions as a file that a model may include: its start");
+  command->add_option("-o,--out", options->file, "write the positions as a file that a model may include: its start");
   add_json_option(*command, options->json);
   command->callback([options, &exit_code] { exit_code = run(*options); });
 }

@@ -133,7 +133,7 @@ void add_generate(CLI::App& application, int& exit_code) {
       "Example: mbgen generate models/coach.json --out coach_solver\n"
       "Prints the files that it wrote; DIR/CMakeLists.txt builds them alone.");
   add_model_argument(*command, options->model);
-  command->add_option("--out", options->directory, "directory of the files; made when it is missing");
+  command->add_option("-o,--out", options->directory, "directory of the files; made when it is missing");
   command->add_flag_callback(
       "--no-runtime", [options] { options->emit.runtime_headers = false; },
       "leave out the runtime's headers (mbgen/*.hpp)");

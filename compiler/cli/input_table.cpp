@@ -41,8 +41,10 @@ int find_input(const Line& line, const Model& model, const std::string& name) {
   for (const Input& input : model.inputs) names.push_back(input.name);
   const auto found = std::find(names.begin(), names.end(), name);
   if (found != names.end()) return static_cast<int>(found - names.begin());
-  line.fail(fmt::format("the model has no input \"{}\"; its inputs: {}", name,
-                        names.empty() ? "none" : fmt::format("{}", fmt::join(names, ", "))));
+  const std::string hint = did_you_mean(name, {names.begin(), names.end()});
+  line.fail(fmt::format("the model has no input \"{}\"; its inputs: {}{}", name,
+                        names.empty() ? "none" : fmt::format("{}", fmt::join(names, ", ")),
+                        hint.starts_with("did") ? "; " + hint : ""));
 }
 
 void read_header(const Line& line, const std::vector<std::string>& fields, const Model& model, InputTable& table) {

@@ -165,7 +165,7 @@ void add_linearize(CLI::App& application, int& exit_code) {
       "--report writes a page that animates the mode shapes: one file that needs no network.");
   add_model_argument(*command, options->model);
   add_state_options(*command, options->state);
-  command->add_option("--out", options->file, "write matrices and modes to this file, as --json prints them");
+  command->add_option("-o,--out", options->file, "write matrices and modes to this file, as --json prints them");
   command->add_option("--report", options->page, "write the modes as a page: list, animation, eigenvalues (HTML)");
   add_json_option(*command, options->json);
   command->callback([options, &exit_code] { exit_code = run(*options); });

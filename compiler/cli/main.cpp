@@ -6,10 +6,13 @@
 #include <csignal>
 #include <cstdlib>
 #include <exception>
+#include <string>
 #include <string_view>
+#include <vector>
 
 #include "compiler/cli/commands.hpp"
 #include "compiler/cli/files.hpp"
+#include "compiler/cli/options.hpp"
 #include "compiler/cli/user_error.hpp"
 #include "compiler/emit/emit.hpp"
 
@@ -23,6 +26,28 @@ Style style_of_errors() {
   const bool is_refused = refused != nullptr && *refused != 0;
   const bool is_dumb = terminal == nullptr || std::string_view(terminal) == "dumb";
   return isatty(STDERR_FILENO) == 1 && !is_refused && !is_dumb ? Style::coloured : Style::plain;
+}
+
+/// The long names of a command's options.
+std::vector<std::string> option_names(const CLI::App& command) {
+  std::vector<std::string> names;
+  for (const CLI::Option* option : command.get_options()) {
+    for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
+  }
+  return names;
+}
+
+/// What was probably meant by the first word that nobody expected.
+std::string hint_of(const CLI::App& application) {
+  const std::vector<CLI::App*> chosen = application.get_subcommands();
+  const CLI::App& command = chosen.empty() ? application : *chosen.front();
+  std::vector<std::string> commands;
+  for (const CLI::App* one : application.get_subcommands({})) commands.push_back(one->get_name());
+  for (const std::string& word : application.remaining(true)) {
+    if (word.starts_with("-")) return nearest_hint(word.substr(0, word.find('=')), option_names(command));
+    if (chosen.empty()) return nearest_hint(word, commands);
+  }
+  return {};
 }
 
 int run(int argc, char** argv) {
@@ -41,7 +66,9 @@ int run(int argc, char** argv) {
   try {
     application.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
-    return application.exit(error) == 0 ? kDone : kUserFault;
+    const int code = application.exit(error);
+    if (code != 0) fmt::print(stderr, "{}", hint_of(application));
+    return code == 0 ? kDone : kUserFault;
   }
   return exit_code;
 }

@@ -130,6 +130,11 @@ EngineChoice chosen_engine(const EngineArguments& arguments) {
   return choice;
 }
 
+std::string nearest_hint(const std::string& word, const std::vector<std::string>& candidates) {
+  const std::string hint = did_you_mean(word, {candidates.begin(), candidates.end()});
+  return hint.starts_with("did") ? fmt::format("  hint: {}\n", hint) : std::string();
+}
+
 void add_input_option(CLI::App& command, std::vector<std::string>& inputs) {
   command.add_option("--input", inputs, "name=value of a model input; may be repeated")->allow_extra_args(false);
 }
@@ -156,8 +161,9 @@ std::vector<double> input_values(const Model& model, const std::vector<std::stri
     const std::string name = assignment.substr(0, sign);
     const auto place = std::find(names.begin(), names.end(), name);
     if (place == names.end()) {
-      throw UserError(fmt::format("--input: the model has no input \"{}\"; its inputs: {}\n", name,
-                                  names.empty() ? "none" : fmt::format("{}", fmt::join(names, ", "))));
+      throw UserError(fmt::format("--input: the model has no input \"{}\"; its inputs: {}\n{}", name,
+                                  names.empty() ? "none" : fmt::format("{}", fmt::join(names, ", ")),
+                                  nearest_hint(name, names)));
     }
     values[static_cast<std::size_t>(place - names.begin())] =
         parse_number(assignment.substr(sign + 1), "--input " + name);

@@ -38,6 +38,9 @@ struct EngineArguments {
   std::vector<std::string> inputs;                           ///< name=value
 };
 
+/// A line with the name that was probably meant, or "".
+std::string nearest_hint(const std::string& word, const std::vector<std::string>& candidates);
+
 /// --input
 void add_input_option(CLI::App& command, std::vector<std::string>& inputs);
 

@@ -84,7 +84,7 @@ void add_simulate(CLI::App& application, int& exit_code) {
       "derivative, a cubic spline through the input's column gives both.");
   add_model_argument(*command, options->model);
   add_simulation_options(*command, options->simulation);
-  command->add_option("--out", options->file, "table of the motion")->required();
+  command->add_option("-o,--out", options->file, "table of the motion")->required();
   command->add_option("--format", options->format, "csv or mat (level 4) (default: by the ending of --out)");
   command->add_option("--every", options->every,
                       fmt::format("write every n-th step (default: at most {} rows)", kRows));

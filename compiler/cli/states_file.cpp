@@ -66,6 +66,17 @@ std::vector<double> read_coordinates(const Place& state, const char* field, cons
   return values;
 }
 
+std::vector<std::string> input_names(const Model& model) {
+  std::vector<std::string> names;
+  for (const Input& input : model.inputs) names.push_back(input.name);
+  return names;
+}
+
+std::string unknown_name(const char* what, const std::string& name, const std::vector<std::string>& known) {
+  const std::string hint = did_you_mean(name, {known.begin(), known.end()});
+  return fmt::format("the model has no {} \"{}\"{}{}", what, name, hint.empty() ? "" : "; ", hint);
+}
+
 void read_order(const Place& place, const Topology& topology, StatesFile& file) {
   if (!place.value.is_array()) fail(place.path, "must be an array of coordinate names");
   std::vector<bool> taken(static_cast<std::size_t>(topology.size()), false);
@@ -74,7 +85,7 @@ void read_order(const Place& place, const Topology& topology, StatesFile& file) 
     if (!place.value[i].is_string()) fail(path, "must be the name of a coordinate");
     const std::string name = place.value[i].get<std::string>();
     const int coordinate = find_coordinate(topology, name);
-    if (coordinate < 0) fail(path, fmt::format("the model has no coordinate \"{}\"", name));
+    if (coordinate < 0) fail(path, unknown_name("coordinate", name, coordinate_names(topology)));
     if (taken[coordinate]) fail(path, fmt::format("coordinate \"{}\" stands twice", name));
     taken[coordinate] = true;
     file.joint_order.push_back(name);
@@ -92,7 +103,7 @@ void read_inputs(const Place& place, const Model& model, std::vector<double>& in
   for (const auto& [name, value] : place.value.items()) {
     const auto found = std::find_if(model.inputs.begin(), model.inputs.end(),
                                     [&name = name](const Input& input) { return input.name == name; });
-    if (found == model.inputs.end()) fail(place.path, fmt::format("the model has no input \"{}\"", name));
+    if (found == model.inputs.end()) fail(place.path, unknown_name("input", name, input_names(model)));
     inputs[static_cast<std::size_t>(found - model.inputs.begin())] = read_number({value, place.path + "/" + name});
   }
 }

@@ -231,7 +231,7 @@ void add_sweep(CLI::App& application, int& exit_code) {
   command->add_option("--metric", study.metrics, "a number of each motion, or name=number; may be repeated")
       ->required()
       ->allow_extra_args(false);
-  command->add_option("--out", options->file, "table of the results (CSV)")->required();
+  command->add_option("-o,--out", options->file, "table of the results (CSV)")->required();
   add_simulation_options(*command, study.simulation);
   command->add_option("--jobs", options->jobs, "cases at a time (default: one a processor; one a rank under mpirun)");
   CLI::Option* restart = command->add_flag("--restart", options->restart, "forget what was done before");

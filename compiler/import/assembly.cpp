@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <array>
 
@@ -11,7 +10,6 @@ namespace {
 
 constexpr std::size_t kLongestName = 64;       // of the model format
 constexpr std::size_t kLongestCoordinate = 3;  // "_tx"
-constexpr double kInertiaSlack = 1e-9;         // of the trace, as the model's reader allows
 
 constexpr bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; }
 constexpr bool is_digit(char c) { return c >= '0' && c <= '9'; }
@@ -65,18 +63,6 @@ void add_joint_forces(Assembly& assembly, const std::string& coordinate, double 
                       double friction) {
   if (stiffness > 0 || damping > 0) assembly.springs.push_back({coordinate, stiffness, damping, free});
   if (friction > 0) assembly.frictions.push_back({coordinate, friction});
-}
-
-std::string fault_of_inertia(double mass, const Matrix3d& inertia) {
-  if (mass < 0) return fmt::format("mass is negative, {:.6g} kg", mass);
-  const Vector3d moments = Eigen::SelfAdjointEigenSolver<Matrix3d>(inertia, Eigen::EigenvaluesOnly).eigenvalues();
-  const double slack = kInertiaSlack * std::abs(inertia.trace());
-  const std::string values =
-      fmt::format("principal moments {:.6g}, {:.6g}, {:.6g}", moments[0], moments[1], moments[2]);
-  if (moments[0] < -slack) return "inertia is not positive semidefinite, " + values;
-  if (moments[2] > moments[0] + moments[1] + slack) return "inertia breaks the triangle inequality, " + values;
-  if (mass == 0 && inertia.cwiseAbs().maxCoeff() > 0) return "a body with inertia needs mass";
-  return {};
 }
 
 }  // namespace mbgen::importing

@@ -27,6 +27,9 @@ struct BodyDraft {
   Matrix3d inertia = Matrix3d::Zero();                        ///< kg m^2 about the centre of mass, body axes
   std::vector<std::pair<std::string, Vector3d>> points = {};  ///< m, body frame
   std::string comment = {};
+  std::string title = {};        ///< as messages call it: link "arm"
+  Spot inertia_spot = {};        ///< where its inertia is given
+  bool accepts_inertia = false;  ///< though no rigid body has it
 };
 
 struct JointDraft {
@@ -49,6 +52,15 @@ struct FrictionDraft {
   double coulomb = 0;
 };
 
+/// How a body looks, or a part of it.
+struct ShapeDraft {
+  std::string name = {}, type = {};  ///< box, cylinder or sphere
+  int body = kGroundDraft;
+  Vector3d from = Vector3d::Zero(), to = Vector3d::Zero();  ///< m, body frame; no `to` of a sphere
+  double radius = 0;                                        ///< m; none of a box
+  std::string colour = {};
+};
+
 /// A force on a coordinate that an input of the same name as the actuator sets.
 struct ActuatorDraft {
   std::string name, coordinate, force, unit;
@@ -63,7 +75,8 @@ struct Assembly {
   std::vector<SpringDraft> springs;
   std::vector<FrictionDraft> frictions;
   std::vector<ActuatorDraft> actuators;
-  std::set<std::string> body_names{"ground"}, coordinate_names;
+  std::vector<ShapeDraft> shapes;
+  std::set<std::string> body_names{"ground"}, coordinate_names, shape_names;
   /// Expressions know these as something else.
   std::set<std::string> input_names{"pi",   "t",    "z",    "zd",    "sqrt", "sin",   "cos",  "tan",
                                     "asin", "acos", "atan", "atan2", "exp",  "log",   "tanh", "abs",
@@ -88,8 +101,9 @@ std::string add_point(BodyDraft& body, std::string_view name, const Vector3d& po
 void add_joint_forces(Assembly& assembly, const std::string& coordinate, double stiffness, double damping, double free,
                       double friction);
 
-/// Why no rigid body has this mass and inertia, or "".
-std::string fault_of_inertia(double mass, const Matrix3d& inertia);
+/// Says of inertias that no rigid body has why they may stand: what fixed joints hold together counts together, and
+/// what hangs on the ground does not matter. Fails (with problems): where the mass matrix would be indefinite.
+void check_inertias(Reading& reading, Assembly& assembly);
 
 /// Text of the model.
 std::string model_text(const Assembly& assembly);

@@ -54,6 +54,7 @@ void import_mjcf(Reading& reading, const Element& root, Assembly& assembly) {
     problem(reading, root.spot, "model has no bodies", "they stand in <worldbody>");
   }
   scale_masses(mjcf);
+  check_inertias(reading, assembly);
   for (const auto& [text, loss] : mjcf.losses) {
     const std::string times = loss.count > 1 ? fmt::format(" ({} of them)", loss.count) : std::string();
     const std::size_t colon = text.find(':');

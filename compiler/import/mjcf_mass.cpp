@@ -177,10 +177,10 @@ void read_mass(Mjcf& mjcf, const Element& element, const std::string& childclass
     read_inertial(mjcf, *inertial, body);
   }
   correct_inertia(mjcf.settings, body);
-  const std::string fault = fault_of_inertia(body.mass, body.inertia);
-  if (!fault.empty())
-    problem(mjcf.reading, (inertial ? *inertial : element).spot,
-            fmt::format("body {}: {}", quoted_text(body.name), fault));
+  body.title = "body " + quoted_text(body.name);
+  body.inertia_spot = (inertial ? *inertial : element).spot;
+  if (body.mass < 0)
+    problem(mjcf.reading, body.inertia_spot, fmt::format("{}: mass is negative, {:.6g} kg", body.title, body.mass));
 }
 
 void scale_masses(Mjcf& mjcf) {

@@ -88,10 +88,11 @@ std::string body_text(const BodyDraft& body, bool is_ground) {
   std::vector<std::string> lines;
   const bool is_placed = !body.pose.matrix().isApprox(Isometry3d::Identity().matrix(), 1e-16);
   if (!is_ground && is_placed) lines.push_back(fmt::format("\"pose\": {}", pose_text(body.pose)));
-  if (body.mass > 0) {
+  if (body.mass > 0 || !body.inertia.isZero(0)) {
     std::string line = fmt::format("\"mass\": {}", number_text(body.mass));
     if (body.com.cwiseAbs().maxCoeff() >= kNoise) line += ", \"com\": " + vector_text(body.com);
-    lines.push_back(line + ", \"inertia\": " + inertia_text(body.inertia));
+    line += ", \"inertia\": " + inertia_text(body.inertia);
+    lines.push_back(line + (body.accepts_inertia ? ", \"accept_inertia\": true" : ""));
   }
   if (!body.points.empty()) {
     std::vector<std::string> points;
@@ -129,6 +130,17 @@ std::string friction_text(const FrictionDraft& friction) {
                      number_text(friction.coulomb), number_text(kFrictionVelocity));
 }
 
+/// Adds the shape's points to its body.
+std::string shape_text(const ShapeDraft& shape, std::vector<BodyDraft>& bodies) {
+  BodyDraft& body = bodies[static_cast<std::size_t>(shape.body)];
+  const auto point = [&](const Vector3d& at) { return body.name + "." + add_point(body, "shape_" + shape.name, at); };
+  std::string text = fmt::format("\"type\": \"{}\", \"from\": \"{}\"", shape.type, point(shape.from));
+  if (shape.type != "sphere") text += fmt::format(", \"to\": \"{}\"", point(shape.to));
+  if (shape.radius > 0) text += ", \"radius\": " + number_text(shape.radius);
+  if (!shape.colour.empty()) text += fmt::format(", \"colour\": \"{}\"", shape.colour);
+  return fmt::format("    \"{}\": {{ {} }}", shape.name, text);
+}
+
 /// A member of the model that holds one entry a line, or "" when there is none.
 std::string section(std::string_view name, const std::vector<std::string>& entries) {
   if (entries.empty()) return {};
@@ -139,8 +151,9 @@ std::string section(std::string_view name, const std::vector<std::string>& entri
 
 std::string model_text(const Assembly& assembly) {
   std::vector<BodyDraft> bodies = assembly.bodies;
-  std::vector<std::string> body_lines, joints, springs, frictions, inputs, forces;
+  std::vector<std::string> body_lines, joints, springs, frictions, inputs, forces, shapes;
   for (const JointDraft& joint : assembly.joints) joints.push_back(joint_text(joint, bodies));
+  for (const ShapeDraft& shape : assembly.shapes) shapes.push_back(shape_text(shape, bodies));
   for (std::size_t i = 0; i < bodies.size(); ++i) {
     if (i == kGroundDraft && bodies[i].points.empty()) continue;
     body_lines.push_back(body_text(bodies[i], i == kGroundDraft));
@@ -156,7 +169,8 @@ std::string model_text(const Assembly& assembly) {
   text += fmt::format("{{\n  \"mbgen\": 1, \"name\": \"{}\", \"gravity\": {}", assembly.name,
                       vector_text(assembly.gravity));
   text += section("inputs", inputs) + section("bodies", body_lines) + section("joints", joints);
-  text += section("joint_springs", springs) + section("frictions", frictions) + section("joint_forces", forces);
+  text += section("joint_springs", springs) + section("frictions", frictions) + section("joint_forces", forces) +
+          section("shapes", shapes);
   if (assembly.step > 0) text += fmt::format(",\n  \"solver\": {{ \"step\": {} }}", number_text(assembly.step));
   return text + "\n}\n";
 }

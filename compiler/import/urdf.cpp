@@ -31,22 +31,20 @@ bool refuse_xacro(Reading& reading, const Element& element) {
 struct LeftOut {
   std::string_view name, reason;
 };
-constexpr std::array<LeftOut, 7> kLeftOutOfRobot = {{{"material", "looks have no part in the dynamics"},
-                                                     {"transmission", "motors are not part of the mechanism"},
+constexpr std::array<LeftOut, 6> kLeftOutOfRobot = {{{"transmission", "motors are not part of the mechanism"},
                                                      {"gazebo", "settings of Gazebo are not read"},
                                                      {"mujoco", "settings of MuJoCo are not read"},
                                                      {"sensor", "outputs are chosen in the model"},
                                                      {"ros2_control", "controllers are not part of the mechanism"},
                                                      {"coupling", "the format has no relation between coordinates"}}};
-constexpr std::array<LeftOut, 2> kLeftOutOfLink = {
-    {{"visual", "shapes have no part in the dynamics"}, {"collision", "there is no contact"}}};
+constexpr std::array<LeftOut, 1> kLeftOutOfLink = {{{"collision", "there is no contact"}}};
 constexpr std::array<LeftOut, 3> kLeftOutOfJoint = {
     {{"limit", "limits are not enforced, they stand beside the joints as comments"},
      {"calibration", "it is not part of the mechanism"},
      {"safety_controller", "controllers are not part of the mechanism"}}};
-constexpr std::array<std::string_view, 3> kReadOfLink = {"inertial", "origin", "name"};
+constexpr std::array<std::string_view, 4> kReadOfLink = {"inertial", "origin", "name", "visual"};
 constexpr std::array<std::string_view, 6> kReadOfJoint = {"origin", "parent", "child", "axis", "dynamics", "mimic"};
-constexpr std::array<std::string_view, 4> kReadOfRobot = {"link", "joint", "loop_joint", "loop"};
+constexpr std::array<std::string_view, 5> kReadOfRobot = {"link", "joint", "loop_joint", "loop", "material"};
 
 /// Elements of one kind that are left out.
 struct Count {
@@ -86,12 +84,16 @@ void note_left_out(Reading& reading, const Element& root) {
 void import_urdf(Reading& reading, const Element& root, Assembly& assembly) {
   if (refuse_xacro(reading, root)) return;
   UrdfRobot robot = read_robot(reading, root);
-  const Sidecar sidecar = read_sidecar(reading, robot);
+  const std::vector<UrdfLoop> sidecar = read_sidecar(reading, robot);
   if (!reading.problems.empty()) return;
-  assemble_robot(reading, robot, assembly);
+  std::vector<UrdfLoop> loops = read_extension_loops(reading, root, robot);
+  loops.insert(loops.end(), sidecar.begin(), sidecar.end());
   if (!reading.problems.empty()) return;
-  add_extension_loops(reading, root, robot, assembly);
-  add_sidecar_loops(reading, sidecar, robot, assembly);
+  assemble_robot(reading, robot, loops, assembly);
+  if (!reading.problems.empty()) return;
+  add_loops(reading, loops, robot, assembly);
+  add_visuals(reading, root, robot, assembly);
+  check_inertias(reading, assembly);
   if (!assembly.frictions.empty()) {
     note(reading, root.spot,
          fmt::format("friction of {} joint{} is smoothed below {} rad/s or m/s", assembly.frictions.size(),

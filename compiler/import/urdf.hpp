@@ -32,6 +32,7 @@ struct UrdfRobot {
   std::vector<UrdfLink> links;
   std::vector<UrdfJoint> joints;
   std::map<std::string, int, std::less<>> link_of, joint_of;
+  bool is_closed_by_moving = false;  ///< what is still open of a loop is taken up by its points
 };
 
 /// A frame by the attributes xyz and rpy of an element, identity where they are absent.
@@ -46,10 +47,6 @@ bool has_axis(JointType type);
 /// Links and joints, by name; references are resolved. Problems are added.
 UrdfRobot read_robot(Reading& reading, const Element& root);
 
-/// Places every link from the root outwards and makes bodies and joints of them; a joint to a link that is placed
-/// already closes a loop. Requires: no problems so far.
-void assemble_robot(Reading& reading, UrdfRobot& robot, Assembly& assembly);
-
 /// Two frames that a loop brings together, at the reference.
 struct LoopEnds {
   JointType type = JointType::fixed;
@@ -62,21 +59,41 @@ std::string gap_of(const LoopEnds& ends);
 /// What to do about it.
 extern const char* const kGapHint;
 
-/// Loops by <loop_joint> and <loop> elements.
-void add_extension_loops(Reading& reading, const Element& root, const UrdfRobot& robot, Assembly& assembly);
-
-/// The sidecar: read before links are placed, its loops are added afterwards.
-struct Sidecar {
-  struct Loop {
-    std::string name, pointer;
-    LoopEnds ends = {};  ///< frames in the links
-    int from = -1, to = -1;
-    bool has_far_frame = false;
-  };
-  std::vector<Loop> loops;
+/// A loop that is no second parent: of an extension or of the sidecar.
+struct UrdfLoop {
+  std::string name;
+  Spot spot = {};             ///< of an extension's element
+  std::string pointer = {};   ///< of a loop of the sidecar, where it stands in the text is not known
+  LoopEnds ends = {};         ///< frames in the links
+  int from = -1, to = -1;     ///< links
+  bool has_far_frame = true;  ///< else the far end is where the near one is
 };
-Sidecar read_sidecar(Reading& reading, UrdfRobot& robot);
-void add_sidecar_loops(Reading& reading, const Sidecar& sidecar, const UrdfRobot& robot, Assembly& assembly);
+
+/// Loops by <loop_joint> and <loop> elements.
+std::vector<UrdfLoop> read_extension_loops(Reading& reading, const Element& root, const UrdfRobot& robot);
+/// Loops of the sidecar; positions that it names are set in the robot.
+std::vector<UrdfLoop> read_sidecar(Reading& reading, UrdfRobot& robot);
+/// Adds joints that close them. Requires: the robot is assembled.
+void add_loops(Reading& reading, const std::vector<UrdfLoop>& loops, const UrdfRobot& robot, Assembly& assembly);
+
+/// The frame of a joint's child in its parent's, at its position at the reference.
+Isometry3d moved(const UrdfJoint& joint);
+
+/// Walks from the root and sets the poses of all links. A link is placed by the first of its joints in the file, by
+/// another only where that one comes from a link below it.
+void place_links(UrdfRobot& robot, int root, std::vector<BodyDraft>& bodies);
+
+/// Closes loops that are open by some millimetres by moving the joints of the tree a little, and places the links
+/// anew. What is wider open, or does not close, stays as it is.
+void close_loops(Reading& reading, UrdfRobot& robot, const std::vector<UrdfLoop>& loops, int root,
+                 std::vector<BodyDraft>& bodies);
+
+/// Places every link from the root outwards and makes bodies and joints of them; a joint to a link that is placed
+/// already closes a loop. Requires: no problems so far.
+void assemble_robot(Reading& reading, UrdfRobot& robot, const std::vector<UrdfLoop>& loops, Assembly& assembly);
+
+/// Looks of links as shapes. Requires: the robot is assembled.
+void add_visuals(Reading& reading, const Element& root, const UrdfRobot& robot, Assembly& assembly);
 
 /// The whole translation. Problems and notes are added.
 void import_urdf(Reading& reading, const Element& root, Assembly& assembly);

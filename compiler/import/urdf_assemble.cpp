@@ -13,13 +13,6 @@ constexpr double kClosureTolerance = 1e-6;  // m and rad, as the model's reader 
 
 UrdfLink& link(UrdfRobot& robot, int index) { return robot.links[static_cast<std::size_t>(index)]; }
 
-Isometry3d moved(const UrdfJoint& joint) {
-  Isometry3d frame = joint.origin;
-  if (joint.type == JointType::revolute) frame.rotate(Eigen::AngleAxisd(joint.reference, joint.axis));
-  if (joint.type == JointType::prismatic) frame.translate(joint.reference * joint.axis);
-  return frame;
-}
-
 /// Inertia about the centre of mass in the link's axes.
 void read_inertial(Reading& reading, const UrdfLink& link, BodyDraft& body) {
   const Element* inertial = child(*link.element, "inertial");
@@ -40,12 +33,10 @@ void read_inertial(Reading& reading, const UrdfLink& link, BodyDraft& body) {
   body.mass = number(reading, *mass, "value", 0);
   body.com = frame.translation();
   body.inertia = frame.linear() * written * frame.linear().transpose();
-  const std::string fault = fault_of_inertia(body.mass, written);
-  if (fault.empty()) return;
-  problem(reading, (body.mass < 0 ? mass : inertia)->spot, fmt::format("link {}: {}", quoted_text(link.name), fault),
-          fault.find("triangle") == std::string::npos
-              ? ""
-              : "no principal moment of a rigid body exceeds the sum of the other two");
+  body.title = "link " + quoted_text(link.name);
+  body.inertia_spot = inertia->spot;
+  if (body.mass < 0)
+    problem(reading, mass->spot, fmt::format("{}: mass is negative, {:.6g} kg", body.title, body.mass));
 }
 
 /// The links from one that is its own ancestor round to itself: "a -> b -> a".
@@ -109,27 +100,6 @@ int leaving_joint(const UrdfRobot& robot) {
   return -1;
 }
 
-/// Walks from the root. A link is placed by the first of its joints in the file, by another only where that one comes
-/// from a link below it.
-void place_links(UrdfRobot& robot, int root, std::vector<BodyDraft>& bodies) {
-  link(robot, root).is_placed = true;
-  std::vector<int> reached = {root};
-  for (std::size_t next = 0;; ++next) {
-    if (next == reached.size()) {
-      const int other = leaving_joint(robot);
-      if (other < 0) return;
-      place(robot, other, bodies);
-      reached.push_back(robot.joints[static_cast<std::size_t>(other)].child);
-    }
-    for (const int index : link(robot, reached[next]).children) {
-      const int child = robot.joints[static_cast<std::size_t>(index)].child;
-      if (link(robot, child).is_placed || link(robot, child).parents.front() != index) continue;
-      place(robot, index, bodies);
-      reached.push_back(child);
-    }
-  }
-}
-
 std::string limits_text(Reading& reading, const UrdfJoint& joint) {
   const Element* limit = child(*joint.element, "limit");
   if (!limit) return {};
@@ -188,7 +158,7 @@ void add_joint(Reading& reading, UrdfRobot& robot, int index, Assembly& assembly
                      quoted_text(joint.name)));
     const Isometry3d pose = assembly.bodies[static_cast<std::size_t>(parent.body)].pose;
     const std::string gap = gap_of({joint.type, pose * moved(joint), child_pose, joint.axis});
-    if (!gap.empty()) {
+    if (!gap.empty() && !robot.is_closed_by_moving) {
       problem(reading, joint.element->spot,
               fmt::format("joint {} does not close its loop, {}", quoted_text(joint.name), gap), kGapHint);
     }
@@ -253,6 +223,33 @@ void add_base(Reading& reading, const UrdfRobot& robot, int root, Assembly& asse
 
 }  // namespace
 
+Isometry3d moved(const UrdfJoint& joint) {
+  Isometry3d frame = joint.origin;
+  if (joint.type == JointType::revolute) frame.rotate(Eigen::AngleAxisd(joint.reference, joint.axis));
+  if (joint.type == JointType::prismatic) frame.translate(joint.reference * joint.axis);
+  return frame;
+}
+
+void place_links(UrdfRobot& robot, int root, std::vector<BodyDraft>& bodies) {
+  for (UrdfLink& link : robot.links) link.is_placed = false;
+  link(robot, root).is_placed = true;
+  std::vector<int> reached = {root};
+  for (std::size_t next = 0;; ++next) {
+    if (next == reached.size()) {
+      const int other = leaving_joint(robot);
+      if (other < 0) return;
+      place(robot, other, bodies);
+      reached.push_back(robot.joints[static_cast<std::size_t>(other)].child);
+    }
+    for (const int index : link(robot, reached[next]).children) {
+      const int child = robot.joints[static_cast<std::size_t>(index)].child;
+      if (link(robot, child).is_placed || link(robot, child).parents.front() != index) continue;
+      place(robot, index, bodies);
+      reached.push_back(child);
+    }
+  }
+}
+
 const char* const kGapHint =
     "name joint positions at which it closes: --loops FILE with { \"positions\": { \"joint\": 0.3 } }";
 
@@ -280,7 +277,7 @@ std::string gap_of(const LoopEnds& ends) {
   return {};
 }
 
-void assemble_robot(Reading& reading, UrdfRobot& robot, Assembly& assembly) {
+void assemble_robot(Reading& reading, UrdfRobot& robot, const std::vector<UrdfLoop>& loops, Assembly& assembly) {
   const int root = root_of(reading, robot);
   if (root < 0) return;
   add_bodies(reading, robot, root, assembly);
@@ -294,6 +291,7 @@ void assemble_robot(Reading& reading, UrdfRobot& robot, Assembly& assembly) {
             "joints in a circle need one that comes from the root");
     return;
   }
+  close_loops(reading, robot, loops, root, assembly.bodies);
   add_base(reading, robot, root, assembly);
   for (std::size_t i = 0; i < robot.joints.size(); ++i) add_joint(reading, robot, static_cast<int>(i), assembly);
   note_massless(reading, robot);

@@ -33,22 +33,6 @@ std::optional<JointType> loop_type(std::string_view typed) {
   return std::nullopt;
 }
 
-/// Adds the joint. Result: why it does not close, or "".
-std::string add_loop(Assembly& assembly, const std::string& name, const LoopEnds& local, int from, int to) {
-  LoopEnds ends = local;
-  ends.from = assembly.bodies[static_cast<std::size_t>(from)].pose * local.from;
-  ends.to = assembly.bodies[static_cast<std::size_t>(to)].pose * local.to;
-  JointDraft draft{.name = unique_joint_name(assembly, name),
-                   .type = ends.type,
-                   .from = from,
-                   .to = to,
-                   .at = ends.to.translation(),
-                   .cut = true};
-  if (has_axis(ends.type)) draft.axis = ends.from.linear() * ends.axis;
-  assembly.joints.push_back(std::move(draft));
-  return gap_of(ends);
-}
-
 /// A problem of the sidecar; where it stands in the text is not known, its JSON pointer is.
 void sidecar_problem(Reading& reading, const std::string& pointer, std::string message, std::string hint) {
   Diagnostic diagnostic;
@@ -126,7 +110,7 @@ struct SidecarReader {
     }
   }
 
-  void loop(const std::string& name, const Json& value, Sidecar& sidecar) {
+  void loop(const std::string& name, const Json& value, std::vector<UrdfLoop>& loops) {
     const std::string pointer = "/loops/" + name;
     if (!value.is_object()) return fail(pointer, "must be an object with type, from and to");
     static constexpr std::array known = {"type", "from", "to", "xyz", "rpy", "axis", "to_xyz", "to_rpy"};
@@ -135,7 +119,7 @@ struct SidecarReader {
         fail(pointer + "/" + key, "unknown field", "known: type, from, to, xyz, rpy, axis, to_xyz, to_rpy");
       }
     }
-    Sidecar::Loop loop{.name = name, .pointer = pointer};
+    UrdfLoop loop{.name = name, .pointer = pointer};
     loop.from = link(value, "from", pointer);
     loop.to = link(value, "to", pointer);
     const bool has_type = value.contains("type") && value["type"].is_string();
@@ -149,7 +133,7 @@ struct SidecarReader {
     loop.ends.to = frame(value, "to_xyz", "to_rpy", pointer);
     loop.has_far_frame = value.contains("to_xyz") || value.contains("to_rpy");
     if (loop.from >= 0 && loop.from == loop.to) return fail(pointer, "both ends are on one link");
-    if (loop.from >= 0 && loop.to >= 0) sidecar.loops.push_back(std::move(loop));
+    if (loop.from >= 0 && loop.to >= 0) loops.push_back(std::move(loop));
   }
 };
 
@@ -183,7 +167,8 @@ std::vector<ExtensionEnd> extension_ends(Reading& reading, const Element& loop, 
 
 }  // namespace
 
-void add_extension_loops(Reading& reading, const Element& root, const UrdfRobot& robot, Assembly& assembly) {
+std::vector<UrdfLoop> read_extension_loops(Reading& reading, const Element& root, const UrdfRobot& robot) {
+  std::vector<UrdfLoop> loops;
   for (const Element& element : root.children) {
     if (element.name != "loop_joint" && element.name != "loop") continue;
     const std::optional<std::string> name = required_text(reading, element, "name");
@@ -196,15 +181,13 @@ void add_extension_loops(Reading& reading, const Element& root, const UrdfRobot&
     if (!name || ends.empty()) continue;
     LoopEnds frames{*type, ends[0].frame, ends[1].frame, Vector3d::UnitX()};
     if (has_axis(*type)) frames.axis = read_axis(reading, element);
-    const auto body = [&](const ExtensionEnd& end) { return robot.links[static_cast<std::size_t>(end.link)].body; };
-    const std::string gap = add_loop(assembly, *name, frames, body(ends[0]), body(ends[1]));
-    if (!gap.empty())
-      problem(reading, element.spot, fmt::format("loop {} does not close, {}", quoted_text(*name), gap), kGapHint);
+    loops.push_back({.name = *name, .spot = element.spot, .ends = frames, .from = ends[0].link, .to = ends[1].link});
   }
+  return loops;
 }
 
-Sidecar read_sidecar(Reading& reading, UrdfRobot& robot) {
-  Sidecar sidecar;
+std::vector<UrdfLoop> read_sidecar(Reading& reading, UrdfRobot& robot) {
+  std::vector<UrdfLoop> sidecar;
   if (!reading.request.loops) return sidecar;
   SidecarReader reader{reading, robot};
   Json root;
@@ -233,17 +216,30 @@ Sidecar read_sidecar(Reading& reading, UrdfRobot& robot) {
   return sidecar;
 }
 
-void add_sidecar_loops(Reading& reading, const Sidecar& sidecar, const UrdfRobot& robot, Assembly& assembly) {
-  for (const Sidecar::Loop& loop : sidecar.loops) {
+void add_loops(Reading& reading, const std::vector<UrdfLoop>& loops, const UrdfRobot& robot, Assembly& assembly) {
+  for (const UrdfLoop& loop : loops) {
     const int from = robot.links[static_cast<std::size_t>(loop.from)].body;
     const int to = robot.links[static_cast<std::size_t>(loop.to)].body;
-    LoopEnds ends = loop.ends;
     const auto pose = [&](int body) { return assembly.bodies[static_cast<std::size_t>(body)].pose; };
-    if (!loop.has_far_frame) ends.to = pose(to).inverse() * pose(from) * ends.from;
-    const std::string gap = add_loop(assembly, loop.name, ends, from, to);
-    if (gap.empty()) continue;
-    sidecar_problem(reading, loop.pointer, "loop does not close, " + gap,
-                    "name joint positions at which it closes, as \"positions\": { \"joint\": 0.3 }");
+    LoopEnds ends = loop.ends;
+    ends.from = pose(from) * ends.from;
+    ends.to = loop.has_far_frame ? pose(to) * ends.to : ends.from;
+    JointDraft draft{.name = unique_joint_name(assembly, loop.name),
+                     .type = ends.type,
+                     .from = from,
+                     .to = to,
+                     .at = ends.to.translation(),
+                     .cut = true};
+    if (has_axis(ends.type)) draft.axis = ends.from.linear() * ends.axis;
+    assembly.joints.push_back(std::move(draft));
+    const std::string gap = gap_of(ends);
+    if (gap.empty() || robot.is_closed_by_moving) continue;
+    if (loop.pointer.empty()) {
+      problem(reading, loop.spot, fmt::format("loop {} does not close, {}", quoted_text(loop.name), gap), kGapHint);
+    } else {
+      sidecar_problem(reading, loop.pointer, "loop does not close, " + gap,
+                      "name joint positions at which it closes, as \"positions\": { \"joint\": 0.3 }");
+    }
   }
 }
 

@@ -28,6 +28,12 @@ int edit_distance(std::string_view a, std::string_view b) {
   return row[b.size()];
 }
 
+std::string list_of(const std::vector<std::string_view>& candidates) {
+  std::string known = "known: ";
+  for (std::size_t i = 0; i < candidates.size(); ++i) known += (i ? ", " : "") + std::string(candidates[i]);
+  return known;
+}
+
 bool may_be_unreadable(const Names& names, std::string_view coordinate) {
   return std::any_of(names.unreadable_joints.begin(), names.unreadable_joints.end(),
                      [&](const std::string& joint) { return coordinate.starts_with(joint); });
@@ -52,10 +58,7 @@ std::string did_you_mean(std::string_view word, const std::vector<std::string_vi
     nearest = candidate;
   }
   if (best <= near) return "did you mean \"" + std::string(nearest) + "\"?";
-  if (candidates.size() > kMostListed) return {};
-  std::string known = "known: ";
-  for (std::size_t i = 0; i < candidates.size(); ++i) known += (i ? ", " : "") + std::string(candidates[i]);
-  return known;
+  return candidates.size() > kMostListed ? std::string() : reading::list_of(candidates);
 }
 
 }  // namespace mbgen

@@ -58,6 +58,9 @@ typename NameMap<Target>::const_iterator find_visible(const NameMap<Target>& nam
   return names.end();
 }
 
+/// "known: a, b, c".
+std::string list_of(const std::vector<std::string_view>& candidates);
+
 /// How a full name is written at the innermost level.
 std::string_view name_from_inside(std::string_view full, const Visibility& visible);
 

@@ -198,6 +198,12 @@ bool is_outer_body(const Reader& reader, std::string_view name) {
   return name == "ground" || current_scope(reader).connections.contains(name);
 }
 
+bool is_connected(const Reader& reader, std::string_view name) {
+  std::size_t scope = reader.scope;
+  while (scope != 0 && !reader.scopes[scope].connections.contains(name)) scope = reader.scopes[scope].parent;
+  return scope != 0;
+}
+
 std::string find_outer_name(const Reader& reader, std::string_view name) {
   std::string result(name);
   for (std::size_t scope = reader.scope; scope != 0; scope = reader.scopes[scope].parent) {

@@ -54,6 +54,7 @@ struct InputFields : Input {
 
 struct BodyFields : Body {
   const Value *point_list = nullptr;
+  bool accepts_inertia = false;
 };
 
 /// A joint with axes as written, in body frames.

@@ -11,8 +11,6 @@
 namespace mbgen::reading {
 namespace {
 
-constexpr double kInertiaSlack = 1e-9;  ///< of the trace: inertias typed with few digits pass, wrong ones do not
-
 void check_expression_name(Reader& reader, const Entry& entry) {
   if (is_reserved_name(entry.name) || is_reserved_name(entry.written)) {
     report(reader, entry.place, "name " + in_quotes(entry.written) + " is reserved, expressions use it");
@@ -21,60 +19,12 @@ void check_expression_name(Reader& reader, const Entry& entry) {
   }
 }
 
-/// Eigenvalues of a symmetric matrix (xx yy zz xy xz yz), ascending, by Jacobi rotations.
-std::array<double, 3> principal_moments(const std::array<double, 6>& entries) {
-  double m[3][3] = {
-      {entries[0], entries[3], entries[4]}, {entries[3], entries[1], entries[5]}, {entries[4], entries[5], entries[2]}};
-  constexpr int kSweeps = 12;  // converges quadratically, five are usual
-  for (int step = 0; step < 3 * kSweeps; ++step) {
-    const int p = step % 3 == 2 ? 1 : 0, q = step % 3 == 0 ? 1 : 2;
-    if (m[p][q] == 0) continue;
-    const double angle = 0.5 * std::atan2(2 * m[p][q], m[q][q] - m[p][p]);
-    const double c = std::cos(angle), s = std::sin(angle);
-    for (auto& row : m) {
-      const double at_p = row[p], at_q = row[q];
-      row[p] = c * at_p - s * at_q;
-      row[q] = s * at_p + c * at_q;
-    }
-    for (int column = 0; column < 3; ++column) {
-      const double at_p = m[p][column], at_q = m[q][column];
-      m[p][column] = c * at_p - s * at_q;
-      m[q][column] = s * at_p + c * at_q;
-    }
-  }
-  std::array<double, 3> moments = {m[0][0], m[1][1], m[2][2]};
-  std::sort(moments.begin(), moments.end());
-  return moments;
-}
-
-void check_inertia(Reader& reader, const Value& value, const Body& body) {
-  std::array<double, 6> entries{};
-  for (std::size_t i = 0; i < 6; ++i) entries[i] = body.inertia[i].value;
-  if (std::any_of(entries.begin(), entries.end(), [](double entry) { return std::isnan(entry); })) return;
-  const auto [smallest, middle, largest] = principal_moments(entries);
-  const double slack = kInertiaSlack * std::abs(entries[0] + entries[1] + entries[2]);
-  const std::string moments = fmt::format("principal moments {:.6g}, {:.6g}, {:.6g}", smallest, middle, largest);
-  if (smallest < -slack) {
-    report(reader, value, "inertia is not positive semidefinite, " + moments);
-  } else if (largest > smallest + middle + slack) {
-    report(reader, value, "inertia breaks the triangle inequality, " + moments,
-           "no principal moment of a rigid body exceeds the sum of the other two");
-  }
-}
-
 void check_body(Reader& reader, const Value& value, const Body& body) {
   const Value* mass = find(value, "mass");
-  const Value* inertia = find(value, "inertia");
   const bool massless = body.mass.expression < 0 && body.mass.value == 0;
-  if (mass && !inertia && !massless) {
+  if (mass && !find(value, "inertia") && !massless) {
     report(reader, *mass, "a body with mass needs inertia", "write \"inertia\": [0, 0, 0] for a point mass");
   }
-  if (!inertia) return;
-  const bool rotates = std::any_of(body.inertia.begin(), body.inertia.end(), [](const Quantity& entry) {
-    return entry.expression >= 0 || (entry.value != 0 && !std::isnan(entry.value));
-  });
-  if (massless && rotates) report(reader, *inertia, "a body with inertia needs mass");
-  check_inertia(reader, *inertia, body);
 }
 
 struct PointPlace {
@@ -223,11 +173,12 @@ void check_ground(Reader& reader, const Value& value) {
 }
 
 /// Index of a new body.
-int add_body(Reader& reader, Body body, bool readable, PointPlaces& places) {
+int add_body(Reader& reader, Body body, WrittenInertia inertia, bool readable, PointPlaces& places) {
   const int index = static_cast<int>(reader.model.bodies.size());
   if (body.name == "ground") reader.model.ground = index;
   reader.names.bodies.emplace(body.name, index);
   reader.names.body_scopes.push_back(reader.scope);
+  reader.inertias.push_back(inertia);
   reader.names.points.emplace_back();
   reader.names.points_unreadable.push_back(!readable);
   reader.model.bodies.push_back(std::move(body));
@@ -246,7 +197,9 @@ void read_body(Reader& reader, const Entry& entry, PointPlaces& places) {
   if (readable && !ground) check_body(reader, *entry.value, body);
   place_body(reader, body);
   const auto found = reader.names.bodies.find(entry.name);
-  const int index = found == reader.names.bodies.end() ? add_body(reader, body, readable, places) : found->second;
+  const WrittenInertia inertia{find(*entry.value, "inertia"), body.accepts_inertia};
+  const int index =
+      found == reader.names.bodies.end() ? add_body(reader, body, inertia, readable, places) : found->second;
   if (body.point_list) read_points(reader, static_cast<std::size_t>(index), *body.point_list, places);
 }
 
@@ -266,7 +219,7 @@ void read_outer_points(Reader& reader, const Entry& entry, PointPlaces& places) 
     Body ground;
     ground.name = "ground";
     ground.where = where_of(reader.documents, entry.place);
-    index = add_body(reader, std::move(ground), true, places);
+    index = add_body(reader, std::move(ground), {}, true, places);
   }
   if (index >= 0) return read_points(reader, static_cast<std::size_t>(index), *body.point_list, places);
   const Value& target = *current_scope(reader).connections.find(entry.written)->second;

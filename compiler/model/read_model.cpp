@@ -153,6 +153,7 @@ void read_sections(Reader& reader) {
   place_instances(reader);
   read_bodies(reader, entries(&FileFields::bodies));
   read_joints(reader, entries(&FileFields::joints));
+  check_inertias(reader);
   read_rods(reader, entries(&FileFields::rods));
   read_springs(reader, entries(&FileFields::springs));
   read_joint_springs(reader, entries(&FileFields::joint_springs));
@@ -213,6 +214,9 @@ Result<Model> read(std::string_view text, const std::string& file_name, const st
       report(reader, reader.documents[0].root, "model has no bodies");
   }
   if (!reader.problems.empty()) return to_diagnostics(reader.documents, std::move(reader.problems));
+  note_unlikely(reader);
+  for (Diagnostic& note : to_diagnostics(reader.documents, std::move(reader.notes)))
+    reader.model.notes.push_back(std::move(note));
   reader.model.hash = hash_of(reader.documents);
   for (const Document& document : reader.documents) reader.model.files.push_back(document.file);
   return std::move(reader.model);

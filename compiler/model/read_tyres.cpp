@@ -97,7 +97,7 @@ std::vector<CoefficientSet> read_sets(Reader& reader, const Entries& entries) {
   return sets;
 }
 
-void check_tyre(Reader& reader, const Value& value, TyreFields& tyre) {
+void check_tyre(Reader& reader, const Value& value, const std::vector<int>& groups, TyreFields& tyre) {
   constexpr double kSmallestTilt = 1e-3;  // rad between the axis and the vertical
   if (std::abs(tyre.side) != 1 && !std::isnan(tyre.side)) {
     report(reader, *find(value, "side"), fmt::format("side must be 1 or -1, got {}", tyre.side));
@@ -108,7 +108,7 @@ void check_tyre(Reader& reader, const Value& value, TyreFields& tyre) {
   if (tyre.centre.body >= 0 && tyre.centre.body == reader.model.ground) {
     report(reader, *find(value, "centre"), "a tyre on ground has no effect");
   }
-  tyre.axis = placed_axis(reader, tyre.centre.body, tyre.axis, FreedomKind::revolute);
+  place_on_wheel(reader, value, groups, tyre);
   tyre.side *= handedness(current_scope(reader).placement);
   if (std::hypot(tyre.axis[0], tyre.axis[1]) < kSmallestTilt) {
     report(reader, member_or_object(value, "axis"), "axis of a tyre is vertical, the wheel would lie on the road");
@@ -171,10 +171,11 @@ void read_tyres(Reader& reader, const Entries& tyre_data, const Entries& tyres) 
   for (const Entry& entry : tyres) {
     reader.names.tyres.emplace(entry.name, static_cast<int>(reader.names.tyres.size()));
   }
+  const std::vector<int> groups = rigid_groups(reader.model);
   std::vector<TyreFields> list;
   read_list(reader, tyres, list, [&](Reader& r, const Value& value, TyreFields& tyre) {
     check_source(r, value);
-    check_tyre(r, value, tyre);
+    check_tyre(r, value, groups, tyre);
     if (tyre.tir) {
       use_file(r, value, tyre);
     } else {

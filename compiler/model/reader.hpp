@@ -16,11 +16,21 @@
 
 namespace mbgen::reading {
 
+struct TyreFields;
+
+/// Where a body's inertia stands, nullptr where it has none, and whether one that no rigid body has will do.
+struct WrittenInertia {
+  const Value* value = nullptr;
+  bool accepted = false;
+};
+
 struct Reader {
   Documents documents;
   Problems problems;
+  Problems notes;  ///< nothing is wrong
   Model model;
   Names names;
+  std::vector<WrittenInertia> inertias;   ///< per body
   std::vector<Scope> scopes = {Scope{}};  ///< the model, then its instances, each after the one that places it
   std::size_t scope = 0;                  ///< whose text is being read
   std::vector<VariedParameter> varied = {};
@@ -52,6 +62,9 @@ void report(Reader& reader, Place place, std::string message, std::string hint =
 inline void report(Reader& reader, const Value& value, std::string message, std::string hint = {}) {
   report(reader, value.place, std::move(message), std::move(hint));
 }
+
+/// Says what is allowed and likely not meant.
+void note(Reader& reader, Place place, std::string message, std::string hint = {});
 
 /// Nobody reads the hints after so many problems, and searching the nearest name for each takes long.
 inline bool suggests(const Reader& reader) { return reader.problems.size() < 1000; }
@@ -215,6 +228,8 @@ std::size_t add_document(Reader& reader, const std::string& file, std::string te
 void place_instances(Reader& reader);
 /// Whether a body of the current scope is one of what places it: it is connected, or ground.
 bool is_outer_body(const Reader& reader, std::string_view name);
+/// Whether the current scope, or one that places it, connects what it calls so to a body of another name.
+bool is_connected(const Reader& reader, std::string_view name);
 /// What the innermost scope that defines it, or the model, calls a body of the current scope.
 std::string find_outer_name(const Reader& reader, std::string_view name);
 /// Index of the body that the current scope calls so, or -1.
@@ -240,6 +255,20 @@ void read_parameters(Reader& reader, const Entries& entries);
 void read_inputs(Reader& reader, const Entries& entries);
 void read_bodies(Reader& reader, const Entries& entries);
 void read_joints(Reader& reader, const Entries& entries);
+/// Inertias of what moves as one: bodies that fixed joints hold together count together. Requires: joints are read.
+void check_inertias(Reader& reader);
+/// Per body: the lowest index of those that fixed joints hold together with it.
+std::vector<int> rigid_groups(const Model& model);
+/// Bodies that move as one, in global axes at the reference: moments and products about the centre of mass.
+struct RigidGroup {
+  double mass = 0;   ///< kg
+  Vector3 centre{};  ///< m
+  std::array<double, 6> inertia{};
+};
+/// group: their number in rigid_groups.
+RigidGroup rigid_group(const Model& model, const std::vector<int>& groups, int group);
+/// Gives a tyre the axis of its wheel's joint where it has none of its own, and notes what is likely not meant.
+void place_on_wheel(Reader& reader, const Value& value, const std::vector<int>& groups, TyreFields& tyre);
 void read_rods(Reader& reader, const Entries& entries);
 void read_springs(Reader& reader, const Entries& entries);
 void read_joint_springs(Reader& reader, const Entries& entries);
@@ -259,6 +288,13 @@ struct Part {
 /// Files from the innermost instance and include to the file asked for: the later value wins.
 void read_initial(Reader& reader, const std::vector<Part>& parts);
 void read_solver(Reader& reader, const std::vector<Part>& parts);
+
+// What is allowed and likely not meant.
+bool is_large_angle(double angle);
+/// Notes an angle of more than a turn, which likely was typed in degrees.
+void note_turns(Reader& reader, const Value& value, double angle);
+/// Notes on the whole model. Requires: it has no problems.
+void note_unlikely(Reader& reader);
 
 // Geometry at the reference configuration.
 Matrix3 product(const Matrix3& a, const Matrix3& b);

@@ -41,7 +41,9 @@ void read_value(Reader& reader, const Value& value, const FieldInfo&, Matrix3& t
   target = identity();
   const auto apply = [&](const Value& one) {
     RotationFields rotation = with_defaults<RotationFields>();
-    if (read_fields(reader, one, rotation)) target = product(target, rotation_about(rotation.axis, rotation.angle));
+    if (!read_fields(reader, one, rotation)) return;
+    note_turns(reader, member_or_object(one, "angle"), rotation.angle);
+    target = product(target, rotation_about(rotation.axis, rotation.angle));
   };
   if (value.kind != Value::Kind::array) return apply(value);
   for (const Value& item : value.items) apply(item);
@@ -60,6 +62,7 @@ void read_value(Reader& reader, const Value& value, const FieldInfo&, Attachment
   }
   const std::string body = value.text.substr(0, dot), point = value.text.substr(dot + 1);
   const int index = find_body(reader, body);
+  if (index < 0 && is_connected(reader, body)) return;  // that what it is connected to is unknown was reported there
   if (index < 0) {
     std::string hint = body == "ground" ? "give ground its points in bodies: \"ground\": { \"points\": { ... } }"
                                         : suggestion(reader, body, reader.names.bodies);

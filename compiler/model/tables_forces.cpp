@@ -231,7 +231,10 @@ std::span<const Field<TyreFields>> fields<TyreFields>() {
   static const std::array table = {
       field<S, &S::centre>(end("centre", "wheel centre, a point of the wheel body on its axis")),
       field<S, &S::axis>(
-          {.name = "axis", .shape = Shape::axis, .doc = "spin axis in the wheel frame, to the left, default y"}),
+          {.name = "axis",
+           .shape = Shape::axis,
+           .doc = "spin axis in the wheel frame, to the left; default: that of the joint in which the wheel turns, "
+                  "else y"}),
       field<S, &S::data>(
           {.name = "data", .shape = Shape::reference, .doc = "name of the coefficient set", .of = "tyre_data"}),
       field<S, &S::tir>({.name = "tir",

@@ -204,6 +204,12 @@ std::span<const Field<BodyFields>> fields<BodyFields>() {
            .doc = "about the centre of mass in body axes: xx yy zz, or the matrix entries xx yy zz xy xz yz",
            .unit = "kg m^2",
            .depends = Depends::parameters}),
+      field<F, &F::accepts_inertia>(
+          {.name = "accept_inertia",
+           .shape = Shape::boolean,
+           .doc = "true: an inertia that no rigid body has is taken as it is, as long as it is not negative about any "
+                  "axis; a note says so. Imported robots may need it",
+           .fallback = 0}),
       field<F, &F::point_list>({.name = "points",
                                 .shape = Shape::points,
                                 .doc = "named points in the body frame",

@@ -155,6 +155,10 @@ void report(Reader& reader, Place place, std::string message, std::string hint) 
   reader.problems.push_back({place, std::move(message), std::move(hint), current_scope(reader).path});
 }
 
+void note(Reader& reader, Place place, std::string message, std::string hint) {
+  reader.notes.push_back({place, std::move(message), std::move(hint), current_scope(reader).path});
+}
+
 const Value& member_or_object(const Value& object, std::string_view key) {
   const Value* member = find(object, key);
   return member ? *member : object;
@@ -170,7 +174,8 @@ bool check_keys(Reader& reader, const Value& value, const std::vector<const Fiel
   for (const Member& member : value.members) {
     const auto row = std::find(known.begin(), known.end(), member.key);
     if (row == known.end()) {
-      report(reader, member.place, "unknown key " + in_quotes(member.key), did_you_mean(member.key, known));
+      const std::string hint = did_you_mean(member.key, known);
+      report(reader, member.place, "unknown key " + in_quotes(member.key), hint.empty() ? list_of(known) : hint);
     }
   }
   for (const FieldInfo* row : rows) {

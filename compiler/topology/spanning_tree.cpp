@@ -21,6 +21,22 @@ struct Cycle {
   JointSet path;
 };
 
+/// What to do where a subsystem of an instance has a body of points only, which the instance does not connect; "" for
+/// other bodies without a path.
+std::string forgotten_connection(const Model& model, const std::vector<int>& island) {
+  for (const int index : island) {
+    const Body& body = model.bodies[index];
+    const std::string written = body.where.pointer.substr(body.where.pointer.rfind('/') + 1);
+    const bool has_points_only = body.mass.value == 0 && body.mass.expression < 0 && !body.points.empty();
+    if (!has_points_only || written == body.name || body.where.file == model.file) continue;
+    const auto same = std::find_if(model.bodies.begin(), model.bodies.end(),
+                                   [&](const Body& other) { return other.name == written; });
+    return "connect the instance's body: \"connect\": { " + quoted(written) + ": " +
+           quoted(same == model.bodies.end() ? "BODY" : written) + " }";
+  }
+  return {};
+}
+
 /// The tree under construction: first it grows, then its ties are exchanged.
 class TreeSearch {
  public:
@@ -198,8 +214,11 @@ void TreeSearch::check_reach(Diagnostics& problems) const {
         island.push_back(other);
       }
     }
-    std::string hint = cut_joint.empty() ? "add a joint, for example of type free from ground"
-                                         : "joint " + quoted(cut_joint) + " is marked \"cut\": true and holds no body";
+    const std::string forgotten = forgotten_connection(model_, island);
+    std::string hint = !forgotten.empty() ? forgotten
+                       : cut_joint.empty()
+                           ? "add a joint, for example of type free from ground"
+                           : "joint " + quoted(cut_joint) + " is marked \"cut\": true and holds no body";
     const std::size_t more = island.size() - 1;
     if (more > 0) hint += "; " + std::to_string(more) + (more == 1 ? " more body" : " more bodies") + " on its island";
     const Body& first = model_.bodies[body];

@@ -203,6 +203,7 @@ check_debian() {
       *) fail "the package depends on \"$depends\", but $library is of \"$owner\"" ;;
     esac
   done
+  grep -q licence "$scratch/root/usr/share/doc/mbgen/copyright" || fail "the package says nothing of its licence"
   find "$scratch/root" -type d ! -perm 0755 | grep . && fail "directories with other permissions than 0755"
   no_way_back "$scratch/root"
   cp -r "$root/examples/cmake_project" "$scratch/example"

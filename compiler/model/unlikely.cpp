@@ -1,0 +1,163 @@
+// Notes on what is allowed and likely not meant: signs, units and angles that were typed wrongly.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "compiler/model/reader.hpp"
+
+namespace mbgen::reading {
+namespace {
+
+void add_note(Reader& reader, const Where& where, std::string message, std::string hint = {}) {
+  reader.model.notes.push_back({where, std::move(message), std::move(hint), {}});
+}
+
+/// Whether a damping law pushes in the direction of the motion somewhere.
+bool adds_energy(const std::optional<Law>& damping) {
+  if (!damping) return false;
+  if (const auto* factor = std::get_if<Quantity>(&*damping)) return factor->value < 0;
+  const Table& table = std::get<Table>(*damping);
+  for (std::size_t i = 0; i < table.x.size(); ++i) {
+    if (table.x[i] * table.y[i] < 0) return true;
+  }
+  return false;
+}
+
+template <class Elements>
+void note_damping(Reader& reader, const Elements& elements) {
+  for (const auto& element : elements) {
+    if (adds_energy(element.damping))
+      add_note(reader, element.where, fmt::format("damping of {} is negative: it adds energy", in_quotes(element.name)),
+               "positive damping acts against the motion");
+  }
+}
+
+constexpr const char* kDegreesHint = "angles are in rad; degrees are written { \"deg\": 40 }";
+
+void note_angle(Reader& reader, const Where& where, const std::string& what, const CoordinateReference& coordinate,
+                double angle) {
+  if (coordinate.joint < 0 || coordinate.component < 0 || !is_rotation(reader.model, coordinate)) return;
+  if (is_large_angle(angle))
+    add_note(reader, where, fmt::format("{} is {:.6g} rad, more than a turn", what, angle), kDegreesHint);
+}
+
+void note_angles(Reader& reader) {
+  const Model& model = reader.model;
+  for (const InitialValue& start : model.initial.positions) {
+    if (start.coordinate.joint < 0) continue;
+    note_angle(reader, start.where, "initial position of " + coordinate_name(model, start.coordinate), start.coordinate,
+               start.value);
+  }
+  for (const JointSpring& spring : model.joint_springs) {
+    if (spring.free.expression < 0)
+      note_angle(reader, spring.where, fmt::format("\"free\" of {}", in_quotes(spring.name)), spring.joint,
+                 spring.free.value);
+  }
+  for (const Motion& motion : model.motions) {
+    if (motion.position.expression < 0)
+      note_angle(reader, motion.where, fmt::format("angle of {}", in_quotes(motion.name)), motion.joint,
+                 motion.position.value);
+  }
+}
+
+/// A point of a body, or its centre of mass where it has mass.
+struct Spot {
+  int body = -1;
+  std::string name;  ///< "body.point"; empty for a centre of mass
+  Vector3 at{};
+  double distance = 0;  ///< from the middle of all
+};
+
+double distance(const Vector3& a, const Vector3& b) { return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]); }
+
+std::vector<Spot> spots_of(const Model& model) {
+  std::vector<Spot> spots;
+  const auto add = [&](int index, std::string name, const Vector3Quantity& local) {
+    const Pose& pose = model.bodies[index].pose;
+    Vector3 at = rotated(pose.rotation, {local[0].value, local[1].value, local[2].value});
+    for (std::size_t i = 0; i < 3; ++i) at[i] += pose.origin[i];
+    if (std::isfinite(at[0] + at[1] + at[2])) spots.push_back({index, std::move(name), at});
+  };
+  for (int i = 0; i < static_cast<int>(model.bodies.size()); ++i) {
+    if (i == model.ground) continue;  // a point very far away is how a force of one direction is written
+    const Body& body = model.bodies[i];
+    for (const Point& point : body.points) add(i, body.name + "." + point.name, point.position);
+    if (body.mass.value > 0) add(i, {}, body.com);
+  }
+  return spots;
+}
+
+double median(std::vector<double> values) {
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+/// Notes points that lie much farther out than most. Result: the extent of those that do not, m.
+double note_far_points(Reader& reader) {
+  constexpr double kFar = 100;
+  constexpr std::size_t kFewest = 5;  // fewer have no middle
+  std::vector<Spot> spots = spots_of(reader.model);
+  if (spots.empty()) return 0;
+  Vector3 middle{};
+  for (std::size_t i = 0; i < 3; ++i) {
+    std::vector<double> components;
+    for (const Spot& spot : spots) components.push_back(spot.at[i]);
+    middle[i] = median(components);
+  }
+  std::vector<double> distances;
+  for (Spot& spot : spots) distances.push_back(spot.distance = distance(spot.at, middle));
+  const double typical = median(distances);
+  const bool has_middle = spots.size() >= kFewest && typical > 0;
+  double extent = 0;
+  for (const Spot& spot : spots) {
+    if (!has_middle || spot.distance <= kFar * typical) {
+      extent = std::max(extent, spot.distance);
+      continue;
+    }
+    const Body& body = reader.model.bodies[spot.body];
+    add_note(
+        reader, body.where,
+        fmt::format("{} is {:.4g} m from the middle of the model, most points are within {:.2g} m",
+                    spot.name.empty() ? "centre of mass of " + in_quotes(body.name) : "point " + in_quotes(spot.name),
+                    spot.distance, typical),
+        "lengths are in m");
+  }
+  return 2 * extent;
+}
+
+/// Notes inertias with radii of gyration larger than the whole model: no body in it is so large.
+void note_inertias(Reader& reader, double extent) {
+  constexpr double kFactor = 2;
+  for (const Body& body : reader.model.bodies) {
+    const double largest = std::max({body.inertia[0].value, body.inertia[1].value, body.inertia[2].value});
+    if (!(body.mass.value > 0) || !(extent > 0)) continue;
+    const double radius = std::sqrt(largest / body.mass.value);
+    if (!(radius > kFactor * extent)) continue;
+    add_note(
+        reader, body.where,
+        fmt::format("inertia of {} is that of {:.4g} kg at a radius of {:.4g} m, the whole model is {:.2g} m large",
+                    in_quotes(body.name), body.mass.value, radius, extent),
+        "inertia is in kg m^2");
+  }
+}
+
+}  // namespace
+
+bool is_large_angle(double angle) { return std::abs(angle) > 2 * std::numbers::pi * (1 + 1e-12); }
+
+void note_turns(Reader& reader, const Value& value, double angle) {
+  if (is_large_angle(angle))
+    note(reader, value.place, fmt::format("{:.6g} rad is more than a turn", angle), kDegreesHint);
+}
+
+void note_unlikely(Reader& reader) {
+  note_damping(reader, reader.model.springs);
+  note_damping(reader, reader.model.joint_springs);
+  note_angles(reader);
+  note_inertias(reader, note_far_points(reader));
+}
+
+}  // namespace mbgen::reading
