@@ -83,8 +83,7 @@ void check_inertias(Reading& reading, Assembly& assembly) {
     const bool is_held = groups[i] == kGroundDraft;
     const Finding together = is_held ? Finding{} : finding_of_group(assembly, groups, groups[i]);
     if (together.fault == Fault::indefinite) {
-      problem(reading, body.inertia_spot, text,
-              "a negative moment makes the mass matrix indefinite, and the mechanism would gain energy");
+      problem(reading, body.inertia_spot, text, "look for a wrong sign, or for products of inertia above the moments");
     } else if (is_held) {
       note(reading, body.inertia_spot, text + "; it is fixed to the ground, where that has no effect");
     } else if (together.fault == Fault::none) {
