@@ -63,6 +63,7 @@ struct RodConstants {
 /// All constants of a model that positions and inertias need.
 template <class T>
 struct Constants {
+  std::vector<Vector<T>> shift;       ///< per model body: off its pose at the reference configuration, see shifts
   std::vector<Vector<T>> origin;      ///< per tree body: point of its joint, global at the reference configuration
   std::vector<T> mass;                ///< per tree body, everything merged, with the rods' end masses
   std::vector<Vector<T>> com;         ///< per tree body, from its origin, reference axes
@@ -77,7 +78,7 @@ Matrix<T> pose_rotation(const Pose& pose) {
   return {{T(r[0]), T(r[3]), T(r[6])}, {T(r[1]), T(r[4]), T(r[7])}, {T(r[2]), T(r[5]), T(r[8])}};
 }
 
-/// Global position at the reference configuration of a point given in a body frame.
+/// Global position of a point given in a body frame while the body is at its pose.
 template <class T>
 Vector<T> reference_position(const Model& model, int body, const Vector3Quantity& point,
                              const Environment<T>& environment) {
@@ -85,14 +86,54 @@ Vector<T> reference_position(const Model& model, int body, const Vector3Quantity
   return constant<T>(pose.origin) + pose_rotation<T>(pose) * value_of(model, point, environment);
 }
 
+/// How far tunable parameters have moved an attachment's point from where the model has it, global axes.
+template <class T>
+Vector<T> tuned_displacement(const Model& model, const Attachment& at, const Environment<T>& environment) {
+  const Vector3Quantity& point = model.bodies[at.body].points[at.point].position;
+  const auto moved = [&](const Quantity& q) {
+    return q.expression < 0 ? T(0.0) : value_of(model, q, environment) - T(q.value);
+  };
+  return pose_rotation<T>(model.bodies[at.body].pose) * Vector<T>{moved(point[0]), moved(point[1]), moved(point[2])};
+}
+
+/// Displacement of each body at the reference configuration: the points of a joint of the tree meet whatever parameters
+/// make of them, so a body moves as the point that holds it and against its own. Zero at the model's parameters.
+template <class T>
+std::vector<Vector<T>> shifts(const Model& model, const Topology& topology, const Environment<T>& environment) {
+  std::vector<Vector<T>> shift(model.bodies.size());
+  for (const TreeJoint& held : topology.tree_joints) {
+    const Joint& joint = model.joints[held.joint];
+    const Attachment &parent = held.reversed ? joint.to : joint.from, &child = held.reversed ? joint.from : joint.to;
+    shift[held.child] = shift[held.parent] + tuned_displacement(model, parent, environment) -
+                        tuned_displacement(model, child, environment);
+  }
+  return shift;
+}
+
+/// Origin of the frame that carries a body, global while the body is at its pose.
+template <class T>
+Vector<T> carrier_origin(const Topology& topology, const Constants<T>& constants, int body) {
+  const int tree = topology.tree_body[body];
+  return (tree == kGround ? Vector<T>{} : constants.origin[tree]) - constants.shift[body];
+}
+
 /// Place of an attachment, relative to the frame of the tree body that carries it.
 template <class T>
 Place<T> place_of(const Model& model, const Topology& topology, const Constants<T>& constants,
                   const Attachment& attachment, const Environment<T>& environment) {
-  const int tree = topology.tree_body[attachment.body];
   const Vector<T> global = reference_position(
       model, attachment.body, model.bodies[attachment.body].points[attachment.point].position, environment);
-  return {tree, tree == kGround ? global : global - constants.origin[tree]};
+  return {topology.tree_body[attachment.body], global - carrier_origin(topology, constants, attachment.body)};
+}
+
+/// Distance of two places while their bodies are at their poses, which no joint that is tuned changes.
+template <class T>
+T reference_distance(const Topology& topology, const Constants<T>& constants, const Attachment& from,
+                     const Place<T>& from_place, const Attachment& to, const Place<T>& to_place) {
+  const auto global = [&](const Attachment& at, const Place<T>& place) {
+    return place.at + carrier_origin(topology, constants, at.body);
+  };
+  return norm(global(from, from_place) - global(to, to_place));
 }
 
 /// A rigid part: mass, centre of mass, inertia about it.
@@ -134,7 +175,7 @@ Part<T> without_noise(const Part<T>& part) {
           {entry(j.xx), entry(j.yy), entry(j.zz), entry(j.xy), entry(j.xz), entry(j.yz)}};
 }
 
-/// A model body as a part of its tree body: from the tree body's origin, in reference axes.
+/// A model body as a part of its tree body, in reference axes. origin: carrier_origin.
 template <class T>
 Part<T> part_of(const Model& model, int body, const Vector<T>& origin, const Environment<T>& environment) {
   const Body& source = model.bodies[body];
@@ -149,9 +190,8 @@ RodConstants<T> rod_constants(const Model& model, const Topology& topology, cons
                               const Rod& rod, const Environment<T>& environment) {
   RodConstants<T> result{place_of(model, topology, constants, rod.from, environment),
                          place_of(model, topology, constants, rod.to, environment), T(0.0), T(0.0)};
-  const auto global = [&](const Place<T>& p) { return p.body == kGround ? p.at : p.at + constants.origin[p.body]; };
-  result.length =
-      rod.length ? value_of(model, *rod.length, environment) : norm(global(result.from) - global(result.to));
+  result.length = rod.length ? value_of(model, *rod.length, environment)
+                             : reference_distance(topology, constants, rod.from, result.from, rod.to, result.to);
   result.coupling = value_of(model, rod.mass, environment) / T(6.0);
   return result;
 }
@@ -162,15 +202,18 @@ template <class T>
 Constants<T> make_constants(const Model& model, const Topology& topology, const Environment<T>& environment) {
   Constants<T> constants;
   constants.gravity = value_of(model, model.gravity, environment);
+  constants.shift = shifts(model, topology, environment);
   for (const TreeBody& body : topology.bodies) {
     const Attachment& from = model.joints[body.joint].from;
     constants.origin.push_back(
-        reference_position(model, from.body, model.bodies[from.body].points[from.point].position, environment));
+        reference_position(model, from.body, model.bodies[from.body].points[from.point].position, environment) +
+        constants.shift[from.body]);
   }
   std::vector<Part<T>> parts(topology.bodies.size());
   for (std::size_t b = 0; b < model.bodies.size(); ++b)
     if (const int tree = topology.tree_body[b]; tree != kGround)
-      parts[tree] = joined(parts[tree], part_of(model, static_cast<int>(b), constants.origin[tree], environment));
+      parts[tree] = joined(parts[tree], part_of(model, static_cast<int>(b),
+                                                carrier_origin(topology, constants, static_cast<int>(b)), environment));
   for (const Rod& rod : model.rods) {
     constants.rods.push_back(rod_constants(model, topology, constants, rod, environment));
     const RodConstants<T>& r = constants.rods.back();

@@ -93,11 +93,6 @@ void apply_force(ForceWork<T>& work, int model_body, const Place<T>& place, cons
              local_position(work.system, work.k, place)});
 }
 
-template <class T>
-Vector<T> global_reference(const ForceWork<T>& work, const Place<T>& place) {
-  return place.body == kGround ? place.at : place.at + work.system.constants.origin[place.body];
-}
-
 /// Two places joined by a line element; `tension` gives its force from length and rate.
 template <class T, class Tension>
 ElementState<T> line_element(ForceWork<T>& work, const Attachment& from, const Attachment& to, const Tension& tension) {
@@ -110,7 +105,7 @@ ElementState<T> line_element(ForceWork<T>& work, const Attachment& from, const A
   state.length = norm(gap);
   const T reciprocal = T(1.0) / state.length;
   state.rate = dot(gap, gap_rate) * reciprocal;
-  const T reference = norm(global_reference(work, b) - global_reference(work, a));
+  const T reference = reference_distance(work.system.topology, work.system.constants, to, b, from, a);
   state.force = tension(state.length, state.rate, reference);
   const Vector<T> force = (state.force * reciprocal) * gap;
   apply_force(work, from.body, a, force, frame);

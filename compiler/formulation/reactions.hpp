@@ -66,7 +66,7 @@ BodyWrenches<T> needed_wrenches(System<T>& system, const SolvedState<T>& s) {
     if (b == system.model.ground) continue;
     system.scribe.place(system.model.bodies[b].name);
     const int tree = topology.tree_body[b];
-    const Vector<T> origin = tree == kGround ? Vector<T>{} : system.constants.origin[tree];
+    const Vector<T> origin = carrier_origin(topology, system.constants, b);
     const Part<T> part = without_noise(part_of(system.model, b, origin, system.environment));
     needed.add(
         b, system.layout.frame_of(tree),

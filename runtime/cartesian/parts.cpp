@@ -25,6 +25,14 @@ Vector3d reference_of(const Attachment& at, const Values& value) {
   return reference_of(body, body.points[at.point].position, value);
 }
 
+/// The same at the parameters of the model, and what others have moved it by.
+Vector3d written(const Attachment& at, const Values& value) {
+  const Body& body = value.model.bodies[at.body];
+  const Vector3Quantity& point = body.points[at.point].position;
+  return vector_of(body.pose.origin) + axes_of(body) * Vector3d(point[0].value, point[1].value, point[2].value);
+}
+Vector3d tuned(const Attachment& at, const Values& value) { return reference_of(at, value) - written(at, value); }
+
 Part part_of(const Body& body, const Values& value) {
   Part part;
   part.mass = value(body.mass);
@@ -65,8 +73,10 @@ PartJoint joint_of(const Parts& parts, const Joint& joint, bool cut, const std::
   PartJoint part;
   part.type = joint.type;
   part.from = place_of(parts, joint.from, value);
-  // The tree turns about the point of `from`; only a closure can see that the point of `to` is not quite there.
-  part.to = cut ? place_of(parts, joint.to, value) : place_at(parts, joint.to.body, reference_of(joint.from, value));
+  // The tree turns about the point of `from`; only a closure can see that the point of `to` is not quite there. Both go
+  // where parameters take them.
+  part.to = cut ? place_of(parts, joint.to, value)
+                : place_at(parts, joint.to.body, written(joint.from, value) + tuned(joint.to, value));
   part.triad_from = triad_on(parts, part.from, joint.axis);
   part.triad_to = triad_on(parts, part.to, joint.type == JointType::universal ? joint.second_axis : joint.axis);
   if (cut) return part;

@@ -73,21 +73,28 @@ std::vector<Moving> CartesianSystem::Content::bodies(const CartesianState& state
 
 CartesianState CartesianSystem::place(const GenericState& state) const {
   const Content& c = *content_;
-  std::vector<Displaced> tree;
-  for (int i = 0; i < c.topology.size(); ++i) {
-    const TreeBody& body = c.topology.bodies[i];
-    const Place& at = c.parts.joints[body.joint].from;
-    const Vector3d pin = c.parts.bodies[at.body].centre + c.parts.bodies[at.body].axes * at.arm;
-    tree.push_back(
-        beyond(body.parent == kGround ? Displaced{} : tree[body.parent], body, pin, state.z[i], state.zd[i]));
+  const auto pin_of = [&](const Place& at) -> Vector3d {
+    return c.parts.bodies[at.body].centre + c.parts.bodies[at.body].axes * at.arm;
+  };
+  std::vector<std::vector<int>> coordinates(c.model.joints.size());
+  for (int i = 0; i < c.topology.size(); ++i) coordinates[c.topology.bodies[i].joint].push_back(i);
+  std::vector<Displaced> tree(c.model.bodies.size());
+  for (const TreeJoint& held : c.topology.tree_joints) {
+    const PartJoint& joint = c.parts.joints[held.joint];
+    const Vector3d on_parent = pin_of(held.reversed ? joint.to : joint.from);
+    const Vector3d on_child = pin_of(held.reversed ? joint.from : joint.to);
+    Displaced displaced = tree[held.parent];
+    displaced.shift += displaced.turn * (on_parent - on_child);  // the two points meet
+    for (const int i : coordinates[held.joint])
+      displaced = beyond(displaced, c.topology.bodies[i], on_child, state.z[i], state.zd[i]);
+    tree[held.child] = displaced;
   }
   CartesianState result;
   result.x = state.x;
   result.t = state.t;
   for (std::size_t b = 0; b < c.model.bodies.size(); ++b) {
     if (static_cast<int>(b) == c.model.ground) continue;
-    const int i = c.topology.tree_body[b];
-    result.bodies.push_back(placed(c.parts.bodies[c.parts.index_of[b]], i == kGround ? Displaced{} : tree[i]));
+    result.bodies.push_back(placed(c.parts.bodies[c.parts.index_of[b]], tree[b]));
   }
   result.bodies.resize(c.moving());
   const std::vector<Moving> bodies = c.bodies(result);

@@ -138,8 +138,14 @@ std::vector<Pose> GenericSolver::poses(const GenericState& state) const {
     const Pose& reference = content_->model.bodies[b].pose;
     const int tree = content_->topology.tree_body[b];
     poses.push_back(reference);
-    if (tree == kGround) continue;
-    const Vector<double> from_joint = constant<double>(reference.origin) - system.constants.origin[tree];
+    if (tree == kGround) {
+      const Vector<double>& shift = system.constants.shift[b];
+      const double moved[] = {shift.x, shift.y, shift.z};
+      for (std::size_t k = 0; k < 3; ++k) poses.back().origin[k] += moved[k];
+      continue;
+    }
+    const Vector<double> from_joint =
+        constant<double>(reference.origin) - carrier_origin(content_->topology, system.constants, static_cast<int>(b));
     const Vector<double> origin = position_in(system, k, {tree, from_joint}, kGround);
     const Matrix<double> axes = pose_rotation<double>(reference);
     const auto turned = [&](const Vector<double>& axis) { return direction_in(system, k, tree, axis, kGround); };
