@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "compiler/analysis/branch.hpp"
 #include "compiler/analysis/certificate.hpp"
 #include "compiler/analysis/compatibility.hpp"
 #include "compiler/analysis/large_block.hpp"
@@ -96,6 +97,7 @@ Diagnostics over_constrained(const Model& model, const LoopBlock& block, const P
 /// What was found out about the blocks; one entry per block.
 struct Findings {
   std::vector<std::vector<ClosureEquation>> equations;
+  std::vector<std::vector<RankCount>> other_modes;
   std::vector<PartView> views;
   Diagnostics problems;
 };
@@ -107,7 +109,7 @@ BlockAnalysis analyse_large_block(NumericSystem& numbers, std::size_t b,
   const Model& model = numbers.model();
   const Topology& topology = numbers.topology();
   const LoopBlock& block = topology.blocks[b];
-  const std::vector<ClosureEquation>& equations = found.equations.back();
+  const std::vector<ClosureEquation>& equations = found.equations[b];
   found.views.push_back(large_view(numbers, b, configurations));
   const PartView& whole = found.views.back();
   const Certificate certificate = certify_large(topology, b, whole, equations, configurations);
@@ -131,8 +133,7 @@ BlockAnalysis analyse_block(NumericSystem& numbers, std::size_t b, const std::ve
   const Model& model = numbers.model();
   const Topology& topology = numbers.topology();
   const LoopBlock& block = topology.blocks[b];
-  found.equations.push_back(closure_equations(model, topology, block));
-  const std::vector<ClosureEquation>& equations = found.equations.back();
+  const std::vector<ClosureEquation>& equations = found.equations[b];
   if (!configurations[0].closed[b]) {
     found.problems.push_back(open_loop(model, topology, block, configurations[0].residuals[b]));
     return {};
@@ -140,7 +141,8 @@ BlockAnalysis analyse_block(NumericSystem& numbers, std::size_t b, const std::ve
   if (is_large(block)) return analyse_large_block(numbers, b, configurations, analysis, found);
   found.views.push_back(view(numbers, b, block_part(topology, block, block.loops), equations, configurations));
   const PartView& whole = found.views.back();
-  const Certificate certificate = certify(topology, block, whole, configurations);
+  Certificate certificate = certify(topology, block, whole, configurations);
+  add_other_modes(certificate, found.other_modes[b]);
   Diagnostics problems = contradictions(numbers, b, whole, certificate.immobile, equations, configurations);
   if (problems.empty()) problems = over_constrained(model, block, whole, analysis);
   if (!problems.empty()) {
@@ -279,8 +281,10 @@ Result<Analysis> analyse(const Model& model, const Topology& topology) {
   Analysis analysis;
   mark_drives(model, topology, analysis);
   NumericSystem numbers(model, topology);
-  const std::vector<Configuration> configurations = closed_configurations(numbers, wanted_configurations(topology));
+  std::vector<Configuration> configurations = closed_configurations(numbers, wanted_configurations(topology));
   Findings found;
+  for (const LoopBlock& block : topology.blocks) found.equations.push_back(closure_equations(model, topology, block));
+  found.other_modes = stay_on_branch(numbers, found.equations, configurations);
   for (std::size_t b = 0; b < topology.blocks.size(); ++b) {
     analysis.blocks.push_back(analyse_block(numbers, b, configurations, analysis, found));
     analysis.independent_equations += analysis.blocks.back().rank;

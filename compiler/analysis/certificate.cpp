@@ -11,14 +11,6 @@ constexpr double kStill = 1e-6;  // share of a freedom, free of units, below whi
 constexpr double kSamePlace = 1e-3;          // rad or m
 constexpr double kTurn = 6.283185307179586;  // rad
 
-std::vector<RankCount> counted(const std::vector<int>& ranks) {
-  std::map<int, int, std::greater<>> count;
-  for (int rank : ranks) ++count[rank];
-  std::vector<RankCount> result;
-  for (const auto& [rank, configurations] : count) result.push_back({rank, configurations});
-  return result;
-}
-
 /// Columns without a share in any freedom, in all configurations of generic rank.
 std::vector<int> immobile_columns(const PartView& whole) {
   const std::size_t columns = whole.part.columns.size();
@@ -54,11 +46,19 @@ void add_singular(const Topology& topology, const LoopBlock& block, int rank, st
 
 }  // namespace
 
+std::vector<RankCount> rank_counts(const std::vector<int>& ranks) {
+  std::map<int, int, std::greater<>> count;
+  for (int rank : ranks) ++count[rank];
+  std::vector<RankCount> result;
+  for (const auto& [rank, configurations] : count) result.push_back({rank, configurations});
+  return result;
+}
+
 Certificate certify(const Topology& topology, const LoopBlock& block, const PartView& whole,
                     const std::vector<Configuration>& configurations) {
   Certificate c;
   c.closed_configurations = static_cast<int>(whole.configurations.size());
-  c.ranks = counted(whole.ranks);
+  c.ranks = rank_counts(whole.ranks);
   c.immobile = immobile_columns(whole);
   c.degrees_of_freedom = static_cast<int>(block.joints.size()) - whole.rank;
   c.smallest_kept = whole.rank == 0 ? 0.0 : whole.margin(whole.best());
@@ -74,6 +74,11 @@ Certificate certify(const Topology& topology, const LoopBlock& block, const Part
     if (rank < whole.rank) add_singular(topology, block, rank, std::move(z), c.singular);
   }
   return c;
+}
+
+void add_other_modes(Certificate& certificate, const std::vector<RankCount>& others) {
+  certificate.ranks.insert(certificate.ranks.begin(), others.begin(), others.end());
+  for (const RankCount& other : others) certificate.closed_configurations += other.configurations;
 }
 
 void certify_redundant(Certificate& certificate, const std::vector<int>& redundant,
@@ -95,7 +100,7 @@ std::vector<RankCount> ranks_together(const std::vector<PartView>& views,
   std::vector<int> ranks;
   for (std::size_t i = 0; i < configurations.size(); ++i)
     if (closed[i] == static_cast<int>(views.size())) ranks.push_back(total[i]);
-  return counted(ranks);
+  return rank_counts(ranks);
 }
 
 }  // namespace mbgen

@@ -17,6 +17,12 @@ Certificate certify(const Topology& topology, const LoopBlock& block, const Part
 void certify_redundant(Certificate& certificate, const std::vector<int>& redundant,
                        const std::vector<ClosureEquation>& equations, int steps, const Eigen::VectorXd& residual);
 
+/// Counts configurations of other assembly modes, which have more rank than the branch of the reference.
+void add_other_modes(Certificate& certificate, const std::vector<RankCount>& others);
+
+/// How often each rank was seen, highest first.
+std::vector<RankCount> rank_counts(const std::vector<int>& ranks);
+
 /// Ranks of all blocks together, over the configurations in which all are closed; highest first.
 std::vector<RankCount> ranks_together(const std::vector<PartView>& views,
                                       const std::vector<Configuration>& configurations);

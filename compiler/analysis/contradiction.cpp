@@ -6,6 +6,7 @@
 #include "compiler/analysis/compatibility.hpp"
 #include "compiler/analysis/misalignment.hpp"
 #include "compiler/analysis/opening.hpp"
+#include "compiler/analysis/self_stress.hpp"
 
 namespace mbgen {
 namespace {
@@ -13,13 +14,12 @@ namespace {
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr double kShortestStep = 0.005;   // below it a motion that cannot be closed is given up
-constexpr double kShake = 0.3;            // rad, or times the lever arm: opens every loop
-constexpr double kIdentity = 1e-9;        // what rounding leaves of an equation that always holds
-constexpr double kWeakLoop = 0.01;        // margin of a loop, or of loops that cannot move: below it a misalignment
-constexpr int kFlatRank = 2;              // what closing a loop of a flat linkage takes
-constexpr double kMeantParallel = 0.785;  // rad: nearer to parallel than to across
-constexpr double kWeakBlock = 1e-4;       // margin of many loops that move: large mechanisms come near 1e-2
+constexpr double kShake = 0.3;        // rad, or times the lever arm: opens every loop
+constexpr double kIdentity = 1e-9;    // what rounding leaves of an equation that always holds
+constexpr double kWeakLoop = 0.01;    // margin of a loop that moves but for a joint, with equations to spare
+constexpr double kJointStill = 1e-6;  // share of a freedom below which a joint has none, as in certificate.cpp
+constexpr int kFlatRank = 2;          // what closing a loop of a flat linkage takes
+constexpr double kDoubtful = 1e-4;    // margin of all others: what points of 4 digits leave of a redundant equation
 
 /// The direction in which a part with one equation less moves: the one that its weakest equation hinders least.
 VectorXd easiest_direction(const MatrixXd& jacobian, const std::vector<int>& kept, int rank) {
@@ -92,20 +92,29 @@ bool one_axis_locks(const Model& model, const Topology& topology, const PartView
   return off && (view.locked() || (off->all_single && off->angle < kMeantParallel));
 }
 
-/// What is wrong with how a part is held; empty when nothing is.
+/// True when a single loop moves, but not one of its joints: as with pins that are nearly parallel.
+bool costs_a_joint(const PartView& view, std::size_t s) {
+  if (view.part.loops.size() > 1) return false;
+  const MatrixXd free = null_space(view.jacobians[s], view.rank);
+  return (free.rowwise().norm().array() < kJointStill).any();
+}
+
+/// What is wrong with how a part is held; empty when nothing is. Where all equations are independent, only a rank that
+/// is in doubt is wrong.
 std::string fault(NumericSystem& numbers, std::size_t b, const PartView& view, std::size_t s,
                   const std::vector<double>& start) {
   const Topology& topology = numbers.topology();
   const std::vector<int>& loops = view.part.loops;
-  const bool surplus = view.locked() && static_cast<int>(view.part.rows.size()) > view.rank;
-  if (surplus && !always_hold(numbers, b, view, s, start))
+  const bool surplus = static_cast<int>(view.part.rows.size()) > view.rank;
+  if (surplus && view.locked() && !always_hold(numbers, b, view, s, start) &&
+      !redundancy_holds(numbers, b, view, s, start))
     return fmt::format("redundant equations of {} contradict each other: {} equations hold {} coordinate{}",
                        loops_text(topology, loops), view.part.rows.size(), view.part.columns.size(),
                        view.part.columns.size() == 1 ? "" : "s");
-  if (one_axis_locks(numbers.model(), topology, view))
+  if (surplus && one_axis_locks(numbers.model(), topology, view))
     return "one axis " + (view.locked() ? "keeps " + loops_text(topology, loops) + " from moving"
                                         : "costs " + loops_text(topology, loops) + " a freedom");
-  const double least = view.locked() || loops.size() == 1 ? kWeakLoop : kWeakBlock;
+  const double least = surplus && !view.locked() && costs_a_joint(view, s) ? kWeakLoop : kDoubtful;
   if (view.margin(view.best()) >= least) return "";
   const std::string names = loops_text(topology, loops);
   if (view.locked()) return fmt::format("{} cannot move but {} barely held", names, loops.size() == 1 ? "is" : "are");

@@ -12,8 +12,7 @@
 namespace mbgen {
 namespace {
 
-constexpr double kContradiction = 1e-10;  // m or 1, as in watch.cpp
-constexpr double kStillShare = 1e-6;      // share of the largest motion, as in certificate.cpp
+constexpr double kStillShare = 1e-6;  // share of the largest motion, as in certificate.cpp
 
 std::vector<int> all_below(std::size_t count) {
   std::vector<int> indices(count);

@@ -8,6 +8,8 @@
 
 namespace mbgen {
 
+constexpr double kMeantParallel = 0.785;  ///< rad: nearer to parallel than to across
+
 struct Misalignment {
   int joint = -1;  ///< index into Model::joints
   FreedomKind kind = FreedomKind::revolute;

@@ -8,7 +8,13 @@
 
 namespace mbgen {
 
-constexpr double kStep = 0.1;  ///< rad, or times the lever arm: far enough to see a residual of second order
+constexpr double kStep = 0.1;             ///< rad, or times the lever arm: far enough to see a residual of second order
+constexpr double kShortestStep = 0.005;   ///< below it a motion that cannot be closed is given up
+constexpr double kContradiction = 1e-10;  ///< m or 1: rounding leaves 1e-13, closed is 1e-11
+
+/// Share that a residual keeps, over-estimated, on a step of an eighth when equations contradict; less is left when the
+/// longer step came to another branch of the equations that were closed.
+constexpr double kJump = 1e-5;
 
 /// How far an equation opened on a finite motion.
 struct Opening {

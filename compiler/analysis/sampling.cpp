@@ -55,6 +55,10 @@ Eigen::MatrixXd BlockSample::part(const std::vector<int>& rows, const std::vecto
   return result;
 }
 
+Eigen::VectorXd residual_left(const Configuration& configuration, std::size_t b) {
+  return configuration.residuals[b] + configuration.blocks[b].jacobian * configuration.corrections[b];
+}
+
 void evaluate_closures(NumericSystem& numbers, Configuration& configuration) {
   evaluate_closures(numbers, configuration, std::vector<bool>(numbers.topology().blocks.size(), true));
 }

@@ -27,7 +27,7 @@ struct BlockSample {
 /// A position of all coordinates; a block that could not be closed there is marked.
 struct Configuration {
   std::vector<double> z;
-  std::vector<bool> closed;                ///< per block: the equations asked for are
+  std::vector<bool> closed;                ///< per block: the equations asked for are, on the branch of the reference
   std::vector<BlockSample> blocks;         ///< per block, valid where closed
   std::vector<Eigen::VectorXd> residuals;  ///< per block
   /// Per block, rad or m: the step that would come next. At a singular position a small residual leaves a large one.
@@ -51,6 +51,10 @@ class NumericSystem {
   Scribe<double> scribe_;
   System<double> system_;
 };
+
+/// Residuals of a small block, to first order, after the step that would come next: what closing some of its equations
+/// only to kClosed leaves of the others is taken out.
+Eigen::VectorXd residual_left(const Configuration& configuration, std::size_t b);
 
 /// Residuals and Jacobians of all blocks at a position.
 void evaluate_closures(NumericSystem& numbers, Configuration& configuration);

@@ -9,8 +9,8 @@ namespace {
 
 using Eigen::VectorXd;
 
-constexpr double kContradiction = 1e-10;  // m or 1: rounding leaves 1e-13, closed is 1e-11
-constexpr double kNearSingular = 0.01;    // share of the best margin below which a configuration is no place to step
+constexpr double kOtherMode = 1e-6;     // m or 1: no equation that holds about the reference opens so far on its branch
+constexpr double kNearSingular = 0.01;  // share of the best margin below which a configuration is no place to step
 
 /// A block can step at view index `s`: something is redundant, something moves, and the place is regular. Large blocks
 /// were watched on their walk.
@@ -29,15 +29,20 @@ VectorXd mixed_freedoms(const PartView& view, std::size_t s, std::mt19937_64& ra
   return kStep / direction.cwiseAbs().maxCoeff() * direction;
 }
 
+/// Residuals of a block without those of the kept equations, absolute.
+VectorXd redundant_part(const Configuration& at, std::size_t b, const std::vector<int>& kept) {
+  VectorXd residual = residual_left(at, b).cwiseAbs();
+  for (int e : kept) residual[e] = 0;
+  return residual;
+}
+
 /// Notes what the redundant equations of a block show after a step, unless the step did not come out as asked.
-void note(const LoopBlock& block, const PartView& view, const std::vector<int>& kept, const std::vector<double>& from,
-          const VectorXd& residuals, const std::vector<double>& to, Watch& watch, Opening& worst) {
+void note(const LoopBlock& block, const PartView& view, const std::vector<double>& from, const VectorXd& residual,
+          const std::vector<double>& to, Watch& watch, Opening& worst) {
   Opening here;
   const double length = distance(block, view, from, to, here.coordinate);
   if (length < kStep / 2 || length > 2 * kStep) return;
   ++watch.steps;
-  VectorXd residual = residuals.cwiseAbs();
-  for (int e : kept) residual[e] = 0;
   watch.residual = watch.residual.cwiseMax(residual);
   here.residual = residual.maxCoeff(&here.equation);
   here.motion = std::abs(to[here.coordinate] - from[here.coordinate]);
@@ -51,6 +56,7 @@ std::vector<Watch> watch_redundant(NumericSystem& numbers, const std::vector<Par
                                    const std::vector<std::vector<ClosureEquation>>& equations,
                                    const std::vector<Configuration>& configurations) {
   const Topology& topology = numbers.topology();
+  const auto opened = [&](const Configuration& at, std::size_t b) { return redundant_part(at, b, kept[b]); };
   std::vector<Watch> watches(views.size());
   std::vector<Opening> worst(views.size());
   std::vector<std::size_t> seen(views.size(), 0);
@@ -60,19 +66,32 @@ std::vector<Watch> watch_redundant(NumericSystem& numbers, const std::vector<Par
     std::vector<double> z = from.z;
     std::vector<std::vector<int>> closing(views.size());
     std::vector<std::size_t> stepping;
+    std::vector<VectorXd> ways(views.size());
     for (std::size_t b = 0; b < views.size(); ++b) {
       if (!from.closed[b]) continue;
       const std::size_t s = seen[b]++;
       if (!can_step(views[b], kept[b], s)) continue;
-      move(topology.blocks[b], views[b], mixed_freedoms(views[b], s, random), z);
+      ways[b] = mixed_freedoms(views[b], s, random);
+      move(topology.blocks[b], views[b], ways[b], z);
       closing[b] = kept[b];
       stepping.push_back(b);
     }
     if (stepping.empty()) continue;
     const Configuration to = close_equations(numbers, std::move(z), closing);
-    for (std::size_t b : stepping)
-      if (to.closed[b])
-        note(topology.blocks[b], views[b], kept[b], from.z, to.residuals[b], to.z, watches[b], worst[b]);
+    for (std::size_t b : stepping) {
+      if (!to.closed[b]) continue;
+      const VectorXd residuals = opened(to, b);
+      if (residuals.maxCoeff() > kContradiction) {
+        std::vector<double> nearer = from.z;
+        move(topology.blocks[b], views[b], ways[b] / 8, nearer);
+        const Configuration near = close_equations(numbers, std::move(nearer), closing);
+        if (near.closed[b] && opened(near, b).maxCoeff() < kJump * residuals.maxCoeff()) continue;
+      }
+      // What the reference shows to agree, and a random start does not by far, is another assembly mode.
+      const bool agrees = watches[b].steps > 0 && seen[b] > 1 && watches[b].residual.maxCoeff() <= kContradiction;
+      if (agrees && residuals.maxCoeff() > kOtherMode) continue;
+      note(topology.blocks[b], views[b], from.z, residuals, to.z, watches[b], worst[b]);
+    }
   }
   for (std::size_t b = 0; b < views.size(); ++b) {
     if (!(worst[b].residual > kContradiction)) continue;

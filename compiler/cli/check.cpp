@@ -34,7 +34,7 @@ Findings findings_of(const std::string& file) {
   const Result<Compilation> compilation = decide(file);
   if (!compilation) return {compilation.problems(), {}};
   const Model& model = compilation->model;
-  Findings findings{{}, model.notes};
+  Findings findings{{}, all_notes(*compilation)};
   findings.bodies = static_cast<int>(model.bodies.size()) - (model.ground >= 0 ? 1 : 0);
   findings.freedoms = compilation->analysis.degrees_of_freedom;
   findings.driven = static_cast<int>(model.motions.size());
@@ -82,7 +82,8 @@ void add_check(CLI::App& application, int& exit_code) {
       "Example: mbgen check models/coach.json\n"
       "Standard error has notes of what is allowed and may not be meant: axes of tyres and wheels out of balance, "
       "damping\n"
-      "that adds energy, likely mistakes of units, what nothing holds, what tyre files have and the model does not "
+      "that adds energy, likely mistakes of units, what nothing holds or loops lock, what tyre files have and the "
+      "model does not "
       "use, "
       "and how\n"
       "far initial values that do not fit together are moved.");

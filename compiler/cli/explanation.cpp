@@ -271,7 +271,7 @@ std::string explanation_text(const Compilation& compilation) {
       overview_text(compilation) + tree_explanation(compilation.topology) + cuts_explanation(compilation);
   for (std::size_t b = 0; b < compilation.topology.blocks.size(); ++b) text += block_explanation(compilation, b);
   return text + freedoms_explanation(compilation) + operations_explanation(compilation.programs) +
-         notes_explanation(compilation.model.notes);
+         notes_explanation(all_notes(compilation));
 }
 
 }  // namespace mbgen::cli

@@ -4,7 +4,16 @@
 
 #include <nlohmann/json.hpp>
 
+#include "compiler/analysis/notes.hpp"
+
 namespace mbgen::cli {
+
+Diagnostics all_notes(const Compilation& compilation) {
+  Diagnostics notes = compilation.model.notes;
+  for (Diagnostic& note : analysis_notes(compilation.model, compilation.topology, compilation.analysis))
+    notes.push_back(std::move(note));
+  return notes;
+}
 
 std::string note_text(const Diagnostic& note) {
   const std::string place = note.where.line > 0

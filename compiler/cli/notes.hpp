@@ -4,9 +4,13 @@
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 
+#include "compiler/compile.hpp"
 #include "compiler/model/diagnostic.hpp"
 
 namespace mbgen::cli {
+
+/// What the files of a model say and it does not use, what its loops lock, and in which modes it is not.
+Diagnostics all_notes(const Compilation& compilation);
 
 /// One note as people read it, without the line of text that it names.
 std::string note_text(const Diagnostic& note);

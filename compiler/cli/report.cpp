@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "compiler/cli/names.hpp"
+#include "compiler/cli/notes.hpp"
 
 namespace mbgen::cli {
 namespace {
@@ -134,6 +135,7 @@ Json make_report(const Compilation& compilation) {
   for (std::size_t b = 0; b < topology.blocks.size(); ++b) {
     report["loop_blocks"].push_back(report_block(topology, topology.blocks[b], analysis.blocks[b]));
   }
+  report["notes"] = diagnostics_json(all_notes(compilation));
   report["coordinates"] = Json::array();
   for (const TreeBody& body : topology.bodies) {
     report["coordinates"].push_back({{"name", body.coordinate},

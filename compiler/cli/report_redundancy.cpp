@@ -12,10 +12,11 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// `rank 2 in 24, 1 in 1 of 25 closed configurations`.
-std::string ranks_text(const Json& ranks, int configurations) {
+/// `rank 2 in 24, 1 in 1 of 25 closed configurations`, of ranks up to `highest`.
+std::string ranks_text(const Json& ranks, int configurations, int highest) {
   std::string text;
   for (const auto& seen : ranks) {
+    if (seen["rank"].get<int>() > highest) continue;
     text += fmt::format("{}{} in {}", text.empty() ? "rank " : ", ", seen["rank"].get<int>(),
                         seen["configurations"].get<int>());
   }
@@ -44,16 +45,28 @@ std::string equations_text(const Json& redundant, int steps) {
   return text;
 }
 
+/// Ranks in assembly modes that the reference does not reach.
+std::string other_modes_text(const Json& block) {
+  const Json& certificate = block["certificate"];
+  std::vector<std::string> ranks;
+  for (const auto& seen : certificate["ranks"]) {
+    if (seen["rank"] > block["rank"])
+      ranks.push_back(fmt::format("rank {} in {} of {} closed configurations", seen["rank"].get<int>(),
+                                  seen["configurations"].get<int>(), certificate["closed_configurations"].get<int>()));
+  }
+  return wrapped("other modes", ranks);
+}
+
 std::string block_text(const Json& block, int number) {
   const Json& certificate = block["certificate"];
   std::string text = fmt::format("  {}: {} equations, {}, {}\n", number, block["equations"].get<int>(),
-                                 ranks_text(certificate["ranks"], certificate["closed_configurations"]),
+                                 ranks_text(certificate["ranks"], certificate["closed_configurations"], block["rank"]),
                                  freedoms_text(certificate["degrees_of_freedom"]));
   text += fmt::format(
       "    {:<12} up to {:.2g} rad or m from the reference; singular values kept from {:.1e}, dropped to {:.1e}\n",
       "looked at", certificate["reach"].get<double>(), certificate["smallest_kept"].get<double>(),
       certificate["largest_dropped"].get<double>());
-  text += equations_text(certificate["redundant"], certificate["steps"]);
+  text += other_modes_text(block) + equations_text(certificate["redundant"], certificate["steps"]);
   for (const auto& seen : certificate["singular"]) {
     std::vector<std::string> positions;
     for (const auto& [name, value] : seen["positions"].items()) {
@@ -71,7 +84,7 @@ std::string redundancy_text(const Json& report) {
   if (report["loop_blocks"].empty()) return "";
   std::string text =
       fmt::format("\nRedundancy\n  all blocks: {} equations, {}\n", report["constraint_equations"].get<int>(),
-                  ranks_text(report["ranks"], report["closed_configurations"]));
+                  ranks_text(report["ranks"], report["closed_configurations"], report["constraint_equations"]));
   int number = 0;
   for (const auto& block : report["loop_blocks"]) text += block_text(block, ++number);
   return text;

@@ -94,6 +94,15 @@ std::string operations_text(const Json& report) {
   return text;
 }
 
+std::string notes_text(const Json& report) {
+  if (report["notes"].empty()) return "";
+  std::string text = "\nNotes\n";
+  for (const auto& note : report["notes"])
+    text += fmt::format("  {}:{}: {}\n", note["file"].get<std::string>(), note["line"].get<int>(),
+                        note["message"].get<std::string>());
+  return text;
+}
+
 }  // namespace
 
 std::string wrapped(const std::string& title, const std::vector<std::string>& words) {
@@ -110,7 +119,7 @@ std::string wrapped(const std::string& title, const std::vector<std::string>& wo
 }
 
 std::string report_text(const Json& report) {
-  return counts_text(report) + tree_text(report) + loops_text(report) + redundancy_text(report) +
+  return counts_text(report) + tree_text(report) + loops_text(report) + redundancy_text(report) + notes_text(report) +
          path_matrix_text(report) + operations_text(report);
 }
 

@@ -352,6 +352,44 @@ std::string family_name(const ::testing::TestParamInfo<int>& info) {
   return kNames[info.param];
 }
 
+/// Well-posed whatever is locked or overconstrained: none is refused, and two Cartesian judges say the same.
+TEST(Locked, IsAcceptedAndEqualToTheCartesianJudges) {
+  const int cases = from_environment("MBGEN_PROPERTY_CASES", 12), first = from_environment("MBGEN_PROPERTY_SEED", 1);
+  int states = 0;
+  for (int seed = first; seed < first + cases; ++seed) {
+    const RandomMechanism random = random_mechanism(Family::locked, seed);
+    const Result<Mechanism> m = understood(random);
+    EXPECT_TRUE(m) << "seed " << seed << ": " << to_text(m ? Diagnostics{} : m.problems());
+    if (!m) continue;
+    const GenericSolver generic(m->model, m->topology, m->analysis);
+    for (const GenericState& state : good_states(*m, 2)) {
+      ++states;
+      const std::vector<double> tau = random_tau(*m, 3);
+      GenericDerivative expected, actual;
+      ASSERT_TRUE(generic.accelerations(state, tau, expected).ok()) << seed;
+      for (const CartesianMethod method : {CartesianMethod::augmented, CartesianMethod::null_space}) {
+        const CartesianSolver judge(m->model, m->topology, method, Stabilisation::projection);
+        ASSERT_TRUE(judge.accelerations(state, tau, actual).ok()) << seed;
+        EXPECT_FALSE(differ("judge", actual.zdd, expected.zdd, kTolerance)) << seed;
+      }
+    }
+  }
+  EXPECT_GT(states, cases);
+}
+
+/// However its links are made, a line-symmetric chain of six pins moves on the branch of its reference.
+TEST(Bricard, EveryLineSymmetricOneHasOneFreedom) {
+  for (int seed = 1; seed <= 40; ++seed) {
+    const RandomMechanism random = random_bricard(seed);
+    const Result<Mechanism> m = understood(random);
+    ASSERT_TRUE(m) << "seed " << seed << ": " << to_text(m.problems()) << model_text(random);
+    EXPECT_EQ(m->analysis.degrees_of_freedom, 1) << seed;
+    EXPECT_EQ(m->analysis.blocks[0].redundant_equations.size(), 1u) << seed;
+    EXPECT_TRUE(m->analysis.blocks[0].certificate.immobile.empty()) << seed;
+    EXPECT_GE(m->analysis.blocks[0].certificate.steps, 10) << seed;
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(Random, EveryFamily, ::testing::Range(0, kFamilies), family_name);
 
 }  // namespace

@@ -197,7 +197,103 @@ void add_massless_links(Workshop& shop) {
   }
 }
 
+/// A chain of pins whose last body is held by a ball, by rods, or by another pin: as many equations as coordinates.
+void add_structure(Workshop& shop, int base) {
+  Dice& dice = shop.dice();
+  const int kind = dice.upto(2);
+  const std::vector<int> chain = grow_chain(shop, kind == 0 ? 3 : kind == 1 ? 1 + dice.upto(3) : 5, base, false);
+  const Point tip = plus(shop.place_of(chain.back()), dice.point(0.3));
+  if (kind == 0) shop.add_joint("spherical", base, chain.back(), tip, {0, 0, 1}, true);
+  if (kind == 1)
+    for (int body : chain) shop.add_rod(base, body, dice.chance(0.5) ? dice.between(0.2, 2) : 0);
+  if (kind == 2) shop.add_joint("revolute", base, chain.back(), tip, dice.axis(), true);
+}
+
+/// A plate on three equal eccentrics. Result: the plate.
+int add_shaker(Workshop& shop, int base) {
+  Dice& dice = shop.dice();
+  const int letter = dice.upto(2);
+  Point axis{}, along{}, up{};
+  axis[letter] = along[(letter + 1) % 3] = up[(letter + 2) % 3] = 1;
+  const auto in_plane = [&](const Point& from, double x, double y) {
+    Point result = from;
+    for (int i = 0; i < 3; ++i) result[i] += x * along[i] + y * up[i];
+    return result;
+  };
+  const double turn = dice.between(0, 6.28), arm = dice.between(0.1, 0.3);
+  const std::array<Point, 3> feet{in_plane(shop.place_of(base), dice.between(-0.1, 0.1), dice.between(-0.1, 0.1)),
+                                  in_plane(shop.place_of(base), dice.between(0.4, 0.8), dice.between(-0.2, 0.2)),
+                                  in_plane(shop.place_of(base), dice.between(0.1, 0.4), dice.between(0.4, 0.7))};
+  int plate = kOnGround;
+  for (const Point& foot : feet) {
+    const Point pin = in_plane(foot, arm * std::cos(turn), arm * std::sin(turn));
+    const int crank = shop.add_body(foot);
+    shop.add_joint("revolute", base, crank, foot, axis);
+    const bool first = plate == kOnGround;
+    if (first) plate = shop.add_body(pin);
+    shop.add_joint("revolute", crank, plate, pin, axis, !first);
+  }
+  return plate;
+}
+
+/// Three pins and a fourth that closes them, all axes through one point. Result: the body in the middle.
+int add_spherical_four_bar(Workshop& shop, int base) {
+  Dice& dice = shop.dice();
+  const Point centre = plus(shop.place_of(base), dice.point(0.3));
+  std::vector<int> chain{base};
+  for (int k = 0; k < 4; ++k) {
+    const double turn = 1.57 * k + dice.between(-0.4, 0.4), rise = dice.between(0.3, 0.8);
+    const Point axis{std::cos(turn) * std::cos(rise), std::sin(turn) * std::cos(rise), std::sin(rise)};
+    const Point at = plus(centre, {0.4 * axis[0], 0.4 * axis[1], 0.4 * axis[2]});
+    if (k < 3) chain.push_back(shop.add_body(at));
+    shop.add_joint("revolute", k < 3 ? chain[k] : base, chain.back(), at, axis, k == 3);
+  }
+  return chain[2];
+}
+
+/// See random_bricard. Result: the body opposite to the base.
+int add_bricard(Workshop& shop, int base) {
+  Dice& dice = shop.dice();
+  const Point centre = shop.place_of(base);
+  std::array<Point, 6> offsets, axes;
+  for (int k = 0; k < 3; ++k) {
+    offsets[k] = plus({0.5, 0, 0.4 * (k - 1)}, dice.point(0.4));
+    axes[k] = dice.axis();
+    offsets[k + 3] = {-offsets[k][0], -offsets[k][1], offsets[k][2]};
+    axes[k + 3] = {-axes[k][0], -axes[k][1], axes[k][2]};
+  }
+  std::vector<int> chain{base};
+  for (int k = 0; k < 6; ++k) {
+    const Point at = plus(centre, offsets[k]);
+    if (k < 5) chain.push_back(shop.add_body(at));
+    shop.add_joint("revolute", k < 5 ? chain[k] : base, chain.back(), at, axes[k], k == 5);
+  }
+  return chain[3];
+}
+
+/// One or two parts that are locked or overconstrained, on ground or on a body that swings.
+void add_locked_parts(Workshop& shop) {
+  Dice& dice = shop.dice();
+  const int swing = shop.hang("revolute", kOnGround);
+  for (int left = 1 + dice.upto(1); left > 0; --left) {
+    const int base = dice.chance(0.5) ? kOnGround : swing;
+    int (*const kLinkages[])(Workshop&, int) = {add_shaker, add_spherical_four_bar, add_bricard};
+    const int kind = dice.upto(5);
+    if (kind > 2)
+      add_structure(shop, base);
+    else if (const int middle = kLinkages[kind](shop, base); dice.chance(0.4))
+      shop.add_rod(base, middle, dice.chance(0.5) ? 0.7 : 0);  // locks it
+  }
+}
+
 }  // namespace
+
+RandomMechanism random_bricard(std::uint64_t seed) {
+  Dice dice(seed * 1000003 + 9);
+  Workshop shop(dice, seed);
+  add_bricard(shop, kOnGround);
+  return std::move(shop).made();
+}
 
 RandomMechanism random_mechanism(Family family, std::uint64_t seed) {
   Dice dice(seed * 1000003 + static_cast<std::uint64_t>(family));
@@ -228,6 +324,9 @@ RandomMechanism random_mechanism(Family family, std::uint64_t seed) {
       break;
     case Family::tiny:
       if (dice.chance(0.8)) shop.hang(dice.chance(0.3) ? "free" : any_type(dice), kOnGround);
+      break;
+    case Family::locked:
+      add_locked_parts(shop);
       break;
   }
   if (shop.size() > 1 && dice.chance(0.5)) shop.add_spring(0, shop.size() - 1);

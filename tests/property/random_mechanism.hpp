@@ -60,11 +60,16 @@ enum class Family {
   rods,            ///< with and without mass, several in one block
   massless_links,  ///< between massive bodies
   floating,        ///< a free base without gravity
-  tiny             ///< one body or none
+  tiny,            ///< one body or none
+  locked           ///< overconstrained linkages that move by their geometry, and structures, beside a part that moves
 };
-constexpr int kFamilies = 8;
+constexpr int kFamilies = 8;  ///< those that EveryFamily takes; locked has a test of its own
 
 RandomMechanism random_mechanism(Family family, std::uint64_t seed);
+
+/// A closed chain of six pins whose axes are three random lines and their images under a half turn about a line: it has
+/// one freedom. Source: R. Bricard, "Lecons de cinematique" II, 1927, the line-symmetric case.
+RandomMechanism random_bricard(std::uint64_t seed);
 
 /// The model file. Outputs: velocity of each body's centre of mass (x, y, z), then the length of each spring.
 std::string model_text(const RandomMechanism& mechanism);

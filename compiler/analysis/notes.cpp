@@ -1,0 +1,110 @@
+#include "compiler/analysis/notes.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+#include "compiler/analysis/misalignment.hpp"
+#include "compiler/analysis/opening.hpp"
+
+namespace mbgen {
+namespace {
+
+constexpr double kBarelyHeld = 0.01;  // smallest singular value
+constexpr std::size_t kMostNames = 8;
+
+const Where& where_of(const Model& model, const Topology& topology, int l) {
+  const Loop& loop = topology.loops[l];
+  return loop.rod >= 0 ? model.rods[loop.rod].where : model.joints[loop.joint].where;
+}
+
+std::string coordinates_text(const Topology& topology, const LoopBlock& block, const std::vector<int>& columns) {
+  std::vector<std::string> names;
+  for (std::size_t c = 0; c < columns.size() && c < kMostNames; ++c)
+    names.push_back(topology.bodies[block.joints[columns[c]]].coordinate);
+  const std::string more =
+      columns.size() > kMostNames ? fmt::format(" and {} more", columns.size() - kMostNames) : std::string();
+  return fmt::format("coordinate{} {}{}", columns.size() == 1 ? "" : "s", fmt::join(names, ", "), more);
+}
+
+/// Which axis locks these loops, if one does that was hardly meant to.
+std::string cause(const Model& model, const Topology& topology, const std::vector<int>& loops) {
+  for (int l : loops) {
+    const std::optional<Misalignment> off = misaligned_joint(model, topology, {l});
+    if (!off || off->angle >= kMeantParallel) continue;
+    const std::string name = quoted(model.joints[off->joint].name);
+    const double degrees = off->angle / 0.017453292519943295;
+    if (off->kind == FreedomKind::revolute)
+      return fmt::format(
+          "if {} is to move: the axis of joint {} is {:.3g} deg off the direction that the other axes share",
+          loops_text(topology, {l}), name, degrees);
+    return fmt::format("if {} is to move: joint {} slides {:.3g} deg out of its plane", loops_text(topology, {l}), name,
+                       degrees);
+  }
+  return "a structure is solved like anything else; what is to move needs joints with more freedoms";
+}
+
+std::string hold_text(const Certificate& certificate) {
+  if (certificate.smallest_kept >= kBarelyHeld) return {};
+  return fmt::format(", barely (smallest singular value {:.1e}): a small change of a length moves them far",
+                     certificate.smallest_kept);
+}
+
+void add_locked(const Model& model, const Topology& topology, std::size_t b, const Certificate& certificate,
+                Diagnostics& notes) {
+  const LoopBlock& block = topology.blocks[b];
+  std::vector<int> held, left = certificate.immobile;
+  for (int l : block.loops) {
+    const std::vector<int> columns = block_part(topology, block, {l}).columns;
+    const auto still = [&](int c) { return contains(certificate.immobile, c); };
+    if (!columns.empty() && std::all_of(columns.begin(), columns.end(), still)) held.push_back(l);
+  }
+  for (const std::vector<int>& loops : connected(topology, held)) {
+    const std::vector<int> columns = block_part(topology, block, loops).columns;
+    std::erase_if(left, [&](int c) { return contains(columns, c); });
+    notes.push_back({where_of(model, topology, loops[0]),
+                     fmt::format("{} hold{} {} in place{}", loops_text(topology, loops), loops.size() == 1 ? "s" : "",
+                                 coordinates_text(topology, block, columns), hold_text(certificate)),
+                     cause(model, topology, loops),
+                     {}});
+  }
+  if (left.empty()) return;
+  notes.push_back(
+      {where_of(model, topology, block.loops[0]),
+       fmt::format("{} never move{}, though {} do{}", coordinates_text(topology, block, left),
+                   left.size() == 1 ? "s" : "", loops_text(topology, block.loops), block.loops.size() == 1 ? "es" : ""),
+       cause(model, topology, block.loops),
+       {}});
+}
+
+void add_other_modes(const Model& model, const Topology& topology, std::size_t b, const BlockAnalysis& decided,
+                     Diagnostics& notes) {
+  const LoopBlock& block = topology.blocks[b];
+  int others = 0, least = 0;
+  for (const RankCount& seen : decided.certificate.ranks)
+    if (seen.rank > decided.rank) others += seen.configurations, least = std::max(least, seen.rank);
+  if (others == 0) return;
+  const auto freedoms = [&](int rank) { return static_cast<int>(block.joints.size()) - rank; };
+  notes.push_back({where_of(model, topology, block.loops[0]),
+                   fmt::format("{} ha{} other assembly modes: {} of {} configurations closed from elsewhere leave {} "
+                               "freedom{} where that of the reference leaves {}",
+                               loops_text(topology, block.loops), block.loops.size() == 1 ? "s" : "ve", others,
+                               decided.certificate.closed_configurations, freedoms(least),
+                               freedoms(least) == 1 ? "" : "s", freedoms(decided.rank)),
+                   "the model stays in the mode of its reference; a start far from it may end in another",
+                   {}});
+}
+
+}  // namespace
+
+Diagnostics analysis_notes(const Model& model, const Topology& topology, const Analysis& analysis) {
+  Diagnostics notes;
+  for (std::size_t b = 0; b < topology.blocks.size(); ++b) {
+    add_locked(model, topology, b, analysis.blocks[b].certificate, notes);
+    add_other_modes(model, topology, b, analysis.blocks[b], notes);
+  }
+  return notes;
+}
+
+}  // namespace mbgen

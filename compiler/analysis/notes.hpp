@@ -1,0 +1,14 @@
+#pragma once
+// What a model may do that its author does not expect: joints that its loops lock, and assembly modes that it is not
+// in.
+
+#include "compiler/analysis/analysis.hpp"
+
+namespace mbgen {
+
+/// One note for loops that cannot move together, one for the other joints that a block locks, and one for assembly
+/// modes in which a block has fewer freedoms; nothing is wrong. Where: at the joint or rod that closes the first of the
+/// loops.
+Diagnostics analysis_notes(const Model& model, const Topology& topology, const Analysis& analysis);
+
+}  // namespace mbgen
