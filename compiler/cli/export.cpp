@@ -59,7 +59,8 @@ void write_sources(const fs::path& directory, const std::vector<EmittedFile>& fi
 void compile_library(const fs::path& scratch, const fs::path& content, const FmuFiles& files, const fs::path& library) {
   const fs::path exported = scratch / "bare" / "exported";
   HostCompiler compiler = find_compiler(scratch, kProcessor, 0);
-  compiler.flags.insert(compiler.flags.end(), {"-fPIC", "-fvisibility=hidden", "-fno-stack-protector"});
+  compiler.flags.insert(compiler.flags.end(),
+                        {"-fPIC", "-fvisibility=hidden", "-fno-stack-protector", "-DFMI2_OVERRIDE_FUNCTION_PREFIX"});
   write_sources(scratch / "include", files.headers);
   write_sources(scratch / "bare", {files.bare, {exported.filename(), "{ global: fmi[23]*; local: *; };\n"}});
   std::vector<fs::path> sources = {scratch / "bare" / files.bare.path};

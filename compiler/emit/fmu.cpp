@@ -40,10 +40,13 @@ std::string model_text(const EmitContext& context, const FmuLayout& fmu, const I
        {"drive_size", size_text(layout.drives)},
        {"has_closure", truth(layout.has_closure)},
        {"takes_multipliers", truth(outputs_take_multipliers(context.programs))},
-       {"position_count", std::to_string(fmu.positions.size())},
-       {"positions", integers("kPositions", fmu.positions)},
-       {"velocity_count", std::to_string(fmu.velocities.size())},
-       {"velocities", integers("kVelocities", fmu.velocities)},
+       {"velocity_count", std::to_string(fmu.independent.size())},
+       {"velocities", integers("kVelocities", fmu.independent)},
+       {"chosen_count", std::to_string(fmu.chosen.size())},
+       {"chosen", integers("kChosen", fmu.chosen)},
+       {"block_of", integers("kBlockOf", fmu.block_of)},
+       {"undriven_count", std::to_string(fmu.undriven.size())},
+       {"undriven", integers("kUndriven", fmu.undriven)},
        {"initial_state",
         numbers("kInitialZ", initial.z) + numbers("kInitialZd", initial.zd) + numbers("kInitialX", initial.x)},
        {"members", members("Parameters", "kParameterMember", parameter_members(context)) +
@@ -84,15 +87,16 @@ FmuFiles emit_fmu(const Programs& programs, const Programs& emitted, const Model
   const EmitContext context{
       emitted, model, topology, analysis, solver_names(model, topology), solver_layout(model, topology, analysis)};
   const std::string& solver = context.names.solver;
-  const FmuLayout fmu = fmu_layout(context, programs, initial);
+  const FmuLayout fmu = fmu_layout(context, programs, initial, version);
   const std::string functions = version == FmiVersion::two ? "_fmi2.cpp" : "_fmi3.cpp";
 
-  std::vector<EmittedFile> sources = {{solver + ".hpp", interface_text(context)},
-                                      {solver + ".cpp", solver_text(context)},
-                                      {solver + "_directional.hpp", directional_header_text(context)},
-                                      {solver + "_directional.cpp", directional_source_text(context, programs)},
-                                      {solver + "_fmu.hpp", model_text(context, fmu, initial)},
-                                      {solver + functions, entry_points(context, version)}};
+  std::vector<EmittedFile> sources = {
+      {solver + ".hpp", interface_text(context)},
+      {solver + ".cpp", solver_text(context) + fill_template("fmu_held.cpp.in", {{"solver", solver}})},
+      {solver + "_directional.hpp", directional_header_text(context)},
+      {solver + "_directional.cpp", directional_source_text(context, programs)},
+      {solver + "_fmu.hpp", model_text(context, fmu, initial)},
+      {solver + functions, entry_points(context, version)}};
   FmuFiles files;
   files.identifier = solver;
   files.sources = {solver + ".cpp", solver + "_directional.cpp", solver + functions};

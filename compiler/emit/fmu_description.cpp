@@ -73,19 +73,21 @@ std::string unit_and_start(const FmuVariable& variable) {
 std::string variable_2(const FmuVariable& variable, std::size_t reference) {
   const std::string derivative =
       variable.derivative_of < 0 ? "" : fmt::format(" derivative=\"{}\"", variable.derivative_of + 1);
+  const char* reinit = variable.reinit ? " reinit=\"true\"" : "";
   return fmt::format(
       "    <ScalarVariable name=\"{}\" valueReference=\"{}\" description=\"{}\" causality=\"{}\"{}>\n"
-      "      <Real{}{}/>\n    </ScalarVariable>\n",
+      "      <Real{}{}{}/>\n    </ScalarVariable>\n",
       xml(variable.name), reference, xml(variable.description), name_of(variable.causality), initial_text(variable),
-      unit_and_start(variable), derivative);
+      unit_and_start(variable), derivative, reinit);
 }
 
 std::string variable_3(const FmuVariable& variable, std::size_t reference) {
   const std::string derivative =
       variable.derivative_of < 0 ? "" : fmt::format(" derivative=\"{}\"", variable.derivative_of);
-  return fmt::format("    <Float64 name=\"{}\" valueReference=\"{}\" description=\"{}\" causality=\"{}\"{}{}{}/>\n",
+  const char* reinit = variable.reinit ? " reinit=\"true\"" : "";
+  return fmt::format("    <Float64 name=\"{}\" valueReference=\"{}\" description=\"{}\" causality=\"{}\"{}{}{}{}/>\n",
                      xml(variable.name), reference, xml(variable.description), name_of(variable.causality),
-                     initial_text(variable), unit_and_start(variable), derivative);
+                     initial_text(variable), unit_and_start(variable), derivative, reinit);
 }
 
 /// offset: between value references and what unknowns count by, 1 for the indices of FMI 2.

@@ -8,8 +8,6 @@
 
 namespace mbgen {
 
-enum class FmiVersion { two = 2, three = 3 };
-
 /// What an importer must give back to instantiate: of the model's content and mbgen's version.
 std::string fmu_token(const Model& model);
 

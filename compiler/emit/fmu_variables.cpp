@@ -11,10 +11,10 @@ using Start = FmuVariable::Start;
 
 /// First value reference of every group of slots.
 struct References {
-  int par = 1, in = 0, y = 0, z = 0, zd = 0, zdd = 0, x = 0, xd = 0;
+  int par = 1, in = 0, y = 0, z = 0, zd = 0, zdd = 0, x = 0, xd = 0, q = 0, qd = 0, qdd = 0;
 };
 
-References references(const EmitContext& context) {
+References references(const EmitContext& context, int chosen) {
   References first;
   first.in = first.par + static_cast<int>(context.names.parameters.size());
   first.y = first.in + static_cast<int>(context.names.inputs.size());
@@ -23,6 +23,9 @@ References references(const EmitContext& context) {
   first.zdd = first.zd + context.layout.coordinates;
   first.x = first.zdd + context.layout.coordinates;
   first.xd = first.x + context.layout.auxiliary_states;
+  first.q = first.xd + context.layout.auxiliary_states;
+  first.qd = first.q + chosen;
+  first.qdd = first.qd + chosen;
   return first;
 }
 
@@ -64,8 +67,8 @@ void add_motion(const EmitContext& context, const InitialState& initial, const R
   const auto unit = [&](std::size_t i, const char* per) { return unit_of(bodies[i].kind) + std::string(per); };
   for (std::size_t i = 0; i < bodies.size(); ++i) {
     const int c = static_cast<int>(i);
-    const Start start = contains(fmu.velocities, c)  ? Start::exact
-                        : contains(fmu.positions, c) ? Start::approx
+    const Start start = contains(fmu.independent, c) ? Start::exact
+                        : contains(fmu.undriven, c)  ? Start::approx
                                                      : Start::calculated;
     const std::string kind = start == Start::exact    ? "independent coordinate"
                              : start == Start::approx ? "coordinate that its loop decides"
@@ -75,13 +78,13 @@ void add_motion(const EmitContext& context, const InitialState& initial, const R
   for (std::size_t i = 0; i < bodies.size(); ++i) {
     const int c = static_cast<int>(i);
     fmu.variables.push_back({"zd." + bodies[i].coordinate, unit(i, "/s"), "velocity of the coordinate",
-                             Causality::local, contains(fmu.velocities, c) ? Start::exact : Start::calculated,
-                             initial.zd[i], contains(fmu.positions, c) ? first.z + c : -1});
+                             Causality::local, contains(fmu.independent, c) ? Start::exact : Start::calculated,
+                             initial.zd[i], first.z + c});
   }
   for (std::size_t i = 0; i < bodies.size(); ++i) {
     const int c = static_cast<int>(i);
     fmu.variables.push_back({"zdd." + bodies[i].coordinate, unit(i, "/s^2"), "acceleration of the coordinate",
-                             Causality::local, Start::calculated, 0, contains(fmu.velocities, c) ? first.zd + c : -1});
+                             Causality::local, Start::calculated, 0, first.zd + c});
   }
   const std::vector<std::string> names = auxiliary_state_names(context.model);
   for (std::size_t i = 0; i < names.size(); ++i)
@@ -89,6 +92,28 @@ void add_motion(const EmitContext& context, const InitialState& initial, const R
   for (std::size_t i = 0; i < names.size(); ++i)
     fmu.variables.push_back({"xd." + names[i], "m/s", "rate of the auxiliary state", Causality::local,
                              Start::calculated, 0, first.x + static_cast<int>(i)});
+}
+
+/// The states of loop blocks, each named after its coordinate at the start.
+void add_chosen(const EmitContext& context, const References& first, FmuLayout& fmu) {
+  struct Kind {
+    const char *prefix, *per, *description;
+    int first, derivative_of;
+  };
+  const Kind kinds[] = {{"q.", "", "state of a loop", first.q, -1},
+                        {"qd.", "/s", "velocity of the state of a loop", first.qd, first.q},
+                        {"qdd.", "/s^2", "acceleration of the state of a loop", first.qdd, first.qd}};
+  for (const Kind& kind : kinds) {
+    for (std::size_t i = 0; i < fmu.chosen.size(); ++i) {
+      const TreeBody& body = context.topology.bodies[fmu.independent[fmu.chosen[i]]];
+      FmuVariable variable{kind.prefix + body.coordinate, unit_of(body.kind) + std::string(kind.per),
+                           std::string(kind.description) + ": of this coordinate, until an event chooses another one",
+                           Causality::local, Start::calculated};
+      if (kind.derivative_of >= 0) variable.derivative_of = kind.derivative_of + static_cast<int>(i);
+      variable.reinit = kind.first != first.qdd;
+      fmu.variables.push_back(std::move(variable));
+    }
+  }
 }
 
 /// Knowns by the text of a slot, "zd[3]".
@@ -124,7 +149,7 @@ void close_positions(const EmitContext& context, const Programs& programs, const
     const Knowns closed = reached(programs.closure, knowns);
     for (int i = 0; i < context.layout.coordinates; ++i) {
       const auto correction = closed.find({"dz", i});
-      if (contains(fmu.velocities, i) || correction == closed.end()) continue;
+      if (contains(fmu.independent, i) || correction == closed.end()) continue;
       std::set<int>& set = knowns[{"z", i}];
       const std::size_t before = set.size();
       set.insert(correction->second.begin(), correction->second.end());
@@ -134,7 +159,22 @@ void close_positions(const EmitContext& context, const Programs& programs, const
   const Knowns closed = reached(programs.closure, knowns);
   for (int i = 0; i < context.layout.coordinates; ++i) {
     const auto velocity = closed.find({"zd", i});
-    if (!contains(fmu.velocities, i) && velocity != closed.end()) knowns[{"zd", i}] = velocity->second;
+    if (!contains(fmu.independent, i) && velocity != closed.end()) knowns[{"zd", i}] = velocity->second;
+  }
+}
+
+/// With other independent coordinates of a loop block, each of its coordinates may depend on all that one of them does
+/// now: on the block's whole state, and on all that its loops look at.
+void share_in_blocks(const FmuLayout& fmu, const char* group, Knowns& knowns) {
+  std::map<int, std::set<int>> of_block;
+  const int count = static_cast<int>(fmu.block_of.size());
+  for (int i = 0; i < count; ++i) {
+    const auto found = knowns.find({group, i});
+    if (fmu.block_of[i] >= 0 && found != knowns.end())
+      of_block[fmu.block_of[i]].insert(found->second.begin(), found->second.end());
+  }
+  for (int i = 0; i < count; ++i) {
+    if (fmu.block_of[i] >= 0) knowns[{group, i}] = of_block[fmu.block_of[i]];
   }
 }
 
@@ -146,12 +186,19 @@ std::vector<std::set<int>> dependencies(const EmitContext& context, const Progra
   for (int i = first.par; i < first.in; ++i) knowns[{"par", i - first.par}] = {i};
   for (int i = first.in; i < first.y; ++i) knowns[{"in", i - first.in}] = {i};
   for (int i = first.x; i < first.xd; ++i) knowns[{"x", i - first.x}] = {i};
-  for (const int i : fmu.velocities) {
+  for (const int i : fmu.independent) {
     knowns[{"z", i}] = {first.z + i};
     knowns[{"zd", i}] = {first.zd + i};
   }
+  for (std::size_t k = 0; k < fmu.chosen.size(); ++k) {
+    knowns[{"z", fmu.independent[fmu.chosen[k]]}] = {first.q + static_cast<int>(k)};
+    knowns[{"zd", fmu.independent[fmu.chosen[k]]}] = {first.qd + static_cast<int>(k)};
+  }
   if (context.layout.has_closure) close_positions(context, programs, fmu, knowns);
+  share_in_blocks(fmu, "z", knowns);
+  share_in_blocks(fmu, "zd", knowns);
   knowns.merge(reached(programs.accelerations, knowns));
+  share_in_blocks(fmu, "zdd", knowns);
   if (context.layout.has_closure) knowns.merge(reached(programs.multipliers, knowns));
   const Knowns results = reached(programs.outputs, knowns);
 
@@ -171,44 +218,82 @@ std::vector<std::set<int>> dependencies(const EmitContext& context, const Progra
     take(knowns, "zdd", i, first.zdd + i);
   }
   for (int i = 0; i < context.layout.auxiliary_states; ++i) take(knowns, "xd", i, first.xd + i);
+  for (std::size_t k = 0; k < fmu.chosen.size(); ++k) {
+    const int place = static_cast<int>(k), coordinate = fmu.independent[fmu.chosen[k]];
+    take(knowns, "z", coordinate, first.q + place);
+    take(knowns, "zd", coordinate, first.qd + place);
+    take(knowns, "zdd", coordinate, first.qdd + place);
+  }
   return all;
 }
 
-void add_structure(const References& first, const std::vector<std::set<int>>& dependencies, FmuLayout& fmu) {
-  const auto of = [&](int variable) { return dependencies[static_cast<std::size_t>(variable)]; };
-  for (int i = first.y; i < first.z; ++i) fmu.outputs.push_back({i, of(i)});
-  for (const int i : fmu.positions) fmu.derivatives.push_back({first.zd + i, of(first.zd + i)});
-  for (const int i : fmu.velocities) fmu.derivatives.push_back({first.zdd + i, of(first.zdd + i)});
-  for (int i = first.xd; i < static_cast<int>(fmu.variables.size()); ++i) fmu.derivatives.push_back({i, of(i)});
-  std::set<int> initial;
-  for (const FmuUnknown& unknown : fmu.outputs) initial.insert(unknown.variable);
-  for (const int i : fmu.positions) initial.insert(first.z + i);
-  for (const FmuUnknown& unknown : fmu.derivatives) initial.insert(unknown.variable);
-  for (const int variable : initial) {
-    const Start start = fmu.variables[static_cast<std::size_t>(variable)].start;
-    if (start == Start::approx || start == Start::calculated) fmu.initial_unknowns.push_back({variable, of(variable)});
+/// What a state depends on at the initialisation: the start values of the coordinate that it is of then.
+std::set<int> at_start(const References& first, const FmuLayout& fmu, const std::set<int>& dependencies) {
+  std::set<int> result;
+  for (const int known : dependencies) {
+    const bool is_q = known >= first.q && known < first.qd, is_qd = known >= first.qd && known < first.qdd;
+    const int place = known - (is_q ? first.q : first.qd);
+    result.insert(is_q || is_qd ? (is_q ? first.z : first.zd) + fmu.independent[fmu.chosen[place]] : known);
   }
-  // Parameters are knowns at the start only.
-  for (std::vector<FmuUnknown>* unknowns : {&fmu.outputs, &fmu.derivatives}) {
-    for (FmuUnknown& unknown : *unknowns)
+  return result;
+}
+
+void add_structure(const References& first, const std::vector<std::set<int>>& dependencies, FmiVersion version,
+                   FmuLayout& fmu) {
+  const auto add = [&](int variable, std::vector<FmuUnknown>& unknowns) {
+    FmuUnknown unknown{variable, dependencies[static_cast<std::size_t>(variable)]};
+    if (version == FmiVersion::two)
       std::erase_if(unknown.dependencies, [&](int known) { return known >= first.par && known < first.in; });
+    unknowns.push_back(std::move(unknown));
+  };
+  std::vector<int> rates, accelerations, initial;
+  for (std::size_t i = 0, k = 0; i < fmu.independent.size(); ++i) {
+    const bool is_chosen = k < fmu.chosen.size() && fmu.chosen[k] == static_cast<int>(i);
+    rates.push_back(is_chosen ? first.qd + static_cast<int>(k) : first.zd + fmu.independent[i]);
+    accelerations.push_back(is_chosen ? first.qdd + static_cast<int>(k) : first.zdd + fmu.independent[i]);
+    if (is_chosen) initial.push_back(first.q + static_cast<int>(k++));
+  }
+  for (int i = first.y; i < first.z; ++i) add(i, fmu.outputs);
+  for (const int i : rates) add(i, fmu.derivatives);
+  for (const int i : accelerations) add(i, fmu.derivatives);
+  for (int i = first.xd; i < first.q; ++i) add(i, fmu.derivatives);
+  for (const std::vector<FmuUnknown>* unknowns : {&fmu.outputs, &fmu.derivatives}) {
+    for (const FmuUnknown& unknown : *unknowns) initial.push_back(unknown.variable);
+  }
+  std::sort(initial.begin(), initial.end());
+  for (const int variable : initial) {
+    if (fmu.variables[static_cast<std::size_t>(variable)].start != Start::calculated) continue;
+    const std::set<int>& known = dependencies[static_cast<std::size_t>(variable)];
+    fmu.initial_unknowns.push_back({variable, at_start(first, fmu, known)});
+  }
+}
+
+/// Coordinates whose block may take others as independent ones, and where they stand among the independent ones.
+void find_chosen(const EmitContext& context, FmuLayout& fmu) {
+  for (int i = 0; i < context.layout.coordinates; ++i) {
+    const int block = context.topology.groups[context.topology.group_of[i]].block;
+    fmu.block_of.push_back(context.layout.chooses_again && !context.analysis.driven[i] ? block : -1);
+    if (!context.analysis.driven[i]) fmu.undriven.push_back(i);
+  }
+  for (std::size_t i = 0; i < fmu.independent.size(); ++i) {
+    if (fmu.block_of[fmu.independent[i]] >= 0) fmu.chosen.push_back(static_cast<int>(i));
   }
 }
 
 }  // namespace
 
-FmuLayout fmu_layout(const EmitContext& context, const Programs& programs, const InitialState& initial) {
+FmuLayout fmu_layout(const EmitContext& context, const Programs& programs, const InitialState& initial,
+                     FmiVersion version) {
   FmuLayout fmu;
-  fmu.velocities = free_coordinates(context.topology, context.analysis);
-  std::sort(fmu.velocities.begin(), fmu.velocities.end());
-  for (int i = 0; i < context.layout.coordinates; ++i) {
-    if (!context.analysis.driven[i]) fmu.positions.push_back(i);
-  }
-  const References first = references(context);
+  fmu.independent = free_coordinates(context.topology, context.analysis);
+  std::sort(fmu.independent.begin(), fmu.independent.end());
+  find_chosen(context, fmu);
+  const References first = references(context, static_cast<int>(fmu.chosen.size()));
   add_given(context, fmu);
   add_outputs(context, fmu);
   add_motion(context, initial, first, fmu);
-  add_structure(first, dependencies(context, programs, first, fmu), fmu);
+  add_chosen(context, first, fmu);
+  add_structure(first, dependencies(context, programs, first, fmu), version, fmu);
   return fmu;
 }
 

@@ -12,7 +12,7 @@
 namespace mbgen {
 
 /// A scalar variable; its value reference is its place in the list. The groups follow each other as mbgen/fmu.hpp
-/// counts them: time, parameters, inputs, outputs with the energies, z, zd, zdd, x, xd.
+/// counts them: time, parameters, inputs, outputs with the energies, z, zd, zdd, x, xd, q, qd, qdd.
 struct FmuVariable {
   enum class Causality { independent, parameter, input, output, local };
   enum class Start { none, exact, approx, calculated };
@@ -20,7 +20,8 @@ struct FmuVariable {
   Causality causality = Causality::local;
   Start start = Start::calculated;
   double value = 0;        ///< at the start, where it is exact, approximate or an input's
-  int derivative_of = -1;  ///< value reference of the state whose derivative it is
+  int derivative_of = -1;  ///< value reference of the variable whose derivative it is
+  bool reinit = false;     ///< whether an event may change this state
 };
 
 /// An unknown and the knowns that it depends on, as value references.
@@ -29,16 +30,23 @@ struct FmuUnknown {
   std::set<int> dependencies;
 };
 
-/// The continuous states are the positions of all coordinates that no motion drives, the velocities of the independent
-/// ones, and the auxiliary states. A dependent position is the guess from which its loop is closed: nothing depends on
-/// it.
+enum class FmiVersion { two = 2, three = 3 };
+
+/// The continuous states are positions and velocities of the independent coordinates, and the auxiliary states. Where
+/// an event may choose another independent coordinate of a loop block, the states are q and qd, which are those of the
+/// chosen coordinate; else they are z and zd.
 struct FmuLayout {
   std::vector<FmuVariable> variables;
-  std::vector<int> positions, velocities;  ///< coordinates whose position or velocity is a state, ascending
+  std::vector<int> independent;  ///< coordinates at the start, ascending
+  std::vector<int> chosen;       ///< places among them where an event may choose another one
+  std::vector<int> block_of;     ///< per coordinate: loop block whose coordinates are chosen, else -1
+  std::vector<int> undriven;     ///< coordinates that no motion drives
   std::vector<FmuUnknown> outputs, derivatives, initial_unknowns;
 };
 
-/// programs: after the passes. initial: state at the start.
-FmuLayout fmu_layout(const EmitContext& context, const Programs& programs, const InitialState& initial);
+/// programs: after the passes. initial: state at the start. version: decides whether tunable parameters are among what
+/// outputs and derivatives depend on; FMI 2 knows them at the initialisation only.
+FmuLayout fmu_layout(const EmitContext& context, const Programs& programs, const InitialState& initial,
+                     FmiVersion version);
 
 }  // namespace mbgen

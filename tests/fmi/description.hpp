@@ -15,6 +15,7 @@
 struct Variable {
   std::string name, causality, initial;
   unsigned reference = 0;
+  bool reinit = false;  ///< whether an event may change it
 };
 
 struct Unknown {
@@ -73,8 +74,9 @@ inline Description read_description(const std::string& path) {
     if (line.find(" causality=") != std::string::npos) {
       last = static_cast<unsigned>(std::stoul(attribute(line, "valueReference")));
       description.variables.push_back(
-          {attribute(line, "name"), attribute(line, "causality"), attribute(line, "initial"), last});
+          {attribute(line, "name"), attribute(line, "causality"), attribute(line, "initial"), last, false});
     }
+    if (attribute(line, "reinit") == "true") description.variables.back().reinit = true;
     if (!attribute(line, "derivative").empty()) {
       description.state_of[last] = static_cast<unsigned>(std::stoul(attribute(line, "derivative"))) - offset;
     }

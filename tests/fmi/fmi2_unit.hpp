@@ -97,6 +97,10 @@ class Unit2 {
     return call<fmi2GetDirectionalDerivativeTYPE>("fmi2GetDirectionalDerivative")(
         component_, unknowns.data(), unknowns.size(), knowns.data(), knowns.size(), seeds.data(), rates.data());
   }
+  int log(bool on, const std::vector<const char*>& categories) {
+    return call<fmi2SetDebugLoggingTYPE>("fmi2SetDebugLogging")(component_, on ? 1 : 0, categories.size(),
+                                                                categories.data());
+  }
   /// Calls that the FMU does not support; every one must be refused. Result: how many.
   int refusals() {
     const unsigned reference = 1;

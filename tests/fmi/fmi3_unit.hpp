@@ -8,8 +8,11 @@
 #include "fmi3Functions.h"
 #include "library.hpp"
 
+inline int messages_3 = 0;
+
 inline void log_3(fmi3InstanceEnvironment, fmi3Status, fmi3String category, fmi3String message) {
   if (std::getenv("FMI_LOG") != nullptr) std::fprintf(stderr, "[%s] %s\n", category, message);
+  ++messages_3;
 }
 
 class Unit3 {
@@ -99,6 +102,9 @@ class Unit3 {
     return call<fmi3GetDirectionalDerivativeTYPE>("fmi3GetDirectionalDerivative")(
         instance_, unknowns.data(), unknowns.size(), knowns.data(), knowns.size(), seeds.data(), seeds.size(),
         rates.data(), rates.size());
+  }
+  int log(bool on, const std::vector<const char*>& categories) {
+    return call<fmi3SetDebugLoggingTYPE>("fmi3SetDebugLogging")(instance_, on, categories.size(), categories.data());
   }
   /// Calls that the FMU does not support; every one must be refused. Result: how many.
   int refusals() {

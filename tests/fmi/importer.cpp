@@ -7,65 +7,12 @@
 #include <cstring>
 #include <limits>
 
+#include "case.hpp"
 #include "fmi2_unit.hpp"
 #include "fmi3_unit.hpp"
+#include "tuning.hpp"
 
 namespace {
-
-constexpr int kOk = 0, kError = 3;
-
-using Row = std::vector<double>;
-
-/// The table of `mbgen simulate`: names of its columns but time and residual, and their rows.
-struct Table {
-  std::vector<std::string> names;
-  std::vector<Row> rows;
-};
-
-Table read_table(const std::string& path) {
-  std::ifstream file(path);
-  std::string line, field;
-  Table table;
-  std::getline(file, line);
-  for (std::istringstream fields(line); std::getline(fields, field, ',');)
-    table.names.push_back(field.substr(0, field.find(' ')));
-  while (std::getline(file, line)) {
-    Row row;
-    for (std::istringstream fields(line); std::getline(fields, field, ',');)
-      row.push_back(std::strtod(field.c_str(), nullptr));
-    row.pop_back();
-    row.erase(row.begin());
-    table.rows.push_back(row);
-  }
-  table.names.pop_back();
-  table.names.erase(table.names.begin());
-  require(table.rows.size() > 10, "rows of " + path);
-  return table;
-}
-
-struct Case {
-  const Library& library;
-  const Description& description;
-  const Table& table;
-  std::vector<unsigned> columns;  ///< references of the table's columns
-};
-
-bool same_bits(const Row& a, const Row& b) {
-  return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(double)) == 0;
-}
-
-template <class Unit>
-Row values(Unit& unit, const std::vector<unsigned>& references) {
-  Row result;
-  require(unit.get(references, result) == kOk, "get");
-  return result;
-}
-
-template <class Unit>
-void start(Unit& unit) {
-  require(unit.setup(0, 0) == kOk, "setup");
-  require(unit.leave() == kOk, "end of the initialisation");
-}
 
 /// Every row of the table by steps of `stride` rows; memory from the importer or not.
 template <class Unit>
@@ -117,6 +64,22 @@ void roll_back(const Case& c) {
   require(unit.forget(state) == kOk && state == nullptr && other.forget(copy) == kOk, "forget");
 }
 
+/// Events that FMUs have asked for.
+int events = 0;
+
+/// Goes through an event. Result: whether it has changed states, which are then those that it says it may change.
+template <class Unit>
+bool go_through_event(const Case& c, Unit& unit, Row& x) {
+  const Row before = x;
+  bool has_changed = false;
+  require(unit.enter_event() == kOk && unit.update(has_changed) == kOk && unit.enter_continuous() == kOk, "an event");
+  require(unit.states(x) == kOk && (has_changed || same_bits(x, before)), "states after an event");
+  const std::vector<unsigned> states = c.description.states();
+  for (std::size_t i = 0; i < x.size(); ++i)
+    require(x[i] == before[i] || c.description.variables[states[i]].reinit, "a state that may not change at events");
+  return has_changed;
+}
+
 /// The classical Runge-Kutta method of an importer, with the same step as the solver's.
 template <class Unit>
 void integrate(const Case& c, Unit& unit, double t, double h, Row& x) {
@@ -134,12 +97,11 @@ void integrate(const Case& c, Unit& unit, double t, double h, Row& x) {
             e = rates(t + h, moved(d, h));
   for (std::size_t i = 0; i < x.size(); ++i) x[i] += h / 6 * (a[i] + 2 * b[i] + 2 * d[i] + e[i]);
   require(unit.set_time(t + h) == kOk && unit.set_states(x) == kOk, "states");
-  bool event = false, has_changed = false;
+  bool event = false;
   require(unit.completed(event) == kOk, "completed step");
   if (!event) return;
-  require(unit.enter_event() == kOk && unit.update(has_changed) == kOk && has_changed, "drift is taken back");
-  require(unit.enter_continuous() == kOk && unit.states(x) == kOk, "states after an event");
-  static_cast<void>(c);
+  ++events;
+  require(go_through_event(c, unit, x), "an event that is asked for changes states");
 }
 
 template <class Unit>
@@ -155,6 +117,11 @@ void exchange(const Case& c) {
   std::vector<unsigned> references;
   for (const Unknown& unknown : c.description.derivatives) references.push_back(unknown.reference);
   require(unit.derivatives(rates) == kOk && same_bits(rates, values(unit, references)), "derivatives are variables");
+  require(unit.set(c.description.states(), x) == kOk, "states are set as variables, too");
+  require(unit.enter_event() == kOk, "event mode");
+  require(unit.set(c.description.states(), x) == (Unit::kVersion == 2 ? kError : kOk), "states are set at an event");
+  require(unit.update(has_changed) == kOk && !has_changed && unit.enter_continuous() == kOk, "back from the event");
+  events = 0;
   void* state = nullptr;
   const std::size_t steps = std::min<std::size_t>(c.table.rows.size() - 1, 200);
   const double h = c.description.step;
@@ -176,6 +143,7 @@ void exchange(const Case& c) {
   for (std::size_t i = steps / 2; i < steps; ++i) integrate(c, unit, static_cast<double>(i) * h, h, x);
   require(same_bits(x, last) && same_bits(end, values(unit, c.columns)), "bits after a rollback");
   require(unit.forget(state) == kOk && unit.terminate() == kOk, "end");
+  require(events <= 2, "events without need");
 }
 
 /// Directional derivatives against central differences of the FMU itself; what is no dependency must not matter.
@@ -190,8 +158,19 @@ void differentiate(const Case& c) {
   // Away from the start, where much is zero.
   for (int i = 0; i < 20; ++i) integrate(c, unit, i * c.description.step, c.description.step, x);
   std::vector<unsigned> knowns = states, unknowns;
-  for (const Variable& variable : c.description.variables)
-    if (variable.causality == "input") knowns.push_back(variable.reference);
+  std::set<unsigned> parameters;
+  for (const Variable& variable : c.description.variables) {
+    // FMI 2 knows parameters at the initialisation only.
+    const bool is_tuned = Unit::kVersion == 3 && variable.causality == "parameter";
+    if (is_tuned) parameters.insert(variable.reference);
+    if (is_tuned || variable.causality == "input") knowns.push_back(variable.reference);
+  }
+  const auto set_known = [&](unsigned known, double value) {
+    const bool is_tuned = parameters.count(known) != 0;
+    require(!is_tuned || unit.enter_event() == kOk, "event mode");
+    require(unit.set({known}, {value}) == kOk, "a known");
+    require(!is_tuned || unit.enter_continuous() == kOk, "continuous time");
+  };
   std::vector<Unknown> all = c.description.outputs;
   all.insert(all.end(), c.description.derivatives.begin(), c.description.derivatives.end());
   for (const Unknown& unknown : all) unknowns.push_back(unknown.reference);
@@ -208,11 +187,15 @@ void differentiate(const Case& c) {
         y[k] = moved;
         require(unit.set_states(y) == kOk, "states");
       } else {
-        require(unit.set({knowns[k]}, {moved}) == kOk, "input");
+        set_known(knowns[k], moved);
       }
       at[side] = values(unit, unknowns);
     }
-    require(k < states.size() ? unit.set_states(x) == kOk : unit.set({knowns[k]}, {value}) == kOk, "back");
+    if (k < states.size()) {
+      require(unit.set_states(x) == kOk, "back");
+    } else {
+      set_known(knowns[k], value);
+    }
     for (std::size_t u = 0; u < all.size(); ++u) {
       const double difference = (at[1][u] - at[0][u]) / (2 * delta);
       const std::string what =
@@ -305,6 +288,8 @@ void drive(const Case& c) {
   differentiate<Unit>(c);
   call_wrongly<Unit>(c);
   tune<Unit>(c);
+  switch_messages<Unit>(c, Unit::kVersion == 2 ? messages : messages_3);
+  if (c.description.identifier == "tuned_rod") tune_lengths<Unit>(c);
 }
 
 }  // namespace

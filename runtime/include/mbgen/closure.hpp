@@ -188,10 +188,12 @@ constexpr RealOf<System> closure_tolerance() noexcept {
   return System::kClosureTolerance > least ? System::kClosureTolerance : least;
 }
 
-/// Newton on z and t of `trial`; at the end its velocities are consistent. The status may be a notice.
-template <class System, Correction correction>
+/// Newton on z of `trial`; at the end its velocities are consistent. The status may be a notice.
+/// correct: replaces corrections of the frozen partition where another one is to be taken. ends_at_tolerance: false
+/// where Newton goes on while it gains: near a singular position a small residual says little about the coordinates.
+template <class System, class Correct>
 Status close_loops(const typename System::Parameters& parameters, const typename System::Inputs& inputs,
-                   typename System::State& trial) noexcept {
+                   typename System::State& trial, bool ends_at_tolerance, const Correct& correct) noexcept {
   using Real = RealOf<System>;
   constexpr Real tolerance = closure_tolerance<System>();
   typename System::Closure closure;
@@ -199,19 +201,13 @@ Status close_loops(const typename System::Parameters& parameters, const typename
   Real previous = std::numeric_limits<Real>::infinity();
   for (int iteration = 0; iteration <= kNewtonIterations; ++iteration) {
     System::closure(parameters, inputs, trial, closure);
-    Status notice;
-    if constexpr (kChoosesAgain<System>) {
-      notice = correct_closure<System, correction>(parameters, inputs, trial, closure);
-    } else {
-      notice = frozen_status<System>(closure.pivot);
-    }
+    const Status notice = correct(closure);
     if (!notice.ok()) return notice;
     misfit = largest_residual<System>(closure, 0);
     const Real driven = largest_driven_step<System>(closure);
     const Real size = driven > misfit.size ? driven : misfit.size;
     const bool gains = size > 0 && size < Real(0.5) * previous && iteration < kNewtonIterations;
-    // Near a singular position a small residual says little about the coordinates: there Newton goes on while it gains.
-    const bool is_enough = size <= tolerance && correction == Correction::of_dependents;
+    const bool is_enough = size <= tolerance && ends_at_tolerance;
     if (is_enough || (!gains && size <= kRoundingFloor<Real>)) {
       const Status accepted = accept<System>(closure, trial);
       return accepted.ok() ? notice : accepted;
@@ -221,6 +217,20 @@ Status close_loops(const typename System::Parameters& parameters, const typename
     if (!std::isfinite(sum(trial.z, System::kCoordinates))) break;
   }
   return {Code::loop_not_closed, block_of<System>(misfit.equation)};
+}
+
+/// The same by the frozen partition, or by a pivoted one where that is bad.
+template <class System, Correction correction>
+Status close_loops(const typename System::Parameters& parameters, const typename System::Inputs& inputs,
+                   typename System::State& trial) noexcept {
+  const auto correct = [&](typename System::Closure& closure) {
+    if constexpr (kChoosesAgain<System>) {
+      return correct_closure<System, correction>(parameters, inputs, trial, closure);
+    } else {
+      return frozen_status<System>(closure.pivot);
+    }
+  };
+  return close_loops<System>(parameters, inputs, trial, correction == Correction::of_dependents, correct);
 }
 
 /// Adds Phi_z zd to the values per equation.

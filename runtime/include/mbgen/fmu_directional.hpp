@@ -52,7 +52,7 @@ Answer complete(const Core<Model>& core, typename Model::Direction& direction,
 /// Adds a known's rate to a direction. Dependent positions change nothing: they are guesses of the closed ones.
 /// Result: whether it is a known.
 template <class Model>
-bool add_known(Place place, double rate, typename Model::Direction& direction) noexcept {
+bool add_known(const Run<Model>& run, Place place, double rate, typename Model::Direction& direction) noexcept {
   switch (place.group) {
     case Group::time:
       direction.t += rate;
@@ -65,46 +65,73 @@ bool add_known(Place place, double rate, typename Model::Direction& direction) n
       return true;
     case Group::z:
       if (is_independent<Model>(place.index)) direction.z[place.index] += rate;
-      return position_is_state<Model>(place.index);
+      return is_undriven<Model>(place.index);
     case Group::zd:
       direction.zd[place.index] += rate;
       return is_independent<Model>(place.index);
     case Group::x:
       direction.x[place.index] += rate;
       return true;
+    case Group::q:
+      direction.z[chosen_coordinate(run, place.index)] += rate;
+      return true;
+    case Group::qd:
+      direction.zd[chosen_coordinate(run, place.index)] += rate;
+      return true;
     default:
       return false;
   }
 }
 
-/// Sum over the knowns of d(unknown)/d(known) times its rate. Answer: error for a known or unknown that is none.
+constexpr bool is_unknown(Group group) noexcept {
+  return group == Group::output || group == Group::z || group == Group::zd || group == Group::zdd ||
+         group == Group::xd || group == Group::q || group == Group::qd || group == Group::qdd;
+}
+
+/// Rate of an unknown along a completed direction.
+template <class Model>
+double rate_of(const Run<Model>& run, Place place, const typename Model::Direction& direction,
+               const typename Model::AccelerationsAlong& rates, const typename Model::OutputsAlong& outputs) noexcept {
+  switch (place.group) {
+    case Group::output:
+      return outputs.y[place.index];
+    case Group::z:
+      return direction.z[place.index];
+    case Group::zd:
+      return direction.zd[place.index];
+    case Group::zdd:
+      return rates.zdd[place.index];
+    case Group::q:
+      return direction.z[chosen_coordinate(run, place.index)];
+    case Group::qd:
+      return direction.zd[chosen_coordinate(run, place.index)];
+    case Group::qdd:
+      return rates.zdd[chosen_coordinate(run, place.index)];
+    default:
+      return rates.xd[place.index];
+  }
+}
+
+/// Sum over the knowns of d(unknown)/d(known) times its rate. Answer: error for a known or unknown that is none;
+/// discard where a loop block has, or needs, other independent coordinates than the frozen ones.
 template <class Model>
 Answer directional_derivative(Core<Model>& core, const unsigned* unknowns, unsigned long unknown_count,
                               const unsigned* knowns, unsigned long known_count, const double* rates_of_knowns,
                               double* rates_of_unknowns) noexcept {
   typename Model::Direction direction{};
   for (unsigned long i = 0; i < known_count; ++i) {
-    if (!add_known<Model>(place_of<Model>(knowns[i]), rates_of_knowns[i], direction)) return Answer::error;
+    if (!add_known(core.run, place_of<Model>(knowns[i]), rates_of_knowns[i], direction)) return Answer::error;
   }
   for (unsigned long i = 0; i < unknown_count; ++i) {
-    const Group group = place_of<Model>(unknowns[i]).group;
-    if (group != Group::output && group != Group::z && group != Group::zd && group != Group::zdd &&
-        group != Group::xd) {
-      return Answer::error;
-    }
+    if (!is_unknown(place_of<Model>(unknowns[i]).group)) return Answer::error;
   }
-  if (!solve(core)) return Answer::discard;
+  if (!is_frozen_choice(core.run.choice) || !solve(core)) return Answer::discard;
   typename Model::AccelerationsAlong rates;
   typename Model::OutputsAlong outputs;
   const Answer answer = complete(core, direction, rates, outputs);
   if (answer != Answer::ok) return answer;
   for (unsigned long i = 0; i < unknown_count; ++i) {
-    const Place place = place_of<Model>(unknowns[i]);
-    rates_of_unknowns[i] = place.group == Group::output ? outputs.y[place.index]
-                           : place.group == Group::z    ? direction.z[place.index]
-                           : place.group == Group::zd   ? direction.zd[place.index]
-                           : place.group == Group::zdd  ? rates.zdd[place.index]
-                                                        : rates.xd[place.index];
+    rates_of_unknowns[i] = rate_of(core.run, place_of<Model>(unknowns[i]), direction, rates, outputs);
   }
   return Answer::ok;
 }

@@ -59,17 +59,21 @@ class Message {
 /// Categories of messages, by the names of the standard.
 constexpr const char* kCategories[] = {"logStatusDiscard", "logStatusError"};
 
-/// Bits of the categories that are named. Result: whether all of them are known; none named means all.
-inline bool read_categories(const char* const* names, unsigned long count, unsigned& categories) noexcept {
+/// Bits of all categories.
+constexpr unsigned kAllCategories = 3;
+
+/// Switches the categories that are named on or off, all of them where none is named; the others stay as they are.
+/// Result: whether all of them are known; nothing changes otherwise.
+inline bool switch_categories(const char* const* names, unsigned long count, bool on, unsigned& categories) noexcept {
   if (count > 0 && names == nullptr) return false;
-  unsigned chosen = count == 0 ? 3u : 0u;
+  unsigned named = count == 0 ? kAllCategories : 0u;
   for (unsigned long i = 0; i < count; ++i) {
     if (names[i] == nullptr) return false;
     const unsigned bit = is_same(names[i], kCategories[0]) ? 1u : is_same(names[i], kCategories[1]) ? 2u : 0u;
     if (bit == 0) return false;
-    chosen |= bit;
+    named |= bit;
   }
-  categories = chosen;
+  categories = on ? categories | named : categories & ~named;
   return true;
 }
 

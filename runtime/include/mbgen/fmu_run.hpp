@@ -9,11 +9,19 @@ namespace mbgen::fmu {
 template <class Model>
 Answer set_times(Core<Model>& core, double start, bool has_stop, double stop) noexcept {
   if (!std::isfinite(start) || (has_stop && !(stop > start))) return Answer::error;
+  if (start != core.run.state.t) open_loops(core.run);
   core.run.start_time = core.run.state.t = start;
   core.run.stop_time = has_stop ? stop : HUGE_VAL;
   core.is_solved = false;
-  core.run.is_start = core.run.is_start && start == 0;
   return Answer::ok;
+}
+
+/// Chooses other independent coordinates where those of a loop block serve badly. Requires: closed. Result: whether any
+/// changed.
+template <class Model>
+bool choose_coordinates(Run<Model>& run) noexcept {
+  if (run.interface == Interface::co_simulation) return false;
+  return choose({run.state, run.inputs, run.parameters}, run.choice);
 }
 
 /// Closes the loops and goes on to event mode (model exchange) or step mode. Answer: error where they do not close.
@@ -21,8 +29,9 @@ template <class Model>
 Answer leave_initialization(Core<Model>& core) noexcept {
   core.is_solved = false;
   if (!solve(core)) return Answer::error;
-  core.run.state = core.solved;
+  commit(core);
   core.run.history = {};
+  choose_coordinates(core.run);
   core.run.mode = core.run.interface == Interface::model_exchange ? kEvent : kStep;
   return Answer::ok;
 }
@@ -49,13 +58,18 @@ bool take_step(Core<Model>& core, double size) noexcept {
   return true;
 }
 
-/// Steps from a communication point to the next. Answer: error for a point or size that cannot be; discard where the
-/// solver fails, the run is then as before.
+/// Steps from a communication point to the next. Loops that parameters have opened are closed first.
+/// Answer: error for a point or size that cannot be; discard where the solver fails or the loops cannot be closed, the
+/// run is then as before.
 template <class Model>
 Answer do_step(Core<Model>& core, double point, double size) noexcept {
   if (!std::isfinite(point) || !std::isfinite(size) || !(size > 0)) return Answer::error;
   if (!(std::abs(point - core.run.state.t) <= 0.5 * Model::kStep)) return Answer::error;
   if (point + size > core.run.stop_time + 0.5 * Model::kStep) return Answer::error;
+  if (!core.run.is_closed) {
+    if (!solve(core)) return Answer::discard;
+    commit(core);
+  }
   const Division division = divided(size, Model::kStep);
   if (division.count == 1) return take_step(core, division.size) ? Answer::ok : Answer::discard;
   const Run<Model> before = core.run;
@@ -68,12 +82,12 @@ Answer do_step(Core<Model>& core, double point, double size) noexcept {
   return Answer::ok;
 }
 
-/// Continuous states in their order: positions, velocities of independent coordinates, auxiliary states.
+/// Continuous states in their order: positions and velocities of the independent coordinates, auxiliary states.
 template <class Model>
 double& continuous_state(Run<Model>& run, int index) noexcept {
-  if (index < Model::kPositionStates) return run.state.z[Model::kPositions[index]];
-  index -= Model::kPositionStates;
-  if (index < Model::kVelocityStates) return run.state.zd[Model::kVelocities[index]];
+  if (index < Model::kVelocityStates) return run.state.z[run.choice.coordinate[index]];
+  index -= Model::kVelocityStates;
+  if (index < Model::kVelocityStates) return run.state.zd[run.choice.coordinate[index]];
   return run.state.x[index - Model::kVelocityStates];
 }
 
@@ -90,8 +104,12 @@ Answer set_states(Core<Model>& core, const double* states, unsigned long count) 
   for (int i = 0; i < kStates<Model>; ++i) {
     if (!std::isfinite(states[i])) return Answer::discard;  // the importer's step was too large
   }
-  for (int i = 0; i < kStates<Model>; ++i) continuous_state(core.run, i) = states[i];
-  core.is_solved = core.run.is_start = false;
+  for (int i = 0; i < kStates<Model>; ++i) {
+    if (continuous_state(core.run, i) == states[i]) continue;
+    open_loops(core.run);
+    continuous_state(core.run, i) = states[i];
+    core.is_solved = false;
+  }
   return Answer::ok;
 }
 
@@ -99,8 +117,9 @@ template <class Model>
 Answer get_derivatives(Core<Model>& core, double* rates, unsigned long count) noexcept {
   if (count != kStates<Model> || !is_array(rates, rates, count)) return Answer::error;
   if (!solve(core)) return Answer::discard;
-  for (int i = 0; i < Model::kPositionStates; ++i) *rates++ = core.solved.zd[Model::kPositions[i]];
-  for (int i = 0; i < Model::kVelocityStates; ++i) *rates++ = core.derivative.zdd[Model::kVelocities[i]];
+  const int* coordinate = core.run.choice.coordinate;
+  for (int i = 0; i < Model::kVelocityStates; ++i) *rates++ = core.solved.zd[coordinate[i]];
+  for (int i = 0; i < Model::kVelocityStates; ++i) *rates++ = core.derivative.zdd[coordinate[i]];
   for (int i = 0; i < Model::kAuxiliaryStates; ++i) *rates++ = core.derivative.xd[i];
   return Answer::ok;
 }
@@ -115,29 +134,32 @@ Answer get_nominals(double* nominals, unsigned long count) noexcept {
 template <class Model>
 Answer set_time(Core<Model>& core, double time) noexcept {
   if (!std::isfinite(time)) return Answer::error;
+  if (core.run.state.t == time) return Answer::ok;
+  open_loops(core.run);
   core.run.state.t = time;
-  core.is_solved = core.run.is_start = false;
+  core.is_solved = false;
   return Answer::ok;
 }
 
-/// Whether a dependent position has drifted from the closed loops. Requires: solved.
+/// Accepts the step that an integrator has completed. asks_for_event: other independent coordinates would serve better.
 template <class Model>
-bool has_drifted(const Core<Model>& core) noexcept {
-  for (int i = 0; i < Model::kPositionStates; ++i) {
-    const int coordinate = Model::kPositions[i];
-    if (!(std::abs(core.solved.z[coordinate] - core.run.state.z[coordinate]) <= kLargestDrift)) return true;
-  }
-  return false;
+Answer accept_step(Core<Model>& core, bool& asks_for_event) noexcept {
+  asks_for_event = false;
+  if (!solve(core)) return Answer::discard;
+  commit(core);
+  Choice<Model> choice = core.run.choice;
+  asks_for_event = choose({core.run.state, core.run.inputs, core.run.parameters}, choice);
+  if (!asks_for_event) core.run.choice = choice;
+  return Answer::ok;
 }
 
-/// Puts positions back on the closed loops; they are states of the importer's, who is told.
+/// Accepts what an event has set. has_changed: states are those of other coordinates now.
 template <class Model>
 Answer settle(Core<Model>& core, bool& has_changed) noexcept {
+  has_changed = false;
   if (!solve(core)) return Answer::discard;
-  has_changed = has_drifted(core);
-  if (has_changed) {
-    for (int i = 0; i < Model::kCoordinates; ++i) core.run.state.z[i] = core.solved.z[i];
-  }
+  commit(core);
+  has_changed = choose_coordinates(core.run);
   return Answer::ok;
 }
 

@@ -1,0 +1,218 @@
+#pragma once
+// One instance of an FMU: the run that it is in, its independent coordinates, and how its loops are closed. `Model` is
+// the struct that mbgen emits into <model>_fmu.hpp. Nothing here allocates or calls the C library.
+//
+// An importer of model exchange sees the independent coordinates alone. The dependent ones follow from the last state
+// that it accepted: every evaluation starts there, so that its result depends on nothing that was tried in between.
+
+#include <cmath>
+
+#include "mbgen/status.hpp"
+
+namespace mbgen::fmu {
+
+/// Same numbers as fmi2Status and fmi3Status.
+enum class Answer : int { ok, warning, discard, error, fatal };
+
+/// Modes of the standard's state machines; bits, for sets of them.
+enum Mode : unsigned {
+  kInstantiated = 1,
+  kInitialization = 2,
+  kEvent = 4,
+  kContinuous = 8,
+  kStep = 16,
+  kTerminated = 32
+};
+
+enum class Interface : int { model_exchange, co_simulation };
+
+/// Parts into which the way from the last closed state is divided at most, to stay on its way of assembly.
+constexpr int kMostParts = 64;
+
+/// What loops were closed with.
+template <class Model>
+struct Closed {
+  typename Model::State state{};
+  typename Model::Inputs inputs;
+  typename Model::Tuned parameters;
+};
+
+/// Independent coordinates: of each state whose rate is an acceleration, and how well those of a loop block serve.
+template <class Model>
+struct Choice {
+  int coordinate[Model::kVelocityStates > 0 ? Model::kVelocityStates : 1] = {};
+  double reference[Model::kLoopBlocks > 0 ? Model::kLoopBlocks : 1] = {};  ///< see choose_held in mbgen/held.hpp
+};
+
+/// Everything that a run consists of: what an FMU state keeps.
+template <class Model>
+struct Run {
+  Interface interface {};
+  unsigned mode = kInstantiated;
+  bool is_closed = true;                        ///< whether the loops of `state` are closed; else those of `closed` are
+  double start_time = 0, stop_time = HUGE_VAL;  ///< s
+  typename Model::State state{};
+  typename Model::Inputs inputs;
+  typename Model::Tuned parameters;
+  typename Model::History history{};
+  Choice<Model> choice;
+  Closed<Model> closed;  ///< the last state whose loops were, where those of `state` are not
+};
+
+/// An instance: a run, and what follows from it.
+template <class Model>
+struct Core {
+  Run<Model> run;
+  unsigned modes_of_states = kContinuous;  ///< in which states may be set as variables
+  bool is_solved = false;                  ///< whether the rest belongs to the run as it is
+  typename Model::State solved{};          ///< loops closed
+  typename Model::Derivative derivative{};
+  typename Model::Outputs outputs{};
+  Status status;  ///< of the solver's last call
+};
+
+/// The coordinates that the solver's frozen partition has.
+template <class Model>
+Choice<Model> frozen_choice() noexcept {
+  Choice<Model> choice;
+  for (int i = 0; i < Model::kVelocityStates; ++i) choice.coordinate[i] = Model::kVelocities[i];
+  return choice;
+}
+
+/// Whether the independent coordinates are those of the frozen partition.
+template <class Model>
+bool is_frozen_choice(const Choice<Model>& choice) noexcept {
+  for (int i = 0; i < Model::kVelocityStates; ++i) {
+    if (choice.coordinate[i] != Model::kVelocities[i]) return false;
+  }
+  return true;
+}
+
+/// Marks the independent coordinates. held: Model::kCoordinates of them.
+template <class Model>
+void mark(const Choice<Model>& choice, unsigned char* held) noexcept {
+  for (int i = 0; i < Model::kCoordinates; ++i) held[i] = 0;
+  for (int i = 0; i < Model::kVelocityStates; ++i) held[choice.coordinate[i]] = 1;
+}
+
+/// Chooses other coordinates where those of a loop block serve badly at a closed state. Result: whether any changed.
+template <class Model>
+bool choose(const Closed<Model>& at, Choice<Model>& choice) noexcept {
+  unsigned char held[Model::kCoordinates];
+  mark(choice, held);
+  if (!Model::choose(at.parameters, at.inputs, at.state, held, choice.reference)) return false;
+  int next[Model::kLoopBlocks > 0 ? Model::kLoopBlocks : 1] = {};  // coordinate of each block to look at
+  for (int i = 0; i < Model::kVelocityStates; ++i) {
+    const int block = Model::kBlockOf[choice.coordinate[i]];
+    if (block < 0) continue;
+    int& place = next[block];
+    while (Model::kBlockOf[place] != block || held[place] == 0) ++place;
+    choice.coordinate[i] = place++;
+  }
+  return true;
+}
+
+/// To be called before anything changes that the loops depend on.
+template <class Model>
+void open_loops(Run<Model>& run) noexcept {
+  if (!run.is_closed) return;
+  run.closed = {run.state, run.inputs, run.parameters};
+  run.is_closed = false;
+  // Only an importer with continuous states must keep its coordinates.
+  if (run.interface == Interface::co_simulation) choose(run.closed, run.choice);
+}
+
+/// Between a and b: b itself at the end.
+inline double between(double a, double b, int part, int parts) noexcept {
+  return part == parts ? b : a + (b - a) * part / parts;
+}
+
+/// Closes the loops of `run` from its last closed state in equal parts of the way. The state is spoilt when it fails.
+template <class Model>
+Status close_in_parts(const Run<Model>& run, int parts, typename Model::State& state) noexcept {
+  const Closed<Model>& from = run.closed;
+  unsigned char held[Model::kCoordinates];
+  mark(run.choice, held);
+  state = from.state;
+  for (int i = 0; i < Model::kAuxiliaryStates; ++i) state.x[i] = run.state.x[i];
+  for (int part = 1; part <= parts; ++part) {
+    typename Model::Inputs inputs = run.inputs;
+    typename Model::Tuned parameters = run.parameters;
+    if (part < parts) {
+      for (int i = 0; i < Model::kInputs; ++i) {
+        const auto member = Model::kInputMember[i];
+        inputs.*member = between(from.inputs.*member, run.inputs.*member, part, parts);
+      }
+      for (int i = 0; i < Model::kParameters; ++i) {
+        const auto member = Model::kParameterMember[i];
+        parameters.*member = between(from.parameters.*member, run.parameters.*member, part, parts);
+      }
+      parameters = typename Model::Parameters(parameters);
+    }
+    state.t = between(from.state.t, run.state.t, part, parts);
+    for (int i = 0; i < Model::kVelocityStates; ++i) {
+      const int c = run.choice.coordinate[i];
+      state.z[c] = between(from.state.z[c], run.state.z[c], part, parts);
+      state.zd[c] = between(from.state.zd[c], run.state.zd[c], part, parts);
+    }
+    const Status status = Model::assemble_holding(parameters, inputs, held, state);
+    if (!status.ok()) return status;
+  }
+  return {};
+}
+
+/// The same in one part, or in as many as it takes to stay on the way of assembly.
+template <class Model>
+Status close_from_last(const Run<Model>& run, typename Model::State& state) noexcept {
+  Status status;
+  for (int parts = 1; parts <= kMostParts; parts *= 2) {
+    status = close_in_parts(run, parts, state);
+    if (status.code != Code::loop_not_closed && status.code != Code::loop_singular) return status;
+  }
+  return status;
+}
+
+/// Back to the start values, in mode `instantiated`.
+template <class Model>
+void restart(Core<Model>& core) noexcept {
+  const Interface interface = core.run.interface;
+  core.run = {};
+  core.run.interface = interface;
+  core.run.choice = frozen_choice<Model>();
+  for (int i = 0; i < Model::kCoordinates; ++i) {
+    core.run.state.z[i] = Model::kInitialZ[i];
+    core.run.state.zd[i] = Model::kInitialZd[i];
+  }
+  for (int i = 0; i < Model::kAuxiliaryStates; ++i) core.run.state.x[i] = Model::kInitialX[i];
+  core.is_solved = false;
+}
+
+/// Closes the loops where they are not, and finds accelerations and outputs. At the start the given positions are the
+/// guess, later the last closed state is.
+template <class Model>
+bool solve(Core<Model>& core) noexcept {
+  if (core.is_solved) return true;
+  const Run<Model>& run = core.run;
+  core.solved = run.state;
+  core.status = {};
+  if (!run.is_closed) {
+    core.status = (run.mode & (kInstantiated | kInitialization)) != 0
+                      ? Model::assemble(run.parameters, run.inputs, core.solved)
+                      : close_from_last(run, core.solved);
+  }
+  if (core.status.ok()) core.status = Model::derivative(run.parameters, run.inputs, core.solved, core.derivative);
+  if (core.status.ok()) {
+    core.status = Model::outputs(run.parameters, run.inputs, core.solved, core.derivative, core.outputs);
+  }
+  core.is_solved = core.status.ok();
+  return core.is_solved;
+}
+
+/// Accepts the solution: the next ones start from it. Requires: solved.
+template <class Model>
+void commit(Core<Model>& core) noexcept {
+  core.run.state = core.solved;
+  core.run.is_closed = true;
+}
+
+}  // namespace mbgen::fmu
