@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "compiler/emit/directional_text.hpp"
+#include "compiler/emit/input_text.hpp"
 #include "compiler/emit/text.hpp"
 #include "compiler/model/inputs.hpp"
 
@@ -26,6 +27,12 @@ std::string members(const std::string& structure, const std::string& name, const
          "\n";
 }
 
+std::vector<int> input_derivatives(const Model& model) {
+  std::vector<int> derivatives;
+  for (const Input& input : model.inputs) derivatives.push_back(input.derivative);
+  return derivatives;
+}
+
 std::string model_text(const EmitContext& context, const FmuLayout& fmu, const InitialState& initial) {
   const SolverLayout& layout = context.layout;
   const auto truth = [](bool value) { return value ? "true" : "false"; };
@@ -45,6 +52,9 @@ std::string model_text(const EmitContext& context, const FmuLayout& fmu, const I
        {"chosen_count", std::to_string(fmu.chosen.size())},
        {"chosen", integers("kChosen", fmu.chosen)},
        {"block_of", integers("kBlockOf", fmu.block_of)},
+       {"input_paths", input_rows(context.model.inputs).empty() ? "mbgen::fmu::GivenInputs<Inputs>"
+                                                                : context.names.solver + "::InputPaths"},
+       {"input_derivatives", integers("kInputDerivative", input_derivatives(context.model))},
        {"undriven_count", std::to_string(fmu.undriven.size())},
        {"undriven", integers("kUndriven", fmu.undriven)},
        {"initial_state",

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <map>
 
+#include "compiler/emit/input_text.hpp"
+
 namespace mbgen {
 namespace {
 
@@ -41,10 +43,17 @@ void add_given(const EmitContext& context, FmuLayout& fmu) {
     fmu.variables.push_back(
         {parameter.name, parameter.unit, "tunable parameter", Causality::parameter, Start::exact, parameter.value});
   }
+  const int first_input = static_cast<int>(fmu.variables.size());
   for (const Input& input : model.inputs) {
     const std::string rate = input.derivative < 0 ? "" : ", goes on by " + model.inputs[input.derivative].name;
     fmu.variables.push_back(
         {input.name, input.unit, "input" + rate, Causality::input, Start::none, input.default_value});
+  }
+  // Importers are told which inputs belong together; a derivative that inputs share is that of none.
+  for (const std::vector<int>& row : input_rows(model.inputs)) {
+    for (std::size_t k = 1; k < row.size(); ++k) {
+      fmu.variables[static_cast<std::size_t>(first_input + row[k])].derivative_of = first_input + row[k - 1];
+    }
   }
 }
 

@@ -6,7 +6,7 @@ here=$(cd "$(dirname "$0")" && pwd)
 root=$here/../..
 mbgen=$(realpath "$1")
 shift
-[ $# -gt 0 ] || set -- four_bar:3 slider_crank:2 tuned_rod:2 coach_rig:3
+[ $# -gt 0 ] || set -- four_bar:3 slider_crank:2 tuned_rod:2 driven_cart:2 coach_rig:3
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
 fail() { echo "fmi: $*"; exit 1; }
@@ -35,7 +35,7 @@ for case in "$@"; do
   version=${case#*:}
   # Durations that are whole steps to the last bit.
   file=$root/models/$model.json
-  [ -e "$file" ] || file=$root/tests/data/fmi/$model.json
+  for place in fmi models; do [ -e "$file" ] || file=$root/tests/data/$place/$model.json; done
   "$mbgen" simulate "$file" --duration "$([ "$model" = slider_crank ] && echo 0.02 || echo 0.2)" \
     --every 1 --out "$scratch/$model.csv" >/dev/null
   fmu=$scratch/${model}_$version

@@ -97,6 +97,11 @@ class Unit2 {
     return call<fmi2GetDirectionalDerivativeTYPE>("fmi2GetDirectionalDerivative")(
         component_, unknowns.data(), unknowns.size(), knowns.data(), knowns.size(), seeds.data(), rates.data());
   }
+  int set_derivatives(const std::vector<unsigned>& references, const std::vector<int>& orders,
+                      const std::vector<double>& values) {
+    return call<fmi2SetRealInputDerivativesTYPE>("fmi2SetRealInputDerivatives")(
+        component_, references.data(), references.size(), orders.data(), values.data());
+  }
   int log(bool on, const std::vector<const char*>& categories) {
     return call<fmi2SetDebugLoggingTYPE>("fmi2SetDebugLogging")(component_, on ? 1 : 0, categories.size(),
                                                                 categories.data());

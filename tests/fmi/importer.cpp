@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "case.hpp"
+#include "driving.hpp"
 #include "fmi2_unit.hpp"
 #include "fmi3_unit.hpp"
 #include "tuning.hpp"
@@ -290,6 +291,7 @@ void drive(const Case& c) {
   tune<Unit>(c);
   switch_messages<Unit>(c, Unit::kVersion == 2 ? messages : messages_3);
   if (c.description.identifier == "tuned_rod") tune_lengths<Unit>(c);
+  if (c.description.identifier == "driven_cart") drive_by_inputs<Unit>(c);
 }
 
 }  // namespace

@@ -201,6 +201,7 @@ Answer set_values(Core<Model>& core, const unsigned* references, unsigned long c
   for (unsigned long i = 0; i < count; ++i) {
     const Place place = place_of<Model>(references[i]);
     double& value = place_to_set(core.run, place);
+    if (place.group == Group::input) core.run.slope[place.index] = 0;
     if (value == values[i]) continue;
     // A step follows the inputs itself.
     if (core.run.mode != kStep || place.group != Group::input) open_loops(core.run);
@@ -211,6 +212,33 @@ Answer set_values(Core<Model>& core, const unsigned* references, unsigned long c
   }
   // The constants that follow from the parameters are worked out anew.
   if (is_tuned) core.run.parameters = typename Model::Parameters(core.run.parameters);
+  return Answer::ok;
+}
+
+/// Sets derivatives of inputs, all or none: those that are inputs, and the first of those that end a row.
+/// Answer: error for what is no input, an order that the input has not, or a value that is not finite.
+template <class Model>
+Answer set_input_derivatives(Core<Model>& core, const unsigned* references, unsigned long count, const int* orders,
+                             const double* values) noexcept {
+  const auto last_of = [&](unsigned long i) {
+    int input = place_of<Model>(references[i]).index;
+    for (int order = 1; order < orders[i] && input >= 0; ++order) input = Model::kInputDerivative[input];
+    return input;
+  };
+  for (unsigned long i = 0; i < count; ++i) {
+    const bool is_input = place_of<Model>(references[i]).group == Group::input;
+    if (!is_input || orders[i] < 1 || last_of(i) < 0 || !std::isfinite(values[i])) return Answer::error;
+  }
+  for (unsigned long i = 0; i < count; ++i) {
+    const int input = last_of(i), rate = Model::kInputDerivative[input];
+    if (rate >= 0) {
+      core.run.inputs.*Model::kInputMember[rate] = values[i];
+    } else {
+      core.run.slope[input] = values[i];
+    }
+    core.is_solved = false;
+    core.run.history = {};
+  }
   return Answer::ok;
 }
 

@@ -47,13 +47,28 @@ inline Division divided(double interval, double step) noexcept {
   return {count, interval / count};
 }
 
+/// Inputs with slopes, dt later.
+template <class Model>
+typename Model::Inputs gone_on(const Run<Model>& run, typename Model::Inputs inputs, double dt) noexcept {
+  for (int i = 0; i < Model::kInputs; ++i) {
+    if (run.slope[i] != 0) inputs.*Model::kInputMember[i] += run.slope[i] * dt;
+  }
+  return inputs;
+}
+
 /// One step of the integrator, and inputs at its end. Result: whether it went well; else the run is as before.
 template <class Model>
 bool take_step(Core<Model>& core, double size) noexcept {
   Run<Model>& run = core.run;
-  core.status = Model::step(run.parameters, run.inputs, run.state, run.history, size);
+  // An input that goes on by a rate which the model does not know has its middle value during the step.
+  const typename Model::Inputs middle = gone_on(run, run.inputs, 0.5 * size);
+  if (run.paths.moves(middle)) run.history = {};
+  typename Model::InputPaths paths = run.paths;
+  const typename Model::Inputs inputs = paths.of_step(middle, size);
+  core.status = Model::step(run.parameters, inputs, run.state, run.history, size);
   if (!core.status.ok()) return false;
-  run.inputs = Model::advanced(run.inputs, size);
+  run.paths = paths;
+  run.inputs = gone_on(run, Model::advanced(run.inputs, size), size);
   core.is_solved = false;
   return true;
 }

@@ -29,6 +29,14 @@ enum class Interface : int { model_exchange, co_simulation };
 /// Parts into which the way from the last closed state is divided at most, to stay on its way of assembly.
 constexpr int kMostParts = 64;
 
+/// Where no input has derivatives: all are taken as they are given.
+template <class Inputs>
+struct GivenInputs {
+  Inputs of_step(const Inputs& wanted, double /*h*/) const noexcept { return wanted; }
+  Inputs now(const Inputs& wanted) const noexcept { return wanted; }
+  bool moves(const Inputs& /*wanted*/) const noexcept { return false; }
+};
+
 /// What loops were closed with.
 template <class Model>
 struct Closed {
@@ -56,6 +64,8 @@ struct Run {
   typename Model::Tuned parameters;
   typename Model::History history{};
   Choice<Model> choice;
+  typename Model::InputPaths paths{};                          ///< of inputs whose rates are not given
+  double slope[Model::kInputs > 0 ? Model::kInputs : 1] = {};  ///< of inputs that go on by a rate that is no input
   Closed<Model> closed;  ///< the last state whose loops were, where those of `state` are not
 };
 
@@ -112,11 +122,17 @@ bool choose(const Closed<Model>& at, Choice<Model>& choice) noexcept {
   return true;
 }
 
+/// Inputs as they are now: between steps at the end of the last one.
+template <class Model>
+typename Model::Inputs current_inputs(const Run<Model>& run) noexcept {
+  return (run.mode & (kStep | kTerminated)) != 0 ? run.paths.now(run.inputs) : run.inputs;
+}
+
 /// To be called before anything changes that the loops depend on.
 template <class Model>
 void open_loops(Run<Model>& run) noexcept {
   if (!run.is_closed) return;
-  run.closed = {run.state, run.inputs, run.parameters};
+  run.closed = {run.state, current_inputs(run), run.parameters};
   run.is_closed = false;
   // Only an importer with continuous states must keep its coordinates.
   if (run.interface == Interface::co_simulation) choose(run.closed, run.choice);
@@ -131,17 +147,18 @@ inline double between(double a, double b, int part, int parts) noexcept {
 template <class Model>
 Status close_in_parts(const Run<Model>& run, int parts, typename Model::State& state) noexcept {
   const Closed<Model>& from = run.closed;
+  const typename Model::Inputs wanted = current_inputs(run);
   unsigned char held[Model::kCoordinates];
   mark(run.choice, held);
   state = from.state;
   for (int i = 0; i < Model::kAuxiliaryStates; ++i) state.x[i] = run.state.x[i];
   for (int part = 1; part <= parts; ++part) {
-    typename Model::Inputs inputs = run.inputs;
+    typename Model::Inputs inputs = wanted;
     typename Model::Tuned parameters = run.parameters;
     if (part < parts) {
       for (int i = 0; i < Model::kInputs; ++i) {
         const auto member = Model::kInputMember[i];
-        inputs.*member = between(from.inputs.*member, run.inputs.*member, part, parts);
+        inputs.*member = between(from.inputs.*member, wanted.*member, part, parts);
       }
       for (int i = 0; i < Model::kParameters; ++i) {
         const auto member = Model::kParameterMember[i];
@@ -200,9 +217,10 @@ bool solve(Core<Model>& core) noexcept {
                       ? Model::assemble(run.parameters, run.inputs, core.solved)
                       : close_from_last(run, core.solved);
   }
-  if (core.status.ok()) core.status = Model::derivative(run.parameters, run.inputs, core.solved, core.derivative);
+  const typename Model::Inputs inputs = current_inputs(run);
+  if (core.status.ok()) core.status = Model::derivative(run.parameters, inputs, core.solved, core.derivative);
   if (core.status.ok()) {
-    core.status = Model::outputs(run.parameters, run.inputs, core.solved, core.derivative, core.outputs);
+    core.status = Model::outputs(run.parameters, inputs, core.solved, core.derivative, core.outputs);
   }
   core.is_solved = core.status.ok();
   return core.is_solved;
