@@ -155,7 +155,7 @@ TEST_F(Driven, SplineGivesTheDerivativesThatATableLeavesOut) {
   double error[2];
   for (const int refined : {0, 1}) {
     write_table("t,way", refined == 1 ? 0.04 : 0.08, 1.2, {[](double t) { return 0.3 * std::sin(kRide * t); }});
-    const Table by_table = run("by_table.json --input-table table.csv" + how).table;
+    const Table by_table = run("by_table.json --interpolation spline --input-table table.csv" + how).table;
     EXPECT_LT(difference(by_table, by_time, "z.cart [m]"), 1e-3);
     EXPECT_LT(difference(by_table, by_time, "z.swing [rad]"), 1e-2);
     error[refined] = difference(by_table, by_time, "z.cart [m]");
@@ -287,7 +287,8 @@ TEST_F(Driven, CoachIsSteeredByATable) {
                 return 0.14 * std::sin(2 * std::acos(-1.0) * 0.4 * t) * (1 - std::exp(-t * t / 0.16));
               }});
   const std::string how = " --duration 0.25 --step 2.5e-3 --engine generic";
-  const Run by_time = run("coach.json" + how), by_table = run("steered.json --input-table table.csv" + how);
+  const Run by_time = run("coach.json" + how),
+            by_table = run("steered.json --interpolation spline --input-table table.csv" + how);
   EXPECT_LT(difference(by_table.table, by_time.table, "z.pitman_arm [rad]"), 1e-5);
   EXPECT_LT(difference(by_table.table, by_time.table, "yaw_rate [rad/s]"), 1e-4);
   EXPECT_LT(difference(by_table.table, by_time.table, "steering_torque [N m]"), 1e-2);

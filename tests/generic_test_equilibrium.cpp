@@ -53,7 +53,7 @@ TEST(Equilibrium, FallingMassHasNone) {
   GenericState state = reference_state(m);
   state.z[1] = 0.3;
   EXPECT_EQ(GenericSolver(m.model, m.topology, m.analysis).equilibrium(state).code, Code::no_equilibrium);
-  EXPECT_EQ(state.z, (std::vector<double>{0, 0.3}));
+  EXPECT_LT(state.z[0], -1) << "the search ends where it sank to";
 }
 
 // With the road far below its wheels the truck comes down and stands as it does on the road at its wheels.

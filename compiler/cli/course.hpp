@@ -20,7 +20,7 @@ struct Course {
 Course polynomial(std::vector<double> coefficients);
 
 /// Straight lines from point to point, the end values held outside. Requires: as many t as y, at least one; t strictly
-/// increasing. So do the cubic splines below.
+/// increasing. So do all below.
 Course straight_lines(const std::vector<double>& t, const std::vector<double>& y);
 
 /// The cubic spline through the points: continuous to the second derivative, the third one continuous next to the ends
@@ -28,7 +28,29 @@ Course straight_lines(const std::vector<double>& t, const std::vector<double>& y
 /// Source: C. de Boor, A Practical Guide to Splines, 1978, chapter IV.
 Course cubic_spline(const std::vector<double>& t, const std::vector<double>& y);
 
+/// The shape-preserving cubic (PCHIP) through the points: continuous with its first derivative, never outside the
+/// values of the two points beside it; a line through two. The end values are held outside. Source: F. N. Fritsch, J.
+/// Butland, "A Method for Constructing Local Monotone Piecewise Cubic Interpolants", SIAM J. Sci. Stat. Comput. 5(2),
+/// 1984, their harmonic mean of the secants; slopes at the ends: C. Moler, Numerical Computing with MATLAB, 2004,
+/// section 3.6, as in scipy.interpolate.PchipInterpolator.
+Course pchip(const std::vector<double>& t, const std::vector<double>& y);
+
+/// The value of the last point that was passed, that of the first one before it.
+Course held(const std::vector<double>& t, const std::vector<double>& y);
+
+/// The polynomials between the points that have the given derivatives at both ends: derivatives[k][i] of order k at
+/// t[i], order 0 the value; of degree 2 m - 1 for m of them. The end values are held outside.
+Course hermite(const std::vector<double>& t, const std::vector<std::vector<double>>& derivatives);
+
 /// The derivative inside the pieces, zero outside.
 Course derivative(const Course& course);
+
+/// Smallest and largest value from the first point to `end`, or to the last point for a course without end.
+struct CourseRange {
+  double smallest = 0, largest = 0;
+};
+
+/// By samples between the points, kSamples a piece: an extremum is found to about 1e-3 of what the piece rises.
+CourseRange range_of(const Course& course);
 
 }  // namespace mbgen::cli

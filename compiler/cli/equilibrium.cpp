@@ -10,6 +10,7 @@
 #include "compiler/cli/json_text.hpp"
 #include "compiler/cli/operating_point.hpp"
 #include "compiler/cli/options.hpp"
+#include "compiler/cli/set_parameters.hpp"
 #include "compiler/cli/user_error.hpp"
 
 namespace mbgen::cli {
@@ -19,7 +20,7 @@ using Json = nlohmann::ordered_json;
 
 struct EquilibriumOptions {
   std::string model, file;
-  std::vector<std::string> inputs;
+  std::vector<std::string> inputs, set;
   bool json = false;
 };
 
@@ -78,7 +79,7 @@ void write_start(const EquilibriumOptions& options, const Compilation& compilati
 }
 
 int run(const EquilibriumOptions& options) {
-  const Compilation compilation = expect(decide(options.model));
+  const Compilation compilation = expect(decide(read_set_model(options.model, options.set)));
   const Equilibrium found = find(compilation, input_values(compilation.model, options.inputs));
   if (!options.file.empty()) write_start(options, compilation, found);
   print(options.json ? json_text(equilibrium_json(compilation, found)) : equilibrium_text(compilation, found));
@@ -95,6 +96,7 @@ void add_equilibrium(CLI::App& application, int& exit_code) {
       "Starts from the model's initial state. Driven coordinates stay at their motions, loops closed.");
   add_model_argument(*command, options->model);
   add_input_option(*command, options->inputs);
+  add_set_option(*command, options->set);
   command->add_option("-o,--out", options->file, "write the positions as a file that a model may include: its start");
   add_json_option(*command, options->json);
   command->callback([options, &exit_code] { exit_code = run(*options); });

@@ -8,6 +8,7 @@
 #include "compiler/cli/files.hpp"
 #include "compiler/cli/options.hpp"
 #include "compiler/cli/reactions.hpp"
+#include "compiler/cli/set_parameters.hpp"
 #include "compiler/cli/states_file.hpp"
 #include "compiler/cli/user_error.hpp"
 
@@ -22,6 +23,7 @@ struct EvaluateOptions {
   bool project = false;
   bool reactions = false;
   bool json = true;
+  std::vector<std::string> set;
 };
 
 Json number_or_null(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
@@ -69,7 +71,7 @@ Json evaluate_state(const Engine& engine, const Compilation& compilation, const 
 }
 
 int run(const EvaluateOptions& options) {
-  Model model = expect(read_model_file(options.model));
+  Model model = read_set_model(options.model, options.set);
   if (options.reactions) add_reaction_outputs(model);
   const EngineChoice choice = chosen_engine(options.engine);
   const std::optional<Form> form = chosen_form(options.form);
@@ -108,6 +110,7 @@ void add_evaluate(CLI::App& application, int& exit_code) {
   command->add_flag("--reactions", options->reactions,
                     "print what every joint and rod transmits to its \"to\" body: force, and moment about the joint's "
                     "point on that body, global axes");
+  add_set_option(*command, options->set);
   add_batch_option(*command, options->engine.choice.lanes);
   add_json_option(*command, options->json);
   add_form_option(*command, options->form);

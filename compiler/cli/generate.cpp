@@ -16,6 +16,7 @@
 #include "compiler/cli/json_text.hpp"
 #include "compiler/cli/measured_cost.hpp"
 #include "compiler/cli/options.hpp"
+#include "compiler/cli/set_parameters.hpp"
 #include "compiler/cli/user_error.hpp"
 #include "compiler/compile.hpp"
 
@@ -24,6 +25,7 @@ namespace {
 
 struct GenerateOptions {
   std::string model, form, directory, name, depfile, dump;
+  std::vector<std::string> set;
   EmitOptions emit;
   bool c_interface = false, measure = false, json = false;
   std::optional<double> budget;  ///< microseconds of a step
@@ -31,7 +33,7 @@ struct GenerateOptions {
 
 /// The model, under the name that was asked for.
 Model read_named(const GenerateOptions& options) {
-  Model model = expect(read_model_file(options.model));
+  Model model = read_set_model(options.model, options.set);
   if (options.name.empty()) return model;
   model.name = options.name;
   if (const std::string possible = solver_name(model); possible != options.name) {
@@ -143,6 +145,7 @@ void add_generate(CLI::App& application, int& exit_code) {
                     "add a calibration file, ASAP2 (<model>.a2l), the header of its symbols (<model>_a2l.h), and what "
                     "--c-api adds");
   command->add_option("--name", options->name, "name of the files and the namespace (default: the model's)");
+  add_set_option(*command, options->set);
   add_depfile_option(*command, options->depfile);
   add_form_option(*command, options->form);
   add_batch_option(*command, options->emit.lanes);

@@ -13,6 +13,7 @@
 #include "compiler/cli/motion_table.hpp"
 #include "compiler/cli/options.hpp"
 #include "compiler/cli/result_file.hpp"
+#include "compiler/cli/set_parameters.hpp"
 #include "compiler/cli/user_error.hpp"
 #include "compiler/report/report.hpp"
 
@@ -43,12 +44,22 @@ nlohmann::json run_of(const Results& results, const std::string& path) {
   return run;
 }
 
+std::vector<std::string> strings_of(const nlohmann::json& array) {
+  std::vector<std::string> strings;
+  for (const nlohmann::json& value : array) {
+    if (value.is_string()) strings.push_back(value);
+  }
+  return strings;
+}
+
 /// The model of a result: the one asked for, else the one that the run names, unchanged since. Fails: UserError.
 Model model_of(const Results& results, const HtmlReportOptions& options) {
   if (!options.model.empty()) return expect(read_model_file(options.model));
   const nlohmann::json run = run_of(results, options.result);
   const std::filesystem::path directory = std::filesystem::path(options.result).parent_path();
-  Model model = expect(read_model_file((directory / run["model_file"].get<std::string>()).lexically_normal().string()));
+  const std::string file = (directory / run["model_file"].get<std::string>()).lexically_normal().string();
+  const nlohmann::json set = run.value("set", nlohmann::json::array());
+  Model model = read_set_model(file, set.is_array() ? strings_of(set) : std::vector<std::string>());
   if (model.hash == run["model_hash"]) return model;
   throw UserError(fmt::format("{}: changed since {} was written; simulate again, or give --model to take it as it is\n",
                               model.file, options.result));

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "compiler/cli/engine.hpp"
+#include "compiler/cli/equilibrium_trouble.hpp"
 #include "compiler/cli/loop_openings.hpp"
 #include "compiler/cli/options.hpp"
 #include "compiler/cli/user_error.hpp"
@@ -137,7 +138,9 @@ Start initial_start(const Compilation& compilation, const std::vector<double>& i
   Start start;
   start.state = assemble(compilation, solver, positions, initial.equilibrium);
   if (initial.equilibrium) {
-    require(solver.equilibrium(start.state), compilation, "find the static equilibrium");
+    const GenericState guess = start.state;
+    const Status status = solver.equilibrium(start.state);
+    if (!status.ok()) fail_equilibrium(compilation, inputs, guess, start.state, status);
   } else {
     add_moved(positions, start.state.z, false, start.moved);
   }

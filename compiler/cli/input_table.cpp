@@ -31,7 +31,7 @@ std::string_view trimmed(std::string_view text) {
 }
 
 void check_unit(const Line& line, const Heading& heading, const std::string& unit) {
-  const std::string expected = unit.empty() ? "1" : unit;
+  const std::string expected = unit_or_one(unit);
   if (heading.unit.empty() || heading.unit == expected) return;
   line.fail(fmt::format("{} is in \"{}\", found \"{}\"", heading.name, expected, heading.unit));
 }
@@ -48,6 +48,7 @@ int find_input(const Line& line, const Model& model, const std::string& name) {
 }
 
 void read_header(const Line& line, const std::vector<std::string>& fields, const Model& model, InputTable& table) {
+  table.path = line.path;
   table.header = line.place();
   const Heading time = heading_of(fields[0]);
   if (time.name != "t") line.fail(fmt::format("the first column must be \"t\", found \"{}\"", time.name));
@@ -74,6 +75,7 @@ void read_row(const Line& line, const std::vector<std::string>& fields, const Mo
     line.fail(fmt::format("t must increase, found {} after {}", t, table.t.back()));
   }
   table.t.push_back(t);
+  table.lines.push_back(line.number);
   for (std::size_t c = 0; c < table.columns.size(); ++c) {
     InputColumn& column = table.columns[c];
     column.values.push_back(
@@ -82,6 +84,14 @@ void read_row(const Line& line, const std::vector<std::string>& fields, const Mo
 }
 
 }  // namespace
+
+std::string unit_or_one(const std::string& unit) { return unit.empty() ? "1" : unit; }
+
+const InputColumn* column_of(const InputTable& table, int input) {
+  const auto found = std::find_if(table.columns.begin(), table.columns.end(),
+                                  [input](const InputColumn& column) { return column.input == input; });
+  return found == table.columns.end() ? nullptr : &*found;
+}
 
 InputTable read_input_table(const std::string& path, const Model& model) {
   return parse_input_table(read_text(path), path, model);

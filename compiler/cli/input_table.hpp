@@ -14,10 +14,18 @@ struct InputColumn {
 };
 
 struct InputTable {
-  std::string header;     ///< file and line of the header, for messages
-  std::vector<double> t;  ///< s, strictly increasing, at least one
+  std::string path;        ///< of the file
+  std::string header;      ///< file and line of the header, for messages
+  std::vector<double> t;   ///< s, strictly increasing, at least one
+  std::vector<int> lines;  ///< of the file, per row
   std::vector<InputColumn> columns;
 };
+
+/// The unit, "1" for none.
+std::string unit_or_one(const std::string& unit);
+
+/// The column of an input, null where the table has none.
+const InputColumn* column_of(const InputTable& table, int input);
 
 /// Reads a table whose header is `t` and names of inputs, each with its unit in brackets where wanted: `steer [rad]`.
 /// Fields may be in quotes (RFC 4180); blank lines are skipped.

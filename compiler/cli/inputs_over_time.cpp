@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "compiler/cli/input_rates.hpp"
 #include "compiler/cli/input_table.hpp"
 #include "compiler/cli/options.hpp"
 #include "compiler/cli/user_error.hpp"
@@ -11,8 +12,11 @@
 namespace mbgen::cli {
 namespace {
 
-/// Who gives an input its values: nobody (its default), the command line, a column, or the spline of a column.
-enum class Source { none, assigned, column, spline };
+/// Who gives an input its values: nobody (its default), the command line, a column, or the derivative of a column.
+enum class Source { none, assigned, column, derived };
+
+/// A column that runs this part of its range beyond its rows is told.
+constexpr double kOvershootTold = 0.01;
 
 /// An input by its derivatives at t = 0.
 Course continued(const std::vector<Input>& inputs, const std::vector<double>& values, int input) {
@@ -36,42 +40,109 @@ std::vector<Source> assigned_inputs(const Model& model, const std::vector<std::s
   return sources;
 }
 
-/// Columns, and the derivatives that their splines give.
-void add_columns(const Model& model, const InputTable& table, std::vector<Source>& sources, InputsOverTime& result) {
-  const auto take = [&](int input, Source source, Course course) {
-    if (sources[input] == Source::assigned) {
-      throw UserError(
-          fmt::format("--input {0}: {1}: the table has values of {0}\n", model.inputs[input].name, table.header));
-    }
-    sources[input] = source;
-    result.courses[input] = std::move(course);
-    result.is_constant = false;
-  };
-  for (const InputColumn& column : table.columns) {
-    take(column.input, Source::column, straight_lines(table.t, column.values));
-  }
-  for (const InputColumn& column : table.columns) {
-    int rate = model.inputs[column.input].derivative;
-    if (rate < 0 || sources[rate] == Source::column) continue;
-    result.courses[column.input] = cubic_spline(table.t, column.values);
-    for (int input = column.input; rate >= 0 && sources[rate] != Source::column; rate = model.inputs[rate].derivative) {
-      if (sources[rate] == Source::spline) {
-        throw UserError(fmt::format("{}: \"{}\" is the derivative of several columns, give it a column of its own\n",
-                                    table.header, model.inputs[rate].name));
-      }
-      take(rate, Source::spline, derivative(result.courses[input]));
-      input = rate;
-    }
-  }
-}
+/// The courses of a table's columns, and of the derivatives that follow from them.
+class TableCourses {
+ public:
+  TableCourses(const Model& model, const InputTable& table, Interpolation interpolation, std::vector<Source>& sources,
+               InputsOverTime& result)
+      : model_(model), table_(table), interpolation_(interpolation), sources_(sources), result_(result) {}
 
-/// Refuses a table that moves the derivative of an input that it does not move.
-void check_rows(const Model& model, const InputTable& table, const std::vector<Source>& sources) {
-  for (std::size_t i = 0; i < sources.size(); ++i) {
-    const int rate = model.inputs[i].derivative;
-    if (sources[i] >= Source::column || rate < 0 || sources[rate] < Source::column) continue;
+  void add() {
+    for (const InputColumn& column : table_.columns) take(column.input, Source::column, {});
+    for (const InputColumn& column : table_.columns) check_rates(model_, table_, column);
+    const bool joins_rates = interpolation_ == Interpolation::pchip || interpolation_ == Interpolation::spline;
+    for (const InputColumn& column : table_.columns) {
+      if (!joins_rates || !is_rate(column.input)) add_column(column, joins_rates);
+    }
+    for (const InputColumn& column : table_.columns) tell_overshoot(column);
+  }
+
+ private:
+  /// Whether another column has this input as its derivative.
+  bool is_rate(int input) const {
+    return std::any_of(table_.columns.begin(), table_.columns.end(),
+                       [&](const InputColumn& column) { return model_.inputs[column.input].derivative == input; });
+  }
+
+  void take(int input, Source source, Course course) {
+    if (sources_[input] == Source::assigned) {
+      throw UserError(
+          fmt::format("--input {0}: {1}: the table has values of {0}\n", model_.inputs[input].name, table_.header));
+    }
+    sources_[input] = source;
+    result_.courses[input] = std::move(course);
+    result_.is_constant = false;
+  }
+
+  Course alone(const std::vector<double>& values) const {
+    switch (interpolation_) {
+      case Interpolation::pchip:
+        return pchip(table_.t, values);
+      case Interpolation::linear:
+        return straight_lines(table_.t, values);
+      case Interpolation::spline:
+        return cubic_spline(table_.t, values);
+      case Interpolation::hold:
+        return held(table_.t, values);
+    }
+    return {};
+  }
+
+  /// A column and its derivatives: those with columns of their own belong to it, or each stands alone.
+  void add_column(const InputColumn& column, bool joins_rates) {
+    std::vector<std::vector<double>> orders = {column.values};
+    int rate = model_.inputs[column.input].derivative;
+    for (; joins_rates && rate >= 0 && sources_[rate] == Source::column; rate = model_.inputs[rate].derivative) {
+      orders.push_back(column_of(table_, rate)->values);
+    }
+    Course course = orders.size() > 1 ? hermite(table_.t, orders) : alone(column.values);
+    int input = column.input;
+    for (std::size_t order = 0; order < orders.size(); ++order) {
+      if (order > 0) course = derivative(course);
+      result_.courses[input] = course;
+      rate = model_.inputs[input].derivative;
+      if (order + 1 < orders.size()) input = rate;
+    }
+    for (; rate >= 0 && sources_[rate] != Source::column; rate = model_.inputs[rate].derivative) {
+      if (sources_[rate] == Source::derived) {
+        throw UserError(fmt::format("{}: \"{}\" is the derivative of several columns, give it a column of its own\n",
+                                    table_.header, model_.inputs[rate].name));
+      }
+      course = derivative(course);
+      take(rate, Source::derived, course);
+    }
+  }
+
+  void tell_overshoot(const InputColumn& column) {
+    const auto [smallest, largest] = std::minmax_element(column.values.begin(), column.values.end());
+    const CourseRange range = range_of(result_.courses[column.input]);
+    const double beyond = std::max(*smallest - range.smallest, range.largest - *largest);
+    if (!(beyond > kOvershootTold * (*largest - *smallest)) || is_rate(column.input)) return;
+    const Input& input = model_.inputs[column.input];
+    result_.warnings.push_back(fmt::format(
+        "{}: warning: {} leaves its column, {:.6g} to {:.6g}, by {:.6g} between rows: it is applied from {:.6g} to "
+        "{:.6g} {}\n  hint: {}\n",
+        table_.header, input.name, *smallest, *largest, beyond, range.smallest, range.largest, unit_or_one(input.unit),
+        input.derivative >= 0 && sources_[input.derivative] == Source::column
+            ? "the column of its derivative makes it; more rows, or leave that column out"
+            : "--interpolation pchip stays within the rows"));
+  }
+
+  const Model& model_;
+  const InputTable& table_;
+  Interpolation interpolation_;
+  std::vector<Source>& sources_;
+  InputsOverTime& result_;
+};
+
+/// Refuses a column for the derivative of an input that has none.
+void check_rows(const Model& model, const InputTable& table) {
+  for (const Input& input : model.inputs) {
+    const int rate = input.derivative;
+    if (rate < 0 || column_of(table, rate) == nullptr) continue;
+    if (column_of(table, static_cast<int>(&input - model.inputs.data())) != nullptr) continue;
     throw UserError(fmt::format("{}: \"{}\" is the derivative of \"{}\", which has no column\n", table.header,
-                                model.inputs[rate].name, model.inputs[i].name));
+                                model.inputs[rate].name, input.name));
   }
 }
 
@@ -90,7 +161,7 @@ std::vector<double> InputsOverTime::of_step(double t, double h) const {
 }
 
 InputsOverTime inputs_over_time(const Model& model, const std::vector<std::string>& assignments,
-                                const std::string& table_path) {
+                                const std::string& table_path, Interpolation interpolation) {
   const std::vector<double> values = input_values(model, assignments);
   InputsOverTime result;
   for (std::size_t i = 0; i < values.size(); ++i) {
@@ -102,8 +173,8 @@ InputsOverTime inputs_over_time(const Model& model, const std::vector<std::strin
   if (table_path.empty()) return result;
   const InputTable table = read_input_table(table_path, model);
   std::vector<Source> sources = assigned_inputs(model, assignments);
-  add_columns(model, table, sources, result);
-  check_rows(model, table, sources);
+  check_rows(model, table);
+  TableCourses(model, table, interpolation, sources, result).add();
   return result;
 }
 

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "compiler/cli/engine.hpp"
+#include "compiler/cli/equilibrium_trouble.hpp"
 #include "compiler/cli/initial_state.hpp"
 #include "compiler/cli/options.hpp"
 #include "compiler/cli/states_file.hpp"
@@ -50,11 +51,9 @@ GenericState equilibrium_state(const Compilation& compilation, const std::vector
   GenericState state = noted_initial_state(compilation, inputs);
   GenericSolver solver(compilation.model, compilation.topology, compilation.analysis);
   solver.set_inputs(inputs);
+  const GenericState start = state;
   const Status status = solver.equilibrium(state);
-  if (!status.ok()) {
-    throw UserError(fmt::format("{}: there is no static equilibrium near the initial state: {}\n",
-                                compilation.model.file, describe(compilation, status)));
-  }
+  if (!status.ok()) fail_equilibrium(compilation, inputs, start, state, status);
   return state;
 }
 

@@ -11,61 +11,87 @@
 #include "compiler/cli/notes.hpp"
 #include "compiler/cli/options.hpp"
 #include "compiler/cli/progress.hpp"
+#include "compiler/cli/set_parameters.hpp"
 #include "compiler/cli/simulation.hpp"
 #include "compiler/cli/simulation_options.hpp"
 #include "compiler/cli/simulation_text.hpp"
+#include "compiler/cli/step_watch.hpp"
 #include "compiler/cli/user_error.hpp"
 
 namespace mbgen::cli {
 namespace {
 
-/// Rows that a table has at most unless --every is given: enough for every plot.
-constexpr long kRows = 10000;
-
 struct SimulateOptions {
   std::string model, form, file, format;
+  std::vector<std::string> set;
   SimulationArguments simulation;
-  long every = 0;
+  long every = 1;
   EngineArguments engine;
   bool json = false;
 };
 
-/// Rows between two written ones: first, last and every n-th point are written.
-long decimation(const SimulateOptions& options, long steps) {
-  if (options.every < 0) throw UserError(fmt::format("--every: must be positive, found {}\n", options.every));
-  return options.every > 0 ? options.every : (steps + kRows - 3) / (kRows - 2);
+/// A motion and what is to be said of it.
+struct Run {
+  SimulationSummary summary;
+  StepVerdict verdict;
+  std::vector<MovedValue> moved;  ///< of the start
+};
+
+Run compute(const Compilation& compilation, const EngineChoice& choice, const InputsOverTime& inputs,
+            const SimulationSettings& settings, MotionTable& table) {
+  const Engine engine = make_engine(compilation, choice);
+  const Start start = initial_start(compilation, inputs.at(0));
+  print_notes(moved_notes(compilation, start.moved));
+  Progress progress(settings.steps);
+  Run run;
+  run.moved = start.moved;
+  run.summary = simulate(engine, start.state, inputs, settings, [&](const Sample& sample) {
+    table.add(sample);
+    progress.show(sample.step);
+  });
+  progress.clear();
+  run.verdict = judge_step(compilation, choice.integrator, settings, run.summary,
+                           modes_near(compilation, start.state, inputs.at(0)));
+  return run;
+}
+
+/// Warnings, and why there is no good result, on standard error.
+int tell(const SimulationRecord& record) {
+  const StepVerdict& verdict = record.verdict;
+  for (const std::string& warning : verdict.warnings) fmt::print(stderr, "simulate: warning: {}\n", warning);
+  const SimulationSummary& summary = record.summary;
+  if (summary.status.ok() && verdict.failure.empty()) return kDone;
+  if (summary.status.ok()) {
+    fmt::print(stderr, "simulate: {}; {} holds the motion\n", verdict.failure, record.file);
+    return kUserFault;
+  }
+  fmt::print(stderr, "simulate: stopped after t = {:.10g} s: {}; {} holds the motion up to there\n", summary.end_time,
+             describe(record.compilation, summary.status), record.file);
+  if (!verdict.failure.empty()) fmt::print(stderr, "  hint: {}\n", verdict.failure);
+  return kUserFault;
 }
 
 int run(const SimulateOptions& options) {
   EngineChoice choice = chosen_engine(options.engine);
   const std::optional<Form> form = chosen_form(options.form);
+  Model model = read_set_model(options.model, options.set);
   const Compilation compilation =
-      expect(choice.name == "generated" ? compile(options.model, form) : decide(options.model));
+      expect(choice.name == "generated" ? compile(std::move(model), form) : decide(std::move(model)));
   require_other_file(options.file, compilation.model.files);
   require_other_file(options.file, {options.simulation.input_table});
+  if (options.every < 1) throw UserError(fmt::format("--every: must be positive, found {}\n", options.every));
   const SimulationSettings settings = settings_of(options.simulation, compilation.model.solver);
-  const InputsOverTime inputs =
-      inputs_over_time(compilation.model, options.engine.inputs, options.simulation.input_table);
+  const InputsOverTime inputs = inputs_of(compilation.model, options.engine.inputs, options.simulation);
+  for (const std::string& warning : inputs.warnings) fmt::print(stderr, "{}", warning);
   choice.integrator = integrator_of(options.simulation.integrator, compilation.model.solver.integrator, choice.name);
-  MotionTable table(options.file, table_format(options.format, options.file), compilation,
-                    decimation(options, settings.steps));
-  const Engine engine = make_engine(compilation, choice);
-  const Start start = initial_start(compilation, inputs.at(0));
-  print_notes(moved_notes(compilation, start.moved));
-
-  Progress progress(settings.steps);
-  const SimulationSummary summary = simulate(engine, start.state, inputs, settings, [&](const Sample& sample) {
-    table.add(sample);
-    progress.show(sample.step);
-  });
-  progress.clear();
-  const SimulationRecord record{compilation, choice, settings, summary, options.file, table.finish(), start.moved};
+  MotionTable table(options.file, table_format(options.format, options.file), compilation, options.every);
+  const Run run = compute(compilation, choice, inputs, settings, table);
+  const long rows = table.finish();
+  const SimulationRecord record{compilation,   choice,      settings,  run.summary, options.file,      rows,
+                                options.every, run.verdict, run.moved, options.set, inputs.is_constant};
   table.commit(run_json(record));
   print(options.json ? summary_json(record) : summary_text(record));
-  if (summary.status.ok()) return kDone;
-  fmt::print(stderr, "simulate: stopped after t = {} s: {}; {} holds the motion up to there\n", summary.end_time,
-             describe(compilation, summary.status), options.file);
-  return kUserFault;
+  return tell(record);
 }
 
 }  // namespace
@@ -81,13 +107,15 @@ void add_simulate(CLI::App& application, int& exit_code) {
       "Inputs keep their values (--input), or follow a table (--input-table steer.csv), whose header names them:\n"
       "  t [s],steer [rad],torque [N m]\n"
       "An input with a derivative among the inputs continues with it; where the table has no column for the\n"
-      "derivative, a cubic spline through the input's column gives both.");
+      "derivative, it is that of the curve through the rows.\n"
+      "Where the step is too long for the model (its fastest mode, or an energy balance off by 0.1 %), standard error\n"
+      "says so and names one that would do; values that blow up are an error.");
   add_model_argument(*command, options->model);
   add_simulation_options(*command, options->simulation);
   command->add_option("-o,--out", options->file, "table of the motion")->required();
   command->add_option("--format", options->format, "csv or mat (level 4) (default: by the ending of --out)");
-  command->add_option("--every", options->every,
-                      fmt::format("write every n-th step (default: at most {} rows)", kRows));
+  command->add_option("--every", options->every, "write every n-th step, and the last (default 1)");
+  add_set_option(*command, options->set);
   add_form_option(*command, options->form);
   add_engine_options(*command, options->engine);
   add_json_option(*command, options->json);

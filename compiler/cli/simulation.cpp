@@ -34,28 +34,38 @@ class Integral {
   double pairs_ = 0, rest_ = 0;
 };
 
+void widen(std::vector<Range>& ranges, const std::vector<double>& values) {
+  if (ranges.empty()) {
+    for (const double value : values) ranges.push_back({value, value, value});
+  }
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    ranges[i] = {std::min(ranges[i].smallest, values[i]), std::max(ranges[i].largest, values[i]), values[i]};
+  }
+}
+
 /// Everything that the summary collects point by point.
 class Collector {
  public:
   explicit Collector(double h) : h_(h) {}
 
-  void add(const Sample& sample, SimulationSummary& summary) {
+  void add(const Sample& sample, const std::vector<double>& inputs, SimulationSummary& summary) {
     const GenericOutputs& outputs = sample.outputs;
     const double energy = outputs.kinetic_energy + outputs.potential_energy;
     if (sample.step == 0) first_energy_ = energy;
     work_.add(outputs.applied_power, h_);
     EnergyBalance& balance = summary.energy;
+    balance.level = std::max(balance.level, std::abs(energy));
     balance.change = energy - first_energy_;
     balance.work = work_.value();
     balance.scale = std::max({balance.scale, std::abs(balance.change), std::abs(balance.work), outputs.kinetic_energy});
     summary.largest.position = std::max(summary.largest.position, sample.residuals.position);
     summary.largest.velocity = std::max(summary.largest.velocity, sample.residuals.velocity);
-    for (std::size_t i = 0; i < outputs.y.size(); ++i) {
-      if (sample.step == 0) summary.outputs.push_back({outputs.y[i], outputs.y[i], outputs.y[i]});
-      Range& range = summary.outputs[i];
-      range.smallest = std::min(range.smallest, outputs.y[i]);
-      range.largest = std::max(range.largest, outputs.y[i]);
-      range.last = outputs.y[i];
+    widen(summary.outputs, outputs.y);
+    widen(summary.inputs, inputs);
+    for (std::size_t i = 0; i < sample.state.zd.size(); ++i) {
+      if (std::abs(sample.state.zd[i]) <= summary.largest_velocity) continue;
+      summary.largest_velocity = std::abs(sample.state.zd[i]);
+      summary.fastest = static_cast<int>(i);
     }
     summary.steps = sample.step;
     summary.end_time = sample.state.t;
@@ -115,16 +125,40 @@ Status observe(const Engine& engine, double h, Sample& sample, LoadedState& at, 
   return status;
 }
 
-/// One step, with the inputs that it is given and those at its end.
-Status step(const Engine& engine, const InputsOverTime& inputs, double h, GenericState& state) {
-  if (inputs.is_constant) return engine.step(state, h);
+/// One step of h seconds to the time `end`, with the inputs that it is given and those at its end.
+Status step(const Engine& engine, const InputsOverTime& inputs, double h, double end, GenericState& state) {
+  if (inputs.is_constant) {
+    const Status status = engine.step(state, h);
+    if (status.ok()) state.t = end;
+    return status;
+  }
   GenericState trial = state;
   engine.set_inputs(inputs.of_step(state.t, h));
   Status status = engine.step(trial, h);
-  engine.set_inputs(inputs.at(trial.t));
+  trial.t = end;
+  engine.set_inputs(inputs.at(end));
   if (status.ok()) status = engine.project(trial);
   if (status.ok()) state = std::move(trial);
   return status;
+}
+
+/// Whether a status may come of a step that is too long.
+bool may_be_of_step(Status status) {
+  return status.code == Code::not_a_number || status.code == Code::auxiliary_not_a_number ||
+         status.code == Code::loop_not_closed || status.code == Code::loop_singular;
+}
+
+/// The longest of h/10, h/100 and h/1000 by which the motion goes on from `state` over h seconds, 0 for none.
+double passable_step(const Engine& engine, const InputsOverTime& inputs, const GenericState& state, double h) {
+  for (const int parts : {10, 100, 1000}) {
+    const double part = h / parts;
+    GenericState trial = state;
+    engine.set_inputs(inputs.at(state.t));
+    int k = 0;
+    while (k < parts && step(engine, inputs, part, state.t + (k + 1) * part, trial).ok()) ++k;
+    if (k == parts) return part;
+  }
+  return 0;
 }
 
 }  // namespace
@@ -143,17 +177,22 @@ SimulationSummary simulate(const Engine& engine, const GenericState& state, cons
   for (sample.step = 0;; ++sample.step) {
     summary.status = observe(engine, settings.step, sample, at, derivative);
     if (!summary.status.ok()) break;
-    collector.add(sample, summary);
+    collector.add(sample, inputs.at(sample.state.t), summary);
+    summary.last = sample.state;
     on_sample(sample);
     if (sample.step == settings.steps) break;
     const Clock::time_point before = Clock::now();
-    summary.status = step(engine, inputs, settings.step, sample.state);
+    const double end = state.t + static_cast<double>(sample.step + 1) * settings.step;
+    summary.status = step(engine, inputs, settings.step, end, sample.state);
     summary.solver_seconds += seconds_since(before);
     if (!summary.status.ok()) break;
     notices.add(summary.status, sample.state.t, summary.blocks);
   }
   notices.finish(summary.end_time, summary.blocks);
   summary.wall_seconds = seconds_since(start);
+  if (may_be_of_step(summary.status)) {
+    summary.passable_step = passable_step(engine, inputs, summary.last, settings.step);
+  }
   return summary;
 }
 

@@ -32,7 +32,9 @@ struct EnergyBalance {
   double change = 0;  ///< J, of kinetic energy and potential energy of gravity
   double work = 0;    ///< J, of all other applied forces and drives, integrated by Simpson's rule
   double scale = 0;   ///< J, largest of |change|, |work| and kinetic energy along the way
+  double level = 0;   ///< J, largest kinetic + potential energy along the way, as the model counts it
   double error() const { return change - work; }
+  double relative_error() const { return scale > 0 ? error() / scale : 0; }
 };
 
 /// Passages of singular positions that are told by their times.
@@ -54,11 +56,19 @@ struct SimulationSummary {
   Residuals largest;          ///< over all points
   EnergyBalance energy;
   std::vector<Range> outputs;
+  std::vector<Range> inputs;        ///< as applied at the points
+  double largest_velocity = 0;      ///< of all coordinates, rad/s or m/s
+  int fastest = -1;                 ///< the coordinate that had it
+  GenericState last;                ///< the last good state
   std::vector<BlockEvents> blocks;  ///< per loop block, as far as anything was met
   Status status;                    ///< of the step that failed, or ok
+  /// Of a step that failed: a shorter one, s, by which the motion goes on from the last good state; 0 where none was
+  /// found.
+  double passable_step = 0;
 };
 
-/// Steps the engine from `state`. on_sample gets every point, the start too. Where inputs change, the state is
+/// Steps the engine from `state`; point k has the time of the start plus k times the step. on_sample gets every point,
+/// the start too. Where inputs change, the state is
 /// projected after each step under those of its time. When a step fails the motion ends at the last good state, and the
 /// summary says why.
 SimulationSummary simulate(const Engine& engine, const GenericState& state, const InputsOverTime& inputs,

@@ -14,6 +14,15 @@ namespace {
 constexpr double kWholeSteps = 1e-9;
 constexpr double kMostSteps = 1e12;
 
+Interpolation interpolation_of(const std::string& name) {
+  if (name.empty() || name == "pchip") return Interpolation::pchip;
+  if (name == "linear") return Interpolation::linear;
+  if (name == "spline") return Interpolation::spline;
+  if (name == "hold") return Interpolation::hold;
+  throw UserError(
+      fmt::format("--interpolation: no interpolation \"{}\"; there are: pchip, linear, spline, hold\n", name));
+}
+
 }  // namespace
 
 void add_simulation_options(CLI::App& command, SimulationArguments& arguments) {
@@ -21,8 +30,12 @@ void add_simulation_options(CLI::App& command, SimulationArguments& arguments) {
   command.add_option("--step", arguments.step, "s, shortened to divide the duration (default: the model's)");
   command.add_option("--integrator", arguments.integrator,
                      "rk4 or abm4 (default: the model's; Cartesian engines: rk4 only)");
-  command.add_option("--input-table", arguments.input_table,
-                     "inputs over time (CSV): columns t and names of inputs, straight between rows, held outside");
+  command.add_option(
+      "--input-table", arguments.input_table,
+      "inputs over time (CSV): columns t and names of inputs, held before the first row and after the last");
+  command.add_option("--interpolation", arguments.interpolation,
+                     "between the rows of the input table: pchip (default: cubic that stays within them), linear, "
+                     "spline, hold");
 }
 
 SolverSettings::Integrator integrator_of(const std::string& name, SolverSettings::Integrator of_model,
@@ -36,6 +49,15 @@ SolverSettings::Integrator integrator_of(const std::string& name, SolverSettings
         fmt::format("--integrator: engine \"{}\" works in Cartesian coordinates and integrates by rk4 only\n", engine));
   }
   return Integrator::abm4;
+}
+
+InputsOverTime inputs_of(const Model& model, const std::vector<std::string>& assignments,
+                         const SimulationArguments& arguments) {
+  const Interpolation interpolation = interpolation_of(arguments.interpolation);
+  if (arguments.input_table.empty() && !arguments.interpolation.empty()) {
+    throw UserError("--interpolation: goes with --input-table, found none\n");
+  }
+  return inputs_over_time(model, assignments, arguments.input_table, interpolation);
 }
 
 SimulationSettings settings_of(const SimulationArguments& arguments, const SolverSettings& by_default) {

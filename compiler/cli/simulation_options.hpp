@@ -10,12 +10,16 @@
 namespace mbgen::cli {
 
 struct SimulationArguments {
-  std::optional<double> duration, step;  ///< s
-  std::string integrator, input_table;   ///< "" for the default, for none
+  std::optional<double> duration, step;                ///< s
+  std::string integrator, input_table, interpolation;  ///< "" for the default, for none
 };
 
-/// --duration, --step, --integrator, --input-table
+/// --duration, --step, --integrator, --input-table, --interpolation
 void add_simulation_options(CLI::App& command, SimulationArguments& arguments);
+
+/// The inputs of a run. assignments: --input. Fails: UserError, see inputs_over_time.
+InputsOverTime inputs_of(const Model& model, const std::vector<std::string>& assignments,
+                         const SimulationArguments& arguments);
 
 /// The duration in whole equal steps, none longer than the one asked for. Fails: UserError for values that make none.
 SimulationSettings settings_of(const SimulationArguments& arguments, const SolverSettings& by_default);

@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
+#include "compiler/cli/input_table.hpp"
 #include "compiler/cli/json_text.hpp"
 #include "compiler/cli/names.hpp"
 
@@ -15,9 +16,45 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-std::string unit_or_one(const std::string& unit) { return unit.empty() ? "1" : unit; }
+/// What became of the run.
+std::string status_text(const SimulationRecord& record) {
+  const SimulationSummary& summary = record.summary;
+  const bool blew_up = summary.status.ok() && !record.verdict.failure.empty();
+  return blew_up ? "values blew up" : describe(record.compilation, summary.status);
+}
 
-double relative(const EnergyBalance& energy) { return energy.scale > 0 ? energy.error() / energy.scale : 0; }
+Json ranges_json(const std::vector<Range>& ranges, const auto& named) {
+  Json list = Json::object();
+  for (std::size_t i = 0; i < ranges.size(); ++i) {
+    list[named[i].name] = {{"smallest", ranges[i].smallest}, {"largest", ranges[i].largest}, {"last", ranges[i].last}};
+  }
+  return list;
+}
+
+/// Smallest, largest and last value of outputs or inputs, a line each below a heading.
+std::string ranges_text(const char* heading, const std::vector<Range>& ranges, const auto& named) {
+  std::size_t width = 0;
+  for (const auto& one : named) width = std::max(width, one.name.size() + unit_or_one(one.unit).size() + 3);
+  std::string text;
+  if (!ranges.empty()) {
+    text += fmt::format("  {:<{}}{:>14}{:>14}{:>14}\n", heading, width, "smallest", "largest", "last");
+  }
+  for (std::size_t i = 0; i < ranges.size(); ++i) {
+    const Range& range = ranges[i];
+    text += fmt::format("  {:<{}}{:>14.6g}{:>14.6g}{:>14.6g}\n",
+                        fmt::format("{} [{}]", named[i].name, unit_or_one(named[i].unit)), width, range.smallest,
+                        range.largest, range.last);
+  }
+  return text;
+}
+
+/// How many points of the motion the table has.
+std::string rows_text(const SimulationRecord& record) {
+  return record.every == 1 ? fmt::format("{} rows, every step", record.rows)
+                           : fmt::format("{} rows, every {} steps and the last", record.rows, record.every);
+}
+
+Json known_or_null(double value) { return value > 0 ? Json(value) : Json(nullptr); }
 
 /// Simulated time over `seconds`.
 double real_time_factor(const SimulationRecord& record, double seconds) {
@@ -65,15 +102,16 @@ Json blocks_json(const SimulationRecord& record) {
   return blocks;
 }
 
+/// What is to be said of a result that is there, the reason of one that is wrong first.
+Json warnings_json(const SimulationRecord& record) {
+  Json list = record.verdict.warnings;
+  if (!record.verdict.failure.empty()) list.insert(list.begin(), record.verdict.failure);
+  return list;
+}
+
 /// What a run gave, the same on every machine and at every time.
 Json results_json(const SimulationRecord& record) {
   const SimulationSummary& summary = record.summary;
-  Json outputs = Json::object();
-  for (std::size_t i = 0; i < summary.outputs.size(); ++i) {
-    const Range& range = summary.outputs[i];
-    outputs[record.compilation.model.outputs[i].name] = {
-        {"smallest", range.smallest}, {"largest", range.largest}, {"last", range.last}};
-  }
   return {{"model", record.compilation.model.name},
           {"engine", record.choice.name},
           {"integrator", name_of(record.choice.integrator)},
@@ -82,15 +120,20 @@ Json results_json(const SimulationRecord& record) {
           {"steps", summary.steps},
           {"step", record.settings.step},
           {"end_time", summary.end_time},
-          {"status", describe(record.compilation, summary.status)},
+          {"status", status_text(record)},
           {"blocks", blocks_json(record)},
           {"position_residual", summary.largest.position},
           {"velocity_residual", summary.largest.velocity},
           {"energy_change", summary.energy.change},
           {"work", summary.energy.work},
           {"energy_error", summary.energy.error()},
-          {"relative_energy_error", relative(summary.energy)},
-          {"outputs", outputs},
+          {"relative_energy_error", summary.energy.relative_error()},
+          {"stable_step", known_or_null(record.verdict.stable_step)},
+          {"fitting_step", known_or_null(record.verdict.fitting_step)},
+          {"warnings", warnings_json(record)},
+          {"outputs", ranges_json(summary.outputs, record.compilation.model.outputs)},
+          {"inputs", ranges_json(summary.inputs, record.compilation.model.inputs)},
+          {"every", record.every},
           {"rows", record.rows}};
 }
 
@@ -132,24 +175,12 @@ std::string summary_text(const SimulationRecord& record) {
                       summary.largest.velocity);
   text +=
       fmt::format("  energy                    changed by {:.6g} J, work {:.6g} J, error {:.2e} J ({:.1e} relative)\n",
-                  energy.change, energy.work, energy.error(), relative(energy));
-  text += fmt::format("  status                    {} at t = {:.6g} s\n", describe(record.compilation, summary.status),
-                      summary.end_time);
+                  energy.change, energy.work, energy.error(), energy.relative_error());
+  text += fmt::format("  status                    {} at t = {:.6g} s\n", status_text(record), summary.end_time);
   text += blocks_text(record);
-  const std::vector<Output>& outputs = record.compilation.model.outputs;
-  std::size_t width = 0;
-  for (const Output& output : outputs)
-    width = std::max(width, output.name.size() + unit_or_one(output.unit).size() + 3);
-  if (!summary.outputs.empty()) {
-    text += fmt::format("  {:<{}}{:>14}{:>14}{:>14}\n", "output", width, "smallest", "largest", "last");
-  }
-  for (std::size_t i = 0; i < summary.outputs.size(); ++i) {
-    const Range& range = summary.outputs[i];
-    text += fmt::format("  {:<{}}{:>14.6g}{:>14.6g}{:>14.6g}\n",
-                        fmt::format("{} [{}]", outputs[i].name, unit_or_one(outputs[i].unit)), width, range.smallest,
-                        range.largest, range.last);
-  }
-  return text + fmt::format("  table                     {} ({} rows)\n", record.file, record.rows);
+  if (!record.are_inputs_constant) text += ranges_text("input", summary.inputs, record.compilation.model.inputs);
+  text += ranges_text("output", summary.outputs, record.compilation.model.outputs);
+  return text + fmt::format("  table                     {} ({})\n", record.file, rows_text(record));
 }
 
 std::string summary_json(const SimulationRecord& record) {
@@ -168,7 +199,8 @@ std::string run_json(const SimulationRecord& record) {
   const std::filesystem::path directory = std::filesystem::path(record.file).parent_path();
   Json run = {{"mbgen_run", 1},
               {"model_file", std::filesystem::proximate(model.file, directory.empty() ? "." : directory).string()},
-              {"model_hash", model.hash}};
+              {"model_hash", model.hash},
+              {"set", record.set}};
   run.update(results_json(record));
   return json_text(run);
 }

@@ -6,6 +6,7 @@
 
 #include "compiler/cli/initial_state.hpp"
 #include "compiler/cli/simulation.hpp"
+#include "compiler/cli/step_watch.hpp"
 #include "compiler/results/results.hpp"
 
 namespace mbgen::cli {
@@ -23,11 +24,15 @@ struct SimulationRecord {
   SimulationSettings settings;
   const SimulationSummary& summary;
   std::string file;
-  long rows = 0;
+  long rows = 0, every = 1;  ///< of the table: how many, and how many steps from one to the next
+  StepVerdict verdict;
   std::vector<MovedValue> moved;  ///< of the start
+  std::vector<std::string> set;   ///< parameters that the command line gave, name=value
+  bool are_inputs_constant = true;
 };
 
-/// For people: steps, real-time factor, closure residual, energy balance, ranges of the outputs.
+/// For people: steps, real-time factor, closure residual, energy balance, ranges of the outputs and of inputs that
+/// move.
 std::string summary_text(const SimulationRecord& record);
 
 /// The same for machines.

@@ -133,6 +133,7 @@ std::vector<std::string> words_of(const SweepOptions& options) {
   if (study.simulation.step) add("--step", fmt::format("{}", *study.simulation.step));
   add("--integrator", study.simulation.integrator);
   add("--input-table", study.simulation.input_table);
+  add("--interpolation", study.simulation.interpolation);
   if (study.has_engine) add("--engine", study.engine.choice.name);
   add("--linear-algebra", study.engine.linear_algebra);
   add("--factorisation", study.engine.factorisation);
@@ -180,6 +181,9 @@ int run(const SweepOptions& options) {
   const std::optional<SweepPart> rank = options.part.empty() ? part_of_rank() : std::nullopt;
   const SweepPart part = rank ? *rank : options.part.empty() ? SweepPart{} : part_from(options.part);
   const bool is_first = part.index == 0 && options.part.empty();
+  for (const std::string& warning : study.warnings) {
+    if (is_first) fmt::print(stderr, "{}", warning);
+  }
   CaseResults results;
   if (!options.restart) {
     add_journals(options.file, words, results);

@@ -10,8 +10,8 @@
 #include "compiler/cli/files.hpp"
 #include "compiler/cli/hash.hpp"
 #include "compiler/cli/initial_state.hpp"
-#include "compiler/cli/inputs_over_time.hpp"
 #include "compiler/cli/names.hpp"
+#include "compiler/cli/step_watch.hpp"
 #include "compiler/cli/user_error.hpp"
 
 namespace mbgen::cli {
@@ -74,7 +74,7 @@ InputsOverTime inputs_of(const Study& study, const Model& model, const std::vect
     const SweepAxis& axis = study.grid.axes[a];
     if (axis.is_input) assignments.push_back(fmt::format("{}={}", axis.name, values[a]));
   }
-  return inputs_over_time(model, assignments, study.arguments.simulation.input_table);
+  return mbgen::cli::inputs_of(model, assignments, study.arguments.simulation);
 }
 
 /// Fails: UserError when the model is not what it was when the study was read, or cannot be read any more.
@@ -158,6 +158,9 @@ CaseResult measured(const Study& study, const Compilation& compilation, const En
     return failed(study,
                   fmt::format("stopped after t = {} s: {}", summary.end_time, describe(compilation, summary.status)));
   }
+  const StepVerdict verdict = judge_step(compilation, study.choice.integrator, study.settings, summary,
+                                         modes_near(compilation, start, inputs.at(0)));
+  if (!verdict.failure.empty()) return failed(study, verdict.failure);
   CaseResult result{"ok", evaluate(study.metrics, compilation.model.parameters, recorder.points())};
   for (std::size_t m = 0; m < result.metrics.size(); ++m) {
     if (std::isfinite(result.metrics[m])) continue;
@@ -188,7 +191,7 @@ Study read_study(const StudyArguments& arguments) {
   study.choice.integrator =
       integrator_of(arguments.simulation.integrator, study.model.solver.integrator, study.choice.name);
   check_inputs(study);
-  inputs_of(study, study.model, study.grid.values_of(0));
+  study.warnings = inputs_of(study, study.model, study.grid.values_of(0)).warnings;
   choose_tuning(study);
   return study;
 }
@@ -212,7 +215,8 @@ std::string description(const Study& study) {
                       {"factorisation", arguments.engine.factorisation},
                       {"stabilisation", arguments.engine.stabilisation},
                       {"input", arguments.engine.inputs},
-                      {"input-table", table.text()}};
+                      {"input-table", table.text()},
+                      {"interpolation", arguments.simulation.interpolation}};
   return words.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 

@@ -34,6 +34,7 @@ struct Study {
   EngineChoice choice;
   bool is_tuned = true;       ///< one analysis and one solver serve all cases; else each case is analysed anew
   std::string why_not_tuned;  ///< the first place that asks for a constant
+  std::vector<std::string> warnings = {};  ///< of its inputs, complete lines for standard error
 };
 
 /// What came of one case.

@@ -104,20 +104,24 @@ Status GenericSolver::equilibrium(GenericState& state) const {
   GenericState trial = state;
   std::fill(trial.zd.begin(), trial.zd.end(), 0.0);
   if (const Status status = settled(*this, trial); !status.ok()) return status;
+  const auto give_up = [&](Status status) {
+    state = trial;
+    return status;
+  };
   for (int step = 0;; ++step) {
     const Balance here = balance(*content_, trial);
     if (here.rz.cols() == 0) break;
     const double unbalanced = unbalanced_acceleration(here);
     Eigen::MatrixXd stiffness;
-    if (const Status status = stiffness_at(*this, *content_, trial, here, stiffness); !status.ok()) return status;
+    if (const Status s = stiffness_at(*this, *content_, trial, here, stiffness); !s.ok()) return give_up(s);
     Eigen::VectorXd change = next_change(here, stiffness, unbalanced);
-    if (!change.allFinite()) return {Code::not_a_number, -1};
+    if (!change.allFinite()) return give_up({Code::not_a_number, -1});
     const double longest = (here.rz * change.head(here.rz.cols())).cwiseAbs().maxCoeff();
     if (longest < kSettled && unbalanced < kBalanced) break;
-    if (longest < kSettled || step + 1 == kMostSteps) return {Code::no_equilibrium, -1};
+    if (longest < kSettled || step + 1 == kMostSteps) return give_up({Code::no_equilibrium, -1});
     if (longest > kLongestStep) change *= kLongestStep / longest;
     GenericState next;
-    if (const Status status = moved(*this, trial, here, change, next); !status.ok()) return status;
+    if (const Status status = moved(*this, trial, here, change, next); !status.ok()) return give_up(status);
     trial = std::move(next);
   }
   state.z = trial.z;

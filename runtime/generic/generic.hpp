@@ -85,8 +85,9 @@ class GenericSolver {
   Status assemble(GenericState& state, const std::vector<CoordinateWish>& positions) const;
   /// The same for velocities, at the positions of `state`: the least that meet the wishes.
   Status assemble_velocities(GenericState& state, const std::vector<CoordinateWish>& velocities) const;
-  /// Static equilibrium with the driven coordinates at their motions: zero velocities, closures satisfied, generalised
-  /// forces of the free directions zero (least change of position where they are indifferent).
+  /// Static equilibrium, driven coordinates at their motions: at rest, closed, generalised forces of the free
+  /// directions zero (least change of position where they are indifferent). Where there is none `state` is the last
+  /// that was tried.
   Status equilibrium(GenericState& state) const;
 
  private:

@@ -98,7 +98,8 @@ typename System::Mask step_rows_abm4(const typename System::Parameters& paramete
   }
   int known[System::kLanes], most = 0;
   for (int lane = 0; lane < System::kLanes; ++lane) {
-    const bool goes_on = history.h[lane] == h && history.t[lane] == state.t[lane];
+    const bool is_next = std::abs(history.t[lane] - state.t[lane]) <= integrator_detail::kSameTime * h;
+    const bool goes_on = history.h[lane] == h && is_next;
     known[lane] = goes_on ? history.count[lane] : 0;
     most = known[lane] > most ? known[lane] : most;
   }

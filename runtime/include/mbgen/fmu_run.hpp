@@ -56,6 +56,12 @@ typename Model::Inputs gone_on(const Run<Model>& run, typename Model::Inputs inp
   return inputs;
 }
 
+/// The time after a step: k steps from the start, not the sum of k steps, where it is that but for rounding.
+inline double whole_steps(double start, double t, double step) noexcept {
+  const double whole = start + std::floor((t - start) / step + 0.5) * step;
+  return std::abs(whole - t) <= kWholeSteps * step ? whole : t;
+}
+
 /// One step of the integrator, and inputs at its end. Result: whether it went well; else the run is as before.
 template <class Model>
 bool take_step(Core<Model>& core, double size) noexcept {
@@ -67,6 +73,7 @@ bool take_step(Core<Model>& core, double size) noexcept {
   const typename Model::Inputs inputs = paths.of_step(middle, size);
   core.status = Model::step(run.parameters, inputs, run.state, run.history, size);
   if (!core.status.ok()) return false;
+  run.state.t = whole_steps(run.start_time, run.state.t, size);
   run.paths = paths;
   run.inputs = gone_on(run, Model::advanced(run.inputs, size), size);
   core.is_solved = false;

@@ -1,0 +1,65 @@
+#include "compiler/cli/set_parameters.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "compiler/cli/hash.hpp"
+#include "compiler/cli/number.hpp"
+#include "compiler/cli/user_error.hpp"
+#include "compiler/model/varied.hpp"
+
+namespace mbgen::cli {
+namespace {
+
+[[noreturn]] void fail_unknown(const Model& model, const std::string& name) {
+  std::vector<std::string_view> names;
+  for (const Parameter& parameter : model.parameters) names.push_back(parameter.name);
+  const std::string hint = did_you_mean(name, names);
+  throw UserError(fmt::format("--set: the model has no parameter \"{}\"{}{}\n", name, hint.empty() ? "" : "; ", hint));
+}
+
+/// A parameter as the command line gives it. It stays tunable where it is.
+VariedParameter parameter_from(const Model& model, const std::string& assignment) {
+  const std::size_t sign = assignment.find('=');
+  if (sign == std::string::npos) {
+    throw UserError(fmt::format("--set: \"{}\" is not of the form name=value\n", assignment));
+  }
+  const std::string name = assignment.substr(0, sign);
+  const auto found = std::find_if(model.parameters.begin(), model.parameters.end(),
+                                  [&](const Parameter& parameter) { return parameter.name == name; });
+  if (found == model.parameters.end()) fail_unknown(model, name);
+  return {name, parse_number(assignment.substr(sign + 1), "--set " + name), found->tunable};
+}
+
+}  // namespace
+
+void add_set_option(CLI::App& command, std::vector<std::string>& assignments) {
+  command
+      .add_option("--set", assignments,
+                  "name=value of a model parameter, tunable or not, in place of the file's; may be repeated")
+      ->allow_extra_args(false);
+}
+
+Model read_set_model(const std::string& path, const std::vector<std::string>& assignments) {
+  Model model = expect(read_model_file(path));
+  if (assignments.empty()) return model;
+  std::vector<VariedParameter> set;
+  Hash hash;
+  hash.add(model.hash);
+  for (const std::string& assignment : assignments) {
+    const VariedParameter parameter = parameter_from(model, assignment);
+    const auto is_same = [&](const VariedParameter& other) { return other.name == parameter.name; };
+    if (std::any_of(set.begin(), set.end(), is_same)) {
+      throw UserError(fmt::format("--set: \"{}\" stands twice\n", parameter.name));
+    }
+    set.push_back(parameter);
+  }
+  std::sort(set.begin(), set.end(), [](const VariedParameter& a, const VariedParameter& b) { return a.name < b.name; });
+  for (const VariedParameter& parameter : set) hash.add(fmt::format("{}={};", parameter.name, *parameter.value));
+  model = expect(read_varied_model(path, set));
+  model.hash = hash.text();
+  return model;
+}
+
+}  // namespace mbgen::cli

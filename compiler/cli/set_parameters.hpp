@@ -1,0 +1,21 @@
+#pragma once
+// Models whose parameters the command line gives other values.
+
+#include <CLI/CLI.hpp>
+#include <string>
+#include <vector>
+
+#include "compiler/model/model.hpp"
+
+namespace mbgen::cli {
+
+/// --set
+void add_set_option(CLI::App& command, std::vector<std::string>& assignments);
+
+/// The model of a file with parameters at other values: name=value, in place of those of the file, before anything is
+/// folded; what follows from them follows. Its hash is then that of file and values.
+/// Fails: UserError for a name that is no parameter of the model (the nearest is named), a value that is no finite
+/// number, a name given twice, and as read_model_file.
+Model read_set_model(const std::string& path, const std::vector<std::string>& assignments);
+
+}  // namespace mbgen::cli
