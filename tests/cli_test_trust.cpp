@@ -97,6 +97,16 @@ TEST_F(Trust, TablesStayWithinTheirRows) {
             "--interpolation: goes with --input-table, found none\n");
 }
 
+// Accelerations of the drive jump at the rows: no energy comes of that, and no warning.
+TEST_F(Trust, RowsCostNoEnergy) {
+  write("cart.json", text_of("tests/data/models/driven_cart.json"));
+  write("table.csv", "t,way\n0,0\n0.25,0.02\n0.5,0.1\n0.75,0.24\n1,0.4\n1.25,0.54\n1.5,0.62\n1.75,0.64\n2,0.64\n");
+  const Outcome run =
+      mbgen("simulate cart.json --engine generic --input-table table.csv --duration 2 --step 1e-3 --out o.csv --json");
+  EXPECT_EQ(run.err, "");
+  EXPECT_LT(std::abs(Json::parse(run.out)["relative_energy_error"].get<double>()), 1e-6);
+}
+
 TEST_F(Trust, RatesBelongToTheirValues) {
   write("cart.json", text_of("tests/data/models/driven_cart.json"));
   const std::string simulate =
@@ -162,6 +172,20 @@ TEST_F(Trust, StepThatIsTooLongIsAnError) {
     EXPECT_NE(stable_only.err.find("simulate: warning: the energy balance is off by "), std::string::npos)
         << stable_only.err;
   }
+}
+
+// A case of a study that blew up has no values.
+TEST_F(Trust, CasesThatBlowUpHaveNoValues) {
+  std::string model = mass_on_spring(1);
+  model.replace(model.find("\"stiffness\": 1 "), 14, "\"stiffness\": \"k\"");
+  model.replace(model.find("\"bodies\""), 0, "\"parameters\": { \"k\": { \"value\": 1 } }, ");
+  write("mass.json", model);
+  const Outcome run = mbgen(
+      "sweep mass.json --engine generic --vary k=1e3,8.2e6 --metric \"max(z.slide)\" --duration 0.2 --step 1e-3 --out "
+      "s.csv");
+  const std::string table = read("s.csv");
+  EXPECT_NE(table.find("values blew up"), std::string::npos) << table << run.err;
+  EXPECT_NE(table.find(",ok"), std::string::npos) << table;
 }
 
 // A linkage at a step of a third of its turn: the loop does not close, for the step.

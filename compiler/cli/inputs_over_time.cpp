@@ -148,6 +148,12 @@ void check_rows(const Model& model, const InputTable& table) {
 
 }  // namespace
 
+bool InputsOverTime::has_row(double start, double end) const {
+  const double rounding = 1e-9 * (end - start);
+  const auto row = std::upper_bound(rows.begin(), rows.end(), start + rounding);
+  return row != rows.end() && *row <= end + rounding;
+}
+
 std::vector<double> InputsOverTime::at(double t) const {
   std::vector<double> values;
   for (const Course& course : courses) values.push_back(course.at(t));
@@ -174,6 +180,7 @@ InputsOverTime inputs_over_time(const Model& model, const std::vector<std::strin
   const InputTable table = read_input_table(table_path, model);
   std::vector<Source> sources = assigned_inputs(model, assignments);
   check_rows(model, table);
+  result.rows = table.t;
   TableCourses(model, table, interpolation, sources, result).add();
   return result;
 }

@@ -22,8 +22,11 @@ struct InputsOverTime {
   std::vector<Course> courses;
   std::vector<bool> advances;              ///< per input: has a derivative, so that a step advances it by itself
   bool is_constant = true;                 ///< whether all of them stand still
+  std::vector<double> rows = {};           ///< s, of the table, where derivatives of its inputs may jump
   std::vector<std::string> warnings = {};  ///< complete lines for standard error
 
+  /// Whether a row of the table lies after `start`, and at `end` at the latest; s.
+  bool has_row(double start, double end) const;
   /// At an instant.
   std::vector<double> at(double t) const;
   /// What a step of h seconds from t is given. An input that advances has its value at t; any other stands still during

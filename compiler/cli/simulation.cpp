@@ -26,12 +26,18 @@ class Integral {
     last_ = value;
     ++count_;
   }
-  double value() const { return pairs_ + rest_; }
+  /// What follows has a jump to what was added last.
+  void restart() {
+    done_ = value();
+    pairs_ = rest_ = 0;
+    count_ = 0;
+  }
+  double value() const { return done_ + pairs_ + rest_; }
 
  private:
   long count_ = 0;  // of samples
   double before_ = 0, last_ = 0;
-  double pairs_ = 0, rest_ = 0;
+  double done_ = 0, pairs_ = 0, rest_ = 0;
 };
 
 void widen(std::vector<Range>& ranges, const std::vector<double>& values) {
@@ -69,6 +75,12 @@ class Collector {
     }
     summary.steps = sample.step;
     summary.end_time = sample.state.t;
+  }
+
+  /// The power just before the next point, where it jumps there.
+  void add_before_jump(double power) {
+    work_.add(power, h_);
+    work_.restart();
   }
 
  private:
@@ -142,6 +154,22 @@ Status step(const Engine& engine, const InputsOverTime& inputs, double h, double
   return status;
 }
 
+/// The power at the end of a step as it is just before, where a row of a table lies in the step: accelerations of
+/// inputs jump there, and with them the power of what they drive.
+std::optional<double> power_before_row(const Engine& engine, const InputsOverTime& inputs, double h, double start,
+                                       const GenericState& state) {
+  if (!inputs.has_row(start, state.t)) return {};
+  constexpr double kJustBefore = 1e-9;  // of a step
+  Sample sample;
+  sample.state = state;
+  LoadedState at{state, std::vector<double>(state.z.size(), 0.0)};
+  GenericDerivative derivative;
+  engine.set_inputs(inputs.at(state.t - kJustBefore * h));
+  const Status status = observe(engine, h, sample, at, derivative);
+  engine.set_inputs(inputs.at(state.t));
+  return status.ok() ? std::optional(sample.outputs.applied_power) : std::nullopt;
+}
+
 /// Whether a status may come of a step that is too long.
 bool may_be_of_step(Status status) {
   return status.code == Code::not_a_number || status.code == Code::auxiliary_not_a_number ||
@@ -187,6 +215,8 @@ SimulationSummary simulate(const Engine& engine, const GenericState& state, cons
     summary.solver_seconds += seconds_since(before);
     if (!summary.status.ok()) break;
     notices.add(summary.status, sample.state.t, summary.blocks);
+    const auto power = power_before_row(engine, inputs, settings.step, summary.end_time, sample.state);
+    if (power) collector.add_before_jump(*power);
   }
   notices.finish(summary.end_time, summary.blocks);
   summary.wall_seconds = seconds_since(start);

@@ -192,8 +192,9 @@ struct StepJudge {
                       unit_of(compilation.topology.bodies[fastest].kind), energy_text(), settings.step, advice());
     } else if (is_off) {
       shorten(relative, modes);
-      verdict.warnings.push_back(fmt::format("{}, step {:.6g} s {} too long{}", energy_text(), settings.step,
-                                             of_mode.empty() ? "may be" : "is", advice()));
+      verdict.warnings.push_back(
+          fmt::format("{}, step {:.6g} s {}{}", energy_text(), settings.step,
+                      of_mode.empty() ? "may be too long, or an input or a law jumps" : "is too long", advice()));
     } else if (is_unstable) {
       verdict.warnings.push_back(fmt::format("step {:.6g} s is too long{}", settings.step, advice()));
     }
