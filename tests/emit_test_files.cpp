@@ -88,6 +88,41 @@ TEST(EmittedFiles, advanceInputsThatHaveDerivatives) {
   }
 }
 
+TEST(EmittedFiles, makeRatesOfInputsThatShareNone) {
+  Example example = pushed_slider();
+  const std::string interface = text_of(emit(example), "bead.hpp");
+  EXPECT_NE(interface.find("    {3, {&Inputs::push, &Inputs::rate, &Inputs::jerk}}};"), std::string::npos);
+  EXPECT_NE(interface.find("using InputPaths = mbgen::InputPaths<Inputs, kInputRows>;"), std::string::npos);
+  EXPECT_NE(interface.find("#include \"mbgen/input_paths.hpp\""), std::string::npos);
+  Input other;
+  other.name = "other";
+  other.derivative = 2;
+  example.model.inputs.push_back(other);
+  EXPECT_EQ(text_of(emit(example), "bead.hpp").find("InputPaths"), std::string::npos);
+  EXPECT_EQ(text_of(emit(bead_on_circle()), "bead.hpp").find("InputPaths"), std::string::npos);
+}
+
+TEST(EmittedFiles, knowTheStartThatTheyAreGiven) {
+  const std::vector<EmittedFile> files =
+      emit(bead_on_circle(), {.lanes = 4, .initial = InitialState{{1, 0.5}, {2, -4}, {}}});
+  EXPECT_NE(text_of(files, "bead.cpp")
+                .find("State initial_state() noexcept {\n"
+                      "  static constexpr State start = {\n"
+                      "      {1.0, 0.5},\n"
+                      "      {2.0, -4.0},\n"
+                      "      {0.0},\n"
+                      "      0.0};\n"),
+            std::string::npos);
+  for (const char* path : {"bead.hpp", "bead_batch.hpp"}) {
+    EXPECT_NE(text_of(files, path).find("State initial_state() noexcept;"), std::string::npos) << path;
+    EXPECT_NE(text_of(files, path).find("Start from `State state = initial_state();`."), std::string::npos) << path;
+  }
+  const std::vector<EmittedFile> without = emit(bead_on_circle(), {.lanes = 4});
+  for (const char* path : {"bead.hpp", "bead.cpp", "bead_batch.hpp", "bead_batch.cpp"}) {
+    EXPECT_EQ(text_of(without, path).find("initial_state"), std::string::npos) << path;
+  }
+}
+
 TEST(EmittedFiles, manifestCountsTheOperationsOfEverySection) {
   const auto manifest = nlohmann::json::parse(text_of(emit(bead_on_circle()), "bead.json"));
   EXPECT_EQ(manifest["namespace"], "bead");

@@ -95,6 +95,19 @@ void require_range(const Compilation& compilation, const std::string& scalar) {
   }
 }
 
+/// Where the solver starts; none, with a note, where the model has no start and nothing asks for it.
+/// Fails: UserError where the C interface asks for it.
+std::optional<InitialState> start_of(const Compilation& compilation, bool is_needed) {
+  try {
+    return default_initial_state(compilation);
+  } catch (const UserError& error) {
+    if (is_needed) throw;
+    fmt::print(stderr, "{}generate: the solver is written without initial_state(): start from a state of your own\n",
+               error.text(Style::plain));
+    return {};
+  }
+}
+
 int run(const GenerateOptions& options) {
   if (!options.dump.empty()) {
     print(dump_stage(options.model, options.dump));
@@ -106,7 +119,8 @@ int run(const GenerateOptions& options) {
   const Compilation compilation = expect(compile(read_named(options), chosen_form(options.form)));
   require_range(compilation, options.emit.scalar);
   EmitOptions emitted = options.emit;
-  if (options.c_interface || options.emit.calibration) emitted.c_interface = default_initial_state(compilation);
+  emitted.c_interface = options.c_interface || options.emit.calibration;
+  emitted.initial = start_of(compilation, emitted.c_interface);
   std::vector<EmittedFile> files = emit(compilation, emitted);
   std::optional<MeasuredCost> cost;
   if (options.measure) {

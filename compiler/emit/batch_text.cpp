@@ -100,6 +100,15 @@ std::string batch_outputs_call(const EmitContext& context) {
          "  lanes::compute_outputs(p, in, at, tau, rates, constraint, result);";
 }
 
+/// The start of every lane.
+std::string batch_start(const EmitContext& context) {
+  if (!context.initial) return "";
+  return "State initial_state() noexcept {\n  State state;\n  for (int lane = 0; lane < kLanes; ++lane) "
+         "set_lane(state, "
+         "lane, " +
+         context.names.solver + "::initial_state());\n  return state;\n}\n\n";
+}
+
 }  // namespace
 
 std::string batch_interface_text(const EmitContext& context) {
@@ -111,6 +120,8 @@ std::string batch_interface_text(const EmitContext& context) {
                         {"parameter_struct", row_struct("Parameters", parameter_members(context), context)},
                         {"input_struct", row_struct("Inputs", input_members(context), context)},
                         {"output_struct", row_struct("Outputs", output_members(context), context)},
+                        {"state_comment", state_comment(context)},
+                        {"initial_state", context.initial ? "State initial_state() noexcept;\n" : ""},
                         {"auxiliary_size", size_text(context.layout.auxiliary_states)},
                         {"multiplier_size", size_text(context.layout.equations)},
                         {"drive_size", size_text(context.layout.drives)}});
@@ -149,6 +160,7 @@ std::string batch_text(const EmitContext& context) {
                         {"set_inputs", statements(inputs, kSet)},
                         {"set_outputs", statements(outputs, kSet)},
                         {"store_outputs", statements(outputs, "  store_row(good, result.{0}, values.{0});")},
+                        {"initial_state", batch_start(context)},
                         {"outputs_call", batch_outputs_call(context)}});
 }
 

@@ -63,12 +63,6 @@ std::string copies(const std::vector<NumberMember>& members) {
   return text;
 }
 
-std::string constants(const std::string& scalar, const std::string& name, const std::vector<double>& values) {
-  return array_text(fmt::format("constexpr {} {}", scalar, name), number_texts(values, scalar),
-                    number_text(0, scalar)) +
-         "\n";
-}
-
 std::string name_functions(const EmitContext& context) {
   struct Table {
     const char *function, *names, *size;
@@ -214,7 +208,7 @@ std::string c_header_text(const EmitContext& context) {
        {"integrator", context.model.solver.is_multistep() ? "Adams-Bashforth-Moulton" : "Runge-Kutta"}});
 }
 
-std::string c_source_text(const EmitContext& context, const InitialState& initial) {
+std::string c_source_text(const EmitContext& context) {
   const std::string& solver = context.names.solver;
   const RatesText rates = rates_text(context);
   return fill_template(
@@ -222,9 +216,6 @@ std::string c_source_text(const EmitContext& context, const InitialState& initia
       {{"banner", banner_text(context.model, "//")},
        {"solver", solver},
        {"scalar", context.scalar},
-       {"initial_state", constants(context.scalar, "kInitialZ", initial.z) +
-                             constants(context.scalar, "kInitialZd", initial.zd) +
-                             constants(context.scalar, "kInitialX", initial.x)},
        {"coordinate_size", size_text(context.layout.coordinates)},
        {"parameters_in", copies(parameter_members(context))},
        {"parameters_out", copies(parameter_members(context))},

@@ -17,8 +17,8 @@ std::string guard_of(const std::string& solver);
 /// `<model>_c.h`, C99.
 std::string c_header_text(const EmitContext& context);
 
-/// `<model>_c.cpp`. initial: where a solver starts.
-std::string c_source_text(const EmitContext& context, const InitialState& initial);
+/// `<model>_c.cpp`. Requires: context.initial.
+std::string c_source_text(const EmitContext& context);
 
 /// `<model>.py`: ctypes and numpy over the shared library, nothing to compile.
 std::string python_text(const EmitContext& context);

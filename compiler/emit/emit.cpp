@@ -57,8 +57,9 @@ std::vector<EmittedFile> emit(const Programs& programs, const Model& model, cons
                             solver_layout(model, topology, analysis),
                             options.roll_above,
                             options.lanes,
-                            options.c_interface.has_value(),
-                            options.scalar};
+                            options.c_interface,
+                            options.scalar,
+                            options.initial};
   const std::string& name = context.names.solver;
   const nlohmann::ordered_json manifest = manifest_json(context);
   std::vector<EmittedFile> files = {{name + ".hpp", interface_text(context)},
@@ -71,7 +72,7 @@ std::vector<EmittedFile> emit(const Programs& programs, const Model& model, cons
   }
   if (options.c_interface) {
     files.push_back({name + "_c.h", c_header_text(context)});
-    files.push_back({name + "_c.cpp", c_source_text(context, *options.c_interface)});
+    files.push_back({name + "_c.cpp", c_source_text(context)});
     files.push_back({name + ".py", python_text(context)});
     if (options.calibration) {
       files.push_back({name + ".a2l", calibration_text(context)});

@@ -22,7 +22,7 @@ struct EmittedFile {
   std::string text;
 };
 
-/// Where the solvers of a C interface start: loops closed, velocities consistent.
+/// Where solvers start: loops closed, velocities consistent.
 struct InitialState {
   std::vector<double> z, zd, x;
 };
@@ -32,13 +32,15 @@ struct EmitOptions {
   std::size_t roll_above = kRollAbove;  ///< operations of a program above which equal subsystems become loops
   int lanes = 0;                  ///< instances that a call of the batch interface solves, 0 for no such interface
   std::string scalar = "double";  ///< of the solver: double, or float without the two interfaces
-  std::optional<InitialState> c_interface = {};  ///< add <model>_c.h, <model>_c.cpp and <model>.py
-  bool calibration = false;                      ///< and <model>.a2l with <model>_a2l.h, which stand on them
+  std::optional<InitialState> initial = {};  ///< add initial_state() to the interfaces
+  bool c_interface = false;                  ///< add <model>_c.h, <model>_c.cpp and <model>.py; needs `initial`
+  bool calibration = false;                  ///< and <model>.a2l with <model>_a2l.h, which stand on them
 };
 
 /// The specialised solver: <model>.hpp, <model>.cpp, <model>_cost.txt (cost sheet), CMakeLists.txt, with lanes also
-/// <model>_batch.hpp and <model>_batch.cpp, the runtime headers, and last <model>.json (manifest): where it is, all are.
-/// Requires: `programs` traced from the same model, topology and analysis, and contracted: compilers do not contract.
+/// <model>_batch.hpp and <model>_batch.cpp, the runtime headers, and last <model>.json (manifest): where it is, all
+/// are. Requires: `programs` traced from the same model, topology and analysis, and contracted: compilers do not
+/// contract.
 std::vector<EmittedFile> emit(const Programs& programs, const Model& model, const Topology& topology,
                               const Analysis& analysis, const EmitOptions& options = {});
 

@@ -83,6 +83,11 @@ std::string structure(const std::string& name, const std::vector<NumberMember>& 
   return text + "};";
 }
 
+std::string initial_declaration(const EmitContext& context) {
+  if (!context.initial) return "";
+  return wrapped_words(start_text(), "/// ") + "\nState initial_state() noexcept;\n\n";
+}
+
 /// The file name without its directories: the same text wherever the model lies.
 std::string base_name(const std::string& path) {
   const std::size_t slash = path.find_last_of("/\\");
@@ -133,6 +138,19 @@ std::vector<NumberMember> output_members(const EmitContext& context) {
   return members;
 }
 
+std::string state_comment(const EmitContext& context) {
+  return context.initial ? "/// Everything that changes in time. Start from `State state = initial_state();`."
+                         : "/// Everything that changes in time. Start from `State state{};` and assemble it.";
+}
+
+std::string start_text() {
+  return "The state that the model starts from: its \"initial\" with loops closed and velocities consistent, worked "
+         "out by "
+         "mbgen at the default parameters and inputs. At others assemble it; a static equilibrium is then not looked "
+         "for "
+         "again.";
+}
+
 std::string banner_text(const Model& model, const std::string& mark) {
   return mark + " " + comment_text(model.name) + ", content hash " + model.hash + "\n" + mark +
          " Made by `mbgen generate " + comment_text(base_name(model.file)) + "`, mbgen " + kMbgenVersion +
@@ -165,6 +183,8 @@ std::string interface_text(const EmitContext& context) {
                         {"input_rows", inputs.rows},
                         {"dynamics_comment", inputs.dynamics_comment},
                         {"step_start", inputs.member},
+                        {"state_comment", state_comment(context)},
+                        {"initial_state", initial_declaration(context)},
                         {"output_struct", structure("Outputs", output_members(context), context.scalar)},
                         {"scalar", context.scalar},
                         {"auxiliary_size", size_text(context.layout.auxiliary_states)},

@@ -2,8 +2,10 @@
 // The files that people read first: the interface of a solver, its manifest and its build file.
 
 #include <nlohmann/json_fwd.hpp>
+#include <optional>
 #include <string>
 
+#include "compiler/emit/emit.hpp"
 #include "compiler/emit/layout.hpp"
 #include "compiler/emit/names.hpp"
 
@@ -17,14 +19,21 @@ struct EmitContext {
   const Analysis& analysis;
   SolverNames names;
   SolverLayout layout;
-  std::size_t roll_above = kRollAbove;  ///< see EmitOptions
-  int lanes = 0;                        ///< of the batch interface, 0 for none
-  bool c_interface = false;             ///< whether there is one
-  std::string scalar = "double";        ///< of the solver: double or float
+  std::size_t roll_above = kRollAbove;       ///< see EmitOptions
+  int lanes = 0;                             ///< of the batch interface, 0 for none
+  bool c_interface = false;                  ///< whether there is one
+  std::string scalar = "double";             ///< of the solver: double or float
+  std::optional<InitialState> initial = {};  ///< where it starts, if it is to know
 };
 
 /// First lines of every emitted file, each after `mark` ("//" or "#"): model, content hash, command, mbgen version.
 std::string banner_text(const Model& model, const std::string& mark);
+
+/// Comment of struct State: how one starts, as the solver knows its start or does not.
+std::string state_comment(const EmitContext& context);
+
+/// What initial_state() gives, for comments.
+std::string start_text();
 
 /// `<model>.hpp`.
 std::string interface_text(const EmitContext& context);

@@ -184,6 +184,21 @@ void check_residual_order(const EmitContext& context) {
   }
 }
 
+/// initial_state(), or nothing. Copied number by number, as a bare target may have no memcpy.
+std::string initial_definition(const EmitContext& context) {
+  if (!context.initial) return "";
+  const InitialState& initial = *context.initial;
+  std::string text = "State initial_state() noexcept {\n  static constexpr State start = {\n";
+  for (const std::vector<double>* values : {&initial.z, &initial.zd, &initial.x}) {
+    Items items = number_texts(*values, context.scalar);
+    if (items.empty()) items.push_back(number_text(0, context.scalar));
+    constexpr std::size_t kIndent = 7;  // after the brace
+    text += "      {" + wrapped_list(items, kIndent).substr(kIndent) + "},\n";
+  }
+  return text +
+         "      0.0};\n  State state;\n  mbgen::integrator_detail::copy_state(start, state);\n  return state;\n}\n\n";
+}
+
 }  // namespace
 
 std::string system_text(const EmitContext& context, const std::string& members, const std::string& scalar) {
@@ -220,6 +235,7 @@ std::string solver_text(const EmitContext& context) {
                                          {"outputs_call", outputs_call(context)},
                                          {"system", system},
                                          {"advance_inputs", inputs.definition},
+                                         {"initial_state", initial_definition(context)},
                                          {"inputs_now", inputs.now},
                                          {"inputs", inputs.name},
                                          {"start", inputs.start}});

@@ -8,7 +8,7 @@ int main() {
   const pendulum::Parameters parameters;
   pendulum::Inputs inputs;
   inputs.torque = 0.2;
-  pendulum::State state{};
+  pendulum::State state = pendulum::initial_state();
   state.z[pendulum::Coordinate::hinge] = 0.698;
   for (int i = 1; i <= 2000; ++i) {
     const mbgen::Status status = pendulum::step_rk4(parameters, inputs, state, kStep);

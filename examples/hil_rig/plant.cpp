@@ -1,25 +1,8 @@
 #include "plant.hpp"
 
-#include "coach_rig_c.h"
-
 namespace hil_rig {
 
 namespace {
-
-// The C interface knows the static equilibrium that mbgen found.
-bool read_initial_state(coach_rig::State& state) noexcept {
-  alignas(64) unsigned char memory[16384];
-  if (coach_rig_size() > sizeof memory || coach_rig_alignment() > 64) return false;
-  const coach_rig_solver* solver = coach_rig_initialise(memory, sizeof memory);
-  if (solver == nullptr) return false;
-  coach_rig_state initial;
-  coach_rig_get_state(solver, &initial);
-  std::copy(std::begin(initial.z), std::end(initial.z), state.z);
-  std::copy(std::begin(initial.zd), std::end(initial.zd), state.zd);
-  std::copy(std::begin(initial.x), std::end(initial.x), state.x);
-  state.t = initial.t;
-  return true;
-}
 
 mbgen::Status evaluate(Plant& plant) noexcept {
   constexpr double kNoForces[coach_rig::kCoordinates] = {};
@@ -34,7 +17,7 @@ mbgen::Status evaluate(Plant& plant) noexcept {
 
 mbgen::Status start(Plant& plant) noexcept {
   plant = {};
-  if (!read_initial_state(plant.state)) return {mbgen::Code::no_equilibrium, -1};
+  plant.state = coach_rig::initial_state();
   const mbgen::Status status = coach_rig::assemble(plant.parameters, plant.inputs, plant.state);
   return status.ok() ? evaluate(plant) : status;
 }

@@ -16625,6 +16625,19 @@ struct System {
 
 }  // namespace
 
+State initial_state() noexcept {
+  static constexpr State start = {
+      {0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0,
+       0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0},
+      {0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0,
+       0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0},
+      {0.0},
+      0.0};
+  State state;
+  mbgen::integrator_detail::copy_state(start, state);
+  return state;
+}
+
 mbgen::Status assemble(const Tuned& parameters, const Inputs& inputs, State& state) noexcept {
   return mbgen::project_state<System>(parameters, inputs, state);
 }

@@ -109,7 +109,7 @@ using Tuned = Parameters;
 struct Inputs {
 };
 
-/// Everything that changes in time. Start from `State state{};` and assemble it.
+/// Everything that changes in time. Start from `State state = initial_state();`.
 struct State {
   double z[kCoordinates];  ///< coordinates: rad or m, see kCoordinateUnits
   double zd[kCoordinates];  ///< their velocities
@@ -143,6 +143,11 @@ struct ClosureResidual {
   double largest_position;  ///< largest absolute value
   double largest_velocity;
 };
+
+/// The state that the model starts from: its "initial" with loops closed and velocities consistent,
+/// worked out by mbgen at the default parameters and inputs. At others assemble it; a static
+/// equilibrium is then not looked for again.
+State initial_state() noexcept;
 
 /// Closes all loops by Newton from the state as a guess, sets driven coordinates to their motions
 /// and makes the velocities consistent. Independent coordinates keep their positions and

@@ -213,6 +213,17 @@ int main() {
       all[3].state.zd[random_bits() % kCoordinates] = 1e200;
     });
   }
+  // Every lane starts where the scalar solver does.
+  const solver::State start = solver::initial_state();
+  const batch::State starts = batch::initial_state();
+  for (int lane = 0; lane < kLanes; ++lane) {
+    const solver::State one = lane_of(starts, lane);
+    for (int i = 0; i < kCoordinates; ++i) {
+      if (one.z[i] == start.z[i] && one.zd[i] == start.zd[i]) continue;
+      std::printf("lane %d starts elsewhere\n", lane);
+      ++failures;
+    }
+  }
   // A step that is none changes nothing.
   static Batch lanes;
   if (step_rk4(lanes.parameters, lanes.inputs, lanes.state, 0)[kLanes - 1].code != mbgen::Code::step_invalid) {

@@ -1,18 +1,11 @@
 // The run of check.c by the solver itself, printed alike.
 
 #include <cstdio>
-#include <cstdlib>
 
 #include "four_bar.hpp"
-#include "four_bar_c.h"
 
 int main() {
-  four_bar_state start;
-  void* memory = std::malloc(four_bar_size());
-  four_bar_get_state(four_bar_initialise(memory, four_bar_size()), &start);
-  std::free(memory);
-  four_bar::State state{};
-  for (int i = 0; i < four_bar::kCoordinates; ++i) state.z[i] = start.z[i], state.zd[i] = start.zd[i];
+  four_bar::State state = four_bar::initial_state();
   four_bar::Parameters parameters;
   four_bar::Inputs inputs;
   if (!four_bar::assemble(parameters, inputs, state).ok()) return 1;

@@ -30,7 +30,7 @@ Compilation named_pendulum(const std::string& name, const std::string& unit, con
 std::string calibration_of(const Compilation& compilation) {
   const InitialState start{{0}, {0}, {}};
   for (const EmittedFile& file :
-       emit(compilation, {.runtime_headers = false, .c_interface = start, .calibration = true})) {
+       emit(compilation, {.runtime_headers = false, .initial = start, .c_interface = true, .calibration = true})) {
     if (file.path.ends_with(".a2l")) return file.text;
   }
   throw std::runtime_error("no calibration file");
