@@ -15,28 +15,42 @@
 #include "compiler/cli/host_compiler.hpp"
 #include "compiler/cli/initial_state.hpp"
 #include "compiler/cli/json_text.hpp"
+#include "compiler/cli/notes.hpp"
 #include "compiler/cli/options.hpp"
 #include "compiler/cli/own_directory.hpp"
 #include "compiler/cli/user_error.hpp"
 #include "compiler/cli/zip_archive.hpp"
 #include "compiler/compile.hpp"
+#include "compiler/drawing/drawing.hpp"
+#include "compiler/emit/fmu_variables.hpp"
 
 namespace mbgen::cli {
 namespace {
 
 namespace fs = std::filesystem;
 
-#if defined(__x86_64__)
 // Of the processors since 2013: with the same rounded products as the solver has on this machine.
 constexpr const char* kProcessor = "-march=x86-64-v3";
-constexpr const char* kDirectory[] = {"linux64", "x86_64-linux"};
+
+/// Where a library runs. name: FMI 3's, directory: FMI 2's.
+struct Platform {
+  const char *name, *directory, *suffix, *processor, *compiler, *variable, *package;
+};
+constexpr Platform kPlatforms[] = {
+    {"x86_64-linux", "linux64", ".so", kProcessor, "x86_64-linux-gnu-g++", "CXX_x86_64_linux", "g++-x86-64-linux-gnu"},
+    {"aarch64-linux", "aarch64-linux", ".so", "", "aarch64-linux-gnu-g++", "CXX_aarch64_linux",
+     "g++-aarch64-linux-gnu"},
+    {"x86_64-windows", "win64", ".dll", kProcessor, "x86_64-w64-mingw32-g++", "CXX_x86_64_windows",
+     "g++-mingw-w64-x86-64"}};
+#if defined(__x86_64__)
+constexpr const char* kThisPlatform = "x86_64-linux";
 #else
-constexpr const char* kProcessor = "";
-constexpr const char* kDirectory[] = {"aarch64-linux", "aarch64-linux"};
+constexpr const char* kThisPlatform = "aarch64-linux";
 #endif
 
 struct ExportOptions {
   std::string model, form, file, depfile;
+  std::vector<std::string> platforms;
   int version = 0;
   bool sources_only = false, json = false;
 };
@@ -55,33 +69,93 @@ void write_sources(const fs::path& directory, const std::vector<EmittedFile>& fi
   for (const EmittedFile& file : files) fs::permissions(directory / file.path, kReadable);
 }
 
-/// Compiles the sources into a library that exports the functions of FMI and imports none but libm's.
-void compile_library(const fs::path& scratch, const fs::path& content, const FmuFiles& files, const fs::path& library) {
-  const fs::path exported = scratch / "bare" / "exported";
-  HostCompiler compiler = find_compiler(scratch, kProcessor, 0);
+HostCompiler compiler_for(const Platform& platform, const fs::path& scratch) {
+  if (platform.name == std::string_view(kThisPlatform)) return find_compiler(scratch, platform.processor, 0);
+  HostCompiler compiler =
+      find_cross_compiler(scratch, {platform.name, platform.compiler, platform.variable, platform.package,
+                                    fmt::format("or leave {} out of --platform", platform.name)});
+  if (*platform.processor != 0) compiler.flags.emplace_back(platform.processor);
+  return compiler;
+}
+
+/// What links a library that exports the functions of FMI and imports those of the C library alone; of Windows, those
+/// of msvcrt.dll and kernel32.dll.
+std::vector<std::string> link_flags(const Platform& platform, const fs::path& exported) {
+  if (platform.suffix == std::string_view(".dll")) return {"-shared", "-static", "-Wl,--no-insert-timestamp", "-s"};
+  return {"-shared",
+          "-nostartfiles",
+          "-nodefaultlibs",
+          "-Wl,--no-undefined",
+          "-Wl,--build-id=none",
+          "-Wl,--version-script=" + exported.string(),
+          "-s"};
+}
+
+/// Compiles the sources into a library.
+void compile_library(const Platform& platform, const fs::path& scratch, const fs::path& content, const FmuFiles& files,
+                     const fs::path& library) {
+  const bool is_windows = platform.suffix == std::string_view(".dll");
+  const fs::path objects = scratch / platform.name, exported = objects / "exported";
+  fs::create_directories(objects);
+  HostCompiler compiler = compiler_for(platform, objects);
   compiler.flags.insert(compiler.flags.end(),
-                        {"-fPIC", "-fvisibility=hidden", "-fno-stack-protector", "-DFMI2_OVERRIDE_FUNCTION_PREFIX"});
+                        {"-fvisibility=hidden", "-fno-stack-protector", "-DFMI2_OVERRIDE_FUNCTION_PREFIX"});
+  if (!is_windows) compiler.flags.emplace_back("-fPIC");
   write_sources(scratch / "include", files.headers);
-  write_sources(scratch / "bare", {files.bare, {exported.filename(), "{ global: fmi[23]*; local: *; };\n"}});
-  std::vector<fs::path> sources = {scratch / "bare" / files.bare.path};
-  for (const std::string& source : files.sources) sources.push_back(content / "sources" / source);
+  write_sources(objects, {{exported.filename(), "{ global: fmi[23]*; local: *; };\n"}});
   std::vector<Command> compilations;
-  Command link{compiler.words, scratch / "link.log"};
-  link.arguments.insert(link.arguments.end(),
-                        {"-shared", "-nostartfiles", "-nodefaultlibs", "-Wl,--no-undefined", "-Wl,--build-id=none",
-                         "-Wl,--version-script=" + exported.string(), "-s", "-o", library.string()});
-  for (const fs::path& source : sources) {
-    const std::string object = (scratch / source.filename()).string() + ".o";
+  Command link{compiler.words, objects / "link.log"};
+  const std::vector<std::string> flags = link_flags(platform, exported);
+  link.arguments.insert(link.arguments.end(), flags.begin(), flags.end());
+  link.arguments.insert(link.arguments.end(), {"-o", library.string()});
+  for (const std::string& source : files.sources) {
+    const std::string object = (objects / source).string() + ".o";
     Command compilation{compilation_of(compiler, {content / "sources", scratch / "include"}), object + ".log"};
-    compilation.arguments.insert(compilation.arguments.end(), {"-c", source.string(), "-o", object});
-    if (source.filename() == files.large) compilation.arguments.push_back("-O1");
+    compilation.arguments.insert(compilation.arguments.end(),
+                                 {"-c", (content / "sources" / source).string(), "-o", object});
+    if (source == files.large) compilation.arguments.push_back("-O1");
     compilations.push_back(std::move(compilation));
     link.arguments.push_back(object);
   }
-  link.arguments.insert(link.arguments.end(), {"-Wl,--as-needed", "-lm", "-lgcc"});
+  if (!is_windows) link.arguments.insert(link.arguments.end(), {"-Wl,--as-needed", "-lm", "-lc", "-lgcc"});
   run_all(compilations);
   run_all({link});
   fs::permissions(library, kReadable | fs::perms::owner_exec | fs::perms::group_exec | fs::perms::others_exec);
+}
+
+/// Libraries for the platforms that are asked for. Result: their entries of the archive.
+std::vector<std::string> compile_libraries(const ExportOptions& options, const fs::path& scratch,
+                                           const fs::path& content, const FmuFiles& files) {
+  std::vector<std::string> entries;
+  for (const Platform& platform : kPlatforms) {
+    const auto& asked = options.platforms;
+    if (std::find(asked.begin(), asked.end(), platform.name) == asked.end()) continue;
+    const fs::path binary = fs::path("binaries") / (options.version == 2 ? platform.directory : platform.name) /
+                            (files.identifier + platform.suffix);
+    fs::create_directories((content / binary).parent_path());
+    compile_library(platform, scratch, content, files, content / binary);
+    entries.push_back(binary.string());
+  }
+  return entries;
+}
+
+/// Says what an FMU calls otherwise than the model, since names there are of one list.
+Diagnostics renamed_notes(const Model& model) {
+  Diagnostics notes;
+  const auto note = [&](const auto& one, const std::string& name, const char* kind) {
+    if (name == one.name) return;
+    notes.push_back(
+        {one.where,
+         fmt::format("{} \"{}\" is \"{}\" in the FMU, where another variable has that name", kind, one.name, name),
+         {},
+         {}});
+  };
+  for (const Parameter& one : model.parameters) {
+    if (one.tunable || one.at_start) note(one, fmu_parameter_name(one.name), "parameter");
+  }
+  for (const Input& one : model.inputs) note(one, fmu_input_name(one.name), "input");
+  for (const Output& one : model.outputs) note(one, fmu_output_name(model, one.name), "output");
+  return notes;
 }
 
 /// A zip archive of these entries: the same bytes for the same files, whenever it is made.
@@ -99,6 +173,8 @@ void pack(const fs::path& scratch, const fs::path& content, std::vector<std::str
 int run(const ExportOptions& options) {
   const Compilation compilation = expect(compile(options.model, chosen_form(options.form)));
   require_other_file(options.file, compilation.model.files);
+  print_notes(compilation.model.notes);
+  print_notes(renamed_notes(compilation.model));
   const FmiVersion version = options.version == 2 ? FmiVersion::two : FmiVersion::three;
   const FmuFiles files = emit_fmu(compilation, default_initial_state(compilation), version);
 
@@ -109,12 +185,13 @@ int run(const ExportOptions& options) {
   write_sources(content, files.packed);
   std::vector<std::string> entries;
   for (const EmittedFile& packed : files.packed) entries.push_back(packed.path);
+  const EmittedFile icon{options.version == 2 ? "model.png" : "terminalsAndIcons/icon.png",
+                         icon_png(compilation.model)};
+  write_sources(content, {icon});
+  entries.push_back(icon.path);
   if (!options.sources_only) {
-    const fs::path binary =
-        fs::path("binaries") / kDirectory[options.version == 2 ? 0 : 1] / (files.identifier + ".so");
-    fs::create_directories((content / binary).parent_path());
-    compile_library(scratch.path(), content, files, content / binary);
-    entries.push_back(binary.string());
+    for (std::string& binary : compile_libraries(options, scratch.path(), content, files))
+      entries.push_back(std::move(binary));
   }
   pack(scratch.path(), content, entries, scratch.path() / "packed.zip");
   file.write(without_circumstances(read_text(scratch.path() / "packed.zip")));
@@ -136,12 +213,24 @@ void add_export(CLI::App& application, int& exit_code) {
   CLI::App* command = application.add_subcommand("export", "write a Functional Mock-up Unit of a model");
   command->footer(
       "Example: mbgen export models/coach_rig.json --fmi 3 -o coach_rig.fmu\n"
-      "The unit has co-simulation and model exchange, a library for this kind of machine, and its sources.");
+      "         mbgen export models/coach_rig.json --fmi 2 --platform x86_64-linux,x86_64-windows -o coach_rig.fmu\n"
+      "The unit has co-simulation and model exchange, a library for this kind of machine or those of --platform, and "
+      "its\n"
+      "sources.");
   add_model_argument(*command, options->model);
   command->add_option("--fmi", options->version, "version of the Functional Mock-up Interface: 2 or 3")
       ->required()
       ->check(CLI::IsMember(std::vector<int>{2, 3}));
   command->add_option("-o,--out", options->file, "the FMU")->required();
+  std::vector<std::string> names;
+  for (const Platform& platform : kPlatforms) names.emplace_back(platform.name);
+  options->platforms = {kThisPlatform};
+  command
+      ->add_option("--platform", options->platforms,
+                   "machines that the unit has libraries for, by default this kind: x86_64-linux, aarch64-linux, "
+                   "x86_64-windows")
+      ->delimiter(',')
+      ->check(CLI::IsMember(names));
   command->add_flag("--sources-only", options->sources_only, "leave the library out; needs no compiler");
   add_depfile_option(*command, options->depfile);
   add_form_option(*command, options->form);

@@ -24,25 +24,32 @@ constexpr std::size_t kMessageTail = 2000;  // characters of the compiler's mess
 
 }  // namespace
 
-HostCompiler find_compiler(const std::filesystem::path& scratch, const std::string& processor,
-                           [[maybe_unused]] int lanes) {
+HostCompiler find_cross_compiler(const std::filesystem::path& scratch, const CrossTarget& target) {
   HostCompiler compiler;
-  const char* chosen = std::getenv("CXX");
+  const char* chosen = std::getenv(target.variable.c_str());
   compiler.words = split_words(chosen == nullptr ? "" : chosen);
-  if (compiler.words.empty()) compiler.words = {"c++"};
+  if (compiler.words.empty()) compiler.words = {target.compiler};
   std::vector<std::string> question = compiler.words;
   question.push_back("--version");
   const std::filesystem::path answer = scratch / "version";
   if (run_side_by_side({{question, answer}})[0] != 0) {
-    throw UserError(
-        fmt::format("no C++ compiler: `{}` does not run; install one (apt-get install g++), name it in the "
-                    "environment variable CXX, or do without: --engine generic, generate without --measure, "
-                    "export --sources-only\n",
-                    fmt::join(compiler.words, " ")));
+    throw UserError(fmt::format(
+        "no C++ compiler{}{}: `{}` does not run; install one (apt-get install {}), name it in the environment "
+        "variable {}, {}\n",
+        target.platform.empty() ? "" : " for ", target.platform, fmt::join(compiler.words, " "), target.package,
+        target.variable, target.otherwise));
   }
   compiler.version = read_text(answer);
   compiler.is_clang = compiler.version.find("clang") != std::string::npos;
   compiler.flags = solver_compile_flags(compiler.is_clang ? CompilerFamily::clang : CompilerFamily::gnu);
+  return compiler;
+}
+
+HostCompiler find_compiler(const std::filesystem::path& scratch, const std::string& processor,
+                           [[maybe_unused]] int lanes) {
+  HostCompiler compiler = find_cross_compiler(
+      scratch,
+      {"", "c++", "CXX", "g++", "or do without: --engine generic, generate without --measure, export --sources-only"});
 #if defined(__x86_64__)
   if (!compiler.is_clang && lanes > 0) {
     for (std::string& flag : lane_flags_of_gnu_on_x86()) compiler.flags.push_back(std::move(flag));

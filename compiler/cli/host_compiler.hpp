@@ -16,6 +16,18 @@ struct HostCompiler {
   bool is_clang = false;
 };
 
+/// A machine that a compiler here can compile for.
+struct CrossTarget {
+  std::string platform;   ///< "" for this machine
+  std::string compiler;   ///< its command
+  std::string variable;   ///< of the environment, for another command
+  std::string package;    ///< of Debian, that has it
+  std::string otherwise;  ///< what one can do without
+};
+
+/// The compiler for a target. scratch: a directory for its answer. Fails: UserError when it does not run.
+HostCompiler find_cross_compiler(const std::filesystem::path& scratch, const CrossTarget& target);
+
 /// $CXX, or c++. scratch: a directory for its answer; processor: a flag like "-march=native", "" for none; lanes: as
 /// the solver has them. Fails: UserError when it does not run.
 HostCompiler find_compiler(const std::filesystem::path& scratch, const std::string& processor, int lanes);

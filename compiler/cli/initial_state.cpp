@@ -10,6 +10,7 @@
 #include "compiler/cli/loop_openings.hpp"
 #include "compiler/cli/options.hpp"
 #include "compiler/cli/user_error.hpp"
+#include "compiler/model/evaluate.hpp"
 
 namespace mbgen::cli {
 namespace {
@@ -153,9 +154,68 @@ GenericState initial_state(const Compilation& compilation, const std::vector<dou
   return initial_start(compilation, inputs).state;
 }
 
+namespace {
+
+/// Parameters at their values, one of them moved.
+struct MovedParameter {
+  const Model& model;
+  int moved = -1;
+  double by = 0;
+  double parameter(int index) const {
+    return model.parameters[static_cast<std::size_t>(index)].value + (index == moved ? by : 0);
+  }
+  double input(int) const { return 0; }
+  double time() const { return 0; }
+  double position(const CoordinateReference&) const { return 0; }
+  double velocity(const CoordinateReference&) const { return 0; }
+  double local(int) const { return 0; }
+};
+
+/// Change of the velocities at the start when a parameter that acts there is moved.
+std::vector<double> change_of_start(const Compilation& compilation, const GenericSolver& solver,
+                                    const GenericState& start, int parameter, double by) {
+  const std::vector<InitialValue>& values = compilation.model.initial.velocities;
+  std::vector<Wish> wishes = wishes_of(compilation, values);
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    if (values[i].expression < 0) continue;
+    const Expression& expression = compilation.model.expressions[static_cast<std::size_t>(values[i].expression)];
+    wishes[i].value = evaluate<double>(expression, MovedParameter{compilation.model, parameter, by});
+  }
+  GenericState state = start;
+  set_velocities(compilation, solver, wishes, state);
+  for (std::size_t i = 0; i < state.zd.size(); ++i) state.zd[i] -= start.zd[i];
+  return state.zd;
+}
+
+std::vector<StartParameter> start_parameters(const Compilation& compilation, const GenericState& start) {
+  std::vector<StartParameter> result;
+  GenericSolver solver(compilation.model, compilation.topology, compilation.analysis);
+  solver.set_inputs(input_values(compilation.model, {}));
+  for (std::size_t i = 0; i < compilation.model.parameters.size(); ++i) {
+    const Parameter& parameter = compilation.model.parameters[i];
+    if (!parameter.at_start) continue;
+    const int index = static_cast<int>(i);
+    StartParameter one{index, change_of_start(compilation, solver, start, index, 1)};
+    const std::vector<double> twice = change_of_start(compilation, solver, start, index, 2);
+    for (std::size_t c = 0; c < twice.size(); ++c) {
+      if (std::abs(twice[c] - 2 * one.zd[c]) <= kKept * std::max(1.0, std::abs(one.zd[c]))) continue;
+      throw UserError(
+          Diagnostics{{parameter.where,
+                       fmt::format("parameter \"{}\" does not act linearly on the velocity of {} at the start",
+                                   parameter.name, compilation.topology.bodies[c].coordinate),
+                       "ask for velocities that fit together, or leave out its \"at_start\"", ""}});
+    }
+    result.push_back(std::move(one));
+  }
+  return result;
+}
+
+}  // namespace
+
 InitialState default_initial_state(const Compilation& compilation) {
   GenericState state = noted_initial_state(compilation, input_values(compilation.model, {}));
-  return {std::move(state.z), std::move(state.zd), std::move(state.x)};
+  std::vector<StartParameter> parameters = start_parameters(compilation, state);
+  return {std::move(state.z), std::move(state.zd), std::move(state.x), std::move(parameters)};
 }
 
 }  // namespace mbgen::cli

@@ -1,5 +1,5 @@
 #pragma once
-// The door of the drawing room: pictures as SVG text, the same bytes for the same arguments.
+// The door of the drawing room: pictures as SVG text or PNG bytes, the same for the same arguments.
 
 #include <string>
 #include <vector>
@@ -37,5 +37,8 @@ struct PlotSize {
 /// Curves over time (s, increasing), panels below each other with one time axis; ticks at 1, 2 or 5 times a power of
 /// ten. Curves of many points are drawn with what shows at this size: the extremes of each column of pixels.
 std::string plot_svg(const std::vector<double>& time, const std::vector<Panel>& panels, const PlotSize& size = {});
+
+/// A mechanism at its reference configuration, seen along the axis in which it is thinnest: a grey PNG of 128 x 128.
+std::string icon_png(const Model& model);
 
 }  // namespace mbgen

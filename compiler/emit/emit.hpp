@@ -22,9 +22,16 @@ struct EmittedFile {
   std::string text;
 };
 
+/// A parameter that acts at the start, and what the velocities there change by its change of 1.
+struct StartParameter {
+  int parameter = -1;  ///< index into Model::parameters
+  std::vector<double> zd;
+};
+
 /// Where solvers start: loops closed, velocities consistent.
 struct InitialState {
   std::vector<double> z, zd, x;
+  std::vector<StartParameter> parameters = {};
 };
 
 struct EmitOptions {

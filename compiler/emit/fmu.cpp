@@ -2,7 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <limits>
+
 #include "compiler/emit/directional_text.hpp"
+#include "compiler/emit/fmu_documentation.hpp"
 #include "compiler/emit/input_text.hpp"
 #include "compiler/emit/text.hpp"
 #include "compiler/model/inputs.hpp"
@@ -33,6 +36,37 @@ std::vector<int> input_derivatives(const Model& model) {
   return derivatives;
 }
 
+std::string start_text(const Model& model, const InitialState& initial) {
+  std::vector<double> values, rates;
+  for (const StartParameter& one : initial.parameters) {
+    values.push_back(model.parameters[static_cast<std::size_t>(one.parameter)].value);
+    rates.insert(rates.end(), one.zd.begin(), one.zd.end());
+  }
+  return numbers("kStartParameter", values) + numbers("kStartRate", rates);
+}
+
+/// Ranges of what can be set.
+std::vector<std::string> ranges(const FmuLayout& fmu) {
+  constexpr double kMost = std::numeric_limits<double>::max();
+  std::vector<std::string> items;
+  for (std::size_t i = 0; i < fmu.variables.size(); ++i) {
+    const FmuVariable& variable = fmu.variables[i];
+    const Presentation& shown = variable.shown;
+    const bool is_set =
+        variable.causality == FmuVariable::Causality::parameter || variable.causality == FmuVariable::Causality::input;
+    if (!is_set || (!shown.min && !shown.max)) continue;
+    items.push_back(fmt::format("{{{}, {}, {}}}", i, number_text(shown.min.value_or(-kMost)),
+                                number_text(shown.max.value_or(kMost))));
+  }
+  return items;
+}
+
+std::string names_text(const FmuLayout& fmu) {
+  std::vector<std::string> names;
+  for (const FmuVariable& variable : fmu.variables) names.push_back('"' + variable.name + '"');
+  return array_text("  static constexpr const char* kNames", names, "");
+}
+
 std::string model_text(const EmitContext& context, const FmuLayout& fmu, const InitialState& initial) {
   const SolverLayout& layout = context.layout;
   const auto truth = [](bool value) { return value ? "true" : "false"; };
@@ -57,11 +91,16 @@ std::string model_text(const EmitContext& context, const FmuLayout& fmu, const I
        {"input_derivatives", integers("kInputDerivative", input_derivatives(context.model))},
        {"undriven_count", std::to_string(fmu.undriven.size())},
        {"undriven", integers("kUndriven", fmu.undriven)},
+       {"start_parameter_count", std::to_string(initial.parameters.size())},
+       {"start_parameters", start_text(context.model, initial)},
        {"initial_state",
         numbers("kInitialZ", initial.z) + numbers("kInitialZd", initial.zd) + numbers("kInitialX", initial.x)},
        {"members", members("Parameters", "kParameterMember", parameter_members(context)) +
                        members("Inputs", "kInputMember", input_members(context)) +
                        members("Outputs", "kOutputMember", output_members(context))},
+       {"range_count", std::to_string(ranges(fmu).size())},
+       {"ranges", array_text("  static constexpr mbgen::fmu::Range kRange", ranges(fmu), "{}")},
+       {"names", names_text(fmu)},
        {"step", context.model.solver.is_multistep() ? "step_abm4(parameters, inputs, state, history, h)"
                                                     : "step_rk4(parameters, inputs, state, h)"},
        {"advanced", inputs_have_derivatives(context.model.inputs)
@@ -112,12 +151,13 @@ FmuFiles emit_fmu(const Programs& programs, const Programs& emitted, const Model
   files.sources = {solver + ".cpp", solver + "_directional.cpp", solver + functions};
   files.large = solver + "_directional.cpp";
   add_runtime_headers(sources);
-  if (version == FmiVersion::three)
-    sources.push_back({"buildDescription.xml", build_description(context, files.sources)});
+  sources.push_back({"buildDescription.xml", build_description(context, version, files.sources)});
   for (EmittedFile& file : sources) files.packed.push_back({"sources/" + file.path, std::move(file.text)});
   files.packed.push_back({"modelDescription.xml", model_description(context, fmu, version, files.sources)});
+  files.packed.push_back({"documentation/index.html", documentation(context, fmu, version)});
+  if (version == FmiVersion::three)
+    files.packed.push_back({"terminalsAndIcons/terminalsAndIcons.xml", terminals_and_icons(fmu)});
   files.headers = standard_headers(version);
-  files.bare = embedded("fmu_bare.cpp");
   return files;
 }
 

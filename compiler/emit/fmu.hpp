@@ -16,7 +16,6 @@ struct FmuFiles {
   std::vector<EmittedFile> headers;  ///< the standard's, for compiling here; importers have their own
   std::vector<std::string> sources;  ///< files of sources/ that are compiled
   std::string large;                 ///< the one of them that is large, and called too seldom to be made fast
-  EmittedFile bare;                  ///< source of what compilers call for copies, for a library that imports only libm
 };
 
 /// programs: after the passes, with all that depends on parameters; emitted: as they are emitted. initial: the model's,

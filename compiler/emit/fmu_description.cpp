@@ -6,23 +6,13 @@
 #include <algorithm>
 
 #include "compiler/emit/text.hpp"
-#include "compiler/emit/unit_exponents.hpp"
+#include "compiler/model/unit_exponents.hpp"
 
 namespace mbgen {
 namespace {
 
 using Causality = FmuVariable::Causality;
 using Start = FmuVariable::Start;
-
-/// A text as the value of an attribute.
-std::string xml(const std::string& text) {
-  std::string result;
-  for (const char c : comment_text(text)) {
-    const char* escaped = c == '&' ? "&amp;" : c == '<' ? "&lt;" : c == '>' ? "&gt;" : c == '"' ? "&quot;" : nullptr;
-    result += escaped == nullptr ? std::string(1, c) : escaped;
-  }
-  return result;
-}
 
 std::string base_unit(const UnitExponents& unit) {
   constexpr const char* kNames[] = {"kg", "m", "s", "A", "K", "mol", "cd", "rad"};
@@ -34,16 +24,31 @@ std::string base_unit(const UnitExponents& unit) {
   return text + "/>\n";
 }
 
+/// Units that values are shown in, of this one: shown = value * factor.
+std::string display_units(const UnitExponents& base, const std::set<std::string>& shown) {
+  std::string text;
+  for (const std::string& name : shown) {
+    const std::optional<UnitExponents> meaning = unit_exponents(name);
+    if (!meaning) continue;
+    text += fmt::format("      <DisplayUnit name=\"{}\" factor=\"{}\"/>\n", xml_text(name),
+                        number_text(base.factor / meaning->factor));
+  }
+  return text;
+}
+
 std::string unit_definitions(const FmuLayout& fmu) {
-  std::set<std::string> units;
+  std::map<std::string, std::set<std::string>> units;
   for (const FmuVariable& variable : fmu.variables) {
-    if (!variable.unit.empty()) units.insert(variable.unit);
+    if (variable.unit.empty()) continue;
+    std::set<std::string>& shown = units[variable.unit];
+    if (!variable.shown.display_unit.empty()) shown.insert(variable.shown.display_unit);
   }
   std::string text;
-  for (const std::string& unit : units) {
+  for (const auto& [unit, shown] : units) {
     const std::optional<UnitExponents> meaning = unit_exponents(unit);
-    text += meaning ? fmt::format("    <Unit name=\"{}\">\n{}    </Unit>\n", xml(unit), base_unit(*meaning))
-                    : fmt::format("    <Unit name=\"{}\"/>\n", xml(unit));
+    text += meaning ? fmt::format("    <Unit name=\"{}\">\n{}{}    </Unit>\n", xml_text(unit), base_unit(*meaning),
+                                  display_units(*meaning, shown))
+                    : fmt::format("    <Unit name=\"{}\"/>\n", xml_text(unit));
   }
   return text;
 }
@@ -56,14 +61,21 @@ const char* name_of(Causality causality) {
 /// ` variability="tunable" initial="exact"`, as the standard asks for it with this causality.
 std::string initial_text(const FmuVariable& variable) {
   constexpr const char* kNames[] = {"", "exact", "approx", "calculated"};
-  const char* variability = variable.causality == Causality::parameter ? "tunable" : "continuous";
+  const char* variability = variable.causality != Causality::parameter ? "continuous"
+                            : variable.is_fixed                        ? "fixed"
+                                                                       : "tunable";
   const std::string initial =
       variable.start == Start::none ? "" : fmt::format(" initial=\"{}\"", kNames[static_cast<int>(variable.start)]);
   return fmt::format(" variability=\"{}\"{}", variability, initial);
 }
 
 std::string unit_and_start(const FmuVariable& variable) {
-  std::string text = variable.unit.empty() ? "" : fmt::format(" unit=\"{}\"", xml(variable.unit));
+  const Presentation& shown = variable.shown;
+  std::string text = variable.unit.empty() ? "" : fmt::format(" unit=\"{}\"", xml_text(variable.unit));
+  if (!shown.display_unit.empty()) text += fmt::format(" displayUnit=\"{}\"", xml_text(shown.display_unit));
+  if (shown.min) text += fmt::format(" min=\"{}\"", number_text(*shown.min));
+  if (shown.max) text += fmt::format(" max=\"{}\"", number_text(*shown.max));
+  if (shown.nominal) text += fmt::format(" nominal=\"{}\"", number_text(*shown.nominal));
   const bool has_start =
       variable.start == Start::exact || variable.start == Start::approx || variable.causality == Causality::input;
   if (has_start) text += fmt::format(" start=\"{}\"", number_text(variable.value));
@@ -77,8 +89,8 @@ std::string variable_2(const FmuVariable& variable, std::size_t reference) {
   return fmt::format(
       "    <ScalarVariable name=\"{}\" valueReference=\"{}\" description=\"{}\" causality=\"{}\"{}>\n"
       "      <Real{}{}{}/>\n    </ScalarVariable>\n",
-      xml(variable.name), reference, xml(variable.description), name_of(variable.causality), initial_text(variable),
-      unit_and_start(variable), derivative, reinit);
+      xml_text(variable.name), reference, xml_text(variable.description), name_of(variable.causality),
+      initial_text(variable), unit_and_start(variable), derivative, reinit);
 }
 
 std::string variable_3(const FmuVariable& variable, std::size_t reference) {
@@ -86,7 +98,7 @@ std::string variable_3(const FmuVariable& variable, std::size_t reference) {
       variable.derivative_of < 0 ? "" : fmt::format(" derivative=\"{}\"", variable.derivative_of);
   const char* reinit = variable.reinit ? " reinit=\"true\"" : "";
   return fmt::format("    <Float64 name=\"{}\" valueReference=\"{}\" description=\"{}\" causality=\"{}\"{}{}{}{}/>\n",
-                     xml(variable.name), reference, xml(variable.description), name_of(variable.causality),
+                     xml_text(variable.name), reference, xml_text(variable.description), name_of(variable.causality),
                      initial_text(variable), unit_and_start(variable), derivative, reinit);
 }
 
@@ -120,7 +132,29 @@ std::string structure_3(const FmuLayout& fmu) {
          unknowns_text(fmu.initial_unknowns, "    <InitialUnknown", 0);
 }
 
+/// ` author="Eve"` and so on, what the model says of itself.
+std::string about_text(const About& about) {
+  std::string text;
+  for (const auto& [name, value] : {std::pair{"description", &about.description},
+                                    {"author", &about.author},
+                                    {"version", &about.version},
+                                    {"copyright", &about.copyright},
+                                    {"license", &about.licence}}) {
+    if (!value->empty()) text += fmt::format("\n    {}=\"{}\"", name, xml_text(*value));
+  }
+  return text;
+}
+
 }  // namespace
+
+std::string xml_text(std::string_view text) {
+  std::string result;
+  for (const char c : comment_text(text)) {
+    const char* escaped = c == '&' ? "&amp;" : c == '<' ? "&lt;" : c == '>' ? "&gt;" : c == '"' ? "&quot;" : nullptr;
+    result += escaped == nullptr ? std::string(1, c) : escaped;
+  }
+  return result;
+}
 
 std::string fmu_token(const Model& model) { return fmt::format("mbgen-{}-{}", kMbgenVersion, model.hash); }
 
@@ -132,7 +166,9 @@ std::string model_description(const EmitContext& context, const FmuLayout& fmu, 
   for (std::size_t i = 0; i < fmu.variables.size(); ++i)
     variables += is_two ? variable_2(fmu.variables[i], i) : variable_3(fmu.variables[i], i);
   for (const std::string& source : sources) files += fmt::format("      <File name=\"{}\"/>\n", source);
-  std::map<std::string, std::string> values = {{"name", xml(model.name)},
+  std::map<std::string, std::string> values = {{"about", about_text(model.about)},
+                                               {"tolerance", number_text(model.solver.tolerance)},
+                                               {"name", xml_text(model.name)},
                                                {"solver", context.names.solver},
                                                {"token", fmu_token(model)},
                                                {"version", kMbgenVersion},
@@ -145,10 +181,12 @@ std::string model_description(const EmitContext& context, const FmuLayout& fmu, 
   return fill_template(is_two ? "fmi2_description.xml.in" : "fmi3_description.xml.in", values);
 }
 
-std::string build_description(const EmitContext& context, const std::vector<std::string>& sources) {
+std::string build_description(const EmitContext& context, FmiVersion version, const std::vector<std::string>& sources) {
   std::string files;
   for (const std::string& source : sources) files += fmt::format("      <SourceFile name=\"{}\"/>\n", source);
-  return fill_template("fmi3_build.xml.in", {{"solver", context.names.solver}, {"sources", files}});
+  return fill_template(
+      "fmi_build.xml.in",
+      {{"solver", context.names.solver}, {"version", std::to_string(static_cast<int>(version))}, {"sources", files}});
 }
 
 }  // namespace mbgen

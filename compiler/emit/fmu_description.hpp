@@ -2,6 +2,7 @@
 // The XML files of an FMU.
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "compiler/emit/fmu_variables.hpp"
@@ -15,7 +16,10 @@ std::string fmu_token(const Model& model);
 std::string model_description(const EmitContext& context, const FmuLayout& fmu, FmiVersion version,
                               const std::vector<std::string>& sources);
 
-/// `sources/buildDescription.xml` of FMI 3.
-std::string build_description(const EmitContext& context, const std::vector<std::string>& sources);
+/// `sources/buildDescription.xml`, as FMI 3 has it; importers take it from units of FMI 2, too.
+std::string build_description(const EmitContext& context, FmiVersion version, const std::vector<std::string>& sources);
+
+/// A text between tags or as the value of an attribute.
+std::string xml_text(std::string_view text);
 
 }  // namespace mbgen

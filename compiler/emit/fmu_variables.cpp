@@ -13,7 +13,7 @@ using Start = FmuVariable::Start;
 
 /// First value reference of every group of slots.
 struct References {
-  int par = 1, in = 0, y = 0, z = 0, zd = 0, zdd = 0, x = 0, xd = 0, q = 0, qd = 0, qdd = 0;
+  int par = 1, in = 0, y = 0, z = 0, zd = 0, zdd = 0, x = 0, xd = 0, q = 0, qd = 0, qdd = 0, start = 0;
 };
 
 References references(const EmitContext& context, int chosen) {
@@ -28,6 +28,7 @@ References references(const EmitContext& context, int chosen) {
   first.q = first.xd + context.layout.auxiliary_states;
   first.qd = first.q + chosen;
   first.qdd = first.qd + chosen;
+  first.start = first.qdd + chosen;
   return first;
 }
 
@@ -35,19 +36,31 @@ bool contains(const std::vector<int>& list, int value) {
   return std::find(list.begin(), list.end(), value) != list.end();
 }
 
+constexpr const char* kTime = "time";
+
+/// What the model says of it, or else what it is.
+std::string described(const std::string& description, const std::string& otherwise) {
+  return description.empty() ? otherwise : description;
+}
+
+FmuVariable given_variable(const std::string& name, const std::string& unit, const std::string& what,
+                           Causality causality, Start start, double value, const Presentation& shown) {
+  return {name, unit, described(shown.description, what), causality, start, value, -1, shown};
+}
+
 void add_given(const EmitContext& context, FmuLayout& fmu) {
   const Model& model = context.model;
-  fmu.variables.push_back({"time", "s", "time", Causality::independent, Start::none});
+  fmu.variables.push_back({kTime, "s", "time", Causality::independent, Start::none});
   for (const Parameter& parameter : model.parameters) {
     if (!parameter.tunable) continue;
-    fmu.variables.push_back(
-        {parameter.name, parameter.unit, "tunable parameter", Causality::parameter, Start::exact, parameter.value});
+    fmu.variables.push_back(given_variable(fmu_parameter_name(parameter.name), parameter.unit, "tunable parameter",
+                                           Causality::parameter, Start::exact, parameter.value, parameter.shown));
   }
   const int first_input = static_cast<int>(fmu.variables.size());
   for (const Input& input : model.inputs) {
     const std::string rate = input.derivative < 0 ? "" : ", goes on by " + model.inputs[input.derivative].name;
-    fmu.variables.push_back(
-        {input.name, input.unit, "input" + rate, Causality::input, Start::none, input.default_value});
+    fmu.variables.push_back(given_variable(fmu_input_name(input.name), input.unit, "input" + rate, Causality::input,
+                                           Start::none, input.default_value, input.shown));
   }
   // Importers are told which inputs belong together; a derivative that inputs share is that of none.
   for (const std::vector<int>& row : input_rows(model.inputs)) {
@@ -58,11 +71,10 @@ void add_given(const EmitContext& context, FmuLayout& fmu) {
 }
 
 void add_outputs(const EmitContext& context, FmuLayout& fmu) {
-  const auto given = fmu.variables;
   for (const Output& output : context.model.outputs) {
-    const bool is_taken = std::any_of(given.begin(), given.end(), [&](const auto& v) { return v.name == output.name; });
-    fmu.variables.push_back({is_taken ? "y." + output.name : output.name, output.unit, "output of the model",
-                             Causality::output, Start::calculated});
+    fmu.variables.push_back(given_variable(fmu_output_name(context.model, output.name), output.unit,
+                                           "output of the model", Causality::output, Start::calculated, 0,
+                                           output.shown));
   }
   fmu.variables.push_back({"energy.kinetic", "J", "kinetic energy", Causality::output, Start::calculated});
   fmu.variables.push_back(
@@ -71,9 +83,43 @@ void add_outputs(const EmitContext& context, FmuLayout& fmu) {
       {"power.applied", "W", "power of all applied forces but gravity", Causality::output, Start::calculated});
 }
 
+/// Angles are shown in degrees.
+Presentation shown_as(FreedomKind kind, const char* per) {
+  Presentation shown;
+  if (kind == FreedomKind::revolute) shown.display_unit = std::string("deg") + per;
+  return shown;
+}
+
+/// Value references of the parameters that a velocity follows from at the start.
+std::set<int> acting_at_start(const InitialState& initial, const References& first, int coordinate) {
+  std::set<int> result;
+  for (std::size_t i = 0; i < initial.parameters.size(); ++i) {
+    if (initial.parameters[i].zd[static_cast<std::size_t>(coordinate)] != 0)
+      result.insert(first.start + static_cast<int>(i));
+  }
+  return result;
+}
+
+void add_start_parameters(const EmitContext& context, const InitialState& initial, FmuLayout& fmu) {
+  for (const StartParameter& one : initial.parameters) {
+    const Parameter& parameter = context.model.parameters[static_cast<std::size_t>(one.parameter)];
+    fmu.variables.push_back(given_variable(fmu_parameter_name(parameter.name), parameter.unit, "parameter of the start",
+                                           Causality::parameter, Start::exact, parameter.value, parameter.shown));
+    fmu.variables.back().is_fixed = true;
+  }
+}
+
 void add_motion(const EmitContext& context, const InitialState& initial, const References& first, FmuLayout& fmu) {
   const auto& bodies = context.topology.bodies;
   const auto unit = [&](std::size_t i, const char* per) { return unit_of(bodies[i].kind) + std::string(per); };
+  const auto is_given = [&](int c) {
+    return contains(fmu.independent, c) && acting_at_start(initial, first, c).empty();
+  };
+  const auto of_joint = [&](std::size_t i) {
+    const int joint = bodies[i].joint;
+    const std::string& text = joint < 0 ? "" : context.model.joints[static_cast<std::size_t>(joint)].description;
+    return text.empty() ? "" : ": " + text;
+  };
   for (std::size_t i = 0; i < bodies.size(); ++i) {
     const int c = static_cast<int>(i);
     const Start start = contains(fmu.independent, c) ? Start::exact
@@ -82,18 +128,20 @@ void add_motion(const EmitContext& context, const InitialState& initial, const R
     const std::string kind = start == Start::exact    ? "independent coordinate"
                              : start == Start::approx ? "coordinate that its loop decides"
                                                       : "driven coordinate";
-    fmu.variables.push_back({"z." + bodies[i].coordinate, unit(i, ""), kind, Causality::local, start, initial.z[i]});
+    fmu.variables.push_back({"z." + bodies[i].coordinate, unit(i, ""), kind + of_joint(i), Causality::local, start,
+                             initial.z[i], -1, shown_as(bodies[i].kind, "")});
   }
   for (std::size_t i = 0; i < bodies.size(); ++i) {
     const int c = static_cast<int>(i);
-    fmu.variables.push_back({"zd." + bodies[i].coordinate, unit(i, "/s"), "velocity of the coordinate",
-                             Causality::local, contains(fmu.independent, c) ? Start::exact : Start::calculated,
-                             initial.zd[i], first.z + c});
+    fmu.variables.push_back({"zd." + bodies[i].coordinate, unit(i, "/s"), "velocity of the coordinate" + of_joint(i),
+                             Causality::local, is_given(c) ? Start::exact : Start::calculated, initial.zd[i],
+                             first.z + c, shown_as(bodies[i].kind, "/s")});
   }
   for (std::size_t i = 0; i < bodies.size(); ++i) {
     const int c = static_cast<int>(i);
-    fmu.variables.push_back({"zdd." + bodies[i].coordinate, unit(i, "/s^2"), "acceleration of the coordinate",
-                             Causality::local, Start::calculated, 0, first.zd + c});
+    fmu.variables.push_back({"zdd." + bodies[i].coordinate, unit(i, "/s^2"),
+                             "acceleration of the coordinate" + of_joint(i), Causality::local, Start::calculated, 0,
+                             first.zd + c, shown_as(bodies[i].kind, "/s^2")});
   }
   const std::vector<std::string> names = auxiliary_state_names(context.model);
   for (std::size_t i = 0; i < names.size(); ++i)
@@ -236,6 +284,15 @@ std::vector<std::set<int>> dependencies(const EmitContext& context, const Progra
   return all;
 }
 
+/// Velocities that follow from parameters at the start are no knowns there: those parameters are.
+void take_start(const InitialState& initial, const References& first, FmuUnknown& unknown) {
+  for (int c = 0; c < first.zdd - first.zd; ++c) {
+    const std::set<int> acting = acting_at_start(initial, first, c);
+    if (acting.empty() || unknown.dependencies.erase(first.zd + c) == 0) continue;
+    unknown.dependencies.insert(acting.begin(), acting.end());
+  }
+}
+
 /// What a state depends on at the initialisation: the start values of the coordinate that it is of then.
 std::set<int> at_start(const References& first, const FmuLayout& fmu, const std::set<int>& dependencies) {
   std::set<int> result;
@@ -247,8 +304,8 @@ std::set<int> at_start(const References& first, const FmuLayout& fmu, const std:
   return result;
 }
 
-void add_structure(const References& first, const std::vector<std::set<int>>& dependencies, FmiVersion version,
-                   FmuLayout& fmu) {
+void add_structure(const References& first, const InitialState& initial_state,
+                   const std::vector<std::set<int>>& dependencies, FmiVersion version, FmuLayout& fmu) {
   const auto add = [&](int variable, std::vector<FmuUnknown>& unknowns) {
     FmuUnknown unknown{variable, dependencies[static_cast<std::size_t>(variable)]};
     if (version == FmiVersion::two)
@@ -274,6 +331,7 @@ void add_structure(const References& first, const std::vector<std::set<int>>& de
     if (fmu.variables[static_cast<std::size_t>(variable)].start != Start::calculated) continue;
     const std::set<int>& known = dependencies[static_cast<std::size_t>(variable)];
     fmu.initial_unknowns.push_back({variable, at_start(first, fmu, known)});
+    take_start(initial_state, first, fmu.initial_unknowns.back());
   }
 }
 
@@ -291,6 +349,19 @@ void find_chosen(const EmitContext& context, FmuLayout& fmu) {
 
 }  // namespace
 
+std::string fmu_parameter_name(const std::string& name) { return name == kTime ? "par." + name : name; }
+std::string fmu_input_name(const std::string& name) { return name == kTime ? "in." + name : name; }
+
+std::string fmu_output_name(const Model& model, const std::string& name) {
+  const auto has_name = [&](const auto& one) { return one.name == name; };
+  const bool is_parameter = std::any_of(model.parameters.begin(), model.parameters.end(), [&](const Parameter& one) {
+    return (one.tunable || one.at_start) && one.name == name;
+  });
+  const bool is_taken =
+      name == kTime || is_parameter || std::any_of(model.inputs.begin(), model.inputs.end(), has_name);
+  return is_taken ? "y." + name : name;
+}
+
 FmuLayout fmu_layout(const EmitContext& context, const Programs& programs, const InitialState& initial,
                      FmiVersion version) {
   FmuLayout fmu;
@@ -302,7 +373,8 @@ FmuLayout fmu_layout(const EmitContext& context, const Programs& programs, const
   add_outputs(context, fmu);
   add_motion(context, initial, first, fmu);
   add_chosen(context, first, fmu);
-  add_structure(first, dependencies(context, programs, first, fmu), version, fmu);
+  add_start_parameters(context, initial, fmu);
+  add_structure(first, initial, dependencies(context, programs, first, fmu), version, fmu);
   return fmu;
 }
 

@@ -12,7 +12,8 @@
 namespace mbgen {
 
 /// A scalar variable; its value reference is its place in the list. The groups follow each other as mbgen/fmu.hpp
-/// counts them: time, parameters, inputs, outputs with the energies, z, zd, zdd, x, xd, q, qd, qdd.
+/// counts them: time, tunable parameters, inputs, outputs with the energies, z, zd, zdd, x, xd, q, qd, qdd, parameters
+/// of the start.
 struct FmuVariable {
   enum class Causality { independent, parameter, input, output, local };
   enum class Start { none, exact, approx, calculated };
@@ -21,7 +22,9 @@ struct FmuVariable {
   Start start = Start::calculated;
   double value = 0;        ///< at the start, where it is exact, approximate or an input's
   int derivative_of = -1;  ///< value reference of the variable whose derivative it is
-  bool reinit = false;     ///< whether an event may change this state
+  Presentation shown = {};
+  bool is_fixed = false;  ///< of a parameter: it acts before the initialisation only
+  bool reinit = false;    ///< whether an event may change this state
 };
 
 /// An unknown and the knowns that it depends on, as value references.
@@ -43,6 +46,12 @@ struct FmuLayout {
   std::vector<int> undriven;     ///< coordinates that no motion drives
   std::vector<FmuUnknown> outputs, derivatives, initial_unknowns;
 };
+
+/// What an FMU calls an input, parameter or output: its name, or with a prefix where that is taken: `time` is the
+/// independent variable.
+std::string fmu_input_name(const std::string& name);
+std::string fmu_parameter_name(const std::string& name);
+std::string fmu_output_name(const Model& model, const std::string& name);
 
 /// programs: after the passes. initial: state at the start. version: decides whether tunable parameters are among what
 /// outputs and derivatives depend on; FMI 2 knows them at the initialisation only.

@@ -57,6 +57,8 @@ struct FieldInfo {
   Bound bound = Bound::none;
   Depends depends = Depends::all;
   bool angle = false;                             ///< {"deg": number} may be written
+  bool at_start = false;                          ///< parameters that act at the start may stand in it
+  std::size_t longest = 256;                      ///< bytes of a text
   std::span<const std::string_view> words = {};   ///< in the order of the enumeration they stand for
   std::span<const std::string_view> locals = {};  ///< variables of a Shape::force expression
   std::string_view of = {};                       ///< kind of the objects inside

@@ -18,6 +18,19 @@ using Vector3 = std::array<double, 3>;
 using Matrix3 = std::array<double, 9>;  ///< row by row
 using Vector3Quantity = std::array<Quantity, 3>;
 
+/// What a value of the interface says to people beside its name and unit; without effect on the motion.
+struct Presentation {
+  std::string description = {};
+  std::string display_unit;        ///< that it is shown in, of the same dimension as its unit; none: its unit
+  std::optional<double> min, max;  ///< range that is meant, in its unit
+  std::optional<double> nominal;   ///< usual magnitude, in its unit
+};
+
+/// What a model says of itself.
+struct About {
+  std::string description, author, version, copyright, licence;
+};
+
 /// Pose of a body frame in the global frame at the reference configuration: x_global = origin + rotation * x_body.
 struct Pose {
   Vector3 origin{0, 0, 0};
@@ -38,6 +51,7 @@ struct Body {
   /// kg m^2 about the centre of mass, body axes: xx yy zz xy xz yz (matrix entries)
   std::array<Quantity, 6> inertia;
   std::vector<Point> points;
+  std::string description = {};
 };
 
 enum class JointType { revolute, prismatic, cylindrical, universal, spherical, planar, free, fixed };
@@ -78,6 +92,7 @@ struct Joint {
   Vector3 second_axis{0, 0, 1};
   CutMark cut = CutMark::automatic;
   std::vector<Freedom> freedoms;  ///< empty for fixed
+  std::string description = {};
 };
 
 /// One equation of a closed loop: its name, and the unit of its multiplier.
@@ -290,6 +305,7 @@ struct Output {
   std::variant<ExpressionOutput, PointOutput, CoordinateOutput, TyreOutput, SpringOutput, DriveOutput, ReactionOutput,
                MultiplierOutput>
       source;
+  Presentation shown = {};
 };
 
 struct Parameter {
@@ -300,6 +316,8 @@ struct Parameter {
   bool tunable = false;
   int expression =
       -1;  ///< index into Model::expressions: what it is of tunable ones; expressions that use it contain it
+  bool at_start = false;  ///< acts on the velocities at the start only: an FMU takes it before the initialisation
+  Presentation shown = {};
 };
 
 struct Input {
@@ -308,6 +326,7 @@ struct Input {
   std::string unit;
   double default_value = 0;
   int derivative = -1;  ///< index into Model::inputs of its rate of change; -1: it counts as constant
+  Presentation shown = {};
 };
 
 /// A value that a coordinate or its velocity is to have at the start.
@@ -317,6 +336,7 @@ struct InitialValue {
   Where where;
   double weight = 1;    ///< of its squared error, where the values asked for do not fit together
   bool locked = false;  ///< it is kept then, whatever the others
+  int expression = -1;  ///< index into Model::expressions, over parameters that act at the start; -1: constant
 };
 
 struct Initial {
@@ -330,6 +350,7 @@ struct SolverSettings {
   double step = 1e-3;                ///< s
   double duration = 1;               ///< s
   double closure_tolerance = 1e-12;  ///< m or 1, largest residual that projection leaves
+  double tolerance = 1e-6;           ///< relative, for importers that integrate the model with a method of their own
 
   /// Whether a step looks back on those before.
   bool is_multistep() const { return integrator == Integrator::abm4; }
@@ -342,7 +363,8 @@ struct Model {
   std::vector<std::string> files;  ///< that and every file it includes, in the order of reading, each once
   /// 16 hex digits over the content (includes too), for the banner and manifest
   std::string hash;
-  Diagnostics notes;  ///< what its files say and it does not use; nothing is wrong
+  About about;
+  Diagnostics notes;                         ///< what its files say and it does not use; nothing is wrong
   Vector3Quantity gravity{0.0, 0.0, -9.81};  ///< m/s^2, global
   std::vector<Parameter> parameters;
   std::vector<Input> inputs;

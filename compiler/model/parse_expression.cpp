@@ -343,6 +343,12 @@ class ExpressionParser {
     if (parameter != names.parameters.end()) {
       const Parameter& found = scope_.parameters[static_cast<std::size_t>(parameter->second)];
       const bool follows = found.expression >= 0;
+      if (found.at_start) {
+        if (scope_.at_start) return push_indexed(Kind::parameter, parameter->second);
+        fail(start, fmt::format("parameter {} acts at the start only", in_quotes(name)),
+             "use it in velocities of \"initial\" alone, or leave out \"at_start\"");
+        return stand_in();
+      }
       if (scope_.folds_tunable || (!found.tunable && !follows)) return push_number(found.value);
       if (scope_.depends < Depends::parameters) {
         return forbidden(start, follows ? "parameter " + in_quotes(name) + ", which follows from tunable ones"

@@ -40,6 +40,7 @@ struct ExpressionScope {
   bool suggest = true;           ///< name what was probably meant
   bool refuse_reversed = false;  ///< coordinates of Names::reversed mean something else here
   bool folds_tunable = false;    ///< tunable parameters become numbers, too
+  bool at_start = false;         ///< parameters that act at the start may be used
   std::span<const ReductionName> reductions = {};
 };
 

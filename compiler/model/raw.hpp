@@ -12,9 +12,9 @@
 namespace mbgen::reading {
 
 /// The whole file: its sections, read later because each needs the names of those before it.
-struct FileFields {
+struct FileFields : About {
   std::size_t document = 0;  ///< index into Documents
-  const Value *version = nullptr, *name = nullptr, *gravity = nullptr, *include = nullptr;
+  const Value *format = nullptr, *name = nullptr, *gravity = nullptr, *include = nullptr;
   const Value *parameters = nullptr, *inputs = nullptr, *bodies = nullptr, *joints = nullptr, *rods = nullptr;
   const Value *springs = nullptr, *joint_springs = nullptr, *frictions = nullptr, *air_springs = nullptr;
   const Value *forces = nullptr, *joint_forces = nullptr, *tyre_data = nullptr, *tyres = nullptr, *motions = nullptr;
@@ -44,11 +44,11 @@ struct TableFields {
   Table::Interpolation interpolation = Table::Interpolation::linear;
 };
 
-struct ParameterFields : Parameter {
+struct ParameterFields : Parameter, Presentation {
   Quantity quantity;
 };
 
-struct InputFields : Input {
+struct InputFields : Input, Presentation {
   std::optional<std::string> rate;  ///< name of the derivative
 };
 
@@ -103,7 +103,7 @@ enum class Quantities {
 
 enum class Letter { x, y, z };
 
-struct OutputFields {
+struct OutputFields : Presentation {
   std::string name;
   Where where;
   std::string unit;
@@ -124,7 +124,8 @@ struct ShapeFields : DisplayShape {
 };
 
 struct InitialValueFields {
-  double value = 0, weight = 1;
+  Quantity value;
+  double weight = 1;
   bool locked = false;
 };
 

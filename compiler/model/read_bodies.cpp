@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "compiler/model/named_functions.hpp"
+#include "compiler/model/presentation.hpp"
 #include "compiler/model/raw.hpp"
 #include "compiler/model/reader.hpp"
 
@@ -238,6 +239,18 @@ void vary(const Reader& reader, ParameterFields& parameter) {
   parameter.expression = -1;
 }
 
+/// What the object of a parameter says beside its value.
+void check_parameter(Reader& reader, const Value& value, const ParameterFields& parameter) {
+  if (value.kind != Value::Kind::object || find(value, "deg")) return;
+  const Value* number = find(value, "value");
+  if (number && number->kind == Value::Kind::object) check_unit_of(reader, value, parameter.unit, "rad");
+  check_presentation(reader, value, parameter.unit, parameter, parameter.value);
+  if (parameter.at_start && (parameter.tunable || parameter.expression >= 0)) {
+    report(reader, *find(value, "at_start"), "a tunable parameter, or what follows from one, cannot act at the start",
+           "leave out \"tunable\" or \"at_start\"");
+  }
+}
+
 }  // namespace
 
 void read_parameters(Reader& reader, const Entries& entries) {
@@ -253,6 +266,8 @@ void read_parameters(Reader& reader, const Entries& entries) {
     parameter.value = parameter.quantity.value;
     parameter.expression = parameter.quantity.expression;
     vary(reader, parameter);
+    check_parameter(reader, *entry.value, parameter);
+    parameter.shown = parameter;
     reader.names.later_parameters.erase(entry.name);
     reader.names.parameters.emplace(entry.name, static_cast<int>(reader.model.parameters.size()));
     reader.model.parameters.push_back(std::move(parameter));
@@ -266,6 +281,8 @@ void read_inputs(Reader& reader, const Entries& entries) {
   }
   std::vector<InputFields> inputs;
   read_list(reader, entries, inputs, [&](Reader&, const Value& value, InputFields& input) {
+    check_presentation(reader, value, input.unit, input, input.default_value);
+    input.shown = input;
     if (input.rate) input.derivative = derivative_of(reader, *find(value, "derivative"), input);
   });
   for (InputFields& input : inputs) reader.model.inputs.push_back(std::move(input));

@@ -190,9 +190,9 @@ void load(Reader& reader, Loading& loading, std::size_t index) {
     loading.complete = false;
     return;
   }
-  if (fields.version) {
-    const bool known = fields.version->kind == Value::Kind::number && fields.version->number == 1;
-    if (!known) report(reader, *fields.version, "version of the format must be 1, got " + describe(*fields.version));
+  if (fields.format) {
+    const bool known = fields.format->kind == Value::Kind::number && fields.format->number == 1;
+    if (!known) report(reader, *fields.format, "version of the format must be 1, got " + describe(*fields.format));
   } else if (index == 0) {
     report(reader, document.root, "key \"mbgen\" is missing", "write \"mbgen\": 1, the version of the format");
   }

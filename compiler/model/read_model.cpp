@@ -208,7 +208,9 @@ Result<Model> read(std::string_view text, const std::string& file_name, const st
   reader.model.file = file_name;
   // Names that could not be read would all be unknown: that problem comes first.
   if (load_files(reader, file_name, std::string(text))) {
-    read_name(reader, reader.scopes[0].files.back());
+    const FileFields& asked_for = reader.scopes[0].files.back();
+    read_name(reader, asked_for);
+    reader.model.about = asked_for;
     read_sections(reader);
     if (reader.model.bodies.empty() && parts_of(reader, 0, &FileFields::bodies).empty())
       report(reader, reader.documents[0].root, "model has no bodies");

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "compiler/model/presentation.hpp"
 #include "compiler/model/raw.hpp"
 #include "compiler/model/reader.hpp"
 
@@ -278,69 +279,6 @@ Resolved resolve_output(Reader& reader, const Value& value, const OutputFields& 
   return motion_output(reader, value);
 }
 
-bool has_parts(const Value& value) {
-  if (value.kind != Value::Kind::object) return false;
-  const std::span<const Field<InitialValueFields>> table = fields<InitialValueFields>();
-  return std::any_of(table.begin(), table.end(), [&](const auto& row) { return find(value, row.info.name); });
-}
-
-/// A number, or an object with that and how it gives way. Result: the number's text.
-const Value& read_initial_value(Reader& reader, const Value& value, const FieldInfo& info, InitialValue& target) {
-  if (!has_parts(value)) {
-    read_value(reader, value, info, target.value);
-    return value;
-  }
-  InitialValueFields parts = with_defaults<InitialValueFields>();
-  read_fields(reader, value, parts);
-  target.value = parts.value;
-  target.weight = parts.weight;
-  target.locked = parts.locked;
-  return member_or_object(value, "value");
-}
-
-void read_initial_values(Reader& reader, const Value* values, std::string_view key, bool locks,
-                         std::vector<InitialValue>& list) {
-  if (!values) return;
-  if (values->kind != Value::Kind::object) {
-    report(reader, *values, "must be an object of coordinates, got " + describe(*values));
-    return;
-  }
-  const FieldInfo info{.name = key, .shape = Shape::number, .depends = Depends::nothing, .angle = true};
-  for (const Member& member : values->members) {
-    InitialValue initial;
-    initial.where = where_of(reader.documents, member.place);
-    initial.coordinate = read_coordinate(reader, member.place, member.key);
-    refuse_reversed(reader, member.place, initial.coordinate);
-    const Value& number = read_initial_value(reader, member.value, info, initial);
-    if (initial.locked && !locks) {
-      report(reader, *find(member.value, "locked"), "no position is locked where the start is an equilibrium",
-             "hold the joint by a motion, or leave out \"equilibrium\"");
-    }
-    if (initial.coordinate.joint < 0) continue;
-    if (find(number, "deg") && !is_rotation(reader.model, initial.coordinate)) {
-      report(reader, number,
-             fmt::format("coordinate {} is a translation, degrees have no meaning", in_quotes(member.key)));
-    }
-    const auto earlier = std::find_if(
-        list.begin(), list.end(), [&](const InitialValue& other) { return other.coordinate == initial.coordinate; });
-    if (earlier == list.end()) {
-      list.push_back(initial);
-    } else {
-      *earlier = initial;
-    }
-  }
-}
-
-/// Whether the model, not one of its instances, asks for it.
-bool asks_for_equilibrium(const std::vector<Part>& parts) {
-  bool asks = false;
-  for (const auto& [value, scope] : parts) {
-    const Value* written = scope == 0 ? find(*value, "equilibrium") : nullptr;
-    if (written) asks = written->boolean;
-  }
-  return asks;
-}
-
 }  // namespace
 
 void read_motions(Reader& reader, const Entries& entries) {
@@ -360,26 +298,12 @@ void read_outputs(Reader& reader, const Entries& entries) {
       resolved = resolve_output(r, value, output);
     });
     OutputFields& output = one.front();
-    reader.model.outputs.push_back(
-        {output.name, output.where, output.unit.empty() ? resolved.unit : output.unit, resolved.source});
+    const InScope in_scope(reader, entry.scope);
+    check_unit_of(reader, *entry.value, output.unit, resolved.unit);
+    if (output.unit.empty()) output.unit = resolved.unit;
+    check_presentation(reader, *entry.value, output.unit, output, {});
+    reader.model.outputs.push_back({output.name, output.where, output.unit, resolved.source, std::move(output)});
   }
-}
-
-void read_initial(Reader& reader, const std::vector<Part>& parts) {
-  InitialFields fields = with_defaults<InitialFields>();
-  Initial& initial = reader.model.initial;
-  const bool balances = asks_for_equilibrium(parts);
-  reader.folds_tunable = !reader.varied.empty();  // who varies parameters finds the initial state of each value
-  for (const auto& [value, scope] : parts) {
-    const InScope in_scope(reader, scope);
-    fields.positions = fields.velocities = nullptr;
-    read_fields(reader, *value, fields);
-    read_initial_values(reader, fields.positions, "positions", !balances, initial.positions);
-    read_initial_values(reader, fields.velocities, "velocities", true, initial.velocities);
-    if (scope != 0) fields.equilibrium = false;  // a question of the whole model
-  }
-  reader.folds_tunable = false;
-  initial.equilibrium = fields.equilibrium;
 }
 
 void read_solver(Reader& reader, const std::vector<Part>& parts) {

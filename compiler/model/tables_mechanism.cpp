@@ -1,6 +1,7 @@
 // Tables of fields: the file, parameters, inputs, bodies, joints, rods.
 #include <array>
 
+#include "compiler/model/presentation.hpp"
 #include "compiler/model/raw.hpp"
 #include "compiler/model/reader.hpp"
 
@@ -18,6 +19,10 @@ constexpr std::array<std::string_view, 8> kJointTypes = {"revolute",  "prismatic
 constexpr std::array<std::string_view, 3> kMirrors = {"xz", "yz", "xy"};
 constexpr std::array<std::string_view, 2> kCoordinateSenses = {"mirrored", "parallel"};
 
+FieldInfo prose(std::string_view name, std::string_view doc) {
+  return {.name = name, .shape = Shape::text, .doc = doc, .longest = kLongestDescription};
+}
+
 FieldInfo section(std::string_view name, std::string_view of, std::string_view doc) {
   return {.name = name, .shape = Shape::map, .doc = doc, .of = of};
 }
@@ -28,10 +33,15 @@ template <>
 std::span<const Field<FileFields>> fields<FileFields>() {
   using F = FileFields;
   static const std::array table = {
-      field<F, &F::version>({.name = "mbgen",
-                             .shape = Shape::number,
-                             .doc = "version of the format, 1; may be absent in an included file"}),
+      field<F, &F::format>({.name = "mbgen",
+                            .shape = Shape::number,
+                            .doc = "version of the format, 1; may be absent in an included file"}),
       field<F, &F::name>({.name = "name", .shape = Shape::text, .doc = "name of the model; default: the file's name"}),
+      field<F, &F::description>(prose("description", "of the model, for people")),
+      field<F, &F::author>(prose("author", "who made the model")),
+      field<F, &F::version>({.name = "version", .shape = Shape::text, .doc = "version of the model"}),
+      field<F, &F::copyright>(prose("copyright", "of the model")),
+      field<F, &F::licence>(prose("licence", "under which the model may be used")),
       field<F, &F::gravity>({.name = "gravity",
                              .shape = Shape::quantity_vector,
                              .doc = "gravity in global axes, default [0, 0, -9.81]",
@@ -114,36 +124,48 @@ std::span<const Field<InstanceFields>> fields<InstanceFields>() {
 template <>
 std::span<const Field<ParameterFields>> fields<ParameterFields>() {
   using F = ParameterFields;
-  static const std::array table = {
-      field<F, &F::quantity>({.name = "value",
-                              .shape = Shape::quantity,
-                              .doc = "value, may use parameters above it; it follows those that are tunable",
-                              .need = Need::required,
-                              .depends = Depends::parameters,
-                              .angle = true}),
-      field<F, &F::unit>({.name = "unit", .shape = Shape::text, .doc = "unit, for people"}),
-      field<F, &F::tunable>(
-          {.name = "tunable", .shape = Shape::boolean, .doc = "can be changed in the generated solver", .fallback = 0}),
-  };
+  static const std::array table = joined(
+      std::array{
+          field<F, &F::quantity>({.name = "value",
+                                  .shape = Shape::quantity,
+                                  .doc = "value, may use parameters above it; it follows those that are tunable",
+                                  .need = Need::required,
+                                  .depends = Depends::parameters,
+                                  .angle = true}),
+          field<F, &F::unit>({.name = "unit", .shape = Shape::text, .doc = "unit, for people"}),
+          field<F, &F::tunable>({.name = "tunable",
+                                 .shape = Shape::boolean,
+                                 .doc = "can be changed in the generated solver",
+                                 .fallback = 0}),
+          field<F, &F::at_start>(
+              {.name = "at_start",
+               .shape = Shape::boolean,
+               .doc = "stands in the velocities of `initial` alone; an FMU takes it as a fixed parameter, "
+                      "before its initialisation",
+               .fallback = 0}),
+      },
+      presentation_fields<F>());
   return table;
 }
 
 template <>
 std::span<const Field<InputFields>> fields<InputFields>() {
   using F = InputFields;
-  static const std::array table = {
-      field<F, &F::unit>({.name = "unit", .shape = Shape::text, .doc = "unit, for people"}),
-      field<F, &F::default_value>({.name = "default",
-                                   .shape = Shape::number,
-                                   .doc = "value when nobody sets the input",
-                                   .fallback = 0,
-                                   .depends = Depends::nothing}),
-      field<F, &F::rate>(
-          {.name = "derivative",
-           .shape = Shape::reference,
-           .doc = "input that is its time derivative; without one the input counts as constant during a step",
-           .of = "inputs"}),
-  };
+  static const std::array table = joined(
+      std::array{
+          field<F, &F::unit>({.name = "unit", .shape = Shape::text, .doc = "unit, for people"}),
+          field<F, &F::default_value>({.name = "default",
+                                       .shape = Shape::number,
+                                       .doc = "value when nobody sets the input",
+                                       .fallback = 0,
+                                       .depends = Depends::nothing}),
+          field<F, &F::rate>(
+              {.name = "derivative",
+               .shape = Shape::reference,
+               .doc = "input that is its time derivative; without one the input counts as constant during a step",
+               .of = "inputs"}),
+      },
+      presentation_fields<F>());
   return table;
 }
 
@@ -215,6 +237,7 @@ std::span<const Field<BodyFields>> fields<BodyFields>() {
                                 .doc = "named points in the body frame",
                                 .unit = "m",
                                 .depends = Depends::parameters}),
+      field<F, &F::description>(prose("description", "for people")),
   };
   return table;
 }
@@ -253,6 +276,7 @@ std::span<const Field<JointFields>> fields<JointFields>() {
           {.name = "cut",
            .shape = Shape::boolean,
            .doc = "true: the joint closes a loop; false: it stays in the tree; absent: mbgen chooses"}),
+      field<F, &F::description>(prose("description", "for people")),
   };
   return table;
 }

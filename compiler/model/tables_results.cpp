@@ -1,6 +1,7 @@
 // Tables of fields: motions, outputs, initial state, solver; and the list of all kinds.
 #include <array>
 
+#include "compiler/model/presentation.hpp"
 #include "compiler/model/raw.hpp"
 #include "compiler/model/reader.hpp"
 
@@ -58,49 +59,56 @@ std::span<const Field<MotionFields>> fields<MotionFields>() {
 template <>
 std::span<const Field<OutputFields>> fields<OutputFields>() {
   using F = OutputFields;
-  static const std::array table = {
-      field<F, &F::unit>({.name = "unit", .shape = Shape::text, .doc = "unit; default: that of the quantity"}),
-      field<F, &F::expression>({.name = "expression", .doc = "value over t, parameters, inputs and coordinates"}),
-      field<F, &F::point>({.name = "point", .shape = Shape::attachment, .doc = "motion of a point"}),
-      field<F, &F::joint>({.name = "joint", .shape = Shape::coordinate, .doc = "motion of a coordinate"}),
-      field<F, &F::tyre>({.name = "tyre", .shape = Shape::reference, .doc = "state of a tyre", .of = "tyres"}),
-      field<F, &F::spring>(
-          {.name = "spring", .shape = Shape::reference, .doc = "state of a spring or air spring", .of = "springs"}),
-      field<F, &F::motion>({.name = "motion",
-                            .shape = Shape::reference,
-                            .doc = "generalised force that drives a motion",
-                            .of = "motions"}),
-      field<F, &F::reaction>({.name = "reaction",
-                              .shape = Shape::reference,
-                              .doc = "what a joint or rod transmits from its `from` to its `to` body",
-                              .of = "joints"}),
-      field<F, &F::multiplier>({.name = "multiplier",
+  static const std::array table = joined(
+      std::array{
+          field<F, &F::unit>({.name = "unit", .shape = Shape::text, .doc = "unit; default: that of the quantity"}),
+          field<F, &F::expression>({.name = "expression", .doc = "value over t, parameters, inputs and coordinates"}),
+          field<F, &F::point>({.name = "point", .shape = Shape::attachment, .doc = "motion of a point"}),
+          field<F, &F::joint>({.name = "joint", .shape = Shape::coordinate, .doc = "motion of a coordinate"}),
+          field<F, &F::tyre>({.name = "tyre", .shape = Shape::reference, .doc = "state of a tyre", .of = "tyres"}),
+          field<F, &F::spring>(
+              {.name = "spring", .shape = Shape::reference, .doc = "state of a spring or air spring", .of = "springs"}),
+          field<F, &F::motion>({.name = "motion",
                                 .shape = Shape::reference,
-                                .doc = "multiplier of one equation of a cut joint or rod",
-                                .of = "joints"}),
-      field<F, &F::quantity>(
-          {.name = "quantity",
-           .shape = Shape::word,
-           .doc = "what of the point or coordinate (position, velocity, acceleration), of the tyre (load, "
-                  "longitudinal_force, lateral_force, aligning_moment, longitudinal_slip, lateral_slip), of the spring "
-                  "(force, length, rate) or of the reaction (force, moment); default: the first of each",
-           .words = kQuantities}),
-      field<F, &F::axis>(
-          {.name = "axis", .shape = Shape::word, .doc = "component, for a point or reaction", .words = kAxisLetters}),
-      field<F, &F::in_body_axes>(
-          {.name = "frame",
-           .shape = Shape::word,
-           .doc = "axes of the component: global (default), or of the point's body, of a reaction the body at `end`",
-           .words = kFrames}),
-      field<F, &F::end>({.name = "end",
-                         .shape = Shape::word,
-                         .doc = "body that a reaction acts on, default to; its moment is about the joint's point on "
-                                "`to` at both",
-                         .words = kEnds}),
-      field<F, &F::equation>({.name = "equation",
-                              .shape = Shape::equation,
-                              .doc = "name of the equation of a multiplier, or its number from 0"}),
-  };
+                                .doc = "generalised force that drives a motion",
+                                .of = "motions"}),
+          field<F, &F::reaction>({.name = "reaction",
+                                  .shape = Shape::reference,
+                                  .doc = "what a joint or rod transmits from its `from` to its `to` body",
+                                  .of = "joints"}),
+          field<F, &F::multiplier>({.name = "multiplier",
+                                    .shape = Shape::reference,
+                                    .doc = "multiplier of one equation of a cut joint or rod",
+                                    .of = "joints"}),
+          field<F, &F::quantity>(
+              {.name = "quantity",
+               .shape = Shape::word,
+               .doc = "what of the point or coordinate (position, velocity, acceleration), of the tyre (load, "
+                      "longitudinal_force, lateral_force, aligning_moment, longitudinal_slip, lateral_slip), of the "
+                      "spring "
+                      "(force, length, rate) or of the reaction (force, moment); default: the first of each",
+               .words = kQuantities}),
+          field<F, &F::axis>({.name = "axis",
+                              .shape = Shape::word,
+                              .doc = "component, for a point or reaction",
+                              .words = kAxisLetters}),
+          field<F, &F::in_body_axes>(
+              {.name = "frame",
+               .shape = Shape::word,
+               .doc =
+                   "axes of the component: global (default), or of the point's body, of a reaction the body at `end`",
+               .words = kFrames}),
+          field<F, &F::end>({.name = "end",
+                             .shape = Shape::word,
+                             .doc =
+                                 "body that a reaction acts on, default to; its moment is about the joint's point on "
+                                 "`to` at both",
+                             .words = kEnds}),
+          field<F, &F::equation>({.name = "equation",
+                                  .shape = Shape::equation,
+                                  .doc = "name of the equation of a multiplier, or its number from 0"}),
+      },
+      presentation_fields<F>());
   return table;
 }
 
@@ -109,12 +117,13 @@ std::span<const Field<InitialValueFields>> fields<InitialValueFields>() {
   using F = InitialValueFields;
   static const std::array table = {
       field<F, &F::value>({.name = "value",
-                           .shape = Shape::number,
+                           .shape = Shape::quantity,
                            .doc = "of the coordinate or its velocity",
                            .unit = "rad, m, rad/s or m/s",
                            .need = Need::required,
                            .depends = Depends::nothing,
-                           .angle = true}),
+                           .angle = true,
+                           .at_start = true}),
       field<F, &F::weight>(
           {.name = "weight",
            .shape = Shape::number,
@@ -179,6 +188,9 @@ std::span<const Field<SolverSettings>> fields<SolverSettings>() {
       field<S, &S::duration>(number("duration", "simulated time", "s", 1, Bound::not_negative)),
       field<S, &S::closure_tolerance>(number("closure_tolerance", "largest closure residual that projection leaves",
                                              "m or 1", 1e-12, Bound::positive)),
+      field<S, &S::tolerance>(number("tolerance",
+                                     "relative tolerance that an FMU recommends to integrators of importers", "", 1e-6,
+                                     Bound::positive)),
   };
   return table;
 }

@@ -46,7 +46,7 @@ std::optional<Expression> parse(Reader& reader, const Value& value, const FieldI
   const Scope& place = current_scope(reader);
   const ExpressionScope scope{reader.names,        place.visible, reader.model.parameters, reader.model.expressions,
                               info.depends,        info.locals,   suggests(reader),        place.keeps_direction,
-                              reader.folds_tunable};
+                              reader.folds_tunable, info.at_start};
   ParsedExpression parsed = parse_expression(value.text, scope);
   for (ExpressionProblem& problem : parsed.problems) {
     report(reader, place_in_text(reader.documents, value, problem.offset), std::move(problem.message),
@@ -218,12 +218,11 @@ void read_value(Reader& reader, const Value& value, const FieldInfo& info, doubl
   target = quantity.value;
 }
 
-void read_value(Reader& reader, const Value& value, const FieldInfo&, std::string& target) {
-  constexpr std::size_t kLongestText = 256;
+void read_value(Reader& reader, const Value& value, const FieldInfo& info, std::string& target) {
   if (value.kind != Value::Kind::text) {
     wrong_type(reader, value, "a text");
-  } else if (value.text.size() > kLongestText) {
-    report(reader, value, fmt::format("text is longer than {} bytes, it has {}", kLongestText, value.text.size()));
+  } else if (value.text.size() > info.longest) {
+    report(reader, value, fmt::format("text is longer than {} bytes, it has {}", info.longest, value.text.size()));
   } else {
     target = value.text;
   }

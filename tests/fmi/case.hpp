@@ -44,7 +44,11 @@ struct Case {
   const Description& description;
   const Table& table;
   std::vector<unsigned> columns;  ///< references of the table's columns
+  std::string set = {};           ///< parameter to set before the initialisation, "" for none
+  double value = 0;
 };
+
+inline bool says(const std::string& part) { return last_message.find(part) != std::string::npos; }
 
 inline bool same_bits(const Row& a, const Row& b) {
   return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(double)) == 0;

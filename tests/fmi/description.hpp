@@ -13,8 +13,9 @@
 #include <vector>
 
 struct Variable {
-  std::string name, causality, initial;
+  std::string name, causality, initial, variability;
   unsigned reference = 0;
+  bool has_range = false;
   bool reinit = false;  ///< whether an event may change it
 };
 
@@ -34,6 +35,12 @@ struct Description {
     for (const Variable& variable : variables)
       if (variable.name == name) return variable.reference;
     throw std::runtime_error("no variable " + name);
+  }
+  /// An output whose name is taken has a prefix.
+  unsigned output(const std::string& name) const {
+    for (const Variable& variable : variables)
+      if (variable.name == "y." + name) return variable.reference;
+    return reference(name);
   }
   std::vector<unsigned> states() const {
     std::vector<unsigned> result;
@@ -73,9 +80,10 @@ inline Description read_description(const std::string& path) {
     if (line.find("<InitialUnknowns>") != std::string::npos) section = "";
     if (line.find(" causality=") != std::string::npos) {
       last = static_cast<unsigned>(std::stoul(attribute(line, "valueReference")));
-      description.variables.push_back(
-          {attribute(line, "name"), attribute(line, "causality"), attribute(line, "initial"), last, false});
+      description.variables.push_back({attribute(line, "name"), attribute(line, "causality"),
+                                       attribute(line, "initial"), attribute(line, "variability"), last});
     }
+    if (!attribute(line, "max").empty()) description.variables.back().has_range = true;
     if (attribute(line, "reinit") == "true") description.variables.back().reinit = true;
     if (!attribute(line, "derivative").empty()) {
       description.state_of[last] = static_cast<unsigned>(std::stoul(attribute(line, "derivative"))) - offset;

@@ -1,11 +1,12 @@
 // A small importer: loads an FMU and drives it through its whole life, both interfaces, with rollback and wrong calls.
 // Co-simulation must give the bits of `mbgen simulate`, model exchange its accuracy.
-//   importer 2|3 LIBRARY modelDescription.xml TABLE.csv
+//   importer 2|3 LIBRARY modelDescription.xml TABLE.csv [NAME=VALUE], a parameter that the table was made with
 
 #include <cmath>
 #include <cstdio>
 #include <cstring>
 #include <limits>
+#include <memory>
 
 #include "case.hpp"
 #include "driving.hpp"
@@ -19,6 +20,7 @@ namespace {
 template <class Unit>
 void co_simulate(const Case& c, std::size_t stride, bool gives_memory) {
   Unit unit(c.library, c.description, false, gives_memory);
+  if (!c.set.empty()) require(unit.set({c.description.reference(c.set)}, {c.value}) == kOk, "set " + c.set);
   start(unit);
   const double h = c.description.step;
   for (std::size_t i = 0;; i += stride) {
@@ -28,6 +30,7 @@ void co_simulate(const Case& c, std::size_t stride, bool gives_memory) {
   }
   require(unit.terminate() == kOk && values(unit, c.columns).size() == c.columns.size(), "values after the end");
   require(unit.reset() == kOk, "reset");
+  if (!c.set.empty()) return;
   start(unit);
   require(same_bits(values(unit, c.columns), c.table.rows[0]), "bits after a reset");
 }
@@ -61,7 +64,12 @@ void roll_back(const Case& c) {
     require(same_bits(first[i], second[i]) && same_bits(first[i], third[i]), "bits after a rollback");
   bytes[0] ^= 1;
   void* broken = nullptr;
-  require(other.deserialise(bytes, broken) == kError && broken == nullptr, "foreign bytes are refused");
+  require(other.deserialise(bytes, broken) == kError && broken == nullptr && says("another FMU"),
+          "foreign bytes are refused");
+  bytes[0] ^= 1;
+  bytes[bytes.size() / 2] ^= 4;
+  require(other.deserialise(bytes, broken) == kError && broken == nullptr && says("damaged"),
+          "damaged bytes are refused");
   require(unit.forget(state) == kOk && state == nullptr && other.forget(copy) == kOk, "forget");
 }
 
@@ -162,7 +170,7 @@ void differentiate(const Case& c) {
   std::set<unsigned> parameters;
   for (const Variable& variable : c.description.variables) {
     // FMI 2 knows parameters at the initialisation only.
-    const bool is_tuned = Unit::kVersion == 3 && variable.causality == "parameter";
+    const bool is_tuned = Unit::kVersion == 3 && variable.variability == "tunable";
     if (is_tuned) parameters.insert(variable.reference);
     if (is_tuned || variable.causality == "input") knowns.push_back(variable.reference);
   }
@@ -232,10 +240,12 @@ void call_wrongly(const Case& c) {
   require(unit.setup(0, 5 * h) == kOk, "setup");
   require(unit.setup(0, 5 * h) == kError, "setup twice");
   require(unit.leave() == kOk, "end of the initialisation");
-  require(unit.set({output}, {1.0}) == kError, "set an output");
-  require(unit.get({100000}, one) == kError, "unknown reference");
+  require(unit.set({output}, {1.0}) == kError && says(c.description.variables[output].name + "\" is computed"),
+          "set an output");
+  require(unit.get({100000}, one) == kError && says("100000 does not exist"), "unknown reference");
   require(unit.step(0, -h) == kError && unit.step(0, 0) == kError && unit.step(0, nan) == kError, "step sizes");
-  require(unit.step(3 * h, h) == kError, "another communication point");
+  require(unit.step(3 * h, h) == kError && says("communication point"), "another communication point");
+  require(unit.step(0.5 * h, h) == kError && unit.step(0.4 * h, h) == kError, "half a step off");
   require(unit.step(0, 6 * h) == kError, "beyond the stop time");
   require(unit.set_time(1) == kError && unit.set_states(x) == kError && unit.derivatives(x) == kError &&
               unit.enter_event() == kError && unit.enter_continuous() == kError,
@@ -258,6 +268,37 @@ void call_wrongly(const Case& c) {
   require(other.derivatives(x) == kError && other.states(x) != kOk, "number of states");
 }
 
+/// As many instances as memory has room for, each with a state of its own.
+template <class Unit>
+void crowd(const Case& c) {
+  std::vector<std::unique_ptr<Unit>> units;
+  for (int i = 0; i < 100; ++i) {
+    units.push_back(std::make_unique<Unit>(c.library, c.description, false, false));
+    start(*units.back());
+  }
+  require(units[0]->step(0, c.description.step) == kOk, "step");
+  require(same_bits(values(*units[0], c.columns), c.table.rows[1]), "bits of the first instance");
+  require(same_bits(values(*units[99], c.columns), c.table.rows[0]), "bits of the last instance");
+}
+
+/// Values out of their range, and parameters of the start once it is over, are refused by name.
+template <class Unit>
+void exceed(const Case& c) {
+  Unit unit(c.library, c.description, false);
+  for (const Variable& variable : c.description.variables) {
+    if (!variable.has_range) continue;
+    require(unit.set({variable.reference}, {1e9}) == kError && says("\"" + variable.name + "\" must be at most"),
+            variable.name + " out of its range");
+  }
+  start(unit);
+  for (const Variable& variable : c.description.variables) {
+    if (variable.variability != "fixed") continue;
+    const double value = values(unit, {variable.reference})[0];
+    require(unit.set({variable.reference}, {value}) == kError && says(variable.name + "\" cannot be set in"),
+            variable.name + " after the start");
+  }
+}
+
 /// Tunable parameters and inputs matter, and a parameter set between steps acts from then on.
 template <class Unit>
 void tune(const Case& c) {
@@ -266,7 +307,7 @@ void tune(const Case& c) {
   run_on(c, unit, 0, 2);
   int tuned = 0;
   for (const Variable& variable : c.description.variables) {
-    if (variable.causality != "parameter") continue;
+    if (variable.variability != "tunable") continue;
     void* state = nullptr;
     require(unit.save(state) == kOk, "save");
     const double value = values(unit, {variable.reference})[0];
@@ -292,19 +333,29 @@ void drive(const Case& c) {
   switch_messages<Unit>(c, Unit::kVersion == 2 ? messages : messages_3);
   if (c.description.identifier == "tuned_rod") tune_lengths<Unit>(c);
   if (c.description.identifier == "driven_cart") drive_by_inputs<Unit>(c);
+  crowd<Unit>(c);
+  exceed<Unit>(c);
 }
 
 }  // namespace
 
 int main(int count, char** arguments) {
-  if (count != 5) return 2;
+  if (count < 5) return 2;
   try {
     const Library library(arguments[2]);
     const Description description = read_description(arguments[3]);
     const Table table = read_table(arguments[4]);
     Case c{library, description, table, {}};
-    for (const std::string& name : table.names) c.columns.push_back(description.reference(name));
-    std::string(arguments[1]) == "2" ? drive<Unit2>(c) : drive<Unit3>(c);
+    for (const std::string& name : table.names) c.columns.push_back(description.output(name));
+    const bool is_two = std::string(arguments[1]) == "2";
+    if (count > 5) {
+      const std::string text = arguments[5];
+      c.set = text.substr(0, text.find('='));
+      c.value = std::strtod(text.c_str() + text.find('=') + 1, nullptr);
+      is_two ? co_simulate<Unit2>(c, 1, true) : co_simulate<Unit3>(c, 1, true);
+    } else {
+      is_two ? drive<Unit2>(c) : drive<Unit3>(c);
+    }
   } catch (const std::exception& error) {
     std::printf("importer: %s: %s\n", arguments[2], error.what());
     return 1;

@@ -1,8 +1,12 @@
 #pragma once
 // What the functions of FMI 2 and 3 share: the values of one instance by their references, its evaluation and its
-// steps. `Model` is the struct that mbgen emits into <model>_fmu.hpp. Nothing here allocates or calls the C library.
+// steps. `Model` is the struct that mbgen emits into <model>_fmu.hpp. Nothing here allocates.
 //
 // Value references count through the groups of `Group` in their order.
+
+#if defined(__FAST_MATH__) || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__) || defined(_M_FP_FAST)
+#error "an FMU looks for NaN and infinity in what it is given: compile it without -ffast-math and -ffinite-math-only"
+#endif
 
 #include "mbgen/fmu_state.hpp"
 
@@ -11,8 +15,9 @@ namespace mbgen::fmu {
 /// Steps whose number is whole up to this (of a step) take the model's own step.
 constexpr double kWholeSteps = 1e-6;
 
-/// q, qd and qdd: of the states that loop blocks have, whatever their independent coordinates are now.
-enum class Group : int { time, parameter, input, output, z, zd, zdd, x, xd, q, qd, qdd, none };
+/// q, qd and qdd: of the states that loop blocks have, whatever their independent coordinates are now. start:
+/// parameters that act at the start.
+enum class Group : int { time, parameter, input, output, z, zd, zdd, x, xd, q, qd, qdd, start, none };
 
 struct Place {
   Group group = Group::none;
@@ -32,13 +37,26 @@ constexpr Place place_of(unsigned reference) noexcept {
                            Model::kAuxiliaryStates,
                            Model::kChosenStates,
                            Model::kChosenStates,
-                           Model::kChosenStates};
+                           Model::kChosenStates,
+                           Model::kStartParameters};
   for (int g = 0; g < static_cast<int>(Group::none); ++g) {
     const auto size = static_cast<unsigned>(sizes[g]);
     if (reference < size) return {static_cast<Group>(g), static_cast<int>(reference)};
     reference -= size;
   }
   return {};
+}
+
+/// Values that a variable is meant to have.
+struct Range {
+  unsigned variable;  ///< value reference
+  double least, most;
+};
+
+template <class Model>
+Answer refuse(Core<Model>& core, const Refusal& refusal) noexcept {
+  core.refusal = refusal;
+  return Answer::error;
 }
 
 constexpr bool contains(const int* list, int size, int value) noexcept {
@@ -119,6 +137,8 @@ double value_at(const Core<Model>& core, Place place) noexcept {
       return state.zd[chosen_coordinate(run, place.index)];
     case Group::qdd:
       return core.derivative.zdd[chosen_coordinate(run, place.index)];
+    case Group::start:
+      return run.start[place.index];
     default:
       return run.state.t;
   }
@@ -130,9 +150,10 @@ template <class Model>
 Answer get_values(Core<Model>& core, const unsigned* references, unsigned long count, double* values) noexcept {
   for (unsigned long i = 0; i < count; ++i) {
     const Place place = place_of<Model>(references[i]);
-    if (place.group == Group::none) return Answer::error;
+    if (place.group == Group::none) return refuse(core, Refusal::of_variable(references[i], "does not exist"));
     if (!asks_for_solution(core.run, place)) continue;
-    if (core.run.mode == kInstantiated) return Answer::error;
+    if (core.run.mode == kInstantiated)
+      return refuse(core, Refusal::of_variable(references[i], "has no value before the initialization mode"));
     if (!solve(core)) return Answer::discard;
   }
   for (unsigned long i = 0; i < count; ++i) values[i] = value_at(core, place_of<Model>(references[i]));
@@ -143,6 +164,15 @@ Answer get_values(Core<Model>& core, const unsigned* references, unsigned long c
 template <class Model>
 bool is_state(int coordinate) noexcept {
   return is_independent<Model>(coordinate) && Model::kBlockOf[coordinate] < 0;
+}
+
+/// Whether a velocity at the start follows from parameters that act there.
+template <class Model>
+constexpr bool follows_at_start(int coordinate) noexcept {
+  for (int i = 0; i < Model::kStartParameters; ++i) {
+    if (Model::kStartRate[i * Model::kCoordinates + coordinate] != 0) return true;
+  }
+  return false;
 }
 
 /// Whether a variable may be set in the mode of the run.
@@ -160,7 +190,10 @@ bool may_be_set(const Core<Model>& core, Place place) noexcept {
       if (is_start && is_independent<Model>(place.index)) return true;
       return mode == kInstantiated ? is_undriven<Model>(place.index) : is_state_time && is_state<Model>(place.index);
     case Group::zd:
-      return is_start ? is_independent<Model>(place.index) : is_state_time && is_state<Model>(place.index);
+      if (is_start) return is_independent<Model>(place.index) && !follows_at_start<Model>(place.index);
+      return is_state_time && is_state<Model>(place.index);
+    case Group::start:
+      return is_start;
     case Group::x:
       return is_start || is_state_time;
     case Group::q:
@@ -169,6 +202,15 @@ bool may_be_set(const Core<Model>& core, Place place) noexcept {
     default:
       return false;
   }
+}
+
+/// Whether a variable may be set in no mode.
+template <class Model>
+constexpr bool is_computed(Place place) noexcept {
+  return place.group == Group::time || place.group == Group::output || place.group == Group::zdd ||
+         place.group == Group::xd || place.group == Group::qdd ||
+         (place.group == Group::z && !is_undriven<Model>(place.index)) ||
+         (place.group == Group::zd && (!is_independent<Model>(place.index) || follows_at_start<Model>(place.index)));
 }
 
 template <class Model>
@@ -186,16 +228,53 @@ double& place_to_set(Run<Model>& run, Place place) noexcept {
       return run.state.z[chosen_coordinate(run, place.index)];
     case Group::qd:
       return run.state.zd[chosen_coordinate(run, place.index)];
+    case Group::start:
+      return run.start[place.index];
     default:
       return run.state.x[place.index];
   }
+}
+
+/// The refusal of a value outside of the variable's range, none within.
+template <class Model>
+Refusal out_of_range(unsigned variable, double value) noexcept {
+  for (int i = 0; i < Model::kRanges; ++i) {
+    const Range& range = Model::kRange[i];
+    if (range.variable != variable || (value >= range.least && value <= range.most)) continue;
+    const bool is_less = value < range.least;
+    return {is_less ? "must be at least" : "must be at most",
+            true,
+            true,
+            true,
+            variable,
+            is_less ? range.least : range.most,
+            value};
+  }
+  return {};
+}
+
+/// Changes the velocities at the start with a parameter that acts there.
+template <class Model>
+void start_otherwise(Run<Model>& run, int parameter, double change) noexcept {
+  for (int i = 0; i < Model::kCoordinates; ++i)
+    run.state.zd[i] += Model::kStartRate[parameter * Model::kCoordinates + i] * change;
 }
 
 /// Sets variables, all or none. Answer: error where one of them may not be set now, or is not finite.
 template <class Model>
 Answer set_values(Core<Model>& core, const unsigned* references, unsigned long count, const double* values) noexcept {
   for (unsigned long i = 0; i < count; ++i) {
-    if (!may_be_set(core, place_of<Model>(references[i])) || !std::isfinite(values[i])) return Answer::error;
+    const Place place = place_of<Model>(references[i]);
+    Refusal refusal = Refusal::of_variable(references[i], nullptr);
+    if (place.group == Group::none) {
+      refusal.reason = "does not exist";
+    } else if (!may_be_set(core, place)) {
+      refusal.reason = is_computed<Model>(place) ? "is computed and cannot be set" : "cannot be set in this mode";
+    } else if (!std::isfinite(values[i])) {
+      refusal.reason = "must be finite";
+    }
+    if (refusal.reason == nullptr) refusal = out_of_range<Model>(references[i], values[i]);
+    if (refusal.reason != nullptr) return refuse(core, refusal);
   }
   bool is_tuned = false;
   for (unsigned long i = 0; i < count; ++i) {
@@ -203,8 +282,11 @@ Answer set_values(Core<Model>& core, const unsigned* references, unsigned long c
     double& value = place_to_set(core.run, place);
     if (place.group == Group::input) core.run.slope[place.index] = 0;
     if (value == values[i]) continue;
-    // A step follows the inputs itself.
-    if (core.run.mode != kStep || place.group != Group::input) open_loops(core.run);
+    if (place.group == Group::start) {
+      start_otherwise(core.run, place.index, values[i] - value);
+    } else if (core.run.mode != kStep || place.group != Group::input) {  // a step follows the inputs itself
+      open_loops(core.run);
+    }
     value = values[i];
     is_tuned = is_tuned || place.group == Group::parameter;
     core.is_solved = false;

@@ -78,6 +78,12 @@ bool add_known(const Run<Model>& run, Place place, double rate, typename Model::
     case Group::qd:
       direction.zd[chosen_coordinate(run, place.index)] += rate;
       return true;
+    case Group::start:
+      for (int i = 0; i < Model::kCoordinates; ++i) {
+        if (is_independent<Model>(i))
+          direction.zd[i] += rate * Model::kStartRate[place.index * Model::kCoordinates + i];
+      }
+      return run.mode == kInitialization;
     default:
       return false;
   }

@@ -1,6 +1,8 @@
 #pragma once
 // The life of an instance of FMI 2 or 3: its modes, steps, continuous states and saved runs. See fmu.hpp.
 
+#include <cstring>
+
 #include "mbgen/fmu.hpp"
 
 namespace mbgen::fmu {
@@ -8,7 +10,9 @@ namespace mbgen::fmu {
 /// Times of the experiment. Answer: error for times that are none.
 template <class Model>
 Answer set_times(Core<Model>& core, double start, bool has_stop, double stop) noexcept {
-  if (!std::isfinite(start) || (has_stop && !(stop > start))) return Answer::error;
+  if (!std::isfinite(start)) return refuse(core, Refusal::of_value("the start time must be finite", start));
+  if (has_stop && !(stop > start))
+    return refuse(core, Refusal::of_limit("the stop time must be after the start time", start, stop));
   if (start != core.run.state.t) open_loops(core.run);
   core.run.start_time = core.run.state.t = start;
   core.run.stop_time = has_stop ? stop : HUGE_VAL;
@@ -35,6 +39,10 @@ Answer leave_initialization(Core<Model>& core) noexcept {
   core.run.mode = core.run.interface == Interface::model_exchange ? kEvent : kStep;
   return Answer::ok;
 }
+
+/// How far a communication point may lie from the end of the last step: of the shorter of the model's and this step,
+/// and of the time, which importers sum over up to 1e7 steps.
+constexpr double kSamePoint = 1e-3, kSummedTime = 1e-9;
 
 /// Steps of the model's size where a whole number of them fits, else of the next smaller equal ones.
 struct Division {
@@ -85,9 +93,14 @@ bool take_step(Core<Model>& core, double size) noexcept {
 /// run is then as before.
 template <class Model>
 Answer do_step(Core<Model>& core, double point, double size) noexcept {
-  if (!std::isfinite(point) || !std::isfinite(size) || !(size > 0)) return Answer::error;
-  if (!(std::abs(point - core.run.state.t) <= 0.5 * Model::kStep)) return Answer::error;
-  if (point + size > core.run.stop_time + 0.5 * Model::kStep) return Answer::error;
+  const double t = core.run.state.t, stop = core.run.stop_time;
+  if (!std::isfinite(size) || !(size > 0))
+    return refuse(core, Refusal::of_value("the communication step size must be positive and finite", size));
+  const double slack = kSamePoint * std::fmin(size, Model::kStep) + kSummedTime * std::abs(t);
+  if (!(std::abs(point - t) <= slack))
+    return refuse(core, Refusal::of_limit("the communication point must be where the last step ended,", t, point));
+  if (point + size > stop + slack)
+    return refuse(core, Refusal::of_limit("the step must not end after the stop time", stop, point + size));
   if (!core.run.is_closed) {
     if (!solve(core)) return Answer::discard;
     commit(core);
@@ -194,30 +207,42 @@ Answer restore(const Run<Model>& saved, Core<Model>& core) noexcept {
   return Answer::ok;
 }
 
-/// Bytes of a saved run: the model's token, then the run.
+/// FNV-1a, 64 bits.
+inline unsigned long long checksum(const unsigned char* bytes, unsigned long size) noexcept {
+  unsigned long long hash = 0xcbf29ce484222325u;
+  for (unsigned long i = 0; i < size; ++i) hash = (hash ^ bytes[i]) * 0x100000001b3u;
+  return hash;
+}
+
+/// Bytes of a saved run: the model's token, the run, and a checksum of the run.
 template <class Model>
-constexpr unsigned long kSerialisedSize = sizeof(Model::kToken) + sizeof(Run<Model>);
+constexpr unsigned long kSerialisedSize = sizeof(Model::kToken) + sizeof(Run<Model>) + sizeof(unsigned long long);
 
 template <class Model, class Byte>
 Answer serialise(const Run<Model>& saved, Byte* bytes, unsigned long size) noexcept {
   static_assert(sizeof(Byte) == 1);
   if (bytes == nullptr || size < kSerialisedSize<Model>) return Answer::error;
-  for (const char c : Model::kToken) *bytes++ = static_cast<Byte>(c);
   const auto* source = reinterpret_cast<const unsigned char*>(&saved);
-  for (unsigned long i = 0; i < sizeof(saved); ++i) bytes[i] = static_cast<Byte>(source[i]);
+  const unsigned long long sum = checksum(source, sizeof(saved));
+  std::memcpy(bytes, Model::kToken, sizeof(Model::kToken));
+  std::memcpy(bytes + sizeof(Model::kToken), source, sizeof(saved));
+  std::memcpy(bytes + sizeof(Model::kToken) + sizeof(saved), &sum, sizeof(sum));
   return Answer::ok;
 }
 
-/// Answer: error for bytes that are no run of this model.
+/// Result: null, or why these bytes are no run of this model.
 template <class Model, class Byte>
-Answer deserialise(const Byte* bytes, unsigned long size, Run<Model>& saved) noexcept {
-  if (bytes == nullptr || size != kSerialisedSize<Model>) return Answer::error;
-  for (const char c : Model::kToken) {
-    if (*bytes++ != static_cast<Byte>(c)) return Answer::error;
-  }
-  auto* target = reinterpret_cast<unsigned char*>(&saved);
-  for (unsigned long i = 0; i < sizeof(saved); ++i) target[i] = static_cast<unsigned char>(bytes[i]);
-  return Answer::ok;
+const char* deserialise(const Byte* bytes, unsigned long size, Run<Model>& saved) noexcept {
+  static_assert(sizeof(Byte) == 1);
+  if (bytes == nullptr || size != kSerialisedSize<Model>) return "the bytes have another size than a state of this FMU";
+  if (std::memcmp(bytes, Model::kToken, sizeof(Model::kToken)) != 0) return "the bytes are a state of another FMU";
+  unsigned char run[sizeof(saved)];
+  unsigned long long sum = 0;
+  std::memcpy(run, bytes + sizeof(Model::kToken), sizeof(saved));
+  std::memcpy(&sum, bytes + sizeof(Model::kToken) + sizeof(saved), sizeof(sum));
+  if (sum != checksum(run, sizeof(run))) return "the bytes are damaged: their checksum is another";
+  std::memcpy(static_cast<void*>(&saved), run, sizeof(saved));
+  return nullptr;
 }
 
 }  // namespace mbgen::fmu

@@ -66,7 +66,26 @@ struct Run {
   Choice<Model> choice;
   typename Model::InputPaths paths{};                          ///< of inputs whose rates are not given
   double slope[Model::kInputs > 0 ? Model::kInputs : 1] = {};  ///< of inputs that go on by a rate that is no input
-  Closed<Model> closed;  ///< the last state whose loops were, where those of `state` are not
+  Closed<Model> closed;                            ///< the last state whose loops were, where those of `state` are not
+  double start[Model::kStartParameters + 1] = {};  ///< parameters that act at the start; the last one is none
+};
+
+/// Why a call was refused, for a message: [the variable] reason [limit][, got value].
+struct Refusal {
+  const char* reason = nullptr;
+  bool has_variable = false, has_limit = false, has_value = false;
+  unsigned variable = 0;  ///< value reference
+  double limit = 0, value = 0;
+
+  static constexpr Refusal of_variable(unsigned variable, const char* reason) noexcept {
+    return {reason, true, false, false, variable, 0, 0};
+  }
+  static constexpr Refusal of_value(const char* reason, double value) noexcept {
+    return {reason, false, false, true, 0, 0, value};
+  }
+  static constexpr Refusal of_limit(const char* reason, double limit, double value) noexcept {
+    return {reason, false, true, true, 0, limit, value};
+  }
 };
 
 /// An instance: a run, and what follows from it.
@@ -78,7 +97,8 @@ struct Core {
   typename Model::State solved{};          ///< loops closed
   typename Model::Derivative derivative{};
   typename Model::Outputs outputs{};
-  Status status;  ///< of the solver's last call
+  Status status;    ///< of the solver's last call
+  Refusal refusal;  ///< of the last call of the importer's that was refused
 };
 
 /// The coordinates that the solver's frozen partition has.
@@ -201,6 +221,7 @@ void restart(Core<Model>& core) noexcept {
     core.run.state.zd[i] = Model::kInitialZd[i];
   }
   for (int i = 0; i < Model::kAuxiliaryStates; ++i) core.run.state.x[i] = Model::kInitialX[i];
+  for (int i = 0; i < Model::kStartParameters; ++i) core.run.start[i] = Model::kStartParameter[i];
   core.is_solved = false;
 }
 

@@ -1,44 +1,25 @@
 #pragma once
-// Memory and texts of the functions of FMI 2 and 3, without the C library.
+// Texts of the functions of FMI 2 and 3.
 
-#include <atomic>
+#include <cstddef>
+#include <cstdio>
+
+#include "mbgen/fmu.hpp"
 
 namespace mbgen::fmu {
-
-/// Room for a fixed number of values, in static memory: an FMU may import no allocator, and the importers of FMI 3
-/// offer none. Any thread may take and give.
-template <class Value, int most>
-class Pool {
- public:
-  /// Null when all places are taken.
-  void* take() noexcept {
-    for (int i = 0; i < most; ++i) {
-      if (!taken_[i].exchange(true, std::memory_order_acquire)) return memory_[i];
-    }
-    return nullptr;
-  }
-
-  /// Result: whether it was a place of this pool.
-  bool give(void* place) noexcept {
-    for (int i = 0; i < most; ++i) {
-      if (place != memory_[i]) continue;
-      taken_[i].store(false, std::memory_order_release);
-      return true;
-    }
-    return false;
-  }
-
- private:
-  alignas(Value) unsigned char memory_[most][sizeof(Value)] = {};
-  std::atomic<bool> taken_[most] = {};
-};
-
-/// Instances and saved runs that one FMU has at a time where the importer offers no memory.
-constexpr int kMostInstances = 64, kMostSavedRuns = 1024;
 
 inline bool is_same(const char* a, const char* b) noexcept {
   while (*a != 0 && *a == *b) ++a, ++b;
   return *a == *b;
+}
+
+constexpr const char* name_of(unsigned mode) noexcept {
+  constexpr const char* kModes[] = {"instantiated state",   "initialization mode", "event mode",
+                                    "continuous-time mode", "step mode",           "terminated state"};
+  for (int i = 0; i < 6; ++i) {
+    if (mode == 1u << i) return kModes[i];
+  }
+  return "an unknown mode";
 }
 
 /// A message of several parts, cut where it grows too long.
@@ -49,9 +30,29 @@ class Message {
     text_[size_] = 0;
     return *this;
   }
+  Message& add(double number) noexcept {
+    char digits[32];
+    std::snprintf(digits, sizeof digits, "%.10g", number);
+    return add(digits);
+  }
+  /// Why a call was refused; the variable by its name.
+  template <class Model>
+  Message& add_refusal(const Refusal& refusal) noexcept {
+    if (refusal.has_variable) add_variable<Model>(refusal.variable).add(" ");
+    add(refusal.reason);
+    if (refusal.has_limit) add(" ").add(refusal.limit);
+    if (refusal.has_value) add(", got ").add(refusal.value);
+    return *this;
+  }
   const char* text() const noexcept { return text_; }
 
  private:
+  template <class Model>
+  Message& add_variable(unsigned reference) noexcept {
+    if (place_of<Model>(reference).group != Group::none) return add("\"").add(Model::kNames[reference]).add("\"");
+    return add("value reference ").add(static_cast<double>(reference));
+  }
+
   char text_[256] = {};
   int size_ = 0;
 };

@@ -1,4 +1,4 @@
-#include "compiler/emit/unit_exponents.hpp"
+#include "compiler/model/unit_exponents.hpp"
 
 #include <cctype>
 #include <cmath>
@@ -33,6 +33,7 @@ constexpr NamedUnit kUnits[] = {{"1", {}},
                                 {"cd", {1, {0, 0, 0, 0, 0, 0, 1}}},
                                 {"rad", {1, {0, 0, 0, 0, 0, 0, 0, 1}}},
                                 {"deg", {kDegree, {0, 0, 0, 0, 0, 0, 0, 1}}},
+                                {"rpm", {2 * std::numbers::pi / 60, {0, 0, -1, 0, 0, 0, 0, 1}}},
                                 {"Hz", {1, {0, 0, -1}}},
                                 {"N", {1, {1, 1, -2}}},
                                 {"kN", {1e3, {1, 1, -2}}},
@@ -41,6 +42,7 @@ constexpr NamedUnit kUnits[] = {{"1", {}},
                                 {"kPa", {1e3, {1, -1, -2}}},
                                 {"MPa", {1e6, {1, -1, -2}}},
                                 {"bar", {1e5, {1, -1, -2}}},
+                                {"kNm", {1e3, {1, 2, -2}}},
                                 {"J", {1, {1, 2, -2}}},
                                 {"W", {1, {1, 2, -3}}},
                                 {"kW", {1e3, {1, 2, -3}}},
@@ -122,6 +124,12 @@ class UnitReader {
 };
 
 }  // namespace
+
+std::vector<std::string_view> known_units() {
+  std::vector<std::string_view> symbols;
+  for (const NamedUnit& unit : kUnits) symbols.push_back(unit.symbol);
+  return symbols;
+}
 
 std::optional<UnitExponents> unit_exponents(std::string_view unit) { return UnitReader(unit).whole(); }
 

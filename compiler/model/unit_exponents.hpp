@@ -4,6 +4,7 @@
 #include <array>
 #include <optional>
 #include <string_view>
+#include <vector>
 
 namespace mbgen {
 
@@ -16,5 +17,8 @@ struct UnitExponents {
 /// Reads "N m s/rad", "kg m^2", "N/(m/s)": symbols with whole powers, side by side or with * or . between them; a slash
 /// divides by what comes next to it. None for what it does not know.
 std::optional<UnitExponents> unit_exponents(std::string_view unit);
+
+/// Every symbol that it knows.
+std::vector<std::string_view> known_units();
 
 }  // namespace mbgen
