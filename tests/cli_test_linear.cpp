@@ -22,7 +22,7 @@ TEST_F(CommandLine, LinearizePrintsModes) {
   EXPECT_EQ(outcome.err, "");
   const std::string modes =
       "        eigenvalue [1/s]           frequency [Hz]   damping   moves most\n"
-      "   1       -1.0000 +-4.8990 i             0.7797      0.2000   slide 1.00\n";
+      "   1       -1.0000 +-4.8990 i             0.7797      0.2000   slide +1.00\n";
   EXPECT_EQ(outcome.out.substr(outcome.out.find("        eigenvalue")), modes);
   EXPECT_TRUE(outcome.out.starts_with("oscillator: 2 states, 1 inputs, 1 outputs\n"));
 }

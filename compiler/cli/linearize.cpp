@@ -1,8 +1,10 @@
 // mbgen linearize: small motions about a state.
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
 #include <memory>
 #include <nlohmann/json.hpp>
 
@@ -19,6 +21,8 @@ namespace mbgen::cli {
 namespace {
 
 using Json = nlohmann::ordered_json;
+
+constexpr double kStill = 1e-9;  // rad/s or m/s, of a steady motion: rounding
 
 struct LinearizeOptions {
   std::string model, file, page;
@@ -71,21 +75,31 @@ Json modes_json(const Compilation& compilation, const std::vector<Mode>& list) {
 }
 
 Json linear_json(const Compilation& compilation, const OperatingPoint& point, const LinearSystem& system,
-                 const std::vector<Mode>& list) {
+                 const std::vector<Mode>& list, const std::vector<std::string>& places) {
   Json inputs = Json::array(), outputs = Json::array(), z = Json::object();
   for (const Input& input : compilation.model.inputs) inputs.push_back(input.name);
   for (const Output& output : compilation.model.outputs) outputs.push_back(output.name);
-  for (std::size_t i = 0; i < point.z.size(); ++i) z[compilation.topology.bodies[i].coordinate] = point.z[i];
+  Json zd = Json::object();
+  for (std::size_t i = 0; i < point.z.size(); ++i) {
+    z[compilation.topology.bodies[i].coordinate] = point.z[i];
+    zd[compilation.topology.bodies[i].coordinate] = point.zd[i];
+  }
+  Json input_values = Json::object();
+  for (std::size_t i = 0; i < point.inputs.size(); ++i)
+    input_values[compilation.model.inputs[i].name] = point.inputs[i];
   return {{"model", compilation.model.name},
           {"states", state_names(compilation, system)},
           {"inputs", inputs},
           {"outputs", outputs},
           {"positions", z},
+          {"velocities", zd},
+          {"input_values", input_values},
           {"drift", std::vector<double>(system.drift.begin(), system.drift.end())},
           {"A", matrix_json(system.A)},
           {"B", matrix_json(system.B)},
           {"C", matrix_json(system.C)},
           {"D", matrix_json(system.D)},
+          {"rigid_body", places},
           {"modes", modes_json(compilation, list)}};
 }
 
@@ -99,24 +113,60 @@ double largest_drift(const LinearSystem& system) {
   return system.drift.size() > 0 ? system.drift.cwiseAbs().maxCoeff() : 0.0;
 }
 
-std::string linear_text(const Compilation& compilation, const LinearSystem& system, const std::vector<Mode>& list) {
-  std::string text =
-      fmt::format("{}: {} states, {} inputs, {} outputs\nrates of the states at this point: at most {:.3g}\n\n",
-                  compilation.model.name, system.states.size(), compilation.model.inputs.size(),
-                  compilation.model.outputs.size(), largest_drift(system));
+/// One line for all that stays where it is put.
+std::string neutral_text(const std::vector<Mode>& list, const std::vector<std::string>& places) {
+  const auto first = std::find_if(list.begin(), list.end(), [](const Mode& mode) { return mode.is_neutral; });
+  if (first == list.end()) return "";
+  long count = 0;  // of a conjugate pair the list has one
+  for (const Mode& mode : list) count += !mode.is_neutral ? 0 : mode.eigenvalue.imag() > 0 ? 2 : 1;
+  return fmt::format("{:>4}{:>14} {:<17}{:>12}{:>12}   rigid body{}: {}\n", first - list.begin() + 1, 0, "", "-", "-",
+                     count == 1 ? "" : fmt::format(" ({} eigenvalues)", count), fmt::join(places, ", "));
+}
+
+/// The rates that a steady motion keeps, and the inputs that were found.
+std::string steady_text(const Compilation& compilation, const SteadyMotion& steady, const SteadyWish& wish) {
+  std::string text = fmt::format("steady motion, accelerations at most {:.1e}:\n", steady.largest);
+  for (const int i : free_coordinates(compilation.topology, compilation.analysis)) {
+    const TreeBody& body = compilation.topology.bodies[i];
+    if (std::abs(steady.point.zd[i]) < kStill) continue;
+    text += fmt::format("  {:<32}{:>16.9g} {}/s\n", "zd." + body.coordinate, steady.point.zd[i], unit_of(body.kind));
+  }
+  for (std::size_t i = 0; i < compilation.model.inputs.size(); ++i) {
+    const Input& input = compilation.model.inputs[i];
+    if (std::find(wish.solve.begin(), wish.solve.end(), input.name) == wish.solve.end()) continue;
+    text += fmt::format("  {:<32}{:>16.9g} {}\n", input.name, steady.point.inputs[i], input.unit);
+  }
+  return text + "\n";
+}
+
+std::string heading_text(const LinearizeOptions& options, const Compilation& compilation, const ChosenPoint& chosen,
+                         const LinearSystem& system) {
+  const std::string text =
+      fmt::format("{}: {} states, {} inputs, {} outputs\n", compilation.model.name, system.states.size(),
+                  compilation.model.inputs.size(), compilation.model.outputs.size());
+  if (chosen.steady) return text + steady_text(compilation, *chosen.steady, options.state.steady);
+  return text + fmt::format("rates of the states at this point: at most {:.3g}\n\n", largest_drift(system));
+}
+
+std::string modes_text(const Compilation& compilation, const std::vector<Mode>& list,
+                       const std::vector<std::string>& places) {
+  std::string text;
   text += "        eigenvalue [1/s]           frequency [Hz]   damping   moves most\n";
   int number = 0;
   for (const Mode& mode : list) {
+    ++number;
+    if (mode.is_neutral) continue;
     const bool oscillates = mode.oscillates();
     const std::string frequency = oscillates ? fmt::format("{:.4f}", mode.frequency()) : "-";
     const std::string damping = oscillates ? without_minus_zero(mode.damping_ratio()) : "-";
     const std::string imaginary = oscillates ? fmt::format("+-{:.4f} i", mode.eigenvalue.imag()) : "";
-    const std::string real = mode.is_neutral ? "0" : without_minus_zero(mode.eigenvalue.real());
-    std::string line = fmt::format("{:>4}{:>14} {:<17}{:>12}{:>12}   {}", ++number, real, imaginary, frequency, damping,
-                                   leading_coordinates(compilation.topology, mode));
+    const std::string real = without_minus_zero(mode.eigenvalue.real());
+    std::string line = fmt::format("{:>4}{:>14} {:<17}{:>12}{:>12}   {}", number, real, imaginary, frequency, damping,
+                                   leading_coordinates(compilation.topology, compilation.analysis, mode));
     line.erase(line.find_last_not_of(' ') + 1);
     text += line + "\n";
   }
+  text += neutral_text(list, places);
   const auto unstable = std::count_if(list.begin(), list.end(), [](const Mode& mode) { return mode.is_unstable; });
   if (unstable > 0) text += fmt::format("\nunstable: {} of {} modes grow\n", unstable, list.size());
   return text;
@@ -124,6 +174,11 @@ std::string linear_text(const Compilation& compilation, const LinearSystem& syst
 
 /// Which state was asked for, in words.
 std::string state_text(const StateArguments& state) {
+  if (!state.result.empty()) {
+    return state.has_time ? fmt::format("state at {:g} s of {}", state.time, state.result)
+                          : fmt::format("row {} of {}", state.row, state.result);
+  }
+  if (state.at == "steady") return "steady motion";
   if (!state.states.empty()) return fmt::format("state {} of {}", state.index, state.states);
   return state.at == "equilibrium" ? "static equilibrium" : "initial state";
 }
@@ -140,16 +195,21 @@ void write_page(const LinearizeOptions& options, const Compilation& compilation,
 int run(const LinearizeOptions& options) {
   if (!options.page.empty()) require_report_page("--report");
   const Compilation compilation = expect(compile(options.model));
-  const OperatingPoint point = operating_point(compilation, options.state);
-  const LinearSystem system = expect(linearise(compilation, point));
-  const std::vector<Mode> list = modes(system);
-  const std::string json = json_text(linear_json(compilation, point, system, list));
+  const ChosenPoint chosen = operating_point(compilation, options.state);
+  const OperatingPoint& point = chosen.point;
+  LinearSystem system = expect(linearise(compilation, point));
+  const std::vector<std::string> places = neutral_coordinates(compilation.topology, system);
+  if (chosen.steady) system = turning_with(*chosen.steady, std::move(system));
+  std::vector<Mode> list = modes(system);
+  if (chosen.steady) mark_places(*chosen.steady, list);
+  const std::string json = json_text(linear_json(compilation, point, system, list, places));
   if (!options.file.empty()) {
     require_other_file(options.file, compilation.model.files);
     write_file(options.file, json);
   }
   if (!options.page.empty()) write_page(options, compilation, point, system, list);
-  print(options.json ? json : linear_text(compilation, system, list));
+  print(options.json ? json
+                     : heading_text(options, compilation, chosen, system) + modes_text(compilation, list, places));
   return kDone;
 }
 

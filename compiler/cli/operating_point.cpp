@@ -2,10 +2,14 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "compiler/cli/engine.hpp"
 #include "compiler/cli/equilibrium_trouble.hpp"
 #include "compiler/cli/initial_state.hpp"
 #include "compiler/cli/options.hpp"
+#include "compiler/cli/result_file.hpp"
 #include "compiler/cli/states_file.hpp"
 #include "compiler/cli/user_error.hpp"
 
@@ -32,18 +36,96 @@ GenericState state_of_file(const Compilation& compilation, const StateArguments&
                               describe(compilation, status)));
 }
 
+/// Row of a result that is asked for, from 0.
+std::size_t chosen_row(const Results& results, const StateArguments& arguments) {
+  const std::vector<double>& time = results.columns.front().values;
+  if (!arguments.has_time) {
+    if (arguments.row >= 1 && static_cast<std::size_t>(arguments.row) <= time.size()) return arguments.row - 1;
+    throw UserError(
+        fmt::format("--row: {} has rows 1 to {}, found {}\n", arguments.result, time.size(), arguments.row));
+  }
+  const double slack = time.size() > 1 ? 0.5 * (time.back() - time.front()) / static_cast<double>(time.size() - 1) : 0;
+  const auto nearest = std::min_element(time.begin(), time.end(), [&](double a, double b) {
+    return std::abs(a - arguments.time) < std::abs(b - arguments.time);
+  });
+  if (std::abs(*nearest - arguments.time) <= 1.001 * slack) return static_cast<std::size_t>(nearest - time.begin());
+  throw UserError(fmt::format("--time: {} has times from {:g} to {:g} s, the nearest to {:g} s is {:g} s\n",
+                              arguments.result, time.front(), time.back(), arguments.time, *nearest));
+}
+
+/// A row of a result, made consistent; what a result does not hold is said.
+OperatingPoint point_of_result(const Compilation& compilation, const StateArguments& arguments,
+                               const std::vector<double>& inputs) {
+  const Results results = read_result_file(arguments.result);
+  const std::size_t row = chosen_row(results, arguments);
+  GenericState state = reference_state(compilation);
+  state.t = results.columns.front().values[row];
+  const auto value = [&](const std::string& name) {
+    const int column = find_column(results, name);
+    if (column >= 0) return results.columns[static_cast<std::size_t>(column)].values[row];
+    throw UserError(
+        fmt::format("{}: no column \"{}\"; it is no result of {}\n", arguments.result, name, compilation.model.file));
+  };
+  for (std::size_t i = 0; i < state.z.size(); ++i) {
+    state.z[i] = value("z." + compilation.topology.bodies[i].coordinate);
+    state.zd[i] = value("zd." + compilation.topology.bodies[i].coordinate);
+  }
+  GenericSolver solver(compilation.model, compilation.topology, compilation.analysis);
+  solver.set_inputs(inputs);
+  if (const Status status = solver.project(state); !status.ok()) {
+    throw UserError(fmt::format("{}: row {} cannot be made consistent: {}\n", arguments.result, row + 1,
+                                describe(compilation, status)));
+  }
+  OperatingPoint point{state.z, state.zd, state.x, state.t, inputs};
+  settle_auxiliary(compilation, point);
+  if (!point.x.empty()) {
+    fmt::print(stderr, "{}: note: a result does not hold the slips of tyres: they are taken as settled\n",
+               arguments.result);
+  }
+  if (!inputs.empty() && arguments.inputs.empty()) {
+    fmt::print(stderr, "{}: note: a result does not hold the inputs: they have their defaults; --input sets them\n",
+               arguments.result);
+  }
+  return point;
+}
+
 }  // namespace
 
 void add_state_options(CLI::App& command, StateArguments& arguments) {
   arguments.at = "initial";
   arguments.index = 1;
+  arguments.row = 1;
   CLI::Option* at = command.add_option("--at", arguments.at,
-                                       "initial: the state that the model starts from (default), or equilibrium: the "
-                                       "static equilibrium near it");
-  at->check(CLI::IsMember({"initial", "equilibrium"}));
-  command.add_option("--states", arguments.states, "a state of this file, as evaluate reads it, made consistent")
-      ->excludes(at);
+                                       "initial: the state that the model starts from (default), equilibrium: the "
+                                       "static equilibrium near it, or steady: a motion near it with constant rates");
+  at->check(CLI::IsMember({"initial", "equilibrium", "steady"}));
+  command
+      .add_option(
+          "--hold", arguments.steady.hold,
+          "of steady: coordinate=rate that is given (default: with --solve the first translation that moves at the "
+          "start, else none)")
+      ->allow_extra_args(false);
+  command.add_option("--solve", arguments.steady.solve, "of steady: an input to be found, a drive or a steering angle")
+      ->allow_extra_args(false);
+  CLI::Option* states =
+      command.add_option("--states", arguments.states, "a state of this file, as evaluate reads it, made consistent")
+          ->excludes(at);
   command.add_option("--index", arguments.index, "which state of the file, counted from 1 (default 1)");
+  CLI::Option* result = command.add_option("--result", arguments.result, "a row of this file, which simulate wrote")
+                            ->excludes(at)
+                            ->excludes(states);
+  CLI::Option* row = command.add_option("--row", arguments.row, "which row of the result, counted from 1 (default 1)");
+  row->needs(result);
+  command
+      .add_option_function<double>(
+          "--time",
+          [&arguments](double time) {
+            arguments.time = time;
+            arguments.has_time = true;
+          },
+          "the row of the result at this time, s")
+      ->needs(result)
+      ->excludes(row);
   add_input_option(command, arguments.inputs);
 }
 
@@ -57,12 +139,20 @@ GenericState equilibrium_state(const Compilation& compilation, const std::vector
   return state;
 }
 
-OperatingPoint operating_point(const Compilation& compilation, const StateArguments& arguments) {
+ChosenPoint operating_point(const Compilation& compilation, const StateArguments& arguments) {
   std::vector<double> inputs = input_values(compilation.model, arguments.inputs);
+  const bool is_steady = arguments.at == "steady";
+  if (!is_steady && !(arguments.steady.hold.empty() && arguments.steady.solve.empty())) {
+    throw UserError("--hold, --solve: these belong to --at steady\n");
+  }
+  if (!arguments.result.empty()) return {point_of_result(compilation, arguments, inputs), {}};
   GenericState state = !arguments.states.empty()       ? state_of_file(compilation, arguments, inputs)
                        : arguments.at == "equilibrium" ? equilibrium_state(compilation, inputs)
                                                        : noted_initial_state(compilation, inputs);
-  return {std::move(state.z), std::move(state.zd), std::move(state.x), state.t, std::move(inputs)};
+  OperatingPoint point{std::move(state.z), std::move(state.zd), std::move(state.x), state.t, std::move(inputs)};
+  if (!is_steady) return {std::move(point), {}};
+  SteadyMotion steady = steady_motion(compilation, point, arguments.steady);
+  return {steady.point, steady};
 }
 
 }  // namespace mbgen::cli

@@ -2,9 +2,11 @@
 // The state at which a model is looked at: its initial one, its equilibrium, or one of a file.
 
 #include <CLI/CLI.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "compiler/cli/steady_motion.hpp"
 #include "compiler/compile.hpp"
 #include "runtime/generic/generic.hpp"
 
@@ -12,16 +14,25 @@ namespace mbgen::cli {
 
 /// A state as typed.
 struct StateArguments {
-  std::string at, states;
-  int index = 0;
+  std::string at, states, result;
+  int index = 0, row = 0;
+  double time = 0;
+  bool has_time = false;
+  SteadyWish steady;
   std::vector<std::string> inputs;  ///< name=value
 };
 
-/// --at, --states, --index, --input
+/// --at, --hold, --solve, --states, --index, --result, --row, --time, --input
 void add_state_options(CLI::App& command, StateArguments& arguments);
 
+/// A state and what is known of the motion through it.
+struct ChosenPoint {
+  OperatingPoint point;
+  std::optional<SteadyMotion> steady;  ///< of --at steady
+};
+
 /// The state that the arguments name, its loops closed, and the inputs. Fails: UserError.
-OperatingPoint operating_point(const Compilation& compilation, const StateArguments& arguments);
+ChosenPoint operating_point(const Compilation& compilation, const StateArguments& arguments);
 
 /// The static equilibrium near the model's initial state, at these inputs. Fails: UserError when there is none.
 GenericState equilibrium_state(const Compilation& compilation, const std::vector<double>& inputs);

@@ -66,7 +66,13 @@ struct Mode {
 /// Modes of the system, the fastest oscillations first, then those that do not oscillate, the fastest first.
 std::vector<Mode> modes(const LinearSystem& system);
 
-/// The coordinates that move most in a mode with their sizes, the largest first; "" when none does.
-std::string leading_coordinates(const Topology& topology, const Mode& mode);
+/// The coordinates that move most in a mode, with signs, or phases in degrees where they are neither in step nor
+/// against each other; independent ones first. Rotations and translations each over the first of their kind, and behind
+/// a semicolon the kind that moves less, with the ratio of the two scales; "" when none moves.
+std::string leading_coordinates(const Topology& topology, const Analysis& analysis, const Mode& mode);
+
+/// Independent coordinates that tell apart all places at which the system goes on as it does: chassis_tx, chassis_ty
+/// and chassis_rz of a vehicle on the road.
+std::vector<std::string> neutral_coordinates(const Topology& topology, const LinearSystem& system);
 
 }  // namespace mbgen

@@ -1,6 +1,8 @@
 #include <fmt/format.h>
 
 #include <Eigen/Eigenvalues>
+#include <Eigen/QR>
+#include <Eigen/SVD>
 #include <algorithm>
 #include <numeric>
 
@@ -14,9 +16,17 @@ namespace {
 constexpr double kNeutral = 1e-6;
 /// Growth this much smaller than the largest eigenvalue is rounding: what has no damping does not grow.
 constexpr double kGrowth = 1e-9;
-/// A coordinate that moves less than this part of the one that moves most is not named.
+/// A coordinate that moves less than this part of the one of its kind that moves most is not named.
 constexpr double kNamed = 0.1;
-constexpr std::size_t kMostNamed = 4;
+constexpr std::size_t kMostNamed = 4, kMostOfOther = 2;
+/// Translations are not named where a radian goes with less of a metre than this, nor rotations the other way round.
+constexpr double kOtherKind = 0.01;
+/// What is this near to half a turn, or none, has a sign instead of a phase.
+constexpr double kInPhase = 15;  // degrees
+/// Neutral states that differ by less in their positions are the same place at other speeds.
+constexpr double kSameShape = 1e-3;
+/// A singular value this much smaller than the largest is zero.
+constexpr double kNothing = 1e-11;
 
 Mode mode_of(const LinearSystem& system, std::complex<double> eigenvalue, const Eigen::VectorXcd& vector) {
   Mode mode;
@@ -47,6 +57,64 @@ bool comes_before(const Mode& a, const Mode& b) {
   return key(a) > key(b);
 }
 
+/// An orthonormal basis of the states that stay, or drift at a constant rate along others that stay, as a heading makes
+/// the place: of the kernels of A, A^2, ..
+Eigen::MatrixXd neutral_states(const Eigen::MatrixXd& a) {
+  Eigen::MatrixXd basis(a.rows(), 0);
+  for (Eigen::Index size = -1; size < basis.cols() && basis.cols() < a.rows();) {
+    size = basis.cols();
+    const Eigen::MatrixXd beside = a - basis * (basis.transpose() * a);
+    const Eigen::JacobiSVD<Eigen::MatrixXd> svd(beside, Eigen::ComputeFullV);
+    const Eigen::VectorXd& sizes = svd.singularValues();
+    const auto zero = std::count_if(sizes.begin(), sizes.end(), [&](double s) { return s <= kNothing * sizes[0]; });
+    basis = svd.matrixV().rightCols(zero);
+  }
+  return basis;
+}
+
+/// A coordinate in a mode.
+struct MovingCoordinate {
+  std::size_t index = 0;
+  std::complex<double> amplitude;
+  bool is_independent = false;
+};
+
+bool is_translation(const TreeBody& body) { return body.kind == FreedomKind::prismatic; }
+
+/// Keeps what moves by more than a part of the largest: independent coordinates first, the largest first.
+void leave_leading(std::vector<MovingCoordinate>& moving) {
+  double largest = 0;
+  for (const MovingCoordinate& one : moving) largest = std::max(largest, std::abs(one.amplitude));
+  std::erase_if(moving, [&](const auto& one) { return largest == 0 || std::abs(one.amplitude) < kNamed * largest; });
+  std::stable_sort(moving.begin(), moving.end(), [](const MovingCoordinate& a, const MovingCoordinate& b) {
+    return std::pair(a.is_independent, std::abs(a.amplitude)) > std::pair(b.is_independent, std::abs(b.amplitude));
+  });
+}
+
+/// How far the first of them moves, 0 when there is none.
+double size_of(const std::vector<MovingCoordinate>& moving) {
+  return moving.empty() ? 0.0 : std::abs(moving.front().amplitude);
+}
+
+/// "name +1.00, other -0.52, third 0.40 at 87 deg": sizes over `scale`, phases from `reference`.
+std::string shape_text(const Topology& topology, const std::vector<MovingCoordinate>& moving,
+                       std::complex<double> reference, double scale, std::size_t most) {
+  constexpr double kDegree = 3.14159265358979323846 / 180;
+  std::string text;
+  for (std::size_t i = 0; i < std::min(moving.size(), most); ++i) {
+    const double size = std::abs(moving[i].amplitude) / scale;
+    const double phase = std::arg(moving[i].amplitude / reference) / kDegree;
+    const bool is_along = std::abs(phase) <= kInPhase, is_against = std::abs(phase) >= 180 - kInPhase;
+    text += fmt::format("{}{} {}{:.2f}", i == 0 ? "" : ", ", topology.bodies[moving[i].index].coordinate,
+                        is_along     ? "+"
+                        : is_against ? "-"
+                                     : "",
+                        size);
+    if (!is_along && !is_against) text += fmt::format(" at {:.0f} deg", phase);
+  }
+  return text;
+}
+
 }  // namespace
 
 std::vector<Mode> modes(const LinearSystem& system) {
@@ -67,19 +135,47 @@ std::vector<Mode> modes(const LinearSystem& system) {
   return result;
 }
 
-std::string leading_coordinates(const Topology& topology, const Mode& mode) {
-  std::vector<std::size_t> order(mode.coordinates.size());
-  std::iota(order.begin(), order.end(), std::size_t{0});
-  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
-    return std::abs(mode.coordinates[a]) > std::abs(mode.coordinates[b]);
-  });
-  std::string text;
-  for (std::size_t i = 0; i < std::min(order.size(), kMostNamed); ++i) {
-    const double size = std::abs(mode.coordinates[order[i]]);
-    if (!(size >= kNamed)) break;
-    text += fmt::format("{}{} {:.2f}", i == 0 ? "" : ", ", topology.bodies[order[i]].coordinate, size);
+std::string leading_coordinates(const Topology& topology, const Analysis& analysis, const Mode& mode) {
+  std::vector<MovingCoordinate> moving[2];
+  for (std::size_t i = 0; i < mode.coordinates.size(); ++i) {
+    moving[is_translation(topology.bodies[i]) ? 1 : 0].push_back({i, mode.coordinates[i], false});
   }
-  return text;
+  for (const int i : free_coordinates(topology, analysis)) {
+    for (std::vector<MovingCoordinate>& kind : moving) {
+      for (MovingCoordinate& one : kind) one.is_independent |= one.index == static_cast<std::size_t>(i);
+    }
+  }
+  for (std::vector<MovingCoordinate>& kind : moving) leave_leading(kind);
+  const double rotation = size_of(moving[0]), translation = size_of(moving[1]);
+  if (rotation == 0 && translation == 0) return "";
+  const int first = translation > rotation ? 1 : 0;
+  const std::complex<double> reference = moving[first].front().amplitude;
+  std::string text = shape_text(topology, moving[first], reference, std::abs(reference), kMostNamed);
+  const double ratio = size_of(moving[1 - first]) / std::abs(reference);
+  if (ratio < kOtherKind) return text;
+  return fmt::format("{}; {:.2g} {}: {}", text, ratio, first == 0 ? "m/rad" : "rad/m",
+                     shape_text(topology, moving[1 - first], reference, size_of(moving[1 - first]), kMostOfOther));
+}
+
+std::vector<std::string> neutral_coordinates(const Topology& topology, const LinearSystem& system) {
+  const Eigen::MatrixXd still = neutral_states(system.A);
+  std::vector<Eigen::Index> positions;
+  for (std::size_t i = 0; i < system.states.size(); ++i) {
+    if (system.states[i].kind == LinearState::Kind::position) positions.push_back(static_cast<Eigen::Index>(i));
+  }
+  if (still.cols() == 0 || positions.empty()) return {};
+  Eigen::ColPivHouseholderQR<Eigen::MatrixXd> factors;
+  factors.setThreshold(kSameShape);
+  factors.compute(still(positions, Eigen::all).transpose());
+  const auto& order = factors.colsPermutation().indices();
+  std::vector<int> chosen(order.data(), order.data() + factors.rank());
+  std::sort(chosen.begin(), chosen.end());
+  std::vector<std::string> names;
+  for (const int c : chosen) {
+    const LinearState& state = system.states[static_cast<std::size_t>(positions[static_cast<std::size_t>(c)])];
+    names.push_back(topology.bodies[static_cast<std::size_t>(state.index)].coordinate);
+  }
+  return names;
 }
 
 }  // namespace mbgen

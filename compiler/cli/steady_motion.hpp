@@ -1,0 +1,44 @@
+#pragma once
+// Steady motion: what moves goes on at constant rates, everything else stands still.
+
+#include <string>
+#include <vector>
+
+#include "compiler/compile.hpp"
+
+namespace mbgen::cli {
+
+/// What is asked of a steady motion.
+struct SteadyWish {
+  std::vector<std::string> hold;   ///< coordinate=rate; none: the first translation that moves at the start where an
+                                   ///< input is found for it, else no rate: they become what drive and drag balance at
+  std::vector<std::string> solve;  ///< inputs that are to be found: a drive, a steering angle
+};
+
+/// A motion whose independent coordinates have no acceleration and whose auxiliary states stand still: coordinates that
+/// move in `start`, or that are held, keep constant rates, of which those that are held are given; all others have
+/// none. Where a coordinate turns about an axis that only translations carry, as a vehicle yaws, translations across
+/// that axis turn with it, and their accelerations are those of the circle.
+struct SteadyMotion {
+  OperatingPoint point;
+  double turning = 0;        ///< rad/s, of the vehicle as a whole
+  int across[2] = {-1, -1};  ///< tree coordinates of the translations that turn; -1 where nothing turns
+  double largest = 0;        ///< acceleration that is left, rad/s^2 or m/s^2
+};
+
+/// Marks as neutral the modes that are places seen by who turns with the motion: they go round at its rate.
+void mark_places(const SteadyMotion& motion, std::vector<Mode>& list);
+
+/// Searches from `start` by Newton's iteration on the derivatives of the linearisation.
+/// Fails: UserError for unknown names, and where there is none near by: with the coordinate that goes on to accelerate.
+SteadyMotion steady_motion(const Compilation& compilation, const OperatingPoint& start, const SteadyWish& wish);
+
+/// Sets the auxiliary states to where they stand still at the point's positions, velocities and inputs.
+/// Fails: UserError as linearise.
+void settle_auxiliary(const Compilation& compilation, OperatingPoint& point);
+
+/// The system seen by who turns with the motion: deviations of the translations across and of their rates are along
+/// axes that turn, so that A does not change with time.
+LinearSystem turning_with(const SteadyMotion& motion, LinearSystem system);
+
+}  // namespace mbgen::cli
