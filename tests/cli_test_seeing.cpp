@@ -72,6 +72,35 @@ TEST_F(Seeing, PlotsHaveAPanelForEachUnit) {
   EXPECT_NE(mbgen("plot swing.csv --columns z.hinge --degrees").out.find(">deg</text>"), std::string::npos);
 }
 
+TEST_F(Seeing, PlotsAreOverAnyColumnAndOfSeveralTables) {
+  const auto curves = [&](const std::string& arguments) {
+    const Outcome plot = mbgen("plot " + arguments);
+    EXPECT_EQ(plot.exit_code, 0) << plot.err;
+    const std::regex curve("class=\"curve\"");
+    return std::distance(std::sregex_iterator(plot.out.begin(), plot.out.end(), curve), std::sregex_iterator());
+  };
+  ASSERT_EQ(swing("--out swing.csv").exit_code, 0);
+  ASSERT_EQ(swing("--out again.csv").exit_code, 0);
+  EXPECT_EQ(curves("swing.csv again.csv --columns tip_x,tip_z"), 4);
+  EXPECT_NE(mbgen("plot swing.csv again.csv --columns tip_x").out.find(">tip_x (again.csv)</text>"), std::string::npos);
+  EXPECT_NE(mbgen("plot swing.csv --columns tip_z --over tip_x").out.find(">tip_x, m</text>"), std::string::npos);
+  write("study.csv",
+        "case,stiffness [N/m],mass [kg],lean,status\n1,50,1,100,ok\n2,50,2,,\"study: a, "
+        "b\"\n3,100,1,90,ok\n4,100,2,80,ok\n");
+  EXPECT_EQ(curves("study.csv --columns lean"), 1);
+  EXPECT_EQ(curves("study.csv --columns lean --over stiffness --by mass"), 2);
+  const Outcome study = mbgen("plot study.csv --columns lean --over stiffness --by mass");
+  EXPECT_NE(study.out.find(">stiffness, N/m</text>"), std::string::npos) << study.out;
+  EXPECT_NE(study.out.find(">lean, mass = 2</text>"), std::string::npos) << study.out;
+  EXPECT_EQ(refusal("plot swing.csv study.csv --columns lean"),
+            "--over: swing.csv is over t [s], study.csv over case; name a column that both have\n");
+  EXPECT_EQ(refusal("plot swing.csv --columns tip_z --over tip"),
+            "--over: swing.csv has no column \"tip\"; known: z.hinge, zd.hinge, tip_x, tip_z, residual\n");
+  write("broken.csv", "case,a,status\n1,two,ok\n");
+  EXPECT_EQ(refusal("plot broken.csv --columns a"),
+            "broken.csv:2:1: a: must be a finite number or empty, found \"two\"\n");
+}
+
 TEST_F(Seeing, WhatPlotCannotDoItSays) {
   ASSERT_EQ(swing("--out swing.csv").exit_code, 0);
   EXPECT_EQ(refusal("plot swing.csv --columns tip_y"),

@@ -4,6 +4,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
 #include <regex>
 
 #include "compiler/topology/topology.hpp"
@@ -86,7 +89,7 @@ TEST(TopologyDrawing, TextCannotLeaveItsPlace) {
 std::vector<std::string> ticks(const std::vector<double>& values, const std::string& unit = "m") {
   std::vector<double> time;
   for (std::size_t i = 0; i < values.size(); ++i) time.push_back(static_cast<double>(i));
-  const std::string svg = plot_svg(time, {{unit, {{"curve", values}}}});
+  const std::string svg = plot_svg({}, {{unit, {{"curve", time, values}}}});
   expect_well_formed(svg);
   std::vector<std::string> found;
   const std::regex text("<text x=\"71\" y=\"[0-9.]+\" text-anchor=\"end\">([-0-9.e+]+)</text>");
@@ -111,16 +114,42 @@ TEST(Plot, ManyPointsAreDrawnByTheirExtremes) {
     time.push_back(1e-3 * i);
     values.push_back(i == kPoints / 2 ? 10 : 0);
   }
-  const std::string svg = plot_svg(time, {{"m", {{"spike", values}}}});
+  const std::string svg = plot_svg({}, {{"m", {{"spike", time, values}}}});
   EXPECT_LT(svg.size(), 60000u);
   const std::size_t top = svg.find(" 34.0L");
   EXPECT_NE(top, std::string::npos) << "the spike reaches the top of its frame";
 }
 
 TEST(Plot, LegendsAreEscaped) {
-  const std::string svg = plot_svg({0, 1}, {{"<m>", {{"a<b & c", {0, 1}}}}});
+  const std::string svg = plot_svg({}, {{"<m>", {{"a<b & c", {0, 1}, {0, 1}}}}});
   expect_well_formed(svg);
   EXPECT_NE(svg.find("a&lt;b &amp; c"), std::string::npos);
+}
+
+// A circle: x goes back, and all of it is drawn.
+TEST(Plot, CurvesMayTurnBack) {
+  Curve circle{"circle", {}, {}};
+  constexpr int kPoints = 4000;
+  for (int i = 0; i <= kPoints; ++i) {
+    circle.x.push_back(2 * std::cos(2 * std::numbers::pi * i / kPoints));
+    circle.y.push_back(std::sin(2 * std::numbers::pi * i / kPoints));
+  }
+  const std::string svg = plot_svg({"x", "m"}, {{"m", {circle}}});
+  expect_well_formed(svg);
+  EXPECT_NE(svg.find(">x, m</text>"), std::string::npos);
+  const std::size_t begin = svg.find("d=\"M", svg.find("class=\"curve\""));
+  const std::string path = svg.substr(begin, svg.find('"', begin + 4) - begin);
+  EXPECT_GT(count(path, "L"), 40u);
+  EXPECT_LT(count(path, "L"), 400u);
+  EXPECT_NE(path.find("942.0"), std::string::npos) << "right, " << path.substr(0, 60);
+  EXPECT_NE(path.find("78.0"), std::string::npos) << "left";
+}
+
+TEST(Plot, PointsThatAreNoNumbersAreLeftOut) {
+  const double none = std::numeric_limits<double>::quiet_NaN();
+  const std::string svg = plot_svg({}, {{"m", {{"a", {0, 1, 2}, {1, none, 3}}, {"b", {0, 1}, {none, none}}}}});
+  expect_well_formed(svg);
+  EXPECT_EQ(svg.find("nan"), std::string::npos);
 }
 
 }  // namespace

@@ -31,11 +31,12 @@ bool matches(std::string_view pattern, std::string_view text) {
   return pattern.find_first_not_of('*', p) == std::string_view::npos;
 }
 
-[[noreturn]] void fail_unknown(const Results& results, const std::string& name, const std::string& path) {
+[[noreturn]] void fail_unknown(const Results& results, const std::string& name, const std::string& path,
+                               const std::string& option) {
   std::vector<std::string_view> names;
   for (std::size_t c = 1; c < results.columns.size(); ++c) names.push_back(results.columns[c].heading.name);
   const std::string hint = did_you_mean(name, names);
-  throw UserError(fmt::format("--columns: {} has no column \"{}\"{}{}\n", path, name, hint.empty() ? "" : "; ", hint));
+  throw UserError(fmt::format("{}: {} has no column \"{}\"{}{}\n", option, path, name, hint.empty() ? "" : "; ", hint));
 }
 
 }  // namespace
@@ -50,7 +51,13 @@ Results read_result_file(const std::string& path) {
   return results;
 }
 
-std::vector<int> find_columns(const Results& results, const std::string& names, const std::string& path) {
+Results read_result_or_sweep(const std::string& path) {
+  const std::string bytes = read_text(path);
+  return is_sweep(bytes) ? expect(read_sweep(bytes, path)) : read_result_file(path);
+}
+
+std::vector<int> find_columns(const Results& results, const std::string& names, const std::string& path,
+                              const std::string& option) {
   std::vector<int> found;
   for (const std::string& name : csv_fields(names)) {
     const std::size_t before = found.size();
@@ -58,7 +65,7 @@ std::vector<int> find_columns(const Results& results, const std::string& names, 
     for (std::size_t c = 1; c < results.columns.size() && name.find('*') != std::string::npos; ++c) {
       if (matches(name, results.columns[c].heading.name)) found.push_back(static_cast<int>(c));
     }
-    if (found.size() == before) fail_unknown(results, name, path);
+    if (found.size() == before) fail_unknown(results, name, path, option);
   }
   return found;
 }

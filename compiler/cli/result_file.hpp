@@ -12,8 +12,12 @@ namespace mbgen::cli {
 /// Fails: UserError, as read_results.
 Results read_result_file(const std::string& path);
 
+/// The same, or the table of a study as `sweep` wrote it.
+Results read_result_or_sweep(const std::string& path);
+
 /// Columns that a list of names, separated by commas, asks for; a name may have its unit behind it, and * stands for
-/// any letters. Fails: UserError that names the nearest column.
-std::vector<int> find_columns(const Results& results, const std::string& names, const std::string& path);
+/// any letters. option: where the names were typed. Fails: UserError that names the nearest column.
+std::vector<int> find_columns(const Results& results, const std::string& names, const std::string& path,
+                              const std::string& option = "--columns");
 
 }  // namespace mbgen::cli

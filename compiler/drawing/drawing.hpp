@@ -18,7 +18,12 @@ std::string topology_svg(const Model& model, const Topology& topology, const Ana
 /// One curve of a plot.
 struct Curve {
   std::string label;
-  std::vector<double> values;  ///< one per time; finite
+  std::vector<double> x, y;  ///< of one length; points that are not finite are left out
+};
+
+/// What a plot is over.
+struct Abscissa {
+  std::string title = "time", unit = "s";
 };
 
 /// One frame of a plot.
@@ -34,9 +39,10 @@ struct PlotSize {
   int panel_height = 200;
 };
 
-/// Curves over time (s, increasing), panels below each other with one time axis; ticks at 1, 2 or 5 times a power of
-/// ten. Curves of many points are drawn with what shows at this size: the extremes of each column of pixels.
-std::string plot_svg(const std::vector<double>& time, const std::vector<Panel>& panels, const PlotSize& size = {});
+/// Curves over time or something else, panels below each other with one axis; ticks at 1, 2 or 5 times a power of ten.
+/// Curves of many points are drawn with what shows at this size: those whose x increases by the extremes of each column
+/// of pixels.
+std::string plot_svg(const Abscissa& abscissa, const std::vector<Panel>& panels, const PlotSize& size = {});
 
 /// A mechanism at its reference configuration, seen along the axis in which it is thinnest: a grey PNG of 128 x 128.
 std::string icon_png(const Model& model);

@@ -1,4 +1,4 @@
-// Curves over time.
+// Curves over time, or over another column.
 
 #include <fmt/format.h>
 
@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <utility>
 
 #include "compiler/drawing/drawing.hpp"
@@ -61,11 +62,36 @@ Scale scale_of(const std::string& unit, double largest) {
   return {1, unit};
 }
 
+/// The curve's points that are numbers.
+Curve finite(const Curve& curve) {
+  Curve result{curve.label, {}, {}};
+  for (std::size_t i = 0; i < curve.x.size(); ++i) {
+    if (!std::isfinite(curve.x[i]) || !std::isfinite(curve.y[i])) continue;
+    result.x.push_back(curve.x[i]);
+    result.y.push_back(curve.y[i]);
+  }
+  return result;
+}
+
+/// Extent of all panels along x.
+std::pair<double, double> extent(const std::vector<Panel>& panels) {
+  double low = std::numeric_limits<double>::infinity(), high = -low;
+  for (const Panel& panel : panels) {
+    for (const Curve& curve : panel.curves) {
+      for (const double x : curve.x) {
+        low = std::min(low, x);
+        high = std::max(high, x);
+      }
+    }
+  }
+  return low <= high ? std::pair(low, high) : std::pair(0.0, 1.0);
+}
+
 /// Extent of all curves of a panel.
 std::pair<double, double> extent(const Panel& panel) {
   double low = std::numeric_limits<double>::infinity(), high = -low;
   for (const Curve& curve : panel.curves) {
-    for (const double value : curve.values) {
+    for (const double value : curve.y) {
       low = std::min(low, value);
       high = std::max(high, value);
     }
@@ -73,9 +99,15 @@ std::pair<double, double> extent(const Panel& panel) {
   return low <= high ? std::pair(low, high) : std::pair(0.0, 1.0);
 }
 
-/// What of a curve shows: first, lowest, highest and last point of each column of pixels.
+/// What of a curve shows: where x increases the first, lowest, highest and last point of each column of pixels.
 std::vector<std::size_t> shown(const std::vector<double>& time, const std::vector<double>& values, int columns) {
   std::vector<std::size_t> points;
+  if (time.empty()) return points;
+  if (!std::is_sorted(time.begin(), time.end())) {
+    points.resize(time.size());
+    std::iota(points.begin(), points.end(), std::size_t{0});
+    return points;
+  }
   const double width = time.back() - time.front();
   const auto column = [&](std::size_t i) {
     return width > 0 ? static_cast<int>((time[i] - time.front()) / width * columns) : 0;
@@ -109,6 +141,7 @@ double off_line(const Spot& spot, const Spot& from, const Spot& to) {
 /// Source: D. Douglas, T. Peucker, "Algorithms for the reduction of the number of points", Cartographica 10(2), 1973.
 std::vector<Spot> simplified(const std::vector<Spot>& spots) {
   constexpr double kSeen = 0.1;  // px
+  if (spots.empty()) return {};
   std::vector<bool> is_kept(spots.size(), false);
   is_kept.front() = is_kept.back() = true;
   std::vector<std::pair<std::size_t, std::size_t>> spans = {{0, spots.size() - 1}};
@@ -150,7 +183,15 @@ struct Frame {
   double left, top, width, height;
 };
 
-std::string grid(const Frame& frame, const Ticks& vertical, const Ticks& time, double end, bool is_last) {
+/// The axis of x: where it ends, and its ticks, at the first of which it begins.
+struct Axis {
+  Ticks ticks;
+  double end = 1;
+  double start() const { return ticks.low(); }
+  double part(double x) const { return end > start() ? (x - start()) / (end - start()) : 0; }
+};
+
+std::string grid(const Frame& frame, const Ticks& vertical, const Axis& axis, bool is_last) {
   std::string text;
   for (int i = 0; i <= vertical.count; ++i) {
     const double y = frame.top + frame.height * (1 - static_cast<double>(i) / vertical.count);
@@ -158,13 +199,14 @@ std::string grid(const Frame& frame, const Ticks& vertical, const Ticks& time, d
                         svg::number(frame.width));
     text += svg::text_at(frame.left - 7, y + 4, tick_text(vertical, i), " text-anchor=\"end\"");
   }
-  for (int i = 0; i <= time.count; ++i) {
-    const double at = (time.first + i) * time.step, start = time.low();
-    if (at > end * (1 + 1e-9)) continue;
-    const double x = frame.left + (end > start ? (at - start) / (end - start) : 0) * frame.width;
+  for (int i = 0; i <= axis.ticks.count; ++i) {
+    const double at = (axis.ticks.first + i) * axis.ticks.step;
+    if (at > axis.end + 1e-9 * std::abs(axis.end)) continue;
+    const double x = frame.left + axis.part(at) * frame.width;
     text += fmt::format("<path class=\"grid\" d=\"M{} {}v{}\"/>\n", svg::number(x), svg::number(frame.top),
                         svg::number(frame.height));
-    if (is_last) text += svg::text_at(x, frame.top + frame.height + 17, tick_text(time, i), " text-anchor=\"middle\"");
+    if (is_last)
+      text += svg::text_at(x, frame.top + frame.height + 17, tick_text(axis.ticks, i), " text-anchor=\"middle\"");
   }
   return text;
 }
@@ -183,21 +225,18 @@ std::string legend(const Frame& frame, const Panel& panel, const std::string& un
   return text;
 }
 
-std::string panel_text(const std::vector<double>& time, const Panel& panel, const Frame& frame, const Ticks& times,
-                       bool is_last) {
+std::string panel_text(const Panel& panel, const Frame& frame, const Axis& axis, bool is_last) {
   const auto [low, high] = extent(panel);
   const Scale scale = scale_of(panel.unit, std::max(std::abs(low), std::abs(high)));
   constexpr int kVerticalTicks = 4;
   const Ticks vertical = ticks_around(low * scale.factor, high * scale.factor, kVerticalTicks);
-  const double start = times.low(), end = time.back();
-  std::string text = grid(frame, vertical, times, end, is_last) + legend(frame, panel, scale.unit);
+  std::string text = grid(frame, vertical, axis, is_last) + legend(frame, panel, scale.unit);
   for (std::size_t c = 0; c < panel.curves.size(); ++c) {
-    const std::vector<double>& values = panel.curves[c].values;
+    const Curve& curve = panel.curves[c];
     std::vector<Spot> spots;
-    for (const std::size_t i : shown(time, values, static_cast<int>(frame.width))) {
-      const double x = end > start ? (time[i] - start) / (end - start) : 0;
-      const double y = (values[i] * scale.factor - vertical.low()) / (vertical.high() - vertical.low());
-      spots.push_back({frame.left + x * frame.width, frame.top + (1 - y) * frame.height});
+    for (const std::size_t i : shown(curve.x, curve.y, static_cast<int>(frame.width))) {
+      const double y = (curve.y[i] * scale.factor - vertical.low()) / (vertical.high() - vertical.low());
+      spots.push_back({frame.left + axis.part(curve.x[i]) * frame.width, frame.top + (1 - y) * frame.height});
     }
     std::string path;
     for (const Spot& spot : simplified(spots)) {
@@ -213,7 +252,11 @@ std::string panel_text(const std::vector<double>& time, const Panel& panel, cons
 
 }  // namespace
 
-std::string plot_svg(const std::vector<double>& time, const std::vector<Panel>& panels, const PlotSize& size) {
+std::string plot_svg(const Abscissa& abscissa, const std::vector<Panel>& asked, const PlotSize& size) {
+  std::vector<Panel> panels = asked;
+  for (Panel& panel : panels) {
+    for (Curve& curve : panel.curves) curve = finite(curve);
+  }
   const double height = kTop + static_cast<double>(panels.size()) * (size.panel_height + kGap);
   std::string text = fmt::format(
       "<svg xmlns=\"http://www.w3.org/2000/svg\" font-family=\"sans-serif\" font-size=\"{}\" width=\"{}\" "
@@ -221,14 +264,16 @@ std::string plot_svg(const std::vector<double>& time, const std::vector<Panel>& 
       ".curve{{fill:none;stroke-width:1.5;stroke-linejoin:round}}</style>\n<rect width=\"100%\" height=\"100%\" "
       "fill=\"white\"/>\n",
       kPlotFont, size.width, svg::number(height), size.width, svg::number(height));
-  constexpr int kTimeTicks = 8;
-  Ticks times = ticks_around(time.front(), time.back(), kTimeTicks);
+  constexpr int kTicks = 8;
+  const auto [low, high] = extent(panels);
+  const Axis axis{ticks_around(low, high, kTicks), high};
   Frame frame{kLeft, kTop, size.width - kLeft - kRight, static_cast<double>(size.panel_height)};
   for (std::size_t p = 0; p < panels.size(); ++p, frame.top += size.panel_height + kGap) {
-    text += panel_text(time, panels[p], frame, times, p + 1 == panels.size());
+    text += panel_text(panels[p], frame, axis, p + 1 == panels.size());
   }
   const double bottom = frame.top - kGap;
-  text += svg::text_at(frame.left + frame.width, bottom + 33, "time, s", " text-anchor=\"end\"");
+  const std::string title = abscissa.unit.empty() ? abscissa.title : abscissa.title + ", " + abscissa.unit;
+  text += svg::text_at(frame.left + frame.width, bottom + 33, title, " text-anchor=\"end\"");
   return text + "</svg>\n";
 }
 
