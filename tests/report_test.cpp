@@ -195,6 +195,55 @@ TEST(Scene, ABodyIsDrawnWithoutAnyHint) {
   EXPECT_LT(scene["floor"], 0);
 }
 
+TEST(Scene, AHookInTheSkyDoesNotMakeTheModelLarge) {
+  const Json scene = scene_json(model_of("published/iltis.json"));
+  EXPECT_LT(scene["size"].get<double>(), 5) << "of a car on springs that hang from places 1 km above";
+  EXPECT_LT(scene["centre"][2].get<double>(), 2);
+  std::map<std::string, int> kinds;
+  for (const Json& link : scene["links"]) ++kinds[link["kind"]];
+  EXPECT_EQ(kinds, (std::map<std::string, int>{{"rod", 4}, {"spring", 4}})) << "and these are not drawn";
+}
+
+TEST(Scene, AHullHasItsPointsOutsideAndNoSpiderInside) {
+  const Model model = *read_model(R"({ "mbgen": 1, "bodies": { "ground": { "points": { "O": [0, 0, 0] } },
+    "box": { "mass": 600, "inertia": [250, 850, 1000], "points": { "O": [0, 0, 0], "inside": [0.5, 0, 0], "out": [2.5, 0.3, 0] } } },
+    "joints": { "slide": { "type": "prismatic", "from": "ground.O", "to": "box.O", "axis": "z" } },
+    "rods": { "a": { "from": "ground.O", "to": "box.inside" }, "b": { "from": "ground.O", "to": "box.out" } } })",
+                                  "test.json");
+  const Json scene = scene_json(model);
+  const Json& shapes = scene["bodies"][1]["shapes"];
+  ASSERT_EQ(count_kind(shapes, "box"), 1u) << shapes;
+  ASSERT_EQ(count_kind(shapes, "tube"), 1u) << shapes;
+  const double half = shapes[0]["size"][0].get<double>() / 2;
+  EXPECT_NEAR(half, std::sqrt(6 * (850 + 1000 - 250) / 600.0) / 2, 1e-12);
+  EXPECT_EQ(shapes[1]["from"], Json({half, 0.3, 0.0}));
+  EXPECT_EQ(shapes[1]["to"], Json({2.5, 0.3, 0.0}));
+}
+
+TEST(Page, ColumnsKnowTheirQuantity) {
+  Case pendulum = a_case(*read_model(R"({ "mbgen": 1, "bodies": { "ground": { "points": { "O": [0, 0, 0] } },
+    "bob": { "mass": 1, "com": [0, 0, -1], "inertia": [0, 0, 0], "points": { "O": [0, 0, 0], "P": [0, 0, -1] } } },
+    "joints": { "pin": { "type": "revolute", "from": "ground.O", "to": "bob.O", "axis": "y" } },
+    "outputs": { "px": { "point": "bob.P", "quantity": "position", "axis": "x" },
+                 "ox": { "point": "bob.O", "quantity": "position", "axis": "x" },
+                 "pz": { "point": "bob.P", "quantity": "position", "axis": "z" },
+                 "load_1": { "unit": "m", "expression": "z.pin" }, "load_2": { "unit": "m", "expression": "2*z.pin" } } })",
+                                     "test.json"));
+  for (const char* name : {"px", "ox", "pz", "load_1", "load_2"}) {
+    pendulum.results.columns.push_back({{name, "m"}, {0, 1, 2}});
+  }
+  std::map<std::string, Json> quantities;
+  const Json table = table_json(pendulum.source());
+  for (const Json& column : table["columns"]) {
+    if (column.contains("quantity")) quantities[column["name"]] = column["quantity"];
+  }
+  EXPECT_EQ(quantities.size(), 5u);
+  EXPECT_EQ(quantities["px"], quantities["ox"]);
+  EXPECT_NE(quantities["px"], quantities["pz"]);
+  EXPECT_EQ(quantities["load_1"], quantities["load_2"]);
+  EXPECT_NE(quantities["load_1"], quantities["px"]);
+}
+
 TEST(Page, NamesCannotLeaveTheirPlace) {
   if (!has_report_page()) GTEST_SKIP() << "this build has no reports (MBGEN_REPORTS)";
   Case pendulum = a_case(model_of("double_pendulum.json"));

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <nlohmann/json.hpp>
 
 #include "compiler/report/forces.hpp"
@@ -79,6 +80,25 @@ Result<Json> motion_json(const ReportSource& source, const std::string& file) {
               {"poses", base64(numbers)}};
 }
 
+/// What is shown together of outputs: the same quantity of points, tyres, springs or joints, along one axis; of
+/// expressions what has the same beginning of its name.
+std::string quantity_of(const Output& output) {
+  const auto numbered = [&](const char* kind, const auto& source) {
+    return fmt::format("{} {}", kind, static_cast<int>(source.what));
+  };
+  if (const auto* point = std::get_if<PointOutput>(&output.source)) {
+    return fmt::format("{} {}", numbered("point", *point), point->axis);
+  }
+  if (const auto* joint = std::get_if<CoordinateOutput>(&output.source)) return numbered("joint", *joint);
+  if (const auto* tyre = std::get_if<TyreOutput>(&output.source)) return numbered("tyre", *tyre);
+  if (const auto* spring = std::get_if<SpringOutput>(&output.source)) return numbered("spring", *spring);
+  if (const auto* reaction = std::get_if<ReactionOutput>(&output.source)) return numbered("reaction", *reaction);
+  if (std::holds_alternative<ExpressionOutput>(output.source)) {
+    return "expression " + output.name.substr(0, output.name.find_first_of("_0123456789"));
+  }
+  return std::holds_alternative<DriveOutput>(output.source) ? "drive" : "multiplier";
+}
+
 Json table_json(const ReportSource& source) {
   const std::vector<Column>& columns = source.results.columns;
   const std::size_t most = std::max(kFewestRows, kMostTableNumbers / columns.size());
@@ -94,8 +114,13 @@ Json table_json(const ReportSource& source) {
                     {"largest", *high},
                     {"last", column.values.back()}});
   };
+  std::map<std::string, std::string> quantities;
+  for (const Output& output : source.model.outputs) quantities[output.name] = quantity_of(output);
   for (const Column& column : columns) {
     describe(column, list.empty() ? "time" : group_of(column.heading.name));
+    if (const auto found = quantities.find(column.heading.name); found != quantities.end()) {
+      list.back()["quantity"] = found->second;
+    }
     for (const std::size_t row : rows) numbers.push_back(static_cast<float>(column.values[row]));
   }
   for (const Column& column : element_forces(source, rows)) {

@@ -1,6 +1,8 @@
 #include "compiler/report/places.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace mbgen {
 
@@ -30,21 +32,61 @@ Vector3 to_body_axes(const Pose& pose, const Vector3& direction) {
   return local;
 }
 
-std::vector<Attachment> attachments(const Model& model) {
+namespace {
+
+template <class Element>
+void add_ends(const std::vector<Element>& elements, std::vector<Attachment>& list) {
+  for (const Element& element : elements) {
+    list.push_back(element.from);
+    list.push_back(element.to);
+  }
+}
+
+std::vector<Attachment> joint_ends(const Model& model) {
   std::vector<Attachment> list;
   for (const Joint& joint : model.joints) {
     if (joint.type != JointType::free) list.push_back(joint.from);
     list.push_back(joint.to);
   }
-  const auto both = [&](const auto& elements) {
-    for (const auto& element : elements) {
-      list.push_back(element.from);
-      list.push_back(element.to);
+  add_ends(model.rods, list);
+  return list;
+}
+
+std::vector<Attachment> spring_ends(const Model& model) {
+  std::vector<Attachment> list;
+  add_ends(model.springs, list);
+  add_ends(model.air_springs, list);
+  return list;
+}
+
+/// The places without ends of springs that are far from all others. springs: how many stand first.
+std::vector<BodyPlace> without_far_hooks(const Model& model, std::vector<BodyPlace> places, std::size_t springs) {
+  const auto global = [&](const BodyPlace& place) { return to_global(model.bodies[place.body].pose, place.at); };
+  Vector3 low{1e300, 1e300, 1e300}, high{-1e300, -1e300, -1e300};
+  for (std::size_t p = springs; p < places.size(); ++p) {
+    const Vector3 at = global(places[p]);
+    for (int i = 0; i < 3; ++i) {
+      low[i] = std::min(low[i], at[i] - places[p].margin);
+      high[i] = std::max(high[i], at[i] + places[p].margin);
     }
+  }
+  const double size = distance(low, high);
+  if (!(size > 0) || low[0] > high[0]) return places;
+  const Vector3 centre = {(low[0] + high[0]) / 2, (low[1] + high[1]) / 2, (low[2] + high[2]) / 2};
+  const auto is_far = [&](const BodyPlace& place) {
+    return place.body == model.ground && distance(global(place), centre) > kFarAway * size;
   };
-  both(model.rods);
-  both(model.springs);
-  both(model.air_springs);
+  places.erase(std::remove_if(places.begin(), places.begin() + static_cast<std::ptrdiff_t>(springs), is_far),
+               places.begin() + static_cast<std::ptrdiff_t>(springs));
+  return places;
+}
+
+}  // namespace
+
+std::vector<Attachment> attachments(const Model& model) {
+  std::vector<Attachment> list = joint_ends(model);
+  const std::vector<Attachment> springs = spring_ends(model);
+  list.insert(list.end(), springs.begin(), springs.end());
   return list;
 }
 
@@ -53,7 +95,9 @@ std::vector<BodyPlace> drawn_places(const Model& model) {
   const auto add = [&](const Attachment& at, double margin = 0) {
     places.push_back({at.body, place_of(model, at), margin});
   };
-  for (const Attachment& at : attachments(model)) add(at);
+  for (const Attachment& at : spring_ends(model)) add(at);
+  const std::size_t springs = places.size();
+  for (const Attachment& at : joint_ends(model)) add(at);
   for (const DisplayShape& shape : model.shapes) {
     add(shape.from);
     if (shape.kind != DisplayShape::Kind::sphere) add(shape.to);
@@ -62,7 +106,7 @@ std::vector<BodyPlace> drawn_places(const Model& model) {
   for (std::size_t b = 0; b < model.bodies.size(); ++b) {
     if (model.bodies[b].mass.value > 0) places.push_back({static_cast<int>(b), values(model.bodies[b].com)});
   }
-  return places;
+  return without_far_hooks(model, std::move(places), springs);
 }
 
 }  // namespace mbgen

@@ -7,6 +7,10 @@
 
 namespace mbgen {
 
+/// A spring's end on the ground further away than so many sizes of all else stands for a force, as a hook in the sky
+/// does: it does not say how large the model is, and such a spring is not drawn.
+constexpr double kFarAway = 20;
+
 /// A place that moves with a body.
 struct BodyPlace {
   int body = -1;
@@ -32,6 +36,7 @@ Vector3 to_body_axes(const Pose& pose, const Vector3& direction);
 std::vector<Attachment> attachments(const Model& model);
 
 /// The places that say how large a model is and how far it moves: attachments, ends of shapes, tyres, centres of mass.
+/// Ends of springs on the ground that are far from all else are left out.
 std::vector<BodyPlace> drawn_places(const Model& model);
 
 }  // namespace mbgen

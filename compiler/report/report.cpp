@@ -118,7 +118,7 @@ Result<std::string> report_html(const ReportSource& source, const std::string& f
   Json data = {{"format", 1}, {"result", file}, {"model", model_json(source.model, source.topology, source.analysis)}};
   data["run"] = run.is_object() ? run : Json(nullptr);
   data["scene"] = scene_json(source.model);
-  data["animations"] = {*motion};
+  data["animations"] = Json::array({*motion});  // braces alone are a copy for clang++
   data["table"] = table_json(source);
   data["topology"] = topology_svg(source.model, source.topology, source.analysis);
   return page_of(source.model, data);

@@ -21,8 +21,8 @@ constexpr double kTyreWidth = 0.56, kTwinGap = 1.12;
 constexpr double kHullMass = 50, kHullDensity = 700;
 /// Radius of a body's tubes over the largest distance of its points, and its bounds over the size of the model.
 constexpr double kTube = 0.05, kThinnest = 0.0016, kThickest = 0.011;
-/// Tubes inside a hull are thinner by this factor.
-constexpr double kInside = 0.4;
+/// Radius of the tubes between a hull and the points outside it, over the size of the model.
+constexpr double kBracket = 0.0044;
 /// Radii over the size of the model.
 constexpr double kRod = 0.0022, kDamper = 0.0032, kSpring = 0.0075, kSpringSlimness = 0.075, kJoint = 0.0022;
 
@@ -88,10 +88,11 @@ void add_tyres(const Model& model, const Tyre& tyre, Json& shapes) {
   }
 }
 
-/// The box of a body's mass and inertia, where its axes are the body's and it is far lighter than metal.
-void add_hull(const Body& body, Json& shapes) {
+/// The box of a body's mass and inertia, where its axes are the body's and it is far lighter than metal. Result: its
+/// size, 0 where there is none.
+Vector3 add_hull(const Body& body, Json& shapes) {
   const double mass = body.mass.value;
-  if (!(mass > kHullMass)) return;
+  if (!(mass > kHullMass)) return {};
   Vector3 size{};
   double volume = 1;
   for (int i = 0; i < 3; ++i) {
@@ -100,8 +101,19 @@ void add_hull(const Body& body, Json& shapes) {
     size[i] = std::sqrt(std::max(0.0, square));
     volume *= size[i];
   }
-  if (volume <= 0 || mass / volume > kHullDensity) return;
+  if (volume <= 0 || mass / volume > kHullDensity) return {};
   shapes.push_back({{"kind", "box"}, {"at", values(body.com)}, {"size", size}, {"hull", true}});
+  return size;
+}
+
+/// Tubes from a body's hull to its points outside.
+void add_brackets(const Body& body, const Vector3& hull, const std::set<Vector3>& points, double radius, Json& shapes) {
+  for (const Vector3& point : points) {
+    Vector3 nearest = values(body.com);
+    for (int i = 0; i < 3; ++i) nearest[i] = std::clamp(point[i], nearest[i] - hull[i] / 2, nearest[i] + hull[i] / 2);
+    if (distance(nearest, point) <= radius / 2) continue;
+    shapes.push_back({{"kind", "tube"}, {"from", nearest}, {"to", point}, {"radius", radius}});
+  }
 }
 
 /// Tubes from the middle of a body to its points.
@@ -110,8 +122,7 @@ void add_tubes(const Body& body, const std::set<Vector3>& points, double size, J
   for (const Vector3& a : points) {
     for (const Vector3& b : points) largest = std::max(largest, distance(a, b));
   }
-  const double radius =
-      std::clamp(kTube * largest, kThinnest * size, kThickest * size) * (shapes.empty() ? 1 : kInside);
+  const double radius = std::clamp(kTube * largest, kThinnest * size, kThickest * size);
   const auto add = [&](const Vector3& from, const Vector3& to) {
     if (distance(from, to) > radius / 2) {
       shapes.push_back({{"kind", "tube"}, {"from", from}, {"to", to}, {"radius", radius}});
@@ -136,8 +147,12 @@ Json bodies_json(const Model& model, double size) {
   Json bodies = Json::array();
   for (std::size_t b = 0; b < model.bodies.size(); ++b) {
     if (shapes[b].empty() && static_cast<int>(b) != model.ground) {
-      add_hull(model.bodies[b], shapes[b]);
-      if (!points[b].empty()) add_tubes(model.bodies[b], points[b], size, shapes[b]);
+      const Vector3 hull = add_hull(model.bodies[b], shapes[b]);
+      if (!shapes[b].empty()) {
+        add_brackets(model.bodies[b], hull, points[b], kBracket * size, shapes[b]);
+      } else if (!points[b].empty()) {
+        add_tubes(model.bodies[b], points[b], size, shapes[b]);
+      }
     }
     bodies.push_back({{"name", model.bodies[b].name}, {"shapes", shapes[b]}});
   }
@@ -172,6 +187,7 @@ Json links_json(const Model& model, double size) {
     add(spring, "air_spring", radius / size);
   }
   for (const PointSpring& spring : model.springs) {
+    if (reference_length(model, spring) > kFarAway * size) continue;
     const bool is_damper = spring.damping.has_value(), is_spring = spring.stiffness || spring.force;
     add(spring,
         is_damper && is_spring ? "strut"

@@ -111,6 +111,83 @@ async function checkFollowing(page) {
   (await place()).forEach((x, i) => assert.ok(Math.abs(x - before[i]) < 1e-6, "the camera does not come back"));
 }
 
+/** Whoever clicked something goes on with the keys; who came to it by Tab has its own keys. */
+async function checkKeysAfterClicks(page) {
+  const playing = () => page.evaluate(() => window.mbgenReport.player.state.playing);
+  const bodies = page.locator("#layers input[name=joints]");
+  await bodies.click();
+  await page.keyboard.press("Home");
+  assert.equal(await time(page), 0, "Home after a click on a box");
+  await page.keyboard.press("Space");
+  assert.equal(await playing(), true, "space plays after a click on a box");
+  await page.keyboard.press("Space");
+  await bodies.click();
+  await page.locator("#start").click();
+  await page.keyboard.press("ArrowRight");
+  assert.ok((await time(page)) > 0, "the arrow key steps after a click on a button");
+  await bodies.focus();
+  await page.keyboard.press("Space");
+  assert.equal(await playing(), false, "a box that has the focus takes its space itself");
+  assert.equal(await bodies.isChecked(), false);
+  await page.keyboard.press("End");
+  assert.ok((await time(page)) > 1, "and leaves the other keys");
+  await page.keyboard.press("Space");
+}
+
+async function checkSingleBodies(page) {
+  const list = page.locator("#layers details summary");
+  const box = page.locator("#layers input[name='body chassis']");
+  /** The picture with the box so, the list closed before it. */
+  const shown = async (isChecked) => {
+    await list.click();
+    await box.setChecked(isChecked);
+    await list.click();
+    return picture(page);
+  };
+  const before = await shown(true);
+  assert.ok(!before.equals(await shown(false)), "a body that is hidden is seen");
+  assert.ok(before.equals(await shown(true)), "a body that is shown again is another");
+}
+
+/** Ticks of all vertical axes, and how much of its height each curve fills, as the plots have them. */
+async function checkPanels(page) {
+  const panels = await page.evaluate(() => window.mbgenReport.plots.plots.map(({ chart, columns }) => {
+    const { min, max } = chart.scales.y;
+    const steps = chart.axes[1]._splits;
+    return {
+      ticks: chart.axes[1]._values,
+      increasing: steps.every((y, i) => i === 0 || y > steps[i - 1]),
+      filled: chart.data.slice(1).map((values) => (Math.max(...values) - Math.min(...values)) / (max - min)),
+      quantities: [...new Set(columns.map((c) => window.mbgenReport.data.table.columns[c].quantity))],
+      smooth: chart.series.slice(1).every((series) => series.pxAlign === 0),
+    };
+  }));
+  panels.forEach(({ ticks, increasing, quantities, smooth }) => {
+    assert.ok(ticks.every((text) => !/^-0(\.0*)?$/.test(text)), `ticks ${ticks}`);
+    assert.ok(increasing && smooth);
+    assert.equal(quantities.length, 1, `a panel of ${quantities}`);
+  });
+}
+
+/** A curve of rounding noise is a line in its panel, one of the same shape and a real size fills it. */
+async function checkNoise(page) {
+  for (const [size, isNoise] of [[1e-15, true], [1e-3, false]]) {
+    await page.evaluate((amplitude) => {
+      const { plots, data } = window.mbgenReport;
+      const values = data.table.times.map((t) => amplitude * Math.sin(9 * t));
+      data.table.columns.push({ name: "wave", unit: "V", group: "output", smallest: -amplitude, largest: amplitude, noise: 1e-10, values });
+      plots.add([data.table.columns.length - 1]);
+    }, size);
+    await settle(page);
+    const filled = await page.evaluate((amplitude) => {
+      const { min, max } = window.mbgenReport.plots.plots.at(-1).chart.scales.y;
+      return (2 * amplitude) / (max - min);
+    }, size);
+    assert.ok(isNoise ? filled < 1e-6 : filled > 0.5 && filled < 1, `a wave of ${size} V fills ${filled} of its panel`);
+    await page.locator(".plot").last().locator("button", { hasText: "Remove" }).click();
+  }
+}
+
 async function checkMovedStart(browser) {
   const opened = await openPage(browser, moved);
   const row = opened.page.locator("table", { hasText: "Initial values that moved" }).locator("tbody tr");
@@ -131,6 +208,10 @@ try {
   await checkZoom(wide.page);
   await checkPicker(wide.page);
   await checkCameras(wide.page);
+  await checkKeysAfterClicks(wide.page);
+  await checkSingleBodies(wide.page);
+  await checkPanels(wide.page);
+  await checkNoise(wide.page);
   const end = await wide.page.evaluate(() => window.mbgenReport.player.state.end);
   await wide.page.mouse.move(1, 1);
   await wide.page.locator("#charts").evaluate((charts) => charts.scrollTo(0, 0));

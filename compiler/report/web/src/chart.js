@@ -1,5 +1,6 @@
 // One chart of uPlot: how columns are shown, its axes and its legend.
 
+import uPlot from "uplot";
 import { valueAt } from "./data.js";
 import { colour, curveColour } from "./theme.js";
 
@@ -16,30 +17,45 @@ export function shownUnit({ unit, smallest, largest }) {
   return { factor: 1, unit };
 }
 
-function formatted(value) {
+function formatted(value, noise) {
   const size = Math.abs(value);
+  if (size < noise) return "0";
   if (size !== 0 && (size < 1e-3 || size >= 1e6)) return value.toExponential(2);
   return value.toPrecision(4);
+}
+
+/** A number of an axis: what is zero but for rounding has no sign. */
+function tickText(value, step) {
+  return `${Math.abs(value) < 1e-6 * step ? 0 : Number(value.toPrecision(6))}`;
+}
+
+/** Limits of an axis whose curves go from low to high: what is less than `noise` is no motion and fills no panel. */
+export function limits(low, high, noise) {
+  if (high - low > noise) return uPlot.rangeNum(low, high, 0.1, true);
+  const middle = (low + high) / 2;
+  const half = Math.abs(middle) > noise ? 0.1 * Math.abs(middle) : 1;
+  return Math.abs(middle) > noise ? [middle - half, middle + half] : [-half, half];
 }
 
 function axes(unit) {
   const line = { stroke: colour("line"), width: 1 };
   const common = { stroke: colour("soft"), grid: line, ticks: { ...line, size: 4 }, font: kFont };
   return [
-    { ...common, space: 60, size: 24, values: (u, splits) => splits.map((t) => `${Number(t.toPrecision(6))}`) },
-    { ...common, size: 52, space: 26, label: unit || undefined, labelSize: 14, labelGap: 0, labelFont: kFont },
+    { ...common, space: 60, size: 24, values: (u, splits, axis, space, step) => splits.map((t) => tickText(t, step)) },
+    { ...common, values: (u, splits, axis, space, step) => splits.map((y) => tickText(y, step)), size: 52, space: 26, label: unit || undefined, labelSize: 14, labelGap: 0, labelFont: kFont },
   ];
 }
 
 /** Options of uPlot for some columns; charts of one key show their cursors together. */
 export function chartOptions(columns, width, key, hooks) {
+  const noise = shownUnit(columns[0]).factor * Math.max(...columns.map((column) => column.noise));
   return {
     width,
     height: kHeight,
     legend: { show: false },
-    scales: { x: { time: false } },
+    scales: { x: { time: false }, y: { range: (u, low, high) => (low === null ? [0, 1] : limits(low, high, noise)) } },
     axes: axes(shownUnit(columns[0]).unit),
-    series: [{}, ...columns.map(({ name }, i) => ({ label: name, stroke: curveColour(i), width: 1.5, points: { show: false } }))],
+    series: [{}, ...columns.map(({ name }, i) => ({ label: name, stroke: curveColour(i), width: 1.5, pxAlign: 0, points: { show: false } }))],
     cursor: { sync: { key, setSeries: false }, drag: { x: true, y: false, setScale: true }, points: { size: 6 } },
     hooks,
   };
@@ -71,7 +87,7 @@ export function createLegend(times, columns) {
     show(time) {
       columns.forEach((column, i) => {
         const { factor, unit } = shownUnit(column);
-        values[i].textContent = `${formatted(factor * valueAt(times, column.values, time))} ${unit}`;
+        values[i].textContent = `${formatted(factor * valueAt(times, column.values, time), factor * column.noise)} ${unit}`;
       });
     },
   };

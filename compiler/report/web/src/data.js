@@ -15,11 +15,29 @@ function decodeAnimation(animation, bodyCount) {
   return { ...animation, times, poses, bodyCount, start: times[0], end: times[times.length - 1] };
 }
 
-/** Columns with their values; an angle knows its factor to degrees. */
+const kNoise = 1e-9; // of the largest value of its unit: smaller motions of a column are rounding
+const kLeastNoise = 1e-10; // in SI units
+const kRounding = 2.4e-7; // of the column's largest value: what its 32 bits do not tell apart
+
+/** Sizes below which a value is rounding, by unit. The closure residual is small and meant. */
+function noiseOf(columns) {
+  const largest = new Map();
+  columns.forEach(({ unit, smallest, largest: most }) => {
+    largest.set(unit, Math.max(largest.get(unit) ?? 0, Math.abs(smallest), Math.abs(most)));
+  });
+  return ({ unit, group, smallest, largest: most }) => {
+    const rounding = kRounding * Math.max(Math.abs(smallest), Math.abs(most));
+    return group === "residual" ? 0 : Math.max(kLeastNoise, kNoise * largest.get(unit), rounding);
+  };
+}
+
+/** Columns with their values and the size of their rounding. */
 function decodeTable(table) {
   const data = floats(table.data);
+  const noise = noiseOf(table.columns);
   const columns = table.columns.map((column, c) => ({
     ...column,
+    noise: noise(column),
     values: data.subarray(c * table.rows, (c + 1) * table.rows),
   }));
   return { ...table, columns, times: columns[0].values };

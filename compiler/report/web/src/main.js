@@ -64,6 +64,23 @@ function connectControls(player, view, data, speeds) {
     label.append(box, name);
     at("layers").append(label);
   });
+  if (view) listBodies(view, data.scene.bodies);
+}
+
+/** A box for each body that is drawn, to show and hide it alone. */
+function listBodies(view, bodies) {
+  const list = document.createElement("div");
+  bodies.forEach(({ name, shapes }, index) => {
+    if (shapes.length === 0) return;
+    const box = Object.assign(document.createElement("input"), { type: "checkbox", checked: true, name: `body ${name}` });
+    box.addEventListener("change", () => view.showBody(index, box.checked));
+    const label = document.createElement("label");
+    label.append(box, name);
+    list.append(label);
+  });
+  const details = document.createElement("details");
+  details.append(Object.assign(document.createElement("summary"), { textContent: "single bodies" }), list);
+  at("layers").append(details);
 }
 
 function showState(player, view) {
@@ -84,6 +101,27 @@ function showState(player, view) {
   }
   player.listen(show);
   show();
+}
+
+/** Whether what has the focus needs a key for itself; the keys of time and modes are the page's. */
+function usesKey(element, key) {
+  const control = element.closest("button, select, input, a, summary");
+  if (!control || control === at("scrub") || control.name === "mode") return false;
+  const isPressed = control.matches("button, a, summary, input[type=checkbox]");
+  return !isPressed || key === " " || key === "Enter";
+}
+
+/** What was clicked gives the keys back to the page; who comes by Tab keeps the focus. */
+function returnKeys() {
+  let byPointer = false;
+  document.addEventListener("pointerdown", () => { byPointer = true; }, true);
+  document.addEventListener("keydown", () => { byPointer = false; }, true);
+  const release = (event) => {
+    const control = event.target.closest("button, select, summary, input[type=checkbox], input[type=range]");
+    if (byPointer && control && !control.closest("dialog")) control.blur();
+  };
+  document.addEventListener("change", release);
+  document.addEventListener("click", (event) => event.target.closest("select, input[type=range]") || release(event));
 }
 
 /** others: actions of further keys. */
@@ -124,11 +162,8 @@ function connectKeys(player, view, data, speeds, others) {
   });
   document.addEventListener("keydown", (event) => {
     if (event.ctrlKey || event.altKey || event.metaKey || at("picker").open) return;
-    // Buttons, lists and fields keep the keys that they use themselves; those of time and modes are ours.
-    const isOurs = event.target === at("scrub") || event.target.name === "mode";
-    const isControl = event.target.closest("button, select, input, a, summary") && !isOurs;
     const action = actions[event.key];
-    if (!action || isControl) return;
+    if (!action || usesKey(event.target, event.key)) return;
     event.preventDefault();
     action(event);
   });
@@ -169,6 +204,7 @@ function start() {
   const plots = isResult ? startPlots(data, player) : null;
   const { modes, keys } = isResult ? { modes: null, keys: {} } : startModes(data, player, view);
   connectKeys(player, view, data, speeds, keys);
+  returnKeys();
   writeSummary(data, at("tables"));
   at("drawing").innerHTML = data.topology; // SVG that mbgen drew, names escaped
   function frame(now) {

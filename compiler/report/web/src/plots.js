@@ -9,14 +9,15 @@ const kMostCurves = 8; // as many colours as there are
 const kLeastWidth = 120;
 const kClick = 3; // px that a press may move and still be a click
 
-/** Groups of columns that a page begins with: the outputs by unit, without outputs the coordinates. */
+/** Groups of columns that a page begins with: the outputs by quantity, without outputs the coordinates by unit. */
 export function firstPlots(table) {
   const ofGroup = (group) => table.columns.flatMap((column, c) => (column.group === group ? [c] : []));
   const outputs = ofGroup("output");
   const groups = new Map();
   (outputs.length > 0 ? outputs : ofGroup("coordinate")).forEach((c) => {
-    const { unit } = table.columns[c];
-    groups.set(unit, [...(groups.get(unit) ?? []), c].slice(0, kMostCurves));
+    const { unit, quantity } = table.columns[c];
+    const key = `${unit} ${quantity ?? ""}`;
+    groups.set(key, [...(groups.get(key) ?? []), c].slice(0, kMostCurves));
   });
   return [...groups.values()].slice(0, kFirstPlots);
 }

@@ -89,6 +89,10 @@ export function createView(scene, animation, element) {
         object.visible = isShown;
       });
     }),
+    /** Shows or hides one body with the marks of its joints, whatever the layers say. */
+    showBody: changing((body, isShown) => {
+      world.bodies[body].visible = isShown;
+    }),
     chooseCamera: changing((name) => viewer.choose(name, centre())),
     /** Follows another body, -1 for the whole model. */
     followBody: changing((body) => {
