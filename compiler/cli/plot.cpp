@@ -34,7 +34,7 @@ Column drawn(Column column, bool degrees) {
 }
 
 /// A file to draw from, with the column that its curves are over.
-struct Source {
+struct PlotSource {
   std::string path;
   Results results;
   Column over;
@@ -42,7 +42,7 @@ struct Source {
 };
 
 /// The only column of a name.
-const Column& single_column(const Source& source, const std::string& name, const std::string& option) {
+const Column& single_column(const PlotSource& source, const std::string& name, const std::string& option) {
   const Results& results = source.results;
   const Column& first = results.columns.front();
   if (name == first.heading.name || name == heading_text(first.heading)) return first;
@@ -52,8 +52,8 @@ const Column& single_column(const Source& source, const std::string& name, const
       fmt::format("{}: \"{}\" must be one column of {}, found {}\n", option, name, source.path, found.size()));
 }
 
-Source read_source(const std::string& path, const PlotOptions& options) {
-  Source source{path, read_result_or_sweep(path), {}, false};
+PlotSource read_source(const std::string& path, const PlotOptions& options) {
+  PlotSource source{path, read_result_or_sweep(path), {}, false};
   source.is_sweep = source.results.columns.front().heading.name == "case";
   source.over = options.over.empty() ? source.results.columns.front() : single_column(source, options.over, "--over");
   source.over = drawn(source.over, options.degrees);
@@ -67,7 +67,7 @@ struct Rows {
 };
 
 /// All rows, or those of each value of the column `by`. Cases of a study go along x, whatever their order.
-std::vector<Rows> rows_of(const Source& source, const PlotOptions& options) {
+std::vector<Rows> rows_of(const PlotSource& source, const PlotOptions& options) {
   std::vector<Rows> all;
   const Column* by = options.by.empty() ? nullptr : &single_column(source, options.by, "--by");
   for (std::size_t row = 0; row < source.results.rows(); ++row) {
@@ -89,7 +89,7 @@ std::vector<Rows> rows_of(const Source& source, const PlotOptions& options) {
 
 /// The columns of one --columns in one file: a panel for each unit among them, in the order in which they are named.
 /// first: the panels before belong to others.
-void add_panels(const Source& source, const std::string& names, const PlotOptions& options, std::size_t first,
+void add_panels(const PlotSource& source, const std::string& names, const PlotOptions& options, std::size_t first,
                 std::vector<Panel>& panels) {
   const std::vector<Rows> all = rows_of(source, options);
   for (const int c : find_columns(source.results, names, source.path)) {
@@ -112,9 +112,9 @@ void add_panels(const Source& source, const std::string& names, const PlotOption
 }
 
 /// Fails: UserError where files are not over the same.
-void require_same_axis(const std::vector<Source>& sources) {
+void require_same_axis(const std::vector<PlotSource>& sources) {
   const Heading& first = sources.front().over.heading;
-  for (const Source& source : sources) {
+  for (const PlotSource& source : sources) {
     const Heading& other = source.over.heading;
     if (other.name == first.name && other.unit == first.unit) continue;
     throw UserError(fmt::format("--over: {} is over {}, {} over {}; name a column that both have\n",
@@ -124,13 +124,13 @@ void require_same_axis(const std::vector<Source>& sources) {
 
 int run(const PlotOptions& options) {
   require_other_file(options.file, options.results);
-  std::vector<Source> sources;
+  std::vector<PlotSource> sources;
   for (const std::string& path : options.results) sources.push_back(read_source(path, options));
   require_same_axis(sources);
   std::vector<Panel> panels;
   for (const std::string& names : options.columns) {
     const std::size_t first = panels.size();
-    for (const Source& source : sources) add_panels(source, names, options, first, panels);
+    for (const PlotSource& source : sources) add_panels(source, names, options, first, panels);
   }
   const Heading& over = sources.front().over.heading;
   const Abscissa abscissa{over.name == "t" ? "time" : over.name, over.unit == "1" ? "" : over.unit};

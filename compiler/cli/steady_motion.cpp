@@ -15,9 +15,9 @@
 namespace mbgen::cli {
 namespace {
 
-using Kind = LinearState::Kind;
+using StateKind = LinearState::Kind;
 
-constexpr int kMostSteps = 60;
+constexpr int kMostIterations = 60;
 constexpr double kMoves = 1e-9;        // rad/s or m/s: a coordinate that moves at the start
 constexpr double kSteady = 1e-7;       // rad/s^2 or m/s^2
 constexpr double kComesToRest = 0.05;  // of the speed at the start: below it the search has gone to standstill
@@ -41,7 +41,7 @@ class Search {
   }
 
   SteadyMotion find() {
-    for (int step = 0; step < kMostSteps; ++step) {
+    for (int step = 0; step < kMostIterations; ++step) {
       const LinearSystem system = expect(linearise(c_, motion_.point));
       const Eigen::VectorXd left = residual(system);
       motion_.largest = left.size() > 0 ? left.cwiseAbs().maxCoeff() : 0.0;
@@ -157,8 +157,8 @@ class Search {
 
   /// Whether a state may be changed: positions of what stands, rates of what moves, auxiliary states.
   bool is_unknown(const LinearState& state) const {
-    if (state.kind == Kind::position) return !travels(state.index);
-    return state.kind == Kind::auxiliary || (travels(state.index) && !is_held(state.index));
+    if (state.kind == StateKind::position) return !travels(state.index);
+    return state.kind == StateKind::auxiliary || (travels(state.index) && !is_held(state.index));
   }
 
   /// d residual / d state, with what turning adds.
@@ -166,7 +166,7 @@ class Search {
     const auto n = static_cast<Eigen::Index>(independent_.size());
     Eigen::VectorXd result = system.A.col(j).tail(system.A.rows() - n);
     const LinearState& state = system.states[static_cast<std::size_t>(j)];
-    if (yaw_ < 0 || state.kind != Kind::velocity) return result;
+    if (yaw_ < 0 || state.kind != StateKind::velocity) return result;
     const auto& [first, second] = motion_.across;
     const double turn = motion_.point.zd[yaw_];
     if (state.index == second) result[row_of(first)] += turn;
@@ -198,7 +198,7 @@ class Search {
     double longest = 0;
     for (Eigen::Index k = 0; k < states; ++k) {
       const bool is_position =
-          system.states[static_cast<std::size_t>(unknown[static_cast<std::size_t>(k)])].kind == Kind::position;
+          system.states[static_cast<std::size_t>(unknown[static_cast<std::size_t>(k)])].kind == StateKind::position;
       if (is_position) longest = std::max(longest, std::abs(by[k]));
     }
     if (longest > kLongestStep) by *= kLongestStep / longest;
@@ -212,9 +212,9 @@ class Search {
   void move(const LinearSystem& system, Eigen::Index j, double by) {
     OperatingPoint& point = motion_.point;
     const LinearState& state = system.states[static_cast<std::size_t>(j)];
-    if (state.kind == Kind::auxiliary) point.x[static_cast<std::size_t>(state.index)] += by;
-    if (state.kind == Kind::velocity) point.zd[static_cast<std::size_t>(state.index)] += by;
-    if (state.kind != Kind::position) return;
+    if (state.kind == StateKind::auxiliary) point.x[static_cast<std::size_t>(state.index)] += by;
+    if (state.kind == StateKind::velocity) point.zd[static_cast<std::size_t>(state.index)] += by;
+    if (state.kind != StateKind::position) return;
     for (std::size_t i = 0; i < point.z.size(); ++i)
       point.z[i] += by * system.coordinates(static_cast<Eigen::Index>(i), j);
   }
@@ -274,11 +274,11 @@ void settle_auxiliary(const Compilation& compilation, OperatingPoint& point) {
 
 LinearSystem turning_with(const SteadyMotion& motion, LinearSystem system) {
   if (motion.across[0] < 0) return system;
-  const auto row_of = [&](Kind kind, int coordinate) -> Eigen::Index {
+  const auto row_of = [&](StateKind kind, int coordinate) -> Eigen::Index {
     const auto is_it = [&](const LinearState& state) { return state.kind == kind && state.index == coordinate; };
     return std::find_if(system.states.begin(), system.states.end(), is_it) - system.states.begin();
   };
-  for (const Kind kind : {Kind::position, Kind::velocity}) {
+  for (const StateKind kind : {StateKind::position, StateKind::velocity}) {
     const Eigen::Index first = row_of(kind, motion.across[0]), second = row_of(kind, motion.across[1]);
     system.A(first, second) += motion.turning;
     system.A(second, first) -= motion.turning;
