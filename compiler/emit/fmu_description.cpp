@@ -184,9 +184,16 @@ std::string model_description(const EmitContext& context, const FmuLayout& fmu, 
 std::string build_description(const EmitContext& context, FmiVersion version, const std::vector<std::string>& sources) {
   std::string files;
   for (const std::string& source : sources) files += fmt::format("      <SourceFile name=\"{}\"/>\n", source);
-  return fill_template(
-      "fmi_build.xml.in",
-      {{"solver", context.names.solver}, {"version", std::to_string(static_cast<int>(version))}, {"sources", files}});
+  const std::string definition =
+      version == FmiVersion::two
+          ? "      <PreprocessorDefinition name=\"FMI2_OVERRIDE_FUNCTION_PREFIX\"\n"
+            "          description=\"for a shared library: functions have the names of the standard\"/>\n"
+          : fmt::format(
+                "      <PreprocessorDefinition name=\"FMI3_FUNCTION_PREFIX\" optional=\"true\" value=\"{}_\"\n"
+                "          description=\"for programs that hold several FMUs\"/>\n",
+                context.names.solver);
+  return fill_template("fmi_build.xml.in",
+                       {{"solver", context.names.solver}, {"sources", files}, {"definition", definition}});
 }
 
 }  // namespace mbgen

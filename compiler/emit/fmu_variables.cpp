@@ -330,8 +330,9 @@ void add_structure(const References& first, const InitialState& initial_state,
   for (const int variable : initial) {
     if (fmu.variables[static_cast<std::size_t>(variable)].start != Start::calculated) continue;
     const std::set<int>& known = dependencies[static_cast<std::size_t>(variable)];
-    fmu.initial_unknowns.push_back({variable, at_start(first, fmu, known)});
-    take_start(initial_state, first, fmu.initial_unknowns.back());
+    FmuUnknown unknown{variable, at_start(first, fmu, known)};
+    take_start(initial_state, first, unknown);
+    fmu.initial_unknowns.push_back(std::move(unknown));
   }
 }
 

@@ -48,6 +48,7 @@ struct Case {
   double value = 0;
 };
 
+/// Whether the last message has this part.
 inline bool says(const std::string& part) { return last_message.find(part) != std::string::npos; }
 
 inline bool same_bits(const Row& a, const Row& b) {

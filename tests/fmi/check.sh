@@ -23,10 +23,10 @@ check_schema() {  # SCHEMA FILE
   xmllint --noout --schema "$1" "$2" 2>"$scratch/log" || fail "$(cat "$scratch/log")"
 }
 
-# The file of a model: those that only tests use lie with their data.
+# The file of a model: those that only this test uses lie among its data.
 file_of() {
-  for folder in "$root/tests/data/fmi" "$root/tests/data/models" "$root/models"; do
-    if [ -f "$folder/$1.json" ]; then echo "$folder/$1.json" && return; fi
+  for place in models tests/data/fmi tests/data/models; do
+    [ ! -f "$root/$place/$1.json" ] || { echo "$root/$place/$1.json"; return; }
   done
 }
 
@@ -90,7 +90,6 @@ for model in pendulum slider_crank; do
 done
 c++ -std=c++17 -O1 "$here/two_units.cpp" "$scratch"/static_*/sources/*.o -lm -o "$scratch/two_units"
 "$scratch/two_units" || fail "two FMUs in one program"
-
 # What the model says of itself and of its values; names that are taken get a prefix, and a note says so.
 described() { grep -q -- "$1" "$scratch/described_$2/modelDescription.xml" || fail "FMI $2: no $1"; }
 for version in 2 3; do
@@ -144,7 +143,9 @@ if [ -n "$library" ]; then
   if has wine; then
     x86_64-w64-mingw32-g++ -std=c++17 -O1 -static -I "$root/templates" "$here/importer.cpp" -o "$scratch/importer.exe"
     echo "x86_64-windows, FMI 3"
-    WINEPREFIX=$scratch/wine WINEDEBUG=-all wine "$scratch/importer.exe" 3 "$library" "$1" "$2"
+    export WINEPREFIX="$scratch/wine" WINEDEBUG=-all
+    wine "$scratch/importer.exe" 3 "$library" "$1" "$2"
+    wineserver -k || true
   fi
 fi
 

@@ -12,8 +12,8 @@ inline int messages_3 = 0;
 
 inline void log_3(fmi3InstanceEnvironment, fmi3Status, fmi3String category, fmi3String message) {
   if (std::getenv("FMI_LOG") != nullptr) std::fprintf(stderr, "[%s] %s\n", category, message);
-  ++messages_3;
   last_message = message;
+  ++messages_3;
 }
 
 class Unit3 {

@@ -330,11 +330,11 @@ void drive(const Case& c) {
   differentiate<Unit>(c);
   call_wrongly<Unit>(c);
   tune<Unit>(c);
+  crowd<Unit>(c);
+  exceed<Unit>(c);
   switch_messages<Unit>(c, Unit::kVersion == 2 ? messages : messages_3);
   if (c.description.identifier == "tuned_rod") tune_lengths<Unit>(c);
   if (c.description.identifier == "driven_cart") drive_by_inputs<Unit>(c);
-  crowd<Unit>(c);
-  exceed<Unit>(c);
 }
 
 }  // namespace

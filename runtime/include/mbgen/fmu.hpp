@@ -15,8 +15,7 @@ namespace mbgen::fmu {
 /// Steps whose number is whole up to this (of a step) take the model's own step.
 constexpr double kWholeSteps = 1e-6;
 
-/// q, qd and qdd: of the states that loop blocks have, whatever their independent coordinates are now. start:
-/// parameters that act at the start.
+/// q, qd and qdd: of the states that loop blocks have, whatever their independent coordinates are now.
 enum class Group : int { time, parameter, input, output, z, zd, zdd, x, xd, q, qd, qdd, start, none };
 
 struct Place {
@@ -45,18 +44,6 @@ constexpr Place place_of(unsigned reference) noexcept {
     reference -= size;
   }
   return {};
-}
-
-/// Values that a variable is meant to have.
-struct Range {
-  unsigned variable;  ///< value reference
-  double least, most;
-};
-
-template <class Model>
-Answer refuse(Core<Model>& core, const Refusal& refusal) noexcept {
-  core.refusal = refusal;
-  return Answer::error;
 }
 
 constexpr bool contains(const int* list, int size, int value) noexcept {
@@ -131,14 +118,14 @@ double value_at(const Core<Model>& core, Place place) noexcept {
       return run.state.x[place.index];
     case Group::xd:
       return core.derivative.xd[place.index];
+    case Group::start:
+      return run.start[place.index];
     case Group::q:
       return state.z[chosen_coordinate(run, place.index)];
     case Group::qd:
       return state.zd[chosen_coordinate(run, place.index)];
     case Group::qdd:
       return core.derivative.zdd[chosen_coordinate(run, place.index)];
-    case Group::start:
-      return run.start[place.index];
     default:
       return run.state.t;
   }
@@ -160,12 +147,6 @@ Answer get_values(Core<Model>& core, const unsigned* references, unsigned long c
   return Answer::ok;
 }
 
-/// Whether the coordinate itself is a state: outside the loop blocks, or where no others are chosen.
-template <class Model>
-bool is_state(int coordinate) noexcept {
-  return is_independent<Model>(coordinate) && Model::kBlockOf[coordinate] < 0;
-}
-
 /// Whether a velocity at the start follows from parameters that act there.
 template <class Model>
 constexpr bool follows_at_start(int coordinate) noexcept {
@@ -173,6 +154,12 @@ constexpr bool follows_at_start(int coordinate) noexcept {
     if (Model::kStartRate[i * Model::kCoordinates + coordinate] != 0) return true;
   }
   return false;
+}
+
+/// Whether the coordinate itself is a state: outside the loop blocks, or where no others are chosen.
+template <class Model>
+bool is_state(int coordinate) noexcept {
+  return is_independent<Model>(coordinate) && Model::kBlockOf[coordinate] < 0;
 }
 
 /// Whether a variable may be set in the mode of the run.
@@ -190,8 +177,8 @@ bool may_be_set(const Core<Model>& core, Place place) noexcept {
       if (is_start && is_independent<Model>(place.index)) return true;
       return mode == kInstantiated ? is_undriven<Model>(place.index) : is_state_time && is_state<Model>(place.index);
     case Group::zd:
-      if (is_start) return is_independent<Model>(place.index) && !follows_at_start<Model>(place.index);
-      return is_state_time && is_state<Model>(place.index);
+      if (is_start && follows_at_start<Model>(place.index)) return false;
+      return is_start ? is_independent<Model>(place.index) : is_state_time && is_state<Model>(place.index);
     case Group::start:
       return is_start;
     case Group::x:
@@ -224,12 +211,12 @@ double& place_to_set(Run<Model>& run, Place place) noexcept {
       return run.state.z[place.index];
     case Group::zd:
       return run.state.zd[place.index];
+    case Group::start:
+      return run.start[place.index];
     case Group::q:
       return run.state.z[chosen_coordinate(run, place.index)];
     case Group::qd:
       return run.state.zd[chosen_coordinate(run, place.index)];
-    case Group::start:
-      return run.start[place.index];
     default:
       return run.state.x[place.index];
   }

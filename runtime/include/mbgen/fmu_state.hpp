@@ -1,6 +1,6 @@
 #pragma once
 // One instance of an FMU: the run that it is in, its independent coordinates, and how its loops are closed. `Model` is
-// the struct that mbgen emits into <model>_fmu.hpp. Nothing here allocates or calls the C library.
+// the struct that mbgen emits into <model>_fmu.hpp. Nothing here allocates.
 //
 // An importer of model exchange sees the independent coordinates alone. The dependent ones follow from the last state
 // that it accepted: every evaluation starts there, so that its result depends on nothing that was tried in between.
@@ -88,6 +88,12 @@ struct Refusal {
   }
 };
 
+/// Values that a variable is meant to have.
+struct Range {
+  unsigned variable;  ///< value reference
+  double least, most;
+};
+
 /// An instance: a run, and what follows from it.
 template <class Model>
 struct Core {
@@ -100,6 +106,12 @@ struct Core {
   Status status;    ///< of the solver's last call
   Refusal refusal;  ///< of the last call of the importer's that was refused
 };
+
+template <class Model>
+Answer refuse(Core<Model>& core, const Refusal& refusal) noexcept {
+  core.refusal = refusal;
+  return Answer::error;
+}
 
 /// The coordinates that the solver's frozen partition has.
 template <class Model>
