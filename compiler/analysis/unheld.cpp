@@ -16,7 +16,7 @@ using Eigen::MatrixXd;
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 
-constexpr double kNothing = 1e-9;  // of a motion of 1: m or rad
+constexpr double kNoMotion = 1e-9;  // of a motion of 1: m or rad
 constexpr double kUpright = 0.7;   // cosine: less than 45 degrees from the vertical
 
 Vector3d vector_of(const Vector3& v) { return {v[0], v[1], v[2]}; }
@@ -91,7 +91,7 @@ struct Scene {
   bool carries_springs(const std::vector<Twist>& moved) const {
     const auto moves = [&](const Attachment& end) {
       const int body = carrier(end.body);
-      return body >= 0 && moved[body].turning.norm() > kNothing;
+      return body >= 0 && moved[body].turning.norm() > kNoMotion;
     };
     const auto both = [&](const auto& spring) { return moves(spring.from) && moves(spring.to); };
     return std::any_of(model.springs.begin(), model.springs.end(), both) ||
@@ -106,7 +106,7 @@ struct Scene {
   bool is_rotor(const std::vector<Twist>& moved) const {
     for (const Body& body : model.bodies) {
       const int i = carrier(static_cast<int>(&body - model.bodies.data()));
-      if (i < 0 || !(body.mass.value > 0) || moved[i].turning.norm() <= kNothing) continue;
+      if (i < 0 || !(body.mass.value > 0) || moved[i].turning.norm() <= kNoMotion) continue;
       Vector3d centre = vector_of(body.pose.origin);
       for (int k = 0; k < 9; ++k) centre[k / 3] += body.pose.rotation[k] * body.com[k % 3].value;
       if (moved[i].at(centre).norm() > 1e-6 * moved[i].turning.norm()) return false;
@@ -118,10 +118,10 @@ struct Scene {
 /// The body that a motion turns most, -1 where none turns.
 int most_turned(const Scene& scene, const std::vector<Twist>& moved) {
   int most = -1;
-  double largest = kNothing;
+  double largest = kNoMotion;
   for (std::size_t b = 0; b < scene.model.bodies.size(); ++b) {
     const int body = scene.carrier(static_cast<int>(b));
-    if (body < 0 || moved[body].turning.norm() <= largest * (1 + kNothing)) continue;
+    if (body < 0 || moved[body].turning.norm() <= largest * (1 + kNoMotion)) continue;
     most = static_cast<int>(b);
     largest = moved[body].turning.norm();
   }
@@ -176,9 +176,9 @@ Diagnostics unheld_motions(const Model& model, const Topology& topology, const A
       for (std::size_t i = 0; i < column.size(); ++i) holds(static_cast<Eigen::Index>(i), q) = column[i];
     }
     MatrixXd unheld = MatrixXd::Identity(directions, directions);
-    if (holds.rows() > 0 && holds.cwiseAbs().maxCoeff() > kNothing) {
+    if (holds.rows() > 0 && holds.cwiseAbs().maxCoeff() > kNoMotion) {
       Eigen::FullPivLU<MatrixXd> factors(holds);
-      factors.setThreshold(kNothing);
+      factors.setThreshold(kNoMotion);
       if (factors.dimensionOfKernel() == 0) continue;
       unheld = factors.kernel();
     }

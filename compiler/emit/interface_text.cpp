@@ -85,7 +85,7 @@ std::string structure(const std::string& name, const std::vector<NumberMember>& 
 
 std::string initial_declaration(const EmitContext& context) {
   if (!context.initial) return "";
-  return wrapped_words(start_text(), "/// ") + "\nState initial_state() noexcept;\n\n";
+  return wrapped_words(start_comment(), "/// ") + "\nState initial_state() noexcept;\n\n";
 }
 
 /// The file name without its directories: the same text wherever the model lies.
@@ -143,7 +143,7 @@ std::string state_comment(const EmitContext& context) {
                          : "/// Everything that changes in time. Start from `State state{};` and assemble it.";
 }
 
-std::string start_text() {
+std::string start_comment() {
   return "The state that the model starts from: its \"initial\" with loops closed and velocities consistent, worked "
          "out by "
          "mbgen at the default parameters and inputs. At others assemble it; a static equilibrium is then not looked "
