@@ -33,7 +33,7 @@ std::string banner_text(const Model& model, const std::string& mark);
 std::string state_comment(const EmitContext& context);
 
 /// What initial_state() gives, for comments.
-std::string start_text();
+std::string start_comment();
 
 /// `<model>.hpp`.
 std::string interface_text(const EmitContext& context);

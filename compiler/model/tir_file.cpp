@@ -96,7 +96,7 @@ struct TirUnit {
   double factor;  ///< to SI
 };
 
-constexpr TirUnit kUnits[] = {
+constexpr TirUnit kTirUnits[] = {
     {"LENGTH", "METER", 1},
     {"LENGTH", "MM", 1e-3},
     {"LENGTH", "MILLIMETER", 1e-3},
@@ -123,7 +123,7 @@ double unit_of(Reader& reader, TirEntries& entries, std::string_view quantity) {
   const TirEntry* entry = use_entry(entries, quantity);
   if (!entry) return 1;
   std::string known;
-  for (const TirUnit& unit : kUnits) {
+  for (const TirUnit& unit : kTirUnits) {
     if (unit.quantity != quantity) continue;
     if (unit.word == upper(entry->value)) return unit.factor;
     known += (known.empty() ? "" : ", ") + std::string(unit.word);
