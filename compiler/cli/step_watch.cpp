@@ -112,7 +112,7 @@ double fitting_step(Integrator integrator, const std::vector<Mode>& modes, doubl
 }
 
 std::string mode_text(const Compilation& compilation, const Mode& mode) {
-  const std::string moves = leading_coordinates(compilation.topology, mode);
+  const std::string moves = leading_coordinates(compilation.topology, compilation.analysis, mode);
   const std::string rate = mode.oscillates() ? fmt::format("{:.4g} Hz", mode.undamped_frequency())
                                              : fmt::format("decay at {:.4g} 1/s", std::abs(mode.eigenvalue));
   return fmt::format("{} ({})", rate, moves.empty() ? "slips of tyres" : moves);
