@@ -154,7 +154,7 @@ TEST_F(Trust, StepThatIsTooLongIsAnError) {
     EXPECT_EQ(run.exit_code, 1);
     EXPECT_NE(run.err.find("the values blew up, slide reached "), std::string::npos) << run.err;
     EXPECT_NE(
-        run.err.find("step 0.001 s is too long; the fastest mode at the start, 455.8 Hz (slide 1.00), needs steps"),
+        run.err.find("step 0.001 s is too long; the fastest mode at the start, 455.8 Hz (slide +1.00), needs steps"),
         std::string::npos)
         << run.err;
     const Json summary = Json::parse(run.out, nullptr, false);
