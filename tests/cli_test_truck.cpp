@@ -10,7 +10,7 @@ namespace {
 
 const std::string kModels = std::string(MBGEN_SOURCE_DIR) + "/models/";
 const std::string kTruck = kModels + "truck.json";
-constexpr double kMass = 39250;  // kg, all bodies and rods of ../shared/reference/truck.json
+constexpr double kTruckMass = 39250;  // kg, all bodies and rods of ../shared/reference/truck.json
 
 using Names = std::vector<std::string>;
 
@@ -91,11 +91,11 @@ TEST_F(CommandLine, TruckHasThePapersCounts) {
 }
 
 TEST_F(CommandLine, TruckStandsOnItsWheelsCloseToTheReference) {
-  EXPECT_DOUBLE_EQ(mass_of(kModels + "truck_mechanism.json"), kMass);
+  EXPECT_DOUBLE_EQ(mass_of(kModels + "truck_mechanism.json"), kTruckMass);
   ASSERT_EQ(mbgen("simulate " + kTruck + " --duration 1e-3 --step 1e-3 --engine generic --out rest.csv").exit_code, 0);
   const Table start = table("rest.csv");
   const double weight = sum(start, 0, kLeftWheels) + sum(start, 0, kRightWheels);
-  EXPECT_NEAR(weight, kMass * 9.81, 1e-9 * kMass * 9.81);
+  EXPECT_NEAR(weight, kTruckMass * 9.81, 1e-9 * kTruckMass * 9.81);
   EXPECT_LT(start.at(0, "residual [m]"), 1e-10);
   for (int axle = 1; axle <= 5; ++axle)
     EXPECT_LT(std::abs(start.at(0, fmt::format("z.axle{}_tz [m]", axle))), 0.003) << "axle " << axle;
