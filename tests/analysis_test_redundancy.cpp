@@ -1,5 +1,6 @@
 // The redundancy certificate, and which sets of equations are refused.
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 
@@ -242,6 +243,7 @@ TEST(Incompatible, OneTiltedPinOfTheTruckIsFoundInItsBlock) {
                                                                       {"seat_link_right", "seat_pivot_right"},
                                                                       {"pitman_arm", "relay_ball"}})
     for (const double degrees : {0.01, 30.0}) {
+      if (joint == "pitman_arm" && degrees == 30.0) continue;  // see below
       Model model = model_of("models/truck_mechanism.json");
       tilt(model, joint, degrees);
       const Diagnostics problems = problems_of(model);
@@ -253,6 +255,25 @@ TEST(Incompatible, OneTiltedPinOfTheTruckIsFoundInItsBlock) {
     }
 }
 
+/// The steering's balls ask for one thing twice while its pins are parallel. Well apart they ask for as many things as
+/// there are equations, and nothing contradicts: that is another mechanism, with one freedom less.
+TEST(Compatible, AClearTiltThatLeavesNoEquationToSpareIsAccepted) {
+  Model model = model_of("models/truck_mechanism.json");
+  tilt(model, "pitman_arm", 30);
+  const Result<Topology> built = build_topology(model);
+  ASSERT_TRUE(built);
+  const Topology& topology = *built;
+  const Result<Analysis> analysed = analyse(model, topology);
+  ASSERT_TRUE(analysed) << to_text(analysed.problems());
+  const Analysis& analysis = *analysed;
+  const auto steering = std::find_if(topology.blocks.begin(), topology.blocks.end(), [&](const LoopBlock& block) {
+    return std::any_of(block.loops.begin(), block.loops.end(),
+                       [&](int l) { return topology.loops[l].name == "relay_ball"; });
+  });
+  ASSERT_NE(steering, topology.blocks.end());
+  EXPECT_EQ(analysis.blocks[steering - topology.blocks.begin()].rank, steering->equations);
+}
+
 TEST(Incompatible, TwoTiltedLinkagesAreBothNamed) {
   Model model = model_of("models/truck_mechanism.json");
   tilt(model, "cab", 1);
@@ -260,7 +281,7 @@ TEST(Incompatible, TwoTiltedLinkagesAreBothNamed) {
   const Diagnostics problems = problems_of(model);
   ASSERT_EQ(problems.size(), 2u) << to_text(problems);
   EXPECT_EQ(problems[0].where.pointer, "/joints/cab");
-  EXPECT_EQ(problems[1].where.pointer, "/joints/seat_link_right");
+  EXPECT_EQ(problems[1].where.pointer, joint_named(model, "seat_link_right").where.pointer);
 }
 
 TEST(Incompatible, AMotionDoesNotHideIt) {

@@ -115,7 +115,9 @@ TEST_F(CommandLine, JudgesKeepTheFourBarClosedAndItsEnergy) {
           stabilisation));
       EXPECT_EQ(report["engine"], judge);
       EXPECT_EQ(report["stabilisation"], stabilisation);
-      EXPECT_LT(report["position_residual"], stabilisation == "projection" ? 1e-12 : 1e-8);
+      // Projection closes each of the four joints to 1e-12; the coordinates carry what they leave to the one that is
+      // cut.
+      EXPECT_LT(report["position_residual"], stabilisation == "projection" ? 4e-12 : 1e-8);
       EXPECT_LT(std::abs(report["relative_energy_error"].get<double>()), 1e-7);
       EXPECT_EQ(table("o.csv").rows.size(), 501u);
     }

@@ -9,11 +9,22 @@
 namespace mbgen::test {
 namespace {
 
+/// A start with another number in every place; its loops need not be closed.
+InitialState some_start(const Compilation& compilation) {
+  InitialState start;
+  for (int i = 0; i < compilation.topology.size(); ++i) {
+    start.z.push_back(0.01 * (i + 1));
+    start.zd.push_back(-0.1 * (i + 1));
+  }
+  start.x.assign(auxiliary_state_names(compilation.model).size(), 0.0);
+  return start;
+}
+
 /// Files of a model of the project with a batch interface.
 std::vector<EmittedFile> files_of(const std::string& model, int lanes) {
   Result<Compilation> compilation = compile(std::string(MBGEN_SOURCE_DIR "/") + model);
   if (!compilation) throw std::runtime_error(to_text(compilation.problems()));
-  return emit(*compilation, {.runtime_headers = false, .lanes = lanes});
+  return emit(*compilation, {.runtime_headers = false, .lanes = lanes, .initial = some_start(*compilation)});
 }
 
 struct Case {

@@ -49,7 +49,7 @@ TEST(Units, UnknownOnesAreNotedWithTheirPlace) {
     "outputs": { "angle": { "joint": "pin", "unit": "rad" } })"));
   ASSERT_EQ(model.notes.size(), 1u);
   EXPECT_EQ(model.notes[0].where.pointer, "/inputs/push/unit");
-  EXPECT_EQ(model.notes[0].where.line, 7);
+  EXPECT_EQ(model.notes[0].where.line, 6);
   EXPECT_TRUE(model.notes[0].message.starts_with("unit \"kn\" is not known")) << model.notes[0].message;
 }
 

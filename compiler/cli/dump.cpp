@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "compiler/cli/dump_model.hpp"
+#include "compiler/cli/initial_state.hpp"
 #include "compiler/cli/names.hpp"
 #include "compiler/cli/user_error.hpp"
 #include "compiler/compile.hpp"
@@ -111,7 +112,9 @@ std::string dump_stage(const std::string& path, const std::string& stage) {
   programs = optimise(std::move(programs));
   take_form(programs, {});
   if (stage == "optimised") return dump_programs(programs);
-  return dump_code(emit(as_emitted(std::move(programs)), model, topology, analysis, {.runtime_headers = false}));
+  const Compilation compilation{model, topology, analysis, std::move(programs)};
+  const std::optional<InitialState> start = known_start(compilation);
+  return dump_code(emit(compilation, {.runtime_headers = false, .initial = start}));
 }
 
 }  // namespace mbgen::cli

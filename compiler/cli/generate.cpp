@@ -95,19 +95,6 @@ void require_range(const Compilation& compilation, const std::string& scalar) {
   }
 }
 
-/// Where the solver starts; none, with a note, where the model has no start and nothing asks for it.
-/// Fails: UserError where the C interface asks for it.
-std::optional<InitialState> start_of(const Compilation& compilation, bool is_needed) {
-  try {
-    return default_initial_state(compilation);
-  } catch (const UserError& error) {
-    if (is_needed) throw;
-    fmt::print(stderr, "{}generate: the solver is written without initial_state(): start from a state of your own\n",
-               error.text(Style::plain));
-    return {};
-  }
-}
-
 int run(const GenerateOptions& options) {
   if (!options.dump.empty()) {
     print(dump_stage(options.model, options.dump));
@@ -120,7 +107,7 @@ int run(const GenerateOptions& options) {
   require_range(compilation, options.emit.scalar);
   EmitOptions emitted = options.emit;
   emitted.c_interface = options.c_interface || options.emit.calibration;
-  emitted.initial = start_of(compilation, emitted.c_interface);
+  emitted.initial = emitted.c_interface ? default_initial_state(compilation) : known_start(compilation);
   std::vector<EmittedFile> files = emit(compilation, emitted);
   std::optional<MeasuredCost> cost;
   if (options.measure) {

@@ -218,4 +218,14 @@ InitialState default_initial_state(const Compilation& compilation) {
   return {std::move(state.z), std::move(state.zd), std::move(state.x), std::move(parameters)};
 }
 
+std::optional<InitialState> known_start(const Compilation& compilation) {
+  try {
+    return default_initial_state(compilation);
+  } catch (const UserError& error) {
+    fmt::print(stderr, "{}generate: the solver is written without initial_state(): start from a state of your own\n",
+               error.text(Style::plain));
+    return {};
+  }
+}
+
 }  // namespace mbgen::cli

@@ -2,6 +2,7 @@
 // The state that a motion starts from.
 
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -47,5 +48,8 @@ nlohmann::ordered_json moved_json(const Compilation& compilation, const std::vec
 
 /// The same at the default inputs, as emitted code holds it.
 InitialState default_initial_state(const Compilation& compilation);
+
+/// The same for a solver that goes without where the model has no start; a note on standard error says so.
+std::optional<InitialState> known_start(const Compilation& compilation);
 
 }  // namespace mbgen::cli

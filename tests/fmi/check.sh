@@ -25,7 +25,7 @@ check_schema() {  # SCHEMA FILE
 
 # The file of a model: those that only this test uses lie among its data.
 file_of() {
-  for place in models tests/data/fmi tests/data/models; do
+  for place in tests/data/fmi models tests/data/models; do
     [ ! -f "$root/$place/$1.json" ] || { echo "$root/$place/$1.json"; return; }
   done
 }

@@ -17,7 +17,7 @@ Compilation named_pendulum(const std::string& name, const std::string& unit, con
   CalibrationJson model = {{"mbgen", 1}, {"bodies", {{"ground", {{"points", origin}}}}}};
   model["bodies"]["bob"] = {{"mass", 1}, {"com", {1, 0, 0}}, {"inertia", {1, 1, 1}}, {"points", origin}};
   model["joints"][name] = {{"type", "revolute"}, {"from", "ground.O"}, {"to", "bob.O"}, {"axis", "y"}};
-  model["outputs"][name] = {{"unit", unit}, {"joint", name}};
+  model["outputs"][name] = {{"unit", unit}, {"expression", "t"}};
   model["parameters"][name] = {{"value", 1}, {"unit", unit}, {"tunable", true}};
   model["inputs"]["push"] = {{"unit", unit}};
   model["joint_forces"]["torque"] = {{"joint", name}, {"force", name + " + push"}};

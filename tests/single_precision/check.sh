@@ -52,11 +52,9 @@ for argument in "$@"; do
   [ "$moment" = "${moment%,*}" ] || units=${moment##*,} moment=${moment%,*}
   name=$(basename "$model" .json)
   directory=$scratch/$name
-  build_solver "${name}_double" --c-api &
+  build_solver "${name}_double" &
   build_solver "${name}_float" --scalar float
   wait $!
-  awk '/^constexpr double kInitial/ { inside = 1 } inside; /;$/ { inside = 0 }' "$directory/${name}_double_c.cpp" \
-    >"$directory/initial.hpp"
   # shellcheck disable=SC2086  # several words
   g++ $flags -I "$root/runtime/include" -I "$directory" -DSOLVER="${name}_double" -DSINGLE="${name}_float" \
     "-DDOUBLE_INTERFACE=<${name}_double.hpp>" "-DSINGLE_INTERFACE=<${name}_float.hpp>" "$here/compare.cpp" \

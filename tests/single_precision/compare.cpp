@@ -1,6 +1,5 @@
 // A solver in single precision against the same in double precision; see check.sh.
-//   compare STEPS H MOMENT UNITS, built with -DSOLVER=four_bar -DSINGLE=four_bar_float and their headers; initial.hpp
-//   has the initial state
+//   compare STEPS H MOMENT UNITS, built with -DSOLVER=four_bar -DSINGLE=four_bar_float and their headers
 //
 // Accelerations: at states of the single trajectory, those of float code may differ from those of double code by what
 // UNITS units of the last place in each coordinate and velocity, in the time, and of MOMENT (N m or N) in each joint's
@@ -21,8 +20,6 @@
 #include <vector>
 
 namespace {
-
-#include "initial.hpp"
 
 namespace exact = SOLVER;
 namespace single = SINGLE;
@@ -119,18 +116,9 @@ class Balance {
   double start_ = 0, work_ = 0, power_ = 0, kinetic_ = 0, worst_ = 0;
 };
 
-/// Where the model starts, as its C interface has it: initial.hpp is cut out of that.
-exact::State initial_state() {
-  exact::State state{};
-  std::copy(std::begin(kInitialZ), std::end(kInitialZ), state.z);
-  std::copy(std::begin(kInitialZd), std::end(kInitialZd), state.zd);
-  std::copy(std::begin(kInitialX), std::end(kInitialX), state.x);
-  return state;
-}
-
 Findings compare(int steps, double h, double moment, double units) {
   Findings findings;
-  exact::State right = initial_state(), moved = right, seen{};
+  exact::State right = exact::initial_state(), moved = right, seen{};
   single::State state{};
   convert(right, state);
   std::mt19937 random(1);
