@@ -377,6 +377,18 @@ TEST(Locked, IsAcceptedAndEqualToTheCartesianJudges) {
   EXPECT_GT(states, cases);
 }
 
+/// Joints whose axes share a direction, as many as there are of one.
+int most_parallel(const Model& model) {
+  int most = 0;
+  for (const Joint& a : model.joints) {
+    const auto is_parallel = [&](const Joint& b) {
+      return std::abs(a.axis[0] * b.axis[0] + a.axis[1] * b.axis[1] + a.axis[2] * b.axis[2]) > 1 - 1e-9;
+    };
+    most = std::max(most, static_cast<int>(std::count_if(model.joints.begin(), model.joints.end(), is_parallel)));
+  }
+  return most;
+}
+
 /// However its links are made, a line-symmetric chain of six pins moves on the branch of its reference.
 TEST(Bricard, EveryLineSymmetricOneHasOneFreedom) {
   for (int seed = 1; seed <= 40; ++seed) {
@@ -385,7 +397,8 @@ TEST(Bricard, EveryLineSymmetricOneHasOneFreedom) {
     ASSERT_TRUE(m) << "seed " << seed << ": " << to_text(m.problems()) << model_text(random);
     EXPECT_EQ(m->analysis.degrees_of_freedom, 1) << seed;
     EXPECT_EQ(m->analysis.blocks[0].redundant_equations.size(), 1u) << seed;
-    EXPECT_TRUE(m->analysis.blocks[0].certificate.immobile.empty()) << seed;
+    // Four parallel pins are a flat four-bar, which the other two only carry.
+    EXPECT_EQ(m->analysis.blocks[0].certificate.immobile.size(), most_parallel(m->model) == 4 ? 2u : 0u) << seed;
     EXPECT_GE(m->analysis.blocks[0].certificate.steps, 10) << seed;
   }
 }
