@@ -44,9 +44,13 @@ class Batch : public testing::TestWithParam<Case> {};
 /// Compiles one source with the flags of solvers in lanes, every warning an error.
 Finished compile_source(const Case& which, const fs::path& directory, const std::string& source) {
   std::string command = which.compiler.command;
-  for (const std::string& flag : solver_compile_flags(which.compiler.family)) {
-    command += " " + flag;
+  std::vector<std::string> flags = solver_compile_flags(which.compiler.family);
+#if defined(__x86_64__)
+  if (which.compiler.family == CompilerFamily::gnu) {
+    for (const std::string& flag : lane_flags_of_gnu_on_x86()) flags.push_back(flag);
   }
+#endif
+  for (const std::string& flag : flags) command += " " + flag;
   const std::string base = (directory / source).string();
   return run(command + " -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Wdouble-promotion -Werror " +
              which.more_flags + " -I" + directory.string() + " -I" MBGEN_SOURCE_DIR "/runtime/include -c " + base +
