@@ -38,7 +38,8 @@ TEST_F(New, SaysWhichKindsThereAre) {
   const Outcome unknown = mbgen("new pendulums");
   EXPECT_EQ(unknown.exit_code, 1);
   EXPECT_EQ(unknown.err,
-            "mbgen new: unknown kind \"pendulums\"\n  hint: known: double_wishbone, four_bar, pendulum, quarter_car, tyre_rig\n");
+            "mbgen new: unknown kind \"pendulums\"\n  hint: known: double_wishbone, four_bar, pendulum, quarter_car, "
+            "tyre_rig\n");
   EXPECT_EQ(leftovers(), std::vector<std::string>{});
 }
 

@@ -17,7 +17,7 @@ using Eigen::Vector3d;
 using Eigen::VectorXd;
 
 constexpr double kNoMotion = 1e-9;  // of a motion of 1: m or rad
-constexpr double kUpright = 0.7;   // cosine: less than 45 degrees from the vertical
+constexpr double kUpright = 0.7;    // cosine: less than 45 degrees from the vertical
 
 Vector3d vector_of(const Vector3& v) { return {v[0], v[1], v[2]}; }
 

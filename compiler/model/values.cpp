@@ -44,8 +44,8 @@ bool check_number(Reader& reader, const Value& value, const FieldInfo& info, dou
 /// The nodes of an expression text. Result: nothing when there were problems.
 std::optional<Expression> parse(Reader& reader, const Value& value, const FieldInfo& info) {
   const Scope& place = current_scope(reader);
-  const ExpressionScope scope{reader.names,        place.visible, reader.model.parameters, reader.model.expressions,
-                              info.depends,        info.locals,   suggests(reader),        place.keeps_direction,
+  const ExpressionScope scope{reader.names,         place.visible, reader.model.parameters, reader.model.expressions,
+                              info.depends,         info.locals,   suggests(reader),        place.keeps_direction,
                               reader.folds_tunable, info.at_start};
   ParsedExpression parsed = parse_expression(value.text, scope);
   for (ExpressionProblem& problem : parsed.problems) {
