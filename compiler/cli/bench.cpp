@@ -19,7 +19,7 @@ namespace {
 
 struct BenchOptions {
   std::string model, form, states;
-  long long evaluations = kPaperEvaluations;
+  long evaluations = kPaperEvaluations;
   EngineArguments engine;
   int lanes = 0;
   bool json = false;
@@ -85,11 +85,11 @@ int run(const BenchOptions& options) {
 
 }  // namespace
 
-void add_bench(CLI::App& application, int& exit_code) {
+void add_bench(NamedCommand application, int& exit_code) {
   const auto options = std::make_shared<BenchOptions>();
-  CLI::App* command =
-      application.add_subcommand("bench", "measure the nine steps and the time of one evaluation, per engine");
-  command->footer(fmt::format(
+  NamedCommand command =
+      application.add_command("bench", "measure the nine steps and the time of one evaluation, per engine");
+  command.footer(fmt::format(
       "Example: mbgen bench models/coach.json --json\n"
       "The engines take {} turns at the same states; times are medians, the spread is the distance of the quartiles\n"
       "over the median, the error is that to the \"zdd\" of the states, or to the generic engine where there are "
@@ -97,15 +97,15 @@ void add_bench(CLI::App& application, int& exit_code) {
       "The steps are shares by a clock read after each, of the whole as timed without it. An engine that would need\n"
       "more than {} s makes fewer evaluations, in {} turns.",
       kTurns, kLongestMeasurement, kTurnsOfSlowEngines));
-  add_model_argument(*command, options->model);
-  command->add_option("--states", options->states, "file of states as for evaluate (default: random consistent ones)");
-  command->add_option("--evaluations", options->evaluations,
-                      fmt::format("of each engine (default: {}, as in the paper)", kPaperEvaluations));
-  add_batch_option(*command, options->lanes);
-  add_run_options(*command, options->engine);
-  add_form_option(*command, options->form);
-  add_json_option(*command, options->json);
-  command->callback([options, &exit_code] { exit_code = run(*options); });
+  add_model_argument(command, options->model);
+  command.add_option("--states", options->states, "file of states as for evaluate (default: random consistent ones)");
+  command.add_option("--evaluations", options->evaluations,
+                     fmt::format("of each engine (default: {}, as in the paper)", kPaperEvaluations));
+  add_batch_option(command, options->lanes);
+  add_run_options(command, options->engine);
+  add_form_option(command, options->form);
+  add_json_option(command, options->json);
+  command.callback([options, &exit_code] { exit_code = run(*options); });
 }
 
 }  // namespace mbgen::cli

@@ -75,10 +75,10 @@ int run(const CheckOptions& options) {
 
 }  // namespace
 
-void add_check(CLI::App& application, int& exit_code) {
+void add_check(NamedCommand application, int& exit_code) {
   const auto options = std::make_shared<CheckOptions>();
-  CLI::App* command = application.add_subcommand("check", "read and verify a model, report every problem at once");
-  command->footer(
+  NamedCommand command = application.add_command("check", "read and verify a model, report every problem at once");
+  command.footer(
       "Example: mbgen check models/coach.json\n"
       "Standard error has notes of what is allowed and may not be meant: axes of tyres and wheels out of balance, "
       "damping\n"
@@ -87,10 +87,10 @@ void add_check(CLI::App& application, int& exit_code) {
       "use, "
       "and how\n"
       "far initial values that do not fit together are moved.");
-  add_model_argument(*command, options->model);
-  add_json_option(*command, options->json);
-  add_dump_option(*command, options->dump);
-  command->callback([options, &exit_code] { exit_code = run(*options); });
+  add_model_argument(command, options->model);
+  add_json_option(command, options->json);
+  add_dump_option(command, options->dump);
+  command.callback([options, &exit_code] { exit_code = run(*options); });
 }
 
 }  // namespace mbgen::cli

@@ -1,7 +1,7 @@
 #pragma once
 // The commands of mbgen, one file each.
 
-#include <CLI/CLI.hpp>
+#include "compiler/cli/command_line.hpp"
 
 namespace mbgen::cli {
 
@@ -10,23 +10,23 @@ enum ExitCode : int { kDone = 0, kUserFault = 1, kOurDefect = 2 };
 
 // Each adds its command to the application; when the command line names it, it runs and sets the exit code.
 // Fails: UserError.
-void add_check(CLI::App& application, int& exit_code);
-void add_explain(CLI::App& application, int& exit_code);
-void add_new(CLI::App& application, int& exit_code);
-void add_inspect(CLI::App& application, int& exit_code);
-void add_generate(CLI::App& application, int& exit_code);
-void add_export(CLI::App& application, int& exit_code);
-void add_simulate(CLI::App& application, int& exit_code);
-void add_evaluate(CLI::App& application, int& exit_code);
-void add_plot(CLI::App& application, int& exit_code);
-void add_report(CLI::App& application, int& exit_code);
-void add_equilibrium(CLI::App& application, int& exit_code);
-void add_linearize(CLI::App& application, int& exit_code);
-void add_sweep(CLI::App& application, int& exit_code);
-void add_bench(CLI::App& application, int& exit_code);
-void add_import(CLI::App& application, int& exit_code);
-void add_schema(CLI::App& application, int& exit_code);
-void add_completion(CLI::App& application, int& exit_code);
-void add_manual(CLI::App& application, int& exit_code);
+void add_check(NamedCommand application, int& exit_code);
+void add_explain(NamedCommand application, int& exit_code);
+void add_new(NamedCommand application, int& exit_code);
+void add_inspect(NamedCommand application, int& exit_code);
+void add_generate(NamedCommand application, int& exit_code);
+void add_export(NamedCommand application, int& exit_code);
+void add_simulate(NamedCommand application, int& exit_code);
+void add_evaluate(NamedCommand application, int& exit_code);
+void add_plot(NamedCommand application, int& exit_code);
+void add_report(NamedCommand application, int& exit_code);
+void add_equilibrium(NamedCommand application, int& exit_code);
+void add_linearize(NamedCommand application, int& exit_code);
+void add_sweep(NamedCommand application, int& exit_code);
+void add_bench(NamedCommand application, int& exit_code);
+void add_import(NamedCommand application, int& exit_code);
+void add_schema(NamedCommand application, int& exit_code);
+void add_completion(NamedCommand application, int& exit_code);
+void add_manual(NamedCommand application, int& exit_code);
 
 }  // namespace mbgen::cli

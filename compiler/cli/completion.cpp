@@ -23,27 +23,22 @@ struct CompletedOption {
 
 std::string first_line(const std::string& text) { return text.substr(0, text.find('\n')); }
 
-std::vector<CompletedOption> options_of(const CLI::App& command) {
+std::vector<CompletedOption> options_of(const NamedCommand& command) {
   std::vector<CompletedOption> list;
-  for (const CLI::Option* option : command.get_options()) {
-    for (const std::string& name : option->get_lnames())
-      list.push_back({"--" + name, first_line(option->get_description())});
+  for (const OptionWords& option : command.options()) {
+    for (const std::string& name : option.long_names) list.push_back({"--" + name, first_line(option.description)});
   }
   return list;
 }
 
-std::vector<const CLI::App*> commands_of(const CLI::App& application) {
-  return application.get_subcommands([](const CLI::App*) { return true; });
-}
-
 /// Options of a command on each of its lines, then files; commands for the first word.
-std::string bash_text(const CLI::App& application) {
+std::string bash_text(const NamedCommand& application) {
   std::string cases, names;
-  for (const CLI::App* command : commands_of(application)) {
+  for (const NamedCommand& command : application.commands()) {
     std::vector<std::string> words;
-    for (const CompletedOption& option : options_of(*command)) words.push_back(option.word);
-    cases += fmt::format("    {}) words=\"{}\" ;;\n", command->get_name(), fmt::join(words, " "));
-    names += (names.empty() ? "" : " ") + command->get_name();
+    for (const CompletedOption& option : options_of(command)) words.push_back(option.word);
+    cases += fmt::format("    {}) words=\"{}\" ;;\n", command.name(), fmt::join(words, " "));
+    names += (names.empty() ? "" : " ") + command.name();
   }
   return "# bash completion for mbgen: source this file, or keep it in /usr/share/bash-completion/completions/mbgen\n"
          "_mbgen() {\n"
@@ -66,7 +61,7 @@ std::string bash_text(const CLI::App& application) {
          "complete -o filenames -F _mbgen mbgen\n";
 }
 
-std::string zsh_text(const CLI::App& application) {
+std::string zsh_text(const NamedCommand& application) {
   return "#compdef mbgen\n"
          "# zsh completion for mbgen: source this file after compinit\n"
          "autoload -U +X bashcompinit && bashcompinit\n" +
@@ -83,15 +78,15 @@ std::string fish_quoted(const std::string& text) {
   return quoted + "'";
 }
 
-std::string fish_text(const CLI::App& application) {
+std::string fish_text(const NamedCommand& application) {
   std::string text = "# fish completion for mbgen: keep it in ~/.config/fish/completions/mbgen.fish\n";
-  for (const CLI::App* command : commands_of(application)) {
-    text += fmt::format("complete -c mbgen -n __fish_use_subcommand -f -a {} -d {}\n", command->get_name(),
-                        fish_quoted(first_line(command->get_description())));
+  for (const NamedCommand& command : application.commands()) {
+    text += fmt::format("complete -c mbgen -n __fish_use_subcommand -f -a {} -d {}\n", command.name(),
+                        fish_quoted(first_line(command.description())));
   }
-  for (const CLI::App* command : commands_of(application)) {
-    for (const CompletedOption& option : options_of(*command)) {
-      text += fmt::format("complete -c mbgen -n '__fish_seen_subcommand_from {}' -l {} -d {}\n", command->get_name(),
+  for (const NamedCommand& command : application.commands()) {
+    for (const CompletedOption& option : options_of(command)) {
+      text += fmt::format("complete -c mbgen -n '__fish_seen_subcommand_from {}' -l {} -d {}\n", command.name(),
                           option.word.substr(2), fish_quoted(option.description));
     }
   }
@@ -100,14 +95,12 @@ std::string fish_text(const CLI::App& application) {
 
 }  // namespace
 
-void add_completion(CLI::App& application, int& exit_code) {
+void add_completion(NamedCommand application, int& exit_code) {
   const auto options = std::make_shared<CompletionOptions>();
-  CLI::App* command = application.add_subcommand("completion", "print what a shell needs to complete mbgen's words");
-  command->footer("Example: source <(mbgen completion bash)");
-  command->add_option("SHELL", options->shell, "bash, zsh or fish")
-      ->required()
-      ->check(CLI::IsMember({"bash", "zsh", "fish"}));
-  command->callback([options, &application, &exit_code] {
+  NamedCommand command = application.add_command("completion", "print what a shell needs to complete mbgen's words");
+  command.footer("Example: source <(mbgen completion bash)");
+  command.add_option("SHELL", options->shell, "bash, zsh or fish").required().one_of({"bash", "zsh", "fish"});
+  command.callback([options, application, &exit_code] {
     print(options->shell == "bash"  ? bash_text(application)
           : options->shell == "zsh" ? zsh_text(application)
                                     : fish_text(application));

@@ -24,7 +24,7 @@ std::string escaped(const std::string& path) {
 
 }  // namespace
 
-void add_depfile_option(CLI::App& command, std::string& path) {
+void add_depfile_option(NamedCommand command, std::string& path) {
   command.add_option("--depfile", path,
                      "write the files that the model is read from as a rule of Make, for build tools");
 }

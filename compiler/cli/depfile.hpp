@@ -1,17 +1,17 @@
 #pragma once
 // What a build tool has to know: which files a command has read.
 
-#include <CLI/CLI.hpp>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "compiler/cli/command_line.hpp"
 #include "compiler/cli/files.hpp"
 
 namespace mbgen::cli {
 
 /// --depfile FILE
-void add_depfile_option(CLI::App& command, std::string& path);
+void add_depfile_option(NamedCommand command, std::string& path);
 
 /// The rule `output: inputs` in the syntax of Make, as compilers write it with -MD.
 /// Fails: UserError for the end of a line in a path, which Make cannot say.

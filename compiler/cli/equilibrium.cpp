@@ -88,18 +88,18 @@ int run(const EquilibriumOptions& options) {
 
 }  // namespace
 
-void add_equilibrium(CLI::App& application, int& exit_code) {
+void add_equilibrium(NamedCommand application, int& exit_code) {
   const auto options = std::make_shared<EquilibriumOptions>();
-  CLI::App* command = application.add_subcommand("equilibrium", "find where a model stays at rest");
-  command->footer(
+  NamedCommand command = application.add_command("equilibrium", "find where a model stays at rest");
+  command.footer(
       "Example: mbgen equilibrium models/coach.json\n"
       "Starts from the model's initial state. Driven coordinates stay at their motions, loops closed.");
-  add_model_argument(*command, options->model);
-  add_input_option(*command, options->inputs);
-  add_set_option(*command, options->set);
-  command->add_option("-o,--out", options->file, "write the positions as a file that a model may include: its start");
-  add_json_option(*command, options->json);
-  command->callback([options, &exit_code] { exit_code = run(*options); });
+  add_model_argument(command, options->model);
+  add_input_option(command, options->inputs);
+  add_set_option(command, options->set);
+  command.add_option("-o,--out", options->file, "write the positions as a file that a model may include: its start");
+  add_json_option(command, options->json);
+  command.callback([options, &exit_code] { exit_code = run(*options); });
 }
 
 }  // namespace mbgen::cli

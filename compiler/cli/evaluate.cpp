@@ -93,29 +93,29 @@ int run(const EvaluateOptions& options) {
 
 }  // namespace
 
-void add_evaluate(CLI::App& application, int& exit_code) {
+void add_evaluate(NamedCommand application, int& exit_code) {
   const auto options = std::make_shared<EvaluateOptions>();
-  CLI::App* command = application.add_subcommand("evaluate", "print the accelerations at given states, as JSON");
-  command->footer(
+  NamedCommand command = application.add_command("evaluate", "print the accelerations at given states, as JSON");
+  command.footer(
       "Example: mbgen evaluate models/pendulum.json --states states.json\n"
       "where states.json is {\"joint_order\": [names], \"states\": [{\"z\": [], \"zd\": [], \"tau\": []}]}; a state "
       "may\n"
       "also have \"x\", \"t\" and \"inputs\": {name: value}. tau are joint forces, added to those of the model.\n"
       "Of a model with motions, \"drive\" are the generalised driving forces.\n"
       "A state that has no accelerations has \"zdd\": null and a status that says why; the exit code is then 0 too.");
-  add_model_argument(*command, options->model);
-  command->add_option("--states", options->states, "file of states (JSON)")->required();
-  command->add_flag("--project", options->project,
-                    "make each state consistent first, and print its z and zd (default: take it as given)");
-  command->add_flag("--reactions", options->reactions,
-                    "print what every joint and rod transmits to its \"to\" body: force, and moment about the joint's "
-                    "point on that body, global axes");
-  add_set_option(*command, options->set);
-  add_batch_option(*command, options->engine.choice.lanes);
-  add_json_option(*command, options->json);
-  add_form_option(*command, options->form);
-  add_engine_options(*command, options->engine);
-  command->callback([options, &exit_code] { exit_code = run(*options); });
+  add_model_argument(command, options->model);
+  command.add_option("--states", options->states, "file of states (JSON)").required();
+  command.add_flag("--project", options->project,
+                   "make each state consistent first, and print its z and zd (default: take it as given)");
+  command.add_flag("--reactions", options->reactions,
+                   "print what every joint and rod transmits to its \"to\" body: force, and moment about the joint's "
+                   "point on that body, global axes");
+  add_set_option(command, options->set);
+  add_batch_option(command, options->engine.choice.lanes);
+  add_json_option(command, options->json);
+  add_form_option(command, options->form);
+  add_engine_options(command, options->engine);
+  command.callback([options, &exit_code] { exit_code = run(*options); });
 }
 
 }  // namespace mbgen::cli

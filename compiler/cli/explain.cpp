@@ -22,15 +22,15 @@ int run(const ExplainOptions& options) {
 
 }  // namespace
 
-void add_explain(CLI::App& application, int& exit_code) {
+void add_explain(NamedCommand application, int& exit_code) {
   const auto options = std::make_shared<ExplainOptions>();
-  CLI::App* command = application.add_subcommand("explain", "say in words what mbgen made of a model, and why");
-  command->footer(
+  NamedCommand command = application.add_command("explain", "say in words what mbgen made of a model, and why");
+  command.footer(
       "Example: mbgen explain models/four_bar.json\n"
       "The same facts as tables and as JSON: mbgen inspect.");
-  add_model_argument(*command, options->model);
-  add_form_option(*command, options->form);
-  command->callback([options, &exit_code] { exit_code = run(*options); });
+  add_model_argument(command, options->model);
+  add_form_option(command, options->form);
+  command.callback([options, &exit_code] { exit_code = run(*options); });
 }
 
 }  // namespace mbgen::cli

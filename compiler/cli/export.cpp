@@ -208,34 +208,34 @@ int run(const ExportOptions& options) {
 
 }  // namespace
 
-void add_export(CLI::App& application, int& exit_code) {
+void add_export(NamedCommand application, int& exit_code) {
   const auto options = std::make_shared<ExportOptions>();
-  CLI::App* command = application.add_subcommand("export", "write a Functional Mock-up Unit of a model");
-  command->footer(
+  NamedCommand command = application.add_command("export", "write a Functional Mock-up Unit of a model");
+  command.footer(
       "Example: mbgen export models/coach_rig.json --fmi 3 -o coach_rig.fmu\n"
       "         mbgen export models/coach_rig.json --fmi 2 --platform x86_64-linux,x86_64-windows -o coach_rig.fmu\n"
       "The unit has co-simulation and model exchange, a library for this kind of machine or those of --platform, and "
       "its\n"
       "sources.");
-  add_model_argument(*command, options->model);
-  command->add_option("--fmi", options->version, "version of the Functional Mock-up Interface: 2 or 3")
-      ->required()
-      ->check(CLI::IsMember(std::vector<int>{2, 3}));
-  command->add_option("-o,--out", options->file, "the FMU")->required();
+  add_model_argument(command, options->model);
+  command.add_option("--fmi", options->version, "version of the Functional Mock-up Interface: 2 or 3")
+      .required()
+      .one_of({"2", "3"});
+  command.add_option("-o,--out", options->file, "the FMU").required();
   std::vector<std::string> names;
   for (const Platform& platform : kPlatforms) names.emplace_back(platform.name);
   options->platforms = {kThisPlatform};
   command
-      ->add_option("--platform", options->platforms,
-                   "machines that the unit has libraries for, by default this kind: x86_64-linux, aarch64-linux, "
-                   "x86_64-windows")
-      ->delimiter(',')
-      ->check(CLI::IsMember(names));
-  command->add_flag("--sources-only", options->sources_only, "leave the library out; needs no compiler");
-  add_depfile_option(*command, options->depfile);
-  add_form_option(*command, options->form);
-  add_json_option(*command, options->json);
-  command->callback([options, &exit_code] { exit_code = run(*options); });
+      .add_option("--platform", options->platforms,
+                  "machines that the unit has libraries for, by default this kind: x86_64-linux, aarch64-linux, "
+                  "x86_64-windows")
+      .separated_by(',')
+      .one_of(names);
+  command.add_flag("--sources-only", options->sources_only, "leave the library out; needs no compiler");
+  add_depfile_option(command, options->depfile);
+  add_form_option(command, options->form);
+  add_json_option(command, options->json);
+  command.callback([options, &exit_code] { exit_code = run(*options); });
 }
 
 }  // namespace mbgen::cli

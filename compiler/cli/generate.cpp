@@ -129,35 +129,35 @@ int run(const GenerateOptions& options) {
 
 }  // namespace
 
-void add_generate(CLI::App& application, int& exit_code) {
+void add_generate(NamedCommand application, int& exit_code) {
   const auto options = std::make_shared<GenerateOptions>();
-  CLI::App* command = application.add_subcommand("generate", "write the specialised C++ solver of a model");
-  command->footer(
+  NamedCommand command = application.add_command("generate", "write the specialised C++ solver of a model");
+  command.footer(
       "Example: mbgen generate models/coach.json --out coach_solver\n"
       "Prints the files that it wrote; DIR/CMakeLists.txt builds them alone.");
-  add_model_argument(*command, options->model);
-  command->add_option("-o,--out", options->directory, "directory of the files; made when it is missing");
-  command->add_flag_callback(
+  add_model_argument(command, options->model);
+  command.add_option("-o,--out", options->directory, "directory of the files; made when it is missing");
+  command.add_flag(
       "--no-runtime", [options] { options->emit.runtime_headers = false; },
       "leave out the runtime's headers (mbgen/*.hpp)");
-  command->add_flag("--c-api", options->c_interface,
-                    "add an interface in C99 (<model>_c.h, <model>_c.cpp) and a Python module over it (<model>.py)");
-  command->add_flag("--a2l", options->emit.calibration,
-                    "add a calibration file, ASAP2 (<model>.a2l), the header of its symbols (<model>_a2l.h), and what "
-                    "--c-api adds");
-  command->add_option("--name", options->name, "name of the files and the namespace (default: the model's)");
-  add_set_option(*command, options->set);
-  add_depfile_option(*command, options->depfile);
-  add_form_option(*command, options->form);
-  add_batch_option(*command, options->emit.lanes);
-  add_scalar_option(*command, options->emit.scalar);
-  command->add_flag("--measure", options->measure,
-                    "compile the solver and time a step: adds <model>_measured.txt and .json to the cost sheet");
-  command->add_option("--budget-us", options->budget,
-                      "with --measure: fail when the slowest step takes longer than so many microseconds");
-  add_json_option(*command, options->json);
-  add_dump_option(*command, options->dump);
-  command->callback([options, &exit_code] { exit_code = run(*options); });
+  command.add_flag("--c-api", options->c_interface,
+                   "add an interface in C99 (<model>_c.h, <model>_c.cpp) and a Python module over it (<model>.py)");
+  command.add_flag("--a2l", options->emit.calibration,
+                   "add a calibration file, ASAP2 (<model>.a2l), the header of its symbols (<model>_a2l.h), and what "
+                   "--c-api adds");
+  command.add_option("--name", options->name, "name of the files and the namespace (default: the model's)");
+  add_set_option(command, options->set);
+  add_depfile_option(command, options->depfile);
+  add_form_option(command, options->form);
+  add_batch_option(command, options->emit.lanes);
+  add_scalar_option(command, options->emit.scalar);
+  command.add_flag("--measure", options->measure,
+                   "compile the solver and time a step: adds <model>_measured.txt and .json to the cost sheet");
+  command.add_option("--budget-us", options->budget,
+                     "with --measure: fail when the slowest step takes longer than so many microseconds");
+  add_json_option(command, options->json);
+  add_dump_option(command, options->dump);
+  command.callback([options, &exit_code] { exit_code = run(*options); });
 }
 
 }  // namespace mbgen::cli

@@ -87,19 +87,19 @@ void require_report_page(const std::string& asked) {
                   "and build it again with -DMBGEN_REPORTS=ON, with access to registry.npmjs.org\n");
 }
 
-void add_report(CLI::App& application, int& exit_code) {
+void add_report(NamedCommand application, int& exit_code) {
   const auto options = std::make_shared<HtmlReportOptions>();
-  CLI::App* command =
-      application.add_subcommand("report", "write a result as a page: animation, plots, summary, topology (HTML)");
-  command->footer(
+  NamedCommand command =
+      application.add_command("report", "write a result as a page: animation, plots, summary, topology (HTML)");
+  command.footer(
       "Example: mbgen simulate models/coach.json --duration 5 --out coach.csv\n"
       "         mbgen report coach.csv -o coach.html\n"
       "The page is one file that needs no network. A result says which model it is of, in FILE.run.json beside a CSV\n"
       "table and inside a MAT file; --model names it where that is missing or the model has changed.");
-  command->add_option("RESULT", options->result, "what mbgen simulate wrote (CSV or MAT)")->required();
-  command->add_option("--model", options->model, "the model (default: the one that the result names)");
-  command->add_option("-o,--out", options->file, "the page; - for standard output")->required();
-  command->callback([options, &exit_code] { exit_code = run(*options); });
+  command.add_option("RESULT", options->result, "what mbgen simulate wrote (CSV or MAT)").required();
+  command.add_option("--model", options->model, "the model (default: the one that the result names)");
+  command.add_option("-o,--out", options->file, "the page; - for standard output").required();
+  command.callback([options, &exit_code] { exit_code = run(*options); });
 }
 
 }  // namespace mbgen::cli

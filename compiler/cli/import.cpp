@@ -75,24 +75,24 @@ int run(const ImportOptions& options) {
 
 }  // namespace
 
-void add_import(CLI::App& application, int& exit_code) {
+void add_import(NamedCommand application, int& exit_code) {
   const auto options = std::make_shared<ImportOptions>();
-  CLI::App* command = application.add_subcommand("import", "make a model of a robot in URDF or MJCF");
-  command->footer(
+  NamedCommand command = application.add_command("import", "make a model of a robot in URDF or MJCF");
+  command.footer(
       "Example: mbgen import robot.urdf --out robot.json\n"
       "What could not be carried over is told on standard error, with the line it stands in. Without --out the model "
       "is\n"
       "printed. What becomes of each element, and the file of --loops: docs/import.md.");
-  command->add_option("ROBOT", options->robot, "URDF (<robot>) or MJCF (<mujoco>) file")->required();
-  command->add_option("-o,--out", options->file, "write the model to this file");
-  command->add_option("--loops", options->loops,
-                      "JSON file with loops that a URDF has no word for, and positions where they close");
+  command.add_option("ROBOT", options->robot, "URDF (<robot>) or MJCF (<mujoco>) file").required();
+  command.add_option("-o,--out", options->file, "write the model to this file");
+  command.add_option("--loops", options->loops,
+                     "JSON file with loops that a URDF has no word for, and positions where they close");
   command
-      ->add_option("--base", options->base,
-                   "of a URDF robot: fixed, or floating where its root link moves freely (default fixed)")
-      ->check(CLI::IsMember(std::vector<std::string>{"fixed", "floating"}));
-  add_json_option(*command, options->json);
-  command->callback([options, &exit_code] { exit_code = run(*options); });
+      .add_option("--base", options->base,
+                  "of a URDF robot: fixed, or floating where its root link moves freely (default fixed)")
+      .one_of({"fixed", "floating"});
+  add_json_option(command, options->json);
+  command.callback([options, &exit_code] { exit_code = run(*options); });
 }
 
 }  // namespace mbgen::cli

@@ -48,19 +48,19 @@ int run(const InspectOptions& options) {
 
 }  // namespace
 
-void add_inspect(CLI::App& application, int& exit_code) {
+void add_inspect(NamedCommand application, int& exit_code) {
   const auto options = std::make_shared<InspectOptions>();
-  CLI::App* command = application.add_subcommand(
+  NamedCommand command = application.add_command(
       "inspect", "show the tree, the loops, what is redundant, the coordinates and the operations of a model");
-  command->footer(
+  command.footer(
       "Example: mbgen inspect models/coach_mechanism.json --json\n"
       "         mbgen inspect models/coach.json --svg coach.svg");
-  add_model_argument(*command, options->model);
-  add_form_option(*command, options->form);
-  add_json_option(*command, options->json);
-  command->add_option("--svg", options->svg, "draw the topology into this file; - for standard output");
-  add_dump_option(*command, options->dump);
-  command->callback([options, &exit_code] { exit_code = run(*options); });
+  add_model_argument(command, options->model);
+  add_form_option(command, options->form);
+  add_json_option(command, options->json);
+  command.add_option("--svg", options->svg, "draw the topology into this file; - for standard output");
+  add_dump_option(command, options->dump);
+  command.callback([options, &exit_code] { exit_code = run(*options); });
 }
 
 }  // namespace mbgen::cli

@@ -175,8 +175,8 @@ std::string modes_text(const Compilation& compilation, const std::vector<Mode>& 
 /// Which state was asked for, in words.
 std::string state_text(const StateArguments& state) {
   if (!state.result.empty()) {
-    return state.has_time ? fmt::format("state at {:g} s of {}", state.time, state.result)
-                          : fmt::format("row {} of {}", state.row, state.result);
+    return state.time ? fmt::format("state at {:g} s of {}", *state.time, state.result)
+                      : fmt::format("row {} of {}", state.row, state.result);
   }
   if (state.at == "steady") return "steady motion";
   if (!state.states.empty()) return fmt::format("state {} of {}", state.index, state.states);
@@ -215,20 +215,20 @@ int run(const LinearizeOptions& options) {
 
 }  // namespace
 
-void add_linearize(CLI::App& application, int& exit_code) {
+void add_linearize(NamedCommand application, int& exit_code) {
   const auto options = std::make_shared<LinearizeOptions>();
-  CLI::App* command = application.add_subcommand("linearize", "linear equations and modes about a state");
-  command->footer(
+  NamedCommand command = application.add_command("linearize", "linear equations and modes about a state");
+  command.footer(
       "Example: mbgen linearize models/coach.json --at equilibrium --report modes.html\n"
       "States are positions and velocities of the independent coordinates and the slips of the tyres; the loops stay\n"
       "closed. --json and --out give A, B, C, D, the eigenvalues and the mode shapes over all coordinates.\n"
       "--report writes a page that animates the mode shapes: one file that needs no network.");
-  add_model_argument(*command, options->model);
-  add_state_options(*command, options->state);
-  command->add_option("-o,--out", options->file, "write matrices and modes to this file, as --json prints them");
-  command->add_option("--report", options->page, "write the modes as a page: list, animation, eigenvalues (HTML)");
-  add_json_option(*command, options->json);
-  command->callback([options, &exit_code] { exit_code = run(*options); });
+  add_model_argument(command, options->model);
+  add_state_options(command, options->state);
+  command.add_option("-o,--out", options->file, "write matrices and modes to this file, as --json prints them");
+  command.add_option("--report", options->page, "write the modes as a page: list, animation, eigenvalues (HTML)");
+  add_json_option(command, options->json);
+  command.callback([options, &exit_code] { exit_code = run(*options); });
 }
 
 }  // namespace mbgen::cli

@@ -6,6 +6,7 @@
 #include <csignal>
 #include <cstdlib>
 #include <exception>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -29,48 +30,44 @@ Style style_of_errors() {
 }
 
 /// The long names of a command's options.
-std::vector<std::string> option_names(const CLI::App& command) {
+std::vector<std::string> option_names(const NamedCommand& command) {
   std::vector<std::string> names;
-  for (const CLI::Option* option : command.get_options()) {
-    for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
+  for (const OptionWords& option : command.options()) {
+    for (const std::string& name : option.long_names) names.push_back("--" + name);
   }
   return names;
 }
 
 /// What was probably meant by the first word that nobody expected.
-std::string hint_of(const CLI::App& application) {
-  const std::vector<CLI::App*> chosen = application.get_subcommands();
-  const CLI::App& command = chosen.empty() ? application : *chosen.front();
+std::string hint_of(const NamedCommand& application) {
+  const std::vector<NamedCommand> chosen = application.chosen_commands();
   std::vector<std::string> commands;
-  for (const CLI::App* one : application.get_subcommands({})) commands.push_back(one->get_name());
-  for (const std::string& word : application.remaining(true)) {
-    if (word.starts_with("-")) return nearest_hint(word.substr(0, word.find('=')), option_names(command));
+  for (const NamedCommand& one : application.commands()) commands.push_back(one.name());
+  for (const std::string& word : application.unexpected_words()) {
+    if (word.starts_with("-")) {
+      return nearest_hint(word.substr(0, word.find('=')), option_names(chosen.empty() ? application : chosen.front()));
+    }
     if (chosen.empty()) return nearest_hint(word, commands);
   }
   return {};
 }
 
 int run(int argc, char** argv) {
-  CLI::App application("mbgen makes a specialised C++ solver from a description of a multibody system.", "mbgen");
+  CommandLine line("mbgen makes a specialised C++ solver from a description of a multibody system.", "mbgen",
+                   std::string("mbgen ") + kMbgenVersion);
   int exit_code = kDone;
-  application.set_version_flag("--version", std::string("mbgen ") + kMbgenVersion);
-  application.require_subcommand(1);
-  application.footer(
+  line.application().footer(
       "Each command explains itself: mbgen simulate --help\n"
       "Exit codes: 0 done, 1 the input is at fault, 2 mbgen is at fault.");
   for (const auto add : {add_new, add_check, add_explain, add_inspect, add_generate, add_export, add_simulate, add_plot,
                          add_report, add_evaluate, add_equilibrium, add_linearize, add_sweep, add_bench, add_import,
                          add_schema, add_completion, add_manual}) {
-    add(application, exit_code);
+    add(line.application(), exit_code);
   }
-  try {
-    application.parse(argc, argv);
-  } catch (const CLI::ParseError& error) {
-    const int code = application.exit(error);
-    if (code != 0) fmt::print(stderr, "{}", hint_of(application));
-    return code == 0 ? kDone : kUserFault;
-  }
-  return exit_code;
+  const std::optional<int> refused = line.parse(argc, argv);
+  if (!refused) return exit_code;
+  if (*refused != 0) fmt::print(stderr, "{}", hint_of(line.application()));
+  return *refused == 0 ? kDone : kUserFault;
 }
 
 }  // namespace

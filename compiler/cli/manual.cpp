@@ -28,27 +28,26 @@ std::string roff(const std::string& text) {
   return result;
 }
 
-std::string options_text(const CLI::App& command) {
+std::string options_text(const NamedCommand& command) {
   std::string text;
-  for (const CLI::Option* option : command.get_options()) {
-    const bool takes_value = option->get_items_expected_max() > 0;
-    const bool is_argument = option->get_positional();
-    if (option->get_lnames() == std::vector<std::string>{"help"}) continue;
-    const std::string value = takes_value && !is_argument ? " \\fI" + roff(option->get_type_name()) + "\\fR" : "";
-    text += ".TP\n\\fB" + roff(option->get_name()) + "\\fR" + value + "\n" + roff(option->get_description()) + "\n";
+  for (const OptionWords& option : command.options()) {
+    if (option.long_names == std::vector<std::string>{"help"}) continue;
+    const bool has_value = option.takes_value && !option.is_argument;
+    const std::string value = has_value ? " \\fI" + roff(option.value_type) + "\\fR" : "";
+    text += ".TP\n\\fB" + roff(option.name) + "\\fR" + value + "\n" + roff(option.description) + "\n";
   }
   return text;
 }
 
 /// The lines after a command's options, its example first, as they stand.
-std::string footer_text(const CLI::App& command) {
+std::string footer_text(const NamedCommand& command) {
   std::string text = ".PP\n.nf\n";
-  std::istringstream lines(command.get_footer());
+  std::istringstream lines(command.footer());
   for (std::string line; std::getline(lines, line);) text += roff(line) + "\n";
   return text + ".fi\n";
 }
 
-std::string manual_text(const CLI::App& application) {
+std::string manual_text(const NamedCommand& application) {
   std::string text = fmt::format(
       ".TH MBGEN 1 \"\" \"mbgen {}\" \"User Commands\"\n"
       ".SH NAME\nmbgen \\- specialised C++ solvers for multibody systems\n"
@@ -56,10 +55,10 @@ std::string manual_text(const CLI::App& application) {
       ".SH DESCRIPTION\n{}\n.PP\n"
       "Each command prints its result on standard output and nothing else there; messages go to standard error.\n"
       ".SH COMMANDS\n",
-      kMbgenVersion, roff(application.get_description()));
-  for (const CLI::App* command : application.get_subcommands([](const CLI::App*) { return true; })) {
-    text += fmt::format(".SS \"mbgen {}\"\n{}.\n{}{}", command->get_name(), roff(command->get_description()),
-                        options_text(*command), footer_text(*command));
+      kMbgenVersion, roff(application.description()));
+  for (const NamedCommand& command : application.commands()) {
+    text += fmt::format(".SS \"mbgen {}\"\n{}.\n{}{}", command.name(), roff(command.description()),
+                        options_text(command), footer_text(command));
   }
   return text +
          ".SH EXIT STATUS\n.TP\n0\nDone.\n.TP\n1\nThe input is at fault.\n.TP\n2\nmbgen is at fault.\n"
@@ -68,10 +67,10 @@ std::string manual_text(const CLI::App& application) {
 
 }  // namespace
 
-void add_manual(CLI::App& application, int& exit_code) {
-  CLI::App* command = application.add_subcommand("manual", "print the man page of mbgen");
-  command->footer("Example: mbgen manual | man -l -");
-  command->callback([&application, &exit_code] {
+void add_manual(NamedCommand application, int& exit_code) {
+  NamedCommand command = application.add_command("manual", "print the man page of mbgen");
+  command.footer("Example: mbgen manual | man -l -");
+  command.callback([application, &exit_code] {
     print(manual_text(application));
     exit_code = kDone;
   });

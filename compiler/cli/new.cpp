@@ -80,16 +80,16 @@ int run(const NewOptions& options) {
 
 }  // namespace
 
-void add_new(CLI::App& application, int& exit_code) {
+void add_new(NamedCommand application, int& exit_code) {
   const auto options = std::make_shared<NewOptions>();
-  CLI::App* command = application.add_subcommand("new", "write a commented model to start from");
-  command->footer("Example: mbgen new double_wishbone --out corner.json");
-  command->add_option("KIND", options->kind, "which one, see --list");
-  command->add_option("-o,--out", options->output, "file to write; default KIND.json");
-  command->add_flag("--list", options->list, "name the kinds and what they are");
-  command->add_flag("--force", options->force, "overwrite the file when it exists");
-  add_json_option(*command, options->json);
-  command->callback([options, &exit_code] { exit_code = run(*options); });
+  NamedCommand command = application.add_command("new", "write a commented model to start from");
+  command.footer("Example: mbgen new double_wishbone --out corner.json");
+  command.add_option("KIND", options->kind, "which one, see --list");
+  command.add_option("-o,--out", options->output, "file to write; default KIND.json");
+  command.add_flag("--list", options->list, "name the kinds and what they are");
+  command.add_flag("--force", options->force, "overwrite the file when it exists");
+  add_json_option(command, options->json);
+  command.callback([options, &exit_code] { exit_code = run(*options); });
 }
 
 }  // namespace mbgen::cli

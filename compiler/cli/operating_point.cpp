@@ -39,18 +39,18 @@ GenericState state_of_file(const Compilation& compilation, const StateArguments&
 /// Row of a result that is asked for, from 0.
 std::size_t chosen_row(const Results& results, const StateArguments& arguments) {
   const std::vector<double>& time = results.columns.front().values;
-  if (!arguments.has_time) {
+  if (!arguments.time) {
     if (arguments.row >= 1 && static_cast<std::size_t>(arguments.row) <= time.size()) return arguments.row - 1;
     throw UserError(
         fmt::format("--row: {} has rows 1 to {}, found {}\n", arguments.result, time.size(), arguments.row));
   }
   const double slack = time.size() > 1 ? 0.5 * (time.back() - time.front()) / static_cast<double>(time.size() - 1) : 0;
   const auto nearest = std::min_element(time.begin(), time.end(), [&](double a, double b) {
-    return std::abs(a - arguments.time) < std::abs(b - arguments.time);
+    return std::abs(a - *arguments.time) < std::abs(b - *arguments.time);
   });
-  if (std::abs(*nearest - arguments.time) <= 1.001 * slack) return static_cast<std::size_t>(nearest - time.begin());
+  if (std::abs(*nearest - *arguments.time) <= 1.001 * slack) return static_cast<std::size_t>(nearest - time.begin());
   throw UserError(fmt::format("--time: {} has times from {:g} to {:g} s, the nearest to {:g} s is {:g} s\n",
-                              arguments.result, time.front(), time.back(), arguments.time, *nearest));
+                              arguments.result, time.front(), time.back(), *arguments.time, *nearest));
 }
 
 /// A row of a result, made consistent; what a result does not hold is said.
@@ -91,41 +91,32 @@ OperatingPoint point_of_result(const Compilation& compilation, const StateArgume
 
 }  // namespace
 
-void add_state_options(CLI::App& command, StateArguments& arguments) {
+void add_state_options(NamedCommand command, StateArguments& arguments) {
   arguments.at = "initial";
   arguments.index = 1;
   arguments.row = 1;
-  CLI::Option* at = command.add_option("--at", arguments.at,
+  const Option at = command.add_option("--at", arguments.at,
                                        "initial: the state that the model starts from (default), equilibrium: the "
                                        "static equilibrium near it, or steady: a motion near it with constant rates");
-  at->check(CLI::IsMember({"initial", "equilibrium", "steady"}));
+  at.one_of({"initial", "equilibrium", "steady"});
   command
       .add_option(
           "--hold", arguments.steady.hold,
           "of steady: coordinate=rate that is given (default: with --solve the first translation that moves at the "
           "start, else none)")
-      ->allow_extra_args(false);
+      .one_value_at_a_time();
   command.add_option("--solve", arguments.steady.solve, "of steady: an input to be found, a drive or a steering angle")
-      ->allow_extra_args(false);
-  CLI::Option* states =
+      .one_value_at_a_time();
+  const Option states =
       command.add_option("--states", arguments.states, "a state of this file, as evaluate reads it, made consistent")
-          ->excludes(at);
+          .excludes(at);
   command.add_option("--index", arguments.index, "which state of the file, counted from 1 (default 1)");
-  CLI::Option* result = command.add_option("--result", arguments.result, "a row of this file, which simulate wrote")
-                            ->excludes(at)
-                            ->excludes(states);
-  CLI::Option* row = command.add_option("--row", arguments.row, "which row of the result, counted from 1 (default 1)");
-  row->needs(result);
-  command
-      .add_option_function<double>(
-          "--time",
-          [&arguments](double time) {
-            arguments.time = time;
-            arguments.has_time = true;
-          },
-          "the row of the result at this time, s")
-      ->needs(result)
-      ->excludes(row);
+  const Option result = command.add_option("--result", arguments.result, "a row of this file, which simulate wrote")
+                            .excludes(at)
+                            .excludes(states);
+  const Option row = command.add_option("--row", arguments.row, "which row of the result, counted from 1 (default 1)");
+  row.needs(result);
+  command.add_option("--time", arguments.time, "the row of the result at this time, s").needs(result).excludes(row);
   add_input_option(command, arguments.inputs);
 }
 

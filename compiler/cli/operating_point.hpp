@@ -1,11 +1,11 @@
 #pragma once
 // The state at which a model is looked at: its initial one, its equilibrium, or one of a file.
 
-#include <CLI/CLI.hpp>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "compiler/cli/command_line.hpp"
 #include "compiler/cli/steady_motion.hpp"
 #include "compiler/compile.hpp"
 #include "runtime/generic/generic.hpp"
@@ -16,14 +16,13 @@ namespace mbgen::cli {
 struct StateArguments {
   std::string at, states, result;
   int index = 0, row = 0;
-  double time = 0;
-  bool has_time = false;
+  std::optional<double> time;
   SteadyWish steady;
   std::vector<std::string> inputs;  ///< name=value
 };
 
 /// --at, --hold, --solve, --states, --index, --result, --row, --time, --input
-void add_state_options(CLI::App& command, StateArguments& arguments);
+void add_state_options(NamedCommand command, StateArguments& arguments);
 
 /// A state and what is known of the motion through it.
 struct ChosenPoint {

@@ -48,15 +48,15 @@ Value meaning(const WordOption<Value, count>& option, const std::string& typed) 
 
 }  // namespace
 
-void add_model_argument(CLI::App& command, std::string& path) {
-  command.add_option("MODEL", path, "model file (JSON)")->required();
+void add_model_argument(NamedCommand command, std::string& path) {
+  command.add_option("MODEL", path, "model file (JSON)").required();
 }
 
-void add_json_option(CLI::App& command, bool& json) {
+void add_json_option(NamedCommand command, bool& json) {
   command.add_flag("--json", json, "print the result for machines");
 }
 
-void add_form_option(CLI::App& command, std::string& form) {
+void add_form_option(NamedCommand command, std::string& form) {
   command.add_option("--form", form,
                      "form of the generated equations: recursive, or matrix, the paper's steps (default: the one with "
                      "fewer operations)");
@@ -66,27 +66,27 @@ std::optional<Form> chosen_form(const std::string& typed) {
   return typed.empty() ? std::nullopt : std::optional<Form>(meaning(kForm, typed));
 }
 
-void add_dump_option(CLI::App& command, std::string& stage) {
+void add_dump_option(NamedCommand command, std::string& stage) {
   command.add_option("--dump", stage,
                      fmt::format("print what a stage made, and nothing else: {}", fmt::join(dump_stages(), ", ")));
 }
 
-void add_batch_option(CLI::App& command, int& lanes) {
+void add_batch_option(NamedCommand command, int& lanes) {
   command
-      .add_option_function<std::string>(
+      .add_option(
           "--batch", [&lanes](const std::string& typed) { lanes = std::stoi(typed); },
           "4 or 8: solve so many independent instances in one call, in SIMD lanes")
-      ->check(CLI::IsMember(std::vector<std::string>{"4", "8"}));
+      .one_of({"4", "8"});
 }
 
-void add_scalar_option(CLI::App& command, std::string& scalar) {
+void add_scalar_option(NamedCommand command, std::string& scalar) {
   command
       .add_option("--scalar", scalar,
                   "float: single precision, for processors without double (docs/targets.md) (default double)")
-      ->check(CLI::IsMember(std::vector<std::string>{"double", "float"}));
+      .one_of({"double", "float"});
 }
 
-void add_engine_options(CLI::App& command, EngineArguments& arguments) {
+void add_engine_options(NamedCommand command, EngineArguments& arguments) {
   command.add_option("--engine", arguments.choice.name,
                      fmt::format("{} (default {}; the others need no compiler)", fmt::join(engine_names(), ", "),
                                  arguments.choice.name));
@@ -135,13 +135,13 @@ std::string nearest_hint(const std::string& word, const std::vector<std::string>
   return hint.starts_with("did") ? fmt::format("  hint: {}\n", hint) : std::string();
 }
 
-void add_input_option(CLI::App& command, std::vector<std::string>& inputs) {
-  command.add_option("--input", inputs, "name=value of a model input; may be repeated")->allow_extra_args(false);
+void add_input_option(NamedCommand command, std::vector<std::string>& inputs) {
+  command.add_option("--input", inputs, "name=value of a model input; may be repeated").one_value_at_a_time();
 }
 
-void add_run_options(CLI::App& command, EngineArguments& arguments) {
+void add_run_options(NamedCommand command, EngineArguments& arguments) {
   add_input_option(command, arguments.inputs);
-  command.add_flag_callback(
+  command.add_flag(
       "--no-cache", [&arguments] { arguments.choice.use_cache = false; },
       "compile anew and keep nothing (default: keep solvers under ~/.cache/mbgen)");
 }

@@ -1,35 +1,35 @@
 #pragma once
 // Arguments that several commands share.
 
-#include <CLI/CLI.hpp>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "compiler/cli/command_line.hpp"
 #include "compiler/cli/engine.hpp"
 
 namespace mbgen::cli {
 
 /// MODEL, the first argument of most commands.
-void add_model_argument(CLI::App& command, std::string& path);
+void add_model_argument(NamedCommand command, std::string& path);
 
 /// --json
-void add_json_option(CLI::App& command, bool& json);
+void add_json_option(NamedCommand command, bool& json);
 
 /// --form recursive|matrix
-void add_form_option(CLI::App& command, std::string& form);
+void add_form_option(NamedCommand command, std::string& form);
 
 /// The form that was typed, none for "". Fails: UserError for a form that there is not.
 std::optional<Form> chosen_form(const std::string& typed);
 
 /// --dump=STAGE
-void add_dump_option(CLI::App& command, std::string& stage);
+void add_dump_option(NamedCommand command, std::string& stage);
 
 /// --batch: 4 or 8 instances a call, 0 when it is not given.
-void add_batch_option(CLI::App& command, int& lanes);
+void add_batch_option(NamedCommand command, int& lanes);
 
 /// --scalar double|float
-void add_scalar_option(CLI::App& command, std::string& scalar);
+void add_scalar_option(NamedCommand command, std::string& scalar);
 
 /// Engine and inputs as typed.
 struct EngineArguments {
@@ -42,13 +42,13 @@ struct EngineArguments {
 std::string nearest_hint(const std::string& word, const std::vector<std::string>& candidates);
 
 /// --input
-void add_input_option(CLI::App& command, std::vector<std::string>& inputs);
+void add_input_option(NamedCommand command, std::vector<std::string>& inputs);
 
 /// --input, --no-cache
-void add_run_options(CLI::App& command, EngineArguments& arguments);
+void add_run_options(NamedCommand command, EngineArguments& arguments);
 
 /// --engine, --linear-algebra, --factorisation, --stabilisation and the run options
-void add_engine_options(CLI::App& command, EngineArguments& arguments);
+void add_engine_options(NamedCommand command, EngineArguments& arguments);
 
 /// The engine that the arguments choose. Fails: UserError for a linear algebra, factorisation or stabilisation that is
 /// unknown, or that the engine does not let one choose, and for QR without Eigen.

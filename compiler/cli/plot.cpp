@@ -140,30 +140,28 @@ int run(const PlotOptions& options) {
 
 }  // namespace
 
-void add_plot(CLI::App& application, int& exit_code) {
+void add_plot(NamedCommand application, int& exit_code) {
   const auto options = std::make_shared<PlotOptions>();
-  CLI::App* command =
-      application.add_subcommand("plot", "draw columns of results over time, or over another column (SVG)");
-  command->footer(
+  NamedCommand command =
+      application.add_command("plot", "draw columns of results over time, or over another column (SVG)");
+  command.footer(
       "Example: mbgen plot coach.csv --columns roll,yaw_rate --columns 'load_*' --degrees -o coach.svg\n"
       "         mbgen plot coach.csv truck.csv --columns roll --over lateral_acceleration -o both.svg\n"
       "         mbgen plot sweep.csv --columns roll_max --over speed --by bar_front -o study.svg\n"
       "Each --columns begins panels of its own, one for each unit among its columns; * stands for any letters.\n"
       "Cases of a study that failed are left out.");
-  command->add_option("RESULT", options->results, "what mbgen simulate (CSV or MAT) or sweep wrote; one or more")
-      ->required();
-  command->add_option("--columns", options->columns, "names of columns with commas between them; may be repeated")
-      ->required()
-      ->allow_extra_args(false);
-  command->add_option("--over", options->over, "column to draw over (default: t, of a study the case)");
-  command->add_option("--by", options->by, "a curve for each value of this column");
-  command->add_option("-o,--out", options->file, "the picture (default: standard output)");
-  command->add_flag("--degrees", options->degrees, "angles in degrees");
-  command->add_option("--width", options->size.width, "px")->capture_default_str()->check(CLI::Range(200, 10000));
-  command->add_option("--height", options->size.panel_height, "px, of a panel")
-      ->capture_default_str()
-      ->check(CLI::Range(50, 10000));
-  command->callback([options, &exit_code] { exit_code = run(*options); });
+  command.add_option("RESULT", options->results, "what mbgen simulate (CSV or MAT) or sweep wrote; one or more")
+      .required();
+  command.add_option("--columns", options->columns, "names of columns with commas between them; may be repeated")
+      .required()
+      .one_value_at_a_time();
+  command.add_option("--over", options->over, "column to draw over (default: t, of a study the case)");
+  command.add_option("--by", options->by, "a curve for each value of this column");
+  command.add_option("-o,--out", options->file, "the picture (default: standard output)");
+  command.add_flag("--degrees", options->degrees, "angles in degrees");
+  command.add_option("--width", options->size.width, "px").with_shown_default().between(200, 10000);
+  command.add_option("--height", options->size.panel_height, "px, of a panel").with_shown_default().between(50, 10000);
+  command.callback([options, &exit_code] { exit_code = run(*options); });
 }
 
 }  // namespace mbgen::cli

@@ -29,13 +29,13 @@ int run(const SchemaOptions& options) {
 
 }  // namespace
 
-void add_schema(CLI::App& application, int& exit_code) {
+void add_schema(NamedCommand application, int& exit_code) {
   const auto options = std::make_shared<SchemaOptions>();
-  CLI::App* command = application.add_subcommand("schema", "print the JSON Schema of the model format");
-  command->footer("Example: mbgen schema > mbgen.schema.json");
-  command->add_flag("--markdown", options->markdown, "print it as a document for people instead");
-  add_json_option(*command, options->json);
-  command->callback([options, &exit_code] { exit_code = run(*options); });
+  NamedCommand command = application.add_command("schema", "print the JSON Schema of the model format");
+  command.footer("Example: mbgen schema > mbgen.schema.json");
+  command.add_flag("--markdown", options->markdown, "print it as a document for people instead");
+  add_json_option(command, options->json);
+  command.callback([options, &exit_code] { exit_code = run(*options); });
 }
 
 }  // namespace mbgen::cli

@@ -34,11 +34,11 @@ VariedParameter parameter_from(const Model& model, const std::string& assignment
 
 }  // namespace
 
-void add_set_option(CLI::App& command, std::vector<std::string>& assignments) {
+void add_set_option(NamedCommand command, std::vector<std::string>& assignments) {
   command
       .add_option("--set", assignments,
                   "name=value of a model parameter, tunable or not, in place of the file's; may be repeated")
-      ->allow_extra_args(false);
+      .one_value_at_a_time();
 }
 
 Model read_set_model(const std::string& path, const std::vector<std::string>& assignments) {

@@ -1,16 +1,16 @@
 #pragma once
 // Models whose parameters the command line gives other values.
 
-#include <CLI/CLI.hpp>
 #include <string>
 #include <vector>
 
+#include "compiler/cli/command_line.hpp"
 #include "compiler/model/model.hpp"
 
 namespace mbgen::cli {
 
 /// --set
-void add_set_option(CLI::App& command, std::vector<std::string>& assignments);
+void add_set_option(NamedCommand command, std::vector<std::string>& assignments);
 
 /// The model of a file with parameters at other values: name=value, in place of those of the file, before anything is
 /// folded; what follows from them follows. Its hash is then that of file and values.

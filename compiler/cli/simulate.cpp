@@ -96,10 +96,10 @@ int run(const SimulateOptions& options) {
 
 }  // namespace
 
-void add_simulate(CLI::App& application, int& exit_code) {
+void add_simulate(NamedCommand application, int& exit_code) {
   const auto options = std::make_shared<SimulateOptions>();
-  CLI::App* command = application.add_subcommand("simulate", "compute a motion, write it as a table (CSV or MAT)");
-  command->footer(
+  NamedCommand command = application.add_command("simulate", "compute a motion, write it as a table (CSV or MAT)");
+  command.footer(
       "Example: mbgen simulate models/coach.json --duration 5 --step 1e-3 --out coach.csv\n"
       "Prints a summary; the file appears when it is complete. When the motion cannot go on, the file holds\n"
       "what there is, standard error says why, and the exit code is 1.\n"
@@ -110,16 +110,16 @@ void add_simulate(CLI::App& application, int& exit_code) {
       "derivative, it is that of the curve through the rows.\n"
       "Where the step is too long for the model (its fastest mode, or an energy balance off by 0.1 %), standard error\n"
       "says so and names one that would do; values that blow up are an error.");
-  add_model_argument(*command, options->model);
-  add_simulation_options(*command, options->simulation);
-  command->add_option("-o,--out", options->file, "table of the motion")->required();
-  command->add_option("--format", options->format, "csv or mat (level 4) (default: by the ending of --out)");
-  command->add_option("--every", options->every, "write every n-th step, and the last (default 1)");
-  add_set_option(*command, options->set);
-  add_form_option(*command, options->form);
-  add_engine_options(*command, options->engine);
-  add_json_option(*command, options->json);
-  command->callback([options, &exit_code] { exit_code = run(*options); });
+  add_model_argument(command, options->model);
+  add_simulation_options(command, options->simulation);
+  command.add_option("-o,--out", options->file, "table of the motion").required();
+  command.add_option("--format", options->format, "csv or mat (level 4) (default: by the ending of --out)");
+  command.add_option("--every", options->every, "write every n-th step, and the last (default 1)");
+  add_set_option(command, options->set);
+  add_form_option(command, options->form);
+  add_engine_options(command, options->engine);
+  add_json_option(command, options->json);
+  command.callback([options, &exit_code] { exit_code = run(*options); });
 }
 
 }  // namespace mbgen::cli

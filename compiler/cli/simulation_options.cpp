@@ -25,7 +25,7 @@ Interpolation interpolation_of(const std::string& name) {
 
 }  // namespace
 
-void add_simulation_options(CLI::App& command, SimulationArguments& arguments) {
+void add_simulation_options(NamedCommand command, SimulationArguments& arguments) {
   command.add_option("--duration", arguments.duration, "s (default: the model's)");
   command.add_option("--step", arguments.step, "s, shortened to divide the duration (default: the model's)");
   command.add_option("--integrator", arguments.integrator,

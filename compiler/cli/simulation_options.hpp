@@ -1,10 +1,10 @@
 #pragma once
 // How a motion is computed, as typed.
 
-#include <CLI/CLI.hpp>
 #include <optional>
 #include <string>
 
+#include "compiler/cli/command_line.hpp"
 #include "compiler/cli/simulation.hpp"
 
 namespace mbgen::cli {
@@ -15,7 +15,7 @@ struct SimulationArguments {
 };
 
 /// --duration, --step, --integrator, --input-table, --interpolation
-void add_simulation_options(CLI::App& command, SimulationArguments& arguments);
+void add_simulation_options(NamedCommand command, SimulationArguments& arguments);
 
 /// The inputs of a run. assignments: --input. Fails: UserError, see inputs_over_time.
 InputsOverTime inputs_of(const Model& model, const std::vector<std::string>& assignments,

@@ -215,11 +215,11 @@ int run(const SweepOptions& options) {
 
 }  // namespace
 
-void add_sweep(CLI::App& application, int& exit_code) {
+void add_sweep(NamedCommand application, int& exit_code) {
   const auto options = std::make_shared<SweepOptions>();
-  CLI::App* command =
-      application.add_subcommand("sweep", "a parameter study: metrics of a motion over a grid of values");
-  command->footer(
+  NamedCommand command =
+      application.add_command("sweep", "a parameter study: metrics of a motion over a grid of values");
+  command.footer(
       "Example: mbgen sweep models/coach.json --vary speed=15:5:25 --vary bar_front=6e3,8e3,10e3 \\\n"
       "             --metric \"max(abs(roll)) * 57.3\" --metric \"rms(yaw_rate)\" --out sweep.csv\n"
       "Metrics are expressions over outputs, z.NAME, zd.NAME, t, inputs and parameters; functions of a whole motion:\n"
@@ -228,26 +228,26 @@ void add_sweep(CLI::App& application, int& exit_code) {
       "What is done stands in FILE.journal: killed and run again with the same words, a study goes on where it was.\n"
       "Under mpirun or srun the ranks share the cases. See docs/sweep.md.");
   StudyArguments& study = options->study;
-  add_model_argument(*command, study.model);
-  command->add_option("--vary", study.vary, "name=first:step:last or name=value,value of a parameter or input; repeat")
-      ->required()
-      ->allow_extra_args(false);
-  command->add_option("--metric", study.metrics, "a number of each motion, or name=number; may be repeated")
-      ->required()
-      ->allow_extra_args(false);
-  command->add_option("-o,--out", options->file, "table of the results (CSV)")->required();
-  add_simulation_options(*command, study.simulation);
-  command->add_option("--jobs", options->jobs, "cases at a time (default: one a processor; one a rank under mpirun)");
-  CLI::Option* restart = command->add_flag("--restart", options->restart, "forget what was done before");
-  CLI::Option* part = command->add_option("--part", options->part, "K/N: only the K-th of N parts, without the table");
-  command->add_option("--slurm", options->slurm, "write a script for Slurm to this file instead: an array job of parts")
-      ->excludes(restart)
-      ->excludes(part);
-  command->add_option("--parts", options->parts, fmt::format("of the script for Slurm (default {})", kSlurmParts));
-  add_engine_options(*command, study.engine);
-  add_json_option(*command, options->json);
-  command->callback([options, command, &exit_code] {
-    options->study.has_engine = command->get_option("--engine")->count() > 0;
+  add_model_argument(command, study.model);
+  command.add_option("--vary", study.vary, "name=first:step:last or name=value,value of a parameter or input; repeat")
+      .required()
+      .one_value_at_a_time();
+  command.add_option("--metric", study.metrics, "a number of each motion, or name=number; may be repeated")
+      .required()
+      .one_value_at_a_time();
+  command.add_option("-o,--out", options->file, "table of the results (CSV)").required();
+  add_simulation_options(command, study.simulation);
+  command.add_option("--jobs", options->jobs, "cases at a time (default: one a processor; one a rank under mpirun)");
+  const Option restart = command.add_flag("--restart", options->restart, "forget what was done before");
+  const Option part = command.add_option("--part", options->part, "K/N: only the K-th of N parts, without the table");
+  command.add_option("--slurm", options->slurm, "write a script for Slurm to this file instead: an array job of parts")
+      .excludes(restart)
+      .excludes(part);
+  command.add_option("--parts", options->parts, fmt::format("of the script for Slurm (default {})", kSlurmParts));
+  add_engine_options(command, study.engine);
+  add_json_option(command, options->json);
+  command.callback([options, command, &exit_code] {
+    options->study.has_engine = command.is_given("--engine");
     exit_code = run(*options);
   });
 }
