@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <random>
 
+#include "compiler/algebra/dense.hpp"
 #include "compiler/analysis/compatibility.hpp"
 #include "compiler/analysis/misalignment.hpp"
 #include "compiler/analysis/opening.hpp"
@@ -23,8 +24,7 @@ constexpr double kDoubtful = 1e-4;    // margin of all others: what points of 4 
 
 /// The direction in which a part with one equation less moves: the one that its weakest equation hinders least.
 VectorXd easiest_direction(const MatrixXd& jacobian, const std::vector<int>& kept, int rank) {
-  const Eigen::JacobiSVD<MatrixXd> svd(jacobian, Eigen::ComputeFullV);
-  VectorXd direction = svd.matrixV().col(rank - 1);
+  VectorXd direction = right_singular_vectors(jacobian).vectors.col(rank - 1);
   if (!kept.empty()) {
     const MatrixXd free = null_space(jacobian(kept, Eigen::all), rank - 1);
     direction = (free * (free.transpose() * direction)).eval();
@@ -68,8 +68,8 @@ Opening release(NumericSystem& numbers, std::size_t b, const PartView& view, std
 /// geometry makes them hold, as out of the plane of a flat truss, and no length or angle can contradict them.
 bool always_hold(NumericSystem& numbers, std::size_t b, const PartView& view, std::size_t s,
                  const std::vector<double>& start) {
-  const Eigen::JacobiSVD<MatrixXd> svd(view.jacobians[s], Eigen::ComputeFullU);
-  const MatrixXd redundant = svd.matrixU().rightCols(view.jacobians[s].rows() - view.rank);
+  const MatrixXd left = left_singular_vectors(view.jacobians[s]).vectors;
+  const MatrixXd redundant = left.rightCols(view.jacobians[s].rows() - view.rank);
   std::mt19937_64 random(20120403);
   for (int trial = 0; trial < 3; ++trial) {
     VectorXd direction(view.part.columns.size());

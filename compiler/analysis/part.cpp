@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <array>
 
+#include "compiler/algebra/dense.hpp"
+
 namespace mbgen {
 namespace {
 
@@ -99,7 +101,7 @@ PartView view(const NumericSystem& numbers, std::size_t b, const BlockPart& part
   for (std::size_t i = 0; i < v.jacobians.size(); ++i) {
     Eigen::MatrixXd& j = v.jacobians[i];
     j = v.row_scale.asDiagonal() * j * v.column_scale.asDiagonal();
-    v.singular_values.push_back(Eigen::JacobiSVD<Eigen::MatrixXd>(j).singularValues());
+    v.singular_values.push_back(singular_values(j));
     const Eigen::VectorXd& correction = configurations[v.configurations[i]].corrections[b];
     const double uncertain = correction(part.columns).cwiseQuotient(v.column_scale).cwiseAbs().maxCoeff();
     const double tolerance = std::max(kRankTolerance, kUncertainty * uncertain);
@@ -110,13 +112,11 @@ PartView view(const NumericSystem& numbers, std::size_t b, const BlockPart& part
 }
 
 Eigen::MatrixXd null_space(const Eigen::MatrixXd& matrix, int rank) {
-  const Eigen::JacobiSVD<Eigen::MatrixXd> svd(matrix, Eigen::ComputeFullV);
-  return svd.matrixV().rightCols(matrix.cols() - rank);
+  return right_singular_vectors(matrix).vectors.rightCols(matrix.cols() - rank);
 }
 
 std::vector<int> strongest_rows(const Eigen::MatrixXd& matrix, int count) {
-  const Eigen::FullPivLU<Eigen::MatrixXd> lu(matrix);
-  const auto order = lu.permutationP().indices();
+  const std::vector<int> order = pivot_places(matrix);
   std::vector<int> rows;
   for (Eigen::Index r = 0; r < matrix.rows(); ++r)
     if (order[r] < count) rows.push_back(static_cast<int>(r));

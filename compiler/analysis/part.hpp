@@ -2,7 +2,7 @@
 // A part of a loop block, a loop alone or several together, and its Jacobian free of units at the closed
 // configurations.
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 #include <vector>
 
 #include "compiler/analysis/equations.hpp"

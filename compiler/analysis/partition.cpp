@@ -8,6 +8,7 @@
 #include <random>
 #include <set>
 
+#include "compiler/algebra/dense.hpp"
 #include "compiler/analysis/part.hpp"
 #include "compiler/analysis/sparse_elimination.hpp"
 #include "mbgen/loop.hpp"
@@ -38,7 +39,7 @@ MatrixXd part_of(const MatrixXd& m, const std::vector<int>& rows, const std::vec
 
 int rank_of(const MatrixXd& m) {
   if (m.size() == 0) return 0;
-  return static_cast<int>((Eigen::JacobiSVD<MatrixXd>(m).singularValues().array() > kRankTolerance).count());
+  return static_cast<int>((singular_values(m).array() > kRankTolerance).count());
 }
 
 struct Candidate {
@@ -73,8 +74,7 @@ Candidate pivoted(MatrixXd m, int rank, const std::vector<int>& columns) {
 /// Smallest singular value of a square matrix from the eigenvalues of M'M: to half the digits, which is enough to
 /// compare candidates, and several times faster than by rotations.
 double weakest_singular_value(const MatrixXd& m) {
-  const Eigen::SelfAdjointEigenSolver<MatrixXd> solver(m.transpose() * m, Eigen::EigenvaluesOnly);
-  return std::sqrt(std::max(0.0, solver.eigenvalues()[0]));
+  return std::sqrt(std::max(0.0, symmetric_eigenvalues(m.transpose() * m)[0]));
 }
 
 /// Weakest singular value of the dependent Jacobian over that of all columns, per sample.
@@ -219,7 +219,7 @@ double projection_cost(const std::vector<MatrixXd>& jacobians, const std::vector
     if (!used[s]) continue;
     ++looked_at;
     const MatrixXd dependent = part_of(jacobians[s], candidate.rows, candidate.columns);
-    pattern = pattern.cwiseMax(dependent.partialPivLu().solve(part_of(jacobians[s], candidate.rows, free)).cwiseAbs());
+    pattern = pattern.cwiseMax(solved(dependent, part_of(jacobians[s], candidate.rows, free)).cwiseAbs());
   }
   double cost = 0;
   for (Eigen::Index c = 0; c < pattern.rows(); ++c) {
@@ -362,8 +362,7 @@ BlockAnalysis choose_partition(const std::vector<MatrixXd>& jacobians, int rank,
   std::vector<MatrixXd> usable;
   for (const MatrixXd& j : jacobians) {
     const MatrixXd movable = columns_of(j, columns);
-    const Eigen::VectorXd s =
-        movable.cols() == 0 ? Eigen::VectorXd() : Eigen::JacobiSVD<MatrixXd>(movable).singularValues().eval();
+    const Eigen::VectorXd s = movable.cols() == 0 ? Eigen::VectorXd() : singular_values(movable);
     const bool is_full = rank > 0 && s.size() >= rank && s[rank - 1] > 1e-4 * s[0];
     if (is_full) usable.push_back(j), best.push_back(s[rank - 1]), full.push_back(true);
   }

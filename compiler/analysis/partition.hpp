@@ -1,7 +1,7 @@
 #pragma once
 // Rank, dependent coordinates and elimination order of one loop block from its Jacobians at many closed configurations.
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 #include <vector>
 
 #include "compiler/analysis/analysis.hpp"

@@ -5,6 +5,7 @@
 #include <numeric>
 #include <random>
 
+#include "compiler/algebra/dense.hpp"
 #include "compiler/analysis/walk.hpp"
 
 namespace mbgen {
@@ -113,10 +114,7 @@ Eigen::VectorXd newton_step(const Configuration& configuration, std::size_t b, s
   }
   const Eigen::MatrixXd jacobian = configuration.blocks[b].jacobian(equations, Eigen::all);
   if (equations.empty() || !configuration.residuals[b].allFinite()) return Eigen::VectorXd::Zero(jacobian.cols());
-  Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> factors;
-  factors.setThreshold(1e-9);
-  factors.compute(jacobian);
-  return factors.solve(-configuration.residuals[b](equations));
+  return least_squares(jacobian, -configuration.residuals[b](equations), 1e-9);
 }
 
 }  // namespace

@@ -1,7 +1,7 @@
 #pragma once
 // Closed configurations of a mechanism, found from random positions around the reference.
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 #include <vector>
 
 #include "compiler/analysis/sparse_elimination.hpp"

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <random>
 
+#include "compiler/algebra/dense.hpp"
 #include "compiler/analysis/opening.hpp"
 
 namespace mbgen {
@@ -91,7 +92,7 @@ DependentRows rows_of(const Held& at, const BlockPart& loops) {
   for (std::size_t r = 0; r < at.view.part.rows.size(); ++r)
     if (contains(loops.rows, at.view.part.rows[r])) rows.push_back(static_cast<int>(r));
   const MatrixXd jacobian = at.jacobian(rows, Eigen::all);
-  const VectorXd sigma = Eigen::JacobiSVD<MatrixXd>(jacobian).singularValues();
+  const VectorXd sigma = singular_values(jacobian);
   const std::vector<int> kept = strongest_rows(jacobian, static_cast<int>((sigma.array() > kRankTolerance).count()));
   DependentRows result;
   for (std::size_t r = 0; r < rows.size(); ++r)
@@ -104,15 +105,14 @@ DependentRows rows_of(const Held& at, const BlockPart& loops) {
 std::vector<DependentRows> dependent_rows(const MatrixXd& matrix, int rank) {
   const std::vector<int> kept = strongest_rows(matrix, rank);
   const MatrixXd basis = matrix(kept, Eigen::all).transpose();
-  const Eigen::ColPivHouseholderQR<MatrixXd> factors(basis);
+  const MatrixXd all_shares = rank > 0 ? overdetermined_solution(basis, matrix.transpose()) : MatrixXd();
   std::vector<DependentRows> components;
   for (int r = 0; r < matrix.rows(); ++r) {
     if (contains(kept, r)) continue;
     DependentRows joined{{}, {r}};
     if (rank > 0) {
-      const VectorXd shares = factors.solve(matrix.row(r).transpose());
       for (int k = 0; k < rank; ++k)
-        if (std::abs(shares[k]) > kNoShare) joined.kept.push_back(kept[k]);
+        if (std::abs(all_shares(k, r)) > kNoShare) joined.kept.push_back(kept[k]);
     }
     for (auto other = components.begin(); other != components.end();) {
       const bool touches = overlap(other->kept, joined.kept);

@@ -3,10 +3,10 @@
 #include <fmt/format.h>
 
 #include <Eigen/Geometry>
-#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 
+#include "compiler/algebra/dense.hpp"
 #include "compiler/analysis/sampling.hpp"
 
 namespace mbgen {
@@ -177,10 +177,7 @@ Diagnostics unheld_motions(const Model& model, const Topology& topology, const A
     }
     MatrixXd unheld = MatrixXd::Identity(directions, directions);
     if (holds.rows() > 0 && holds.cwiseAbs().maxCoeff() > kNoMotion) {
-      Eigen::FullPivLU<MatrixXd> factors(holds);
-      factors.setThreshold(kNoMotion);
-      if (factors.dimensionOfKernel() == 0) continue;
-      unheld = factors.kernel();
+      unheld = kernel(holds, kNoMotion);
     }
     for (Eigen::Index q = 0; q < unheld.cols(); ++q)
       note_motion(scene, group, speeds * unheld.col(q).normalized(), notes);

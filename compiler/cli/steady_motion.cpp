@@ -2,11 +2,11 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 #include <complex>
 
+#include "compiler/algebra/dense.hpp"
 #include "compiler/cli/engine.hpp"
 #include "compiler/cli/number.hpp"
 #include "compiler/cli/user_error.hpp"
@@ -191,10 +191,8 @@ class Search {
     }
     // Columns of one size: inputs are torques as well as angles.
     const Eigen::VectorXd size = matrix.colwise().norm().transpose().cwiseMax(1e-12);
-    Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> factors;
-    factors.setThreshold(kIndifferent);
-    factors.compute(matrix * size.cwiseInverse().asDiagonal());
-    Eigen::VectorXd by = -(size.cwiseInverse().asDiagonal() * factors.solve(left));
+    const Eigen::VectorXd scaled = least_squares(matrix * size.cwiseInverse().asDiagonal(), left, kIndifferent);
+    Eigen::VectorXd by = -(size.cwiseInverse().asDiagonal() * scaled);
     double longest = 0;
     for (Eigen::Index k = 0; k < states; ++k) {
       const bool is_position =
@@ -264,10 +262,7 @@ void settle_auxiliary(const Compilation& compilation, OperatingPoint& point) {
     const LinearSystem system = expect(linearise(compilation, point));
     const Eigen::VectorXd left = system.drift.tail(count);
     if (left.cwiseAbs().maxCoeff() < kSteady) return;
-    Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> factors;
-    factors.setThreshold(kIndifferent);
-    factors.compute(system.A.bottomRightCorner(count, count));
-    const Eigen::VectorXd by = factors.solve(left);
+    const Eigen::VectorXd by = least_squares(system.A.bottomRightCorner(count, count), left, kIndifferent);
     for (Eigen::Index i = 0; i < count; ++i) point.x[static_cast<std::size_t>(i)] -= by[i];
   }
 }

@@ -2,10 +2,10 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 
+#include "compiler/algebra/dense.hpp"
 #include "compiler/cli/engine.hpp"
 #include "compiler/cli/names.hpp"
 
@@ -221,13 +221,13 @@ double growth_of_step(Integrator integrator, std::complex<double> z) {
   if (integrator == Integrator::rk4) return std::abs(1.0 + z * (1.0 + z / 2.0 * (1.0 + z / 3.0 * (1.0 + z / 4.0))));
   // y' = 9 (y + z/24 (55 y - 59 y1 + 37 y2 - 9 y3)) + 19 y - 5 y1 + y2, times z/24, plus y.
   const std::complex<double> c = z / 24.0, corrected = 9.0 * c;
-  Eigen::Matrix4cd companion = Eigen::Matrix4cd::Zero();
+  Eigen::MatrixXcd companion = Eigen::MatrixXcd::Zero(4, 4);
   companion(0, 0) = 1.0 + c * (9.0 + 19.0 + 55.0 * corrected);
   companion(0, 1) = c * (-5.0 - 59.0 * corrected);
   companion(0, 2) = c * (1.0 + 37.0 * corrected);
   companion(0, 3) = c * (-9.0 * corrected);
   for (int i = 0; i < 3; ++i) companion(i + 1, i) = 1;
-  return Eigen::ComplexEigenSolver<Eigen::Matrix4cd>(companion, false).eigenvalues().cwiseAbs().maxCoeff();
+  return spectral_radius(companion);
 }
 
 std::vector<Mode> modes_near(const Compilation& compilation, const GenericState& state,

@@ -2,9 +2,9 @@
 // little, as a start is assembled.
 #include <fmt/format.h>
 
-#include <Eigen/QR>
 #include <algorithm>
 
+#include "compiler/algebra/dense.hpp"
 #include "compiler/import/urdf.hpp"
 
 namespace mbgen::importing {
@@ -91,10 +91,7 @@ struct Closing {
       slopes.col(k) = (above - residual()) / (2 * kStep);
       position(k) = before;
     }
-    Eigen::CompleteOrthogonalDecomposition<MatrixXd> solver;
-    solver.setThreshold(kRank);
-    solver.compute(slopes);
-    const VectorXd step = solver.solve(at);
+    const VectorXd step = least_squares(slopes, at, kRank);
     for (int k = 0; k < static_cast<int>(movable.size()); ++k) position(k) -= step[k];
   }
 };

@@ -1,11 +1,9 @@
 #include <fmt/format.h>
 
-#include <Eigen/Eigenvalues>
-#include <Eigen/QR>
-#include <Eigen/SVD>
 #include <algorithm>
 #include <numeric>
 
+#include "compiler/algebra/dense.hpp"
 #include "compiler/linearisation/linearisation.hpp"
 
 namespace mbgen {
@@ -64,10 +62,10 @@ Eigen::MatrixXd neutral_states(const Eigen::MatrixXd& a) {
   for (Eigen::Index size = -1; size < basis.cols() && basis.cols() < a.rows();) {
     size = basis.cols();
     const Eigen::MatrixXd beside = a - basis * (basis.transpose() * a);
-    const Eigen::JacobiSVD<Eigen::MatrixXd> svd(beside, Eigen::ComputeFullV);
-    const Eigen::VectorXd& sizes = svd.singularValues();
-    const auto zero = std::count_if(sizes.begin(), sizes.end(), [&](double s) { return s <= kNothing * sizes[0]; });
-    basis = svd.matrixV().rightCols(zero);
+    const auto [sizes, vectors] = right_singular_vectors(beside);
+    const auto zero =
+        std::count_if(sizes.begin(), sizes.end(), [none = kNothing * sizes[0]](double s) { return s <= none; });
+    basis = vectors.rightCols(zero);
   }
   return basis;
 }
@@ -120,13 +118,13 @@ std::string shape_text(const Topology& topology, const std::vector<MovingCoordin
 std::vector<Mode> modes(const LinearSystem& system) {
   std::vector<Mode> result;
   if (system.A.rows() == 0) return result;
-  const Eigen::EigenSolver<Eigen::MatrixXd> solver(system.A);
-  const double largest = solver.eigenvalues().cwiseAbs().maxCoeff();
-  for (Eigen::Index i = 0; i < solver.eigenvalues().size(); ++i) {
-    const std::complex<double> eigenvalue = solver.eigenvalues()[i];
+  const EigenVectors solutions = eigenvectors(system.A);
+  const double largest = solutions.values.cwiseAbs().maxCoeff();
+  for (Eigen::Index i = 0; i < solutions.values.size(); ++i) {
+    const std::complex<double> eigenvalue = solutions.values[i];
     const bool is_neutral = std::abs(eigenvalue) <= kNeutral * largest;
     if (eigenvalue.imag() < 0) continue;
-    Mode mode = mode_of(system, eigenvalue, solver.eigenvectors().col(i));
+    Mode mode = mode_of(system, eigenvalue, solutions.vectors.col(i));
     mode.is_neutral = is_neutral;
     mode.is_unstable = !is_neutral && eigenvalue.real() > kGrowth * largest;
     result.push_back(std::move(mode));
@@ -164,11 +162,7 @@ std::vector<std::string> neutral_coordinates(const Topology& topology, const Lin
     if (system.states[i].kind == LinearState::Kind::position) positions.push_back(static_cast<Eigen::Index>(i));
   }
   if (still.cols() == 0 || positions.empty()) return {};
-  Eigen::ColPivHouseholderQR<Eigen::MatrixXd> factors;
-  factors.setThreshold(kSameShape);
-  factors.compute(still(positions, Eigen::all).transpose());
-  const auto& order = factors.colsPermutation().indices();
-  std::vector<int> chosen(order.data(), order.data() + factors.rank());
+  std::vector<int> chosen = leading_columns(still(positions, Eigen::all).transpose(), kSameShape);
   std::sort(chosen.begin(), chosen.end());
   std::vector<std::string> names;
   for (const int c : chosen) {

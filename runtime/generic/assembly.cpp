@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "compiler/algebra/dense.hpp"
 #include "runtime/generic/content.hpp"
 
 namespace mbgen {
@@ -46,16 +47,9 @@ struct Closure {
   MatrixXd jacobian;
 };
 
-Eigen::CompleteOrthogonalDecomposition<MatrixXd> factors_of(const MatrixXd& a) {
-  Eigen::CompleteOrthogonalDecomposition<MatrixXd> factors;
-  factors.setThreshold(kNegligible);
-  factors.compute(a);
-  return factors;
-}
-
 /// x nearest to zero with a x = b in the sense of least squares.
 VectorXd least(const MatrixXd& a, const VectorXd& b) {
-  return a.size() == 0 ? VectorXd(VectorXd::Zero(a.cols())) : VectorXd(factors_of(a).solve(b));
+  return a.size() == 0 ? VectorXd(VectorXd::Zero(a.cols())) : least_squares(a, b, kNegligible);
 }
 
 /// The same with damping * |x|^2 beside the squares.
@@ -70,9 +64,7 @@ VectorXd least(const MatrixXd& a, const VectorXd& b, double damping) {
 /// Orthonormal directions in which the product with `a` does not change.
 MatrixXd indifferent_directions(const MatrixXd& a) {
   if (a.size() == 0) return MatrixXd::Identity(a.cols(), a.cols());
-  const auto factors = factors_of(a);
-  const MatrixXd turned = factors.matrixZ().transpose();
-  return factors.colsPermutation() * turned.rightCols(a.cols() - factors.rank());
+  return mbgen::indifferent_directions(a, kNegligible);
 }
 
 double largest(const VectorXd& values) { return values.size() > 0 ? values.lpNorm<Eigen::Infinity>() : 0.0; }

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "compiler/algebra/dense.hpp"
 #include "runtime/generic/content.hpp"
 
 namespace mbgen {
@@ -86,11 +87,8 @@ Eigen::VectorXd next_change(const Balance& b, const Eigen::MatrixXd& stiffness, 
   reach.head(free) = scale / unit;
   Eigen::MatrixXd matrix = scale.asDiagonal() * stiffness * reach.asDiagonal();
   if (unbalanced > kBalanced) matrix.leftCols(free).diagonal().array() -= unbalanced / (kLongestStep * unit);
-  Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> factors;
-  factors.setThreshold(kIndifferent);
-  factors.compute(matrix);
   const Eigen::VectorXd wanted = -(scale.asDiagonal() * b.force);
-  return reach.asDiagonal() * factors.solve(wanted);
+  return reach.asDiagonal() * least_squares(matrix, wanted, kIndifferent);
 }
 
 /// Largest acceleration of a coordinate that the forces would cause if every free direction moved alone.
