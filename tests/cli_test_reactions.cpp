@@ -10,13 +10,13 @@ namespace {
 const char* const kEnginesWithReactions[] = {"generated", "generic", "augmented", "maggi"};
 
 /// Largest difference of two numbers, or arrays or objects of numbers, of the same shape.
-double difference(const Json& one, const Json& other) {
+double largest_difference(const Json& one, const Json& other) {
   if (one.is_number()) return std::abs(one.get<double>() - other.get<double>());
   double largest = 0;
   EXPECT_EQ(one.size(), other.size());
   for (const auto& [key, value] : one.items()) {
     const Json& its = one.is_array() ? other.at(std::stoul(key)) : other.at(key);
-    largest = std::max(largest, difference(value, its));
+    largest = std::max(largest, largest_difference(value, its));
   }
   return largest;
 }
@@ -29,7 +29,7 @@ TEST_F(CommandLine, PendulumPullsAtItsPinAsInTheTextbook) {
   for (const char* engine : kEnginesWithReactions) {
     const Json result =
         json_of(fmt::format("evaluate pendulum.json --states states.json --reactions --engine {}", engine));
-    EXPECT_LT(difference(expected, result["states"][0]["reactions"]), 1e-12) << engine;
+    EXPECT_LT(largest_difference(expected, result["states"][0]["reactions"]), 1e-12) << engine;
     EXPECT_TRUE(result["states"][1]["reactions"].is_null());
   }
   EXPECT_FALSE(
@@ -58,8 +58,9 @@ TEST_F(CommandLine, FourBarHasTheSameReactionsInEveryEngine) {
       ASSERT_EQ(states[i]["status"], "ok");
       double scale = 1;
       for (const Json& value : expected[i]["lambda"]) scale = std::max(scale, std::abs(value.get<double>()));
-      EXPECT_LT(difference(states[i]["lambda"], expected[i]["lambda"]), 1e-10 * scale) << engine << " " << i;
-      EXPECT_LT(difference(states[i]["reactions"], expected[i]["reactions"]), 1e-10 * scale) << engine << " " << i;
+      EXPECT_LT(largest_difference(states[i]["lambda"], expected[i]["lambda"]), 1e-10 * scale) << engine << " " << i;
+      EXPECT_LT(largest_difference(states[i]["reactions"], expected[i]["reactions"]), 1e-10 * scale)
+          << engine << " " << i;
     }
   }
 }
