@@ -334,7 +334,11 @@ void drive(const Case& c) {
   exceed<Unit>(c);
   switch_messages<Unit>(c, Unit::kVersion == 2 ? messages : messages_3);
   if (c.description.identifier == "tuned_rod") tune_lengths<Unit>(c);
-  if (c.description.identifier == "driven_cart") drive_by_inputs<Unit>(c);
+  if (c.description.identifier == "driven_cart") {
+    drive_by_inputs<Unit>(c);
+    warn_of_rates<Unit>(c);
+  }
+  if constexpr (Unit::kVersion == 3) update_between<Unit>(c);
 }
 
 }  // namespace

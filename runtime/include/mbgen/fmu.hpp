@@ -46,6 +46,10 @@ constexpr Place place_of(unsigned reference) noexcept {
   return {};
 }
 
+/// Value reference of the first input.
+template <class Model>
+constexpr unsigned kFirstInput = 1u + static_cast<unsigned>(Model::kParameters);
+
 constexpr bool contains(const int* list, int size, int value) noexcept {
   for (int i = 0; i < size; ++i) {
     if (list[i] == value) return true;
@@ -271,7 +275,8 @@ Answer set_values(Core<Model>& core, const unsigned* references, unsigned long c
     if (value == values[i]) continue;
     if (place.group == Group::start) {
       start_otherwise(core.run, place.index, values[i] - value);
-    } else if (core.run.mode != kStep || place.group != Group::input) {  // a step follows the inputs itself
+    } else if ((core.run.mode & (kStep | kIntermediate)) == 0 || place.group != Group::input) {
+      // A step follows the inputs itself.
       open_loops(core.run);
     }
     value = values[i];

@@ -35,6 +35,7 @@ Answer leave_initialization(Core<Model>& core) noexcept {
   if (!solve(core)) return Answer::error;
   commit(core);
   core.run.history = {};
+  core.run.accepted = core.run.inputs;
   choose_coordinates(core.run);
   core.run.mode = core.run.interface == Interface::model_exchange ? kEvent : kStep;
   return Answer::ok;
@@ -88,11 +89,12 @@ bool take_step(Core<Model>& core, double size) noexcept {
   return true;
 }
 
-/// Steps from a communication point to the next. Loops that parameters have opened are closed first.
+/// Steps from a communication point to the next. Loops that parameters have opened are closed first. at_point is called
+/// at the end of every inner step, with whether it is the last one; inputs that it sets act from there on.
 /// Answer: error for a point or size that cannot be; discard where the solver fails or the loops cannot be closed, the
 /// run is then as before.
-template <class Model>
-Answer do_step(Core<Model>& core, double point, double size) noexcept {
+template <class Model, class AtPoint>
+Answer do_step(Core<Model>& core, double point, double size, const AtPoint& at_point) noexcept {
   const double t = core.run.state.t, stop = core.run.stop_time;
   if (!std::isfinite(size) || !(size > 0))
     return refuse(core, Refusal::of_value("the communication step size must be positive and finite", size));
@@ -106,13 +108,19 @@ Answer do_step(Core<Model>& core, double point, double size) noexcept {
     commit(core);
   }
   const Division division = divided(size, Model::kStep);
-  if (division.count == 1) return take_step(core, division.size) ? Answer::ok : Answer::discard;
+  if (division.count == 1) {
+    if (!take_step(core, division.size)) return Answer::discard;
+    at_point(true);
+    return Answer::ok;
+  }
   const Run<Model> before = core.run;
   for (double i = 0; i < division.count; ++i) {
-    if (take_step(core, division.size)) continue;
-    core.run = before;
-    core.is_solved = false;
-    return Answer::discard;
+    if (!take_step(core, division.size)) {
+      core.run = before;
+      core.is_solved = false;
+      return Answer::discard;
+    }
+    at_point(i + 1 == division.count);
   }
   return Answer::ok;
 }
@@ -176,7 +184,41 @@ Answer set_time(Core<Model>& core, double time) noexcept {
   return Answer::ok;
 }
 
+/// Whether an input stands still, as all its derivatives say.
+template <class Model>
+bool has_no_rates(const typename Model::Inputs& inputs, int input) noexcept {
+  for (int rate = Model::kInputDerivative[input]; rate >= 0; rate = Model::kInputDerivative[rate]) {
+    if (inputs.*Model::kInputMember[rate] != 0) return false;
+  }
+  return true;
+}
+
+/// Answer: warning, once, where an input has moved between accepted points though its rates were left out at both:
+/// bodies that it drives jump then and feel no acceleration.
+template <class Model>
+Answer accept_inputs(Core<Model>& core) noexcept {
+  const typename Model::Inputs before = core.run.accepted;
+  const typename Model::Inputs& now = core.run.inputs;
+  core.run.accepted = now;
+  for (int i = 0; i < Model::kInputs && !core.has_warned; ++i) {
+    const double change = now.*Model::kInputMember[i] - before.*Model::kInputMember[i];
+    if (Model::kInputDerivative[i] < 0 || change == 0) continue;
+    if (!has_no_rates<Model>(before, i) || !has_no_rates<Model>(now, i)) continue;
+    core.has_warned = true;
+    core.refusal = {"moves, but its derivatives are inputs too and were left at zero: set them with it; it moved by",
+                    true,
+                    true,
+                    false,
+                    kFirstInput<Model> + static_cast<unsigned>(i),
+                    change,
+                    0};
+    return Answer::warning;
+  }
+  return Answer::ok;
+}
+
 /// Accepts the step that an integrator has completed. asks_for_event: other independent coordinates would serve better.
+/// Answer: warning where inputs move without their rates.
 template <class Model>
 Answer accept_step(Core<Model>& core, bool& asks_for_event) noexcept {
   asks_for_event = false;
@@ -185,7 +227,7 @@ Answer accept_step(Core<Model>& core, bool& asks_for_event) noexcept {
   Choice<Model> choice = core.run.choice;
   asks_for_event = choose({core.run.state, core.run.inputs, core.run.parameters}, choice);
   if (!asks_for_event) core.run.choice = choice;
-  return Answer::ok;
+  return accept_inputs(core);
 }
 
 /// Accepts what an event has set. has_changed: states are those of other coordinates now.
@@ -194,6 +236,7 @@ Answer settle(Core<Model>& core, bool& has_changed) noexcept {
   has_changed = false;
   if (!solve(core)) return Answer::discard;
   commit(core);
+  core.run.accepted = core.run.inputs;
   has_changed = choose_coordinates(core.run);
   return Answer::ok;
 }
