@@ -6,7 +6,7 @@ here=$(cd "$(dirname "$0")" && pwd)
 root=$here/../..
 mbgen=$(realpath "$1")
 shift
-[ $# -gt 0 ] || set -- four_bar:3 slider_crank:2 tuned_rod:2 driven_cart:2 driven_cart:3 described:2 described:3 coach_rig:3
+[ $# -gt 0 ] || set -- four_bar:3 slider_crank:2 tuned_rod:2 driven_cart:2 driven_cart:3 triple_rocker:3 described:2 described:3 coach_rig:3
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
 fail() { echo "fmi: $*"; exit 1; }
@@ -30,6 +30,15 @@ file_of() {
   done
 }
 
+# Whole steps to the last bit.
+duration_of() {
+  case $1 in
+    slider_crank) echo 0.02 ;;
+    triple_rocker) echo 2 ;;
+    *) echo 0.2 ;;
+  esac
+}
+
 # All functions of the standard, nothing else, and nothing but libm and a few functions of libc.
 check_symbols() {  # VERSION LIBRARY
   sed -n "s/^FMI$1_Export .* \(fmi$1[A-Za-z0-9]*\);/\1/p" "$root/templates/fmi$1Functions.h" | sort >"$scratch/standard"
@@ -44,8 +53,7 @@ for case in "$@"; do
   model=${case%:*}
   version=${case#*:}
   file=$(file_of "$model")
-  # Durations that are whole steps to the last bit.
-  "$mbgen" simulate "$file" --duration "$([ "$model" = slider_crank ] && echo 0.02 || echo 0.2)" \
+  "$mbgen" simulate "$file" --duration "$(duration_of "$model")" \
     --every 1 --out "$scratch/$model.csv" >/dev/null
   fmu=$scratch/${model}_$version
   mkdir "$fmu"
