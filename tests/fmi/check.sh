@@ -122,6 +122,12 @@ for version in 2 3; do
   grep -q "compile it without -ffast-math" "$scratch/log" || fail "no word of -ffast-math"
 done
 
+# A shipped model has a parameter of the start, too.
+"$mbgen" export "$root/models/starters/tyre_rig.json" --fmi 3 --sources-only -o "$scratch/tyre_rig.fmu" >/dev/null
+cmake -E chdir "$scratch" cmake -E tar xf tyre_rig.fmu modelDescription.xml
+grep -q 'name="spin".* causality="parameter" variability="fixed" initial="exact" unit="rad/s" start="66.0"' \
+  "$scratch/modelDescription.xml" || fail "tyre_rig has no parameter of the start"
+
 # Other platforms in one FMU, run where there is something that runs them.
 has() { command -v "$1" >/dev/null 2>&1; }
 platforms=x86_64-linux

@@ -231,11 +231,7 @@ void restart(Core<Model>& core) noexcept {
   core.run = {};
   core.run.interface = interface;
   core.run.choice = frozen_choice<Model>();
-  for (int i = 0; i < Model::kCoordinates; ++i) {
-    core.run.state.z[i] = Model::kInitialZ[i];
-    core.run.state.zd[i] = Model::kInitialZd[i];
-  }
-  for (int i = 0; i < Model::kAuxiliaryStates; ++i) core.run.state.x[i] = Model::kInitialX[i];
+  core.run.state = Model::initial_state();
   for (int i = 0; i < Model::kStartParameters; ++i) core.run.start[i] = Model::kStartParameter[i];
   core.is_solved = false;
 }
