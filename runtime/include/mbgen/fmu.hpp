@@ -12,9 +12,6 @@
 
 namespace mbgen::fmu {
 
-/// Steps whose number is whole up to this (of a step) take the model's own step.
-constexpr double kWholeSteps = 1e-6;
-
 /// q, qd and qdd: of the states that loop blocks have, whatever their independent coordinates are now.
 enum class Group : int { time, parameter, input, output, z, zd, zdd, x, xd, q, qd, qdd, start, none };
 

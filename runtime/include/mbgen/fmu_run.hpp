@@ -4,6 +4,7 @@
 #include <cstring>
 
 #include "mbgen/fmu.hpp"
+#include "mbgen/step_time.hpp"
 
 namespace mbgen::fmu {
 
@@ -45,17 +46,6 @@ Answer leave_initialization(Core<Model>& core) noexcept {
 /// and of the time, which importers sum over up to 1e7 steps.
 constexpr double kSamePoint = 1e-3, kSummedTime = 1e-9;
 
-/// Steps of the model's size where a whole number of them fits, else of the next smaller equal ones.
-struct Division {
-  double count, size;
-};
-inline Division divided(double interval, double step) noexcept {
-  const double nearest = std::floor(interval / step + 0.5);
-  if (nearest >= 1 && std::abs(interval - nearest * step) <= kWholeSteps * step) return {nearest, step};
-  const double count = std::floor(interval / step) + 1;
-  return {count, interval / count};
-}
-
 /// Inputs with slopes, dt later.
 template <class Model>
 typename Model::Inputs gone_on(const Run<Model>& run, typename Model::Inputs inputs, double dt) noexcept {
@@ -63,12 +53,6 @@ typename Model::Inputs gone_on(const Run<Model>& run, typename Model::Inputs inp
     if (run.slope[i] != 0) inputs.*Model::kInputMember[i] += run.slope[i] * dt;
   }
   return inputs;
-}
-
-/// The time after a step: k steps from the start, not the sum of k steps, where it is that but for rounding.
-inline double whole_steps(double start, double t, double step) noexcept {
-  const double whole = start + std::floor((t - start) / step + 0.5) * step;
-  return std::abs(whole - t) <= kWholeSteps * step ? whole : t;
 }
 
 /// One step of the integrator, and inputs at its end. Result: whether it went well; else the run is as before.
@@ -82,7 +66,7 @@ bool take_step(Core<Model>& core, double size) noexcept {
   const typename Model::Inputs inputs = paths.of_step(middle, size);
   core.status = Model::step(run.parameters, inputs, run.state, run.history, size);
   if (!core.status.ok()) return false;
-  run.state.t = whole_steps(run.start_time, run.state.t, size);
+  run.state.t = at_whole_steps(run.start_time, run.state.t, size);
   run.paths = paths;
   run.inputs = gone_on(run, Model::advanced(run.inputs, size), size);
   core.is_solved = false;
@@ -107,7 +91,7 @@ Answer do_step(Core<Model>& core, double point, double size, const AtPoint& at_p
     if (!solve(core)) return Answer::discard;
     commit(core);
   }
-  const Division division = divided(size, Model::kStep);
+  const Steps division = steps_in(size, Model::kStep);
   if (division.count == 1) {
     if (!take_step(core, division.size)) return Answer::discard;
     at_point(true);
