@@ -9,6 +9,7 @@
 #include <memory>
 
 #include "adaptive.hpp"
+#include "adversary.hpp"
 #include "case.hpp"
 #include "driving.hpp"
 #include "fmi2_unit.hpp"
@@ -327,6 +328,8 @@ void drive(const Case& c) {
     warn_of_rates<Unit>(c);
   }
   if constexpr (Unit::kVersion == 3) update_between<Unit>(c);
+  attack_all<Unit>(c);
+  name_the_cause<Unit>(c);
   if (c.description.identifier == "triple_rocker") pass_dead_points<Unit>(c);
 }
 

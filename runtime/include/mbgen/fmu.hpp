@@ -133,7 +133,7 @@ double value_at(const Core<Model>& core, Place place) noexcept {
 }
 
 /// Values of any variables. Answer: error for an unknown reference, and before the initialisation for what has no start
-/// value; discard where the model has no solution.
+/// value; discard where the model has no solution, or the value is not finite.
 template <class Model>
 Answer get_values(Core<Model>& core, const unsigned* references, unsigned long count, double* values) noexcept {
   for (unsigned long i = 0; i < count; ++i) {
@@ -144,7 +144,12 @@ Answer get_values(Core<Model>& core, const unsigned* references, unsigned long c
       return refuse(core, Refusal::of_variable(references[i], "has no value before the initialization mode"));
     if (!solve(core)) return Answer::discard;
   }
-  for (unsigned long i = 0; i < count; ++i) values[i] = value_at(core, place_of<Model>(references[i]));
+  for (unsigned long i = 0; i < count; ++i) {
+    values[i] = value_at(core, place_of<Model>(references[i]));
+    if (std::isfinite(values[i])) continue;
+    core.refusal = Refusal::of_variable(references[i], "is not a finite number here");
+    return Answer::discard;
+  }
   return Answer::ok;
 }
 
@@ -297,8 +302,15 @@ Answer set_input_derivatives(Core<Model>& core, const unsigned* references, unsi
     return input;
   };
   for (unsigned long i = 0; i < count; ++i) {
-    const bool is_input = place_of<Model>(references[i]).group == Group::input;
-    if (!is_input || orders[i] < 1 || last_of(i) < 0 || !std::isfinite(values[i])) return Answer::error;
+    Refusal refusal = Refusal::of_variable(references[i], nullptr);
+    if (place_of<Model>(references[i]).group != Group::input) {
+      refusal.reason = "is no input";
+    } else if (orders[i] < 1 || last_of(i) < 0) {
+      refusal.reason = "has no derivative of this order";
+    } else if (!std::isfinite(values[i])) {
+      refusal.reason = "must have a finite derivative";
+    }
+    if (refusal.reason != nullptr) return refuse(core, refusal);
   }
   for (unsigned long i = 0; i < count; ++i) {
     const int input = last_of(i), rate = Model::kInputDerivative[input];

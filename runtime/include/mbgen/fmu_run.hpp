@@ -46,6 +46,9 @@ Answer leave_initialization(Core<Model>& core) noexcept {
 /// and of the time, which importers sum over up to 1e7 steps.
 constexpr double kSamePoint = 1e-3, kSummedTime = 1e-9;
 
+/// Inner steps of a communication step at most: more would be a call that does not come back.
+constexpr double kMostInnerSteps = 1e9;
+
 /// Inputs with slopes, dt later.
 template <class Model>
 typename Model::Inputs gone_on(const Run<Model>& run, typename Model::Inputs inputs, double dt) noexcept {
@@ -87,17 +90,20 @@ Answer do_step(Core<Model>& core, double point, double size, const AtPoint& at_p
     return refuse(core, Refusal::of_limit("the communication point must be where the last step ended,", t, point));
   if (point + size > stop + slack)
     return refuse(core, Refusal::of_limit("the step must not end after the stop time", stop, point + size));
-  if (!core.run.is_closed) {
-    if (!solve(core)) return Answer::discard;
-    commit(core);
-  }
   const Steps division = steps_in(size, Model::kStep);
-  if (division.count == 1) {
+  if (!(division.count <= kMostInnerSteps))
+    return refuse(
+        core, Refusal::of_limit("the communication step size must be at most", kMostInnerSteps * Model::kStep, size));
+  if (core.run.is_closed && division.count == 1) {  // needs no way back
     if (!take_step(core, division.size)) return Answer::discard;
     at_point(true);
     return Answer::ok;
   }
   const Run<Model> before = core.run;
+  if (!core.run.is_closed) {
+    if (!solve(core)) return Answer::discard;
+    commit(core);
+  }
   for (double i = 0; i < division.count; ++i) {
     if (!take_step(core, division.size)) {
       core.run = before;
@@ -129,7 +135,9 @@ template <class Model>
 Answer set_states(Core<Model>& core, const double* states, unsigned long count) noexcept {
   if (count != kStates<Model> || !is_array(states, states, count)) return Answer::error;
   for (int i = 0; i < kStates<Model>; ++i) {
-    if (!std::isfinite(states[i])) return Answer::discard;  // the importer's step was too large
+    if (std::isfinite(states[i])) continue;
+    core.refusal.reason = "a state is not finite: a smaller step may help";
+    return Answer::discard;
   }
   for (int i = 0; i < kStates<Model>; ++i) {
     if (continuous_state(core.run, i) == states[i]) continue;
@@ -160,7 +168,7 @@ Answer get_nominals(double* nominals, unsigned long count) noexcept {
 
 template <class Model>
 Answer set_time(Core<Model>& core, double time) noexcept {
-  if (!std::isfinite(time)) return Answer::error;
+  if (!std::isfinite(time)) return refuse(core, Refusal::of_value("the time must be finite", time));
   if (core.run.state.t == time) return Answer::ok;
   open_loops(core.run);
   core.run.state.t = time;
@@ -228,7 +236,10 @@ Answer settle(Core<Model>& core, bool& has_changed) noexcept {
 /// Takes over a saved run. Answer: error for one of the other interface.
 template <class Model>
 Answer restore(const Run<Model>& saved, Core<Model>& core) noexcept {
-  if (saved.interface != core.run.interface) return Answer::error;
+  if (saved.interface != core.run.interface) {
+    core.refusal.reason = "the state is one of the other interface, co-simulation or model exchange";
+    return Answer::error;
+  }
   core.run = saved;
   core.is_solved = false;
   return Answer::ok;
