@@ -5,6 +5,8 @@
 #include <cmath>
 #include <optional>
 
+#include "mbgen/step_time.hpp"
+
 namespace mbgen::cli {
 namespace {
 
@@ -183,7 +185,7 @@ double passable_step(const Engine& engine, const InputsOverTime& inputs, const G
     GenericState trial = state;
     engine.set_inputs(inputs.at(state.t));
     int k = 0;
-    while (k < parts && step(engine, inputs, part, state.t + (k + 1) * part, trial).ok()) ++k;
+    while (k < parts && step(engine, inputs, part, time_after(state.t, k + 1, part), trial).ok()) ++k;
     if (k == parts) return part;
   }
   return 0;
@@ -210,7 +212,7 @@ SimulationSummary simulate(const Engine& engine, const GenericState& state, cons
     on_sample(sample);
     if (sample.step == settings.steps) break;
     const Clock::time_point before = Clock::now();
-    const double end = state.t + static_cast<double>(sample.step + 1) * settings.step;
+    const double end = time_after(state.t, static_cast<double>(sample.step + 1), settings.step);
     summary.status = step(engine, inputs, settings.step, end, sample.state);
     summary.solver_seconds += seconds_since(before);
     if (!summary.status.ok()) break;

@@ -6,12 +6,11 @@
 #include <cmath>
 
 #include "compiler/cli/user_error.hpp"
+#include "mbgen/step_time.hpp"
 
 namespace mbgen::cli {
 namespace {
 
-/// A duration this close (relative) to a whole number of steps is one.
-constexpr double kWholeSteps = 1e-9;
 constexpr double kMostSteps = 1e12;
 
 Interpolation interpolation_of(const std::string& name) {
@@ -69,7 +68,7 @@ SimulationSettings settings_of(const SimulationArguments& arguments, const Solve
   if (!(step > 0) || !std::isfinite(step)) {
     throw UserError(fmt::format("--step: must be positive and finite, found {}\n", step));
   }
-  const double steps = std::max(1.0, std::ceil(duration / step * (1 - kWholeSteps)));
+  const double steps = steps_in(duration, step).count;
   if (!(steps < kMostSteps)) {
     throw UserError(fmt::format("--step: {} s is too small for a duration of {} s\n", step, duration));
   }

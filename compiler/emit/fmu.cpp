@@ -93,8 +93,6 @@ std::string model_text(const EmitContext& context, const FmuLayout& fmu, const I
        {"undriven", integers("kUndriven", fmu.undriven)},
        {"start_parameter_count", std::to_string(initial.parameters.size())},
        {"start_parameters", start_text(context.model, initial)},
-       {"initial_state",
-        numbers("kInitialZ", initial.z) + numbers("kInitialZd", initial.zd) + numbers("kInitialX", initial.x)},
        {"members", members("Parameters", "kParameterMember", parameter_members(context)) +
                        members("Inputs", "kInputMember", input_members(context)) +
                        members("Outputs", "kOutputMember", output_members(context))},
@@ -133,8 +131,9 @@ std::vector<EmittedFile> standard_headers(FmiVersion version) {
 
 FmuFiles emit_fmu(const Programs& programs, const Programs& emitted, const Model& model, const Topology& topology,
                   const Analysis& analysis, const InitialState& initial, FmiVersion version) {
-  const EmitContext context{
+  EmitContext context{
       emitted, model, topology, analysis, solver_names(model, topology), solver_layout(model, topology, analysis)};
+  context.initial = initial;
   const std::string& solver = context.names.solver;
   const FmuLayout fmu = fmu_layout(context, programs, initial, version);
   const std::string functions = version == FmiVersion::two ? "_fmi2.cpp" : "_fmi3.cpp";

@@ -97,9 +97,11 @@ std::string variable_3(const FmuVariable& variable, std::size_t reference) {
   const std::string derivative =
       variable.derivative_of < 0 ? "" : fmt::format(" derivative=\"{}\"", variable.derivative_of);
   const char* reinit = variable.reinit ? " reinit=\"true\"" : "";
-  return fmt::format("    <Float64 name=\"{}\" valueReference=\"{}\" description=\"{}\" causality=\"{}\"{}{}{}{}/>\n",
+  const bool is_exchanged = variable.causality == Causality::input || variable.causality == Causality::output;
+  const char* intermediate = is_exchanged ? " intermediateUpdate=\"true\"" : "";
+  return fmt::format("    <Float64 name=\"{}\" valueReference=\"{}\" description=\"{}\" causality=\"{}\"{}{}{}{}{}/>\n",
                      xml_text(variable.name), reference, xml_text(variable.description), name_of(variable.causality),
-                     initial_text(variable), unit_and_start(variable), derivative, reinit);
+                     initial_text(variable), intermediate, unit_and_start(variable), derivative, reinit);
 }
 
 /// offset: between value references and what unknowns count by, 1 for the indices of FMI 2.

@@ -70,8 +70,7 @@ std::string rows_text(const Model& model, const SolverNames& names, const std::s
          "> kInputRows[] = {\n" + fmt::format("{}", fmt::join(rows, ",\n")) + "};\n\n" +
          wrapped_words(
              "Makes the rates of inputs whose caller gives values only, see mbgen/input_paths.hpp. Start with "
-             "`InputPaths paths{};`, give every step `paths.of_step(inputs, h)`. Without it who leaves a rate "
-             "at zero says that the input stands still.",
+             "`InputPaths paths{};`, give every step `paths.of_step(inputs, h)`.",
              "/// ") +
          "\nusing InputPaths = mbgen::InputPaths<Inputs, kInputRows>;\n";
 }
@@ -92,9 +91,14 @@ InputText input_text(const Model& model, const SolverNames& names, const std::st
             .name = "inputs"};
   }
   const std::string rows = rows_text(model, names, scalar);
+  const std::string new_values =
+      rows.empty() ? "new values and rates" : "new values and rates, or values to InputPaths";
   return {.comment = wrapped_words("Inputs with their defaults, as they are at the start of a step. During the step "
                                    "those with a derivative among the inputs go on as advance_inputs says, the others "
-                                   "are constant; after it give new values.",
+                                   "are constant; after it give " +
+                                       new_values +
+                                       ". A rate left at zero says that its input stands still: an input that moves "
+                                       "all the same jumps, and no body feels the acceleration.",
                                    "/// "),
           .declaration =
               "\n/// Inputs dt seconds later: value + rate dt + acceleration dt^2/2, as far as they have "

@@ -8,7 +8,7 @@
 #include "description.hpp"
 #include "library.hpp"
 
-constexpr int kOk = 0, kDiscard = 2, kError = 3;
+constexpr int kOk = 0, kWarning = 1, kDiscard = 2, kError = 3;
 
 using Row = std::vector<double>;
 

@@ -1,5 +1,5 @@
 #pragma once
-// Inputs of a driven coordinate with their rates, and without: of the model driven_cart.
+// Inputs of a driven coordinate with their rates, and without: of the model driven_cart. Inputs between inner steps.
 
 #include <algorithm>
 #include <cmath>
@@ -47,4 +47,88 @@ void drive_by_inputs(const Case& c) {
   require(error < 0.02 * range, "rates are made");
   if constexpr (Unit::kVersion == 2)
     require(same_bits(swing<Unit>(c, Rates::as_derivatives), given), "derivatives of an input are its rates");
+}
+
+/// Model exchange, where no rates are made: who leaves them out is told so, once. Result: the steps with a warning.
+template <class Unit>
+int warned(const Case& c, bool with_rates) {
+  const unsigned way = c.description.reference("way"), speed = c.description.reference("speed"),
+                 acceleration = c.description.reference("acceleration");
+  Unit unit(c.library, c.description, true);
+  start(unit);
+  require(unit.set({way}, {0.01}) == kOk && unit.enter_continuous() == kOk, "continuous time");
+  int warnings = 0;
+  for (int i = 1; i <= 5; ++i) {
+    const double t = i * c.description.step;
+    bool event = false;
+    require(unit.set_time(t) == kOk && unit.set({way}, {0.01 + 0.5 * t * t}) == kOk, "an input");
+    if (with_rates) require(unit.set({speed, acceleration}, {t, 1}) == kOk, "its rates");
+    const int answer = unit.completed(event);
+    require(answer == kOk || (answer == kWarning && says("\"way\" moves, but its derivatives")), "a completed step");
+    warnings += answer == kWarning ? 1 : 0;
+  }
+  return warnings;
+}
+
+template <class Unit>
+void warn_of_rates(const Case& c) {
+  require(warned<Unit>(c, false) == 1, "a warning of rates that are left out");
+  require(warned<Unit>(c, true) == 0, "no warning where they are given");
+}
+
+/// Calls that have no place within a communication step.
+template <class Unit>
+void call_between(const Case& c, Unit& unit, double t) {
+  void* state = nullptr;
+  require(unit.step(t, c.description.step) == kError && says("intermediate update mode"), "a step within a step");
+  require(unit.save(state) == kError && unit.restore(&state) == kError && unit.reset() == kError &&
+              unit.terminate() == kError,
+          "the life of the unit within a step");
+  for (const Variable& variable : c.description.variables) {
+    if (variable.causality == "parameter")
+      require(unit.set({variable.reference}, {1.0}) == kError && says("cannot be set in this mode"), "a parameter");
+  }
+}
+
+/// One communication step whose inputs are set between the inner steps has the bits of as many communication steps.
+template <class Unit>
+void update_between(const Case& c) {
+  const double h = c.description.step;
+  std::vector<unsigned> inputs, exchanged = c.columns;
+  for (const Variable& variable : c.description.variables) {
+    if (variable.causality == "input") inputs.push_back(variable.reference);
+  }
+  exchanged.insert(exchanged.end(), inputs.begin(), inputs.end());
+  const auto give = [&](Unit& unit, int point) {
+    for (std::size_t k = 0; k < inputs.size(); ++k)
+      require(unit.set({inputs[k]}, {1e-3 * point * static_cast<double>(k + 1)}) == kOk, "an input");
+  };
+  constexpr int kCount = 7;
+  Unit single(c.library, c.description, false);
+  start(single);
+  std::vector<Row> expected, got;
+  for (int i = 0; i < kCount; ++i) {
+    give(single, i);
+    require(single.step(i * h, h) == kOk, "step");
+    expected.push_back(values(single, exchanged));
+  }
+  int point = 0;
+  Unit* self = nullptr;
+  Unit unit(c.library, c.description, false, true, [&](double t, bool may_set) {
+    ++point;
+    require(std::abs(t - point * h) < 1e-9 * h && may_set == (point < kCount), "points of intermediate updates");
+    got.push_back(values(*self, exchanged));
+    if (may_set) give(*self, point);
+    call_between(c, *self, t);
+  });
+  self = &unit;
+  start(unit);
+  give(unit, 0);
+  require(unit.step(0, kCount * h) == kOk && got.size() == expected.size(), "a step with intermediate updates");
+  for (std::size_t i = 0; i < got.size(); ++i) require(same_bits(got[i], expected[i]), "bits of an intermediate point");
+  require(same_bits(values(unit, exchanged), expected.back()), "bits after intermediate updates");
+  const char* token = c.description.token.c_str();
+  require(single.instantiate_with(token, {exchanged[0]}) == nullptr && says("callback"), "no callback");
+  require(unit.instantiate_with(token, {0}) == nullptr && says("inputs and outputs only"), "time between steps");
+  require(unit.instantiate_with(token, {}, true) == nullptr && says("no event mode"), "event mode");
 }

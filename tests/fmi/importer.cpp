@@ -8,6 +8,8 @@
 #include <limits>
 #include <memory>
 
+#include "adaptive.hpp"
+#include "adversary.hpp"
 #include "case.hpp"
 #include "driving.hpp"
 #include "fmi2_unit.hpp"
@@ -75,19 +77,6 @@ void roll_back(const Case& c) {
 
 /// Events that FMUs have asked for.
 int events = 0;
-
-/// Goes through an event. Result: whether it has changed states, which are then those that it says it may change.
-template <class Unit>
-bool go_through_event(const Case& c, Unit& unit, Row& x) {
-  const Row before = x;
-  bool has_changed = false;
-  require(unit.enter_event() == kOk && unit.update(has_changed) == kOk && unit.enter_continuous() == kOk, "an event");
-  require(unit.states(x) == kOk && (has_changed || same_bits(x, before)), "states after an event");
-  const std::vector<unsigned> states = c.description.states();
-  for (std::size_t i = 0; i < x.size(); ++i)
-    require(x[i] == before[i] || c.description.variables[states[i]].reinit, "a state that may not change at events");
-  return has_changed;
-}
 
 /// The classical Runge-Kutta method of an importer, with the same step as the solver's.
 template <class Unit>
@@ -334,7 +323,14 @@ void drive(const Case& c) {
   exceed<Unit>(c);
   switch_messages<Unit>(c, Unit::kVersion == 2 ? messages : messages_3);
   if (c.description.identifier == "tuned_rod") tune_lengths<Unit>(c);
-  if (c.description.identifier == "driven_cart") drive_by_inputs<Unit>(c);
+  if (c.description.identifier == "driven_cart") {
+    drive_by_inputs<Unit>(c);
+    warn_of_rates<Unit>(c);
+  }
+  if constexpr (Unit::kVersion == 3) update_between<Unit>(c);
+  attack_all<Unit>(c);
+  name_the_cause<Unit>(c);
+  if (c.description.identifier == "triple_rocker") pass_dead_points<Unit>(c);
 }
 
 }  // namespace

@@ -27,6 +27,7 @@ void switch_messages(const Case& c, int& count) {
   require(unit.log(true, {discards}) == kOk && told(unit, count) == 0, "the other category is still off");
   require(unit.log(true, {errors}) == kOk && told(unit, count) == 1, "a category that is on again");
   require(unit.log(true, {discards}) == kOk && told(unit, count) == 1, "one that is on leaves the other on");
+  require(unit.log(false, {"logStatusWarning"}) == kOk && unit.log(false, {"none"}) == kError, "names of categories");
   require(unit.log(false, {}) == kOk && told(unit, count) == 0, "all off");
   require(unit.log(true, {}) == kOk && told(unit, count) == 1, "all on");
 }

@@ -12,9 +12,6 @@
 
 namespace mbgen::fmu {
 
-/// Steps whose number is whole up to this (of a step) take the model's own step.
-constexpr double kWholeSteps = 1e-6;
-
 /// q, qd and qdd: of the states that loop blocks have, whatever their independent coordinates are now.
 enum class Group : int { time, parameter, input, output, z, zd, zdd, x, xd, q, qd, qdd, start, none };
 
@@ -45,6 +42,10 @@ constexpr Place place_of(unsigned reference) noexcept {
   }
   return {};
 }
+
+/// Value reference of the first input.
+template <class Model>
+constexpr unsigned kFirstInput = 1u + static_cast<unsigned>(Model::kParameters);
 
 constexpr bool contains(const int* list, int size, int value) noexcept {
   for (int i = 0; i < size; ++i) {
@@ -132,7 +133,7 @@ double value_at(const Core<Model>& core, Place place) noexcept {
 }
 
 /// Values of any variables. Answer: error for an unknown reference, and before the initialisation for what has no start
-/// value; discard where the model has no solution.
+/// value; discard where the model has no solution, or the value is not finite.
 template <class Model>
 Answer get_values(Core<Model>& core, const unsigned* references, unsigned long count, double* values) noexcept {
   for (unsigned long i = 0; i < count; ++i) {
@@ -143,7 +144,12 @@ Answer get_values(Core<Model>& core, const unsigned* references, unsigned long c
       return refuse(core, Refusal::of_variable(references[i], "has no value before the initialization mode"));
     if (!solve(core)) return Answer::discard;
   }
-  for (unsigned long i = 0; i < count; ++i) values[i] = value_at(core, place_of<Model>(references[i]));
+  for (unsigned long i = 0; i < count; ++i) {
+    values[i] = value_at(core, place_of<Model>(references[i]));
+    if (std::isfinite(values[i])) continue;
+    core.refusal = Refusal::of_variable(references[i], "is not a finite number here");
+    return Answer::discard;
+  }
   return Answer::ok;
 }
 
@@ -271,7 +277,8 @@ Answer set_values(Core<Model>& core, const unsigned* references, unsigned long c
     if (value == values[i]) continue;
     if (place.group == Group::start) {
       start_otherwise(core.run, place.index, values[i] - value);
-    } else if (core.run.mode != kStep || place.group != Group::input) {  // a step follows the inputs itself
+    } else if ((core.run.mode & (kStep | kIntermediate)) == 0 || place.group != Group::input) {
+      // A step follows the inputs itself.
       open_loops(core.run);
     }
     value = values[i];
@@ -295,8 +302,15 @@ Answer set_input_derivatives(Core<Model>& core, const unsigned* references, unsi
     return input;
   };
   for (unsigned long i = 0; i < count; ++i) {
-    const bool is_input = place_of<Model>(references[i]).group == Group::input;
-    if (!is_input || orders[i] < 1 || last_of(i) < 0 || !std::isfinite(values[i])) return Answer::error;
+    Refusal refusal = Refusal::of_variable(references[i], nullptr);
+    if (place_of<Model>(references[i]).group != Group::input) {
+      refusal.reason = "is no input";
+    } else if (orders[i] < 1 || last_of(i) < 0) {
+      refusal.reason = "has no derivative of this order";
+    } else if (!std::isfinite(values[i])) {
+      refusal.reason = "must have a finite derivative";
+    }
+    if (refusal.reason != nullptr) return refuse(core, refusal);
   }
   for (unsigned long i = 0; i < count; ++i) {
     const int input = last_of(i), rate = Model::kInputDerivative[input];

@@ -126,11 +126,16 @@ Answer directional_derivative(Core<Model>& core, const unsigned* unknowns, unsig
                               double* rates_of_unknowns) noexcept {
   typename Model::Direction direction{};
   for (unsigned long i = 0; i < known_count; ++i) {
-    if (!add_known(core.run, place_of<Model>(knowns[i]), rates_of_knowns[i], direction)) return Answer::error;
+    if (!std::isfinite(rates_of_knowns[i]))
+      return refuse(core, Refusal::of_variable(knowns[i], "must have a finite rate"));
+    if (!add_known(core.run, place_of<Model>(knowns[i]), rates_of_knowns[i], direction))
+      return refuse(core, Refusal::of_variable(knowns[i], "is no known here: nothing is differentiated by it"));
   }
   for (unsigned long i = 0; i < unknown_count; ++i) {
-    if (!is_unknown(place_of<Model>(unknowns[i]).group)) return Answer::error;
+    if (!is_unknown(place_of<Model>(unknowns[i]).group))
+      return refuse(core, Refusal::of_variable(unknowns[i], "is no unknown: it has no derivative by others"));
   }
+  core.refusal.reason = "a loop has, or needs, other independent coordinates than those of the start";
   if (!is_frozen_choice(core.run.choice) || !solve(core)) return Answer::discard;
   typename Model::AccelerationsAlong rates;
   typename Model::OutputsAlong outputs;

@@ -14,9 +14,10 @@ inline bool is_same(const char* a, const char* b) noexcept {
 }
 
 constexpr const char* name_of(unsigned mode) noexcept {
-  constexpr const char* kModes[] = {"instantiated state",   "initialization mode", "event mode",
-                                    "continuous-time mode", "step mode",           "terminated state"};
-  for (int i = 0; i < 6; ++i) {
+  constexpr const char* kModes[] = {"instantiated state",      "initialization mode", "event mode",
+                                    "continuous-time mode",    "step mode",           "terminated state",
+                                    "intermediate update mode"};
+  for (int i = 0; i < 7; ++i) {
     if (mode == 1u << i) return kModes[i];
   }
   return "an unknown mode";
@@ -58,10 +59,16 @@ class Message {
 };
 
 /// Categories of messages, by the names of the standard.
-constexpr const char* kCategories[] = {"logStatusDiscard", "logStatusError"};
+constexpr const char* kCategories[] = {"logStatusWarning", "logStatusDiscard", "logStatusError"};
+constexpr unsigned kCategoryCount = sizeof(kCategories) / sizeof(kCategories[0]);
 
 /// Bits of all categories.
-constexpr unsigned kAllCategories = 3;
+constexpr unsigned kAllCategories = (1u << kCategoryCount) - 1;
+
+/// Place of an answer among the categories.
+constexpr unsigned category_of(Answer answer) noexcept {
+  return answer == Answer::warning ? 0 : answer == Answer::discard ? 1 : 2;
+}
 
 /// Switches the categories that are named on or off, all of them where none is named; the others stay as they are.
 /// Result: whether all of them are known; nothing changes otherwise.
@@ -69,10 +76,11 @@ inline bool switch_categories(const char* const* names, unsigned long count, boo
   if (count > 0 && names == nullptr) return false;
   unsigned named = count == 0 ? kAllCategories : 0u;
   for (unsigned long i = 0; i < count; ++i) {
+    unsigned category = 0;
     if (names[i] == nullptr) return false;
-    const unsigned bit = is_same(names[i], kCategories[0]) ? 1u : is_same(names[i], kCategories[1]) ? 2u : 0u;
-    if (bit == 0) return false;
-    named |= bit;
+    while (category < kCategoryCount && !is_same(names[i], kCategories[category])) ++category;
+    if (category == kCategoryCount) return false;
+    named |= 1u << category;
   }
   categories = on ? categories | named : categories & ~named;
   return true;

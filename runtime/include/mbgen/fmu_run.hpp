@@ -4,6 +4,7 @@
 #include <cstring>
 
 #include "mbgen/fmu.hpp"
+#include "mbgen/step_time.hpp"
 
 namespace mbgen::fmu {
 
@@ -35,6 +36,7 @@ Answer leave_initialization(Core<Model>& core) noexcept {
   if (!solve(core)) return Answer::error;
   commit(core);
   core.run.history = {};
+  core.run.accepted = core.run.inputs;
   choose_coordinates(core.run);
   core.run.mode = core.run.interface == Interface::model_exchange ? kEvent : kStep;
   return Answer::ok;
@@ -44,16 +46,8 @@ Answer leave_initialization(Core<Model>& core) noexcept {
 /// and of the time, which importers sum over up to 1e7 steps.
 constexpr double kSamePoint = 1e-3, kSummedTime = 1e-9;
 
-/// Steps of the model's size where a whole number of them fits, else of the next smaller equal ones.
-struct Division {
-  double count, size;
-};
-inline Division divided(double interval, double step) noexcept {
-  const double nearest = std::floor(interval / step + 0.5);
-  if (nearest >= 1 && std::abs(interval - nearest * step) <= kWholeSteps * step) return {nearest, step};
-  const double count = std::floor(interval / step) + 1;
-  return {count, interval / count};
-}
+/// Inner steps of a communication step at most: more would be a call that does not come back.
+constexpr double kMostInnerSteps = 1e9;
 
 /// Inputs with slopes, dt later.
 template <class Model>
@@ -62,12 +56,6 @@ typename Model::Inputs gone_on(const Run<Model>& run, typename Model::Inputs inp
     if (run.slope[i] != 0) inputs.*Model::kInputMember[i] += run.slope[i] * dt;
   }
   return inputs;
-}
-
-/// The time after a step: k steps from the start, not the sum of k steps, where it is that but for rounding.
-inline double whole_steps(double start, double t, double step) noexcept {
-  const double whole = start + std::floor((t - start) / step + 0.5) * step;
-  return std::abs(whole - t) <= kWholeSteps * step ? whole : t;
 }
 
 /// One step of the integrator, and inputs at its end. Result: whether it went well; else the run is as before.
@@ -81,18 +69,19 @@ bool take_step(Core<Model>& core, double size) noexcept {
   const typename Model::Inputs inputs = paths.of_step(middle, size);
   core.status = Model::step(run.parameters, inputs, run.state, run.history, size);
   if (!core.status.ok()) return false;
-  run.state.t = whole_steps(run.start_time, run.state.t, size);
+  run.state.t = at_whole_steps(run.start_time, run.state.t, size);
   run.paths = paths;
   run.inputs = gone_on(run, Model::advanced(run.inputs, size), size);
   core.is_solved = false;
   return true;
 }
 
-/// Steps from a communication point to the next. Loops that parameters have opened are closed first.
+/// Steps from a communication point to the next. Loops that parameters have opened are closed first. at_point is called
+/// at the end of every inner step, with whether it is the last one; inputs that it sets act from there on.
 /// Answer: error for a point or size that cannot be; discard where the solver fails or the loops cannot be closed, the
 /// run is then as before.
-template <class Model>
-Answer do_step(Core<Model>& core, double point, double size) noexcept {
+template <class Model, class AtPoint>
+Answer do_step(Core<Model>& core, double point, double size, const AtPoint& at_point) noexcept {
   const double t = core.run.state.t, stop = core.run.stop_time;
   if (!std::isfinite(size) || !(size > 0))
     return refuse(core, Refusal::of_value("the communication step size must be positive and finite", size));
@@ -101,18 +90,27 @@ Answer do_step(Core<Model>& core, double point, double size) noexcept {
     return refuse(core, Refusal::of_limit("the communication point must be where the last step ended,", t, point));
   if (point + size > stop + slack)
     return refuse(core, Refusal::of_limit("the step must not end after the stop time", stop, point + size));
+  const Steps division = steps_in(size, Model::kStep);
+  if (!(division.count <= kMostInnerSteps))
+    return refuse(
+        core, Refusal::of_limit("the communication step size must be at most", kMostInnerSteps * Model::kStep, size));
+  if (core.run.is_closed && division.count == 1) {  // needs no way back
+    if (!take_step(core, division.size)) return Answer::discard;
+    at_point(true);
+    return Answer::ok;
+  }
+  const Run<Model> before = core.run;
   if (!core.run.is_closed) {
     if (!solve(core)) return Answer::discard;
     commit(core);
   }
-  const Division division = divided(size, Model::kStep);
-  if (division.count == 1) return take_step(core, division.size) ? Answer::ok : Answer::discard;
-  const Run<Model> before = core.run;
   for (double i = 0; i < division.count; ++i) {
-    if (take_step(core, division.size)) continue;
-    core.run = before;
-    core.is_solved = false;
-    return Answer::discard;
+    if (!take_step(core, division.size)) {
+      core.run = before;
+      core.is_solved = false;
+      return Answer::discard;
+    }
+    at_point(i + 1 == division.count);
   }
   return Answer::ok;
 }
@@ -137,7 +135,9 @@ template <class Model>
 Answer set_states(Core<Model>& core, const double* states, unsigned long count) noexcept {
   if (count != kStates<Model> || !is_array(states, states, count)) return Answer::error;
   for (int i = 0; i < kStates<Model>; ++i) {
-    if (!std::isfinite(states[i])) return Answer::discard;  // the importer's step was too large
+    if (std::isfinite(states[i])) continue;
+    core.refusal.reason = "a state is not finite: a smaller step may help";
+    return Answer::discard;
   }
   for (int i = 0; i < kStates<Model>; ++i) {
     if (continuous_state(core.run, i) == states[i]) continue;
@@ -168,7 +168,7 @@ Answer get_nominals(double* nominals, unsigned long count) noexcept {
 
 template <class Model>
 Answer set_time(Core<Model>& core, double time) noexcept {
-  if (!std::isfinite(time)) return Answer::error;
+  if (!std::isfinite(time)) return refuse(core, Refusal::of_value("the time must be finite", time));
   if (core.run.state.t == time) return Answer::ok;
   open_loops(core.run);
   core.run.state.t = time;
@@ -176,7 +176,41 @@ Answer set_time(Core<Model>& core, double time) noexcept {
   return Answer::ok;
 }
 
+/// Whether an input stands still, as all its derivatives say.
+template <class Model>
+bool has_no_rates(const typename Model::Inputs& inputs, int input) noexcept {
+  for (int rate = Model::kInputDerivative[input]; rate >= 0; rate = Model::kInputDerivative[rate]) {
+    if (inputs.*Model::kInputMember[rate] != 0) return false;
+  }
+  return true;
+}
+
+/// Answer: warning, once, where an input has moved between accepted points though its rates were left out at both:
+/// bodies that it drives jump then and feel no acceleration.
+template <class Model>
+Answer accept_inputs(Core<Model>& core) noexcept {
+  const typename Model::Inputs before = core.run.accepted;
+  const typename Model::Inputs& now = core.run.inputs;
+  core.run.accepted = now;
+  for (int i = 0; i < Model::kInputs && !core.has_warned; ++i) {
+    const double change = now.*Model::kInputMember[i] - before.*Model::kInputMember[i];
+    if (Model::kInputDerivative[i] < 0 || change == 0) continue;
+    if (!has_no_rates<Model>(before, i) || !has_no_rates<Model>(now, i)) continue;
+    core.has_warned = true;
+    core.refusal = {"moves, but its derivatives are inputs too and were left at zero: set them with it; it moved by",
+                    true,
+                    true,
+                    false,
+                    kFirstInput<Model> + static_cast<unsigned>(i),
+                    change,
+                    0};
+    return Answer::warning;
+  }
+  return Answer::ok;
+}
+
 /// Accepts the step that an integrator has completed. asks_for_event: other independent coordinates would serve better.
+/// Answer: warning where inputs move without their rates.
 template <class Model>
 Answer accept_step(Core<Model>& core, bool& asks_for_event) noexcept {
   asks_for_event = false;
@@ -185,7 +219,7 @@ Answer accept_step(Core<Model>& core, bool& asks_for_event) noexcept {
   Choice<Model> choice = core.run.choice;
   asks_for_event = choose({core.run.state, core.run.inputs, core.run.parameters}, choice);
   if (!asks_for_event) core.run.choice = choice;
-  return Answer::ok;
+  return accept_inputs(core);
 }
 
 /// Accepts what an event has set. has_changed: states are those of other coordinates now.
@@ -194,6 +228,7 @@ Answer settle(Core<Model>& core, bool& has_changed) noexcept {
   has_changed = false;
   if (!solve(core)) return Answer::discard;
   commit(core);
+  core.run.accepted = core.run.inputs;
   has_changed = choose_coordinates(core.run);
   return Answer::ok;
 }
@@ -201,7 +236,10 @@ Answer settle(Core<Model>& core, bool& has_changed) noexcept {
 /// Takes over a saved run. Answer: error for one of the other interface.
 template <class Model>
 Answer restore(const Run<Model>& saved, Core<Model>& core) noexcept {
-  if (saved.interface != core.run.interface) return Answer::error;
+  if (saved.interface != core.run.interface) {
+    core.refusal.reason = "the state is one of the other interface, co-simulation or model exchange";
+    return Answer::error;
+  }
   core.run = saved;
   core.is_solved = false;
   return Answer::ok;

@@ -21,7 +21,8 @@ enum Mode : unsigned {
   kEvent = 4,
   kContinuous = 8,
   kStep = 16,
-  kTerminated = 32
+  kTerminated = 32,
+  kIntermediate = 64  ///< of FMI 3, between the inner steps of a communication step
 };
 
 enum class Interface : int { model_exchange, co_simulation };
@@ -67,6 +68,7 @@ struct Run {
   typename Model::InputPaths paths{};                          ///< of inputs whose rates are not given
   double slope[Model::kInputs > 0 ? Model::kInputs : 1] = {};  ///< of inputs that go on by a rate that is no input
   Closed<Model> closed;                            ///< the last state whose loops were, where those of `state` are not
+  typename Model::Inputs accepted;                 ///< of the last point that an importer of model exchange accepted
   double start[Model::kStartParameters + 1] = {};  ///< parameters that act at the start; the last one is none
 };
 
@@ -103,8 +105,9 @@ struct Core {
   typename Model::State solved{};          ///< loops closed
   typename Model::Derivative derivative{};
   typename Model::Outputs outputs{};
-  Status status;    ///< of the solver's last call
-  Refusal refusal;  ///< of the last call of the importer's that was refused
+  Status status;            ///< of the solver's last call
+  Refusal refusal;          ///< of the last call of the importer's that was refused or had a warning
+  bool has_warned = false;  ///< of rates that were left out
 };
 
 template <class Model>
@@ -157,7 +160,7 @@ bool choose(const Closed<Model>& at, Choice<Model>& choice) noexcept {
 /// Inputs as they are now: between steps at the end of the last one.
 template <class Model>
 typename Model::Inputs current_inputs(const Run<Model>& run) noexcept {
-  return (run.mode & (kStep | kTerminated)) != 0 ? run.paths.now(run.inputs) : run.inputs;
+  return (run.mode & (kStep | kIntermediate | kTerminated)) != 0 ? run.paths.now(run.inputs) : run.inputs;
 }
 
 /// To be called before anything changes that the loops depend on.
@@ -228,11 +231,7 @@ void restart(Core<Model>& core) noexcept {
   core.run = {};
   core.run.interface = interface;
   core.run.choice = frozen_choice<Model>();
-  for (int i = 0; i < Model::kCoordinates; ++i) {
-    core.run.state.z[i] = Model::kInitialZ[i];
-    core.run.state.zd[i] = Model::kInitialZd[i];
-  }
-  for (int i = 0; i < Model::kAuxiliaryStates; ++i) core.run.state.x[i] = Model::kInitialX[i];
+  core.run.state = Model::initial_state();
   for (int i = 0; i < Model::kStartParameters; ++i) core.run.start[i] = Model::kStartParameter[i];
   core.is_solved = false;
 }
