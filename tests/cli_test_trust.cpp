@@ -212,7 +212,7 @@ TEST_F(Trust, TimeIsTheStepsNumberTimesTheStep) {
     EXPECT_NE(run.out.find("(12001 rows, every step)"), std::string::npos) << run.out;
     const Table all = table("o.csv");
     ASSERT_EQ(all.rows.size(), 12001u);
-    for (std::size_t k = 0; k < all.rows.size(); ++k) ASSERT_EQ(all.rows[k][0], static_cast<double>(k) * 1e-3);
+    for (std::size_t k = 0; k < all.rows.size(); ++k) ASSERT_EQ(all.rows[k][0], static_cast<double>(k) / 1000);
     EXPECT_NE(mbgen(simulate + " --every 5000").out.find("(4 rows, every 5000 steps and the last)"), std::string::npos);
     EXPECT_EQ(table("o.csv").rows.back()[0], 12.0);
   }

@@ -11,6 +11,7 @@
 #include "compiler/cli/files.hpp"
 #include "compiler/cli/options.hpp"
 #include "compiler/cli/paper_tables.hpp"
+#include "compiler/cli/set_parameters.hpp"
 #include "compiler/cli/states_file.hpp"
 #include "compiler/cli/user_error.hpp"
 
@@ -19,6 +20,7 @@ namespace {
 
 struct BenchOptions {
   std::string model, form, states;
+  std::vector<std::string> set;
   long evaluations = kPaperEvaluations;
   EngineArguments engine;
   int lanes = 0;
@@ -62,7 +64,8 @@ int run(const BenchOptions& options) {
   if (options.evaluations < 1) {
     throw UserError(fmt::format("--evaluations: must be positive, found {}\n", options.evaluations));
   }
-  const Compilation compilation = expect(compile(options.model, chosen_form(options.form)));
+  const Compilation compilation =
+      expect(compile(read_set_model(options.model, options.set), chosen_form(options.form)));
   const std::vector<double> inputs = input_values(compilation.model, options.engine.inputs);
   std::vector<Engine> engines;
   for (const EngineChoice& choice : choices(options.engine.choice, options.lanes)) {
@@ -100,8 +103,9 @@ void add_bench(NamedCommand application, int& exit_code) {
   add_model_argument(command, options->model);
   command.add_option("--states", options->states, "file of states as for evaluate (default: random consistent ones)");
   command.add_option("--evaluations", options->evaluations,
-                     fmt::format("of each engine (default: {}, as in the paper)", kPaperEvaluations));
+                      fmt::format("of each engine (default: {}, as in the paper)", kPaperEvaluations));
   add_batch_option(command, options->lanes);
+  add_set_option(command, options->set);
   add_run_options(command, options->engine);
   add_form_option(command, options->form);
   add_json_option(command, options->json);

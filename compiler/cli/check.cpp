@@ -5,7 +5,6 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
-#include "compiler/analysis/unheld.hpp"
 #include "compiler/cli/commands.hpp"
 #include "compiler/cli/dump.hpp"
 #include "compiler/cli/files.hpp"
@@ -13,6 +12,7 @@
 #include "compiler/cli/json_text.hpp"
 #include "compiler/cli/notes.hpp"
 #include "compiler/cli/options.hpp"
+#include "compiler/cli/set_parameters.hpp"
 #include "compiler/cli/user_error.hpp"
 #include "compiler/compile.hpp"
 
@@ -21,6 +21,7 @@ namespace {
 
 struct CheckOptions {
   std::string model, dump;
+  std::vector<std::string> set;
   bool json = false;
 };
 
@@ -30,22 +31,21 @@ struct Findings {
 };
 
 /// What is wrong with the model or the state that it starts from, or what there is to say of them.
-Findings findings_of(const std::string& file) {
-  const Result<Compilation> compilation = decide(file);
-  if (!compilation) return {compilation.problems(), {}};
-  const Model& model = compilation->model;
-  Findings findings{{}, all_notes(*compilation)};
-  findings.bodies = static_cast<int>(model.bodies.size()) - (model.ground >= 0 ? 1 : 0);
-  findings.freedoms = compilation->analysis.degrees_of_freedom;
-  findings.driven = static_cast<int>(model.motions.size());
-  for (Diagnostic& note : unheld_motions(model, compilation->topology, compilation->analysis))
-    findings.notes.push_back(std::move(note));
-  const Initial& initial = compilation->model.initial;
-  if (!initial.equilibrium && initial.positions.empty() && initial.velocities.empty()) return findings;
+Findings findings_of(const CheckOptions& options) {
+  Findings findings;
   try {
-    const Start start = initial_start(*compilation, input_values(compilation->model, {}));
-    for (Diagnostic& note : moved_notes(*compilation, start.moved)) findings.notes.push_back(std::move(note));
+    const Compilation compilation = expect(decide(read_set_model(options.model, options.set)));
+    const Model& model = compilation.model;
+    findings.notes = all_notes(compilation);
+    findings.bodies = static_cast<int>(model.bodies.size()) - (model.ground >= 0 ? 1 : 0);
+    findings.freedoms = compilation.analysis.degrees_of_freedom;
+    findings.driven = static_cast<int>(model.motions.size());
+    const Initial& initial = model.initial;
+    if (!initial.equilibrium && initial.positions.empty() && initial.velocities.empty()) return findings;
+    const Start start = initial_start(compilation, input_values(model, {}));
+    for (Diagnostic& note : moved_notes(compilation, start.moved)) findings.notes.push_back(std::move(note));
   } catch (const UserError& error) {
+    if (error.problems().empty()) throw;
     findings.problems = error.problems();
   }
   return findings;
@@ -53,18 +53,17 @@ Findings findings_of(const std::string& file) {
 
 int run(const CheckOptions& options) {
   if (!options.dump.empty()) {
-    print(dump_stage(options.model, options.dump));
+    print(dump_stage(options.model, options.set, options.dump));
     return kDone;
   }
-  const auto [problems, notes, bodies, freedoms, driven] = findings_of(options.model);
+  const auto [problems, notes, bodies, freedoms, driven] = findings_of(options);
   if (options.json) {
     nlohmann::ordered_json report = {{"model", options.model}, {"ok", problems.empty()}};
     if (problems.empty()) report.update({{"bodies", bodies}, {"freedoms", freedoms}, {"driven", driven}});
     report["problems"] = diagnostics_json(problems);
     report["notes"] = diagnostics_json(notes);
     print(json_text(report));
-  } else if (problems.empty()) {
-    print_notes(notes);
+  } else if (print_notes(notes); problems.empty()) {
     print(fmt::format("{}: ok\n  bodies {}, freedoms {}, of them driven {}, notes {}\n", options.model, bodies,
                       freedoms, driven, notes.size()));
   } else {
@@ -88,6 +87,7 @@ void add_check(NamedCommand application, int& exit_code) {
       "and how\n"
       "far initial values that do not fit together are moved.");
   add_model_argument(command, options->model);
+  add_set_option(command, options->set);
   add_json_option(command, options->json);
   add_dump_option(command, options->dump);
   command.callback([options, &exit_code] { exit_code = run(*options); });

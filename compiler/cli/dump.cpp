@@ -9,6 +9,7 @@
 #include "compiler/cli/dump_model.hpp"
 #include "compiler/cli/initial_state.hpp"
 #include "compiler/cli/names.hpp"
+#include "compiler/cli/set_parameters.hpp"
 #include "compiler/cli/user_error.hpp"
 #include "compiler/compile.hpp"
 
@@ -94,12 +95,13 @@ const std::vector<std::string>& dump_stages() {
   return stages;
 }
 
-std::string dump_stage(const std::string& path, const std::string& stage) {
+std::string dump_stage(const std::string& path, const std::vector<std::string>& set, const std::string& stage,
+                       std::optional<Form> form) {
   const std::vector<std::string>& stages = dump_stages();
   if (std::find(stages.begin(), stages.end(), stage) == stages.end()) {
     throw UserError(fmt::format("--dump: no stage \"{}\"; there are: {}\n", stage, fmt::join(stages, ", ")));
   }
-  const Model model = expect(read_model_file(path));
+  const Model model = read_set_model(path, set);
   if (stage == "model") return dump_model(model);
   const Topology topology = expect(build_topology(model));
   if (stage == "topology") return dump_topology(topology);
@@ -110,7 +112,7 @@ std::string dump_stage(const std::string& path, const std::string& stage) {
   Programs programs = trace(model, topology, analysis);
   if (stage == "program") return dump_programs(programs);
   programs = optimise(std::move(programs));
-  take_form(programs, {});
+  take_form(programs, form);
   if (stage == "optimised") return dump_programs(programs);
   const Compilation compilation{model, topology, analysis, std::move(programs)};
   const std::optional<InitialState> start = known_start(compilation);

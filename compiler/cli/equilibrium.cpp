@@ -8,6 +8,7 @@
 #include "compiler/cli/commands.hpp"
 #include "compiler/cli/files.hpp"
 #include "compiler/cli/json_text.hpp"
+#include "compiler/cli/notes.hpp"
 #include "compiler/cli/operating_point.hpp"
 #include "compiler/cli/options.hpp"
 #include "compiler/cli/set_parameters.hpp"
@@ -80,6 +81,7 @@ void write_start(const EquilibriumOptions& options, const Compilation& compilati
 
 int run(const EquilibriumOptions& options) {
   const Compilation compilation = expect(decide(read_set_model(options.model, options.set)));
+  count_notes(compilation);
   const Equilibrium found = find(compilation, input_values(compilation.model, options.inputs));
   if (!options.file.empty()) write_start(options, compilation, found);
   print(options.json ? json_text(equilibrium_json(compilation, found)) : equilibrium_text(compilation, found));

@@ -8,6 +8,7 @@
 
 #include "compiler/cli/engine.hpp"
 #include "compiler/cli/user_error.hpp"
+#include "compiler/model/evaluate.hpp"
 #include "mbgen/pac2002.hpp"
 
 namespace mbgen::cli {
@@ -101,9 +102,46 @@ void add_tyre_causes(const Model& model, std::vector<std::string>& causes) {
   }
 }
 
+/// Numbers of a model in a state at rest.
+struct AtRest {
+  const Compilation& compilation;
+  const std::vector<double>& inputs;
+  const GenericState& state;
+  double parameter(int i) const { return compilation.model.parameters[static_cast<std::size_t>(i)].value; }
+  double input(int i) const { return inputs[static_cast<std::size_t>(i)]; }
+  double time() const { return state.t; }
+  double position(const CoordinateReference& at) const {
+    const int i = tree_coordinate(compilation.topology, at);
+    return i < 0 ? 0 : state.z[static_cast<std::size_t>(i)];
+  }
+  double velocity(const CoordinateReference&) const { return 0; }
+  double local(int) const { return 0; }
+};
+
+/// Joint forces on the coordinate that accelerates most, and of models with tyres forces along the road, which nothing
+/// that rolls withstands, as far as they act at rest.
+void add_drives(const AtRest& rest, int index, std::vector<std::string>& causes) {
+  const Model& model = rest.compilation.model;
+  const auto value = [&](const Quantity& quantity) { return evaluate<double>(quantity, model.expressions, rest); };
+  for (const JointForce& force : model.joint_forces) {
+    const double now = value(force.force);
+    if (now == 0 || tree_coordinate(rest.compilation.topology, force.joint) != index) continue;
+    const TreeBody& body = rest.compilation.topology.bodies[static_cast<std::size_t>(index)];
+    causes.push_back(fmt::format("joint force {} drives {} by {:.4g} {} at rest", force.name, body.coordinate, now,
+                                 body.kind == FreedomKind::prismatic ? "N" : "N m"));
+  }
+  for (const AppliedForce& force : model.forces) {
+    const double along = std::hypot(value(force.force[0]), value(force.force[1]));
+    if (model.tyres.empty() || !(along > 0)) continue;
+    causes.push_back(fmt::format("force {} pushes body {} along the road by {:.4g} N at rest", force.name,
+                                 model.bodies[static_cast<std::size_t>(force.at.body)].name, along));
+  }
+}
+
 /// The usual causes whose signs are there; the coordinate with the largest acceleration is told by `index`.
-std::vector<std::string> causes_of(const Compilation& compilation, int index, double acceleration,
+std::vector<std::string> causes_of(const AtRest& rest, int index, double acceleration,
                                    const std::vector<double>& loads) {
+  const Compilation& compilation = rest.compilation;
   const Model& model = compilation.model;
   std::vector<std::string> causes;
   const double up = model.gravity[2].value;
@@ -113,11 +151,7 @@ std::vector<std::string> causes_of(const Compilation& compilation, int index, do
   if (!loads.empty() && none_loaded)
     causes.push_back("no tyre touches the road: see road_height and the start position");
   if (index < 0) return causes;
-  for (const JointForce& force : model.joint_forces) {
-    if (force.force.value == 0 || tree_coordinate(compilation.topology, force.joint) != index) continue;
-    causes.push_back(fmt::format("joint force {} drives {} at rest", force.name,
-                                 compilation.topology.bodies[static_cast<std::size_t>(index)].coordinate));
-  }
+  add_drives(rest, index, causes);
   const bool falls = compilation.topology.bodies[static_cast<std::size_t>(index)].kind == FreedomKind::prismatic &&
                      std::abs(acceleration) > kFalls * std::abs(up);
   if (causes.empty() && falls) {
@@ -141,7 +175,7 @@ void fail_equilibrium(const Compilation& compilation, const std::vector<double>&
                            coordinate_text(compilation, static_cast<std::size_t>(index), acceleration, "/s^2"));
   }
   message += moved_text(compilation, start, last) + loads_text(compilation.model, loads);
-  const std::vector<std::string> causes = causes_of(compilation, index, acceleration, loads);
+  const std::vector<std::string> causes = causes_of({compilation, inputs, last}, index, acceleration, loads);
   throw UserError(Diagnostics{
       {{compilation.model.file, 0, 0, ""}, message, fmt::format("{}", fmt::join(causes, "\n  hint: ")), ""}});
 }

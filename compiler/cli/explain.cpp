@@ -6,6 +6,7 @@
 #include "compiler/cli/explanation.hpp"
 #include "compiler/cli/files.hpp"
 #include "compiler/cli/options.hpp"
+#include "compiler/cli/set_parameters.hpp"
 #include "compiler/cli/user_error.hpp"
 
 namespace mbgen::cli {
@@ -13,10 +14,11 @@ namespace {
 
 struct ExplainOptions {
   std::string model, form;
+  std::vector<std::string> set;
 };
 
 int run(const ExplainOptions& options) {
-  print(explanation_text(expect(compile(options.model, chosen_form(options.form)))));
+  print(explanation_text(expect(compile(read_set_model(options.model, options.set), chosen_form(options.form)))));
   return kDone;
 }
 
@@ -29,6 +31,7 @@ void add_explain(NamedCommand application, int& exit_code) {
       "Example: mbgen explain models/four_bar.json\n"
       "The same facts as tables and as JSON: mbgen inspect.");
   add_model_argument(command, options->model);
+  add_set_option(command, options->set);
   add_form_option(command, options->form);
   command.callback([options, &exit_code] { exit_code = run(*options); });
 }

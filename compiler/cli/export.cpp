@@ -18,6 +18,7 @@
 #include "compiler/cli/notes.hpp"
 #include "compiler/cli/options.hpp"
 #include "compiler/cli/own_directory.hpp"
+#include "compiler/cli/set_parameters.hpp"
 #include "compiler/cli/user_error.hpp"
 #include "compiler/cli/zip_archive.hpp"
 #include "compiler/compile.hpp"
@@ -50,7 +51,7 @@ constexpr const char* kThisPlatform = "aarch64-linux";
 
 struct ExportOptions {
   std::string model, form, file, depfile;
-  std::vector<std::string> platforms;
+  std::vector<std::string> platforms, set;
   int version = 0;
   bool sources_only = false, json = false;
 };
@@ -171,7 +172,8 @@ void pack(const fs::path& scratch, const fs::path& content, std::vector<std::str
 }
 
 int run(const ExportOptions& options) {
-  const Compilation compilation = expect(compile(options.model, chosen_form(options.form)));
+  const Compilation compilation =
+      expect(compile(read_set_model(options.model, options.set), chosen_form(options.form)));
   require_other_file(options.file, compilation.model.files);
   print_notes(compilation.model.notes);
   print_notes(renamed_notes(compilation.model));
@@ -226,12 +228,13 @@ void add_export(NamedCommand application, int& exit_code) {
   for (const Platform& platform : kPlatforms) names.emplace_back(platform.name);
   options->platforms = {kThisPlatform};
   command
-      .add_option("--platform", options->platforms,
-                  "machines that the unit has libraries for, by default this kind: x86_64-linux, aarch64-linux, "
-                  "x86_64-windows")
+      ->add_option("--platform", options->platforms,
+                   "machines that the unit has libraries for, by default this kind: x86_64-linux, aarch64-linux, "
+                   "x86_64-windows")
       .separated_by(',')
       .one_of(names);
   command.add_flag("--sources-only", options->sources_only, "leave the library out; needs no compiler");
+  add_set_option(command, options->set);
   add_depfile_option(command, options->depfile);
   add_form_option(command, options->form);
   add_json_option(command, options->json);

@@ -97,7 +97,7 @@ void require_range(const Compilation& compilation, const std::string& scalar) {
 
 int run(const GenerateOptions& options) {
   if (!options.dump.empty()) {
-    print(dump_stage(options.model, options.dump));
+    print(dump_stage(options.model, options.set, options.dump, chosen_form(options.form)));
     return kDone;
   }
   if (options.directory.empty()) throw UserError("generate: --out DIR is required\n");

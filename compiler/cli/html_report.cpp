@@ -22,6 +22,7 @@ namespace {
 
 struct HtmlReportOptions {
   std::string result, model, file;
+  std::vector<std::string> set;
 };
 
 /// What the run of a result says of its model. Fails: UserError when there is none, or it is of another table.
@@ -52,14 +53,23 @@ std::vector<std::string> strings_of(const nlohmann::json& array) {
   return strings;
 }
 
-/// The model of a result: the one asked for, else the one that the run names, unchanged since. Fails: UserError.
+/// Parameters that the command line of a run gave.
+std::vector<std::string> set_of(const nlohmann::json& run) {
+  const auto place = run.is_object() ? run.find("set") : run.end();
+  return run.is_object() && place != run.end() && place->is_array() ? strings_of(*place) : std::vector<std::string>();
+}
+
+/// The model of a result: the one asked for, else the one that the run names, unchanged since, with the parameters that
+/// were asked for, else those of the run. Fails: UserError.
 Model model_of(const Results& results, const HtmlReportOptions& options) {
-  if (!options.model.empty()) return expect(read_model_file(options.model));
+  if (!options.model.empty()) {
+    const nlohmann::json run = nlohmann::json::parse(results.run, nullptr, false);
+    return read_set_model(options.model, options.set.empty() ? set_of(run) : options.set);
+  }
   const nlohmann::json run = run_of(results, options.result);
   const std::filesystem::path directory = std::filesystem::path(options.result).parent_path();
   const std::string file = (directory / run["model_file"].get<std::string>()).lexically_normal().string();
-  const nlohmann::json set = run.value("set", nlohmann::json::array());
-  Model model = read_set_model(file, set.is_array() ? strings_of(set) : std::vector<std::string>());
+  Model model = read_set_model(file, set_of(run));
   if (model.hash == run["model_hash"]) return model;
   throw UserError(fmt::format("{}: changed since {} was written; simulate again, or give --model to take it as it is\n",
                               model.file, options.result));
@@ -97,7 +107,9 @@ void add_report(NamedCommand application, int& exit_code) {
       "The page is one file that needs no network. A result says which model it is of, in FILE.run.json beside a CSV\n"
       "table and inside a MAT file; --model names it where that is missing or the model has changed.");
   command.add_option("RESULT", options->result, "what mbgen simulate wrote (CSV or MAT)").required();
-  command.add_option("--model", options->model, "the model (default: the one that the result names)");
+  const Option model =
+      command.add_option("--model", options->model, "the model (default: the one that the result names)");
+  add_set_option(command, options->set).needs(model);
   command.add_option("-o,--out", options->file, "the page; - for standard output").required();
   command.callback([options, &exit_code] { exit_code = run(*options); });
 }

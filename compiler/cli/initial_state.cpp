@@ -222,8 +222,8 @@ std::optional<InitialState> known_start(const Compilation& compilation) {
   try {
     return default_initial_state(compilation);
   } catch (const UserError& error) {
-    fmt::print(stderr, "{}generate: the solver is written without initial_state(): start from a state of your own\n",
-               error.text(Style::plain));
+    fmt::print(stderr, "{}{}: note: the solver is written without initial_state(): start from a state of your own\n",
+               error.text(Style::plain), compilation.model.file);
     return {};
   }
 }

@@ -9,6 +9,7 @@
 #include "compiler/cli/notes.hpp"
 #include "compiler/cli/options.hpp"
 #include "compiler/cli/report.hpp"
+#include "compiler/cli/set_parameters.hpp"
 #include "compiler/cli/user_error.hpp"
 #include "compiler/compile.hpp"
 #include "compiler/drawing/drawing.hpp"
@@ -21,16 +22,17 @@ constexpr int kMostBodiesCounted = 200;
 
 struct InspectOptions {
   std::string model, form, dump, svg;
+  std::vector<std::string> set;
   bool json = false;
 };
 
 int run(const InspectOptions& options) {
+  const std::optional<Form> form = chosen_form(options.form);
   if (!options.dump.empty()) {
-    print(dump_stage(options.model, options.dump));
+    print(dump_stage(options.model, options.set, options.dump, form));
     return kDone;
   }
-  const std::optional<Form> form = chosen_form(options.form);
-  Compilation compilation = expect(decide(options.model));
+  Compilation compilation = expect(decide(read_set_model(options.model, options.set)));
   if (!options.svg.empty()) {
     const std::string drawing = topology_svg(compilation.model, compilation.topology, compilation.analysis);
     require_other_file(options.svg, compilation.model.files);
@@ -56,6 +58,7 @@ void add_inspect(NamedCommand application, int& exit_code) {
       "Example: mbgen inspect models/coach_mechanism.json --json\n"
       "         mbgen inspect models/coach.json --svg coach.svg");
   add_model_argument(command, options->model);
+  add_set_option(command, options->set);
   add_form_option(command, options->form);
   add_json_option(command, options->json);
   command.add_option("--svg", options->svg, "draw the topology into this file; - for standard output");

@@ -12,8 +12,10 @@
 #include "compiler/cli/files.hpp"
 #include "compiler/cli/html_report.hpp"
 #include "compiler/cli/json_text.hpp"
+#include "compiler/cli/notes.hpp"
 #include "compiler/cli/operating_point.hpp"
 #include "compiler/cli/options.hpp"
+#include "compiler/cli/set_parameters.hpp"
 #include "compiler/cli/user_error.hpp"
 #include "compiler/report/report.hpp"
 
@@ -26,6 +28,7 @@ constexpr double kStill = 1e-9;  // rad/s or m/s, of a steady motion: rounding
 
 struct LinearizeOptions {
   std::string model, file, page;
+  std::vector<std::string> set;
   StateArguments state;
   bool json = false;
 };
@@ -194,7 +197,8 @@ void write_page(const LinearizeOptions& options, const Compilation& compilation,
 
 int run(const LinearizeOptions& options) {
   if (!options.page.empty()) require_report_page("--report");
-  const Compilation compilation = expect(compile(options.model));
+  const Compilation compilation = expect(compile(read_set_model(options.model, options.set)));
+  count_notes(compilation);
   const ChosenPoint chosen = operating_point(compilation, options.state);
   const OperatingPoint& point = chosen.point;
   LinearSystem system = expect(linearise(compilation, point));
@@ -224,6 +228,7 @@ void add_linearize(NamedCommand application, int& exit_code) {
       "closed. --json and --out give A, B, C, D, the eigenvalues and the mode shapes over all coordinates.\n"
       "--report writes a page that animates the mode shapes: one file that needs no network.");
   add_model_argument(command, options->model);
+  add_set_option(command, options->set);
   add_state_options(command, options->state);
   command.add_option("-o,--out", options->file, "write matrices and modes to this file, as --json prints them");
   command.add_option("--report", options->page, "write the modes as a page: list, animation, eigenvalues (HTML)");

@@ -4,6 +4,7 @@
 
 #include <iterator>
 
+#include "compiler/cli/number.hpp"
 #include "compiler/cli/simulation_text.hpp"
 #include "compiler/cli/user_error.hpp"
 
@@ -38,8 +39,9 @@ TableFormat table_format(const std::string& name, const std::string& file) {
 
 std::string run_file(const std::string& table) { return table + ".run.json"; }
 
-MotionTable::MotionTable(const std::string& path, TableFormat format, const Compilation& compilation, long every)
-    : path_(path), format_(format), file_(path), every_(every) {
+MotionTable::MotionTable(const std::string& path, TableFormat format, const Compilation& compilation, double step,
+                         long every)
+    : path_(path), format_(format), file_(path), decimals_(decimals_of(step)), every_(every) {
   for (Heading& heading : headings(compilation)) results_.columns.push_back({std::move(heading), {}});
   if (format_ == TableFormat::csv) file_.write(csv_header(results_.columns));
 }
@@ -71,7 +73,7 @@ void MotionTable::commit(const std::string& run) {
 }
 
 void MotionTable::write(const Sample& sample) {
-  const std::vector<double> row = table_row(sample);
+  const std::vector<double> row = table_row(sample, decimals_);
   if (format_ == TableFormat::csv) file_.write(csv_row(row));
   if (format_ == TableFormat::mat) {
     for (std::size_t c = 0; c < row.size(); ++c) results_.columns[c].values.push_back(row[c]);

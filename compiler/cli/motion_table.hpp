@@ -22,8 +22,8 @@ std::string run_file(const std::string& table);
 /// MAT, whose size stands in front, is kept in memory until the end.
 class MotionTable {
  public:
-  /// Fails: UserError, as AtomicFile.
-  MotionTable(const std::string& path, TableFormat format, const Compilation& compilation, long every);
+  /// step: of the motion, s. Fails: UserError, as AtomicFile.
+  MotionTable(const std::string& path, TableFormat format, const Compilation& compilation, double step, long every);
   void add(const Sample& sample);
   /// The last point is always written. Result: rows.
   long finish();
@@ -36,6 +36,7 @@ class MotionTable {
   TableFormat format_;
   AtomicFile file_;
   Results results_;  ///< the rows of a MAT file
+  int decimals_;     ///< of the step
   long every_;
   long rows_ = 0;
   bool is_written_ = true;

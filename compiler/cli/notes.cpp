@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "compiler/analysis/notes.hpp"
+#include "compiler/analysis/unheld.hpp"
 
 namespace mbgen::cli {
 
@@ -12,7 +13,17 @@ Diagnostics all_notes(const Compilation& compilation) {
   Diagnostics notes = compilation.model.notes;
   for (Diagnostic& note : analysis_notes(compilation.model, compilation.topology, compilation.analysis))
     notes.push_back(std::move(note));
+  for (Diagnostic& note : unheld_motions(compilation.model, compilation.topology, compilation.analysis))
+    notes.push_back(std::move(note));
   return notes;
+}
+
+void count_notes(const Compilation& compilation) {
+  const std::size_t count = all_notes(compilation).size();
+  if (count == 0) return;
+  const std::string& file = compilation.model.file;
+  fmt::print(stderr, "{0}: {1} on the model, mbgen check {0} prints {2}\n", file,
+             count == 1 ? "1 note" : fmt::format("{} notes", count), count == 1 ? "it" : "them");
 }
 
 std::string note_text(const Diagnostic& note) {

@@ -2,8 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <limits>
 
 #include "compiler/cli/user_error.hpp"
 
@@ -17,6 +19,19 @@ double parse_number(const std::string& text, const std::string& what) {
     throw UserError(fmt::format("{}: \"{}\" is not a finite number\n", what, text));
   }
   return value;
+}
+
+int decimals_of(double value) {
+  const std::string text = fmt::format("{}", value);
+  const std::size_t exponent = std::min(text.find('e'), text.size()), point = text.find('.');
+  const int digits = point < exponent ? static_cast<int>(exponent - point) - 1 : 0;
+  return std::max(0, digits - (exponent < text.size() ? std::stoi(text.substr(exponent + 1)) : 0));
+}
+
+double on_decimals(double value, int decimals) {
+  const double decimal = std::stod(fmt::format("{:.{}f}", value, decimals));
+  const double rounding = 2 * std::numeric_limits<double>::epsilon() * std::abs(value);
+  return std::abs(decimal - value) <= rounding ? decimal : value;
 }
 
 }  // namespace mbgen::cli

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <nlohmann/json.hpp>
 
 #include "compiler/cli/engine.hpp"
 #include "compiler/cli/equilibrium_trouble.hpp"
@@ -53,11 +54,35 @@ std::size_t chosen_row(const Results& results, const StateArguments& arguments) 
                               arguments.result, time.front(), time.back(), *arguments.time, *nearest));
 }
 
+/// Says when the result's run had other parameters, or the model has changed since.
+void note_other_model(const Compilation& compilation, const Results& results, const std::string& file) {
+  const nlohmann::json run = nlohmann::json::parse(results.run, nullptr, false);
+  if (!run.is_object() || run.value("model_hash", nlohmann::json()) == compilation.model.hash) return;
+  const nlohmann::json set = run.value("set", nlohmann::json::array());
+  std::string words;
+  for (const nlohmann::json& one : set) words += one.is_string() ? " --set " + one.get<std::string>() : std::string();
+  fmt::print(stderr, "{}: note: is of another model, or of other values of its parameters, than {} is now{}\n", file,
+             compilation.model.file, words.empty() ? "" : fmt::format("; it was simulated with{}", words));
+}
+
+/// The slips of tyres at a row, where the result has all of them.
+bool take_slips(const Compilation& compilation, const Results& results, std::size_t row, std::vector<double>& x) {
+  std::vector<double> found;
+  for (const std::string& name : auxiliary_state_names(compilation.model)) {
+    const int column = find_column(results, "x." + name);
+    if (column < 0) return false;
+    found.push_back(results.columns[static_cast<std::size_t>(column)].values[row]);
+  }
+  x = std::move(found);
+  return true;
+}
+
 /// A row of a result, made consistent; what a result does not hold is said.
 OperatingPoint point_of_result(const Compilation& compilation, const StateArguments& arguments,
                                const std::vector<double>& inputs) {
   const Results results = read_result_file(arguments.result);
   const std::size_t row = chosen_row(results, arguments);
+  note_other_model(compilation, results, arguments.result);
   GenericState state = reference_state(compilation);
   state.t = results.columns.front().values[row];
   const auto value = [&](const std::string& name) {
@@ -77,10 +102,9 @@ OperatingPoint point_of_result(const Compilation& compilation, const StateArgume
                                 describe(compilation, status)));
   }
   OperatingPoint point{state.z, state.zd, state.x, state.t, inputs};
-  settle_auxiliary(compilation, point);
-  if (!point.x.empty()) {
-    fmt::print(stderr, "{}: note: a result does not hold the slips of tyres: they are taken as settled\n",
-               arguments.result);
+  if (!take_slips(compilation, results, row, point.x)) {
+    settle_auxiliary(compilation, point);
+    fmt::print(stderr, "{}: note: has no slips of tyres, columns x.*: they are taken as settled\n", arguments.result);
   }
   if (!inputs.empty() && arguments.inputs.empty()) {
     fmt::print(stderr, "{}: note: a result does not hold the inputs: they have their defaults; --input sets them\n",

@@ -7,7 +7,6 @@
 #include "compiler/cli/hash.hpp"
 #include "compiler/cli/number.hpp"
 #include "compiler/cli/user_error.hpp"
-#include "compiler/model/varied.hpp"
 
 namespace mbgen::cli {
 namespace {
@@ -34,19 +33,15 @@ VariedParameter parameter_from(const Model& model, const std::string& assignment
 
 }  // namespace
 
-void add_set_option(NamedCommand command, std::vector<std::string>& assignments) {
-  command
+Option add_set_option(NamedCommand command, std::vector<std::string>& assignments) {
+  return command
       .add_option("--set", assignments,
                   "name=value of a model parameter, tunable or not, in place of the file's; may be repeated")
       .one_value_at_a_time();
 }
 
-Model read_set_model(const std::string& path, const std::vector<std::string>& assignments) {
-  Model model = expect(read_model_file(path));
-  if (assignments.empty()) return model;
+std::vector<VariedParameter> set_parameters(const Model& model, const std::vector<std::string>& assignments) {
   std::vector<VariedParameter> set;
-  Hash hash;
-  hash.add(model.hash);
   for (const std::string& assignment : assignments) {
     const VariedParameter parameter = parameter_from(model, assignment);
     const auto is_same = [&](const VariedParameter& other) { return other.name == parameter.name; };
@@ -56,6 +51,15 @@ Model read_set_model(const std::string& path, const std::vector<std::string>& as
     set.push_back(parameter);
   }
   std::sort(set.begin(), set.end(), [](const VariedParameter& a, const VariedParameter& b) { return a.name < b.name; });
+  return set;
+}
+
+Model read_set_model(const std::string& path, const std::vector<std::string>& assignments) {
+  Model model = expect(read_model_file(path));
+  if (assignments.empty()) return model;
+  const std::vector<VariedParameter> set = set_parameters(model, assignments);
+  Hash hash;
+  hash.add(model.hash);
   for (const VariedParameter& parameter : set) hash.add(fmt::format("{}={};", parameter.name, *parameter.value));
   model = expect(read_varied_model(path, set));
   model.hash = hash.text();

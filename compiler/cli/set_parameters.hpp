@@ -5,12 +5,16 @@
 #include <vector>
 
 #include "compiler/cli/command_line.hpp"
-#include "compiler/model/model.hpp"
+#include "compiler/model/varied.hpp"
 
 namespace mbgen::cli {
 
 /// --set
-void add_set_option(NamedCommand command, std::vector<std::string>& assignments);
+Option add_set_option(NamedCommand command, std::vector<std::string>& assignments);
+
+/// The parameters that the command line gives, in the order of their names; each stays tunable where it is. Fails:
+/// UserError as read_set_model.
+std::vector<VariedParameter> set_parameters(const Model& model, const std::vector<std::string>& assignments);
 
 /// The model of a file with parameters at other values: name=value, in place of those of the file, before anything is
 /// folded; what follows from them follows. Its hash is then that of file and values.

@@ -1,6 +1,7 @@
 // mbgen simulate: a motion, as a table in a file and a summary.
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <memory>
 
@@ -8,6 +9,7 @@
 #include "compiler/cli/files.hpp"
 #include "compiler/cli/initial_state.hpp"
 #include "compiler/cli/motion_table.hpp"
+#include "compiler/cli/names.hpp"
 #include "compiler/cli/notes.hpp"
 #include "compiler/cli/options.hpp"
 #include "compiler/cli/progress.hpp"
@@ -55,6 +57,18 @@ Run compute(const Compilation& compilation, const EngineChoice& choice, const In
   return run;
 }
 
+/// What to do where loops that a motion drives cannot follow it; empty for other ends.
+std::string hint_of_reach(const Compilation& compilation, Status status) {
+  if (status.code != Code::loop_not_closed && status.code != Code::loop_singular) return {};
+  const auto block = static_cast<std::size_t>(status.index);
+  if (status.index < 0 || block >= compilation.analysis.blocks.size()) return {};
+  const std::vector<std::string> driven =
+      local_names(compilation.topology, compilation.topology.blocks[block], compilation.analysis.blocks[block].driven);
+  if (driven.empty()) return {};
+  return fmt::format("the lengths in these loops let {} go no farther: change a length, or its motion",
+                     fmt::join(driven, ", "));
+}
+
 /// Warnings, and why there is no good result, on standard error.
 int tell(const SimulationRecord& record) {
   const StepVerdict& verdict = record.verdict;
@@ -67,7 +81,9 @@ int tell(const SimulationRecord& record) {
   }
   fmt::print(stderr, "simulate: stopped after t = {:.10g} s: {}; {} holds the motion up to there\n", summary.end_time,
              describe(record.compilation, summary.status), record.file);
-  if (!verdict.failure.empty()) fmt::print(stderr, "  hint: {}\n", verdict.failure);
+  const std::string hint =
+      verdict.failure.empty() ? hint_of_reach(record.compilation, summary.status) : verdict.failure;
+  if (!hint.empty()) fmt::print(stderr, "  hint: {}\n", hint);
   return kUserFault;
 }
 
@@ -80,11 +96,13 @@ int run(const SimulateOptions& options) {
   require_other_file(options.file, compilation.model.files);
   require_other_file(options.file, {options.simulation.input_table});
   if (options.every < 1) throw UserError(fmt::format("--every: must be positive, found {}\n", options.every));
+  count_notes(compilation);
   const SimulationSettings settings = settings_of(options.simulation, compilation.model.solver);
   const InputsOverTime inputs = inputs_of(compilation.model, options.engine.inputs, options.simulation);
   for (const std::string& warning : inputs.warnings) fmt::print(stderr, "{}", warning);
   choice.integrator = integrator_of(options.simulation.integrator, compilation.model.solver.integrator, choice.name);
-  MotionTable table(options.file, table_format(options.format, options.file), compilation, options.every);
+  MotionTable table(options.file, table_format(options.format, options.file), compilation, settings.step,
+                    options.every);
   const Run run = compute(compilation, choice, inputs, settings, table);
   const long rows = table.finish();
   const SimulationRecord record{compilation,   choice,      settings,  run.summary, options.file,      rows,

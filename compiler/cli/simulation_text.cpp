@@ -10,6 +10,7 @@
 #include "compiler/cli/input_table.hpp"
 #include "compiler/cli/json_text.hpp"
 #include "compiler/cli/names.hpp"
+#include "compiler/cli/number.hpp"
 
 namespace mbgen::cli {
 namespace {
@@ -19,8 +20,11 @@ using Json = nlohmann::ordered_json;
 /// What became of the run.
 std::string status_text(const SimulationRecord& record) {
   const SimulationSummary& summary = record.summary;
-  const bool blew_up = summary.status.ok() && !record.verdict.failure.empty();
-  return blew_up ? "values blew up" : describe(record.compilation, summary.status);
+  const StepVerdict& verdict = record.verdict;
+  if (!summary.status.ok()) return describe(record.compilation, summary.status);
+  if (!verdict.failure.empty()) return "values blew up";
+  if (verdict.warnings.empty()) return "ok";
+  return verdict.warnings.size() == 1 ? "1 warning" : fmt::format("{} warnings", verdict.warnings.size());
 }
 
 Json ranges_json(const std::vector<Range>& ranges, const auto& named) {
@@ -147,14 +151,15 @@ std::vector<Heading> headings(const Compilation& compilation) {
   for (const TreeBody& body : compilation.topology.bodies) {
     result.push_back({"zd." + body.coordinate, fmt::format("{}/s", unit_of(body.kind))});
   }
+  for (const std::string& name : auxiliary_state_names(compilation.model)) result.push_back({"x." + name, "m"});
   for (const Output& output : compilation.model.outputs) result.push_back({output.name, unit_or_one(output.unit)});
   result.push_back({"residual", "m"});
   return result;
 }
 
-std::vector<double> table_row(const Sample& sample) {
-  std::vector<double> row = {sample.state.t};
-  for (const auto* values : {&sample.state.z, &sample.state.zd, &sample.outputs.y}) {
+std::vector<double> table_row(const Sample& sample, int decimals) {
+  std::vector<double> row = {on_decimals(sample.state.t, decimals)};
+  for (const auto* values : {&sample.state.z, &sample.state.zd, &sample.state.x, &sample.outputs.y}) {
     row.insert(row.end(), values->begin(), values->end());
   }
   row.push_back(sample.residuals.position);

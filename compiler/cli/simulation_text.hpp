@@ -11,11 +11,11 @@
 
 namespace mbgen::cli {
 
-/// Names and units of all columns: t, coordinates, velocities, outputs, residual.
+/// Names and units of all columns: t, coordinates, velocities, slips of tyres, outputs, residual.
 std::vector<Heading> headings(const Compilation& compilation);
 
-/// The numbers of one point, in the order of the headings.
-std::vector<double> table_row(const Sample& sample);
+/// The numbers of one point, in the order of the headings. decimals: of the step; the time has no more of them.
+std::vector<double> table_row(const Sample& sample, int decimals);
 
 /// A finished simulation.
 struct SimulationRecord {

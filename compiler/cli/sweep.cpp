@@ -14,7 +14,9 @@
 #include "compiler/cli/commands.hpp"
 #include "compiler/cli/files.hpp"
 #include "compiler/cli/json_text.hpp"
+#include "compiler/cli/notes.hpp"
 #include "compiler/cli/progress.hpp"
+#include "compiler/cli/set_parameters.hpp"
 #include "compiler/cli/sweep_journal.hpp"
 #include "compiler/cli/sweep_parts.hpp"
 #include "compiler/cli/sweep_table.hpp"
@@ -47,8 +49,10 @@ void add_journals(const std::string& table, const std::string& words, CaseResult
 
 /// Computes cases in `jobs` threads, each result into the journal before it counts. Fails: as run_case and
 /// Journal::add, with the first failure once all threads have ended.
-void compute(const Study& study, const std::vector<long>& cases, int jobs, Journal& journal, CaseResults& results) {
+void compute(const Study& study, const std::vector<long>& cases, int jobs, bool tells_notes, Journal& journal,
+             CaseResults& results) {
   const StudySolver solver = prepare(study);
+  if (study.is_tuned && tells_notes) count_notes(solver.compilation);
   std::atomic<std::size_t> next{0};
   std::atomic<bool> is_stopped{false};
   std::exception_ptr failure;
@@ -128,6 +132,7 @@ std::vector<std::string> words_of(const SweepOptions& options) {
   };
   for (const std::string& text : study.vary) add("--vary", text);
   for (const std::string& text : study.metrics) add("--metric", text);
+  for (const std::string& text : study.set) add("--set", text);
   for (const std::string& text : study.engine.inputs) add("--input", text);
   if (study.simulation.duration) add("--duration", fmt::format("{}", *study.simulation.duration));
   if (study.simulation.step) add("--step", fmt::format("{}", *study.simulation.step));
@@ -202,7 +207,7 @@ int run(const SweepOptions& options) {
   if (is_first && !study.is_tuned) fmt::print(stderr, "sweep: each case is analysed anew: {}\n", study.why_not_tuned);
   if (is_first && before > 0) fmt::print(stderr, "sweep: {} of {} cases were done before\n", before, of_part);
   const int jobs = options.jobs > 0 ? options.jobs : rank ? 1 : processors();
-  if (!cases.empty()) compute(study, cases, jobs, journal, results);
+  if (!cases.empty()) compute(study, cases, jobs, is_first, journal, results);
   if (!options.part.empty()) {
     print(options.json ? json_text({{"part", options.part}, {"cases", of_part}})
                        : fmt::format("part {}: {} cases\n", options.part, of_part));
@@ -236,6 +241,7 @@ void add_sweep(NamedCommand application, int& exit_code) {
       .required()
       .one_value_at_a_time();
   command.add_option("-o,--out", options->file, "table of the results (CSV)").required();
+  add_set_option(command, study.set);
   add_simulation_options(command, study.simulation);
   command.add_option("--jobs", options->jobs, "cases at a time (default: one a processor; one a rank under mpirun)");
   const Option restart = command.add_flag("--restart", options->restart, "forget what was done before");

@@ -23,8 +23,8 @@ namespace {
 namespace fs = std::filesystem;
 
 // A journal is lines of text: this one with a description behind it, then one a case: hash of the rest of the line,
-// number of the case, values of the metrics, status.
-constexpr std::string_view kFirstLine = "mbgen sweep journal 1 ";
+// number of the case, values of the metrics, relative error of the energy, status.
+constexpr std::string_view kFirstLine = "mbgen sweep journal 2 ";
 
 [[noreturn]] void fail_to(const char* action, const fs::path& path) {
   throw UserError(fmt::format("{}: cannot {}: {}\n", path.string(), action, std::strerror(errno)));
@@ -39,7 +39,7 @@ std::string hash_of_line(const std::string& content) {
 std::string line_of(long index, const CaseResult& result) {
   std::string content = fmt::format("{} {}", index, result.metrics.size());
   for (const double value : result.metrics) content += fmt::format(" {}", value);
-  content += " " + result.status;
+  content += fmt::format(" {} {}", result.energy_error, result.status);
   return hash_of_line(content) + " " + content + "\n";
 }
 
@@ -52,11 +52,15 @@ void read_line(const std::string& line, CaseResults& results) {
   std::size_t count = 0;
   words >> index >> count;
   CaseResult result;
-  for (std::string word; result.metrics.size() < count && words >> word;) {
+  const auto number = [&words] {
+    std::string word;
     double value = 0;
+    words >> word;
     std::from_chars(word.data(), word.data() + word.size(), value);
-    result.metrics.push_back(value);
-  }
+    return value;
+  };
+  while (result.metrics.size() < count && words) result.metrics.push_back(number());
+  result.energy_error = number();
   words.get();
   std::getline(words, result.status);
   results[index] = std::move(result);

@@ -1,6 +1,7 @@
 #include "compiler/cli/sweep_study.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -11,6 +12,7 @@
 #include "compiler/cli/hash.hpp"
 #include "compiler/cli/initial_state.hpp"
 #include "compiler/cli/names.hpp"
+#include "compiler/cli/set_parameters.hpp"
 #include "compiler/cli/step_watch.hpp"
 #include "compiler/cli/user_error.hpp"
 
@@ -21,9 +23,11 @@ constexpr const char* kMetricOption = "--metric";
 
 std::string first_line(const std::string& text) { return text.substr(0, text.find('\n')); }
 
-/// The varied parameters. values: of all axes, or empty for those of the file.
-std::vector<VariedParameter> varied_parameters(const SweepGrid& grid, const std::vector<double>& values, bool tunable) {
-  std::vector<VariedParameter> varied;
+/// The parameters that a case reads otherwise than they are written. values: of all axes, or empty for those of the
+/// file.
+std::vector<VariedParameter> varied_parameters(const Study& study, const std::vector<double>& values, bool tunable) {
+  const SweepGrid& grid = study.grid;
+  std::vector<VariedParameter> varied = study.set;
   for (std::size_t a = 0; a < grid.axes.size(); ++a) {
     if (grid.axes[a].is_input) continue;
     VariedParameter parameter{grid.axes[a].name, std::nullopt, tunable};
@@ -35,8 +39,8 @@ std::vector<VariedParameter> varied_parameters(const SweepGrid& grid, const std:
 
 /// Lets the varied parameters be tunable, or finds out why they cannot.
 void choose_tuning(Study& study) {
-  const std::vector<VariedParameter> varied = varied_parameters(study.grid, {}, true);
-  if (varied.empty()) return;
+  const std::vector<VariedParameter> varied = varied_parameters(study, {}, true);
+  if (varied.size() == study.set.size()) return;
   Result<Model> model = read_varied_model(study.arguments.model, varied);
   if (model) {
     study.model = std::move(*model);
@@ -57,8 +61,14 @@ void choose_tuning(Study& study) {
   study.choice.name = "generic";
 }
 
-void check_inputs(const Study& study) {
+/// Fails: UserError for what is varied and given.
+void check_given_once(const Study& study) {
   for (const SweepAxis& axis : study.grid.axes) {
+    for (const VariedParameter& parameter : study.set) {
+      if (!axis.is_input && parameter.name == axis.name) {
+        throw UserError(fmt::format("--set {0}: --vary gives \"{0}\" its values\n", axis.name));
+      }
+    }
     for (const std::string& assignment : study.arguments.engine.inputs) {
       if (axis.is_input && assignment.substr(0, assignment.find('=')) == axis.name) {
         throw UserError(fmt::format("--input {0}: --vary gives \"{0}\" its values\n", axis.name));
@@ -161,7 +171,9 @@ CaseResult measured(const Study& study, const Compilation& compilation, const En
   const StepVerdict verdict = judge_step(compilation, study.choice.integrator, study.settings, summary,
                                          modes_near(compilation, start, inputs.at(0)));
   if (!verdict.failure.empty()) return failed(study, verdict.failure);
-  CaseResult result{"ok", evaluate(study.metrics, compilation.model.parameters, recorder.points())};
+  CaseResult result{"ok", evaluate(study.metrics, compilation.model.parameters, recorder.points()),
+                    summary.energy.relative_error()};
+  if (!verdict.warnings.empty()) result.status = fmt::format("warning: {}", fmt::join(verdict.warnings, "; "));
   for (std::size_t m = 0; m < result.metrics.size(); ++m) {
     if (std::isfinite(result.metrics[m])) continue;
     return failed(study, fmt::format("metric {} is {}", study.metrics.list[m].name, result.metrics[m]));
@@ -175,6 +187,8 @@ Study read_study(const StudyArguments& arguments) {
   Study study;
   study.arguments = arguments;
   study.model = expect(read_model_file(arguments.model));
+  study.set = set_parameters(study.model, arguments.set);
+  if (!study.set.empty()) study.model = expect(read_varied_model(arguments.model, study.set));
   study.grid = read_grid(arguments.vary, study.model);
   study.metrics = expect(read_metrics(arguments.metrics, study.model, kMetricOption));
   study.settings = settings_of(arguments.simulation, study.model.solver);
@@ -190,7 +204,7 @@ Study read_study(const StudyArguments& arguments) {
   }
   study.choice.integrator =
       integrator_of(arguments.simulation.integrator, study.model.solver.integrator, study.choice.name);
-  check_inputs(study);
+  check_given_once(study);
   study.warnings = inputs_of(study, study.model, study.grid.values_of(0)).warnings;
   choose_tuning(study);
   return study;
@@ -199,12 +213,14 @@ Study read_study(const StudyArguments& arguments) {
 std::string description(const Study& study) {
   using Json = nlohmann::ordered_json;
   const StudyArguments& arguments = study.arguments;
-  Json vary = Json::object();
+  Json vary = Json::object(), set = Json::object();
   for (const SweepAxis& axis : study.grid.axes) vary[axis.name] = axis.values;
+  for (const VariedParameter& parameter : study.set) set[parameter.name] = *parameter.value;
   Hash table;
   if (!arguments.simulation.input_table.empty()) table.add(read_text(arguments.simulation.input_table));
   const Json words = {{"mbgen", kMbgenVersion},
                       {"model", study.model.hash},
+                      {"set", set},
                       {"vary", vary},
                       {"metric", arguments.metrics},
                       {"steps", study.settings.steps},
@@ -230,7 +246,7 @@ StudySolver prepare(const Study& study) {
 
 CaseResult run_case(const Study& study, const StudySolver& solver, long index) {
   const std::vector<double> values = study.grid.values_of(index);
-  Result<Model> model = read_varied_model(study.arguments.model, varied_parameters(study.grid, values, study.is_tuned));
+  Result<Model> model = read_varied_model(study.arguments.model, varied_parameters(study, values, study.is_tuned));
   require_unchanged(study, model);
   try {
     const Compilation compilation = compilation_of_case(study, solver, expect(std::move(model)));

@@ -18,7 +18,7 @@ namespace mbgen::cli {
 /// A study as typed.
 struct StudyArguments {
   std::string model;
-  std::vector<std::string> vary, metrics;
+  std::vector<std::string> vary, metrics, set;
   SimulationArguments simulation;
   EngineArguments engine;
   bool has_engine = false;  ///< the engine was typed, not taken by default
@@ -27,7 +27,8 @@ struct StudyArguments {
 /// A study that was read and checked.
 struct Study {
   StudyArguments arguments;
-  Model model;  ///< as the file has it, but for the varied parameters: they are tunable where `is_tuned`
+  Model model;                       ///< with `set`; the varied parameters are tunable where `is_tuned`
+  std::vector<VariedParameter> set;  ///< parameters that all cases have at other values than the file
   SweepGrid grid;
   Metrics metrics;
   SimulationSettings settings;
@@ -39,9 +40,11 @@ struct Study {
 
 /// What came of one case.
 struct CaseResult {
-  std::string status;           ///< "ok", or one line that says why there are no values
-  std::vector<double> metrics;  ///< of all metrics; NaN unless the status is ok
-  bool is_ok() const { return status == "ok"; }
+  std::string status;  ///< "ok", "warning: " and what is wrong with the values, or why there are none; one line
+  std::vector<double> metrics;  ///< of all metrics; NaN where there are none
+  double energy_error = 0;      ///< of the motion, relative
+  bool is_warned() const { return status.starts_with("warning: "); }
+  bool has_values() const { return status == "ok" || is_warned(); }
 };
 
 using CaseResults = std::map<long, CaseResult>;

@@ -1,8 +1,10 @@
 #include "compiler/cli/sweep_table.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "compiler/cli/json_text.hpp"
@@ -32,7 +34,7 @@ Row row_of(const Study& study, long index, const CaseResult& result, const char*
   Row row{fmt::format("{}", index + 1)};
   for (const double value : study.grid.values_of(index)) row.push_back(fmt::format("{}", value));
   for (const double value : result.metrics) {
-    row.push_back(result.is_ok() ? fmt::format(fmt::runtime(format_string), value) : "");
+    row.push_back(result.has_values() ? fmt::format(fmt::runtime(format_string), value) : "");
   }
   row.push_back(result.status);
   return row;
@@ -58,10 +60,29 @@ std::string aligned(const std::vector<Row>& rows) {
   return text;
 }
 
+long warnings_of(const CaseResults& results) {
+  return std::count_if(results.begin(), results.end(), [](const auto& entry) { return entry.second.is_warned(); });
+}
+
+/// Of the cases with a warning the one whose energies are off the most, a line; nothing where none has one.
+std::string worst_text(const Study& study, const CaseResults& results) {
+  const std::pair<const long, CaseResult>* worst = nullptr;
+  for (const auto& entry : results) {
+    const bool is_worse =
+        worst == nullptr || std::abs(entry.second.energy_error) > std::abs(worst->second.energy_error);
+    if (entry.second.is_warned() && is_worse) worst = &entry;
+  }
+  if (worst == nullptr) return {};
+  std::vector<std::string> values;
+  const std::vector<double> at = study.grid.values_of(worst->first);
+  for (std::size_t a = 0; a < at.size(); ++a) values.push_back(fmt::format("{} = {}", study.grid.axes[a].name, at[a]));
+  return fmt::format("  the worst warning is that of case {}, {}\n", worst->first + 1, fmt::join(values, ", "));
+}
+
 }  // namespace
 
 long failures_of(const CaseResults& results) {
-  return std::count_if(results.begin(), results.end(), [](const auto& entry) { return !entry.second.is_ok(); });
+  return std::count_if(results.begin(), results.end(), [](const auto& entry) { return !entry.second.has_values(); });
 }
 
 std::string results_csv(const Study& study, const CaseResults& results) {
@@ -81,9 +102,11 @@ std::string results_text(const Study& study, const CaseResults& results, const s
     rows.push_back(row_of(study, index, result, "{:.6g}"));
   }
   if (is_long) rows.insert(rows.begin() + 1 + kShownRows / 2, Row(rows.front().size(), "..."));
-  const long failures = failures_of(results);
-  return aligned(rows) + fmt::format("\n{}: {} cases, {} failed, engine {}; table in {}\n", study.model.name,
-                                     results.size(), failures, study.choice.name, file);
+  const long warnings = warnings_of(results);
+  return aligned(rows) + fmt::format("\n{}: {} cases, {} failed, {}engine {}; table in {}\n{}", study.model.name,
+                                     results.size(), failures_of(results),
+                                     warnings > 0 ? fmt::format("{} with a warning, ", warnings) : "",
+                                     study.choice.name, file, worst_text(study, results));
 }
 
 std::string results_json(const Study& study, const CaseResults& results, const std::string& file) {
@@ -93,11 +116,12 @@ std::string results_json(const Study& study, const CaseResults& results, const s
   for (const Metric& metric : study.metrics.list) metrics.push_back(metric.name);
   for (const auto& [index, result] : results) {
     Json values = Json::array();
-    for (const double value : result.metrics) values.push_back(result.is_ok() ? Json(value) : Json());
+    for (const double value : result.metrics) values.push_back(result.has_values() ? Json(value) : Json());
     cases.push_back({{"case", index + 1},
                      {"values", study.grid.values_of(index)},
                      {"metrics", std::move(values)},
-                     {"status", result.status}});
+                     {"status", result.status},
+                     {"energy_error", result.has_values() ? Json(result.energy_error) : Json()}});
   }
   return json_text({{"model", study.model.name},
                     {"engine", study.choice.name},
@@ -105,6 +129,7 @@ std::string results_json(const Study& study, const CaseResults& results, const s
                     {"metrics", metrics},
                     {"cases", cases},
                     {"failed", failures_of(results)},
+                    {"warned", warnings_of(results)},
                     {"file", file}});
 }
 

@@ -170,7 +170,9 @@ void check_closure(Reader& reader, const Value& value, const JointFields& joint)
   if (distance > kClosureTolerance) {
     report(reader, *find(value, "to"),
            fmt::format("joint does not close at the reference, {} and {} are {:.6g} m apart",
-                       attachment_text(reader.model, joint.from), attachment_text(reader.model, joint.to), distance));
+                       attachment_text(reader.model, joint.from), attachment_text(reader.model, joint.to), distance),
+           "both points are at one place at the reference, where all coordinates are zero: move one, or give a body a "
+           "point there");
   }
 }
 

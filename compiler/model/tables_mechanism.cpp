@@ -248,7 +248,9 @@ std::span<const Field<JointFields>> fields<JointFields>() {
   static const std::array table = {
       field<F, &F::written_type>({.name = "type",
                                   .shape = Shape::word,
-                                  .doc = "freedoms of the joint",
+                                  .doc = "freedoms of the joint; a single one is the coordinate of the joint's name, "
+                                         "several add _tx, _ty, _tz along and _rx, _ry, _rz about their axes to it (of "
+                                         "a universal joint with axes that are no letters _r1, _r2)",
                                   .need = Need::required,
                                   .words = kJointTypes}),
       field<F, &F::from>({.name = "from",

@@ -117,6 +117,8 @@ Json table_json(const ReportSource& source) {
   std::map<std::string, std::string> quantities;
   for (const Output& output : source.model.outputs) quantities[output.name] = quantity_of(output);
   for (const Column& column : columns) {
+    const bool is_slip = column.heading.name.starts_with("x.");  // a state of the solver; outputs tell of tyres
+    if (is_slip) continue;
     describe(column, list.empty() ? "time" : group_of(column.heading.name));
     if (const auto found = quantities.find(column.heading.name); found != quantities.end()) {
       list.back()["quantity"] = found->second;
