@@ -165,6 +165,16 @@ TEST(Trace, ALongChainIsTracedInTheRecursiveFormAlone) {
   EXPECT_NEAR(static_cast<double>(of_160 - of_130), static_cast<double>(of_130 - of_100), 0.002 * (of_130 - of_100));
 }
 
+// Energies and outputs are summed along the tree: what is asked of a chain twice as long takes twice the operations.
+TEST(Trace, OutputsOfAChainGrowWithItsLength) {
+  const auto operations = [](int size) {
+    const Mechanism m = analysed(grown("chain", size));
+    return count_operations(trace(m.model, m.topology, m.analysis, Form::recursive).outputs).total();
+  };
+  const long of_20 = operations(20), of_40 = operations(40), of_60 = operations(60);
+  EXPECT_NEAR(static_cast<double>(of_60 - of_40), static_cast<double>(of_40 - of_20), 0.02 * (of_40 - of_20));
+}
+
 // Rings as large blocks: frozen accelerations in the matrix form against full pivoting.
 TEST(Trace, ARingOfFiftyJointsIsTracedInTheMatrixFormAlone) {
   for (const char* kind : {"ring", "spatial-ring"}) {
