@@ -6,7 +6,7 @@
 
 #include "compiler/passes/passes.hpp"
 #include "runtime/generic/block_factors.hpp"
-#include "tests/mechanism_support.hpp"
+#include "tests/reference_states.hpp"
 
 namespace mbgen {
 namespace {
@@ -145,6 +145,23 @@ TEST_P(EveryModel, MultipliersAndOutputsEqualThoseOfTheGenericRuntime) {
 
 INSTANTIATE_TEST_SUITE_P(Models, EveryModel, ::testing::ValuesIn(all_models()), test_name);
 INSTANTIATE_TEST_SUITE_P(Models, EveryModelWithLoops, ::testing::ValuesIn(models_with_loops()), test_name);
+
+// Locked and overconstrained blocks: both forms against the states of an independent solver.
+TEST(Trace, RefusedMechanismsHaveTheAccelerationsOfTheIndependentSolver) {
+  const std::string folder = "tests/data/refused/";
+  for (const std::string name :
+       {"m7", "k0_s20261127", "k0_s20261140", "k0_s20261160", "k0_s20261175", "k0_s20261198"}) {
+    const Mechanism mechanism = load(folder + name + ".json");
+    const std::vector<ReferenceState> states = reference_states(mechanism, folder + name + "_ref.json");
+    ASSERT_FALSE(states.empty()) << name;
+    const Programs programs = trace(mechanism.model, mechanism.topology, mechanism.analysis);
+    for (const Program& program : {programs.accelerations, programs.recursive_accelerations})
+      for (const ReferenceState& s : states) {
+        const Slots given = slots_of(s.state, s.tau);
+        EXPECT_LT(relative_error(run(program, mechanism, given).at("zdd"), s.zdd), 1e-8) << name << " " << program.name;
+      }
+  }
+}
 
 TEST(Trace, TwoRunsGiveTheSameProgram) {
   const Mechanism m = load("models/four_bar.json");
