@@ -100,6 +100,13 @@ bool costs_a_joint(const PartView& view, std::size_t s) {
   return (free.rowwise().norm().array() < kJointStill).any();
 }
 
+/// True when nothing moves and no axis is nearly parallel to the others: what is redundant was found to agree by then.
+bool is_structure(const Model& model, const Topology& topology, const PartView& view) {
+  if (!view.locked()) return false;
+  const std::optional<Misalignment> off = misaligned_joint(model, topology, view.part.loops);
+  return !off || off->angle >= kMeantParallel;
+}
+
 /// What is wrong with how a part is held; empty when nothing is. Where all equations are independent, only a position
 /// that they do not determine is wrong.
 std::string fault(NumericSystem& numbers, std::size_t b, const PartView& view, std::size_t s,
@@ -115,8 +122,9 @@ std::string fault(NumericSystem& numbers, std::size_t b, const PartView& view, s
   if (surplus && one_axis_locks(numbers.model(), topology, view))
     return "one axis " + (view.locked() ? "keeps " + loops_text(topology, loops) + " from moving"
                                         : "costs " + loops_text(topology, loops) + " a freedom");
-  // What is redundant where nothing moves was found to agree.
-  const double least = view.locked() ? kHeld : surplus && costs_a_joint(view, s) ? kWeakLoop : kDoubtful;
+  const double least = is_structure(numbers.model(), topology, view)         ? kHeld
+                       : surplus && !view.locked() && costs_a_joint(view, s) ? kWeakLoop
+                                                                             : kDoubtful;
   if (view.margin(view.best()) >= least) return "";
   const std::string names = loops_text(topology, loops);
   if (view.locked()) return fmt::format("{} cannot move but {} barely held", names, loops.size() == 1 ? "is" : "are");
