@@ -74,7 +74,33 @@ Result<Compilation> decide(const std::string& path) {
   return decide(std::move(*model));
 }
 
+namespace {
+
+/// Parts of a model that have a title of their own in its programs.
+std::size_t titles_of(const Compilation& c) {
+  const Model& m = c.model;
+  return c.topology.bodies.size() + c.topology.loops.size() + c.topology.blocks.size() + m.bodies.size() +
+         m.springs.size() + m.air_springs.size() + m.joint_springs.size() + m.frictions.size() + m.joint_forces.size() +
+         m.forces.size() + 2 * m.tyres.size() + m.motions.size() + m.outputs.size();
+}
+
+/// The refusal of a model with more parts than a program tells apart.
+Diagnostics too_many_parts(const Compilation& c) {
+  const std::size_t titles = titles_of(c);
+  if (titles <= kMostTitles) return {};
+  Where whole_file;
+  whole_file.file = c.model.file;
+  return {{whole_file,
+           fmt::format("the solver of this model is too large to be written: {} bodies, joints, loops, force elements "
+                       "and outputs, at most {} are written",
+                       titles, kMostTitles),
+           "simulate it with --engine generic, which writes nothing, or make the model smaller", ""}};
+}
+
+}  // namespace
+
 Diagnostics too_large(const Compilation& c, std::optional<Form> form) {
+  if (Diagnostics problems = too_many_parts(c); !problems.empty()) return problems;
   const auto [matrix, recursive] = least_operations(c.topology, c.analysis);
   const double least = !form ? std::min(matrix, recursive) : *form == Form::matrix ? matrix : recursive;
   if (least <= kMostOperations) return {};

@@ -109,7 +109,9 @@ TEST(InputPaths, LeaveGivenRatesAlone) {
     EXPECT_EQ(at.angle, inputs.angle);
     EXPECT_EQ(at.rate, inputs.rate);
     EXPECT_EQ(at.acceleration, 0);
-    if (k >= 5) EXPECT_TRUE(are_same(at, inputs)) << "a rate that was given stays given where it is zero";
+    if (k >= 5) {
+      EXPECT_TRUE(are_same(at, inputs)) << "a rate that was given stays given where it is zero";
+    }
     EXPECT_TRUE(are_same(told.of_step(inputs, kStep), inputs));
     EXPECT_TRUE(are_same(told.now(inputs), inputs));
     EXPECT_FALSE(told.moves(inputs));

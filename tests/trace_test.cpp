@@ -6,7 +6,7 @@
 
 #include "compiler/passes/passes.hpp"
 #include "runtime/generic/block_factors.hpp"
-#include "tests/mechanism_support.hpp"
+#include "tests/reference_states.hpp"
 
 namespace mbgen {
 namespace {
@@ -146,6 +146,23 @@ TEST_P(EveryModel, MultipliersAndOutputsEqualThoseOfTheGenericRuntime) {
 INSTANTIATE_TEST_SUITE_P(Models, EveryModel, ::testing::ValuesIn(all_models()), test_name);
 INSTANTIATE_TEST_SUITE_P(Models, EveryModelWithLoops, ::testing::ValuesIn(models_with_loops()), test_name);
 
+// Locked and overconstrained blocks: both forms against the states of an independent solver.
+TEST(Trace, RefusedMechanismsHaveTheAccelerationsOfTheIndependentSolver) {
+  const std::string folder = "tests/data/refused/";
+  for (const std::string name :
+       {"m7", "k0_s20261127", "k0_s20261140", "k0_s20261160", "k0_s20261175", "k0_s20261198"}) {
+    const Mechanism mechanism = load(folder + name + ".json");
+    const std::vector<JudgedState> states = reference_states(mechanism, folder + name + "_ref.json");
+    ASSERT_FALSE(states.empty()) << name;
+    const Programs programs = trace(mechanism.model, mechanism.topology, mechanism.analysis);
+    for (const Program& program : {programs.accelerations, programs.recursive_accelerations})
+      for (const JudgedState& s : states) {
+        const Slots given = slots_of(s.state, s.tau);
+        EXPECT_LT(relative_error(run(program, mechanism, given).at("zdd"), s.zdd), 1e-8) << name << " " << program.name;
+      }
+  }
+}
+
 TEST(Trace, TwoRunsGiveTheSameProgram) {
   const Mechanism m = load("models/four_bar.json");
   const Programs first = trace(m.model, m.topology, m.analysis), second = trace(m.model, m.topology, m.analysis);
@@ -163,6 +180,16 @@ TEST(Trace, ALongChainIsTracedInTheRecursiveFormAlone) {
   const long of_100 = operations(100), of_130 = operations(130), of_160 = operations(160);
   // offsets between rounded coordinates are equal or not: a few operations fold or do not
   EXPECT_NEAR(static_cast<double>(of_160 - of_130), static_cast<double>(of_130 - of_100), 0.002 * (of_130 - of_100));
+}
+
+// Energies and outputs are summed along the tree: what is asked of a chain twice as long takes twice the operations.
+TEST(Trace, OutputsOfAChainGrowWithItsLength) {
+  const auto operations = [](int size) {
+    const Mechanism m = analysed(grown("chain", size));
+    return count_operations(trace(m.model, m.topology, m.analysis, Form::recursive).outputs).total();
+  };
+  const long of_20 = operations(20), of_40 = operations(40), of_60 = operations(60);
+  EXPECT_NEAR(static_cast<double>(of_60 - of_40), static_cast<double>(of_40 - of_20), 0.02 * (of_40 - of_20));
 }
 
 // Rings as large blocks: frozen accelerations in the matrix form against full pivoting.

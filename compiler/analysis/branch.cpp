@@ -14,6 +14,8 @@ using Eigen::VectorXd;
 
 constexpr double kBranchStep = 0.05;    // rad, or times the lever arm: too short to reach another assembly mode
 constexpr double kShortestShare = 0.1;  // of a step: where that cannot be closed the walk ends
+constexpr double kLongestStraight = 2;  // steps that a place is away from the one before
+constexpr double kLongestTurn = 4;      // the same where branches meet and the freedom is between them
 constexpr int kWalks = 3;               // in different directions, each in both senses
 constexpr int kStepsOfWalk = 20;
 constexpr int kStepsApart = 5;  // of the places that are kept
@@ -29,8 +31,8 @@ std::vector<BlockPart> parts_of(const Topology& topology, const LoopBlock& block
 /// Walks of one block; the others stay at the reference.
 class BranchWalk {
  public:
-  BranchWalk(NumericSystem& numbers, std::size_t b, const std::vector<ClosureEquation>& equations)
-      : numbers_(numbers), b_(b), equations_(equations), closing_(numbers.topology().blocks.size()) {
+  BranchWalk(NumericSystem& numbers, std::size_t b, const std::vector<ClosureEquation>& equations, Newton newton)
+      : numbers_(numbers), b_(b), equations_(equations), newton_(newton), closing_(numbers.topology().blocks.size()) {
     const LoopBlock& block = numbers.topology().blocks[b];
     whole_ = block_part(numbers.topology(), block, block.loops);
     closing_[b].resize(block.equations);
@@ -63,13 +65,14 @@ class BranchWalk {
     const double length = direction.size() == 0 ? 0.0 : direction.cwiseAbs().maxCoeff();
     if (!(length > 0)) return false;
     direction /= length;
+    const double longest = newton_ == Newton::damped ? kLongestTurn : kLongestStraight;
     for (double size = kBranchStep; size > kShortestShare * kBranchStep; size /= 2) {
       std::vector<double> z = here.z;
       move(block, view, size * direction, z);
-      Configuration there = close_equations(numbers_, std::move(z), closing_);
+      Configuration there = close_equations(numbers_, std::move(z), closing_, newton_);
       int coordinate = 0;
       const double moved = distance(block, view, here.z, there.z, coordinate);
-      if (!there.closed[b_] || moved < size / 2 || moved > 2 * size) continue;
+      if (!there.closed[b_] || moved < size / 2 || moved > longest * size) continue;
       here = std::move(there);
       return true;
     }
@@ -79,6 +82,7 @@ class BranchWalk {
   NumericSystem& numbers_;
   std::size_t b_;
   const std::vector<ClosureEquation>& equations_;
+  Newton newton_;
   std::vector<std::vector<int>> closing_;  // all equations of this block
   BlockPart whole_;
 };
@@ -94,14 +98,16 @@ void replace(std::size_t b, const std::vector<Configuration>& places, std::vecto
   }
 }
 
-/// Ranks of a block above that of its branch; empty when the reference, or a walk from it, has them all.
+/// Ranks of a block above that of its branch; empty when the reference, or a walk from it, has them all. Where no
+/// plain step leaves the reference, branches may meet there, and the walk goes on along one of them.
 std::vector<RankCount> keep_block(NumericSystem& numbers, std::size_t b, const std::vector<ClosureEquation>& equations,
                                   std::vector<Configuration>& configurations) {
   const std::vector<BlockPart> parts = parts_of(numbers.topology(), numbers.topology().blocks[b]);
   std::vector<PartView> seen;
   for (const BlockPart& part : parts) seen.push_back(view(numbers, b, part, equations, configurations));
   if (std::all_of(seen.begin(), seen.end(), [](const PartView& v) { return v.ranks[0] == v.rank; })) return {};
-  const std::vector<Configuration> places = BranchWalk(numbers, b, equations).places(configurations[0]);
+  std::vector<Configuration> places = BranchWalk(numbers, b, equations, Newton::full).places(configurations[0]);
+  if (places.empty()) places = BranchWalk(numbers, b, equations, Newton::damped).places(configurations[0]);
   bool others = false;
   std::vector<int> above;
   for (std::size_t p = 0; p < parts.size(); ++p) {

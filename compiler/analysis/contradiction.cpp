@@ -20,7 +20,8 @@ constexpr double kIdentity = 1e-9;    // what rounding leaves of an equation tha
 constexpr double kWeakLoop = 0.01;    // margin of a loop that moves but for a joint, with equations to spare
 constexpr double kJointStill = 1e-6;  // share of a freedom below which a joint has none, as in certificate.cpp
 constexpr int kFlatRank = 2;          // what closing a loop of a flat linkage takes
-constexpr double kDoubtful = 1e-4;    // margin of all others: what points of 4 digits leave of a redundant equation
+constexpr double kDoubtful = 1e-4;  // margin of others that move: what points of 4 digits leave of a redundant equation
+constexpr double kHeld = 1e-6;      // margin where nothing is in doubt: closed to 1e-11, the position is sure to 1e-5
 
 /// The direction in which a part with one equation less moves: the one that its weakest equation hinders least.
 VectorXd easiest_direction(const MatrixXd& jacobian, const std::vector<int>& kept, int rank) {
@@ -99,8 +100,15 @@ bool costs_a_joint(const PartView& view, std::size_t s) {
   return (free.rowwise().norm().array() < kJointStill).any();
 }
 
-/// What is wrong with how a part is held; empty when nothing is. Where all equations are independent, only a rank that
-/// is in doubt is wrong.
+/// True when nothing moves and no axis is nearly parallel to the others: what is redundant was found to agree by then.
+bool is_structure(const Model& model, const Topology& topology, const PartView& view) {
+  if (!view.locked()) return false;
+  const std::optional<Misalignment> off = misaligned_joint(model, topology, view.part.loops);
+  return !off || off->angle >= kMeantParallel;
+}
+
+/// What is wrong with how a part is held; empty when nothing is. Where all equations are independent, only a position
+/// that they do not determine is wrong.
 std::string fault(NumericSystem& numbers, std::size_t b, const PartView& view, std::size_t s,
                   const std::vector<double>& start) {
   const Topology& topology = numbers.topology();
@@ -114,7 +122,9 @@ std::string fault(NumericSystem& numbers, std::size_t b, const PartView& view, s
   if (surplus && one_axis_locks(numbers.model(), topology, view))
     return "one axis " + (view.locked() ? "keeps " + loops_text(topology, loops) + " from moving"
                                         : "costs " + loops_text(topology, loops) + " a freedom");
-  const double least = surplus && !view.locked() && costs_a_joint(view, s) ? kWeakLoop : kDoubtful;
+  const double least = is_structure(numbers.model(), topology, view)         ? kHeld
+                       : surplus && !view.locked() && costs_a_joint(view, s) ? kWeakLoop
+                                                                             : kDoubtful;
   if (view.margin(view.best()) >= least) return "";
   const std::string names = loops_text(topology, loops);
   if (view.locked()) return fmt::format("{} cannot move but {} barely held", names, loops.size() == 1 ? "is" : "are");

@@ -19,8 +19,13 @@ std::string motion_text(const Topology& topology, const Opening& opening, const 
                      equation.unit == ResidualUnit::metre ? " m" : "");
 }
 
-std::string advice(const Model& model, const std::optional<Misalignment>& off) {
+std::string advice(const Model& model, const std::optional<Misalignment>& off, bool second_order) {
   const std::string rest = "; what is meant to be rigid takes fixed joints";
+  if (!off && second_order)
+    return "what stands so bears no load: move a point or change a length, so that the equations hinder every motion "
+           "or "
+           "none" +
+           rest;
   if (!off) return "make the points and axes of the joints agree, or use joints with fewer equations" + rest;
   const std::string& name = model.joints[off->joint].name;
   if (off->kind == FreedomKind::revolute)
@@ -64,7 +69,8 @@ Diagnostic refusal(const Model& model, const Topology& topology, const std::vect
   const Where& where = off               ? model.joints[off->joint].where
                        : opened.rod >= 0 ? model.rods[opened.rod].where
                                          : model.joints[opened.joint].where;
-  return {where, fault + ", and " + motion_text(topology, opening, equation), advice(model, off), {}};
+  return {
+      where, fault + ", and " + motion_text(topology, opening, equation), advice(model, off, opening.second_order), {}};
 }
 
 }  // namespace mbgen

@@ -18,10 +18,11 @@ constexpr double kJump = 1e-5;
 
 /// How far an equation opened on a finite motion.
 struct Opening {
-  int equation = 0;     ///< row of the block
-  double residual = 0;  ///< m or 1
-  int coordinate = 0;   ///< tree index of the coordinate that moved most
-  double motion = 0;    ///< of it, rad or m
+  int equation = 0;           ///< row of the block
+  double residual = 0;        ///< m or 1
+  int coordinate = 0;         ///< tree index of the coordinate that moved most
+  double motion = 0;          ///< of it, rad or m
+  bool second_order = false;  ///< it opens with the square of the motion: nothing hinders the first bit of it
 };
 
 /// Changes the joints of a part by `direction` (free of units, per column of the part).

@@ -13,6 +13,7 @@ namespace {
 
 constexpr int kMostSteps = 40;
 constexpr double kLongestStep = 0.3;  // rad or m per Newton step and coordinate
+constexpr double kLeastDamping = 1e-14;
 
 Environment<double> default_environment(const Model& model, const Topology& topology) {
   Environment<double> e;
@@ -57,7 +58,14 @@ Eigen::MatrixXd BlockSample::part(const std::vector<int>& rows, const std::vecto
 }
 
 Eigen::VectorXd residual_left(const Configuration& configuration, std::size_t b) {
-  return configuration.residuals[b] + configuration.blocks[b].jacobian * configuration.corrections[b];
+  const BlockSample& block = configuration.blocks[b];
+  const Eigen::VectorXd& correction = configuration.corrections[b];
+  if (block.sparse.empty()) return configuration.residuals[b] + block.jacobian * correction;
+  Eigen::VectorXd left = configuration.residuals[b];
+  for (std::size_t r = 0; r < block.sparse.size(); ++r)
+    for (std::size_t i = 0; i < block.sparse[r].columns.size(); ++i)
+      left[static_cast<Eigen::Index>(r)] += block.sparse[r].values[i] * correction[block.sparse[r].columns[i]];
+  return left;
 }
 
 void evaluate_closures(NumericSystem& numbers, Configuration& configuration) {
@@ -106,7 +114,7 @@ Eigen::VectorXd sparse_newton_step(const SparseRows& jacobian, const Eigen::Vect
 
 /// Least-squares Newton step of one block towards its chosen equations.
 Eigen::VectorXd newton_step(const Configuration& configuration, std::size_t b, std::size_t coordinates,
-                            const std::vector<int>& equations) {
+                            const std::vector<int>& equations, Newton newton) {
   if (const SparseRows& sparse = configuration.blocks[b].sparse; !sparse.empty()) {
     if (equations.empty() || !configuration.residuals[b].allFinite())
       return Eigen::VectorXd::Zero(static_cast<Eigen::Index>(coordinates));
@@ -114,13 +122,19 @@ Eigen::VectorXd newton_step(const Configuration& configuration, std::size_t b, s
   }
   const Eigen::MatrixXd jacobian = configuration.blocks[b].jacobian(equations, Eigen::all);
   if (equations.empty() || !configuration.residuals[b].allFinite()) return Eigen::VectorXd::Zero(jacobian.cols());
+  if (newton == Newton::damped) {
+    const double damping = std::max(configuration.residuals[b](equations).norm(), kLeastDamping);
+    Eigen::MatrixXd normal = jacobian.transpose() * jacobian;
+    normal.diagonal().array() += damping;
+    return solved(normal, -jacobian.transpose() * configuration.residuals[b](equations));
+  }
   return least_squares(jacobian, -configuration.residuals[b](equations), 1e-9);
 }
 
 }  // namespace
 
 Configuration close_equations(NumericSystem& numbers, std::vector<double> start,
-                              const std::vector<std::vector<int>>& equations) {
+                              const std::vector<std::vector<int>>& equations, Newton newton) {
   Configuration configuration;
   configuration.z = std::move(start);
   const Topology& topology = numbers.topology();
@@ -135,7 +149,8 @@ Configuration close_equations(NumericSystem& numbers, std::vector<double> start,
     for (std::size_t b = 0; b < topology.blocks.size(); ++b) {
       if (const double here = open(b); here < kClosed * 1e-3 || !std::isfinite(here)) continue;
       moved[b] = true;
-      Eigen::VectorXd correction = newton_step(configuration, b, topology.blocks[b].joints.size(), equations[b]);
+      Eigen::VectorXd correction =
+          newton_step(configuration, b, topology.blocks[b].joints.size(), equations[b], newton);
       if (const double length = largest(correction); length > kLongestStep) correction *= kLongestStep / length;
       for (std::size_t c = 0; c < topology.blocks[b].joints.size(); ++c)
         configuration.z[topology.blocks[b].joints[c]] += correction[c];
@@ -143,7 +158,8 @@ Configuration close_equations(NumericSystem& numbers, std::vector<double> start,
   }
   for (std::size_t b = 0; b < topology.blocks.size(); ++b) {
     configuration.closed.push_back(open(b) < kClosed);
-    configuration.corrections.push_back(newton_step(configuration, b, topology.blocks[b].joints.size(), equations[b]));
+    configuration.corrections.push_back(
+        newton_step(configuration, b, topology.blocks[b].joints.size(), equations[b], newton));
   }
   return configuration;
 }

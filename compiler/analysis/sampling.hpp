@@ -52,7 +52,7 @@ class NumericSystem {
   System<double> system_;
 };
 
-/// Residuals of a small block, to first order, after the step that would come next: what closing some of its equations
+/// Residuals of a block, to first order, after the step that would come next: what closing some of its equations
 /// only to kClosed leaves of the others is taken out.
 Eigen::VectorXd residual_left(const Configuration& configuration, std::size_t b);
 
@@ -61,11 +61,16 @@ void evaluate_closures(NumericSystem& numbers, Configuration& configuration);
 /// The same of the blocks whose coordinates moved since (per block): no closure sees the coordinates of another block.
 void evaluate_closures(NumericSystem& numbers, Configuration& configuration, const std::vector<bool>& moved);
 
+/// Steps towards closed loops. Damped ones, by the size of the residual, also reach places about which the rank drops,
+/// as a branch does where it meets another one; large blocks take none. Source: J. Fan, Y. Yuan, "On the quadratic
+/// convergence of the Levenberg-Marquardt method without nonsingularity assumption", Computing 74, 2005.
+enum class Newton { full, damped };
+
 /// Closes the chosen equations of each block (local rows, ascending; none: the block stays) from a start by
 /// least-squares Newton steps, largest residual kClosed; the steps of large blocks leave independent coordinates where
 /// they are. Driven coordinates move like the others.
 Configuration close_equations(NumericSystem& numbers, std::vector<double> start,
-                              const std::vector<std::vector<int>>& equations);
+                              const std::vector<std::vector<int>>& equations, Newton newton = Newton::full);
 
 /// The reference configuration first, then up to `wanted` more from deterministic random starts of growing distance.
 /// Large blocks walk from the reference along a mixture of their freedoms instead, there and back again, with the

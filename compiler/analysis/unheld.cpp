@@ -5,6 +5,8 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <utility>
 
 #include "compiler/algebra/dense.hpp"
 #include "compiler/analysis/sampling.hpp"
@@ -31,6 +33,11 @@ struct Twist {
 struct Scene {
   const Model& model;
   const Topology& topology;
+  std::map<std::pair<int, int>, int> coordinates;  ///< tree coordinate of each joint and component
+
+  Scene(const Model& m, const Topology& t) : model(m), topology(t) {
+    for (int i = 0; i < t.size(); ++i) coordinates[{t.bodies[i].joint, t.bodies[i].component}] = i;
+  }
 
   Vector3d at(const Attachment& end) const { return vector_of(reference_position(model, end)); }
   int carrier(int body) const { return topology.tree_body[body]; }
@@ -68,7 +75,9 @@ struct Scene {
   std::vector<double> holds(const JointGroup& group, const VectorXd& speeds) const {
     const std::vector<Twist> moved = twists(group, speeds);
     const auto speed = [&](const CoordinateReference& coordinate) {
-      const auto found = std::find(group.joints.begin(), group.joints.end(), tree_coordinate(topology, coordinate));
+      const auto known = coordinates.find({coordinate.joint, coordinate.component});
+      if (known == coordinates.end()) return 0.0;
+      const auto found = std::find(group.joints.begin(), group.joints.end(), known->second);
       return found == group.joints.end() ? 0.0 : speeds[found - group.joints.begin()];
     };
     std::vector<double> list;
@@ -147,6 +156,28 @@ void note_motion(const Scene& scene, const JointGroup& group, const VectorXd& sp
        {}});
 }
 
+/// Velocities of a group's joints (rows) in its free directions (columns).
+MatrixXd speeds_of(const std::vector<std::vector<double>>& rz) {
+  MatrixXd speeds(static_cast<Eigen::Index>(rz.size()), static_cast<Eigen::Index>(rz.front().size()));
+  for (Eigen::Index c = 0; c < speeds.rows(); ++c)
+    for (Eigen::Index q = 0; q < speeds.cols(); ++q)
+      speeds(c, q) = rz[static_cast<std::size_t>(c)][static_cast<std::size_t>(q)];
+  return speeds;
+}
+
+/// Mixtures (columns) of a group's free directions in which no element takes part.
+MatrixXd unheld_directions(const Scene& scene, const JointGroup& group, const MatrixXd& speeds) {
+  MatrixXd holds;
+  for (Eigen::Index q = 0; q < speeds.cols(); ++q) {
+    const std::vector<double> column = scene.holds(group, speeds.col(q));
+    holds.conservativeResize(static_cast<Eigen::Index>(column.size()), speeds.cols());
+    for (std::size_t i = 0; i < column.size(); ++i) holds(static_cast<Eigen::Index>(i), q) = column[i];
+  }
+  if (holds.rows() == 0 || !(holds.cwiseAbs().maxCoeff() > kNoMotion))
+    return MatrixXd::Identity(speeds.cols(), speeds.cols());
+  return kernel(holds, kNoMotion);
+}
+
 }  // namespace
 
 Diagnostics unheld_motions(const Model& model, const Topology& topology, const Analysis& analysis) {
@@ -156,29 +187,14 @@ Diagnostics unheld_motions(const Model& model, const Topology& topology, const A
   NumericSystem numbers(model, topology);
   System<double>& system = numbers.at(std::vector<double>(topology.bodies.size(), 0.0));
   const auto projections = frozen_directions(system, kinematics(system), analysis.blocks, analysis.driven);
-  const Scene scene{model, topology};
+  const Scene scene(model, topology);
   for (std::size_t g = 0; g < topology.groups.size(); ++g) {
     const JointGroup& group = topology.groups[g];
-    const auto& rz = projections[g].rz;
-    const auto rows = static_cast<Eigen::Index>(rz.size());
-    const auto directions = static_cast<Eigen::Index>(rz.front().size());
     const bool is_free = model.joints[topology.bodies[group.joints[0]].joint].type == JointType::free;
-    if (directions == 0 || (group.block < 0 && is_free)) continue;
-    MatrixXd speeds(rows, directions);
-    for (Eigen::Index c = 0; c < rows; ++c) {
-      for (Eigen::Index q = 0; q < directions; ++q) speeds(c, q) = rz[c][q];
-    }
+    if (projections[g].rz.front().empty() || (group.block < 0 && is_free)) continue;
+    const MatrixXd speeds = speeds_of(projections[g].rz);
     if (!speeds.allFinite()) continue;
-    MatrixXd holds;
-    for (Eigen::Index q = 0; q < directions; ++q) {
-      const std::vector<double> column = scene.holds(group, speeds.col(q));
-      holds.conservativeResize(static_cast<Eigen::Index>(column.size()), directions);
-      for (std::size_t i = 0; i < column.size(); ++i) holds(static_cast<Eigen::Index>(i), q) = column[i];
-    }
-    MatrixXd unheld = MatrixXd::Identity(directions, directions);
-    if (holds.rows() > 0 && holds.cwiseAbs().maxCoeff() > kNoMotion) {
-      unheld = kernel(holds, kNoMotion);
-    }
+    const MatrixXd unheld = unheld_directions(scene, group, speeds);
     for (Eigen::Index q = 0; q < unheld.cols(); ++q)
       note_motion(scene, group, speeds * unheld.col(q).normalized(), notes);
   }

@@ -9,7 +9,9 @@ namespace {
 
 using Eigen::VectorXd;
 
-constexpr double kOtherMode = 1e-6;     // m or 1: no equation that holds about the reference opens so far on its branch
+constexpr double kOtherMode = 1e-6;  // m or 1: no equation that holds about the reference opens so far on its branch
+constexpr double kSecondOrder =
+    0.03;  // share of a residual left on a step of an eighth: 1/64 where it grows with the square
 constexpr double kNearSingular = 0.01;  // share of the best margin below which a configuration is no place to step
 
 /// A block can step at view index `s`: something is redundant, something moves, and the place is regular. Large blocks
@@ -38,8 +40,9 @@ VectorXd redundant_part(const Configuration& at, std::size_t b, const std::vecto
 
 /// Notes what the redundant equations of a block show after a step, unless the step did not come out as asked.
 void note(const LoopBlock& block, const PartView& view, const std::vector<double>& from, const VectorXd& residual,
-          const std::vector<double>& to, Watch& watch, Opening& worst) {
+          const std::vector<double>& to, bool second_order, Watch& watch, Opening& worst) {
   Opening here;
+  here.second_order = second_order;
   const double length = distance(block, view, from, to, here.coordinate);
   if (length < kStep / 2 || length > 2 * kStep) return;
   ++watch.steps;
@@ -81,25 +84,29 @@ std::vector<Watch> watch_redundant(NumericSystem& numbers, const std::vector<Par
     for (std::size_t b : stepping) {
       if (!to.closed[b]) continue;
       const VectorXd residuals = opened(to, b);
+      bool second_order = false;
       if (residuals.maxCoeff() > kContradiction) {
         std::vector<double> nearer = from.z;
         move(topology.blocks[b], views[b], ways[b] / 8, nearer);
         const Configuration near = close_equations(numbers, std::move(nearer), closing);
-        if (near.closed[b] && opened(near, b).maxCoeff() < kJump * residuals.maxCoeff()) continue;
+        const double left = near.closed[b] ? opened(near, b).maxCoeff() / residuals.maxCoeff() : 1.0;
+        if (left < kJump) continue;
+        second_order = left < kSecondOrder;
       }
       // What the reference shows to agree, and a random start does not by far, is another assembly mode.
       const bool agrees = watches[b].steps > 0 && seen[b] > 1 && watches[b].residual.maxCoeff() <= kContradiction;
       if (agrees && residuals.maxCoeff() > kOtherMode) continue;
-      note(topology.blocks[b], views[b], from.z, residuals, to.z, watches[b], worst[b]);
+      note(topology.blocks[b], views[b], from.z, residuals, to.z, second_order, watches[b], worst[b]);
     }
   }
   for (std::size_t b = 0; b < views.size(); ++b) {
     if (!(worst[b].residual > kContradiction)) continue;
     const ClosureEquation& equation = equations[b][worst[b].equation];
-    watches[b].problems.push_back(
-        refusal(numbers.model(), topology, {equation.loop},
-                "redundant equations of " + loops_text(topology, {equation.loop}) + " contradict the others", worst[b],
-                equation));
+    const std::string names = loops_text(topology, {equation.loop});
+    const std::string fault = worst[b].second_order ? "the position of " + names +
+                                                          " is singular: its equations hinder all but the first motion"
+                                                    : "redundant equations of " + names + " contradict the others";
+    watches[b].problems.push_back(refusal(numbers.model(), topology, {equation.loop}, fault, worst[b], equation));
   }
   return watches;
 }

@@ -228,7 +228,7 @@ void add_export(NamedCommand application, int& exit_code) {
   for (const Platform& platform : kPlatforms) names.emplace_back(platform.name);
   options->platforms = {kThisPlatform};
   command
-      ->add_option("--platform", options->platforms,
+      .add_option("--platform", options->platforms,
                    "machines that the unit has libraries for, by default this kind: x86_64-linux, aarch64-linux, "
                    "x86_64-windows")
       .separated_by(',')

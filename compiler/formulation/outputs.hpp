@@ -144,29 +144,58 @@ std::vector<T> output_values(System<T>& system, const SolvedState<T>& s) {
   return values;
 }
 
-/// Kinetic and gravitational energy, and the power of everything else that is applied.
+namespace detail {
+
+/// First moment of all mass about the origin of ground, in its axes, kg m. Cost: linear, from what (50) summed from the
+/// leaves; rods of the blocks on ground are not in those sums, see inertias().
+template <class T>
+Vector<T> first_moment(const System<T>& system, const Kinematics<T>& k, const Inertias<T>& m) {
+  Vector<T> moment;
+  for (int i = 0; i < system.topology.size(); ++i)
+    if (system.topology.bodies[i].parent == kGround) moment = moment + m.base[i].moment;
+  for (const LoopBlock& block : system.topology.blocks)
+    for (int l : block.loops) {
+      const Loop& loop = system.topology.loops[l];
+      if (loop.kind != ClosureKind::rod || block.base != kGround) continue;
+      const RodConstants<T>& rod = system.constants.rods[loop.rod];
+      const Vector<T> ends = position_in(system, k, rod.from, kGround) + position_in(system, k, rod.to, kGround);
+      moment = moment + rod.coupling * ends;
+    }
+  return moment;
+}
+
+/// Twice the kinetic energy of what the ends of the rods share, J, each in the frame of its block.
+template <class T>
+T twice_the_energy_of_couplings(const System<T>& system, const SolvedState<T>& s) {
+  T twice(0.0);
+  for (const LoopBlock& block : system.topology.blocks)
+    for (int l : block.loops) {
+      const Loop& loop = system.topology.loops[l];
+      if (loop.kind != ClosureKind::rod) continue;
+      const RodConstants<T>& rod = system.constants.rods[loop.rod];
+      const Vector<T> from = velocity_in(system, s.kinematics, s.velocities, rod.from, block.base);
+      const Vector<T> to = velocity_in(system, s.kinematics, s.velocities, rod.to, block.base);
+      twice = twice + T(2.0) * rod.coupling * dot(from, to);
+    }
+  return twice;
+}
+
+}  // namespace detail
+
+/// Kinetic and gravitational energy, and the power of everything else that is applied. Cost: linear.
 template <class T>
 Energies<T> energies(System<T>& system, const SolvedState<T>& s, const Inertias<T>& m, const std::vector<T>& tau,
                      const std::vector<int>& driven) {
   Energies<T> e;
-  const Constants<T>& c = system.constants;
   T twice(0.0);
   for (int i = 0; i < system.topology.size(); ++i) {
     const Spatial<T> velocity = velocity_of(system, s.velocities, i);
     const Vector<T> v = velocity_at(velocity, m.body[i].com);
     twice = twice + m.body[i].mass * dot(v, v) + dot(velocity.angular, m.body[i].central * velocity.angular);
-    const Vector<T> com = position_in(system, s.kinematics, Place<T>{i, c.com[i]}, kGround);
-    e.potential = e.potential - c.mass[i] * dot(c.gravity, com);
     e.power = e.power + dot(s.forces.wrench[i], velocity) + (tau[i] + s.forces.joint[i]) * system.zd(i);
   }
-  for (const RodConstants<T>& rod : c.rods) {
-    const Vector<T> from = velocity_in(system, s.kinematics, s.velocities, rod.from, kGround);
-    const Vector<T> to = velocity_in(system, s.kinematics, s.velocities, rod.to, kGround);
-    twice = twice + T(2.0) * rod.coupling * dot(from, to);
-    const Vector<T> middle =
-        position_in(system, s.kinematics, rod.from, kGround) + position_in(system, s.kinematics, rod.to, kGround);
-    e.potential = e.potential - rod.coupling * dot(c.gravity, middle);
-  }
+  twice = twice + detail::twice_the_energy_of_couplings(system, s);
+  e.potential = -dot(system.constants.gravity, detail::first_moment(system, s.kinematics, m));
   for (std::size_t g = 0; g < driven.size(); ++g) e.power = e.power + s.drive_forces[g] * system.zd(driven[g]);
   e.kinetic = T(0.5) * twice;
   return e;

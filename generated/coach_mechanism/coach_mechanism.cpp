@@ -14855,41 +14855,34 @@ struct OutputsWork {
   double
       sines[22], cosines[22], r_chassis_aux3_z, R_chassis_aux5_x_x, R_chassis_aux5_y_x,
       R_chassis_x_y, R_chassis_x_z, R_chassis_y_y, R_chassis_y_z, R_chassis_z_y, R_chassis_z_z,
-      r_wheel_front_left_x, r_wheel_front_left_y, r_wheel_front_left_z, r_wheel_front_right_x,
-      r_wheel_front_right_y, r_wheel_front_right_z, r_wheel_rear_left_x, r_wheel_rear_left_y,
-      r_wheel_rear_left_z, r_wheel_rear_right_x, r_wheel_rear_right_y, r_wheel_rear_right_z, s1_83,
-      s1_85, s1_95, s1_112, s1_117, s1_160, s1_162, s1_172, s1_178, s1_187, s1_189, s1_197, s1_216,
-      s1_221, s1_264, s1_266, s1_274, s1_282, s1_290, s1_293, s1_301, s1_308, s1_313, s1_320,
-      s1_324, s1_364, s1_368, s1_375, s1_377, s1_385, s1_387, s1_390, s1_393, s1_396, s1_398,
-      s1_400, s1_403, s1_406, s1_409, s1_410, s1_411, s1_412, s1_413, s1_416, s1_417, s1_420,
-      s1_423, s1_426, s1_427, s1_428, s1_431, s1_434, s1_437, s1_443, s1_447, s1_448, s1_450,
-      s1_452, s1_454, s1_455, s1_460, s1_461, s1_462, s1_466, s1_467, s1_468, s1_469, s1_470,
-      s1_471, s1_472, s1_473, s1_474, s1_475, s1_476, s1_477, v_chassis_x, v_chassis_y, v_chassis_z,
-      w_chassis_x, w_chassis_y, w_chassis_z, v_lower_arm_left_y, v_lower_arm_left_z,
-      w_lower_arm_left_x, v_carrier_left_x, v_carrier_left_y, v_carrier_left_z, w_carrier_left_x,
-      w_carrier_left_y, w_carrier_left_z, v_wheel_front_left_x, v_wheel_front_left_y,
-      v_wheel_front_left_z, w_wheel_front_left_x, w_wheel_front_left_y, w_wheel_front_left_z,
-      v_upper_arm_left_y, v_upper_arm_left_z, w_upper_arm_left_x, v_arb_front_left_x,
-      v_arb_front_left_z, w_arb_front_left_y, v_lower_arm_right_y, v_lower_arm_right_z,
-      w_lower_arm_right_x, v_carrier_right_x, v_carrier_right_y, v_carrier_right_z,
-      w_carrier_right_x, w_carrier_right_y, w_carrier_right_z, v_wheel_front_right_x,
-      v_wheel_front_right_y, v_wheel_front_right_z, w_wheel_front_right_x, w_wheel_front_right_y,
-      w_wheel_front_right_z, v_upper_arm_right_y, v_upper_arm_right_z, w_upper_arm_right_x,
-      v_arb_front_right_x, v_arb_front_right_z, w_arb_front_right_y, v_pitman_arm_x, v_pitman_arm_z,
-      w_pitman_arm_y, v_bell_crank_y, w_bell_crank_z, v_rear_axle_x, v_rear_axle_y, v_rear_axle_z,
-      w_rear_axle_x, w_rear_axle_y, w_rear_axle_z, v_wheel_rear_left_x, v_wheel_rear_left_y,
-      v_wheel_rear_left_z, w_wheel_rear_left_x, w_wheel_rear_left_y, w_wheel_rear_left_z,
-      v_arb_rear_left_x, v_arb_rear_left_z, w_arb_rear_left_y, v_wheel_rear_right_x,
-      v_wheel_rear_right_y, v_wheel_rear_right_z, w_wheel_rear_right_x, w_wheel_rear_right_y,
-      w_wheel_rear_right_z, v_arb_rear_right_x, v_arb_rear_right_z, w_arb_rear_right_y, s7_2, s7_4,
-      s7_5, s7_6, s7_7, s7_9, s7_11, s7_13, s7_16, s7_19, s7_22, s7_23, s7_24, s7_25, s7_27, s7_29,
-      s7_31, s7_32, s7_33, s7_34, s7_37, s7_40, s7_43, s7_46, s7_49, s7_52, s7_53, s7_54, s7_55,
-      s7_57, s7_59, s7_61, s7_62, s7_63, s7_64, s7_65, s7_66, s7_67, s7_69, s7_71, s7_73, s7_76,
-      s7_79, s7_82, s7_84, s7_86, s7_89, s7_92, s7_95, s7_98, s7_100, s7_102, s7_105;
+      R_carrier_left_aux1_y_x, R_carrier_left_aux1_z_x, r_carrier_left_aux1_y,
+      r_carrier_left_aux1_z, b_carrier_left_rz_x, s1_10, s1_11, s1_13, R_carrier_left_aux2_y_y,
+      R_carrier_left_aux2_z_y, b_carrier_left_rx_x, b_carrier_left_rx_y, b_carrier_left_rx_z,
+      R_carrier_left_x_x, R_carrier_left_x_z, R_carrier_left_y_x, R_carrier_left_y_z,
+      R_carrier_left_z_x, R_carrier_left_z_z, b_carrier_left_ry_x, s1_27, b_carrier_left_ry_z,
+      r_wheel_front_left_x, r_wheel_front_left_y, r_wheel_front_left_z, b_wheel_front_left_x, s1_34,
+      b_wheel_front_left_z, R_carrier_right_aux1_y_x, R_carrier_right_aux1_z_x,
+      r_carrier_right_aux1_y, s1_39, b_carrier_right_rz_x, s1_41, s1_42, s1_44,
+      R_carrier_right_aux2_y_y, R_carrier_right_aux2_z_y, b_carrier_right_rx_x, s1_51,
+      b_carrier_right_rx_z, R_carrier_right_x_x, R_carrier_right_x_z, R_carrier_right_y_x,
+      R_carrier_right_y_z, R_carrier_right_z_x, R_carrier_right_z_z, b_carrier_right_ry_x,
+      b_carrier_right_ry_y, b_carrier_right_ry_z, r_wheel_front_right_x, r_wheel_front_right_y,
+      r_wheel_front_right_z, b_wheel_front_right_x, s1_66, b_wheel_front_right_z,
+      r_rear_axle_aux1_x, r_rear_axle_aux3_z, R_rear_axle_aux5_x_x, R_rear_axle_aux5_y_x, s1_69,
+      s1_70, b_rear_axle_ry_z, R_rear_axle_x_y, R_rear_axle_x_z, R_rear_axle_y_y, R_rear_axle_y_z,
+      R_rear_axle_z_y, R_rear_axle_z_z, s1_75, b_rear_axle_rx_y, b_rear_axle_rx_z,
+      r_wheel_rear_left_x, r_wheel_rear_left_y, r_wheel_rear_left_z, b_wheel_rear_left_x,
+      b_wheel_rear_left_y, b_wheel_rear_left_z, r_wheel_rear_right_x, r_wheel_rear_right_y,
+      r_wheel_rear_right_z, b_wheel_rear_right_x, b_wheel_rear_right_y, b_wheel_rear_right_z, s1_86,
+      s1_88, s1_90, s1_91, s1_93, s1_98, s1_113, s1_116, s1_119, s1_122, s1_131, s1_140, s1_143,
+      s1_146, s1_153, s1_158, s1_161, s1_164, s1_167, s1_170, s1_173, s1_175, s1_177, s1_179,
+      s1_180, s1_183, s1_185, s1_189, s1_191, s1_193, s1_196, s1_197, s1_200, s1_202, s1_204,
+      s1_205, s1_207, s1_210, s1_227, s1_230, s1_233, s1_236, s1_245, s1_248, s1_251, s1_261,
+      s1_268, s1_273, s1_278, s1_281, s1_284, s1_287, s1_290, s1_292, s1_294, s1_296, s1_297,
+      s1_298, s1_300, s1_301, s1_302, s1_304;
 };
 
-/// Part 1 of compute_outputs: step 1: poses, axes b, accumulated inertias MR (50); step 4:
-/// velocities Z (36); step 7: accelerations Zdot and accumulated forces QR - PR (51), (52).
+/// Part 1 of compute_outputs: step 1: poses, axes b, accumulated inertias MR (50).
 [[gnu::noinline]] void compute_outputs_1(const State& state,
     OutputsWork& __restrict work) noexcept {
   // --- step 1: poses, axes b, accumulated inertias MR (50) ---
@@ -14929,654 +14922,755 @@ struct OutputsWork {
   // carrier_left_aux1: carrier_left_rz, revolute, lower_arm_left
   const double R_lower_arm_left_y_y = work.cosines[3];
   const double s1_6 = work.sines[4];
-  const double R_carrier_left_aux1_y_x = R_lower_arm_left_y_y*s1_6;
+  work.R_carrier_left_aux1_y_x = R_lower_arm_left_y_y*s1_6;
   const double R_carrier_left_aux1_x_x = work.cosines[4];
   const double R_carrier_left_aux1_y_y = R_lower_arm_left_y_y*R_carrier_left_aux1_x_x;
   const double R_lower_arm_left_z_y = work.sines[3];
-  const double R_carrier_left_aux1_z_x = R_lower_arm_left_z_y*s1_6;
+  work.R_carrier_left_aux1_z_x = R_lower_arm_left_z_y*s1_6;
   const double R_carrier_left_aux1_z_y = R_lower_arm_left_z_y*R_carrier_left_aux1_x_x;
   const double s1_7 = mbgen::fma(0.04999999999999999, R_lower_arm_left_z_y, 0.4);
-  const double r_carrier_left_aux1_y = mbgen::fma(0.44999999999999996, R_lower_arm_left_y_y, s1_7);
+  work.r_carrier_left_aux1_y = mbgen::fma(0.44999999999999996, R_lower_arm_left_y_y, s1_7);
   const double s1_8 = mbgen::fms(0.44999999999999996, R_lower_arm_left_z_y, 0.62);
-  const double r_carrier_left_aux1_z = mbgen::fnma(0.04999999999999999, R_lower_arm_left_y_y, s1_8);
-  const double s1_9 = R_lower_arm_left_z_y*r_carrier_left_aux1_z;
-  const double b_carrier_left_rz_x = mbgen::fma(R_lower_arm_left_y_y, r_carrier_left_aux1_y, s1_9);
-  const double s1_10 = 3.6*R_lower_arm_left_y_y;
-  const double s1_11 = 3.6*R_lower_arm_left_z_y;
+  work.r_carrier_left_aux1_z = mbgen::fnma(0.04999999999999999, R_lower_arm_left_y_y, s1_8);
+  const double s1_9 = R_lower_arm_left_z_y*work.r_carrier_left_aux1_z;
+  work.b_carrier_left_rz_x = mbgen::fma(R_lower_arm_left_y_y, work.r_carrier_left_aux1_y, s1_9);
+  work.s1_10 = 3.6*R_lower_arm_left_y_y;
+  work.s1_11 = 3.6*R_lower_arm_left_z_y;
   // carrier_left_aux2: carrier_left_rx, revolute, carrier_left_aux1
   const double s1_12 = work.cosines[5];
-  const double s1_13 = s1_6*s1_12;
+  work.s1_13 = s1_6*s1_12;
   const double s1_14 = work.sines[5];
   const double R_carrier_left_aux2_x_z = s1_6*s1_14;
-  const double R_carrier_left_aux2_y_y = mbgen::fnma(R_lower_arm_left_z_y, s1_14,
+  work.R_carrier_left_aux2_y_y = mbgen::fnma(R_lower_arm_left_z_y, s1_14,
       R_carrier_left_aux1_y_y*s1_12);
   const double s1_15 = mbgen::fma(R_carrier_left_aux1_y_y, s1_14, R_lower_arm_left_z_y*s1_12);
-  const double R_carrier_left_aux2_z_y = mbgen::fma(R_carrier_left_aux1_z_y, s1_12,
+  work.R_carrier_left_aux2_z_y = mbgen::fma(R_carrier_left_aux1_z_y, s1_12,
       R_lower_arm_left_y_y*s1_14);
   const double R_carrier_left_aux2_z_z = mbgen::fnma(R_carrier_left_aux1_z_y, s1_14,
       R_lower_arm_left_y_y*s1_12);
-  const double s1_16 = R_carrier_left_aux1_z_x*r_carrier_left_aux1_y;
-  const double b_carrier_left_rx_x = mbgen::fnma(R_carrier_left_aux1_y_x, r_carrier_left_aux1_z,
+  const double s1_16 = work.R_carrier_left_aux1_z_x*work.r_carrier_left_aux1_y;
+  work.b_carrier_left_rx_x = mbgen::fnma(work.R_carrier_left_aux1_y_x, work.r_carrier_left_aux1_z,
       s1_16);
-  const double s1_17 = R_carrier_left_aux1_x_x*r_carrier_left_aux1_z;
-  const double b_carrier_left_rx_y = mbgen::fnma(3.6, R_carrier_left_aux1_z_x, s1_17);
-  const double s1_18 = 3.6*R_carrier_left_aux1_y_x;
-  const double b_carrier_left_rx_z = mbgen::fnma(R_carrier_left_aux1_x_x, r_carrier_left_aux1_y,
+  const double s1_17 = R_carrier_left_aux1_x_x*work.r_carrier_left_aux1_z;
+  work.b_carrier_left_rx_y = mbgen::fnma(3.6, work.R_carrier_left_aux1_z_x, s1_17);
+  const double s1_18 = 3.6*work.R_carrier_left_aux1_y_x;
+  work.b_carrier_left_rx_z = mbgen::fnma(R_carrier_left_aux1_x_x, work.r_carrier_left_aux1_y,
       s1_18);
   // carrier_left: carrier_left_ry, revolute, carrier_left_aux2
   const double s1_19 = work.cosines[6];
   const double s1_20 = work.sines[6];
   const double s1_21 = R_carrier_left_aux1_x_x*s1_19;
-  const double R_carrier_left_x_x = mbgen::fnma(R_carrier_left_aux2_x_z, s1_20, s1_21);
+  work.R_carrier_left_x_x = mbgen::fnma(R_carrier_left_aux2_x_z, s1_20, s1_21);
   const double s1_22 = R_carrier_left_aux1_x_x*s1_20;
-  const double R_carrier_left_x_z = mbgen::fma(R_carrier_left_aux2_x_z, s1_19, s1_22);
-  const double R_carrier_left_y_x = mbgen::fma(s1_15, s1_20, R_carrier_left_aux1_y_x*s1_19);
-  const double R_carrier_left_y_z = mbgen::fnma(s1_15, s1_19, R_carrier_left_aux1_y_x*s1_20);
-  const double s1_23 = R_carrier_left_aux1_z_x*s1_19;
-  const double R_carrier_left_z_x = mbgen::fnma(R_carrier_left_aux2_z_z, s1_20, s1_23);
-  const double s1_24 = R_carrier_left_aux1_z_x*s1_20;
-  const double R_carrier_left_z_z = mbgen::fma(R_carrier_left_aux2_z_z, s1_19, s1_24);
-  const double s1_25 = r_carrier_left_aux1_y*R_carrier_left_aux2_z_y;
-  const double b_carrier_left_ry_x = mbgen::fnma(r_carrier_left_aux1_z, R_carrier_left_aux2_y_y,
+  work.R_carrier_left_x_z = mbgen::fma(R_carrier_left_aux2_x_z, s1_19, s1_22);
+  work.R_carrier_left_y_x = mbgen::fma(s1_15, s1_20, work.R_carrier_left_aux1_y_x*s1_19);
+  work.R_carrier_left_y_z = mbgen::fnma(s1_15, s1_19, work.R_carrier_left_aux1_y_x*s1_20);
+  const double s1_23 = work.R_carrier_left_aux1_z_x*s1_19;
+  work.R_carrier_left_z_x = mbgen::fnma(R_carrier_left_aux2_z_z, s1_20, s1_23);
+  const double s1_24 = work.R_carrier_left_aux1_z_x*s1_20;
+  work.R_carrier_left_z_z = mbgen::fma(R_carrier_left_aux2_z_z, s1_19, s1_24);
+  const double s1_25 = work.r_carrier_left_aux1_y*work.R_carrier_left_aux2_z_y;
+  work.b_carrier_left_ry_x = mbgen::fnma(work.r_carrier_left_aux1_z, work.R_carrier_left_aux2_y_y,
       s1_25);
-  const double s1_26 = mbgen::fma(r_carrier_left_aux1_z, s1_13, 3.6*R_carrier_left_aux2_z_y);
-  const double b_carrier_left_ry_z = mbgen::fma(r_carrier_left_aux1_y, s1_13,
-      3.6*R_carrier_left_aux2_y_y);
+  const double s1_26 = 3.6*work.R_carrier_left_aux2_z_y;
+  work.s1_27 = mbgen::fma(work.r_carrier_left_aux1_z, work.s1_13, s1_26);
+  const double s1_28 = 3.6*work.R_carrier_left_aux2_y_y;
+  work.b_carrier_left_ry_z = mbgen::fma(work.r_carrier_left_aux1_y, work.s1_13, s1_28);
   // wheel_front_left: wheel_front_left, revolute, carrier_left
-  const double s1_27 = mbgen::fma(0.16999999999999998, R_carrier_left_x_z, 3.6);
-  work.r_wheel_front_left_x = mbgen::fnma(0.17499999999999993, s1_13, s1_27);
-  const double s1_28 = mbgen::fma(0.17499999999999993, R_carrier_left_aux2_y_y,
-      r_carrier_left_aux1_y);
-  work.r_wheel_front_left_y = mbgen::fma(0.16999999999999998, R_carrier_left_y_z, s1_28);
-  const double s1_29 = mbgen::fma(0.17499999999999993, R_carrier_left_aux2_z_y,
-      r_carrier_left_aux1_z);
-  work.r_wheel_front_left_z = mbgen::fma(0.16999999999999998, R_carrier_left_z_z, s1_29);
-  const double s1_30 = R_carrier_left_aux2_z_y*work.r_wheel_front_left_y;
-  const double b_wheel_front_left_x = mbgen::fnma(R_carrier_left_aux2_y_y,
-      work.r_wheel_front_left_z, s1_30);
-  const double s1_31 = s1_13*work.r_wheel_front_left_z;
-  const double s1_32 = mbgen::fma(R_carrier_left_aux2_z_y, work.r_wheel_front_left_x, s1_31);
-  const double s1_33 = s1_13*work.r_wheel_front_left_y;
-  const double b_wheel_front_left_z = mbgen::fma(R_carrier_left_aux2_y_y, work.r_wheel_front_left_x,
-      s1_33);
+  const double s1_29 = mbgen::fma(0.16999999999999998, work.R_carrier_left_x_z, 3.6);
+  work.r_wheel_front_left_x = mbgen::fnma(0.17499999999999993, work.s1_13, s1_29);
+  const double s1_30 = mbgen::fma(0.17499999999999993, work.R_carrier_left_aux2_y_y,
+      work.r_carrier_left_aux1_y);
+  work.r_wheel_front_left_y = mbgen::fma(0.16999999999999998, work.R_carrier_left_y_z, s1_30);
+  const double s1_31 = mbgen::fma(0.17499999999999993, work.R_carrier_left_aux2_z_y,
+      work.r_carrier_left_aux1_z);
+  work.r_wheel_front_left_z = mbgen::fma(0.16999999999999998, work.R_carrier_left_z_z, s1_31);
+  const double s1_32 = work.R_carrier_left_aux2_z_y*work.r_wheel_front_left_y;
+  work.b_wheel_front_left_x = mbgen::fnma(work.R_carrier_left_aux2_y_y, work.r_wheel_front_left_z,
+      s1_32);
+  const double s1_33 = work.s1_13*work.r_wheel_front_left_z;
+  work.s1_34 = mbgen::fma(work.R_carrier_left_aux2_z_y, work.r_wheel_front_left_x, s1_33);
+  const double s1_35 = work.s1_13*work.r_wheel_front_left_y;
+  work.b_wheel_front_left_z = mbgen::fma(work.R_carrier_left_aux2_y_y, work.r_wheel_front_left_x,
+      s1_35);
   // carrier_right_aux1: carrier_right_rz, revolute, lower_arm_right
   const double R_lower_arm_right_y_y = work.cosines[9];
-  const double s1_34 = work.sines[10];
-  const double R_carrier_right_aux1_y_x = R_lower_arm_right_y_y*s1_34;
+  const double s1_36 = work.sines[10];
+  work.R_carrier_right_aux1_y_x = R_lower_arm_right_y_y*s1_36;
   const double R_carrier_right_aux1_x_x = work.cosines[10];
   const double R_carrier_right_aux1_y_y = R_lower_arm_right_y_y*R_carrier_right_aux1_x_x;
   const double R_lower_arm_right_z_y = work.sines[9];
-  const double R_carrier_right_aux1_z_x = R_lower_arm_right_z_y*s1_34;
+  work.R_carrier_right_aux1_z_x = R_lower_arm_right_z_y*s1_36;
   const double R_carrier_right_aux1_z_y = R_lower_arm_right_z_y*R_carrier_right_aux1_x_x;
-  const double s1_35 = mbgen::fms(0.04999999999999999, R_lower_arm_right_z_y, 0.4);
-  const double r_carrier_right_aux1_y = mbgen::fnma(0.44999999999999996, R_lower_arm_right_y_y,
-      s1_35);
-  const double s1_36 = mbgen::fma(0.04999999999999999, R_lower_arm_right_y_y, 0.62);
-  const double s1_37 = mbgen::fma(0.44999999999999996, R_lower_arm_right_z_y, s1_36);
-  const double s1_38 = R_lower_arm_right_y_y*r_carrier_right_aux1_y;
-  const double b_carrier_right_rz_x = mbgen::fnma(R_lower_arm_right_z_y, s1_37, s1_38);
-  const double s1_39 = 3.6*R_lower_arm_right_y_y;
-  const double s1_40 = 3.6*R_lower_arm_right_z_y;
+  const double s1_37 = mbgen::fms(0.04999999999999999, R_lower_arm_right_z_y, 0.4);
+  work.r_carrier_right_aux1_y = mbgen::fnma(0.44999999999999996, R_lower_arm_right_y_y, s1_37);
+  const double s1_38 = mbgen::fma(0.04999999999999999, R_lower_arm_right_y_y, 0.62);
+  work.s1_39 = mbgen::fma(0.44999999999999996, R_lower_arm_right_z_y, s1_38);
+  const double s1_40 = R_lower_arm_right_y_y*work.r_carrier_right_aux1_y;
+  work.b_carrier_right_rz_x = mbgen::fnma(R_lower_arm_right_z_y, work.s1_39, s1_40);
+  work.s1_41 = 3.6*R_lower_arm_right_y_y;
+  work.s1_42 = 3.6*R_lower_arm_right_z_y;
   // carrier_right_aux2: carrier_right_rx, revolute, carrier_right_aux1
-  const double s1_41 = work.cosines[11];
-  const double s1_42 = s1_34*s1_41;
-  const double s1_43 = work.sines[11];
-  const double R_carrier_right_aux2_x_z = s1_34*s1_43;
-  const double s1_44 = R_carrier_right_aux1_y_y*s1_41;
-  const double R_carrier_right_aux2_y_y = mbgen::fnma(R_lower_arm_right_z_y, s1_43, s1_44);
-  const double s1_45 = mbgen::fma(R_carrier_right_aux1_y_y, s1_43, R_lower_arm_right_z_y*s1_41);
-  const double R_carrier_right_aux2_z_y = mbgen::fma(R_carrier_right_aux1_z_y, s1_41,
-      R_lower_arm_right_y_y*s1_43);
-  const double s1_46 = R_lower_arm_right_y_y*s1_41;
-  const double R_carrier_right_aux2_z_z = mbgen::fnma(R_carrier_right_aux1_z_y, s1_43, s1_46);
-  const double s1_47 = R_carrier_right_aux1_z_x*r_carrier_right_aux1_y;
-  const double b_carrier_right_rx_x = mbgen::fma(R_carrier_right_aux1_y_x, s1_37, s1_47);
-  const double s1_48 = 3.6*R_carrier_right_aux1_z_x;
-  const double s1_49 = mbgen::fma(R_carrier_right_aux1_x_x, s1_37, s1_48);
-  const double s1_50 = 3.6*R_carrier_right_aux1_y_x;
-  const double b_carrier_right_rx_z = mbgen::fnma(R_carrier_right_aux1_x_x, r_carrier_right_aux1_y,
-      s1_50);
+  const double s1_43 = work.cosines[11];
+  work.s1_44 = s1_36*s1_43;
+  const double s1_45 = work.sines[11];
+  const double R_carrier_right_aux2_x_z = s1_36*s1_45;
+  const double s1_46 = R_carrier_right_aux1_y_y*s1_43;
+  work.R_carrier_right_aux2_y_y = mbgen::fnma(R_lower_arm_right_z_y, s1_45, s1_46);
+  const double s1_47 = mbgen::fma(R_carrier_right_aux1_y_y, s1_45, R_lower_arm_right_z_y*s1_43);
+  work.R_carrier_right_aux2_z_y = mbgen::fma(R_carrier_right_aux1_z_y, s1_43,
+      R_lower_arm_right_y_y*s1_45);
+  const double s1_48 = R_lower_arm_right_y_y*s1_43;
+  const double R_carrier_right_aux2_z_z = mbgen::fnma(R_carrier_right_aux1_z_y, s1_45, s1_48);
+  const double s1_49 = work.R_carrier_right_aux1_z_x*work.r_carrier_right_aux1_y;
+  work.b_carrier_right_rx_x = mbgen::fma(work.R_carrier_right_aux1_y_x, work.s1_39, s1_49);
+  const double s1_50 = 3.6*work.R_carrier_right_aux1_z_x;
+  work.s1_51 = mbgen::fma(R_carrier_right_aux1_x_x, work.s1_39, s1_50);
+  const double s1_52 = 3.6*work.R_carrier_right_aux1_y_x;
+  work.b_carrier_right_rx_z = mbgen::fnma(R_carrier_right_aux1_x_x, work.r_carrier_right_aux1_y,
+      s1_52);
   // carrier_right: carrier_right_ry, revolute, carrier_right_aux2
-  const double s1_51 = work.cosines[12];
-  const double s1_52 = work.sines[12];
-  const double s1_53 = R_carrier_right_aux1_x_x*s1_51;
-  const double R_carrier_right_x_x = mbgen::fnma(R_carrier_right_aux2_x_z, s1_52, s1_53);
-  const double s1_54 = R_carrier_right_aux1_x_x*s1_52;
-  const double R_carrier_right_x_z = mbgen::fma(R_carrier_right_aux2_x_z, s1_51, s1_54);
-  const double R_carrier_right_y_x = mbgen::fma(s1_45, s1_52, R_carrier_right_aux1_y_x*s1_51);
-  const double R_carrier_right_y_z = mbgen::fnma(s1_45, s1_51, R_carrier_right_aux1_y_x*s1_52);
-  const double s1_55 = R_carrier_right_aux1_z_x*s1_51;
-  const double R_carrier_right_z_x = mbgen::fnma(R_carrier_right_aux2_z_z, s1_52, s1_55);
-  const double s1_56 = R_carrier_right_aux1_z_x*s1_52;
-  const double R_carrier_right_z_z = mbgen::fma(R_carrier_right_aux2_z_z, s1_51, s1_56);
-  const double s1_57 = s1_37*R_carrier_right_aux2_y_y;
-  const double b_carrier_right_ry_x = mbgen::fma(r_carrier_right_aux1_y, R_carrier_right_aux2_z_y,
-      s1_57);
-  const double b_carrier_right_ry_y = mbgen::fnma(3.6, R_carrier_right_aux2_z_y, s1_37*s1_42);
-  const double b_carrier_right_ry_z = mbgen::fma(r_carrier_right_aux1_y, s1_42,
-      3.6*R_carrier_right_aux2_y_y);
+  const double s1_53 = work.cosines[12];
+  const double s1_54 = work.sines[12];
+  const double s1_55 = R_carrier_right_aux1_x_x*s1_53;
+  work.R_carrier_right_x_x = mbgen::fnma(R_carrier_right_aux2_x_z, s1_54, s1_55);
+  const double s1_56 = R_carrier_right_aux1_x_x*s1_54;
+  work.R_carrier_right_x_z = mbgen::fma(R_carrier_right_aux2_x_z, s1_53, s1_56);
+  work.R_carrier_right_y_x = mbgen::fma(s1_47, s1_54, work.R_carrier_right_aux1_y_x*s1_53);
+  work.R_carrier_right_y_z = mbgen::fnma(s1_47, s1_53, work.R_carrier_right_aux1_y_x*s1_54);
+  const double s1_57 = work.R_carrier_right_aux1_z_x*s1_53;
+  work.R_carrier_right_z_x = mbgen::fnma(R_carrier_right_aux2_z_z, s1_54, s1_57);
+  const double s1_58 = work.R_carrier_right_aux1_z_x*s1_54;
+  work.R_carrier_right_z_z = mbgen::fma(R_carrier_right_aux2_z_z, s1_53, s1_58);
+  const double s1_59 = work.s1_39*work.R_carrier_right_aux2_y_y;
+  work.b_carrier_right_ry_x = mbgen::fma(work.r_carrier_right_aux1_y, work.R_carrier_right_aux2_z_y,
+      s1_59);
+  work.b_carrier_right_ry_y = mbgen::fnma(3.6, work.R_carrier_right_aux2_z_y,
+      work.s1_39*work.s1_44);
+  const double s1_60 = 3.6*work.R_carrier_right_aux2_y_y;
+  work.b_carrier_right_ry_z = mbgen::fma(work.r_carrier_right_aux1_y, work.s1_44, s1_60);
   // wheel_front_right: wheel_front_right, revolute, carrier_right
-  const double s1_58 = mbgen::fma(0.16999999999999998, R_carrier_right_x_z, 3.6);
-  work.r_wheel_front_right_x = mbgen::fma(0.17499999999999993, s1_42, s1_58);
-  const double s1_59 = mbgen::fma(0.16999999999999998, R_carrier_right_y_z, r_carrier_right_aux1_y);
-  work.r_wheel_front_right_y = mbgen::fnma(0.17499999999999993, R_carrier_right_aux2_y_y, s1_59);
-  const double s1_60 = mbgen::fms(0.16999999999999998, R_carrier_right_z_z, s1_37);
-  work.r_wheel_front_right_z = mbgen::fnma(0.17499999999999993, R_carrier_right_aux2_z_y, s1_60);
-  const double s1_61 = R_carrier_right_aux2_z_y*work.r_wheel_front_right_y;
-  const double b_wheel_front_right_x = mbgen::fnma(R_carrier_right_aux2_y_y,
-      work.r_wheel_front_right_z, s1_61);
-  const double s1_62 = s1_42*work.r_wheel_front_right_z;
-  const double s1_63 = mbgen::fma(R_carrier_right_aux2_z_y, work.r_wheel_front_right_x, s1_62);
-  const double s1_64 = s1_42*work.r_wheel_front_right_y;
-  const double b_wheel_front_right_z = mbgen::fma(R_carrier_right_aux2_y_y,
-      work.r_wheel_front_right_x, s1_64);
+  const double s1_61 = mbgen::fma(0.16999999999999998, work.R_carrier_right_x_z, 3.6);
+  work.r_wheel_front_right_x = mbgen::fma(0.17499999999999993, work.s1_44, s1_61);
+  const double s1_62 = mbgen::fma(0.16999999999999998, work.R_carrier_right_y_z,
+      work.r_carrier_right_aux1_y);
+  work.r_wheel_front_right_y = mbgen::fnma(0.17499999999999993, work.R_carrier_right_aux2_y_y,
+      s1_62);
+  const double s1_63 = mbgen::fms(0.16999999999999998, work.R_carrier_right_z_z, work.s1_39);
+  work.r_wheel_front_right_z = mbgen::fnma(0.17499999999999993, work.R_carrier_right_aux2_z_y,
+      s1_63);
+  const double s1_64 = work.R_carrier_right_aux2_z_y*work.r_wheel_front_right_y;
+  work.b_wheel_front_right_x = mbgen::fnma(work.R_carrier_right_aux2_y_y,
+      work.r_wheel_front_right_z, s1_64);
+  const double s1_65 = work.s1_44*work.r_wheel_front_right_z;
+  work.s1_66 = mbgen::fma(work.R_carrier_right_aux2_z_y, work.r_wheel_front_right_x, s1_65);
+  const double s1_67 = work.s1_44*work.r_wheel_front_right_y;
+  work.b_wheel_front_right_z = mbgen::fma(work.R_carrier_right_aux2_y_y, work.r_wheel_front_right_x,
+      s1_67);
   // rear_axle_aux1: rear_axle_tx, prismatic, chassis
-  const double r_rear_axle_aux1_x = state.z[Coordinate::rear_axle_tx] - 2.4999999999999996;
+  work.r_rear_axle_aux1_x = state.z[Coordinate::rear_axle_tx] - 2.4999999999999996;
   // rear_axle_aux3: rear_axle_tz, prismatic, rear_axle_aux2
-  const double r_rear_axle_aux3_z = state.z[Coordinate::rear_axle_tz] - 0.5;
+  work.r_rear_axle_aux3_z = state.z[Coordinate::rear_axle_tz] - 0.5;
   // rear_axle_aux5: rear_axle_ry, revolute, rear_axle_aux4
   const double R_rear_axle_aux4_x_x = work.cosines[17];
   const double R_rear_axle_aux5_z_z = work.cosines[18];
-  const double R_rear_axle_aux5_x_x = R_rear_axle_aux4_x_x*R_rear_axle_aux5_z_z;
-  const double s1_65 = work.sines[18];
-  const double R_rear_axle_aux5_x_z = R_rear_axle_aux4_x_x*s1_65;
+  work.R_rear_axle_aux5_x_x = R_rear_axle_aux4_x_x*R_rear_axle_aux5_z_z;
+  const double s1_68 = work.sines[18];
+  const double R_rear_axle_aux5_x_z = R_rear_axle_aux4_x_x*s1_68;
   const double R_rear_axle_aux4_y_x = work.sines[17];
-  const double R_rear_axle_aux5_y_x = R_rear_axle_aux4_y_x*R_rear_axle_aux5_z_z;
-  const double R_rear_axle_aux5_y_z = R_rear_axle_aux4_y_x*s1_65;
-  const double s1_66 = r_rear_axle_aux3_z*R_rear_axle_aux4_x_x;
-  const double s1_67 = r_rear_axle_aux3_z*R_rear_axle_aux4_y_x;
+  work.R_rear_axle_aux5_y_x = R_rear_axle_aux4_y_x*R_rear_axle_aux5_z_z;
+  const double R_rear_axle_aux5_y_z = R_rear_axle_aux4_y_x*s1_68;
+  work.s1_69 = work.r_rear_axle_aux3_z*R_rear_axle_aux4_x_x;
+  work.s1_70 = work.r_rear_axle_aux3_z*R_rear_axle_aux4_y_x;
   const double z_rear_axle_ty = state.z[Coordinate::rear_axle_ty];
-  const double s1_68 = z_rear_axle_ty*R_rear_axle_aux4_y_x;
-  const double b_rear_axle_ry_z = mbgen::fma(r_rear_axle_aux1_x, R_rear_axle_aux4_x_x, s1_68);
+  const double s1_71 = z_rear_axle_ty*R_rear_axle_aux4_y_x;
+  work.b_rear_axle_ry_z = mbgen::fma(work.r_rear_axle_aux1_x, R_rear_axle_aux4_x_x, s1_71);
   // rear_axle: rear_axle_rx, revolute, rear_axle_aux5
-  const double s1_69 = work.sines[19];
-  const double s1_70 = work.cosines[19];
-  const double R_rear_axle_x_y = mbgen::fnma(R_rear_axle_aux4_y_x, s1_70,
-      R_rear_axle_aux5_x_z*s1_69);
-  const double R_rear_axle_x_z = mbgen::fma(R_rear_axle_aux5_x_z, s1_70,
-      R_rear_axle_aux4_y_x*s1_69);
-  const double R_rear_axle_y_y = mbgen::fma(R_rear_axle_aux5_y_z, s1_69,
-      R_rear_axle_aux4_x_x*s1_70);
-  const double R_rear_axle_y_z = mbgen::fnma(R_rear_axle_aux4_x_x, s1_69,
-      R_rear_axle_aux5_y_z*s1_70);
-  const double R_rear_axle_z_y = R_rear_axle_aux5_z_z*s1_69;
-  const double R_rear_axle_z_z = R_rear_axle_aux5_z_z*s1_70;
-  const double s1_71 = z_rear_axle_ty*s1_65;
-  const double s1_72 = mbgen::fma(r_rear_axle_aux3_z, R_rear_axle_aux5_y_x, s1_71);
-  const double s1_73 = r_rear_axle_aux1_x*s1_65;
-  const double b_rear_axle_rx_y = mbgen::fma(r_rear_axle_aux3_z, R_rear_axle_aux5_x_x, s1_73);
-  const double s1_74 = r_rear_axle_aux1_x*R_rear_axle_aux5_y_x;
-  const double b_rear_axle_rx_z = mbgen::fnma(z_rear_axle_ty, R_rear_axle_aux5_x_x, s1_74);
+  const double s1_72 = work.sines[19];
+  const double s1_73 = work.cosines[19];
+  work.R_rear_axle_x_y = mbgen::fnma(R_rear_axle_aux4_y_x, s1_73, R_rear_axle_aux5_x_z*s1_72);
+  work.R_rear_axle_x_z = mbgen::fma(R_rear_axle_aux5_x_z, s1_73, R_rear_axle_aux4_y_x*s1_72);
+  work.R_rear_axle_y_y = mbgen::fma(R_rear_axle_aux5_y_z, s1_72, R_rear_axle_aux4_x_x*s1_73);
+  work.R_rear_axle_y_z = mbgen::fnma(R_rear_axle_aux4_x_x, s1_72, R_rear_axle_aux5_y_z*s1_73);
+  work.R_rear_axle_z_y = R_rear_axle_aux5_z_z*s1_72;
+  work.R_rear_axle_z_z = R_rear_axle_aux5_z_z*s1_73;
+  const double s1_74 = z_rear_axle_ty*s1_68;
+  work.s1_75 = mbgen::fma(work.r_rear_axle_aux3_z, work.R_rear_axle_aux5_y_x, s1_74);
+  const double s1_76 = work.r_rear_axle_aux1_x*s1_68;
+  work.b_rear_axle_rx_y = mbgen::fma(work.r_rear_axle_aux3_z, work.R_rear_axle_aux5_x_x, s1_76);
+  const double s1_77 = work.r_rear_axle_aux1_x*work.R_rear_axle_aux5_y_x;
+  work.b_rear_axle_rx_z = mbgen::fnma(z_rear_axle_ty, work.R_rear_axle_aux5_x_x, s1_77);
   // wheel_rear_left: wheel_rear_left, revolute, rear_axle
-  work.r_wheel_rear_left_x = mbgen::fma(0.93, R_rear_axle_x_y, r_rear_axle_aux1_x);
-  work.r_wheel_rear_left_y = mbgen::fma(0.93, R_rear_axle_y_y, z_rear_axle_ty);
-  work.r_wheel_rear_left_z = mbgen::fma(0.93, R_rear_axle_z_y, r_rear_axle_aux3_z);
-  const double s1_75 = R_rear_axle_z_y*work.r_wheel_rear_left_y;
-  const double b_wheel_rear_left_x = mbgen::fnma(R_rear_axle_y_y, work.r_wheel_rear_left_z, s1_75);
-  const double s1_76 = R_rear_axle_x_y*work.r_wheel_rear_left_z;
-  const double b_wheel_rear_left_y = mbgen::fnma(R_rear_axle_z_y, work.r_wheel_rear_left_x, s1_76);
-  const double s1_77 = R_rear_axle_y_y*work.r_wheel_rear_left_x;
-  const double b_wheel_rear_left_z = mbgen::fnma(R_rear_axle_x_y, work.r_wheel_rear_left_y, s1_77);
+  work.r_wheel_rear_left_x = mbgen::fma(0.93, work.R_rear_axle_x_y, work.r_rear_axle_aux1_x);
+  work.r_wheel_rear_left_y = mbgen::fma(0.93, work.R_rear_axle_y_y, z_rear_axle_ty);
+  work.r_wheel_rear_left_z = mbgen::fma(0.93, work.R_rear_axle_z_y, work.r_rear_axle_aux3_z);
+  const double s1_78 = work.R_rear_axle_z_y*work.r_wheel_rear_left_y;
+  work.b_wheel_rear_left_x = mbgen::fnma(work.R_rear_axle_y_y, work.r_wheel_rear_left_z, s1_78);
+  const double s1_79 = work.R_rear_axle_x_y*work.r_wheel_rear_left_z;
+  work.b_wheel_rear_left_y = mbgen::fnma(work.R_rear_axle_z_y, work.r_wheel_rear_left_x, s1_79);
+  const double s1_80 = work.R_rear_axle_y_y*work.r_wheel_rear_left_x;
+  work.b_wheel_rear_left_z = mbgen::fnma(work.R_rear_axle_x_y, work.r_wheel_rear_left_y, s1_80);
   // wheel_rear_right: wheel_rear_right, revolute, rear_axle
-  work.r_wheel_rear_right_x = mbgen::fnma(0.93, R_rear_axle_x_y, r_rear_axle_aux1_x);
-  work.r_wheel_rear_right_y = mbgen::fnma(0.93, R_rear_axle_y_y, z_rear_axle_ty);
-  work.r_wheel_rear_right_z = mbgen::fnma(0.93, R_rear_axle_z_y, r_rear_axle_aux3_z);
-  const double s1_78 = R_rear_axle_z_y*work.r_wheel_rear_right_y;
-  const double b_wheel_rear_right_x = mbgen::fnma(R_rear_axle_y_y, work.r_wheel_rear_right_z,
-      s1_78);
-  const double s1_79 = R_rear_axle_x_y*work.r_wheel_rear_right_z;
-  const double b_wheel_rear_right_y = mbgen::fnma(R_rear_axle_z_y, work.r_wheel_rear_right_x,
-      s1_79);
-  const double s1_80 = R_rear_axle_y_y*work.r_wheel_rear_right_x;
-  const double b_wheel_rear_right_z = mbgen::fnma(R_rear_axle_x_y, work.r_wheel_rear_right_y,
-      s1_80);
+  work.r_wheel_rear_right_x = mbgen::fnma(0.93, work.R_rear_axle_x_y, work.r_rear_axle_aux1_x);
+  work.r_wheel_rear_right_y = mbgen::fnma(0.93, work.R_rear_axle_y_y, z_rear_axle_ty);
+  work.r_wheel_rear_right_z = mbgen::fnma(0.93, work.R_rear_axle_z_y, work.r_rear_axle_aux3_z);
+  const double s1_81 = work.R_rear_axle_z_y*work.r_wheel_rear_right_y;
+  work.b_wheel_rear_right_x = mbgen::fnma(work.R_rear_axle_y_y, work.r_wheel_rear_right_z, s1_81);
+  const double s1_82 = work.R_rear_axle_x_y*work.r_wheel_rear_right_z;
+  work.b_wheel_rear_right_y = mbgen::fnma(work.R_rear_axle_z_y, work.r_wheel_rear_right_x, s1_82);
+  const double s1_83 = work.R_rear_axle_y_y*work.r_wheel_rear_right_x;
+  work.b_wheel_rear_right_z = mbgen::fnma(work.R_rear_axle_x_y, work.r_wheel_rear_right_y, s1_83);
   // lower_arm_left: lower_arm_left, revolute, chassis
-  const double s1_81 = 0.8*R_lower_arm_left_y_y;
-  const double s1_82 = mbgen::fms(0.21999999999999997, R_lower_arm_left_z_y, 0.62);
-  work.s1_83 = mbgen::fnma(0.025000000000000022, R_lower_arm_left_y_y, s1_82);
-  const double s1_84 = mbgen::fma(0.025000000000000022, R_lower_arm_left_z_y, 0.4);
-  work.s1_85 = mbgen::fma(0.21999999999999997, R_lower_arm_left_y_y, s1_84);
-  const double s1_86 = 0.25*R_lower_arm_left_z_y;
-  const double s1_87 = mbgen::fnma(R_lower_arm_left_z_y, s1_81, R_lower_arm_left_y_y*s1_86);
-  const double s1_88 = mbgen::fma(R_lower_arm_left_y_y, s1_81, R_lower_arm_left_z_y*s1_86);
-  const double s1_89 = R_lower_arm_left_z_y*(0.8*R_lower_arm_left_z_y);
-  const double s1_90 = mbgen::fma(R_lower_arm_left_y_y, 0.25*R_lower_arm_left_y_y, s1_89);
+  const double s1_84 = 0.8*R_lower_arm_left_y_y;
+  const double s1_85 = mbgen::fms(0.21999999999999997, R_lower_arm_left_z_y, 0.62);
+  work.s1_86 = mbgen::fnma(0.025000000000000022, R_lower_arm_left_y_y, s1_85);
+  const double s1_87 = mbgen::fma(0.025000000000000022, R_lower_arm_left_z_y, 0.4);
+  work.s1_88 = mbgen::fma(0.21999999999999997, R_lower_arm_left_y_y, s1_87);
+  const double s1_89 = 0.25*R_lower_arm_left_z_y;
+  work.s1_90 = mbgen::fnma(R_lower_arm_left_z_y, s1_84, R_lower_arm_left_y_y*s1_89);
+  work.s1_91 = mbgen::fma(R_lower_arm_left_y_y, s1_84, R_lower_arm_left_z_y*s1_89);
+  const double s1_92 = R_lower_arm_left_z_y*(0.8*R_lower_arm_left_z_y);
+  work.s1_93 = mbgen::fma(R_lower_arm_left_y_y, 0.25*R_lower_arm_left_y_y, s1_92);
   // carrier_left: carrier_left_ry, revolute, carrier_left_aux2
-  const double s1_91 = 2.6532900688298917*s1_13;
-  const double s1_92 = mbgen::fma(0.039511111111111115, R_carrier_left_x_z, s1_91);
-  const double s1_93 = mbgen::fma(0.07666666666666674, R_carrier_left_aux2_z_y,
-      r_carrier_left_aux1_z);
-  const double s1_94 = mbgen::fma(0.16710914454277284, R_carrier_left_z_z, s1_93);
-  work.s1_95 = mbgen::fnma(0.003952802359882006, R_carrier_left_z_x, s1_94);
-  const double s1_96 = 2.6532900688298917*R_carrier_left_aux2_z_y;
-  const double s1_97 = mbgen::fnma(0.039511111111111115, R_carrier_left_z_z, s1_96);
-  const double s1_98 = mbgen::fnma(0.05791111111111111, R_carrier_left_z_x, s1_97);
-  const double s1_99 = 2.6532900688298917*R_carrier_left_aux2_y_y;
-  const double s1_100 = mbgen::fnma(0.05791111111111111, R_carrier_left_y_x, s1_99);
-  const double s1_101 = mbgen::fnma(0.039511111111111115, R_carrier_left_y_z, s1_100);
-  const double s1_102 = 3.081700098328417*R_carrier_left_z_x;
-  const double s1_103 = mbgen::fnma(0.04070875122910521, R_carrier_left_z_z, s1_102);
-  const double s1_104 = mbgen::fnma(0.05791111111111111, R_carrier_left_aux2_z_y, s1_103);
-  const double s1_105 = 3.1640788593903637*R_carrier_left_z_z;
-  const double s1_106 = mbgen::fnma(0.04070875122910521, R_carrier_left_z_x, s1_105);
-  const double s1_107 = mbgen::fnma(0.039511111111111115, R_carrier_left_aux2_z_y, s1_106);
-  const double s1_108 = mbgen::fma(R_carrier_left_y_x, s1_104, R_carrier_left_aux2_y_y*s1_98);
-  const double s1_109 = mbgen::fma(R_carrier_left_y_z, s1_107, s1_108);
-  const double s1_110 = mbgen::fma(0.07666666666666674, R_carrier_left_aux2_y_y,
-      r_carrier_left_aux1_y);
-  const double s1_111 = mbgen::fma(0.16710914454277284, R_carrier_left_y_z, s1_110);
-  work.s1_112 = mbgen::fnma(0.003952802359882006, R_carrier_left_y_x, s1_111);
-  const double s1_113 = mbgen::fma(R_carrier_left_x_x, s1_104, R_carrier_left_x_z*s1_107);
-  const double s1_114 = mbgen::fnma(s1_13, s1_98, s1_113);
-  const double s1_115 = mbgen::fma(0.16710914454277284, R_carrier_left_x_z, 3.6);
-  const double s1_116 = mbgen::fnma(0.003952802359882006, R_carrier_left_x_x, s1_115);
-  work.s1_117 = mbgen::fnma(0.07666666666666674, s1_13, s1_116);
-  const double s1_118 = 3.1640788593903637*R_carrier_left_y_z;
-  const double s1_119 = mbgen::fnma(0.04070875122910521, R_carrier_left_y_x, s1_118);
-  const double s1_120 = mbgen::fnma(0.039511111111111115, R_carrier_left_aux2_y_y, s1_119);
-  const double s1_121 = 3.081700098328417*R_carrier_left_y_x;
-  const double s1_122 = mbgen::fnma(0.04070875122910521, R_carrier_left_y_z, s1_121);
-  const double s1_123 = mbgen::fnma(0.05791111111111111, R_carrier_left_aux2_y_y, s1_122);
-  const double s1_124 = mbgen::fma(R_carrier_left_x_x, s1_123, R_carrier_left_x_z*s1_120);
-  const double s1_125 = mbgen::fnma(s1_13, s1_101, s1_124);
-  const double s1_126 = 0.039511111111111115*s1_13;
-  const double s1_127 = mbgen::fma(3.1640788593903637, R_carrier_left_x_z, s1_126);
-  const double s1_128 = 0.05791111111111111*s1_13;
-  const double s1_129 = mbgen::fma(3.081700098328417, R_carrier_left_x_x, s1_128);
-  const double s1_130 = s1_13*mbgen::fma(0.05791111111111111, R_carrier_left_x_x, s1_92);
-  const double s1_131 = mbgen::fnma(0.04070875122910521, R_carrier_left_x_x, s1_127);
-  const double s1_132 = mbgen::fnma(0.04070875122910521, R_carrier_left_x_z, s1_129);
-  const double s1_133 = mbgen::fma(R_carrier_left_x_z, s1_131, s1_130);
-  const double s1_134 = mbgen::fma(R_carrier_left_x_x, s1_132, s1_133);
-  const double s1_135 = mbgen::fma(R_carrier_left_z_z, s1_107, R_carrier_left_aux2_z_y*s1_98);
-  const double s1_136 = mbgen::fma(R_carrier_left_z_x, s1_104, s1_135);
-  const double s1_137 = mbgen::fma(R_carrier_left_y_x, s1_123, R_carrier_left_aux2_y_y*s1_101);
-  const double s1_138 = mbgen::fma(R_carrier_left_y_z, s1_120, s1_137);
+  const double s1_94 = 2.6532900688298917*work.s1_13;
+  const double s1_95 = mbgen::fma(0.039511111111111115, work.R_carrier_left_x_z, s1_94);
+  const double s1_96 = mbgen::fma(0.07666666666666674, work.R_carrier_left_aux2_z_y,
+      work.r_carrier_left_aux1_z);
+  const double s1_97 = mbgen::fma(0.16710914454277284, work.R_carrier_left_z_z, s1_96);
+  work.s1_98 = mbgen::fnma(0.003952802359882006, work.R_carrier_left_z_x, s1_97);
+  const double s1_99 = 2.6532900688298917*work.R_carrier_left_aux2_z_y;
+  const double s1_100 = mbgen::fnma(0.039511111111111115, work.R_carrier_left_z_z, s1_99);
+  const double s1_101 = mbgen::fnma(0.05791111111111111, work.R_carrier_left_z_x, s1_100);
+  const double s1_102 = 2.6532900688298917*work.R_carrier_left_aux2_y_y;
+  const double s1_103 = mbgen::fnma(0.05791111111111111, work.R_carrier_left_y_x, s1_102);
+  const double s1_104 = mbgen::fnma(0.039511111111111115, work.R_carrier_left_y_z, s1_103);
+  const double s1_105 = 3.081700098328417*work.R_carrier_left_z_x;
+  const double s1_106 = mbgen::fnma(0.04070875122910521, work.R_carrier_left_z_z, s1_105);
+  const double s1_107 = mbgen::fnma(0.05791111111111111, work.R_carrier_left_aux2_z_y, s1_106);
+  const double s1_108 = 3.1640788593903637*work.R_carrier_left_z_z;
+  const double s1_109 = mbgen::fnma(0.04070875122910521, work.R_carrier_left_z_x, s1_108);
+  const double s1_110 = mbgen::fnma(0.039511111111111115, work.R_carrier_left_aux2_z_y, s1_109);
+  const double s1_111 = work.R_carrier_left_aux2_y_y*s1_101;
+  const double s1_112 = mbgen::fma(work.R_carrier_left_y_x, s1_107, s1_111);
+  work.s1_113 = mbgen::fma(work.R_carrier_left_y_z, s1_110, s1_112);
+  const double s1_114 = mbgen::fma(0.07666666666666674, work.R_carrier_left_aux2_y_y,
+      work.r_carrier_left_aux1_y);
+  const double s1_115 = mbgen::fma(0.16710914454277284, work.R_carrier_left_y_z, s1_114);
+  work.s1_116 = mbgen::fnma(0.003952802359882006, work.R_carrier_left_y_x, s1_115);
+  const double s1_117 = work.R_carrier_left_x_z*s1_110;
+  const double s1_118 = mbgen::fma(work.R_carrier_left_x_x, s1_107, s1_117);
+  work.s1_119 = mbgen::fnma(work.s1_13, s1_101, s1_118);
+  const double s1_120 = mbgen::fma(0.16710914454277284, work.R_carrier_left_x_z, 3.6);
+  const double s1_121 = mbgen::fnma(0.003952802359882006, work.R_carrier_left_x_x, s1_120);
+  work.s1_122 = mbgen::fnma(0.07666666666666674, work.s1_13, s1_121);
+  const double s1_123 = 3.1640788593903637*work.R_carrier_left_y_z;
+  const double s1_124 = mbgen::fnma(0.04070875122910521, work.R_carrier_left_y_x, s1_123);
+  const double s1_125 = mbgen::fnma(0.039511111111111115, work.R_carrier_left_aux2_y_y, s1_124);
+  const double s1_126 = 3.081700098328417*work.R_carrier_left_y_x;
+  const double s1_127 = mbgen::fnma(0.04070875122910521, work.R_carrier_left_y_z, s1_126);
+  const double s1_128 = mbgen::fnma(0.05791111111111111, work.R_carrier_left_aux2_y_y, s1_127);
+  const double s1_129 = work.R_carrier_left_x_z*s1_125;
+  const double s1_130 = mbgen::fma(work.R_carrier_left_x_x, s1_128, s1_129);
+  work.s1_131 = mbgen::fnma(work.s1_13, s1_104, s1_130);
+  const double s1_132 = 0.039511111111111115*work.s1_13;
+  const double s1_133 = mbgen::fma(3.1640788593903637, work.R_carrier_left_x_z, s1_132);
+  const double s1_134 = 0.05791111111111111*work.s1_13;
+  const double s1_135 = mbgen::fma(3.081700098328417, work.R_carrier_left_x_x, s1_134);
+  const double s1_136 = mbgen::fma(0.05791111111111111, work.R_carrier_left_x_x, s1_95);
+  const double s1_137 = mbgen::fnma(0.04070875122910521, work.R_carrier_left_x_x, s1_133);
+  const double s1_138 = mbgen::fnma(0.04070875122910521, work.R_carrier_left_x_z, s1_135);
+  const double s1_139 = mbgen::fma(work.R_carrier_left_x_z, s1_137, work.s1_13*s1_136);
+  work.s1_140 = mbgen::fma(work.R_carrier_left_x_x, s1_138, s1_139);
+  const double s1_141 = work.R_carrier_left_aux2_z_y*s1_101;
+  const double s1_142 = mbgen::fma(work.R_carrier_left_z_z, s1_110, s1_141);
+  work.s1_143 = mbgen::fma(work.R_carrier_left_z_x, s1_107, s1_142);
+  const double s1_144 = work.R_carrier_left_aux2_y_y*s1_104;
+  const double s1_145 = mbgen::fma(work.R_carrier_left_y_x, s1_128, s1_144);
+  work.s1_146 = mbgen::fma(work.R_carrier_left_y_z, s1_125, s1_145);
   // wheel_front_left: wheel_front_left, revolute, carrier_left
-  const double s1_139 = 11.0*R_carrier_left_aux2_z_y;
-  const double s1_140 = 11.0*R_carrier_left_aux2_y_y;
-  const double s1_141 = 6.0*R_carrier_left_z_z;
-  const double s1_142 = 6.0*R_carrier_left_z_x;
-  const double s1_143 = mbgen::fma(R_carrier_left_z_z, s1_141, R_carrier_left_aux2_z_y*s1_139);
-  const double s1_144 = mbgen::fma(R_carrier_left_z_x, s1_142, s1_143);
-  const double s1_145 = 6.0*R_carrier_left_y_x;
-  const double s1_146 = 6.0*R_carrier_left_y_z;
-  const double s1_147 = mbgen::fma(R_carrier_left_y_x, s1_145, R_carrier_left_aux2_y_y*s1_140);
-  const double s1_148 = mbgen::fma(R_carrier_left_y_z, s1_146, s1_147);
-  const double s1_149 = 6.0*R_carrier_left_x_z;
-  const double s1_150 = mbgen::fma(R_carrier_left_x_z, s1_149, s1_13*(11.0*s1_13));
-  const double s1_151 = mbgen::fma(R_carrier_left_x_x, 6.0*R_carrier_left_x_x, s1_150);
-  const double s1_152 = mbgen::fma(R_carrier_left_y_x, s1_142, R_carrier_left_aux2_y_y*s1_139);
-  const double s1_153 = mbgen::fma(R_carrier_left_y_z, s1_141, s1_152);
-  const double s1_154 = mbgen::fma(R_carrier_left_x_x, s1_142, R_carrier_left_x_z*s1_141);
-  const double s1_155 = mbgen::fnma(s1_13, s1_139, s1_154);
-  const double s1_156 = mbgen::fma(R_carrier_left_x_x, s1_145, R_carrier_left_x_z*s1_146);
-  const double s1_157 = mbgen::fnma(s1_13, s1_140, s1_156);
+  const double s1_147 = 11.0*work.R_carrier_left_aux2_z_y;
+  const double s1_148 = 11.0*work.R_carrier_left_aux2_y_y;
+  const double s1_149 = 6.0*work.R_carrier_left_z_z;
+  const double s1_150 = 6.0*work.R_carrier_left_z_x;
+  const double s1_151 = work.R_carrier_left_aux2_z_y*s1_147;
+  const double s1_152 = mbgen::fma(work.R_carrier_left_z_z, s1_149, s1_151);
+  work.s1_153 = mbgen::fma(work.R_carrier_left_z_x, s1_150, s1_152);
+  const double s1_154 = 6.0*work.R_carrier_left_y_x;
+  const double s1_155 = 6.0*work.R_carrier_left_y_z;
+  const double s1_156 = work.R_carrier_left_aux2_y_y*s1_148;
+  const double s1_157 = mbgen::fma(work.R_carrier_left_y_x, s1_154, s1_156);
+  work.s1_158 = mbgen::fma(work.R_carrier_left_y_z, s1_155, s1_157);
+  const double s1_159 = work.s1_13*(11.0*work.s1_13);
+  const double s1_160 = mbgen::fma(work.R_carrier_left_x_z, 6.0*work.R_carrier_left_x_z, s1_159);
+  work.s1_161 = mbgen::fma(work.R_carrier_left_x_x, 6.0*work.R_carrier_left_x_x, s1_160);
+  const double s1_162 = work.R_carrier_left_aux2_y_y*s1_147;
+  const double s1_163 = mbgen::fma(work.R_carrier_left_y_x, s1_150, s1_162);
+  work.s1_164 = mbgen::fma(work.R_carrier_left_y_z, s1_149, s1_163);
+  const double s1_165 = work.R_carrier_left_x_z*s1_149;
+  const double s1_166 = mbgen::fma(work.R_carrier_left_x_x, s1_150, s1_165);
+  work.s1_167 = mbgen::fnma(work.s1_13, s1_147, s1_166);
+  const double s1_168 = work.R_carrier_left_x_z*s1_155;
+  const double s1_169 = mbgen::fma(work.R_carrier_left_x_x, s1_154, s1_168);
+  work.s1_170 = mbgen::fnma(work.s1_13, s1_148, s1_169);
   // upper_arm_left: upper_arm_left, revolute, chassis
   const double R_upper_arm_left_z_y = work.sines[7];
   const double R_upper_arm_left_y_y = work.cosines[7];
-  const double s1_158 = 0.25*R_upper_arm_left_y_y;
-  const double s1_159 = mbgen::fms(0.15000000000000002, R_upper_arm_left_z_y, 0.28);
-  work.s1_160 = mbgen::fnma(0.010000000000000009, R_upper_arm_left_y_y, s1_159);
-  const double s1_161 = mbgen::fma(0.010000000000000009, R_upper_arm_left_z_y, 0.5);
-  work.s1_162 = mbgen::fma(0.15000000000000002, R_upper_arm_left_y_y, s1_161);
-  const double s1_163 = 0.1*R_upper_arm_left_z_y;
-  const double s1_164 = mbgen::fnma(R_upper_arm_left_z_y, s1_158, R_upper_arm_left_y_y*s1_163);
-  const double s1_165 = R_upper_arm_left_z_y*(0.25*R_upper_arm_left_z_y);
-  const double s1_166 = mbgen::fma(R_upper_arm_left_y_y, 0.1*R_upper_arm_left_y_y, s1_165);
-  const double s1_167 = mbgen::fma(R_upper_arm_left_z_y, s1_163, R_upper_arm_left_y_y*s1_158);
+  const double s1_171 = 0.25*R_upper_arm_left_y_y;
+  const double s1_172 = mbgen::fms(0.15000000000000002, R_upper_arm_left_z_y, 0.28);
+  work.s1_173 = mbgen::fnma(0.010000000000000009, R_upper_arm_left_y_y, s1_172);
+  const double s1_174 = mbgen::fma(0.010000000000000009, R_upper_arm_left_z_y, 0.5);
+  work.s1_175 = mbgen::fma(0.15000000000000002, R_upper_arm_left_y_y, s1_174);
+  const double s1_176 = 0.1*R_upper_arm_left_z_y;
+  work.s1_177 = mbgen::fnma(R_upper_arm_left_z_y, s1_171, R_upper_arm_left_y_y*s1_176);
+  const double s1_178 = R_upper_arm_left_z_y*(0.25*R_upper_arm_left_z_y);
+  work.s1_179 = mbgen::fma(R_upper_arm_left_y_y, 0.1*R_upper_arm_left_y_y, s1_178);
+  work.s1_180 = mbgen::fma(R_upper_arm_left_z_y, s1_176, R_upper_arm_left_y_y*s1_171);
   // arb_front_left: arb_front_left, revolute, chassis
   const double R_arb_front_left_x_z = work.sines[8];
-  const double s1_168 = 0.003692307692307688*R_arb_front_left_x_z;
+  const double s1_181 = 0.003692307692307688*R_arb_front_left_x_z;
   const double R_arb_front_left_x_x = work.cosines[8];
-  const double s1_169 = 0.016246153846153844*R_arb_front_left_x_z;
-  const double s1_170 = mbgen::fma(0.00676923076923076, R_arb_front_left_x_x, s1_169);
-  const double s1_171 = mbgen::fms(0.1392307692307692, R_arb_front_left_x_z, 0.5);
-  work.s1_172 = mbgen::fma(0.053846153846153884, R_arb_front_left_x_x, s1_171);
-  const double s1_173 = 0.003692307692307688*R_arb_front_left_x_x;
-  const double s1_174 = mbgen::fnma(0.18132307692307692, R_arb_front_left_x_z, s1_173);
-  const double s1_175 = 0.016246153846153844*R_arb_front_left_x_x;
-  const double s1_176 = mbgen::fnma(0.00676923076923076, R_arb_front_left_x_z, s1_175);
-  const double s1_177 = mbgen::fma(0.053846153846153884, R_arb_front_left_x_z, 3.95);
-  work.s1_178 = mbgen::fnma(0.1392307692307692, R_arb_front_left_x_x, s1_177);
-  const double s1_179 = mbgen::fms(0.23864615384615384, R_arb_front_left_x_x, s1_168);
-  const double s1_180 = mbgen::fma(R_arb_front_left_x_x, s1_174, R_arb_front_left_x_z*s1_179);
-  const double s1_181 = mbgen::fma(0.23864615384615384, R_arb_front_left_x_z, s1_173);
-  const double s1_182 = mbgen::fma(0.18132307692307692, R_arb_front_left_x_x, s1_168);
-  const double s1_183 = mbgen::fma(R_arb_front_left_x_x, s1_182, R_arb_front_left_x_z*s1_181);
-  const double s1_184 = mbgen::fnma(R_arb_front_left_x_z, s1_174, R_arb_front_left_x_x*s1_179);
+  const double s1_182 = 0.016246153846153844*R_arb_front_left_x_z;
+  work.s1_183 = mbgen::fma(0.00676923076923076, R_arb_front_left_x_x, s1_182);
+  const double s1_184 = mbgen::fms(0.1392307692307692, R_arb_front_left_x_z, 0.5);
+  work.s1_185 = mbgen::fma(0.053846153846153884, R_arb_front_left_x_x, s1_184);
+  const double s1_186 = 0.003692307692307688*R_arb_front_left_x_x;
+  const double s1_187 = mbgen::fnma(0.18132307692307692, R_arb_front_left_x_z, s1_186);
+  const double s1_188 = 0.016246153846153844*R_arb_front_left_x_x;
+  work.s1_189 = mbgen::fnma(0.00676923076923076, R_arb_front_left_x_z, s1_188);
+  const double s1_190 = mbgen::fma(0.053846153846153884, R_arb_front_left_x_z, 3.95);
+  work.s1_191 = mbgen::fnma(0.1392307692307692, R_arb_front_left_x_x, s1_190);
+  const double s1_192 = mbgen::fms(0.23864615384615384, R_arb_front_left_x_x, s1_181);
+  work.s1_193 = mbgen::fma(R_arb_front_left_x_x, s1_187, R_arb_front_left_x_z*s1_192);
+  const double s1_194 = mbgen::fma(0.23864615384615384, R_arb_front_left_x_z, s1_186);
+  const double s1_195 = mbgen::fma(0.18132307692307692, R_arb_front_left_x_x, s1_181);
+  work.s1_196 = mbgen::fma(R_arb_front_left_x_x, s1_195, R_arb_front_left_x_z*s1_194);
+  work.s1_197 = mbgen::fnma(R_arb_front_left_x_z, s1_187, R_arb_front_left_x_x*s1_192);
   // lower_arm_right: lower_arm_right, revolute, chassis
-  const double s1_185 = 0.8*R_lower_arm_right_y_y;
-  const double s1_186 = mbgen::fma(0.21999999999999997, R_lower_arm_right_z_y, 0.62);
-  work.s1_187 = mbgen::fma(0.025000000000000022, R_lower_arm_right_y_y, s1_186);
-  const double s1_188 = mbgen::fms(0.025000000000000022, R_lower_arm_right_z_y, 0.4);
-  work.s1_189 = mbgen::fnma(0.21999999999999997, R_lower_arm_right_y_y, s1_188);
-  const double s1_190 = 0.25*R_lower_arm_right_z_y;
-  const double s1_191 = mbgen::fnma(R_lower_arm_right_z_y, s1_185, R_lower_arm_right_y_y*s1_190);
-  const double s1_192 = mbgen::fma(R_lower_arm_right_y_y, s1_185, R_lower_arm_right_z_y*s1_190);
-  const double s1_193 = R_lower_arm_right_z_y*(0.8*R_lower_arm_right_z_y);
-  const double s1_194 = mbgen::fma(R_lower_arm_right_y_y, 0.25*R_lower_arm_right_y_y, s1_193);
+  const double s1_198 = 0.8*R_lower_arm_right_y_y;
+  const double s1_199 = mbgen::fma(0.21999999999999997, R_lower_arm_right_z_y, 0.62);
+  work.s1_200 = mbgen::fma(0.025000000000000022, R_lower_arm_right_y_y, s1_199);
+  const double s1_201 = mbgen::fms(0.025000000000000022, R_lower_arm_right_z_y, 0.4);
+  work.s1_202 = mbgen::fnma(0.21999999999999997, R_lower_arm_right_y_y, s1_201);
+  const double s1_203 = 0.25*R_lower_arm_right_z_y;
+  work.s1_204 = mbgen::fnma(R_lower_arm_right_z_y, s1_198, R_lower_arm_right_y_y*s1_203);
+  work.s1_205 = mbgen::fma(R_lower_arm_right_y_y, s1_198, R_lower_arm_right_z_y*s1_203);
+  const double s1_206 = R_lower_arm_right_z_y*(0.8*R_lower_arm_right_z_y);
+  work.s1_207 = mbgen::fma(R_lower_arm_right_y_y, 0.25*R_lower_arm_right_y_y, s1_206);
   // carrier_right: carrier_right_ry, revolute, carrier_right_aux2
-  const double s1_195 = mbgen::fms(0.16710914454277284, R_carrier_right_z_z, s1_37);
-  const double s1_196 = mbgen::fnma(0.003952802359882006, R_carrier_right_z_x, s1_195);
-  work.s1_197 = mbgen::fnma(0.07666666666666674, R_carrier_right_aux2_z_y, s1_196);
-  const double s1_198 = 2.6532900688298917*R_carrier_right_aux2_z_y;
-  const double s1_199 = mbgen::fma(0.039511111111111115, R_carrier_right_z_z, s1_198);
-  const double s1_200 = mbgen::fma(0.05791111111111111, R_carrier_right_z_x, s1_199);
-  const double s1_201 = 2.6532900688298917*R_carrier_right_aux2_y_y;
-  const double s1_202 = mbgen::fma(0.05791111111111111, R_carrier_right_y_x, s1_201);
-  const double s1_203 = mbgen::fma(0.039511111111111115, R_carrier_right_y_z, s1_202);
-  const double s1_204 = 0.039511111111111115*R_carrier_right_x_z;
-  const double s1_205 = mbgen::fma(0.05791111111111111, R_carrier_right_x_x, s1_204);
-  const double s1_206 = 0.05791111111111111*R_carrier_right_aux2_z_y;
-  const double s1_207 = mbgen::fma(3.081700098328417, R_carrier_right_z_x, s1_206);
-  const double s1_208 = mbgen::fnma(0.04070875122910521, R_carrier_right_z_z, s1_207);
-  const double s1_209 = 0.039511111111111115*R_carrier_right_aux2_z_y;
-  const double s1_210 = mbgen::fma(3.1640788593903637, R_carrier_right_z_z, s1_209);
-  const double s1_211 = mbgen::fnma(0.04070875122910521, R_carrier_right_z_x, s1_210);
-  const double s1_212 = mbgen::fma(R_carrier_right_y_x, s1_208, R_carrier_right_aux2_y_y*s1_200);
-  const double s1_213 = mbgen::fma(R_carrier_right_y_z, s1_211, s1_212);
-  const double s1_214 = mbgen::fma(0.16710914454277284, R_carrier_right_y_z,
-      r_carrier_right_aux1_y);
-  const double s1_215 = mbgen::fnma(0.003952802359882006, R_carrier_right_y_x, s1_214);
-  work.s1_216 = mbgen::fnma(0.07666666666666674, R_carrier_right_aux2_y_y, s1_215);
-  const double s1_217 = mbgen::fma(R_carrier_right_x_x, s1_208, R_carrier_right_x_z*s1_211);
-  const double s1_218 = mbgen::fnma(s1_42, s1_200, s1_217);
-  const double s1_219 = mbgen::fma(0.07666666666666674, s1_42, 3.6);
-  const double s1_220 = mbgen::fma(0.16710914454277284, R_carrier_right_x_z, s1_219);
-  work.s1_221 = mbgen::fnma(0.003952802359882006, R_carrier_right_x_x, s1_220);
-  const double s1_222 = 0.039511111111111115*R_carrier_right_aux2_y_y;
-  const double s1_223 = mbgen::fma(3.1640788593903637, R_carrier_right_y_z, s1_222);
-  const double s1_224 = mbgen::fnma(0.04070875122910521, R_carrier_right_y_x, s1_223);
-  const double s1_225 = 0.05791111111111111*R_carrier_right_aux2_y_y;
-  const double s1_226 = mbgen::fma(3.081700098328417, R_carrier_right_y_x, s1_225);
-  const double s1_227 = mbgen::fnma(0.04070875122910521, R_carrier_right_y_z, s1_226);
-  const double s1_228 = mbgen::fma(R_carrier_right_x_x, s1_227, R_carrier_right_x_z*s1_224);
-  const double s1_229 = mbgen::fnma(s1_42, s1_203, s1_228);
-  const double s1_230 = mbgen::fma(R_carrier_right_z_z, s1_211, R_carrier_right_aux2_z_y*s1_200);
-  const double s1_231 = mbgen::fma(R_carrier_right_z_x, s1_208, s1_230);
-  const double s1_232 = mbgen::fma(R_carrier_right_y_x, s1_227, R_carrier_right_aux2_y_y*s1_203);
-  const double s1_233 = mbgen::fma(R_carrier_right_y_z, s1_224, s1_232);
-  const double s1_234 = 3.1640788593903637*R_carrier_right_x_z;
-  const double s1_235 = mbgen::fnma(0.04070875122910521, R_carrier_right_x_x, s1_234);
-  const double s1_236 = 3.081700098328417*R_carrier_right_x_x;
-  const double s1_237 = mbgen::fnma(0.04070875122910521, R_carrier_right_x_z, s1_236);
-  const double s1_238 = R_carrier_right_x_z*mbgen::fnma(0.039511111111111115, s1_42, s1_235);
-  const double s1_239 = mbgen::fnma(0.05791111111111111, s1_42, s1_237);
-  const double s1_240 = mbgen::fma(R_carrier_right_x_x, s1_239, s1_238);
-  const double s1_241 = mbgen::fnma(2.6532900688298917, s1_42, s1_205);
-  const double s1_242 = mbgen::fnma(s1_42, s1_241, s1_240);
+  const double s1_208 = mbgen::fms(0.16710914454277284, work.R_carrier_right_z_z, work.s1_39);
+  const double s1_209 = mbgen::fnma(0.003952802359882006, work.R_carrier_right_z_x, s1_208);
+  work.s1_210 = mbgen::fnma(0.07666666666666674, work.R_carrier_right_aux2_z_y, s1_209);
+  const double s1_211 = 2.6532900688298917*work.R_carrier_right_aux2_z_y;
+  const double s1_212 = mbgen::fma(0.039511111111111115, work.R_carrier_right_z_z, s1_211);
+  const double s1_213 = mbgen::fma(0.05791111111111111, work.R_carrier_right_z_x, s1_212);
+  const double s1_214 = 2.6532900688298917*work.R_carrier_right_aux2_y_y;
+  const double s1_215 = mbgen::fma(0.05791111111111111, work.R_carrier_right_y_x, s1_214);
+  const double s1_216 = mbgen::fma(0.039511111111111115, work.R_carrier_right_y_z, s1_215);
+  const double s1_217 = 0.039511111111111115*work.R_carrier_right_x_z;
+  const double s1_218 = mbgen::fma(0.05791111111111111, work.R_carrier_right_x_x, s1_217);
+  const double s1_219 = 0.05791111111111111*work.R_carrier_right_aux2_z_y;
+  const double s1_220 = mbgen::fma(3.081700098328417, work.R_carrier_right_z_x, s1_219);
+  const double s1_221 = mbgen::fnma(0.04070875122910521, work.R_carrier_right_z_z, s1_220);
+  const double s1_222 = 0.039511111111111115*work.R_carrier_right_aux2_z_y;
+  const double s1_223 = mbgen::fma(3.1640788593903637, work.R_carrier_right_z_z, s1_222);
+  const double s1_224 = mbgen::fnma(0.04070875122910521, work.R_carrier_right_z_x, s1_223);
+  const double s1_225 = work.R_carrier_right_aux2_y_y*s1_213;
+  const double s1_226 = mbgen::fma(work.R_carrier_right_y_x, s1_221, s1_225);
+  work.s1_227 = mbgen::fma(work.R_carrier_right_y_z, s1_224, s1_226);
+  const double s1_228 = mbgen::fma(0.16710914454277284, work.R_carrier_right_y_z,
+      work.r_carrier_right_aux1_y);
+  const double s1_229 = mbgen::fnma(0.003952802359882006, work.R_carrier_right_y_x, s1_228);
+  work.s1_230 = mbgen::fnma(0.07666666666666674, work.R_carrier_right_aux2_y_y, s1_229);
+  const double s1_231 = work.R_carrier_right_x_z*s1_224;
+  const double s1_232 = mbgen::fma(work.R_carrier_right_x_x, s1_221, s1_231);
+  work.s1_233 = mbgen::fnma(work.s1_44, s1_213, s1_232);
+  const double s1_234 = mbgen::fma(0.07666666666666674, work.s1_44, 3.6);
+  const double s1_235 = mbgen::fma(0.16710914454277284, work.R_carrier_right_x_z, s1_234);
+  work.s1_236 = mbgen::fnma(0.003952802359882006, work.R_carrier_right_x_x, s1_235);
+  const double s1_237 = 0.039511111111111115*work.R_carrier_right_aux2_y_y;
+  const double s1_238 = mbgen::fma(3.1640788593903637, work.R_carrier_right_y_z, s1_237);
+  const double s1_239 = mbgen::fnma(0.04070875122910521, work.R_carrier_right_y_x, s1_238);
+  const double s1_240 = 0.05791111111111111*work.R_carrier_right_aux2_y_y;
+  const double s1_241 = mbgen::fma(3.081700098328417, work.R_carrier_right_y_x, s1_240);
+  const double s1_242 = mbgen::fnma(0.04070875122910521, work.R_carrier_right_y_z, s1_241);
+  const double s1_243 = work.R_carrier_right_x_z*s1_239;
+  const double s1_244 = mbgen::fma(work.R_carrier_right_x_x, s1_242, s1_243);
+  work.s1_245 = mbgen::fnma(work.s1_44, s1_216, s1_244);
+  const double s1_246 = work.R_carrier_right_aux2_z_y*s1_213;
+  const double s1_247 = mbgen::fma(work.R_carrier_right_z_z, s1_224, s1_246);
+  work.s1_248 = mbgen::fma(work.R_carrier_right_z_x, s1_221, s1_247);
+  const double s1_249 = work.R_carrier_right_aux2_y_y*s1_216;
+  const double s1_250 = mbgen::fma(work.R_carrier_right_y_x, s1_242, s1_249);
+  work.s1_251 = mbgen::fma(work.R_carrier_right_y_z, s1_239, s1_250);
+  const double s1_252 = 3.1640788593903637*work.R_carrier_right_x_z;
+  const double s1_253 = mbgen::fnma(0.04070875122910521, work.R_carrier_right_x_x, s1_252);
+  const double s1_254 = 3.081700098328417*work.R_carrier_right_x_x;
+  const double s1_255 = mbgen::fnma(0.04070875122910521, work.R_carrier_right_x_z, s1_254);
+  const double s1_256 = mbgen::fnma(0.039511111111111115, work.s1_44, s1_253);
+  const double s1_257 = mbgen::fnma(0.05791111111111111, work.s1_44, s1_255);
+  const double s1_258 = work.R_carrier_right_x_z*s1_256;
+  const double s1_259 = mbgen::fma(work.R_carrier_right_x_x, s1_257, s1_258);
+  const double s1_260 = mbgen::fnma(2.6532900688298917, work.s1_44, s1_218);
+  work.s1_261 = mbgen::fnma(work.s1_44, s1_260, s1_259);
   // wheel_front_right: wheel_front_right, revolute, carrier_right
-  const double s1_243 = 11.0*R_carrier_right_aux2_z_y;
-  const double s1_244 = 11.0*R_carrier_right_aux2_y_y;
-  const double s1_245 = 6.0*R_carrier_right_z_z;
-  const double s1_246 = 6.0*R_carrier_right_z_x;
-  const double s1_247 = mbgen::fma(R_carrier_right_z_z, s1_245, R_carrier_right_aux2_z_y*s1_243);
-  const double s1_248 = mbgen::fma(R_carrier_right_z_x, s1_246, s1_247);
-  const double s1_249 = 6.0*R_carrier_right_y_x;
-  const double s1_250 = 6.0*R_carrier_right_y_z;
-  const double s1_251 = mbgen::fma(R_carrier_right_y_x, s1_249, R_carrier_right_aux2_y_y*s1_244);
-  const double s1_252 = mbgen::fma(R_carrier_right_y_z, s1_250, s1_251);
-  const double s1_253 = 6.0*R_carrier_right_x_z;
-  const double s1_254 = mbgen::fma(R_carrier_right_x_z, s1_253, s1_42*(11.0*s1_42));
-  const double s1_255 = mbgen::fma(R_carrier_right_x_x, 6.0*R_carrier_right_x_x, s1_254);
-  const double s1_256 = mbgen::fma(R_carrier_right_y_x, s1_246, R_carrier_right_aux2_y_y*s1_243);
-  const double s1_257 = mbgen::fma(R_carrier_right_y_z, s1_245, s1_256);
-  const double s1_258 = mbgen::fma(R_carrier_right_x_x, s1_246, R_carrier_right_x_z*s1_245);
-  const double s1_259 = mbgen::fnma(s1_42, s1_243, s1_258);
-  const double s1_260 = mbgen::fma(R_carrier_right_x_x, s1_249, R_carrier_right_x_z*s1_250);
-  const double s1_261 = mbgen::fnma(s1_42, s1_244, s1_260);
+  const double s1_262 = 11.0*work.R_carrier_right_aux2_z_y;
+  const double s1_263 = 11.0*work.R_carrier_right_aux2_y_y;
+  const double s1_264 = 6.0*work.R_carrier_right_z_z;
+  const double s1_265 = 6.0*work.R_carrier_right_z_x;
+  const double s1_266 = work.R_carrier_right_aux2_z_y*s1_262;
+  const double s1_267 = mbgen::fma(work.R_carrier_right_z_z, s1_264, s1_266);
+  work.s1_268 = mbgen::fma(work.R_carrier_right_z_x, s1_265, s1_267);
+  const double s1_269 = 6.0*work.R_carrier_right_y_x;
+  const double s1_270 = 6.0*work.R_carrier_right_y_z;
+  const double s1_271 = work.R_carrier_right_aux2_y_y*s1_263;
+  const double s1_272 = mbgen::fma(work.R_carrier_right_y_x, s1_269, s1_271);
+  work.s1_273 = mbgen::fma(work.R_carrier_right_y_z, s1_270, s1_272);
+  const double s1_274 = 6.0*work.R_carrier_right_x_z;
+  const double s1_275 = work.s1_44*(11.0*work.s1_44);
+  const double s1_276 = mbgen::fma(work.R_carrier_right_x_z, s1_274, s1_275);
+  const double s1_277 = 6.0*work.R_carrier_right_x_x;
+  work.s1_278 = mbgen::fma(work.R_carrier_right_x_x, s1_277, s1_276);
+  const double s1_279 = work.R_carrier_right_aux2_y_y*s1_262;
+  const double s1_280 = mbgen::fma(work.R_carrier_right_y_x, s1_265, s1_279);
+  work.s1_281 = mbgen::fma(work.R_carrier_right_y_z, s1_264, s1_280);
+  const double s1_282 = work.R_carrier_right_x_z*s1_264;
+  const double s1_283 = mbgen::fma(work.R_carrier_right_x_x, s1_265, s1_282);
+  work.s1_284 = mbgen::fnma(work.s1_44, s1_262, s1_283);
+  const double s1_285 = work.R_carrier_right_x_z*s1_270;
+  const double s1_286 = mbgen::fma(work.R_carrier_right_x_x, s1_269, s1_285);
+  work.s1_287 = mbgen::fnma(work.s1_44, s1_263, s1_286);
   // upper_arm_right: upper_arm_right, revolute, chassis
   const double R_upper_arm_right_z_y = work.sines[13];
   const double R_upper_arm_right_y_y = work.cosines[13];
-  const double s1_262 = 0.25*R_upper_arm_right_y_y;
-  const double s1_263 = mbgen::fma(0.15000000000000002, R_upper_arm_right_z_y, 0.28);
-  work.s1_264 = mbgen::fma(0.010000000000000009, R_upper_arm_right_y_y, s1_263);
-  const double s1_265 = mbgen::fms(0.010000000000000009, R_upper_arm_right_z_y, 0.5);
-  work.s1_266 = mbgen::fnma(0.15000000000000002, R_upper_arm_right_y_y, s1_265);
-  const double s1_267 = 0.1*R_upper_arm_right_z_y;
-  const double s1_268 = mbgen::fnma(R_upper_arm_right_z_y, s1_262, R_upper_arm_right_y_y*s1_267);
-  const double s1_269 = R_upper_arm_right_z_y*(0.25*R_upper_arm_right_z_y);
-  const double s1_270 = mbgen::fma(R_upper_arm_right_y_y, 0.1*R_upper_arm_right_y_y, s1_269);
-  const double s1_271 = mbgen::fma(R_upper_arm_right_y_y, s1_262, R_upper_arm_right_z_y*s1_267);
+  const double s1_288 = 0.25*R_upper_arm_right_y_y;
+  const double s1_289 = mbgen::fma(0.15000000000000002, R_upper_arm_right_z_y, 0.28);
+  work.s1_290 = mbgen::fma(0.010000000000000009, R_upper_arm_right_y_y, s1_289);
+  const double s1_291 = mbgen::fms(0.010000000000000009, R_upper_arm_right_z_y, 0.5);
+  work.s1_292 = mbgen::fnma(0.15000000000000002, R_upper_arm_right_y_y, s1_291);
+  const double s1_293 = 0.1*R_upper_arm_right_z_y;
+  work.s1_294 = mbgen::fnma(R_upper_arm_right_z_y, s1_288, R_upper_arm_right_y_y*s1_293);
+  const double s1_295 = R_upper_arm_right_z_y*(0.25*R_upper_arm_right_z_y);
+  work.s1_296 = mbgen::fma(R_upper_arm_right_y_y, 0.1*R_upper_arm_right_y_y, s1_295);
+  work.s1_297 = mbgen::fma(R_upper_arm_right_y_y, s1_288, R_upper_arm_right_z_y*s1_293);
   // arb_front_right: arb_front_right, revolute, chassis
   const double R_arb_front_right_x_z = work.sines[14];
-  const double s1_272 = 0.003692307692307688*R_arb_front_right_x_z;
+  work.s1_298 = 0.003692307692307688*R_arb_front_right_x_z;
   const double R_arb_front_right_x_x = work.cosines[14];
-  const double s1_273 = mbgen::fms(0.1392307692307692, R_arb_front_right_x_z, 0.5);
-  work.s1_274 = mbgen::fma(0.053846153846153884, R_arb_front_right_x_x, s1_273);
-  const double s1_275 = 0.003692307692307688*R_arb_front_right_x_x;
-  const double s1_276 = mbgen::fnma(0.18132307692307692, R_arb_front_right_x_z, s1_275);
-  const double s1_277 = 0.016246153846153844*R_arb_front_right_x_z;
-  const double s1_278 = mbgen::fma(0.00676923076923076, R_arb_front_right_x_x, s1_277);
-  const double s1_279 = 0.00676923076923076*R_arb_front_right_x_z;
-  const double s1_280 = mbgen::fnma(0.016246153846153844, R_arb_front_right_x_x, s1_279);
-  const double s1_281 = mbgen::fma(0.053846153846153884, R_arb_front_right_x_z, 3.95);
-  work.s1_282 = mbgen::fnma(0.1392307692307692, R_arb_front_right_x_x, s1_281);
-  const double s1_283 = mbgen::fms(0.23864615384615384, R_arb_front_right_x_x, s1_272);
-  const double s1_284 = mbgen::fma(R_arb_front_right_x_x, s1_276, R_arb_front_right_x_z*s1_283);
-  const double s1_285 = mbgen::fma(0.23864615384615384, R_arb_front_right_x_z, s1_275);
-  const double s1_286 = mbgen::fma(0.18132307692307692, R_arb_front_right_x_x, s1_272);
-  const double s1_287 = mbgen::fma(R_arb_front_right_x_x, s1_286, R_arb_front_right_x_z*s1_285);
-  const double s1_288 = mbgen::fnma(R_arb_front_right_x_z, s1_276, R_arb_front_right_x_x*s1_283);
+  const double s1_299 = mbgen::fms(0.1392307692307692, R_arb_front_right_x_z, 0.5);
+  work.s1_300 = mbgen::fma(0.053846153846153884, R_arb_front_right_x_x, s1_299);
+  work.s1_301 = 0.003692307692307688*R_arb_front_right_x_x;
+  work.s1_302 = mbgen::fnma(0.18132307692307692, R_arb_front_right_x_z, work.s1_301);
+  const double s1_303 = 0.016246153846153844*R_arb_front_right_x_z;
+  work.s1_304 = mbgen::fma(0.00676923076923076, R_arb_front_right_x_x, s1_303);
+}
+
+/// Part 2 of compute_outputs: step 1: poses, axes b, accumulated inertias MR (50); step 4:
+/// velocities Z (36); step 7: accelerations Zdot and accumulated forces QR - PR (51), (52); step 9:
+/// independent and all accelerations (63), (62).
+[[gnu::noinline]] void compute_outputs_2(const State& state, const double* tau,
+    OutputsWork& __restrict work, Outputs& __restrict result) noexcept {
+  // --- step 1: poses, axes b, accumulated inertias MR (50), continued ---
+  // arb_front_right: arb_front_right, revolute, chassis
+  const double R_arb_front_right_x_z = work.sines[14];
+  const double R_arb_front_right_x_x = work.cosines[14];
+  const double s1_305 = 0.00676923076923076*R_arb_front_right_x_z;
+  const double s1_306 = mbgen::fnma(0.016246153846153844, R_arb_front_right_x_x, s1_305);
+  const double s1_307 = mbgen::fma(0.053846153846153884, R_arb_front_right_x_z, 3.95);
+  const double s1_308 = mbgen::fnma(0.1392307692307692, R_arb_front_right_x_x, s1_307);
+  const double s1_309 = mbgen::fms(0.23864615384615384, R_arb_front_right_x_x, work.s1_298);
+  const double s1_310 = R_arb_front_right_x_z*s1_309;
+  const double s1_311 = mbgen::fma(R_arb_front_right_x_x, work.s1_302, s1_310);
+  const double s1_312 = mbgen::fma(0.23864615384615384, R_arb_front_right_x_z, work.s1_301);
+  const double s1_313 = mbgen::fma(0.18132307692307692, R_arb_front_right_x_x, work.s1_298);
+  const double s1_314 = mbgen::fma(R_arb_front_right_x_x, s1_313, R_arb_front_right_x_z*s1_312);
+  const double s1_315 = R_arb_front_right_x_x*s1_309;
+  const double s1_316 = mbgen::fnma(R_arb_front_right_x_z, work.s1_302, s1_315);
   // pitman_arm: pitman_arm, revolute, chassis
   const double R_pitman_arm_x_z = work.sines[15];
-  const double s1_289 = 0.0742*R_pitman_arm_x_z;
+  const double s1_317 = 0.0742*R_pitman_arm_x_z;
   const double R_pitman_arm_x_x = work.cosines[15];
-  work.s1_290 = mbgen::fma(0.14666666666666664, R_pitman_arm_x_x, 0.4);
-  const double s1_291 = 0.03*R_pitman_arm_x_x;
-  const double s1_292 = mbgen::fnma(R_pitman_arm_x_x, s1_289, R_pitman_arm_x_z*s1_291);
-  work.s1_293 = mbgen::fnma(0.14666666666666664, R_pitman_arm_x_z, 4.4);
-  const double s1_294 = R_pitman_arm_x_z*(0.03*R_pitman_arm_x_z);
-  const double s1_295 = mbgen::fma(R_pitman_arm_x_x, 0.0742*R_pitman_arm_x_x, s1_294);
-  const double s1_296 = mbgen::fma(R_pitman_arm_x_x, s1_291, R_pitman_arm_x_z*s1_289);
+  const double s1_318 = mbgen::fma(0.14666666666666664, R_pitman_arm_x_x, 0.4);
+  const double s1_319 = 0.03*R_pitman_arm_x_x;
+  const double s1_320 = mbgen::fnma(R_pitman_arm_x_x, s1_317, R_pitman_arm_x_z*s1_319);
+  const double s1_321 = mbgen::fnma(0.14666666666666664, R_pitman_arm_x_z, 4.4);
+  const double s1_322 = R_pitman_arm_x_z*(0.03*R_pitman_arm_x_z);
+  const double s1_323 = mbgen::fma(R_pitman_arm_x_x, 0.0742*R_pitman_arm_x_x, s1_322);
+  const double s1_324 = mbgen::fma(R_pitman_arm_x_x, s1_319, R_pitman_arm_x_z*s1_317);
   // bell_crank: bell_crank, revolute, chassis
   const double R_bell_crank_y_x = work.sines[16];
-  const double s1_297 = 0.10155600000000002*R_bell_crank_y_x;
+  const double s1_325 = 0.10155600000000002*R_bell_crank_y_x;
   const double R_bell_crank_x_x = work.cosines[16];
-  const double s1_298 = 0.10155600000000002*R_bell_crank_x_x;
-  const double s1_299 = mbgen::fms(0.14412600000000006, R_bell_crank_x_x, s1_297);
-  const double s1_300 = 0.09720000000000001*R_bell_crank_x_x;
-  work.s1_301 = mbgen::fnma(0.09380000000000002, R_bell_crank_y_x, s1_300);
-  const double s1_302 = mbgen::fma(0.14412600000000006, R_bell_crank_y_x, s1_298);
-  const double s1_303 = mbgen::fma(0.2800026666666667, R_bell_crank_x_x, s1_297);
-  const double s1_304 = mbgen::fma(R_bell_crank_x_x, s1_303, R_bell_crank_y_x*s1_302);
-  const double s1_305 = mbgen::fms(0.2800026666666667, R_bell_crank_y_x, s1_298);
-  const double s1_306 = mbgen::fnma(R_bell_crank_y_x, s1_299, R_bell_crank_x_x*s1_305);
-  const double s1_307 = mbgen::fnma(0.09720000000000001, R_bell_crank_y_x, 3.25);
-  work.s1_308 = mbgen::fnma(0.09380000000000002, R_bell_crank_x_x, s1_307);
-  const double s1_309 = mbgen::fma(R_bell_crank_x_x, s1_299, R_bell_crank_y_x*s1_305);
+  const double s1_326 = 0.10155600000000002*R_bell_crank_x_x;
+  const double s1_327 = mbgen::fms(0.14412600000000006, R_bell_crank_x_x, s1_325);
+  const double s1_328 = 0.09720000000000001*R_bell_crank_x_x;
+  const double s1_329 = mbgen::fnma(0.09380000000000002, R_bell_crank_y_x, s1_328);
+  const double s1_330 = mbgen::fma(0.14412600000000006, R_bell_crank_y_x, s1_326);
+  const double s1_331 = mbgen::fma(0.2800026666666667, R_bell_crank_x_x, s1_325);
+  const double s1_332 = mbgen::fma(R_bell_crank_x_x, s1_331, R_bell_crank_y_x*s1_330);
+  const double s1_333 = mbgen::fms(0.2800026666666667, R_bell_crank_y_x, s1_326);
+  const double s1_334 = mbgen::fnma(R_bell_crank_y_x, s1_327, R_bell_crank_x_x*s1_333);
+  const double s1_335 = mbgen::fnma(0.09720000000000001, R_bell_crank_y_x, 3.25);
+  const double s1_336 = mbgen::fnma(0.09380000000000002, R_bell_crank_x_x, s1_335);
+  const double s1_337 = mbgen::fma(R_bell_crank_x_x, s1_327, R_bell_crank_y_x*s1_333);
   // rear_axle: rear_axle_rx, revolute, rear_axle_aux5
-  const double s1_310 = 264.98720045937415*s1_65;
-  const double s1_311 = mbgen::fma(0.02174045363192678, R_rear_axle_z_z, s1_310);
-  const double s1_312 = mbgen::fma(0.0019465977605512485, R_rear_axle_z_z, r_rear_axle_aux3_z);
-  work.s1_313 = mbgen::fnma(0.00017226528854435476, s1_65, s1_312);
-  const double s1_314 = 45.96384415733562*R_rear_axle_z_y;
-  const double s1_315 = 0.02174045363192678*s1_65;
-  const double s1_316 = mbgen::fma(264.4099770312949, R_rear_axle_z_z, s1_315);
-  const double s1_317 = mbgen::fma(R_rear_axle_y_z, s1_316, R_rear_axle_y_y*s1_314);
-  const double s1_318 = mbgen::fnma(R_rear_axle_aux5_y_x, s1_311, s1_317);
-  const double s1_319 = mbgen::fma(0.00017226528854435476, R_rear_axle_aux5_y_x, z_rear_axle_ty);
-  work.s1_320 = mbgen::fma(0.0019465977605512485, R_rear_axle_y_z, s1_319);
-  const double s1_321 = mbgen::fma(R_rear_axle_x_z, s1_316, R_rear_axle_x_y*s1_314);
-  const double s1_322 = mbgen::fnma(R_rear_axle_aux5_x_x, s1_311, s1_321);
-  const double s1_323 = mbgen::fma(0.00017226528854435476, R_rear_axle_aux5_x_x,
-      r_rear_axle_aux1_x);
-  work.s1_324 = mbgen::fma(0.0019465977605512485, R_rear_axle_x_z, s1_323);
-  const double s1_325 = 45.96384415733562*R_rear_axle_y_y;
-  const double s1_326 = 264.98720045937415*R_rear_axle_aux5_y_x;
-  const double s1_327 = mbgen::fnma(0.02174045363192678, R_rear_axle_y_z, s1_326);
-  const double s1_328 = 264.4099770312949*R_rear_axle_y_z;
-  const double s1_329 = mbgen::fnma(0.02174045363192678, R_rear_axle_aux5_y_x, s1_328);
-  const double s1_330 = mbgen::fma(R_rear_axle_aux5_x_x, s1_327, R_rear_axle_x_y*s1_325);
-  const double s1_331 = mbgen::fma(R_rear_axle_x_z, s1_329, s1_330);
-  const double s1_332 = mbgen::fma(s1_65, s1_311, R_rear_axle_z_y*s1_314);
-  const double s1_333 = mbgen::fma(R_rear_axle_z_z, s1_316, s1_332);
-  const double s1_334 = mbgen::fma(R_rear_axle_aux5_y_x, s1_327, R_rear_axle_y_y*s1_325);
-  const double s1_335 = mbgen::fma(R_rear_axle_y_z, s1_329, s1_334);
-  const double s1_336 = 264.98720045937415*R_rear_axle_aux5_x_x;
-  const double s1_337 = 264.4099770312949*R_rear_axle_x_z;
-  const double s1_338 = mbgen::fnma(0.02174045363192678, R_rear_axle_x_z, s1_336);
-  const double s1_339 = R_rear_axle_x_y*(45.96384415733562*R_rear_axle_x_y);
-  const double s1_340 = mbgen::fnma(0.02174045363192678, R_rear_axle_aux5_x_x, s1_337);
-  const double s1_341 = mbgen::fma(R_rear_axle_aux5_x_x, s1_338, s1_339);
-  const double s1_342 = mbgen::fma(R_rear_axle_x_z, s1_340, s1_341);
+  const double s1_68 = work.sines[18];
+  const double s1_338 = 264.98720045937415*s1_68;
+  const double s1_339 = mbgen::fma(0.02174045363192678, work.R_rear_axle_z_z, s1_338);
+  const double s1_340 = mbgen::fma(0.0019465977605512485, work.R_rear_axle_z_z,
+      work.r_rear_axle_aux3_z);
+  const double s1_341 = mbgen::fnma(0.00017226528854435476, s1_68, s1_340);
+  const double s1_342 = 45.96384415733562*work.R_rear_axle_z_y;
+  const double s1_343 = 0.02174045363192678*s1_68;
+  const double s1_344 = mbgen::fma(264.4099770312949, work.R_rear_axle_z_z, s1_343);
+  const double s1_345 = mbgen::fma(work.R_rear_axle_y_z, s1_344, work.R_rear_axle_y_y*s1_342);
+  const double s1_346 = mbgen::fnma(work.R_rear_axle_aux5_y_x, s1_339, s1_345);
+  const double z_rear_axle_ty = state.z[Coordinate::rear_axle_ty];
+  const double s1_347 = mbgen::fma(0.00017226528854435476, work.R_rear_axle_aux5_y_x,
+      z_rear_axle_ty);
+  const double s1_348 = mbgen::fma(0.0019465977605512485, work.R_rear_axle_y_z, s1_347);
+  const double s1_349 = mbgen::fma(work.R_rear_axle_x_z, s1_344, work.R_rear_axle_x_y*s1_342);
+  const double s1_350 = mbgen::fnma(work.R_rear_axle_aux5_x_x, s1_339, s1_349);
+  const double s1_351 = mbgen::fma(0.00017226528854435476, work.R_rear_axle_aux5_x_x,
+      work.r_rear_axle_aux1_x);
+  const double s1_352 = mbgen::fma(0.0019465977605512485, work.R_rear_axle_x_z, s1_351);
+  const double s1_353 = 45.96384415733562*work.R_rear_axle_y_y;
+  const double s1_354 = 264.98720045937415*work.R_rear_axle_aux5_y_x;
+  const double s1_355 = mbgen::fnma(0.02174045363192678, work.R_rear_axle_y_z, s1_354);
+  const double s1_356 = 264.4099770312949*work.R_rear_axle_y_z;
+  const double s1_357 = mbgen::fnma(0.02174045363192678, work.R_rear_axle_aux5_y_x, s1_356);
+  const double s1_358 = work.R_rear_axle_x_y*s1_353;
+  const double s1_359 = mbgen::fma(work.R_rear_axle_aux5_x_x, s1_355, s1_358);
+  const double s1_360 = mbgen::fma(work.R_rear_axle_x_z, s1_357, s1_359);
+  const double s1_361 = mbgen::fma(s1_68, s1_339, work.R_rear_axle_z_y*s1_342);
+  const double s1_362 = mbgen::fma(work.R_rear_axle_z_z, s1_344, s1_361);
+  const double s1_363 = work.R_rear_axle_y_y*s1_353;
+  const double s1_364 = mbgen::fma(work.R_rear_axle_aux5_y_x, s1_355, s1_363);
+  const double s1_365 = mbgen::fma(work.R_rear_axle_y_z, s1_357, s1_364);
+  const double s1_366 = 264.98720045937415*work.R_rear_axle_aux5_x_x;
+  const double s1_367 = 264.4099770312949*work.R_rear_axle_x_z;
+  const double s1_368 = mbgen::fnma(0.02174045363192678, work.R_rear_axle_x_z, s1_366);
+  const double s1_369 = work.R_rear_axle_x_y*(45.96384415733562*work.R_rear_axle_x_y);
+  const double s1_370 = mbgen::fnma(0.02174045363192678, work.R_rear_axle_aux5_x_x, s1_367);
+  const double s1_371 = mbgen::fma(work.R_rear_axle_aux5_x_x, s1_368, s1_369);
+  const double s1_372 = mbgen::fma(work.R_rear_axle_x_z, s1_370, s1_371);
   // wheel_rear_left: wheel_rear_left, revolute, rear_axle
-  const double s1_343 = 14.0*s1_65;
-  const double s1_344 = 22.0*R_rear_axle_z_y;
-  const double s1_345 = 14.0*R_rear_axle_z_z;
-  const double s1_346 = mbgen::fma(s1_65, s1_343, R_rear_axle_z_y*s1_344);
-  const double s1_347 = mbgen::fma(R_rear_axle_z_z, s1_345, s1_346);
-  const double s1_348 = R_rear_axle_x_y*(22.0*R_rear_axle_x_y);
-  const double s1_349 = mbgen::fma(R_rear_axle_aux5_x_x, 14.0*R_rear_axle_aux5_x_x, s1_348);
-  const double s1_350 = mbgen::fma(R_rear_axle_x_z, 14.0*R_rear_axle_x_z, s1_349);
-  const double s1_351 = 22.0*R_rear_axle_y_y;
-  const double s1_352 = 14.0*R_rear_axle_aux5_y_x;
-  const double s1_353 = 14.0*R_rear_axle_y_z;
-  const double s1_354 = mbgen::fma(R_rear_axle_aux5_y_x, s1_352, R_rear_axle_y_y*s1_351);
-  const double s1_355 = mbgen::fma(R_rear_axle_y_z, s1_353, s1_354);
-  const double s1_356 = mbgen::fma(R_rear_axle_y_z, s1_345, R_rear_axle_y_y*s1_344);
-  const double s1_357 = mbgen::fnma(R_rear_axle_aux5_y_x, s1_343, s1_356);
-  const double s1_358 = mbgen::fma(R_rear_axle_x_z, s1_345, R_rear_axle_x_y*s1_344);
-  const double s1_359 = mbgen::fnma(R_rear_axle_aux5_x_x, s1_343, s1_358);
-  const double s1_360 = mbgen::fma(R_rear_axle_aux5_x_x, s1_352, R_rear_axle_x_y*s1_351);
-  const double s1_361 = mbgen::fma(R_rear_axle_x_z, s1_353, s1_360);
+  const double s1_373 = 14.0*s1_68;
+  const double s1_374 = 22.0*work.R_rear_axle_z_y;
+  const double s1_375 = 14.0*work.R_rear_axle_z_z;
+  const double s1_376 = mbgen::fma(s1_68, s1_373, work.R_rear_axle_z_y*s1_374);
+  const double s1_377 = mbgen::fma(work.R_rear_axle_z_z, s1_375, s1_376);
+  const double s1_378 = work.R_rear_axle_x_y*(22.0*work.R_rear_axle_x_y);
+  const double s1_379 = 14.0*work.R_rear_axle_aux5_x_x;
+  const double s1_380 = mbgen::fma(work.R_rear_axle_aux5_x_x, s1_379, s1_378);
+  const double s1_381 = mbgen::fma(work.R_rear_axle_x_z, 14.0*work.R_rear_axle_x_z, s1_380);
+  const double s1_382 = 22.0*work.R_rear_axle_y_y;
+  const double s1_383 = 14.0*work.R_rear_axle_aux5_y_x;
+  const double s1_384 = 14.0*work.R_rear_axle_y_z;
+  const double s1_385 = work.R_rear_axle_y_y*s1_382;
+  const double s1_386 = mbgen::fma(work.R_rear_axle_aux5_y_x, s1_383, s1_385);
+  const double s1_387 = mbgen::fma(work.R_rear_axle_y_z, s1_384, s1_386);
+  const double s1_388 = mbgen::fma(work.R_rear_axle_y_z, s1_375, work.R_rear_axle_y_y*s1_374);
+  const double s1_389 = mbgen::fnma(work.R_rear_axle_aux5_y_x, s1_373, s1_388);
+  const double s1_390 = mbgen::fma(work.R_rear_axle_x_z, s1_375, work.R_rear_axle_x_y*s1_374);
+  const double s1_391 = mbgen::fnma(work.R_rear_axle_aux5_x_x, s1_373, s1_390);
+  const double s1_392 = work.R_rear_axle_x_y*s1_382;
+  const double s1_393 = mbgen::fma(work.R_rear_axle_aux5_x_x, s1_383, s1_392);
+  const double s1_394 = mbgen::fma(work.R_rear_axle_x_z, s1_384, s1_393);
   // arb_rear_left: arb_rear_left, revolute, chassis
   const double R_arb_rear_left_x_z = work.sines[20];
-  const double s1_362 = 0.15615384615384614*R_arb_rear_left_x_z;
+  const double s1_395 = 0.15615384615384614*R_arb_rear_left_x_z;
   const double R_arb_rear_left_x_x = work.cosines[20];
-  const double s1_363 = 0.012307692307692316*R_arb_rear_left_x_x;
-  work.s1_364 = mbgen::fma(0.16538461538461574, R_arb_rear_left_x_z, 0.44999999999999996);
-  const double s1_365 = 0.012307692307692316*R_arb_rear_left_x_z;
-  const double s1_366 = 0.23076923076923084*R_arb_rear_left_x_x;
-  const double s1_367 = mbgen::fnma(R_arb_rear_left_x_x, s1_362, R_arb_rear_left_x_z*s1_366);
-  work.s1_368 = mbgen::fms(0.16538461538461574, R_arb_rear_left_x_x, 3.3000000000000003);
-  const double s1_369 = mbgen::fma(R_arb_rear_left_x_x, s1_366, R_arb_rear_left_x_z*s1_362);
-  const double s1_370 = R_arb_rear_left_x_z*(0.23076923076923084*R_arb_rear_left_x_z);
-  const double s1_371 = 0.15615384615384614*R_arb_rear_left_x_x;
-  const double s1_372 = mbgen::fma(R_arb_rear_left_x_x, s1_371, s1_370);
+  const double s1_396 = 0.012307692307692316*R_arb_rear_left_x_x;
+  const double s1_397 = mbgen::fma(0.16538461538461574, R_arb_rear_left_x_z, 0.44999999999999996);
+  const double s1_398 = 0.012307692307692316*R_arb_rear_left_x_z;
+  const double s1_399 = 0.23076923076923084*R_arb_rear_left_x_x;
+  const double s1_400 = mbgen::fnma(R_arb_rear_left_x_x, s1_395, R_arb_rear_left_x_z*s1_399);
+  const double s1_401 = mbgen::fms(0.16538461538461574, R_arb_rear_left_x_x, 3.3000000000000003);
+  const double s1_402 = mbgen::fma(R_arb_rear_left_x_x, s1_399, R_arb_rear_left_x_z*s1_395);
+  const double s1_403 = R_arb_rear_left_x_z*(0.23076923076923084*R_arb_rear_left_x_z);
+  const double s1_404 = 0.15615384615384614*R_arb_rear_left_x_x;
+  const double s1_405 = mbgen::fma(R_arb_rear_left_x_x, s1_404, s1_403);
   // arb_rear_right: arb_rear_right, revolute, chassis
   const double R_arb_rear_right_x_z = work.sines[21];
-  const double s1_373 = 0.012307692307692316*R_arb_rear_right_x_z;
-  const double s1_374 = 0.15615384615384614*R_arb_rear_right_x_z;
-  work.s1_375 = mbgen::fma(0.16538461538461574, R_arb_rear_right_x_z, 0.44999999999999996);
+  const double s1_406 = 0.012307692307692316*R_arb_rear_right_x_z;
+  const double s1_407 = 0.15615384615384614*R_arb_rear_right_x_z;
+  const double s1_408 = mbgen::fma(0.16538461538461574, R_arb_rear_right_x_z, 0.44999999999999996);
   const double R_arb_rear_right_x_x = work.cosines[21];
-  const double s1_376 = 0.012307692307692316*R_arb_rear_right_x_x;
-  work.s1_377 = mbgen::fms(0.16538461538461574, R_arb_rear_right_x_x, 3.3000000000000003);
-  const double s1_378 = 0.23076923076923084*R_arb_rear_right_x_x;
-  const double s1_379 = mbgen::fnma(R_arb_rear_right_x_x, s1_374, R_arb_rear_right_x_z*s1_378);
-  const double s1_380 = mbgen::fma(R_arb_rear_right_x_x, s1_378, R_arb_rear_right_x_z*s1_374);
-  const double s1_381 = R_arb_rear_right_x_z*(0.23076923076923084*R_arb_rear_right_x_z);
-  const double s1_382 = 0.15615384615384614*R_arb_rear_right_x_x;
-  const double s1_383 = mbgen::fma(R_arb_rear_right_x_x, s1_382, s1_381);
+  const double s1_409 = 0.012307692307692316*R_arb_rear_right_x_x;
+  const double s1_410 = mbgen::fms(0.16538461538461574, R_arb_rear_right_x_x, 3.3000000000000003);
+  const double s1_411 = 0.23076923076923084*R_arb_rear_right_x_x;
+  const double s1_412 = mbgen::fnma(R_arb_rear_right_x_x, s1_407, R_arb_rear_right_x_z*s1_411);
+  const double s1_413 = mbgen::fma(R_arb_rear_right_x_x, s1_411, R_arb_rear_right_x_z*s1_407);
+  const double s1_414 = R_arb_rear_right_x_z*(0.23076923076923084*R_arb_rear_right_x_z);
+  const double s1_415 = 0.15615384615384614*R_arb_rear_right_x_x;
+  const double s1_416 = mbgen::fma(R_arb_rear_right_x_x, s1_415, s1_414);
   // arb_link_front_left
-  const double s1_384 = mbgen::fms(0.24999999999999997, R_arb_front_left_x_z, 0.5);
-  work.s1_385 = mbgen::fma(0.09999999999999998, R_arb_front_left_x_x, s1_384);
-  const double s1_386 = mbgen::fma(0.09999999999999998, R_arb_front_left_x_z, 3.95);
-  work.s1_387 = mbgen::fnma(0.24999999999999997, R_arb_front_left_x_x, s1_386);
-  const double s1_388 = mbgen::fma(0.030000000000000027, s1_13, 3.6);
-  const double s1_389 = mbgen::fma(0.1, R_carrier_left_x_x, s1_388);
-  work.s1_390 = mbgen::fma(0.02999999999999997, R_carrier_left_x_z, s1_389);
-  const double s1_391 = mbgen::fma(0.1, R_carrier_left_y_x, r_carrier_left_aux1_y);
-  const double s1_392 = mbgen::fma(0.02999999999999997, R_carrier_left_y_z, s1_391);
-  work.s1_393 = mbgen::fnma(0.030000000000000027, R_carrier_left_aux2_y_y, s1_392);
-  const double s1_394 = mbgen::fma(0.1, R_carrier_left_z_x, r_carrier_left_aux1_z);
-  const double s1_395 = mbgen::fma(0.02999999999999997, R_carrier_left_z_z, s1_394);
-  work.s1_396 = mbgen::fnma(0.030000000000000027, R_carrier_left_aux2_z_y, s1_395);
+  const double R_arb_front_left_x_z = work.sines[8];
+  const double R_arb_front_left_x_x = work.cosines[8];
+  const double s1_417 = mbgen::fms(0.24999999999999997, R_arb_front_left_x_z, 0.5);
+  const double s1_418 = mbgen::fma(0.09999999999999998, R_arb_front_left_x_x, s1_417);
+  const double s1_419 = mbgen::fma(0.09999999999999998, R_arb_front_left_x_z, 3.95);
+  const double s1_420 = mbgen::fnma(0.24999999999999997, R_arb_front_left_x_x, s1_419);
+  const double s1_421 = mbgen::fma(0.030000000000000027, work.s1_13, 3.6);
+  const double s1_422 = mbgen::fma(0.1, work.R_carrier_left_x_x, s1_421);
+  const double s1_423 = mbgen::fma(0.02999999999999997, work.R_carrier_left_x_z, s1_422);
+  const double s1_424 = mbgen::fma(0.1, work.R_carrier_left_y_x, work.r_carrier_left_aux1_y);
+  const double s1_425 = mbgen::fma(0.02999999999999997, work.R_carrier_left_y_z, s1_424);
+  const double s1_426 = mbgen::fnma(0.030000000000000027, work.R_carrier_left_aux2_y_y, s1_425);
+  const double s1_427 = mbgen::fma(0.1, work.R_carrier_left_z_x, work.r_carrier_left_aux1_z);
+  const double s1_428 = mbgen::fma(0.02999999999999997, work.R_carrier_left_z_z, s1_427);
+  const double s1_429 = mbgen::fnma(0.030000000000000027, work.R_carrier_left_aux2_z_y, s1_428);
   // arb_link_front_right
-  const double s1_397 = mbgen::fms(0.24999999999999997, R_arb_front_right_x_z, 0.5);
-  work.s1_398 = mbgen::fma(0.09999999999999998, R_arb_front_right_x_x, s1_397);
-  const double s1_399 = mbgen::fma(0.09999999999999998, R_arb_front_right_x_z, 3.95);
-  work.s1_400 = mbgen::fnma(0.24999999999999997, R_arb_front_right_x_x, s1_399);
-  const double s1_401 = mbgen::fma(0.02999999999999997, R_carrier_right_x_z, 3.6);
-  const double s1_402 = mbgen::fma(0.1, R_carrier_right_x_x, s1_401);
-  work.s1_403 = mbgen::fnma(0.030000000000000027, s1_42, s1_402);
-  const double s1_404 = mbgen::fma(0.030000000000000027, R_carrier_right_aux2_y_y,
-      r_carrier_right_aux1_y);
-  const double s1_405 = mbgen::fma(0.1, R_carrier_right_y_x, s1_404);
-  work.s1_406 = mbgen::fma(0.02999999999999997, R_carrier_right_y_z, s1_405);
-  const double s1_407 = mbgen::fms(0.030000000000000027, R_carrier_right_aux2_z_y, s1_37);
-  const double s1_408 = mbgen::fma(0.02999999999999997, R_carrier_right_z_z, s1_407);
-  work.s1_409 = mbgen::fma(0.1, R_carrier_right_z_x, s1_408);
+  const double s1_430 = mbgen::fms(0.24999999999999997, R_arb_front_right_x_z, 0.5);
+  const double s1_431 = mbgen::fma(0.09999999999999998, R_arb_front_right_x_x, s1_430);
+  const double s1_432 = mbgen::fma(0.09999999999999998, R_arb_front_right_x_z, 3.95);
+  const double s1_433 = mbgen::fnma(0.24999999999999997, R_arb_front_right_x_x, s1_432);
+  const double s1_434 = mbgen::fma(0.02999999999999997, work.R_carrier_right_x_z, 3.6);
+  const double s1_435 = mbgen::fma(0.1, work.R_carrier_right_x_x, s1_434);
+  const double s1_436 = mbgen::fnma(0.030000000000000027, work.s1_44, s1_435);
+  const double s1_437 = mbgen::fma(0.030000000000000027, work.R_carrier_right_aux2_y_y,
+      work.r_carrier_right_aux1_y);
+  const double s1_438 = mbgen::fma(0.1, work.R_carrier_right_y_x, s1_437);
+  const double s1_439 = mbgen::fma(0.02999999999999997, work.R_carrier_right_y_z, s1_438);
+  const double s1_440 = mbgen::fms(0.030000000000000027, work.R_carrier_right_aux2_z_y, work.s1_39);
+  const double s1_441 = mbgen::fma(0.02999999999999997, work.R_carrier_right_z_z, s1_440);
+  const double s1_442 = mbgen::fma(0.1, work.R_carrier_right_z_x, s1_441);
   // drag_link
-  work.s1_410 = mbgen::fma(0.21999999999999997, R_pitman_arm_x_x, 0.4);
-  work.s1_411 = mbgen::fnma(0.21999999999999997, R_pitman_arm_x_z, 4.4);
-  work.s1_412 = 0.3*R_bell_crank_x_x;
-  work.s1_413 = mbgen::fnma(0.3, R_bell_crank_y_x, 3.25);
+  const double s1_443 = mbgen::fma(0.21999999999999997, R_pitman_arm_x_x, 0.4);
+  const double s1_444 = 0.6 + s1_443;
+  const double s1_445 = mbgen::fnma(0.21999999999999997, R_pitman_arm_x_z, 4.4);
+  const double s1_446 = 0.3*R_bell_crank_x_x;
+  const double s1_447 = 0.5 + s1_446;
+  const double s1_448 = mbgen::fnma(0.3, R_bell_crank_y_x, 3.25);
+  const double s1_449 = s1_445 + s1_448;
   // tie_rod_left
-  const double s1_414 = 0.08*R_bell_crank_y_x;
-  const double s1_415 = 0.20000000000000007*R_bell_crank_y_x;
-  work.s1_416 = mbgen::fms(0.08, R_bell_crank_x_x, s1_415);
-  work.s1_417 = mbgen::fnma(0.20000000000000007, R_bell_crank_x_x, 3.25 - s1_414);
-  const double s1_418 = mbgen::fma(0.04999999999999993, s1_13, 3.6);
-  const double s1_419 = mbgen::fma(0.07, R_carrier_left_x_z, s1_418);
-  work.s1_420 = mbgen::fnma(0.22, R_carrier_left_x_x, s1_419);
-  const double s1_421 = mbgen::fma(0.07, R_carrier_left_y_z, r_carrier_left_aux1_y);
-  const double s1_422 = mbgen::fnma(0.22, R_carrier_left_y_x, s1_421);
-  work.s1_423 = mbgen::fnma(0.04999999999999993, R_carrier_left_aux2_y_y, s1_422);
-  const double s1_424 = mbgen::fma(0.07, R_carrier_left_z_z, r_carrier_left_aux1_z);
-  const double s1_425 = mbgen::fnma(0.22, R_carrier_left_z_x, s1_424);
-  work.s1_426 = mbgen::fnma(0.04999999999999993, R_carrier_left_aux2_z_y, s1_425);
+  const double s1_450 = 0.08*R_bell_crank_y_x;
+  const double s1_451 = 0.20000000000000007*R_bell_crank_y_x;
+  const double s1_452 = mbgen::fms(0.08, R_bell_crank_x_x, s1_451);
+  const double s1_453 = mbgen::fnma(0.20000000000000007, R_bell_crank_x_x, 3.25 - s1_450);
+  const double s1_454 = mbgen::fma(0.04999999999999993, work.s1_13, 3.6);
+  const double s1_455 = mbgen::fma(0.07, work.R_carrier_left_x_z, s1_454);
+  const double s1_456 = mbgen::fnma(0.22, work.R_carrier_left_x_x, s1_455);
+  const double s1_457 = mbgen::fma(0.07, work.R_carrier_left_y_z, work.r_carrier_left_aux1_y);
+  const double s1_458 = mbgen::fnma(0.22, work.R_carrier_left_y_x, s1_457);
+  const double s1_459 = mbgen::fnma(0.04999999999999993, work.R_carrier_left_aux2_y_y, s1_458);
+  const double s1_460 = mbgen::fma(0.07, work.R_carrier_left_z_z, work.r_carrier_left_aux1_z);
+  const double s1_461 = mbgen::fnma(0.22, work.R_carrier_left_z_x, s1_460);
+  const double s1_462 = mbgen::fnma(0.04999999999999993, work.R_carrier_left_aux2_z_y, s1_461);
   // tie_rod_right
-  work.s1_427 = mbgen::fma(0.08, R_bell_crank_x_x, s1_415);
-  work.s1_428 = 3.25 + mbgen::fnma(0.20000000000000007, R_bell_crank_x_x, s1_414);
-  const double s1_429 = mbgen::fma(0.07, R_carrier_right_x_z, 3.6);
-  const double s1_430 = mbgen::fnma(0.22, R_carrier_right_x_x, s1_429);
-  work.s1_431 = mbgen::fnma(0.04999999999999993, s1_42, s1_430);
-  const double s1_432 = mbgen::fma(0.04999999999999993, R_carrier_right_aux2_y_y,
-      r_carrier_right_aux1_y);
-  const double s1_433 = mbgen::fma(0.07, R_carrier_right_y_z, s1_432);
-  work.s1_434 = mbgen::fnma(0.22, R_carrier_right_y_x, s1_433);
-  const double s1_435 = mbgen::fms(0.04999999999999993, R_carrier_right_aux2_z_y, s1_37);
-  const double s1_436 = mbgen::fma(0.07, R_carrier_right_z_z, s1_435);
-  work.s1_437 = mbgen::fnma(0.22, R_carrier_right_z_x, s1_436);
+  const double s1_463 = mbgen::fma(0.08, R_bell_crank_x_x, s1_451);
+  const double s1_464 = 3.25 + mbgen::fnma(0.20000000000000007, R_bell_crank_x_x, s1_450);
+  const double s1_465 = mbgen::fma(0.07, work.R_carrier_right_x_z, 3.6);
+  const double s1_466 = mbgen::fnma(0.22, work.R_carrier_right_x_x, s1_465);
+  const double s1_467 = mbgen::fnma(0.04999999999999993, work.s1_44, s1_466);
+  const double s1_468 = mbgen::fma(0.04999999999999993, work.R_carrier_right_aux2_y_y,
+      work.r_carrier_right_aux1_y);
+  const double s1_469 = mbgen::fma(0.07, work.R_carrier_right_y_z, s1_468);
+  const double s1_470 = mbgen::fnma(0.22, work.R_carrier_right_y_x, s1_469);
+  const double s1_471 = mbgen::fms(0.04999999999999993, work.R_carrier_right_aux2_z_y, work.s1_39);
+  const double s1_472 = mbgen::fma(0.07, work.R_carrier_right_z_z, s1_471);
+  const double s1_473 = mbgen::fnma(0.22, work.R_carrier_right_z_x, s1_472);
   // long_rod_left
-  const double s1_438 = 0.04999999999999982*s1_65;
-  const double s1_439 = mbgen::fma(0.08000000000000002, R_rear_axle_z_z, s1_438);
-  const double s1_440 = 0.04999999999999982*R_rear_axle_aux5_y_x;
-  const double s1_441 = mbgen::fnma(0.08000000000000002, R_rear_axle_y_z, s1_440);
-  const double s1_442 = z_rear_axle_ty + s1_441;
-  work.s1_443 = mbgen::fma(0.55, R_rear_axle_y_y, s1_442);
-  const double s1_444 = 0.04999999999999982*R_rear_axle_aux5_x_x;
-  const double s1_445 = mbgen::fnma(0.08000000000000002, R_rear_axle_x_z, s1_444);
-  const double s1_446 = r_rear_axle_aux1_x + s1_445;
-  work.s1_447 = mbgen::fma(0.55, R_rear_axle_x_y, s1_446);
-  work.s1_448 = mbgen::fma(0.55, R_rear_axle_z_y, r_rear_axle_aux3_z) - s1_439;
+  const double s1_474 = 0.04999999999999982*s1_68;
+  const double s1_475 = mbgen::fma(0.08000000000000002, work.R_rear_axle_z_z, s1_474);
+  const double s1_476 = 0.04999999999999982*work.R_rear_axle_aux5_y_x;
+  const double s1_477 = mbgen::fnma(0.08000000000000002, work.R_rear_axle_y_z, s1_476);
+  const double s1_478 = z_rear_axle_ty + s1_477;
+  const double s1_479 = mbgen::fma(0.55, work.R_rear_axle_y_y, s1_478);
+  const double s1_480 = 0.04999999999999982*work.R_rear_axle_aux5_x_x;
+  const double s1_481 = mbgen::fnma(0.08000000000000002, work.R_rear_axle_x_z, s1_480);
+  const double s1_482 = work.r_rear_axle_aux1_x + s1_481;
+  const double s1_483 = mbgen::fma(0.55, work.R_rear_axle_x_y, s1_482);
+  const double s1_484 = mbgen::fma(0.55, work.R_rear_axle_z_y, work.r_rear_axle_aux3_z) - s1_475;
   // diag_rod_left
-  const double s1_449 = mbgen::fma(0.25, R_rear_axle_y_z, z_rear_axle_ty);
-  work.s1_450 = mbgen::fma(0.1, R_rear_axle_y_y, s1_449);
-  const double s1_451 = mbgen::fma(0.25, R_rear_axle_x_z, r_rear_axle_aux1_x);
-  work.s1_452 = mbgen::fma(0.1, R_rear_axle_x_y, s1_451);
-  const double s1_453 = mbgen::fma(0.25, R_rear_axle_z_z, r_rear_axle_aux3_z);
-  work.s1_454 = mbgen::fma(0.1, R_rear_axle_z_y, s1_453);
+  const double s1_485 = mbgen::fma(0.25, work.R_rear_axle_y_z, z_rear_axle_ty);
+  const double s1_486 = mbgen::fma(0.1, work.R_rear_axle_y_y, s1_485);
+  const double s1_487 = mbgen::fma(0.25, work.R_rear_axle_x_z, work.r_rear_axle_aux1_x);
+  const double s1_488 = mbgen::fma(0.1, work.R_rear_axle_x_y, s1_487);
+  const double s1_489 = mbgen::fma(0.25, work.R_rear_axle_z_z, work.r_rear_axle_aux3_z);
+  const double s1_490 = mbgen::fma(0.1, work.R_rear_axle_z_y, s1_489);
   // arb_link_rear_left
-  work.s1_455 = mbgen::fma(0.35000000000000053, R_arb_rear_left_x_z, 0.44999999999999996);
-  const double s1_456 = 0.15000000000000002*R_rear_axle_x_z;
-  const double s1_457 = mbgen::fma(0.35000000000000053, R_rear_axle_aux5_x_x, s1_456);
-  const double s1_458 = 0.15000000000000002*R_rear_axle_y_z;
-  const double s1_459 = mbgen::fma(0.35000000000000053, R_rear_axle_aux5_y_x, s1_458);
-  work.s1_460 = mbgen::fms(0.35000000000000053, R_arb_rear_left_x_x, 3.3000000000000003);
-  work.s1_461 = mbgen::fma(0.6, R_rear_axle_y_y, z_rear_axle_ty) - s1_459;
-  work.s1_462 = mbgen::fma(0.6, R_rear_axle_x_y, r_rear_axle_aux1_x) - s1_457;
-  const double s1_463 = 0.35000000000000053*s1_65;
-  const double s1_464 = mbgen::fnma(0.15000000000000002, R_rear_axle_z_z, s1_463);
-  const double s1_465 = r_rear_axle_aux3_z + s1_464;
-  work.s1_466 = mbgen::fma(0.6, R_rear_axle_z_y, s1_465);
+  const double s1_491 = mbgen::fma(0.35000000000000053, R_arb_rear_left_x_z, 0.44999999999999996);
+  const double s1_492 = 0.15000000000000002*work.R_rear_axle_x_z;
+  const double s1_493 = mbgen::fma(0.35000000000000053, work.R_rear_axle_aux5_x_x, s1_492);
+  const double s1_494 = 0.15000000000000002*work.R_rear_axle_y_z;
+  const double s1_495 = mbgen::fma(0.35000000000000053, work.R_rear_axle_aux5_y_x, s1_494);
+  const double s1_496 = mbgen::fms(0.35000000000000053, R_arb_rear_left_x_x, 3.3000000000000003);
+  const double s1_497 = mbgen::fma(0.6, work.R_rear_axle_y_y, z_rear_axle_ty) - s1_495;
+  const double s1_498 = mbgen::fma(0.6, work.R_rear_axle_x_y, work.r_rear_axle_aux1_x) - s1_493;
+  const double s1_499 = 0.35000000000000053*s1_68;
+  const double s1_500 = mbgen::fnma(0.15000000000000002, work.R_rear_axle_z_z, s1_499);
+  const double s1_501 = work.r_rear_axle_aux3_z + s1_500;
+  const double s1_502 = mbgen::fma(0.6, work.R_rear_axle_z_y, s1_501);
   // long_rod_right
-  work.s1_467 = mbgen::fnma(0.55, R_rear_axle_y_y, s1_442);
-  work.s1_468 = mbgen::fnma(0.55, R_rear_axle_x_y, s1_446);
-  work.s1_469 = mbgen::fnma(0.55, R_rear_axle_z_y, r_rear_axle_aux3_z - s1_439);
+  const double s1_503 = mbgen::fnma(0.55, work.R_rear_axle_y_y, s1_478);
+  const double s1_504 = mbgen::fnma(0.55, work.R_rear_axle_x_y, s1_482);
+  const double s1_505 = work.r_rear_axle_aux3_z - s1_475;
+  const double s1_506 = mbgen::fnma(0.55, work.R_rear_axle_z_y, s1_505);
   // diag_rod_right
-  work.s1_470 = mbgen::fnma(0.1, R_rear_axle_y_y, s1_449);
-  work.s1_471 = mbgen::fnma(0.1, R_rear_axle_x_y, s1_451);
-  work.s1_472 = mbgen::fnma(0.1, R_rear_axle_z_y, s1_453);
+  const double s1_507 = mbgen::fnma(0.1, work.R_rear_axle_y_y, s1_485);
+  const double s1_508 = mbgen::fnma(0.1, work.R_rear_axle_x_y, s1_487);
+  const double s1_509 = mbgen::fnma(0.1, work.R_rear_axle_z_y, s1_489);
   // arb_link_rear_right
-  work.s1_473 = mbgen::fma(0.35000000000000053, R_arb_rear_right_x_z, 0.44999999999999996);
-  work.s1_474 = mbgen::fnma(0.6, R_rear_axle_z_y, s1_465);
-  work.s1_475 = mbgen::fnma(0.6, R_rear_axle_y_y, z_rear_axle_ty - s1_459);
-  work.s1_476 = mbgen::fnma(0.6, R_rear_axle_x_y, r_rear_axle_aux1_x - s1_457);
-  work.s1_477 = mbgen::fms(0.35000000000000053, R_arb_rear_right_x_x, 3.3000000000000003);
-  // operations: 397 add, 643 multiply, 44 sin cos
+  const double s1_510 = mbgen::fma(0.35000000000000053, R_arb_rear_right_x_z, 0.44999999999999996);
+  const double s1_511 = mbgen::fnma(0.6, work.R_rear_axle_z_y, s1_501);
+  const double s1_512 = mbgen::fnma(0.6, work.R_rear_axle_y_y, z_rear_axle_ty - s1_495);
+  const double s1_513 = mbgen::fnma(0.6, work.R_rear_axle_x_y, work.r_rear_axle_aux1_x - s1_493);
+  const double s1_514 = mbgen::fms(0.35000000000000053, R_arb_rear_right_x_x, 3.3000000000000003);
+  // lower_arm_left: lower_arm_left, revolute, chassis
+  const double s1_515 = s1_433 + (s1_423 + (s1_420 + (s1_498 + (s1_496 + (s1_513 + s1_514)))));
+  const double s1_516 = mbgen::fma(9.0, s1_321, 250.66666666666666);
+  const double s1_517 = mbgen::fma(1.5, s1_449, mbgen::fma(16.666666666666668, s1_336, s1_516));
+  const double s1_518 = s1_308 + (work.s1_191 + (s1_401 + s1_410));
+  const double s1_519 = mbgen::fma(8.666666666666666, s1_518, mbgen::fma(774.0, s1_352, s1_517));
+  const double s1_520 = mbgen::fma(0.3333333333333333, s1_436 + s1_515, s1_519);
+  const double s1_521 = work.r_wheel_front_left_x + work.r_wheel_front_right_x;
+  const double s1_522 = mbgen::fma(113.0, work.s1_122 + work.s1_236, s1_520);
+  const double s1_523 = work.r_wheel_rear_left_x + work.r_wheel_rear_right_x;
+  const double s1_524 = mbgen::fma(200.0, s1_523, mbgen::fma(105.0, s1_521, s1_522));
+  const double s1_525 = s1_467 + (s1_464 + (s1_453 + s1_456));
+  const double s1_526 = mbgen::fma(1.1666666666666667, s1_525, s1_524);
+  const double s1_527 = mbgen::fma(3.0, s1_483 + s1_504 - 3.2, s1_526);
+  const double s1_528 = s1_488 + s1_508 - 3.3999999999999995;
+  const double s1_529 = mbgen::fma(2.6666666666666665, s1_528, s1_527);
+  const double s1_530 = mbgen::fma(1.5, s1_447, mbgen::fma(16.666666666666668, s1_329, 4.5));
+  const double s1_531 = s1_439 + (s1_426 + (s1_497 + s1_512));
+  const double s1_532 = mbgen::fma(774.0, s1_348, s1_530);
+  const double s1_533 = mbgen::fma(0.3333333333333333, s1_531, s1_532);
+  const double s1_534 = mbgen::fma(25.0, work.s1_88 + work.s1_202, s1_533);
+  const double s1_535 = work.r_wheel_front_left_y + work.r_wheel_front_right_y;
+  const double s1_536 = mbgen::fma(113.0, work.s1_116 + work.s1_230, s1_534);
+  const double s1_537 = mbgen::fma(105.0, s1_535, s1_536);
+  const double s1_538 = work.r_wheel_rear_left_y + work.r_wheel_rear_right_y;
+  const double s1_539 = mbgen::fma(15.0, work.s1_175 + work.s1_292, s1_537);
+  const double s1_540 = s1_470 + (s1_452 + s1_459) - s1_463;
+  const double s1_541 = mbgen::fma(200.0, s1_538, s1_539);
+  const double s1_542 = mbgen::fma(1.1666666666666667, s1_540, s1_541);
+  const double s1_543 = mbgen::fma(3.0, s1_479 + s1_503, s1_542);
+  const double s1_544 = mbgen::fma(2.6666666666666665, s1_486 + s1_507, s1_543);
+  const double s1_545 = s1_431 + (s1_429 + (s1_418 + (s1_502 + (s1_511 - s1_510) - s1_491)));
+  const double s1_546 = mbgen::fma(774.0, s1_341, mbgen::fnma(1.5, s1_444, 3356.8));
+  const double s1_547 = work.s1_185 + work.s1_300 - s1_408 - s1_397;
+  const double s1_548 = mbgen::fma(8.666666666666666, s1_547, mbgen::fnma(9.0, s1_318, s1_546));
+  const double s1_549 = mbgen::fma(0.3333333333333333, s1_442 + s1_545, s1_548);
+  const double s1_550 = mbgen::fma(25.0, work.s1_86 - work.s1_200, s1_549);
+  const double s1_551 = work.r_wheel_front_left_z + work.r_wheel_front_right_z;
+  const double s1_552 = mbgen::fma(113.0, work.s1_98 + work.s1_210, s1_550);
+  const double s1_553 = mbgen::fma(105.0, s1_551, s1_552);
+  const double s1_554 = work.r_wheel_rear_left_z + work.r_wheel_rear_right_z;
+  const double s1_555 = mbgen::fma(15.0, work.s1_173 - work.s1_290, s1_553);
+  const double s1_556 = mbgen::fma(200.0, s1_554, s1_555);
+  const double s1_557 = mbgen::fma(1.1666666666666667, s1_462 + s1_473 - 1.2, s1_556);
+  const double s1_558 = mbgen::fma(3.0, s1_484 + s1_506 - 1.1, s1_557);
+  const double s1_559 = s1_490 + s1_509 - 0.30000000000000004;
+  const double s1_560 = mbgen::fma(2.6666666666666665, s1_559, s1_558);
+  // chassis: chassis_rx, revolute, chassis_aux5
+  const double s1_561 = 15305.999999999998*work.r_chassis_aux3_z;
+  const double s1_562 = mbgen::fma(work.R_chassis_z_y, s1_544, s1_561);
+  const double s1_1 = work.sines[1];
+  const double s1_563 = mbgen::fma(work.R_chassis_z_z, s1_560, s1_562);
+  const double s1_564 = mbgen::fnma(s1_1, s1_529, s1_563);
+  // operations: 494 add, 684 multiply, 44 sin cos
 
   // --- step 4: velocities Z (36) ---
   // chassis: chassis_rx, revolute, chassis_aux5
@@ -15585,984 +15679,701 @@ struct OutputsWork {
   const double s4_1 = zd_chassis_tx*work.R_chassis_aux5_x_x;
   const double zd_chassis_tz = state.zd[Coordinate::chassis_tz];
   const double s4_2 = mbgen::fma(zd_chassis_ty, work.R_chassis_aux5_y_x, s4_1);
-  work.v_chassis_x = mbgen::fnma(zd_chassis_tz, s1_1, s4_2);
+  const double v_chassis_x = mbgen::fnma(zd_chassis_tz, s1_1, s4_2);
   const double s4_3 = zd_chassis_tz*work.R_chassis_z_y;
   const double s4_4 = mbgen::fma(zd_chassis_tx, work.R_chassis_x_y, s4_3);
-  work.v_chassis_y = mbgen::fma(zd_chassis_ty, work.R_chassis_y_y, s4_4);
+  const double v_chassis_y = mbgen::fma(zd_chassis_ty, work.R_chassis_y_y, s4_4);
   const double s4_5 = zd_chassis_tz*work.R_chassis_z_z;
   const double s4_6 = mbgen::fma(zd_chassis_tx, work.R_chassis_x_z, s4_5);
-  work.v_chassis_z = mbgen::fma(zd_chassis_ty, work.R_chassis_y_z, s4_6);
+  const double v_chassis_z = mbgen::fma(zd_chassis_ty, work.R_chassis_y_z, s4_6);
+  const double zd_chassis_rx = state.zd[Coordinate::chassis_rx];
   const double zd_chassis_rz = state.zd[Coordinate::chassis_rz];
-  work.w_chassis_x = mbgen::fnma(zd_chassis_rz, s1_1, state.zd[Coordinate::chassis_rx]);
+  const double w_chassis_x = mbgen::fnma(zd_chassis_rz, s1_1, zd_chassis_rx);
   const double zd_chassis_ry = state.zd[Coordinate::chassis_ry];
-  work.w_chassis_y = mbgen::fma(zd_chassis_ry, s1_4, zd_chassis_rz*work.R_chassis_z_y);
-  work.w_chassis_z = mbgen::fnma(zd_chassis_ry, s1_2, zd_chassis_rz*work.R_chassis_z_z);
+  const double s4_7 = zd_chassis_rz*work.R_chassis_z_y;
+  const double w_chassis_y = mbgen::fma(zd_chassis_ry, work.cosines[2], s4_7);
+  const double s4_8 = zd_chassis_rz*work.R_chassis_z_z;
+  const double w_chassis_z = mbgen::fnma(zd_chassis_ry, work.sines[2], s4_8);
   // lower_arm_left: lower_arm_left, revolute, chassis
   const double zd_lower_arm_left = state.zd[Coordinate::lower_arm_left];
-  work.v_lower_arm_left_y = mbgen::fnma(0.62, zd_lower_arm_left, work.v_chassis_y);
-  work.v_lower_arm_left_z = mbgen::fnma(0.4, zd_lower_arm_left, work.v_chassis_z);
-  work.w_lower_arm_left_x = zd_lower_arm_left + work.w_chassis_x;
+  const double v_lower_arm_left_y = mbgen::fnma(0.62, zd_lower_arm_left, v_chassis_y);
+  const double v_lower_arm_left_z = mbgen::fnma(0.4, zd_lower_arm_left, v_chassis_z);
+  const double w_lower_arm_left_x = zd_lower_arm_left + w_chassis_x;
   // carrier_left_aux1: carrier_left_rz, revolute, lower_arm_left
   const double zd_carrier_left_rz = state.zd[Coordinate::carrier_left_rz];
-  const double v_carrier_left_aux1_x = mbgen::fma(zd_carrier_left_rz, b_carrier_left_rz_x,
-      work.v_chassis_x);
-  const double v_carrier_left_aux1_y = mbgen::fnma(zd_carrier_left_rz, s1_10,
-      work.v_lower_arm_left_y);
-  const double v_carrier_left_aux1_z = mbgen::fnma(zd_carrier_left_rz, s1_11,
-      work.v_lower_arm_left_z);
-  const double w_carrier_left_aux1_y = mbgen::fnma(zd_carrier_left_rz, R_lower_arm_left_z_y,
-      work.w_chassis_y);
-  const double w_carrier_left_aux1_z = mbgen::fma(zd_carrier_left_rz, R_lower_arm_left_y_y,
-      work.w_chassis_z);
+  const double v_carrier_left_aux1_x = mbgen::fma(zd_carrier_left_rz, work.b_carrier_left_rz_x,
+      v_chassis_x);
+  const double v_carrier_left_aux1_y = mbgen::fnma(zd_carrier_left_rz, work.s1_10,
+      v_lower_arm_left_y);
+  const double v_carrier_left_aux1_z = mbgen::fnma(zd_carrier_left_rz, work.s1_11,
+      v_lower_arm_left_z);
+  const double w_carrier_left_aux1_y = mbgen::fnma(zd_carrier_left_rz, work.sines[3], w_chassis_y);
+  const double w_carrier_left_aux1_z = mbgen::fma(zd_carrier_left_rz, work.cosines[3], w_chassis_z);
   // carrier_left_aux2: carrier_left_rx, revolute, carrier_left_aux1
   const double zd_carrier_left_rx = state.zd[Coordinate::carrier_left_rx];
-  const double v_carrier_left_aux2_x = mbgen::fma(zd_carrier_left_rx, b_carrier_left_rx_x,
+  const double v_carrier_left_aux2_x = mbgen::fma(zd_carrier_left_rx, work.b_carrier_left_rx_x,
       v_carrier_left_aux1_x);
-  const double v_carrier_left_aux2_y = mbgen::fma(zd_carrier_left_rx, b_carrier_left_rx_y,
+  const double v_carrier_left_aux2_y = mbgen::fma(zd_carrier_left_rx, work.b_carrier_left_rx_y,
       v_carrier_left_aux1_y);
-  const double v_carrier_left_aux2_z = mbgen::fma(zd_carrier_left_rx, b_carrier_left_rx_z,
+  const double v_carrier_left_aux2_z = mbgen::fma(zd_carrier_left_rx, work.b_carrier_left_rx_z,
       v_carrier_left_aux1_z);
-  const double w_carrier_left_aux2_x = mbgen::fma(zd_carrier_left_rx, R_carrier_left_aux1_x_x,
-      work.w_lower_arm_left_x);
-  const double w_carrier_left_aux2_y = mbgen::fma(zd_carrier_left_rx, R_carrier_left_aux1_y_x,
+  const double w_carrier_left_aux2_x = mbgen::fma(zd_carrier_left_rx, work.cosines[4],
+      w_lower_arm_left_x);
+  const double w_carrier_left_aux2_y = mbgen::fma(zd_carrier_left_rx, work.R_carrier_left_aux1_y_x,
       w_carrier_left_aux1_y);
-  const double w_carrier_left_aux2_z = mbgen::fma(zd_carrier_left_rx, R_carrier_left_aux1_z_x,
+  const double w_carrier_left_aux2_z = mbgen::fma(zd_carrier_left_rx, work.R_carrier_left_aux1_z_x,
       w_carrier_left_aux1_z);
   // carrier_left: carrier_left_ry, revolute, carrier_left_aux2
   const double zd_carrier_left_ry = state.zd[Coordinate::carrier_left_ry];
-  work.v_carrier_left_x = mbgen::fma(zd_carrier_left_ry, b_carrier_left_ry_x,
+  const double v_carrier_left_x = mbgen::fma(zd_carrier_left_ry, work.b_carrier_left_ry_x,
       v_carrier_left_aux2_x);
-  work.v_carrier_left_y = mbgen::fnma(zd_carrier_left_ry, s1_26, v_carrier_left_aux2_y);
-  work.v_carrier_left_z = mbgen::fma(zd_carrier_left_ry, b_carrier_left_ry_z,
+  const double v_carrier_left_y = mbgen::fnma(zd_carrier_left_ry, work.s1_27,
+      v_carrier_left_aux2_y);
+  const double v_carrier_left_z = mbgen::fma(zd_carrier_left_ry, work.b_carrier_left_ry_z,
       v_carrier_left_aux2_z);
-  work.w_carrier_left_x = mbgen::fnma(zd_carrier_left_ry, s1_13, w_carrier_left_aux2_x);
-  work.w_carrier_left_y = mbgen::fma(zd_carrier_left_ry, R_carrier_left_aux2_y_y,
+  const double w_carrier_left_x = mbgen::fnma(zd_carrier_left_ry, work.s1_13,
+      w_carrier_left_aux2_x);
+  const double w_carrier_left_y = mbgen::fma(zd_carrier_left_ry, work.R_carrier_left_aux2_y_y,
       w_carrier_left_aux2_y);
-  work.w_carrier_left_z = mbgen::fma(zd_carrier_left_ry, R_carrier_left_aux2_z_y,
+  const double w_carrier_left_z = mbgen::fma(zd_carrier_left_ry, work.R_carrier_left_aux2_z_y,
       w_carrier_left_aux2_z);
   // wheel_front_left: wheel_front_left, revolute, carrier_left
   const double zd_wheel_front_left = state.zd[Coordinate::wheel_front_left];
-  work.v_wheel_front_left_x = mbgen::fma(zd_wheel_front_left, b_wheel_front_left_x,
-      work.v_carrier_left_x);
-  work.v_wheel_front_left_y = mbgen::fnma(zd_wheel_front_left, s1_32, work.v_carrier_left_y);
-  work.v_wheel_front_left_z = mbgen::fma(zd_wheel_front_left, b_wheel_front_left_z,
-      work.v_carrier_left_z);
-  work.w_wheel_front_left_x = mbgen::fnma(zd_wheel_front_left, s1_13, work.w_carrier_left_x);
-  work.w_wheel_front_left_y = mbgen::fma(zd_wheel_front_left, R_carrier_left_aux2_y_y,
-      work.w_carrier_left_y);
-  work.w_wheel_front_left_z = mbgen::fma(zd_wheel_front_left, R_carrier_left_aux2_z_y,
-      work.w_carrier_left_z);
+  const double v_wheel_front_left_x = mbgen::fma(zd_wheel_front_left, work.b_wheel_front_left_x,
+      v_carrier_left_x);
+  const double v_wheel_front_left_y = mbgen::fnma(zd_wheel_front_left, work.s1_34,
+      v_carrier_left_y);
+  const double v_wheel_front_left_z = mbgen::fma(zd_wheel_front_left, work.b_wheel_front_left_z,
+      v_carrier_left_z);
+  const double w_wheel_front_left_x = mbgen::fnma(zd_wheel_front_left, work.s1_13,
+      w_carrier_left_x);
+  const double w_wheel_front_left_y = mbgen::fma(zd_wheel_front_left, work.R_carrier_left_aux2_y_y,
+      w_carrier_left_y);
+  const double w_wheel_front_left_z = mbgen::fma(zd_wheel_front_left, work.R_carrier_left_aux2_z_y,
+      w_carrier_left_z);
   // upper_arm_left: upper_arm_left, revolute, chassis
   const double zd_upper_arm_left = state.zd[Coordinate::upper_arm_left];
-  work.v_upper_arm_left_y = mbgen::fnma(0.28, zd_upper_arm_left, work.v_chassis_y);
-  work.v_upper_arm_left_z = mbgen::fnma(0.5, zd_upper_arm_left, work.v_chassis_z);
-  work.w_upper_arm_left_x = zd_upper_arm_left + work.w_chassis_x;
+  const double v_upper_arm_left_y = mbgen::fnma(0.28, zd_upper_arm_left, v_chassis_y);
+  const double v_upper_arm_left_z = mbgen::fnma(0.5, zd_upper_arm_left, v_chassis_z);
+  const double w_upper_arm_left_x = zd_upper_arm_left + w_chassis_x;
   // arb_front_left: arb_front_left, revolute, chassis
   const double zd_arb_front_left = state.zd[Coordinate::arb_front_left];
-  work.v_arb_front_left_x = mbgen::fma(0.5, zd_arb_front_left, work.v_chassis_x);
-  work.v_arb_front_left_z = mbgen::fma(3.95, zd_arb_front_left, work.v_chassis_z);
-  work.w_arb_front_left_y = zd_arb_front_left + work.w_chassis_y;
+  const double v_arb_front_left_x = mbgen::fma(0.5, zd_arb_front_left, v_chassis_x);
+  const double v_arb_front_left_z = mbgen::fma(3.95, zd_arb_front_left, v_chassis_z);
+  const double w_arb_front_left_y = zd_arb_front_left + w_chassis_y;
   // lower_arm_right: lower_arm_right, revolute, chassis
   const double zd_lower_arm_right = state.zd[Coordinate::lower_arm_right];
-  work.v_lower_arm_right_y = mbgen::fnma(0.62, zd_lower_arm_right, work.v_chassis_y);
-  work.v_lower_arm_right_z = mbgen::fma(0.4, zd_lower_arm_right, work.v_chassis_z);
-  work.w_lower_arm_right_x = zd_lower_arm_right + work.w_chassis_x;
+  const double v_lower_arm_right_y = mbgen::fnma(0.62, zd_lower_arm_right, v_chassis_y);
+  const double v_lower_arm_right_z = mbgen::fma(0.4, zd_lower_arm_right, v_chassis_z);
+  const double w_lower_arm_right_x = zd_lower_arm_right + w_chassis_x;
   // carrier_right_aux1: carrier_right_rz, revolute, lower_arm_right
   const double zd_carrier_right_rz = state.zd[Coordinate::carrier_right_rz];
-  const double v_carrier_right_aux1_x = mbgen::fma(zd_carrier_right_rz, b_carrier_right_rz_x,
-      work.v_chassis_x);
-  const double v_carrier_right_aux1_y = mbgen::fnma(zd_carrier_right_rz, s1_39,
-      work.v_lower_arm_right_y);
-  const double v_carrier_right_aux1_z = mbgen::fnma(zd_carrier_right_rz, s1_40,
-      work.v_lower_arm_right_z);
-  const double w_carrier_right_aux1_y = mbgen::fnma(zd_carrier_right_rz, R_lower_arm_right_z_y,
-      work.w_chassis_y);
-  const double w_carrier_right_aux1_z = mbgen::fma(zd_carrier_right_rz, R_lower_arm_right_y_y,
-      work.w_chassis_z);
+  const double v_carrier_right_aux1_x = mbgen::fma(zd_carrier_right_rz, work.b_carrier_right_rz_x,
+      v_chassis_x);
+  const double v_carrier_right_aux1_y = mbgen::fnma(zd_carrier_right_rz, work.s1_41,
+      v_lower_arm_right_y);
+  const double v_carrier_right_aux1_z = mbgen::fnma(zd_carrier_right_rz, work.s1_42,
+      v_lower_arm_right_z);
+  const double w_carrier_right_aux1_y = mbgen::fnma(zd_carrier_right_rz, work.sines[9],
+      w_chassis_y);
+  const double w_carrier_right_aux1_z = mbgen::fma(zd_carrier_right_rz, work.cosines[9],
+      w_chassis_z);
   // carrier_right_aux2: carrier_right_rx, revolute, carrier_right_aux1
   const double zd_carrier_right_rx = state.zd[Coordinate::carrier_right_rx];
-  const double v_carrier_right_aux2_x = mbgen::fma(zd_carrier_right_rx, b_carrier_right_rx_x,
+  const double v_carrier_right_aux2_x = mbgen::fma(zd_carrier_right_rx, work.b_carrier_right_rx_x,
       v_carrier_right_aux1_x);
-  const double v_carrier_right_aux2_y = mbgen::fnma(zd_carrier_right_rx, s1_49,
+  const double v_carrier_right_aux2_y = mbgen::fnma(zd_carrier_right_rx, work.s1_51,
       v_carrier_right_aux1_y);
-  const double v_carrier_right_aux2_z = mbgen::fma(zd_carrier_right_rx, b_carrier_right_rx_z,
+  const double v_carrier_right_aux2_z = mbgen::fma(zd_carrier_right_rx, work.b_carrier_right_rx_z,
       v_carrier_right_aux1_z);
-  const double w_carrier_right_aux2_x = mbgen::fma(zd_carrier_right_rx, R_carrier_right_aux1_x_x,
-      work.w_lower_arm_right_x);
-  const double w_carrier_right_aux2_y = mbgen::fma(zd_carrier_right_rx, R_carrier_right_aux1_y_x,
-      w_carrier_right_aux1_y);
-  const double w_carrier_right_aux2_z = mbgen::fma(zd_carrier_right_rx, R_carrier_right_aux1_z_x,
-      w_carrier_right_aux1_z);
+  const double w_carrier_right_aux2_x = mbgen::fma(zd_carrier_right_rx, work.cosines[10],
+      w_lower_arm_right_x);
+  const double w_carrier_right_aux2_y = mbgen::fma(zd_carrier_right_rx,
+      work.R_carrier_right_aux1_y_x, w_carrier_right_aux1_y);
+  const double w_carrier_right_aux2_z = mbgen::fma(zd_carrier_right_rx,
+      work.R_carrier_right_aux1_z_x, w_carrier_right_aux1_z);
   // carrier_right: carrier_right_ry, revolute, carrier_right_aux2
   const double zd_carrier_right_ry = state.zd[Coordinate::carrier_right_ry];
-  work.v_carrier_right_x = mbgen::fma(zd_carrier_right_ry, b_carrier_right_ry_x,
+  const double v_carrier_right_x = mbgen::fma(zd_carrier_right_ry, work.b_carrier_right_ry_x,
       v_carrier_right_aux2_x);
-  work.v_carrier_right_y = mbgen::fma(zd_carrier_right_ry, b_carrier_right_ry_y,
+  const double v_carrier_right_y = mbgen::fma(zd_carrier_right_ry, work.b_carrier_right_ry_y,
       v_carrier_right_aux2_y);
-  work.v_carrier_right_z = mbgen::fma(zd_carrier_right_ry, b_carrier_right_ry_z,
+  const double v_carrier_right_z = mbgen::fma(zd_carrier_right_ry, work.b_carrier_right_ry_z,
       v_carrier_right_aux2_z);
-  work.w_carrier_right_x = mbgen::fnma(zd_carrier_right_ry, s1_42, w_carrier_right_aux2_x);
-  work.w_carrier_right_y = mbgen::fma(zd_carrier_right_ry, R_carrier_right_aux2_y_y,
+  const double w_carrier_right_x = mbgen::fnma(zd_carrier_right_ry, work.s1_44,
+      w_carrier_right_aux2_x);
+  const double w_carrier_right_y = mbgen::fma(zd_carrier_right_ry, work.R_carrier_right_aux2_y_y,
       w_carrier_right_aux2_y);
-  work.w_carrier_right_z = mbgen::fma(zd_carrier_right_ry, R_carrier_right_aux2_z_y,
+  const double w_carrier_right_z = mbgen::fma(zd_carrier_right_ry, work.R_carrier_right_aux2_z_y,
       w_carrier_right_aux2_z);
   // wheel_front_right: wheel_front_right, revolute, carrier_right
   const double zd_wheel_front_right = state.zd[Coordinate::wheel_front_right];
-  work.v_wheel_front_right_x = mbgen::fma(zd_wheel_front_right, b_wheel_front_right_x,
-      work.v_carrier_right_x);
-  work.v_wheel_front_right_y = mbgen::fnma(zd_wheel_front_right, s1_63, work.v_carrier_right_y);
-  work.v_wheel_front_right_z = mbgen::fma(zd_wheel_front_right, b_wheel_front_right_z,
-      work.v_carrier_right_z);
-  work.w_wheel_front_right_x = mbgen::fnma(zd_wheel_front_right, s1_42, work.w_carrier_right_x);
-  work.w_wheel_front_right_y = mbgen::fma(zd_wheel_front_right, R_carrier_right_aux2_y_y,
-      work.w_carrier_right_y);
-  work.w_wheel_front_right_z = mbgen::fma(zd_wheel_front_right, R_carrier_right_aux2_z_y,
-      work.w_carrier_right_z);
+  const double v_wheel_front_right_x = mbgen::fma(zd_wheel_front_right, work.b_wheel_front_right_x,
+      v_carrier_right_x);
+  const double v_wheel_front_right_y = mbgen::fnma(zd_wheel_front_right, work.s1_66,
+      v_carrier_right_y);
+  const double v_wheel_front_right_z = mbgen::fma(zd_wheel_front_right, work.b_wheel_front_right_z,
+      v_carrier_right_z);
+  const double w_wheel_front_right_x = mbgen::fnma(zd_wheel_front_right, work.s1_44,
+      w_carrier_right_x);
+  const double w_wheel_front_right_y = mbgen::fma(zd_wheel_front_right,
+      work.R_carrier_right_aux2_y_y, w_carrier_right_y);
+  const double w_wheel_front_right_z = mbgen::fma(zd_wheel_front_right,
+      work.R_carrier_right_aux2_z_y, w_carrier_right_z);
   // upper_arm_right: upper_arm_right, revolute, chassis
   const double zd_upper_arm_right = state.zd[Coordinate::upper_arm_right];
-  work.v_upper_arm_right_y = mbgen::fnma(0.28, zd_upper_arm_right, work.v_chassis_y);
-  work.v_upper_arm_right_z = mbgen::fma(0.5, zd_upper_arm_right, work.v_chassis_z);
-  work.w_upper_arm_right_x = zd_upper_arm_right + work.w_chassis_x;
+  const double v_upper_arm_right_y = mbgen::fnma(0.28, zd_upper_arm_right, v_chassis_y);
+  const double v_upper_arm_right_z = mbgen::fma(0.5, zd_upper_arm_right, v_chassis_z);
+  const double w_upper_arm_right_x = zd_upper_arm_right + w_chassis_x;
   // arb_front_right: arb_front_right, revolute, chassis
   const double zd_arb_front_right = state.zd[Coordinate::arb_front_right];
-  work.v_arb_front_right_x = mbgen::fma(0.5, zd_arb_front_right, work.v_chassis_x);
-  work.v_arb_front_right_z = mbgen::fma(3.95, zd_arb_front_right, work.v_chassis_z);
-  work.w_arb_front_right_y = zd_arb_front_right + work.w_chassis_y;
+  const double v_arb_front_right_x = mbgen::fma(0.5, zd_arb_front_right, v_chassis_x);
+  const double v_arb_front_right_z = mbgen::fma(3.95, zd_arb_front_right, v_chassis_z);
+  const double w_arb_front_right_y = zd_arb_front_right + w_chassis_y;
   // pitman_arm: pitman_arm, revolute, chassis
   const double zd_pitman_arm = state.zd[Coordinate::pitman_arm];
-  work.v_pitman_arm_x = mbgen::fma(0.4, zd_pitman_arm, work.v_chassis_x);
-  work.v_pitman_arm_z = mbgen::fma(4.4, zd_pitman_arm, work.v_chassis_z);
-  work.w_pitman_arm_y = zd_pitman_arm + work.w_chassis_y;
+  const double v_pitman_arm_x = mbgen::fma(0.4, zd_pitman_arm, v_chassis_x);
+  const double v_pitman_arm_z = mbgen::fma(4.4, zd_pitman_arm, v_chassis_z);
+  const double w_pitman_arm_y = zd_pitman_arm + w_chassis_y;
   // bell_crank: bell_crank, revolute, chassis
   const double zd_bell_crank = state.zd[Coordinate::bell_crank];
-  work.v_bell_crank_y = mbgen::fnma(3.25, zd_bell_crank, work.v_chassis_y);
-  work.w_bell_crank_z = zd_bell_crank + work.w_chassis_z;
+  const double v_bell_crank_y = mbgen::fnma(3.25, zd_bell_crank, v_chassis_y);
+  const double w_bell_crank_z = zd_bell_crank + w_chassis_z;
   // rear_axle_aux1: rear_axle_tx, prismatic, chassis
-  const double v_rear_axle_aux1_x = state.zd[Coordinate::rear_axle_tx] + work.v_chassis_x;
+  const double zd_rear_axle_tx = state.zd[Coordinate::rear_axle_tx];
+  const double v_rear_axle_aux1_x = zd_rear_axle_tx + v_chassis_x;
   // rear_axle_aux2: rear_axle_ty, prismatic, rear_axle_aux1
-  const double v_rear_axle_aux2_y = state.zd[Coordinate::rear_axle_ty] + work.v_chassis_y;
+  const double zd_rear_axle_ty = state.zd[Coordinate::rear_axle_ty];
+  const double v_rear_axle_aux2_y = zd_rear_axle_ty + v_chassis_y;
   // rear_axle_aux3: rear_axle_tz, prismatic, rear_axle_aux2
-  const double v_rear_axle_aux3_z = state.zd[Coordinate::rear_axle_tz] + work.v_chassis_z;
+  const double zd_rear_axle_tz = state.zd[Coordinate::rear_axle_tz];
+  const double v_rear_axle_aux3_z = zd_rear_axle_tz + v_chassis_z;
   // rear_axle_aux4: rear_axle_rz, revolute, rear_axle_aux3
   const double zd_rear_axle_rz = state.zd[Coordinate::rear_axle_rz];
   const double v_rear_axle_aux4_x = mbgen::fma(z_rear_axle_ty, zd_rear_axle_rz, v_rear_axle_aux1_x);
-  const double v_rear_axle_aux4_y = mbgen::fnma(zd_rear_axle_rz, r_rear_axle_aux1_x,
+  const double v_rear_axle_aux4_y = mbgen::fnma(zd_rear_axle_rz, work.r_rear_axle_aux1_x,
       v_rear_axle_aux2_y);
-  const double w_rear_axle_aux4_z = zd_rear_axle_rz + work.w_chassis_z;
+  const double w_rear_axle_aux4_z = zd_rear_axle_rz + w_chassis_z;
   // rear_axle_aux5: rear_axle_ry, revolute, rear_axle_aux4
   const double zd_rear_axle_ry = state.zd[Coordinate::rear_axle_ry];
-  const double v_rear_axle_aux5_x = mbgen::fnma(zd_rear_axle_ry, s1_66, v_rear_axle_aux4_x);
-  const double v_rear_axle_aux5_y = mbgen::fnma(zd_rear_axle_ry, s1_67, v_rear_axle_aux4_y);
-  const double v_rear_axle_aux5_z = mbgen::fma(zd_rear_axle_ry, b_rear_axle_ry_z,
+  const double v_rear_axle_aux5_x = mbgen::fnma(zd_rear_axle_ry, work.s1_69, v_rear_axle_aux4_x);
+  const double v_rear_axle_aux5_y = mbgen::fnma(zd_rear_axle_ry, work.s1_70, v_rear_axle_aux4_y);
+  const double v_rear_axle_aux5_z = mbgen::fma(zd_rear_axle_ry, work.b_rear_axle_ry_z,
       v_rear_axle_aux3_z);
-  const double w_rear_axle_aux5_x = mbgen::fnma(zd_rear_axle_ry, R_rear_axle_aux4_y_x,
-      work.w_chassis_x);
-  const double w_rear_axle_aux5_y = mbgen::fma(zd_rear_axle_ry, R_rear_axle_aux4_x_x,
-      work.w_chassis_y);
+  const double w_rear_axle_aux5_x = mbgen::fnma(zd_rear_axle_ry, work.sines[17], w_chassis_x);
+  const double w_rear_axle_aux5_y = mbgen::fma(zd_rear_axle_ry, work.cosines[17], w_chassis_y);
   // rear_axle: rear_axle_rx, revolute, rear_axle_aux5
   const double zd_rear_axle_rx = state.zd[Coordinate::rear_axle_rx];
-  work.v_rear_axle_x = mbgen::fnma(zd_rear_axle_rx, s1_72, v_rear_axle_aux5_x);
-  work.v_rear_axle_y = mbgen::fma(zd_rear_axle_rx, b_rear_axle_rx_y, v_rear_axle_aux5_y);
-  work.v_rear_axle_z = mbgen::fma(zd_rear_axle_rx, b_rear_axle_rx_z, v_rear_axle_aux5_z);
-  work.w_rear_axle_x = mbgen::fma(zd_rear_axle_rx, R_rear_axle_aux5_x_x, w_rear_axle_aux5_x);
-  work.w_rear_axle_y = mbgen::fma(zd_rear_axle_rx, R_rear_axle_aux5_y_x, w_rear_axle_aux5_y);
-  work.w_rear_axle_z = mbgen::fnma(zd_rear_axle_rx, s1_65, w_rear_axle_aux4_z);
+  const double v_rear_axle_x = mbgen::fnma(zd_rear_axle_rx, work.s1_75, v_rear_axle_aux5_x);
+  const double v_rear_axle_y = mbgen::fma(zd_rear_axle_rx, work.b_rear_axle_rx_y,
+      v_rear_axle_aux5_y);
+  const double v_rear_axle_z = mbgen::fma(zd_rear_axle_rx, work.b_rear_axle_rx_z,
+      v_rear_axle_aux5_z);
+  const double w_rear_axle_x = mbgen::fma(zd_rear_axle_rx, work.R_rear_axle_aux5_x_x,
+      w_rear_axle_aux5_x);
+  const double w_rear_axle_y = mbgen::fma(zd_rear_axle_rx, work.R_rear_axle_aux5_y_x,
+      w_rear_axle_aux5_y);
+  const double w_rear_axle_z = mbgen::fnma(zd_rear_axle_rx, s1_68, w_rear_axle_aux4_z);
   // wheel_rear_left: wheel_rear_left, revolute, rear_axle
   const double zd_wheel_rear_left = state.zd[Coordinate::wheel_rear_left];
-  work.v_wheel_rear_left_x = mbgen::fma(zd_wheel_rear_left, b_wheel_rear_left_x,
-      work.v_rear_axle_x);
-  work.v_wheel_rear_left_y = mbgen::fma(zd_wheel_rear_left, b_wheel_rear_left_y,
-      work.v_rear_axle_y);
-  work.v_wheel_rear_left_z = mbgen::fma(zd_wheel_rear_left, b_wheel_rear_left_z,
-      work.v_rear_axle_z);
-  work.w_wheel_rear_left_x = mbgen::fma(zd_wheel_rear_left, R_rear_axle_x_y, work.w_rear_axle_x);
-  work.w_wheel_rear_left_y = mbgen::fma(zd_wheel_rear_left, R_rear_axle_y_y, work.w_rear_axle_y);
-  work.w_wheel_rear_left_z = mbgen::fma(zd_wheel_rear_left, R_rear_axle_z_y, work.w_rear_axle_z);
+  const double v_wheel_rear_left_x = mbgen::fma(zd_wheel_rear_left, work.b_wheel_rear_left_x,
+      v_rear_axle_x);
+  const double v_wheel_rear_left_y = mbgen::fma(zd_wheel_rear_left, work.b_wheel_rear_left_y,
+      v_rear_axle_y);
+  const double v_wheel_rear_left_z = mbgen::fma(zd_wheel_rear_left, work.b_wheel_rear_left_z,
+      v_rear_axle_z);
+  const double w_wheel_rear_left_x = mbgen::fma(zd_wheel_rear_left, work.R_rear_axle_x_y,
+      w_rear_axle_x);
+  const double w_wheel_rear_left_y = mbgen::fma(zd_wheel_rear_left, work.R_rear_axle_y_y,
+      w_rear_axle_y);
+  const double w_wheel_rear_left_z = mbgen::fma(zd_wheel_rear_left, work.R_rear_axle_z_y,
+      w_rear_axle_z);
   // arb_rear_left: arb_rear_left, revolute, chassis
   const double zd_arb_rear_left = state.zd[Coordinate::arb_rear_left];
-  work.v_arb_rear_left_x = mbgen::fma(0.44999999999999996, zd_arb_rear_left, work.v_chassis_x);
-  work.v_arb_rear_left_z = mbgen::fnma(3.3000000000000003, zd_arb_rear_left, work.v_chassis_z);
-  work.w_arb_rear_left_y = zd_arb_rear_left + work.w_chassis_y;
+  const double v_arb_rear_left_x = mbgen::fma(0.44999999999999996, zd_arb_rear_left, v_chassis_x);
+  const double v_arb_rear_left_z = mbgen::fnma(3.3000000000000003, zd_arb_rear_left, v_chassis_z);
+  const double w_arb_rear_left_y = zd_arb_rear_left + w_chassis_y;
   // wheel_rear_right: wheel_rear_right, revolute, rear_axle
   const double zd_wheel_rear_right = state.zd[Coordinate::wheel_rear_right];
-  work.v_wheel_rear_right_x = mbgen::fma(zd_wheel_rear_right, b_wheel_rear_right_x,
-      work.v_rear_axle_x);
-  work.v_wheel_rear_right_y = mbgen::fma(zd_wheel_rear_right, b_wheel_rear_right_y,
-      work.v_rear_axle_y);
-  work.v_wheel_rear_right_z = mbgen::fma(zd_wheel_rear_right, b_wheel_rear_right_z,
-      work.v_rear_axle_z);
-  work.w_wheel_rear_right_x = mbgen::fma(zd_wheel_rear_right, R_rear_axle_x_y, work.w_rear_axle_x);
-  work.w_wheel_rear_right_y = mbgen::fma(zd_wheel_rear_right, R_rear_axle_y_y, work.w_rear_axle_y);
-  work.w_wheel_rear_right_z = mbgen::fma(zd_wheel_rear_right, R_rear_axle_z_y, work.w_rear_axle_z);
+  const double v_wheel_rear_right_x = mbgen::fma(zd_wheel_rear_right, work.b_wheel_rear_right_x,
+      v_rear_axle_x);
+  const double v_wheel_rear_right_y = mbgen::fma(zd_wheel_rear_right, work.b_wheel_rear_right_y,
+      v_rear_axle_y);
+  const double v_wheel_rear_right_z = mbgen::fma(zd_wheel_rear_right, work.b_wheel_rear_right_z,
+      v_rear_axle_z);
+  const double w_wheel_rear_right_x = mbgen::fma(zd_wheel_rear_right, work.R_rear_axle_x_y,
+      w_rear_axle_x);
+  const double w_wheel_rear_right_y = mbgen::fma(zd_wheel_rear_right, work.R_rear_axle_y_y,
+      w_rear_axle_y);
+  const double w_wheel_rear_right_z = mbgen::fma(zd_wheel_rear_right, work.R_rear_axle_z_y,
+      w_rear_axle_z);
   // arb_rear_right: arb_rear_right, revolute, chassis
   const double zd_arb_rear_right = state.zd[Coordinate::arb_rear_right];
-  work.v_arb_rear_right_x = mbgen::fma(0.44999999999999996, zd_arb_rear_right, work.v_chassis_x);
-  work.v_arb_rear_right_z = mbgen::fnma(3.3000000000000003, zd_arb_rear_right, work.v_chassis_z);
-  work.w_arb_rear_right_y = zd_arb_rear_right + work.w_chassis_y;
+  const double v_arb_rear_right_x = mbgen::fma(0.44999999999999996, zd_arb_rear_right, v_chassis_x);
+  const double v_arb_rear_right_z = mbgen::fnma(3.3000000000000003, zd_arb_rear_right, v_chassis_z);
+  const double w_arb_rear_right_y = zd_arb_rear_right + w_chassis_y;
   // operations: 113 add, 104 multiply
 
   // --- step 7: accelerations Zdot and accumulated forces QR - PR (51), (52) ---
   // chassis: chassis_rx, revolute, chassis_aux5
-  const double s7_1 = 15014.70911391573*work.w_chassis_x;
-  work.s7_2 = mbgen::fnma(22.575050285939653, work.w_chassis_z, s7_1);
-  const double s7_3 = 145066.78026359034*work.w_chassis_z;
-  work.s7_4 = mbgen::fnma(22.575050285939653, work.w_chassis_x, s7_3);
+  const double s7_1 = 15014.70911391573*w_chassis_x;
+  const double s7_2 = mbgen::fnma(22.575050285939653, w_chassis_z, s7_1);
+  const double s7_3 = 145066.78026359034*w_chassis_z;
+  const double s7_4 = mbgen::fnma(22.575050285939653, w_chassis_x, s7_3);
   // lower_arm_left: lower_arm_left, revolute, chassis
-  work.s7_5 = mbgen::fma(s1_87, work.w_chassis_y, s1_88*work.w_chassis_z);
-  work.s7_6 = mbgen::fma(s1_87, work.w_chassis_z, s1_90*work.w_chassis_y);
-  work.s7_7 = 0.6*work.w_lower_arm_left_x;
+  const double s7_5 = mbgen::fma(work.s1_90, w_chassis_y, work.s1_91*w_chassis_z);
+  const double s7_6 = mbgen::fma(work.s1_90, w_chassis_z, work.s1_93*w_chassis_y);
+  const double s7_7 = 0.6*w_lower_arm_left_x;
   // carrier_left: carrier_left_ry, revolute, carrier_left_aux2
-  const double s7_8 = mbgen::fma(s1_134, work.w_carrier_left_x, s1_125*work.w_carrier_left_y);
-  work.s7_9 = mbgen::fma(s1_114, work.w_carrier_left_z, s7_8);
-  const double s7_10 = mbgen::fma(s1_136, work.w_carrier_left_z, s1_109*work.w_carrier_left_y);
-  work.s7_11 = mbgen::fma(s1_114, work.w_carrier_left_x, s7_10);
-  const double s7_12 = mbgen::fma(s1_109, work.w_carrier_left_z, s1_138*work.w_carrier_left_y);
-  work.s7_13 = mbgen::fma(s1_125, work.w_carrier_left_x, s7_12);
+  const double s7_8 = mbgen::fma(work.s1_140, w_carrier_left_x, work.s1_131*w_carrier_left_y);
+  const double s7_9 = mbgen::fma(work.s1_119, w_carrier_left_z, s7_8);
+  const double s7_10 = mbgen::fma(work.s1_143, w_carrier_left_z, work.s1_113*w_carrier_left_y);
+  const double s7_11 = mbgen::fma(work.s1_119, w_carrier_left_x, s7_10);
+  const double s7_12 = mbgen::fma(work.s1_113, w_carrier_left_z, work.s1_146*w_carrier_left_y);
+  const double s7_13 = mbgen::fma(work.s1_131, w_carrier_left_x, s7_12);
   // wheel_front_left: wheel_front_left, revolute, carrier_left
-  const double s7_14 = s1_148*work.w_wheel_front_left_y;
-  const double s7_15 = mbgen::fma(s1_153, work.w_wheel_front_left_z, s7_14);
-  work.s7_16 = mbgen::fma(s1_157, work.w_wheel_front_left_x, s7_15);
-  const double s7_17 = s1_157*work.w_wheel_front_left_y;
-  const double s7_18 = mbgen::fma(s1_151, work.w_wheel_front_left_x, s7_17);
-  work.s7_19 = mbgen::fma(s1_155, work.w_wheel_front_left_z, s7_18);
-  const double s7_20 = s1_153*work.w_wheel_front_left_y;
-  const double s7_21 = mbgen::fma(s1_144, work.w_wheel_front_left_z, s7_20);
-  work.s7_22 = mbgen::fma(s1_155, work.w_wheel_front_left_x, s7_21);
+  const double s7_14 = work.s1_158*w_wheel_front_left_y;
+  const double s7_15 = mbgen::fma(work.s1_164, w_wheel_front_left_z, s7_14);
+  const double s7_16 = mbgen::fma(work.s1_170, w_wheel_front_left_x, s7_15);
+  const double s7_17 = work.s1_170*w_wheel_front_left_y;
+  const double s7_18 = mbgen::fma(work.s1_161, w_wheel_front_left_x, s7_17);
+  const double s7_19 = mbgen::fma(work.s1_167, w_wheel_front_left_z, s7_18);
+  const double s7_20 = work.s1_164*w_wheel_front_left_y;
+  const double s7_21 = mbgen::fma(work.s1_153, w_wheel_front_left_z, s7_20);
+  const double s7_22 = mbgen::fma(work.s1_167, w_wheel_front_left_x, s7_21);
   // upper_arm_left: upper_arm_left, revolute, chassis
-  work.s7_23 = mbgen::fma(s1_164, work.w_chassis_y, s1_167*work.w_chassis_z);
-  work.s7_24 = mbgen::fma(s1_164, work.w_chassis_z, s1_166*work.w_chassis_y);
-  work.s7_25 = 0.2*work.w_upper_arm_left_x;
+  const double s7_23 = mbgen::fma(work.s1_177, w_chassis_y, work.s1_180*w_chassis_z);
+  const double s7_24 = mbgen::fma(work.s1_177, w_chassis_z, work.s1_179*w_chassis_y);
+  const double s7_25 = 0.2*w_upper_arm_left_x;
   // arb_front_left: arb_front_left, revolute, chassis
-  const double s7_26 = mbgen::fma(s1_176, work.w_chassis_x, 0.1304*work.w_arb_front_left_y);
-  work.s7_27 = mbgen::fnma(s1_170, work.w_chassis_z, s7_26);
-  const double s7_28 = mbgen::fma(s1_183, work.w_chassis_x, s1_176*work.w_arb_front_left_y);
-  work.s7_29 = mbgen::fma(s1_180, work.w_chassis_z, s7_28);
-  const double s7_30 = mbgen::fma(s1_184, work.w_chassis_z, s1_180*work.w_chassis_x);
-  work.s7_31 = mbgen::fnma(s1_170, work.w_arb_front_left_y, s7_30);
+  const double s7_26 = mbgen::fma(work.s1_189, w_chassis_x, 0.1304*w_arb_front_left_y);
+  const double s7_27 = mbgen::fnma(work.s1_183, w_chassis_z, s7_26);
+  const double s7_28 = mbgen::fma(work.s1_196, w_chassis_x, work.s1_189*w_arb_front_left_y);
+  const double s7_29 = mbgen::fma(work.s1_193, w_chassis_z, s7_28);
+  const double s7_30 = mbgen::fma(work.s1_197, w_chassis_z, work.s1_193*w_chassis_x);
+  const double s7_31 = mbgen::fnma(work.s1_183, w_arb_front_left_y, s7_30);
   // lower_arm_right: lower_arm_right, revolute, chassis
-  work.s7_32 = mbgen::fma(s1_191, work.w_chassis_y, s1_192*work.w_chassis_z);
-  work.s7_33 = mbgen::fma(s1_191, work.w_chassis_z, s1_194*work.w_chassis_y);
-  work.s7_34 = 0.6*work.w_lower_arm_right_x;
+  const double s7_32 = mbgen::fma(work.s1_204, w_chassis_y, work.s1_205*w_chassis_z);
+  const double s7_33 = mbgen::fma(work.s1_204, w_chassis_z, work.s1_207*w_chassis_y);
+  const double s7_34 = 0.6*w_lower_arm_right_x;
   // carrier_right: carrier_right_ry, revolute, carrier_right_aux2
-  const double s7_35 = s1_229*work.w_carrier_right_y;
-  const double s7_36 = mbgen::fma(s1_218, work.w_carrier_right_z, s7_35);
-  work.s7_37 = mbgen::fma(s1_242, work.w_carrier_right_x, s7_36);
-  const double s7_38 = s1_213*work.w_carrier_right_y;
-  const double s7_39 = mbgen::fma(s1_231, work.w_carrier_right_z, s7_38);
-  work.s7_40 = mbgen::fma(s1_218, work.w_carrier_right_x, s7_39);
-  const double s7_41 = s1_233*work.w_carrier_right_y;
-  const double s7_42 = mbgen::fma(s1_213, work.w_carrier_right_z, s7_41);
-  work.s7_43 = mbgen::fma(s1_229, work.w_carrier_right_x, s7_42);
+  const double s7_35 = work.s1_245*w_carrier_right_y;
+  const double s7_36 = mbgen::fma(work.s1_233, w_carrier_right_z, s7_35);
+  const double s7_37 = mbgen::fma(work.s1_261, w_carrier_right_x, s7_36);
+  const double s7_38 = work.s1_227*w_carrier_right_y;
+  const double s7_39 = mbgen::fma(work.s1_248, w_carrier_right_z, s7_38);
+  const double s7_40 = mbgen::fma(work.s1_233, w_carrier_right_x, s7_39);
+  const double s7_41 = work.s1_251*w_carrier_right_y;
+  const double s7_42 = mbgen::fma(work.s1_227, w_carrier_right_z, s7_41);
+  const double s7_43 = mbgen::fma(work.s1_245, w_carrier_right_x, s7_42);
   // wheel_front_right: wheel_front_right, revolute, carrier_right
-  const double s7_44 = s1_252*work.w_wheel_front_right_y;
-  const double s7_45 = mbgen::fma(s1_257, work.w_wheel_front_right_z, s7_44);
-  work.s7_46 = mbgen::fma(s1_261, work.w_wheel_front_right_x, s7_45);
-  const double s7_47 = s1_261*work.w_wheel_front_right_y;
-  const double s7_48 = mbgen::fma(s1_255, work.w_wheel_front_right_x, s7_47);
-  work.s7_49 = mbgen::fma(s1_259, work.w_wheel_front_right_z, s7_48);
-  const double s7_50 = s1_257*work.w_wheel_front_right_y;
-  const double s7_51 = mbgen::fma(s1_248, work.w_wheel_front_right_z, s7_50);
-  work.s7_52 = mbgen::fma(s1_259, work.w_wheel_front_right_x, s7_51);
+  const double s7_44 = work.s1_273*w_wheel_front_right_y;
+  const double s7_45 = mbgen::fma(work.s1_281, w_wheel_front_right_z, s7_44);
+  const double s7_46 = mbgen::fma(work.s1_287, w_wheel_front_right_x, s7_45);
+  const double s7_47 = work.s1_287*w_wheel_front_right_y;
+  const double s7_48 = mbgen::fma(work.s1_278, w_wheel_front_right_x, s7_47);
+  const double s7_49 = mbgen::fma(work.s1_284, w_wheel_front_right_z, s7_48);
+  const double s7_50 = work.s1_281*w_wheel_front_right_y;
+  const double s7_51 = mbgen::fma(work.s1_268, w_wheel_front_right_z, s7_50);
+  const double s7_52 = mbgen::fma(work.s1_284, w_wheel_front_right_x, s7_51);
   // upper_arm_right: upper_arm_right, revolute, chassis
-  work.s7_53 = mbgen::fma(s1_268, work.w_chassis_y, s1_271*work.w_chassis_z);
-  work.s7_54 = mbgen::fma(s1_268, work.w_chassis_z, s1_270*work.w_chassis_y);
-  work.s7_55 = 0.2*work.w_upper_arm_right_x;
+  const double s7_53 = mbgen::fma(work.s1_294, w_chassis_y, work.s1_297*w_chassis_z);
+  const double s7_54 = mbgen::fma(work.s1_294, w_chassis_z, work.s1_296*w_chassis_y);
+  const double s7_55 = 0.2*w_upper_arm_right_x;
   // arb_front_right: arb_front_right, revolute, chassis
-  const double s7_56 = mbgen::fma(s1_284, work.w_chassis_x, s1_278*work.w_arb_front_right_y);
-  work.s7_57 = mbgen::fma(s1_288, work.w_chassis_z, s7_56);
-  const double s7_58 = mbgen::fma(s1_278, work.w_chassis_z, 0.1304*work.w_arb_front_right_y);
-  work.s7_59 = mbgen::fma(s1_280, work.w_chassis_x, s7_58);
-  const double s7_60 = mbgen::fma(s1_287, work.w_chassis_x, s1_280*work.w_arb_front_right_y);
-  work.s7_61 = mbgen::fma(s1_284, work.w_chassis_z, s7_60);
+  const double s7_56 = mbgen::fma(s1_311, w_chassis_x, work.s1_304*w_arb_front_right_y);
+  const double s7_57 = mbgen::fma(s1_316, w_chassis_z, s7_56);
+  const double s7_58 = mbgen::fma(work.s1_304, w_chassis_z, 0.1304*w_arb_front_right_y);
+  const double s7_59 = mbgen::fma(s1_306, w_chassis_x, s7_58);
+  const double s7_60 = mbgen::fma(s1_314, w_chassis_x, s1_306*w_arb_front_right_y);
+  const double s7_61 = mbgen::fma(s1_311, w_chassis_z, s7_60);
   // pitman_arm: pitman_arm, revolute, chassis
-  work.s7_62 = mbgen::fma(s1_292, work.w_chassis_z, s1_295*work.w_chassis_x);
-  work.s7_63 = mbgen::fma(s1_292, work.w_chassis_x, s1_296*work.w_chassis_z);
-  work.s7_64 = 0.0842*work.w_pitman_arm_y;
+  const double s7_62 = mbgen::fma(s1_320, w_chassis_z, s1_323*w_chassis_x);
+  const double s7_63 = mbgen::fma(s1_320, w_chassis_x, s1_324*w_chassis_z);
+  const double s7_64 = 0.0842*w_pitman_arm_y;
   // bell_crank: bell_crank, revolute, chassis
-  work.s7_65 = mbgen::fma(s1_306, work.w_chassis_y, s1_304*work.w_chassis_x);
-  work.s7_66 = 0.40412866666666675*work.w_bell_crank_z;
-  work.s7_67 = mbgen::fma(s1_306, work.w_chassis_x, s1_309*work.w_chassis_y);
+  const double s7_65 = mbgen::fma(s1_334, w_chassis_y, s1_332*w_chassis_x);
+  const double s7_66 = 0.40412866666666675*w_bell_crank_z;
+  const double s7_67 = mbgen::fma(s1_334, w_chassis_x, s1_337*w_chassis_y);
   // rear_axle: rear_axle_rx, revolute, rear_axle_aux5
-  const double s7_68 = mbgen::fma(s1_318, work.w_rear_axle_z, s1_335*work.w_rear_axle_y);
-  work.s7_69 = mbgen::fma(s1_331, work.w_rear_axle_x, s7_68);
-  const double s7_70 = mbgen::fma(s1_322, work.w_rear_axle_z, s1_331*work.w_rear_axle_y);
-  work.s7_71 = mbgen::fma(s1_342, work.w_rear_axle_x, s7_70);
-  const double s7_72 = mbgen::fma(s1_333, work.w_rear_axle_z, s1_318*work.w_rear_axle_y);
-  work.s7_73 = mbgen::fma(s1_322, work.w_rear_axle_x, s7_72);
+  const double s7_68 = mbgen::fma(s1_346, w_rear_axle_z, s1_365*w_rear_axle_y);
+  const double s7_69 = mbgen::fma(s1_360, w_rear_axle_x, s7_68);
+  const double s7_70 = mbgen::fma(s1_350, w_rear_axle_z, s1_360*w_rear_axle_y);
+  const double s7_71 = mbgen::fma(s1_372, w_rear_axle_x, s7_70);
+  const double s7_72 = mbgen::fma(s1_362, w_rear_axle_z, s1_346*w_rear_axle_y);
+  const double s7_73 = mbgen::fma(s1_350, w_rear_axle_x, s7_72);
   // wheel_rear_left: wheel_rear_left, revolute, rear_axle
-  const double s7_74 = s1_355*work.w_wheel_rear_left_y;
-  const double s7_75 = mbgen::fma(s1_357, work.w_wheel_rear_left_z, s7_74);
-  work.s7_76 = mbgen::fma(s1_361, work.w_wheel_rear_left_x, s7_75);
-  const double s7_77 = s1_361*work.w_wheel_rear_left_y;
-  const double s7_78 = mbgen::fma(s1_359, work.w_wheel_rear_left_z, s7_77);
-  work.s7_79 = mbgen::fma(s1_350, work.w_wheel_rear_left_x, s7_78);
-  const double s7_80 = s1_357*work.w_wheel_rear_left_y;
-  const double s7_81 = mbgen::fma(s1_347, work.w_wheel_rear_left_z, s7_80);
-  work.s7_82 = mbgen::fma(s1_359, work.w_wheel_rear_left_x, s7_81);
+  const double s7_74 = mbgen::fma(s1_389, w_wheel_rear_left_z, s1_387*w_wheel_rear_left_y);
+  const double s7_75 = mbgen::fma(s1_394, w_wheel_rear_left_x, s7_74);
+  const double s7_76 = mbgen::fma(s1_391, w_wheel_rear_left_z, s1_394*w_wheel_rear_left_y);
+  const double s7_77 = mbgen::fma(s1_381, w_wheel_rear_left_x, s7_76);
+  const double s7_78 = mbgen::fma(s1_377, w_wheel_rear_left_z, s1_389*w_wheel_rear_left_y);
+  const double s7_79 = mbgen::fma(s1_391, w_wheel_rear_left_x, s7_78);
   // arb_rear_left: arb_rear_left, revolute, chassis
-  const double s7_83 = mbgen::fma(s1_367, work.w_chassis_z, s1_372*work.w_chassis_x);
-  work.s7_84 = mbgen::fnma(s1_363, work.w_arb_rear_left_y, s7_83);
-  const double s7_85 = mbgen::fma(s1_369, work.w_chassis_z, s1_365*work.w_arb_rear_left_y);
-  work.s7_86 = mbgen::fma(s1_367, work.w_chassis_x, s7_85);
-  const double s7_87 = 0.14461538461538465*work.w_arb_rear_left_y;
-  const double s7_88 = mbgen::fma(s1_365, work.w_chassis_z, s7_87);
-  work.s7_89 = mbgen::fnma(s1_363, work.w_chassis_x, s7_88);
+  const double s7_80 = mbgen::fma(s1_400, w_chassis_z, s1_405*w_chassis_x);
+  const double s7_81 = mbgen::fnma(s1_396, w_arb_rear_left_y, s7_80);
+  const double s7_82 = mbgen::fma(s1_402, w_chassis_z, s1_398*w_arb_rear_left_y);
+  const double s7_83 = mbgen::fma(s1_400, w_chassis_x, s7_82);
+  const double s7_84 = mbgen::fma(s1_398, w_chassis_z, 0.14461538461538465*w_arb_rear_left_y);
+  const double s7_85 = mbgen::fnma(s1_396, w_chassis_x, s7_84);
   // wheel_rear_right: wheel_rear_right, revolute, rear_axle
-  const double s7_90 = s1_355*work.w_wheel_rear_right_y;
-  const double s7_91 = mbgen::fma(s1_357, work.w_wheel_rear_right_z, s7_90);
-  work.s7_92 = mbgen::fma(s1_361, work.w_wheel_rear_right_x, s7_91);
-  const double s7_93 = s1_361*work.w_wheel_rear_right_y;
-  const double s7_94 = mbgen::fma(s1_359, work.w_wheel_rear_right_z, s7_93);
-  work.s7_95 = mbgen::fma(s1_350, work.w_wheel_rear_right_x, s7_94);
-  const double s7_96 = s1_357*work.w_wheel_rear_right_y;
-  const double s7_97 = mbgen::fma(s1_347, work.w_wheel_rear_right_z, s7_96);
-  work.s7_98 = mbgen::fma(s1_359, work.w_wheel_rear_right_x, s7_97);
+  const double s7_86 = mbgen::fma(s1_389, w_wheel_rear_right_z, s1_387*w_wheel_rear_right_y);
+  const double s7_87 = mbgen::fma(s1_394, w_wheel_rear_right_x, s7_86);
+  const double s7_88 = mbgen::fma(s1_391, w_wheel_rear_right_z, s1_394*w_wheel_rear_right_y);
+  const double s7_89 = mbgen::fma(s1_381, w_wheel_rear_right_x, s7_88);
+  const double s7_90 = mbgen::fma(s1_377, w_wheel_rear_right_z, s1_389*w_wheel_rear_right_y);
+  const double s7_91 = mbgen::fma(s1_391, w_wheel_rear_right_x, s7_90);
   // arb_rear_right: arb_rear_right, revolute, chassis
-  const double s7_99 = mbgen::fma(s1_383, work.w_chassis_x, s1_376*work.w_arb_rear_right_y);
-  work.s7_100 = mbgen::fma(s1_379, work.w_chassis_z, s7_99);
-  const double s7_101 = mbgen::fma(s1_379, work.w_chassis_x, s1_380*work.w_chassis_z);
-  work.s7_102 = mbgen::fnma(s1_373, work.w_arb_rear_right_y, s7_101);
-  const double s7_103 = 0.14461538461538465*work.w_arb_rear_right_y;
-  const double s7_104 = mbgen::fma(s1_376, work.w_chassis_x, s7_103);
-  work.s7_105 = mbgen::fnma(s1_373, work.w_chassis_z, s7_104);
+  const double s7_92 = mbgen::fma(s1_416, w_chassis_x, s1_409*w_arb_rear_right_y);
+  const double s7_93 = mbgen::fma(s1_412, w_chassis_z, s7_92);
+  const double s7_94 = mbgen::fma(s1_412, w_chassis_x, s1_413*w_chassis_z);
+  const double s7_95 = mbgen::fnma(s1_406, w_arb_rear_right_y, s7_94);
+  const double s7_96 = mbgen::fma(s1_409, w_chassis_x, 0.14461538461538465*w_arb_rear_right_y);
+  const double s7_97 = mbgen::fnma(s1_406, w_chassis_z, s7_96);
   // operations: 80 add, 133 multiply
-}
 
-/// Part 2 of compute_outputs: step 9: independent and all accelerations (63), (62).
-[[gnu::noinline]] void compute_outputs_2(const State& state, const double* tau,
-    OutputsWork& __restrict work, Outputs& __restrict result) noexcept {
   // --- step 9: independent and all accelerations (63), (62) ---
-  const double s9_1 = mbgen::fma(0.4, work.w_chassis_z, work.v_chassis_x);
-  const double s9_2 = mbgen::fnma(0.15000000000000002, work.w_chassis_y, s9_1);
-  const double s9_3 = mbgen::fnma(0.6, work.w_chassis_y, work.v_chassis_x);
-  const double s9_4 = mbgen::fma(work.s1_427, work.w_bell_crank_z, s9_3);
-  const double s9_5 = mbgen::fma(0.55, work.w_chassis_z, work.v_chassis_x);
-  const double s9_6 = mbgen::fnma(0.55, work.w_chassis_y, s9_5);
-  const double s9_7 = mbgen::fma(work.s1_396, work.w_carrier_left_y, work.v_carrier_left_x);
-  const double s9_8 = mbgen::fnma(work.s1_393, work.w_carrier_left_z, s9_7);
-  const double s9_9 = mbgen::fma(work.s1_426, work.w_carrier_left_y, work.v_carrier_left_x);
-  const double s9_10 = mbgen::fnma(work.s1_423, work.w_carrier_left_z, s9_9);
-  const double s9_11 = mbgen::fnma(0.72, work.w_chassis_z, work.v_arb_front_left_x);
-  const double s9_12 = mbgen::fma(work.s1_385, work.w_arb_front_left_y, s9_11);
-  const double s9_13 = mbgen::fma(work.s1_409, work.w_carrier_right_y, work.v_carrier_right_x);
-  const double s9_14 = mbgen::fnma(work.s1_406, work.w_carrier_right_z, s9_13);
-  const double s9_15 = mbgen::fma(work.s1_437, work.w_carrier_right_y, work.v_carrier_right_x);
-  const double s9_16 = mbgen::fnma(work.s1_434, work.w_carrier_right_z, s9_15);
-  const double s9_17 = mbgen::fma(0.72, work.w_chassis_z, work.v_arb_front_right_x);
-  const double s9_18 = mbgen::fma(work.s1_398, work.w_arb_front_right_y, s9_17);
-  const double s9_19 = mbgen::fma(work.s1_448, work.w_rear_axle_y, work.v_rear_axle_x);
-  const double s9_20 = mbgen::fnma(work.s1_443, work.w_rear_axle_z, s9_19);
-  const double s9_21 = mbgen::fma(work.s1_454, work.w_rear_axle_y, work.v_rear_axle_x);
-  const double s9_22 = mbgen::fnma(work.s1_450, work.w_rear_axle_z, s9_21);
-  const double s9_23 = mbgen::fma(work.s1_466, work.w_rear_axle_y, work.v_rear_axle_x);
-  const double s9_24 = mbgen::fnma(work.s1_461, work.w_rear_axle_z, s9_23);
-  const double s9_25 = mbgen::fma(work.s1_469, work.w_rear_axle_y, work.v_rear_axle_x);
-  const double s9_26 = mbgen::fnma(work.s1_467, work.w_rear_axle_z, s9_25);
-  const double s9_27 = mbgen::fma(work.s1_472, work.w_rear_axle_y, work.v_rear_axle_x);
-  const double s9_28 = mbgen::fnma(work.s1_470, work.w_rear_axle_z, s9_27);
-  const double s9_29 = mbgen::fma(work.s1_474, work.w_rear_axle_y, work.v_rear_axle_x);
-  const double s9_30 = mbgen::fnma(work.s1_475, work.w_rear_axle_z, s9_29);
-  const double s9_31 = mbgen::fma(0.6, work.w_chassis_z, work.v_arb_rear_right_x);
-  const double s9_32 = mbgen::fnma(work.s1_473, work.w_arb_rear_right_y, s9_31);
-  const double s9_33 = mbgen::fnma(0.4, work.w_chassis_z, work.v_chassis_x);
-  const double s9_34 = mbgen::fnma(0.15000000000000002, work.w_chassis_y, s9_33);
-  const double s9_35 = mbgen::fnma(work.s1_412, work.w_bell_crank_z, s9_3);
-  const double s9_36 = mbgen::fnma(work.s1_416, work.w_bell_crank_z, s9_3);
-  const double s9_37 = mbgen::fnma(0.55, work.w_chassis_y, work.v_chassis_x);
-  const double s9_38 = mbgen::fnma(0.55, work.w_chassis_z, s9_37);
-  const double s9_39 = mbgen::fnma(0.5, work.w_chassis_z, work.v_pitman_arm_x);
-  const double s9_40 = mbgen::fnma(work.s1_410, work.w_pitman_arm_y, s9_39);
-  const double s9_41 = mbgen::fnma(0.6, work.w_chassis_z, work.v_arb_rear_left_x);
-  const double s9_42 = mbgen::fnma(work.s1_455, work.w_arb_rear_left_y, s9_41);
-  const double s1_1 = work.sines[1];
-  const double s9_43 = mbgen::fma(0.0027607966870439754, s1_1, work.r_chassis_aux3_z);
-  const double s9_44 = mbgen::fma(work.R_chassis_z_y, work.r_wheel_front_left_y,
-      work.r_chassis_aux3_z);
-  const double s9_45 = mbgen::fma(work.R_chassis_z_z, work.r_wheel_front_left_z, s9_44);
-  const double s9_46 = mbgen::fma(work.R_chassis_z_y, work.r_wheel_front_right_y,
-      work.r_chassis_aux3_z);
-  const double s9_47 = mbgen::fma(work.R_chassis_z_z, work.r_wheel_front_right_z, s9_46);
-  const double s9_48 = mbgen::fma(work.R_chassis_z_y, work.r_wheel_rear_left_y,
-      work.r_chassis_aux3_z);
-  const double s9_49 = mbgen::fma(work.R_chassis_z_z, work.r_wheel_rear_left_z, s9_48);
-  const double s9_50 = mbgen::fma(work.R_chassis_z_y, work.r_wheel_rear_right_y,
-      work.r_chassis_aux3_z);
-  const double s9_51 = mbgen::fma(work.R_chassis_z_z, work.r_wheel_rear_right_z, s9_50);
-  const double s9_52 = mbgen::fnma(3.6, s1_1, work.r_chassis_aux3_z);
-  const double s9_53 = mbgen::fma(work.R_chassis_z_y, work.s1_85, s9_52);
-  const double s9_54 = mbgen::fma(work.R_chassis_z_y, work.s1_112, work.r_chassis_aux3_z);
-  const double s9_55 = mbgen::fma(work.R_chassis_z_z, work.s1_95, s9_54);
-  const double s9_56 = mbgen::fma(work.R_chassis_z_y, work.s1_162, s9_52);
-  const double s9_57 = mbgen::fma(0.5169230769230769, work.R_chassis_z_y, work.r_chassis_aux3_z);
-  const double s9_58 = mbgen::fma(work.R_chassis_z_z, work.s1_172, s9_57);
-  const double s9_59 = mbgen::fma(work.R_chassis_z_y, work.s1_216, work.r_chassis_aux3_z);
-  const double s9_60 = mbgen::fma(work.R_chassis_z_z, work.s1_197, s9_59);
-  const double s9_61 = mbgen::fma(work.R_chassis_z_y, work.s1_320, work.r_chassis_aux3_z);
-  const double s9_62 = mbgen::fma(work.R_chassis_z_z, work.s1_313, s9_61);
-  const double s9_63 = mbgen::fma(0.5, work.R_chassis_z_y, work.r_chassis_aux3_z);
-  const double s9_64 = mbgen::fnma(s1_1, work.s1_293, s9_63);
-  const double s9_65 = mbgen::fma(work.R_chassis_z_y, work.s1_189, s9_52);
-  const double s9_66 = mbgen::fma(work.R_chassis_z_y, work.s1_266, s9_52);
-  const double s9_67 = mbgen::fnma(0.6, work.R_chassis_z_z, work.r_chassis_aux3_z);
-  const double s9_68 = mbgen::fma(work.R_chassis_z_y, work.s1_301, s9_67);
-  const double s9_69 = mbgen::fma(0.5076923076923077, work.R_chassis_z_y, work.r_chassis_aux3_z);
-  const double s9_70 = mbgen::fnma(s1_1, work.s1_368, s9_69);
-  const double s9_71 = mbgen::fnma(0.5169230769230769, work.R_chassis_z_y, work.r_chassis_aux3_z);
-  const double s9_72 = mbgen::fma(work.R_chassis_z_z, work.s1_274, s9_71);
-  const double s9_73 = mbgen::fnma(0.5076923076923077, work.R_chassis_z_y, work.r_chassis_aux3_z);
-  const double s9_74 = mbgen::fnma(s1_1, work.s1_377, s9_73);
-  const double s9_75 = 1.6999999999999997*s1_1;
-  const double s9_76 = mbgen::fnma(0.15000000000000002, work.R_chassis_z_z, s9_75);
-  const double s9_77 = work.r_chassis_aux3_z + (work.r_chassis_aux3_z + s9_76);
-  const double s9_78 = mbgen::fma(0.4, work.R_chassis_z_y, s9_77);
-  const double s9_79 = mbgen::fma(work.R_chassis_z_y, work.s1_450, s9_78);
-  const double s9_80 = mbgen::fma(work.R_chassis_z_z, work.s1_454, s9_79);
-  const double s9_81 = work.r_chassis_aux3_z + work.r_chassis_aux3_z;
-  const double s9_82 = mbgen::fma(0.72, work.R_chassis_z_y, s9_81);
-  const double s9_83 = mbgen::fma(work.R_chassis_z_y, work.s1_393, s9_82);
-  const double s9_84 = mbgen::fnma(s1_1, work.s1_387 + work.s1_390, s9_83);
-  const double s9_85 = mbgen::fnma(0.72, work.R_chassis_z_y, s9_81);
-  const double s9_86 = mbgen::fma(work.R_chassis_z_y, work.s1_406, s9_85);
-  const double s9_87 = mbgen::fnma(s1_1, work.s1_400 + work.s1_403, s9_86);
-  const double s9_88 = mbgen::fnma(0.6, work.R_chassis_z_z, s9_81);
-  const double s9_89 = mbgen::fma(work.R_chassis_z_z, work.s1_426, s9_88);
-  const double s9_90 = mbgen::fnma(s1_1, work.s1_417 + work.s1_420, s9_89);
-  const double s9_91 = mbgen::fma(work.R_chassis_z_z, work.s1_437, s9_88);
-  const double s9_92 = mbgen::fnma(s1_1, work.s1_428 + work.s1_431, s9_91);
-  const double s9_93 = mbgen::fnma(0.55, work.R_chassis_z_z, 1.6*s1_1);
-  const double s9_94 = work.r_chassis_aux3_z + (work.r_chassis_aux3_z + s9_93);
-  const double s9_95 = mbgen::fma(0.55, work.R_chassis_z_y, s9_94);
-  const double s9_96 = mbgen::fma(work.R_chassis_z_y, work.s1_443, s9_95);
-  const double s9_97 = mbgen::fma(work.R_chassis_z_z, work.s1_448, s9_96);
-  const double s9_98 = mbgen::fma(0.6, work.R_chassis_z_y, s9_81);
-  const double s9_99 = mbgen::fma(work.R_chassis_z_y, work.s1_461, s9_98);
-  const double s9_100 = mbgen::fnma(s1_1, work.s1_460 + work.s1_462, s9_99);
-  const double s9_101 = mbgen::fnma(0.55, work.R_chassis_z_y, s9_81 + s9_93);
-  const double s9_102 = mbgen::fma(work.R_chassis_z_y, work.s1_467, s9_101);
-  const double s9_103 = mbgen::fma(work.R_chassis_z_z, work.s1_469, s9_102);
-  const double s9_104 = mbgen::fnma(0.4, work.R_chassis_z_y, s9_76 + s9_81);
-  const double s9_105 = mbgen::fma(work.R_chassis_z_y, work.s1_470, s9_104);
-  const double s9_106 = mbgen::fma(work.R_chassis_z_z, work.s1_472, s9_105);
-  const double s9_107 = mbgen::fnma(0.6, work.R_chassis_z_y, s9_81);
-  const double s9_108 = mbgen::fma(work.R_chassis_z_y, work.s1_475, s9_107);
-  const double s9_109 = mbgen::fnma(s1_1, work.s1_476 + work.s1_477, s9_108);
-  const double s9_110 = mbgen::fnma(0.6, work.R_chassis_z_z, work.r_chassis_aux3_z + s9_63);
-  const double s9_111 = mbgen::fnma(work.R_chassis_z_z, work.s1_410, s9_110);
-  const double s9_112 = mbgen::fma(work.R_chassis_z_y, work.s1_412, s9_111);
-  const double s9_113 = state.zd[Coordinate::arb_rear_right]*tau[Coordinate::arb_rear_right];
-  const double s9_114 = mbgen::fma(state.zd[Coordinate::wheel_rear_right],
-      tau[Coordinate::wheel_rear_right], s9_113);
-  const double s9_115 = mbgen::fma(state.zd[Coordinate::arb_rear_left],
-      tau[Coordinate::arb_rear_left], s9_114);
-  const double s9_116 = mbgen::fma(state.zd[Coordinate::wheel_rear_left],
-      tau[Coordinate::wheel_rear_left], s9_115);
-  const double s9_117 = mbgen::fma(state.zd[Coordinate::rear_axle_rx],
-      tau[Coordinate::rear_axle_rx], s9_116);
-  const double s9_118 = mbgen::fma(state.zd[Coordinate::rear_axle_ry],
-      tau[Coordinate::rear_axle_ry], s9_117);
-  const double s9_119 = mbgen::fma(state.zd[Coordinate::rear_axle_rz],
-      tau[Coordinate::rear_axle_rz], s9_118);
-  const double s9_120 = mbgen::fma(state.zd[Coordinate::rear_axle_tz],
-      tau[Coordinate::rear_axle_tz], s9_119);
-  const double s9_121 = mbgen::fma(state.zd[Coordinate::rear_axle_ty],
-      tau[Coordinate::rear_axle_ty], s9_120);
-  const double s9_122 = mbgen::fma(state.zd[Coordinate::rear_axle_tx],
-      tau[Coordinate::rear_axle_tx], s9_121);
-  const double s9_123 = mbgen::fma(state.zd[Coordinate::bell_crank], tau[Coordinate::bell_crank],
-      s9_122);
-  const double s9_124 = mbgen::fma(state.zd[Coordinate::pitman_arm], tau[Coordinate::pitman_arm],
-      s9_123);
-  const double s9_125 = mbgen::fma(state.zd[Coordinate::arb_front_right],
-      tau[Coordinate::arb_front_right], s9_124);
-  const double s9_126 = mbgen::fma(state.zd[Coordinate::upper_arm_right],
-      tau[Coordinate::upper_arm_right], s9_125);
-  const double s9_127 = mbgen::fma(state.zd[Coordinate::wheel_front_right],
-      tau[Coordinate::wheel_front_right], s9_126);
-  const double s9_128 = mbgen::fma(state.zd[Coordinate::carrier_right_ry],
-      tau[Coordinate::carrier_right_ry], s9_127);
-  const double s9_129 = mbgen::fma(state.zd[Coordinate::carrier_right_rx],
-      tau[Coordinate::carrier_right_rx], s9_128);
-  const double s9_130 = mbgen::fma(state.zd[Coordinate::carrier_right_rz],
-      tau[Coordinate::carrier_right_rz], s9_129);
-  const double s9_131 = mbgen::fma(state.zd[Coordinate::lower_arm_right],
-      tau[Coordinate::lower_arm_right], s9_130);
-  const double s9_132 = mbgen::fma(state.zd[Coordinate::arb_front_left],
-      tau[Coordinate::arb_front_left], s9_131);
-  const double s9_133 = mbgen::fma(state.zd[Coordinate::upper_arm_left],
-      tau[Coordinate::upper_arm_left], s9_132);
-  const double s9_134 = mbgen::fma(state.zd[Coordinate::wheel_front_left],
-      tau[Coordinate::wheel_front_left], s9_133);
-  const double s9_135 = mbgen::fma(state.zd[Coordinate::carrier_left_ry],
-      tau[Coordinate::carrier_left_ry], s9_134);
-  const double s9_136 = mbgen::fma(state.zd[Coordinate::carrier_left_rx],
-      tau[Coordinate::carrier_left_rx], s9_135);
-  const double s9_137 = mbgen::fma(state.zd[Coordinate::carrier_left_rz],
-      tau[Coordinate::carrier_left_rz], s9_136);
-  const double s9_138 = mbgen::fma(state.zd[Coordinate::lower_arm_left],
-      tau[Coordinate::lower_arm_left], s9_137);
-  const double s9_139 = mbgen::fma(state.zd[Coordinate::chassis_rx], tau[Coordinate::chassis_rx],
-      s9_138);
-  const double s9_140 = mbgen::fma(state.zd[Coordinate::chassis_ry], tau[Coordinate::chassis_ry],
-      s9_139);
-  const double s9_141 = mbgen::fma(state.zd[Coordinate::chassis_rz], tau[Coordinate::chassis_rz],
-      s9_140);
-  const double s9_142 = mbgen::fma(state.zd[Coordinate::chassis_tz], tau[Coordinate::chassis_tz],
-      s9_141);
-  const double s9_143 = mbgen::fma(state.zd[Coordinate::chassis_tx], tau[Coordinate::chassis_tx],
-      s9_142);
-  result.applied_power = mbgen::fma(state.zd[Coordinate::chassis_ty], tau[Coordinate::chassis_ty],
-      s9_143);
-  const double s9_144 = mbgen::fnma(s1_1, work.s1_178, s9_58);
-  const double s9_145 = mbgen::fnma(work.R_chassis_z_z, work.s1_364, s9_70);
-  const double s9_146 = s9_145 + (s9_144 + mbgen::fnma(s1_1, work.s1_282, s9_72));
-  const double s9_147 = mbgen::fma(work.R_chassis_z_z, work.s1_385 + work.s1_396, s9_84);
-  const double s9_148 = mbgen::fma(work.R_chassis_z_z, work.s1_398 + work.s1_409, s9_87);
-  const double s9_149 = mbgen::fma(work.R_chassis_z_z, work.s1_466 - work.s1_455, s9_100);
-  const double s9_150 = mbgen::fma(work.R_chassis_z_z, work.s1_474 - work.s1_473, s9_109);
-  const double s9_151 = mbgen::fnma(work.R_chassis_z_z, work.s1_187, s9_65);
-  const double s9_152 = mbgen::fnma(s1_1, work.s1_117, s9_55);
-  const double s9_153 = mbgen::fnma(s1_1, work.r_wheel_front_right_x, s9_47);
-  const double s9_154 = mbgen::fnma(work.R_chassis_z_z, work.s1_264, s9_66);
-  const double s9_155 = mbgen::fnma(s1_1, work.r_wheel_rear_right_x, s9_51);
-  const double s9_156 = mbgen::fma(work.R_chassis_z_y, work.s1_416 + work.s1_423, s9_90);
-  const double s9_157 = mbgen::fma(work.R_chassis_z_y, work.s1_434 - work.s1_427, s9_92);
-  const double s9_158 = mbgen::fnma(s1_1, work.s1_468, s9_103);
-  const double s9_159 = mbgen::fnma(s1_1, work.s1_471, s9_106);
-  const double s9_160 = 1.5*(9.81*mbgen::fnma(s1_1, work.s1_411 + work.s1_413, s9_112));
-  const double s9_161 = mbgen::fma(774.0, 9.81*mbgen::fnma(s1_1, work.s1_324, s9_62), s9_160);
-  const double s9_162 = 9.81*mbgen::fnma(s1_1, work.s1_308, s9_68);
-  const double s9_163 = 9.81*mbgen::fnma(work.R_chassis_z_z, work.s1_290, s9_64);
-  const double s9_164 = mbgen::fma(9.0, s9_163, mbgen::fma(16.666666666666668, s9_162, s9_161));
-  const double s9_165 = 9.81*mbgen::fma(0.24897456123052653, work.R_chassis_z_z, s9_43);
-  const double s9_166 = 9.81*(mbgen::fnma(work.R_chassis_z_z, work.s1_375, s9_74) + s9_146);
-  const double s9_167 = mbgen::fma(13522.666666666668, s9_165, s9_164);
-  const double s9_168 = mbgen::fma(8.666666666666666, s9_166, s9_167);
-  const double s9_169 = 9.81*(s9_150 + (s9_149 + (s9_147 + s9_148)));
-  const double s9_170 = 9.81*(mbgen::fma(work.R_chassis_z_z, work.s1_83, s9_53) + s9_151);
-  const double s9_171 = mbgen::fma(25.0, s9_170, mbgen::fma(0.3333333333333333, s9_169, s9_168));
-  const double s9_172 = 9.81*(s9_152 + mbgen::fnma(s1_1, work.s1_221, s9_60));
-  const double s9_173 = 9.81*(mbgen::fnma(s1_1, work.r_wheel_front_left_x, s9_45) + s9_153);
-  const double s9_174 = 9.81*(mbgen::fma(work.R_chassis_z_z, work.s1_160, s9_56) + s9_154);
-  const double s9_175 = mbgen::fma(105.0, s9_173, mbgen::fma(113.0, s9_172, s9_171));
-  const double s9_176 = 9.81*(mbgen::fnma(s1_1, work.r_wheel_rear_left_x, s9_49) + s9_155);
-  const double s9_177 = mbgen::fma(200.0, s9_176, mbgen::fma(15.0, s9_174, s9_175));
-  const double s9_178 = mbgen::fma(1.1666666666666667, 9.81*(s9_156 + s9_157), s9_177);
-  const double s9_179 = 9.81*(mbgen::fnma(s1_1, work.s1_447, s9_97) + s9_158);
-  const double s9_180 = 9.81*(mbgen::fnma(s1_1, work.s1_452, s9_80) + s9_159);
-  result.potential_energy = mbgen::fma(2.6666666666666665, s9_180, mbgen::fma(3.0, s9_179, s9_178));
-  const double s9_181 = mbgen::fma(work.s1_473, work.w_chassis_x, work.v_chassis_y);
-  const double s9_182 = mbgen::fma(work.s1_477, work.w_chassis_z, s9_181);
-  const double s9_183 = mbgen::fnma(0.6, work.w_chassis_x, work.v_arb_rear_right_z);
-  const double s9_184 = mbgen::fnma(work.s1_477, work.w_arb_rear_right_y, s9_183);
-  const double s9_185 = mbgen::fma(work.R_chassis_aux5_y_x, s9_32, work.R_chassis_y_y*s9_182);
-  const double s9_186 = mbgen::fma(work.s1_476, work.w_rear_axle_z, work.v_rear_axle_y);
-  const double s9_187 = mbgen::fnma(work.s1_474, work.w_rear_axle_x, s9_186);
-  const double s9_188 = mbgen::fma(work.s1_475, work.w_rear_axle_x, work.v_rear_axle_z);
-  const double s9_189 = mbgen::fnma(work.s1_476, work.w_rear_axle_y, s9_188);
-  const double s9_190 = mbgen::fma(work.R_chassis_aux5_y_x, s9_30, work.R_chassis_y_y*s9_187);
-  const double s9_191 = mbgen::fma(work.R_chassis_z_z, s9_184, work.R_chassis_z_y*s9_182);
-  const double s9_192 = mbgen::fma(work.R_chassis_z_z, s9_189, work.R_chassis_z_y*s9_187);
-  const double s9_193 = mbgen::fma(work.R_chassis_aux5_x_x, s9_32, work.R_chassis_x_y*s9_182);
-  const double s9_194 = mbgen::fma(work.R_chassis_aux5_x_x, s9_30, work.R_chassis_x_y*s9_187);
-  const double s9_195 = mbgen::fma(0.15000000000000002, work.w_chassis_x, work.v_chassis_y);
-  const double s9_196 = mbgen::fnma(1.6999999999999997, work.w_chassis_z, s9_195);
-  const double s9_197 = work.R_chassis_y_y*s9_196;
-  const double s9_198 = mbgen::fma(1.6999999999999997, work.w_chassis_y, work.v_chassis_z);
-  const double s9_199 = mbgen::fnma(0.4, work.w_chassis_x, s9_198);
-  const double s9_200 = mbgen::fma(work.R_chassis_aux5_y_x, s9_2, s9_197);
-  const double s9_201 = mbgen::fma(work.s1_471, work.w_rear_axle_z, work.v_rear_axle_y);
-  const double s9_202 = mbgen::fnma(work.s1_472, work.w_rear_axle_x, s9_201);
-  const double s9_203 = mbgen::fma(work.s1_470, work.w_rear_axle_x, work.v_rear_axle_z);
-  const double s9_204 = mbgen::fnma(work.s1_471, work.w_rear_axle_y, s9_203);
-  const double s9_205 = mbgen::fma(work.R_chassis_aux5_y_x, s9_28, work.R_chassis_y_y*s9_202);
-  const double s9_206 = work.R_chassis_z_y*s9_196;
-  const double s9_207 = mbgen::fma(work.R_chassis_z_z, s9_204, work.R_chassis_z_y*s9_202);
-  const double s9_208 = work.R_chassis_x_y*s9_196;
-  const double s9_209 = mbgen::fma(work.R_chassis_aux5_x_x, s9_2, s9_208);
-  const double s9_210 = mbgen::fma(work.R_chassis_aux5_x_x, s9_28, work.R_chassis_x_y*s9_202);
-  const double s9_211 = mbgen::fma(0.55, work.w_chassis_x, work.v_chassis_y);
-  const double s9_212 = mbgen::fnma(1.6, work.w_chassis_z, s9_211);
-  const double s9_213 = work.R_chassis_y_y*s9_212;
-  const double s9_214 = mbgen::fma(1.6, work.w_chassis_y, work.v_chassis_z);
-  const double s9_215 = mbgen::fnma(0.55, work.w_chassis_x, s9_214);
-  const double s9_216 = mbgen::fma(work.R_chassis_aux5_y_x, s9_6, s9_213);
-  const double s9_217 = mbgen::fma(work.s1_468, work.w_rear_axle_z, work.v_rear_axle_y);
-  const double s9_218 = mbgen::fnma(work.s1_469, work.w_rear_axle_x, s9_217);
-  const double s9_219 = mbgen::fma(work.s1_467, work.w_rear_axle_x, work.v_rear_axle_z);
-  const double s9_220 = mbgen::fnma(work.s1_468, work.w_rear_axle_y, s9_219);
-  const double s9_221 = mbgen::fma(work.R_chassis_aux5_y_x, s9_26, work.R_chassis_y_y*s9_218);
-  const double s9_222 = work.R_chassis_z_y*s9_212;
-  const double s9_223 = mbgen::fma(work.R_chassis_z_z, s9_220, work.R_chassis_z_y*s9_218);
-  const double s9_224 = work.R_chassis_x_y*s9_212;
-  const double s9_225 = mbgen::fma(work.R_chassis_aux5_x_x, s9_6, s9_224);
-  const double s9_226 = mbgen::fma(work.R_chassis_aux5_x_x, s9_26, work.R_chassis_x_y*s9_218);
-  const double s9_227 = mbgen::fma(work.s1_455, work.w_chassis_x, work.v_chassis_y);
-  const double s9_228 = mbgen::fma(work.s1_460, work.w_chassis_z, s9_227);
-  const double s9_229 = mbgen::fma(0.6, work.w_chassis_x, work.v_arb_rear_left_z);
-  const double s9_230 = mbgen::fnma(work.s1_460, work.w_arb_rear_left_y, s9_229);
-  const double s9_231 = mbgen::fma(work.R_chassis_aux5_y_x, s9_42, work.R_chassis_y_y*s9_228);
-  const double s9_232 = mbgen::fma(work.s1_462, work.w_rear_axle_z, work.v_rear_axle_y);
-  const double s9_233 = mbgen::fnma(work.s1_466, work.w_rear_axle_x, s9_232);
-  const double s9_234 = mbgen::fma(work.s1_461, work.w_rear_axle_x, work.v_rear_axle_z);
-  const double s9_235 = mbgen::fnma(work.s1_462, work.w_rear_axle_y, s9_234);
-  const double s9_236 = mbgen::fma(work.R_chassis_aux5_y_x, s9_24, work.R_chassis_y_y*s9_233);
-  const double s9_237 = mbgen::fma(work.R_chassis_z_z, s9_230, work.R_chassis_z_y*s9_228);
-  const double s9_238 = mbgen::fma(work.R_chassis_z_z, s9_235, work.R_chassis_z_y*s9_233);
-  const double s9_239 = mbgen::fma(work.R_chassis_aux5_x_x, s9_42, work.R_chassis_x_y*s9_228);
-  const double s9_240 = mbgen::fma(work.R_chassis_aux5_x_x, s9_24, work.R_chassis_x_y*s9_233);
-  const double s9_241 = mbgen::fma(0.4, work.w_chassis_x, s9_198);
-  const double s9_242 = mbgen::fma(work.R_chassis_aux5_y_x, s9_34, s9_197);
-  const double s9_243 = mbgen::fma(work.s1_452, work.w_rear_axle_z, work.v_rear_axle_y);
-  const double s9_244 = mbgen::fnma(work.s1_454, work.w_rear_axle_x, s9_243);
-  const double s9_245 = mbgen::fma(work.s1_450, work.w_rear_axle_x, work.v_rear_axle_z);
-  const double s9_246 = mbgen::fnma(work.s1_452, work.w_rear_axle_y, s9_245);
-  const double s9_247 = mbgen::fma(work.R_chassis_aux5_y_x, s9_22, work.R_chassis_y_y*s9_244);
-  const double s9_248 = mbgen::fma(work.R_chassis_z_z, s9_246, work.R_chassis_z_y*s9_244);
-  const double s9_249 = mbgen::fma(work.R_chassis_aux5_x_x, s9_34, s9_208);
-  const double s9_250 = mbgen::fma(work.R_chassis_aux5_x_x, s9_22, work.R_chassis_x_y*s9_244);
-  const double s9_251 = mbgen::fma(0.55, work.w_chassis_x, s9_214);
-  const double s9_252 = mbgen::fma(work.R_chassis_aux5_y_x, s9_38, s9_213);
-  const double s9_253 = mbgen::fma(work.s1_447, work.w_rear_axle_z, work.v_rear_axle_y);
-  const double s9_254 = mbgen::fnma(work.s1_448, work.w_rear_axle_x, s9_253);
-  const double s9_255 = mbgen::fma(work.s1_443, work.w_rear_axle_x, work.v_rear_axle_z);
-  const double s9_256 = mbgen::fnma(work.s1_447, work.w_rear_axle_y, s9_255);
-  const double s9_257 = mbgen::fma(work.R_chassis_aux5_y_x, s9_20, work.R_chassis_y_y*s9_254);
-  const double s9_258 = mbgen::fma(work.R_chassis_z_z, s9_256, work.R_chassis_z_y*s9_254);
-  const double s9_259 = mbgen::fma(work.R_chassis_aux5_x_x, s9_38, s9_224);
-  const double s9_260 = mbgen::fma(work.R_chassis_aux5_x_x, s9_20, work.R_chassis_x_y*s9_254);
-  const double s9_261 = mbgen::fma(work.s1_431, work.w_carrier_right_z, work.v_carrier_right_y);
-  const double s9_262 = mbgen::fnma(work.s1_437, work.w_carrier_right_x, s9_261);
-  const double s9_263 = mbgen::fma(work.s1_434, work.w_carrier_right_x, work.v_carrier_right_z);
-  const double s9_264 = mbgen::fnma(work.s1_431, work.w_carrier_right_y, s9_263);
-  const double s9_265 = mbgen::fma(work.R_chassis_aux5_y_x, s9_16, work.R_chassis_y_y*s9_262);
-  const double s9_266 = mbgen::fma(0.6, work.w_chassis_x, work.v_bell_crank_y);
-  const double s9_267 = mbgen::fma(work.s1_428, work.w_bell_crank_z, s9_266);
-  const double s9_268 = mbgen::fnma(work.s1_427, work.w_chassis_x, work.v_chassis_z);
-  const double s9_269 = mbgen::fnma(work.s1_428, work.w_chassis_y, s9_268);
-  const double s9_270 = mbgen::fma(work.R_chassis_aux5_y_x, s9_4, work.R_chassis_y_y*s9_267);
-  const double s9_271 = mbgen::fma(work.R_chassis_z_z, s9_264, work.R_chassis_z_y*s9_262);
-  const double s9_272 = mbgen::fma(work.R_chassis_z_z, s9_269, work.R_chassis_z_y*s9_267);
-  const double s9_273 = mbgen::fma(work.R_chassis_aux5_x_x, s9_16, work.R_chassis_x_y*s9_262);
-  const double s9_274 = mbgen::fma(work.R_chassis_aux5_x_x, s9_4, work.R_chassis_x_y*s9_267);
-  const double s9_275 = mbgen::fma(work.s1_420, work.w_carrier_left_z, work.v_carrier_left_y);
-  const double s9_276 = mbgen::fnma(work.s1_426, work.w_carrier_left_x, s9_275);
-  const double s9_277 = mbgen::fma(work.s1_423, work.w_carrier_left_x, work.v_carrier_left_z);
-  const double s9_278 = mbgen::fnma(work.s1_420, work.w_carrier_left_y, s9_277);
-  const double s9_279 = mbgen::fma(work.R_chassis_aux5_y_x, s9_10, work.R_chassis_y_y*s9_276);
-  const double s9_280 = mbgen::fma(work.s1_417, work.w_bell_crank_z, s9_266);
-  const double s9_281 = mbgen::fma(work.s1_416, work.w_chassis_x, work.v_chassis_z);
-  const double s9_282 = mbgen::fnma(work.s1_417, work.w_chassis_y, s9_281);
-  const double s9_283 = mbgen::fma(work.R_chassis_aux5_y_x, s9_36, work.R_chassis_y_y*s9_280);
-  const double s9_284 = mbgen::fma(work.R_chassis_z_z, s9_278, work.R_chassis_z_y*s9_276);
-  const double s9_285 = mbgen::fma(work.R_chassis_z_z, s9_282, work.R_chassis_z_y*s9_280);
-  const double s9_286 = mbgen::fma(work.R_chassis_aux5_x_x, s9_10, work.R_chassis_x_y*s9_276);
-  const double s9_287 = mbgen::fma(work.R_chassis_aux5_x_x, s9_36, work.R_chassis_x_y*s9_280);
-  const double s9_288 = mbgen::fma(work.s1_410, work.w_chassis_x, work.v_chassis_y);
-  const double s9_289 = mbgen::fma(work.s1_411, work.w_chassis_z, s9_288);
-  const double s9_290 = mbgen::fma(0.5, work.w_chassis_x, work.v_pitman_arm_z);
-  const double s9_291 = mbgen::fnma(work.s1_411, work.w_pitman_arm_y, s9_290);
-  const double s9_292 = mbgen::fma(work.R_chassis_aux5_y_x, s9_40, work.R_chassis_y_y*s9_289);
-  const double s9_293 = mbgen::fma(work.s1_413, work.w_bell_crank_z, s9_266);
-  const double s9_294 = mbgen::fma(work.s1_412, work.w_chassis_x, work.v_chassis_z);
-  const double s9_295 = mbgen::fnma(work.s1_413, work.w_chassis_y, s9_294);
-  const double s9_296 = mbgen::fma(work.R_chassis_aux5_y_x, s9_35, work.R_chassis_y_y*s9_293);
-  const double s9_297 = mbgen::fma(work.R_chassis_z_z, s9_291, work.R_chassis_z_y*s9_289);
-  const double s9_298 = mbgen::fma(work.R_chassis_z_z, s9_295, work.R_chassis_z_y*s9_293);
-  const double s9_299 = mbgen::fma(work.R_chassis_aux5_x_x, s9_40, work.R_chassis_x_y*s9_289);
-  const double s9_300 = mbgen::fma(work.R_chassis_aux5_x_x, s9_35, work.R_chassis_x_y*s9_293);
-  const double s9_301 = mbgen::fma(work.R_chassis_y_z, s9_291, s9_292);
-  const double s9_302 = s9_301*mbgen::fma(work.R_chassis_y_z, s9_295, s9_296);
-  const double s9_303 = mbgen::fnma(s1_1, s9_40, s9_297);
-  const double s9_304 = mbgen::fma(s9_303, mbgen::fnma(s1_1, s9_35, s9_298), s9_302);
-  const double s9_305 = mbgen::fma(work.R_chassis_x_z, s9_291, s9_299);
-  const double s9_306 = mbgen::fma(work.R_chassis_x_z, s9_295, s9_300);
-  const double s9_307 = mbgen::fma(work.s1_400, work.w_chassis_z, work.v_chassis_y);
-  const double s9_308 = mbgen::fnma(work.s1_398, work.w_chassis_x, s9_307);
-  const double s9_309 = mbgen::fnma(0.72, work.w_chassis_x, work.v_arb_front_right_z);
-  const double s9_310 = mbgen::fnma(work.s1_400, work.w_arb_front_right_y, s9_309);
-  const double s9_311 = mbgen::fma(work.R_chassis_aux5_y_x, s9_18, work.R_chassis_y_y*s9_308);
-  const double s9_312 = mbgen::fma(work.s1_403, work.w_carrier_right_z, work.v_carrier_right_y);
-  const double s9_313 = mbgen::fnma(work.s1_409, work.w_carrier_right_x, s9_312);
-  const double s9_314 = mbgen::fma(work.s1_406, work.w_carrier_right_x, work.v_carrier_right_z);
-  const double s9_315 = mbgen::fnma(work.s1_403, work.w_carrier_right_y, s9_314);
-  const double s9_316 = mbgen::fma(work.R_chassis_aux5_y_x, s9_14, work.R_chassis_y_y*s9_313);
-  const double s9_317 = mbgen::fma(work.R_chassis_z_z, s9_310, work.R_chassis_z_y*s9_308);
-  const double s9_318 = mbgen::fma(work.R_chassis_z_z, s9_315, work.R_chassis_z_y*s9_313);
-  const double s9_319 = mbgen::fma(work.R_chassis_aux5_x_x, s9_18, work.R_chassis_x_y*s9_308);
-  const double s9_320 = mbgen::fma(work.R_chassis_aux5_x_x, s9_14, work.R_chassis_x_y*s9_313);
-  const double s9_321 = mbgen::fma(work.s1_387, work.w_chassis_z, work.v_chassis_y);
-  const double s9_322 = mbgen::fnma(work.s1_385, work.w_chassis_x, s9_321);
-  const double s9_323 = mbgen::fma(0.72, work.w_chassis_x, work.v_arb_front_left_z);
-  const double s9_324 = mbgen::fnma(work.s1_387, work.w_arb_front_left_y, s9_323);
-  const double s9_325 = mbgen::fma(work.R_chassis_aux5_y_x, s9_12, work.R_chassis_y_y*s9_322);
-  const double s9_326 = mbgen::fma(work.s1_390, work.w_carrier_left_z, work.v_carrier_left_y);
-  const double s9_327 = mbgen::fnma(work.s1_396, work.w_carrier_left_x, s9_326);
-  const double s9_328 = mbgen::fma(work.s1_393, work.w_carrier_left_x, work.v_carrier_left_z);
-  const double s9_329 = mbgen::fnma(work.s1_390, work.w_carrier_left_y, s9_328);
-  const double s9_330 = mbgen::fma(work.R_chassis_aux5_y_x, s9_8, work.R_chassis_y_y*s9_327);
-  const double s9_331 = mbgen::fma(work.R_chassis_z_z, s9_324, work.R_chassis_z_y*s9_322);
-  const double s9_332 = mbgen::fma(work.R_chassis_z_z, s9_329, work.R_chassis_z_y*s9_327);
-  const double s9_333 = mbgen::fma(work.R_chassis_aux5_x_x, s9_12, work.R_chassis_x_y*s9_322);
-  const double s9_334 = mbgen::fma(work.R_chassis_aux5_x_x, s9_8, work.R_chassis_x_y*s9_327);
-  const double s9_335 = mbgen::fma(work.s1_375, work.w_chassis_x, work.v_chassis_y);
-  const double s9_336 = mbgen::fma(work.s1_377, work.w_chassis_z, s9_335);
-  const double s9_337 = mbgen::fma(0.5076923076923077, work.w_chassis_z, work.v_arb_rear_right_x);
-  const double s9_338 = mbgen::fnma(work.s1_375, work.w_arb_rear_right_y, s9_337);
-  const double s9_339 = mbgen::fnma(0.5076923076923077, work.w_chassis_x, work.v_arb_rear_right_z);
-  const double s9_340 = mbgen::fnma(work.s1_377, work.w_arb_rear_right_y, s9_339);
-  const double s9_341 = mbgen::fma(work.r_wheel_rear_right_x, work.w_wheel_rear_right_z,
-      work.v_wheel_rear_right_y);
-  const double s9_342 = mbgen::fnma(work.r_wheel_rear_right_z, work.w_wheel_rear_right_x, s9_341);
-  const double s9_343 = mbgen::fma(work.r_wheel_rear_right_y, work.w_wheel_rear_right_x,
-      work.v_wheel_rear_right_z);
-  const double s9_344 = mbgen::fnma(work.r_wheel_rear_right_x, work.w_wheel_rear_right_y, s9_343);
-  const double s9_345 = mbgen::fma(work.r_wheel_rear_right_z, work.w_wheel_rear_right_y,
-      work.v_wheel_rear_right_x);
-  const double s9_346 = mbgen::fnma(work.r_wheel_rear_right_y, work.w_wheel_rear_right_z, s9_345);
-  const double s9_347 = mbgen::fma(work.s1_364, work.w_chassis_x, work.v_chassis_y);
-  const double s9_348 = mbgen::fma(work.s1_368, work.w_chassis_z, s9_347);
-  const double s9_349 = mbgen::fma(0.5076923076923077, work.w_chassis_x, work.v_arb_rear_left_z);
-  const double s9_350 = mbgen::fnma(work.s1_368, work.w_arb_rear_left_y, s9_349);
-  const double s9_351 = mbgen::fnma(0.5076923076923077, work.w_chassis_z, work.v_arb_rear_left_x);
-  const double s9_352 = mbgen::fnma(work.s1_364, work.w_arb_rear_left_y, s9_351);
-  const double s9_353 = mbgen::fma(work.r_wheel_rear_left_x, work.w_wheel_rear_left_z,
-      work.v_wheel_rear_left_y);
-  const double s9_354 = mbgen::fnma(work.r_wheel_rear_left_z, work.w_wheel_rear_left_x, s9_353);
-  const double s9_355 = mbgen::fma(work.r_wheel_rear_left_y, work.w_wheel_rear_left_x,
-      work.v_wheel_rear_left_z);
-  const double s9_356 = mbgen::fnma(work.r_wheel_rear_left_x, work.w_wheel_rear_left_y, s9_355);
-  const double s9_357 = mbgen::fma(work.r_wheel_rear_left_z, work.w_wheel_rear_left_y,
-      work.v_wheel_rear_left_x);
-  const double s9_358 = mbgen::fnma(work.r_wheel_rear_left_y, work.w_wheel_rear_left_z, s9_357);
-  const double s9_359 = mbgen::fma(work.s1_324, work.w_rear_axle_z, work.v_rear_axle_y);
-  const double s9_360 = mbgen::fnma(work.s1_313, work.w_rear_axle_x, s9_359);
-  const double s9_361 = mbgen::fma(work.s1_320, work.w_rear_axle_x, work.v_rear_axle_z);
-  const double s9_362 = mbgen::fnma(work.s1_324, work.w_rear_axle_y, s9_361);
-  const double s9_363 = mbgen::fma(work.s1_313, work.w_rear_axle_y, work.v_rear_axle_x);
-  const double s9_364 = mbgen::fnma(work.s1_320, work.w_rear_axle_z, s9_363);
-  const double s9_365 = mbgen::fma(work.s1_308, work.w_bell_crank_z, s9_266);
-  const double s9_366 = mbgen::fma(work.s1_301, work.w_chassis_x, work.v_chassis_z);
-  const double s9_367 = mbgen::fnma(work.s1_308, work.w_chassis_y, s9_366);
-  const double s9_368 = mbgen::fnma(work.s1_301, work.w_bell_crank_z, s9_3);
-  const double s9_369 = mbgen::fma(work.s1_290, work.w_chassis_x, work.v_chassis_y);
-  const double s9_370 = mbgen::fma(work.s1_293, work.w_chassis_z, s9_369);
-  const double s9_371 = mbgen::fnma(work.s1_293, work.w_pitman_arm_y, s9_290);
-  const double s9_372 = mbgen::fnma(work.s1_290, work.w_pitman_arm_y, s9_39);
-  const double s9_373 = mbgen::fma(work.s1_282, work.w_chassis_z, work.v_chassis_y);
-  const double s9_374 = mbgen::fnma(work.s1_274, work.w_chassis_x, s9_373);
-  const double s9_375 = mbgen::fma(0.5169230769230769, work.w_chassis_z, work.v_arb_front_right_x);
-  const double s9_376 = mbgen::fma(work.s1_274, work.w_arb_front_right_y, s9_375);
-  const double s9_377 = mbgen::fnma(0.5169230769230769, work.w_chassis_x, work.v_arb_front_right_z);
-  const double s9_378 = mbgen::fnma(work.s1_282, work.w_arb_front_right_y, s9_377);
-  const double s9_379 = mbgen::fma(3.6, work.w_chassis_z, work.v_upper_arm_right_y);
-  const double s9_380 = mbgen::fma(work.s1_264, work.w_upper_arm_right_x, s9_379);
-  const double s9_381 = mbgen::fnma(3.6, work.w_chassis_y, work.v_upper_arm_right_z);
-  const double s9_382 = mbgen::fma(work.s1_266, work.w_upper_arm_right_x, s9_381);
-  const double s9_383 = mbgen::fnma(work.s1_264, work.w_chassis_y, work.v_chassis_x);
-  const double s9_384 = mbgen::fnma(work.s1_266, work.w_chassis_z, s9_383);
-  const double s9_385 = mbgen::fma(work.r_wheel_front_right_x, work.w_wheel_front_right_z,
-      work.v_wheel_front_right_y);
-  const double s9_386 = mbgen::fnma(work.r_wheel_front_right_z, work.w_wheel_front_right_x, s9_385);
-  const double s9_387 = mbgen::fma(work.r_wheel_front_right_z, work.w_wheel_front_right_y,
-      work.v_wheel_front_right_x);
-  const double s9_388 = mbgen::fnma(work.r_wheel_front_right_y, work.w_wheel_front_right_z, s9_387);
-  const double s9_389 = mbgen::fma(work.r_wheel_front_right_y, work.w_wheel_front_right_x,
-      work.v_wheel_front_right_z);
-  const double s9_390 = mbgen::fnma(work.r_wheel_front_right_x, work.w_wheel_front_right_y, s9_389);
-  const double s9_391 = mbgen::fma(work.s1_221, work.w_carrier_right_z, work.v_carrier_right_y);
-  const double s9_392 = mbgen::fnma(work.s1_197, work.w_carrier_right_x, s9_391);
-  const double s9_393 = mbgen::fma(work.s1_197, work.w_carrier_right_y, work.v_carrier_right_x);
-  const double s9_394 = mbgen::fnma(work.s1_216, work.w_carrier_right_z, s9_393);
-  const double s9_395 = mbgen::fma(work.s1_216, work.w_carrier_right_x, work.v_carrier_right_z);
-  const double s9_396 = mbgen::fnma(work.s1_221, work.w_carrier_right_y, s9_395);
-  const double s9_397 = mbgen::fma(3.6, work.w_chassis_z, work.v_lower_arm_right_y);
-  const double s9_398 = mbgen::fma(work.s1_187, work.w_lower_arm_right_x, s9_397);
-  const double s9_399 = mbgen::fnma(3.6, work.w_chassis_y, work.v_lower_arm_right_z);
-  const double s9_400 = mbgen::fma(work.s1_189, work.w_lower_arm_right_x, s9_399);
-  const double s9_401 = mbgen::fnma(work.s1_187, work.w_chassis_y, work.v_chassis_x);
-  const double s9_402 = mbgen::fnma(work.s1_189, work.w_chassis_z, s9_401);
-  const double s9_403 = mbgen::fma(work.s1_178, work.w_chassis_z, work.v_chassis_y);
-  const double s9_404 = mbgen::fnma(work.s1_172, work.w_chassis_x, s9_403);
-  const double s9_405 = mbgen::fma(0.5169230769230769, work.w_chassis_x, work.v_arb_front_left_z);
-  const double s9_406 = mbgen::fnma(work.s1_178, work.w_arb_front_left_y, s9_405);
-  const double s9_407 = mbgen::fnma(0.5169230769230769, work.w_chassis_z, work.v_arb_front_left_x);
-  const double s9_408 = mbgen::fma(work.s1_172, work.w_arb_front_left_y, s9_407);
-  const double s9_409 = mbgen::fma(3.6, work.w_chassis_z, work.v_upper_arm_left_y);
-  const double s9_410 = mbgen::fnma(work.s1_160, work.w_upper_arm_left_x, s9_409);
-  const double s9_411 = mbgen::fma(work.s1_160, work.w_chassis_y, work.v_chassis_x);
-  const double s9_412 = mbgen::fnma(work.s1_162, work.w_chassis_z, s9_411);
-  const double s9_413 = mbgen::fnma(3.6, work.w_chassis_y, work.v_upper_arm_left_z);
-  const double s9_414 = mbgen::fma(work.s1_162, work.w_upper_arm_left_x, s9_413);
-  const double s9_415 = mbgen::fma(work.r_wheel_front_left_x, work.w_wheel_front_left_z,
-      work.v_wheel_front_left_y);
-  const double s9_416 = mbgen::fnma(work.r_wheel_front_left_z, work.w_wheel_front_left_x, s9_415);
-  const double s9_417 = mbgen::fma(work.r_wheel_front_left_z, work.w_wheel_front_left_y,
-      work.v_wheel_front_left_x);
-  const double s9_418 = mbgen::fnma(work.r_wheel_front_left_y, work.w_wheel_front_left_z, s9_417);
-  const double s9_419 = mbgen::fma(work.r_wheel_front_left_y, work.w_wheel_front_left_x,
-      work.v_wheel_front_left_z);
-  const double s9_420 = mbgen::fnma(work.r_wheel_front_left_x, work.w_wheel_front_left_y, s9_419);
-  const double s9_421 = mbgen::fma(work.s1_117, work.w_carrier_left_z, work.v_carrier_left_y);
-  const double s9_422 = mbgen::fnma(work.s1_95, work.w_carrier_left_x, s9_421);
-  const double s9_423 = mbgen::fma(work.s1_95, work.w_carrier_left_y, work.v_carrier_left_x);
-  const double s9_424 = mbgen::fnma(work.s1_112, work.w_carrier_left_z, s9_423);
-  const double s9_425 = mbgen::fma(work.s1_112, work.w_carrier_left_x, work.v_carrier_left_z);
-  const double s9_426 = mbgen::fnma(work.s1_117, work.w_carrier_left_y, s9_425);
-  const double s9_427 = mbgen::fma(0.0027607966870439754, work.w_chassis_y, work.v_chassis_z);
-  const double s9_428 = mbgen::fma(0.24897456123052653, work.w_chassis_y, work.v_chassis_x);
-  const double s9_429 = mbgen::fnma(0.0027607966870439754, work.w_chassis_z, work.v_chassis_y);
-  const double s9_430 = mbgen::fnma(0.24897456123052653, work.w_chassis_x, s9_429);
-  const double s9_431 = mbgen::fma(3.6, work.w_chassis_z, work.v_lower_arm_left_y);
-  const double s9_432 = mbgen::fnma(work.s1_83, work.w_lower_arm_left_x, s9_431);
-  const double s9_433 = mbgen::fma(work.s1_83, work.w_chassis_y, work.v_chassis_x);
-  const double s9_434 = mbgen::fnma(work.s1_85, work.w_chassis_z, s9_433);
-  const double s9_435 = mbgen::fnma(3.6, work.w_chassis_y, work.v_lower_arm_left_z);
-  const double s9_436 = mbgen::fma(work.s1_85, work.w_lower_arm_left_x, s9_435);
-  const double s9_437 = work.s7_32 + (work.s7_31 + (work.s7_23 + (work.s7_4 + work.s7_5)));
-  const double s9_438 = work.s7_86 + (work.s7_63 + (work.s7_57 + (work.s7_53 + s9_437)));
-  const double s9_439 = work.s7_65 + (work.s7_62 + (work.s7_61 + (work.s7_2 + work.s7_29)));
-  const double s9_440 = work.s7_24 + mbgen::fma(150070.8160441727, work.w_chassis_y, work.s7_6);
-  const double s9_441 = mbgen::fma(s9_408, s9_408, mbgen::fma(s9_406, s9_406, s9_404*s9_404));
-  const double s9_442 = mbgen::fma(s9_376, s9_376, mbgen::fma(s9_374, s9_374, s9_441));
-  const double s9_443 = mbgen::fma(s9_336, s9_336, mbgen::fma(s9_378, s9_378, s9_442));
-  const double s9_444 = mbgen::fma(s9_340, s9_340, mbgen::fma(s9_338, s9_338, s9_443));
-  const double s9_445 = mbgen::fma(s9_350, s9_350, mbgen::fma(s9_348, s9_348, s9_444));
-  const double s9_446 = mbgen::fma(work.R_chassis_y_z, s9_324, s9_325);
-  const double s9_447 = s9_446*mbgen::fma(work.R_chassis_y_z, s9_329, s9_330);
-  const double s9_448 = mbgen::fnma(s1_1, s9_12, s9_331);
-  const double s9_449 = mbgen::fma(s9_448, mbgen::fnma(s1_1, s9_8, s9_332), s9_447);
-  const double s9_450 = mbgen::fma(work.R_chassis_x_z, s9_324, s9_333);
-  const double s9_451 = mbgen::fma(work.R_chassis_x_z, s9_329, s9_334);
-  const double s9_452 = mbgen::fma(work.R_chassis_y_z, s9_310, s9_311);
-  const double s9_453 = mbgen::fma(work.R_chassis_y_z, s9_315, s9_316);
-  const double s9_454 = mbgen::fma(s9_452, s9_453, mbgen::fma(s9_450, s9_451, s9_449));
-  const double s9_455 = mbgen::fnma(s1_1, s9_18, s9_317);
-  const double s9_456 = mbgen::fma(s9_455, mbgen::fnma(s1_1, s9_14, s9_318), s9_454);
-  const double s9_457 = mbgen::fma(work.R_chassis_x_z, s9_310, s9_319);
-  const double s9_458 = mbgen::fma(work.R_chassis_x_z, s9_315, s9_320);
-  const double s9_459 = mbgen::fma(work.R_chassis_y_z, s9_184, s9_185);
-  const double s9_460 = mbgen::fma(work.R_chassis_y_z, s9_189, s9_190);
-  const double s9_461 = mbgen::fma(s9_459, s9_460, mbgen::fma(s9_457, s9_458, s9_456));
-  const double s9_462 = mbgen::fnma(s1_1, s9_32, s9_191);
-  const double s9_463 = mbgen::fma(s9_462, mbgen::fnma(s1_1, s9_30, s9_192), s9_461);
-  const double s9_464 = mbgen::fma(work.R_chassis_x_z, s9_184, s9_193);
-  const double s9_465 = mbgen::fma(work.R_chassis_x_z, s9_189, s9_194);
-  const double s9_466 = mbgen::fma(work.R_chassis_y_z, s9_230, s9_231);
-  const double s9_467 = mbgen::fma(work.R_chassis_y_z, s9_235, s9_236);
-  const double s9_468 = mbgen::fma(s9_466, s9_467, mbgen::fma(s9_464, s9_465, s9_463));
-  const double s9_469 = mbgen::fnma(s1_1, s9_42, s9_237);
-  const double s9_470 = mbgen::fma(s9_469, mbgen::fnma(s1_1, s9_24, s9_238), s9_468);
-  const double s9_471 = mbgen::fma(work.R_chassis_x_z, s9_230, s9_239);
-  const double s9_472 = mbgen::fma(work.R_chassis_x_z, s9_235, s9_240);
-  const double s9_473 = mbgen::fma(s9_402, s9_402, mbgen::fma(s9_400, s9_400, s9_398*s9_398));
-  const double s9_474 = mbgen::fma(s9_434, s9_434, mbgen::fma(s9_432, s9_432, s9_473));
-  const double s9_475 = mbgen::fma(s9_396, s9_396, mbgen::fma(s9_394, s9_394, s9_392*s9_392));
-  const double s9_476 = mbgen::fma(s9_424, s9_424, mbgen::fma(s9_422, s9_422, s9_475));
-  const double s9_477 = mbgen::fma(s9_390, s9_390, mbgen::fma(s9_388, s9_388, s9_386*s9_386));
-  const double s9_478 = mbgen::fma(s9_418, s9_418, mbgen::fma(s9_416, s9_416, s9_477));
-  const double s9_479 = mbgen::fma(work.R_chassis_y_z, s9_215, s9_216);
-  const double s9_480 = mbgen::fnma(s1_1, s9_6, mbgen::fma(work.R_chassis_z_z, s9_215, s9_222));
-  const double s9_481 = s9_479*mbgen::fma(work.R_chassis_y_z, s9_220, s9_221);
-  const double s9_482 = mbgen::fma(s9_480, mbgen::fnma(s1_1, s9_26, s9_223), s9_481);
-  const double s9_483 = mbgen::fma(work.R_chassis_x_z, s9_215, s9_225);
-  const double s9_484 = mbgen::fma(work.R_chassis_x_z, s9_220, s9_226);
-  const double s9_485 = mbgen::fma(work.R_chassis_y_z, s9_251, s9_252);
-  const double s9_486 = mbgen::fma(work.R_chassis_y_z, s9_256, s9_257);
-  const double s9_487 = mbgen::fnma(s1_1, s9_38, mbgen::fma(work.R_chassis_z_z, s9_251, s9_222));
-  const double s9_488 = mbgen::fma(s9_485, s9_486, mbgen::fma(s9_483, s9_484, s9_482));
-  const double s9_489 = mbgen::fma(s9_487, mbgen::fnma(s1_1, s9_20, s9_258), s9_488);
-  const double s9_490 = mbgen::fma(work.R_chassis_x_z, s9_251, s9_259);
-  const double s9_491 = mbgen::fma(work.R_chassis_x_z, s9_256, s9_260);
-  const double s9_492 = mbgen::fma(s9_384, s9_384, mbgen::fma(s9_382, s9_382, s9_380*s9_380));
-  const double s9_493 = mbgen::fma(s9_412, s9_412, mbgen::fma(s9_410, s9_410, s9_492));
-  const double s9_494 = mbgen::fma(s9_346, s9_346, mbgen::fma(s9_344, s9_344, s9_342*s9_342));
-  const double s9_495 = mbgen::fma(s9_356, s9_356, mbgen::fma(s9_354, s9_354, s9_494));
-  const double s9_496 = mbgen::fma(work.R_chassis_y_z, s9_199, s9_200);
-  const double s9_497 = mbgen::fnma(s1_1, s9_2, mbgen::fma(work.R_chassis_z_z, s9_199, s9_206));
-  const double s9_498 = s9_496*mbgen::fma(work.R_chassis_y_z, s9_204, s9_205);
-  const double s9_499 = mbgen::fma(s9_497, mbgen::fnma(s1_1, s9_28, s9_207), s9_498);
-  const double s9_500 = mbgen::fma(work.R_chassis_x_z, s9_199, s9_209);
-  const double s9_501 = mbgen::fma(work.R_chassis_x_z, s9_204, s9_210);
-  const double s9_502 = mbgen::fma(work.R_chassis_y_z, s9_241, s9_242);
-  const double s9_503 = mbgen::fma(work.R_chassis_y_z, s9_246, s9_247);
-  const double s9_504 = mbgen::fnma(s1_1, s9_34, mbgen::fma(work.R_chassis_z_z, s9_241, s9_206));
-  const double s9_505 = mbgen::fma(s9_502, s9_503, mbgen::fma(s9_500, s9_501, s9_499));
-  const double s9_506 = mbgen::fma(s9_504, mbgen::fnma(s1_1, s9_22, s9_248), s9_505);
-  const double s9_507 = mbgen::fma(work.R_chassis_x_z, s9_241, s9_249);
-  const double s9_508 = mbgen::fma(work.R_chassis_x_z, s9_246, s9_250);
-  const double s9_509 = mbgen::fma(work.R_chassis_y_z, s9_264, s9_265);
-  const double s9_510 = s9_509*mbgen::fma(work.R_chassis_y_z, s9_269, s9_270);
-  const double s9_511 = mbgen::fnma(s1_1, s9_16, s9_271);
-  const double s9_512 = mbgen::fma(s9_511, mbgen::fnma(s1_1, s9_4, s9_272), s9_510);
-  const double s9_513 = mbgen::fma(work.R_chassis_x_z, s9_264, s9_273);
-  const double s9_514 = mbgen::fma(work.R_chassis_x_z, s9_269, s9_274);
-  const double s9_515 = mbgen::fma(work.R_chassis_y_z, s9_278, s9_279);
-  const double s9_516 = mbgen::fma(work.R_chassis_y_z, s9_282, s9_283);
-  const double s9_517 = mbgen::fma(s9_515, s9_516, mbgen::fma(s9_513, s9_514, s9_512));
-  const double s9_518 = mbgen::fnma(s1_1, s9_10, s9_284);
-  const double s9_519 = mbgen::fma(s9_518, mbgen::fnma(s1_1, s9_36, s9_285), s9_517);
-  const double s9_520 = mbgen::fma(work.R_chassis_x_z, s9_278, s9_286);
-  const double s9_521 = mbgen::fma(work.R_chassis_x_z, s9_282, s9_287);
-  const double s9_522 = 3.0*mbgen::fma(s9_305, s9_306, s9_304);
-  const double s9_523 = mbgen::fma(work.w_arb_rear_right_y, work.s7_105, s9_522);
-  const double s9_524 = mbgen::fma(work.w_wheel_rear_right_y, work.s7_92, s9_523);
-  const double s9_525 = mbgen::fma(work.w_wheel_rear_right_x, work.s7_95, s9_524);
-  const double s9_526 = mbgen::fma(work.w_wheel_rear_right_z, work.s7_98, s9_525);
-  const double s9_527 = mbgen::fma(work.w_arb_rear_left_y, work.s7_89, s9_526);
-  const double s9_528 = mbgen::fma(work.w_wheel_rear_left_y, work.s7_76, s9_527);
-  const double s9_529 = mbgen::fma(work.w_wheel_rear_left_x, work.s7_79, s9_528);
-  const double s9_530 = mbgen::fma(work.w_wheel_rear_left_z, work.s7_82, s9_529);
-  const double s9_531 = mbgen::fma(work.w_rear_axle_y, work.s7_69, s9_530);
-  const double s9_532 = mbgen::fma(work.w_rear_axle_x, work.s7_71, s9_531);
-  const double s9_533 = mbgen::fma(s9_364, s9_364, mbgen::fma(s9_362, s9_362, s9_360*s9_360));
-  const double s9_534 = mbgen::fma(work.w_rear_axle_z, work.s7_73, s9_532);
-  const double s9_535 = mbgen::fma(774.0, s9_533, s9_534);
-  const double s9_536 = mbgen::fma(s9_368, s9_368, mbgen::fma(s9_367, s9_367, s9_365*s9_365));
-  const double s9_537 = mbgen::fma(work.w_bell_crank_z, work.s7_66, s9_535);
-  const double s9_538 = mbgen::fma(16.666666666666668, s9_536, s9_537);
-  const double s9_539 = mbgen::fma(s9_372, s9_372, mbgen::fma(s9_371, s9_371, s9_370*s9_370));
-  const double s9_540 = mbgen::fma(work.w_pitman_arm_y, work.s7_64, s9_538);
-  const double s9_541 = mbgen::fma(9.0, s9_539, s9_540);
-  const double s9_542 = mbgen::fma(work.w_arb_front_right_y, work.s7_59, s9_541);
-  const double s9_543 = mbgen::fma(work.w_upper_arm_right_x, work.s7_55, s9_542);
-  const double s9_544 = mbgen::fma(work.w_wheel_front_right_y, work.s7_46, s9_543);
-  const double s9_545 = mbgen::fma(work.w_wheel_front_right_z, work.s7_52, s9_544);
-  const double s9_546 = mbgen::fma(work.w_wheel_front_right_x, work.s7_49, s9_545);
-  const double s9_547 = mbgen::fma(work.w_carrier_right_y, work.s7_43, s9_546);
-  const double s9_548 = mbgen::fma(work.w_carrier_right_z, work.s7_40, s9_547);
-  const double s9_549 = mbgen::fma(work.w_carrier_right_x, work.s7_37, s9_548);
-  const double s9_550 = mbgen::fma(work.w_lower_arm_right_x, work.s7_34, s9_549);
-  const double s9_551 = mbgen::fma(work.w_arb_front_left_y, work.s7_27, s9_550);
-  const double s9_552 = mbgen::fma(work.w_upper_arm_left_x, work.s7_25, s9_551);
-  const double s9_553 = mbgen::fma(work.w_wheel_front_left_y, work.s7_16, s9_552);
-  const double s9_554 = mbgen::fma(work.w_wheel_front_left_z, work.s7_22, s9_553);
-  const double s9_555 = mbgen::fma(work.w_wheel_front_left_x, work.s7_19, s9_554);
-  const double s9_556 = mbgen::fma(work.w_carrier_left_y, work.s7_13, s9_555);
-  const double s9_557 = mbgen::fma(work.w_carrier_left_z, work.s7_11, s9_556);
-  const double s9_558 = mbgen::fma(work.w_carrier_left_x, work.s7_9, s9_557);
-  const double s9_559 = mbgen::fma(s9_430, s9_430, mbgen::fma(s9_428, s9_428, s9_427*s9_427));
-  const double s9_560 = mbgen::fma(work.w_lower_arm_left_x, work.s7_7, s9_558);
-  const double s9_561 = mbgen::fma(13522.666666666668, s9_559, s9_560);
-  const double s9_562 = mbgen::fma(work.w_chassis_z, work.s7_102 + s9_438, s9_561);
-  const double s9_563 = work.s7_100 + (work.s7_84 + s9_439);
-  const double s9_564 = work.s7_67 + (work.s7_54 + (work.s7_33 + s9_440));
-  const double s9_565 = mbgen::fma(work.w_chassis_x, s9_563, s9_562);
-  const double s9_566 = mbgen::fma(work.w_chassis_y, s9_564, s9_565);
-  const double s9_567 = mbgen::fma(s9_352, s9_352, s9_445);
-  const double s9_568 = mbgen::fma(8.666666666666666, s9_567, s9_566);
-  const double s9_569 = mbgen::fma(s9_471, s9_472, s9_470);
-  const double s9_570 = mbgen::fma(0.6666666666666666, s9_569, s9_568);
-  const double s9_571 = mbgen::fma(25.0, mbgen::fma(s9_436, s9_436, s9_474), s9_570);
-  const double s9_572 = mbgen::fma(113.0, mbgen::fma(s9_426, s9_426, s9_476), s9_571);
-  const double s9_573 = mbgen::fma(105.0, mbgen::fma(s9_420, s9_420, s9_478), s9_572);
-  const double s9_574 = mbgen::fma(6.0, mbgen::fma(s9_490, s9_491, s9_489), s9_573);
-  const double s9_575 = mbgen::fma(15.0, mbgen::fma(s9_414, s9_414, s9_493), s9_574);
-  const double s9_576 = mbgen::fma(200.0, mbgen::fma(s9_358, s9_358, s9_495), s9_575);
-  const double s9_577 = mbgen::fma(s9_507, s9_508, s9_506);
-  const double s9_578 = mbgen::fma(5.333333333333333, s9_577, s9_576);
-  const double s9_579 = mbgen::fma(s9_520, s9_521, s9_519);
-  result.kinetic_energy = 0.5*mbgen::fma(2.3333333333333335, s9_579, s9_578);
-  // operations: 671 add, 713 multiply
+  result.potential_energy = 9.81*s1_564;
+  const double s9_1 = zd_arb_rear_right*tau[Coordinate::arb_rear_right];
+  const double s9_2 = mbgen::fma(zd_wheel_rear_right, tau[Coordinate::wheel_rear_right], s9_1);
+  const double s9_3 = mbgen::fma(zd_arb_rear_left, tau[Coordinate::arb_rear_left], s9_2);
+  const double s9_4 = mbgen::fma(zd_wheel_rear_left, tau[Coordinate::wheel_rear_left], s9_3);
+  const double s9_5 = mbgen::fma(zd_rear_axle_rx, tau[Coordinate::rear_axle_rx], s9_4);
+  const double s9_6 = mbgen::fma(zd_rear_axle_ry, tau[Coordinate::rear_axle_ry], s9_5);
+  const double s9_7 = mbgen::fma(zd_rear_axle_rz, tau[Coordinate::rear_axle_rz], s9_6);
+  const double s9_8 = mbgen::fma(zd_rear_axle_tz, tau[Coordinate::rear_axle_tz], s9_7);
+  const double s9_9 = mbgen::fma(zd_rear_axle_ty, tau[Coordinate::rear_axle_ty], s9_8);
+  const double s9_10 = mbgen::fma(zd_rear_axle_tx, tau[Coordinate::rear_axle_tx], s9_9);
+  const double s9_11 = mbgen::fma(zd_bell_crank, tau[Coordinate::bell_crank], s9_10);
+  const double s9_12 = mbgen::fma(zd_pitman_arm, tau[Coordinate::pitman_arm], s9_11);
+  const double s9_13 = mbgen::fma(zd_arb_front_right, tau[Coordinate::arb_front_right], s9_12);
+  const double s9_14 = mbgen::fma(zd_upper_arm_right, tau[Coordinate::upper_arm_right], s9_13);
+  const double s9_15 = mbgen::fma(zd_wheel_front_right, tau[Coordinate::wheel_front_right], s9_14);
+  const double s9_16 = mbgen::fma(zd_carrier_right_ry, tau[Coordinate::carrier_right_ry], s9_15);
+  const double s9_17 = mbgen::fma(zd_carrier_right_rx, tau[Coordinate::carrier_right_rx], s9_16);
+  const double s9_18 = mbgen::fma(zd_carrier_right_rz, tau[Coordinate::carrier_right_rz], s9_17);
+  const double s9_19 = mbgen::fma(zd_lower_arm_right, tau[Coordinate::lower_arm_right], s9_18);
+  const double s9_20 = mbgen::fma(zd_arb_front_left, tau[Coordinate::arb_front_left], s9_19);
+  const double s9_21 = mbgen::fma(zd_upper_arm_left, tau[Coordinate::upper_arm_left], s9_20);
+  const double s9_22 = mbgen::fma(zd_wheel_front_left, tau[Coordinate::wheel_front_left], s9_21);
+  const double s9_23 = mbgen::fma(zd_carrier_left_ry, tau[Coordinate::carrier_left_ry], s9_22);
+  const double s9_24 = mbgen::fma(zd_carrier_left_rx, tau[Coordinate::carrier_left_rx], s9_23);
+  const double s9_25 = mbgen::fma(zd_carrier_left_rz, tau[Coordinate::carrier_left_rz], s9_24);
+  const double s9_26 = mbgen::fma(zd_lower_arm_left, tau[Coordinate::lower_arm_left], s9_25);
+  const double s9_27 = mbgen::fma(zd_chassis_rx, tau[Coordinate::chassis_rx], s9_26);
+  const double s9_28 = mbgen::fma(zd_chassis_ry, tau[Coordinate::chassis_ry], s9_27);
+  const double s9_29 = mbgen::fma(zd_chassis_rz, tau[Coordinate::chassis_rz], s9_28);
+  const double s9_30 = mbgen::fma(zd_chassis_tz, tau[Coordinate::chassis_tz], s9_29);
+  const double s9_31 = mbgen::fma(zd_chassis_tx, tau[Coordinate::chassis_tx], s9_30);
+  result.applied_power = mbgen::fma(zd_chassis_ty, tau[Coordinate::chassis_ty], s9_31);
+  const double s9_32 = mbgen::fma(s1_510, w_chassis_x, v_chassis_y);
+  const double s9_33 = mbgen::fma(s1_513, w_rear_axle_z, v_rear_axle_y);
+  const double s9_34 = mbgen::fma(s1_512, w_rear_axle_x, v_rear_axle_z);
+  const double s9_35 = mbgen::fnma(0.6, w_chassis_x, v_arb_rear_right_z);
+  const double s9_36 = mbgen::fma(s1_511, w_rear_axle_y, v_rear_axle_x);
+  const double s9_37 = mbgen::fma(0.6, w_chassis_z, v_arb_rear_right_x);
+  const double s9_38 = mbgen::fma(0.15000000000000002, w_chassis_x, v_chassis_y);
+  const double s9_39 = mbgen::fma(s1_508, w_rear_axle_z, v_rear_axle_y);
+  const double s9_40 = mbgen::fma(1.6999999999999997, w_chassis_y, v_chassis_z);
+  const double s9_41 = mbgen::fma(s1_507, w_rear_axle_x, v_rear_axle_z);
+  const double s9_42 = mbgen::fma(0.4, w_chassis_z, v_chassis_x);
+  const double s9_43 = mbgen::fma(s1_509, w_rear_axle_y, v_rear_axle_x);
+  const double s9_44 = mbgen::fma(0.55, w_chassis_x, v_chassis_y);
+  const double s9_45 = mbgen::fma(s1_504, w_rear_axle_z, v_rear_axle_y);
+  const double s9_46 = mbgen::fma(1.6, w_chassis_y, v_chassis_z);
+  const double s9_47 = mbgen::fma(s1_503, w_rear_axle_x, v_rear_axle_z);
+  const double s9_48 = mbgen::fma(0.55, w_chassis_z, v_chassis_x);
+  const double s9_49 = mbgen::fma(s1_506, w_rear_axle_y, v_rear_axle_x);
+  const double s9_50 = mbgen::fma(s1_491, w_chassis_x, v_chassis_y);
+  const double s9_51 = mbgen::fma(s1_498, w_rear_axle_z, v_rear_axle_y);
+  const double s9_52 = mbgen::fma(s1_497, w_rear_axle_x, v_rear_axle_z);
+  const double s9_53 = mbgen::fma(0.6, w_chassis_x, v_arb_rear_left_z);
+  const double s9_54 = mbgen::fma(s1_502, w_rear_axle_y, v_rear_axle_x);
+  const double s9_55 = mbgen::fnma(0.6, w_chassis_z, v_arb_rear_left_x);
+  const double s9_56 = mbgen::fma(s1_488, w_rear_axle_z, v_rear_axle_y);
+  const double s9_57 = mbgen::fma(s1_486, w_rear_axle_x, v_rear_axle_z);
+  const double s9_58 = mbgen::fma(s1_490, w_rear_axle_y, v_rear_axle_x);
+  const double s9_59 = mbgen::fnma(0.4, w_chassis_z, v_chassis_x);
+  const double s9_60 = mbgen::fma(s1_483, w_rear_axle_z, v_rear_axle_y);
+  const double s9_61 = mbgen::fma(s1_479, w_rear_axle_x, v_rear_axle_z);
+  const double s9_62 = mbgen::fma(s1_484, w_rear_axle_y, v_rear_axle_x);
+  const double s9_63 = mbgen::fnma(0.55, w_chassis_y, v_chassis_x);
+  const double s9_64 = mbgen::fma(s1_467, w_carrier_right_z, v_carrier_right_y);
+  const double s9_65 = mbgen::fma(0.6, w_chassis_x, v_bell_crank_y);
+  const double s9_66 = mbgen::fnma(0.6, w_chassis_y, v_chassis_x);
+  const double s9_67 = mbgen::fma(s1_473, w_carrier_right_y, v_carrier_right_x);
+  const double s9_68 = mbgen::fma(s1_470, w_carrier_right_x, v_carrier_right_z);
+  const double s9_69 = mbgen::fnma(s1_463, w_chassis_x, v_chassis_z);
+  const double s9_70 = mbgen::fma(s1_456, w_carrier_left_z, v_carrier_left_y);
+  const double s9_71 = mbgen::fma(s1_452, w_chassis_x, v_chassis_z);
+  const double s9_72 = mbgen::fma(s1_459, w_carrier_left_x, v_carrier_left_z);
+  const double s9_73 = mbgen::fma(s1_462, w_carrier_left_y, v_carrier_left_x);
+  const double s9_74 = mbgen::fma(s1_443, w_chassis_x, v_chassis_y);
+  const double s9_75 = mbgen::fma(s1_446, w_chassis_x, v_chassis_z);
+  const double s9_76 = mbgen::fma(0.5, w_chassis_x, v_pitman_arm_z);
+  const double s9_77 = mbgen::fnma(0.5, w_chassis_z, v_pitman_arm_x);
+  const double s9_78 = mbgen::fma(s1_448, w_bell_crank_z, s9_65);
+  const double s9_79 = mbgen::fma(s1_445, w_chassis_z, s9_74)*s9_78;
+  const double s9_80 = mbgen::fnma(s1_445, w_pitman_arm_y, s9_76);
+  const double s9_81 = mbgen::fma(mbgen::fnma(s1_448, w_chassis_y, s9_75), s9_80, s9_79);
+  const double s9_82 = mbgen::fnma(s1_446, w_bell_crank_z, s9_66);
+  const double s9_83 = mbgen::fma(s1_420, w_chassis_z, v_chassis_y);
+  const double s9_84 = mbgen::fma(s1_423, w_carrier_left_z, v_carrier_left_y);
+  const double s9_85 = mbgen::fma(s1_429, w_carrier_left_y, v_carrier_left_x);
+  const double s9_86 = mbgen::fnma(0.72, w_chassis_z, v_arb_front_left_x);
+  const double s9_87 = mbgen::fma(s1_426, w_carrier_left_x, v_carrier_left_z);
+  const double s9_88 = mbgen::fma(0.72, w_chassis_x, v_arb_front_left_z);
+  const double s9_89 = mbgen::fma(s1_433, w_chassis_z, v_chassis_y);
+  const double s9_90 = mbgen::fma(s1_436, w_carrier_right_z, v_carrier_right_y);
+  const double s9_91 = mbgen::fma(s1_442, w_carrier_right_y, v_carrier_right_x);
+  const double s9_92 = mbgen::fma(0.72, w_chassis_z, v_arb_front_right_x);
+  const double s9_93 = mbgen::fma(s1_439, w_carrier_right_x, v_carrier_right_z);
+  const double s9_94 = mbgen::fnma(0.72, w_chassis_x, v_arb_front_right_z);
+  const double s9_95 = mbgen::fma(s1_408, w_chassis_x, v_chassis_y);
+  const double s9_96 = mbgen::fma(s1_410, w_chassis_z, s9_95);
+  const double s9_97 = mbgen::fma(0.5076923076923077, w_chassis_z, v_arb_rear_right_x);
+  const double s9_98 = mbgen::fnma(s1_408, w_arb_rear_right_y, s9_97);
+  const double s9_99 = mbgen::fnma(0.5076923076923077, w_chassis_x, v_arb_rear_right_z);
+  const double s9_100 = mbgen::fnma(s1_410, w_arb_rear_right_y, s9_99);
+  const double s9_101 = mbgen::fma(work.r_wheel_rear_right_x, w_wheel_rear_right_z,
+      v_wheel_rear_right_y);
+  const double s9_102 = mbgen::fnma(work.r_wheel_rear_right_z, w_wheel_rear_right_x, s9_101);
+  const double s9_103 = mbgen::fma(work.r_wheel_rear_right_y, w_wheel_rear_right_x,
+      v_wheel_rear_right_z);
+  const double s9_104 = mbgen::fnma(work.r_wheel_rear_right_x, w_wheel_rear_right_y, s9_103);
+  const double s9_105 = mbgen::fma(work.r_wheel_rear_right_z, w_wheel_rear_right_y,
+      v_wheel_rear_right_x);
+  const double s9_106 = mbgen::fnma(work.r_wheel_rear_right_y, w_wheel_rear_right_z, s9_105);
+  const double s9_107 = mbgen::fma(s1_397, w_chassis_x, v_chassis_y);
+  const double s9_108 = mbgen::fma(s1_401, w_chassis_z, s9_107);
+  const double s9_109 = mbgen::fma(0.5076923076923077, w_chassis_x, v_arb_rear_left_z);
+  const double s9_110 = mbgen::fnma(s1_401, w_arb_rear_left_y, s9_109);
+  const double s9_111 = mbgen::fnma(0.5076923076923077, w_chassis_z, v_arb_rear_left_x);
+  const double s9_112 = mbgen::fnma(s1_397, w_arb_rear_left_y, s9_111);
+  const double s9_113 = mbgen::fma(work.r_wheel_rear_left_x, w_wheel_rear_left_z,
+      v_wheel_rear_left_y);
+  const double s9_114 = mbgen::fnma(work.r_wheel_rear_left_z, w_wheel_rear_left_x, s9_113);
+  const double s9_115 = mbgen::fma(work.r_wheel_rear_left_y, w_wheel_rear_left_x,
+      v_wheel_rear_left_z);
+  const double s9_116 = mbgen::fnma(work.r_wheel_rear_left_x, w_wheel_rear_left_y, s9_115);
+  const double s9_117 = mbgen::fma(work.r_wheel_rear_left_z, w_wheel_rear_left_y,
+      v_wheel_rear_left_x);
+  const double s9_118 = mbgen::fnma(work.r_wheel_rear_left_y, w_wheel_rear_left_z, s9_117);
+  const double s9_119 = mbgen::fma(s1_352, w_rear_axle_z, v_rear_axle_y);
+  const double s9_120 = mbgen::fnma(s1_341, w_rear_axle_x, s9_119);
+  const double s9_121 = mbgen::fma(s1_348, w_rear_axle_x, v_rear_axle_z);
+  const double s9_122 = mbgen::fnma(s1_352, w_rear_axle_y, s9_121);
+  const double s9_123 = mbgen::fma(s1_341, w_rear_axle_y, v_rear_axle_x);
+  const double s9_124 = mbgen::fnma(s1_348, w_rear_axle_z, s9_123);
+  const double s9_125 = mbgen::fma(s1_336, w_bell_crank_z, s9_65);
+  const double s9_126 = mbgen::fma(s1_329, w_chassis_x, v_chassis_z);
+  const double s9_127 = mbgen::fnma(s1_336, w_chassis_y, s9_126);
+  const double s9_128 = mbgen::fnma(s1_329, w_bell_crank_z, s9_66);
+  const double s9_129 = mbgen::fma(s1_318, w_chassis_x, v_chassis_y);
+  const double s9_130 = mbgen::fma(s1_321, w_chassis_z, s9_129);
+  const double s9_131 = mbgen::fnma(s1_321, w_pitman_arm_y, s9_76);
+  const double s9_132 = mbgen::fnma(s1_318, w_pitman_arm_y, s9_77);
+  const double s9_133 = mbgen::fma(s1_308, w_chassis_z, v_chassis_y);
+  const double s9_134 = mbgen::fnma(work.s1_300, w_chassis_x, s9_133);
+  const double s9_135 = mbgen::fma(0.5169230769230769, w_chassis_z, v_arb_front_right_x);
+  const double s9_136 = mbgen::fma(work.s1_300, w_arb_front_right_y, s9_135);
+  const double s9_137 = mbgen::fnma(0.5169230769230769, w_chassis_x, v_arb_front_right_z);
+  const double s9_138 = mbgen::fnma(s1_308, w_arb_front_right_y, s9_137);
+  const double s9_139 = mbgen::fma(3.6, w_chassis_z, v_upper_arm_right_y);
+  const double s9_140 = mbgen::fma(work.s1_290, w_upper_arm_right_x, s9_139);
+  const double s9_141 = mbgen::fnma(3.6, w_chassis_y, v_upper_arm_right_z);
+  const double s9_142 = mbgen::fma(work.s1_292, w_upper_arm_right_x, s9_141);
+  const double s9_143 = mbgen::fnma(work.s1_290, w_chassis_y, v_chassis_x);
+  const double s9_144 = mbgen::fnma(work.s1_292, w_chassis_z, s9_143);
+  const double s9_145 = mbgen::fma(work.r_wheel_front_right_x, w_wheel_front_right_z,
+      v_wheel_front_right_y);
+  const double s9_146 = mbgen::fnma(work.r_wheel_front_right_z, w_wheel_front_right_x, s9_145);
+  const double s9_147 = mbgen::fma(work.r_wheel_front_right_z, w_wheel_front_right_y,
+      v_wheel_front_right_x);
+  const double s9_148 = mbgen::fnma(work.r_wheel_front_right_y, w_wheel_front_right_z, s9_147);
+  const double s9_149 = mbgen::fma(work.r_wheel_front_right_y, w_wheel_front_right_x,
+      v_wheel_front_right_z);
+  const double s9_150 = mbgen::fnma(work.r_wheel_front_right_x, w_wheel_front_right_y, s9_149);
+  const double s9_151 = mbgen::fma(work.s1_236, w_carrier_right_z, v_carrier_right_y);
+  const double s9_152 = mbgen::fnma(work.s1_210, w_carrier_right_x, s9_151);
+  const double s9_153 = mbgen::fma(work.s1_210, w_carrier_right_y, v_carrier_right_x);
+  const double s9_154 = mbgen::fnma(work.s1_230, w_carrier_right_z, s9_153);
+  const double s9_155 = mbgen::fma(work.s1_230, w_carrier_right_x, v_carrier_right_z);
+  const double s9_156 = mbgen::fnma(work.s1_236, w_carrier_right_y, s9_155);
+  const double s9_157 = mbgen::fma(3.6, w_chassis_z, v_lower_arm_right_y);
+  const double s9_158 = mbgen::fma(work.s1_200, w_lower_arm_right_x, s9_157);
+  const double s9_159 = mbgen::fnma(3.6, w_chassis_y, v_lower_arm_right_z);
+  const double s9_160 = mbgen::fma(work.s1_202, w_lower_arm_right_x, s9_159);
+  const double s9_161 = mbgen::fnma(work.s1_200, w_chassis_y, v_chassis_x);
+  const double s9_162 = mbgen::fnma(work.s1_202, w_chassis_z, s9_161);
+  const double s9_163 = mbgen::fma(work.s1_191, w_chassis_z, v_chassis_y);
+  const double s9_164 = mbgen::fnma(work.s1_185, w_chassis_x, s9_163);
+  const double s9_165 = mbgen::fma(0.5169230769230769, w_chassis_x, v_arb_front_left_z);
+  const double s9_166 = mbgen::fnma(work.s1_191, w_arb_front_left_y, s9_165);
+  const double s9_167 = mbgen::fnma(0.5169230769230769, w_chassis_z, v_arb_front_left_x);
+  const double s9_168 = mbgen::fma(work.s1_185, w_arb_front_left_y, s9_167);
+  const double s9_169 = mbgen::fma(3.6, w_chassis_z, v_upper_arm_left_y);
+  const double s9_170 = mbgen::fnma(work.s1_173, w_upper_arm_left_x, s9_169);
+  const double s9_171 = mbgen::fma(work.s1_173, w_chassis_y, v_chassis_x);
+  const double s9_172 = mbgen::fnma(work.s1_175, w_chassis_z, s9_171);
+  const double s9_173 = mbgen::fnma(3.6, w_chassis_y, v_upper_arm_left_z);
+  const double s9_174 = mbgen::fma(work.s1_175, w_upper_arm_left_x, s9_173);
+  const double s9_175 = mbgen::fma(work.r_wheel_front_left_x, w_wheel_front_left_z,
+      v_wheel_front_left_y);
+  const double s9_176 = mbgen::fnma(work.r_wheel_front_left_z, w_wheel_front_left_x, s9_175);
+  const double s9_177 = mbgen::fma(work.r_wheel_front_left_z, w_wheel_front_left_y,
+      v_wheel_front_left_x);
+  const double s9_178 = mbgen::fnma(work.r_wheel_front_left_y, w_wheel_front_left_z, s9_177);
+  const double s9_179 = mbgen::fma(work.r_wheel_front_left_y, w_wheel_front_left_x,
+      v_wheel_front_left_z);
+  const double s9_180 = mbgen::fnma(work.r_wheel_front_left_x, w_wheel_front_left_y, s9_179);
+  const double s9_181 = mbgen::fma(work.s1_122, w_carrier_left_z, v_carrier_left_y);
+  const double s9_182 = mbgen::fnma(work.s1_98, w_carrier_left_x, s9_181);
+  const double s9_183 = mbgen::fma(work.s1_98, w_carrier_left_y, v_carrier_left_x);
+  const double s9_184 = mbgen::fnma(work.s1_116, w_carrier_left_z, s9_183);
+  const double s9_185 = mbgen::fma(work.s1_116, w_carrier_left_x, v_carrier_left_z);
+  const double s9_186 = mbgen::fnma(work.s1_122, w_carrier_left_y, s9_185);
+  const double s9_187 = mbgen::fma(0.0027607966870439754, w_chassis_y, v_chassis_z);
+  const double s9_188 = mbgen::fma(0.24897456123052653, w_chassis_y, v_chassis_x);
+  const double s9_189 = mbgen::fnma(0.0027607966870439754, w_chassis_z, v_chassis_y);
+  const double s9_190 = mbgen::fnma(0.24897456123052653, w_chassis_x, s9_189);
+  const double s9_191 = mbgen::fma(3.6, w_chassis_z, v_lower_arm_left_y);
+  const double s9_192 = mbgen::fnma(work.s1_86, w_lower_arm_left_x, s9_191);
+  const double s9_193 = mbgen::fma(work.s1_86, w_chassis_y, v_chassis_x);
+  const double s9_194 = mbgen::fnma(work.s1_88, w_chassis_z, s9_193);
+  const double s9_195 = mbgen::fnma(3.6, w_chassis_y, v_lower_arm_left_z);
+  const double s9_196 = mbgen::fma(work.s1_88, w_lower_arm_left_x, s9_195);
+  const double s9_197 = s7_63 + (s7_57 + (s7_53 + (s7_32 + (s7_31 + (s7_23 + (s7_4 + s7_5))))));
+  const double s9_198 = s7_33 + (s7_24 + mbgen::fma(150070.8160441727, w_chassis_y, s7_6));
+  const double s9_199 = mbgen::fma(s9_168, s9_168, mbgen::fma(s9_166, s9_166, s9_164*s9_164));
+  const double s9_200 = mbgen::fma(s9_136, s9_136, mbgen::fma(s9_134, s9_134, s9_199));
+  const double s9_201 = mbgen::fma(s9_96, s9_96, mbgen::fma(s9_138, s9_138, s9_200));
+  const double s9_202 = mbgen::fma(s9_100, s9_100, mbgen::fma(s9_98, s9_98, s9_201));
+  const double s9_203 = mbgen::fma(s9_110, s9_110, mbgen::fma(s9_108, s9_108, s9_202));
+  const double s9_204 = mbgen::fnma(s1_442, w_carrier_right_x, s9_90);
+  const double s9_205 = mbgen::fma(s1_431, w_arb_front_right_y, s9_92);
+  const double s9_206 = mbgen::fnma(s1_431, w_chassis_x, s9_89)*s9_204;
+  const double s9_207 = mbgen::fnma(s1_439, w_carrier_right_z, s9_91);
+  const double s9_208 = mbgen::fnma(s1_433, w_arb_front_right_y, s9_94);
+  const double s9_209 = mbgen::fnma(s1_436, w_carrier_right_y, s9_93);
+  const double s9_210 = mbgen::fma(s9_209, s9_208, mbgen::fma(s9_207, s9_205, s9_206));
+  const double s9_211 = mbgen::fnma(s1_429, w_carrier_left_x, s9_84);
+  const double s9_212 = mbgen::fma(mbgen::fnma(s1_418, w_chassis_x, s9_83), s9_211, s9_210);
+  const double s9_213 = mbgen::fma(s1_418, w_arb_front_left_y, s9_86);
+  const double s9_214 = mbgen::fma(mbgen::fnma(s1_426, w_carrier_left_z, s9_85), s9_213, s9_212);
+  const double s9_215 = mbgen::fnma(s1_420, w_arb_front_left_y, s9_88);
+  const double s9_216 = mbgen::fma(mbgen::fnma(s1_423, w_carrier_left_y, s9_87), s9_215, s9_214);
+  const double s9_217 = mbgen::fnma(s1_511, w_rear_axle_x, s9_33);
+  const double s9_218 = mbgen::fma(mbgen::fma(s1_514, w_chassis_z, s9_32), s9_217, s9_216);
+  const double s9_219 = mbgen::fnma(s1_514, w_arb_rear_right_y, s9_35);
+  const double s9_220 = mbgen::fma(mbgen::fnma(s1_513, w_rear_axle_y, s9_34), s9_219, s9_218);
+  const double s9_221 = mbgen::fnma(s1_510, w_arb_rear_right_y, s9_37);
+  const double s9_222 = mbgen::fma(mbgen::fnma(s1_512, w_rear_axle_z, s9_36), s9_221, s9_220);
+  const double s9_223 = mbgen::fnma(s1_502, w_rear_axle_x, s9_51);
+  const double s9_224 = mbgen::fma(mbgen::fma(s1_496, w_chassis_z, s9_50), s9_223, s9_222);
+  const double s9_225 = mbgen::fnma(s1_496, w_arb_rear_left_y, s9_53);
+  const double s9_226 = mbgen::fma(mbgen::fnma(s1_498, w_rear_axle_y, s9_52), s9_225, s9_224);
+  const double s9_227 = mbgen::fnma(s1_491, w_arb_rear_left_y, s9_55);
+  const double s9_228 = mbgen::fma(s9_162, s9_162, mbgen::fma(s9_160, s9_160, s9_158*s9_158));
+  const double s9_229 = mbgen::fma(s9_194, s9_194, mbgen::fma(s9_192, s9_192, s9_228));
+  const double s9_230 = mbgen::fma(s9_156, s9_156, mbgen::fma(s9_154, s9_154, s9_152*s9_152));
+  const double s9_231 = mbgen::fma(s9_184, s9_184, mbgen::fma(s9_182, s9_182, s9_230));
+  const double s9_232 = mbgen::fma(s9_150, s9_150, mbgen::fma(s9_148, s9_148, s9_146*s9_146));
+  const double s9_233 = mbgen::fma(s9_178, s9_178, mbgen::fma(s9_176, s9_176, s9_232));
+  const double s9_234 = mbgen::fnma(s1_506, w_rear_axle_x, s9_45);
+  const double s9_235 = mbgen::fnma(s1_504, w_rear_axle_y, s9_47);
+  const double s9_236 = mbgen::fnma(0.55, w_chassis_x, s9_46)*s9_235;
+  const double s9_237 = mbgen::fnma(s1_503, w_rear_axle_z, s9_49);
+  const double s9_238 = mbgen::fma(mbgen::fnma(0.55, w_chassis_y, s9_48), s9_237, s9_236);
+  const double s9_239 = mbgen::fnma(s1_483, w_rear_axle_y, s9_61);
+  const double s9_240 = mbgen::fma(mbgen::fma(0.55, w_chassis_x, s9_46), s9_239, s9_238);
+  const double s9_241 = mbgen::fnma(s1_479, w_rear_axle_z, s9_62);
+  const double s9_242 = mbgen::fma(s9_241, mbgen::fnma(0.55, w_chassis_z, s9_63), s9_240);
+  const double s9_243 = s9_234 + mbgen::fnma(s1_484, w_rear_axle_x, s9_60);
+  const double s9_244 = mbgen::fma(s9_144, s9_144, mbgen::fma(s9_142, s9_142, s9_140*s9_140));
+  const double s9_245 = mbgen::fma(s9_172, s9_172, mbgen::fma(s9_170, s9_170, s9_244));
+  const double s9_246 = mbgen::fma(s9_106, s9_106, mbgen::fma(s9_104, s9_104, s9_102*s9_102));
+  const double s9_247 = mbgen::fma(s9_116, s9_116, mbgen::fma(s9_114, s9_114, s9_246));
+  const double s9_248 = mbgen::fnma(s1_509, w_rear_axle_x, s9_39);
+  const double s9_249 = mbgen::fnma(s1_508, w_rear_axle_y, s9_41);
+  const double s9_250 = mbgen::fnma(0.15000000000000002, w_chassis_y, s9_42);
+  const double s9_251 = mbgen::fnma(0.4, w_chassis_x, s9_40)*s9_249;
+  const double s9_252 = mbgen::fma(s9_250, mbgen::fnma(s1_507, w_rear_axle_z, s9_43), s9_251);
+  const double s9_253 = mbgen::fnma(s1_488, w_rear_axle_y, s9_57);
+  const double s9_254 = mbgen::fma(mbgen::fma(0.4, w_chassis_x, s9_40), s9_253, s9_252);
+  const double s9_255 = mbgen::fnma(0.15000000000000002, w_chassis_y, s9_59);
+  const double s9_256 = mbgen::fma(mbgen::fnma(s1_486, w_rear_axle_z, s9_58), s9_255, s9_254);
+  const double s9_257 = mbgen::fnma(1.6999999999999997, w_chassis_z, s9_38);
+  const double s9_258 = s9_248 + mbgen::fnma(s1_490, w_rear_axle_x, s9_56);
+  const double s9_259 = mbgen::fnma(s1_473, w_carrier_right_x, s9_64);
+  const double s9_260 = s9_259*mbgen::fma(s1_464, w_bell_crank_z, s9_65);
+  const double s9_261 = mbgen::fnma(s1_470, w_carrier_right_z, s9_67);
+  const double s9_262 = mbgen::fma(mbgen::fma(s1_463, w_bell_crank_z, s9_66), s9_261, s9_260);
+  const double s9_263 = mbgen::fnma(s1_467, w_carrier_right_y, s9_68);
+  const double s9_264 = mbgen::fma(s9_263, mbgen::fnma(s1_464, w_chassis_y, s9_69), s9_262);
+  const double s9_265 = mbgen::fnma(s1_462, w_carrier_left_x, s9_70);
+  const double s9_266 = mbgen::fma(s9_265, mbgen::fma(s1_453, w_bell_crank_z, s9_65), s9_264);
+  const double s9_267 = mbgen::fnma(s1_456, w_carrier_left_y, s9_72);
+  const double s9_268 = mbgen::fma(mbgen::fnma(s1_453, w_chassis_y, s9_71), s9_267, s9_266);
+  const double s9_269 = mbgen::fnma(s1_459, w_carrier_left_z, s9_73);
+  const double s9_270 = 3.0*mbgen::fma(s9_82, mbgen::fnma(s1_443, w_pitman_arm_y, s9_77), s9_81);
+  const double s9_271 = mbgen::fma(w_arb_rear_right_y, s7_97, s9_270);
+  const double s9_272 = mbgen::fma(w_wheel_rear_right_y, s7_87, s9_271);
+  const double s9_273 = mbgen::fma(w_wheel_rear_right_x, s7_89, s9_272);
+  const double s9_274 = mbgen::fma(w_wheel_rear_right_z, s7_91, s9_273);
+  const double s9_275 = mbgen::fma(w_arb_rear_left_y, s7_85, s9_274);
+  const double s9_276 = mbgen::fma(w_wheel_rear_left_y, s7_75, s9_275);
+  const double s9_277 = mbgen::fma(w_wheel_rear_left_x, s7_77, s9_276);
+  const double s9_278 = mbgen::fma(w_wheel_rear_left_z, s7_79, s9_277);
+  const double s9_279 = mbgen::fma(w_rear_axle_y, s7_69, s9_278);
+  const double s9_280 = mbgen::fma(w_rear_axle_x, s7_71, s9_279);
+  const double s9_281 = mbgen::fma(s9_124, s9_124, mbgen::fma(s9_122, s9_122, s9_120*s9_120));
+  const double s9_282 = mbgen::fma(774.0, s9_281, mbgen::fma(w_rear_axle_z, s7_73, s9_280));
+  const double s9_283 = mbgen::fma(s9_128, s9_128, mbgen::fma(s9_127, s9_127, s9_125*s9_125));
+  const double s9_284 = mbgen::fma(w_bell_crank_z, s7_66, s9_282);
+  const double s9_285 = mbgen::fma(16.666666666666668, s9_283, s9_284);
+  const double s9_286 = mbgen::fma(s9_132, s9_132, mbgen::fma(s9_131, s9_131, s9_130*s9_130));
+  const double s9_287 = mbgen::fma(9.0, s9_286, mbgen::fma(w_pitman_arm_y, s7_64, s9_285));
+  const double s9_288 = mbgen::fma(w_arb_front_right_y, s7_59, s9_287);
+  const double s9_289 = mbgen::fma(w_upper_arm_right_x, s7_55, s9_288);
+  const double s9_290 = mbgen::fma(w_wheel_front_right_y, s7_46, s9_289);
+  const double s9_291 = mbgen::fma(w_wheel_front_right_z, s7_52, s9_290);
+  const double s9_292 = mbgen::fma(w_wheel_front_right_x, s7_49, s9_291);
+  const double s9_293 = mbgen::fma(w_carrier_right_y, s7_43, s9_292);
+  const double s9_294 = mbgen::fma(w_carrier_right_z, s7_40, s9_293);
+  const double s9_295 = mbgen::fma(w_carrier_right_x, s7_37, s9_294);
+  const double s9_296 = mbgen::fma(w_lower_arm_right_x, s7_34, s9_295);
+  const double s9_297 = mbgen::fma(w_arb_front_left_y, s7_27, s9_296);
+  const double s9_298 = mbgen::fma(w_upper_arm_left_x, s7_25, s9_297);
+  const double s9_299 = mbgen::fma(w_wheel_front_left_y, s7_16, s9_298);
+  const double s9_300 = mbgen::fma(w_wheel_front_left_z, s7_22, s9_299);
+  const double s9_301 = mbgen::fma(w_wheel_front_left_x, s7_19, s9_300);
+  const double s9_302 = mbgen::fma(w_carrier_left_y, s7_13, s9_301);
+  const double s9_303 = mbgen::fma(w_carrier_left_z, s7_11, s9_302);
+  const double s9_304 = mbgen::fma(w_carrier_left_x, s7_9, s9_303);
+  const double s9_305 = mbgen::fma(s9_190, s9_190, mbgen::fma(s9_188, s9_188, s9_187*s9_187));
+  const double s9_306 = mbgen::fma(w_lower_arm_left_x, s7_7, s9_304);
+  const double s9_307 = mbgen::fma(13522.666666666668, s9_305, s9_306);
+  const double s9_308 = s7_93 + (s7_81 + (s7_65 + (s7_62 + (s7_61 + (s7_2 + s7_29)))));
+  const double s9_309 = mbgen::fma(w_chassis_z, s7_95 + (s7_83 + s9_197), s9_307);
+  const double s9_310 = mbgen::fma(w_chassis_x, s9_308, s9_309);
+  const double s9_311 = mbgen::fma(w_chassis_y, s7_67 + (s7_54 + s9_198), s9_310);
+  const double s9_312 = mbgen::fma(s9_112, s9_112, s9_203);
+  const double s9_313 = mbgen::fma(mbgen::fnma(s1_497, w_rear_axle_z, s9_54), s9_227, s9_226);
+  const double s9_314 = mbgen::fma(8.666666666666666, s9_312, s9_311);
+  const double s9_315 = mbgen::fma(0.6666666666666666, s9_313, s9_314);
+  const double s9_316 = mbgen::fma(25.0, mbgen::fma(s9_196, s9_196, s9_229), s9_315);
+  const double s9_317 = mbgen::fma(113.0, mbgen::fma(s9_186, s9_186, s9_231), s9_316);
+  const double s9_318 = mbgen::fma(mbgen::fnma(1.6, w_chassis_z, s9_44), s9_243, s9_242);
+  const double s9_319 = mbgen::fma(105.0, mbgen::fma(s9_180, s9_180, s9_233), s9_317);
+  const double s9_320 = mbgen::fma(s9_174, s9_174, s9_245);
+  const double s9_321 = mbgen::fma(15.0, s9_320, mbgen::fma(6.0, s9_318, s9_319));
+  const double s9_322 = mbgen::fma(200.0, mbgen::fma(s9_118, s9_118, s9_247), s9_321);
+  const double s9_323 = mbgen::fma(s9_257, s9_258, s9_256);
+  const double s9_324 = mbgen::fma(s9_269, mbgen::fnma(s1_452, w_bell_crank_z, s9_66), s9_268);
+  const double s9_325 = mbgen::fma(5.333333333333333, s9_323, s9_322);
+  result.kinetic_energy = 0.5*mbgen::fma(2.3333333333333335, s9_324, s9_325);
+  // operations: 395 add, 393 multiply
 }
 
 /// Outputs, energies and power, at given accelerations.

@@ -630,7 +630,9 @@ void compute_outputs(const Tuned& parameters, const Inputs& inputs, const State&
   const double s1_12 = mbgen::fms(0.12, R_rocker_x_x, s1_11);
   const double s1_13 = mbgen::fma(0.009999999999999953, R_rocker_x_x, 0.4);
   const double s1_14 = mbgen::fma(0.12, R_rocker_x_z, s1_13);
-  // operations: 13 add, 18 multiply, 6 sin cos
+  // coupler: coupler_pin, revolute, crank
+  const double s1_15 = mbgen::fma(1.5, s1_8, 0.8*s1_5);
+  // operations: 14 add, 20 multiply, 6 sin cos
 
   // --- step 4: velocities Z (36) ---
   // coupler: coupler_pin, revolute, crank
@@ -677,12 +679,11 @@ void compute_outputs(const Tuned& parameters, const Inputs& inputs, const State&
   result.coupler_z = mbgen::fnma(0.19999999999999998, R_coupler_x_z, s9_2);
   // spring_force
   const double s9_3 = zd_crank_pin*s1_6;
+  result.potential_energy = 9.81*mbgen::fma(1.1, s1_12, s1_15);
   const double s9_4 = zd_crank_pin*s7_4;
   const double s9_5 = mbgen::fma(zd_coupler_pin, tau[Coordinate::coupler_pin], s9_4);
   const double s9_6 = tau[Coordinate::rocker_pin] + s5_8;
   result.applied_power = mbgen::fma(zd_rocker_pin, s9_6, mbgen::fma(v_rocker_z, s5_7, s9_5));
-  result.potential_energy = mbgen::fma(1.5, 9.81*s1_8, mbgen::fma(0.8, 9.81*s1_5,
-      1.1*(9.81*s1_12)));
   const double s9_7 = zd_rocker_pin*s1_12;
   const double s9_8 = mbgen::fnma(zd_rocker_pin, s1_14, v_rocker_z);
   const double s9_9 = zd_crank_pin*s1_5;
@@ -692,7 +693,7 @@ void compute_outputs(const Tuned& parameters, const Inputs& inputs, const State&
   const double s9_13 = mbgen::fma(zd_crank_pin, s7_1, mbgen::fma(w_coupler_y, s7_2, s9_12));
   const double s9_14 = mbgen::fma(0.8, mbgen::fma(s9_9, s9_9, s9_3*s9_3), s9_13);
   result.kinetic_energy = 0.5*mbgen::fma(1.5, mbgen::fma(s9_11, s9_11, s9_10*s9_10), s9_14);
-  // operations: 21 add, 33 multiply
+  // operations: 20 add, 29 multiply
   result.crank_angle = z_crank_pin;
 }
 

@@ -378,6 +378,14 @@ TEST(Locked, IsAcceptedAndEqualToTheCartesianJudges) {
   EXPECT_GT(states, cases);
 }
 
+/// Linkages at a place where two of their ways meet, and structures with singular values down to 3e-5.
+TEST(Locked, OnesOfOtherSeedsThatWereRefusedAreAccepted) {
+  for (const int seed : {297, 1057, 1069, 1145, 1269, 1279, 1324, 1354, 1355}) {
+    const Result<Mechanism> m = understood(random_mechanism(Family::locked, seed));
+    EXPECT_TRUE(m) << "seed " << seed << ": " << to_text(m ? Diagnostics{} : m.problems());
+  }
+}
+
 /// Joints whose axes share a direction, as many as there are of one.
 int most_parallel(const Model& model) {
   int most = 0;

@@ -281,7 +281,8 @@ void add_locked_parts(Workshop& shop) {
     const int kind = dice.upto(5);
     if (kind > 2)
       add_structure(shop, base);
-    else if (const int middle = kLinkages[kind](shop, base); dice.chance(0.4))
+    else if (const int middle = kLinkages[kind](shop, base);
+             dice.chance(0.4) && (kind != 2 || has_one_way(shop.mechanism())))
       shop.add_rod(base, middle, dice.chance(0.5) ? 0.7 : 0);  // locks it
   }
 }

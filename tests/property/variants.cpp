@@ -1,5 +1,7 @@
 // Mechanisms made of another one: smaller, moved, mirrored, in another order.
 
+#include <Eigen/Geometry>
+#include <Eigen/LU>
 #include <algorithm>
 #include <numeric>
 
@@ -113,6 +115,16 @@ bool has_plain_joints(const RandomMechanism& m) {
   return std::ranges::all_of(m.joints, [](const RandomJoint& joint) {
     return joint.type == "revolute" || joint.type == "prismatic" || (joint.cut && joint.type == "spherical");
   });
+}
+
+bool has_one_way(const RandomMechanism& mechanism) {
+  Eigen::Matrix<double, 6, 6> lines;
+  for (int k = 0; k < 6; ++k) {
+    const RandomJoint& joint = mechanism.joints[mechanism.joints.size() - 6 + static_cast<std::size_t>(k)];
+    const Eigen::Vector3d axis(joint.axis.data()), at(joint.at.data());
+    lines.col(k) << axis, at.cross(axis);
+  }
+  return Eigen::FullPivLU<Eigen::Matrix<double, 6, 6>>(lines).setThreshold(1e-9).rank() == 5;
 }
 
 }  // namespace mbgen::testing
