@@ -3,69 +3,58 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
+#include <chrono>
 #include <utility>
 
-#include "compiler/passes/passes.hpp"
+#include "compiler/passes/lower.hpp"
+#include "compiler/trace/trace.hpp"
 
 namespace mbgen {
-
 namespace {
 
-/// The programs that a solver runs, whatever its form.
-std::array<Program*, 6> solver_programs(Programs& programs) {
-  return {&programs.accelerations,        &programs.closure,     &programs.closure_terms,
-          &programs.accelerations_chosen, &programs.multipliers, &programs.outputs};
-}
+/// Tells a watcher of each stage and of the time since the one before.
+class Stages {
+ public:
+  explicit Stages(const StageWatch& watch) : watch_(watch) {}
+
+  /// Result: false when the watcher has seen enough.
+  bool ended(std::string_view name, const Compilation& so_far, const Programs& programs = {}) {
+    if (!watch_) return true;
+    const auto now = std::chrono::steady_clock::now();
+    const std::chrono::duration<double, std::milli> took = now - start_;
+    const bool go_on = watch_({name, so_far, programs, took.count()});
+    start_ = std::chrono::steady_clock::now();
+    return go_on;
+  }
+
+ private:
+  const StageWatch& watch_;
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
 
 }  // namespace
 
-Programs optimise(Programs programs) {
-  for (Program* program : solver_programs(programs)) *program = optimise(std::as_const(*program));
-  programs.recursive_accelerations = optimise(std::as_const(programs.recursive_accelerations));
-  return programs;
+std::vector<std::string> stage_names() {
+  std::vector<std::string> names = {"model", "topology", "analysis", "program"};
+  for (const Pass& pass : passes()) names.emplace_back(pass.name);
+  return names;
 }
 
-void take_form(Programs& programs, std::optional<Form> form) {
-  const long matrix = count_operations(programs.accelerations).total();
-  const long recursive = count_operations(programs.recursive_accelerations).total();
-  programs.operations_of_form[static_cast<int>(Form::matrix)] = matrix;
-  programs.operations_of_form[static_cast<int>(Form::recursive)] = recursive;
-  const bool has_matrix = !programs.accelerations.outputs.empty();
-  const bool has_recursive = !programs.recursive_accelerations.outputs.empty();
-  const bool is_recursive = has_recursive && (recursive < matrix || !has_matrix);
-  programs.form = form.value_or(is_recursive ? Form::recursive : Form::matrix);
-  if (programs.form == Form::recursive) programs.accelerations = std::move(programs.recursive_accelerations);
-  programs.recursive_accelerations = {};
-}
+Result<Compilation> decide(Model model, const StageWatch& watch) {
+  Stages stages(watch);
+  Compilation decided{std::move(model)};
+  if (!stages.ended("model", decided)) return decided;
 
-void take_out_derived_constants(Programs& programs) {
-  programs.derived_constants = take_out_derived(solver_programs(programs), "par", "derived_constants");
-}
-
-void count_savings(Compilation& compilation) {
-  const auto operations = [](const Program& program) { return count_operations(program).total(); };
-  Programs& programs = compilation.programs;
-  const long* of_form = programs.operations_of_form;
-  if (of_form[0] == 0 || of_form[1] == 0) return;
-  std::vector<Saving>& savings = programs.savings;
-  savings.push_back(
-      {"recursive form", of_form[static_cast<int>(Form::matrix)], of_form[static_cast<int>(Form::recursive)]});
-  for (const auto& [name, program] : trace_without(compilation.model, compilation.topology, compilation.analysis))
-    savings.push_back({name, operations(optimise(program)), of_form[static_cast<int>(Form::recursive)]});
-  const Programs traced = trace(compilation.model, compilation.topology, compilation.analysis);
-  const Program& start = programs.form == Form::recursive ? traced.recursive_accelerations : traced.accelerations;
-  for (const PassCount& pass : count_passes(start)) savings.push_back({pass.name, pass.before, pass.after});
-}
-
-Result<Compilation> decide(Model model) {
-  Result<Topology> topology = build_topology(model);
+  Result<Topology> topology = build_topology(decided.model);
   if (!topology) return topology.problems();
+  decided.topology = std::move(*topology);
+  if (!stages.ended("topology", decided)) return decided;
 
-  Result<Analysis> analysis = analyse(model, *topology);
+  Result<Analysis> analysis = analyse(decided.model, decided.topology);
   if (!analysis) return analysis.problems();
-
-  return Compilation{std::move(model), std::move(*topology), std::move(*analysis), {}};
+  decided.analysis = std::move(*analysis);
+  stages.ended("analysis", decided);
+  return decided;
 }
 
 Result<Compilation> decide(const std::string& path) {
@@ -118,53 +107,66 @@ Diagnostics too_large(const Compilation& c, std::optional<Form> form) {
        ""}};
 }
 
-void add_programs(Compilation& decided, std::optional<Form> form) {
-  decided.programs = optimise(trace(decided.model, decided.topology, decided.analysis, form));
-  take_form(decided.programs, form);
-  take_out_derived_constants(decided.programs);
+void add_programs(Compilation& c, const CompileOptions& options) {
+  Stages stages(options.watch);
+  Programs programs = trace(c.model, c.topology, c.analysis, options.form);
+  if (!stages.ended("program", c, programs)) return;
+  for (const Pass& pass : passes()) {
+    programs = pass.run(std::move(programs));
+    if (pass.result == Lowered::whole) c.whole = programs;
+    if (pass.result == Lowered::lean) c.programs = programs;
+    if (!stages.ended(pass.name, c, programs)) return;
+  }
+  c.emitted = std::move(programs);
 }
 
-Result<Compilation> compile(Model model, std::optional<Form> form) {
-  Result<Compilation> decided = decide(std::move(model));
-  if (!decided) return decided;
-  if (Diagnostics problems = too_large(*decided, form); !problems.empty()) return problems;
-  add_programs(*decided, form);
-  return decided;
+Result<Compilation> compile(Model model, const CompileOptions& options) {
+  bool goes_on = true;
+  const StageWatch watch = [&](const Stage& stage) { return goes_on = !options.watch || options.watch(stage); };
+  Result<Compilation> compilation = decide(std::move(model), watch);
+  if (!compilation || !goes_on) return compilation;
+  if (Diagnostics problems = too_large(*compilation, options.form); !problems.empty()) return problems;
+  add_programs(*compilation, options);
+  return compilation;
 }
 
-Result<Compilation> compile(const std::string& path, std::optional<Form> form) {
+Result<Compilation> compile(const std::string& path, const CompileOptions& options) {
   Result<Model> model = read_model_file(path);
   if (!model) return model.problems();
-  return compile(std::move(*model), form);
+  return compile(std::move(*model), options);
 }
 
-Programs as_emitted(Programs programs) {
-  for (Program* program : solver_programs(programs)) *program = contract(std::as_const(*program));
-  // The matrix form keeps the order of the paper's steps.
-  if (programs.form == Form::recursive) programs.accelerations = shorten_lifetimes(programs.accelerations);
-  return programs;
+long count_operations_of(const Compilation& c, Form form) {
+  if (form == c.programs.form) return count_operations(c.programs.accelerations).total();
+  const auto [matrix, recursive] = least_operations(c.topology, c.analysis);
+  const bool is_matrix = form == Form::matrix;
+  if (!is_worth_writing(is_matrix ? matrix : recursive, is_matrix ? recursive : matrix)) return 0;
+  return count_operations(optimise(trace_accelerations(c.model, c.topology, c.analysis, form))).total();
 }
 
-std::vector<EmittedFile> emit(const Compilation& compilation, const EmitOptions& options) {
-  return emit(as_emitted(compilation.programs), compilation.model, compilation.topology, compilation.analysis, options);
+std::vector<Saving> count_savings(const Compilation& c) {
+  std::vector<Saving> savings;
+  if (c.programs.form != Form::recursive) return savings;
+  const long with = count_operations(c.programs.accelerations).total();
+  for (const auto& [name, program] : trace_without(c.model, c.topology, c.analysis))
+    savings.push_back({name, count_operations(optimise(program)).total(), with});
+  return savings;
 }
 
-Programs whole_programs(const Compilation& c) {
-  Programs whole = optimise(trace(c.model, c.topology, c.analysis, c.programs.form));
-  take_form(whole, c.programs.form);
-  return whole;
+std::vector<EmittedFile> emit(const Compilation& c, const EmitOptions& options) {
+  return emit(c.emitted, c.model, c.topology, c.analysis, options);
 }
 
 FmuFiles emit_fmu(const Compilation& c, const InitialState& initial, FmiVersion version) {
-  return emit_fmu(whole_programs(c), as_emitted(c.programs), c.model, c.topology, c.analysis, initial, version);
+  return emit_fmu(c.whole, c.emitted, c.model, c.topology, c.analysis, initial, version);
 }
 
 Result<LinearSystem> linearise(const Compilation& c, const OperatingPoint& point) {
-  return linearise(c.model, c.topology, c.analysis, whole_programs(c), point);
+  return linearise(c.model, c.topology, c.analysis, c.whole, point);
 }
 
 EmittedFile emit_clocked_driver(const Compilation& c, int lanes) {
-  return emit_clocked_driver(as_emitted(c.programs), c.model, c.topology, c.analysis, lanes);
+  return emit_clocked_driver(c.emitted, c.model, c.topology, c.analysis, lanes);
 }
 
 }  // namespace mbgen

@@ -1,8 +1,10 @@
 #pragma once
 // The whole pipeline as a page one reads aloud.
 
+#include <functional>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "compiler/analysis/analysis.hpp"
@@ -10,37 +12,43 @@
 #include "compiler/emit/fmu.hpp"
 #include "compiler/linearisation/linearisation.hpp"
 #include "compiler/model/model.hpp"
+#include "compiler/solver/programs.hpp"
 #include "compiler/topology/topology.hpp"
-#include "compiler/trace/trace.hpp"
 
 namespace mbgen {
 
 /// Everything that is known of a model before a line of code is emitted.
 struct Compilation {
   Model model;
-  Topology topology;
-  Analysis analysis;
-  Programs programs;
+  Topology topology = {};
+  Analysis analysis = {};
+  Programs whole = {};     ///< see Lowered
+  Programs programs = {};  ///< lean ones
+  Programs emitted = {};
 };
 
-/// Every program after the passes.
-Programs optimise(Programs programs);
+/// A stage that has just ended.
+struct Stage {
+  std::string_view name;  ///< of stage_names
+  const Compilation& so_far;
+  const Programs& programs;  ///< as this stage left them
+  double milliseconds = 0;   ///< of this stage alone
+};
 
-/// Keeps one form of the accelerations: that asked for, else the one with fewer operations, the matrix form of equals.
-/// Requires: both forms, after the passes.
-void take_form(Programs& programs, std::optional<Form> form);
+/// Looks at a stage. Result: false to stop there.
+using StageWatch = std::function<bool(const Stage&)>;
 
-/// Takes what depends on tunable parameters alone out of every program: it is computed where they change.
-/// Requires: one form, after the passes.
-void take_out_derived_constants(Programs& programs);
+/// Names of the stages in order: model, topology, analysis, program, every pass (see passes/lower.hpp).
+std::vector<std::string> stage_names();
 
-/// Counts what treatments and passes save: traces the accelerations again without each. For `inspect`; nothing where
-/// only one form was traced.
-void count_savings(Compilation& compilation);
+struct CompileOptions {
+  std::optional<Form> form = {};  ///< of the accelerations, none for form_of
+  StageWatch watch = {};          ///< called after each stage
+};
 
-/// Reads, where it is a file, and analyses a model: no programs. All that is needed to check it, and by engines other
-/// than the generated one. Fails: as the first stage that fails.
-Result<Compilation> decide(Model model);
+/// Analyses a model: no programs. All that is needed to check it, and by engines other than the generated one.
+/// Fails: as the first stage that fails.
+Result<Compilation> decide(Model model, const StageWatch& watch = {});
 Result<Compilation> decide(const std::string& path);
 
 /// Operations of a program up to which a solver is written: millions take gigabytes here and hours in a C++ compiler.
@@ -53,26 +61,30 @@ constexpr std::size_t kMostTitles = 65000;
 /// One diagnostic with the size when the solver of a decided model is too large to be written.
 Diagnostics too_large(const Compilation& decided, std::optional<Form> form = {});
 
-/// Traces the programs of a decided model that is not too large. form: of the accelerations, none for the cheaper one.
-void add_programs(Compilation& decided, std::optional<Form> form = {});
+/// Traces and lowers the programs of a decided model that is not too large.
+void add_programs(Compilation& decided, const CompileOptions& options = {});
 
-/// Analyses and traces a model. form: of the accelerations, none for the cheaper one. Fails: as the first stage that
-/// fails, too_large.
-Result<Compilation> compile(Model model, std::optional<Form> form = {});
+/// All stages. Fails: as the first stage that fails, too_large.
+Result<Compilation> compile(Model model, const CompileOptions& options = {});
 
 /// Reads and compiles the model of a file. Fails: as the first stage that fails.
-Result<Compilation> compile(const std::string& path, std::optional<Form> form = {});
+Result<Compilation> compile(const std::string& path, const CompileOptions& options = {});
 
-/// Every program as it is emitted: contracted, so that every compiler rounds alike, and the recursive form in an order
-/// for few registers.
-Programs as_emitted(Programs programs);
+/// What a decision about the accelerations saves, in operations.
+struct Saving {
+  std::string name;
+  long without = 0, with = 0;
+};
+
+/// Operations of the accelerations in a form; 0 for a form that grows so far beyond the other one that it is not
+/// traced.
+long count_operations_of(const Compilation& compilation, Form form);
+
+/// What each treatment of the recursive form saves: traces the accelerations again without it.
+std::vector<Saving> count_savings(const Compilation& compilation);
 
 /// The files of the specialised solver, see emit.
 std::vector<EmittedFile> emit(const Compilation& compilation, const EmitOptions& options = {});
-
-/// Every program after the passes with the constants that follow from tunable parameters still in it: derivatives go
-/// through them.
-Programs whole_programs(const Compilation& compilation);
 
 /// Linearises the model, see linearisation.hpp.
 Result<LinearSystem> linearise(const Compilation& compilation, const OperatingPoint& point);

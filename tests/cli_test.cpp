@@ -186,10 +186,22 @@ TEST_F(CommandLine, DumpsEveryStageAndNothingElse) {
   }
   ASSERT_EQ(mbgen("generate four_bar.json --out made --no-runtime").exit_code, 0);
   EXPECT_NE(mbgen("inspect four_bar.json --dump=code").out.find(read("made/four_bar.cpp")), std::string::npos);
+  // What is dumped is what is generated, in the form and for the instances that are asked for.
+  ASSERT_EQ(mbgen("generate four_bar.json --out made --no-runtime --form matrix --batch 4").exit_code, 0);
+  const std::string code = mbgen("generate four_bar.json --dump=code --form matrix --batch 4").out;
+  EXPECT_NE(code.find(read("made/four_bar.cpp")), std::string::npos);
+  EXPECT_NE(code.find(read("made/four_bar_batch.cpp")), std::string::npos);
+  const std::string passes = mbgen("inspect four_bar.json --dump=passes").out;
+  for (const char* stage : {"topology", "derived-constants", "lifetimes"})
+    EXPECT_NE(passes.find(stage), std::string::npos) << passes;
   std::filesystem::remove_all(path("made"));
   const Outcome run = mbgen("check four_bar.json --dump=everything");
   EXPECT_EQ(run.exit_code, 1);
-  EXPECT_NE(run.err.find("model, topology, analysis, program, optimised, code"), std::string::npos) << run.err;
+  EXPECT_NE(
+      run.err.find("model, topology, analysis, program, dead-values, divisions, sums, optimised, derived-constants, "
+                   "contraction, lifetimes, code, passes"),
+      std::string::npos)
+      << run.err;
   EXPECT_EQ(leftovers(), Names{"four_bar.json"});
 }
 

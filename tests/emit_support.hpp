@@ -156,7 +156,6 @@ inline Program bead_closure_terms() {
   output(builder, "Phi0", 0, s.residual(Expr(builder, builder.input("par", 1))));
   output(builder, "Jz0", 0, 2.0 * s.x);
   output(builder, "Jz0", 1, 2.0 * s.y);
-  output(builder, "ct0", 0, 0.0);
   output(builder, "c0", 0, s.c());
   return builder.finish();
 }
@@ -331,8 +330,6 @@ inline Example driven_bead() {
     output(terms, "Jz0", 0, 2.0 * s.x);
     output(terms, "Jz0", 1, 2.0 * s.y);
     output(terms, "c0", 0, s.c());
-    output(terms, "driven_position", 1, position(time(terms)));
-    output(terms, "driven_velocity", 1, velocity(time(terms)));
     output(terms, "driven_acceleration", 1, kAcceleration);
   }
   example.programs.accelerations = accelerations.finish();

@@ -130,9 +130,9 @@ TEST(EmittedExpressions, haveTheParenthesesTheyNeed) {
   EXPECT_EQ(expression([&](P a, P b, P) { return op(Op::negate, op(Op::multiply, a, b)); }), "-(a*b)");
   EXPECT_EQ(expression([&](P a, P, P) { return op(Op::negate, op(Op::negate, a)); }), "-(-a)");
   EXPECT_EQ(expression([&](P a, P b, P) { return op(Op::multiply, op(Op::negate, a), b); }), "-a*b");
-  EXPECT_EQ(expression([&](P a, P, P) { return op(Op::multiply, a, constant_phrase(-2.5, "double")); }), "a*(-2.5)");
-  EXPECT_EQ(expression([&](P a, P, P) { return op(Op::add, constant_phrase(-2.5, "double"), a); }), "(-2.5) + a");
-  EXPECT_EQ(expression([&](P, P, P) { return constant_phrase(-2.5, "double"); }), "-2.5");
+  EXPECT_EQ(expression([&](P a, P, P) { return op(Op::multiply, a, constant_phrase("-2.5")); }), "a*(-2.5)");
+  EXPECT_EQ(expression([&](P a, P, P) { return op(Op::add, constant_phrase("-2.5"), a); }), "(-2.5) + a");
+  EXPECT_EQ(expression([&](P, P, P) { return constant_phrase("-2.5"); }), "-2.5");
   EXPECT_EQ(expression([&](P a, P b, P c) { return op(Op::select, op(Op::subtract, a, b), b, c); }),
             "(a - b >= 0.0 ? b : c)");
   EXPECT_EQ(expression([&](P a, P b, P) { return op(Op::sqrt, op(Op::min, a, b)); }), "std::sqrt(mbgen::min(a, b))");

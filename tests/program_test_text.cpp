@@ -161,7 +161,7 @@ TEST(RuleText, ConstantsFoldUnlessTheResultIsNotFinite) {
   using B = ProgramBuilder;
   expect_texts({
       {"0.1 + 0.2", [](B& b, ValueId, ValueId) { return b.append(Op::add, b.constant(0.1), b.constant(0.2)); },
-       "%0 = constant 0.30000000000000004; -> %0"},
+       "%0 = constant 0.3; -> %0"},
       {"sin 1", [](B& b, ValueId, ValueId) { return b.append(Op::sin, b.constant(1)); },
        "%0 = constant 0.8414709848078965; -> %0"},
       {"select(-1, 2, 3)",

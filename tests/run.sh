@@ -1,6 +1,9 @@
 #!/bin/sh
-# Installs what is missing (Debian 12, as root), builds everything, runs all tests, counts their cases.
+# Installs what is missing (Debian 12, as root), builds everything, runs the tests, counts their cases.
+# --long: the tests with the label "long" too, which repeat at greater length what others check.
 set -eu
+without="-LE ^long$"
+if [ "${1:-}" = --long ]; then without=; fi
 cd "$(dirname "$0")/.."
 
 .ci/install g++ clang binutils cmake make ninja-build libeigen3-dev libfmt-dev nlohmann-json3-dev libcli11-dev libpugixml-dev \
@@ -10,6 +13,7 @@ cd "$(dirname "$0")/.."
 cmake --preset release -DMBGEN_TESTS=ON -DMBGEN_BENCH=OFF
 cmake --build --preset release
 status=0
-ctest --preset release --parallel "$(nproc)" || status=$?
+# shellcheck disable=SC2086  # two words, or none
+ctest --preset release --parallel "$(nproc)" $without || status=$?
 awk -f tests/cases.awk build/release/Testing/Temporary/LastTest.log
 exit "$status"

@@ -92,11 +92,9 @@ inline bool is_worth_writing(double least_of_form, double least_of_other) {
   return least_of_form <= least_of_other + kMostMoreOfAForm;
 }
 
-/// The equations for a partition chosen at run time are in the matrix form: it has to be worth writing.
-inline bool chooses_again(const Topology& topology, const Analysis& analysis) {
-  const LeastOperations least = least_operations(topology, analysis);
-  return is_worth_writing(least.matrix, least.recursive) &&
-         std::all_of(topology.blocks.begin(), topology.blocks.end(),
+/// Whether every block of a mechanism gets another partition at run time.
+inline bool chooses_again(const Topology& topology) {
+  return std::all_of(topology.blocks.begin(), topology.blocks.end(),
                      [](const LoopBlock& block) { return chooses_again(block); });
 }
 

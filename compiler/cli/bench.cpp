@@ -65,7 +65,7 @@ int run(const BenchOptions& options) {
     throw UserError(fmt::format("--evaluations: must be positive, found {}\n", options.evaluations));
   }
   const Compilation compilation =
-      expect(compile(read_set_model(options.model, options.set), chosen_form(options.form)));
+      expect(compile(read_set_model(options.model, options.set), {chosen_form(options.form)}));
   const std::vector<double> inputs = input_values(compilation.model, options.engine.inputs);
   std::vector<Engine> engines;
   for (const EngineChoice& choice : choices(options.engine.choice, options.lanes)) {
@@ -103,7 +103,7 @@ void add_bench(NamedCommand application, int& exit_code) {
   add_model_argument(command, options->model);
   command.add_option("--states", options->states, "file of states as for evaluate (default: random consistent ones)");
   command.add_option("--evaluations", options->evaluations,
-                      fmt::format("of each engine (default: {}, as in the paper)", kPaperEvaluations));
+                     fmt::format("of each engine (default: {}, as in the paper)", kPaperEvaluations));
   add_batch_option(command, options->lanes);
   add_set_option(command, options->set);
   add_run_options(command, options->engine);

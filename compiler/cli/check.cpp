@@ -53,7 +53,7 @@ Findings findings_of(const CheckOptions& options) {
 
 int run(const CheckOptions& options) {
   if (!options.dump.empty()) {
-    print(dump_stage(options.model, options.set, options.dump));
+    print(dump_stage(read_set_model(options.model, options.set), options.dump));
     return kDone;
   }
   const auto [problems, notes, bodies, freedoms, driven] = findings_of(options);

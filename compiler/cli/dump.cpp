@@ -9,7 +9,6 @@
 #include "compiler/cli/dump_model.hpp"
 #include "compiler/cli/initial_state.hpp"
 #include "compiler/cli/names.hpp"
-#include "compiler/cli/set_parameters.hpp"
 #include "compiler/cli/user_error.hpp"
 #include "compiler/compile.hpp"
 
@@ -88,35 +87,49 @@ std::string dump_code(const std::vector<EmittedFile>& files) {
   return text;
 }
 
+std::string dump_of(const Stage& stage) {
+  const auto& [name, so_far, programs, milliseconds] = stage;
+  if (name == "model") return dump_model(so_far.model);
+  if (name == "topology") return dump_topology(so_far.topology);
+  if (name == "analysis") return dump_analysis(so_far.topology, so_far.analysis);
+  return dump_programs(programs);
+}
+
+/// The operations of the accelerations, and of all programs, after a stage.
+std::string stage_line(const Stage& stage) {
+  const std::string line = fmt::format("{:<18}{:>10.1f} ms", stage.name, stage.milliseconds);
+  const std::vector<const Program*> programs = all_programs(stage.programs);
+  if (programs.empty()) return line + "\n";
+  long all = 0;
+  for (const Program* program : programs) all += count_operations(*program).total();
+  return fmt::format("{}{:>9} operations, {:>8} of them in the accelerations\n", line, all,
+                     count_operations(stage.programs.accelerations).total());
+}
+
 }  // namespace
 
-const std::vector<std::string>& dump_stages() {
-  static const std::vector<std::string> stages = {"model", "topology", "analysis", "program", "optimised", "code"};
+std::vector<std::string> dump_stages() {
+  std::vector<std::string> stages = stage_names();
+  stages.insert(stages.end(), {"code", "passes"});
   return stages;
 }
 
-std::string dump_stage(const std::string& path, const std::vector<std::string>& set, const std::string& stage,
-                       std::optional<Form> form) {
-  const std::vector<std::string>& stages = dump_stages();
+std::string dump_stage(Model model, const std::string& stage, std::optional<Form> form, EmitOptions options) {
+  const std::vector<std::string> stages = dump_stages();
   if (std::find(stages.begin(), stages.end(), stage) == stages.end()) {
     throw UserError(fmt::format("--dump: no stage \"{}\"; there are: {}\n", stage, fmt::join(stages, ", ")));
   }
-  const Model model = read_set_model(path, set);
-  if (stage == "model") return dump_model(model);
-  const Topology topology = expect(build_topology(model));
-  if (stage == "topology") return dump_topology(topology);
-  const Analysis analysis = expect(analyse(model, topology));
-  if (stage == "analysis") return dump_analysis(topology, analysis);
-  if (const Diagnostics problems = too_large({model, topology, analysis, {}}); !problems.empty())
-    throw UserError(problems);
-  Programs programs = trace(model, topology, analysis);
-  if (stage == "program") return dump_programs(programs);
-  programs = optimise(std::move(programs));
-  take_form(programs, form);
-  if (stage == "optimised") return dump_programs(programs);
-  const Compilation compilation{model, topology, analysis, std::move(programs)};
-  const std::optional<InitialState> start = known_start(compilation);
-  return dump_code(emit(compilation, {.runtime_headers = false, .initial = start}));
+  std::string text;
+  const StageWatch watch = [&](const Stage& ended) {
+    if (stage == "passes") text += stage_line(ended);
+    if (ended.name == stage) text = dump_of(ended);
+    return ended.name != stage;
+  };
+  const Compilation compilation = expect(compile(std::move(model), {form, watch}));
+  if (stage != "code") return text;
+  options.runtime_headers = false;
+  options.initial = known_start(compilation);
+  return dump_code(emit(compilation, options));
 }
 
 }  // namespace mbgen::cli

@@ -5,17 +5,18 @@
 #include <string>
 #include <vector>
 
-#include "compiler/trace/trace.hpp"
+#include "compiler/emit/emit.hpp"
+#include "compiler/model/model.hpp"
+#include "compiler/solver/programs.hpp"
 
 namespace mbgen::cli {
 
-/// Names of the stages, in the order of the pipeline.
-const std::vector<std::string>& dump_stages();
+/// Names of the stages, in the order of the pipeline: those of the compiler, code, and passes, which lists the stages
+/// with operations and times.
+std::vector<std::string> dump_stages();
 
-/// Runs the pipeline up to the stage and prints what it made. set: parameters, see read_set_model; form: of the
-/// accelerations from the stage "optimised" on, none for the cheaper one.
+/// Runs the pipeline up to the stage and gives its result as text. form, options: as the solver is asked for.
 /// Fails: UserError for an unknown stage and for a model that does not reach it.
-std::string dump_stage(const std::string& path, const std::vector<std::string>& set, const std::string& stage,
-                       std::optional<Form> form = {});
+std::string dump_stage(Model model, const std::string& stage, std::optional<Form> form = {}, EmitOptions options = {});
 
 }  // namespace mbgen::cli

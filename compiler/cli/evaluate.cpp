@@ -76,7 +76,7 @@ int run(const EvaluateOptions& options) {
   const EngineChoice choice = chosen_engine(options.engine);
   const std::optional<Form> form = chosen_form(options.form);
   const Compilation compilation =
-      expect(choice.name == "generated" ? compile(std::move(model), form) : decide(std::move(model)));
+      expect(choice.name == "generated" ? compile(std::move(model), {form}) : decide(std::move(model)));
   const std::vector<double> inputs = input_values(compilation.model, options.engine.inputs);
   const StatesFile file = read_states(options.states, compilation, inputs);
   Engine engine = make_engine(compilation, choice);

@@ -18,7 +18,7 @@ struct ExplainOptions {
 };
 
 int run(const ExplainOptions& options) {
-  print(explanation_text(expect(compile(read_set_model(options.model, options.set), chosen_form(options.form)))));
+  print(explanation_text(expect(compile(read_set_model(options.model, options.set), {chosen_form(options.form)}))));
   return kDone;
 }
 

@@ -232,11 +232,12 @@ std::string freedoms_explanation(const Compilation& c) {
   return text;
 }
 
-std::string operations_explanation(const Programs& programs) {
+std::string operations_explanation(const Compilation& compilation) {
+  const Programs& programs = compilation.programs;
   const Program& accelerations = programs.accelerations;
   const std::vector<OperationCount> counts = count_operations_by_section(accelerations);
   const long total = count_operations(accelerations).total();
-  const long other = programs.operations_of_form[programs.form == Form::matrix ? 1 : 0];
+  const long other = count_operations_of(compilation, programs.form == Form::matrix ? Form::recursive : Form::matrix);
   std::string text =
       heading("Operations") +
       paragraph(fmt::format("One evaluation of all accelerations takes {} additions, multiplications "
@@ -270,7 +271,7 @@ std::string explanation_text(const Compilation& compilation) {
   std::string text =
       overview_text(compilation) + tree_explanation(compilation.topology) + cuts_explanation(compilation);
   for (std::size_t b = 0; b < compilation.topology.blocks.size(); ++b) text += block_explanation(compilation, b);
-  return text + freedoms_explanation(compilation) + operations_explanation(compilation.programs) +
+  return text + freedoms_explanation(compilation) + operations_explanation(compilation) +
          notes_explanation(all_notes(compilation));
 }
 

@@ -173,7 +173,7 @@ void pack(const fs::path& scratch, const fs::path& content, std::vector<std::str
 
 int run(const ExportOptions& options) {
   const Compilation compilation =
-      expect(compile(read_set_model(options.model, options.set), chosen_form(options.form)));
+      expect(compile(read_set_model(options.model, options.set), {chosen_form(options.form)}));
   require_other_file(options.file, compilation.model.files);
   print_notes(compilation.model.notes);
   print_notes(renamed_notes(compilation.model));
@@ -229,8 +229,8 @@ void add_export(NamedCommand application, int& exit_code) {
   options->platforms = {kThisPlatform};
   command
       .add_option("--platform", options->platforms,
-                   "machines that the unit has libraries for, by default this kind: x86_64-linux, aarch64-linux, "
-                   "x86_64-windows")
+                  "machines that the unit has libraries for, by default this kind: x86_64-linux, aarch64-linux, "
+                  "x86_64-windows")
       .separated_by(',')
       .one_of(names);
   command.add_flag("--sources-only", options->sources_only, "leave the library out; needs no compiler");

@@ -97,13 +97,13 @@ void require_range(const Compilation& compilation, const std::string& scalar) {
 
 int run(const GenerateOptions& options) {
   if (!options.dump.empty()) {
-    print(dump_stage(options.model, options.set, options.dump, chosen_form(options.form)));
+    print(dump_stage(read_named(options), options.dump, chosen_form(options.form), options.emit));
     return kDone;
   }
   if (options.directory.empty()) throw UserError("generate: --out DIR is required\n");
   require_precision(options);
   check_budget(options);
-  const Compilation compilation = expect(compile(read_named(options), chosen_form(options.form)));
+  const Compilation compilation = expect(compile(read_named(options), {chosen_form(options.form)}));
   require_range(compilation, options.emit.scalar);
   EmitOptions emitted = options.emit;
   emitted.c_interface = options.c_interface || options.emit.calibration;

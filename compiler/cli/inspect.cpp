@@ -26,10 +26,30 @@ struct InspectOptions {
   bool json = false;
 };
 
+/// Adds the programs and counts their operations, pass by pass.
+Counts add_counted_programs(Compilation& compilation, std::optional<Form> form, bool with_savings) {
+  Counts counts;
+  std::vector<Saving> of_passes;
+  long before = 0;
+  add_programs(compilation, {form, [&](const Stage& stage) {
+                               const long after = count_operations(stage.programs.accelerations).total();
+                               if (before > after)
+                                 of_passes.push_back({fmt::format("pass {}", stage.name), before, after});
+                               before = after;
+                               return true;
+                             }});
+  for (const Form f : {Form::matrix, Form::recursive})
+    counts.operations_of_form[static_cast<int>(f)] = count_operations_of(compilation, f);
+  if (!with_savings || counts.operations_of_form[0] == 0 || counts.operations_of_form[1] == 0) return counts;
+  counts.savings = count_savings(compilation);
+  counts.savings.insert(counts.savings.end(), of_passes.begin(), of_passes.end());
+  return counts;
+}
+
 int run(const InspectOptions& options) {
   const std::optional<Form> form = chosen_form(options.form);
   if (!options.dump.empty()) {
-    print(dump_stage(options.model, options.set, options.dump, form));
+    print(dump_stage(read_set_model(options.model, options.set), options.dump, form));
     return kDone;
   }
   Compilation compilation = expect(decide(read_set_model(options.model, options.set)));
@@ -41,9 +61,10 @@ int run(const InspectOptions& options) {
   }
   const Diagnostics problems = too_large(compilation, form);
   print_notes(problems);
-  if (problems.empty()) add_programs(compilation, form);
-  if (problems.empty() && compilation.topology.size() <= kMostBodiesCounted) count_savings(compilation);
-  const nlohmann::ordered_json report = make_report(compilation);
+  Counts counts;
+  const bool with_savings = compilation.topology.size() <= kMostBodiesCounted;
+  if (problems.empty()) counts = add_counted_programs(compilation, form, with_savings);
+  const nlohmann::ordered_json report = make_report(compilation, counts);
   print(options.json ? json_text(report) : report_text(report));
   return kDone;
 }

@@ -190,9 +190,8 @@ void write_page(const LinearizeOptions& options, const Compilation& compilation,
                 const LinearSystem& system, const std::vector<Mode>& list) {
   require_other_file(options.page, compilation.model.files);
   if (list.empty()) throw UserError(fmt::format("--report: {} has no modes, nothing is free\n", options.model));
-  const auto& [model, topology, analysis, programs] = compilation;
-  write_file(options.page,
-             modes_html({model, topology, analysis, point, list, state_text(options.state), largest_drift(system)}));
+  write_file(options.page, modes_html({compilation.model, compilation.topology, compilation.analysis, point, list,
+                                       state_text(options.state), largest_drift(system)}));
 }
 
 int run(const LinearizeOptions& options) {

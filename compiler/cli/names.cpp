@@ -35,14 +35,4 @@ std::vector<std::string> local_names(const Topology& topology, const LoopBlock& 
   return names;
 }
 
-std::vector<const Program*> all_programs(const Programs& programs) {
-  std::vector<const Program*> list;
-  for (const Program* program :
-       {&programs.accelerations, &programs.closure, &programs.closure_terms, &programs.accelerations_chosen,
-        &programs.multipliers, &programs.outputs, &programs.derived_constants}) {
-    if (!program->outputs.empty()) list.push_back(program);
-  }
-  return list;
-}
-
 }  // namespace mbgen::cli

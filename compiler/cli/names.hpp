@@ -26,7 +26,4 @@ std::vector<std::string> coordinate_names(const Topology& topology);
 /// Names of the coordinates of these local columns of a block.
 std::vector<std::string> local_names(const Topology& topology, const LoopBlock& block, const std::vector<int>& columns);
 
-/// The programs of a model that have something to compute.
-std::vector<const Program*> all_programs(const Programs& programs);
-
 }  // namespace mbgen::cli

@@ -109,8 +109,11 @@ Json report_program(const Program& program) {
 /// Rows of a path matrix that are written out: more bodies have their parents alone, in `coordinates`.
 constexpr int kMostBodiesInPathMatrix = 500;
 
-Json make_report(const Compilation& compilation) {
-  const auto& [model, topology, analysis, programs] = compilation;
+Json make_report(const Compilation& compilation, const Counts& counts) {
+  const Model& model = compilation.model;
+  const Topology& topology = compilation.topology;
+  const Analysis& analysis = compilation.analysis;
+  const Programs& programs = compilation.programs;
   const Json cut_joints = report_cut_joints(topology);
   const long moving_bodies = topology.size() + count_merged_bodies(model, topology);
   const auto is_massless = [](const TreeBody& body) { return body.massless; };
@@ -146,10 +149,10 @@ Json make_report(const Compilation& compilation) {
   }
   if (topology.size() <= kMostBodiesInPathMatrix) report["path_matrix"] = path_matrix(topology);
   report["form"] = programs.accelerations.outputs.empty() ? Json(nullptr) : Json(name_of(programs.form));
-  report["operations_of_form"] = {{"matrix", programs.operations_of_form[static_cast<int>(Form::matrix)]},
-                                  {"recursive", programs.operations_of_form[static_cast<int>(Form::recursive)]}};
+  report["operations_of_form"] = {{"matrix", counts.operations_of_form[static_cast<int>(Form::matrix)]},
+                                  {"recursive", counts.operations_of_form[static_cast<int>(Form::recursive)]}};
   report["savings"] = Json::array();
-  for (const Saving& saving : programs.savings)
+  for (const Saving& saving : counts.savings)
     report["savings"].push_back({{"treatment", saving.name}, {"without", saving.without}, {"with", saving.with}});
   report["operations"] = Json::object();
   for (const Program* program : all_programs(programs)) {

@@ -3,14 +3,21 @@
 
 #include <nlohmann/json.hpp>
 #include <string>
+#include <vector>
 
 #include "compiler/compile.hpp"
 
 namespace mbgen::cli {
 
+/// Operations of the accelerations: of each form, and what decisions save.
+struct Counts {
+  long operations_of_form[2] = {0, 0};  ///< by Form, 0 for none
+  std::vector<Saving> savings;
+};
+
 /// Counts, loop blocks, path matrix, coordinates and operations. Bodies and joints are counted as the paper does: a
 /// joint of several freedoms is a chain of joints of one freedom with massless bodies between them; ground is a body.
-nlohmann::ordered_json make_report(const Compilation& compilation);
+nlohmann::ordered_json make_report(const Compilation& compilation, const Counts& counts);
 
 /// Words after a title, broken into lines; empty without words.
 std::string wrapped(const std::string& title, const std::vector<std::string>& words);

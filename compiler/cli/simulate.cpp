@@ -92,7 +92,7 @@ int run(const SimulateOptions& options) {
   const std::optional<Form> form = chosen_form(options.form);
   Model model = read_set_model(options.model, options.set);
   const Compilation compilation =
-      expect(choice.name == "generated" ? compile(std::move(model), form) : decide(std::move(model)));
+      expect(choice.name == "generated" ? compile(std::move(model), {form}) : decide(std::move(model)));
   require_other_file(options.file, compilation.model.files);
   require_other_file(options.file, {options.simulation.input_table});
   if (options.every < 1) throw UserError(fmt::format("--every: must be positive, found {}\n", options.every));

@@ -129,9 +129,11 @@ std::string batch_interface_text(const EmitContext& context) {
 
 std::string batch_text(const EmitContext& context) {
   std::string programs, members;
+  ConstantNames constants(context.programs);
   for (const ShapedProgram& scalar : shaped_programs(context.programs, context.layout, context.names)) {
     if (scalar.key == "closure_terms" || scalar.key == "accelerations_chosen") continue;  // of lanes that are alone
-    const ShapedProgram shaped = in_lanes(scalar);
+    ShapedProgram shaped = in_lanes(scalar);
+    shaped.shape.constants = &constants;
     programs += program_text(fewest_alive(*shaped.program), shaped.shape) + "\n";
     if (shaped.key == "derived_constants") programs += tuned_constructor_text(context.programs);
     if (shaped.key == "outputs" || shaped.key == "derived_constants") continue;
@@ -148,7 +150,7 @@ std::string batch_text(const EmitContext& context) {
                        {{"banner", banner_text(context.model, "//")},
                         {"solver", context.names.solver},
                         {"lane_structs", lane_structs(context)},
-                        {"programs", programs},
+                        {"programs", constants_text(constants, "double") + programs},
                         {"system", system_text(context, members, "Lanes")},
                         {"inputs_at", inputs_at(context)},
                         {"load_parameters", statements(parameters, kLoad)},

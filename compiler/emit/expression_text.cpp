@@ -29,8 +29,7 @@ std::string call(const std::string& function, const Phrase& first, const Phrase&
 
 }  // namespace
 
-Phrase constant_phrase(double value, const std::string& scalar) {
-  const std::string text = number_text(value, scalar);
+Phrase constant_phrase(const std::string& text) {
   return {text.front() == '-' ? fmt::format("({})", text) : text, Binding::primary};
 }
 

@@ -15,9 +15,8 @@ struct Phrase {
   Binding binding = Binding::primary;
 };
 
-/// A constant; negative ones in parentheses, so that they stand anywhere.
-/// scalar: type of the values, "double", "float" or a vector of doubles.
-Phrase constant_phrase(double value, const std::string& scalar);
+/// A number or the name of one; negative ones in parentheses, so that they stand anywhere.
+Phrase constant_phrase(const std::string& text);
 
 /// The operation on its operands; those beyond its arity are ignored. Associativity is kept: a + (b + c) stays as it
 /// is, since floating-point sums are not associative.

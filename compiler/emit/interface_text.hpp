@@ -41,6 +41,9 @@ std::string interface_text(const EmitContext& context);
 /// `<model>.cpp`.
 std::string solver_text(const EmitContext& context);
 
+/// The constants that the texts of a file use, under a heading; empty without any.
+std::string constants_text(const ConstantNames& names, const std::string& scalar);
+
 /// Members of the struct System, see mbgen/blocks.hpp and mbgen/batch.hpp. members: those that are its programs' and
 /// their results'; scalar: type of its values.
 std::string system_text(const EmitContext& context, const std::string& members, const std::string& scalar);

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "compiler/emit/text.hpp"
+
 namespace mbgen {
 namespace {
 
@@ -123,14 +125,11 @@ ProgramShape closure_terms_shape(const SolverLayout& layout, const SolverNames& 
                          "compute_closure_terms", {}, inputs);
   s.members = {{"Phi", layout.equations, "residuals"},
                {"Jz", layout.jacobian_entries, "Jacobian of each block, row by row"},
-               {"ct", layout.equations, "right-hand side of the velocities"},
                {"c", layout.equations, "right-hand side of the accelerations"},
-               {"driven_position", layout.coordinates, "of driven coordinates, by their motions"},
-               {"driven_velocity", layout.coordinates, "of driven coordinates"},
-               {"driven_acceleration", layout.coordinates, "of driven coordinates"}};
+               {"driven_acceleration", layout.coordinates, "of driven coordinates, by their motions; no others"}};
   const auto equations = [](const BlockPlaces& b) { return b.equations; };
   const auto first_equation = [](const BlockPlaces& b) { return b.first_equation; };
-  for (const char* group : {"Phi", "ct", "c"}) {
+  for (const char* group : {"Phi", "c"}) {
     add_blocks(s.outputs, "result", group, layout, equations, first_equation);
   }
   if (!layout.chooses_again) {
@@ -141,10 +140,8 @@ ProgramShape closure_terms_shape(const SolverLayout& layout, const SolverNames& 
         s.outputs, "result", "Jz", layout, [](const BlockPlaces& b) { return b.equations * b.coordinates; },
         [](const BlockPlaces& b) { return b.first_jacobian; });
   }
-  for (const char* group : {"driven_position", "driven_velocity", "driven_acceleration"}) {
-    s.outputs[group] = result_array(std::string("result.") + group,
-                                    named(std::string("result.") + group, "Coordinate", names.coordinates));
-  }
+  s.outputs["driven_acceleration"] = result_array(
+      "result.driven_acceleration", named("result.driven_acceleration", "Coordinate", names.coordinates), "");
   return s;
 }
 
@@ -236,7 +233,7 @@ SolverLayout solver_layout(const Model& model, const Topology& topology, const A
   layout.auxiliary_states = auxiliary_state_count(model);
   layout.drives = static_cast<int>(model.motions.size());
   layout.has_closure = !topology.loops.empty() || !model.motions.empty();
-  layout.chooses_again = chooses_again(topology, analysis);
+  layout.chooses_again = chooses_again(topology);
   for (std::size_t b = 0; b < topology.blocks.size(); ++b) {
     BlockPlaces block;
     block.equations = topology.blocks[b].equations;
@@ -254,6 +251,11 @@ SolverLayout solver_layout(const Model& model, const Topology& topology, const A
     layout.blocks.push_back(block);
   }
   return layout;
+}
+
+std::string constant_text(const Program& program, const Node& node, const ProgramShape& shape) {
+  if (node.label >= 0 && shape.constants != nullptr) return shape.constants->text(program, node);
+  return number_text(node.constant, shape.scalar);
 }
 
 int derived_constant_count(const Programs& programs) {

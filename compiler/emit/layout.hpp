@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "compiler/analysis/analysis.hpp"
+#include "compiler/emit/constant_names.hpp"
 #include "compiler/emit/names.hpp"
 #include "compiler/model/model.hpp"
 #include "compiler/passes/roll.hpp"
@@ -36,7 +37,7 @@ struct GroupPlace {
   std::string argument;             ///< function parameter that holds them, "result" for outputs
   std::vector<std::string> texts;   ///< expression of each index, for example "state.z[Coordinate::crank_pin]"
   std::vector<std::string> locals;  ///< name of a local copy of each index; empty: never copied
-  std::string missing = "0.0";      ///< value of an output that the program does not give
+  std::string missing = "0.0";      ///< value of an output that the program does not give; empty: nobody reads it
   std::string array;  ///< array whose places from `first` on hold the slots in order; empty: they are no array
   int first = 0;
 };
@@ -67,9 +68,14 @@ struct ProgramShape {
   std::size_t roll_above = kRollAbove;  ///< operations above which equal subsystems become loops
   /// Values in one struct of those that cross parts, 0: all in one.
   std::size_t most_crossing = 0;
+  /// Names of the model's numbers in the file that this goes into, null: numbers are written as such.
+  ConstantNames* constants = nullptr;
   /// Values after which mbgen::read_back() is called, 0: never.
   std::size_t read_back_after = 0;
 };
+
+/// A constant of a program as it is written: by its name where it has one.
+std::string constant_text(const Program& program, const Node& node, const ProgramShape& shape);
 
 /// The programs of a solver with their shapes; those of closures are left out when there is nothing to close.
 struct ShapedProgram {

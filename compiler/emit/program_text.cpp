@@ -50,6 +50,9 @@ class ProgramWriter {
   // --- what is decided before the first line is written ---
 
   void reserve_names() {
+    if (shape_.constants != nullptr) {
+      for (const std::string& name : shape_.constants->identifiers(program_)) names_.reserve(name);
+    }
     for (const auto& [name, declaration] : shape_.arguments) names_.reserve(name);
     for (const auto& [group, place] : shape_.inputs) {
       for (const std::string& local : place.locals) names_.reserve(local);
@@ -162,7 +165,7 @@ class ProgramWriter {
 
   Phrase phrase_of(ValueId v, PartText& part) {
     const Node& node = program_.nodes[v];
-    if (node.op == Op::constant) return constant_phrase(node.constant, shape_.scalar);
+    if (node.op == Op::constant) return constant_phrase(constant_text(program_, node, shape_));
     if (node.op == Op::input) return input_phrase(v, part);
     if (place_in_call(v).call >= 0) return result_phrase(v, part);
     if (fates_[v].crosses) part.arguments.insert(work_of_.at(v));
@@ -342,7 +345,7 @@ class ProgramWriter {
     }
     for (const auto& [group, place] : shape_.outputs) {
       for (const std::string& text : place.texts) {
-        if (given.count(text)) continue;
+        if (given.count(text) || place.missing.empty()) continue;
         add_line(part, text + " = " + number(place.missing) + ";");
         part.arguments.insert("result");
       }

@@ -48,6 +48,9 @@ class RolledWriter {
         section_counts_(count_operations_by_section(program)),
         section_end_(program.sections.size(), 0),
         names_taken_(program) {
+    if (shape_.constants != nullptr) {
+      for (const std::string& name : shape_.constants->identifiers(program_)) names_taken_.reserve(name);
+    }
     for (const auto& [name, declaration] : shape_.arguments) names_taken_.reserve(name);
     for (const char* name : {"work", "result", "k"}) names_taken_.reserve(name);
     for (const OutputValue& output : program_.outputs) outputs_[output.value].push_back(output.slot);
@@ -131,14 +134,14 @@ class RolledWriter {
   const Slot& slot_of(ValueId v) const { return program_.inputs[static_cast<std::size_t>(program_.nodes[v].input)]; }
 
   Phrase constants_phrase(const std::vector<ValueId>& operands) {
-    const double first = program_.nodes[operands[0]].constant;
+    const Node& first = program_.nodes[operands[0]];
     std::vector<std::string> items;
     bool same = true;
     for (const ValueId v : operands) {
-      same = same && program_.nodes[v].constant == first;
+      same = same && program_.nodes[v].constant == first.constant && program_.nodes[v].label == first.label;
       items.push_back(number_text(program_.nodes[v].constant, shape_.scalar));
     }
-    return same ? constant_phrase(first, shape_.scalar)
+    return same ? constant_phrase(constant_text(program_, first, shape_))
                 : Phrase{table_text(shape_.scalar, "kConstants", items), Binding::primary};
   }
 
@@ -291,7 +294,7 @@ class RolledWriter {
   std::string plain_text(const OutputValue& output) {
     const Node& node = program_.nodes[output.value];
     if (node.op != Op::constant) return input_phrase({output.value}).text;
-    return standing_alone(constant_phrase(node.constant, shape_.scalar));
+    return standing_alone(constant_phrase(constant_text(program_, node, shape_)));
   }
 
   /// Constants, inputs, and outputs that the program does not give: what is frequent fills its array first.
@@ -305,7 +308,7 @@ class RolledWriter {
     }
     for (const auto& [group, place] : shape_.outputs) {
       for (int i = 0; i < static_cast<int>(place.texts.size()); ++i)
-        if (!given[group].count(i)) plain[group][i] = place.missing;
+        if (!given[group].count(i) && !place.missing.empty()) plain[group][i] = place.missing;
       if (!plain[group].empty()) write_plain_group(place, plain[group]);
     }
   }

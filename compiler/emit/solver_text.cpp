@@ -3,6 +3,7 @@
 
 #include "compiler/emit/input_text.hpp"
 #include "compiler/emit/interface_text.hpp"
+#include "compiler/emit/legend.hpp"
 #include "compiler/emit/program_text.hpp"
 #include "compiler/emit/text.hpp"
 #include "compiler/emit/tuned_text.hpp"
@@ -208,11 +209,18 @@ std::string system_text(const EmitContext& context, const std::string& members, 
   return system;
 }
 
+std::string constants_text(const ConstantNames& names, const std::string& scalar) {
+  const std::string declarations = names.declarations(scalar);
+  return declarations.empty() ? "" : "// Numbers of the model.\n" + declarations + "\n";
+}
+
 std::string solver_text(const EmitContext& context) {
   check_residual_order(context);
   std::string programs, members;
+  ConstantNames constants(context.programs);
   for (ShapedProgram shaped : shaped_programs(context.programs, context.layout, context.names, context.scalar)) {
     shaped.shape.roll_above = context.roll_above;
+    shaped.shape.constants = &constants;
     programs += program_text(*shaped.program, shaped.shape) + "\n";
     const std::string member = shaped.shape.function.substr(std::string("compute_").size());
     if (!shaped.shape.members.empty()) {
@@ -226,7 +234,8 @@ std::string solver_text(const EmitContext& context) {
   }
   const std::string system = system_text(context, members, context.scalar);
   const InputText inputs = input_text(context.model, context.names, context.scalar);
-  return fill_template("solver.cpp.in", {{"banner", banner_text(context.model, "//")},
+  return fill_template("solver.cpp.in", {{"banner", banner_text(context.model, "//") + legend_text(context)},
+                                         {"constants", constants_text(constants, context.scalar)},
                                          {"solver", context.names.solver},
                                          {"scalar", context.scalar},
                                          {"projection_struct", projection_struct(context.layout, context.scalar)},

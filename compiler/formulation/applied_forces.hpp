@@ -12,7 +12,7 @@ namespace detail {
 template <class T>
 void point_springs(ForceWork<T>& work) {
   for (const PointSpring& spring : work.system.model.springs) {
-    work.system.scribe.place(spring.name);
+    const auto heading = work.system.scribe.within(spring.name);
     work.forces.springs.push_back(
         line_element(work, spring.from, spring.to, [&](const T& length, const T& rate, const T& reference) {
           const T free = spring.free_length ? work.value(*spring.free_length) : reference;
@@ -28,7 +28,7 @@ void point_springs(ForceWork<T>& work) {
 template <class T>
 void air_springs(ForceWork<T>& work) {
   for (const AirSpring& spring : work.system.model.air_springs) {
-    work.system.scribe.place(spring.name);
+    const auto heading = work.system.scribe.within(spring.name);
     work.forces.air_springs.push_back(
         line_element(work, spring.from, spring.to, [&](const T& length, const T&, const T& reference) {
           const T length0 = spring.length ? work.value(*spring.length) : reference;
@@ -59,7 +59,7 @@ void joint_elements(ForceWork<T>& work) {
   const Model& model = work.system.model;
   const Environment<T>& e = work.system.environment;
   for (const JointSpring& spring : model.joint_springs) {
-    work.system.scribe.place(spring.name);
+    const auto heading = work.system.scribe.within(spring.name);
     T position = e.position(spring.joint), rate = e.velocity(spring.joint);
     if (spring.relative_to) {
       position = position - e.position(*spring.relative_to);
@@ -73,7 +73,7 @@ void joint_elements(ForceWork<T>& work) {
     if (spring.relative_to) add_joint_force(work, *spring.relative_to, force);
   }
   for (const JointFriction& friction : model.frictions) {
-    work.system.scribe.place(friction.name);
+    const auto heading = work.system.scribe.within(friction.name);
     const T force = friction_force(work.value(friction.coulomb), work.value(friction.stiction),
                                    work.value(friction.viscous), work.value(friction.velocity),
                                    work.value(friction.stribeck_velocity), e.velocity(friction.joint));
@@ -81,7 +81,7 @@ void joint_elements(ForceWork<T>& work) {
     add_joint_force(work, friction.joint, force);
   }
   for (const JointForce& force : model.joint_forces) {
-    work.system.scribe.place(force.name);
+    const auto heading = work.system.scribe.within(force.name);
     add_joint_force(work, force.joint, work.value(force.force));
   }
 }
@@ -90,7 +90,7 @@ template <class T>
 void body_forces(ForceWork<T>& work) {
   const System<T>& system = work.system;
   for (const AppliedForce& applied : system.model.forces) {
-    work.system.scribe.place(applied.name);
+    const auto heading = work.system.scribe.within(applied.name);
     const Place<T> place = work.place(applied.at);
     const int carrier = system.layout.frame_of(place.body);
     const auto to_carrier = [&](Vector<T> v) {

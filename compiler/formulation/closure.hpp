@@ -59,7 +59,7 @@ RelativeMotion<T> at_rest(const Topology& topology) {
 template <class T>
 void set_relative_motion(System<T>& system, const Kinematics<T>& k, const LoopBlock& block, RelativeMotion<T>& m) {
   for (int i : block.joints) {
-    system.scribe.place(system.layout.titles[i]);
+    const auto heading = system.scribe.within(system.layout.titles[i]);
     const int p = system.topology.bodies[i].parent;
     const Spatial<T> below = p == block.base ? Spatial<T>{} : m.velocity[p];
     const Acceleration<T> below_acceleration = p == block.base ? Acceleration<T>{} : m.acceleration[p];
@@ -192,17 +192,14 @@ LoopEnd<T> loop_end(const System<T>& system, const Kinematics<T>& k, const Relat
 template <class T>
 std::vector<Row<T>> loop_rows(System<T>& system, const Kinematics<T>& k, const RelativeMotion<T>& motion,
                               const Loop& loop, int frame) {
-  system.scribe.place(loop.name);
+  const auto heading = system.scribe.within(loop.name);
   if (loop.kind == ClosureKind::rod) {
     const RodConstants<T>& rod = system.constants.rods[loop.rod];
     return {
         distance(loop_end(system, k, motion, rod.from, frame), loop_end(system, k, motion, rod.to, frame), rod.length)};
   }
   const Joint& joint = system.model.joints[loop.joint];
-  const auto end = [&](const Attachment& at) {
-    return loop_end(system, k, motion,
-                    place_of(system.model, system.topology, system.constants, at, system.environment), frame);
-  };
+  const auto end = [&](const Attachment& at) { return loop_end(system, k, motion, place_of(system, at), frame); };
   const LoopEnd<T> from = end(joint.from), to = end(joint.to);
   const Vector3 axis_on_to = joint.type == JointType::universal ? joint.second_axis : joint.axis;
   return joint_rows(loop.kind, from, to, triad_on(system, k, from.body, frame, joint.axis),

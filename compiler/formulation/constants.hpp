@@ -229,4 +229,23 @@ Constants<T> make_constants(const Model& model, const Topology& topology, const 
   return constants;
 }
 
+/// Names the numbers of the bodies and rods: m_ mass, c_ centre of mass, I_ inertia about it, p_ ends of rods from the
+/// origins of their bodies, l_ lengths, g_ gravity.
+template <class T>
+void name_constants(Scribe<T>& scribe, const Model& model, const Topology& topology, Constants<T>& constants) {
+  name_constant(scribe, constants.gravity, "g");
+  for (std::size_t i = 0; i < topology.bodies.size(); ++i) {
+    const std::string& body = topology.bodies[i].name;
+    scribe.constant(constants.mass[i], "m_", body);
+    name_constant(scribe, constants.com[i], "c_", body);
+    name_constant(scribe, constants.inertia[i], "I_", body);
+  }
+  for (std::size_t r = 0; r < model.rods.size(); ++r) {
+    RodConstants<T>& rod = constants.rods[r];
+    name_constant(scribe, rod.from.at, "p_", model.rods[r].name, "_from");
+    name_constant(scribe, rod.to.at, "p_", model.rods[r].name, "_to");
+    scribe.constant(rod.length, "l_", model.rods[r].name);
+  }
+}
+
 }  // namespace mbgen

@@ -41,9 +41,7 @@ struct ForceWork {
   const Velocities<T>& v;
   AppliedForces<T>& forces;
   T value(const Quantity& q) const { return value_of(system.model, q, system.environment); }
-  Place<T> place(const Attachment& at) const {
-    return place_of(system.model, system.topology, system.constants, at, system.environment);
-  }
+  Place<T> place(const Attachment& at) const { return place_of(system, at); }
 };
 
 /// Value of a characteristic at an argument: factor times argument, or a table.

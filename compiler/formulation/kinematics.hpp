@@ -38,6 +38,25 @@ struct Kinematics {
   std::vector<Spatial<T>> base_column;  ///< the same in the base frame (equal to `column` inside loop blocks)
 };
 
+/// Place of an attachment on its tree body, named p_<body>_<point>.
+template <class T>
+Place<T> place_of(const System<T>& system, const Attachment& at) {
+  Place<T> place = place_of(system.model, system.topology, system.constants, at, system.environment);
+  const Body& body = system.model.bodies[at.body];
+  name_constant(system.scribe, place.at, "p_", body.name, "_", body.points[at.point].name);
+  return place;
+}
+
+/// Origin of a body from that of the body before it, at the reference configuration, m: p_<coordinate>.
+template <class T>
+Vector<T> joint_offset(const System<T>& system, int body) {
+  const int parent = system.topology.bodies[body].parent;
+  Vector<T> offset = system.constants.origin[body];
+  if (parent != kGround) offset = offset - system.constants.origin[parent];
+  name_constant(system.scribe, offset, "p_", system.topology.bodies[body].coordinate);
+  return offset;
+}
+
 namespace detail {
 
 template <class T>
@@ -52,8 +71,7 @@ void advance_pose(const System<T>& system, Kinematics<T>& k, int i) {
   const bool on_base = system.on_base(i);
   const int p = body.parent;
   const Matrix<T> parent_axes = on_base ? identity<T>() : k.orientation[p];
-  const Vector<T> parent_origin = p == kGround ? Vector<T>{} : system.constants.origin[p];
-  const Vector<T> offset = system.constants.origin[i] - parent_origin;
+  const Vector<T> offset = joint_offset(system, i);
   const Vector<T> axis = parent_axes * constant<T>(body.axis);
   Vector<T> place = parent_axes * offset;
   if (!on_base) place = k.position[p] + place;
@@ -88,8 +106,7 @@ void own_chain(const System<T>& system, Kinematics<T>& k, int end) {
     else
       place = place - system.z(i) * k.axis[i];
     if (i == start) break;
-    const int p = body.parent;
-    place = place + axes * (system.constants.origin[p] - system.constants.origin[i]);
+    place = place + axes * -joint_offset(system, i);
   }
   if (system.on_base(start)) k.orientation[end] = transpose(axes);
 }
@@ -108,7 +125,7 @@ Kinematics<T> kinematics(System<T>& system) {
   k.column.resize(n);
   k.base_column.resize(n);
   for (int i = 0; i < static_cast<int>(n); ++i) {
-    system.scribe.place(system.layout.titles[i]);
+    const auto heading = system.scribe.within(system.layout.titles[i]);
     detail::advance_pose(system, k, i);
     if (system.layout.bodies[i].chain_start >= 0) detail::own_chain(system, k, i);
     name(system.scribe, k.orientation[i], "R_", system.body_name(i));

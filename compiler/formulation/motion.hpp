@@ -99,7 +99,7 @@ Velocities<T> velocities(System<T>& system, const Kinematics<T>& k) {
   v.own.resize(n);
   for (int i = 0; i < n; ++i) {
     const BodyLayout& layout = system.layout.bodies[i];
-    system.scribe.place(system.layout.titles[i]);
+    const auto heading = system.scribe.within(system.layout.titles[i]);
     v.base[i] = advanced(detail::parent_velocity(system, v, i), k.base_column[i], system.zd(i));
     if (layout.chain_start >= 0) {
       v.own[i] = seen_from(k.orientation[i], k.position[i], detail::parent_velocity(system, v, layout.chain_start));
@@ -125,7 +125,7 @@ Accelerations<T> accelerations(System<T>& system, const Kinematics<T>& k, const 
   a.ground.linear = -system.constants.gravity;
   for (int i = 0; i < n; ++i) {
     const BodyLayout& layout = system.layout.bodies[i];
-    system.scribe.place(system.layout.titles[i]);
+    const auto heading = system.scribe.within(system.layout.titles[i]);
     a.base[i] = advanced(detail::parent_acceleration(system, a, i), system.revolute(i),
                          system.revolute(i) ? k.base_column[i].angular : k.base_column[i].linear, k.position[i],
                          system.zd(i), zdd[i], detail::parent_velocity(system, v, i).angular, v.base[i].angular);

@@ -27,7 +27,7 @@ Vector<T> in_axes_of(const System<T>& system, const Kinematics<T>& k, int frame,
 
 template <class T>
 T point_output(const System<T>& system, const SolvedState<T>& s, const PointOutput& output) {
-  const Place<T> place = place_of(system.model, system.topology, system.constants, output.point, system.environment);
+  const Place<T> place = place_of(system, output.point);
   const int carrier = system.layout.frame_of(place.body);
   const Vector<T> local = local_position(system, s.kinematics, place);
   Vector<T> global;
@@ -123,7 +123,7 @@ std::vector<T> output_values(System<T>& system, const SolvedState<T>& s) {
   if (detail::asks_for_reactions(system.model)) all_reactions = reactions(system, s);
   std::vector<T> values;
   for (const Output& output : system.model.outputs) {
-    system.scribe.place(output.name);
+    const auto heading = system.scribe.within(output.name);
     if (const auto* e = std::get_if<ExpressionOutput>(&output.source))
       values.push_back(value_of(system.model, e->value, system.environment));
     else if (const auto* point = std::get_if<PointOutput>(&output.source))

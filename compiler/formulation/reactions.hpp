@@ -64,7 +64,7 @@ BodyWrenches<T> needed_wrenches(System<T>& system, const SolvedState<T>& s) {
   const Topology& topology = system.topology;
   for (int b = 0; b < static_cast<int>(system.model.bodies.size()); ++b) {
     if (b == system.model.ground) continue;
-    system.scribe.place(system.model.bodies[b].name);
+    const auto heading = system.scribe.within(system.model.bodies[b].name);
     const int tree = topology.tree_body[b];
     const Vector<T> origin = carrier_origin(topology, system.constants, b);
     const Part<T> part = without_noise(part_of(system.model, b, origin, system.environment));
@@ -93,8 +93,7 @@ Reaction<T> cut_reaction(const System<T>& system, const Kinematics<T>& k, const 
   }
   needed.add(joint.to.body, frame, Spatial<T>{} - on_to);
   needed.add(joint.from.body, frame, from_loses);
-  const Vector<T> point = position_in(
-      system, k, place_of(system.model, system.topology, system.constants, joint.to, system.environment), frame);
+  const Vector<T> point = position_in(system, k, place_of(system, joint.to), frame);
   return {frame, about(point, on_to), Spatial<T>{} - about(point, from_loses)};
 }
 
@@ -156,11 +155,11 @@ Reactions<T> reactions(System<T>& system, const SolvedState<T>& s) {
   detail::closure_reactions(system, s, needed, result);
   for (auto placed = topology.tree_joints.rbegin(); placed != topology.tree_joints.rend(); ++placed) {
     const Joint& joint = system.model.joints[placed->joint];
-    system.scribe.place(joint.name);
+    const auto heading = system.scribe.within(joint.name);
     const int frame = needed.base_frame(placed->child);
     const Spatial<T> wrench = needed.total(placed->child);
     needed.add(placed->parent, frame, wrench);
-    const Place<T> to = place_of(system.model, topology, system.constants, joint.to, system.environment);
+    const Place<T> to = place_of(system, joint.to);
     const Spatial<T> on_child = detail::about(position_in(system, s.kinematics, to, frame), wrench);
     const Spatial<T> on_parent = Spatial<T>{} - on_child;
     result.joints[placed->joint] =

@@ -14,7 +14,6 @@ void eliminate_block(RecursionState<T>& s, std::size_t u) {
   const RecursionUnit& unit = s.units()[u];
   UnitEquations<T>& equations = s.equations[u];
   Carried<T> base = gather_block(s, u);
-  s.system().scribe.place("");
   eliminate(equations);
   if (unit.base == kGround) return;
   reduce(equations, base.reduced, base.needed);
@@ -134,15 +133,17 @@ void solve_block(RecursionState<T>& s, std::size_t u, std::vector<T>& zdd) {
   const Spatial<T> base = grounded ? Spatial<T>{} : base_acceleration(s, unit.base);
   const std::vector<T> free = free_accelerations(s.equations[u], base);
   std::vector<T> local = parts.star;
+  const std::vector<std::vector<T>>& rz = parts.chosen ? parts.chosen->rz : parts.rz;
+  if (parts.chosen) local = parts.chosen->zdd_star;
   for (std::size_t c = 0; c < local.size(); ++c)
-    for (std::size_t q = 0; q < free.size(); ++q) local[c] = local[c] + parts.rz[c][q] * free[q];
+    for (std::size_t q = 0; q < free.size(); ++q) local[c] = local[c] + rz[c][q] * free[q];
   for (std::size_t c = 0; c < local.size(); ++c) zdd[unit.joints[c]] = local[c];
   const Vector<T> turning = s.omega_of(unit.base), twice = turning + turning;
   const Matrix<T> base_gradient = acceleration_gradient(turning, base.angular);
   for (const JointStep& step : unit.steps) {
     const int i = step.body(), p = s.work.parent(step);
-    system.scribe.place(system.layout.titles[i]);
-    if (step.quasi()) {
+    const auto heading = system.scribe.within(system.layout.titles[i]);
+    if (step.quasi() && !parts.chosen) {
       set_joint_accelerations(s.work, step, p == unit.base ? Vector<T>{} : parts.velocity[p].angular,
                               quasi_of(step, zdd), zdd);
     }
@@ -216,17 +217,16 @@ void add_own_parts(RecursionState<T>& s, const RecursionUnit& unit, const Applie
   for (const JointStep& step : unit.steps) {
     const int i = step.body();
     if (unit.block < 0 && i != unit.end()) continue;
-    s.system().scribe.place(s.system().layout.titles[i]);
+    const auto heading = s.system().scribe.within(s.system().layout.titles[i]);
     Carried<T>& c = s.carried[i];
     c.rigid = c.rigid + (s.work.own(i) ? s.constant[i] : rotated(s.k().orientation[i], s.constant[i]));
     c.needed = c.needed - shifted(Vector<T>{} - work_origin(s, i), forces.wrench[i]);
   }
 }
 
-/// Steps 2, 3, 6, 7 and 8 of a loop block.
-template <class T, class Partition>
-void eliminate_block(RecursionState<T>& s, std::size_t u, const AppliedForces<T>& forces, const Partition& partition,
-                     T& quality) {
+/// A block as its frozen partition solves it (steps 2, 3 and 6).
+template <class T>
+void project_block(RecursionState<T>& s, std::size_t u, const LoopPartition& partition, T& quality) {
   const RecursionUnit& unit = s.units()[u];
   Scribe<T>& scribe = s.system().scribe;
   const std::string name = block_name(s.system().topology, unit.block);
@@ -234,7 +234,6 @@ void eliminate_block(RecursionState<T>& s, std::size_t u, const AppliedForces<T>
   scribe.step(Step::jacobian, name);
   const SparseClosure<T> closed =
       quasi_closure(s.work, unit, PerBody<Spatial<T>>(unit), PerBody<BodyAcceleration<T>>(unit));
-  scribe.place("");
   parts.factors = factorise_frozen(closed.jacobian, partition, unit.joints.size());
   quality = parts.factors.quality;
   scribe.step(Step::projection, name);
@@ -244,6 +243,30 @@ void eliminate_block(RecursionState<T>& s, std::size_t u, const AppliedForces<T>
       scribe.name(parts.rz[c][q], "Rz_", s.system().topology.bodies[unit.joints[c]].coordinate, "_", std::to_string(q));
   scribe.step(Step::closure_bias, name);
   set_block_bias(s, u, partition);
+}
+
+/// A block with a projection over joint rates that was chosen at run time: the same over quasi-velocities.
+template <class T>
+void project_block(RecursionState<T>& s, std::size_t u, const GroupProjection<T>& chosen, T&) {
+  const RecursionUnit& unit = s.units()[u];
+  const std::string name = block_name(s.system().topology, unit.block);
+  BlockParts<T>& parts = s.blocks[u];
+  parts.chosen = &chosen;
+  s.system().scribe.step(Step::projection, name);
+  parts.rz = quasi_projection(s.work, unit, chosen.rz);
+  s.system().scribe.step(Step::closure_bias, name);
+  parts.bias = block_bias(s.work, unit, parts.velocity);
+  parts.star = quasi_accelerations(s.work, unit, parts.velocity, chosen.zdd_star);
+}
+
+/// Steps 2, 3, 6, 7 and 8 of a loop block.
+template <class T>
+void eliminate_block(RecursionState<T>& s, std::size_t u, const AppliedForces<T>& forces,
+                     const BlockProjection<T>& projection, T& quality) {
+  const RecursionUnit& unit = s.units()[u];
+  Scribe<T>& scribe = s.system().scribe;
+  const std::string name = block_name(s.system().topology, unit.block);
+  std::visit([&](const auto& of_block) { project_block(s, u, of_block, quality); }, projection);
   scribe.step(Step::accelerations, name);
   add_own_parts(s, unit, forces);
   scribe.step(Step::reduced_system, name);
@@ -251,18 +274,18 @@ void eliminate_block(RecursionState<T>& s, std::size_t u, const AppliedForces<T>
 }
 
 /// The way to the root (steps 2 to 8).
-template <class T, class Partitions>
-void eliminate_units(RecursionState<T>& s, const AppliedForces<T>& forces, const Partitions& partitions,
-                     RecursiveSolution<T>& solution) {
+template <class T>
+void eliminate_units(RecursionState<T>& s, const AppliedForces<T>& forces,
+                     const std::vector<BlockProjection<T>>& projections, RecursiveSolution<T>& solution) {
   Scribe<T>& scribe = s.system().scribe;
   for (std::size_t u = s.units().size(); u-- > 0;) {
     const RecursionUnit& unit = s.units()[u];
     if (unit.block >= 0) {
-      eliminate_block(s, u, forces, partitions[unit.block], solution.quality[unit.block]);
+      eliminate_block(s, u, forces, projections[unit.block], solution.quality[unit.block]);
       continue;
     }
     scribe.step(Step::reduced_system);
-    scribe.place(s.system().layout.titles[unit.end()]);
+    const auto heading = scribe.within(s.system().layout.titles[unit.end()]);
     if (unit.rotor) {
       eliminate_rotor(s, u, forces);
       continue;
@@ -281,7 +304,7 @@ void solve_units(RecursionState<T>& s, RecursiveSolution<T>& solution) {
   solution.zdd.assign(system.topology.bodies.size(), T(0.0));
   for (std::size_t u = 0; u < s.units().size(); ++u) {
     const RecursionUnit& unit = s.units()[u];
-    system.scribe.place(system.layout.titles[unit.end()]);
+    const auto heading = system.scribe.within(system.layout.titles[unit.end()]);
     if (unit.rotor)
       solve_rotor(s, u, solution.zdd);
     else if (unit.block >= 0)
@@ -294,12 +317,13 @@ void solve_units(RecursionState<T>& s, RecursiveSolution<T>& solution) {
 
 }  // namespace detail
 
-/// All joint accelerations by the recursive form. partitions: per block over (quasi-)velocities. forces: applied,
-/// without tau. Cost: linear in bodies, quadratic in the free directions of one unit.
-template <class T, class Partitions>
+/// All joint accelerations by the recursive form. projections: per block. forces: applied, without tau.
+/// Cost: linear in bodies, quadratic in the free directions of one unit.
+template <class T>
 RecursiveSolution<T> recursive_accelerations(System<T>& system, const Recursion& recursion, const Kinematics<T>& k,
                                              const AppliedForces<T>& forces, const std::vector<Drive<T>>& drives,
-                                             const std::vector<T>& tau, const Partitions& partitions) {
+                                             const std::vector<T>& tau,
+                                             const std::vector<BlockProjection<T>>& projections) {
   const std::size_t n = system.topology.bodies.size(), units = recursion.units.size();
   const RecursionWork<T> work = recursion_work(system, recursion, k);
   detail::RecursionState<T> s{work, drives, {}, {}, {}, {}, {}, {}, {}, {}, {}, {}};
@@ -317,7 +341,7 @@ RecursiveSolution<T> recursive_accelerations(System<T>& system, const Recursion&
   s.force = tau;
   for (std::size_t i = 0; i < n; ++i) s.force[i] = s.force[i] + forces.joint[i];
   s.force = quasi_forces(work, s.force);
-  detail::eliminate_units(s, forces, partitions, solution);
+  detail::eliminate_units(s, forces, projections, solution);
   detail::solve_units(s, solution);
   return solution;
 }

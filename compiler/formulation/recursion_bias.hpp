@@ -6,7 +6,8 @@
 
 namespace mbgen::detail {
 
-/// Constants of the bodies: rods' ends of m/2 (the rest is the rod's dyad, see add_rods) and locked rotors.
+/// Constants of the bodies, named m_, h_ (first moments) and K_ (second moments): rods' ends of m/2 (the rest is the
+/// rod's dyad, see add_rods) and locked rotors.
 template <class T>
 void set_constants(RecursionState<T>& s) {
   const System<T>& system = s.system();
@@ -32,6 +33,14 @@ void set_constants(RecursionState<T>& s) {
     s.constant[unit.base] = s.constant[unit.base] + from_central(c.mass[w], com, j + spin);
     s.constant[w] = {};
   }
+  for (std::size_t i = 0; i < n; ++i) {
+    const std::string& body = system.topology.bodies[i].name;
+    system.scribe.constant(s.constant[i].mass, "m_", body);
+    name_constant(system.scribe, s.constant[i].moment, "h_", body);
+    name_constant(system.scribe, s.constant[i].second, "K_", body);
+    system.scribe.constant(s.constant[i].trace, "K_", body, "_trace");
+    system.scribe.constant(s.polar[i], "I_", body, "_polar");
+  }
 }
 
 /// Angular velocities, bodies of blocks against their base as well (step 4).
@@ -42,13 +51,14 @@ void set_velocities(RecursionState<T>& s) {
   s.omega.resize(system.topology.bodies.size());
   for (std::size_t u = 0; u < s.units().size(); ++u) {
     const RecursionUnit& unit = s.units()[u];
-    system.scribe.place(system.layout.titles[unit.end()]);
+    const auto heading = system.scribe.within(system.layout.titles[unit.end()]);
     const Vector<T> base = s.omega_of(unit.base);
     if (unit.rotor) continue;
     if (unit.block >= 0) {
       s.blocks[u].velocity = block_motion(s.work, unit, s.velocity);
       for (const JointStep& step : unit.steps) {
         const int i = step.body();
+        const auto of_body = system.scribe.within(system.layout.titles[i]);
         s.omega[i] = base + s.blocks[u].velocity[i].angular;
         if (s.work.own(i)) s.omega[i] = transposed_times(s.k().orientation[i], s.omega[i]);
         name(system.scribe, s.omega[i], "w_", system.body_name(i));

@@ -109,9 +109,7 @@ std::vector<NearRow<T>> near_rows(const RecursionWork<T>& work, const RecursionU
     return {near_distance(end(rod.from), end(rod.to))};
   }
   const Joint& joint = system.model.joints[loop.joint];
-  const auto at = [&](const Attachment& a) {
-    return end(place_of(system.model, system.topology, system.constants, a, system.environment));
-  };
+  const auto at = [&](const Attachment& a) { return end(place_of(system, a)); };
   const NearEnd<T> from = at(joint.from), to = at(joint.to);
   const auto triad_at = [&](int body, const Vector3& axis) {
     const Triad t = triad(axis);
@@ -126,9 +124,7 @@ std::vector<NearRow<T>> near_rows(const RecursionWork<T>& work, const RecursionU
 template <class T>
 void add_columns(const RecursionWork<T>& work, const RecursionUnit& unit, const Loop& loop, int body,
                  const Vector<T>& force, Vector<T> moment, double sign, std::map<int, T>& row) {
-  const auto local = [&](int joint) {
-    return static_cast<int>(std::lower_bound(unit.joints.begin(), unit.joints.end(), joint) - unit.joints.begin());
-  };
+  const auto local = [&](int joint) { return static_cast<int>(unit.column(joint)); };
   while (body != unit.base) {
     const JointStep& step = *work.step[body];
     const Vector<T>& acting = step.revolute ? moment : force;
@@ -156,7 +152,7 @@ SparseClosure<T> quasi_closure(const RecursionWork<T>& work, const RecursionUnit
   SparseClosure<T> result;
   for (int l : work.system.topology.blocks[unit.block].loops) {
     const Loop& loop = work.system.topology.loops[l];
-    work.system.scribe.place(loop.name);
+    const auto heading = work.system.scribe.within(loop.name);
     for (const detail::NearRow<T>& row : detail::near_rows(work, unit, velocity, bias, loop)) {
       std::map<int, T> columns;
       detail::add_columns(work, unit, loop, loop.body_from, row.force, row.moment_from, 1.0, columns);

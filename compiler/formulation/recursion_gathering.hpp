@@ -128,8 +128,7 @@ void gather_held(RecursionState<T>& s, BlockGathering<T>& g, const JointStep& st
   held.inertia = held.inertia + shifted(offset, whole);
   held.needed = held.needed + shifted(offset, needed);
   held.momentum.resize(g.equations.size());
-  const auto local = std::lower_bound(g.unit.joints.begin(), g.unit.joints.end(), i) - g.unit.joints.begin();
-  const std::vector<T>& rate = g.parts.rz[local];
+  const std::vector<T>& rate = g.parts.rz[g.unit.column(i)];
   std::vector<T> coupled;
   for (std::size_t q = 0; q < g.equations.size(); ++q) {
     coupled.push_back(dot(seen_below, g.parts.partial[q][below]) + half * rate[q]);
@@ -228,7 +227,7 @@ Carried<T> gather_block(RecursionState<T>& s, std::size_t u) {
                       {},      PerBody<Held<T>>(unit)};
   start_equations(s, g);
   for (auto step = unit.steps.rbegin(); step != unit.steps.rend(); ++step) {
-    system.scribe.place(system.layout.titles[step->body()]);
+    const auto heading = system.scribe.within(system.layout.titles[step->body()]);
     if (is_arm(s, unit, *step))
       gather_arm(s, g, step->body());
     else if (is_held(s, unit, *step))
@@ -239,7 +238,7 @@ Carried<T> gather_block(RecursionState<T>& s, std::size_t u) {
   for (int l : system.topology.blocks[unit.block].loops) {
     const Loop& loop = system.topology.loops[l];
     if (loop.kind != ClosureKind::rod || is_zero(system.constants.rods[loop.rod].coupling)) continue;
-    system.scribe.place(loop.name);
+    const auto heading = system.scribe.within(loop.name);
     gather_rod(s, g, system.constants.rods[loop.rod]);
   }
   return g.base;

@@ -57,11 +57,11 @@ RecursionWork<T> recursion_work(System<T>& system, const Recursion& recursion, c
     for (const JointStep& step : unit.steps) {
       const int body = step.body(), first = step.joints[0], p = work.parent(step);
       work.step[body] = &step;
+      const auto heading = system.scribe.within(system.layout.titles[body]);
       if (step.quasi()) work.quasi[body] = quasi_axes(system, k, step);
       if (unit.block < 0) continue;
-      const Vector<T> before = p == kGround ? Vector<T>{} : system.constants.origin[p];
       const Matrix<T> axes = p == unit.base ? identity<T>() : k.orientation[p];
-      work.offset[body] = axes * (system.constants.origin[first] - before);
+      work.offset[body] = axes * joint_offset(system, first);
       if (!step.revolute) work.offset[body] = work.offset[body] + system.z(first) * k.axis[first];
     }
   return work;
@@ -85,6 +85,7 @@ PerBody<Spatial<T>> block_motion(const RecursionWork<T>& work, const RecursionUn
   PerBody<Spatial<T>> motion(unit);
   for (const JointStep& step : unit.steps) {
     const int p = work.parent(step);
+    const auto heading = work.system.scribe.within(work.system.layout.titles[step.body()]);
     const Spatial<T> below = p == unit.base ? Spatial<T>{} : motion[p];
     motion[step.body()] =
         Spatial<T>{velocity_at(below, work.offset[step.body()]), below.angular} + step_motion(work, step, values);
@@ -106,6 +107,7 @@ std::vector<T> quasi_velocities(const RecursionWork<T>& work) {
   std::vector<T> values = work.system.environment.zd;
   for (const JointStep* step : work.step) {
     if (step == nullptr || !step->quasi()) continue;
+    const auto heading = work.system.scribe.within(work.system.layout.titles[step->body()]);
     const Vector<T> sum = rate_sum(work, *step);
     values[step->joints[0]] = sum.x;
     values[step->joints[1]] = sum.y;
@@ -119,6 +121,7 @@ template <class T>
 std::vector<T> quasi_forces(const RecursionWork<T>& work, std::vector<T> tau) {
   for (const JointStep* step : work.step) {
     if (step == nullptr || !step->quasi()) continue;
+    const auto heading = work.system.scribe.within(work.system.layout.titles[step->body()]);
     const QuasiAxes<T>& q = work.quasi[step->body()];
     const auto part = [&](int c) { return tau[step->joints[c]] * q.dual[c]; };
     const Vector<T> sum = part(0) + part(1) + part(2);
@@ -146,6 +149,51 @@ void set_joint_accelerations(const RecursionWork<T>& work, const JointStep& step
   for (int c = 0; c < 3; ++c) zdd[step.joints[c]] = dot(q.dual[c], left);
 }
 
+/// Rows of a block's projection over joint rates, those of quasi steps replaced by quasi-velocities.
+/// rz: [column of the block][free direction], columns as unit.joints.
+template <class T>
+std::vector<std::vector<T>> quasi_projection(const RecursionWork<T>& work, const RecursionUnit& unit,
+                                             std::vector<std::vector<T>> rz) {
+  for (const JointStep& step : unit.steps) {
+    if (!step.quasi()) continue;
+    const QuasiAxes<T>& axes = work.quasi[step.body()];
+    std::vector<T>* rows[3];
+    for (int c = 0; c < 3; ++c) rows[c] = &rz[unit.column(step.joints[c])];
+    for (std::size_t q = 0; q < rows[0]->size(); ++q) {
+      const auto part = [&](int c) { return (*rows[c])[q] * axes.axis[c]; };
+      const Vector<T> sum = part(0) + part(1) + part(2);
+      (*rows[0])[q] = sum.x;
+      (*rows[1])[q] = sum.y;
+      (*rows[2])[q] = sum.z;
+    }
+  }
+  return rz;
+}
+
+/// Joint accelerations of a block with those of quasi steps replaced by quasi-accelerations: the inverse of
+/// set_joint_accelerations. velocity: of the block's bodies against the base.
+template <class T>
+std::vector<T> quasi_accelerations(const RecursionWork<T>& work, const RecursionUnit& unit,
+                                   const PerBody<Spatial<T>>& velocity, std::vector<T> zdd) {
+  for (const JointStep& step : unit.steps) {
+    if (!step.quasi()) continue;
+    const QuasiAxes<T>& axes = work.quasi[step.body()];
+    const int p = work.parent(step);
+    Vector<T> sum, turning = p == unit.base ? Vector<T>{} : velocity[p].angular;
+    for (int c = 0; c < 3; ++c) {
+      sum = sum + zdd[unit.column(step.joints[c])] * axes.axis[c];
+      if (!step.revolute) continue;
+      const Vector<T> rate = work.system.zd(step.joints[c]) * axes.axis[c];
+      sum = sum + cross(turning, rate);
+      turning = turning + rate;
+    }
+    zdd[unit.column(step.joints[0])] = sum.x;
+    zdd[unit.column(step.joints[1])] = sum.y;
+    zdd[unit.column(step.joints[2])] = sum.z;
+  }
+  return zdd;
+}
+
 /// Acceleration of a body's origin, angular, and the gradient w~w~ + alpha~.
 template <class T>
 struct BodyAcceleration {
@@ -160,6 +208,7 @@ PerBody<BodyAcceleration<T>> block_bias(const RecursionWork<T>& work, const Recu
   PerBody<BodyAcceleration<T>> bias(unit);
   for (const JointStep& step : unit.steps) {
     const int body = step.body(), p = work.parent(step);
+    const auto heading = work.system.scribe.within(work.system.layout.titles[body]);
     const BodyAcceleration<T> below = p == unit.base ? BodyAcceleration<T>{} : bias[p];
     const Vector<T> turning = p == unit.base ? Vector<T>{} : velocity[p].angular;
     BodyAcceleration<T> b{below.linear + below.gradient * work.offset[body], below.angular, below.gradient};

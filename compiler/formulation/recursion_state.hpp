@@ -1,6 +1,8 @@
 #pragma once
 // What the passes of the recursive form share, and what they leave.
 
+#include <variant>
+
 #include "compiler/formulation/applied_forces.hpp"
 #include "compiler/formulation/driven.hpp"
 #include "compiler/formulation/loop_solution.hpp"
@@ -25,6 +27,11 @@ struct RecursiveSolution {
   std::vector<DirectionInertia<T>> inertia;
 };
 
+/// How a loop block follows its free directions: by its frozen partition over (quasi-)velocities, or by a projection
+/// over joint rates that was chosen at run time.
+template <class T>
+using BlockProjection = std::variant<LoopPartition, GroupProjection<T>>;
+
 namespace detail {
 
 /// What moves on a body, about the body's origin in the frame that carries it (own frame, or that of its block's base).
@@ -39,6 +46,7 @@ struct Carried {
 /// What a block's solution needs on the way back.
 template <class T>
 struct BlockParts {
+  const GroupProjection<T>* chosen = nullptr;  ///< the projection over joint rates, where it was chosen at run time
   FrozenFactors<T> factors;
   std::vector<std::vector<T>> rz;
   std::vector<T> star;                       ///< per local column: accelerations at zero free ones

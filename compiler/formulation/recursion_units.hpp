@@ -29,6 +29,10 @@ struct RecursionUnit {
   std::vector<int> joints;       ///< ascending tree indices
   std::vector<JointStep> steps;  ///< from the base on, parents first
   int end() const { return joints.back(); }
+  /// Place of a tree joint among `joints`.
+  std::size_t column(int joint) const {
+    return static_cast<std::size_t>(std::lower_bound(joints.begin(), joints.end(), joint) - joints.begin());
+  }
 };
 
 /// Values for the bodies of one unit alone, by tree index: its storage grows with the unit, not with the model. Of the

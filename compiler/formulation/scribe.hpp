@@ -20,16 +20,23 @@ enum class Step {
   solution
 };
 
-/// Receives step, place and name of the values in the making. This one, for numbers, ignores them.
+/// Receives step, heading and name of the values in the making. This one, for numbers, ignores them.
 template <class T>
 struct Scribe {
   void step(Step) {}
   /// A step of one part of the mechanism.
   void step(Step, const std::string&) {}
-  void place(const std::string&) {}
+  struct Heading {
+    ~Heading() {}  // NOLINT: a destructor that does something, so that no compiler calls a heading unused
+  };
+  /// Heading of the values made while the result lives.
+  [[nodiscard]] Heading within(const std::string&) { return {}; }
   /// parts: of the name; where nobody reads it, nobody puts it together.
   template <class... Parts>
   void name(const T&, const Parts&...) {}
+  /// Names a number of the model. parts: as of `name`.
+  template <class... Parts>
+  void constant(T&, const Parts&...) {}
 };
 
 /// Whether a value is known to be zero when the equations are written: then work on it is not done at all.
@@ -49,6 +56,21 @@ void name(Scribe<T>& scribe, const Matrix<T>& m, const Parts&... parts) {
   name(scribe, Vector<T>{m.x.x, m.y.x, m.z.x}, parts..., "_x");
   name(scribe, Vector<T>{m.x.y, m.y.y, m.z.y}, parts..., "_y");
   name(scribe, Vector<T>{m.x.z, m.y.z, m.z.z}, parts..., "_z");
+}
+template <class T, class... Parts>
+void name_constant(Scribe<T>& scribe, Vector<T>& v, const Parts&... parts) {
+  scribe.constant(v.x, parts..., "_x");
+  scribe.constant(v.y, parts..., "_y");
+  scribe.constant(v.z, parts..., "_z");
+}
+template <class T, class... Parts>
+void name_constant(Scribe<T>& scribe, Symmetric<T>& s, const Parts&... parts) {
+  scribe.constant(s.xx, parts..., "_xx");
+  scribe.constant(s.yy, parts..., "_yy");
+  scribe.constant(s.zz, parts..., "_zz");
+  scribe.constant(s.xy, parts..., "_xy");
+  scribe.constant(s.xz, parts..., "_xz");
+  scribe.constant(s.yz, parts..., "_yz");
 }
 template <class T>
 void name(Scribe<T>& scribe, const Spatial<T>& s, const char* linear, const char* angular, const std::string& of) {

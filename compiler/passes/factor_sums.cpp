@@ -88,12 +88,18 @@ class SumWriter {
     return sum;
   }
 
+  /// One value for all constants that are the same number under several names.
+  ValueId number_of(ValueId value) {
+    if (value == kNoValue || !builder_.is_constant(value)) return value;
+    return first_of_number_.try_emplace(builder_.node(value).constant, value).first->second;
+  }
+
   /// Removes each term with the first later one that is its opposite.
-  static void cancel(std::vector<Term>& terms) {
+  void cancel(std::vector<Term>& terms) {
     std::map<std::pair<ValueId, ValueId>, std::deque<std::size_t>> waiting;  // all of one sign, by what they are
     std::vector<bool> cancelled(terms.size(), false);
     for (std::size_t i = 0; i < terms.size(); ++i) {
-      std::deque<std::size_t>& equal = waiting[{terms[i].first, terms[i].second}];
+      std::deque<std::size_t>& equal = waiting[{number_of(terms[i].first), number_of(terms[i].second)}];
       if (equal.empty() || terms[equal.front()].negative == terms[i].negative) {
         equal.push_back(i);
       } else {
@@ -107,21 +113,30 @@ class SumWriter {
 
   /// Constants become one term, last of the plain ones, unless their sum is too large for a number.
   void merge_constants(std::vector<Term>& terms) {
-    double sum = 0;
     const auto is_constant = [&](const Term& t) { return !t.is_product() && builder_.is_constant(t.first); };
+    const auto first = std::find_if(terms.begin(), terms.end(), is_constant);
+    if (first == terms.end()) return;
+    if (std::none_of(first + 1, terms.end(), is_constant)) {
+      const Term only = *first;
+      std::erase_if(terms, is_constant);
+      terms.push_back(only);
+      return;
+    }
+    ValueId sum = builder_.constant(0);
     for (const Term& t : terms)
-      if (is_constant(t)) sum += (t.negative ? -1 : 1) * builder_.node(t.first).constant;
-    if (!std::isfinite(sum)) return;
-    if (std::erase_if(terms, is_constant) > 0 && sum != 0) terms.push_back({false, builder_.constant(sum), kNoValue});
+      if (is_constant(t)) sum = builder_.append(t.negative ? Op::subtract : Op::add, sum, t.first);
+    if (!builder_.is_constant(sum)) return;
+    std::erase_if(terms, is_constant);
+    if (!builder_.is_constant(sum, 0)) terms.push_back({false, sum, kNoValue});
   }
 
   /// The value that most products have as a factor, kNoValue when none is in two.
-  static ValueId common_factor(const std::vector<Term>& terms) {
+  ValueId common_factor(const std::vector<Term>& terms) {
     std::map<ValueId, int> count;
     for (const Term& t : terms) {
       if (!t.is_product()) continue;
-      ++count[t.first];
-      if (t.second != t.first) ++count[t.second];
+      ++count[number_of(t.first)];
+      if (number_of(t.second) != number_of(t.first)) ++count[number_of(t.second)];
     }
     ValueId best = kNoValue;
     int most = 1;
@@ -135,8 +150,8 @@ class SumWriter {
     for (ValueId common = common_factor(terms); common != kNoValue; common = common_factor(terms)) {
       std::vector<Term> cofactors, others;
       for (const Term& t : terms) {
-        if (t.is_product() && (t.first == common || t.second == common))
-          cofactors.push_back({t.negative, t.first == common ? t.second : t.first, kNoValue});
+        if (t.is_product() && (number_of(t.first) == common || number_of(t.second) == common))
+          cofactors.push_back({t.negative, number_of(t.first) == common ? t.second : t.first, kNoValue});
         else
           others.push_back(t);
       }
@@ -172,6 +187,7 @@ class SumWriter {
   ProgramBuilder builder_;
   std::vector<int> uses_;
   std::vector<bool> absorbed_;
+  std::map<double, ValueId> first_of_number_;
   std::vector<ValueId> renamed_;
 };
 

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "compiler/program/decimal.hpp"
+
 namespace mbgen {
 
 int arity(Op op) {
@@ -143,6 +145,13 @@ double apply(Op op, double first, double second, double third) {
       break;
   }
   throw std::logic_error("constants and inputs compute nothing");
+}
+
+double fold(Op op, double first, double second, double third) {
+  if (op == Op::add) return decimal_sum(first, second);
+  if (op == Op::subtract) return decimal_sum(first, -second);
+  if (op == Op::multiply) return decimal_product(first, second);
+  return apply(op, first, second, third);
 }
 
 bool is_commutative(Op op) { return op == Op::add || op == Op::multiply || op == Op::min || op == Op::max; }

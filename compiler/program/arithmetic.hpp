@@ -8,6 +8,9 @@ namespace mbgen {
 /// Value of `op` at its operands; operands beyond the arity are ignored. Requires: op is neither constant nor input.
 double apply(Op op, double first, double second, double third);
 
+/// The constant that an operation of constants becomes: as `apply`, sums and products as decimals (decimal.hpp).
+double fold(Op op, double first, double second, double third);
+
 /// Operands may change places: add, multiply, min, max.
 bool is_commutative(Op op);
 

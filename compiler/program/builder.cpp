@@ -23,18 +23,6 @@ std::uint64_t mix(std::uint64_t hash, std::uint64_t word) {
   return hash ^ (hash >> 31);
 }
 
-std::uint64_t hash_of(const Node& node) {
-  std::uint64_t hash = mix(static_cast<std::uint64_t>(node.op), std::bit_cast<std::uint64_t>(node.constant));
-  for (const ValueId operand : node.operands) hash = mix(hash, operand);
-  return hash;
-}
-
-/// The same computation; place and label do not count.
-bool computes_same(const Node& a, const Node& b) {
-  return a.op == b.op && std::ranges::equal(a.operands, b.operands) &&
-         std::bit_cast<std::uint64_t>(a.constant) == std::bit_cast<std::uint64_t>(b.constant);
-}
-
 std::string slot_text(const Slot& slot) { return fmt::format("{}[{}]", slot.group, slot.index); }
 
 /// Index of a title, appended when it is new.
@@ -62,6 +50,7 @@ ProgramBuilder ProgramBuilder::like(const Program& program) {
   builder.program_.inputs = program.inputs;
   builder.program_.sections = program.sections;
   builder.program_.blocks = program.blocks;
+  for (const NamedConstant& constant : program.constants) builder.name_constant(constant.value, constant.name);
   builder.program_.nodes.reserve(program.nodes.size());
   builder.shared_.reserve(program.nodes.size());
   builder.input_value_.assign(program.inputs.size(), kNoValue);
@@ -69,10 +58,19 @@ ProgramBuilder ProgramBuilder::like(const Program& program) {
   return builder;
 }
 
-ValueId ProgramBuilder::constant(double value) {
+ValueId ProgramBuilder::constant(double value, std::int32_t name) {
   Node node;
   node.constant = value == 0 ? 0.0 : value;
+  node.label = name;
   return share_or_push(node);
+}
+
+std::int32_t ProgramBuilder::name_constant(double value, const std::string& name) {
+  if (value == 0 || std::abs(value) == 1 || !std::isfinite(value)) return -1;
+  const auto found = named_.find(name);
+  if (found != named_.end() && named_constant(found->second).value == value) return found->second;
+  program_.constants.push_back({name, value});
+  return named_[name] = static_cast<std::int32_t>(program_.constants.size() - 1);
 }
 
 ValueId ProgramBuilder::input(const std::string& group, int index) {
@@ -111,7 +109,7 @@ ValueId ProgramBuilder::append(Op op, ValueId first, ValueId second, ValueId thi
     values[i] = node(operands[i]).constant;
   }
   if (all_constant) {
-    const double value = apply(op, values[0], values[1], values[2]);
+    const double value = fold(op, values[0], values[1], values[2]);
     if (std::isfinite(value)) return constant(value);
   }
   order_operands(program_.nodes, op, operands);
@@ -125,6 +123,27 @@ ValueId ProgramBuilder::append(Op op, ValueId first, ValueId second, ValueId thi
   node.section = section_;
   node.block = block_;
   return share_or_push(node);
+}
+
+// Operations are the same when their constants have the same value, whatever their names.
+std::uint64_t ProgramBuilder::hash_of(const Node& node) const {
+  std::uint64_t hash = mix(static_cast<std::uint64_t>(node.op), std::bit_cast<std::uint64_t>(node.constant));
+  for (const ValueId operand : node.operands) {
+    const bool is_number = operand != kNoValue && is_constant(operand);
+    hash = mix(hash, is_number ? std::bit_cast<std::uint64_t>(this->node(operand).constant) : operand);
+  }
+  return hash;
+}
+
+/// The same computation; place and label do not count, but the name of a constant itself.
+bool ProgramBuilder::computes_same(const Node& a, const Node& b) const {
+  const auto same_operand = [&](ValueId x, ValueId y) {
+    if (x == y) return true;
+    return x != kNoValue && y != kNoValue && is_constant(x) && is_constant(y, node(x).constant);
+  };
+  return a.op == b.op && (a.op != Op::constant || a.label == b.label) &&
+         std::ranges::equal(a.operands, b.operands, same_operand) &&
+         std::bit_cast<std::uint64_t>(a.constant) == std::bit_cast<std::uint64_t>(b.constant);
 }
 
 ValueId ProgramBuilder::share_or_push(const Node& node) {
@@ -145,7 +164,11 @@ ValueId ProgramBuilder::push(const Node& node) {
 }
 
 ValueId ProgramBuilder::copy(const Program& source, const Node& node, std::span<const ValueId> renamed) {
-  if (node.op == Op::constant) return constant(node.constant);
+  if (node.op == Op::constant) {
+    if (node.label < 0) return constant(node.constant);
+    const NamedConstant& named = source.constants[static_cast<std::size_t>(node.label)];
+    return constant(node.constant, name_constant(named.value, named.name));
+  }
   if (node.op == Op::input) {
     const Slot& slot = source.inputs[static_cast<std::size_t>(node.input)];
     return input(slot.group, slot.index);

@@ -48,8 +48,11 @@ std::vector<Rank> ranks_of_nodes(const Program& program, std::span<const std::ui
     const Node& node = program.nodes[value];
     static const Slot kNone;
     const Slot& slot = node.op == Op::input ? program.inputs[static_cast<std::size_t>(node.input)] : kNone;
-    return std::tuple<Op, double, const std::string&, int, std::array<Rank, 3>>(node.op, node.constant, slot.group,
-                                                                                slot.index, operand_ranks(node, ranks));
+    static const std::string kUnnamed;
+    const bool is_named = node.op == Op::constant && node.label >= 0;
+    const std::string& name = is_named ? program.constants[static_cast<std::size_t>(node.label)].name : kUnnamed;
+    return std::tuple<Op, double, const std::string&, const std::string&, int, std::array<Rank, 3>>(
+        node.op, node.constant, name, slot.group, slot.index, operand_ranks(node, ranks));
   };
   for (auto begin = order.begin(); begin != order.end();) {
     const auto end = std::find_if(begin, order.end(), [&](ValueId value) { return wave(value) != wave(*begin); });
@@ -58,6 +61,8 @@ std::vector<Rank> ranks_of_nodes(const Program& program, std::span<const std::ui
   }
   return ranks;
 }
+
+bool is_labelled(const Node& node) { return node.op != Op::constant && node.label >= 0; }
 
 /// Where the walk of a moment begins: at its values with names, in the order of naming, then at those that no other
 /// value of the moment needs.
@@ -68,7 +73,7 @@ std::vector<ValueId> starts_of_moments(const Program& program, std::span<const s
     const Node& node = program.nodes[i];
     for (int k = 0; k < arity(node.op); ++k) {
       const ValueId operand = node.operands[k];
-      if (moments[operand] == moments[i] && program.nodes[operand].label < 0) is_start[operand] = false;
+      if (moments[operand] == moments[i] && !is_labelled(program.nodes[operand])) is_start[operand] = false;
     }
   }
   std::vector<ValueId> starts;
@@ -76,7 +81,7 @@ std::vector<ValueId> starts_of_moments(const Program& program, std::span<const s
     if (is_start[i]) starts.push_back(static_cast<ValueId>(i));
   }
   std::ranges::sort(starts, {}, [&](ValueId value) {
-    const std::int32_t label = program.nodes[value].label;
+    const std::int32_t label = is_labelled(program.nodes[value]) ? program.nodes[value].label : -1;
     return std::tuple(moments[value], label < 0, label, ranks[value]);
   });
   return starts;

@@ -22,7 +22,9 @@ void append_value(std::string& text, const Program& program, std::size_t value) 
     fmt::format_to(end, " {}[{}]", slot.group, slot.index);
   }
   for (int i = 0; i < arity(node.op); ++i) fmt::format_to(end, " %{}", node.operands[i]);
-  if (node.label >= 0) fmt::format_to(end, "  ; {}", program.labels[static_cast<std::size_t>(node.label)]);
+  const auto label = static_cast<std::size_t>(node.label);
+  if (node.label >= 0)
+    fmt::format_to(end, "  ; {}", node.op == Op::constant ? program.constants[label].name : program.labels[label]);
   text += '\n';
 }
 

@@ -10,13 +10,16 @@ namespace {
 bool is(const Expr& a, double constant) { return a.is_constant() && a.constant() == constant; }
 
 Expr record(Op op, const Expr& a) {
-  if (a.is_constant()) return apply(op, a.constant(), 0, 0);
+  if (a.is_constant()) {
+    const Expr value = fold(op, a.constant(), 0, 0);
+    return op == Op::negate ? value.named(a.name()) : value;
+  }
   ProgramBuilder& builder = *a.builder();
   return Expr(builder, builder.append(op, a.value(builder)));
 }
 
 Expr record(Op op, const Expr& a, const Expr& b) {
-  if (a.is_constant() && b.is_constant()) return apply(op, a.constant(), b.constant(), 0);
+  if (a.is_constant() && b.is_constant()) return fold(op, a.constant(), b.constant(), 0);
   ProgramBuilder& builder = a.is_constant() ? *b.builder() : *a.builder();
   return Expr(builder, builder.append(op, a.value(builder), b.value(builder)));
 }
@@ -35,10 +38,18 @@ Expr::Expr(ProgramBuilder& builder, ValueId value) : builder_(&builder), value_(
   if (!builder.is_constant(value)) return;
   builder_ = nullptr;
   constant_ = builder.node(value).constant;
+  name_ = builder.node(value).label;
+}
+
+Expr Expr::named(std::int32_t name) const {
+  Expr result = *this;
+  result.name_ = name;
+  return result;
 }
 
 ValueId Expr::value(ProgramBuilder& builder) const {
-  if (is_constant()) return std::isfinite(constant_) ? builder.constant(constant_) : not_finite(builder, constant_);
+  if (is_constant())
+    return std::isfinite(constant_) ? builder.constant(constant_, name_) : not_finite(builder, constant_);
   if (builder_ != &builder) throw std::logic_error("an expression mixes values of two programs");
   return value_;
 }

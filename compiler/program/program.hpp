@@ -51,7 +51,7 @@ struct Node {
   std::int32_t input = -1;    ///< for Op::input: index into Program::inputs
   std::uint16_t section = 0;  ///< index into Program::sections
   std::uint16_t block = 0;    ///< index into Program::blocks
-  std::int32_t label = -1;    ///< index into Program::labels, or -1
+  std::int32_t label = -1;    ///< index into Program::labels, of a constant into Program::constants, or -1
 };
 
 /// An input or output: `group` is the array it belongs to ("z", "zd", "tau", "zdd", ...), `index` its place there.
@@ -59,6 +59,12 @@ struct Slot {
   std::string group;
   int index = 0;
   bool operator==(const Slot&) const = default;
+};
+
+/// A number of the model as the formulation takes it: a mass, a coordinate of a point.
+struct NamedConstant {
+  std::string name;
+  double value = 0;
 };
 
 struct OutputValue {
@@ -79,7 +85,9 @@ struct Program {
                  ///< 0 is "": inputs, constants and what was appended before the first set_section
   std::vector<std::string>
       blocks;  ///< titles such as "carrier_left: carrier_left_ry, revolute, carrier_left_aux2"; 0 is ""
-  std::vector<std::string> labels;  ///< names given by the formulation, for example "R_carrier_left_xz"
+  std::vector<std::string> labels;       ///< names given by the formulation, for example "R_carrier_left_xz"
+  std::vector<NamedConstant> constants;  ///< numbers of the model: a constant with a label is one of these, or its
+                                         ///< negative
 };
 
 int arity(Op op);
@@ -95,11 +103,18 @@ const char* op_name(Op op);
 class ProgramBuilder {
  public:
   explicit ProgramBuilder(std::string name);
-  /// A builder with the name, inputs, sections and blocks of `program`, but none of its values: the start of a
-  /// rewritten program.
+  /// A builder with the name, inputs, sections, blocks and named constants of `program`, but none of its values: the
+  /// start of a rewritten program.
   static ProgramBuilder like(const Program& program);
 
-  ValueId constant(double value);
+  /// name: of name_constant, -1 for none. Nodes of one value under several names stay apart, but operations on them are
+  /// shared: a number never bears the name of another one.
+  ValueId constant(double value, std::int32_t name = -1);
+  /// A name for a number of the model: index into Program::constants. 0, 1 and -1 are structure and get none: -1.
+  std::int32_t name_constant(double value, const std::string& name);
+  const NamedConstant& named_constant(std::int32_t name) const {
+    return program_.constants[static_cast<std::size_t>(name)];
+  }
   /// The input of this slot; created at first use.
   ValueId input(const std::string& group, int index);
   /// Requires: as many operands as arity(op), all of this builder; neither constant nor input. Fails: std::logic_error
@@ -114,7 +129,8 @@ class ProgramBuilder {
   /// Values appended from now on belong to this section / block (found by title, created at first use).
   void set_section(const std::string& title);
   void set_block(const std::string& title);
-  /// Names a value; the first name given to a value stays. Constants and inputs are not named.
+  const std::string& block() const { return program_.blocks[block_]; }
+  /// Names a value; the first name given to a value stays. Constants and inputs are not named here.
   void label(ValueId value, const std::string& name);
 
   const Node& node(ValueId value) const { return program_.nodes[value]; }
@@ -130,6 +146,8 @@ class ProgramBuilder {
 
  private:
   ValueId share_or_push(const Node& node);
+  std::uint64_t hash_of(const Node& node) const;
+  bool computes_same(const Node& a, const Node& b) const;
   ValueId input(std::size_t index);
   ValueId push(const Node& node);
   Program program_;
@@ -140,6 +158,7 @@ class ProgramBuilder {
   std::unordered_multimap<std::uint64_t, ValueId> shared_;    ///< values by hash
   std::unordered_map<std::string, std::uint16_t> section_index_, block_index_;  ///< of the titles, filled when asked
   std::uint16_t section_ = 0, block_ = 0;
+  std::unordered_map<std::string, std::int32_t> named_;  ///< index into Program::constants by name, last of each
 };
 
 /// Text of the first broken invariant, empty when the program is sound. Always on: called by finish and by every pass.
@@ -194,7 +213,8 @@ Program differentiate(const Program& program, std::span<const int> seed_of_input
 Program jacobian(const Program& program, const std::string& output_group, const std::string& input_group);
 
 /// A scalar that records. Constants need no builder; mixing with a recorded value takes that value's builder.
-/// Two constants fold as double arithmetic does. Fails: std::logic_error when values of two builders are mixed.
+/// Two constants fold as the decimals that people typed, see decimal.hpp. Fails: std::logic_error when values of two
+/// builders are mixed.
 class Expr {
  public:
   Expr() = default;
@@ -203,6 +223,8 @@ class Expr {
 
   bool is_constant() const { return builder_ == nullptr; }  ///< known at trace time
   double constant() const { return constant_; }             ///< Requires: is_constant()
+  std::int32_t name() const { return name_; }               ///< of a constant, see ProgramBuilder::name_constant
+  Expr named(std::int32_t name) const;                      ///< Requires: is_constant()
   ValueId value(ProgramBuilder& builder) const;
   ProgramBuilder* builder() const { return builder_; }
 
@@ -210,6 +232,7 @@ class Expr {
   ProgramBuilder* builder_ = nullptr;
   ValueId value_ = kNoValue;
   double constant_ = 0;
+  std::int32_t name_ = -1;
 };
 
 Expr operator+(const Expr& a, const Expr& b);

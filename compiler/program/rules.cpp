@@ -17,7 +17,7 @@ bool is_negation(const ProgramBuilder& builder, ValueId value) {
 /// x of the value -x.
 ValueId negated(ProgramBuilder& builder, ValueId negation) {
   const Node& node = builder.node(negation);
-  return node.op == Op::negate ? node.operands[0] : builder.constant(-node.constant);
+  return node.op == Op::negate ? node.operands[0] : builder.constant(-node.constant, node.label);
 }
 
 // 0 + x    -> x

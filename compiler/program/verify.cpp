@@ -48,8 +48,14 @@ std::string verify_node(const Program& program, std::size_t value, std::vector<b
   }
   if (node.section >= program.sections.size()) return fmt::format("%{}: no section {}", value, node.section);
   if (node.block >= program.blocks.size()) return fmt::format("%{}: no block {}", value, node.block);
-  if (node.label < -1 || (node.label >= 0 && static_cast<std::size_t>(node.label) >= program.labels.size())) {
+  const std::size_t labels = node.op == Op::constant ? program.constants.size() : program.labels.size();
+  if (node.label < -1 || (node.label >= 0 && static_cast<std::size_t>(node.label) >= labels)) {
     return fmt::format("%{}: no label {}", value, node.label);
+  }
+  if (node.op == Op::constant && node.label >= 0 &&
+      std::abs(node.constant) != std::abs(program.constants[static_cast<std::size_t>(node.label)].value)) {
+    return fmt::format("%{}: {} is not {}", value, node.constant,
+                       program.constants[static_cast<std::size_t>(node.label)].name);
   }
   return "";
 }

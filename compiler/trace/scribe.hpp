@@ -20,13 +20,38 @@ struct Scribe<Expr> {
   ProgramBuilder& builder;
   Form form = Form::matrix;
   void step(Step step, const std::string& part = "");
-  void place(const std::string& title) { builder.set_block(title); }
+  /// Goes back to the heading before.
+  class Heading {
+   public:
+    Heading(ProgramBuilder& builder, const std::string& title) : builder_(builder), before_(builder.block()) {
+      builder.set_block(title);
+    }
+    Heading(const Heading&) = delete;
+    Heading& operator=(const Heading&) = delete;
+    ~Heading() { builder_.set_block(before_); }
+
+   private:
+    ProgramBuilder& builder_;
+    std::string before_;
+  };
+  [[nodiscard]] Heading within(const std::string& title) { return {builder, title}; }
   template <class... Parts>
   void name(const Expr& value, const Parts&... parts) {
     if (value.is_constant()) return;
     std::string text;
     (text.append(parts), ...);
     builder.label(value.value(builder), text);
+  }
+  /// A number that follows from tunable parameters is a value like others.
+  template <class... Parts>
+  void constant(Expr& value, const Parts&... parts) {
+    std::string text;
+    (text.append(parts), ...);
+    if (value.is_constant()) {
+      value = value.named(builder.name_constant(value.constant(), text));
+    } else {
+      builder.label(value.value(builder), text);
+    }
   }
 };
 

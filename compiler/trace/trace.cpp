@@ -32,13 +32,13 @@ FrozenBlocks frozen_jacobians(Tracing& tracing, const Kinematics<Expr>& k) {
   const RelativeMotion<Expr> rest = at_rest<Expr>(system.topology);
   for (std::size_t b = 0; b < system.topology.blocks.size(); ++b) {
     const SparseClosure<Expr> closed = sparse_closure(system, k, system.topology.blocks[b], rest);
-    tracing.scribe.place(fmt::format("loop block {}", b));
+    const auto heading = tracing.scribe.within(fmt::format("loop block {}", b));
     const std::size_t coordinates = system.topology.blocks[b].joints.size();
     blocks.factors.push_back(factorise_frozen(closed.jacobian, tracing.analysis.blocks[b], coordinates));
   }
   tracing.scribe.step(Step::projection);
   for (std::size_t b = 0; b < system.topology.blocks.size(); ++b) {
-    tracing.scribe.place(fmt::format("loop block {}", b));
+    const auto heading = tracing.scribe.within(fmt::format("loop block {}", b));
     blocks.rz.push_back(
         frozen_rz(blocks.factors[b], tracing.analysis.blocks[b], system.topology.blocks[b].joints.size()));
     for (std::size_t c = 0; c < blocks.rz[b].size(); ++c)
@@ -59,7 +59,7 @@ void frozen_bias(Tracing& tracing, const Kinematics<Expr>& k, FrozenBlocks& bloc
     const LoopBlock& block = system.topology.blocks[b];
     set_relative_motion(system, k, block, relative);
     const SparseClosure<Expr> closed = sparse_closure(system, k, block, relative);
-    tracing.scribe.place(fmt::format("loop block {}", b));
+    const auto heading = tracing.scribe.within(fmt::format("loop block {}", b));
     blocks.zdd_star.push_back(frozen_zdd_star(blocks.factors[b], tracing.analysis.blocks[b], closed,
                                               tracing.driven_values(block, &Drive<Expr>::acceleration)));
     for (std::size_t c = 0; c < block.joints.size(); ++c)
@@ -83,7 +83,7 @@ void trace_solution(Tracing& tracing, const Kinematics<Expr>& k, const Inertias<
   tracing.outputs("xd", forces.xd);
 }
 
-Program trace_accelerations(const Model& model, const Topology& topology, const Analysis& analysis) {
+Program trace_matrix_accelerations(const Model& model, const Topology& topology, const Analysis& analysis) {
   Tracing tracing("accelerations", model, topology, analysis);
   System<Expr>& system = tracing.system;
   const Kinematics<Expr> k = kinematics(system);
@@ -105,7 +105,7 @@ Program trace_accelerations(const Model& model, const Topology& topology, const 
   return tracing.builder.finish_in_canonical_order();
 }
 
-Program trace_accelerations_chosen(const Model& model, const Topology& topology, const Analysis& analysis) {
+Program trace_matrix_accelerations_chosen(const Model& model, const Topology& topology, const Analysis& analysis) {
   Tracing tracing("accelerations_chosen", model, topology, analysis);
   System<Expr>& system = tracing.system;
   const Kinematics<Expr> k = kinematics(system);
@@ -120,15 +120,7 @@ Program trace_accelerations_chosen(const Model& model, const Topology& topology,
       projections.push_back(single_projection(tracing, group.joints[0]));
       continue;
     }
-    GroupProjection<Expr> chosen;
-    const int free = static_cast<int>(analysis.blocks[group.block].independent.size());
-    for (std::size_t c = 0; c < group.joints.size(); ++c) {
-      chosen.zdd_star.push_back(tracing.input(fmt::format("zdd_star{}", group.block), static_cast<int>(c)));
-      chosen.rz.emplace_back();
-      for (int q = 0; q < free; ++q)
-        chosen.rz.back().push_back(tracing.input(fmt::format("Rz{}", group.block), static_cast<int>(c) * free + q));
-    }
-    projections.push_back(std::move(chosen));
+    projections.push_back(chosen_projection(tracing, static_cast<std::size_t>(group.block)));
   }
   trace_solution(tracing, k, m, v, forces, projections);
   return tracing.builder.finish_in_canonical_order();
@@ -152,7 +144,7 @@ Program trace_closure(const Model& model, const Topology& topology, const Analys
     const SparseClosure<Expr> closed = sparse_closure(system, k, block, rest);
     const FrozenFactors<Expr> factors = factorise_frozen(closed.jacobian, partition, block.joints.size());
     tracing.scribe.step(Step::velocities);
-    tracing.scribe.place(fmt::format("loop block {}", b));
+    const auto heading = tracing.scribe.within(fmt::format("loop block {}", b));
     std::vector<Expr> open, still(closed.residual.size(), Expr(0.0)), known_z, known_zd;
     for (const Expr& value : closed.residual) open.push_back(-value);
     for (int j : block.joints) {
@@ -195,14 +187,13 @@ Program trace_closure_terms(const Model& model, const Topology& topology, const 
   System<Expr>& system = tracing.system;
   const Kinematics<Expr> k = kinematics(system);
   RelativeMotion<Expr> relative = at_rest<Expr>(topology);
-  const bool again = chooses_again(topology, analysis);
+  const bool again = chooses_again(topology);
   for (std::size_t b = 0; b < topology.blocks.size(); ++b) {
     const LoopBlock& block = topology.blocks[b];
     tracing.scribe.step(Step::jacobian);
     set_relative_motion(system, k, block, relative);
     const SparseClosure<Expr> closed = sparse_closure(system, k, block, relative);
     tracing.outputs(fmt::format("Phi{}", b), closed.residual);
-    tracing.outputs(fmt::format("ct{}", b), std::vector<Expr>(closed.residual.size(), Expr(0.0)));
     tracing.outputs(fmt::format("c{}", b), closed.acceleration);
     if (!again) {
       tracing.outputs(fmt::format("rate{}", b), rates_of(system, closed, block));
@@ -214,11 +205,7 @@ Program trace_closure_terms(const Model& model, const Topology& topology, const 
       for (int c = 0; c < static_cast<int>(block.joints.size()); ++c) tracing.output(group, first++, row.at(c));
     }
   }
-  for (const Drive<Expr>& d : tracing.drive) {
-    tracing.output("driven_position", d.coordinate, d.position);
-    tracing.output("driven_velocity", d.coordinate, d.velocity);
-    tracing.output("driven_acceleration", d.coordinate, d.acceleration);
-  }
+  for (const Drive<Expr>& d : tracing.drive) tracing.output("driven_acceleration", d.coordinate, d.acceleration);
   return tracing.builder.finish_in_canonical_order();
 }
 
@@ -269,7 +256,7 @@ Program trace_multipliers(const Model& model, const Topology& topology, const An
   for (std::size_t b = 0; b < topology.blocks.size(); ++b) {
     const LoopBlock& block = topology.blocks[b];
     const SparseClosure<Expr> closed = sparse_closure(system, s.kinematics, block, rest);
-    tracing.scribe.place(fmt::format("loop block {}", b));
+    const auto heading = tracing.scribe.within(fmt::format("loop block {}", b));
     std::vector<Expr> right_hand_side;
     for (int j : block.joints) right_hand_side.push_back(s.missing[j]);
     const FrozenFactors<Expr> factors = factorise_frozen(closed.jacobian, analysis.blocks[b], block.joints.size());
@@ -319,23 +306,40 @@ Program trace_outputs(const Model& model, const Topology& topology, const Analys
   return tracing.builder.finish_in_canonical_order();
 }
 
+/// The frozen and the chosen partition in one form, so that both are the same equations.
+void trace_all_accelerations(const Model& model, const Topology& topology, const Analysis& analysis,
+                             Programs& programs) {
+  const bool chooses = !topology.loops.empty() && chooses_again(topology);
+  if (programs.form == Form::matrix) {
+    programs.accelerations = trace_matrix_accelerations(model, topology, analysis);
+    if (chooses) programs.accelerations_chosen = trace_matrix_accelerations_chosen(model, topology, analysis);
+    return;
+  }
+  auto [program, choices] = cheapest_recursion(model, topology, analysis);
+  programs.accelerations = std::move(program);
+  if (chooses)
+    programs.accelerations_chosen =
+        trace_recursive_accelerations(model, topology, analysis, Partition::chosen, choices);
+}
+
 }  // namespace
 
-const char* name_of(Form form) { return form == Form::matrix ? "matrix" : "recursive"; }
+Form form_of(const Topology& topology, const Analysis& analysis) {
+  const LeastOperations least = least_operations(topology, analysis);
+  return is_worth_writing(least.recursive, least.matrix) ? Form::recursive : Form::matrix;
+}
+
+Program trace_accelerations(const Model& model, const Topology& topology, const Analysis& analysis, Form form) {
+  return form == Form::matrix ? trace_matrix_accelerations(model, topology, analysis)
+                              : cheapest_recursion(model, topology, analysis).program;
+}
 
 Programs trace(const Model& model, const Topology& topology, const Analysis& analysis, std::optional<Form> form) {
   Programs programs;
-  const LeastOperations least = least_operations(topology, analysis);
-  if (form == Form::matrix || is_worth_writing(least.matrix, least.recursive))
-    programs.accelerations = trace_accelerations(model, topology, analysis);
-  if (form == Form::recursive || is_worth_writing(least.recursive, least.matrix))
-    programs.recursive_accelerations = cheapest_recursion(model, topology, analysis);
+  programs.form = form.value_or(form_of(topology, analysis));
+  trace_all_accelerations(model, topology, analysis, programs);
   programs.closure = trace_closure(model, topology, analysis);
-  if (!topology.loops.empty()) {
-    programs.closure_terms = trace_closure_terms(model, topology, analysis);
-    if (chooses_again(topology, analysis))
-      programs.accelerations_chosen = trace_accelerations_chosen(model, topology, analysis);
-  }
+  if (!topology.loops.empty()) programs.closure_terms = trace_closure_terms(model, topology, analysis);
   programs.multipliers = trace_multipliers(model, topology, analysis);
   programs.outputs = trace_outputs(model, topology, analysis);
   for (int i : free_coordinates(topology, analysis))

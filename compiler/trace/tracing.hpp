@@ -23,6 +23,7 @@ class Tracing {
     scribe.step(Step::inertias);
     for (int i = 0; i < auxiliary_state_count(model); ++i) system.x.push_back(input("x", i));
     system.constants = make_constants(model, topology, system.environment);
+    name_constants(scribe, model, topology, system.constants);
     drive = drives(system);
   }
 

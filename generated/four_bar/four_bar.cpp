@@ -1,5 +1,26 @@
 // four_bar, content hash 96a2cec425b2f2a9
 // Made by `mbgen generate four_bar.json`, mbgen 0.1.0. Change the model, not this file.
+//
+// Tree, each body with its coordinate, on the body before it:
+//   crank: crank_pin, revolute, on ground
+//   coupler: coupler_pin, revolute, on crank
+//   rocker: rocker_pin, revolute, on ground
+// Loop block 0, on ground:
+//   rocker_tip: revolute between coupler and rocker
+//   independent: coupler_pin
+//
+// Frames: a body of a loop block is seen in the axes of the body that its block moves on, about that body's origin;
+// every other body in its own axes. The origin of a body is the point of its joint.
+//
+// Names, followed by body, coordinate, loop or element:
+//   m mass, h first moments, K second moments about the origin; c centre of mass, I inertia about it
+//   p_<coordinate> origin of a body from that of the body before it; p_<body>_<point> a point from its body's
+//     origin; l length, g gravity: numbers of the model, or what its parameters make of them
+//   z zd zdd coordinate, rate, acceleration; R_<body>_x_z component z of the body's axis x; r origin; u joint axis
+//   w angular velocity, a acceleration of the origin, alpha angular acceleration, f n force and moment needed
+//   J entry of the closure Jacobian; Rz projection (61); zdd_star accelerations at zero free ones (62)
+//   s8_12 the 12th value without a name of step 8
+
 #include "four_bar.hpp"
 
 #include "mbgen/elementary.hpp"
@@ -12,6 +33,39 @@
 
 namespace four_bar {
 namespace {
+
+// Numbers of the model.
+constexpr double g_z = -9.81;
+constexpr double m_crank = 0.8;
+constexpr double c_crank_z = 0.02;
+constexpr double I_crank_yy = 7e-04;
+constexpr double m_coupler = 1.5;
+constexpr double c_coupler_x = 0.15;
+constexpr double c_coupler_z = 0.11;
+constexpr double I_coupler_yy = 0.021;
+constexpr double m_rocker = 1.1;
+constexpr double c_rocker_x = 0.01;
+constexpr double c_rocker_z = 0.12;
+constexpr double I_rocker_yy = 0.006;
+constexpr double p_coupler_pin_x = 0.1;
+constexpr double p_coupler_pin_z = 0.05;
+constexpr double p_rocker_pin_x = 0.4;
+constexpr double p_rocker_S_x = 0.01;
+constexpr double p_rocker_S_z = 0.15;
+constexpr double p_ground_S_x = 0.6;
+constexpr double p_ground_S_z = 0.1;
+constexpr double h_crank_x = 0.04;
+constexpr double h_crank_z = 0.016;
+constexpr double h_coupler_x = 0.225;
+constexpr double h_coupler_z = 0.165;
+constexpr double h_rocker_x = 0.011;
+constexpr double h_rocker_z = 0.132;
+constexpr double p_coupler_C_x = 0.32;
+constexpr double p_coupler_C_z = 0.2;
+constexpr double p_rocker_C_x = 0.02;
+constexpr double p_rocker_C_z = 0.25;
+constexpr double p_coupler_P_x = 0.2;
+constexpr double p_coupler_P_z = 0.25;
 
 /// Projection of the loop blocks, chosen at run time.
 struct Projection {
@@ -41,8 +95,8 @@ void compute_accelerations(const Tuned& parameters, const Inputs& inputs, const 
   mbgen::sincos(z_coupler_pin, s1_2, s1_1);
   const double R_coupler_x_x = mbgen::fnma(R_crank_x_z, s1_2, R_crank_x_x*s1_1);
   const double R_coupler_x_z = mbgen::fma(R_crank_x_x, s1_2, R_crank_x_z*s1_1);
-  const double r_coupler_x = mbgen::fma(0.1, R_crank_x_x, 0.05*R_crank_x_z);
-  const double r_coupler_z = mbgen::fnma(0.1, R_crank_x_z, 0.05*R_crank_x_x);
+  const double r_coupler_x = mbgen::fma(p_coupler_pin_x, R_crank_x_x, p_coupler_pin_z*R_crank_x_z);
+  const double r_coupler_z = mbgen::fnma(p_coupler_pin_x, R_crank_x_z, p_coupler_pin_z*R_crank_x_x);
   // rocker: rocker_pin, revolute, ground
   const double z_rocker_pin = state.z[Coordinate::rocker_pin];
   double R_rocker_x_x, R_rocker_x_z;
@@ -51,24 +105,25 @@ void compute_accelerations(const Tuned& parameters, const Inputs& inputs, const 
 
   // --- step 5: applied forces Q (48) ---
   // return_spring
-  const double s5_1 = mbgen::fnma(0.009999999999999953, R_rocker_x_z, 0.15*R_rocker_x_x);
-  const double s5_2 = mbgen::fma(0.15, R_rocker_x_z, 0.4);
-  const double s5_3 = mbgen::fma(0.009999999999999953, R_rocker_x_x, s5_2);
-  const double s5_4 = 0.1 - s5_1;
-  const double s5_5 = 0.6 - s5_3;
+  const double s5_1 = mbgen::fnma(p_rocker_S_x, R_rocker_x_z, p_rocker_S_z*R_rocker_x_x);
+  const double s5_2 = mbgen::fma(p_rocker_S_z, R_rocker_x_z, p_rocker_pin_x);
+  const double s5_3 = mbgen::fma(p_rocker_S_x, R_rocker_x_x, s5_2);
+  const double s5_4 = p_ground_S_z - s5_1;
+  const double s5_5 = p_ground_S_x - s5_3;
   const double s5_6 = std::sqrt(mbgen::fma(s5_5, s5_5, s5_4*s5_4));
   const double tension_return_spring = (s5_6 - 0.18)*parameters.k;
   const double s5_7 = tension_return_spring*(1.0/s5_6);
   const double s5_8 = s5_4*s5_7;
-  const double s5_9 = mbgen::fma(0.4, s5_8, mbgen::fnma(s5_3, s5_8, s5_1*(s5_5*s5_7)));
+  const double s5_9 = mbgen::fnma(s5_3, s5_8, s5_1*(s5_5*s5_7));
+  const double s5_10 = mbgen::fma(p_rocker_pin_x, s5_8, s5_9);
   // operations: 9 add, 13 multiply, 1 divide, 1 sqrt
 
   // --- step 2: closure Jacobian Phi_z and its factors (60), rocker_tip ---
   // rocker_tip
-  const double s2_1 = mbgen::fma(0.31999999999999995, R_coupler_x_x, 0.2*R_coupler_x_z);
-  const double s2_2 = mbgen::fnma(0.31999999999999995, R_coupler_x_z, 0.2*R_coupler_x_x);
-  const double s2_3 = mbgen::fma(0.019999999999999962, R_rocker_x_x, 0.25*R_rocker_x_z);
-  const double s2_4 = mbgen::fnma(0.019999999999999962, R_rocker_x_z, 0.25*R_rocker_x_x);
+  const double s2_1 = mbgen::fma(p_coupler_C_x, R_coupler_x_x, p_coupler_C_z*R_coupler_x_z);
+  const double s2_2 = mbgen::fnma(p_coupler_C_x, R_coupler_x_z, p_coupler_C_z*R_coupler_x_x);
+  const double s2_3 = mbgen::fma(p_rocker_C_x, R_rocker_x_x, p_rocker_C_z*R_rocker_x_z);
+  const double s2_4 = mbgen::fnma(p_rocker_C_x, R_rocker_x_z, p_rocker_C_z*R_rocker_x_x);
   const double s2_5 = 1.0/s2_4;
   const double s2_6 = s2_3*s2_5;
   const double s2_7 = r_coupler_z + s2_2;
@@ -84,6 +139,7 @@ void compute_accelerations(const Tuned& parameters, const Inputs& inputs, const 
   // operations: 2 add, 4 multiply, 1 divide
 
   // --- step 6: c and dRz/dt zd (62), rocker_tip ---
+  // coupler: coupler_pin, revolute, crank
   const double zd_crank_pin = state.zd[Coordinate::crank_pin];
   const double s6_1 = zd_crank_pin*zd_crank_pin;
   const double s6_2 = r_coupler_z*s6_1;
@@ -101,12 +157,12 @@ void compute_accelerations(const Tuned& parameters, const Inputs& inputs, const 
 
   // --- step 7: inertias of the bodies and forces on joints, rocker_tip ---
   // crank: crank_pin, revolute, ground
-  const double s7_1 = mbgen::fma(0.04000000000000001, R_crank_x_x, 0.016*R_crank_x_z);
+  const double s7_1 = mbgen::fma(h_crank_x, R_crank_x_x, h_crank_z*R_crank_x_z);
   // coupler: coupler_pin, revolute, crank
-  const double s7_2 = mbgen::fma(0.22499999999999998, R_coupler_x_x, 0.165*R_coupler_x_z);
-  const double s7_3 = mbgen::fnma(0.22499999999999998, R_coupler_x_z, 0.165*R_coupler_x_x);
+  const double s7_2 = mbgen::fma(h_coupler_x, R_coupler_x_x, h_coupler_z*R_coupler_x_z);
+  const double s7_3 = mbgen::fnma(h_coupler_x, R_coupler_x_z, h_coupler_z*R_coupler_x_x);
   // rocker: rocker_pin, revolute, ground
-  const double s7_4 = mbgen::fma(0.010999999999999949, R_rocker_x_x, 0.132*R_rocker_x_z);
+  const double s7_4 = mbgen::fma(h_rocker_x, R_rocker_x_x, h_rocker_z*R_rocker_x_z);
   // operations: 4 add, 8 multiply
 
   // --- step 8: elimination from the leaves to the root (63), rocker_tip ---
@@ -116,38 +172,35 @@ void compute_accelerations(const Tuned& parameters, const Inputs& inputs, const 
   const double s8_2 = 1.0 - s3_2;
   const double s8_3 = r_coupler_z*s3_2;
   const double s8_4 = r_coupler_x*s3_2;
-  const double s8_5 = mbgen::fnma(s7_3, s8_3, 0.07289999999999999*s8_2);
-  const double s8_6 = mbgen::fnma(s7_2, s8_4, s8_5);
+  const double s8_5 = mbgen::fnma(s7_2, s8_4, mbgen::fnma(s7_3, s8_3, 0.0729*s8_2));
   // crank: crank_pin, revolute, ground
-  const double s8_7 = mbgen::fma(9.81, s7_1, inputs.torque + tau[Coordinate::crank_pin]);
-  const double s8_8 = mbgen::fma(0.0030200000000000005, s6_8, s8_7);
-  const double s8_9 = mbgen::fma(9.81, s7_4, tau[Coordinate::rocker_pin] + s5_9);
-  const double s8_10 = mbgen::fma(0.02195, s6_9, s8_9);
+  const double s8_6 = mbgen::fma((-g_z), s7_1, inputs.torque + tau[Coordinate::crank_pin]);
+  const double s8_7 = mbgen::fma(0.00302, s6_8, s8_6);
+  const double s8_8 = mbgen::fma((-g_z), s7_4, tau[Coordinate::rocker_pin] + s5_10);
+  const double s8_9 = mbgen::fma(0.02195, s6_9, s8_8);
   // rocker: rocker_pin, revolute, ground
-  const double s8_11 = s3_3*(0.02195*s3_3);
+  const double s8_10 = s3_3*(0.02195*s3_3);
   // coupler: coupler_pin, revolute, crank
-  const double s8_12 = mbgen::fnma(s7_2, s8_2, 1.5*s8_4);
-  const double s8_13 = mbgen::fnma(1.5, s8_3, s7_3*s8_2);
+  const double s8_11 = mbgen::fnma(s7_2, s8_2, m_coupler*s8_4);
+  const double s8_12 = mbgen::fnma(m_coupler, s8_3, s7_3*s8_2);
   // crank: crank_pin, revolute, ground
-  const double s8_14 = mbgen::fnma(s8_3, s8_13, mbgen::fma(s8_4, s8_12, s8_11));
-  const double s8_15 = mbgen::fma(s8_2, s8_6, s8_14);
-  const double s8_16 = mbgen::fma(s3_2, 0.0030200000000000005*s3_2, s8_15);
+  const double s8_13 = mbgen::fnma(s8_3, s8_12, mbgen::fma(s8_4, s8_11, s8_10));
+  const double s8_14 = mbgen::fma(s3_2, 0.00302*s3_2, mbgen::fma(s8_2, s8_5, s8_13));
   // coupler: coupler_pin, revolute, crank
-  const double s8_17 = mbgen::fma(r_coupler_z, s6_8, s6_3);
-  const double s8_18 = mbgen::fma(r_coupler_x, s6_8, 9.81 - s6_2);
-  const double f_coupler_z = mbgen::fma(1.5, s8_18, mbgen::fnma(s8_1, s7_3, s6_8*s7_2));
-  const double s8_19 = mbgen::fma(s7_2, s8_18, s7_3*s8_17);
-  const double s8_20 = mbgen::fnma(s8_4, f_coupler_z, tau[Coordinate::coupler_pin]);
-  const double s8_21 = mbgen::fma(1.5, s8_17, mbgen::fma(s6_8, s7_3, s8_1*s7_2));
-  const double s8_22 = mbgen::fma(0.07289999999999999, s6_8, s8_19);
-  const double s8_23 = mbgen::fma(s8_2, s8_22, mbgen::fnma(s8_3, s8_21, s8_20));
-  const double s8_24 = mbgen::fnma(s3_3, s8_10, mbgen::fnma(s3_2, s8_8, s8_23));
-  result.inertia[0] = mbgen::fnma(1e-12, s8_16, s8_16);
+  const double s8_15 = mbgen::fma(r_coupler_z, s6_8, s6_3);
+  const double s8_16 = mbgen::fma(r_coupler_x, s6_8, (-g_z) - s6_2);
+  const double f_coupler_z = mbgen::fma(m_coupler, s8_16, mbgen::fnma(s8_1, s7_3, s6_8*s7_2));
+  const double s8_17 = mbgen::fma(m_coupler, s8_15, mbgen::fma(s6_8, s7_3, s8_1*s7_2));
+  const double s8_18 = mbgen::fnma(s8_4, f_coupler_z, tau[Coordinate::coupler_pin]);
+  const double s8_19 = mbgen::fma(0.0729, s6_8, mbgen::fma(s7_2, s8_16, s7_3*s8_15));
+  const double s8_20 = mbgen::fma(s8_2, s8_19, mbgen::fnma(s8_3, s8_17, s8_18));
+  const double s8_21 = mbgen::fnma(s3_3, s8_9, mbgen::fnma(s3_2, s8_7, s8_20));
+  result.inertia[0] = mbgen::fnma(1e-12, s8_14, s8_14);
   // operations: 30 add, 38 multiply
 
   // --- step 9: accelerations from the root to the leaves (63), (62) ---
   // rocker: rocker_pin, revolute, ground
-  const double s9_1 = s8_24*(1.0/s8_16);
+  const double s9_1 = s8_21*(1.0/s8_14);
   result.zdd[Coordinate::coupler_pin] = s9_1;
   result.zdd[Coordinate::crank_pin] = -mbgen::fma(s3_2, s9_1, s6_8);
   result.zdd[Coordinate::rocker_pin] = -mbgen::fma(s3_3, s9_1, s6_9);
@@ -176,8 +229,8 @@ void compute_closure(const Tuned& /*parameters*/, const Inputs& /*inputs*/, cons
   mbgen::sincos(z_coupler_pin, s1_2, s1_1);
   const double R_coupler_x_x = mbgen::fnma(R_crank_x_z, s1_2, R_crank_x_x*s1_1);
   const double R_coupler_x_z = mbgen::fma(R_crank_x_x, s1_2, R_crank_x_z*s1_1);
-  const double r_coupler_x = mbgen::fma(0.1, R_crank_x_x, 0.05*R_crank_x_z);
-  const double r_coupler_z = mbgen::fnma(0.1, R_crank_x_z, 0.05*R_crank_x_x);
+  const double r_coupler_x = mbgen::fma(p_coupler_pin_x, R_crank_x_x, p_coupler_pin_z*R_crank_x_z);
+  const double r_coupler_z = mbgen::fnma(p_coupler_pin_x, R_crank_x_z, p_coupler_pin_z*R_crank_x_x);
   // rocker: rocker_pin, revolute, ground
   const double z_rocker_pin = state.z[Coordinate::rocker_pin];
   double R_rocker_x_x, R_rocker_x_z;
@@ -186,13 +239,13 @@ void compute_closure(const Tuned& /*parameters*/, const Inputs& /*inputs*/, cons
 
   // --- step 2: closure Jacobian Phi_z and its factors (60) ---
   // rocker_tip
-  const double s2_1 = mbgen::fma(0.2, R_coupler_x_x, r_coupler_z);
-  const double J_rocker_tip_crank_pin = mbgen::fnma(0.31999999999999995, R_coupler_x_z, s2_1);
-  const double s2_2 = mbgen::fnma(0.019999999999999962, R_rocker_x_z, 0.25*R_rocker_x_x);
-  const double s2_3 = mbgen::fma(0.2, R_coupler_x_z, r_coupler_x);
-  const double s2_4 = mbgen::fma(0.31999999999999995, R_coupler_x_x, s2_3);
-  const double s2_5 = mbgen::fma(0.25, R_rocker_x_z, 0.4);
-  const double s2_6 = mbgen::fma(0.019999999999999962, R_rocker_x_x, s2_5);
+  const double s2_1 = mbgen::fma(p_coupler_C_z, R_coupler_x_x, r_coupler_z);
+  const double J_rocker_tip_crank_pin = mbgen::fnma(p_coupler_C_x, R_coupler_x_z, s2_1);
+  const double s2_2 = mbgen::fnma(p_rocker_C_x, R_rocker_x_z, p_rocker_C_z*R_rocker_x_x);
+  const double s2_3 = mbgen::fma(p_coupler_C_z, R_coupler_x_z, r_coupler_x);
+  const double s2_4 = mbgen::fma(p_coupler_C_x, R_coupler_x_x, s2_3);
+  const double s2_5 = mbgen::fma(p_rocker_C_z, R_rocker_x_z, p_rocker_pin_x);
+  const double s2_6 = mbgen::fma(p_rocker_C_x, R_rocker_x_x, s2_5);
   const double s2_7 = s2_4 - s2_6;
   result.residual[0] = s2_7;
   const double s2_8 = J_rocker_tip_crank_pin - s2_2;
@@ -200,7 +253,7 @@ void compute_closure(const Tuned& /*parameters*/, const Inputs& /*inputs*/, cons
   const double J_rocker_tip_coupler_pin = J_rocker_tip_crank_pin - r_coupler_z;
   const double J_rocker_tip_coupler_pin_2 = r_coupler_x - s2_4;
   const double s2_9 = 1.0/s2_2;
-  const double s2_10 = (0.4 - s2_6)*s2_9;
+  const double s2_10 = (p_rocker_pin_x - s2_6)*s2_9;
   const double s2_11 = mbgen::fma(J_rocker_tip_crank_pin, s2_10, s2_4);
   const double s2_12 = 1.0/s2_11;
   const double s2_13 = 2.5000000000000004*std::abs(s2_11);
@@ -248,27 +301,27 @@ void compute_multipliers(const Tuned& parameters, const Inputs& inputs, const St
   mbgen::sincos(z_coupler_pin, s1_2, s1_1);
   const double R_coupler_x_x = mbgen::fnma(R_crank_x_z, s1_2, R_crank_x_x*s1_1);
   const double R_coupler_x_z = mbgen::fma(R_crank_x_x, s1_2, R_crank_x_z*s1_1);
-  const double s1_3 = 0.05*R_crank_x_z;
-  const double r_coupler_x = mbgen::fma(0.1, R_crank_x_x, s1_3);
-  const double s1_4 = 0.05*R_crank_x_x;
-  const double r_coupler_z = mbgen::fnma(0.1, R_crank_x_z, s1_4);
+  const double s1_3 = p_coupler_pin_z*R_crank_x_z;
+  const double r_coupler_x = mbgen::fma(p_coupler_pin_x, R_crank_x_x, s1_3);
+  const double s1_4 = p_coupler_pin_z*R_crank_x_x;
+  const double r_coupler_z = mbgen::fnma(p_coupler_pin_x, R_crank_x_z, s1_4);
   // rocker: rocker_pin, revolute, ground
   const double z_rocker_pin = state.z[Coordinate::rocker_pin];
   double R_rocker_x_x, R_rocker_x_z;
   mbgen::sincos(z_rocker_pin, R_rocker_x_z, R_rocker_x_x);
   // crank: crank_pin, revolute, ground
-  const double s1_5 = mbgen::fms(0.02, R_crank_x_x, s1_3);
-  const double s1_6 = mbgen::fma(0.02, R_crank_x_z, s1_4);
+  const double s1_5 = mbgen::fms(c_crank_z, R_crank_x_x, s1_3);
+  const double s1_6 = mbgen::fma(c_crank_z, R_crank_x_z, s1_4);
   // coupler: coupler_pin, revolute, crank
-  const double s1_7 = mbgen::fma(0.11, R_coupler_x_x, r_coupler_z);
-  const double s1_8 = mbgen::fnma(0.15, R_coupler_x_z, s1_7);
-  const double s1_9 = mbgen::fma(0.11, R_coupler_x_z, r_coupler_x);
-  const double s1_10 = mbgen::fma(0.15, R_coupler_x_x, s1_9);
+  const double s1_7 = mbgen::fma(c_coupler_z, R_coupler_x_x, r_coupler_z);
+  const double s1_8 = mbgen::fnma(c_coupler_x, R_coupler_x_z, s1_7);
+  const double s1_9 = mbgen::fma(c_coupler_z, R_coupler_x_z, r_coupler_x);
+  const double s1_10 = mbgen::fma(c_coupler_x, R_coupler_x_x, s1_9);
   // rocker: rocker_pin, revolute, ground
-  const double s1_11 = 0.009999999999999953*R_rocker_x_z;
-  const double s1_12 = mbgen::fms(0.12, R_rocker_x_x, s1_11);
-  const double s1_13 = mbgen::fma(0.009999999999999953, R_rocker_x_x, 0.4);
-  const double s1_14 = mbgen::fma(0.12, R_rocker_x_z, s1_13);
+  const double s1_11 = c_rocker_x*R_rocker_x_z;
+  const double s1_12 = mbgen::fms(c_rocker_z, R_rocker_x_x, s1_11);
+  const double s1_13 = mbgen::fma(c_rocker_x, R_rocker_x_x, p_rocker_pin_x);
+  const double s1_14 = mbgen::fma(c_rocker_z, R_rocker_x_z, s1_13);
   // operations: 13 add, 18 multiply, 6 sin cos
 
   // --- step 4: velocities Z (36) ---
@@ -279,10 +332,10 @@ void compute_multipliers(const Tuned& parameters, const Inputs& inputs, const St
 
   // --- step 5: applied forces Q (48) ---
   // return_spring
-  const double s5_1 = mbgen::fms(0.15, R_rocker_x_x, s1_11);
-  const double s5_2 = 0.1 - s5_1;
-  const double s5_3 = mbgen::fma(0.15, R_rocker_x_z, s1_13);
-  const double s5_4 = 0.6 - s5_3;
+  const double s5_1 = mbgen::fms(p_rocker_S_z, R_rocker_x_x, s1_11);
+  const double s5_2 = p_ground_S_z - s5_1;
+  const double s5_3 = mbgen::fma(p_rocker_S_z, R_rocker_x_z, s1_13);
+  const double s5_4 = p_ground_S_x - s5_3;
   const double s5_5 = std::sqrt(mbgen::fma(s5_4, s5_4, s5_2*s5_2));
   const double tension_return_spring = (s5_5 - 0.18)*parameters.k;
   const double s5_6 = tension_return_spring*(1.0/s5_5);
@@ -300,53 +353,55 @@ void compute_multipliers(const Tuned& parameters, const Inputs& inputs, const St
   const double alpha_coupler_y = zdd_crank_pin + derivative.zdd[Coordinate::coupler_pin];
   const double s7_4 = zdd_crank_pin - alpha_coupler_y;
   const double a_coupler_x = mbgen::fma(r_coupler_z, s7_4, r_coupler_x*s7_3);
-  const double s7_5 = mbgen::fma(r_coupler_x, alpha_coupler_y - zdd_crank_pin, 9.81);
+  const double s7_5 = mbgen::fma(r_coupler_x, alpha_coupler_y - zdd_crank_pin, (-g_z));
   const double a_coupler_z = mbgen::fma(r_coupler_z, s7_3, s7_5);
   // rocker: rocker_pin, revolute, ground
   const double zd_rocker_pin = state.zd[Coordinate::rocker_pin];
   const double s7_6 = zd_rocker_pin*zd_rocker_pin;
-  const double a_rocker_x = 0.4*s7_6;
+  const double a_rocker_x = p_rocker_pin_x*s7_6;
   const double zdd_rocker_pin = derivative.zdd[Coordinate::rocker_pin];
-  const double a_rocker_z = mbgen::fma(0.4, zdd_rocker_pin, 9.81);
+  const double a_rocker_z = mbgen::fma(p_rocker_pin_x, zdd_rocker_pin, (-g_z));
   // crank: crank_pin, revolute, ground
+  const double s7_7 = mbgen::fnma(s1_5, s7_1, mbgen::fnma(zdd_crank_pin, s1_6, (-g_z)));
   // coupler: coupler_pin, revolute, crank
-  const double s7_7 = mbgen::fnma(s1_10, s7_2, mbgen::fma(s1_8, alpha_coupler_y, a_coupler_x));
-  const double s7_8 = 1.5*s7_7;
-  const double s7_9 = mbgen::fnma(s1_10, alpha_coupler_y, a_coupler_z);
-  const double s7_10 = 1.5*mbgen::fnma(s1_8, s7_2, s7_9);
-  const double s7_11 = mbgen::fnma(s1_10, s7_10, mbgen::fma(s1_8, s7_8, 0.021*alpha_coupler_y));
+  const double s7_8 = mbgen::fnma(s1_10, s7_2, mbgen::fma(s1_8, alpha_coupler_y, a_coupler_x));
+  const double s7_9 = m_coupler*s7_8;
+  const double s7_10 = mbgen::fnma(s1_10, alpha_coupler_y, a_coupler_z);
+  const double s7_11 = m_coupler*mbgen::fnma(s1_8, s7_2, s7_10);
+  const double s7_12 = mbgen::fma(s1_8, s7_9, I_coupler_yy*alpha_coupler_y);
+  const double s7_13 = mbgen::fnma(s1_10, s7_11, s7_12);
   // rocker: rocker_pin, revolute, ground
-  const double s7_12 = mbgen::fnma(s1_12, s7_6, mbgen::fnma(zdd_rocker_pin, s1_14, a_rocker_z));
-  const double s7_13 = 1.1*s7_12;
-  const double s7_14 = mbgen::fnma(s1_14, s7_6, mbgen::fma(zdd_rocker_pin, s1_12, a_rocker_x));
-  const double s7_15 = mbgen::fnma(0.006, zdd_rocker_pin, tau[Coordinate::rocker_pin] + s5_8);
-  const double s7_16 = mbgen::fma(s1_14, s7_13, mbgen::fnma(s1_12, 1.1*s7_14, s7_15));
-  const double Q_rocker_pin = mbgen::fma(0.4, s5_7 - s7_13, s7_16);
+  const double s7_14 = mbgen::fnma(s1_12, s7_6, mbgen::fnma(zdd_rocker_pin, s1_14, a_rocker_z));
+  const double s7_15 = m_rocker*s7_14;
+  const double s7_16 = mbgen::fnma(s1_14, s7_6, mbgen::fma(zdd_rocker_pin, s1_12, a_rocker_x));
+  const double s7_17 = tau[Coordinate::rocker_pin] + s5_8;
+  const double s7_18 = mbgen::fnma(I_rocker_yy, zdd_rocker_pin, s7_17);
+  const double s7_19 = mbgen::fma(s1_14, s7_15, mbgen::fnma(s1_12, m_rocker*s7_16, s7_18));
+  const double Q_rocker_pin = mbgen::fma(p_rocker_pin_x, s5_7 - s7_15, s7_19);
   result.missing[2] = Q_rocker_pin;
   // coupler: coupler_pin, revolute, crank
-  const double s7_17 = mbgen::fma(r_coupler_z, s7_8, tau[Coordinate::coupler_pin] - s7_11);
-  result.missing[1] = mbgen::fnma(r_coupler_x, s7_10, s7_17);
+  const double s7_20 = mbgen::fma(r_coupler_z, s7_9, tau[Coordinate::coupler_pin] - s7_13);
+  result.missing[1] = mbgen::fnma(r_coupler_x, s7_11, s7_20);
   // crank: crank_pin, revolute, ground
-  const double s7_18 = inputs.torque + tau[Coordinate::crank_pin] - s7_11;
-  const double s7_19 = 0.8*mbgen::fnma(s1_6, s7_1, zdd_crank_pin*s1_5);
-  const double s7_20 = 0.8*mbgen::fnma(s1_5, s7_1, mbgen::fnma(zdd_crank_pin, s1_6, 9.81));
-  const double s7_21 = mbgen::fnma(s1_5, s7_19, mbgen::fnma(7e-04, zdd_crank_pin, s7_18));
-  const double Q_crank_pin = mbgen::fma(s1_6, s7_20, s7_21);
+  const double s7_21 = inputs.torque + tau[Coordinate::crank_pin] - s7_13;
+  const double s7_22 = m_crank*mbgen::fnma(s1_6, s7_1, zdd_crank_pin*s1_5);
+  const double s7_23 = mbgen::fnma(s1_5, s7_22, mbgen::fnma(I_crank_yy, zdd_crank_pin, s7_21));
+  const double Q_crank_pin = mbgen::fma(s1_6, m_crank*s7_7, s7_23);
   result.missing[0] = Q_crank_pin;
   // operations: 35 add, 39 multiply
 
   // --- step 9: independent and all accelerations (63), (62) ---
   // rocker_tip
-  const double s9_1 = mbgen::fma(0.2, R_coupler_x_x, r_coupler_z);
-  const double J_rocker_tip_crank_pin = mbgen::fnma(0.31999999999999995, R_coupler_x_z, s9_1);
-  const double s9_2 = mbgen::fnma(0.019999999999999962, R_rocker_x_z, 0.25*R_rocker_x_x);
-  const double s9_3 = mbgen::fma(0.019999999999999962, R_rocker_x_x, 0.25*R_rocker_x_z);
+  const double s9_1 = mbgen::fma(p_coupler_C_z, R_coupler_x_x, r_coupler_z);
+  const double J_rocker_tip_crank_pin = mbgen::fnma(p_coupler_C_x, R_coupler_x_z, s9_1);
+  const double s9_2 = mbgen::fnma(p_rocker_C_x, R_rocker_x_z, p_rocker_C_z*R_rocker_x_x);
+  const double s9_3 = mbgen::fma(p_rocker_C_x, R_rocker_x_x, p_rocker_C_z*R_rocker_x_z);
   // loop block 0
   const double s9_4 = 1.0/s9_2;
   const double s9_5 = Q_rocker_pin*s9_4;
   const double s9_6 = s9_3*s9_4;
-  const double s9_7 = mbgen::fma(0.2, R_coupler_x_z, r_coupler_x);
-  const double s9_8 = mbgen::fma(0.31999999999999995, R_coupler_x_x, s9_7);
+  const double s9_7 = mbgen::fma(p_coupler_C_z, R_coupler_x_z, r_coupler_x);
+  const double s9_8 = mbgen::fma(p_coupler_C_x, R_coupler_x_x, s9_7);
   const double s9_9 = mbgen::fnma(J_rocker_tip_crank_pin, s9_6, s9_8);
   const double s9_10 = 1.0/s9_9*mbgen::fma(J_rocker_tip_crank_pin, s9_5, Q_crank_pin);
   result.lambda[2] = -s9_10;
@@ -363,11 +418,8 @@ void compute_multipliers(const Tuned& parameters, const Inputs& inputs, const St
 struct ClosureTerms {
   double Phi[5];  ///< residuals
   double Jz[15];  ///< Jacobian of each block, row by row
-  double ct[5];  ///< right-hand side of the velocities
   double c[5];  ///< right-hand side of the accelerations
-  double driven_position[3];  ///< of driven coordinates, by their motions
-  double driven_velocity[3];  ///< of driven coordinates
-  double driven_acceleration[3];  ///< of driven coordinates
+  double driven_acceleration[3];  ///< of driven coordinates, by their motions; no others
 };
 
 /// Closure equations and their derivatives, for the pivoting factorisation.
@@ -384,8 +436,8 @@ void compute_closure_terms(const Tuned& /*parameters*/, const Inputs& /*inputs*/
   mbgen::sincos(z_coupler_pin, s1_2, s1_1);
   const double R_coupler_x_x = mbgen::fnma(R_crank_x_z, s1_2, R_crank_x_x*s1_1);
   const double R_coupler_x_z = mbgen::fma(R_crank_x_x, s1_2, R_crank_x_z*s1_1);
-  const double r_coupler_x = mbgen::fma(0.1, R_crank_x_x, 0.05*R_crank_x_z);
-  const double r_coupler_z = mbgen::fnma(0.1, R_crank_x_z, 0.05*R_crank_x_x);
+  const double r_coupler_x = mbgen::fma(p_coupler_pin_x, R_crank_x_x, p_coupler_pin_z*R_crank_x_z);
+  const double r_coupler_z = mbgen::fnma(p_coupler_pin_x, R_crank_x_z, p_coupler_pin_z*R_crank_x_x);
   // rocker: rocker_pin, revolute, ground
   const double z_rocker_pin = state.z[Coordinate::rocker_pin];
   double R_rocker_x_x, R_rocker_x_z;
@@ -402,33 +454,29 @@ void compute_closure_terms(const Tuned& /*parameters*/, const Inputs& /*inputs*/
   const double zd_rocker_pin = state.zd[Coordinate::rocker_pin];
   const double s2_4 = zd_rocker_pin*zd_rocker_pin;
   // rocker_tip
-  const double s2_5 = mbgen::fma(0.2, R_coupler_x_x, r_coupler_z);
-  const double J_rocker_tip_crank_pin = mbgen::fnma(0.31999999999999995, R_coupler_x_z, s2_5);
+  const double s2_5 = mbgen::fma(p_coupler_C_z, R_coupler_x_x, r_coupler_z);
+  const double J_rocker_tip_crank_pin = mbgen::fnma(p_coupler_C_x, R_coupler_x_z, s2_5);
   result.Jz[0] = J_rocker_tip_crank_pin;
-  const double s2_6 = mbgen::fnma(0.019999999999999962, R_rocker_x_z, 0.25*R_rocker_x_x);
+  const double s2_6 = mbgen::fnma(p_rocker_C_x, R_rocker_x_z, p_rocker_C_z*R_rocker_x_x);
   result.Jz[2] = -s2_6;
-  const double s2_7 = mbgen::fma(0.2, R_coupler_x_z, r_coupler_x);
-  const double s2_8 = mbgen::fma(0.31999999999999995, R_coupler_x_x, s2_7);
+  const double s2_7 = mbgen::fma(p_coupler_C_z, R_coupler_x_z, r_coupler_x);
+  const double s2_8 = mbgen::fma(p_coupler_C_x, R_coupler_x_x, s2_7);
   result.Jz[6] = -s2_8;
-  const double s2_9 = mbgen::fma(0.25, R_rocker_x_z, 0.4);
-  const double s2_10 = mbgen::fma(0.019999999999999962, R_rocker_x_x, s2_9);
+  const double s2_9 = mbgen::fma(p_rocker_C_z, R_rocker_x_z, p_rocker_pin_x);
+  const double s2_10 = mbgen::fma(p_rocker_C_x, R_rocker_x_x, s2_9);
   result.Phi[0] = s2_8 - s2_10;
   result.Phi[2] = J_rocker_tip_crank_pin - s2_6;
   result.Jz[1] = J_rocker_tip_crank_pin - r_coupler_z;
-  result.c[0] = mbgen::fma(s2_4, 0.4 - s2_10, mbgen::fnma(r_coupler_x, s2_3, s2_2*s2_8));
+  const double s2_11 = mbgen::fnma(r_coupler_x, s2_3, s2_2*s2_8);
+  result.c[0] = mbgen::fma(s2_4, p_rocker_pin_x - s2_10, s2_11);
   result.Jz[7] = r_coupler_x - s2_8;
-  result.Jz[8] = s2_10 - 0.4;
-  const double s2_11 = mbgen::fnma(s2_4, s2_6, s2_2*J_rocker_tip_crank_pin);
-  result.c[2] = mbgen::fnma(r_coupler_z, s2_3, s2_11);
+  result.Jz[8] = s2_10 - p_rocker_pin_x;
+  const double s2_12 = mbgen::fnma(s2_4, s2_6, s2_2*J_rocker_tip_crank_pin);
+  result.c[2] = mbgen::fnma(r_coupler_z, s2_3, s2_12);
   // operations: 19 add, 17 multiply
   result.Phi[1] = 0.0;
   result.Phi[3] = 0.0;
   result.Phi[4] = 0.0;
-  result.ct[0] = 0.0;
-  result.ct[1] = 0.0;
-  result.ct[2] = 0.0;
-  result.ct[3] = 0.0;
-  result.ct[4] = 0.0;
   result.c[1] = 0.0;
   result.c[3] = 0.0;
   result.c[4] = 0.0;
@@ -441,15 +489,6 @@ void compute_closure_terms(const Tuned& /*parameters*/, const Inputs& /*inputs*/
   result.Jz[12] = 0.0;
   result.Jz[13] = 0.0;
   result.Jz[14] = 0.0;
-  result.driven_acceleration[Coordinate::crank_pin] = 0.0;
-  result.driven_acceleration[Coordinate::coupler_pin] = 0.0;
-  result.driven_acceleration[Coordinate::rocker_pin] = 0.0;
-  result.driven_position[Coordinate::crank_pin] = 0.0;
-  result.driven_position[Coordinate::coupler_pin] = 0.0;
-  result.driven_position[Coordinate::rocker_pin] = 0.0;
-  result.driven_velocity[Coordinate::crank_pin] = 0.0;
-  result.driven_velocity[Coordinate::coupler_pin] = 0.0;
-  result.driven_velocity[Coordinate::rocker_pin] = 0.0;
 }
 
 /// Result of compute_chosen_accelerations.
@@ -463,7 +502,7 @@ struct ChosenAccelerations {
 void compute_chosen_accelerations(const Tuned& parameters, const Inputs& inputs, const State& state,
     const double* tau, const Projection& projection,
     ChosenAccelerations& __restrict result) noexcept {
-  // --- step 1: poses, axes b, accumulated inertias MR (50) ---
+  // --- step 1: poses and axes b ---
   // crank: crank_pin, revolute, ground
   const double z_crank_pin = state.z[Coordinate::crank_pin];
   double R_crank_x_x, R_crank_x_z;
@@ -474,125 +513,96 @@ void compute_chosen_accelerations(const Tuned& parameters, const Inputs& inputs,
   mbgen::sincos(z_coupler_pin, s1_2, s1_1);
   const double R_coupler_x_x = mbgen::fnma(R_crank_x_z, s1_2, R_crank_x_x*s1_1);
   const double R_coupler_x_z = mbgen::fma(R_crank_x_x, s1_2, R_crank_x_z*s1_1);
-  const double s1_3 = 0.05*R_crank_x_z;
-  const double r_coupler_x = mbgen::fma(0.1, R_crank_x_x, s1_3);
-  const double s1_4 = 0.05*R_crank_x_x;
-  const double r_coupler_z = mbgen::fnma(0.1, R_crank_x_z, s1_4);
+  const double r_coupler_x = mbgen::fma(p_coupler_pin_x, R_crank_x_x, p_coupler_pin_z*R_crank_x_z);
+  const double r_coupler_z = mbgen::fnma(p_coupler_pin_x, R_crank_x_z, p_coupler_pin_z*R_crank_x_x);
   // rocker: rocker_pin, revolute, ground
   const double z_rocker_pin = state.z[Coordinate::rocker_pin];
   double R_rocker_x_x, R_rocker_x_z;
   mbgen::sincos(z_rocker_pin, R_rocker_x_z, R_rocker_x_x);
-  // crank: crank_pin, revolute, ground
-  const double s1_5 = mbgen::fms(0.02, R_crank_x_x, s1_3);
-  const double s1_6 = mbgen::fma(0.02, R_crank_x_z, s1_4);
-  // coupler: coupler_pin, revolute, crank
-  const double s1_7 = mbgen::fma(0.11, R_coupler_x_x, r_coupler_z);
-  const double s1_8 = mbgen::fnma(0.15, R_coupler_x_z, s1_7);
-  const double s1_9 = 1.5*s1_8;
-  const double s1_10 = mbgen::fma(0.11, R_coupler_x_z, r_coupler_x);
-  const double s1_11 = mbgen::fma(0.15, R_coupler_x_x, s1_10);
-  const double s1_12 = 1.5*s1_11;
-  const double s1_13 = mbgen::fma(1.5, mbgen::fma(s1_8, s1_8, s1_11*s1_11), 0.021);
-  // rocker: rocker_pin, revolute, ground
-  const double s1_14 = 0.009999999999999953*R_rocker_x_z;
-  const double s1_15 = mbgen::fms(0.12, R_rocker_x_x, s1_14);
-  const double s1_16 = mbgen::fma(0.009999999999999953, R_rocker_x_x, 0.4);
-  const double s1_17 = mbgen::fma(0.12, R_rocker_x_z, s1_16);
-  const double s1_18 = 1.1*s1_17;
-  const double s1_19 = mbgen::fma(1.1, mbgen::fma(s1_17, s1_17, s1_15*s1_15), 0.006);
-  // coupler: coupler_pin, revolute, crank
-  const double N_crank_pin_y = mbgen::fma(0.8, mbgen::fma(s1_5, s1_5, s1_6*s1_6), 7e-04 + s1_13);
-  // operations: 20 add, 30 multiply, 6 sin cos
+  // operations: 4 add, 8 multiply, 6 sin cos
 
-  // --- step 4: velocities Z (36) ---
+  // --- step 5: applied forces Q (48) ---
   // coupler: coupler_pin, revolute, crank
   const double zd_crank_pin = state.zd[Coordinate::crank_pin];
   const double w_coupler_y = zd_crank_pin + state.zd[Coordinate::coupler_pin];
+  // return_spring
+  const double s5_1 = mbgen::fnma(p_rocker_S_x, R_rocker_x_z, p_rocker_S_z*R_rocker_x_x);
+  const double s5_2 = p_ground_S_z - s5_1;
+  const double s5_3 = mbgen::fma(p_rocker_S_z, R_rocker_x_z, p_rocker_pin_x);
+  const double s5_4 = mbgen::fma(p_rocker_S_x, R_rocker_x_x, s5_3);
+  const double s5_5 = p_ground_S_x - s5_4;
+  const double s5_6 = std::sqrt(mbgen::fma(s5_5, s5_5, s5_2*s5_2));
+  const double tension_return_spring = (s5_6 - 0.18)*parameters.k;
+  const double s5_7 = tension_return_spring*(1.0/s5_6);
+  const double s5_8 = s5_2*s5_7;
+  const double s5_9 = mbgen::fnma(s5_4, s5_8, s5_1*(s5_5*s5_7));
+  // operations: 9 add, 12 multiply, 1 divide, 1 sqrt
+
+  // --- step 7: inertias of the bodies and forces on joints ---
+  const double s7_1 = inputs.torque + tau[Coordinate::crank_pin];
   // operations: 1 add
 
-  // --- step 5: applied forces Q (48) ---
-  // return_spring
-  const double s5_1 = mbgen::fms(0.15, R_rocker_x_x, s1_14);
-  const double s5_2 = 0.1 - s5_1;
-  const double s5_3 = mbgen::fma(0.15, R_rocker_x_z, s1_16);
-  const double s5_4 = 0.6 - s5_3;
-  const double s5_5 = std::sqrt(mbgen::fma(s5_4, s5_4, s5_2*s5_2));
-  const double tension_return_spring = (s5_5 - 0.18)*parameters.k;
-  const double s5_6 = tension_return_spring*(1.0/s5_5);
-  const double s5_7 = s5_2*s5_6;
-  const double s5_8 = mbgen::fnma(s5_3, s5_7, s5_1*(s5_4*s5_6));
-  // operations: 7 add, 10 multiply, 1 divide, 1 sqrt
-
-  // --- step 7: accelerations Zdot and accumulated forces QR - PR (51), (52) ---
+  // --- step 6: c and dRz/dt zd (62), rocker_tip ---
   // crank: crank_pin, revolute, ground
-  const double s7_1 = zd_crank_pin*zd_crank_pin;
+  const double s6_1 = zd_crank_pin*zd_crank_pin;
   // coupler: coupler_pin, revolute, crank
-  const double s7_2 = w_coupler_y*w_coupler_y;
-  const double s7_3 = s7_2 - s7_1;
-  const double alpha_coupler_y = projection.zdd_star[0] + projection.zdd_star[1];
-  const double s7_4 = projection.zdd_star[0] - alpha_coupler_y;
-  const double a_coupler_x = mbgen::fma(r_coupler_z, s7_4, r_coupler_x*s7_3);
-  const double s7_5 = mbgen::fma(r_coupler_x, alpha_coupler_y - projection.zdd_star[0], 9.81);
-  const double a_coupler_z = mbgen::fma(r_coupler_z, s7_3, s7_5);
-  // rocker: rocker_pin, revolute, ground
-  const double zd_rocker_pin = state.zd[Coordinate::rocker_pin];
-  const double s7_6 = zd_rocker_pin*zd_rocker_pin;
-  const double a_rocker_x = 0.4*s7_6;
-  const double a_rocker_z = mbgen::fma(0.4, projection.zdd_star[2], 9.81);
-  // crank: crank_pin, revolute, ground
-  const double s7_7 = mbgen::fnma(s1_5, s7_1, mbgen::fnma(s1_6, projection.zdd_star[0], 9.81));
-  // coupler: coupler_pin, revolute, crank
-  const double s7_8 = mbgen::fnma(s1_11, s7_2, mbgen::fma(s1_8, alpha_coupler_y, a_coupler_x));
-  const double s7_9 = 1.5*s7_8;
-  const double s7_10 = mbgen::fnma(s1_11, alpha_coupler_y, a_coupler_z);
-  const double s7_11 = 1.5*mbgen::fnma(s1_8, s7_2, s7_10);
-  const double s7_12 = mbgen::fnma(s1_11, s7_11, mbgen::fma(s1_8, s7_9, 0.021*alpha_coupler_y));
-  // rocker: rocker_pin, revolute, ground
-  const double s7_13 = mbgen::fnma(s1_15, s7_6, a_rocker_z);
-  const double s7_14 = 1.1*mbgen::fnma(s1_17, projection.zdd_star[2], s7_13);
-  const double s7_15 = mbgen::fma(s1_15, projection.zdd_star[2], a_rocker_x);
-  const double s7_16 = s5_8 + tau[Coordinate::rocker_pin];
-  const double s7_17 = mbgen::fnma(0.006, projection.zdd_star[2], s7_16);
-  const double s7_18 = mbgen::fnma(s1_15, 1.1*mbgen::fnma(s1_17, s7_6, s7_15), s7_17);
-  const double Q_rocker_pin = mbgen::fma(0.4, s5_7 - s7_14, mbgen::fma(s1_17, s7_14, s7_18));
-  // coupler: coupler_pin, revolute, crank
-  const double s7_19 = mbgen::fma(r_coupler_z, s7_9, tau[Coordinate::coupler_pin] - s7_12);
-  const double Q_coupler_pin = mbgen::fnma(r_coupler_x, s7_11, s7_19);
-  // crank: crank_pin, revolute, ground
-  const double s7_20 = inputs.torque + tau[Coordinate::crank_pin] - s7_12;
-  const double s7_21 = 0.8*mbgen::fnma(s1_6, s7_1, s1_5*projection.zdd_star[0]);
-  const double s7_22 = mbgen::fnma(7e-04, projection.zdd_star[0], s7_20);
-  const double Q_crank_pin = mbgen::fma(s1_6, 0.8*s7_7, mbgen::fnma(s1_5, s7_21, s7_22));
-  // operations: 35 add, 39 multiply
+  const double s6_2 = r_coupler_x*s6_1;
+  const double s6_3 = w_coupler_y*w_coupler_y;
+  // operations: 3 multiply
 
-  // --- step 8: Rz' M Rz and right-hand side (63) ---
+  // --- step 7: inertias of the bodies and forces on joints, rocker_tip ---
+  // crank: crank_pin, revolute, ground
+  const double s7_2 = mbgen::fma(h_crank_x, R_crank_x_x, h_crank_z*R_crank_x_z);
   // coupler: coupler_pin, revolute, crank
-  const double F_coupler_pin_x = mbgen::fnma(1.5, r_coupler_z, s1_9);
-  const double F_coupler_pin_z = mbgen::fms(1.5, r_coupler_x, s1_12);
-  const double N_coupler_pin_y = mbgen::fnma(r_coupler_z, s1_9, mbgen::fnma(r_coupler_x, s1_12,
-      s1_13));
+  const double s7_3 = mbgen::fma(h_coupler_x, R_coupler_x_x, h_coupler_z*R_coupler_x_z);
+  const double s7_4 = mbgen::fnma(h_coupler_x, R_coupler_x_z, h_coupler_z*R_coupler_x_x);
   // rocker: rocker_pin, revolute, ground
-  const double F_rocker_pin_z = 0.44000000000000006 - s1_18;
-  const double N_rocker_pin_y = mbgen::fnma(0.4, s1_18, s1_19);
-  const double s8_1 = mbgen::fma(projection.Rz[0], Q_crank_pin, projection.Rz[2]*Q_rocker_pin);
-  const double s8_2 = mbgen::fma(projection.Rz[1], Q_coupler_pin, s8_1);
-  const double s8_3 = N_crank_pin_y*projection.Rz[0];
-  const double s8_4 = mbgen::fma(r_coupler_x, F_coupler_pin_z, N_coupler_pin_y);
-  const double s8_5 = mbgen::fnma(r_coupler_z, F_coupler_pin_x, s8_4);
-  const double s8_6 = projection.Rz[2]*mbgen::fma(0.4, F_rocker_pin_z, N_rocker_pin_y);
-  const double s8_7 = mbgen::fma(projection.Rz[1], N_coupler_pin_y, s8_3);
-  const double s8_8 = mbgen::fma(projection.Rz[1], s8_5, projection.Rz[0]*N_coupler_pin_y);
-  const double s8_9 = mbgen::fma(projection.Rz[0], s8_7, projection.Rz[2]*s8_6);
-  const double s8_10 = mbgen::fma(projection.Rz[1], s8_8, s8_9);
-  // operations: 15 add, 19 multiply
+  const double s7_5 = mbgen::fma(h_rocker_x, R_rocker_x_x, h_rocker_z*R_rocker_x_z);
+  const double s7_6 = mbgen::fma(p_rocker_pin_x, s5_8, s5_9);
+  // operations: 5 add, 9 multiply
 
-  // --- step 9: independent and all accelerations (63), (62) ---
-  const double s9_1 = s8_2*(1.0/s8_10);
-  result.inertia[0] = mbgen::fnma(1e-12, s8_10, s8_10);
+  // --- step 8: elimination from the leaves to the root (63), rocker_tip ---
+  // coupler: coupler_pin, revolute, crank
+  const double s8_1 = projection.Rz[0] + projection.Rz[1];
+  const double s8_2 = r_coupler_z*projection.Rz[0];
+  const double s8_3 = r_coupler_x*projection.Rz[0];
+  const double s8_4 = projection.zdd_star[0] + projection.zdd_star[1];
+  // rocker: rocker_pin, revolute, ground
+  const double s8_5 = mbgen::fms(0.02195, projection.zdd_star[2], s7_6);
+  const double n_rocker_y = mbgen::fnma((-g_z), s7_5, s8_5);
+  const double s8_6 = 0.02195*projection.Rz[2];
+  // coupler: coupler_pin, revolute, crank
+  const double s8_7 = mbgen::fms(r_coupler_z, projection.zdd_star[0], s6_2);
+  const double f_coupler_x = mbgen::fma(m_coupler, s8_7, mbgen::fnma(s6_3, s7_3, s7_4*s8_4));
+  const double s8_8 = mbgen::fnma(r_coupler_z, s6_1, (-g_z));
+  const double s8_9 = mbgen::fnma(r_coupler_x, projection.zdd_star[0], s8_8);
+  const double f_coupler_z = mbgen::fnma(s7_3, s8_4, mbgen::fnma(s6_3, s7_4, m_coupler*s8_9));
+  const double n_coupler_y = mbgen::fma(0.0729, s8_4, mbgen::fnma(s7_3, s8_9, s7_4*s8_7));
+  const double s8_10 = mbgen::fma(m_coupler, s8_2, s7_4*s8_1);
+  const double s8_11 = mbgen::fma(m_coupler, s8_3, s7_3*s8_1);
+  const double s8_12 = mbgen::fma(0.0729, s8_1, mbgen::fma(s7_4, s8_2, s7_3*s8_3));
+  // crank: crank_pin, revolute, ground
+  const double n_crank_y = mbgen::fnma((-g_z), s7_2, 0.00302*projection.zdd_star[0]);
+  const double s8_13 = projection.Rz[1]*tau[Coordinate::coupler_pin];
+  const double s8_14 = mbgen::fnma(s8_2, f_coupler_x, mbgen::fnma(s8_1, n_coupler_y, s8_13));
+  const double s8_15 = mbgen::fma(s8_3, f_coupler_z, s8_14);
+  const double s8_16 = mbgen::fma(projection.Rz[0], s7_1 - n_crank_y, s8_15);
+  const double s8_17 = tau[Coordinate::rocker_pin] - n_rocker_y;
+  const double s8_18 = mbgen::fma(projection.Rz[2], s8_17, s8_16);
+  const double s8_19 = mbgen::fma(s8_2, s8_10, mbgen::fma(s8_3, s8_11, projection.Rz[2]*s8_6));
+  const double s8_20 = mbgen::fma(s8_1, s8_12, s8_19);
+  const double s8_21 = mbgen::fma(projection.Rz[0], 0.00302*projection.Rz[0], s8_20);
+  const double s8_22 = 1.0/s8_21;
+  result.inertia[0] = mbgen::fnma(1e-12, s8_21, s8_21);
+  // operations: 30 add, 39 multiply, 1 divide
+
+  // --- step 9: accelerations from the root to the leaves (63), (62) ---
+  // rocker: rocker_pin, revolute, ground
+  const double s9_1 = s8_18*s8_22;
   result.zdd[Coordinate::crank_pin] = mbgen::fma(projection.Rz[0], s9_1, projection.zdd_star[0]);
-  result.zdd[Coordinate::coupler_pin] = mbgen::fma(projection.Rz[1], s9_1, projection.zdd_star[1]);
   result.zdd[Coordinate::rocker_pin] = mbgen::fma(projection.Rz[2], s9_1, projection.zdd_star[2]);
-  // operations: 4 add, 5 multiply, 1 divide
+  result.zdd[Coordinate::coupler_pin] = mbgen::fma(projection.Rz[1], s9_1, projection.zdd_star[1]);
+  // operations: 3 add, 4 multiply
 }
 
 /// Outputs, energies and power, at given accelerations.
@@ -609,29 +619,29 @@ void compute_outputs(const Tuned& parameters, const Inputs& inputs, const State&
   mbgen::sincos(z_coupler_pin, s1_2, s1_1);
   const double R_coupler_x_x = mbgen::fnma(R_crank_x_z, s1_2, R_crank_x_x*s1_1);
   const double R_coupler_x_z = mbgen::fma(R_crank_x_x, s1_2, R_crank_x_z*s1_1);
-  const double s1_3 = 0.05*R_crank_x_z;
-  const double r_coupler_x = mbgen::fma(0.1, R_crank_x_x, s1_3);
-  const double s1_4 = 0.05*R_crank_x_x;
-  const double r_coupler_z = mbgen::fnma(0.1, R_crank_x_z, s1_4);
+  const double s1_3 = p_coupler_pin_z*R_crank_x_z;
+  const double r_coupler_x = mbgen::fma(p_coupler_pin_x, R_crank_x_x, s1_3);
+  const double s1_4 = p_coupler_pin_z*R_crank_x_x;
+  const double r_coupler_z = mbgen::fnma(p_coupler_pin_x, R_crank_x_z, s1_4);
   // rocker: rocker_pin, revolute, ground
   const double z_rocker_pin = state.z[Coordinate::rocker_pin];
   double R_rocker_x_x, R_rocker_x_z;
   mbgen::sincos(z_rocker_pin, R_rocker_x_z, R_rocker_x_x);
   // crank: crank_pin, revolute, ground
-  const double s1_5 = mbgen::fms(0.02, R_crank_x_x, s1_3);
-  const double s1_6 = mbgen::fma(0.02, R_crank_x_z, s1_4);
+  const double s1_5 = mbgen::fms(c_crank_z, R_crank_x_x, s1_3);
+  const double s1_6 = mbgen::fma(c_crank_z, R_crank_x_z, s1_4);
   // coupler: coupler_pin, revolute, crank
-  const double s1_7 = mbgen::fma(0.11, R_coupler_x_x, r_coupler_z);
-  const double s1_8 = mbgen::fnma(0.15, R_coupler_x_z, s1_7);
-  const double s1_9 = mbgen::fma(0.11, R_coupler_x_z, r_coupler_x);
-  const double s1_10 = mbgen::fma(0.15, R_coupler_x_x, s1_9);
+  const double s1_7 = mbgen::fma(c_coupler_z, R_coupler_x_x, r_coupler_z);
+  const double s1_8 = mbgen::fnma(c_coupler_x, R_coupler_x_z, s1_7);
+  const double s1_9 = mbgen::fma(c_coupler_z, R_coupler_x_z, r_coupler_x);
+  const double s1_10 = mbgen::fma(c_coupler_x, R_coupler_x_x, s1_9);
   // rocker: rocker_pin, revolute, ground
-  const double s1_11 = 0.009999999999999953*R_rocker_x_z;
-  const double s1_12 = mbgen::fms(0.12, R_rocker_x_x, s1_11);
-  const double s1_13 = mbgen::fma(0.009999999999999953, R_rocker_x_x, 0.4);
-  const double s1_14 = mbgen::fma(0.12, R_rocker_x_z, s1_13);
+  const double s1_11 = c_rocker_x*R_rocker_x_z;
+  const double s1_12 = mbgen::fms(c_rocker_z, R_rocker_x_x, s1_11);
+  const double s1_13 = mbgen::fma(c_rocker_x, R_rocker_x_x, p_rocker_pin_x);
+  const double s1_14 = mbgen::fma(c_rocker_z, R_rocker_x_z, s1_13);
   // coupler: coupler_pin, revolute, crank
-  const double s1_15 = mbgen::fma(1.5, s1_8, 0.8*s1_5);
+  const double s1_15 = mbgen::fma(m_coupler, s1_8, m_crank*s1_5);
   // operations: 14 add, 20 multiply, 6 sin cos
 
   // --- step 4: velocities Z (36) ---
@@ -643,15 +653,15 @@ void compute_outputs(const Tuned& parameters, const Inputs& inputs, const State&
   const double w_coupler_y = zd_crank_pin + zd_coupler_pin;
   // rocker: rocker_pin, revolute, ground
   const double zd_rocker_pin = state.zd[Coordinate::rocker_pin];
-  const double v_rocker_z = 0.4*zd_rocker_pin;
+  const double v_rocker_z = p_rocker_pin_x*zd_rocker_pin;
   // operations: 1 add, 3 multiply
 
   // --- step 5: applied forces Q (48) ---
   // return_spring
-  const double s5_1 = mbgen::fms(0.15, R_rocker_x_x, s1_11);
-  const double s5_2 = 0.1 - s5_1;
-  const double s5_3 = mbgen::fma(0.15, R_rocker_x_z, s1_13);
-  const double s5_4 = 0.6 - s5_3;
+  const double s5_1 = mbgen::fms(p_rocker_S_z, R_rocker_x_x, s1_11);
+  const double s5_2 = p_ground_S_z - s5_1;
+  const double s5_3 = mbgen::fma(p_rocker_S_z, R_rocker_x_z, s1_13);
+  const double s5_4 = p_ground_S_x - s5_3;
   const double s5_5 = std::sqrt(mbgen::fma(s5_4, s5_4, s5_2*s5_2));
   const double tension_return_spring = (s5_5 - 0.18)*parameters.k;
   result.spring_force = tension_return_spring;
@@ -662,24 +672,23 @@ void compute_outputs(const Tuned& parameters, const Inputs& inputs, const State&
 
   // --- step 7: accelerations Zdot and accumulated forces QR - PR (51), (52) ---
   // crank: crank_pin, revolute, ground
-  const double s7_1 = 7e-04*zd_crank_pin;
+  const double s7_1 = I_crank_yy*zd_crank_pin;
   // coupler: coupler_pin, revolute, crank
-  const double s7_2 = 0.021*w_coupler_y;
+  const double s7_2 = I_coupler_yy*w_coupler_y;
   // rocker: rocker_pin, revolute, ground
-  const double s7_3 = 0.006*zd_rocker_pin;
+  const double s7_3 = I_rocker_yy*zd_rocker_pin;
   // crank: crank_pin, revolute, ground
   const double s7_4 = inputs.torque + tau[Coordinate::crank_pin];
   // operations: 1 add, 3 multiply
 
   // --- step 9: independent and all accelerations (63), (62) ---
   // coupler_x
-  const double s9_1 = mbgen::fma(0.25, R_coupler_x_z, r_coupler_x);
-  result.coupler_x = mbgen::fma(0.19999999999999998, R_coupler_x_x, s9_1);
-  const double s9_2 = mbgen::fma(0.25, R_coupler_x_x, r_coupler_z);
-  result.coupler_z = mbgen::fnma(0.19999999999999998, R_coupler_x_z, s9_2);
-  // spring_force
+  const double s9_1 = mbgen::fma(p_coupler_P_z, R_coupler_x_z, r_coupler_x);
+  result.coupler_x = mbgen::fma(p_coupler_P_x, R_coupler_x_x, s9_1);
+  const double s9_2 = mbgen::fma(p_coupler_P_z, R_coupler_x_x, r_coupler_z);
+  result.coupler_z = mbgen::fnma(p_coupler_P_x, R_coupler_x_z, s9_2);
   const double s9_3 = zd_crank_pin*s1_6;
-  result.potential_energy = 9.81*mbgen::fma(1.1, s1_12, s1_15);
+  result.potential_energy = (-g_z)*mbgen::fma(m_rocker, s1_12, s1_15);
   const double s9_4 = zd_crank_pin*s7_4;
   const double s9_5 = mbgen::fma(zd_coupler_pin, tau[Coordinate::coupler_pin], s9_4);
   const double s9_6 = tau[Coordinate::rocker_pin] + s5_8;
@@ -689,10 +698,11 @@ void compute_outputs(const Tuned& parameters, const Inputs& inputs, const State&
   const double s9_9 = zd_crank_pin*s1_5;
   const double s9_10 = mbgen::fnma(s1_10, w_coupler_y, v_coupler_z);
   const double s9_11 = mbgen::fms(s1_8, w_coupler_y, s4_1);
-  const double s9_12 = mbgen::fma(1.1, mbgen::fma(s9_8, s9_8, s9_7*s9_7), zd_rocker_pin*s7_3);
-  const double s9_13 = mbgen::fma(zd_crank_pin, s7_1, mbgen::fma(w_coupler_y, s7_2, s9_12));
-  const double s9_14 = mbgen::fma(0.8, mbgen::fma(s9_9, s9_9, s9_3*s9_3), s9_13);
-  result.kinetic_energy = 0.5*mbgen::fma(1.5, mbgen::fma(s9_11, s9_11, s9_10*s9_10), s9_14);
+  const double s9_12 = mbgen::fma(s9_8, s9_8, s9_7*s9_7);
+  const double s9_13 = mbgen::fma(m_rocker, s9_12, zd_rocker_pin*s7_3);
+  const double s9_14 = mbgen::fma(zd_crank_pin, s7_1, mbgen::fma(w_coupler_y, s7_2, s9_13));
+  const double s9_15 = mbgen::fma(m_crank, mbgen::fma(s9_9, s9_9, s9_3*s9_3), s9_14);
+  result.kinetic_energy = 0.5*mbgen::fma(m_coupler, mbgen::fma(s9_11, s9_11, s9_10*s9_10), s9_15);
   // operations: 20 add, 29 multiply
   result.crank_angle = z_crank_pin;
 }

@@ -123,8 +123,8 @@ struct Multipliers {
 
 /// How far the loops are from being closed, equation by equation, block after block.
 struct ClosureResidual {
-  double position[5];  ///< Phi: m, m^2 for rods, 1 for directions
-  double velocity[5];  ///< Phi_z zd - ct, the same per second
+  double position[5];  ///< Phi: m, 1 for directions
+  double velocity[5];  ///< Phi_z zd, the same per second
   double largest_position;  ///< largest absolute value
   double largest_velocity;
 };

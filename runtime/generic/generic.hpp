@@ -70,7 +70,7 @@ class GenericSolver {
   /// Generalised driving force of each motion, given accelerations: N or N m, along its coordinate.
   std::vector<double> driving_forces(const GenericState& state, const std::vector<double>& tau,
                                      const GenericDerivative& derivative) const;
-  /// Closure residuals in the order of Topology::loops (positions), and Phi_z zd - ct (velocities).
+  /// Closure residuals in the order of Topology::loops (positions), and Phi_z zd (velocities).
   std::vector<double> position_residuals(const GenericState& state) const;
   std::vector<double> velocity_residuals(const GenericState& state) const;
   /// Pose of every body of the model in the global frame, fixed ones and ground too: of its frame as the model gives

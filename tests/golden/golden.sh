@@ -28,8 +28,9 @@ fi
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
 failures=0
-while read -r model; do
-  "$binary" generate "$root/models/$model.json" --out "$scratch/$model" --no-runtime >/dev/null
+while read -r model options; do
+  # shellcheck disable=SC2086  # options are words
+  "$binary" generate "$root/models/$model.json" --out "$scratch/$model" --no-runtime $options >/dev/null
   if [ "$update" = yes ]; then
     rm -rf "${root:?}/generated/$model"
     mkdir -p "$root/generated"

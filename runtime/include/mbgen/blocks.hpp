@@ -33,7 +33,7 @@ struct BlockLayout {
   int coordinates;
   int rank;              ///< generic rank of the Jacobian
   int free;              ///< coordinates - rank - driven ones
-  int first_equation;    ///< into Phi, ct, c and residual
+  int first_equation;    ///< into Phi, c and residual
   int first_coordinate;  ///< into kBlockCoordinate, kBlockDriven and zdd_star
   int first_jacobian;    ///< into Jz
   int first_projection;  ///< into Rz
@@ -54,8 +54,8 @@ template <class System>
 inline constexpr bool kChoosesAgain<System, std::void_t<decltype(System::kFrozenOnly)>> = !System::kFrozenOnly;
 
 /// Smallest pivot of a block, over its median in the analysed configurations, with which the frozen order is trusted.
-/// The analysis accepts ratios from 0.05; two digits of the answer are at stake here, where it is left. Accelerations lose
-/// with the square of the pivot, and floats have no two digits to spare.
+/// The analysis accepts ratios from 0.05; two digits of the answer are at stake here, where it is left. Accelerations
+/// lose with the square of the pivot, and floats have no two digits to spare.
 template <class Real>
 inline constexpr Real kPivotThreshold = 0.02;
 template <>

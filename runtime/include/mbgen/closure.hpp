@@ -72,7 +72,8 @@ void correct_block(int b, const LoopFactorsOf<RealOf<System>>& loop, const typen
   for (int c = 0; c < block.coordinates; ++c) {
     work.solution[c] = System::kDriven[coordinate[c]] != 0 ? closure.zd[coordinate[c]] : state.zd[coordinate[c]];
   }
-  solve_dependent(loop, terms.ct + block.first_equation, work.solution, work.factors.work);
+  for (int e = 0; e < block.equations; ++e) work.right_hand_side[e] = 0;
+  solve_dependent(loop, work.right_hand_side, work.solution, work.factors.work);
   for (int c = 0; c < block.coordinates; ++c) work.solution[c] -= state.zd[coordinate[c]];
   shortened();
   for (int c = 0; c < block.coordinates; ++c) closure.zd[coordinate[c]] = state.zd[coordinate[c]] + work.solution[c];
@@ -274,7 +275,7 @@ Status project_state(const typename System::Parameters& parameters, const typena
   return {};
 }
 
-/// Residuals of every closure equation: positions Phi, velocities Phi_z zd - ct, and the largest of each.
+/// Residuals of every closure equation: positions Phi, velocities Phi_z zd, and the largest of each.
 /// Fails: not_a_number for the arguments; the residuals are then unchanged.
 template <class System, class Residual>
 Status closure_residuals(const typename System::Parameters& parameters, const typename System::Inputs& inputs,
@@ -286,7 +287,7 @@ Status closure_residuals(const typename System::Parameters& parameters, const ty
     typename System::ClosureTerms terms;
     System::closure_terms(parameters, inputs, state, terms);
     copy(terms.Phi, residual.position, System::kEquations);
-    for (int e = 0; e < System::kEquations; ++e) residual.velocity[e] = -terms.ct[e];
+    for (int e = 0; e < System::kEquations; ++e) residual.velocity[e] = 0;
     add_rates<System>(terms, state, residual.velocity);
   }
   residual.largest_position = largest(residual.position, System::kEquations);

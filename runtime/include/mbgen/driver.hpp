@@ -61,7 +61,7 @@ struct SolverTable {
   Status (*multiplier_values)(const double* parameters, const double* inputs, const double* state, const double* tau,
                               const double* derivative, double* lambda, double* drive) noexcept;
 
-  /// Position residuals Phi and velocity residuals Phi_z zd - ct, closure_equations of each, block after block.
+  /// Position residuals Phi and velocity residuals Phi_z zd, closure_equations of each, block after block.
   Status (*residuals)(const double* parameters, const double* inputs, const double* state, double* position,
                       double* velocity) noexcept;
 

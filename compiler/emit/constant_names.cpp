@@ -1,0 +1,43 @@
+#include "compiler/emit/constant_names.hpp"
+
+#include "compiler/emit/names.hpp"
+#include "compiler/emit/text.hpp"
+
+namespace mbgen {
+
+ConstantNames::Entry& ConstantNames::entry_of(const NamedConstant& constant) {
+  const auto [found, is_new] = index_.try_emplace({constant.name, constant.value}, entries_.size());
+  if (is_new) {
+    std::string identifier = identifier_base(constant.name);
+    while (taken_[identifier]++ > 0) identifier = numbered(identifier_base(constant.name), taken_[identifier]);
+    entries_.push_back({identifier, constant});
+  }
+  return entries_[found->second];
+}
+
+ConstantNames::ConstantNames(const Programs& programs) {
+  for (const Program* program : all_programs(programs)) identifiers(*program);
+}
+
+std::vector<std::string> ConstantNames::identifiers(const Program& program) {
+  std::vector<std::string> result;
+  for (const NamedConstant& constant : program.constants) result.push_back(entry_of(constant).identifier);
+  return result;
+}
+
+std::string ConstantNames::text(const Program& program, const Node& node) {
+  Entry& entry = entry_of(program.constants[static_cast<std::size_t>(node.label)]);
+  entry.is_used = true;
+  return node.constant == entry.constant.value ? entry.identifier : "-" + entry.identifier;
+}
+
+std::string ConstantNames::declarations(const std::string& scalar) const {
+  std::string text;
+  for (const Entry& entry : entries_) {
+    if (!entry.is_used) continue;
+    text += "constexpr " + scalar + " " + entry.identifier + " = " + number_text(entry.constant.value, scalar) + ";\n";
+  }
+  return text;
+}
+
+}  // namespace mbgen

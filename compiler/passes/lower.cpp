@@ -1,0 +1,52 @@
+#include "compiler/passes/lower.hpp"
+
+#include <utility>
+
+#include "compiler/passes/passes.hpp"
+
+namespace mbgen {
+namespace {
+
+using OnProgram = Program (*)(const Program&);
+
+/// A pass on each program by itself. Dead values go each time: what a pass replaces stays behind, and would count.
+template <OnProgram run>
+Programs on_each(Programs programs) {
+  for (Program* program : solver_programs(programs)) *program = remove_dead_values(run(*program));
+  return programs;
+}
+
+Programs with_derived_constants(Programs programs) {
+  programs.derived_constants = take_out_derived(solver_programs(programs), "par", "derived_constants");
+  return programs;
+}
+
+/// The matrix form keeps the order of the paper's steps.
+Programs with_short_lifetimes(Programs programs) {
+  if (programs.form == Form::recursive) programs.accelerations = shorten_lifetimes(programs.accelerations);
+  return programs;
+}
+
+constexpr Pass kPasses[] = {
+    {"dead-values", "values that no output needs taken out", Lowered::whole, on_each<remove_dead_values>},
+    {"divisions", "divisions by one value merged", Lowered::whole, on_each<merge_divisions>},
+    {"sums", "sums factored", Lowered::whole, on_each<factor_sums>},
+    {"optimised", "sums of what that left factored", Lowered::whole, on_each<factor_sums>},
+    {"derived-constants", "what depends on parameters alone taken out", Lowered::lean, with_derived_constants},
+    {"contraction", "products taken into sums, rounded once", Lowered::emitted, on_each<contract>},
+    {"lifetimes", "accelerations ordered for few registers", Lowered::emitted, with_short_lifetimes},
+};
+
+}  // namespace
+
+std::span<const Pass> passes() { return kPasses; }
+
+Program optimise(const Program& program) {
+  Programs programs;
+  programs.accelerations = program;
+  for (const Pass& pass : kPasses)
+    if (pass.result == Lowered::whole) programs = pass.run(std::move(programs));
+  return std::move(programs.accelerations);
+}
+
+}  // namespace mbgen

@@ -1,0 +1,83 @@
+#include "compiler/program/decimal.hpp"
+
+#include <charconv>
+#include <cmath>
+#include <cstdint>
+#include <optional>
+#include <string>
+
+namespace mbgen {
+namespace {
+
+__extension__ typedef __int128 Wide;
+
+/// digits 10^exponent
+struct Decimal {
+  Wide digits = 0;
+  int exponent = 0;
+};
+
+constexpr int kMostDigits = 15;  ///< of a decimal that a double holds whatever its digits
+constexpr int kMostShift = 18;   ///< 15 + 18 digits fit into Wide
+
+/// The shortest decimal that reads back as `value`, none when it is longer than people type.
+std::optional<Decimal> typed_decimal(double value) {
+  char text[32];
+  const auto written = std::to_chars(text, text + sizeof text, std::abs(value), std::chars_format::scientific);
+  std::int64_t digits = 0;
+  int count = 0, after_point = 0;
+  const char* at = text;
+  for (bool is_after_point = false; at != written.ptr && *at != 'e'; ++at) {
+    if (*at == '.') {
+      is_after_point = true;
+      continue;
+    }
+    digits = 10 * digits + (*at - '0');
+    ++count;
+    if (is_after_point) ++after_point;
+  }
+  if (at == written.ptr || count > kMostDigits) return {};
+  const bool has_sign = at[1] == '+';
+  int exponent = 0;
+  std::from_chars(at + (has_sign ? 2 : 1), written.ptr, exponent);
+  return Decimal{value < 0 ? -digits : digits, exponent - after_point};
+}
+
+/// The nearest double.
+double nearest(Decimal decimal) {
+  const bool is_negative = decimal.digits < 0;
+  std::string digits;
+  for (Wide rest = is_negative ? -decimal.digits : decimal.digits; rest != 0; rest /= 10)
+    digits.insert(digits.begin(), static_cast<char>('0' + static_cast<int>(rest % 10)));
+  if (digits.empty()) return 0;
+  digits += 'e' + std::to_string(decimal.exponent);
+  double value = 0;
+  std::from_chars(digits.data(), digits.data() + digits.size(), value);
+  return is_negative ? -value : value;
+}
+
+Decimal with_exponent(Decimal decimal, int exponent) {
+  for (; decimal.exponent > exponent; --decimal.exponent) decimal.digits *= 10;
+  return decimal;
+}
+
+}  // namespace
+
+double decimal_sum(double a, double b) {
+  const double sum = a + b;
+  if (!std::isfinite(sum)) return sum;
+  const std::optional<Decimal> first = typed_decimal(a), second = typed_decimal(b);
+  if (!first || !second || std::abs(first->exponent - second->exponent) > kMostShift) return sum;
+  const int exponent = first->exponent < second->exponent ? first->exponent : second->exponent;
+  return nearest({with_exponent(*first, exponent).digits + with_exponent(*second, exponent).digits, exponent});
+}
+
+double decimal_product(double a, double b) {
+  const double product = a * b;
+  if (!std::isnormal(product)) return product;
+  const std::optional<Decimal> first = typed_decimal(a), second = typed_decimal(b);
+  if (!first || !second) return product;
+  return nearest({first->digits * second->digits, first->exponent + second->exponent});
+}
+
+}  // namespace mbgen

@@ -1,0 +1,1077 @@
+// pulled_wheel, content hash b0d917ec774bd98f
+// Made by `mbgen generate pulled_wheel.json`, mbgen 0.1.0. Change the model, not this file.
+#include "pulled_wheel_batch.hpp"
+
+#include "mbgen/batch_steps.hpp"
+#include "mbgen/elementary.hpp"
+#include "mbgen/lanes.hpp"
+
+#include <cmath>
+
+namespace pulled_wheel::batch {
+namespace {
+
+using Lanes = mbgen::LaneTypes<kLanes>::Lanes;
+
+/// The programs of the solver on vectors, and what they work on.
+namespace lanes {
+
+struct Parameters {
+  Lanes k;
+  Lanes ballast;
+};
+/// Tunable parameters with the 10 constants that follow from them. Functions take plain Parameters
+/// as well, and then work these out each time: keep one of these, and assign Parameters to it where
+/// they change, at the boundary of a step.
+struct Tuned : Parameters {
+  Lanes derived[10];
+  Tuned() noexcept : Tuned(Parameters{}) {}
+  Tuned(const Parameters& parameters) noexcept;
+};
+struct Inputs {
+};
+struct State {
+  Lanes z[kCoordinates];
+  Lanes zd[kCoordinates];
+  Lanes x[2];
+  Lanes t;
+};
+struct Derivative {
+  Lanes zdd[kCoordinates];
+  Lanes xd[2];
+};
+struct Multipliers {
+  Lanes lambda[1];
+  Lanes drive[1];
+};
+struct Outputs {
+  Lanes load;
+  Lanes wheel_speed;
+  Lanes hub_height;
+  Lanes spring_force;
+  Lanes kinetic_energy;
+  Lanes potential_energy;
+  Lanes applied_power;
+};
+
+// Numbers of the model.
+constexpr double g_z = -9.81;
+constexpr double m_carriage = 320.0;
+constexpr double m_arm = 7.0;
+constexpr double c_arm_x = -0.18;
+constexpr double c_arm_z = 0.01;
+constexpr double I_arm_yy = 0.12;
+constexpr double I_knuckle_zz = 0.26;
+constexpr double m_wheel = 18.0;
+constexpr double p_upper_from_x = 0.05;
+constexpr double p_upper_from_z = -0.02;
+constexpr double p_upper_to_x = 0.03;
+constexpr double p_upper_to_z = 0.2;
+constexpr double l_upper = 0.4201190307520001;
+constexpr double p_pull_z = 0.5;
+constexpr double p_lower_z = -0.25;
+constexpr double p_ball_x = -0.4;
+constexpr double p_ball_z = 0.02;
+constexpr double p_wheel_z = 0.04;
+constexpr double p_arm_seat_x = -0.25;
+constexpr double p_arm_seat_z = 0.03;
+constexpr double p_carriage_seat_x = -0.22;
+constexpr double p_carriage_seat_z = 0.12;
+constexpr double h_arm_x = -1.26;
+constexpr double h_arm_z = 0.07;
+
+/// Constants that follow from tunable parameters.
+void compute_derived_constants(const Parameters& parameters, Tuned& __restrict result) noexcept {
+  // --- step 1: poses and axes b ---
+  const Lanes m_knuckle = 22.0 + parameters.ballast;
+  result.derived[7] = m_knuckle;
+  const Lanes s1_1 = parameters.ballast/m_knuckle;
+  const Lanes c_knuckle_z = 0.04 + 0.11*s1_1;
+  result.derived[6] = c_knuckle_z;
+  const Lanes s1_2 = 0.0121*(22.0*s1_1);
+  const Lanes I_knuckle_xx = 0.31 + s1_2;
+  const Lanes I_knuckle_yy = 0.36 + s1_2;
+  result.derived[8] = I_knuckle_yy;
+  // operations: 4 add, 3 multiply, 1 divide
+
+  // --- step 5: applied forces Q (48) ---
+  const Lanes s5_1 = 0.5*(I_knuckle_zz + (I_knuckle_xx + I_knuckle_yy));
+  const Lanes K_knuckle_xx = s5_1 - I_knuckle_xx;
+  result.derived[2] = K_knuckle_xx;
+  const Lanes K_knuckle_yy = 0.6 + (s5_1 - I_knuckle_yy);
+  result.derived[4] = K_knuckle_yy;
+  const Lanes s5_2 = m_knuckle*c_knuckle_z;
+  result.derived[0] = 0.72 + s5_2;
+  const Lanes K_knuckle_zz = s5_1 - 0.2312 + c_knuckle_z*s5_2;
+  result.derived[1] = K_knuckle_zz;
+  result.derived[3] = K_knuckle_zz + (K_knuckle_xx + K_knuckle_yy);
+  result.derived[5] = m_wheel + m_knuckle;
+  // operations: 11 add, 3 multiply
+
+  // --- step 1: poses, axes b, accumulated inertias MR (50) ---
+  // arm: lower, revolute, carriage
+  const Lanes s1_3 = 345.0 + m_knuckle;
+  // carriage: pull, prismatic, ground
+  result.derived[9] = p_pull_z*s1_3;
+  // operations: 1 add, 1 multiply
+}
+
+Tuned::Tuned(const Parameters& parameters) noexcept : Parameters(parameters) {
+  compute_derived_constants(parameters, *this);
+}
+
+/// Result of compute_accelerations.
+struct Accelerations {
+  Lanes zdd[4];  ///< accelerations
+  Lanes xd[2];  ///< rates of the auxiliary states
+  Lanes pivot[1];  ///< smallest pivot of each block over its reference
+  Lanes inertia[2];  ///< pivots of the final equations
+};
+
+/// All accelerations with the frozen partition of the loop blocks.
+void compute_accelerations(const Tuned& parameters, const Inputs& /*inputs*/, const State& state,
+    const Lanes* tau, Accelerations& __restrict result) noexcept {
+  // --- step 1: poses and axes b ---
+  // arm: lower, revolute, carriage
+  const Lanes z_lower = state.z[Coordinate::lower];
+  Lanes R_arm_x_x, R_arm_x_z;
+  mbgen::sincos(z_lower, R_arm_x_z, R_arm_x_x);
+  // knuckle: ball, revolute, arm
+  const Lanes z_ball = state.z[Coordinate::ball];
+  Lanes s1_1, s1_2;
+  mbgen::sincos(z_ball, s1_2, s1_1);
+  const Lanes R_knuckle_x_x = mbgen::fnma(R_arm_x_z, s1_2, R_arm_x_x*s1_1);
+  const Lanes R_knuckle_x_z = mbgen::fma(R_arm_x_x, s1_2, R_arm_x_z*s1_1);
+  const Lanes r_knuckle_x = mbgen::fnma((-p_ball_x), R_arm_x_x, p_ball_z*R_arm_x_z);
+  const Lanes s1_3 = mbgen::fma(p_ball_z, R_arm_x_x, (-p_ball_x)*R_arm_x_z);
+  // wheel: wheel, revolute, knuckle
+  const Lanes zd_ball = state.zd[Coordinate::ball];
+  const Lanes v_knuckle_z = zd_ball*r_knuckle_x;
+  const Lanes r_wheel_x = mbgen::fma(p_wheel_z, R_knuckle_x_z, r_knuckle_x);
+  const Lanes zd_wheel = state.zd[Coordinate::wheel];
+  const Lanes v_wheel_z = mbgen::fma(zd_wheel, r_wheel_x, v_knuckle_z);
+  // operations: 6 add, 11 multiply, 4 sin cos
+
+  // --- step 5: applied forces Q (48) ---
+  // spring
+  const Lanes s5_1 = mbgen::fnma((-p_arm_seat_x), R_arm_x_x, p_arm_seat_z*R_arm_x_z);
+  const Lanes s5_2 = mbgen::fms((-p_arm_seat_x), R_arm_x_z, (-p_lower_z));
+  const Lanes s5_3 = mbgen::fma(p_arm_seat_z, R_arm_x_x, s5_2);
+  const Lanes s5_4 = p_carriage_seat_z - s5_3;
+  const Lanes zd_lower = state.zd[Coordinate::lower];
+  // knuckle: ball, revolute, arm
+  const Lanes zd_pull = state.zd[Coordinate::pull];
+  const Lanes v_arm_x = mbgen::fma((-p_lower_z), zd_lower, zd_pull);
+  // spring
+  const Lanes s5_5 = (-p_carriage_seat_x) + s5_1;
+  const Lanes s5_6 = mbgen::fnma(zd_lower, s5_3, zd_pull - v_arm_x);
+  const Lanes s5_7 = mbgen::sqrt(mbgen::fma(s5_4, s5_4, s5_5*s5_5));
+  const Lanes s5_8 = 1.0/s5_7;
+  const Lanes s5_9 = mbgen::fnma(s5_5, s5_6, s5_4*(zd_lower*s5_1))*s5_8;
+  const Lanes s5_10 = 0.2 + s5_9;
+  const Lanes s5_11 = mbgen::fms(725.0, 1.0 + s5_9, 900.0);
+  const Lanes s5_12 = mbgen::select(s5_10, mbgen::fms(1600.0, s5_10, 320.0), s5_11);
+  const Lanes s5_13 = s5_9 - 0.2;
+  const Lanes s5_14 = mbgen::select(s5_9, 3200.0*s5_9, s5_12);
+  const Lanes s5_15 = mbgen::select(s5_13, mbgen::fma(1575.0, s5_13, 640.0), s5_14) - 3000.0;
+  const Lanes tension_spring = mbgen::fma(s5_7 - 0.34132096331752027, parameters.k, s5_15);
+  const Lanes s5_16 = s5_8*tension_spring;
+  const Lanes s5_17 = s5_5*s5_16;
+  const Lanes s5_18 = mbgen::fma(s5_1, s5_4*s5_16, s5_3*s5_17);
+  const Lanes s5_19 = mbgen::fma((-p_lower_z), s5_17, s5_18);
+  // wheel: wheel, revolute, knuckle
+  const Lanes w_knuckle_y = zd_lower + zd_ball;
+  const Lanes w_wheel_y = zd_wheel + w_knuckle_y;
+  const Lanes s5_20 = mbgen::fnma(r_wheel_x, w_wheel_y, v_wheel_z);
+  // tyre
+  // knuckle: ball, revolute, arm
+  const Lanes r_knuckle_z = s1_3 - (-p_lower_z);
+  const Lanes v_knuckle_x = mbgen::fnma(zd_ball, r_knuckle_z, v_arm_x);
+  const Lanes r_wheel_z = mbgen::fma(p_wheel_z, R_knuckle_x_x, r_knuckle_z);
+  const Lanes v_wheel_x = mbgen::fnma(zd_wheel, r_wheel_z, v_knuckle_x);
+  // wheel: wheel, revolute, knuckle
+  const Lanes s5_21 = mbgen::fma(r_wheel_z, w_wheel_y, v_wheel_x);
+  // tyre
+  const Lanes s5_22 = p_pull_z + r_wheel_z;
+  const Lanes s5_23 = 0.32 - s5_22;
+  mbgen::read_back();
+  const Lanes s5_24 = mbgen::max(0.0, 2e+05*s5_23);
+  const Lanes s5_25 = mbgen::fnma(0.3333333333333333, mbgen::max(0.0, s5_23), 0.32);
+  const Lanes s5_26 = w_wheel_y*s5_25;
+  const Lanes load_tyre = mbgen::max(0.0, s5_24 + mbgen::min(s5_24, -(500.0*s5_20)));
+  const Lanes s5_27 = r_wheel_x*load_tyre;
+  const Lanes s5_28 = mbgen::max(0.004, load_tyre);
+  const Lanes s5_29 = 1e-09*s5_28;
+  const Lanes s5_30 = 1.1*s5_28;
+  const Lanes s5_31 = 1.6*s5_30;
+  const Lanes s5_32 = mbgen::min(s5_31, -s5_29);
+  const Lanes s5_33 = state.x[0]/0.3;
+  const Lanes s5_34 = state.x[1]/0.6;
+  const Lanes s5_35 = mbgen::sqrt(mbgen::fma(s5_34, s5_34, mbgen::fma(s5_33, s5_33, 1e-30)));
+  const Lanes s5_36 = s5_21 - s5_26;
+  const Lanes s5_37 = mbgen::abs(s5_21);
+  const Lanes s5_38 = mbgen::sqrt(mbgen::fma(s5_36, s5_36, 1e-30));
+  const Lanes s5_39 = mbgen::min(0.5, 0.1*mbgen::fma(0.5, s5_37 + s5_38, 1.0));
+  const Lanes s5_40 = s5_37 + s5_38/s5_39;
+  const Lanes s5_41 = 1.0 - s5_35/s5_39;
+  result.xd[1] = -(s5_34*s5_40);
+  result.xd[0] = -mbgen::fma(s5_33, s5_40, s5_36);
+  const Lanes s5_42 = mbgen::cosine(3.141592653589793*mbgen::min(1.0, 0.5*s5_37));
+  const Lanes s5_43 = s5_33*(1.0/mbgen::max(0.6666666666666666*s5_35, s5_41));
+  const Lanes s5_44 = 0.06*mbgen::fma(0.5, s5_42, 0.5)*mbgen::max(0.0, s5_41);
+  const Lanes s5_45 = 20.0*s5_28/mbgen::select(s5_31, mbgen::max(s5_31, s5_29), s5_32);
+  const Lanes s5_46 = 1.6*mbgen::arc_tangent(s5_45*mbgen::fnma(s5_36, s5_44, s5_43));
+  mbgen::read_back();
+  const Lanes fx_tyre = mbgen::max(0.0, load_tyre)/s5_28*(s5_30*mbgen::sine(s5_46));
+  const Lanes s5_47 = mbgen::fms(fx_tyre, 0.32 + (r_wheel_z - s5_22 - s5_23 - s5_25), s5_27);
+  const Lanes s5_48 = mbgen::hyperbolic_tangent(0.5*s5_26);
+  const Lanes s5_49 = mbgen::fnma(s5_48, 0.32*(0.007*load_tyre), s5_47);
+  // operations: 50 add, 61 multiply, 8 divide, 3 sqrt, 3 sin cos, 18 other
+
+  // --- step 8: elimination from the leaves to the root (63) ---
+  // wheel: wheel, revolute, knuckle
+  const Lanes s8_1 = tau[Coordinate::wheel] + (s5_27 + s5_49);
+  const Lanes s8_2 = mbgen::fnma(r_wheel_z, fx_tyre, s8_1);
+  const Lanes s8_3 = mbgen::fnma(r_knuckle_x, load_tyre, s8_2 - s5_49);
+  const Lanes s8_4 = mbgen::fma(r_knuckle_z, fx_tyre, s8_3);
+  // operations: 6 add, 3 multiply
+
+  // --- step 2: closure Jacobian Phi_z and its factors (60), upper ---
+  // upper
+  const Lanes s2_1 = mbgen::fnma(p_upper_to_x, R_knuckle_x_z, p_upper_to_z*R_knuckle_x_x);
+  const Lanes s2_2 = (-p_upper_from_z) + (r_knuckle_z + s2_1);
+  const Lanes s2_3 = mbgen::fma(p_upper_to_x, R_knuckle_x_x, p_upper_to_z*R_knuckle_x_z);
+  const Lanes s2_4 = p_upper_from_x - r_knuckle_x - s2_3;
+  const Lanes s2_5 = mbgen::fma(s2_1, s2_4, s2_2*s2_3);
+  const Lanes s2_6 = mbgen::fma(s1_3, s2_4, mbgen::fma(r_knuckle_x, s2_2, s2_5));
+  const Lanes s2_7 = 1.0/s2_6;
+  result.pivot[0] = 10.4946490638541*mbgen::abs(s2_6);
+  // operations: 9 add, 9 multiply, 1 divide, 1 other
+
+  // --- step 3: Rz (61), upper ---
+  const Lanes s3_1 = s2_5*s2_7;
+  // operations: 1 multiply
+
+  // --- step 6: c and dRz/dt zd (62), upper ---
+  // upper
+  const Lanes s6_1 = w_knuckle_y*s2_3;
+  const Lanes s6_2 = w_knuckle_y*s2_1;
+  const Lanes s6_3 = mbgen::fma(zd_lower, s1_3, s6_2);
+  const Lanes s6_4 = mbgen::fma(zd_lower, r_knuckle_x, s6_1);
+  // knuckle: ball, revolute, arm
+  const Lanes s6_5 = zd_lower*zd_lower;
+  const Lanes s6_6 = r_knuckle_x*s6_5;
+  // upper
+  const Lanes s6_7 = s1_3*s6_5;
+  const Lanes s6_8 = mbgen::fma(w_knuckle_y, s6_1, s6_6);
+  const Lanes s6_9 = mbgen::fma(s2_4, s6_8, mbgen::fma(s6_4, s6_4, s6_3*s6_3));
+  const Lanes s6_10 = mbgen::fnma(s2_2, mbgen::fma(w_knuckle_y, s6_2, s6_7), s6_9);
+  const Lanes zdd_star_lower = s2_7*s6_10;
+  // operations: 7 add, 14 multiply
+
+  // --- step 7: inertias of the bodies and forces on joints, upper ---
+  // arm: lower, revolute, carriage
+  const Lanes s7_1 = mbgen::fnma((-h_arm_x), R_arm_x_x, h_arm_z*R_arm_x_z);
+  // knuckle: ball, revolute, arm
+  const Lanes s7_2 = R_knuckle_x_z*(R_knuckle_x_z*parameters.derived[1]);
+  const Lanes s7_3 = mbgen::fma(R_knuckle_x_x, R_knuckle_x_x*parameters.derived[2], s7_2);
+  const Lanes s7_4 = parameters.derived[3] - s7_3 - parameters.derived[4];
+  const Lanes s7_5 = s7_3 + (parameters.derived[4] + s7_4) - parameters.derived[4];
+  // operations: 7 add, 6 multiply
+
+  // --- step 8: elimination from the leaves to the root (63), upper ---
+  // arm: lower, revolute, carriage
+  // knuckle: ball, revolute, arm
+  const Lanes s8_5 = w_knuckle_y*w_knuckle_y;
+  // arm: lower, revolute, carriage
+  const Lanes s8_6 = mbgen::fma(0.3475, zdd_star_lower, s5_19 - tau[Coordinate::lower]);
+  // knuckle: ball, revolute, arm
+  const Lanes s8_7 = mbgen::fms(s1_3, zdd_star_lower, s6_6);
+  const Lanes s8_8 = mbgen::fma(r_knuckle_x, zdd_star_lower, s6_7);
+  const Lanes s8_9 = s1_3*s3_1;
+  const Lanes s8_10 = r_knuckle_x*s3_1;
+  const Lanes s8_11 = R_knuckle_x_z*parameters.derived[0];
+  const Lanes s8_12 = R_knuckle_x_x*parameters.derived[0];
+  mbgen::read_back();
+  const Lanes s8_13 = mbgen::fnma(s8_5, s8_11, mbgen::fms(zdd_star_lower, s8_12, fx_tyre));
+  const Lanes f_knuckle_x = mbgen::fma(s8_7, parameters.derived[5], s8_13);
+  const Lanes s8_14 = mbgen::fma(zdd_star_lower, s8_11, mbgen::fma(s8_5, s8_12, load_tyre));
+  const Lanes s8_15 = mbgen::fma(s8_12, s8_7, mbgen::fma(s8_11, s8_8, s8_4));
+  const Lanes n_knuckle_y = mbgen::fma(zdd_star_lower, s7_3 + s7_4, s8_15);
+  const Lanes s8_16 = 1.0 - s3_1;
+  const Lanes s8_17 = mbgen::fnma(s8_16, n_knuckle_y, tau[Coordinate::ball]);
+  const Lanes s8_18 = mbgen::fnma(s8_11, s8_10, mbgen::fnma(s8_12, s8_9, s8_16*s7_5));
+  const Lanes s8_19 = mbgen::fma(parameters.derived[5], s8_8, s8_14);
+  const Lanes s8_20 = mbgen::fnma(s8_9, parameters.derived[5], s8_12*s8_16);
+  const Lanes s8_21 = mbgen::fma(s8_10, s8_19, mbgen::fma(s8_9, f_knuckle_x, s8_17));
+  const Lanes s8_22 = mbgen::fma(s3_1, s8_6, s8_21);
+  const Lanes s8_23 = mbgen::fnma(s8_11, s8_16, s8_10*parameters.derived[5]);
+  // arm: lower, revolute, carriage
+  const Lanes s8_24 = mbgen::fma(s3_1, s7_1, s8_23);
+  const Lanes s8_25 = mbgen::fma(s8_16, s8_18, mbgen::fnma(s8_9, s8_20, s8_10*s8_23));
+  const Lanes s8_26 = mbgen::fma(s3_1, 0.3475*s3_1, s8_25);
+  const Lanes s8_27 = 1.0/s8_26;
+  result.inertia[0] = mbgen::fnma(1e-12, s8_26, s8_26);
+  // operations: 28 add, 35 multiply, 1 divide
+
+  // --- step 9: accelerations from the root to the leaves (63), (62) ---
+  // knuckle: ball, revolute, arm
+  const Lanes s9_1 = s8_27*mbgen::fnma((-g_z), s8_24, s8_22);
+  result.zdd[Coordinate::ball] = s9_1;
+  result.zdd[Coordinate::lower] = mbgen::fnma(s3_1, s9_1, zdd_star_lower);
+  const Lanes alpha_knuckle_y = mbgen::fma(s8_16, s9_1, zdd_star_lower);
+  result.zdd[Coordinate::wheel] = s8_2 - alpha_knuckle_y;
+  // operations: 4 add, 4 multiply
+  result.inertia[1] = Lanes{} + 0.999999999999;
+  result.zdd[Coordinate::pull] = Lanes{} + 0.0;
+}
+
+/// Result of compute_closure.
+struct Closure {
+  Lanes residual[2];  ///< of every closure equation, block after block, then of every motion
+  Lanes dz[4];  ///< Newton correction; driven coordinates go to their motions
+  Lanes zd[4];  ///< consistent velocities
+  Lanes pivot[1];  ///< smallest pivot of each block over its reference
+};
+
+/// One Newton step of the frozen partition, and consistent velocities.
+void compute_closure(const Tuned& /*parameters*/, const Inputs& /*inputs*/, const State& state,
+    Closure& __restrict result) noexcept {
+  // --- step 1: poses, axes b, accumulated inertias MR (50) ---
+  // arm: lower, revolute, carriage
+  const Lanes z_lower = state.z[Coordinate::lower];
+  Lanes R_arm_x_x, R_arm_x_z;
+  mbgen::sincos(z_lower, R_arm_x_z, R_arm_x_x);
+  // knuckle: ball, revolute, arm
+  const Lanes z_ball = state.z[Coordinate::ball];
+  Lanes s1_1, s1_2;
+  mbgen::sincos(z_ball, s1_2, s1_1);
+  const Lanes R_knuckle_x_x = mbgen::fnma(R_arm_x_z, s1_2, R_arm_x_x*s1_1);
+  const Lanes R_knuckle_x_z = mbgen::fma(R_arm_x_x, s1_2, R_arm_x_z*s1_1);
+  const Lanes r_knuckle_x = mbgen::fnma((-p_ball_x), R_arm_x_x, p_ball_z*R_arm_x_z);
+  const Lanes s1_3 = mbgen::fms((-p_ball_x), R_arm_x_z, (-p_lower_z));
+  const Lanes r_knuckle_z = mbgen::fma(p_ball_z, R_arm_x_x, s1_3);
+  const Lanes s1_4 = mbgen::fms(15.0, state.t, state.z[Coordinate::pull]);
+  result.residual[1] = s1_4;
+  result.dz[Coordinate::pull] = s1_4;
+  // operations: 6 add, 9 multiply, 4 sin cos
+
+  // --- step 2: closure Jacobian Phi_z and its factors (60) ---
+  // upper
+  const Lanes s2_1 = mbgen::fma(p_upper_to_z, R_knuckle_x_x, r_knuckle_z);
+  const Lanes s2_2 = mbgen::fnma(p_upper_to_x, R_knuckle_x_z, s2_1);
+  const Lanes s2_3 = mbgen::fma(p_upper_to_z, R_knuckle_x_z, r_knuckle_x);
+  const Lanes s2_4 = mbgen::fma(p_upper_to_x, R_knuckle_x_x, s2_3);
+  const Lanes s2_5 = (-p_upper_from_z) + s2_2;
+  const Lanes s2_6 = 2.380277794628896*s2_5;
+  const Lanes s2_7 = p_upper_from_x - s2_4;
+  const Lanes s2_8 = 2.380277794628896*s2_7;
+  const Lanes s2_9 = mbgen::fma(s2_2, s2_8, s2_6*s2_4);
+  // upper
+  const Lanes s2_10 = 0.5*mbgen::fma(s2_7, s2_8, mbgen::fms(s2_5, s2_6, l_upper));
+  result.residual[0] = s2_10;
+  const Lanes s2_11 = mbgen::fma((-p_lower_z), s2_8, s2_9);
+  const Lanes s2_12 = mbgen::fnma(r_knuckle_z, s2_8, mbgen::fnma(r_knuckle_x, s2_6, s2_9));
+  result.pivot[0] = 4.409001792788769*mbgen::abs(s2_11);
+  const Lanes s2_13 = 1.0/s2_11;
+  // operations: 12 add, 15 multiply, 1 divide, 1 other
+
+  // --- step 4: velocities Z (36) ---
+  // loop block 0
+  result.dz[Coordinate::lower] = s2_10*s2_13;
+  result.zd[Coordinate::lower] = -(s2_13*(state.zd[Coordinate::ball]*s2_12));
+  // operations: 3 multiply
+  result.dz[Coordinate::ball] = Lanes{} + 0.0;
+  result.dz[Coordinate::wheel] = Lanes{} + 0.0;
+  result.zd[Coordinate::pull] = Lanes{} + 15.0;
+  result.zd[Coordinate::ball] = state.zd[Coordinate::ball];
+  result.zd[Coordinate::wheel] = state.zd[Coordinate::wheel];
+}
+
+/// Result of compute_multipliers.
+struct ConstraintForces {
+  Lanes lambda[1];  ///< multipliers, loop after loop
+  Lanes drive[1];  ///< generalised driving forces
+  Lanes missing[2];  ///< what multipliers and drives must provide, block after block
+  Lanes pivot[1];  ///< smallest pivot of each block over its reference
+};
+
+/// Multipliers of the closures and generalised driving forces, at given accelerations.
+void compute_multipliers(const Tuned& parameters, const Inputs& /*inputs*/, const State& state,
+    const Lanes* tau, const Derivative& derivative, ConstraintForces& __restrict result) noexcept {
+  // --- step 1: poses, axes b, accumulated inertias MR (50) ---
+  // arm: lower, revolute, carriage
+  const Lanes z_lower = state.z[Coordinate::lower];
+  Lanes R_arm_x_x, R_arm_x_z;
+  mbgen::sincos(z_lower, R_arm_x_z, R_arm_x_x);
+  // knuckle: ball, revolute, arm
+  const Lanes z_ball = state.z[Coordinate::ball];
+  Lanes s1_1, s1_2;
+  mbgen::sincos(z_ball, s1_2, s1_1);
+  const Lanes R_knuckle_x_x = mbgen::fnma(R_arm_x_z, s1_2, R_arm_x_x*s1_1);
+  const Lanes R_knuckle_x_z = mbgen::fma(R_arm_x_x, s1_2, R_arm_x_z*s1_1);
+  const Lanes r_knuckle_x = mbgen::fnma((-p_ball_x), R_arm_x_x, p_ball_z*R_arm_x_z);
+  const Lanes s1_3 = mbgen::fms((-p_ball_x), R_arm_x_z, (-p_lower_z));
+  const Lanes r_knuckle_z = mbgen::fma(p_ball_z, R_arm_x_x, s1_3);
+  // wheel: wheel, revolute, knuckle
+  const Lanes r_wheel_x = mbgen::fma(p_wheel_z, R_knuckle_x_z, r_knuckle_x);
+  const Lanes r_wheel_z = mbgen::fma(p_wheel_z, R_knuckle_x_x, r_knuckle_z);
+  // arm: lower, revolute, carriage
+  const Lanes s1_4 = mbgen::fms((-c_arm_x), R_arm_x_z, (-p_lower_z));
+  const Lanes s1_5 = mbgen::fma(c_arm_z, R_arm_x_x, s1_4);
+  const Lanes s1_6 = mbgen::fnma((-c_arm_x), R_arm_x_x, c_arm_z*R_arm_x_z);
+  // knuckle: ball, revolute, arm
+  const Lanes s1_7 = mbgen::fma(R_knuckle_x_x, parameters.derived[6], r_knuckle_z);
+  const Lanes s1_8 = mbgen::fma(R_knuckle_x_z, parameters.derived[6], r_knuckle_x);
+  // operations: 12 add, 16 multiply, 4 sin cos
+
+  // --- step 4: velocities Z (36) ---
+  // arm: lower, revolute, carriage
+  const Lanes zd_lower = state.zd[Coordinate::lower];
+  const Lanes zd_pull = state.zd[Coordinate::pull];
+  const Lanes v_arm_x = mbgen::fma((-p_lower_z), zd_lower, zd_pull);
+  // knuckle: ball, revolute, arm
+  const Lanes zd_ball = state.zd[Coordinate::ball];
+  const Lanes v_knuckle_x = mbgen::fnma(zd_ball, r_knuckle_z, v_arm_x);
+  const Lanes v_knuckle_z = zd_ball*r_knuckle_x;
+  // wheel: wheel, revolute, knuckle
+  const Lanes zd_wheel = state.zd[Coordinate::wheel];
+  const Lanes v_wheel_z = mbgen::fma(zd_wheel, r_wheel_x, v_knuckle_z);
+  const Lanes v_wheel_x = mbgen::fnma(zd_wheel, r_wheel_z, v_knuckle_x);
+  // knuckle: ball, revolute, arm
+  const Lanes w_knuckle_y = zd_lower + zd_ball;
+  // wheel: wheel, revolute, knuckle
+  const Lanes w_wheel_y = zd_wheel + w_knuckle_y;
+  // operations: 6 add, 5 multiply
+
+  // --- step 5: applied forces Q (48) ---
+  // spring
+  const Lanes s5_1 = mbgen::fnma((-p_arm_seat_x), R_arm_x_x, p_arm_seat_z*R_arm_x_z);
+  const Lanes s5_2 = mbgen::fms((-p_arm_seat_x), R_arm_x_z, (-p_lower_z));
+  const Lanes s5_3 = mbgen::fma(p_arm_seat_z, R_arm_x_x, s5_2);
+  const Lanes s5_4 = p_carriage_seat_z - s5_3;
+  const Lanes s5_5 = (-p_carriage_seat_x) + s5_1;
+  const Lanes s5_6 = mbgen::fnma(zd_lower, s5_3, zd_pull - v_arm_x);
+  const Lanes s5_7 = mbgen::sqrt(mbgen::fma(s5_4, s5_4, s5_5*s5_5));
+  const Lanes s5_8 = 1.0/s5_7;
+  const Lanes s5_9 = mbgen::fnma(s5_5, s5_6, s5_4*(zd_lower*s5_1))*s5_8;
+  const Lanes s5_10 = 0.2 + s5_9;
+  const Lanes s5_11 = mbgen::fms(725.0, 1.0 + s5_9, 900.0);
+  const Lanes s5_12 = mbgen::select(s5_10, mbgen::fms(1600.0, s5_10, 320.0), s5_11);
+  const Lanes s5_13 = s5_9 - 0.2;
+  const Lanes s5_14 = mbgen::select(s5_9, 3200.0*s5_9, s5_12);
+  const Lanes s5_15 = mbgen::select(s5_13, mbgen::fma(1575.0, s5_13, 640.0), s5_14) - 3000.0;
+  const Lanes tension_spring = mbgen::fma(s5_7 - 0.34132096331752027, parameters.k, s5_15);
+  const Lanes s5_16 = s5_8*tension_spring;
+  const Lanes s5_17 = s5_5*s5_16;
+  const Lanes s5_18 = mbgen::fma(s5_1, s5_4*s5_16, s5_3*s5_17);
+  // tyre
+  const Lanes s5_19 = p_pull_z + r_wheel_z;
+  const Lanes s5_20 = 0.32 - s5_19;
+  mbgen::read_back();
+  const Lanes s5_21 = mbgen::max(0.0, 2e+05*s5_20);
+  const Lanes s5_22 = mbgen::fnma(0.3333333333333333, mbgen::max(0.0, s5_20), 0.32);
+  const Lanes s5_23 = mbgen::fma(r_wheel_z, w_wheel_y, v_wheel_x);
+  const Lanes s5_24 = w_wheel_y*s5_22;
+  const Lanes s5_25 = mbgen::min(s5_21, -(500.0*mbgen::fnma(r_wheel_x, w_wheel_y, v_wheel_z)));
+  const Lanes load_tyre = mbgen::max(0.0, s5_21 + s5_25);
+  const Lanes s5_26 = mbgen::max(0.004, load_tyre);
+  const Lanes s5_27 = 1.1*s5_26;
+  const Lanes s5_28 = 1.6*s5_27;
+  const Lanes s5_29 = 1e-09*s5_26;
+  const Lanes s5_30 = mbgen::min(s5_28, -s5_29);
+  const Lanes s5_31 = state.x[0]/0.3;
+  const Lanes s5_32 = state.x[1]/0.6;
+  const Lanes s5_33 = mbgen::sqrt(mbgen::fma(s5_32, s5_32, mbgen::fma(s5_31, s5_31, 1e-30)));
+  const Lanes s5_34 = mbgen::abs(s5_23);
+  const Lanes s5_35 = s5_23 - s5_24;
+  const Lanes s5_36 = s5_34 + mbgen::sqrt(mbgen::fma(s5_35, s5_35, 1e-30));
+  const Lanes s5_37 = 1.0 - s5_33/mbgen::min(0.5, 0.1*mbgen::fma(0.5, s5_36, 1.0));
+  const Lanes s5_38 = mbgen::cosine(3.141592653589793*mbgen::min(1.0, 0.5*s5_34));
+  const Lanes s5_39 = s5_31*(1.0/mbgen::max(0.6666666666666666*s5_33, s5_37));
+  const Lanes s5_40 = 0.06*mbgen::fma(0.5, s5_38, 0.5)*mbgen::max(0.0, s5_37);
+  const Lanes s5_41 = 20.0*s5_26/mbgen::select(s5_28, mbgen::max(s5_28, s5_29), s5_30);
+  const Lanes s5_42 = 1.6*mbgen::arc_tangent(s5_41*mbgen::fnma(s5_35, s5_40, s5_39));
+  const Lanes fx_tyre = mbgen::max(0.0, load_tyre)/s5_26*(s5_27*mbgen::sine(s5_42));
+  mbgen::read_back();
+  const Lanes s5_43 = fx_tyre*(0.32 + (r_wheel_z - s5_19 - s5_20 - s5_22));
+  const Lanes s5_44 = mbgen::fnma(r_wheel_x, load_tyre, s5_43);
+  const Lanes s5_45 = mbgen::hyperbolic_tangent(0.5*s5_24);
+  const Lanes s5_46 = mbgen::fnma(s5_45, 0.32*(0.007*load_tyre), s5_44);
+  // operations: 40 add, 54 multiply, 7 divide, 3 sqrt, 3 sin cos, 18 other
+
+  // --- step 7: accelerations Zdot and accumulated forces QR - PR (51), (52) ---
+  // knuckle: ball, revolute, arm
+  const Lanes s7_1 = w_knuckle_y*w_knuckle_y;
+  // wheel: wheel, revolute, knuckle
+  const Lanes s7_2 = w_wheel_y*w_wheel_y;
+  // arm: lower, revolute, carriage
+  const Lanes zdd_lower = derivative.zdd[Coordinate::lower];
+  const Lanes zdd_pull = derivative.zdd[Coordinate::pull];
+  const Lanes a_arm_x = mbgen::fma((-p_lower_z), zdd_lower, zdd_pull);
+  const Lanes s7_3 = zd_lower*zd_lower;
+  // knuckle: ball, revolute, arm
+  const Lanes s7_4 = s7_1 - s7_3;
+  const Lanes alpha_knuckle_y = zdd_lower + derivative.zdd[Coordinate::ball];
+  const Lanes s7_5 = mbgen::fma(r_knuckle_x, s7_4, a_arm_x);
+  const Lanes a_knuckle_x = mbgen::fma(r_knuckle_z, zdd_lower - alpha_knuckle_y, s7_5);
+  // arm: lower, revolute, carriage
+  const Lanes s7_6 = m_arm*mbgen::fnma(s1_6, s7_3, mbgen::fma(zdd_lower, s1_5, a_arm_x));
+  const Lanes a_arm_z = mbgen::fnma((-p_lower_z), s7_3, (-g_z));
+  // knuckle: ball, revolute, arm
+  const Lanes s7_7 = mbgen::fma(r_knuckle_x, alpha_knuckle_y - zdd_lower, a_arm_z);
+  const Lanes a_knuckle_z = mbgen::fma(r_knuckle_z, s7_4, s7_7);
+  // arm: lower, revolute, carriage
+  // wheel: wheel, revolute, knuckle
+  const Lanes s7_8 = s7_2 - s7_1;
+  const Lanes alpha_wheel_y = derivative.zdd[Coordinate::wheel] + alpha_knuckle_y;
+  const Lanes s7_9 = mbgen::fma(r_wheel_x, s7_8, a_knuckle_x);
+  const Lanes a_wheel_x = mbgen::fma(r_wheel_z, alpha_knuckle_y - alpha_wheel_y, s7_9);
+  const Lanes s7_10 = mbgen::fma(r_wheel_z, alpha_wheel_y, a_wheel_x);
+  const Lanes s7_11 = m_wheel*mbgen::fnma(r_wheel_x, s7_2, s7_10);
+  const Lanes s7_12 = mbgen::fma(r_wheel_x, alpha_wheel_y - alpha_knuckle_y, a_knuckle_z);
+  const Lanes a_wheel_z = mbgen::fma(r_wheel_z, s7_8, s7_12);
+  const Lanes s7_13 = mbgen::fnma(r_wheel_x, alpha_wheel_y, a_wheel_z);
+  const Lanes s7_14 = m_wheel*mbgen::fnma(r_wheel_z, s7_2, s7_13);
+  const Lanes s7_15 = mbgen::fnma(r_wheel_z, s7_11, s5_46 - alpha_wheel_y);
+  const Lanes s7_16 = mbgen::fma(r_wheel_x, s7_14, s7_15);
+  // knuckle: ball, revolute, arm
+  const Lanes s7_17 = mbgen::fnma(s1_8, s7_1, mbgen::fma(s1_7, alpha_knuckle_y, a_knuckle_x));
+  const Lanes s7_18 = s7_17*parameters.derived[7];
+  // wheel: wheel, revolute, knuckle
+  const Lanes s7_19 = fx_tyre - s7_11 - s7_18;
+  const Lanes s7_20 = mbgen::fnma(alpha_knuckle_y, parameters.derived[8], s7_16);
+  // knuckle: ball, revolute, arm
+  const Lanes s7_21 = mbgen::fnma(s1_7, s7_1, mbgen::fnma(s1_8, alpha_knuckle_y, a_knuckle_z));
+  const Lanes s7_22 = parameters.derived[7]*s7_21;
+  // wheel: wheel, revolute, knuckle
+  const Lanes s7_23 = load_tyre - s7_14 - s7_22;
+  const Lanes s7_24 = mbgen::fma(s1_8, s7_22, mbgen::fnma(s1_7, s7_18, s7_20));
+  // arm: lower, revolute, carriage
+  // knuckle: ball, revolute, arm
+  // arm: lower, revolute, carriage
+  // knuckle: ball, revolute, arm
+  // arm: lower, revolute, carriage
+  // knuckle: ball, revolute, arm
+  const Lanes s7_25 = mbgen::fma(r_knuckle_x, s7_23, tau[Coordinate::ball] + s7_24);
+  result.missing[1] = mbgen::fnma(r_knuckle_z, s7_19, s7_25);
+  // arm: lower, revolute, carriage
+  const Lanes s7_26 = mbgen::fnma(I_arm_yy, zdd_lower, tau[Coordinate::lower] + s7_24 - s5_18);
+  // knuckle: ball, revolute, arm
+  // arm: lower, revolute, carriage
+  const Lanes s7_27 = m_arm*mbgen::fnma(s1_5, s7_3, mbgen::fnma(zdd_lower, s1_6, a_arm_z));
+  // knuckle: ball, revolute, arm
+  const Lanes s7_28 = s7_19 - s5_17 - s7_6;
+  // arm: lower, revolute, carriage
+  const Lanes s7_29 = mbgen::fma(s1_6, s7_27, mbgen::fnma(s1_5, s7_6, s7_26));
+  const Lanes Q_lower = mbgen::fma((-p_lower_z), s7_28, s7_29);
+  result.missing[0] = Q_lower;
+  mbgen::read_back();
+  // carriage: pull, prismatic, ground
+  const Lanes s7_30 = s5_17 + (tau[Coordinate::pull] + s7_28);
+  const Lanes Q_pull = mbgen::fnma(m_carriage, zdd_pull, s7_30);
+  // operations: 54 add, 43 multiply
+
+  // --- step 9: independent and all accelerations (63), (62) ---
+  // upper
+  const Lanes s9_1 = mbgen::fma(p_upper_to_z, R_knuckle_x_z, r_knuckle_x);
+  const Lanes s9_2 = mbgen::fma(p_upper_to_x, R_knuckle_x_x, s9_1);
+  const Lanes s9_3 = mbgen::fma(p_upper_to_z, R_knuckle_x_x, r_knuckle_z);
+  const Lanes s9_4 = mbgen::fnma(p_upper_to_x, R_knuckle_x_z, s9_3);
+  result.drive[0] = -Q_pull;
+  // upper
+  const Lanes s9_5 = 2.380277794628896*((-p_upper_from_z) + s9_4);
+  // upper
+  const Lanes s9_6 = 2.380277794628896*(p_upper_from_x - s9_2);
+  const Lanes s9_7 = mbgen::fma(s9_6, (-p_lower_z) + s9_4, s9_5*s9_2);
+  // loop block 0
+  result.pivot[0] = 4.409001792788769*mbgen::abs(s9_7);
+  result.lambda[0] = -(Q_lower*(1.0/s9_7));
+  // operations: 8 add, 10 multiply, 1 divide, 1 other
+}
+
+/// Outputs, energies and power, at given accelerations.
+void compute_outputs(const Tuned& parameters, const Inputs& /*inputs*/, const State& state,
+    const Lanes* tau, const Derivative& /*derivative*/, const Multipliers& multipliers,
+    Outputs& __restrict result) noexcept {
+  // --- step 1: poses, axes b, accumulated inertias MR (50) ---
+  // arm: lower, revolute, carriage
+  const Lanes z_lower = state.z[Coordinate::lower];
+  Lanes R_arm_x_x, R_arm_x_z;
+  mbgen::sincos(z_lower, R_arm_x_z, R_arm_x_x);
+  // knuckle: ball, revolute, arm
+  const Lanes z_ball = state.z[Coordinate::ball];
+  Lanes s1_1, s1_2;
+  mbgen::sincos(z_ball, s1_2, s1_1);
+  const Lanes R_knuckle_x_x = mbgen::fnma(R_arm_x_z, s1_2, R_arm_x_x*s1_1);
+  const Lanes R_knuckle_x_z = mbgen::fma(R_arm_x_x, s1_2, R_arm_x_z*s1_1);
+  const Lanes r_knuckle_x = mbgen::fnma((-p_ball_x), R_arm_x_x, p_ball_z*R_arm_x_z);
+  const Lanes s1_3 = mbgen::fms((-p_ball_x), R_arm_x_z, (-p_lower_z));
+  const Lanes r_knuckle_z = mbgen::fma(p_ball_z, R_arm_x_x, s1_3);
+  // wheel: wheel, revolute, knuckle
+  const Lanes r_wheel_z = mbgen::fma(p_wheel_z, R_knuckle_x_x, r_knuckle_z);
+  // knuckle: ball, revolute, arm
+  const Lanes s1_4 = mbgen::fma(R_knuckle_x_x, parameters.derived[6], r_knuckle_z);
+  // wheel: wheel, revolute, knuckle
+  const Lanes r_wheel_x = mbgen::fma(p_wheel_z, R_knuckle_x_z, r_knuckle_x);
+  // knuckle: ball, revolute, arm
+  const Lanes s1_5 = mbgen::fma(R_knuckle_x_z, parameters.derived[6], r_knuckle_x);
+  // arm: lower, revolute, carriage
+  const Lanes s1_6 = mbgen::fms((-c_arm_x), R_arm_x_z, (-p_lower_z));
+  const Lanes s1_7 = mbgen::fma(c_arm_z, R_arm_x_x, s1_6);
+  const Lanes s1_8 = mbgen::fnma((-c_arm_x), R_arm_x_x, c_arm_z*R_arm_x_z);
+  // carriage: pull, prismatic, ground
+  const Lanes s1_9 = mbgen::fma(s1_4, parameters.derived[7], m_arm*s1_7);
+  const Lanes s1_10 = mbgen::fma(m_wheel, r_wheel_z, s1_9) + parameters.derived[9];
+  // operations: 15 add, 19 multiply, 4 sin cos
+
+  // --- step 4: velocities Z (36) ---
+  // arm: lower, revolute, carriage
+  const Lanes zd_lower = state.zd[Coordinate::lower];
+  const Lanes zd_pull = state.zd[Coordinate::pull];
+  const Lanes v_arm_x = mbgen::fma((-p_lower_z), zd_lower, zd_pull);
+  // knuckle: ball, revolute, arm
+  const Lanes zd_ball = state.zd[Coordinate::ball];
+  const Lanes v_knuckle_x = mbgen::fnma(zd_ball, r_knuckle_z, v_arm_x);
+  const Lanes v_knuckle_z = zd_ball*r_knuckle_x;
+  const Lanes w_knuckle_y = zd_lower + zd_ball;
+  // wheel: wheel, revolute, knuckle
+  const Lanes zd_wheel = state.zd[Coordinate::wheel];
+  const Lanes v_wheel_z = mbgen::fma(zd_wheel, r_wheel_x, v_knuckle_z);
+  const Lanes w_wheel_y = zd_wheel + w_knuckle_y;
+  const Lanes v_wheel_x = mbgen::fnma(zd_wheel, r_wheel_z, v_knuckle_x);
+  // operations: 6 add, 5 multiply
+
+  // --- step 5: applied forces Q (48) ---
+  // spring
+  const Lanes s5_1 = mbgen::fnma((-p_arm_seat_x), R_arm_x_x, p_arm_seat_z*R_arm_x_z);
+  const Lanes s5_2 = mbgen::fms((-p_arm_seat_x), R_arm_x_z, (-p_lower_z));
+  const Lanes s5_3 = mbgen::fma(p_arm_seat_z, R_arm_x_x, s5_2);
+  const Lanes s5_4 = p_carriage_seat_z - s5_3;
+  const Lanes s5_5 = (-p_carriage_seat_x) + s5_1;
+  const Lanes s5_6 = mbgen::fnma(zd_lower, s5_3, zd_pull - v_arm_x);
+  const Lanes s5_7 = mbgen::sqrt(mbgen::fma(s5_4, s5_4, s5_5*s5_5));
+  const Lanes s5_8 = 1.0/s5_7;
+  const Lanes s5_9 = mbgen::fnma(s5_5, s5_6, s5_4*(zd_lower*s5_1))*s5_8;
+  const Lanes s5_10 = 0.2 + s5_9;
+  const Lanes s5_11 = mbgen::fms(725.0, 1.0 + s5_9, 900.0);
+  const Lanes s5_12 = mbgen::select(s5_10, mbgen::fms(1600.0, s5_10, 320.0), s5_11);
+  const Lanes s5_13 = s5_9 - 0.2;
+  const Lanes s5_14 = mbgen::select(s5_9, 3200.0*s5_9, s5_12);
+  const Lanes s5_15 = mbgen::select(s5_13, mbgen::fma(1575.0, s5_13, 640.0), s5_14) - 3000.0;
+  const Lanes tension_spring = mbgen::fma(s5_7 - 0.34132096331752027, parameters.k, s5_15);
+  result.spring_force = tension_spring;
+  const Lanes s5_16 = s5_8*tension_spring;
+  const Lanes s5_17 = s5_5*s5_16;
+  mbgen::read_back();
+  const Lanes s5_18 = mbgen::fma(s5_1, s5_4*s5_16, s5_3*s5_17);
+  // tyre
+  const Lanes s5_19 = p_pull_z + r_wheel_z;
+  result.hub_height = s5_19;
+  const Lanes s5_20 = 0.32 - s5_19;
+  const Lanes s5_21 = mbgen::max(0.0, 2e+05*s5_20);
+  const Lanes s5_22 = mbgen::fnma(0.3333333333333333, mbgen::max(0.0, s5_20), 0.32);
+  const Lanes s5_23 = w_wheel_y*s5_22;
+  const Lanes s5_24 = mbgen::fnma(r_wheel_x, w_wheel_y, v_wheel_z);
+  const Lanes load_tyre = mbgen::max(0.0, s5_21 + mbgen::min(s5_21, -(500.0*s5_24)));
+  result.load = load_tyre;
+  const Lanes s5_25 = mbgen::max(0.004, load_tyre);
+  const Lanes s5_26 = 1.1*s5_25;
+  const Lanes s5_27 = 1.6*s5_26;
+  const Lanes s5_28 = 1e-09*s5_25;
+  const Lanes s5_29 = mbgen::min(s5_27, -s5_28);
+  const Lanes s5_30 = state.x[0]/0.3;
+  const Lanes s5_31 = state.x[1]/0.6;
+  const Lanes s5_32 = mbgen::sqrt(mbgen::fma(s5_31, s5_31, mbgen::fma(s5_30, s5_30, 1e-30)));
+  const Lanes s5_33 = mbgen::fma(r_wheel_z, w_wheel_y, v_wheel_x);
+  const Lanes s5_34 = s5_33 - s5_23;
+  const Lanes s5_35 = mbgen::abs(s5_33);
+  const Lanes s5_36 = s5_35 + mbgen::sqrt(mbgen::fma(s5_34, s5_34, 1e-30));
+  const Lanes s5_37 = 1.0 - s5_32/mbgen::min(0.5, 0.1*mbgen::fma(0.5, s5_36, 1.0));
+  const Lanes s5_38 = mbgen::cosine(3.141592653589793*mbgen::min(1.0, 0.5*s5_35));
+  const Lanes s5_39 = s5_30*(1.0/mbgen::max(0.6666666666666666*s5_32, s5_37));
+  const Lanes s5_40 = 0.06*mbgen::fma(0.5, s5_38, 0.5)*mbgen::max(0.0, s5_37);
+  const Lanes s5_41 = 20.0*s5_25/mbgen::select(s5_27, mbgen::max(s5_27, s5_28), s5_29);
+  mbgen::read_back();
+  const Lanes s5_42 = 1.6*mbgen::arc_tangent(s5_41*mbgen::fnma(s5_34, s5_40, s5_39));
+  const Lanes fx_tyre = mbgen::max(0.0, load_tyre)/s5_25*(s5_26*mbgen::sine(s5_42));
+  const Lanes s5_43 = fx_tyre*(0.32 + (r_wheel_z - s5_19 - s5_20 - s5_22));
+  const Lanes s5_44 = mbgen::fnma(r_wheel_x, load_tyre, s5_43);
+  const Lanes s5_45 = mbgen::hyperbolic_tangent(0.5*s5_23);
+  const Lanes s5_46 = mbgen::fnma(s5_45, 0.32*(0.007*load_tyre), s5_44);
+  // operations: 40 add, 54 multiply, 7 divide, 3 sqrt, 3 sin cos, 18 other
+
+  // --- step 7: accelerations Zdot and accumulated forces QR - PR (51), (52) ---
+  // wheel: wheel, revolute, knuckle
+  const Lanes s7_1 = w_wheel_y*w_wheel_y;
+  // knuckle: ball, revolute, arm
+  const Lanes s7_2 = w_knuckle_y*parameters.derived[8];
+  // arm: lower, revolute, carriage
+  const Lanes s7_3 = I_arm_yy*zd_lower;
+  // operations: 3 multiply
+
+  // --- step 9: independent and all accelerations (63), (62) ---
+  const Lanes s9_1 = mbgen::fnma(s1_5, w_knuckle_y, v_knuckle_z);
+  const Lanes s9_2 = mbgen::fma(s1_4, w_knuckle_y, v_knuckle_x);
+  const Lanes s9_3 = mbgen::fma(w_wheel_y, s5_46, zd_wheel*tau[Coordinate::wheel]);
+  const Lanes s9_4 = mbgen::fma(v_wheel_x, fx_tyre, mbgen::fma(v_wheel_z, load_tyre, s9_3));
+  const Lanes s9_5 = mbgen::fma(zd_ball, tau[Coordinate::ball], s9_4);
+  const Lanes s9_6 = multipliers.drive[0] + (tau[Coordinate::pull] + s5_17);
+  const Lanes s9_7 = mbgen::fma(zd_pull, s9_6, mbgen::fnma(v_arm_x, s5_17, s9_5));
+  result.applied_power = mbgen::fma(zd_lower, tau[Coordinate::lower] - s5_18, s9_7);
+  const Lanes s9_8 = mbgen::fma(zd_lower, s1_7, v_arm_x);
+  const Lanes s9_9 = zd_lower*s1_8;
+  result.potential_energy = (-g_z)*s1_10;
+  const Lanes s9_10 = mbgen::fma(m_wheel, mbgen::fma(s5_24, s5_24, s5_33*s5_33), s7_1);
+  const Lanes s9_11 = mbgen::fma(w_knuckle_y, s7_2, s9_10);
+  const Lanes s9_12 = mbgen::fma(s9_1, s9_1, s9_2*s9_2);
+  const Lanes s9_13 = mbgen::fma(parameters.derived[7], s9_12, s9_11);
+  const Lanes s9_14 = mbgen::fma(zd_lower, s7_3, s9_13);
+  const Lanes s9_15 = mbgen::fma(m_carriage, zd_pull*zd_pull, s9_14);
+  result.kinetic_energy = 0.5*mbgen::fma(m_arm, mbgen::fma(s9_8, s9_8, s9_9*s9_9), s9_15);
+  // operations: 22 add, 27 multiply
+  result.wheel_speed = zd_wheel;
+}
+
+}  // namespace lanes
+
+/// What the runtime's algorithms need to know of this model; see mbgen/batch.hpp.
+struct System {
+  using Lanes = batch::Lanes;
+  using Mask = mbgen::MaskOf<Lanes>;
+  using Parameters = lanes::Tuned;
+  using Inputs = lanes::Inputs;
+  using State = lanes::State;
+  using Derivative = lanes::Derivative;
+  using Multipliers = lanes::Multipliers;
+  static constexpr int kLanes = batch::kLanes;
+  static constexpr int kCoordinates = 4;
+  static constexpr int kAuxiliaryStates = 2;
+  static constexpr int kBlocks = 1;
+  static constexpr int kEquations = 1;
+  static constexpr int kFreeDirections = 2;
+  static constexpr bool kHasClosure = true;
+  static constexpr int kDrives = 1;
+  static constexpr double kClosureTolerance = 1e-12;
+  static constexpr unsigned char kDriven[] = {1, 0, 0, 0};
+  static constexpr unsigned char kRedundant[] = {0};
+  static constexpr int kBlockCoordinate[] = {1, 2};
+  using Accelerations = lanes::Accelerations;
+  static constexpr auto accelerations = &lanes::compute_accelerations;
+  using Closure = lanes::Closure;
+  static constexpr auto closure = &lanes::compute_closure;
+  using ConstraintForces = lanes::ConstraintForces;
+  static constexpr auto multipliers = &lanes::compute_multipliers;
+  static Lanes argument_sum(const Parameters& parameters, const Inputs& /*inputs*/) noexcept {
+    return parameters.k + parameters.ballast;
+  }
+  static const Inputs& inputs_at(const Inputs& inputs, const Lanes& /*dt*/) noexcept { return inputs; }
+};
+
+using Mask = System::Mask;
+using mbgen::load;
+using mbgen::store;
+using mbgen::batch_detail::load_rows;
+using mbgen::batch_detail::store_rows;
+
+lanes::Tuned in_lanes([[maybe_unused]] const Parameters& batch) noexcept {
+  lanes::Parameters values;
+  values.k = load(batch.k);
+  values.ballast = load(batch.ballast);
+  return values;
+}
+
+lanes::Inputs in_lanes([[maybe_unused]] const Inputs& batch) noexcept {
+  lanes::Inputs values;
+  return values;
+}
+
+/// To the caller's place: g++ copies returned structs of this size.
+void in_lanes(const State& batch, lanes::State& values) noexcept {
+  load_rows(batch.z, values.z);
+  load_rows(batch.zd, values.zd);
+  load_rows(batch.x, values.x);
+  values.t = load(batch.t);
+}
+
+void in_lanes(const Derivative& batch, lanes::Derivative& values) noexcept {
+  load_rows(batch.zdd, values.zdd);
+  load_rows(batch.xd, values.xd);
+}
+
+/// The lanes of the mask.
+void store_row(const Mask& mask, const Lanes& values, double (&row)[kLanes]) noexcept {
+  store(mbgen::choose(mask, values, load(row)), row);
+}
+
+void store_state(const Mask& mask, const lanes::State& values, State& batch) noexcept {
+  store_rows(mask, values.z, batch.z);
+  store_rows(mask, values.zd, batch.zd);
+  store_rows(mask, values.x, batch.x);
+  store_row(mask, values.t, batch.t);
+}
+
+/// One number of every row.
+template <int N>
+void copy_lane(const double (&rows)[N][kLanes], int lane, double (&one)[N]) noexcept {
+  for (int i = 0; i < N; ++i) one[i] = rows[i][lane];
+}
+template <int N>
+void copy_lane(const double (&one)[N], int lane, double (&rows)[N][kLanes]) noexcept {
+  for (int i = 0; i < N; ++i) rows[i][lane] = one[i];
+}
+
+pulled_wheel::History lane_of(const History& batch, int lane) noexcept {
+  pulled_wheel::History one;
+  for (int k = 0; k < 4; ++k) {
+    copy_lane(batch.zd[k], lane, one.rates[k].zd);
+    copy_lane(batch.zdd[k], lane, one.rates[k].derivative.zdd);
+    copy_lane(batch.xd[k], lane, one.rates[k].derivative.xd);
+  }
+  one.count = batch.count[lane];
+  one.h = batch.h[lane];
+  one.t = batch.t[lane];
+  return one;
+}
+
+void set_lane(History& batch, int lane, const pulled_wheel::History& one) noexcept {
+  for (int k = 0; k < 4; ++k) {
+    copy_lane(mbgen::past_rates(one, k).zd, lane, batch.zd[k]);
+    copy_lane(mbgen::past_rates(one, k).derivative.zdd, lane, batch.zdd[k]);
+    copy_lane(mbgen::past_rates(one, k).derivative.xd, lane, batch.xd[k]);
+  }
+  batch.count[lane] = one.count;
+  batch.h[lane] = one.h;
+  batch.t[lane] = one.t;
+}
+
+/// Statuses of a step whose size is none.
+Statuses invalid_step() noexcept {
+  Statuses statuses{};
+  for (mbgen::Status& status : statuses.lane) status = {mbgen::Code::step_invalid, -1};
+  return statuses;
+}
+
+}  // namespace
+
+pulled_wheel::Parameters lane_of([[maybe_unused]] const Parameters& batch, [[maybe_unused]] int lane) noexcept {
+  pulled_wheel::Parameters one;
+  one.k = batch.k[lane];
+  one.ballast = batch.ballast[lane];
+  return one;
+}
+
+pulled_wheel::Inputs lane_of([[maybe_unused]] const Inputs& batch, [[maybe_unused]] int lane) noexcept {
+  pulled_wheel::Inputs one;
+  return one;
+}
+
+pulled_wheel::State lane_of(const State& batch, int lane) noexcept {
+  pulled_wheel::State one;
+  copy_lane(batch.z, lane, one.z);
+  copy_lane(batch.zd, lane, one.zd);
+  copy_lane(batch.x, lane, one.x);
+  one.t = batch.t[lane];
+  return one;
+}
+
+pulled_wheel::Derivative lane_of(const Derivative& batch, int lane) noexcept {
+  pulled_wheel::Derivative one;
+  copy_lane(batch.zdd, lane, one.zdd);
+  copy_lane(batch.xd, lane, one.xd);
+  return one;
+}
+
+pulled_wheel::Outputs lane_of(const Outputs& batch, int lane) noexcept {
+  pulled_wheel::Outputs one;
+  one.load = batch.load[lane];
+  one.wheel_speed = batch.wheel_speed[lane];
+  one.hub_height = batch.hub_height[lane];
+  one.spring_force = batch.spring_force[lane];
+  one.kinetic_energy = batch.kinetic_energy[lane];
+  one.potential_energy = batch.potential_energy[lane];
+  one.applied_power = batch.applied_power[lane];
+  return one;
+}
+
+pulled_wheel::Multipliers lane_of(const Multipliers& batch, int lane) noexcept {
+  pulled_wheel::Multipliers one;
+  copy_lane(batch.lambda, lane, one.lambda);
+  copy_lane(batch.drive, lane, one.drive);
+  return one;
+}
+
+void set_lane([[maybe_unused]] Parameters& batch, [[maybe_unused]] int lane,
+              [[maybe_unused]] const pulled_wheel::Parameters& one) noexcept {
+  batch.k[lane] = one.k;
+  batch.ballast[lane] = one.ballast;
+}
+
+void set_lane([[maybe_unused]] Inputs& batch, [[maybe_unused]] int lane,
+              [[maybe_unused]] const pulled_wheel::Inputs& one) noexcept {
+}
+
+void set_lane(State& batch, int lane, const pulled_wheel::State& one) noexcept {
+  copy_lane(one.z, lane, batch.z);
+  copy_lane(one.zd, lane, batch.zd);
+  copy_lane(one.x, lane, batch.x);
+  batch.t[lane] = one.t;
+}
+
+void set_lane(Derivative& batch, int lane, const pulled_wheel::Derivative& one) noexcept {
+  copy_lane(one.zdd, lane, batch.zdd);
+  copy_lane(one.xd, lane, batch.xd);
+}
+
+void set_lane(Outputs& batch, int lane, const pulled_wheel::Outputs& one) noexcept {
+  batch.load[lane] = one.load;
+  batch.wheel_speed[lane] = one.wheel_speed;
+  batch.hub_height[lane] = one.hub_height;
+  batch.spring_force[lane] = one.spring_force;
+  batch.kinetic_energy[lane] = one.kinetic_energy;
+  batch.potential_energy[lane] = one.potential_energy;
+  batch.applied_power[lane] = one.applied_power;
+}
+
+void set_lane(Multipliers& batch, int lane, const pulled_wheel::Multipliers& one) noexcept {
+  copy_lane(one.lambda, lane, batch.lambda);
+  copy_lane(one.drive, lane, batch.drive);
+}
+
+State initial_state() noexcept {
+  State state;
+  for (int lane = 0; lane < kLanes; ++lane) set_lane(state, lane, pulled_wheel::initial_state());
+  return state;
+}
+
+Statuses assemble(const Parameters& parameters, const Inputs& inputs, State& state) noexcept {
+  lanes::State values;
+  in_lanes(state, values);
+  const Mask good = mbgen::project_lanes<System>(in_lanes(parameters), in_lanes(inputs), values);
+  store_state(good, values, state);
+  return mbgen::with_the_others_alone<kLanes>(good, [&](int lane) {
+    pulled_wheel::State one = lane_of(state, lane);
+    const mbgen::Status status = pulled_wheel::assemble(lane_of(parameters, lane), lane_of(inputs, lane), one);
+    if (status.ok()) set_lane(state, lane, one);
+    return status;
+  });
+}
+
+Statuses accelerations(const Parameters& parameters, const Inputs& inputs, const State& state,
+                       const JointForces& forces, Derivative& derivative) noexcept {
+  lanes::State at;
+  in_lanes(state, at);
+  Lanes tau[kCoordinates];
+  load_rows(forces.tau, tau);
+  lanes::Derivative values;
+  const Mask good = mbgen::accelerate_lanes<System>(in_lanes(parameters), in_lanes(inputs), at, tau,
+                                                    mbgen::kPivotThreshold<double>, values);
+  store_rows(good, values.zdd, derivative.zdd);
+  store_rows(good, values.xd, derivative.xd);
+  return mbgen::with_the_others_alone<kLanes>(good, [&](int lane) {
+    double tau_of_lane[kCoordinates];
+    copy_lane(forces.tau, lane, tau_of_lane);
+    pulled_wheel::Derivative one = lane_of(derivative, lane);
+    const mbgen::Status status = pulled_wheel::accelerations(lane_of(parameters, lane), lane_of(inputs, lane),
+                                                           lane_of(state, lane), tau_of_lane, one);
+    if (status.ok()) set_lane(derivative, lane, one);
+    return status;
+  });
+}
+
+Statuses step_rk4(const Parameters& parameters, const Inputs& inputs, State& state, double h) noexcept {
+  if (!mbgen::is_step(h)) return invalid_step();
+  lanes::State start, result;
+  in_lanes(state, start);
+  in_lanes(state, result);
+  const Mask good = mbgen::step_lanes_rk4<System>(in_lanes(parameters), in_lanes(inputs), start, h, result);
+  store_state(good, result, state);
+  return mbgen::with_the_others_alone<kLanes>(good, [&](int lane) {
+    pulled_wheel::State one = lane_of(state, lane);
+    const mbgen::Status status = pulled_wheel::step_rk4(lane_of(parameters, lane), lane_of(inputs, lane), one, h);
+    if (status.ok()) set_lane(state, lane, one);
+    return status;
+  });
+}
+
+Statuses step_abm4(const Parameters& parameters, const Inputs& inputs, State& state, History& history,
+                   double h) noexcept {
+  if (!mbgen::is_step(h)) return invalid_step();
+  lanes::State start, result;
+  in_lanes(state, start);
+  in_lanes(state, result);
+  const Mask good =
+      mbgen::step_rows_abm4<System>(in_lanes(parameters), in_lanes(inputs), start, history, h, result);
+  store_state(good, result, state);
+  return mbgen::with_the_others_alone<kLanes>(good, [&](int lane) {
+    pulled_wheel::State one = lane_of(state, lane);
+    pulled_wheel::History past = lane_of(history, lane);
+    const mbgen::Status status =
+        pulled_wheel::step_abm4(lane_of(parameters, lane), lane_of(inputs, lane), one, past, h);
+    if (status.ok()) {
+      set_lane(state, lane, one);
+      set_lane(history, lane, past);
+    }
+    return status;
+  });
+}
+
+Statuses outputs(const Parameters& parameters, const Inputs& inputs, const State& state, const JointForces& forces,
+                 const Derivative& derivative, Outputs& values) noexcept {
+  const lanes::Tuned p = in_lanes(parameters);
+  const lanes::Inputs in = in_lanes(inputs);
+  lanes::State at;
+  in_lanes(state, at);
+  Lanes tau[kCoordinates];
+  load_rows(forces.tau, tau);
+  lanes::Derivative rates;
+  in_lanes(derivative, rates);
+  lanes::Outputs result;
+  lanes::Multipliers constraint;
+  const Mask good = mbgen::constrain_lanes<System>(p, in, at, tau, rates, constraint);
+  lanes::compute_outputs(p, in, at, tau, rates, constraint, result);
+  store_row(good, result.load, values.load);
+  store_row(good, result.wheel_speed, values.wheel_speed);
+  store_row(good, result.hub_height, values.hub_height);
+  store_row(good, result.spring_force, values.spring_force);
+  store_row(good, result.kinetic_energy, values.kinetic_energy);
+  store_row(good, result.potential_energy, values.potential_energy);
+  store_row(good, result.applied_power, values.applied_power);
+  return mbgen::with_the_others_alone<kLanes>(good, [&](int lane) {
+    double tau_of_lane[kCoordinates];
+    copy_lane(forces.tau, lane, tau_of_lane);
+    pulled_wheel::Outputs one = lane_of(values, lane);
+    const mbgen::Status status =
+        pulled_wheel::outputs(lane_of(parameters, lane), lane_of(inputs, lane), lane_of(state, lane), tau_of_lane,
+                            lane_of(derivative, lane), one);
+    if (status.ok()) set_lane(values, lane, one);
+    return status;
+  });
+}
+
+Statuses multipliers(const Parameters& parameters, const Inputs& inputs, const State& state,
+                     const JointForces& forces, const Derivative& derivative, Multipliers& values) noexcept {
+  lanes::State at;
+  in_lanes(state, at);
+  Lanes tau[kCoordinates];
+  load_rows(forces.tau, tau);
+  lanes::Derivative rates;
+  in_lanes(derivative, rates);
+  lanes::Multipliers result;
+  const Mask good =
+      mbgen::constrain_lanes<System>(in_lanes(parameters), in_lanes(inputs), at, tau, rates, result);
+  for (int e = 0; e < kClosureEquations; ++e) store_row(good, result.lambda[e], values.lambda[e]);
+  for (int g = 0; g < kMotions; ++g) store_row(good, result.drive[g], values.drive[g]);
+  return mbgen::with_the_others_alone<kLanes>(good, [&](int lane) {
+    double tau_of_lane[kCoordinates];
+    copy_lane(forces.tau, lane, tau_of_lane);
+    pulled_wheel::Multipliers one = lane_of(values, lane);
+    const mbgen::Status status =
+        pulled_wheel::multipliers(lane_of(parameters, lane), lane_of(inputs, lane), lane_of(state, lane), tau_of_lane,
+                                lane_of(derivative, lane), one);
+    if (status.ok()) set_lane(values, lane, one);
+    return status;
+  });
+}
+
+}  // namespace pulled_wheel::batch

@@ -1,0 +1,83 @@
+// Numbers of a model in programs: folded as the decimals that people typed, named where the formulation names them.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+
+#include "compiler/passes/passes.hpp"
+#include "compiler/program/decimal.hpp"
+
+namespace mbgen {
+namespace {
+
+TEST(Decimal, SumsAndProductsOfTypedNumbersAreTypedNumbers) {
+  EXPECT_EQ(decimal_sum(0.41, -0.40), 0.01);
+  EXPECT_EQ(decimal_sum(0.1, 0.2), 0.3);
+  EXPECT_EQ(decimal_sum(1e-7, 3), 3.0000001);
+  EXPECT_EQ(decimal_sum(-0.25, 0.25), 0.0);
+  EXPECT_EQ(decimal_product(0.8, 0.05), 0.04);
+  EXPECT_EQ(decimal_product(-1.1, 1.1), -1.21);
+  EXPECT_EQ(decimal_product(7e-4, 1e3), 0.7);
+}
+
+TEST(Decimal, WhatNobodyTypedIsAddedAsDoubles) {
+  EXPECT_EQ(decimal_sum(1.0 / 3, 0.1), 1.0 / 3 + 0.1);
+  EXPECT_EQ(decimal_product(1.0 / 3, 3), (1.0 / 3) * 3);
+  EXPECT_EQ(decimal_sum(1e300, 1e-300), 1e300);
+  EXPECT_EQ(decimal_product(1e-200, 1e-200), 0.0);
+  EXPECT_TRUE(std::isinf(decimal_sum(1e308, 1e308)));
+}
+
+Expr named(ProgramBuilder& builder, double value, const std::string& name) {
+  return Expr(value).named(builder.name_constant(value, name));
+}
+
+TEST(NamedConstants, KeepTheirNamesThroughWhatLeavesThemAlone) {
+  ProgramBuilder builder("program");
+  const Expr z(builder, builder.input("z", 0)), mass = named(builder, 0.8, "m_crank");
+  builder.output("y", 0, (1.0 * mass * z + 0.0).value(builder));
+  builder.output("y", 1, (z * -mass).value(builder));
+  builder.output("y", 2, ((mass + 0.2) * z).value(builder));
+  const std::string text = dump(optimise(builder.finish()));
+  EXPECT_NE(text.find("constant 0.8  ; m_crank"), std::string::npos) << text;
+  EXPECT_EQ(text.find("constant 1"), std::string::npos) << text;
+}
+
+TEST(NamedConstants, OfOneValueStayApartAndShareTheirOperations) {
+  ProgramBuilder builder("program");
+  const Expr z(builder, builder.input("z", 0)), zd(builder, builder.input("zd", 0));
+  const Expr left = named(builder, 0.5, "p_left"), right = named(builder, 0.5, "p_right");
+  builder.output("y", 0, (left * z).value(builder));
+  builder.output("y", 1, (right * z).value(builder));
+  builder.output("y", 2, (right * zd).value(builder));
+  builder.output("y", 3, (0.5 * (zd * zd)).value(builder));
+  const Program program = builder.finish();
+  EXPECT_EQ(program.outputs[0].value, program.outputs[1].value);
+  EXPECT_EQ(count_operations(program).multiply, 4);
+  const auto name_in = [&](std::size_t output) {
+    const Node& product = program.nodes[program.outputs[output].value];
+    for (const ValueId operand : {product.operands[0], product.operands[1]}) {
+      const Node& node = program.nodes[operand];
+      if (node.op == Op::constant)
+        return node.label < 0 ? std::string() : program.constants[static_cast<std::size_t>(node.label)].name;
+    }
+    return std::string("no constant");
+  };
+  EXPECT_EQ(name_in(0), "p_left");
+  EXPECT_EQ(name_in(2), "p_right");
+  EXPECT_EQ(name_in(3), "");
+}
+
+TEST(NamedConstants, AreCheckedAgainstTheirValues) {
+  ProgramBuilder builder("program");
+  const Expr z(builder, builder.input("z", 0));
+  builder.output("y", 0, (named(builder, 0.5, "p_left") * z).value(builder));
+  Program program = builder.finish();
+  EXPECT_EQ(verify(program), "");
+  program.constants[0].value = 0.25;
+  EXPECT_NE(verify(program).find("0.5 is not p_left"), std::string::npos) << verify(program);
+}
+
+}  // namespace
+}  // namespace mbgen
