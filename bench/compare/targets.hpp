@@ -1,5 +1,5 @@
 #pragma once
-// The figures that generated code has to reach, from design.md section 7 and the plan of the fast forms.
+// The figures that generated code has to reach. The tables of docs/performance.md print them beside the measured ones.
 
 #include <string>
 #include <string_view>

@@ -113,7 +113,7 @@ Equations::Equations(const ReferenceMechanism& mechanism, const Topology& topolo
                        closure.kind == ClosureKind::rod;
     if (!known) throw std::invalid_argument("cut joint " + closure.name);
     if (closure.mass == 0) continue;
-    // Theory section 5: point masses m_jj and m_kk fold into the bodies, m_jk couples them.
+    // theory.md section 5: point masses m_jj and m_kk fold into the bodies, m_jk couples them.
     if (closure.from != kGround)
       add_point_mass(mechanism_.bodies[closure.from].mass, closure.mass / 3, closure.at_from);
     if (closure.to != kGround) add_point_mass(mechanism_.bodies[closure.to].mass, closure.mass / 3, closure.at_to);

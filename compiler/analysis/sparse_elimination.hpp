@@ -9,7 +9,7 @@
 
 namespace mbgen {
 
-constexpr double kPivotRatio = 0.05;  ///< design.md section 7: smallest pivot over its column that keeps the digits
+constexpr double kPivotRatio = 0.05;  ///< smallest pivot over its column that keeps the digits
 
 using SparseRows = std::vector<SparseRow<double>>;
 

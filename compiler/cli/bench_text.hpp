@@ -20,7 +20,7 @@ std::string processor_name();
 /// The tables of the paper with our columns, seconds for `evaluations`; then every engine on a line.
 std::string bench_text(const BenchRecord& record);
 
-/// The contract of design.md section 1.
+/// One JSON object: model, machine, compiler, every engine with microseconds per evaluation, the paper's columns.
 std::string bench_json(const BenchRecord& record);
 
 }  // namespace mbgen::cli

@@ -10,8 +10,7 @@
 namespace mbgen {
 
 /// Values of a part: one function holds at least the first and at most the second number, unless the program is
-/// smaller. g++ takes 251 s for 22 000 statements in one function and 2 s in parts of this size, which run no slower
-/// (design.md 7).
+/// smaller. g++ takes 251 s for 22 000 statements in one function and 2 s in parts of this size, which run no slower.
 constexpr std::size_t kSmallestPart = 400;
 constexpr std::size_t kLargestPart = 1000;
 

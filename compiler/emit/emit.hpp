@@ -70,8 +70,8 @@ void add_runtime_headers(std::vector<EmittedFile>& files);
 enum class CompilerFamily { gnu, clang };
 
 /// Flags that make emitted code fast and keep its object free of symbols other than libm's: those of templates/*.flags,
-/// which the CMake package reads too. Without the processor flag (-march) and without warnings. Source: design.md
-/// section 7, but for contraction, which is the program's own: see docs/determinism.md.
+/// which the CMake package reads too. Without the processor flag (-march) and without warnings. Contraction is the
+/// program's own: docs/determinism.md. Other flags were measured: docs/performance.md, "What was tried and left out".
 std::vector<std::string> solver_compile_flags(CompilerFamily family);
 
 /// What g++ needs beside them for solvers with lanes on x86-64, and only there.
