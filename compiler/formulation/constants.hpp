@@ -9,8 +9,8 @@
 
 namespace mbgen {
 
-/// What expressions may refer to. Coordinates that the tree does not have read as zero (the topology room refuses
-/// them).
+/// Values that expressions may refer to. Coordinates that the tree does not have read as zero (the topology room
+/// refuses them).
 template <class T>
 struct Environment {
   const Topology* topology = nullptr;

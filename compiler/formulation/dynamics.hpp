@@ -176,7 +176,8 @@ T weighted(const std::vector<T>& values, const SparseRow<T>& direction) {
   return sum;
 }
 
-/// Entries of the reduced mass matrix between a direction of a group with this momentum and those of the groups below.
+/// Entries of the reduced mass matrix between a direction of a group with this momentum and the directions of the
+/// groups below.
 template <class T>
 void couple_below(const System<T>& system, const Kinematics<T>& k, const JointGroup& group, const Spatial<T>& momentum,
                   const std::vector<std::vector<SparseRow<T>>>& moving, const std::vector<int>& first,
@@ -273,7 +274,7 @@ std::vector<T> starred_accelerations(const Topology& topology, const std::vector
   return zdd_star;
 }
 
-/// All joint accelerations from those of the free directions (62).
+/// All joint accelerations from the accelerations of the free directions (62).
 template <class T>
 std::vector<T> joint_accelerations(const Topology& topology, const std::vector<GroupProjection<T>>& projections,
                                    const ReducedSystem<T>& reduced, const std::vector<T>& free_acceleration) {

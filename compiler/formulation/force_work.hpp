@@ -1,5 +1,6 @@
 #pragma once
-// What the force elements share: their results, their view of the system, characteristics, and forces put on bodies.
+// Common parts of the force elements: their results, their view of the system, characteristics, and forces put on
+// bodies.
 
 #include "compiler/formulation/motion.hpp"
 #include "mbgen/table.hpp"
@@ -25,7 +26,7 @@ template <class T>
 struct AppliedForces {
   std::vector<Spatial<T>> wrench;  ///< per body, about the origin of the frame that carries it
   std::vector<T> joint;            ///< per coordinate, N or N m
-  std::vector<Action<T>> actions;  ///< what `wrench` is the sum of, and what acts on bodies fixed to ground
+  std::vector<Action<T>> actions;  ///< terms of the sum `wrench`, and actions on bodies fixed to ground
   std::vector<T> xd;               ///< rates of the auxiliary states
   std::vector<ElementState<T>> springs, air_springs;
   std::vector<TyreResult<T>> tyres;
@@ -33,7 +34,7 @@ struct AppliedForces {
 
 namespace detail {
 
-/// What the force elements look at and add to.
+/// State that the force elements read, and sums that they add to.
 template <class T>
 struct ForceWork {
   System<T>& system;

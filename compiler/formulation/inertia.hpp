@@ -49,8 +49,8 @@ Inertia<T> about_origin(const BodyInertia<T>& body) {
   return {body.mass, body.mass * body.com, body.central + point_inertia(body.mass, body.com)};
 }
 
-/// What a rod's coupling mass adds to a body that carries both ends: the kinetic energy m_jk v_j . v_k of a common
-/// motion.
+/// Inertia that a rod's coupling mass adds to a body that carries both ends: the kinetic energy m_jk v_j . v_k of a
+/// common motion.
 template <class T>
 Inertia<T> pair_inertia(const T& coupling, const Vector<T>& a, const Vector<T>& b) {
   const Vector<T> sum = a + b;

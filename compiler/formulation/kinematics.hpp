@@ -9,7 +9,7 @@
 
 namespace mbgen {
 
-/// What every part of the formulation looks at.
+/// Data that every part of the formulation reads.
 template <class T>
 struct System {
   const Model& model;

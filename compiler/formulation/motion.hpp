@@ -1,5 +1,5 @@
 #pragma once
-// Velocity and acceleration sweeps from the root to the leaves. Accelerations are those of material points (theory.md
+// Velocity and acceleration sweeps from the root to the leaves. Accelerations belong to material points (theory.md
 // section 1, material convention) less gravity, so that gravity enters once, at the root, and body frames may move.
 
 #include "compiler/formulation/kinematics.hpp"

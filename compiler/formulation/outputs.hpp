@@ -108,7 +108,7 @@ T multiplier_output(const Topology& topology, const SolvedState<T>& s, const Mul
   return T(0.0);
 }
 
-/// Whether an output looks at what joints transmit.
+/// Whether an output shows a force or moment that joints transmit.
 inline bool asks_for_reactions(const Model& model) {
   return std::any_of(model.outputs.begin(), model.outputs.end(),
                      [](const Output& output) { return std::holds_alternative<ReactionOutput>(output.source); });
@@ -164,7 +164,7 @@ Vector<T> first_moment(const System<T>& system, const Kinematics<T>& k, const In
   return moment;
 }
 
-/// Twice the kinetic energy of what the ends of the rods share, J, each in the frame of its block.
+/// Twice the kinetic energy of the coupling masses of the rods, J, each in the frame of its block.
 template <class T>
 T twice_the_energy_of_couplings(const System<T>& system, const SolvedState<T>& s) {
   T twice(0.0);

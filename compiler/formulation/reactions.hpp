@@ -1,14 +1,14 @@
 #pragma once
-// What joints and rods transmit. Newton's law body by body, from the leaves of the tree to ground: the joint that holds
-// a body gives it what inertia takes and neither applied forces nor closures provide. Bodies are those of the model,
-// so that a fixed joint has its reaction like any other.
+// Forces and moments that joints and rods transmit. Newton's law body by body, from the leaves of the tree to ground:
+// the joint that holds a body gives it what inertia takes and neither applied forces nor closures provide. Bodies are
+// those of the model, so that a fixed joint has its reaction like any other.
 
 #include "compiler/formulation/dynamics.hpp"
 #include "compiler/formulation/solved_state.hpp"
 
 namespace mbgen {
 
-/// What a joint or rod does to its two bodies. Forces in N, moments in N m about the joint's point on `to`, in the axes
+/// Action of a joint or rod on its two bodies. Forces in N, moments in N m about the joint's point on `to`, in the axes
 /// of `frame`; a rod's forces act at its ends, without moment.
 template <class T>
 struct Reaction {
@@ -57,7 +57,8 @@ Spatial<T> about(const Vector<T>& point, const Spatial<T>& wrench) {
   return {wrench.linear, wrench.angular - cross(point, wrench.linear)};
 }
 
-/// What each body needs from the joints that hold it: inertia less applied forces (weight is in the accelerations).
+/// Wrench that each body needs from the joints that hold it: inertia less applied forces (weight is in the
+/// accelerations).
 template <class T>
 BodyWrenches<T> needed_wrenches(System<T>& system, const SolvedState<T>& s) {
   BodyWrenches<T> needed(system, s.kinematics);
@@ -122,7 +123,7 @@ Reaction<T> rod_reaction(const System<T>& system, const SolvedState<T>& s, const
   return {frame, {on_to, {}}, {on_from, {}}};
 }
 
-/// Reactions of everything that closes a loop, taken off what its bodies need.
+/// Reactions of joints and rods that close a loop, taken off the wrenches that their bodies need.
 template <class T>
 void closure_reactions(System<T>& system, const SolvedState<T>& s, BodyWrenches<T>& needed, Reactions<T>& reactions) {
   const RelativeMotion<T> rest = at_rest<T>(system.topology);
@@ -144,7 +145,7 @@ void closure_reactions(System<T>& system, const SolvedState<T>& s, BodyWrenches<
 
 }  // namespace detail
 
-/// What every joint and rod transmits at a solved state. Cost: linear.
+/// Reaction of every joint and rod at a solved state. Cost: linear.
 template <class T>
 Reactions<T> reactions(System<T>& system, const SolvedState<T>& s) {
   const Topology& topology = system.topology;

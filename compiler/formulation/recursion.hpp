@@ -211,7 +211,7 @@ void solve_rotor(RecursionState<T>& s, std::size_t u, std::vector<T>& zdd) {
   zdd[w] = e.force[0] * e.reciprocal[0] - dot(s.k().axis[w], s.acceleration[unit.base].angular);
 }
 
-/// Adds what the bodies of a unit carry themselves to what units above have left there: inertia, applied forces.
+/// Adds a unit's own inertia and applied forces to the shares that the units above have left on its bodies.
 template <class T>
 void add_own_parts(RecursionState<T>& s, const RecursionUnit& unit, const AppliedForces<T>& forces) {
   for (const JointStep& step : unit.steps) {

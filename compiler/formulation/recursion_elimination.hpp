@@ -38,7 +38,7 @@ void eliminate(UnitEquations<T>& u) {
   }
 }
 
-/// Takes the eliminated directions out of an inertia and adds what they transmit to a force that the base must give.
+/// Takes the eliminated directions out of an inertia and adds the force that they transmit to the force of the base.
 template <class T>
 void reduce(const UnitEquations<T>& u, ArticulatedInertia<T>& inertia, Spatial<T>& needed) {
   for (std::size_t q = 0; q < u.size(); ++q) {

@@ -1,5 +1,5 @@
 #pragma once
-// Recursive form: the projected equations (63) of one loop block or run, and what it leaves to its base.
+// Recursive form: the projected equations (63) of one loop block or run, and its share in its base.
 
 #include "compiler/formulation/recursion_bias.hpp"
 
@@ -13,7 +13,7 @@ Spatial<T> needed_in(const Carried<T>& c, const Vector<T>& a, const Vector<T>& a
   return c.needed + field_force(c.rigid, a, gradient) + c.above * motion + c.reduced * motion;
 }
 
-/// What a body of a block holds of the bodies on it, about its origin.
+/// Inertia and force that a body of a block holds for the bodies on it, about its origin.
 template <class T>
 struct Held {
   PseudoInertia<T> inertia;
@@ -21,7 +21,7 @@ struct Held {
   std::vector<Spatial<T>> momentum;  ///< per free direction: of their motion against this body
 };
 
-/// Equations of a block in the making, and what it adds to its base about the base's origin.
+/// Equations of a block in the making, and its share in its base about the base's origin.
 template <class T>
 struct BlockGathering {
   const RecursionUnit& unit;
@@ -187,8 +187,8 @@ void gather_body(RecursionState<T>& s, BlockGathering<T>& g, int i) {
   add_to_equations(g, i, arm, place, whole, body.reduced, needed);
 }
 
-/// What a rod's mass adds to two point masses m/2: -m/6 times the kinetic energy of the difference of its ends. It has
-/// no momentum in a translation, and the pseudo-inertia -m/6 d d'.
+/// Share of a rod's mass beyond two point masses m/2: -m/6 times the kinetic energy of the difference of its ends. It
+/// has no momentum in a translation, and the pseudo-inertia -m/6 d d'.
 template <class T>
 void gather_rod(RecursionState<T>& s, BlockGathering<T>& g, const RodConstants<T>& rod) {
   const auto end = [&](const Place<T>& at) { return near_end(s.work, g.unit, g.parts.velocity, g.parts.bias, at); };
@@ -216,7 +216,7 @@ void gather_rod(RecursionState<T>& s, BlockGathering<T>& g, const RodConstants<T
   }
 }
 
-/// Equations of a block's free directions. Result: what it adds to its base.
+/// Equations of a block's free directions. Result: its share in its base.
 template <class T>
 Carried<T> gather_block(RecursionState<T>& s, std::size_t u) {
   const System<T>& system = s.system();
@@ -244,13 +244,13 @@ Carried<T> gather_block(RecursionState<T>& s, std::size_t u) {
   return g.base;
 }
 
-/// What the angular velocity of a run's end asks for.
+/// Force that the angular velocity of a run's end asks for.
 template <class T>
 Spatial<T> turning_force(const RecursionState<T>& s, int end) {
   return field_force(s.carried[end].rigid, Vector<T>{}, acceleration_gradient(s.omega[end], Vector<T>{}));
 }
 
-/// Equations of a run's free directions about its end's origin, and what it carries there at zero accelerations.
+/// Equations of a run's free directions about its end's origin, and its inertia and force there at zero accelerations.
 template <class T>
 void gather_run(RecursionState<T>& s, std::size_t u, UnitEquations<T>& equations, ArticulatedInertia<T>& inertia,
                 Spatial<T>& needed) {

@@ -1,5 +1,6 @@
 #pragma once
-// Inertias of the recursive form: rigid ones by their pseudo-inertia, articulated ones by what elimination adds.
+// Inertias of the recursive form: rigid ones by their pseudo-inertia, articulated ones by the terms that elimination
+// adds.
 
 #include "compiler/formulation/kinematics.hpp"
 

@@ -14,7 +14,7 @@ struct QuasiAxes {
   T volume{1.0};      ///< of the axes' parallelepiped: zero where the joint rates are singular
 };
 
-/// What the passes of the recursive form share.
+/// Data that the passes of the recursive form share.
 template <class T>
 struct RecursionWork {
   System<T>& system;
@@ -101,7 +101,7 @@ Vector<T> rate_sum(const RecursionWork<T>& work, const JointStep& step) {
   return rate(0) + rate(1) + rate(2);
 }
 
-/// Joint rates with those of quasi steps replaced by quasi-velocities.
+/// Joint rates, with the rates of quasi steps replaced by quasi-velocities.
 template <class T>
 std::vector<T> quasi_velocities(const RecursionWork<T>& work) {
   std::vector<T> values = work.system.environment.zd;
@@ -116,7 +116,7 @@ std::vector<T> quasi_velocities(const RecursionWork<T>& work) {
   return values;
 }
 
-/// Generalised forces with those of quasi steps replaced by forces on the quasi-velocities.
+/// Generalised forces, with the forces of quasi steps replaced by forces on the quasi-velocities.
 template <class T>
 std::vector<T> quasi_forces(const RecursionWork<T>& work, std::vector<T> tau) {
   for (const JointStep* step : work.step) {
@@ -149,7 +149,7 @@ void set_joint_accelerations(const RecursionWork<T>& work, const JointStep& step
   for (int c = 0; c < 3; ++c) zdd[step.joints[c]] = dot(q.dual[c], left);
 }
 
-/// Rows of a block's projection over joint rates, those of quasi steps replaced by quasi-velocities.
+/// Rows of a block's projection over joint rates, with rows of quasi steps replaced by quasi-velocities.
 /// rz: [column of the block][free direction], columns as unit.joints.
 template <class T>
 std::vector<std::vector<T>> quasi_projection(const RecursionWork<T>& work, const RecursionUnit& unit,

@@ -1,5 +1,5 @@
 #pragma once
-// What the passes of the recursive form share, and what they leave.
+// Data that the passes of the recursive form share, and their results.
 
 #include <variant>
 
@@ -34,16 +34,17 @@ using BlockProjection = std::variant<LoopPartition, GroupProjection<T>>;
 
 namespace detail {
 
-/// What moves on a body, about the body's origin in the frame that carries it (own frame, or that of its block's base).
+/// Inertias that move with a body and the force that they need, about the body's origin in the frame that carries it
+/// (own frame, or that of its block's base).
 template <class T>
 struct Carried {
   PseudoInertia<T> rigid;         ///< of the body itself and of arms on it: its angular velocity acts on it as a whole
   PseudoInertia<T> above;         ///< of the blocks' bodies on it, whose velocities `needed` has taken in already
-  ArticulatedInertia<T> reduced;  ///< what eliminated units change of it
+  ArticulatedInertia<T> reduced;  ///< the change of it by eliminated units
   Spatial<T> needed;              ///< force that must be given at zero acceleration, applied forces taken off
 };
 
-/// What a block's solution needs on the way back.
+/// Values of a block that its solution needs on the way back.
 template <class T>
 struct BlockParts {
   const GroupProjection<T>* chosen = nullptr;  ///< the projection over joint rates, where it was chosen at run time
@@ -56,7 +57,7 @@ struct BlockParts {
   PerBody<Spatial<T>> star_motion;           ///< motion for `star`
 };
 
-/// What a run needs on the way back.
+/// Values of a run that its solution needs on the way back.
 template <class T>
 struct RunParts {
   std::vector<Spatial<T>> directions;  ///< motion of the end per free (quasi-)velocity

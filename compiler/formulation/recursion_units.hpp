@@ -1,5 +1,5 @@
 #pragma once
-// What the recursive form eliminates as one: loop blocks, runs of joints with massless bodies, and rotors.
+// Units that the recursive form eliminates as one: loop blocks, runs of joints with massless bodies, and rotors.
 
 #include <algorithm>
 #include <cstddef>
@@ -54,7 +54,8 @@ class PerBody {
   std::vector<V> values_;
 };
 
-/// Treatments that the recursive form can do without; what each saves is counted (see RecursionChoices in `inspect`).
+/// Treatments that the recursive form can do without; the saving of each is counted (see RecursionChoices in
+/// `inspect`).
 struct RecursionChoices {
   bool rotors = true;   ///< bodies symmetric about their joint's axis are held by their base
   bool holding = true;  ///< bodies of blocks on others but arms hand their inertia to the body below

@@ -1,5 +1,5 @@
 #pragma once
-// A state with its accelerations and constraint forces: what outputs and reactions are made of.
+// A state with its accelerations and constraint forces: the source of outputs and reactions.
 
 #include "compiler/formulation/applied_forces.hpp"
 
