@@ -85,10 +85,11 @@ std::string place_text(const Documents& documents, Place place, Place from);
 /// Place of byte `index` of the decoded string `value`; escapes in the source are accounted for.
 Place place_in_text(const Documents& documents, const Value& value, std::size_t index);
 
-/// Problems by file and position, as diagnostics; what several instances of one file have in common is told once.
+/// Problems by file and position, as diagnostics; a problem that several instances of one file have in common is told
+/// once.
 Diagnostics to_diagnostics(const Documents& documents, Problems problems);
 
-/// What a message calls a value: `3.5`, `"abc"`, `an array of 2`, `an object`.
+/// Name of a value in messages: `3.5`, `"abc"`, `an array of 2`, `an object`.
 std::string describe(const Value& value);
 
 /// In double quotes, without control characters, shortened when long.

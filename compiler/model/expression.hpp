@@ -58,7 +58,7 @@ struct ExpressionNode {
   int first = -1, second = -1, third = -1;
 };
 
-/// The last node is the value. `text` is what the user wrote.
+/// The last node is the value. `text` is the user's text.
 struct Expression {
   std::string text;
   std::vector<ExpressionNode> nodes;

@@ -12,7 +12,7 @@
 
 namespace mbgen::reading {
 
-/// What may be written for a field.
+/// Kind of value that a field takes.
 enum class Shape {
   boolean,
   number,  ///< constant; a number or an expression of untunable parameters

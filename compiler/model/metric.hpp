@@ -4,8 +4,8 @@
 // The grammar is that of compiler/model/expression.hpp with the outputs, z.NAME, zd.NAME, t, inputs and parameters of
 // the model as names, and functions of the course of a value x over the motion:
 //   max(x) min(x) mean(x) rms(x) initial(x) final(x) range(x) = max(x) - min(x), at(1.5, x) = x at t = 1.5 s
-// mean and rms are integrals over time by the trapezoidal rule, at is on the straight line between two points. What is
-// outside of these functions is one number: "max(abs(roll)) * 57.3", "rms(a - mean(a))".
+// mean and rms are integrals over time by the trapezoidal rule, at is on the straight line between two points. An
+// expression outside of these functions is one number: "max(abs(roll)) * 57.3", "rms(a - mean(a))".
 
 #include <string>
 #include <vector>
@@ -34,7 +34,7 @@ struct Reduction {
 };
 
 struct Metric {
-  std::string name;  ///< what stands before "=", else the whole text
+  std::string name;  ///< the text before "=", else the whole text
   std::vector<Reduction> reductions;
   Expression value;  ///< "locals" are results of the reductions
 };
@@ -56,7 +56,7 @@ struct MetricPoints {
 /// taken, two metrics of one name. Places name `source` as the file, line k for the k-th metric.
 Result<Metrics> read_metrics(const std::vector<std::string>& texts, const Model& model, const std::string& source);
 
-/// Values of all metrics; NaN or infinity where that is what an expression gives. parameters: of all of the model.
+/// Values of all metrics; NaN or infinity where an expression gives it. parameters: of all of the model.
 /// Requires: at least one point; instants of `at` inside the motion (instant_outside).
 std::vector<double> evaluate(const Metrics& metrics, const std::vector<Parameter>& parameters,
                              const MetricPoints& points);

@@ -18,7 +18,7 @@ using Vector3 = std::array<double, 3>;
 using Matrix3 = std::array<double, 9>;  ///< row by row
 using Vector3Quantity = std::array<Quantity, 3>;
 
-/// What a value of the interface says to people beside its name and unit; without effect on the motion.
+/// Texts for people beside the name and unit of a value of the interface; without effect on the motion.
 struct Presentation {
   std::string description = {};
   std::string display_unit;        ///< that it is shown in, of the same dimension as its unit; none: its unit
@@ -26,7 +26,7 @@ struct Presentation {
   std::optional<double> nominal;   ///< usual magnitude, in its unit
 };
 
-/// What a model says of itself.
+/// Description, author, version and rights of a model, for people.
 struct About {
   std::string description, author, version, copyright, licence;
 };
@@ -279,8 +279,8 @@ struct DriveOutput {
   int motion = -1;
 };  ///< generalised driving force of a motion
 
-/// A component of what a joint or rod transmits from its `from` to its `to` body: everything that goes through it, the
-/// constraint as well as springs, friction, forces and drives of its coordinates. Moments are about the joint's point
+/// A component of the force or moment that a joint or rod transmits from its `from` to its `to` body: the
+/// sum of constraint, springs, friction, forces and drives of its coordinates. Moments are about the joint's point
 /// on `to`, at both ends; a rod transmits none.
 struct ReactionOutput {
   enum class What { force, moment };
@@ -335,7 +335,7 @@ struct InitialValue {
   double value = 0;  ///< rad or m, or per second
   Where where;
   double weight = 1;    ///< of its squared error, where the values asked for do not fit together
-  bool locked = false;  ///< it is kept then, whatever the others
+  bool locked = false;  ///< the start keeps it, at any error of the others
   int expression = -1;  ///< index into Model::expressions, over parameters that act at the start; -1: constant
 };
 
@@ -352,7 +352,7 @@ struct SolverSettings {
   double closure_tolerance = 1e-12;  ///< m or 1, largest residual that projection leaves
   double tolerance = 1e-6;           ///< relative, for importers that integrate the model with a method of their own
 
-  /// Whether a step looks back on those before.
+  /// Whether a step uses the steps before it.
   bool is_multistep() const { return integrator == Integrator::abm4; }
 };
 
@@ -364,7 +364,7 @@ struct Model {
   /// 16 hex digits over the content (includes too), for the banner and manifest
   std::string hash;
   About about;
-  Diagnostics notes;                         ///< what its files say and it does not use; nothing is wrong
+  Diagnostics notes;                         ///< entries of its files that it does not use; nothing is wrong
   Vector3Quantity gravity{0.0, 0.0, -9.81};  ///< m/s^2, global
   std::vector<Parameter> parameters;
   std::vector<Input> inputs;

@@ -1,5 +1,5 @@
 #pragma once
-// What expressions call by name.
+// Functions that expressions call by name.
 
 #include <span>
 #include <string_view>

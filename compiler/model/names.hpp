@@ -1,5 +1,5 @@
 #pragma once
-// Names of a model: what is allowed, what they refer to, and which one was probably meant.
+// Names of a model: which are allowed, which elements they refer to, and which name was probably meant.
 
 #include <map>
 #include <string>
@@ -35,17 +35,18 @@ std::string did_you_mean(std::string_view word, const NameMap<Target>& names) {
   return did_you_mean(word, candidates);
 }
 
-/// The file of the model with its includes, or an instance: where names are defined, and what the model puts before and
-/// after them.
+/// The file of the model with its includes, or an instance: where names are defined, and the texts that the model puts
+/// before and after them.
 struct Level {
   std::size_t scope = 0;  ///< index into Reader::scopes: the first with these two
   std::string before, after;
 };
 
-/// Where a name is looked for: in the instance it is written in, then in what places that, last in the model itself.
+/// Where a name is looked for: in its own instance, then in the instance that places that one, last in the model
+/// itself.
 using Visibility = std::vector<Level>;
 
-/// The name that the model gives to what is called `name` inside.
+/// The name that the model gives to an element that is called `name` inside.
 std::string full_name(const Level& level, std::string_view name);
 
 /// The nearest element of that name.
@@ -73,7 +74,7 @@ std::string did_you_mean(std::string_view word, const NameMap<Target>& names, co
 
 /// Every name that an element may refer to, as the model knows it, with its index in the Model.
 struct Names {
-  NameMap<int> later_parameters;  ///< defined, but further below than what is being read
+  NameMap<int> later_parameters;  ///< defined, but below the parameter that is being read
   NameMap<int> parameters, inputs, bodies, joints, rods, springs, air_springs, tyre_data, tyres, motions;
   std::vector<NameMap<CoordinateReference>> coordinates;  ///< per Level::scope, as they are called there
   std::vector<std::size_t> body_scopes;                   ///< per body: the scope that defines it

@@ -12,7 +12,8 @@
 
 namespace mbgen::reading {
 
-/// What a number of the model may depend on; each allows what the ones before it allow, `motion` and up also inputs.
+/// Names that a number of the model may depend on; each value allows those of the values before it, `motion` and up
+/// also inputs.
 enum class Depends { nothing, parameters, motion, all };
 
 /// A function of the course of a value over time, for expressions over a motion: max(x), or with a constant in front,
@@ -29,15 +30,15 @@ struct ReductionCall {
   Expression operand;
 };
 
-/// What the names of an expression mean and which of them it may use.
+/// Meaning of the names of an expression, and the names that it may use.
 struct ExpressionScope {
   const Names& names;
   const Visibility& visible;  ///< from where names are looked up
   std::span<const Parameter> parameters;
-  std::span<const Expression> expressions;  ///< those of the parameters among them
+  std::span<const Expression> expressions;  ///< expressions of the parameters among them
   Depends depends = Depends::all;
   std::span<const std::string_view> locals = {};
-  bool suggest = true;           ///< name what was probably meant
+  bool suggest = true;           ///< propose the name that was probably meant
   bool refuse_reversed = false;  ///< coordinates of Names::reversed mean something else here
   bool folds_tunable = false;    ///< tunable parameters become numbers, too
   bool at_start = false;         ///< parameters that act at the start may be used
@@ -58,10 +59,9 @@ struct ParsedExpression {
   std::vector<ReductionCall> reductions = {};
 };
 
-/// Parses an expression. Untunable parameters become numbers, those that follow from tunable ones their expressions;
-/// operations on numbers are carried out.
-/// Fails: at the first error of grammar; before it, with every unknown or forbidden name and every value that is not
-/// finite.
+/// Parses an expression. Untunable parameters become numbers, parameters that follow from tunable ones their
+/// expressions; operations on numbers are carried out. Fails: at the first error of grammar; before it, with every
+/// unknown or forbidden name and every value that is not finite.
 ParsedExpression parse_expression(std::string_view text, const ExpressionScope& scope);
 
 }  // namespace mbgen::reading

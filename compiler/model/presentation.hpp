@@ -1,5 +1,5 @@
 #pragma once
-// What a value of the interface says beside its name: its description, range and units.
+// Presentation of a value of the interface beside its name: its description, range and units.
 
 #include <algorithm>
 #include <array>

@@ -1,5 +1,6 @@
 #pragma once
-// Objects of the model format that are not structs of the Model one to one: what the tables fill before it is resolved.
+// Objects of the model format that are not structs of the Model one to one: the tables fill them, later functions
+// resolve them.
 
 #include <array>
 #include <optional>
@@ -24,7 +25,7 @@ struct FileFields : About {
 /// Planes that a subsystem is mirrored about.
 enum class Mirror { xz, yz, xy };
 
-/// A subsystem as the model places it; what depends on parameters is read when they are known.
+/// A subsystem as the model places it; entries that depend on parameters are read when those are known.
 struct InstanceFields {
   std::optional<std::string> file, prefix, suffix;
   const Value *offset = nullptr, *rotation = nullptr, *parameters = nullptr, *connect = nullptr;

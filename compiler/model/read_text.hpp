@@ -14,7 +14,7 @@ struct FileText {
 /// Reads a file of at most kMaximumBytes; pipes and devices too.
 FileText read_text(const std::string& path);
 
-/// The same, but refuses pipes and devices: what a model names is there to be read again.
+/// The same, but refuses pipes and devices: files that a model names are read again.
 FileText read_regular_file(const std::string& path);
 
 }  // namespace mbgen::reading

@@ -1,5 +1,5 @@
 #pragma once
-// What the parts of the reader share: the model under construction, the names known so far and the problems found.
+// Data that the parts of the reader share: the model under construction, the names known so far and the problems found.
 // A value that could not be read is NaN or index -1, so that no later check complains about it again.
 
 #include <array>
@@ -34,7 +34,7 @@ struct Reader {
   std::vector<Scope> scopes = {Scope{}};  ///< the model, then its instances, each after the one that places it
   std::size_t scope = 0;                  ///< whose text is being read
   std::vector<VariedParameter> varied = {};
-  bool folds_tunable = false;  ///< what is read now takes tunable parameters at their values
+  bool folds_tunable = false;  ///< the present value takes tunable parameters at their values
 };
 
 inline const Scope& current_scope(const Reader& reader) { return reader.scopes[reader.scope]; }
@@ -53,7 +53,7 @@ class InScope {
 };
 
 constexpr double kUnreadable = std::numeric_limits<double>::quiet_NaN();
-/// What `frame` may say of a force or a reaction.
+/// Values of `frame` of a force or a reaction.
 constexpr std::array<std::string_view, 2> kFrames = {"global", "body"};
 
 constexpr double kLargestNumber = 1e15;
@@ -63,7 +63,7 @@ inline void report(Reader& reader, const Value& value, std::string message, std:
   report(reader, value.place, std::move(message), std::move(hint));
 }
 
-/// Says what is allowed and likely not meant.
+/// Adds a note on an entry that is allowed and likely not meant.
 void note(Reader& reader, Place place, std::string message, std::string hint = {});
 
 /// Nobody reads the hints after so many problems, and searching the nearest name for each takes long.
@@ -78,7 +78,7 @@ std::string suggestion(const Reader& reader, std::string_view word, const NameMa
 /// The member's value when it is there, else the object itself: where to complain about a field.
 const Value& member_or_object(const Value& object, std::string_view key);
 
-// Readers of one value by the type it goes to. Each reports what is wrong and leaves `target` unreadable then.
+// Readers of one value by the type it goes to. Each reports a wrong value and leaves `target` unreadable then.
 // An optional<int> is the index of a force expression; an optional word that could not be read stays empty.
 void read_value(Reader& reader, const Value& value, const FieldInfo& info, bool& target);
 void read_value(Reader& reader, const Value& value, const FieldInfo& info, double& target);
@@ -126,7 +126,7 @@ void read_value(Reader& reader, const Value& value, const FieldInfo& info, std::
   }
 }
 
-/// What an absent member becomes; members without a default in the table stay as their struct makes them.
+/// Default of an absent member; members without a default in the table stay as their struct makes them.
 template <class Target>
 void set_default(const FieldInfo& info, Target& target) {
   if constexpr (std::is_enum_v<Target>) {
@@ -199,7 +199,7 @@ struct Entry {
 using Entries = std::vector<Entry>;
 
 /// Fills one list of the model: an element per entry, in order, with defaults, name and place set.
-/// check: void(Reader&, const Value&, Element&) for what a table cannot say; called when the value is an object.
+/// check: void(Reader&, const Value&, Element&) for rules that a table cannot say; called when the value is an object.
 template <class Element, class Check>
 void read_list(Reader& reader, const Entries& entries, std::vector<Element>& list, Check check) {
   for (const Entry& entry : entries) {
@@ -213,8 +213,8 @@ void read_list(Reader& reader, const Entries& entries, std::vector<Element>& lis
 }
 
 // Instances.
-/// Reads a file, what it includes and the subsystems it places into reader.scopes. Result: false when names that it
-/// defines could not be read.
+/// Reads a file, the files that it includes and the subsystems that it places into reader.scopes. Result: false when
+/// names that it defines could not be read.
 bool load_files(Reader& reader, const std::string& file, std::string text);
 /// A file that another one names, and its canonical path.
 struct NamedFile {
@@ -226,11 +226,11 @@ NamedFile beside(const std::string& file, const std::string& named);
 std::size_t add_document(Reader& reader, const std::string& file, std::string text);
 /// Reads where the instances stand. Requires: parameters are read.
 void place_instances(Reader& reader);
-/// Whether a body of the current scope is one of what places it: it is connected, or ground.
+/// Whether a body of the current scope belongs to the scope that places it: it is connected, or ground.
 bool is_outer_body(const Reader& reader, std::string_view name);
-/// Whether the current scope, or one that places it, connects what it calls so to a body of another name.
+/// Whether the current scope, or one that places it, connects its body `name` to a body of another name.
 bool is_connected(const Reader& reader, std::string_view name);
-/// What the innermost scope that defines it, or the model, calls a body of the current scope.
+/// Name of a body of the current scope in the innermost scope that defines it, or in the model.
 std::string find_outer_name(const Reader& reader, std::string_view name);
 /// Index of the body that the current scope calls so, or -1.
 int find_body(const Reader& reader, std::string_view name);
@@ -255,9 +255,10 @@ void read_parameters(Reader& reader, const Entries& entries);
 void read_inputs(Reader& reader, const Entries& entries);
 void read_bodies(Reader& reader, const Entries& entries);
 void read_joints(Reader& reader, const Entries& entries);
-/// Inertias of what moves as one: bodies that fixed joints hold together count together. Requires: joints are read.
+/// Inertias of bodies that move as one: bodies that fixed joints hold together count together. Requires: joints are
+/// read.
 void check_inertias(Reader& reader);
-/// Per body: the lowest index of those that fixed joints hold together with it.
+/// Per body: the lowest index of the bodies that fixed joints hold together with it.
 std::vector<int> rigid_groups(const Model& model);
 /// Bodies that move as one, in global axes at the reference: moments and products about the centre of mass.
 struct RigidGroup {
@@ -267,7 +268,8 @@ struct RigidGroup {
 };
 /// group: their number in rigid_groups.
 RigidGroup rigid_group(const Model& model, const std::vector<int>& groups, int group);
-/// Gives a tyre the axis of its wheel's joint where it has none of its own, and notes what is likely not meant.
+/// Gives a tyre the axis of its wheel's joint where it has none of its own, and notes entries that are likely not
+/// meant.
 void place_on_wheel(Reader& reader, const Value& value, const std::vector<int>& groups, TyreFields& tyre);
 void read_rods(Reader& reader, const Entries& entries);
 void read_springs(Reader& reader, const Entries& entries);
@@ -289,7 +291,7 @@ struct Part {
 void read_initial(Reader& reader, const std::vector<Part>& parts);
 void read_solver(Reader& reader, const std::vector<Part>& parts);
 
-// What is allowed and likely not meant.
+// Values that are allowed and likely not meant.
 bool is_large_angle(double angle);
 /// Notes an angle of more than a turn, which likely was typed in degrees.
 void note_turns(Reader& reader, const Value& value, double angle);

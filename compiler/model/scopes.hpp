@@ -11,8 +11,8 @@
 namespace mbgen::reading {
 
 /// Where a subsystem stands: x_model = origin + rotation * flip * x_file, flip a diagonal of 1 and -1.
-/// A body frame of the file takes the flip along, so that it stays right-handed: what is written in body components
-/// only changes signs.
+/// A body frame of the file takes the flip along, so that it stays right-handed: body components of a vector
+/// only change signs.
 struct Placement {
   Vector3 origin{0, 0, 0};
   Matrix3 rotation{1, 0, 0, 0, 1, 0, 0, 0, 1};

@@ -11,7 +11,7 @@
 
 namespace mbgen::reading {
 
-/// What a .tir file says of a tyre, in SI units.
+/// The tyre of a .tir file, in SI units.
 struct TirTyre {
   std::vector<Quantity> coefficients;                ///< in the order of kPac2002Fields
   std::optional<double> stiffness, damping;          ///< N/m, N s/m: VERTICAL_STIFFNESS, VERTICAL_DAMPING
@@ -34,9 +34,9 @@ struct TirEntries {
 };
 
 /// Reads a file of PAC2002 or Magic Formula 5.2, relative to the file that names it. Sections, units, comments ($ and
-/// !) and texts in quotes are understood; what has no part in the formulas of tyre.hpp is passed over, with a note.
-/// Fails: nothing, with complaints at lines of the file: another tyre model, units that are unknown, a coefficient
-/// that is no number or stands twice, no radius or nominal load.
+/// !) and texts in quotes are understood; entries without a part in the formulas of tyre.hpp are passed over, with a
+/// note. Fails: nothing, with complaints at lines of the file: another tyre model, units that are unknown, a
+/// coefficient that is no number or stands twice, no radius or nominal load.
 std::optional<TirTyre> read_tir(Reader& reader, const Value& value);
 
 /// Letters of the alphabet in capitals, as keys and sections are compared.
@@ -45,8 +45,9 @@ std::string upper(std::string_view text);
 /// The number of an entry, with an exponent of C or Fortran; nothing when it is none.
 std::optional<double> number_of(const TirEntry& entry);
 
-/// Notes in the model, once per file, what of it nobody asked for, sorted by what it is for. Silent on what every file
-/// has, header, units, dimensions, limits of validity, and on coefficients at which a formula is as without them.
+/// Notes in the model, once per file, the entries that nobody asked for, sorted by purpose. Silent on entries of
+/// every file, header, units, dimensions, limits of validity, and on coefficients at which a formula is as without
+/// them.
 void note_unused(Reader& reader, const TirEntries& entries);
 
 }  // namespace mbgen::reading

@@ -15,7 +15,7 @@ struct UnitExponents {
 };
 
 /// Reads "N m s/rad", "kg m^2", "N/(m/s)": symbols with whole powers, side by side or with * or . between them; a slash
-/// divides by what comes next to it. None for what it does not know.
+/// divides by the next unit or parenthesis alone. None for an unknown unit.
 std::optional<UnitExponents> unit_exponents(std::string_view unit);
 
 /// Every symbol that it knows.
