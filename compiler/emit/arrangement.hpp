@@ -36,7 +36,7 @@ enum class Division {
 /// angle right after its sine (or the other way round) where both are in one section; then gather_calls.
 /// Parts: the cheapest division has the fewest values that cross from one part to the next; a cut inside a section
 /// counts as kSectionCost more values, one between the two functions of an angle or inside a call for many arguments is
-/// never made. What such a call computes is in memory anyway and does not count as crossing.
+/// never made. Results of such a call are in memory anyway and do not count as crossing.
 Arrangement arrange(const Program& program, Division division = Division::cheapest);
 
 }  // namespace mbgen

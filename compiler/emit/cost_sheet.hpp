@@ -1,5 +1,5 @@
 #pragma once
-// What a solver costs before it is compiled: operations by kind, and how often its loops run at most.
+// The cost of a solver before it is compiled: operations by kind, and how often its loops run at most.
 
 #include <nlohmann/json_fwd.hpp>
 #include <string>
@@ -8,8 +8,8 @@
 
 namespace mbgen {
 
-/// `worst_case` of the manifest: bounds of every loop whose length is no size of the model, and what a call of each
-/// function adds up to. programs: `programs` of the manifest. See docs/cost_sheet.md.
+/// `worst_case` of the manifest: bounds of every loop whose length is no size of the model, and the sums over a call of
+/// each function. programs: `programs` of the manifest. See docs/cost_sheet.md.
 nlohmann::ordered_json worst_case_json(const EmitContext& context, const nlohmann::ordered_json& programs);
 
 /// `<model>_cost.txt`: operations and worst_case of the manifest for people. banner: its first lines.

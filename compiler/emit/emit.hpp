@@ -22,7 +22,7 @@ struct EmittedFile {
   std::string text;
 };
 
-/// A parameter that acts at the start, and what the velocities there change by its change of 1.
+/// A parameter that acts at the start, and the change of the velocities there by its change of 1.
 struct StartParameter {
   int parameter = -1;  ///< index into Model::parameters
   std::vector<double> zd;
@@ -74,7 +74,7 @@ enum class CompilerFamily { gnu, clang };
 /// program's own: docs/determinism.md. Other flags were measured: docs/performance.md, "What was tried and left out".
 std::vector<std::string> solver_compile_flags(CompilerFamily family);
 
-/// What g++ needs beside them for solvers with lanes on x86-64, and only there.
+/// Further flags of g++ for solvers with lanes on x86-64, and only there.
 std::vector<std::string> lane_flags_of_gnu_on_x86();
 
 /// Name of the emitted files and of the namespace: the identifier of the model's name.

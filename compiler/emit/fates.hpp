@@ -1,5 +1,5 @@
 #pragma once
-// What is known of the values of a program before their text is written.
+// Facts about the values of a program before their text is written.
 
 #include <string>
 #include <vector>

@@ -9,7 +9,7 @@
 
 namespace mbgen {
 
-/// What an importer must give back to instantiate: of the model's content and mbgen's version.
+/// Token that an importer must give back to instantiate: of the model's content and mbgen's version.
 std::string fmu_token(const Model& model);
 
 /// `modelDescription.xml`. sources: files to compile, relative to `sources/`.

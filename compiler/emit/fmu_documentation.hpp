@@ -1,5 +1,5 @@
 #pragma once
-// What an FMU holds for people and for the diagrams of importers.
+// Parts of an FMU for people and for the diagrams of importers.
 
 #include <string>
 
@@ -7,7 +7,7 @@
 
 namespace mbgen {
 
-/// `documentation/index.html`: what the model says of itself, its variables, bodies and joints.
+/// `documentation/index.html`: the model's description, its variables, bodies and joints.
 std::string documentation(const EmitContext& context, const FmuLayout& fmu, FmiVersion version);
 
 /// `terminalsAndIcons/terminalsAndIcons.xml` of FMI 3: a bus of the inputs, one of the outputs, and the icon.

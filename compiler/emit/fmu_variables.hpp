@@ -1,5 +1,5 @@
 #pragma once
-// Variables of an FMU, their states, and what depends on what.
+// Variables of an FMU, their states, and their dependencies.
 
 #include <optional>
 #include <set>
@@ -47,7 +47,7 @@ struct FmuLayout {
   std::vector<FmuUnknown> outputs, derivatives, initial_unknowns;
 };
 
-/// What an FMU calls an input, parameter or output: its name, or with a prefix where that is taken: `time` is the
+/// Name of an input, parameter or output in an FMU: its own name, or with a prefix where that is taken: `time` is the
 /// independent variable.
 std::string fmu_input_name(const std::string& name);
 std::string fmu_parameter_name(const std::string& name);

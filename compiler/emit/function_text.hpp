@@ -10,7 +10,7 @@
 
 namespace mbgen {
 
-/// Statements of one part and what its function needs.
+/// Statements of one part, and data for its function.
 struct PartText {
   std::string body;
   std::set<std::string> arguments;    ///< names that the body uses, those of `crossing` and "result" among them

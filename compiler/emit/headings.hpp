@@ -20,10 +20,10 @@ class Headings {
   Headings(const Program& program, const Arrangement& arrangement);
 
   void start_part();
-  /// What stands before the i-th value of the order. in_call: of a call for many arguments, which belongs to all blocks
-  /// of its section.
+  /// Writes the heading before the i-th value of the order. in_call: of a call for many arguments, which belongs to all
+  /// blocks of its section.
   void write_before(std::size_t i, bool in_call, PartText& part);
-  /// What stands after it: the operations of a section that ends.
+  /// Writes the text after it: the operations of a section that ends.
   void write_after(std::size_t i, PartText& part) const;
   /// Number of the step that ends with the part whose last value is before place `end`, "" for none.
   std::string ended_step(std::size_t end) const;

@@ -19,7 +19,7 @@ struct InputText {
   std::string start;             ///< initialiser of `member`
   std::string dynamics_comment;  ///< of struct Dynamics
   std::string name;              ///< of the inputs at a state's time
-  std::string include = {};      ///< what `rows` needs
+  std::string include = {};      ///< the headers that `rows` needs
   std::string rows = {};         ///< kInputRows and InputPaths, empty where no rates can be made
 };
 /// scalar: type of the inputs, double or float; the time of `start` is a double all the same.

@@ -11,7 +11,7 @@
 
 namespace mbgen {
 
-/// What every emitted file is made from.
+/// Source of every emitted file.
 struct EmitContext {
   const Programs& programs;
   const Model& model;
@@ -32,7 +32,7 @@ std::string banner_text(const Model& model, const std::string& mark);
 /// Comment of struct State: how one starts, as the solver knows its start or does not.
 std::string state_comment(const EmitContext& context);
 
-/// What initial_state() gives, for comments.
+/// The state of initial_state() in words, for comments.
 std::string start_comment();
 
 /// `<model>.hpp`.
@@ -62,7 +62,7 @@ std::vector<NumberMember> parameter_members(const EmitContext& context);
 std::vector<NumberMember> input_members(const EmitContext& context);
 std::vector<NumberMember> output_members(const EmitContext& context);
 
-/// What the manifest says: sizes, names, loop blocks, operation counts of every section of every program, worst case.
+/// The manifest: sizes, names, loop blocks, operation counts of every section of every program, worst case.
 nlohmann::ordered_json manifest_json(const EmitContext& context);
 
 /// `<model>.json`.

@@ -66,7 +66,7 @@ struct ProgramShape {
   /// Argument that is told the end of every section by its number, "" for none: then the parts follow the sections.
   std::string clock;
   std::size_t roll_above = kRollAbove;  ///< operations above which equal subsystems become loops
-  /// Values in one struct of those that cross parts, 0: all in one.
+  /// Largest number of values in one struct of values that cross parts, 0: all in one.
   std::size_t most_crossing = 0;
   /// Names of the model's numbers in the file that this goes into, null: numbers are written as such.
   ConstantNames* constants = nullptr;
@@ -77,7 +77,7 @@ struct ProgramShape {
 /// A constant of a program as it is written: by its name where it has one.
 std::string constant_text(const Program& program, const Node& node, const ProgramShape& shape);
 
-/// The programs of a solver with their shapes; those of closures are left out when there is nothing to close.
+/// The programs of a solver with their shapes; programs of closures are left out when there is nothing to close.
 struct ShapedProgram {
   const Program* program = nullptr;
   std::string key;  ///< in the manifest: "accelerations", "closure", ...

@@ -1,11 +1,11 @@
 #pragma once
-// Names that emitted code cannot give to what the model names.
+// Names that emitted code cannot give to elements of the model.
 
 #include <string_view>
 
 namespace mbgen {
 
-/// Names that no identifier may have: keywords, names of emitted code, and what are or may be macros, as every
+/// Names that no identifier may have: keywords, names of emitted code, and names that are or may be macros, as every
 /// UPPER_CASE name with an underscore.
 bool is_reserved(std::string_view name);
 

@@ -1,5 +1,5 @@
 #pragma once
-// Where the values of a rolled program live: units of straight code and loops, and the array of what crosses them.
+// Where the values of a rolled program live: units of straight code and loops, and the array of values that cross them.
 
 #include <array>
 #include <vector>

@@ -15,8 +15,8 @@ namespace mbgen {
 std::optional<Rolling> rolled(const Program& program, const ProgramShape& shape);
 
 /// Definitions of one program, as program_text gives them, with the loops of `rolling`. Values that cross slices, loops
-/// or parts are in one array of `work`, those of a slice side by side; what is no linear function of the slice comes
-/// from a table.
+/// or parts are in one array of `work`, the values of a slice side by side; constants and places that are no linear
+/// function of the slice come from a table.
 std::string rolled_text(const Program& program, const ProgramShape& shape, const Rolling& rolling);
 
 }  // namespace mbgen
