@@ -16,8 +16,8 @@ std::vector<FileState> random_states(const Compilation& compilation, const Engin
 /// Fills in the accelerations to compare with, where a state has none. Fails: UserError when the engine has none.
 void complete(std::vector<FileState>& states, const Engine& reference, const Compilation& compilation);
 
-/// What engines are timed at: the states, repeated from the first on until they fill batches of `lanes`; half empty
-/// batches would count as slow ones. lanes: 0 for none.
+/// States at which engines are timed: the given ones, repeated from the first on until they fill batches of `lanes`;
+/// half empty batches would count as slow ones. lanes: 0 for none.
 std::vector<LoadedState> timed_states(const std::vector<FileState>& states, int lanes);
 
 /// Largest error of any acceleration over the largest acceleration of its state.

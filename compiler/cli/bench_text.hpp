@@ -1,5 +1,5 @@
 #pragma once
-// What bench found, for people and for machines.
+// Results of bench, for people and for machines.
 
 #include <string>
 #include <vector>
@@ -14,7 +14,7 @@ struct BenchRecord {
   std::vector<Measurement> measurements;
 };
 
-/// What the processor of this machine calls itself.
+/// The name that the processor of this machine gives itself.
 std::string processor_name();
 
 /// The tables of the paper with our columns, seconds for `evaluations`; then every engine on a line.

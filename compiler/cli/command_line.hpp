@@ -75,7 +75,7 @@ class NamedCommand {
   std::string footer() const;
   std::vector<OptionWords> options() const;
   std::vector<NamedCommand> commands() const;
-  /// Those that the command line named.
+  /// The commands that the command line named.
   std::vector<NamedCommand> chosen_commands() const;
   /// Words that nobody expected, of chosen commands too.
   std::vector<std::string> unexpected_words() const;

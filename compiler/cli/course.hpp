@@ -50,7 +50,7 @@ struct CourseRange {
   double smallest = 0, largest = 0;
 };
 
-/// By samples between the points, kSamples a piece: an extremum is found to about 1e-3 of what the piece rises.
+/// By samples between the points, kSamples a piece: an extremum is found to about 1e-3 of the rise of the piece.
 CourseRange range_of(const Course& course);
 
 }  // namespace mbgen::cli

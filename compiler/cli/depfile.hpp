@@ -1,5 +1,5 @@
 #pragma once
-// What a build tool has to know: which files a command has read.
+// The dependency file of a build tool: the files that a command has read.
 
 #include <optional>
 #include <string>

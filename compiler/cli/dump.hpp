@@ -1,5 +1,5 @@
 #pragma once
-// What each stage of the pipeline made, as text for people: --dump=STAGE.
+// The result of each stage of the pipeline, as text for people: --dump=STAGE.
 
 #include <optional>
 #include <string>

@@ -1,5 +1,5 @@
 #pragma once
-// An engine: the equations of one model ready to be evaluated and stepped, whatever stands behind them.
+// An engine: the equations of one model ready to be evaluated and stepped, by any implementation.
 
 #include <array>
 #include <functional>
@@ -51,7 +51,7 @@ struct Engine {
   /// the drive puts into the system.
   std::function<Status(const LoadedState&, const GenericDerivative&, std::vector<double>& drive)> driving_forces;
   std::function<Status(const LoadedState&, const GenericDerivative&, GenericOutputs&)> outputs;
-  /// What each joint of the model, then each rod, transmits to its `to` body: force (N) and moment (N m) about the
+  /// Action of each joint of the model, then of each rod, on its `to` body: force (N) and moment (N m) about the
   /// joint's point on that body, global axes. Empty function where nobody asked.
   std::function<Status(const LoadedState&, const GenericDerivative&, std::vector<std::array<double, 6>>& wrenches)>
       reactions;
@@ -66,9 +66,9 @@ struct Engine {
   std::function<std::array<double, kSteps>(const std::vector<LoadedState>&, int repetitions)> step_shares;
 };
 
-/// What a compiled solver is made for.
+/// Purpose of a compiled solver.
 enum class SolverUse {
-  running,       ///< everything but what follows
+  running,       ///< everything but the purposes below
   timing_steps,  ///< also Engine::step_shares
 };
 
@@ -105,7 +105,7 @@ Engine make_generated_engine(const Compilation& compilation, const EngineChoice&
 /// A Cartesian judge, see docs/judges.md.
 Engine make_cartesian_engine(const Compilation& compilation, const EngineChoice& choice, CartesianMethod method);
 
-/// What a status says, with what it names: "loop not closed: rod_left, tip".
+/// Words for a status, with the names of its loops or coordinates: "loop not closed: rod_left, tip".
 std::string describe(const Compilation& compilation, Status status);
 
 }  // namespace mbgen::cli

@@ -1,5 +1,5 @@
 #pragma once
-// What mbgen made of a model, in words.
+// The structure that mbgen found in a model, in words.
 
 #include <string>
 
@@ -7,7 +7,7 @@
 
 namespace mbgen::cli {
 
-/// Tree, cuts and why, loop blocks, what is redundant and why, freedoms, and where the operations go.
+/// Tree, cuts and their reasons, loop blocks, redundant equations and their reasons, freedoms, operations by part.
 std::string explanation_text(const Compilation& compilation);
 
 }  // namespace mbgen::cli

@@ -12,7 +12,7 @@ namespace mbgen::cli {
 /// Stack of one function of the solver.
 struct StackUse {
   std::string function;           ///< "four_bar::step_rk4"
-  long bytes = 0;                 ///< of its frame and those of the functions that it calls
+  long bytes = 0;                 ///< of its frame and the frames of the functions that it calls
   std::vector<std::string> path;  ///< the call path that needs most, from the function on; empty where it is not known
 };
 

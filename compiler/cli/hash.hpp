@@ -1,5 +1,5 @@
 #pragma once
-// A hash of texts, to name what was made of them and to see what was damaged.
+// A hash of texts, to name files that are made of them and to detect damage.
 
 #include <fmt/format.h>
 

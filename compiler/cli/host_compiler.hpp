@@ -11,7 +11,7 @@ namespace mbgen::cli {
 
 struct HostCompiler {
   std::vector<std::string> words;  ///< of $CXX
-  std::string version;             ///< what it says of itself
+  std::string version;             ///< its own version text
   std::vector<std::string> flags;  ///< of emitted code; without -fPIC
   bool is_clang = false;
 };
@@ -22,7 +22,7 @@ struct CrossTarget {
   std::string compiler;   ///< its command
   std::string variable;   ///< of the environment, for another command
   std::string package;    ///< of Debian, that has it
-  std::string otherwise;  ///< what one can do without
+  std::string otherwise;  ///< a way without that compiler
 };
 
 /// The compiler for a target. scratch: a directory for its answer. Fails: UserError when it does not run.

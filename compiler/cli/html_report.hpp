@@ -1,5 +1,5 @@
 #pragma once
-// What the commands that write pages share.
+// Common parts of the commands that write pages.
 
 #include <string>
 

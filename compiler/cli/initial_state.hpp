@@ -37,7 +37,7 @@ Start initial_start(const Compilation& compilation, const std::vector<double>& i
 /// The state alone.
 GenericState initial_state(const Compilation& compilation, const std::vector<double>& inputs);
 
-/// The state; what moved goes to standard error.
+/// The state; coordinates that moved go to standard error.
 GenericState noted_initial_state(const Compilation& compilation, const std::vector<double>& inputs);
 
 /// A note for each value that moved and by how much; none where none moved by more than values of a few digits are off.

@@ -1,5 +1,5 @@
 #pragma once
-// The measured part of a cost sheet: what a solver costs on this machine.
+// The measured part of a cost sheet: the cost of a solver on this machine.
 
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
@@ -12,7 +12,7 @@ namespace mbgen::cli {
 
 struct MeasuredCost {
   std::string solver;     ///< name of its files
-  std::string compiler;   ///< first line of what it says of itself
+  std::string compiler;   ///< first line of its own version text
   std::string flags;      ///< that the solver was compiled with
   std::string processor;  ///< that the step was timed on
   Footprint footprint;
@@ -20,7 +20,7 @@ struct MeasuredCost {
   std::optional<double> budget;  ///< microseconds that a step may take
 };
 
-/// Compiles, counts and times the solver with what `options` add to it.
+/// Compiles, counts and times the solver with the additions of `options`.
 /// Fails: UserError, see measure_step and find_compiler.
 MeasuredCost measure_cost(const Compilation& compilation, EmitOptions options, std::optional<double> budget);
 

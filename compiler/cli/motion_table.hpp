@@ -15,7 +15,7 @@ enum class TableFormat { csv, mat };
 /// The format asked for by name, else by the file's ending: .mat, or CSV. Fails: UserError for an unknown name.
 TableFormat table_format(const std::string& name, const std::string& file);
 
-/// Name of the file beside a CSV table that holds what run_json says.
+/// Name of the file beside a CSV table that holds the text of run_json.
 std::string run_file(const std::string& table);
 
 /// Takes the points of a motion and writes every n-th of them, the first and the last. CSV goes to the file row by row;

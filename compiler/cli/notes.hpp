@@ -1,5 +1,5 @@
 #pragma once
-// Notes: what a command has to say of a file in which nothing is wrong.
+// Notes: messages of a command about a file in which nothing is wrong.
 
 #include <nlohmann/json_fwd.hpp>
 #include <string>

@@ -24,7 +24,7 @@ struct StateArguments {
 /// --at, --hold, --solve, --states, --index, --result, --row, --time, --input
 void add_state_options(NamedCommand command, StateArguments& arguments);
 
-/// A state and what is known of the motion through it.
+/// A state, and facts about the motion through it.
 struct ChosenPoint {
   OperatingPoint point;
   std::optional<SteadyMotion> steady;  ///< of --at steady

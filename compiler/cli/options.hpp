@@ -54,7 +54,7 @@ void add_engine_options(NamedCommand command, EngineArguments& arguments);
 /// unknown, or that the engine does not let one choose, and for QR without Eigen.
 EngineChoice chosen_engine(const EngineArguments& arguments);
 
-/// Value of every input of the model: its default, or what `assignments` (name=value) say.
+/// Value of every input of the model: its default, or its value in `assignments` (name=value).
 /// Fails: UserError for a name that the model does not have or a value that is no finite number.
 std::vector<double> input_values(const Model& model, const std::vector<std::string>& assignments);
 

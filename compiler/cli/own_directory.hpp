@@ -13,8 +13,8 @@ namespace mbgen::cli {
 /// directory in it; else it has to be the user's own. Requires: it exists.
 std::string foreign_hand(const std::filesystem::path& directory, bool may_be_shared);
 
-/// ${XDG_CACHE_HOME:-~/.cache}/mbgen, made with mode 0700: what mbgen makes once and loads again. "" when it cannot be
-/// used; unless no such place is named, a line on standard error says why and what to do.
+/// ${XDG_CACHE_HOME:-~/.cache}/mbgen, made with mode 0700: files that mbgen makes once and loads again. "" when it
+/// cannot be used; unless no such place is named, a line on standard error says why and what to do.
 std::filesystem::path own_cache();
 
 /// Whether a file of the cache is a plain file of the user that nobody else can write.

@@ -7,7 +7,7 @@
 
 namespace mbgen::cli {
 
-/// A program with its arguments; what it prints goes to the file `log`.
+/// A program with its arguments; its output goes to the file `log`.
 struct Command {
   std::vector<std::string> arguments;
   std::filesystem::path log;

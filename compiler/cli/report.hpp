@@ -1,5 +1,5 @@
 #pragma once
-// What `inspect` says of a model.
+// The report of `inspect` on a model.
 
 #include <nlohmann/json.hpp>
 #include <string>
@@ -9,7 +9,7 @@
 
 namespace mbgen::cli {
 
-/// Operations of the accelerations: of each form, and what decisions save.
+/// Operations of the accelerations: of each form, and the savings of decisions.
 struct Counts {
   long operations_of_form[2] = {0, 0};  ///< by Form, 0 for none
   std::vector<Saving> savings;

@@ -6,8 +6,8 @@
 
 namespace mbgen::cli {
 
-/// Every object of the schema as a section in Markdown, its fields as a table: what a value may be, whether it has to
-/// be there, and what it means.
+/// Every object of the schema as a section in Markdown, its fields as a table: type of the value, whether it is
+/// required, and its meaning.
 std::string schema_reference(const nlohmann::ordered_json& schema);
 
 }  // namespace mbgen::cli

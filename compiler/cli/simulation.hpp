@@ -1,5 +1,5 @@
 #pragma once
-// A motion from a state, step by step, with what is worth knowing of it.
+// A motion from a state, step by step, with facts for its summary.
 
 #include <functional>
 #include <vector>
@@ -40,7 +40,7 @@ struct EnergyBalance {
 /// Passages of singular positions that are told by their times.
 constexpr std::size_t kSingularTimes = 10;
 
-/// What the steps met at one loop block, by the notice that each gave.
+/// Events of the steps at one loop block, by the notice that each step gave.
 struct BlockEvents {
   long chosen_again = 0;               ///< steps with another choice of coordinates, not near a singular position
   long near_singular = 0;              ///< steps near a singular position, those through one too

@@ -1,5 +1,5 @@
 #pragma once
-// Steady motion: what moves goes on at constant rates, everything else stands still.
+// Steady motion: moving coordinates keep constant rates, all others stand still.
 
 #include <string>
 #include <vector>
@@ -8,7 +8,7 @@
 
 namespace mbgen::cli {
 
-/// What is asked of a steady motion.
+/// Request for a steady motion.
 struct SteadyWish {
   std::vector<std::string> hold;   ///< coordinate=rate; none: the first translation that moves at the start where an
                                    ///< input is found for it, else no rate: they become what drive and drag balance at

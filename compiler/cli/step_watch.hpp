@@ -1,5 +1,5 @@
 #pragma once
-// Whether the step of a motion was short enough for what moves in it.
+// Whether the step of a motion was short enough for its fastest modes.
 
 #include <string>
 #include <vector>
@@ -16,7 +16,7 @@ std::vector<Mode> modes_near(const Compilation& compilation, const GenericState&
                              const std::vector<double>& inputs);
 constexpr int kMostWatchedStates = 200;
 
-/// What is to be said of the step of a motion.
+/// Findings about the step of a motion.
 struct StepVerdict {
   std::vector<std::string> warnings;  ///< the result is there, and not to be trusted in digits
   std::string failure;                ///< the result is wrong, or ends early for its step; empty where neither

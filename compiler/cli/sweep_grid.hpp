@@ -1,5 +1,5 @@
 #pragma once
-// What a parameter study varies: the full grid of some parameters and inputs.
+// The grid of a parameter study: all combinations of values of some parameters and inputs.
 
 #include <string>
 #include <vector>

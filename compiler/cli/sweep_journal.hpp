@@ -1,5 +1,5 @@
 #pragma once
-// What is done of a study, on disk: a line a case, so that a study that was killed goes on where it was.
+// The finished cases of a study, on disk: a line a case, so that a study that was killed goes on where it was.
 
 #include <filesystem>
 #include <string>
@@ -9,7 +9,7 @@
 
 namespace mbgen::cli {
 
-/// Which part of the cases this process computes: those whose number leaves the remainder `index` when divided by
+/// Which part of the cases this process computes: the cases whose number leaves the remainder `index` when divided by
 /// `count`.
 struct SweepPart {
   long index = 0, count = 1;
@@ -30,7 +30,7 @@ CaseResults read_journal(const std::filesystem::path& path, const std::string& d
 /// A journal that is open for more lines. Locked against other processes as long as it lives.
 class Journal {
  public:
-  /// Opens or creates it. restart: forget what it holds; else a torn last line is cut off.
+  /// Opens or creates it. restart: forget its lines; else a torn last line is cut off.
   /// Fails: UserError when it cannot be written, another process holds it, or as read_journal.
   Journal(const std::filesystem::path& path, const std::string& description, bool restart);
   Journal(const Journal&) = delete;

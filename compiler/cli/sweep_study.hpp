@@ -1,5 +1,5 @@
 #pragma once
-// A parameter study: what is varied, what is asked of each motion, and how one case is computed.
+// A parameter study: its grid, the metrics of each motion, and the computation of one case.
 
 #include <map>
 #include <memory>
@@ -38,7 +38,7 @@ struct Study {
   std::vector<std::string> warnings = {};  ///< of its inputs, complete lines for standard error
 };
 
-/// What came of one case.
+/// Result of one case.
 struct CaseResult {
   std::string status;  ///< "ok", "warning: " and what is wrong with the values, or why there are none; one line
   std::vector<double> metrics;  ///< of all metrics; NaN where there are none
@@ -57,7 +57,7 @@ Study read_study(const StudyArguments& arguments);
 /// results. Fails: UserError for an input table that cannot be read.
 std::string description(const Study& study);
 
-/// What all cases share, and threads may: analysis, compiled solver.
+/// Data that all cases and threads share: analysis, compiled solver.
 struct StudySolver {
   Compilation compilation;
   std::shared_ptr<const SolverTable> table;  ///< null for engines that are made of the model of each case
@@ -66,7 +66,7 @@ struct StudySolver {
 /// Analyses, generates and compiles. Fails: UserError.
 StudySolver prepare(const Study& study);
 
-/// Simulates one case and takes its metrics. What is wrong with a case is its status.
+/// Simulates one case and takes its metrics. A fault of a case is its status.
 /// Fails: std::exception where mbgen is at fault, UserError when the model was changed meanwhile.
 CaseResult run_case(const Study& study, const StudySolver& solver, long index);
 

@@ -1,5 +1,5 @@
 #pragma once
-// What the command line throws when the user's input is at fault; main turns it into exit code 1.
+// The exception of the command line when the user's input is at fault; main turns it into exit code 1.
 
 #include <stdexcept>
 #include <string>
@@ -12,10 +12,10 @@ namespace mbgen::cli {
 class UserError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
-  /// What is wrong with a model, place by place.
+  /// Faults of a model, place by place.
   explicit UserError(Diagnostics problems) : std::runtime_error(to_text(problems)), problems_(std::move(problems)) {}
 
-  /// What is wrong with the model; none where the surroundings are at fault.
+  /// Faults of the model; none where the surroundings are at fault.
   const Diagnostics& problems() const { return problems_; }
 
   /// The text for a terminal or a pipe.
