@@ -7,13 +7,13 @@
 
 namespace mbgen {
 
-/// The x nearest to zero of those with the least |a x - b|. Pivots below `threshold` times the largest count as zero.
+/// The x nearest to zero of all x with the least |a x - b|. Pivots below `threshold` times the largest count as zero.
 Eigen::VectorXd least_squares(const Eigen::MatrixXd& a, const Eigen::VectorXd& b, double threshold);
 
 /// Orthonormal directions, as columns, in which a x does not change; threshold as of least_squares.
 Eigen::MatrixXd indifferent_directions(const Eigen::MatrixXd& a, double threshold);
 
-/// A basis, as columns, of what `a` takes to zero, by Gauss elimination with full pivoting; threshold as of
+/// A basis, as columns, of the null space of `a`, by Gauss elimination with full pivoting; threshold as of
 /// least_squares. No columns when there is nothing but zero.
 Eigen::MatrixXd kernel(const Eigen::MatrixXd& a, double threshold);
 

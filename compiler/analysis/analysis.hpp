@@ -1,5 +1,5 @@
 #pragma once
-// The door of the analysis room: what must be decided with numbers, offline, over many closed configurations.
+// The door of the analysis room: decisions that need numbers, offline, over many closed configurations.
 
 #include <algorithm>
 #include <string>
@@ -29,11 +29,11 @@ struct RedundantEquation {
   int equation = 0;      ///< row, local to the block
   int loop = 0;          ///< index into Topology::loops
   std::string name;      ///< `loop.row`
-  std::string meaning;   ///< what it asks for, for example "position along x"
+  std::string meaning;   ///< its condition, for example "position along x"
   double residual = -1;  ///< largest seen while the others alone were closed, m or 1; -1: the block cannot move
 };
 
-/// What was seen of the redundancy of one loop block. Singular values are those of the block Jacobian free of units
+/// Findings on the redundancy of one loop block. Singular values are those of the block Jacobian free of units
 /// (metres divided by the largest lever arm), relative to the largest of them, at least 1.
 struct Certificate {
   int closed_configurations = 0;

@@ -1,5 +1,5 @@
 #pragma once
-// The redundancy certificate: what was seen of a block at its closed configurations.
+// The redundancy certificate: ranks and residuals of a block at its closed configurations.
 
 #include <vector>
 

@@ -15,7 +15,7 @@ Diagnostics contradictions(NumericSystem& numbers, std::size_t b, const PartView
                            const std::vector<int>& immobile, const std::vector<ClosureEquation>& equations,
                            const std::vector<Configuration>& configurations);
 
-/// What the redundant equations of a block showed while it moved with its kept equations closed.
+/// Residuals of the redundant equations of a block while it moved with its kept equations closed.
 struct Watch {
   int steps = 0;             ///< finite steps that could be made
   Eigen::VectorXd residual;  ///< per row of the block: the largest, m or 1; zero for kept ones

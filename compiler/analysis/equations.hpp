@@ -1,5 +1,5 @@
 #pragma once
-// What each closure equation asks for, in words a mechanic uses, and in which unit.
+// The condition of each closure equation in words of mechanics, and its unit.
 
 #include <string>
 #include <vector>

@@ -12,7 +12,7 @@ namespace mbgen {
 /// Requires: it is closed at the reference.
 PartView large_view(const NumericSystem& numbers, std::size_t b, const std::vector<Configuration>& configurations);
 
-/// What was seen of the block, its redundant equations included; pivots of rows scaled to largest entry 1 stand for
+/// Findings on the block, its redundant equations included; pivots of rows scaled to largest entry 1 stand for
 /// singular values.
 Certificate certify_large(const Topology& topology, std::size_t b, const PartView& whole,
                           const std::vector<ClosureEquation>& equations,

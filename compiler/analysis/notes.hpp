@@ -1,5 +1,5 @@
 #pragma once
-// What a model may do that its author does not expect: joints that its loops lock, and assembly modes that it is not
+// Behaviour of a model that its author may not expect: joints that its loops lock, and assembly modes that it is not
 // in.
 
 #include "compiler/analysis/analysis.hpp"

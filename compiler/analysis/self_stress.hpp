@@ -1,5 +1,5 @@
 #pragma once
-// Redundant equations of a part that cannot move: do they follow from those that they depend on?
+// Redundant equations of a part that cannot move: do they follow from the equations that they depend on?
 
 #include <vector>
 

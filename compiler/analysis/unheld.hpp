@@ -1,5 +1,5 @@
 #pragma once
-// Motions that nothing holds: what a forgotten tie rod leaves.
+// Motions that nothing holds, as after a forgotten tie rod.
 
 #include "compiler/analysis/analysis.hpp"
 #include "compiler/model/model.hpp"

@@ -21,7 +21,7 @@ struct Curve {
   std::vector<double> x, y;  ///< of one length; points that are not finite are left out
 };
 
-/// What a plot is over.
+/// The abscissa of a plot.
 struct Abscissa {
   std::string title = "time", unit = "s";
 };

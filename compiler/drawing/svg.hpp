@@ -9,7 +9,7 @@ namespace mbgen::svg {
 /// Text as it stands between tags or in attributes: & < > " escaped, control characters (XML has none) replaced.
 std::string escaped(std::string_view text);
 
-/// A number with at most two decimals, none where it is whole: what pixels need.
+/// A number with at most two decimals, none where it is whole: enough for pixels.
 std::string number(double value);
 
 /// <text> at a place; attributes: further ones, with a blank in front.

@@ -32,7 +32,7 @@ struct ImportedModel {
   std::string json;                ///< the model, with comments, in the format that read_model takes
   int bodies = 0, joints = 0;      ///< without the ground; with the joints that close loops
   int loops = 0;                   ///< joints that close loops
-  Diagnostics notes;               ///< what was not carried over, or not as it stands, in order of position
+  Diagnostics notes;               ///< elements not carried over, or not as they stand, in order of position
   std::vector<std::string> files;  ///< every file that was read, the robot's first
 };
 

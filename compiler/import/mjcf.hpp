@@ -1,6 +1,6 @@
 #pragma once
-// MJCF, the format of MuJoCo (https://mujoco.readthedocs.io/en/stable/XMLreference.html): what its elements say and
-// what becomes of them.
+// MJCF, the format of MuJoCo (https://mujoco.readthedocs.io/en/stable/XMLreference.html): the meaning of its
+// elements and their places in a model.
 
 #include <functional>
 #include <map>
@@ -17,7 +17,7 @@ struct MjcfSettings {
   InertiaFromGeom inertia_from_geom = InertiaFromGeom::automatic;
   bool balances_inertia = false;
   double bound_mass = 0, bound_inertia = 0;  ///< least mass and principal moment of a body; 0: none
-  double total_mass = -1;                    ///< kg, what all masses are scaled to; negative: as they are
+  double total_mass = -1;                    ///< kg, sum that all masses are scaled to; negative: as they are
   double first_group = 0, last_group = 5;    ///< of geoms whose mass counts
 };
 
@@ -33,7 +33,7 @@ struct MjcfJoint {
   double reference = 0;  ///< rad or m: MuJoCo's coordinate at the reference configuration
 };
 
-/// What was left out of some elements: said once, where it first stands.
+/// Parts of elements that were left out: told once, at the first place.
 struct MjcfLoss {
   Spot first;
   int count = 0;

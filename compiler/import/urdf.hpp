@@ -32,7 +32,7 @@ struct UrdfRobot {
   std::vector<UrdfLink> links;
   std::vector<UrdfJoint> joints;
   std::map<std::string, int, std::less<>> link_of, joint_of;
-  bool is_closed_by_moving = false;  ///< what is still open of a loop is taken up by its points
+  bool is_closed_by_moving = false;  ///< the loop's points take up the rest of its gap
 };
 
 /// A frame by the attributes xyz and rpy of an element, identity where they are absent.
@@ -56,7 +56,7 @@ struct LoopEnds {
 
 /// Why the loop does not close as it stands, or "".
 std::string gap_of(const LoopEnds& ends);
-/// What to do about it.
+/// The next step for the user.
 extern const char* const kGapHint;
 
 /// A loop that is no second parent: of an extension or of the sidecar.
@@ -84,7 +84,7 @@ Isometry3d moved(const UrdfJoint& joint);
 void place_links(UrdfRobot& robot, int root, std::vector<BodyDraft>& bodies);
 
 /// Closes loops that are open by some millimetres by moving the joints of the tree a little, and places the links
-/// anew. What is wider open, or does not close, stays as it is.
+/// anew. A loop that is wider open, or does not close, stays as it is.
 void close_loops(Reading& reading, UrdfRobot& robot, const std::vector<UrdfLoop>& loops, int root,
                  std::vector<BodyDraft>& bodies);
 

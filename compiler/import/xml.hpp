@@ -35,7 +35,7 @@ struct Source {
   std::vector<std::size_t> line_starts;
 };
 
-/// What all parts of a translation share: the texts, what is wrong with them and what is lost of them.
+/// Data that all parts of a translation share: the texts, their faults and their losses.
 struct Reading {
   const ImportRequest& request;
   std::deque<Source> sources;

@@ -63,7 +63,7 @@ struct Mode {
   double damping_ratio() const { return is_neutral ? 0.0 : -eigenvalue.real() / std::abs(eigenvalue); }
 };
 
-/// Modes of the system, the fastest oscillations first, then those that do not oscillate, the fastest first.
+/// Modes of the system, the fastest oscillations first, then the modes that do not oscillate, the fastest first.
 std::vector<Mode> modes(const LinearSystem& system);
 
 /// The coordinates that move most in a mode, with signs, or phases in degrees where they are neither in step nor

@@ -7,10 +7,10 @@
 
 namespace mbgen {
 
-/// How far programs are from what is emitted.
+/// How far programs are from the emitted ones.
 enum class Lowered {
   whole,   ///< every value follows from the inputs: derivatives are taken here
-  lean,    ///< without what depends on tunable parameters alone: operations are counted here
+  lean,    ///< without values of tunable parameters alone: operations are counted here
   emitted  ///< rounded and ordered as the C++ text is
 };
 
@@ -18,7 +18,7 @@ enum class Lowered {
 struct Pass {
   const char* name;           ///< of the stage: --dump=NAME
   const char* effect;         ///< in words
-  Lowered result;             ///< what it leaves
+  Lowered result;             ///< state of the programs after it
   Programs (*run)(Programs);  ///< pure
 };
 

@@ -19,8 +19,8 @@ struct RolledLoop {
 
 struct Rolling {
   std::vector<ValueId> order;     ///< operations that an output needs, in program order
-  std::vector<RolledLoop> loops;  ///< ascending, disjoint; what lies between stays straight
-  /// Operations that are written down: those of one slice of each loop, and the straight ones.
+  std::vector<RolledLoop> loops;  ///< ascending, disjoint; values between them stay straight
+  /// Operations in the text: of one slice of each loop, and of straight code.
   std::size_t written() const;
 };
 

@@ -1,5 +1,5 @@
 #pragma once
-// What every operation computes: the one table behind folding and interpretation. Inside the program room.
+// The value of every operation: the one table behind folding and interpretation. Inside the program room.
 
 #include "compiler/program/program.hpp"
 

@@ -20,7 +20,7 @@ struct Swing {
 /// is 0 where nothing that is drawn moves.
 Swing swing_of(const ModesSource& source, const GenericSolver& solver, const Mode& mode, std::size_t count);
 
-/// What the page of modes shows, all but model, scene and topology:
+/// Data of the page of modes, all but model, scene and topology:
 ///   point: state (a text), drift (largest rate of the states there)
 ///   rest: the poses at the point
 ///   animations, one a mode: name (what moves most), kind "mode", eigenvalue, frequency (Hz), damping_ratio,

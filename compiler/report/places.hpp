@@ -1,5 +1,5 @@
 #pragma once
-// Places on the bodies of a model: where things are fixed to them and what is drawn of them.
+// Places on the bodies of a model: where elements are fixed to them, and the drawn extent of them.
 
 #include <vector>
 
@@ -15,7 +15,7 @@ constexpr double kFarAway = 20;
 struct BodyPlace {
   int body = -1;
   Vector3 at{};       ///< m, body frame
-  double margin = 0;  ///< m: what is drawn reaches so far around it
+  double margin = 0;  ///< m: the drawing reaches so far around it
 };
 
 Vector3 values(const Vector3Quantity& vector);

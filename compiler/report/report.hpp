@@ -14,7 +14,7 @@ namespace mbgen {
 /// Whether the page's program was bundled into this mbgen; without it there are no reports.
 bool has_report_page();
 
-/// What a report is made from.
+/// Sources of a report.
 struct ReportSource {
   const Model& model;
   const Topology& topology;
@@ -29,7 +29,7 @@ struct ReportSource {
 /// Requires: has_report_page().
 Result<std::string> report_html(const ReportSource& source, const std::string& file);
 
-/// What a page of modes is made from.
+/// Sources of a page of modes.
 struct ModesSource {
   const Model& model;
   const Topology& topology;

@@ -1,5 +1,5 @@
 #pragma once
-// What the animation shows of a model: bodies as shapes, and what runs between them.
+// The animation's view of a model: bodies as shapes, and the elements between them.
 
 #include <nlohmann/json_fwd.hpp>
 

@@ -14,7 +14,7 @@ struct Heading {
   std::string name, unit;
 };
 
-/// What a field of a header says, without the brackets.
+/// The text of a field of a header, without the brackets.
 Heading heading_of(const std::string& field);
 
 /// `name [unit]`, or `name` without a unit.
@@ -35,7 +35,7 @@ struct Column {
 /// A table of a motion.
 struct Results {
   std::vector<Column> columns;  ///< the first is time, "t" in s; all of one length
-  std::string run;              ///< what is known of the run, JSON text; empty when the file does not hold it
+  std::string run;              ///< description of the run, JSON text; empty when the file does not hold it
   std::size_t rows() const { return columns.empty() ? 0 : columns.front().values.size(); }
 };
 

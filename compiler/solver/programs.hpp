@@ -1,5 +1,5 @@
 #pragma once
-// The door of the solver room: the programs of a solver, what goes into each and what comes out. Trace makes them,
+// The door of the solver room: the programs of a solver, with the inputs and outputs of each. Trace makes them,
 // passes rewrite them, emit writes them, linearisation and FMUs differentiate them.
 //
 // Slot groups (index meaning); n coordinates, nx auxiliary states (tyre slips), B
@@ -57,10 +57,11 @@ struct Programs {
   std::vector<int> residual_equation_of;               ///< per block: first index of its equations in `residual`
 };
 
-/// The programs that a solver runs, in the order in which they are written; those that a model does not need are empty.
+/// The programs that a solver runs, in the order in which they are written; programs that a model does not need are
+/// empty.
 std::array<Program*, 6> solver_programs(Programs& programs);
 
-/// Every program with outputs: those of solver_programs, then the derived constants.
+/// Every program with outputs: the programs of solver_programs, then the derived constants.
 std::vector<const Program*> all_programs(const Programs& programs);
 
 }  // namespace mbgen

@@ -1,5 +1,5 @@
 #pragma once
-// One program in the making: what the files of this room share.
+// One program in the making: data that the files of this room share.
 
 #include <string>
 #include <vector>
@@ -41,7 +41,7 @@ class Tracing {
   }
   int size() const { return system.topology.size(); }
 
-  /// Prescribed values of a block's coordinates (zero where not driven), by what a motion gives.
+  /// Prescribed values of a block's coordinates (zero where not driven); what: member of Drive.
   std::vector<Expr> driven_values(const LoopBlock& block, Expr Drive<Expr>::*what) const {
     std::vector<Expr> values(block.joints.size(), Expr(0.0));
     for (std::size_t c = 0; c < block.joints.size(); ++c)
