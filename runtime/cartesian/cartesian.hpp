@@ -20,13 +20,13 @@ enum class CartesianMethod {
   maggi         ///< (30)
 };
 
-/// What keeps the integrated constraints closed.
+/// Method that keeps the integrated constraints closed.
 enum class Stabilisation {
   projection,  ///< mass-orthogonal projections of position and velocity after each step
   baumgarte    ///< c - 2 alpha Phid - alpha^2 Phi in place of c
 };
 
-/// Solver of one model in Cartesian coordinates. Copies what it needs of its arguments.
+/// Solver of one model in Cartesian coordinates. Copies the data that it needs of its arguments.
 class CartesianSolver {
  public:
   CartesianSolver(const Model& model, const Topology& topology, CartesianMethod method, Stabilisation stabilisation);
@@ -43,7 +43,7 @@ class CartesianSolver {
   /// Mass-orthogonal projection of position, then velocity. Fails: loop_not_closed; the state is then unchanged.
   Status project(GenericState& state) const;
   /// One step of Runge-Kutta in Cartesian coordinates, stabilised. The bodies' own state goes on from the step before
-  /// when `state` is what that step left. The state is unchanged on failure.
+  /// when `state` is the result of that step. The state is unchanged on failure.
   Status step(GenericState& state, double h);
   /// Multipliers in the order and scale of Topology::loops at a state.
   Status multipliers(const GenericState& state, const std::vector<double>& tau, std::vector<double>& lambda) const;

@@ -8,14 +8,15 @@ namespace mbgen {
 
 /// Which entries may be pivots.
 struct PivotRule {
-  double smallest = 1e-10;     ///< relative to the first pivot; what is not larger is zero
+  double smallest = 1e-10;     ///< relative to the first pivot; a pivot that is not larger is zero
   std::vector<int> equations;  ///< the only ones that may have pivots; empty for all
 };
 
 /// Right-hand side of the equations after elimination, L^-1 P c of (13).
 struct ReducedBias {
-  Eigen::VectorXd kept;     ///< c_1:r, in the order of the pivots
-  Eigen::VectorXd dropped;  ///< per equation what (14) wants to be zero; zero at the equations that were kept
+  Eigen::VectorXd kept;  ///< c_1:r, in the order of the pivots
+  Eigen::VectorXd
+      dropped;  ///< per equation the expression that (14) sets to zero; zero at the equations that were kept
 };
 
 /// P Phi_q = L [U; 0] of rank r (12). The pivot is the largest entry that is left, so its columns are the dependent
@@ -38,7 +39,8 @@ class ConstraintFactors {
   Eigen::VectorXd particular(const Eigen::VectorXd& bias) const;
   /// S' f of (28), r multipliers of the reduced equations. force: n.
   Eigen::VectorXd reduced_multipliers(const Eigen::VectorXd& force) const;
-  /// Multipliers of all m equations from those of the reduced ones, P' L^-T of (13): zero at redundant equations.
+  /// Multipliers of all m equations from the multipliers of the reduced ones, P' L^-T of (13): zero at redundant
+  /// equations.
   Eigen::VectorXd multipliers(const Eigen::VectorXd& reduced) const;
   /// Weights y of all m equations with y' Phi_q = 0 and 1 at a redundant `equation`.
   Eigen::VectorXd dependency(int equation) const;

@@ -1,5 +1,5 @@
 #pragma once
-// What a Cartesian system holds, and its view of one state.
+// Data of a Cartesian system, and its view of one state.
 
 #include <utility>
 #include <vector>
@@ -10,7 +10,7 @@
 namespace mbgen {
 namespace cartesian {
 
-/// Where the equations stand: those of the joints of the model, then of the rods, then one per motion.
+/// Places of the equations: of the joints of the model, then of the rods, then one per motion.
 struct FirstRows {
   std::vector<int> joints, rods;  ///< first row of each, and one past the last of all
   int motions = 0, end = 0;
@@ -25,7 +25,7 @@ struct Load {
   Vector6d wrench;  ///< about the centre of mass, global axes
 };
 
-/// What the model's elements do at one state.
+/// Forces of the model's elements at one state.
 struct Forces {
   std::vector<Load> loads;     ///< springs, applied forces, tyres; on ground too
   std::vector<double> joints;  ///< per tree coordinate, N or N m

@@ -1,5 +1,5 @@
 #pragma once
-// The terms of (5) at one state, factored, and what can be wrong with them as a status.
+// The terms of (5) at one state, factored, and their faults as a status.
 
 #include <optional>
 #include <vector>

@@ -1,5 +1,5 @@
 #pragma once
-// Rows of the constraint Jacobian: what one equation sees of its two bodies, and the equations joints are made of.
+// Rows of the constraint Jacobian: blocks of one equation for its two bodies, and the equations of joints.
 
 #include <vector>
 
@@ -32,7 +32,7 @@ struct Row {
   int from = 0, to = 0;
   Vector6d on_from, on_to;
   double residual = 0;  ///< Phi, m or 1
-  double rate = 0;      ///< b of (3): what on_from' qd_from + on_to' qd_to should be
+  double rate = 0;      ///< b of (3): required value of on_from' qd_from + on_to' qd_to
   double bias = 0;      ///< c of (4)
 };
 

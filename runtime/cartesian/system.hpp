@@ -20,7 +20,7 @@ struct CartesianBody {
   Eigen::Vector3d spin;         ///< angular velocity, rad/s
 };
 
-/// All bodies that move: those of the model but ground, massless ones too, then the rods that have mass.
+/// All bodies that move: the bodies of the model but ground, massless ones too, then the rods that have mass.
 struct CartesianState {
   std::vector<CartesianBody> bodies;
   std::vector<double> x;  ///< auxiliary states, as GenericState::x
@@ -36,7 +36,7 @@ struct CartesianTerms {
   Eigen::VectorXd force;     ///< F, n: applied and gyroscopic
   Eigen::MatrixXd jacobian;  ///< Phi_q, m x n, rows scaled to m or 1
   Eigen::VectorXd residual;  ///< Phi, m
-  Eigen::VectorXd velocity;  ///< Phi_q qd - b, m: what the velocities violate (3)
+  Eigen::VectorXd velocity;  ///< Phi_q qd - b, m: violation of (3) by the velocities
   Eigen::VectorXd bias;      ///< c of (4), m
   std::vector<double> xd;    ///< rates of the auxiliary states
 };
@@ -65,7 +65,7 @@ class CartesianSystem {
   CartesianState place(const GenericState& state) const;
   /// Tree coordinates and rates of the bodies' relative poses; angles are those nearest to `guess`.
   GenericState joint_state(const CartesianState& state, const GenericState& guess) const;
-  /// Tree accelerations from those of the bodies. z: the coordinates at this state.
+  /// Tree accelerations from the accelerations of the bodies. z: the coordinates at this state.
   std::vector<double> joint_accelerations(const CartesianState& state, const GenericState& z,
                                           const Eigen::VectorXd& qdd) const;
   /// All terms of (5). tau: per tree coordinate, added to the model's joint forces.
@@ -80,7 +80,7 @@ class CartesianSystem {
   std::vector<double> loop_multipliers(const CartesianState& state, const Eigen::VectorXd& lambda) const;
   /// Generalised driving force of each motion, from the multipliers of all equations.
   std::vector<double> driving_forces(const Eigen::VectorXd& lambda) const;
-  /// What each joint of the model transmits (constraint, springs, drives and tau of its coordinates) from its `from` to
+  /// Action of each joint of the model (constraint, springs, drives and tau of its coordinates) from its `from` to
   /// its `to` body, about the joint's point on `to`.
   std::vector<CartesianWrench> joint_reactions(const CartesianState& state, const GenericState& z,
                                                const std::vector<double>& tau, const Eigen::VectorXd& lambda) const;

@@ -1,5 +1,5 @@
 #pragma once
-// What expressions of the model see: parameters, inputs, time, and coordinates by joint and component.
+// Values that expressions of the model see: parameters, inputs, time, and coordinates by joint and component.
 
 #include <array>
 #include <vector>

@@ -1,5 +1,5 @@
 #pragma once
-// What a generic solver holds, and the formulation's view of one state.
+// Data of a generic solver, and the formulation's view of one state.
 
 #include <cmath>
 #include <utility>
@@ -27,8 +27,7 @@ struct Solved {
   AppliedForces<double> forces;
   Accelerations<double> accelerations;
   std::vector<std::vector<double>> multipliers;  ///< per block, per equation
-  std::vector<double>
-      unbalanced;  ///< tree forces less M zdd less Phi_z' lambda: what the drives must add, with opposite sign
+  std::vector<double> unbalanced;  ///< tree forces less M zdd less Phi_z' lambda: driving forces, with opposite sign
 };
 
 struct GenericSolver::Content {
@@ -68,7 +67,7 @@ struct GenericSolver::Content {
     at.constants = make_constants(model, topology, at.environment);
   }
 
-  /// Names what is not finite among the arguments of a call.
+  /// Names arguments of a call that are not finite.
   Status check_arguments(const GenericState& state, const std::vector<double>& tau) const {
     const Status status = check_finite(state, tau, at.environment.inputs);
     if (!status.ok()) return status;
@@ -155,7 +154,7 @@ struct GenericSolver::Content {
     return factors_of_kept.rank() < analysis.blocks[b].rank ? factors(b, closed) : factors_of_kept;
   }
 
-  /// Multipliers by block, and what they leave of the residual forces (driving forces with opposite sign).
+  /// Multipliers by block, and the rest of the residual forces (driving forces with opposite sign).
   std::vector<std::vector<double>> block_multipliers(const Prepared& p, std::vector<double>& residual) const {
     std::vector<std::vector<double>> lambda;
     for (std::size_t b = 0; b < topology.blocks.size(); ++b) {

@@ -32,13 +32,13 @@ struct GenericAlgebra {
 struct CoordinateWish {
   int coordinate = -1;
   double value = 0;     ///< rad or m, or per second
-  double weight = 1;    ///< of its squared error, against those of the other wishes
+  double weight = 1;    ///< of its squared error, against the weights of the other wishes
   bool locked = false;  ///< to be met exactly; of driven coordinates the motion says where they are
 };
 
-/// Solver of one model at double. Copies what it needs of its arguments. It works in memory of its own: one thread at a
-/// time, and any number of solvers in as many threads. With LinearAlgebra::blas one thread of the whole process:
-/// Debian's serial OpenBLAS shares buffers without a lock.
+/// Solver of one model at double. Copies the data that it needs of its arguments. It works in memory of its own: one
+/// thread at a time, and any number of solvers in as many threads. With LinearAlgebra::blas one thread of the whole
+/// process: Debian's serial OpenBLAS shares buffers without a lock.
 class GenericSolver {
  public:
   /// algebra: of the closures and the reduced equations. QR is there with Eigen only: std::invalid_argument else.

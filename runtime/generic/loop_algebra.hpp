@@ -1,5 +1,5 @@
 #pragma once
-// What the generic runtime asks of linear algebra: the loops' part of steps 2, 3, 6 and 8 of the paper's tables, behind
+// The generic runtime's demand on linear algebra: the loops' part of steps 2, 3, 6 and 8 of the paper's tables, behind
 // one table of functions, so that a library is chosen once and its types stay in its own file.
 
 #include <Eigen/Dense>
@@ -35,7 +35,7 @@ struct FreeJoint {
   int coordinate = 0, direction = 0;
 };
 
-/// Sizes that every linear algebra needs. Free directions stand group by group, those of the parents first.
+/// Sizes that every linear algebra needs. Free directions stand group by group, parents first.
 struct LoopShape {
   int coordinates = 0, equations = 0, directions = 0;
   std::vector<BlockShape> blocks;

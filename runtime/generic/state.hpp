@@ -19,7 +19,7 @@ struct GenericDerivative {
   std::vector<double> zdd, xd;
 };
 
-/// What a model's outputs function gives.
+/// Results of a model's outputs function.
 struct GenericOutputs {
   std::vector<double> y;
   double kinetic_energy = 0, potential_energy = 0, applied_power = 0;
@@ -41,7 +41,7 @@ inline double largest_absolute(const std::vector<double>& values) {
   return largest;
 }
 
-/// Names what is not finite among the arguments of a call. tau: per coordinate, may be empty; inputs: all of the model.
+/// Names arguments of a call that are not finite. tau: per coordinate, may be empty; inputs: all of the model.
 inline Status check_finite(const GenericState& state, const std::vector<double>& tau,
                            const std::vector<double>& inputs) {
   for (const std::vector<double>* values : {&state.z, &state.zd, &tau}) {
@@ -53,7 +53,7 @@ inline Status check_finite(const GenericState& state, const std::vector<double>&
   return {};
 }
 
-/// Names what is not finite among rates.
+/// Names rates that are not finite.
 inline Status check_finite(const GenericDerivative& derivative) {
   if (const int i = first_not_finite(derivative.zdd); i >= 0) return {Code::not_a_number, i};
   if (const int i = first_not_finite(derivative.xd); i >= 0) return {Code::auxiliary_not_a_number, i};
