@@ -8,7 +8,7 @@
 
 #include "compiler/model/model.hpp"
 #include "compiler/topology/topology.hpp"
-#include "runtime/generic/state.hpp"
+#include "runtime/state/state.hpp"
 
 namespace mbgen {
 

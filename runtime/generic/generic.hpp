@@ -9,7 +9,7 @@
 #include "compiler/topology/topology.hpp"
 #include "mbgen/status.hpp"
 #include "mbgen/step_clock.hpp"
-#include "runtime/generic/state.hpp"
+#include "runtime/state/state.hpp"
 
 namespace mbgen {
 
