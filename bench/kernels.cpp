@@ -8,11 +8,11 @@
 #include <string>
 #include <vector>
 
-#include "compiler/cli/engine.hpp"
-#include "compiler/cli/initial_state.hpp"
-#include "compiler/cli/options.hpp"
+#include "compiler/base/assignments.hpp"
 #include "compiler/compile.hpp"
+#include "compiler/engines/engine.hpp"
 #include "compiler/passes/passes.hpp"
+#include "compiler/study/initial_state.hpp"
 #include "mbgen/loop.hpp"
 #include "mbgen/sincos.hpp"
 #include "mbgen/tyre.hpp"

@@ -4,7 +4,7 @@
 #include <sys/stat.h>
 
 #include "cli_test_support.hpp"
-#include "compiler/cli/own_directory.hpp"
+#include "compiler/base/own_directory.hpp"
 
 namespace mbgen::cli_test {
 namespace {

@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "cli_test_support.hpp"
-#include "compiler/cli/course.hpp"
-#include "compiler/cli/step_watch.hpp"
+#include "compiler/study/course.hpp"
+#include "compiler/study/step_watch.hpp"
 
 namespace mbgen::cli_test {
 namespace {

@@ -7,9 +7,9 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
-#include "compiler/cli/bench_states.hpp"
-#include "compiler/cli/files.hpp"
-#include "compiler/cli/options.hpp"
+#include "compiler/base/assignments.hpp"
+#include "compiler/base/files.hpp"
+#include "compiler/study/cost/bench_states.hpp"
 
 namespace mbgen::compare {
 namespace {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "bench/compare/contestants.hpp"
-#include "compiler/cli/states_file.hpp"
+#include "compiler/study/states_file.hpp"
 
 namespace mbgen::compare {
 

@@ -8,10 +8,10 @@
 #include <filesystem>
 #include <sstream>
 
-#include "compiler/cli/files.hpp"
-#include "compiler/cli/own_directory.hpp"
-#include "compiler/cli/process.hpp"
-#include "compiler/cli/user_error.hpp"
+#include "compiler/base/files.hpp"
+#include "compiler/base/own_directory.hpp"
+#include "compiler/base/process.hpp"
+#include "compiler/base/user_error.hpp"
 
 namespace mbgen::compare {
 namespace {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "compiler/cli/engine.hpp"
+#include "compiler/engines/engine.hpp"
 #include "compiler/program/program.hpp"
 
 namespace mbgen::compare {

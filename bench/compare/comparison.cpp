@@ -5,8 +5,8 @@
 #include <filesystem>
 
 #include "bench/compare/agreement.hpp"
-#include "compiler/cli/bench_states.hpp"
-#include "compiler/cli/user_error.hpp"
+#include "compiler/base/user_error.hpp"
+#include "compiler/study/cost/bench_states.hpp"
 
 namespace mbgen::compare {
 namespace {

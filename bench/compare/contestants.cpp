@@ -6,7 +6,7 @@
 #include <memory>
 
 #include "bench/foreign/straightforward_maggi.hpp"
-#include "compiler/cli/user_error.hpp"
+#include "compiler/base/user_error.hpp"
 #include "tests/oracle/mujoco_mechanism.hpp"
 #include "tests/oracle/simbody_mechanism.hpp"
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "compiler/cli/engine.hpp"
+#include "compiler/engines/engine.hpp"
 
 namespace mbgen::compare {
 

@@ -5,8 +5,8 @@
 #include <CLI/CLI.hpp>
 
 #include "bench/compare/table.hpp"
-#include "compiler/cli/files.hpp"
-#include "compiler/cli/user_error.hpp"
+#include "compiler/base/files.hpp"
+#include "compiler/base/user_error.hpp"
 
 namespace mbgen::compare {
 namespace {

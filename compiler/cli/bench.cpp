@@ -4,16 +4,17 @@
 
 #include <memory>
 
-#include "compiler/cli/bench_measure.hpp"
-#include "compiler/cli/bench_states.hpp"
-#include "compiler/cli/bench_text.hpp"
+#include "compiler/base/assignments.hpp"
+#include "compiler/base/files.hpp"
+#include "compiler/base/user_error.hpp"
 #include "compiler/cli/commands.hpp"
-#include "compiler/cli/files.hpp"
 #include "compiler/cli/options.hpp"
-#include "compiler/cli/paper_tables.hpp"
-#include "compiler/cli/set_parameters.hpp"
-#include "compiler/cli/states_file.hpp"
-#include "compiler/cli/user_error.hpp"
+#include "compiler/engines/engine_arguments.hpp"
+#include "compiler/study/cost/bench_measure.hpp"
+#include "compiler/study/cost/bench_states.hpp"
+#include "compiler/study/cost/bench_text.hpp"
+#include "compiler/study/cost/paper_tables.hpp"
+#include "compiler/study/states_file.hpp"
 
 namespace mbgen::cli {
 namespace {

@@ -5,16 +5,16 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "compiler/base/assignments.hpp"
+#include "compiler/base/files.hpp"
+#include "compiler/base/json_text.hpp"
+#include "compiler/base/user_error.hpp"
 #include "compiler/cli/commands.hpp"
 #include "compiler/cli/dump.hpp"
-#include "compiler/cli/files.hpp"
-#include "compiler/cli/initial_state.hpp"
-#include "compiler/cli/json_text.hpp"
-#include "compiler/cli/notes.hpp"
 #include "compiler/cli/options.hpp"
-#include "compiler/cli/set_parameters.hpp"
-#include "compiler/cli/user_error.hpp"
 #include "compiler/compile.hpp"
+#include "compiler/describe/notes.hpp"
+#include "compiler/study/initial_state.hpp"
 
 namespace mbgen::cli {
 namespace {

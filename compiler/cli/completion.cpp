@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <memory>
 
+#include "compiler/base/files.hpp"
 #include "compiler/cli/commands.hpp"
-#include "compiler/cli/files.hpp"
 
 namespace mbgen::cli {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "compiler/cli/user_error.hpp"
+#include "compiler/base/user_error.hpp"
 
 namespace mbgen::cli {
 namespace {

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "compiler/base/files.hpp"
 #include "compiler/cli/command_line.hpp"
-#include "compiler/cli/files.hpp"
 
 namespace mbgen::cli {
 

@@ -6,11 +6,11 @@
 #include <algorithm>
 #include <utility>
 
-#include "compiler/cli/dump_model.hpp"
-#include "compiler/cli/initial_state.hpp"
-#include "compiler/cli/names.hpp"
-#include "compiler/cli/user_error.hpp"
+#include "compiler/base/user_error.hpp"
 #include "compiler/compile.hpp"
+#include "compiler/describe/dump_model.hpp"
+#include "compiler/describe/names.hpp"
+#include "compiler/study/initial_state.hpp"
 
 namespace mbgen::cli {
 namespace {

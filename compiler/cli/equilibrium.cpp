@@ -5,14 +5,14 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "compiler/base/assignments.hpp"
+#include "compiler/base/files.hpp"
+#include "compiler/base/json_text.hpp"
+#include "compiler/base/user_error.hpp"
 #include "compiler/cli/commands.hpp"
-#include "compiler/cli/files.hpp"
-#include "compiler/cli/json_text.hpp"
-#include "compiler/cli/notes.hpp"
-#include "compiler/cli/operating_point.hpp"
 #include "compiler/cli/options.hpp"
-#include "compiler/cli/set_parameters.hpp"
-#include "compiler/cli/user_error.hpp"
+#include "compiler/describe/notes.hpp"
+#include "compiler/study/operating_point.hpp"
 
 namespace mbgen::cli {
 namespace {

@@ -4,13 +4,14 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "compiler/base/assignments.hpp"
+#include "compiler/base/files.hpp"
+#include "compiler/base/user_error.hpp"
 #include "compiler/cli/commands.hpp"
-#include "compiler/cli/files.hpp"
 #include "compiler/cli/options.hpp"
-#include "compiler/cli/reactions.hpp"
-#include "compiler/cli/set_parameters.hpp"
-#include "compiler/cli/states_file.hpp"
-#include "compiler/cli/user_error.hpp"
+#include "compiler/engines/engine_arguments.hpp"
+#include "compiler/study/reactions.hpp"
+#include "compiler/study/states_file.hpp"
 
 namespace mbgen::cli {
 namespace {

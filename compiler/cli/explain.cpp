@@ -2,12 +2,13 @@
 
 #include <memory>
 
+#include "compiler/base/assignments.hpp"
+#include "compiler/base/files.hpp"
+#include "compiler/base/user_error.hpp"
 #include "compiler/cli/commands.hpp"
-#include "compiler/cli/explanation.hpp"
-#include "compiler/cli/files.hpp"
 #include "compiler/cli/options.hpp"
-#include "compiler/cli/set_parameters.hpp"
-#include "compiler/cli/user_error.hpp"
+#include "compiler/describe/explanation.hpp"
+#include "compiler/engines/engine_arguments.hpp"
 
 namespace mbgen::cli {
 namespace {

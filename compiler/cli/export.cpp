@@ -9,21 +9,22 @@
 #include <optional>
 #include <stdexcept>
 
+#include "compiler/base/assignments.hpp"
+#include "compiler/base/files.hpp"
+#include "compiler/base/json_text.hpp"
+#include "compiler/base/own_directory.hpp"
+#include "compiler/base/user_error.hpp"
+#include "compiler/base/zip_archive.hpp"
 #include "compiler/cli/commands.hpp"
 #include "compiler/cli/depfile.hpp"
-#include "compiler/cli/files.hpp"
-#include "compiler/cli/host_compiler.hpp"
-#include "compiler/cli/initial_state.hpp"
-#include "compiler/cli/json_text.hpp"
-#include "compiler/cli/notes.hpp"
 #include "compiler/cli/options.hpp"
-#include "compiler/cli/own_directory.hpp"
-#include "compiler/cli/set_parameters.hpp"
-#include "compiler/cli/user_error.hpp"
-#include "compiler/cli/zip_archive.hpp"
 #include "compiler/compile.hpp"
+#include "compiler/describe/notes.hpp"
 #include "compiler/drawing/drawing.hpp"
 #include "compiler/emit/fmu_variables.hpp"
+#include "compiler/engines/engine_arguments.hpp"
+#include "compiler/engines/host_compiler.hpp"
+#include "compiler/study/initial_state.hpp"
 
 namespace mbgen::cli {
 namespace {

@@ -8,17 +8,18 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
+#include "compiler/base/assignments.hpp"
+#include "compiler/base/files.hpp"
+#include "compiler/base/json_text.hpp"
+#include "compiler/base/user_error.hpp"
 #include "compiler/cli/commands.hpp"
 #include "compiler/cli/depfile.hpp"
 #include "compiler/cli/dump.hpp"
-#include "compiler/cli/files.hpp"
-#include "compiler/cli/initial_state.hpp"
-#include "compiler/cli/json_text.hpp"
-#include "compiler/cli/measured_cost.hpp"
 #include "compiler/cli/options.hpp"
-#include "compiler/cli/set_parameters.hpp"
-#include "compiler/cli/user_error.hpp"
 #include "compiler/compile.hpp"
+#include "compiler/engines/engine_arguments.hpp"
+#include "compiler/study/cost/measured_cost.hpp"
+#include "compiler/study/initial_state.hpp"
 
 namespace mbgen::cli {
 namespace {

@@ -8,14 +8,14 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "compiler/base/assignments.hpp"
+#include "compiler/base/files.hpp"
+#include "compiler/base/user_error.hpp"
 #include "compiler/cli/commands.hpp"
-#include "compiler/cli/files.hpp"
-#include "compiler/cli/motion_table.hpp"
 #include "compiler/cli/options.hpp"
-#include "compiler/cli/result_file.hpp"
-#include "compiler/cli/set_parameters.hpp"
-#include "compiler/cli/user_error.hpp"
 #include "compiler/report/report.hpp"
+#include "compiler/study/motion_table.hpp"
+#include "compiler/study/result_file.hpp"
 
 namespace mbgen::cli {
 namespace {

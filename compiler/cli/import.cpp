@@ -8,12 +8,12 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
+#include "compiler/base/files.hpp"
+#include "compiler/base/json_text.hpp"
+#include "compiler/base/user_error.hpp"
 #include "compiler/cli/commands.hpp"
-#include "compiler/cli/files.hpp"
-#include "compiler/cli/json_text.hpp"
-#include "compiler/cli/notes.hpp"
 #include "compiler/cli/options.hpp"
-#include "compiler/cli/user_error.hpp"
+#include "compiler/describe/notes.hpp"
 #include "compiler/model/model.hpp"
 
 namespace mbgen::cli {

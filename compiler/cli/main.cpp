@@ -11,10 +11,10 @@
 #include <string_view>
 #include <vector>
 
+#include "compiler/base/assignments.hpp"
+#include "compiler/base/files.hpp"
+#include "compiler/base/user_error.hpp"
 #include "compiler/cli/commands.hpp"
-#include "compiler/cli/files.hpp"
-#include "compiler/cli/options.hpp"
-#include "compiler/cli/user_error.hpp"
 #include "compiler/emit/emit.hpp"
 
 namespace mbgen::cli {

@@ -4,8 +4,8 @@
 
 #include <sstream>
 
+#include "compiler/base/files.hpp"
 #include "compiler/cli/commands.hpp"
-#include "compiler/cli/files.hpp"
 #include "compiler/emit/emit.hpp"
 
 namespace mbgen::cli {

@@ -7,11 +7,11 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "compiler/base/files.hpp"
+#include "compiler/base/json_text.hpp"
+#include "compiler/base/user_error.hpp"
 #include "compiler/cli/commands.hpp"
-#include "compiler/cli/files.hpp"
-#include "compiler/cli/json_text.hpp"
 #include "compiler/cli/options.hpp"
-#include "compiler/cli/user_error.hpp"
 #include "compiler/emit/embedded.hpp"
 
 namespace mbgen::cli {

@@ -3,50 +3,12 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <utility>
-
 #include "compiler/cli/dump.hpp"
-#include "compiler/cli/number.hpp"
-#include "compiler/cli/user_error.hpp"
+#include "compiler/engines/engine_arguments.hpp"
+#include "compiler/study/operating_point.hpp"
+#include "compiler/study/simulation_arguments.hpp"
 
 namespace mbgen::cli {
-namespace {
-
-/// An option whose value is one of a few words.
-template <class Value, std::size_t count>
-struct WordOption {
-  const char *name, *noun;
-  std::array<std::pair<const char*, Value>, count> words;
-};
-
-constexpr WordOption<LinearAlgebra, 3> kLinearAlgebra{
-    "--linear-algebra",
-    "linear algebra",
-    {{{"eigen", LinearAlgebra::eigen}, {"blas", LinearAlgebra::blas}, {"sparse", LinearAlgebra::sparse}}}};
-constexpr WordOption<Factorisation, 2> kFactorisation{
-    "--factorisation", "factorisation", {{{"lu", Factorisation::lu}, {"qr", Factorisation::qr}}}};
-constexpr WordOption<Form, 2> kForm{"--form", "form", {{{"recursive", Form::recursive}, {"matrix", Form::matrix}}}};
-constexpr WordOption<Stabilisation, 2> kStabilisation{
-    "--stabilisation",
-    "stabilisation",
-    {{{"projection", Stabilisation::projection}, {"baumgarte", Stabilisation::baumgarte}}}};
-
-/// Fails: UserError for a word that is none of the option's.
-template <class Value, std::size_t count>
-Value meaning(const WordOption<Value, count>& option, const std::string& typed) {
-  std::vector<std::string> known;
-  for (const auto& [word, value] : option.words) {
-    if (typed == word) return value;
-    known.push_back(word);
-  }
-  throw UserError(
-      fmt::format("{}: no {} \"{}\"; there are: {}\n", option.name, option.noun, typed, fmt::join(known, ", ")));
-}
-
-}  // namespace
 
 void add_model_argument(NamedCommand command, std::string& path) {
   command.add_option("MODEL", path, "model file (JSON)").required();
@@ -60,10 +22,6 @@ void add_form_option(NamedCommand command, std::string& form) {
   command.add_option("--form", form,
                      "form of the generated equations: recursive, or matrix, the paper's steps (default: the one with "
                      "fewer operations)");
-}
-
-std::optional<Form> chosen_form(const std::string& typed) {
-  return typed.empty() ? std::nullopt : std::optional<Form>(meaning(kForm, typed));
 }
 
 void add_dump_option(NamedCommand command, std::string& stage) {
@@ -102,39 +60,6 @@ void add_engine_options(NamedCommand command, EngineArguments& arguments) {
   add_run_options(command, arguments);
 }
 
-EngineChoice chosen_engine(const EngineArguments& arguments) {
-  EngineChoice choice = arguments.choice;
-  const std::vector<std::string> generic{"generic"};
-  std::vector<std::string> cartesian;
-  std::copy_if(engine_names().begin(), engine_names().end(), std::back_inserter(cartesian), is_cartesian);
-  const auto choose = [&](const auto& option, const std::string& typed, const std::vector<std::string>& engines,
-                          auto& value) {
-    if (typed.empty()) return;
-    if (std::find(engines.begin(), engines.end(), choice.name) == engines.end()) {
-      throw UserError(fmt::format("{}: engine \"{}\" has none to choose; those that have: {}\n", option.name,
-                                  choice.name, fmt::join(engines, ", ")));
-    }
-    value = meaning(option, typed);
-  };
-  if (choice.lanes > 0 && choice.name != "generated") {
-    throw UserError(
-        fmt::format("--batch: engine \"{}\" has none to choose; those that have: generated\n", choice.name));
-  }
-  choose(kLinearAlgebra, arguments.linear_algebra, generic, choice.algebra.library);
-  choose(kFactorisation, arguments.factorisation, generic, choice.algebra.factorisation);
-  choose(kStabilisation, arguments.stabilisation, cartesian, choice.stabilisation);
-  if (choice.algebra.factorisation == Factorisation::qr && choice.algebra.library != LinearAlgebra::eigen) {
-    throw UserError(
-        fmt::format("--factorisation: qr goes with --linear-algebra eigen only, found {}\n", arguments.linear_algebra));
-  }
-  return choice;
-}
-
-std::string nearest_hint(const std::string& word, const std::vector<std::string>& candidates) {
-  const std::string hint = did_you_mean(word, {candidates.begin(), candidates.end()});
-  return hint.starts_with("did") ? fmt::format("  hint: {}\n", hint) : std::string();
-}
-
 void add_input_option(NamedCommand command, std::vector<std::string>& inputs) {
   command.add_option("--input", inputs, "name=value of a model input; may be repeated").one_value_at_a_time();
 }
@@ -146,29 +71,53 @@ void add_run_options(NamedCommand command, EngineArguments& arguments) {
       "compile anew and keep nothing (default: keep solvers under ~/.cache/mbgen)");
 }
 
-std::vector<double> input_values(const Model& model, const std::vector<std::string>& assignments) {
-  std::vector<double> values;
-  std::vector<std::string> names;
-  for (const Input& input : model.inputs) {
-    values.push_back(input.default_value);
-    names.push_back(input.name);
-  }
-  for (const std::string& assignment : assignments) {
-    const std::size_t sign = assignment.find('=');
-    if (sign == std::string::npos) {
-      throw UserError(fmt::format("--input: \"{}\" is not of the form name=value\n", assignment));
-    }
-    const std::string name = assignment.substr(0, sign);
-    const auto place = std::find(names.begin(), names.end(), name);
-    if (place == names.end()) {
-      throw UserError(fmt::format("--input: the model has no input \"{}\"; its inputs: {}\n{}", name,
-                                  names.empty() ? "none" : fmt::format("{}", fmt::join(names, ", ")),
-                                  nearest_hint(name, names)));
-    }
-    values[static_cast<std::size_t>(place - names.begin())] =
-        parse_number(assignment.substr(sign + 1), "--input " + name);
-  }
-  return values;
+Option add_set_option(NamedCommand command, std::vector<std::string>& assignments) {
+  return command
+      .add_option("--set", assignments,
+                  "name=value of a model parameter, tunable or not, in place of the file's; may be repeated")
+      .one_value_at_a_time();
+}
+
+void add_simulation_options(NamedCommand command, SimulationArguments& arguments) {
+  command.add_option("--duration", arguments.duration, "s (default: the model's)");
+  command.add_option("--step", arguments.step, "s, shortened to divide the duration (default: the model's)");
+  command.add_option("--integrator", arguments.integrator,
+                     "rk4 or abm4 (default: the model's; Cartesian engines: rk4 only)");
+  command.add_option(
+      "--input-table", arguments.input_table,
+      "inputs over time (CSV): columns t and names of inputs, held before the first row and after the last");
+  command.add_option("--interpolation", arguments.interpolation,
+                     "between the rows of the input table: pchip (default: cubic that stays within them), linear, "
+                     "spline, hold");
+}
+
+void add_state_options(NamedCommand command, StateArguments& arguments) {
+  arguments.at = "initial";
+  arguments.index = 1;
+  arguments.row = 1;
+  const Option at = command.add_option("--at", arguments.at,
+                                       "initial: the state that the model starts from (default), equilibrium: the "
+                                       "static equilibrium near it, or steady: a motion near it with constant rates");
+  at.one_of({"initial", "equilibrium", "steady"});
+  command
+      .add_option(
+          "--hold", arguments.steady.hold,
+          "of steady: coordinate=rate that is given (default: with --solve the first translation that moves at the "
+          "start, else none)")
+      .one_value_at_a_time();
+  command.add_option("--solve", arguments.steady.solve, "of steady: an input to be found, a drive or a steering angle")
+      .one_value_at_a_time();
+  const Option states =
+      command.add_option("--states", arguments.states, "a state of this file, as evaluate reads it, made consistent")
+          .excludes(at);
+  command.add_option("--index", arguments.index, "which state of the file, counted from 1 (default 1)");
+  const Option result = command.add_option("--result", arguments.result, "a row of this file, which simulate wrote")
+                            .excludes(at)
+                            .excludes(states);
+  const Option row = command.add_option("--row", arguments.row, "which row of the result, counted from 1 (default 1)");
+  row.needs(result);
+  command.add_option("--time", arguments.time, "the row of the result at this time, s").needs(result).excludes(row);
+  add_input_option(command, arguments.inputs);
 }
 
 }  // namespace mbgen::cli

@@ -1,14 +1,16 @@
 #pragma once
 // Arguments that several commands share.
 
-#include <optional>
 #include <string>
 #include <vector>
 
 #include "compiler/cli/command_line.hpp"
-#include "compiler/cli/engine.hpp"
 
 namespace mbgen::cli {
+
+struct EngineArguments;
+struct SimulationArguments;
+struct StateArguments;
 
 /// MODEL, the first argument of most commands.
 void add_model_argument(NamedCommand command, std::string& path);
@@ -19,9 +21,6 @@ void add_json_option(NamedCommand command, bool& json);
 /// --form recursive|matrix
 void add_form_option(NamedCommand command, std::string& form);
 
-/// The form that was typed, none for "". Fails: UserError for a form that there is not.
-std::optional<Form> chosen_form(const std::string& typed);
-
 /// --dump=STAGE
 void add_dump_option(NamedCommand command, std::string& stage);
 
@@ -30,16 +29,6 @@ void add_batch_option(NamedCommand command, int& lanes);
 
 /// --scalar double|float
 void add_scalar_option(NamedCommand command, std::string& scalar);
-
-/// Engine and inputs as typed.
-struct EngineArguments {
-  EngineChoice choice;
-  std::string linear_algebra, factorisation, stabilisation;  ///< "" for the default
-  std::vector<std::string> inputs;                           ///< name=value
-};
-
-/// A line with the name that was probably meant, or "".
-std::string nearest_hint(const std::string& word, const std::vector<std::string>& candidates);
 
 /// --input
 void add_input_option(NamedCommand command, std::vector<std::string>& inputs);
@@ -50,12 +39,13 @@ void add_run_options(NamedCommand command, EngineArguments& arguments);
 /// --engine, --linear-algebra, --factorisation, --stabilisation and the run options
 void add_engine_options(NamedCommand command, EngineArguments& arguments);
 
-/// The engine that the arguments choose. Fails: UserError for a linear algebra, factorisation or stabilisation that is
-/// unknown, or that the engine does not let one choose, and for QR without Eigen.
-EngineChoice chosen_engine(const EngineArguments& arguments);
+/// --set
+Option add_set_option(NamedCommand command, std::vector<std::string>& assignments);
 
-/// Value of every input of the model: its default, or its value in `assignments` (name=value).
-/// Fails: UserError for a name that the model does not have or a value that is no finite number.
-std::vector<double> input_values(const Model& model, const std::vector<std::string>& assignments);
+/// --duration, --step, --integrator, --input-table, --interpolation
+void add_simulation_options(NamedCommand command, SimulationArguments& arguments);
+
+/// --at, --hold, --solve, --states, --index, --result, --row, --time, --input
+void add_state_options(NamedCommand command, StateArguments& arguments);
 
 }  // namespace mbgen::cli

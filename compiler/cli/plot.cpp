@@ -5,11 +5,11 @@
 #include <algorithm>
 #include <memory>
 
+#include "compiler/base/files.hpp"
+#include "compiler/base/user_error.hpp"
 #include "compiler/cli/commands.hpp"
-#include "compiler/cli/files.hpp"
-#include "compiler/cli/result_file.hpp"
-#include "compiler/cli/user_error.hpp"
 #include "compiler/drawing/drawing.hpp"
+#include "compiler/study/result_file.hpp"
 
 namespace mbgen::cli {
 namespace {

@@ -4,10 +4,10 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include "compiler/base/files.hpp"
 #include "compiler/cli/commands.hpp"
-#include "compiler/cli/files.hpp"
 #include "compiler/cli/options.hpp"
-#include "compiler/cli/schema_reference.hpp"
+#include "compiler/describe/schema_reference.hpp"
 #include "compiler/model/model.hpp"
 
 namespace mbgen::cli {

@@ -5,20 +5,21 @@
 
 #include <memory>
 
+#include "compiler/base/assignments.hpp"
+#include "compiler/base/files.hpp"
+#include "compiler/base/progress.hpp"
+#include "compiler/base/user_error.hpp"
 #include "compiler/cli/commands.hpp"
-#include "compiler/cli/files.hpp"
-#include "compiler/cli/initial_state.hpp"
-#include "compiler/cli/motion_table.hpp"
-#include "compiler/cli/names.hpp"
-#include "compiler/cli/notes.hpp"
 #include "compiler/cli/options.hpp"
-#include "compiler/cli/progress.hpp"
-#include "compiler/cli/set_parameters.hpp"
-#include "compiler/cli/simulation.hpp"
-#include "compiler/cli/simulation_options.hpp"
-#include "compiler/cli/simulation_text.hpp"
-#include "compiler/cli/step_watch.hpp"
-#include "compiler/cli/user_error.hpp"
+#include "compiler/describe/names.hpp"
+#include "compiler/describe/notes.hpp"
+#include "compiler/engines/engine_arguments.hpp"
+#include "compiler/study/initial_state.hpp"
+#include "compiler/study/motion_table.hpp"
+#include "compiler/study/simulation.hpp"
+#include "compiler/study/simulation_arguments.hpp"
+#include "compiler/study/simulation_text.hpp"
+#include "compiler/study/step_watch.hpp"
 
 namespace mbgen::cli {
 namespace {

@@ -11,16 +11,16 @@
 #include <nlohmann/json.hpp>
 #include <thread>
 
+#include "compiler/base/files.hpp"
+#include "compiler/base/json_text.hpp"
+#include "compiler/base/progress.hpp"
+#include "compiler/base/user_error.hpp"
 #include "compiler/cli/commands.hpp"
-#include "compiler/cli/files.hpp"
-#include "compiler/cli/json_text.hpp"
-#include "compiler/cli/notes.hpp"
-#include "compiler/cli/progress.hpp"
-#include "compiler/cli/set_parameters.hpp"
-#include "compiler/cli/sweep_journal.hpp"
-#include "compiler/cli/sweep_parts.hpp"
-#include "compiler/cli/sweep_table.hpp"
-#include "compiler/cli/user_error.hpp"
+#include "compiler/cli/options.hpp"
+#include "compiler/describe/notes.hpp"
+#include "compiler/study/sweep/sweep_journal.hpp"
+#include "compiler/study/sweep/sweep_parts.hpp"
+#include "compiler/study/sweep/sweep_table.hpp"
 
 namespace mbgen::cli {
 namespace {

@@ -13,9 +13,9 @@
 #include <optional>
 #include <set>
 
-#include "compiler/cli/dump_model.hpp"
-#include "compiler/cli/engine.hpp"
 #include "compiler/compile.hpp"
+#include "compiler/describe/dump_model.hpp"
+#include "compiler/engines/engine.hpp"
 #include "compiler/passes/passes.hpp"
 #include "tests/mechanism_support.hpp"
 #include "tests/property/random_mechanism.hpp"

@@ -7,8 +7,8 @@
 #include <fstream>
 #include <stdexcept>
 
-#include "compiler/cli/initial_state.hpp"
-#include "compiler/cli/user_error.hpp"
+#include "compiler/base/user_error.hpp"
+#include "compiler/study/initial_state.hpp"
 
 namespace mbgen::published {
 namespace {

@@ -4,7 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "compiler/cli/engine.hpp"
+#include "compiler/engines/engine.hpp"
 
 namespace mbgen::published {
 

@@ -6,7 +6,7 @@
 #include <stdexcept>
 
 #include "compiled_solver.hpp"
-#include "compiler/cli/engine.hpp"
+#include "compiler/engines/engine.hpp"
 #include "dynamics.hpp"
 
 /// Calls of the heap by this program so far, see tests/batch/heap.cpp; null under sanitizers.

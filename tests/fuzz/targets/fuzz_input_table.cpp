@@ -1,6 +1,6 @@
 // Bytes as the table of inputs of `simulate --input-table`: columns of one length, or a UserError.
-#include "compiler/cli/input_table.hpp"
-#include "compiler/cli/user_error.hpp"
+#include "compiler/base/user_error.hpp"
+#include "compiler/study/input_table.hpp"
 #include "fuzz_tables.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

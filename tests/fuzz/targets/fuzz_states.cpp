@@ -1,6 +1,6 @@
 // Bytes as the states file of `evaluate` and `bench`: states of the right sizes, or a UserError.
-#include "compiler/cli/states_file.hpp"
-#include "compiler/cli/user_error.hpp"
+#include "compiler/base/user_error.hpp"
+#include "compiler/study/states_file.hpp"
 #include "fuzz_tables.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

@@ -1,0 +1,175 @@
+#include "compiler/base/files.hpp"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdlib>
+#include <cstring>
+#include <utility>
+
+#include "compiler/base/own_directory.hpp"
+#include "compiler/base/user_error.hpp"
+
+namespace mbgen::cli {
+namespace {
+
+constexpr std::size_t kReadPiece = 1 << 16;
+constexpr std::size_t kMostRead = std::size_t{1} << 30;
+
+[[noreturn]] void fail_with(const std::filesystem::path& path, const char* action) {
+  throw UserError(fmt::format("{}: cannot {}: {}\n", path.string(), action, std::strerror(errno)));
+}
+
+/// The file that a path stands for: where a symbolic link leads, so that the link stays one.
+std::filesystem::path behind_links(const std::filesystem::path& path) {
+  std::error_code problem;
+  if (!std::filesystem::is_symlink(path, problem)) return path;
+  const std::filesystem::path target = std::filesystem::canonical(path, problem);
+  return problem ? path : target;
+}
+
+void make_directories(const std::filesystem::path& path) {
+  std::error_code problem;
+  std::filesystem::create_directories(path, problem);
+  if (problem) {
+    throw UserError(fmt::format("{}: cannot create the directory: {}\n", path.string(), problem.message()));
+  }
+}
+
+}  // namespace
+
+bool is_special(const std::filesystem::path& path) {
+  std::error_code problem;
+  const std::filesystem::file_status status = std::filesystem::status(path, problem);
+  return !problem && std::filesystem::exists(status) && !std::filesystem::is_regular_file(status);
+}
+
+std::string read_text(const std::filesystem::path& path) {
+  std::FILE* stream = std::fopen(path.c_str(), "rb");
+  if (stream == nullptr) fail_with(path, "read");
+  std::string text;
+  std::size_t taken = 0;
+  do {
+    const std::size_t size = text.size();
+    text.resize(size + kReadPiece);
+    taken = std::fread(text.data() + size, 1, kReadPiece, stream);
+    text.resize(size + taken);
+  } while (taken == kReadPiece && text.size() <= kMostRead);
+  const int error = std::ferror(stream) != 0 ? errno : 0;
+  std::fclose(stream);
+  if (error != 0) {
+    errno = error;
+    fail_with(path, "read");
+  }
+  if (text.size() > kMostRead) throw UserError(fmt::format("{}: cannot read: larger than 1 GB\n", path.string()));
+  return text;
+}
+
+void require_other_file(const std::filesystem::path& output, const std::vector<std::string>& inputs) {
+  for (const std::string& input : inputs) {
+    std::error_code problem;
+    if (!std::filesystem::equivalent(output, input, problem) || problem) continue;
+    throw UserError(fmt::format("{}: cannot write: it is read by this command\n", output.string()));
+  }
+}
+
+AtomicFile::AtomicFile(const std::filesystem::path& path) : path_(behind_links(path)) {
+  std::error_code ignored;
+  if (std::filesystem::is_directory(path_, ignored)) {
+    throw UserError(fmt::format("{}: cannot write: it is a directory\n", path_.string()));
+  }
+  if (is_special(path_)) {
+    stream_ = std::fopen(path_.c_str(), "wb");
+    if (stream_ == nullptr) fail("write");
+    return;
+  }
+  std::string name = (path_.parent_path() / fmt::format(".{}.XXXXXX", path_.filename().string())).string();
+  const int descriptor = ::mkstemp(name.data());
+  if (descriptor < 0) fail("write");
+  temporary_ = name;
+  const mode_t mask = ::umask(0);
+  ::umask(mask);
+  ::fchmod(descriptor, 0666 & ~mask);  // mkstemp makes the file private; its name should not change what others may do
+  stream_ = ::fdopen(descriptor, "wb");
+  if (stream_ == nullptr) fail("write");
+}
+
+AtomicFile::AtomicFile(AtomicFile&& other) noexcept
+    : path_(std::move(other.path_)),
+      temporary_(std::exchange(other.temporary_, {})),
+      stream_(std::exchange(other.stream_, nullptr)) {}
+
+AtomicFile::~AtomicFile() {
+  if (stream_ != nullptr) std::fclose(stream_);
+  if (!temporary_.empty()) ::unlink(temporary_.c_str());
+}
+
+void AtomicFile::fail(const char* action) const { fail_with(path_, action); }
+
+void AtomicFile::write(std::string_view text) {
+  if (std::fwrite(text.data(), 1, text.size(), stream_) != text.size()) fail("write");
+}
+
+void AtomicFile::close() {
+  if (stream_ != nullptr && std::fclose(std::exchange(stream_, nullptr)) != 0) fail("write");
+}
+
+void AtomicFile::commit() {
+  close();
+  if (temporary_.empty()) return;
+  if (std::rename(temporary_.c_str(), path_.c_str()) != 0) fail("write");
+  temporary_.clear();
+}
+
+TemporaryDirectory::TemporaryDirectory(const std::filesystem::path& parent) {
+  if (const std::string fault = foreign_hand(parent, true); !fault.empty()) {
+    throw UserError(
+        fmt::format("{}: not used for temporary files, others could exchange what is compiled there: {}\n"
+                    "  hint: name a directory of your own in TMPDIR, or make this one sticky (chmod +t)\n",
+                    parent.string(), fault));
+  }
+  std::string name = (parent / "build-XXXXXX").string();
+  if (::mkdtemp(name.data()) == nullptr) fail_with(parent, "create a directory in it");
+  path_ = name;
+}
+
+TemporaryDirectory::~TemporaryDirectory() {
+  std::error_code ignored;
+  std::filesystem::remove_all(path_, ignored);
+}
+
+void write_files(const std::filesystem::path& directory, const std::vector<NamedText>& files) {
+  make_directories(directory);
+  std::vector<AtomicFile> written;
+  written.reserve(files.size());
+  for (const NamedText& file : files) {
+    const std::filesystem::path path = directory / file.path;
+    make_directories(path.parent_path());
+    written.emplace_back(path);
+    written.back().write(file.text);
+    written.back().close();
+  }
+  for (AtomicFile& file : written) file.commit();
+}
+
+void print(std::string_view text) {
+  if (std::fwrite(text.data(), 1, text.size(), stdout) != text.size() || std::fflush(stdout) != 0) {
+    throw UserError(fmt::format("standard output: cannot write: {}\n", std::strerror(errno)));
+  }
+}
+
+void write_file(const std::filesystem::path& path, std::string_view text) {
+  AtomicFile file(path);
+  file.write(text);
+  file.commit();
+}
+
+void write_or_print(const std::string& file, std::string_view text) {
+  if (file == "-") return print(text);
+  write_file(file, text);
+}
+
+}  // namespace mbgen::cli

@@ -1,0 +1,11 @@
+#include "compiler/base/json_text.hpp"
+
+#include <nlohmann/json.hpp>
+
+namespace mbgen::cli {
+
+std::string json_text(const nlohmann::ordered_json& report) {
+  return report.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace mbgen::cli

@@ -1,0 +1,195 @@
+#include "compiler/describe/dump_model.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "compiler/describe/names.hpp"
+
+namespace mbgen::cli {
+namespace {
+
+/// Prints the elements of one model; the model gives the names behind indices.
+class ModelText {
+ public:
+  explicit ModelText(const Model& model) : model_(model) {}
+
+  std::string quantity(const Quantity& value) const {
+    if (value.expression < 0) return fmt::format("{}", value.value);
+    return fmt::format("{{{}}}", model_.expressions[value.expression].text);
+  }
+
+  template <std::size_t size>
+  std::string quantities(const std::array<Quantity, size>& values) const {
+    std::vector<std::string> texts;
+    for (const Quantity& value : values) texts.push_back(quantity(value));
+    return fmt::format("({})", fmt::join(texts, ", "));
+  }
+
+  std::string attachment(const Attachment& at) const {
+    const Body& body = model_.bodies[at.body];
+    return body.name + "." + body.points[at.point].name;
+  }
+
+  std::string coordinate(const CoordinateReference& reference) const {
+    return model_.joints[reference.joint].freedoms[reference.component].name;
+  }
+
+  std::string law(const std::optional<Law>& law) const {
+    if (!law) return "none";
+    if (const Quantity* factor = std::get_if<Quantity>(&*law)) return quantity(*factor);
+    const Table& table = std::get<Table>(*law);
+    std::vector<std::string> points;
+    for (std::size_t i = 0; i < table.x.size(); ++i) points.push_back(fmt::format("{}: {}", table.x[i], table.y[i]));
+    const bool is_linear = table.interpolation == Table::Interpolation::linear;
+    return fmt::format("{} table [{}]", is_linear ? "linear" : "monotone cubic", fmt::join(points, ", "));
+  }
+
+  std::string body(const Body& body) const {
+    std::string text = fmt::format("  {}: mass {}, com {}, inertia {}, origin ({}), rotation ({})\n", body.name,
+                                   quantity(body.mass), quantities(body.com), quantities(body.inertia),
+                                   fmt::join(body.pose.origin, ", "), fmt::join(body.pose.rotation, ", "));
+    for (const Point& point : body.points) text += fmt::format("    .{} {}\n", point.name, quantities(point.position));
+    return text;
+  }
+
+  std::string joint(const Joint& joint) const {
+    const char* marks[] = {"", ", marked cut", ", marked tree"};
+    std::string text = fmt::format("  {}: {} from {} to {}{}\n", joint.name, name_of(joint.type),
+                                   attachment(joint.from), attachment(joint.to), marks[static_cast<int>(joint.cut)]);
+    for (const Freedom& freedom : joint.freedoms) {
+      text += fmt::format("    {}: {} ({})\n", freedom.name, name_of(freedom.kind), fmt::join(freedom.axis, ", "));
+    }
+    return text;
+  }
+
+  std::string rods_and_springs() const {
+    std::string text = "rods\n";
+    for (const Rod& rod : model_.rods) {
+      text += fmt::format("  {}: from {} to {}, mass {}, length {}\n", rod.name, attachment(rod.from),
+                          attachment(rod.to), quantity(rod.mass), rod.length ? quantity(*rod.length) : "as placed");
+    }
+    text += "springs\n";
+    for (const PointSpring& spring : model_.springs) {
+      text += fmt::format("  {}: from {} to {}, stiffness {}, damping {}, preload {}\n", spring.name,
+                          attachment(spring.from), attachment(spring.to), law(spring.stiffness), law(spring.damping),
+                          quantity(spring.preload));
+    }
+    for (const JointSpring& spring : model_.joint_springs) {
+      text +=
+          fmt::format("  {}: on {}{}, stiffness {}, damping {}, preload {}\n", spring.name, coordinate(spring.joint),
+                      spring.relative_to ? " relative to " + coordinate(*spring.relative_to) : "",
+                      law(spring.stiffness), law(spring.damping), quantity(spring.preload));
+    }
+    for (const AirSpring& spring : model_.air_springs) {
+      text += fmt::format("  {}: air, from {} to {}, pressure {}, exponent {}, area {}\n", spring.name,
+                          attachment(spring.from), attachment(spring.to), quantity(spring.pressure),
+                          quantity(spring.exponent), law(spring.area));
+    }
+    return text;
+  }
+
+  std::string forces() const {
+    std::string text = "forces\n";
+    for (const AppliedForce& force : model_.forces) {
+      text += fmt::format("  {}: at {}, force {}, torque {}, {} axes\n", force.name, attachment(force.at),
+                          quantities(force.force), quantities(force.torque), force.in_body_axes ? "body" : "global");
+    }
+    for (const JointForce& force : model_.joint_forces) {
+      text += fmt::format("  {}: on {}, {}\n", force.name, coordinate(force.joint), quantity(force.force));
+    }
+    for (const JointFriction& friction : model_.frictions) {
+      text += fmt::format("  {}: friction on {}, coulomb {}, viscous {}\n", friction.name, coordinate(friction.joint),
+                          quantity(friction.coulomb), quantity(friction.viscous));
+    }
+    for (const Tyre& tyre : model_.tyres) {
+      text += fmt::format("  {}: tyre at {}, axis ({}), count {}, radius {}, stiffness {}\n", tyre.name,
+                          attachment(tyre.centre), fmt::join(tyre.axis, ", "), tyre.count, quantity(tyre.radius),
+                          quantity(tyre.stiffness));
+    }
+    return text;
+  }
+
+  std::string output(const Output& output) const {
+    const auto describe = [&](const auto& source) { return this->source(source); };
+    return fmt::format("  {} [{}]: {}\n", output.name, output.unit, std::visit(describe, output.source));
+  }
+
+ private:
+  static std::string component(int axis, bool in_body_axes) {
+    return fmt::format("{}, {} axes", "xyz"[axis], in_body_axes ? "body" : "global");
+  }
+  std::string connection(int joint, int rod) const {
+    return joint >= 0 ? "joint " + model_.joints[joint].name : "rod " + model_.rods[rod].name;
+  }
+
+  std::string source(const ExpressionOutput& output) const { return quantity(output.value); }
+  std::string source(const PointOutput& output) const {
+    const char* quantities[] = {"position", "velocity", "acceleration"};
+    return fmt::format("{} of {}, {}", quantities[static_cast<int>(output.what)], attachment(output.point),
+                       component(output.axis, output.in_body_axes));
+  }
+  std::string source(const CoordinateOutput& output) const {
+    const char* quantities[] = {"position", "velocity", "acceleration"};
+    return fmt::format("{} of {}", quantities[static_cast<int>(output.what)], coordinate(output.coordinate));
+  }
+  std::string source(const TyreOutput& output) const {
+    const char* quantities[] = {
+        "load", "longitudinal force", "lateral force", "aligning moment", "longitudinal slip", "lateral slip"};
+    return fmt::format("{} of tyre {}", quantities[static_cast<int>(output.what)], model_.tyres[output.tyre].name);
+  }
+  std::string source(const SpringOutput& output) const {
+    const char* quantities[] = {"force", "length", "rate"};
+    const bool is_air = output.air_spring >= 0;
+    return fmt::format("{} of {} {}", quantities[static_cast<int>(output.what)], is_air ? "air spring" : "spring",
+                       is_air ? model_.air_springs[output.air_spring].name : model_.springs[output.point_spring].name);
+  }
+  std::string source(const DriveOutput& output) const {
+    return "driving force of motion " + model_.motions[output.motion].name;
+  }
+  std::string source(const ReactionOutput& output) const {
+    return fmt::format("{} of {} on its {} body, {}", output.what == ReactionOutput::What::force ? "force" : "moment",
+                       connection(output.joint, output.rod), output.end == ReactionOutput::End::to ? "to" : "from",
+                       component(output.axis, output.in_body_axes));
+  }
+  std::string source(const MultiplierOutput& output) const {
+    const std::string_view row =
+        output.rod >= 0 ? kRodRow.name : closure_rows(model_.joints[output.joint].type)[output.equation].name;
+    return fmt::format("multiplier {} of {}", row, connection(output.joint, output.rod));
+  }
+
+  const Model& model_;
+};
+
+}  // namespace
+
+std::string dump_model(const Model& model) {
+  const ModelText describe(model);
+  std::string text =
+      fmt::format("model {}, hash {}\ngravity {}\n", model.name, model.hash, describe.quantities(model.gravity));
+  text += "parameters\n";
+  for (const Parameter& parameter : model.parameters) {
+    text += fmt::format("  {} = {} {}{}\n", parameter.name, parameter.value, parameter.unit,
+                        parameter.tunable           ? ", tunable"
+                        : parameter.expression >= 0 ? ", follows from tunable ones"
+                                                    : "");
+  }
+  text += "inputs\n";
+  for (const Input& input : model.inputs) {
+    text += fmt::format("  {} = {} {}{}\n", input.name, input.default_value, input.unit,
+                        input.derivative < 0 ? "" : ", derivative " + model.inputs[input.derivative].name);
+  }
+  text += "bodies\n";
+  for (const Body& body : model.bodies) text += describe.body(body);
+  text += "joints\n";
+  for (const Joint& joint : model.joints) text += describe.joint(joint);
+  text += describe.rods_and_springs() + describe.forces() + "motions\n";
+  for (const Motion& motion : model.motions) {
+    text += fmt::format("  {}: {} = {}\n", motion.name, describe.coordinate(motion.joint),
+                        describe.quantity(motion.position));
+  }
+  text += "outputs\n";
+  for (const Output& output : model.outputs) text += describe.output(output);
+  return text;
+}
+
+}  // namespace mbgen::cli

@@ -1,0 +1,278 @@
+#include "compiler/describe/explanation.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <optional>
+#include <sstream>
+
+#include "compiler/describe/names.hpp"
+#include "compiler/describe/notes.hpp"
+
+namespace mbgen::cli {
+namespace {
+
+constexpr std::size_t kExplanationWidth = 100;
+constexpr int kBarWidth = 30;
+/// Axes count as parallel, or as perpendicular, up to this (rad).
+constexpr double kParallel = 1e-9;
+
+/// A paragraph broken into lines, each after `margin`.
+std::string paragraph(const std::string& words, const std::string& margin = "") {
+  std::istringstream stream(words);
+  std::string text, line = margin, word;
+  while (stream >> word) {
+    if (line.size() > margin.size() && line.size() + 1 + word.size() > kExplanationWidth) {
+      text += line + "\n";
+      line = margin;
+    }
+    line += (line.size() > margin.size() ? " " : "") + word;
+  }
+  return text + line + "\n";
+}
+
+std::string heading(const std::string& title) { return "\n" + title + "\n" + std::string(title.size(), '-') + "\n"; }
+
+std::string counted(long count, const std::string& one, std::string several = "") {
+  if (several.empty()) several = one + "s";
+  return fmt::format("{} {}", count == 0 ? "no" : std::to_string(count), count == 1 ? one : several);
+}
+
+/// "a", "a and b", "a, b and c".
+std::string listed(const std::vector<std::string>& names) {
+  std::string text;
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    text += (i == 0 ? "" : i + 1 == names.size() ? " and " : ", ") + names[i];
+  }
+  return text;
+}
+
+std::string overview_text(const Compilation& c) {
+  const auto bodies = static_cast<long>(c.model.bodies.size()) - (c.model.ground >= 0 ? 1 : 0);
+  std::string words = fmt::format(
+      "{} is made of {}, {} and {}. mbgen describes where they are by {}", c.model.name,
+      counted(bodies, "moving body", "moving bodies"), counted(static_cast<long>(c.model.joints.size()), "joint"),
+      counted(static_cast<long>(c.model.rods.size()), "rod"), counted(c.topology.size(), "relative coordinate"));
+  if (c.topology.loops.empty()) {
+    words += ". There are no loops, so that every coordinate is a freedom of its own.";
+  } else {
+    words += fmt::format(
+        " and closes {} by {}, {}: {} {}.", counted(static_cast<long>(c.topology.loops.size()), "loop"),
+        counted(equation_count(c.topology), "equation"),
+        c.analysis.independent_equations == equation_count(c.topology)
+            ? "all independent"
+            : fmt::format("of which {} are independent", c.analysis.independent_equations),
+        counted(c.analysis.degrees_of_freedom, "freedom"), c.analysis.degrees_of_freedom == 1 ? "remains" : "remain");
+  }
+  if (!c.model.motions.empty()) {
+    std::vector<std::string> names;
+    for (const Motion& motion : c.model.motions) names.push_back(motion.name);
+    words += fmt::format(" Of these {} driven: {}.", names.size() == 1 ? "one is" : fmt::format("{} are", names.size()),
+                         listed(names));
+  }
+  return paragraph(words);
+}
+
+/// A body and what hangs on it.
+std::string branch_text(const Topology& topology, int i, int depth) {
+  const TreeBody& body = topology.bodies[static_cast<std::size_t>(i)];
+  std::string text = fmt::format("{:>{}}{}: {} by {}{}\n", "", 2 * depth, body.name,
+                                 body.kind == FreedomKind::revolute ? "turns" : "slides", body.coordinate,
+                                 body.massless ? ", no mass" : "");
+  for (const int child : topology.children[static_cast<std::size_t>(i)])
+    text += branch_text(topology, child, depth + 1);
+  return text;
+}
+
+std::string tree_explanation(const Topology& topology) {
+  std::string text =
+      heading("Tree") +
+      paragraph(
+          "Each body hangs on the one that it is indented under, and moves on it by one coordinate. Bodies between the "
+          "freedoms of one joint have no mass.");
+  text += "  ground\n";
+  for (const int root : topology.roots) text += branch_text(topology, root, 2);
+  return text;
+}
+
+std::string cuts_explanation(const Compilation& c) {
+  std::string text;
+  std::size_t place = 0;
+  for (const Loop& loop : c.topology.loops) {
+    if (loop.joint < 0) continue;
+    const std::string reason = place < c.topology.cut_reasons.size() ? c.topology.cut_reasons[place] : "";
+    ++place;
+    const std::string why =
+        reason == "marked" ? "the model marks it \"cut\": true" : "of the joints of its loop it has " + reason;
+    text += paragraph(
+        fmt::format("{} ({}, {}): {}.", loop.name, name_of(loop.kind), counted(loop.equations, "equation"), why), "  ");
+  }
+  if (!text.empty()) {
+    text = paragraph("A tree has no loops, so each loop is cut at one joint, which equations hold together instead:") +
+           text;
+  }
+  if (!c.model.rods.empty()) {
+    std::vector<std::string> names;
+    for (const Rod& rod : c.model.rods) names.push_back(rod.name);
+    text += paragraph(fmt::format("Each rod is one equation, the distance of its ends: {}.", listed(names)));
+  }
+  return text.empty() ? "" : heading("Cuts") + text;
+}
+
+/// Axes of what turns and of what slides in a loop, at the reference.
+struct LoopAxes {
+  std::vector<Vector3> turns, slides;
+};
+
+LoopAxes axes_of(const Model& model, const Topology& topology, const Loop& loop) {
+  LoopAxes axes;
+  const auto add = [&](FreedomKind kind, const Vector3& axis) {
+    (kind == FreedomKind::revolute ? axes.turns : axes.slides).push_back(axis);
+  };
+  for (const int joint : loop.joints) {
+    add(topology.bodies[static_cast<std::size_t>(joint)].kind, topology.bodies[static_cast<std::size_t>(joint)].axis);
+  }
+  if (loop.joint >= 0) {
+    for (const Freedom& freedom : model.joints[static_cast<std::size_t>(loop.joint)].freedoms)
+      add(freedom.kind, freedom.axis);
+  }
+  return axes;
+}
+
+double dot(const Vector3& a, const Vector3& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+
+/// Whether the loop stays in planes across one direction: all pins along it, all slides across it.
+bool is_planar(const LoopAxes& axes) {
+  if (axes.turns.empty()) return false;
+  const Vector3& normal = axes.turns.front();
+  const auto is_along = [&](const Vector3& axis) { return 1 - std::abs(dot(axis, normal)) < kParallel; };
+  const auto is_across = [&](const Vector3& axis) { return std::abs(dot(axis, normal)) < kParallel; };
+  return std::all_of(axes.turns.begin(), axes.turns.end(), is_along) &&
+         std::all_of(axes.slides.begin(), axes.slides.end(), is_across);
+}
+
+/// Why equations of a loop say nothing new.
+std::string cause_of(const Compilation& c, const Loop& loop) {
+  const LoopAxes axes = axes_of(c.model, c.topology, loop);
+  if (loop.kind != ClosureKind::rod && is_planar(axes)) {
+    return fmt::format("its pins are parallel{}, so it cannot leave its plane, whatever the equations ask",
+                       axes.slides.empty() ? "" : " and its slides lie across them");
+  }
+  if (loop.kind == ClosureKind::rod) return "other loops hold the ends of the rod at this distance already";
+  return "the directions in which its joints let it move do not reach what these equations forbid, or other loops "
+         "forbid it "
+         "already; this was found with numbers";
+}
+
+std::string redundancy_explanation(const Compilation& c, const BlockAnalysis& decided) {
+  const Certificate& certificate = decided.certificate;
+  if (certificate.redundant.empty()) return "";
+  const auto count = static_cast<long>(certificate.redundant.size());
+  std::string text = paragraph(fmt::format(
+      "{} of them {} nothing new in any of the {} closed positions that were looked at, and {} left out:", count,
+      count == 1 ? "says" : "say", certificate.closed_configurations, count == 1 ? "is" : "are"));
+  for (const RedundantEquation& equation : certificate.redundant) {
+    text += fmt::format("  {}, {}\n", equation.name, equation.meaning);
+  }
+  std::vector<int> told;
+  for (const RedundantEquation& equation : certificate.redundant) {
+    if (std::find(told.begin(), told.end(), equation.loop) != told.end()) continue;
+    told.push_back(equation.loop);
+    const Loop& loop = c.topology.loops[static_cast<std::size_t>(equation.loop)];
+    text += paragraph(fmt::format("Why, for {}: {}.", loop.name, cause_of(c, loop)));
+  }
+  return text;
+}
+
+std::string block_explanation(const Compilation& c, std::size_t b) {
+  const LoopBlock& block = c.topology.blocks[b];
+  const BlockAnalysis& decided = c.analysis.blocks[b];
+  std::vector<std::string> loops;
+  for (const int loop : block.loops) loops.push_back(c.topology.loops[static_cast<std::size_t>(loop)].name);
+  const std::vector<std::string> independent = local_names(c.topology, block, decided.independent),
+                                 dependent = local_names(c.topology, block, decided.dependent),
+                                 driven = local_names(c.topology, block, decided.driven);
+  std::string text = heading(fmt::format("Loop block {}, on {}", b + 1, body_name(c.topology, block.base)));
+  text += paragraph(fmt::format("{} {}: {} and {}.", listed(loops),
+                                loops.size() == 1 ? "closes it" : "are closed together, since they share joints",
+                                counted(static_cast<long>(block.joints.size()), "coordinate"),
+                                counted(block.equations, "equation")));
+  text += redundancy_explanation(c, decided);
+  if (!driven.empty()) text += paragraph(fmt::format("Driven: {}.", listed(driven)));
+  if (!independent.empty())
+    text += paragraph(fmt::format(
+        "Independent, chosen because the equations stay well conditioned with them over all these positions: {}.",
+        listed(independent)));
+  if (!dependent.empty()) text += paragraph(fmt::format("These follow: {}.", listed(dependent)));
+  if (!decided.certificate.immobile.empty()) {
+    text += paragraph(
+        fmt::format("Never moves: {}.", listed(local_names(c.topology, block, decided.certificate.immobile))));
+  }
+  for (const SingularConfiguration& seen : decided.certificate.singular) {
+    text += paragraph(fmt::format(
+        "At {} of these positions the rank is {} instead of {}: the loops can go on in more than one way there.",
+        seen.times, seen.rank, decided.rank));
+  }
+  return text;
+}
+
+std::string freedoms_explanation(const Compilation& c) {
+  std::string text = heading("Freedoms");
+  const std::vector<int> free = free_coordinates(c.topology, c.analysis);
+  text += free.empty() ? paragraph("Nothing is free to move.") : paragraph("The equations of motion are solved for:");
+  for (const int i : free) {
+    const TreeBody& body = c.topology.bodies[static_cast<std::size_t>(i)];
+    text += fmt::format("  {} [{}], {} of joint {}\n", body.coordinate, unit_of(body.kind),
+                        body.kind == FreedomKind::revolute ? "rotation" : "translation",
+                        c.model.joints[static_cast<std::size_t>(body.joint)].name);
+  }
+  return text;
+}
+
+std::string operations_explanation(const Compilation& compilation) {
+  const Programs& programs = compilation.programs;
+  const Program& accelerations = programs.accelerations;
+  const std::vector<OperationCount> counts = count_operations_by_section(accelerations);
+  const long total = count_operations(accelerations).total();
+  const long other = count_operations_of(compilation, programs.form == Form::matrix ? Form::recursive : Form::matrix);
+  std::string text =
+      heading("Operations") +
+      paragraph(fmt::format("One evaluation of all accelerations takes {} additions, multiplications "
+                            "and divisions, in the {} form ({} in the other):",
+                            total, name_of(programs.form), other > 0 ? std::to_string(other) : "many more"));
+  std::vector<std::size_t> order(counts.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::size_t a, std::size_t b) { return counts[a].total() > counts[b].total(); });
+  for (const std::size_t s : order) {
+    const long count = counts[s].total();
+    if (count == 0) break;
+    const auto bar = static_cast<std::size_t>(std::lround(static_cast<double>(kBarWidth) * static_cast<double>(count) /
+                                                          static_cast<double>(counts[order.front()].total())));
+    text += fmt::format("{:>7}  {:<{}}  {}\n", count, std::string(bar, '#'), kBarWidth,
+                        accelerations.sections[s].empty() ? "before the first step" : accelerations.sections[s]);
+  }
+  return text;
+}
+
+std::string notes_explanation(const Diagnostics& notes) {
+  if (notes.empty()) return {};
+  std::string text = heading("Notes");
+  for (const Diagnostic& note : notes) text += paragraph(note_text(note));
+  return text;
+}
+
+}  // namespace
+
+std::string explanation_text(const Compilation& compilation) {
+  std::string text =
+      overview_text(compilation) + tree_explanation(compilation.topology) + cuts_explanation(compilation);
+  for (std::size_t b = 0; b < compilation.topology.blocks.size(); ++b) text += block_explanation(compilation, b);
+  return text + freedoms_explanation(compilation) + operations_explanation(compilation) +
+         notes_explanation(all_notes(compilation));
+}
+
+}  // namespace mbgen::cli

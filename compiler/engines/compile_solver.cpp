@@ -1,0 +1,107 @@
+#include "compiler/engines/compile_solver.hpp"
+
+#include <dlfcn.h>
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <fstream>
+#include <stdexcept>
+
+#include "compiler/base/files.hpp"
+#include "compiler/base/hash.hpp"
+#include "compiler/base/own_directory.hpp"
+#include "compiler/base/user_error.hpp"
+#include "compiler/engines/host_compiler.hpp"
+
+namespace mbgen::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kSymbol = "mbgen_solver_table";
+
+/// The line of /proc/cpuinfo that says what instructions there are: code made for one processor may not run on another.
+std::string processor() {
+  std::ifstream file("/proc/cpuinfo");
+  for (std::string line; std::getline(file, line);) {
+    if (line.starts_with("flags") || line.starts_with("Features")) return line;
+  }
+  return "";
+}
+
+std::string object_name(const std::string& solver, const std::vector<EmittedFile>& files,
+                        const HostCompiler& compiler) {
+  Hash hash;
+  for (const EmittedFile& file : files) {
+    hash.add(file.path);
+    hash.add(file.text);
+  }
+  for (const std::string& word : compiler.words) hash.add(word);
+  for (const std::string& flag : compiler.flags) hash.add(flag);
+  hash.add(compiler.version);
+  hash.add(processor());
+  return fmt::format("{}-{}.so", solver, hash.text());
+}
+
+/// Compiles every source side by side and links them. Result: the shared object, in `scratch`.
+fs::path build(const fs::path& scratch, const std::vector<EmittedFile>& files, const HostCompiler& compiler) {
+  std::vector<NamedText> texts;
+  std::vector<Command> compilations;
+  const fs::path result = scratch / "solver.so";
+  Command link{compiler.words, scratch / "link.log"};
+  link.arguments.insert(link.arguments.end(), {"-shared", "-o", result.string()});
+  for (const EmittedFile& file : files) {
+    texts.push_back({file.path, file.text});
+    if (!file.path.ends_with(".cpp")) continue;
+    const std::string source = (scratch / file.path).string();
+    Command compilation{compilation_of(compiler, {scratch}), source + ".log"};
+    compilation.arguments.insert(compilation.arguments.end(), {"-fPIC", "-c", source, "-o", source + ".o"});
+    compilations.push_back(std::move(compilation));
+    link.arguments.push_back(source + ".o");
+  }
+  link.arguments.push_back("-lm");
+  write_files(scratch, texts);
+  run_all(compilations);
+  run_all({link});
+  return result;
+}
+
+/// The table of a compiled solver, null when the file is none of this mbgen and this model.
+std::shared_ptr<const SolverTable> open_solver(const fs::path& object, const std::string& hash) {
+  void* handle = ::dlopen(object.c_str(), RTLD_NOW | RTLD_LOCAL);
+  if (handle == nullptr) return nullptr;
+  const std::shared_ptr<void> library(handle, ::dlclose);
+  const auto table_of = reinterpret_cast<const SolverTable* (*)()>(::dlsym(handle, kSymbol));
+  const SolverTable* table = table_of == nullptr ? nullptr : table_of();
+  if (table == nullptr || table->layout != kSolverTableLayout || table->hash != hash) return nullptr;
+  return {library, table};
+}
+
+}  // namespace
+
+std::shared_ptr<const SolverTable> load_solver(const Compilation& compilation, const EngineChoice& choice) {
+  const bool use_cache = choice.use_cache;
+  std::vector<EmittedFile> files = emit(compilation, {.lanes = choice.lanes});
+  files.push_back(choice.use == SolverUse::timing_steps ? emit_clocked_driver(compilation, choice.lanes)
+                                                        : emit_driver(compilation.model, choice.lanes));
+  const fs::path cache = use_cache ? own_cache() : fs::path();
+  const bool has_cache = !cache.empty();
+  const TemporaryDirectory scratch(has_cache ? cache : temporary_parent());
+  const HostCompiler compiler = find_compiler(scratch.path(), "-march=native", choice.lanes);
+  const fs::path kept = cache / object_name(solver_name(compilation.model), files, compiler);
+
+  if (has_cache && is_own_file(kept)) {
+    if (auto solver = open_solver(kept, compilation.model.hash)) return solver;
+  }
+  fs::path object = build(scratch.path(), files, compiler);
+  if (has_cache) {
+    fs::permissions(object, fs::perms::owner_all);  // whatever the umask leaves to others
+    fs::rename(object, kept);                       // atomic, and onto the same bytes when another mbgen was faster
+    object = kept;
+  }
+  auto solver = open_solver(object, compilation.model.hash);
+  if (!solver) throw std::runtime_error(fmt::format("the compiled solver {} does not load", object.string()));
+  return solver;
+}
+
+}  // namespace mbgen::cli

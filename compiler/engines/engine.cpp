@@ -1,0 +1,107 @@
+#include "compiler/engines/engine.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "compiler/base/user_error.hpp"
+#include "compiler/describe/names.hpp"
+
+namespace mbgen::cli {
+namespace {
+
+template <CartesianMethod method>
+Engine make_judge(const Compilation& compilation, const EngineChoice& choice) {
+  return make_cartesian_engine(compilation, choice, method);
+}
+
+enum class Coordinates { relative, cartesian };
+
+struct Maker {
+  const char* name;
+  Coordinates coordinates;
+  Engine (*make)(const Compilation&, const EngineChoice&);
+};
+
+constexpr Maker kMakers[] = {{"generated", Coordinates::relative, make_generated_engine},
+                             {"generic", Coordinates::relative, make_generic_engine},
+                             {"augmented", Coordinates::cartesian, make_judge<CartesianMethod::augmented>},
+                             {"range-space", Coordinates::cartesian, make_judge<CartesianMethod::range_space>},
+                             {"null-space", Coordinates::cartesian, make_judge<CartesianMethod::null_space>},
+                             {"maggi", Coordinates::cartesian, make_judge<CartesianMethod::maggi>}};
+
+std::vector<std::string> names_where(const std::function<bool(const Maker&)>& condition) {
+  std::vector<std::string> names;
+  for (const Maker& maker : kMakers)
+    if (condition(maker)) names.push_back(maker.name);
+  return names;
+}
+
+std::string loop_names(const Topology& topology, const LoopBlock& block) {
+  std::vector<std::string> names;
+  for (const int loop : block.loops) names.push_back(topology.loops[loop].name);
+  return fmt::format("{}", fmt::join(names, ", "));
+}
+
+/// Names of everything that a status may be about.
+std::vector<std::string> names_of(const Compilation& compilation, Subject subject) {
+  const Model& model = compilation.model;
+  const Topology& topology = compilation.topology;
+  std::vector<std::string> names;
+  switch (subject) {
+    case Subject::coordinate:
+      return coordinate_names(topology);
+    case Subject::loop_block:
+      for (const LoopBlock& block : topology.blocks) names.push_back(loop_names(topology, block));
+      return names;
+    case Subject::input:
+      for (const Input& input : model.inputs) names.push_back(input.name);
+      return names;
+    case Subject::parameter:
+      for (const Parameter& parameter : model.parameters)
+        if (parameter.tunable) names.push_back(parameter.name);
+      return names;
+    case Subject::auxiliary_state:
+      return auxiliary_state_names(model);
+  }
+  return names;
+}
+
+}  // namespace
+
+const std::vector<std::string>& engine_names() {
+  static const std::vector<std::string> names = names_where([](const Maker&) { return true; });
+  return names;
+}
+
+const std::vector<std::string>& relative_engine_names() {
+  static const std::vector<std::string> names =
+      names_where([](const Maker& maker) { return maker.coordinates == Coordinates::relative; });
+  return names;
+}
+
+bool is_cartesian(const std::string& name) {
+  const auto named = [&](const Maker& maker) { return maker.name == name; };
+  const auto maker = std::find_if(std::begin(kMakers), std::end(kMakers), named);
+  return maker != std::end(kMakers) && maker->coordinates == Coordinates::cartesian;
+}
+
+Engine make_engine(const Compilation& compilation, const EngineChoice& choice) {
+  const auto maker = std::find_if(std::begin(kMakers), std::end(kMakers),
+                                  [&](const Maker& candidate) { return candidate.name == choice.name; });
+  if (maker == std::end(kMakers)) {
+    throw UserError(
+        fmt::format("--engine: no engine \"{}\"; there are: {}\n", choice.name, fmt::join(engine_names(), ", ")));
+  }
+  return maker->make(compilation, choice);
+}
+
+std::string describe(const Compilation& compilation, Status status) {
+  const std::vector<std::string> names = names_of(compilation, subject_of(status.code));
+  const bool is_named = status.index >= 0 && status.index < static_cast<int>(names.size());
+  return is_named ? fmt::format("{}: {}", text(status.code), names[status.index]) : text(status.code);
+}
+
+}  // namespace mbgen::cli

@@ -1,0 +1,77 @@
+#include "compiler/engines/host_compiler.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <cstdlib>
+#include <stdexcept>
+
+#include "compiler/base/files.hpp"
+#include "compiler/base/user_error.hpp"
+#include "compiler/emit/emit.hpp"
+
+namespace mbgen::cli {
+namespace {
+
+constexpr std::size_t kMessageTail = 2000;  // characters of the compiler's messages that a person still reads
+
+[[noreturn]] void reject(const Command& command) {
+  std::string messages = read_text(command.log);
+  if (messages.size() > kMessageTail) messages = "...\n" + messages.substr(messages.size() - kMessageTail);
+  throw std::runtime_error(
+      fmt::format("the compiler rejects the generated code: {}\n{}", fmt::join(command.arguments, " "), messages));
+}
+
+}  // namespace
+
+HostCompiler find_cross_compiler(const std::filesystem::path& scratch, const CrossTarget& target) {
+  HostCompiler compiler;
+  const char* chosen = std::getenv(target.variable.c_str());
+  compiler.words = split_words(chosen == nullptr ? "" : chosen);
+  if (compiler.words.empty()) compiler.words = {target.compiler};
+  std::vector<std::string> question = compiler.words;
+  question.push_back("--version");
+  const std::filesystem::path answer = scratch / "version";
+  if (run_side_by_side({{question, answer}})[0] != 0) {
+    throw UserError(fmt::format(
+        "no C++ compiler{}{}: `{}` does not run; install one (apt-get install {}), name it in the environment "
+        "variable {}, {}\n",
+        target.platform.empty() ? "" : " for ", target.platform, fmt::join(compiler.words, " "), target.package,
+        target.variable, target.otherwise));
+  }
+  compiler.version = read_text(answer);
+  compiler.is_clang = compiler.version.find("clang") != std::string::npos;
+  compiler.flags = solver_compile_flags(compiler.is_clang ? CompilerFamily::clang : CompilerFamily::gnu);
+  return compiler;
+}
+
+HostCompiler find_compiler(const std::filesystem::path& scratch, const std::string& processor,
+                           [[maybe_unused]] int lanes) {
+  HostCompiler compiler = find_cross_compiler(
+      scratch,
+      {"", "c++", "CXX", "g++", "or do without: --engine generic, generate without --measure, export --sources-only"});
+#if defined(__x86_64__)
+  if (!compiler.is_clang && lanes > 0) {
+    for (std::string& flag : lane_flags_of_gnu_on_x86()) compiler.flags.push_back(std::move(flag));
+  }
+#endif
+  if (!processor.empty()) compiler.flags.push_back(processor);
+  return compiler;
+}
+
+std::vector<std::string> compilation_of(const HostCompiler& compiler,
+                                        const std::vector<std::filesystem::path>& directories) {
+  std::vector<std::string> words = compiler.words;
+  words.insert(words.end(), compiler.flags.begin(), compiler.flags.end());
+  for (const std::filesystem::path& directory : directories) words.insert(words.end(), {"-I", directory.string()});
+  return words;
+}
+
+void run_all(const std::vector<Command>& commands) {
+  const std::vector<int> codes = run_side_by_side(commands);
+  for (std::size_t i = 0; i < codes.size(); ++i) {
+    if (codes[i] != 0) reject(commands[i]);
+  }
+}
+
+}  // namespace mbgen::cli

@@ -1,0 +1,98 @@
+#include "compiler/study/loop_openings.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "compiler/analysis/equations.hpp"
+#include "compiler/base/user_error.hpp"
+
+namespace mbgen::cli {
+namespace {
+
+constexpr double kClosed = 1e-9;  // m or 1
+constexpr std::size_t kMostLoops = 3;
+
+/// What is between the two sides of a loop.
+struct Opening {
+  int loop = 0;
+  double distance = 0;  ///< m
+  double angle = 0;     ///< sine of it
+  double size() const { return std::hypot(distance, angle); }
+};
+
+/// residuals: of all loops, in their order. Result: the same for every loop.
+std::vector<Opening> openings(const Compilation& compilation, const std::vector<double>& residuals) {
+  const Topology& topology = compilation.topology;
+  std::vector<Opening> result;
+  std::vector<std::size_t> row;
+  std::size_t next = 0;
+  for (std::size_t l = 0; l < topology.loops.size(); ++l) {
+    result.push_back({static_cast<int>(l)});
+    row.push_back(next);
+    next += static_cast<std::size_t>(topology.loops[l].equations);
+  }
+  for (const LoopBlock& block : topology.blocks) {
+    for (const ClosureEquation& equation : closure_equations(compilation.model, topology, block)) {
+      const auto l = static_cast<std::size_t>(equation.loop);
+      double& size = equation.unit == ResidualUnit::metre ? result[l].distance : result[l].angle;
+      size = std::hypot(size, opening(compilation.model, topology, equation, residuals[row[l]++]));
+    }
+  }
+  return result;
+}
+
+std::vector<Opening> widest_first(std::vector<Opening> all) {
+  std::erase_if(all, [](const Opening& opening) { return !(opening.size() > kClosed); });
+  std::stable_sort(all.begin(), all.end(), [](const Opening& a, const Opening& b) { return a.size() > b.size(); });
+  if (all.size() > kMostLoops) all.resize(kMostLoops);
+  return all;
+}
+
+/// `loop "a" stays open by 2 mm, loop "b" by 1 mm and 3 deg`.
+std::string openings_text(const Compilation& compilation, const std::vector<Opening>& all) {
+  std::vector<std::string> texts;
+  for (const Opening& opening : all) {
+    std::vector<std::string> sizes;
+    if (opening.distance > kClosed) sizes.push_back(opening_text(ResidualUnit::metre, opening.distance));
+    if (opening.angle > kClosed) sizes.push_back(opening_text(ResidualUnit::one, opening.angle));
+    texts.push_back(fmt::format("loop {} {}by {}", quoted(compilation.topology.loops[opening.loop].name),
+                                texts.empty() ? "stays open " : "", fmt::join(sizes, " and ")));
+  }
+  return fmt::format("{}", fmt::join(texts, ", "));
+}
+
+/// At the first value that is locked, or the first motion.
+[[noreturn]] void refuse(const Compilation& compilation, const std::vector<InitialValue>& values, const char* what,
+                         const std::string& open) {
+  std::vector<std::string> names;
+  Where where{compilation.model.file, 0, 0, ""};
+  for (const InitialValue& value : values) {
+    if (!value.locked) continue;
+    if (names.empty()) where = value.where;
+    names.push_back(compilation.topology.bodies[tree_coordinate(compilation.topology, value.coordinate)].coordinate);
+  }
+  if (!names.empty()) {
+    throw UserError(
+        Diagnostics{{where, fmt::format("the locked {} do not fit together: {}", what, open),
+                     fmt::format("give {} other values, or leave out \"locked\"", fmt::join(names, ", ")), ""}});
+  }
+  if (!compilation.model.motions.empty()) where = compilation.model.motions.front().where;
+  throw UserError(Diagnostics{{where, fmt::format("the driven {} do not fit together: {}", what, open),
+                               "change what the motions are at t = 0", ""}});
+}
+
+}  // namespace
+
+void refuse_open_positions(const Compilation& compilation, const GenericSolver& solver, const GenericState& state) {
+  const std::vector<Opening> all = openings(compilation, solver.position_residuals(state));
+  refuse(compilation, compilation.model.initial.positions, "positions", openings_text(compilation, widest_first(all)));
+}
+
+void refuse_open_velocities(const Compilation& compilation) {
+  refuse(compilation, compilation.model.initial.velocities, "velocities", "the loops do not close at them");
+}
+
+}  // namespace mbgen::cli

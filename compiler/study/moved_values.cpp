@@ -1,0 +1,59 @@
+// What the report says of start values that gave way to the closures.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "compiler/describe/notes.hpp"
+#include "compiler/study/initial_state.hpp"
+
+namespace mbgen::cli {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// Values with a few digits each describe no closed position exactly; smaller moves are no news (rad, m or per second).
+constexpr double kNews = 1e-3;
+
+bool is_news(const MovedValue& value) {
+  return std::abs(value.found - value.asked) > kNews * std::max(1.0, std::abs(value.asked));
+}
+
+Diagnostic note_of(const Compilation& compilation, const MovedValue& value) {
+  const TreeBody& body = compilation.topology.bodies[value.coordinate];
+  return {value.where,
+          fmt::format(
+              "initial {} of {} is moved from {:.6g} to {:.6g} {}{} ({:+.3g}): with the others the loops do not close",
+              value.is_velocity ? "velocity" : "position", body.coordinate, value.asked, value.found,
+              unit_of(body.kind), value.is_velocity ? "/s" : "", value.found - value.asked),
+          "", ""};
+}
+
+}  // namespace
+
+Diagnostics moved_notes(const Compilation& compilation, const std::vector<MovedValue>& moved) {
+  Diagnostics notes;
+  if (std::none_of(moved.begin(), moved.end(), is_news)) return notes;
+  for (const MovedValue& value : moved) notes.push_back(note_of(compilation, value));
+  return notes;
+}
+
+Json moved_json(const Compilation& compilation, const std::vector<MovedValue>& moved) {
+  Json list = Json::array();
+  for (const MovedValue& value : moved) {
+    list.push_back({{"coordinate", compilation.topology.bodies[value.coordinate].coordinate},
+                    {"quantity", value.is_velocity ? "velocity" : "position"},
+                    {"asked", value.asked},
+                    {"found", value.found}});
+  }
+  return list;
+}
+
+GenericState noted_initial_state(const Compilation& compilation, const std::vector<double>& inputs) {
+  Start start = initial_start(compilation, inputs);
+  print_notes(moved_notes(compilation, start.moved));
+  return std::move(start.state);
+}
+
+}  // namespace mbgen::cli

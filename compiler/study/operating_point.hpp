@@ -1,0 +1,35 @@
+#pragma once
+// The state at which a model is looked at: its initial one, its equilibrium, or one of a file.
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "compiler/compile.hpp"
+#include "compiler/study/steady_motion.hpp"
+#include "runtime/generic/generic.hpp"
+
+namespace mbgen::cli {
+
+/// A state as typed.
+struct StateArguments {
+  std::string at, states, result;
+  int index = 0, row = 0;
+  std::optional<double> time;
+  SteadyWish steady;
+  std::vector<std::string> inputs;  ///< name=value
+};
+
+/// A state and what is known of the motion through it.
+struct ChosenPoint {
+  OperatingPoint point;
+  std::optional<SteadyMotion> steady;  ///< of --at steady
+};
+
+/// The state that the arguments name, its loops closed, and the inputs. Fails: UserError.
+ChosenPoint operating_point(const Compilation& compilation, const StateArguments& arguments);
+
+/// The static equilibrium near the model's initial state, at these inputs. Fails: UserError when there is none.
+GenericState equilibrium_state(const Compilation& compilation, const std::vector<double>& inputs);
+
+}  // namespace mbgen::cli

@@ -1,0 +1,65 @@
+#include "compiler/study/simulation_arguments.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "compiler/base/user_error.hpp"
+#include "mbgen/step_time.hpp"
+
+namespace mbgen::cli {
+namespace {
+
+constexpr double kMostSteps = 1e12;
+
+Interpolation interpolation_of(const std::string& name) {
+  if (name.empty() || name == "pchip") return Interpolation::pchip;
+  if (name == "linear") return Interpolation::linear;
+  if (name == "spline") return Interpolation::spline;
+  if (name == "hold") return Interpolation::hold;
+  throw UserError(
+      fmt::format("--interpolation: no interpolation \"{}\"; there are: pchip, linear, spline, hold\n", name));
+}
+
+}  // namespace
+
+SolverSettings::Integrator integrator_of(const std::string& name, SolverSettings::Integrator of_model,
+                                         const std::string& engine) {
+  using Integrator = SolverSettings::Integrator;
+  if (name.empty()) return is_cartesian(engine) ? Integrator::rk4 : of_model;
+  if (name == "rk4") return Integrator::rk4;
+  if (name != "abm4") throw UserError(fmt::format("--integrator: no integrator \"{}\"; there are: rk4, abm4\n", name));
+  if (is_cartesian(engine)) {
+    throw UserError(
+        fmt::format("--integrator: engine \"{}\" works in Cartesian coordinates and integrates by rk4 only\n", engine));
+  }
+  return Integrator::abm4;
+}
+
+InputsOverTime inputs_of(const Model& model, const std::vector<std::string>& assignments,
+                         const SimulationArguments& arguments) {
+  const Interpolation interpolation = interpolation_of(arguments.interpolation);
+  if (arguments.input_table.empty() && !arguments.interpolation.empty()) {
+    throw UserError("--interpolation: goes with --input-table, found none\n");
+  }
+  return inputs_over_time(model, assignments, arguments.input_table, interpolation);
+}
+
+SimulationSettings settings_of(const SimulationArguments& arguments, const SolverSettings& by_default) {
+  const double duration = arguments.duration.value_or(by_default.duration);
+  const double step = arguments.step.value_or(by_default.step);
+  if (!(duration > 0) || !std::isfinite(duration)) {
+    throw UserError(fmt::format("--duration: must be positive and finite, found {}\n", duration));
+  }
+  if (!(step > 0) || !std::isfinite(step)) {
+    throw UserError(fmt::format("--step: must be positive and finite, found {}\n", step));
+  }
+  const double steps = steps_in(duration, step).count;
+  if (!(steps < kMostSteps)) {
+    throw UserError(fmt::format("--step: {} s is too small for a duration of {} s\n", step, duration));
+  }
+  return {static_cast<long>(steps), duration / steps};
+}
+
+}  // namespace mbgen::cli

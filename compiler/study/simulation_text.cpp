@@ -1,0 +1,213 @@
+#include "compiler/study/simulation_text.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "compiler/base/json_text.hpp"
+#include "compiler/base/number.hpp"
+#include "compiler/describe/names.hpp"
+#include "compiler/study/input_table.hpp"
+
+namespace mbgen::cli {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// What became of the run.
+std::string status_text(const SimulationRecord& record) {
+  const SimulationSummary& summary = record.summary;
+  const StepVerdict& verdict = record.verdict;
+  if (!summary.status.ok()) return describe(record.compilation, summary.status);
+  if (!verdict.failure.empty()) return "values blew up";
+  if (verdict.warnings.empty()) return "ok";
+  return verdict.warnings.size() == 1 ? "1 warning" : fmt::format("{} warnings", verdict.warnings.size());
+}
+
+Json ranges_json(const std::vector<Range>& ranges, const auto& named) {
+  Json list = Json::object();
+  for (std::size_t i = 0; i < ranges.size(); ++i) {
+    list[named[i].name] = {{"smallest", ranges[i].smallest}, {"largest", ranges[i].largest}, {"last", ranges[i].last}};
+  }
+  return list;
+}
+
+/// Smallest, largest and last value of outputs or inputs, a line each below a heading.
+std::string ranges_text(const char* heading, const std::vector<Range>& ranges, const auto& named) {
+  std::size_t width = 0;
+  for (const auto& one : named) width = std::max(width, one.name.size() + unit_or_one(one.unit).size() + 3);
+  std::string text;
+  if (!ranges.empty()) {
+    text += fmt::format("  {:<{}}{:>14}{:>14}{:>14}\n", heading, width, "smallest", "largest", "last");
+  }
+  for (std::size_t i = 0; i < ranges.size(); ++i) {
+    const Range& range = ranges[i];
+    text += fmt::format("  {:<{}}{:>14.6g}{:>14.6g}{:>14.6g}\n",
+                        fmt::format("{} [{}]", named[i].name, unit_or_one(named[i].unit)), width, range.smallest,
+                        range.largest, range.last);
+  }
+  return text;
+}
+
+/// How many points of the motion the table has.
+std::string rows_text(const SimulationRecord& record) {
+  return record.every == 1 ? fmt::format("{} rows, every step", record.rows)
+                           : fmt::format("{} rows, every {} steps and the last", record.rows, record.every);
+}
+
+Json known_or_null(double value) { return value > 0 ? Json(value) : Json(nullptr); }
+
+/// Simulated time over `seconds`.
+double real_time_factor(const SimulationRecord& record, double seconds) {
+  const double simulated = static_cast<double>(record.summary.steps) * record.settings.step;
+  return seconds > 0 ? simulated / seconds : 0;
+}
+
+std::vector<std::string> loop_names(const Compilation& compilation, std::size_t block) {
+  std::vector<std::string> names;
+  for (const int loop : compilation.topology.blocks[block].loops) {
+    names.push_back(compilation.topology.loops[loop].name);
+  }
+  return names;
+}
+
+bool met_something(const BlockEvents& block) { return block.chosen_again > 0 || block.near_singular > 0; }
+
+/// What was met at the loop blocks, a line or two for each of them.
+std::string blocks_text(const SimulationRecord& record) {
+  std::string text;
+  for (std::size_t b = 0; b < record.summary.blocks.size(); ++b) {
+    const BlockEvents& block = record.summary.blocks[b];
+    if (!met_something(block)) continue;
+    text += fmt::format("  loops {}: coordinates chosen again in {} steps, near a singular position in {} steps\n",
+                        fmt::join(loop_names(record.compilation, b), ", "), block.chosen_again, block.near_singular);
+    if (block.singular_met == 0) continue;
+    text += fmt::format("    singular positions passed: {}, at t = {:.6g}{} s\n", block.singular_met,
+                        fmt::join(block.singular_times, ", "),
+                        block.singular_met > static_cast<long>(block.singular_times.size()) ? ", ..." : "");
+  }
+  return text;
+}
+
+Json blocks_json(const SimulationRecord& record) {
+  Json blocks = Json::array();
+  for (std::size_t b = 0; b < record.summary.blocks.size(); ++b) {
+    const BlockEvents& block = record.summary.blocks[b];
+    if (!met_something(block)) continue;
+    blocks.push_back({{"loops", loop_names(record.compilation, b)},
+                      {"chosen_again_steps", block.chosen_again},
+                      {"near_singular_steps", block.near_singular},
+                      {"singular_positions", block.singular_met},
+                      {"singular_times", block.singular_times}});
+  }
+  return blocks;
+}
+
+/// What is to be said of a result that is there, the reason of one that is wrong first.
+Json warnings_json(const SimulationRecord& record) {
+  Json list = record.verdict.warnings;
+  if (!record.verdict.failure.empty()) list.insert(list.begin(), record.verdict.failure);
+  return list;
+}
+
+/// What a run gave, the same on every machine and at every time.
+Json results_json(const SimulationRecord& record) {
+  const SimulationSummary& summary = record.summary;
+  return {{"model", record.compilation.model.name},
+          {"engine", record.choice.name},
+          {"integrator", name_of(record.choice.integrator)},
+          {"stabilisation", name_of(record.choice.stabilisation)},
+          {"moved_start", moved_json(record.compilation, record.moved)},
+          {"steps", summary.steps},
+          {"step", record.settings.step},
+          {"end_time", summary.end_time},
+          {"status", status_text(record)},
+          {"blocks", blocks_json(record)},
+          {"position_residual", summary.largest.position},
+          {"velocity_residual", summary.largest.velocity},
+          {"energy_change", summary.energy.change},
+          {"work", summary.energy.work},
+          {"energy_error", summary.energy.error()},
+          {"relative_energy_error", summary.energy.relative_error()},
+          {"stable_step", known_or_null(record.verdict.stable_step)},
+          {"fitting_step", known_or_null(record.verdict.fitting_step)},
+          {"warnings", warnings_json(record)},
+          {"outputs", ranges_json(summary.outputs, record.compilation.model.outputs)},
+          {"inputs", ranges_json(summary.inputs, record.compilation.model.inputs)},
+          {"every", record.every},
+          {"rows", record.rows}};
+}
+
+}  // namespace
+
+std::vector<Heading> headings(const Compilation& compilation) {
+  std::vector<Heading> result = {{"t", "s"}};
+  for (const TreeBody& body : compilation.topology.bodies) {
+    result.push_back({"z." + body.coordinate, unit_of(body.kind)});
+  }
+  for (const TreeBody& body : compilation.topology.bodies) {
+    result.push_back({"zd." + body.coordinate, fmt::format("{}/s", unit_of(body.kind))});
+  }
+  for (const std::string& name : auxiliary_state_names(compilation.model)) result.push_back({"x." + name, "m"});
+  for (const Output& output : compilation.model.outputs) result.push_back({output.name, unit_or_one(output.unit)});
+  result.push_back({"residual", "m"});
+  return result;
+}
+
+std::vector<double> table_row(const Sample& sample, int decimals) {
+  std::vector<double> row = {on_decimals(sample.state.t, decimals)};
+  for (const auto* values : {&sample.state.z, &sample.state.zd, &sample.state.x, &sample.outputs.y}) {
+    row.insert(row.end(), values->begin(), values->end());
+  }
+  row.push_back(sample.residuals.position);
+  return row;
+}
+
+std::string summary_text(const SimulationRecord& record) {
+  const SimulationSummary& summary = record.summary;
+  const EnergyBalance& energy = summary.energy;
+  std::string text = fmt::format("{}: {} steps of {:.6g} s, engine {}, integrator {}, {}\n",
+                                 record.compilation.model.name, summary.steps, record.settings.step, record.choice.name,
+                                 name_of(record.choice.integrator), name_of(record.choice.stabilisation));
+  text += fmt::format("  real-time factor          {:.4g} (simulated time over {:.4g} s in the steps)\n",
+                      real_time_factor(record, summary.solver_seconds), summary.solver_seconds);
+  text += fmt::format("    with outputs and table  {:.4g} (over {:.4g} s from start to end)\n",
+                      real_time_factor(record, summary.wall_seconds), summary.wall_seconds);
+  text += fmt::format("  largest closure residual  {:.2e} m, {:.2e} m/s\n", summary.largest.position,
+                      summary.largest.velocity);
+  text +=
+      fmt::format("  energy                    changed by {:.6g} J, work {:.6g} J, error {:.2e} J ({:.1e} relative)\n",
+                  energy.change, energy.work, energy.error(), energy.relative_error());
+  text += fmt::format("  status                    {} at t = {:.6g} s\n", status_text(record), summary.end_time);
+  text += blocks_text(record);
+  if (!record.are_inputs_constant) text += ranges_text("input", summary.inputs, record.compilation.model.inputs);
+  text += ranges_text("output", summary.outputs, record.compilation.model.outputs);
+  return text + fmt::format("  table                     {} ({})\n", record.file, rows_text(record));
+}
+
+std::string summary_json(const SimulationRecord& record) {
+  Json report = results_json(record);
+  const SimulationSummary& summary = record.summary;
+  report.update({{"solver_seconds", summary.solver_seconds},
+                 {"wall_seconds", summary.wall_seconds},
+                 {"real_time_factor", real_time_factor(record, summary.solver_seconds)},
+                 {"real_time_factor_with_outputs", real_time_factor(record, summary.wall_seconds)},
+                 {"file", record.file}});
+  return json_text(report);
+}
+
+std::string run_json(const SimulationRecord& record) {
+  const Model& model = record.compilation.model;
+  const std::filesystem::path directory = std::filesystem::path(record.file).parent_path();
+  Json run = {{"mbgen_run", 1},
+              {"model_file", std::filesystem::proximate(model.file, directory.empty() ? "." : directory).string()},
+              {"model_hash", model.hash},
+              {"set", record.set}};
+  run.update(results_json(record));
+  return json_text(run);
+}
+
+}  // namespace mbgen::cli

@@ -1,0 +1,45 @@
+#pragma once
+// A motion as text: the table's header and rows, and the summary.
+
+#include <string>
+#include <vector>
+
+#include "compiler/results/results.hpp"
+#include "compiler/study/initial_state.hpp"
+#include "compiler/study/simulation.hpp"
+#include "compiler/study/step_watch.hpp"
+
+namespace mbgen::cli {
+
+/// Names and units of all columns: t, coordinates, velocities, slips of tyres, outputs, residual.
+std::vector<Heading> headings(const Compilation& compilation);
+
+/// The numbers of one point, in the order of the headings. decimals: of the step; the time has no more of them.
+std::vector<double> table_row(const Sample& sample, int decimals);
+
+/// A finished simulation.
+struct SimulationRecord {
+  const Compilation& compilation;
+  EngineChoice choice;
+  SimulationSettings settings;
+  const SimulationSummary& summary;
+  std::string file;
+  long rows = 0, every = 1;  ///< of the table: how many, and how many steps from one to the next
+  StepVerdict verdict;
+  std::vector<MovedValue> moved;  ///< of the start
+  std::vector<std::string> set;   ///< parameters that the command line gave, name=value
+  bool are_inputs_constant = true;
+};
+
+/// For people: steps, real-time factor, closure residual, energy balance, ranges of the outputs and of inputs that
+/// move.
+std::string summary_text(const SimulationRecord& record);
+
+/// The same for machines.
+std::string summary_json(const SimulationRecord& record);
+
+/// What stands beside or in a table so that `report` finds the model: its file seen from the table's directory, its
+/// hash, and the summary without what changes from run to run.
+std::string run_json(const SimulationRecord& record);
+
+}  // namespace mbgen::cli

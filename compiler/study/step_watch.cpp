@@ -1,0 +1,264 @@
+#include "compiler/study/step_watch.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "compiler/algebra/dense.hpp"
+#include "compiler/describe/names.hpp"
+#include "compiler/engines/engine.hpp"
+
+namespace mbgen::cli {
+namespace {
+
+using Integrator = SolverSettings::Integrator;
+
+constexpr double kDifference = 1e-6;  // rad, m or per second
+/// Speed, rad/s or m/s, that values have which blew up: nothing that mbgen models runs so fast.
+constexpr double kBlownUp = 1e6;
+/// Of the energy in a mode, what a step that would do loses or gains of it over the motion.
+constexpr double kFittingLoss = kEnergyWarning / 2;
+/// Energies that differ by this part of their level are the same but for rounding.
+constexpr double kRoundedEnergy = 1e-9;
+constexpr int kMostTries = 60;
+
+/// Positions and rates near a state, as the loops let it move.
+struct Nearby {
+  const Compilation& compilation;
+  GenericSolver solver;
+  std::vector<int> free;
+
+  Nearby(const Compilation& c, const std::vector<double>& inputs)
+      : compilation(c), solver(c.model, c.topology, c.analysis), free(free_coordinates(c.topology, c.analysis)) {
+    solver.set_inputs(inputs);
+  }
+
+  Eigen::Index states(const GenericState& state) const {
+    return static_cast<Eigen::Index>(2 * free.size() + state.x.size());
+  }
+
+  /// Rates of the states and all positions where state j is moved by `change`.
+  bool moved(const GenericState& state, Eigen::Index j, double change, Eigen::VectorXd& rates,
+             Eigen::VectorXd& positions) {
+    const auto count = static_cast<Eigen::Index>(free.size());
+    GenericState at = state;
+    if (j < 2 * count) {
+      (j < count ? at.z : at.zd)[free[static_cast<std::size_t>(j % count)]] += change;
+    } else {
+      at.x[static_cast<std::size_t>(j - 2 * count)] += change;
+    }
+    if (!solver.project(at).ok()) return false;
+    GenericDerivative derivative;
+    if (!solver.accelerations(at, std::vector<double>(at.z.size(), 0.0), derivative).ok()) return false;
+    rates.resize(states(state));
+    for (Eigen::Index i = 0; i < count; ++i) {
+      rates[i] = at.zd[free[static_cast<std::size_t>(i)]];
+      rates[count + i] = derivative.zdd[free[static_cast<std::size_t>(i)]];
+    }
+    for (std::size_t i = 0; i < derivative.xd.size(); ++i) {
+      rates[2 * count + static_cast<Eigen::Index>(i)] = derivative.xd[i];
+    }
+    positions = Eigen::Map<const Eigen::VectorXd>(at.z.data(), static_cast<Eigen::Index>(at.z.size()));
+    return rates.allFinite();
+  }
+};
+
+/// eigenvalue times h, as of a motion that does not grow by itself.
+std::complex<double> step_of(const Mode& mode, double h) {
+  return {std::min(mode.eigenvalue.real(), 0.0) * h, mode.eigenvalue.imag() * h};
+}
+
+bool is_stable(Integrator integrator, const Mode& mode, double h, double duration) {
+  return std::log(growth_of_step(integrator, step_of(mode, h))) * duration / h <= 1;
+}
+
+/// The longest stable step up to `longest`, which is not stable.
+double stable_step(Integrator integrator, const Mode& mode, double longest, double duration) {
+  double low = 0, high = longest;
+  for (int k = 0; k < kMostTries; ++k) {
+    const double middle = (low + high) / 2;
+    (is_stable(integrator, mode, middle, duration) ? low : high) = middle;
+  }
+  return low;
+}
+
+/// Whether a step keeps the energy of a mode over the time in which it has any.
+bool fits(Integrator integrator, const Mode& mode, double h, double duration) {
+  const std::complex<double> z = step_of(mode, h);
+  const double growth = growth_of_step(integrator, z);
+  const double time = 1 / (1 / duration - 2 * z.real() / h);
+  return std::abs(growth * growth - std::exp(2 * z.real())) * time / h <= kFittingLoss;
+}
+
+/// The longest of 5, 2, 1 times a power of ten below `h`.
+double next_shorter(double h) {
+  const double power = std::pow(10.0, std::floor(std::log10(h)));
+  for (const double digit : {5.0, 2.0, 1.0}) {
+    if (digit * power < h * (1 - 1e-9)) return digit * power;
+  }
+  return power / 2;
+}
+
+/// A step below `h` that fits all modes.
+double fitting_step(Integrator integrator, const std::vector<Mode>& modes, double h, double duration) {
+  for (int k = 0; k < kMostTries; ++k) {
+    h = next_shorter(h);
+    const bool all =
+        std::all_of(modes.begin(), modes.end(), [&](const Mode& mode) { return fits(integrator, mode, h, duration); });
+    if (all) return h;
+  }
+  return 0;
+}
+
+std::string mode_text(const Compilation& compilation, const Mode& mode) {
+  const std::string moves = leading_coordinates(compilation.topology, compilation.analysis, mode);
+  const std::string rate = mode.oscillates() ? fmt::format("{:.4g} Hz", mode.undamped_frequency())
+                                             : fmt::format("decay at {:.4g} 1/s", std::abs(mode.eigenvalue));
+  return fmt::format("{} ({})", rate, moves.empty() ? "slips of tyres" : moves);
+}
+
+/// The verdict on one motion, piece by piece.
+struct StepJudge {
+  const Compilation& compilation;
+  Integrator integrator;
+  const SimulationSettings& settings;
+  const SimulationSummary& summary;
+  StepVerdict verdict = {};
+  std::string of_mode = {};  ///< what a mode asks for, where the step does not give it
+  bool is_unstable = false;  ///< the mode grows
+
+  double duration() const { return static_cast<double>(settings.steps) * settings.step; }
+
+  /// Finds the mode that asks for the shortest step.
+  void compare(const std::vector<Mode>& modes) {
+    const Mode* worst = nullptr;
+    for (const Mode& mode : modes) {
+      if (mode.is_neutral || is_stable(integrator, mode, settings.step, duration())) continue;
+      const double stable = stable_step(integrator, mode, settings.step, duration());
+      if (worst != nullptr && stable >= verdict.stable_step) continue;
+      worst = &mode;
+      verdict.stable_step = stable;
+    }
+    if (worst == nullptr) return;
+    is_unstable = true;
+    verdict.fitting_step = fitting_step(integrator, modes, verdict.stable_step, duration());
+    of_mode = fmt::format("the fastest mode at the start, {}, needs steps below {:.3g} s with {}",
+                          mode_text(compilation, *worst), verdict.stable_step, name_of(integrator));
+  }
+
+  /// A step that the energy balance asks for: its error goes with the fourth power.
+  void shorten(double relative, const std::vector<Mode>& modes) {
+    if (is_unstable) return;
+    const auto misses = [&](const Mode& mode) {
+      return !mode.is_neutral && !fits(integrator, mode, settings.step, duration());
+    };
+    const auto slower = [&](const Mode& a, const Mode& b) {
+      return (misses(a) ? std::abs(a.eigenvalue) : 0) < (misses(b) ? std::abs(b.eigenvalue) : 0);
+    };
+    const auto worst = std::max_element(modes.begin(), modes.end(), slower);
+    if (worst != modes.end() && misses(*worst)) {
+      of_mode =
+          fmt::format("the fastest mode at the start, {}, asks for a shorter one", mode_text(compilation, *worst));
+    }
+    const double wanted = settings.step * std::pow(kFittingLoss / relative, 0.25);
+    const double of_modes = fitting_step(integrator, modes, settings.step, duration());
+    verdict.fitting_step = next_shorter(std::min(wanted, of_modes > 0 ? of_modes : wanted));
+  }
+
+  std::string energy_text() const {
+    return fmt::format("the energy balance is off by {:.2g} % ({:.3g} J of {:.3g} J)",
+                       100 * std::abs(summary.energy.relative_error()), std::abs(summary.energy.error()),
+                       summary.energy.scale);
+  }
+
+  std::string advice() const {
+    const std::string cause = of_mode.empty() ? "" : "; " + of_mode;
+    return verdict.fitting_step > 0 ? fmt::format("{}; --step {:.3g} would do", cause, verdict.fitting_step) : cause;
+  }
+
+  /// A motion that came to its end.
+  void judge_energy(const std::vector<Mode>& modes) {
+    const EnergyBalance& energy = summary.energy;
+    const double relative = std::abs(energy.relative_error());
+    const bool is_rounding = std::abs(energy.error()) <= kRoundedEnergy * energy.level;
+    const bool is_off = !(relative <= kEnergyWarning) && !is_rounding;
+    if (blew_up()) {
+      shorten(std::max(relative, kEnergyFailure), modes);
+      const auto fastest = static_cast<std::size_t>(std::max(summary.fastest, 0));
+      verdict.failure =
+          fmt::format("the values blew up, {} reached {:.3g} {}/s: {}, step {:.6g} s is too long{}",
+                      compilation.topology.bodies[fastest].coordinate, summary.largest_velocity,
+                      unit_of(compilation.topology.bodies[fastest].kind), energy_text(), settings.step, advice());
+    } else if (is_off) {
+      shorten(relative, modes);
+      verdict.warnings.push_back(
+          fmt::format("{}, step {:.6g} s {}{}", energy_text(), settings.step,
+                      of_mode.empty() ? "may be too long, or an input or a law jumps" : "is too long", advice()));
+    } else if (is_unstable) {
+      verdict.warnings.push_back(fmt::format("step {:.6g} s is too long{}", settings.step, advice()));
+    }
+  }
+
+  /// Values beyond all bounds and energies out of nothing; one of them where the step is known to be unstable.
+  bool blew_up() const {
+    const bool runs = !(summary.largest_velocity <= kBlownUp);
+    const bool gains = !(std::abs(summary.energy.relative_error()) <= kEnergyFailure);
+    return is_unstable ? runs || gains : runs && gains;
+  }
+
+  /// A motion that stopped at a step which failed.
+  void judge_stop() {
+    if (!is_unstable && summary.passable_step == 0) return;
+    if (!is_unstable) verdict.fitting_step = summary.passable_step;
+    verdict.failure = fmt::format("step {:.6g} s is too long{}", settings.step, advice());
+  }
+};
+
+}  // namespace
+
+double growth_of_step(Integrator integrator, std::complex<double> z) {
+  if (integrator == Integrator::rk4) return std::abs(1.0 + z * (1.0 + z / 2.0 * (1.0 + z / 3.0 * (1.0 + z / 4.0))));
+  // y' = 9 (y + z/24 (55 y - 59 y1 + 37 y2 - 9 y3)) + 19 y - 5 y1 + y2, times z/24, plus y.
+  const std::complex<double> c = z / 24.0, corrected = 9.0 * c;
+  Eigen::MatrixXcd companion = Eigen::MatrixXcd::Zero(4, 4);
+  companion(0, 0) = 1.0 + c * (9.0 + 19.0 + 55.0 * corrected);
+  companion(0, 1) = c * (-5.0 - 59.0 * corrected);
+  companion(0, 2) = c * (1.0 + 37.0 * corrected);
+  companion(0, 3) = c * (-9.0 * corrected);
+  for (int i = 0; i < 3; ++i) companion(i + 1, i) = 1;
+  return spectral_radius(companion);
+}
+
+std::vector<Mode> modes_near(const Compilation& compilation, const GenericState& state,
+                             const std::vector<double>& inputs) {
+  const std::size_t free = free_coordinates(compilation.topology, compilation.analysis).size();
+  if (2 * free + state.x.size() > kMostWatchedStates) return {};
+  Nearby nearby(compilation, inputs);
+  LinearSystem system;
+  const Eigen::Index size = nearby.states(state);
+  system.A.resize(size, size);
+  system.coordinates.resize(static_cast<Eigen::Index>(state.z.size()), size);
+  Eigen::VectorXd ahead, behind, positions_ahead, positions_behind;
+  for (Eigen::Index j = 0; j < size; ++j) {
+    if (!nearby.moved(state, j, kDifference, ahead, positions_ahead)) return {};
+    if (!nearby.moved(state, j, -kDifference, behind, positions_behind)) return {};
+    system.A.col(j) = (ahead - behind) / (2 * kDifference);
+    system.coordinates.col(j) = (positions_ahead - positions_behind) / (2 * kDifference);
+  }
+  return modes(system);
+}
+
+StepVerdict judge_step(const Compilation& compilation, Integrator integrator, const SimulationSettings& settings,
+                       const SimulationSummary& summary, const std::vector<Mode>& modes) {
+  StepJudge judge{compilation, integrator, settings, summary};
+  judge.compare(modes);
+  if (summary.status.ok()) {
+    judge.judge_energy(modes);
+  } else {
+    judge.judge_stop();
+  }
+  return judge.verdict;
+}
+
+}  // namespace mbgen::cli
