@@ -10,9 +10,9 @@
 #include "compiler/base/json_text.hpp"
 #include "compiler/base/user_error.hpp"
 #include "compiler/cli/commands.hpp"
-#include "compiler/cli/dump.hpp"
 #include "compiler/cli/options.hpp"
 #include "compiler/compile.hpp"
+#include "compiler/describe/dump.hpp"
 #include "compiler/describe/notes.hpp"
 #include "compiler/study/initial_state.hpp"
 
@@ -53,7 +53,7 @@ Findings findings_of(const CheckOptions& options) {
 
 int run(const CheckOptions& options) {
   if (!options.dump.empty()) {
-    print(dump_stage(read_set_model(options.model, options.set), options.dump));
+    print(dump_stage(read_set_model(options.model, options.set), options.dump, known_start));
     return kDone;
   }
   const auto [problems, notes, bodies, freedoms, driven] = findings_of(options);

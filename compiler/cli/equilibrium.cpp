@@ -12,6 +12,7 @@
 #include "compiler/cli/commands.hpp"
 #include "compiler/cli/options.hpp"
 #include "compiler/describe/notes.hpp"
+#include "compiler/engines/engine.hpp"
 #include "compiler/study/operating_point.hpp"
 
 namespace mbgen::cli {

@@ -10,13 +10,13 @@
 #include <stdexcept>
 
 #include "compiler/base/assignments.hpp"
+#include "compiler/base/depfile.hpp"
 #include "compiler/base/files.hpp"
 #include "compiler/base/json_text.hpp"
 #include "compiler/base/own_directory.hpp"
 #include "compiler/base/user_error.hpp"
 #include "compiler/base/zip_archive.hpp"
 #include "compiler/cli/commands.hpp"
-#include "compiler/cli/depfile.hpp"
 #include "compiler/cli/options.hpp"
 #include "compiler/compile.hpp"
 #include "compiler/describe/notes.hpp"

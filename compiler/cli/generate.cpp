@@ -9,14 +9,14 @@
 #include <optional>
 
 #include "compiler/base/assignments.hpp"
+#include "compiler/base/depfile.hpp"
 #include "compiler/base/files.hpp"
 #include "compiler/base/json_text.hpp"
 #include "compiler/base/user_error.hpp"
 #include "compiler/cli/commands.hpp"
-#include "compiler/cli/depfile.hpp"
-#include "compiler/cli/dump.hpp"
 #include "compiler/cli/options.hpp"
 #include "compiler/compile.hpp"
+#include "compiler/describe/dump.hpp"
 #include "compiler/engines/engine_arguments.hpp"
 #include "compiler/study/cost/measured_cost.hpp"
 #include "compiler/study/initial_state.hpp"
@@ -98,7 +98,7 @@ void require_range(const Compilation& compilation, const std::string& scalar) {
 
 int run(const GenerateOptions& options) {
   if (!options.dump.empty()) {
-    print(dump_stage(read_named(options), options.dump, chosen_form(options.form), options.emit));
+    print(dump_stage(read_named(options), options.dump, known_start, chosen_form(options.form), options.emit));
     return kDone;
   }
   if (options.directory.empty()) throw UserError("generate: --out DIR is required\n");

@@ -7,13 +7,14 @@
 #include "compiler/base/json_text.hpp"
 #include "compiler/base/user_error.hpp"
 #include "compiler/cli/commands.hpp"
-#include "compiler/cli/dump.hpp"
 #include "compiler/cli/options.hpp"
 #include "compiler/compile.hpp"
+#include "compiler/describe/dump.hpp"
 #include "compiler/describe/notes.hpp"
 #include "compiler/describe/report.hpp"
 #include "compiler/drawing/drawing.hpp"
 #include "compiler/engines/engine_arguments.hpp"
+#include "compiler/study/initial_state.hpp"
 
 namespace mbgen::cli {
 namespace {
@@ -50,7 +51,7 @@ Counts add_counted_programs(Compilation& compilation, std::optional<Form> form, 
 int run(const InspectOptions& options) {
   const std::optional<Form> form = chosen_form(options.form);
   if (!options.dump.empty()) {
-    print(dump_stage(read_set_model(options.model, options.set), options.dump, form));
+    print(dump_stage(read_set_model(options.model, options.set), options.dump, known_start, form));
     return kDone;
   }
   Compilation compilation = expect(decide(read_set_model(options.model, options.set)));

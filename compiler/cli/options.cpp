@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "compiler/cli/dump.hpp"
+#include "compiler/describe/dump.hpp"
 #include "compiler/engines/engine_arguments.hpp"
 #include "compiler/study/operating_point.hpp"
 #include "compiler/study/simulation_arguments.hpp"
@@ -27,6 +27,11 @@ void add_form_option(NamedCommand command, std::string& form) {
 void add_dump_option(NamedCommand command, std::string& stage) {
   command.add_option("--dump", stage,
                      fmt::format("print what a stage made, and nothing else: {}", fmt::join(dump_stages(), ", ")));
+}
+
+void add_depfile_option(NamedCommand command, std::string& path) {
+  command.add_option("--depfile", path,
+                     "write the files that the model is read from as a rule of Make, for build tools");
 }
 
 void add_batch_option(NamedCommand command, int& lanes) {

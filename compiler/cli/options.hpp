@@ -24,6 +24,9 @@ void add_form_option(NamedCommand command, std::string& form);
 /// --dump=STAGE
 void add_dump_option(NamedCommand command, std::string& stage);
 
+/// --depfile FILE
+void add_depfile_option(NamedCommand command, std::string& path);
+
 /// --batch: 4 or 8 instances a call, 0 when it is not given.
 void add_batch_option(NamedCommand command, int& lanes);
 

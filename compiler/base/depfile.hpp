@@ -6,12 +6,8 @@
 #include <vector>
 
 #include "compiler/base/files.hpp"
-#include "compiler/cli/command_line.hpp"
 
 namespace mbgen::cli {
-
-/// --depfile FILE
-void add_depfile_option(NamedCommand command, std::string& path);
 
 /// The rule `output: inputs` in the syntax of Make, as compilers write it with -MD.
 /// Fails: UserError for the end of a line in a path, which Make cannot say.

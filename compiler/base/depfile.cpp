@@ -1,4 +1,4 @@
-#include "compiler/cli/depfile.hpp"
+#include "compiler/base/depfile.hpp"
 
 #include <fmt/format.h>
 
@@ -23,11 +23,6 @@ std::string escaped(const std::string& path) {
 }
 
 }  // namespace
-
-void add_depfile_option(NamedCommand command, std::string& path) {
-  command.add_option("--depfile", path,
-                     "write the files that the model is read from as a rule of Make, for build tools");
-}
 
 std::string depfile_text(const std::string& output, const std::vector<std::string>& inputs) {
   std::string text = escaped(output) + ":";

@@ -1,4 +1,4 @@
-#include "compiler/cli/dump.hpp"
+#include "compiler/describe/dump.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -10,7 +10,6 @@
 #include "compiler/compile.hpp"
 #include "compiler/describe/dump_model.hpp"
 #include "compiler/describe/names.hpp"
-#include "compiler/study/initial_state.hpp"
 
 namespace mbgen::cli {
 namespace {
@@ -114,7 +113,8 @@ std::vector<std::string> dump_stages() {
   return stages;
 }
 
-std::string dump_stage(Model model, const std::string& stage, std::optional<Form> form, EmitOptions options) {
+std::string dump_stage(Model model, const std::string& stage, const StartOf& start, std::optional<Form> form,
+                       EmitOptions options) {
   const std::vector<std::string> stages = dump_stages();
   if (std::find(stages.begin(), stages.end(), stage) == stages.end()) {
     throw UserError(fmt::format("--dump: no stage \"{}\"; there are: {}\n", stage, fmt::join(stages, ", ")));
@@ -128,7 +128,7 @@ std::string dump_stage(Model model, const std::string& stage, std::optional<Form
   const Compilation compilation = expect(compile(std::move(model), {form, watch}));
   if (stage != "code") return text;
   options.runtime_headers = false;
-  options.initial = known_start(compilation);
+  options.initial = start(compilation);
   return dump_code(emit(compilation, options));
 }
 
