@@ -1,5 +1,7 @@
 // mbgen inspect: what mbgen knows of a model before it writes code.
 
+#include <fmt/format.h>
+
 #include <memory>
 
 #include "compiler/base/assignments.hpp"
