@@ -32,6 +32,26 @@ class Stages {
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
+/// The refusal of a whole model, with what is too large of it.
+Diagnostics too_large_to_be_written(const Compilation& c, const std::string& what, const std::string& size,
+                                    const std::string& hint) {
+  Where whole_file;
+  whole_file.file = c.model.file;
+  return {{whole_file, fmt::format("the {} of this model is too large to be written: {} are written", what, size), hint,
+           ""}};
+}
+
+constexpr const char* kWriteNothing =
+    "simulate it with --engine generic, which writes nothing, or make the model smaller";
+
+/// Parts of a model that have a title of their own in its programs.
+std::size_t titles_of(const Compilation& c) {
+  const Model& m = c.model;
+  return c.topology.bodies.size() + c.topology.loops.size() + c.topology.blocks.size() + m.bodies.size() +
+         m.springs.size() + m.air_springs.size() + m.joint_springs.size() + m.frictions.size() + m.joint_forces.size() +
+         m.forces.size() + 2 * m.tyres.size() + m.motions.size() + m.outputs.size();
+}
+
 }  // namespace
 
 std::vector<std::string> stage_names() {
@@ -63,58 +83,33 @@ Result<Compilation> decide(const std::string& path) {
   return decide(std::move(*model));
 }
 
-namespace {
-
-/// Parts of a model that have a title of their own in its programs.
-std::size_t titles_of(const Compilation& c) {
-  const Model& m = c.model;
-  return c.topology.bodies.size() + c.topology.loops.size() + c.topology.blocks.size() + m.bodies.size() +
-         m.springs.size() + m.air_springs.size() + m.joint_springs.size() + m.frictions.size() + m.joint_forces.size() +
-         m.forces.size() + 2 * m.tyres.size() + m.motions.size() + m.outputs.size();
-}
-
-/// The refusal of a model with more parts than a program tells apart.
-Diagnostics too_many_parts(const Compilation& c) {
-  const std::size_t titles = titles_of(c);
-  if (titles <= kMostTitles) return {};
-  Where whole_file;
-  whole_file.file = c.model.file;
-  return {{whole_file,
-           fmt::format("the solver of this model is too large to be written: {} bodies, joints, loops, force elements "
-                       "and outputs, at most {} are written",
-                       titles, kMostTitles),
-           "simulate it with --engine generic, which writes nothing, or make the model smaller", ""}};
-}
-
-}  // namespace
-
 Diagnostics too_large(const Compilation& c, std::optional<Form> form) {
-  if (Diagnostics problems = too_many_parts(c); !problems.empty()) return problems;
+  if (const std::size_t titles = titles_of(c); titles > kMostTitles) {
+    return too_large_to_be_written(
+        c, "solver",
+        fmt::format("{} bodies, joints, loops, force elements and outputs, at most {}", titles, kMostTitles),
+        kWriteNothing);
+  }
   const auto [matrix, recursive] = least_operations(c.topology, c.analysis);
   const double least = !form ? std::min(matrix, recursive) : *form == Form::matrix ? matrix : recursive;
   if (least <= kMostOperations) return {};
-  Where whole_file;
-  whole_file.file = c.model.file;
   const bool other = form && std::min(matrix, recursive) <= kMostOperations;
-  return {
-      {whole_file,
-       fmt::format("the {} of this model is too large to be written: {} coordinates with {} free directions take at "
-                   "least {:.2g} operations, at most {:.2g} are written",
-                   form ? fmt::format("{} form", name_of(*form)) : "solver", c.topology.size(),
-                   free_coordinates(c.topology, c.analysis).size(), least, kMostOperations),
-       other ? fmt::format("--form {} is smaller", name_of(*form == Form::matrix ? Form::recursive : Form::matrix))
-             : "simulate it with --engine generic, which writes nothing, or make the model smaller",
-       ""}};
+  return too_large_to_be_written(
+      c, form ? fmt::format("{} form", name_of(*form)) : "solver",
+      fmt::format("{} coordinates with {} free directions take at least {:.2g} operations, at most {:.2g}",
+                  c.topology.size(), free_coordinates(c.topology, c.analysis).size(), least, kMostOperations),
+      other ? fmt::format("--form {} is smaller", name_of(other_form(*form))) : kWriteNothing);
 }
 
 void add_programs(Compilation& c, const CompileOptions& options) {
   Stages stages(options.watch);
   Programs programs = trace(c.model, c.topology, c.analysis, options.form);
   if (!stages.ended("program", c, programs)) return;
+  Lowered level = Lowered::whole;
   for (const Pass& pass : passes()) {
+    if (pass.result != level) (level == Lowered::whole ? c.whole : c.programs) = programs;
+    level = pass.result;
     programs = pass.run(std::move(programs));
-    if (pass.result == Lowered::whole) c.whole = programs;
-    if (pass.result == Lowered::lean) c.programs = programs;
     if (!stages.ended(pass.name, c, programs)) return;
   }
   c.emitted = std::move(programs);
@@ -138,9 +133,7 @@ Result<Compilation> compile(const std::string& path, const CompileOptions& optio
 
 long count_operations_of(const Compilation& c, Form form) {
   if (form == c.programs.form) return count_operations(c.programs.accelerations).total();
-  const auto [matrix, recursive] = least_operations(c.topology, c.analysis);
-  const bool is_matrix = form == Form::matrix;
-  if (!is_worth_writing(is_matrix ? matrix : recursive, is_matrix ? recursive : matrix)) return 0;
+  if (!is_worth_writing(form, c.topology, c.analysis)) return 0;
   return count_operations(optimise(trace_accelerations(c.model, c.topology, c.analysis, form))).total();
 }
 

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "tests/dynamics.hpp"
-#include "tests/reference_states.hpp"
+#include "tests/reference_support.hpp"
 
 namespace mbgen {
 namespace {
@@ -19,9 +19,9 @@ class Refused : public ::testing::TestWithParam<std::string> {};
 TEST_P(Refused, HasTheAccelerationsOfTheIndependentSolver) {
   const Mechanism m = load(kFolder + GetParam() + ".json");
   const GenericSolver solver(m.model, m.topology, m.analysis);
-  const std::vector<JudgedState> states = reference_states(m, kFolder + GetParam() + "_ref.json");
+  const std::vector<ReferenceState> states = reference_states(m.topology, kFolder + GetParam() + "_ref.json");
   ASSERT_FALSE(states.empty());
-  for (JudgedState s : states) {
+  for (ReferenceState s : states) {
     GenericDerivative derivative;
     ASSERT_TRUE(solver.accelerations(s.state, s.tau, derivative).ok());
     EXPECT_LT(relative_error(derivative.zdd, s.zdd), 1e-8);

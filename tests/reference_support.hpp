@@ -1,5 +1,6 @@
 #pragma once
-// The vehicles' reference states: accelerations of an independent solver (shared/reference/README.md).
+// Reference states of the vehicles and of mechanisms that were refused: accelerations of an independent solver
+// (shared/reference/README.md).
 
 #include <gtest/gtest.h>
 
@@ -12,7 +13,8 @@ namespace mbgen::testing {
 
 struct ReferenceState {
   GenericState state;
-  std::vector<double> tau, zdd, zdd_massless_rods;
+  std::vector<double> tau, zdd;
+  std::vector<double> zdd_massless_rods;  ///< empty where the file has none
 };
 
 /// The states of a file, coordinates matched by name.
@@ -24,8 +26,8 @@ inline std::vector<ReferenceState> reference_states(const Topology& topology, co
   std::vector<ReferenceState> states;
   for (const auto& s : file["states"]) {
     const auto in_order = [&](const char* key) {
-      std::vector<double> values(place.size());
-      for (std::size_t i = 0; i < place.size(); ++i) values.at(place[i]) = s[key][i];
+      std::vector<double> values(s.contains(key) ? place.size() : 0);
+      for (std::size_t i = 0; i < values.size(); ++i) values.at(place[i]) = s[key][i];
       return values;
     };
     states.push_back(

@@ -6,7 +6,7 @@
 
 #include "compiler/passes/passes.hpp"
 #include "runtime/generic/block_factors.hpp"
-#include "tests/reference_states.hpp"
+#include "tests/reference_support.hpp"
 
 namespace mbgen {
 namespace {
@@ -152,11 +152,11 @@ TEST(Trace, RefusedMechanismsHaveTheAccelerationsOfTheIndependentSolver) {
   for (const std::string name :
        {"m7", "k0_s20261127", "k0_s20261140", "k0_s20261160", "k0_s20261175", "k0_s20261198"}) {
     const Mechanism mechanism = load(folder + name + ".json");
-    const std::vector<JudgedState> states = reference_states(mechanism, folder + name + "_ref.json");
+    const std::vector<ReferenceState> states = reference_states(mechanism.topology, folder + name + "_ref.json");
     ASSERT_FALSE(states.empty()) << name;
     for (const Form form : {Form::matrix, Form::recursive}) {
       const Program program = trace_accelerations(mechanism.model, mechanism.topology, mechanism.analysis, form);
-      for (const JudgedState& s : states) {
+      for (const ReferenceState& s : states) {
         const Slots given = slots_of(s.state, s.tau);
         EXPECT_LT(relative_error(run(program, mechanism, given).at("zdd"), s.zdd), 1e-8)
             << name << " " << name_of(form);

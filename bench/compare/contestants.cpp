@@ -74,10 +74,10 @@ void add_generated(const Compilation& compilation, std::vector<Contestant>& all)
   all.push_back(mbgen_engine(compilation, "generated", fmt::format("mbgen, generated, {}", name_of(form)), ""));
   all.push_back(mbgen_engine(compilation, "generated", "mbgen, generated, eight in lanes", "per instance", kLanes));
   all.back().key = "batch8";
-  const Form other_form = form == Form::matrix ? Form::recursive : Form::matrix;
-  const Compilation other = cli::expect(compile(compilation.model, {other_form}));
+  const Form rest = other_form(form);
+  const Compilation other = cli::expect(compile(compilation.model, {rest}));
   if (other.programs.form == form) return;
-  all.push_back(mbgen_engine(other, "generated", fmt::format("mbgen, generated, {}", name_of(other_form)),
+  all.push_back(mbgen_engine(other, "generated", fmt::format("mbgen, generated, {}", name_of(rest)),
                              "the form with more operations"));
   all.back().key = "other_form";
 }

@@ -237,7 +237,7 @@ std::string operations_explanation(const Compilation& compilation) {
   const Program& accelerations = programs.accelerations;
   const std::vector<OperationCount> counts = count_operations_by_section(accelerations);
   const long total = count_operations(accelerations).total();
-  const long other = count_operations_of(compilation, programs.form == Form::matrix ? Form::recursive : Form::matrix);
+  const long other = count_operations_of(compilation, other_form(programs.form));
   std::string text =
       heading("Operations") +
       paragraph(fmt::format("One evaluation of all accelerations takes {} additions, multiplications "

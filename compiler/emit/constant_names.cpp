@@ -7,11 +7,7 @@ namespace mbgen {
 
 ConstantNames::Entry& ConstantNames::entry_of(const NamedConstant& constant) {
   const auto [found, is_new] = index_.try_emplace({constant.name, constant.value}, entries_.size());
-  if (is_new) {
-    std::string identifier = identifier_base(constant.name);
-    while (taken_[identifier]++ > 0) identifier = numbered(identifier_base(constant.name), taken_[identifier]);
-    entries_.push_back({identifier, constant});
-  }
+  if (is_new) entries_.push_back({names_.unique(identifier_base(constant.name)), constant});
   return entries_[found->second];
 }
 

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "compiler/emit/local_names.hpp"
 #include "compiler/solver/programs.hpp"
 
 namespace mbgen {
@@ -33,7 +34,7 @@ class ConstantNames {
   Entry& entry_of(const NamedConstant& constant);
   std::vector<Entry> entries_;
   std::map<std::pair<std::string, double>, std::size_t> index_;
-  std::map<std::string, int> taken_;
+  UniqueNames names_;
 };
 
 }  // namespace mbgen

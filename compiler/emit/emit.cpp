@@ -95,9 +95,7 @@ void add_runtime_headers(std::vector<EmittedFile>& files) {
 
 std::optional<double> beyond_single_precision(const Programs& programs, const Model& model) {
   std::vector<double> numbers;
-  for (const Program* program :
-       {&programs.accelerations, &programs.closure, &programs.closure_terms, &programs.accelerations_chosen,
-        &programs.multipliers, &programs.outputs, &programs.derived_constants}) {
+  for (const Program* program : all_programs(programs)) {
     for (const Node& node : program->nodes) {
       if (node.op == Op::constant) numbers.push_back(node.constant);
     }

@@ -21,7 +21,7 @@ std::string section_tag(const Program& program, int section) {
 
 }  // namespace
 
-std::string LocalNames::unique(const std::string& base) {
+std::string UniqueNames::unique(const std::string& base) {
   std::string candidate = base;
   for (int& number = next_number_.try_emplace(base, 2).first->second; !taken_.insert(candidate).second; ++number) {
     candidate = numbered(base, number);
@@ -36,7 +36,7 @@ std::string LocalNames::of_value(ValueId value) {
   do {
     candidate =
         fmt::format("s{}_{}", section_tag(program_, node.section), ++leftovers_[section_tag(program_, node.section)]);
-  } while (!taken_.insert(candidate).second);
+  } while (!reserve(candidate));
   return candidate;
 }
 

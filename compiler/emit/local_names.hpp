@@ -11,22 +11,28 @@
 namespace mbgen {
 
 /// Gives every name once.
-class LocalNames {
+class UniqueNames {
  public:
-  explicit LocalNames(const Program& program) : program_(program) {}
-
-  /// Keeps a name for something else.
-  void reserve(const std::string& name) { taken_.insert(name); }
+  /// Keeps a name for something else. Result: whether it was free.
+  bool reserve(const std::string& name) { return taken_.insert(name).second; }
   /// `base`, or `base` with a number.
   std::string unique(const std::string& base);
+
+ private:
+  std::unordered_set<std::string> taken_;
+  std::unordered_map<std::string, int> next_number_;  ///< by base
+};
+
+/// Unique names for the values of a program.
+class LocalNames : public UniqueNames {
+ public:
+  explicit LocalNames(const Program& program) : program_(program) {}
   /// By the label of the value, or by its section and a number: s3_12.
   std::string of_value(ValueId value);
 
  private:
   const Program& program_;
-  std::unordered_set<std::string> taken_;
-  std::unordered_map<std::string, int> next_number_;  ///< by base
-  std::map<std::string, int> leftovers_;              ///< numbers given so far, by section
+  std::map<std::string, int> leftovers_;  ///< numbers given so far, by section
 };
 
 }  // namespace mbgen

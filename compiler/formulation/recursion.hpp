@@ -224,12 +224,12 @@ void add_own_parts(RecursionState<T>& s, const RecursionUnit& unit, const Applie
   }
 }
 
-/// A block as its frozen partition solves it (steps 2, 3 and 6).
+/// A block as its frozen partition solves it (steps 2, 3 and 6). name: of the block, for headings.
 template <class T>
-void project_block(RecursionState<T>& s, std::size_t u, const LoopPartition& partition, T& quality) {
+void project_block(RecursionState<T>& s, std::size_t u, const std::string& name, const LoopPartition& partition,
+                   T& quality) {
   const RecursionUnit& unit = s.units()[u];
   Scribe<T>& scribe = s.system().scribe;
-  const std::string name = block_name(s.system().topology, unit.block);
   BlockParts<T>& parts = s.blocks[u];
   scribe.step(Step::jacobian, name);
   const SparseClosure<T> closed =
@@ -247,9 +247,8 @@ void project_block(RecursionState<T>& s, std::size_t u, const LoopPartition& par
 
 /// A block with a projection over joint rates that was chosen at run time: the same over quasi-velocities.
 template <class T>
-void project_block(RecursionState<T>& s, std::size_t u, const GroupProjection<T>& chosen, T&) {
+void project_block(RecursionState<T>& s, std::size_t u, const std::string& name, const GroupProjection<T>& chosen, T&) {
   const RecursionUnit& unit = s.units()[u];
-  const std::string name = block_name(s.system().topology, unit.block);
   BlockParts<T>& parts = s.blocks[u];
   parts.chosen = &chosen;
   s.system().scribe.step(Step::projection, name);
@@ -266,7 +265,7 @@ void eliminate_block(RecursionState<T>& s, std::size_t u, const AppliedForces<T>
   const RecursionUnit& unit = s.units()[u];
   Scribe<T>& scribe = s.system().scribe;
   const std::string name = block_name(s.system().topology, unit.block);
-  std::visit([&](const auto& of_block) { project_block(s, u, of_block, quality); }, projection);
+  std::visit([&](const auto& of_block) { project_block(s, u, name, of_block, quality); }, projection);
   scribe.step(Step::accelerations, name);
   add_own_parts(s, unit, forces);
   scribe.step(Step::reduced_system, name);

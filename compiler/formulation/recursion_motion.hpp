@@ -93,6 +93,14 @@ PerBody<Spatial<T>> block_motion(const RecursionWork<T>& work, const RecursionUn
   return motion;
 }
 
+/// Puts the components of a quasi step's vector in place of the values of its joints. at: the value of a tree joint.
+template <class T, class At>
+void set_components(const JointStep& step, const Vector<T>& v, const At& at) {
+  at(step.joints[0]) = v.x;
+  at(step.joints[1]) = v.y;
+  at(step.joints[2]) = v.z;
+}
+
 /// Sum of the joint rates of a quasi step times their axes.
 template <class T>
 Vector<T> rate_sum(const RecursionWork<T>& work, const JointStep& step) {
@@ -108,10 +116,7 @@ std::vector<T> quasi_velocities(const RecursionWork<T>& work) {
   for (const JointStep* step : work.step) {
     if (step == nullptr || !step->quasi()) continue;
     const auto heading = work.system.scribe.within(work.system.layout.titles[step->body()]);
-    const Vector<T> sum = rate_sum(work, *step);
-    values[step->joints[0]] = sum.x;
-    values[step->joints[1]] = sum.y;
-    values[step->joints[2]] = sum.z;
+    set_components(*step, rate_sum(work, *step), [&](int j) -> T& { return values[j]; });
   }
   return values;
 }
@@ -124,10 +129,7 @@ std::vector<T> quasi_forces(const RecursionWork<T>& work, std::vector<T> tau) {
     const auto heading = work.system.scribe.within(work.system.layout.titles[step->body()]);
     const QuasiAxes<T>& q = work.quasi[step->body()];
     const auto part = [&](int c) { return tau[step->joints[c]] * q.dual[c]; };
-    const Vector<T> sum = part(0) + part(1) + part(2);
-    tau[step->joints[0]] = sum.x;
-    tau[step->joints[1]] = sum.y;
-    tau[step->joints[2]] = sum.z;
+    set_components(*step, part(0) + part(1) + part(2), [&](int j) -> T& { return tau[j]; });
   }
   return tau;
 }
@@ -157,14 +159,10 @@ std::vector<std::vector<T>> quasi_projection(const RecursionWork<T>& work, const
   for (const JointStep& step : unit.steps) {
     if (!step.quasi()) continue;
     const QuasiAxes<T>& axes = work.quasi[step.body()];
-    std::vector<T>* rows[3];
-    for (int c = 0; c < 3; ++c) rows[c] = &rz[unit.column(step.joints[c])];
-    for (std::size_t q = 0; q < rows[0]->size(); ++q) {
-      const auto part = [&](int c) { return (*rows[c])[q] * axes.axis[c]; };
-      const Vector<T> sum = part(0) + part(1) + part(2);
-      (*rows[0])[q] = sum.x;
-      (*rows[1])[q] = sum.y;
-      (*rows[2])[q] = sum.z;
+    for (std::size_t q = 0; q < rz.front().size(); ++q) {
+      const auto at = [&](int joint) -> T& { return rz[unit.column(joint)][q]; };
+      const auto part = [&](int c) { return at(step.joints[c]) * axes.axis[c]; };
+      set_components(step, part(0) + part(1) + part(2), at);
     }
   }
   return rz;
@@ -179,17 +177,16 @@ std::vector<T> quasi_accelerations(const RecursionWork<T>& work, const Recursion
     if (!step.quasi()) continue;
     const QuasiAxes<T>& axes = work.quasi[step.body()];
     const int p = work.parent(step);
+    const auto at = [&](int joint) -> T& { return zdd[unit.column(joint)]; };
     Vector<T> sum, turning = p == unit.base ? Vector<T>{} : velocity[p].angular;
     for (int c = 0; c < 3; ++c) {
-      sum = sum + zdd[unit.column(step.joints[c])] * axes.axis[c];
+      sum = sum + at(step.joints[c]) * axes.axis[c];
       if (!step.revolute) continue;
       const Vector<T> rate = work.system.zd(step.joints[c]) * axes.axis[c];
       sum = sum + cross(turning, rate);
       turning = turning + rate;
     }
-    zdd[unit.column(step.joints[0])] = sum.x;
-    zdd[unit.column(step.joints[1])] = sum.y;
-    zdd[unit.column(step.joints[2])] = sum.z;
+    set_components(step, sum, at);
   }
   return zdd;
 }

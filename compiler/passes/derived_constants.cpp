@@ -57,11 +57,7 @@ class Derivation {
   /// The value that stands for one of the derivation.
   ValueId in_rest(ProgramBuilder& rest, ValueId value) {
     const Node node = builder_.node(value);
-    if (node.op == Op::constant) {
-      if (node.label < 0) return rest.constant(node.constant);
-      const NamedConstant& named = builder_.named_constant(node.label);
-      return rest.constant(node.constant, rest.name_constant(named.value, named.name));
-    }
+    if (node.op == Op::constant) return rest.constant_like(node, builder_.constants());
     if (node.op == Op::negate) return rest.append(Op::negate, in_rest(rest, node.operands[0]));
     if (node.op == Op::input) return rest.input(group_, slot_index_.at(value));
     const auto [place, is_new] = places_.emplace(value, static_cast<int>(places_.size()));

@@ -113,20 +113,14 @@ class SumWriter {
 
   /// Constants become one term, last of the plain ones, unless their sum is too large for a number.
   void merge_constants(std::vector<Term>& terms) {
-    const auto is_constant = [&](const Term& t) { return !t.is_product() && builder_.is_constant(t.first); };
-    const auto first = std::find_if(terms.begin(), terms.end(), is_constant);
-    if (first == terms.end()) return;
-    if (std::none_of(first + 1, terms.end(), is_constant)) {
-      const Term only = *first;
-      std::erase_if(terms, is_constant);
-      terms.push_back(only);
-      return;
-    }
+    const auto numbers = std::stable_partition(
+        terms.begin(), terms.end(), [&](const Term& t) { return t.is_product() || !builder_.is_constant(t.first); });
+    if (terms.end() - numbers < 2) return;
     ValueId sum = builder_.constant(0);
-    for (const Term& t : terms)
-      if (is_constant(t)) sum = builder_.append(t.negative ? Op::subtract : Op::add, sum, t.first);
+    for (auto t = numbers; t != terms.end(); ++t)
+      sum = builder_.append(t->negative ? Op::subtract : Op::add, sum, t->first);
     if (!builder_.is_constant(sum)) return;
-    std::erase_if(terms, is_constant);
+    terms.erase(numbers, terms.end());
     if (!builder_.is_constant(sum, 0)) terms.push_back({false, sum, kNoValue});
   }
 

@@ -68,9 +68,16 @@ ValueId ProgramBuilder::constant(double value, std::int32_t name) {
 std::int32_t ProgramBuilder::name_constant(double value, const std::string& name) {
   if (value == 0 || std::abs(value) == 1 || !std::isfinite(value)) return -1;
   const auto found = named_.find(name);
-  if (found != named_.end() && named_constant(found->second).value == value) return found->second;
+  if (found != named_.end() && program_.constants[static_cast<std::size_t>(found->second)].value == value)
+    return found->second;
   program_.constants.push_back({name, value});
   return named_[name] = static_cast<std::int32_t>(program_.constants.size() - 1);
+}
+
+ValueId ProgramBuilder::constant_like(const Node& node, std::span<const NamedConstant> constants) {
+  if (node.label < 0) return constant(node.constant);
+  const NamedConstant& named = constants[static_cast<std::size_t>(node.label)];
+  return constant(node.constant, name_constant(named.value, named.name));
 }
 
 ValueId ProgramBuilder::input(const std::string& group, int index) {
@@ -164,11 +171,7 @@ ValueId ProgramBuilder::push(const Node& node) {
 }
 
 ValueId ProgramBuilder::copy(const Program& source, const Node& node, std::span<const ValueId> renamed) {
-  if (node.op == Op::constant) {
-    if (node.label < 0) return constant(node.constant);
-    const NamedConstant& named = source.constants[static_cast<std::size_t>(node.label)];
-    return constant(node.constant, name_constant(named.value, named.name));
-  }
+  if (node.op == Op::constant) return constant_like(node, source.constants);
   if (node.op == Op::input) {
     const Slot& slot = source.inputs[static_cast<std::size_t>(node.input)];
     return input(slot.group, slot.index);

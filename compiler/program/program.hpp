@@ -112,9 +112,9 @@ class ProgramBuilder {
   ValueId constant(double value, std::int32_t name = -1);
   /// A name for a number of the model: index into Program::constants. 0, 1 and -1 are structure and get none: -1.
   std::int32_t name_constant(double value, const std::string& name);
-  const NamedConstant& named_constant(std::int32_t name) const {
-    return program_.constants[static_cast<std::size_t>(name)];
-  }
+  const std::vector<NamedConstant>& constants() const { return program_.constants; }
+  /// A constant of another program under the same name. constants: of that program.
+  ValueId constant_like(const Node& node, std::span<const NamedConstant> constants);
   /// The input of this slot; created at first use.
   ValueId input(const std::string& group, int index);
   /// Requires: as many operands as arity(op), all of this builder; neither constant nor input. Fails: std::logic_error

@@ -40,6 +40,7 @@ enum class Form {
 };
 
 const char* name_of(Form form);
+Form other_form(Form form);
 
 struct Programs {
   Program accelerations;  ///< z zd x t tau in par -> zdd xd pivot inertia; frozen partition, the hot path

@@ -324,9 +324,14 @@ void trace_all_accelerations(const Model& model, const Topology& topology, const
 
 }  // namespace
 
-Form form_of(const Topology& topology, const Analysis& analysis) {
+bool is_worth_writing(Form form, const Topology& topology, const Analysis& analysis) {
   const LeastOperations least = least_operations(topology, analysis);
-  return is_worth_writing(least.recursive, least.matrix) ? Form::recursive : Form::matrix;
+  return form == Form::matrix ? is_worth_writing(least.matrix, least.recursive)
+                              : is_worth_writing(least.recursive, least.matrix);
+}
+
+Form form_of(const Topology& topology, const Analysis& analysis) {
+  return is_worth_writing(Form::recursive, topology, analysis) ? Form::recursive : Form::matrix;
 }
 
 Program trace_accelerations(const Model& model, const Topology& topology, const Analysis& analysis, Form form) {

@@ -23,6 +23,9 @@ std::vector<std::string> auxiliary_state_names(const Model& model);
 std::vector<std::pair<std::string, Program>> trace_without(const Model& model, const Topology& topology,
                                                            const Analysis& analysis);
 
+/// Whether a form does not grow far beyond the other one, see kMostMoreOfAForm.
+bool is_worth_writing(Form form, const Topology& topology, const Analysis& analysis);
+
 /// The form of a solver when none is asked for: the recursive one, the matrix form where a large loop block moves in so
 /// many directions that the recursive form grows beyond it.
 Form form_of(const Topology& topology, const Analysis& analysis);
