@@ -1,5 +1,5 @@
 #!/bin/sh
-# Puts in the faults of tests/mutations.txt one by one, in a copy of the sources, and prints what catches each as a
+# Puts in the faults of tests/tools/mutations.txt one by one, in a copy of the sources, and prints what catches each as a
 # table: docs/mutations.sh [SCRATCH]
 # SCRATCH: where to build, kept; default a temporary directory. Half an hour on two processors.
 set -eu
@@ -11,10 +11,7 @@ export CCACHE_BASEDIR="$tree" CCACHE_NOHASHDIR=1
 
 # What a suite says of the fault that is in.
 verdict() {
-  case $1 in
-    model | emit) test=$tree/build/$1_test ;;
-    *) test=$tree/build/tests/$1/$1_test ;;
-  esac
+  test=$tree/build/$1_test
   if ! ninja -C "$tree/build" "$1_test" > "$scratch/build.log" 2>&1; then
     echo "does not compile"
   elif timeout 600 "$test" > "$scratch/run.log" 2>&1; then
@@ -30,7 +27,7 @@ cmake -S "$tree" -B "$tree/build" -G Ninja -DCMAKE_BUILD_TYPE=Release > /dev/nul
 ninja -C "$tree/build" model_test emit_test oracle_test published_test > /dev/null
 echo "| fault | file | caught by |"
 echo "|---|---|---|"
-grep -v '^#' "$here/tests/mutations.txt" | while IFS='|' read -r suite file expression what; do
+grep -v '^#' "$here/tests/tools/mutations.txt" | while IFS='|' read -r suite file expression what; do
   # shellcheck disable=SC2116,SC2086  # without the blanks around
   suite=$(echo $suite) file=$(echo $file)
   cp "$tree/$file" "$scratch/sound"

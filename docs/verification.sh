@@ -8,11 +8,11 @@ page=$here/verification.md
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
 
-"$build/tests/published/verification_table" > "$scratch/published"
-[ "${2:-}" != --long ] || "$build/tests/published/verification_table" --long > "$scratch/long"
+"$build/verification_table" > "$scratch/published"
+[ "${2:-}" != --long ] || "$build/verification_table" --long > "$scratch/long"
 
 # From the lines that the tests print: "MODEL: accelerations as in Simbody, 1.0e-13 relative" and the like.
-"$build/tests/oracle/oracle_test" > "$scratch/lines"
+"$build/oracle_test" > "$scratch/lines"
 awk '
   { model = $1; sub(/:$/, "", model) }
   /: accelerations as in Simbody/ { order[++count] = model; accelerations[model] = $(NF - 1) }

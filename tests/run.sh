@@ -15,5 +15,5 @@ cmake --build --preset release
 status=0
 # shellcheck disable=SC2086  # two words, or none
 ctest --preset release --parallel "$(nproc)" $without || status=$?
-awk -f tests/cases.awk build/release/Testing/Temporary/LastTest.log
+awk -f tests/tools/cases.awk build/release/Testing/Temporary/LastTest.log
 exit "$status"

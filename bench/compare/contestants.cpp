@@ -7,8 +7,8 @@
 
 #include "bench/foreign/straightforward_maggi.hpp"
 #include "compiler/base/user_error.hpp"
-#include "tests/oracle/mujoco_mechanism.hpp"
-#include "tests/oracle/simbody_mechanism.hpp"
+#include "tests/system/oracle/mujoco_mechanism.hpp"
+#include "tests/system/oracle/simbody_mechanism.hpp"
 
 namespace mbgen::compare {
 namespace {

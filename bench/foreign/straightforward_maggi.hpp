@@ -4,7 +4,7 @@
 #include <memory>
 #include <vector>
 
-#include "tests/oracle/reference_mechanism.hpp"
+#include "tests/system/oracle/reference_mechanism.hpp"
 
 namespace mbgen::foreign {
 

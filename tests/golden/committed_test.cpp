@@ -10,7 +10,7 @@
 #include "coach_mechanism.hpp"
 #include "four_bar.hpp"
 
-/// Calls of the heap by this program so far, see tests/batch/heap.cpp; null under sanitizers.
+/// Calls of the heap by this program so far, see tests/support/heap.cpp; null under sanitizers.
 extern "C" [[gnu::weak]] long heap_calls();
 
 namespace mbgen {

@@ -5,9 +5,9 @@
 #include <cmath>
 #include <random>
 
-#include "compiled_solver.hpp"
 #include "compiler/compile.hpp"
-#include "generic/generic.hpp"
+#include "runtime/generic/generic.hpp"
+#include "tests/support/compiled_solver.hpp"
 
 namespace mbgen::test {
 namespace {

@@ -5,7 +5,7 @@
 #include <iterator>
 
 #include "compiler/import/import.hpp"
-#include "tests/mechanism_support.hpp"
+#include "tests/support/mechanism_support.hpp"
 
 namespace mbgen::testing {
 

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "tests/sweep/sweep_test_support.hpp"
+#include "tests/sweep/sweep_support.hpp"
 
 namespace mbgen::cli_test {
 namespace {

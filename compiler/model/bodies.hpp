@@ -1,0 +1,119 @@
+#pragma once
+// Bodies of a model, with the joints and rods between them and how pictures show them.
+
+#include <array>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "compiler/model/diagnostic.hpp"
+#include "compiler/model/expression.hpp"
+
+namespace mbgen {
+
+using Vector3 = std::array<double, 3>;
+using Matrix3 = std::array<double, 9>;  ///< row by row
+using Vector3Quantity = std::array<Quantity, 3>;
+
+/// Pose of a body frame in the global frame at the reference configuration: x_global = origin + rotation * x_body.
+struct Pose {
+  Vector3 origin{0, 0, 0};
+  Matrix3 rotation{1, 0, 0, 0, 1, 0, 0, 0, 1};
+};
+
+struct Point {
+  std::string name;
+  Vector3Quantity position;  ///< m, body frame
+};
+
+struct Body {
+  std::string name;
+  Where where;
+  Pose pose;
+  Quantity mass;        ///< kg; zero is a massless body
+  Vector3Quantity com;  ///< m, body frame
+  /// kg m^2 about the centre of mass, body axes: xx yy zz xy xz yz (matrix entries)
+  std::array<Quantity, 6> inertia;
+  std::vector<Point> points;
+  std::string description = {};
+};
+
+enum class JointType { revolute, prismatic, cylindrical, universal, spherical, planar, free, fixed };
+
+enum class FreedomKind { revolute, prismatic };
+
+/// Of a coordinate.
+constexpr const char* unit_of(FreedomKind kind) { return kind == FreedomKind::revolute ? "rad" : "m"; }
+
+/// As the model format writes them.
+const char* name_of(JointType type);
+const char* name_of(FreedomKind kind);
+
+/// One elementary freedom of a joint, in the order the joint applies them (from the `from` body to the `to` body).
+struct Freedom {
+  std::string name;  ///< name of the coordinate, for example "chassis_rz"
+  FreedomKind kind = FreedomKind::revolute;
+  Vector3 axis{0, 0, 1};  ///< unit, in GLOBAL axes at the reference configuration
+};
+
+/// A point of a body.
+struct Attachment {
+  int body = -1;   ///< index into Model::bodies
+  int point = -1;  ///< index into Body::points
+};
+
+/// Whether the user asks for a joint to be cut ("cut": true), kept in the tree ("cut": false) or leaves it to mbgen.
+enum class CutMark { automatic, cut, tree };
+
+struct Joint {
+  std::string name;
+  Where where;
+  JointType type = JointType::revolute;
+  Attachment from, to;
+  /// unit, GLOBAL axes at the reference configuration; of a planar joint the normal, of a universal one the first axis
+  Vector3 axis{0, 0, 1};
+  /// universal: second axis, perpendicular to the first, GLOBAL axes at the reference
+  Vector3 second_axis{0, 0, 1};
+  CutMark cut = CutMark::automatic;
+  std::vector<Freedom> freedoms;  ///< empty for fixed
+  std::string description = {};
+};
+
+/// One equation of a closed loop: its name, and the unit of its multiplier.
+struct ClosureRow {
+  std::string_view name, unit;
+};
+
+/// The equations that a cut joint of this type closes, in their order; none for a free one. Source: theory.md
+/// section 3.
+std::span<const ClosureRow> closure_rows(JointType type);
+
+/// The equation of a rod.
+constexpr ClosureRow kRodRow{"distance", "N"};
+
+/// A bar with a spherical joint at each end: a distance constraint with exact inertia (theory.md section 5).
+struct Rod {
+  std::string name;
+  Where where;
+  Attachment from, to;
+  Quantity mass;                   ///< kg, uniform along the rod; zero is massless
+  std::optional<Quantity> length;  ///< m; without it the reference distance
+};
+
+/// How pictures show a body or a part of it; it has no effect on the motion. A box has its edges along the axes of the
+/// body's frame.
+struct DisplayShape {
+  enum class Kind { box, cylinder, sphere };
+  std::string name;
+  Where where;
+  Kind kind = Kind::box;
+  Attachment from;           ///< corner of a box, end of a cylinder, centre of a sphere
+  Attachment to;             ///< opposite corner or other end, on the same body; none for a sphere
+  double radius = 0;         ///< m, of a cylinder or sphere
+  std::array<int, 3> rgb{};  ///< 0 to 255 each; used where has_colour
+  bool has_colour = false;
+};
+
+}  // namespace mbgen

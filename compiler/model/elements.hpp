@@ -1,0 +1,133 @@
+#pragma once
+// What acts on the bodies of a model: springs, friction, forces, tyres and motions.
+
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "compiler/model/bodies.hpp"
+
+namespace mbgen {
+
+/// y(x) by points; outside the range the end segments (linear) or end slopes (cubic) are continued as straight lines.
+struct Table {
+  enum class Interpolation { linear, monotone_cubic };
+  Interpolation interpolation = Interpolation::linear;
+  std::vector<double> x, y;  ///< x strictly increasing, at least two points
+};
+
+/// A characteristic: factor times argument, or a table over the argument.
+using Law = std::variant<Quantity, Table>;
+
+/// Spring and damper between two points, tension positive:
+/// f = stiffness(l - l0) + damping(dl/dt) + preload + force(length, rate).
+struct PointSpring {
+  std::string name;
+  Where where;
+  Attachment from, to;
+  std::optional<Law> stiffness;         ///< N/m, or a table of N over m
+  std::optional<Law> damping;           ///< N s/m, or a table of N over m/s
+  std::optional<Quantity> free_length;  ///< m; without it the reference distance
+  Quantity preload;                     ///< N, tension positive
+  /// expression; local 0 `length` (m), local 1 `rate` (m/s); N, tension positive
+  std::optional<int> force;
+};
+
+/// Spring and damper on a coordinate, or on the difference of two (anti-roll bar):
+/// x = z - z(relative_to), force on the coordinate, opposite on `relative_to`:
+/// f = -(stiffness(x - free) + damping(dx/dt) + preload + force(x, dx/dt)).
+struct JointSpring {
+  std::string name;
+  Where where;
+  CoordinateReference joint;
+  std::optional<CoordinateReference> relative_to;
+  std::optional<Law> stiffness;  ///< N m/rad or N/m
+  std::optional<Law> damping;    ///< N m s/rad or N s/m
+  Quantity free;                 ///< rad or m
+  Quantity preload;              ///< N m or N
+  std::optional<int> force;      ///< expression; local 0 `position`, local 1 `rate`
+};
+
+/// Smooth friction on a coordinate:
+/// f = -(coulomb + (stiction - coulomb) exp(-(v/v_stribeck)^2)) tanh(v/velocity) - viscous v.
+struct JointFriction {
+  std::string name;
+  Where where;
+  CoordinateReference joint;
+  Quantity coulomb;   ///< N m or N
+  Quantity stiction;  ///< N m or N; the reader sets it to coulomb when absent
+  Quantity viscous;   ///< N m s/rad or N s/m
+  Quantity velocity;  ///< rad/s or m/s over which the sign is smoothed, > 0
+  /// rad/s or m/s, > 0; the reader sets it to 10 * velocity when absent
+  Quantity stribeck_velocity;
+};
+
+/// Polytropic air spring between two points: p V^n = const; the force (p - p_ambient) A(l) pushes the points apart.
+struct AirSpring {
+  std::string name;
+  Where where;
+  Attachment from, to;
+  Quantity pressure;               ///< Pa absolute, at the reference length
+  Quantity ambient;                ///< Pa absolute
+  Quantity exponent;               ///< polytropic exponent
+  std::optional<Quantity> length;  ///< m, reference length; without it the reference distance
+  Law area;                        ///< m^2: constant, or a table over length (m)
+  /// m^3 over length (m); without it volume0 + area(length0) * (l - length0)
+  std::optional<Table> volume;
+  Quantity volume0;  ///< m^3 at the reference length (used without `volume`)
+};
+
+/// Force and torque on a body at a point.
+struct AppliedForce {
+  std::string name;
+  Where where;
+  Attachment at;
+  Vector3Quantity force;      ///< N
+  Vector3Quantity torque;     ///< N m
+  bool in_body_axes = false;  ///< components in body axes, else in global axes
+};
+
+/// Generalised force on a coordinate.
+struct JointForce {
+  std::string name;
+  Where where;
+  CoordinateReference joint;
+  Quantity force;  ///< N m or N
+};
+
+enum class TyreModel { pac89, pac2002 };
+
+/// Tyre of a wheel body on a flat horizontal road (normal = global z).
+struct Tyre {
+  std::string name;
+  Where where;
+  Attachment centre;  ///< wheel centre, a point of the wheel body on its spin axis
+  /// unit spin axis, GLOBAL axes at the reference; forward rolling is positive about it when it points left
+  Vector3 axis{0, 1, 0};
+  TyreModel model = TyreModel::pac2002;
+  /// in the order of kPac2002Fields, or a0.. b0.. c0.. of pac89 (runtime header tyre.hpp)
+  std::vector<Quantity> coefficients;
+  /// +1: coefficients used as they are, -1: mirrored (tyre measured on the other side)
+  double side = 1;
+  double count = 1;      ///< 2 for twin tyres: all forces times count
+  Quantity radius;       ///< m, unloaded
+  Quantity stiffness;    ///< N/m, vertical, one tyre
+  Quantity damping;      ///< N s/m, vertical, one tyre
+  Quantity road_height;  ///< m, global z of the road
+  Quantity friction;     ///< scales the friction (1 is the measured one)
+  /// 1: moment = -coefficient * load * radius * tanh(speed / low_speed)
+  Quantity rolling_resistance;
+  Quantity relaxation_x, relaxation_y;  ///< m, relaxation lengths of the slips
+  Quantity low_speed;                   ///< m/s, below it slip is damped so that the wheel comes to rest
+};
+
+/// A driven coordinate: z(t) prescribed; first and second derivatives come from the expression.
+struct Motion {
+  std::string name;
+  Where where;
+  CoordinateReference joint;
+  Quantity position;  ///< rad or m, of t, parameters, inputs
+};
+
+}  // namespace mbgen

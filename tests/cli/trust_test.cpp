@@ -1,0 +1,275 @@
+// What keeps a result that is wrong from passing for a good one: the step against the model, tables against themselves,
+// rows against time, an equilibrium that there is not.
+
+#include <cmath>
+
+#include "compiler/study/course.hpp"
+#include "compiler/study/step_watch.hpp"
+#include "tests/support/cli_support.hpp"
+
+namespace mbgen::cli_test {
+namespace {
+
+class Trust : public CommandLine {
+ protected:
+  std::string text_of(const std::string& path) const {
+    std::ifstream file(kSource + "/" + path);
+    std::stringstream text;
+    text << file.rdbuf();
+    return text.str();
+  }
+};
+
+// The points of a table and what scipy.interpolate.PchipInterpolator (scipy 1.10.1) gives: t, value, derivative.
+TEST(Course, PchipIsThatOfScipy) {
+  constexpr double kScipy[][3] = {{0, 0, 0},
+                                  {0.25, 0.016599876695437728, 0.13566584463625153},
+                                  {0.6, 0.10139482120838469, 0.35449568434032058},
+                                  {1.1, 0.55864673242910023, 3.4760326757090017},
+                                  {1.15, 0.71527377466091258, 2.5262908446362538},
+                                  {1.5, 0.78500000000000003, 0},
+                                  {2.6, 0.43827999999999989, -0.94560000000000011},
+                                  {3.5, -0.20000000000000001, 0},
+                                  {3.75, -0.053676470588235284, 0.88529411764705901},
+                                  {4.5, 0.12435661764705881, 0.039154411764705875},
+                                  {5.9, 0.1499169117647059, 0.0016838235294117515}};
+  const cli::Course course = cli::pchip({0, 1, 1.2, 2, 3.5, 4, 6}, {0, 0.3, 0.785, 0.785, -0.2, 0.1, 0.15});
+  const cli::Course rate = cli::derivative(course);
+  for (const auto& [t, value, slope] : kScipy) {
+    EXPECT_NEAR(course.at(t), value, 1e-14) << t;
+    EXPECT_NEAR(rate.at(t), slope, 1e-13) << t;
+  }
+}
+
+// Both ends of a piece have the derivatives that were given: x^5, whose first three orders fix it.
+TEST(Course, HermiteMeetsAllOrders) {
+  const std::vector<double> t = {0.5, 1, 3};
+  std::vector<std::vector<double>> orders(3);
+  for (const double x : t) {
+    orders[0].push_back(std::pow(x, 5));
+    orders[1].push_back(5 * std::pow(x, 4));
+    orders[2].push_back(20 * std::pow(x, 3));
+  }
+  const cli::Course course = cli::hermite(t, orders);
+  for (const double x : {0.5, 0.7, 1.0, 1.9, 3.0}) {
+    EXPECT_NEAR(course.at(x), std::pow(x, 5), 1e-12 * std::pow(3, 5)) << x;
+    EXPECT_NEAR(cli::derivative(course).at(x), 5 * std::pow(x, 4), 1e-11 * std::pow(3, 5)) << x;
+  }
+}
+
+// The ends of the regions of stability, as textbooks give them: RK4 2.785 and 2.828; for PECE of order four -1.25
+// (Hall, Watt, Modern Numerical Methods for ODEs, 1976).
+TEST(StepWatch, RegionsOfStability) {
+  using Integrator = SolverSettings::Integrator;
+  const auto stable = [](Integrator integrator, std::complex<double> z) {
+    return cli::growth_of_step(integrator, z) <= 1 + 1e-12;
+  };
+  EXPECT_TRUE(stable(Integrator::rk4, -2.785));
+  EXPECT_FALSE(stable(Integrator::rk4, -2.786));
+  EXPECT_TRUE(stable(Integrator::rk4, {0, 2.828}));
+  EXPECT_FALSE(stable(Integrator::rk4, {0, 2.829}));
+  EXPECT_TRUE(stable(Integrator::abm4, -1.2));
+  EXPECT_FALSE(stable(Integrator::abm4, -1.3));
+}
+
+constexpr const char* kRamp = "t,way\n0,0\n1,0\n1.2,0.785\n6,0.785\n";
+
+TEST_F(Trust, TablesStayWithinTheirRows) {
+  write("cart.json", text_of("tests/data/models/driven_cart.json"));
+  write("table.csv", kRamp);
+  const std::string simulate =
+      "simulate cart.json --engine generic --input-table table.csv --duration 6 --step 5e-3 --out o.csv ";
+  for (const char* kind : {"", "--interpolation pchip", "--interpolation linear", "--interpolation hold"}) {
+    const Outcome run = mbgen(simulate + kind + " --json");
+    const Json summary = Json::parse(run.out, nullptr, false);
+    EXPECT_EQ(run.err.find("leaves"), std::string::npos) << run.err;
+    EXPECT_EQ(summary["inputs"]["way"]["smallest"], 0) << kind;
+    EXPECT_EQ(summary["inputs"]["way"]["largest"], 0.785) << kind;
+    EXPECT_EQ(summary["inputs"]["way"]["last"], 0.785) << kind;
+  }
+  const Outcome spline = mbgen(simulate + "--interpolation spline");
+  EXPECT_NE(spline.err.find("table.csv:1: warning: way leaves its column, 0 to 0.785, by "), std::string::npos)
+      << spline.err;
+  EXPECT_NE(spline.out.find("input "), std::string::npos) << spline.out;
+  EXPECT_EQ(mbgen(simulate + "--interpolation cubic").err,
+            "--interpolation: no interpolation \"cubic\"; there are: pchip, linear, spline, hold\n");
+  EXPECT_EQ(mbgen("simulate cart.json --engine generic --interpolation hold --out o.csv").err,
+            "--interpolation: goes with --input-table, found none\n");
+}
+
+// Accelerations of the drive jump at the rows: no energy comes of that, and no warning.
+TEST_F(Trust, RowsCostNoEnergy) {
+  write("cart.json", text_of("tests/data/models/driven_cart.json"));
+  write("table.csv", "t,way\n0,0\n0.25,0.02\n0.5,0.1\n0.75,0.24\n1,0.4\n1.25,0.54\n1.5,0.62\n1.75,0.64\n2,0.64\n");
+  const Outcome run =
+      mbgen("simulate cart.json --engine generic --input-table table.csv --duration 2 --step 1e-3 --out o.csv --json");
+  EXPECT_EQ(run.err, "");
+  EXPECT_LT(std::abs(Json::parse(run.out)["relative_energy_error"].get<double>()), 1e-6);
+}
+
+TEST_F(Trust, RatesBelongToTheirValues) {
+  write("cart.json", text_of("tests/data/models/driven_cart.json"));
+  const std::string simulate =
+      "simulate cart.json --engine generic --input-table table.csv --duration 1 --step 0.01 --out o.csv";
+  write("table.csv", "t,way,speed\n0,0,0\n1,0,0\n1.2,0.785,0\n6,0.785,0\n");
+  EXPECT_EQ(mbgen(simulate).err,
+            "table.csv:4: speed contradicts way: from t = 1 to 1.2 s way changes by 0.785 m, speed makes 0 m of it\n"
+            "  hint: leave out the column speed, it then follows from way\n");
+  // Degrees instead of radians, a sign, zeros: refused. Four rows a period of a sine are enough for right ones.
+  const auto sine = [&](int rows_a_period, double factor) {
+    std::string text = "t,way,speed\n";
+    for (int k = 0; k <= 2 * rows_a_period; ++k) {
+      const double phase = 0.3 + k * 2 * std::acos(-1.0) / rows_a_period;
+      text += fmt::format("{},{},{}\n", phase, std::sin(phase), factor * std::cos(phase));
+    }
+    write("table.csv", text);
+    return mbgen(simulate).exit_code;
+  };
+  for (const int rows : {4, 5, 40}) {
+    EXPECT_EQ(sine(rows, 1), 0) << rows;
+    for (const double factor : {57.3, -1.0, 0.0}) EXPECT_EQ(sine(rows, factor), 1) << rows << " " << factor;
+  }
+  EXPECT_EQ(sine(40, 1.5), 1);
+  write("table.csv", "t,way,acceleration\n0,0,0\n1,1,0\n");
+  EXPECT_EQ(mbgen(simulate).err, "table.csv:1: \"acceleration\" is the derivative of \"speed\", which has no column\n");
+}
+
+/// 1 kg on a spring along z.
+std::string mass_on_spring(double stiffness) {
+  return fmt::format(R"({{ "mbgen": 1, "name": "mass", "gravity": [0, 0, 0],
+    "bodies": {{ "ground": {{ "points": {{ "A": [0, 0, 0] }} }},
+                 "block": {{ "mass": 1, "inertia": [1, 1, 1], "points": {{ "A": [0, 0, 0] }} }} }},
+    "joints": {{ "slide": {{ "type": "prismatic", "from": "ground.A", "to": "block.A", "axis": "z" }} }},
+    "joint_springs": {{ "spring": {{ "joint": "slide", "stiffness": {} }} }},
+    "initial": {{ "positions": {{ "slide": 0.01 }} }} }})",
+                     stiffness);
+}
+
+TEST_F(Trust, StepThatIsTooLongIsAnError) {
+  write("mass.json", mass_on_spring(8.2e6));
+  for (const char* integrator : {"rk4", "abm4"}) {
+    const std::string simulate = fmt::format(
+        "simulate mass.json --engine generic --integrator {} --duration 0.2 --out o.csv --json", integrator);
+    const Outcome run = mbgen(simulate + " --step 1e-3");
+    EXPECT_EQ(run.exit_code, 1);
+    EXPECT_NE(run.err.find("the values blew up, slide reached "), std::string::npos) << run.err;
+    EXPECT_NE(
+        run.err.find("step 0.001 s is too long; the fastest mode at the start, 455.8 Hz (slide +1.00), needs steps"),
+        std::string::npos)
+        << run.err;
+    const Json summary = Json::parse(run.out, nullptr, false);
+    EXPECT_EQ(summary["status"], "values blew up");
+    EXPECT_EQ(summary["warnings"].size(), 1u);
+    const double stable = summary["stable_step"].get<double>(), fitting = summary["fitting_step"].get<double>();
+    EXPECT_LT(stable, 1e-3);
+    // What is said to do does; what is stable and no more is a warning.
+    const Outcome good = mbgen(simulate + fmt::format(" --step {}", fitting));
+    EXPECT_EQ(good.exit_code, 0);
+    EXPECT_EQ(good.err, "") << integrator << fitting;
+    EXPECT_LT(std::abs(Json::parse(good.out)["relative_energy_error"].get<double>()), 1e-3);
+    const Outcome stable_only = mbgen(simulate + fmt::format(" --step {}", 0.9 * stable));
+    EXPECT_EQ(stable_only.exit_code, 0) << stable_only.err;
+    EXPECT_NE(stable_only.err.find("simulate: warning: the energy balance is off by "), std::string::npos)
+        << stable_only.err;
+  }
+}
+
+// A case of a study that blew up has no values.
+TEST_F(Trust, CasesThatBlowUpHaveNoValues) {
+  std::string model = mass_on_spring(1);
+  model.replace(model.find("\"stiffness\": 1 "), 14, "\"stiffness\": \"k\"");
+  model.replace(model.find("\"bodies\""), 0, "\"parameters\": { \"k\": { \"value\": 1 } }, ");
+  write("mass.json", model);
+  const Outcome run = mbgen(
+      "sweep mass.json --engine generic --vary k=1e3,8.2e6 --metric \"max(z.slide)\" --duration 0.2 --step 1e-3 --out "
+      "s.csv");
+  const std::string table = read("s.csv");
+  EXPECT_NE(table.find("values blew up"), std::string::npos) << table << run.err;
+  EXPECT_NE(table.find(",ok"), std::string::npos) << table;
+}
+
+// A linkage at a step of a third of its turn: the loop does not close, for the step.
+TEST_F(Trust, StopForTheStepSaysSo) {
+  std::string model = kFourBar;
+  model.replace(model.find("\"crank_pin\": 3"), 14, "\"crank_pin\": 60");
+  write("four_bar.json", model);
+  const std::string simulate = "simulate four_bar.json --engine generic --duration 0.6 --out o.csv --step ";
+  const Outcome run = mbgen(simulate + "0.1");
+  EXPECT_EQ(run.exit_code, 1);
+  EXPECT_NE(run.err.find("stopped after t = "), std::string::npos) << run.err;
+  EXPECT_NE(run.err.find("  hint: step 0.1 s is too long; the fastest mode at the start, "), std::string::npos)
+      << run.err;
+  EXPECT_NE(run.err.find("; --step 0.002 would do\n"), std::string::npos) << run.err;
+  EXPECT_EQ(mbgen(simulate + "2e-3").err, "");
+}
+
+TEST_F(Trust, TimeIsTheStepsNumberTimesTheStep) {
+  write("pendulum.json", kPendulum);
+  for (const char* integrator : {"rk4", "abm4"}) {
+    const std::string simulate = fmt::format(
+        "simulate pendulum.json --engine generic --integrator {} --duration 12 --step 1e-3 --out o.csv", integrator);
+    const Outcome run = mbgen(simulate);
+    EXPECT_NE(run.out.find("(12001 rows, every step)"), std::string::npos) << run.out;
+    const Table all = table("o.csv");
+    ASSERT_EQ(all.rows.size(), 12001u);
+    for (std::size_t k = 0; k < all.rows.size(); ++k) ASSERT_EQ(all.rows[k][0], static_cast<double>(k) / 1000);
+    EXPECT_NE(mbgen(simulate + " --every 5000").out.find("(4 rows, every 5000 steps and the last)"), std::string::npos);
+    EXPECT_EQ(table("o.csv").rows.back()[0], 12.0);
+  }
+}
+
+// A multistep method goes on from step to step although the time is no sum: two evaluations, not the four of a start.
+TEST_F(Trust, MultistepMethodGoesOn) {
+  write("pendulum.json", kPendulum);
+  const std::string simulate =
+      "simulate pendulum.json --engine generic --duration 2 --step 2e-2 --out o.csv --integrator ";
+  ASSERT_EQ(mbgen(simulate + "abm4").exit_code, 0);
+  const double by_abm4 = table("o.csv").last("z.pin [rad]");
+  ASSERT_EQ(mbgen(simulate + "rk4").exit_code, 0);
+  EXPECT_GT(std::abs(table("o.csv").last("z.pin [rad]") - by_abm4), 1e-9) << "started anew it would be Runge-Kutta";
+}
+
+TEST_F(Trust, MissingEquilibriumIsExplained) {
+  write("mass.json", R"({ "mbgen": 1, "name": "mass",
+    "bodies": { "ground": { "points": { "A": [0, 0, 0] } },
+                "block": { "mass": 1, "inertia": [1, 1, 1], "points": { "A": [0, 0, 0] } } },
+    "joints": { "slide": { "type": "prismatic", "from": "ground.A", "to": "block.A", "axis": "z" } },
+    "initial": { "equilibrium": true } })");
+  const std::string message =
+      "mass.json: there is no static equilibrium near the initial state: slide -9.81 m/s^2 is what accelerates most; "
+      "the "
+      "search came to slide -4.95 m\n"
+      "  hint: nothing holds slide: a spring, a tyre or a joint may be missing\n";
+  EXPECT_EQ(mbgen("simulate mass.json --engine generic --out o.csv").err, message);
+  EXPECT_EQ(mbgen("check mass.json").err, message);
+}
+
+TEST_F(Trust, ParametersAreSetFromTheCommandLine) {
+  std::string model = kPendulum;
+  model.replace(model.find("\"inputs\""), 0,
+                "\"parameters\": { \"mass\": { \"value\": 3 }, \"reach\": { \"value\": 2, \"tunable\": true } }, ");
+  model.replace(model.find("\"mass\": 3,"), 10, "\"mass\": \"mass\",");
+  model.replace(model.find("[0, 0, -2]"), 10, "[0, 0, \"-reach\"]");
+  write("pendulum.json", model);
+  const std::string simulate = "simulate pendulum.json --engine generic --duration 1 --step 0.01 --out o.csv --json";
+  const Json as_written = json_of(simulate);
+  const Json set = json_of(simulate + " --set reach=1 --set mass=1");
+  EXPECT_NEAR(set["energy_change"].get<double>(), 0, 1e-6);
+  EXPECT_NE(set["outputs"], as_written["outputs"]);
+  EXPECT_EQ(Json::parse(read("o.csv.run.json"))["set"], Json({"reach=1", "mass=1"}));
+  // As if it stood in the file.
+  const Table by_option = table("o.csv");
+  model.replace(model.find("\"value\": 3"), 10, "\"value\": 1");
+  model.replace(model.find("\"value\": 2"), 10, "\"value\": 1");
+  write("pendulum.json", model);
+  ASSERT_EQ(mbgen(simulate).exit_code, 0);
+  EXPECT_EQ(by_option.rows, table("o.csv").rows);
+  EXPECT_EQ(mbgen(simulate + " --set raech=1").err,
+            "--set: the model has no parameter \"raech\"; did you mean \"reach\"?\n");
+  EXPECT_EQ(mbgen(simulate + " --set reach").err, "--set: \"reach\" is not of the form name=value\n");
+  EXPECT_EQ(mbgen(simulate + " --set reach=1 --set reach=2").err, "--set: \"reach\" stands twice\n");
+  EXPECT_EQ(mbgen(simulate + " --set reach=long").err, "--set reach: \"long\" is not a finite number\n");
+}
+
+}  // namespace
+}  // namespace mbgen::cli_test

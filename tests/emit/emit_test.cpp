@@ -1,0 +1,384 @@
+// Emitted text: numbers, names, frames, statements, whole programs.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <charconv>
+#include <fstream>
+#include <limits>
+#include <nlohmann/json.hpp>
+#include <sstream>
+#include <stdexcept>
+
+#include "compiler/emit/arrangement.hpp"
+#include "compiler/emit/expression_text.hpp"
+#include "compiler/emit/names.hpp"
+#include "compiler/emit/program_text.hpp"
+#include "compiler/emit/text.hpp"
+#include "tests/emit/emit_support.hpp"
+
+namespace mbgen::test {
+namespace {
+
+TEST(EmittedNumbers, areShortestAndReadBackExactly) {
+  EXPECT_EQ(number_text(1), "1.0");
+  EXPECT_EQ(number_text(0.1), "0.1");
+  EXPECT_EQ(number_text(0.1, "float"), "0.1f");
+  EXPECT_EQ(number_text(-3.0, "float"), "-3.0f");
+  EXPECT_EQ(number_text(-9.81), "-9.81");
+  EXPECT_EQ(number_text(1e22), "1e+22");
+  EXPECT_EQ(number_text(0.0), "0.0");
+  EXPECT_EQ(number_text(-0.0), "-0.0");
+  EXPECT_EQ(number_text(std::numeric_limits<double>::infinity()), "INFINITY");
+  for (const double value :
+       {1.0 / 3, 2.2250738585072014e-308, std::numeric_limits<double>::max(), 123456789.0, 0.1 + 0.2}) {
+    EXPECT_EQ(std::stod(number_text(value)), value);
+  }
+}
+
+TEST(EmittedNames, areIdentifiersAndUnique) {
+  std::vector<std::string> taken;
+  const std::pair<const char*, const char*> expected[] = {
+      {"crank", "crank"},  {"crank", "crank_2"}, {"crank", "crank_3"}, {"crank_2", "crank_2_2"},
+      {"class", "class_"}, {"class", "class_2"}, {"4bar", "n_4bar"},   {"Rüder", "R_der"},
+      {"", "unnamed"},     {"__x", "x"},         {"a__b-c", "a_b_c"},  {"M_PI", "M_PI_"},
+      {"gamma", "gamma_"}, {"std", "std_"},      {"_", "unnamed_2"},   {"Index", "Index_"}};
+  for (const auto& [name, result] : expected) EXPECT_EQ(identifier(name, taken), result) << name;
+}
+
+TEST(EmittedNames, ofOutputsLeaveRoomForTheEnergies) {
+  Model model;
+  model.name = "double";
+  model.outputs.resize(2);
+  model.outputs[0].name = "kinetic_energy";
+  model.outputs[1].name = "x";
+  const SolverNames names = model_names(model);
+  EXPECT_EQ(names.solver, "double_");
+  EXPECT_EQ(names.outputs, (std::vector<std::string>{"kinetic_energy_2", "x"}));
+}
+
+std::string error_of(std::string_view frame, const std::map<std::string, std::string>& values) {
+  try {
+    fill_frame("frame", frame, values);
+  } catch (const std::logic_error& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(Frames, fillEveryNameAndNothingElse) {
+  EXPECT_EQ(fill_frame("frame", "{{a}}-{{b}}{{a}}{}", {{"a", "1"}, {"b", "{{c}}"}}), "1-{{c}}1{}");
+  EXPECT_EQ(error_of("x {{a}}", {}), "frame: no value for {{a}}");
+  EXPECT_EQ(error_of("x", {{"b", ""}}), "frame: {{b}} is not used");
+  EXPECT_EQ(error_of("x {{a", {{"a", ""}}), "frame: {{ without }}");
+}
+
+TEST(EmittedLines, areBrokenAtSpaces) {
+  const std::string word(40, 'x');
+  EXPECT_EQ(wrapped_statement("  a = " + word + " + " + word + " + " + word + ";"),
+            "  a = " + word + " + " + word + " +\n      " + word + ";");
+  EXPECT_EQ(wrapped_list({word, word, word}, 2), "  " + word + ", " + word + ",\n  " + word);
+  EXPECT_EQ(braced_list("  int a[] = ", {"1", "2"}, ";"), "  int a[] = {1, 2};");
+  EXPECT_EQ(braced_list("  int a[] = ", {word, word, word}, ";"),
+            "  int a[] = {\n      " + word + ", " + word + ",\n      " + word + "};");
+  EXPECT_EQ(wrapped_words(word + " " + word + "  " + word, "/// "), "/// " + word + " " + word + "\n/// " + word);
+  const std::string endless(200, 'y');
+  EXPECT_EQ(wrapped_statement("  " + endless + " z"), "  " + endless + "\n      z");
+}
+
+TEST(EmittedLiterals, areEscaped) {
+  EXPECT_EQ(string_literal("N m \"x\" \\ \n1"), "\"N m \\\"x\\\" \\\\ \\0121\"");
+  EXPECT_EQ(comment_text("a\nb\\"), "a b\\.");
+  // Trigraphs, controls of the direction of writing, ends of lines, bytes that are no UTF-8; what people write stays.
+  EXPECT_EQ(string_literal("?\?/"), "\"?\\?/\"");
+  EXPECT_EQ(string_literal("m\u00b2\u202e\xff"), "\"m\u00b2\\342\\200\\256\\377\"");
+  EXPECT_EQ(comment_text("m\u00b2\u202e\u2028\xed\xa0\x80 ?\?/"), "m\u00b2      ?\?/.");
+}
+
+TEST(EmittedNames, ofSolversLeaveTheGlobalNamespaceAlone) {
+  const std::pair<const char*, const char*> expected[] = {
+      {"main", "main_"}, {"index", "index_"}, {"sinf", "sinf_"},  {"uint8_t", "uint8_t_"}, {"test", "test_"},
+      {"all", "all_"},   {"lanes", "lanes_"}, {"coach", "coach"}, {"ball", "ball"},        {"A_B", "A_B_"}};
+  for (const auto& [name, result] : expected) {
+    Model model;
+    model.name = name;
+    EXPECT_EQ(solver_name(model), result);
+  }
+}
+
+/// Text of the expression that `build` makes of three inputs.
+template <class Build>
+std::string expression(Build build) {
+  const Phrase a{"a"}, b{"b"}, c{"c"};
+  return standing_alone(build(a, b, c));
+}
+
+TEST(EmittedExpressions, haveTheParenthesesTheyNeed) {
+  const auto op = [](Op o, const Phrase& x, const Phrase& y = {}, const Phrase& z = {}) {
+    return operation_phrase(o, x, y, z);
+  };
+  using P = const Phrase&;
+  EXPECT_EQ(expression([&](P a, P b, P c) { return op(Op::add, op(Op::add, a, b), c); }), "a + b + c");
+  EXPECT_EQ(expression([&](P a, P b, P c) { return op(Op::add, a, op(Op::add, b, c)); }), "a + (b + c)");
+  EXPECT_EQ(expression([&](P a, P b, P c) { return op(Op::subtract, a, op(Op::subtract, b, c)); }), "a - (b - c)");
+  EXPECT_EQ(expression([&](P a, P b, P c) { return op(Op::subtract, a, op(Op::multiply, b, c)); }), "a - b*c");
+  EXPECT_EQ(expression([&](P a, P b, P c) { return op(Op::multiply, op(Op::add, a, b), c); }), "(a + b)*c");
+  EXPECT_EQ(expression([&](P a, P b, P c) { return op(Op::divide, op(Op::divide, a, b), c); }), "a/b/c");
+  EXPECT_EQ(expression([&](P a, P b, P c) { return op(Op::divide, a, op(Op::multiply, b, c)); }), "a/(b*c)");
+  EXPECT_EQ(expression([&](P a, P b, P c) { return op(Op::multiply, a, op(Op::divide, b, c)); }), "a*(b/c)");
+  EXPECT_EQ(expression([&](P a, P b, P) { return op(Op::subtract, a, op(Op::negate, b)); }), "a - (-b)");
+  EXPECT_EQ(expression([&](P a, P b, P) { return op(Op::negate, op(Op::multiply, a, b)); }), "-(a*b)");
+  EXPECT_EQ(expression([&](P a, P, P) { return op(Op::negate, op(Op::negate, a)); }), "-(-a)");
+  EXPECT_EQ(expression([&](P a, P b, P) { return op(Op::multiply, op(Op::negate, a), b); }), "-a*b");
+  EXPECT_EQ(expression([&](P a, P, P) { return op(Op::multiply, a, constant_phrase("-2.5")); }), "a*(-2.5)");
+  EXPECT_EQ(expression([&](P a, P, P) { return op(Op::add, constant_phrase("-2.5"), a); }), "(-2.5) + a");
+  EXPECT_EQ(expression([&](P, P, P) { return constant_phrase("-2.5"); }), "-2.5");
+  EXPECT_EQ(expression([&](P a, P b, P c) { return op(Op::select, op(Op::subtract, a, b), b, c); }),
+            "(a - b >= 0.0 ? b : c)");
+  EXPECT_EQ(expression([&](P a, P b, P) { return op(Op::sqrt, op(Op::min, a, b)); }), "std::sqrt(mbgen::min(a, b))");
+}
+
+ProgramShape bead_shape() {
+  const Example example = bead_on_circle();
+  const SolverLayout layout = solver_layout(example.model, example.topology, example.analysis);
+  const std::vector<ShapedProgram> shaped =
+      shaped_programs(example.programs, layout, solver_names(example.model, example.topology));
+  return shaped.front().shape;
+}
+
+TEST(EmittedProgram, readsLikeTheFormulation) {
+  EXPECT_EQ(program_text(bead_accelerations(), bead_shape()), R"(/// Result of compute_accelerations.
+struct Accelerations {
+  double zdd[2];  ///< accelerations
+  double xd[1];  ///< rates of the auxiliary states
+  double pivot[1];  ///< smallest pivot of each block over its reference
+  double inertia[1];  ///< pivots of the final equations
+};
+
+/// All accelerations with the frozen partition of the loop blocks.
+void compute_accelerations(const Tuned& parameters, const Inputs& inputs, const State& state,
+    const double* tau, Accelerations& __restrict result) noexcept {
+  // --- 1 forces ---
+  const double force_x = inputs.push + tau[Coordinate::x];
+  const double s1_1 = tau[Coordinate::y] - 9.81*parameters.mass;
+  // operations: 2 add, 1 multiply
+
+  // --- 2 Rz ---
+  // x: prismatic, ground
+  const double z_x = state.z[Coordinate::x];
+  const double s2_1 = state.z[Coordinate::y]/z_x;
+  const double zd_y = state.zd[Coordinate::y];
+  const double zd_x = state.zd[Coordinate::x];
+  const double s2_2 = 2.0*(zd_y*zd_y + zd_x*zd_x)/(2.0*z_x);
+  // operations: 1 add, 4 multiply, 2 divide
+
+  // --- 3 final equations ---
+  // y: prismatic, carriage
+  const double s3_1 = parameters.mass*(1.0 + s2_1*s2_1);
+  result.inertia[0] = s3_1;
+  const double s3_2 = (s1_1 - s2_1*(force_x + parameters.mass*s2_2))/s3_1;
+  result.zdd[Coordinate::y] = s3_2;
+  result.zdd[Coordinate::x] = -(s2_2 + s2_1*s3_2);
+  result.pivot[0] = std::abs(z_x);
+  // operations: 4 add, 5 multiply, 1 divide, 1 other
+}
+)");
+}
+
+TEST(EmittedProgram, keepsSineAndCosineTogetherAndNamesWhatIsUsedTwice) {
+  ProgramBuilder builder("accelerations");
+  const Expr angle = Expr(builder, builder.input("z", 0)) * Expr(builder, builder.input("zd", 1));
+  const Expr s = sin(angle);
+  const Expr far = s * s + 1.0;
+  const Expr c = cos(angle);
+  output(builder, "zdd", 0, far * c);
+  output(builder, "zdd", 1, 2.5);
+  const std::string text = program_text(builder.finish(), bead_shape());
+  const std::string body = text.substr(text.find("{\n", text.find("void ")) + 2);
+  EXPECT_EQ(body, R"(  const double s0_1 = state.zd[Coordinate::y]*state.z[Coordinate::x];
+  double s0_2, s0_3;
+  mbgen::sincos(s0_1, s0_2, s0_3);
+  result.zdd[Coordinate::x] = (1.0 + s0_2*s0_2)*s0_3;
+  result.zdd[Coordinate::y] = 2.5;
+  result.inertia[0] = 1.0;
+  result.pivot[0] = 1.0;
+}
+)");
+}
+
+/// Sines and cosines as rotations in a row meet them: by section, with work between them.
+Program rotations() {
+  ProgramBuilder builder("accelerations");
+  const auto z = [&](int i) { return Expr(builder, builder.input("z", i)); };
+  builder.set_section("step 1: poses");
+  const Expr first = sin(z(0)) * cos(z(0));
+  const Expr second = first + sin(z(1)) - cos(z(0) + z(1));
+  const Expr third = second * sin(2.0 * z(0) - z(1));
+  const Expr inner = sin(first);
+  builder.set_section("step 2: forces");
+  output(builder, "zdd", 0, third);
+  output(builder, "zdd", 1, inner + cos(z(1)));
+  return builder.finish();
+}
+
+TEST(EmittedProgram, callsForManyAnglesAtOnceWhereTheirSectionBegins) {
+  const std::string text = program_text(rotations(), bead_shape());
+  const std::string body = text.substr(text.find("{\n", text.find("void ")) + 2);
+  EXPECT_EQ(body, R"(  // --- step 1: poses ---
+  const double z_x = state.z[Coordinate::x];
+  const double z_y = state.z[Coordinate::y];
+  const double angles[] = {
+      z_x, z_x + z_y, z_y, 2.0*z_x - z_y};
+  double sines[4], cosines[4];
+  mbgen::sincos(angles, sines, cosines);
+  const double s1_1 = cosines[0]*sines[0];
+  result.zdd[Coordinate::x] = (s1_1 + sines[2] - cosines[1])*sines[3];
+  const double s1_2 = mbgen::sine(s1_1);
+  // operations: 4 add, 3 multiply, 6 sin cos
+
+  // --- step 2: forces ---
+  result.zdd[Coordinate::y] = s1_2 + mbgen::cosine(z_y);
+  // operations: 1 add, 1 sin cos
+  result.inertia[0] = 1.0;
+  result.pivot[0] = 1.0;
+}
+)");
+}
+
+TEST(Arrangements, gatherOnlyWhatIsManyEnough) {
+  const Program program = rotations();
+  const ArrayCalls calls = arrange(program).array_calls;
+  ASSERT_EQ(calls.calls.size(), 1u);
+  EXPECT_EQ(calls.calls[0].arguments.size(), 4u) << "z0, z1, z0 + z1, 2 z0 - z1";
+  for (ValueId v = 0; v < program.nodes.size(); ++v) {
+    const Node& node = program.nodes[v];
+    if (calls.place[v].call < 0) continue;
+    EXPECT_EQ(calls.calls[0].arguments[calls.place[v].argument], node.operands[0]);
+    EXPECT_EQ(program.sections[node.section], "step 1: poses");
+  }
+}
+
+TEST(Arrangements, gatherWhatOneCallAfterTheOtherNeeds) {
+  ProgramBuilder builder("accelerations");
+  for (int wheel = 0; wheel < 4; ++wheel) {
+    const Expr slip = Expr(builder, builder.input("z", wheel)) * Expr(builder, builder.input("zd", wheel));
+    builder.output("zdd", wheel, sin(1.5 * atan(slip)).value(builder));
+  }
+  const Program program = builder.finish();
+  const Arrangement arrangement = arrange(program);
+  std::string ops;
+  for (const ValueId v : arrangement.order) ops += std::string(op_name(program.nodes[v].op)) + " ";
+  EXPECT_EQ(ops, "mul mul mul mul atan atan atan atan mul mul mul mul sin sin sin sin ");
+  ASSERT_EQ(arrangement.array_calls.calls.size(), 2u);
+  EXPECT_EQ(arrangement.array_calls.calls[0].op, Op::atan);
+  EXPECT_EQ(arrangement.array_calls.calls[1].op, Op::sin);
+}
+
+TEST(EmittedProgram, refusesSlotsThatHaveNoPlace) {
+  ProgramBuilder builder("accelerations");
+  builder.output("zdd", 2, builder.input("z", 0));
+  EXPECT_THROW(program_text(builder.finish(), bead_shape()), std::logic_error);
+  ProgramBuilder second("accelerations");
+  second.output("zdd", 1, second.input("zdd", 0));
+  EXPECT_THROW(program_text(second.finish(), bead_shape()), std::logic_error);
+}
+
+TEST(EmittedProgram, keepsLinesShort) {
+  ProgramBuilder builder("accelerations");
+  const Expr x(builder, builder.input("z", 0)), y(builder, builder.input("z", 1));
+  Expr sum = 0.0;
+  for (int i = 0; i < 200; ++i) {
+    sum = sum * (x * (1.0 / (3 + i)) + y) + x / (y + double(i));
+    builder.label(sum.value(builder), "a rather long name of an intermediate result, number " + std::to_string(i));
+  }
+  output(builder, "zdd", 0, sum);
+  std::istringstream text(program_text(builder.finish(), bead_shape()));
+  for (std::string line; std::getline(text, line);) EXPECT_LE(line.size(), 110u) << line;
+}
+
+TEST(Arrangements, divideLargeProgramsWhereFewValuesCross) {
+  ProgramBuilder builder("p");
+  Expr x(builder, builder.input("z", 0));
+  // Bundles of 50 values that are needed together, one thread between them.
+  for (int bundle = 0; bundle < 60; ++bundle) {
+    Expr sum = 0.0;
+    std::vector<Expr> values;
+    for (int i = 0; i < 25; ++i) values.push_back(x * (1.0 + i + 100 * bundle));
+    for (const Expr& value : values) sum += value * value;
+    x = sum;
+  }
+  output(builder, "zdd", 0, x);
+  const Program program = builder.finish();
+  const Arrangement result = arrange(program);
+  ASSERT_GE(result.parts.size(), 4u);
+  for (const PartRange& part : result.parts) {
+    EXPECT_GE(part.last - part.first, kSmallestPart);
+    EXPECT_LE(part.last - part.first, kLargestPart);
+  }
+  std::vector<std::size_t> part_of(program.nodes.size(), 0);
+  for (std::size_t p = 0; p < result.parts.size(); ++p) {
+    for (std::size_t i = result.parts[p].first; i < result.parts[p].last; ++i) part_of[result.order[i]] = p;
+  }
+  std::vector<ValueId> crossing;
+  for (const ValueId v : result.order) {
+    const Node& node = program.nodes[v];
+    for (int k = 0; k < arity(node.op); ++k) {
+      const ValueId operand = node.operands[k];
+      const bool computed = program.nodes[operand].op != Op::constant && program.nodes[operand].op != Op::input;
+      if (computed && part_of[operand] != part_of[v]) crossing.push_back(operand);
+    }
+  }
+  std::sort(crossing.begin(), crossing.end());
+  crossing.erase(std::unique(crossing.begin(), crossing.end()), crossing.end());
+  EXPECT_EQ(crossing.size(), result.parts.size() - 1);
+}
+
+/// A program of three numbered sections, the middle one longer than a part.
+Program three_sections() {
+  ProgramBuilder builder("p");
+  Expr x(builder, builder.input("z", 0));
+  for (const auto& [title, length] :
+       {std::pair{"step 1: inertias", 3}, {"step 4: velocities (36)", 1500}, {"step 9", 2}}) {
+    builder.set_section(title);
+    for (int i = 0; i < length; ++i) x = x * x + (1.0 + i);
+  }
+  output(builder, "zdd", 0, x);
+  return builder.finish();
+}
+
+TEST(Arrangements, canFollowTheSections) {
+  const Program program = three_sections();
+  const Arrangement result = arrange(program, Division::by_section);
+  EXPECT_EQ(result.parts.size(), 5u) << "3000 values in three parts, and one part for each other section";
+  std::size_t next = 0;
+  for (const PartRange& part : result.parts) {
+    EXPECT_EQ(part.first, next);
+    next = part.last;
+    EXPECT_EQ(program.nodes[result.order[part.first]].section, program.nodes[result.order[part.last - 1]].section);
+  }
+  EXPECT_EQ(next, result.order.size());
+}
+
+TEST(ProgramText, tellsTheClockTheEndOfEverySection) {
+  ProgramShape shape = bead_shape();
+  shape.clock = "clock";
+  shape.arguments.push_back({"clock", "mbgen::StepClock& clock"});
+  const std::string text = program_text(three_sections(), shape);
+  std::string calls = text.substr(text.rfind("Work work;"));
+  calls.erase(std::remove(calls.begin(), calls.end(), '\n'), calls.end());
+  const std::string f = shape.function;
+  EXPECT_EQ(calls, "Work work;  " + f + "_1(state, work);  clock.at_end_of(1);  " + f + "_2(work);  " + f +
+                       "_3(work);  " + f + "_4(work);  clock.at_end_of(4);  " + f +
+                       "_5(work, result);  clock.at_end_of(9);}");
+}
+
+TEST(Arrangements, leaveDeadValuesOut) {
+  ProgramBuilder builder("p");
+  const Expr x(builder, builder.input("z", 0));
+  builder.append(Op::sin, x.value(builder));
+  output(builder, "zdd", 0, cos(x));
+  EXPECT_EQ(arrange(builder.finish()).order.size(), 1u);
+}
+
+}  // namespace
+}  // namespace mbgen::test

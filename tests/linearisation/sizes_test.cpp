@@ -1,0 +1,45 @@
+// What is too large to be written is refused with its size, before anything is traced.
+
+#include "compiler/compile.hpp"
+#include "tests/support/mechanism_support.hpp"
+
+namespace mbgen {
+namespace {
+
+using namespace mbgen::testing;
+
+TEST(Sizes, ARingOfThreeHundredJointsIsTooLargeForASolver) {
+  const Result<Compilation> decided = decide(*grown("spatial-ring", 300));
+  ASSERT_TRUE(decided) << to_text(decided.problems());
+  const Diagnostics problems = too_large(*decided);
+  ASSERT_EQ(problems.size(), 1u);
+  EXPECT_EQ(problems[0].message,
+            "the solver of this model is too large to be written: 299 coordinates with 294 free directions take at "
+            "least 8.5e+06 operations, at most 2.1e+06 are written");
+}
+
+TEST(Sizes, AFormThatIsTooLargeNamesTheOther) {
+  const Result<Compilation> decided = decide(*grown("chain", 200));
+  ASSERT_TRUE(decided) << to_text(decided.problems());
+  EXPECT_TRUE(too_large(*decided).empty());
+  EXPECT_TRUE(too_large(*decided, Form::recursive).empty());
+  const Diagnostics problems = too_large(*decided, Form::matrix);
+  ASSERT_EQ(problems.size(), 1u);
+  EXPECT_NE(problems[0].message.find("the matrix form of this model is too large"), std::string::npos);
+  EXPECT_EQ(problems[0].hint, "--form recursive is smaller");
+}
+
+// Programs number their titles with 16 bits: 70000 outputs are refused with their number, not by an exception.
+TEST(Sizes, ManyOutputsAreRefusedWithTheirNumber) {
+  Result<Compilation> decided = decide(source_path("models/pendulum.json"));
+  ASSERT_TRUE(decided) << to_text(decided.problems());
+  EXPECT_TRUE(too_large(*decided).empty());
+  decided->model.outputs.resize(70000);
+  const Diagnostics problems = too_large(*decided);
+  ASSERT_EQ(problems.size(), 1u);
+  EXPECT_NE(problems[0].message.find("force elements and outputs, at most 65000 are written"), std::string::npos)
+      << problems[0].message;
+}
+
+}  // namespace
+}  // namespace mbgen

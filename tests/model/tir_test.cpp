@@ -1,0 +1,130 @@
+// Tyre files: the sets of the reference data written as .tir give the reference forces.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "mbgen/pac2002.hpp"
+#include "tests/support/model_support.hpp"
+
+namespace mbgen {
+namespace {
+
+class TirFile : public testing::TestWithParam<const char*> {
+ protected:
+  TirFile() : directory_(std::filesystem::temp_directory_path() / ("mbgen_tir_test_" + std::to_string(getpid()))) {
+    std::filesystem::create_directories(directory_);
+  }
+  ~TirFile() override { std::filesystem::remove_all(directory_); }
+
+  /// A wheel whose tyre is of the file.
+  Result<Model> wheel(const std::string& tir, const std::string& fields) {
+    std::ofstream(directory_ / "tyre.tir", std::ios::binary) << tir;
+    return read_model(R"({ "mbgen": 1, "bodies": { "ground": { "points": { "c": [0, 0, 0.5] } },
+        "wheel": { "mass": 1, "inertia": [1, 1, 1], "points": { "c": [0, 0, 0.5] } } },
+      "joints": { "wheel": { "type": "free", "from": "ground.c", "to": "wheel.c" } },
+      "tyres": { "tyre": { "centre": "wheel.c", "tir": "tyre.tir")" +
+                          fields + "} } }",
+                      (directory_ / "wheel.json").string());
+  }
+
+  std::filesystem::path directory_;
+};
+
+/// A file in the manner of Adams, in millimetres.
+std::string tir_of(const nlohmann::json& parameters) {
+  std::string text =
+      "[MDI_HEADER]\r\nFILE_TYPE = 'tir'\r\n$ a comment = 1\r\n[UNITS]\r\nLENGTH = 'mm'\r\nFORCE  ='newton' $ unit\r\n"
+      "ANGLE = 'radians'\r\n[MODEL]\r\nPROPERTY_FILE_FORMAT = 'PAC2002'\r\nTYRESIDE = 'LEFT'\r\n"
+      "[SHAPE]\r\n{radial width}\r\n1.0 0.5\r\n[VERTICAL]\r\nvertical_stiffness = 1.0e3 ! N/mm\r\nVERTICAL_DAMPING = "
+      "5\r\n"
+      "QSY1 = 8D-3\r\nPTX1 = 1.5\r\nPTY1 = 1.2\r\nPTY2 = 2.5\r\nPPX1 = 0\r\n";
+  for (const auto& [name, value] : parameters.items()) {
+    const double number = value.get<double>() * (name == "UNLOADED_RADIUS" ? 1000 : 1);
+    text += fmt::format("{:<18}= {}   $ {}\r\n", name, number, name);
+  }
+  return text;
+}
+
+TEST_P(TirFile, GivesTheReferenceForces) {
+  const auto data = nlohmann::json::parse(std::ifstream(MBGEN_SOURCE_DIR "/tests/data/tyre_magic_formula.json"));
+  const nlohmann::json& set = data[GetParam()];
+  const Result<Model> model = wheel(tir_of(set["parameters"]), "");
+  ASSERT_TRUE(model) << to_text(model.problems());
+  std::vector<double> values;
+  for (const Quantity& coefficient : model->tyres[0].coefficients) values.push_back(coefficient.value);
+  const auto pac2002 = Pac2002<double>::from_fields(values.data());
+  double error[3] = {}, scale[3] = {};
+  for (const std::vector<double> row : set["rows"]) {
+    const TyreForces<double> forces = magic_formula_pac2002(pac2002, row[0], row[1], row[2], row[3]);
+    const double computed[3] = {forces.fx, forces.fy, forces.mz};
+    for (std::size_t i = 0; i < 3; ++i) {
+      error[i] = std::max(error[i], std::abs(computed[i] - row[7 + i]));
+      scale[i] = std::max(scale[i], std::abs(row[7 + i]));
+    }
+  }
+  for (std::size_t i = 0; i < 3; ++i) EXPECT_LT(error[i], 1e-11 * scale[i]);  // rounding of the reference values
+}
+
+INSTANTIATE_TEST_SUITE_P(Sets, TirFile,
+                         testing::Values("citybus_315_80_R22.5", "feda_335_65_R22.5_95psi", "mfeval_MF52_sample"),
+                         [](const auto& set) { return std::string(set.param).substr(0, 4); });
+
+TEST_F(TirFile, GivesWhatTheModelDoesNot) {
+  const nlohmann::json least = {{"UNLOADED_RADIUS", 0.5}, {"FNOMIN", 4000}};
+  const Result<Model> model = wheel(tir_of(least), R"(, "damping": 70)");
+  ASSERT_TRUE(model) << to_text(model.problems());
+  const Tyre& tyre = model->tyres[0];
+  EXPECT_DOUBLE_EQ(tyre.radius.value, 0.5);
+  EXPECT_DOUBLE_EQ(tyre.stiffness.value, 1e6);
+  EXPECT_DOUBLE_EQ(tyre.damping.value, 70);
+  EXPECT_DOUBLE_EQ(tyre.rolling_resistance.value, 0.008);
+  EXPECT_DOUBLE_EQ(tyre.relaxation_x.value, 0.75);
+  EXPECT_NEAR(tyre.relaxation_y.value, 0.5 * 1.2 * std::sin(2 * std::atan(1 / 2.5)), 1e-15);
+}
+
+const std::string kLeastTir = "UNLOADED_RADIUS = 0.5\nFNOMIN = 4000\nVERTICAL_STIFFNESS = 2e5\n";
+
+TEST_F(TirFile, NotesOnceWhatTheModelDoesNotUse) {
+  const Result<Model> model = wheel(
+      "[MDI_HEADER]\nOWNER = 'me'\n[UNITS]\nLENGTH = 'meter'\nMASS = 'kg'\n[MODEL]\nPROPERTY_FILE_FORMAT = 'PAC2002'\n"
+      "USE_MODE = 14\n[DIMENSION]\nWIDTH = 0.3\n[LONG_SLIP_RANGE]\nKPUMAX = 1\n[VERTICAL]\n" +
+          kLeastTir +
+          "[LATERAL]\nPTY1 = 1\nPTY3 = 0\nLSGAL = 1\nLIP = 1\n  PPY1 = 0.4\nPPX2 = -1E-1\nPKY11 = 0\n"
+          "[TURNSLIP_COEFFICIENTS]\nPECP1 = 0.7\nPECP2 = 0.0\n[SHAPE]\n{radial width}\n1.0 0.5\n0.9 1.0\n",
+      R"(}, "again": { "centre": "wheel.c", "tir": "tyre.tir")");
+  ASSERT_TRUE(model) << to_text(model.problems());
+  ASSERT_EQ(model->notes.size(), 1u);
+  const Diagnostic& note = model->notes[0];
+  EXPECT_EQ(note.message,
+            "the model does not use turn slip (PECP1); inflation pressure (PPX2, PPY1); unknown names (PKY11); "
+            "tables (SHAPE)");
+  EXPECT_EQ(std::filesystem::path(note.where.file).filename(), "tyre.tir");
+  EXPECT_EQ(note.where.line, 22);
+  EXPECT_EQ(note.where.column, 3);
+}
+
+TEST_F(TirFile, NotesNothingOfAFileThatIsUsedAsAWhole) {
+  const Result<Model> model = wheel("PROPERTY_FILE_FORMAT = 'PAC2002'\nANGLE = 'rad'\nQSY1 = 0.01\n" + kLeastTir, "");
+  ASSERT_TRUE(model) << to_text(model.problems());
+  EXPECT_TRUE(model->notes.empty());
+}
+
+TEST_F(TirFile, NotesNoMoreNamesThanOneReads) {
+  std::string tir = "PROPERTY_FILE_FORMAT = 'PAC2002'\nbad key\t= 1\n7 = 1\n= 1\n" + kLeastTir;
+  for (int i = 1; i <= 30; ++i) tir += fmt::format("PDXP{} = 1\n", i);
+  const Result<Model> model = wheel(tir, "");
+  ASSERT_TRUE(model) << to_text(model.problems());
+  ASSERT_EQ(model->notes.size(), 1u);
+  const std::string& message = model->notes[0].message;
+  EXPECT_NE(message.find("PDXP19, PDXP2 and 18 more)"), std::string::npos) << message;
+  EXPECT_NE(message.find("unknown names (\"\", \"7\", \"BAD KEY\")"), std::string::npos) << message;
+  EXPECT_EQ(model->notes[0].where.line, 2);
+}
+
+}  // namespace
+}  // namespace mbgen

@@ -1,0 +1,208 @@
+// The symbolic program: rules while appending, invariants, interpretation, counts, derivatives.
+
+#include "compiler/program/program.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+#include <random>
+#include <vector>
+
+#include "compiler/passes/passes.hpp"
+#include "tests/support/random_program.hpp"
+
+namespace mbgen {
+namespace {
+
+using Make = std::function<Expr(const Expr& x, const Expr& y)>;
+
+/// The program of one output y[0] = f(x, y), dead values gone.
+Program program_of(const Make& make) {
+  ProgramBuilder builder("f");
+  const Expr x(builder, builder.input("in", 0)), y(builder, builder.input("in", 1));
+  builder.output("out", 0, make(x, y).value(builder));
+  return remove_dead_values(builder.finish());
+}
+
+/// Its text without the first line.
+std::string text_of(const Make& make) {
+  const std::string text = dump(program_of(make));
+  return text.substr(text.find('\n') + 1);
+}
+
+double value_of(const Program& program, double x, double y) {
+  std::vector<double> inputs;
+  for (const Slot& slot : program.inputs) inputs.push_back(slot.index == 0 ? x : y);
+  return interpret(program, inputs)[0];
+}
+
+/// Each rule: what is written on the left becomes the program of the right.
+TEST(Rules, OneDirectionEach) {
+  const Make same_x = [](const Expr& x, const Expr&) { return x; };
+  const Make minus_x = [](const Expr& x, const Expr&) { return -x; };
+  const std::vector<std::pair<Make, Make>> rules = {
+      {[](const Expr& x, const Expr&) { return x + 0.0; }, same_x},
+      {[](const Expr& x, const Expr&) { return Expr(0.0) + x; }, same_x},
+      {[](const Expr& x, const Expr&) { return x - 0.0; }, same_x},
+      {[](const Expr& x, const Expr&) { return x * 1.0; }, same_x},
+      {[](const Expr& x, const Expr&) { return x / 1.0; }, same_x},
+      {[](const Expr& x, const Expr&) { return -(-x); }, same_x},
+      {[](const Expr& x, const Expr&) { return x * -1.0; }, minus_x},
+      {[](const Expr& x, const Expr&) { return x / -1.0; }, minus_x},
+      {[](const Expr& x, const Expr&) { return Expr(0.0) - x; }, minus_x},
+      {[](const Expr& x, const Expr&) { return x * 0.0; }, [](const Expr&, const Expr&) { return Expr(0.0); }},
+      {[](const Expr& x, const Expr&) { return Expr(0.0) / x; }, [](const Expr&, const Expr&) { return Expr(0.0); }},
+      {[](const Expr& x, const Expr&) { return x - x; }, [](const Expr&, const Expr&) { return Expr(0.0); }},
+      {[](const Expr& x, const Expr& y) { return x + (-y); }, [](const Expr& x, const Expr& y) { return x - y; }},
+      {[](const Expr& x, const Expr& y) { return x - (-y); }, [](const Expr& x, const Expr& y) { return x + y; }},
+      {[](const Expr& x, const Expr& y) { return (-x) + y; }, [](const Expr& x, const Expr& y) { return y - x; }},
+      {[](const Expr& x, const Expr& y) { return (-x) * (-y); }, [](const Expr& x, const Expr& y) { return x * y; }},
+      {[](const Expr& x, const Expr& y) { return (-x) * y; }, [](const Expr& x, const Expr& y) { return -(x * y); }},
+      {[](const Expr& x, const Expr& y) { return (-x) / y; }, [](const Expr& x, const Expr& y) { return -(x / y); }},
+      {[](const Expr& x, const Expr& y) { return (-x) - y; }, [](const Expr& x, const Expr& y) { return -(x + y); }},
+      {[](const Expr& x, const Expr& y) { return y + x; }, [](const Expr& x, const Expr& y) { return x + y; }},
+      {[](const Expr& x, const Expr& y) { return y * x; }, [](const Expr& x, const Expr& y) { return x * y; }},
+      {[](const Expr& x, const Expr&) { return x / 4.0; }, [](const Expr& x, const Expr&) { return x * 0.25; }},
+      {[](const Expr& x, const Expr&) { return sin(-x); }, [](const Expr& x, const Expr&) { return -sin(x); }},
+      {[](const Expr& x, const Expr&) { return cos(-x); }, [](const Expr& x, const Expr&) { return cos(x); }},
+      {[](const Expr& x, const Expr&) { return abs(-x); }, [](const Expr& x, const Expr&) { return abs(x); }},
+      {[](const Expr& x, const Expr& y) { return select(Expr(1.0), x, y); }, same_x},
+      {[](const Expr& x, const Expr& y) { return select(Expr(-1.0), y, x); }, same_x},
+      {[](const Expr& x, const Expr& y) { return select(y, x, x); }, same_x}};
+  for (std::size_t r = 0; r < rules.size(); ++r)
+    EXPECT_EQ(text_of(rules[r].first), text_of(rules[r].second)) << "rule " << r;
+}
+
+TEST(Rules, DivisionByThreeStays) {
+  EXPECT_NE(text_of([](const Expr& x, const Expr&) { return x / 3.0; }),
+            text_of([](const Expr& x, const Expr&) { return x * (1.0 / 3.0); }));
+}
+
+TEST(Rules, WhatWouldNotBeFiniteIsNotFolded) {
+  ProgramBuilder builder("f");
+  const ValueId zero = builder.constant(0), one = builder.constant(1);
+  EXPECT_EQ(builder.node(builder.append(Op::divide, one, zero)).op, Op::divide);
+  EXPECT_EQ(builder.node(builder.append(Op::log, builder.constant(-1))).op, Op::log);
+}
+
+TEST(Rules, ConstantsThatAreNotFiniteAreComputedWhereTheyAreUsed) {
+  // Expr folds 1/0 like double; a program, whose constants are finite, recomputes it.
+  for (const Expr& value : {Expr(1.0) / Expr(0.0), Expr(-1.0) / Expr(0.0), Expr(0.0) / Expr(0.0)}) {
+    ProgramBuilder builder("f");
+    builder.output("y", 0, (Expr(builder, builder.input("x", 0)) + value).value(builder));
+    const double result = interpret(builder.finish(), std::vector<double>{1})[0];
+    EXPECT_TRUE(result == value.constant() || (std::isnan(result) && std::isnan(value.constant()))) << result;
+  }
+}
+
+TEST(Builder, SharesEqualValuesAndNamesTheFirst) {
+  ProgramBuilder builder("f");
+  const Expr x(builder, builder.input("in", 0));
+  const Expr a = sin(x) * x, b = x * sin(x);
+  EXPECT_EQ(a.value(builder), b.value(builder));
+  builder.label(a.value(builder), "first");
+  builder.label(b.value(builder), "second");
+  builder.output("out", 0, b.value(builder));
+  EXPECT_EQ(dump(builder.finish()),
+            "program f\n"
+            "%0 = input in[0]\n"
+            "%1 = sin %0\n"
+            "%2 = mul %0 %1  ; first\n"
+            "out out[0] = %2\n");
+}
+
+TEST(Verify, NamesEachBrokenInvariant) {
+  const Program sound = program_of([](const Expr& x, const Expr& y) { return sin(x) * y; });
+  EXPECT_EQ(verify(sound), "");
+  const auto broken = [&](const std::function<void(Program&)>& damage) {
+    Program program = sound;
+    damage(program);
+    return verify(program);
+  };
+  EXPECT_NE(broken([](Program& p) { p.nodes.back().operands[0] = static_cast<ValueId>(p.nodes.size() - 1); }), "");
+  EXPECT_NE(broken([](Program& p) { p.nodes.back().operands[1] = kNoValue; }), "");
+  EXPECT_NE(broken([](Program& p) { p.nodes[0].operands[0] = 0; }), "");
+  EXPECT_NE(broken([](Program& p) { p.nodes[0].input = 7; }), "");
+  EXPECT_NE(broken([](Program& p) { p.nodes.back().section = 9; }), "");
+  EXPECT_NE(broken([](Program& p) { p.nodes.back().block = 9; }), "");
+  EXPECT_NE(broken([](Program& p) { p.nodes.back().label = 9; }), "");
+  EXPECT_NE(broken([](Program& p) { p.outputs[0].value = 99; }), "");
+  EXPECT_NE(broken([](Program& p) { p.outputs.push_back(p.outputs[0]); }), "");
+  EXPECT_NE(broken([](Program& p) { p.inputs[1] = p.inputs[0]; }), "");
+}
+
+TEST(Count, LooksAtLiveValuesBySection) {
+  ProgramBuilder builder("f");
+  const Expr x(builder, builder.input("in", 0));
+  builder.set_section("one");
+  const Expr a = sin(x) + x;
+  builder.set_section("two");
+  const Expr b = sqrt(a * a) / x;
+  cos(b);  // needed by nobody
+  builder.output("out", 0, (-b).value(builder));
+  const Program program = builder.finish();
+  const OperationCount total = count_operations(program);
+  EXPECT_EQ(total.total(), 3);
+  EXPECT_EQ(total.trigonometric, 1);
+  EXPECT_EQ(total.sqrt, 1);
+  const std::vector<OperationCount> sections = count_operations_by_section(program);
+  ASSERT_EQ(sections.size(), 3u);
+  EXPECT_EQ(sections[1].add, 1);
+  EXPECT_EQ(sections[2].multiply + sections[2].divide, 2);
+}
+
+/// Smooth functions of two variables, each operation in turn.
+const std::vector<Make>& smooth_functions() {
+  static const std::vector<Make> functions = {
+      [](const Expr& x, const Expr& y) { return x * y + x / y - y; },
+      [](const Expr& x, const Expr& y) { return sqrt(x * x + y * y); },
+      [](const Expr& x, const Expr& y) { return sin(x * y) * cos(x - y); },
+      [](const Expr& x, const Expr& y) { return tan(x * 0.3) + asin(x * 0.2) + acos(y * 0.2); },
+      [](const Expr& x, const Expr& y) { return atan(x * y) + atan2(x, y); },
+      [](const Expr& x, const Expr& y) { return exp(x * 0.5) * log(y + 3.0) * tanh(x); },
+      [](const Expr& x, const Expr& y) { return pow(x + 2.0, y) + pow(y, Expr(3.0)) + pow(x + 2.0, Expr(-1.5)); },
+      [](const Expr& x, const Expr& y) { return abs(x) * y + min(x, y) * max(x * x, y) + select(x - y, x * y, -y); }};
+  return functions;
+}
+
+TEST(Derivative, JacobianEqualsCentralDifferences) {
+  for (std::size_t f = 0; f < smooth_functions().size(); ++f) {
+    const Program program = program_of(smooth_functions()[f]);
+    const Program slopes = jacobian(program, "out", "in");
+    std::mt19937_64 random(f);
+    std::uniform_real_distribution<double> at(0.4, 1.4);
+    for (int trial = 0; trial < 10; ++trial) {
+      const double x = at(random), y = at(random), h = 1e-6;
+      const double dx = (value_of(program, x + h, y) - value_of(program, x - h, y)) / (2 * h);
+      const double dy = (value_of(program, x, y + h) - value_of(program, x, y - h)) / (2 * h);
+      std::vector<double> inputs;
+      for (const Slot& slot : slopes.inputs) inputs.push_back(slot.index == 0 ? x : y);
+      const std::vector<double> d = interpret(slopes, inputs);
+      ASSERT_EQ(d.size(), 2u);
+      EXPECT_NEAR(d[0], dx, 1e-8 * (1 + std::abs(dx))) << "function " << f;
+      EXPECT_NEAR(d[1], dy, 1e-8 * (1 + std::abs(dy))) << "function " << f;
+    }
+  }
+}
+
+TEST(Derivative, FollowsASeedAndVanishesWhereThereIsNone) {
+  const Program program = program_of([](const Expr& x, const Expr& y) { return x * x + y; });
+  const std::vector<int> only_x = {0, -1};
+  const Program slopes = differentiate(program, only_x);
+  std::vector<double> inputs;
+  for (const Slot& slot : slopes.inputs) inputs.push_back(slot.group == "seed" ? 2.0 : slot.index == 0 ? 3.0 : 5.0);
+  const std::vector<double> values = interpret(slopes, inputs);
+  ASSERT_EQ(values.size(), 2u);
+  EXPECT_EQ(values[0], 14);
+  EXPECT_EQ(values[1], 12);  // 2 x dx
+}
+
+TEST(Builder, AppendsAHundredThousandValuesQuicklyAndSoundly) {
+  const Program program = random_program(99, 100000);
+  EXPECT_GT(program.nodes.size(), 50000u);
+  EXPECT_EQ(verify(program), "");
+}
+
+}  // namespace
+}  // namespace mbgen

@@ -1,0 +1,130 @@
+// The bounds of a cost sheet: reached by systems that make every step as hard as it can be, and never passed.
+
+#include "mbgen/worst_case.hpp"
+
+#include <gtest/gtest.h>
+
+#include "mbgen/integrators.hpp"
+
+namespace mbgen {
+namespace {
+
+/// What was called so far.
+struct Counter {
+  CallCount calls;
+  int nearest = 0;  ///< calls of project_nearest among the projections
+};
+
+/// What makes a step be taken again with care.
+enum class Alarm { none, projection, fifth_evaluation };
+
+/// A coordinate that is singular to project_nearest as long as that makes most work: nodes are clear at the last
+/// spacing, and lie on no smooth curve.
+struct Adversary {
+  struct State {
+    double z[1], zd[1], x[1], t;
+  };
+  struct Derivative {
+    double zdd[1], xd[1];
+  };
+  Counter& counter;
+  Alarm alarm = Alarm::none;
+
+  Status derivative(const State&, Derivative& rates) const noexcept {
+    rates = {};
+    return note(++counter.calls.accelerations == 5 && alarm == Alarm::fifth_evaluation);
+  }
+  Status project(State&) const noexcept {
+    ++counter.calls.projections;
+    return note(alarm == Alarm::projection);
+  }
+  Status project_nearest(State& state) const noexcept {
+    ++counter.calls.projections;
+    const int place = counter.nearest++ % kCarefulClosing.projections;
+    if (place < 1 + 2 * (kSpacings - 1)) return {Code::singular_met, 0};
+    state.z[0] = place % 3;
+    return {};
+  }
+  static Status note(bool is_near) noexcept { return is_near ? Status{Code::near_singular, 0} : Status{}; }
+};
+
+struct Steps {
+  CallCount first, later;  ///< calls of the first step and of the sixth
+};
+
+template <class Step>
+Steps calls_of(Alarm alarm, const Step& step) {
+  Counter counter;
+  const Adversary system{counter, alarm};
+  Adversary::State state = {{0}, {1}, {0}, 0};
+  Steps steps;
+  for (int k = 0; k < 6; ++k) {
+    counter = {};
+    EXPECT_TRUE(step(system, state).ok());
+    (k == 0 ? steps.first : steps.later) = counter.calls;
+  }
+  return steps;
+}
+
+void expect_calls(CallCount count, CallCount expected) {
+  EXPECT_EQ(count.accelerations, expected.accelerations);
+  EXPECT_EQ(count.projections, expected.projections);
+}
+
+TEST(WorstCase, callsOfRungeKutta) {
+  const auto step = [](const Adversary& system, Adversary::State& state) { return step_rk4(system, state, 0.01); };
+  const Steps easy = calls_of(Alarm::none, step), hard = calls_of(Alarm::projection, step);
+  expect_calls(easy.first, kRk4Calls.starting);
+  expect_calls(easy.later, kRk4Calls.regular);
+  expect_calls(hard.first, kRk4Calls.worst);
+  expect_calls(hard.later, kRk4Calls.worst);
+}
+
+TEST(WorstCase, callsOfAdamsBashforthMoulton) {
+  const auto steps = [](Alarm alarm) {
+    AbmHistory<Adversary> history{};
+    return calls_of(alarm, [&](const Adversary& system, Adversary::State& state) {
+      return step_abm4(system, state, history, 0.01);
+    });
+  };
+  const Steps easy = steps(Alarm::none);
+  expect_calls(easy.first, kAbm4Calls.starting);
+  expect_calls(easy.later, kAbm4Calls.regular);
+  expect_calls(steps(Alarm::fifth_evaluation).first, kAbm4Calls.worst);
+}
+
+/// A driven coordinate that runs away from its motion.
+struct Runaway {
+  static constexpr int kCoordinates = 1, kAuxiliaryStates = 0, kBlocks = 0, kEquations = 0, kDrives = 1;
+  static constexpr bool kHasClosure = true;
+  static constexpr double kClosureTolerance = 1e-12;
+  static constexpr BlockLayout kBlockLayout[] = {{}};
+  static constexpr int kBlockCoordinate[] = {0}, kDriveCoordinate[] = {0};
+  static constexpr unsigned char kDriven[] = {1}, kRedundant[] = {0};
+  struct Parameters {};
+  struct Inputs {
+    int* closures;
+  };
+  struct State {
+    double z[1], zd[1], x[1], t;
+  };
+  struct Closure {
+    double residual[1], dz[1], zd[1], pivot[1];
+  };
+  static void closure(const Parameters&, const Inputs& inputs, const State&, Closure& result) noexcept {
+    ++*inputs.closures;
+    result = {{0}, {1}, {0}, {1}};
+  }
+};
+
+TEST(WorstCase, closuresOfProjection) {
+  int closures = 0;
+  Runaway::State state = {};
+  const Status status = solver_detail::close_loops<Runaway, solver_detail::Correction::of_dependents>(
+      Runaway::Parameters{}, Runaway::Inputs{&closures}, state);
+  EXPECT_EQ(status.code, Code::loop_not_closed);
+  EXPECT_EQ(closures, kMostClosures);
+}
+
+}  // namespace
+}  // namespace mbgen

@@ -1,0 +1,42 @@
+#!/bin/sh
+# Follows documents word for word in a bare Debian 12: a fresh chroot with a clone of this tree and nothing else.
+#   tests/system/documents/chroot.sh tutorial|embedding [DIRECTORY]
+# tutorial: README's first command, then docs/tutorial.md in an empty directory. embedding: docs/embedding.md.
+# Takes some 15 minutes, 4 GB and a mirror; as root, with debootstrap. DIRECTORY is made and kept; without it a temporary
+# one is removed at the end.
+set -eu
+case ${1:-} in
+  tutorial)
+    follow='examples/coach.sh; test -s build/coach/slalom.html
+      python3 tests/system/documents/follow.py --path build/release docs/tutorial.md' ;;
+  embedding) follow='python3 tests/system/documents/follow.py --in . docs/embedding.md' ;;
+  *) echo "usage: tests/system/documents/chroot.sh tutorial|embedding [DIRECTORY]" >&2; exit 1 ;;
+esac
+shift
+root=$(cd "$(dirname "$0")/../../.." && pwd)
+mirror=${DEBIAN_MIRROR:-http://deb.debian.org/debian}
+if ! command -v debootstrap >/dev/null; then
+  echo "chroot: debootstrap is missing: apt-get install debootstrap" >&2
+  exit 1
+fi
+if [ $# -gt 0 ]; then
+  debian=$1
+  trap 'umount "$debian/proc" 2>/dev/null || true' EXIT
+else
+  debian=$(mktemp -d)
+  trap 'umount "$debian/proc" 2>/dev/null || true; rm -rf --one-file-system "$debian"' EXIT
+fi
+
+debootstrap --variant=minbase --include=ca-certificates,git,python3-minimal,python3 bookworm "$debian" "$mirror" >"$debian.log" 2>&1 ||
+  { tail "$debian.log" >&2; exit 1; }
+rm -f "$debian.log"
+# The same mirrors and certificates as here.
+cp /etc/resolv.conf /etc/hosts "$debian/etc/"
+if [ -d /etc/apt/apt.conf.d ]; then cp -r /etc/apt/apt.conf.d/. "$debian/etc/apt/apt.conf.d/"; fi
+if [ -f /etc/ssl/certs/ca-certificates.crt ]; then cp /etc/ssl/certs/ca-certificates.crt "$debian/root/certificates.crt"; fi
+mount -t proc proc "$debian/proc" || echo "chroot: /proc cannot be mounted, going on without"
+git clone -q "$root" "$debian/root/mbgen"
+chroot "$debian" /usr/bin/env -i HOME=/root TERM=dumb PATH=/usr/sbin:/usr/bin:/sbin:/bin DEBIAN_FRONTEND=noninteractive \
+  NODE_EXTRA_CA_CERTS=/root/certificates.crt \
+  ${http_proxy:+http_proxy="$http_proxy"} ${https_proxy:+https_proxy="$https_proxy"} \
+  sh -euc "cd /root/mbgen; apt-get update -q >/dev/null; $follow"

@@ -1,0 +1,57 @@
+#pragma once
+// A model of mbgen side by side with the same model in a foreign engine.
+
+#include "tests/support/mechanism_support.hpp"
+#include "tests/system/oracle/force_elements_of.hpp"
+#include "tests/system/oracle/simbody_mechanism.hpp"
+
+namespace mbgen::testing {
+
+/// The model without what no foreign engine has: tyres, with the outputs that ask for them.
+inline Model without_tyres(Model model) {
+  model.tyres.clear();
+  std::erase_if(model.outputs, [](const Output& output) { return std::holds_alternative<TyreOutput>(output.source); });
+  return model;
+}
+
+/// Analyses a model that is not as its file says; a failure stops the test with its diagnostics.
+inline Mechanism analysed_model(Model model) {
+  Result<Topology> topology = build_topology(model);
+  if (!topology) throw std::runtime_error(to_text(topology.problems()));
+  Result<Analysis> analysis = analyse(model, *topology);
+  if (!analysis) throw std::runtime_error(to_text(analysis.problems()));
+  return {std::move(model), *topology, *analysis};
+}
+
+/// A model of the project without tyres.
+inline Mechanism load_without_tyres(const std::string& relative) {
+  Result<Model> model = read_model_file(source_path(relative));
+  if (!model) throw std::runtime_error(to_text(model.problems()));
+  return analysed_model(without_tyres(*model));
+}
+
+/// Requires: no tyres.
+inline foreign::SimbodyMechanism in_simbody(const Mechanism& m) {
+  const Result<foreign::ForceElements> elements = foreign::force_elements_of(m.model, m.topology);
+  if (!elements) throw std::runtime_error(to_text(elements.problems()));
+  return foreign::SimbodyMechanism(foreign::reference_mechanism(m.model, m.topology), *elements);
+}
+
+inline foreign::ForeignState foreign_state(const GenericState& state, const std::vector<double>& tau = {}) {
+  return {state.z, state.zd, tau, state.t};
+}
+
+inline bool has_redundant_equations(const Mechanism& m, std::size_t block) {
+  return !m.analysis.blocks[block].redundant_equations.empty();
+}
+
+/// A test of one model or course that needs Simbody.
+template <class Parameter>
+class InSimbody : public ::testing::TestWithParam<Parameter> {
+ protected:
+  void SetUp() override {
+    if (!foreign::SimbodyMechanism::is_available()) GTEST_SKIP() << "Simbody (libsimbody-dev) is not installed";
+  }
+};
+
+}  // namespace mbgen::testing

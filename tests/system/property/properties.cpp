@@ -1,0 +1,283 @@
+#include "tests/system/property/properties.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <functional>
+#include <map>
+#include <nlohmann/json.hpp>
+
+#include "compiler/compile.hpp"
+#include "compiler/describe/dump_model.hpp"
+#include "compiler/engines/engine.hpp"
+#include "compiler/passes/passes.hpp"
+
+namespace mbgen::testing {
+
+Result<Mechanism> understood(const RandomMechanism& random) {
+  Result<Model> model = read_model(model_text(random), "random.json");
+  if (!model) return model.problems();
+  Result<Topology> topology = build_topology(*model);
+  if (!topology) return topology.problems();
+  Result<Analysis> analysis = analyse(*model, *topology);
+  if (!analysis) return analysis.problems();
+  return Mechanism{*model, *topology, *analysis};
+}
+
+std::vector<GenericState> good_states(const Mechanism& m, int wanted) {
+  const GenericSolver solver(m.model, m.topology, m.analysis);
+  std::vector<GenericState> states = random_states(m, wanted);
+  std::erase_if(states, [&](const GenericState& state) {
+    GenericDerivative derivative;
+    return solver.solve_motion(state, derivative).code != Code::ok;
+  });
+  return states;
+}
+
+
+Complaint differ(const std::string& what, const std::vector<double>& actual, const std::vector<double>& expected,
+                 double tolerance) {
+  const double error = relative_error(actual, expected);
+  if (error < tolerance) return {};
+  return what + " differs by " + std::to_string(error / tolerance) + " times the tolerance";
+}
+
+int from_environment(const char* name, int otherwise) {
+  const char* text = std::getenv(name);
+  return text == nullptr ? otherwise : std::atoi(text);
+}
+
+namespace {
+
+using ByName = std::map<std::string, double>;
+
+std::vector<double> interpreted(const Program& program, const GenericState& state, const std::vector<double>& tau) {
+  const std::map<std::string, std::vector<double>> given{{"z", state.z}, {"zd", state.zd}, {"tau", tau}, {"t", {0.0}}};
+  std::vector<double> inputs;
+  for (const Slot& slot : program.inputs) inputs.push_back(given.at(slot.group).at(slot.index));
+  const std::vector<double> values = interpret(program, inputs);
+  std::vector<double> zdd(state.z.size(), 0.0);
+  for (std::size_t i = 0; i < values.size(); ++i)
+    if (program.outputs[i].slot.group == "zdd") zdd[program.outputs[i].slot.index] = values[i];
+  return zdd;
+}
+
+/// All passes on a mechanism that is analysed.
+Compilation compiled(const Mechanism& m) {
+  Compilation compilation{m.model, m.topology, m.analysis};
+  add_programs(compilation);
+  return compilation;
+}
+
+/// Generic, both forms of the symbolic program and the four Cartesian judges say the same.
+Complaint engines_disagree(const RandomMechanism&, const Mechanism& m) {
+  const GenericSolver generic(m.model, m.topology, m.analysis);
+  const Compilation compilation = compiled(m);
+  const Programs& programs = compilation.whole;
+  const Program matrix = optimise(trace_accelerations(m.model, m.topology, m.analysis, Form::matrix));
+  for (const GenericState& state : good_states(m, 2)) {
+    const std::vector<double> tau = random_tau(m, 3);
+    GenericDerivative expected;
+    if (!generic.accelerations(state, tau, expected).ok()) return "generic refuses a state";
+    if (const Complaint c = differ("the matrix form", interpreted(matrix, state, tau), expected.zdd, kTolerance))
+      return c;
+    if (const Complaint c =
+            differ("the recursive form", interpreted(programs.accelerations, state, tau), expected.zdd, kTolerance))
+      return c;
+    for (const CartesianMethod method : {CartesianMethod::augmented, CartesianMethod::range_space,
+                                         CartesianMethod::null_space, CartesianMethod::maggi}) {
+      const CartesianSolver judge(m.model, m.topology, method, Stabilisation::projection);
+      GenericDerivative actual;
+      if (!judge.accelerations(state, tau, actual).ok()) return "a Cartesian judge refuses a state";
+      if (const Complaint c =
+              differ("judge " + std::to_string(static_cast<int>(method)), actual.zdd, expected.zdd, kTolerance))
+        return c;
+    }
+  }
+  return {};
+}
+
+/// The emitted solver, compiled, gives the accelerations of the generic runtime and the same step.
+Complaint compiled_solver_disagrees(const RandomMechanism& random, const Mechanism& m) {
+  if (random.seed % static_cast<unsigned>(from_environment("MBGEN_PROPERTY_COMPILED", 12)) != 0) return {};
+  const Compilation compilation = compiled(m);
+  cli::EngineChoice choice;
+  choice.use_cache = false;
+  const cli::Engine emitted = cli::make_engine(compilation, choice);
+  choice.name = "generic";
+  const cli::Engine generic = cli::make_engine(compilation, choice);
+  for (const GenericState& state : good_states(m, 2)) {
+    const cli::LoadedState loaded{state, random_tau(m, 3)};
+    GenericDerivative expected, actual;
+    if (!generic.accelerations(loaded, expected).ok()) return "generic refuses a state";
+    if (!emitted.accelerations(loaded, actual).ok()) return "the compiled solver refuses a state";
+    if (const Complaint c = differ("the compiled solver", actual.zdd, expected.zdd, kTolerance)) return c;
+    GenericState there = state, here = state;
+    if (generic.step(there, 1e-4).code != Code::ok || emitted.step(here, 1e-4).code != Code::ok) continue;
+    if (const Complaint c = differ("a step of the compiled solver", here.zd, there.zd, kTolerance)) return c;
+  }
+  return {};
+}
+
+ByName by_name(const Mechanism& m, const std::vector<double>& values) {
+  ByName result;
+  for (int i = 0; i < m.topology.size(); ++i) result[m.topology.bodies[i].coordinate] = values[i];
+  return result;
+}
+
+std::vector<double> in_order(const Mechanism& m, const ByName& values) {
+  std::vector<double> result;
+  for (const TreeBody& body : m.topology.bodies) result.push_back(values.at(body.coordinate));
+  return result;
+}
+
+/// The same state of another description of the mechanism has the same accelerations.
+Complaint accelerations_change(const Mechanism& m, const RandomMechanism& other) {
+  const Result<Mechanism> also = understood(other);
+  if (!also) return "refused: " + to_text(also.problems());
+  const GenericSolver solver(m.model, m.topology, m.analysis), same(also->model, also->topology, also->analysis);
+  for (const GenericState& state : good_states(m, 2)) {
+    const std::vector<double> tau = random_tau(m, 3);
+    GenericDerivative expected, actual;
+    if (!solver.accelerations(state, tau, expected).ok()) return "a state is refused";
+    const GenericState there{in_order(*also, by_name(m, state.z)), in_order(*also, by_name(m, state.zd)), {}, state.t};
+    if (!same.accelerations(there, in_order(*also, by_name(m, tau)), actual).ok()) return "the same state is refused";
+    if (const Complaint c = differ("it", actual.zdd, in_order(*also, by_name(m, expected.zdd)), kTolerance)) return c;
+  }
+  return {};
+}
+
+Complaint translation_shows(const RandomMechanism& random, const Mechanism& m) {
+  const std::array<Point, 3> identity{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
+  return accelerations_change(m, moved(random, identity, {3, -4, 5}));
+}
+
+Complaint rotation_shows(const RandomMechanism& random, const Mechanism& m) {
+  if (!has_plain_joints(random)) return {};
+  const double c = std::cos(0.7), s = std::sin(0.7), d = std::cos(-1.1), e = std::sin(-1.1);
+  const std::array<Point, 3> rotation{{{c, -s, 0}, {d * s, d * c, -e}, {e * s, e * c, d}}};
+  return accelerations_change(m, moved(random, rotation, {-1, 2, 0.5}));
+}
+
+Complaint mirror_shows(const RandomMechanism& random, const Mechanism& m) {
+  return has_plain_joints(random) ? accelerations_change(m, mirrored(random)) : Complaint{};
+}
+
+Complaint order_shows(const RandomMechanism& random, const Mechanism& m) {
+  return accelerations_change(m, renumbered(random, random.seed));
+}
+
+/// A run of `steps` steps of h. Result: outputs before and after; none where the motion meets a singular position.
+std::optional<std::array<GenericOutputs, 2>> run(const Compilation& compilation, GenericState state, int steps,
+                                                 double h) {
+  const cli::Engine engine = cli::make_generic_engine(compilation, cli::EngineChoice{});
+  std::array<GenericOutputs, 2> results;
+  const auto look = [&](GenericOutputs& outputs) {
+    const cli::LoadedState loaded{state, std::vector<double>(state.z.size(), 0.0)};
+    GenericDerivative derivative;
+    return engine.accelerations(loaded, derivative).ok() && engine.outputs(loaded, derivative, outputs).ok();
+  };
+  if (!look(results[0])) return {};
+  for (int k = 0; k < steps; ++k)
+    if (engine.step(state, h).code != Code::ok) return {};
+  if (!look(results[1])) return {};
+  return results;
+}
+
+/// J, with that of the springs, whose lengths are the outputs after the velocities of the bodies.
+double energy_of(const RandomMechanism& random, const GenericOutputs& outputs) {
+  double energy = outputs.kinetic_energy + outputs.potential_energy;
+  std::size_t length = 3 * random.bodies.size();
+  for (const RandomLink& link : random.links) {
+    if (link.stiffness == 0) continue;
+    const double stretch = outputs.y[length++] - kFreeLength;
+    energy += 0.5 * link.stiffness * stretch * stretch;
+  }
+  return energy;
+}
+
+/// What changes in 0.02 s, by 20 steps and by 40: no more than the integrator's error, which falls with the fourth
+/// power of the step. change: of two ends of a run, 0 for none.
+Complaint drifts(const Mechanism& m, const std::string& what,
+                 const std::function<double(const GenericOutputs&, const GenericOutputs&)>& change) {
+  const Compilation compilation{m.model, m.topology, m.analysis, {}};
+  for (const GenericState& state : good_states(m, 1)) {
+    const auto after = [&](int steps) {
+      const auto ends = run(compilation, state, steps, 0.02 / steps);
+      return ends ? change((*ends)[0], (*ends)[1]) : 0.0;
+    };
+    const double coarse = after(20), fine = after(40);
+    if (fine > 1e-10 && fine > coarse / 8)
+      return what + " drifts by " + std::to_string(fine * 1e9) + "e-9, by twice the step " +
+             std::to_string(coarse * 1e9) + "e-9";
+  }
+  return {};
+}
+
+/// Nothing dissipates.
+Complaint energy_drifts(const RandomMechanism& random, const Mechanism& m) {
+  return drifts(m, "energy", [&](const GenericOutputs& start, const GenericOutputs& end) {
+    return std::abs(energy_of(random, end) - energy_of(random, start)) / (1 + start.kinetic_energy);
+  });
+}
+
+/// Nothing touches the ground.
+Complaint momentum_drifts(const RandomMechanism& random, const Mechanism& m) {
+  const bool is_free = std::ranges::all_of(random.joints, [](const RandomJoint& joint) {
+    return (joint.from != kOnGround && joint.to != kOnGround) || joint.type == "free";
+  });
+  if (!is_free || random.gravity != Point{}) return {};
+  return drifts(m, "momentum", [&](const GenericOutputs& start, const GenericOutputs& end) {
+    double largest_change = 0, size = 1;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      double change = 0;
+      for (std::size_t b = 0; b < random.bodies.size(); ++b) {
+        change += random.bodies[b].mass * (end.y[3 * b + axis] - start.y[3 * b + axis]);
+        size += random.bodies[b].mass * std::abs(start.y[3 * b + axis]);
+      }
+      largest_change = std::max(largest_change, std::abs(change));
+    }
+    return largest_change / size;
+  });
+}
+
+/// The file written another way is the same model.
+Complaint format_shows(const RandomMechanism& random, const Mechanism& m) {
+  const std::string other = nlohmann::ordered_json::parse(model_text(random)).dump();
+  const Result<Model> again = read_model(other, "random.json");
+  if (!again) return "refused: " + to_text(again.problems());
+  const auto content = [](const Model& model) {
+    const std::string text = cli::dump_model(model);
+    return text.substr(text.find('\n'));  // the first line has the hash of the text
+  };
+  if (content(*again) != content(m.model)) return "it is another model";
+  return {};
+}
+
+/// Two compilations write the same bytes.
+Complaint bytes_change(const RandomMechanism&, const Mechanism& m) {
+  if (m.topology.size() > 12) return {};
+  const std::vector<EmittedFile> first = emit(compiled(m)), second = emit(compiled(m));
+  for (std::size_t f = 0; f < first.size(); ++f)
+    if (first[f].text != second[f].text) return first[f].path + " differs";
+  return {};
+}
+
+constexpr Property kProperties[] = {
+    {"engines agree", engines_disagree},
+    {"the compiled solver agrees", compiled_solver_disagrees},
+    {"translation changes nothing", translation_shows},
+    {"rotation changes nothing", rotation_shows},
+    {"a mirror changes nothing", mirror_shows},
+    {"order changes nothing", order_shows},
+    {"energy is conserved", energy_drifts},
+    {"momentum is conserved", momentum_drifts},
+    {"the file's format does not matter", format_shows},
+    {"the same bytes twice", bytes_change},
+};
+
+}  // namespace
+
+std::span<const Property> properties() { return kProperties; }
+
+}  // namespace mbgen::testing

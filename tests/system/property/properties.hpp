@@ -1,0 +1,38 @@
+#pragma once
+// Properties that hold for every mechanism, and how they are compared.
+
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "tests/support/mechanism_support.hpp"
+#include "tests/system/property/random_mechanism.hpp"
+
+namespace mbgen::testing {
+
+/// Nothing where the property holds.
+using Complaint = std::optional<std::string>;
+
+struct Property {
+  const char* name;
+  Complaint (*violated)(const RandomMechanism&, const Mechanism&);
+};
+
+std::span<const Property> properties();
+
+/// Read, its tree built and analysed. Fails: as these do.
+Result<Mechanism> understood(const RandomMechanism& random);
+
+/// Consistent states that are not near a singular position.
+std::vector<GenericState> good_states(const Mechanism& m, int wanted);
+
+constexpr double kTolerance = 1e-8;  ///< of the largest acceleration
+
+/// A complaint about `what` where the relative error is not below the tolerance.
+Complaint differ(const std::string& what, const std::vector<double>& actual, const std::vector<double>& expected,
+                 double tolerance);
+
+int from_environment(const char* name, int otherwise);
+
+}  // namespace mbgen::testing

@@ -1,0 +1,399 @@
+#include "tests/system/property/random_mechanism.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <numeric>
+
+namespace mbgen::testing {
+namespace {
+
+/// Numbers of one mechanism.
+class Dice {
+ public:
+  explicit Dice(std::uint64_t seed) : random_(seed) {}
+
+  double between(double low, double high) { return std::uniform_real_distribution<double>(low, high)(random_); }
+  int upto(int highest) { return std::uniform_int_distribution<int>(0, highest)(random_); }
+  bool chance(double share) { return between(0, 1) < share; }
+  Point point(double size) { return {between(-size, size), between(-size, size), between(-size, size)}; }
+
+  /// A coordinate axis as often as any direction.
+  Point axis() {
+    if (chance(0.5)) {
+      Point result{};
+      result[upto(2)] = chance(0.5) ? 1 : -1;
+      return result;
+    }
+    Point result = point(1);
+    const double length = std::hypot(result[0], result[1], result[2]);
+    if (length < 0.1) return {0, 0, 1};
+    for (double& component : result) component /= length;
+    return result;
+  }
+
+ private:
+  std::mt19937_64 random_;
+};
+
+/// A direction across another.
+Point across(const Point& axis) {
+  Point result = std::abs(axis[0]) < 0.6 ? Point{0, -axis[2], axis[1]} : Point{-axis[1], axis[0], 0};
+  const double length = std::hypot(result[0], result[1], result[2]);
+  for (double& component : result) component /= length;
+  return result;
+}
+
+/// A real inertia: that of three masses on skew lines, so that the triangle inequality holds.
+std::array<double, 6> inertia_of(Dice& dice, double mass) {
+  std::array<double, 6> result{};
+  for (int k = 0; k < 4; ++k) {
+    const Point p = dice.point(0.3);
+    const double m = mass / 4;
+    result[0] += m * (p[1] * p[1] + p[2] * p[2]);
+    result[1] += m * (p[0] * p[0] + p[2] * p[2]);
+    result[2] += m * (p[0] * p[0] + p[1] * p[1]);
+    result[3] -= m * p[0] * p[1];
+    result[4] -= m * p[0] * p[2];
+    result[5] -= m * p[1] * p[2];
+  }
+  for (int i = 0; i < 3; ++i) result[i] += 0.002 * mass;
+  return result;
+}
+
+/// Builds a mechanism body by body.
+class Workshop {
+ public:
+  Workshop(Dice& dice, std::uint64_t seed) : dice_(dice) { made_.seed = seed; }
+
+  RandomMechanism made() && { return std::move(made_); }
+  Dice& dice() { return dice_; }
+  int size() const { return static_cast<int>(made_.bodies.size()); }
+  const Point& place_of(int body) const { return body == kOnGround ? origin_ : places_[body]; }
+  RandomMechanism& mechanism() { return made_; }
+
+  int add_body(const Point& place) {
+    const double mass = std::exp(dice_.between(-1, 2));
+    made_.bodies.push_back(
+        {"b" + std::to_string(size()), mass, plus(place, dice_.point(0.2)), inertia_of(dice_, mass)});
+    places_.push_back(place);
+    return size() - 1;
+  }
+
+  void add_joint(const std::string& type, int from, int to, const Point& at, const Point& axis, bool cut = false) {
+    made_.joints.push_back({"j" + std::to_string(made_.joints.size()), type, from, to, at, axis, cut});
+  }
+
+  /// A new body on another one.
+  int hang(const std::string& type, int from) {
+    const Point at = plus(place_of(from), dice_.point(0.4));
+    const int body = add_body(plus(at, dice_.point(0.3)));
+    // Now and then the file says it the other way round.
+    if (from != kOnGround && dice_.chance(0.2))
+      add_joint(type, body, from, at, dice_.axis());
+    else
+      add_joint(type, from, body, at, dice_.axis());
+    return body;
+  }
+
+  void add_rod(int from, int to, double mass) { link("rod", from, to, mass, 0); }
+  void add_spring(int from, int to) { link("spring", from, to, 0, std::exp(dice_.between(2, 7))); }
+
+ private:
+  void link(const char* kind, int from, int to, double mass, double stiffness) {
+    const Point start = plus(place_of(from), dice_.point(0.3)), end = plus(place_of(to), dice_.point(0.3));
+    made_.links.push_back({kind + std::to_string(made_.links.size()), from, to, start, end, mass, stiffness});
+  }
+
+  Dice& dice_;
+  Point origin_{};
+  RandomMechanism made_;
+  std::vector<Point> places_;
+};
+
+std::string plain_type(Dice& dice) { return dice.chance(0.75) ? "revolute" : "prismatic"; }
+
+std::string any_type(Dice& dice) {
+  static constexpr const char* kTypes[] = {"revolute",  "revolute",    "prismatic", "universal",
+                                           "spherical", "cylindrical", "planar",    "fixed"};
+  return dice.chance(0.5) ? plain_type(dice) : kTypes[dice.upto(7)];
+}
+
+void grow_tree(Workshop& shop, int count, bool plain) {
+  Dice& dice = shop.dice();
+  for (int k = 0; k < count; ++k) {
+    const int from = shop.size() == 0 ? kOnGround : dice.chance(0.6) ? shop.size() - 1 : dice.upto(shop.size()) - 1;
+    shop.hang(plain ? plain_type(dice) : any_type(dice), from);
+  }
+}
+
+/// A chain of `count` bodies from a body.
+std::vector<int> grow_chain(Workshop& shop, int count, int from, bool plain) {
+  std::vector<int> chain;
+  for (int k = 0; k < count; ++k) chain.push_back(from = shop.hang(plain ? plain_type(shop.dice()) : "revolute", from));
+  return chain;
+}
+
+void close_chain(Workshop& shop) {
+  Dice& dice = shop.dice();
+  const int base = dice.chance(0.5) ? kOnGround : shop.hang(plain_type(dice), kOnGround);
+  const std::vector<int> chain = grow_chain(shop, 5 + dice.upto(2), base, false);
+  static constexpr const char* kClosures[] = {"spherical", "universal", "cylindrical", "planar"};
+  const char* type = kClosures[dice.upto(chain.size() > 5 ? 3 : 0)];
+  shop.add_joint(type, base, chain.back(), plus(shop.place_of(chain.back()), dice.point(0.3)), dice.axis(), true);
+  if (dice.chance(0.4)) shop.add_rod(chain[0], chain[3], dice.chance(0.5) ? 0.7 : 0);
+}
+
+/// Four-bars in the plane across `axis`, one after the other.
+void add_four_bars(Workshop& shop) {
+  Dice& dice = shop.dice();
+  const int base = dice.chance(0.4) ? kOnGround : shop.hang("revolute", kOnGround);
+  const int letter = dice.upto(2);
+  Point axis{}, along{}, up{};
+  axis[letter] = along[(letter + 1) % 3] = up[(letter + 2) % 3] = 1;
+  const auto at = [&](double x, double y) {
+    Point result = shop.place_of(base);
+    for (int i = 0; i < 3; ++i) result[i] += x * along[i] + y * up[i];
+    return result;
+  };
+  const int cells = 1 + dice.upto(2);
+  const double width = dice.between(0.3, 0.6), height = dice.between(0.2, 0.5);
+  int left = shop.add_body(at(0, height / 2));
+  shop.add_joint("revolute", base, left, at(0, 0), axis);
+  for (int c = 0; c < cells; ++c) {
+    const double x = c * width, next = x + width * dice.between(0.9, 1.1);
+    const int coupler = shop.add_body(at(x + width / 2, height)), right = shop.add_body(at(next, height / 2));
+    shop.add_joint("revolute", left, coupler, at(x, height), axis);
+    shop.add_joint("revolute", base, right, at((c + 1) * width, 0), axis);
+    shop.add_joint("revolute", coupler, right, at((c + 1) * width, height), axis, true);
+    left = right;
+  }
+}
+
+void add_rods(Workshop& shop) {
+  Dice& dice = shop.dice();
+  grow_tree(shop, 3 + dice.upto(4), true);
+  const int wanted = 1 + dice.upto(2);
+  for (int k = 0; k < wanted; ++k) {
+    const int from = dice.upto(shop.size()) - 1, to = dice.upto(shop.size() - 1);
+    if (from != to) shop.add_rod(from, to, dice.chance(0.5) ? dice.between(0.2, 2) : 0);
+  }
+}
+
+/// Links without mass between revolute joints across one another.
+void add_massless_links(Workshop& shop) {
+  Dice& dice = shop.dice();
+  int from = kOnGround;
+  for (int k = 0; k < 2 + dice.upto(2); ++k) {
+    const int first = dice.upto(2);
+    for (const bool massless : {true, false}) {
+      const int body = shop.hang("revolute", from);
+      RandomJoint& joint = shop.mechanism().joints.back();
+      joint.axis = {};
+      joint.axis[massless ? first : (first + 1) % 3] = 1;
+      if (massless) shop.mechanism().bodies[body] = {shop.mechanism().bodies[body].name, 0, {}, {}};
+      from = body;
+    }
+  }
+}
+
+/// A chain of pins whose last body is held by a ball, by rods, or by another pin: as many equations as coordinates.
+void add_structure(Workshop& shop, int base) {
+  Dice& dice = shop.dice();
+  const int kind = dice.upto(2);
+  const std::vector<int> chain = grow_chain(shop, kind == 0 ? 3 : kind == 1 ? 1 + dice.upto(3) : 5, base, false);
+  const Point tip = plus(shop.place_of(chain.back()), dice.point(0.3));
+  if (kind == 0) shop.add_joint("spherical", base, chain.back(), tip, {0, 0, 1}, true);
+  if (kind == 1)
+    for (int body : chain) shop.add_rod(base, body, dice.chance(0.5) ? dice.between(0.2, 2) : 0);
+  if (kind == 2) shop.add_joint("revolute", base, chain.back(), tip, dice.axis(), true);
+}
+
+/// A plate on three equal eccentrics. Result: the plate.
+int add_shaker(Workshop& shop, int base) {
+  Dice& dice = shop.dice();
+  const int letter = dice.upto(2);
+  Point axis{}, along{}, up{};
+  axis[letter] = along[(letter + 1) % 3] = up[(letter + 2) % 3] = 1;
+  const auto in_plane = [&](const Point& from, double x, double y) {
+    Point result = from;
+    for (int i = 0; i < 3; ++i) result[i] += x * along[i] + y * up[i];
+    return result;
+  };
+  const double turn = dice.between(0, 6.28), arm = dice.between(0.1, 0.3);
+  const std::array<Point, 3> feet{in_plane(shop.place_of(base), dice.between(-0.1, 0.1), dice.between(-0.1, 0.1)),
+                                  in_plane(shop.place_of(base), dice.between(0.4, 0.8), dice.between(-0.2, 0.2)),
+                                  in_plane(shop.place_of(base), dice.between(0.1, 0.4), dice.between(0.4, 0.7))};
+  int plate = kOnGround;
+  for (const Point& foot : feet) {
+    const Point pin = in_plane(foot, arm * std::cos(turn), arm * std::sin(turn));
+    const int crank = shop.add_body(foot);
+    shop.add_joint("revolute", base, crank, foot, axis);
+    const bool first = plate == kOnGround;
+    if (first) plate = shop.add_body(pin);
+    shop.add_joint("revolute", crank, plate, pin, axis, !first);
+  }
+  return plate;
+}
+
+/// Three pins and a fourth that closes them, all axes through one point. Result: the body in the middle.
+int add_spherical_four_bar(Workshop& shop, int base) {
+  Dice& dice = shop.dice();
+  const Point centre = plus(shop.place_of(base), dice.point(0.3));
+  std::vector<int> chain{base};
+  for (int k = 0; k < 4; ++k) {
+    const double turn = 1.57 * k + dice.between(-0.4, 0.4), rise = dice.between(0.3, 0.8);
+    const Point axis{std::cos(turn) * std::cos(rise), std::sin(turn) * std::cos(rise), std::sin(rise)};
+    const Point at = plus(centre, {0.4 * axis[0], 0.4 * axis[1], 0.4 * axis[2]});
+    if (k < 3) chain.push_back(shop.add_body(at));
+    shop.add_joint("revolute", k < 3 ? chain[k] : base, chain.back(), at, axis, k == 3);
+  }
+  return chain[2];
+}
+
+/// See random_bricard. Result: the body opposite to the base.
+int add_bricard(Workshop& shop, int base) {
+  Dice& dice = shop.dice();
+  const Point centre = shop.place_of(base);
+  std::array<Point, 6> offsets, axes;
+  for (int k = 0; k < 3; ++k) {
+    offsets[k] = plus({0.5, 0, 0.4 * (k - 1)}, dice.point(0.4));
+    axes[k] = dice.axis();
+    offsets[k + 3] = {-offsets[k][0], -offsets[k][1], offsets[k][2]};
+    axes[k + 3] = {-axes[k][0], -axes[k][1], axes[k][2]};
+  }
+  std::vector<int> chain{base};
+  for (int k = 0; k < 6; ++k) {
+    const Point at = plus(centre, offsets[k]);
+    if (k < 5) chain.push_back(shop.add_body(at));
+    shop.add_joint("revolute", k < 5 ? chain[k] : base, chain.back(), at, axes[k], k == 5);
+  }
+  return chain[3];
+}
+
+/// One or two parts that are locked or overconstrained, on ground or on a body that swings.
+void add_locked_parts(Workshop& shop) {
+  Dice& dice = shop.dice();
+  const int swing = shop.hang("revolute", kOnGround);
+  for (int left = 1 + dice.upto(1); left > 0; --left) {
+    const int base = dice.chance(0.5) ? kOnGround : swing;
+    int (*const kLinkages[])(Workshop&, int) = {add_shaker, add_spherical_four_bar, add_bricard};
+    const int kind = dice.upto(5);
+    if (kind > 2)
+      add_structure(shop, base);
+    else if (const int middle = kLinkages[kind](shop, base);
+             dice.chance(0.4) && (kind != 2 || has_one_way(shop.mechanism())))
+      shop.add_rod(base, middle, dice.chance(0.5) ? 0.7 : 0);  // locks it
+  }
+}
+
+}  // namespace
+
+RandomMechanism random_bricard(std::uint64_t seed) {
+  Dice dice(seed * 1000003 + 9);
+  Workshop shop(dice, seed);
+  add_bricard(shop, kOnGround);
+  return std::move(shop).made();
+}
+
+RandomMechanism random_mechanism(Family family, std::uint64_t seed) {
+  Dice dice(seed * 1000003 + static_cast<std::uint64_t>(family));
+  Workshop shop(dice, seed);
+  switch (family) {
+    case Family::tree:
+      grow_tree(shop, 2 + dice.upto(8), false);
+      break;
+    case Family::deep_chain:
+      grow_chain(shop, 20 + dice.upto(40), kOnGround, true);
+      break;
+    case Family::closed_chain:
+      close_chain(shop);
+      break;
+    case Family::planar_loops:
+      add_four_bars(shop);
+      break;
+    case Family::rods:
+      add_rods(shop);
+      break;
+    case Family::massless_links:
+      add_massless_links(shop);
+      break;
+    case Family::floating:
+      shop.hang("free", kOnGround);
+      grow_chain(shop, 1 + dice.upto(4), 0, true);
+      shop.mechanism().gravity = {};
+      break;
+    case Family::tiny:
+      if (dice.chance(0.8)) shop.hang(dice.chance(0.3) ? "free" : any_type(dice), kOnGround);
+      break;
+    case Family::locked:
+      add_locked_parts(shop);
+      break;
+  }
+  if (shop.size() > 1 && dice.chance(0.5)) shop.add_spring(0, shop.size() - 1);
+  return std::move(shop).made();
+}
+
+std::string model_text(const RandomMechanism& mechanism) {
+  using Json = nlohmann::ordered_json;
+  Json model{{"mbgen", 1}, {"name", "random"}, {"gravity", mechanism.gravity}};
+  Json ground = Json::object();
+  std::vector<Json> points(mechanism.bodies.size() + 1, Json::object());
+  const auto name_of = [&](int body) {
+    return body == kOnGround ? std::string("ground") : mechanism.bodies[body].name;
+  };
+  const auto place = [&](const std::string& owner, const char* end, int body, const Point& at) {
+    points[body + 1][owner + end] = at;
+    return name_of(body) + "." + owner + end;
+  };
+  Json joints = Json::object(), rods = Json::object(), springs = Json::object();
+  for (const RandomJoint& joint : mechanism.joints) {
+    Json entry{{"type", joint.type},
+               {"from", place(joint.name, "_from", joint.from, joint.at)},
+               {"to", place(joint.name, "_to", joint.to, joint.at)}};
+    static constexpr const char* kNeedAxis[] = {"revolute", "prismatic", "cylindrical", "planar"};
+    if (std::ranges::find(kNeedAxis, joint.type) != std::end(kNeedAxis)) entry["axis"] = joint.axis;
+    if (joint.type == "universal") {
+      entry["axis"] = joint.axis;
+      entry["axis2"] = across(joint.axis);
+    }
+    if (joint.cut) entry["cut"] = true;
+    joints[joint.name] = entry;
+  }
+  for (const RandomLink& link : mechanism.links) {
+    Json entry{{"from", place(link.name, "_from", link.from, link.start)},
+               {"to", place(link.name, "_to", link.to, link.end)}};
+    if (link.stiffness > 0) {
+      entry["stiffness"] = link.stiffness;
+      entry["free_length"] = kFreeLength;
+      springs[link.name] = entry;
+    } else {
+      if (link.mass > 0) entry["mass"] = link.mass;
+      rods[link.name] = entry;
+    }
+  }
+  Json bodies{{"ground", {{"points", points[0]}}}};
+  for (std::size_t b = 0; b < mechanism.bodies.size(); ++b) {
+    const RandomBody& body = mechanism.bodies[b];
+    Json entry = Json::object();
+    if (body.mass > 0) entry = {{"mass", body.mass}, {"com", body.com}, {"inertia", body.inertia}};
+    Json named = points[b + 1];
+    named["com"] = body.com;
+    entry["points"] = named;
+    bodies[body.name] = entry;
+  }
+  model["bodies"] = bodies;
+  if (!joints.empty()) model["joints"] = joints;
+  if (!rods.empty()) model["rods"] = rods;
+  if (!springs.empty()) model["springs"] = springs;
+  Json outputs = Json::object();
+  for (const RandomBody& body : mechanism.bodies)
+    for (const char* letter : {"x", "y", "z"})
+      outputs[body.name + "_v" + letter] = {{"point", body.name + ".com"}, {"quantity", "velocity"}, {"axis", letter}};
+  for (const RandomLink& link : mechanism.links)
+    if (link.stiffness > 0) outputs[link.name + "_length"] = {{"spring", link.name}, {"quantity", "length"}};
+  if (!outputs.empty()) model["outputs"] = outputs;
+  return model.dump(2) + "\n";
+}
+
+}  // namespace mbgen::testing

@@ -1,0 +1,77 @@
+// The JSON Schema and the reader give the same verdict on every good and every bad model; what only the reader can know
+// (names, physics, the text of expressions, other files) is listed in only_the_reader.txt.
+//   node verdicts.mjs SOURCE MBGEN [--update]     --update writes the list anew: read the difference before committing it
+import { execFileSync } from "node:child_process";
+import { readFileSync, readdirSync, writeFileSync } from "node:fs";
+import { join, relative } from "node:path";
+import Ajv2020 from "ajv/dist/2020.js";
+
+const [source, mbgen, update] = process.argv.slice(2);
+const list = join(source, "tests/system/schema/only_the_reader.txt");
+
+/** JSON text without comments; texts in quotes stay as they are. */
+function withoutComments(text) {
+  return text.replace(/"(?:\\.|[^"\\])*"|\/\/[^\n]*|\/\*[\s\S]*?\*\//g, (found) => (found[0] === '"' ? found : " "));
+}
+
+/** All JSON files below a directory. */
+function modelsIn(directory) {
+  return readdirSync(directory, { recursive: true })
+    .filter((name) => name.endsWith(".json"))
+    .map((name) => join(directory, name))
+    .sort();
+}
+
+function readerAccepts(file) {
+  try {
+    execFileSync(mbgen, ["inspect", file, "--dump=model"], { stdio: "ignore" });
+    return true;
+  } catch {
+    return false;
+  }
+}
+
+const schema = JSON.parse(execFileSync(mbgen, ["schema"], { encoding: "utf8" }));
+const validate = new Ajv2020({ allErrors: false, strict: true, allowUnionTypes: true, strictTypes: false, strictRequired: false }).compile(schema);
+
+/** What the schema says of a file: "" when it accepts, else why not. */
+function complaint(file) {
+  let model;
+  try {
+    model = JSON.parse(withoutComments(readFileSync(file, "utf8").replace(/^\uFEFF/, "")));
+  } catch (error) {
+    return `no JSON: ${error.message}`;
+  }
+  if (validate(model)) return "";
+  const [error] = validate.errors;
+  return `${error.instancePath} ${error.message}`;
+}
+
+let faults = 0;
+function fault(file, text) {
+  console.error(`${relative(source, file)}: ${text}`);
+  ++faults;
+}
+
+const good = [...modelsIn(join(source, "models")), ...modelsIn(join(source, "tests/data/models"))];
+for (const file of good) {
+  const why = complaint(file);
+  if (why) fault(file, `the schema refuses a good model: ${why}`);
+  const isPart = file.includes("/parts/") || file.includes("/tyres/");  // not models by themselves
+  if (!isPart && !readerAccepts(file)) fault(file, "the reader refuses what should be a good model");
+}
+
+const bad = readdirSync(join(source, "tests/errors")).filter((name) => name.endsWith(".json")).sort();
+const accepted = bad.filter((name) => complaint(join(source, "tests/errors", name)) === "");
+if (update) writeFileSync(list, accepted.map((name) => name.replace(".json", "\n")).join(""));
+const listed = new Set(readFileSync(list, "utf8").split("\n").filter((name) => name).map((name) => `${name}.json`));
+for (const name of accepted) {
+  if (!listed.has(name)) fault(join(source, "tests/errors", name), "the reader refuses it, the schema does not");
+}
+for (const name of listed) {
+  if (!accepted.includes(name)) fault(list, `${name} is refused by the schema too, or is gone`);
+}
+// No rule of the schema is idle: it refuses a fair part of the bad models by itself.
+if (bad.length - accepted.length < 60) fault(list, `the schema refuses only ${bad.length - accepted.length} bad models`);
+console.log(`${good.length} good models, ${bad.length} bad ones, ${accepted.length} of them only the reader's`);
+process.exit(faults === 0 ? 0 : 1);

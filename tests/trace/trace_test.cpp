@@ -1,0 +1,234 @@
+// The traced programs, interpreted, against the formulation at double run by the generic runtime.
+
+#include "compiler/trace/trace.hpp"
+
+#include <map>
+
+#include "compiler/passes/passes.hpp"
+#include "runtime/generic/block_factors.hpp"
+#include "tests/support/reference_support.hpp"
+
+namespace mbgen {
+namespace {
+
+using namespace mbgen::testing;
+
+using Slots = std::map<std::string, std::vector<double>>;
+
+/// Runs a program on named arrays; parameters and inputs at their defaults.
+Slots run(const Program& program, const Mechanism& m, Slots given) {
+  for (const Parameter& p : m.model.parameters)
+    if (p.tunable) given["par"].push_back(p.value);
+  for (const Input& input : m.model.inputs) given["in"].push_back(input.default_value);
+  std::vector<double> inputs;
+  for (const Slot& slot : program.inputs) inputs.push_back(given.at(slot.group).at(slot.index));
+  const std::vector<double> values = interpret(program, inputs);
+  Slots results;
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    std::vector<double>& group = results[program.outputs[i].slot.group];
+    const auto index = static_cast<std::size_t>(program.outputs[i].slot.index);
+    if (group.size() <= index) group.resize(index + 1);
+    group[index] = values[i];
+  }
+  return results;
+}
+
+Slots slots_of(const GenericState& state, const std::vector<double>& tau) {
+  return {{"z", state.z}, {"zd", state.zd}, {"x", state.x}, {"t", {state.t}}, {"tau", tau}};
+}
+
+/// Asks for what every joint and rod transmits at both ends, and for every multiplier.
+Mechanism with_reactions(Mechanism m) {
+  const auto ask = [&](const auto& source) { m.model.outputs.push_back({"asked", {}, "", source}); };
+  const auto ask_reactions = [&](int joint, int rod) {
+    using Source = ReactionOutput;
+    for (const Source::What what : {Source::What::force, Source::What::moment})
+      for (const Source::End end : {Source::End::to, Source::End::from})
+        for (int axis = 0; axis < 3; ++axis) ask(Source{what, joint, rod, axis, end == Source::End::from, end});
+  };
+  for (std::size_t j = 0; j < m.model.joints.size(); ++j) ask_reactions(static_cast<int>(j), -1);
+  for (std::size_t r = 0; r < m.model.rods.size(); ++r) ask_reactions(-1, static_cast<int>(r));
+  for (const Loop& loop : m.topology.loops)
+    for (int e = 0; e < loop.equations; ++e) ask(MultiplierOutput{loop.joint, loop.rod, e});
+  return m;
+}
+
+class EveryModel : public ::testing::TestWithParam<std::string> {
+ protected:
+  EveryModel()
+      : m(with_reactions(load(GetParam()))),
+        programs(trace(m.model, m.topology, m.analysis)),
+        solver(m.model, m.topology, m.analysis) {}
+  Mechanism m;
+  Programs programs;
+  GenericSolver solver;
+};
+
+class EveryModelWithLoops : public EveryModel {};
+
+// Both solve the same equations with other pivots: differences are rounding times the condition of the mechanism.
+TEST_P(EveryModel, FrozenAccelerationsEqualThoseOfFullPivoting) {
+  const Program matrix = trace_accelerations(m.model, m.topology, m.analysis, Form::matrix);
+  for (const Program& program : {programs.accelerations, optimise(programs.accelerations), matrix, optimise(matrix)})
+    for (const GenericState& state : random_states(m, 5)) {
+      const std::vector<double> tau = random_tau(m, 11);
+      GenericDerivative expected;
+      ASSERT_TRUE(solver.accelerations(state, tau, expected).ok());
+      const Slots actual = run(program, m, slots_of(state, tau));
+      EXPECT_LT(relative_error(actual.count("zdd") ? actual.at("zdd") : std::vector<double>{}, expected.zdd), 1e-9);
+      if (!expected.xd.empty()) {
+        EXPECT_LT(relative_error(actual.at("xd"), expected.xd), 1e-9);
+      }
+      if (actual.count("inertia")) {
+        for (double inertia : actual.at("inertia")) EXPECT_GT(inertia, 0);
+      }
+    }
+}
+
+TEST_P(EveryModelWithLoops, AccelerationsWithAGivenPartitionEqualTheFrozenOnes) {
+  for (const GenericState& state : random_states(m, 3)) {
+    const std::vector<double> tau = random_tau(m, 13);
+    const Slots terms = run(programs.closure_terms, m, slots_of(state, tau));
+    Slots given = slots_of(state, tau);
+    for (std::size_t b = 0; b < m.topology.blocks.size(); ++b) {
+      const std::size_t columns = m.topology.blocks[b].joints.size(), rows = terms.at("Phi" + std::to_string(b)).size();
+      const std::vector<double>& flat = terms.at("Jz" + std::to_string(b));
+      std::vector<std::vector<double>> jacobian;
+      for (std::size_t e = 0; e < rows; ++e)
+        jacobian.emplace_back(flat.begin() + e * columns, flat.begin() + (e + 1) * columns);
+      const BlockFactors factors(jacobian, m.analysis.blocks[b].driven, m.analysis.blocks[b].rank);
+      std::vector<double> zdd_star(columns, 0.0);
+      for (int c : m.analysis.blocks[b].driven)
+        zdd_star[c] = terms.at("driven_acceleration")[m.topology.blocks[b].joints[c]];
+      factors.solve(terms.at("c" + std::to_string(b)), zdd_star);
+      given["zdd_star" + std::to_string(b)] = zdd_star;
+      for (const std::vector<double>& row : factors.rz())
+        given["Rz" + std::to_string(b)].insert(given["Rz" + std::to_string(b)].end(), row.begin(), row.end());
+    }
+    const Slots chosen = run(programs.accelerations_chosen, m, given);
+    const Slots frozen = run(programs.accelerations, m, slots_of(state, tau));
+    EXPECT_LT(relative_error(chosen.at("zdd"), frozen.at("zdd")), 1e-9);
+  }
+}
+
+TEST_P(EveryModelWithLoops, ClosureProgramLeavesAClosedStateAlone) {
+  for (const GenericState& state : random_states(m, 3)) {
+    const Slots closure = run(programs.closure, m, slots_of(state, {}));
+    EXPECT_LT(largest_absolute(closure.at("residual")), 1e-11);
+    EXPECT_LT(largest_absolute(closure.at("dz")), 1e-9);
+    EXPECT_LT(relative_error(closure.at("zd"), state.zd), 1e-8);
+  }
+}
+
+// Multipliers and reactions are the same for redundant closures too: both leave out the same equations.
+TEST_P(EveryModel, MultipliersAndOutputsEqualThoseOfTheGenericRuntime) {
+  for (const GenericState& state : random_states(m, 2)) {
+    const std::vector<double> tau = random_tau(m, 17);
+    GenericDerivative derivative;
+    ASSERT_TRUE(solver.accelerations(state, tau, derivative).ok());
+    Slots given = slots_of(state, tau);
+    given["zdd"] = derivative.zdd;
+    const GenericOutputs expected = solver.outputs(state, tau, derivative);
+    const Slots forces = run(programs.multipliers, m, given);
+    for (const char* group : {"lambda", "drive"})
+      if (forces.count(group)) given[group] = forces.at(group);
+    const Slots outputs = run(programs.outputs, m, given);
+    EXPECT_LT(relative_error(outputs.at("y"), expected.y), 1e-8);
+    if (forces.count("lambda")) {
+      EXPECT_LT(relative_error(forces.at("lambda"), solver.multipliers(state, tau, derivative)), 1e-8);
+    }
+    EXPECT_NEAR(outputs.at("energy")[0], expected.kinetic_energy, 1e-9 * std::abs(expected.kinetic_energy) + 1e-9);
+    EXPECT_NEAR(outputs.at("energy")[1], expected.potential_energy, 1e-9 * std::abs(expected.potential_energy) + 1e-9);
+    EXPECT_NEAR(outputs.at("power")[0], expected.applied_power, 1e-7 * std::abs(expected.applied_power) + 1e-5);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Models, EveryModel, ::testing::ValuesIn(all_models()), test_name);
+INSTANTIATE_TEST_SUITE_P(Models, EveryModelWithLoops, ::testing::ValuesIn(models_with_loops()), test_name);
+
+// Locked and overconstrained blocks: both forms against the states of an independent solver.
+TEST(Trace, RefusedMechanismsHaveTheAccelerationsOfTheIndependentSolver) {
+  const std::string folder = "tests/data/refused/";
+  for (const std::string name :
+       {"m7", "k0_s20261127", "k0_s20261140", "k0_s20261160", "k0_s20261175", "k0_s20261198"}) {
+    const Mechanism mechanism = load(folder + name + ".json");
+    const std::vector<ReferenceState> states = reference_states(mechanism.topology, folder + name + "_ref.json");
+    ASSERT_FALSE(states.empty()) << name;
+    for (const Form form : {Form::matrix, Form::recursive}) {
+      const Program program = trace_accelerations(mechanism.model, mechanism.topology, mechanism.analysis, form);
+      for (const ReferenceState& s : states) {
+        const Slots given = slots_of(s.state, s.tau);
+        EXPECT_LT(relative_error(run(program, mechanism, given).at("zdd"), s.zdd), 1e-8)
+            << name << " " << name_of(form);
+      }
+    }
+  }
+}
+
+TEST(Trace, TwoRunsGiveTheSameProgram) {
+  const Mechanism m = load("models/four_bar.json");
+  const Programs first = trace(m.model, m.topology, m.analysis), second = trace(m.model, m.topology, m.analysis);
+  EXPECT_EQ(dump(first.accelerations), dump(second.accelerations));
+}
+
+// A form that grows faster than the model is not written where the other one does not: chains in the matrix form.
+TEST(Trace, ALongChainIsTracedInTheRecursiveFormAlone) {
+  const auto operations = [](int size) {
+    const Mechanism m = analysed(grown("chain", size));
+    const Programs programs = trace(m.model, m.topology, m.analysis);
+    EXPECT_EQ(programs.form, Form::recursive);
+    return count_operations(programs.accelerations).total();
+  };
+  const long of_100 = operations(100), of_130 = operations(130), of_160 = operations(160);
+  // offsets between rounded coordinates are equal or not: a few operations fold or do not
+  EXPECT_NEAR(static_cast<double>(of_160 - of_130), static_cast<double>(of_130 - of_100), 0.002 * (of_130 - of_100));
+}
+
+// Energies and outputs are summed along the tree: what is asked of a chain twice as long takes twice the operations.
+TEST(Trace, OutputsOfAChainGrowWithItsLength) {
+  const auto operations = [](int size) {
+    const Mechanism m = analysed(grown("chain", size));
+    return count_operations(trace(m.model, m.topology, m.analysis, Form::recursive).outputs).total();
+  };
+  const long of_20 = operations(20), of_40 = operations(40), of_60 = operations(60);
+  EXPECT_NEAR(static_cast<double>(of_60 - of_40), static_cast<double>(of_40 - of_20), 0.02 * (of_40 - of_20));
+}
+
+// Rings as large blocks: frozen accelerations in the matrix form against full pivoting.
+TEST(Trace, ARingOfFiftyJointsIsTracedInTheMatrixFormAlone) {
+  for (const char* kind : {"ring", "spatial-ring"}) {
+    const Mechanism m = analysed(grown(kind, 50));
+    const Programs programs = trace(m.model, m.topology, m.analysis);
+    EXPECT_EQ(programs.form, Form::matrix);
+    const GenericSolver solver(m.model, m.topology, m.analysis);
+    for (const GenericState& state : random_states(m, 2)) {
+      const std::vector<double> tau = random_tau(m, 19);
+      GenericDerivative expected;
+      ASSERT_TRUE(solver.accelerations(state, tau, expected).ok());
+      const Slots actual = run(programs.accelerations, m, slots_of(state, tau));
+      EXPECT_LT(relative_error(actual.at("zdd"), expected.zdd), 1e-9) << kind;
+    }
+  }
+}
+
+// Position and velocity of the root must not enter: the equations live in the frame of the chassis.
+TEST(Trace, RootPositionDropsOutOfTheCoach) {
+  const Mechanism m = load("models/coach_mechanism.json");
+  const Program program = optimise(trace(m.model, m.topology, m.analysis).accelerations);
+  for (const Slot& slot : program.inputs)
+    for (const char* name : {"chassis_tx", "chassis_ty", "chassis_tz", "wheel_front_left", "wheel_rear_right"})
+      EXPECT_FALSE(slot == (Slot{"z", find_coordinate(m.topology, name)})) << name;
+}
+
+// Ceilings a little above today's counts, so that a lost structural zero shows without a clock.
+TEST(Trace, OperationCountsStayLow) {
+  const auto count = [](const std::string& path) {
+    const Mechanism m = load(path);
+    return count_operations(optimise(trace(m.model, m.topology, m.analysis).accelerations)).total();
+  };
+  EXPECT_LE(count("models/coach_mechanism.json"), 6700);
+  EXPECT_LE(count("models/truck_mechanism.json"), 17000);
+}
+
+}  // namespace
+}  // namespace mbgen
