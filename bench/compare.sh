@@ -1,7 +1,7 @@
 #!/bin/sh
 # The generated solvers beside Simbody, MuJoCo and a straightforward program on Eigen, on this machine:
 #   bench/compare.sh [OPTION...]          options of mbgen_compare, for example --json or --massless-rods
-# Installs what it needs (Debian 12, as root), builds, prints the tables of docs/performance.md; some minutes.
+# Installs what it needs (Debian 12, as root), builds, prints the tables of docs/evidence/performance.md; some minutes.
 # The machine should have nothing else to do.
 set -eu
 cd "$(dirname "$0")/.."

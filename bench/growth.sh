@@ -1,5 +1,5 @@
 #!/bin/sh
-# How a solver grows with its model: one evaluation, code, and the time that it takes to make. Tables of docs/growth.md.
+# How a solver grows with its model: one evaluation, code, and the time that it takes to make. Tables of docs/evidence/growth.md.
 #
 #   bench/growth.sh [MBGEN] [DIRECTORY]
 #

@@ -1,5 +1,5 @@
 #!/bin/sh
-# Writes a model of any size for the tables of docs/growth.md, always the same bytes.
+# Writes a model of any size for the tables of docs/evidence/growth.md, always the same bytes.
 #
 #   bench/growth_model.sh four-bar N > n_four_bar_N.json   IFToMM benchmark A02: N parallelograms side by side, N >= 1
 #   bench/growth_model.sh chain N > chain_N.json           N revolute joints one after the other, N >= 1

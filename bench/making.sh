@@ -1,5 +1,5 @@
 #!/bin/sh
-# Time and memory of mbgen itself over the size of a model: the table of docs/growth.md, section "Making".
+# Time and memory of mbgen itself over the size of a model: the table of docs/evidence/growth.md, section "Making".
 #
 #   bench/making.sh [MBGEN] [DIRECTORY]
 #

@@ -1,5 +1,6 @@
 #pragma once
-// The figures that generated code has to reach. The tables of docs/performance.md print them beside the measured ones.
+// The figures that generated code has to reach. The tables of docs/evidence/performance.md print them beside the
+// measured ones.
 
 #include <string>
 #include <string_view>

@@ -103,7 +103,7 @@ std::vector<int> free_coordinates(const Topology& topology, const Analysis& anal
 
 /// Decides rank, redundant equations, dependent coordinates and elimination order of each loop block.
 /// Fails: a loop that cannot be closed near the reference, redundant equations that contradict (residual and joint
-/// named; the rule is in docs/redundancy.md), motions that over-constrain a block, a direction of motion without
+/// named; the rule is in docs/method/redundancy.md), motions that over-constrain a block, a direction of motion without
 /// inertia (coordinate named). Source: theory.md sections 3 and 4, (9).
 Result<Analysis> analyse(const Model& model, const Topology& topology);
 

@@ -1,6 +1,6 @@
 #pragma once
 // The branch of the reference: the assembly mode that the model describes, among the closed configurations that random
-// starts find. Rank, redundancy and partition belong to it (docs/redundancy.md).
+// starts find. Rank, redundancy and partition belong to it (docs/method/redundancy.md).
 
 #include <vector>
 

@@ -1,5 +1,6 @@
 #pragma once
-// Do the redundant equations of a block follow from the others wherever it can go? The rule is docs/redundancy.md.
+// Do the redundant equations of a block follow from the others wherever it can go? The rule is
+// docs/method/redundancy.md.
 
 #include <vector>
 

@@ -1,5 +1,5 @@
 #pragma once
-// Decisions for a large loop block: by sparse elimination over its closed configurations (docs/growth.md).
+// Decisions for a large loop block: by sparse elimination over its closed configurations (docs/evidence/growth.md).
 
 #include <vector>
 

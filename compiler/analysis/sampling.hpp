@@ -12,7 +12,8 @@ namespace mbgen {
 constexpr double kClosed = 1e-11;  ///< m or 1: Newton reaches it in a few steps from a good start
 
 /// Blocks of more joints are large: analysed by sparse elimination, at configurations along their freedoms (the rule is
-/// in docs/growth.md). Singular values would take minutes, and random starts never close so many loops at once.
+/// in docs/evidence/growth.md). Singular values would take minutes, and random starts never close so many loops at
+/// once.
 constexpr std::size_t kLargestSmallBlock = 40;
 inline bool is_large(const LoopBlock& block) { return block.joints.size() > kLargestSmallBlock; }
 

@@ -82,7 +82,7 @@ void add_import(NamedCommand application, int& exit_code) {
       "Example: mbgen import robot.urdf --out robot.json\n"
       "What could not be carried over is told on standard error, with the line it stands in. Without --out the model "
       "is\n"
-      "printed. What becomes of each element, and the file of --loops: docs/import.md.");
+      "printed. What becomes of each element, and the file of --loops: docs/use/import.md.");
   command.add_option("ROBOT", options->robot, "URDF (<robot>) or MJCF (<mujoco>) file").required();
   command.add_option("-o,--out", options->file, "write the model to this file");
   command.add_option("--loops", options->loops,

@@ -45,7 +45,7 @@ void add_batch_option(NamedCommand command, int& lanes) {
 void add_scalar_option(NamedCommand command, std::string& scalar) {
   command
       .add_option("--scalar", scalar,
-                  "float: single precision, for processors without double (docs/targets.md) (default double)")
+                  "float: single precision, for processors without double (docs/use/targets.md) (default double)")
       .one_of({"double", "float"});
 }
 

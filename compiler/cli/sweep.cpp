@@ -231,7 +231,7 @@ void add_sweep(NamedCommand application, int& exit_code) {
       "  max(x) min(x) mean(x) rms(x) range(x) initial(x) final(x) at(1.5, x)\n"
       "A name may stand in front: --metric \"lean=max(abs(roll))\".\n"
       "What is done stands in FILE.journal: killed and run again with the same words, a study goes on where it was.\n"
-      "Under mpirun or srun the ranks share the cases. See docs/sweep.md.");
+      "Under mpirun or srun the ranks share the cases. See docs/use/sweep.md.");
   StudyArguments& study = options->study;
   add_model_argument(command, study.model);
   command.add_option("--vary", study.vary, "name=first:step:last or name=value,value of a parameter or input; repeat")

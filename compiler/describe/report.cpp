@@ -40,7 +40,7 @@ Json report_ranks(const std::vector<RankCount>& ranks) {
   return list;
 }
 
-/// The redundancy certificate of a block (docs/redundancy.md).
+/// The redundancy certificate of a block (docs/method/redundancy.md).
 Json report_certificate(const Topology& topology, const LoopBlock& block, const Certificate& certificate) {
   Json singular = Json::array();
   for (const SingularConfiguration& seen : certificate.singular) {

@@ -1,4 +1,4 @@
-// The redundancy certificates of the loop blocks as tables for people (docs/redundancy.md).
+// The redundancy certificates of the loop blocks as tables for people (docs/method/redundancy.md).
 
 #include <fmt/format.h>
 

@@ -20,7 +20,7 @@ using Members = std::vector<NumberMember>;
 
 /// AVX-512 addresses vectors by multiples of their size: so many after a pointer take one byte, the others four.
 constexpr std::size_t kReachedByOneByte = 128;
-/// Values between two calls of mbgen::read_back(): docs/batch.md.
+/// Values between two calls of mbgen::read_back(): docs/use/batch.md.
 constexpr std::size_t kReadBackAfter = 64;
 
 int alignment(const EmitContext& context) { return 8 * context.lanes; }

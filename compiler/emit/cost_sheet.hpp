@@ -9,7 +9,7 @@
 namespace mbgen {
 
 /// `worst_case` of the manifest: bounds of every loop whose length is no size of the model, and the sums over a call of
-/// each function. programs: `programs` of the manifest. See docs/cost_sheet.md.
+/// each function. programs: `programs` of the manifest. See docs/use/cost_sheet.md.
 nlohmann::ordered_json worst_case_json(const EmitContext& context, const nlohmann::ordered_json& programs);
 
 /// `<model>_cost.txt`: operations and worst_case of the manifest for people. banner: its first lines.

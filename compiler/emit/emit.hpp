@@ -71,7 +71,8 @@ enum class CompilerFamily { gnu, clang };
 
 /// Flags that make emitted code fast and keep its object free of symbols other than libm's: those of templates/*.flags,
 /// which the CMake package reads too. Without the processor flag (-march) and without warnings. Contraction is the
-/// program's own: docs/determinism.md. Other flags were measured: docs/performance.md, "What was tried and left out".
+/// program's own: docs/evidence/determinism.md. Other flags were measured:
+/// docs/evidence/performance.md, "What was tried and left out".
 std::vector<std::string> solver_compile_flags(CompilerFamily family);
 
 /// Further flags of g++ for solvers with lanes on x86-64, and only there.

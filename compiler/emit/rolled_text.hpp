@@ -11,7 +11,7 @@
 namespace mbgen {
 
 /// The loops of a program that has more operations and outputs than its shape lets stand straight, when they save at
-/// least half of them; nothing for other programs, nor against a clock. The rule is in docs/growth.md.
+/// least half of them; nothing for other programs, nor against a clock. The rule is in docs/evidence/growth.md.
 std::optional<Rolling> rolled(const Program& program, const ProgramShape& shape);
 
 /// Definitions of one program, as program_text gives them, with the loops of `rolling`. Values that cross slices, loops

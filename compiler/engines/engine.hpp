@@ -102,7 +102,7 @@ Engine make_generic_engine(const Compilation& compilation, const EngineChoice& c
 /// The specialised solver: emitted, compiled, loaded. Fails: UserError, see load_solver.
 Engine make_generated_engine(const Compilation& compilation, const EngineChoice& choice);
 
-/// A Cartesian judge, see docs/judges.md.
+/// A Cartesian judge, see docs/method/judges.md.
 Engine make_cartesian_engine(const Compilation& compilation, const EngineChoice& choice, CartesianMethod method);
 
 /// Words for a status, with the names of its loops or coordinates: "loop not closed: rod_left, tip".

@@ -35,8 +35,8 @@ enum class Frames {
 };
 
 /// Chooses the frames: own frames for block bases, for the first massive or branching body above ground (so that the
-/// far inertial origin never enters) and for massive branching bodies outside loop blocks. Source: docs/recursive.md,
-/// "What keeps it small".
+/// far inertial origin never enters) and for massive branching bodies outside loop blocks. Source:
+/// docs/method/recursive.md, "What keeps it small".
 Layout choose_layout(const Model& model, const Topology& topology, Frames frames = Frames::few);
 
 }  // namespace mbgen

@@ -1,7 +1,7 @@
 #pragma once
 // The recursive form: the same equations as the matrix form (63), with each loop block and each run of joints
 // eliminated from the leaves to the root into the 6x6 inertia of its base body. Quasi-velocities inside, joint
-// accelerations at the doors. Source: docs/recursive.md; R. Featherstone, Rigid Body Dynamics Algorithms, 2008,
+// accelerations at the doors. Source: docs/method/recursive.md; R. Featherstone, Rigid Body Dynamics Algorithms, 2008,
 // chapter 7 (articulated bodies), extended by the loop blocks' Rz (61).
 
 #include "compiler/formulation/recursion_gathering.hpp"

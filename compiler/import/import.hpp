@@ -18,7 +18,7 @@ struct ImportRequest {
   std::string file;             ///< path of the robot's file, used in messages and as the base of <include>
   std::string text;             ///< its content
   std::string loops_file = {};  ///< path of the sidecar, for messages
-  /// content of the sidecar (URDF only): loops, and positions where they close; see docs/import.md
+  /// content of the sidecar (URDF only): loops, and positions where they close; see docs/use/import.md
   std::optional<std::string> loops = {};
   RobotBase base = RobotBase::fixed;  ///< of a URDF robot
   /// Content of a file that the robot's file includes, nothing when it cannot be read. Called with a path relative to

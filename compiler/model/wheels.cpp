@@ -16,7 +16,7 @@ constexpr double kOffset = 1e-6;      ///< m: what a hardpoint table with microm
 constexpr double kUnbalanced = 1e-6;  ///< of the moment of inertia about the axis
 constexpr double kWobble = 0.5;       ///< rad: a larger angle is no static toe or camber
 constexpr double kAcross = 0.8;       ///< rad: a wheel that is turned farther rolls to the side
-constexpr const char* kWheels = "docs/writing_models.md, \"Wheels\"";
+constexpr const char* kWheels = "docs/use/writing_models.md, \"Wheels\"";
 
 double degrees(double angle) { return angle * 180 / std::numbers::pi; }
 

@@ -25,7 +25,7 @@ struct Rolling {
 };
 
 /// Operations and outputs of a program, together, above which it is rolled: beyond it straight code streams through the
-/// instruction cache and takes long to compile. Measured in docs/growth.md.
+/// instruction cache and takes long to compile. Measured in docs/evidence/growth.md.
 constexpr std::size_t kRollAbove = 8192;
 
 /// Finds the loops over equal subsystems: runs of consecutive slices with the same operations in the same sections on

@@ -1,4 +1,4 @@
-/* The four-bar through its C interface: a torque on the crank, a stiffer spring on the way. See docs/embedding.md. */
+/* The four-bar through its C interface: a torque on the crank, a stiffer spring on the way. See docs/use/embedding.md. */
 
 #include <stdio.h>
 

@@ -1,5 +1,5 @@
 /* A cycle with a calibration tool beside it: it reads and writes the four objects of four_bar_a2l.h by four_bar.a2l,
- * through whatever protocol the application has (XCP, CCP). docs/embedding.md has the commands. */
+ * through whatever protocol the application has (XCP, CCP). docs/use/embedding.md has the commands. */
 #include <stdio.h>
 #include <string.h>
 

@@ -1,4 +1,4 @@
-"""The run of four_bar.c in Python: python3 four_bar_run.py DIRECTORY_OF_THE_SOLVER. See docs/embedding.md."""
+"""The run of four_bar.c in Python: python3 four_bar_run.py DIRECTORY_OF_THE_SOLVER. See docs/use/embedding.md."""
 
 import sys
 

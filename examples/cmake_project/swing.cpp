@@ -1,4 +1,4 @@
-// A pendulum let go at 40 degrees, for two seconds: what its tip does. See docs/embedding.md.
+// A pendulum let go at 40 degrees, for two seconds: what its tip does. See docs/use/embedding.md.
 #include <cstdio>
 
 #include "pendulum.hpp"

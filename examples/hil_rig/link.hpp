@@ -1,6 +1,6 @@
 #pragma once
 // What becomes of packets that are lost, late, doubled or broken: pure functions over packets and times, without
-// sockets and clocks. docs/hil_rig.md has the policy as a table.
+// sockets and clocks. docs/use/hil_rig.md has the policy as a table.
 
 #include <cmath>
 

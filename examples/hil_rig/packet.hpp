@@ -1,6 +1,6 @@
 #pragma once
 // What goes over the network: fixed layouts, little-endian on every machine, with a checksum at the end. Pure functions
-// over bytes; docs/hil_rig.md has the same as a table.
+// over bytes; docs/use/hil_rig.md has the same as a table.
 
 #include <array>
 #include <bit>

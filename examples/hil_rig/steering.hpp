@@ -1,6 +1,6 @@
 #pragma once
 // The actuator at the pitman arm. A network brings angles that jump; a driven coordinate needs an angle with the rate
-// and the acceleration that belong to it (docs/driven.md).
+// and the acceleration that belong to it (docs/use/driven.md).
 
 #include <algorithm>
 

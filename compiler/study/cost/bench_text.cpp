@@ -93,7 +93,7 @@ std::string step_table(const BenchRecord& record) {
   if (recursive) {
     text +=
         "  The recursive form has its inertias in step 7, its elimination to the root in 8, the way back in 9\n"
-        "  (docs/recursive.md); --form matrix has the paper's steps.\n";
+        "  (docs/method/recursive.md); --form matrix has the paper's steps.\n";
   }
   return text + "\n";
 }

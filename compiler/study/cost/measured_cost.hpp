@@ -24,7 +24,7 @@ struct MeasuredCost {
 /// Fails: UserError, see measure_step and find_compiler.
 MeasuredCost measure_cost(const Compilation& compilation, EmitOptions options, std::optional<double> budget);
 
-/// `<model>_measured.json`; see docs/cost_sheet.md.
+/// `<model>_measured.json`; see docs/use/cost_sheet.md.
 nlohmann::ordered_json measured_json(const MeasuredCost& cost, const Compilation& compilation);
 
 /// `<model>_measured.txt`: the same for people.

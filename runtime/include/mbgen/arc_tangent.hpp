@@ -1,7 +1,7 @@
 #pragma once
 // The arc tangent of one and of two arguments without branches: for double, for vectors of double and for arrays of
 // either. As in sincos.hpp each lane is computed as a double alone is. Method: the reciprocal of arguments above one,
-// and one minimax polynomial on [0, 1] by docs/minimax.py.
+// and one minimax polynomial on [0, 1] by docs/method/minimax.py.
 
 #include "mbgen/sincos.hpp"
 

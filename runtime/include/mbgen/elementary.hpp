@@ -1,5 +1,5 @@
 #pragma once
-// The elementary functions of emitted code; docs/arithmetic.md says how exact they are.
+// The elementary functions of emitted code; docs/method/arithmetic.md says how exact they are.
 
 #include "mbgen/arc_tangent.hpp"
 #include "mbgen/exponential.hpp"

@@ -1,7 +1,8 @@
 #pragma once
 // Exponential function and hyperbolic tangent without branches: for double, for vectors of double and for arrays of
 // either. As in sincos.hpp each lane is computed as a double alone is. Method: reduction by a multiple of log 2 whose
-// first part has 32 bits (Cody, Waite), minimax polynomials of the even and of the odd powers by docs/minimax.py.
+// first part has 32 bits (Cody, Waite), minimax polynomials of the even and of the odd powers by
+// docs/method/minimax.py.
 
 #include "mbgen/sincos.hpp"
 

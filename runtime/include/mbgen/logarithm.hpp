@@ -2,8 +2,8 @@
 // Natural logarithm and powers without branches: for double, for vectors of double and for arrays of either. As in
 // sincos.hpp each lane is computed as a double alone is.
 // Method: x = 2^k m with m between the square roots of 1/2 and 2, log m = 2 artanh((m - 1) / (m + 1)) with the quotient
-// and the sum in two doubles each, a minimax polynomial by docs/minimax.py; for powers the product with the exponent in
-// two doubles, then the exponential function.
+// and the sum in two doubles each, a minimax polynomial by docs/method/minimax.py; for powers the product with the
+// exponent in two doubles, then the exponential function.
 
 #include "mbgen/exponential.hpp"
 

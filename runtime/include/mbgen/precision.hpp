@@ -1,7 +1,7 @@
 #pragma once
 // What depends on the precision that a solver computes in: double, or float by `mbgen generate --scalar float`. Time
 // and steps are double in both: a float has no place for a millisecond after four hours, and loses one in a thousand of
-// it after ten seconds. See docs/targets.md.
+// it after ten seconds. See docs/use/targets.md.
 
 #include <type_traits>
 #include <utility>

@@ -8,8 +8,8 @@
 //
 // Method: reduction by a multiple of pi/2 whose parts have 33 bits each, so that products with a multiple below 2^20
 // are exact (W. J. Cody, W. Waite, Software Manual for the Elementary Functions, 1980); rounding errors of the
-// differences are carried along. Minimax polynomials on [-pi/4, pi/4], coefficients by docs/minimax.py: relative error
-// 2^-57.9 of the sine and 2^-63.9 of the cosine.
+// differences are carried along. Minimax polynomials on [-pi/4, pi/4], coefficients by docs/method/minimax.py: relative
+// error 2^-57.9 of the sine and 2^-63.9 of the cosine.
 
 #include <cmath>
 #include <cstddef>

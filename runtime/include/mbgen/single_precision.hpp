@@ -1,8 +1,8 @@
 #pragma once
 // The elementary functions of emitted code in single precision, without branches on the argument but for the C library
 // beyond their ranges. Methods as in sincos.hpp, arc_tangent.hpp, exponential.hpp and logarithm.hpp, with polynomials
-// for floats by docs/minimax.py; nothing is computed in double, which small processors do in software. Arrays are
-// computed one by one: the same bits as alone.
+// for floats by docs/method/minimax.py; nothing is computed in double, which small processors do in software. Arrays
+// are computed one by one: the same bits as alone.
 
 #include <cmath>
 #include <cstddef>

@@ -1,7 +1,7 @@
 #!/bin/sh
 # Emitted solvers on a Cortex-M7 without an operating system, in double and in single precision, under QEMU (mps2-an500):
 # trajectories against those of this machine, sizes, stack, and that nothing of a heap, of exceptions or of constructors
-# is linked. docs/targets.md records what it says. Opt-in: its tools take 2.5 GB.
+# is linked. docs/use/targets.md records what it says. Opt-in: its tools take 2.5 GB.
 #   tests/system/bare_metal/check.sh [-b MBGEN] [-i] [MODEL.json...]      default: build/mbgen, the four-bar, the coach
 # -i: installs the tools first (Debian, as root).
 set -eu

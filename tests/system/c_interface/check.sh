@@ -41,7 +41,7 @@ if command -v aarch64-linux-gnu-g++ >/dev/null 2>&1 && command -v qemu-aarch64 >
 else
   echo "C99 caller on aarch64: skipped, aarch64-linux-gnu-g++ or qemu-aarch64 is not installed (apt-get install g++-aarch64-linux-gnu qemu-user)"
 fi
-# The examples of docs/embedding.md say the same.
+# The examples of docs/use/embedding.md say the same.
 examples=$here/../../../examples/c_interface
 cc -std=c99 -Wall -Wextra -Wpedantic -Werror -I "$scratch/four_bar" "$examples/four_bar.c" "$library" -lm -o "$scratch/example"
 "$scratch/example" >"$scratch/example.txt"

@@ -48,7 +48,7 @@ check "$root/models/four_bar.json" double
 echo "calibration: $links links are where C has the numbers"
 [ "$links" -gt 120 ]
 
-# The example of docs/embedding.md: the spring lets go when a tool sets its stiffness to zero.
+# The example of docs/use/embedding.md: the spring lets go when a tool sets its stiffness to zero.
 directory=$scratch/four_bar
 # shellcheck disable=SC2086
 cc $warnings -I "$directory" -c "$root/examples/c_interface/four_bar_calibration.c" -o "$scratch/example.o"

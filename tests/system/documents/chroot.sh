@@ -1,15 +1,15 @@
 #!/bin/sh
 # Follows documents word for word in a bare Debian 12: a fresh chroot with a clone of this tree and nothing else.
 #   tests/system/documents/chroot.sh tutorial|embedding [DIRECTORY]
-# tutorial: README's first command, then docs/tutorial.md in an empty directory. embedding: docs/embedding.md.
+# tutorial: README's first command, then docs/use/tutorial.md in an empty directory. embedding: docs/use/embedding.md.
 # Takes some 15 minutes, 4 GB and a mirror; as root, with debootstrap. DIRECTORY is made and kept; without it a temporary
 # one is removed at the end.
 set -eu
 case ${1:-} in
   tutorial)
     follow='examples/coach.sh; test -s build/coach/slalom.html
-      python3 tests/system/documents/follow.py --path build/release docs/tutorial.md' ;;
-  embedding) follow='python3 tests/system/documents/follow.py --in . docs/embedding.md' ;;
+      python3 tests/system/documents/follow.py --path build/release docs/use/tutorial.md' ;;
+  embedding) follow='python3 tests/system/documents/follow.py --in . docs/use/embedding.md' ;;
   *) echo "usage: tests/system/documents/chroot.sh tutorial|embedding [DIRECTORY]" >&2; exit 1 ;;
 esac
 shift

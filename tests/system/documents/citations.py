@@ -3,10 +3,11 @@
 
     tests/system/documents/citations.py [TREE]
 
-In sources and documents:  every page of docs/ that is named exists; "PAGE.md section N", "PAGE.md sections N to M" and
-                           'PAGE.md, "Heading"' name headings of the page ("## N Heading").
-In README.md and docs/*.md: relative links and their anchors exist; paths in `code` that start with a folder of the
-                           tree exist.
+In sources and documents:  every page of docs/ that is named exists, where its folder is named there; "PAGE.md section N",
+                           "PAGE.md sections N to M" and 'PAGE.md, "Heading"' name headings of the page ("## N Heading").
+In README.md and docs:     relative links and their anchors exist; paths in `code` that start with a folder of the tree
+                           exist.
+In docs/README.md:         every page has its line.
 In tests/tools/mutations.txt:    every fault finds the text that it replaces.
 
 Prints file:line: fault, one a line. Exit code: 0 without faults, 1 with faults.
@@ -23,7 +24,7 @@ TEXTS = {".cpp", ".hpp", ".h", ".in", ".md", ".py", ".sh", ".cmake", ".txt", ".h
 ITSELF = "tests/system/documents/citations.py"
 BROKEN = "tests/system/documents/broken"  # a tree with faults, for the test of this test
 GAP = r"(?:[ \t]|\n[ \t]*(?:///?<?|#|\*)?)+"  # blanks, or a new line of the comment
-PAGE = r"(?<![\w./$-])((?:docs/)?[a-z_]+\.md)"
+PAGE = r"(?<![\w./$-])((?:docs/(?:[a-z_]+/)?)?[a-z_]+\.md)"
 NUMBERS = rf"(\d+(?:(?:,{GAP}|{GAP}and{GAP}|{GAP}to{GAP})\d+)*)"
 SECTIONS = re.compile(rf"{PAGE}(?:,?{GAP}sections?)?,?{GAP}{NUMBERS}")
 QUOTED = re.compile(rf'{PAGE},{GAP}"([^"\n]+)"')
@@ -67,13 +68,20 @@ def numbers(text):
     return found
 
 
+def page_of(tree, cited):
+    """The page that is cited by its path or by its name alone; a path that does not exist where there is none."""
+    if "/" in cited:
+        return tree / cited
+    return next(iter(sorted((tree / "docs").glob(f"*/{cited}"))), tree / "docs" / cited)
+
+
 def citation_faults(tree, text):
     """(offset, fault) of every page and section that the text names."""
     for match in re.finditer(PAGE, text):
-        if not (tree / "docs" / pathlib.Path(match[1]).name).is_file():
+        if not page_of(tree, match[1]).is_file():
             yield match.start(), f"no page {match[1]} in docs/"
     for match in SECTIONS.finditer(text):
-        page = tree / "docs" / pathlib.Path(match[1]).name
+        page = page_of(tree, match[1])
         if not re.search(r"sections?", match[0]):
             yield match.start(), f'"{match[1]} {match[2]}" is to be written "{match[1]} section {match[2]}"'
         elif page.is_file():
@@ -82,7 +90,7 @@ def citation_faults(tree, text):
                 if str(number) not in there:
                     yield match.start(), f"{match[1]} has no section {number}"
     for match in QUOTED.finditer(text):
-        page = tree / "docs" / pathlib.Path(match[1]).name
+        page = page_of(tree, match[1])
         if page.is_file() and match[2].rstrip(".,") not in headings(page.read_text(encoding="utf-8")):
             yield match.start(), f'{match[1]} has no heading "{match[2]}"'
 
@@ -106,6 +114,15 @@ def link_faults(tree, name, text):
                 yield code.start(), f"no file {path}"
 
 
+def index_faults(tree, text):
+    """(offset, fault) of every page that the index does not link."""
+    links = {target.partition("#")[0] for target in LINK.findall(text)}
+    for page in sorted((tree / "docs").glob("*/*.md")):
+        name = page.relative_to(tree / "docs").as_posix()
+        if name not in links:
+            yield 0, f"the index does not link {name}"
+
+
 def mutation_faults(tree, text):
     """(offset, fault) of every fault put in on purpose that would change nothing."""
     offset = 0
@@ -123,8 +140,10 @@ def mutation_faults(tree, text):
 def faults(tree):
     for name, text in texts_of(tree):
         found = list(citation_faults(tree, text))
-        if name == "README.md" or re.fullmatch(r"docs/[a-z_/]+\.md", name):
+        if name == "README.md" or re.fullmatch(r"docs/[\w/]+\.md", name):
             found += link_faults(tree, name, text)
+        if name == "docs/README.md":
+            found += index_faults(tree, text)
         if name == "tests/tools/mutations.txt":
             found += mutation_faults(tree, text)
         for offset, fault in sorted(set(found)):

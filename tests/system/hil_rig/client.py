@@ -1,4 +1,4 @@
-"""A driver from the tables of docs/hil_rig.md alone, with Python's own checksum: client.py OWN PLANT CONTROL MOTIONS
+"""A driver from the tables of docs/use/hil_rig.md alone, with Python's own checksum: client.py OWN PLANT CONTROL MOTIONS
 
 Answers so many motions or more, until the plant follows, sets parameters, then falls silent.
 """

@@ -1,4 +1,4 @@
-// Packets: the layout that docs/hil_rig.md gives, and what is not taken for one.
+// Packets: the layout that docs/use/hil_rig.md gives, and what is not taken for one.
 
 #include "packet.hpp"
 

@@ -1,6 +1,6 @@
 #!/bin/sh
 # Long runs, some minutes: the four-bar for 1e8 steps and the coach for an hour of simulated time. Prints energy, closure
-# residuals and memory as they go; docs/numerical_trouble.md has a record.
+# residuals and memory as they go; docs/use/numerical_trouble.md has a record.
 #   tests/system/long_runs/long_runs.sh [MBGEN] [STEPS] [SECONDS]      default: build/mbgen 100000000 3600
 set -eu
 here=$(cd "$(dirname "$0")" && pwd)

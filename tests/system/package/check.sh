@@ -184,7 +184,7 @@ check_fmu() {
   passed "mbgen_add_fmu: made, and again after an included file"
 }
 
-# The Debian package, unpacked into a root and used from there by the example of docs/embedding.md.
+# The Debian package, unpacked into a root and used from there by the example of docs/use/embedding.md.
 check_debian() {
   if ! is_there dpkg-shlibdeps || ! is_there dpkg-deb; then
     echo "package: Debian: skipped, dpkg-dev is not installed"

@@ -1,6 +1,6 @@
 #pragma once
 // Problems with published or independently computed answers, solved by mbgen: the test checks every figure against its
-// bound, and docs/verification.sh prints the same figures as a table.
+// bound, and docs/evidence/verification.sh prints the same figures as a table.
 
 #include <functional>
 #include <string>

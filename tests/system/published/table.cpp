@@ -1,4 +1,4 @@
-// The table of docs/verification.md, see docs/verification.sh: verification_table [--long]
+// The table of docs/evidence/verification.md, see docs/evidence/verification.sh: verification_table [--long]
 
 #include <cstdio>
 #include <exception>
@@ -12,7 +12,7 @@ int main(int count, char** arguments) try {
   std::printf(
       "| problem | metric | our error | bound of the test | step | source gives |\n|---|---|---|---|---|---|\n");
   for (const Problem& problem : is_long ? long_problems() : problems()) {
-    std::string title = "[" + problem.title + "](../" + problem.model + ")";
+    std::string title = "[" + problem.title + "](../../" + problem.model + ")";
     for (const Figure& f : problem.solve()) {
       std::printf("| %s | %s | %.1e %s | %.0e | %s | %s |\n", title.c_str(), f.metric.c_str(), f.error, f.unit.c_str(),
                   f.bound, f.method.c_str(), f.published.c_str());

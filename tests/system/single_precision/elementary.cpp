@@ -1,5 +1,5 @@
 // The elementary functions in single precision against those of the C library in double precision: errors in units of
-// the last place, as docs/arithmetic.md promises them.
+// the last place, as docs/method/arithmetic.md promises them.
 
 #include "mbgen/elementary.hpp"
 

@@ -1,12 +1,12 @@
 #!/bin/sh
-# Measures anew what docs/growth.md holds, puts the table between the markers there and draws docs/growth.svg:
-#   docs/growth.sh [TABLE]     TABLE: what bench/growth.sh printed, to draw without measuring
+# Measures anew what docs/evidence/growth.md holds, puts the table between the markers there and draws docs/evidence/growth.svg:
+#   docs/evidence/growth.sh [TABLE]     TABLE: what bench/growth.sh printed, to draw without measuring
 # Needs gnuplot (Debian: gnuplot-nox). Some minutes; the machine should have nothing else to do.
 set -eu
 here=$(cd "$(dirname "$0")" && pwd)
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
-if [ $# -gt 0 ]; then grep '^|' "$1" > "$scratch/table"; else "$here/../bench/growth.sh" > "$scratch/table"; fi
+if [ $# -gt 0 ]; then grep '^|' "$1" > "$scratch/table"; else "$here/../../bench/growth.sh" > "$scratch/table"; fi
 
 awk -v table="$scratch/table" '
   /^<!-- growth: end -->/ { inside = 0 }

@@ -1,9 +1,9 @@
 #!/bin/sh
-# Makes the tables of docs/verification.md anew and puts them between the markers there: docs/verification.sh [BUILD] [--long]
+# Makes the tables of docs/evidence/verification.md anew and puts them between the markers there: docs/evidence/verification.sh [BUILD] [--long]
 # BUILD: a build directory with the tests, default build/release. Half a minute; with --long also what takes minutes.
 set -eu
 here=$(cd "$(dirname "$0")" && pwd)
-build=${1:-$here/../build/release}
+build=${1:-$here/../../build/release}
 page=$here/verification.md
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT

@@ -1,9 +1,9 @@
 #!/bin/sh
 # Puts in the faults of tests/tools/mutations.txt one by one, in a copy of the sources, and prints what catches each as a
-# table: docs/mutations.sh [SCRATCH]
+# table: tests/tools/mutations.sh [SCRATCH]
 # SCRATCH: where to build, kept; default a temporary directory. Half an hour on two processors.
 set -eu
-here=$(cd "$(dirname "$0")/.." && pwd)
+here=$(cd "$(dirname "$0")/../.." && pwd)
 scratch=${1:-$(mktemp -d)}
 tree=$scratch/tree
 mkdir -p "$tree"

@@ -1,12 +1,12 @@
 #!/bin/sh
-# Largest relative difference of the Cartesian judges' accelerations from the generated code's: docs/judges.sh [MBGEN [MODEL..]]
-# Prints the table in docs/judges.md: eight random closed states of each model, the error of a state being the largest
+# Largest relative difference of the Cartesian judges' accelerations from the generated code's: docs/method/judges.sh [MBGEN [MODEL..]]
+# Prints the table in docs/method/judges.md: eight random closed states of each model, the error of a state being the largest
 # difference over its largest acceleration.
 set -eu
 here=$(cd "$(dirname "$0")" && pwd)
-mbgen=${1:-$here/../build/release/mbgen}
+mbgen=${1:-$here/../../build/release/mbgen}
 [ $# -gt 0 ] && shift
-[ $# -gt 0 ] || set -- "$here"/../models/*.json
+[ $# -gt 0 ] || set -- "$here"/../../models/*.json
 judges="augmented range-space null-space maggi"
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
