@@ -112,7 +112,7 @@ void add_programs(Compilation& c, const CompileOptions& options) {
     programs = pass.run(std::move(programs));
     if (!stages.ended(pass.name, c, programs)) return;
   }
-  c.emitted = std::move(programs);
+  c.emitted = verified(std::move(programs));
 }
 
 Result<Compilation> compile(Model model, const CompileOptions& options) {

@@ -131,12 +131,13 @@ std::string batch_text(const EmitContext& context) {
   std::string programs, members;
   ConstantNames constants(context.programs);
   for (const ShapedProgram& scalar : shaped_programs(context.programs, context.layout, context.names)) {
-    if (scalar.key == "closure_terms" || scalar.key == "accelerations_chosen") continue;  // of lanes that are alone
+    if (scalar.role == Role::closure_terms || scalar.role == Role::accelerations_chosen)
+      continue;  // of lanes that are alone
     ShapedProgram shaped = in_lanes(scalar);
     shaped.shape.constants = &constants;
     programs += program_text(fewest_alive(*shaped.program), shaped.shape) + "\n";
-    if (shaped.key == "derived_constants") programs += tuned_constructor_text(context.programs);
-    if (shaped.key == "outputs" || shaped.key == "derived_constants") continue;
+    if (shaped.role == Role::derived_constants) programs += tuned_constructor_text(context.programs);
+    if (shaped.role == Role::outputs || shaped.role == Role::derived_constants) continue;
     members += "  using " + shaped.shape.result + " = lanes::" + shaped.shape.result + ";\n" +
                "  static constexpr auto " + shaped.shape.function.substr(std::string("compute_").size()) +
                " = &lanes::" + shaped.shape.function + ";\n";

@@ -14,15 +14,15 @@ namespace {
 /// What struct Direction holds, in this order.
 std::vector<DirectionGroup> direction_groups(const EmitContext& context) {
   const SolverLayout& layout = context.layout;
-  return {{"z", layout.coordinates},
-          {"zd", layout.coordinates},
-          {"x", layout.auxiliary_states},
-          {"t", 1},
-          {"in", static_cast<int>(context.names.inputs.size())},
-          {"par", static_cast<int>(context.names.parameters.size())},
-          {"zdd", layout.coordinates},
-          {"lambda", layout.equations},
-          {"drive", layout.drives}};
+  return {{Array::z, layout.coordinates},
+          {Array::zd, layout.coordinates},
+          {Array::x, layout.auxiliary_states},
+          {Array::t, 1},
+          {Array::in, static_cast<int>(context.names.inputs.size())},
+          {Array::par, static_cast<int>(context.names.parameters.size())},
+          {Array::zdd, layout.coordinates},
+          {Array::lambda, layout.equations},
+          {Array::drive, layout.drives}};
 }
 
 /// Texts of the entries of struct Direction.
@@ -30,7 +30,7 @@ std::vector<std::string> direction_texts(const std::vector<DirectionGroup>& grou
   std::vector<std::string> texts;
   for (const DirectionGroup& group : groups) {
     for (int i = 0; i < group.size; ++i) {
-      texts.push_back(group.name == "t" ? "direction.t" : fmt::format("direction.{}[{}]", group.name, i));
+      texts.push_back(group.group == Array::t ? "direction.t" : "direction." + text_of(Slot{group.group, i}));
     }
   }
   return texts;
@@ -40,7 +40,7 @@ std::vector<std::string> direction_texts(const std::vector<DirectionGroup>& grou
 Program along(const Program& program, const std::vector<DirectionGroup>& groups) {
   Program derived = differentiate(program, seeds_of(program, groups));
   std::erase_if(derived.outputs, [](const OutputValue& output) {
-    return output.slot.group != "pivot" && !output.slot.group.starts_with("d_");
+    return output.slot.group != Array::pivot && output.slot.group.derivative == 0;
   });
   return contract(optimise(derived));
 }
@@ -64,7 +64,7 @@ ProgramShape shape_along(const EmitContext& context, const std::string& function
   shape.arguments.insert(shape.arguments.end(), arguments.begin(), arguments.end());
   shape.arguments.push_back({"direction", "const Direction& direction"});
   shape.inputs = input_places(context.programs, context.layout, context.names);
-  GroupPlace& seed = shape.inputs["seed"];
+  GroupPlace& seed = shape.inputs[Array::seed];
   seed.argument = "direction";
   seed.texts = direction_texts(direction_groups(context));
   shape.roll_above = context.roll_above;
@@ -94,20 +94,20 @@ std::string directional_source_text(const EmitContext& context, const Programs& 
   const GroupPlace pivot = member_place("pivot", static_cast<int>(layout.blocks.size()), 0, "1.0");
 
   ProgramShape closure = shape_along(context, "closure_along", "ClosureAlong", {});
-  closure.outputs = {{"d_dz", member_place("dz", layout.coordinates)},
-                     {"d_zd", member_place("zd", layout.coordinates)},
-                     {"pivot", pivot}};
+  closure.outputs = {{derivative_of(Array::dz), member_place("dz", layout.coordinates)},
+                     {derivative_of(Array::zd), member_place("zd", layout.coordinates)},
+                     {Array::pivot, pivot}};
   ProgramShape accelerations = shape_along(context, "accelerations_along", "AccelerationsAlong", {tau});
-  accelerations.outputs = {{"d_zdd", member_place("zdd", layout.coordinates)},
-                           {"d_xd", member_place("xd", layout.auxiliary_states)},
-                           {"pivot", pivot}};
+  accelerations.outputs = {{derivative_of(Array::zdd), member_place("zdd", layout.coordinates)},
+                           {derivative_of(Array::xd), member_place("xd", layout.auxiliary_states)},
+                           {Array::pivot, pivot}};
   ProgramShape forces = shape_along(context, "multipliers_along", "MultipliersAlong", {tau, derivative});
-  forces.outputs = {{"d_lambda", member_place("lambda", layout.equations)},
-                    {"d_drive", member_place("drive", layout.drives)}};
+  forces.outputs = {{derivative_of(Array::lambda), member_place("lambda", layout.equations)},
+                    {derivative_of(Array::drive), member_place("drive", layout.drives)}};
   ProgramShape results = shape_along(context, "outputs_along", "OutputsAlong", {tau, derivative, multipliers});
-  results.outputs = {{"d_y", member_place("y", outputs)},
-                     {"d_energy", member_place("y", 2, outputs)},
-                     {"d_power", member_place("y", 1, outputs + 2)}};
+  results.outputs = {{derivative_of(Array::y), member_place("y", outputs)},
+                     {derivative_of(Array::energy), member_place("y", 2, outputs)},
+                     {derivative_of(Array::power), member_place("y", 1, outputs + 2)}};
 
   const std::pair<const Program*, const ProgramShape*> all[] = {{&programs.closure, &closure},
                                                                 {&programs.accelerations, &accelerations},

@@ -173,8 +173,7 @@ void add_chosen(const EmitContext& context, const References& first, FmuLayout& 
   }
 }
 
-/// Knowns by the text of a slot, "zd[3]".
-using Knowns = std::map<std::pair<std::string, int>, std::set<int>>;
+using Knowns = std::map<Slot, std::set<int>>;
 
 /// Every output slot of a program with the union of the knowns of the inputs that reach it.
 Knowns reached(const Program& program, const Knowns& knowns) {
@@ -189,10 +188,10 @@ Knowns reached(const Program& program, const Knowns& knowns) {
   }
   Knowns result;
   for (const OutputValue& output : program.outputs) {
-    std::set<int>& set = result[{output.slot.group, output.slot.index}];
+    std::set<int>& set = result[output.slot];
     for (std::size_t i = 0; i < program.inputs.size(); ++i) {
       if (!reach[output.value][i]) continue;
-      const auto known = knowns.find({program.inputs[i].group, program.inputs[i].index});
+      const auto known = knowns.find(program.inputs[i]);
       if (known != knowns.end()) set.insert(known->second.begin(), known->second.end());
     }
   }
@@ -205,9 +204,9 @@ void close_positions(const EmitContext& context, const Programs& programs, const
     grows = false;
     const Knowns closed = reached(programs.closure, knowns);
     for (int i = 0; i < context.layout.coordinates; ++i) {
-      const auto correction = closed.find({"dz", i});
+      const auto correction = closed.find({Array::dz, i});
       if (contains(fmu.independent, i) || correction == closed.end()) continue;
-      std::set<int>& set = knowns[{"z", i}];
+      std::set<int>& set = knowns[{Array::z, i}];
       const std::size_t before = set.size();
       set.insert(correction->second.begin(), correction->second.end());
       grows = grows || set.size() > before;
@@ -215,14 +214,14 @@ void close_positions(const EmitContext& context, const Programs& programs, const
   }
   const Knowns closed = reached(programs.closure, knowns);
   for (int i = 0; i < context.layout.coordinates; ++i) {
-    const auto velocity = closed.find({"zd", i});
-    if (!contains(fmu.independent, i) && velocity != closed.end()) knowns[{"zd", i}] = velocity->second;
+    const auto velocity = closed.find({Array::zd, i});
+    if (!contains(fmu.independent, i) && velocity != closed.end()) knowns[{Array::zd, i}] = velocity->second;
   }
 }
 
 /// With other independent coordinates of a loop block, each of its coordinates may depend on all that one of them does
 /// now: on the block's whole state, and on all that its loops look at.
-void share_in_blocks(const FmuLayout& fmu, const char* group, Knowns& knowns) {
+void share_in_blocks(const FmuLayout& fmu, SlotGroup group, Knowns& knowns) {
   std::map<int, std::set<int>> of_block;
   const int count = static_cast<int>(fmu.block_of.size());
   for (int i = 0; i < count; ++i) {
@@ -239,47 +238,47 @@ void share_in_blocks(const FmuLayout& fmu, const char* group, Knowns& knowns) {
 std::vector<std::set<int>> dependencies(const EmitContext& context, const Programs& programs, const References& first,
                                         const FmuLayout& fmu) {
   Knowns knowns;
-  knowns[{"t", 0}] = {0};
-  for (int i = first.par; i < first.in; ++i) knowns[{"par", i - first.par}] = {i};
-  for (int i = first.in; i < first.y; ++i) knowns[{"in", i - first.in}] = {i};
-  for (int i = first.x; i < first.xd; ++i) knowns[{"x", i - first.x}] = {i};
+  knowns[{Array::t, 0}] = {0};
+  for (int i = first.par; i < first.in; ++i) knowns[{Array::par, i - first.par}] = {i};
+  for (int i = first.in; i < first.y; ++i) knowns[{Array::in, i - first.in}] = {i};
+  for (int i = first.x; i < first.xd; ++i) knowns[{Array::x, i - first.x}] = {i};
   for (const int i : fmu.independent) {
-    knowns[{"z", i}] = {first.z + i};
-    knowns[{"zd", i}] = {first.zd + i};
+    knowns[{Array::z, i}] = {first.z + i};
+    knowns[{Array::zd, i}] = {first.zd + i};
   }
   for (std::size_t k = 0; k < fmu.chosen.size(); ++k) {
-    knowns[{"z", fmu.independent[fmu.chosen[k]]}] = {first.q + static_cast<int>(k)};
-    knowns[{"zd", fmu.independent[fmu.chosen[k]]}] = {first.qd + static_cast<int>(k)};
+    knowns[{Array::z, fmu.independent[fmu.chosen[k]]}] = {first.q + static_cast<int>(k)};
+    knowns[{Array::zd, fmu.independent[fmu.chosen[k]]}] = {first.qd + static_cast<int>(k)};
   }
   if (context.layout.has_closure) close_positions(context, programs, fmu, knowns);
-  share_in_blocks(fmu, "z", knowns);
-  share_in_blocks(fmu, "zd", knowns);
+  share_in_blocks(fmu, Array::z, knowns);
+  share_in_blocks(fmu, Array::zd, knowns);
   knowns.merge(reached(programs.accelerations, knowns));
-  share_in_blocks(fmu, "zdd", knowns);
+  share_in_blocks(fmu, Array::zdd, knowns);
   if (context.layout.has_closure) knowns.merge(reached(programs.multipliers, knowns));
   const Knowns results = reached(programs.outputs, knowns);
 
   std::vector<std::set<int>> all(fmu.variables.size());
-  const auto take = [&](const Knowns& from, const char* group, int index, int reference) {
+  const auto take = [&](const Knowns& from, Array group, int index, int reference) {
     const auto found = from.find({group, index});
     if (found != from.end()) all[static_cast<std::size_t>(reference)] = found->second;
   };
   const int outputs = static_cast<int>(context.names.outputs.size());
-  for (int i = 0; i < outputs; ++i) take(results, "y", i, first.y + i);
-  take(results, "energy", 0, first.y + outputs);
-  take(results, "energy", 1, first.y + outputs + 1);
-  take(results, "power", 0, first.y + outputs + 2);
+  for (int i = 0; i < outputs; ++i) take(results, Array::y, i, first.y + i);
+  take(results, Array::energy, 0, first.y + outputs);
+  take(results, Array::energy, 1, first.y + outputs + 1);
+  take(results, Array::power, 0, first.y + outputs + 2);
   for (int i = 0; i < context.layout.coordinates; ++i) {
-    take(knowns, "z", i, first.z + i);
-    take(knowns, "zd", i, first.zd + i);
-    take(knowns, "zdd", i, first.zdd + i);
+    take(knowns, Array::z, i, first.z + i);
+    take(knowns, Array::zd, i, first.zd + i);
+    take(knowns, Array::zdd, i, first.zdd + i);
   }
-  for (int i = 0; i < context.layout.auxiliary_states; ++i) take(knowns, "xd", i, first.xd + i);
+  for (int i = 0; i < context.layout.auxiliary_states; ++i) take(knowns, Array::xd, i, first.xd + i);
   for (std::size_t k = 0; k < fmu.chosen.size(); ++k) {
     const int place = static_cast<int>(k), coordinate = fmu.independent[fmu.chosen[k]];
-    take(knowns, "z", coordinate, first.q + place);
-    take(knowns, "zd", coordinate, first.qd + place);
-    take(knowns, "zdd", coordinate, first.qdd + place);
+    take(knowns, Array::z, coordinate, first.q + place);
+    take(knowns, Array::zd, coordinate, first.qd + place);
+    take(knowns, Array::zdd, coordinate, first.qdd + place);
   }
   return all;
 }

@@ -43,16 +43,16 @@ GroupPlace result_array(const std::string& array, Texts texts, const std::string
   return {"result", std::move(texts), {}, missing, array, 0};
 }
 
-/// Adds a group with one sub-array per block: "Phi0", "Phi1", ... in one flat array.
+/// Adds an array of every block, one after the other in one flat array.
 template <class Size, class First>
-void add_blocks(Places& places, const std::string& argument, const std::string& group, const SolverLayout& layout,
-                Size size, First first) {
+void add_blocks(Places& places, const std::string& argument, Array array, const SolverLayout& layout, Size size,
+                First first) {
   const int blocks = static_cast<int>(layout.blocks.size());
   for (int b = 0; b < blocks; ++b) {
     const BlockPlaces& block = layout.blocks[b];
-    places[group + std::to_string(b)] = {
-        argument,    indexed(argument + "." + group, size(block), first(block)), {}, "0.0", argument + "." + group,
-        first(block)};
+    const std::string member = argument + "." + name_of(array);
+    places[of_block(array, static_cast<std::size_t>(b))] = {
+        argument, indexed(member, size(block), first(block)), {}, "0.0", member, first(block)};
   }
 }
 
@@ -85,11 +85,11 @@ ProgramShape accelerations_shape(const SolverLayout& layout, const SolverNames& 
                {"xd", layout.auxiliary_states, "rates of the auxiliary states"},
                {"pivot", blocks, "smallest pivot of each block over its reference"},
                {"inertia", directions, "pivots of the final equations"}};
-  s.outputs["zdd"] = result_array("result.zdd", named("result.zdd", "Coordinate", names.coordinates));
-  s.outputs["xd"] = result_array("result.xd", indexed("result.xd", layout.auxiliary_states));
+  s.outputs[Array::zdd] = result_array("result.zdd", named("result.zdd", "Coordinate", names.coordinates));
+  s.outputs[Array::xd] = result_array("result.xd", indexed("result.xd", layout.auxiliary_states));
   // A block of rank zero has no pivot to watch.
-  s.outputs["pivot"] = result_array("result.pivot", indexed("result.pivot", blocks), "1.0");
-  s.outputs["inertia"] = result_array("result.inertia", indexed("result.inertia", directions), "1.0");
+  s.outputs[Array::pivot] = result_array("result.pivot", indexed("result.pivot", blocks), "1.0");
+  s.outputs[Array::inertia] = result_array("result.inertia", indexed("result.inertia", directions), "1.0");
   return s;
 }
 
@@ -99,7 +99,7 @@ ProgramShape chosen_shape(const SolverLayout& layout, const SolverNames& names, 
   s.function = "compute_chosen_accelerations";
   s.result = "ChosenAccelerations";
   s.arguments.push_back(kProjection);
-  s.outputs.erase("pivot");
+  s.outputs.erase(Array::pivot);
   s.members.erase(s.members.begin() + 2);
   return s;
 }
@@ -113,10 +113,10 @@ ProgramShape closure_shape(const SolverLayout& layout, const SolverNames& names,
                {"dz", layout.coordinates, "Newton correction; driven coordinates go to their motions"},
                {"zd", layout.coordinates, "consistent velocities"},
                {"pivot", blocks, "smallest pivot of each block over its reference"}};
-  s.outputs["residual"] = result_array("result.residual", indexed("result.residual", residuals));
-  s.outputs["dz"] = result_array("result.dz", named("result.dz", "Coordinate", names.coordinates));
-  s.outputs["zd"] = result_array("result.zd", named("result.zd", "Coordinate", names.coordinates));
-  s.outputs["pivot"] = result_array("result.pivot", indexed("result.pivot", blocks), "1.0");
+  s.outputs[Array::residual] = result_array("result.residual", indexed("result.residual", residuals));
+  s.outputs[Array::dz] = result_array("result.dz", named("result.dz", "Coordinate", names.coordinates));
+  s.outputs[Array::zd] = result_array("result.zd", named("result.zd", "Coordinate", names.coordinates));
+  s.outputs[Array::pivot] = result_array("result.pivot", indexed("result.pivot", blocks), "1.0");
   return s;
 }
 
@@ -129,18 +129,18 @@ ProgramShape closure_terms_shape(const SolverLayout& layout, const SolverNames& 
                {"driven_acceleration", layout.coordinates, "of driven coordinates, by their motions; no others"}};
   const auto equations = [](const BlockPlaces& b) { return b.equations; };
   const auto first_equation = [](const BlockPlaces& b) { return b.first_equation; };
-  for (const char* group : {"Phi", "c"}) {
-    add_blocks(s.outputs, "result", group, layout, equations, first_equation);
+  for (const Array array : {Array::Phi, Array::c}) {
+    add_blocks(s.outputs, "result", array, layout, equations, first_equation);
   }
   if (!layout.chooses_again) {
     s.members[1] = {"rate", layout.equations, "Jacobian times velocities"};
-    add_blocks(s.outputs, "result", "rate", layout, equations, first_equation);
+    add_blocks(s.outputs, "result", Array::rate, layout, equations, first_equation);
   } else {
     add_blocks(
-        s.outputs, "result", "Jz", layout, [](const BlockPlaces& b) { return b.equations * b.coordinates; },
+        s.outputs, "result", Array::Jz, layout, [](const BlockPlaces& b) { return b.equations * b.coordinates; },
         [](const BlockPlaces& b) { return b.first_jacobian; });
   }
-  s.outputs["driven_acceleration"] = result_array(
+  s.outputs[Array::driven_acceleration] = result_array(
       "result.driven_acceleration", named("result.driven_acceleration", "Coordinate", names.coordinates), "");
   return s;
 }
@@ -154,11 +154,11 @@ ProgramShape multipliers_shape(const SolverLayout& layout, const Places& inputs)
                {"missing", layout.block_coordinates, "what multipliers and drives must provide, block after block"},
                {"pivot", blocks, "smallest pivot of each block over its reference"}};
   add_blocks(
-      s.outputs, "result", "missing", layout, [](const BlockPlaces& b) { return b.coordinates; },
+      s.outputs, "result", Array::missing, layout, [](const BlockPlaces& b) { return b.coordinates; },
       [](const BlockPlaces& b) { return b.first_coordinate; });
-  s.outputs["pivot"] = result_array("result.pivot", indexed("result.pivot", blocks), "1.0");
-  s.outputs["lambda"] = result_array("result.lambda", indexed("result.lambda", layout.equations));
-  s.outputs["drive"] = result_array("result.drive", indexed("result.drive", layout.drives));
+  s.outputs[Array::pivot] = result_array("result.pivot", indexed("result.pivot", blocks), "1.0");
+  s.outputs[Array::lambda] = result_array("result.lambda", indexed("result.lambda", layout.equations));
+  s.outputs[Array::drive] = result_array("result.drive", indexed("result.drive", layout.drives));
   return s;
 }
 
@@ -166,9 +166,9 @@ ProgramShape outputs_shape(const SolverNames& names, const Places& inputs, bool 
   ProgramShape s = shape("Outputs, energies and power, at given accelerations.", "Outputs", "compute_outputs",
                          {kTau, kDerivative}, inputs);
   if (with_multipliers) s.arguments.push_back(kMultipliers);
-  s.outputs["y"] = result_place(members("result", names.outputs));
-  s.outputs["energy"] = result_place({"result.kinetic_energy", "result.potential_energy"});
-  s.outputs["power"] = result_place({"result.applied_power"});
+  s.outputs[Array::y] = result_place(members("result", names.outputs));
+  s.outputs[Array::energy] = result_place({"result.kinetic_energy", "result.potential_energy"});
+  s.outputs[Array::power] = result_place({"result.applied_power"});
   return s;
 }
 
@@ -179,7 +179,7 @@ ProgramShape derived_shape(const Places& inputs, int count) {
   s.result = "Tuned";
   s.arguments = {{"parameters", "const Parameters& parameters"}};
   s.inputs = inputs;
-  s.outputs["derived"] = result_array("result.derived", indexed("result.derived", count));
+  s.outputs[Array::derived] = result_array("result.derived", indexed("result.derived", count));
   return s;
 }
 
@@ -189,7 +189,7 @@ void take_floats(ProgramShape& shape) {
   for (auto& [name, declaration] : shape.arguments) {
     if (name == kTau.first) declaration = "const float* tau";
   }
-  shape.inputs["t"].texts = {"static_cast<float>(state.t)"};
+  shape.inputs[Array::t].texts = {"static_cast<float>(state.t)"};
   for (auto& [group, place] : shape.outputs) {
     if (!place.missing.empty()) place.missing += "f";
   }
@@ -200,29 +200,31 @@ void take_floats(ProgramShape& shape) {
 Places input_places(const Programs& programs, const SolverLayout& layout, const SolverNames& names) {
   const auto& coordinates = names.coordinates;
   Places places;
-  places["z"] = {"state", named("state.z", "Coordinate", coordinates), prefixed("z_", coordinates), "", "state.z", 0};
-  places["zd"] = {"state", named("state.zd", "Coordinate", coordinates), prefixed("zd_", coordinates), "", "state.zd",
-                  0};
-  places["x"] = {"state", indexed("state.x", layout.auxiliary_states), {}, "", "state.x", 0};
-  places["t"] = {"state", {"state.t"}, {}, "", "", 0};
-  places["tau"] = {"tau", named("tau", "Coordinate", coordinates), prefixed("tau_", coordinates), "", "tau", 0};
-  places["zdd"] = {"derivative",
-                   named("derivative.zdd", "Coordinate", coordinates),
-                   prefixed("zdd_", coordinates),
-                   "",
-                   "derivative.zdd",
-                   0};
-  places["lambda"] = {"multipliers", indexed("multipliers.lambda", layout.equations), {}, "", "multipliers.lambda", 0};
-  places["drive"] = {"multipliers", indexed("multipliers.drive", layout.drives), {}, "", "multipliers.drive", 0};
-  places["in"] = {"inputs", members("inputs", names.inputs), {}, "", "", 0};
-  places["par"] = {"parameters", members("parameters", names.parameters), {}, "", "", 0};
+  places[Array::z] = {"state", named("state.z", "Coordinate", coordinates), prefixed("z_", coordinates), "", "state.z",
+                      0};
+  places[Array::zd] = {
+      "state", named("state.zd", "Coordinate", coordinates), prefixed("zd_", coordinates), "", "state.zd", 0};
+  places[Array::x] = {"state", indexed("state.x", layout.auxiliary_states), {}, "", "state.x", 0};
+  places[Array::t] = {"state", {"state.t"}, {}, "", "", 0};
+  places[Array::tau] = {"tau", named("tau", "Coordinate", coordinates), prefixed("tau_", coordinates), "", "tau", 0};
+  places[Array::zdd] = {"derivative",
+                        named("derivative.zdd", "Coordinate", coordinates),
+                        prefixed("zdd_", coordinates),
+                        "",
+                        "derivative.zdd",
+                        0};
+  places[Array::lambda] = {
+      "multipliers", indexed("multipliers.lambda", layout.equations), {}, "", "multipliers.lambda", 0};
+  places[Array::drive] = {"multipliers", indexed("multipliers.drive", layout.drives), {}, "", "multipliers.drive", 0};
+  places[Array::in] = {"inputs", members("inputs", names.inputs), {}, "", "", 0};
+  places[Array::par] = {"parameters", members("parameters", names.parameters), {}, "", "", 0};
   const int derived = derived_constant_count(programs);
-  places["derived"] = {"parameters", indexed("parameters.derived", derived), {}, "", "parameters.derived", 0};
+  places[Array::derived] = {"parameters", indexed("parameters.derived", derived), {}, "", "parameters.derived", 0};
   add_blocks(
-      places, "projection", "Rz", layout, [](const BlockPlaces& b) { return b.coordinates * b.free; },
+      places, "projection", Array::Rz, layout, [](const BlockPlaces& b) { return b.coordinates * b.free; },
       [](const BlockPlaces& b) { return b.first_projection; });
   add_blocks(
-      places, "projection", "zdd_star", layout, [](const BlockPlaces& b) { return b.coordinates; },
+      places, "projection", Array::zdd_star, layout, [](const BlockPlaces& b) { return b.coordinates; },
       [](const BlockPlaces& b) { return b.first_coordinate; });
   return places;
 }
@@ -270,7 +272,7 @@ ShapedProgram clocked_accelerations(const Programs& programs, const SolverLayout
   s.result = "ClockedAccelerations";
   s.clock = "clock";
   s.arguments.push_back({"clock", "mbgen::StepClock& clock"});
-  return {&programs.accelerations, "clocked_accelerations", s};
+  return {&programs.accelerations, Role::accelerations, s};
 }
 
 bool is_number(const std::string& scalar) { return scalar == "double" || scalar == "float"; }
@@ -280,20 +282,20 @@ std::vector<ShapedProgram> shaped_programs(const Programs& programs, const Solve
   const Places inputs = input_places(programs, layout, names);
   const int directions = static_cast<int>(programs.free_direction_coordinate.size());
   std::vector<ShapedProgram> all = {
-      {&programs.accelerations, "accelerations", accelerations_shape(layout, names, inputs, directions)}};
+      {&programs.accelerations, Role::accelerations, accelerations_shape(layout, names, inputs, directions)}};
   if (layout.has_closure) {
-    all.push_back({&programs.closure, "closure", closure_shape(layout, names, inputs)});
-    all.push_back({&programs.multipliers, "multipliers", multipliers_shape(layout, inputs)});
+    all.push_back({&programs.closure, Role::closure, closure_shape(layout, names, inputs)});
+    all.push_back({&programs.multipliers, Role::multipliers, multipliers_shape(layout, inputs)});
   }
   if (!layout.blocks.empty()) {
-    all.push_back({&programs.closure_terms, "closure_terms", closure_terms_shape(layout, names, inputs)});
+    all.push_back({&programs.closure_terms, Role::closure_terms, closure_terms_shape(layout, names, inputs)});
     if (layout.chooses_again)
-      all.push_back(
-          {&programs.accelerations_chosen, "accelerations_chosen", chosen_shape(layout, names, inputs, directions)});
+      all.push_back({&programs.accelerations_chosen, Role::accelerations_chosen,
+                     chosen_shape(layout, names, inputs, directions)});
   }
-  all.push_back({&programs.outputs, "outputs", outputs_shape(names, inputs, outputs_take_multipliers(programs))});
+  all.push_back({&programs.outputs, Role::outputs, outputs_shape(names, inputs, outputs_take_multipliers(programs))});
   if (derived_constant_count(programs) > 0)
-    all.insert(all.begin(), {&programs.derived_constants, "derived_constants",
+    all.insert(all.begin(), {&programs.derived_constants, Role::derived_constants,
                              derived_shape(inputs, derived_constant_count(programs))});
   if (scalar == "float") {
     for (ShapedProgram& shaped : all) take_floats(shaped.shape);
@@ -303,7 +305,7 @@ std::vector<ShapedProgram> shaped_programs(const Programs& programs, const Solve
 
 bool outputs_take_multipliers(const Programs& programs) {
   return std::any_of(programs.outputs.inputs.begin(), programs.outputs.inputs.end(),
-                     [](const Slot& slot) { return slot.group == "lambda" || slot.group == "drive"; });
+                     [](const Slot& slot) { return slot.group == Array::lambda || slot.group == Array::drive; });
 }
 
 }  // namespace mbgen

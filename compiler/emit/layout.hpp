@@ -42,7 +42,7 @@ struct GroupPlace {
   int first = 0;
 };
 
-using Places = std::map<std::string, GroupPlace>;
+using Places = std::map<SlotGroup, GroupPlace>;
 
 /// Inputs that every program may use; a program's signature lists those it gets.
 Places input_places(const Programs& programs, const SolverLayout& layout, const SolverNames& names);
@@ -80,7 +80,7 @@ std::string constant_text(const Program& program, const Node& node, const Progra
 /// The programs of a solver with their shapes; programs of closures are left out when there is nothing to close.
 struct ShapedProgram {
   const Program* program = nullptr;
-  std::string key;  ///< in the manifest: "accelerations", "closure", ...
+  Role role;
   ProgramShape shape;
 };
 

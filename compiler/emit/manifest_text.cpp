@@ -63,7 +63,7 @@ Json manifest_json(const EmitContext& context) {
   Json programs = Json::object();
   for (ShapedProgram shaped : shaped_programs(context.programs, context.layout, names, context.scalar)) {
     shaped.shape.roll_above = context.roll_above;
-    programs[shaped.key] = program_json(shaped);
+    programs[name_of(shaped.role)] = program_json(shaped);
   }
   const Json worst_case = worst_case_json(context, programs);
   Json manifest = {{"mbgen", kMbgenVersion},

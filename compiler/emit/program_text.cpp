@@ -114,8 +114,7 @@ class ProgramWriter {
   std::string output_text(const Slot& slot) const {
     const auto place = shape_.outputs.find(slot.group);
     if (place == shape_.outputs.end() || slot.index < 0 || slot.index >= static_cast<int>(place->second.texts.size())) {
-      throw std::logic_error(program_.name + ": no place for output " + slot.group + "[" + std::to_string(slot.index) +
-                             "]");
+      throw std::logic_error(program_.name + ": no place for output " + text_of(slot));
     }
     return place->second.texts[slot.index];
   }
@@ -131,8 +130,7 @@ class ProgramWriter {
       for (const auto& [name, declaration] : shape_.arguments) given = given || name == place->second.argument;
     }
     if (!given) {
-      throw std::logic_error(program_.name + ": no place for input " + slot.group + "[" + std::to_string(slot.index) +
-                             "]");
+      throw std::logic_error(program_.name + ": no place for input " + text_of(slot));
     }
     return place->second;
   }

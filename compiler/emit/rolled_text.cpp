@@ -29,8 +29,8 @@ std::string common_label(const std::string& a, const std::string& b) {
   return a.substr(0, front) + a.substr(a.size() - back);
 }
 
-std::set<std::string> indexed_groups(const ProgramShape& shape) {
-  std::set<std::string> groups;
+std::set<SlotGroup> indexed_groups(const ProgramShape& shape) {
+  std::set<SlotGroup> groups;
   for (const Places* places : {&shape.inputs, &shape.outputs})
     for (const auto& [group, place] : *places)
       if (!place.array.empty()) groups.insert(group);
@@ -117,9 +117,9 @@ class RolledWriter {
     return place.array + "[" + index_text(places) + "]";
   }
 
-  const GroupPlace& place_of(const Places& places, const std::string& group) const {
+  const GroupPlace& place_of(const Places& places, SlotGroup group) const {
     const auto place = places.find(group);
-    if (place == places.end()) throw std::logic_error(program_.name + ": no place for group " + group);
+    if (place == places.end()) throw std::logic_error(program_.name + ": no place for group " + text_of(group));
     return place->second;
   }
 
@@ -299,8 +299,8 @@ class RolledWriter {
 
   /// Constants, inputs, and outputs that the program does not give: what is frequent fills its array first.
   void write_plain_outputs() {
-    std::map<std::string, std::map<int, std::string>> plain;  // by group, then index
-    std::map<std::string, std::set<int>> given;
+    std::map<SlotGroup, std::map<int, std::string>> plain;  // by group, then index
+    std::map<SlotGroup, std::set<int>> given;
     for (const OutputValue& output : program_.outputs) {
       const Op op = program_.nodes[output.value].op;
       given[output.slot.group].insert(output.slot.index);

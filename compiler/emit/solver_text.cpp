@@ -226,7 +226,7 @@ std::string solver_text(const EmitContext& context) {
     if (!shaped.shape.members.empty()) {
       members += "  using " + shaped.shape.result + " = " + context.names.solver + "::" + shaped.shape.result + ";\n";
     }
-    if (shaped.key != "outputs" && shaped.key != "derived_constants")
+    if (shaped.role != Role::outputs && shaped.role != Role::derived_constants)
       members += constant("auto", member, "&" + shaped.shape.function);
   }
   if (!context.layout.blocks.empty() && context.layout.chooses_again) {

@@ -4,7 +4,7 @@
 
 namespace mbgen {
 
-std::vector<double> group_of(const Groups& groups, const std::string& name, int size) {
+std::vector<double> group_of(const Groups& groups, SlotGroup name, int size) {
   const auto found = groups.find(name);
   std::vector<double> group = found == groups.end() ? std::vector<double>() : found->second;
   group.resize(static_cast<std::size_t>(size));
@@ -36,7 +36,7 @@ int direction_size(std::span<const DirectionGroup> groups) {
 std::vector<double> joined(std::span<const DirectionGroup> groups, const Groups& direction) {
   std::vector<double> entries;
   for (const DirectionGroup& group : groups) {
-    const std::vector<double> part = group_of(direction, group.name, group.size);
+    const std::vector<double> part = group_of(direction, group.group, group.size);
     entries.insert(entries.end(), part.begin(), part.end());
   }
   return entries;

@@ -11,10 +11,10 @@
 namespace mbgen {
 
 /// Numbers by group, each at its index.
-using Groups = std::map<std::string, std::vector<double>>;
+using Groups = std::map<SlotGroup, std::vector<double>>;
 
-/// The group of this name, with zeros for what it does not have.
-std::vector<double> group_of(const Groups& groups, const std::string& name, int size);
+/// A group, with zeros for what it does not have.
+std::vector<double> group_of(const Groups& groups, SlotGroup group, int size);
 
 /// Outputs of a program by their groups. Fails: std::out_of_range when an input is not among `inputs`.
 Groups evaluate(const Program& program, const Groups& inputs);

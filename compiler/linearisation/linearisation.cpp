@@ -31,22 +31,22 @@ DifferentiatedPrograms differentiated(const Programs& programs, const std::vecto
 
 /// What belongs to an operating point, by the groups of the programs' inputs.
 Groups known_at(const Model& model, const Topology& topology, const OperatingPoint& point) {
-  Groups known = {{"z", point.z},
-                  {"zd", point.zd},
-                  {"x", point.x},
-                  {"t", {point.t}},
-                  {"tau", std::vector<double>(static_cast<std::size_t>(topology.size()), 0.0)},
-                  {"in", point.inputs},
-                  {"par", {}}};
+  Groups known = {{Array::z, point.z},
+                  {Array::zd, point.zd},
+                  {Array::x, point.x},
+                  {Array::t, {point.t}},
+                  {Array::tau, std::vector<double>(static_cast<std::size_t>(topology.size()), 0.0)},
+                  {Array::in, point.inputs},
+                  {Array::par, {}}};
   for (const Parameter& parameter : model.parameters) {
-    if (parameter.tunable) known["par"].push_back(parameter.value);
+    if (parameter.tunable) known[Array::par].push_back(parameter.value);
   }
   return known;
 }
 
 /// Index of a loop block that stands badly with its frozen partition.
 std::optional<int> singular_block(const Groups& results) {
-  const auto pivots = results.find("pivot");
+  const auto pivots = results.find(Array::pivot);
   if (pivots == results.end()) return {};
   for (std::size_t b = 0; b < pivots->second.size(); ++b) {
     if (!(pivots->second[b] >= kPivotThreshold<double>)) return static_cast<int>(b);
@@ -63,57 +63,58 @@ class Derivatives {
 
   /// The accelerations and what else the outputs take. Result: a loop block that is singular here.
   std::optional<int> solve() {
-    known_["seed"] = std::vector<double>(static_cast<std::size_t>(direction_size(groups_)), 0.0);
+    known_[Array::seed] = std::vector<double>(static_cast<std::size_t>(direction_size(groups_)), 0.0);
     if (programs_.has_closure) {
       if (const auto block = singular_block(evaluate(programs_.closure, known_))) return block;
     }
     const Groups solution = evaluate(programs_.accelerations, known_);
     if (const auto block = singular_block(solution)) return block;
-    known_["zdd"] = solution.at("zdd");
-    known_["xd"] = group_of(solution, "xd", size_of("x"));
+    known_[Array::zdd] = solution.at(Array::zdd);
+    known_[Array::xd] = group_of(solution, Array::xd, size_of(Array::x));
     if (!programs_.has_multipliers) return {};
     const Groups forces = evaluate(programs_.multipliers, known_);
-    for (const char* name : {"lambda", "drive"}) known_[name] = group_of(forces, name, size_of(name));
+    for (const Array name : {Array::lambda, Array::drive}) known_[name] = group_of(forces, name, size_of(name));
     return {};
   }
 
   /// Completes a direction of states or inputs and gives the rates that go with it: groups z, zd, zdd, xd, y.
   /// The Newton step of the closure has the derivative of the closed positions: at the solution it does not depend on
   /// the dependent positions.
-  Groups along(const std::string& group, int index) {
+  Groups along(SlotGroup group, int index) {
     Groups direction;
-    for (const DirectionGroup& part : groups_) direction[part.name].assign(static_cast<std::size_t>(part.size), 0.0);
+    for (const DirectionGroup& part : groups_) direction[part.group].assign(static_cast<std::size_t>(part.size), 0.0);
     direction[group][static_cast<std::size_t>(index)] = 1;
     if (programs_.has_closure) {
-      const std::vector<double> moved = group_of(run(programs_.closure, direction), "d_dz", size_of("z"));
-      for (std::size_t i = 0; i < moved.size(); ++i) direction["z"][i] += moved[i];
-      direction["zd"] = group_of(run(programs_.closure, direction), "d_zd", size_of("z"));
+      const std::vector<double> moved =
+          group_of(run(programs_.closure, direction), derivative_of(Array::dz), size_of(Array::z));
+      for (std::size_t i = 0; i < moved.size(); ++i) direction[Array::z][i] += moved[i];
+      direction[Array::zd] = group_of(run(programs_.closure, direction), derivative_of(Array::zd), size_of(Array::z));
     }
     const Groups rates = run(programs_.accelerations, direction);
-    direction["zdd"] = group_of(rates, "d_zdd", size_of("z"));
+    direction[Array::zdd] = group_of(rates, derivative_of(Array::zdd), size_of(Array::z));
     if (programs_.has_multipliers) {
       const Groups forces = run(programs_.multipliers, direction);
-      direction["lambda"] = group_of(forces, "d_lambda", size_of("lambda"));
-      direction["drive"] = group_of(forces, "d_drive", size_of("drive"));
+      direction[Array::lambda] = group_of(forces, derivative_of(Array::lambda), size_of(Array::lambda));
+      direction[Array::drive] = group_of(forces, derivative_of(Array::drive), size_of(Array::drive));
     }
-    return {{"z", direction["z"]},
-            {"zd", direction["zd"]},
-            {"zdd", direction["zdd"]},
-            {"xd", group_of(rates, "d_xd", size_of("x"))},
-            {"y", group_of(run(programs_.outputs, direction), "d_y", outputs_)}};
+    return {{Array::z, direction[Array::z]},
+            {Array::zd, direction[Array::zd]},
+            {Array::zdd, direction[Array::zdd]},
+            {Array::xd, group_of(rates, derivative_of(Array::xd), size_of(Array::x))},
+            {Array::y, group_of(run(programs_.outputs, direction), derivative_of(Array::y), outputs_)}};
   }
 
   /// The point itself: groups zd, zdd, xd and others.
   const Groups& known() const { return known_; }
 
  private:
-  int size_of(const std::string& group) const {
-    const auto found = std::find_if(groups_.begin(), groups_.end(), [&](const auto& g) { return g.name == group; });
+  int size_of(SlotGroup group) const {
+    const auto found = std::find_if(groups_.begin(), groups_.end(), [&](const auto& g) { return g.group == group; });
     return found->size;
   }
 
   Groups run(const Program& program, const Groups& direction) {
-    known_["seed"] = joined(groups_, direction);
+    known_[Array::seed] = joined(groups_, direction);
     return evaluate(program, known_);
   }
 
@@ -135,7 +136,7 @@ std::vector<LinearState> states_of(const Model& model, const Topology& topology,
 
 /// The rates of the states among those of everything.
 Eigen::VectorXd rates_of(const std::vector<LinearState>& states, const Groups& rates) {
-  constexpr const char* kRates[] = {"zd", "zdd", "xd"};
+  constexpr Array kRates[] = {Array::zd, Array::zdd, Array::xd};
   Eigen::VectorXd result(static_cast<Eigen::Index>(states.size()));
   for (std::size_t i = 0; i < states.size(); ++i) {
     const std::vector<double>& group = rates.at(kRates[static_cast<int>(states[i].kind)]);
@@ -164,13 +165,13 @@ Result<LinearSystem> linearise(const Model& model, const Topology& topology, con
                                const Programs& programs, const OperatingPoint& point) {
   const int n = topology.size(), outputs = static_cast<int>(model.outputs.size()),
             inputs = static_cast<int>(model.inputs.size());
-  const std::vector<DirectionGroup> groups = {{"z", n},
-                                              {"zd", n},
-                                              {"x", auxiliary_state_count(model)},
-                                              {"in", inputs},
-                                              {"zdd", n},
-                                              {"lambda", equation_count(topology)},
-                                              {"drive", static_cast<int>(model.motions.size())}};
+  const std::vector<DirectionGroup> groups = {{Array::z, n},
+                                              {Array::zd, n},
+                                              {Array::x, auxiliary_state_count(model)},
+                                              {Array::in, inputs},
+                                              {Array::zdd, n},
+                                              {Array::lambda, equation_count(topology)},
+                                              {Array::drive, static_cast<int>(model.motions.size())}};
   const DifferentiatedPrograms all = differentiated(programs, groups);
   Derivatives derivatives(all, groups, known_at(model, topology, point), outputs);
   if (const std::optional<int> block = derivatives.solve()) return singular(model, topology, *block);
@@ -184,18 +185,18 @@ Result<LinearSystem> linearise(const Model& model, const Topology& topology, con
   system.D.resize(outputs, inputs);
   system.coordinates.resize(n, size);
   system.drift = rates_of(system.states, derivatives.known());
-  constexpr const char* kGroups[] = {"z", "zd", "x"};
+  constexpr Array kGroups[] = {Array::z, Array::zd, Array::x};
   for (Eigen::Index j = 0; j < size; ++j) {
     const LinearState& state = system.states[static_cast<std::size_t>(j)];
     const Groups rates = derivatives.along(kGroups[static_cast<int>(state.kind)], state.index);
     system.A.col(j) = rates_of(system.states, rates);
-    system.C.col(j) = vector_of(rates.at("y"));
-    system.coordinates.col(j) = vector_of(rates.at("z"));
+    system.C.col(j) = vector_of(rates.at(Array::y));
+    system.coordinates.col(j) = vector_of(rates.at(Array::z));
   }
   for (int j = 0; j < inputs; ++j) {
-    const Groups rates = derivatives.along("in", j);
+    const Groups rates = derivatives.along(Array::in, j);
     system.B.col(j) = rates_of(system.states, rates);
-    system.D.col(j) = vector_of(rates.at("y"));
+    system.D.col(j) = vector_of(rates.at(Array::y));
   }
   const bool is_finite = system.A.allFinite() && system.B.allFinite() && system.C.allFinite() && system.D.allFinite();
   if (is_finite) return system;

@@ -10,12 +10,10 @@
 namespace mbgen {
 namespace {
 
-constexpr const char* kDerived = "derived";
-
 /// The program that gives the derived constants, in the making.
 class Derivation {
  public:
-  Derivation(std::string group, const std::string& name) : group_(std::move(group)), builder_(name) {}
+  Derivation(SlotGroup group, const std::string& name) : group_(group), builder_(name) {}
 
   /// The program without what depends on the group alone.
   Program taken_out_of(const Program& program) {
@@ -61,11 +59,11 @@ class Derivation {
     if (node.op == Op::negate) return rest.append(Op::negate, in_rest(rest, node.operands[0]));
     if (node.op == Op::input) return rest.input(group_, slot_index_.at(value));
     const auto [place, is_new] = places_.emplace(value, static_cast<int>(places_.size()));
-    if (is_new) builder_.output(kDerived, place->second, value);
-    return rest.input(kDerived, place->second);
+    if (is_new) builder_.output(Array::derived, place->second, value);
+    return rest.input(Array::derived, place->second);
   }
 
-  std::string group_;
+  SlotGroup group_;
   ProgramBuilder builder_;
   std::unordered_map<ValueId, int> slot_index_;  ///< of the inputs
   std::unordered_map<ValueId, int> places_;      ///< among the derived constants
@@ -73,7 +71,7 @@ class Derivation {
 
 }  // namespace
 
-Program take_out_derived(std::span<Program* const> programs, const std::string& group, const std::string& name) {
+Program take_out_derived(std::span<Program* const> programs, SlotGroup group, const std::string& name) {
   Derivation derivation(group, name);
   for (Program* program : programs) {
     const bool has_any = std::ranges::any_of(program->inputs, [&](const Slot& slot) { return slot.group == group; });

@@ -17,7 +17,7 @@ Programs on_each(Programs programs) {
 }
 
 Programs with_derived_constants(Programs programs) {
-  programs.derived_constants = take_out_derived(solver_programs(programs), "par", "derived_constants");
+  programs.derived_constants = take_out_derived(solver_programs(programs), Array::par, "derived_constants");
   return programs;
 }
 

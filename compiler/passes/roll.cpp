@@ -31,10 +31,13 @@ std::vector<ValueId> live_operations(const Program& program) {
 
 /// What a value must have in common with the values at its place in the other slices.
 std::vector<std::uint64_t> signatures(const Program& program, const std::vector<ValueId>& order,
-                                      const std::set<std::string>& indexed) {
-  const std::hash<std::string> hash;
+                                      const std::set<SlotGroup>& indexed) {
   const auto of_slot = [&](const Slot& slot) {
-    return mixed(hash(slot.group), indexed.count(slot.group) ? 0 : static_cast<std::uint64_t>(slot.index) + 1);
+    const SlotGroup& group = slot.group;
+    const std::uint64_t array =
+        mixed(static_cast<std::uint64_t>(group.array), static_cast<std::uint64_t>(group.block + 1));
+    return mixed(mixed(array, static_cast<std::uint64_t>(group.derivative)),
+                 indexed.count(group) ? 0 : static_cast<std::uint64_t>(slot.index) + 1);
   };
   std::vector<std::uint64_t> of_outputs(program.nodes.size(), 0);
   for (const OutputValue& output : program.outputs)
@@ -58,7 +61,7 @@ std::vector<std::uint64_t> signatures(const Program& program, const std::vector<
 
 class LoopFinder {
  public:
-  LoopFinder(const Program& program, const std::vector<ValueId>& order, const std::set<std::string>& indexed)
+  LoopFinder(const Program& program, const std::vector<ValueId>& order, const std::set<SlotGroup>& indexed)
       : signature_(signatures(program, order, indexed)), last_use_(order.size()) {
     std::vector<std::size_t> place(program.nodes.size(), 0);
     for (std::size_t i = 0; i < order.size(); ++i) {
@@ -152,7 +155,7 @@ std::size_t Rolling::written() const {
   return count;
 }
 
-Rolling roll(const Program& program, const std::set<std::string>& indexed) {
+Rolling roll(const Program& program, const std::set<SlotGroup>& indexed) {
   Rolling rolling;
   rolling.order = live_operations(program);
   rolling.loops = LoopFinder(program, rolling.order, indexed).loops();

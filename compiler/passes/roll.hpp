@@ -35,6 +35,6 @@ constexpr std::size_t kRollAbove = 8192;
 /// from one slice to the next.
 /// indexed: groups of slots whose index may differ from slice to slice.
 ///   sin %z0; mul %c0 ..; sin %z1; mul %c1 ..; sin %z2; mul %c2 ..  =>  3 slices of 2 values
-Rolling roll(const Program& program, const std::set<std::string>& indexed);
+Rolling roll(const Program& program, const std::set<SlotGroup>& indexed);
 
 }  // namespace mbgen

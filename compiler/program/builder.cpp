@@ -23,8 +23,6 @@ std::uint64_t mix(std::uint64_t hash, std::uint64_t word) {
   return hash ^ (hash >> 31);
 }
 
-std::string slot_text(const Slot& slot) { return fmt::format("{}[{}]", slot.group, slot.index); }
-
 /// Index of a title, appended when it is new.
 std::uint16_t find_or_add(std::vector<std::string>& titles, std::unordered_map<std::string, std::uint16_t>& index_of,
                           const std::string& title) {
@@ -54,7 +52,7 @@ ProgramBuilder ProgramBuilder::like(const Program& program) {
   builder.program_.nodes.reserve(program.nodes.size());
   builder.shared_.reserve(program.nodes.size());
   builder.input_value_.assign(program.inputs.size(), kNoValue);
-  for (std::size_t i = 0; i < program.inputs.size(); ++i) builder.input_index_.emplace(slot_text(program.inputs[i]), i);
+  for (std::size_t i = 0; i < program.inputs.size(); ++i) builder.input_index_.emplace(program.inputs[i], i);
   return builder;
 }
 
@@ -80,9 +78,9 @@ ValueId ProgramBuilder::constant_like(const Node& node, std::span<const NamedCon
   return constant(node.constant, name_constant(named.value, named.name));
 }
 
-ValueId ProgramBuilder::input(const std::string& group, int index) {
+ValueId ProgramBuilder::input(SlotGroup group, int index) {
   const Slot slot{group, index};
-  const auto [found, is_new] = input_index_.try_emplace(slot_text(slot), program_.inputs.size());
+  const auto [found, is_new] = input_index_.try_emplace(slot, program_.inputs.size());
   if (is_new) {
     program_.inputs.push_back(slot);
     input_value_.push_back(kNoValue);
@@ -185,7 +183,7 @@ ValueId ProgramBuilder::copy(const Program& source, const Node& node, std::span<
   return value;
 }
 
-void ProgramBuilder::output(const std::string& group, int index, ValueId value) {
+void ProgramBuilder::output(SlotGroup group, int index, ValueId value) {
   ++moment_;
   program_.outputs.push_back({{group, index}, value});
 }

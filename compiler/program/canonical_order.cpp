@@ -46,13 +46,12 @@ std::vector<Rank> ranks_of_nodes(const Program& program, std::span<const std::ui
   std::vector<Rank> ranks(program.nodes.size());
   const auto key = [&](ValueId value) {
     const Node& node = program.nodes[value];
-    static const Slot kNone;
-    const Slot& slot = node.op == Op::input ? program.inputs[static_cast<std::size_t>(node.input)] : kNone;
+    const Slot slot = node.op == Op::input ? program.inputs[static_cast<std::size_t>(node.input)] : Slot{};
     static const std::string kUnnamed;
     const bool is_named = node.op == Op::constant && node.label >= 0;
     const std::string& name = is_named ? program.constants[static_cast<std::size_t>(node.label)].name : kUnnamed;
-    return std::tuple<Op, double, const std::string&, const std::string&, int, std::array<Rank, 3>>(
-        node.op, node.constant, name, slot.group, slot.index, operand_ranks(node, ranks));
+    return std::tuple<Op, double, const std::string&, Slot, std::array<Rank, 3>>(node.op, node.constant, name, slot,
+                                                                                 operand_ranks(node, ranks));
   };
   for (auto begin = order.begin(); begin != order.end();) {
     const auto end = std::find_if(begin, order.end(), [&](ValueId value) { return wave(value) != wave(*begin); });

@@ -140,7 +140,7 @@ std::vector<int> seeds_of(const Program& program, std::span<const DirectionGroup
   for (const Slot& slot : program.inputs) {
     int first = 0, seed = -1;
     for (const DirectionGroup& group : groups) {
-      if (group.name == slot.group) seed = first + slot.index;
+      if (group.group == slot.group) seed = first + slot.index;
       first += group.size;
     }
     seeds.push_back(seed);
@@ -156,39 +156,18 @@ Program differentiate(const Program& program, std::span<const int> seed_of_input
   Derivation derivation(program);
   std::vector<Expr> seeds;
   for (const int seed : seed_of_input) {
-    seeds.push_back(seed < 0 ? Expr(0.0) : Expr(derivation.builder, derivation.builder.input("seed", seed)));
+    seeds.push_back(seed < 0 ? Expr(0.0) : Expr(derivation.builder, derivation.builder.input(Array::seed, seed)));
   }
   const std::vector<Expr> derivatives = derive_all(derivation, seeds);
-  std::set<std::pair<std::string, int>> taken;
+  std::set<Slot> taken;
   for (const auto& [slot, value] : program.outputs) {
     derivation.builder.output(slot.group, slot.index, derivation.value[value]);
-    taken.emplace(slot.group, slot.index);
+    taken.insert(slot);
   }
   for (const auto& [slot, value] : program.outputs) {
-    const std::string group = "d_" + slot.group;
-    if (taken.contains({group, slot.index})) continue;
-    derivation.builder.output(group, slot.index, derivatives[value].value(derivation.builder));
-  }
-  return derivation.builder.finish_in_canonical_order();
-}
-
-Program jacobian(const Program& program, const std::string& output_group, const std::string& input_group) {
-  int columns = 0;
-  for (const Slot& slot : program.inputs) {
-    if (slot.group == input_group) columns = std::max(columns, slot.index + 1);
-  }
-  Derivation derivation(program);
-  const std::string group = fmt::format("d_{}_d_{}", output_group, input_group);
-  for (int column = 0; column < columns; ++column) {
-    std::vector<Expr> seeds(program.inputs.size(), 0.0);
-    for (std::size_t i = 0; i < seeds.size(); ++i) {
-      if (program.inputs[i] == Slot{input_group, column}) seeds[i] = 1.0;
-    }
-    const std::vector<Expr> derivatives = derive_all(derivation, seeds);
-    for (const auto& [slot, value] : program.outputs) {
-      if (slot.group != output_group) continue;
-      derivation.builder.output(group, slot.index * columns + column, derivatives[value].value(derivation.builder));
-    }
+    const Slot derivative = {derivative_of(slot.group), slot.index};
+    if (taken.contains(derivative)) continue;
+    derivation.builder.output(derivative.group, derivative.index, derivatives[value].value(derivation.builder));
   }
   return derivation.builder.finish_in_canonical_order();
 }

@@ -18,8 +18,7 @@ void append_value(std::string& text, const Program& program, std::size_t value) 
   fmt::format_to(end, "%{} = {}", value, op_name(node.op));
   if (node.op == Op::constant) fmt::format_to(end, " {}", node.constant);
   if (node.op == Op::input) {
-    const Slot& slot = program.inputs[static_cast<std::size_t>(node.input)];
-    fmt::format_to(end, " {}[{}]", slot.group, slot.index);
+    fmt::format_to(end, " {}", text_of(program.inputs[static_cast<std::size_t>(node.input)]));
   }
   for (int i = 0; i < arity(node.op); ++i) fmt::format_to(end, " %{}", node.operands[i]);
   const auto label = static_cast<std::size_t>(node.label);
@@ -45,8 +44,7 @@ std::string dump(const Program& program) {
     }
     append_value(text, program, value);
   }
-  for (const auto& [slot, value] : program.outputs)
-    text += fmt::format("out {}[{}] = %{}\n", slot.group, slot.index, value);
+  for (const auto& [slot, value] : program.outputs) text += fmt::format("out {} = %{}\n", text_of(slot), value);
   return text;
 }
 

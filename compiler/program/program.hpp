@@ -3,10 +3,13 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <map>
 #include <span>
 #include <string>
 #include <unordered_map>
 #include <vector>
+
+#include "compiler/program/slot.hpp"
 
 namespace mbgen {
 
@@ -52,13 +55,6 @@ struct Node {
   std::uint16_t section = 0;  ///< index into Program::sections
   std::uint16_t block = 0;    ///< index into Program::blocks
   std::int32_t label = -1;    ///< index into Program::labels, of a constant into Program::constants, or -1
-};
-
-/// An input or output: `group` is the array it belongs to ("z", "zd", "tau", "zdd", ...), `index` its place there.
-struct Slot {
-  std::string group;
-  int index = 0;
-  bool operator==(const Slot&) const = default;
 };
 
 /// A number of the model as the formulation takes it: a mass, a coordinate of a point.
@@ -116,12 +112,12 @@ class ProgramBuilder {
   /// A constant of another program under the same name. constants: of that program.
   ValueId constant_like(const Node& node, std::span<const NamedConstant> constants);
   /// The input of this slot; created at first use.
-  ValueId input(const std::string& group, int index);
+  ValueId input(SlotGroup group, int index);
   /// Requires: as many operands as arity(op), all of this builder; neither constant nor input. Fails: std::logic_error
   /// otherwise.
   ValueId append(Op op, ValueId first, ValueId second = kNoValue, ValueId third = kNoValue);
   /// Fails: std::logic_error when the slot has a value already (at finish).
-  void output(const std::string& group, int index, ValueId value);
+  void output(SlotGroup group, int index, ValueId value);
   /// Appends `node` of `source` in the same section and block under the same label. renamed: new value of each older
   /// one of `source`.
   ValueId copy(const Program& source, const Node& node, std::span<const ValueId> renamed);
@@ -153,9 +149,9 @@ class ProgramBuilder {
   Program program_;
   std::vector<std::uint32_t> moments_;  ///< per node, the statements before it: sections, blocks, labels, outputs
   std::uint32_t moment_ = 0;
-  std::unordered_map<std::string, std::size_t> input_index_;  ///< by the text of the slot
-  std::vector<ValueId> input_value_;                          ///< per input, kNoValue before its first use
-  std::unordered_multimap<std::uint64_t, ValueId> shared_;    ///< values by hash
+  std::map<Slot, std::size_t> input_index_;
+  std::vector<ValueId> input_value_;                        ///< per input, kNoValue before its first use
+  std::unordered_multimap<std::uint64_t, ValueId> shared_;  ///< values by hash
   std::unordered_map<std::string, std::uint16_t> section_index_, block_index_;  ///< of the titles, filled when asked
   std::uint16_t section_ = 0, block_ = 0;
   std::unordered_map<std::string, std::int32_t> named_;  ///< index into Program::constants by name, last of each
@@ -191,7 +187,7 @@ std::vector<OperationCount> count_operations_by_section(const Program& program);
 
 /// A part of a direction: rates of change of a group of inputs.
 struct DirectionGroup {
-  std::string name;
+  SlotGroup group;
   int size = 0;
 };
 
@@ -200,17 +196,12 @@ struct DirectionGroup {
 std::vector<int> seeds_of(const Program& program, std::span<const DirectionGroup> groups);
 
 /// Forward derivatives: for every output y, dy = sum over inputs of (dy/dinput) * seed.
-/// seed_of_input: for each program input, index of its seed in the input group "seed", or -1 for a zero seed.
-/// Result: the same program plus outputs in groups "d_<group>" with the same index; an output that has its derivative
+/// seed_of_input: for each program input, index of its seed in Array::seed, or -1 for a zero seed.
+/// Result: the same program plus the derivative of every output at the same index; an output that has its derivative
 /// already keeps it, so that a second application adds second derivatives only. Each derivative is in the section and
 /// block of its value. Fails: std::invalid_argument when the number of seeds differs. At the kinks of abs, min, max,
 /// select the side that is taken counts.
 Program differentiate(const Program& program, std::span<const int> seed_of_input);
-
-/// Full Jacobian of the outputs of one group by the inputs of another: outputs in group "d_<output>_d_<input>" and no
-/// others, index = row * columns + column, row and column the indices of the slots, columns = largest input index + 1;
-/// structural zeros are the constant 0. Cost: columns * number of values that depend on the column.
-Program jacobian(const Program& program, const std::string& output_group, const std::string& input_group);
 
 /// A scalar that records. Constants need no builder; mixing with a recorded value takes that value's builder.
 /// Two constants fold as the decimals that people typed, see decimal.hpp. Fails: std::logic_error when values of two

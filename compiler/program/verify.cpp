@@ -41,8 +41,7 @@ std::string verify_node(const Program& program, std::size_t value, std::vector<b
     }
     const auto input = static_cast<std::size_t>(node.input);
     if (value_seen[input]) {
-      const Slot& slot = program.inputs[input];
-      return fmt::format("%{}: second value of input {}[{}]", value, slot.group, slot.index);
+      return fmt::format("%{}: second value of input {}", value, text_of(program.inputs[input]));
     }
     value_seen[input] = true;
   }
@@ -60,23 +59,20 @@ std::string verify_node(const Program& program, std::size_t value, std::vector<b
   return "";
 }
 
-std::string verify_slot(const char* kind, const Slot& slot, std::set<std::pair<std::string, int>>& taken) {
-  if (slot.group.empty()) return fmt::format("{} without a group", kind);
-  if (slot.index < 0) return fmt::format("{} {}[{}] has a negative index", kind, slot.group, slot.index);
-  if (!taken.emplace(slot.group, slot.index).second) {
-    return fmt::format("{} {}[{}] appears twice", kind, slot.group, slot.index);
-  }
+std::string verify_slot(const char* kind, const Slot& slot, std::set<Slot>& taken) {
+  if (slot.index < 0) return fmt::format("{} {} has a negative index", kind, text_of(slot));
+  if (!taken.insert(slot).second) return fmt::format("{} {} appears twice", kind, text_of(slot));
   return "";
 }
 
 std::string verify_slots(const Program& program) {
-  std::set<std::pair<std::string, int>> inputs, outputs;
+  std::set<Slot> inputs, outputs;
   for (const Slot& slot : program.inputs) {
     if (std::string problem = verify_slot("input", slot, inputs); !problem.empty()) return problem;
   }
   for (const auto& [slot, value] : program.outputs) {
     if (std::string problem = verify_slot("output", slot, outputs); !problem.empty()) return problem;
-    if (value >= program.nodes.size()) return fmt::format("output {}[{}] has no value", slot.group, slot.index);
+    if (value >= program.nodes.size()) return fmt::format("output {} has no value", text_of(slot));
   }
   return "";
 }

@@ -1,13 +1,20 @@
 #include "compiler/solver/programs.hpp"
 
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <stdexcept>
+
 namespace mbgen {
 namespace {
 
-/// The programs that a solver runs. P: Programs, const or not.
-template <class P>
-auto in_order(P& programs) {
-  return std::array{&programs.accelerations,        &programs.closure,     &programs.closure_terms,
-                    &programs.accelerations_chosen, &programs.multipliers, &programs.outputs};
+constexpr Program Programs::*kMembers[] = {
+    &Programs::accelerations, &Programs::closure, &Programs::closure_terms,    &Programs::accelerations_chosen,
+    &Programs::multipliers,   &Programs::outputs, &Programs::derived_constants};
+
+void verify_slot(const ProgramSpec& spec, const std::vector<Array>& allowed, const Slot& slot) {
+  if (std::ranges::find(allowed, slot.group.array) == allowed.end())
+    throw std::logic_error(fmt::format("program {}: {} is not in its spec", spec.name, text_of(slot)));
 }
 
 }  // namespace
@@ -16,14 +23,51 @@ const char* name_of(Form form) { return form == Form::matrix ? "matrix" : "recur
 
 Form other_form(Form form) { return form == Form::matrix ? Form::recursive : Form::matrix; }
 
-std::array<Program*, 6> solver_programs(Programs& programs) { return in_order(programs); }
+const std::vector<ProgramSpec>& program_specs() {
+  using enum Array;
+  static const std::vector<ProgramSpec> kSpecs = {
+      {Role::accelerations, "accelerations", {z, zd, x, t, tau, in, par, derived}, {zdd, xd, pivot, inertia}},
+      {Role::closure, "closure", {z, zd, t, in, par, derived}, {residual, dz, zd, pivot}},
+      {Role::closure_terms, "closure_terms", {z, zd, t, in, par, derived}, {Phi, Jz, rate, c, driven_acceleration}},
+      {Role::accelerations_chosen,
+       "accelerations_chosen",
+       {z, zd, x, t, tau, in, par, derived, Rz, zdd_star},
+       {zdd, xd, inertia}},
+      {Role::multipliers, "multipliers", {z, zd, x, t, tau, in, par, derived, zdd}, {lambda, drive, missing, pivot}},
+      {Role::outputs, "outputs", {z, zd, x, t, tau, in, par, derived, zdd, lambda, drive}, {y, energy, power}},
+      {Role::derived_constants, "derived_constants", {par}, {derived}}};
+  return kSpecs;
+}
+
+const char* name_of(Role role) { return program_specs()[static_cast<std::size_t>(role)].name; }
+
+Program& program_of(Programs& programs, Role role) { return programs.*kMembers[static_cast<std::size_t>(role)]; }
+
+const Program& program_of(const Programs& programs, Role role) {
+  return programs.*kMembers[static_cast<std::size_t>(role)];
+}
+
+std::array<Program*, 6> solver_programs(Programs& programs) {
+  return {&programs.accelerations,        &programs.closure,     &programs.closure_terms,
+          &programs.accelerations_chosen, &programs.multipliers, &programs.outputs};
+}
 
 std::vector<const Program*> all_programs(const Programs& programs) {
   std::vector<const Program*> list;
-  for (const Program* program : in_order(programs))
-    if (!program->outputs.empty()) list.push_back(program);
-  if (!programs.derived_constants.outputs.empty()) list.push_back(&programs.derived_constants);
+  for (const ProgramSpec& spec : program_specs()) {
+    const Program& program = program_of(programs, spec.role);
+    if (!program.outputs.empty()) list.push_back(&program);
+  }
   return list;
+}
+
+Programs verified(Programs programs) {
+  for (const ProgramSpec& spec : program_specs()) {
+    const Program& program = program_of(programs, spec.role);
+    for (const Slot& slot : program.inputs) verify_slot(spec, spec.inputs, slot);
+    for (const OutputValue& output : program.outputs) verify_slot(spec, spec.outputs, output.slot);
+  }
+  return programs;
 }
 
 }  // namespace mbgen

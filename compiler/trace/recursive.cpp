@@ -30,7 +30,7 @@ void output_inertia(Tracing& tracing, const std::vector<DirectionInertia<Expr>>&
                                : topology.blocks[direction.block]
                                      .joints[tracing.analysis.blocks[direction.block].independent[direction.place]];
     const auto index = std::find(names.begin(), names.end(), coordinate) - names.begin();
-    tracing.output("inertia", static_cast<int>(index), direction.value);
+    tracing.output(Array::inertia, static_cast<int>(index), direction.value);
   }
 }
 
@@ -41,9 +41,9 @@ GroupProjection<Expr> chosen_projection(Tracing& tracing, std::size_t block) {
   const int free = static_cast<int>(tracing.analysis.blocks[block].independent.size());
   const int columns = static_cast<int>(tracing.system.topology.blocks[block].joints.size());
   for (int c = 0; c < columns; ++c) {
-    chosen.zdd_star.push_back(tracing.input(fmt::format("zdd_star{}", block), c));
+    chosen.zdd_star.push_back(tracing.input(of_block(Array::zdd_star, block), c));
     chosen.rz.emplace_back();
-    for (int q = 0; q < free; ++q) chosen.rz.back().push_back(tracing.input(fmt::format("Rz{}", block), c * free + q));
+    for (int q = 0; q < free; ++q) chosen.rz.back().push_back(tracing.input(of_block(Array::Rz, block), c * free + q));
   }
   return chosen;
 }
@@ -52,19 +52,20 @@ Program trace_recursive_accelerations(const Model& model, const Topology& topolo
                                       Partition partition, RecursionChoices choices) {
   const Recursion recursion = plan_recursion(model, topology, analysis.driven, choices);
   const bool is_frozen = partition == Partition::frozen;
-  Tracing tracing(is_frozen ? "accelerations" : "accelerations_chosen", model, topology, analysis, &recursion.layout);
+  Tracing tracing(is_frozen ? Role::accelerations : Role::accelerations_chosen, model, topology, analysis,
+                  &recursion.layout);
   System<Expr>& system = tracing.system;
   const Kinematics<Expr> k = kinematics(system);
   tracing.scribe.step(Step::forces);
   const AppliedForces<Expr> forces = applied_forces(system, k, velocities(system, k));
   const RecursiveSolution<Expr> solution =
-      recursive_accelerations(system, recursion, k, forces, tracing.drive, tracing.inputs("tau", tracing.size()),
+      recursive_accelerations(system, recursion, k, forces, tracing.drive, tracing.inputs(Array::tau, tracing.size()),
                               block_projections(tracing, partition));
   output_inertia(tracing, solution.inertia);
-  tracing.outputs("zdd", solution.zdd);
-  tracing.outputs("xd", forces.xd);
+  tracing.outputs(Array::zdd, solution.zdd);
+  tracing.outputs(Array::xd, forces.xd);
   for (std::size_t b = 0; is_frozen && b < topology.blocks.size(); ++b)
-    if (analysis.blocks[b].rank > 0) tracing.output("pivot", static_cast<int>(b), solution.quality[b]);
+    if (analysis.blocks[b].rank > 0) tracing.output(Array::pivot, static_cast<int>(b), solution.quality[b]);
   return tracing.builder.finish_in_canonical_order();
 }
 

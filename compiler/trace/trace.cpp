@@ -73,18 +73,18 @@ void trace_solution(Tracing& tracing, const Kinematics<Expr>& k, const Inertias<
   System<Expr>& system = tracing.system;
   tracing.scribe.step(Step::accelerations);
   const Accelerations<Expr> a = accelerations(system, k, v, starred_accelerations(system.topology, projections));
-  const std::vector<Expr> q = tree_forces(system, k, m, v, a, forces, tracing.inputs("tau", tracing.size()));
+  const std::vector<Expr> q = tree_forces(system, k, m, v, a, forces, tracing.inputs(Array::tau, tracing.size()));
   tracing.scribe.step(Step::reduced_system);
   const ReducedSystem<Expr> reduced = reduced_system(system, k, m, projections, q);
   tracing.scribe.step(Step::solution);
   const ReducedSolution<Expr> solution = solve_reduced(reduced);
-  tracing.outputs("inertia", solution.inertia);
-  tracing.outputs("zdd", joint_accelerations(system.topology, projections, reduced, solution.acceleration));
-  tracing.outputs("xd", forces.xd);
+  tracing.outputs(Array::inertia, solution.inertia);
+  tracing.outputs(Array::zdd, joint_accelerations(system.topology, projections, reduced, solution.acceleration));
+  tracing.outputs(Array::xd, forces.xd);
 }
 
 Program trace_matrix_accelerations(const Model& model, const Topology& topology, const Analysis& analysis) {
-  Tracing tracing("accelerations", model, topology, analysis);
+  Tracing tracing(Role::accelerations, model, topology, analysis);
   System<Expr>& system = tracing.system;
   const Kinematics<Expr> k = kinematics(system);
   const Inertias<Expr> m = inertias(system, k);
@@ -101,12 +101,12 @@ Program trace_matrix_accelerations(const Model& model, const Topology& topology,
                               : GroupProjection<Expr>{blocks.rz[group.block], blocks.zdd_star[group.block]});
   trace_solution(tracing, k, m, v, forces, projections);
   for (std::size_t b = 0; b < topology.blocks.size(); ++b)
-    if (analysis.blocks[b].rank > 0) tracing.output("pivot", static_cast<int>(b), blocks.factors[b].quality);
+    if (analysis.blocks[b].rank > 0) tracing.output(Array::pivot, static_cast<int>(b), blocks.factors[b].quality);
   return tracing.builder.finish_in_canonical_order();
 }
 
 Program trace_matrix_accelerations_chosen(const Model& model, const Topology& topology, const Analysis& analysis) {
-  Tracing tracing("accelerations_chosen", model, topology, analysis);
+  Tracing tracing(Role::accelerations_chosen, model, topology, analysis);
   System<Expr>& system = tracing.system;
   const Kinematics<Expr> k = kinematics(system);
   const Inertias<Expr> m = inertias(system, k);
@@ -128,7 +128,7 @@ Program trace_matrix_accelerations_chosen(const Model& model, const Topology& to
 
 /// Newton correction of positions and consistent velocities by the frozen factors (60), (61).
 Program trace_closure(const Model& model, const Topology& topology, const Analysis& analysis) {
-  Tracing tracing("closure", model, topology, analysis);
+  Tracing tracing(Role::closure, model, topology, analysis);
   System<Expr>& system = tracing.system;
   std::vector<Expr> dz(topology.size(), Expr(0.0)), zd = system.environment.zd, residual;
   for (const Drive<Expr>& d : tracing.drive) {
@@ -162,12 +162,12 @@ Program trace_closure(const Model& model, const Topology& topology, const Analys
       zd[block.joints[c]] = velocity[c];
     }
     residual.insert(residual.end(), closed.residual.begin(), closed.residual.end());
-    if (partition.rank > 0) tracing.output("pivot", static_cast<int>(b), factors.quality);
+    if (partition.rank > 0) tracing.output(Array::pivot, static_cast<int>(b), factors.quality);
   }
   for (const Drive<Expr>& d : tracing.drive) residual.push_back(dz[d.coordinate]);
-  tracing.outputs("residual", residual);
-  tracing.outputs("dz", dz);
-  tracing.outputs("zd", zd);
+  tracing.outputs(Array::residual, residual);
+  tracing.outputs(Array::dz, dz);
+  tracing.outputs(Array::zd, zd);
   return tracing.builder.finish_in_canonical_order();
 }
 
@@ -183,7 +183,7 @@ std::vector<Expr> rates_of(const System<Expr>& system, const SparseClosure<Expr>
 }
 
 Program trace_closure_terms(const Model& model, const Topology& topology, const Analysis& analysis) {
-  Tracing tracing("closure_terms", model, topology, analysis);
+  Tracing tracing(Role::closure_terms, model, topology, analysis);
   System<Expr>& system = tracing.system;
   const Kinematics<Expr> k = kinematics(system);
   RelativeMotion<Expr> relative = at_rest<Expr>(topology);
@@ -193,19 +193,19 @@ Program trace_closure_terms(const Model& model, const Topology& topology, const 
     tracing.scribe.step(Step::jacobian);
     set_relative_motion(system, k, block, relative);
     const SparseClosure<Expr> closed = sparse_closure(system, k, block, relative);
-    tracing.outputs(fmt::format("Phi{}", b), closed.residual);
-    tracing.outputs(fmt::format("c{}", b), closed.acceleration);
+    tracing.outputs(of_block(Array::Phi, b), closed.residual);
+    tracing.outputs(of_block(Array::c, b), closed.acceleration);
     if (!again) {
-      tracing.outputs(fmt::format("rate{}", b), rates_of(system, closed, block));
+      tracing.outputs(of_block(Array::rate, b), rates_of(system, closed, block));
       continue;
     }
-    const std::string group = fmt::format("Jz{}", b);
+    const SlotGroup group = of_block(Array::Jz, b);
     int first = 0;
     for (const SparseRow<Expr>& row : closed.jacobian) {
       for (int c = 0; c < static_cast<int>(block.joints.size()); ++c) tracing.output(group, first++, row.at(c));
     }
   }
-  for (const Drive<Expr>& d : tracing.drive) tracing.output("driven_acceleration", d.coordinate, d.acceleration);
+  for (const Drive<Expr>& d : tracing.drive) tracing.output(Array::driven_acceleration, d.coordinate, d.acceleration);
   return tracing.builder.finish_in_canonical_order();
 }
 
@@ -223,8 +223,8 @@ struct GivenState {
 GivenState given_state(Tracing& tracing) {
   System<Expr>& system = tracing.system;
   GivenState s;
-  s.tau = tracing.inputs("tau", tracing.size());
-  s.zdd = tracing.inputs("zdd", tracing.size());
+  s.tau = tracing.inputs(Array::tau, tracing.size());
+  s.zdd = tracing.inputs(Array::zdd, tracing.size());
   s.kinematics = kinematics(system);
   s.inertias = inertias(system, s.kinematics);
   tracing.scribe.step(Step::velocities);
@@ -247,7 +247,7 @@ std::vector<Expr> driving_forces(const Tracing& tracing, const std::vector<Expr>
 
 /// Multipliers and driving forces in the frozen order (theory.md section 4).
 Program trace_multipliers(const Model& model, const Topology& topology, const Analysis& analysis) {
-  Tracing tracing("multipliers", model, topology, analysis);
+  Tracing tracing(Role::multipliers, model, topology, analysis);
   System<Expr>& system = tracing.system;
   const GivenState s = given_state(tracing);
   std::vector<std::vector<Expr>> lambda;
@@ -267,11 +267,11 @@ Program trace_multipliers(const Model& model, const Topology& topology, const An
         left[block.joints[row.columns[i]]] -= row.values[i] * lambda[b][e];
     }
     for (std::size_t c = 0; c < block.joints.size(); ++c)
-      tracing.output(fmt::format("missing{}", b), static_cast<int>(c), right_hand_side[c]);
-    if (analysis.blocks[b].rank > 0) tracing.output("pivot", static_cast<int>(b), factors.quality);
+      tracing.output(of_block(Array::missing, b), static_cast<int>(c), right_hand_side[c]);
+    if (analysis.blocks[b].rank > 0) tracing.output(Array::pivot, static_cast<int>(b), factors.quality);
   }
-  tracing.outputs("lambda", in_loop_order(topology, lambda));
-  tracing.outputs("drive", driving_forces(tracing, left));
+  tracing.outputs(Array::lambda, in_loop_order(topology, lambda));
+  tracing.outputs(Array::drive, driving_forces(tracing, left));
   return tracing.builder.finish_in_canonical_order();
 }
 
@@ -285,7 +285,7 @@ bool looks_at_multipliers(const Model& model) {
 /// Multipliers come from outside, so that they are right where the frozen partition is not; without loops there are
 /// none, and the driving forces are what is missing.
 Program trace_outputs(const Model& model, const Topology& topology, const Analysis& analysis) {
-  Tracing tracing("outputs", model, topology, analysis);
+  Tracing tracing(Role::outputs, model, topology, analysis);
   System<Expr>& system = tracing.system;
   const GivenState s = given_state(tracing);
   std::vector<std::vector<Expr>> lambda;
@@ -293,16 +293,16 @@ Program trace_outputs(const Model& model, const Topology& topology, const Analys
   if (topology.loops.empty()) {
     drive = driving_forces(tracing, s.missing);
   } else if (looks_at_multipliers(model)) {
-    lambda = by_block(topology, tracing.inputs("lambda", equation_count(topology)));
-    drive = tracing.inputs("drive", static_cast<int>(tracing.drive.size()));
+    lambda = by_block(topology, tracing.inputs(Array::lambda, equation_count(topology)));
+    drive = tracing.inputs(Array::drive, static_cast<int>(tracing.drive.size()));
   }
   std::vector<int> driven;
   for (const Drive<Expr>& d : tracing.drive) driven.push_back(d.coordinate);
   const SolvedState<Expr> solved{s.kinematics, s.velocities, s.accelerations, s.forces, s.zdd, lambda, drive};
-  tracing.outputs("y", output_values(system, solved));
+  tracing.outputs(Array::y, output_values(system, solved));
   const Energies<Expr> e = energies(system, solved, s.inertias, s.tau, driven);
-  tracing.outputs("energy", {e.kinetic, e.potential});
-  tracing.outputs("power", {e.power});
+  tracing.outputs(Array::energy, {e.kinetic, e.potential});
+  tracing.outputs(Array::power, {e.power});
   return tracing.builder.finish_in_canonical_order();
 }
 

@@ -13,30 +13,28 @@ namespace mbgen {
 /// One program in the making: the formulation's view of the model, on symbols.
 class Tracing {
  public:
-  Tracing(const std::string& name, const Model& model, const Topology& topology, const Analysis& analysis,
+  Tracing(Role role, const Model& model, const Topology& topology, const Analysis& analysis,
           const Layout* recursive_layout = nullptr)
-      : builder(name),
+      : builder(name_of(role)),
         scribe{builder, recursive_layout ? Form::recursive : Form::matrix},
         layout(recursive_layout ? *recursive_layout : choose_layout(model, topology)),
         analysis(analysis),
         system{model, topology, layout, environment(model, topology), {}, {}, scribe} {
     scribe.step(Step::inertias);
-    for (int i = 0; i < auxiliary_state_count(model); ++i) system.x.push_back(input("x", i));
+    for (int i = 0; i < auxiliary_state_count(model); ++i) system.x.push_back(input(Array::x, i));
     system.constants = make_constants(model, topology, system.environment);
     name_constants(scribe, model, topology, system.constants);
     drive = drives(system);
   }
 
-  Expr input(const std::string& group, int index) { return {builder, builder.input(group, index)}; }
-  std::vector<Expr> inputs(const std::string& group, int count) {
+  Expr input(SlotGroup group, int index) { return {builder, builder.input(group, index)}; }
+  std::vector<Expr> inputs(SlotGroup group, int count) {
     std::vector<Expr> values;
     for (int i = 0; i < count; ++i) values.push_back(input(group, i));
     return values;
   }
-  void output(const std::string& group, int index, const Expr& value) {
-    builder.output(group, index, value.value(builder));
-  }
-  void outputs(const std::string& group, const std::vector<Expr>& values) {
+  void output(SlotGroup group, int index, const Expr& value) { builder.output(group, index, value.value(builder)); }
+  void outputs(SlotGroup group, const std::vector<Expr>& values) {
     for (std::size_t i = 0; i < values.size(); ++i) output(group, static_cast<int>(i), values[i]);
   }
   int size() const { return system.topology.size(); }
@@ -63,11 +61,11 @@ class Tracing {
     e.topology = &topology;
     int tunable = 0;
     for (const Parameter& p : model.parameters)
-      e.parameters.push_back(p.tunable ? input("par", tunable++) : Expr(p.value));
-    e.inputs = inputs("in", static_cast<int>(model.inputs.size()));
-    e.t = input("t", 0);
-    e.z = inputs("z", topology.size());
-    e.zd = inputs("zd", topology.size());
+      e.parameters.push_back(p.tunable ? input(Array::par, tunable++) : Expr(p.value));
+    e.inputs = inputs(Array::in, static_cast<int>(model.inputs.size()));
+    e.t = input(Array::t, 0);
+    e.z = inputs(Array::z, topology.size());
+    e.zd = inputs(Array::zd, topology.size());
     return e;
   }
 };

@@ -278,7 +278,7 @@ Program random_program(int size, int outputs) {
   ProgramBuilder builder("outputs");
   std::vector<ValueId> values;
   for (int i = 0; i < 2; ++i) {
-    for (const char* group : {"z", "zd", "zdd"}) values.push_back(builder.input(group, i));
+    for (const Array array : {Array::z, Array::zd, Array::zdd}) values.push_back(builder.input(array, i));
   }
   const auto any = [&] { return values[std::uniform_int_distribution<std::size_t>(0, values.size() - 1)(random)]; };
   const auto recent = [&] {
@@ -302,7 +302,7 @@ Program random_program(int size, int outputs) {
       value = builder.append(Op::multiply, value, builder.constant(i % 2 == 0 ? -0.1 * i : 1.0 / (1 + i)));
     values.push_back(value);
   }
-  for (int o = 0; o < outputs; ++o) builder.output("y", o, values[values.size() - 1 - 7 * o]);
+  for (int o = 0; o < outputs; ++o) builder.output(Array::y, o, values[values.size() - 1 - 7 * o]);
   return builder.finish();
 }
 
@@ -327,9 +327,9 @@ TEST_P(Emitted, computesWhatTheInterpreterComputes) {
     for (double& value : derivative) value = number(random);
     std::vector<double> inputs;
     for (const Slot& slot : example.programs.outputs.inputs) {
-      inputs.push_back(slot.group == "z"    ? state[slot.index]
-                       : slot.group == "zd" ? state[2 + slot.index]
-                                            : derivative[slot.index]);
+      inputs.push_back(slot.group == Array::z    ? state[slot.index]
+                       : slot.group == Array::zd ? state[2 + slot.index]
+                                                 : derivative[slot.index]);
     }
     const std::vector<double> expected = interpret(example.programs.outputs, inputs);
     ASSERT_TRUE(loaded.table()->output_values(nullptr, nullptr, state, tau, derivative, y, energy).ok());

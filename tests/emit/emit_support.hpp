@@ -55,8 +55,8 @@ inline Example two_sliders() {
   example.analysis.degrees_of_freedom = 2;
   ProgramBuilder builder("accelerations");
   for (int i = 0; i < 2; ++i) {
-    builder.output("zdd", i, builder.input("tau", i));
-    builder.output("inertia", i, builder.constant(1));
+    builder.output(Array::zdd, i, builder.input(Array::tau, i));
+    builder.output(Array::inertia, i, builder.constant(1));
   }
   example.programs.accelerations = builder.finish();
   example.programs.free_direction_coordinate = {"x", "y"};
@@ -74,9 +74,9 @@ inline Example pushed_slider() {
   };
   example.model.inputs = {input("jerk", -1), input("push", 2), input("rate", 0)};
   ProgramBuilder builder("accelerations");
-  builder.output("zdd", 0, builder.input("in", 1));
-  builder.output("zdd", 1, builder.constant(0));
-  for (int i = 0; i < 2; ++i) builder.output("inertia", i, builder.constant(1));
+  builder.output(Array::zdd, 0, builder.input(Array::in, 1));
+  builder.output(Array::zdd, 1, builder.constant(0));
+  for (int i = 0; i < 2; ++i) builder.output(Array::inertia, i, builder.constant(1));
   example.programs.accelerations = builder.finish();
   return example;
 }
@@ -84,13 +84,16 @@ inline Example pushed_slider() {
 /// Inputs of the bead's programs, and what several of them need.
 struct Symbols {
   explicit Symbols(ProgramBuilder& b)
-      : x(b, b.input("z", 0)), y(b, b.input("z", 1)), xd(b, b.input("zd", 0)), yd(b, b.input("zd", 1)) {}
+      : x(b, b.input(Array::z, 0)),
+        y(b, b.input(Array::z, 1)),
+        xd(b, b.input(Array::zd, 0)),
+        yd(b, b.input(Array::zd, 1)) {}
   Expr x, y, xd, yd;
   Expr residual(const Expr& area) const { return x * x + y * y - area; }
   Expr c() const { return -2.0 * (xd * xd + yd * yd); }
 };
 
-inline void output(ProgramBuilder& builder, const std::string& group, int index, const Expr& value) {
+inline void output(ProgramBuilder& builder, SlotGroup group, int index, const Expr& value) {
   builder.output(group, index, value.value(builder));
 }
 
@@ -99,9 +102,9 @@ inline Program bead_accelerations() {
   ProgramBuilder builder("accelerations");
   builder.set_section("1 forces");
   const Symbols s(builder);
-  const Expr mass(builder, builder.input("par", 0));
-  const Expr force_x = Expr(builder, builder.input("tau", 0)) + Expr(builder, builder.input("in", 0));
-  const Expr force_y = Expr(builder, builder.input("tau", 1)) - 9.81 * mass;
+  const Expr mass(builder, builder.input(Array::par, 0));
+  const Expr force_x = Expr(builder, builder.input(Array::tau, 0)) + Expr(builder, builder.input(Array::in, 0));
+  const Expr force_y = Expr(builder, builder.input(Array::tau, 1)) - 9.81 * mass;
   builder.label(force_x.value(builder), "force x");
   builder.set_section("2 Rz");
   builder.set_block("x: prismatic, ground");
@@ -112,51 +115,51 @@ inline Program bead_accelerations() {
   builder.set_block("y: prismatic, carriage");
   const Expr inertia = mass * (rz * rz + 1.0);
   const Expr ydd = (rz * (force_x - mass * star) + force_y) / inertia;
-  output(builder, "zdd", 1, ydd);
-  output(builder, "zdd", 0, rz * ydd + star);
-  output(builder, "pivot", 0, abs(s.x));
-  output(builder, "inertia", 0, inertia);
+  output(builder, Array::zdd, 1, ydd);
+  output(builder, Array::zdd, 0, rz * ydd + star);
+  output(builder, Array::pivot, 0, abs(s.x));
+  output(builder, Array::inertia, 0, inertia);
   return builder.finish();
 }
 
 inline Program bead_accelerations_chosen() {
   ProgramBuilder builder("accelerations_chosen");
-  const Expr mass(builder, builder.input("par", 0));
-  const Expr force[2] = {Expr(builder, builder.input("tau", 0)) + Expr(builder, builder.input("in", 0)),
-                         Expr(builder, builder.input("tau", 1)) - 9.81 * mass};
+  const Expr mass(builder, builder.input(Array::par, 0));
+  const Expr force[2] = {Expr(builder, builder.input(Array::tau, 0)) + Expr(builder, builder.input(Array::in, 0)),
+                         Expr(builder, builder.input(Array::tau, 1)) - 9.81 * mass};
   Expr inertia = 0.0, right_hand_side = 0.0;
   Expr rz[2], star[2];
   for (int i = 0; i < 2; ++i) {
-    rz[i] = Expr(builder, builder.input("Rz0", i));
-    star[i] = Expr(builder, builder.input("zdd_star0", i));
+    rz[i] = Expr(builder, builder.input({Array::Rz, 0}, i));
+    star[i] = Expr(builder, builder.input({Array::zdd_star, 0}, i));
     inertia += mass * rz[i] * rz[i];
     right_hand_side += rz[i] * (force[i] - mass * star[i]);
   }
   const Expr free = right_hand_side / inertia;
-  for (int i = 0; i < 2; ++i) output(builder, "zdd", i, rz[i] * free + star[i]);
-  output(builder, "inertia", 0, inertia);
+  for (int i = 0; i < 2; ++i) output(builder, Array::zdd, i, rz[i] * free + star[i]);
+  output(builder, Array::inertia, 0, inertia);
   return builder.finish();
 }
 
 inline Program bead_closure() {
   ProgramBuilder builder("closure");
   const Symbols s(builder);
-  const Expr residual = s.residual(Expr(builder, builder.input("par", 1)));
-  output(builder, "residual", 0, residual);
-  output(builder, "dz", 0, -residual / (2.0 * s.x));
-  output(builder, "zd", 0, -(s.y / s.x) * s.yd);
-  output(builder, "zd", 1, s.yd);
-  output(builder, "pivot", 0, abs(s.x));
+  const Expr residual = s.residual(Expr(builder, builder.input(Array::par, 1)));
+  output(builder, Array::residual, 0, residual);
+  output(builder, Array::dz, 0, -residual / (2.0 * s.x));
+  output(builder, Array::zd, 0, -(s.y / s.x) * s.yd);
+  output(builder, Array::zd, 1, s.yd);
+  output(builder, Array::pivot, 0, abs(s.x));
   return builder.finish();
 }
 
 inline Program bead_closure_terms() {
   ProgramBuilder builder("closure_terms");
   const Symbols s(builder);
-  output(builder, "Phi0", 0, s.residual(Expr(builder, builder.input("par", 1))));
-  output(builder, "Jz0", 0, 2.0 * s.x);
-  output(builder, "Jz0", 1, 2.0 * s.y);
-  output(builder, "c0", 0, s.c());
+  output(builder, {Array::Phi, 0}, 0, s.residual(Expr(builder, builder.input(Array::par, 1))));
+  output(builder, {Array::Jz, 0}, 0, 2.0 * s.x);
+  output(builder, {Array::Jz, 0}, 1, 2.0 * s.y);
+  output(builder, {Array::c, 0}, 0, s.c());
   return builder.finish();
 }
 
@@ -164,28 +167,28 @@ inline Program bead_closure_terms() {
 inline Program bead_multipliers(int motions = 0) {
   ProgramBuilder builder("multipliers");
   const Symbols s(builder);
-  const Expr mass(builder, builder.input("par", 0));
+  const Expr mass(builder, builder.input(Array::par, 0));
   const auto missing = [&](int i, const Expr& force) {
-    return Expr(builder, builder.input("tau", i)) + force - mass * Expr(builder, builder.input("zdd", i));
+    return Expr(builder, builder.input(Array::tau, i)) + force - mass * Expr(builder, builder.input(Array::zdd, i));
   };
-  const Expr missing_x = missing(0, Expr(builder, builder.input("in", 0))), missing_y = missing(1, -9.81 * mass);
+  const Expr missing_x = missing(0, Expr(builder, builder.input(Array::in, 0))), missing_y = missing(1, -9.81 * mass);
   const Expr lambda = missing_x / (2.0 * s.x);
-  output(builder, "lambda", 0, lambda);
-  for (int g = 0; g < motions; ++g) output(builder, "drive", g, 2.0 * s.y * lambda - missing_y);
-  output(builder, "missing0", 0, missing_x);
-  output(builder, "missing0", 1, missing_y);
-  output(builder, "pivot", 0, abs(s.x));
+  output(builder, Array::lambda, 0, lambda);
+  for (int g = 0; g < motions; ++g) output(builder, Array::drive, g, 2.0 * s.y * lambda - missing_y);
+  output(builder, {Array::missing, 0}, 0, missing_x);
+  output(builder, {Array::missing, 0}, 1, missing_y);
+  output(builder, Array::pivot, 0, abs(s.x));
   return builder.finish();
 }
 
 inline Program bead_outputs() {
   ProgramBuilder builder("outputs");
   const Symbols s(builder);
-  const Expr mass(builder, builder.input("par", 0));
-  output(builder, "y", 0, sqrt(s.x * s.x + s.y * s.y));
-  output(builder, "energy", 0, 0.5 * mass * (s.xd * s.xd + s.yd * s.yd));
-  output(builder, "energy", 1, 9.81 * mass * s.y);
-  output(builder, "power", 0, Expr(builder, builder.input("in", 0)) * s.xd);
+  const Expr mass(builder, builder.input(Array::par, 0));
+  output(builder, Array::y, 0, sqrt(s.x * s.x + s.y * s.y));
+  output(builder, Array::energy, 0, 0.5 * mass * (s.xd * s.xd + s.yd * s.yd));
+  output(builder, Array::energy, 1, 9.81 * mass * s.y);
+  output(builder, Array::power, 0, Expr(builder, builder.input(Array::in, 0)) * s.xd);
   return builder.finish();
 }
 
@@ -253,8 +256,8 @@ inline Example bead_with_pull() {
   example.model.outputs.push_back(pull);
   ProgramBuilder builder("outputs");
   const Symbols s(builder);
-  output(builder, "y", 0, sqrt(s.x * s.x + s.y * s.y));
-  builder.output("y", 1, builder.input("lambda", 0));
+  output(builder, Array::y, 0, sqrt(s.x * s.x + s.y * s.y));
+  builder.output(Array::y, 1, builder.input(Array::lambda, 0));
   example.programs.outputs = builder.finish();
   return example;
 }
@@ -267,21 +270,21 @@ inline Example redundant_bead(double gap) {
   ProgramBuilder closure("closure");
   {
     const Symbols s(closure);
-    const Expr residual = s.residual(Expr(closure, closure.input("par", 1)));
-    output(closure, "residual", 0, residual);
-    output(closure, "residual", 1, residual - gap);
-    output(closure, "dz", 0, -residual / (2.0 * s.x));
-    output(closure, "zd", 0, -(s.y / s.x) * s.yd);
-    output(closure, "zd", 1, s.yd);
-    output(closure, "pivot", 0, abs(s.x));
+    const Expr residual = s.residual(Expr(closure, closure.input(Array::par, 1)));
+    output(closure, Array::residual, 0, residual);
+    output(closure, Array::residual, 1, residual - gap);
+    output(closure, Array::dz, 0, -residual / (2.0 * s.x));
+    output(closure, Array::zd, 0, -(s.y / s.x) * s.yd);
+    output(closure, Array::zd, 1, s.yd);
+    output(closure, Array::pivot, 0, abs(s.x));
   }
   ProgramBuilder terms("closure_terms");
   const Symbols s(terms);
   for (int e = 0; e < 2; ++e) {
-    output(terms, "Phi0", e, s.residual(Expr(terms, terms.input("par", 1))) - e * gap);
-    output(terms, "Jz0", 2 * e, 2.0 * s.x);
-    output(terms, "Jz0", 2 * e + 1, 2.0 * s.y);
-    output(terms, "c0", e, s.c());
+    output(terms, {Array::Phi, 0}, e, s.residual(Expr(terms, terms.input(Array::par, 1))) - e * gap);
+    output(terms, {Array::Jz, 0}, 2 * e, 2.0 * s.x);
+    output(terms, {Array::Jz, 0}, 2 * e + 1, 2.0 * s.y);
+    output(terms, {Array::c, 0}, e, s.c());
   }
   example.programs.closure = closure.finish();
   example.programs.closure_terms = terms.finish();
@@ -297,7 +300,7 @@ inline Example driven_bead() {
   example.analysis.motion_of = {-1, 0};
   example.analysis.blocks[0].independent = {};
   example.analysis.blocks[0].driven = {1};
-  const auto time = [](ProgramBuilder& builder) { return Expr(builder, builder.input("t", 0)); };
+  const auto time = [](ProgramBuilder& builder) { return Expr(builder, builder.input(Array::t, 0)); };
   const auto position = [](const Expr& t) { return 0.3 * t + 0.1 * (t * t); };
   const auto velocity = [](const Expr& t) { return 0.3 + 0.2 * t; };
   constexpr double kAcceleration = 0.2;
@@ -306,31 +309,31 @@ inline Example driven_bead() {
       terms("closure_terms");
   {
     const Symbols s(accelerations);
-    output(accelerations, "zdd", 0, (s.c() - 2.0 * kAcceleration * s.y) / (2.0 * s.x));
-    output(accelerations, "zdd", 1, kAcceleration);
-    output(accelerations, "pivot", 0, abs(s.x));
+    output(accelerations, Array::zdd, 0, (s.c() - 2.0 * kAcceleration * s.y) / (2.0 * s.x));
+    output(accelerations, Array::zdd, 1, kAcceleration);
+    output(accelerations, Array::pivot, 0, abs(s.x));
   }
-  for (int i = 0; i < 2; ++i) chosen.output("zdd", i, chosen.input("zdd_star0", i));
+  for (int i = 0; i < 2; ++i) chosen.output(Array::zdd, i, chosen.input({Array::zdd_star, 0}, i));
   {
     const Symbols s(closure);
-    const Expr residual = s.residual(Expr(closure, closure.input("par", 1)));
+    const Expr residual = s.residual(Expr(closure, closure.input(Array::par, 1)));
     const Expr dy = position(time(closure)) - s.y, yd = velocity(time(closure));
     const Expr dx = -(residual + 2.0 * s.y * dy) / (2.0 * s.x);
-    output(closure, "residual", 0, residual);
-    output(closure, "residual", 1, dy);
-    output(closure, "dz", 0, dx);
-    output(closure, "dz", 1, dy);
-    output(closure, "zd", 0, -(s.y / s.x) * yd);
-    output(closure, "zd", 1, yd);
-    output(closure, "pivot", 0, abs(s.x));
+    output(closure, Array::residual, 0, residual);
+    output(closure, Array::residual, 1, dy);
+    output(closure, Array::dz, 0, dx);
+    output(closure, Array::dz, 1, dy);
+    output(closure, Array::zd, 0, -(s.y / s.x) * yd);
+    output(closure, Array::zd, 1, yd);
+    output(closure, Array::pivot, 0, abs(s.x));
   }
   {
     const Symbols s(terms);
-    output(terms, "Phi0", 0, s.residual(Expr(terms, terms.input("par", 1))));
-    output(terms, "Jz0", 0, 2.0 * s.x);
-    output(terms, "Jz0", 1, 2.0 * s.y);
-    output(terms, "c0", 0, s.c());
-    output(terms, "driven_acceleration", 1, kAcceleration);
+    output(terms, {Array::Phi, 0}, 0, s.residual(Expr(terms, terms.input(Array::par, 1))));
+    output(terms, {Array::Jz, 0}, 0, 2.0 * s.x);
+    output(terms, {Array::Jz, 0}, 1, 2.0 * s.y);
+    output(terms, {Array::c, 0}, 0, s.c());
+    output(terms, Array::driven_acceleration, 1, kAcceleration);
   }
   example.programs.accelerations = accelerations.finish();
   example.programs.accelerations_chosen = chosen.finish();

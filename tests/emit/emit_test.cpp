@@ -187,12 +187,12 @@ void compute_accelerations(const Tuned& parameters, const Inputs& inputs, const 
 
 TEST(EmittedProgram, keepsSineAndCosineTogetherAndNamesWhatIsUsedTwice) {
   ProgramBuilder builder("accelerations");
-  const Expr angle = Expr(builder, builder.input("z", 0)) * Expr(builder, builder.input("zd", 1));
+  const Expr angle = Expr(builder, builder.input(Array::z, 0)) * Expr(builder, builder.input(Array::zd, 1));
   const Expr s = sin(angle);
   const Expr far = s * s + 1.0;
   const Expr c = cos(angle);
-  output(builder, "zdd", 0, far * c);
-  output(builder, "zdd", 1, 2.5);
+  output(builder, Array::zdd, 0, far * c);
+  output(builder, Array::zdd, 1, 2.5);
   const std::string text = program_text(builder.finish(), bead_shape());
   const std::string body = text.substr(text.find("{\n", text.find("void ")) + 2);
   EXPECT_EQ(body, R"(  const double s0_1 = state.zd[Coordinate::y]*state.z[Coordinate::x];
@@ -209,15 +209,15 @@ TEST(EmittedProgram, keepsSineAndCosineTogetherAndNamesWhatIsUsedTwice) {
 /// Sines and cosines as rotations in a row meet them: by section, with work between them.
 Program rotations() {
   ProgramBuilder builder("accelerations");
-  const auto z = [&](int i) { return Expr(builder, builder.input("z", i)); };
+  const auto z = [&](int i) { return Expr(builder, builder.input(Array::z, i)); };
   builder.set_section("step 1: poses");
   const Expr first = sin(z(0)) * cos(z(0));
   const Expr second = first + sin(z(1)) - cos(z(0) + z(1));
   const Expr third = second * sin(2.0 * z(0) - z(1));
   const Expr inner = sin(first);
   builder.set_section("step 2: forces");
-  output(builder, "zdd", 0, third);
-  output(builder, "zdd", 1, inner + cos(z(1)));
+  output(builder, Array::zdd, 0, third);
+  output(builder, Array::zdd, 1, inner + cos(z(1)));
   return builder.finish();
 }
 
@@ -261,8 +261,8 @@ TEST(Arrangements, gatherOnlyWhatIsManyEnough) {
 TEST(Arrangements, gatherWhatOneCallAfterTheOtherNeeds) {
   ProgramBuilder builder("accelerations");
   for (int wheel = 0; wheel < 4; ++wheel) {
-    const Expr slip = Expr(builder, builder.input("z", wheel)) * Expr(builder, builder.input("zd", wheel));
-    builder.output("zdd", wheel, sin(1.5 * atan(slip)).value(builder));
+    const Expr slip = Expr(builder, builder.input(Array::z, wheel)) * Expr(builder, builder.input(Array::zd, wheel));
+    builder.output(Array::zdd, wheel, sin(1.5 * atan(slip)).value(builder));
   }
   const Program program = builder.finish();
   const Arrangement arrangement = arrange(program);
@@ -276,29 +276,29 @@ TEST(Arrangements, gatherWhatOneCallAfterTheOtherNeeds) {
 
 TEST(EmittedProgram, refusesSlotsThatHaveNoPlace) {
   ProgramBuilder builder("accelerations");
-  builder.output("zdd", 2, builder.input("z", 0));
+  builder.output(Array::zdd, 2, builder.input(Array::z, 0));
   EXPECT_THROW(program_text(builder.finish(), bead_shape()), std::logic_error);
   ProgramBuilder second("accelerations");
-  second.output("zdd", 1, second.input("zdd", 0));
+  second.output(Array::zdd, 1, second.input(Array::zdd, 0));
   EXPECT_THROW(program_text(second.finish(), bead_shape()), std::logic_error);
 }
 
 TEST(EmittedProgram, keepsLinesShort) {
   ProgramBuilder builder("accelerations");
-  const Expr x(builder, builder.input("z", 0)), y(builder, builder.input("z", 1));
+  const Expr x(builder, builder.input(Array::z, 0)), y(builder, builder.input(Array::z, 1));
   Expr sum = 0.0;
   for (int i = 0; i < 200; ++i) {
     sum = sum * (x * (1.0 / (3 + i)) + y) + x / (y + double(i));
     builder.label(sum.value(builder), "a rather long name of an intermediate result, number " + std::to_string(i));
   }
-  output(builder, "zdd", 0, sum);
+  output(builder, Array::zdd, 0, sum);
   std::istringstream text(program_text(builder.finish(), bead_shape()));
   for (std::string line; std::getline(text, line);) EXPECT_LE(line.size(), 110u) << line;
 }
 
 TEST(Arrangements, divideLargeProgramsWhereFewValuesCross) {
   ProgramBuilder builder("p");
-  Expr x(builder, builder.input("z", 0));
+  Expr x(builder, builder.input(Array::z, 0));
   // Bundles of 50 values that are needed together, one thread between them.
   for (int bundle = 0; bundle < 60; ++bundle) {
     Expr sum = 0.0;
@@ -307,7 +307,7 @@ TEST(Arrangements, divideLargeProgramsWhereFewValuesCross) {
     for (const Expr& value : values) sum += value * value;
     x = sum;
   }
-  output(builder, "zdd", 0, x);
+  output(builder, Array::zdd, 0, x);
   const Program program = builder.finish();
   const Arrangement result = arrange(program);
   ASSERT_GE(result.parts.size(), 4u);
@@ -336,13 +336,13 @@ TEST(Arrangements, divideLargeProgramsWhereFewValuesCross) {
 /// A program of three numbered sections, the middle one longer than a part.
 Program three_sections() {
   ProgramBuilder builder("p");
-  Expr x(builder, builder.input("z", 0));
+  Expr x(builder, builder.input(Array::z, 0));
   for (const auto& [title, length] :
        {std::pair{"step 1: inertias", 3}, {"step 4: velocities (36)", 1500}, {"step 9", 2}}) {
     builder.set_section(title);
     for (int i = 0; i < length; ++i) x = x * x + (1.0 + i);
   }
-  output(builder, "zdd", 0, x);
+  output(builder, Array::zdd, 0, x);
   return builder.finish();
 }
 
@@ -374,9 +374,9 @@ TEST(ProgramText, tellsTheClockTheEndOfEverySection) {
 
 TEST(Arrangements, leaveDeadValuesOut) {
   ProgramBuilder builder("p");
-  const Expr x(builder, builder.input("z", 0));
+  const Expr x(builder, builder.input(Array::z, 0));
   builder.append(Op::sin, x.value(builder));
-  output(builder, "zdd", 0, cos(x));
+  output(builder, Array::zdd, 0, cos(x));
   EXPECT_EQ(arrange(builder.finish()).order.size(), 1u);
 }
 

@@ -43,12 +43,12 @@ double interpreted(const Program& program, const std::vector<double>& state, con
   const std::size_t n = tau.size();
   for (const Slot& slot : program.inputs) {
     const auto index = static_cast<std::size_t>(slot.index);
-    inputs.push_back(slot.group == "z" ? state[index] : slot.group == "zd" ? state[n + index] : tau[index]);
+    inputs.push_back(slot.group == Array::z ? state[index] : slot.group == Array::zd ? state[n + index] : tau[index]);
   }
   const std::vector<double> values = interpret(program, inputs);
   for (std::size_t i = 0; i < values.size(); ++i) {
     const Slot& slot = program.outputs[i].slot;
-    if (slot.group == "zdd" && slot.index == static_cast<int>(coordinate)) return values[i];
+    if (slot.group == Array::zdd && slot.index == static_cast<int>(coordinate)) return values[i];
   }
   return NAN;
 }
@@ -73,15 +73,15 @@ double largest_difference(const Compilation& compilation, const SolverTable& tab
 
 TEST(Roll, findsEqualSlicesAndLeavesTheFirstStraight) {
   ProgramBuilder builder("cells");
-  ValueId carried = builder.input("t", 0);
+  ValueId carried = builder.input(Array::t, 0);
   for (int cell = 0; cell < 40; ++cell) {
-    const ValueId z = builder.input("z", cell);
+    const ValueId z = builder.input(Array::z, cell);
     const ValueId scaled = builder.append(Op::multiply, builder.constant(1.5 + cell), builder.append(Op::sin, z));
     const ValueId turned = builder.append(Op::divide, scaled, builder.append(Op::cos, z));
     carried = builder.append(Op::add, builder.append(Op::sqrt, turned), carried);
-    builder.output("zdd", cell, carried);
+    builder.output(Array::zdd, cell, carried);
   }
-  const Rolling rolling = roll(builder.finish(), {"z", "zdd"});
+  const Rolling rolling = roll(builder.finish(), {Array::z, Array::zdd});
   ASSERT_EQ(rolling.loops.size(), 1u);
   EXPECT_EQ(rolling.loops[0].period, 6u);
   EXPECT_EQ(rolling.order.size(), 240u);
@@ -92,10 +92,10 @@ TEST(Roll, findsEqualSlicesAndLeavesTheFirstStraight) {
 TEST(Roll, inputsThatAreNoArrayTellSlicesApart) {
   ProgramBuilder builder("cells");
   for (int cell = 0; cell < 100; ++cell) {
-    const ValueId p = builder.input("par", cell);
-    builder.output("zdd", cell, builder.append(Op::sin, builder.append(Op::sqrt, p)));
+    const ValueId p = builder.input(Array::par, cell);
+    builder.output(Array::zdd, cell, builder.append(Op::sin, builder.append(Op::sqrt, p)));
   }
-  EXPECT_TRUE(roll(builder.finish(), {"zdd"}).loops.empty());
+  EXPECT_TRUE(roll(builder.finish(), {Array::zdd}).loops.empty());
 }
 
 TEST(Rolled, theSameBytesTwice) {

@@ -32,11 +32,11 @@ int most_alive(const Program& program) {
 Program squares_first(int count) {
   ProgramBuilder builder("squares");
   std::vector<ValueId> values;
-  for (int i = 0; i < count; ++i) values.push_back(builder.append(Op::sqrt, builder.input("z", i)));
+  for (int i = 0; i < count; ++i) values.push_back(builder.append(Op::sqrt, builder.input(Array::z, i)));
   for (ValueId& value : values) value = builder.append(Op::add, value, builder.append(Op::sin, value));
   ValueId sum = values[0];
   for (int i = 1; i < count; ++i) sum = builder.append(Op::add, sum, values[i]);
-  builder.output("zdd", 0, sum);
+  builder.output(Array::zdd, 0, sum);
   return builder.finish();
 }
 
@@ -58,11 +58,11 @@ TEST(FewestAlive, KeepsOperationsAndBits) {
 
 TEST(FewestAlive, AValueThatEndsALifeComesUp) {
   ProgramBuilder builder("f");
-  const ValueId x = builder.input("z", 0), y = builder.input("z", 1);
+  const ValueId x = builder.input(Array::z, 0), y = builder.input(Array::z, 1);
   const ValueId product = builder.append(Op::multiply, x, y);
   const ValueId sine = builder.append(Op::sin, x);
   const ValueId square = builder.append(Op::multiply, sine, sine);
-  builder.output("zdd", 0, builder.append(Op::add, square, product));
+  builder.output(Array::zdd, 0, builder.append(Op::add, square, product));
   const Program after = fewest_alive(builder.finish());
   ASSERT_EQ(after.nodes.size(), 6u);
   EXPECT_EQ(after.nodes[2].op, Op::sin);

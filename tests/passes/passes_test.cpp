@@ -20,13 +20,13 @@ namespace {
 
 TEST(PassText, DeadValuesAndInputsGo) {
   ProgramBuilder builder("f");
-  const Expr unused(builder, builder.input("z", 0)), x(builder, builder.input("z", 1));
+  const Expr unused(builder, builder.input(Array::z, 0)), x(builder, builder.input(Array::z, 1));
   builder.set_section("only");
   builder.set_block("arm");
   const Expr s = sin(x), c = cos(x) * unused;
   builder.label(s.value(builder), "s_arm");
   builder.label(c.value(builder), "c_arm");
-  builder.output("y", 0, s.value(builder));
+  builder.output(Array::y, 0, s.value(builder));
   const Program program = remove_dead_values(builder.finish());
   EXPECT_EQ(dump(program),
             "program f\n"
@@ -35,7 +35,7 @@ TEST(PassText, DeadValuesAndInputsGo) {
             "; block arm\n"
             "%1 = sin %0  ; s_arm\n"
             "out y[0] = %1\n");
-  EXPECT_EQ(program.inputs, (std::vector<Slot>{{"z", 1}}));
+  EXPECT_EQ(program.inputs, (std::vector<Slot>{{Array::z, 1}}));
   EXPECT_EQ(program.labels, (std::vector<std::string>{"s_arm", "c_arm"}));
 }
 
@@ -45,18 +45,18 @@ Program divisions(int count, const std::function<Expr(ProgramBuilder&)>& divisor
   const Expr d = divisor(builder);
   for (int i = 0; i < count; ++i) {
     builder.set_section(fmt::format("step {}", i));
-    const Expr quotient = Expr(builder, builder.input("x", i)) / d;
+    const Expr quotient = Expr(builder, builder.input(Array::x, i)) / d;
     builder.label(quotient.value(builder), fmt::format("q{}", i));
-    builder.output("y", i, quotient.value(builder));
+    builder.output(Array::y, i, quotient.value(builder));
   }
   return builder.finish();
 }
 
 TEST(PassText, ThreeDivisionsByOneValueShareAReciprocal) {
-  const auto input = [](ProgramBuilder& builder) { return Expr(builder, builder.input("d", 0)); };
+  const auto input = [](ProgramBuilder& builder) { return Expr(builder, builder.input(Array::in, 0)); };
   EXPECT_EQ(dump(merge_divisions(divisions(3, input))),
             "program f\n"
-            "%0 = input d[0]\n"
+            "%0 = input in[0]\n"
             "%1 = input x[0]\n"
             "%2 = constant 1\n"
             "; section step 0\n"
@@ -78,10 +78,10 @@ TEST(PassText, ThreeDivisionsByOneValueShareAReciprocal) {
 
 TEST(PassText, ProductsThatOnlySumsNeedGoIntoThem) {
   ProgramBuilder builder("f");
-  const auto x = [&](int i) { return Expr(builder, builder.input("x", i)); };
+  const auto x = [&](int i) { return Expr(builder, builder.input(Array::x, i)); };
   const Expr kept = x(0) * x(0), named = x(1) * x(1), shared = x(0) * x(3);
   builder.label(named.value(builder), "named");
-  const auto output = [&](int i, const Expr& value) { builder.output("y", i, value.value(builder)); };
+  const auto output = [&](int i, const Expr& value) { builder.output(Array::y, i, value.value(builder)); };
   output(0, x(0) * x(1) + x(1));
   output(1, x(0) * x(2) - x(1));
   output(2, x(1) - x(2) * x(2));
@@ -122,7 +122,8 @@ TEST(PassText, ProductsThatOnlySumsNeedGoIntoThem) {
 }
 
 TEST(Passes, MergedQuotientsAreWithinTheStatedRounding) {
-  const Program program = divisions(4, [](ProgramBuilder& builder) { return Expr(builder, builder.input("d", 0)); });
+  const Program program =
+      divisions(4, [](ProgramBuilder& builder) { return Expr(builder, builder.input(Array::in, 0)); });
   const Program merged = optimise(program);
   ASSERT_EQ(merged.inputs, program.inputs);
   std::mt19937_64 random(7);
@@ -141,7 +142,7 @@ TEST(Passes, MergedQuotientsAreWithinTheStatedRounding) {
 
 TEST(Passes, RewritingAProgramOnceMoreChangesNothing) {
   const Program once =
-      optimise(divisions(5, [](ProgramBuilder& builder) { return sqrt(Expr(builder, builder.input("d", 0))); }));
+      optimise(divisions(5, [](ProgramBuilder& builder) { return sqrt(Expr(builder, builder.input(Array::in, 0))); }));
   EXPECT_EQ(dump(optimise(once)), dump(once));
 }
 
@@ -168,10 +169,10 @@ TEST(Passes, KeepTheValuesOfRandomPrograms) {
 TEST(Passes, ManyDivisionsByOneValueBecomeOneReciprocal) {
   const auto divided = [](int count) {
     ProgramBuilder builder("f");
-    const Expr divisor(builder, builder.input("in", 0));
+    const Expr divisor(builder, builder.input(Array::in, 0));
     for (int i = 0; i < count; ++i) {
-      const Expr x(builder, builder.input("in", i + 1));
-      builder.output("out", i, (x / divisor).value(builder));
+      const Expr x(builder, builder.input(Array::in, i + 1));
+      builder.output(Array::y, i, (x / divisor).value(builder));
     }
     return count_operations(optimise(builder.finish()));
   };

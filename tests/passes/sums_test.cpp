@@ -15,9 +15,9 @@ namespace {
 Program program_of(const std::function<Expr(const std::vector<Expr>&)>& body) {
   ProgramBuilder builder("f");
   std::vector<Expr> x;
-  for (int i = 0; i < 6; ++i) x.emplace_back(builder, builder.input("x", i));
+  for (int i = 0; i < 6; ++i) x.emplace_back(builder, builder.input(Array::x, i));
   builder.set_section("step 1");
-  builder.output("y", 0, body(x).value(builder));
+  builder.output(Array::y, 0, body(x).value(builder));
   return builder.finish();
 }
 
@@ -62,11 +62,12 @@ TEST(FactorSums, TakesSumsOfAnyLength) {
 
 TEST(FactorSums, LeavesNamedValuesAndThoseOfTwoUsersAlone) {
   ProgramBuilder builder("f");
-  const Expr a(builder, builder.input("x", 0)), b(builder, builder.input("x", 1)), c(builder, builder.input("x", 2));
+  const Expr a(builder, builder.input(Array::x, 0)), b(builder, builder.input(Array::x, 1)),
+      c(builder, builder.input(Array::x, 2));
   const Expr product = a * b, sum = product + a * c;
   builder.label(product.value(builder), "named");
-  builder.output("y", 0, sum.value(builder));
-  builder.output("y", 1, (sum * c).value(builder));
+  builder.output(Array::y, 0, sum.value(builder));
+  builder.output(Array::y, 1, (sum * c).value(builder));
   const Program rewritten = factor_sums(builder.finish());
   EXPECT_EQ(rewritten.labels, std::vector<std::string>{"named"});
   EXPECT_EQ(operations(rewritten), 4);
@@ -83,7 +84,7 @@ Program random_program(unsigned seed) {
   std::mt19937 random(seed);
   ProgramBuilder builder("f");
   std::vector<Expr> values;
-  for (int i = 0; i < 5; ++i) values.emplace_back(builder, builder.input("x", i));
+  for (int i = 0; i < 5; ++i) values.emplace_back(builder, builder.input(Array::x, i));
   const auto any = [&] { return values[random() % values.size()]; };
   for (int i = 0; i < 60; ++i) {
     builder.set_section("step " + std::to_string(i / 20 + 1));
@@ -102,7 +103,7 @@ Program random_program(unsigned seed) {
     }
     values.back() = values.back() * 0.5;  // so that values stay small
   }
-  for (int i = 0; i < 4; ++i) builder.output("y", i, any().value(builder));
+  for (int i = 0; i < 4; ++i) builder.output(Array::y, i, any().value(builder));
   return builder.finish();
 }
 
@@ -126,9 +127,9 @@ TEST(Passes, RandomSumsKeepTheirValuesAndGetNoDearer) {
 TEST(ShortenLifetimes, ATermJoinsItsSumWhenItIsKnown) {
   ProgramBuilder builder("f");
   std::vector<Expr> x;
-  for (int i = 0; i < 4; ++i) x.emplace_back(builder, builder.input("x", i));
+  for (int i = 0; i < 4; ++i) x.emplace_back(builder, builder.input(Array::x, i));
   const Expr a = sin(x[0]), b = sin(x[1]), c = sin(x[2]), d = sin(x[3]);
-  builder.output("y", 0, (((a + b) + c) + d).value(builder));
+  builder.output(Array::y, 0, (((a + b) + c) + d).value(builder));
   const Program ordered = shorten_lifetimes(builder.finish());
   std::vector<Op> operations;
   for (const Node& node : ordered.nodes)
@@ -138,13 +139,13 @@ TEST(ShortenLifetimes, ATermJoinsItsSumWhenItIsKnown) {
 
 TEST(ShortenLifetimes, AValueOfLastingOperandsIsComputedWhereItIsUsed) {
   ProgramBuilder builder("f");
-  const Expr a(builder, builder.input("x", 0)), b(builder, builder.input("x", 1));
+  const Expr a(builder, builder.input(Array::x, 0)), b(builder, builder.input(Array::x, 1));
   builder.set_section("step 1");
   const Expr u = tan(a), v = tan(b), early = u * v;
   builder.set_section("step 2");
   const Expr work = exp(u) * exp(v);
-  builder.output("y", 0, (work / early).value(builder));
-  builder.output("y", 1, (u / v).value(builder));
+  builder.output(Array::y, 0, (work / early).value(builder));
+  builder.output(Array::y, 1, (u / v).value(builder));
   const Program ordered = shorten_lifetimes(builder.finish());
   const auto is_product = [](const Node& node) { return node.op == Op::multiply; };
   int products = 0;

@@ -31,7 +31,7 @@ Expr right_first(Op op, const std::function<Expr()>& left, const std::function<E
 /// Two named statements and an output: p = x0 x1 + 3 sin x2, q = p / x3 - x1 x0, y0 = q - cos x4 x5.
 Program traced(const Evaluate& evaluate) {
   ProgramBuilder builder("f");
-  const auto x = [&](int i) { return Expr(builder, builder.input("x", i)); };
+  const auto x = [&](int i) { return Expr(builder, builder.input(Array::x, i)); };
   const auto product = [&](int i, int k) {
     return evaluate(
         Op::multiply, [&, i] { return x(i); }, [&, k] { return x(k); });
@@ -59,7 +59,7 @@ Program traced(const Evaluate& evaluate) {
         return evaluate(
             Op::multiply, [&] { return cos(x(4)); }, [&] { return x(5); });
       });
-  builder.output("y", 0, y.value(builder));
+  builder.output(Array::y, 0, y.value(builder));
   return builder.finish_in_canonical_order();
 }
 

@@ -35,10 +35,10 @@ Expr named(ProgramBuilder& builder, double value, const std::string& name) {
 
 TEST(NamedConstants, KeepTheirNamesThroughWhatLeavesThemAlone) {
   ProgramBuilder builder("program");
-  const Expr z(builder, builder.input("z", 0)), mass = named(builder, 0.8, "m_crank");
-  builder.output("y", 0, (1.0 * mass * z + 0.0).value(builder));
-  builder.output("y", 1, (z * -mass).value(builder));
-  builder.output("y", 2, ((mass + 0.2) * z).value(builder));
+  const Expr z(builder, builder.input(Array::z, 0)), mass = named(builder, 0.8, "m_crank");
+  builder.output(Array::y, 0, (1.0 * mass * z + 0.0).value(builder));
+  builder.output(Array::y, 1, (z * -mass).value(builder));
+  builder.output(Array::y, 2, ((mass + 0.2) * z).value(builder));
   const std::string text = dump(optimise(builder.finish()));
   EXPECT_NE(text.find("constant 0.8  ; m_crank"), std::string::npos) << text;
   EXPECT_EQ(text.find("constant 1"), std::string::npos) << text;
@@ -46,12 +46,12 @@ TEST(NamedConstants, KeepTheirNamesThroughWhatLeavesThemAlone) {
 
 TEST(NamedConstants, OfOneValueStayApartAndShareTheirOperations) {
   ProgramBuilder builder("program");
-  const Expr z(builder, builder.input("z", 0)), zd(builder, builder.input("zd", 0));
+  const Expr z(builder, builder.input(Array::z, 0)), zd(builder, builder.input(Array::zd, 0));
   const Expr left = named(builder, 0.5, "p_left"), right = named(builder, 0.5, "p_right");
-  builder.output("y", 0, (left * z).value(builder));
-  builder.output("y", 1, (right * z).value(builder));
-  builder.output("y", 2, (right * zd).value(builder));
-  builder.output("y", 3, (0.5 * (zd * zd)).value(builder));
+  builder.output(Array::y, 0, (left * z).value(builder));
+  builder.output(Array::y, 1, (right * z).value(builder));
+  builder.output(Array::y, 2, (right * zd).value(builder));
+  builder.output(Array::y, 3, (0.5 * (zd * zd)).value(builder));
   const Program program = builder.finish();
   EXPECT_EQ(program.outputs[0].value, program.outputs[1].value);
   EXPECT_EQ(count_operations(program).multiply, 4);
@@ -71,8 +71,8 @@ TEST(NamedConstants, OfOneValueStayApartAndShareTheirOperations) {
 
 TEST(NamedConstants, AreCheckedAgainstTheirValues) {
   ProgramBuilder builder("program");
-  const Expr z(builder, builder.input("z", 0));
-  builder.output("y", 0, (named(builder, 0.5, "p_left") * z).value(builder));
+  const Expr z(builder, builder.input(Array::z, 0));
+  builder.output(Array::y, 0, (named(builder, 0.5, "p_left") * z).value(builder));
   Program program = builder.finish();
   EXPECT_EQ(verify(program), "");
   program.constants[0].value = 0.25;

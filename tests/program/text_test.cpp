@@ -22,8 +22,8 @@ using Append = std::function<ValueId(ProgramBuilder& builder, ValueId x, ValueId
 /// Lines of the program of one output, without its head and its inputs; "->" is the output.
 std::string text_of(const Append& append) {
   ProgramBuilder builder("rule");
-  const ValueId x = builder.input("x", 0), y = builder.input("x", 1);
-  builder.output("y", 0, append(builder, x, y));
+  const ValueId x = builder.input(Array::x, 0), y = builder.input(Array::x, 1);
+  builder.output(Array::y, 0, append(builder, x, y));
   const Program program = remove_dead_values(builder.finish());
   const std::string text = dump(program);
   std::string result;
@@ -179,7 +179,7 @@ TEST(RuleText, ConstantsFoldUnlessTheResultIsNotFinite) {
 
 TEST(Dump, NamesSectionsBlocksAndLabelsWhereTheyChange) {
   ProgramBuilder builder("two_steps");
-  const Expr z(builder, builder.input("z", 3)), zd(builder, builder.input("zd", 0));
+  const Expr z(builder, builder.input(Array::z, 3)), zd(builder, builder.input(Array::zd, 0));
   builder.set_section("kinematics");
   builder.set_block("crank: crank_pin, revolute, ground");
   const Expr s = sin(z);
@@ -188,8 +188,8 @@ TEST(Dump, NamesSectionsBlocksAndLabelsWhereTheyChange) {
   builder.set_section("dynamics");
   const Expr force = velocity * velocity;
   builder.set_block("");
-  builder.output("zdd", 0, (force - sin(z)).value(builder));
-  builder.output("y", 4, zd.value(builder));
+  builder.output(Array::zdd, 0, (force - sin(z)).value(builder));
+  builder.output(Array::y, 4, zd.value(builder));
   EXPECT_EQ(dump(builder.finish()),
             "program two_steps\n"
             "%0 = input z[3]\n"
@@ -211,7 +211,7 @@ TEST(Dump, NamesSectionsBlocksAndLabelsWhereTheyChange) {
 TEST(Dump, PrintsTheShortestConstantsThatReadBack) {
   for (const double value : {0.1, 1.0 / 3.0, -1e-300, 6.02214076e23, std::numeric_limits<double>::min()}) {
     ProgramBuilder builder("f");
-    builder.output("y", 0, builder.constant(value));
+    builder.output(Array::y, 0, builder.constant(value));
     const std::string text = dump(builder.finish());
     const std::string start = "program f\n%0 = constant ";
     ASSERT_TRUE(text.starts_with(start)) << text;
@@ -226,7 +226,7 @@ TEST(Dump, DoesNotAskTheLocale) {
     if (std::setlocale(LC_NUMERIC, name) != nullptr) break;
   }
   ProgramBuilder builder("f");
-  builder.output("y", 0, builder.constant(0.5));
+  builder.output(Array::y, 0, builder.constant(0.5));
   const std::string text = dump(builder.finish());
   std::setlocale(LC_NUMERIC, former.c_str());
   EXPECT_EQ(text, "program f\n%0 = constant 0.5\nout y[0] = %0\n");
@@ -235,10 +235,10 @@ TEST(Dump, DoesNotAskTheLocale) {
 /// %0, %1 inputs, %2 = constant 0.5, %3 = mul, %4 = sin
 Program sound_program() {
   ProgramBuilder builder("sound");
-  const Expr x(builder, builder.input("x", 0)), y(builder, builder.input("x", 1));
+  const Expr x(builder, builder.input(Array::x, 0)), y(builder, builder.input(Array::x, 1));
   const Expr result = sin(0.5 * x);
-  builder.output("y", 0, result.value(builder));
-  builder.output("y", 1, y.value(builder));
+  builder.output(Array::y, 0, result.value(builder));
+  builder.output(Array::y, 1, y.value(builder));
   return builder.finish();
 }
 
@@ -274,7 +274,6 @@ TEST(VerifyText, NamesTheFirstBrokenInvariant) {
       {[](Program& p) { p.inputs[1].index = 0; }, "input x[0] appears twice"},
       {[](Program& p) { p.inputs[1].index = -3; }, "input x[-3] has a negative index"},
       {[](Program& p) { p.outputs[1].slot.index = 0; }, "output y[0] appears twice"},
-      {[](Program& p) { p.outputs[1].slot.group = ""; }, "output without a group"},
       {[](Program& p) { p.outputs[1].value = kNoValue; }, "output y[1] has no value"},
       {[](Program& p) { p.outputs[1].value = 5; }, "output y[1] has no value"},
   };
@@ -287,9 +286,9 @@ TEST(VerifyText, NamesTheFirstBrokenInvariant) {
 
 TEST(VerifyText, StandsBehindEveryDoor) {
   ProgramBuilder builder("doubled");
-  const ValueId x = builder.input("x", 0);
-  builder.output("y", 0, x);
-  builder.output("y", 0, x);
+  const ValueId x = builder.input(Array::x, 0);
+  builder.output(Array::y, 0, x);
+  builder.output(Array::y, 0, x);
   try {
     builder.finish();
     FAIL() << "finish let a broken program out";
@@ -301,21 +300,21 @@ TEST(VerifyText, StandsBehindEveryDoor) {
 
 TEST(Builder, RefusesWrongOperands) {
   ProgramBuilder builder("f"), other("g");
-  const ValueId x = builder.input("x", 0);
+  const ValueId x = builder.input(Array::x, 0);
   EXPECT_THROW(builder.append(Op::add, x), std::logic_error);
   EXPECT_THROW(builder.append(Op::sin, x, x), std::logic_error);
   EXPECT_THROW(builder.append(Op::sin, x + 1), std::logic_error);
   EXPECT_THROW(builder.append(Op::input, x), std::logic_error);
-  EXPECT_THROW(Expr(builder, x) + Expr(other, other.input("x", 0)), std::logic_error);
+  EXPECT_THROW(Expr(builder, x) + Expr(other, other.input(Array::x, 0)), std::logic_error);
   EXPECT_THROW(interpret(sound_program(), std::vector<double>{1}), std::invalid_argument);
 }
 
 TEST(Builder, LeavesNoTraceOfNeutralConstants) {
   ProgramBuilder builder("f");
-  const Expr x(builder, builder.input("x", 0));
+  const Expr x(builder, builder.input(Array::x, 0));
   const Expr y = ((x + 0.0) * 1.0 - 0.0) / 1.0 + x * 0.0 + 0.0 * x;
   EXPECT_EQ(y.value(builder), x.value(builder));
-  builder.output("y", 0, y.value(builder));
+  builder.output(Array::y, 0, y.value(builder));
   EXPECT_EQ(builder.finish().nodes.size(), 1u);
 }
 

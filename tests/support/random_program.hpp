@@ -14,7 +14,7 @@ inline Program random_program(std::uint64_t seed, int operations) {
   std::mt19937_64 random(seed);
   ProgramBuilder builder("random");
   std::vector<Expr> values;
-  for (int i = 0; i < 6; ++i) values.emplace_back(builder, builder.input("in", i));
+  for (int i = 0; i < 6; ++i) values.emplace_back(builder, builder.input(Array::in, i));
   const auto any = [&] { return values[random() % values.size()]; };
   for (int i = 0; i < operations; ++i) {
     const Expr a = any(), b = any();
@@ -42,7 +42,7 @@ inline Program random_program(std::uint64_t seed, int operations) {
         break;
     }
   }
-  for (int i = 0; i < 8; ++i) builder.output("out", i, any().value(builder));
+  for (int i = 0; i < 8; ++i) builder.output(Array::y, i, any().value(builder));
   return builder.finish();
 }
 

@@ -13,13 +13,13 @@ namespace {
 
 using namespace mbgen::testing;
 
-using Slots = std::map<std::string, std::vector<double>>;
+using Slots = std::map<SlotGroup, std::vector<double>>;
 
 /// Runs a program on named arrays; parameters and inputs at their defaults.
 Slots run(const Program& program, const Mechanism& m, Slots given) {
   for (const Parameter& p : m.model.parameters)
-    if (p.tunable) given["par"].push_back(p.value);
-  for (const Input& input : m.model.inputs) given["in"].push_back(input.default_value);
+    if (p.tunable) given[Array::par].push_back(p.value);
+  for (const Input& input : m.model.inputs) given[Array::in].push_back(input.default_value);
   std::vector<double> inputs;
   for (const Slot& slot : program.inputs) inputs.push_back(given.at(slot.group).at(slot.index));
   const std::vector<double> values = interpret(program, inputs);
@@ -34,7 +34,7 @@ Slots run(const Program& program, const Mechanism& m, Slots given) {
 }
 
 Slots slots_of(const GenericState& state, const std::vector<double>& tau) {
-  return {{"z", state.z}, {"zd", state.zd}, {"x", state.x}, {"t", {state.t}}, {"tau", tau}};
+  return {{Array::z, state.z}, {Array::zd, state.zd}, {Array::x, state.x}, {Array::t, {state.t}}, {Array::tau, tau}};
 }
 
 /// Asks for what every joint and rod transmits at both ends, and for every multiplier.
@@ -75,12 +75,14 @@ TEST_P(EveryModel, FrozenAccelerationsEqualThoseOfFullPivoting) {
       GenericDerivative expected;
       ASSERT_TRUE(solver.accelerations(state, tau, expected).ok());
       const Slots actual = run(program, m, slots_of(state, tau));
-      EXPECT_LT(relative_error(actual.count("zdd") ? actual.at("zdd") : std::vector<double>{}, expected.zdd), 1e-9);
+      EXPECT_LT(
+          relative_error(actual.contains(Array::zdd) ? actual.at(Array::zdd) : std::vector<double>{}, expected.zdd),
+          1e-9);
       if (!expected.xd.empty()) {
-        EXPECT_LT(relative_error(actual.at("xd"), expected.xd), 1e-9);
+        EXPECT_LT(relative_error(actual.at(Array::xd), expected.xd), 1e-9);
       }
-      if (actual.count("inertia")) {
-        for (double inertia : actual.at("inertia")) EXPECT_GT(inertia, 0);
+      if (actual.contains(Array::inertia)) {
+        for (double inertia : actual.at(Array::inertia)) EXPECT_GT(inertia, 0);
       }
     }
 }
@@ -91,32 +93,32 @@ TEST_P(EveryModelWithLoops, AccelerationsWithAGivenPartitionEqualTheFrozenOnes) 
     const Slots terms = run(programs.closure_terms, m, slots_of(state, tau));
     Slots given = slots_of(state, tau);
     for (std::size_t b = 0; b < m.topology.blocks.size(); ++b) {
-      const std::size_t columns = m.topology.blocks[b].joints.size(), rows = terms.at("Phi" + std::to_string(b)).size();
-      const std::vector<double>& flat = terms.at("Jz" + std::to_string(b));
+      const std::size_t columns = m.topology.blocks[b].joints.size(), rows = terms.at(of_block(Array::Phi, b)).size();
+      const std::vector<double>& flat = terms.at(of_block(Array::Jz, b));
       std::vector<std::vector<double>> jacobian;
       for (std::size_t e = 0; e < rows; ++e)
         jacobian.emplace_back(flat.begin() + e * columns, flat.begin() + (e + 1) * columns);
       const BlockFactors factors(jacobian, m.analysis.blocks[b].driven, m.analysis.blocks[b].rank);
       std::vector<double> zdd_star(columns, 0.0);
       for (int c : m.analysis.blocks[b].driven)
-        zdd_star[c] = terms.at("driven_acceleration")[m.topology.blocks[b].joints[c]];
-      factors.solve(terms.at("c" + std::to_string(b)), zdd_star);
-      given["zdd_star" + std::to_string(b)] = zdd_star;
+        zdd_star[c] = terms.at(Array::driven_acceleration)[m.topology.blocks[b].joints[c]];
+      factors.solve(terms.at(of_block(Array::c, b)), zdd_star);
+      given[of_block(Array::zdd_star, b)] = zdd_star;
       for (const std::vector<double>& row : factors.rz())
-        given["Rz" + std::to_string(b)].insert(given["Rz" + std::to_string(b)].end(), row.begin(), row.end());
+        given[of_block(Array::Rz, b)].insert(given[of_block(Array::Rz, b)].end(), row.begin(), row.end());
     }
     const Slots chosen = run(programs.accelerations_chosen, m, given);
     const Slots frozen = run(programs.accelerations, m, slots_of(state, tau));
-    EXPECT_LT(relative_error(chosen.at("zdd"), frozen.at("zdd")), 1e-9);
+    EXPECT_LT(relative_error(chosen.at(Array::zdd), frozen.at(Array::zdd)), 1e-9);
   }
 }
 
 TEST_P(EveryModelWithLoops, ClosureProgramLeavesAClosedStateAlone) {
   for (const GenericState& state : random_states(m, 3)) {
     const Slots closure = run(programs.closure, m, slots_of(state, {}));
-    EXPECT_LT(largest_absolute(closure.at("residual")), 1e-11);
-    EXPECT_LT(largest_absolute(closure.at("dz")), 1e-9);
-    EXPECT_LT(relative_error(closure.at("zd"), state.zd), 1e-8);
+    EXPECT_LT(largest_absolute(closure.at(Array::residual)), 1e-11);
+    EXPECT_LT(largest_absolute(closure.at(Array::dz)), 1e-9);
+    EXPECT_LT(relative_error(closure.at(Array::zd), state.zd), 1e-8);
   }
 }
 
@@ -127,19 +129,20 @@ TEST_P(EveryModel, MultipliersAndOutputsEqualThoseOfTheGenericRuntime) {
     GenericDerivative derivative;
     ASSERT_TRUE(solver.accelerations(state, tau, derivative).ok());
     Slots given = slots_of(state, tau);
-    given["zdd"] = derivative.zdd;
+    given[Array::zdd] = derivative.zdd;
     const GenericOutputs expected = solver.outputs(state, tau, derivative);
     const Slots forces = run(programs.multipliers, m, given);
-    for (const char* group : {"lambda", "drive"})
-      if (forces.count(group)) given[group] = forces.at(group);
+    for (const Array group : {Array::lambda, Array::drive})
+      if (forces.contains(group)) given[group] = forces.at(group);
     const Slots outputs = run(programs.outputs, m, given);
-    EXPECT_LT(relative_error(outputs.at("y"), expected.y), 1e-8);
-    if (forces.count("lambda")) {
-      EXPECT_LT(relative_error(forces.at("lambda"), solver.multipliers(state, tau, derivative)), 1e-8);
+    EXPECT_LT(relative_error(outputs.at(Array::y), expected.y), 1e-8);
+    if (forces.contains(Array::lambda)) {
+      EXPECT_LT(relative_error(forces.at(Array::lambda), solver.multipliers(state, tau, derivative)), 1e-8);
     }
-    EXPECT_NEAR(outputs.at("energy")[0], expected.kinetic_energy, 1e-9 * std::abs(expected.kinetic_energy) + 1e-9);
-    EXPECT_NEAR(outputs.at("energy")[1], expected.potential_energy, 1e-9 * std::abs(expected.potential_energy) + 1e-9);
-    EXPECT_NEAR(outputs.at("power")[0], expected.applied_power, 1e-7 * std::abs(expected.applied_power) + 1e-5);
+    EXPECT_NEAR(outputs.at(Array::energy)[0], expected.kinetic_energy, 1e-9 * std::abs(expected.kinetic_energy) + 1e-9);
+    EXPECT_NEAR(outputs.at(Array::energy)[1], expected.potential_energy,
+                1e-9 * std::abs(expected.potential_energy) + 1e-9);
+    EXPECT_NEAR(outputs.at(Array::power)[0], expected.applied_power, 1e-7 * std::abs(expected.applied_power) + 1e-5);
   }
 }
 
@@ -158,7 +161,7 @@ TEST(Trace, RefusedMechanismsHaveTheAccelerationsOfTheIndependentSolver) {
       const Program program = trace_accelerations(mechanism.model, mechanism.topology, mechanism.analysis, form);
       for (const ReferenceState& s : states) {
         const Slots given = slots_of(s.state, s.tau);
-        EXPECT_LT(relative_error(run(program, mechanism, given).at("zdd"), s.zdd), 1e-8)
+        EXPECT_LT(relative_error(run(program, mechanism, given).at(Array::zdd), s.zdd), 1e-8)
             << name << " " << name_of(form);
       }
     }
@@ -206,7 +209,7 @@ TEST(Trace, ARingOfFiftyJointsIsTracedInTheMatrixFormAlone) {
       GenericDerivative expected;
       ASSERT_TRUE(solver.accelerations(state, tau, expected).ok());
       const Slots actual = run(programs.accelerations, m, slots_of(state, tau));
-      EXPECT_LT(relative_error(actual.at("zdd"), expected.zdd), 1e-9) << kind;
+      EXPECT_LT(relative_error(actual.at(Array::zdd), expected.zdd), 1e-9) << kind;
     }
   }
 }
@@ -217,7 +220,7 @@ TEST(Trace, RootPositionDropsOutOfTheCoach) {
   const Program program = optimise(trace(m.model, m.topology, m.analysis).accelerations);
   for (const Slot& slot : program.inputs)
     for (const char* name : {"chassis_tx", "chassis_ty", "chassis_tz", "wheel_front_left", "wheel_rear_right"})
-      EXPECT_FALSE(slot == (Slot{"z", find_coordinate(m.topology, name)})) << name;
+      EXPECT_FALSE(slot == (Slot{Array::z, find_coordinate(m.topology, name)})) << name;
 }
 
 // Ceilings a little above today's counts, so that a lost structural zero shows without a clock.

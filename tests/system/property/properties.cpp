@@ -52,13 +52,14 @@ namespace {
 using ByName = std::map<std::string, double>;
 
 std::vector<double> interpreted(const Program& program, const GenericState& state, const std::vector<double>& tau) {
-  const std::map<std::string, std::vector<double>> given{{"z", state.z}, {"zd", state.zd}, {"tau", tau}, {"t", {0.0}}};
+  const std::map<SlotGroup, std::vector<double>> given{
+      {Array::z, state.z}, {Array::zd, state.zd}, {Array::tau, tau}, {Array::t, {0.0}}};
   std::vector<double> inputs;
   for (const Slot& slot : program.inputs) inputs.push_back(given.at(slot.group).at(slot.index));
   const std::vector<double> values = interpret(program, inputs);
   std::vector<double> zdd(state.z.size(), 0.0);
   for (std::size_t i = 0; i < values.size(); ++i)
-    if (program.outputs[i].slot.group == "zdd") zdd[program.outputs[i].slot.index] = values[i];
+    if (program.outputs[i].slot.group == Array::zdd) zdd[program.outputs[i].slot.index] = values[i];
   return zdd;
 }
 

@@ -44,23 +44,23 @@ struct Numbers {
 /// The same names as inputs of a program.
 struct Symbols {
   ProgramBuilder& builder;
-  Expr input_of(const char* group, int index) const { return Expr(builder, builder.input(group, index)); }
-  Expr parameter(int index) const { return input_of("par", index); }
-  Expr input(int index) const { return input_of("in", index); }
-  Expr time() const { return input_of("t", 0); }
-  Expr position(const CoordinateReference& z) const { return input_of("z", z.joint); }
-  Expr velocity(const CoordinateReference& z) const { return input_of("zd", z.joint); }
-  Expr local(int index) const { return input_of("local", index); }
+  Expr input_of(Array array, int index) const { return Expr(builder, builder.input(array, index)); }
+  Expr parameter(int index) const { return input_of(Array::par, index); }
+  Expr input(int index) const { return input_of(Array::in, index); }
+  Expr time() const { return input_of(Array::t, 0); }
+  Expr position(const CoordinateReference& z) const { return input_of(Array::z, z.joint); }
+  Expr velocity(const CoordinateReference& z) const { return input_of(Array::zd, z.joint); }
+  Expr local(int index) const { return input_of(Array::x, index); }
 };
 
 double value_of(const Slot& slot) {
   const Numbers numbers;
-  if (slot.group == "par") return numbers.parameter(slot.index);
-  if (slot.group == "in") return numbers.input(slot.index);
-  if (slot.group == "t") return numbers.time();
-  if (slot.group == "local") return numbers.local(slot.index);
+  if (slot.group == Array::par) return numbers.parameter(slot.index);
+  if (slot.group == Array::in) return numbers.input(slot.index);
+  if (slot.group == Array::t) return numbers.time();
+  if (slot.group == Array::x) return numbers.local(slot.index);
   const CoordinateReference z{slot.index, 0};
-  return slot.group == "z" ? numbers.position(z) : numbers.velocity(z);
+  return slot.group == Array::z ? numbers.position(z) : numbers.velocity(z);
 }
 
 double interpreted(const Program& program) {
@@ -97,7 +97,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   ProgramBuilder builder("expression");
   const Expr result = evaluate<Expr>(parsed.expression, Symbols{builder});
   if (result.is_constant() && !std::isfinite(result.constant())) return 0;
-  builder.output("y", 0, result.value(builder));
+  builder.output(Array::y, 0, result.value(builder));
   const Program program = builder.finish();
   interpreted(program);
   interpreted(optimise(program));

@@ -1,0 +1,72 @@
+#pragma once
+// Names of numbers that programs take and give: an array and a place in it.
+
+#include <cstdint>
+#include <string>
+
+namespace mbgen {
+
+/// The arrays, in the order of their names; solver/programs.hpp tells which program takes and gives which.
+enum class Array : std::uint8_t {
+  Jz,                   ///< Jacobian of a loop block, row by row
+  Phi,                  ///< residuals of a block
+  Rz,                   ///< projection of a block, row by row
+  c,                    ///< right-hand side of a block's accelerations: Phi_z zdd = c
+  derived,              ///< constants that follow from tunable parameters
+  drive,                ///< generalised driving force of a motion
+  driven_acceleration,  ///< of driven coordinates, by their motions
+  dz,                   ///< Newton correction of the positions
+  energy,               ///< kinetic, potential
+  in,                   ///< inputs of the model
+  inertia,              ///< pivots of the final equations, one a free direction
+  lambda,               ///< multipliers
+  missing,              ///< forces of a block that its multipliers and drives provide
+  par,                  ///< tunable parameters
+  pivot,                ///< smallest pivot of each block over its reference
+  power,                ///< of the applied forces
+  rate,                 ///< Phi_z zd of a block
+  residual,             ///< of all closure equations, then of the motions
+  seed,                 ///< entries of a direction, see differentiate
+  t,                    ///< time
+  tau,                  ///< joint forces
+  x,                    ///< auxiliary states
+  xd,                   ///< their rates
+  y,                    ///< outputs of the model
+  z,                    ///< coordinates
+  zd,                   ///< velocities
+  zdd,                  ///< accelerations
+  zdd_star              ///< accelerations of a block at zero independent ones
+};
+
+const char* name_of(Array array);
+
+/// An array, of one loop block where each has its own, or its derivative along a direction.
+struct SlotGroup {
+  constexpr SlotGroup(Array array, int block = -1, int derivative = 0)
+      : array(array), block(block), derivative(derivative) {}
+  Array array;
+  int block;       ///< index of the loop block, -1 for an array of the whole solver
+  int derivative;  ///< how often differentiated
+  auto operator<=>(const SlotGroup&) const = default;
+};
+
+/// The array of one loop block.
+constexpr SlotGroup of_block(Array array, std::size_t block) { return {array, static_cast<int>(block)}; }
+
+/// The derivative of an array along a direction.
+constexpr SlotGroup derivative_of(SlotGroup group) { return {group.array, group.block, group.derivative + 1}; }
+
+/// "zdd", "Rz3", "d_zdd".
+std::string text_of(const SlotGroup& group);
+
+/// An input or output of a program.
+struct Slot {
+  SlotGroup group = Array::t;
+  int index = 0;
+  auto operator<=>(const Slot&) const = default;
+};
+
+/// "Rz3[7]".
+std::string text_of(const Slot& slot);
+
+}  // namespace mbgen
