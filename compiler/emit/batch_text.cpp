@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <limits>
 
 #include "compiler/emit/input_text.hpp"
 #include "compiler/emit/interface_text.hpp"
@@ -70,7 +69,6 @@ ShapedProgram in_lanes(ShapedProgram shaped) {
   shaped.shape.scalar = "Lanes";
   shaped.shape.most_crossing = kReachedByOneByte;
   shaped.shape.read_back_after = kReadBackAfter;
-  shaped.shape.roll_above = std::numeric_limits<std::size_t>::max();  // loops over subsystems are of doubles
   for (auto& [name, declaration] : shaped.shape.arguments) {
     if (name == "tau") declaration = "const Lanes* tau";
   }
@@ -127,15 +125,16 @@ std::string batch_interface_text(const EmitContext& context) {
                         {"drive_size", size_text(context.layout.drives)}});
 }
 
-std::string batch_text(const EmitContext& context) {
+std::string batch_text(const EmitContext& context, const std::vector<ShapedProgram>& scalars) {
   std::string programs, members;
   ConstantNames constants(context.programs);
-  for (const ShapedProgram& scalar : shaped_programs(context.programs, context.layout, context.names)) {
+  for (const ShapedProgram& scalar : scalars) {
     if (scalar.role == Role::closure_terms || scalar.role == Role::accelerations_chosen)
       continue;  // of lanes that are alone
     ShapedProgram shaped = in_lanes(scalar);
     shaped.shape.constants = &constants;
-    programs += program_text(fewest_alive(*shaped.program), shaped.shape) + "\n";
+    const Program program = fewest_alive(*shaped.program);
+    programs += program_text(program, schedule(program), shaped.shape) + "\n";
     if (shaped.role == Role::derived_constants) programs += tuned_constructor_text(context.programs);
     if (shaped.role == Role::outputs || shaped.role == Role::derived_constants) continue;
     members += "  using " + shaped.shape.result + " = lanes::" + shaped.shape.result + ";\n" +

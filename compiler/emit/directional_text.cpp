@@ -67,7 +67,6 @@ ProgramShape shape_along(const EmitContext& context, const std::string& function
   GroupPlace& seed = shape.inputs[Array::seed];
   seed.argument = "direction";
   seed.texts = direction_texts(direction_groups(context));
-  shape.roll_above = context.roll_above;
   return shape;
 }
 
@@ -119,7 +118,8 @@ std::string directional_source_text(const EmitContext& context, const Programs& 
     // What the shape has no place for is not asked for: pivots of the multipliers, what they are made of.
     const Places& wanted = shape->outputs;
     std::erase_if(derived.outputs, [&](const OutputValue& output) { return !wanted.contains(output.slot.group); });
-    text += program_text(remove_dead_values(derived), *shape) + "\n";
+    const Program lean = remove_dead_values(derived);
+    text += program_text(lean, schedule(lean, schedule_options(*shape, context.roll_above)), *shape) + "\n";
   }
   return fill_template(
       "directional.cpp.in",

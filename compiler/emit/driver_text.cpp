@@ -56,7 +56,7 @@ EmittedFile emit_clocked_driver(const Programs& programs, const Model& model, co
                                 const Analysis& analysis, int lanes) {
   const SolverNames names = solver_names(model, topology);
   const ShapedProgram clocked = clocked_accelerations(programs, solver_layout(model, topology, analysis), names);
-  const std::string program = program_text(*clocked.program, clocked.shape);
+  const std::string program = program_text(*clocked.program, clocked.schedule, clocked.shape);
   return driver(model, lanes, fill_template("step_clock.cpp.in", {{"solver", names.solver}, {"program", program}}));
 }
 

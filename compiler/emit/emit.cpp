@@ -61,14 +61,16 @@ std::vector<EmittedFile> emit(const Programs& programs, const Model& model, cons
                             options.scalar,
                             options.initial};
   const std::string& name = context.names.solver;
-  const nlohmann::ordered_json manifest = manifest_json(context);
+  const std::vector<ShapedProgram> solver =
+      shaped_programs(programs, context.layout, context.names, options.scalar, options.roll_above);
+  const nlohmann::ordered_json manifest = manifest_json(context, solver);
   std::vector<EmittedFile> files = {{name + ".hpp", interface_text(context)},
-                                    {name + ".cpp", solver_text(context)},
+                                    {name + ".cpp", solver_text(context, solver)},
                                     {name + "_cost.txt", cost_text(manifest, banner_text(model, "#"))},
                                     {"CMakeLists.txt", build_text(context)}};
   if (options.lanes > 0) {
     files.push_back({name + "_batch.hpp", batch_interface_text(context)});
-    files.push_back({name + "_batch.cpp", batch_text(context)});
+    files.push_back({name + "_batch.cpp", batch_text(context, solver)});
   }
   if (options.c_interface) {
     files.push_back({name + "_c.h", c_header_text(context)});

@@ -135,12 +135,14 @@ FmuFiles emit_fmu(const Programs& programs, const Programs& emitted, const Model
       emitted, model, topology, analysis, solver_names(model, topology), solver_layout(model, topology, analysis)};
   context.initial = initial;
   const std::string& solver = context.names.solver;
+  const std::vector<ShapedProgram> shaped =
+      shaped_programs(emitted, context.layout, context.names, context.scalar, context.roll_above);
   const FmuLayout fmu = fmu_layout(context, programs, initial, version);
   const std::string functions = version == FmiVersion::two ? "_fmi2.cpp" : "_fmi3.cpp";
 
   std::vector<EmittedFile> sources = {
       {solver + ".hpp", interface_text(context)},
-      {solver + ".cpp", solver_text(context) + fill_template("fmu_held.cpp.in", {{"solver", solver}})},
+      {solver + ".cpp", solver_text(context, shaped) + fill_template("fmu_held.cpp.in", {{"solver", solver}})},
       {solver + "_directional.hpp", directional_header_text(context)},
       {solver + "_directional.cpp", directional_source_text(context, programs)},
       {solver + "_fmu.hpp", model_text(context, fmu, initial)},

@@ -96,14 +96,28 @@ std::string part_function(const ProgramShape& shape, const CrossingStructs& cros
 
 }  // namespace
 
+void add_line(PartText& part, const std::string& statement) {
+  part.body += wrapped_statement(part.indent + statement) + "\n";
+}
+
+void add_comment(PartText& part, const std::string& words) {
+  part.body += wrapped_words(words, part.indent + "// ") + "\n";
+}
+
 std::string function_text(const ProgramShape& shape, const std::vector<PartText>& parts,
                           const CrossingStructs& crossing) {
   const std::string structs = result_struct(shape) + work_structs(shape, crossing);
-  if (parts.size() == 1 && shape.clock.empty())
-    return structs + whole_heading(shape, parts[0].arguments) + parts[0].body + "}\n";
+  std::string work;
+  for (const CrossingStruct& values : crossing)
+    work += "  " + work_type(shape, values) + " " + values.argument + ";\n";
   std::string functions, calls;
   std::set<std::string> used;
   for (std::size_t p = 0; p < parts.size(); ++p) {
+    used.insert(parts[p].arguments.begin(), parts[p].arguments.end());
+    if (parts.size() == 1 && shape.clock.empty()) {
+      calls = parts[0].body;
+      break;
+    }
     functions += part_function(shape, crossing, parts[p], p + 1);
     calls += "  " + shape.function + "_" + std::to_string(p + 1) + "(" +
              argument_list(shape, crossing, parts[p].arguments) + ");\n";
@@ -111,13 +125,8 @@ std::string function_text(const ProgramShape& shape, const std::vector<PartText>
       calls += "  " + shape.clock + ".at_end_of(" + parts[p].ended_step + ");\n";
       used.insert(shape.clock);
     }
-    used.insert(parts[p].arguments.begin(), parts[p].arguments.end());
   }
-  std::string work;
-  for (const CrossingStruct& values : crossing) {
-    used.erase(values.argument);
-    work += "  " + work_type(shape, values) + " " + values.argument + ";\n";
-  }
+  for (const CrossingStruct& values : crossing) used.erase(values.argument);
   return structs + functions + whole_heading(shape, used) + work + calls + "}\n";
 }
 

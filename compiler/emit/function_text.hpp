@@ -13,10 +13,17 @@ namespace mbgen {
 /// Statements of one part, and data for its function.
 struct PartText {
   std::string body;
+  std::string indent = "  ";          ///< of the lines that come next
   std::set<std::string> arguments;    ///< names that the body uses, those of `crossing` and "result" among them
   std::vector<std::string> sections;  ///< titles, in order
   std::string ended_step;             ///< number of the step that ends with this part, "" for none
 };
+
+/// Adds a statement.
+void add_line(PartText& part, const std::string& statement);
+
+/// Adds words as a comment of its own lines.
+void add_comment(PartText& part, const std::string& words);
 
 /// Struct of the result (when the shape has members), struct of the values that cross parts (when there are any), one
 /// static function per part and the function that calls them; a single part is that function itself.

@@ -1,6 +1,5 @@
 #include "compiler/emit/headings.hpp"
 
-#include "compiler/emit/fates.hpp"
 #include "compiler/emit/program_text.hpp"
 #include "compiler/emit/text.hpp"
 
@@ -19,25 +18,25 @@ std::string step_number(const std::string& title) {
 
 }  // namespace
 
-void add_comment(PartText& part, const std::string& words) { part.body += wrapped_words(words, "  // ") + "\n"; }
-
-Headings::Headings(const Program& program, const Arrangement& arrangement)
+Headings::Headings(const Program& program, const Schedule& schedule)
     : program_(program),
-      arrangement_(arrangement),
+      schedule_(schedule),
       counts_(count_operations_by_section(program)),
-      end_(section_ends(program, arrangement)) {}
+      end_(program.sections.size(), 0) {
+  for (std::size_t i = 0; i < schedule.order.size(); ++i) end_[static_cast<std::size_t>(section_of(i))] = i;
+}
 
 void Headings::start_part() { section_ = block_ = -1; }
 
 bool Headings::is_worth_heading(std::size_t i) const {
   const int section = section_of(i);
   const std::size_t last = i + kShortestRun;
-  while (i < last && i < arrangement_.order.size() && section_of(i) == section) ++i;
+  while (i < last && i < schedule_.order.size() && section_of(i) == section) ++i;
   return i == last;
 }
 
 void Headings::write_before(std::size_t i, bool in_call, PartText& part) {
-  const Node& node = program_.nodes[arrangement_.order[i]];
+  const Node& node = node_at(i);
   if (section_ != node.section) {
     const std::string& title = program_.sections[node.section];
     if (section_ >= 0 && entered_.count(node.section) > 0 && !is_worth_heading(i)) return;
@@ -54,10 +53,16 @@ void Headings::write_before(std::size_t i, bool in_call, PartText& part) {
   block_ = node.block;
 }
 
-void Headings::write_after(std::size_t i, PartText& part) const {
-  const int section = section_of(i);
-  if (end_[section] != i || program_.sections[section].empty()) return;
-  add_comment(part, "operations: " + operations_text(counts_[section]));
+void Headings::write_before_loop(const ScheduledUnit& loop, PartText& part) {
+  write_before(loop.first, false, part);
+  const int last = node_at(loop.last() - loop.period).block;
+  if (last != node_at(loop.first).block) add_comment(part, "to " + comment_text(program_.blocks[last]));
+}
+
+void Headings::write_after(std::size_t first, std::size_t last, PartText& part) const {
+  for (std::size_t s = 0; s < end_.size(); ++s)
+    if (end_[s] >= first && end_[s] < last && entered_.count(static_cast<int>(s)) > 0 && !program_.sections[s].empty())
+      add_comment(part, "operations: " + operations_text(counts_[s]));
 }
 
 std::string Headings::ended_step(std::size_t end) const {

@@ -39,7 +39,7 @@ std::string start_comment();
 std::string interface_text(const EmitContext& context);
 
 /// `<model>.cpp`.
-std::string solver_text(const EmitContext& context);
+std::string solver_text(const EmitContext& context, const std::vector<ShapedProgram>& programs);
 
 /// The constants that the texts of a file use, under a heading; empty without any.
 std::string constants_text(const ConstantNames& names, const std::string& scalar);
@@ -52,7 +52,8 @@ std::string system_text(const EmitContext& context, const std::string& members, 
 std::string batch_interface_text(const EmitContext& context);
 
 /// `<model>_batch.cpp`.
-std::string batch_text(const EmitContext& context);
+/// scalars: the solver's programs. Loops over subsystems are of numbers: here all code is straight.
+std::string batch_text(const EmitContext& context, const std::vector<ShapedProgram>& scalars);
 
 /// Members of struct Parameters or Inputs or Outputs: name, value ("" for none), unit.
 struct NumberMember {
@@ -63,7 +64,7 @@ std::vector<NumberMember> input_members(const EmitContext& context);
 std::vector<NumberMember> output_members(const EmitContext& context);
 
 /// The manifest: sizes, names, loop blocks, operation counts of every section of every program, worst case.
-nlohmann::ordered_json manifest_json(const EmitContext& context);
+nlohmann::ordered_json manifest_json(const EmitContext& context, const std::vector<ShapedProgram>& programs);
 
 /// `<model>.json`.
 std::string manifest_text(const nlohmann::ordered_json& manifest);

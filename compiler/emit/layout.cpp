@@ -272,13 +272,23 @@ ShapedProgram clocked_accelerations(const Programs& programs, const SolverLayout
   s.result = "ClockedAccelerations";
   s.clock = "clock";
   s.arguments.push_back({"clock", "mbgen::StepClock& clock"});
-  return {&programs.accelerations, Role::accelerations, s};
+  return {&programs.accelerations, Role::accelerations, s,
+          schedule(programs.accelerations, schedule_options(s, kRollAbove))};
+}
+
+ScheduleOptions schedule_options(const ProgramShape& shape, std::size_t roll_above) {
+  ScheduleOptions options{shape.clock.empty() ? Division::cheapest : Division::by_section, roll_above};
+  for (const Places* places : {&shape.inputs, &shape.outputs})
+    for (const auto& [group, place] : *places)
+      if (!place.array.empty()) options.indexed.insert(group);
+  return options;
 }
 
 bool is_number(const std::string& scalar) { return scalar == "double" || scalar == "float"; }
 
 std::vector<ShapedProgram> shaped_programs(const Programs& programs, const SolverLayout& layout,
-                                           const SolverNames& names, const std::string& scalar) {
+                                           const SolverNames& names, const std::string& scalar,
+                                           std::size_t roll_above) {
   const Places inputs = input_places(programs, layout, names);
   const int directions = static_cast<int>(programs.free_direction_coordinate.size());
   std::vector<ShapedProgram> all = {
@@ -300,6 +310,8 @@ std::vector<ShapedProgram> shaped_programs(const Programs& programs, const Solve
   if (scalar == "float") {
     for (ShapedProgram& shaped : all) take_floats(shaped.shape);
   }
+  for (ShapedProgram& shaped : all)
+    shaped.schedule = schedule(*shaped.program, schedule_options(shaped.shape, roll_above));
   return all;
 }
 

@@ -11,6 +11,7 @@
 #include "compiler/emit/names.hpp"
 #include "compiler/model/model.hpp"
 #include "compiler/passes/roll.hpp"
+#include "compiler/passes/schedule.hpp"
 #include "compiler/topology/topology.hpp"
 #include "compiler/trace/trace.hpp"
 
@@ -65,7 +66,6 @@ struct ProgramShape {
   std::string scalar = "double";  ///< type of every value: double, float, or a vector of doubles
   /// Argument that is told the end of every section by its number, "" for none: then the parts follow the sections.
   std::string clock;
-  std::size_t roll_above = kRollAbove;  ///< operations above which equal subsystems become loops
   /// Largest number of values in one struct of values that cross parts, 0: all in one.
   std::size_t most_crossing = 0;
   /// Names of the model's numbers in the file that this goes into, null: numbers are written as such.
@@ -77,11 +77,15 @@ struct ProgramShape {
 /// A constant of a program as it is written: by its name where it has one.
 std::string constant_text(const Program& program, const Node& node, const ProgramShape& shape);
 
-/// The programs of a solver with their shapes; programs of closures are left out when there is nothing to close.
+/// How a program of this shape is scheduled. roll_above: see ScheduleOptions.
+ScheduleOptions schedule_options(const ProgramShape& shape, std::size_t roll_above);
+
+/// One program with all that its text needs.
 struct ShapedProgram {
   const Program* program = nullptr;
   Role role;
   ProgramShape shape;
+  Schedule schedule = {};
 };
 
 /// Number of constants that follow from tunable parameters.
@@ -93,9 +97,9 @@ bool is_number(const std::string& scalar);
 /// Whether the program of the outputs looks at multipliers or driving forces.
 bool outputs_take_multipliers(const Programs& programs);
 
-/// scalar: double or float.
+/// The programs of a solver; programs of closures are left out when there is nothing to close. scalar: double or float.
 std::vector<ShapedProgram> shaped_programs(const Programs& programs, const SolverLayout& layout,
-                                           const SolverNames& names, const std::string& scalar = "double");
+                                           const SolverNames& names, const std::string& scalar, std::size_t roll_above);
 
 /// The program of accelerations once more, with a clock that is told the end of each step.
 ShapedProgram clocked_accelerations(const Programs& programs, const SolverLayout& layout, const SolverNames& names);

@@ -1,10 +1,8 @@
 #include <nlohmann/json.hpp>
 
-#include "compiler/emit/arrangement.hpp"
 #include "compiler/emit/cost_sheet.hpp"
 #include "compiler/emit/emit.hpp"
 #include "compiler/emit/interface_text.hpp"
-#include "compiler/emit/rolled_text.hpp"
 
 namespace mbgen {
 namespace {
@@ -28,11 +26,11 @@ Json program_json(const ShapedProgram& shaped) {
     sections.push_back(section);
   }
   Json json = {{"function", shaped.shape.function}};
-  if (const std::optional<Rolling> rolling = rolled(program, shaped.shape)) {
-    json["loops"] = rolling->loops.size();
-    json["written_operations"] = rolling->written();
+  if (shaped.schedule.has_loops()) {
+    json["loops"] = shaped.schedule.loops();
+    json["written_operations"] = shaped.schedule.written();
   } else {
-    json["parts"] = arrange(program).parts.size();
+    json["parts"] = shaped.schedule.parts.size();
   }
   json["operations"] = count_json(count_operations(program));
   json["sections"] = sections;
@@ -58,13 +56,10 @@ Json blocks_json(const EmitContext& context) {
 
 }  // namespace
 
-Json manifest_json(const EmitContext& context) {
+Json manifest_json(const EmitContext& context, const std::vector<ShapedProgram>& all) {
   const SolverNames& names = context.names;
   Json programs = Json::object();
-  for (ShapedProgram shaped : shaped_programs(context.programs, context.layout, names, context.scalar)) {
-    shaped.shape.roll_above = context.roll_above;
-    programs[name_of(shaped.role)] = program_json(shaped);
-  }
+  for (const ShapedProgram& shaped : all) programs[name_of(shaped.role)] = program_json(shaped);
   const Json worst_case = worst_case_json(context, programs);
   Json manifest = {{"mbgen", kMbgenVersion},
                    {"model", context.model.name},

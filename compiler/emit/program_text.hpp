@@ -13,7 +13,7 @@ namespace mbgen {
 /// Each section starts with its title and ends with its operation count. Unlabelled values of one use are written into
 /// the expression that uses them; a value is a statement otherwise, named by its label or numbered in its section.
 /// Fails: throws std::logic_error when a slot of the program has no place in the shape.
-std::string program_text(const Program& program, const ProgramShape& shape);
+std::string program_text(const Program& program, const Schedule& schedule, const ProgramShape& shape);
 
 /// "12 add, 20 multiply, 1 divide": the kinds of operation that occur, "none" when none does.
 std::string operations_text(const OperationCount& count);

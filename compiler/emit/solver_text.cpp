@@ -214,14 +214,13 @@ std::string constants_text(const ConstantNames& names, const std::string& scalar
   return declarations.empty() ? "" : "// Numbers of the model.\n" + declarations + "\n";
 }
 
-std::string solver_text(const EmitContext& context) {
+std::string solver_text(const EmitContext& context, const std::vector<ShapedProgram>& all) {
   check_residual_order(context);
   std::string programs, members;
   ConstantNames constants(context.programs);
-  for (ShapedProgram shaped : shaped_programs(context.programs, context.layout, context.names, context.scalar)) {
-    shaped.shape.roll_above = context.roll_above;
+  for (ShapedProgram shaped : all) {
     shaped.shape.constants = &constants;
-    programs += program_text(*shaped.program, shaped.shape) + "\n";
+    programs += program_text(*shaped.program, shaped.schedule, shaped.shape) + "\n";
     const std::string member = shaped.shape.function.substr(std::string("compute_").size());
     if (!shaped.shape.members.empty()) {
       members += "  using " + shaped.shape.result + " = " + context.names.solver + "::" + shaped.shape.result + ";\n";

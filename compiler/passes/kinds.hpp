@@ -15,4 +15,7 @@ constexpr bool is_contracted(const Node& node) {
   return node.op == Op::multiply_add || node.op == Op::multiply_subtract || node.op == Op::subtract_product;
 }
 
+/// Operations that an output needs, in program order.
+std::vector<ValueId> live_operations(const Program& program);
+
 }  // namespace mbgen

@@ -21,14 +21,6 @@ std::uint64_t mixed(std::uint64_t hash, std::uint64_t word) {
   return hash ^ (hash >> 27);
 }
 
-std::vector<ValueId> live_operations(const Program& program) {
-  const std::vector<bool> needed = needed_values(program);
-  std::vector<ValueId> order;
-  for (ValueId v = 0; v < program.nodes.size(); ++v)
-    if (needed[v] && is_operation(program.nodes[v])) order.push_back(v);
-  return order;
-}
-
 /// What a value must have in common with the values at its place in the other slices.
 std::vector<std::uint64_t> signatures(const Program& program, const std::vector<ValueId>& order,
                                       const std::set<SlotGroup>& indexed) {
@@ -148,12 +140,6 @@ class LoopFinder {
 };
 
 }  // namespace
-
-std::size_t Rolling::written() const {
-  std::size_t count = order.size();
-  for (const RolledLoop& loop : loops) count -= loop.period * (loop.count - 1);
-  return count;
-}
 
 Rolling roll(const Program& program, const std::set<SlotGroup>& indexed) {
   Rolling rolling;

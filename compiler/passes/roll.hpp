@@ -20,8 +20,6 @@ struct RolledLoop {
 struct Rolling {
   std::vector<ValueId> order;     ///< operations that an output needs, in program order
   std::vector<RolledLoop> loops;  ///< ascending, disjoint; values between them stay straight
-  /// Operations in the text: of one slice of each loop, and of straight code.
-  std::size_t written() const;
 };
 
 /// Operations and outputs of a program, together, above which it is rolled: beyond it straight code streams through the

@@ -492,7 +492,13 @@ struct AccelerationsWork {
 /// long_rod_left .. arb_link_rear_right; step 3: Rz (61), long_rod_left .. arb_link_rear_right;
 /// step 6: c and dRz/dt zd (62), long_rod_left .. arb_link_rear_right.
 [[gnu::noinline]] void compute_accelerations_1(const State& state, const double* tau,
-    AccelerationsWork& __restrict work) noexcept {
+    AccelerationsWork& __restrict work, Accelerations& __restrict result) noexcept {
+  // Results that need no operation.
+  result.inertia[9] = 10.999999999989;
+  result.inertia[10] = 10.999999999989;
+  result.inertia[13] = 21.999999999978;
+  result.inertia[14] = 21.999999999978;
+
   // --- step 1: poses and axes b ---
   const double angles[] = {
       state.z[Coordinate::chassis_rz], state.z[Coordinate::chassis_ry],
@@ -4094,17 +4100,13 @@ struct AccelerationsWork {
   result.zdd[Coordinate::wheel_rear_right] = mbgen::fms(0.045454545454545456,
       tau[Coordinate::wheel_rear_right], s9_117);
   // operations: 181 add, 187 multiply, 7 other
-  result.inertia[9] = 10.999999999989;
-  result.inertia[10] = 10.999999999989;
-  result.inertia[13] = 21.999999999978;
-  result.inertia[14] = 21.999999999978;
 }
 
 /// All accelerations with the frozen partition of the loop blocks.
 void compute_accelerations(const Tuned& /*parameters*/, const Inputs& /*inputs*/,
     const State& state, const double* tau, Accelerations& __restrict result) noexcept {
   AccelerationsWork work;
-  compute_accelerations_1(state, tau, work);
+  compute_accelerations_1(state, tau, work, result);
   compute_accelerations_2(state, tau, work, result);
   compute_accelerations_3(state, work);
   compute_accelerations_4(state, tau, work);
@@ -4122,6 +4124,24 @@ struct Closure {
 /// One Newton step of the frozen partition, and consistent velocities.
 void compute_closure(const Tuned& /*parameters*/, const Inputs& /*inputs*/, const State& state,
     Closure& __restrict result) noexcept {
+  // Results that need no operation.
+  for (int k = 0; k < 32; ++k) result.dz[k] = 0.0;
+  result.zd[Coordinate::chassis_tx] = state.zd[Coordinate::chassis_tx];
+  result.zd[Coordinate::chassis_ty] = state.zd[Coordinate::chassis_ty];
+  result.zd[Coordinate::chassis_tz] = state.zd[Coordinate::chassis_tz];
+  result.zd[Coordinate::chassis_rz] = state.zd[Coordinate::chassis_rz];
+  result.zd[Coordinate::chassis_ry] = state.zd[Coordinate::chassis_ry];
+  result.zd[Coordinate::chassis_rx] = state.zd[Coordinate::chassis_rx];
+  result.zd[Coordinate::lower_arm_left] = state.zd[Coordinate::lower_arm_left];
+  result.zd[Coordinate::wheel_front_left] = state.zd[Coordinate::wheel_front_left];
+  result.zd[Coordinate::lower_arm_right] = state.zd[Coordinate::lower_arm_right];
+  result.zd[Coordinate::wheel_front_right] = state.zd[Coordinate::wheel_front_right];
+  result.zd[Coordinate::bell_crank] = state.zd[Coordinate::bell_crank];
+  result.zd[Coordinate::rear_axle_tz] = state.zd[Coordinate::rear_axle_tz];
+  result.zd[Coordinate::rear_axle_rx] = state.zd[Coordinate::rear_axle_rx];
+  result.zd[Coordinate::wheel_rear_left] = state.zd[Coordinate::wheel_rear_left];
+  result.zd[Coordinate::wheel_rear_right] = state.zd[Coordinate::wheel_rear_right];
+
   // --- step 1: poses, axes b, accumulated inertias MR (50) ---
   const double angles[] = {
       state.z[Coordinate::lower_arm_left], state.z[Coordinate::carrier_left_rz],
@@ -5012,36 +5032,6 @@ void compute_closure(const Tuned& /*parameters*/, const Inputs& /*inputs*/, cons
   result.zd[Coordinate::arb_rear_right] = s2_422*mbgen::fnma(J_arb_link_rear_right_rear_axle_ty,
       s4_57, s4_74);
   // operations: 98 add, 149 multiply
-  result.dz[Coordinate::chassis_tx] = 0.0;
-  result.dz[Coordinate::chassis_ty] = 0.0;
-  result.dz[Coordinate::chassis_tz] = 0.0;
-  result.dz[Coordinate::chassis_rz] = 0.0;
-  result.dz[Coordinate::chassis_ry] = 0.0;
-  result.dz[Coordinate::chassis_rx] = 0.0;
-  result.dz[Coordinate::lower_arm_left] = 0.0;
-  result.dz[Coordinate::wheel_front_left] = 0.0;
-  result.dz[Coordinate::lower_arm_right] = 0.0;
-  result.dz[Coordinate::wheel_front_right] = 0.0;
-  result.dz[Coordinate::bell_crank] = 0.0;
-  result.dz[Coordinate::rear_axle_tz] = 0.0;
-  result.dz[Coordinate::rear_axle_rx] = 0.0;
-  result.dz[Coordinate::wheel_rear_left] = 0.0;
-  result.dz[Coordinate::wheel_rear_right] = 0.0;
-  result.zd[Coordinate::chassis_tx] = state.zd[Coordinate::chassis_tx];
-  result.zd[Coordinate::chassis_ty] = state.zd[Coordinate::chassis_ty];
-  result.zd[Coordinate::chassis_tz] = state.zd[Coordinate::chassis_tz];
-  result.zd[Coordinate::chassis_rz] = state.zd[Coordinate::chassis_rz];
-  result.zd[Coordinate::chassis_ry] = state.zd[Coordinate::chassis_ry];
-  result.zd[Coordinate::chassis_rx] = state.zd[Coordinate::chassis_rx];
-  result.zd[Coordinate::lower_arm_left] = zd_lower_arm_left;
-  result.zd[Coordinate::wheel_front_left] = state.zd[Coordinate::wheel_front_left];
-  result.zd[Coordinate::lower_arm_right] = zd_lower_arm_right;
-  result.zd[Coordinate::wheel_front_right] = state.zd[Coordinate::wheel_front_right];
-  result.zd[Coordinate::bell_crank] = zd_bell_crank;
-  result.zd[Coordinate::rear_axle_tz] = zd_rear_axle_tz;
-  result.zd[Coordinate::rear_axle_rx] = zd_rear_axle_rx;
-  result.zd[Coordinate::wheel_rear_left] = state.zd[Coordinate::wheel_rear_left];
-  result.zd[Coordinate::wheel_rear_right] = state.zd[Coordinate::wheel_rear_right];
 }
 
 /// Result of compute_multipliers.
@@ -8081,6 +8071,10 @@ struct ClosureTermsWork {
 /// closure Jacobian Phi_z and its factors (60).
 [[gnu::noinline]] void compute_closure_terms_1(const State& state,
     ClosureTermsWork& __restrict work, ClosureTerms& __restrict result) noexcept {
+  // Results that need no operation.
+  for (int k = 0; k < 154; ++k) result.Jz[k] = 0.0;
+  for (int k = 154; k < 202; ++k) result.Jz[k] = 0.0;
+
   // --- step 1: poses, axes b, accumulated inertias MR (50) ---
   const double angles[] = {
       state.z[Coordinate::lower_arm_left], state.z[Coordinate::carrier_left_rz],
@@ -9143,122 +9137,6 @@ struct ClosureTermsWork {
   const double s2_659 = mbgen::fma(s2_627, s2_637, s2_658);
   result.c[16] = mbgen::fnma(4.47213595499958, s2_647, s2_659);
   // operations: 782 add, 879 multiply
-  result.Jz[0] = 0.0;
-  result.Jz[4] = 0.0;
-  result.Jz[5] = 0.0;
-  result.Jz[6] = 0.0;
-  result.Jz[7] = 0.0;
-  result.Jz[8] = 0.0;
-  result.Jz[9] = 0.0;
-  result.Jz[10] = 0.0;
-  result.Jz[11] = 0.0;
-  result.Jz[12] = 0.0;
-  result.Jz[13] = 0.0;
-  result.Jz[19] = 0.0;
-  result.Jz[20] = 0.0;
-  result.Jz[21] = 0.0;
-  result.Jz[22] = 0.0;
-  result.Jz[23] = 0.0;
-  result.Jz[24] = 0.0;
-  result.Jz[25] = 0.0;
-  result.Jz[26] = 0.0;
-  result.Jz[27] = 0.0;
-  result.Jz[33] = 0.0;
-  result.Jz[34] = 0.0;
-  result.Jz[35] = 0.0;
-  result.Jz[36] = 0.0;
-  result.Jz[37] = 0.0;
-  result.Jz[38] = 0.0;
-  result.Jz[39] = 0.0;
-  result.Jz[40] = 0.0;
-  result.Jz[41] = 0.0;
-  result.Jz[42] = 0.0;
-  result.Jz[43] = 0.0;
-  result.Jz[44] = 0.0;
-  result.Jz[45] = 0.0;
-  result.Jz[46] = 0.0;
-  result.Jz[47] = 0.0;
-  result.Jz[48] = 0.0;
-  result.Jz[52] = 0.0;
-  result.Jz[53] = 0.0;
-  result.Jz[54] = 0.0;
-  result.Jz[55] = 0.0;
-  result.Jz[56] = 0.0;
-  result.Jz[57] = 0.0;
-  result.Jz[58] = 0.0;
-  result.Jz[59] = 0.0;
-  result.Jz[60] = 0.0;
-  result.Jz[61] = 0.0;
-  result.Jz[67] = 0.0;
-  result.Jz[68] = 0.0;
-  result.Jz[69] = 0.0;
-  result.Jz[70] = 0.0;
-  result.Jz[71] = 0.0;
-  result.Jz[72] = 0.0;
-  result.Jz[73] = 0.0;
-  result.Jz[74] = 0.0;
-  result.Jz[75] = 0.0;
-  result.Jz[81] = 0.0;
-  result.Jz[82] = 0.0;
-  result.Jz[83] = 0.0;
-  result.Jz[88] = 0.0;
-  result.Jz[90] = 0.0;
-  result.Jz[91] = 0.0;
-  result.Jz[92] = 0.0;
-  result.Jz[93] = 0.0;
-  result.Jz[94] = 0.0;
-  result.Jz[95] = 0.0;
-  result.Jz[96] = 0.0;
-  result.Jz[97] = 0.0;
-  result.Jz[98] = 0.0;
-  result.Jz[99] = 0.0;
-  result.Jz[100] = 0.0;
-  result.Jz[101] = 0.0;
-  result.Jz[102] = 0.0;
-  result.Jz[103] = 0.0;
-  result.Jz[108] = 0.0;
-  result.Jz[110] = 0.0;
-  result.Jz[111] = 0.0;
-  result.Jz[112] = 0.0;
-  result.Jz[113] = 0.0;
-  result.Jz[114] = 0.0;
-  result.Jz[115] = 0.0;
-  result.Jz[116] = 0.0;
-  result.Jz[117] = 0.0;
-  result.Jz[118] = 0.0;
-  result.Jz[119] = 0.0;
-  result.Jz[120] = 0.0;
-  result.Jz[121] = 0.0;
-  result.Jz[122] = 0.0;
-  result.Jz[123] = 0.0;
-  result.Jz[130] = 0.0;
-  result.Jz[131] = 0.0;
-  result.Jz[132] = 0.0;
-  result.Jz[133] = 0.0;
-  result.Jz[134] = 0.0;
-  result.Jz[135] = 0.0;
-  result.Jz[136] = 0.0;
-  result.Jz[137] = 0.0;
-  result.Jz[138] = 0.0;
-  result.Jz[140] = 0.0;
-  result.Jz[141] = 0.0;
-  result.Jz[142] = 0.0;
-  result.Jz[143] = 0.0;
-  result.Jz[144] = 0.0;
-  result.Jz[145] = 0.0;
-  result.Jz[150] = 0.0;
-  result.Jz[151] = 0.0;
-  result.Jz[152] = 0.0;
-  result.Jz[160] = 0.0;
-  result.Jz[161] = 0.0;
-  result.Jz[168] = 0.0;
-  result.Jz[169] = 0.0;
-  result.Jz[177] = 0.0;
-  result.Jz[184] = 0.0;
-  result.Jz[185] = 0.0;
-  result.Jz[192] = 0.0;
-  result.Jz[193] = 0.0;
-  result.Jz[200] = 0.0;
 }
 
 /// Closure equations and their derivatives, for the pivoting factorisation.
@@ -9360,7 +9238,14 @@ struct ChosenAccelerationsWork {
 /// inertias of the bodies and forces on joints, long_rod_left .. arb_link_rear_right; step 8:
 /// elimination from the leaves to the root (63), long_rod_left .. arb_link_rear_right.
 [[gnu::noinline]] void compute_chosen_accelerations_1(const State& state, const double* tau,
-    const Projection& projection, ChosenAccelerationsWork& __restrict work) noexcept {
+    const Projection& projection, ChosenAccelerationsWork& __restrict work,
+    ChosenAccelerations& __restrict result) noexcept {
+  // Results that need no operation.
+  result.inertia[9] = 10.999999999989;
+  result.inertia[10] = 10.999999999989;
+  result.inertia[13] = 21.999999999978;
+  result.inertia[14] = 21.999999999978;
+
   // --- step 1: poses and axes b ---
   const double angles[] = {
       state.z[Coordinate::chassis_rz], state.z[Coordinate::chassis_ry],
@@ -13081,10 +12966,6 @@ struct ChosenAccelerationsWork {
   result.zdd[Coordinate::wheel_rear_right] = mbgen::fms(0.045454545454545456,
       tau[Coordinate::wheel_rear_right], s9_110);
   // operations: 170 add, 181 multiply, 1 other
-  result.inertia[9] = 10.999999999989;
-  result.inertia[10] = 10.999999999989;
-  result.inertia[13] = 21.999999999978;
-  result.inertia[14] = 21.999999999978;
 }
 
 /// All accelerations with a partition chosen at run time.
@@ -13092,7 +12973,7 @@ void compute_chosen_accelerations(const Tuned& /*parameters*/, const Inputs& /*i
     const State& state, const double* tau, const Projection& projection,
     ChosenAccelerations& __restrict result) noexcept {
   ChosenAccelerationsWork work;
-  compute_chosen_accelerations_1(state, tau, projection, work);
+  compute_chosen_accelerations_1(state, tau, projection, work, result);
   compute_chosen_accelerations_2(state, tau, projection, work, result);
   compute_chosen_accelerations_3(state, tau, projection, work);
   compute_chosen_accelerations_4(state, tau, projection, work, result);

@@ -218,6 +218,13 @@ struct Closure {
 /// One Newton step of the frozen partition, and consistent velocities.
 void compute_closure(const Tuned& /*parameters*/, const Inputs& /*inputs*/, const State& state,
     Closure& __restrict result) noexcept {
+  // Results that need no operation.
+  result.dz[Coordinate::coupler_pin] = 0.0;
+  result.residual[1] = 0.0;
+  result.residual[3] = 0.0;
+  result.residual[4] = 0.0;
+  result.zd[Coordinate::coupler_pin] = state.zd[Coordinate::coupler_pin];
+
   // --- step 1: poses, axes b, accumulated inertias MR (50) ---
   // crank: crank_pin, revolute, ground
   const double z_crank_pin = state.z[Coordinate::crank_pin];
@@ -272,11 +279,6 @@ void compute_closure(const Tuned& /*parameters*/, const Inputs& /*inputs*/, cons
   result.dz[Coordinate::rocker_pin] = -(s2_9*mbgen::fms(J_rocker_tip_crank_pin, s4_2, s2_7));
   result.zd[Coordinate::rocker_pin] = -(s2_9*mbgen::fms(J_rocker_tip_crank_pin, s4_4, s4_1));
   // operations: 4 add, 10 multiply
-  result.residual[1] = 0.0;
-  result.residual[3] = 0.0;
-  result.residual[4] = 0.0;
-  result.dz[Coordinate::coupler_pin] = 0.0;
-  result.zd[Coordinate::coupler_pin] = zd_coupler_pin;
 }
 
 /// Result of compute_multipliers.
@@ -290,6 +292,11 @@ struct ConstraintForces {
 /// Multipliers of the closures and generalised driving forces, at given accelerations.
 void compute_multipliers(const Tuned& parameters, const Inputs& inputs, const State& state,
     const double* tau, const Derivative& derivative, ConstraintForces& __restrict result) noexcept {
+  // Results that need no operation.
+  result.lambda[1] = 0.0;
+  result.lambda[3] = 0.0;
+  result.lambda[4] = 0.0;
+
   // --- step 1: poses, axes b, accumulated inertias MR (50) ---
   // crank: crank_pin, revolute, ground
   const double z_crank_pin = state.z[Coordinate::crank_pin];
@@ -409,9 +416,6 @@ void compute_multipliers(const Tuned& parameters, const Inputs& inputs, const St
   result.pivot[0] = mbgen::min(3.999888870509994*std::abs(s9_2), s9_11);
   result.lambda[0] = -mbgen::fma(s9_6, s9_10, s9_5);
   // operations: 9 add, 16 multiply, 2 divide, 3 other
-  result.lambda[1] = 0.0;
-  result.lambda[3] = 0.0;
-  result.lambda[4] = 0.0;
 }
 
 /// Result of compute_closure_terms.
@@ -425,6 +429,15 @@ struct ClosureTerms {
 /// Closure equations and their derivatives, for the pivoting factorisation.
 void compute_closure_terms(const Tuned& /*parameters*/, const Inputs& /*inputs*/,
     const State& state, ClosureTerms& __restrict result) noexcept {
+  // Results that need no operation.
+  for (int k = 0; k < 15; ++k) result.Jz[k] = 0.0;
+  result.Phi[1] = 0.0;
+  result.Phi[3] = 0.0;
+  result.Phi[4] = 0.0;
+  result.c[1] = 0.0;
+  result.c[3] = 0.0;
+  result.c[4] = 0.0;
+
   // --- step 1: poses, axes b, accumulated inertias MR (50) ---
   // crank: crank_pin, revolute, ground
   const double z_crank_pin = state.z[Coordinate::crank_pin];
@@ -474,21 +487,6 @@ void compute_closure_terms(const Tuned& /*parameters*/, const Inputs& /*inputs*/
   const double s2_12 = mbgen::fnma(s2_4, s2_6, s2_2*J_rocker_tip_crank_pin);
   result.c[2] = mbgen::fnma(r_coupler_z, s2_3, s2_12);
   // operations: 19 add, 17 multiply
-  result.Phi[1] = 0.0;
-  result.Phi[3] = 0.0;
-  result.Phi[4] = 0.0;
-  result.c[1] = 0.0;
-  result.c[3] = 0.0;
-  result.c[4] = 0.0;
-  result.Jz[3] = 0.0;
-  result.Jz[4] = 0.0;
-  result.Jz[5] = 0.0;
-  result.Jz[9] = 0.0;
-  result.Jz[10] = 0.0;
-  result.Jz[11] = 0.0;
-  result.Jz[12] = 0.0;
-  result.Jz[13] = 0.0;
-  result.Jz[14] = 0.0;
 }
 
 /// Result of compute_chosen_accelerations.
@@ -608,6 +606,9 @@ void compute_chosen_accelerations(const Tuned& parameters, const Inputs& inputs,
 /// Outputs, energies and power, at given accelerations.
 void compute_outputs(const Tuned& parameters, const Inputs& inputs, const State& state,
     const double* tau, const Derivative& /*derivative*/, Outputs& __restrict result) noexcept {
+  // Results that need no operation.
+  result.crank_angle = state.z[Coordinate::crank_pin];
+
   // --- step 1: poses, axes b, accumulated inertias MR (50) ---
   // crank: crank_pin, revolute, ground
   const double z_crank_pin = state.z[Coordinate::crank_pin];
@@ -704,7 +705,6 @@ void compute_outputs(const Tuned& parameters, const Inputs& inputs, const State&
   const double s9_15 = mbgen::fma(m_crank, mbgen::fma(s9_9, s9_9, s9_3*s9_3), s9_14);
   result.kinetic_energy = 0.5*mbgen::fma(m_coupler, mbgen::fma(s9_11, s9_11, s9_10*s9_10), s9_15);
   // operations: 20 add, 29 multiply
-  result.crank_angle = z_crank_pin;
 }
 
 

@@ -114,6 +114,10 @@ struct Accelerations {
 /// All accelerations with the frozen partition of the loop blocks.
 void compute_accelerations(const Tuned& parameters, const Inputs& /*inputs*/, const State& state,
     const double* tau, Accelerations& __restrict result) noexcept {
+  // Results that need no operation.
+  result.inertia[1] = 0.999999999999;
+  result.zdd[Coordinate::pull] = 0.0;
+
   // --- step 1: poses and axes b ---
   // arm: lower, revolute, carriage
   const double z_lower = state.z[Coordinate::lower];
@@ -296,8 +300,6 @@ void compute_accelerations(const Tuned& parameters, const Inputs& /*inputs*/, co
   const double alpha_knuckle_y = mbgen::fma(s8_6, s9_1, zdd_star_lower);
   result.zdd[Coordinate::wheel] = s8_2 - alpha_knuckle_y;
   // operations: 4 add, 4 multiply
-  result.inertia[1] = 0.999999999999;
-  result.zdd[Coordinate::pull] = 0.0;
 }
 
 /// Result of compute_closure.
@@ -311,6 +313,13 @@ struct Closure {
 /// One Newton step of the frozen partition, and consistent velocities.
 void compute_closure(const Tuned& /*parameters*/, const Inputs& /*inputs*/, const State& state,
     Closure& __restrict result) noexcept {
+  // Results that need no operation.
+  result.dz[Coordinate::ball] = 0.0;
+  result.dz[Coordinate::wheel] = 0.0;
+  result.zd[Coordinate::pull] = 15.0;
+  result.zd[Coordinate::ball] = state.zd[Coordinate::ball];
+  result.zd[Coordinate::wheel] = state.zd[Coordinate::wheel];
+
   // --- step 1: poses, axes b, accumulated inertias MR (50) ---
   const double s1_1 = mbgen::fms(15.0, state.t, state.z[Coordinate::pull]);
   result.residual[1] = s1_1;
@@ -354,11 +363,6 @@ void compute_closure(const Tuned& /*parameters*/, const Inputs& /*inputs*/, cons
   result.dz[Coordinate::lower] = s2_10*s2_13;
   result.zd[Coordinate::lower] = -(s2_13*(state.zd[Coordinate::ball]*s2_12));
   // operations: 3 multiply
-  result.dz[Coordinate::ball] = 0.0;
-  result.dz[Coordinate::wheel] = 0.0;
-  result.zd[Coordinate::pull] = 15.0;
-  result.zd[Coordinate::ball] = state.zd[Coordinate::ball];
-  result.zd[Coordinate::wheel] = state.zd[Coordinate::wheel];
 }
 
 /// Result of compute_multipliers.
@@ -551,6 +555,9 @@ struct ClosureTerms {
 /// Closure equations and their derivatives, for the pivoting factorisation.
 void compute_closure_terms(const Tuned& /*parameters*/, const Inputs& /*inputs*/,
     const State& state, ClosureTerms& __restrict result) noexcept {
+  // Results that need no operation.
+  result.driven_acceleration[Coordinate::pull] = 0.0;
+
   // --- step 1: poses, axes b, accumulated inertias MR (50) ---
   // arm: lower, revolute, carriage
   const double z_lower = state.z[Coordinate::lower];
@@ -599,7 +606,6 @@ void compute_closure_terms(const Tuned& /*parameters*/, const Inputs& /*inputs*/
   const double s2_21 = mbgen::fnma(s2_15, s2_16, s2_13*s2_18);
   result.c[0] = mbgen::fnma(2.380277794628896, s2_20, s2_21);
   // operations: 23 add, 31 multiply
-  result.driven_acceleration[Coordinate::pull] = 0.0;
 }
 
 /// Result of compute_chosen_accelerations.
@@ -613,6 +619,10 @@ struct ChosenAccelerations {
 void compute_chosen_accelerations(const Tuned& parameters, const Inputs& /*inputs*/,
     const State& state, const double* tau, const Projection& projection,
     ChosenAccelerations& __restrict result) noexcept {
+  // Results that need no operation.
+  result.inertia[1] = 0.999999999999;
+  result.zdd[Coordinate::pull] = 0.0;
+
   // --- step 1: poses and axes b ---
   // arm: lower, revolute, carriage
   const double z_lower = state.z[Coordinate::lower];
@@ -773,14 +783,15 @@ void compute_chosen_accelerations(const Tuned& parameters, const Inputs& /*input
   // wheel: wheel, revolute, knuckle
   result.zdd[Coordinate::wheel] = s8_2 - alpha_knuckle_y;
   // operations: 5 add, 5 multiply
-  result.inertia[1] = 0.999999999999;
-  result.zdd[Coordinate::pull] = 0.0;
 }
 
 /// Outputs, energies and power, at given accelerations.
 void compute_outputs(const Tuned& parameters, const Inputs& /*inputs*/, const State& state,
     const double* tau, const Derivative& /*derivative*/, const Multipliers& multipliers,
     Outputs& __restrict result) noexcept {
+  // Results that need no operation.
+  result.wheel_speed = state.zd[Coordinate::wheel];
+
   // --- step 1: poses, axes b, accumulated inertias MR (50) ---
   // arm: lower, revolute, carriage
   const double z_lower = state.z[Coordinate::lower];
@@ -912,7 +923,6 @@ void compute_outputs(const Tuned& parameters, const Inputs& /*inputs*/, const St
   const double s9_15 = mbgen::fma(m_carriage, zd_pull*zd_pull, s9_14);
   result.kinetic_energy = 0.5*mbgen::fma(m_arm, mbgen::fma(s9_9, s9_9, s9_1*s9_1), s9_15);
   // operations: 22 add, 27 multiply
-  result.wheel_speed = zd_wheel;
 }
 
 

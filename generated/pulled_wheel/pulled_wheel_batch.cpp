@@ -131,6 +131,10 @@ struct Accelerations {
 /// All accelerations with the frozen partition of the loop blocks.
 void compute_accelerations(const Tuned& parameters, const Inputs& /*inputs*/, const State& state,
     const Lanes* tau, Accelerations& __restrict result) noexcept {
+  // Results that need no operation.
+  result.inertia[1] = Lanes{} + 0.999999999999;
+  result.zdd[Coordinate::pull] = Lanes{} + 0.0;
+
   // --- step 1: poses and axes b ---
   // arm: lower, revolute, carriage
   const Lanes z_lower = state.z[Coordinate::lower];
@@ -322,8 +326,6 @@ void compute_accelerations(const Tuned& parameters, const Inputs& /*inputs*/, co
   const Lanes alpha_knuckle_y = mbgen::fma(s8_16, s9_1, zdd_star_lower);
   result.zdd[Coordinate::wheel] = s8_2 - alpha_knuckle_y;
   // operations: 4 add, 4 multiply
-  result.inertia[1] = Lanes{} + 0.999999999999;
-  result.zdd[Coordinate::pull] = Lanes{} + 0.0;
 }
 
 /// Result of compute_closure.
@@ -337,6 +339,13 @@ struct Closure {
 /// One Newton step of the frozen partition, and consistent velocities.
 void compute_closure(const Tuned& /*parameters*/, const Inputs& /*inputs*/, const State& state,
     Closure& __restrict result) noexcept {
+  // Results that need no operation.
+  result.dz[Coordinate::ball] = Lanes{} + 0.0;
+  result.dz[Coordinate::wheel] = Lanes{} + 0.0;
+  result.zd[Coordinate::pull] = Lanes{} + 15.0;
+  result.zd[Coordinate::ball] = state.zd[Coordinate::ball];
+  result.zd[Coordinate::wheel] = state.zd[Coordinate::wheel];
+
   // --- step 1: poses, axes b, accumulated inertias MR (50) ---
   // arm: lower, revolute, carriage
   const Lanes z_lower = state.z[Coordinate::lower];
@@ -381,11 +390,6 @@ void compute_closure(const Tuned& /*parameters*/, const Inputs& /*inputs*/, cons
   result.dz[Coordinate::lower] = s2_10*s2_13;
   result.zd[Coordinate::lower] = -(s2_13*(state.zd[Coordinate::ball]*s2_12));
   // operations: 3 multiply
-  result.dz[Coordinate::ball] = Lanes{} + 0.0;
-  result.dz[Coordinate::wheel] = Lanes{} + 0.0;
-  result.zd[Coordinate::pull] = Lanes{} + 15.0;
-  result.zd[Coordinate::ball] = state.zd[Coordinate::ball];
-  result.zd[Coordinate::wheel] = state.zd[Coordinate::wheel];
 }
 
 /// Result of compute_multipliers.
@@ -594,6 +598,9 @@ void compute_multipliers(const Tuned& parameters, const Inputs& /*inputs*/, cons
 void compute_outputs(const Tuned& parameters, const Inputs& /*inputs*/, const State& state,
     const Lanes* tau, const Derivative& /*derivative*/, const Multipliers& multipliers,
     Outputs& __restrict result) noexcept {
+  // Results that need no operation.
+  result.wheel_speed = state.zd[Coordinate::wheel];
+
   // --- step 1: poses, axes b, accumulated inertias MR (50) ---
   // arm: lower, revolute, carriage
   const Lanes z_lower = state.z[Coordinate::lower];
@@ -730,7 +737,6 @@ void compute_outputs(const Tuned& parameters, const Inputs& /*inputs*/, const St
   const Lanes s9_15 = mbgen::fma(m_carriage, zd_pull*zd_pull, s9_14);
   result.kinetic_energy = 0.5*mbgen::fma(m_arm, mbgen::fma(s9_8, s9_8, s9_9*s9_9), s9_15);
   // operations: 22 add, 27 multiply
-  result.wheel_speed = zd_wheel;
 }
 
 }  // namespace lanes

@@ -10,7 +10,6 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "compiler/emit/arrangement.hpp"
 #include "compiler/emit/expression_text.hpp"
 #include "compiler/emit/names.hpp"
 #include "compiler/emit/program_text.hpp"
@@ -142,12 +141,16 @@ ProgramShape bead_shape() {
   const Example example = bead_on_circle();
   const SolverLayout layout = solver_layout(example.model, example.topology, example.analysis);
   const std::vector<ShapedProgram> shaped =
-      shaped_programs(example.programs, layout, solver_names(example.model, example.topology));
+      shaped_programs(example.programs, layout, solver_names(example.model, example.topology), "double", kRollAbove);
   return shaped.front().shape;
 }
 
+std::string written(const Program& program, const ProgramShape& shape = bead_shape()) {
+  return program_text(program, schedule(program, schedule_options(shape, kRollAbove)), shape);
+}
+
 TEST(EmittedProgram, readsLikeTheFormulation) {
-  EXPECT_EQ(program_text(bead_accelerations(), bead_shape()), R"(/// Result of compute_accelerations.
+  EXPECT_EQ(written(bead_accelerations()), R"(/// Result of compute_accelerations.
 struct Accelerations {
   double zdd[2];  ///< accelerations
   double xd[1];  ///< rates of the auxiliary states
@@ -193,15 +196,17 @@ TEST(EmittedProgram, keepsSineAndCosineTogetherAndNamesWhatIsUsedTwice) {
   const Expr c = cos(angle);
   output(builder, Array::zdd, 0, far * c);
   output(builder, Array::zdd, 1, 2.5);
-  const std::string text = program_text(builder.finish(), bead_shape());
+  const std::string text = written(builder.finish());
   const std::string body = text.substr(text.find("{\n", text.find("void ")) + 2);
-  EXPECT_EQ(body, R"(  const double s0_1 = state.zd[Coordinate::y]*state.z[Coordinate::x];
+  EXPECT_EQ(body, R"(  // Results that need no operation.
+  result.inertia[0] = 1.0;
+  result.pivot[0] = 1.0;
+  result.zdd[Coordinate::y] = 2.5;
+
+  const double s0_1 = state.zd[Coordinate::y]*state.z[Coordinate::x];
   double s0_2, s0_3;
   mbgen::sincos(s0_1, s0_2, s0_3);
   result.zdd[Coordinate::x] = (1.0 + s0_2*s0_2)*s0_3;
-  result.zdd[Coordinate::y] = 2.5;
-  result.inertia[0] = 1.0;
-  result.pivot[0] = 1.0;
 }
 )");
 }
@@ -222,9 +227,13 @@ Program rotations() {
 }
 
 TEST(EmittedProgram, callsForManyAnglesAtOnceWhereTheirSectionBegins) {
-  const std::string text = program_text(rotations(), bead_shape());
+  const std::string text = written(rotations());
   const std::string body = text.substr(text.find("{\n", text.find("void ")) + 2);
-  EXPECT_EQ(body, R"(  // --- step 1: poses ---
+  EXPECT_EQ(body, R"(  // Results that need no operation.
+  result.inertia[0] = 1.0;
+  result.pivot[0] = 1.0;
+
+  // --- step 1: poses ---
   const double z_x = state.z[Coordinate::x];
   const double z_y = state.z[Coordinate::y];
   const double angles[] = {
@@ -239,15 +248,13 @@ TEST(EmittedProgram, callsForManyAnglesAtOnceWhereTheirSectionBegins) {
   // --- step 2: forces ---
   result.zdd[Coordinate::y] = s1_2 + mbgen::cosine(z_y);
   // operations: 1 add, 1 sin cos
-  result.inertia[0] = 1.0;
-  result.pivot[0] = 1.0;
 }
 )");
 }
 
-TEST(Arrangements, gatherOnlyWhatIsManyEnough) {
+TEST(Schedules, gatherOnlyWhatIsManyEnough) {
   const Program program = rotations();
-  const ArrayCalls calls = arrange(program).array_calls;
+  const ArrayCalls calls = schedule(program).calls;
   ASSERT_EQ(calls.calls.size(), 1u);
   EXPECT_EQ(calls.calls[0].arguments.size(), 4u) << "z0, z1, z0 + z1, 2 z0 - z1";
   for (ValueId v = 0; v < program.nodes.size(); ++v) {
@@ -258,29 +265,29 @@ TEST(Arrangements, gatherOnlyWhatIsManyEnough) {
   }
 }
 
-TEST(Arrangements, gatherWhatOneCallAfterTheOtherNeeds) {
+TEST(Schedules, gatherWhatOneCallAfterTheOtherNeeds) {
   ProgramBuilder builder("accelerations");
   for (int wheel = 0; wheel < 4; ++wheel) {
     const Expr slip = Expr(builder, builder.input(Array::z, wheel)) * Expr(builder, builder.input(Array::zd, wheel));
     builder.output(Array::zdd, wheel, sin(1.5 * atan(slip)).value(builder));
   }
   const Program program = builder.finish();
-  const Arrangement arrangement = arrange(program);
+  const Schedule scheduled = schedule(program);
   std::string ops;
-  for (const ValueId v : arrangement.order) ops += std::string(op_name(program.nodes[v].op)) + " ";
+  for (const ValueId v : scheduled.order) ops += std::string(op_name(program.nodes[v].op)) + " ";
   EXPECT_EQ(ops, "mul mul mul mul atan atan atan atan mul mul mul mul sin sin sin sin ");
-  ASSERT_EQ(arrangement.array_calls.calls.size(), 2u);
-  EXPECT_EQ(arrangement.array_calls.calls[0].op, Op::atan);
-  EXPECT_EQ(arrangement.array_calls.calls[1].op, Op::sin);
+  ASSERT_EQ(scheduled.calls.calls.size(), 2u);
+  EXPECT_EQ(scheduled.calls.calls[0].op, Op::atan);
+  EXPECT_EQ(scheduled.calls.calls[1].op, Op::sin);
 }
 
 TEST(EmittedProgram, refusesSlotsThatHaveNoPlace) {
   ProgramBuilder builder("accelerations");
   builder.output(Array::zdd, 2, builder.input(Array::z, 0));
-  EXPECT_THROW(program_text(builder.finish(), bead_shape()), std::logic_error);
+  EXPECT_THROW(written(builder.finish()), std::logic_error);
   ProgramBuilder second("accelerations");
   second.output(Array::zdd, 1, second.input(Array::zdd, 0));
-  EXPECT_THROW(program_text(second.finish(), bead_shape()), std::logic_error);
+  EXPECT_THROW(written(second.finish()), std::logic_error);
 }
 
 TEST(EmittedProgram, keepsLinesShort) {
@@ -292,11 +299,11 @@ TEST(EmittedProgram, keepsLinesShort) {
     builder.label(sum.value(builder), "a rather long name of an intermediate result, number " + std::to_string(i));
   }
   output(builder, Array::zdd, 0, sum);
-  std::istringstream text(program_text(builder.finish(), bead_shape()));
+  std::istringstream text(written(builder.finish()));
   for (std::string line; std::getline(text, line);) EXPECT_LE(line.size(), 110u) << line;
 }
 
-TEST(Arrangements, divideLargeProgramsWhereFewValuesCross) {
+TEST(Schedules, divideLargeProgramsWhereFewValuesCross) {
   ProgramBuilder builder("p");
   Expr x(builder, builder.input(Array::z, 0));
   // Bundles of 50 values that are needed together, one thread between them.
@@ -309,9 +316,9 @@ TEST(Arrangements, divideLargeProgramsWhereFewValuesCross) {
   }
   output(builder, Array::zdd, 0, x);
   const Program program = builder.finish();
-  const Arrangement result = arrange(program);
+  const Schedule result = schedule(program);
   ASSERT_GE(result.parts.size(), 4u);
-  for (const PartRange& part : result.parts) {
+  for (const PlaceRange& part : result.parts) {
     EXPECT_GE(part.last - part.first, kSmallestPart);
     EXPECT_LE(part.last - part.first, kLargestPart);
   }
@@ -346,12 +353,12 @@ Program three_sections() {
   return builder.finish();
 }
 
-TEST(Arrangements, canFollowTheSections) {
+TEST(Schedules, canFollowTheSections) {
   const Program program = three_sections();
-  const Arrangement result = arrange(program, Division::by_section);
+  const Schedule result = schedule(program, {Division::by_section});
   EXPECT_EQ(result.parts.size(), 5u) << "3000 values in three parts, and one part for each other section";
   std::size_t next = 0;
-  for (const PartRange& part : result.parts) {
+  for (const PlaceRange& part : result.parts) {
     EXPECT_EQ(part.first, next);
     next = part.last;
     EXPECT_EQ(program.nodes[result.order[part.first]].section, program.nodes[result.order[part.last - 1]].section);
@@ -363,21 +370,21 @@ TEST(ProgramText, tellsTheClockTheEndOfEverySection) {
   ProgramShape shape = bead_shape();
   shape.clock = "clock";
   shape.arguments.push_back({"clock", "mbgen::StepClock& clock"});
-  const std::string text = program_text(three_sections(), shape);
+  const std::string text = written(three_sections(), shape);
   std::string calls = text.substr(text.rfind("Work work;"));
   calls.erase(std::remove(calls.begin(), calls.end(), '\n'), calls.end());
   const std::string f = shape.function;
-  EXPECT_EQ(calls, "Work work;  " + f + "_1(state, work);  clock.at_end_of(1);  " + f + "_2(work);  " + f +
+  EXPECT_EQ(calls, "Work work;  " + f + "_1(state, work, result);  clock.at_end_of(1);  " + f + "_2(work);  " + f +
                        "_3(work);  " + f + "_4(work);  clock.at_end_of(4);  " + f +
                        "_5(work, result);  clock.at_end_of(9);}");
 }
 
-TEST(Arrangements, leaveDeadValuesOut) {
+TEST(Schedules, leaveDeadValuesOut) {
   ProgramBuilder builder("p");
   const Expr x(builder, builder.input(Array::z, 0));
   builder.append(Op::sin, x.value(builder));
   output(builder, Array::zdd, 0, cos(x));
-  EXPECT_EQ(arrange(builder.finish()).order.size(), 1u);
+  EXPECT_EQ(schedule(builder.finish()).order.size(), 1u);
 }
 
 }  // namespace

@@ -1,32 +1,17 @@
-#include "compiler/emit/arrangement.hpp"
+#include "compiler/passes/straight.hpp"
 
 #include <algorithm>
 #include <limits>
 #include <map>
 #include <utility>
 
+#include "compiler/passes/kinds.hpp"
+
 namespace mbgen {
 namespace {
 
 /// What a cut inside a section costs, in crossing values: a section kept whole is worth a few more stores.
 constexpr long kSectionCost = 10;
-
-bool is_operation(const Node& node) { return node.op != Op::constant && node.op != Op::input; }
-
-/// Operations that an output needs, in program order.
-std::vector<ValueId> live_operations(const Program& program) {
-  std::vector<bool> live(program.nodes.size(), false);
-  for (const OutputValue& output : program.outputs) live[output.value] = true;
-  for (std::size_t i = program.nodes.size(); i-- > 0;) {
-    if (!live[i]) continue;
-    for (int k = 0; k < arity(program.nodes[i].op); ++k) live[program.nodes[i].operands[k]] = true;
-  }
-  std::vector<ValueId> order;
-  for (ValueId v = 0; v < program.nodes.size(); ++v) {
-    if (live[v] && is_operation(program.nodes[v])) order.push_back(v);
-  }
-  return order;
-}
 
 /// Section after section, when no value needs one of a later section.
 void sort_by_section(const Program& program, std::vector<ValueId>& order) {
@@ -100,7 +85,7 @@ std::vector<long> cut_costs(const Program& program, const std::vector<ValueId>& 
 }
 
 /// Cheapest division of a range by dynamic programming over the cuts.
-std::vector<PartRange> divide(PartRange range, const std::vector<long>& cost) {
+std::vector<PlaceRange> divide(PlaceRange range, const std::vector<long>& cost) {
   const std::size_t size = range.last - range.first;
   if (size <= kLargestPart) return {range};
   constexpr long kUnreachable = std::numeric_limits<long>::max();
@@ -118,15 +103,15 @@ std::vector<PartRange> divide(PartRange range, const std::vector<long>& cost) {
       }
     }
   }
-  std::vector<PartRange> parts;
+  std::vector<PlaceRange> parts;
   for (std::size_t end = size; end > 0; end = from[end]) parts.push_back({range.first + from[end], range.first + end});
   std::reverse(parts.begin(), parts.end());
   return parts;
 }
 
 /// Runs of values of one section.
-std::vector<PartRange> section_ranges(const Program& program, const std::vector<ValueId>& order) {
-  std::vector<PartRange> ranges;
+std::vector<PlaceRange> section_ranges(const Program& program, const std::vector<ValueId>& order) {
+  std::vector<PlaceRange> ranges;
   for (std::size_t i = 0; i < order.size(); ++i) {
     const bool goes_on = i > 0 && program.nodes[order[i - 1]].section == program.nodes[order[i]].section;
     if (!goes_on) ranges.push_back({i, i});
@@ -137,21 +122,22 @@ std::vector<PartRange> section_ranges(const Program& program, const std::vector<
 
 }  // namespace
 
-Arrangement arrange(const Program& program, Division division) {
+Schedule straight_schedule(const Program& program, Division division) {
   std::vector<ValueId> order = live_operations(program);
   sort_by_section(program, order);
   const std::vector<ValueId> partner = angle_partners(program, order);
-  Arrangement result;
+  Schedule result;
   result.order = pair_angles(order, partner);
-  result.array_calls = gather_calls(program, result.order);
-  const std::vector<long> cost = cut_costs(program, result.order, partner, result.array_calls.place);
-  std::vector<PartRange> ranges;
+  result.calls = gather_calls(program, result.order);
+  const std::vector<long> cost = cut_costs(program, result.order, partner, result.calls.place);
+  std::vector<PlaceRange> ranges;
   if (division == Division::by_section) ranges = section_ranges(program, result.order);
   if (ranges.empty()) ranges = {{0, result.order.size()}};
-  for (const PartRange& range : ranges) {
-    const std::vector<PartRange> parts = divide(range, cost);
-    result.parts.insert(result.parts.end(), parts.begin(), parts.end());
-  }
+  for (const PlaceRange& range : ranges)
+    for (const PlaceRange& part : divide(range, cost)) {
+      result.units.push_back({.first = part.first, .period = part.last - part.first, .part = result.parts.size()});
+      result.parts.push_back(part);
+    }
   return result;
 }
 

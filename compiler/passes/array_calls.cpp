@@ -1,4 +1,4 @@
-#include "compiler/emit/array_calls.hpp"
+#include "compiler/passes/array_calls.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,0 +1,41 @@
+#include "compiler/emit/slice_text.hpp"
+
+#include <algorithm>
+#include <cstdlib>
+
+#include "compiler/emit/text.hpp"
+
+namespace mbgen {
+
+std::string common_label(const std::string& a, const std::string& b) {
+  const std::size_t shorter = std::min(a.size(), b.size());
+  std::size_t front = 0, back = 0;
+  while (front < shorter && a[front] == b[front]) ++front;
+  while (back + front < shorter && a[a.size() - 1 - back] == b[b.size() - 1 - back]) ++back;
+  return a.substr(0, front) + a.substr(a.size() - back);
+}
+
+std::string SliceTables::index(const std::vector<int>& indices) {
+  const int first = indices[0], step = indices.size() > 1 ? indices[1] - first : 0;
+  for (std::size_t slice = 0; slice < indices.size(); ++slice) {
+    if (indices[slice] == first + step * static_cast<int>(slice)) continue;
+    std::vector<std::string> items;
+    for (const int index : indices) items.push_back(std::to_string(index));
+    return item("int", "kPlaces", items);
+  }
+  if (step == 0) return std::to_string(first);
+  const std::string slope = (std::abs(step) == 1 ? "" : std::to_string(std::abs(step)) + "*") + "k";
+  if (first == 0 && step > 0) return slope;
+  return std::to_string(first) + (step > 0 ? " + " : " - ") + slope;
+}
+
+std::string SliceTables::item(const std::string& type, const std::string& base, const std::vector<std::string>& items) {
+  std::string& name = tables_[{type, items}];
+  if (name.empty()) {
+    name = names_.unique(base);
+    declarations_ += array_text("  static constexpr " + type + " " + name, items, "0") + "\n";
+  }
+  return name + "[k]";
+}
+
+}  // namespace mbgen

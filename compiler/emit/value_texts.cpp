@@ -1,0 +1,211 @@
+#include "compiler/emit/value_texts.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "compiler/emit/names.hpp"
+#include "compiler/emit/text.hpp"
+
+namespace mbgen {
+
+ValueTexts::ValueTexts(const Program& program, const Schedule& schedule, const ProgramShape& shape)
+    : program_(program),
+      schedule_(schedule),
+      shape_(shape),
+      phrases_(program.nodes.size()),
+      outputs_(program.nodes.size()),
+      names_(program),
+      tables_(names_) {
+  for (const OutputValue& output : program.outputs) outputs_[output.value].push_back(output.slot);
+  reserve_names();
+  name_calls();
+  if (schedule.has_loops()) crossing_ = {{"work", {fmt::format("value[{}]", std::max(schedule.stored, 1))}, 0}};
+}
+
+// --- names that are given before the first line is written ---
+
+void ValueTexts::reserve_names() {
+  if (shape_.constants != nullptr) {
+    for (const std::string& name : shape_.constants->identifiers(program_)) names_.reserve(name);
+  }
+  for (const auto& [name, declaration] : shape_.arguments) names_.reserve(name);
+  for (const auto& [group, place] : shape_.inputs) {
+    for (const std::string& local : place.locals) names_.reserve(local);
+  }
+  for (const char* name : {"work", "result"}) names_.reserve(name);
+  if (schedule_.has_loops()) names_.reserve("k");
+}
+
+void ValueTexts::name_calls() {
+  const std::vector<ArrayCall>& calls = schedule_.calls.calls;
+  std::vector<bool> crosses(calls.size(), false);
+  for (const ValueId v : schedule_.order) {
+    if (facts(v).crosses && place_in_call(v).call >= 0) crosses[place_in_call(v).call] = true;
+  }
+  for (std::size_t c = 0; c < calls.size(); ++c) {
+    CallNames names = names_of_call(calls[c].op);
+    names.arguments = names_.unique(names.arguments);
+    if (!names.exponents.empty()) names.exponents = names_.unique(names.exponents);
+    for (std::string& array : names.results) {
+      array = names_.unique(array);
+      const std::size_t size = calls[c].arguments.size();
+      const std::string declared = fmt::format("{}[{}]", array, size);
+      if (crosses[c]) {
+        const std::string argument = add_crossing(declared, size);
+        names.work.insert(argument);
+        array = argument + "." + array;
+      } else {
+        names.declaration += (names.declaration.empty() ? shape_.scalar + " " : ", ") + declared;
+      }
+    }
+    call_names_.push_back(names);
+  }
+}
+
+// --- places in memory ---
+
+std::string ValueTexts::add_crossing(const std::string& member, std::size_t values) {
+  const auto name_of = [&](std::size_t number) { return number == 1 ? std::string("work") : names_.unique("work"); };
+  CrossingStruct& home = struct_with_room(crossing_, values, shape_.most_crossing, name_of);
+  home.members.push_back(member);
+  home.values += values;
+  return home.argument;
+}
+
+std::string ValueTexts::crossing_place(ValueId v, const std::string& name, PartText& part) {
+  const std::string argument = work_of_[v] = add_crossing(name, 1);
+  part.arguments.insert(argument);
+  return argument + "." + name;
+}
+
+std::string ValueTexts::stored_place(const Slices& values, PartText& part) {
+  part.arguments.insert("work");
+  std::vector<int> indices;
+  for (const ValueId v : values) indices.push_back(schedule_.index_of(v));
+  return "work.value[" + tables_.index(indices) + "]";
+}
+
+const GroupPlace& ValueTexts::place_of(const Places& places, const Slot& slot) const {
+  const auto place = places.find(slot.group);
+  if (place == places.end() || slot.index < 0 || slot.index >= static_cast<int>(place->second.texts.size()))
+    throw std::logic_error(program_.name + ": no place for " + text_of(slot));
+  const auto is_given = [&](const auto& argument) { return argument.first == place->second.argument; };
+  if (place->second.argument != "result" && std::ranges::none_of(shape_.arguments, is_given))
+    throw std::logic_error(program_.name + ": no argument for " + text_of(slot));
+  return place->second;
+}
+
+std::string ValueTexts::slots_text(const Places& places, const std::vector<Slot>& slots, PartText& part) {
+  const GroupPlace& place = place_of(places, slots[0]);
+  part.arguments.insert(place.argument);
+  if (std::ranges::all_of(slots, [&](const Slot& slot) { return slot == slots[0]; }))
+    return place.texts[slots[0].index];
+  std::vector<int> indices;
+  for (const Slot& slot : slots) indices.push_back(place.first + slot.index);
+  return place.array + "[" + tables_.index(indices) + "]";
+}
+
+// --- expressions ---
+
+Phrase ValueTexts::input_phrase(const Slices& values, PartText& part) {
+  std::vector<Slot> slots;
+  for (const ValueId v : values) slots.push_back(program_.inputs[program_.nodes[v].input]);
+  const GroupPlace& place = place_of(shape_.inputs, slots[0]);
+  const std::string text = slots_text(shape_.inputs, slots, part);
+  if (values.size() > 1 || place.locals.empty() || uses_in_part_[values[0]] < 2) return {text, Binding::primary};
+  return copied(values[0], place.locals[slots[0].index], text, part);
+}
+
+Phrase ValueTexts::copied(ValueId v, const std::string& local, const std::string& place, PartText& part) {
+  if (copied_in_part_.insert(v).second) add_line(part, "const " + shape_.scalar + " " + local + " = " + place + ";");
+  return {local, Binding::primary};
+}
+
+Phrase ValueTexts::result_phrase(ValueId v, PartText& part) {
+  const CallNames& names = call_names_[place_in_call(v).call];
+  part.arguments.insert(names.work.begin(), names.work.end());
+  const std::string& array = program_.nodes[v].op == Op::cos ? names.results.back() : names.results.front();
+  const std::string place = fmt::format("{}[{}]", array, place_in_call(v).argument);
+  if (uses_in_part_[v] < 2) return {place, Binding::primary};
+  std::string& local = local_of_[v];
+  if (local.empty()) local = names_.of_value(v);
+  return copied(v, local, place, part);
+}
+
+Phrase ValueTexts::constants_phrase(const Slices& values) {
+  const Node& first = program_.nodes[values[0]];
+  std::vector<std::string> items;
+  bool same = true;
+  for (const ValueId v : values) {
+    const Node& node = program_.nodes[v];
+    same = same && node.constant == first.constant && node.label == first.label;
+    items.push_back(number_text(node.constant, shape_.scalar));
+  }
+  return same ? constant_phrase(constant_text(program_, first, shape_))
+              : Phrase{tables_.item(shape_.scalar, "kConstants", items), Binding::primary};
+}
+
+Phrase ValueTexts::phrase_of(const ScheduledUnit& unit, const Slices& values, PartText& part) {
+  const ValueId v = values[0];
+  const Node& node = program_.nodes[v];
+  if (node.op == Op::constant) return constants_phrase(values);
+  if (node.op == Op::input) return input_phrase(values, part);
+  if (place_in_call(v).call >= 0) return result_phrase(v, part);
+  if (schedule_.has_loops() && !schedule_.is_local(unit, values)) return {stored_place(values, part), Binding::primary};
+  if (const auto work = work_of_.find(v); work != work_of_.end()) part.arguments.insert(work->second);
+  return phrases_[v];
+}
+
+Phrase ValueTexts::compose(const ScheduledUnit& unit, ValueId v, PartText& part) {
+  const Node& node = program_.nodes[v];
+  Phrase operands[3];
+  for (int k = 0; k < arity(node.op); ++k)
+    operands[k] = phrase_of(unit, schedule_.operands_of(unit, facts(v).offset, k), part);
+  return operation_phrase(shape_.scalar, node.op, operands[0], operands[1], operands[2]);
+}
+
+std::string ValueTexts::number(const std::string& text) const {
+  return (!is_number(shape_.scalar) ? shape_.scalar + "{} + " : "") + text;
+}
+
+std::string ValueTexts::name_of(ValueId v) {
+  const ScheduledUnit& unit = schedule_.units[facts(v).unit];
+  const Node& first = program_.nodes[v];
+  const Node& last = program_.nodes[schedule_.order[unit.last() - unit.period + facts(v).offset]];
+  if (!unit.is_loop() || first.label < 0 || last.label < 0) return names_.of_value(v);
+  return names_.unique(identifier_base(common_label(program_.labels[first.label], program_.labels[last.label])));
+}
+
+std::vector<std::string> ValueTexts::output_texts(ValueId v, PartText& part) {
+  std::vector<std::string> texts;
+  const Slices values = slices_of(v);
+  for (std::size_t n = 0; n < outputs_[v].size(); ++n) {
+    std::vector<Slot> slots;
+    for (const ValueId value : values) slots.push_back(outputs_[value][n]);
+    texts.push_back(slots_text(shape_.outputs, slots, part));
+  }
+  return texts;
+}
+
+void ValueTexts::start_part(const PlaceRange& range) {
+  tables_.start_part();
+  uses_in_part_.clear();
+  copied_in_part_.clear();
+  for (std::size_t i = range.first; i < range.last; ++i) {
+    const ValueId v = schedule_.order[i];
+    if (place_in_call(v).call >= 0 || schedule_.units[facts(v).unit].is_loop()) continue;
+    for (int k = 0; k < arity(program_.nodes[v].op); ++k) ++uses_in_part_[facts(v).operands[k]];
+  }
+}
+
+ValueTexts::Slices ValueTexts::slices_of(ValueId v) const {
+  const ScheduledUnit& unit = schedule_.units[facts(v).unit];
+  Slices values;
+  for (std::size_t slice = 0; slice < unit.count; ++slice)
+    values.push_back(schedule_.order[unit.first + slice * unit.period + facts(v).offset]);
+  return values;
+}
+
+}  // namespace mbgen

@@ -1,0 +1,89 @@
+#pragma once
+// How the values of a scheduled program are written: their names, their places in memory, their expressions.
+
+#include <set>
+#include <string>
+#include <unordered_map>
+#include <vector>
+
+#include "compiler/emit/call_names.hpp"
+#include "compiler/emit/expression_text.hpp"
+#include "compiler/emit/function_text.hpp"
+#include "compiler/emit/local_names.hpp"
+#include "compiler/emit/slice_text.hpp"
+
+namespace mbgen {
+
+/// Texts of values, part by part. A value stands for the values at its place in all slices of a loop: the first of them
+/// is asked for.
+/// Fails: throws std::logic_error when a slot has no place in the shape.
+class ValueTexts {
+ public:
+  using Slices = std::vector<ValueId>;  ///< one value a slice
+
+  ValueTexts(const Program& program, const Schedule& schedule, const ProgramShape& shape);
+
+  /// Begins a part: copies of inputs and tables of another one are not seen.
+  void start_part(const PlaceRange& range);
+
+  const ScheduledValue& facts(ValueId v) const { return schedule_.value[v]; }
+  const ArrayPlace& place_in_call(ValueId v) const { return schedule_.calls.place[v]; }
+  const CallNames& call_names(int call) const { return call_names_[static_cast<std::size_t>(call)]; }
+  /// The values at the place of this one in all slices of its unit.
+  Slices slices_of(ValueId v) const;
+
+  /// The operation on its operands as an expression.
+  Phrase compose(const ScheduledUnit& unit, ValueId v, PartText& part);
+  /// An operand in every slice of the unit that uses it.
+  Phrase phrase_of(const ScheduledUnit& unit, const Slices& values, PartText& part);
+  /// What users of an operation write for it.
+  Phrase& phrase(ValueId v) { return phrases_[v]; }
+  /// A result of a call for many arguments.
+  Phrase result_phrase(ValueId v, PartText& part);
+  Phrase constants_phrase(const Slices& values);
+  /// A plain number where a value is asked for.
+  std::string number(const std::string& text) const;
+
+  /// The label that the value has in all slices, or that of its section and a number.
+  std::string name_of(ValueId v);
+  /// A new member of `work` for a value that crosses parts, in programs without loops.
+  std::string crossing_place(ValueId v, const std::string& name, PartText& part);
+  /// The place of values in the array of a program with loops.
+  std::string stored_place(const Slices& values, PartText& part);
+  /// The place of one slot a slice, all of one group.
+  std::string slots_text(const Places& places, const std::vector<Slot>& slots, PartText& part);
+  const GroupPlace& place_of(const Places& places, const Slot& slot) const;
+  std::size_t output_count(ValueId v) const { return outputs_[v].size(); }
+  /// The places of the result that a value goes to.
+  std::vector<std::string> output_texts(ValueId v, PartText& part);
+
+  /// Tables of a loop that is about to be written.
+  std::string table_declarations() { return tables_.declarations(); }
+  const CrossingStructs& crossing() const { return crossing_; }
+
+ private:
+  void reserve_names();
+  /// Where the calls for many arguments leave their results: in `work` when another part needs one of them.
+  void name_calls();
+  /// Declares a member of `work`. Result: the argument that holds it.
+  std::string add_crossing(const std::string& member, std::size_t values);
+  Phrase input_phrase(const Slices& values, PartText& part);
+  /// A value in memory that this part reads often, by a name of its own.
+  Phrase copied(ValueId v, const std::string& local, const std::string& place, PartText& part);
+
+  const Program& program_;
+  const Schedule& schedule_;
+  const ProgramShape& shape_;
+  std::vector<Phrase> phrases_;
+  std::vector<std::vector<Slot>> outputs_;  ///< per value
+  LocalNames names_;
+  SliceTables tables_;
+  CrossingStructs crossing_;
+  std::unordered_map<ValueId, std::string> work_of_;  ///< arguments that hold the values that cross
+  std::vector<CallNames> call_names_;
+  std::unordered_map<ValueId, std::string> local_of_;  ///< of results of calls for many arguments
+  std::unordered_map<ValueId, int> uses_in_part_;      ///< of straight code; the angles of one call are written once
+  std::set<ValueId> copied_in_part_;
+};
+
+}  // namespace mbgen

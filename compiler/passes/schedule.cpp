@@ -1,0 +1,167 @@
+#include "compiler/passes/schedule.hpp"
+
+#include <algorithm>
+
+#include "compiler/passes/kinds.hpp"
+#include "compiler/passes/rolled.hpp"
+#include "compiler/passes/straight.hpp"
+
+namespace mbgen {
+namespace {
+
+/// The loops of a program that is too large to stand straight, none where they save too little.
+Rolling worthwhile_loops(const Program& program, const ScheduleOptions& options) {
+  const auto statements = [&](std::size_t operations) { return operations + program.outputs.size(); };
+  if (statements(program.nodes.size()) <= options.roll_above) return {};
+  Rolling rolling = roll(program, options.indexed);
+  if (statements(rolling.order.size()) <= options.roll_above) return {};
+  std::size_t written = rolling.order.size();
+  for (const RolledLoop& loop : rolling.loops) written -= loop.period * (loop.count - 1);
+  return 2 * written > rolling.order.size() ? Rolling{} : rolling;
+}
+
+bool is_angle_pair(const Program& program, const Schedule& schedule, ValueId a, ValueId b) {
+  if (schedule.calls.place[a].call >= 0 || schedule.calls.place[b].call >= 0) return false;
+  const Node& first = program.nodes[a];
+  const Node& second = program.nodes[b];
+  return ((first.op == Op::sin && second.op == Op::cos) || (first.op == Op::cos && second.op == Op::sin)) &&
+         schedule.value[a].operands == schedule.value[b].operands && first.section == second.section;
+}
+
+/// Counts the uses of every value, and finds those that no local variable serves.
+void find_uses(const Program& program, Schedule& schedule) {
+  for (const ScheduledUnit& unit : schedule.units)
+    for (std::size_t i = unit.first; i < unit.last(); ++i) {
+      const ValueId v = schedule.order[i];
+      for (int k = 0; k < arity(program.nodes[v].op); ++k) {
+        const ValueId operand = schedule.value[v].operands[static_cast<std::size_t>(k)];
+        ScheduledValue& value = schedule.value[operand];
+        ++value.users;
+        value.user = v;
+        if (value.unit < 0 || schedule.has_loops()) continue;
+        value.crosses = value.crosses || schedule.units[static_cast<std::size_t>(value.unit)].part != unit.part;
+      }
+    }
+  for (const ScheduledUnit& unit : schedule.units)
+    for (std::size_t i = unit.first; schedule.has_loops() && i < unit.last(); ++i) {
+      ScheduledValue& value = schedule.value[schedule.order[i]];
+      value.crosses = unit.stored[value.offset] >= 0;
+    }
+}
+
+/// Sines beside the cosines of the same angles, in all slices of a unit.
+void find_partners(const Program& program, Schedule& schedule) {
+  for (const ScheduledUnit& unit : schedule.units)
+    for (std::size_t offset = 1; offset < unit.period; ++offset) {
+      const auto value_at = [&](std::size_t slice, std::size_t at) {
+        return schedule.order[unit.first + slice * unit.period + at];
+      };
+      bool are_pairs = true;
+      for (std::size_t slice = 0; are_pairs && slice < unit.count; ++slice)
+        are_pairs = is_angle_pair(program, schedule, value_at(slice, offset - 1), value_at(slice, offset));
+      const ValueId a = value_at(0, offset - 1), b = value_at(0, offset);
+      if (!are_pairs || (unit.is_loop() && schedule.value[a].partner != kNoValue)) continue;
+      schedule.value[a].partner = b;
+      schedule.value[b].partner = a;
+    }
+}
+
+/// Whether only the one user of a value, in the same slice and under the same heading, needs to know it.
+bool can_be_inlined(const Program& program, const Schedule& schedule, const std::vector<bool>& is_output, ValueId v) {
+  const ScheduledValue& value = schedule.value[v];
+  const Node& node = program.nodes[v];
+  if (value.users != 1 || value.crosses || value.partner != kNoValue || is_output[v] || node.label >= 0) return false;
+  const Node& user = program.nodes[value.user];
+  const ScheduledValue& place = schedule.value[value.user];
+  const bool is_beside = !schedule.has_loops() || (place.unit == value.unit && place.slice == value.slice);
+  return is_beside && user.section == node.section && user.block == node.block;
+}
+
+/// The facts of the first slice become those of all: a value is inlined or unused where it is so in every slice.
+void settle_slices(const Program& program, Schedule& schedule) {
+  std::vector<bool> is_output(program.nodes.size(), false);
+  for (const OutputValue& output : program.outputs) is_output[output.value] = true;
+  for (const ScheduledUnit& unit : schedule.units)
+    for (std::size_t offset = 0; offset < unit.period; ++offset) {
+      ScheduledValue& first = schedule.value[schedule.order[unit.first + offset]];
+      bool is_inlined = true;
+      int users = 0;
+      for (std::size_t slice = 0; slice < unit.count; ++slice) {
+        const ValueId v = schedule.order[unit.first + slice * unit.period + offset];
+        is_inlined = is_inlined && can_be_inlined(program, schedule, is_output, v) &&
+                     schedule.value[schedule.value[v].user].offset == schedule.value[first.user].offset;
+        users = std::max(users, schedule.value[v].users);
+      }
+      first.is_inlined = is_inlined;
+      first.users = users;
+    }
+}
+
+}  // namespace
+
+std::size_t Schedule::loops() const {
+  return static_cast<std::size_t>(std::ranges::count_if(units, &ScheduledUnit::is_loop));
+}
+
+std::size_t Schedule::written() const {
+  std::size_t count = 0;
+  for (const ScheduledUnit& unit : units) count += unit.period;
+  return count;
+}
+
+std::vector<ValueId> Schedule::operands_of(const ScheduledUnit& unit, std::size_t offset, int operand) const {
+  std::vector<ValueId> operands;
+  for (std::size_t slice = 0; slice < unit.count; ++slice)
+    operands.push_back(
+        value[order[unit.first + slice * unit.period + offset]].operands[static_cast<std::size_t>(operand)]);
+  return operands;
+}
+
+bool Schedule::is_local(const ScheduledUnit& unit, const std::vector<ValueId>& operands) const {
+  const ScheduledValue& first = value[operands[0]];
+  const ScheduledUnit& home = units[static_cast<std::size_t>(first.unit)];
+  if (!home.is_loop())
+    return home.part == unit.part && std::ranges::all_of(operands, [&](ValueId v) { return v == operands[0]; });
+  if (&home != &unit) return false;
+  for (std::size_t slice = 0; slice < operands.size(); ++slice) {
+    const ScheduledValue& other = value[operands[slice]];
+    if (other.unit != first.unit || other.slice != slice || other.offset != first.offset) return false;
+  }
+  return true;
+}
+
+int Schedule::index_of(ValueId v) const {
+  const ScheduledUnit& unit = units[static_cast<std::size_t>(value[v].unit)];
+  return unit.first_stored + static_cast<int>(value[v].slice) * unit.stride + unit.stored[value[v].offset];
+}
+
+void Schedule::place_values(const Program& program) {
+  value.assign(program.nodes.size(), {});
+  for (std::size_t u = 0; u < units.size(); ++u)
+    for (std::size_t i = units[u].first; i < units[u].last(); ++i) {
+      const Node& node = program.nodes[order[i]];
+      const std::size_t place = i - units[u].first;
+      ScheduledValue& v = value[order[i]];
+      v.unit = static_cast<int>(u);
+      v.slice = place / units[u].period;
+      v.offset = place % units[u].period;
+      std::ranges::copy(node.operands, v.operands.begin());
+    }
+}
+
+Schedule schedule(const Program& program, const ScheduleOptions& options) {
+  const Rolling rolling = options.division == Division::cheapest ? worthwhile_loops(program, options) : Rolling{};
+  Schedule result;
+  if (rolling.loops.empty()) {
+    result = straight_schedule(program, options.division);
+    result.place_values(program);
+  } else {
+    result = rolled_schedule(program, rolling);
+  }
+  find_uses(program, result);
+  find_partners(program, result);
+  settle_slices(program, result);
+  return result;
+}
+
+}  // namespace mbgen
