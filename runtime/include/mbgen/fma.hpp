@@ -4,8 +4,17 @@
 // double (the vector_size extension of GCC and clang), where plain numbers count for every lane. Names as of the
 // instructions.
 
+// The header of the intrinsics takes a compiler longer to read than all others of a solver together: builtins stand in
+// for it where the compiler knows them.
 #if defined(__AVX__) && defined(__FMA__)
+#if !defined(__AVX512F__) && defined(__has_builtin)
+#if __has_builtin(__builtin_ia32_vfmaddpd256)
+#define MBGEN_FMA_BUILTINS
+#endif
+#endif
+#if !defined(MBGEN_FMA_BUILTINS)
 #include <immintrin.h>
+#endif
 #endif
 
 // Vectors wider than the processor's have no settled way to be passed; nothing here is called across files.
@@ -76,17 +85,40 @@ template <class Lanes>
 }
 
 #if defined(__AVX__) && defined(__FMA__)
-[[gnu::always_inline]] inline __m128d fused(const __m128d& a, const __m128d& b, const __m128d& c) noexcept {
+typedef double Two __attribute__((vector_size(16), may_alias));
+typedef double Four __attribute__((vector_size(32), may_alias));
+[[gnu::always_inline]] inline Two fused(const Two& a, const Two& b, const Two& c) noexcept {
+#if defined(MBGEN_FMA_BUILTINS)
+  return __builtin_ia32_vfmaddpd(a, b, c);
+#else
   return _mm_fmadd_pd(a, b, c);
+#endif
 }
-[[gnu::always_inline]] inline __m256d fused(const __m256d& a, const __m256d& b, const __m256d& c) noexcept {
+[[gnu::always_inline]] inline Four fused(const Four& a, const Four& b, const Four& c) noexcept {
+#if defined(MBGEN_FMA_BUILTINS)
+  return __builtin_ia32_vfmaddpd256(a, b, c);
+#else
   return _mm256_fmadd_pd(a, b, c);
+#endif
 }
-[[gnu::always_inline]] inline __m256d fused_less(const __m256d& a, const __m256d& b, const __m256d& c) noexcept {
+// clang makes one instruction of it with the sign, and has no builtins for these.
+[[gnu::always_inline]] inline Four fused_less(const Four& a, const Four& b, const Four& c) noexcept {
+#if defined(MBGEN_FMA_BUILTINS) && !defined(__clang__)
+  return __builtin_ia32_vfmsubpd256(a, b, c);
+#elif defined(MBGEN_FMA_BUILTINS)
+  return fused(a, b, -c);
+#else
   return _mm256_fmsub_pd(a, b, c);
+#endif
 }
-[[gnu::always_inline]] inline __m256d fused_from(const __m256d& a, const __m256d& b, const __m256d& c) noexcept {
+[[gnu::always_inline]] inline Four fused_from(const Four& a, const Four& b, const Four& c) noexcept {
+#if defined(MBGEN_FMA_BUILTINS) && !defined(__clang__)
+  return __builtin_ia32_vfnmaddpd256(a, b, c);
+#elif defined(MBGEN_FMA_BUILTINS)
+  return fused(-a, b, c);
+#else
   return _mm256_fnmadd_pd(a, b, c);
+#endif
 }
 #if defined(__AVX512F__)
 [[gnu::always_inline]] inline __m512d fused(const __m512d& a, const __m512d& b, const __m512d& c) noexcept {
@@ -101,12 +133,10 @@ template <class Lanes>
 #else
 typedef double Eight __attribute__((vector_size(64)));
 [[gnu::always_inline]] inline Eight fused(const Eight& a, const Eight& b, const Eight& c) noexcept {
-  const __m256d low =
-      _mm256_fmadd_pd(__builtin_shufflevector(a, a, 0, 1, 2, 3), __builtin_shufflevector(b, b, 0, 1, 2, 3),
-                      __builtin_shufflevector(c, c, 0, 1, 2, 3));
-  const __m256d high =
-      _mm256_fmadd_pd(__builtin_shufflevector(a, a, 4, 5, 6, 7), __builtin_shufflevector(b, b, 4, 5, 6, 7),
-                      __builtin_shufflevector(c, c, 4, 5, 6, 7));
+  const Four low = fused(__builtin_shufflevector(a, a, 0, 1, 2, 3), __builtin_shufflevector(b, b, 0, 1, 2, 3),
+                         __builtin_shufflevector(c, c, 0, 1, 2, 3));
+  const Four high = fused(__builtin_shufflevector(a, a, 4, 5, 6, 7), __builtin_shufflevector(b, b, 4, 5, 6, 7),
+                          __builtin_shufflevector(c, c, 4, 5, 6, 7));
   return __builtin_shufflevector(low, high, 0, 1, 2, 3, 4, 5, 6, 7);
 }
 #endif

@@ -6,6 +6,10 @@
 #include <cmath>
 #include <type_traits>
 
+#if defined(__AVX__) && defined(__FMA__)
+#include <immintrin.h>
+#endif
+
 #include "mbgen/elementary.hpp"
 #include "mbgen/fma.hpp"
 #include "mbgen/scalar.hpp"
