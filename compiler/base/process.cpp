@@ -5,47 +5,126 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
+#include <csignal>
+#include <ctime>
+#include <map>
 #include <sstream>
+#include <thread>
 
 namespace mbgen::cli {
 namespace {
 
 constexpr pid_t kNoProcess = -1;
+constexpr timespec kLongestPause{0, 50'000'000};  // 50 ms, for whoever watches
 
-pid_t start(const Command& command) {
+/// Signals that wait while programs run: the end of a program, and those that would end this process and leave the
+/// programs at work.
+class HeldSignals {
+ public:
+  HeldSignals() {
+    ::sigemptyset(&held_);
+    ::sigaddset(&held_, SIGCHLD);
+    ::pthread_sigmask(SIG_SETMASK, nullptr, &before_);
+    for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
+      struct sigaction action = {};
+      ::sigaction(signal, nullptr, &action);
+      if (action.sa_handler == SIG_DFL && ::sigismember(&before_, signal) == 0) ::sigaddset(&held_, signal);
+    }
+    ::pthread_sigmask(SIG_BLOCK, &held_, nullptr);
+  }
+  HeldSignals(const HeldSignals&) = delete;
+  HeldSignals& operator=(const HeldSignals&) = delete;
+  ~HeldSignals() { ::pthread_sigmask(SIG_SETMASK, &before_, nullptr); }
+
+  /// Waits for a moment, or until a program has ended. Result: the signal that is to end this process, 0 without one.
+  int wait() const {
+    const int signal = ::sigtimedwait(&held_, nullptr, &kLongestPause);
+    return signal > 0 && signal != SIGCHLD ? signal : 0;
+  }
+
+  const sigset_t& before() const { return before_; }
+
+ private:
+  sigset_t held_ = {}, before_ = {};
+};
+
+/// Starts a program in a process group of its own, which holds what it starts in turn.
+pid_t start(const Command& command, const sigset_t& signals) {
   posix_spawn_file_actions_t actions;
   posix_spawn_file_actions_init(&actions);
   posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
   posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, command.log.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0644);
   posix_spawn_file_actions_adddup2(&actions, STDOUT_FILENO, STDERR_FILENO);
+  posix_spawnattr_t attributes;
+  posix_spawnattr_init(&attributes);
+  posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP | POSIX_SPAWN_SETSIGMASK);
+  posix_spawnattr_setpgroup(&attributes, 0);
+  posix_spawnattr_setsigmask(&attributes, &signals);
   std::vector<std::string> words = command.arguments;
   std::vector<char*> arguments;
   for (std::string& word : words) arguments.push_back(word.data());
   arguments.push_back(nullptr);
   pid_t process = kNoProcess;
-  const int error = posix_spawnp(&process, arguments[0], &actions, nullptr, arguments.data(), environ);
+  const int error = posix_spawnp(&process, arguments[0], &actions, &attributes, arguments.data(), environ);
+  posix_spawnattr_destroy(&attributes);
   posix_spawn_file_actions_destroy(&actions);
   return error == 0 ? process : kNoProcess;
 }
 
-int wait_for(pid_t process) {
-  if (process == kNoProcess) return kNotStarted;
+/// Exit code of a program, negative while it runs.
+int ask(pid_t process, int options) {
   int state = 0;
-  while (::waitpid(process, &state, 0) < 0) {
-    if (errno != EINTR) return kNotStarted;
-  }
+  pid_t ended = 0;
+  do {
+    ended = ::waitpid(process, &state, options);
+  } while (ended < 0 && errno == EINTR);
+  if (ended == 0) return -1;
+  if (ended < 0) return kNotStarted;
   return WIFEXITED(state) ? WEXITSTATUS(state) : 128 + WTERMSIG(state);
+}
+
+/// Programs at work, by their places in the list.
+using Running = std::map<std::size_t, pid_t>;
+
+void end_all(const Running& running) {
+  for (const auto& [place, process] : running) ::kill(-process, SIGTERM);
+  for (const auto& [place, process] : running) ask(process, 0);
 }
 
 }  // namespace
 
-std::vector<int> run_side_by_side(const std::vector<Command>& commands) {
-  std::vector<pid_t> processes;
-  for (const Command& command : commands) processes.push_back(start(command));
-  std::vector<int> codes;
-  for (const pid_t process : processes) codes.push_back(wait_for(process));
-  return codes;
+std::vector<int> run_side_by_side(const std::vector<Command>& commands,
+                                  const std::function<void(std::size_t ended)>& watch) {
+  const HeldSignals signals;
+  const std::size_t most = std::max(1U, std::thread::hardware_concurrency());
+  std::vector<int> codes(commands.size(), kNotStarted);
+  Running running;
+  std::size_t next = 0;
+  bool has_failed = false;
+  while (true) {
+    for (; running.size() < most && next < commands.size() && !has_failed; ++next) {
+      const pid_t process = start(commands[next], signals.before());
+      if (process == kNoProcess)
+        has_failed = true;
+      else
+        running[next] = process;
+    }
+    if (running.empty()) return codes;
+    if (watch) watch(next - running.size());
+    if (const int signal = signals.wait(); signal != 0) {
+      end_all(running);
+      throw Interrupted{signal};
+    }
+    std::erase_if(running, [&](const auto& one) {
+      const int code = ask(one.second, WNOHANG);
+      if (code < 0) return false;
+      codes[one.first] = code;
+      has_failed = has_failed || code != 0;
+      return true;
+    });
+  }
 }
 
 std::vector<std::string> split_words(const std::string& line) {

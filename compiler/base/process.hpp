@@ -1,7 +1,9 @@
 #pragma once
 // Other programs, started without a shell.
 
+#include <cstddef>
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -13,12 +15,21 @@ struct Command {
   std::filesystem::path log;
 };
 
-/// Exit code of a program that could not be started.
+/// Exit code of a program that was not started.
 constexpr int kNotStarted = 127;
 
-/// Runs all of them at the same time and waits for the last. Result: exit codes, in order; 128 + signal for a killed
-/// one.
-std::vector<int> run_side_by_side(const std::vector<Command>& commands);
+/// A signal that ends this process came while it waited for programs. It passes through every function, so that they
+/// tidy up; main then ends by the signal.
+struct Interrupted {
+  int signal = 0;
+};
+
+/// Runs programs, in order, as many at a time as there are processors, and waits for the last. None is started after
+/// one that failed. watch: called every few hundredths of a second with the number of programs that have ended. Result:
+/// exit codes, in order; 128 + signal for a killed one. The first that is not 0 is that of a program that failed.
+/// Fails: Interrupted, once the programs have been ended.
+std::vector<int> run_side_by_side(const std::vector<Command>& commands,
+                                  const std::function<void(std::size_t ended)>& watch = {});
 
 /// The words of a command line, split at blanks.
 std::vector<std::string> split_words(const std::string& line);

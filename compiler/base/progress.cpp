@@ -1,32 +1,51 @@
 #include "compiler/base/progress.hpp"
 
 #include <fmt/format.h>
+#include <sys/ioctl.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cstdio>
 
 namespace mbgen::cli {
 namespace {
 
-constexpr int kWidth = 40;
+constexpr int kBarWidth = 40;
+constexpr std::size_t kUsualWidth = 80;  // of a terminal that does not tell
 constexpr std::chrono::milliseconds kInterval{100};
+
+/// Columns of the terminal; in the last one the cursor would go on to the next line.
+std::size_t columns() {
+  winsize size = {};
+  const bool tells = ::ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 1;
+  return (tells ? size.ws_col : kUsualWidth) - 1;
+}
 
 }  // namespace
 
-Progress::Progress(long total) : total_(total), is_terminal_(::isatty(STDERR_FILENO) == 1), last_(Clock::now()) {}
+StatusLine::StatusLine() : is_terminal_(::isatty(STDERR_FILENO) == 1), last_(Clock::now()) {}
 
-void Progress::show(long done) {
-  if (!is_terminal_ || Clock::now() - last_ < kInterval) return;
+bool StatusLine::is_due() const { return is_terminal_ && Clock::now() - last_ >= kInterval; }
+
+void StatusLine::show(const std::string& text) {
   last_ = Clock::now();
   is_shown_ = true;
-  const double part = static_cast<double>(done) / static_cast<double>(total_);
-  fmt::print(stderr, "\r[{:<{}}] {:3.0f} %", std::string(static_cast<std::size_t>(part * kWidth), '#'), kWidth,
-             100 * part);
+  fmt::print(stderr, "\r{}\x1b[K", text.substr(0, columns()));
   std::fflush(stderr);
 }
 
-void Progress::clear() {
-  if (is_shown_) fmt::print(stderr, "\r{:{}}\r", "", kWidth + 10);
+void StatusLine::clear() {
+  if (!is_shown_) return;
+  fmt::print(stderr, "\r\x1b[K");
+  std::fflush(stderr);
+  is_shown_ = false;
+}
+
+void Progress::show(long done) {
+  if (!line_.is_due()) return;
+  const double part = static_cast<double>(done) / static_cast<double>(total_);
+  line_.show(fmt::format("[{:<{}}] {:3.0f} %", std::string(static_cast<std::size_t>(part * kBarWidth), '#'), kBarWidth,
+                         100 * part));
 }
 
 }  // namespace mbgen::cli

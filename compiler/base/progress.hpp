@@ -1,24 +1,43 @@
 #pragma once
-// A progress bar on standard error, when that is a terminal.
+// What takes a while, on standard error, when that is a terminal.
 
 #include <chrono>
+#include <string>
 
 namespace mbgen::cli {
 
-/// Shows how many of `total` steps are done, a few times a second. Silent in a pipe.
-class Progress {
+/// A line that is written over as things change, a few times a second. Silent in a pipe.
+class StatusLine {
  public:
-  explicit Progress(long total);
-  void show(long done);
-  /// Takes the bar away.
+  StatusLine();
+  StatusLine(const StatusLine&) = delete;
+  StatusLine& operator=(const StatusLine&) = delete;
+  ~StatusLine() { clear(); }
+  /// Whether to show something now: on a terminal, unless the line changed a moment ago.
+  bool is_due() const;
+  /// Writes the text, cut at the width of the terminal. Requires: is_due().
+  void show(const std::string& text);
+  /// Takes the line away.
   void clear();
 
  private:
   using Clock = std::chrono::steady_clock;
-  long total_;
   bool is_terminal_;
   bool is_shown_ = false;
   Clock::time_point last_;
+};
+
+/// A bar of how many of `total` steps are done.
+class Progress {
+ public:
+  explicit Progress(long total) : total_(total) {}
+  void show(long done);
+  /// Takes the bar away.
+  void clear() { line_.clear(); }
+
+ private:
+  long total_;
+  StatusLine line_;
 };
 
 }  // namespace mbgen::cli

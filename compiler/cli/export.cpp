@@ -105,23 +105,23 @@ void compile_library(const Platform& platform, const fs::path& scratch, const fs
   if (!is_windows) compiler.flags.emplace_back("-fPIC");
   write_sources(scratch / "include", files.headers);
   write_sources(objects, {{exported.filename(), "{ global: fmi[23]*; local: *; };\n"}});
-  std::vector<Command> compilations;
+  std::vector<Source> sources;
+  for (const EmittedFile& file : files.packed) {
+    const std::string name = fs::path(file.path).filename();
+    if (std::find(files.sources.begin(), files.sources.end(), name) == files.sources.end()) continue;
+    sources.push_back({content / file.path, file.rare_parts, name == files.large});
+  }
+  const std::string product = fmt::format("the unit of {} for {}", files.identifier, platform.name);
   Command link{compiler.words, objects / "link.log"};
   const std::vector<std::string> flags = link_flags(platform, exported);
   link.arguments.insert(link.arguments.end(), flags.begin(), flags.end());
   link.arguments.insert(link.arguments.end(), {"-o", library.string()});
-  for (const std::string& source : files.sources) {
-    const std::string object = (objects / source).string() + ".o";
-    Command compilation{compilation_of(compiler, {content / "sources", scratch / "include"}), object + ".log"};
-    compilation.arguments.insert(compilation.arguments.end(),
-                                 {"-c", (content / "sources" / source).string(), "-o", object});
-    if (source == files.large) compilation.arguments.push_back("-O1");
-    compilations.push_back(std::move(compilation));
-    link.arguments.push_back(object);
+  for (std::string& object :
+       compile_sources(compiler, {content / "sources", scratch / "include"}, sources, objects, product)) {
+    link.arguments.push_back(std::move(object));
   }
   if (!is_windows) link.arguments.insert(link.arguments.end(), {"-Wl,--as-needed", "-lm", "-lc", "-lgcc"});
-  run_all(compilations);
-  run_all({link});
+  run_all({link}, product);
   fs::permissions(library, kReadable | fs::perms::owner_exec | fs::perms::group_exec | fs::perms::others_exec);
 }
 

@@ -13,6 +13,7 @@
 
 #include "compiler/base/assignments.hpp"
 #include "compiler/base/files.hpp"
+#include "compiler/base/process.hpp"
 #include "compiler/base/user_error.hpp"
 #include "compiler/cli/commands.hpp"
 #include "compiler/emit/emit.hpp"
@@ -81,6 +82,8 @@ int main(int argc, char** argv) {
   } catch (const UserError& error) {
     fmt::print(stderr, "{}", error.text(style_of_errors()));
     return kUserFault;
+  } catch (const Interrupted& interrupted) {
+    std::raise(interrupted.signal);
   } catch (const std::exception& error) {
     fmt::print(stderr, "mbgen: a defect of mbgen, please report it with the model: {}\n", error.what());
   } catch (...) {

@@ -59,13 +59,14 @@ std::vector<EmittedFile> emit(const Programs& programs, const Model& model, cons
                             options.lanes,
                             options.c_interface,
                             options.scalar,
-                            options.initial};
+                            options.initial,
+                            options.file_part_values};
   const std::string& name = context.names.solver;
   const std::vector<ShapedProgram> solver =
       shaped_programs(programs, context.layout, context.names, options.scalar, options.roll_above);
   const nlohmann::ordered_json manifest = manifest_json(context, solver);
   std::vector<EmittedFile> files = {{name + ".hpp", interface_text(context)},
-                                    {name + ".cpp", solver_text(context, solver)},
+                                    solver_file(context, solver),
                                     {name + "_cost.txt", cost_text(manifest, banner_text(model, "#"))},
                                     {"CMakeLists.txt", build_text(context)}};
   if (options.lanes > 0) {
@@ -112,6 +113,10 @@ std::optional<double> beyond_single_precision(const Programs& programs, const Mo
 
 std::vector<std::string> solver_compile_flags(CompilerFamily family) {
   return flags_in(family == CompilerFamily::gnu ? "gnu.flags" : "clang.flags");
+}
+
+std::vector<std::string> rare_compile_flags(CompilerFamily family) {
+  return flags_in(family == CompilerFamily::gnu ? "gnu_rare.flags" : "clang_rare.flags");
 }
 
 std::vector<std::string> lane_flags_of_gnu_on_x86() { return flags_in("gnu_lanes_x86.flags"); }

@@ -16,10 +16,17 @@ namespace mbgen {
 /// Version of mbgen in banners and manifests, equal to the project version of CMakeLists.txt.
 constexpr const char* kMbgenVersion = "0.1.0";
 
+/// Values that make a part of a file worth a compilation of its own: that reads the headers once more, which takes as
+/// long as some thousand values.
+constexpr std::size_t kFilePartValues = 4000;
+
 /// A file to write, path relative to the output directory.
 struct EmittedFile {
   std::string path;
   std::string text;
+  /// Of a source: compilations with MBGEN_PART = 0, 1, ..., rare_parts give together what one without it gives. What
+  /// the parts from 1 on hold runs rarely.
+  int rare_parts = 0;
 };
 
 /// A parameter that acts at the start, and the change of the velocities there by its change of 1.
@@ -37,6 +44,7 @@ struct InitialState {
 struct EmitOptions {
   bool runtime_headers = true;          ///< add the runtime's headers under mbgen/, so that the directory stands alone
   std::size_t roll_above = kRollAbove;  ///< operations of a program above which equal subsystems become loops
+  std::size_t file_part_values = kFilePartValues;  ///< least number of values in a part of the file that runs rarely
   int lanes = 0;                  ///< instances that a call of the batch interface solves, 0 for no such interface
   std::string scalar = "double";  ///< of the solver: double, or float without the two interfaces
   std::optional<InitialState> initial = {};  ///< add initial_state() to the interfaces
@@ -74,6 +82,9 @@ enum class CompilerFamily { gnu, clang };
 /// program's own: docs/evidence/determinism.md. Other flags were measured:
 /// docs/evidence/performance.md, "What was tried and left out".
 std::vector<std::string> solver_compile_flags(CompilerFamily family);
+
+/// Further flags for code that runs rarely: its compilation is to be short. The bits of results stay.
+std::vector<std::string> rare_compile_flags(CompilerFamily family);
 
 /// Further flags of g++ for solvers with lanes on x86-64, and only there.
 std::vector<std::string> lane_flags_of_gnu_on_x86();

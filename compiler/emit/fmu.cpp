@@ -142,7 +142,7 @@ FmuFiles emit_fmu(const Programs& programs, const Programs& emitted, const Model
 
   std::vector<EmittedFile> sources = {
       {solver + ".hpp", interface_text(context)},
-      {solver + ".cpp", solver_text(context, shaped) + fill_template("fmu_held.cpp.in", {{"solver", solver}})},
+      solver_file(context, shaped, fill_template("fmu_held.cpp.in", {{"solver", solver}})),
       {solver + "_directional.hpp", directional_header_text(context)},
       {solver + "_directional.cpp", directional_source_text(context, programs)},
       {solver + "_fmu.hpp", model_text(context, fmu, initial)},
@@ -153,7 +153,8 @@ FmuFiles emit_fmu(const Programs& programs, const Programs& emitted, const Model
   files.large = solver + "_directional.cpp";
   add_runtime_headers(sources);
   sources.push_back({"buildDescription.xml", build_description(context, version, files.sources)});
-  for (EmittedFile& file : sources) files.packed.push_back({"sources/" + file.path, std::move(file.text)});
+  for (EmittedFile& file : sources)
+    files.packed.push_back({"sources/" + file.path, std::move(file.text), file.rare_parts});
   files.packed.push_back({"modelDescription.xml", model_description(context, fmu, version, files.sources)});
   files.packed.push_back({"documentation/index.html", documentation(context, fmu, version)});
   if (version == FmiVersion::three)

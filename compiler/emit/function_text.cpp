@@ -1,5 +1,6 @@
 #include "compiler/emit/function_text.hpp"
 
+#include "compiler/emit/file_parts.hpp"
 #include "compiler/emit/text.hpp"
 
 namespace mbgen {
@@ -94,22 +95,21 @@ std::string part_function(const ProgramShape& shape, const CrossingStructs& cros
          part.body + "}\n\n";
 }
 
-}  // namespace
-
-void add_line(PartText& part, const std::string& statement) {
-  part.body += wrapped_statement(part.indent + statement) + "\n";
+/// The function without a body, for the parts of the file that call it.
+std::string declaration(const ProgramShape& shape) {
+  std::set<std::string> all = {"result"};
+  for (const auto& [name, text] : shape.arguments) all.insert(name);
+  return wrapped_statement("void " + shape.function + "(" + parameter_list(shape, {}, all, Signature::whole) +
+                           ") noexcept;") +
+         "\n";
 }
 
-void add_comment(PartText& part, const std::string& words) {
-  part.body += wrapped_words(words, part.indent + "// ") + "\n";
-}
-
-std::string function_text(const ProgramShape& shape, const std::vector<PartText>& parts,
-                          const CrossingStructs& crossing) {
-  const std::string structs = result_struct(shape) + work_structs(shape, crossing);
+/// The structs of values that cross parts, and the functions.
+std::string definitions(const ProgramShape& shape, const std::vector<PartText>& parts,
+                        const CrossingStructs& crossing) {
+  const std::string structs = work_structs(shape, crossing);
   std::string work;
-  for (const CrossingStruct& values : crossing)
-    work += "  " + work_type(shape, values) + " " + values.argument + ";\n";
+  for (const CrossingStruct& values : crossing) work += "  " + work_type(shape, values) + " " + values.argument + ";\n";
   std::string functions, calls;
   std::set<std::string> used;
   for (std::size_t p = 0; p < parts.size(); ++p) {
@@ -128,6 +128,23 @@ std::string function_text(const ProgramShape& shape, const std::vector<PartText>
   }
   for (const CrossingStruct& values : crossing) used.erase(values.argument);
   return structs + functions + whole_heading(shape, used) + work + calls + "}\n";
+}
+
+}  // namespace
+
+void add_line(PartText& part, const std::string& statement) {
+  part.body += wrapped_statement(part.indent + statement) + "\n";
+}
+
+void add_comment(PartText& part, const std::string& words) {
+  part.body += wrapped_words(words, part.indent + "// ") + "\n";
+}
+
+std::string function_text(const ProgramShape& shape, const std::vector<PartText>& parts,
+                          const CrossingStructs& crossing) {
+  const std::string text = definitions(shape, parts, crossing);
+  if (shape.file_part == 0) return result_struct(shape) + text;
+  return result_struct(shape) + declaration(shape) + "\n" + in_file_part(shape.file_part, text);
 }
 
 }  // namespace mbgen

@@ -27,7 +27,8 @@ void add_comment(PartText& part, const std::string& words);
 
 /// Struct of the result (when the shape has members), struct of the values that cross parts (when there are any), one
 /// static function per part and the function that calls them; a single part is that function itself.
-/// crossing: structs of the values that cross parts.
+/// crossing: structs of the values that cross parts. Where the file has parts, those that only call the function see
+/// the struct of its result and a declaration.
 std::string function_text(const ProgramShape& shape, const std::vector<PartText>& parts,
                           const CrossingStructs& crossing);
 

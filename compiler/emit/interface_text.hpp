@@ -19,11 +19,12 @@ struct EmitContext {
   const Analysis& analysis;
   SolverNames names;
   SolverLayout layout;
-  std::size_t roll_above = kRollAbove;       ///< see EmitOptions
-  int lanes = 0;                             ///< of the batch interface, 0 for none
-  bool c_interface = false;                  ///< whether there is one
-  std::string scalar = "double";             ///< of the solver: double or float
-  std::optional<InitialState> initial = {};  ///< where it starts, if it is to know
+  std::size_t roll_above = kRollAbove;             ///< see EmitOptions
+  int lanes = 0;                                   ///< of the batch interface, 0 for none
+  bool c_interface = false;                        ///< whether there is one
+  std::string scalar = "double";                   ///< of the solver: double or float
+  std::optional<InitialState> initial = {};        ///< where it starts, if it is to know
+  std::size_t file_part_values = kFilePartValues;  ///< see EmitOptions
 };
 
 /// First lines of every emitted file, each after `mark` ("//" or "#"): model, content hash, command, mbgen version.
@@ -38,8 +39,9 @@ std::string start_comment();
 /// `<model>.hpp`.
 std::string interface_text(const EmitContext& context);
 
-/// `<model>.cpp`.
-std::string solver_text(const EmitContext& context, const std::vector<ShapedProgram>& programs);
+/// `<model>.cpp`. appendix: further text of the solver, after its namespace.
+EmittedFile solver_file(const EmitContext& context, std::vector<ShapedProgram> programs,
+                        const std::string& appendix = "");
 
 /// The constants that the texts of a file use, under a heading; empty without any.
 std::string constants_text(const ConstantNames& names, const std::string& scalar);

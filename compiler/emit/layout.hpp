@@ -72,6 +72,8 @@ struct ProgramShape {
   ConstantNames* constants = nullptr;
   /// Values after which mbgen::read_back() is called, 0: never.
   std::size_t read_back_after = 0;
+  /// Part of the file that defines the function, see file_parts.hpp.
+  int file_part = 0;
 };
 
 /// A constant of a program as it is written: by its name where it has one.

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "compiler/emit/file_parts.hpp"
 #include "compiler/emit/input_text.hpp"
 #include "compiler/emit/interface_text.hpp"
 #include "compiler/emit/legend.hpp"
@@ -214,13 +215,14 @@ std::string constants_text(const ConstantNames& names, const std::string& scalar
   return declarations.empty() ? "" : "// Numbers of the model.\n" + declarations + "\n";
 }
 
-std::string solver_text(const EmitContext& context, const std::vector<ShapedProgram>& all) {
+EmittedFile solver_file(const EmitContext& context, std::vector<ShapedProgram> programs, const std::string& appendix) {
   check_residual_order(context);
-  std::string programs, members;
+  std::string hot, rare, members;
   ConstantNames constants(context.programs);
-  for (ShapedProgram shaped : all) {
+  const int rare_parts = divide_file(programs, context.file_part_values);
+  for (ShapedProgram& shaped : programs) {
     shaped.shape.constants = &constants;
-    programs += program_text(*shaped.program, shaped.schedule, shaped.shape) + "\n";
+    (shaped.shape.file_part > 0 ? rare : hot) += program_text(*shaped.program, shaped.schedule, shaped.shape) + "\n";
     const std::string member = shaped.shape.function.substr(std::string("compute_").size());
     if (!shaped.shape.members.empty()) {
       members += "  using " + shaped.shape.result + " = " + context.names.solver + "::" + shaped.shape.result + ";\n";
@@ -232,21 +234,26 @@ std::string solver_text(const EmitContext& context, const std::vector<ShapedProg
     members += "  using Projection = " + context.names.solver + "::Projection;\n";
   }
   const std::string system = system_text(context, members, context.scalar);
+  const std::string projection = projection_struct(context.layout, context.scalar);
   const InputText inputs = input_text(context.model, context.names, context.scalar);
-  return fill_template("solver.cpp.in", {{"banner", banner_text(context.model, "//") + legend_text(context)},
-                                         {"constants", constants_text(constants, context.scalar)},
-                                         {"solver", context.names.solver},
-                                         {"scalar", context.scalar},
-                                         {"projection_struct", projection_struct(context.layout, context.scalar)},
-                                         {"programs", programs},
-                                         {"tuned_constructor", tuned_constructor_text(context.programs)},
-                                         {"outputs_call", outputs_call(context)},
-                                         {"system", system},
-                                         {"advance_inputs", inputs.definition},
-                                         {"initial_state", initial_definition(context)},
-                                         {"inputs_now", inputs.now},
-                                         {"inputs", inputs.name},
-                                         {"start", inputs.start}});
+  const std::string text = fill_template(
+      "solver.cpp.in", {{"banner", banner_text(context.model, "//") + legend_text(context)},
+                        {"constants", constants_text(constants, context.scalar)},
+                        {"solver", context.names.solver},
+                        {"scalar", context.scalar},
+                        {"file_parts", rare_parts > 0 ? file_parts_text(rare_parts) : ""},
+                        {"programs", rare_parts > 0 ? divided_programs(hot, projection + rare) : projection + hot},
+                        {"end_of_part", rare_parts > 0 ? "#endif  // part 0\n" : ""},
+                        {"tuned_constructor", tuned_constructor_text(context.programs)},
+                        {"outputs_call", outputs_call(context)},
+                        {"system", system},
+                        {"advance_inputs", inputs.definition},
+                        {"initial_state", initial_definition(context)},
+                        {"inputs_now", inputs.now},
+                        {"inputs", inputs.name},
+                        {"start", inputs.start}});
+  return {context.names.solver + ".cpp",
+          text + (rare_parts > 0 && !appendix.empty() ? in_file_part(0, appendix) : appendix), rare_parts};
 }
 
 }  // namespace mbgen

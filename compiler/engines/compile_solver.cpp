@@ -38,31 +38,32 @@ std::string object_name(const std::string& solver, const std::vector<EmittedFile
   }
   for (const std::string& word : compiler.words) hash.add(word);
   for (const std::string& flag : compiler.flags) hash.add(flag);
+  for (const std::string& flag : compiler.rare_flags) hash.add(flag);
   hash.add(compiler.version);
   hash.add(processor());
   return fmt::format("{}-{}.so", solver, hash.text());
 }
 
-/// Compiles every source side by side and links them. Result: the shared object, in `scratch`.
-fs::path build(const fs::path& scratch, const std::vector<EmittedFile>& files, const HostCompiler& compiler) {
+/// Compiles the sources of a solver and links them. Result: the shared object, in `scratch`.
+fs::path build(const fs::path& scratch, const std::string& solver, const std::vector<EmittedFile>& files,
+               HostCompiler compiler) {
   std::vector<NamedText> texts;
-  std::vector<Command> compilations;
+  std::vector<Source> sources;
+  for (const EmittedFile& file : files) {
+    texts.push_back({file.path, file.text});
+    if (file.path.ends_with(".cpp")) sources.push_back({scratch / file.path, file.rare_parts});
+  }
+  write_files(scratch, texts);
+  compiler.flags.emplace_back("-fPIC");
+  const std::string product = "the solver of " + solver;
   const fs::path result = scratch / "solver.so";
   Command link{compiler.words, scratch / "link.log"};
   link.arguments.insert(link.arguments.end(), {"-shared", "-o", result.string()});
-  for (const EmittedFile& file : files) {
-    texts.push_back({file.path, file.text});
-    if (!file.path.ends_with(".cpp")) continue;
-    const std::string source = (scratch / file.path).string();
-    Command compilation{compilation_of(compiler, {scratch}), source + ".log"};
-    compilation.arguments.insert(compilation.arguments.end(), {"-fPIC", "-c", source, "-o", source + ".o"});
-    compilations.push_back(std::move(compilation));
-    link.arguments.push_back(source + ".o");
+  for (std::string& object : compile_sources(compiler, {scratch}, sources, scratch, product)) {
+    link.arguments.push_back(std::move(object));
   }
   link.arguments.push_back("-lm");
-  write_files(scratch, texts);
-  run_all(compilations);
-  run_all({link});
+  run_all({link}, product);
   return result;
 }
 
@@ -88,12 +89,13 @@ std::shared_ptr<const SolverTable> load_solver(const Compilation& compilation, c
   const bool has_cache = !cache.empty();
   const TemporaryDirectory scratch(has_cache ? cache : temporary_parent());
   const HostCompiler compiler = find_compiler(scratch.path(), "-march=native", choice.lanes);
-  const fs::path kept = cache / object_name(solver_name(compilation.model), files, compiler);
+  const std::string name = solver_name(compilation.model);
+  const fs::path kept = cache / object_name(name, files, compiler);
 
   if (has_cache && is_own_file(kept)) {
     if (auto solver = open_solver(kept, compilation.model.hash)) return solver;
   }
-  fs::path object = build(scratch.path(), files, compiler);
+  fs::path object = build(scratch.path(), name, files, compiler);
   if (has_cache) {
     fs::permissions(object, fs::perms::owner_all);  // whatever the umask leaves to others
     fs::rename(object, kept);                       // atomic, and onto the same bytes when another mbgen was faster

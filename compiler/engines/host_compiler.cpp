@@ -3,10 +3,12 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <chrono>
 #include <cstdlib>
 #include <stdexcept>
 
 #include "compiler/base/files.hpp"
+#include "compiler/base/progress.hpp"
 #include "compiler/base/user_error.hpp"
 #include "compiler/emit/emit.hpp"
 
@@ -41,7 +43,9 @@ HostCompiler find_cross_compiler(const std::filesystem::path& scratch, const Cro
   }
   compiler.version = read_text(answer);
   compiler.is_clang = compiler.version.find("clang") != std::string::npos;
-  compiler.flags = solver_compile_flags(compiler.is_clang ? CompilerFamily::clang : CompilerFamily::gnu);
+  const CompilerFamily family = compiler.is_clang ? CompilerFamily::clang : CompilerFamily::gnu;
+  compiler.flags = solver_compile_flags(family);
+  compiler.rare_flags = rare_compile_flags(family);
   return compiler;
 }
 
@@ -67,11 +71,45 @@ std::vector<std::string> compilation_of(const HostCompiler& compiler,
   return words;
 }
 
-void run_all(const std::vector<Command>& commands) {
-  const std::vector<int> codes = run_side_by_side(commands);
+void run_all(const std::vector<Command>& commands, const std::string& product) {
+  using Clock = std::chrono::steady_clock;
+  const Clock::time_point start = Clock::now();
+  StatusLine line;
+  const std::vector<int> codes = run_side_by_side(commands, [&](std::size_t ended) {
+    if (!line.is_due()) return;
+    const auto seconds = std::chrono::duration_cast<std::chrono::seconds>(Clock::now() - start).count();
+    line.show(fmt::format("compiling {}: {} of {} parts, {} s", product, ended, commands.size(), seconds));
+  });
+  line.clear();
   for (std::size_t i = 0; i < codes.size(); ++i) {
     if (codes[i] != 0) reject(commands[i]);
   }
+}
+
+std::vector<std::string> compile_sources(const HostCompiler& compiler,
+                                         const std::vector<std::filesystem::path>& directories,
+                                         const std::vector<Source>& sources, const std::filesystem::path& objects,
+                                         const std::string& product) {
+  std::vector<Command> compilations, rare;
+  std::vector<std::string> names;
+  for (const Source& source : sources) {
+    for (int part = 0; part <= source.rare_parts; ++part) {
+      const std::string base = (objects / source.path.filename()).string() + (part > 0 ? fmt::format(".{}", part) : "");
+      names.push_back(base + ".o");
+      Command compilation{compilation_of(compiler, directories), base + ".log"};
+      std::vector<std::string>& words = compilation.arguments;
+      if (source.is_rare || part > 0) {
+        words.insert(words.end(), compiler.rare_flags.begin(), compiler.rare_flags.end());
+      }
+      if (source.rare_parts > 0) words.push_back(fmt::format("-DMBGEN_PART={}", part));
+      words.insert(words.end(), {"-c", source.path.string(), "-o", names.back()});
+      (part > 0 ? rare : compilations).push_back(std::move(compilation));
+    }
+  }
+  // The first part of a large file takes longest, so that it starts first.
+  compilations.insert(compilations.end(), rare.begin(), rare.end());
+  run_all(compilations, product);
+  return names;
 }
 
 }  // namespace mbgen::cli

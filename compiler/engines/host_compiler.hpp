@@ -10,9 +10,10 @@
 namespace mbgen::cli {
 
 struct HostCompiler {
-  std::vector<std::string> words;  ///< of $CXX
-  std::string version;             ///< its own version text
-  std::vector<std::string> flags;  ///< of emitted code; without -fPIC
+  std::vector<std::string> words;       ///< of $CXX
+  std::string version;                  ///< its own version text
+  std::vector<std::string> flags;       ///< of emitted code; without -fPIC
+  std::vector<std::string> rare_flags;  ///< further ones for code that runs rarely
   bool is_clang = false;
 };
 
@@ -36,7 +37,22 @@ HostCompiler find_compiler(const std::filesystem::path& scratch, const std::stri
 std::vector<std::string> compilation_of(const HostCompiler& compiler,
                                         const std::vector<std::filesystem::path>& directories);
 
-/// Runs compilations side by side. Fails: std::runtime_error with the end of the messages of the first that fails.
-void run_all(const std::vector<Command>& commands);
+/// Runs compilations side by side and shows on a terminal how many of them have ended. product: what they make, in
+/// words. Fails: std::runtime_error with the end of the messages of the first that fails; Interrupted.
+void run_all(const std::vector<Command>& commands, const std::string& product);
+
+/// A source file to compile.
+struct Source {
+  std::filesystem::path path;
+  int rare_parts = 0;    ///< see EmittedFile
+  bool is_rare = false;  ///< all of it runs rarely
+};
+
+/// Compiles sources, large ones part by part; code that runs rarely with rare_flags. directories: of headers; objects:
+/// the directory for the objects; product: as for run_all. Result: the objects. Fails: as run_all.
+std::vector<std::string> compile_sources(const HostCompiler& compiler,
+                                         const std::vector<std::filesystem::path>& directories,
+                                         const std::vector<Source>& sources, const std::filesystem::path& objects,
+                                         const std::string& product);
 
 }  // namespace mbgen::cli

@@ -74,6 +74,16 @@
 
 #include <cmath>
 
+// Compiled with -DMBGEN_PART=0 this file is what runs at every step, with 1 to 2 programs that run rarely; the
+// 3 objects together are the solver. Compiled without MBGEN_PART it is the whole solver.
+#ifdef MBGEN_PART
+#define MBGEN_IS_PART(part) (MBGEN_PART == part)
+#define MBGEN_BETWEEN_PARTS inline namespace between_parts
+#else
+#define MBGEN_IS_PART(part) 1
+#define MBGEN_BETWEEN_PARTS namespace
+#endif
+
 namespace coach_mechanism {
 namespace {
 
@@ -394,11 +404,7 @@ constexpr double p_carrier_right_upper_ball_z = 0.37;
 constexpr double p_upper_arm_right_ball_y = -0.3;
 constexpr double p_upper_arm_right_ball_z = -0.02;
 
-/// Projection of the loop blocks, chosen at run time.
-struct Projection {
-  double Rz[58];  ///< of each block, row by row
-  double zdd_star[22];  ///< accelerations of each block at zero independent ones
-};
+#if MBGEN_IS_PART(0)
 
 /// Result of compute_accelerations.
 struct Accelerations {
@@ -5034,6 +5040,18 @@ void compute_closure(const Tuned& /*parameters*/, const Inputs& /*inputs*/, cons
   // operations: 98 add, 149 multiply
 }
 
+#endif  // part 0
+
+}  // namespace
+
+MBGEN_BETWEEN_PARTS {
+
+/// Projection of the loop blocks, chosen at run time.
+struct Projection {
+  double Rz[58];  ///< of each block, row by row
+  double zdd_star[22];  ///< accelerations of each block at zero independent ones
+};
+
 /// Result of compute_multipliers.
 struct ConstraintForces {
   double lambda[17];  ///< multipliers, loop after loop
@@ -5042,6 +5060,10 @@ struct ConstraintForces {
   double pivot[2];  ///< smallest pivot of each block over its reference
 };
 
+void compute_multipliers(const Tuned& parameters, const Inputs& inputs, const State& state,
+    const double* tau, const Derivative& derivative, ConstraintForces& __restrict result) noexcept;
+
+#if MBGEN_IS_PART(1)
 /// Values of compute_multipliers that cross its parts.
 struct ConstraintForcesWork {
   double
@@ -8049,6 +8071,7 @@ void compute_multipliers(const Tuned& /*parameters*/, const Inputs& /*inputs*/, 
   compute_multipliers_3(state, tau, derivative, work, result);
   compute_multipliers_4(state, work, result);
 }
+#endif  // part 1
 
 /// Result of compute_closure_terms.
 struct ClosureTerms {
@@ -8058,6 +8081,10 @@ struct ClosureTerms {
   double driven_acceleration[32];  ///< of driven coordinates, by their motions; no others
 };
 
+void compute_closure_terms(const Tuned& parameters, const Inputs& inputs, const State& state,
+    ClosureTerms& __restrict result) noexcept;
+
+#if MBGEN_IS_PART(1)
 /// Values of compute_closure_terms that cross its parts.
 struct ClosureTermsWork {
   double
@@ -9146,6 +9173,7 @@ void compute_closure_terms(const Tuned& /*parameters*/, const Inputs& /*inputs*/
   compute_closure_terms_1(state, work, result);
   compute_closure_terms_2(state, work, result);
 }
+#endif  // part 1
 
 /// Result of compute_chosen_accelerations.
 struct ChosenAccelerations {
@@ -9154,6 +9182,11 @@ struct ChosenAccelerations {
   double inertia[15];  ///< pivots of the final equations
 };
 
+void compute_chosen_accelerations(const Tuned& parameters, const Inputs& inputs, const State& state,
+    const double* tau, const Projection& projection,
+    ChosenAccelerations& __restrict result) noexcept;
+
+#if MBGEN_IS_PART(2)
 /// Values of compute_chosen_accelerations that cross its parts.
 struct ChosenAccelerationsWork {
   double
@@ -12979,7 +13012,12 @@ void compute_chosen_accelerations(const Tuned& /*parameters*/, const Inputs& /*i
   compute_chosen_accelerations_4(state, tau, projection, work, result);
   compute_chosen_accelerations_5(state, tau, projection, work, result);
 }
+#endif  // part 2
 
+void compute_outputs(const Tuned& parameters, const Inputs& inputs, const State& state,
+    const double* tau, const Derivative& derivative, Outputs& __restrict result) noexcept;
+
+#if MBGEN_IS_PART(2)
 /// Values of compute_outputs that cross its parts.
 struct OutputsWork {
   double
@@ -14577,7 +14615,12 @@ void compute_outputs(const Tuned& /*parameters*/, const Inputs& /*inputs*/, cons
   compute_outputs_1(state, work);
   compute_outputs_2(state, tau, work, result);
 }
+#endif  // part 2
 
+}  // namespace
+
+#if MBGEN_IS_PART(0)
+namespace {
 
 /// What the runtime's algorithms need to know of this model; see mbgen/solver.hpp.
 struct System {
@@ -14703,4 +14746,5 @@ const char* describe(mbgen::Status status) noexcept {
                         {kAuxiliaryStateNames, kAuxiliaryStates});
 }
 
+#endif  // part 0
 }  // namespace coach_mechanism

@@ -89,7 +89,7 @@ inline std::vector<std::string> foreign_symbols(const fs::path& object) {
   return foreign;
 }
 
-/// Emitted files and their driver as a loaded library.
+/// Emitted files and their driver as a loaded library. A solver of several parts is compiled part by part.
 class Loaded {
  public:
   /// files: with the solver and its driver; headers of the runtime are taken from the source tree.
@@ -97,9 +97,24 @@ class Loaded {
          const std::string& more_flags = "") {
     for (const EmittedFile& file : files) write(directory_.path(), file);
     const std::string base = (directory_.path() / name).string();
-    const std::string include = " -I" + directory_.path().string() + " -I" MBGEN_SOURCE_DIR "/runtime/include";
-    compilation_ = run(compile_command(compiler) + more_flags + include + " -shared -fPIC -o " + base + ".so " + base +
-                       ".cpp " + base + "_driver.cpp");
+    const std::string command = compile_command(compiler) + more_flags + " -I" + directory_.path().string() +
+                                " -I" MBGEN_SOURCE_DIR "/runtime/include -fPIC ";
+    std::string sources = base + "_driver.cpp";
+    const int rare_parts = std::find_if(files.begin(), files.end(), [&](const EmittedFile& file) {
+                             return file.path == name + ".cpp";
+                           })->rare_parts;
+    if (rare_parts == 0) sources += " " + base + ".cpp";
+    for (int part = 0; rare_parts > 0 && part <= rare_parts; ++part) {
+      const std::string object = base + "." + std::to_string(part) + ".o";
+      std::string words = command + "-c -DMBGEN_PART=" + std::to_string(part);
+      if (part > 0) {
+        for (const std::string& flag : rare_compile_flags(compiler.family)) words += " " + flag;
+      }
+      compilation_ = run(words + " -o " + object + " " + base + ".cpp");
+      if (compilation_.code != 0) return;
+      sources += " " + object;
+    }
+    compilation_ = run(command + "-shared -o " + base + ".so " + sources);
     if (compilation_.code != 0) return;
     handle_ = dlopen((base + ".so").c_str(), RTLD_NOW | RTLD_LOCAL);
     if (handle_ == nullptr) return;

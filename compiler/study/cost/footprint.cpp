@@ -102,7 +102,7 @@ Footprint measure_footprint(const std::vector<EmittedFile>& files, const std::st
     compilations.push_back(std::move(compilation));
   }
   write_files(scratch, texts);
-  run_all(compilations);
+  run_all(compilations, "the solver of " + solver + " to count its bytes");
   Footprint footprint;
   add_sections(objects, scratch, footprint);
   if (compiler.is_clang) {
