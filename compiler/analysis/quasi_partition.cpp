@@ -53,6 +53,15 @@ std::vector<std::vector<Eigen::MatrixXd>> quasi_jacobians(NumericSystem& numbers
   return jacobians;
 }
 
+/// Leaves out the equations that the partition over joint rates leaves out, so that multipliers are the same over both.
+void keep_equations(const LoopPartition& partition, std::vector<Eigen::MatrixXd>& jacobians) {
+  std::vector<bool> kept(jacobians.empty() ? 0 : jacobians[0].rows(), false);
+  for (const Pivot& pivot : partition.pivots) kept[pivot.equation] = true;
+  for (Eigen::MatrixXd& jacobian : jacobians)
+    for (std::size_t e = 0; e < kept.size(); ++e)
+      if (!kept[e]) jacobian.row(static_cast<Eigen::Index>(e)).setZero();
+}
+
 }  // namespace
 
 void set_quasi_partitions(NumericSystem& numbers, const std::vector<Configuration>& configurations,
@@ -68,9 +77,10 @@ void set_quasi_partitions(NumericSystem& numbers, const std::vector<Configuratio
       with_balls.push_back(&unit);
   }
   if (with_balls.empty()) return;
-  const auto jacobians = quasi_jacobians(numbers, configurations, recursion, with_balls);
+  auto jacobians = quasi_jacobians(numbers, configurations, recursion, with_balls);
   for (std::size_t u = 0; u < with_balls.size(); ++u) {
     BlockAnalysis& block = analysis.blocks[with_balls[u]->block];
+    keep_equations(block, jacobians[u]);
     block.quasi = choose_partition(jacobians[u], block.rank, block.driven);
   }
 }

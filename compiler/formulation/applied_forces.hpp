@@ -100,7 +100,7 @@ void body_forces(ForceWork<T>& work) {
     };
     const Vector<T> force = to_carrier(value_of(system.model, applied.force, system.environment));
     const Vector<T> torque = to_carrier(value_of(system.model, applied.torque, system.environment));
-    act(work, {applied.at.body, force, torque, local_position(system, work.k, place)});
+    act(work, {applied.at.body, force, torque, arm_of(system, work.k, place, work.forces.about)});
   }
 }
 
@@ -110,6 +110,7 @@ void body_forces(ForceWork<T>& work) {
 template <class T>
 AppliedForces<T> applied_forces(System<T>& system, const Kinematics<T>& k, const Velocities<T>& v) {
   AppliedForces<T> forces;
+  forces.about = v.about;
   forces.wrench.resize(system.topology.bodies.size());
   forces.joint.assign(system.topology.bodies.size(), T(0.0));
   detail::ForceWork<T> work{system, k, v, forces};

@@ -31,8 +31,7 @@ void rod_forces(System<T>& system, const Kinematics<T>& k, const Accelerations<T
       const RodConstants<T>& rod = system.constants.rods[loop.rod];
       const auto acceleration = [&](const Place<T>& end) {
         const int carrier = system.layout.frame_of(end.body);
-        return direction_in(system, k, carrier, acceleration_of(system, a, end.body).at(local_position(system, k, end)),
-                            block.base);
+        return direction_in(system, k, carrier, place_acceleration(system, k, a, end), block.base);
       };
       const Rod& ends = system.model.rods[loop.rod];
       apply_force(work, ends.from.body, rod.from, -rod.coupling * acceleration(rod.to), block.base);

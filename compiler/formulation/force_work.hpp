@@ -19,17 +19,18 @@ template <class T>
 struct Action {
   int body = -1;            ///< index into Model::bodies
   Vector<T> force, moment;  ///< N, N m
-  Vector<T> point;          ///< of the force, m
+  Vector<T> point;          ///< of the force, m, from the point of AppliedForces::about
 };
 
 template <class T>
 struct AppliedForces {
-  std::vector<Spatial<T>> wrench;  ///< per body, about the origin of the frame that carries it
+  std::vector<Spatial<T>> wrench;  ///< per body, in the axes of the frame that carries it
   std::vector<T> joint;            ///< per coordinate, N or N m
   std::vector<Action<T>> actions;  ///< terms of the sum `wrench`, and actions on bodies fixed to ground
   std::vector<T> xd;               ///< rates of the auxiliary states
   std::vector<ElementState<T>> springs, air_springs;
   std::vector<TyreResult<T>> tyres;
+  MotionPoint about = MotionPoint::frame_origin;  ///< point of the body that wrenches are about
 };
 
 namespace detail {
@@ -89,7 +90,7 @@ void apply_force(ForceWork<T>& work, int model_body, const Place<T>& place, cons
   act(work, {model_body,
              direction_up(work.system, work.k, frame, force, carrier),
              {},
-             local_position(work.system, work.k, place)});
+             arm_of(work.system, work.k, place, work.forces.about)});
 }
 
 /// Two places joined by a line element; `tension` gives its force from length and rate.

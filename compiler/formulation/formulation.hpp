@@ -15,4 +15,5 @@
 #include "compiler/formulation/outputs.hpp"
 #include "compiler/formulation/reactions.hpp"
 #include "compiler/formulation/recursion.hpp"
+#include "compiler/formulation/recursion_forces.hpp"
 #include "compiler/formulation/solved_state.hpp"

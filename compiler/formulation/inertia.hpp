@@ -25,13 +25,32 @@ struct Inertias {
   }
 };
 
+/// Axes of a body's inertia in the frame that carries it: a rotor's are those of the body that it turns on.
+template <class T>
+Matrix<T> inertia_axes(const System<T>& system, const Kinematics<T>& k, int i) {
+  if (system.layout.frame_of(i) == i) return identity<T>();
+  if (!system.layout.bodies[i].rotor) return k.orientation[i];
+  return system.on_base(i) ? identity<T>() : k.orientation[system.topology.bodies[i].parent];
+}
+
+/// Force that a rigid part of tree body i (or of ground) takes, moments in the part's own axes, where its inertia is
+/// constant. Result: about the point of the motion.
+template <class T>
+Spatial<T> part_force(const System<T>& system, const Kinematics<T>& k, int i, const Part<T>& part,
+                      const Vector<T>& angular_velocity, const Acceleration<T>& a, MotionPoint about) {
+  const Matrix<T> axes = inertia_axes(system, k, i);
+  Vector<T> com = axes * part.com;
+  if (about == MotionPoint::frame_origin && system.layout.frame_of(i) != i) com = k.position[i] + com;
+  const Vector<T> w = transposed_times(axes, angular_velocity), alpha = transposed_times(axes, a.angular);
+  const Vector<T> force = part.mass * a.at(com);
+  return {force, cross(com, force) + axes * (part.inertia * alpha + cross(w, part.inertia * w))};
+}
+
 /// A rigid part of tree body i (or of ground), given from the body's origin in its axes.
 template <class T>
 BodyInertia<T> carried_part(const System<T>& system, const Kinematics<T>& k, int i, const Part<T>& part) {
   if (system.layout.frame_of(i) == i) return {part.mass, part.com, part.inertia};
-  Matrix<T> axes = k.orientation[i];
-  if (system.layout.bodies[i].rotor)
-    axes = system.on_base(i) ? identity<T>() : k.orientation[system.topology.bodies[i].parent];
+  const Matrix<T> axes = inertia_axes(system, k, i);
   return {part.mass, k.position[i] + axes * part.com, rotated(axes, part.inertia)};
 }
 

@@ -137,6 +137,14 @@ Kinematics<T> kinematics(System<T>& system) {
   return k;
 }
 
+/// Origin of a body from that of its parent, in the axes of its base frame, m.
+template <class T>
+Vector<T> offset_from_parent(const System<T>& system, const Kinematics<T>& k, int i) {
+  if (system.on_base(i)) return k.position[i];
+  const Vector<T> offset = k.orientation[system.topology.bodies[i].parent] * joint_offset(system, i);
+  return system.revolute(i) ? offset : offset + system.z(i) * k.base_column[i].linear;
+}
+
 /// Position of a place in a frame at or below the one that carries its body, m.
 template <class T>
 Vector<T> position_in(const System<T>& system, const Kinematics<T>& k, const Place<T>& place, int frame) {

@@ -6,7 +6,13 @@
 
 namespace mbgen {
 
-/// Acceleration of a body about a frame origin: of its point there (less gravity), angular, and w~w~ + alpha~.
+/// Point that the motion of a body, and the forces on it, are about, in the axes of the frame that carries the body.
+enum class MotionPoint {
+  frame_origin,  ///< of the frame that carries the body: the paper's Z (32)
+  body_origin    ///< the body's own: the recursive form
+};
+
+/// Acceleration of a body about such a point: of its point there (less gravity), angular, and w~w~ + alpha~.
 template <class T>
 struct Acceleration {
   Vector<T> linear, angular;
@@ -15,16 +21,19 @@ struct Acceleration {
   Vector<T> at(const Vector<T>& place) const { return linear + gradient * place; }
 };
 
-/// Z of (32): motion of each body about the origin of its base frame, and of own bodies also about their own.
+/// Motion of each body in the axes of its base frame (Z of (32) about that frame's origin), and of own bodies also in
+/// their own, about their own origin.
 template <class T>
 struct Velocities {
   std::vector<Spatial<T>> base, own;
+  MotionPoint about = MotionPoint::frame_origin;
 };
 
 template <class T>
 struct Accelerations {
   std::vector<Acceleration<T>> base, own;
   Acceleration<T> ground;  ///< -g, global axes
+  MotionPoint about = MotionPoint::frame_origin;
 };
 
 /// A motion seen from another frame: r holds its axes, `place` its origin, both in the old frame.
@@ -79,6 +88,30 @@ Acceleration<T> parent_acceleration(const System<T>& system, const Accelerations
   return p == system.layout.bodies[i].base ? a.own[p] : a.base[p];
 }
 
+/// Joint i in the base frame of its body, about the points that motions are about.
+template <class T>
+struct JointSeen {
+  Vector<T> offset;     ///< of the point of the child from that of its parent
+  Vector<T> axis, pin;  ///< pin: from the point of the child
+  Spatial<T> column;    ///< motion of the child for a unit rate
+  Vector<T> origin;     ///< of the child, from its point
+};
+
+template <class T>
+JointSeen<T> joint_seen(const System<T>& system, const Kinematics<T>& k, int i, MotionPoint about) {
+  const Vector<T>& axis = system.revolute(i) ? k.base_column[i].angular : k.base_column[i].linear;
+  if (about == MotionPoint::frame_origin) return {{}, axis, k.position[i], k.base_column[i], k.position[i]};
+  return {offset_from_parent(system, k, i), axis, {}, joint_column(system.revolute(i), axis, Vector<T>{}), {}};
+}
+
+/// Origin of an own body from the point of the body that its chain of joints starts on.
+template <class T>
+Vector<T> end_from_parent(const System<T>& system, const Kinematics<T>& k, int end, MotionPoint about) {
+  const int start = system.layout.bodies[end].chain_start;
+  if (about == MotionPoint::frame_origin || system.on_base(start)) return k.position[end];
+  return k.position[end] - k.position[system.topology.bodies[start].parent];
+}
+
 /// Joints of an own body's chain, lowest first.
 inline std::vector<int> chain_of(const Topology& topology, const Layout& layout, int end) {
   std::vector<int> chain;
@@ -92,21 +125,22 @@ inline std::vector<int> chain_of(const Topology& topology, const Layout& layout,
 
 /// Velocities of all bodies (step 4). Cost: linear.
 template <class T>
-Velocities<T> velocities(System<T>& system, const Kinematics<T>& k) {
+Velocities<T> velocities(System<T>& system, const Kinematics<T>& k, MotionPoint about = MotionPoint::frame_origin) {
   const int n = system.topology.size();
-  Velocities<T> v;
-  v.base.resize(n);
-  v.own.resize(n);
+  Velocities<T> v{std::vector<Spatial<T>>(n), std::vector<Spatial<T>>(n), about};
   for (int i = 0; i < n; ++i) {
     const BodyLayout& layout = system.layout.bodies[i];
     const auto heading = system.scribe.within(system.layout.titles[i]);
-    v.base[i] = advanced(detail::parent_velocity(system, v, i), k.base_column[i], system.zd(i));
+    const detail::JointSeen<T> joint = detail::joint_seen(system, k, i, about);
+    const Spatial<T> parent = detail::parent_velocity(system, v, i);
+    v.base[i] = advanced(Spatial<T>{velocity_at(parent, joint.offset), parent.angular}, joint.column, system.zd(i));
     if (layout.chain_start >= 0) {
-      v.own[i] = seen_from(k.orientation[i], k.position[i], detail::parent_velocity(system, v, layout.chain_start));
+      v.own[i] = seen_from(k.orientation[i], detail::end_from_parent(system, k, i, about),
+                           detail::parent_velocity(system, v, layout.chain_start));
       for (int j : detail::chain_of(system.topology, system.layout, i))
         v.own[i] = advanced(v.own[i], k.column[j], system.zd(j));
     } else if (layout.own_frame) {
-      v.own[i] = seen_from(k.orientation[i], k.position[i], v.base[i]);
+      v.own[i] = seen_from(k.orientation[i], joint.origin, v.base[i]);
     }
     name(system.scribe, v.base[i], "v", "w", system.body_name(i));
     name(system.scribe, v.own[i], "v", "w", system.body_name(i));
@@ -119,20 +153,20 @@ template <class T>
 Accelerations<T> accelerations(System<T>& system, const Kinematics<T>& k, const Velocities<T>& v,
                                const std::vector<T>& zdd) {
   const int n = system.topology.size();
-  Accelerations<T> a;
-  a.base.resize(n);
-  a.own.resize(n);
+  Accelerations<T> a{std::vector<Acceleration<T>>(n), std::vector<Acceleration<T>>(n), {}, v.about};
   a.ground.linear = -system.constants.gravity;
   for (int i = 0; i < n; ++i) {
     const BodyLayout& layout = system.layout.bodies[i];
     const auto heading = system.scribe.within(system.layout.titles[i]);
-    a.base[i] = advanced(detail::parent_acceleration(system, a, i), system.revolute(i),
-                         system.revolute(i) ? k.base_column[i].angular : k.base_column[i].linear, k.position[i],
-                         system.zd(i), zdd[i], detail::parent_velocity(system, v, i).angular, v.base[i].angular);
+    const detail::JointSeen<T> joint = detail::joint_seen(system, k, i, v.about);
+    Acceleration<T> parent = detail::parent_acceleration(system, a, i);
+    parent.linear = parent.at(joint.offset);
+    a.base[i] = advanced(parent, system.revolute(i), joint.axis, joint.pin, system.zd(i), zdd[i],
+                         detail::parent_velocity(system, v, i).angular, v.base[i].angular);
     if (layout.chain_start >= 0) {
-      Spatial<T> velocity =
-          seen_from(k.orientation[i], k.position[i], detail::parent_velocity(system, v, layout.chain_start));
-      Acceleration<T> own = seen_from(k.orientation[i], k.position[i],
+      const Vector<T> place = detail::end_from_parent(system, k, i, v.about);
+      Spatial<T> velocity = seen_from(k.orientation[i], place, detail::parent_velocity(system, v, layout.chain_start));
+      Acceleration<T> own = seen_from(k.orientation[i], place,
                                       detail::parent_acceleration(system, a, layout.chain_start), velocity.angular);
       for (int j : detail::chain_of(system.topology, system.layout, i)) {
         const Spatial<T> next = advanced(velocity, k.column[j], system.zd(j));
@@ -142,7 +176,7 @@ Accelerations<T> accelerations(System<T>& system, const Kinematics<T>& k, const 
       }
       a.own[i] = own;
     } else if (layout.own_frame) {
-      a.own[i] = seen_from(k.orientation[i], k.position[i], a.base[i], v.own[i].angular);
+      a.own[i] = seen_from(k.orientation[i], joint.origin, a.base[i], v.own[i].angular);
     }
     const Acceleration<T>& named = layout.own_frame ? a.own[i] : a.base[i];
     name(system.scribe, named.linear, "a_", system.body_name(i));
@@ -151,7 +185,7 @@ Accelerations<T> accelerations(System<T>& system, const Kinematics<T>& k, const 
   return a;
 }
 
-/// Motion of a body about the origin of the frame that carries it.
+/// Motion of a body in the axes of the frame that carries it.
 template <class T>
 Spatial<T> velocity_of(const System<T>& system, const Velocities<T>& v, int body) {
   if (body == kGround) return {};
@@ -169,12 +203,27 @@ Vector<T> local_position(const System<T>& system, const Kinematics<T>& k, const 
   return position_in(system, k, place, system.layout.frame_of(place.body));
 }
 
+/// A place from the point that the motion of its body is about, in the axes of the frame that carries the body.
+template <class T>
+Vector<T> arm_of(const System<T>& system, const Kinematics<T>& k, const Place<T>& place, MotionPoint about) {
+  if (about == MotionPoint::frame_origin || system.layout.frame_of(place.body) == place.body)
+    return local_position(system, k, place);
+  return k.orientation[place.body] * place.at;
+}
+
+/// Acceleration of a place less gravity, in the axes of the frame that carries it, m/s^2.
+template <class T>
+Vector<T> place_acceleration(const System<T>& system, const Kinematics<T>& k, const Accelerations<T>& a,
+                             const Place<T>& place) {
+  return acceleration_of(system, a, place.body).at(arm_of(system, k, place, a.about));
+}
+
 /// Velocity of a place, in the axes of a frame at or below the one that carries it, m/s.
 template <class T>
 Vector<T> velocity_in(const System<T>& system, const Kinematics<T>& k, const Velocities<T>& v, const Place<T>& place,
                       int frame) {
   const int carrier = system.layout.frame_of(place.body);
-  const Vector<T> velocity = velocity_at(velocity_of(system, v, place.body), local_position(system, k, place));
+  const Vector<T> velocity = velocity_at(velocity_of(system, v, place.body), arm_of(system, k, place, v.about));
   return direction_in(system, k, carrier, velocity, frame);
 }
 

@@ -29,15 +29,14 @@ template <class T>
 T point_output(const System<T>& system, const SolvedState<T>& s, const PointOutput& output) {
   const Place<T> place = place_of(system, output.point);
   const int carrier = system.layout.frame_of(place.body);
-  const Vector<T> local = local_position(system, s.kinematics, place);
   Vector<T> global;
   if (output.what == PointOutput::What::position) {
     global = position_in(system, s.kinematics, place, kGround);
   } else {
     const Vector<T> in_carrier =
         output.what == PointOutput::What::velocity
-            ? velocity_at(velocity_of(system, s.velocities, place.body), local)
-            : acceleration_of(system, s.accelerations, place.body).at(local) +
+            ? velocity_in(system, s.kinematics, s.velocities, place, carrier)
+            : place_acceleration(system, s.kinematics, s.accelerations, place) +
                   direction_up(system, s.kinematics, kGround, system.constants.gravity, carrier);
     if (output.in_body_axes)
       return component(in_axes_of(system, s.kinematics, carrier, in_carrier, output.point.body), output.axis);
@@ -146,22 +145,41 @@ std::vector<T> output_values(System<T>& system, const SolvedState<T>& s) {
 
 namespace detail {
 
-/// First moment of all mass about the origin of ground, in its axes, kg m. Cost: linear, from what (50) summed from the
-/// leaves; rods of the blocks on ground are not in those sums, see inertias().
+/// First moment of all mass about the origin of ground, in its axes, kg m. Cost: linear, each frame with all that moves
+/// on it.
 template <class T>
-Vector<T> first_moment(const System<T>& system, const Kinematics<T>& k, const Inertias<T>& m) {
-  Vector<T> moment;
-  for (int i = 0; i < system.topology.size(); ++i)
-    if (system.topology.bodies[i].parent == kGround) moment = moment + m.base[i].moment;
+Vector<T> first_moment(const System<T>& system, const Kinematics<T>& k) {
+  const Constants<T>& c = system.constants;
+  const int n = system.topology.size();
+  std::vector<T> mass(n + 1, T(0.0));
+  std::vector<Vector<T>> moment(n + 1);
+  const auto place_in = [n](int frame) { return frame == kGround ? n : frame; };
+  const auto add = [&](int frame, const T& m, const Vector<T>& at) {
+    mass[place_in(frame)] += m;
+    moment[place_in(frame)] = moment[place_in(frame)] + m * at;
+  };
+  for (int i = 0; i < n; ++i) {
+    const int frame = system.layout.frame_of(i);
+    if (frame == i)
+      add(frame, c.mass[i], c.com[i]);
+    else
+      add(frame, c.mass[i], k.position[i] + inertia_axes(system, k, i) * c.com[i]);
+  }
   for (const LoopBlock& block : system.topology.blocks)
     for (int l : block.loops) {
       const Loop& loop = system.topology.loops[l];
-      if (loop.kind != ClosureKind::rod || block.base != kGround) continue;
-      const RodConstants<T>& rod = system.constants.rods[loop.rod];
-      const Vector<T> ends = position_in(system, k, rod.from, kGround) + position_in(system, k, rod.to, kGround);
-      moment = moment + rod.coupling * ends;
+      if (loop.kind != ClosureKind::rod) continue;
+      const RodConstants<T>& rod = c.rods[loop.rod];
+      add(block.base, rod.coupling, position_in(system, k, rod.from, block.base));
+      add(block.base, rod.coupling, position_in(system, k, rod.to, block.base));
     }
-  return moment;
+  for (int i = n - 1; i >= 0; --i) {
+    if (!system.layout.bodies[i].own_frame) continue;
+    const int base = place_in(system.layout.bodies[i].base);
+    mass[base] += mass[i];
+    moment[base] = moment[base] + (mass[i] * k.position[i] + k.orientation[i] * moment[i]);
+  }
+  return moment[n];
 }
 
 /// Twice the kinetic energy of the coupling masses of the rods, J, each in the frame of its block.
@@ -184,18 +202,23 @@ T twice_the_energy_of_couplings(const System<T>& system, const SolvedState<T>& s
 
 /// Kinetic and gravitational energy, and the power of everything else that is applied. Cost: linear.
 template <class T>
-Energies<T> energies(System<T>& system, const SolvedState<T>& s, const Inertias<T>& m, const std::vector<T>& tau,
+Energies<T> energies(System<T>& system, const SolvedState<T>& s, const std::vector<T>& tau,
                      const std::vector<int>& driven) {
+  const Constants<T>& c = system.constants;
   Energies<T> e;
   T twice(0.0);
   for (int i = 0; i < system.topology.size(); ++i) {
     const Spatial<T> velocity = velocity_of(system, s.velocities, i);
-    const Vector<T> v = velocity_at(velocity, m.body[i].com);
-    twice = twice + m.body[i].mass * dot(v, v) + dot(velocity.angular, m.body[i].central * velocity.angular);
+    const Matrix<T> axes = inertia_axes(system, s.kinematics, i);
+    Vector<T> com = axes * c.com[i];
+    if (s.velocities.about == MotionPoint::frame_origin && system.layout.frame_of(i) != i)
+      com = s.kinematics.position[i] + com;
+    const Vector<T> v = velocity_at(velocity, com), w = transposed_times(axes, velocity.angular);
+    twice = twice + c.mass[i] * dot(v, v) + dot(w, c.inertia[i] * w);
     e.power = e.power + dot(s.forces.wrench[i], velocity) + (tau[i] + s.forces.joint[i]) * system.zd(i);
   }
   twice = twice + detail::twice_the_energy_of_couplings(system, s);
-  e.potential = -dot(system.constants.gravity, detail::first_moment(system, s.kinematics, m));
+  e.potential = -dot(system.constants.gravity, detail::first_moment(system, s.kinematics));
   for (std::size_t g = 0; g < driven.size(); ++g) e.power = e.power + s.drive_forces[g] * system.zd(driven[g]);
   e.kinetic = T(0.5) * twice;
   return e;

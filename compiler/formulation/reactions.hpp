@@ -57,6 +57,14 @@ Spatial<T> about(const Vector<T>& point, const Spatial<T>& wrench) {
   return {wrench.linear, wrench.angular - cross(point, wrench.linear)};
 }
 
+/// A wrench on a body about the origin of the frame that carries it.
+template <class T>
+Spatial<T> about_frame(const System<T>& system, const Kinematics<T>& k, int tree, MotionPoint point,
+                       const Spatial<T>& wrench) {
+  if (point == MotionPoint::frame_origin || system.layout.frame_of(tree) == tree) return wrench;
+  return {wrench.linear, wrench.angular + cross(k.position[tree], wrench.linear)};
+}
+
 /// Wrench that each body needs from the joints that hold it: inertia less applied forces (weight is in the
 /// accelerations).
 template <class T>
@@ -69,15 +77,16 @@ BodyWrenches<T> needed_wrenches(System<T>& system, const SolvedState<T>& s) {
     const int tree = topology.tree_body[b];
     const Vector<T> origin = carrier_origin(topology, system.constants, b);
     const Part<T> part = without_noise(part_of(system.model, b, origin, system.environment));
-    needed.add(
-        b, system.layout.frame_of(tree),
-        inertial_force(carried_part(system, s.kinematics, tree, part), velocity_of(system, s.velocities, tree).angular,
-                       acceleration_of(system, s.accelerations, tree)));
+    needed.add(b, system.layout.frame_of(tree),
+               about_frame(system, s.kinematics, tree, s.accelerations.about,
+                           part_force(system, s.kinematics, tree, part, velocity_of(system, s.velocities, tree).angular,
+                                      acceleration_of(system, s.accelerations, tree), s.accelerations.about)));
   }
   for (const Action<T>& action : s.forces.actions) {
-    const int carrier = system.layout.frame_of(topology.tree_body[action.body]);
-    needed.add(action.body, carrier,
-               Spatial<T>{} - force_at(action.force, action.point) - Spatial<T>{{}, action.moment});
+    const int tree = topology.tree_body[action.body];
+    needed.add(action.body, system.layout.frame_of(tree),
+               about_frame(system, s.kinematics, tree, s.forces.about,
+                           Spatial<T>{} - force_at(action.force, action.point) - Spatial<T>{{}, action.moment}));
   }
   return needed;
 }
@@ -104,8 +113,7 @@ Reaction<T> rod_reaction(const System<T>& system, const SolvedState<T>& s, const
                          const T& tension, int frame, BodyWrenches<T>& needed) {
   const RodConstants<T>& rod = system.constants.rods[loop.rod];
   const auto acceleration = [&](const Place<T>& end) {
-    const Vector<T> local =
-        acceleration_of(system, s.accelerations, end.body).at(local_position(system, s.kinematics, end));
+    const Vector<T> local = place_acceleration(system, s.kinematics, s.accelerations, end);
     return direction_in(system, s.kinematics, system.layout.frame_of(end.body), local, frame);
   };
   Vector<T> on_to = tension * row.wrench_to.linear, on_from = -on_to;

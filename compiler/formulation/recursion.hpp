@@ -51,12 +51,6 @@ void eliminate_run(RecursionState<T>& s, std::size_t u) {
   hand_down(s, unit.base, axes, place, inertia, needed);
 }
 
-/// Origin of a body in the frame that carries it.
-template <class T>
-Vector<T> work_origin(const RecursionState<T>& s, int body) {
-  return s.work.own(body) ? Vector<T>{} : s.k().position[body];
-}
-
 /// A rotor spins freely on its base, which holds its inertia across the axis and its mass.
 template <class T>
 void eliminate_rotor(RecursionState<T>& s, std::size_t u, const AppliedForces<T>& forces) {
@@ -65,10 +59,9 @@ void eliminate_rotor(RecursionState<T>& s, std::size_t u, const AppliedForces<T>
   const Vector<T>& axis = s.k().axis[w];
   UnitEquations<T>& equations = s.equations[u];
   const T* driven = s.driven(w);
-  const T applied = dot(s.k().column[w], forces.wrench[w]);
+  const T applied = dot(axis, forces.wrench[w].angular);
   Carried<T>& base = s.carried[unit.base];
-  const Vector<T> center = work_origin(s, unit.base);
-  base.needed = base.needed - shifted(Vector<T>{} - center, forces.wrench[w]);
+  base.needed = base.needed - shifted(offset_from_parent(s.system(), s.k(), w), forces.wrench[w]);
   const Vector<T> omega = s.omega[unit.base];
   const T spin = dot(axis, omega) + s.system().zd(w);
   base.needed.angular = base.needed.angular + (s.polar[w] * spin) * cross(omega, axis);
@@ -220,7 +213,7 @@ void add_own_parts(RecursionState<T>& s, const RecursionUnit& unit, const Applie
     const auto heading = s.system().scribe.within(s.system().layout.titles[i]);
     Carried<T>& c = s.carried[i];
     c.rigid = c.rigid + (s.work.own(i) ? s.constant[i] : rotated(s.k().orientation[i], s.constant[i]));
-    c.needed = c.needed - shifted(Vector<T>{} - work_origin(s, i), forces.wrench[i]);
+    c.needed = c.needed - forces.wrench[i];
   }
 }
 
@@ -316,7 +309,8 @@ void solve_units(RecursionState<T>& s, RecursiveSolution<T>& solution) {
 
 }  // namespace detail
 
-/// All joint accelerations by the recursive form. projections: per block. forces: applied, without tau.
+/// All joint accelerations by the recursive form. projections: per block. forces: applied, about the
+/// bodies' origins, without tau.
 /// Cost: linear in bodies, quadratic in the free directions of one unit.
 template <class T>
 RecursiveSolution<T> recursive_accelerations(System<T>& system, const Recursion& recursion, const Kinematics<T>& k,

@@ -10,7 +10,7 @@ namespace detail {
 template <class T>
 struct RoadContact {
   Vector<T> forward, left, up;  ///< unit
-  Vector<T> point;              ///< m
+  Vector<T> point;              ///< m, from the point that the wheel body's motion is about
   TyreContact<T> motion;
 };
 
@@ -46,7 +46,7 @@ RoadContact<T> road_contact(const ForceWork<T>& work, const Tyre& tyre, std::siz
   const T height = position_in(system, work.k, centre, kGround).z - work.value(tyre.road_height);
   const T loaded_radius = height / cosine;
   const Vector<T> down = (loaded_radius / cosine) * (sine * axis - up);  // from the centre to the contact point
-  const Vector<T> at = local_position(system, work.k, centre);
+  const Vector<T> at = arm_of(system, work.k, centre, work.v.about);
   c.point = at + down;
   const Spatial<T> velocity = velocity_of(system, work.v, centre.body);
   const Vector<T> centre_velocity = velocity_at(velocity, at);

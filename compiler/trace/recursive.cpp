@@ -57,7 +57,7 @@ Program trace_recursive_accelerations(const Model& model, const Topology& topolo
   System<Expr>& system = tracing.system;
   const Kinematics<Expr> k = kinematics(system);
   tracing.scribe.step(Step::forces);
-  const AppliedForces<Expr> forces = applied_forces(system, k, velocities(system, k));
+  const AppliedForces<Expr> forces = applied_forces(system, k, velocities(system, k, MotionPoint::body_origin));
   const RecursiveSolution<Expr> solution =
       recursive_accelerations(system, recursion, k, forces, tracing.drive, tracing.inputs(Array::tau, tracing.size()),
                               block_projections(tracing, partition));

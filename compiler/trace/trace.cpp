@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "compiler/trace/given_state.hpp"
 #include "compiler/trace/recursive.hpp"
 #include "compiler/trace/tracing.hpp"
 
@@ -209,103 +210,6 @@ Program trace_closure_terms(const Model& model, const Topology& topology, const 
   return tracing.builder.finish_in_canonical_order();
 }
 
-/// A state with given accelerations, and the generalised forces that its constraints must provide.
-struct GivenState {
-  std::vector<Expr> tau, zdd;
-  Kinematics<Expr> kinematics;
-  Inertias<Expr> inertias;
-  Velocities<Expr> velocities;
-  AppliedForces<Expr> forces;
-  Accelerations<Expr> accelerations;
-  std::vector<Expr> missing;  ///< per coordinate: tree forces less M zdd, equal to Phi_z' lambda less the drives
-};
-
-GivenState given_state(Tracing& tracing) {
-  System<Expr>& system = tracing.system;
-  GivenState s;
-  s.tau = tracing.inputs(Array::tau, tracing.size());
-  s.zdd = tracing.inputs(Array::zdd, tracing.size());
-  s.kinematics = kinematics(system);
-  s.inertias = inertias(system, s.kinematics);
-  tracing.scribe.step(Step::velocities);
-  s.velocities = velocities(system, s.kinematics);
-  tracing.scribe.step(Step::forces);
-  s.forces = applied_forces(system, s.kinematics, s.velocities);
-  tracing.scribe.step(Step::accelerations);
-  s.accelerations = accelerations(system, s.kinematics, s.velocities, s.zdd);
-  s.missing = tree_forces(system, s.kinematics, s.inertias, s.velocities, s.accelerations, s.forces, s.tau);
-  tracing.scribe.step(Step::solution);
-  return s;
-}
-
-/// Driving force of every motion, from what the multipliers leave of the missing forces.
-std::vector<Expr> driving_forces(const Tracing& tracing, const std::vector<Expr>& left) {
-  std::vector<Expr> drive;
-  for (const Drive<Expr>& d : tracing.drive) drive.push_back(-left[d.coordinate]);
-  return drive;
-}
-
-/// Multipliers and driving forces in the frozen order (theory.md section 4).
-Program trace_multipliers(const Model& model, const Topology& topology, const Analysis& analysis) {
-  Tracing tracing(Role::multipliers, model, topology, analysis);
-  System<Expr>& system = tracing.system;
-  const GivenState s = given_state(tracing);
-  std::vector<std::vector<Expr>> lambda;
-  std::vector<Expr> left = s.missing;
-  const RelativeMotion<Expr> rest = at_rest<Expr>(topology);
-  for (std::size_t b = 0; b < topology.blocks.size(); ++b) {
-    const LoopBlock& block = topology.blocks[b];
-    const SparseClosure<Expr> closed = sparse_closure(system, s.kinematics, block, rest);
-    const auto heading = tracing.scribe.within(fmt::format("loop block {}", b));
-    std::vector<Expr> right_hand_side;
-    for (int j : block.joints) right_hand_side.push_back(s.missing[j]);
-    const FrozenFactors<Expr> factors = factorise_frozen(closed.jacobian, analysis.blocks[b], block.joints.size());
-    lambda.push_back(solve_frozen_transposed(factors, analysis.blocks[b], right_hand_side, closed.residual.size()));
-    for (std::size_t e = 0; e < lambda[b].size(); ++e) {
-      const SparseRow<Expr>& row = closed.jacobian[e];
-      for (std::size_t i = 0; i < row.columns.size(); ++i)
-        left[block.joints[row.columns[i]]] -= row.values[i] * lambda[b][e];
-    }
-    for (std::size_t c = 0; c < block.joints.size(); ++c)
-      tracing.output(of_block(Array::missing, b), static_cast<int>(c), right_hand_side[c]);
-    if (analysis.blocks[b].rank > 0) tracing.output(Array::pivot, static_cast<int>(b), factors.quality);
-  }
-  tracing.outputs(Array::lambda, in_loop_order(topology, lambda));
-  tracing.outputs(Array::drive, driving_forces(tracing, left));
-  return tracing.builder.finish_in_canonical_order();
-}
-
-bool looks_at_multipliers(const Model& model) {
-  return !model.motions.empty() || std::any_of(model.outputs.begin(), model.outputs.end(), [](const Output& output) {
-    return std::holds_alternative<ReactionOutput>(output.source) ||
-           std::holds_alternative<MultiplierOutput>(output.source);
-  });
-}
-
-/// Multipliers come from outside, so that they are right where the frozen partition is not; without loops there are
-/// none, and the driving forces are what is missing.
-Program trace_outputs(const Model& model, const Topology& topology, const Analysis& analysis) {
-  Tracing tracing(Role::outputs, model, topology, analysis);
-  System<Expr>& system = tracing.system;
-  const GivenState s = given_state(tracing);
-  std::vector<std::vector<Expr>> lambda;
-  std::vector<Expr> drive;
-  if (topology.loops.empty()) {
-    drive = driving_forces(tracing, s.missing);
-  } else if (looks_at_multipliers(model)) {
-    lambda = by_block(topology, tracing.inputs(Array::lambda, equation_count(topology)));
-    drive = tracing.inputs(Array::drive, static_cast<int>(tracing.drive.size()));
-  }
-  std::vector<int> driven;
-  for (const Drive<Expr>& d : tracing.drive) driven.push_back(d.coordinate);
-  const SolvedState<Expr> solved{s.kinematics, s.velocities, s.accelerations, s.forces, s.zdd, lambda, drive};
-  tracing.outputs(Array::y, output_values(system, solved));
-  const Energies<Expr> e = energies(system, solved, s.inertias, s.tau, driven);
-  tracing.outputs(Array::energy, {e.kinetic, e.potential});
-  tracing.outputs(Array::power, {e.power});
-  return tracing.builder.finish_in_canonical_order();
-}
-
 /// The frozen and the chosen partition in one form, so that both are the same equations.
 void trace_all_accelerations(const Model& model, const Topology& topology, const Analysis& analysis,
                              Programs& programs) {
@@ -345,8 +249,8 @@ Programs trace(const Model& model, const Topology& topology, const Analysis& ana
   trace_all_accelerations(model, topology, analysis, programs);
   programs.closure = trace_closure(model, topology, analysis);
   if (!topology.loops.empty()) programs.closure_terms = trace_closure_terms(model, topology, analysis);
-  programs.multipliers = trace_multipliers(model, topology, analysis);
-  programs.outputs = trace_outputs(model, topology, analysis);
+  programs.multipliers = trace_multipliers(model, topology, analysis, programs.form);
+  programs.outputs = trace_outputs(model, topology, analysis, programs.form);
   for (int i : free_coordinates(topology, analysis))
     programs.free_direction_coordinate.push_back(topology.bodies[i].coordinate);
   int equation = 0;

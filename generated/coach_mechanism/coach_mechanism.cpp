@@ -124,6 +124,7 @@ constexpr double I_upper_arm_left_yy = 0.1;
 constexpr double I_upper_arm_left_zz = 0.25;
 constexpr double m_arb_front_left = 8.666666666666666;
 constexpr double c_arb_front_left_x = -0.13923076923076924;
+constexpr double c_arb_front_left_y = 0.06692307692307692;
 constexpr double c_arb_front_left_z = 0.05384615384615385;
 constexpr double I_arb_front_left_xx = 0.18132307692307692;
 constexpr double I_arb_front_left_yy = 0.1304;
@@ -159,6 +160,7 @@ constexpr double I_upper_arm_right_yy = 0.1;
 constexpr double I_upper_arm_right_zz = 0.25;
 constexpr double m_arb_front_right = 8.666666666666666;
 constexpr double c_arb_front_right_x = -0.13923076923076924;
+constexpr double c_arb_front_right_y = -0.06692307692307692;
 constexpr double c_arb_front_right_z = 0.05384615384615385;
 constexpr double I_arb_front_right_xx = 0.18132307692307692;
 constexpr double I_arb_front_right_yy = 0.1304;
@@ -191,24 +193,31 @@ constexpr double I_wheel_rear_left_yy = 22.0;
 constexpr double I_wheel_rear_left_zz = 14.0;
 constexpr double m_arb_rear_left = 8.666666666666666;
 constexpr double c_arb_rear_left_x = 0.16538461538461538;
+constexpr double c_arb_rear_left_y = 0.057692307692307696;
 constexpr double I_arb_rear_left_xx = 0.15615384615384614;
 constexpr double I_arb_rear_left_yy = 0.14461538461538462;
 constexpr double I_arb_rear_left_zz = 0.23076923076923078;
 constexpr double I_arb_rear_left_xy = -0.01230769230769231;
 constexpr double m_wheel_rear_right = 200.0;
+constexpr double I_wheel_rear_right_xx = 14.0;
+constexpr double I_wheel_rear_right_yy = 22.0;
+constexpr double I_wheel_rear_right_zz = 14.0;
 constexpr double m_arb_rear_right = 8.666666666666666;
 constexpr double c_arb_rear_right_x = 0.16538461538461538;
+constexpr double c_arb_rear_right_y = -0.057692307692307696;
 constexpr double I_arb_rear_right_xx = 0.15615384615384614;
 constexpr double I_arb_rear_right_yy = 0.14461538461538462;
 constexpr double I_arb_rear_right_zz = 0.23076923076923078;
 constexpr double I_arb_rear_right_xy = 0.01230769230769231;
 constexpr double p_arb_link_front_left_from_x = -0.25;
+constexpr double p_arb_link_front_left_from_y = 0.27;
 constexpr double p_arb_link_front_left_from_z = 0.1;
 constexpr double p_arb_link_front_left_to_x = 0.1;
 constexpr double p_arb_link_front_left_to_y = -0.03;
 constexpr double p_arb_link_front_left_to_z = 0.03;
 constexpr double l_arb_link_front_left = 0.26;
 constexpr double p_arb_link_front_right_from_x = -0.25;
+constexpr double p_arb_link_front_right_from_y = -0.27;
 constexpr double p_arb_link_front_right_from_z = 0.1;
 constexpr double p_arb_link_front_right_to_x = 0.1;
 constexpr double l_arb_link_front_right = 0.26;
@@ -239,6 +248,7 @@ constexpr double p_diag_rod_left_to_y = 0.1;
 constexpr double p_diag_rod_left_to_z = 0.25;
 constexpr double l_diag_rod_left = 0.8602325267042626;
 constexpr double p_arb_link_rear_left_from_x = 0.35;
+constexpr double p_arb_link_rear_left_from_y = 0.15;
 constexpr double p_arb_link_rear_left_to_x = -0.35;
 constexpr double p_arb_link_rear_left_to_y = 0.6;
 constexpr double p_arb_link_rear_left_to_z = -0.15;
@@ -252,6 +262,7 @@ constexpr double p_diag_rod_right_from_y = -0.4;
 constexpr double p_diag_rod_right_from_z = -0.15;
 constexpr double l_diag_rod_right = 0.8602325267042626;
 constexpr double p_arb_link_rear_right_from_x = 0.35;
+constexpr double p_arb_link_rear_right_from_y = -0.15;
 constexpr double l_arb_link_rear_right = 0.22360679774997896;
 constexpr double p_lower_arm_left_x = 3.6;
 constexpr double p_lower_arm_left_y = 0.4;
@@ -446,20 +457,20 @@ struct AccelerationsWork {
       s6_15, s6_16, s6_17, s6_18, s6_19, s6_20, s6_21, s6_56, s6_59, s6_60, s6_61, s6_63,
       zdd_star_rear_axle_tz, zdd_star_rear_axle_rz, zdd_star_rear_axle_ry, zdd_star_rear_axle_rx,
       s6_77, zdd_star_rear_axle_tx, s7_11, s7_13, s7_14, s8_13, s8_18, s8_20, s8_22, s8_23, s8_25,
-      s8_27, s8_28, s8_29, s8_32, s8_33, s8_41, s8_43, s8_47, s8_48, s8_52, s8_53, s8_63, s8_65,
-      s8_79, s8_81, s8_82, s8_83, s8_84, s8_97, s8_400, s8_406, s8_417, s8_437, s8_441, s8_446,
-      s8_456, s8_465, s8_474, s8_484, s8_540, s8_543, s8_544, s8_547, s8_548, s8_549, s8_550,
-      s8_551, s8_560, s8_570, s8_581, s8_582, s8_585, s8_586, s8_587, s8_588, s8_589, s8_598,
-      s8_601, s8_604, s8_605, s8_606, s8_607, s8_608, s8_609, s8_613, s8_616, s8_617, s8_618,
-      s8_619, s8_623, s8_626, s8_627, s8_628, s8_643, s8_646, s8_662, s8_665, s8_666, s8_679,
-      s8_682, s8_684, s8_685, s8_688, s8_690, s8_691, s2_195, r_carrier_left_aux1_y, s2_196, s2_198,
-      s2_200, s2_203, s2_205, s2_209, r_carrier_left_aux1_z, s2_213, s2_221, r_carrier_right_aux1_y,
-      s2_222, s2_224, s2_226, s2_229, s2_231, s2_235, s2_238, s2_239, s8_693, s8_694, s8_695,
-      s2_245, s2_246, s2_247, s2_248, s2_249, s2_251, s2_252, s2_255, s2_256, s2_258, s2_261,
-      s2_262, s2_265, s2_269, s2_270, s2_276, s2_278, s2_279, s2_281, s2_283, s2_285, s2_287,
-      s2_290, s2_337, s3_19, s3_20, Rz_upper_arm_left_2, Rz_lower_arm_left_2, s3_21, s3_22, s3_23,
-      s3_24, s3_25, Rz_arb_front_left_0, s3_31, Rz_arb_front_left_2, s3_34, s3_36, s3_37, s3_38,
-      Rz_carrier_right_rz_2, Rz_carrier_right_ry_1, Rz_carrier_right_rx_1, s3_42,
+      s8_27, s8_28, s8_29, s8_32, s8_33, s8_40, s8_41, s8_44, s8_48, s8_49, s8_52, s8_54, s8_56,
+      s8_57, s8_67, s8_69, s8_83, s8_85, s8_86, s8_87, s8_88, s8_101, s8_404, s8_410, s8_421,
+      s8_441, s8_445, s8_450, s8_460, s8_469, s8_478, s8_488, s8_544, s8_547, s8_548, s8_551,
+      s8_552, s8_553, s8_554, s8_555, s8_564, s8_574, s8_585, s8_586, s8_589, s8_590, s8_591,
+      s8_592, s8_593, s8_602, s8_605, s8_608, s8_609, s8_610, s8_611, s8_612, s8_613, s8_617,
+      s8_620, s8_621, s8_622, s8_623, s8_627, s8_630, s8_631, s8_632, s8_647, s8_650, s8_666,
+      s8_669, s8_670, s8_683, s8_686, s8_688, s8_689, s8_692, s8_694, s8_695, s2_195,
+      r_carrier_left_aux1_y, s2_196, s2_198, s2_200, s2_203, s2_205, s2_209, r_carrier_left_aux1_z,
+      s2_213, s2_221, r_carrier_right_aux1_y, s2_222, s2_224, s2_226, s2_229, s2_231, s2_235,
+      s2_238, s2_239, s2_245, s2_246, s2_247, s2_248, s2_249, s2_251, s2_252, s2_255, s2_256,
+      s2_258, s2_261, s2_262, s2_265, s2_269, s2_270, s2_276, s2_278, s2_279, s2_281, s2_283,
+      s2_285, s2_287, s2_290, s2_337, s3_19, s3_20, Rz_upper_arm_left_2, Rz_lower_arm_left_2, s3_21,
+      s3_22, s3_23, s3_24, s3_25, Rz_arb_front_left_0, s3_31, Rz_arb_front_left_2, s3_34, s3_36,
+      s3_37, s3_38, Rz_carrier_right_rz_2, Rz_carrier_right_ry_1, Rz_carrier_right_rx_1, s3_42,
       Rz_carrier_right_ry_2, s3_44, Rz_carrier_right_rx_2, s3_48, Rz_arb_front_right_1, s3_52,
       Rz_arb_front_right_2, s3_55, s3_58, s3_60, s6_84, s6_85, s6_86, s6_87, s6_88, s6_90, s6_91,
       s6_94, s6_95, s6_98, s6_99, s6_100, s6_101, s6_102, s6_104, s6_105, s6_108, s6_109, s6_110,
@@ -1285,703 +1296,707 @@ struct AccelerationsWork {
   const double s8_37 = K_arb_rear_left_xy*R_arb_rear_left_x_z;
   const double s8_38 = mbgen::fma(s8_37, work.s8_32, tau[Coordinate::arb_rear_left]);
   const double s8_39 = mbgen::fma(s8_36, work.s8_33, s8_38);
-  const double s8_40 = work.w_chassis_x*work.w_chassis_x;
+  work.s8_40 = mbgen::fnma((-p_bell_crank_z), work.s8_33, p_bell_crank_x*work.s8_32);
   work.s8_41 = work.w_chassis_x*work.w_chassis_z;
-  const double s8_42 = work.w_chassis_y*work.w_chassis_y;
-  work.s8_43 = s8_42 + s8_40;
-  const double s8_44 = (-p_arb_rear_right_z)*work.s8_43;
-  const double s8_45 = mbgen::fnma((-p_arb_rear_right_x), work.s8_41, s8_44);
-  const double s8_46 = (-p_rear_axle_tx_z)*work.s8_43;
-  work.s8_47 = mbgen::fma(p_arb_front_right_x, work.s8_41, s8_46);
-  work.s8_48 = mbgen::fma(work.w_chassis_z, work.w_chassis_z, s8_42);
-  const double s8_49 = (-p_arb_rear_right_x)*work.s8_48;
-  const double s8_50 = mbgen::fnma((-p_arb_rear_right_z), work.s8_41, s8_49);
-  const double s8_51 = (-p_rear_axle_tx_z)*work.s8_41;
-  work.s8_52 = mbgen::fma(p_arb_front_right_x, work.s8_48, s8_51);
-  work.s8_53 = mbgen::fma(work.w_chassis_z, work.w_chassis_z, s8_40);
+  const double s8_42 = work.w_chassis_x*work.w_chassis_x;
+  const double s8_43 = work.w_chassis_y*work.w_chassis_y;
+  work.s8_44 = s8_43 + s8_42;
+  const double s8_45 = (-p_arb_rear_right_z)*work.s8_44;
+  const double s8_46 = mbgen::fnma((-p_arb_rear_right_x), work.s8_41, s8_45);
+  const double s8_47 = (-p_rear_axle_tx_z)*work.s8_44;
+  work.s8_48 = mbgen::fma(p_arb_front_right_x, work.s8_41, s8_47);
+  work.s8_49 = mbgen::fma(work.w_chassis_z, work.w_chassis_z, s8_43);
+  const double s8_50 = (-p_arb_rear_right_x)*work.s8_49;
+  const double s8_51 = mbgen::fnma((-p_arb_rear_right_z), work.s8_41, s8_50);
+  work.s8_52 = mbgen::fma(p_bell_crank_x, work.s8_49, (-p_bell_crank_z)*work.s8_41);
+  const double s8_53 = mbgen::fnma((-p_pitman_arm_z), work.s8_41, p_pitman_arm_y*work.s8_32);
+  work.s8_54 = mbgen::fnma(p_pitman_arm_x, work.s8_49, s8_53);
+  const double s8_55 = (-p_rear_axle_tx_z)*work.s8_41;
+  work.s8_56 = mbgen::fma(p_arb_front_right_x, work.s8_49, s8_55);
+  work.s8_57 = mbgen::fma(work.w_chassis_z, work.w_chassis_z, s8_42);
   // arb_rear_right: arb_rear_right, revolute, chassis
-  const double s8_54 = h_arb_rear_right_x*R_arb_rear_right_x_x;
-  const double s8_55 = h_arb_rear_right_x*R_arb_rear_right_x_z;
-  const double s8_56 = zd_arb_rear_right*work.s8_28;
-  const double s8_57 = zd_arb_rear_right*work.s8_23;
-  const double s8_58 = mbgen::fnma(s8_55, s8_56, s8_54*s8_57);
-  const double s8_59 = mbgen::fnma((-p_arb_rear_right_y), work.s8_32, s8_50);
-  const double s8_60 = mbgen::fnma((-p_arb_rear_right_z), work.s8_33, s8_45);
-  const double s8_61 = mbgen::fma(s8_54, s8_60, mbgen::fma(s8_55, s8_59, s8_35));
+  const double s8_58 = h_arb_rear_right_x*R_arb_rear_right_x_x;
+  const double s8_59 = h_arb_rear_right_x*R_arb_rear_right_x_z;
+  const double s8_60 = zd_arb_rear_right*work.s8_28;
+  const double s8_61 = zd_arb_rear_right*work.s8_23;
+  const double s8_62 = mbgen::fnma(s8_59, s8_60, s8_58*s8_61);
+  const double s8_63 = mbgen::fnma((-p_arb_rear_right_y), work.s8_32, s8_51);
+  const double s8_64 = mbgen::fnma((-p_arb_rear_right_z), work.s8_33, s8_46);
+  const double s8_65 = mbgen::fma(s8_58, s8_64, mbgen::fma(s8_59, s8_63, s8_35));
   // arb_rear_left: arb_rear_left, revolute, chassis
-  const double s8_62 = h_arb_rear_left_x*R_arb_rear_left_x_x;
-  work.s8_63 = s8_62 + s8_54 - 59.4;
-  const double s8_64 = h_arb_rear_left_x*R_arb_rear_left_x_z;
-  work.s8_65 = 8.1 + (s8_64 + s8_55);
-  const double s8_66 = mbgen::fma((-p_arb_rear_right_y), work.s8_32, s8_50);
-  const double s8_67 = zd_arb_rear_left*work.s8_28;
-  const double s8_68 = zd_arb_rear_left*work.s8_23;
-  const double s8_69 = mbgen::fnma(s8_64, s8_67, s8_62*s8_68);
-  const double s8_70 = mbgen::fma((-p_arb_rear_right_z), work.s8_33, s8_45);
-  const double s8_71 = mbgen::fma(s8_62, s8_70, mbgen::fma(s8_64, s8_66, s8_39));
-  const double s8_72 = s8_54 - 14.85;
-  const double s8_73 = s8_62 - 14.85;
-  const double s8_74 = mbgen::fnma((-p_arb_rear_right_y), s8_72, s7_43 + s7_49);
-  const double s8_75 = 2.025 + s8_55;
-  const double s8_76 = 2.025 + s8_64;
-  const double s8_77 = s8_75 + s8_76;
-  const double s8_78 = mbgen::fnma(p_arb_rear_left_y, s8_73, s8_74);
-  work.s8_79 = mbgen::fma((-p_arb_rear_left_x), s8_77, s8_78);
-  const double s8_80 = mbgen::fma(p_arb_rear_left_y, s8_73, s8_36);
-  work.s8_81 = mbgen::fnma((-p_arb_rear_right_y), s8_72, s8_80) - s8_31;
-  work.s8_82 = mbgen::fma(p_carrier_left_rz_y, s8_75 - s8_76, s8_30 - s8_37);
-  work.s8_83 = mbgen::fma(0.9, s8_77, s7_45 + s7_51);
-  work.s8_84 = mbgen::fnma(6.6, s8_72 + s8_73, s7_44 + s7_50);
+  const double s8_66 = h_arb_rear_left_x*R_arb_rear_left_x_x;
+  work.s8_67 = s8_66 + s8_58 - 59.4;
+  const double s8_68 = h_arb_rear_left_x*R_arb_rear_left_x_z;
+  work.s8_69 = 8.1 + (s8_68 + s8_59);
+  const double s8_70 = mbgen::fma((-p_arb_rear_right_y), work.s8_32, s8_51);
+  const double s8_71 = zd_arb_rear_left*work.s8_28;
+  const double s8_72 = zd_arb_rear_left*work.s8_23;
+  const double s8_73 = mbgen::fnma(s8_68, s8_71, s8_66*s8_72);
+  const double s8_74 = mbgen::fma((-p_arb_rear_right_z), work.s8_33, s8_46);
+  const double s8_75 = mbgen::fma(s8_66, s8_74, mbgen::fma(s8_68, s8_70, s8_39));
+  const double s8_76 = s8_58 - 14.85;
+  const double s8_77 = s8_66 - 14.85;
+  const double s8_78 = mbgen::fnma((-p_arb_rear_right_y), s8_76, s7_43 + s7_49);
+  const double s8_79 = 2.025 + s8_59;
+  const double s8_80 = 2.025 + s8_68;
+  const double s8_81 = s8_79 + s8_80;
+  const double s8_82 = mbgen::fnma(p_arb_rear_left_y, s8_77, s8_78);
+  work.s8_83 = mbgen::fma((-p_arb_rear_left_x), s8_81, s8_82);
+  const double s8_84 = mbgen::fma(p_arb_rear_left_y, s8_77, s8_36);
+  work.s8_85 = mbgen::fnma((-p_arb_rear_right_y), s8_76, s8_84) - s8_31;
+  work.s8_86 = mbgen::fma(p_carrier_left_rz_y, s8_79 - s8_80, s8_30 - s8_37);
+  work.s8_87 = mbgen::fma(0.9, s8_81, s7_45 + s7_51);
+  work.s8_88 = mbgen::fnma(6.6, s8_76 + s8_77, s7_44 + s7_50);
   // rear_axle: rear_axle_rx, revolute, rear_axle_aux5
-  const double s8_85 = m_rear_axle_2*work.Rz_rear_axle_tx_0;
-  const double s8_86 = mbgen::fma(work.Rz_rear_axle_ry_0, work.s7_14, s8_85);
-  const double s8_87 = mbgen::fnma(work.Rz_rear_axle_rx_0, work.s7_11, s8_86);
-  const double s8_88 = m_rear_axle_2*work.Rz_rear_axle_tx_1;
-  const double s8_89 = mbgen::fma(work.Rz_rear_axle_ry_1, work.s7_14, s8_88);
-  const double s8_90 = mbgen::fnma(work.Rz_rear_axle_rx_1, work.s7_11, s8_89);
-  const double s8_91 = m_rear_axle_2*work.Rz_rear_axle_tz_1;
-  const double s8_92 = mbgen::fnma(work.s3_10, work.s7_11, s8_91);
-  const double s8_93 = mbgen::fnma(work.Rz_rear_axle_ry_1, work.s7_13, s8_92);
-  const double s8_94 = mbgen::fnma(work.Rz_rear_axle_ry_0, work.s7_13, s8_6);
-  const double s8_95 = mbgen::fnma(m_rear_axle_2, work.s3_2, s8_94);
-  const double s8_96 = mbgen::fma(work.Rz_rear_axle_rx_1, work.s7_13, work.s3_10*work.s7_14);
-  work.s8_97 = mbgen::fnma(m_rear_axle_2, work.s3_14, s8_96);
-  const double s8_98 = mbgen::fnma(work.Rz_rear_axle_rz_0, work.s7_14, s8_7);
-  const double s8_99 = mbgen::fnma(m_rear_axle_2, work.s3_8, s8_98);
+  const double s8_89 = m_rear_axle_2*work.Rz_rear_axle_tx_0;
+  const double s8_90 = mbgen::fma(work.Rz_rear_axle_ry_0, work.s7_14, s8_89);
+  const double s8_91 = mbgen::fnma(work.Rz_rear_axle_rx_0, work.s7_11, s8_90);
+  const double s8_92 = m_rear_axle_2*work.Rz_rear_axle_tx_1;
+  const double s8_93 = mbgen::fma(work.Rz_rear_axle_ry_1, work.s7_14, s8_92);
+  const double s8_94 = mbgen::fnma(work.Rz_rear_axle_rx_1, work.s7_11, s8_93);
+  const double s8_95 = m_rear_axle_2*work.Rz_rear_axle_tz_1;
+  const double s8_96 = mbgen::fnma(work.s3_10, work.s7_11, s8_95);
+  const double s8_97 = mbgen::fnma(work.Rz_rear_axle_ry_1, work.s7_13, s8_96);
+  const double s8_98 = mbgen::fnma(work.Rz_rear_axle_ry_0, work.s7_13, s8_6);
+  const double s8_99 = mbgen::fnma(m_rear_axle_2, work.s3_2, s8_98);
+  const double s8_100 = mbgen::fma(work.Rz_rear_axle_rx_1, work.s7_13, work.s3_10*work.s7_14);
+  work.s8_101 = mbgen::fnma(m_rear_axle_2, work.s3_14, s8_100);
+  const double s8_102 = mbgen::fnma(work.Rz_rear_axle_rz_0, work.s7_14, s8_7);
+  const double s8_103 = mbgen::fnma(m_rear_axle_2, work.s3_8, s8_102);
   // arb_link_rear_right
-  const double s8_100 = mbgen::fnma(work.s3_2, s8_93, work.Rz_rear_axle_tx_0*s8_90);
-  const double s8_101 = mbgen::fnma(work.s3_8, work.s8_97, s8_100);
+  const double s8_104 = mbgen::fnma(work.s3_2, s8_97, work.Rz_rear_axle_tx_0*s8_94);
+  const double s8_105 = mbgen::fnma(work.s3_8, work.s8_101, s8_104);
   // rear_axle: rear_axle_rx, revolute, rear_axle_aux5
   const double zd_rear_axle_tz = state.zd[Coordinate::rear_axle_tz];
   const double zd_rear_axle_ty = state.zd[Coordinate::rear_axle_ty];
-  const double s8_102 = mbgen::fma(zd_rear_axle_tz, work.s8_13, work.zdd_star_rear_axle_tx);
+  const double s8_106 = mbgen::fma(zd_rear_axle_tz, work.s8_13, work.zdd_star_rear_axle_tx);
   const double z_rear_axle_ty = state.z[Coordinate::rear_axle_ty];
-  const double s8_103 = mbgen::fnma(zd_rear_axle_ty, work.s8_28, s8_102);
-  const double s8_104 = mbgen::fma(z_rear_axle_ty, work.s8_32, s8_103);
-  const double s8_105 = mbgen::fma(work.r_rear_axle_aux3_z, work.s8_41, s8_104);
-  const double s8_106 = mbgen::fnma(work.r_rear_axle_aux1_x, work.s8_48, s8_105);
-  const double s8_107 = work.zdd_star_rear_axle_rx + work.s4_37;
-  const double s8_108 = mbgen::fms(work.w_rear_axle_x, work.w_rear_axle_y, s8_107);
-  const double s8_109 = work.zdd_star_rear_axle_ry + work.s4_38;
-  const double s8_110 = mbgen::fma(work.w_rear_axle_x, work.w_rear_axle_z, s8_109);
-  const double s8_111 = mbgen::fma(work.s7_11, s8_108, m_rear_axle_2*s8_106);
-  const double s8_112 = work.w_rear_axle_y*work.w_rear_axle_y;
-  const double s8_113 = work.w_rear_axle_z*work.w_rear_axle_z;
-  const double s8_114 = s8_112 + s8_113;
-  const double f_rear_axle_x = mbgen::fnma(work.s7_13, s8_114, mbgen::fma(work.s7_14, s8_110,
-      s8_111));
+  const double s8_107 = mbgen::fnma(zd_rear_axle_ty, work.s8_28, s8_106);
+  const double s8_108 = mbgen::fma(z_rear_axle_ty, work.s8_32, s8_107);
+  const double s8_109 = mbgen::fma(work.r_rear_axle_aux3_z, work.s8_41, s8_108);
+  const double s8_110 = mbgen::fnma(work.r_rear_axle_aux1_x, work.s8_49, s8_109);
+  const double s8_111 = work.zdd_star_rear_axle_rx + work.s4_37;
+  const double s8_112 = mbgen::fms(work.w_rear_axle_x, work.w_rear_axle_y, s8_111);
+  const double s8_113 = work.zdd_star_rear_axle_ry + work.s4_38;
+  const double s8_114 = mbgen::fma(work.w_rear_axle_x, work.w_rear_axle_z, s8_113);
+  const double s8_115 = mbgen::fma(work.s7_11, s8_112, m_rear_axle_2*s8_110);
+  const double s8_116 = work.w_rear_axle_y*work.w_rear_axle_y;
+  const double s8_117 = work.w_rear_axle_z*work.w_rear_axle_z;
+  const double s8_118 = s8_116 + s8_117;
+  const double f_rear_axle_x = mbgen::fnma(work.s7_13, s8_118, mbgen::fma(work.s7_14, s8_114,
+      s8_115));
   const double zd_rear_axle_tx = state.zd[Coordinate::rear_axle_tx];
-  const double s8_115 = mbgen::fms(zd_rear_axle_tx, work.s8_28, work.s6_77);
-  const double s8_116 = mbgen::fnma(zd_rear_axle_tz, work.s8_23, s8_115);
-  const double s8_117 = mbgen::fma(work.r_rear_axle_aux1_x, work.s8_32, s8_116);
-  const double s8_118 = mbgen::fma(work.r_rear_axle_aux3_z, work.s8_33, s8_117);
-  const double s8_119 = mbgen::fnma(z_rear_axle_ty, work.s8_53, s8_118);
-  const double s8_120 = mbgen::fma(work.s7_13, s8_119, work.s8_3);
-  const double s8_121 = mbgen::fma(work.w_rear_axle_x, work.w_rear_axle_y, s8_107);
-  const double s8_122 = work.zdd_star_rear_axle_rz + work.s4_32;
-  const double s8_123 = mbgen::fms(work.w_rear_axle_y, work.w_rear_axle_z, s8_122);
-  const double s8_124 = mbgen::fma(work.s7_13, s8_121, m_rear_axle_2*s8_119);
-  const double s8_125 = mbgen::fma(s7_32, s8_123, mbgen::fnma(work.s7_11, s8_106, s8_120));
-  const double s8_126 = mbgen::fnma(s7_36, s8_108, mbgen::fma(s7_38, s8_121, s8_125));
-  const double s8_127 = mbgen::fma(work.w_rear_axle_x, work.w_rear_axle_x, s8_113);
-  const double f_rear_axle_y = mbgen::fnma(work.s7_11, s8_127, mbgen::fma(work.s7_14, s8_123,
-      s8_124));
-  const double s8_128 = mbgen::fma(zd_rear_axle_ty, work.s8_23, work.zdd_star_rear_axle_tz);
-  const double s8_129 = mbgen::fnma(zd_rear_axle_tx, work.s8_13, s8_128);
-  const double s8_130 = mbgen::fma(z_rear_axle_ty, work.s8_33, s8_129);
-  const double s8_131 = mbgen::fma(work.r_rear_axle_aux1_x, work.s8_41, s8_130);
-  const double s8_132 = mbgen::fnma(work.r_rear_axle_aux3_z, work.s8_43, s8_131);
-  const double s8_133 = mbgen::fma(work.s7_11, s8_132, work.s8_5);
-  const double s8_134 = mbgen::fma(work.s7_14, s8_106, work.s8_4);
-  const double s8_135 = mbgen::fma(s7_27, s8_108, mbgen::fnma(work.s7_13, s8_132, s8_134));
-  const double s8_136 = mbgen::fma(work.w_rear_axle_y, work.w_rear_axle_z, s8_122);
-  const double s8_137 = mbgen::fms(work.w_rear_axle_x, work.w_rear_axle_z, s8_109);
-  const double s8_138 = mbgen::fma(work.s7_11, s8_136, m_rear_axle_2*s8_132);
-  const double s8_139 = mbgen::fma(s7_36, s8_136, mbgen::fnma(work.s7_14, s8_119, s8_133));
-  const double s8_140 = mbgen::fnma(s7_32, s8_121, mbgen::fma(s7_34, s8_137, s8_139));
-  const double s8_141 = mbgen::fnma(s7_34, s8_136, mbgen::fma(s7_39, s8_110, s8_135));
-  const double s8_142 = mbgen::fma(work.w_rear_axle_x, work.w_rear_axle_x, s8_112);
-  const double f_rear_axle_z = mbgen::fnma(work.s7_14, s8_142, mbgen::fma(work.s7_13, s8_137,
-      s8_138));
-  const double n_rear_axle_x = mbgen::fma(s7_27, s8_127 - s8_142, mbgen::fnma(s7_39, s8_123,
-      s8_140));
-  const double n_rear_axle_y = mbgen::fma(s7_32, s8_142 - s8_114, mbgen::fnma(s7_38, s8_137,
-      s8_141));
-  const double s8_143 = work.s5_48 - n_rear_axle_y;
-  const double n_rear_axle_z = mbgen::fma(s7_34, s8_114 - s8_127, mbgen::fnma(s7_27, s8_110,
-      s8_126));
-  const double s8_144 = s7_40 - s7_38;
-  const double s8_145 = mbgen::fnma(work.Rz_rear_axle_rx_1, s7_32, s8_10);
-  const double s8_146 = mbgen::fnma(work.s3_10, s8_144, s8_145);
-  const double s8_147 = mbgen::fnma(work.s3_2, work.s7_11, work.s3_8*work.s7_14);
-  const double s8_148 = mbgen::fma(work.Rz_rear_axle_rz_0, s8_144, s8_147);
-  const double s8_149 = mbgen::fnma(work.Rz_rear_axle_rx_0, s7_32, s8_148);
-  const double s8_150 = mbgen::fnma(work.Rz_rear_axle_ry_0, s7_34, s8_149);
-  const double s8_151 = mbgen::fma(593.0, work.r_rear_axle_aux3_z, work.s7_14);
-  const double s8_152 = s7_40 - s7_36;
-  const double s8_153 = mbgen::fnma(work.Rz_rear_axle_rx_1, s7_27, s8_12);
-  const double s8_154 = mbgen::fma(work.Rz_rear_axle_ry_1, s8_152, s8_153);
-  const double s8_155 = mbgen::fma(work.Rz_rear_axle_tx_0, work.s7_14, work.s3_2*work.s7_13);
-  const double s8_156 = mbgen::fma(work.Rz_rear_axle_ry_0, s8_152, s8_155);
-  const double s8_157 = mbgen::fnma(work.Rz_rear_axle_rz_0, s7_34, s8_156);
-  const double s8_158 = mbgen::fnma(work.Rz_rear_axle_rx_0, s7_27, s8_157);
-  const double s8_159 = mbgen::fma(work.Rz_rear_axle_ry_0, s8_154, s8_101);
-  const double s8_160 = s7_40 - s7_39;
-  const double s8_161 = work.Rz_rear_axle_rx_0*s8_160;
-  const double s8_162 = mbgen::fnma(work.Rz_rear_axle_rz_0, s7_32, s8_161);
-  const double s8_163 = mbgen::fnma(work.Rz_rear_axle_ry_0, s7_27, s8_162);
-  const double s8_164 = mbgen::fnma(work.s3_8, work.s7_13, s8_163);
-  const double s8_165 = mbgen::fnma(work.Rz_rear_axle_tx_0, work.s7_11, s8_164);
-  const double s8_166 = mbgen::fma(work.Rz_rear_axle_rx_1, s8_160, work.s3_10*s7_32);
-  const double s8_167 = mbgen::fnma(work.Rz_rear_axle_ry_1, s7_27, s8_166);
-  const double s8_168 = mbgen::fnma(work.s3_14, work.s7_13, s8_167);
-  const double s8_169 = mbgen::fnma(work.Rz_rear_axle_tx_1, work.s7_11, s8_168);
-  const double s8_170 = mbgen::fma(work.Rz_rear_axle_rz_0, s8_146, s8_159);
-  const double s8_171 = mbgen::fma(work.Rz_rear_axle_rx_0, s8_169, s8_170);
+  const double s8_119 = mbgen::fms(zd_rear_axle_tx, work.s8_28, work.s6_77);
+  const double s8_120 = mbgen::fnma(zd_rear_axle_tz, work.s8_23, s8_119);
+  const double s8_121 = mbgen::fma(work.r_rear_axle_aux1_x, work.s8_32, s8_120);
+  const double s8_122 = mbgen::fma(work.r_rear_axle_aux3_z, work.s8_33, s8_121);
+  const double s8_123 = mbgen::fnma(z_rear_axle_ty, work.s8_57, s8_122);
+  const double s8_124 = mbgen::fma(work.s7_13, s8_123, work.s8_3);
+  const double s8_125 = mbgen::fma(work.w_rear_axle_x, work.w_rear_axle_y, s8_111);
+  const double s8_126 = work.zdd_star_rear_axle_rz + work.s4_32;
+  const double s8_127 = mbgen::fms(work.w_rear_axle_y, work.w_rear_axle_z, s8_126);
+  const double s8_128 = mbgen::fma(work.s7_13, s8_125, m_rear_axle_2*s8_123);
+  const double s8_129 = mbgen::fma(s7_32, s8_127, mbgen::fnma(work.s7_11, s8_110, s8_124));
+  const double s8_130 = mbgen::fnma(s7_36, s8_112, mbgen::fma(s7_38, s8_125, s8_129));
+  const double s8_131 = mbgen::fma(work.w_rear_axle_x, work.w_rear_axle_x, s8_117);
+  const double f_rear_axle_y = mbgen::fnma(work.s7_11, s8_131, mbgen::fma(work.s7_14, s8_127,
+      s8_128));
+  const double s8_132 = mbgen::fma(zd_rear_axle_ty, work.s8_23, work.zdd_star_rear_axle_tz);
+  const double s8_133 = mbgen::fnma(zd_rear_axle_tx, work.s8_13, s8_132);
+  const double s8_134 = mbgen::fma(z_rear_axle_ty, work.s8_33, s8_133);
+  const double s8_135 = mbgen::fma(work.r_rear_axle_aux1_x, work.s8_41, s8_134);
+  const double s8_136 = mbgen::fnma(work.r_rear_axle_aux3_z, work.s8_44, s8_135);
+  const double s8_137 = mbgen::fma(work.s7_11, s8_136, work.s8_5);
+  const double s8_138 = mbgen::fma(work.s7_14, s8_110, work.s8_4);
+  const double s8_139 = mbgen::fma(s7_27, s8_112, mbgen::fnma(work.s7_13, s8_136, s8_138));
+  const double s8_140 = mbgen::fma(work.w_rear_axle_y, work.w_rear_axle_z, s8_126);
+  const double s8_141 = mbgen::fms(work.w_rear_axle_x, work.w_rear_axle_z, s8_113);
+  const double s8_142 = mbgen::fma(work.s7_11, s8_140, m_rear_axle_2*s8_136);
+  const double s8_143 = mbgen::fma(s7_36, s8_140, mbgen::fnma(work.s7_14, s8_123, s8_137));
+  const double s8_144 = mbgen::fnma(s7_32, s8_125, mbgen::fma(s7_34, s8_141, s8_143));
+  const double s8_145 = mbgen::fnma(s7_34, s8_140, mbgen::fma(s7_39, s8_114, s8_139));
+  const double s8_146 = mbgen::fma(work.w_rear_axle_x, work.w_rear_axle_x, s8_116);
+  const double f_rear_axle_z = mbgen::fnma(work.s7_14, s8_146, mbgen::fma(work.s7_13, s8_141,
+      s8_142));
+  const double n_rear_axle_x = mbgen::fma(s7_27, s8_131 - s8_146, mbgen::fnma(s7_39, s8_127,
+      s8_144));
+  const double n_rear_axle_y = mbgen::fma(s7_32, s8_146 - s8_118, mbgen::fnma(s7_38, s8_141,
+      s8_145));
+  const double s8_147 = work.s5_48 - n_rear_axle_y;
+  const double n_rear_axle_z = mbgen::fma(s7_34, s8_118 - s8_131, mbgen::fnma(s7_27, s8_114,
+      s8_130));
+  const double s8_148 = s7_40 - s7_38;
+  const double s8_149 = mbgen::fnma(work.Rz_rear_axle_rx_1, s7_32, s8_10);
+  const double s8_150 = mbgen::fnma(work.s3_10, s8_148, s8_149);
+  const double s8_151 = mbgen::fnma(work.s3_2, work.s7_11, work.s3_8*work.s7_14);
+  const double s8_152 = mbgen::fma(work.Rz_rear_axle_rz_0, s8_148, s8_151);
+  const double s8_153 = mbgen::fnma(work.Rz_rear_axle_rx_0, s7_32, s8_152);
+  const double s8_154 = mbgen::fnma(work.Rz_rear_axle_ry_0, s7_34, s8_153);
+  const double s8_155 = mbgen::fma(593.0, work.r_rear_axle_aux3_z, work.s7_14);
+  const double s8_156 = s7_40 - s7_36;
+  const double s8_157 = mbgen::fnma(work.Rz_rear_axle_rx_1, s7_27, s8_12);
+  const double s8_158 = mbgen::fma(work.Rz_rear_axle_ry_1, s8_156, s8_157);
+  const double s8_159 = mbgen::fma(work.Rz_rear_axle_tx_0, work.s7_14, work.s3_2*work.s7_13);
+  const double s8_160 = mbgen::fma(work.Rz_rear_axle_ry_0, s8_156, s8_159);
+  const double s8_161 = mbgen::fnma(work.Rz_rear_axle_rz_0, s7_34, s8_160);
+  const double s8_162 = mbgen::fnma(work.Rz_rear_axle_rx_0, s7_27, s8_161);
+  const double s8_163 = mbgen::fma(work.Rz_rear_axle_ry_0, s8_158, s8_105);
+  const double s8_164 = s7_40 - s7_39;
+  const double s8_165 = work.Rz_rear_axle_rx_0*s8_164;
+  const double s8_166 = mbgen::fnma(work.Rz_rear_axle_rz_0, s7_32, s8_165);
+  const double s8_167 = mbgen::fnma(work.Rz_rear_axle_ry_0, s7_27, s8_166);
+  const double s8_168 = mbgen::fnma(work.s3_8, work.s7_13, s8_167);
+  const double s8_169 = mbgen::fnma(work.Rz_rear_axle_tx_0, work.s7_11, s8_168);
+  const double s8_170 = mbgen::fma(work.Rz_rear_axle_rx_1, s8_164, work.s3_10*s7_32);
+  const double s8_171 = mbgen::fnma(work.Rz_rear_axle_ry_1, s7_27, s8_170);
+  const double s8_172 = mbgen::fnma(work.s3_14, work.s7_13, s8_171);
+  const double s8_173 = mbgen::fnma(work.Rz_rear_axle_tx_1, work.s7_11, s8_172);
+  const double s8_174 = mbgen::fma(work.Rz_rear_axle_rz_0, s8_150, s8_163);
+  const double s8_175 = mbgen::fma(work.Rz_rear_axle_rx_0, s8_173, s8_174);
   // long_rod_left
-  const double s8_172 = mbgen::fma(work.s2_7, work.Rz_rear_axle_ry_0, work.Rz_rear_axle_tx_0);
-  const double s8_173 = mbgen::fnma(work.s2_12, work.Rz_rear_axle_rx_0, s8_172);
-  const double s8_174 = mbgen::fma(work.s2_7, work.Rz_rear_axle_ry_1, work.Rz_rear_axle_tx_1);
-  const double s8_175 = mbgen::fnma(work.s2_12, work.Rz_rear_axle_rx_1, s8_174);
-  const double s8_176 = mbgen::fnma(work.s2_12, work.s3_10, work.Rz_rear_axle_tz_1);
-  const double s8_177 = mbgen::fnma(work.s2_9, work.Rz_rear_axle_ry_1, s8_176);
-  const double s8_178 = mbgen::fms(work.s2_7, work.s3_10, work.s3_14);
-  const double s8_179 = mbgen::fma(work.s2_9, work.Rz_rear_axle_rx_1, s8_178);
-  const double s8_180 = mbgen::fma(s8_177, s8_177, mbgen::fma(s8_175, s8_175, s8_179*s8_179));
-  const double s8_181 = mbgen::fms(work.s2_12, work.Rz_rear_axle_rz_0, work.s3_2);
-  const double s8_182 = mbgen::fnma(work.s2_9, work.Rz_rear_axle_ry_0, s8_181);
-  const double s8_183 = mbgen::fms(work.s2_9, work.Rz_rear_axle_rx_0, work.s3_8);
-  const double s8_184 = mbgen::fnma(work.s2_7, work.Rz_rear_axle_rz_0, s8_183);
-  const double s8_185 = mbgen::fma(s8_182, s8_182, mbgen::fma(s8_173, s8_173, s8_184*s8_184));
-  const double s8_186 = mbgen::fma(s8_177, s8_182, mbgen::fma(s8_173, s8_175, s8_179*s8_184));
-  const double s8_187 = mbgen::fms(work.s2_13, work.s8_32, work.s2_17);
-  const double s8_188 = mbgen::fma(work.s2_11, work.s8_48, s8_187 - work.zdd_star_rear_axle_tx);
-  const double s8_189 = mbgen::fnma(work.s2_8, work.s8_41, s8_188);
-  const double s8_190 = mbgen::fma(work.s6_2, work.s8_28, s8_189);
-  const double s8_191 = mbgen::fnma(work.s6_3, work.s8_13, s8_190);
-  const double s8_192 = mbgen::fnma(work.s2_7, work.zdd_star_rear_axle_ry, s8_191);
-  const double s8_193 = 3.0*mbgen::fma(work.s2_12, work.zdd_star_rear_axle_rx, s8_192);
-  const double s8_194 = mbgen::fms(work.s2_13, work.s8_33, work.s2_19);
-  const double s8_195 = mbgen::fma(work.s2_8, work.s8_43, s8_194 - work.zdd_star_rear_axle_tz);
-  const double s8_196 = mbgen::fnma(work.s2_11, work.s8_41, s8_195);
-  const double s8_197 = mbgen::fma(work.s6_1, work.s8_13, s8_196);
-  const double s8_198 = mbgen::fnma(work.s6_2, work.s8_23, s8_197);
-  const double s8_199 = mbgen::fnma(work.s2_12, work.zdd_star_rear_axle_rz, s8_198);
-  const double s8_200 = 3.0*mbgen::fma(work.s2_9, work.zdd_star_rear_axle_ry, s8_199);
-  const double s8_201 = mbgen::fma(work.s6_3, work.s8_23, work.s6_77 - work.s2_18);
-  const double s8_202 = mbgen::fnma(work.s6_1, work.s8_28, s8_201);
-  const double s8_203 = mbgen::fnma(work.s2_9, work.zdd_star_rear_axle_rx, s8_202);
-  const double s8_204 = mbgen::fma(work.s2_7, work.zdd_star_rear_axle_rz, s8_203);
-  const double s8_205 = mbgen::fnma(work.s2_13, work.s8_53, s8_204);
-  const double s8_206 = mbgen::fnma(work.s2_8, work.s8_33, s8_205);
-  const double s8_207 = 3.0*mbgen::fnma(work.s2_11, work.s8_32, s8_206);
-  const double s8_208 = mbgen::fnma(s8_175, s8_193, mbgen::fnma(s8_179, s8_207, s8_61));
-  const double s8_209 = mbgen::fnma(s8_177, s8_200, s8_208);
-  const double s8_210 = mbgen::fnma(s8_173, s8_193, mbgen::fnma(s8_184, s8_207, s8_71));
-  const double s8_211 = mbgen::fnma(s8_182, s8_200, s8_210);
+  const double s8_176 = mbgen::fma(work.s2_7, work.Rz_rear_axle_ry_0, work.Rz_rear_axle_tx_0);
+  const double s8_177 = mbgen::fnma(work.s2_12, work.Rz_rear_axle_rx_0, s8_176);
+  const double s8_178 = mbgen::fma(work.s2_7, work.Rz_rear_axle_ry_1, work.Rz_rear_axle_tx_1);
+  const double s8_179 = mbgen::fnma(work.s2_12, work.Rz_rear_axle_rx_1, s8_178);
+  const double s8_180 = mbgen::fnma(work.s2_12, work.s3_10, work.Rz_rear_axle_tz_1);
+  const double s8_181 = mbgen::fnma(work.s2_9, work.Rz_rear_axle_ry_1, s8_180);
+  const double s8_182 = mbgen::fms(work.s2_7, work.s3_10, work.s3_14);
+  const double s8_183 = mbgen::fma(work.s2_9, work.Rz_rear_axle_rx_1, s8_182);
+  const double s8_184 = mbgen::fma(s8_181, s8_181, mbgen::fma(s8_179, s8_179, s8_183*s8_183));
+  const double s8_185 = mbgen::fms(work.s2_12, work.Rz_rear_axle_rz_0, work.s3_2);
+  const double s8_186 = mbgen::fnma(work.s2_9, work.Rz_rear_axle_ry_0, s8_185);
+  const double s8_187 = mbgen::fms(work.s2_9, work.Rz_rear_axle_rx_0, work.s3_8);
+  const double s8_188 = mbgen::fnma(work.s2_7, work.Rz_rear_axle_rz_0, s8_187);
+  const double s8_189 = mbgen::fma(s8_186, s8_186, mbgen::fma(s8_177, s8_177, s8_188*s8_188));
+  const double s8_190 = mbgen::fma(s8_181, s8_186, mbgen::fma(s8_177, s8_179, s8_183*s8_188));
+  const double s8_191 = mbgen::fms(work.s2_13, work.s8_32, work.s2_17);
+  const double s8_192 = mbgen::fma(work.s2_11, work.s8_49, s8_191 - work.zdd_star_rear_axle_tx);
+  const double s8_193 = mbgen::fnma(work.s2_8, work.s8_41, s8_192);
+  const double s8_194 = mbgen::fma(work.s6_2, work.s8_28, s8_193);
+  const double s8_195 = mbgen::fnma(work.s6_3, work.s8_13, s8_194);
+  const double s8_196 = mbgen::fnma(work.s2_7, work.zdd_star_rear_axle_ry, s8_195);
+  const double s8_197 = 3.0*mbgen::fma(work.s2_12, work.zdd_star_rear_axle_rx, s8_196);
+  const double s8_198 = mbgen::fms(work.s2_13, work.s8_33, work.s2_19);
+  const double s8_199 = mbgen::fma(work.s2_8, work.s8_44, s8_198 - work.zdd_star_rear_axle_tz);
+  const double s8_200 = mbgen::fnma(work.s2_11, work.s8_41, s8_199);
+  const double s8_201 = mbgen::fma(work.s6_1, work.s8_13, s8_200);
+  const double s8_202 = mbgen::fnma(work.s6_2, work.s8_23, s8_201);
+  const double s8_203 = mbgen::fnma(work.s2_12, work.zdd_star_rear_axle_rz, s8_202);
+  const double s8_204 = 3.0*mbgen::fma(work.s2_9, work.zdd_star_rear_axle_ry, s8_203);
+  const double s8_205 = mbgen::fma(work.s6_3, work.s8_23, work.s6_77 - work.s2_18);
+  const double s8_206 = mbgen::fnma(work.s6_1, work.s8_28, s8_205);
+  const double s8_207 = mbgen::fnma(work.s2_9, work.zdd_star_rear_axle_rx, s8_206);
+  const double s8_208 = mbgen::fma(work.s2_7, work.zdd_star_rear_axle_rz, s8_207);
+  const double s8_209 = mbgen::fnma(work.s2_13, work.s8_57, s8_208);
+  const double s8_210 = mbgen::fnma(work.s2_8, work.s8_33, s8_209);
+  const double s8_211 = 3.0*mbgen::fnma(work.s2_11, work.s8_32, s8_210);
+  const double s8_212 = mbgen::fnma(s8_179, s8_197, mbgen::fnma(s8_183, s8_211, s8_65));
+  const double s8_213 = mbgen::fnma(s8_181, s8_204, s8_212);
+  const double s8_214 = mbgen::fnma(s8_177, s8_197, mbgen::fnma(s8_188, s8_211, s8_75));
+  const double s8_215 = mbgen::fnma(s8_186, s8_204, s8_214);
   // diag_rod_left
-  const double s8_212 = mbgen::fma(work.s2_21, work.Rz_rear_axle_ry_0, work.Rz_rear_axle_tx_0);
-  const double s8_213 = mbgen::fnma(work.s2_28, work.Rz_rear_axle_rx_0, s8_212);
-  const double s8_214 = mbgen::fma(work.s2_21, work.Rz_rear_axle_ry_1, work.Rz_rear_axle_tx_1);
-  const double s8_215 = mbgen::fnma(work.s2_28, work.Rz_rear_axle_rx_1, s8_214);
-  const double s8_216 = mbgen::fnma(work.s2_28, work.s3_10, work.Rz_rear_axle_tz_1);
-  const double s8_217 = mbgen::fnma(work.s2_24, work.Rz_rear_axle_ry_1, s8_216);
-  const double s8_218 = mbgen::fms(work.s2_21, work.s3_10, work.s3_14);
-  const double s8_219 = mbgen::fma(work.s2_24, work.Rz_rear_axle_rx_1, s8_218);
-  const double s8_220 = mbgen::fma(s8_217, s8_217, mbgen::fma(s8_215, s8_215, s8_219*s8_219));
-  const double s8_221 = mbgen::fms(work.s2_24, work.Rz_rear_axle_rx_0, work.s3_8);
-  const double s8_222 = mbgen::fnma(work.s2_21, work.Rz_rear_axle_rz_0, s8_221);
-  const double s8_223 = mbgen::fms(work.s2_28, work.Rz_rear_axle_rz_0, work.s3_2);
-  const double s8_224 = mbgen::fnma(work.s2_24, work.Rz_rear_axle_ry_0, s8_223);
-  const double s8_225 = mbgen::fma(s8_224, s8_224, mbgen::fma(s8_213, s8_213, s8_222*s8_222));
-  const double s8_226 = mbgen::fma(s8_217, s8_224, mbgen::fma(s8_213, s8_215, s8_219*s8_222));
-  const double s8_227 = mbgen::fms(work.s2_29, work.s8_32, work.s2_33);
-  const double s8_228 = mbgen::fma(work.s2_26, work.s8_48, s8_227 - work.zdd_star_rear_axle_tx);
-  const double s8_229 = mbgen::fnma(work.s2_22, work.s8_41, s8_228);
-  const double s8_230 = mbgen::fma(work.s6_5, work.s8_28, s8_229);
-  const double s8_231 = mbgen::fnma(work.s6_6, work.s8_13, s8_230);
-  const double s8_232 = mbgen::fnma(work.s2_21, work.zdd_star_rear_axle_ry, s8_231);
-  const double s8_233 = mbgen::fma(work.s2_28, work.zdd_star_rear_axle_rx, s8_232);
-  const double s8_234 = 2.6666666666666665*s8_233;
-  const double s8_235 = mbgen::fms(work.s2_29, work.s8_33, work.s2_35);
-  const double s8_236 = mbgen::fma(work.s2_22, work.s8_43, s8_235 - work.zdd_star_rear_axle_tz);
-  const double s8_237 = mbgen::fnma(work.s2_26, work.s8_41, s8_236);
-  const double s8_238 = mbgen::fma(work.s6_4, work.s8_13, s8_237);
-  const double s8_239 = mbgen::fnma(work.s6_5, work.s8_23, s8_238);
-  const double s8_240 = mbgen::fnma(work.s2_28, work.zdd_star_rear_axle_rz, s8_239);
-  const double s8_241 = mbgen::fma(work.s2_24, work.zdd_star_rear_axle_ry, s8_240);
-  const double s8_242 = 2.6666666666666665*s8_241;
-  const double s8_243 = mbgen::fma(work.s6_6, work.s8_23, work.s6_77 - work.s2_34);
-  const double s8_244 = mbgen::fnma(work.s6_4, work.s8_28, s8_243);
-  const double s8_245 = mbgen::fnma(work.s2_24, work.zdd_star_rear_axle_rx, s8_244);
-  const double s8_246 = mbgen::fma(work.s2_21, work.zdd_star_rear_axle_rz, s8_245);
-  const double s8_247 = mbgen::fnma(work.s2_29, work.s8_53, s8_246);
-  const double s8_248 = mbgen::fnma(work.s2_22, work.s8_33, s8_247);
-  const double s8_249 = 2.6666666666666665*mbgen::fnma(work.s2_26, work.s8_32, s8_248);
-  const double s8_250 = mbgen::fnma(s8_215, s8_234, mbgen::fnma(s8_219, s8_249, s8_209));
-  const double s8_251 = mbgen::fnma(s8_217, s8_242, s8_250);
-  const double s8_252 = mbgen::fnma(s8_213, s8_234, mbgen::fnma(s8_222, s8_249, s8_211));
-  const double s8_253 = mbgen::fnma(s8_224, s8_242, s8_252);
+  const double s8_216 = mbgen::fma(work.s2_21, work.Rz_rear_axle_ry_0, work.Rz_rear_axle_tx_0);
+  const double s8_217 = mbgen::fnma(work.s2_28, work.Rz_rear_axle_rx_0, s8_216);
+  const double s8_218 = mbgen::fma(work.s2_21, work.Rz_rear_axle_ry_1, work.Rz_rear_axle_tx_1);
+  const double s8_219 = mbgen::fnma(work.s2_28, work.Rz_rear_axle_rx_1, s8_218);
+  const double s8_220 = mbgen::fnma(work.s2_28, work.s3_10, work.Rz_rear_axle_tz_1);
+  const double s8_221 = mbgen::fnma(work.s2_24, work.Rz_rear_axle_ry_1, s8_220);
+  const double s8_222 = mbgen::fms(work.s2_21, work.s3_10, work.s3_14);
+  const double s8_223 = mbgen::fma(work.s2_24, work.Rz_rear_axle_rx_1, s8_222);
+  const double s8_224 = mbgen::fma(s8_221, s8_221, mbgen::fma(s8_219, s8_219, s8_223*s8_223));
+  const double s8_225 = mbgen::fms(work.s2_24, work.Rz_rear_axle_rx_0, work.s3_8);
+  const double s8_226 = mbgen::fnma(work.s2_21, work.Rz_rear_axle_rz_0, s8_225);
+  const double s8_227 = mbgen::fms(work.s2_28, work.Rz_rear_axle_rz_0, work.s3_2);
+  const double s8_228 = mbgen::fnma(work.s2_24, work.Rz_rear_axle_ry_0, s8_227);
+  const double s8_229 = mbgen::fma(s8_228, s8_228, mbgen::fma(s8_217, s8_217, s8_226*s8_226));
+  const double s8_230 = mbgen::fma(s8_221, s8_228, mbgen::fma(s8_217, s8_219, s8_223*s8_226));
+  const double s8_231 = mbgen::fms(work.s2_29, work.s8_32, work.s2_33);
+  const double s8_232 = mbgen::fma(work.s2_26, work.s8_49, s8_231 - work.zdd_star_rear_axle_tx);
+  const double s8_233 = mbgen::fnma(work.s2_22, work.s8_41, s8_232);
+  const double s8_234 = mbgen::fma(work.s6_5, work.s8_28, s8_233);
+  const double s8_235 = mbgen::fnma(work.s6_6, work.s8_13, s8_234);
+  const double s8_236 = mbgen::fnma(work.s2_21, work.zdd_star_rear_axle_ry, s8_235);
+  const double s8_237 = mbgen::fma(work.s2_28, work.zdd_star_rear_axle_rx, s8_236);
+  const double s8_238 = 2.6666666666666665*s8_237;
+  const double s8_239 = mbgen::fms(work.s2_29, work.s8_33, work.s2_35);
+  const double s8_240 = mbgen::fma(work.s2_22, work.s8_44, s8_239 - work.zdd_star_rear_axle_tz);
+  const double s8_241 = mbgen::fnma(work.s2_26, work.s8_41, s8_240);
+  const double s8_242 = mbgen::fma(work.s6_4, work.s8_13, s8_241);
+  const double s8_243 = mbgen::fnma(work.s6_5, work.s8_23, s8_242);
+  const double s8_244 = mbgen::fnma(work.s2_28, work.zdd_star_rear_axle_rz, s8_243);
+  const double s8_245 = mbgen::fma(work.s2_24, work.zdd_star_rear_axle_ry, s8_244);
+  const double s8_246 = 2.6666666666666665*s8_245;
+  const double s8_247 = mbgen::fma(work.s6_6, work.s8_23, work.s6_77 - work.s2_34);
+  const double s8_248 = mbgen::fnma(work.s6_4, work.s8_28, s8_247);
+  const double s8_249 = mbgen::fnma(work.s2_24, work.zdd_star_rear_axle_rx, s8_248);
+  const double s8_250 = mbgen::fma(work.s2_21, work.zdd_star_rear_axle_rz, s8_249);
+  const double s8_251 = mbgen::fnma(work.s2_29, work.s8_57, s8_250);
+  const double s8_252 = mbgen::fnma(work.s2_22, work.s8_33, s8_251);
+  const double s8_253 = 2.6666666666666665*mbgen::fnma(work.s2_26, work.s8_32, s8_252);
+  const double s8_254 = mbgen::fnma(s8_219, s8_238, mbgen::fnma(s8_223, s8_253, s8_213));
+  const double s8_255 = mbgen::fnma(s8_221, s8_246, s8_254);
+  const double s8_256 = mbgen::fnma(s8_217, s8_238, mbgen::fnma(s8_226, s8_253, s8_215));
+  const double s8_257 = mbgen::fnma(s8_228, s8_246, s8_256);
   // arb_link_rear_left
-  const double s8_254 = mbgen::fma(work.s2_43, work.Rz_rear_axle_ry_1, work.Rz_rear_axle_tx_1);
-  const double s8_255 = mbgen::fnma(work.s2_46, work.Rz_rear_axle_rx_1, s8_254);
-  const double s8_256 = mbgen::fnma(work.s2_46, work.s3_10, work.Rz_rear_axle_tz_1);
-  const double s8_257 = mbgen::fnma(work.s2_49, work.Rz_rear_axle_ry_1, s8_256);
-  const double s8_258 = mbgen::fms(work.s2_43, work.s3_10, work.s3_14);
-  const double s8_259 = mbgen::fma(work.s2_49, work.Rz_rear_axle_rx_1, s8_258);
-  const double s8_260 = mbgen::fma(s8_257, s8_257, mbgen::fma(s8_255, s8_255, s8_259*s8_259));
-  const double s8_261 = mbgen::fms(work.s2_49, work.Rz_rear_axle_rx_0, work.s3_8);
-  const double s8_262 = mbgen::fnma(work.s2_43, work.Rz_rear_axle_rz_0, s8_261);
-  const double s8_263 = work.s2_42 + work.Rz_rear_axle_tx_0;
-  const double s8_264 = mbgen::fma(work.s2_43, work.Rz_rear_axle_ry_0, s8_263);
-  const double s8_265 = mbgen::fnma(work.s2_46, work.Rz_rear_axle_rx_0, s8_264);
-  const double s8_266 = mbgen::fma(work.s2_46, work.Rz_rear_axle_rz_0, work.s2_53 - work.s3_2);
-  const double s8_267 = mbgen::fnma(work.s2_49, work.Rz_rear_axle_ry_0, s8_266);
-  const double s8_268 = mbgen::fma(s8_267, s8_267, mbgen::fma(s8_265, s8_265, s8_262*s8_262));
-  const double s8_269 = mbgen::fma(s8_257, s8_267, mbgen::fma(s8_255, s8_265, s8_259*s8_262));
-  const double s8_270 = work.s6_9 - work.zdd_star_rear_axle_tz;
-  const double s8_271 = mbgen::fma(work.s2_48, work.s8_33, s8_270);
-  const double s8_272 = mbgen::fma(work.s2_45, work.s8_43, s8_271);
-  const double s8_273 = mbgen::fma(work.s2_54, work.s8_41, s8_272);
-  const double s8_274 = mbgen::fma(work.s6_14, work.s8_13, s8_273);
-  const double s8_275 = mbgen::fnma(work.s6_13, work.s8_23, s8_274);
-  const double s8_276 = mbgen::fnma(work.s2_46, work.zdd_star_rear_axle_rz, s8_275);
-  const double s8_277 = mbgen::fma(work.s2_49, work.zdd_star_rear_axle_ry, s8_276);
-  const double s8_278 = 0.3333333333333333*s8_277;
-  const double s8_279 = mbgen::fms(work.s2_48, work.s8_32, work.s6_12);
-  const double s8_280 = mbgen::fnma(work.s2_45, work.s8_41, s8_279 - work.zdd_star_rear_axle_tx);
-  const double s8_281 = mbgen::fnma(work.s2_54, work.s8_48, s8_280);
-  const double s8_282 = mbgen::fma(work.s6_13, work.s8_28, s8_281);
-  const double s8_283 = mbgen::fnma(work.s6_15, work.s8_13, s8_282);
-  const double s8_284 = mbgen::fnma(work.s2_43, work.zdd_star_rear_axle_ry, s8_283);
-  const double s8_285 = mbgen::fma(work.s2_46, work.zdd_star_rear_axle_rx, s8_284);
-  const double s8_286 = 0.3333333333333333*s8_285;
-  const double s8_287 = mbgen::fma(work.s2_54, work.s8_32, work.s6_77 - work.s2_52);
-  const double s8_288 = mbgen::fnma(work.s2_45, work.s8_33, s8_287);
-  const double s8_289 = mbgen::fnma(work.s2_48, work.s8_53, s8_288);
-  const double s8_290 = mbgen::fma(work.s6_15, work.s8_23, s8_289);
-  const double s8_291 = mbgen::fnma(work.s6_14, work.s8_28, s8_290);
-  const double s8_292 = mbgen::fnma(work.s2_49, work.zdd_star_rear_axle_rx, s8_291);
-  const double s8_293 = mbgen::fma(work.s2_43, work.zdd_star_rear_axle_rz, s8_292);
-  const double s8_294 = 0.3333333333333333*s8_293;
-  const double s8_295 = mbgen::fnma(s8_255, s8_286, mbgen::fnma(s8_259, s8_294, s8_251));
-  const double s8_296 = mbgen::fnma(s8_257, s8_278, s8_295);
-  const double s8_297 = mbgen::fnma(s8_265, s8_286, mbgen::fnma(s8_262, s8_294, s8_253));
-  const double s8_298 = mbgen::fnma(s8_267, s8_278, s8_297);
+  const double s8_258 = mbgen::fma(work.s2_43, work.Rz_rear_axle_ry_1, work.Rz_rear_axle_tx_1);
+  const double s8_259 = mbgen::fnma(work.s2_46, work.Rz_rear_axle_rx_1, s8_258);
+  const double s8_260 = mbgen::fnma(work.s2_46, work.s3_10, work.Rz_rear_axle_tz_1);
+  const double s8_261 = mbgen::fnma(work.s2_49, work.Rz_rear_axle_ry_1, s8_260);
+  const double s8_262 = mbgen::fms(work.s2_43, work.s3_10, work.s3_14);
+  const double s8_263 = mbgen::fma(work.s2_49, work.Rz_rear_axle_rx_1, s8_262);
+  const double s8_264 = mbgen::fma(s8_261, s8_261, mbgen::fma(s8_259, s8_259, s8_263*s8_263));
+  const double s8_265 = mbgen::fms(work.s2_49, work.Rz_rear_axle_rx_0, work.s3_8);
+  const double s8_266 = mbgen::fnma(work.s2_43, work.Rz_rear_axle_rz_0, s8_265);
+  const double s8_267 = work.s2_42 + work.Rz_rear_axle_tx_0;
+  const double s8_268 = mbgen::fma(work.s2_43, work.Rz_rear_axle_ry_0, s8_267);
+  const double s8_269 = mbgen::fnma(work.s2_46, work.Rz_rear_axle_rx_0, s8_268);
+  const double s8_270 = mbgen::fma(work.s2_46, work.Rz_rear_axle_rz_0, work.s2_53 - work.s3_2);
+  const double s8_271 = mbgen::fnma(work.s2_49, work.Rz_rear_axle_ry_0, s8_270);
+  const double s8_272 = mbgen::fma(s8_271, s8_271, mbgen::fma(s8_269, s8_269, s8_266*s8_266));
+  const double s8_273 = mbgen::fma(s8_261, s8_271, mbgen::fma(s8_259, s8_269, s8_263*s8_266));
+  const double s8_274 = work.s6_9 - work.zdd_star_rear_axle_tz;
+  const double s8_275 = mbgen::fma(work.s2_48, work.s8_33, s8_274);
+  const double s8_276 = mbgen::fma(work.s2_45, work.s8_44, s8_275);
+  const double s8_277 = mbgen::fma(work.s2_54, work.s8_41, s8_276);
+  const double s8_278 = mbgen::fma(work.s6_14, work.s8_13, s8_277);
+  const double s8_279 = mbgen::fnma(work.s6_13, work.s8_23, s8_278);
+  const double s8_280 = mbgen::fnma(work.s2_46, work.zdd_star_rear_axle_rz, s8_279);
+  const double s8_281 = mbgen::fma(work.s2_49, work.zdd_star_rear_axle_ry, s8_280);
+  const double s8_282 = 0.3333333333333333*s8_281;
+  const double s8_283 = mbgen::fms(work.s2_48, work.s8_32, work.s6_12);
+  const double s8_284 = mbgen::fnma(work.s2_45, work.s8_41, s8_283 - work.zdd_star_rear_axle_tx);
+  const double s8_285 = mbgen::fnma(work.s2_54, work.s8_49, s8_284);
+  const double s8_286 = mbgen::fma(work.s6_13, work.s8_28, s8_285);
+  const double s8_287 = mbgen::fnma(work.s6_15, work.s8_13, s8_286);
+  const double s8_288 = mbgen::fnma(work.s2_43, work.zdd_star_rear_axle_ry, s8_287);
+  const double s8_289 = mbgen::fma(work.s2_46, work.zdd_star_rear_axle_rx, s8_288);
+  const double s8_290 = 0.3333333333333333*s8_289;
+  const double s8_291 = mbgen::fma(work.s2_54, work.s8_32, work.s6_77 - work.s2_52);
+  const double s8_292 = mbgen::fnma(work.s2_45, work.s8_33, s8_291);
+  const double s8_293 = mbgen::fnma(work.s2_48, work.s8_57, s8_292);
+  const double s8_294 = mbgen::fma(work.s6_15, work.s8_23, s8_293);
+  const double s8_295 = mbgen::fnma(work.s6_14, work.s8_28, s8_294);
+  const double s8_296 = mbgen::fnma(work.s2_49, work.zdd_star_rear_axle_rx, s8_295);
+  const double s8_297 = mbgen::fma(work.s2_43, work.zdd_star_rear_axle_rz, s8_296);
+  const double s8_298 = 0.3333333333333333*s8_297;
+  const double s8_299 = mbgen::fnma(s8_259, s8_290, mbgen::fnma(s8_263, s8_298, s8_255));
+  const double s8_300 = mbgen::fnma(s8_261, s8_282, s8_299);
+  const double s8_301 = mbgen::fnma(s8_269, s8_290, mbgen::fnma(s8_266, s8_298, s8_257));
+  const double s8_302 = mbgen::fnma(s8_271, s8_282, s8_301);
   // long_rod_right
-  const double s8_299 = mbgen::fnma(work.s2_57, work.s3_10, work.Rz_rear_axle_tz_1);
-  const double s8_300 = mbgen::fnma(work.s2_61, work.Rz_rear_axle_ry_1, s8_299);
-  const double s8_301 = mbgen::fnma(work.s2_56, work.Rz_rear_axle_ry_0, work.Rz_rear_axle_tx_0);
-  const double s8_302 = mbgen::fnma(work.s2_57, work.Rz_rear_axle_rx_0, s8_301);
-  const double s8_303 = mbgen::fnma(work.s2_56, work.Rz_rear_axle_ry_1, work.Rz_rear_axle_tx_1);
-  const double s8_304 = mbgen::fnma(work.s2_57, work.Rz_rear_axle_rx_1, s8_303);
-  const double s8_305 = mbgen::fms(work.s2_56, work.Rz_rear_axle_rz_0, work.s3_8);
-  const double s8_306 = mbgen::fma(work.s2_61, work.Rz_rear_axle_rx_0, s8_305);
-  const double s8_307 = mbgen::fms(work.s2_57, work.Rz_rear_axle_rz_0, work.s3_2);
-  const double s8_308 = mbgen::fnma(work.s2_61, work.Rz_rear_axle_ry_0, s8_307);
-  const double s8_309 = mbgen::fma(s8_302, s8_302, mbgen::fma(s8_306, s8_306, s8_185));
-  const double s8_310 = mbgen::fma(s8_308, s8_308, s8_309);
-  const double s8_311 = mbgen::fms(work.s2_61, work.Rz_rear_axle_rx_1, work.s3_14);
-  const double s8_312 = mbgen::fnma(work.s2_56, work.s3_10, s8_311);
-  const double s8_313 = mbgen::fma(s8_300, s8_300, mbgen::fma(s8_312, s8_312, s8_180));
-  const double s8_314 = mbgen::fma(s8_304, s8_304, s8_313);
-  const double s8_315 = mbgen::fma(s8_300, s8_308, mbgen::fma(s8_306, s8_312, s8_186));
-  const double s8_316 = mbgen::fnma(3.0, mbgen::fma(s8_302, s8_304, s8_315), s8_171);
-  const double s8_317 = mbgen::fma(work.s2_59, work.s8_53, work.s2_65 + work.s6_77);
-  const double s8_318 = mbgen::fnma(work.s2_60, work.s8_33, s8_317);
-  const double s8_319 = mbgen::fnma(work.s2_67, work.s8_32, s8_318);
-  const double s8_320 = mbgen::fma(work.s6_17, work.s8_23, s8_319);
-  const double s8_321 = mbgen::fnma(work.s6_18, work.s8_28, s8_320);
-  const double s8_322 = mbgen::fnma(work.s2_56, work.zdd_star_rear_axle_rz, s8_321);
-  const double s8_323 = 3.0*mbgen::fnma(work.s2_61, work.zdd_star_rear_axle_rx, s8_322);
-  const double s8_324 = mbgen::fms(work.s2_60, work.s8_43, work.s2_64);
-  const double s8_325 = mbgen::fnma(work.s2_67, work.s8_41, s8_324 - work.zdd_star_rear_axle_tz);
-  const double s8_326 = mbgen::fnma(work.s2_59, work.s8_33, s8_325);
-  const double s8_327 = mbgen::fma(work.s6_18, work.s8_13, s8_326);
-  const double s8_328 = mbgen::fnma(work.s6_16, work.s8_23, s8_327);
-  const double s8_329 = mbgen::fnma(work.s2_57, work.zdd_star_rear_axle_rz, s8_328);
-  const double s8_330 = 3.0*mbgen::fma(work.s2_61, work.zdd_star_rear_axle_ry, s8_329);
-  const double s8_331 = mbgen::fms(work.s2_67, work.s8_48, work.s2_66);
-  const double s8_332 = mbgen::fnma(work.s2_60, work.s8_41, s8_331 - work.zdd_star_rear_axle_tx);
-  const double s8_333 = mbgen::fnma(work.s2_59, work.s8_32, s8_332);
-  const double s8_334 = mbgen::fma(work.s6_16, work.s8_28, s8_333);
-  const double s8_335 = mbgen::fnma(work.s6_17, work.s8_13, s8_334);
-  const double s8_336 = mbgen::fma(work.s2_56, work.zdd_star_rear_axle_ry, s8_335);
-  const double s8_337 = 3.0*mbgen::fma(work.s2_57, work.zdd_star_rear_axle_rx, s8_336);
-  const double s8_338 = mbgen::fnma(s8_300, s8_330, mbgen::fnma(s8_312, s8_323, s8_296));
-  const double s8_339 = mbgen::fnma(s8_304, s8_337, s8_338);
-  const double s8_340 = mbgen::fnma(s8_302, s8_337, mbgen::fnma(s8_306, s8_323, s8_298));
-  const double s8_341 = mbgen::fnma(s8_308, s8_330, s8_340);
+  const double s8_303 = mbgen::fnma(work.s2_57, work.s3_10, work.Rz_rear_axle_tz_1);
+  const double s8_304 = mbgen::fnma(work.s2_61, work.Rz_rear_axle_ry_1, s8_303);
+  const double s8_305 = mbgen::fnma(work.s2_56, work.Rz_rear_axle_ry_0, work.Rz_rear_axle_tx_0);
+  const double s8_306 = mbgen::fnma(work.s2_57, work.Rz_rear_axle_rx_0, s8_305);
+  const double s8_307 = mbgen::fnma(work.s2_56, work.Rz_rear_axle_ry_1, work.Rz_rear_axle_tx_1);
+  const double s8_308 = mbgen::fnma(work.s2_57, work.Rz_rear_axle_rx_1, s8_307);
+  const double s8_309 = mbgen::fms(work.s2_56, work.Rz_rear_axle_rz_0, work.s3_8);
+  const double s8_310 = mbgen::fma(work.s2_61, work.Rz_rear_axle_rx_0, s8_309);
+  const double s8_311 = mbgen::fms(work.s2_57, work.Rz_rear_axle_rz_0, work.s3_2);
+  const double s8_312 = mbgen::fnma(work.s2_61, work.Rz_rear_axle_ry_0, s8_311);
+  const double s8_313 = mbgen::fma(s8_306, s8_306, mbgen::fma(s8_310, s8_310, s8_189));
+  const double s8_314 = mbgen::fma(s8_312, s8_312, s8_313);
+  const double s8_315 = mbgen::fms(work.s2_61, work.Rz_rear_axle_rx_1, work.s3_14);
+  const double s8_316 = mbgen::fnma(work.s2_56, work.s3_10, s8_315);
+  const double s8_317 = mbgen::fma(s8_304, s8_304, mbgen::fma(s8_316, s8_316, s8_184));
+  const double s8_318 = mbgen::fma(s8_308, s8_308, s8_317);
+  const double s8_319 = mbgen::fma(s8_304, s8_312, mbgen::fma(s8_310, s8_316, s8_190));
+  const double s8_320 = mbgen::fnma(3.0, mbgen::fma(s8_306, s8_308, s8_319), s8_175);
+  const double s8_321 = mbgen::fma(work.s2_59, work.s8_57, work.s2_65 + work.s6_77);
+  const double s8_322 = mbgen::fnma(work.s2_60, work.s8_33, s8_321);
+  const double s8_323 = mbgen::fnma(work.s2_67, work.s8_32, s8_322);
+  const double s8_324 = mbgen::fma(work.s6_17, work.s8_23, s8_323);
+  const double s8_325 = mbgen::fnma(work.s6_18, work.s8_28, s8_324);
+  const double s8_326 = mbgen::fnma(work.s2_56, work.zdd_star_rear_axle_rz, s8_325);
+  const double s8_327 = 3.0*mbgen::fnma(work.s2_61, work.zdd_star_rear_axle_rx, s8_326);
+  const double s8_328 = mbgen::fms(work.s2_60, work.s8_44, work.s2_64);
+  const double s8_329 = mbgen::fnma(work.s2_67, work.s8_41, s8_328 - work.zdd_star_rear_axle_tz);
+  const double s8_330 = mbgen::fnma(work.s2_59, work.s8_33, s8_329);
+  const double s8_331 = mbgen::fma(work.s6_18, work.s8_13, s8_330);
+  const double s8_332 = mbgen::fnma(work.s6_16, work.s8_23, s8_331);
+  const double s8_333 = mbgen::fnma(work.s2_57, work.zdd_star_rear_axle_rz, s8_332);
+  const double s8_334 = 3.0*mbgen::fma(work.s2_61, work.zdd_star_rear_axle_ry, s8_333);
+  const double s8_335 = mbgen::fms(work.s2_67, work.s8_49, work.s2_66);
+  const double s8_336 = mbgen::fnma(work.s2_60, work.s8_41, s8_335 - work.zdd_star_rear_axle_tx);
+  const double s8_337 = mbgen::fnma(work.s2_59, work.s8_32, s8_336);
+  const double s8_338 = mbgen::fma(work.s6_16, work.s8_28, s8_337);
+  const double s8_339 = mbgen::fnma(work.s6_17, work.s8_13, s8_338);
+  const double s8_340 = mbgen::fma(work.s2_56, work.zdd_star_rear_axle_ry, s8_339);
+  const double s8_341 = 3.0*mbgen::fma(work.s2_57, work.zdd_star_rear_axle_rx, s8_340);
+  const double s8_342 = mbgen::fnma(s8_304, s8_334, mbgen::fnma(s8_316, s8_327, s8_300));
+  const double s8_343 = mbgen::fnma(s8_308, s8_341, s8_342);
+  const double s8_344 = mbgen::fnma(s8_306, s8_341, mbgen::fnma(s8_310, s8_327, s8_302));
+  const double s8_345 = mbgen::fnma(s8_312, s8_334, s8_344);
   // diag_rod_right
-  const double s8_342 = mbgen::fma(work.s2_68, work.Rz_rear_axle_ry_0, work.Rz_rear_axle_tx_0);
-  const double s8_343 = mbgen::fnma(work.s2_70, work.Rz_rear_axle_rx_0, s8_342);
-  const double s8_344 = mbgen::fma(work.s2_68, work.Rz_rear_axle_ry_1, work.Rz_rear_axle_tx_1);
-  const double s8_345 = mbgen::fnma(work.s2_70, work.Rz_rear_axle_rx_1, s8_344);
-  const double s8_346 = mbgen::fnma(work.s2_70, work.s3_10, work.Rz_rear_axle_tz_1);
-  const double s8_347 = mbgen::fnma(work.s2_74, work.Rz_rear_axle_ry_1, s8_346);
-  const double s8_348 = mbgen::fms(work.s2_68, work.s3_10, work.s3_14);
-  const double s8_349 = mbgen::fma(work.s2_74, work.Rz_rear_axle_rx_1, s8_348);
-  const double s8_350 = mbgen::fma(s8_345, s8_345, mbgen::fma(s8_349, s8_349, s8_220));
-  const double s8_351 = mbgen::fma(s8_347, s8_347, s8_350);
-  const double s8_352 = mbgen::fms(work.s2_74, work.Rz_rear_axle_rx_0, work.s3_8);
-  const double s8_353 = mbgen::fnma(work.s2_68, work.Rz_rear_axle_rz_0, s8_352);
-  const double s8_354 = mbgen::fms(work.s2_70, work.Rz_rear_axle_rz_0, work.s3_2);
-  const double s8_355 = mbgen::fnma(work.s2_74, work.Rz_rear_axle_ry_0, s8_354);
-  const double s8_356 = mbgen::fma(s8_343, s8_343, mbgen::fma(s8_353, s8_353, s8_225));
-  const double s8_357 = mbgen::fma(s8_355, s8_355, s8_356);
-  const double s8_358 = mbgen::fma(s8_343, s8_345, mbgen::fma(s8_349, s8_353, s8_226));
-  const double s8_359 = mbgen::fma(s8_347, s8_355, s8_358);
-  const double s8_360 = mbgen::fnma(2.6666666666666665, s8_359, s8_316);
-  const double s8_361 = mbgen::fma(work.s2_72, work.s8_53, work.s6_77 - work.s2_78);
-  const double s8_362 = mbgen::fnma(work.s2_69, work.s8_33, s8_361);
-  const double s8_363 = mbgen::fnma(work.s2_80, work.s8_32, s8_362);
-  const double s8_364 = mbgen::fma(work.s6_21, work.s8_23, s8_363);
-  const double s8_365 = mbgen::fnma(work.s6_19, work.s8_28, s8_364);
-  const double s8_366 = mbgen::fnma(work.s2_74, work.zdd_star_rear_axle_rx, s8_365);
-  const double s8_367 = mbgen::fma(work.s2_68, work.zdd_star_rear_axle_rz, s8_366);
-  const double s8_368 = 2.6666666666666665*s8_367;
-  const double s8_369 = mbgen::fms(work.s2_69, work.s8_43, work.s2_79);
-  const double s8_370 = mbgen::fnma(work.s2_80, work.s8_41, s8_369 - work.zdd_star_rear_axle_tz);
-  const double s8_371 = mbgen::fnma(work.s2_72, work.s8_33, s8_370);
-  const double s8_372 = mbgen::fma(work.s6_19, work.s8_13, s8_371);
-  const double s8_373 = mbgen::fnma(work.s6_20, work.s8_23, s8_372);
-  const double s8_374 = mbgen::fnma(work.s2_70, work.zdd_star_rear_axle_rz, s8_373);
-  const double s8_375 = mbgen::fma(work.s2_74, work.zdd_star_rear_axle_ry, s8_374);
-  const double s8_376 = 2.6666666666666665*s8_375;
-  const double s8_377 = mbgen::fms(work.s2_80, work.s8_48, work.s2_77);
-  const double s8_378 = mbgen::fnma(work.s2_69, work.s8_41, s8_377 - work.zdd_star_rear_axle_tx);
-  const double s8_379 = mbgen::fnma(work.s2_72, work.s8_32, s8_378);
-  const double s8_380 = mbgen::fma(work.s6_20, work.s8_28, s8_379);
-  const double s8_381 = mbgen::fnma(work.s6_21, work.s8_13, s8_380);
-  const double s8_382 = mbgen::fnma(work.s2_68, work.zdd_star_rear_axle_ry, s8_381);
-  const double s8_383 = mbgen::fma(work.s2_70, work.zdd_star_rear_axle_rx, s8_382);
-  const double s8_384 = 2.6666666666666665*s8_383;
-  const double s8_385 = mbgen::fnma(s8_345, s8_384, mbgen::fnma(s8_349, s8_368, s8_339));
-  const double s8_386 = mbgen::fnma(s8_347, s8_376, s8_385);
-  const double s8_387 = mbgen::fnma(s8_343, s8_384, mbgen::fnma(s8_353, s8_368, s8_341));
-  const double s8_388 = mbgen::fnma(s8_355, s8_376, s8_387);
+  const double s8_346 = mbgen::fma(work.s2_68, work.Rz_rear_axle_ry_0, work.Rz_rear_axle_tx_0);
+  const double s8_347 = mbgen::fnma(work.s2_70, work.Rz_rear_axle_rx_0, s8_346);
+  const double s8_348 = mbgen::fma(work.s2_68, work.Rz_rear_axle_ry_1, work.Rz_rear_axle_tx_1);
+  const double s8_349 = mbgen::fnma(work.s2_70, work.Rz_rear_axle_rx_1, s8_348);
+  const double s8_350 = mbgen::fnma(work.s2_70, work.s3_10, work.Rz_rear_axle_tz_1);
+  const double s8_351 = mbgen::fnma(work.s2_74, work.Rz_rear_axle_ry_1, s8_350);
+  const double s8_352 = mbgen::fms(work.s2_68, work.s3_10, work.s3_14);
+  const double s8_353 = mbgen::fma(work.s2_74, work.Rz_rear_axle_rx_1, s8_352);
+  const double s8_354 = mbgen::fma(s8_349, s8_349, mbgen::fma(s8_353, s8_353, s8_224));
+  const double s8_355 = mbgen::fma(s8_351, s8_351, s8_354);
+  const double s8_356 = mbgen::fms(work.s2_74, work.Rz_rear_axle_rx_0, work.s3_8);
+  const double s8_357 = mbgen::fnma(work.s2_68, work.Rz_rear_axle_rz_0, s8_356);
+  const double s8_358 = mbgen::fms(work.s2_70, work.Rz_rear_axle_rz_0, work.s3_2);
+  const double s8_359 = mbgen::fnma(work.s2_74, work.Rz_rear_axle_ry_0, s8_358);
+  const double s8_360 = mbgen::fma(s8_347, s8_347, mbgen::fma(s8_357, s8_357, s8_229));
+  const double s8_361 = mbgen::fma(s8_359, s8_359, s8_360);
+  const double s8_362 = mbgen::fma(s8_347, s8_349, mbgen::fma(s8_353, s8_357, s8_230));
+  const double s8_363 = mbgen::fma(s8_351, s8_359, s8_362);
+  const double s8_364 = mbgen::fnma(2.6666666666666665, s8_363, s8_320);
+  const double s8_365 = mbgen::fma(work.s2_72, work.s8_57, work.s6_77 - work.s2_78);
+  const double s8_366 = mbgen::fnma(work.s2_69, work.s8_33, s8_365);
+  const double s8_367 = mbgen::fnma(work.s2_80, work.s8_32, s8_366);
+  const double s8_368 = mbgen::fma(work.s6_21, work.s8_23, s8_367);
+  const double s8_369 = mbgen::fnma(work.s6_19, work.s8_28, s8_368);
+  const double s8_370 = mbgen::fnma(work.s2_74, work.zdd_star_rear_axle_rx, s8_369);
+  const double s8_371 = mbgen::fma(work.s2_68, work.zdd_star_rear_axle_rz, s8_370);
+  const double s8_372 = 2.6666666666666665*s8_371;
+  const double s8_373 = mbgen::fms(work.s2_69, work.s8_44, work.s2_79);
+  const double s8_374 = mbgen::fnma(work.s2_80, work.s8_41, s8_373 - work.zdd_star_rear_axle_tz);
+  const double s8_375 = mbgen::fnma(work.s2_72, work.s8_33, s8_374);
+  const double s8_376 = mbgen::fma(work.s6_19, work.s8_13, s8_375);
+  const double s8_377 = mbgen::fnma(work.s6_20, work.s8_23, s8_376);
+  const double s8_378 = mbgen::fnma(work.s2_70, work.zdd_star_rear_axle_rz, s8_377);
+  const double s8_379 = mbgen::fma(work.s2_74, work.zdd_star_rear_axle_ry, s8_378);
+  const double s8_380 = 2.6666666666666665*s8_379;
+  const double s8_381 = mbgen::fms(work.s2_80, work.s8_49, work.s2_77);
+  const double s8_382 = mbgen::fnma(work.s2_69, work.s8_41, s8_381 - work.zdd_star_rear_axle_tx);
+  const double s8_383 = mbgen::fnma(work.s2_72, work.s8_32, s8_382);
+  const double s8_384 = mbgen::fma(work.s6_20, work.s8_28, s8_383);
+  const double s8_385 = mbgen::fnma(work.s6_21, work.s8_13, s8_384);
+  const double s8_386 = mbgen::fnma(work.s2_68, work.zdd_star_rear_axle_ry, s8_385);
+  const double s8_387 = mbgen::fma(work.s2_70, work.zdd_star_rear_axle_rx, s8_386);
+  const double s8_388 = 2.6666666666666665*s8_387;
+  const double s8_389 = mbgen::fnma(s8_349, s8_388, mbgen::fnma(s8_353, s8_372, s8_343));
+  const double s8_390 = mbgen::fnma(s8_351, s8_380, s8_389);
+  const double s8_391 = mbgen::fnma(s8_347, s8_388, mbgen::fnma(s8_357, s8_372, s8_345));
+  const double s8_392 = mbgen::fnma(s8_359, s8_380, s8_391);
   // arb_link_rear_right
-  const double s8_389 = mbgen::fma(593.0, work.r_rear_axle_aux1_x, work.s7_13);
-  const double s8_390 = mbgen::fma(work.r_rear_axle_aux1_x, s8_151, s7_32);
-  const double s8_391 = 3.0*work.s2_11;
-  const double s8_392 = mbgen::fma(work.r_rear_axle_aux3_z, s8_389, s8_390);
-  const double s8_393 = 2.6666666666666665*work.s2_26;
-  const double s8_394 = 0.3333333333333333*work.s2_54;
-  const double s8_395 = mbgen::fnma(work.s2_22, s8_393, mbgen::fnma(work.s2_8, s8_391, s8_392));
-  const double s8_396 = 3.0*work.s2_67;
-  const double s8_397 = 2.6666666666666665*work.s2_80;
-  const double s8_398 = mbgen::fnma(work.s2_60, s8_396, mbgen::fma(work.s2_45, s8_394, s8_395));
-  const double s8_399 = 0.3333333333333333*work.s2_96;
-  work.s8_400 = mbgen::fma(work.s2_93, s8_399, mbgen::fnma(work.s2_69, s8_397, s8_398));
-  const double s8_401 = mbgen::fma(593.0, z_rear_axle_ty, work.s7_11);
-  const double s8_402 = mbgen::fma(z_rear_axle_ty, s8_389, s7_34);
-  const double s8_403 = mbgen::fma(work.r_rear_axle_aux1_x, s8_401, s8_402);
-  const double s8_404 = mbgen::fma(work.s2_29, s8_393, mbgen::fma(work.s2_13, s8_391, s8_403));
-  const double s8_405 = mbgen::fnma(work.s2_59, s8_396, mbgen::fnma(work.s2_48, s8_394, s8_404));
-  work.s8_406 = mbgen::fma(work.s2_86, s8_399, mbgen::fnma(work.s2_72, s8_397, s8_405));
-  const double s8_407 = mbgen::fma(z_rear_axle_ty, s8_151, s7_27);
-  const double s8_408 = 3.0*work.s2_13;
-  const double s8_409 = mbgen::fma(work.r_rear_axle_aux3_z, s8_401, s8_407);
-  const double s8_410 = 2.6666666666666665*work.s2_29;
-  const double s8_411 = 0.3333333333333333*work.s2_48;
-  const double s8_412 = mbgen::fma(work.s2_22, s8_410, mbgen::fma(work.s2_8, s8_408, s8_409));
-  const double s8_413 = 3.0*work.s2_59;
-  const double s8_414 = 2.6666666666666665*work.s2_72;
-  const double s8_415 = mbgen::fnma(work.s2_60, s8_413, mbgen::fma(work.s2_45, s8_411, s8_412));
-  const double s8_416 = 0.3333333333333333*work.s2_86;
-  work.s8_417 = mbgen::fnma(work.s2_93, s8_416, mbgen::fnma(work.s2_69, s8_414, s8_415));
-  const double s8_418 = mbgen::fma(work.s2_84, work.Rz_rear_axle_rx_0, work.s3_8);
-  const double s8_419 = mbgen::fma(work.s2_87, work.Rz_rear_axle_rz_0, s8_418);
-  const double s8_420 = mbgen::fma(work.s2_83, work.Rz_rear_axle_rx_0, work.Rz_rear_axle_tx_0);
-  const double s8_421 = mbgen::fma(work.s2_87, work.Rz_rear_axle_ry_0, s8_420);
-  const double s8_422 = mbgen::fms(work.s2_84, work.Rz_rear_axle_ry_0, work.s3_2);
-  const double s8_423 = mbgen::fnma(work.s2_83, work.Rz_rear_axle_rz_0, s8_422);
-  const double s8_424 = mbgen::fma(s8_421, s8_421, mbgen::fma(s8_419, s8_419, s8_268));
-  const double s8_425 = mbgen::fms(work.s2_87, work.s3_10, work.s3_14);
-  const double s8_426 = mbgen::fnma(work.s2_84, work.Rz_rear_axle_rx_1, s8_425);
-  const double s8_427 = work.r_rear_axle_aux3_z + work.r_rear_axle_aux3_z;
-  const double s8_428 = 3.0*work.s2_8;
-  const double s8_429 = 2.6666666666666665*work.s2_22;
-  const double s8_430 = mbgen::fnma(work.s2_8, s8_428, mbgen::fma(s8_151, s8_427, s7_39));
-  const double s8_431 = 0.3333333333333333*work.s2_45;
-  const double s8_432 = 3.0*work.s2_60;
-  const double s8_433 = mbgen::fnma(work.s2_45, s8_431, mbgen::fnma(work.s2_22, s8_429, s8_430));
-  const double s8_434 = 2.6666666666666665*work.s2_69;
-  const double s8_435 = 0.3333333333333333*work.s2_93;
-  const double s8_436 = mbgen::fnma(work.s2_69, s8_434, mbgen::fnma(work.s2_60, s8_432, s8_433));
-  work.s8_437 = mbgen::fnma(work.s2_93, s8_435, s8_436);
-  const double s8_438 = mbgen::fma(s8_401, z_rear_axle_ty + z_rear_axle_ty, s7_36);
-  const double s8_439 = mbgen::fnma(work.s2_29, s8_410, mbgen::fnma(work.s2_13, s8_408, s8_438));
-  const double s8_440 = mbgen::fnma(work.s2_59, s8_413, mbgen::fnma(work.s2_48, s8_411, s8_439));
-  work.s8_441 = mbgen::fnma(work.s2_86, s8_416, mbgen::fnma(work.s2_72, s8_414, s8_440));
-  const double s8_442 = work.r_rear_axle_aux1_x + work.r_rear_axle_aux1_x;
-  const double s8_443 = mbgen::fnma(work.s2_11, s8_391, mbgen::fma(s8_389, s8_442, s7_38));
-  const double s8_444 = mbgen::fnma(work.s2_54, s8_394, mbgen::fnma(work.s2_26, s8_393, s8_443));
-  const double s8_445 = mbgen::fnma(work.s2_80, s8_397, mbgen::fnma(work.s2_67, s8_396, s8_444));
-  work.s8_446 = mbgen::fnma(work.s2_96, s8_399, s8_445);
-  const double s8_447 = work.s2_91 + work.Rz_rear_axle_tx_1;
-  const double s8_448 = mbgen::fma(work.s2_83, work.Rz_rear_axle_rx_1, s8_447);
-  const double s8_449 = mbgen::fma(work.s2_87, work.Rz_rear_axle_ry_1, s8_448);
-  const double s8_450 = work.s2_94 + work.Rz_rear_axle_tz_1;
-  const double s8_451 = mbgen::fma(work.s2_84, work.Rz_rear_axle_ry_1, s8_450);
-  const double s8_452 = mbgen::fma(work.s2_83, work.s3_10, s8_451);
-  const double s8_453 = mbgen::fma(s8_449, s8_449, mbgen::fma(s8_426, s8_426, s8_260));
-  const double s8_454 = mbgen::fma(s8_423, s8_452, mbgen::fma(s8_421, s8_449, s8_269));
-  const double s8_455 = mbgen::fnma(s8_419, s8_426, s8_454);
-  work.s8_456 = mbgen::fnma(0.3333333333333333, s8_455, s8_360);
-  const double s8_457 = mbgen::fma((-p_arb_rear_right_y), s8_54, s8_31 + s8_146);
-  const double s8_458 = mbgen::fma(z_rear_axle_ty, s8_93, s8_457);
-  const double s8_459 = mbgen::fnma(work.r_rear_axle_aux3_z, work.s8_97, s8_458);
-  const double s8_460 = mbgen::fma(s8_408, s8_177, mbgen::fma(s8_179, s8_428, s8_459));
-  const double s8_461 = mbgen::fma(s8_410, s8_217, mbgen::fma(s8_219, s8_429, s8_460));
-  const double s8_462 = mbgen::fma(s8_411, s8_257, mbgen::fma(s8_259, s8_431, s8_461));
-  const double s8_463 = mbgen::fnma(s8_413, s8_300, mbgen::fma(s8_432, s8_312, s8_462));
-  const double s8_464 = mbgen::fnma(s8_414, s8_347, mbgen::fma(s8_434, s8_349, s8_463));
-  work.s8_465 = mbgen::fnma(s8_416, s8_452, mbgen::fma(s8_435, s8_426, s8_464));
-  const double s8_466 = mbgen::fnma((-p_arb_rear_right_z), s8_55, s8_169 - s8_30);
-  const double s8_467 = mbgen::fma(work.r_rear_axle_aux1_x, work.s8_97, s8_466);
-  const double s8_468 = mbgen::fnma(s8_391, s8_179, mbgen::fnma(z_rear_axle_ty, s8_90, s8_467));
-  const double s8_469 = mbgen::fnma(s8_393, s8_219, mbgen::fnma(s8_408, s8_175, s8_468));
-  const double s8_470 = mbgen::fma(s8_394, s8_259, mbgen::fnma(s8_410, s8_215, s8_469));
-  const double s8_471 = mbgen::fma(s8_413, s8_304, mbgen::fnma(s8_411, s8_255, s8_470));
-  const double s8_472 = mbgen::fma(s8_414, s8_345, mbgen::fnma(s8_396, s8_312, s8_471));
-  const double s8_473 = mbgen::fma(s8_416, s8_449, mbgen::fnma(s8_397, s8_349, s8_472));
-  work.s8_474 = mbgen::fma(s8_399, s8_426, s8_473);
-  const double s8_475 = s7_52 + mbgen::fma((-p_arb_rear_right_z), s8_55, s8_154);
-  const double s8_476 = mbgen::fnma((-p_arb_rear_right_x), s8_54, s8_475);
-  const double s8_477 = mbgen::fma(work.r_rear_axle_aux3_z, s8_90, s8_476);
-  const double s8_478 = mbgen::fnma(work.r_rear_axle_aux1_x, s8_93, s8_477);
-  const double s8_479 = mbgen::fnma(s8_175, s8_428, mbgen::fma(s8_391, s8_177, s8_478));
-  const double s8_480 = mbgen::fnma(s8_215, s8_429, mbgen::fma(s8_393, s8_217, s8_479));
-  const double s8_481 = mbgen::fnma(s8_394, s8_257, mbgen::fnma(s8_255, s8_431, s8_480));
-  const double s8_482 = mbgen::fnma(s8_432, s8_304, mbgen::fma(s8_396, s8_300, s8_481));
-  const double s8_483 = mbgen::fnma(s8_434, s8_345, mbgen::fma(s8_397, s8_347, s8_482));
-  work.s8_484 = mbgen::fnma(s8_399, s8_452, mbgen::fnma(s8_435, s8_449, s8_483));
-  const double s8_485 = mbgen::fma(work.Rz_rear_axle_tx_0, s8_87, s7_46);
-  const double s8_486 = mbgen::fnma(work.s3_8, s8_99, mbgen::fnma(work.s3_2, s8_95, s8_485));
-  const double s8_487 = mbgen::fma(work.Rz_rear_axle_ry_0, s8_158, s8_486);
-  const double s8_488 = mbgen::fma(work.Rz_rear_axle_rz_0, s8_150, s8_487);
-  const double s8_489 = mbgen::fma(work.Rz_rear_axle_rx_0, s8_165, s8_488);
-  const double s8_490 = mbgen::fnma(3.0, s8_310, s8_489);
-  const double s8_491 = mbgen::fnma(2.6666666666666665, s8_357, s8_490);
-  const double s8_492 = mbgen::fma(s8_423, s8_423, s8_424);
-  const double s8_493 = mbgen::fnma(0.3333333333333333, s8_492, s8_491);
-  const double s8_494 = mbgen::fma(work.s2_86, work.s8_53, work.s6_77 - work.s2_90);
-  const double s8_495 = mbgen::fma(work.s2_96, work.s8_32, s8_494);
-  const double s8_496 = mbgen::fnma(work.s2_93, work.s8_33, s8_495);
-  const double s8_497 = mbgen::fma(work.s6_63, work.s8_23, s8_496);
-  const double s8_498 = mbgen::fnma(work.s6_61, work.s8_28, s8_497);
-  const double s8_499 = mbgen::fma(work.s2_84, work.zdd_star_rear_axle_rx, s8_498);
-  const double s8_500 = mbgen::fma(work.s2_87, work.zdd_star_rear_axle_rz, s8_499);
-  const double s8_501 = 0.3333333333333333*s8_500;
-  const double s8_502 = work.s6_56 - work.zdd_star_rear_axle_tz;
-  const double s8_503 = mbgen::fma(work.s2_93, work.s8_43, s8_502);
-  const double s8_504 = mbgen::fma(work.s2_96, work.s8_41, s8_503);
-  const double s8_505 = mbgen::fnma(work.s2_86, work.s8_33, s8_504);
-  const double s8_506 = mbgen::fma(work.s6_61, work.s8_13, s8_505);
-  const double s8_507 = mbgen::fnma(work.s6_60, work.s8_23, s8_506);
-  const double s8_508 = mbgen::fnma(work.s2_84, work.zdd_star_rear_axle_ry, s8_507);
-  const double s8_509 = mbgen::fma(work.s2_83, work.zdd_star_rear_axle_rz, s8_508);
-  const double s8_510 = 0.3333333333333333*s8_509;
-  const double s8_511 = mbgen::fms(work.s6_60, work.s8_28, work.s6_59);
-  const double s8_512 = mbgen::fnma(work.s6_63, work.s8_13, s8_511 - work.zdd_star_rear_axle_tx);
-  const double s8_513 = mbgen::fnma(work.s2_83, work.zdd_star_rear_axle_rx, s8_512);
-  const double s8_514 = mbgen::fnma(work.s2_87, work.zdd_star_rear_axle_ry, s8_513);
-  const double s8_515 = mbgen::fnma(work.s2_86, work.s8_32, s8_514);
-  const double s8_516 = mbgen::fnma(work.s2_93, work.s8_41, s8_515);
-  const double s8_517 = 0.3333333333333333*mbgen::fnma(work.s2_96, work.s8_48, s8_516);
-  const double s8_518 = mbgen::fnma(s8_449, s8_517, mbgen::fnma(s8_426, s8_501, s8_386));
-  const double s8_519 = mbgen::fnma(s8_423, s8_510, mbgen::fnma(s8_421, s8_517, s8_388));
-  const double s8_520 = mbgen::fma(s8_419, s8_501, s8_519);
-  const double s8_521 = mbgen::fma(work.Rz_rear_axle_tz_1, s8_93, s7_52);
-  const double s8_522 = mbgen::fma(work.Rz_rear_axle_tx_1, s8_90, s8_521);
-  const double s8_523 = mbgen::fnma(work.s3_14, work.s8_97, s8_522);
-  const double s8_524 = mbgen::fma(work.Rz_rear_axle_ry_1, s8_154, s8_523);
-  const double s8_525 = mbgen::fma(work.Rz_rear_axle_rx_1, s8_169, s8_524);
-  const double s8_526 = mbgen::fnma(3.0, s8_314, mbgen::fnma(work.s3_10, s8_146, s8_525));
-  const double s8_527 = mbgen::fnma(2.6666666666666665, s8_351, s8_526);
-  const double s8_528 = mbgen::fma(s8_452, s8_452, s8_453);
-  const double s8_529 = mbgen::fnma(0.3333333333333333, s8_528, s8_527);
+  const double s8_393 = mbgen::fma(593.0, work.r_rear_axle_aux1_x, work.s7_13);
+  const double s8_394 = mbgen::fma(work.r_rear_axle_aux1_x, s8_155, s7_32);
+  const double s8_395 = 3.0*work.s2_11;
+  const double s8_396 = mbgen::fma(work.r_rear_axle_aux3_z, s8_393, s8_394);
+  const double s8_397 = 2.6666666666666665*work.s2_26;
+  const double s8_398 = 0.3333333333333333*work.s2_54;
+  const double s8_399 = mbgen::fnma(work.s2_22, s8_397, mbgen::fnma(work.s2_8, s8_395, s8_396));
+  const double s8_400 = 3.0*work.s2_67;
+  const double s8_401 = 2.6666666666666665*work.s2_80;
+  const double s8_402 = mbgen::fnma(work.s2_60, s8_400, mbgen::fma(work.s2_45, s8_398, s8_399));
+  const double s8_403 = 0.3333333333333333*work.s2_96;
+  work.s8_404 = mbgen::fma(work.s2_93, s8_403, mbgen::fnma(work.s2_69, s8_401, s8_402));
+  const double s8_405 = mbgen::fma(593.0, z_rear_axle_ty, work.s7_11);
+  const double s8_406 = mbgen::fma(z_rear_axle_ty, s8_393, s7_34);
+  const double s8_407 = mbgen::fma(work.r_rear_axle_aux1_x, s8_405, s8_406);
+  const double s8_408 = mbgen::fma(work.s2_29, s8_397, mbgen::fma(work.s2_13, s8_395, s8_407));
+  const double s8_409 = mbgen::fnma(work.s2_59, s8_400, mbgen::fnma(work.s2_48, s8_398, s8_408));
+  work.s8_410 = mbgen::fma(work.s2_86, s8_403, mbgen::fnma(work.s2_72, s8_401, s8_409));
+  const double s8_411 = mbgen::fma(z_rear_axle_ty, s8_155, s7_27);
+  const double s8_412 = 3.0*work.s2_13;
+  const double s8_413 = mbgen::fma(work.r_rear_axle_aux3_z, s8_405, s8_411);
+  const double s8_414 = 2.6666666666666665*work.s2_29;
+  const double s8_415 = 0.3333333333333333*work.s2_48;
+  const double s8_416 = mbgen::fma(work.s2_22, s8_414, mbgen::fma(work.s2_8, s8_412, s8_413));
+  const double s8_417 = 3.0*work.s2_59;
+  const double s8_418 = 2.6666666666666665*work.s2_72;
+  const double s8_419 = mbgen::fnma(work.s2_60, s8_417, mbgen::fma(work.s2_45, s8_415, s8_416));
+  const double s8_420 = 0.3333333333333333*work.s2_86;
+  work.s8_421 = mbgen::fnma(work.s2_93, s8_420, mbgen::fnma(work.s2_69, s8_418, s8_419));
+  const double s8_422 = mbgen::fma(work.s2_84, work.Rz_rear_axle_rx_0, work.s3_8);
+  const double s8_423 = mbgen::fma(work.s2_87, work.Rz_rear_axle_rz_0, s8_422);
+  const double s8_424 = mbgen::fma(work.s2_83, work.Rz_rear_axle_rx_0, work.Rz_rear_axle_tx_0);
+  const double s8_425 = mbgen::fma(work.s2_87, work.Rz_rear_axle_ry_0, s8_424);
+  const double s8_426 = mbgen::fms(work.s2_84, work.Rz_rear_axle_ry_0, work.s3_2);
+  const double s8_427 = mbgen::fnma(work.s2_83, work.Rz_rear_axle_rz_0, s8_426);
+  const double s8_428 = mbgen::fma(s8_425, s8_425, mbgen::fma(s8_423, s8_423, s8_272));
+  const double s8_429 = mbgen::fms(work.s2_87, work.s3_10, work.s3_14);
+  const double s8_430 = mbgen::fnma(work.s2_84, work.Rz_rear_axle_rx_1, s8_429);
+  const double s8_431 = work.r_rear_axle_aux3_z + work.r_rear_axle_aux3_z;
+  const double s8_432 = 3.0*work.s2_8;
+  const double s8_433 = 2.6666666666666665*work.s2_22;
+  const double s8_434 = mbgen::fnma(work.s2_8, s8_432, mbgen::fma(s8_155, s8_431, s7_39));
+  const double s8_435 = 0.3333333333333333*work.s2_45;
+  const double s8_436 = 3.0*work.s2_60;
+  const double s8_437 = mbgen::fnma(work.s2_45, s8_435, mbgen::fnma(work.s2_22, s8_433, s8_434));
+  const double s8_438 = 2.6666666666666665*work.s2_69;
+  const double s8_439 = 0.3333333333333333*work.s2_93;
+  const double s8_440 = mbgen::fnma(work.s2_69, s8_438, mbgen::fnma(work.s2_60, s8_436, s8_437));
+  work.s8_441 = mbgen::fnma(work.s2_93, s8_439, s8_440);
+  const double s8_442 = mbgen::fma(s8_405, z_rear_axle_ty + z_rear_axle_ty, s7_36);
+  const double s8_443 = mbgen::fnma(work.s2_29, s8_414, mbgen::fnma(work.s2_13, s8_412, s8_442));
+  const double s8_444 = mbgen::fnma(work.s2_59, s8_417, mbgen::fnma(work.s2_48, s8_415, s8_443));
+  work.s8_445 = mbgen::fnma(work.s2_86, s8_420, mbgen::fnma(work.s2_72, s8_418, s8_444));
+  const double s8_446 = work.r_rear_axle_aux1_x + work.r_rear_axle_aux1_x;
+  const double s8_447 = mbgen::fnma(work.s2_11, s8_395, mbgen::fma(s8_393, s8_446, s7_38));
+  const double s8_448 = mbgen::fnma(work.s2_54, s8_398, mbgen::fnma(work.s2_26, s8_397, s8_447));
+  const double s8_449 = mbgen::fnma(work.s2_80, s8_401, mbgen::fnma(work.s2_67, s8_400, s8_448));
+  work.s8_450 = mbgen::fnma(work.s2_96, s8_403, s8_449);
+  const double s8_451 = work.s2_91 + work.Rz_rear_axle_tx_1;
+  const double s8_452 = mbgen::fma(work.s2_83, work.Rz_rear_axle_rx_1, s8_451);
+  const double s8_453 = mbgen::fma(work.s2_87, work.Rz_rear_axle_ry_1, s8_452);
+  const double s8_454 = work.s2_94 + work.Rz_rear_axle_tz_1;
+  const double s8_455 = mbgen::fma(work.s2_84, work.Rz_rear_axle_ry_1, s8_454);
+  const double s8_456 = mbgen::fma(work.s2_83, work.s3_10, s8_455);
+  const double s8_457 = mbgen::fma(s8_453, s8_453, mbgen::fma(s8_430, s8_430, s8_264));
+  const double s8_458 = mbgen::fma(s8_427, s8_456, mbgen::fma(s8_425, s8_453, s8_273));
+  const double s8_459 = mbgen::fnma(s8_423, s8_430, s8_458);
+  work.s8_460 = mbgen::fnma(0.3333333333333333, s8_459, s8_364);
+  const double s8_461 = mbgen::fma((-p_arb_rear_right_y), s8_58, s8_31 + s8_150);
+  const double s8_462 = mbgen::fma(z_rear_axle_ty, s8_97, s8_461);
+  const double s8_463 = mbgen::fnma(work.r_rear_axle_aux3_z, work.s8_101, s8_462);
+  const double s8_464 = mbgen::fma(s8_412, s8_181, mbgen::fma(s8_183, s8_432, s8_463));
+  const double s8_465 = mbgen::fma(s8_414, s8_221, mbgen::fma(s8_223, s8_433, s8_464));
+  const double s8_466 = mbgen::fma(s8_415, s8_261, mbgen::fma(s8_263, s8_435, s8_465));
+  const double s8_467 = mbgen::fnma(s8_417, s8_304, mbgen::fma(s8_436, s8_316, s8_466));
+  const double s8_468 = mbgen::fnma(s8_418, s8_351, mbgen::fma(s8_438, s8_353, s8_467));
+  work.s8_469 = mbgen::fnma(s8_420, s8_456, mbgen::fma(s8_439, s8_430, s8_468));
+  const double s8_470 = mbgen::fnma((-p_arb_rear_right_z), s8_59, s8_173 - s8_30);
+  const double s8_471 = mbgen::fma(work.r_rear_axle_aux1_x, work.s8_101, s8_470);
+  const double s8_472 = mbgen::fnma(s8_395, s8_183, mbgen::fnma(z_rear_axle_ty, s8_94, s8_471));
+  const double s8_473 = mbgen::fnma(s8_397, s8_223, mbgen::fnma(s8_412, s8_179, s8_472));
+  const double s8_474 = mbgen::fma(s8_398, s8_263, mbgen::fnma(s8_414, s8_219, s8_473));
+  const double s8_475 = mbgen::fma(s8_417, s8_308, mbgen::fnma(s8_415, s8_259, s8_474));
+  const double s8_476 = mbgen::fma(s8_418, s8_349, mbgen::fnma(s8_400, s8_316, s8_475));
+  const double s8_477 = mbgen::fma(s8_420, s8_453, mbgen::fnma(s8_401, s8_353, s8_476));
+  work.s8_478 = mbgen::fma(s8_403, s8_430, s8_477);
+  const double s8_479 = s7_52 + mbgen::fma((-p_arb_rear_right_z), s8_59, s8_158);
+  const double s8_480 = mbgen::fnma((-p_arb_rear_right_x), s8_58, s8_479);
+  const double s8_481 = mbgen::fma(work.r_rear_axle_aux3_z, s8_94, s8_480);
+  const double s8_482 = mbgen::fnma(work.r_rear_axle_aux1_x, s8_97, s8_481);
+  const double s8_483 = mbgen::fnma(s8_179, s8_432, mbgen::fma(s8_395, s8_181, s8_482));
+  const double s8_484 = mbgen::fnma(s8_219, s8_433, mbgen::fma(s8_397, s8_221, s8_483));
+  const double s8_485 = mbgen::fnma(s8_398, s8_261, mbgen::fnma(s8_259, s8_435, s8_484));
+  const double s8_486 = mbgen::fnma(s8_436, s8_308, mbgen::fma(s8_400, s8_304, s8_485));
+  const double s8_487 = mbgen::fnma(s8_438, s8_349, mbgen::fma(s8_401, s8_351, s8_486));
+  work.s8_488 = mbgen::fnma(s8_403, s8_456, mbgen::fnma(s8_439, s8_453, s8_487));
+  const double s8_489 = mbgen::fma(work.Rz_rear_axle_tx_0, s8_91, s7_46);
+  const double s8_490 = mbgen::fnma(work.s3_8, s8_103, mbgen::fnma(work.s3_2, s8_99, s8_489));
+  const double s8_491 = mbgen::fma(work.Rz_rear_axle_ry_0, s8_162, s8_490);
+  const double s8_492 = mbgen::fma(work.Rz_rear_axle_rz_0, s8_154, s8_491);
+  const double s8_493 = mbgen::fma(work.Rz_rear_axle_rx_0, s8_169, s8_492);
+  const double s8_494 = mbgen::fnma(3.0, s8_314, s8_493);
+  const double s8_495 = mbgen::fnma(2.6666666666666665, s8_361, s8_494);
+  const double s8_496 = mbgen::fma(s8_427, s8_427, s8_428);
+  const double s8_497 = mbgen::fnma(0.3333333333333333, s8_496, s8_495);
+  const double s8_498 = mbgen::fma(work.s2_86, work.s8_57, work.s6_77 - work.s2_90);
+  const double s8_499 = mbgen::fma(work.s2_96, work.s8_32, s8_498);
+  const double s8_500 = mbgen::fnma(work.s2_93, work.s8_33, s8_499);
+  const double s8_501 = mbgen::fma(work.s6_63, work.s8_23, s8_500);
+  const double s8_502 = mbgen::fnma(work.s6_61, work.s8_28, s8_501);
+  const double s8_503 = mbgen::fma(work.s2_84, work.zdd_star_rear_axle_rx, s8_502);
+  const double s8_504 = mbgen::fma(work.s2_87, work.zdd_star_rear_axle_rz, s8_503);
+  const double s8_505 = 0.3333333333333333*s8_504;
+  const double s8_506 = work.s6_56 - work.zdd_star_rear_axle_tz;
+  const double s8_507 = mbgen::fma(work.s2_93, work.s8_44, s8_506);
+  const double s8_508 = mbgen::fma(work.s2_96, work.s8_41, s8_507);
+  const double s8_509 = mbgen::fnma(work.s2_86, work.s8_33, s8_508);
+  const double s8_510 = mbgen::fma(work.s6_61, work.s8_13, s8_509);
+  const double s8_511 = mbgen::fnma(work.s6_60, work.s8_23, s8_510);
+  const double s8_512 = mbgen::fnma(work.s2_84, work.zdd_star_rear_axle_ry, s8_511);
+  const double s8_513 = mbgen::fma(work.s2_83, work.zdd_star_rear_axle_rz, s8_512);
+  const double s8_514 = 0.3333333333333333*s8_513;
+  const double s8_515 = mbgen::fms(work.s6_60, work.s8_28, work.s6_59);
+  const double s8_516 = mbgen::fnma(work.s6_63, work.s8_13, s8_515 - work.zdd_star_rear_axle_tx);
+  const double s8_517 = mbgen::fnma(work.s2_83, work.zdd_star_rear_axle_rx, s8_516);
+  const double s8_518 = mbgen::fnma(work.s2_87, work.zdd_star_rear_axle_ry, s8_517);
+  const double s8_519 = mbgen::fnma(work.s2_86, work.s8_32, s8_518);
+  const double s8_520 = mbgen::fnma(work.s2_93, work.s8_41, s8_519);
+  const double s8_521 = 0.3333333333333333*mbgen::fnma(work.s2_96, work.s8_49, s8_520);
+  const double s8_522 = mbgen::fnma(s8_453, s8_521, mbgen::fnma(s8_430, s8_505, s8_390));
+  const double s8_523 = mbgen::fnma(s8_427, s8_514, mbgen::fnma(s8_425, s8_521, s8_392));
+  const double s8_524 = mbgen::fma(s8_423, s8_505, s8_523);
+  const double s8_525 = mbgen::fma(work.Rz_rear_axle_tz_1, s8_97, s7_52);
+  const double s8_526 = mbgen::fma(work.Rz_rear_axle_tx_1, s8_94, s8_525);
+  const double s8_527 = mbgen::fnma(work.s3_14, work.s8_101, s8_526);
+  const double s8_528 = mbgen::fma(work.Rz_rear_axle_ry_1, s8_158, s8_527);
+  const double s8_529 = mbgen::fma(work.Rz_rear_axle_rx_1, s8_173, s8_528);
+  const double s8_530 = mbgen::fnma(3.0, s8_318, mbgen::fnma(work.s3_10, s8_150, s8_529));
+  const double s8_531 = mbgen::fnma(2.6666666666666665, s8_355, s8_530);
+  const double s8_532 = mbgen::fma(s8_456, s8_456, s8_457);
+  const double s8_533 = mbgen::fnma(0.3333333333333333, s8_532, s8_531);
   const double tau_rear_axle_tz = tau[Coordinate::rear_axle_tz];
-  const double s8_530 = mbgen::fnma(s8_452, s8_510, s8_518);
-  const double s8_531 = tau_rear_axle_tz - f_rear_axle_z;
-  const double s8_532 = mbgen::fma(work.Rz_rear_axle_tz_1, s8_531, s8_530);
-  const double s8_533 = mbgen::fma(work.s3_10, n_rear_axle_x - work.s5_52, s8_532);
-  const double s8_534 = mbgen::fms(tau[Coordinate::rear_axle_rz], work.s5_53, n_rear_axle_z);
-  const double s8_535 = mbgen::fma(work.Rz_rear_axle_ry_1, s8_143, s8_533);
-  const double s8_536 = f_rear_axle_y - tau[Coordinate::rear_axle_ty];
-  const double s8_537 = mbgen::fma(work.Rz_rear_axle_rx_1, s8_534, s8_535);
-  const double s8_538 = tau[Coordinate::rear_axle_tx] - f_rear_axle_x;
-  const double s8_539 = mbgen::fma(work.s3_14, s8_536, s8_537);
-  work.s8_540 = work.s8_48 - work.s8_43;
-  const double s8_541 = mbgen::fma(work.Rz_rear_axle_tx_1, s8_538, s8_539);
-  const double s8_542 = mbgen::fma(s7_49, work.s8_540, s8_541);
-  work.s8_543 = mbgen::fma(work.s8_41, s7_50 - s7_51, s8_542);
-  result.inertia[12] = mbgen::fnma(1e-12, s8_529, s8_529);
-  work.s8_544 = 1.0/s8_529;
-  const double s8_545 = work.s8_456*work.s8_544;
-  const double s8_546 = mbgen::fnma(work.s8_456, s8_545, s8_493);
-  result.inertia[11] = mbgen::fnma(1e-12, s8_493, s8_546);
-  work.s8_547 = 1.0/s8_546;
-  work.s8_548 = s8_90 - s8_55;
-  work.s8_549 = mbgen::fnma(work.s8_548, s8_545, s8_87 - s8_64);
-  work.s8_550 = s8_93 - s8_54;
-  work.s8_551 = mbgen::fnma(work.s8_550, s8_545, s8_95 - s8_62);
-  const double s8_552 = mbgen::fma((-p_arb_rear_left_z), s8_64, s8_37 + s8_165);
-  const double s8_553 = mbgen::fma(work.r_rear_axle_aux1_x, s8_99, s8_552);
-  const double s8_554 = mbgen::fnma(s8_391, s8_184, mbgen::fnma(z_rear_axle_ty, s8_87, s8_553));
-  const double s8_555 = mbgen::fnma(s8_393, s8_222, mbgen::fnma(s8_408, s8_173, s8_554));
-  const double s8_556 = mbgen::fma(s8_394, s8_262, mbgen::fnma(s8_410, s8_213, s8_555));
-  const double s8_557 = mbgen::fma(s8_413, s8_302, mbgen::fnma(s8_411, s8_265, s8_556));
-  const double s8_558 = mbgen::fma(s8_414, s8_343, mbgen::fnma(s8_396, s8_306, s8_557));
-  const double s8_559 = mbgen::fma(s8_416, s8_421, mbgen::fnma(s8_397, s8_353, s8_558));
-  work.s8_560 = mbgen::fnma(work.s8_474, s8_545, mbgen::fnma(s8_399, s8_419, s8_559));
-  const double s8_561 = mbgen::fma(z_rear_axle_ty, s8_95, s8_150 - s8_36);
-  const double s8_562 = mbgen::fnma(work.r_rear_axle_aux3_z, s8_99, s8_561);
-  const double s8_563 = mbgen::fnma(p_arb_rear_left_y, s8_62, s8_562);
-  const double s8_564 = mbgen::fma(s8_408, s8_182, mbgen::fma(s8_184, s8_428, s8_563));
-  const double s8_565 = mbgen::fma(s8_410, s8_224, mbgen::fma(s8_222, s8_429, s8_564));
-  const double s8_566 = mbgen::fma(s8_411, s8_267, mbgen::fma(s8_262, s8_431, s8_565));
-  const double s8_567 = mbgen::fnma(s8_413, s8_308, mbgen::fma(s8_432, s8_306, s8_566));
-  const double s8_568 = mbgen::fnma(s8_414, s8_355, mbgen::fma(s8_434, s8_353, s8_567));
-  const double s8_569 = mbgen::fnma(s8_435, s8_419, mbgen::fnma(s8_416, s8_423, s8_568));
-  work.s8_570 = mbgen::fnma(work.s8_465, s8_545, s8_569);
-  const double s8_571 = s7_46 + mbgen::fma((-p_arb_rear_left_z), s8_64, s8_158);
-  const double s8_572 = mbgen::fnma((-p_arb_rear_left_x), s8_62, s8_571);
-  const double s8_573 = mbgen::fma(work.r_rear_axle_aux3_z, s8_87, s8_572);
-  const double s8_574 = mbgen::fnma(work.r_rear_axle_aux1_x, s8_95, s8_573);
-  const double s8_575 = mbgen::fnma(s8_173, s8_428, mbgen::fma(s8_391, s8_182, s8_574));
-  const double s8_576 = mbgen::fnma(s8_213, s8_429, mbgen::fma(s8_393, s8_224, s8_575));
-  const double s8_577 = mbgen::fnma(s8_394, s8_267, mbgen::fnma(s8_431, s8_265, s8_576));
-  const double s8_578 = mbgen::fnma(s8_432, s8_302, mbgen::fma(s8_396, s8_308, s8_577));
-  const double s8_579 = mbgen::fnma(s8_434, s8_343, mbgen::fma(s8_397, s8_355, s8_578));
-  const double s8_580 = mbgen::fnma(s8_399, s8_423, mbgen::fnma(s8_435, s8_421, s8_579));
-  work.s8_581 = mbgen::fnma(work.s8_484, s8_545, s8_580);
-  work.s8_582 = mbgen::fnma(work.s8_97, s8_545, s8_99);
-  const double s8_583 = work.s8_582*work.s8_547;
-  const double s8_584 = work.s8_97*work.s8_544;
-  work.s8_585 = mbgen::fma(work.s8_97, s8_584, work.s8_582*s8_583);
-  work.s8_586 = mbgen::fma(work.s8_550, s8_584, s8_583*work.s8_551);
-  work.s8_587 = mbgen::fma(work.s8_465, s8_584, s8_583*work.s8_570);
-  work.s8_588 = mbgen::fma(work.s8_474, s8_584, s8_583*work.s8_560);
-  work.s8_589 = mbgen::fma(work.s8_484, s8_584, s8_583*work.s8_581);
-  const double s8_590 = mbgen::fnma(work.s8_543, s8_545, s8_520);
-  const double s8_591 = mbgen::fma(work.s3_2, f_rear_axle_z - tau_rear_axle_tz, s8_590);
-  const double s8_592 = mbgen::fma(work.Rz_rear_axle_rz_0, work.s5_52 - n_rear_axle_x, s8_591);
-  const double s8_593 = mbgen::fma(work.Rz_rear_axle_ry_0, s8_143, s8_592);
-  const double s8_594 = mbgen::fma(work.Rz_rear_axle_rx_0, s8_534, s8_593);
-  const double s8_595 = mbgen::fma(work.s3_8, s8_536, s8_594);
-  const double s8_596 = mbgen::fma(work.Rz_rear_axle_tx_0, s8_538, s8_595);
-  const double s8_597 = mbgen::fma(s7_43, work.s8_540, s8_596);
-  work.s8_598 = mbgen::fma(work.s8_41, s7_44 - s7_45, s8_597);
-  const double s8_599 = s8_58 + s8_69;
-  const double s8_600 = mbgen::fma(work.s8_543, s8_584, f_rear_axle_y + s8_599);
-  work.s8_601 = mbgen::fma(s8_583, work.s8_598, s8_600);
-  const double s8_602 = work.s8_547*work.s8_549;
-  const double s8_603 = work.s8_548*work.s8_544;
-  work.s8_604 = mbgen::fma(work.s8_97, s8_603, work.s8_582*s8_602);
-  work.s8_605 = mbgen::fma(work.s8_548, s8_603, work.s8_549*s8_602);
-  work.s8_606 = mbgen::fma(work.s8_550, s8_603, s8_602*work.s8_551);
-  work.s8_607 = mbgen::fma(work.s8_465, s8_603, s8_602*work.s8_570);
-  work.s8_608 = mbgen::fma(work.s8_474, s8_603, s8_602*work.s8_560);
-  work.s8_609 = mbgen::fma(work.s8_484, s8_603, s8_602*work.s8_581);
-  const double s8_610 = s8_54*s8_15;
-  const double s8_611 = s8_62*s8_17;
-  const double s8_612 = mbgen::fma(work.s8_543, s8_603, f_rear_axle_x - s8_610 - s8_611);
-  work.s8_613 = mbgen::fma(s8_602, work.s8_598, s8_612);
-  const double s8_614 = work.s8_547*work.s8_551;
-  const double s8_615 = work.s8_550*work.s8_544;
-  work.s8_616 = mbgen::fma(work.s8_550, s8_615, work.s8_551*s8_614);
-  work.s8_617 = mbgen::fma(work.s8_465, s8_615, s8_614*work.s8_570);
-  work.s8_618 = mbgen::fma(work.s8_474, s8_615, s8_614*work.s8_560);
-  work.s8_619 = mbgen::fma(work.s8_484, s8_615, s8_614*work.s8_581);
-  const double s8_620 = s8_55*s8_15;
-  const double s8_621 = mbgen::fma(s8_64, s8_17, s8_620);
-  const double s8_622 = mbgen::fma(work.s8_543, s8_615, f_rear_axle_z + s8_621);
-  work.s8_623 = mbgen::fma(s8_614, work.s8_598, s8_622);
-  const double s8_624 = work.s8_547*work.s8_570;
-  const double s8_625 = work.s8_465*work.s8_544;
-  work.s8_626 = mbgen::fma(work.s8_465, s8_625, work.s8_570*s8_624);
-  work.s8_627 = mbgen::fma(work.s8_474, s8_625, work.s8_560*s8_624);
-  work.s8_628 = mbgen::fma(work.s8_484, s8_625, s8_624*work.s8_581);
-  const double s8_629 = mbgen::fma(work.s8_543, s8_625, n_rear_axle_x);
-  const double s8_630 = mbgen::fnma(s7_49, s8_57, mbgen::fnma(s8_30, s8_15, s8_629));
-  const double s8_631 = mbgen::fma(s8_37, s8_17, mbgen::fnma(s7_51, s8_56, s8_630));
-  const double s8_632 = mbgen::fnma(s7_45, s8_67, mbgen::fnma(s7_43, s8_68, s8_631));
-  const double s8_633 = mbgen::fma(z_rear_axle_ty, f_rear_axle_z, s8_632);
-  const double s8_634 = mbgen::fnma(work.r_rear_axle_aux3_z, f_rear_axle_y, s8_633);
-  const double s8_635 = mbgen::fnma(work.s2_8, s8_207, mbgen::fnma(work.s2_13, s8_200, s8_634));
-  const double s8_636 = mbgen::fnma(work.s2_22, s8_249, mbgen::fnma(work.s2_29, s8_242, s8_635));
-  const double s8_637 = mbgen::fnma(work.s2_45, s8_294, mbgen::fnma(work.s2_48, s8_278, s8_636));
-  const double s8_638 = mbgen::fnma(work.s2_60, s8_323, mbgen::fma(work.s2_59, s8_330, s8_637));
-  const double s8_639 = mbgen::fnma(work.s2_69, s8_368, mbgen::fma(work.s2_72, s8_376, s8_638));
-  const double s8_640 = mbgen::fnma(work.s2_93, s8_501, mbgen::fma(work.s2_86, s8_510, s8_639));
-  const double s8_641 = s8_58 + mbgen::fma(s8_64, s8_17, s8_69) - s8_620;
-  const double s8_642 = mbgen::fma(s8_624, work.s8_598, s8_640);
-  work.s8_643 = mbgen::fma(p_carrier_left_rz_y, s8_641, s8_642);
-  const double s8_644 = work.s8_547*work.s8_560;
-  const double s8_645 = work.s8_474*work.s8_544;
-  work.s8_646 = mbgen::fma(work.s8_474, s8_645, work.s8_560*s8_644);
-  const double s8_647 = mbgen::fma((-p_arb_rear_left_z), s8_611, n_rear_axle_z);
-  const double s8_648 = mbgen::fnma((-p_arb_rear_right_z), s8_610, s8_647);
-  const double s8_649 = mbgen::fma(s7_50, s8_57, mbgen::fma(work.s8_543, s8_645, s8_648));
-  const double s8_650 = mbgen::fnma(s8_31, s8_15, mbgen::fma(s7_49, s8_56, s8_649));
-  const double s8_651 = mbgen::fma(s7_44, s8_68, mbgen::fma(s8_36, s8_17, s8_650));
-  const double s8_652 = mbgen::fma(s7_43, s8_67, s8_651);
-  const double s8_653 = mbgen::fma(work.r_rear_axle_aux1_x, f_rear_axle_y, s8_652);
-  const double s8_654 = mbgen::fnma(z_rear_axle_ty, f_rear_axle_x, s8_653);
-  const double s8_655 = mbgen::fma(work.s2_11, s8_207, mbgen::fma(work.s2_13, s8_193, s8_654));
-  const double s8_656 = mbgen::fma(work.s2_26, s8_249, mbgen::fma(work.s2_29, s8_234, s8_655));
-  const double s8_657 = mbgen::fnma(work.s2_54, s8_294, mbgen::fma(work.s2_48, s8_286, s8_656));
-  const double s8_658 = mbgen::fnma(work.s2_59, s8_337, mbgen::fma(work.s2_67, s8_323, s8_657));
-  const double s8_659 = mbgen::fnma(work.s2_72, s8_384, mbgen::fma(work.s2_80, s8_368, s8_658));
-  const double s8_660 = mbgen::fnma(work.s2_86, s8_517, mbgen::fnma(work.s2_96, s8_501, s8_659));
-  const double s8_661 = mbgen::fma(s8_644, work.s8_598, s8_660);
-  work.s8_662 = mbgen::fnma((-p_arb_rear_left_x), s8_599, s8_661);
-  const double s8_663 = work.s8_547*work.s8_581;
-  const double s8_664 = work.s8_484*work.s8_544;
-  work.s8_665 = mbgen::fma(work.s8_474, s8_664, work.s8_560*s8_663);
-  work.s8_666 = mbgen::fma(work.s8_484, s8_664, work.s8_581*s8_663);
-  const double s8_667 = mbgen::fma((-p_arb_rear_right_z), s8_610, n_rear_axle_y);
-  const double s8_668 = mbgen::fma((-p_arb_rear_left_z), s8_611, s8_667);
-  const double s8_669 = mbgen::fma(work.s8_543, s8_664, s8_668);
-  const double s8_670 = mbgen::fma(work.r_rear_axle_aux3_z, f_rear_axle_x, s8_669);
-  const double s8_671 = mbgen::fnma(work.r_rear_axle_aux1_x, f_rear_axle_z, s8_670);
-  const double s8_672 = mbgen::fnma(work.s2_11, s8_200, mbgen::fma(work.s2_8, s8_193, s8_671));
-  const double s8_673 = mbgen::fnma(work.s2_26, s8_242, mbgen::fma(work.s2_22, s8_234, s8_672));
-  const double s8_674 = mbgen::fma(work.s2_45, s8_286, mbgen::fma(work.s2_54, s8_278, s8_673));
-  const double s8_675 = mbgen::fnma(work.s2_67, s8_330, mbgen::fma(work.s2_60, s8_337, s8_674));
-  const double s8_676 = mbgen::fnma(work.s2_80, s8_376, mbgen::fma(work.s2_69, s8_384, s8_675));
-  const double s8_677 = mbgen::fma(work.s2_93, s8_517, mbgen::fma(work.s2_96, s8_510, s8_676));
-  const double s8_678 = mbgen::fma(s8_663, work.s8_598, s8_677);
-  work.s8_679 = mbgen::fma((-p_arb_rear_left_x), s8_621, s8_678);
-  // operations: 775 add, 824 multiply, 2 divide
+  const double s8_534 = mbgen::fnma(s8_456, s8_514, s8_522);
+  const double s8_535 = tau_rear_axle_tz - f_rear_axle_z;
+  const double s8_536 = mbgen::fma(work.Rz_rear_axle_tz_1, s8_535, s8_534);
+  const double s8_537 = mbgen::fma(work.s3_10, n_rear_axle_x - work.s5_52, s8_536);
+  const double s8_538 = mbgen::fms(tau[Coordinate::rear_axle_rz], work.s5_53, n_rear_axle_z);
+  const double s8_539 = mbgen::fma(work.Rz_rear_axle_ry_1, s8_147, s8_537);
+  const double s8_540 = f_rear_axle_y - tau[Coordinate::rear_axle_ty];
+  const double s8_541 = mbgen::fma(work.Rz_rear_axle_rx_1, s8_538, s8_539);
+  const double s8_542 = tau[Coordinate::rear_axle_tx] - f_rear_axle_x;
+  const double s8_543 = mbgen::fma(work.s3_14, s8_540, s8_541);
+  work.s8_544 = work.s8_49 - work.s8_44;
+  const double s8_545 = mbgen::fma(work.Rz_rear_axle_tx_1, s8_542, s8_543);
+  const double s8_546 = mbgen::fma(s7_49, work.s8_544, s8_545);
+  work.s8_547 = mbgen::fma(work.s8_41, s7_50 - s7_51, s8_546);
+  result.inertia[12] = mbgen::fnma(1e-12, s8_533, s8_533);
+  work.s8_548 = 1.0/s8_533;
+  const double s8_549 = work.s8_460*work.s8_548;
+  const double s8_550 = mbgen::fnma(work.s8_460, s8_549, s8_497);
+  result.inertia[11] = mbgen::fnma(1e-12, s8_497, s8_550);
+  work.s8_551 = 1.0/s8_550;
+  work.s8_552 = s8_94 - s8_59;
+  work.s8_553 = mbgen::fnma(work.s8_552, s8_549, s8_91 - s8_68);
+  work.s8_554 = s8_97 - s8_58;
+  work.s8_555 = mbgen::fnma(work.s8_554, s8_549, s8_99 - s8_66);
+  const double s8_556 = mbgen::fma((-p_arb_rear_left_z), s8_68, s8_37 + s8_169);
+  const double s8_557 = mbgen::fma(work.r_rear_axle_aux1_x, s8_103, s8_556);
+  const double s8_558 = mbgen::fnma(s8_395, s8_188, mbgen::fnma(z_rear_axle_ty, s8_91, s8_557));
+  const double s8_559 = mbgen::fnma(s8_397, s8_226, mbgen::fnma(s8_412, s8_177, s8_558));
+  const double s8_560 = mbgen::fma(s8_398, s8_266, mbgen::fnma(s8_414, s8_217, s8_559));
+  const double s8_561 = mbgen::fma(s8_417, s8_306, mbgen::fnma(s8_415, s8_269, s8_560));
+  const double s8_562 = mbgen::fma(s8_418, s8_347, mbgen::fnma(s8_400, s8_310, s8_561));
+  const double s8_563 = mbgen::fma(s8_420, s8_425, mbgen::fnma(s8_401, s8_357, s8_562));
+  work.s8_564 = mbgen::fnma(work.s8_478, s8_549, mbgen::fnma(s8_403, s8_423, s8_563));
+  const double s8_565 = mbgen::fma(z_rear_axle_ty, s8_99, s8_154 - s8_36);
+  const double s8_566 = mbgen::fnma(work.r_rear_axle_aux3_z, s8_103, s8_565);
+  const double s8_567 = mbgen::fnma(p_arb_rear_left_y, s8_66, s8_566);
+  const double s8_568 = mbgen::fma(s8_412, s8_186, mbgen::fma(s8_188, s8_432, s8_567));
+  const double s8_569 = mbgen::fma(s8_414, s8_228, mbgen::fma(s8_226, s8_433, s8_568));
+  const double s8_570 = mbgen::fma(s8_415, s8_271, mbgen::fma(s8_266, s8_435, s8_569));
+  const double s8_571 = mbgen::fnma(s8_417, s8_312, mbgen::fma(s8_436, s8_310, s8_570));
+  const double s8_572 = mbgen::fnma(s8_418, s8_359, mbgen::fma(s8_438, s8_357, s8_571));
+  const double s8_573 = mbgen::fnma(s8_439, s8_423, mbgen::fnma(s8_420, s8_427, s8_572));
+  work.s8_574 = mbgen::fnma(work.s8_469, s8_549, s8_573);
+  const double s8_575 = s7_46 + mbgen::fma((-p_arb_rear_left_z), s8_68, s8_162);
+  const double s8_576 = mbgen::fnma((-p_arb_rear_left_x), s8_66, s8_575);
+  const double s8_577 = mbgen::fma(work.r_rear_axle_aux3_z, s8_91, s8_576);
+  const double s8_578 = mbgen::fnma(work.r_rear_axle_aux1_x, s8_99, s8_577);
+  const double s8_579 = mbgen::fnma(s8_177, s8_432, mbgen::fma(s8_395, s8_186, s8_578));
+  const double s8_580 = mbgen::fnma(s8_217, s8_433, mbgen::fma(s8_397, s8_228, s8_579));
+  const double s8_581 = mbgen::fnma(s8_398, s8_271, mbgen::fnma(s8_435, s8_269, s8_580));
+  const double s8_582 = mbgen::fnma(s8_436, s8_306, mbgen::fma(s8_400, s8_312, s8_581));
+  const double s8_583 = mbgen::fnma(s8_438, s8_347, mbgen::fma(s8_401, s8_359, s8_582));
+  const double s8_584 = mbgen::fnma(s8_403, s8_427, mbgen::fnma(s8_439, s8_425, s8_583));
+  work.s8_585 = mbgen::fnma(work.s8_488, s8_549, s8_584);
+  work.s8_586 = mbgen::fnma(work.s8_101, s8_549, s8_103);
+  const double s8_587 = work.s8_586*work.s8_551;
+  const double s8_588 = work.s8_101*work.s8_548;
+  work.s8_589 = mbgen::fma(work.s8_101, s8_588, work.s8_586*s8_587);
+  work.s8_590 = mbgen::fma(work.s8_554, s8_588, s8_587*work.s8_555);
+  work.s8_591 = mbgen::fma(work.s8_469, s8_588, s8_587*work.s8_574);
+  work.s8_592 = mbgen::fma(work.s8_478, s8_588, s8_587*work.s8_564);
+  work.s8_593 = mbgen::fma(work.s8_488, s8_588, s8_587*work.s8_585);
+  const double s8_594 = mbgen::fnma(work.s8_547, s8_549, s8_524);
+  const double s8_595 = mbgen::fma(work.s3_2, f_rear_axle_z - tau_rear_axle_tz, s8_594);
+  const double s8_596 = mbgen::fma(work.Rz_rear_axle_rz_0, work.s5_52 - n_rear_axle_x, s8_595);
+  const double s8_597 = mbgen::fma(work.Rz_rear_axle_ry_0, s8_147, s8_596);
+  const double s8_598 = mbgen::fma(work.Rz_rear_axle_rx_0, s8_538, s8_597);
+  const double s8_599 = mbgen::fma(work.s3_8, s8_540, s8_598);
+  const double s8_600 = mbgen::fma(work.Rz_rear_axle_tx_0, s8_542, s8_599);
+  const double s8_601 = mbgen::fma(s7_43, work.s8_544, s8_600);
+  work.s8_602 = mbgen::fma(work.s8_41, s7_44 - s7_45, s8_601);
+  const double s8_603 = s8_62 + s8_73;
+  const double s8_604 = mbgen::fma(work.s8_547, s8_588, f_rear_axle_y + s8_603);
+  work.s8_605 = mbgen::fma(s8_587, work.s8_602, s8_604);
+  const double s8_606 = work.s8_551*work.s8_553;
+  const double s8_607 = work.s8_552*work.s8_548;
+  work.s8_608 = mbgen::fma(work.s8_101, s8_607, work.s8_586*s8_606);
+  work.s8_609 = mbgen::fma(work.s8_552, s8_607, work.s8_553*s8_606);
+  work.s8_610 = mbgen::fma(work.s8_554, s8_607, s8_606*work.s8_555);
+  work.s8_611 = mbgen::fma(work.s8_469, s8_607, s8_606*work.s8_574);
+  work.s8_612 = mbgen::fma(work.s8_478, s8_607, s8_606*work.s8_564);
+  work.s8_613 = mbgen::fma(work.s8_488, s8_607, s8_606*work.s8_585);
+  const double s8_614 = s8_58*s8_15;
+  const double s8_615 = s8_66*s8_17;
+  const double s8_616 = mbgen::fma(work.s8_547, s8_607, f_rear_axle_x - s8_614 - s8_615);
+  work.s8_617 = mbgen::fma(s8_606, work.s8_602, s8_616);
+  const double s8_618 = work.s8_551*work.s8_555;
+  const double s8_619 = work.s8_554*work.s8_548;
+  work.s8_620 = mbgen::fma(work.s8_554, s8_619, work.s8_555*s8_618);
+  work.s8_621 = mbgen::fma(work.s8_469, s8_619, s8_618*work.s8_574);
+  work.s8_622 = mbgen::fma(work.s8_478, s8_619, s8_618*work.s8_564);
+  work.s8_623 = mbgen::fma(work.s8_488, s8_619, s8_618*work.s8_585);
+  const double s8_624 = s8_59*s8_15;
+  const double s8_625 = mbgen::fma(s8_68, s8_17, s8_624);
+  const double s8_626 = mbgen::fma(work.s8_547, s8_619, f_rear_axle_z + s8_625);
+  work.s8_627 = mbgen::fma(s8_618, work.s8_602, s8_626);
+  const double s8_628 = work.s8_551*work.s8_574;
+  const double s8_629 = work.s8_469*work.s8_548;
+  work.s8_630 = mbgen::fma(work.s8_469, s8_629, work.s8_574*s8_628);
+  work.s8_631 = mbgen::fma(work.s8_478, s8_629, work.s8_564*s8_628);
+  work.s8_632 = mbgen::fma(work.s8_488, s8_629, s8_628*work.s8_585);
+  const double s8_633 = mbgen::fma(work.s8_547, s8_629, n_rear_axle_x);
+  const double s8_634 = mbgen::fnma(s7_49, s8_61, mbgen::fnma(s8_30, s8_15, s8_633));
+  const double s8_635 = mbgen::fma(s8_37, s8_17, mbgen::fnma(s7_51, s8_60, s8_634));
+  const double s8_636 = mbgen::fnma(s7_45, s8_71, mbgen::fnma(s7_43, s8_72, s8_635));
+  const double s8_637 = mbgen::fma(z_rear_axle_ty, f_rear_axle_z, s8_636);
+  const double s8_638 = mbgen::fnma(work.r_rear_axle_aux3_z, f_rear_axle_y, s8_637);
+  const double s8_639 = mbgen::fnma(work.s2_8, s8_211, mbgen::fnma(work.s2_13, s8_204, s8_638));
+  const double s8_640 = mbgen::fnma(work.s2_22, s8_253, mbgen::fnma(work.s2_29, s8_246, s8_639));
+  const double s8_641 = mbgen::fnma(work.s2_45, s8_298, mbgen::fnma(work.s2_48, s8_282, s8_640));
+  const double s8_642 = mbgen::fnma(work.s2_60, s8_327, mbgen::fma(work.s2_59, s8_334, s8_641));
+  const double s8_643 = mbgen::fnma(work.s2_69, s8_372, mbgen::fma(work.s2_72, s8_380, s8_642));
+  const double s8_644 = mbgen::fnma(work.s2_93, s8_505, mbgen::fma(work.s2_86, s8_514, s8_643));
+  const double s8_645 = s8_62 + mbgen::fma(s8_68, s8_17, s8_73) - s8_624;
+  const double s8_646 = mbgen::fma(s8_628, work.s8_602, s8_644);
+  work.s8_647 = mbgen::fma(p_carrier_left_rz_y, s8_645, s8_646);
+  const double s8_648 = work.s8_551*work.s8_564;
+  const double s8_649 = work.s8_478*work.s8_548;
+  work.s8_650 = mbgen::fma(work.s8_478, s8_649, work.s8_564*s8_648);
+  const double s8_651 = mbgen::fma((-p_arb_rear_left_z), s8_615, n_rear_axle_z);
+  const double s8_652 = mbgen::fnma((-p_arb_rear_right_z), s8_614, s8_651);
+  const double s8_653 = mbgen::fma(s7_50, s8_61, mbgen::fma(work.s8_547, s8_649, s8_652));
+  const double s8_654 = mbgen::fnma(s8_31, s8_15, mbgen::fma(s7_49, s8_60, s8_653));
+  const double s8_655 = mbgen::fma(s7_44, s8_72, mbgen::fma(s8_36, s8_17, s8_654));
+  const double s8_656 = mbgen::fma(s7_43, s8_71, s8_655);
+  const double s8_657 = mbgen::fma(work.r_rear_axle_aux1_x, f_rear_axle_y, s8_656);
+  const double s8_658 = mbgen::fnma(z_rear_axle_ty, f_rear_axle_x, s8_657);
+  const double s8_659 = mbgen::fma(work.s2_11, s8_211, mbgen::fma(work.s2_13, s8_197, s8_658));
+  const double s8_660 = mbgen::fma(work.s2_26, s8_253, mbgen::fma(work.s2_29, s8_238, s8_659));
+  const double s8_661 = mbgen::fnma(work.s2_54, s8_298, mbgen::fma(work.s2_48, s8_290, s8_660));
+  const double s8_662 = mbgen::fnma(work.s2_59, s8_341, mbgen::fma(work.s2_67, s8_327, s8_661));
+  const double s8_663 = mbgen::fnma(work.s2_72, s8_388, mbgen::fma(work.s2_80, s8_372, s8_662));
+  const double s8_664 = mbgen::fnma(work.s2_86, s8_521, mbgen::fnma(work.s2_96, s8_505, s8_663));
+  const double s8_665 = mbgen::fma(s8_648, work.s8_602, s8_664);
+  work.s8_666 = mbgen::fnma((-p_arb_rear_left_x), s8_603, s8_665);
+  const double s8_667 = work.s8_551*work.s8_585;
+  const double s8_668 = work.s8_488*work.s8_548;
+  work.s8_669 = mbgen::fma(work.s8_478, s8_668, work.s8_564*s8_667);
+  work.s8_670 = mbgen::fma(work.s8_488, s8_668, work.s8_585*s8_667);
+  const double s8_671 = mbgen::fma((-p_arb_rear_right_z), s8_614, n_rear_axle_y);
+  const double s8_672 = mbgen::fma((-p_arb_rear_left_z), s8_615, s8_671);
+  const double s8_673 = mbgen::fma(work.s8_547, s8_668, s8_672);
+  const double s8_674 = mbgen::fma(work.r_rear_axle_aux3_z, f_rear_axle_x, s8_673);
+  const double s8_675 = mbgen::fnma(work.r_rear_axle_aux1_x, f_rear_axle_z, s8_674);
+  const double s8_676 = mbgen::fnma(work.s2_11, s8_204, mbgen::fma(work.s2_8, s8_197, s8_675));
+  const double s8_677 = mbgen::fnma(work.s2_26, s8_246, mbgen::fma(work.s2_22, s8_238, s8_676));
+  const double s8_678 = mbgen::fma(work.s2_45, s8_290, mbgen::fma(work.s2_54, s8_282, s8_677));
+  const double s8_679 = mbgen::fnma(work.s2_67, s8_334, mbgen::fma(work.s2_60, s8_341, s8_678));
+  const double s8_680 = mbgen::fnma(work.s2_80, s8_380, mbgen::fma(work.s2_69, s8_388, s8_679));
+  const double s8_681 = mbgen::fma(work.s2_93, s8_521, mbgen::fma(work.s2_96, s8_514, s8_680));
+  const double s8_682 = mbgen::fma(s8_667, work.s8_602, s8_681);
+  work.s8_683 = mbgen::fma((-p_arb_rear_left_x), s8_625, s8_682);
+  // operations: 779 add, 831 multiply, 2 divide
 
   // --- step 8: elimination from the leaves to the root (63), continued ---
   // wheel_front_right: wheel_front_right, revolute, carrier_right
-  const double s8_680 = I_wheel_front_right_polar*work.s4_66;
+  const double s8_684 = I_wheel_front_right_polar*work.s4_66;
   const double tau_wheel_front_right = tau[Coordinate::wheel_front_right];
-  const double s8_681 = work.R_carrier_right_aux2_z_y*tau_wheel_front_right;
-  work.s8_682 = mbgen::fma(work.s4_61, s8_680, s8_681);
-  const double s8_683 = work.R_carrier_right_aux2_y_y*tau_wheel_front_right;
-  work.s8_684 = mbgen::fnma(work.s4_63, s8_680, s8_683);
-  work.s8_685 = mbgen::fnma(work.s1_43, tau_wheel_front_right, s8_680*work.s4_68);
+  const double s8_685 = work.R_carrier_right_aux2_z_y*tau_wheel_front_right;
+  work.s8_686 = mbgen::fma(work.s4_61, s8_684, s8_685);
+  const double s8_687 = work.R_carrier_right_aux2_y_y*tau_wheel_front_right;
+  work.s8_688 = mbgen::fnma(work.s4_63, s8_684, s8_687);
+  work.s8_689 = mbgen::fnma(work.s1_43, tau_wheel_front_right, s8_684*work.s4_68);
   // wheel_front_left: wheel_front_left, revolute, carrier_left
-  const double s8_686 = I_wheel_front_left_polar*work.s4_57;
+  const double s8_690 = I_wheel_front_left_polar*work.s4_57;
   const double tau_wheel_front_left = tau[Coordinate::wheel_front_left];
-  const double s8_687 = work.R_carrier_left_aux2_z_y*tau_wheel_front_left;
-  work.s8_688 = mbgen::fma(work.s4_52, s8_686, s8_687);
-  const double s8_689 = work.R_carrier_left_aux2_y_y*tau_wheel_front_left;
-  work.s8_690 = mbgen::fnma(work.s4_54, s8_686, s8_689);
-  work.s8_691 = mbgen::fnma(work.s1_17, tau_wheel_front_left, s8_686*work.s4_59);
+  const double s8_691 = work.R_carrier_left_aux2_z_y*tau_wheel_front_left;
+  work.s8_692 = mbgen::fma(work.s4_52, s8_690, s8_691);
+  const double s8_693 = work.R_carrier_left_aux2_y_y*tau_wheel_front_left;
+  work.s8_694 = mbgen::fnma(work.s4_54, s8_690, s8_693);
+  work.s8_695 = mbgen::fnma(work.s1_17, tau_wheel_front_left, s8_690*work.s4_59);
 }
 
 /// Part 3 of compute_accelerations: step 2: closure Jacobian Phi_z and its factors (60),
-/// upper_ball_left .. tie_rod_right; step 8: elimination from the leaves to the root (63),
-/// upper_ball_left .. tie_rod_right; step 2: closure Jacobian Phi_z and its factors (60),
 /// upper_ball_left .. tie_rod_right; step 3: Rz (61), upper_ball_left .. tie_rod_right; step 6: c
 /// and dRz/dt zd (62), upper_ball_left .. tie_rod_right; step 7: inertias of the bodies and forces
-/// on joints, upper_ball_left .. tie_rod_right.
+/// on joints, upper_ball_left .. tie_rod_right; step 8: elimination from the leaves to the root
+/// (63), upper_ball_left .. tie_rod_right; step 7: inertias of the bodies and forces on joints,
+/// upper_ball_left .. tie_rod_right.
 [[gnu::noinline]] void compute_accelerations_3(const State& state,
     AccelerationsWork& __restrict work) noexcept {
   // --- step 2: closure Jacobian Phi_z and its factors (60), upper_ball_left .. tie_rod_right ---
@@ -2080,17 +2095,6 @@ struct AccelerationsWork {
   const double s2_242 = mbgen::fnma(work.s2_229, work.s2_239, work.s2_231*work.s2_235);
   const double s2_243 = mbgen::fma(work.s1_35, work.s2_239, s2_241);
   const double s2_244 = mbgen::fnma(work.s1_37, work.s2_222, s2_243);
-
-  // --- step 8: elimination from the leaves to the root (63), upper_ball_left .. tie_rod_right ---
-  // pitman_arm: pitman_arm, revolute, chassis
-  const double s8_692 = mbgen::fnma((-p_pitman_arm_z), work.s8_41, p_pitman_arm_y*work.s8_32);
-  work.s8_693 = mbgen::fnma(p_pitman_arm_x, work.s8_48, s8_692);
-  // bell_crank: bell_crank, revolute, chassis
-  work.s8_694 = mbgen::fma((-p_bell_crank_z), work.s8_41, p_bell_crank_x*work.s8_48);
-  work.s8_695 = mbgen::fnma((-p_bell_crank_z), work.s8_33, p_bell_crank_x*work.s8_32);
-
-  // --- step 2: closure Jacobian Phi_z and its factors (60), upper_ball_left .. tie_rod_right,
-  // continued ---
   // drag_link
   work.s2_245 = (-p_drag_link_from_z)*work.sines[15];
   const double R_bell_crank_y_x = work.sines[16];
@@ -2418,6 +2422,9 @@ struct AccelerationsWork {
   const double s7_78 = h_carrier_left_z*work.R_carrier_left_x_z;
   const double s7_79 = mbgen::fnma((-h_carrier_left_x), work.R_carrier_left_x_x, s7_78);
   work.s7_80 = mbgen::fnma(h_carrier_left_y, work.s1_17, s7_79);
+
+  // --- step 8: elimination from the leaves to the root (63), upper_ball_left .. tie_rod_right ---
+  // carrier_left: carrier_left_ry, revolute, carrier_left_aux2
   work.s8_696 = mbgen::fnma(work.s3_22, work.s7_74, work.s3_21*work.s7_77);
   work.s8_697 = mbgen::fnma(work.s3_25, work.s7_74, work.s3_24*work.s7_77);
   const double s8_698 = mbgen::fma(m_rear_axle_2, state.z[Coordinate::rear_axle_ty], work.s7_11);
@@ -2426,6 +2433,10 @@ struct AccelerationsWork {
   work.s8_701 = s8_700 + work.s7_80;
   const double s8_702 = mbgen::fma(m_rear_axle_2, work.r_rear_axle_aux3_z, work.s7_14);
   work.s8_703 = s8_702 + work.s7_74;
+
+  // --- step 7: inertias of the bodies and forces on joints, upper_ball_left .. tie_rod_right,
+  // continued ---
+  // carrier_left: carrier_left_ry, revolute, carrier_left_aux2
   const double s7_81 = K_carrier_left_yz*work.R_carrier_left_aux2_y_y;
   const double s7_82 = mbgen::fma(K_carrier_left_zz, work.R_carrier_left_y_z, s7_81);
   const double s7_83 = mbgen::fnma((-K_carrier_left_xz), work.R_carrier_left_y_x, s7_82);
@@ -2457,11 +2468,11 @@ struct AccelerationsWork {
   work.s8_705 = mbgen::fnma(work.Rz_lower_arm_left_2, work.s7_101, s8_704);
   work.s8_706 = mbgen::fnma(work.Rz_lower_arm_left_2, work.s7_98, work.s3_25*work.s7_93);
   work.s8_707 = mbgen::fma(work.s3_21, work.s7_98, work.s3_22*work.s7_101);
-  work.s8_708 = work.s8_400 + work.s7_98;
-  work.s8_709 = work.s8_406 + work.s7_101;
-  work.s8_710 = work.s8_417 + work.s7_93;
-  work.s8_711 = work.s8_441 + work.s7_104;
-  work.s8_712 = work.s8_446 + work.s7_107;
+  work.s8_708 = work.s8_404 + work.s7_98;
+  work.s8_709 = work.s8_410 + work.s7_101;
+  work.s8_710 = work.s8_421 + work.s7_93;
+  work.s8_711 = work.s8_445 + work.s7_104;
+  work.s8_712 = work.s8_450 + work.s7_107;
 }
 
 /// Part 4 of compute_accelerations: step 7: inertias of the bodies and forces on joints,
@@ -2601,7 +2612,7 @@ struct AccelerationsWork {
   const double s8_733 = s7_193 + work.s8_711;
   const double s8_734 = s7_190 + work.s8_712;
   const double s7_194 = K_carrier_right_trace - s7_190 - s7_193;
-  const double s8_735 = s7_194 + (work.s8_437 + s7_108);
+  const double s8_735 = s7_194 + (work.s8_441 + s7_108);
   const double s7_195 = s7_193 + (s7_190 + s7_194);
   // upper_arm_right: upper_arm_right, revolute, chassis
   const double R_upper_arm_right_z_y = work.sines[13];
@@ -2670,8 +2681,8 @@ struct AccelerationsWork {
   work.s7_241 = mbgen::fnma((-h_bell_crank_x), R_bell_crank_y_x, s7_240);
   const double s7_242 = h_bell_crank_y*R_bell_crank_y_x;
   work.s7_243 = mbgen::fma((-h_bell_crank_x), R_bell_crank_x_x, s7_242);
-  const double s8_742 = mbgen::fnma(work.s7_241, work.s8_694, tau[Coordinate::bell_crank]);
-  const double s8_743 = mbgen::fma(work.s7_243, work.s8_695, s8_742);
+  const double s8_742 = mbgen::fnma(work.s7_241, work.s8_52, tau[Coordinate::bell_crank]);
+  const double s8_743 = mbgen::fma(work.s7_243, work.s8_40, s8_742);
   const double s7_244 = (-K_bell_crank_xy)*R_bell_crank_y_x;
   const double s7_245 = (-K_bell_crank_xy)*R_bell_crank_x_x;
   const double s7_246 = mbgen::fma(K_bell_crank_yy, R_bell_crank_y_x, s7_245);
@@ -2710,7 +2721,7 @@ struct AccelerationsWork {
   work.s8_759 = zd_pitman_arm*work.s8_28;
   work.s8_760 = mbgen::fma(work.s7_230, work.s8_759, work.s7_229*work.s8_758);
   const double s8_761 = (-p_rear_axle_tx_z)*work.s8_33;
-  const double s8_762 = mbgen::fma((-p_pitman_arm_z), work.s8_43, s8_761);
+  const double s8_762 = mbgen::fma((-p_pitman_arm_z), work.s8_44, s8_761);
   work.s8_763 = mbgen::fma(p_pitman_arm_x, work.s8_41, s8_762);
   work.s8_764 = work.s6_192*s7_238;
   // arb_front_right: arb_front_right, revolute, chassis
@@ -2719,10 +2730,10 @@ struct AccelerationsWork {
   work.s8_766 = zd_arb_front_right*work.s8_28;
   work.s8_767 = zd_arb_front_right*work.s8_23;
   work.s8_768 = mbgen::fma(work.s7_212, work.s8_767, work.s7_210*work.s8_766);
-  const double s8_769 = mbgen::fma((-p_arb_rear_right_y), work.s8_32, work.s8_52);
-  const double s8_770 = mbgen::fnma((-p_arb_rear_right_z), work.s8_33, work.s8_47);
+  const double s8_769 = mbgen::fma((-p_arb_rear_right_y), work.s8_32, work.s8_56);
+  const double s8_770 = mbgen::fnma((-p_arb_rear_right_z), work.s8_33, work.s8_48);
   const double s8_771 = mbgen::fma(work.s7_212, s8_770, mbgen::fma(work.s7_210, s8_769, s7_227));
-  work.s8_772 = work.s8_43 - work.s8_48;
+  work.s8_772 = work.s8_44 - work.s8_49;
   const double s8_773 = mbgen::fnma(work.s8_41, work.s7_223 - work.s7_222, s8_771);
   work.s8_774 = mbgen::fnma(work.s7_221, work.s8_772, s8_773);
   // upper_arm_right: upper_arm_right, revolute, chassis
@@ -2743,7 +2754,7 @@ struct AccelerationsWork {
   work.s8_787 = mbgen::fnma(s7_164, work.s8_785, s8_786);
   const double s8_788 = mbgen::fma(s7_167, work.s8_785, m_carrier_right_2*work.s1_35);
   work.s8_789 = mbgen::fnma(work.Rz_carrier_right_rx_1, s7_161, s8_788);
-  const double s8_790 = p_upper_arm_right_x*work.s8_48;
+  const double s8_790 = p_upper_arm_right_x*work.s8_49;
   const double s8_791 = mbgen::fms(work.s6_99, work.s8_13, s8_790);
   const double s8_792 = mbgen::fnma(work.s6_151, work.s8_28, s8_791);
   const double s8_793 = mbgen::fma(work.r_carrier_right_aux1_y, work.s8_32, s8_792);
@@ -2759,10 +2770,10 @@ struct AccelerationsWork {
   work.f_carrier_right_x = mbgen::fnma(s7_161, s8_802, mbgen::fma(s7_164, s8_798, s8_799));
   const double s8_803 = p_upper_arm_right_x*work.s8_32;
   const double s8_804 = mbgen::fnma(work.s2_238, work.s8_33, s8_803 - work.s6_102);
-  const double s8_805 = mbgen::fnma(work.r_carrier_right_aux1_y, work.s8_53, s8_804);
+  const double s8_805 = mbgen::fnma(work.r_carrier_right_aux1_y, work.s8_57, s8_804);
   const double s8_806 = mbgen::fnma(work.s6_99, work.s8_23, s8_805);
   const double s8_807 = mbgen::fma(work.w_carrier_right_x, work.w_carrier_right_y, s8_795);
-  const double s8_808 = mbgen::fnma(s7_167, s8_794, mbgen::fma(s7_161, s8_806, work.s8_682));
+  const double s8_808 = mbgen::fnma(s7_167, s8_794, mbgen::fma(s7_161, s8_806, work.s8_686));
   const double s8_809 = work.zdd_star_carrier_right_rz + work.s4_26;
   const double s8_810 = mbgen::fms(work.w_carrier_right_y, work.w_carrier_right_z, s8_809);
   const double s8_811 = mbgen::fma(s7_161, s8_807, m_carrier_right_2*s8_806);
@@ -2773,10 +2784,10 @@ struct AccelerationsWork {
   const double s8_815 = p_upper_arm_right_x*work.s8_41;
   const double s8_816 = mbgen::fma(work.s6_151, work.s8_23, work.s6_105 + s8_815);
   const double s8_817 = mbgen::fma(work.r_carrier_right_aux1_y, work.s8_33, s8_816);
-  const double s8_818 = mbgen::fma(work.s2_238, work.s8_43, s8_817);
-  const double s8_819 = mbgen::fnma(s7_161, s8_818, mbgen::fma(s7_164, s8_794, work.s8_684));
+  const double s8_818 = mbgen::fma(work.s2_238, work.s8_44, s8_817);
+  const double s8_819 = mbgen::fnma(s7_161, s8_818, mbgen::fma(s7_164, s8_794, work.s8_688));
   const double s8_820 = mbgen::fma(work.w_carrier_right_y, work.w_carrier_right_z, s8_809);
-  const double s8_821 = mbgen::fnma(s7_164, s8_806, mbgen::fma(s7_167, s8_818, work.s8_685));
+  const double s8_821 = mbgen::fnma(s7_164, s8_806, mbgen::fma(s7_167, s8_818, work.s8_689));
   const double s8_822 = mbgen::fma(s7_194, s8_798, mbgen::fma(s7_179, s8_796, s8_819));
   const double s8_823 = mbgen::fms(work.w_carrier_right_x, work.w_carrier_right_z, s8_797);
   const double s8_824 = mbgen::fma(s7_167, s8_820, m_carrier_right_2*s8_818);
@@ -2837,8 +2848,8 @@ struct AccelerationsWork {
   work.s8_873 = zd_lower_arm_right*work.s8_13;
   work.s8_874 = mbgen::fnma(work.s7_143, work.s8_872, work.s7_141*work.s8_873);
   const double s8_875 = mbgen::fnma((-p_lower_arm_right_z), work.s8_33, s8_803);
-  const double s8_876 = mbgen::fma((-p_lower_arm_right_y), work.s8_53, s8_875);
-  const double s8_877 = mbgen::fma((-p_lower_arm_right_z), work.s8_43, s8_815);
+  const double s8_876 = mbgen::fma((-p_lower_arm_right_y), work.s8_57, s8_875);
+  const double s8_877 = mbgen::fma((-p_lower_arm_right_z), work.s8_44, s8_815);
   const double s8_878 = mbgen::fnma((-p_pitman_arm_z), work.s8_33, s8_877);
   const double s8_879 = mbgen::fnma(work.s7_143, s8_876, s8_830);
   const double s8_880 = mbgen::fnma(work.s7_141, s8_878, s8_879);
@@ -2850,8 +2861,8 @@ struct AccelerationsWork {
   work.s8_884 = mbgen::fma(work.s7_130, work.s8_883, work.s7_128*work.s8_882);
   const double s8_885 = mbgen::fnma(work.zdd_star_arb_front_left, work.s7_138,
       tau[Coordinate::arb_front_left]);
-  const double s8_886 = mbgen::fms((-p_arb_rear_right_y), work.s8_32, work.s8_52);
-  const double s8_887 = mbgen::fma((-p_arb_rear_right_z), work.s8_33, work.s8_47);
+  const double s8_886 = mbgen::fms((-p_arb_rear_right_y), work.s8_32, work.s8_56);
+  const double s8_887 = mbgen::fma((-p_arb_rear_right_z), work.s8_33, work.s8_48);
   const double s8_888 = mbgen::fnma(work.s7_128, s8_886, s8_885);
   const double s8_889 = mbgen::fma(work.s7_130, s8_887, s8_888);
   const double s8_890 = mbgen::fnma(work.s8_32, work.s7_124, s8_889);
@@ -2870,12 +2881,12 @@ struct AccelerationsWork {
   work.s8_901 = zd_upper_arm_left*work.s8_28;
   work.s8_902 = mbgen::fma(work.s7_113, work.s8_901, work.s7_111*work.s8_900);
   const double s8_903 = mbgen::fnma((-p_upper_arm_right_z), work.s8_33, s8_803);
-  const double s8_904 = mbgen::fma((-p_upper_arm_right_z), work.s8_43, s8_815);
+  const double s8_904 = mbgen::fma((-p_upper_arm_right_z), work.s8_44, s8_815);
   work.s8_905 = work.s6_165*s7_121;
   const double s8_906 = mbgen::fms(work.s7_111, s8_761 + s8_904, work.s8_905);
-  const double s8_907 = mbgen::fnma(p_pitman_arm_y, work.s8_53, s8_903);
+  const double s8_907 = mbgen::fnma(p_pitman_arm_y, work.s8_57, s8_903);
   const double s8_908 = mbgen::fnma(work.s7_113, s8_907, s8_906);
-  const double s8_909 = work.s8_53 - work.s8_43;
+  const double s8_909 = work.s8_57 - work.s8_44;
   const double s8_910 = mbgen::fma(work.s8_33, work.s7_119 - work.s7_120, s8_908);
   work.s8_911 = mbgen::fma(work.s7_118, s8_909, s8_910);
   // carrier_left: carrier_left_ry, revolute, carrier_left_aux2
@@ -2907,9 +2918,9 @@ struct AccelerationsWork {
   const double s8_934 = s8_803 - work.s6_88;
   const double s8_935 = mbgen::fnma(work.s1_13, work.zdd_star_lower_arm_left, s8_934);
   const double s8_936 = mbgen::fma(work.r_carrier_left_aux1_z, work.s8_33, s8_935);
-  const double s8_937 = mbgen::fnma(work.r_carrier_left_aux1_y, work.s8_53, s8_936);
+  const double s8_937 = mbgen::fnma(work.r_carrier_left_aux1_y, work.s8_57, s8_936);
   const double s8_938 = mbgen::fnma(work.s6_85, work.s8_23, s8_937);
-  const double s8_939 = mbgen::fma(work.s7_80, s8_938, work.s8_688);
+  const double s8_939 = mbgen::fma(work.s7_80, s8_938, work.s8_692);
   const double s8_940 = work.zdd_star_lower_arm_left + work.s4_15;
   const double s8_941 = mbgen::fms(work.w_carrier_left_y, work.w_carrier_left_z, s8_940);
   const double s8_942 = mbgen::fma(work.w_carrier_left_x, work.w_carrier_left_y, s8_926);
@@ -2921,10 +2932,10 @@ struct AccelerationsWork {
   work.f_carrier_left_y = mbgen::fnma(work.s7_77, s8_947, mbgen::fma(work.s7_80, s8_942, s8_943));
   const double s8_948 = mbgen::fma(work.s1_11, work.zdd_star_lower_arm_left, s8_815);
   const double s8_949 = mbgen::fma(work.r_carrier_left_aux1_y, work.s8_33, s8_948 - work.s6_91);
-  const double s8_950 = mbgen::fnma(work.r_carrier_left_aux1_z, work.s8_43, s8_949);
+  const double s8_950 = mbgen::fnma(work.r_carrier_left_aux1_z, work.s8_44, s8_949);
   const double s8_951 = mbgen::fnma(work.s6_129, work.s8_23, s8_950);
-  const double s8_952 = mbgen::fma(work.s7_77, s8_951, work.s8_691);
-  const double s8_953 = mbgen::fma(work.s7_74, s8_925, work.s8_690);
+  const double s8_952 = mbgen::fma(work.s7_77, s8_951, work.s8_695);
+  const double s8_953 = mbgen::fma(work.s7_74, s8_925, work.s8_694);
   const double s8_954 = mbgen::fma(work.s7_93, s8_927, mbgen::fnma(work.s7_80, s8_951, s8_953));
   const double s8_955 = mbgen::fma(work.w_carrier_left_y, work.w_carrier_left_z, s8_940);
   const double s8_956 = mbgen::fms(work.w_carrier_left_x, work.w_carrier_left_z, s8_928);
@@ -2944,7 +2955,7 @@ struct AccelerationsWork {
   const double s8_967 = mbgen::fnma(work.s7_93, s8_929, s8_946);
   const double n_carrier_left_z = mbgen::fma(work.s7_101, s8_933 - s8_947, s8_967);
   work.s8_968 = n_carrier_left_z - work.s5_18;
-  work.s8_969 = n_carrier_right_z + (work.s8_662 + n_carrier_left_z);
+  work.s8_969 = n_carrier_right_z + (work.s8_666 + n_carrier_left_z);
   const double s8_970 = work.Rz_arb_front_right_2*work.s7_210;
   const double s8_971 = s8_722 + mbgen::fma(work.Rz_arb_front_left_2, work.s7_128, work.s8_697);
   const double s8_972 = work.s3_60*work.s7_230;
@@ -3012,7 +3023,7 @@ struct AccelerationsWork {
   const double s8_1032 = mbgen::fnma(work.s3_20, s8_1031, s8_1007);
   work.s8_1033 = work.zdd_star_lower_arm_left*work.s7_64;
   const double s8_1034 = mbgen::fma((-p_pitman_arm_z), work.s8_33, s8_877);
-  const double s8_1035 = mbgen::fnma((-p_lower_arm_right_y), work.s8_53, s8_875);
+  const double s8_1035 = mbgen::fnma((-p_lower_arm_right_y), work.s8_57, s8_875);
   const double s8_1036 = mbgen::fma(work.s7_54, s8_1034, work.s8_1033);
   const double s8_1037 = mbgen::fnma(work.s7_56, s8_1035, s8_1036);
   const double s8_1038 = mbgen::fma(work.s8_33, work.s7_62 - work.s7_63, s8_1037);
@@ -3050,7 +3061,7 @@ struct AccelerationsWork {
   const double s8_1069 = mbgen::fnma(0.3333333333333333, s8_1068, s8_1032);
   const double s8_1070 = mbgen::fms(work.s8_32, work.s2_196, work.s6_84);
   const double s8_1071 = mbgen::fma(work.s8_41, work.s2_213, s8_1070);
-  const double s8_1072 = mbgen::fnma(work.s8_48, work.s2_205, s8_1071);
+  const double s8_1072 = mbgen::fnma(work.s8_49, work.s2_205, s8_1071);
   const double s8_1073 = mbgen::fma(work.s8_28, work.s6_168, s8_1072);
   const double s8_1074 = mbgen::fnma(work.s8_13, work.s6_86, s8_1073);
   const double s8_1075 = mbgen::fma(work.s2_200, work.zdd_star_arb_front_left, s8_1074);
@@ -3060,7 +3071,7 @@ struct AccelerationsWork {
   const double s8_1079 = mbgen::fms(work.s1_13, work.zdd_star_lower_arm_left, work.s6_90);
   const double s8_1080 = mbgen::fma(work.s8_32, work.s2_205, s8_1079);
   const double s8_1081 = mbgen::fma(work.s8_33, work.s2_213, s8_1080);
-  const double s8_1082 = mbgen::fnma(work.s8_53, work.s2_196, s8_1081);
+  const double s8_1082 = mbgen::fnma(work.s8_57, work.s2_196, s8_1081);
   const double s8_1083 = mbgen::fma(work.s8_23, work.s6_86, s8_1082);
   const double s8_1084 = mbgen::fma(work.s8_28, work.s6_95, s8_1083);
   const double s8_1085 = mbgen::fnma(work.s2_203, work.zdd_star_carrier_left_ry, s8_1084);
@@ -3069,7 +3080,7 @@ struct AccelerationsWork {
   const double s8_1088 = mbgen::fms(work.s8_33, work.s2_196, work.s6_94);
   const double s8_1089 = mbgen::fnma(work.s1_11, work.zdd_star_lower_arm_left, s8_1088);
   const double s8_1090 = mbgen::fma(work.s8_41, work.s2_205, s8_1089);
-  const double s8_1091 = mbgen::fnma(work.s8_43, work.s2_213, s8_1090);
+  const double s8_1091 = mbgen::fnma(work.s8_44, work.s2_213, s8_1090);
   const double s8_1092 = mbgen::fnma(work.s8_23, work.s6_168, s8_1091);
   const double s8_1093 = mbgen::fnma(work.s8_13, work.s6_95, s8_1092);
   const double s8_1094 = mbgen::fnma(work.s2_198, work.zdd_star_arb_front_left, s8_1093);
@@ -3099,7 +3110,7 @@ struct AccelerationsWork {
   const double s8_1117 = mbgen::fma(work.s8_1114, work.s8_1114, s8_1116);
   const double s8_1118 = mbgen::fma(work.s3_55, work.s8_1114, s8_1115);
   const double s8_1119 = mbgen::fnma(0.3333333333333333, s8_1118, s8_868);
-  const double s8_1120 = mbgen::fms(work.s8_53, work.s2_222, work.s6_104);
+  const double s8_1120 = mbgen::fms(work.s8_57, work.s2_222, work.s6_104);
   const double s8_1121 = mbgen::fma(work.s8_32, work.s2_231, s8_1120);
   const double s8_1122 = mbgen::fma(work.s8_33, work.s2_239, s8_1121);
   const double s8_1123 = mbgen::fma(work.s8_23, work.s6_100, s8_1122);
@@ -3108,7 +3119,7 @@ struct AccelerationsWork {
   const double s8_1126 = mbgen::fma(work.s2_235, work.zdd_star_carrier_right_rz, s8_1125);
   work.s8_1127 = 0.3333333333333333*s8_1126;
   const double s8_1128 = mbgen::fms(work.s8_41, work.s2_239, work.s6_98);
-  const double s8_1129 = mbgen::fnma(work.s8_48, work.s2_231, s8_1128);
+  const double s8_1129 = mbgen::fnma(work.s8_49, work.s2_231, s8_1128);
   const double s8_1130 = mbgen::fnma(work.s8_32, work.s2_222, s8_1129);
   const double s8_1131 = mbgen::fma(work.s8_28, work.s6_184, s8_1130);
   const double s8_1132 = mbgen::fnma(work.s8_13, work.s6_100, s8_1131);
@@ -3117,7 +3128,7 @@ struct AccelerationsWork {
   const double s8_1135 = mbgen::fma(work.s2_221, work.zdd_star_carrier_right_ry, s8_1134);
   work.s8_1136 = 0.3333333333333333*s8_1135;
   const double s8_1137 = mbgen::fms(work.s8_41, work.s2_231, work.s6_108);
-  const double s8_1138 = mbgen::fnma(work.s8_43, work.s2_239, s8_1137);
+  const double s8_1138 = mbgen::fnma(work.s8_44, work.s2_239, s8_1137);
   const double s8_1139 = mbgen::fnma(work.s8_33, work.s2_222, s8_1138);
   const double s8_1140 = mbgen::fnma(work.s8_23, work.s6_184, s8_1139);
   const double s8_1141 = mbgen::fnma(work.s8_13, work.s6_109, s8_1140);
@@ -3149,16 +3160,16 @@ struct AccelerationsWork {
   const double s8_1166 = mbgen::fnma(work.s8_23, work.s6_110, s8_1165);
   const double s8_1167 = mbgen::fma(work.s8_32, work.s2_247, s8_1166);
   const double s8_1168 = mbgen::fma(work.s8_33, work.s2_252, s8_1167);
-  work.s8_1169 = 1.5*mbgen::fnma(work.s8_53, work.s2_249, s8_1168);
+  work.s8_1169 = 1.5*mbgen::fnma(work.s8_57, work.s2_249, s8_1168);
   const double s8_1170 = mbgen::fma(work.s8_32, work.s2_249, work.s6_112);
   const double s8_1171 = mbgen::fma(work.s8_41, work.s2_252, s8_1170);
-  const double s8_1172 = mbgen::fnma(work.s8_48, work.s2_247, s8_1171);
+  const double s8_1172 = mbgen::fnma(work.s8_49, work.s2_247, s8_1171);
   const double s8_1173 = mbgen::fma(work.s2_251, work.s6_192, s8_1172);
   const double s8_1174 = mbgen::fma(work.s8_13, work.s6_110, s8_1173);
   work.s8_1175 = 1.5*mbgen::fnma(work.s8_28, work.s6_111, s8_1174);
   const double s8_1176 = mbgen::fma(work.s8_33, work.s2_249, work.s6_119);
   const double s8_1177 = mbgen::fma(work.s8_41, work.s2_247, s8_1176);
-  const double s8_1178 = mbgen::fnma(work.s8_43, work.s2_252, s8_1177);
+  const double s8_1178 = mbgen::fnma(work.s8_44, work.s2_252, s8_1177);
   const double s8_1179 = mbgen::fnma(work.s2_245, work.s6_192, s8_1178);
   const double s8_1180 = mbgen::fma(work.s8_23, work.s6_111, s8_1179);
   work.s8_1181 = 1.5*mbgen::fnma(work.s8_13, work.s6_115, s8_1180);
@@ -3195,7 +3206,7 @@ struct AccelerationsWork {
   const double s8_1211 = mbgen::fma(s8_1206, s8_1206, s8_1210);
   const double s8_1212 = mbgen::fma(work.s8_32, work.s2_262, work.s6_125);
   const double s8_1213 = mbgen::fnma(work.s8_41, work.s2_256, s8_1212);
-  const double s8_1214 = mbgen::fma(work.s8_48, work.s2_270, s8_1213);
+  const double s8_1214 = mbgen::fma(work.s8_49, work.s2_270, s8_1213);
   const double s8_1215 = mbgen::fma(work.s8_28, work.s6_130, s8_1214);
   const double s8_1216 = mbgen::fnma(work.s8_13, work.s6_127, s8_1215);
   const double s8_1217 = mbgen::fnma(work.s2_255, work.zdd_star_carrier_left_rx, s8_1216);
@@ -3204,7 +3215,7 @@ struct AccelerationsWork {
   const double s8_1220 = mbgen::fms(work.s8_33, work.s2_262, work.s6_133);
   const double s8_1221 = mbgen::fnma(work.s1_11, work.zdd_star_lower_arm_left, s8_1220);
   const double s8_1222 = mbgen::fnma(work.s8_41, work.s2_270, s8_1221);
-  const double s8_1223 = mbgen::fma(work.s8_43, work.s2_256, s8_1222);
+  const double s8_1223 = mbgen::fma(work.s8_44, work.s2_256, s8_1222);
   const double s8_1224 = mbgen::fma(work.s8_13, work.s6_128, s8_1223);
   const double s8_1225 = mbgen::fnma(work.s8_23, work.s6_130, s8_1224);
   const double s8_1226 = mbgen::fnma(work.s2_258, work.zdd_star_lower_arm_left, s8_1225);
@@ -3214,7 +3225,7 @@ struct AccelerationsWork {
   const double s8_1230 = mbgen::fms(work.s1_13, work.zdd_star_lower_arm_left, work.s6_137);
   const double s8_1231 = mbgen::fnma(work.s8_32, work.s2_270, s8_1230);
   const double s8_1232 = mbgen::fnma(work.s8_33, work.s2_256, s8_1231);
-  const double s8_1233 = mbgen::fnma(work.s8_53, work.s2_262, s8_1232);
+  const double s8_1233 = mbgen::fnma(work.s8_57, work.s2_262, s8_1232);
   const double s8_1234 = mbgen::fma(work.s8_23, work.s6_127, s8_1233);
   const double s8_1235 = mbgen::fnma(work.s8_28, work.s6_128, s8_1234);
   const double s8_1236 = mbgen::fnma(work.s2_265, work.zdd_star_carrier_left_ry, s8_1235);
@@ -3314,11 +3325,11 @@ struct AccelerationsWork {
   work.s8_1329 = mbgen::fma(p_carrier_left_rz_y, s8_1328, s8_1327);
   const double s8_1330 = mbgen::fma(work.s8_32, work.s2_283, work.s6_143);
   const double s8_1331 = mbgen::fma(work.s8_41, work.s2_279, s8_1330);
-  const double s8_1332 = mbgen::fma(work.s8_48, work.s2_290, s8_1331);
+  const double s8_1332 = mbgen::fma(work.s8_49, work.s2_290, s8_1331);
   const double s8_1333 = mbgen::fma(work.s8_13, work.s6_150, s8_1332);
   const double s8_1334 = mbgen::fma(work.s8_28, work.s6_152, s8_1333);
   const double s8_1335 = mbgen::fma(work.s2_278, work.zdd_star_carrier_right_rx, s8_1334);
-  const double s8_1336 = mbgen::fma(work.s8_53, work.s2_283, work.s6_148);
+  const double s8_1336 = mbgen::fma(work.s8_57, work.s2_283, work.s6_148);
   const double s8_1337 = mbgen::fma(work.s8_32, work.s2_290, s8_1336);
   const double s8_1338 = mbgen::fnma(work.s8_33, work.s2_279, s8_1337);
   const double s8_1339 = mbgen::fma(work.s8_23, work.s6_150, s8_1338);
@@ -3327,7 +3338,7 @@ struct AccelerationsWork {
   const double s8_1342 = mbgen::fma(work.s2_278, work.zdd_star_carrier_right_rz, s8_1341);
   work.s8_1343 = 1.1666666666666667*s8_1342;
   const double s8_1344 = mbgen::fms(work.s8_41, work.s2_290, work.s6_145);
-  const double s8_1345 = mbgen::fma(work.s8_43, work.s2_279, s8_1344);
+  const double s8_1345 = mbgen::fma(work.s8_44, work.s2_279, s8_1344);
   const double s8_1346 = mbgen::fnma(work.s8_33, work.s2_283, s8_1345);
   const double s8_1347 = mbgen::fma(work.s8_23, work.s6_152, s8_1346);
   const double s8_1348 = mbgen::fnma(work.s8_13, work.s6_149, s8_1347);
@@ -3374,7 +3385,7 @@ struct AccelerationsWork {
   const double s8_1389 = mbgen::fma(work.Rz_upper_arm_left_2, s8_1388, s8_1387);
   const double s8_1390 = mbgen::fma(work.s3_24, work.s8_968, s8_1389);
   const double s8_1391 = mbgen::fma(work.s3_25, work.s8_966, s8_1390);
-  const double s8_1392 = mbgen::fma(p_pitman_arm_y, work.s8_53, s8_903);
+  const double s8_1392 = mbgen::fma(p_pitman_arm_y, work.s8_57, s8_903);
   const double s8_1393 = mbgen::fms(work.s7_199, s8_1392, work.s8_783);
   const double s8_1394 = s8_1393 - tau[Coordinate::upper_arm_right];
   const double s8_1395 = mbgen::fma(work.s7_197, s8_904 - s8_761, s8_1394);
@@ -3398,21 +3409,21 @@ struct AccelerationsWork {
   const double s8_1403 = mbgen::fma(work.Rz_carrier_right_rx_2, work.s8_832, s8_1402);
   const double s8_1404 = mbgen::fms(work.s7_229, work.s8_763, work.s8_764);
   const double s8_1405 = s8_1404 - tau[Coordinate::pitman_arm];
-  const double s8_1406 = mbgen::fnma(work.s7_230, work.s8_693, s8_1405);
+  const double s8_1406 = mbgen::fnma(work.s7_230, work.s8_54, s8_1405);
   const double s8_1407 = mbgen::fma(work.s8_41, work.s7_237 - work.s7_236, s8_1406);
   const double s8_1408 = mbgen::fma(work.Rz_arb_front_right_2, work.s8_774, s8_1403);
   const double s8_1409 = mbgen::fma(work.s7_235, work.s8_772, s8_1407);
-  const double s8_1410 = work.s8_53 - work.s8_48;
+  const double s8_1410 = work.s8_57 - work.s8_49;
   const double s8_1411 = mbgen::fma(work.s3_60, s8_1409, s8_1408);
   const double s8_1412 = mbgen::fma(work.s7_248, s8_1410, s8_1411);
-  const double s8_1413 = work.s8_63 + (work.s7_130 + work.s7_212) - work.s7_243 - work.s7_229;
+  const double s8_1413 = work.s8_67 + (work.s7_130 + work.s7_212) - work.s7_243 - work.s7_229;
   const double s8_1414 = 471.925 + s8_1413;
   const double s8_1415 = 2.1 + work.s7_199;
   const double s8_1416 = work.s7_113 - 2.1;
   const double s8_1417 = work.s7_56 - 7.75;
   const double s8_1418 = 7.75 + work.s7_143;
   const double s8_1419 = 23.1 - work.s7_229;
-  const double s8_1420 = work.s7_235 + (work.s8_79 + (work.s7_135 + work.s7_221)) - 90.9075;
+  const double s8_1420 = work.s7_235 + (work.s8_83 + (work.s7_135 + work.s7_221)) - 90.9075;
   const double s8_1421 = 2.1 + work.s7_230;
   const double s8_1422 = mbgen::fnma((-p_pitman_arm_z), s8_1419, s8_1420);
   const double s8_1423 = 33.31250000000001 - work.s7_243;
@@ -3431,14 +3442,14 @@ struct AccelerationsWork {
   const double s8_1436 = 3.75 + work.s7_111;
   const double s8_1437 = 5.0 + work.s7_54;
   const double s8_1438 = work.s7_141 - 5.0;
-  const double s8_1439 = 11.55 + (work.s7_248 + (work.s8_81 + (work.s7_126 + work.s7_214)));
+  const double s8_1439 = 11.55 + (work.s7_248 + (work.s8_85 + (work.s7_126 + work.s7_214)));
   const double s8_1440 = mbgen::fma(p_bell_crank_x, work.s7_241, s8_1439);
   const double s8_1441 = mbgen::fma(p_pitman_arm_y, s8_1419, s8_1440);
   const double s8_1442 = s8_1438 + (s8_1435 + (s8_1436 + s8_1437));
   const double s8_1443 = mbgen::fma(p_lower_arm_left_x, s8_1442, s8_1441);
   const double s8_1444 = mbgen::fma(p_carrier_left_rz_y, s8_1428 - s8_1427, s8_1443);
   const double s8_1445 = work.s7_204 + (work.s7_148 + (work.s7_124 + (work.s7_61 + work.s7_118)));
-  const double s8_1446 = work.s8_82 + s8_1445 - work.s7_216;
+  const double s8_1446 = work.s8_86 + s8_1445 - work.s7_216;
   const double s8_1447 = mbgen::fnma((-p_bell_crank_z), work.s7_241, s8_1446) - 1.05;
   const double s8_1448 = mbgen::fma((-p_rear_axle_tx_z), s8_1415 + s8_1416 - s8_1421, s8_1447);
   const double s8_1449 = mbgen::fma(p_lower_arm_left_y, s8_1418 + s8_1417, s8_1448);
@@ -3453,17 +3464,17 @@ struct AccelerationsWork {
   const double s8_1458 = mbgen::fma(p_lower_arm_left_x, work.s8_839 + work.s8_984, work.s8_1242);
   const double s8_1459 = mbgen::fma(p_lower_arm_left_x, work.s8_838 + work.s8_985, work.s8_1243);
   const double s8_1460 = work.s7_210 + (work.s7_128 + (work.s7_56 + work.s7_113)) - work.s7_230;
-  const double s8_1461 = s8_1460 - work.s7_199 - work.s7_143 - work.s8_65 - 64.9;
+  const double s8_1461 = s8_1460 - work.s7_199 - work.s7_143 - work.s8_69 - 64.9;
   result.inertia[8] = mbgen::fnma(1e-12, work.s8_1377, work.s8_1377);
   const double s8_1462 = work.s7_206 + (work.s7_150 + (work.s7_137 + (work.s7_63 + work.s7_120)));
-  const double s8_1463 = work.s7_253 + (work.s8_83 + (work.s7_237 + (work.s7_223 + s8_1462)));
+  const double s8_1463 = work.s7_253 + (work.s8_87 + (work.s7_237 + (work.s7_223 + s8_1462)));
   const double s8_1464 = 7.380000000000001 + (s8_1463 - s8_1431 - s8_1432);
   const double s8_1465 = mbgen::fma(0.56, s8_1415 - s8_1416, mbgen::fma(0.8, s8_1421, s8_1464));
   const double s8_1466 = mbgen::fma(1.24, s8_1418 - s8_1417, s8_1465);
   const double s8_1467 = work.s7_205 + (work.s7_149 + (work.s7_119 + (work.s7_62 + s8_1436)));
   const double s8_1468 = 12.8518 + (work.s7_252 + s8_1467 - s8_1435);
   const double s8_1469 = mbgen::fma(0.8, s8_1437 - s8_1438, s8_1468);
-  const double s8_1470 = work.s7_249 + (work.s8_84 + (work.s7_236 + (work.s7_136 + work.s7_222)));
+  const double s8_1470 = work.s7_249 + (work.s8_88 + (work.s7_236 + (work.s7_136 + work.s7_222)));
   const double s8_1471 = mbgen::fma(8.8, s8_1419, mbgen::fma(6.5, s8_1423, 1037.4 + s8_1470));
   const double s8_1472 = mbgen::fma(7.9, s8_1429, s8_1471);
   const double s8_1473 = mbgen::fma(7.2, work.s8_835 + work.s8_988, work.s8_1244);
@@ -3518,7 +3529,7 @@ struct AccelerationsWork {
   const double s8_1521 = mbgen::fma(work.s3_36, work.s8_1397, s8_1520);
   const double s8_1522 = mbgen::fma(work.Rz_carrier_right_ry_1, work.s8_834, s8_1521);
   const double s8_1523 = mbgen::fma(work.Rz_carrier_right_rx_1, work.s8_832, s8_1522);
-  const double s8_1524 = work.s8_43 - work.s8_53;
+  const double s8_1524 = work.s8_44 - work.s8_57;
   const double s8_1525 = mbgen::fma(work.Rz_arb_front_right_1, work.s8_774, s8_1523);
   const double s8_1526 = mbgen::fma(work.s7_148, s8_1524, s8_1525);
   const double s8_1527 = work.s8_1209*s8_1475;
@@ -3599,49 +3610,49 @@ struct AccelerationsWork {
   const double s8_1601 = s8_1477*s8_1508;
   const double s8_1602 = s8_1477*s8_1518;
   const double s8_1603 = work.s8_973*s8_1474;
-  const double s8_1604 = mbgen::fma(s8_1550, s8_1597, mbgen::fma(s8_1546, s8_1552, work.s8_604));
+  const double s8_1604 = mbgen::fma(s8_1550, s8_1597, mbgen::fma(s8_1546, s8_1552, work.s8_608));
   const double s8_1605 = mbgen::fma(work.s8_1021, s8_1603, s8_1604);
-  const double s8_1606 = mbgen::fma(s8_1479, s8_1597, mbgen::fma(s8_1544, s8_1546, work.s8_605));
+  const double s8_1606 = mbgen::fma(s8_1479, s8_1597, mbgen::fma(s8_1544, s8_1546, work.s8_609));
   const double s8_1607 = mbgen::fma(work.s8_973, s8_1603, s8_1606);
-  const double s8_1608 = mbgen::fma(s8_1485, s8_1597, mbgen::fma(s8_1546, s8_1558, work.s8_606));
+  const double s8_1608 = mbgen::fma(s8_1485, s8_1597, mbgen::fma(s8_1546, s8_1558, work.s8_610));
   const double s8_1609 = mbgen::fma(work.s8_1016, s8_1603, s8_1608);
-  const double s8_1610 = mbgen::fma(s8_1508, s8_1597, mbgen::fma(s8_1546, s8_1584, work.s8_607));
+  const double s8_1610 = mbgen::fma(s8_1508, s8_1597, mbgen::fma(s8_1546, s8_1584, work.s8_611));
   const double s8_1611 = mbgen::fma(work.s8_1310, s8_1603, s8_1610);
-  const double s8_1612 = mbgen::fma(s8_1494, s8_1597, mbgen::fma(s8_1546, s8_1569, work.s8_608));
+  const double s8_1612 = mbgen::fma(s8_1494, s8_1597, mbgen::fma(s8_1546, s8_1569, work.s8_612));
   const double s8_1613 = mbgen::fma(work.s8_1329, s8_1603, s8_1612);
-  const double s8_1614 = mbgen::fma(s8_1518, s8_1597, mbgen::fma(s8_1546, s8_1595, work.s8_609));
+  const double s8_1614 = mbgen::fma(s8_1518, s8_1597, mbgen::fma(s8_1546, s8_1595, work.s8_613));
   const double s8_1615 = mbgen::fma(work.s8_1284, s8_1603, s8_1614);
   const double s8_1616 = work.s8_1016*s8_1474;
-  const double s8_1617 = mbgen::fma(s8_1485, s8_1599, mbgen::fma(s8_1558, s8_1559, work.s8_616));
+  const double s8_1617 = mbgen::fma(s8_1485, s8_1599, mbgen::fma(s8_1558, s8_1559, work.s8_620));
   const double s8_1618 = mbgen::fma(work.s8_1016, s8_1616, s8_1617);
-  const double s8_1619 = mbgen::fma(s8_1508, s8_1599, mbgen::fma(s8_1559, s8_1584, work.s8_617));
+  const double s8_1619 = mbgen::fma(s8_1508, s8_1599, mbgen::fma(s8_1559, s8_1584, work.s8_621));
   const double s8_1620 = mbgen::fma(work.s8_1310, s8_1616, s8_1619);
-  const double s8_1621 = mbgen::fma(s8_1494, s8_1599, mbgen::fma(s8_1559, s8_1569, work.s8_618));
+  const double s8_1621 = mbgen::fma(s8_1494, s8_1599, mbgen::fma(s8_1559, s8_1569, work.s8_622));
   const double s8_1622 = mbgen::fma(work.s8_1329, s8_1616, s8_1621);
-  const double s8_1623 = mbgen::fma(s8_1518, s8_1599, mbgen::fma(s8_1559, s8_1595, work.s8_619));
+  const double s8_1623 = mbgen::fma(s8_1518, s8_1599, mbgen::fma(s8_1559, s8_1595, work.s8_623));
   const double s8_1624 = mbgen::fma(work.s8_1284, s8_1616, s8_1623);
   const double s8_1625 = work.s8_1021*s8_1474;
-  const double s8_1626 = mbgen::fma(s8_1550, s8_1598, mbgen::fma(s8_1552, s8_1553, work.s8_585));
+  const double s8_1626 = mbgen::fma(s8_1550, s8_1598, mbgen::fma(s8_1552, s8_1553, work.s8_589));
   const double s8_1627 = mbgen::fma(work.s8_1021, s8_1625, s8_1626);
-  const double s8_1628 = mbgen::fma(s8_1485, s8_1598, mbgen::fma(s8_1553, s8_1558, work.s8_586));
+  const double s8_1628 = mbgen::fma(s8_1485, s8_1598, mbgen::fma(s8_1553, s8_1558, work.s8_590));
   const double s8_1629 = mbgen::fma(work.s8_1016, s8_1625, s8_1628);
-  const double s8_1630 = mbgen::fma(s8_1508, s8_1598, mbgen::fma(s8_1553, s8_1584, work.s8_587));
+  const double s8_1630 = mbgen::fma(s8_1508, s8_1598, mbgen::fma(s8_1553, s8_1584, work.s8_591));
   const double s8_1631 = mbgen::fma(work.s8_1310, s8_1625, s8_1630);
-  const double s8_1632 = mbgen::fma(s8_1494, s8_1598, mbgen::fma(s8_1553, s8_1569, work.s8_588));
+  const double s8_1632 = mbgen::fma(s8_1494, s8_1598, mbgen::fma(s8_1553, s8_1569, work.s8_592));
   const double s8_1633 = mbgen::fma(work.s8_1329, s8_1625, s8_1632);
-  const double s8_1634 = mbgen::fma(s8_1518, s8_1598, mbgen::fma(s8_1553, s8_1595, work.s8_589));
+  const double s8_1634 = mbgen::fma(s8_1518, s8_1598, mbgen::fma(s8_1553, s8_1595, work.s8_593));
   const double s8_1635 = mbgen::fma(work.s8_1284, s8_1625, s8_1634);
   const double s8_1636 = work.s8_1284*s8_1474;
-  const double s8_1637 = mbgen::fma(s8_1494, s8_1602, mbgen::fma(s8_1569, s8_1596, work.s8_665));
-  const double s8_1638 = mbgen::fma(s8_1518, s8_1602, mbgen::fma(s8_1595, s8_1596, work.s8_666));
+  const double s8_1637 = mbgen::fma(s8_1494, s8_1602, mbgen::fma(s8_1569, s8_1596, work.s8_669));
+  const double s8_1638 = mbgen::fma(s8_1518, s8_1602, mbgen::fma(s8_1595, s8_1596, work.s8_670));
   const double s8_1639 = mbgen::fma(work.s8_1284, s8_1636, s8_1638);
   const double s8_1640 = mbgen::fma(work.s8_1329, s8_1636, s8_1637) + (s8_1452 + work.s8_1246);
   const double s8_1641 = work.s8_1310*s8_1474;
-  const double s8_1642 = mbgen::fma(s8_1508, s8_1601, mbgen::fma(s8_1584, s8_1585, work.s8_626));
+  const double s8_1642 = mbgen::fma(s8_1508, s8_1601, mbgen::fma(s8_1584, s8_1585, work.s8_630));
   const double s8_1643 = mbgen::fma(work.s8_1310, s8_1641, s8_1642);
-  const double s8_1644 = mbgen::fma(s8_1494, s8_1601, mbgen::fma(s8_1569, s8_1585, work.s8_627));
+  const double s8_1644 = mbgen::fma(s8_1494, s8_1601, mbgen::fma(s8_1569, s8_1585, work.s8_631));
   const double s8_1645 = mbgen::fma(work.s8_1329, s8_1641, s8_1644);
-  const double s8_1646 = mbgen::fma(s8_1518, s8_1601, mbgen::fma(s8_1585, s8_1595, work.s8_628));
+  const double s8_1646 = mbgen::fma(s8_1518, s8_1601, mbgen::fma(s8_1585, s8_1595, work.s8_632));
   const double s8_1647 = mbgen::fma(work.s8_1284, s8_1641, s8_1646);
   const double s8_1648 = work.s8_1329*s8_1474;
   const double s8_1649 = mbgen::fma(s8_1526, s8_1600, mbgen::fma(s8_1412, s8_1648, work.s8_969));
@@ -3677,7 +3688,7 @@ struct AccelerationsWork {
   const double s8_1679 = mbgen::fma(work.s2_262, work.s8_1219, s8_1678);
   const double s8_1680 = mbgen::fma(work.s2_270, work.s8_1238, s8_1679);
   const double s8_1681 = mbgen::fma(work.s2_283, work.s8_1379, s8_1680);
-  const double s8_1682 = mbgen::fma(s8_1494, s8_1600, mbgen::fma(s8_1569, s8_1570, work.s8_646));
+  const double s8_1682 = mbgen::fma(s8_1494, s8_1600, mbgen::fma(s8_1569, s8_1570, work.s8_650));
   const double s8_1683 = mbgen::fma(work.s8_1329, s8_1648, s8_1682);
   const double s8_1684 = work.s8_911 - tau[Coordinate::upper_arm_left];
   const double s8_1685 = mbgen::fma(work.s3_19, s8_1684, mbgen::fnma(s8_1412, s8_1538, s8_1539));
@@ -3688,24 +3699,24 @@ struct AccelerationsWork {
   const double s8_1690 = mbgen::fma(work.Rz_arb_front_left_0, work.s8_893, s8_1689);
   const double s8_1691 = mbgen::fnma(work.s2_290, work.s8_1343, s8_1681);
   const double s8_1692 = work.s8_713 + work.f_carrier_left_y;
-  const double s8_1693 = work.s8_601 + (work.f_carrier_right_y + (work.s8_884 + s8_1692));
+  const double s8_1693 = work.s8_605 + (work.f_carrier_right_y + (work.s8_884 + s8_1692));
   const double s8_1694 = work.s8_768 + s8_1693 - s8_1652 - work.s8_760 - work.s8_737;
   const double s8_1695 = mbgen::fnma(work.s7_141, work.s8_871, s8_1694) - work.s8_1025;
   const double s8_1696 = mbgen::fma(s8_1526, s8_1598, mbgen::fma(s8_1412, s8_1625, s8_1695));
   const double s8_1697 = work.s7_4 - mbgen::fma(s8_1553, s8_1690, s8_1696);
   const double s8_1698 = work.s8_716 + (work.s8_902 + (work.f_carrier_left_x + work.s8_1030));
   const double s8_1699 = work.s8_782 + (work.f_carrier_right_x + (work.s8_874 + s8_1698));
-  const double s8_1700 = work.s8_756 + (work.s8_613 + (work.s7_232 + (work.s8_739 + s8_1699)));
+  const double s8_1700 = work.s8_756 + (work.s8_617 + (work.s7_232 + (work.s8_739 + s8_1699)));
   const double s8_1701 = mbgen::fma(s8_1526, s8_1597, mbgen::fma(s8_1412, s8_1603, s8_1700));
   const double s8_1702 = work.s7_9 - mbgen::fma(s8_1546, s8_1690, s8_1701);
   const double s8_1703 = work.f_carrier_left_z + work.s8_1024;
   const double s8_1704 = work.f_carrier_right_z + mbgen::fma(work.s7_143, work.s8_871, s8_1703);
-  const double s8_1705 = work.s8_755 + (work.s8_623 + (work.s7_231 + (work.s8_736 + s8_1704)));
+  const double s8_1705 = work.s8_755 + (work.s8_627 + (work.s7_231 + (work.s8_736 + s8_1704)));
   const double s8_1706 = s8_1705 - work.s8_741 - work.s8_718 - work.s8_714;
   const double s8_1707 = mbgen::fma(s8_1526, s8_1599, mbgen::fma(s8_1412, s8_1616, s8_1706));
   const double s8_1708 = work.s7_7 - mbgen::fma(s8_1559, s8_1690, s8_1707);
   const double s8_1709 = work.n_carrier_right_x + (work.n_carrier_left_x + work.s8_1033);
-  const double s8_1710 = work.s8_643 + s8_1709 - work.s8_783 - work.s8_905;
+  const double s8_1710 = work.s8_647 + s8_1709 - work.s8_783 - work.s8_905;
   const double s8_1711 = mbgen::fma(s8_1526, s8_1601, mbgen::fma(s8_1412, s8_1641, s8_1710));
   const double s8_1712 = mbgen::fma(work.s7_252, work.s8_754, s8_1711);
   const double s8_1713 = mbgen::fma(work.s7_248, work.s8_753, s8_1712);
@@ -3758,7 +3769,7 @@ struct AccelerationsWork {
   const double s8_1760 = mbgen::fnma(work.s7_143, work.s8_871, s8_1759) - work.f_carrier_left_z;
   const double s8_1761 = mbgen::fma(work.zdd_star_arb_front_left, work.s7_138,
       work.n_carrier_left_y);
-  const double s8_1762 = work.s8_679 + (work.n_carrier_right_y + s8_1761);
+  const double s8_1762 = work.s8_683 + (work.n_carrier_right_y + s8_1761);
   const double s8_1763 = mbgen::fma(work.zdd_star_arb_front_right, work.s7_224, s8_1762);
   const double s8_1764 = mbgen::fma(s8_1412, s8_1636, s8_1763 - work.s8_764);
   const double s8_1765 = mbgen::fma(s8_1526, s8_1602, s8_1764);
@@ -3795,7 +3806,7 @@ struct AccelerationsWork {
   const double s8_1796 = mbgen::fma(p_arb_front_left_x, work.s8_741 + work.s8_718, s8_1795);
   const double s8_1797 = mbgen::fnma((-p_upper_arm_right_z), work.s8_782 + work.s8_902, s8_1796);
   const double s8_1798 = work.s5_5 - s8_1797;
-  // operations: 1217 add, 1106 multiply, 3 divide
+  // operations: 1213 add, 1099 multiply, 3 divide
 
   // --- step 8: elimination from the leaves to the root (63), continued ---
   // chassis: chassis_rx, revolute, chassis_aux5
@@ -3851,7 +3862,7 @@ struct AccelerationsWork {
   const double s8_1847 = mbgen::fnma(s8_1801, s8_1822, mbgen::fms(s8_1842, s8_1826, s8_1611));
   const double s8_1848 = mbgen::fma(work.s8_33, s8_1805, s8_1832);
   const double s8_1849 = mbgen::fma(work.s8_41, s8_1817 - s8_1813, s8_1848);
-  const double s8_1850 = mbgen::fma(work.s8_540, s8_1802, s8_1849);
+  const double s8_1850 = mbgen::fma(work.s8_544, s8_1802, s8_1849);
   const double s8_1851 = mbgen::fma(s8_1822, s8_1831, mbgen::fma(s8_1842, s8_1850, s8_1748));
   const double s8_1852 = mbgen::fnma(work.s8_41, s8_1805, s8_1851);
   const double s8_1853 = mbgen::fma(s8_1841, s8_1831, mbgen::fma(s8_1840, s8_1850, s8_1708));
@@ -3873,7 +3884,7 @@ struct AccelerationsWork {
   const double s8_1868 = mbgen::fnma(s8_1844, s8_1862, s8_1867);
   result.inertia[2] = mbgen::fnma(1e-12, s8_1858, s8_1868);
   const double s8_1869 = s8_1839*s8_1827;
-  const double s8_1870 = mbgen::fnma(s8_1828, s8_1831, mbgen::fma(work.s8_53, s8_1799, s8_1812));
+  const double s8_1870 = mbgen::fnma(s8_1828, s8_1831, mbgen::fma(work.s8_57, s8_1799, s8_1812));
   const double s8_1871 = s8_1861*s8_1846;
   const double s8_1872 = mbgen::fnma(s8_1826, s8_1869, mbgen::fms(s8_1801, s8_1828, s8_1605));
   const double s8_1873 = 1.0/s8_1868;
@@ -3886,11 +3897,11 @@ struct AccelerationsWork {
   const double s8_1879 = mbgen::fma(work.s8_32, s8_1802, s8_1852);
   const double s8_1880 = mbgen::fma(work.s8_33, s8_1813 - s8_1815, s8_1879);
   const double s8_1881 = mbgen::fma(s8_1452, s8_1524, s8_1880);
-  const double s8_1882 = mbgen::fnma(s8_1862, s8_1881, mbgen::fma(work.s8_43, s8_1806, s8_1855));
+  const double s8_1882 = mbgen::fnma(s8_1862, s8_1881, mbgen::fma(work.s8_44, s8_1806, s8_1855));
   const double s8_1883 = mbgen::fnma(s8_1871, s8_1881, mbgen::fnma(s8_1850, s8_1869, s8_1870));
   const double s8_1884 = mbgen::fnma(s8_1874, s8_1882, s8_1883);
   const double s8_1885 = s8_1861*s8_1847;
-  const double s8_1886 = mbgen::fnma(s8_1850, s8_1878, mbgen::fma(work.s8_48, s8_1808, s8_1835));
+  const double s8_1886 = mbgen::fnma(s8_1850, s8_1878, mbgen::fma(work.s8_49, s8_1808, s8_1835));
   const double s8_1887 = s8_1873*s8_1866;
   const double s8_1888 = 1.0/s8_1877;
   const double s8_1889 = s8_1875*s8_1888;
@@ -4051,20 +4062,20 @@ struct AccelerationsWork {
   const double s9_92 = mbgen::fnma(work.R_carrier_right_aux2_z_y, alpha_carrier_right_z, s9_91);
   result.zdd[Coordinate::wheel_front_right] = mbgen::fma(work.s1_43, alpha_carrier_right_x, s9_92);
   // arb_rear_right: arb_rear_right, revolute, chassis
-  const double s9_93 = mbgen::fnma(work.s8_582, a_chassis_y, work.s8_598);
-  const double s9_94 = mbgen::fnma(work.s8_549, a_chassis_x, s9_93);
-  const double s9_95 = mbgen::fnma(work.s8_551, a_chassis_z, s9_94);
-  const double s9_96 = mbgen::fnma(work.s8_581, alpha_chassis_y, s9_95);
-  const double s9_97 = mbgen::fnma(work.s8_560, alpha_chassis_z, s9_96);
-  const double s9_98 = work.s8_547*mbgen::fnma(work.s8_570, alpha_chassis_x, s9_97);
+  const double s9_93 = mbgen::fnma(work.s8_586, a_chassis_y, work.s8_602);
+  const double s9_94 = mbgen::fnma(work.s8_553, a_chassis_x, s9_93);
+  const double s9_95 = mbgen::fnma(work.s8_555, a_chassis_z, s9_94);
+  const double s9_96 = mbgen::fnma(work.s8_585, alpha_chassis_y, s9_95);
+  const double s9_97 = mbgen::fnma(work.s8_564, alpha_chassis_z, s9_96);
+  const double s9_98 = work.s8_551*mbgen::fnma(work.s8_574, alpha_chassis_x, s9_97);
   result.zdd[Coordinate::arb_rear_left] = s9_98;
-  const double s9_99 = mbgen::fnma(work.s8_97, a_chassis_y, work.s8_543);
-  const double s9_100 = mbgen::fnma(work.s8_548, a_chassis_x, s9_99);
-  const double s9_101 = mbgen::fnma(work.s8_550, a_chassis_z, s9_100);
-  const double s9_102 = mbgen::fnma(work.s8_484, alpha_chassis_y, s9_101);
-  const double s9_103 = mbgen::fnma(work.s8_465, alpha_chassis_x, s9_102);
-  const double s9_104 = mbgen::fnma(work.s8_474, alpha_chassis_z, s9_103);
-  const double s9_105 = work.s8_544*mbgen::fnma(work.s8_456, s9_98, s9_104);
+  const double s9_99 = mbgen::fnma(work.s8_101, a_chassis_y, work.s8_547);
+  const double s9_100 = mbgen::fnma(work.s8_552, a_chassis_x, s9_99);
+  const double s9_101 = mbgen::fnma(work.s8_554, a_chassis_z, s9_100);
+  const double s9_102 = mbgen::fnma(work.s8_488, alpha_chassis_y, s9_101);
+  const double s9_103 = mbgen::fnma(work.s8_469, alpha_chassis_x, s9_102);
+  const double s9_104 = mbgen::fnma(work.s8_478, alpha_chassis_z, s9_103);
+  const double s9_105 = work.s8_548*mbgen::fnma(work.s8_460, s9_98, s9_104);
   result.zdd[Coordinate::arb_rear_right] = s9_105;
   const double s9_106 = mbgen::fma(work.Rz_rear_axle_ry_0, s9_98, work.zdd_star_rear_axle_ry);
   const double s9_107 = mbgen::fma(work.Rz_rear_axle_ry_1, s9_105, s9_106);
@@ -5067,81 +5078,70 @@ void compute_multipliers(const Tuned& parameters, const Inputs& inputs, const St
 /// Values of compute_multipliers that cross its parts.
 struct ConstraintForcesWork {
   double
-      sines[22], cosines[22], R_chassis_aux5_x_x, R_chassis_aux5_y_x, R_chassis_x_y, R_chassis_x_z,
-      R_chassis_y_y, R_chassis_y_z, R_chassis_z_y, R_chassis_z_z, R_carrier_left_aux1_y_x,
-      R_carrier_left_aux1_z_x, r_carrier_left_aux1_y, r_carrier_left_aux1_z, b_carrier_left_rz_x,
-      s1_10, s1_11, s1_13, R_carrier_left_aux2_y_y, R_carrier_left_aux2_z_y, b_carrier_left_rx_x,
-      b_carrier_left_rx_y, b_carrier_left_rx_z, R_carrier_left_x_x, R_carrier_left_x_z,
-      R_carrier_left_y_x, R_carrier_left_y_z, R_carrier_left_z_x, R_carrier_left_z_z,
-      b_carrier_left_ry_x, s1_27, b_carrier_left_ry_z, r_wheel_front_left_x, r_wheel_front_left_y,
-      r_wheel_front_left_z, R_carrier_right_aux1_y_x, R_carrier_right_aux1_z_x,
-      r_carrier_right_aux1_y, s1_35, b_carrier_right_rz_x, s1_37, s1_38, s1_40,
-      R_carrier_right_aux2_y_y, R_carrier_right_aux2_z_y, b_carrier_right_rx_x, s1_47,
-      b_carrier_right_rx_z, R_carrier_right_x_x, R_carrier_right_x_z, R_carrier_right_y_x,
-      R_carrier_right_y_z, R_carrier_right_z_x, R_carrier_right_z_z, b_carrier_right_ry_x,
-      b_carrier_right_ry_y, b_carrier_right_ry_z, r_wheel_front_right_x, r_wheel_front_right_y,
-      r_wheel_front_right_z, r_rear_axle_aux1_x, r_rear_axle_aux3_z, R_rear_axle_aux5_x_x,
-      R_rear_axle_aux5_y_x, s1_62, s1_63, b_rear_axle_ry_z, R_rear_axle_x_y, R_rear_axle_x_z,
-      R_rear_axle_y_y, R_rear_axle_y_z, R_rear_axle_z_y, R_rear_axle_z_z, s1_68, b_rear_axle_rx_y,
-      b_rear_axle_rx_z, r_wheel_rear_left_x, r_wheel_rear_left_y, r_wheel_rear_left_z,
-      r_wheel_rear_right_x, r_wheel_rear_right_y, r_wheel_rear_right_z, s1_73, s1_75, s1_77, s1_78,
-      s1_81, s1_86, s1_101, s1_104, s1_107, s1_110, s1_119, s1_128, s1_131, s1_134, s1_141, s1_146,
-      s1_151, s1_154, s1_157, s1_160, s1_163, s1_165, s1_167, s1_168, s1_171, s1_174, s1_176,
-      s1_180, s1_182, s1_184, s1_187, s1_188, s1_191, s1_193, s1_195, s1_196, s1_199, s1_202,
-      s1_219, s1_222, s1_225, s1_228, s1_237, s1_240, s1_243, s1_253, s1_260, s1_265, s1_270,
-      s1_273, s1_276, s1_279, s1_282, s1_284, s1_286, s1_287, s1_290, s1_293, s1_297, s1_299,
-      s1_301, s1_303, s1_306, s1_307, s1_309, s1_311, s1_312, s1_314, s1_315, s1_320, s1_323,
-      s1_325, s1_327, s1_328, s1_332, s1_337, s1_339, s1_341, s1_343, s1_351, s1_353, s1_356,
-      s1_363, s1_368, s1_373, s1_379, s1_381, s1_383, s1_386, s1_388, s1_389, s1_390, s1_392,
-      s1_393, s1_394, s1_397, s1_398, s1_400, s1_401, s1_402, s1_404, s1_405, s1_408, s1_410,
-      s1_412, s1_415, s1_418, s1_421, s1_423, s1_425, s1_428, s1_431, s1_434, s1_435, s1_436,
-      s1_437, s1_438, s1_441, s1_443, s1_444, s1_446, s1_447, s1_449, s1_450, s1_452, s1_453,
-      s1_455, s1_456, s1_458, s1_459, s1_461, s1_462, s1_464, s1_470, s1_474, s1_476, s1_478,
-      s1_480, s1_482, s1_483, s1_488, s1_490, s1_492, s1_496, s1_497, s1_498, s1_500, s1_501,
-      s1_502, s1_503, s1_504, s1_505, s1_507, s1_509, s1_510, w_chassis_x, w_chassis_y, w_chassis_z,
-      w_carrier_left_x, w_carrier_left_y, w_carrier_left_z, w_wheel_front_left_x,
-      w_wheel_front_left_y, w_wheel_front_left_z, w_arb_front_left_y, w_carrier_right_x,
-      w_carrier_right_y, w_carrier_right_z, w_wheel_front_right_x, w_wheel_front_right_y,
-      w_wheel_front_right_z, w_arb_front_right_y, w_rear_axle_x, w_rear_axle_y, w_rear_axle_z,
-      s4_33, w_wheel_rear_left_x, s4_34, w_wheel_rear_left_y, s4_35, w_wheel_rear_left_z,
-      w_arb_rear_left_y, s4_36, w_wheel_rear_right_x, s4_37, w_wheel_rear_right_y, s4_38,
-      w_wheel_rear_right_z, w_arb_rear_right_y, a_chassis_x, a_chassis_y, a_chassis_z,
-      alpha_chassis_x, alpha_chassis_y, alpha_chassis_z, s7_14, s7_15, s7_16, s7_17, s7_18, s7_19,
-      s7_20, s7_21, s7_22, s7_23, s7_24, s7_29, s7_30, alpha_lower_arm_left_x, s7_31,
-      a_lower_arm_left_y, s7_35, s7_36, s7_37, a_lower_arm_left_z, alpha_carrier_left_z, s7_91,
-      s7_94, alpha_carrier_left_y, s7_97, a_carrier_left_x, s7_101, s7_102, alpha_carrier_left_x,
-      s7_105, a_carrier_left_y, s7_109, s7_110, s7_111, a_carrier_left_z, alpha_wheel_front_left_z,
-      s7_117, s7_120, alpha_wheel_front_left_y, s7_123, a_wheel_front_left_x, s7_127, s7_128,
-      alpha_wheel_front_left_x, s7_131, a_wheel_front_left_y, s7_135, s7_136, s7_137,
-      a_wheel_front_left_z, s7_141, s7_142, alpha_upper_arm_left_x, s7_143, a_upper_arm_left_y,
-      s7_147, s7_148, s7_149, a_upper_arm_left_z, s7_153, alpha_arb_front_left_y, s7_154,
-      alpha_arb_front_left_z, s7_155, a_arb_front_left_x, s7_159, alpha_arb_front_left_x, s7_160,
-      a_arb_front_left_y, s7_163, s7_164, s7_165, a_arb_front_left_z, s7_173,
-      alpha_lower_arm_right_x, s7_174, s7_176, a_lower_arm_right_y, s7_180, s7_181, s7_182,
-      a_lower_arm_right_z, alpha_carrier_right_z, s7_236, s7_239, alpha_carrier_right_y, s7_242,
-      a_carrier_right_x, s7_246, s7_247, alpha_carrier_right_x, s7_250, a_carrier_right_y, s7_254,
-      s7_255, s7_256, a_carrier_right_z, alpha_wheel_front_right_z, s7_262, s7_265,
-      alpha_wheel_front_right_y, s7_268, a_wheel_front_right_x, s7_274, s7_275,
-      alpha_wheel_front_right_x, s7_278, a_wheel_front_right_y, s7_284, s7_285, s7_286,
-      a_wheel_front_right_z, s7_292, alpha_upper_arm_right_x, s7_293, s7_294, a_upper_arm_right_y,
-      s7_298, s7_299, s7_300, a_upper_arm_right_z, s7_304, alpha_arb_front_right_y, s7_305,
-      alpha_arb_front_right_z, s7_306, a_arb_front_right_x, s7_310, alpha_arb_front_right_x, s7_311,
-      a_arb_front_right_y, s7_314, s7_315, s7_316, a_arb_front_right_z, s7_320, alpha_pitman_arm_y,
-      s7_321, s7_322, a_pitman_arm_x, s7_325, s7_326, a_pitman_arm_y, s7_328, s7_329, s7_330,
-      a_pitman_arm_z, s7_333, s7_334, a_bell_crank_x, alpha_bell_crank_z, s7_336, s7_337,
-      a_bell_crank_y, s7_339, a_bell_crank_z, s7_340, s7_341, s7_342, alpha_rear_axle_z, s7_384,
-      s7_387, alpha_rear_axle_y, s7_390, a_rear_axle_x, s7_393, s7_394, alpha_rear_axle_x, s7_397,
-      a_rear_axle_y, s7_400, s7_401, s7_402, a_rear_axle_z, Q_arb_rear_right, Q_arb_rear_left,
-      Q_rear_axle_ry, Q_rear_axle_rz, Q_rear_axle_ty, Q_rear_axle_tx, Q_pitman_arm,
-      Q_arb_front_right, Q_upper_arm_right, Q_carrier_right_ry, Q_carrier_right_rx,
-      Q_carrier_right_rz, Q_arb_front_left, Q_upper_arm_left, Q_carrier_left_ry, Q_carrier_left_rx,
-      Q_carrier_left_rz;
+      sines[22], cosines[22], R_carrier_left_aux1_y_x, R_carrier_left_aux1_y_y,
+      R_carrier_left_aux1_z_x, R_carrier_left_aux1_z_y, s1_8, r_carrier_left_aux1_y, s1_10,
+      r_carrier_left_aux1_z, s1_12, R_carrier_left_aux2_y_y, R_carrier_left_aux2_z_y,
+      R_carrier_left_x_x, R_carrier_left_x_z, R_carrier_left_y_x, R_carrier_left_y_z,
+      R_carrier_left_z_x, R_carrier_left_z_z, s1_26, s1_28, s1_30, R_carrier_right_aux1_y_x,
+      R_carrier_right_aux1_y_y, R_carrier_right_aux1_z_x, R_carrier_right_aux1_z_y, s1_33,
+      r_carrier_right_aux1_y, s1_35, s1_36, s1_38, R_carrier_right_aux2_y_y,
+      R_carrier_right_aux2_z_y, R_carrier_right_x_x, R_carrier_right_x_z, R_carrier_right_y_x,
+      R_carrier_right_y_z, R_carrier_right_z_x, R_carrier_right_z_z, s1_52, s1_54, s1_56,
+      r_rear_axle_aux1_x, r_rear_axle_aux3_z, R_rear_axle_aux5_x_x, R_rear_axle_aux5_x_z,
+      R_rear_axle_aux5_y_x, R_rear_axle_aux5_y_z, R_rear_axle_x_y, R_rear_axle_x_z, R_rear_axle_y_y,
+      R_rear_axle_y_z, R_rear_axle_z_y, R_rear_axle_z_z, s1_62, s1_63, s1_64, w_chassis_x,
+      w_chassis_y, w_chassis_z, w_carrier_left_x, w_carrier_left_y, w_carrier_left_z,
+      w_wheel_front_left_x, w_wheel_front_left_y, w_wheel_front_left_z, w_arb_front_left_y,
+      w_carrier_right_x, w_carrier_right_y, w_carrier_right_z, w_wheel_front_right_x,
+      w_wheel_front_right_y, w_wheel_front_right_z, w_arb_front_right_y, w_rear_axle_x,
+      w_rear_axle_y, w_rear_axle_z, w_wheel_rear_left_x, w_wheel_rear_left_y, w_wheel_rear_left_z,
+      w_arb_rear_left_y, w_wheel_rear_right_x, w_wheel_rear_right_y, w_wheel_rear_right_z,
+      w_arb_rear_right_y, a_chassis_x, a_chassis_y, a_chassis_z, s7_14, s7_15, s7_16, s7_17, s7_18,
+      s7_19, s7_20, s7_21, s7_22, s7_25, a_lower_arm_left_y, s7_30, a_lower_arm_left_z,
+      alpha_lower_arm_left_x, s7_31, s7_32, s7_33, s7_34, a_carrier_left_aux1_x,
+      a_carrier_left_aux1_y, a_carrier_left_aux1_z, alpha_carrier_left_x, alpha_carrier_left_y,
+      alpha_carrier_left_z, s7_57, s7_58, s7_59, s7_60, s7_61, s7_62, s7_63, s7_64, s7_65,
+      a_wheel_front_left_x, a_wheel_front_left_y, a_wheel_front_left_z, alpha_wheel_front_left_x,
+      alpha_wheel_front_left_y, alpha_wheel_front_left_z, a_upper_arm_left_y, a_upper_arm_left_z,
+      alpha_upper_arm_left_x, s7_81, s7_82, s7_83, s7_84, a_arb_front_left_x, a_arb_front_left_z,
+      alpha_arb_front_left_x, alpha_arb_front_left_y, alpha_arb_front_left_z, s7_93, s7_94, s7_95,
+      s7_96, s7_98, s7_99, a_lower_arm_right_y, a_lower_arm_right_z, alpha_lower_arm_right_x,
+      s7_101, s7_102, s7_103, s7_104, a_carrier_right_aux1_x, a_carrier_right_aux1_y,
+      a_carrier_right_aux1_z, alpha_carrier_right_x, alpha_carrier_right_y, alpha_carrier_right_z,
+      s7_127, s7_128, s7_129, s7_130, s7_131, s7_132, s7_133, s7_134, s7_135, a_wheel_front_right_x,
+      a_wheel_front_right_y, a_wheel_front_right_z, alpha_wheel_front_right_x,
+      alpha_wheel_front_right_y, alpha_wheel_front_right_z, a_upper_arm_right_y,
+      a_upper_arm_right_z, alpha_upper_arm_right_x, s7_148, s7_149, s7_150, s7_151,
+      a_arb_front_right_x, a_arb_front_right_z, alpha_arb_front_right_x, alpha_arb_front_right_y,
+      alpha_arb_front_right_z, s7_152, s7_153, s7_154, s7_155, s7_157, s7_158, a_pitman_arm_x,
+      a_pitman_arm_y, a_pitman_arm_z, alpha_pitman_arm_y, s7_165, s7_166, s7_167, s7_168, s7_169,
+      s7_170, a_bell_crank_x, a_bell_crank_y, a_bell_crank_z, alpha_bell_crank_z, s7_174, s7_175,
+      s7_176, s7_177, s7_178, s7_179, a_rear_axle_aux3_x, a_rear_axle_aux3_y, a_rear_axle_aux3_z,
+      alpha_rear_axle_x, alpha_rear_axle_y, alpha_rear_axle_z, s7_207, s7_208, s7_209, s7_210,
+      s7_211, s7_212, s7_213, s7_214, s7_215, a_wheel_rear_left_x, a_wheel_rear_left_y,
+      a_wheel_rear_left_z, alpha_wheel_rear_left_x, alpha_wheel_rear_left_y,
+      alpha_wheel_rear_left_z, a_arb_rear_left_x, a_arb_rear_left_y, a_arb_rear_left_z,
+      alpha_arb_rear_left_x, alpha_arb_rear_left_y, alpha_arb_rear_left_z, s7_233, s7_234, s7_235,
+      s7_236, s7_237, s7_238, s7_239, s7_240, a_wheel_rear_right_x, a_wheel_rear_right_y,
+      a_wheel_rear_right_z, alpha_wheel_rear_right_x, alpha_wheel_rear_right_y,
+      alpha_wheel_rear_right_z, a_arb_rear_right_x, a_arb_rear_right_y, a_arb_rear_right_z,
+      alpha_arb_rear_right_x, alpha_arb_rear_right_y, alpha_arb_rear_right_z, s7_251, s7_252,
+      s7_253, s7_254, s7_255, s7_256, s7_257, s7_258, s7_260, s7_262, s7_265, s7_268, s7_271,
+      s7_274, s7_277, s7_280, s7_283, s7_286, s7_288, s7_290, s7_293, s7_296, s7_299, s7_302,
+      s7_306, s7_307, s7_317, s7_318, s7_319, s7_329, s7_330, s7_333, s7_334, s7_335, s7_337,
+      s7_339, s7_341, s7_354, s7_355, s7_356, s7_358, s7_359, s7_361, s7_362, s7_364, s7_381,
+      s7_384, s7_387, s7_401, s7_403, s7_405, s7_414, s7_419, s7_422, s7_423, s7_424, s7_440,
+      s7_441, s7_442, s7_447, s7_448, s7_449, s7_456, s7_457, s7_458, s7_459, s7_460, s7_659,
+      s7_665, s7_671, Q_rear_axle_tz, Q_rear_axle_ty, Q_rear_axle_tx, Q_pitman_arm,
+      Q_arb_front_right, Q_upper_arm_right, s7_862, s7_867, s7_872, Q_arb_front_left,
+      Q_upper_arm_left, s7_1042, s7_1047, Q_lower_arm_left;
 };
 
-/// Part 1 of compute_multipliers: step 1: poses, axes b, accumulated inertias MR (50).
-[[gnu::noinline]] void compute_multipliers_1(const State& state,
+/// Part 1 of compute_multipliers: step 1: poses and axes b; step 4: angular velocities; step 7:
+/// inertias of the bodies and forces on joints.
+[[gnu::noinline]] void compute_multipliers_1(const State& state, const Derivative& derivative,
     ConstraintForcesWork& __restrict work) noexcept {
-  // --- step 1: poses, axes b, accumulated inertias MR (50) ---
+  // --- step 1: poses and axes b ---
   const double angles[] = {
       state.z[Coordinate::chassis_rz], state.z[Coordinate::chassis_ry],
       state.z[Coordinate::chassis_rx], state.z[Coordinate::lower_arm_left],
@@ -5158,58 +5158,49 @@ struct ConstraintForcesWork {
   // chassis_aux5: chassis_ry, revolute, chassis_aux4
   const double R_chassis_aux4_x_x = work.cosines[0];
   const double R_chassis_aux5_z_z = work.cosines[1];
-  work.R_chassis_aux5_x_x = R_chassis_aux4_x_x*R_chassis_aux5_z_z;
+  const double R_chassis_aux5_x_x = R_chassis_aux4_x_x*R_chassis_aux5_z_z;
   const double R_chassis_aux4_y_x = work.sines[0];
-  work.R_chassis_aux5_y_x = R_chassis_aux4_y_x*R_chassis_aux5_z_z;
+  const double R_chassis_aux5_y_x = R_chassis_aux4_y_x*R_chassis_aux5_z_z;
   // chassis: chassis_rx, revolute, chassis_aux5
   const double s1_1 = work.sines[1];
   const double s1_2 = work.sines[2];
   const double s1_3 = s1_1*s1_2;
   const double s1_4 = work.cosines[2];
-  work.R_chassis_x_y = mbgen::fnma(R_chassis_aux4_y_x, s1_4, R_chassis_aux4_x_x*s1_3);
+  const double R_chassis_x_y = mbgen::fnma(R_chassis_aux4_y_x, s1_4, R_chassis_aux4_x_x*s1_3);
   const double s1_5 = s1_1*s1_4;
-  work.R_chassis_x_z = mbgen::fma(R_chassis_aux4_x_x, s1_5, R_chassis_aux4_y_x*s1_2);
-  work.R_chassis_y_y = mbgen::fma(R_chassis_aux4_y_x, s1_3, R_chassis_aux4_x_x*s1_4);
-  work.R_chassis_y_z = mbgen::fnma(R_chassis_aux4_x_x, s1_2, R_chassis_aux4_y_x*s1_5);
-  work.R_chassis_z_y = R_chassis_aux5_z_z*s1_2;
-  work.R_chassis_z_z = R_chassis_aux5_z_z*s1_4;
+  const double R_chassis_x_z = mbgen::fma(R_chassis_aux4_x_x, s1_5, R_chassis_aux4_y_x*s1_2);
+  const double R_chassis_y_y = mbgen::fma(R_chassis_aux4_y_x, s1_3, R_chassis_aux4_x_x*s1_4);
+  const double R_chassis_y_z = mbgen::fnma(R_chassis_aux4_x_x, s1_2, R_chassis_aux4_y_x*s1_5);
+  const double R_chassis_z_y = R_chassis_aux5_z_z*s1_2;
+  const double R_chassis_z_z = R_chassis_aux5_z_z*s1_4;
   // carrier_left_aux1: carrier_left_rz, revolute, lower_arm_left
   const double R_lower_arm_left_y_y = work.cosines[3];
   const double s1_6 = work.sines[4];
   work.R_carrier_left_aux1_y_x = R_lower_arm_left_y_y*s1_6;
   const double R_carrier_left_aux1_x_x = work.cosines[4];
-  const double R_carrier_left_aux1_y_y = R_lower_arm_left_y_y*R_carrier_left_aux1_x_x;
+  work.R_carrier_left_aux1_y_y = R_lower_arm_left_y_y*R_carrier_left_aux1_x_x;
   const double R_lower_arm_left_z_y = work.sines[3];
   work.R_carrier_left_aux1_z_x = R_lower_arm_left_z_y*s1_6;
-  const double R_carrier_left_aux1_z_y = R_lower_arm_left_z_y*R_carrier_left_aux1_x_x;
-  const double s1_7 = mbgen::fma((-p_carrier_left_rz_z), R_lower_arm_left_z_y, p_lower_arm_left_y);
-  work.r_carrier_left_aux1_y = mbgen::fma(p_carrier_left_rz_y, R_lower_arm_left_y_y, s1_7);
-  const double s1_8 = mbgen::fms(p_carrier_left_rz_y, R_lower_arm_left_z_y, (-p_lower_arm_left_z));
-  work.r_carrier_left_aux1_z = mbgen::fnma((-p_carrier_left_rz_z), R_lower_arm_left_y_y, s1_8);
-  const double s1_9 = R_lower_arm_left_z_y*work.r_carrier_left_aux1_z;
-  work.b_carrier_left_rz_x = mbgen::fma(R_lower_arm_left_y_y, work.r_carrier_left_aux1_y, s1_9);
-  work.s1_10 = p_lower_arm_left_x*R_lower_arm_left_y_y;
-  work.s1_11 = p_lower_arm_left_x*R_lower_arm_left_z_y;
+  work.R_carrier_left_aux1_z_y = R_lower_arm_left_z_y*R_carrier_left_aux1_x_x;
+  const double s1_7 = (-p_carrier_left_rz_z)*R_lower_arm_left_z_y;
+  work.s1_8 = mbgen::fma(p_carrier_left_rz_y, R_lower_arm_left_y_y, s1_7);
+  work.r_carrier_left_aux1_y = p_lower_arm_left_y + work.s1_8;
+  const double s1_9 = p_carrier_left_rz_y*R_lower_arm_left_z_y;
+  work.s1_10 = mbgen::fnma((-p_carrier_left_rz_z), R_lower_arm_left_y_y, s1_9);
+  work.r_carrier_left_aux1_z = work.s1_10 - (-p_lower_arm_left_z);
   // carrier_left_aux2: carrier_left_rx, revolute, carrier_left_aux1
-  const double s1_12 = work.cosines[5];
-  work.s1_13 = s1_6*s1_12;
-  const double s1_14 = work.sines[5];
-  const double R_carrier_left_aux2_x_z = s1_6*s1_14;
-  work.R_carrier_left_aux2_y_y = mbgen::fnma(R_lower_arm_left_z_y, s1_14,
-      R_carrier_left_aux1_y_y*s1_12);
-  const double s1_15 = mbgen::fma(R_carrier_left_aux1_y_y, s1_14, R_lower_arm_left_z_y*s1_12);
-  work.R_carrier_left_aux2_z_y = mbgen::fma(R_carrier_left_aux1_z_y, s1_12,
-      R_lower_arm_left_y_y*s1_14);
-  const double R_carrier_left_aux2_z_z = mbgen::fnma(R_carrier_left_aux1_z_y, s1_14,
-      R_lower_arm_left_y_y*s1_12);
-  const double s1_16 = work.R_carrier_left_aux1_z_x*work.r_carrier_left_aux1_y;
-  work.b_carrier_left_rx_x = mbgen::fnma(work.R_carrier_left_aux1_y_x, work.r_carrier_left_aux1_z,
-      s1_16);
-  const double s1_17 = R_carrier_left_aux1_x_x*work.r_carrier_left_aux1_z;
-  work.b_carrier_left_rx_y = mbgen::fnma(p_lower_arm_left_x, work.R_carrier_left_aux1_z_x, s1_17);
-  const double s1_18 = p_lower_arm_left_x*work.R_carrier_left_aux1_y_x;
-  work.b_carrier_left_rx_z = mbgen::fnma(R_carrier_left_aux1_x_x, work.r_carrier_left_aux1_y,
-      s1_18);
+  const double s1_11 = work.cosines[5];
+  work.s1_12 = s1_6*s1_11;
+  const double s1_13 = work.sines[5];
+  const double R_carrier_left_aux2_x_z = s1_6*s1_13;
+  const double s1_14 = work.R_carrier_left_aux1_y_y*s1_11;
+  work.R_carrier_left_aux2_y_y = mbgen::fnma(R_lower_arm_left_z_y, s1_13, s1_14);
+  const double s1_15 = R_lower_arm_left_z_y*s1_11;
+  const double s1_16 = mbgen::fma(work.R_carrier_left_aux1_y_y, s1_13, s1_15);
+  const double s1_17 = R_lower_arm_left_y_y*s1_13;
+  work.R_carrier_left_aux2_z_y = mbgen::fma(work.R_carrier_left_aux1_z_y, s1_11, s1_17);
+  const double s1_18 = R_lower_arm_left_y_y*s1_11;
+  const double R_carrier_left_aux2_z_z = mbgen::fnma(work.R_carrier_left_aux1_z_y, s1_13, s1_18);
   // carrier_left: carrier_left_ry, revolute, carrier_left_aux2
   const double s1_19 = work.cosines[6];
   const double s1_20 = work.sines[6];
@@ -5217,683 +5208,109 @@ struct ConstraintForcesWork {
   work.R_carrier_left_x_x = mbgen::fnma(R_carrier_left_aux2_x_z, s1_20, s1_21);
   const double s1_22 = R_carrier_left_aux1_x_x*s1_20;
   work.R_carrier_left_x_z = mbgen::fma(R_carrier_left_aux2_x_z, s1_19, s1_22);
-  work.R_carrier_left_y_x = mbgen::fma(s1_15, s1_20, work.R_carrier_left_aux1_y_x*s1_19);
-  work.R_carrier_left_y_z = mbgen::fnma(s1_15, s1_19, work.R_carrier_left_aux1_y_x*s1_20);
+  work.R_carrier_left_y_x = mbgen::fma(s1_16, s1_20, work.R_carrier_left_aux1_y_x*s1_19);
+  work.R_carrier_left_y_z = mbgen::fnma(s1_16, s1_19, work.R_carrier_left_aux1_y_x*s1_20);
   const double s1_23 = work.R_carrier_left_aux1_z_x*s1_19;
   work.R_carrier_left_z_x = mbgen::fnma(R_carrier_left_aux2_z_z, s1_20, s1_23);
   const double s1_24 = work.R_carrier_left_aux1_z_x*s1_20;
   work.R_carrier_left_z_z = mbgen::fma(R_carrier_left_aux2_z_z, s1_19, s1_24);
-  const double s1_25 = work.r_carrier_left_aux1_y*work.R_carrier_left_aux2_z_y;
-  work.b_carrier_left_ry_x = mbgen::fnma(work.r_carrier_left_aux1_z, work.R_carrier_left_aux2_y_y,
-      s1_25);
-  const double s1_26 = p_lower_arm_left_x*work.R_carrier_left_aux2_z_y;
-  work.s1_27 = mbgen::fma(work.r_carrier_left_aux1_z, work.s1_13, s1_26);
-  const double s1_28 = p_lower_arm_left_x*work.R_carrier_left_aux2_y_y;
-  work.b_carrier_left_ry_z = mbgen::fma(work.r_carrier_left_aux1_y, work.s1_13, s1_28);
   // wheel_front_left: wheel_front_left, revolute, carrier_left
-  const double s1_29 = mbgen::fma(p_wheel_front_left_z, work.R_carrier_left_x_z,
-      p_lower_arm_left_x);
-  work.r_wheel_front_left_x = mbgen::fnma(p_wheel_front_left_y, work.s1_13, s1_29);
-  const double s1_30 = mbgen::fma(p_wheel_front_left_y, work.R_carrier_left_aux2_y_y,
-      work.r_carrier_left_aux1_y);
-  work.r_wheel_front_left_y = mbgen::fma(p_wheel_front_left_z, work.R_carrier_left_y_z, s1_30);
-  const double s1_31 = mbgen::fma(p_wheel_front_left_y, work.R_carrier_left_aux2_z_y,
-      work.r_carrier_left_aux1_z);
-  work.r_wheel_front_left_z = mbgen::fma(p_wheel_front_left_z, work.R_carrier_left_z_z, s1_31);
+  const double s1_25 = p_wheel_front_left_z*work.R_carrier_left_x_z;
+  work.s1_26 = mbgen::fnma(p_wheel_front_left_y, work.s1_12, s1_25);
+  const double s1_27 = p_wheel_front_left_y*work.R_carrier_left_aux2_y_y;
+  work.s1_28 = mbgen::fma(p_wheel_front_left_z, work.R_carrier_left_y_z, s1_27);
+  const double s1_29 = p_wheel_front_left_y*work.R_carrier_left_aux2_z_y;
+  work.s1_30 = mbgen::fma(p_wheel_front_left_z, work.R_carrier_left_z_z, s1_29);
   // carrier_right_aux1: carrier_right_rz, revolute, lower_arm_right
   const double R_lower_arm_right_y_y = work.cosines[9];
-  const double s1_32 = work.sines[10];
-  work.R_carrier_right_aux1_y_x = R_lower_arm_right_y_y*s1_32;
+  const double s1_31 = work.sines[10];
+  work.R_carrier_right_aux1_y_x = R_lower_arm_right_y_y*s1_31;
   const double R_carrier_right_aux1_x_x = work.cosines[10];
-  const double R_carrier_right_aux1_y_y = R_lower_arm_right_y_y*R_carrier_right_aux1_x_x;
+  work.R_carrier_right_aux1_y_y = R_lower_arm_right_y_y*R_carrier_right_aux1_x_x;
   const double R_lower_arm_right_z_y = work.sines[9];
-  work.R_carrier_right_aux1_z_x = R_lower_arm_right_z_y*s1_32;
-  const double R_carrier_right_aux1_z_y = R_lower_arm_right_z_y*R_carrier_right_aux1_x_x;
-  const double s1_33 = mbgen::fms((-p_carrier_right_rz_z), R_lower_arm_right_z_y,
-      (-p_lower_arm_right_y));
-  work.r_carrier_right_aux1_y = mbgen::fnma((-p_carrier_right_rz_y), R_lower_arm_right_y_y, s1_33);
-  const double s1_34 = mbgen::fma((-p_carrier_right_rz_y), R_lower_arm_right_z_y,
-      (-p_lower_arm_right_z));
+  work.R_carrier_right_aux1_z_x = R_lower_arm_right_z_y*s1_31;
+  work.R_carrier_right_aux1_z_y = R_lower_arm_right_z_y*R_carrier_right_aux1_x_x;
+  const double s1_32 = (-p_carrier_right_rz_z)*R_lower_arm_right_z_y;
+  work.s1_33 = mbgen::fnma((-p_carrier_right_rz_y), R_lower_arm_right_y_y, s1_32);
+  work.r_carrier_right_aux1_y = work.s1_33 - (-p_lower_arm_right_y);
+  const double s1_34 = (-p_carrier_right_rz_y)*R_lower_arm_right_z_y;
   work.s1_35 = mbgen::fma((-p_carrier_right_rz_z), R_lower_arm_right_y_y, s1_34);
-  const double s1_36 = R_lower_arm_right_y_y*work.r_carrier_right_aux1_y;
-  work.b_carrier_right_rz_x = mbgen::fnma(R_lower_arm_right_z_y, work.s1_35, s1_36);
-  work.s1_37 = p_lower_arm_right_x*R_lower_arm_right_y_y;
-  work.s1_38 = p_lower_arm_right_x*R_lower_arm_right_z_y;
+  work.s1_36 = (-p_lower_arm_right_z) + work.s1_35;
   // carrier_right_aux2: carrier_right_rx, revolute, carrier_right_aux1
-  const double s1_39 = work.cosines[11];
-  work.s1_40 = s1_32*s1_39;
-  const double s1_41 = work.sines[11];
-  const double R_carrier_right_aux2_x_z = s1_32*s1_41;
-  const double s1_42 = R_carrier_right_aux1_y_y*s1_39;
-  work.R_carrier_right_aux2_y_y = mbgen::fnma(R_lower_arm_right_z_y, s1_41, s1_42);
-  const double s1_43 = mbgen::fma(R_carrier_right_aux1_y_y, s1_41, R_lower_arm_right_z_y*s1_39);
-  work.R_carrier_right_aux2_z_y = mbgen::fma(R_carrier_right_aux1_z_y, s1_39,
-      R_lower_arm_right_y_y*s1_41);
-  const double s1_44 = R_lower_arm_right_y_y*s1_39;
-  const double R_carrier_right_aux2_z_z = mbgen::fnma(R_carrier_right_aux1_z_y, s1_41, s1_44);
-  const double s1_45 = work.R_carrier_right_aux1_z_x*work.r_carrier_right_aux1_y;
-  work.b_carrier_right_rx_x = mbgen::fma(work.R_carrier_right_aux1_y_x, work.s1_35, s1_45);
-  const double s1_46 = p_lower_arm_right_x*work.R_carrier_right_aux1_z_x;
-  work.s1_47 = mbgen::fma(R_carrier_right_aux1_x_x, work.s1_35, s1_46);
-  const double s1_48 = p_lower_arm_right_x*work.R_carrier_right_aux1_y_x;
-  work.b_carrier_right_rx_z = mbgen::fnma(R_carrier_right_aux1_x_x, work.r_carrier_right_aux1_y,
-      s1_48);
+  const double s1_37 = work.cosines[11];
+  work.s1_38 = s1_31*s1_37;
+  const double s1_39 = work.sines[11];
+  const double R_carrier_right_aux2_x_z = s1_31*s1_39;
+  const double s1_40 = work.R_carrier_right_aux1_y_y*s1_37;
+  work.R_carrier_right_aux2_y_y = mbgen::fnma(R_lower_arm_right_z_y, s1_39, s1_40);
+  const double s1_41 = R_lower_arm_right_z_y*s1_37;
+  const double s1_42 = mbgen::fma(work.R_carrier_right_aux1_y_y, s1_39, s1_41);
+  const double s1_43 = R_lower_arm_right_y_y*s1_39;
+  work.R_carrier_right_aux2_z_y = mbgen::fma(work.R_carrier_right_aux1_z_y, s1_37, s1_43);
+  const double s1_44 = R_lower_arm_right_y_y*s1_37;
+  const double R_carrier_right_aux2_z_z = mbgen::fnma(work.R_carrier_right_aux1_z_y, s1_39, s1_44);
   // carrier_right: carrier_right_ry, revolute, carrier_right_aux2
-  const double s1_49 = work.cosines[12];
-  const double s1_50 = work.sines[12];
-  const double s1_51 = R_carrier_right_aux1_x_x*s1_49;
-  work.R_carrier_right_x_x = mbgen::fnma(R_carrier_right_aux2_x_z, s1_50, s1_51);
-  const double s1_52 = R_carrier_right_aux1_x_x*s1_50;
-  work.R_carrier_right_x_z = mbgen::fma(R_carrier_right_aux2_x_z, s1_49, s1_52);
-  work.R_carrier_right_y_x = mbgen::fma(s1_43, s1_50, work.R_carrier_right_aux1_y_x*s1_49);
-  work.R_carrier_right_y_z = mbgen::fnma(s1_43, s1_49, work.R_carrier_right_aux1_y_x*s1_50);
-  const double s1_53 = work.R_carrier_right_aux1_z_x*s1_49;
-  work.R_carrier_right_z_x = mbgen::fnma(R_carrier_right_aux2_z_z, s1_50, s1_53);
-  const double s1_54 = work.R_carrier_right_aux1_z_x*s1_50;
-  work.R_carrier_right_z_z = mbgen::fma(R_carrier_right_aux2_z_z, s1_49, s1_54);
-  const double s1_55 = work.s1_35*work.R_carrier_right_aux2_y_y;
-  work.b_carrier_right_ry_x = mbgen::fma(work.r_carrier_right_aux1_y, work.R_carrier_right_aux2_z_y,
-      s1_55);
-  const double s1_56 = work.s1_35*work.s1_40;
-  work.b_carrier_right_ry_y = mbgen::fnma(p_lower_arm_right_x, work.R_carrier_right_aux2_z_y,
-      s1_56);
-  const double s1_57 = p_lower_arm_right_x*work.R_carrier_right_aux2_y_y;
-  work.b_carrier_right_ry_z = mbgen::fma(work.r_carrier_right_aux1_y, work.s1_40, s1_57);
+  const double s1_45 = work.cosines[12];
+  const double s1_46 = work.sines[12];
+  const double s1_47 = R_carrier_right_aux1_x_x*s1_45;
+  work.R_carrier_right_x_x = mbgen::fnma(R_carrier_right_aux2_x_z, s1_46, s1_47);
+  const double s1_48 = R_carrier_right_aux1_x_x*s1_46;
+  work.R_carrier_right_x_z = mbgen::fma(R_carrier_right_aux2_x_z, s1_45, s1_48);
+  work.R_carrier_right_y_x = mbgen::fma(s1_42, s1_46, work.R_carrier_right_aux1_y_x*s1_45);
+  work.R_carrier_right_y_z = mbgen::fnma(s1_42, s1_45, work.R_carrier_right_aux1_y_x*s1_46);
+  const double s1_49 = work.R_carrier_right_aux1_z_x*s1_45;
+  work.R_carrier_right_z_x = mbgen::fnma(R_carrier_right_aux2_z_z, s1_46, s1_49);
+  const double s1_50 = work.R_carrier_right_aux1_z_x*s1_46;
+  work.R_carrier_right_z_z = mbgen::fma(R_carrier_right_aux2_z_z, s1_45, s1_50);
   // wheel_front_right: wheel_front_right, revolute, carrier_right
-  const double s1_58 = mbgen::fma((-p_wheel_front_right_y), work.s1_40, p_lower_arm_right_x);
-  work.r_wheel_front_right_x = mbgen::fma(p_wheel_front_right_z, work.R_carrier_right_x_z, s1_58);
-  const double s1_59 = mbgen::fma(p_wheel_front_right_z, work.R_carrier_right_y_z,
-      work.r_carrier_right_aux1_y);
-  work.r_wheel_front_right_y = mbgen::fnma((-p_wheel_front_right_y), work.R_carrier_right_aux2_y_y,
-      s1_59);
-  const double s1_60 = mbgen::fms(p_wheel_front_right_z, work.R_carrier_right_z_z, work.s1_35);
-  work.r_wheel_front_right_z = mbgen::fnma((-p_wheel_front_right_y), work.R_carrier_right_aux2_z_y,
-      s1_60);
+  const double s1_51 = (-p_wheel_front_right_y)*work.s1_38;
+  work.s1_52 = mbgen::fma(p_wheel_front_right_z, work.R_carrier_right_x_z, s1_51);
+  const double s1_53 = p_wheel_front_right_z*work.R_carrier_right_y_z;
+  work.s1_54 = mbgen::fnma((-p_wheel_front_right_y), work.R_carrier_right_aux2_y_y, s1_53);
+  const double s1_55 = p_wheel_front_right_z*work.R_carrier_right_z_z;
+  work.s1_56 = mbgen::fnma((-p_wheel_front_right_y), work.R_carrier_right_aux2_z_y, s1_55);
   // rear_axle_aux1: rear_axle_tx, prismatic, chassis
   work.r_rear_axle_aux1_x = state.z[Coordinate::rear_axle_tx] - (-p_rear_axle_tx_x);
   // rear_axle_aux3: rear_axle_tz, prismatic, rear_axle_aux2
-  work.r_rear_axle_aux3_z = state.z[Coordinate::rear_axle_tz] - (-p_rear_axle_tx_z);
+  const double z_rear_axle_tz = state.z[Coordinate::rear_axle_tz];
+  work.r_rear_axle_aux3_z = z_rear_axle_tz - (-p_rear_axle_tx_z);
   // rear_axle_aux5: rear_axle_ry, revolute, rear_axle_aux4
   const double R_rear_axle_aux4_x_x = work.cosines[17];
   const double R_rear_axle_aux5_z_z = work.cosines[18];
   work.R_rear_axle_aux5_x_x = R_rear_axle_aux4_x_x*R_rear_axle_aux5_z_z;
-  const double s1_61 = work.sines[18];
-  const double R_rear_axle_aux5_x_z = R_rear_axle_aux4_x_x*s1_61;
+  const double s1_57 = work.sines[18];
+  work.R_rear_axle_aux5_x_z = R_rear_axle_aux4_x_x*s1_57;
   const double R_rear_axle_aux4_y_x = work.sines[17];
   work.R_rear_axle_aux5_y_x = R_rear_axle_aux4_y_x*R_rear_axle_aux5_z_z;
-  const double R_rear_axle_aux5_y_z = R_rear_axle_aux4_y_x*s1_61;
-  work.s1_62 = work.r_rear_axle_aux3_z*R_rear_axle_aux4_x_x;
-  work.s1_63 = work.r_rear_axle_aux3_z*R_rear_axle_aux4_y_x;
-  const double z_rear_axle_ty = state.z[Coordinate::rear_axle_ty];
-  const double s1_64 = z_rear_axle_ty*R_rear_axle_aux4_y_x;
-  work.b_rear_axle_ry_z = mbgen::fma(work.r_rear_axle_aux1_x, R_rear_axle_aux4_x_x, s1_64);
+  work.R_rear_axle_aux5_y_z = R_rear_axle_aux4_y_x*s1_57;
   // rear_axle: rear_axle_rx, revolute, rear_axle_aux5
-  const double s1_65 = work.sines[19];
-  const double s1_66 = work.cosines[19];
-  work.R_rear_axle_x_y = mbgen::fnma(R_rear_axle_aux4_y_x, s1_66, R_rear_axle_aux5_x_z*s1_65);
-  work.R_rear_axle_x_z = mbgen::fma(R_rear_axle_aux5_x_z, s1_66, R_rear_axle_aux4_y_x*s1_65);
-  work.R_rear_axle_y_y = mbgen::fma(R_rear_axle_aux5_y_z, s1_65, R_rear_axle_aux4_x_x*s1_66);
-  work.R_rear_axle_y_z = mbgen::fnma(R_rear_axle_aux4_x_x, s1_65, R_rear_axle_aux5_y_z*s1_66);
-  work.R_rear_axle_z_y = R_rear_axle_aux5_z_z*s1_65;
-  work.R_rear_axle_z_z = R_rear_axle_aux5_z_z*s1_66;
-  const double s1_67 = z_rear_axle_ty*s1_61;
-  work.s1_68 = mbgen::fma(work.r_rear_axle_aux3_z, work.R_rear_axle_aux5_y_x, s1_67);
-  const double s1_69 = work.r_rear_axle_aux1_x*s1_61;
-  work.b_rear_axle_rx_y = mbgen::fma(work.r_rear_axle_aux3_z, work.R_rear_axle_aux5_x_x, s1_69);
-  const double s1_70 = work.r_rear_axle_aux1_x*work.R_rear_axle_aux5_y_x;
-  work.b_rear_axle_rx_z = mbgen::fnma(z_rear_axle_ty, work.R_rear_axle_aux5_x_x, s1_70);
+  const double s1_58 = work.sines[19];
+  const double s1_59 = work.cosines[19];
+  const double s1_60 = work.R_rear_axle_aux5_x_z*s1_58;
+  work.R_rear_axle_x_y = mbgen::fnma(R_rear_axle_aux4_y_x, s1_59, s1_60);
+  work.R_rear_axle_x_z = mbgen::fma(work.R_rear_axle_aux5_x_z, s1_59, R_rear_axle_aux4_y_x*s1_58);
+  work.R_rear_axle_y_y = mbgen::fma(work.R_rear_axle_aux5_y_z, s1_58, R_rear_axle_aux4_x_x*s1_59);
+  const double s1_61 = work.R_rear_axle_aux5_y_z*s1_59;
+  work.R_rear_axle_y_z = mbgen::fnma(R_rear_axle_aux4_x_x, s1_58, s1_61);
+  work.R_rear_axle_z_y = R_rear_axle_aux5_z_z*s1_58;
+  work.R_rear_axle_z_z = R_rear_axle_aux5_z_z*s1_59;
   // wheel_rear_left: wheel_rear_left, revolute, rear_axle
-  work.r_wheel_rear_left_x = mbgen::fma(p_wheel_rear_left_y, work.R_rear_axle_x_y,
-      work.r_rear_axle_aux1_x);
-  work.r_wheel_rear_left_y = mbgen::fma(p_wheel_rear_left_y, work.R_rear_axle_y_y, z_rear_axle_ty);
-  work.r_wheel_rear_left_z = mbgen::fma(p_wheel_rear_left_y, work.R_rear_axle_z_y,
-      work.r_rear_axle_aux3_z);
-  // wheel_rear_right: wheel_rear_right, revolute, rear_axle
-  work.r_wheel_rear_right_x = mbgen::fnma(p_wheel_rear_left_y, work.R_rear_axle_x_y,
-      work.r_rear_axle_aux1_x);
-  work.r_wheel_rear_right_y = mbgen::fnma(p_wheel_rear_left_y, work.R_rear_axle_y_y,
-      z_rear_axle_ty);
-  work.r_wheel_rear_right_z = mbgen::fnma(p_wheel_rear_left_y, work.R_rear_axle_z_y,
-      work.r_rear_axle_aux3_z);
-  // lower_arm_left: lower_arm_left, revolute, chassis
-  const double s1_71 = I_lower_arm_left_zz*R_lower_arm_left_y_y;
-  const double s1_72 = mbgen::fms(c_lower_arm_left_y, R_lower_arm_left_z_y, (-p_lower_arm_left_z));
-  work.s1_73 = mbgen::fnma((-c_lower_arm_left_z), R_lower_arm_left_y_y, s1_72);
-  const double s1_74 = mbgen::fma((-c_lower_arm_left_z), R_lower_arm_left_z_y, p_lower_arm_left_y);
-  work.s1_75 = mbgen::fma(c_lower_arm_left_y, R_lower_arm_left_y_y, s1_74);
-  const double s1_76 = I_lower_arm_left_yy*R_lower_arm_left_z_y;
-  work.s1_77 = mbgen::fnma(R_lower_arm_left_z_y, s1_71, R_lower_arm_left_y_y*s1_76);
-  work.s1_78 = mbgen::fma(R_lower_arm_left_y_y, s1_71, R_lower_arm_left_z_y*s1_76);
-  const double s1_79 = R_lower_arm_left_z_y*(I_lower_arm_left_zz*R_lower_arm_left_z_y);
-  const double s1_80 = I_lower_arm_left_yy*R_lower_arm_left_y_y;
-  work.s1_81 = mbgen::fma(R_lower_arm_left_y_y, s1_80, s1_79);
-  // carrier_left: carrier_left_ry, revolute, carrier_left_aux2
-  const double s1_82 = I_carrier_left_yy*work.s1_13;
-  const double s1_83 = mbgen::fma((-I_carrier_left_yz), work.R_carrier_left_x_z, s1_82);
-  const double s1_84 = mbgen::fma(c_carrier_left_y, work.R_carrier_left_aux2_z_y,
-      work.r_carrier_left_aux1_z);
-  const double s1_85 = mbgen::fma(c_carrier_left_z, work.R_carrier_left_z_z, s1_84);
-  work.s1_86 = mbgen::fnma((-c_carrier_left_x), work.R_carrier_left_z_x, s1_85);
-  const double s1_87 = I_carrier_left_yy*work.R_carrier_left_aux2_z_y;
-  const double s1_88 = mbgen::fnma((-I_carrier_left_yz), work.R_carrier_left_z_z, s1_87);
-  const double s1_89 = mbgen::fnma((-I_carrier_left_xy), work.R_carrier_left_z_x, s1_88);
-  const double s1_90 = I_carrier_left_yy*work.R_carrier_left_aux2_y_y;
-  const double s1_91 = mbgen::fnma((-I_carrier_left_xy), work.R_carrier_left_y_x, s1_90);
-  const double s1_92 = mbgen::fnma((-I_carrier_left_yz), work.R_carrier_left_y_z, s1_91);
-  const double s1_93 = I_carrier_left_xx*work.R_carrier_left_z_x;
-  const double s1_94 = mbgen::fnma((-I_carrier_left_xz), work.R_carrier_left_z_z, s1_93);
-  const double s1_95 = mbgen::fnma((-I_carrier_left_xy), work.R_carrier_left_aux2_z_y, s1_94);
-  const double s1_96 = I_carrier_left_zz*work.R_carrier_left_z_z;
-  const double s1_97 = mbgen::fnma((-I_carrier_left_xz), work.R_carrier_left_z_x, s1_96);
-  const double s1_98 = mbgen::fnma((-I_carrier_left_yz), work.R_carrier_left_aux2_z_y, s1_97);
-  const double s1_99 = work.R_carrier_left_aux2_y_y*s1_89;
-  const double s1_100 = mbgen::fma(work.R_carrier_left_y_x, s1_95, s1_99);
-  work.s1_101 = mbgen::fma(work.R_carrier_left_y_z, s1_98, s1_100);
-  const double s1_102 = mbgen::fma(c_carrier_left_y, work.R_carrier_left_aux2_y_y,
-      work.r_carrier_left_aux1_y);
-  const double s1_103 = mbgen::fma(c_carrier_left_z, work.R_carrier_left_y_z, s1_102);
-  work.s1_104 = mbgen::fnma((-c_carrier_left_x), work.R_carrier_left_y_x, s1_103);
-  const double s1_105 = work.R_carrier_left_x_z*s1_98;
-  const double s1_106 = mbgen::fma(work.R_carrier_left_x_x, s1_95, s1_105);
-  work.s1_107 = mbgen::fnma(work.s1_13, s1_89, s1_106);
-  const double s1_108 = mbgen::fma(c_carrier_left_z, work.R_carrier_left_x_z, p_lower_arm_left_x);
-  const double s1_109 = mbgen::fnma((-c_carrier_left_x), work.R_carrier_left_x_x, s1_108);
-  work.s1_110 = mbgen::fnma(c_carrier_left_y, work.s1_13, s1_109);
-  const double s1_111 = I_carrier_left_zz*work.R_carrier_left_y_z;
-  const double s1_112 = mbgen::fnma((-I_carrier_left_xz), work.R_carrier_left_y_x, s1_111);
-  const double s1_113 = mbgen::fnma((-I_carrier_left_yz), work.R_carrier_left_aux2_y_y, s1_112);
-  const double s1_114 = I_carrier_left_xx*work.R_carrier_left_y_x;
-  const double s1_115 = mbgen::fnma((-I_carrier_left_xz), work.R_carrier_left_y_z, s1_114);
-  const double s1_116 = mbgen::fnma((-I_carrier_left_xy), work.R_carrier_left_aux2_y_y, s1_115);
-  const double s1_117 = work.R_carrier_left_x_z*s1_113;
-  const double s1_118 = mbgen::fma(work.R_carrier_left_x_x, s1_116, s1_117);
-  work.s1_119 = mbgen::fnma(work.s1_13, s1_92, s1_118);
-  const double s1_120 = (-I_carrier_left_yz)*work.s1_13;
-  const double s1_121 = mbgen::fma(I_carrier_left_zz, work.R_carrier_left_x_z, s1_120);
-  const double s1_122 = (-I_carrier_left_xy)*work.s1_13;
-  const double s1_123 = mbgen::fma(I_carrier_left_xx, work.R_carrier_left_x_x, s1_122);
-  const double s1_124 = mbgen::fma((-I_carrier_left_xy), work.R_carrier_left_x_x, s1_83);
-  const double s1_125 = mbgen::fnma((-I_carrier_left_xz), work.R_carrier_left_x_x, s1_121);
-  const double s1_126 = mbgen::fnma((-I_carrier_left_xz), work.R_carrier_left_x_z, s1_123);
-  const double s1_127 = mbgen::fma(work.R_carrier_left_x_z, s1_125, work.s1_13*s1_124);
-  work.s1_128 = mbgen::fma(work.R_carrier_left_x_x, s1_126, s1_127);
-  const double s1_129 = work.R_carrier_left_aux2_z_y*s1_89;
-  const double s1_130 = mbgen::fma(work.R_carrier_left_z_z, s1_98, s1_129);
-  work.s1_131 = mbgen::fma(work.R_carrier_left_z_x, s1_95, s1_130);
-  const double s1_132 = work.R_carrier_left_aux2_y_y*s1_92;
-  const double s1_133 = mbgen::fma(work.R_carrier_left_y_x, s1_116, s1_132);
-  work.s1_134 = mbgen::fma(work.R_carrier_left_y_z, s1_113, s1_133);
-  // wheel_front_left: wheel_front_left, revolute, carrier_left
-  const double s1_135 = I_wheel_front_left_yy*work.R_carrier_left_aux2_z_y;
-  const double s1_136 = I_wheel_front_left_yy*work.R_carrier_left_aux2_y_y;
-  const double s1_137 = I_wheel_front_left_zz*work.R_carrier_left_z_z;
-  const double s1_138 = I_wheel_front_left_xx*work.R_carrier_left_z_x;
-  const double s1_139 = work.R_carrier_left_aux2_z_y*s1_135;
-  const double s1_140 = mbgen::fma(work.R_carrier_left_z_z, s1_137, s1_139);
-  work.s1_141 = mbgen::fma(work.R_carrier_left_z_x, s1_138, s1_140);
-  const double s1_142 = I_wheel_front_left_xx*work.R_carrier_left_y_x;
-  const double s1_143 = I_wheel_front_left_zz*work.R_carrier_left_y_z;
-  const double s1_144 = work.R_carrier_left_aux2_y_y*s1_136;
-  const double s1_145 = mbgen::fma(work.R_carrier_left_y_x, s1_142, s1_144);
-  work.s1_146 = mbgen::fma(work.R_carrier_left_y_z, s1_143, s1_145);
-  const double s1_147 = I_wheel_front_left_zz*work.R_carrier_left_x_z;
-  const double s1_148 = work.s1_13*(I_wheel_front_left_yy*work.s1_13);
-  const double s1_149 = mbgen::fma(work.R_carrier_left_x_z, s1_147, s1_148);
-  const double s1_150 = I_wheel_front_left_xx*work.R_carrier_left_x_x;
-  work.s1_151 = mbgen::fma(work.R_carrier_left_x_x, s1_150, s1_149);
-  const double s1_152 = work.R_carrier_left_aux2_y_y*s1_135;
-  const double s1_153 = mbgen::fma(work.R_carrier_left_y_x, s1_138, s1_152);
-  work.s1_154 = mbgen::fma(work.R_carrier_left_y_z, s1_137, s1_153);
-  const double s1_155 = work.R_carrier_left_x_z*s1_137;
-  const double s1_156 = mbgen::fma(work.R_carrier_left_x_x, s1_138, s1_155);
-  work.s1_157 = mbgen::fnma(work.s1_13, s1_135, s1_156);
-  const double s1_158 = work.R_carrier_left_x_z*s1_143;
-  const double s1_159 = mbgen::fma(work.R_carrier_left_x_x, s1_142, s1_158);
-  work.s1_160 = mbgen::fnma(work.s1_13, s1_136, s1_159);
-  // upper_arm_left: upper_arm_left, revolute, chassis
-  const double R_upper_arm_left_z_y = work.sines[7];
-  const double R_upper_arm_left_y_y = work.cosines[7];
-  const double s1_161 = I_upper_arm_left_zz*R_upper_arm_left_y_y;
-  const double s1_162 = mbgen::fms(c_upper_arm_left_y, R_upper_arm_left_z_y, (-p_upper_arm_left_z));
-  work.s1_163 = mbgen::fnma((-c_upper_arm_left_z), R_upper_arm_left_y_y, s1_162);
-  const double s1_164 = mbgen::fma((-c_upper_arm_left_z), R_upper_arm_left_z_y, p_upper_arm_left_y);
-  work.s1_165 = mbgen::fma(c_upper_arm_left_y, R_upper_arm_left_y_y, s1_164);
-  const double s1_166 = I_upper_arm_left_yy*R_upper_arm_left_z_y;
-  work.s1_167 = mbgen::fnma(R_upper_arm_left_z_y, s1_161, R_upper_arm_left_y_y*s1_166);
-  work.s1_168 = mbgen::fma(R_upper_arm_left_y_y, s1_161, R_upper_arm_left_z_y*s1_166);
-  const double s1_169 = R_upper_arm_left_z_y*(I_upper_arm_left_zz*R_upper_arm_left_z_y);
-  const double s1_170 = I_upper_arm_left_yy*R_upper_arm_left_y_y;
-  work.s1_171 = mbgen::fma(R_upper_arm_left_y_y, s1_170, s1_169);
-  // arb_front_left: arb_front_left, revolute, chassis
-  const double R_arb_front_left_x_z = work.sines[8];
-  const double s1_172 = I_arb_front_left_xz*R_arb_front_left_x_z;
-  const double R_arb_front_left_x_x = work.cosines[8];
-  const double s1_173 = I_arb_front_left_xy*R_arb_front_left_x_z;
-  work.s1_174 = mbgen::fma((-I_arb_front_left_yz), R_arb_front_left_x_x, s1_173);
-  const double s1_175 = mbgen::fms((-c_arb_front_left_x), R_arb_front_left_x_z,
-      (-p_arb_front_left_z));
-  work.s1_176 = mbgen::fma(c_arb_front_left_z, R_arb_front_left_x_x, s1_175);
-  const double s1_177 = I_arb_front_left_xz*R_arb_front_left_x_x;
-  const double s1_178 = mbgen::fnma(I_arb_front_left_xx, R_arb_front_left_x_z, s1_177);
-  const double s1_179 = I_arb_front_left_xy*R_arb_front_left_x_x;
-  work.s1_180 = mbgen::fnma((-I_arb_front_left_yz), R_arb_front_left_x_z, s1_179);
-  const double s1_181 = mbgen::fma(c_arb_front_left_z, R_arb_front_left_x_z, p_arb_front_left_x);
-  work.s1_182 = mbgen::fnma((-c_arb_front_left_x), R_arb_front_left_x_x, s1_181);
-  const double s1_183 = mbgen::fms(I_arb_front_left_zz, R_arb_front_left_x_x, s1_172);
-  work.s1_184 = mbgen::fma(R_arb_front_left_x_x, s1_178, R_arb_front_left_x_z*s1_183);
-  const double s1_185 = mbgen::fma(I_arb_front_left_zz, R_arb_front_left_x_z, s1_177);
-  const double s1_186 = mbgen::fma(I_arb_front_left_xx, R_arb_front_left_x_x, s1_172);
-  work.s1_187 = mbgen::fma(R_arb_front_left_x_x, s1_186, R_arb_front_left_x_z*s1_185);
-  work.s1_188 = mbgen::fnma(R_arb_front_left_x_z, s1_178, R_arb_front_left_x_x*s1_183);
-  // lower_arm_right: lower_arm_right, revolute, chassis
-  const double s1_189 = I_lower_arm_right_zz*R_lower_arm_right_y_y;
-  const double s1_190 = mbgen::fma((-c_lower_arm_right_y), R_lower_arm_right_z_y,
-      (-p_lower_arm_right_z));
-  work.s1_191 = mbgen::fma((-c_lower_arm_right_z), R_lower_arm_right_y_y, s1_190);
-  const double s1_192 = mbgen::fms((-c_lower_arm_right_z), R_lower_arm_right_z_y,
-      (-p_lower_arm_right_y));
-  work.s1_193 = mbgen::fnma((-c_lower_arm_right_y), R_lower_arm_right_y_y, s1_192);
-  const double s1_194 = I_lower_arm_right_yy*R_lower_arm_right_z_y;
-  work.s1_195 = mbgen::fnma(R_lower_arm_right_z_y, s1_189, R_lower_arm_right_y_y*s1_194);
-  work.s1_196 = mbgen::fma(R_lower_arm_right_y_y, s1_189, R_lower_arm_right_z_y*s1_194);
-  const double s1_197 = R_lower_arm_right_z_y*(I_lower_arm_right_zz*R_lower_arm_right_z_y);
-  const double s1_198 = I_lower_arm_right_yy*R_lower_arm_right_y_y;
-  work.s1_199 = mbgen::fma(R_lower_arm_right_y_y, s1_198, s1_197);
-  // carrier_right: carrier_right_ry, revolute, carrier_right_aux2
-  const double s1_200 = mbgen::fms(c_carrier_right_z, work.R_carrier_right_z_z, work.s1_35);
-  const double s1_201 = mbgen::fnma((-c_carrier_right_x), work.R_carrier_right_z_x, s1_200);
-  work.s1_202 = mbgen::fnma((-c_carrier_right_y), work.R_carrier_right_aux2_z_y, s1_201);
-  const double s1_203 = I_carrier_right_yy*work.R_carrier_right_aux2_z_y;
-  const double s1_204 = mbgen::fma(I_carrier_right_yz, work.R_carrier_right_z_z, s1_203);
-  const double s1_205 = mbgen::fma(I_carrier_right_xy, work.R_carrier_right_z_x, s1_204);
-  const double s1_206 = I_carrier_right_yy*work.R_carrier_right_aux2_y_y;
-  const double s1_207 = mbgen::fma(I_carrier_right_xy, work.R_carrier_right_y_x, s1_206);
-  const double s1_208 = mbgen::fma(I_carrier_right_yz, work.R_carrier_right_y_z, s1_207);
-  const double s1_209 = I_carrier_right_yz*work.R_carrier_right_x_z;
-  const double s1_210 = mbgen::fma(I_carrier_right_xy, work.R_carrier_right_x_x, s1_209);
-  const double s1_211 = I_carrier_right_xy*work.R_carrier_right_aux2_z_y;
-  const double s1_212 = mbgen::fma(I_carrier_right_xx, work.R_carrier_right_z_x, s1_211);
-  const double s1_213 = mbgen::fnma((-I_carrier_right_xz), work.R_carrier_right_z_z, s1_212);
-  const double s1_214 = I_carrier_right_yz*work.R_carrier_right_aux2_z_y;
-  const double s1_215 = mbgen::fma(I_carrier_right_zz, work.R_carrier_right_z_z, s1_214);
-  const double s1_216 = mbgen::fnma((-I_carrier_right_xz), work.R_carrier_right_z_x, s1_215);
-  const double s1_217 = work.R_carrier_right_aux2_y_y*s1_205;
-  const double s1_218 = mbgen::fma(work.R_carrier_right_y_x, s1_213, s1_217);
-  work.s1_219 = mbgen::fma(work.R_carrier_right_y_z, s1_216, s1_218);
-  const double s1_220 = mbgen::fma(c_carrier_right_z, work.R_carrier_right_y_z,
-      work.r_carrier_right_aux1_y);
-  const double s1_221 = mbgen::fnma((-c_carrier_right_x), work.R_carrier_right_y_x, s1_220);
-  work.s1_222 = mbgen::fnma((-c_carrier_right_y), work.R_carrier_right_aux2_y_y, s1_221);
-  const double s1_223 = work.R_carrier_right_x_z*s1_216;
-  const double s1_224 = mbgen::fma(work.R_carrier_right_x_x, s1_213, s1_223);
-  work.s1_225 = mbgen::fnma(work.s1_40, s1_205, s1_224);
-  const double s1_226 = mbgen::fma((-c_carrier_right_y), work.s1_40, p_lower_arm_right_x);
-  const double s1_227 = mbgen::fma(c_carrier_right_z, work.R_carrier_right_x_z, s1_226);
-  work.s1_228 = mbgen::fnma((-c_carrier_right_x), work.R_carrier_right_x_x, s1_227);
-  const double s1_229 = I_carrier_right_yz*work.R_carrier_right_aux2_y_y;
-  const double s1_230 = mbgen::fma(I_carrier_right_zz, work.R_carrier_right_y_z, s1_229);
-  const double s1_231 = mbgen::fnma((-I_carrier_right_xz), work.R_carrier_right_y_x, s1_230);
-  const double s1_232 = I_carrier_right_xy*work.R_carrier_right_aux2_y_y;
-  const double s1_233 = mbgen::fma(I_carrier_right_xx, work.R_carrier_right_y_x, s1_232);
-  const double s1_234 = mbgen::fnma((-I_carrier_right_xz), work.R_carrier_right_y_z, s1_233);
-  const double s1_235 = work.R_carrier_right_x_z*s1_231;
-  const double s1_236 = mbgen::fma(work.R_carrier_right_x_x, s1_234, s1_235);
-  work.s1_237 = mbgen::fnma(work.s1_40, s1_208, s1_236);
-  const double s1_238 = work.R_carrier_right_aux2_z_y*s1_205;
-  const double s1_239 = mbgen::fma(work.R_carrier_right_z_z, s1_216, s1_238);
-  work.s1_240 = mbgen::fma(work.R_carrier_right_z_x, s1_213, s1_239);
-  const double s1_241 = work.R_carrier_right_aux2_y_y*s1_208;
-  const double s1_242 = mbgen::fma(work.R_carrier_right_y_x, s1_234, s1_241);
-  work.s1_243 = mbgen::fma(work.R_carrier_right_y_z, s1_231, s1_242);
-  const double s1_244 = I_carrier_right_zz*work.R_carrier_right_x_z;
-  const double s1_245 = mbgen::fnma((-I_carrier_right_xz), work.R_carrier_right_x_x, s1_244);
-  const double s1_246 = I_carrier_right_xx*work.R_carrier_right_x_x;
-  const double s1_247 = mbgen::fnma((-I_carrier_right_xz), work.R_carrier_right_x_z, s1_246);
-  const double s1_248 = mbgen::fnma(I_carrier_right_yz, work.s1_40, s1_245);
-  const double s1_249 = mbgen::fnma(I_carrier_right_xy, work.s1_40, s1_247);
-  const double s1_250 = work.R_carrier_right_x_z*s1_248;
-  const double s1_251 = mbgen::fma(work.R_carrier_right_x_x, s1_249, s1_250);
-  const double s1_252 = mbgen::fnma(I_carrier_right_yy, work.s1_40, s1_210);
-  work.s1_253 = mbgen::fnma(work.s1_40, s1_252, s1_251);
-  // wheel_front_right: wheel_front_right, revolute, carrier_right
-  const double s1_254 = I_wheel_front_right_yy*work.R_carrier_right_aux2_z_y;
-  const double s1_255 = I_wheel_front_right_yy*work.R_carrier_right_aux2_y_y;
-  const double s1_256 = I_wheel_front_right_zz*work.R_carrier_right_z_z;
-  const double s1_257 = I_wheel_front_right_xx*work.R_carrier_right_z_x;
-  const double s1_258 = work.R_carrier_right_aux2_z_y*s1_254;
-  const double s1_259 = mbgen::fma(work.R_carrier_right_z_z, s1_256, s1_258);
-  work.s1_260 = mbgen::fma(work.R_carrier_right_z_x, s1_257, s1_259);
-  const double s1_261 = I_wheel_front_right_xx*work.R_carrier_right_y_x;
-  const double s1_262 = I_wheel_front_right_zz*work.R_carrier_right_y_z;
-  const double s1_263 = work.R_carrier_right_aux2_y_y*s1_255;
-  const double s1_264 = mbgen::fma(work.R_carrier_right_y_x, s1_261, s1_263);
-  work.s1_265 = mbgen::fma(work.R_carrier_right_y_z, s1_262, s1_264);
-  const double s1_266 = I_wheel_front_right_zz*work.R_carrier_right_x_z;
-  const double s1_267 = work.s1_40*(I_wheel_front_right_yy*work.s1_40);
-  const double s1_268 = mbgen::fma(work.R_carrier_right_x_z, s1_266, s1_267);
-  const double s1_269 = I_wheel_front_right_xx*work.R_carrier_right_x_x;
-  work.s1_270 = mbgen::fma(work.R_carrier_right_x_x, s1_269, s1_268);
-  const double s1_271 = work.R_carrier_right_aux2_y_y*s1_254;
-  const double s1_272 = mbgen::fma(work.R_carrier_right_y_x, s1_257, s1_271);
-  work.s1_273 = mbgen::fma(work.R_carrier_right_y_z, s1_256, s1_272);
-  const double s1_274 = work.R_carrier_right_x_z*s1_256;
-  const double s1_275 = mbgen::fma(work.R_carrier_right_x_x, s1_257, s1_274);
-  work.s1_276 = mbgen::fnma(work.s1_40, s1_254, s1_275);
-  const double s1_277 = work.R_carrier_right_x_z*s1_262;
-  const double s1_278 = mbgen::fma(work.R_carrier_right_x_x, s1_261, s1_277);
-  work.s1_279 = mbgen::fnma(work.s1_40, s1_255, s1_278);
-}
+  work.s1_62 = p_wheel_rear_left_y*work.R_rear_axle_x_y;
+  work.s1_63 = p_wheel_rear_left_y*work.R_rear_axle_y_y;
+  work.s1_64 = p_wheel_rear_left_y*work.R_rear_axle_z_y;
+  // operations: 44 add, 103 multiply, 44 sin cos
 
-/// Part 2 of compute_multipliers: step 1: poses, axes b, accumulated inertias MR (50); step 4:
-/// velocities Z (36); step 7: accelerations Zdot and accumulated forces QR - PR (51), (52).
-[[gnu::noinline]] void compute_multipliers_2(const State& state, const Derivative& derivative,
-    ConstraintForcesWork& __restrict work) noexcept {
-  // --- step 1: poses, axes b, accumulated inertias MR (50), continued ---
-  // upper_arm_right: upper_arm_right, revolute, chassis
-  const double R_upper_arm_right_z_y = work.sines[13];
-  const double R_upper_arm_right_y_y = work.cosines[13];
-  const double s1_280 = I_upper_arm_right_zz*R_upper_arm_right_y_y;
-  const double s1_281 = mbgen::fma((-c_upper_arm_right_y), R_upper_arm_right_z_y,
-      (-p_upper_arm_right_z));
-  work.s1_282 = mbgen::fma((-c_upper_arm_right_z), R_upper_arm_right_y_y, s1_281);
-  const double s1_283 = mbgen::fms((-c_upper_arm_right_z), R_upper_arm_right_z_y,
-      (-p_upper_arm_right_y));
-  work.s1_284 = mbgen::fnma((-c_upper_arm_right_y), R_upper_arm_right_y_y, s1_283);
-  const double s1_285 = I_upper_arm_right_yy*R_upper_arm_right_z_y;
-  work.s1_286 = mbgen::fnma(R_upper_arm_right_z_y, s1_280, R_upper_arm_right_y_y*s1_285);
-  work.s1_287 = mbgen::fma(R_upper_arm_right_y_y, s1_280, R_upper_arm_right_z_y*s1_285);
-  const double s1_288 = R_upper_arm_right_z_y*(I_upper_arm_right_zz*R_upper_arm_right_z_y);
-  const double s1_289 = I_upper_arm_right_yy*R_upper_arm_right_y_y;
-  work.s1_290 = mbgen::fma(R_upper_arm_right_y_y, s1_289, s1_288);
-  // arb_front_right: arb_front_right, revolute, chassis
-  const double R_arb_front_right_x_z = work.sines[14];
-  const double s1_291 = I_arb_front_right_xz*R_arb_front_right_x_z;
-  const double R_arb_front_right_x_x = work.cosines[14];
-  const double s1_292 = mbgen::fms((-c_arb_front_right_x), R_arb_front_right_x_z,
-      (-p_arb_front_right_z));
-  work.s1_293 = mbgen::fma(c_arb_front_right_z, R_arb_front_right_x_x, s1_292);
-  const double s1_294 = I_arb_front_right_xz*R_arb_front_right_x_x;
-  const double s1_295 = mbgen::fnma(I_arb_front_right_xx, R_arb_front_right_x_z, s1_294);
-  const double s1_296 = (-I_arb_front_right_xy)*R_arb_front_right_x_z;
-  work.s1_297 = mbgen::fma(I_arb_front_right_yz, R_arb_front_right_x_x, s1_296);
-  const double s1_298 = I_arb_front_right_yz*R_arb_front_right_x_z;
-  work.s1_299 = mbgen::fnma((-I_arb_front_right_xy), R_arb_front_right_x_x, s1_298);
-  const double s1_300 = mbgen::fma(c_arb_front_right_z, R_arb_front_right_x_z, p_arb_front_right_x);
-  work.s1_301 = mbgen::fnma((-c_arb_front_right_x), R_arb_front_right_x_x, s1_300);
-  const double s1_302 = mbgen::fms(I_arb_front_right_zz, R_arb_front_right_x_x, s1_291);
-  work.s1_303 = mbgen::fma(R_arb_front_right_x_x, s1_295, R_arb_front_right_x_z*s1_302);
-  const double s1_304 = mbgen::fma(I_arb_front_right_zz, R_arb_front_right_x_z, s1_294);
-  const double s1_305 = mbgen::fma(I_arb_front_right_xx, R_arb_front_right_x_x, s1_291);
-  work.s1_306 = mbgen::fma(R_arb_front_right_x_x, s1_305, R_arb_front_right_x_z*s1_304);
-  work.s1_307 = mbgen::fnma(R_arb_front_right_x_z, s1_295, R_arb_front_right_x_x*s1_302);
-  // pitman_arm: pitman_arm, revolute, chassis
-  const double R_pitman_arm_x_z = work.sines[15];
-  const double s1_308 = I_pitman_arm_xx*R_pitman_arm_x_z;
-  const double R_pitman_arm_x_x = work.cosines[15];
-  work.s1_309 = mbgen::fma((-c_pitman_arm_z), R_pitman_arm_x_x, (-p_pitman_arm_z));
-  const double s1_310 = I_pitman_arm_zz*R_pitman_arm_x_x;
-  work.s1_311 = mbgen::fnma(R_pitman_arm_x_x, s1_308, R_pitman_arm_x_z*s1_310);
-  work.s1_312 = mbgen::fnma((-c_pitman_arm_z), R_pitman_arm_x_z, p_pitman_arm_x);
-  const double s1_313 = R_pitman_arm_x_z*(I_pitman_arm_zz*R_pitman_arm_x_z);
-  work.s1_314 = mbgen::fma(R_pitman_arm_x_x, I_pitman_arm_xx*R_pitman_arm_x_x, s1_313);
-  work.s1_315 = mbgen::fma(R_pitman_arm_x_x, s1_310, R_pitman_arm_x_z*s1_308);
-  // bell_crank: bell_crank, revolute, chassis
-  const double R_bell_crank_y_x = work.sines[16];
-  const double s1_316 = (-I_bell_crank_xy)*R_bell_crank_y_x;
-  const double R_bell_crank_x_x = work.cosines[16];
-  const double s1_317 = (-I_bell_crank_xy)*R_bell_crank_x_x;
-  const double s1_318 = mbgen::fms(I_bell_crank_yy, R_bell_crank_x_x, s1_316);
-  const double s1_319 = c_bell_crank_y*R_bell_crank_x_x;
-  work.s1_320 = mbgen::fnma((-c_bell_crank_x), R_bell_crank_y_x, s1_319);
-  const double s1_321 = R_bell_crank_y_x*mbgen::fma(I_bell_crank_yy, R_bell_crank_y_x, s1_317);
-  const double s1_322 = mbgen::fma(I_bell_crank_xx, R_bell_crank_x_x, s1_316);
-  work.s1_323 = mbgen::fma(R_bell_crank_x_x, s1_322, s1_321);
-  const double s1_324 = mbgen::fms(I_bell_crank_xx, R_bell_crank_y_x, s1_317);
-  work.s1_325 = mbgen::fnma(R_bell_crank_y_x, s1_318, R_bell_crank_x_x*s1_324);
-  const double s1_326 = mbgen::fnma(c_bell_crank_y, R_bell_crank_y_x, p_bell_crank_x);
-  work.s1_327 = mbgen::fnma((-c_bell_crank_x), R_bell_crank_x_x, s1_326);
-  work.s1_328 = mbgen::fma(R_bell_crank_x_x, s1_318, R_bell_crank_y_x*s1_324);
-  // rear_axle: rear_axle_rx, revolute, rear_axle_aux5
-  const double s1_61 = work.sines[18];
-  const double s1_329 = I_rear_axle_xx*s1_61;
-  const double s1_330 = mbgen::fma((-I_rear_axle_xz), work.R_rear_axle_z_z, s1_329);
-  const double s1_331 = mbgen::fma(c_rear_axle_z, work.R_rear_axle_z_z, work.r_rear_axle_aux3_z);
-  work.s1_332 = mbgen::fnma(c_rear_axle_x, s1_61, s1_331);
-  const double s1_333 = I_rear_axle_yy*work.R_rear_axle_z_y;
-  const double s1_334 = (-I_rear_axle_xz)*s1_61;
-  const double s1_335 = mbgen::fma(I_rear_axle_zz, work.R_rear_axle_z_z, s1_334);
-  const double s1_336 = mbgen::fma(work.R_rear_axle_y_z, s1_335, work.R_rear_axle_y_y*s1_333);
-  work.s1_337 = mbgen::fnma(work.R_rear_axle_aux5_y_x, s1_330, s1_336);
-  const double z_rear_axle_ty = state.z[Coordinate::rear_axle_ty];
-  const double s1_338 = mbgen::fma(c_rear_axle_x, work.R_rear_axle_aux5_y_x, z_rear_axle_ty);
-  work.s1_339 = mbgen::fma(c_rear_axle_z, work.R_rear_axle_y_z, s1_338);
-  const double s1_340 = mbgen::fma(work.R_rear_axle_x_z, s1_335, work.R_rear_axle_x_y*s1_333);
-  work.s1_341 = mbgen::fnma(work.R_rear_axle_aux5_x_x, s1_330, s1_340);
-  const double s1_342 = mbgen::fma(c_rear_axle_x, work.R_rear_axle_aux5_x_x,
-      work.r_rear_axle_aux1_x);
-  work.s1_343 = mbgen::fma(c_rear_axle_z, work.R_rear_axle_x_z, s1_342);
-  const double s1_344 = I_rear_axle_yy*work.R_rear_axle_y_y;
-  const double s1_345 = I_rear_axle_xx*work.R_rear_axle_aux5_y_x;
-  const double s1_346 = mbgen::fnma((-I_rear_axle_xz), work.R_rear_axle_y_z, s1_345);
-  const double s1_347 = I_rear_axle_zz*work.R_rear_axle_y_z;
-  const double s1_348 = mbgen::fnma((-I_rear_axle_xz), work.R_rear_axle_aux5_y_x, s1_347);
-  const double s1_349 = work.R_rear_axle_x_y*s1_344;
-  const double s1_350 = mbgen::fma(work.R_rear_axle_aux5_x_x, s1_346, s1_349);
-  work.s1_351 = mbgen::fma(work.R_rear_axle_x_z, s1_348, s1_350);
-  const double s1_352 = mbgen::fma(s1_61, s1_330, work.R_rear_axle_z_y*s1_333);
-  work.s1_353 = mbgen::fma(work.R_rear_axle_z_z, s1_335, s1_352);
-  const double s1_354 = work.R_rear_axle_y_y*s1_344;
-  const double s1_355 = mbgen::fma(work.R_rear_axle_aux5_y_x, s1_346, s1_354);
-  work.s1_356 = mbgen::fma(work.R_rear_axle_y_z, s1_348, s1_355);
-  const double s1_357 = I_rear_axle_xx*work.R_rear_axle_aux5_x_x;
-  const double s1_358 = I_rear_axle_zz*work.R_rear_axle_x_z;
-  const double s1_359 = mbgen::fnma((-I_rear_axle_xz), work.R_rear_axle_x_z, s1_357);
-  const double s1_360 = work.R_rear_axle_x_y*(I_rear_axle_yy*work.R_rear_axle_x_y);
-  const double s1_361 = mbgen::fnma((-I_rear_axle_xz), work.R_rear_axle_aux5_x_x, s1_358);
-  const double s1_362 = mbgen::fma(work.R_rear_axle_aux5_x_x, s1_359, s1_360);
-  work.s1_363 = mbgen::fma(work.R_rear_axle_x_z, s1_361, s1_362);
-  // wheel_rear_left: wheel_rear_left, revolute, rear_axle
-  const double s1_364 = I_wheel_rear_left_xx*s1_61;
-  const double s1_365 = I_wheel_rear_left_yy*work.R_rear_axle_z_y;
-  const double s1_366 = I_wheel_rear_left_zz*work.R_rear_axle_z_z;
-  const double s1_367 = mbgen::fma(s1_61, s1_364, work.R_rear_axle_z_y*s1_365);
-  work.s1_368 = mbgen::fma(work.R_rear_axle_z_z, s1_366, s1_367);
-  const double s1_369 = work.R_rear_axle_x_y*(I_wheel_rear_left_yy*work.R_rear_axle_x_y);
-  const double s1_370 = I_wheel_rear_left_xx*work.R_rear_axle_aux5_x_x;
-  const double s1_371 = mbgen::fma(work.R_rear_axle_aux5_x_x, s1_370, s1_369);
-  const double s1_372 = I_wheel_rear_left_zz*work.R_rear_axle_x_z;
-  work.s1_373 = mbgen::fma(work.R_rear_axle_x_z, s1_372, s1_371);
-  const double s1_374 = I_wheel_rear_left_yy*work.R_rear_axle_y_y;
-  const double s1_375 = I_wheel_rear_left_xx*work.R_rear_axle_aux5_y_x;
-  const double s1_376 = I_wheel_rear_left_zz*work.R_rear_axle_y_z;
-  const double s1_377 = work.R_rear_axle_y_y*s1_374;
-  const double s1_378 = mbgen::fma(work.R_rear_axle_aux5_y_x, s1_375, s1_377);
-  work.s1_379 = mbgen::fma(work.R_rear_axle_y_z, s1_376, s1_378);
-  const double s1_380 = mbgen::fma(work.R_rear_axle_y_z, s1_366, work.R_rear_axle_y_y*s1_365);
-  work.s1_381 = mbgen::fnma(work.R_rear_axle_aux5_y_x, s1_364, s1_380);
-  const double s1_382 = mbgen::fma(work.R_rear_axle_x_z, s1_366, work.R_rear_axle_x_y*s1_365);
-  work.s1_383 = mbgen::fnma(work.R_rear_axle_aux5_x_x, s1_364, s1_382);
-  const double s1_384 = work.R_rear_axle_x_y*s1_374;
-  const double s1_385 = mbgen::fma(work.R_rear_axle_aux5_x_x, s1_375, s1_384);
-  work.s1_386 = mbgen::fma(work.R_rear_axle_x_z, s1_376, s1_385);
-  // arb_rear_left: arb_rear_left, revolute, chassis
-  const double R_arb_rear_left_x_z = work.sines[20];
-  const double s1_387 = I_arb_rear_left_xx*R_arb_rear_left_x_z;
-  const double R_arb_rear_left_x_x = work.cosines[20];
-  work.s1_388 = (-I_arb_rear_left_xy)*R_arb_rear_left_x_x;
-  work.s1_389 = mbgen::fma(c_arb_rear_left_x, R_arb_rear_left_x_z, (-p_arb_rear_left_z));
-  work.s1_390 = (-I_arb_rear_left_xy)*R_arb_rear_left_x_z;
-  const double s1_391 = I_arb_rear_left_zz*R_arb_rear_left_x_x;
-  work.s1_392 = mbgen::fnma(R_arb_rear_left_x_x, s1_387, R_arb_rear_left_x_z*s1_391);
-  work.s1_393 = mbgen::fms(c_arb_rear_left_x, R_arb_rear_left_x_x, (-p_arb_rear_left_x));
-  work.s1_394 = mbgen::fma(R_arb_rear_left_x_x, s1_391, R_arb_rear_left_x_z*s1_387);
-  const double s1_395 = R_arb_rear_left_x_z*(I_arb_rear_left_zz*R_arb_rear_left_x_z);
-  const double s1_396 = I_arb_rear_left_xx*R_arb_rear_left_x_x;
-  work.s1_397 = mbgen::fma(R_arb_rear_left_x_x, s1_396, s1_395);
-  // arb_rear_right: arb_rear_right, revolute, chassis
-  const double R_arb_rear_right_x_z = work.sines[21];
-  work.s1_398 = I_arb_rear_right_xy*R_arb_rear_right_x_z;
-  const double s1_399 = I_arb_rear_right_xx*R_arb_rear_right_x_z;
-  work.s1_400 = mbgen::fma(c_arb_rear_right_x, R_arb_rear_right_x_z, (-p_arb_rear_right_z));
-  const double R_arb_rear_right_x_x = work.cosines[21];
-  work.s1_401 = I_arb_rear_right_xy*R_arb_rear_right_x_x;
-  work.s1_402 = mbgen::fms(c_arb_rear_right_x, R_arb_rear_right_x_x, (-p_arb_rear_right_x));
-  const double s1_403 = I_arb_rear_right_zz*R_arb_rear_right_x_x;
-  work.s1_404 = mbgen::fnma(R_arb_rear_right_x_x, s1_399, R_arb_rear_right_x_z*s1_403);
-  work.s1_405 = mbgen::fma(R_arb_rear_right_x_x, s1_403, R_arb_rear_right_x_z*s1_399);
-  const double s1_406 = R_arb_rear_right_x_z*(I_arb_rear_right_zz*R_arb_rear_right_x_z);
-  const double s1_407 = I_arb_rear_right_xx*R_arb_rear_right_x_x;
-  work.s1_408 = mbgen::fma(R_arb_rear_right_x_x, s1_407, s1_406);
-  // arb_link_front_left
-  const double R_arb_front_left_x_z = work.sines[8];
-  const double R_arb_front_left_x_x = work.cosines[8];
-  const double s1_409 = mbgen::fms((-p_arb_link_front_left_from_x), R_arb_front_left_x_z,
-      (-p_arb_front_left_z));
-  work.s1_410 = mbgen::fma(p_arb_link_front_left_from_z, R_arb_front_left_x_x, s1_409);
-  const double s1_411 = mbgen::fma(p_arb_link_front_left_from_z, R_arb_front_left_x_z,
-      p_arb_front_left_x);
-  work.s1_412 = mbgen::fnma((-p_arb_link_front_left_from_x), R_arb_front_left_x_x, s1_411);
-  const double s1_413 = mbgen::fma(p_arb_link_front_left_to_x, work.R_carrier_left_x_x,
-      p_lower_arm_left_x);
-  const double s1_414 = work.s1_13 + work.R_carrier_left_x_z;
-  work.s1_415 = mbgen::fma((-p_arb_link_front_left_to_y), s1_414, s1_413);
-  const double s1_416 = mbgen::fma(p_arb_link_front_left_to_x, work.R_carrier_left_y_x,
-      work.r_carrier_left_aux1_y);
-  const double s1_417 = work.R_carrier_left_y_z - work.R_carrier_left_aux2_y_y;
-  work.s1_418 = mbgen::fma((-p_arb_link_front_left_to_y), s1_417, s1_416);
-  const double s1_419 = mbgen::fma(p_arb_link_front_left_to_x, work.R_carrier_left_z_x,
-      work.r_carrier_left_aux1_z);
-  const double s1_420 = work.R_carrier_left_z_z - work.R_carrier_left_aux2_z_y;
-  work.s1_421 = mbgen::fma((-p_arb_link_front_left_to_y), s1_420, s1_419);
-  // arb_link_front_right
-  const double s1_422 = mbgen::fms((-p_arb_link_front_right_from_x), R_arb_front_right_x_z,
-      (-p_arb_front_right_z));
-  work.s1_423 = mbgen::fma(p_arb_link_front_right_from_z, R_arb_front_right_x_x, s1_422);
-  const double s1_424 = mbgen::fma(p_arb_link_front_right_from_z, R_arb_front_right_x_z,
-      p_arb_front_right_x);
-  work.s1_425 = mbgen::fnma((-p_arb_link_front_right_from_x), R_arb_front_right_x_x, s1_424);
-  const double s1_426 = mbgen::fma(p_arb_link_front_right_to_x, work.R_carrier_right_x_x,
-      p_lower_arm_right_x);
-  const double s1_427 = work.R_carrier_right_x_z - work.s1_40;
-  work.s1_428 = mbgen::fma((-p_arb_link_front_left_to_y), s1_427, s1_426);
-  const double s1_429 = mbgen::fma(p_arb_link_front_right_to_x, work.R_carrier_right_y_x,
-      work.r_carrier_right_aux1_y);
-  const double s1_430 = work.R_carrier_right_aux2_y_y + work.R_carrier_right_y_z;
-  work.s1_431 = mbgen::fma((-p_arb_link_front_left_to_y), s1_430, s1_429);
-  const double s1_432 = mbgen::fms(p_arb_link_front_right_to_x, work.R_carrier_right_z_x,
-      work.s1_35);
-  const double s1_433 = work.R_carrier_right_aux2_z_y + work.R_carrier_right_z_z;
-  work.s1_434 = mbgen::fma((-p_arb_link_front_left_to_y), s1_433, s1_432);
-  // drag_link
-  work.s1_435 = mbgen::fma((-p_drag_link_from_z), R_pitman_arm_x_x, (-p_pitman_arm_z));
-  work.s1_436 = p_drag_link_to_y*R_bell_crank_x_x;
-  work.s1_437 = mbgen::fnma((-p_drag_link_from_z), R_pitman_arm_x_z, p_pitman_arm_x);
-  work.s1_438 = mbgen::fnma(p_drag_link_to_y, R_bell_crank_y_x, p_bell_crank_x);
-  // tie_rod_left
-  const double s1_439 = p_tie_rod_left_from_y*R_bell_crank_y_x;
-  const double s1_440 = (-p_tie_rod_left_from_x)*R_bell_crank_y_x;
-  work.s1_441 = mbgen::fms(p_tie_rod_left_from_y, R_bell_crank_x_x, s1_440);
-  const double s1_442 = p_bell_crank_x - s1_439;
-  work.s1_443 = mbgen::fnma((-p_tie_rod_left_from_x), R_bell_crank_x_x, s1_442);
-  work.s1_444 = mbgen::fma((-p_tie_rod_left_to_y), work.s1_13, p_lower_arm_left_x);
-  const double s1_445 = mbgen::fma(p_tie_rod_left_to_z, work.R_carrier_left_x_z, work.s1_444);
-  work.s1_446 = mbgen::fnma((-p_tie_rod_left_to_x), work.R_carrier_left_x_x, s1_445);
-  work.s1_447 = mbgen::fnma((-p_tie_rod_left_to_y), work.R_carrier_left_aux2_y_y,
-      work.r_carrier_left_aux1_y);
-  const double s1_448 = mbgen::fma(p_tie_rod_left_to_z, work.R_carrier_left_y_z, work.s1_447);
-  work.s1_449 = mbgen::fnma((-p_tie_rod_left_to_x), work.R_carrier_left_y_x, s1_448);
-  work.s1_450 = mbgen::fnma((-p_tie_rod_left_to_y), work.R_carrier_left_aux2_z_y,
-      work.r_carrier_left_aux1_z);
-  const double s1_451 = mbgen::fma(p_tie_rod_left_to_z, work.R_carrier_left_z_z, work.s1_450);
-  work.s1_452 = mbgen::fnma((-p_tie_rod_left_to_x), work.R_carrier_left_z_x, s1_451);
-  // tie_rod_right
-  work.s1_453 = mbgen::fma(p_tie_rod_left_from_y, R_bell_crank_x_x, s1_440);
-  const double s1_454 = mbgen::fnma((-p_tie_rod_left_from_x), R_bell_crank_x_x, s1_439);
-  work.s1_455 = p_bell_crank_x + s1_454;
-  work.s1_456 = mbgen::fnma(p_tie_rod_right_to_y, work.s1_40, p_lower_arm_right_x);
-  const double s1_457 = mbgen::fma(p_tie_rod_right_to_z, work.R_carrier_right_x_z, work.s1_456);
-  work.s1_458 = mbgen::fnma((-p_tie_rod_right_to_x), work.R_carrier_right_x_x, s1_457);
-  work.s1_459 = mbgen::fma(p_tie_rod_right_to_y, work.R_carrier_right_aux2_y_y,
-      work.r_carrier_right_aux1_y);
-  const double s1_460 = mbgen::fma(p_tie_rod_right_to_z, work.R_carrier_right_y_z, work.s1_459);
-  work.s1_461 = mbgen::fnma((-p_tie_rod_right_to_x), work.R_carrier_right_y_x, s1_460);
-  work.s1_462 = mbgen::fms(p_tie_rod_right_to_y, work.R_carrier_right_aux2_z_y, work.s1_35);
-  const double s1_463 = mbgen::fma(p_tie_rod_right_to_z, work.R_carrier_right_z_z, work.s1_462);
-  work.s1_464 = mbgen::fnma((-p_tie_rod_right_to_x), work.R_carrier_right_z_x, s1_463);
-  // long_rod_left
-  const double s1_465 = p_long_rod_left_to_x*s1_61;
-  const double s1_466 = mbgen::fma((-p_long_rod_left_to_z), work.R_rear_axle_z_z, s1_465);
-  const double s1_467 = p_long_rod_left_to_x*work.R_rear_axle_aux5_y_x;
-  const double s1_468 = mbgen::fnma((-p_long_rod_left_to_z), work.R_rear_axle_y_z, s1_467);
-  const double s1_469 = z_rear_axle_ty + s1_468;
-  work.s1_470 = mbgen::fma(p_long_rod_left_to_y, work.R_rear_axle_y_y, s1_469);
-  const double s1_471 = p_long_rod_left_to_x*work.R_rear_axle_aux5_x_x;
-  const double s1_472 = mbgen::fnma((-p_long_rod_left_to_z), work.R_rear_axle_x_z, s1_471);
-  const double s1_473 = work.r_rear_axle_aux1_x + s1_472;
-  work.s1_474 = mbgen::fma(p_long_rod_left_to_y, work.R_rear_axle_x_y, s1_473);
-  const double s1_475 = mbgen::fma(p_long_rod_left_to_y, work.R_rear_axle_z_y,
-      work.r_rear_axle_aux3_z);
-  work.s1_476 = s1_475 - s1_466;
-  // diag_rod_left
-  const double s1_477 = mbgen::fma(p_diag_rod_left_to_z, work.R_rear_axle_y_z, z_rear_axle_ty);
-  work.s1_478 = mbgen::fma(p_diag_rod_left_to_y, work.R_rear_axle_y_y, s1_477);
-  const double s1_479 = mbgen::fma(p_diag_rod_left_to_z, work.R_rear_axle_x_z,
-      work.r_rear_axle_aux1_x);
-  work.s1_480 = mbgen::fma(p_diag_rod_left_to_y, work.R_rear_axle_x_y, s1_479);
-  const double s1_481 = mbgen::fma(p_diag_rod_left_to_z, work.R_rear_axle_z_z,
-      work.r_rear_axle_aux3_z);
-  work.s1_482 = mbgen::fma(p_diag_rod_left_to_y, work.R_rear_axle_z_y, s1_481);
-  // arb_link_rear_left
-  work.s1_483 = mbgen::fma(p_arb_link_rear_left_from_x, R_arb_rear_left_x_z, (-p_arb_rear_left_z));
-  const double s1_484 = (-p_arb_link_rear_left_to_x)*work.R_rear_axle_aux5_y_x;
-  const double s1_485 = mbgen::fma((-p_arb_link_rear_left_to_z), work.R_rear_axle_y_z, s1_484);
-  const double s1_486 = (-p_arb_link_rear_left_to_x)*work.R_rear_axle_aux5_x_x;
-  const double s1_487 = mbgen::fma((-p_arb_link_rear_left_to_z), work.R_rear_axle_x_z, s1_486);
-  work.s1_488 = mbgen::fms(p_arb_link_rear_left_from_x, R_arb_rear_left_x_x, (-p_arb_rear_left_x));
-  const double s1_489 = mbgen::fma(p_arb_link_rear_left_to_y, work.R_rear_axle_y_y, z_rear_axle_ty);
-  work.s1_490 = s1_489 - s1_485;
-  const double s1_491 = mbgen::fma(p_arb_link_rear_left_to_y, work.R_rear_axle_x_y,
-      work.r_rear_axle_aux1_x);
-  work.s1_492 = s1_491 - s1_487;
-  const double s1_493 = (-p_arb_link_rear_left_to_x)*s1_61;
-  const double s1_494 = mbgen::fnma((-p_arb_link_rear_left_to_z), work.R_rear_axle_z_z, s1_493);
-  const double s1_495 = work.r_rear_axle_aux3_z + s1_494;
-  work.s1_496 = mbgen::fma(p_arb_link_rear_left_to_y, work.R_rear_axle_z_y, s1_495);
-  // long_rod_right
-  work.s1_497 = mbgen::fnma(p_long_rod_left_to_y, work.R_rear_axle_y_y, s1_469);
-  work.s1_498 = mbgen::fnma(p_long_rod_left_to_y, work.R_rear_axle_x_y, s1_473);
-  const double s1_499 = work.r_rear_axle_aux3_z - s1_466;
-  work.s1_500 = mbgen::fnma(p_long_rod_left_to_y, work.R_rear_axle_z_y, s1_499);
-  // diag_rod_right
-  work.s1_501 = mbgen::fnma(p_diag_rod_left_to_y, work.R_rear_axle_y_y, s1_477);
-  work.s1_502 = mbgen::fnma(p_diag_rod_left_to_y, work.R_rear_axle_x_y, s1_479);
-  work.s1_503 = mbgen::fnma(p_diag_rod_left_to_y, work.R_rear_axle_z_y, s1_481);
-  // arb_link_rear_right
-  work.s1_504 = mbgen::fma(p_arb_link_rear_right_from_x, R_arb_rear_right_x_z,
-      (-p_arb_rear_right_z));
-  work.s1_505 = mbgen::fnma(p_arb_link_rear_left_to_y, work.R_rear_axle_z_y, s1_495);
-  const double s1_506 = z_rear_axle_ty - s1_485;
-  work.s1_507 = mbgen::fnma(p_arb_link_rear_left_to_y, work.R_rear_axle_y_y, s1_506);
-  const double s1_508 = work.r_rear_axle_aux1_x - s1_487;
-  work.s1_509 = mbgen::fnma(p_arb_link_rear_left_to_y, work.R_rear_axle_x_y, s1_508);
-  work.s1_510 = mbgen::fms(p_arb_link_rear_right_from_x, R_arb_rear_right_x_x,
-      (-p_arb_rear_right_x));
-  // operations: 384 add, 613 multiply, 44 sin cos
-
-  // --- step 4: velocities Z (36) ---
+  // --- step 4: angular velocities ---
   // chassis: chassis_rx, revolute, chassis_aux5
   const double zd_chassis_rz = state.zd[Coordinate::chassis_rz];
-  const double s1_1 = work.sines[1];
   const double s4_1 = zd_chassis_rz*s1_1;
   const double zd_chassis_rx = state.zd[Coordinate::chassis_rx];
   work.w_chassis_x = zd_chassis_rx - s4_1;
-  const double s4_2 = zd_chassis_rz*work.R_chassis_z_y;
+  const double s4_2 = zd_chassis_rz*R_chassis_z_y;
   const double zd_chassis_ry = state.zd[Coordinate::chassis_ry];
-  const double s1_4 = work.cosines[2];
   const double s4_3 = zd_chassis_ry*s1_4;
   work.w_chassis_y = s4_2 + s4_3;
-  const double s4_4 = zd_chassis_rz*work.R_chassis_z_z;
-  const double s1_2 = work.sines[2];
+  const double s4_4 = zd_chassis_rz*R_chassis_z_z;
   const double s4_5 = zd_chassis_ry*s1_2;
   work.w_chassis_z = s4_4 - s4_5;
   // lower_arm_left: lower_arm_left, revolute, chassis
@@ -5901,15 +5318,12 @@ struct ConstraintForcesWork {
   const double w_lower_arm_left_x = zd_lower_arm_left + work.w_chassis_x;
   // carrier_left_aux1: carrier_left_rz, revolute, lower_arm_left
   const double zd_carrier_left_rz = state.zd[Coordinate::carrier_left_rz];
-  const double R_lower_arm_left_z_y = work.sines[3];
   const double s4_6 = zd_carrier_left_rz*R_lower_arm_left_z_y;
   const double w_carrier_left_aux1_y = work.w_chassis_y - s4_6;
-  const double R_lower_arm_left_y_y = work.cosines[3];
   const double s4_7 = zd_carrier_left_rz*R_lower_arm_left_y_y;
   const double w_carrier_left_aux1_z = work.w_chassis_z + s4_7;
   // carrier_left_aux2: carrier_left_rx, revolute, carrier_left_aux1
   const double zd_carrier_left_rx = state.zd[Coordinate::carrier_left_rx];
-  const double R_carrier_left_aux1_x_x = work.cosines[4];
   const double s4_8 = zd_carrier_left_rx*R_carrier_left_aux1_x_x;
   const double w_carrier_left_aux2_x = w_lower_arm_left_x + s4_8;
   const double s4_9 = zd_carrier_left_rx*work.R_carrier_left_aux1_y_x;
@@ -5918,7 +5332,7 @@ struct ConstraintForcesWork {
   const double w_carrier_left_aux2_z = w_carrier_left_aux1_z + s4_10;
   // carrier_left: carrier_left_ry, revolute, carrier_left_aux2
   const double zd_carrier_left_ry = state.zd[Coordinate::carrier_left_ry];
-  const double s4_11 = zd_carrier_left_ry*work.s1_13;
+  const double s4_11 = zd_carrier_left_ry*work.s1_12;
   work.w_carrier_left_x = w_carrier_left_aux2_x - s4_11;
   const double s4_12 = zd_carrier_left_ry*work.R_carrier_left_aux2_y_y;
   work.w_carrier_left_y = w_carrier_left_aux2_y + s4_12;
@@ -5926,15 +5340,14 @@ struct ConstraintForcesWork {
   work.w_carrier_left_z = w_carrier_left_aux2_z + s4_13;
   // wheel_front_left: wheel_front_left, revolute, carrier_left
   const double zd_wheel_front_left = state.zd[Coordinate::wheel_front_left];
-  const double s4_14 = zd_wheel_front_left*work.s1_13;
+  const double s4_14 = zd_wheel_front_left*work.s1_12;
   work.w_wheel_front_left_x = work.w_carrier_left_x - s4_14;
   const double s4_15 = zd_wheel_front_left*work.R_carrier_left_aux2_y_y;
   work.w_wheel_front_left_y = work.w_carrier_left_y + s4_15;
   const double s4_16 = zd_wheel_front_left*work.R_carrier_left_aux2_z_y;
   work.w_wheel_front_left_z = work.w_carrier_left_z + s4_16;
   // upper_arm_left: upper_arm_left, revolute, chassis
-  const double zd_upper_arm_left = state.zd[Coordinate::upper_arm_left];
-  const double w_upper_arm_left_x = zd_upper_arm_left + work.w_chassis_x;
+  const double w_upper_arm_left_x = state.zd[Coordinate::upper_arm_left] + work.w_chassis_x;
   // arb_front_left: arb_front_left, revolute, chassis
   const double zd_arb_front_left = state.zd[Coordinate::arb_front_left];
   work.w_arb_front_left_y = zd_arb_front_left + work.w_chassis_y;
@@ -5943,15 +5356,12 @@ struct ConstraintForcesWork {
   const double w_lower_arm_right_x = zd_lower_arm_right + work.w_chassis_x;
   // carrier_right_aux1: carrier_right_rz, revolute, lower_arm_right
   const double zd_carrier_right_rz = state.zd[Coordinate::carrier_right_rz];
-  const double R_lower_arm_right_z_y = work.sines[9];
   const double s4_17 = zd_carrier_right_rz*R_lower_arm_right_z_y;
   const double w_carrier_right_aux1_y = work.w_chassis_y - s4_17;
-  const double R_lower_arm_right_y_y = work.cosines[9];
   const double s4_18 = zd_carrier_right_rz*R_lower_arm_right_y_y;
   const double w_carrier_right_aux1_z = work.w_chassis_z + s4_18;
   // carrier_right_aux2: carrier_right_rx, revolute, carrier_right_aux1
   const double zd_carrier_right_rx = state.zd[Coordinate::carrier_right_rx];
-  const double R_carrier_right_aux1_x_x = work.cosines[10];
   const double s4_19 = zd_carrier_right_rx*R_carrier_right_aux1_x_x;
   const double w_carrier_right_aux2_x = w_lower_arm_right_x + s4_19;
   const double s4_20 = zd_carrier_right_rx*work.R_carrier_right_aux1_y_x;
@@ -5960,7 +5370,7 @@ struct ConstraintForcesWork {
   const double w_carrier_right_aux2_z = w_carrier_right_aux1_z + s4_21;
   // carrier_right: carrier_right_ry, revolute, carrier_right_aux2
   const double zd_carrier_right_ry = state.zd[Coordinate::carrier_right_ry];
-  const double s4_22 = zd_carrier_right_ry*work.s1_40;
+  const double s4_22 = zd_carrier_right_ry*work.s1_38;
   work.w_carrier_right_x = w_carrier_right_aux2_x - s4_22;
   const double s4_23 = zd_carrier_right_ry*work.R_carrier_right_aux2_y_y;
   work.w_carrier_right_y = w_carrier_right_aux2_y + s4_23;
@@ -5968,15 +5378,14 @@ struct ConstraintForcesWork {
   work.w_carrier_right_z = w_carrier_right_aux2_z + s4_24;
   // wheel_front_right: wheel_front_right, revolute, carrier_right
   const double zd_wheel_front_right = state.zd[Coordinate::wheel_front_right];
-  const double s4_25 = zd_wheel_front_right*work.s1_40;
+  const double s4_25 = zd_wheel_front_right*work.s1_38;
   work.w_wheel_front_right_x = work.w_carrier_right_x - s4_25;
   const double s4_26 = zd_wheel_front_right*work.R_carrier_right_aux2_y_y;
   work.w_wheel_front_right_y = work.w_carrier_right_y + s4_26;
   const double s4_27 = zd_wheel_front_right*work.R_carrier_right_aux2_z_y;
   work.w_wheel_front_right_z = work.w_carrier_right_z + s4_27;
   // upper_arm_right: upper_arm_right, revolute, chassis
-  const double zd_upper_arm_right = state.zd[Coordinate::upper_arm_right];
-  const double w_upper_arm_right_x = zd_upper_arm_right + work.w_chassis_x;
+  const double w_upper_arm_right_x = state.zd[Coordinate::upper_arm_right] + work.w_chassis_x;
   // arb_front_right: arb_front_right, revolute, chassis
   const double zd_arb_front_right = state.zd[Coordinate::arb_front_right];
   work.w_arb_front_right_y = zd_arb_front_right + work.w_chassis_y;
@@ -5991,10 +5400,8 @@ struct ConstraintForcesWork {
   const double w_rear_axle_aux4_z = zd_rear_axle_rz + work.w_chassis_z;
   // rear_axle_aux5: rear_axle_ry, revolute, rear_axle_aux4
   const double zd_rear_axle_ry = state.zd[Coordinate::rear_axle_ry];
-  const double R_rear_axle_aux4_y_x = work.sines[17];
   const double s4_28 = zd_rear_axle_ry*R_rear_axle_aux4_y_x;
   const double w_rear_axle_aux5_x = work.w_chassis_x - s4_28;
-  const double R_rear_axle_aux4_x_x = work.cosines[17];
   const double s4_29 = zd_rear_axle_ry*R_rear_axle_aux4_x_x;
   const double w_rear_axle_aux5_y = work.w_chassis_y + s4_29;
   // rear_axle: rear_axle_rx, revolute, rear_axle_aux5
@@ -6003,2073 +5410,1818 @@ struct ConstraintForcesWork {
   work.w_rear_axle_x = w_rear_axle_aux5_x + s4_30;
   const double s4_31 = zd_rear_axle_rx*work.R_rear_axle_aux5_y_x;
   work.w_rear_axle_y = w_rear_axle_aux5_y + s4_31;
-  const double s4_32 = zd_rear_axle_rx*s1_61;
+  const double s4_32 = zd_rear_axle_rx*s1_57;
   work.w_rear_axle_z = w_rear_axle_aux4_z - s4_32;
   // wheel_rear_left: wheel_rear_left, revolute, rear_axle
   const double zd_wheel_rear_left = state.zd[Coordinate::wheel_rear_left];
-  work.s4_33 = zd_wheel_rear_left*work.R_rear_axle_x_y;
-  work.w_wheel_rear_left_x = work.w_rear_axle_x + work.s4_33;
-  work.s4_34 = zd_wheel_rear_left*work.R_rear_axle_y_y;
-  work.w_wheel_rear_left_y = work.w_rear_axle_y + work.s4_34;
-  work.s4_35 = zd_wheel_rear_left*work.R_rear_axle_z_y;
-  work.w_wheel_rear_left_z = work.w_rear_axle_z + work.s4_35;
+  const double s4_33 = zd_wheel_rear_left*work.R_rear_axle_x_y;
+  work.w_wheel_rear_left_x = work.w_rear_axle_x + s4_33;
+  const double s4_34 = zd_wheel_rear_left*work.R_rear_axle_y_y;
+  work.w_wheel_rear_left_y = work.w_rear_axle_y + s4_34;
+  const double s4_35 = zd_wheel_rear_left*work.R_rear_axle_z_y;
+  work.w_wheel_rear_left_z = work.w_rear_axle_z + s4_35;
   // arb_rear_left: arb_rear_left, revolute, chassis
-  work.w_arb_rear_left_y = state.zd[Coordinate::arb_rear_left] + work.w_chassis_y;
+  const double zd_arb_rear_left = state.zd[Coordinate::arb_rear_left];
+  work.w_arb_rear_left_y = zd_arb_rear_left + work.w_chassis_y;
   // wheel_rear_right: wheel_rear_right, revolute, rear_axle
   const double zd_wheel_rear_right = state.zd[Coordinate::wheel_rear_right];
-  work.s4_36 = zd_wheel_rear_right*work.R_rear_axle_x_y;
-  work.w_wheel_rear_right_x = work.w_rear_axle_x + work.s4_36;
-  work.s4_37 = zd_wheel_rear_right*work.R_rear_axle_y_y;
-  work.w_wheel_rear_right_y = work.w_rear_axle_y + work.s4_37;
-  work.s4_38 = zd_wheel_rear_right*work.R_rear_axle_z_y;
-  work.w_wheel_rear_right_z = work.w_rear_axle_z + work.s4_38;
+  const double s4_36 = zd_wheel_rear_right*work.R_rear_axle_x_y;
+  work.w_wheel_rear_right_x = work.w_rear_axle_x + s4_36;
+  const double s4_37 = zd_wheel_rear_right*work.R_rear_axle_y_y;
+  work.w_wheel_rear_right_y = work.w_rear_axle_y + s4_37;
+  const double s4_38 = zd_wheel_rear_right*work.R_rear_axle_z_y;
+  work.w_wheel_rear_right_z = work.w_rear_axle_z + s4_38;
   // arb_rear_right: arb_rear_right, revolute, chassis
-  work.w_arb_rear_right_y = state.zd[Coordinate::arb_rear_right] + work.w_chassis_y;
+  const double zd_arb_rear_right = state.zd[Coordinate::arb_rear_right];
+  work.w_arb_rear_right_y = zd_arb_rear_right + work.w_chassis_y;
   // operations: 47 add, 38 multiply
 
-  // --- step 7: accelerations Zdot and accumulated forces QR - PR (51), (52) ---
+  // --- step 7: inertias of the bodies and forces on joints ---
   // chassis: chassis_rx, revolute, chassis_aux5
   const double s7_1 = (-g_z) + derivative.zdd[Coordinate::chassis_tz];
   const double zdd_chassis_ty = derivative.zdd[Coordinate::chassis_ty];
   const double zdd_chassis_tx = derivative.zdd[Coordinate::chassis_tx];
-  const double s7_2 = zdd_chassis_ty*work.R_chassis_aux5_y_x;
-  const double s7_3 = mbgen::fma(zdd_chassis_tx, work.R_chassis_aux5_x_x, s7_2);
+  const double s7_2 = zdd_chassis_ty*R_chassis_aux5_y_x;
+  const double s7_3 = mbgen::fma(zdd_chassis_tx, R_chassis_aux5_x_x, s7_2);
   work.a_chassis_x = mbgen::fnma(s1_1, s7_1, s7_3);
-  const double s7_4 = zdd_chassis_ty*work.R_chassis_y_y;
-  const double s7_5 = mbgen::fma(zdd_chassis_tx, work.R_chassis_x_y, s7_4);
-  work.a_chassis_y = mbgen::fma(work.R_chassis_z_y, s7_1, s7_5);
-  const double s7_6 = zdd_chassis_ty*work.R_chassis_y_z;
-  const double s7_7 = mbgen::fma(zdd_chassis_tx, work.R_chassis_x_z, s7_6);
-  work.a_chassis_z = mbgen::fma(work.R_chassis_z_z, s7_1, s7_7);
+  const double s7_4 = mbgen::fma(zdd_chassis_tx, R_chassis_x_y, zdd_chassis_ty*R_chassis_y_y);
+  work.a_chassis_y = mbgen::fma(R_chassis_z_y, s7_1, s7_4);
+  const double s7_5 = mbgen::fma(zdd_chassis_tx, R_chassis_x_z, zdd_chassis_ty*R_chassis_y_z);
+  work.a_chassis_z = mbgen::fma(R_chassis_z_z, s7_1, s7_5);
   const double zdd_chassis_rz = derivative.zdd[Coordinate::chassis_rz];
-  const double s7_8 = mbgen::fnma(zdd_chassis_rz, s1_1, derivative.zdd[Coordinate::chassis_rx]);
-  work.alpha_chassis_x = mbgen::fnma(s4_3, s4_4, mbgen::fnma(s4_2, s4_5, s7_8));
-  const double s7_9 = zd_chassis_rx*work.w_chassis_z;
+  const double s7_6 = mbgen::fnma(zdd_chassis_rz, s1_1, derivative.zdd[Coordinate::chassis_rx]);
+  const double alpha_chassis_x = mbgen::fnma(s4_3, s4_4, mbgen::fnma(s4_2, s4_5, s7_6));
+  const double s7_7 = zd_chassis_rx*work.w_chassis_z;
   const double zdd_chassis_ry = derivative.zdd[Coordinate::chassis_ry];
-  const double s7_10 = mbgen::fma(zdd_chassis_rz, work.R_chassis_z_y, s7_9);
-  work.alpha_chassis_y = mbgen::fnma(s4_1, s4_5, mbgen::fma(zdd_chassis_ry, s1_4, s7_10));
-  const double s7_11 = mbgen::fnma(zdd_chassis_ry, s1_2, zdd_chassis_rz*work.R_chassis_z_z);
-  const double s7_12 = mbgen::fnma(s4_1, s4_3, s7_11);
-  work.alpha_chassis_z = mbgen::fnma(zd_chassis_rx, work.w_chassis_y, s7_12);
-  const double s7_13 = work.w_chassis_y*work.w_chassis_y;
-  work.s7_14 = work.w_chassis_z*work.w_chassis_z;
-  work.s7_15 = work.w_chassis_x*work.w_chassis_x;
-  work.s7_16 = s7_13 + work.s7_15;
-  work.s7_17 = s7_13 + work.s7_14;
-  work.s7_18 = work.s7_14 + work.s7_15;
-  work.s7_19 = mbgen::fms(work.w_chassis_y, work.w_chassis_z, work.alpha_chassis_x);
-  work.s7_20 = mbgen::fma(work.w_chassis_y, work.w_chassis_z, work.alpha_chassis_x);
-  work.s7_21 = mbgen::fma(work.w_chassis_x, work.w_chassis_z, work.alpha_chassis_y);
-  work.s7_22 = mbgen::fma(work.w_chassis_x, work.w_chassis_y, work.alpha_chassis_z);
-  work.s7_23 = mbgen::fms(work.w_chassis_x, work.w_chassis_y, work.alpha_chassis_z);
-  work.s7_24 = mbgen::fms(work.w_chassis_x, work.w_chassis_z, work.alpha_chassis_y);
+  const double s7_8 = mbgen::fma(zdd_chassis_rz, R_chassis_z_y, s7_7);
+  const double alpha_chassis_y = mbgen::fnma(s4_1, s4_5, mbgen::fma(zdd_chassis_ry, s1_4, s7_8));
+  const double s7_9 = mbgen::fnma(zdd_chassis_ry, s1_2, zdd_chassis_rz*R_chassis_z_z);
+  const double s7_10 = mbgen::fnma(s4_1, s4_3, s7_9);
+  const double alpha_chassis_z = mbgen::fnma(zd_chassis_rx, work.w_chassis_y, s7_10);
+  const double s7_11 = work.w_chassis_y*work.w_chassis_y;
+  const double s7_12 = work.w_chassis_z*work.w_chassis_z;
+  const double s7_13 = work.w_chassis_x*work.w_chassis_x;
+  work.s7_14 = s7_11 + s7_13;
+  work.s7_15 = s7_11 + s7_12;
+  work.s7_16 = s7_12 + s7_13;
+  work.s7_17 = mbgen::fms(work.w_chassis_y, work.w_chassis_z, alpha_chassis_x);
+  work.s7_18 = mbgen::fma(work.w_chassis_y, work.w_chassis_z, alpha_chassis_x);
+  work.s7_19 = mbgen::fma(work.w_chassis_x, work.w_chassis_z, alpha_chassis_y);
+  work.s7_20 = mbgen::fma(work.w_chassis_x, work.w_chassis_y, alpha_chassis_z);
+  work.s7_21 = mbgen::fms(work.w_chassis_x, work.w_chassis_y, alpha_chassis_z);
+  work.s7_22 = mbgen::fms(work.w_chassis_x, work.w_chassis_z, alpha_chassis_y);
   // lower_arm_left: lower_arm_left, revolute, chassis
-  const double alpha_lower_arm_left_z = mbgen::fnma(zd_lower_arm_left, work.w_chassis_y,
-      work.alpha_chassis_z);
-  const double s7_25 = mbgen::fms(work.w_chassis_y, w_lower_arm_left_x, alpha_lower_arm_left_z);
+  const double s7_23 = (-p_lower_arm_left_z)*work.s7_19;
+  const double s7_24 = mbgen::fma(p_lower_arm_left_x, work.s7_15, s7_23);
+  work.s7_25 = mbgen::fma(p_lower_arm_left_y, work.s7_21, work.a_chassis_x);
+  const double a_lower_arm_left_x = work.s7_25 - s7_24;
+  const double s7_26 = mbgen::fma(p_lower_arm_left_x, work.s7_20, work.a_chassis_y);
+  const double s7_27 = mbgen::fnma((-p_lower_arm_left_z), work.s7_17, s7_26);
+  work.a_lower_arm_left_y = mbgen::fnma(p_lower_arm_left_y, work.s7_16, s7_27);
+  const double s7_28 = p_lower_arm_left_x*work.s7_22;
+  const double s7_29 = mbgen::fma((-p_lower_arm_left_z), work.s7_14, s7_28);
+  work.s7_30 = mbgen::fma(p_lower_arm_left_y, work.s7_18, work.a_chassis_z);
+  work.a_lower_arm_left_z = s7_29 + work.s7_30;
+  work.alpha_lower_arm_left_x = derivative.zdd[Coordinate::lower_arm_left] + alpha_chassis_x;
   const double alpha_lower_arm_left_y = mbgen::fma(zd_lower_arm_left, work.w_chassis_z,
-      work.alpha_chassis_y);
-  const double s7_26 = mbgen::fma(work.w_chassis_z, w_lower_arm_left_x, alpha_lower_arm_left_y);
-  const double s7_27 = mbgen::fma(p_lower_arm_left_y, work.s7_23 - s7_25, work.a_chassis_x);
-  const double a_lower_arm_left_x = mbgen::fnma((-p_lower_arm_left_z), work.s7_21 - s7_26, s7_27);
-  const double s7_28 = w_lower_arm_left_x*w_lower_arm_left_x;
-  work.s7_29 = work.s7_14 + s7_28;
-  work.s7_30 = mbgen::fma(work.w_chassis_y, w_lower_arm_left_x, alpha_lower_arm_left_z);
-  work.alpha_lower_arm_left_x = derivative.zdd[Coordinate::lower_arm_left] + work.alpha_chassis_x;
-  work.s7_31 = mbgen::fms(work.w_chassis_y, work.w_chassis_z, work.alpha_lower_arm_left_x);
-  const double s7_32 = work.s7_29 - work.s7_18;
-  const double s7_33 = mbgen::fma(p_lower_arm_left_y, s7_32, work.a_chassis_y);
-  const double s7_34 = mbgen::fma(p_lower_arm_left_x, work.s7_22 - work.s7_30, s7_33);
-  work.a_lower_arm_left_y = mbgen::fnma((-p_lower_arm_left_z), work.s7_19 - work.s7_31, s7_34);
-  work.s7_35 = mbgen::fma(work.w_chassis_y, work.w_chassis_z, work.alpha_lower_arm_left_x);
-  work.s7_36 = mbgen::fms(work.w_chassis_z, w_lower_arm_left_x, alpha_lower_arm_left_y);
-  work.s7_37 = s7_13 + s7_28;
-  const double s7_38 = work.s7_20 - work.s7_35;
-  const double s7_39 = mbgen::fma(p_lower_arm_left_y, s7_38, work.a_chassis_z);
-  const double s7_40 = mbgen::fma(p_lower_arm_left_x, work.s7_24 - work.s7_36, s7_39);
-  work.a_lower_arm_left_z = mbgen::fnma((-p_lower_arm_left_z), work.s7_37 - work.s7_16, s7_40);
+      alpha_chassis_y);
+  const double alpha_lower_arm_left_z = mbgen::fnma(zd_lower_arm_left, work.w_chassis_y,
+      alpha_chassis_z);
+  work.s7_31 = mbgen::fma(work.w_chassis_y, work.w_chassis_z, work.alpha_lower_arm_left_x);
+  work.s7_32 = mbgen::fms(work.w_chassis_y, work.w_chassis_z, work.alpha_lower_arm_left_x);
+  work.s7_33 = mbgen::fma(w_lower_arm_left_x, w_lower_arm_left_x, s7_11);
+  work.s7_34 = mbgen::fma(w_lower_arm_left_x, w_lower_arm_left_x, s7_12);
+  const double s7_35 = mbgen::fma(work.w_chassis_z, w_lower_arm_left_x, alpha_lower_arm_left_y);
+  const double s7_36 = mbgen::fms(work.w_chassis_y, w_lower_arm_left_x, alpha_lower_arm_left_z);
   // carrier_left_aux1: carrier_left_rz, revolute, lower_arm_left
+  const double s7_37 = mbgen::fma(work.s1_8, s7_36, a_lower_arm_left_x);
+  work.a_carrier_left_aux1_x = mbgen::fma(work.s1_10, s7_35, s7_37);
+  const double s7_38 = mbgen::fma(work.s1_10, work.s7_32, work.a_lower_arm_left_y);
+  work.a_carrier_left_aux1_y = mbgen::fnma(work.s1_8, work.s7_34, s7_38);
+  const double s7_39 = mbgen::fma(work.s1_8, work.s7_31, work.a_lower_arm_left_z);
+  work.a_carrier_left_aux1_z = mbgen::fnma(work.s1_10, work.s7_33, s7_39);
+  const double s7_40 = mbgen::fma(work.w_chassis_y, s4_7, work.alpha_lower_arm_left_x);
+  const double alpha_carrier_left_aux1_x = mbgen::fma(work.w_chassis_z, s4_6, s7_40);
   const double zdd_carrier_left_rz = derivative.zdd[Coordinate::carrier_left_rz];
-  const double s7_41 = mbgen::fma(zdd_carrier_left_rz, R_lower_arm_left_y_y,
-      alpha_lower_arm_left_z);
-  const double alpha_carrier_left_aux1_z = mbgen::fnma(w_lower_arm_left_x, s4_6, s7_41);
-  const double s7_42 = mbgen::fms(w_lower_arm_left_x, w_carrier_left_aux1_y,
-      alpha_carrier_left_aux1_z);
-  const double s7_43 = w_carrier_left_aux1_z*w_carrier_left_aux1_z;
-  const double s7_44 = mbgen::fma(w_carrier_left_aux1_y, w_carrier_left_aux1_y, s7_43);
-  const double s7_45 = mbgen::fnma(zdd_carrier_left_rz, R_lower_arm_left_z_y,
+  const double s7_41 = mbgen::fnma(zdd_carrier_left_rz, R_lower_arm_left_z_y,
       alpha_lower_arm_left_y);
-  const double alpha_carrier_left_aux1_y = mbgen::fnma(w_lower_arm_left_x, s4_7, s7_45);
-  const double s7_46 = mbgen::fma(w_lower_arm_left_x, w_carrier_left_aux1_z,
-      alpha_carrier_left_aux1_y);
-  const double s7_47 = s7_25 - s7_42;
-  const double s7_48 = mbgen::fma(work.r_carrier_left_aux1_y, s7_47, a_lower_arm_left_x);
-  const double s7_49 = mbgen::fma(p_lower_arm_left_x, s7_44 - work.s7_17, s7_48);
-  const double a_carrier_left_aux1_x = mbgen::fma(work.r_carrier_left_aux1_z, s7_26 - s7_46, s7_49);
-  const double s7_50 = s7_28 + s7_43;
-  const double s7_51 = mbgen::fma(w_lower_arm_left_x, w_carrier_left_aux1_y,
-      alpha_carrier_left_aux1_z);
-  const double s7_52 = mbgen::fma(work.w_chassis_y, s4_7, work.alpha_lower_arm_left_x);
-  const double alpha_carrier_left_aux1_x = mbgen::fma(work.w_chassis_z, s4_6, s7_52);
-  const double s7_53 = mbgen::fms(w_carrier_left_aux1_y, w_carrier_left_aux1_z,
-      alpha_carrier_left_aux1_x);
-  const double s7_54 = s7_50 - work.s7_29;
-  const double s7_55 = mbgen::fma(work.r_carrier_left_aux1_y, s7_54, work.a_lower_arm_left_y);
-  const double s7_56 = mbgen::fma(p_lower_arm_left_x, work.s7_30 - s7_51, s7_55);
-  const double a_carrier_left_aux1_y = mbgen::fma(work.r_carrier_left_aux1_z, work.s7_31 - s7_53,
-      s7_56);
-  const double s7_57 = mbgen::fma(w_carrier_left_aux1_y, w_carrier_left_aux1_z,
-      alpha_carrier_left_aux1_x);
-  const double s7_58 = mbgen::fma(w_carrier_left_aux1_y, w_carrier_left_aux1_y, s7_28);
-  const double s7_59 = mbgen::fms(w_lower_arm_left_x, w_carrier_left_aux1_z,
-      alpha_carrier_left_aux1_y);
-  const double s7_60 = work.s7_35 - s7_57;
-  const double s7_61 = mbgen::fma(work.r_carrier_left_aux1_y, s7_60, work.a_lower_arm_left_z);
-  const double s7_62 = mbgen::fma(work.r_carrier_left_aux1_z, s7_58 - work.s7_37, s7_61);
-  const double a_carrier_left_aux1_z = mbgen::fma(p_lower_arm_left_x, work.s7_36 - s7_59, s7_62);
+  const double alpha_carrier_left_aux1_y = mbgen::fnma(w_lower_arm_left_x, s4_7, s7_41);
+  const double s7_42 = mbgen::fma(zdd_carrier_left_rz, R_lower_arm_left_y_y,
+      alpha_lower_arm_left_z);
+  const double alpha_carrier_left_aux1_z = mbgen::fnma(w_lower_arm_left_x, s4_6, s7_42);
   // carrier_left_aux2: carrier_left_rx, revolute, carrier_left_aux1
   const double zdd_carrier_left_rx = derivative.zdd[Coordinate::carrier_left_rx];
-  const double s7_63 = mbgen::fma(zdd_carrier_left_rx, work.R_carrier_left_aux1_z_x,
-      alpha_carrier_left_aux1_z);
-  const double s7_64 = mbgen::fma(w_lower_arm_left_x, s4_9, s7_63);
-  const double alpha_carrier_left_aux2_z = mbgen::fnma(w_carrier_left_aux1_y, s4_8, s7_64);
-  const double s7_65 = mbgen::fms(w_carrier_left_aux2_x, w_carrier_left_aux2_y,
-      alpha_carrier_left_aux2_z);
-  const double s7_66 = w_carrier_left_aux2_z*w_carrier_left_aux2_z;
-  const double s7_67 = w_carrier_left_aux2_y*w_carrier_left_aux2_y;
-  const double s7_68 = s7_66 + s7_67;
-  const double s7_69 = mbgen::fma(zdd_carrier_left_rx, work.R_carrier_left_aux1_y_x,
-      alpha_carrier_left_aux1_y);
-  const double s7_70 = mbgen::fma(w_carrier_left_aux1_z, s4_8, s7_69);
-  const double alpha_carrier_left_aux2_y = mbgen::fnma(w_lower_arm_left_x, s4_10, s7_70);
-  const double s7_71 = mbgen::fma(w_carrier_left_aux2_x, w_carrier_left_aux2_z,
-      alpha_carrier_left_aux2_y);
-  const double s7_72 = s7_42 - s7_65;
-  const double s7_73 = mbgen::fma(work.r_carrier_left_aux1_y, s7_72, a_carrier_left_aux1_x);
-  const double s7_74 = mbgen::fma(p_lower_arm_left_x, s7_68 - s7_44, s7_73);
-  const double a_carrier_left_aux2_x = mbgen::fma(work.r_carrier_left_aux1_z, s7_46 - s7_71, s7_74);
-  const double s7_75 = mbgen::fma(w_carrier_left_aux2_x, w_carrier_left_aux2_x, s7_66);
-  const double s7_76 = mbgen::fma(w_carrier_left_aux2_x, w_carrier_left_aux2_y,
-      alpha_carrier_left_aux2_z);
-  const double s7_77 = mbgen::fma(zdd_carrier_left_rx, R_carrier_left_aux1_x_x,
+  const double s7_43 = mbgen::fma(zdd_carrier_left_rx, R_carrier_left_aux1_x_x,
       alpha_carrier_left_aux1_x);
-  const double s7_78 = mbgen::fma(w_carrier_left_aux1_y, s4_10, s7_77);
-  const double alpha_carrier_left_aux2_x = mbgen::fnma(w_carrier_left_aux1_z, s4_9, s7_78);
-  const double s7_79 = mbgen::fms(w_carrier_left_aux2_y, w_carrier_left_aux2_z,
-      alpha_carrier_left_aux2_x);
-  const double s7_80 = s7_75 - s7_50;
-  const double s7_81 = mbgen::fma(work.r_carrier_left_aux1_y, s7_80, a_carrier_left_aux1_y);
-  const double s7_82 = mbgen::fma(p_lower_arm_left_x, s7_51 - s7_76, s7_81);
-  const double a_carrier_left_aux2_y = mbgen::fma(work.r_carrier_left_aux1_z, s7_53 - s7_79, s7_82);
-  const double s7_83 = mbgen::fma(w_carrier_left_aux2_y, w_carrier_left_aux2_z,
-      alpha_carrier_left_aux2_x);
-  const double s7_84 = mbgen::fma(w_carrier_left_aux2_x, w_carrier_left_aux2_x, s7_67);
-  const double s7_85 = mbgen::fms(w_carrier_left_aux2_x, w_carrier_left_aux2_z,
-      alpha_carrier_left_aux2_y);
-  const double s7_86 = s7_57 - s7_83;
-  const double s7_87 = mbgen::fma(work.r_carrier_left_aux1_y, s7_86, a_carrier_left_aux1_z);
-  const double s7_88 = mbgen::fma(work.r_carrier_left_aux1_z, s7_84 - s7_58, s7_87);
-  const double a_carrier_left_aux2_z = mbgen::fma(p_lower_arm_left_x, s7_59 - s7_85, s7_88);
+  const double s7_44 = mbgen::fma(w_carrier_left_aux1_y, s4_10, s7_43);
+  const double alpha_carrier_left_aux2_x = mbgen::fnma(w_carrier_left_aux1_z, s4_9, s7_44);
+  const double s7_45 = mbgen::fma(zdd_carrier_left_rx, work.R_carrier_left_aux1_y_x,
+      alpha_carrier_left_aux1_y);
+  const double s7_46 = mbgen::fma(w_carrier_left_aux1_z, s4_8, s7_45);
+  const double alpha_carrier_left_aux2_y = mbgen::fnma(w_lower_arm_left_x, s4_10, s7_46);
+  const double s7_47 = mbgen::fma(zdd_carrier_left_rx, work.R_carrier_left_aux1_z_x,
+      alpha_carrier_left_aux1_z);
+  const double s7_48 = mbgen::fma(w_lower_arm_left_x, s4_9, s7_47);
+  const double alpha_carrier_left_aux2_z = mbgen::fnma(w_carrier_left_aux1_y, s4_8, s7_48);
   // carrier_left: carrier_left_ry, revolute, carrier_left_aux2
   const double zdd_carrier_left_ry = derivative.zdd[Coordinate::carrier_left_ry];
-  const double s7_89 = mbgen::fma(zdd_carrier_left_ry, work.R_carrier_left_aux2_z_y,
-      alpha_carrier_left_aux2_z);
-  const double s7_90 = mbgen::fma(w_carrier_left_aux2_x, s4_12, s7_89);
-  work.alpha_carrier_left_z = mbgen::fma(w_carrier_left_aux2_y, s4_11, s7_90);
-  work.s7_91 = mbgen::fms(work.w_carrier_left_x, work.w_carrier_left_y, work.alpha_carrier_left_z);
-  const double s7_92 = work.w_carrier_left_z*work.w_carrier_left_z;
-  const double s7_93 = work.w_carrier_left_y*work.w_carrier_left_y;
-  work.s7_94 = s7_92 + s7_93;
-  const double s7_95 = mbgen::fma(zdd_carrier_left_ry, work.R_carrier_left_aux2_y_y,
+  const double s7_49 = mbgen::fnma(zdd_carrier_left_ry, work.s1_12, alpha_carrier_left_aux2_x);
+  const double s7_50 = mbgen::fma(w_carrier_left_aux2_y, s4_13, s7_49);
+  work.alpha_carrier_left_x = mbgen::fnma(w_carrier_left_aux2_z, s4_12, s7_50);
+  const double s7_51 = mbgen::fma(zdd_carrier_left_ry, work.R_carrier_left_aux2_y_y,
       alpha_carrier_left_aux2_y);
-  const double s7_96 = mbgen::fnma(w_carrier_left_aux2_x, s4_13, s7_95);
-  work.alpha_carrier_left_y = mbgen::fnma(w_carrier_left_aux2_z, s4_11, s7_96);
-  work.s7_97 = mbgen::fma(work.w_carrier_left_x, work.w_carrier_left_z, work.alpha_carrier_left_y);
-  const double s7_98 = s7_65 - work.s7_91;
-  const double s7_99 = mbgen::fma(work.r_carrier_left_aux1_y, s7_98, a_carrier_left_aux2_x);
-  const double s7_100 = mbgen::fma(p_lower_arm_left_x, work.s7_94 - s7_68, s7_99);
-  work.a_carrier_left_x = mbgen::fma(work.r_carrier_left_aux1_z, s7_71 - work.s7_97, s7_100);
-  work.s7_101 = mbgen::fma(work.w_carrier_left_x, work.w_carrier_left_x, s7_92);
-  work.s7_102 = mbgen::fma(work.w_carrier_left_x, work.w_carrier_left_y, work.alpha_carrier_left_z);
-  const double s7_103 = mbgen::fnma(zdd_carrier_left_ry, work.s1_13, alpha_carrier_left_aux2_x);
-  const double s7_104 = mbgen::fma(w_carrier_left_aux2_y, s4_13, s7_103);
-  work.alpha_carrier_left_x = mbgen::fnma(w_carrier_left_aux2_z, s4_12, s7_104);
-  work.s7_105 = mbgen::fms(work.w_carrier_left_y, work.w_carrier_left_z, work.alpha_carrier_left_x);
-  const double s7_106 = work.s7_101 - s7_75;
-  const double s7_107 = mbgen::fma(work.r_carrier_left_aux1_y, s7_106, a_carrier_left_aux2_y);
-  const double s7_108 = mbgen::fma(p_lower_arm_left_x, s7_76 - work.s7_102, s7_107);
-  work.a_carrier_left_y = mbgen::fma(work.r_carrier_left_aux1_z, s7_79 - work.s7_105, s7_108);
-  work.s7_109 = mbgen::fma(work.w_carrier_left_y, work.w_carrier_left_z, work.alpha_carrier_left_x);
-  work.s7_110 = mbgen::fma(work.w_carrier_left_x, work.w_carrier_left_x, s7_93);
-  work.s7_111 = mbgen::fms(work.w_carrier_left_x, work.w_carrier_left_z, work.alpha_carrier_left_y);
-  const double s7_112 = s7_83 - work.s7_109;
-  const double s7_113 = mbgen::fma(work.r_carrier_left_aux1_y, s7_112, a_carrier_left_aux2_z);
-  const double s7_114 = mbgen::fma(work.r_carrier_left_aux1_z, work.s7_110 - s7_84, s7_113);
-  work.a_carrier_left_z = mbgen::fma(p_lower_arm_left_x, s7_85 - work.s7_111, s7_114);
+  const double s7_52 = mbgen::fnma(w_carrier_left_aux2_x, s4_13, s7_51);
+  work.alpha_carrier_left_y = mbgen::fnma(w_carrier_left_aux2_z, s4_11, s7_52);
+  const double s7_53 = mbgen::fma(zdd_carrier_left_ry, work.R_carrier_left_aux2_z_y,
+      alpha_carrier_left_aux2_z);
+  const double s7_54 = mbgen::fma(w_carrier_left_aux2_x, s4_12, s7_53);
+  work.alpha_carrier_left_z = mbgen::fma(w_carrier_left_aux2_y, s4_11, s7_54);
+  const double s7_55 = work.w_carrier_left_z*work.w_carrier_left_z;
+  const double s7_56 = work.w_carrier_left_y*work.w_carrier_left_y;
+  work.s7_57 = s7_55 + s7_56;
+  work.s7_58 = mbgen::fma(work.w_carrier_left_x, work.w_carrier_left_x, s7_55);
+  work.s7_59 = mbgen::fma(work.w_carrier_left_x, work.w_carrier_left_x, s7_56);
+  work.s7_60 = mbgen::fma(work.w_carrier_left_x, work.w_carrier_left_z, work.alpha_carrier_left_y);
+  work.s7_61 = mbgen::fma(work.w_carrier_left_x, work.w_carrier_left_y, work.alpha_carrier_left_z);
+  work.s7_62 = mbgen::fma(work.w_carrier_left_y, work.w_carrier_left_z, work.alpha_carrier_left_x);
+  work.s7_63 = mbgen::fms(work.w_carrier_left_x, work.w_carrier_left_z, work.alpha_carrier_left_y);
+  work.s7_64 = mbgen::fms(work.w_carrier_left_x, work.w_carrier_left_y, work.alpha_carrier_left_z);
+  work.s7_65 = mbgen::fms(work.w_carrier_left_y, work.w_carrier_left_z, work.alpha_carrier_left_x);
   // wheel_front_left: wheel_front_left, revolute, carrier_left
+  const double s7_66 = mbgen::fma(work.s1_28, work.s7_64, work.a_carrier_left_aux1_x);
+  const double s7_67 = mbgen::fma(work.s1_30, work.s7_60, s7_66);
+  work.a_wheel_front_left_x = mbgen::fnma(work.s1_26, work.s7_57, s7_67);
+  const double s7_68 = mbgen::fma(work.s1_30, work.s7_65, work.a_carrier_left_aux1_y);
+  const double s7_69 = mbgen::fma(work.s1_26, work.s7_61, s7_68);
+  work.a_wheel_front_left_y = mbgen::fnma(work.s1_28, work.s7_58, s7_69);
+  const double s7_70 = mbgen::fma(work.s1_28, work.s7_62, work.a_carrier_left_aux1_z);
+  const double s7_71 = mbgen::fma(work.s1_26, work.s7_63, s7_70);
+  work.a_wheel_front_left_z = mbgen::fnma(work.s1_30, work.s7_59, s7_71);
   const double zdd_wheel_front_left = derivative.zdd[Coordinate::wheel_front_left];
-  const double s7_115 = mbgen::fma(zdd_wheel_front_left, work.R_carrier_left_aux2_z_y,
-      work.alpha_carrier_left_z);
-  const double s7_116 = mbgen::fma(work.w_carrier_left_y, s4_14, s7_115);
-  work.alpha_wheel_front_left_z = mbgen::fma(work.w_carrier_left_x, s4_15, s7_116);
-  work.s7_117 = mbgen::fms(work.w_wheel_front_left_x, work.w_wheel_front_left_y,
-      work.alpha_wheel_front_left_z);
-  const double s7_118 = work.w_wheel_front_left_z*work.w_wheel_front_left_z;
-  const double s7_119 = work.w_wheel_front_left_y*work.w_wheel_front_left_y;
-  work.s7_120 = s7_118 + s7_119;
-  const double s7_121 = mbgen::fma(zdd_wheel_front_left, work.R_carrier_left_aux2_y_y,
+  const double s7_72 = mbgen::fnma(zdd_wheel_front_left, work.s1_12, work.alpha_carrier_left_x);
+  const double s7_73 = mbgen::fma(work.w_carrier_left_y, s4_16, s7_72);
+  work.alpha_wheel_front_left_x = mbgen::fnma(work.w_carrier_left_z, s4_15, s7_73);
+  const double s7_74 = mbgen::fma(zdd_wheel_front_left, work.R_carrier_left_aux2_y_y,
       work.alpha_carrier_left_y);
-  const double s7_122 = mbgen::fnma(work.w_carrier_left_z, s4_14, s7_121);
-  work.alpha_wheel_front_left_y = mbgen::fnma(work.w_carrier_left_x, s4_16, s7_122);
-  work.s7_123 = mbgen::fma(work.w_wheel_front_left_x, work.w_wheel_front_left_z,
-      work.alpha_wheel_front_left_y);
-  const double s7_124 = work.s7_91 - work.s7_117;
-  const double s7_125 = mbgen::fma(work.r_wheel_front_left_y, s7_124, work.a_carrier_left_x);
-  const double s7_126 = mbgen::fma(work.r_wheel_front_left_x, work.s7_120 - work.s7_94, s7_125);
-  work.a_wheel_front_left_x = mbgen::fma(work.r_wheel_front_left_z, work.s7_97 - work.s7_123,
-      s7_126);
-  work.s7_127 = mbgen::fma(work.w_wheel_front_left_x, work.w_wheel_front_left_x, s7_118);
-  work.s7_128 = mbgen::fma(work.w_wheel_front_left_x, work.w_wheel_front_left_y,
-      work.alpha_wheel_front_left_z);
-  const double s7_129 = mbgen::fnma(zdd_wheel_front_left, work.s1_13, work.alpha_carrier_left_x);
-  const double s7_130 = mbgen::fma(work.w_carrier_left_y, s4_16, s7_129);
-  work.alpha_wheel_front_left_x = mbgen::fnma(work.w_carrier_left_z, s4_15, s7_130);
-  work.s7_131 = mbgen::fms(work.w_wheel_front_left_y, work.w_wheel_front_left_z,
-      work.alpha_wheel_front_left_x);
-  const double s7_132 = work.s7_127 - work.s7_101;
-  const double s7_133 = mbgen::fma(work.r_wheel_front_left_y, s7_132, work.a_carrier_left_y);
-  const double s7_134 = mbgen::fma(work.r_wheel_front_left_x, work.s7_102 - work.s7_128, s7_133);
-  work.a_wheel_front_left_y = mbgen::fma(work.r_wheel_front_left_z, work.s7_105 - work.s7_131,
-      s7_134);
-  work.s7_135 = mbgen::fma(work.w_wheel_front_left_y, work.w_wheel_front_left_z,
-      work.alpha_wheel_front_left_x);
-  work.s7_136 = mbgen::fma(work.w_wheel_front_left_x, work.w_wheel_front_left_x, s7_119);
-  work.s7_137 = mbgen::fms(work.w_wheel_front_left_x, work.w_wheel_front_left_z,
-      work.alpha_wheel_front_left_y);
-  const double s7_138 = work.s7_109 - work.s7_135;
-  const double s7_139 = mbgen::fma(work.r_wheel_front_left_y, s7_138, work.a_carrier_left_z);
-  const double s7_140 = mbgen::fma(work.r_wheel_front_left_z, work.s7_136 - work.s7_110, s7_139);
-  work.a_wheel_front_left_z = mbgen::fma(work.r_wheel_front_left_x, work.s7_111 - work.s7_137,
-      s7_140);
+  const double s7_75 = mbgen::fnma(work.w_carrier_left_z, s4_14, s7_74);
+  work.alpha_wheel_front_left_y = mbgen::fnma(work.w_carrier_left_x, s4_16, s7_75);
+  const double s7_76 = mbgen::fma(zdd_wheel_front_left, work.R_carrier_left_aux2_z_y,
+      work.alpha_carrier_left_z);
+  const double s7_77 = mbgen::fma(work.w_carrier_left_y, s4_14, s7_76);
+  work.alpha_wheel_front_left_z = mbgen::fma(work.w_carrier_left_x, s4_15, s7_77);
   // upper_arm_left: upper_arm_left, revolute, chassis
-  const double alpha_upper_arm_left_z = mbgen::fnma(zd_upper_arm_left, work.w_chassis_y,
-      work.alpha_chassis_z);
-  const double alpha_upper_arm_left_y = mbgen::fma(zd_upper_arm_left, work.w_chassis_z,
-      work.alpha_chassis_y);
-  work.s7_141 = mbgen::fma(w_upper_arm_left_x, w_upper_arm_left_x, work.s7_14);
-  work.s7_142 = mbgen::fma(work.w_chassis_y, w_upper_arm_left_x, alpha_upper_arm_left_z);
-  work.alpha_upper_arm_left_x = derivative.zdd[Coordinate::upper_arm_left] + work.alpha_chassis_x;
-  work.s7_143 = mbgen::fms(work.w_chassis_y, work.w_chassis_z, work.alpha_upper_arm_left_x);
-  const double s7_144 = work.s7_141 - work.s7_18;
-  const double s7_145 = mbgen::fma(p_upper_arm_left_y, s7_144, work.a_chassis_y);
-  const double s7_146 = mbgen::fma(p_upper_arm_left_x, work.s7_22 - work.s7_142, s7_145);
-  work.a_upper_arm_left_y = mbgen::fnma((-p_upper_arm_left_z), work.s7_19 - work.s7_143, s7_146);
-  work.s7_147 = mbgen::fma(work.w_chassis_y, work.w_chassis_z, work.alpha_upper_arm_left_x);
-  work.s7_148 = mbgen::fms(work.w_chassis_z, w_upper_arm_left_x, alpha_upper_arm_left_y);
-  work.s7_149 = mbgen::fma(w_upper_arm_left_x, w_upper_arm_left_x, s7_13);
-  const double s7_150 = work.s7_20 - work.s7_147;
-  const double s7_151 = mbgen::fma(p_upper_arm_left_y, s7_150, work.a_chassis_z);
-  const double s7_152 = mbgen::fma(p_upper_arm_left_x, work.s7_24 - work.s7_148, s7_151);
-  work.a_upper_arm_left_z = mbgen::fnma((-p_upper_arm_left_z), work.s7_149 - work.s7_16, s7_152);
+  const double s7_78 = mbgen::fnma((-p_upper_arm_left_z), work.s7_17, s7_26);
+  work.a_upper_arm_left_y = mbgen::fnma(p_upper_arm_left_y, work.s7_16, s7_78);
+  const double s7_79 = mbgen::fma((-p_upper_arm_left_z), work.s7_14, s7_28);
+  const double s7_80 = mbgen::fma(p_upper_arm_left_y, work.s7_18, work.a_chassis_z);
+  work.a_upper_arm_left_z = s7_79 + s7_80;
+  work.alpha_upper_arm_left_x = derivative.zdd[Coordinate::upper_arm_left] + alpha_chassis_x;
+  work.s7_81 = mbgen::fma(work.w_chassis_y, work.w_chassis_z, work.alpha_upper_arm_left_x);
+  work.s7_82 = mbgen::fms(work.w_chassis_y, work.w_chassis_z, work.alpha_upper_arm_left_x);
+  work.s7_83 = mbgen::fma(w_upper_arm_left_x, w_upper_arm_left_x, s7_11);
+  work.s7_84 = mbgen::fma(w_upper_arm_left_x, w_upper_arm_left_x, s7_12);
   // arb_front_left: arb_front_left, revolute, chassis
-  work.s7_153 = mbgen::fma(work.w_arb_front_left_y, work.w_arb_front_left_y, work.s7_14);
-  work.alpha_arb_front_left_y = derivative.zdd[Coordinate::arb_front_left] + work.alpha_chassis_y;
-  work.s7_154 = mbgen::fma(work.w_chassis_x, work.w_chassis_z, work.alpha_arb_front_left_y);
-  work.alpha_arb_front_left_z = mbgen::fma(zd_arb_front_left, work.w_chassis_x,
-      work.alpha_chassis_z);
-  work.s7_155 = mbgen::fms(work.w_chassis_x, work.w_arb_front_left_y, work.alpha_arb_front_left_z);
-  const double s7_156 = work.s7_153 - work.s7_17;
-  const double s7_157 = mbgen::fma(p_arb_front_left_x, s7_156, work.a_chassis_x);
-  const double s7_158 = mbgen::fnma((-p_arb_front_left_z), work.s7_21 - work.s7_154, s7_157);
-  work.a_arb_front_left_x = mbgen::fma(p_arb_front_left_y, work.s7_23 - work.s7_155, s7_158);
-  work.s7_159 = mbgen::fma(work.w_chassis_x, work.w_arb_front_left_y, work.alpha_arb_front_left_z);
-  work.alpha_arb_front_left_x = mbgen::fnma(zd_arb_front_left, work.w_chassis_z,
-      work.alpha_chassis_x);
-  work.s7_160 = mbgen::fms(work.w_chassis_z, work.w_arb_front_left_y, work.alpha_arb_front_left_x);
-  const double s7_161 = work.s7_22 - work.s7_159;
-  const double s7_162 = mbgen::fma(p_arb_front_left_x, s7_161, work.a_chassis_y);
-  work.a_arb_front_left_y = mbgen::fnma((-p_arb_front_left_z), work.s7_19 - work.s7_160, s7_162);
-  work.s7_163 = mbgen::fms(work.w_chassis_x, work.w_chassis_z, work.alpha_arb_front_left_y);
-  work.s7_164 = mbgen::fma(work.w_arb_front_left_y, work.w_arb_front_left_y, work.s7_15);
-  work.s7_165 = mbgen::fma(work.w_chassis_z, work.w_arb_front_left_y, work.alpha_arb_front_left_x);
-  const double s7_166 = work.s7_24 - work.s7_163;
-  const double s7_167 = mbgen::fma(p_arb_front_left_x, s7_166, work.a_chassis_z);
-  const double s7_168 = mbgen::fnma((-p_arb_front_left_z), work.s7_164 - work.s7_16, s7_167);
-  work.a_arb_front_left_z = mbgen::fma(p_arb_front_left_y, work.s7_20 - work.s7_165, s7_168);
+  const double s7_85 = (-p_arb_front_left_z)*work.s7_19;
+  const double s7_86 = mbgen::fma(p_arb_front_left_x, work.s7_15, s7_85);
+  const double s7_87 = mbgen::fma(p_arb_front_left_y, work.s7_21, work.a_chassis_x);
+  work.a_arb_front_left_x = s7_87 - s7_86;
+  const double s7_88 = mbgen::fnma((-p_arb_front_left_z), work.s7_17, work.a_chassis_y);
+  const double s7_89 = mbgen::fma(p_arb_front_left_x, work.s7_20, s7_88);
+  const double a_arb_front_left_y = mbgen::fnma(p_arb_front_left_y, work.s7_16, s7_89);
+  const double s7_90 = (-p_arb_front_left_z)*work.s7_14;
+  const double s7_91 = mbgen::fma(p_arb_front_left_x, work.s7_22, s7_90);
+  const double s7_92 = mbgen::fma(p_arb_front_left_y, work.s7_18, work.a_chassis_z);
+  work.a_arb_front_left_z = s7_91 + s7_92;
+  work.alpha_arb_front_left_x = mbgen::fnma(zd_arb_front_left, work.w_chassis_z, alpha_chassis_x);
+  work.alpha_arb_front_left_y = derivative.zdd[Coordinate::arb_front_left] + alpha_chassis_y;
+  work.alpha_arb_front_left_z = mbgen::fma(zd_arb_front_left, work.w_chassis_x, alpha_chassis_z);
+  work.s7_93 = mbgen::fma(work.w_chassis_x, work.w_chassis_z, work.alpha_arb_front_left_y);
+  work.s7_94 = mbgen::fms(work.w_chassis_x, work.w_chassis_z, work.alpha_arb_front_left_y);
+  work.s7_95 = mbgen::fma(work.w_arb_front_left_y, work.w_arb_front_left_y, s7_13);
+  work.s7_96 = mbgen::fma(work.w_arb_front_left_y, work.w_arb_front_left_y, s7_12);
+  const double s7_97 = mbgen::fma(work.w_chassis_x, work.w_arb_front_left_y,
+      work.alpha_arb_front_left_z);
+  work.s7_98 = mbgen::fma(work.w_chassis_z, work.w_arb_front_left_y, work.alpha_arb_front_left_x);
+  work.s7_99 = mbgen::fms(work.w_chassis_x, work.w_arb_front_left_y, work.alpha_arb_front_left_z);
+  const double s7_100 = mbgen::fms(work.w_chassis_z, work.w_arb_front_left_y,
+      work.alpha_arb_front_left_x);
   // lower_arm_right: lower_arm_right, revolute, chassis
-  const double alpha_lower_arm_right_z = mbgen::fnma(zd_lower_arm_right, work.w_chassis_y,
-      work.alpha_chassis_z);
-  const double s7_169 = mbgen::fms(work.w_chassis_y, w_lower_arm_right_x, alpha_lower_arm_right_z);
+  const double a_lower_arm_right_x = mbgen::fnma(p_lower_arm_left_y, work.s7_21,
+      work.a_chassis_x) - s7_24;
+  work.a_lower_arm_right_y = mbgen::fma(p_lower_arm_left_y, work.s7_16, s7_27);
+  work.a_lower_arm_right_z = mbgen::fnma(p_lower_arm_left_y, work.s7_18, work.a_chassis_z + s7_29);
+  work.alpha_lower_arm_right_x = derivative.zdd[Coordinate::lower_arm_right] + alpha_chassis_x;
   const double alpha_lower_arm_right_y = mbgen::fma(zd_lower_arm_right, work.w_chassis_z,
-      work.alpha_chassis_y);
-  const double s7_170 = mbgen::fma(work.w_chassis_z, w_lower_arm_right_x, alpha_lower_arm_right_y);
-  const double s7_171 = work.s7_23 - s7_169;
-  const double s7_172 = mbgen::fnma((-p_lower_arm_right_y), s7_171, work.a_chassis_x);
-  const double a_lower_arm_right_x = mbgen::fnma((-p_lower_arm_right_z), work.s7_21 - s7_170,
-      s7_172);
-  work.s7_173 = mbgen::fma(work.w_chassis_y, w_lower_arm_right_x, alpha_lower_arm_right_z);
-  work.alpha_lower_arm_right_x = derivative.zdd[Coordinate::lower_arm_right] + work.alpha_chassis_x;
-  work.s7_174 = mbgen::fms(work.w_chassis_y, work.w_chassis_z, work.alpha_lower_arm_right_x);
-  const double s7_175 = w_lower_arm_right_x*w_lower_arm_right_x;
-  work.s7_176 = work.s7_14 + s7_175;
-  const double s7_177 = work.s7_22 - work.s7_173;
-  const double s7_178 = mbgen::fma(p_lower_arm_right_x, s7_177, work.a_chassis_y);
-  const double s7_179 = mbgen::fnma((-p_lower_arm_right_z), work.s7_19 - work.s7_174, s7_178);
-  work.a_lower_arm_right_y = mbgen::fnma((-p_lower_arm_right_y), work.s7_176 - work.s7_18, s7_179);
-  work.s7_180 = mbgen::fms(work.w_chassis_z, w_lower_arm_right_x, alpha_lower_arm_right_y);
-  work.s7_181 = s7_13 + s7_175;
-  work.s7_182 = mbgen::fma(work.w_chassis_y, work.w_chassis_z, work.alpha_lower_arm_right_x);
-  const double s7_183 = work.s7_24 - work.s7_180;
-  const double s7_184 = mbgen::fma(p_lower_arm_right_x, s7_183, work.a_chassis_z);
-  const double s7_185 = mbgen::fnma((-p_lower_arm_right_z), work.s7_181 - work.s7_16, s7_184);
-  work.a_lower_arm_right_z = mbgen::fnma((-p_lower_arm_right_y), work.s7_20 - work.s7_182, s7_185);
+      alpha_chassis_y);
+  const double alpha_lower_arm_right_z = mbgen::fnma(zd_lower_arm_right, work.w_chassis_y,
+      alpha_chassis_z);
+  work.s7_101 = mbgen::fma(work.w_chassis_y, work.w_chassis_z, work.alpha_lower_arm_right_x);
+  work.s7_102 = mbgen::fms(work.w_chassis_y, work.w_chassis_z, work.alpha_lower_arm_right_x);
+  work.s7_103 = mbgen::fma(w_lower_arm_right_x, w_lower_arm_right_x, s7_11);
+  work.s7_104 = mbgen::fma(w_lower_arm_right_x, w_lower_arm_right_x, s7_12);
+  const double s7_105 = mbgen::fma(work.w_chassis_z, w_lower_arm_right_x, alpha_lower_arm_right_y);
+  const double s7_106 = mbgen::fms(work.w_chassis_y, w_lower_arm_right_x, alpha_lower_arm_right_z);
   // carrier_right_aux1: carrier_right_rz, revolute, lower_arm_right
+  const double s7_107 = mbgen::fma(work.s1_33, s7_106, a_lower_arm_right_x);
+  work.a_carrier_right_aux1_x = mbgen::fnma(work.s1_35, s7_105, s7_107);
+  const double s7_108 = mbgen::fnma(work.s1_35, work.s7_102, work.a_lower_arm_right_y);
+  work.a_carrier_right_aux1_y = mbgen::fnma(work.s1_33, work.s7_104, s7_108);
+  const double s7_109 = mbgen::fma(work.s1_35, work.s7_103, work.a_lower_arm_right_z);
+  work.a_carrier_right_aux1_z = mbgen::fma(work.s1_33, work.s7_101, s7_109);
+  const double s7_110 = mbgen::fma(work.w_chassis_y, s4_18, work.alpha_lower_arm_right_x);
+  const double alpha_carrier_right_aux1_x = mbgen::fma(work.w_chassis_z, s4_17, s7_110);
   const double zdd_carrier_right_rz = derivative.zdd[Coordinate::carrier_right_rz];
-  const double s7_186 = mbgen::fma(zdd_carrier_right_rz, R_lower_arm_right_y_y,
-      alpha_lower_arm_right_z);
-  const double alpha_carrier_right_aux1_z = mbgen::fnma(w_lower_arm_right_x, s4_17, s7_186);
-  const double s7_187 = mbgen::fms(w_lower_arm_right_x, w_carrier_right_aux1_y,
-      alpha_carrier_right_aux1_z);
-  const double s7_188 = w_carrier_right_aux1_z*w_carrier_right_aux1_z;
-  const double s7_189 = mbgen::fma(w_carrier_right_aux1_y, w_carrier_right_aux1_y, s7_188);
-  const double s7_190 = mbgen::fnma(zdd_carrier_right_rz, R_lower_arm_right_z_y,
+  const double s7_111 = mbgen::fnma(zdd_carrier_right_rz, R_lower_arm_right_z_y,
       alpha_lower_arm_right_y);
-  const double alpha_carrier_right_aux1_y = mbgen::fnma(w_lower_arm_right_x, s4_18, s7_190);
-  const double s7_191 = mbgen::fma(w_lower_arm_right_x, w_carrier_right_aux1_z,
-      alpha_carrier_right_aux1_y);
-  const double s7_192 = s7_169 - s7_187;
-  const double s7_193 = mbgen::fma(work.r_carrier_right_aux1_y, s7_192, a_lower_arm_right_x);
-  const double s7_194 = mbgen::fma(p_lower_arm_right_x, s7_189 - work.s7_17, s7_193);
-  const double a_carrier_right_aux1_x = mbgen::fnma(work.s1_35, s7_170 - s7_191, s7_194);
-  const double s7_195 = s7_175 + s7_188;
-  const double s7_196 = mbgen::fma(w_lower_arm_right_x, w_carrier_right_aux1_y,
-      alpha_carrier_right_aux1_z);
-  const double s7_197 = mbgen::fma(work.w_chassis_y, s4_18, work.alpha_lower_arm_right_x);
-  const double alpha_carrier_right_aux1_x = mbgen::fma(work.w_chassis_z, s4_17, s7_197);
-  const double s7_198 = mbgen::fms(w_carrier_right_aux1_y, w_carrier_right_aux1_z,
-      alpha_carrier_right_aux1_x);
-  const double s7_199 = s7_195 - work.s7_176;
-  const double s7_200 = mbgen::fma(work.r_carrier_right_aux1_y, s7_199, work.a_lower_arm_right_y);
-  const double s7_201 = mbgen::fma(p_lower_arm_right_x, work.s7_173 - s7_196, s7_200);
-  const double a_carrier_right_aux1_y = mbgen::fnma(work.s1_35, work.s7_174 - s7_198, s7_201);
-  const double s7_202 = mbgen::fma(w_carrier_right_aux1_y, w_carrier_right_aux1_z,
-      alpha_carrier_right_aux1_x);
-  const double s7_203 = mbgen::fms(w_lower_arm_right_x, w_carrier_right_aux1_z,
-      alpha_carrier_right_aux1_y);
-  const double s7_204 = mbgen::fma(w_carrier_right_aux1_y, w_carrier_right_aux1_y, s7_175);
-  const double s7_205 = work.s7_182 - s7_202;
-  const double s7_206 = mbgen::fma(work.r_carrier_right_aux1_y, s7_205, work.a_lower_arm_right_z);
-  const double s7_207 = mbgen::fma(p_lower_arm_right_x, work.s7_180 - s7_203, s7_206);
-  const double a_carrier_right_aux1_z = mbgen::fnma(work.s1_35, s7_204 - work.s7_181, s7_207);
+  const double alpha_carrier_right_aux1_y = mbgen::fnma(w_lower_arm_right_x, s4_18, s7_111);
+  const double s7_112 = mbgen::fma(zdd_carrier_right_rz, R_lower_arm_right_y_y,
+      alpha_lower_arm_right_z);
+  const double alpha_carrier_right_aux1_z = mbgen::fnma(w_lower_arm_right_x, s4_17, s7_112);
   // carrier_right_aux2: carrier_right_rx, revolute, carrier_right_aux1
   const double zdd_carrier_right_rx = derivative.zdd[Coordinate::carrier_right_rx];
-  const double s7_208 = mbgen::fma(zdd_carrier_right_rx, work.R_carrier_right_aux1_z_x,
-      alpha_carrier_right_aux1_z);
-  const double s7_209 = mbgen::fma(w_lower_arm_right_x, s4_20, s7_208);
-  const double alpha_carrier_right_aux2_z = mbgen::fnma(w_carrier_right_aux1_y, s4_19, s7_209);
-  const double s7_210 = mbgen::fms(w_carrier_right_aux2_x, w_carrier_right_aux2_y,
-      alpha_carrier_right_aux2_z);
-  const double s7_211 = w_carrier_right_aux2_z*w_carrier_right_aux2_z;
-  const double s7_212 = w_carrier_right_aux2_y*w_carrier_right_aux2_y;
-  const double s7_213 = s7_211 + s7_212;
-  const double s7_214 = mbgen::fma(zdd_carrier_right_rx, work.R_carrier_right_aux1_y_x,
-      alpha_carrier_right_aux1_y);
-  const double s7_215 = mbgen::fma(w_carrier_right_aux1_z, s4_19, s7_214);
-  const double alpha_carrier_right_aux2_y = mbgen::fnma(w_lower_arm_right_x, s4_21, s7_215);
-  const double s7_216 = mbgen::fma(w_carrier_right_aux2_x, w_carrier_right_aux2_z,
-      alpha_carrier_right_aux2_y);
-  const double s7_217 = s7_187 - s7_210;
-  const double s7_218 = mbgen::fma(work.r_carrier_right_aux1_y, s7_217, a_carrier_right_aux1_x);
-  const double s7_219 = mbgen::fma(p_lower_arm_right_x, s7_213 - s7_189, s7_218);
-  const double a_carrier_right_aux2_x = mbgen::fnma(work.s1_35, s7_191 - s7_216, s7_219);
-  const double s7_220 = mbgen::fma(w_carrier_right_aux2_x, w_carrier_right_aux2_x, s7_211);
-  const double s7_221 = mbgen::fma(w_carrier_right_aux2_x, w_carrier_right_aux2_y,
-      alpha_carrier_right_aux2_z);
-  const double s7_222 = mbgen::fma(zdd_carrier_right_rx, R_carrier_right_aux1_x_x,
+  const double s7_113 = mbgen::fma(zdd_carrier_right_rx, R_carrier_right_aux1_x_x,
       alpha_carrier_right_aux1_x);
-  const double s7_223 = mbgen::fma(w_carrier_right_aux1_y, s4_21, s7_222);
-  const double alpha_carrier_right_aux2_x = mbgen::fnma(w_carrier_right_aux1_z, s4_20, s7_223);
-  const double s7_224 = mbgen::fms(w_carrier_right_aux2_y, w_carrier_right_aux2_z,
-      alpha_carrier_right_aux2_x);
-  const double s7_225 = s7_220 - s7_195;
-  const double s7_226 = mbgen::fma(work.r_carrier_right_aux1_y, s7_225, a_carrier_right_aux1_y);
-  const double s7_227 = mbgen::fma(p_lower_arm_right_x, s7_196 - s7_221, s7_226);
-  const double a_carrier_right_aux2_y = mbgen::fnma(work.s1_35, s7_198 - s7_224, s7_227);
-  const double s7_228 = mbgen::fma(w_carrier_right_aux2_y, w_carrier_right_aux2_z,
-      alpha_carrier_right_aux2_x);
-  const double s7_229 = mbgen::fms(w_carrier_right_aux2_x, w_carrier_right_aux2_z,
-      alpha_carrier_right_aux2_y);
-  const double s7_230 = mbgen::fma(w_carrier_right_aux2_x, w_carrier_right_aux2_x, s7_212);
-  const double s7_231 = s7_202 - s7_228;
-  const double s7_232 = mbgen::fma(work.r_carrier_right_aux1_y, s7_231, a_carrier_right_aux1_z);
-  const double s7_233 = mbgen::fma(p_lower_arm_right_x, s7_203 - s7_229, s7_232);
-  const double a_carrier_right_aux2_z = mbgen::fnma(work.s1_35, s7_230 - s7_204, s7_233);
+  const double s7_114 = mbgen::fma(w_carrier_right_aux1_y, s4_21, s7_113);
+  const double alpha_carrier_right_aux2_x = mbgen::fnma(w_carrier_right_aux1_z, s4_20, s7_114);
+  const double s7_115 = mbgen::fma(zdd_carrier_right_rx, work.R_carrier_right_aux1_y_x,
+      alpha_carrier_right_aux1_y);
+  const double s7_116 = mbgen::fma(w_carrier_right_aux1_z, s4_19, s7_115);
+  const double alpha_carrier_right_aux2_y = mbgen::fnma(w_lower_arm_right_x, s4_21, s7_116);
+  const double s7_117 = mbgen::fma(zdd_carrier_right_rx, work.R_carrier_right_aux1_z_x,
+      alpha_carrier_right_aux1_z);
+  const double s7_118 = mbgen::fma(w_lower_arm_right_x, s4_20, s7_117);
+  const double alpha_carrier_right_aux2_z = mbgen::fnma(w_carrier_right_aux1_y, s4_19, s7_118);
   // carrier_right: carrier_right_ry, revolute, carrier_right_aux2
   const double zdd_carrier_right_ry = derivative.zdd[Coordinate::carrier_right_ry];
-  const double s7_234 = mbgen::fma(zdd_carrier_right_ry, work.R_carrier_right_aux2_z_y,
-      alpha_carrier_right_aux2_z);
-  const double s7_235 = mbgen::fma(w_carrier_right_aux2_x, s4_23, s7_234);
-  work.alpha_carrier_right_z = mbgen::fma(w_carrier_right_aux2_y, s4_22, s7_235);
-  work.s7_236 = mbgen::fms(work.w_carrier_right_x, work.w_carrier_right_y,
-      work.alpha_carrier_right_z);
-  const double s7_237 = work.w_carrier_right_z*work.w_carrier_right_z;
-  const double s7_238 = work.w_carrier_right_y*work.w_carrier_right_y;
-  work.s7_239 = s7_237 + s7_238;
-  const double s7_240 = mbgen::fma(zdd_carrier_right_ry, work.R_carrier_right_aux2_y_y,
+  const double s7_119 = mbgen::fnma(zdd_carrier_right_ry, work.s1_38, alpha_carrier_right_aux2_x);
+  const double s7_120 = mbgen::fma(w_carrier_right_aux2_y, s4_24, s7_119);
+  work.alpha_carrier_right_x = mbgen::fnma(w_carrier_right_aux2_z, s4_23, s7_120);
+  const double s7_121 = mbgen::fma(zdd_carrier_right_ry, work.R_carrier_right_aux2_y_y,
       alpha_carrier_right_aux2_y);
-  const double s7_241 = mbgen::fnma(w_carrier_right_aux2_x, s4_24, s7_240);
-  work.alpha_carrier_right_y = mbgen::fnma(w_carrier_right_aux2_z, s4_22, s7_241);
-  work.s7_242 = mbgen::fma(work.w_carrier_right_x, work.w_carrier_right_z,
+  const double s7_122 = mbgen::fnma(w_carrier_right_aux2_x, s4_24, s7_121);
+  work.alpha_carrier_right_y = mbgen::fnma(w_carrier_right_aux2_z, s4_22, s7_122);
+  const double s7_123 = mbgen::fma(zdd_carrier_right_ry, work.R_carrier_right_aux2_z_y,
+      alpha_carrier_right_aux2_z);
+  const double s7_124 = mbgen::fma(w_carrier_right_aux2_x, s4_23, s7_123);
+  work.alpha_carrier_right_z = mbgen::fma(w_carrier_right_aux2_y, s4_22, s7_124);
+  const double s7_125 = work.w_carrier_right_z*work.w_carrier_right_z;
+  const double s7_126 = work.w_carrier_right_y*work.w_carrier_right_y;
+  work.s7_127 = s7_125 + s7_126;
+  work.s7_128 = mbgen::fma(work.w_carrier_right_x, work.w_carrier_right_x, s7_125);
+  work.s7_129 = mbgen::fma(work.w_carrier_right_x, work.w_carrier_right_x, s7_126);
+  work.s7_130 = mbgen::fma(work.w_carrier_right_x, work.w_carrier_right_z,
       work.alpha_carrier_right_y);
-  const double s7_243 = s7_210 - work.s7_236;
-  const double s7_244 = mbgen::fma(work.r_carrier_right_aux1_y, s7_243, a_carrier_right_aux2_x);
-  const double s7_245 = mbgen::fma(p_lower_arm_right_x, work.s7_239 - s7_213, s7_244);
-  work.a_carrier_right_x = mbgen::fnma(work.s1_35, s7_216 - work.s7_242, s7_245);
-  work.s7_246 = mbgen::fma(work.w_carrier_right_x, work.w_carrier_right_x, s7_237);
-  work.s7_247 = mbgen::fma(work.w_carrier_right_x, work.w_carrier_right_y,
+  work.s7_131 = mbgen::fma(work.w_carrier_right_x, work.w_carrier_right_y,
       work.alpha_carrier_right_z);
-  const double s7_248 = mbgen::fnma(zdd_carrier_right_ry, work.s1_40, alpha_carrier_right_aux2_x);
-  const double s7_249 = mbgen::fma(w_carrier_right_aux2_y, s4_24, s7_248);
-  work.alpha_carrier_right_x = mbgen::fnma(w_carrier_right_aux2_z, s4_23, s7_249);
-  work.s7_250 = mbgen::fms(work.w_carrier_right_y, work.w_carrier_right_z,
+  work.s7_132 = mbgen::fma(work.w_carrier_right_y, work.w_carrier_right_z,
       work.alpha_carrier_right_x);
-  const double s7_251 = work.s7_246 - s7_220;
-  const double s7_252 = mbgen::fma(work.r_carrier_right_aux1_y, s7_251, a_carrier_right_aux2_y);
-  const double s7_253 = mbgen::fma(p_lower_arm_right_x, s7_221 - work.s7_247, s7_252);
-  work.a_carrier_right_y = mbgen::fnma(work.s1_35, s7_224 - work.s7_250, s7_253);
-  work.s7_254 = mbgen::fma(work.w_carrier_right_y, work.w_carrier_right_z,
-      work.alpha_carrier_right_x);
-  work.s7_255 = mbgen::fms(work.w_carrier_right_x, work.w_carrier_right_z,
+  work.s7_133 = mbgen::fms(work.w_carrier_right_x, work.w_carrier_right_z,
       work.alpha_carrier_right_y);
-  work.s7_256 = mbgen::fma(work.w_carrier_right_x, work.w_carrier_right_x, s7_238);
-  const double s7_257 = s7_228 - work.s7_254;
-  const double s7_258 = mbgen::fma(work.r_carrier_right_aux1_y, s7_257, a_carrier_right_aux2_z);
-  const double s7_259 = mbgen::fma(p_lower_arm_right_x, s7_229 - work.s7_255, s7_258);
-  work.a_carrier_right_z = mbgen::fnma(work.s1_35, work.s7_256 - s7_230, s7_259);
+  work.s7_134 = mbgen::fms(work.w_carrier_right_x, work.w_carrier_right_y,
+      work.alpha_carrier_right_z);
+  work.s7_135 = mbgen::fms(work.w_carrier_right_y, work.w_carrier_right_z,
+      work.alpha_carrier_right_x);
   // wheel_front_right: wheel_front_right, revolute, carrier_right
+  const double s7_136 = mbgen::fma(work.s1_54, work.s7_134, work.a_carrier_right_aux1_x);
+  const double s7_137 = mbgen::fma(work.s1_56, work.s7_130, s7_136);
+  work.a_wheel_front_right_x = mbgen::fnma(work.s1_52, work.s7_127, s7_137);
+  const double s7_138 = mbgen::fma(work.s1_52, work.s7_131, work.a_carrier_right_aux1_y);
+  const double s7_139 = mbgen::fma(work.s1_56, work.s7_135, s7_138);
+  work.a_wheel_front_right_y = mbgen::fnma(work.s1_54, work.s7_128, s7_139);
+  const double s7_140 = mbgen::fma(work.s1_54, work.s7_132, work.a_carrier_right_aux1_z);
+  const double s7_141 = mbgen::fma(work.s1_52, work.s7_133, s7_140);
+  work.a_wheel_front_right_z = mbgen::fnma(work.s1_56, work.s7_129, s7_141);
   const double zdd_wheel_front_right = derivative.zdd[Coordinate::wheel_front_right];
-  const double s7_260 = mbgen::fma(zdd_wheel_front_right, work.R_carrier_right_aux2_z_y,
-      work.alpha_carrier_right_z);
-  const double s7_261 = mbgen::fma(work.w_carrier_right_y, s4_25, s7_260);
-  work.alpha_wheel_front_right_z = mbgen::fma(work.w_carrier_right_x, s4_26, s7_261);
-  work.s7_262 = mbgen::fms(work.w_wheel_front_right_x, work.w_wheel_front_right_y,
-      work.alpha_wheel_front_right_z);
-  const double s7_263 = work.w_wheel_front_right_z*work.w_wheel_front_right_z;
-  const double s7_264 = work.w_wheel_front_right_y*work.w_wheel_front_right_y;
-  work.s7_265 = s7_263 + s7_264;
-  const double s7_266 = mbgen::fma(zdd_wheel_front_right, work.R_carrier_right_aux2_y_y,
+  const double s7_142 = mbgen::fnma(zdd_wheel_front_right, work.s1_38, work.alpha_carrier_right_x);
+  const double s7_143 = mbgen::fma(work.w_carrier_right_y, s4_27, s7_142);
+  work.alpha_wheel_front_right_x = mbgen::fnma(work.w_carrier_right_z, s4_26, s7_143);
+  const double s7_144 = mbgen::fma(zdd_wheel_front_right, work.R_carrier_right_aux2_y_y,
       work.alpha_carrier_right_y);
-  const double s7_267 = mbgen::fnma(work.w_carrier_right_z, s4_25, s7_266);
-  work.alpha_wheel_front_right_y = mbgen::fnma(work.w_carrier_right_x, s4_27, s7_267);
-  work.s7_268 = mbgen::fma(work.w_wheel_front_right_x, work.w_wheel_front_right_z,
-      work.alpha_wheel_front_right_y);
-  const double s7_269 = work.s7_236 - work.s7_262;
-  const double s7_270 = mbgen::fma(work.r_wheel_front_right_y, s7_269, work.a_carrier_right_x);
-  const double s7_271 = work.s7_265 - work.s7_239;
-  const double s7_272 = mbgen::fma(work.r_wheel_front_right_x, s7_271, s7_270);
-  const double s7_273 = work.s7_242 - work.s7_268;
-  work.a_wheel_front_right_x = mbgen::fma(work.r_wheel_front_right_z, s7_273, s7_272);
-  work.s7_274 = mbgen::fma(work.w_wheel_front_right_x, work.w_wheel_front_right_x, s7_263);
-  work.s7_275 = mbgen::fma(work.w_wheel_front_right_x, work.w_wheel_front_right_y,
-      work.alpha_wheel_front_right_z);
-  const double s7_276 = mbgen::fnma(zdd_wheel_front_right, work.s1_40, work.alpha_carrier_right_x);
-  const double s7_277 = mbgen::fma(work.w_carrier_right_y, s4_27, s7_276);
-  work.alpha_wheel_front_right_x = mbgen::fnma(work.w_carrier_right_z, s4_26, s7_277);
-  work.s7_278 = mbgen::fms(work.w_wheel_front_right_y, work.w_wheel_front_right_z,
-      work.alpha_wheel_front_right_x);
-  const double s7_279 = work.s7_274 - work.s7_246;
-  const double s7_280 = mbgen::fma(work.r_wheel_front_right_y, s7_279, work.a_carrier_right_y);
-  const double s7_281 = work.s7_247 - work.s7_275;
-  const double s7_282 = mbgen::fma(work.r_wheel_front_right_x, s7_281, s7_280);
-  const double s7_283 = work.s7_250 - work.s7_278;
-  work.a_wheel_front_right_y = mbgen::fma(work.r_wheel_front_right_z, s7_283, s7_282);
-  work.s7_284 = mbgen::fma(work.w_wheel_front_right_y, work.w_wheel_front_right_z,
-      work.alpha_wheel_front_right_x);
-  work.s7_285 = mbgen::fma(work.w_wheel_front_right_x, work.w_wheel_front_right_x, s7_264);
-  work.s7_286 = mbgen::fms(work.w_wheel_front_right_x, work.w_wheel_front_right_z,
-      work.alpha_wheel_front_right_y);
-  const double s7_287 = work.s7_254 - work.s7_284;
-  const double s7_288 = mbgen::fma(work.r_wheel_front_right_y, s7_287, work.a_carrier_right_z);
-  const double s7_289 = work.s7_285 - work.s7_256;
-  const double s7_290 = mbgen::fma(work.r_wheel_front_right_z, s7_289, s7_288);
-  const double s7_291 = work.s7_255 - work.s7_286;
-  work.a_wheel_front_right_z = mbgen::fma(work.r_wheel_front_right_x, s7_291, s7_290);
+  const double s7_145 = mbgen::fnma(work.w_carrier_right_z, s4_25, s7_144);
+  work.alpha_wheel_front_right_y = mbgen::fnma(work.w_carrier_right_x, s4_27, s7_145);
+  const double s7_146 = mbgen::fma(zdd_wheel_front_right, work.R_carrier_right_aux2_z_y,
+      work.alpha_carrier_right_z);
+  const double s7_147 = mbgen::fma(work.w_carrier_right_y, s4_25, s7_146);
+  work.alpha_wheel_front_right_z = mbgen::fma(work.w_carrier_right_x, s4_26, s7_147);
   // upper_arm_right: upper_arm_right, revolute, chassis
-  const double alpha_upper_arm_right_y = mbgen::fma(zd_upper_arm_right, work.w_chassis_z,
-      work.alpha_chassis_y);
-  const double alpha_upper_arm_right_z = mbgen::fnma(zd_upper_arm_right, work.w_chassis_y,
-      work.alpha_chassis_z);
-  work.s7_292 = mbgen::fma(work.w_chassis_y, w_upper_arm_right_x, alpha_upper_arm_right_z);
-  work.alpha_upper_arm_right_x = derivative.zdd[Coordinate::upper_arm_right] + work.alpha_chassis_x;
-  work.s7_293 = mbgen::fms(work.w_chassis_y, work.w_chassis_z, work.alpha_upper_arm_right_x);
-  work.s7_294 = mbgen::fma(w_upper_arm_right_x, w_upper_arm_right_x, work.s7_14);
-  const double s7_295 = work.s7_22 - work.s7_292;
-  const double s7_296 = mbgen::fma(p_upper_arm_right_x, s7_295, work.a_chassis_y);
-  const double s7_297 = mbgen::fnma((-p_upper_arm_right_z), work.s7_19 - work.s7_293, s7_296);
-  work.a_upper_arm_right_y = mbgen::fnma((-p_upper_arm_right_y), work.s7_294 - work.s7_18, s7_297);
-  work.s7_298 = mbgen::fms(work.w_chassis_z, w_upper_arm_right_x, alpha_upper_arm_right_y);
-  work.s7_299 = mbgen::fma(w_upper_arm_right_x, w_upper_arm_right_x, s7_13);
-  work.s7_300 = mbgen::fma(work.w_chassis_y, work.w_chassis_z, work.alpha_upper_arm_right_x);
-  const double s7_301 = work.s7_24 - work.s7_298;
-  const double s7_302 = mbgen::fma(p_upper_arm_right_x, s7_301, work.a_chassis_z);
-  const double s7_303 = mbgen::fnma((-p_upper_arm_right_z), work.s7_299 - work.s7_16, s7_302);
-  work.a_upper_arm_right_z = mbgen::fnma((-p_upper_arm_right_y), work.s7_20 - work.s7_300, s7_303);
+  work.a_upper_arm_right_y = mbgen::fma(p_upper_arm_left_y, work.s7_16, s7_78);
+  work.a_upper_arm_right_z = mbgen::fnma(p_upper_arm_left_y, work.s7_18, work.a_chassis_z + s7_79);
+  work.alpha_upper_arm_right_x = derivative.zdd[Coordinate::upper_arm_right] + alpha_chassis_x;
+  work.s7_148 = mbgen::fma(work.w_chassis_y, work.w_chassis_z, work.alpha_upper_arm_right_x);
+  work.s7_149 = mbgen::fms(work.w_chassis_y, work.w_chassis_z, work.alpha_upper_arm_right_x);
+  work.s7_150 = mbgen::fma(w_upper_arm_right_x, w_upper_arm_right_x, s7_11);
+  work.s7_151 = mbgen::fma(w_upper_arm_right_x, w_upper_arm_right_x, s7_12);
   // arb_front_right: arb_front_right, revolute, chassis
-  work.s7_304 = mbgen::fma(work.w_arb_front_right_y, work.w_arb_front_right_y, work.s7_14);
-  work.alpha_arb_front_right_y = derivative.zdd[Coordinate::arb_front_right] + work.alpha_chassis_y;
-  work.s7_305 = mbgen::fma(work.w_chassis_x, work.w_chassis_z, work.alpha_arb_front_right_y);
-  work.alpha_arb_front_right_z = mbgen::fma(zd_arb_front_right, work.w_chassis_x,
-      work.alpha_chassis_z);
-  work.s7_306 = mbgen::fms(work.w_chassis_x, work.w_arb_front_right_y,
+  work.a_arb_front_right_x = mbgen::fnma(p_arb_front_left_y, work.s7_21, work.a_chassis_x) - s7_86;
+  const double a_arb_front_right_y = mbgen::fma(p_arb_front_left_y, work.s7_16, s7_89);
+  work.a_arb_front_right_z = mbgen::fnma(p_arb_front_left_y, work.s7_18, work.a_chassis_z + s7_91);
+  work.alpha_arb_front_right_x = mbgen::fnma(zd_arb_front_right, work.w_chassis_z, alpha_chassis_x);
+  work.alpha_arb_front_right_y = derivative.zdd[Coordinate::arb_front_right] + alpha_chassis_y;
+  work.alpha_arb_front_right_z = mbgen::fma(zd_arb_front_right, work.w_chassis_x, alpha_chassis_z);
+  work.s7_152 = mbgen::fma(work.w_chassis_x, work.w_chassis_z, work.alpha_arb_front_right_y);
+  work.s7_153 = mbgen::fms(work.w_chassis_x, work.w_chassis_z, work.alpha_arb_front_right_y);
+  work.s7_154 = mbgen::fma(work.w_arb_front_right_y, work.w_arb_front_right_y, s7_13);
+  work.s7_155 = mbgen::fma(work.w_arb_front_right_y, work.w_arb_front_right_y, s7_12);
+  const double s7_156 = mbgen::fma(work.w_chassis_x, work.w_arb_front_right_y,
       work.alpha_arb_front_right_z);
-  const double s7_307 = work.s7_304 - work.s7_17;
-  const double s7_308 = mbgen::fma(p_arb_front_right_x, s7_307, work.a_chassis_x);
-  const double s7_309 = mbgen::fnma((-p_arb_front_right_z), work.s7_21 - work.s7_305, s7_308);
-  work.a_arb_front_right_x = mbgen::fnma((-p_arb_front_right_y), work.s7_23 - work.s7_306, s7_309);
-  work.s7_310 = mbgen::fma(work.w_chassis_x, work.w_arb_front_right_y,
+  work.s7_157 = mbgen::fma(work.w_chassis_z, work.w_arb_front_right_y,
+      work.alpha_arb_front_right_x);
+  work.s7_158 = mbgen::fms(work.w_chassis_x, work.w_arb_front_right_y,
       work.alpha_arb_front_right_z);
-  work.alpha_arb_front_right_x = mbgen::fnma(zd_arb_front_right, work.w_chassis_z,
-      work.alpha_chassis_x);
-  work.s7_311 = mbgen::fms(work.w_chassis_z, work.w_arb_front_right_y,
+  const double s7_159 = mbgen::fms(work.w_chassis_z, work.w_arb_front_right_y,
       work.alpha_arb_front_right_x);
-  const double s7_312 = work.s7_22 - work.s7_310;
-  const double s7_313 = mbgen::fma(p_arb_front_right_x, s7_312, work.a_chassis_y);
-  work.a_arb_front_right_y = mbgen::fnma((-p_arb_front_right_z), work.s7_19 - work.s7_311, s7_313);
-  work.s7_314 = mbgen::fms(work.w_chassis_x, work.w_chassis_z, work.alpha_arb_front_right_y);
-  work.s7_315 = mbgen::fma(work.w_arb_front_right_y, work.w_arb_front_right_y, work.s7_15);
-  work.s7_316 = mbgen::fma(work.w_chassis_z, work.w_arb_front_right_y,
-      work.alpha_arb_front_right_x);
-  const double s7_317 = work.s7_24 - work.s7_314;
-  const double s7_318 = mbgen::fma(p_arb_front_right_x, s7_317, work.a_chassis_z);
-  const double s7_319 = mbgen::fnma((-p_arb_front_right_z), work.s7_315 - work.s7_16, s7_318);
-  work.a_arb_front_right_z = mbgen::fnma((-p_arb_front_right_y), work.s7_20 - work.s7_316, s7_319);
   // pitman_arm: pitman_arm, revolute, chassis
-  work.s7_320 = mbgen::fma(w_pitman_arm_y, w_pitman_arm_y, work.s7_14);
-  work.alpha_pitman_arm_y = derivative.zdd[Coordinate::pitman_arm] + work.alpha_chassis_y;
-  work.s7_321 = mbgen::fma(work.w_chassis_x, work.w_chassis_z, work.alpha_pitman_arm_y);
-  const double alpha_pitman_arm_z = mbgen::fma(zd_pitman_arm, work.w_chassis_x,
-      work.alpha_chassis_z);
-  work.s7_322 = mbgen::fms(work.w_chassis_x, w_pitman_arm_y, alpha_pitman_arm_z);
-  const double s7_323 = mbgen::fma(p_pitman_arm_x, work.s7_320 - work.s7_17, work.a_chassis_x);
-  const double s7_324 = mbgen::fnma((-p_pitman_arm_z), work.s7_21 - work.s7_321, s7_323);
-  work.a_pitman_arm_x = mbgen::fma(p_pitman_arm_y, work.s7_23 - work.s7_322, s7_324);
-  work.s7_325 = mbgen::fma(work.w_chassis_x, w_pitman_arm_y, alpha_pitman_arm_z);
-  const double alpha_pitman_arm_x = mbgen::fnma(zd_pitman_arm, work.w_chassis_z,
-      work.alpha_chassis_x);
-  work.s7_326 = mbgen::fms(work.w_chassis_z, w_pitman_arm_y, alpha_pitman_arm_x);
-  const double s7_327 = mbgen::fma(p_pitman_arm_x, work.s7_22 - work.s7_325, work.a_chassis_y);
-  work.a_pitman_arm_y = mbgen::fnma((-p_pitman_arm_z), work.s7_19 - work.s7_326, s7_327);
-  work.s7_328 = mbgen::fms(work.w_chassis_x, work.w_chassis_z, work.alpha_pitman_arm_y);
-  work.s7_329 = mbgen::fma(w_pitman_arm_y, w_pitman_arm_y, work.s7_15);
-  work.s7_330 = mbgen::fma(work.w_chassis_z, w_pitman_arm_y, alpha_pitman_arm_x);
-  const double s7_331 = mbgen::fma(p_pitman_arm_x, work.s7_24 - work.s7_328, work.a_chassis_z);
-  const double s7_332 = mbgen::fnma((-p_pitman_arm_z), work.s7_329 - work.s7_16, s7_331);
-  work.a_pitman_arm_z = mbgen::fma(p_pitman_arm_y, work.s7_20 - work.s7_330, s7_332);
+  const double s7_160 = mbgen::fma(p_upper_arm_left_y, work.s7_21, work.a_chassis_x);
+  const double s7_161 = mbgen::fnma((-p_pitman_arm_z), work.s7_19, s7_160);
+  work.a_pitman_arm_x = mbgen::fnma(p_pitman_arm_x, work.s7_15, s7_161);
+  const double s7_162 = mbgen::fnma(p_upper_arm_left_y, work.s7_16, work.a_chassis_y);
+  const double s7_163 = mbgen::fma(p_pitman_arm_x, work.s7_20, s7_162);
+  work.a_pitman_arm_y = mbgen::fnma((-p_pitman_arm_z), work.s7_17, s7_163);
+  const double s7_164 = mbgen::fma((-p_pitman_arm_z), work.s7_14, s7_80);
+  work.a_pitman_arm_z = mbgen::fma(p_pitman_arm_x, work.s7_22, s7_164);
+  const double alpha_pitman_arm_x = mbgen::fnma(zd_pitman_arm, work.w_chassis_z, alpha_chassis_x);
+  work.alpha_pitman_arm_y = derivative.zdd[Coordinate::pitman_arm] + alpha_chassis_y;
+  const double alpha_pitman_arm_z = mbgen::fma(zd_pitman_arm, work.w_chassis_x, alpha_chassis_z);
+  work.s7_165 = mbgen::fma(work.w_chassis_x, work.w_chassis_z, work.alpha_pitman_arm_y);
+  work.s7_166 = mbgen::fms(work.w_chassis_x, work.w_chassis_z, work.alpha_pitman_arm_y);
+  work.s7_167 = mbgen::fma(w_pitman_arm_y, w_pitman_arm_y, s7_13);
+  work.s7_168 = mbgen::fma(w_pitman_arm_y, w_pitman_arm_y, s7_12);
+  work.s7_169 = mbgen::fma(work.w_chassis_x, w_pitman_arm_y, alpha_pitman_arm_z);
+  work.s7_170 = mbgen::fms(work.w_chassis_z, w_pitman_arm_y, alpha_pitman_arm_x);
   // bell_crank: bell_crank, revolute, chassis
-  work.s7_333 = mbgen::fma(w_bell_crank_z, w_bell_crank_z, s7_13);
-  const double alpha_bell_crank_y = mbgen::fnma(zd_bell_crank, work.w_chassis_x,
-      work.alpha_chassis_y);
-  work.s7_334 = mbgen::fma(work.w_chassis_x, w_bell_crank_z, alpha_bell_crank_y);
-  const double s7_335 = mbgen::fma(p_bell_crank_x, work.s7_333 - work.s7_17, work.a_chassis_x);
-  work.a_bell_crank_x = mbgen::fnma((-p_bell_crank_z), work.s7_21 - work.s7_334, s7_335);
-  work.alpha_bell_crank_z = derivative.zdd[Coordinate::bell_crank] + work.alpha_chassis_z;
-  work.s7_336 = mbgen::fma(work.w_chassis_x, work.w_chassis_y, work.alpha_bell_crank_z);
-  const double alpha_bell_crank_x = mbgen::fma(zd_bell_crank, work.w_chassis_y,
-      work.alpha_chassis_x);
-  work.s7_337 = mbgen::fms(work.w_chassis_y, w_bell_crank_z, alpha_bell_crank_x);
-  const double s7_338 = mbgen::fma(p_bell_crank_x, work.s7_22 - work.s7_336, work.a_chassis_y);
-  work.a_bell_crank_y = mbgen::fnma((-p_bell_crank_z), work.s7_19 - work.s7_337, s7_338);
-  work.s7_339 = mbgen::fms(work.w_chassis_x, w_bell_crank_z, alpha_bell_crank_y);
-  work.a_bell_crank_z = mbgen::fma(p_bell_crank_x, work.s7_24 - work.s7_339, work.a_chassis_z);
-  work.s7_340 = mbgen::fms(work.w_chassis_x, work.w_chassis_y, work.alpha_bell_crank_z);
-  work.s7_341 = mbgen::fma(w_bell_crank_z, w_bell_crank_z, work.s7_15);
-  work.s7_342 = mbgen::fma(work.w_chassis_y, w_bell_crank_z, alpha_bell_crank_x);
+  const double s7_171 = mbgen::fnma((-p_bell_crank_z), work.s7_19, work.a_chassis_x);
+  work.a_bell_crank_x = mbgen::fnma(p_bell_crank_x, work.s7_15, s7_171);
+  const double s7_172 = mbgen::fma(p_bell_crank_x, work.s7_20, work.a_chassis_y);
+  work.a_bell_crank_y = mbgen::fnma((-p_bell_crank_z), work.s7_17, s7_172);
+  const double s7_173 = mbgen::fma((-p_bell_crank_z), work.s7_14, work.a_chassis_z);
+  work.a_bell_crank_z = mbgen::fma(p_bell_crank_x, work.s7_22, s7_173);
+  const double alpha_bell_crank_x = mbgen::fma(zd_bell_crank, work.w_chassis_y, alpha_chassis_x);
+  const double alpha_bell_crank_y = mbgen::fnma(zd_bell_crank, work.w_chassis_x, alpha_chassis_y);
+  work.alpha_bell_crank_z = derivative.zdd[Coordinate::bell_crank] + alpha_chassis_z;
+  work.s7_174 = mbgen::fma(work.w_chassis_x, work.w_chassis_y, work.alpha_bell_crank_z);
+  work.s7_175 = mbgen::fms(work.w_chassis_x, work.w_chassis_y, work.alpha_bell_crank_z);
+  work.s7_176 = mbgen::fma(w_bell_crank_z, w_bell_crank_z, s7_11);
+  work.s7_177 = mbgen::fma(w_bell_crank_z, w_bell_crank_z, s7_13);
+  work.s7_178 = mbgen::fma(work.w_chassis_y, w_bell_crank_z, alpha_bell_crank_x);
+  work.s7_179 = mbgen::fms(work.w_chassis_x, w_bell_crank_z, alpha_bell_crank_y);
   // rear_axle_aux1: rear_axle_tx, prismatic, chassis
-  const double a_rear_axle_aux1_x = derivative.zdd[Coordinate::rear_axle_tx] + work.a_chassis_x;
+  const double s7_180 = derivative.zdd[Coordinate::rear_axle_tx] + work.a_chassis_x - s7_85;
+  const double a_rear_axle_aux1_x = mbgen::fnma(work.r_rear_axle_aux1_x, work.s7_15, s7_180);
   const double zd_rear_axle_tx = state.zd[Coordinate::rear_axle_tx];
-  const double s7_343 = mbgen::fma(zd_rear_axle_tx, work.w_chassis_z, work.a_chassis_y);
-  const double a_rear_axle_aux1_y = mbgen::fma(zd_rear_axle_tx, work.w_chassis_z, s7_343);
-  const double s7_344 = mbgen::fnma(zd_rear_axle_tx, work.w_chassis_y, work.a_chassis_z);
-  const double a_rear_axle_aux1_z = mbgen::fnma(zd_rear_axle_tx, work.w_chassis_y, s7_344);
+  const double s7_181 = mbgen::fma(zd_rear_axle_tx, work.w_chassis_z, work.a_chassis_y);
+  const double s7_182 = mbgen::fma(zd_rear_axle_tx, work.w_chassis_z, s7_181);
+  const double s7_183 = mbgen::fnma((-p_arb_front_left_z), work.s7_17, s7_182);
+  const double a_rear_axle_aux1_y = mbgen::fma(work.r_rear_axle_aux1_x, work.s7_20, s7_183);
+  const double s7_184 = mbgen::fnma(zd_rear_axle_tx, work.w_chassis_y, work.a_chassis_z + s7_90);
+  const double s7_185 = mbgen::fnma(zd_rear_axle_tx, work.w_chassis_y, s7_184);
+  const double a_rear_axle_aux1_z = mbgen::fma(work.r_rear_axle_aux1_x, work.s7_22, s7_185);
   // rear_axle_aux2: rear_axle_ty, prismatic, rear_axle_aux1
   const double zd_rear_axle_ty = state.zd[Coordinate::rear_axle_ty];
-  const double s7_345 = mbgen::fnma(zd_rear_axle_ty, work.w_chassis_z, a_rear_axle_aux1_x);
-  const double a_rear_axle_aux2_x = mbgen::fnma(zd_rear_axle_ty, work.w_chassis_z, s7_345);
-  const double a_rear_axle_aux2_y = derivative.zdd[Coordinate::rear_axle_ty] + a_rear_axle_aux1_y;
-  const double s7_346 = mbgen::fma(zd_rear_axle_ty, work.w_chassis_x, a_rear_axle_aux1_z);
-  const double a_rear_axle_aux2_z = mbgen::fma(zd_rear_axle_ty, work.w_chassis_x, s7_346);
+  const double s7_186 = mbgen::fnma(zd_rear_axle_ty, work.w_chassis_z, a_rear_axle_aux1_x);
+  const double z_rear_axle_ty = state.z[Coordinate::rear_axle_ty];
+  const double s7_187 = mbgen::fnma(zd_rear_axle_ty, work.w_chassis_z, s7_186);
+  const double a_rear_axle_aux2_x = mbgen::fma(z_rear_axle_ty, work.s7_21, s7_187);
+  const double s7_188 = derivative.zdd[Coordinate::rear_axle_ty] + a_rear_axle_aux1_y;
+  const double a_rear_axle_aux2_y = mbgen::fnma(z_rear_axle_ty, work.s7_16, s7_188);
+  const double s7_189 = mbgen::fma(zd_rear_axle_ty, work.w_chassis_x, a_rear_axle_aux1_z);
+  const double s7_190 = mbgen::fma(zd_rear_axle_ty, work.w_chassis_x, s7_189);
+  const double a_rear_axle_aux2_z = mbgen::fma(z_rear_axle_ty, work.s7_18, s7_190);
   // rear_axle_aux3: rear_axle_tz, prismatic, rear_axle_aux2
   const double zd_rear_axle_tz = state.zd[Coordinate::rear_axle_tz];
-  const double s7_347 = mbgen::fma(zd_rear_axle_tz, work.w_chassis_y, a_rear_axle_aux2_x);
-  const double a_rear_axle_aux3_x = mbgen::fma(zd_rear_axle_tz, work.w_chassis_y, s7_347);
-  const double s7_348 = mbgen::fnma(zd_rear_axle_tz, work.w_chassis_x, a_rear_axle_aux2_y);
-  const double a_rear_axle_aux3_y = mbgen::fnma(zd_rear_axle_tz, work.w_chassis_x, s7_348);
-  const double a_rear_axle_aux3_z = derivative.zdd[Coordinate::rear_axle_tz] + a_rear_axle_aux2_z;
+  const double s7_191 = mbgen::fma(zd_rear_axle_tz, work.w_chassis_y, a_rear_axle_aux2_x);
+  const double s7_192 = mbgen::fma(zd_rear_axle_tz, work.w_chassis_y, s7_191);
+  work.a_rear_axle_aux3_x = mbgen::fma(z_rear_axle_tz, work.s7_19, s7_192);
+  const double s7_193 = mbgen::fnma(zd_rear_axle_tz, work.w_chassis_x, a_rear_axle_aux2_y);
+  const double s7_194 = mbgen::fnma(zd_rear_axle_tz, work.w_chassis_x, s7_193);
+  work.a_rear_axle_aux3_y = mbgen::fma(z_rear_axle_tz, work.s7_17, s7_194);
+  const double s7_195 = derivative.zdd[Coordinate::rear_axle_tz] + a_rear_axle_aux2_z;
+  work.a_rear_axle_aux3_z = mbgen::fnma(z_rear_axle_tz, work.s7_14, s7_195);
   // rear_axle_aux4: rear_axle_rz, revolute, rear_axle_aux3
-  const double alpha_rear_axle_aux4_z = derivative.zdd[Coordinate::rear_axle_rz] +
-      work.alpha_chassis_z;
-  const double s7_349 = mbgen::fms(work.w_chassis_x, work.w_chassis_y, alpha_rear_axle_aux4_z);
-  const double s7_350 = w_rear_axle_aux4_z*w_rear_axle_aux4_z;
-  const double s7_351 = s7_13 + s7_350;
-  const double alpha_rear_axle_aux4_y = mbgen::fnma(zd_rear_axle_rz, work.w_chassis_x,
-      work.alpha_chassis_y);
-  const double s7_352 = mbgen::fma(work.w_chassis_x, w_rear_axle_aux4_z, alpha_rear_axle_aux4_y);
-  const double s7_353 = mbgen::fma(z_rear_axle_ty, work.s7_23 - s7_349, a_rear_axle_aux3_x);
-  const double s7_354 = mbgen::fma(work.r_rear_axle_aux1_x, s7_351 - work.s7_17, s7_353);
-  const double a_rear_axle_aux4_x = mbgen::fma(work.r_rear_axle_aux3_z, work.s7_21 - s7_352,
-      s7_354);
-  const double s7_355 = work.s7_15 + s7_350;
-  const double s7_356 = mbgen::fma(work.w_chassis_x, work.w_chassis_y, alpha_rear_axle_aux4_z);
   const double alpha_rear_axle_aux4_x = mbgen::fma(zd_rear_axle_rz, work.w_chassis_y,
-      work.alpha_chassis_x);
-  const double s7_357 = mbgen::fms(work.w_chassis_y, w_rear_axle_aux4_z, alpha_rear_axle_aux4_x);
-  const double s7_358 = mbgen::fma(z_rear_axle_ty, s7_355 - work.s7_18, a_rear_axle_aux3_y);
-  const double s7_359 = mbgen::fma(work.r_rear_axle_aux1_x, work.s7_22 - s7_356, s7_358);
-  const double a_rear_axle_aux4_y = mbgen::fma(work.r_rear_axle_aux3_z, work.s7_19 - s7_357,
-      s7_359);
-  const double s7_360 = mbgen::fma(work.w_chassis_y, w_rear_axle_aux4_z, alpha_rear_axle_aux4_x);
-  const double s7_361 = mbgen::fms(work.w_chassis_x, w_rear_axle_aux4_z, alpha_rear_axle_aux4_y);
-  const double s7_362 = mbgen::fma(z_rear_axle_ty, work.s7_20 - s7_360, a_rear_axle_aux3_z);
-  const double a_rear_axle_aux4_z = mbgen::fma(work.r_rear_axle_aux1_x, work.s7_24 - s7_361,
-      s7_362);
+      alpha_chassis_x);
+  const double alpha_rear_axle_aux4_y = mbgen::fnma(zd_rear_axle_rz, work.w_chassis_x,
+      alpha_chassis_y);
+  const double alpha_rear_axle_aux4_z = derivative.zdd[Coordinate::rear_axle_rz] + alpha_chassis_z;
   // rear_axle_aux5: rear_axle_ry, revolute, rear_axle_aux4
-  const double s7_363 = mbgen::fma(work.w_chassis_y, s4_28, alpha_rear_axle_aux4_z);
-  const double alpha_rear_axle_aux5_z = mbgen::fma(work.w_chassis_x, s4_29, s7_363);
-  const double s7_364 = mbgen::fms(w_rear_axle_aux5_x, w_rear_axle_aux5_y, alpha_rear_axle_aux5_z);
-  const double s7_365 = w_rear_axle_aux5_y*w_rear_axle_aux5_y;
-  const double s7_366 = s7_350 + s7_365;
   const double zdd_rear_axle_ry = derivative.zdd[Coordinate::rear_axle_ry];
-  const double s7_367 = mbgen::fma(zdd_rear_axle_ry, R_rear_axle_aux4_x_x, alpha_rear_axle_aux4_y);
-  const double alpha_rear_axle_aux5_y = mbgen::fnma(w_rear_axle_aux4_z, s4_28, s7_367);
-  const double s7_368 = mbgen::fma(w_rear_axle_aux4_z, w_rear_axle_aux5_x, alpha_rear_axle_aux5_y);
-  const double s7_369 = mbgen::fma(z_rear_axle_ty, s7_349 - s7_364, a_rear_axle_aux4_x);
-  const double s7_370 = mbgen::fma(work.r_rear_axle_aux1_x, s7_366 - s7_351, s7_369);
-  const double a_rear_axle_aux5_x = mbgen::fma(work.r_rear_axle_aux3_z, s7_352 - s7_368, s7_370);
-  const double s7_371 = mbgen::fma(w_rear_axle_aux5_x, w_rear_axle_aux5_x, s7_350);
-  const double s7_372 = mbgen::fma(w_rear_axle_aux5_x, w_rear_axle_aux5_y, alpha_rear_axle_aux5_z);
-  const double s7_373 = mbgen::fnma(zdd_rear_axle_ry, R_rear_axle_aux4_y_x, alpha_rear_axle_aux4_x);
-  const double alpha_rear_axle_aux5_x = mbgen::fnma(w_rear_axle_aux4_z, s4_29, s7_373);
-  const double s7_374 = mbgen::fms(w_rear_axle_aux4_z, w_rear_axle_aux5_y, alpha_rear_axle_aux5_x);
-  const double s7_375 = mbgen::fma(z_rear_axle_ty, s7_371 - s7_355, a_rear_axle_aux4_y);
-  const double s7_376 = mbgen::fma(work.r_rear_axle_aux1_x, s7_356 - s7_372, s7_375);
-  const double a_rear_axle_aux5_y = mbgen::fma(work.r_rear_axle_aux3_z, s7_357 - s7_374, s7_376);
-  const double s7_377 = mbgen::fma(w_rear_axle_aux4_z, w_rear_axle_aux5_y, alpha_rear_axle_aux5_x);
-  const double s7_378 = mbgen::fma(w_rear_axle_aux5_x, w_rear_axle_aux5_x, s7_365);
-  const double s7_379 = mbgen::fms(w_rear_axle_aux4_z, w_rear_axle_aux5_x, alpha_rear_axle_aux5_y);
-  const double s7_380 = mbgen::fma(z_rear_axle_ty, s7_360 - s7_377, a_rear_axle_aux4_z);
-  const double s7_381 = mbgen::fma(work.r_rear_axle_aux3_z, s7_378 - work.s7_16, s7_380);
-  const double a_rear_axle_aux5_z = mbgen::fma(work.r_rear_axle_aux1_x, s7_361 - s7_379, s7_381);
+  const double s7_196 = mbgen::fnma(zdd_rear_axle_ry, R_rear_axle_aux4_y_x, alpha_rear_axle_aux4_x);
+  const double alpha_rear_axle_aux5_x = mbgen::fnma(w_rear_axle_aux4_z, s4_29, s7_196);
+  const double s7_197 = mbgen::fma(zdd_rear_axle_ry, R_rear_axle_aux4_x_x, alpha_rear_axle_aux4_y);
+  const double alpha_rear_axle_aux5_y = mbgen::fnma(w_rear_axle_aux4_z, s4_28, s7_197);
+  const double s7_198 = mbgen::fma(work.w_chassis_y, s4_28, alpha_rear_axle_aux4_z);
+  const double alpha_rear_axle_aux5_z = mbgen::fma(work.w_chassis_x, s4_29, s7_198);
   // rear_axle: rear_axle_rx, revolute, rear_axle_aux5
   const double zdd_rear_axle_rx = derivative.zdd[Coordinate::rear_axle_rx];
-  const double s7_382 = mbgen::fnma(zdd_rear_axle_rx, s1_61, alpha_rear_axle_aux5_z);
-  const double s7_383 = mbgen::fma(w_rear_axle_aux5_x, s4_31, s7_382);
-  work.alpha_rear_axle_z = mbgen::fnma(w_rear_axle_aux5_y, s4_30, s7_383);
-  work.s7_384 = mbgen::fms(work.w_rear_axle_x, work.w_rear_axle_y, work.alpha_rear_axle_z);
-  const double s7_385 = work.w_rear_axle_y*work.w_rear_axle_y;
-  const double s7_386 = work.w_rear_axle_z*work.w_rear_axle_z;
-  work.s7_387 = s7_385 + s7_386;
-  const double s7_388 = mbgen::fma(zdd_rear_axle_rx, work.R_rear_axle_aux5_y_x,
-      alpha_rear_axle_aux5_y);
-  const double s7_389 = mbgen::fma(w_rear_axle_aux4_z, s4_30, s7_388);
-  work.alpha_rear_axle_y = mbgen::fma(w_rear_axle_aux5_x, s4_32, s7_389);
-  work.s7_390 = mbgen::fma(work.w_rear_axle_x, work.w_rear_axle_z, work.alpha_rear_axle_y);
-  const double s7_391 = mbgen::fma(z_rear_axle_ty, s7_364 - work.s7_384, a_rear_axle_aux5_x);
-  const double s7_392 = mbgen::fma(work.r_rear_axle_aux1_x, work.s7_387 - s7_366, s7_391);
-  work.a_rear_axle_x = mbgen::fma(work.r_rear_axle_aux3_z, s7_368 - work.s7_390, s7_392);
-  work.s7_393 = mbgen::fma(work.w_rear_axle_x, work.w_rear_axle_x, s7_386);
-  work.s7_394 = mbgen::fma(work.w_rear_axle_x, work.w_rear_axle_y, work.alpha_rear_axle_z);
-  const double s7_395 = mbgen::fma(zdd_rear_axle_rx, work.R_rear_axle_aux5_x_x,
+  const double s7_199 = mbgen::fma(zdd_rear_axle_rx, work.R_rear_axle_aux5_x_x,
       alpha_rear_axle_aux5_x);
-  const double s7_396 = mbgen::fnma(w_rear_axle_aux4_z, s4_31, s7_395);
-  work.alpha_rear_axle_x = mbgen::fnma(w_rear_axle_aux5_y, s4_32, s7_396);
-  work.s7_397 = mbgen::fms(work.w_rear_axle_y, work.w_rear_axle_z, work.alpha_rear_axle_x);
-  const double s7_398 = mbgen::fma(z_rear_axle_ty, work.s7_393 - s7_371, a_rear_axle_aux5_y);
-  const double s7_399 = mbgen::fma(work.r_rear_axle_aux1_x, s7_372 - work.s7_394, s7_398);
-  work.a_rear_axle_y = mbgen::fma(work.r_rear_axle_aux3_z, s7_374 - work.s7_397, s7_399);
-  work.s7_400 = mbgen::fma(work.w_rear_axle_y, work.w_rear_axle_z, work.alpha_rear_axle_x);
-  work.s7_401 = mbgen::fma(work.w_rear_axle_x, work.w_rear_axle_x, s7_385);
-  work.s7_402 = mbgen::fms(work.w_rear_axle_x, work.w_rear_axle_z, work.alpha_rear_axle_y);
-  const double s7_403 = mbgen::fma(z_rear_axle_ty, s7_377 - work.s7_400, a_rear_axle_aux5_z);
-  const double s7_404 = mbgen::fma(work.r_rear_axle_aux3_z, work.s7_401 - s7_378, s7_403);
-  work.a_rear_axle_z = mbgen::fma(work.r_rear_axle_aux1_x, s7_379 - work.s7_402, s7_404);
+  const double s7_200 = mbgen::fnma(w_rear_axle_aux4_z, s4_31, s7_199);
+  work.alpha_rear_axle_x = mbgen::fnma(w_rear_axle_aux5_y, s4_32, s7_200);
+  const double s7_201 = mbgen::fma(zdd_rear_axle_rx, work.R_rear_axle_aux5_y_x,
+      alpha_rear_axle_aux5_y);
+  const double s7_202 = mbgen::fma(w_rear_axle_aux4_z, s4_30, s7_201);
+  work.alpha_rear_axle_y = mbgen::fma(w_rear_axle_aux5_x, s4_32, s7_202);
+  const double s7_203 = mbgen::fnma(zdd_rear_axle_rx, s1_57, alpha_rear_axle_aux5_z);
+  const double s7_204 = mbgen::fma(w_rear_axle_aux5_x, s4_31, s7_203);
+  work.alpha_rear_axle_z = mbgen::fnma(w_rear_axle_aux5_y, s4_30, s7_204);
+  const double s7_205 = work.w_rear_axle_y*work.w_rear_axle_y;
+  const double s7_206 = work.w_rear_axle_x*work.w_rear_axle_x;
+  work.s7_207 = s7_205 + s7_206;
+  work.s7_208 = mbgen::fma(work.w_rear_axle_z, work.w_rear_axle_z, s7_205);
+  work.s7_209 = mbgen::fma(work.w_rear_axle_z, work.w_rear_axle_z, s7_206);
+  work.s7_210 = mbgen::fma(work.w_rear_axle_y, work.w_rear_axle_z, work.alpha_rear_axle_x);
+  work.s7_211 = mbgen::fma(work.w_rear_axle_x, work.w_rear_axle_z, work.alpha_rear_axle_y);
+  work.s7_212 = mbgen::fma(work.w_rear_axle_x, work.w_rear_axle_y, work.alpha_rear_axle_z);
+  work.s7_213 = mbgen::fms(work.w_rear_axle_y, work.w_rear_axle_z, work.alpha_rear_axle_x);
+  work.s7_214 = mbgen::fms(work.w_rear_axle_x, work.w_rear_axle_z, work.alpha_rear_axle_y);
+  work.s7_215 = mbgen::fms(work.w_rear_axle_x, work.w_rear_axle_y, work.alpha_rear_axle_z);
+  // wheel_rear_left: wheel_rear_left, revolute, rear_axle
+  const double s7_216 = mbgen::fma(work.s1_64, work.s7_211, work.a_rear_axle_aux3_x);
+  const double s7_217 = mbgen::fma(work.s1_63, work.s7_215, s7_216);
+  work.a_wheel_rear_left_x = mbgen::fnma(work.s1_62, work.s7_208, s7_217);
+  const double s7_218 = mbgen::fma(work.s1_62, work.s7_212, work.s1_64*work.s7_213);
+  work.a_wheel_rear_left_y = mbgen::fnma(work.s1_63, work.s7_209, work.a_rear_axle_aux3_y + s7_218);
+  const double s7_219 = mbgen::fma(work.s1_62, work.s7_214, work.a_rear_axle_aux3_z);
+  const double s7_220 = mbgen::fma(work.s1_63, work.s7_210, s7_219);
+  work.a_wheel_rear_left_z = mbgen::fnma(work.s1_64, work.s7_207, s7_220);
+  const double zdd_wheel_rear_left = derivative.zdd[Coordinate::wheel_rear_left];
+  const double s7_221 = mbgen::fma(zdd_wheel_rear_left, work.R_rear_axle_x_y,
+      work.alpha_rear_axle_x);
+  const double s7_222 = mbgen::fma(work.w_rear_axle_y, s4_35, s7_221);
+  work.alpha_wheel_rear_left_x = mbgen::fnma(work.w_rear_axle_z, s4_34, s7_222);
+  const double s7_223 = mbgen::fma(zdd_wheel_rear_left, work.R_rear_axle_y_y,
+      work.alpha_rear_axle_y);
+  const double s7_224 = mbgen::fma(work.w_rear_axle_z, s4_33, s7_223);
+  work.alpha_wheel_rear_left_y = mbgen::fnma(work.w_rear_axle_x, s4_35, s7_224);
+  const double s7_225 = mbgen::fma(zdd_wheel_rear_left, work.R_rear_axle_z_y,
+      work.alpha_rear_axle_z);
+  const double s7_226 = mbgen::fma(work.w_rear_axle_x, s4_34, s7_225);
+  work.alpha_wheel_rear_left_z = mbgen::fnma(work.w_rear_axle_y, s4_33, s7_226);
+  // arb_rear_left: arb_rear_left, revolute, chassis
+  const double s7_227 = (-p_arb_rear_left_x)*work.s7_15;
+  const double s7_228 = mbgen::fnma((-p_arb_rear_left_z), work.s7_19, s7_227);
+  work.a_arb_rear_left_x = s7_87 + s7_228;
+  const double s7_229 = (-p_arb_rear_left_z)*work.s7_17;
+  const double s7_230 = mbgen::fma((-p_arb_rear_left_x), work.s7_20, s7_229);
+  work.a_arb_rear_left_y = mbgen::fnma(p_arb_front_left_y, work.s7_16, work.a_chassis_y) - s7_230;
+  const double s7_231 = (-p_arb_rear_left_z)*work.s7_14;
+  const double s7_232 = mbgen::fnma((-p_arb_rear_left_x), work.s7_22, s7_231);
+  work.a_arb_rear_left_z = s7_92 + s7_232;
+  work.alpha_arb_rear_left_x = mbgen::fnma(zd_arb_rear_left, work.w_chassis_z, alpha_chassis_x);
+  work.alpha_arb_rear_left_y = derivative.zdd[Coordinate::arb_rear_left] + alpha_chassis_y;
+  work.alpha_arb_rear_left_z = mbgen::fma(zd_arb_rear_left, work.w_chassis_x, alpha_chassis_z);
+  work.s7_233 = mbgen::fma(work.w_chassis_x, work.w_chassis_z, work.alpha_arb_rear_left_y);
+  work.s7_234 = mbgen::fms(work.w_chassis_x, work.w_chassis_z, work.alpha_arb_rear_left_y);
+  work.s7_235 = mbgen::fma(work.w_arb_rear_left_y, work.w_arb_rear_left_y, s7_13);
+  work.s7_236 = mbgen::fma(work.w_arb_rear_left_y, work.w_arb_rear_left_y, s7_12);
+  work.s7_237 = mbgen::fma(work.w_chassis_x, work.w_arb_rear_left_y, work.alpha_arb_rear_left_z);
+  work.s7_238 = mbgen::fma(work.w_chassis_z, work.w_arb_rear_left_y, work.alpha_arb_rear_left_x);
+  work.s7_239 = mbgen::fms(work.w_chassis_x, work.w_arb_rear_left_y, work.alpha_arb_rear_left_z);
+  work.s7_240 = mbgen::fms(work.w_chassis_z, work.w_arb_rear_left_y, work.alpha_arb_rear_left_x);
+  // wheel_rear_right: wheel_rear_right, revolute, rear_axle
+  const double s7_241 = mbgen::fma(work.s1_62, work.s7_208, work.a_rear_axle_aux3_x);
+  const double s7_242 = mbgen::fnma(work.s1_64, work.s7_211, s7_241);
+  work.a_wheel_rear_right_x = mbgen::fnma(work.s1_63, work.s7_215, s7_242);
+  work.a_wheel_rear_right_y = mbgen::fma(work.s1_63, work.s7_209, work.a_rear_axle_aux3_y) - s7_218;
+  const double s7_243 = mbgen::fma(work.s1_64, work.s7_207, work.a_rear_axle_aux3_z);
+  const double s7_244 = mbgen::fnma(work.s1_62, work.s7_214, s7_243);
+  work.a_wheel_rear_right_z = mbgen::fnma(work.s1_63, work.s7_210, s7_244);
+  const double zdd_wheel_rear_right = derivative.zdd[Coordinate::wheel_rear_right];
+  const double s7_245 = mbgen::fma(zdd_wheel_rear_right, work.R_rear_axle_x_y,
+      work.alpha_rear_axle_x);
+  const double s7_246 = mbgen::fma(work.w_rear_axle_y, s4_38, s7_245);
+  work.alpha_wheel_rear_right_x = mbgen::fnma(work.w_rear_axle_z, s4_37, s7_246);
+  const double s7_247 = mbgen::fma(zdd_wheel_rear_right, work.R_rear_axle_y_y,
+      work.alpha_rear_axle_y);
+  const double s7_248 = mbgen::fma(work.w_rear_axle_z, s4_36, s7_247);
+  work.alpha_wheel_rear_right_y = mbgen::fnma(work.w_rear_axle_x, s4_38, s7_248);
+  const double s7_249 = mbgen::fma(zdd_wheel_rear_right, work.R_rear_axle_z_y,
+      work.alpha_rear_axle_z);
+  const double s7_250 = mbgen::fma(work.w_rear_axle_x, s4_37, s7_249);
+  work.alpha_wheel_rear_right_z = mbgen::fnma(work.w_rear_axle_y, s4_36, s7_250);
+  // arb_rear_right: arb_rear_right, revolute, chassis
+  work.a_arb_rear_right_x = mbgen::fnma(p_arb_front_left_y, work.s7_21, work.a_chassis_x + s7_228);
+  work.a_arb_rear_right_y = mbgen::fma(p_arb_front_left_y, work.s7_16, work.a_chassis_y) - s7_230;
+  work.a_arb_rear_right_z = mbgen::fnma(p_arb_front_left_y, work.s7_18, work.a_chassis_z + s7_232);
+  work.alpha_arb_rear_right_x = mbgen::fnma(zd_arb_rear_right, work.w_chassis_z, alpha_chassis_x);
+  work.alpha_arb_rear_right_y = derivative.zdd[Coordinate::arb_rear_right] + alpha_chassis_y;
+  work.alpha_arb_rear_right_z = mbgen::fma(zd_arb_rear_right, work.w_chassis_x, alpha_chassis_z);
+  work.s7_251 = mbgen::fma(work.w_chassis_x, work.w_chassis_z, work.alpha_arb_rear_right_y);
+  work.s7_252 = mbgen::fms(work.w_chassis_x, work.w_chassis_z, work.alpha_arb_rear_right_y);
+  work.s7_253 = mbgen::fma(work.w_arb_rear_right_y, work.w_arb_rear_right_y, s7_13);
+  work.s7_254 = mbgen::fma(work.w_arb_rear_right_y, work.w_arb_rear_right_y, s7_12);
+  work.s7_255 = mbgen::fma(work.w_chassis_x, work.w_arb_rear_right_y, work.alpha_arb_rear_right_z);
+  work.s7_256 = mbgen::fma(work.w_chassis_z, work.w_arb_rear_right_y, work.alpha_arb_rear_right_x);
+  work.s7_257 = mbgen::fms(work.w_chassis_x, work.w_arb_rear_right_y, work.alpha_arb_rear_right_z);
+  work.s7_258 = mbgen::fms(work.w_chassis_z, work.w_arb_rear_right_y, work.alpha_arb_rear_right_x);
+  // arb_link_front_left
+  const double R_arb_front_left_x_z = work.sines[8];
+  const double R_arb_front_left_x_x = work.cosines[8];
+  const double s7_259 = (-p_arb_link_front_left_from_x)*R_arb_front_left_x_z;
+  work.s7_260 = mbgen::fma(p_arb_link_front_left_from_z, R_arb_front_left_x_x, s7_259);
+  const double s7_261 = p_arb_link_front_left_from_z*R_arb_front_left_x_z;
+  work.s7_262 = mbgen::fnma((-p_arb_link_front_left_from_x), R_arb_front_left_x_x, s7_261);
+  const double s7_263 = p_arb_link_front_left_to_x*work.R_carrier_left_x_x;
+  const double s7_264 = work.s1_12 + work.R_carrier_left_x_z;
+  work.s7_265 = mbgen::fma((-p_arb_link_front_left_to_y), s7_264, s7_263);
+  const double s7_266 = work.R_carrier_left_y_z - work.R_carrier_left_aux2_y_y;
+  const double s7_267 = p_arb_link_front_left_to_x*work.R_carrier_left_y_x;
+  work.s7_268 = mbgen::fma((-p_arb_link_front_left_to_y), s7_266, s7_267);
+  const double s7_269 = work.R_carrier_left_z_z - work.R_carrier_left_aux2_z_y;
+  const double s7_270 = p_arb_link_front_left_to_x*work.R_carrier_left_z_x;
+  work.s7_271 = mbgen::fma((-p_arb_link_front_left_to_y), s7_269, s7_270);
+  const double s7_272 = mbgen::fnma(p_arb_link_front_left_from_y, work.s7_16, a_arb_front_left_y);
+  const double s7_273 = mbgen::fma(s7_100, work.s7_260, mbgen::fma(s7_97, work.s7_262, s7_272));
+  work.s7_274 = 0.3333333333333333*s7_273;
+  const double s7_275 = mbgen::fma(p_arb_link_front_left_from_y, work.s7_98,
+      work.a_arb_front_left_z);
+  const double s7_276 = mbgen::fma(work.s7_94, work.s7_262, s7_275);
+  work.s7_277 = 0.3333333333333333*mbgen::fnma(work.s7_95, work.s7_260, s7_276);
+  const double s7_278 = mbgen::fma(p_arb_link_front_left_from_y, work.s7_99,
+      work.a_arb_front_left_x);
+  const double s7_279 = mbgen::fma(work.s7_93, work.s7_260, s7_278);
+  work.s7_280 = 0.3333333333333333*mbgen::fnma(work.s7_96, work.s7_262, s7_279);
+  const double s7_281 = mbgen::fma(work.s7_62, work.s7_268, work.a_carrier_left_aux1_z);
+  const double s7_282 = mbgen::fma(work.s7_63, work.s7_265, s7_281);
+  work.s7_283 = 0.3333333333333333*mbgen::fnma(work.s7_59, work.s7_271, s7_282);
+  const double s7_284 = mbgen::fma(work.s7_64, work.s7_268, work.a_carrier_left_aux1_x);
+  const double s7_285 = mbgen::fma(work.s7_60, work.s7_271, s7_284);
+  work.s7_286 = 0.3333333333333333*mbgen::fnma(work.s7_57, work.s7_265, s7_285);
+  // arb_link_front_right
+  const double R_arb_front_right_x_z = work.sines[14];
+  const double R_arb_front_right_x_x = work.cosines[14];
+  const double s7_287 = (-p_arb_link_front_right_from_x)*R_arb_front_right_x_z;
+  work.s7_288 = mbgen::fma(p_arb_link_front_right_from_z, R_arb_front_right_x_x, s7_287);
+  const double s7_289 = p_arb_link_front_right_from_z*R_arb_front_right_x_z;
+  work.s7_290 = mbgen::fnma((-p_arb_link_front_right_from_x), R_arb_front_right_x_x, s7_289);
+  const double s7_291 = p_arb_link_front_right_to_x*work.R_carrier_right_x_x;
+  const double s7_292 = work.R_carrier_right_x_z - work.s1_38;
+  work.s7_293 = mbgen::fma((-p_arb_link_front_left_to_y), s7_292, s7_291);
+  const double s7_294 = work.R_carrier_right_aux2_y_y + work.R_carrier_right_y_z;
+  const double s7_295 = p_arb_link_front_right_to_x*work.R_carrier_right_y_x;
+  work.s7_296 = mbgen::fma((-p_arb_link_front_left_to_y), s7_294, s7_295);
+  const double s7_297 = work.R_carrier_right_aux2_z_y + work.R_carrier_right_z_z;
+  const double s7_298 = p_arb_link_front_right_to_x*work.R_carrier_right_z_x;
+  work.s7_299 = mbgen::fma((-p_arb_link_front_left_to_y), s7_297, s7_298);
+  const double s7_300 = mbgen::fma(p_arb_link_front_left_from_y, work.s7_16, a_arb_front_right_y);
+  const double s7_301 = mbgen::fma(s7_159, work.s7_288, mbgen::fma(s7_156, work.s7_290, s7_300));
+  work.s7_302 = 0.3333333333333333*s7_301;
+  const double s7_303 = mbgen::fma(work.s7_153, work.s7_290, work.a_arb_front_right_z);
+  const double s7_304 = mbgen::fnma(work.s7_154, work.s7_288, s7_303);
+  const double s7_305 = mbgen::fnma((-p_arb_link_front_right_from_y), work.s7_157, s7_304);
+  work.s7_306 = 0.3333333333333333*s7_305;
+  work.s7_307 = mbgen::fma(work.s7_152, work.s7_288, work.a_arb_front_right_x);
 }
 
-/// Part 3 of compute_multipliers: step 7: accelerations Zdot and accumulated forces QR - PR (51),
-/// (52).
-[[gnu::noinline]] void compute_multipliers_3(const State& state, const double* tau,
-    const Derivative& derivative, ConstraintForcesWork& __restrict work,
-    ConstraintForces& __restrict result) noexcept {
-  // --- step 7: accelerations Zdot and accumulated forces QR - PR (51), (52), continued ---
-  // wheel_rear_left: wheel_rear_left, revolute, rear_axle
-  const double zdd_wheel_rear_left = derivative.zdd[Coordinate::wheel_rear_left];
-  const double s7_405 = mbgen::fma(zdd_wheel_rear_left, work.R_rear_axle_z_y,
-      work.alpha_rear_axle_z);
-  const double s7_406 = mbgen::fma(work.w_rear_axle_x, work.s4_34, s7_405);
-  const double alpha_wheel_rear_left_z = mbgen::fnma(work.w_rear_axle_y, work.s4_33, s7_406);
-  const double s7_407 = mbgen::fms(work.w_wheel_rear_left_x, work.w_wheel_rear_left_y,
-      alpha_wheel_rear_left_z);
-  const double s7_408 = work.w_wheel_rear_left_y*work.w_wheel_rear_left_y;
-  const double s7_409 = work.w_wheel_rear_left_z*work.w_wheel_rear_left_z;
-  const double s7_410 = s7_408 + s7_409;
-  const double s7_411 = mbgen::fma(zdd_wheel_rear_left, work.R_rear_axle_y_y,
-      work.alpha_rear_axle_y);
-  const double s7_412 = mbgen::fma(work.w_rear_axle_z, work.s4_33, s7_411);
-  const double alpha_wheel_rear_left_y = mbgen::fnma(work.w_rear_axle_x, work.s4_35, s7_412);
-  const double s7_413 = mbgen::fma(work.w_wheel_rear_left_x, work.w_wheel_rear_left_z,
-      alpha_wheel_rear_left_y);
-  const double s7_414 = work.s7_384 - s7_407;
-  const double s7_415 = mbgen::fma(work.r_wheel_rear_left_y, s7_414, work.a_rear_axle_x);
-  const double s7_416 = mbgen::fma(work.r_wheel_rear_left_x, s7_410 - work.s7_387, s7_415);
-  const double a_wheel_rear_left_x = mbgen::fma(work.r_wheel_rear_left_z, work.s7_390 - s7_413,
-      s7_416);
-  const double s7_417 = mbgen::fma(work.w_wheel_rear_left_x, work.w_wheel_rear_left_x, s7_409);
-  const double s7_418 = mbgen::fma(work.w_wheel_rear_left_x, work.w_wheel_rear_left_y,
-      alpha_wheel_rear_left_z);
-  const double s7_419 = mbgen::fma(zdd_wheel_rear_left, work.R_rear_axle_x_y,
-      work.alpha_rear_axle_x);
-  const double s7_420 = mbgen::fma(work.w_rear_axle_y, work.s4_35, s7_419);
-  const double alpha_wheel_rear_left_x = mbgen::fnma(work.w_rear_axle_z, work.s4_34, s7_420);
-  const double s7_421 = mbgen::fms(work.w_wheel_rear_left_y, work.w_wheel_rear_left_z,
-      alpha_wheel_rear_left_x);
-  const double s7_422 = s7_417 - work.s7_393;
-  const double s7_423 = mbgen::fma(work.r_wheel_rear_left_y, s7_422, work.a_rear_axle_y);
-  const double s7_424 = mbgen::fma(work.r_wheel_rear_left_x, work.s7_394 - s7_418, s7_423);
-  const double a_wheel_rear_left_y = mbgen::fma(work.r_wheel_rear_left_z, work.s7_397 - s7_421,
-      s7_424);
-  const double s7_425 = mbgen::fma(work.w_wheel_rear_left_y, work.w_wheel_rear_left_z,
-      alpha_wheel_rear_left_x);
-  const double s7_426 = mbgen::fma(work.w_wheel_rear_left_x, work.w_wheel_rear_left_x, s7_408);
-  const double s7_427 = mbgen::fms(work.w_wheel_rear_left_x, work.w_wheel_rear_left_z,
-      alpha_wheel_rear_left_y);
-  const double s7_428 = work.s7_400 - s7_425;
-  const double s7_429 = mbgen::fma(work.r_wheel_rear_left_y, s7_428, work.a_rear_axle_z);
-  const double s7_430 = mbgen::fma(work.r_wheel_rear_left_z, s7_426 - work.s7_401, s7_429);
-  const double a_wheel_rear_left_z = mbgen::fma(work.r_wheel_rear_left_x, work.s7_402 - s7_427,
-      s7_430);
-  // arb_rear_left: arb_rear_left, revolute, chassis
-  const double zd_arb_rear_left = state.zd[Coordinate::arb_rear_left];
-  const double alpha_arb_rear_left_z = mbgen::fma(zd_arb_rear_left, work.w_chassis_x,
-      work.alpha_chassis_z);
-  const double s7_431 = mbgen::fms(work.w_chassis_x, work.w_arb_rear_left_y, alpha_arb_rear_left_z);
-  const double alpha_arb_rear_left_y = derivative.zdd[Coordinate::arb_rear_left] +
-      work.alpha_chassis_y;
-  const double s7_432 = mbgen::fma(work.w_chassis_x, work.w_chassis_z, alpha_arb_rear_left_y);
-  const double s7_433 = mbgen::fma(work.w_arb_rear_left_y, work.w_arb_rear_left_y, work.s7_14);
-  const double s7_434 = mbgen::fnma((-p_arb_rear_left_x), s7_433 - work.s7_17, work.a_chassis_x);
-  const double s7_435 = s7_432 + (work.s7_23 - s7_431 - work.s7_21);
-  const double a_arb_rear_left_x = mbgen::fma(p_carrier_left_rz_y, s7_435, s7_434);
-  const double alpha_arb_rear_left_x = mbgen::fnma(zd_arb_rear_left, work.w_chassis_z,
-      work.alpha_chassis_x);
-  const double s7_436 = mbgen::fms(work.w_chassis_z, work.w_arb_rear_left_y, alpha_arb_rear_left_x);
-  const double s7_437 = mbgen::fma(work.w_chassis_x, work.w_arb_rear_left_y, alpha_arb_rear_left_z);
-  const double s7_438 = mbgen::fnma((-p_arb_rear_left_z), work.s7_19 - s7_436, work.a_chassis_y);
-  const double a_arb_rear_left_y = mbgen::fnma((-p_arb_rear_left_x), work.s7_22 - s7_437, s7_438);
-  const double s7_439 = mbgen::fma(work.w_chassis_z, work.w_arb_rear_left_y, alpha_arb_rear_left_x);
-  const double s7_440 = mbgen::fma(work.w_arb_rear_left_y, work.w_arb_rear_left_y, work.s7_15);
-  const double s7_441 = mbgen::fms(work.w_chassis_x, work.w_chassis_z, alpha_arb_rear_left_y);
-  const double s7_442 = mbgen::fnma((-p_arb_rear_left_x), work.s7_24 - s7_441, work.a_chassis_z);
-  const double s7_443 = work.s7_16 + (work.s7_20 - s7_439 - s7_440);
-  const double a_arb_rear_left_z = mbgen::fma(p_carrier_left_rz_y, s7_443, s7_442);
-  // wheel_rear_right: wheel_rear_right, revolute, rear_axle
-  const double zdd_wheel_rear_right = derivative.zdd[Coordinate::wheel_rear_right];
-  const double s7_444 = mbgen::fma(zdd_wheel_rear_right, work.R_rear_axle_z_y,
-      work.alpha_rear_axle_z);
-  const double s7_445 = mbgen::fma(work.w_rear_axle_x, work.s4_37, s7_444);
-  const double alpha_wheel_rear_right_z = mbgen::fnma(work.w_rear_axle_y, work.s4_36, s7_445);
-  const double s7_446 = mbgen::fms(work.w_wheel_rear_right_x, work.w_wheel_rear_right_y,
-      alpha_wheel_rear_right_z);
-  const double s7_447 = work.w_wheel_rear_right_y*work.w_wheel_rear_right_y;
-  const double s7_448 = work.w_wheel_rear_right_z*work.w_wheel_rear_right_z;
-  const double s7_449 = s7_447 + s7_448;
-  const double s7_450 = mbgen::fma(zdd_wheel_rear_right, work.R_rear_axle_y_y,
-      work.alpha_rear_axle_y);
-  const double s7_451 = mbgen::fma(work.w_rear_axle_z, work.s4_36, s7_450);
-  const double alpha_wheel_rear_right_y = mbgen::fnma(work.w_rear_axle_x, work.s4_38, s7_451);
-  const double s7_452 = mbgen::fma(work.w_wheel_rear_right_x, work.w_wheel_rear_right_z,
-      alpha_wheel_rear_right_y);
-  const double s7_453 = work.s7_384 - s7_446;
-  const double s7_454 = mbgen::fma(work.r_wheel_rear_right_y, s7_453, work.a_rear_axle_x);
-  const double s7_455 = mbgen::fma(work.r_wheel_rear_right_x, s7_449 - work.s7_387, s7_454);
-  const double a_wheel_rear_right_x = mbgen::fma(work.r_wheel_rear_right_z, work.s7_390 - s7_452,
-      s7_455);
-  const double s7_456 = mbgen::fma(work.w_wheel_rear_right_x, work.w_wheel_rear_right_x, s7_448);
-  const double s7_457 = mbgen::fma(work.w_wheel_rear_right_x, work.w_wheel_rear_right_y,
-      alpha_wheel_rear_right_z);
-  const double s7_458 = mbgen::fma(zdd_wheel_rear_right, work.R_rear_axle_x_y,
-      work.alpha_rear_axle_x);
-  const double s7_459 = mbgen::fma(work.w_rear_axle_y, work.s4_38, s7_458);
-  const double alpha_wheel_rear_right_x = mbgen::fnma(work.w_rear_axle_z, work.s4_37, s7_459);
-  const double s7_460 = mbgen::fms(work.w_wheel_rear_right_y, work.w_wheel_rear_right_z,
-      alpha_wheel_rear_right_x);
-  const double s7_461 = s7_456 - work.s7_393;
-  const double s7_462 = mbgen::fma(work.r_wheel_rear_right_y, s7_461, work.a_rear_axle_y);
-  const double s7_463 = mbgen::fma(work.r_wheel_rear_right_x, work.s7_394 - s7_457, s7_462);
-  const double a_wheel_rear_right_y = mbgen::fma(work.r_wheel_rear_right_z, work.s7_397 - s7_460,
-      s7_463);
-  const double s7_464 = mbgen::fma(work.w_wheel_rear_right_y, work.w_wheel_rear_right_z,
-      alpha_wheel_rear_right_x);
-  const double s7_465 = mbgen::fma(work.w_wheel_rear_right_x, work.w_wheel_rear_right_x, s7_447);
-  const double s7_466 = mbgen::fms(work.w_wheel_rear_right_x, work.w_wheel_rear_right_z,
-      alpha_wheel_rear_right_y);
-  const double s7_467 = work.s7_400 - s7_464;
-  const double s7_468 = mbgen::fma(work.r_wheel_rear_right_y, s7_467, work.a_rear_axle_z);
-  const double s7_469 = mbgen::fma(work.r_wheel_rear_right_z, s7_465 - work.s7_401, s7_468);
-  const double a_wheel_rear_right_z = mbgen::fma(work.r_wheel_rear_right_x, work.s7_402 - s7_466,
-      s7_469);
-  // arb_rear_right: arb_rear_right, revolute, chassis
-  const double alpha_arb_rear_right_y = derivative.zdd[Coordinate::arb_rear_right] +
-      work.alpha_chassis_y;
-  const double s7_470 = mbgen::fma(work.w_chassis_x, work.w_chassis_z, alpha_arb_rear_right_y);
-  const double s7_471 = mbgen::fma(work.w_arb_rear_right_y, work.w_arb_rear_right_y, work.s7_14);
-  const double zd_arb_rear_right = state.zd[Coordinate::arb_rear_right];
-  const double alpha_arb_rear_right_z = mbgen::fma(zd_arb_rear_right, work.w_chassis_x,
-      work.alpha_chassis_z);
-  const double s7_472 = mbgen::fms(work.w_chassis_x, work.w_arb_rear_right_y,
-      alpha_arb_rear_right_z);
-  const double s7_473 = s7_471 - work.s7_17;
-  const double s7_474 = mbgen::fnma((-p_arb_rear_right_x), s7_473, work.a_chassis_x);
-  const double s7_475 = work.s7_23 + (work.s7_21 - s7_470) - s7_472;
-  const double a_arb_rear_right_x = mbgen::fnma(p_carrier_left_rz_y, s7_475, s7_474);
-  const double alpha_arb_rear_right_x = mbgen::fnma(zd_arb_rear_right, work.w_chassis_z,
-      work.alpha_chassis_x);
-  const double s7_476 = mbgen::fms(work.w_chassis_z, work.w_arb_rear_right_y,
-      alpha_arb_rear_right_x);
-  const double s7_477 = mbgen::fma(work.w_chassis_x, work.w_arb_rear_right_y,
-      alpha_arb_rear_right_z);
-  const double s7_478 = work.s7_19 - s7_476;
-  const double s7_479 = mbgen::fnma((-p_arb_rear_right_z), s7_478, work.a_chassis_y);
-  const double a_arb_rear_right_y = mbgen::fnma((-p_arb_rear_right_x), work.s7_22 - s7_477, s7_479);
-  const double s7_480 = mbgen::fma(work.w_arb_rear_right_y, work.w_arb_rear_right_y, work.s7_15);
-  const double s7_481 = mbgen::fms(work.w_chassis_x, work.w_chassis_z, alpha_arb_rear_right_y);
-  const double s7_482 = mbgen::fma(work.w_chassis_z, work.w_arb_rear_right_y,
-      alpha_arb_rear_right_x);
-  const double s7_483 = work.s7_24 - s7_481;
-  const double s7_484 = mbgen::fnma((-p_arb_rear_right_x), s7_483, work.a_chassis_z);
-  const double s7_485 = work.s7_20 + (s7_480 - work.s7_16) - s7_482;
-  const double a_arb_rear_right_z = mbgen::fnma(p_carrier_left_rz_y, s7_485, s7_484);
-  // arb_link_front_left
-  const double s7_486 = mbgen::fma(work.s1_418, work.s7_91, work.a_carrier_left_x);
-  const double s7_487 = mbgen::fma(work.s1_421, work.s7_97, s7_486);
-  const double s7_488 = 0.3333333333333333*mbgen::fnma(work.s1_415, work.s7_94, s7_487);
-  const double s7_489 = mbgen::fma(work.s1_418, work.s7_109, work.a_carrier_left_z);
-  const double s7_490 = mbgen::fma(work.s1_415, work.s7_111, s7_489);
-  const double s7_491 = 0.3333333333333333*mbgen::fnma(work.s1_421, work.s7_110, s7_490);
-  const double s7_492 = mbgen::fnma(0.72, work.s7_18, work.a_arb_front_left_y);
-  const double s7_493 = mbgen::fma(work.s1_412, work.s7_159, s7_492);
-  const double s7_494 = 0.3333333333333333*mbgen::fma(work.s1_410, work.s7_160, s7_493);
-  const double s7_495 = mbgen::fma(0.72, work.s7_165, work.a_arb_front_left_z);
-  const double s7_496 = mbgen::fma(work.s1_412, work.s7_163, s7_495);
-  const double s7_497 = 0.3333333333333333*mbgen::fnma(work.s1_410, work.s7_164, s7_496);
-  const double s7_498 = mbgen::fma(0.72, work.s7_155, work.a_arb_front_left_x);
-  const double s7_499 = mbgen::fma(work.s1_410, work.s7_154, s7_498);
-  const double s7_500 = 0.3333333333333333*mbgen::fnma(work.s1_412, work.s7_153, s7_499);
+/// Part 2 of compute_multipliers: step 7: inertias of the bodies and forces on joints.
+[[gnu::noinline]] void compute_multipliers_2(const double* tau,
+    ConstraintForcesWork& __restrict work, ConstraintForces& __restrict result) noexcept {
+  // --- step 7: inertias of the bodies and forces on joints, continued ---
   // arb_link_front_right
-  const double s7_501 = mbgen::fma(work.s1_431, work.s7_236, work.a_carrier_right_x);
-  const double s7_502 = mbgen::fma(work.s1_434, work.s7_242, s7_501);
-  const double s7_503 = 0.3333333333333333*mbgen::fnma(work.s1_428, work.s7_239, s7_502);
-  const double s7_504 = mbgen::fma(work.s1_431, work.s7_254, work.a_carrier_right_z);
-  const double s7_505 = mbgen::fma(work.s1_428, work.s7_255, s7_504);
-  const double s7_506 = 0.3333333333333333*mbgen::fnma(work.s1_434, work.s7_256, s7_505);
-  const double s7_507 = mbgen::fma(0.72, work.s7_18, work.a_arb_front_right_y);
-  const double s7_508 = mbgen::fma(work.s1_425, work.s7_310, s7_507);
-  const double s7_509 = 0.3333333333333333*mbgen::fma(work.s1_423, work.s7_311, s7_508);
-  const double s7_510 = mbgen::fma(work.s1_425, work.s7_314, work.a_arb_front_right_z);
-  const double s7_511 = mbgen::fnma(work.s1_423, work.s7_315, s7_510);
-  const double s7_512 = 0.3333333333333333*mbgen::fnma(0.72, work.s7_316, s7_511);
-  const double s7_513 = mbgen::fma(work.s1_423, work.s7_305, work.a_arb_front_right_x);
-  const double s7_514 = mbgen::fnma(work.s1_425, work.s7_304, s7_513);
-  const double s7_515 = 0.3333333333333333*mbgen::fnma(0.72, work.s7_306, s7_514);
+  const double s7_308 = mbgen::fnma(work.s7_155, work.s7_290, work.s7_307);
+  const double s7_309 = mbgen::fnma((-p_arb_link_front_right_from_y), work.s7_158, s7_308);
+  const double s7_310 = 0.3333333333333333*s7_309;
+  const double s7_311 = mbgen::fma(work.s7_132, work.s7_296, work.a_carrier_right_aux1_z);
+  const double s7_312 = mbgen::fma(work.s7_133, work.s7_293, s7_311);
+  const double s7_313 = 0.3333333333333333*mbgen::fnma(work.s7_129, work.s7_299, s7_312);
+  const double s7_314 = mbgen::fma(work.s7_134, work.s7_296, work.a_carrier_right_aux1_x);
+  const double s7_315 = mbgen::fma(work.s7_130, work.s7_299, s7_314);
+  const double s7_316 = 0.3333333333333333*mbgen::fnma(work.s7_127, work.s7_293, s7_315);
   // drag_link
-  const double s7_516 = mbgen::fma(work.s1_437, work.s7_325, work.a_pitman_arm_y);
-  const double s7_517 = mbgen::fnma(work.s1_435, work.s7_326, s7_516);
-  const double s7_518 = 1.5*mbgen::fnma(p_pitman_arm_y, work.s7_18, s7_517);
-  const double s7_519 = mbgen::fma(p_pitman_arm_y, work.s7_322, work.a_pitman_arm_x);
-  const double s7_520 = mbgen::fnma(work.s1_435, work.s7_321, s7_519);
-  const double s7_521 = 1.5*mbgen::fnma(work.s1_437, work.s7_320, s7_520);
-  const double s7_522 = mbgen::fma((-p_bell_crank_z), work.s7_16, work.a_bell_crank_z);
-  const double s7_523 = mbgen::fma(work.s1_436, work.s7_342, s7_522);
-  const double s7_524 = 1.5*mbgen::fma(work.s1_438, work.s7_339, s7_523);
-  const double s7_525 = mbgen::fnma((-p_bell_crank_z), work.s7_334, work.a_bell_crank_x);
-  const double s7_526 = mbgen::fma(work.s1_436, work.s7_340, s7_525);
-  const double s7_527 = 1.5*mbgen::fnma(work.s1_438, work.s7_333, s7_526);
+  const double R_pitman_arm_x_z = work.sines[15];
+  work.s7_317 = (-p_drag_link_from_z)*R_pitman_arm_x_z;
+  const double R_pitman_arm_x_x = work.cosines[15];
+  work.s7_318 = (-p_drag_link_from_z)*R_pitman_arm_x_x;
+  const double R_bell_crank_y_x = work.sines[16];
+  work.s7_319 = p_drag_link_to_y*R_bell_crank_y_x;
+  const double R_bell_crank_x_x = work.cosines[16];
+  const double s7_320 = p_drag_link_to_y*R_bell_crank_x_x;
+  const double s7_321 = mbgen::fma(work.s7_168, work.s7_317, work.a_pitman_arm_x);
+  const double s7_322 = 1.5*mbgen::fnma(work.s7_165, work.s7_318, s7_321);
+  const double s7_323 = mbgen::fma(work.s7_178, s7_320, work.a_bell_crank_z);
+  const double s7_324 = 1.5*mbgen::fnma(work.s7_179, work.s7_319, s7_323);
+  const double s7_325 = mbgen::fma(work.s7_176, work.s7_319, work.a_bell_crank_x);
+  const double s7_326 = 1.5*mbgen::fma(work.s7_175, s7_320, s7_325);
+  const double s7_327 = mbgen::fnma(work.s7_169, work.s7_317, work.a_pitman_arm_y);
+  const double s7_328 = 1.5*mbgen::fnma(work.s7_170, work.s7_318, s7_327);
   // tie_rod_left
-  const double s7_528 = mbgen::fma(work.s1_449, work.s7_91, work.a_carrier_left_x);
-  const double s7_529 = mbgen::fma(work.s1_452, work.s7_97, s7_528);
-  const double s7_530 = 1.1666666666666667*mbgen::fnma(work.s1_446, work.s7_94, s7_529);
-  const double s7_531 = mbgen::fma(work.s1_446, work.s7_102, work.a_carrier_left_y);
-  const double s7_532 = mbgen::fma(work.s1_452, work.s7_105, s7_531);
-  const double s7_533 = 1.1666666666666667*mbgen::fnma(work.s1_449, work.s7_101, s7_532);
-  const double s7_534 = mbgen::fma(work.s1_441, work.s7_342, s7_522);
-  const double s7_535 = 1.1666666666666667*mbgen::fma(work.s1_443, work.s7_339, s7_534);
-  const double s7_536 = mbgen::fnma((-p_bell_crank_z), work.s7_337, work.a_bell_crank_y);
-  const double s7_537 = mbgen::fma(work.s1_443, work.s7_336, s7_536);
-  const double s7_538 = 1.1666666666666667*mbgen::fnma(work.s1_441, work.s7_341, s7_537);
-  const double s7_539 = mbgen::fma(work.s1_441, work.s7_340, s7_525);
-  const double s7_540 = 1.1666666666666667*mbgen::fnma(work.s1_443, work.s7_333, s7_539);
+  work.s7_329 = (-p_tie_rod_left_to_y)*work.R_carrier_left_aux2_z_y;
+  work.s7_330 = (-p_tie_rod_left_to_y)*work.R_carrier_left_aux2_y_y;
+  const double s7_331 = p_tie_rod_left_from_y*R_bell_crank_y_x;
+  const double s7_332 = (-p_tie_rod_left_from_x)*R_bell_crank_y_x;
+  work.s7_333 = mbgen::fma((-p_tie_rod_left_from_x), R_bell_crank_x_x, s7_331);
+  work.s7_334 = mbgen::fms(p_tie_rod_left_from_y, R_bell_crank_x_x, s7_332);
+  work.s7_335 = (-p_tie_rod_left_to_y)*work.s1_12;
+  const double s7_336 = mbgen::fma(p_tie_rod_left_to_z, work.R_carrier_left_x_z, work.s7_335);
+  work.s7_337 = mbgen::fnma((-p_tie_rod_left_to_x), work.R_carrier_left_x_x, s7_336);
+  const double s7_338 = mbgen::fms(p_tie_rod_left_to_z, work.R_carrier_left_y_z, work.s7_330);
+  work.s7_339 = mbgen::fnma((-p_tie_rod_left_to_x), work.R_carrier_left_y_x, s7_338);
+  const double s7_340 = mbgen::fms(p_tie_rod_left_to_z, work.R_carrier_left_z_z, work.s7_329);
+  work.s7_341 = mbgen::fnma((-p_tie_rod_left_to_x), work.R_carrier_left_z_x, s7_340);
+  const double s7_342 = mbgen::fma(work.s7_178, work.s7_334, work.a_bell_crank_z);
+  const double s7_343 = 1.1666666666666667*mbgen::fnma(work.s7_179, work.s7_333, s7_342);
+  const double s7_344 = mbgen::fma(work.s7_176, work.s7_333, work.a_bell_crank_x);
+  const double s7_345 = 1.1666666666666667*mbgen::fma(work.s7_175, work.s7_334, s7_344);
+  const double s7_346 = mbgen::fnma(work.s7_174, work.s7_333, work.a_bell_crank_y);
+  const double s7_347 = 1.1666666666666667*mbgen::fnma(work.s7_177, work.s7_334, s7_346);
+  const double s7_348 = mbgen::fma(work.s7_61, work.s7_337, work.a_carrier_left_aux1_y);
+  const double s7_349 = mbgen::fma(work.s7_65, work.s7_341, s7_348);
+  const double s7_350 = 1.1666666666666667*mbgen::fnma(work.s7_58, work.s7_339, s7_349);
+  const double s7_351 = mbgen::fma(work.s7_64, work.s7_339, work.a_carrier_left_aux1_x);
+  const double s7_352 = mbgen::fma(work.s7_60, work.s7_341, s7_351);
+  const double s7_353 = 1.1666666666666667*mbgen::fnma(work.s7_57, work.s7_337, s7_352);
   // tie_rod_right
-  const double s7_541 = mbgen::fma(work.s1_461, work.s7_236, work.a_carrier_right_x);
-  const double s7_542 = mbgen::fma(work.s1_464, work.s7_242, s7_541);
-  const double s7_543 = 1.1666666666666667*mbgen::fnma(work.s1_458, work.s7_239, s7_542);
-  const double s7_544 = mbgen::fma(work.s1_458, work.s7_247, work.a_carrier_right_y);
-  const double s7_545 = mbgen::fma(work.s1_464, work.s7_250, s7_544);
-  const double s7_546 = 1.1666666666666667*mbgen::fnma(work.s1_461, work.s7_246, s7_545);
-  const double s7_547 = mbgen::fma(work.s1_455, work.s7_339, s7_522);
-  const double s7_548 = 1.1666666666666667*mbgen::fnma(work.s1_453, work.s7_342, s7_547);
-  const double s7_549 = mbgen::fma(work.s1_453, work.s7_341, s7_536);
-  const double s7_550 = 1.1666666666666667*mbgen::fma(work.s1_455, work.s7_336, s7_549);
-  const double s7_551 = mbgen::fnma(work.s1_453, work.s7_340, s7_525);
-  const double s7_552 = 1.1666666666666667*mbgen::fnma(work.s1_455, work.s7_333, s7_551);
+  work.s7_354 = mbgen::fma(p_tie_rod_left_from_y, R_bell_crank_x_x, s7_332);
+  work.s7_355 = p_tie_rod_right_to_y*work.s1_38;
+  work.s7_356 = mbgen::fnma((-p_tie_rod_left_from_x), R_bell_crank_x_x, s7_331);
+  const double s7_357 = mbgen::fms(p_tie_rod_right_to_z, work.R_carrier_right_x_z, work.s7_355);
+  work.s7_358 = mbgen::fnma((-p_tie_rod_right_to_x), work.R_carrier_right_x_x, s7_357);
+  work.s7_359 = p_tie_rod_right_to_y*work.R_carrier_right_aux2_y_y;
+  const double s7_360 = mbgen::fma(p_tie_rod_right_to_z, work.R_carrier_right_y_z, work.s7_359);
+  work.s7_361 = mbgen::fnma((-p_tie_rod_right_to_x), work.R_carrier_right_y_x, s7_360);
+  work.s7_362 = p_tie_rod_right_to_y*work.R_carrier_right_aux2_z_y;
+  const double s7_363 = mbgen::fma(p_tie_rod_right_to_z, work.R_carrier_right_z_z, work.s7_362);
+  work.s7_364 = mbgen::fnma((-p_tie_rod_right_to_x), work.R_carrier_right_z_x, s7_363);
+  const double s7_365 = mbgen::fma(work.s7_174, work.s7_356, work.a_bell_crank_y);
+  const double s7_366 = 1.1666666666666667*mbgen::fma(work.s7_177, work.s7_354, s7_365);
+  const double s7_367 = mbgen::fma(work.s7_179, work.s7_356, work.a_bell_crank_z);
+  const double s7_368 = 1.1666666666666667*mbgen::fnma(work.s7_178, work.s7_354, s7_367);
+  const double s7_369 = mbgen::fnma(work.s7_176, work.s7_356, work.a_bell_crank_x);
+  const double s7_370 = 1.1666666666666667*mbgen::fnma(work.s7_175, work.s7_354, s7_369);
+  const double s7_371 = mbgen::fma(work.s7_134, work.s7_361, work.a_carrier_right_aux1_x);
+  const double s7_372 = mbgen::fma(work.s7_130, work.s7_364, s7_371);
+  const double s7_373 = 1.1666666666666667*mbgen::fnma(work.s7_127, work.s7_358, s7_372);
+  const double s7_374 = mbgen::fma(work.s7_131, work.s7_358, work.a_carrier_right_aux1_y);
+  const double s7_375 = mbgen::fma(work.s7_135, work.s7_364, s7_374);
+  const double s7_376 = 1.1666666666666667*mbgen::fnma(work.s7_128, work.s7_361, s7_375);
   // long_rod_left
-  const double s7_553 = (-p_long_rod_left_from_z)*work.s7_19;
-  const double s7_554 = mbgen::fma((-p_long_rod_left_from_x), work.s7_22, s7_553);
-  const double s7_555 = (-p_long_rod_left_from_z)*work.s7_16;
-  const double s7_556 = mbgen::fnma((-p_long_rod_left_from_x), work.s7_24, s7_555);
-  const double s7_557 = work.a_chassis_z + s7_556;
-  const double s7_558 = 3.0*mbgen::fma(p_long_rod_left_from_y, work.s7_20, s7_557);
-  const double s7_559 = (-p_long_rod_left_from_x)*work.s7_17;
-  const double s7_560 = mbgen::fnma((-p_long_rod_left_from_z), work.s7_21, s7_559);
-  const double s7_561 = work.a_chassis_x + s7_560;
-  const double s7_562 = 3.0*mbgen::fma(p_long_rod_left_from_y, work.s7_23, s7_561);
-  const double s7_563 = mbgen::fnma(p_long_rod_left_from_y, work.s7_18, work.a_chassis_y);
-  const double s7_564 = 3.0*(s7_563 - s7_554);
+  const double s1_57 = work.sines[18];
+  const double s7_377 = p_long_rod_left_to_x*s1_57;
+  const double s7_378 = mbgen::fma((-p_long_rod_left_to_z), work.R_rear_axle_z_z, s7_377);
+  const double s7_379 = (-p_long_rod_left_from_x)*work.s7_20;
+  const double s7_380 = mbgen::fma((-p_long_rod_left_from_z), work.s7_17, s7_379);
+  work.s7_381 = mbgen::fms(p_long_rod_left_to_y, work.R_rear_axle_z_y, s7_378);
+  const double s7_382 = p_long_rod_left_to_x*work.R_rear_axle_aux5_x_x;
+  const double s7_383 = mbgen::fnma((-p_long_rod_left_to_z), work.R_rear_axle_x_z, s7_382);
+  work.s7_384 = mbgen::fma(p_long_rod_left_to_y, work.R_rear_axle_x_y, s7_383);
+  const double s7_385 = p_long_rod_left_to_x*work.R_rear_axle_aux5_y_x;
+  const double s7_386 = mbgen::fnma((-p_long_rod_left_to_z), work.R_rear_axle_y_z, s7_385);
+  work.s7_387 = mbgen::fma(p_long_rod_left_to_y, work.R_rear_axle_y_y, s7_386);
+  const double s7_388 = (-p_long_rod_left_from_z)*work.s7_14;
+  const double s7_389 = mbgen::fnma((-p_long_rod_left_from_x), work.s7_22, s7_388);
+  const double s7_390 = work.a_chassis_z + s7_389;
+  const double s7_391 = 3.0*mbgen::fma(p_long_rod_left_from_y, work.s7_18, s7_390);
+  const double s7_392 = (-p_long_rod_left_from_x)*work.s7_15;
+  const double s7_393 = mbgen::fnma((-p_long_rod_left_from_z), work.s7_19, s7_392);
+  const double s7_394 = work.a_chassis_x + s7_393;
+  const double s7_395 = 3.0*mbgen::fma(p_long_rod_left_from_y, work.s7_21, s7_394);
+  const double s7_396 = mbgen::fnma(p_long_rod_left_from_y, work.s7_16, work.a_chassis_y);
+  const double s7_397 = 3.0*(s7_396 - s7_380);
   // diag_rod_left
-  const double s7_565 = (-p_diag_rod_left_from_z)*work.s7_19;
-  const double s7_566 = mbgen::fma((-p_diag_rod_left_from_x), work.s7_22, s7_565);
-  const double s7_567 = (-p_diag_rod_left_from_z)*work.s7_16;
-  const double s7_568 = mbgen::fnma((-p_diag_rod_left_from_x), work.s7_24, s7_567);
-  const double s7_569 = work.a_chassis_z + s7_568;
-  const double s7_570 = mbgen::fma(p_diag_rod_left_from_y, work.s7_20, s7_569);
-  const double s7_571 = 2.6666666666666665*s7_570;
-  const double s7_572 = (-p_diag_rod_left_from_x)*work.s7_17;
-  const double s7_573 = mbgen::fnma((-p_diag_rod_left_from_z), work.s7_21, s7_572);
-  const double s7_574 = work.a_chassis_x + s7_573;
-  const double s7_575 = mbgen::fma(p_diag_rod_left_from_y, work.s7_23, s7_574);
-  const double s7_576 = 2.6666666666666665*s7_575;
-  const double s7_577 = mbgen::fnma(p_diag_rod_left_from_y, work.s7_18, work.a_chassis_y);
-  const double s7_578 = 2.6666666666666665*(s7_577 - s7_566);
+  const double s7_398 = (-p_diag_rod_left_from_x)*work.s7_20;
+  const double s7_399 = mbgen::fma((-p_diag_rod_left_from_z), work.s7_17, s7_398);
+  const double s7_400 = p_diag_rod_left_to_y*work.R_rear_axle_z_y;
+  work.s7_401 = mbgen::fma(p_diag_rod_left_to_z, work.R_rear_axle_z_z, s7_400);
+  const double s7_402 = p_diag_rod_left_to_z*work.R_rear_axle_x_z;
+  work.s7_403 = mbgen::fma(p_diag_rod_left_to_y, work.R_rear_axle_x_y, s7_402);
+  const double s7_404 = p_diag_rod_left_to_y*work.R_rear_axle_y_y;
+  work.s7_405 = mbgen::fma(p_diag_rod_left_to_z, work.R_rear_axle_y_z, s7_404);
+  const double s7_406 = (-p_diag_rod_left_from_z)*work.s7_14;
+  const double s7_407 = mbgen::fnma((-p_diag_rod_left_from_x), work.s7_22, s7_406);
+  const double s7_408 = 2.6666666666666665*(work.s7_30 + s7_407);
+  const double s7_409 = (-p_diag_rod_left_from_x)*work.s7_15;
+  const double s7_410 = mbgen::fnma((-p_diag_rod_left_from_z), work.s7_19, s7_409);
+  const double s7_411 = 2.6666666666666665*(work.s7_25 + s7_410);
+  const double s7_412 = mbgen::fnma(p_lower_arm_left_y, work.s7_16, work.a_chassis_y) - s7_399;
+  const double s7_413 = 2.6666666666666665*s7_412;
   // arb_link_rear_left
-  const double s7_579 = mbgen::fma(work.s1_490, work.s7_400, work.a_rear_axle_z);
-  const double s7_580 = mbgen::fma(work.s1_492, work.s7_402, s7_579);
-  const double s7_581 = 0.3333333333333333*mbgen::fnma(work.s1_496, work.s7_401, s7_580);
-  const double s7_582 = mbgen::fma(work.s1_490, work.s7_384, work.a_rear_axle_x);
-  const double s7_583 = mbgen::fma(work.s1_496, work.s7_390, s7_582);
-  const double s7_584 = 0.3333333333333333*mbgen::fnma(work.s1_492, work.s7_387, s7_583);
-  const double s7_585 = mbgen::fma(0.6, s7_439, a_arb_rear_left_z);
-  const double s7_586 = mbgen::fma(work.s1_488, s7_441, mbgen::fma(work.s1_483, s7_440, s7_585));
-  const double s7_587 = 0.3333333333333333*s7_586;
-  const double s7_588 = mbgen::fma(0.6, s7_431, a_arb_rear_left_x);
-  const double s7_589 = mbgen::fnma(work.s1_483, s7_432, s7_588);
-  const double s7_590 = 0.3333333333333333*mbgen::fnma(work.s1_488, s7_433, s7_589);
-  const double s7_591 = mbgen::fnma(0.6, work.s7_18, a_arb_rear_left_y);
-  const double s7_592 = mbgen::fma(work.s1_488, s7_437, s7_591);
-  const double s7_593 = 0.3333333333333333*mbgen::fnma(work.s1_483, s7_436, s7_592);
+  const double R_arb_rear_left_x_z = work.sines[20];
+  work.s7_414 = p_arb_link_rear_left_from_x*R_arb_rear_left_x_z;
+  const double s7_415 = (-p_arb_link_rear_left_to_x)*work.R_rear_axle_aux5_y_x;
+  const double s7_416 = mbgen::fma((-p_arb_link_rear_left_to_z), work.R_rear_axle_y_z, s7_415);
+  const double s7_417 = (-p_arb_link_rear_left_to_x)*work.R_rear_axle_aux5_x_x;
+  const double s7_418 = mbgen::fma((-p_arb_link_rear_left_to_z), work.R_rear_axle_x_z, s7_417);
+  const double R_arb_rear_left_x_x = work.cosines[20];
+  work.s7_419 = p_arb_link_rear_left_from_x*R_arb_rear_left_x_x;
+  const double s7_420 = (-p_arb_link_rear_left_to_x)*s1_57;
+  const double s7_421 = mbgen::fnma((-p_arb_link_rear_left_to_z), work.R_rear_axle_z_z, s7_420);
+  work.s7_422 = mbgen::fma(p_arb_link_rear_left_to_y, work.R_rear_axle_z_y, s7_421);
+  work.s7_423 = mbgen::fms(p_arb_link_rear_left_to_y, work.R_rear_axle_x_y, s7_418);
+  work.s7_424 = mbgen::fms(p_arb_link_rear_left_to_y, work.R_rear_axle_y_y, s7_416);
+  const double s7_425 = mbgen::fma(p_arb_link_rear_left_from_y, work.s7_238,
+      work.a_arb_rear_left_z);
+  const double s7_426 = mbgen::fma(work.s7_235, work.s7_414, s7_425);
+  const double s7_427 = 0.3333333333333333*mbgen::fma(work.s7_234, work.s7_419, s7_426);
+  const double s7_428 = mbgen::fma(p_arb_link_rear_left_from_y, work.s7_239,
+      work.a_arb_rear_left_x);
+  const double s7_429 = mbgen::fnma(work.s7_233, work.s7_414, s7_428);
+  const double s7_430 = 0.3333333333333333*mbgen::fnma(work.s7_236, work.s7_419, s7_429);
+  const double s7_431 = mbgen::fnma(p_arb_link_rear_left_from_y, work.s7_16,
+      work.a_arb_rear_left_y);
+  const double s7_432 = mbgen::fma(work.s7_237, work.s7_419, s7_431);
+  const double s7_433 = 0.3333333333333333*mbgen::fnma(work.s7_240, work.s7_414, s7_432);
+  const double s7_434 = mbgen::fma(work.s7_210, work.s7_424, work.a_rear_axle_aux3_z);
+  const double s7_435 = mbgen::fma(work.s7_214, work.s7_423, s7_434);
+  const double s7_436 = 0.3333333333333333*mbgen::fnma(work.s7_207, work.s7_422, s7_435);
+  const double s7_437 = mbgen::fma(work.s7_215, work.s7_424, work.a_rear_axle_aux3_x);
+  const double s7_438 = mbgen::fma(work.s7_211, work.s7_422, s7_437);
+  const double s7_439 = 0.3333333333333333*mbgen::fnma(work.s7_208, work.s7_423, s7_438);
   // long_rod_right
-  const double s7_594 = mbgen::fma(p_long_rod_left_from_y, work.s7_18, work.a_chassis_y);
-  const double s7_595 = 3.0*(s7_594 - s7_554);
-  const double s7_596 = 3.0*mbgen::fnma(p_long_rod_left_from_y, work.s7_20, s7_557);
-  const double s7_597 = 3.0*mbgen::fnma(p_long_rod_left_from_y, work.s7_23, s7_561);
+  work.s7_440 = mbgen::fma(p_long_rod_left_to_y, work.R_rear_axle_z_y, s7_378);
+  work.s7_441 = mbgen::fnma(p_long_rod_left_to_y, work.R_rear_axle_x_y, s7_383);
+  work.s7_442 = mbgen::fnma(p_long_rod_left_to_y, work.R_rear_axle_y_y, s7_386);
+  const double s7_443 = mbgen::fma(p_long_rod_left_from_y, work.s7_16, work.a_chassis_y);
+  const double s7_444 = 3.0*(s7_443 - s7_380);
+  const double s7_445 = 3.0*mbgen::fnma(p_long_rod_left_from_y, work.s7_18, s7_390);
+  const double s7_446 = 3.0*mbgen::fnma(p_long_rod_left_from_y, work.s7_21, s7_394);
   // diag_rod_right
-  const double s7_598 = mbgen::fma(p_diag_rod_left_from_y, work.s7_18, work.a_chassis_y);
-  const double s7_599 = 2.6666666666666665*(s7_598 - s7_566);
-  const double s7_600 = mbgen::fnma(p_diag_rod_left_from_y, work.s7_20, s7_569);
-  const double s7_601 = 2.6666666666666665*s7_600;
-  const double s7_602 = mbgen::fnma(p_diag_rod_left_from_y, work.s7_23, s7_574);
-  const double s7_603 = 2.6666666666666665*s7_602;
+  work.s7_447 = mbgen::fms(p_diag_rod_left_to_z, work.R_rear_axle_z_z, s7_400);
+  work.s7_448 = mbgen::fnma(p_diag_rod_left_to_y, work.R_rear_axle_x_y, s7_402);
+  work.s7_449 = mbgen::fms(p_diag_rod_left_to_z, work.R_rear_axle_y_z, s7_404);
+  const double s7_450 = mbgen::fma(p_lower_arm_left_y, work.s7_16, work.a_chassis_y) - s7_399;
+  const double s7_451 = 2.6666666666666665*s7_450;
+  const double s7_452 = mbgen::fnma(p_lower_arm_left_y, work.s7_18, work.a_chassis_z + s7_407);
+  const double s7_453 = 2.6666666666666665*s7_452;
+  const double s7_454 = mbgen::fnma(p_lower_arm_left_y, work.s7_21, work.a_chassis_x + s7_410);
+  const double s7_455 = 2.6666666666666665*s7_454;
   // arb_link_rear_right
-  const double s7_604 = mbgen::fma(work.s1_507, work.s7_400, work.a_rear_axle_z);
-  const double s7_605 = mbgen::fma(work.s1_509, work.s7_402, s7_604);
-  const double s7_606 = 0.3333333333333333*mbgen::fnma(work.s1_505, work.s7_401, s7_605);
-  const double s7_607 = mbgen::fma(work.s1_507, work.s7_384, work.a_rear_axle_x);
-  const double s7_608 = mbgen::fma(work.s1_505, work.s7_390, s7_607);
-  const double s7_609 = 0.3333333333333333*mbgen::fnma(work.s1_509, work.s7_387, s7_608);
-  const double s7_610 = mbgen::fma(0.6, work.s7_18, a_arb_rear_right_y);
-  const double s7_611 = mbgen::fma(work.s1_510, s7_477, s7_610);
-  const double s7_612 = 0.3333333333333333*mbgen::fnma(work.s1_504, s7_476, s7_611);
-  const double s7_613 = mbgen::fma(work.s1_504, s7_480, a_arb_rear_right_z);
-  const double s7_614 = mbgen::fnma(0.6, s7_482, mbgen::fma(work.s1_510, s7_481, s7_613));
-  const double s7_615 = 0.3333333333333333*s7_614;
-  const double s7_616 = mbgen::fnma(0.6, s7_472, a_arb_rear_right_x);
-  const double s7_617 = mbgen::fnma(work.s1_504, s7_470, s7_616);
-  const double s7_618 = 0.3333333333333333*mbgen::fnma(work.s1_510, s7_471, s7_617);
-  // lower_arm_left: lower_arm_left, revolute, chassis
-  const double s7_619 = mbgen::fma(p_lower_arm_left_x, work.s7_30, work.a_lower_arm_left_y);
-  const double s7_620 = mbgen::fma(work.s1_73, work.s7_31, s7_619);
-  const double s7_621 = m_lower_arm_left*mbgen::fnma(work.s1_75, work.s7_29, s7_620);
-  const double s7_622 = mbgen::fma(work.s1_75, work.s7_35, work.a_lower_arm_left_z);
-  const double s7_623 = mbgen::fma(p_lower_arm_left_x, work.s7_36, s7_622);
-  const double s7_624 = m_lower_arm_left*mbgen::fnma(work.s1_73, work.s7_37, s7_623);
-  // carrier_left: carrier_left_ry, revolute, carrier_left_aux2
-  const double s7_625 = mbgen::fma(work.s1_110, work.s7_102, work.a_carrier_left_y);
-  const double s7_626 = mbgen::fma(work.s1_86, work.s7_105, s7_625);
-  const double s7_627 = m_carrier_left*mbgen::fnma(work.s1_104, work.s7_101, s7_626);
-  const double s7_628 = mbgen::fma(work.s1_104, work.s7_109, work.a_carrier_left_z);
-  const double s7_629 = mbgen::fma(work.s1_110, work.s7_111, s7_628);
-  const double s7_630 = m_carrier_left*mbgen::fnma(work.s1_86, work.s7_110, s7_629);
-  const double s7_631 = mbgen::fma(work.s1_104, work.s7_91, work.a_carrier_left_x);
-  const double s7_632 = mbgen::fma(work.s1_86, work.s7_97, s7_631);
-  const double s7_633 = m_carrier_left*mbgen::fnma(work.s1_110, work.s7_94, s7_632);
-  const double s7_634 = work.s1_119*work.w_carrier_left_y;
-  const double s7_635 = mbgen::fma(work.s1_128, work.w_carrier_left_x, s7_634);
-  const double s7_636 = mbgen::fma(work.s1_107, work.w_carrier_left_z, s7_635);
-  const double s7_637 = work.s1_101*work.w_carrier_left_y;
-  const double s7_638 = mbgen::fma(work.s1_131, work.w_carrier_left_z, s7_637);
-  const double s7_639 = mbgen::fma(work.s1_107, work.w_carrier_left_x, s7_638);
-  const double s7_640 = work.s1_134*work.w_carrier_left_y;
-  const double s7_641 = mbgen::fma(work.s1_101, work.w_carrier_left_z, s7_640);
-  const double s7_642 = mbgen::fma(work.s1_119, work.w_carrier_left_x, s7_641);
-  // wheel_front_left: wheel_front_left, revolute, carrier_left
-  const double s7_643 = mbgen::fma(work.r_wheel_front_left_y, work.s7_117,
-      work.a_wheel_front_left_x);
-  const double s7_644 = mbgen::fma(work.r_wheel_front_left_z, work.s7_123, s7_643);
-  const double s7_645 = mbgen::fnma(work.r_wheel_front_left_x, work.s7_120, s7_644);
-  const double s7_646 = m_wheel_front_left*s7_645;
-  const double s7_647 = mbgen::fma(work.r_wheel_front_left_x, work.s7_128,
-      work.a_wheel_front_left_y);
-  const double s7_648 = mbgen::fma(work.r_wheel_front_left_z, work.s7_131, s7_647);
-  const double s7_649 = mbgen::fnma(work.r_wheel_front_left_y, work.s7_127, s7_648);
-  const double s7_650 = m_wheel_front_left*s7_649;
-  const double s7_651 = mbgen::fma(work.r_wheel_front_left_y, work.s7_135,
-      work.a_wheel_front_left_z);
-  const double s7_652 = mbgen::fma(work.r_wheel_front_left_x, work.s7_137, s7_651);
-  const double s7_653 = mbgen::fnma(work.r_wheel_front_left_z, work.s7_136, s7_652);
-  const double s7_654 = m_wheel_front_left*s7_653;
-  const double s7_655 = work.s1_146*work.w_wheel_front_left_y;
-  const double s7_656 = mbgen::fma(work.s1_154, work.w_wheel_front_left_z, s7_655);
-  const double s7_657 = mbgen::fma(work.s1_160, work.w_wheel_front_left_x, s7_656);
-  const double s7_658 = work.s1_160*work.w_wheel_front_left_y;
-  const double s7_659 = mbgen::fma(work.s1_151, work.w_wheel_front_left_x, s7_658);
-  const double s7_660 = mbgen::fma(work.s1_157, work.w_wheel_front_left_z, s7_659);
-  const double s7_661 = work.s1_154*work.w_wheel_front_left_y;
-  const double s7_662 = mbgen::fma(work.s1_141, work.w_wheel_front_left_z, s7_661);
-  const double s7_663 = mbgen::fma(work.s1_157, work.w_wheel_front_left_x, s7_662);
-  // upper_arm_left: upper_arm_left, revolute, chassis
-  const double s7_664 = mbgen::fma(work.s1_163, work.s7_143, work.a_upper_arm_left_y);
-  const double s7_665 = mbgen::fma(p_upper_arm_left_x, work.s7_142, s7_664);
-  const double s7_666 = mbgen::fma(work.s1_165, work.s7_147, work.a_upper_arm_left_z);
-  const double s7_667 = mbgen::fma(p_upper_arm_left_x, work.s7_148, s7_666);
-  // arb_front_left: arb_front_left, revolute, chassis
-  const double s7_668 = mbgen::fma(0.5169230769230769, work.s7_155, work.a_arb_front_left_x);
-  const double s7_669 = mbgen::fma(work.s1_176, work.s7_154, s7_668);
-  const double s7_670 = m_arb_front_left*mbgen::fnma(work.s1_182, work.s7_153, s7_669);
-  const double s7_671 = mbgen::fma(0.5169230769230769, work.s7_165, work.a_arb_front_left_z);
-  const double s7_672 = mbgen::fma(work.s1_182, work.s7_163, s7_671);
-  const double s7_673 = m_arb_front_left*mbgen::fnma(work.s1_176, work.s7_164, s7_672);
-  const double s7_674 = work.s1_180*work.w_arb_front_left_y;
-  const double s7_675 = mbgen::fma(work.s1_187, work.w_chassis_x, s7_674);
-  const double s7_676 = mbgen::fma(work.s1_188, work.w_chassis_z, work.s1_184*work.w_chassis_x);
-  // lower_arm_right: lower_arm_right, revolute, chassis
-  const double s7_677 = mbgen::fma(p_lower_arm_right_x, work.s7_173, work.a_lower_arm_right_y);
-  const double s7_678 = mbgen::fnma(work.s1_191, work.s7_174, s7_677);
-  const double s7_679 = m_lower_arm_right*mbgen::fnma(work.s1_193, work.s7_176, s7_678);
-  const double s7_680 = mbgen::fma(work.s1_193, work.s7_182, work.a_lower_arm_right_z);
-  const double s7_681 = mbgen::fma(p_lower_arm_right_x, work.s7_180, s7_680);
-  const double s7_682 = m_lower_arm_right*mbgen::fma(work.s1_191, work.s7_181, s7_681);
-  // carrier_right: carrier_right_ry, revolute, carrier_right_aux2
-  const double s7_683 = mbgen::fma(work.s1_228, work.s7_247, work.a_carrier_right_y);
-  const double s7_684 = mbgen::fma(work.s1_202, work.s7_250, s7_683);
-  const double s7_685 = m_carrier_right*mbgen::fnma(work.s1_222, work.s7_246, s7_684);
-  const double s7_686 = mbgen::fma(work.s1_222, work.s7_254, work.a_carrier_right_z);
-  const double s7_687 = mbgen::fma(work.s1_228, work.s7_255, s7_686);
-  const double s7_688 = m_carrier_right*mbgen::fnma(work.s1_202, work.s7_256, s7_687);
-  const double s7_689 = mbgen::fma(work.s1_222, work.s7_236, work.a_carrier_right_x);
-  const double s7_690 = mbgen::fma(work.s1_202, work.s7_242, s7_689);
-  const double s7_691 = m_carrier_right*mbgen::fnma(work.s1_228, work.s7_239, s7_690);
-  const double s7_692 = work.s1_237*work.w_carrier_right_y;
-  const double s7_693 = mbgen::fma(work.s1_225, work.w_carrier_right_z, s7_692);
-  const double s7_694 = mbgen::fma(work.s1_253, work.w_carrier_right_x, s7_693);
-  const double s7_695 = work.s1_219*work.w_carrier_right_y;
-  const double s7_696 = mbgen::fma(work.s1_240, work.w_carrier_right_z, s7_695);
-  const double s7_697 = mbgen::fma(work.s1_225, work.w_carrier_right_x, s7_696);
-  const double s7_698 = work.s1_243*work.w_carrier_right_y;
-  const double s7_699 = mbgen::fma(work.s1_219, work.w_carrier_right_z, s7_698);
-  const double s7_700 = mbgen::fma(work.s1_237, work.w_carrier_right_x, s7_699);
-  // wheel_front_right: wheel_front_right, revolute, carrier_right
-  const double s7_701 = mbgen::fma(work.r_wheel_front_right_y, work.s7_262,
-      work.a_wheel_front_right_x);
-  const double s7_702 = mbgen::fma(work.r_wheel_front_right_z, work.s7_268, s7_701);
-  const double s7_703 = mbgen::fnma(work.r_wheel_front_right_x, work.s7_265, s7_702);
-  const double s7_704 = m_wheel_front_right*s7_703;
-  const double s7_705 = mbgen::fma(work.r_wheel_front_right_x, work.s7_275,
-      work.a_wheel_front_right_y);
-  const double s7_706 = mbgen::fma(work.r_wheel_front_right_z, work.s7_278, s7_705);
-  const double s7_707 = mbgen::fnma(work.r_wheel_front_right_y, work.s7_274, s7_706);
-  const double s7_708 = m_wheel_front_right*s7_707;
-  const double s7_709 = mbgen::fma(work.r_wheel_front_right_y, work.s7_284,
-      work.a_wheel_front_right_z);
-  const double s7_710 = mbgen::fma(work.r_wheel_front_right_x, work.s7_286, s7_709);
-  const double s7_711 = mbgen::fnma(work.r_wheel_front_right_z, work.s7_285, s7_710);
-  const double s7_712 = m_wheel_front_right*s7_711;
-  const double s7_713 = work.s1_265*work.w_wheel_front_right_y;
-  const double s7_714 = mbgen::fma(work.s1_273, work.w_wheel_front_right_z, s7_713);
-  const double s7_715 = mbgen::fma(work.s1_279, work.w_wheel_front_right_x, s7_714);
-  const double s7_716 = work.s1_279*work.w_wheel_front_right_y;
-  const double s7_717 = mbgen::fma(work.s1_270, work.w_wheel_front_right_x, s7_716);
-  const double s7_718 = mbgen::fma(work.s1_276, work.w_wheel_front_right_z, s7_717);
-  const double s7_719 = work.s1_273*work.w_wheel_front_right_y;
-  const double s7_720 = mbgen::fma(work.s1_260, work.w_wheel_front_right_z, s7_719);
-  const double s7_721 = mbgen::fma(work.s1_276, work.w_wheel_front_right_x, s7_720);
-  // upper_arm_right: upper_arm_right, revolute, chassis
-  const double s7_722 = mbgen::fma(p_upper_arm_right_x, work.s7_292, work.a_upper_arm_right_y);
-  const double s7_723 = mbgen::fnma(work.s1_282, work.s7_293, s7_722);
-  const double s7_724 = mbgen::fma(work.s1_284, work.s7_300, work.a_upper_arm_right_z);
-  const double s7_725 = mbgen::fma(work.s1_282, work.s7_299, s7_724);
-  // arb_front_right: arb_front_right, revolute, chassis
-  const double s7_726 = mbgen::fma(work.s1_293, work.s7_305, work.a_arb_front_right_x);
-  const double s7_727 = mbgen::fnma(work.s1_301, work.s7_304, s7_726);
-  const double s7_728 = m_arb_front_right*mbgen::fnma(0.5169230769230769, work.s7_306, s7_727);
-  const double s7_729 = mbgen::fma(work.s1_301, work.s7_314, work.a_arb_front_right_z);
-  const double s7_730 = mbgen::fnma(work.s1_293, work.s7_315, s7_729);
-  const double s7_731 = m_arb_front_right*mbgen::fnma(0.5169230769230769, work.s7_316, s7_730);
-  const double s7_732 = work.s1_297*work.w_arb_front_right_y;
-  const double s7_733 = mbgen::fma(work.s1_303, work.w_chassis_x, s7_732);
-  const double s7_734 = work.s1_299*work.w_arb_front_right_y;
-  const double s7_735 = mbgen::fma(work.s1_306, work.w_chassis_x, s7_734);
-  // pitman_arm: pitman_arm, revolute, chassis
-  const double s7_736 = mbgen::fma(p_pitman_arm_y, work.s7_330, work.a_pitman_arm_z);
-  const double s7_737 = mbgen::fma(work.s1_309, work.s7_329, s7_736);
-  const double s7_738 = m_pitman_arm*mbgen::fma(work.s1_312, work.s7_328, s7_737);
-  const double s7_739 = mbgen::fnma(work.s1_309, work.s7_321, s7_519);
-  const double s7_740 = m_pitman_arm*mbgen::fnma(work.s1_312, work.s7_320, s7_739);
-  // bell_crank: bell_crank, revolute, chassis
-  const double s7_741 = mbgen::fma(work.s1_327, work.s7_336, s7_536);
-  const double s7_742 = m_bell_crank*mbgen::fnma(work.s1_320, work.s7_341, s7_741);
-  const double s7_743 = mbgen::fma(work.s1_320, work.s7_340, s7_525);
-  // rear_axle: rear_axle_rx, revolute, rear_axle_aux5
-  const double s7_744 = mbgen::fma(work.s1_339, work.s7_400, work.a_rear_axle_z);
-  const double s7_745 = mbgen::fma(work.s1_343, work.s7_402, s7_744);
-  const double s7_746 = m_rear_axle*mbgen::fnma(work.s1_332, work.s7_401, s7_745);
-  const double s7_747 = mbgen::fma(work.s1_339, work.s7_384, work.a_rear_axle_x);
-  const double s7_748 = mbgen::fma(work.s1_332, work.s7_390, s7_747);
-  const double s7_749 = m_rear_axle*mbgen::fnma(work.s1_343, work.s7_387, s7_748);
-  const double s7_750 = mbgen::fma(work.s1_343, work.s7_394, work.a_rear_axle_y);
-  const double s7_751 = mbgen::fma(work.s1_332, work.s7_397, s7_750);
-  const double s7_752 = m_rear_axle*mbgen::fnma(work.s1_339, work.s7_393, s7_751);
-  const double s7_753 = work.s1_356*work.w_rear_axle_y;
-  const double s7_754 = mbgen::fma(work.s1_337, work.w_rear_axle_z, s7_753);
-  const double s7_755 = mbgen::fma(work.s1_351, work.w_rear_axle_x, s7_754);
-  const double s7_756 = work.s1_351*work.w_rear_axle_y;
-  const double s7_757 = mbgen::fma(work.s1_341, work.w_rear_axle_z, s7_756);
-  const double s7_758 = mbgen::fma(work.s1_363, work.w_rear_axle_x, s7_757);
-  const double s7_759 = work.s1_337*work.w_rear_axle_y;
-  const double s7_760 = mbgen::fma(work.s1_353, work.w_rear_axle_z, s7_759);
-  const double s7_761 = mbgen::fma(work.s1_341, work.w_rear_axle_x, s7_760);
-  // wheel_rear_left: wheel_rear_left, revolute, rear_axle
-  const double s7_762 = mbgen::fma(work.r_wheel_rear_left_y, s7_425, a_wheel_rear_left_z);
-  const double s7_763 = mbgen::fma(work.r_wheel_rear_left_x, s7_427, s7_762);
-  const double s7_764 = m_wheel_rear_left*mbgen::fnma(work.r_wheel_rear_left_z, s7_426, s7_763);
-  const double s7_765 = mbgen::fma(work.r_wheel_rear_left_y, s7_407, a_wheel_rear_left_x);
-  const double s7_766 = mbgen::fma(work.r_wheel_rear_left_z, s7_413, s7_765);
-  const double s7_767 = m_wheel_rear_left*mbgen::fnma(work.r_wheel_rear_left_x, s7_410, s7_766);
-  const double s7_768 = mbgen::fma(work.r_wheel_rear_left_x, s7_418, a_wheel_rear_left_y);
-  const double s7_769 = mbgen::fma(work.r_wheel_rear_left_z, s7_421, s7_768);
-  const double s7_770 = m_wheel_rear_left*mbgen::fnma(work.r_wheel_rear_left_y, s7_417, s7_769);
-  const double s7_771 = work.s1_379*work.w_wheel_rear_left_y;
-  const double s7_772 = mbgen::fma(work.s1_381, work.w_wheel_rear_left_z, s7_771);
-  const double s7_773 = mbgen::fma(work.s1_386, work.w_wheel_rear_left_x, s7_772);
-  const double s7_774 = work.s1_386*work.w_wheel_rear_left_y;
-  const double s7_775 = mbgen::fma(work.s1_383, work.w_wheel_rear_left_z, s7_774);
-  const double s7_776 = mbgen::fma(work.s1_373, work.w_wheel_rear_left_x, s7_775);
-  const double s7_777 = work.s1_381*work.w_wheel_rear_left_y;
-  const double s7_778 = mbgen::fma(work.s1_368, work.w_wheel_rear_left_z, s7_777);
-  const double s7_779 = mbgen::fma(work.s1_383, work.w_wheel_rear_left_x, s7_778);
-  // arb_rear_left: arb_rear_left, revolute, chassis
-  const double s7_780 = mbgen::fma(0.5076923076923077, s7_439, a_arb_rear_left_z);
-  const double s7_781 = mbgen::fma(work.s1_393, s7_441, mbgen::fma(work.s1_389, s7_440, s7_780));
-  const double s7_782 = m_arb_rear_left*s7_781;
-  const double s7_783 = mbgen::fma(0.5076923076923077, s7_431, a_arb_rear_left_x);
-  const double s7_784 = mbgen::fnma(work.s1_389, s7_432, s7_783);
-  const double s7_785 = m_arb_rear_left*mbgen::fnma(work.s1_393, s7_433, s7_784);
-  const double s7_786 = mbgen::fma(work.s1_392, work.w_chassis_z, work.s1_397*work.w_chassis_x);
-  const double s7_787 = work.s1_390*work.w_arb_rear_left_y;
-  const double s7_788 = mbgen::fma(work.s1_394, work.w_chassis_z, s7_787);
-  // wheel_rear_right: wheel_rear_right, revolute, rear_axle
-  const double s7_789 = mbgen::fma(work.r_wheel_rear_right_y, s7_464, a_wheel_rear_right_z);
-  const double s7_790 = mbgen::fma(work.r_wheel_rear_right_x, s7_466, s7_789);
-  const double s7_791 = mbgen::fnma(work.r_wheel_rear_right_z, s7_465, s7_790);
-  const double s7_792 = m_wheel_rear_right*s7_791;
-  const double s7_793 = mbgen::fma(work.r_wheel_rear_right_y, s7_446, a_wheel_rear_right_x);
-  const double s7_794 = mbgen::fma(work.r_wheel_rear_right_z, s7_452, s7_793);
-  const double s7_795 = mbgen::fnma(work.r_wheel_rear_right_x, s7_449, s7_794);
-  const double s7_796 = m_wheel_rear_right*s7_795;
-  const double s7_797 = mbgen::fma(work.r_wheel_rear_right_x, s7_457, a_wheel_rear_right_y);
-  const double s7_798 = mbgen::fma(work.r_wheel_rear_right_z, s7_460, s7_797);
-  const double s7_799 = mbgen::fnma(work.r_wheel_rear_right_y, s7_456, s7_798);
-  const double s7_800 = m_wheel_rear_right*s7_799;
-  const double s7_801 = work.s1_379*work.w_wheel_rear_right_y;
-  const double s7_802 = mbgen::fma(work.s1_381, work.w_wheel_rear_right_z, s7_801);
-  const double s7_803 = mbgen::fma(work.s1_386, work.w_wheel_rear_right_x, s7_802);
-  const double s7_804 = work.s1_386*work.w_wheel_rear_right_y;
-  const double s7_805 = mbgen::fma(work.s1_383, work.w_wheel_rear_right_z, s7_804);
-  const double s7_806 = mbgen::fma(work.s1_373, work.w_wheel_rear_right_x, s7_805);
-  const double s7_807 = work.s1_381*work.w_wheel_rear_right_y;
-  const double s7_808 = mbgen::fma(work.s1_368, work.w_wheel_rear_right_z, s7_807);
-  const double s7_809 = mbgen::fma(work.s1_383, work.w_wheel_rear_right_x, s7_808);
+  work.s7_456 = mbgen::fma(p_arb_link_rear_left_to_y, work.R_rear_axle_y_y, s7_416);
+  work.s7_457 = mbgen::fma(p_arb_link_rear_left_to_y, work.R_rear_axle_x_y, s7_418);
+  const double R_arb_rear_right_x_z = work.sines[21];
+  work.s7_458 = p_arb_link_rear_right_from_x*R_arb_rear_right_x_z;
+  work.s7_459 = mbgen::fnma(p_arb_link_rear_left_to_y, work.R_rear_axle_z_y, s7_421);
+  const double R_arb_rear_right_x_x = work.cosines[21];
+  work.s7_460 = p_arb_link_rear_right_from_x*R_arb_rear_right_x_x;
+  const double s7_461 = mbgen::fma(work.s7_208, work.s7_457, work.a_rear_axle_aux3_x);
+  const double s7_462 = mbgen::fma(work.s7_211, work.s7_459, s7_461);
+  const double s7_463 = 0.3333333333333333*mbgen::fnma(work.s7_215, work.s7_456, s7_462);
+  const double s7_464 = mbgen::fnma(work.s7_210, work.s7_456, work.a_rear_axle_aux3_z);
+  const double s7_465 = mbgen::fnma(work.s7_207, work.s7_459, s7_464);
+  const double s7_466 = 0.3333333333333333*mbgen::fnma(work.s7_214, work.s7_457, s7_465);
+  const double s7_467 = mbgen::fma(p_arb_link_rear_left_from_y, work.s7_16,
+      work.a_arb_rear_right_y);
+  const double s7_468 = mbgen::fma(work.s7_255, work.s7_460, s7_467);
+  const double s7_469 = 0.3333333333333333*mbgen::fnma(work.s7_258, work.s7_458, s7_468);
+  const double s7_470 = mbgen::fma(work.s7_253, work.s7_458, work.a_arb_rear_right_z);
+  const double s7_471 = mbgen::fma(work.s7_252, work.s7_460, s7_470);
+  const double s7_472 = mbgen::fnma((-p_arb_link_rear_right_from_y), work.s7_256, s7_471);
+  const double s7_473 = 0.3333333333333333*s7_472;
+  const double s7_474 = mbgen::fnma((-p_arb_link_rear_right_from_y), work.s7_257,
+      work.a_arb_rear_right_x);
+  const double s7_475 = mbgen::fnma(work.s7_251, work.s7_458, s7_474);
+  const double s7_476 = 0.3333333333333333*mbgen::fnma(work.s7_254, work.s7_460, s7_475);
   // arb_rear_right: arb_rear_right, revolute, chassis
-  const double s7_810 = mbgen::fma(work.s1_400, s7_480, a_arb_rear_right_z);
-  const double s7_811 = mbgen::fma(work.s1_402, s7_481, s7_810);
-  const double s7_812 = m_arb_rear_right*mbgen::fnma(0.5076923076923077, s7_482, s7_811);
-  const double s7_813 = mbgen::fnma(0.5076923076923077, s7_472, a_arb_rear_right_x);
-  const double s7_814 = mbgen::fnma(work.s1_400, s7_470, s7_813);
-  const double s7_815 = m_arb_rear_right*mbgen::fnma(work.s1_402, s7_471, s7_814);
-  const double s7_816 = work.s1_401*work.w_arb_rear_right_y;
-  const double s7_817 = mbgen::fma(work.s1_408, work.w_chassis_x, s7_816);
-  const double s7_818 = mbgen::fma(work.s1_404, work.w_chassis_x, work.s1_405*work.w_chassis_z);
-  const double s7_819 = mbgen::fma(work.s1_504, s7_609, tau[Coordinate::arb_rear_right]);
-  const double s7_820 = mbgen::fma(work.s1_510, s7_606, s7_819);
-  const double s7_821 = mbgen::fnma(I_arb_rear_right_yy, alpha_arb_rear_right_y, s7_820);
-  const double s7_822 = mbgen::fnma(work.s1_401, alpha_arb_rear_right_x, s7_821);
-  const double s7_823 = mbgen::fma(work.s1_398, alpha_arb_rear_right_z, s7_822);
-  const double s7_824 = mbgen::fma(work.s1_404, work.w_chassis_z, s7_817);
-  const double s7_825 = mbgen::fnma(work.s1_398, work.w_arb_rear_right_y, s7_818);
-  const double s7_826 = mbgen::fnma(work.w_chassis_z, s7_824, s7_823);
-  const double s7_827 = mbgen::fma(work.w_chassis_x, s7_825, s7_826);
-  const double s7_828 = mbgen::fma(work.s1_402, s7_812, mbgen::fma(work.s1_400, s7_815, s7_827));
-  const double s7_829 = mbgen::fma((-p_arb_rear_right_x), s7_606 + s7_812, s7_828);
-  work.Q_arb_rear_right = mbgen::fnma((-p_arb_rear_right_z), s7_609 + s7_815, s7_829);
-  result.missing[21] = work.Q_arb_rear_right;
+  const double s7_477 = c_arb_rear_right_x*R_arb_rear_right_x_z;
+  const double s7_478 = c_arb_rear_right_x*R_arb_rear_right_x_x;
+  const double s7_479 = mbgen::fnma((-c_arb_rear_right_y), work.s7_257, work.a_arb_rear_right_x);
+  const double s7_480 = mbgen::fnma(work.s7_251, s7_477, s7_479);
+  const double s7_481 = mbgen::fma(work.s7_253, s7_477, work.a_arb_rear_right_z);
+  const double s7_482 = mbgen::fma(work.s7_252, s7_478, s7_481);
+  const double s7_483 = R_arb_rear_right_x_x*work.w_chassis_x;
+  const double s7_484 = mbgen::fnma(R_arb_rear_right_x_z, work.w_chassis_z, s7_483);
+  const double s7_485 = I_arb_rear_right_xy*work.w_arb_rear_right_y;
+  const double s7_486 = R_arb_rear_right_x_x*work.alpha_arb_rear_right_x;
+  const double s7_487 = R_arb_rear_right_x_z*work.w_chassis_x;
+  const double s7_488 = mbgen::fma(R_arb_rear_right_x_x, work.w_chassis_z, s7_487);
+  const double s7_489 = mbgen::fma(work.s7_460, s7_466, work.s7_458*s7_463);
+  const double s7_490 = mbgen::fnma(R_arb_rear_right_x_z, work.alpha_arb_rear_right_z, s7_486);
+  const double s7_491 = mbgen::fnma(I_arb_rear_right_yy, work.alpha_arb_rear_right_y, s7_489);
+  const double s7_492 = mbgen::fnma(I_arb_rear_right_xy, s7_490, s7_491);
+  const double s7_493 = mbgen::fma(I_arb_rear_right_xx, s7_484, s7_485);
+  const double s7_494 = mbgen::fnma(s7_493, s7_488, s7_492);
+  const double s7_495 = m_arb_rear_right*mbgen::fnma(work.s7_254, s7_478, s7_480);
+  const double s7_496 = mbgen::fma(s7_484, I_arb_rear_right_zz*s7_488, s7_494);
+  const double s7_497 = m_arb_rear_right*mbgen::fnma((-c_arb_rear_right_y), work.s7_256, s7_482);
+  const double n_arb_rear_right_y = mbgen::fma(s7_478, s7_497, mbgen::fma(s7_477, s7_495, s7_496));
+  result.missing[21] = tau[Coordinate::arb_rear_right] + n_arb_rear_right_y;
+  // wheel_rear_right: wheel_rear_right, revolute, rear_axle
+  const double s7_498 = m_wheel_rear_right*work.a_wheel_rear_right_x;
+  const double s7_499 = m_wheel_rear_right*work.a_wheel_rear_right_y;
+  const double s7_500 = m_wheel_rear_right*work.a_wheel_rear_right_z;
+  const double s7_501 = work.R_rear_axle_y_y*work.alpha_wheel_rear_right_y;
+  const double s7_502 = mbgen::fma(work.R_rear_axle_z_y, work.alpha_wheel_rear_right_z, s7_501);
+  const double s7_503 = mbgen::fma(work.R_rear_axle_x_y, work.alpha_wheel_rear_right_x, s7_502);
+  const double s7_504 = work.R_rear_axle_y_z*work.w_wheel_rear_right_y;
+  const double s7_505 = mbgen::fma(work.R_rear_axle_z_z, work.w_wheel_rear_right_z, s7_504);
+  const double s7_506 = mbgen::fma(work.R_rear_axle_x_z, work.w_wheel_rear_right_x, s7_505);
+  const double s7_507 = work.R_rear_axle_aux5_y_x*work.w_wheel_rear_right_y;
+  const double s7_508 = mbgen::fma(work.R_rear_axle_aux5_x_x, work.w_wheel_rear_right_x, s7_507);
+  const double s7_509 = mbgen::fnma(s1_57, work.w_wheel_rear_right_z, s7_508);
+  const double s7_510 = I_wheel_rear_right_xx*s7_509;
+  const double s7_511 = I_wheel_rear_right_zz*s7_506;
+  const double s7_512 = work.R_rear_axle_aux5_y_x*work.alpha_wheel_rear_right_y;
+  const double s7_513 = mbgen::fma(work.R_rear_axle_aux5_x_x, work.alpha_wheel_rear_right_x,
+      s7_512);
+  const double s7_514 = mbgen::fnma(s1_57, work.alpha_wheel_rear_right_z, s7_513);
+  const double s7_515 = work.R_rear_axle_y_y*work.w_wheel_rear_right_y;
+  const double s7_516 = mbgen::fma(work.R_rear_axle_z_y, work.w_wheel_rear_right_z, s7_515);
+  const double s7_517 = mbgen::fma(work.R_rear_axle_x_y, work.w_wheel_rear_right_x, s7_516);
+  const double s7_518 = I_wheel_rear_right_yy*s7_517;
+  const double s7_519 = work.R_rear_axle_y_z*work.alpha_wheel_rear_right_y;
+  const double s7_520 = mbgen::fma(work.R_rear_axle_z_z, work.alpha_wheel_rear_right_z, s7_519);
+  const double s7_521 = mbgen::fma(work.R_rear_axle_x_z, work.alpha_wheel_rear_right_x, s7_520);
   // arb_rear_left: arb_rear_left, revolute, chassis
-  const double s7_830 = mbgen::fma(work.s1_483, s7_584, tau[Coordinate::arb_rear_left]);
-  const double s7_831 = mbgen::fma(work.s1_488, s7_581, s7_830);
-  const double s7_832 = mbgen::fnma(I_arb_rear_left_yy, alpha_arb_rear_left_y, s7_831);
-  const double s7_833 = mbgen::fnma(work.s1_390, alpha_arb_rear_left_z, s7_832);
-  const double s7_834 = mbgen::fnma(work.s1_388, work.w_arb_rear_left_y, s7_786);
-  const double s7_835 = mbgen::fma(work.s1_388, alpha_arb_rear_left_x, s7_833);
-  const double s7_836 = mbgen::fma(work.s1_392, work.w_chassis_x, s7_788);
-  const double s7_837 = mbgen::fnma(work.w_chassis_z, s7_834, s7_835);
-  const double s7_838 = mbgen::fma(work.w_chassis_x, s7_836, s7_837);
-  const double s7_839 = mbgen::fma(work.s1_393, s7_782, mbgen::fma(work.s1_389, s7_785, s7_838));
-  const double s7_840 = mbgen::fma((-p_arb_rear_left_x), s7_581 + s7_782, s7_839);
-  work.Q_arb_rear_left = mbgen::fnma((-p_arb_rear_left_z), s7_584 + s7_785, s7_840);
-  result.missing[20] = work.Q_arb_rear_left;
+  const double s7_522 = c_arb_rear_left_x*R_arb_rear_left_x_z;
+  const double s7_523 = c_arb_rear_left_x*R_arb_rear_left_x_x;
+  const double s7_524 = mbgen::fma(c_arb_rear_left_y, work.s7_239, work.a_arb_rear_left_x);
+  const double s7_525 = mbgen::fnma(work.s7_233, s7_522, s7_524);
+  const double s7_526 = mbgen::fma(c_arb_rear_left_y, work.s7_238, work.a_arb_rear_left_z);
+  const double s7_527 = mbgen::fma(work.s7_234, s7_523, mbgen::fma(work.s7_235, s7_522, s7_526));
+  const double s7_528 = R_arb_rear_left_x_x*work.w_chassis_x;
+  const double s7_529 = mbgen::fnma(R_arb_rear_left_x_z, work.w_chassis_z, s7_528);
+  const double s7_530 = I_arb_rear_left_xx*s7_529;
+  const double s7_531 = R_arb_rear_left_x_x*work.alpha_arb_rear_left_x;
+  const double s7_532 = R_arb_rear_left_x_z*work.w_chassis_x;
+  const double s7_533 = mbgen::fma(R_arb_rear_left_x_x, work.w_chassis_z, s7_532);
+  const double s7_534 = mbgen::fma(work.s7_419, s7_436, work.s7_414*s7_439);
+  const double s7_535 = mbgen::fnma(R_arb_rear_left_x_z, work.alpha_arb_rear_left_z, s7_531);
+  const double s7_536 = mbgen::fnma(I_arb_rear_left_yy, work.alpha_arb_rear_left_y, s7_534);
+  const double s7_537 = mbgen::fnma((-I_arb_rear_left_xy), work.w_arb_rear_left_y, s7_530);
+  const double s7_538 = mbgen::fma((-I_arb_rear_left_xy), s7_535, s7_536);
+  const double s7_539 = mbgen::fnma(s7_537, s7_533, s7_538);
+  const double s7_540 = m_arb_rear_left*mbgen::fnma(work.s7_236, s7_523, s7_525);
+  const double s7_541 = mbgen::fma(s7_529, I_arb_rear_left_zz*s7_533, s7_539);
+  const double s7_542 = mbgen::fma(s7_522, s7_540, s7_541);
+  const double n_arb_rear_left_y = mbgen::fma(s7_523, m_arb_rear_left*s7_527, s7_542);
+  result.missing[20] = tau[Coordinate::arb_rear_left] + n_arb_rear_left_y;
   // wheel_rear_left: wheel_rear_left, revolute, rear_axle
-  const double s7_841 = alpha_wheel_rear_left_z + alpha_wheel_rear_right_z;
-  const double s7_842 = alpha_wheel_rear_left_y + alpha_wheel_rear_right_y;
-  const double s7_843 = alpha_wheel_rear_left_x + alpha_wheel_rear_right_x;
-  const double s7_844 = mbgen::fnma(work.s1_474, s7_564, work.s1_470*s7_562);
-  const double s7_845 = mbgen::fma(work.s1_478, s7_576, s7_844);
-  const double s7_846 = mbgen::fnma(work.s1_480, s7_578, s7_845);
-  const double s7_847 = mbgen::fma(work.s1_490, s7_590, s7_846);
-  const double s7_848 = mbgen::fnma(work.s1_492, s7_593, s7_847);
-  const double s7_849 = mbgen::fma(work.s1_497, s7_597, s7_848);
-  const double s7_850 = mbgen::fnma(work.s1_498, s7_595, s7_849);
-  const double s7_851 = mbgen::fma(work.s1_501, s7_603, s7_850);
-  const double s7_852 = mbgen::fnma(work.s1_502, s7_599, s7_851);
-  const double s7_853 = mbgen::fma(work.s1_507, s7_618, s7_852);
-  const double s7_854 = mbgen::fnma(work.s1_509, s7_612, s7_853);
-  const double s7_855 = mbgen::fnma(work.s1_337, work.alpha_rear_axle_y, s7_854);
-  const double s7_856 = mbgen::fnma(work.s1_353, work.alpha_rear_axle_z, s7_855);
-  const double s7_857 = mbgen::fnma(work.s1_341, work.alpha_rear_axle_x, s7_856);
-  const double s7_858 = mbgen::fnma(work.w_rear_axle_x, s7_755, s7_857);
-  const double s7_859 = mbgen::fma(work.w_rear_axle_y, s7_758, s7_858);
-  const double s7_860 = mbgen::fnma(work.s1_343, s7_752, s7_859);
-  const double s7_861 = mbgen::fma(work.s1_339, s7_749, s7_860);
-  const double s7_862 = mbgen::fnma(work.w_wheel_rear_right_x, s7_803, s7_861);
-  const double s7_863 = mbgen::fma(work.w_wheel_rear_right_y, s7_806, s7_862);
-  const double s7_864 = mbgen::fnma(work.r_wheel_rear_right_x, s7_800, s7_863);
-  const double s7_865 = mbgen::fma(work.r_wheel_rear_right_y, s7_796, s7_864);
-  const double s7_866 = mbgen::fnma(work.w_wheel_rear_left_x, s7_773, s7_865);
-  const double s7_867 = mbgen::fma(work.w_wheel_rear_left_y, s7_776, s7_866);
-  const double s7_868 = mbgen::fnma(work.r_wheel_rear_left_x, s7_770, s7_867);
-  const double s7_869 = mbgen::fma(work.r_wheel_rear_left_y, s7_767, s7_868);
-  const double s7_870 = mbgen::fnma(work.s1_368, s7_841, s7_869);
-  const double s7_871 = mbgen::fnma(work.s1_381, s7_842, s7_870);
-  const double s7_872 = mbgen::fnma(work.s1_383, s7_843, s7_871);
-  const double s7_873 = mbgen::fnma(work.s1_476, s7_562, work.s1_474*s7_558);
-  const double s7_874 = mbgen::fma(work.s1_480, s7_571, s7_873);
-  const double s7_875 = mbgen::fnma(work.s1_482, s7_576, s7_874);
-  const double s7_876 = mbgen::fma(work.s1_492, s7_587, s7_875);
-  const double s7_877 = mbgen::fnma(work.s1_496, s7_590, s7_876);
-  const double s7_878 = mbgen::fma(work.s1_498, s7_596, s7_877);
-  const double s7_879 = mbgen::fnma(work.s1_500, s7_597, s7_878);
-  const double s7_880 = mbgen::fma(work.s1_502, s7_601, s7_879);
-  const double s7_881 = mbgen::fnma(work.s1_503, s7_603, s7_880);
-  const double s7_882 = mbgen::fma(work.s1_509, s7_615, s7_881);
-  const double s7_883 = mbgen::fnma(work.s1_505, s7_618, s7_882);
-  const double s7_884 = mbgen::fnma(work.s1_356, work.alpha_rear_axle_y, s7_883);
-  const double s7_885 = mbgen::fnma(work.s1_337, work.alpha_rear_axle_z, s7_884);
-  const double s7_886 = mbgen::fnma(work.s1_351, work.alpha_rear_axle_x, s7_885);
-  const double s7_887 = mbgen::fnma(work.w_rear_axle_z, s7_758, s7_886);
-  const double s7_888 = mbgen::fma(work.w_rear_axle_x, s7_761, s7_887);
-  const double s7_889 = mbgen::fnma(work.s1_332, s7_749, s7_888);
-  const double s7_890 = mbgen::fma(work.s1_343, s7_746, s7_889);
-  const double s7_891 = mbgen::fnma(work.w_wheel_rear_right_z, s7_806, s7_890);
-  const double s7_892 = mbgen::fma(work.w_wheel_rear_right_x, s7_809, s7_891);
-  const double s7_893 = mbgen::fnma(work.r_wheel_rear_right_z, s7_796, s7_892);
-  const double s7_894 = mbgen::fma(work.r_wheel_rear_right_x, s7_792, s7_893);
-  const double s7_895 = mbgen::fnma(work.w_wheel_rear_left_z, s7_776, s7_894);
-  const double s7_896 = mbgen::fma(work.w_wheel_rear_left_x, s7_779, s7_895);
-  const double s7_897 = mbgen::fnma(work.r_wheel_rear_left_z, s7_767, s7_896);
-  const double s7_898 = mbgen::fma(work.r_wheel_rear_left_x, s7_764, s7_897);
-  const double s7_899 = mbgen::fnma(work.s1_379, s7_842, s7_898);
-  const double s7_900 = mbgen::fnma(work.s1_381, s7_841, s7_899);
-  const double s7_901 = mbgen::fnma(work.s1_386, s7_843, s7_900);
-  const double s7_902 = mbgen::fnma(work.s1_470, s7_558, work.s1_476*s7_564);
-  const double s7_903 = mbgen::fma(work.s1_482, s7_578, s7_902);
-  const double s7_904 = mbgen::fnma(work.s1_478, s7_571, s7_903);
-  const double s7_905 = mbgen::fma(work.s1_496, s7_593, s7_904);
-  const double s7_906 = mbgen::fnma(work.s1_490, s7_587, s7_905);
-  const double s7_907 = mbgen::fma(work.s1_500, s7_595, s7_906);
-  const double s7_908 = mbgen::fnma(work.s1_497, s7_596, s7_907);
-  const double s7_909 = mbgen::fma(work.s1_503, s7_599, s7_908);
-  const double s7_910 = mbgen::fnma(work.s1_501, s7_601, s7_909);
-  const double s7_911 = mbgen::fma(work.s1_505, s7_612, s7_910);
-  const double s7_912 = mbgen::fnma(work.s1_507, s7_615, s7_911);
-  const double s7_913 = mbgen::fnma(work.s1_351, work.alpha_rear_axle_y, s7_912);
-  const double s7_914 = mbgen::fnma(work.s1_341, work.alpha_rear_axle_z, s7_913);
-  const double s7_915 = mbgen::fnma(work.s1_363, work.alpha_rear_axle_x, s7_914);
-  const double s7_916 = mbgen::fnma(work.w_rear_axle_y, s7_761, s7_915);
-  const double s7_917 = mbgen::fma(work.w_rear_axle_z, s7_755, s7_916);
-  const double s7_918 = mbgen::fnma(work.s1_339, s7_746, s7_917);
-  const double s7_919 = mbgen::fma(work.s1_332, s7_752, s7_918);
-  const double s7_920 = mbgen::fnma(work.w_wheel_rear_right_y, s7_809, s7_919);
-  const double s7_921 = mbgen::fma(work.w_wheel_rear_right_z, s7_803, s7_920);
-  const double s7_922 = mbgen::fnma(work.r_wheel_rear_right_y, s7_792, s7_921);
-  const double s7_923 = mbgen::fma(work.r_wheel_rear_right_z, s7_800, s7_922);
-  const double s7_924 = mbgen::fnma(work.w_wheel_rear_left_y, s7_779, s7_923);
-  const double s7_925 = mbgen::fma(work.w_wheel_rear_left_z, s7_773, s7_924);
-  const double s7_926 = mbgen::fnma(work.r_wheel_rear_left_y, s7_764, s7_925);
-  const double s7_927 = mbgen::fma(work.r_wheel_rear_left_z, s7_770, s7_926);
-  const double s7_928 = mbgen::fnma(work.s1_373, s7_843, s7_927);
-  const double s7_929 = mbgen::fnma(work.s1_383, s7_841, s7_928);
-  const double s7_930 = mbgen::fnma(work.s1_386, s7_842, s7_929);
-  const double s7_931 = s7_571 + (s7_587 + (s7_596 + (s7_601 + (s7_615 + (s7_746 + s7_792)))));
-  const double s7_932 = s7_764 + (s7_558 + s7_931);
-  const double s7_933 = s7_576 + (s7_590 + (s7_597 + (s7_603 + (s7_618 + (s7_749 + s7_796)))));
-  const double s7_934 = s7_767 + (s7_562 + s7_933);
-  const double s7_935 = s7_578 + (s7_593 + (s7_595 + (s7_599 + (s7_612 + (s7_752 + s7_800)))));
-  const double s7_936 = s7_770 + (s7_564 + s7_935);
+  const double s7_543 = work.R_rear_axle_y_y*work.alpha_wheel_rear_left_y;
+  const double s7_544 = mbgen::fma(work.R_rear_axle_z_y, work.alpha_wheel_rear_left_z, s7_543);
+  const double s7_545 = mbgen::fma(work.R_rear_axle_x_y, work.alpha_wheel_rear_left_x, s7_544);
+  const double s7_546 = work.R_rear_axle_y_z*work.w_wheel_rear_left_y;
+  const double s7_547 = mbgen::fma(work.R_rear_axle_z_z, work.w_wheel_rear_left_z, s7_546);
+  const double s7_548 = mbgen::fma(work.R_rear_axle_x_z, work.w_wheel_rear_left_x, s7_547);
+  const double s7_549 = work.R_rear_axle_aux5_y_x*work.w_wheel_rear_left_y;
+  const double s7_550 = mbgen::fma(work.R_rear_axle_aux5_x_x, work.w_wheel_rear_left_x, s7_549);
+  const double s7_551 = mbgen::fnma(s1_57, work.w_wheel_rear_left_z, s7_550);
+  const double s7_552 = I_wheel_rear_left_xx*s7_551;
+  const double s7_553 = I_wheel_rear_left_zz*s7_548;
+  const double s7_554 = work.R_rear_axle_aux5_y_x*work.alpha_wheel_rear_left_y;
+  const double s7_555 = mbgen::fma(work.R_rear_axle_aux5_x_x, work.alpha_wheel_rear_left_x, s7_554);
+  const double s7_556 = mbgen::fnma(s1_57, work.alpha_wheel_rear_left_z, s7_555);
+  const double s7_557 = work.R_rear_axle_y_y*work.w_wheel_rear_left_y;
+  const double s7_558 = mbgen::fma(work.R_rear_axle_z_y, work.w_wheel_rear_left_z, s7_557);
+  const double s7_559 = mbgen::fma(work.R_rear_axle_x_y, work.w_wheel_rear_left_x, s7_558);
+  const double s7_560 = I_wheel_rear_left_yy*s7_559;
+  const double s7_561 = work.R_rear_axle_y_z*work.alpha_wheel_rear_left_y;
+  const double s7_562 = mbgen::fma(work.R_rear_axle_z_z, work.alpha_wheel_rear_left_z, s7_561);
+  const double s7_563 = mbgen::fma(work.R_rear_axle_x_z, work.alpha_wheel_rear_left_x, s7_562);
   // rear_axle: rear_axle_rx, revolute, rear_axle_aux5
-  const double s7_937 = mbgen::fma(work.R_rear_axle_aux5_y_x, s7_901,
+  const double s7_564 = c_rear_axle_x*work.R_rear_axle_aux5_y_x;
+  const double s7_565 = mbgen::fma(c_rear_axle_z, work.R_rear_axle_y_z, s7_564);
+  const double s7_566 = mbgen::fnma(c_rear_axle_x, s1_57, c_rear_axle_z*work.R_rear_axle_z_z);
+  const double s7_567 = c_rear_axle_x*work.R_rear_axle_aux5_x_x;
+  const double s7_568 = mbgen::fma(c_rear_axle_z, work.R_rear_axle_x_z, s7_567);
+  const double s7_569 = mbgen::fma(work.s7_215, s7_565, work.a_rear_axle_aux3_x);
+  const double s7_570 = mbgen::fma(work.s7_211, s7_566, s7_569);
+  const double s7_571 = m_rear_axle*mbgen::fnma(work.s7_208, s7_568, s7_570);
+  const double s7_572 = mbgen::fma(work.s7_212, s7_568, work.a_rear_axle_aux3_y);
+  const double s7_573 = mbgen::fma(work.s7_213, s7_566, s7_572);
+  const double s7_574 = m_rear_axle*mbgen::fnma(work.s7_209, s7_565, s7_573);
+  const double s7_575 = mbgen::fma(work.s7_210, s7_565, work.a_rear_axle_aux3_z);
+  const double s7_576 = mbgen::fma(work.s7_214, s7_568, s7_575);
+  const double s7_577 = m_rear_axle*mbgen::fnma(work.s7_207, s7_566, s7_576);
+  const double s7_578 = work.R_rear_axle_y_y*work.alpha_rear_axle_y;
+  const double s7_579 = mbgen::fma(work.R_rear_axle_z_y, work.alpha_rear_axle_z, s7_578);
+  const double s7_580 = work.R_rear_axle_y_z*work.w_rear_axle_y;
+  const double s7_581 = mbgen::fma(work.R_rear_axle_z_z, work.w_rear_axle_z, s7_580);
+  const double s7_582 = mbgen::fma(work.R_rear_axle_x_z, work.w_rear_axle_x, s7_581);
+  const double s7_583 = work.R_rear_axle_aux5_y_x*work.w_rear_axle_y;
+  const double s7_584 = mbgen::fma(work.R_rear_axle_aux5_x_x, work.w_rear_axle_x, s7_583);
+  const double s7_585 = mbgen::fnma(s1_57, work.w_rear_axle_z, s7_584);
+  const double s7_586 = mbgen::fnma((-I_rear_axle_xz), s7_582, I_rear_axle_xx*s7_585);
+  const double s7_587 = mbgen::fnma((-I_rear_axle_xz), s7_585, I_rear_axle_zz*s7_582);
+  const double s7_588 = mbgen::fma(work.R_rear_axle_x_y, work.alpha_rear_axle_x, s7_579);
+  const double s7_589 = mbgen::fma(s7_582, s7_586, I_rear_axle_yy*s7_588);
+  const double s7_590 = mbgen::fnma(s7_585, s7_587, s7_589);
+  const double s7_591 = work.R_rear_axle_aux5_y_x*work.alpha_rear_axle_y;
+  const double s7_592 = mbgen::fma(work.R_rear_axle_aux5_x_x, work.alpha_rear_axle_x, s7_591);
+  const double s7_593 = mbgen::fnma(s1_57, work.alpha_rear_axle_z, s7_592);
+  const double s7_594 = work.R_rear_axle_y_z*work.alpha_rear_axle_y;
+  const double s7_595 = mbgen::fma(work.R_rear_axle_z_z, work.alpha_rear_axle_z, s7_594);
+  const double s7_596 = mbgen::fma(work.R_rear_axle_x_z, work.alpha_rear_axle_x, s7_595);
+  const double s7_597 = work.R_rear_axle_y_y*work.w_rear_axle_y;
+  const double s7_598 = mbgen::fma(work.R_rear_axle_z_y, work.w_rear_axle_z, s7_597);
+  const double s7_599 = mbgen::fma(work.R_rear_axle_x_y, work.w_rear_axle_x, s7_598);
+  const double s7_600 = I_rear_axle_yy*s7_599;
+  const double s7_601 = mbgen::fnma((-I_rear_axle_xz), s7_596, I_rear_axle_xx*s7_593);
+  const double s7_602 = mbgen::fnma(s7_582, s7_600, mbgen::fma(s7_587, s7_599, s7_601));
+  const double s7_603 = mbgen::fnma((-I_rear_axle_xz), s7_593, I_rear_axle_zz*s7_596);
+  const double s7_604 = mbgen::fnma(s7_586, s7_599, mbgen::fma(s7_585, s7_600, s7_603));
+  const double s7_605 = mbgen::fnma(work.s7_387, s7_391, work.s7_381*s7_397);
+  const double s7_606 = mbgen::fma(work.s7_401, s7_413, s7_605);
+  const double s7_607 = mbgen::fnma(work.s7_405, s7_408, s7_606);
+  const double s7_608 = mbgen::fma(work.s7_422, s7_433, s7_607);
+  const double s7_609 = mbgen::fnma(work.s7_424, s7_427, s7_608);
+  const double s7_610 = mbgen::fnma(work.s7_442, s7_445, s7_609);
+  const double s7_611 = mbgen::fnma(work.s7_440, s7_444, s7_610);
+  const double s7_612 = mbgen::fma(work.s7_447, s7_451, s7_611);
+  const double s7_613 = mbgen::fnma(work.s7_449, s7_453, s7_612);
+  const double s7_614 = mbgen::fma(work.s7_456, s7_473, mbgen::fma(work.s7_459, s7_469, s7_613));
+  const double s7_615 = mbgen::fma(s7_566, s7_574, mbgen::fnma(s7_565, s7_577, s7_614));
+  const double s7_616 = mbgen::fnma(work.R_rear_axle_x_y, s7_590, s7_615);
+  const double s7_617 = mbgen::fnma(work.R_rear_axle_aux5_x_x, s7_602, s7_616);
+  const double n_rear_axle_x = mbgen::fnma(work.R_rear_axle_x_z, s7_604, s7_617);
+  const double s7_618 = mbgen::fnma(work.s7_381, s7_395, work.s7_384*s7_391);
+  const double s7_619 = mbgen::fma(work.s7_403, s7_408, s7_618);
+  const double s7_620 = mbgen::fnma(work.s7_401, s7_411, s7_619);
+  const double s7_621 = mbgen::fma(work.s7_423, s7_427, s7_620);
+  const double s7_622 = mbgen::fnma(work.s7_422, s7_430, s7_621);
+  const double s7_623 = mbgen::fma(work.s7_440, s7_446, mbgen::fma(work.s7_441, s7_445, s7_622));
+  const double s7_624 = mbgen::fma(work.s7_448, s7_453, s7_623);
+  const double s7_625 = mbgen::fnma(work.s7_447, s7_455, s7_624);
+  const double s7_626 = mbgen::fnma(work.s7_459, s7_476, s7_625);
+  const double s7_627 = mbgen::fnma(s7_566, s7_571, mbgen::fnma(work.s7_457, s7_473, s7_626));
+  const double s7_628 = mbgen::fma(s7_568, s7_577, s7_627);
+  const double s7_629 = mbgen::fnma(work.R_rear_axle_y_y, s7_590, s7_628);
+  const double s7_630 = mbgen::fnma(work.R_rear_axle_aux5_y_x, s7_602, s7_629);
+  const double n_rear_axle_y = mbgen::fnma(work.R_rear_axle_y_z, s7_604, s7_630);
+  const double s7_631 = mbgen::fnma(work.s7_384, s7_397, work.s7_387*s7_395);
+  const double s7_632 = mbgen::fma(work.s7_405, s7_411, s7_631);
+  const double s7_633 = mbgen::fnma(work.s7_403, s7_413, s7_632);
+  const double s7_634 = mbgen::fma(work.s7_424, s7_430, s7_633);
+  const double s7_635 = mbgen::fnma(work.s7_423, s7_433, s7_634);
+  const double s7_636 = mbgen::fma(work.s7_442, s7_446, s7_635);
+  const double s7_637 = mbgen::fnma(work.s7_441, s7_444, s7_636);
+  const double s7_638 = mbgen::fma(work.s7_449, s7_455, s7_637);
+  const double s7_639 = mbgen::fnma(work.s7_448, s7_451, s7_638);
+  const double s7_640 = mbgen::fma(work.s7_457, s7_469, s7_639);
+  const double s7_641 = mbgen::fnma(s7_568, s7_574, mbgen::fnma(work.s7_456, s7_476, s7_640));
+  const double s7_642 = mbgen::fma(s7_565, s7_571, s7_641);
+  const double s7_643 = mbgen::fnma(work.R_rear_axle_z_y, s7_590, s7_642);
+  const double s7_644 = mbgen::fnma(work.R_rear_axle_z_z, s7_604, s7_643);
+  const double n_rear_axle_z = mbgen::fma(s1_57, s7_602, s7_644);
+  const double s7_645 = mbgen::fma(s7_553, s7_559, mbgen::fnma(s7_506, s7_518, s7_511*s7_517));
+  const double s7_646 = mbgen::fnma(s7_548, s7_560, s7_645);
+  const double s7_647 = mbgen::fma(I_wheel_rear_right_xx, s7_514 + s7_556, s7_646);
+  const double s7_648 = mbgen::fma(s7_548, s7_552, mbgen::fnma(s7_509, s7_511, s7_506*s7_510));
+  const double s7_649 = mbgen::fnma(s7_551, s7_553, s7_648);
+  const double s7_650 = mbgen::fma(I_wheel_rear_right_yy, s7_503 + s7_545, s7_649);
+  const double s7_651 = mbgen::fma(s7_551, s7_560, mbgen::fnma(s7_510, s7_517, s7_509*s7_518));
+  const double s7_652 = mbgen::fnma(s7_552, s7_559, s7_651);
+  const double s7_653 = mbgen::fma(I_wheel_rear_right_xx, s7_521 + s7_563, s7_652);
+  const double s7_654 = mbgen::fnma(work.R_rear_axle_aux5_y_x, s7_647, n_rear_axle_y);
+  const double s7_655 = mbgen::fnma(work.R_rear_axle_y_y, s7_650, s7_654);
+  const double s7_656 = mbgen::fms(m_wheel_rear_left, work.a_wheel_rear_left_z, s7_500);
+  const double s7_657 = mbgen::fnma(work.R_rear_axle_y_z, s7_653, s7_655);
+  const double s7_658 = mbgen::fnma(m_wheel_rear_left, work.a_wheel_rear_left_x, s7_498);
+  work.s7_659 = mbgen::fma(work.s1_64, s7_658, mbgen::fma(work.s1_62, s7_656, s7_657));
+  const double s7_660 = mbgen::fnma(work.R_rear_axle_aux5_x_x, s7_647, n_rear_axle_x);
+  const double s7_661 = mbgen::fnma(work.R_rear_axle_x_y, s7_650, s7_660);
+  const double s7_662 = mbgen::fnma(m_wheel_rear_left, work.a_wheel_rear_left_z, s7_500);
+  const double s7_663 = mbgen::fnma(work.R_rear_axle_x_z, s7_653, s7_661);
+  const double s7_664 = mbgen::fms(m_wheel_rear_left, work.a_wheel_rear_left_y, s7_499);
+  work.s7_665 = mbgen::fma(work.s1_64, s7_664, mbgen::fma(work.s1_63, s7_662, s7_663));
+  const double s7_666 = mbgen::fma(s1_57, s7_647, n_rear_axle_z);
+  const double s7_667 = mbgen::fnma(work.R_rear_axle_z_y, s7_650, s7_666);
+  const double s7_668 = mbgen::fnma(m_wheel_rear_left, work.a_wheel_rear_left_y, s7_499);
+  const double s7_669 = mbgen::fnma(work.R_rear_axle_z_z, s7_653, s7_667);
+  const double s7_670 = mbgen::fms(m_wheel_rear_left, work.a_wheel_rear_left_x, s7_498);
+  work.s7_671 = mbgen::fma(work.s1_63, s7_670, mbgen::fma(work.s1_62, s7_668, s7_669));
+  const double s7_672 = mbgen::fma(work.R_rear_axle_aux5_y_x, work.s7_659,
       tau[Coordinate::rear_axle_rx]);
-  const double s7_938 = mbgen::fma(work.R_rear_axle_aux5_x_x, s7_930, s7_937);
-  const double s7_939 = mbgen::fnma(work.sines[18], s7_872, s7_938);
-  const double s7_940 = mbgen::fma(work.s1_68, s7_934, s7_939);
-  const double s7_941 = mbgen::fnma(work.b_rear_axle_rx_z, s7_932, s7_940);
-  result.missing[19] = mbgen::fnma(work.b_rear_axle_rx_y, s7_936, s7_941);
+  const double s7_673 = mbgen::fma(work.R_rear_axle_aux5_x_x, work.s7_665, s7_672);
+  result.missing[19] = mbgen::fnma(s1_57, work.s7_671, s7_673);
   // rear_axle_aux5: rear_axle_ry, revolute, rear_axle_aux4
-  const double s7_942 = mbgen::fma(work.cosines[17], s7_901, tau[Coordinate::rear_axle_ry]);
-  const double s7_943 = mbgen::fnma(work.sines[17], s7_930, s7_942);
-  const double s7_944 = mbgen::fma(work.s1_62, s7_934, mbgen::fma(work.s1_63, s7_936, s7_943));
-  work.Q_rear_axle_ry = mbgen::fnma(work.b_rear_axle_ry_z, s7_932, s7_944);
-  result.missing[18] = work.Q_rear_axle_ry;
+  const double s7_674 = mbgen::fma(work.cosines[17], work.s7_659, tau[Coordinate::rear_axle_ry]);
+  result.missing[18] = mbgen::fnma(work.sines[17], work.s7_665, s7_674);
   // rear_axle_aux4: rear_axle_rz, revolute, rear_axle_aux3
-  const double s7_945 = tau[Coordinate::rear_axle_rz] + s7_872;
-  const double s7_946 = mbgen::fma(work.r_rear_axle_aux1_x, s7_936, s7_945);
-  work.Q_rear_axle_rz = mbgen::fnma(state.z[Coordinate::rear_axle_ty], s7_934, s7_946);
-  result.missing[17] = work.Q_rear_axle_rz;
+  result.missing[17] = tau[Coordinate::rear_axle_rz] + work.s7_671;
   // rear_axle_aux3: rear_axle_tz, prismatic, rear_axle_aux2
-  result.missing[16] = tau[Coordinate::rear_axle_tz] - s7_932;
+  const double s7_675 = tau[Coordinate::rear_axle_tz] - s7_500;
+  const double s7_676 = mbgen::fnma(m_wheel_rear_left, work.a_wheel_rear_left_z, s7_675);
+  work.Q_rear_axle_tz = s7_676 - s7_391 - s7_408 - s7_427 - s7_445 - s7_453 - s7_473 - s7_577;
+  result.missing[16] = work.Q_rear_axle_tz;
   // rear_axle_aux2: rear_axle_ty, prismatic, rear_axle_aux1
-  work.Q_rear_axle_ty = tau[Coordinate::rear_axle_ty] - s7_936;
+  const double s7_677 = tau[Coordinate::rear_axle_ty] - s7_499;
+  const double s7_678 = mbgen::fnma(m_wheel_rear_left, work.a_wheel_rear_left_y, s7_677);
+  work.Q_rear_axle_ty = s7_678 - s7_397 - s7_413 - s7_433 - s7_444 - s7_451 - s7_469 - s7_574;
   result.missing[15] = work.Q_rear_axle_ty;
   // rear_axle_aux1: rear_axle_tx, prismatic, chassis
-  work.Q_rear_axle_tx = tau[Coordinate::rear_axle_tx] - s7_934;
+  const double s7_679 = tau[Coordinate::rear_axle_tx] - s7_498;
+  const double s7_680 = mbgen::fnma(m_wheel_rear_left, work.a_wheel_rear_left_x, s7_679);
+  work.Q_rear_axle_tx = s7_680 - s7_395 - s7_411 - s7_430 - s7_446 - s7_455 - s7_476 - s7_571;
   result.missing[14] = work.Q_rear_axle_tx;
   // bell_crank: bell_crank, revolute, chassis
-  const double s7_947 = mbgen::fma(work.s1_436, s7_521, tau[Coordinate::bell_crank]);
-  const double s7_948 = mbgen::fnma(work.s1_438, s7_518, s7_947);
-  const double s7_949 = mbgen::fma(work.s1_441, s7_530, s7_948);
-  const double s7_950 = mbgen::fnma(work.s1_443, s7_533, s7_949);
-  const double s7_951 = mbgen::fnma(work.s1_455, s7_546, s7_950);
-  const double s7_952 = mbgen::fnma(work.s1_453, s7_543, s7_951);
-  const double s7_953 = mbgen::fma(work.s1_325, work.w_chassis_x, work.s1_328*work.w_chassis_y);
-  const double s7_954 = mbgen::fnma(I_bell_crank_zz, work.alpha_bell_crank_z, s7_952);
-  const double s7_955 = mbgen::fma(work.s1_325, work.w_chassis_y, work.s1_323*work.w_chassis_x);
-  const double s7_956 = mbgen::fnma(work.w_chassis_x, s7_953, s7_954);
-  const double s7_957 = mbgen::fma(work.w_chassis_y, s7_955, s7_956);
-  const double s7_958 = m_bell_crank*mbgen::fnma(work.s1_327, work.s7_333, s7_743);
-  const double s7_959 = mbgen::fnma(work.s1_327, s7_742, s7_957);
-  const double s7_960 = mbgen::fma(work.s1_320, s7_958, s7_959);
-  const double s7_961 = s7_533 + (s7_518 + (s7_546 + s7_742));
-  result.missing[13] = mbgen::fma(p_bell_crank_x, s7_961, s7_960);
+  const double s7_681 = c_bell_crank_y*R_bell_crank_y_x;
+  const double s7_682 = mbgen::fma((-c_bell_crank_x), R_bell_crank_x_x, s7_681);
+  const double s7_683 = c_bell_crank_y*R_bell_crank_x_x;
+  const double s7_684 = mbgen::fnma((-c_bell_crank_x), R_bell_crank_y_x, s7_683);
+  const double s7_685 = mbgen::fma(work.s7_176, s7_682, work.a_bell_crank_x);
+  const double s7_686 = mbgen::fnma(work.s7_174, s7_682, work.a_bell_crank_y);
+  const double s7_687 = R_bell_crank_x_x*work.w_chassis_y;
+  const double s7_688 = mbgen::fnma(R_bell_crank_y_x, work.w_chassis_x, s7_687);
+  const double s7_689 = R_bell_crank_y_x*work.w_chassis_y;
+  const double s7_690 = mbgen::fma(R_bell_crank_x_x, work.w_chassis_x, s7_689);
+  const double s7_691 = mbgen::fma(s7_320, s7_322, work.s7_319*s7_328);
+  const double s7_692 = mbgen::fma(work.s7_333, s7_350, mbgen::fma(work.s7_334, s7_353, s7_691));
+  const double s7_693 = mbgen::fnma(work.s7_356, s7_376, s7_692);
+  const double s7_694 = mbgen::fnma(work.s7_354, s7_373, s7_693);
+  const double s7_695 = mbgen::fnma((-I_bell_crank_xy), s7_690, I_bell_crank_yy*s7_688);
+  const double s7_696 = mbgen::fnma(I_bell_crank_zz, work.alpha_bell_crank_z, s7_694);
+  const double s7_697 = mbgen::fnma((-I_bell_crank_xy), s7_688, I_bell_crank_xx*s7_690);
+  const double s7_698 = mbgen::fma(s7_688, s7_697, mbgen::fnma(s7_690, s7_695, s7_696));
+  const double s7_699 = m_bell_crank*mbgen::fnma(work.s7_177, s7_684, s7_686);
+  const double s7_700 = m_bell_crank*mbgen::fma(work.s7_175, s7_684, s7_685);
+  const double n_bell_crank_z = mbgen::fma(s7_684, s7_700, mbgen::fma(s7_682, s7_699, s7_698));
+  result.missing[13] = tau[Coordinate::bell_crank] + n_bell_crank_z;
   // pitman_arm: pitman_arm, revolute, chassis
-  const double s7_962 = mbgen::fma(work.s1_435, s7_527, tau[Coordinate::pitman_arm]);
-  const double s7_963 = mbgen::fma(work.s1_437, s7_524, s7_962);
-  const double s7_964 = mbgen::fma(work.s1_311, work.w_chassis_z, work.s1_314*work.w_chassis_x);
-  const double s7_965 = mbgen::fnma(I_pitman_arm_yy, work.alpha_pitman_arm_y, s7_963);
-  const double s7_966 = mbgen::fma(work.s1_311, work.w_chassis_x, work.s1_315*work.w_chassis_z);
-  const double s7_967 = mbgen::fnma(work.w_chassis_z, s7_964, s7_965);
-  const double s7_968 = mbgen::fma(work.w_chassis_x, s7_966, s7_967);
-  const double s7_969 = mbgen::fma(work.s1_312, s7_738, mbgen::fma(work.s1_309, s7_740, s7_968));
-  const double s7_970 = mbgen::fnma((-p_pitman_arm_z), s7_527 + s7_740, s7_969);
-  work.Q_pitman_arm = mbgen::fnma(p_pitman_arm_x, s7_524 + s7_738, s7_970);
+  const double s7_701 = (-c_pitman_arm_z)*R_pitman_arm_x_z;
+  const double s7_702 = (-c_pitman_arm_z)*R_pitman_arm_x_x;
+  const double s7_703 = mbgen::fma(work.s7_168, s7_701, work.a_pitman_arm_x);
+  const double s7_704 = mbgen::fma(work.s7_167, s7_702, work.a_pitman_arm_z);
+  const double s7_705 = R_pitman_arm_x_x*work.w_chassis_x;
+  const double s7_706 = mbgen::fnma(R_pitman_arm_x_z, work.w_chassis_z, s7_705);
+  const double s7_707 = R_pitman_arm_x_z*work.w_chassis_x;
+  const double s7_708 = mbgen::fma(R_pitman_arm_x_x, work.w_chassis_z, s7_707);
+  const double s7_709 = mbgen::fnma(work.s7_317, s7_324, work.s7_318*s7_326);
+  const double s7_710 = mbgen::fnma(I_pitman_arm_yy, work.alpha_pitman_arm_y, s7_709);
+  const double s7_711 = mbgen::fnma(I_pitman_arm_xx*s7_706, s7_708, s7_710);
+  const double s7_712 = m_pitman_arm*mbgen::fnma(work.s7_166, s7_701, s7_704);
+  const double s7_713 = mbgen::fma(s7_706, I_pitman_arm_zz*s7_708, s7_711);
+  const double s7_714 = m_pitman_arm*mbgen::fnma(work.s7_165, s7_702, s7_703);
+  const double n_pitman_arm_y = mbgen::fma(s7_702, s7_714, mbgen::fnma(s7_701, s7_712, s7_713));
+  work.Q_pitman_arm = tau[Coordinate::pitman_arm] + n_pitman_arm_y;
   result.missing[12] = work.Q_pitman_arm;
   // arb_front_right: arb_front_right, revolute, chassis
-  const double s7_971 = mbgen::fma(work.s1_425, s7_506, tau[Coordinate::arb_front_right]);
-  const double s7_972 = mbgen::fnma(work.s1_423, s7_503, s7_971);
-  const double s7_973 = mbgen::fnma(I_arb_front_right_yy, work.alpha_arb_front_right_y, s7_972);
-  const double s7_974 = mbgen::fnma(work.s1_297, work.alpha_arb_front_right_z, s7_973);
-  const double s7_975 = mbgen::fnma(work.s1_299, work.alpha_arb_front_right_x, s7_974);
-  const double s7_976 = mbgen::fma(work.s1_303, work.w_chassis_z, s7_735);
-  const double s7_977 = mbgen::fma(work.s1_307, work.w_chassis_z, s7_733);
-  const double s7_978 = mbgen::fnma(work.w_chassis_z, s7_976, s7_975);
-  const double s7_979 = mbgen::fma(work.w_chassis_x, s7_977, s7_978);
-  const double s7_980 = mbgen::fnma(work.s1_293, s7_728, s7_979);
-  const double s7_981 = mbgen::fma(work.s1_301, s7_731, s7_980);
-  const double s7_982 = mbgen::fnma((-p_arb_front_right_z), s7_503 + s7_728, s7_981);
-  work.Q_arb_front_right = mbgen::fnma(p_arb_front_right_x, s7_506 + s7_731, s7_982);
+  const double R_arb_front_right_x_z = work.sines[14];
+  const double R_arb_front_right_x_x = work.cosines[14];
+  const double s7_715 = (-c_arb_front_right_x)*R_arb_front_right_x_z;
+  const double s7_716 = mbgen::fma(c_arb_front_right_z, R_arb_front_right_x_x, s7_715);
+  const double s7_717 = c_arb_front_right_z*R_arb_front_right_x_z;
+  const double s7_718 = mbgen::fnma((-c_arb_front_right_x), R_arb_front_right_x_x, s7_717);
+  const double s7_719 = mbgen::fma(work.s7_152, s7_716, work.a_arb_front_right_x);
+  const double s7_720 = mbgen::fnma(work.s7_155, s7_718, s7_719);
+  const double s7_721 = mbgen::fnma((-c_arb_front_right_y), work.s7_158, s7_720);
+  const double s7_722 = mbgen::fma(work.s7_153, s7_718, work.a_arb_front_right_z);
+  const double s7_723 = mbgen::fnma(work.s7_154, s7_716, s7_722);
+  const double s7_724 = mbgen::fnma((-c_arb_front_right_y), work.s7_157, s7_723);
+  const double s7_725 = R_arb_front_right_x_x*work.alpha_arb_front_right_x;
+  const double s7_726 = R_arb_front_right_x_z*work.alpha_arb_front_right_x;
+  const double s7_727 = R_arb_front_right_x_x*work.w_chassis_x;
+  const double s7_728 = mbgen::fnma(R_arb_front_right_x_z, work.w_chassis_z, s7_727);
+  const double s7_729 = R_arb_front_right_x_z*work.w_chassis_x;
+  const double s7_730 = mbgen::fma(R_arb_front_right_x_x, work.w_chassis_z, s7_729);
+  const double s7_731 = mbgen::fma(I_arb_front_right_xx, s7_728, I_arb_front_right_xz*s7_730);
+  const double s7_732 = I_arb_front_right_yz*work.w_arb_front_right_y;
+  const double s7_733 = mbgen::fma(I_arb_front_right_xz, s7_728, s7_732);
+  const double s7_734 = mbgen::fnma(work.s7_288, s7_316, work.s7_290*s7_313);
+  const double s7_735 = mbgen::fnma(I_arb_front_right_yy, work.alpha_arb_front_right_y, s7_734);
+  const double s7_736 = mbgen::fma(R_arb_front_right_x_x, work.alpha_arb_front_right_z, s7_726);
+  const double s7_737 = mbgen::fnma(R_arb_front_right_x_z, work.alpha_arb_front_right_z, s7_725);
+  const double s7_738 = mbgen::fnma(I_arb_front_right_yz, s7_736, s7_735);
+  const double s7_739 = mbgen::fnma((-I_arb_front_right_xy), work.w_arb_front_right_y, s7_731);
+  const double s7_740 = mbgen::fma((-I_arb_front_right_xy), s7_737, s7_738);
+  const double s7_741 = mbgen::fma(I_arb_front_right_zz, s7_730, s7_733);
+  const double s7_742 = mbgen::fma(s7_728, s7_741, mbgen::fnma(s7_730, s7_739, s7_740));
+  const double s7_743 = mbgen::fnma(s7_716, m_arb_front_right*s7_721, s7_742);
+  const double n_arb_front_right_y = mbgen::fma(s7_718, m_arb_front_right*s7_724, s7_743);
+  work.Q_arb_front_right = tau[Coordinate::arb_front_right] + n_arb_front_right_y;
   result.missing[11] = work.Q_arb_front_right;
   // upper_arm_right: upper_arm_right, revolute, chassis
-  const double s7_983 = mbgen::fnma(I_upper_arm_right_xx, work.alpha_upper_arm_right_x,
-      tau[Coordinate::upper_arm_right]);
-  const double s7_984 = mbgen::fma(work.s1_286, work.w_chassis_y, work.s1_287*work.w_chassis_z);
-  const double s7_985 = mbgen::fma(work.s1_286, work.w_chassis_z, work.s1_290*work.w_chassis_y);
-  const double s7_986 = mbgen::fnma(work.w_chassis_y, s7_984, s7_983);
-  const double s7_987 = m_upper_arm_right*mbgen::fnma(work.s1_284, work.s7_294, s7_723);
-  const double s7_988 = mbgen::fma(work.w_chassis_z, s7_985, s7_986);
-  const double s7_989 = m_upper_arm_right*mbgen::fma(p_upper_arm_right_x, work.s7_298, s7_725);
-  const double s7_990 = mbgen::fma(s7_987, (-p_upper_arm_right_z) - work.s1_282, s7_988);
-  work.Q_upper_arm_right = mbgen::fnma(s7_989, (-p_upper_arm_right_y) + work.s1_284, s7_990);
-  result.missing[10] = work.Q_upper_arm_right;
-  // wheel_front_right: wheel_front_right, revolute, carrier_right
-  const double s7_991 = mbgen::fnma(work.s1_434, s7_515, work.s1_428*s7_512);
-  const double s7_992 = mbgen::fma(work.s1_458, s7_548, s7_991);
-  const double s7_993 = mbgen::fnma(work.s1_464, s7_552, s7_992);
-  const double s7_994 = mbgen::fnma(work.s1_243, work.alpha_carrier_right_y, s7_993);
-  const double s7_995 = mbgen::fnma(work.s1_219, work.alpha_carrier_right_z, s7_994);
-  const double s7_996 = mbgen::fnma(work.s1_237, work.alpha_carrier_right_x, s7_995);
-  const double s7_997 = mbgen::fnma(work.w_carrier_right_z, s7_694, s7_996);
-  const double s7_998 = mbgen::fma(work.w_carrier_right_x, s7_697, s7_997);
-  const double s7_999 = mbgen::fnma(work.s1_202, s7_691, s7_998);
-  const double s7_1000 = mbgen::fma(work.s1_228, s7_688, s7_999);
-  const double s7_1001 = mbgen::fnma(work.s1_265, work.alpha_wheel_front_right_y, s7_1000);
-  const double s7_1002 = mbgen::fnma(work.s1_273, work.alpha_wheel_front_right_z, s7_1001);
-  const double s7_1003 = mbgen::fnma(work.s1_279, work.alpha_wheel_front_right_x, s7_1002);
-  const double s7_1004 = mbgen::fnma(work.w_wheel_front_right_z, s7_718, s7_1003);
-  const double s7_1005 = mbgen::fma(work.w_wheel_front_right_x, s7_721, s7_1004);
-  const double s7_1006 = mbgen::fnma(work.r_wheel_front_right_z, s7_704, s7_1005);
-  const double s7_1007 = mbgen::fma(work.r_wheel_front_right_x, s7_712, s7_1006);
-  const double s7_1008 = mbgen::fnma(work.s1_428, s7_509, work.s1_431*s7_515);
-  const double s7_1009 = mbgen::fma(work.s1_461, s7_552, s7_1008);
-  const double s7_1010 = mbgen::fnma(work.s1_458, s7_550, s7_1009);
-  const double s7_1011 = mbgen::fnma(work.s1_219, work.alpha_carrier_right_y, s7_1010);
-  const double s7_1012 = mbgen::fnma(work.s1_240, work.alpha_carrier_right_z, s7_1011);
-  const double s7_1013 = mbgen::fnma(work.s1_225, work.alpha_carrier_right_x, s7_1012);
-  const double s7_1014 = mbgen::fnma(work.w_carrier_right_x, s7_700, s7_1013);
-  const double s7_1015 = mbgen::fma(work.w_carrier_right_y, s7_694, s7_1014);
-  const double s7_1016 = mbgen::fnma(work.s1_228, s7_685, s7_1015);
-  const double s7_1017 = mbgen::fma(work.s1_222, s7_691, s7_1016);
-  const double s7_1018 = mbgen::fnma(work.s1_273, work.alpha_wheel_front_right_y, s7_1017);
-  const double s7_1019 = mbgen::fnma(work.s1_260, work.alpha_wheel_front_right_z, s7_1018);
-  const double s7_1020 = mbgen::fnma(work.s1_276, work.alpha_wheel_front_right_x, s7_1019);
-  const double s7_1021 = mbgen::fnma(work.w_wheel_front_right_x, s7_715, s7_1020);
-  const double s7_1022 = mbgen::fma(work.w_wheel_front_right_y, s7_718, s7_1021);
-  const double s7_1023 = mbgen::fnma(work.r_wheel_front_right_x, s7_708, s7_1022);
-  const double s7_1024 = mbgen::fma(work.r_wheel_front_right_y, s7_704, s7_1023);
-  const double s7_1025 = mbgen::fnma(work.s1_431, s7_512, work.s1_434*s7_509);
-  const double s7_1026 = mbgen::fma(work.s1_464, s7_550, s7_1025);
-  const double s7_1027 = mbgen::fnma(work.s1_461, s7_548, s7_1026);
-  const double s7_1028 = mbgen::fnma(work.s1_237, work.alpha_carrier_right_y, s7_1027);
-  const double s7_1029 = mbgen::fnma(work.s1_225, work.alpha_carrier_right_z, s7_1028);
-  const double s7_1030 = mbgen::fnma(work.s1_253, work.alpha_carrier_right_x, s7_1029);
-  const double s7_1031 = mbgen::fnma(work.w_carrier_right_y, s7_697, s7_1030);
-  const double s7_1032 = mbgen::fma(work.w_carrier_right_z, s7_700, s7_1031);
-  const double s7_1033 = mbgen::fnma(work.s1_222, s7_688, s7_1032);
-  const double s7_1034 = mbgen::fma(work.s1_202, s7_685, s7_1033);
-  const double s7_1035 = mbgen::fnma(work.s1_279, work.alpha_wheel_front_right_y, s7_1034);
-  const double s7_1036 = mbgen::fnma(work.s1_270, work.alpha_wheel_front_right_x, s7_1035);
-  const double s7_1037 = mbgen::fnma(work.s1_276, work.alpha_wheel_front_right_z, s7_1036);
-  const double s7_1038 = mbgen::fnma(work.w_wheel_front_right_y, s7_721, s7_1037);
-  const double s7_1039 = mbgen::fma(work.w_wheel_front_right_z, s7_715, s7_1038);
-  const double s7_1040 = mbgen::fnma(work.r_wheel_front_right_y, s7_712, s7_1039);
-  const double s7_1041 = mbgen::fma(work.r_wheel_front_right_z, s7_708, s7_1040);
-  const double s7_1042 = s7_550 + (s7_509 + (s7_685 + s7_708));
-  const double s7_1043 = s7_548 + (s7_512 + (s7_688 + s7_712));
-  const double s7_1044 = s7_552 + (s7_515 + (s7_691 + s7_704));
-  // carrier_right: carrier_right_ry, revolute, carrier_right_aux2
-  const double s7_1045 = mbgen::fma(work.R_carrier_right_aux2_y_y, s7_1007,
-      tau[Coordinate::carrier_right_ry]);
-  const double s7_1046 = mbgen::fma(work.R_carrier_right_aux2_z_y, s7_1024, s7_1045);
-  const double s7_1047 = mbgen::fnma(work.s1_40, s7_1041, s7_1046);
-  const double s7_1048 = mbgen::fnma(work.b_carrier_right_ry_y, s7_1042, s7_1047);
-  const double s7_1049 = mbgen::fnma(work.b_carrier_right_ry_z, s7_1043, s7_1048);
-  work.Q_carrier_right_ry = mbgen::fnma(work.b_carrier_right_ry_x, s7_1044, s7_1049);
-  result.missing[9] = work.Q_carrier_right_ry;
-  // carrier_right_aux2: carrier_right_rx, revolute, carrier_right_aux1
-  const double s7_1050 = mbgen::fma(work.R_carrier_right_aux1_y_x, s7_1007,
-      tau[Coordinate::carrier_right_rx]);
-  const double s7_1051 = mbgen::fma(work.cosines[10], s7_1041, s7_1050);
-  const double s7_1052 = mbgen::fma(work.R_carrier_right_aux1_z_x, s7_1024, s7_1051);
-  const double s7_1053 = mbgen::fma(work.s1_47, s7_1042, s7_1052);
-  const double s7_1054 = mbgen::fnma(work.b_carrier_right_rx_x, s7_1044, s7_1053);
-  work.Q_carrier_right_rx = mbgen::fnma(work.b_carrier_right_rx_z, s7_1043, s7_1054);
-  result.missing[8] = work.Q_carrier_right_rx;
-  // carrier_right_aux1: carrier_right_rz, revolute, lower_arm_right
-  const double s7_1055 = mbgen::fma(work.cosines[9], s7_1024, tau[Coordinate::carrier_right_rz]);
-  const double s7_1056 = mbgen::fnma(work.sines[9], s7_1007, s7_1055);
-  const double s7_1057 = mbgen::fma(work.s1_37, s7_1042, s7_1056);
-  const double s7_1058 = mbgen::fma(work.s1_38, s7_1043, s7_1057);
-  work.Q_carrier_right_rz = mbgen::fnma(work.b_carrier_right_rz_x, s7_1044, s7_1058);
-  result.missing[7] = work.Q_carrier_right_rz;
-  const double s7_1059 = s7_679 + s7_1042;
-  const double s7_1060 = s7_682 + s7_1043;
-  // lower_arm_right: lower_arm_right, revolute, chassis
-  const double s7_1061 = tau[Coordinate::lower_arm_right] + s7_1041;
-  const double s7_1062 = mbgen::fnma(I_lower_arm_right_xx, work.alpha_lower_arm_right_x, s7_1061);
-  const double s7_1063 = mbgen::fma(work.s1_195, work.w_chassis_y, work.s1_196*work.w_chassis_z);
-  const double s7_1064 = mbgen::fma(work.s1_195, work.w_chassis_z, work.s1_199*work.w_chassis_y);
-  const double s7_1065 = mbgen::fnma(work.w_chassis_y, s7_1063, s7_1062);
-  const double s7_1066 = mbgen::fma(work.w_chassis_z, s7_1064, s7_1065);
-  const double s7_1067 = mbgen::fnma(work.s1_191, s7_679, s7_1066);
-  const double s7_1068 = mbgen::fnma(work.s1_193, s7_682, s7_1067);
-  const double s7_1069 = mbgen::fma((-p_lower_arm_right_z), s7_1059, s7_1068);
-  result.missing[6] = mbgen::fnma((-p_lower_arm_right_y), s7_1060, s7_1069);
-  // arb_front_left: arb_front_left, revolute, chassis
-  const double s7_1070 = mbgen::fma(work.s1_412, s7_491, tau[Coordinate::arb_front_left]);
-  const double s7_1071 = mbgen::fnma(work.s1_410, s7_488, s7_1070);
-  const double s7_1072 = mbgen::fnma(I_arb_front_left_yy, work.alpha_arb_front_left_y, s7_1071);
-  const double s7_1073 = mbgen::fnma(work.s1_180, work.alpha_arb_front_left_x, s7_1072);
-  const double s7_1074 = mbgen::fma(work.s1_174, work.alpha_arb_front_left_z, s7_1073);
-  const double s7_1075 = mbgen::fma(work.s1_184, work.w_chassis_z, s7_675);
-  const double s7_1076 = mbgen::fnma(work.s1_174, work.w_arb_front_left_y, s7_676);
-  const double s7_1077 = mbgen::fnma(work.w_chassis_z, s7_1075, s7_1074);
-  const double s7_1078 = mbgen::fma(work.w_chassis_x, s7_1076, s7_1077);
-  const double s7_1079 = mbgen::fnma(work.s1_176, s7_670, s7_1078);
-  const double s7_1080 = mbgen::fma(work.s1_182, s7_673, s7_1079);
-  const double s7_1081 = mbgen::fnma((-p_arb_front_left_z), s7_488 + s7_670, s7_1080);
-  work.Q_arb_front_left = mbgen::fnma(p_arb_front_left_x, s7_491 + s7_673, s7_1081);
-  result.missing[5] = work.Q_arb_front_left;
-  // upper_arm_left: upper_arm_left, revolute, chassis
-  const double s7_1082 = mbgen::fnma(I_upper_arm_left_xx, work.alpha_upper_arm_left_x,
-      tau[Coordinate::upper_arm_left]);
-  const double s7_1083 = mbgen::fma(work.s1_167, work.w_chassis_y, work.s1_168*work.w_chassis_z);
-  const double s7_1084 = mbgen::fma(work.s1_167, work.w_chassis_z, work.s1_171*work.w_chassis_y);
-  const double s7_1085 = mbgen::fnma(work.w_chassis_y, s7_1083, s7_1082);
-  const double s7_1086 = m_upper_arm_left*mbgen::fnma(work.s1_165, work.s7_141, s7_665);
-  const double s7_1087 = mbgen::fma(work.w_chassis_z, s7_1084, s7_1085);
-  const double s7_1088 = mbgen::fma(s7_1086, (-p_upper_arm_left_z) + work.s1_163, s7_1087);
-  const double s7_1089 = m_upper_arm_left*mbgen::fnma(work.s1_163, work.s7_149, s7_667);
-  work.Q_upper_arm_left = mbgen::fma(s7_1089, p_upper_arm_left_y - work.s1_165, s7_1088);
-  result.missing[4] = work.Q_upper_arm_left;
-  // wheel_front_left: wheel_front_left, revolute, carrier_left
-  const double s7_1090 = mbgen::fnma(work.s1_421, s7_500, work.s1_415*s7_497);
-  const double s7_1091 = mbgen::fma(work.s1_446, s7_535, s7_1090);
-  const double s7_1092 = mbgen::fnma(work.s1_452, s7_540, s7_1091);
-  const double s7_1093 = mbgen::fnma(work.s1_134, work.alpha_carrier_left_y, s7_1092);
-  const double s7_1094 = mbgen::fnma(work.s1_101, work.alpha_carrier_left_z, s7_1093);
-  const double s7_1095 = mbgen::fnma(work.s1_119, work.alpha_carrier_left_x, s7_1094);
-  const double s7_1096 = mbgen::fnma(work.w_carrier_left_z, s7_636, s7_1095);
-  const double s7_1097 = mbgen::fma(work.w_carrier_left_x, s7_639, s7_1096);
-  const double s7_1098 = mbgen::fnma(work.s1_86, s7_633, s7_1097);
-  const double s7_1099 = mbgen::fma(work.s1_110, s7_630, s7_1098);
-  const double s7_1100 = mbgen::fnma(work.s1_146, work.alpha_wheel_front_left_y, s7_1099);
-  const double s7_1101 = mbgen::fnma(work.s1_154, work.alpha_wheel_front_left_z, s7_1100);
-  const double s7_1102 = mbgen::fnma(work.s1_160, work.alpha_wheel_front_left_x, s7_1101);
-  const double s7_1103 = mbgen::fnma(work.w_wheel_front_left_z, s7_660, s7_1102);
-  const double s7_1104 = mbgen::fma(work.w_wheel_front_left_x, s7_663, s7_1103);
-  const double s7_1105 = mbgen::fnma(work.r_wheel_front_left_z, s7_646, s7_1104);
-  const double s7_1106 = mbgen::fma(work.r_wheel_front_left_x, s7_654, s7_1105);
-  const double s7_1107 = mbgen::fnma(work.s1_415, s7_494, work.s1_418*s7_500);
-  const double s7_1108 = mbgen::fma(work.s1_449, s7_540, s7_1107);
-  const double s7_1109 = mbgen::fnma(work.s1_446, s7_538, s7_1108);
-  const double s7_1110 = mbgen::fnma(work.s1_101, work.alpha_carrier_left_y, s7_1109);
-  const double s7_1111 = mbgen::fnma(work.s1_131, work.alpha_carrier_left_z, s7_1110);
-  const double s7_1112 = mbgen::fnma(work.s1_107, work.alpha_carrier_left_x, s7_1111);
-  const double s7_1113 = mbgen::fnma(work.w_carrier_left_x, s7_642, s7_1112);
-  const double s7_1114 = mbgen::fma(work.w_carrier_left_y, s7_636, s7_1113);
-  const double s7_1115 = mbgen::fnma(work.s1_110, s7_627, s7_1114);
-  const double s7_1116 = mbgen::fma(work.s1_104, s7_633, s7_1115);
-  const double s7_1117 = mbgen::fnma(work.s1_154, work.alpha_wheel_front_left_y, s7_1116);
-  const double s7_1118 = mbgen::fnma(work.s1_141, work.alpha_wheel_front_left_z, s7_1117);
-  const double s7_1119 = mbgen::fnma(work.s1_157, work.alpha_wheel_front_left_x, s7_1118);
-  const double s7_1120 = mbgen::fnma(work.w_wheel_front_left_x, s7_657, s7_1119);
-  const double s7_1121 = mbgen::fma(work.w_wheel_front_left_y, s7_660, s7_1120);
-  const double s7_1122 = mbgen::fnma(work.r_wheel_front_left_x, s7_650, s7_1121);
-  const double s7_1123 = mbgen::fma(work.r_wheel_front_left_y, s7_646, s7_1122);
-  const double s7_1124 = mbgen::fnma(work.s1_418, s7_497, work.s1_421*s7_494);
-  const double s7_1125 = mbgen::fma(work.s1_452, s7_538, s7_1124);
-  const double s7_1126 = mbgen::fnma(work.s1_449, s7_535, s7_1125);
-  const double s7_1127 = mbgen::fnma(work.s1_119, work.alpha_carrier_left_y, s7_1126);
-  const double s7_1128 = mbgen::fnma(work.s1_128, work.alpha_carrier_left_x, s7_1127);
-  const double s7_1129 = mbgen::fnma(work.s1_107, work.alpha_carrier_left_z, s7_1128);
-  const double s7_1130 = mbgen::fnma(work.w_carrier_left_y, s7_639, s7_1129);
-  const double s7_1131 = mbgen::fma(work.w_carrier_left_z, s7_642, s7_1130);
-  const double s7_1132 = mbgen::fnma(work.s1_104, s7_630, s7_1131);
-  const double s7_1133 = mbgen::fma(work.s1_86, s7_627, s7_1132);
-  const double s7_1134 = mbgen::fnma(work.s1_160, work.alpha_wheel_front_left_y, s7_1133);
-  const double s7_1135 = mbgen::fnma(work.s1_151, work.alpha_wheel_front_left_x, s7_1134);
-  const double s7_1136 = mbgen::fnma(work.s1_157, work.alpha_wheel_front_left_z, s7_1135);
-  const double s7_1137 = mbgen::fnma(work.w_wheel_front_left_y, s7_663, s7_1136);
-  const double s7_1138 = mbgen::fma(work.w_wheel_front_left_z, s7_657, s7_1137);
-  const double s7_1139 = mbgen::fnma(work.r_wheel_front_left_y, s7_654, s7_1138);
-  const double s7_1140 = mbgen::fma(work.r_wheel_front_left_z, s7_650, s7_1139);
-  const double s7_1141 = s7_538 + (s7_494 + (s7_627 + s7_650));
-  const double s7_1142 = s7_535 + (s7_497 + (s7_630 + s7_654));
-  const double s7_1143 = s7_540 + (s7_500 + (s7_633 + s7_646));
-  // carrier_left: carrier_left_ry, revolute, carrier_left_aux2
-  const double s7_1144 = mbgen::fma(work.R_carrier_left_aux2_y_y, s7_1106,
-      tau[Coordinate::carrier_left_ry]);
-  const double s7_1145 = mbgen::fma(work.R_carrier_left_aux2_z_y, s7_1123, s7_1144);
-  const double s7_1146 = mbgen::fnma(work.s1_13, s7_1140, s7_1145);
-  const double s7_1147 = mbgen::fma(work.s1_27, s7_1141, s7_1146);
-  const double s7_1148 = mbgen::fnma(work.b_carrier_left_ry_z, s7_1142, s7_1147);
-  work.Q_carrier_left_ry = mbgen::fnma(work.b_carrier_left_ry_x, s7_1143, s7_1148);
-  result.missing[3] = work.Q_carrier_left_ry;
-  // carrier_left_aux2: carrier_left_rx, revolute, carrier_left_aux1
-  const double s7_1149 = mbgen::fma(work.R_carrier_left_aux1_y_x, s7_1106,
-      tau[Coordinate::carrier_left_rx]);
-  const double s7_1150 = mbgen::fma(work.cosines[4], s7_1140, s7_1149);
-  const double s7_1151 = mbgen::fma(work.R_carrier_left_aux1_z_x, s7_1123, s7_1150);
-  const double s7_1152 = mbgen::fnma(work.b_carrier_left_rx_y, s7_1141, s7_1151);
-  const double s7_1153 = mbgen::fnma(work.b_carrier_left_rx_z, s7_1142, s7_1152);
-  work.Q_carrier_left_rx = mbgen::fnma(work.b_carrier_left_rx_x, s7_1143, s7_1153);
-  result.missing[2] = work.Q_carrier_left_rx;
-  // carrier_left_aux1: carrier_left_rz, revolute, lower_arm_left
-  const double s7_1154 = mbgen::fma(work.cosines[3], s7_1123, tau[Coordinate::carrier_left_rz]);
-  const double s7_1155 = mbgen::fnma(work.sines[3], s7_1106, s7_1154);
-  const double s7_1156 = mbgen::fma(work.s1_10, s7_1141, s7_1155);
-  const double s7_1157 = mbgen::fma(work.s1_11, s7_1142, s7_1156);
-  work.Q_carrier_left_rz = mbgen::fnma(work.b_carrier_left_rz_x, s7_1143, s7_1157);
-  result.missing[1] = work.Q_carrier_left_rz;
-  const double s7_1158 = s7_621 + s7_1141;
-  const double s7_1159 = s7_624 + s7_1142;
-  // lower_arm_left: lower_arm_left, revolute, chassis
-  const double s7_1160 = tau[Coordinate::lower_arm_left] + s7_1140;
-  const double s7_1161 = mbgen::fnma(I_lower_arm_left_xx, work.alpha_lower_arm_left_x, s7_1160);
-  const double s7_1162 = mbgen::fma(work.s1_77, work.w_chassis_y, work.s1_78*work.w_chassis_z);
-  const double s7_1163 = mbgen::fma(work.s1_77, work.w_chassis_z, work.s1_81*work.w_chassis_y);
-  const double s7_1164 = mbgen::fnma(work.w_chassis_y, s7_1162, s7_1161);
-  const double s7_1165 = mbgen::fma(work.w_chassis_z, s7_1163, s7_1164);
-  const double s7_1166 = mbgen::fma(work.s1_73, s7_621, mbgen::fnma(work.s1_75, s7_624, s7_1165));
-  const double s7_1167 = mbgen::fma(p_lower_arm_left_y, s7_1159, s7_1166);
-  result.missing[0] = mbgen::fma((-p_lower_arm_left_z), s7_1158, s7_1167);
-  // operations: 1452 add, 1318 multiply
-}
-
-/// Part 4 of compute_multipliers: step 9: independent and all accelerations (63), (62).
-[[gnu::noinline]] void compute_multipliers_4(const State& state,
-    ConstraintForcesWork& __restrict work, ConstraintForces& __restrict result) noexcept {
-  // --- step 9: independent and all accelerations (63), (62) ---
-  // upper_ball_left
-  const double s9_1 = mbgen::fma(p_carrier_left_upper_ball_z, work.R_carrier_left_x_z, work.s1_444);
-  const double s9_2 = mbgen::fma(p_carrier_left_upper_ball_z, work.R_carrier_left_y_z, work.s1_447);
-  const double s9_3 = mbgen::fma(p_carrier_left_upper_ball_z, work.R_carrier_left_z_z, work.s1_450);
-  const double R_lower_arm_left_z_y = work.sines[3];
-  const double R_lower_arm_left_y_y = work.cosines[3];
-  const double s9_4 = mbgen::fnma(R_lower_arm_left_z_y, s9_3, work.b_carrier_left_rz_x);
-  const double J_upper_ball_left_carrier_left_rz = mbgen::fnma(R_lower_arm_left_y_y, s9_2, s9_4);
-  const double s9_5 = mbgen::fma(work.R_carrier_left_aux1_y_x, s9_3, work.b_carrier_left_rx_x);
-  const double J_upper_ball_left_carrier_left_rx = mbgen::fnma(work.R_carrier_left_aux1_z_x, s9_2,
-      s9_5);
-  const double s9_6 = mbgen::fma(work.R_carrier_left_aux2_y_y, s9_3, work.b_carrier_left_ry_x);
-  const double J_upper_ball_left_carrier_left_ry = mbgen::fnma(work.R_carrier_left_aux2_z_y, s9_2,
-      s9_6);
-  const double J_upper_ball_left_carrier_left_rz_2 = mbgen::fms(R_lower_arm_left_y_y, s9_1,
-      work.s1_10);
-  const double R_carrier_left_aux1_x_x = work.cosines[4];
-  const double s9_7 = mbgen::fma(work.R_carrier_left_aux1_z_x, s9_1, work.b_carrier_left_rx_y);
-  const double J_upper_ball_left_carrier_left_rx_2 = mbgen::fnma(R_carrier_left_aux1_x_x, s9_3,
-      s9_7);
-  const double s9_8 = mbgen::fms(work.s1_13, s9_3, work.s1_27);
-  const double J_upper_ball_left_carrier_left_ry_2 = mbgen::fma(work.R_carrier_left_aux2_z_y, s9_1,
-      s9_8);
-  const double R_upper_arm_left_z_y = work.sines[7];
-  const double R_upper_arm_left_y_y = work.cosines[7];
-  const double s9_9 = p_upper_arm_left_ball_y*R_upper_arm_left_z_y;
-  const double J_upper_ball_left_upper_arm_left = mbgen::fnma((-p_upper_arm_left_ball_z),
-      R_upper_arm_left_y_y, s9_9);
-  const double J_upper_ball_left_carrier_left_rz_3 = mbgen::fms(R_lower_arm_left_z_y, s9_1,
-      work.s1_11);
-  const double s9_10 = mbgen::fma(R_carrier_left_aux1_x_x, s9_2, work.b_carrier_left_rx_z);
-  const double J_upper_ball_left_carrier_left_rx_3 = mbgen::fnma(work.R_carrier_left_aux1_y_x, s9_1,
-      s9_10);
-  const double s9_11 = mbgen::fnma(work.s1_13, s9_2, work.b_carrier_left_ry_z);
-  const double J_upper_ball_left_carrier_left_ry_3 = mbgen::fnma(work.R_carrier_left_aux2_y_y, s9_1,
-      s9_11);
-  const double s9_12 = (-p_upper_arm_left_ball_z)*R_upper_arm_left_z_y;
-  const double s9_13 = mbgen::fma(p_upper_arm_left_ball_y, R_upper_arm_left_y_y, s9_12);
-  // upper_ball_right
-  const double s9_14 = mbgen::fma(p_carrier_right_upper_ball_z, work.R_carrier_right_z_z,
-      work.s1_462);
-  const double s9_15 = mbgen::fma(p_carrier_right_upper_ball_z, work.R_carrier_right_x_z,
-      work.s1_456);
-  const double s9_16 = mbgen::fma(p_carrier_right_upper_ball_z, work.R_carrier_right_y_z,
-      work.s1_459);
-  const double R_lower_arm_right_z_y = work.sines[9];
-  const double R_lower_arm_right_y_y = work.cosines[9];
-  const double s9_17 = mbgen::fnma(R_lower_arm_right_z_y, s9_14, work.b_carrier_right_rz_x);
-  const double J_upper_ball_right_carrier_right_rz = mbgen::fnma(R_lower_arm_right_y_y, s9_16,
-      s9_17);
-  const double s9_18 = mbgen::fma(work.R_carrier_right_aux1_y_x, s9_14, work.b_carrier_right_rx_x);
-  const double J_upper_ball_right_carrier_right_rx = mbgen::fnma(work.R_carrier_right_aux1_z_x,
-      s9_16, s9_18);
-  const double s9_19 = mbgen::fma(work.R_carrier_right_aux2_y_y, s9_14, work.b_carrier_right_ry_x);
-  const double J_upper_ball_right_carrier_right_ry = mbgen::fnma(work.R_carrier_right_aux2_z_y,
-      s9_16, s9_19);
-  const double J_upper_ball_right_carrier_right_rz_2 = mbgen::fms(R_lower_arm_right_y_y, s9_15,
-      work.s1_37);
-  const double R_carrier_right_aux1_x_x = work.cosines[10];
-  const double s9_20 = mbgen::fms(work.R_carrier_right_aux1_z_x, s9_15, work.s1_47);
-  const double J_upper_ball_right_carrier_right_rx_2 = mbgen::fnma(R_carrier_right_aux1_x_x, s9_14,
-      s9_20);
-  const double s9_21 = mbgen::fma(work.s1_40, s9_14, work.b_carrier_right_ry_y);
-  const double J_upper_ball_right_carrier_right_ry_2 = mbgen::fma(work.R_carrier_right_aux2_z_y,
-      s9_15, s9_21);
   const double R_upper_arm_right_z_y = work.sines[13];
   const double R_upper_arm_right_y_y = work.cosines[13];
-  const double s9_22 = (-p_upper_arm_right_ball_y)*R_upper_arm_right_z_y;
-  const double s9_23 = mbgen::fma((-p_upper_arm_right_ball_z), R_upper_arm_right_y_y, s9_22);
-  const double J_upper_ball_right_carrier_right_rz_3 = mbgen::fms(R_lower_arm_right_z_y, s9_15,
-      work.s1_38);
-  const double s9_24 = mbgen::fma(R_carrier_right_aux1_x_x, s9_16, work.b_carrier_right_rx_z);
-  const double J_upper_ball_right_carrier_right_rx_3 = mbgen::fnma(work.R_carrier_right_aux1_y_x,
-      s9_15, s9_24);
-  const double s9_25 = mbgen::fnma(work.s1_40, s9_16, work.b_carrier_right_ry_z);
-  const double J_upper_ball_right_carrier_right_ry_3 = mbgen::fnma(work.R_carrier_right_aux2_y_y,
-      s9_15, s9_25);
-  const double s9_26 = (-p_upper_arm_right_ball_z)*R_upper_arm_right_z_y;
-  const double s9_27 = mbgen::fnma((-p_upper_arm_right_ball_y), R_upper_arm_right_y_y, s9_26);
-  // arb_link_front_left
-  const double s9_28 = 3.846153846153846*(work.s1_410 - work.s1_421);
-  const double s9_29 = 3.846153846153846*(0.72 - work.s1_418);
-  const double s9_30 = 3.846153846153846*(work.s1_412 - work.s1_415);
-  const double s9_31 = mbgen::fnma(work.s1_418, s9_30, work.s1_415*s9_29);
-  const double s9_32 = mbgen::fnma(work.s1_421, s9_29, work.s1_418*s9_28);
-  const double s9_33 = mbgen::fnma(work.s1_415, s9_28, work.s1_421*s9_30);
-  const double s9_34 = mbgen::fnma(R_lower_arm_left_z_y, s9_33, R_lower_arm_left_y_y*s9_31);
-  const double s9_35 = mbgen::fma(work.b_carrier_left_rz_x, s9_30, s9_34);
-  const double s9_36 = mbgen::fnma(work.s1_10, s9_29, mbgen::fnma(work.s1_11, s9_28, s9_35));
-  const double s9_37 = work.R_carrier_left_aux1_y_x*s9_33;
-  const double s9_38 = mbgen::fma(R_carrier_left_aux1_x_x, s9_32, s9_37);
-  const double s9_39 = mbgen::fma(work.R_carrier_left_aux1_z_x, s9_31, s9_38);
-  const double s9_40 = mbgen::fma(work.b_carrier_left_rx_y, s9_29, s9_39);
-  const double s9_41 = mbgen::fma(work.b_carrier_left_rx_z, s9_28, s9_40);
-  const double s9_42 = mbgen::fma(work.b_carrier_left_rx_x, s9_30, s9_41);
-  const double s9_43 = work.R_carrier_left_aux2_y_y*s9_33;
-  const double s9_44 = mbgen::fma(work.R_carrier_left_aux2_z_y, s9_31, s9_43);
-  const double s9_45 = mbgen::fnma(work.s1_13, s9_32, s9_44);
-  const double s9_46 = mbgen::fma(work.b_carrier_left_ry_z, s9_28, s9_45);
-  const double s9_47 = mbgen::fma(work.b_carrier_left_ry_x, s9_30, s9_46);
-  const double s9_48 = mbgen::fnma(work.s1_27, s9_29, s9_47);
-  const double s9_49 = s9_28*(p_arb_front_left_x - work.s1_412);
-  const double J_arb_link_front_left_arb_front_left = mbgen::fma(s9_30,
-      (-p_arb_front_left_z) + work.s1_410, s9_49);
-  // arb_link_front_right
-  const double s9_50 = 3.846153846153846*(0.72 + work.s1_431);
-  const double s9_51 = 3.846153846153846*(work.s1_423 - work.s1_434);
-  const double s9_52 = mbgen::fma(work.s1_434, s9_50, work.s1_431*s9_51);
-  const double s9_53 = 3.846153846153846*(work.s1_425 - work.s1_428);
-  const double s9_54 = mbgen::fnma(work.s1_428, s9_51, work.s1_434*s9_53);
-  const double s9_55 = mbgen::fma(work.s1_431, s9_53, work.s1_428*s9_50);
-  const double s9_56 = mbgen::fma(work.b_carrier_right_rz_x, s9_53, work.s1_37*s9_50);
-  const double s9_57 = mbgen::fnma(work.s1_38, s9_51, s9_56);
-  const double s9_58 = mbgen::fnma(R_lower_arm_right_z_y, s9_54, s9_57);
-  const double s9_59 = mbgen::fnma(R_lower_arm_right_y_y, s9_55, s9_58);
-  const double s9_60 = work.R_carrier_right_aux1_y_x*s9_54;
-  const double s9_61 = mbgen::fma(R_carrier_right_aux1_x_x, s9_52, s9_60);
-  const double s9_62 = mbgen::fnma(work.R_carrier_right_aux1_z_x, s9_55, s9_61);
-  const double s9_63 = mbgen::fma(work.s1_47, s9_50, s9_62);
-  const double s9_64 = mbgen::fma(work.b_carrier_right_rx_x, s9_53, s9_63);
-  const double s9_65 = mbgen::fma(work.b_carrier_right_rx_z, s9_51, s9_64);
-  const double s9_66 = mbgen::fnma(work.s1_40, s9_52, work.R_carrier_right_aux2_y_y*s9_54);
-  const double s9_67 = mbgen::fnma(work.R_carrier_right_aux2_z_y, s9_55, s9_66);
-  const double s9_68 = mbgen::fma(work.b_carrier_right_ry_z, s9_51, s9_67);
-  const double s9_69 = mbgen::fma(work.b_carrier_right_ry_x, s9_53, s9_68);
-  const double s9_70 = mbgen::fnma(work.b_carrier_right_ry_y, s9_50, s9_69);
-  const double s9_71 = s9_51*(p_arb_front_right_x - work.s1_425);
-  const double J_arb_link_front_right_arb_front_right = mbgen::fma(s9_53,
-      (-p_arb_front_right_z) + work.s1_423, s9_71);
-  // drag_link
-  const double s9_72 = 0.8565801464479954*((-p_bell_crank_z) - work.s1_435);
-  const double s9_73 = 0.8565801464479954*(work.s1_437 - work.s1_438);
-  const double s9_74 = s9_72*(p_pitman_arm_x - work.s1_437);
-  const double J_drag_link_pitman_arm = mbgen::fma(s9_73, (-p_pitman_arm_z) - work.s1_435, s9_74);
-  // tie_rod_left
-  const double s9_75 = 1.262590031797617*((-p_bell_crank_z) + work.s1_452);
-  const double s9_76 = 1.262590031797617*(work.s1_443 - work.s1_446);
-  const double s9_77 = mbgen::fma(work.s1_452, s9_76, work.s1_446*s9_75);
-  const double s9_78 = 1.262590031797617*(work.s1_441 - work.s1_449);
-  const double s9_79 = mbgen::fnma(work.s1_449, s9_76, work.s1_446*s9_78);
-  const double s9_80 = mbgen::fma(work.s1_452, s9_78, work.s1_449*s9_75);
-  const double s9_81 = mbgen::fnma(R_lower_arm_left_z_y, s9_77, R_lower_arm_left_y_y*s9_79);
-  const double s9_82 = mbgen::fma(work.s1_11, s9_75, s9_81);
-  const double s9_83 = mbgen::fma(work.b_carrier_left_rz_x, s9_76, s9_82);
-  const double s9_84 = mbgen::fnma(work.s1_10, s9_78, s9_83);
-  const double s9_85 = work.R_carrier_left_aux1_y_x*s9_77;
-  const double s9_86 = mbgen::fma(work.R_carrier_left_aux1_z_x, s9_79, s9_85);
-  const double s9_87 = mbgen::fnma(R_carrier_left_aux1_x_x, s9_80, s9_86);
-  const double s9_88 = mbgen::fma(work.b_carrier_left_rx_y, s9_78, s9_87);
-  const double s9_89 = mbgen::fma(work.b_carrier_left_rx_x, s9_76, s9_88);
-  const double s9_90 = mbgen::fnma(work.b_carrier_left_rx_z, s9_75, s9_89);
-  const double s9_91 = mbgen::fma(work.s1_13, s9_80, work.R_carrier_left_aux2_y_y*s9_77);
-  const double s9_92 = mbgen::fma(work.R_carrier_left_aux2_z_y, s9_79, s9_91);
-  const double s9_93 = mbgen::fma(work.b_carrier_left_ry_x, s9_76, s9_92);
-  const double s9_94 = mbgen::fnma(work.b_carrier_left_ry_z, s9_75, s9_93);
-  const double s9_95 = mbgen::fnma(work.s1_27, s9_78, s9_94);
-  // tie_rod_right
-  const double s9_96 = 1.262590031797617*((-p_bell_crank_z) + work.s1_464);
-  const double s9_97 = 1.262590031797617*(work.s1_453 + work.s1_461);
-  const double s9_98 = 1.262590031797617*(work.s1_455 - work.s1_458);
-  const double s9_99 = mbgen::fma(work.s1_464, s9_98, work.s1_458*s9_96);
-  const double s9_100 = mbgen::fnma(work.s1_461, s9_96, work.s1_464*s9_97);
-  const double s9_101 = mbgen::fma(work.s1_461, s9_98, work.s1_458*s9_97);
-  const double s9_102 = mbgen::fma(work.s1_38, s9_96, work.s1_37*s9_97);
-  const double s9_103 = mbgen::fma(work.b_carrier_right_rz_x, s9_98, s9_102);
-  const double s9_104 = mbgen::fnma(R_lower_arm_right_z_y, s9_99, s9_103);
-  const double s9_105 = mbgen::fnma(R_lower_arm_right_y_y, s9_101, s9_104);
-  const double s9_106 = work.R_carrier_right_aux1_y_x*s9_99;
-  const double s9_107 = mbgen::fma(R_carrier_right_aux1_x_x, s9_100, s9_106);
-  const double s9_108 = mbgen::fnma(work.R_carrier_right_aux1_z_x, s9_101, s9_107);
-  const double s9_109 = mbgen::fma(work.s1_47, s9_97, s9_108);
-  const double s9_110 = mbgen::fma(work.b_carrier_right_rx_x, s9_98, s9_109);
-  const double s9_111 = mbgen::fnma(work.b_carrier_right_rx_z, s9_96, s9_110);
-  const double s9_112 = mbgen::fnma(work.s1_40, s9_100, work.R_carrier_right_aux2_y_y*s9_99);
-  const double s9_113 = mbgen::fnma(work.R_carrier_right_aux2_z_y, s9_101, s9_112);
-  const double s9_114 = mbgen::fma(work.b_carrier_right_ry_x, s9_98, s9_113);
-  const double s9_115 = mbgen::fnma(work.b_carrier_right_ry_z, s9_96, s9_114);
-  const double s9_116 = mbgen::fnma(work.b_carrier_right_ry_y, s9_97, s9_115);
-  // loop block 0
-  const double s9_117 = 1.0/s9_13;
-  const double s9_118 = 1.0/s9_27;
-  const double s9_119 = 1.0/s9_90;
-  const double s9_120 = 1.0/s9_105;
-  const double s9_121 = work.Q_upper_arm_right*s9_118;
-  const double s9_122 = work.Q_upper_arm_left*s9_117;
-  const double s9_123 = J_upper_ball_left_carrier_left_rx*s9_119;
-  const double s9_124 = J_upper_ball_left_upper_arm_left*s9_117;
-  const double s9_125 = J_upper_ball_right_carrier_right_rz*s9_120;
-  result.lambda[8] = work.Q_pitman_arm*(1.0/J_drag_link_pitman_arm);
-  const double s9_126 = work.Q_arb_front_right*(1.0/J_arb_link_front_right_arb_front_right);
-  result.lambda[7] = s9_126;
-  const double s9_127 = work.Q_arb_front_left*(1.0/J_arb_link_front_left_arb_front_left);
-  result.lambda[6] = s9_127;
-  const double s9_128 = s9_23*s9_118;
-  const double s9_129 = mbgen::fma(J_upper_ball_left_carrier_left_rx_3, s9_124,
-      J_upper_ball_left_carrier_left_rx_2);
-  const double s9_130 = s9_119*s9_129;
-  const double s9_131 = mbgen::fnma(J_upper_ball_right_carrier_right_rz_3, s9_128,
-      J_upper_ball_right_carrier_right_rz_2);
-  const double s9_132 = s9_120*s9_131;
-  const double s9_133 = mbgen::fma(J_upper_ball_left_carrier_left_rx_3, s9_122,
-      work.Q_carrier_left_rx);
-  const double s9_134 = s9_119*mbgen::fma(s9_42, s9_127, s9_133);
-  const double s9_135 = mbgen::fma(J_upper_ball_right_carrier_right_rz_3, s9_121,
-      work.Q_carrier_right_rz);
-  const double s9_136 = s9_120*mbgen::fma(s9_59, s9_126, s9_135);
-  const double s9_137 = mbgen::fnma(s9_116, s9_125, J_upper_ball_right_carrier_right_ry);
-  const double s9_138 = 1.0/s9_137;
-  const double s9_139 = mbgen::fnma(J_upper_ball_right_carrier_right_ry_3, s9_128,
-      J_upper_ball_right_carrier_right_ry_2);
-  const double s9_140 = s9_138*mbgen::fnma(s9_116, s9_132, s9_139);
-  const double s9_141 = mbgen::fma(J_upper_ball_left_carrier_left_ry_3, s9_124,
-      J_upper_ball_left_carrier_left_ry_2);
-  const double s9_142 = mbgen::fnma(s9_95, s9_130, s9_141);
-  const double s9_143 = 1.0/s9_142;
-  const double s9_144 = mbgen::fnma(s9_95, s9_123, J_upper_ball_left_carrier_left_ry)*s9_143;
-  const double s9_145 = mbgen::fnma(s9_111, s9_125, J_upper_ball_right_carrier_right_rx);
-  const double s9_146 = mbgen::fma(J_upper_ball_right_carrier_right_ry_3, s9_121,
-      work.Q_carrier_right_ry);
-  const double s9_147 = s9_138*mbgen::fnma(s9_116, s9_136, mbgen::fma(s9_70, s9_126, s9_146));
-  const double s9_148 = mbgen::fma(J_upper_ball_right_carrier_right_rx_3, s9_121,
-      work.Q_carrier_right_rx);
-  const double s9_149 = mbgen::fnma(s9_111, s9_136, mbgen::fma(s9_65, s9_126, s9_148));
-  const double s9_150 = mbgen::fnma(J_upper_ball_right_carrier_right_rx_3, s9_128,
-      J_upper_ball_right_carrier_right_rx_2);
-  const double s9_151 = mbgen::fnma(s9_140, s9_145, mbgen::fnma(s9_111, s9_132, s9_150));
-  const double s9_152 = mbgen::fnma(s9_145, s9_147, s9_149)*(1.0/s9_151);
-  result.lambda[4] = s9_152;
-  result.lambda[5] = -mbgen::fma(s9_128, s9_152, s9_121);
-  const double s9_153 = mbgen::fma(J_upper_ball_left_carrier_left_rz_3, s9_124,
-      J_upper_ball_left_carrier_left_rz_2);
-  const double s9_154 = mbgen::fnma(s9_84, s9_130, s9_153);
-  const double s9_155 = mbgen::fma(J_upper_ball_left_carrier_left_ry_3, s9_122,
-      work.Q_carrier_left_ry);
-  const double s9_156 = s9_143*mbgen::fnma(s9_95, s9_134, mbgen::fma(s9_48, s9_127, s9_155));
-  const double s9_157 = mbgen::fma(J_upper_ball_left_carrier_left_rz_3, s9_122,
-      work.Q_carrier_left_rz);
-  const double s9_158 = mbgen::fnma(s9_84, s9_134, mbgen::fma(s9_36, s9_127, s9_157));
-  const double s9_159 = mbgen::fnma(s9_84, s9_123, J_upper_ball_left_carrier_left_rz);
-  const double s9_160 = mbgen::fnma(s9_144, s9_154, s9_159);
-  const double s9_161 = mbgen::fnma(s9_154, s9_156, s9_158)*(1.0/s9_160);
-  result.lambda[0] = s9_161;
-  const double s9_162 = mbgen::fnma(s9_140, s9_152, s9_147);
-  result.lambda[3] = s9_162;
-  const double s9_163 = mbgen::fnma(s9_144, s9_161, s9_156);
-  result.lambda[1] = s9_163;
-  const double s9_164 = 4.291271972095581*std::abs(J_arb_link_front_right_arb_front_right);
-  const double s9_165 = mbgen::min(s9_164, 4.625980413576839*std::abs(J_drag_link_pitman_arm));
-  const double s9_166 = 4.336650753223258*std::abs(J_arb_link_front_left_arb_front_left);
-  const double s9_167 = 3.3503257942070226*std::abs(s9_27);
-  const double s9_168 = mbgen::min(s9_167, mbgen::min(s9_166, s9_165));
-  const double s9_169 = mbgen::min(5.556930741705859*std::abs(s9_105), s9_168);
-  const double s9_170 = mbgen::min(2.6620449619787987*std::abs(s9_137), s9_169);
-  const double s9_171 = mbgen::min(s9_170, 2.732781487945307*std::abs(s9_151));
-  const double s9_172 = mbgen::min(3.3514772255331233*std::abs(s9_13), s9_171);
-  const double s9_173 = mbgen::min(15.714736645766752*std::abs(s9_90), s9_172);
-  const double s9_174 = mbgen::min(5.864463449986124*std::abs(s9_142), s9_173);
-  result.pivot[0] = mbgen::min(0.43888841273380513*std::abs(s9_160), s9_174);
-  result.lambda[10] = mbgen::fma(s9_125, s9_162, mbgen::fms(s9_132, s9_152, s9_136));
-  result.lambda[2] = mbgen::fms(s9_124, s9_163, s9_122);
-  result.lambda[9] = mbgen::fma(s9_130, s9_163, mbgen::fms(s9_123, s9_161, s9_134));
-  // long_rod_left
-  const double J_long_rod_left_rear_axle_tx = 1.1757385222540735*((-p_long_rod_left_from_x) +
-      work.s1_474);
-  const double J_long_rod_left_rear_axle_tz = 1.1757385222540735*((-p_long_rod_left_from_z) +
-      work.s1_476);
-  const double s9_175 = 1.1757385222540735*(p_long_rod_left_from_y - work.s1_470);
-  const double s9_176 = work.s1_474*J_long_rod_left_rear_axle_tz;
-  const double s9_177 = mbgen::fnma(work.s1_476, J_long_rod_left_rear_axle_tx, s9_176);
-  const double s9_178 = work.s1_470*J_long_rod_left_rear_axle_tz;
-  const double s9_179 = mbgen::fma(work.s1_476, s9_175, s9_178);
-  // diag_rod_left
-  const double J_diag_rod_left_rear_axle_tx = 1.162476387438193*((-p_diag_rod_left_from_x) +
-      work.s1_480);
-  const double J_diag_rod_left_rear_axle_tz = 1.162476387438193*((-p_diag_rod_left_from_z) +
-      work.s1_482);
-  const double s9_180 = 1.162476387438193*(p_diag_rod_left_from_y - work.s1_478);
-  const double s9_181 = work.s1_480*J_diag_rod_left_rear_axle_tz;
-  const double s9_182 = mbgen::fnma(work.s1_482, J_diag_rod_left_rear_axle_tx, s9_181);
-  const double s9_183 = work.s1_478*J_diag_rod_left_rear_axle_tz;
-  const double s9_184 = mbgen::fma(work.s1_482, s9_180, s9_183);
-  // arb_link_rear_left
-  const double J_arb_link_rear_left_rear_axle_tz = 4.47213595499958*(work.s1_483 + work.s1_496);
-  const double s9_185 = 4.47213595499958*(work.s1_488 - work.s1_492);
-  const double s9_186 = work.s1_492*J_arb_link_rear_left_rear_axle_tz;
-  const double s9_187 = mbgen::fma(work.s1_496, s9_185, s9_186);
-  const double s9_188 = 4.47213595499958*(0.6 - work.s1_490);
-  const double s9_189 = work.s1_490*J_arb_link_rear_left_rear_axle_tz;
-  const double s9_190 = mbgen::fma(work.s1_496, s9_188, s9_189);
-  const double z_rear_axle_ty = state.z[Coordinate::rear_axle_ty];
-  const double s9_191 = work.s1_492 - work.r_rear_axle_aux1_x;
-  const double s9_192 = mbgen::fma(s9_188, s9_191, s9_185*(z_rear_axle_ty - work.s1_490));
+  const double s7_744 = (-c_upper_arm_right_z)*R_upper_arm_right_z_y;
+  const double s7_745 = mbgen::fnma((-c_upper_arm_right_y), R_upper_arm_right_y_y, s7_744);
+  const double s7_746 = (-c_upper_arm_right_y)*R_upper_arm_right_z_y;
+  const double s7_747 = mbgen::fma((-c_upper_arm_right_z), R_upper_arm_right_y_y, s7_746);
+  const double s7_748 = mbgen::fnma(work.s7_151, s7_745, work.a_upper_arm_right_y);
+  const double s7_749 = mbgen::fma(work.s7_150, s7_747, work.a_upper_arm_right_z);
+  const double s7_750 = R_upper_arm_right_z_y*work.w_chassis_z;
+  const double s7_751 = mbgen::fma(R_upper_arm_right_y_y, work.w_chassis_y, s7_750);
+  const double s7_752 = R_upper_arm_right_y_y*work.w_chassis_z;
+  const double s7_753 = mbgen::fnma(R_upper_arm_right_z_y, work.w_chassis_y, s7_752);
+  const double s7_754 = mbgen::fnma(I_upper_arm_right_xx, work.alpha_upper_arm_right_x,
+      tau[Coordinate::upper_arm_right]);
+  const double s7_755 = mbgen::fnma(s7_751, I_upper_arm_right_zz*s7_753, s7_754);
+  const double s7_756 = m_upper_arm_right*mbgen::fnma(work.s7_149, s7_747, s7_748);
+  const double s7_757 = mbgen::fma(s7_753, I_upper_arm_right_yy*s7_751, s7_755);
+  const double s7_758 = m_upper_arm_right*mbgen::fma(work.s7_148, s7_745, s7_749);
+  work.Q_upper_arm_right = mbgen::fnma(s7_745, s7_758, mbgen::fnma(s7_747, s7_756, s7_757));
+  result.missing[10] = work.Q_upper_arm_right;
+  // wheel_front_right: wheel_front_right, revolute, carrier_right
+  const double s7_759 = m_wheel_front_right*work.a_wheel_front_right_x;
+  const double s7_760 = m_wheel_front_right*work.a_wheel_front_right_y;
+  const double s7_761 = m_wheel_front_right*work.a_wheel_front_right_z;
+  const double s7_762 = work.R_carrier_right_y_z*work.alpha_wheel_front_right_y;
+  const double s7_763 = mbgen::fma(work.R_carrier_right_x_z, work.alpha_wheel_front_right_x,
+      s7_762);
+  const double s7_764 = work.R_carrier_right_y_x*work.w_wheel_front_right_y;
+  const double s7_765 = mbgen::fma(work.R_carrier_right_x_x, work.w_wheel_front_right_x, s7_764);
+  const double s7_766 = mbgen::fma(work.R_carrier_right_z_x, work.w_wheel_front_right_z, s7_765);
+  const double s7_767 = work.R_carrier_right_aux2_y_y*work.w_wheel_front_right_y;
+  const double s7_768 = mbgen::fma(work.R_carrier_right_aux2_z_y, work.w_wheel_front_right_z,
+      s7_767);
+  const double s7_769 = mbgen::fnma(work.s1_38, work.w_wheel_front_right_x, s7_768);
+  const double s7_770 = I_wheel_front_right_yy*s7_769;
+  const double s7_771 = I_wheel_front_right_xx*s7_766;
+  const double s7_772 = mbgen::fma(work.R_carrier_right_z_z, work.alpha_wheel_front_right_z,
+      s7_763);
+  const double s7_773 = mbgen::fma(s7_766, s7_770, I_wheel_front_right_zz*s7_772);
+  const double s7_774 = mbgen::fnma(s7_769, s7_771, s7_773);
+  const double s7_775 = work.R_carrier_right_y_x*work.alpha_wheel_front_right_y;
+  const double s7_776 = mbgen::fma(work.R_carrier_right_x_x, work.alpha_wheel_front_right_x,
+      s7_775);
+  const double s7_777 = work.R_carrier_right_y_z*work.w_wheel_front_right_y;
+  const double s7_778 = mbgen::fma(work.R_carrier_right_x_z, work.w_wheel_front_right_x, s7_777);
+  const double s7_779 = mbgen::fma(work.R_carrier_right_z_z, work.w_wheel_front_right_z, s7_778);
+  const double s7_780 = I_wheel_front_right_zz*s7_779;
+  const double s7_781 = mbgen::fma(work.R_carrier_right_z_x, work.alpha_wheel_front_right_z,
+      s7_776);
+  const double s7_782 = mbgen::fma(s7_769, s7_780, I_wheel_front_right_xx*s7_781);
+  const double s7_783 = mbgen::fnma(s7_770, s7_779, s7_782);
+  const double s7_784 = work.R_carrier_right_aux2_y_y*work.alpha_wheel_front_right_y;
+  const double s7_785 = mbgen::fma(work.R_carrier_right_aux2_z_y, work.alpha_wheel_front_right_z,
+      s7_784);
+  const double s7_786 = mbgen::fnma(work.s1_38, work.alpha_wheel_front_right_x, s7_785);
+  const double s7_787 = mbgen::fma(s7_771, s7_779, I_wheel_front_right_yy*s7_786);
+  const double s7_788 = mbgen::fnma(s7_766, s7_780, s7_787);
+  // carrier_right: carrier_right_ry, revolute, carrier_right_aux2
+  const double s7_789 = c_carrier_right_z*work.R_carrier_right_y_z;
+  const double s7_790 = mbgen::fnma((-c_carrier_right_x), work.R_carrier_right_y_x, s7_789);
+  const double s7_791 = mbgen::fnma((-c_carrier_right_y), work.R_carrier_right_aux2_y_y, s7_790);
+  const double s7_792 = c_carrier_right_z*work.R_carrier_right_z_z;
+  const double s7_793 = mbgen::fnma((-c_carrier_right_x), work.R_carrier_right_z_x, s7_792);
+  const double s7_794 = mbgen::fnma((-c_carrier_right_y), work.R_carrier_right_aux2_z_y, s7_793);
+  const double s7_795 = (-c_carrier_right_y)*work.s1_38;
+  const double s7_796 = mbgen::fma(c_carrier_right_z, work.R_carrier_right_x_z, s7_795);
+  const double s7_797 = mbgen::fnma((-c_carrier_right_x), work.R_carrier_right_x_x, s7_796);
+  const double s7_798 = mbgen::fma(work.s7_134, s7_791, work.a_carrier_right_aux1_x);
+  const double s7_799 = mbgen::fma(work.s7_130, s7_794, s7_798);
+  const double s7_800 = m_carrier_right*mbgen::fnma(work.s7_127, s7_797, s7_799);
+  const double s7_801 = mbgen::fma(work.s7_131, s7_797, work.a_carrier_right_aux1_y);
+  const double s7_802 = mbgen::fma(work.s7_135, s7_794, s7_801);
+  const double s7_803 = m_carrier_right*mbgen::fnma(work.s7_128, s7_791, s7_802);
+  const double s7_804 = mbgen::fma(work.s7_132, s7_791, work.a_carrier_right_aux1_z);
+  const double s7_805 = mbgen::fma(work.s7_133, s7_797, s7_804);
+  const double s7_806 = m_carrier_right*mbgen::fnma(work.s7_129, s7_794, s7_805);
+  const double s7_807 = work.R_carrier_right_aux2_y_y*work.alpha_carrier_right_y;
+  const double s7_808 = mbgen::fma(work.R_carrier_right_aux2_z_y, work.alpha_carrier_right_z,
+      s7_807);
+  const double s7_809 = mbgen::fnma(work.s1_38, work.alpha_carrier_right_x, s7_808);
+  const double s7_810 = work.R_carrier_right_y_z*work.alpha_carrier_right_y;
+  const double s7_811 = mbgen::fma(work.R_carrier_right_x_z, work.alpha_carrier_right_x, s7_810);
+  const double s7_812 = mbgen::fma(work.R_carrier_right_z_z, work.alpha_carrier_right_z, s7_811);
+  const double s7_813 = work.R_carrier_right_y_x*work.alpha_carrier_right_y;
+  const double s7_814 = mbgen::fma(work.R_carrier_right_x_x, work.alpha_carrier_right_x, s7_813);
+  const double s7_815 = mbgen::fma(work.R_carrier_right_z_x, work.alpha_carrier_right_z, s7_814);
+  const double s7_816 = work.R_carrier_right_y_x*work.w_carrier_right_y;
+  const double s7_817 = mbgen::fma(work.R_carrier_right_x_x, work.w_carrier_right_x, s7_816);
+  const double s7_818 = mbgen::fma(work.R_carrier_right_z_x, work.w_carrier_right_z, s7_817);
+  const double s7_819 = work.R_carrier_right_aux2_y_y*work.w_carrier_right_y;
+  const double s7_820 = mbgen::fma(work.R_carrier_right_aux2_z_y, work.w_carrier_right_z, s7_819);
+  const double s7_821 = mbgen::fnma(work.s1_38, work.w_carrier_right_x, s7_820);
+  const double s7_822 = work.R_carrier_right_y_z*work.w_carrier_right_y;
+  const double s7_823 = mbgen::fma(work.R_carrier_right_x_z, work.w_carrier_right_x, s7_822);
+  const double s7_824 = mbgen::fma(work.R_carrier_right_z_z, work.w_carrier_right_z, s7_823);
+  const double s7_825 = mbgen::fma(I_carrier_right_yz, s7_824, I_carrier_right_yy*s7_821);
+  const double s7_826 = mbgen::fma(I_carrier_right_xy, s7_818, s7_825);
+  const double s7_827 = mbgen::fma(I_carrier_right_xx, s7_818, I_carrier_right_xy*s7_821);
+  const double s7_828 = mbgen::fnma((-I_carrier_right_xz), s7_824, s7_827);
+  const double s7_829 = mbgen::fma(I_carrier_right_zz, s7_812, I_carrier_right_yz*s7_809);
+  const double s7_830 = mbgen::fnma((-I_carrier_right_xz), s7_815, s7_829);
+  const double s7_831 = mbgen::fnma(s7_821, s7_828, mbgen::fma(s7_818, s7_826, s7_830));
+  const double s7_832 = mbgen::fma(I_carrier_right_zz, s7_824, I_carrier_right_yz*s7_821);
+  const double s7_833 = mbgen::fnma((-I_carrier_right_xz), s7_818, s7_832);
+  const double s7_834 = mbgen::fma(I_carrier_right_xx, s7_815, I_carrier_right_xy*s7_809);
+  const double s7_835 = mbgen::fnma((-I_carrier_right_xz), s7_812, s7_834);
+  const double s7_836 = mbgen::fnma(s7_824, s7_826, mbgen::fma(s7_821, s7_833, s7_835));
+  const double s7_837 = mbgen::fma(I_carrier_right_yz, s7_812, I_carrier_right_yy*s7_809);
+  const double s7_838 = mbgen::fma(I_carrier_right_xy, s7_815, s7_837);
+  const double s7_839 = mbgen::fnma(s7_818, s7_833, mbgen::fma(s7_824, s7_828, s7_838));
+  const double s7_840 = mbgen::fnma(work.s7_296, work.s7_306, work.s7_299*work.s7_302);
+  const double s7_841 = mbgen::fma(work.s7_364, s7_366, s7_840);
+  const double s7_842 = mbgen::fnma(s7_791, s7_806, mbgen::fnma(work.s7_361, s7_368, s7_841));
+  const double s7_843 = mbgen::fma(s7_794, s7_803, s7_842);
+  const double s7_844 = mbgen::fnma(work.R_carrier_right_x_z, s7_831, s7_843);
+  const double s7_845 = mbgen::fnma(work.R_carrier_right_x_x, s7_836, s7_844);
+  const double n_carrier_right_x = mbgen::fma(work.s1_38, s7_839, s7_845);
+  const double s7_846 = mbgen::fnma(work.s7_299, s7_310, work.s7_293*work.s7_306);
+  const double s7_847 = mbgen::fma(work.s7_358, s7_368, s7_846);
+  const double s7_848 = mbgen::fnma(s7_794, s7_800, mbgen::fnma(work.s7_364, s7_370, s7_847));
+  const double s7_849 = mbgen::fma(s7_797, s7_806, s7_848);
+  const double s7_850 = mbgen::fnma(work.R_carrier_right_aux2_y_y, s7_839, s7_849);
+  const double s7_851 = mbgen::fnma(work.R_carrier_right_y_x, s7_836, s7_850);
+  const double n_carrier_right_y = mbgen::fnma(work.R_carrier_right_y_z, s7_831, s7_851);
+  const double s7_852 = mbgen::fnma(work.s7_293, work.s7_302, work.s7_296*s7_310);
+  const double s7_853 = mbgen::fma(work.s7_361, s7_370, s7_852);
+  const double s7_854 = mbgen::fnma(s7_797, s7_803, mbgen::fnma(work.s7_358, s7_366, s7_853));
+  const double s7_855 = mbgen::fma(s7_791, s7_800, s7_854);
+  const double s7_856 = mbgen::fnma(work.R_carrier_right_aux2_z_y, s7_839, s7_855);
+  const double s7_857 = mbgen::fnma(work.R_carrier_right_z_z, s7_831, s7_856);
+  const double n_carrier_right_z = mbgen::fnma(work.R_carrier_right_z_x, s7_836, s7_857);
+  const double s7_858 = mbgen::fma(work.s1_52, s7_761, n_carrier_right_y);
+  const double s7_859 = mbgen::fnma(work.s1_56, s7_759, s7_858);
+  const double s7_860 = mbgen::fnma(work.R_carrier_right_aux2_y_y, s7_788, s7_859);
+  const double s7_861 = mbgen::fnma(work.R_carrier_right_y_x, s7_783, s7_860);
+  work.s7_862 = mbgen::fnma(work.R_carrier_right_y_z, s7_774, s7_861);
+  const double s7_863 = mbgen::fma(work.s1_54, s7_759, n_carrier_right_z);
+  const double s7_864 = mbgen::fnma(work.s1_52, s7_760, s7_863);
+  const double s7_865 = mbgen::fnma(work.R_carrier_right_aux2_z_y, s7_788, s7_864);
+  const double s7_866 = mbgen::fnma(work.R_carrier_right_z_z, s7_774, s7_865);
+  work.s7_867 = mbgen::fnma(work.R_carrier_right_z_x, s7_783, s7_866);
+  const double s7_868 = mbgen::fma(work.s1_56, s7_760, n_carrier_right_x);
+  const double s7_869 = mbgen::fnma(work.s1_54, s7_761, s7_868);
+  const double s7_870 = mbgen::fnma(work.R_carrier_right_x_z, s7_774, s7_869);
+  const double s7_871 = mbgen::fnma(work.R_carrier_right_x_x, s7_783, s7_870);
+  work.s7_872 = mbgen::fma(work.s1_38, s7_788, s7_871);
+  const double s7_873 = mbgen::fma(work.R_carrier_right_aux2_y_y, work.s7_862,
+      tau[Coordinate::carrier_right_ry]);
+  const double s7_874 = mbgen::fma(work.R_carrier_right_aux2_z_y, work.s7_867, s7_873);
+  result.missing[9] = mbgen::fnma(work.s1_38, work.s7_872, s7_874);
+  const double s7_875 = s7_761 + (work.s7_306 + (s7_368 + s7_806));
+  const double s7_876 = s7_760 + (work.s7_302 + (s7_366 + s7_803));
+  // carrier_right_aux2: carrier_right_rx, revolute, carrier_right_aux1
+  const double s7_877 = mbgen::fma(work.R_carrier_right_aux1_y_x, work.s7_862,
+      tau[Coordinate::carrier_right_rx]);
+  const double s7_878 = mbgen::fma(work.cosines[10], work.s7_872, s7_877);
+  result.missing[8] = mbgen::fma(work.R_carrier_right_aux1_z_x, work.s7_867, s7_878);
+  // carrier_right_aux1: carrier_right_rz, revolute, lower_arm_right
+  const double R_lower_arm_right_y_y = work.cosines[9];
+  const double R_lower_arm_right_z_y = work.sines[9];
+  const double s7_879 = mbgen::fma(R_lower_arm_right_y_y, work.s7_867,
+      tau[Coordinate::carrier_right_rz]);
+  result.missing[7] = mbgen::fnma(R_lower_arm_right_z_y, work.s7_862, s7_879);
+  // lower_arm_right: lower_arm_right, revolute, chassis
+  const double s7_880 = (-c_lower_arm_right_z)*R_lower_arm_right_z_y;
+  const double s7_881 = mbgen::fnma((-c_lower_arm_right_y), R_lower_arm_right_y_y, s7_880);
+  const double s7_882 = (-c_lower_arm_right_y)*R_lower_arm_right_z_y;
+  const double s7_883 = mbgen::fma((-c_lower_arm_right_z), R_lower_arm_right_y_y, s7_882);
+  const double s7_884 = mbgen::fnma(work.s7_104, s7_881, work.a_lower_arm_right_y);
+  const double s7_885 = mbgen::fma(work.s7_103, s7_883, work.a_lower_arm_right_z);
+  const double s7_886 = R_lower_arm_right_z_y*work.w_chassis_z;
+  const double s7_887 = mbgen::fma(R_lower_arm_right_y_y, work.w_chassis_y, s7_886);
+  const double s7_888 = R_lower_arm_right_y_y*work.w_chassis_z;
+  const double s7_889 = mbgen::fnma(R_lower_arm_right_z_y, work.w_chassis_y, s7_888);
+  const double s7_890 = tau[Coordinate::lower_arm_right] + work.s7_872;
+  const double s7_891 = mbgen::fnma(work.s1_35, s7_876, mbgen::fnma(work.s1_33, s7_875, s7_890));
+  const double s7_892 = mbgen::fnma(I_lower_arm_right_xx, work.alpha_lower_arm_right_x, s7_891);
+  const double s7_893 = mbgen::fnma(s7_887, I_lower_arm_right_zz*s7_889, s7_892);
+  const double s7_894 = m_lower_arm_right*mbgen::fnma(work.s7_102, s7_883, s7_884);
+  const double s7_895 = mbgen::fma(s7_889, I_lower_arm_right_yy*s7_887, s7_893);
+  const double s7_896 = m_lower_arm_right*mbgen::fma(work.s7_101, s7_881, s7_885);
+  result.missing[6] = mbgen::fnma(s7_881, s7_896, mbgen::fnma(s7_883, s7_894, s7_895));
+  // arb_front_left: arb_front_left, revolute, chassis
+  const double R_arb_front_left_x_z = work.sines[8];
+  const double R_arb_front_left_x_x = work.cosines[8];
+  const double s7_897 = (-c_arb_front_left_x)*R_arb_front_left_x_z;
+  const double s7_898 = mbgen::fma(c_arb_front_left_z, R_arb_front_left_x_x, s7_897);
+  const double s7_899 = c_arb_front_left_z*R_arb_front_left_x_z;
+  const double s7_900 = mbgen::fnma((-c_arb_front_left_x), R_arb_front_left_x_x, s7_899);
+  const double s7_901 = mbgen::fma(c_arb_front_left_y, work.s7_99, work.a_arb_front_left_x);
+  const double s7_902 = mbgen::fnma(work.s7_96, s7_900, mbgen::fma(work.s7_93, s7_898, s7_901));
+  const double s7_903 = mbgen::fma(c_arb_front_left_y, work.s7_98, work.a_arb_front_left_z);
+  const double s7_904 = mbgen::fnma(work.s7_95, s7_898, mbgen::fma(work.s7_94, s7_900, s7_903));
+  const double s7_905 = R_arb_front_left_x_x*work.alpha_arb_front_left_x;
+  const double s7_906 = R_arb_front_left_x_z*work.alpha_arb_front_left_x;
+  const double s7_907 = R_arb_front_left_x_x*work.w_chassis_x;
+  const double s7_908 = mbgen::fnma(R_arb_front_left_x_z, work.w_chassis_z, s7_907);
+  const double s7_909 = R_arb_front_left_x_z*work.w_chassis_x;
+  const double s7_910 = mbgen::fma(R_arb_front_left_x_x, work.w_chassis_z, s7_909);
+  const double s7_911 = I_arb_front_left_xy*work.w_arb_front_left_y;
+  const double s7_912 = mbgen::fma(I_arb_front_left_xz, s7_910, s7_911);
+  const double s7_913 = mbgen::fma(I_arb_front_left_zz, s7_910, I_arb_front_left_xz*s7_908);
+  const double s7_914 = mbgen::fnma(work.s7_260, work.s7_286, work.s7_262*work.s7_283);
+  const double s7_915 = mbgen::fnma(R_arb_front_left_x_z, work.alpha_arb_front_left_z, s7_905);
+  const double s7_916 = mbgen::fnma(I_arb_front_left_yy, work.alpha_arb_front_left_y, s7_914);
+  const double s7_917 = mbgen::fma(R_arb_front_left_x_x, work.alpha_arb_front_left_z, s7_906);
+  const double s7_918 = mbgen::fnma(I_arb_front_left_xy, s7_915, s7_916);
+  const double s7_919 = mbgen::fma((-I_arb_front_left_yz), s7_917, s7_918);
+  const double s7_920 = mbgen::fma(I_arb_front_left_xx, s7_908, s7_912);
+  const double s7_921 = mbgen::fnma((-I_arb_front_left_yz), work.w_arb_front_left_y, s7_913);
+  const double s7_922 = mbgen::fma(s7_908, s7_921, mbgen::fnma(s7_910, s7_920, s7_919));
+  const double s7_923 = mbgen::fnma(s7_898, m_arb_front_left*s7_902, s7_922);
+  const double n_arb_front_left_y = mbgen::fma(s7_900, m_arb_front_left*s7_904, s7_923);
+  work.Q_arb_front_left = tau[Coordinate::arb_front_left] + n_arb_front_left_y;
+  result.missing[5] = work.Q_arb_front_left;
+  // upper_arm_left: upper_arm_left, revolute, chassis
+  const double R_upper_arm_left_z_y = work.sines[7];
+  const double R_upper_arm_left_y_y = work.cosines[7];
+  const double s7_924 = c_upper_arm_left_y*R_upper_arm_left_z_y;
+  const double s7_925 = mbgen::fnma((-c_upper_arm_left_z), R_upper_arm_left_y_y, s7_924);
+  const double s7_926 = (-c_upper_arm_left_z)*R_upper_arm_left_z_y;
+  const double s7_927 = mbgen::fma(c_upper_arm_left_y, R_upper_arm_left_y_y, s7_926);
+  const double s7_928 = mbgen::fma(work.s7_82, s7_925, work.a_upper_arm_left_y);
+  const double s7_929 = mbgen::fma(work.s7_81, s7_927, work.a_upper_arm_left_z);
+  const double s7_930 = R_upper_arm_left_z_y*work.w_chassis_z;
+  const double s7_931 = mbgen::fma(R_upper_arm_left_y_y, work.w_chassis_y, s7_930);
+  const double s7_932 = R_upper_arm_left_y_y*work.w_chassis_z;
+  const double s7_933 = mbgen::fnma(R_upper_arm_left_z_y, work.w_chassis_y, s7_932);
+  const double s7_934 = mbgen::fnma(I_upper_arm_left_xx, work.alpha_upper_arm_left_x,
+      tau[Coordinate::upper_arm_left]);
+  const double s7_935 = mbgen::fnma(s7_931, I_upper_arm_left_zz*s7_933, s7_934);
+  const double s7_936 = m_upper_arm_left*mbgen::fnma(work.s7_83, s7_925, s7_929);
+  const double s7_937 = mbgen::fma(s7_933, I_upper_arm_left_yy*s7_931, s7_935);
+  const double s7_938 = m_upper_arm_left*mbgen::fnma(work.s7_84, s7_927, s7_928);
+  work.Q_upper_arm_left = mbgen::fma(s7_925, s7_938, mbgen::fnma(s7_927, s7_936, s7_937));
+  result.missing[4] = work.Q_upper_arm_left;
+  // wheel_front_left: wheel_front_left, revolute, carrier_left
+  const double s7_939 = m_wheel_front_left*work.a_wheel_front_left_x;
+  const double s7_940 = m_wheel_front_left*work.a_wheel_front_left_y;
+  const double s7_941 = m_wheel_front_left*work.a_wheel_front_left_z;
+  const double s7_942 = work.R_carrier_left_y_z*work.alpha_wheel_front_left_y;
+  const double s7_943 = mbgen::fma(work.R_carrier_left_x_z, work.alpha_wheel_front_left_x, s7_942);
+  const double s7_944 = work.R_carrier_left_y_x*work.w_wheel_front_left_y;
+  const double s7_945 = mbgen::fma(work.R_carrier_left_x_x, work.w_wheel_front_left_x, s7_944);
+  const double s7_946 = mbgen::fma(work.R_carrier_left_z_x, work.w_wheel_front_left_z, s7_945);
+  const double s7_947 = work.R_carrier_left_aux2_y_y*work.w_wheel_front_left_y;
+  const double s7_948 = mbgen::fma(work.R_carrier_left_aux2_z_y, work.w_wheel_front_left_z, s7_947);
+  const double s7_949 = mbgen::fnma(work.s1_12, work.w_wheel_front_left_x, s7_948);
+  const double s7_950 = I_wheel_front_left_yy*s7_949;
+  const double s7_951 = I_wheel_front_left_xx*s7_946;
+  const double s7_952 = mbgen::fma(work.R_carrier_left_z_z, work.alpha_wheel_front_left_z, s7_943);
+  const double s7_953 = mbgen::fma(s7_946, s7_950, I_wheel_front_left_zz*s7_952);
+  const double s7_954 = mbgen::fnma(s7_949, s7_951, s7_953);
+  const double s7_955 = work.R_carrier_left_y_x*work.alpha_wheel_front_left_y;
+  const double s7_956 = mbgen::fma(work.R_carrier_left_x_x, work.alpha_wheel_front_left_x, s7_955);
+  const double s7_957 = work.R_carrier_left_y_z*work.w_wheel_front_left_y;
+  const double s7_958 = mbgen::fma(work.R_carrier_left_x_z, work.w_wheel_front_left_x, s7_957);
+  const double s7_959 = mbgen::fma(work.R_carrier_left_z_z, work.w_wheel_front_left_z, s7_958);
+  const double s7_960 = I_wheel_front_left_zz*s7_959;
+  const double s7_961 = mbgen::fma(work.R_carrier_left_z_x, work.alpha_wheel_front_left_z, s7_956);
+  const double s7_962 = mbgen::fma(s7_949, s7_960, I_wheel_front_left_xx*s7_961);
+  const double s7_963 = mbgen::fnma(s7_950, s7_959, s7_962);
+  const double s7_964 = work.R_carrier_left_aux2_y_y*work.alpha_wheel_front_left_y;
+  const double s7_965 = mbgen::fma(work.R_carrier_left_aux2_z_y, work.alpha_wheel_front_left_z,
+      s7_964);
+  const double s7_966 = mbgen::fnma(work.s1_12, work.alpha_wheel_front_left_x, s7_965);
+  const double s7_967 = mbgen::fma(s7_951, s7_959, I_wheel_front_left_yy*s7_966);
+  const double s7_968 = mbgen::fnma(s7_946, s7_960, s7_967);
+  // carrier_left: carrier_left_ry, revolute, carrier_left_aux2
+  const double s7_969 = c_carrier_left_y*work.R_carrier_left_aux2_y_y;
+  const double s7_970 = mbgen::fma(c_carrier_left_z, work.R_carrier_left_y_z, s7_969);
+  const double s7_971 = mbgen::fnma((-c_carrier_left_x), work.R_carrier_left_y_x, s7_970);
+  const double s7_972 = c_carrier_left_y*work.R_carrier_left_aux2_z_y;
+  const double s7_973 = mbgen::fma(c_carrier_left_z, work.R_carrier_left_z_z, s7_972);
+  const double s7_974 = mbgen::fnma((-c_carrier_left_x), work.R_carrier_left_z_x, s7_973);
+  const double s7_975 = c_carrier_left_z*work.R_carrier_left_x_z;
+  const double s7_976 = mbgen::fnma((-c_carrier_left_x), work.R_carrier_left_x_x, s7_975);
+  const double s7_977 = mbgen::fnma(c_carrier_left_y, work.s1_12, s7_976);
+  const double s7_978 = mbgen::fma(work.s7_64, s7_971, work.a_carrier_left_aux1_x);
+  const double s7_979 = mbgen::fnma(work.s7_57, s7_977, mbgen::fma(work.s7_60, s7_974, s7_978));
+  const double s7_980 = m_carrier_left*s7_979;
+  const double s7_981 = mbgen::fma(work.s7_61, s7_977, work.a_carrier_left_aux1_y);
+  const double s7_982 = mbgen::fnma(work.s7_58, s7_971, mbgen::fma(work.s7_65, s7_974, s7_981));
+  const double s7_983 = m_carrier_left*s7_982;
+  const double s7_984 = mbgen::fma(work.s7_62, s7_971, work.a_carrier_left_aux1_z);
+  const double s7_985 = mbgen::fnma(work.s7_59, s7_974, mbgen::fma(work.s7_63, s7_977, s7_984));
+  const double s7_986 = m_carrier_left*s7_985;
+  const double s7_987 = work.R_carrier_left_y_z*work.alpha_carrier_left_y;
+  const double s7_988 = mbgen::fma(work.R_carrier_left_x_z, work.alpha_carrier_left_x, s7_987);
+  const double s7_989 = mbgen::fma(work.R_carrier_left_z_z, work.alpha_carrier_left_z, s7_988);
+  const double s7_990 = work.R_carrier_left_y_x*work.alpha_carrier_left_y;
+  const double s7_991 = mbgen::fma(work.R_carrier_left_x_x, work.alpha_carrier_left_x, s7_990);
+  const double s7_992 = mbgen::fma(work.R_carrier_left_z_x, work.alpha_carrier_left_z, s7_991);
+  const double s7_993 = work.R_carrier_left_aux2_y_y*work.alpha_carrier_left_y;
+  const double s7_994 = mbgen::fma(work.R_carrier_left_aux2_z_y, work.alpha_carrier_left_z, s7_993);
+  const double s7_995 = mbgen::fnma(work.s1_12, work.alpha_carrier_left_x, s7_994);
+  const double s7_996 = work.R_carrier_left_y_x*work.w_carrier_left_y;
+  const double s7_997 = mbgen::fma(work.R_carrier_left_x_x, work.w_carrier_left_x, s7_996);
+  const double s7_998 = mbgen::fma(work.R_carrier_left_z_x, work.w_carrier_left_z, s7_997);
+  const double s7_999 = work.R_carrier_left_aux2_y_y*work.w_carrier_left_y;
+  const double s7_1000 = mbgen::fma(work.R_carrier_left_aux2_z_y, work.w_carrier_left_z, s7_999);
+  const double s7_1001 = mbgen::fnma(work.s1_12, work.w_carrier_left_x, s7_1000);
+  const double s7_1002 = work.R_carrier_left_y_z*work.w_carrier_left_y;
+  const double s7_1003 = mbgen::fma(work.R_carrier_left_x_z, work.w_carrier_left_x, s7_1002);
+  const double s7_1004 = mbgen::fma(work.R_carrier_left_z_z, work.w_carrier_left_z, s7_1003);
+  const double s7_1005 = mbgen::fnma((-I_carrier_left_yz), s7_1004, I_carrier_left_yy*s7_1001);
+  const double s7_1006 = mbgen::fnma((-I_carrier_left_xy), s7_998, s7_1005);
+  const double s7_1007 = mbgen::fnma((-I_carrier_left_xz), s7_1004, I_carrier_left_xx*s7_998);
+  const double s7_1008 = mbgen::fnma((-I_carrier_left_xy), s7_1001, s7_1007);
+  const double s7_1009 = mbgen::fnma((-I_carrier_left_xz), s7_992, I_carrier_left_zz*s7_989);
+  const double s7_1010 = mbgen::fnma((-I_carrier_left_yz), s7_995, s7_1009);
+  const double s7_1011 = mbgen::fnma(s7_1001, s7_1008, mbgen::fma(s7_998, s7_1006, s7_1010));
+  const double s7_1012 = mbgen::fnma((-I_carrier_left_xz), s7_998, I_carrier_left_zz*s7_1004);
+  const double s7_1013 = mbgen::fnma((-I_carrier_left_yz), s7_1001, s7_1012);
+  const double s7_1014 = mbgen::fnma((-I_carrier_left_xz), s7_989, I_carrier_left_xx*s7_992);
+  const double s7_1015 = mbgen::fnma((-I_carrier_left_xy), s7_995, s7_1014);
+  const double s7_1016 = mbgen::fnma(s7_1004, s7_1006, mbgen::fma(s7_1001, s7_1013, s7_1015));
+  const double s7_1017 = mbgen::fnma((-I_carrier_left_yz), s7_989, I_carrier_left_yy*s7_995);
+  const double s7_1018 = mbgen::fnma((-I_carrier_left_xy), s7_992, s7_1017);
+  const double s7_1019 = mbgen::fnma(s7_998, s7_1013, mbgen::fma(s7_1004, s7_1008, s7_1018));
+  const double s7_1020 = mbgen::fnma(work.s7_268, work.s7_277, work.s7_271*work.s7_274);
+  const double s7_1021 = mbgen::fma(work.s7_341, s7_347, s7_1020);
+  const double s7_1022 = mbgen::fnma(s7_971, s7_986, mbgen::fnma(work.s7_339, s7_343, s7_1021));
+  const double s7_1023 = mbgen::fma(s7_974, s7_983, s7_1022);
+  const double s7_1024 = mbgen::fnma(work.R_carrier_left_x_z, s7_1011, s7_1023);
+  const double s7_1025 = mbgen::fnma(work.R_carrier_left_x_x, s7_1016, s7_1024);
+  const double n_carrier_left_x = mbgen::fma(work.s1_12, s7_1019, s7_1025);
+  const double s7_1026 = mbgen::fnma(work.s7_271, work.s7_280, work.s7_265*work.s7_277);
+  const double s7_1027 = mbgen::fma(work.s7_337, s7_343, s7_1026);
+  const double s7_1028 = mbgen::fnma(s7_974, s7_980, mbgen::fnma(work.s7_341, s7_345, s7_1027));
+  const double s7_1029 = mbgen::fma(s7_977, s7_986, s7_1028);
+  const double s7_1030 = mbgen::fnma(work.R_carrier_left_aux2_y_y, s7_1019, s7_1029);
+  const double s7_1031 = mbgen::fnma(work.R_carrier_left_y_x, s7_1016, s7_1030);
+  const double n_carrier_left_y = mbgen::fnma(work.R_carrier_left_y_z, s7_1011, s7_1031);
+  const double s7_1032 = mbgen::fnma(work.s7_265, work.s7_274, work.s7_268*work.s7_280);
+  const double s7_1033 = mbgen::fma(work.s7_339, s7_345, s7_1032);
+  const double s7_1034 = mbgen::fnma(s7_977, s7_983, mbgen::fnma(work.s7_337, s7_347, s7_1033));
+  const double s7_1035 = mbgen::fma(s7_971, s7_980, s7_1034);
+  const double s7_1036 = mbgen::fnma(work.R_carrier_left_aux2_z_y, s7_1019, s7_1035);
+  const double s7_1037 = mbgen::fnma(work.R_carrier_left_z_z, s7_1011, s7_1036);
+  const double n_carrier_left_z = mbgen::fnma(work.R_carrier_left_z_x, s7_1016, s7_1037);
+  const double s7_1038 = mbgen::fma(work.s1_26, s7_941, n_carrier_left_y);
+  const double s7_1039 = mbgen::fnma(work.s1_30, s7_939, s7_1038);
+  const double s7_1040 = mbgen::fnma(work.R_carrier_left_aux2_y_y, s7_968, s7_1039);
+  const double s7_1041 = mbgen::fnma(work.R_carrier_left_y_x, s7_963, s7_1040);
+  work.s7_1042 = mbgen::fnma(work.R_carrier_left_y_z, s7_954, s7_1041);
+  const double s7_1043 = mbgen::fma(work.s1_28, s7_939, n_carrier_left_z);
+  const double s7_1044 = mbgen::fnma(work.s1_26, s7_940, s7_1043);
+  const double s7_1045 = mbgen::fnma(work.R_carrier_left_aux2_z_y, s7_968, s7_1044);
+  const double s7_1046 = mbgen::fnma(work.R_carrier_left_z_z, s7_954, s7_1045);
+  work.s7_1047 = mbgen::fnma(work.R_carrier_left_z_x, s7_963, s7_1046);
+  const double s7_1048 = mbgen::fma(work.s1_30, s7_940, n_carrier_left_x);
+  const double s7_1049 = mbgen::fnma(work.s1_28, s7_941, s7_1048);
+  const double s7_1050 = mbgen::fnma(work.R_carrier_left_x_z, s7_954, s7_1049);
+  const double s7_1051 = mbgen::fnma(work.R_carrier_left_x_x, s7_963, s7_1050);
+  const double s7_1052 = mbgen::fma(work.s1_12, s7_968, s7_1051);
+  const double s7_1053 = mbgen::fma(work.R_carrier_left_aux2_y_y, work.s7_1042,
+      tau[Coordinate::carrier_left_ry]);
+  const double s7_1054 = mbgen::fma(work.R_carrier_left_aux2_z_y, work.s7_1047, s7_1053);
+  result.missing[3] = mbgen::fnma(work.s1_12, s7_1052, s7_1054);
+  const double s7_1055 = s7_940 + (work.s7_274 + (s7_347 + s7_983));
+  const double s7_1056 = s7_941 + (work.s7_277 + (s7_343 + s7_986));
+  // carrier_left_aux2: carrier_left_rx, revolute, carrier_left_aux1
+  const double s7_1057 = mbgen::fma(work.R_carrier_left_aux1_y_x, work.s7_1042,
+      tau[Coordinate::carrier_left_rx]);
+  const double s7_1058 = mbgen::fma(work.cosines[4], s7_1052, s7_1057);
+  result.missing[2] = mbgen::fma(work.R_carrier_left_aux1_z_x, work.s7_1047, s7_1058);
+  // carrier_left_aux1: carrier_left_rz, revolute, lower_arm_left
+  const double R_lower_arm_left_y_y = work.cosines[3];
+  const double R_lower_arm_left_z_y = work.sines[3];
+  const double s7_1059 = mbgen::fma(R_lower_arm_left_y_y, work.s7_1047,
+      tau[Coordinate::carrier_left_rz]);
+  result.missing[1] = mbgen::fnma(R_lower_arm_left_z_y, work.s7_1042, s7_1059);
+  // lower_arm_left: lower_arm_left, revolute, chassis
+  const double s7_1060 = c_lower_arm_left_y*R_lower_arm_left_z_y;
+  const double s7_1061 = mbgen::fnma((-c_lower_arm_left_z), R_lower_arm_left_y_y, s7_1060);
+  const double s7_1062 = (-c_lower_arm_left_z)*R_lower_arm_left_z_y;
+  const double s7_1063 = mbgen::fma(c_lower_arm_left_y, R_lower_arm_left_y_y, s7_1062);
+  const double s7_1064 = mbgen::fma(work.s7_32, s7_1061, work.a_lower_arm_left_y);
+  const double s7_1065 = mbgen::fma(work.s7_31, s7_1063, work.a_lower_arm_left_z);
+  const double s7_1066 = R_lower_arm_left_z_y*work.w_chassis_z;
+  const double s7_1067 = mbgen::fma(R_lower_arm_left_y_y, work.w_chassis_y, s7_1066);
+  const double s7_1068 = R_lower_arm_left_y_y*work.w_chassis_z;
+  const double s7_1069 = mbgen::fnma(R_lower_arm_left_z_y, work.w_chassis_y, s7_1068);
+  const double s7_1070 = tau[Coordinate::lower_arm_left] + s7_1052;
+  const double s7_1071 = mbgen::fma(work.s1_10, s7_1055, s7_1070);
+  const double s7_1072 = mbgen::fnma(work.s1_8, s7_1056, s7_1071);
+  const double s7_1073 = mbgen::fnma(I_lower_arm_left_xx, work.alpha_lower_arm_left_x, s7_1072);
+  const double s7_1074 = mbgen::fnma(s7_1067, I_lower_arm_left_zz*s7_1069, s7_1073);
+  const double s7_1075 = m_lower_arm_left*mbgen::fnma(work.s7_33, s7_1061, s7_1065);
+  const double s7_1076 = mbgen::fma(s7_1069, I_lower_arm_left_yy*s7_1067, s7_1074);
+  const double s7_1077 = m_lower_arm_left*mbgen::fnma(work.s7_34, s7_1063, s7_1064);
+  work.Q_lower_arm_left = mbgen::fma(s7_1061, s7_1077, mbgen::fnma(s7_1063, s7_1075, s7_1076));
+  result.missing[0] = work.Q_lower_arm_left;
+  // operations: 1140 add, 1353 multiply
+}
+
+/// Part 3 of compute_multipliers: step 9: accelerations from the root to the leaves (63), (62).
+[[gnu::noinline]] void compute_multipliers_3(const State& state, const double* tau,
+    ConstraintForcesWork& __restrict work, ConstraintForces& __restrict result) noexcept {
+  // --- step 9: accelerations from the root to the leaves (63), (62) ---
+  // carrier_left: carrier_left_ry, revolute, carrier_left_aux2
+  const double R_carrier_left_aux1_x_x = work.cosines[4];
+  const double s9_1 = work.R_carrier_left_aux1_z_x*work.s1_12;
+  const double s9_2 = mbgen::fma(R_carrier_left_aux1_x_x, work.R_carrier_left_aux2_z_y, s9_1);
+  const double s9_3 = work.R_carrier_left_aux1_y_x*work.s1_12;
+  const double s9_4 = mbgen::fma(R_carrier_left_aux1_x_x, work.R_carrier_left_aux2_y_y, s9_3);
+  const double s9_5 = mbgen::fma(work.cosines[3], s9_4, work.sines[3]*s9_2);
+  const double s9_6 = 1.0/s9_5;
+  const double s9_7 = work.R_carrier_left_aux1_z_y*s9_6;
+  const double s9_8 = work.R_carrier_left_aux1_y_y*s9_6;
+  const double s9_9 = s9_4*s9_6;
+  const double s9_10 = s9_2*s9_6;
+  // carrier_right: carrier_right_ry, revolute, carrier_right_aux2
+  const double R_lower_arm_right_z_y = work.sines[9];
+  const double R_lower_arm_right_y_y = work.cosines[9];
+  const double s9_11 = R_lower_arm_right_z_y*work.R_carrier_right_aux1_z_x;
+  const double R_carrier_right_aux1_x_x = work.cosines[10];
+  const double s9_12 = work.R_carrier_right_aux1_z_x*work.s1_38;
+  const double s9_13 = mbgen::fma(R_carrier_right_aux1_x_x, work.R_carrier_right_aux2_z_y, s9_12);
+  const double s9_14 = work.R_carrier_right_aux1_y_x*work.s1_38;
+  const double s9_15 = mbgen::fma(R_carrier_right_aux1_x_x, work.R_carrier_right_aux2_y_y, s9_14);
+  const double s9_16 = mbgen::fma(R_lower_arm_right_y_y, s9_15, R_lower_arm_right_z_y*s9_13);
+  const double s9_17 = 1.0/s9_16;
+  const double s9_18 = work.R_carrier_right_aux1_z_y*s9_17;
+  const double s9_19 = work.R_carrier_right_aux1_y_y*s9_17;
+  const double s9_20 = s9_15*s9_17;
+  const double s9_21 = work.R_carrier_right_aux1_y_x*work.R_carrier_right_aux2_z_y;
+  const double s9_22 = mbgen::fnma(work.R_carrier_right_aux1_z_x, work.R_carrier_right_aux2_y_y,
+      s9_21);
+  const double s9_23 = s9_17*s9_22;
+  const double s9_24 = mbgen::fma(R_lower_arm_right_y_y, work.R_carrier_right_aux1_y_x, s9_11);
+  const double s9_25 = s9_24*s9_17;
+  const double s9_26 = s9_13*s9_17;
+  // rear_axle: rear_axle_rx, revolute, rear_axle_aux5
   const double R_rear_axle_aux4_y_x = work.sines[17];
   const double R_rear_axle_aux4_x_x = work.cosines[17];
-  const double s9_193 = mbgen::fma(R_rear_axle_aux4_x_x, s9_187, R_rear_axle_aux4_y_x*s9_190);
-  const double s9_194 = mbgen::fnma(work.s1_62, s9_185, mbgen::fnma(work.s1_63, s9_188, s9_193));
-  const double s9_195 = mbgen::fnma(work.b_rear_axle_ry_z, J_arb_link_rear_left_rear_axle_tz,
-      s9_194);
-  const double s9_196 = J_arb_link_rear_left_rear_axle_tz*((-p_arb_rear_left_x) + work.s1_488);
-  const double J_arb_link_rear_left_arb_rear_left = mbgen::fma(s9_185,
-      (-p_arb_rear_left_z) - work.s1_483, s9_196);
+  const double s9_27 = R_rear_axle_aux4_y_x*work.R_rear_axle_aux5_y_x;
+  const double s9_28 = mbgen::fma(R_rear_axle_aux4_x_x, work.R_rear_axle_aux5_x_x, s9_27);
+  const double s9_29 = 1.0/s9_28;
+  const double s9_30 = R_rear_axle_aux4_y_x*s9_29;
+  const double s9_31 = R_rear_axle_aux4_x_x*s9_29;
+  const double s9_32 = work.R_rear_axle_aux5_y_z*s9_29;
+  const double s9_33 = work.R_rear_axle_aux5_x_z*s9_29;
+  const double s9_34 = s9_28*s9_29;
+  // upper_ball_left
+  const double s9_35 = mbgen::fms(p_carrier_left_upper_ball_z, work.R_carrier_left_y_z,
+      work.s7_330);
+  const double s9_36 = mbgen::fms(p_carrier_left_upper_ball_z, work.R_carrier_left_z_z,
+      work.s7_329);
+  const double s9_37 = mbgen::fma(p_carrier_left_upper_ball_z, work.R_carrier_left_x_z,
+      work.s7_335);
+  const double R_upper_arm_left_z_y = work.sines[7];
+  const double R_upper_arm_left_y_y = work.cosines[7];
+  const double s9_38 = (-p_upper_arm_left_ball_z)*R_upper_arm_left_z_y;
+  const double s9_39 = mbgen::fma(p_upper_arm_left_ball_y, R_upper_arm_left_y_y, s9_38);
+  // upper_ball_right
+  const double s9_40 = mbgen::fma(p_carrier_right_upper_ball_z, work.R_carrier_right_y_z,
+      work.s7_359);
+  const double s9_41 = mbgen::fma(p_carrier_right_upper_ball_z, work.R_carrier_right_z_z,
+      work.s7_362);
+  const double R_upper_arm_right_z_y = work.sines[13];
+  const double R_upper_arm_right_y_y = work.cosines[13];
+  const double s9_42 = (-p_upper_arm_right_ball_y)*R_upper_arm_right_z_y;
+  const double s9_43 = mbgen::fma((-p_upper_arm_right_ball_z), R_upper_arm_right_y_y, s9_42);
+  const double s9_44 = mbgen::fms(p_carrier_right_upper_ball_z, work.R_carrier_right_x_z,
+      work.s7_355);
+  // arb_link_front_left
+  const double s9_45 = 0.72 - work.r_carrier_left_aux1_y - work.s7_268;
+  const double s9_46 = 0.35 + (work.s7_262 - work.s7_265);
+  const double s9_47 = work.s7_260 - work.r_carrier_left_aux1_z - work.s7_271;
+  const double s9_48 = s9_47 - (-p_arb_front_left_z);
+  const double s9_49 = mbgen::fnma(work.s7_262, s9_48, work.s7_260*s9_46);
+  const double s9_50 = mbgen::fnma(work.s7_268, s9_46, work.s7_265*s9_45);
+  const double s9_51 = mbgen::fnma(work.s7_265, s9_48, work.s7_271*s9_46);
+  const double s9_52 = s9_48*(work.s1_8 + work.s7_268);
+  const double s9_53 = mbgen::fnma(s9_45, work.s1_10 + work.s7_271, s9_52);
+  // arb_link_front_right
+  const double s9_54 = 0.72 + (work.r_carrier_right_aux1_y + work.s7_296);
+  const double s9_55 = 0.35 + (work.s7_290 - work.s7_293);
+  const double s9_56 = work.s1_36 + work.s7_288 - work.s7_299 - (-p_arb_front_right_z);
+  const double s9_57 = mbgen::fnma(work.s7_290, s9_56, work.s7_288*s9_55);
+  const double s9_58 = mbgen::fma(work.s7_296, s9_56, work.s7_299*s9_54);
+  const double s9_59 = mbgen::fma(work.s7_296, s9_55, work.s7_293*s9_54);
+  const double s9_60 = mbgen::fnma(work.s7_293, s9_56, work.s7_299*s9_55);
+  // drag_link
+  const double s9_61 = 1.15 + (work.s7_319 - work.s7_317);
+  const double s9_62 = mbgen::fnma(work.s7_318, s9_61, work.s7_317*(0.2 - work.s7_318));
+  // tie_rod_left
+  const double s9_63 = (-p_bell_crank_z) + (work.r_carrier_left_aux1_z + work.s7_341);
+  const double s9_64 = work.s7_334 - work.r_carrier_left_aux1_y - work.s7_339;
+  const double s9_65 = 0.35 + (work.s7_333 + work.s7_337);
+  const double s9_66 = mbgen::fnma(work.s7_341, s9_65, work.s7_337*s9_63);
+  const double s9_67 = s9_63*(work.s1_8 + work.s7_339);
+  const double s9_68 = mbgen::fma(s9_64, work.s1_10 + work.s7_341, s9_67);
+  // tie_rod_right
+  const double s9_69 = (-p_bell_crank_z) + (work.s7_364 - work.s1_36);
+  const double s9_70 = work.s7_354 + (work.r_carrier_right_aux1_y + work.s7_361);
+  const double s9_71 = work.s7_356 - work.s7_358 - 0.35;
+  const double s9_72 = mbgen::fma(work.s7_364, s9_71, work.s7_358*s9_69);
+  const double s9_73 = mbgen::fnma(work.s7_361, s9_69, work.s7_364*s9_70);
+  const double s9_74 = 1.0/s9_36;
+  const double s9_75 = s9_37*s9_74;
+  const double s9_76 = 1.0/s9_41;
+  const double s9_77 = s9_44*s9_76;
+  const double s9_78 = s9_66*s9_74;
+  const double s9_79 = s9_72*s9_76;
+  const double s9_80 = mbgen::fma(work.s7_339, s9_65, work.s7_337*s9_64);
+  const double s9_81 = mbgen::fma(s9_35, s9_78, s9_80);
+  const double s9_82 = 1.0/s9_81;
+  const double s9_83 = s9_37*s9_82;
+  const double s9_84 = mbgen::fma(work.s7_361, s9_71, work.s7_358*s9_70);
+  const double s9_85 = mbgen::fnma(s9_40, s9_79, s9_84);
+  const double s9_86 = 1.0/s9_85;
+  const double s9_87 = s9_40*s9_77*s9_86;
+  const double s9_88 = s9_35*s9_75*s9_82;
+  const double s9_89 = s9_44*s9_86;
+  const double s9_90 = mbgen::fms(s9_73, s9_89, s9_41);
+  const double s9_91 = 1.0/s9_90;
+  const double s9_92 = mbgen::fnma(s9_73, s9_87, s9_40)*s9_91;
+  const double s9_93 = mbgen::fnma(s9_68, s9_88, work.s1_8 + s9_35);
+  const double s9_94 = 1.0/s9_93;
+  const double s9_95 = (mbgen::fms(s9_68, s9_83, work.s1_10) - s9_36)*s9_94;
+  const double s9_96 = p_upper_arm_left_ball_y*R_upper_arm_left_z_y;
+  const double s9_97 = mbgen::fnma((-p_upper_arm_left_ball_z), R_upper_arm_left_y_y, s9_96);
+  const double s9_98 = mbgen::fma(s9_39, s9_95, s9_97);
+  const double s9_99 = s9_43*s9_92;
+  const double s9_100 = mbgen::fnma((-p_upper_arm_right_ball_z), R_upper_arm_right_z_y, s9_99);
+  const double s9_101 = mbgen::fma((-p_upper_arm_right_ball_y), R_upper_arm_right_y_y, s9_100);
+  const double s9_102 = 3.9625229801272064*std::abs(s9_62);
+  const double s9_103 = mbgen::min(s9_102, 16.504892200367603*std::abs(s9_57));
+  const double s9_104 = mbgen::min(16.679425973935604*std::abs(s9_49), s9_103);
+  const double s9_105 = mbgen::min(2.7028647671567816*std::abs(s9_41), s9_104);
+  const double s9_106 = mbgen::min(s9_105, 6.8514628664707224*std::abs(s9_85));
+  const double s9_107 = mbgen::min(s9_106, 2.7028647671567816*std::abs(s9_90));
+  const double s9_108 = mbgen::min(s9_107, 3.405476531191585*std::abs(s9_101));
+  const double s9_109 = mbgen::min(2.7028219055711094*std::abs(s9_36), s9_108);
+  const double s9_110 = mbgen::min(6.915894223167945*std::abs(s9_81), s9_109);
+  const double s9_111 = mbgen::min(2.5101920700758265*std::abs(s9_93), s9_110);
+  const double s9_112 = mbgen::min(3.84681640934729*std::abs(s9_98), s9_111);
+  // carrier_left: carrier_left_ry, revolute, carrier_left_aux2
+  const double s9_113 = mbgen::min(s9_112, std::abs(s9_5));
+  // carrier_right: carrier_right_ry, revolute, carrier_right_aux2
+  result.pivot[0] = mbgen::min(s9_113, std::abs(s9_16));
+  const double s9_114 = work.Q_arb_front_left*(1.0/s9_49);
+  result.lambda[6] = l_arb_link_front_left*s9_114;
+  const double s9_115 = work.Q_arb_front_right*(1.0/s9_57);
+  result.lambda[7] = l_arb_link_front_right*s9_115;
+  result.lambda[8] = l_drag_link*(work.Q_pitman_arm*(1.0/s9_62));
+  const double tau_carrier_left_ry = tau[Coordinate::carrier_left_ry];
+  const double tau_carrier_left_rx = tau[Coordinate::carrier_left_rx];
+  const double s9_116 = mbgen::fma(tau_carrier_left_ry, s9_8, work.s7_1042);
+  const double tau_carrier_left_rz = tau[Coordinate::carrier_left_rz];
+  const double s9_117 = mbgen::fma(tau_carrier_left_rx, work.R_carrier_left_aux1_y_x, s9_116);
+  const double s9_118 = mbgen::fnma(tau_carrier_left_rz, s9_10, s9_117);
+  const double s9_119 = s9_74*mbgen::fma(s9_51, s9_114, s9_118);
+  const double tau_carrier_right_ry = tau[Coordinate::carrier_right_ry];
+  const double tau_carrier_right_rx = tau[Coordinate::carrier_right_rx];
+  const double s9_120 = mbgen::fma(tau_carrier_right_ry, s9_19, work.s7_862);
+  const double tau_carrier_right_rz = tau[Coordinate::carrier_right_rz];
+  const double s9_121 = mbgen::fma(tau_carrier_right_rx, work.R_carrier_right_aux1_y_x, s9_120);
+  const double s9_122 = mbgen::fnma(tau_carrier_right_rz, s9_26, s9_121);
+  const double s9_123 = s9_76*mbgen::fma(s9_60, s9_115, s9_122);
+  const double s9_124 = mbgen::fma(s9_35, s9_119, work.s7_1047);
+  const double s9_125 = mbgen::fma(tau_carrier_left_ry, s9_7, s9_124);
+  const double s9_126 = mbgen::fma(tau_carrier_left_rx, work.R_carrier_left_aux1_z_x, s9_125);
+  const double s9_127 = mbgen::fma(s9_50, s9_114, mbgen::fma(tau_carrier_left_rz, s9_9, s9_126));
+  const double s9_128 = s9_82*s9_127;
+  const double s9_129 = mbgen::fma(s9_40, s9_123, work.s7_867);
+  const double s9_130 = mbgen::fma(tau_carrier_right_ry, s9_18, s9_129);
+  const double s9_131 = mbgen::fma(tau_carrier_right_rx, work.R_carrier_right_aux1_z_x, s9_130);
+  const double s9_132 = mbgen::fma(tau_carrier_right_rz, s9_20, s9_131);
+  const double s9_133 = s9_86*mbgen::fnma(s9_59, s9_115, s9_132);
+  const double s9_134 = mbgen::fma(s9_68, s9_128, work.Q_lower_arm_left);
+  const double s9_135 = s9_94*mbgen::fma(s9_53, s9_114, s9_134);
+  const double s9_136 = mbgen::fma(s9_73, s9_133, work.s7_872);
+  const double s9_137 = mbgen::fma(tau_carrier_right_rx, R_carrier_right_aux1_x_x, s9_136);
+  const double s9_138 = mbgen::fma(tau_carrier_right_rz, s9_23, s9_137);
+  const double s9_139 = mbgen::fnma(tau_carrier_right_ry, s9_25, s9_138);
+  const double s9_140 = s9_91*mbgen::fma(s9_58, s9_115, s9_139);
+  const double s9_141 = 1.0/s9_98*mbgen::fma(s9_39, s9_135, work.Q_upper_arm_left);
+  result.lambda[1] = s9_141;
+  const double s9_142 = 1.0/s9_101*mbgen::fma(s9_43, s9_140, work.Q_upper_arm_right);
+  result.lambda[5] = s9_142;
+  const double s9_143 = mbgen::fnma(s9_95, s9_141, s9_135);
+  result.lambda[2] = s9_143;
+  const double s9_144 = mbgen::fnma(s9_92, s9_142, s9_140);
+  result.lambda[4] = s9_144;
+  const double s9_145 = mbgen::fnma(s9_88, s9_143, mbgen::fms(s9_83, s9_141, s9_128));
+  result.lambda[9] = l_tie_rod_left*s9_145;
+  const double s9_146 = mbgen::fnma(s9_89, s9_144, mbgen::fma(s9_87, s9_142, s9_133));
+  result.lambda[10] = l_tie_rod_right*s9_146;
+  result.lambda[0] = mbgen::fma(s9_78, s9_145, mbgen::fma(s9_75, s9_143, s9_119));
+  result.lambda[3] = mbgen::fma(s9_79, s9_146, mbgen::fma(s9_77, s9_142, s9_123));
+  // long_rod_left
+  const double s9_147 = (-p_long_rod_left_from_z) + (work.r_rear_axle_aux3_z + work.s7_381);
+  const double s9_148 = (-p_long_rod_left_from_x) + (work.r_rear_axle_aux1_x + work.s7_384);
+  const double z_rear_axle_ty = state.z[Coordinate::rear_axle_ty];
+  const double s9_149 = p_long_rod_left_from_y - z_rear_axle_ty - work.s7_387;
+  // diag_rod_left
+  const double s9_150 = (-p_diag_rod_left_from_z) + (work.r_rear_axle_aux3_z + work.s7_401);
+  const double s9_151 = (-p_diag_rod_left_from_x) + (work.r_rear_axle_aux1_x + work.s7_403);
+  const double s9_152 = p_diag_rod_left_from_y - z_rear_axle_ty - work.s7_405;
+  // arb_link_rear_left
+  const double s9_153 = work.s7_414 + (work.r_rear_axle_aux3_z + work.s7_422);
+  const double s9_154 = (-p_arb_rear_left_z) + s9_153;
+  const double s9_155 = 0.6 - z_rear_axle_ty - work.s7_424;
+  const double s9_156 = work.s7_419 - work.r_rear_axle_aux1_x - work.s7_423;
+  const double s9_157 = s9_156 - (-p_arb_rear_left_x);
   // long_rod_right
-  const double J_long_rod_right_rear_axle_tx = 1.1757385222540735*((-p_long_rod_right_from_x) +
-      work.s1_498);
-  const double J_long_rod_right_rear_axle_ty = 1.1757385222540735*((-p_long_rod_right_from_y) +
-      work.s1_497);
-  const double J_long_rod_right_rear_axle_tz = 1.1757385222540735*((-p_long_rod_right_from_z) +
-      work.s1_500);
-  const double s9_197 = work.s1_498*J_long_rod_right_rear_axle_tz;
-  const double s9_198 = mbgen::fnma(work.s1_500, J_long_rod_right_rear_axle_tx, s9_197);
-  const double s9_199 = work.s1_500*J_long_rod_right_rear_axle_ty;
-  const double s9_200 = mbgen::fnma(work.s1_497, J_long_rod_right_rear_axle_tz, s9_199);
+  const double s9_158 = (-p_long_rod_right_from_y) + (z_rear_axle_ty + work.s7_442);
+  const double s9_159 = (-p_long_rod_right_from_z) + (work.r_rear_axle_aux3_z - work.s7_440);
+  const double s9_160 = (-p_long_rod_right_from_x) + (work.r_rear_axle_aux1_x + work.s7_441);
   // diag_rod_right
-  const double J_diag_rod_right_rear_axle_tx = 1.162476387438193*((-p_diag_rod_right_from_x) +
-      work.s1_502);
-  const double J_diag_rod_right_rear_axle_ty = 1.162476387438193*((-p_diag_rod_right_from_y) +
-      work.s1_501);
-  const double J_diag_rod_right_rear_axle_tz = 1.162476387438193*((-p_diag_rod_right_from_z) +
-      work.s1_503);
-  const double s9_201 = work.s1_502*J_diag_rod_right_rear_axle_tz;
-  const double s9_202 = mbgen::fnma(work.s1_503, J_diag_rod_right_rear_axle_tx, s9_201);
-  const double s9_203 = work.s1_503*J_diag_rod_right_rear_axle_ty;
-  const double s9_204 = mbgen::fnma(work.s1_501, J_diag_rod_right_rear_axle_tz, s9_203);
-  const double s9_205 = J_diag_rod_right_rear_axle_tx*(work.s1_501 - z_rear_axle_ty);
-  const double s9_206 = work.r_rear_axle_aux1_x - work.s1_502;
-  const double s9_207 = mbgen::fma(J_diag_rod_right_rear_axle_ty, s9_206, s9_205);
-  const double s9_208 = mbgen::fnma(R_rear_axle_aux4_y_x, s9_204, R_rear_axle_aux4_x_x*s9_202);
-  const double s9_209 = mbgen::fma(work.s1_63, J_diag_rod_right_rear_axle_ty, s9_208);
-  const double s9_210 = mbgen::fma(work.s1_62, J_diag_rod_right_rear_axle_tx, s9_209);
-  const double s9_211 = mbgen::fnma(work.b_rear_axle_ry_z, J_diag_rod_right_rear_axle_tz, s9_210);
+  const double s9_161 = (-p_diag_rod_right_from_z) + (work.r_rear_axle_aux3_z + work.s7_447);
+  const double s9_162 = (-p_diag_rod_right_from_y) + (z_rear_axle_ty + work.s7_449);
+  const double s9_163 = (-p_diag_rod_right_from_x) + (work.r_rear_axle_aux1_x + work.s7_448);
+  const double s9_164 = mbgen::fnma(work.s7_449, s9_161, work.s7_447*s9_162);
+  const double s9_165 = mbgen::fnma(work.s7_447, s9_163, work.s7_448*s9_161);
+  const double s9_166 = mbgen::fnma(work.s7_448, s9_162, work.s7_449*s9_163);
   // arb_link_rear_right
-  const double J_arb_link_rear_right_rear_axle_ty = 4.47213595499958*(0.6 + work.s1_507);
-  const double J_arb_link_rear_right_rear_axle_tz = 4.47213595499958*(work.s1_504 + work.s1_505);
-  const double s9_212 = 4.47213595499958*(work.s1_510 - work.s1_509);
-  const double s9_213 = work.s1_505*s9_212;
-  const double s9_214 = mbgen::fma(work.s1_509, J_arb_link_rear_right_rear_axle_tz, s9_213);
-  const double s9_215 = work.s1_505*J_arb_link_rear_right_rear_axle_ty;
-  const double s9_216 = mbgen::fnma(work.s1_507, J_arb_link_rear_right_rear_axle_tz, s9_215);
-  const double s9_217 = work.r_rear_axle_aux1_x - work.s1_509;
-  const double s9_218 = J_arb_link_rear_right_rear_axle_ty*s9_217;
-  const double s9_219 = mbgen::fma(s9_212, z_rear_axle_ty - work.s1_507, s9_218);
-  const double s9_220 = mbgen::fnma(R_rear_axle_aux4_y_x, s9_216, R_rear_axle_aux4_x_x*s9_214);
-  const double s9_221 = mbgen::fma(work.s1_63, J_arb_link_rear_right_rear_axle_ty, s9_220);
-  const double s9_222 = mbgen::fnma(work.s1_62, s9_212, s9_221);
-  const double s9_223 = mbgen::fnma(work.b_rear_axle_ry_z, J_arb_link_rear_right_rear_axle_tz,
-      s9_222);
-  const double s9_224 = J_arb_link_rear_right_rear_axle_tz*((-p_arb_rear_right_x) + work.s1_510);
-  const double J_arb_link_rear_right_arb_rear_right = mbgen::fma(s9_212,
-      (-p_arb_rear_right_z) - work.s1_504, s9_224);
-  // loop block 1
-  const double s9_225 = work.Q_arb_rear_right*(1.0/J_arb_link_rear_right_arb_rear_right);
-  result.lambda[16] = s9_225;
-  const double s9_226 = work.Q_arb_rear_left*(1.0/J_arb_link_rear_left_arb_rear_left);
-  result.lambda[13] = s9_226;
-  const double s9_227 = 1.0/J_diag_rod_right_rear_axle_tx;
-  const double s9_228 = J_long_rod_left_rear_axle_tx*s9_227;
-  const double s9_229 = J_diag_rod_left_rear_axle_tx*s9_227;
-  const double s9_230 = J_long_rod_right_rear_axle_tx*s9_227;
-  const double s9_231 = mbgen::fma(J_diag_rod_right_rear_axle_ty, s9_228, s9_175);
-  const double s9_232 = mbgen::fma(s9_185, s9_226, work.Q_rear_axle_tx);
-  const double s9_233 = s9_227*mbgen::fma(s9_212, s9_225, s9_232);
-  const double s9_234 = z_rear_axle_ty - work.s1_478;
-  const double s9_235 = mbgen::fma(J_diag_rod_left_rear_axle_tx, s9_234, s9_207*s9_229);
-  const double s9_236 = z_rear_axle_ty - work.s1_470;
-  const double s9_237 = mbgen::fma(J_long_rod_left_rear_axle_tx, s9_236, s9_207*s9_228);
-  const double s9_238 = mbgen::fma(s9_175, work.r_rear_axle_aux1_x - work.s1_474, s9_237);
-  const double s9_239 = 1.0/s9_238;
-  const double s9_240 = mbgen::fma(s9_180, work.r_rear_axle_aux1_x - work.s1_480, s9_235)*s9_239;
-  const double s9_241 = z_rear_axle_ty - work.s1_497;
-  const double s9_242 = mbgen::fma(J_long_rod_right_rear_axle_tx, s9_241, s9_207*s9_230);
-  const double s9_243 = work.s1_498 - work.r_rear_axle_aux1_x;
-  const double s9_244 = s9_239*mbgen::fma(J_long_rod_right_rear_axle_ty, s9_243, s9_242);
-  const double s9_245 = mbgen::fma(s9_207, s9_233, work.Q_rear_axle_rz);
-  const double s9_246 = s9_239*mbgen::fma(s9_219, s9_225, mbgen::fma(s9_192, s9_226, s9_245));
-  const double s9_247 = mbgen::fnma(R_rear_axle_aux4_y_x, s9_179, s9_211*s9_228);
-  const double s9_248 = mbgen::fnma(R_rear_axle_aux4_x_x, s9_177, s9_247);
-  const double s9_249 = mbgen::fnma(work.s1_62, J_long_rod_left_rear_axle_tx, s9_248);
-  const double s9_250 = mbgen::fma(work.b_rear_axle_ry_z, J_long_rod_left_rear_axle_tz, s9_249);
-  const double s9_251 = mbgen::fma(work.s1_63, s9_175, s9_250);
-  const double s9_252 = mbgen::fnma(R_rear_axle_aux4_y_x, s9_184, s9_211*s9_229);
-  const double s9_253 = mbgen::fnma(R_rear_axle_aux4_x_x, s9_182, s9_252);
-  const double s9_254 = mbgen::fnma(work.s1_62, J_diag_rod_left_rear_axle_tx, s9_253);
-  const double s9_255 = mbgen::fma(work.b_rear_axle_ry_z, J_diag_rod_left_rear_axle_tz, s9_254);
-  const double s9_256 = mbgen::fnma(R_rear_axle_aux4_x_x, s9_198, s9_211*s9_230);
-  const double s9_257 = mbgen::fma(R_rear_axle_aux4_y_x, s9_200, s9_256);
-  const double s9_258 = mbgen::fnma(work.s1_63, J_long_rod_right_rear_axle_ty, s9_257);
-  const double s9_259 = mbgen::fnma(work.s1_62, J_long_rod_right_rear_axle_tx, s9_258);
-  const double s9_260 = mbgen::fma(work.b_rear_axle_ry_z, J_long_rod_right_rear_axle_tz, s9_259);
-  const double s9_261 = mbgen::fnma(s9_244, s9_251, s9_260);
-  const double s9_262 = 1.0/s9_261;
-  const double s9_263 = mbgen::fnma(s9_240, s9_251, mbgen::fma(work.s1_63, s9_180, s9_255));
-  const double s9_264 = s9_263*s9_262;
-  const double s9_265 = 3.204642123170383*std::abs(J_arb_link_rear_right_arb_rear_right);
-  const double s9_266 = 3.194382824999693*std::abs(J_arb_link_rear_left_arb_rear_left);
-  const double s9_267 = 1.0748203921841*std::abs(J_diag_rod_right_rear_axle_tx);
-  const double s9_268 = mbgen::min(s9_267, mbgen::min(s9_266, s9_265));
-  const double s9_269 = mbgen::min(s9_268, 1.5318884572025857*std::abs(s9_238));
-  const double s9_270 = mbgen::fma(s9_231, s9_244, J_long_rod_right_rear_axle_ty);
-  const double s9_271 = mbgen::fnma(J_diag_rod_right_rear_axle_ty, s9_230, s9_270);
-  const double s9_272 = mbgen::fms(s9_231, s9_240, s9_180);
-  const double s9_273 = mbgen::fnma(J_diag_rod_right_rear_axle_ty, s9_229, s9_272);
-  const double s9_274 = mbgen::fnma(s9_264, s9_271, s9_273);
-  const double s9_275 = mbgen::min(s9_269, 1.7893247478820993*std::abs(s9_261));
-  result.pivot[1] = mbgen::min(s9_275, 1.4337752588788297*std::abs(s9_274));
-  const double s9_276 = mbgen::fma(s9_211, s9_233, work.Q_rear_axle_ry);
-  const double s9_277 = mbgen::fma(s9_223, s9_225, mbgen::fma(s9_195, s9_226, s9_276));
-  const double s9_278 = s9_262*mbgen::fnma(s9_246, s9_251, s9_277);
-  const double s9_279 = mbgen::fma(s9_231, s9_246, work.Q_rear_axle_ty);
-  const double s9_280 = mbgen::fma(s9_188, s9_226, s9_279);
-  const double s9_281 = mbgen::fnma(J_arb_link_rear_right_rear_axle_ty, s9_225, s9_280);
-  const double s9_282 = mbgen::fnma(J_diag_rod_right_rear_axle_ty, s9_233, s9_281);
-  const double s9_283 = 1.0/s9_274*mbgen::fnma(s9_271, s9_278, s9_282);
-  result.lambda[12] = s9_283;
-  const double s9_284 = mbgen::fnma(s9_264, s9_283, s9_278);
-  result.lambda[14] = s9_284;
-  const double s9_285 = mbgen::fnma(s9_240, s9_283, mbgen::fnma(s9_244, s9_284, s9_246));
-  result.lambda[11] = s9_285;
-  const double s9_286 = mbgen::fnma(s9_230, s9_284, mbgen::fnma(s9_228, s9_285, s9_233));
-  result.lambda[15] = mbgen::fnma(s9_229, s9_283, s9_286);
-  // operations: 287 add, 370 multiply, 17 divide, 32 other
+  const double s9_167 = 0.6 + (z_rear_axle_ty - work.s7_456);
+  const double s9_168 = work.s7_458 + (work.r_rear_axle_aux3_z + work.s7_459);
+  const double s9_169 = (-p_arb_rear_right_z) + s9_168;
+  const double s9_170 = work.s7_457 + work.s7_460 - work.r_rear_axle_aux1_x;
+  const double s9_171 = s9_170 - (-p_arb_rear_right_x);
+  const double s9_172 = 1.0/s9_163;
+  const double s9_173 = s9_157*s9_172;
+  const double s9_174 = s9_171*s9_172;
+  const double s9_175 = s9_148*s9_172;
+  const double s9_176 = s9_151*s9_172;
+  const double s9_177 = s9_160*s9_172;
+  const double s9_178 = mbgen::fma(s9_162, s9_176, s9_152);
+  const double s9_179 = 1.0/s9_178;
+  const double s9_180 = s9_179*mbgen::fma(s9_162, s9_174, s9_167);
+  const double s9_181 = s9_179*mbgen::fnma(s9_162, s9_177, s9_158);
+  const double s9_182 = s9_179*mbgen::fms(s9_162, s9_173, s9_155);
+  const double s9_183 = mbgen::fma(work.s7_401, s9_152, work.s7_405*s9_150);
+  const double s9_184 = mbgen::fma(s9_164, s9_176, s9_183);
+  const double s9_185 = mbgen::fnma(s9_161, s9_176, s9_150);
+  const double s9_186 = mbgen::fnma(work.s7_403, s9_150, s9_165*s9_176);
+  const double s9_187 = mbgen::fma(work.s7_401, s9_151, s9_186);
+  const double s9_188 = mbgen::fnma(work.s7_405, s9_151, s9_166*s9_176);
+  const double s9_189 = mbgen::fnma(work.s7_403, s9_152, s9_188);
+  const double s9_190 = mbgen::fma(s9_162, s9_175, s9_149)*s9_179;
+  const double s9_191 = mbgen::fma(work.s7_381, s9_149, work.s7_387*s9_147);
+  const double s9_192 = mbgen::fnma(s9_184, s9_190, mbgen::fma(s9_164, s9_175, s9_191));
+  const double s9_193 = mbgen::fnma(work.s7_423, s9_155, s9_182*s9_189);
+  const double s9_194 = mbgen::fnma(work.s7_387, s9_148, s9_166*s9_175);
+  const double s9_195 = mbgen::fnma(s9_189, s9_190, mbgen::fnma(work.s7_384, s9_149, s9_194));
+  const double s9_196 = 1.0/s9_195;
+  const double s9_197 = mbgen::fnma(s9_166, s9_173, mbgen::fma(work.s7_424, s9_157, s9_193));
+  const double s9_198 = s9_197*s9_196;
+  const double s9_199 = mbgen::fma(s9_166, s9_177, s9_181*s9_189);
+  const double s9_200 = mbgen::fnma(work.s7_442, s9_160, s9_199);
+  const double s9_201 = s9_196*mbgen::fma(work.s7_441, s9_158, s9_200);
+  const double s9_202 = mbgen::fma(work.s7_442, s9_159, s9_181*s9_184);
+  const double s9_203 = mbgen::fma(s9_164, s9_177, mbgen::fma(work.s7_440, s9_158, s9_202));
+  const double s9_204 = mbgen::fnma(s9_192, s9_201, s9_203);
+  const double s9_205 = mbgen::fnma(work.s7_384, s9_147, s9_165*s9_175);
+  const double s9_206 = mbgen::fnma(s9_187, s9_190, mbgen::fma(work.s7_381, s9_148, s9_205));
+  const double s9_207 = mbgen::fnma(work.s7_423, s9_154, s9_182*s9_187);
+  const double s9_208 = mbgen::fnma(s9_165, s9_173, mbgen::fnma(work.s7_422, s9_157, s9_207));
+  const double s9_209 = mbgen::fma(s9_165, s9_177, s9_181*s9_187);
+  const double s9_210 = mbgen::fnma(work.s7_441, s9_159, s9_209);
+  const double s9_211 = mbgen::fnma(s9_201, s9_206, mbgen::fnma(work.s7_440, s9_160, s9_210));
+  const double s9_212 = 1.0/s9_211;
+  const double s9_213 = mbgen::fnma(s9_198, s9_206, s9_208)*s9_212;
+  const double s9_214 = mbgen::fma(work.s7_424, s9_154, s9_182*s9_184);
+  const double s9_215 = mbgen::fnma(s9_164, s9_173, mbgen::fma(work.s7_422, s9_155, s9_214));
+  const double s9_216 = mbgen::fnma(work.s7_456, s9_171, s9_180*s9_189);
+  const double s9_217 = mbgen::fnma(s9_166, s9_174, mbgen::fnma(work.s7_457, s9_167, s9_216));
+  const double s9_218 = s9_196*s9_217;
+  const double s9_219 = mbgen::fnma(work.s7_459, s9_171, s9_180*s9_187);
+  const double s9_220 = mbgen::fnma(s9_165, s9_174, mbgen::fma(work.s7_457, s9_169, s9_219));
+  const double s9_221 = s9_212*mbgen::fnma(s9_206, s9_218, s9_220);
+  const double s9_222 = mbgen::fnma(work.s7_459, s9_167, s9_180*s9_184);
+  const double s9_223 = mbgen::fnma(s9_164, s9_174, mbgen::fnma(work.s7_456, s9_169, s9_222));
+  const double s9_224 = mbgen::fnma(s9_204, s9_221, mbgen::fnma(s9_192, s9_218, s9_223));
+  const double s9_225 = 1.0/s9_224;
+  const double s9_226 = mbgen::fnma(s9_204, s9_213, mbgen::fnma(s9_192, s9_198, s9_215))*s9_225;
+  const double s9_227 = mbgen::fnma(s9_185, s9_190, mbgen::fnma(s9_161, s9_175, s9_147));
+  const double s9_228 = mbgen::fnma(s9_161, s9_177, mbgen::fma(s9_181, s9_185, s9_159));
+  const double s9_229 = mbgen::fnma(s9_201, s9_227, s9_228);
+  const double s9_230 = mbgen::fma(s9_161, s9_174, mbgen::fma(s9_180, s9_185, s9_169));
+  const double s9_231 = mbgen::fnma(s9_221, s9_229, mbgen::fnma(s9_218, s9_227, s9_230));
+  const double s9_232 = mbgen::fma(s9_161, s9_173, mbgen::fma(s9_182, s9_185, s9_154));
+  const double s9_233 = mbgen::fnma(s9_213, s9_229, mbgen::fnma(s9_198, s9_227, s9_232));
+  const double s9_234 = mbgen::fnma(s9_226, s9_231, s9_233);
+  const double s9_235 = 1.2494533266510743*std::abs(s9_163);
+  const double s9_236 = mbgen::min(s9_235, 1.665350081353039*std::abs(s9_178));
+  const double s9_237 = mbgen::min(s9_236, 2.1234888829989926*std::abs(s9_195));
+  const double s9_238 = mbgen::min(s9_237, 1.7864443153153613*std::abs(s9_211));
+  const double s9_239 = mbgen::min(s9_238, 8.176955428452642*std::abs(s9_224));
+  const double s9_240 = mbgen::min(s9_239, 2.7700489841913827*std::abs(s9_234));
+  // rear_axle: rear_axle_rx, revolute, rear_axle_aux5
+  result.pivot[1] = mbgen::min(s9_240, std::abs(s9_28));
+  const double s9_241 = work.Q_rear_axle_tx*s9_172;
+  const double s9_242 = s9_179*mbgen::fnma(s9_162, s9_241, work.Q_rear_axle_ty);
+  const double tau_rear_axle_rz = tau[Coordinate::rear_axle_rz];
+  const double s9_243 = mbgen::fma(s9_189, s9_242, work.s7_671);
+  const double s9_244 = mbgen::fma(s9_166, s9_241, mbgen::fma(tau_rear_axle_rz, s9_34, s9_243));
+  const double s9_245 = s9_196*s9_244;
+  const double tau_rear_axle_rx = tau[Coordinate::rear_axle_rx];
+  const double s9_246 = mbgen::fma(s9_187, s9_242, work.s7_659);
+  const double tau_rear_axle_ry = tau[Coordinate::rear_axle_ry];
+  const double s9_247 = mbgen::fma(tau_rear_axle_rx, s9_30, s9_246);
+  const double s9_248 = mbgen::fma(tau_rear_axle_ry, R_rear_axle_aux4_x_x, s9_247);
+  const double s9_249 = mbgen::fma(s9_165, s9_241, mbgen::fma(tau_rear_axle_rz, s9_32, s9_248));
+  const double s9_250 = s9_212*mbgen::fnma(s9_206, s9_245, s9_249);
+  const double s9_251 = mbgen::fma(s9_184, s9_242, work.s7_665);
+  const double s9_252 = mbgen::fma(tau_rear_axle_rx, s9_31, s9_251);
+  const double s9_253 = mbgen::fma(tau_rear_axle_rz, s9_33, s9_252);
+  const double s9_254 = mbgen::fnma(tau_rear_axle_ry, R_rear_axle_aux4_y_x, s9_253);
+  const double s9_255 = mbgen::fnma(s9_192, s9_245, mbgen::fma(s9_164, s9_241, s9_254));
+  const double s9_256 = s9_225*mbgen::fnma(s9_204, s9_250, s9_255);
+  const double s9_257 = mbgen::fma(s9_185, s9_242, work.Q_rear_axle_tz);
+  const double s9_258 = mbgen::fnma(s9_227, s9_245, mbgen::fnma(s9_161, s9_241, s9_257));
+  const double s9_259 = mbgen::fnma(s9_231, s9_256, mbgen::fnma(s9_229, s9_250, s9_258));
+  const double s9_260 = 1.0/s9_234*s9_259;
+  result.lambda[13] = l_arb_link_rear_left*s9_260;
+  const double s9_261 = mbgen::fnma(s9_226, s9_260, s9_256);
+  result.lambda[16] = l_arb_link_rear_right*s9_261;
+  const double s9_262 = mbgen::fnma(s9_213, s9_260, mbgen::fnma(s9_221, s9_261, s9_250));
+  result.lambda[14] = l_long_rod_right*s9_262;
+  const double s9_263 = mbgen::fnma(s9_218, s9_261, mbgen::fnma(s9_201, s9_262, s9_245));
+  const double s9_264 = mbgen::fnma(s9_198, s9_260, s9_263);
+  result.lambda[11] = l_long_rod_left*s9_264;
+  const double s9_265 = mbgen::fma(s9_180, s9_261, mbgen::fms(s9_182, s9_260, s9_242));
+  const double s9_266 = mbgen::fnma(s9_190, s9_264, mbgen::fma(s9_181, s9_262, s9_265));
+  result.lambda[12] = l_diag_rod_left*s9_266;
+  const double s9_267 = mbgen::fma(s9_174, s9_261, mbgen::fma(s9_173, s9_260, s9_241));
+  const double s9_268 = mbgen::fnma(s9_175, s9_264, mbgen::fnma(s9_176, s9_266, s9_267));
+  result.lambda[15] = l_diag_rod_right*mbgen::fnma(s9_177, s9_262, s9_268);
+  // operations: 264 add, 322 multiply, 20 divide, 38 other
 }
 
 /// Multipliers of the closures and generalised driving forces, at given accelerations.
 void compute_multipliers(const Tuned& /*parameters*/, const Inputs& /*inputs*/, const State& state,
     const double* tau, const Derivative& derivative, ConstraintForces& __restrict result) noexcept {
   ConstraintForcesWork work;
-  compute_multipliers_1(state, work);
-  compute_multipliers_2(state, derivative, work);
-  compute_multipliers_3(state, tau, derivative, work, result);
-  compute_multipliers_4(state, work, result);
+  compute_multipliers_1(state, derivative, work);
+  compute_multipliers_2(tau, work, result);
+  compute_multipliers_3(state, tau, work, result);
 }
 #endif  // part 1
 
@@ -9211,7 +8363,7 @@ struct ChosenAccelerationsWork {
       s7_63, s7_65, s7_66, s7_67, s7_68, s7_69, s7_70, s7_71, s7_74, s7_75, s7_76, s7_77, s7_79,
       s7_80, s7_81, s7_82, s7_85, s7_86, s7_87, s7_88, s8_17, s8_18, s8_19, s8_20, s8_21, s8_22,
       s8_25, s8_26, s8_27, s8_28, s8_29, s8_30, s8_31, s8_33, s8_34, s8_35, s8_37, s8_39, s8_40,
-      s8_41, s8_44, s8_47, s8_48, s8_49, s8_50, s8_51, s8_53, s8_54, s8_55, s8_56, s8_57, s8_58,
+      s8_41, s8_44, s8_47, s8_48, s8_49, s8_50, s8_51, s8_53, s8_54, s8_55, s8_56, s8_58, s8_59,
       s8_60, s8_61, s8_63, s8_64, s8_65, s8_66, s8_70, s8_72, s8_73, s8_74, s8_75, s8_76, s8_77,
       s8_85, s8_88, s8_101, s8_126, s8_127, s8_128, s8_133, s8_138, s8_154, s8_176, s8_177, s8_178,
       s8_447, s8_466, s8_471, s8_484, s8_496, s8_508, s8_512, s8_516, s8_520, s8_554, s8_629,
@@ -9235,7 +8387,7 @@ struct ChosenAccelerationsWork {
       s8_867, s8_869, s8_870, s8_871, s8_873, s8_874, s8_875, s8_876, s8_877, s8_878, s8_879,
       s8_881, s8_883, s8_884, s8_885, s8_886, s8_887, s8_888, s8_889, s8_890, s8_892, s8_893,
       s8_895, s8_896, s8_897, s8_898, s8_899, s8_900, s8_901, s8_902, s8_904, s8_906, s8_908,
-      s8_909, s8_910, s8_911, s8_912, s8_913, s8_915, s8_917, s8_919, s8_920, s8_921, s8_922,
+      s8_909, s8_910, s8_911, s8_912, s8_913, s8_916, s8_917, s8_919, s8_920, s8_921, s8_922,
       s8_923, s8_924, s8_925, s8_928, s8_931, s8_932, s8_933, s8_939, s8_942, f_carrier_right_x,
       s8_955, f_carrier_right_y, f_carrier_right_z, n_carrier_right_x, n_carrier_right_y,
       n_carrier_right_z, s8_984, s8_985, s8_986, s8_987, s8_989, s8_991, s8_993, s8_995, s8_997,
@@ -9777,11 +8929,11 @@ struct ChosenAccelerationsWork {
   work.s8_54 = projection.Rz[55]*work.s7_71;
   work.s8_55 = mbgen::fma(zd_arb_rear_left, work.s8_17, s6_1);
   work.s8_56 = 8.1 + (work.s7_71 + work.s7_81);
-  work.s8_57 = mbgen::fma((-p_arb_rear_right_y), work.s8_20, s8_43);
-  work.s8_58 = zd_arb_rear_left*work.s8_19;
-  const double s8_59 = work.s7_69 - 14.85;
+  const double s8_57 = work.s7_69 - 14.85;
+  work.s8_58 = mbgen::fma((-p_arb_rear_right_y), work.s8_20, s8_43);
+  work.s8_59 = zd_arb_rear_left*work.s8_19;
   work.s8_60 = zd_arb_rear_left*work.s8_18;
-  work.s8_61 = mbgen::fnma(work.s7_71, work.s8_58, work.s7_69*work.s8_60);
+  work.s8_61 = mbgen::fnma(work.s7_71, work.s8_59, work.s7_69*work.s8_60);
   const double s8_62 = s7_78 - K_arb_rear_left_yy;
   work.s8_63 = projection.Rz[54]*s8_62;
   work.s8_64 = projection.Rz[55]*s8_62;
@@ -9789,14 +8941,14 @@ struct ChosenAccelerationsWork {
   work.s8_66 = mbgen::fnma(projection.zdd_star[20], work.s7_69, work.s7_71*work.s8_55);
   const double s8_67 = s8_36 + s8_52;
   const double s8_68 = mbgen::fnma((-p_arb_rear_right_y), s8_38, work.s7_74 + work.s7_85);
-  const double s8_69 = mbgen::fnma(p_arb_rear_left_y, s8_59, s8_68);
+  const double s8_69 = mbgen::fnma(p_arb_rear_left_y, s8_57, s8_68);
   work.s8_70 = mbgen::fma((-p_arb_rear_right_x), s8_67, s8_69);
-  const double s8_71 = mbgen::fma(p_arb_rear_left_y, s8_59, work.s7_68);
+  const double s8_71 = mbgen::fma(p_arb_rear_left_y, s8_57, work.s7_68);
   work.s8_72 = mbgen::fnma((-p_arb_rear_right_y), s8_38, s8_71) - work.s7_82;
   work.s8_73 = mbgen::fma(p_carrier_left_rz_y, s8_36 - s8_52, work.s7_79 - work.s7_70);
   work.s8_74 = mbgen::fma(work.s7_69, work.s8_55, projection.zdd_star[20]*work.s7_71);
   work.s8_75 = mbgen::fma(0.9, s8_67, work.s7_76 + work.s7_87);
-  work.s8_76 = s8_38 + s8_59;
+  work.s8_76 = s8_38 + s8_57;
 }
 
 /// Part 2 of compute_chosen_accelerations: step 8: elimination from the leaves to the root (63),
@@ -10354,7 +9506,7 @@ struct ChosenAccelerationsWork {
       tau[Coordinate::arb_rear_left]);
   const double s8_598 = mbgen::fma(work.s7_70, work.s8_20, s8_597);
   const double s8_599 = mbgen::fma(work.s7_68, work.s8_21, s8_598);
-  const double s8_600 = mbgen::fma(work.s7_71, work.s8_57, s8_599);
+  const double s8_600 = mbgen::fma(work.s7_71, work.s8_58, s8_599);
   const double s8_601 = mbgen::fma(work.s7_69, work.s8_65, s8_600);
   const double s8_602 = mbgen::fnma(work.s7_74, work.s8_49, s8_601);
   const double s8_603 = mbgen::fnma(work.s8_22, s8_78, s8_602);
@@ -10476,7 +9628,7 @@ struct ChosenAccelerationsWork {
   const double s8_716 = mbgen::fma(work.s7_70, work.s8_55, s8_715);
   const double s8_717 = mbgen::fnma(projection.zdd_star[20], work.s7_68, s8_716);
   const double s8_718 = mbgen::fnma(work.s7_74, work.s8_60, s8_717);
-  const double s8_719 = mbgen::fnma(work.s7_76, work.s8_58, s8_718);
+  const double s8_719 = mbgen::fnma(work.s7_76, work.s8_59, s8_718);
   const double s8_720 = mbgen::fma(z_rear_axle_ty, f_rear_axle_z, s8_719);
   const double s8_721 = mbgen::fnma(work.r_rear_axle_aux3_z, f_rear_axle_y, s8_720);
   const double s8_722 = mbgen::fnma(s8_182, s8_229, mbgen::fnma(s8_208, s8_223, s8_721));
@@ -10499,7 +9651,7 @@ struct ChosenAccelerationsWork {
   const double s8_739 = mbgen::fma(projection.zdd_star[20], work.s7_70, s8_738);
   const double s8_740 = mbgen::fma(work.s7_68, work.s8_55, s8_739);
   const double s8_741 = mbgen::fma(work.s7_75, work.s8_60, s8_740);
-  const double s8_742 = mbgen::fma(work.s7_74, work.s8_58, s8_741);
+  const double s8_742 = mbgen::fma(work.s7_74, work.s8_59, s8_741);
   const double s8_743 = mbgen::fma(work.r_rear_axle_aux1_x, f_rear_axle_y, s8_742);
   const double s8_744 = mbgen::fnma(z_rear_axle_ty, f_rear_axle_x, s8_743);
   const double s8_745 = mbgen::fma(s8_186, s8_229, mbgen::fma(s8_208, s8_217, s8_744));
@@ -10991,14 +10143,14 @@ struct ChosenAccelerationsWork {
   work.s8_849 = projection.Rz[40]*s8_847;
   work.s8_850 = projection.Rz[41]*s8_847;
   const double s8_851 = mbgen::fma(zd_bell_crank, work.s8_19, s6_23);
-  work.s8_852 = zd_bell_crank*work.s8_18;
-  work.s8_853 = mbgen::fma((-p_bell_crank_z), work.s8_22, p_bell_crank_x*work.s8_26);
+  work.s8_852 = mbgen::fma(p_bell_crank_x, work.s8_26, (-p_bell_crank_z)*work.s8_22);
+  work.s8_853 = zd_bell_crank*work.s8_18;
   work.s8_854 = zd_bell_crank*work.s8_17;
   work.s8_855 = 33.31250000000001 - work.s7_278;
-  work.s8_856 = mbgen::fma(work.s7_273, s8_851, projection.zdd_star[13]*work.s7_278);
-  work.s8_857 = mbgen::fnma((-p_bell_crank_z), work.s8_21, p_bell_crank_x*work.s8_20);
-  work.s8_858 = mbgen::fnma(work.s7_278, work.s8_852, work.s7_273*work.s8_854);
-  work.s8_859 = mbgen::fnma(projection.zdd_star[13], work.s7_273, work.s7_278*s8_851);
+  work.s8_856 = mbgen::fnma((-p_bell_crank_z), work.s8_21, p_bell_crank_x*work.s8_20);
+  work.s8_857 = mbgen::fnma(work.s7_278, work.s8_853, work.s7_273*work.s8_854);
+  work.s8_858 = mbgen::fnma(projection.zdd_star[13], work.s7_273, work.s7_278*s8_851);
+  work.s8_859 = mbgen::fma(work.s7_273, s8_851, projection.zdd_star[13]*work.s7_278);
   work.s8_860 = work.s7_281 - work.s7_284;
   work.s8_861 = work.s8_26 - work.s8_27;
   // pitman_arm: pitman_arm, revolute, chassis
@@ -11056,9 +10208,9 @@ struct ChosenAccelerationsWork {
   work.s8_911 = projection.Rz[31]*work.s7_236;
   work.s8_912 = projection.Rz[32]*work.s7_236;
   work.s8_913 = 2.1 + work.s7_236;
-  const double s8_914 = mbgen::fma(zd_upper_arm_right, work.s8_18, s6_20);
-  work.s8_915 = work.s7_234 - 3.75;
-  const double s8_916 = p_upper_arm_right_x*work.s8_26;
+  const double s8_914 = p_upper_arm_right_x*work.s8_26;
+  const double s8_915 = mbgen::fma(zd_upper_arm_right, work.s8_18, s6_20);
+  work.s8_916 = work.s7_234 - 3.75;
   work.s8_917 = zd_upper_arm_right*work.s8_19;
   const double s8_918 = s7_245 - K_upper_arm_right_xx;
   work.s8_919 = projection.Rz[30]*s8_918;
@@ -11066,8 +10218,8 @@ struct ChosenAccelerationsWork {
   work.s8_921 = projection.Rz[32]*s8_918;
   work.s8_922 = zd_upper_arm_right*work.s8_17;
   work.s8_923 = mbgen::fnma(work.s7_236, work.s8_917, work.s7_234*work.s8_922);
-  work.s8_924 = mbgen::fnma(work.s7_234, s8_914, projection.zdd_star[10]*work.s7_236);
-  work.s8_925 = mbgen::fma(work.s7_236, s8_914, projection.zdd_star[10]*work.s7_234);
+  work.s8_924 = mbgen::fnma(work.s7_234, s8_915, projection.zdd_star[10]*work.s7_236);
+  work.s8_925 = mbgen::fma(work.s7_236, s8_915, projection.zdd_star[10]*work.s7_234);
   const double s8_926 = p_upper_arm_right_x*work.s8_20;
   const double s8_927 = mbgen::fnma((-p_upper_arm_right_z), work.s8_21, s8_926);
   work.s8_928 = mbgen::fma(p_pitman_arm_y, work.s8_27, s8_927);
@@ -11077,7 +10229,7 @@ struct ChosenAccelerationsWork {
   work.s8_932 = work.s7_242 - work.s7_243;
   work.s8_933 = work.s8_27 - work.s8_25;
   // carrier_right: carrier_right_ry, revolute, carrier_right_aux2
-  const double s8_934 = mbgen::fms(work.s4_18, work.s8_17, s8_916);
+  const double s8_934 = mbgen::fms(work.s4_18, work.s8_17, s8_914);
   const double s8_935 = mbgen::fnma(work.s4_19, work.s8_19, s8_934);
   const double s8_936 = mbgen::fma(work.r_carrier_right_aux1_y, work.s8_20, s8_935);
   const double s8_937 = mbgen::fnma(work.s1_26, work.s8_22, s8_936);
@@ -11245,7 +10397,7 @@ struct ChosenAccelerationsWork {
   work.s8_1090 = mbgen::fnma(p_pitman_arm_y, work.s8_27, s8_927);
   work.s8_1091 = work.s7_156 - work.s7_157;
   // carrier_left: carrier_left_ry, revolute, carrier_left_aux2
-  const double s8_1092 = mbgen::fms(work.s4_14, work.s8_17, s8_916);
+  const double s8_1092 = mbgen::fms(work.s4_14, work.s8_17, s8_914);
   const double s8_1093 = mbgen::fma(work.s4_15, work.s8_19, s8_1092);
   const double s8_1094 = mbgen::fma(work.r_carrier_left_aux1_y, work.s8_20, s8_1093);
   const double s8_1095 = mbgen::fma(work.r_carrier_left_aux1_z, work.s8_22, s8_1094);
@@ -12052,8 +11204,8 @@ struct ChosenAccelerationsWork {
   work.s8_1854 = mbgen::fnma(work.s8_49, work.s7_267, s8_1853);
   const double s8_1855 = mbgen::fnma(projection.zdd_star[13], work.s7_286,
       tau[Coordinate::bell_crank]);
-  const double s8_1856 = mbgen::fnma(work.s7_273, work.s8_853, s8_1855);
-  const double s8_1857 = mbgen::fma(work.s7_278, work.s8_857, s8_1856);
+  const double s8_1856 = mbgen::fnma(work.s7_273, work.s8_852, s8_1855);
+  const double s8_1857 = mbgen::fma(work.s7_278, work.s8_856, s8_1856);
   const double s8_1858 = mbgen::fnma(work.s8_20, work.s8_860, s8_1857);
   work.s8_1859 = mbgen::fnma(work.s7_280, work.s8_861, s8_1858);
   work.s8_1860 = work.s7_16 - work.n_carrier_left_z;
@@ -12107,7 +11259,7 @@ struct ChosenAccelerationsWork {
   work.s8_1908 = mbgen::fma(p_arb_front_right_x, work.s8_893 + work.s8_1060, s8_1907);
   const double s8_1909 = 11.55 + (work.s7_280 + (work.s8_72 + (work.s7_165 + work.s7_251)));
   const double s8_1910 = mbgen::fma(p_bell_crank_x, work.s7_273, s8_1909);
-  const double s8_1911 = work.s8_1052 + (work.s8_915 + (work.s8_1078 + s8_1212));
+  const double s8_1911 = work.s8_1052 + (work.s8_916 + (work.s8_1078 + s8_1212));
   const double s8_1912 = mbgen::fma(p_pitman_arm_y, work.s8_877, s8_1910);
   const double s8_1913 = mbgen::fma(p_lower_arm_left_x, s8_1911, s8_1912);
   work.s8_1914 = mbgen::fma(p_carrier_left_rz_y, work.s8_1062 - work.s8_902, s8_1913);
@@ -12119,7 +11271,7 @@ struct ChosenAccelerationsWork {
   const double s8_1920 = mbgen::fma(p_lower_arm_left_y, work.s8_1044 + s8_1213, s8_1919);
   const double s8_1921 = mbgen::fma(p_carrier_left_rz_y, work.s8_1060 - work.s8_893, s8_1920);
   const double s8_1922 = mbgen::fnma((-p_lower_arm_left_z), work.s8_1052 + s8_1212, s8_1921);
-  work.s8_1923 = mbgen::fnma((-p_upper_arm_right_z), work.s8_915 + work.s8_1078, s8_1922);
+  work.s8_1923 = mbgen::fnma((-p_upper_arm_right_z), work.s8_916 + work.s8_1078, s8_1922);
   const double s8_1924 = work.r_carrier_left_aux1_y + work.r_carrier_right_aux1_y;
   const double s8_1925 = work.s7_198 + (work.s8_126 + work.s7_108);
   work.s8_1926 = mbgen::fma(m_carrier_right_2, s8_1924, s8_1925);
@@ -12165,7 +11317,7 @@ struct ChosenAccelerationsWork {
   const double s8_1965 = mbgen::fma(0.56, work.s8_913 - work.s8_1079, s8_1964);
   work.s8_1966 = mbgen::fma(1.24, work.s8_1044 - s8_1213, s8_1965);
   const double s8_1967 = work.s7_186 + (work.s7_156 + (work.s7_99 + work.s8_1078));
-  const double s8_1968 = 12.8518 + (work.s7_284 + (work.s7_242 + s8_1967) - work.s8_915);
+  const double s8_1968 = 12.8518 + (work.s7_284 + (work.s7_242 + s8_1967) - work.s8_916);
   work.s8_1969 = mbgen::fma(0.8, s8_1212 - work.s8_1052, s8_1968);
   const double s8_1970 = work.s7_281 + (work.s8_77 + (work.s7_268 + (work.s7_173 + work.s7_259)));
   const double s8_1971 = mbgen::fma(6.5, work.s8_855, 1037.4 + s8_1970);
@@ -12528,17 +11680,17 @@ struct ChosenAccelerationsWork {
   const double s8_2316 = mbgen::fma(work.s3_52, work.s8_1863, s8_2315);
   const double s8_2317 = work.s8_1053 + (work.s8_1069 + work.f_carrier_left_y);
   const double s8_2318 = work.s8_701 + (work.s8_924 + (work.f_carrier_right_y + s8_2317));
-  const double s8_2319 = work.s8_900 + s8_2318 - work.s8_856 - work.s8_876 - work.s8_1089;
+  const double s8_2319 = work.s8_900 + s8_2318 - work.s8_859 - work.s8_876 - work.s8_1089;
   const double s8_2320 = mbgen::fma(work.s8_1897, s8_2242, s8_2319 - work.s8_1223);
   const double s8_2321 = mbgen::fma(s8_2071, s8_2316, mbgen::fma(s8_2236, s8_2280, s8_2320));
   const double s8_2322 = work.s8_1071 + (work.s8_1086 + (work.f_carrier_left_x + work.s8_1216));
   const double s8_2323 = work.s8_923 + (work.f_carrier_right_x + (work.s8_1047 + s8_2322));
-  const double s8_2324 = work.s8_859 + (work.s8_705 + (work.s8_879 + (work.s8_904 + s8_2323)));
+  const double s8_2324 = work.s8_858 + (work.s8_705 + (work.s8_879 + (work.s8_904 + s8_2323)));
   const double s8_2325 = mbgen::fma(s8_2234, s8_2280, mbgen::fma(work.s8_1897, s8_2240, s8_2324));
   const double s8_2326 = mbgen::fma(s8_2045, s8_2316, s8_2325);
   const double s8_2327 = work.s8_1054 + (work.s8_1087 + (work.f_carrier_left_z + work.s8_1221));
   const double s8_2328 = work.s8_878 + (work.s8_925 + (work.f_carrier_right_z + s8_2327));
-  const double s8_2329 = work.s8_858 + (work.s8_709 + s8_2328) - work.s8_906 - work.s8_1074;
+  const double s8_2329 = work.s8_857 + (work.s8_709 + s8_2328) - work.s8_906 - work.s8_1074;
   const double s8_2330 = mbgen::fma(s8_2235, s8_2280, mbgen::fma(work.s8_1897, s8_2241, s8_2329));
   const double s8_2331 = mbgen::fma(s8_2059, s8_2316, s8_2330);
   const double s8_2332 = work.s8_900 + (work.s8_878 + (work.s8_1069 + work.s8_1087));
@@ -12549,8 +11701,8 @@ struct ChosenAccelerationsWork {
   const double s8_2337 = mbgen::fma(projection.zdd_star[10], work.s7_244, s8_2336);
   const double s8_2338 = mbgen::fma(s8_2238, s8_2280, mbgen::fma(work.s8_1897, s8_2244, s8_2337));
   const double s8_2339 = mbgen::fma(work.s7_284, work.s8_854, s8_2338);
-  const double s8_2340 = mbgen::fma(work.s7_280, work.s8_852, s8_2339);
-  const double s8_2341 = mbgen::fnma((-p_bell_crank_z), work.s8_856, s8_2340);
+  const double s8_2340 = mbgen::fma(work.s7_280, work.s8_853, s8_2339);
+  const double s8_2341 = mbgen::fnma((-p_bell_crank_z), work.s8_859, s8_2340);
   const double s8_2342 = mbgen::fnma(work.s7_267, work.s8_870, s8_2341);
   const double s8_2343 = mbgen::fnma(work.s7_269, work.s8_871, s8_2342);
   const double s8_2344 = mbgen::fma(work.s7_253, work.s8_892, s8_2343);
@@ -12586,7 +11738,7 @@ struct ChosenAccelerationsWork {
   const double s8_2374 = work.s8_752 + (work.n_carrier_right_z + work.n_carrier_left_z);
   const double s8_2375 = mbgen::fma(projection.zdd_star[13], work.s7_286, s8_2374);
   const double s8_2376 = mbgen::fma(s8_2239, s8_2280, mbgen::fma(work.s8_1897, s8_2245, s8_2375));
-  const double s8_2377 = mbgen::fnma(p_bell_crank_x, work.s8_856, s8_2376);
+  const double s8_2377 = mbgen::fnma(p_bell_crank_x, work.s8_859, s8_2376);
   const double s8_2378 = mbgen::fma(work.s7_268, work.s8_870, s8_2377);
   const double s8_2379 = mbgen::fma(work.s7_267, work.s8_871, s8_2378);
   const double s8_2380 = mbgen::fnma(p_pitman_arm_x, work.s8_876, s8_2379);
@@ -12633,10 +11785,10 @@ struct ChosenAccelerationsWork {
   const double s8_2421 = mbgen::fma(s8_2237, s8_2280, mbgen::fma(work.s8_1897, s8_2243, s8_2420));
   const double s8_2422 = mbgen::fnma((-p_pitman_arm_z), work.s8_879, s8_2421);
   const double s8_2423 = mbgen::fnma(p_pitman_arm_x, work.s8_878, s8_2422);
-  const double s8_2424 = mbgen::fnma(work.s7_281, work.s8_852, s8_2423);
+  const double s8_2424 = mbgen::fnma(work.s7_281, work.s8_853, s8_2423);
   const double s8_2425 = mbgen::fnma(work.s7_280, work.s8_854, s8_2424);
-  const double s8_2426 = mbgen::fnma((-p_bell_crank_z), work.s8_859, s8_2425);
-  const double s8_2427 = mbgen::fnma(p_bell_crank_x, work.s8_858, s8_2426);
+  const double s8_2426 = mbgen::fnma((-p_bell_crank_z), work.s8_858, s8_2425);
+  const double s8_2427 = mbgen::fnma(p_bell_crank_x, work.s8_857, s8_2426);
   const double s8_2428 = mbgen::fma(work.s7_241, work.s8_922, s8_2427);
   const double s8_2429 = mbgen::fma(work.s7_243, work.s8_917, s8_2428);
   const double s8_2430 = mbgen::fnma(work.s1_26, work.f_carrier_right_x, s8_2429);
@@ -13021,39 +12173,47 @@ void compute_outputs(const Tuned& parameters, const Inputs& inputs, const State&
 /// Values of compute_outputs that cross its parts.
 struct OutputsWork {
   double
-      sines[22], cosines[22], r_chassis_aux3_z, R_chassis_aux5_x_x, R_chassis_aux5_y_x,
-      R_chassis_x_y, R_chassis_x_z, R_chassis_y_y, R_chassis_y_z, R_chassis_z_y, R_chassis_z_z,
-      R_carrier_left_aux1_y_x, R_carrier_left_aux1_z_x, r_carrier_left_aux1_y,
-      r_carrier_left_aux1_z, b_carrier_left_rz_x, s1_10, s1_11, s1_13, R_carrier_left_aux2_y_y,
-      R_carrier_left_aux2_z_y, b_carrier_left_rx_x, b_carrier_left_rx_y, b_carrier_left_rx_z,
+      sines[22], cosines[22], r_chassis_aux3_z, R_chassis_z_y, R_chassis_z_z, r_carrier_left_aux1_y,
+      r_carrier_left_aux1_z, s1_12, R_carrier_left_aux2_y_y, R_carrier_left_aux2_z_y,
       R_carrier_left_x_x, R_carrier_left_x_z, R_carrier_left_y_x, R_carrier_left_y_z,
-      R_carrier_left_z_x, R_carrier_left_z_z, b_carrier_left_ry_x, s1_27, b_carrier_left_ry_z,
-      r_wheel_front_left_x, r_wheel_front_left_y, r_wheel_front_left_z, b_wheel_front_left_x, s1_34,
-      b_wheel_front_left_z, R_carrier_right_aux1_y_x, R_carrier_right_aux1_z_x,
-      r_carrier_right_aux1_y, s1_39, b_carrier_right_rz_x, s1_41, s1_42, s1_44,
-      R_carrier_right_aux2_y_y, R_carrier_right_aux2_z_y, b_carrier_right_rx_x, s1_51,
-      b_carrier_right_rx_z, R_carrier_right_x_x, R_carrier_right_x_z, R_carrier_right_y_x,
-      R_carrier_right_y_z, R_carrier_right_z_x, R_carrier_right_z_z, b_carrier_right_ry_x,
-      b_carrier_right_ry_y, b_carrier_right_ry_z, r_wheel_front_right_x, r_wheel_front_right_y,
-      r_wheel_front_right_z, b_wheel_front_right_x, s1_67, b_wheel_front_right_z,
-      r_rear_axle_aux1_x, r_rear_axle_aux3_z, R_rear_axle_aux5_x_x, R_rear_axle_aux5_y_x, s1_70,
-      s1_71, b_rear_axle_ry_z, R_rear_axle_x_y, R_rear_axle_x_z, R_rear_axle_y_y, R_rear_axle_y_z,
-      R_rear_axle_z_y, R_rear_axle_z_z, s1_76, b_rear_axle_rx_y, b_rear_axle_rx_z,
-      r_wheel_rear_left_x, r_wheel_rear_left_y, r_wheel_rear_left_z, b_wheel_rear_left_x,
-      b_wheel_rear_left_y, b_wheel_rear_left_z, r_wheel_rear_right_x, r_wheel_rear_right_y,
-      r_wheel_rear_right_z, b_wheel_rear_right_x, b_wheel_rear_right_y, b_wheel_rear_right_z, s1_87,
-      s1_89, s1_91, s1_92, s1_95, s1_100, s1_115, s1_118, s1_121, s1_124, s1_133, s1_142, s1_145,
-      s1_148, s1_155, s1_160, s1_165, s1_168, s1_171, s1_174, s1_177, s1_179, s1_181, s1_182,
-      s1_185, s1_188, s1_190, s1_194, s1_196, s1_198, s1_201, s1_202, s1_205, s1_207, s1_209,
-      s1_210, s1_213, s1_216, s1_233, s1_236, s1_239, s1_242, s1_251, s1_254, s1_257, s1_267,
-      s1_274, s1_279, s1_284, s1_287, s1_290, s1_293, s1_296, s1_298, s1_300, s1_301, s1_304,
-      s1_305, s1_307, s1_308, s1_309, s1_311;
+      R_carrier_left_z_x, R_carrier_left_z_z, r_wheel_front_left_x, r_wheel_front_left_y,
+      r_wheel_front_left_z, r_carrier_right_aux1_y, s1_32, s1_34, R_carrier_right_aux2_y_y,
+      R_carrier_right_aux2_z_y, R_carrier_right_x_x, R_carrier_right_x_z, R_carrier_right_y_x,
+      R_carrier_right_y_z, R_carrier_right_z_x, R_carrier_right_z_z, r_wheel_front_right_x,
+      r_wheel_front_right_y, r_wheel_front_right_z, r_rear_axle_aux1_x, r_rear_axle_aux3_z,
+      R_rear_axle_aux5_x_x, R_rear_axle_aux5_y_x, R_rear_axle_x_y, R_rear_axle_x_z, R_rear_axle_y_y,
+      R_rear_axle_y_z, R_rear_axle_z_y, R_rear_axle_z_z, r_wheel_rear_left_x, r_wheel_rear_left_y,
+      r_wheel_rear_left_z, r_wheel_rear_right_x, r_wheel_rear_right_y, r_wheel_rear_right_z,
+      v_chassis_x, v_chassis_y, v_chassis_z, w_chassis_x, w_chassis_y, w_chassis_z, s4_7,
+      v_lower_arm_left_x, v_lower_arm_left_y, s4_9, v_lower_arm_left_z, w_lower_arm_left_x,
+      v_carrier_left_aux1_x, v_carrier_left_aux1_y, v_carrier_left_aux1_z, w_carrier_left_x,
+      w_carrier_left_y, w_carrier_left_z, v_wheel_front_left_x, v_wheel_front_left_y,
+      v_wheel_front_left_z, w_wheel_front_left_x, w_wheel_front_left_y, w_wheel_front_left_z,
+      v_upper_arm_left_x, v_upper_arm_left_y, v_upper_arm_left_z, w_upper_arm_left_x,
+      v_arb_front_left_x, v_arb_front_left_y, v_arb_front_left_z, w_arb_front_left_y, s4_19,
+      v_lower_arm_right_x, v_lower_arm_right_z, w_lower_arm_right_x, v_carrier_right_aux1_x,
+      v_carrier_right_aux1_y, v_carrier_right_aux1_z, w_carrier_right_x, w_carrier_right_y,
+      w_carrier_right_z, v_wheel_front_right_x, v_wheel_front_right_y, v_wheel_front_right_z,
+      w_wheel_front_right_x, w_wheel_front_right_y, w_wheel_front_right_z, v_upper_arm_right_x,
+      v_upper_arm_right_z, w_upper_arm_right_x, v_arb_front_right_x, v_arb_front_right_z,
+      w_arb_front_right_y, v_pitman_arm_x, v_pitman_arm_y, v_pitman_arm_z, w_pitman_arm_y,
+      v_bell_crank_x, v_bell_crank_y, v_bell_crank_z, w_bell_crank_z, v_rear_axle_aux3_x,
+      v_rear_axle_aux3_y, v_rear_axle_aux3_z, w_rear_axle_x, w_rear_axle_y, w_rear_axle_z,
+      v_wheel_rear_left_x, v_wheel_rear_left_y, v_wheel_rear_left_z, w_wheel_rear_left_x,
+      w_wheel_rear_left_y, w_wheel_rear_left_z, v_arb_rear_left_x, v_arb_rear_left_y,
+      v_arb_rear_left_z, w_arb_rear_left_y, v_wheel_rear_right_x, v_wheel_rear_right_y,
+      v_wheel_rear_right_z, w_wheel_rear_right_x, w_wheel_rear_right_y, w_wheel_rear_right_z,
+      v_arb_rear_right_x, v_arb_rear_right_z, w_arb_rear_right_y, s7_2, s7_4, s7_7, s7_10, s7_13,
+      s7_15, s7_17, s7_20, s7_23, s7_26, s7_27, s7_28, s7_29, s7_30, s7_33, s7_34, s7_37, s7_40,
+      s7_43, s7_44, s7_45, s7_48, s7_51, s7_54, s7_57, s7_60, s7_63, s7_65, s7_67, s7_69, s7_70,
+      s7_75, s7_77, s7_78, s7_79, s7_80, s7_81, s7_82, s7_83, s7_84, s7_85, s7_86, s7_87, s7_88;
 };
 
-/// Part 1 of compute_outputs: step 1: poses, axes b, accumulated inertias MR (50).
+/// Part 1 of compute_outputs: step 1: poses and axes b; step 4: angular velocities; step 7:
+/// inertias of the bodies and forces on joints.
 [[gnu::noinline]] void compute_outputs_1(const State& state,
     OutputsWork& __restrict work) noexcept {
-  // --- step 1: poses, axes b, accumulated inertias MR (50) ---
+  // --- step 1: poses and axes b ---
   const double angles[] = {
       state.z[Coordinate::chassis_rz], state.z[Coordinate::chassis_ry],
       state.z[Coordinate::chassis_rx], state.z[Coordinate::lower_arm_left],
@@ -13072,1540 +12232,1195 @@ struct OutputsWork {
   // chassis_aux5: chassis_ry, revolute, chassis_aux4
   const double R_chassis_aux4_x_x = work.cosines[0];
   const double R_chassis_aux5_z_z = work.cosines[1];
-  work.R_chassis_aux5_x_x = R_chassis_aux4_x_x*R_chassis_aux5_z_z;
+  const double R_chassis_aux5_x_x = R_chassis_aux4_x_x*R_chassis_aux5_z_z;
   const double R_chassis_aux4_y_x = work.sines[0];
-  work.R_chassis_aux5_y_x = R_chassis_aux4_y_x*R_chassis_aux5_z_z;
+  const double R_chassis_aux5_y_x = R_chassis_aux4_y_x*R_chassis_aux5_z_z;
   // chassis: chassis_rx, revolute, chassis_aux5
   const double s1_1 = work.sines[1];
   const double s1_2 = work.sines[2];
   const double s1_3 = s1_1*s1_2;
   const double s1_4 = work.cosines[2];
-  work.R_chassis_x_y = mbgen::fnma(R_chassis_aux4_y_x, s1_4, R_chassis_aux4_x_x*s1_3);
+  const double R_chassis_x_y = mbgen::fnma(R_chassis_aux4_y_x, s1_4, R_chassis_aux4_x_x*s1_3);
   const double s1_5 = s1_1*s1_4;
-  work.R_chassis_x_z = mbgen::fma(R_chassis_aux4_x_x, s1_5, R_chassis_aux4_y_x*s1_2);
-  work.R_chassis_y_y = mbgen::fma(R_chassis_aux4_y_x, s1_3, R_chassis_aux4_x_x*s1_4);
-  work.R_chassis_y_z = mbgen::fnma(R_chassis_aux4_x_x, s1_2, R_chassis_aux4_y_x*s1_5);
+  const double R_chassis_x_z = mbgen::fma(R_chassis_aux4_x_x, s1_5, R_chassis_aux4_y_x*s1_2);
+  const double R_chassis_y_y = mbgen::fma(R_chassis_aux4_y_x, s1_3, R_chassis_aux4_x_x*s1_4);
+  const double R_chassis_y_z = mbgen::fnma(R_chassis_aux4_x_x, s1_2, R_chassis_aux4_y_x*s1_5);
   work.R_chassis_z_y = R_chassis_aux5_z_z*s1_2;
   work.R_chassis_z_z = R_chassis_aux5_z_z*s1_4;
   // carrier_left_aux1: carrier_left_rz, revolute, lower_arm_left
   const double R_lower_arm_left_y_y = work.cosines[3];
   const double s1_6 = work.sines[4];
-  work.R_carrier_left_aux1_y_x = R_lower_arm_left_y_y*s1_6;
+  const double R_carrier_left_aux1_y_x = R_lower_arm_left_y_y*s1_6;
   const double R_carrier_left_aux1_x_x = work.cosines[4];
   const double R_carrier_left_aux1_y_y = R_lower_arm_left_y_y*R_carrier_left_aux1_x_x;
   const double R_lower_arm_left_z_y = work.sines[3];
-  work.R_carrier_left_aux1_z_x = R_lower_arm_left_z_y*s1_6;
+  const double R_carrier_left_aux1_z_x = R_lower_arm_left_z_y*s1_6;
   const double R_carrier_left_aux1_z_y = R_lower_arm_left_z_y*R_carrier_left_aux1_x_x;
-  const double s1_7 = mbgen::fma((-p_carrier_left_rz_z), R_lower_arm_left_z_y, p_lower_arm_left_y);
-  work.r_carrier_left_aux1_y = mbgen::fma(p_carrier_left_rz_y, R_lower_arm_left_y_y, s1_7);
-  const double s1_8 = mbgen::fms(p_carrier_left_rz_y, R_lower_arm_left_z_y, (-p_lower_arm_left_z));
-  work.r_carrier_left_aux1_z = mbgen::fnma((-p_carrier_left_rz_z), R_lower_arm_left_y_y, s1_8);
-  const double s1_9 = R_lower_arm_left_z_y*work.r_carrier_left_aux1_z;
-  work.b_carrier_left_rz_x = mbgen::fma(R_lower_arm_left_y_y, work.r_carrier_left_aux1_y, s1_9);
-  work.s1_10 = p_lower_arm_left_x*R_lower_arm_left_y_y;
-  work.s1_11 = p_lower_arm_left_x*R_lower_arm_left_z_y;
+  const double s1_7 = (-p_carrier_left_rz_z)*R_lower_arm_left_z_y;
+  const double s1_8 = mbgen::fma(p_carrier_left_rz_y, R_lower_arm_left_y_y, s1_7);
+  work.r_carrier_left_aux1_y = p_lower_arm_left_y + s1_8;
+  const double s1_9 = p_carrier_left_rz_y*R_lower_arm_left_z_y;
+  const double s1_10 = mbgen::fnma((-p_carrier_left_rz_z), R_lower_arm_left_y_y, s1_9);
+  work.r_carrier_left_aux1_z = s1_10 - (-p_lower_arm_left_z);
   // carrier_left_aux2: carrier_left_rx, revolute, carrier_left_aux1
-  const double s1_12 = work.cosines[5];
-  work.s1_13 = s1_6*s1_12;
-  const double s1_14 = work.sines[5];
-  const double R_carrier_left_aux2_x_z = s1_6*s1_14;
-  work.R_carrier_left_aux2_y_y = mbgen::fnma(R_lower_arm_left_z_y, s1_14,
-      R_carrier_left_aux1_y_y*s1_12);
-  const double s1_15 = mbgen::fma(R_carrier_left_aux1_y_y, s1_14, R_lower_arm_left_z_y*s1_12);
-  work.R_carrier_left_aux2_z_y = mbgen::fma(R_carrier_left_aux1_z_y, s1_12,
-      R_lower_arm_left_y_y*s1_14);
-  const double R_carrier_left_aux2_z_z = mbgen::fnma(R_carrier_left_aux1_z_y, s1_14,
-      R_lower_arm_left_y_y*s1_12);
-  const double s1_16 = work.R_carrier_left_aux1_z_x*work.r_carrier_left_aux1_y;
-  work.b_carrier_left_rx_x = mbgen::fnma(work.R_carrier_left_aux1_y_x, work.r_carrier_left_aux1_z,
-      s1_16);
-  const double s1_17 = R_carrier_left_aux1_x_x*work.r_carrier_left_aux1_z;
-  work.b_carrier_left_rx_y = mbgen::fnma(p_lower_arm_left_x, work.R_carrier_left_aux1_z_x, s1_17);
-  const double s1_18 = p_lower_arm_left_x*work.R_carrier_left_aux1_y_x;
-  work.b_carrier_left_rx_z = mbgen::fnma(R_carrier_left_aux1_x_x, work.r_carrier_left_aux1_y,
-      s1_18);
+  const double s1_11 = work.cosines[5];
+  work.s1_12 = s1_6*s1_11;
+  const double s1_13 = work.sines[5];
+  const double R_carrier_left_aux2_x_z = s1_6*s1_13;
+  work.R_carrier_left_aux2_y_y = mbgen::fnma(R_lower_arm_left_z_y, s1_13,
+      R_carrier_left_aux1_y_y*s1_11);
+  const double s1_14 = mbgen::fma(R_carrier_left_aux1_y_y, s1_13, R_lower_arm_left_z_y*s1_11);
+  work.R_carrier_left_aux2_z_y = mbgen::fma(R_carrier_left_aux1_z_y, s1_11,
+      R_lower_arm_left_y_y*s1_13);
+  const double R_carrier_left_aux2_z_z = mbgen::fnma(R_carrier_left_aux1_z_y, s1_13,
+      R_lower_arm_left_y_y*s1_11);
   // carrier_left: carrier_left_ry, revolute, carrier_left_aux2
-  const double s1_19 = work.cosines[6];
-  const double s1_20 = work.sines[6];
-  const double s1_21 = R_carrier_left_aux1_x_x*s1_19;
-  work.R_carrier_left_x_x = mbgen::fnma(R_carrier_left_aux2_x_z, s1_20, s1_21);
-  const double s1_22 = R_carrier_left_aux1_x_x*s1_20;
-  work.R_carrier_left_x_z = mbgen::fma(R_carrier_left_aux2_x_z, s1_19, s1_22);
-  work.R_carrier_left_y_x = mbgen::fma(s1_15, s1_20, work.R_carrier_left_aux1_y_x*s1_19);
-  work.R_carrier_left_y_z = mbgen::fnma(s1_15, s1_19, work.R_carrier_left_aux1_y_x*s1_20);
-  const double s1_23 = work.R_carrier_left_aux1_z_x*s1_19;
-  work.R_carrier_left_z_x = mbgen::fnma(R_carrier_left_aux2_z_z, s1_20, s1_23);
-  const double s1_24 = work.R_carrier_left_aux1_z_x*s1_20;
-  work.R_carrier_left_z_z = mbgen::fma(R_carrier_left_aux2_z_z, s1_19, s1_24);
-  const double s1_25 = work.r_carrier_left_aux1_y*work.R_carrier_left_aux2_z_y;
-  work.b_carrier_left_ry_x = mbgen::fnma(work.r_carrier_left_aux1_z, work.R_carrier_left_aux2_y_y,
-      s1_25);
-  const double s1_26 = p_lower_arm_left_x*work.R_carrier_left_aux2_z_y;
-  work.s1_27 = mbgen::fma(work.r_carrier_left_aux1_z, work.s1_13, s1_26);
-  const double s1_28 = p_lower_arm_left_x*work.R_carrier_left_aux2_y_y;
-  work.b_carrier_left_ry_z = mbgen::fma(work.r_carrier_left_aux1_y, work.s1_13, s1_28);
+  const double s1_15 = work.cosines[6];
+  const double s1_16 = work.sines[6];
+  const double s1_17 = R_carrier_left_aux1_x_x*s1_15;
+  work.R_carrier_left_x_x = mbgen::fnma(R_carrier_left_aux2_x_z, s1_16, s1_17);
+  const double s1_18 = R_carrier_left_aux1_x_x*s1_16;
+  work.R_carrier_left_x_z = mbgen::fma(R_carrier_left_aux2_x_z, s1_15, s1_18);
+  work.R_carrier_left_y_x = mbgen::fma(s1_14, s1_16, R_carrier_left_aux1_y_x*s1_15);
+  work.R_carrier_left_y_z = mbgen::fnma(s1_14, s1_15, R_carrier_left_aux1_y_x*s1_16);
+  const double s1_19 = R_carrier_left_aux1_z_x*s1_15;
+  work.R_carrier_left_z_x = mbgen::fnma(R_carrier_left_aux2_z_z, s1_16, s1_19);
+  const double s1_20 = R_carrier_left_aux1_z_x*s1_16;
+  work.R_carrier_left_z_z = mbgen::fma(R_carrier_left_aux2_z_z, s1_15, s1_20);
   // wheel_front_left: wheel_front_left, revolute, carrier_left
-  const double s1_29 = mbgen::fma(p_wheel_front_left_z, work.R_carrier_left_x_z,
-      p_lower_arm_left_x);
-  work.r_wheel_front_left_x = mbgen::fnma(p_wheel_front_left_y, work.s1_13, s1_29);
-  const double s1_30 = mbgen::fma(p_wheel_front_left_y, work.R_carrier_left_aux2_y_y,
-      work.r_carrier_left_aux1_y);
-  work.r_wheel_front_left_y = mbgen::fma(p_wheel_front_left_z, work.R_carrier_left_y_z, s1_30);
-  const double s1_31 = mbgen::fma(p_wheel_front_left_y, work.R_carrier_left_aux2_z_y,
-      work.r_carrier_left_aux1_z);
-  work.r_wheel_front_left_z = mbgen::fma(p_wheel_front_left_z, work.R_carrier_left_z_z, s1_31);
-  const double s1_32 = work.R_carrier_left_aux2_z_y*work.r_wheel_front_left_y;
-  work.b_wheel_front_left_x = mbgen::fnma(work.R_carrier_left_aux2_y_y, work.r_wheel_front_left_z,
-      s1_32);
-  const double s1_33 = work.s1_13*work.r_wheel_front_left_z;
-  work.s1_34 = mbgen::fma(work.R_carrier_left_aux2_z_y, work.r_wheel_front_left_x, s1_33);
-  const double s1_35 = work.s1_13*work.r_wheel_front_left_y;
-  work.b_wheel_front_left_z = mbgen::fma(work.R_carrier_left_aux2_y_y, work.r_wheel_front_left_x,
-      s1_35);
+  const double s1_21 = p_wheel_front_left_z*work.R_carrier_left_x_z;
+  const double s1_22 = mbgen::fnma(p_wheel_front_left_y, work.s1_12, s1_21);
+  work.r_wheel_front_left_x = p_lower_arm_left_x + s1_22;
+  const double s1_23 = p_wheel_front_left_y*work.R_carrier_left_aux2_y_y;
+  const double s1_24 = mbgen::fma(p_wheel_front_left_z, work.R_carrier_left_y_z, s1_23);
+  work.r_wheel_front_left_y = work.r_carrier_left_aux1_y + s1_24;
+  const double s1_25 = p_wheel_front_left_y*work.R_carrier_left_aux2_z_y;
+  const double s1_26 = mbgen::fma(p_wheel_front_left_z, work.R_carrier_left_z_z, s1_25);
+  work.r_wheel_front_left_z = work.r_carrier_left_aux1_z + s1_26;
   // carrier_right_aux1: carrier_right_rz, revolute, lower_arm_right
   const double R_lower_arm_right_y_y = work.cosines[9];
-  const double s1_36 = work.sines[10];
-  work.R_carrier_right_aux1_y_x = R_lower_arm_right_y_y*s1_36;
+  const double s1_27 = work.sines[10];
+  const double R_carrier_right_aux1_y_x = R_lower_arm_right_y_y*s1_27;
   const double R_carrier_right_aux1_x_x = work.cosines[10];
   const double R_carrier_right_aux1_y_y = R_lower_arm_right_y_y*R_carrier_right_aux1_x_x;
   const double R_lower_arm_right_z_y = work.sines[9];
-  work.R_carrier_right_aux1_z_x = R_lower_arm_right_z_y*s1_36;
+  const double R_carrier_right_aux1_z_x = R_lower_arm_right_z_y*s1_27;
   const double R_carrier_right_aux1_z_y = R_lower_arm_right_z_y*R_carrier_right_aux1_x_x;
-  const double s1_37 = mbgen::fms((-p_carrier_right_rz_z), R_lower_arm_right_z_y,
-      (-p_lower_arm_right_y));
-  work.r_carrier_right_aux1_y = mbgen::fnma((-p_carrier_right_rz_y), R_lower_arm_right_y_y, s1_37);
-  const double s1_38 = mbgen::fma((-p_carrier_right_rz_y), R_lower_arm_right_z_y,
-      (-p_lower_arm_right_z));
-  work.s1_39 = mbgen::fma((-p_carrier_right_rz_z), R_lower_arm_right_y_y, s1_38);
-  const double s1_40 = R_lower_arm_right_y_y*work.r_carrier_right_aux1_y;
-  work.b_carrier_right_rz_x = mbgen::fnma(R_lower_arm_right_z_y, work.s1_39, s1_40);
-  work.s1_41 = p_lower_arm_right_x*R_lower_arm_right_y_y;
-  work.s1_42 = p_lower_arm_right_x*R_lower_arm_right_z_y;
+  const double s1_28 = (-p_carrier_right_rz_z)*R_lower_arm_right_z_y;
+  const double s1_29 = mbgen::fnma((-p_carrier_right_rz_y), R_lower_arm_right_y_y, s1_28);
+  work.r_carrier_right_aux1_y = s1_29 - (-p_lower_arm_right_y);
+  const double s1_30 = (-p_carrier_right_rz_y)*R_lower_arm_right_z_y;
+  const double s1_31 = mbgen::fma((-p_carrier_right_rz_z), R_lower_arm_right_y_y, s1_30);
+  work.s1_32 = (-p_lower_arm_right_z) + s1_31;
   // carrier_right_aux2: carrier_right_rx, revolute, carrier_right_aux1
-  const double s1_43 = work.cosines[11];
-  work.s1_44 = s1_36*s1_43;
-  const double s1_45 = work.sines[11];
-  const double R_carrier_right_aux2_x_z = s1_36*s1_45;
-  const double s1_46 = R_carrier_right_aux1_y_y*s1_43;
-  work.R_carrier_right_aux2_y_y = mbgen::fnma(R_lower_arm_right_z_y, s1_45, s1_46);
-  const double s1_47 = mbgen::fma(R_carrier_right_aux1_y_y, s1_45, R_lower_arm_right_z_y*s1_43);
-  work.R_carrier_right_aux2_z_y = mbgen::fma(R_carrier_right_aux1_z_y, s1_43,
-      R_lower_arm_right_y_y*s1_45);
-  const double s1_48 = R_lower_arm_right_y_y*s1_43;
-  const double R_carrier_right_aux2_z_z = mbgen::fnma(R_carrier_right_aux1_z_y, s1_45, s1_48);
-  const double s1_49 = work.R_carrier_right_aux1_z_x*work.r_carrier_right_aux1_y;
-  work.b_carrier_right_rx_x = mbgen::fma(work.R_carrier_right_aux1_y_x, work.s1_39, s1_49);
-  const double s1_50 = p_lower_arm_right_x*work.R_carrier_right_aux1_z_x;
-  work.s1_51 = mbgen::fma(R_carrier_right_aux1_x_x, work.s1_39, s1_50);
-  const double s1_52 = p_lower_arm_right_x*work.R_carrier_right_aux1_y_x;
-  work.b_carrier_right_rx_z = mbgen::fnma(R_carrier_right_aux1_x_x, work.r_carrier_right_aux1_y,
-      s1_52);
+  const double s1_33 = work.cosines[11];
+  work.s1_34 = s1_27*s1_33;
+  const double s1_35 = work.sines[11];
+  const double R_carrier_right_aux2_x_z = s1_27*s1_35;
+  const double s1_36 = R_carrier_right_aux1_y_y*s1_33;
+  work.R_carrier_right_aux2_y_y = mbgen::fnma(R_lower_arm_right_z_y, s1_35, s1_36);
+  const double s1_37 = mbgen::fma(R_carrier_right_aux1_y_y, s1_35, R_lower_arm_right_z_y*s1_33);
+  work.R_carrier_right_aux2_z_y = mbgen::fma(R_carrier_right_aux1_z_y, s1_33,
+      R_lower_arm_right_y_y*s1_35);
+  const double s1_38 = R_lower_arm_right_y_y*s1_33;
+  const double R_carrier_right_aux2_z_z = mbgen::fnma(R_carrier_right_aux1_z_y, s1_35, s1_38);
   // carrier_right: carrier_right_ry, revolute, carrier_right_aux2
-  const double s1_53 = work.cosines[12];
-  const double s1_54 = work.sines[12];
-  const double s1_55 = R_carrier_right_aux1_x_x*s1_53;
-  work.R_carrier_right_x_x = mbgen::fnma(R_carrier_right_aux2_x_z, s1_54, s1_55);
-  const double s1_56 = R_carrier_right_aux1_x_x*s1_54;
-  work.R_carrier_right_x_z = mbgen::fma(R_carrier_right_aux2_x_z, s1_53, s1_56);
-  work.R_carrier_right_y_x = mbgen::fma(s1_47, s1_54, work.R_carrier_right_aux1_y_x*s1_53);
-  work.R_carrier_right_y_z = mbgen::fnma(s1_47, s1_53, work.R_carrier_right_aux1_y_x*s1_54);
-  const double s1_57 = work.R_carrier_right_aux1_z_x*s1_53;
-  work.R_carrier_right_z_x = mbgen::fnma(R_carrier_right_aux2_z_z, s1_54, s1_57);
-  const double s1_58 = work.R_carrier_right_aux1_z_x*s1_54;
-  work.R_carrier_right_z_z = mbgen::fma(R_carrier_right_aux2_z_z, s1_53, s1_58);
-  const double s1_59 = work.s1_39*work.R_carrier_right_aux2_y_y;
-  work.b_carrier_right_ry_x = mbgen::fma(work.r_carrier_right_aux1_y, work.R_carrier_right_aux2_z_y,
-      s1_59);
-  const double s1_60 = work.s1_39*work.s1_44;
-  work.b_carrier_right_ry_y = mbgen::fnma(p_lower_arm_right_x, work.R_carrier_right_aux2_z_y,
-      s1_60);
-  const double s1_61 = p_lower_arm_right_x*work.R_carrier_right_aux2_y_y;
-  work.b_carrier_right_ry_z = mbgen::fma(work.r_carrier_right_aux1_y, work.s1_44, s1_61);
+  const double s1_39 = work.cosines[12];
+  const double s1_40 = work.sines[12];
+  const double s1_41 = R_carrier_right_aux1_x_x*s1_39;
+  work.R_carrier_right_x_x = mbgen::fnma(R_carrier_right_aux2_x_z, s1_40, s1_41);
+  const double s1_42 = R_carrier_right_aux1_x_x*s1_40;
+  work.R_carrier_right_x_z = mbgen::fma(R_carrier_right_aux2_x_z, s1_39, s1_42);
+  work.R_carrier_right_y_x = mbgen::fma(s1_37, s1_40, R_carrier_right_aux1_y_x*s1_39);
+  work.R_carrier_right_y_z = mbgen::fnma(s1_37, s1_39, R_carrier_right_aux1_y_x*s1_40);
+  const double s1_43 = R_carrier_right_aux1_z_x*s1_39;
+  work.R_carrier_right_z_x = mbgen::fnma(R_carrier_right_aux2_z_z, s1_40, s1_43);
+  const double s1_44 = R_carrier_right_aux1_z_x*s1_40;
+  work.R_carrier_right_z_z = mbgen::fma(R_carrier_right_aux2_z_z, s1_39, s1_44);
   // wheel_front_right: wheel_front_right, revolute, carrier_right
-  const double s1_62 = mbgen::fma((-p_wheel_front_right_y), work.s1_44, p_lower_arm_right_x);
-  work.r_wheel_front_right_x = mbgen::fma(p_wheel_front_right_z, work.R_carrier_right_x_z, s1_62);
-  const double s1_63 = mbgen::fma(p_wheel_front_right_z, work.R_carrier_right_y_z,
-      work.r_carrier_right_aux1_y);
-  work.r_wheel_front_right_y = mbgen::fnma((-p_wheel_front_right_y), work.R_carrier_right_aux2_y_y,
-      s1_63);
-  const double s1_64 = mbgen::fms(p_wheel_front_right_z, work.R_carrier_right_z_z, work.s1_39);
-  work.r_wheel_front_right_z = mbgen::fnma((-p_wheel_front_right_y), work.R_carrier_right_aux2_z_y,
-      s1_64);
-  const double s1_65 = work.R_carrier_right_aux2_z_y*work.r_wheel_front_right_y;
-  work.b_wheel_front_right_x = mbgen::fnma(work.R_carrier_right_aux2_y_y,
-      work.r_wheel_front_right_z, s1_65);
-  const double s1_66 = work.s1_44*work.r_wheel_front_right_z;
-  work.s1_67 = mbgen::fma(work.R_carrier_right_aux2_z_y, work.r_wheel_front_right_x, s1_66);
-  const double s1_68 = work.s1_44*work.r_wheel_front_right_y;
-  work.b_wheel_front_right_z = mbgen::fma(work.R_carrier_right_aux2_y_y, work.r_wheel_front_right_x,
-      s1_68);
+  const double s1_45 = (-p_wheel_front_right_y)*work.s1_34;
+  const double s1_46 = mbgen::fma(p_wheel_front_right_z, work.R_carrier_right_x_z, s1_45);
+  work.r_wheel_front_right_x = p_lower_arm_right_x + s1_46;
+  const double s1_47 = p_wheel_front_right_z*work.R_carrier_right_y_z;
+  const double s1_48 = mbgen::fnma((-p_wheel_front_right_y), work.R_carrier_right_aux2_y_y, s1_47);
+  work.r_wheel_front_right_y = work.r_carrier_right_aux1_y + s1_48;
+  const double s1_49 = p_wheel_front_right_z*work.R_carrier_right_z_z;
+  const double s1_50 = mbgen::fnma((-p_wheel_front_right_y), work.R_carrier_right_aux2_z_y, s1_49);
+  work.r_wheel_front_right_z = s1_50 - work.s1_32;
   // rear_axle_aux1: rear_axle_tx, prismatic, chassis
   work.r_rear_axle_aux1_x = state.z[Coordinate::rear_axle_tx] - (-p_rear_axle_tx_x);
   // rear_axle_aux3: rear_axle_tz, prismatic, rear_axle_aux2
-  work.r_rear_axle_aux3_z = state.z[Coordinate::rear_axle_tz] - (-p_rear_axle_tx_z);
+  const double z_rear_axle_tz = state.z[Coordinate::rear_axle_tz];
+  work.r_rear_axle_aux3_z = z_rear_axle_tz - (-p_rear_axle_tx_z);
   // rear_axle_aux5: rear_axle_ry, revolute, rear_axle_aux4
   const double R_rear_axle_aux4_x_x = work.cosines[17];
   const double R_rear_axle_aux5_z_z = work.cosines[18];
   work.R_rear_axle_aux5_x_x = R_rear_axle_aux4_x_x*R_rear_axle_aux5_z_z;
-  const double s1_69 = work.sines[18];
-  const double R_rear_axle_aux5_x_z = R_rear_axle_aux4_x_x*s1_69;
+  const double s1_51 = work.sines[18];
+  const double R_rear_axle_aux5_x_z = R_rear_axle_aux4_x_x*s1_51;
   const double R_rear_axle_aux4_y_x = work.sines[17];
   work.R_rear_axle_aux5_y_x = R_rear_axle_aux4_y_x*R_rear_axle_aux5_z_z;
-  const double R_rear_axle_aux5_y_z = R_rear_axle_aux4_y_x*s1_69;
-  work.s1_70 = work.r_rear_axle_aux3_z*R_rear_axle_aux4_x_x;
-  work.s1_71 = work.r_rear_axle_aux3_z*R_rear_axle_aux4_y_x;
-  const double z_rear_axle_ty = state.z[Coordinate::rear_axle_ty];
-  const double s1_72 = z_rear_axle_ty*R_rear_axle_aux4_y_x;
-  work.b_rear_axle_ry_z = mbgen::fma(work.r_rear_axle_aux1_x, R_rear_axle_aux4_x_x, s1_72);
+  const double R_rear_axle_aux5_y_z = R_rear_axle_aux4_y_x*s1_51;
   // rear_axle: rear_axle_rx, revolute, rear_axle_aux5
-  const double s1_73 = work.sines[19];
-  const double s1_74 = work.cosines[19];
-  work.R_rear_axle_x_y = mbgen::fnma(R_rear_axle_aux4_y_x, s1_74, R_rear_axle_aux5_x_z*s1_73);
-  work.R_rear_axle_x_z = mbgen::fma(R_rear_axle_aux5_x_z, s1_74, R_rear_axle_aux4_y_x*s1_73);
-  work.R_rear_axle_y_y = mbgen::fma(R_rear_axle_aux5_y_z, s1_73, R_rear_axle_aux4_x_x*s1_74);
-  work.R_rear_axle_y_z = mbgen::fnma(R_rear_axle_aux4_x_x, s1_73, R_rear_axle_aux5_y_z*s1_74);
-  work.R_rear_axle_z_y = R_rear_axle_aux5_z_z*s1_73;
-  work.R_rear_axle_z_z = R_rear_axle_aux5_z_z*s1_74;
-  const double s1_75 = z_rear_axle_ty*s1_69;
-  work.s1_76 = mbgen::fma(work.r_rear_axle_aux3_z, work.R_rear_axle_aux5_y_x, s1_75);
-  const double s1_77 = work.r_rear_axle_aux1_x*s1_69;
-  work.b_rear_axle_rx_y = mbgen::fma(work.r_rear_axle_aux3_z, work.R_rear_axle_aux5_x_x, s1_77);
-  const double s1_78 = work.r_rear_axle_aux1_x*work.R_rear_axle_aux5_y_x;
-  work.b_rear_axle_rx_z = mbgen::fnma(z_rear_axle_ty, work.R_rear_axle_aux5_x_x, s1_78);
+  const double s1_52 = work.sines[19];
+  const double s1_53 = work.cosines[19];
+  work.R_rear_axle_x_y = mbgen::fnma(R_rear_axle_aux4_y_x, s1_53, R_rear_axle_aux5_x_z*s1_52);
+  work.R_rear_axle_x_z = mbgen::fma(R_rear_axle_aux5_x_z, s1_53, R_rear_axle_aux4_y_x*s1_52);
+  work.R_rear_axle_y_y = mbgen::fma(R_rear_axle_aux5_y_z, s1_52, R_rear_axle_aux4_x_x*s1_53);
+  work.R_rear_axle_y_z = mbgen::fnma(R_rear_axle_aux4_x_x, s1_52, R_rear_axle_aux5_y_z*s1_53);
+  work.R_rear_axle_z_y = R_rear_axle_aux5_z_z*s1_52;
+  work.R_rear_axle_z_z = R_rear_axle_aux5_z_z*s1_53;
   // wheel_rear_left: wheel_rear_left, revolute, rear_axle
-  work.r_wheel_rear_left_x = mbgen::fma(p_wheel_rear_left_y, work.R_rear_axle_x_y,
-      work.r_rear_axle_aux1_x);
-  work.r_wheel_rear_left_y = mbgen::fma(p_wheel_rear_left_y, work.R_rear_axle_y_y, z_rear_axle_ty);
-  work.r_wheel_rear_left_z = mbgen::fma(p_wheel_rear_left_y, work.R_rear_axle_z_y,
-      work.r_rear_axle_aux3_z);
-  const double s1_79 = work.R_rear_axle_z_y*work.r_wheel_rear_left_y;
-  work.b_wheel_rear_left_x = mbgen::fnma(work.R_rear_axle_y_y, work.r_wheel_rear_left_z, s1_79);
-  const double s1_80 = work.R_rear_axle_x_y*work.r_wheel_rear_left_z;
-  work.b_wheel_rear_left_y = mbgen::fnma(work.R_rear_axle_z_y, work.r_wheel_rear_left_x, s1_80);
-  const double s1_81 = work.R_rear_axle_y_y*work.r_wheel_rear_left_x;
-  work.b_wheel_rear_left_z = mbgen::fnma(work.R_rear_axle_x_y, work.r_wheel_rear_left_y, s1_81);
+  const double s1_54 = p_wheel_rear_left_y*work.R_rear_axle_x_y;
+  work.r_wheel_rear_left_x = work.r_rear_axle_aux1_x + s1_54;
+  const double s1_55 = p_wheel_rear_left_y*work.R_rear_axle_y_y;
+  const double z_rear_axle_ty = state.z[Coordinate::rear_axle_ty];
+  work.r_wheel_rear_left_y = z_rear_axle_ty + s1_55;
+  const double s1_56 = p_wheel_rear_left_y*work.R_rear_axle_z_y;
+  work.r_wheel_rear_left_z = work.r_rear_axle_aux3_z + s1_56;
   // wheel_rear_right: wheel_rear_right, revolute, rear_axle
-  work.r_wheel_rear_right_x = mbgen::fnma(p_wheel_rear_left_y, work.R_rear_axle_x_y,
-      work.r_rear_axle_aux1_x);
-  work.r_wheel_rear_right_y = mbgen::fnma(p_wheel_rear_left_y, work.R_rear_axle_y_y,
-      z_rear_axle_ty);
-  work.r_wheel_rear_right_z = mbgen::fnma(p_wheel_rear_left_y, work.R_rear_axle_z_y,
-      work.r_rear_axle_aux3_z);
-  const double s1_82 = work.R_rear_axle_z_y*work.r_wheel_rear_right_y;
-  work.b_wheel_rear_right_x = mbgen::fnma(work.R_rear_axle_y_y, work.r_wheel_rear_right_z, s1_82);
-  const double s1_83 = work.R_rear_axle_x_y*work.r_wheel_rear_right_z;
-  work.b_wheel_rear_right_y = mbgen::fnma(work.R_rear_axle_z_y, work.r_wheel_rear_right_x, s1_83);
-  const double s1_84 = work.R_rear_axle_y_y*work.r_wheel_rear_right_x;
-  work.b_wheel_rear_right_z = mbgen::fnma(work.R_rear_axle_x_y, work.r_wheel_rear_right_y, s1_84);
-  // lower_arm_left: lower_arm_left, revolute, chassis
-  const double s1_85 = I_lower_arm_left_zz*R_lower_arm_left_y_y;
-  const double s1_86 = mbgen::fms(c_lower_arm_left_y, R_lower_arm_left_z_y, (-p_lower_arm_left_z));
-  work.s1_87 = mbgen::fnma((-c_lower_arm_left_z), R_lower_arm_left_y_y, s1_86);
-  const double s1_88 = mbgen::fma((-c_lower_arm_left_z), R_lower_arm_left_z_y, p_lower_arm_left_y);
-  work.s1_89 = mbgen::fma(c_lower_arm_left_y, R_lower_arm_left_y_y, s1_88);
-  const double s1_90 = I_lower_arm_left_yy*R_lower_arm_left_z_y;
-  work.s1_91 = mbgen::fnma(R_lower_arm_left_z_y, s1_85, R_lower_arm_left_y_y*s1_90);
-  work.s1_92 = mbgen::fma(R_lower_arm_left_y_y, s1_85, R_lower_arm_left_z_y*s1_90);
-  const double s1_93 = R_lower_arm_left_z_y*(I_lower_arm_left_zz*R_lower_arm_left_z_y);
-  const double s1_94 = I_lower_arm_left_yy*R_lower_arm_left_y_y;
-  work.s1_95 = mbgen::fma(R_lower_arm_left_y_y, s1_94, s1_93);
-  // carrier_left: carrier_left_ry, revolute, carrier_left_aux2
-  const double s1_96 = I_carrier_left_yy*work.s1_13;
-  const double s1_97 = mbgen::fma((-I_carrier_left_yz), work.R_carrier_left_x_z, s1_96);
-  const double s1_98 = mbgen::fma(c_carrier_left_y, work.R_carrier_left_aux2_z_y,
-      work.r_carrier_left_aux1_z);
-  const double s1_99 = mbgen::fma(c_carrier_left_z, work.R_carrier_left_z_z, s1_98);
-  work.s1_100 = mbgen::fnma((-c_carrier_left_x), work.R_carrier_left_z_x, s1_99);
-  const double s1_101 = I_carrier_left_yy*work.R_carrier_left_aux2_z_y;
-  const double s1_102 = mbgen::fnma((-I_carrier_left_yz), work.R_carrier_left_z_z, s1_101);
-  const double s1_103 = mbgen::fnma((-I_carrier_left_xy), work.R_carrier_left_z_x, s1_102);
-  const double s1_104 = I_carrier_left_yy*work.R_carrier_left_aux2_y_y;
-  const double s1_105 = mbgen::fnma((-I_carrier_left_xy), work.R_carrier_left_y_x, s1_104);
-  const double s1_106 = mbgen::fnma((-I_carrier_left_yz), work.R_carrier_left_y_z, s1_105);
-  const double s1_107 = I_carrier_left_xx*work.R_carrier_left_z_x;
-  const double s1_108 = mbgen::fnma((-I_carrier_left_xz), work.R_carrier_left_z_z, s1_107);
-  const double s1_109 = mbgen::fnma((-I_carrier_left_xy), work.R_carrier_left_aux2_z_y, s1_108);
-  const double s1_110 = I_carrier_left_zz*work.R_carrier_left_z_z;
-  const double s1_111 = mbgen::fnma((-I_carrier_left_xz), work.R_carrier_left_z_x, s1_110);
-  const double s1_112 = mbgen::fnma((-I_carrier_left_yz), work.R_carrier_left_aux2_z_y, s1_111);
-  const double s1_113 = work.R_carrier_left_aux2_y_y*s1_103;
-  const double s1_114 = mbgen::fma(work.R_carrier_left_y_x, s1_109, s1_113);
-  work.s1_115 = mbgen::fma(work.R_carrier_left_y_z, s1_112, s1_114);
-  const double s1_116 = mbgen::fma(c_carrier_left_y, work.R_carrier_left_aux2_y_y,
-      work.r_carrier_left_aux1_y);
-  const double s1_117 = mbgen::fma(c_carrier_left_z, work.R_carrier_left_y_z, s1_116);
-  work.s1_118 = mbgen::fnma((-c_carrier_left_x), work.R_carrier_left_y_x, s1_117);
-  const double s1_119 = work.R_carrier_left_x_z*s1_112;
-  const double s1_120 = mbgen::fma(work.R_carrier_left_x_x, s1_109, s1_119);
-  work.s1_121 = mbgen::fnma(work.s1_13, s1_103, s1_120);
-  const double s1_122 = mbgen::fma(c_carrier_left_z, work.R_carrier_left_x_z, p_lower_arm_left_x);
-  const double s1_123 = mbgen::fnma((-c_carrier_left_x), work.R_carrier_left_x_x, s1_122);
-  work.s1_124 = mbgen::fnma(c_carrier_left_y, work.s1_13, s1_123);
-  const double s1_125 = I_carrier_left_zz*work.R_carrier_left_y_z;
-  const double s1_126 = mbgen::fnma((-I_carrier_left_xz), work.R_carrier_left_y_x, s1_125);
-  const double s1_127 = mbgen::fnma((-I_carrier_left_yz), work.R_carrier_left_aux2_y_y, s1_126);
-  const double s1_128 = I_carrier_left_xx*work.R_carrier_left_y_x;
-  const double s1_129 = mbgen::fnma((-I_carrier_left_xz), work.R_carrier_left_y_z, s1_128);
-  const double s1_130 = mbgen::fnma((-I_carrier_left_xy), work.R_carrier_left_aux2_y_y, s1_129);
-  const double s1_131 = work.R_carrier_left_x_z*s1_127;
-  const double s1_132 = mbgen::fma(work.R_carrier_left_x_x, s1_130, s1_131);
-  work.s1_133 = mbgen::fnma(work.s1_13, s1_106, s1_132);
-  const double s1_134 = (-I_carrier_left_yz)*work.s1_13;
-  const double s1_135 = mbgen::fma(I_carrier_left_zz, work.R_carrier_left_x_z, s1_134);
-  const double s1_136 = (-I_carrier_left_xy)*work.s1_13;
-  const double s1_137 = mbgen::fma(I_carrier_left_xx, work.R_carrier_left_x_x, s1_136);
-  const double s1_138 = mbgen::fma((-I_carrier_left_xy), work.R_carrier_left_x_x, s1_97);
-  const double s1_139 = mbgen::fnma((-I_carrier_left_xz), work.R_carrier_left_x_x, s1_135);
-  const double s1_140 = mbgen::fnma((-I_carrier_left_xz), work.R_carrier_left_x_z, s1_137);
-  const double s1_141 = mbgen::fma(work.R_carrier_left_x_z, s1_139, work.s1_13*s1_138);
-  work.s1_142 = mbgen::fma(work.R_carrier_left_x_x, s1_140, s1_141);
-  const double s1_143 = work.R_carrier_left_aux2_z_y*s1_103;
-  const double s1_144 = mbgen::fma(work.R_carrier_left_z_z, s1_112, s1_143);
-  work.s1_145 = mbgen::fma(work.R_carrier_left_z_x, s1_109, s1_144);
-  const double s1_146 = work.R_carrier_left_aux2_y_y*s1_106;
-  const double s1_147 = mbgen::fma(work.R_carrier_left_y_x, s1_130, s1_146);
-  work.s1_148 = mbgen::fma(work.R_carrier_left_y_z, s1_127, s1_147);
-  // wheel_front_left: wheel_front_left, revolute, carrier_left
-  const double s1_149 = I_wheel_front_left_yy*work.R_carrier_left_aux2_z_y;
-  const double s1_150 = I_wheel_front_left_yy*work.R_carrier_left_aux2_y_y;
-  const double s1_151 = I_wheel_front_left_zz*work.R_carrier_left_z_z;
-  const double s1_152 = I_wheel_front_left_xx*work.R_carrier_left_z_x;
-  const double s1_153 = work.R_carrier_left_aux2_z_y*s1_149;
-  const double s1_154 = mbgen::fma(work.R_carrier_left_z_z, s1_151, s1_153);
-  work.s1_155 = mbgen::fma(work.R_carrier_left_z_x, s1_152, s1_154);
-  const double s1_156 = I_wheel_front_left_xx*work.R_carrier_left_y_x;
-  const double s1_157 = I_wheel_front_left_zz*work.R_carrier_left_y_z;
-  const double s1_158 = work.R_carrier_left_aux2_y_y*s1_150;
-  const double s1_159 = mbgen::fma(work.R_carrier_left_y_x, s1_156, s1_158);
-  work.s1_160 = mbgen::fma(work.R_carrier_left_y_z, s1_157, s1_159);
-  const double s1_161 = I_wheel_front_left_zz*work.R_carrier_left_x_z;
-  const double s1_162 = work.s1_13*(I_wheel_front_left_yy*work.s1_13);
-  const double s1_163 = mbgen::fma(work.R_carrier_left_x_z, s1_161, s1_162);
-  const double s1_164 = I_wheel_front_left_xx*work.R_carrier_left_x_x;
-  work.s1_165 = mbgen::fma(work.R_carrier_left_x_x, s1_164, s1_163);
-  const double s1_166 = work.R_carrier_left_aux2_y_y*s1_149;
-  const double s1_167 = mbgen::fma(work.R_carrier_left_y_x, s1_152, s1_166);
-  work.s1_168 = mbgen::fma(work.R_carrier_left_y_z, s1_151, s1_167);
-  const double s1_169 = work.R_carrier_left_x_z*s1_151;
-  const double s1_170 = mbgen::fma(work.R_carrier_left_x_x, s1_152, s1_169);
-  work.s1_171 = mbgen::fnma(work.s1_13, s1_149, s1_170);
-  const double s1_172 = work.R_carrier_left_x_z*s1_157;
-  const double s1_173 = mbgen::fma(work.R_carrier_left_x_x, s1_156, s1_172);
-  work.s1_174 = mbgen::fnma(work.s1_13, s1_150, s1_173);
-  // upper_arm_left: upper_arm_left, revolute, chassis
-  const double R_upper_arm_left_z_y = work.sines[7];
-  const double R_upper_arm_left_y_y = work.cosines[7];
-  const double s1_175 = I_upper_arm_left_zz*R_upper_arm_left_y_y;
-  const double s1_176 = mbgen::fms(c_upper_arm_left_y, R_upper_arm_left_z_y, (-p_upper_arm_left_z));
-  work.s1_177 = mbgen::fnma((-c_upper_arm_left_z), R_upper_arm_left_y_y, s1_176);
-  const double s1_178 = mbgen::fma((-c_upper_arm_left_z), R_upper_arm_left_z_y, p_upper_arm_left_y);
-  work.s1_179 = mbgen::fma(c_upper_arm_left_y, R_upper_arm_left_y_y, s1_178);
-  const double s1_180 = I_upper_arm_left_yy*R_upper_arm_left_z_y;
-  work.s1_181 = mbgen::fnma(R_upper_arm_left_z_y, s1_175, R_upper_arm_left_y_y*s1_180);
-  work.s1_182 = mbgen::fma(R_upper_arm_left_y_y, s1_175, R_upper_arm_left_z_y*s1_180);
-  const double s1_183 = R_upper_arm_left_z_y*(I_upper_arm_left_zz*R_upper_arm_left_z_y);
-  const double s1_184 = I_upper_arm_left_yy*R_upper_arm_left_y_y;
-  work.s1_185 = mbgen::fma(R_upper_arm_left_y_y, s1_184, s1_183);
-  // arb_front_left: arb_front_left, revolute, chassis
-  const double R_arb_front_left_x_z = work.sines[8];
-  const double s1_186 = I_arb_front_left_xz*R_arb_front_left_x_z;
-  const double R_arb_front_left_x_x = work.cosines[8];
-  const double s1_187 = I_arb_front_left_xy*R_arb_front_left_x_z;
-  work.s1_188 = mbgen::fma((-I_arb_front_left_yz), R_arb_front_left_x_x, s1_187);
-  const double s1_189 = mbgen::fms((-c_arb_front_left_x), R_arb_front_left_x_z,
-      (-p_arb_front_left_z));
-  work.s1_190 = mbgen::fma(c_arb_front_left_z, R_arb_front_left_x_x, s1_189);
-  const double s1_191 = I_arb_front_left_xz*R_arb_front_left_x_x;
-  const double s1_192 = mbgen::fnma(I_arb_front_left_xx, R_arb_front_left_x_z, s1_191);
-  const double s1_193 = I_arb_front_left_xy*R_arb_front_left_x_x;
-  work.s1_194 = mbgen::fnma((-I_arb_front_left_yz), R_arb_front_left_x_z, s1_193);
-  const double s1_195 = mbgen::fma(c_arb_front_left_z, R_arb_front_left_x_z, p_arb_front_left_x);
-  work.s1_196 = mbgen::fnma((-c_arb_front_left_x), R_arb_front_left_x_x, s1_195);
-  const double s1_197 = mbgen::fms(I_arb_front_left_zz, R_arb_front_left_x_x, s1_186);
-  work.s1_198 = mbgen::fma(R_arb_front_left_x_x, s1_192, R_arb_front_left_x_z*s1_197);
-  const double s1_199 = mbgen::fma(I_arb_front_left_zz, R_arb_front_left_x_z, s1_191);
-  const double s1_200 = mbgen::fma(I_arb_front_left_xx, R_arb_front_left_x_x, s1_186);
-  work.s1_201 = mbgen::fma(R_arb_front_left_x_x, s1_200, R_arb_front_left_x_z*s1_199);
-  work.s1_202 = mbgen::fnma(R_arb_front_left_x_z, s1_192, R_arb_front_left_x_x*s1_197);
-  // lower_arm_right: lower_arm_right, revolute, chassis
-  const double s1_203 = I_lower_arm_right_zz*R_lower_arm_right_y_y;
-  const double s1_204 = mbgen::fma((-c_lower_arm_right_y), R_lower_arm_right_z_y,
-      (-p_lower_arm_right_z));
-  work.s1_205 = mbgen::fma((-c_lower_arm_right_z), R_lower_arm_right_y_y, s1_204);
-  const double s1_206 = mbgen::fms((-c_lower_arm_right_z), R_lower_arm_right_z_y,
-      (-p_lower_arm_right_y));
-  work.s1_207 = mbgen::fnma((-c_lower_arm_right_y), R_lower_arm_right_y_y, s1_206);
-  const double s1_208 = I_lower_arm_right_yy*R_lower_arm_right_z_y;
-  work.s1_209 = mbgen::fnma(R_lower_arm_right_z_y, s1_203, R_lower_arm_right_y_y*s1_208);
-  work.s1_210 = mbgen::fma(R_lower_arm_right_y_y, s1_203, R_lower_arm_right_z_y*s1_208);
-  const double s1_211 = R_lower_arm_right_z_y*(I_lower_arm_right_zz*R_lower_arm_right_z_y);
-  const double s1_212 = I_lower_arm_right_yy*R_lower_arm_right_y_y;
-  work.s1_213 = mbgen::fma(R_lower_arm_right_y_y, s1_212, s1_211);
-  // carrier_right: carrier_right_ry, revolute, carrier_right_aux2
-  const double s1_214 = mbgen::fms(c_carrier_right_z, work.R_carrier_right_z_z, work.s1_39);
-  const double s1_215 = mbgen::fnma((-c_carrier_right_x), work.R_carrier_right_z_x, s1_214);
-  work.s1_216 = mbgen::fnma((-c_carrier_right_y), work.R_carrier_right_aux2_z_y, s1_215);
-  const double s1_217 = I_carrier_right_yy*work.R_carrier_right_aux2_z_y;
-  const double s1_218 = mbgen::fma(I_carrier_right_yz, work.R_carrier_right_z_z, s1_217);
-  const double s1_219 = mbgen::fma(I_carrier_right_xy, work.R_carrier_right_z_x, s1_218);
-  const double s1_220 = I_carrier_right_yy*work.R_carrier_right_aux2_y_y;
-  const double s1_221 = mbgen::fma(I_carrier_right_xy, work.R_carrier_right_y_x, s1_220);
-  const double s1_222 = mbgen::fma(I_carrier_right_yz, work.R_carrier_right_y_z, s1_221);
-  const double s1_223 = I_carrier_right_yz*work.R_carrier_right_x_z;
-  const double s1_224 = mbgen::fma(I_carrier_right_xy, work.R_carrier_right_x_x, s1_223);
-  const double s1_225 = I_carrier_right_xy*work.R_carrier_right_aux2_z_y;
-  const double s1_226 = mbgen::fma(I_carrier_right_xx, work.R_carrier_right_z_x, s1_225);
-  const double s1_227 = mbgen::fnma((-I_carrier_right_xz), work.R_carrier_right_z_z, s1_226);
-  const double s1_228 = I_carrier_right_yz*work.R_carrier_right_aux2_z_y;
-  const double s1_229 = mbgen::fma(I_carrier_right_zz, work.R_carrier_right_z_z, s1_228);
-  const double s1_230 = mbgen::fnma((-I_carrier_right_xz), work.R_carrier_right_z_x, s1_229);
-  const double s1_231 = work.R_carrier_right_aux2_y_y*s1_219;
-  const double s1_232 = mbgen::fma(work.R_carrier_right_y_x, s1_227, s1_231);
-  work.s1_233 = mbgen::fma(work.R_carrier_right_y_z, s1_230, s1_232);
-  const double s1_234 = mbgen::fma(c_carrier_right_z, work.R_carrier_right_y_z,
-      work.r_carrier_right_aux1_y);
-  const double s1_235 = mbgen::fnma((-c_carrier_right_x), work.R_carrier_right_y_x, s1_234);
-  work.s1_236 = mbgen::fnma((-c_carrier_right_y), work.R_carrier_right_aux2_y_y, s1_235);
-  const double s1_237 = work.R_carrier_right_x_z*s1_230;
-  const double s1_238 = mbgen::fma(work.R_carrier_right_x_x, s1_227, s1_237);
-  work.s1_239 = mbgen::fnma(work.s1_44, s1_219, s1_238);
-  const double s1_240 = mbgen::fma((-c_carrier_right_y), work.s1_44, p_lower_arm_right_x);
-  const double s1_241 = mbgen::fma(c_carrier_right_z, work.R_carrier_right_x_z, s1_240);
-  work.s1_242 = mbgen::fnma((-c_carrier_right_x), work.R_carrier_right_x_x, s1_241);
-  const double s1_243 = I_carrier_right_yz*work.R_carrier_right_aux2_y_y;
-  const double s1_244 = mbgen::fma(I_carrier_right_zz, work.R_carrier_right_y_z, s1_243);
-  const double s1_245 = mbgen::fnma((-I_carrier_right_xz), work.R_carrier_right_y_x, s1_244);
-  const double s1_246 = I_carrier_right_xy*work.R_carrier_right_aux2_y_y;
-  const double s1_247 = mbgen::fma(I_carrier_right_xx, work.R_carrier_right_y_x, s1_246);
-  const double s1_248 = mbgen::fnma((-I_carrier_right_xz), work.R_carrier_right_y_z, s1_247);
-  const double s1_249 = work.R_carrier_right_x_z*s1_245;
-  const double s1_250 = mbgen::fma(work.R_carrier_right_x_x, s1_248, s1_249);
-  work.s1_251 = mbgen::fnma(work.s1_44, s1_222, s1_250);
-  const double s1_252 = work.R_carrier_right_aux2_z_y*s1_219;
-  const double s1_253 = mbgen::fma(work.R_carrier_right_z_z, s1_230, s1_252);
-  work.s1_254 = mbgen::fma(work.R_carrier_right_z_x, s1_227, s1_253);
-  const double s1_255 = work.R_carrier_right_aux2_y_y*s1_222;
-  const double s1_256 = mbgen::fma(work.R_carrier_right_y_x, s1_248, s1_255);
-  work.s1_257 = mbgen::fma(work.R_carrier_right_y_z, s1_245, s1_256);
-  const double s1_258 = I_carrier_right_zz*work.R_carrier_right_x_z;
-  const double s1_259 = mbgen::fnma((-I_carrier_right_xz), work.R_carrier_right_x_x, s1_258);
-  const double s1_260 = I_carrier_right_xx*work.R_carrier_right_x_x;
-  const double s1_261 = mbgen::fnma((-I_carrier_right_xz), work.R_carrier_right_x_z, s1_260);
-  const double s1_262 = mbgen::fnma(I_carrier_right_yz, work.s1_44, s1_259);
-  const double s1_263 = mbgen::fnma(I_carrier_right_xy, work.s1_44, s1_261);
-  const double s1_264 = work.R_carrier_right_x_z*s1_262;
-  const double s1_265 = mbgen::fma(work.R_carrier_right_x_x, s1_263, s1_264);
-  const double s1_266 = mbgen::fnma(I_carrier_right_yy, work.s1_44, s1_224);
-  work.s1_267 = mbgen::fnma(work.s1_44, s1_266, s1_265);
-  // wheel_front_right: wheel_front_right, revolute, carrier_right
-  const double s1_268 = I_wheel_front_right_yy*work.R_carrier_right_aux2_z_y;
-  const double s1_269 = I_wheel_front_right_yy*work.R_carrier_right_aux2_y_y;
-  const double s1_270 = I_wheel_front_right_zz*work.R_carrier_right_z_z;
-  const double s1_271 = I_wheel_front_right_xx*work.R_carrier_right_z_x;
-  const double s1_272 = work.R_carrier_right_aux2_z_y*s1_268;
-  const double s1_273 = mbgen::fma(work.R_carrier_right_z_z, s1_270, s1_272);
-  work.s1_274 = mbgen::fma(work.R_carrier_right_z_x, s1_271, s1_273);
-  const double s1_275 = I_wheel_front_right_xx*work.R_carrier_right_y_x;
-  const double s1_276 = I_wheel_front_right_zz*work.R_carrier_right_y_z;
-  const double s1_277 = work.R_carrier_right_aux2_y_y*s1_269;
-  const double s1_278 = mbgen::fma(work.R_carrier_right_y_x, s1_275, s1_277);
-  work.s1_279 = mbgen::fma(work.R_carrier_right_y_z, s1_276, s1_278);
-  const double s1_280 = I_wheel_front_right_zz*work.R_carrier_right_x_z;
-  const double s1_281 = work.s1_44*(I_wheel_front_right_yy*work.s1_44);
-  const double s1_282 = mbgen::fma(work.R_carrier_right_x_z, s1_280, s1_281);
-  const double s1_283 = I_wheel_front_right_xx*work.R_carrier_right_x_x;
-  work.s1_284 = mbgen::fma(work.R_carrier_right_x_x, s1_283, s1_282);
-  const double s1_285 = work.R_carrier_right_aux2_y_y*s1_268;
-  const double s1_286 = mbgen::fma(work.R_carrier_right_y_x, s1_271, s1_285);
-  work.s1_287 = mbgen::fma(work.R_carrier_right_y_z, s1_270, s1_286);
-  const double s1_288 = work.R_carrier_right_x_z*s1_270;
-  const double s1_289 = mbgen::fma(work.R_carrier_right_x_x, s1_271, s1_288);
-  work.s1_290 = mbgen::fnma(work.s1_44, s1_268, s1_289);
-  const double s1_291 = work.R_carrier_right_x_z*s1_276;
-  const double s1_292 = mbgen::fma(work.R_carrier_right_x_x, s1_275, s1_291);
-  work.s1_293 = mbgen::fnma(work.s1_44, s1_269, s1_292);
-  // upper_arm_right: upper_arm_right, revolute, chassis
-  const double R_upper_arm_right_z_y = work.sines[13];
-  const double R_upper_arm_right_y_y = work.cosines[13];
-  const double s1_294 = I_upper_arm_right_zz*R_upper_arm_right_y_y;
-  const double s1_295 = mbgen::fma((-c_upper_arm_right_y), R_upper_arm_right_z_y,
-      (-p_upper_arm_right_z));
-  work.s1_296 = mbgen::fma((-c_upper_arm_right_z), R_upper_arm_right_y_y, s1_295);
-  const double s1_297 = mbgen::fms((-c_upper_arm_right_z), R_upper_arm_right_z_y,
-      (-p_upper_arm_right_y));
-  work.s1_298 = mbgen::fnma((-c_upper_arm_right_y), R_upper_arm_right_y_y, s1_297);
-  const double s1_299 = I_upper_arm_right_yy*R_upper_arm_right_z_y;
-  work.s1_300 = mbgen::fnma(R_upper_arm_right_z_y, s1_294, R_upper_arm_right_y_y*s1_299);
-  work.s1_301 = mbgen::fma(R_upper_arm_right_y_y, s1_294, R_upper_arm_right_z_y*s1_299);
-  const double s1_302 = R_upper_arm_right_z_y*(I_upper_arm_right_zz*R_upper_arm_right_z_y);
-  const double s1_303 = I_upper_arm_right_yy*R_upper_arm_right_y_y;
-  work.s1_304 = mbgen::fma(R_upper_arm_right_y_y, s1_303, s1_302);
-  // arb_front_right: arb_front_right, revolute, chassis
-  const double R_arb_front_right_x_z = work.sines[14];
-  work.s1_305 = I_arb_front_right_xz*R_arb_front_right_x_z;
-  const double R_arb_front_right_x_x = work.cosines[14];
-  const double s1_306 = mbgen::fms((-c_arb_front_right_x), R_arb_front_right_x_z,
-      (-p_arb_front_right_z));
-  work.s1_307 = mbgen::fma(c_arb_front_right_z, R_arb_front_right_x_x, s1_306);
-  work.s1_308 = I_arb_front_right_xz*R_arb_front_right_x_x;
-  work.s1_309 = mbgen::fnma(I_arb_front_right_xx, R_arb_front_right_x_z, work.s1_308);
-  const double s1_310 = (-I_arb_front_right_xy)*R_arb_front_right_x_z;
-  work.s1_311 = mbgen::fma(I_arb_front_right_yz, R_arb_front_right_x_x, s1_310);
-}
+  work.r_wheel_rear_right_x = work.r_rear_axle_aux1_x - s1_54;
+  work.r_wheel_rear_right_y = z_rear_axle_ty - s1_55;
+  work.r_wheel_rear_right_z = work.r_rear_axle_aux3_z - s1_56;
+  // operations: 57 add, 103 multiply, 44 sin cos
 
-/// Part 2 of compute_outputs: step 1: poses, axes b, accumulated inertias MR (50); step 4:
-/// velocities Z (36); step 7: accelerations Zdot and accumulated forces QR - PR (51), (52); step 9:
-/// independent and all accelerations (63), (62).
-[[gnu::noinline]] void compute_outputs_2(const State& state, const double* tau,
-    OutputsWork& __restrict work, Outputs& __restrict result) noexcept {
-  // --- step 1: poses, axes b, accumulated inertias MR (50), continued ---
-  // arb_front_right: arb_front_right, revolute, chassis
-  const double R_arb_front_right_x_z = work.sines[14];
-  const double R_arb_front_right_x_x = work.cosines[14];
-  const double s1_312 = I_arb_front_right_yz*R_arb_front_right_x_z;
-  const double s1_313 = mbgen::fnma((-I_arb_front_right_xy), R_arb_front_right_x_x, s1_312);
-  const double s1_314 = mbgen::fma(c_arb_front_right_z, R_arb_front_right_x_z, p_arb_front_right_x);
-  const double s1_315 = mbgen::fnma((-c_arb_front_right_x), R_arb_front_right_x_x, s1_314);
-  const double s1_316 = mbgen::fms(I_arb_front_right_zz, R_arb_front_right_x_x, work.s1_305);
-  const double s1_317 = R_arb_front_right_x_z*s1_316;
-  const double s1_318 = mbgen::fma(R_arb_front_right_x_x, work.s1_309, s1_317);
-  const double s1_319 = mbgen::fma(I_arb_front_right_zz, R_arb_front_right_x_z, work.s1_308);
-  const double s1_320 = mbgen::fma(I_arb_front_right_xx, R_arb_front_right_x_x, work.s1_305);
-  const double s1_321 = mbgen::fma(R_arb_front_right_x_x, s1_320, R_arb_front_right_x_z*s1_319);
-  const double s1_322 = R_arb_front_right_x_x*s1_316;
-  const double s1_323 = mbgen::fnma(R_arb_front_right_x_z, work.s1_309, s1_322);
-  // pitman_arm: pitman_arm, revolute, chassis
-  const double R_pitman_arm_x_z = work.sines[15];
-  const double s1_324 = I_pitman_arm_xx*R_pitman_arm_x_z;
-  const double R_pitman_arm_x_x = work.cosines[15];
-  const double s1_325 = mbgen::fma((-c_pitman_arm_z), R_pitman_arm_x_x, (-p_pitman_arm_z));
-  const double s1_326 = I_pitman_arm_zz*R_pitman_arm_x_x;
-  const double s1_327 = mbgen::fnma(R_pitman_arm_x_x, s1_324, R_pitman_arm_x_z*s1_326);
-  const double s1_328 = mbgen::fnma((-c_pitman_arm_z), R_pitman_arm_x_z, p_pitman_arm_x);
-  const double s1_329 = R_pitman_arm_x_z*(I_pitman_arm_zz*R_pitman_arm_x_z);
-  const double s1_330 = mbgen::fma(R_pitman_arm_x_x, I_pitman_arm_xx*R_pitman_arm_x_x, s1_329);
-  const double s1_331 = mbgen::fma(R_pitman_arm_x_x, s1_326, R_pitman_arm_x_z*s1_324);
-  // bell_crank: bell_crank, revolute, chassis
-  const double R_bell_crank_y_x = work.sines[16];
-  const double s1_332 = (-I_bell_crank_xy)*R_bell_crank_y_x;
-  const double R_bell_crank_x_x = work.cosines[16];
-  const double s1_333 = (-I_bell_crank_xy)*R_bell_crank_x_x;
-  const double s1_334 = mbgen::fms(I_bell_crank_yy, R_bell_crank_x_x, s1_332);
-  const double s1_335 = c_bell_crank_y*R_bell_crank_x_x;
-  const double s1_336 = mbgen::fnma((-c_bell_crank_x), R_bell_crank_y_x, s1_335);
-  const double s1_337 = R_bell_crank_y_x*mbgen::fma(I_bell_crank_yy, R_bell_crank_y_x, s1_333);
-  const double s1_338 = mbgen::fma(I_bell_crank_xx, R_bell_crank_x_x, s1_332);
-  const double s1_339 = mbgen::fma(R_bell_crank_x_x, s1_338, s1_337);
-  const double s1_340 = mbgen::fms(I_bell_crank_xx, R_bell_crank_y_x, s1_333);
-  const double s1_341 = mbgen::fnma(R_bell_crank_y_x, s1_334, R_bell_crank_x_x*s1_340);
-  const double s1_342 = mbgen::fnma(c_bell_crank_y, R_bell_crank_y_x, p_bell_crank_x);
-  const double s1_343 = mbgen::fnma((-c_bell_crank_x), R_bell_crank_x_x, s1_342);
-  const double s1_344 = mbgen::fma(R_bell_crank_x_x, s1_334, R_bell_crank_y_x*s1_340);
-  // rear_axle: rear_axle_rx, revolute, rear_axle_aux5
-  const double s1_69 = work.sines[18];
-  const double s1_345 = I_rear_axle_xx*s1_69;
-  const double s1_346 = mbgen::fma((-I_rear_axle_xz), work.R_rear_axle_z_z, s1_345);
-  const double s1_347 = mbgen::fma(c_rear_axle_z, work.R_rear_axle_z_z, work.r_rear_axle_aux3_z);
-  const double s1_348 = mbgen::fnma(c_rear_axle_x, s1_69, s1_347);
-  const double s1_349 = I_rear_axle_yy*work.R_rear_axle_z_y;
-  const double s1_350 = (-I_rear_axle_xz)*s1_69;
-  const double s1_351 = mbgen::fma(I_rear_axle_zz, work.R_rear_axle_z_z, s1_350);
-  const double s1_352 = mbgen::fma(work.R_rear_axle_y_z, s1_351, work.R_rear_axle_y_y*s1_349);
-  const double s1_353 = mbgen::fnma(work.R_rear_axle_aux5_y_x, s1_346, s1_352);
-  const double z_rear_axle_ty = state.z[Coordinate::rear_axle_ty];
-  const double s1_354 = mbgen::fma(c_rear_axle_x, work.R_rear_axle_aux5_y_x, z_rear_axle_ty);
-  const double s1_355 = mbgen::fma(c_rear_axle_z, work.R_rear_axle_y_z, s1_354);
-  const double s1_356 = mbgen::fma(work.R_rear_axle_x_z, s1_351, work.R_rear_axle_x_y*s1_349);
-  const double s1_357 = mbgen::fnma(work.R_rear_axle_aux5_x_x, s1_346, s1_356);
-  const double s1_358 = mbgen::fma(c_rear_axle_x, work.R_rear_axle_aux5_x_x,
-      work.r_rear_axle_aux1_x);
-  const double s1_359 = mbgen::fma(c_rear_axle_z, work.R_rear_axle_x_z, s1_358);
-  const double s1_360 = I_rear_axle_yy*work.R_rear_axle_y_y;
-  const double s1_361 = I_rear_axle_xx*work.R_rear_axle_aux5_y_x;
-  const double s1_362 = mbgen::fnma((-I_rear_axle_xz), work.R_rear_axle_y_z, s1_361);
-  const double s1_363 = I_rear_axle_zz*work.R_rear_axle_y_z;
-  const double s1_364 = mbgen::fnma((-I_rear_axle_xz), work.R_rear_axle_aux5_y_x, s1_363);
-  const double s1_365 = work.R_rear_axle_x_y*s1_360;
-  const double s1_366 = mbgen::fma(work.R_rear_axle_aux5_x_x, s1_362, s1_365);
-  const double s1_367 = mbgen::fma(work.R_rear_axle_x_z, s1_364, s1_366);
-  const double s1_368 = mbgen::fma(s1_69, s1_346, work.R_rear_axle_z_y*s1_349);
-  const double s1_369 = mbgen::fma(work.R_rear_axle_z_z, s1_351, s1_368);
-  const double s1_370 = work.R_rear_axle_y_y*s1_360;
-  const double s1_371 = mbgen::fma(work.R_rear_axle_aux5_y_x, s1_362, s1_370);
-  const double s1_372 = mbgen::fma(work.R_rear_axle_y_z, s1_364, s1_371);
-  const double s1_373 = I_rear_axle_xx*work.R_rear_axle_aux5_x_x;
-  const double s1_374 = I_rear_axle_zz*work.R_rear_axle_x_z;
-  const double s1_375 = mbgen::fnma((-I_rear_axle_xz), work.R_rear_axle_x_z, s1_373);
-  const double s1_376 = work.R_rear_axle_x_y*(I_rear_axle_yy*work.R_rear_axle_x_y);
-  const double s1_377 = mbgen::fnma((-I_rear_axle_xz), work.R_rear_axle_aux5_x_x, s1_374);
-  const double s1_378 = mbgen::fma(work.R_rear_axle_aux5_x_x, s1_375, s1_376);
-  const double s1_379 = mbgen::fma(work.R_rear_axle_x_z, s1_377, s1_378);
-  // wheel_rear_left: wheel_rear_left, revolute, rear_axle
-  const double s1_380 = I_wheel_rear_left_xx*s1_69;
-  const double s1_381 = I_wheel_rear_left_yy*work.R_rear_axle_z_y;
-  const double s1_382 = I_wheel_rear_left_zz*work.R_rear_axle_z_z;
-  const double s1_383 = mbgen::fma(s1_69, s1_380, work.R_rear_axle_z_y*s1_381);
-  const double s1_384 = mbgen::fma(work.R_rear_axle_z_z, s1_382, s1_383);
-  const double s1_385 = work.R_rear_axle_x_y*(I_wheel_rear_left_yy*work.R_rear_axle_x_y);
-  const double s1_386 = I_wheel_rear_left_xx*work.R_rear_axle_aux5_x_x;
-  const double s1_387 = mbgen::fma(work.R_rear_axle_aux5_x_x, s1_386, s1_385);
-  const double s1_388 = I_wheel_rear_left_zz*work.R_rear_axle_x_z;
-  const double s1_389 = mbgen::fma(work.R_rear_axle_x_z, s1_388, s1_387);
-  const double s1_390 = I_wheel_rear_left_yy*work.R_rear_axle_y_y;
-  const double s1_391 = I_wheel_rear_left_xx*work.R_rear_axle_aux5_y_x;
-  const double s1_392 = I_wheel_rear_left_zz*work.R_rear_axle_y_z;
-  const double s1_393 = work.R_rear_axle_y_y*s1_390;
-  const double s1_394 = mbgen::fma(work.R_rear_axle_aux5_y_x, s1_391, s1_393);
-  const double s1_395 = mbgen::fma(work.R_rear_axle_y_z, s1_392, s1_394);
-  const double s1_396 = mbgen::fma(work.R_rear_axle_y_z, s1_382, work.R_rear_axle_y_y*s1_381);
-  const double s1_397 = mbgen::fnma(work.R_rear_axle_aux5_y_x, s1_380, s1_396);
-  const double s1_398 = mbgen::fma(work.R_rear_axle_x_z, s1_382, work.R_rear_axle_x_y*s1_381);
-  const double s1_399 = mbgen::fnma(work.R_rear_axle_aux5_x_x, s1_380, s1_398);
-  const double s1_400 = work.R_rear_axle_x_y*s1_390;
-  const double s1_401 = mbgen::fma(work.R_rear_axle_aux5_x_x, s1_391, s1_400);
-  const double s1_402 = mbgen::fma(work.R_rear_axle_x_z, s1_392, s1_401);
-  // arb_rear_left: arb_rear_left, revolute, chassis
-  const double R_arb_rear_left_x_z = work.sines[20];
-  const double s1_403 = I_arb_rear_left_xx*R_arb_rear_left_x_z;
-  const double R_arb_rear_left_x_x = work.cosines[20];
-  const double s1_404 = (-I_arb_rear_left_xy)*R_arb_rear_left_x_x;
-  const double s1_405 = mbgen::fma(c_arb_rear_left_x, R_arb_rear_left_x_z, (-p_arb_rear_left_z));
-  const double s1_406 = (-I_arb_rear_left_xy)*R_arb_rear_left_x_z;
-  const double s1_407 = I_arb_rear_left_zz*R_arb_rear_left_x_x;
-  const double s1_408 = mbgen::fnma(R_arb_rear_left_x_x, s1_403, R_arb_rear_left_x_z*s1_407);
-  const double s1_409 = mbgen::fms(c_arb_rear_left_x, R_arb_rear_left_x_x, (-p_arb_rear_left_x));
-  const double s1_410 = mbgen::fma(R_arb_rear_left_x_x, s1_407, R_arb_rear_left_x_z*s1_403);
-  const double s1_411 = R_arb_rear_left_x_z*(I_arb_rear_left_zz*R_arb_rear_left_x_z);
-  const double s1_412 = I_arb_rear_left_xx*R_arb_rear_left_x_x;
-  const double s1_413 = mbgen::fma(R_arb_rear_left_x_x, s1_412, s1_411);
-  // arb_rear_right: arb_rear_right, revolute, chassis
-  const double R_arb_rear_right_x_z = work.sines[21];
-  const double s1_414 = I_arb_rear_right_xy*R_arb_rear_right_x_z;
-  const double s1_415 = I_arb_rear_right_xx*R_arb_rear_right_x_z;
-  const double s1_416 = mbgen::fma(c_arb_rear_right_x, R_arb_rear_right_x_z, (-p_arb_rear_right_z));
-  const double R_arb_rear_right_x_x = work.cosines[21];
-  const double s1_417 = I_arb_rear_right_xy*R_arb_rear_right_x_x;
-  const double s1_418 = mbgen::fms(c_arb_rear_right_x, R_arb_rear_right_x_x, (-p_arb_rear_right_x));
-  const double s1_419 = I_arb_rear_right_zz*R_arb_rear_right_x_x;
-  const double s1_420 = mbgen::fnma(R_arb_rear_right_x_x, s1_415, R_arb_rear_right_x_z*s1_419);
-  const double s1_421 = mbgen::fma(R_arb_rear_right_x_x, s1_419, R_arb_rear_right_x_z*s1_415);
-  const double s1_422 = R_arb_rear_right_x_z*(I_arb_rear_right_zz*R_arb_rear_right_x_z);
-  const double s1_423 = I_arb_rear_right_xx*R_arb_rear_right_x_x;
-  const double s1_424 = mbgen::fma(R_arb_rear_right_x_x, s1_423, s1_422);
-  // arb_link_front_left
-  const double R_arb_front_left_x_z = work.sines[8];
-  const double R_arb_front_left_x_x = work.cosines[8];
-  const double s1_425 = mbgen::fms((-p_arb_link_front_left_from_x), R_arb_front_left_x_z,
-      (-p_arb_front_left_z));
-  const double s1_426 = mbgen::fma(p_arb_link_front_left_from_z, R_arb_front_left_x_x, s1_425);
-  const double s1_427 = mbgen::fma(p_arb_link_front_left_from_z, R_arb_front_left_x_z,
-      p_arb_front_left_x);
-  const double s1_428 = mbgen::fnma((-p_arb_link_front_left_from_x), R_arb_front_left_x_x, s1_427);
-  const double s1_429 = mbgen::fma(p_arb_link_front_left_to_x, work.R_carrier_left_x_x,
-      p_lower_arm_left_x);
-  const double s1_430 = work.s1_13 + work.R_carrier_left_x_z;
-  const double s1_431 = mbgen::fma((-p_arb_link_front_left_to_y), s1_430, s1_429);
-  const double s1_432 = mbgen::fma(p_arb_link_front_left_to_x, work.R_carrier_left_y_x,
-      work.r_carrier_left_aux1_y);
-  const double s1_433 = work.R_carrier_left_y_z - work.R_carrier_left_aux2_y_y;
-  const double s1_434 = mbgen::fma((-p_arb_link_front_left_to_y), s1_433, s1_432);
-  const double s1_435 = mbgen::fma(p_arb_link_front_left_to_x, work.R_carrier_left_z_x,
-      work.r_carrier_left_aux1_z);
-  const double s1_436 = work.R_carrier_left_z_z - work.R_carrier_left_aux2_z_y;
-  const double s1_437 = mbgen::fma((-p_arb_link_front_left_to_y), s1_436, s1_435);
-  // arb_link_front_right
-  const double s1_438 = mbgen::fms((-p_arb_link_front_right_from_x), R_arb_front_right_x_z,
-      (-p_arb_front_right_z));
-  const double s1_439 = mbgen::fma(p_arb_link_front_right_from_z, R_arb_front_right_x_x, s1_438);
-  const double s1_440 = mbgen::fma(p_arb_link_front_right_from_z, R_arb_front_right_x_z,
-      p_arb_front_right_x);
-  const double s1_441 = mbgen::fnma((-p_arb_link_front_right_from_x), R_arb_front_right_x_x,
-      s1_440);
-  const double s1_442 = mbgen::fma(p_arb_link_front_right_to_x, work.R_carrier_right_x_x,
-      p_lower_arm_right_x);
-  const double s1_443 = work.R_carrier_right_x_z - work.s1_44;
-  const double s1_444 = mbgen::fma((-p_arb_link_front_left_to_y), s1_443, s1_442);
-  const double s1_445 = mbgen::fma(p_arb_link_front_right_to_x, work.R_carrier_right_y_x,
-      work.r_carrier_right_aux1_y);
-  const double s1_446 = work.R_carrier_right_aux2_y_y + work.R_carrier_right_y_z;
-  const double s1_447 = mbgen::fma((-p_arb_link_front_left_to_y), s1_446, s1_445);
-  const double s1_448 = mbgen::fms(p_arb_link_front_right_to_x, work.R_carrier_right_z_x,
-      work.s1_39);
-  const double s1_449 = work.R_carrier_right_aux2_z_y + work.R_carrier_right_z_z;
-  const double s1_450 = mbgen::fma((-p_arb_link_front_left_to_y), s1_449, s1_448);
-  // drag_link
-  const double s1_451 = mbgen::fma((-p_drag_link_from_z), R_pitman_arm_x_x, (-p_pitman_arm_z));
-  const double s1_452 = p_drag_link_to_y*R_bell_crank_x_x;
-  const double s1_453 = p_pitman_arm_y + s1_452;
-  const double s1_454 = (-p_bell_crank_z) + s1_451;
-  const double s1_455 = mbgen::fnma((-p_drag_link_from_z), R_pitman_arm_x_z, p_pitman_arm_x);
-  const double s1_456 = mbgen::fnma(p_drag_link_to_y, R_bell_crank_y_x, p_bell_crank_x);
-  const double s1_457 = s1_455 + s1_456;
-  // tie_rod_left
-  const double s1_458 = p_tie_rod_left_from_y*R_bell_crank_y_x;
-  const double s1_459 = (-p_tie_rod_left_from_x)*R_bell_crank_y_x;
-  const double s1_460 = mbgen::fms(p_tie_rod_left_from_y, R_bell_crank_x_x, s1_459);
-  const double s1_461 = p_bell_crank_x - s1_458;
-  const double s1_462 = mbgen::fnma((-p_tie_rod_left_from_x), R_bell_crank_x_x, s1_461);
-  const double s1_463 = mbgen::fma((-p_tie_rod_left_to_y), work.s1_13, p_lower_arm_left_x);
-  const double s1_464 = mbgen::fma(p_tie_rod_left_to_z, work.R_carrier_left_x_z, s1_463);
-  const double s1_465 = mbgen::fnma((-p_tie_rod_left_to_x), work.R_carrier_left_x_x, s1_464);
-  const double s1_466 = mbgen::fma(p_tie_rod_left_to_z, work.R_carrier_left_y_z,
-      work.r_carrier_left_aux1_y);
-  const double s1_467 = mbgen::fnma((-p_tie_rod_left_to_x), work.R_carrier_left_y_x, s1_466);
-  const double s1_468 = mbgen::fnma((-p_tie_rod_left_to_y), work.R_carrier_left_aux2_y_y, s1_467);
-  const double s1_469 = mbgen::fma(p_tie_rod_left_to_z, work.R_carrier_left_z_z,
-      work.r_carrier_left_aux1_z);
-  const double s1_470 = mbgen::fnma((-p_tie_rod_left_to_x), work.R_carrier_left_z_x, s1_469);
-  const double s1_471 = mbgen::fnma((-p_tie_rod_left_to_y), work.R_carrier_left_aux2_z_y, s1_470);
-  // tie_rod_right
-  const double s1_472 = mbgen::fma(p_tie_rod_left_from_y, R_bell_crank_x_x, s1_459);
-  const double s1_473 = mbgen::fnma((-p_tie_rod_left_from_x), R_bell_crank_x_x, s1_458);
-  const double s1_474 = p_bell_crank_x + s1_473;
-  const double s1_475 = mbgen::fma(p_tie_rod_right_to_z, work.R_carrier_right_x_z,
-      p_lower_arm_right_x);
-  const double s1_476 = mbgen::fnma((-p_tie_rod_right_to_x), work.R_carrier_right_x_x, s1_475);
-  const double s1_477 = mbgen::fnma(p_tie_rod_right_to_y, work.s1_44, s1_476);
-  const double s1_478 = mbgen::fma(p_tie_rod_right_to_y, work.R_carrier_right_aux2_y_y,
-      work.r_carrier_right_aux1_y);
-  const double s1_479 = mbgen::fma(p_tie_rod_right_to_z, work.R_carrier_right_y_z, s1_478);
-  const double s1_480 = mbgen::fnma((-p_tie_rod_right_to_x), work.R_carrier_right_y_x, s1_479);
-  const double s1_481 = mbgen::fms(p_tie_rod_right_to_y, work.R_carrier_right_aux2_z_y, work.s1_39);
-  const double s1_482 = mbgen::fma(p_tie_rod_right_to_z, work.R_carrier_right_z_z, s1_481);
-  const double s1_483 = mbgen::fnma((-p_tie_rod_right_to_x), work.R_carrier_right_z_x, s1_482);
-  // long_rod_left
-  const double s1_484 = p_long_rod_left_to_x*s1_69;
-  const double s1_485 = mbgen::fma((-p_long_rod_left_to_z), work.R_rear_axle_z_z, s1_484);
-  const double s1_486 = p_long_rod_left_to_x*work.R_rear_axle_aux5_y_x;
-  const double s1_487 = mbgen::fnma((-p_long_rod_left_to_z), work.R_rear_axle_y_z, s1_486);
-  const double s1_488 = z_rear_axle_ty + s1_487;
-  const double s1_489 = mbgen::fma(p_long_rod_left_to_y, work.R_rear_axle_y_y, s1_488);
-  const double s1_490 = p_long_rod_left_to_x*work.R_rear_axle_aux5_x_x;
-  const double s1_491 = mbgen::fnma((-p_long_rod_left_to_z), work.R_rear_axle_x_z, s1_490);
-  const double s1_492 = work.r_rear_axle_aux1_x + s1_491;
-  const double s1_493 = mbgen::fma(p_long_rod_left_to_y, work.R_rear_axle_x_y, s1_492);
-  const double s1_494 = mbgen::fma(p_long_rod_left_to_y, work.R_rear_axle_z_y,
-      work.r_rear_axle_aux3_z);
-  const double s1_495 = s1_494 - s1_485;
-  // diag_rod_left
-  const double s1_496 = mbgen::fma(p_diag_rod_left_to_z, work.R_rear_axle_y_z, z_rear_axle_ty);
-  const double s1_497 = mbgen::fma(p_diag_rod_left_to_y, work.R_rear_axle_y_y, s1_496);
-  const double s1_498 = mbgen::fma(p_diag_rod_left_to_z, work.R_rear_axle_x_z,
-      work.r_rear_axle_aux1_x);
-  const double s1_499 = mbgen::fma(p_diag_rod_left_to_y, work.R_rear_axle_x_y, s1_498);
-  const double s1_500 = mbgen::fma(p_diag_rod_left_to_z, work.R_rear_axle_z_z,
-      work.r_rear_axle_aux3_z);
-  const double s1_501 = mbgen::fma(p_diag_rod_left_to_y, work.R_rear_axle_z_y, s1_500);
-  // arb_link_rear_left
-  const double s1_502 = mbgen::fma(p_arb_link_rear_left_from_x, R_arb_rear_left_x_z,
-      (-p_arb_rear_left_z));
-  const double s1_503 = (-p_arb_link_rear_left_to_x)*work.R_rear_axle_aux5_y_x;
-  const double s1_504 = mbgen::fma((-p_arb_link_rear_left_to_z), work.R_rear_axle_y_z, s1_503);
-  const double s1_505 = (-p_arb_link_rear_left_to_x)*work.R_rear_axle_aux5_x_x;
-  const double s1_506 = mbgen::fma((-p_arb_link_rear_left_to_z), work.R_rear_axle_x_z, s1_505);
-  const double s1_507 = mbgen::fms(p_arb_link_rear_left_from_x, R_arb_rear_left_x_x,
-      (-p_arb_rear_left_x));
-  const double s1_508 = mbgen::fma(p_arb_link_rear_left_to_y, work.R_rear_axle_y_y, z_rear_axle_ty);
-  const double s1_509 = s1_508 - s1_504;
-  const double s1_510 = mbgen::fma(p_arb_link_rear_left_to_y, work.R_rear_axle_x_y,
-      work.r_rear_axle_aux1_x);
-  const double s1_511 = s1_510 - s1_506;
-  const double s1_512 = (-p_arb_link_rear_left_to_x)*s1_69;
-  const double s1_513 = mbgen::fnma((-p_arb_link_rear_left_to_z), work.R_rear_axle_z_z, s1_512);
-  const double s1_514 = work.r_rear_axle_aux3_z + s1_513;
-  const double s1_515 = mbgen::fma(p_arb_link_rear_left_to_y, work.R_rear_axle_z_y, s1_514);
-  // long_rod_right
-  const double s1_516 = mbgen::fnma(p_long_rod_left_to_y, work.R_rear_axle_y_y, s1_488);
-  const double s1_517 = mbgen::fnma(p_long_rod_left_to_y, work.R_rear_axle_x_y, s1_492);
-  const double s1_518 = work.r_rear_axle_aux3_z - s1_485;
-  const double s1_519 = mbgen::fnma(p_long_rod_left_to_y, work.R_rear_axle_z_y, s1_518);
-  // diag_rod_right
-  const double s1_520 = mbgen::fnma(p_diag_rod_left_to_y, work.R_rear_axle_y_y, s1_496);
-  const double s1_521 = mbgen::fnma(p_diag_rod_left_to_y, work.R_rear_axle_x_y, s1_498);
-  const double s1_522 = mbgen::fnma(p_diag_rod_left_to_y, work.R_rear_axle_z_y, s1_500);
-  // arb_link_rear_right
-  const double s1_523 = mbgen::fma(p_arb_link_rear_right_from_x, R_arb_rear_right_x_z,
-      (-p_arb_rear_right_z));
-  const double s1_524 = mbgen::fnma(p_arb_link_rear_left_to_y, work.R_rear_axle_z_y, s1_514);
-  const double s1_525 = z_rear_axle_ty - s1_504;
-  const double s1_526 = mbgen::fnma(p_arb_link_rear_left_to_y, work.R_rear_axle_y_y, s1_525);
-  const double s1_527 = work.r_rear_axle_aux1_x - s1_506;
-  const double s1_528 = mbgen::fnma(p_arb_link_rear_left_to_y, work.R_rear_axle_x_y, s1_527);
-  const double s1_529 = mbgen::fms(p_arb_link_rear_right_from_x, R_arb_rear_right_x_x,
-      (-p_arb_rear_right_x));
-  // lower_arm_left: lower_arm_left, revolute, chassis
-  const double s1_530 = s1_441 + (s1_431 + (s1_428 + (s1_511 + (s1_507 + (s1_528 + s1_529)))));
-  const double s1_531 = mbgen::fma(m_pitman_arm, s1_328, 250.66666666666666);
-  const double s1_532 = mbgen::fma(1.5, s1_457, mbgen::fma(m_bell_crank, s1_343, s1_531));
-  const double s1_533 = s1_315 + (work.s1_196 + (s1_409 + s1_418));
-  const double s1_534 = mbgen::fma(m_rear_axle, s1_359, s1_532);
-  const double s1_535 = mbgen::fma(m_arb_front_left, s1_533, s1_534);
-  const double s1_536 = mbgen::fma(0.3333333333333333, s1_444 + s1_530, s1_535);
-  const double s1_537 = mbgen::fma(m_carrier_right, work.s1_124 + work.s1_242, s1_536);
-  const double s1_538 = work.r_wheel_front_left_x + work.r_wheel_front_right_x;
-  const double s1_539 = work.r_wheel_rear_left_x + work.r_wheel_rear_right_x;
-  const double s1_540 = mbgen::fma(m_wheel_front_right, s1_538, s1_537);
-  const double s1_541 = mbgen::fma(m_wheel_rear_left, s1_539, s1_540);
-  const double s1_542 = s1_477 + (s1_474 + (s1_462 + s1_465));
-  const double s1_543 = mbgen::fma(1.1666666666666667, s1_542, s1_541);
-  const double s1_544 = mbgen::fma(3.0, s1_493 + s1_517 - 3.2, s1_543);
-  const double s1_545 = mbgen::fma(2.6666666666666665, s1_499 + s1_521 - 3.4, s1_544);
-  const double s1_546 = mbgen::fma(1.5, s1_453, mbgen::fma(m_bell_crank, s1_336, 4.5));
-  const double s1_547 = mbgen::fma(m_rear_axle, s1_355, s1_546);
-  const double s1_548 = s1_447 + (s1_434 + (s1_509 + s1_526));
-  const double s1_549 = mbgen::fma(0.3333333333333333, s1_548, s1_547);
-  const double s1_550 = mbgen::fma(m_upper_arm_left, work.s1_179 + work.s1_298, s1_549);
-  const double s1_551 = mbgen::fma(m_lower_arm_right, work.s1_89 + work.s1_207, s1_550);
-  const double s1_552 = mbgen::fma(m_carrier_right, work.s1_118 + work.s1_236, s1_551);
-  const double s1_553 = work.r_wheel_front_left_y + work.r_wheel_front_right_y;
-  const double s1_554 = work.r_wheel_rear_left_y + work.r_wheel_rear_right_y;
-  const double s1_555 = mbgen::fma(m_wheel_front_right, s1_553, s1_552);
-  const double s1_556 = mbgen::fma(m_wheel_rear_left, s1_554, s1_555);
-  const double s1_557 = s1_480 + (s1_460 + s1_468) - s1_472;
-  const double s1_558 = mbgen::fma(1.1666666666666667, s1_557, s1_556);
-  const double s1_559 = mbgen::fma(3.0, s1_489 + s1_516, s1_558);
-  const double s1_560 = mbgen::fma(2.6666666666666665, s1_497 + s1_520, s1_559);
-  const double s1_561 = s1_439 + (s1_437 + (s1_426 + (s1_515 + (s1_524 - s1_523) - s1_502)));
-  const double s1_562 = mbgen::fma(m_rear_axle, s1_348, mbgen::fnma(1.5, s1_454, 3356.8));
-  const double s1_563 = work.s1_190 + work.s1_307 - s1_416 - s1_405;
-  const double s1_564 = mbgen::fnma(m_pitman_arm, s1_325, s1_562);
-  const double s1_565 = mbgen::fma(m_arb_front_left, s1_563, s1_564);
-  const double s1_566 = mbgen::fma(0.3333333333333333, s1_450 + s1_561, s1_565);
-  const double s1_567 = mbgen::fma(m_upper_arm_left, work.s1_177 - work.s1_296, s1_566);
-  const double s1_568 = mbgen::fma(m_lower_arm_right, work.s1_87 - work.s1_205, s1_567);
-  const double s1_569 = mbgen::fma(m_carrier_right, work.s1_100 + work.s1_216, s1_568);
-  const double s1_570 = work.r_wheel_front_left_z + work.r_wheel_front_right_z;
-  const double s1_571 = work.r_wheel_rear_left_z + work.r_wheel_rear_right_z;
-  const double s1_572 = mbgen::fma(m_wheel_front_right, s1_570, s1_569);
-  const double s1_573 = mbgen::fma(m_wheel_rear_left, s1_571, s1_572);
-  const double s1_574 = mbgen::fma(1.1666666666666667, s1_471 + s1_483 - 1.2, s1_573);
-  const double s1_575 = mbgen::fma(3.0, s1_495 + s1_519 - 1.1, s1_574);
-  const double s1_576 = mbgen::fma(2.6666666666666665, s1_501 + s1_522 - 0.3, s1_575);
-  // chassis: chassis_rx, revolute, chassis_aux5
-  const double s1_577 = 15305.999999999998*work.r_chassis_aux3_z;
-  const double s1_578 = mbgen::fma(work.R_chassis_z_y, s1_560, s1_577);
-  const double s1_1 = work.sines[1];
-  const double s1_579 = mbgen::fma(work.R_chassis_z_z, s1_576, s1_578);
-  const double s1_580 = mbgen::fnma(s1_1, s1_545, s1_579);
-  // operations: 494 add, 678 multiply, 44 sin cos
-
-  // --- step 4: velocities Z (36) ---
+  // --- step 4: angular velocities ---
   // chassis: chassis_rx, revolute, chassis_aux5
   const double zd_chassis_tx = state.zd[Coordinate::chassis_tx];
   const double zd_chassis_ty = state.zd[Coordinate::chassis_ty];
-  const double s4_1 = zd_chassis_tx*work.R_chassis_aux5_x_x;
+  const double s4_1 = zd_chassis_tx*R_chassis_aux5_x_x;
   const double zd_chassis_tz = state.zd[Coordinate::chassis_tz];
-  const double s4_2 = mbgen::fma(zd_chassis_ty, work.R_chassis_aux5_y_x, s4_1);
-  const double v_chassis_x = mbgen::fnma(zd_chassis_tz, s1_1, s4_2);
+  const double s4_2 = mbgen::fma(zd_chassis_ty, R_chassis_aux5_y_x, s4_1);
+  work.v_chassis_x = mbgen::fnma(zd_chassis_tz, s1_1, s4_2);
   const double s4_3 = zd_chassis_tz*work.R_chassis_z_y;
-  const double s4_4 = mbgen::fma(zd_chassis_tx, work.R_chassis_x_y, s4_3);
-  const double v_chassis_y = mbgen::fma(zd_chassis_ty, work.R_chassis_y_y, s4_4);
+  const double s4_4 = mbgen::fma(zd_chassis_tx, R_chassis_x_y, s4_3);
+  work.v_chassis_y = mbgen::fma(zd_chassis_ty, R_chassis_y_y, s4_4);
   const double s4_5 = zd_chassis_tz*work.R_chassis_z_z;
-  const double s4_6 = mbgen::fma(zd_chassis_tx, work.R_chassis_x_z, s4_5);
-  const double v_chassis_z = mbgen::fma(zd_chassis_ty, work.R_chassis_y_z, s4_6);
-  const double zd_chassis_rx = state.zd[Coordinate::chassis_rx];
+  const double s4_6 = mbgen::fma(zd_chassis_tx, R_chassis_x_z, s4_5);
+  work.v_chassis_z = mbgen::fma(zd_chassis_ty, R_chassis_y_z, s4_6);
   const double zd_chassis_rz = state.zd[Coordinate::chassis_rz];
-  const double w_chassis_x = mbgen::fnma(zd_chassis_rz, s1_1, zd_chassis_rx);
+  work.w_chassis_x = mbgen::fnma(zd_chassis_rz, s1_1, state.zd[Coordinate::chassis_rx]);
   const double zd_chassis_ry = state.zd[Coordinate::chassis_ry];
-  const double s4_7 = zd_chassis_rz*work.R_chassis_z_y;
-  const double w_chassis_y = mbgen::fma(zd_chassis_ry, work.cosines[2], s4_7);
-  const double s4_8 = zd_chassis_rz*work.R_chassis_z_z;
-  const double w_chassis_z = mbgen::fnma(zd_chassis_ry, work.sines[2], s4_8);
+  work.w_chassis_y = mbgen::fma(zd_chassis_ry, s1_4, zd_chassis_rz*work.R_chassis_z_y);
+  work.w_chassis_z = mbgen::fnma(zd_chassis_ry, s1_2, zd_chassis_rz*work.R_chassis_z_z);
   // lower_arm_left: lower_arm_left, revolute, chassis
-  const double zd_lower_arm_left = state.zd[Coordinate::lower_arm_left];
-  const double v_lower_arm_left_y = mbgen::fnma((-p_lower_arm_left_z), zd_lower_arm_left,
-      v_chassis_y);
-  const double v_lower_arm_left_z = mbgen::fnma(p_lower_arm_left_y, zd_lower_arm_left, v_chassis_z);
-  const double w_lower_arm_left_x = zd_lower_arm_left + w_chassis_x;
+  work.s4_7 = mbgen::fnma(p_lower_arm_left_y, work.w_chassis_z, work.v_chassis_x);
+  work.v_lower_arm_left_x = mbgen::fnma((-p_lower_arm_left_z), work.w_chassis_y, work.s4_7);
+  const double s4_8 = mbgen::fma(p_lower_arm_left_x, work.w_chassis_z, work.v_chassis_y);
+  work.v_lower_arm_left_y = mbgen::fma((-p_lower_arm_left_z), work.w_chassis_x, s4_8);
+  work.s4_9 = mbgen::fma(p_lower_arm_left_y, work.w_chassis_x, work.v_chassis_z);
+  work.v_lower_arm_left_z = mbgen::fnma(p_lower_arm_left_x, work.w_chassis_y, work.s4_9);
+  work.w_lower_arm_left_x = state.zd[Coordinate::lower_arm_left] + work.w_chassis_x;
   // carrier_left_aux1: carrier_left_rz, revolute, lower_arm_left
+  const double s4_10 = mbgen::fma(s1_10, work.w_chassis_y, work.v_lower_arm_left_x);
+  work.v_carrier_left_aux1_x = mbgen::fnma(s1_8, work.w_chassis_z, s4_10);
+  work.v_carrier_left_aux1_y = mbgen::fnma(s1_10, work.w_lower_arm_left_x, work.v_lower_arm_left_y);
+  work.v_carrier_left_aux1_z = mbgen::fma(s1_8, work.w_lower_arm_left_x, work.v_lower_arm_left_z);
   const double zd_carrier_left_rz = state.zd[Coordinate::carrier_left_rz];
-  const double v_carrier_left_aux1_x = mbgen::fma(zd_carrier_left_rz, work.b_carrier_left_rz_x,
-      v_chassis_x);
-  const double v_carrier_left_aux1_y = mbgen::fnma(zd_carrier_left_rz, work.s1_10,
-      v_lower_arm_left_y);
-  const double v_carrier_left_aux1_z = mbgen::fnma(zd_carrier_left_rz, work.s1_11,
-      v_lower_arm_left_z);
-  const double w_carrier_left_aux1_y = mbgen::fnma(zd_carrier_left_rz, work.sines[3], w_chassis_y);
-  const double w_carrier_left_aux1_z = mbgen::fma(zd_carrier_left_rz, work.cosines[3], w_chassis_z);
+  const double w_carrier_left_aux1_y = mbgen::fnma(zd_carrier_left_rz, R_lower_arm_left_z_y,
+      work.w_chassis_y);
+  const double w_carrier_left_aux1_z = mbgen::fma(zd_carrier_left_rz, R_lower_arm_left_y_y,
+      work.w_chassis_z);
   // carrier_left_aux2: carrier_left_rx, revolute, carrier_left_aux1
   const double zd_carrier_left_rx = state.zd[Coordinate::carrier_left_rx];
-  const double v_carrier_left_aux2_x = mbgen::fma(zd_carrier_left_rx, work.b_carrier_left_rx_x,
-      v_carrier_left_aux1_x);
-  const double v_carrier_left_aux2_y = mbgen::fma(zd_carrier_left_rx, work.b_carrier_left_rx_y,
-      v_carrier_left_aux1_y);
-  const double v_carrier_left_aux2_z = mbgen::fma(zd_carrier_left_rx, work.b_carrier_left_rx_z,
-      v_carrier_left_aux1_z);
-  const double w_carrier_left_aux2_x = mbgen::fma(zd_carrier_left_rx, work.cosines[4],
-      w_lower_arm_left_x);
-  const double w_carrier_left_aux2_y = mbgen::fma(zd_carrier_left_rx, work.R_carrier_left_aux1_y_x,
+  const double w_carrier_left_aux2_x = mbgen::fma(zd_carrier_left_rx, R_carrier_left_aux1_x_x,
+      work.w_lower_arm_left_x);
+  const double w_carrier_left_aux2_y = mbgen::fma(zd_carrier_left_rx, R_carrier_left_aux1_y_x,
       w_carrier_left_aux1_y);
-  const double w_carrier_left_aux2_z = mbgen::fma(zd_carrier_left_rx, work.R_carrier_left_aux1_z_x,
+  const double w_carrier_left_aux2_z = mbgen::fma(zd_carrier_left_rx, R_carrier_left_aux1_z_x,
       w_carrier_left_aux1_z);
   // carrier_left: carrier_left_ry, revolute, carrier_left_aux2
   const double zd_carrier_left_ry = state.zd[Coordinate::carrier_left_ry];
-  const double v_carrier_left_x = mbgen::fma(zd_carrier_left_ry, work.b_carrier_left_ry_x,
-      v_carrier_left_aux2_x);
-  const double v_carrier_left_y = mbgen::fnma(zd_carrier_left_ry, work.s1_27,
-      v_carrier_left_aux2_y);
-  const double v_carrier_left_z = mbgen::fma(zd_carrier_left_ry, work.b_carrier_left_ry_z,
-      v_carrier_left_aux2_z);
-  const double w_carrier_left_x = mbgen::fnma(zd_carrier_left_ry, work.s1_13,
-      w_carrier_left_aux2_x);
-  const double w_carrier_left_y = mbgen::fma(zd_carrier_left_ry, work.R_carrier_left_aux2_y_y,
+  work.w_carrier_left_x = mbgen::fnma(zd_carrier_left_ry, work.s1_12, w_carrier_left_aux2_x);
+  work.w_carrier_left_y = mbgen::fma(zd_carrier_left_ry, work.R_carrier_left_aux2_y_y,
       w_carrier_left_aux2_y);
-  const double w_carrier_left_z = mbgen::fma(zd_carrier_left_ry, work.R_carrier_left_aux2_z_y,
+  work.w_carrier_left_z = mbgen::fma(zd_carrier_left_ry, work.R_carrier_left_aux2_z_y,
       w_carrier_left_aux2_z);
   // wheel_front_left: wheel_front_left, revolute, carrier_left
+  const double s4_11 = mbgen::fma(s1_26, work.w_carrier_left_y, work.v_carrier_left_aux1_x);
+  work.v_wheel_front_left_x = mbgen::fnma(s1_24, work.w_carrier_left_z, s4_11);
+  const double s4_12 = mbgen::fma(s1_22, work.w_carrier_left_z, work.v_carrier_left_aux1_y);
+  work.v_wheel_front_left_y = mbgen::fnma(s1_26, work.w_carrier_left_x, s4_12);
+  const double s4_13 = mbgen::fma(s1_24, work.w_carrier_left_x, work.v_carrier_left_aux1_z);
+  work.v_wheel_front_left_z = mbgen::fnma(s1_22, work.w_carrier_left_y, s4_13);
   const double zd_wheel_front_left = state.zd[Coordinate::wheel_front_left];
-  const double v_wheel_front_left_x = mbgen::fma(zd_wheel_front_left, work.b_wheel_front_left_x,
-      v_carrier_left_x);
-  const double v_wheel_front_left_y = mbgen::fnma(zd_wheel_front_left, work.s1_34,
-      v_carrier_left_y);
-  const double v_wheel_front_left_z = mbgen::fma(zd_wheel_front_left, work.b_wheel_front_left_z,
-      v_carrier_left_z);
-  const double w_wheel_front_left_x = mbgen::fnma(zd_wheel_front_left, work.s1_13,
-      w_carrier_left_x);
-  const double w_wheel_front_left_y = mbgen::fma(zd_wheel_front_left, work.R_carrier_left_aux2_y_y,
-      w_carrier_left_y);
-  const double w_wheel_front_left_z = mbgen::fma(zd_wheel_front_left, work.R_carrier_left_aux2_z_y,
-      w_carrier_left_z);
+  work.w_wheel_front_left_x = mbgen::fnma(zd_wheel_front_left, work.s1_12, work.w_carrier_left_x);
+  work.w_wheel_front_left_y = mbgen::fma(zd_wheel_front_left, work.R_carrier_left_aux2_y_y,
+      work.w_carrier_left_y);
+  work.w_wheel_front_left_z = mbgen::fma(zd_wheel_front_left, work.R_carrier_left_aux2_z_y,
+      work.w_carrier_left_z);
   // upper_arm_left: upper_arm_left, revolute, chassis
-  const double zd_upper_arm_left = state.zd[Coordinate::upper_arm_left];
-  const double v_upper_arm_left_y = mbgen::fnma((-p_upper_arm_left_z), zd_upper_arm_left,
-      v_chassis_y);
-  const double v_upper_arm_left_z = mbgen::fnma(p_upper_arm_left_y, zd_upper_arm_left, v_chassis_z);
-  const double w_upper_arm_left_x = zd_upper_arm_left + w_chassis_x;
+  const double s4_14 = mbgen::fnma((-p_upper_arm_left_z), work.w_chassis_y, work.v_chassis_x);
+  work.v_upper_arm_left_x = mbgen::fnma(p_upper_arm_left_y, work.w_chassis_z, s4_14);
+  work.v_upper_arm_left_y = mbgen::fma((-p_upper_arm_left_z), work.w_chassis_x, s4_8);
+  const double s4_15 = mbgen::fma(p_upper_arm_left_y, work.w_chassis_x, work.v_chassis_z);
+  work.v_upper_arm_left_z = mbgen::fnma(p_lower_arm_left_x, work.w_chassis_y, s4_15);
+  work.w_upper_arm_left_x = state.zd[Coordinate::upper_arm_left] + work.w_chassis_x;
   // arb_front_left: arb_front_left, revolute, chassis
-  const double zd_arb_front_left = state.zd[Coordinate::arb_front_left];
-  const double v_arb_front_left_x = mbgen::fma((-p_arb_front_left_z), zd_arb_front_left,
-      v_chassis_x);
-  const double v_arb_front_left_z = mbgen::fma(p_arb_front_left_x, zd_arb_front_left, v_chassis_z);
-  const double w_arb_front_left_y = zd_arb_front_left + w_chassis_y;
+  const double s4_16 = mbgen::fnma((-p_arb_front_left_z), work.w_chassis_y, work.v_chassis_x);
+  work.v_arb_front_left_x = mbgen::fnma(p_arb_front_left_y, work.w_chassis_z, s4_16);
+  const double s4_17 = mbgen::fma(p_upper_arm_left_y, work.w_chassis_x, work.v_chassis_y);
+  work.v_arb_front_left_y = mbgen::fma(p_arb_front_left_x, work.w_chassis_z, s4_17);
+  const double s4_18 = mbgen::fma(p_arb_front_left_y, work.w_chassis_x, work.v_chassis_z);
+  work.v_arb_front_left_z = mbgen::fnma(p_arb_front_left_x, work.w_chassis_y, s4_18);
+  work.w_arb_front_left_y = state.zd[Coordinate::arb_front_left] + work.w_chassis_y;
   // lower_arm_right: lower_arm_right, revolute, chassis
-  const double zd_lower_arm_right = state.zd[Coordinate::lower_arm_right];
-  const double v_lower_arm_right_y = mbgen::fnma((-p_lower_arm_right_z), zd_lower_arm_right,
-      v_chassis_y);
-  const double v_lower_arm_right_z = mbgen::fma((-p_lower_arm_right_y), zd_lower_arm_right,
-      v_chassis_z);
-  const double w_lower_arm_right_x = zd_lower_arm_right + w_chassis_x;
+  work.s4_19 = mbgen::fma(p_lower_arm_left_y, work.w_chassis_z, work.v_chassis_x);
+  work.v_lower_arm_right_x = mbgen::fnma((-p_lower_arm_left_z), work.w_chassis_y, work.s4_19);
+  const double s4_20 = mbgen::fnma(p_lower_arm_left_y, work.w_chassis_x, work.v_chassis_z);
+  work.v_lower_arm_right_z = mbgen::fnma(p_lower_arm_left_x, work.w_chassis_y, s4_20);
+  work.w_lower_arm_right_x = state.zd[Coordinate::lower_arm_right] + work.w_chassis_x;
   // carrier_right_aux1: carrier_right_rz, revolute, lower_arm_right
+  const double s4_21 = mbgen::fnma(s1_31, work.w_chassis_y, work.v_lower_arm_right_x);
+  work.v_carrier_right_aux1_x = mbgen::fnma(s1_29, work.w_chassis_z, s4_21);
+  work.v_carrier_right_aux1_y = mbgen::fma(s1_31, work.w_lower_arm_right_x,
+      work.v_lower_arm_left_y);
+  work.v_carrier_right_aux1_z = mbgen::fma(s1_29, work.w_lower_arm_right_x,
+      work.v_lower_arm_right_z);
   const double zd_carrier_right_rz = state.zd[Coordinate::carrier_right_rz];
-  const double v_carrier_right_aux1_x = mbgen::fma(zd_carrier_right_rz, work.b_carrier_right_rz_x,
-      v_chassis_x);
-  const double v_carrier_right_aux1_y = mbgen::fnma(zd_carrier_right_rz, work.s1_41,
-      v_lower_arm_right_y);
-  const double v_carrier_right_aux1_z = mbgen::fnma(zd_carrier_right_rz, work.s1_42,
-      v_lower_arm_right_z);
-  const double w_carrier_right_aux1_y = mbgen::fnma(zd_carrier_right_rz, work.sines[9],
-      w_chassis_y);
-  const double w_carrier_right_aux1_z = mbgen::fma(zd_carrier_right_rz, work.cosines[9],
-      w_chassis_z);
+  const double w_carrier_right_aux1_y = mbgen::fnma(zd_carrier_right_rz, R_lower_arm_right_z_y,
+      work.w_chassis_y);
+  const double w_carrier_right_aux1_z = mbgen::fma(zd_carrier_right_rz, R_lower_arm_right_y_y,
+      work.w_chassis_z);
   // carrier_right_aux2: carrier_right_rx, revolute, carrier_right_aux1
   const double zd_carrier_right_rx = state.zd[Coordinate::carrier_right_rx];
-  const double v_carrier_right_aux2_x = mbgen::fma(zd_carrier_right_rx, work.b_carrier_right_rx_x,
-      v_carrier_right_aux1_x);
-  const double v_carrier_right_aux2_y = mbgen::fnma(zd_carrier_right_rx, work.s1_51,
-      v_carrier_right_aux1_y);
-  const double v_carrier_right_aux2_z = mbgen::fma(zd_carrier_right_rx, work.b_carrier_right_rx_z,
-      v_carrier_right_aux1_z);
-  const double w_carrier_right_aux2_x = mbgen::fma(zd_carrier_right_rx, work.cosines[10],
-      w_lower_arm_right_x);
-  const double w_carrier_right_aux2_y = mbgen::fma(zd_carrier_right_rx,
-      work.R_carrier_right_aux1_y_x, w_carrier_right_aux1_y);
-  const double w_carrier_right_aux2_z = mbgen::fma(zd_carrier_right_rx,
-      work.R_carrier_right_aux1_z_x, w_carrier_right_aux1_z);
+  const double w_carrier_right_aux2_x = mbgen::fma(zd_carrier_right_rx, R_carrier_right_aux1_x_x,
+      work.w_lower_arm_right_x);
+  const double w_carrier_right_aux2_y = mbgen::fma(zd_carrier_right_rx, R_carrier_right_aux1_y_x,
+      w_carrier_right_aux1_y);
+  const double w_carrier_right_aux2_z = mbgen::fma(zd_carrier_right_rx, R_carrier_right_aux1_z_x,
+      w_carrier_right_aux1_z);
   // carrier_right: carrier_right_ry, revolute, carrier_right_aux2
   const double zd_carrier_right_ry = state.zd[Coordinate::carrier_right_ry];
-  const double v_carrier_right_x = mbgen::fma(zd_carrier_right_ry, work.b_carrier_right_ry_x,
-      v_carrier_right_aux2_x);
-  const double v_carrier_right_y = mbgen::fma(zd_carrier_right_ry, work.b_carrier_right_ry_y,
-      v_carrier_right_aux2_y);
-  const double v_carrier_right_z = mbgen::fma(zd_carrier_right_ry, work.b_carrier_right_ry_z,
-      v_carrier_right_aux2_z);
-  const double w_carrier_right_x = mbgen::fnma(zd_carrier_right_ry, work.s1_44,
-      w_carrier_right_aux2_x);
-  const double w_carrier_right_y = mbgen::fma(zd_carrier_right_ry, work.R_carrier_right_aux2_y_y,
+  work.w_carrier_right_x = mbgen::fnma(zd_carrier_right_ry, work.s1_34, w_carrier_right_aux2_x);
+  work.w_carrier_right_y = mbgen::fma(zd_carrier_right_ry, work.R_carrier_right_aux2_y_y,
       w_carrier_right_aux2_y);
-  const double w_carrier_right_z = mbgen::fma(zd_carrier_right_ry, work.R_carrier_right_aux2_z_y,
+  work.w_carrier_right_z = mbgen::fma(zd_carrier_right_ry, work.R_carrier_right_aux2_z_y,
       w_carrier_right_aux2_z);
   // wheel_front_right: wheel_front_right, revolute, carrier_right
+  const double s4_22 = mbgen::fma(s1_50, work.w_carrier_right_y, work.v_carrier_right_aux1_x);
+  work.v_wheel_front_right_x = mbgen::fnma(s1_48, work.w_carrier_right_z, s4_22);
+  const double s4_23 = mbgen::fma(s1_46, work.w_carrier_right_z, work.v_carrier_right_aux1_y);
+  work.v_wheel_front_right_y = mbgen::fnma(s1_50, work.w_carrier_right_x, s4_23);
+  const double s4_24 = mbgen::fma(s1_48, work.w_carrier_right_x, work.v_carrier_right_aux1_z);
+  work.v_wheel_front_right_z = mbgen::fnma(s1_46, work.w_carrier_right_y, s4_24);
   const double zd_wheel_front_right = state.zd[Coordinate::wheel_front_right];
-  const double v_wheel_front_right_x = mbgen::fma(zd_wheel_front_right, work.b_wheel_front_right_x,
-      v_carrier_right_x);
-  const double v_wheel_front_right_y = mbgen::fnma(zd_wheel_front_right, work.s1_67,
-      v_carrier_right_y);
-  const double v_wheel_front_right_z = mbgen::fma(zd_wheel_front_right, work.b_wheel_front_right_z,
-      v_carrier_right_z);
-  const double w_wheel_front_right_x = mbgen::fnma(zd_wheel_front_right, work.s1_44,
-      w_carrier_right_x);
-  const double w_wheel_front_right_y = mbgen::fma(zd_wheel_front_right,
-      work.R_carrier_right_aux2_y_y, w_carrier_right_y);
-  const double w_wheel_front_right_z = mbgen::fma(zd_wheel_front_right,
-      work.R_carrier_right_aux2_z_y, w_carrier_right_z);
+  work.w_wheel_front_right_x = mbgen::fnma(zd_wheel_front_right, work.s1_34,
+      work.w_carrier_right_x);
+  work.w_wheel_front_right_y = mbgen::fma(zd_wheel_front_right, work.R_carrier_right_aux2_y_y,
+      work.w_carrier_right_y);
+  work.w_wheel_front_right_z = mbgen::fma(zd_wheel_front_right, work.R_carrier_right_aux2_z_y,
+      work.w_carrier_right_z);
   // upper_arm_right: upper_arm_right, revolute, chassis
-  const double zd_upper_arm_right = state.zd[Coordinate::upper_arm_right];
-  const double v_upper_arm_right_y = mbgen::fnma((-p_upper_arm_right_z), zd_upper_arm_right,
-      v_chassis_y);
-  const double v_upper_arm_right_z = mbgen::fma((-p_upper_arm_right_y), zd_upper_arm_right,
-      v_chassis_z);
-  const double w_upper_arm_right_x = zd_upper_arm_right + w_chassis_x;
+  const double s4_25 = mbgen::fma(p_upper_arm_left_y, work.w_chassis_z, work.v_chassis_x);
+  work.v_upper_arm_right_x = mbgen::fnma((-p_upper_arm_left_z), work.w_chassis_y, s4_25);
+  const double s4_26 = mbgen::fnma(p_lower_arm_left_x, work.w_chassis_y, work.v_chassis_z);
+  work.v_upper_arm_right_z = mbgen::fnma(p_upper_arm_left_y, work.w_chassis_x, s4_26);
+  work.w_upper_arm_right_x = state.zd[Coordinate::upper_arm_right] + work.w_chassis_x;
   // arb_front_right: arb_front_right, revolute, chassis
-  const double zd_arb_front_right = state.zd[Coordinate::arb_front_right];
-  const double v_arb_front_right_x = mbgen::fma((-p_arb_front_right_z), zd_arb_front_right,
-      v_chassis_x);
-  const double v_arb_front_right_z = mbgen::fma(p_arb_front_right_x, zd_arb_front_right,
-      v_chassis_z);
-  const double w_arb_front_right_y = zd_arb_front_right + w_chassis_y;
+  const double s4_27 = mbgen::fma(p_arb_front_left_y, work.w_chassis_z, work.v_chassis_x);
+  work.v_arb_front_right_x = mbgen::fnma((-p_arb_front_left_z), work.w_chassis_y, s4_27);
+  const double s4_28 = mbgen::fnma(p_arb_front_left_y, work.w_chassis_x, work.v_chassis_z);
+  work.v_arb_front_right_z = mbgen::fnma(p_arb_front_left_x, work.w_chassis_y, s4_28);
+  work.w_arb_front_right_y = state.zd[Coordinate::arb_front_right] + work.w_chassis_y;
   // pitman_arm: pitman_arm, revolute, chassis
-  const double zd_pitman_arm = state.zd[Coordinate::pitman_arm];
-  const double v_pitman_arm_x = mbgen::fma((-p_pitman_arm_z), zd_pitman_arm, v_chassis_x);
-  const double v_pitman_arm_z = mbgen::fma(p_pitman_arm_x, zd_pitman_arm, v_chassis_z);
-  const double w_pitman_arm_y = zd_pitman_arm + w_chassis_y;
+  const double s4_29 = mbgen::fnma(p_upper_arm_left_y, work.w_chassis_z, work.v_chassis_x);
+  work.v_pitman_arm_x = mbgen::fnma((-p_pitman_arm_z), work.w_chassis_y, s4_29);
+  const double s4_30 = mbgen::fma(p_lower_arm_left_y, work.w_chassis_x, work.v_chassis_y);
+  work.v_pitman_arm_y = mbgen::fma(p_pitman_arm_x, work.w_chassis_z, s4_30);
+  work.v_pitman_arm_z = mbgen::fnma(p_pitman_arm_x, work.w_chassis_y, s4_15);
+  work.w_pitman_arm_y = state.zd[Coordinate::pitman_arm] + work.w_chassis_y;
   // bell_crank: bell_crank, revolute, chassis
-  const double zd_bell_crank = state.zd[Coordinate::bell_crank];
-  const double v_bell_crank_y = mbgen::fnma(p_bell_crank_x, zd_bell_crank, v_chassis_y);
-  const double w_bell_crank_z = zd_bell_crank + w_chassis_z;
+  work.v_bell_crank_x = mbgen::fnma((-p_bell_crank_z), work.w_chassis_y, work.v_chassis_x);
+  const double s4_31 = mbgen::fma((-p_bell_crank_z), work.w_chassis_x, work.v_chassis_y);
+  work.v_bell_crank_y = mbgen::fma(p_bell_crank_x, work.w_chassis_z, s4_31);
+  work.v_bell_crank_z = mbgen::fnma(p_bell_crank_x, work.w_chassis_y, work.v_chassis_z);
+  work.w_bell_crank_z = state.zd[Coordinate::bell_crank] + work.w_chassis_z;
   // rear_axle_aux1: rear_axle_tx, prismatic, chassis
-  const double zd_rear_axle_tx = state.zd[Coordinate::rear_axle_tx];
-  const double v_rear_axle_aux1_x = zd_rear_axle_tx + v_chassis_x;
+  const double s4_32 = state.zd[Coordinate::rear_axle_tx] + work.v_chassis_x;
+  const double v_rear_axle_aux1_x = mbgen::fnma((-p_arb_front_left_z), work.w_chassis_y, s4_32);
+  const double v_rear_axle_aux1_y = mbgen::fma(work.r_rear_axle_aux1_x, work.w_chassis_z, s4_17);
+  const double v_rear_axle_aux1_z = mbgen::fnma(work.r_rear_axle_aux1_x, work.w_chassis_y,
+      work.v_chassis_z);
   // rear_axle_aux2: rear_axle_ty, prismatic, rear_axle_aux1
-  const double zd_rear_axle_ty = state.zd[Coordinate::rear_axle_ty];
-  const double v_rear_axle_aux2_y = zd_rear_axle_ty + v_chassis_y;
+  const double v_rear_axle_aux2_x = mbgen::fnma(z_rear_axle_ty, work.w_chassis_z,
+      v_rear_axle_aux1_x);
+  const double v_rear_axle_aux2_y = state.zd[Coordinate::rear_axle_ty] + v_rear_axle_aux1_y;
+  const double v_rear_axle_aux2_z = mbgen::fma(z_rear_axle_ty, work.w_chassis_x,
+      v_rear_axle_aux1_z);
   // rear_axle_aux3: rear_axle_tz, prismatic, rear_axle_aux2
-  const double zd_rear_axle_tz = state.zd[Coordinate::rear_axle_tz];
-  const double v_rear_axle_aux3_z = zd_rear_axle_tz + v_chassis_z;
+  work.v_rear_axle_aux3_x = mbgen::fma(z_rear_axle_tz, work.w_chassis_y, v_rear_axle_aux2_x);
+  work.v_rear_axle_aux3_y = mbgen::fnma(z_rear_axle_tz, work.w_chassis_x, v_rear_axle_aux2_y);
+  work.v_rear_axle_aux3_z = state.zd[Coordinate::rear_axle_tz] + v_rear_axle_aux2_z;
   // rear_axle_aux4: rear_axle_rz, revolute, rear_axle_aux3
-  const double zd_rear_axle_rz = state.zd[Coordinate::rear_axle_rz];
-  const double v_rear_axle_aux4_x = mbgen::fma(z_rear_axle_ty, zd_rear_axle_rz, v_rear_axle_aux1_x);
-  const double v_rear_axle_aux4_y = mbgen::fnma(zd_rear_axle_rz, work.r_rear_axle_aux1_x,
-      v_rear_axle_aux2_y);
-  const double w_rear_axle_aux4_z = zd_rear_axle_rz + w_chassis_z;
+  const double w_rear_axle_aux4_z = state.zd[Coordinate::rear_axle_rz] + work.w_chassis_z;
   // rear_axle_aux5: rear_axle_ry, revolute, rear_axle_aux4
   const double zd_rear_axle_ry = state.zd[Coordinate::rear_axle_ry];
-  const double v_rear_axle_aux5_x = mbgen::fnma(zd_rear_axle_ry, work.s1_70, v_rear_axle_aux4_x);
-  const double v_rear_axle_aux5_y = mbgen::fnma(zd_rear_axle_ry, work.s1_71, v_rear_axle_aux4_y);
-  const double v_rear_axle_aux5_z = mbgen::fma(zd_rear_axle_ry, work.b_rear_axle_ry_z,
-      v_rear_axle_aux3_z);
-  const double w_rear_axle_aux5_x = mbgen::fnma(zd_rear_axle_ry, work.sines[17], w_chassis_x);
-  const double w_rear_axle_aux5_y = mbgen::fma(zd_rear_axle_ry, work.cosines[17], w_chassis_y);
+  const double w_rear_axle_aux5_x = mbgen::fnma(zd_rear_axle_ry, R_rear_axle_aux4_y_x,
+      work.w_chassis_x);
+  const double w_rear_axle_aux5_y = mbgen::fma(zd_rear_axle_ry, R_rear_axle_aux4_x_x,
+      work.w_chassis_y);
   // rear_axle: rear_axle_rx, revolute, rear_axle_aux5
   const double zd_rear_axle_rx = state.zd[Coordinate::rear_axle_rx];
-  const double v_rear_axle_x = mbgen::fnma(zd_rear_axle_rx, work.s1_76, v_rear_axle_aux5_x);
-  const double v_rear_axle_y = mbgen::fma(zd_rear_axle_rx, work.b_rear_axle_rx_y,
-      v_rear_axle_aux5_y);
-  const double v_rear_axle_z = mbgen::fma(zd_rear_axle_rx, work.b_rear_axle_rx_z,
-      v_rear_axle_aux5_z);
-  const double w_rear_axle_x = mbgen::fma(zd_rear_axle_rx, work.R_rear_axle_aux5_x_x,
-      w_rear_axle_aux5_x);
-  const double w_rear_axle_y = mbgen::fma(zd_rear_axle_rx, work.R_rear_axle_aux5_y_x,
-      w_rear_axle_aux5_y);
-  const double w_rear_axle_z = mbgen::fnma(zd_rear_axle_rx, s1_69, w_rear_axle_aux4_z);
+  work.w_rear_axle_x = mbgen::fma(zd_rear_axle_rx, work.R_rear_axle_aux5_x_x, w_rear_axle_aux5_x);
+  work.w_rear_axle_y = mbgen::fma(zd_rear_axle_rx, work.R_rear_axle_aux5_y_x, w_rear_axle_aux5_y);
+  work.w_rear_axle_z = mbgen::fnma(zd_rear_axle_rx, s1_51, w_rear_axle_aux4_z);
   // wheel_rear_left: wheel_rear_left, revolute, rear_axle
+  const double s4_33 = mbgen::fma(s1_56, work.w_rear_axle_y, work.v_rear_axle_aux3_x);
+  work.v_wheel_rear_left_x = mbgen::fnma(s1_55, work.w_rear_axle_z, s4_33);
+  const double s4_34 = mbgen::fma(s1_54, work.w_rear_axle_z, work.v_rear_axle_aux3_y);
+  work.v_wheel_rear_left_y = mbgen::fnma(s1_56, work.w_rear_axle_x, s4_34);
+  const double s4_35 = mbgen::fma(s1_55, work.w_rear_axle_x, work.v_rear_axle_aux3_z);
+  work.v_wheel_rear_left_z = mbgen::fnma(s1_54, work.w_rear_axle_y, s4_35);
   const double zd_wheel_rear_left = state.zd[Coordinate::wheel_rear_left];
-  const double v_wheel_rear_left_x = mbgen::fma(zd_wheel_rear_left, work.b_wheel_rear_left_x,
-      v_rear_axle_x);
-  const double v_wheel_rear_left_y = mbgen::fma(zd_wheel_rear_left, work.b_wheel_rear_left_y,
-      v_rear_axle_y);
-  const double v_wheel_rear_left_z = mbgen::fma(zd_wheel_rear_left, work.b_wheel_rear_left_z,
-      v_rear_axle_z);
-  const double w_wheel_rear_left_x = mbgen::fma(zd_wheel_rear_left, work.R_rear_axle_x_y,
-      w_rear_axle_x);
-  const double w_wheel_rear_left_y = mbgen::fma(zd_wheel_rear_left, work.R_rear_axle_y_y,
-      w_rear_axle_y);
-  const double w_wheel_rear_left_z = mbgen::fma(zd_wheel_rear_left, work.R_rear_axle_z_y,
-      w_rear_axle_z);
+  work.w_wheel_rear_left_x = mbgen::fma(zd_wheel_rear_left, work.R_rear_axle_x_y,
+      work.w_rear_axle_x);
+  work.w_wheel_rear_left_y = mbgen::fma(zd_wheel_rear_left, work.R_rear_axle_y_y,
+      work.w_rear_axle_y);
+  work.w_wheel_rear_left_z = mbgen::fma(zd_wheel_rear_left, work.R_rear_axle_z_y,
+      work.w_rear_axle_z);
   // arb_rear_left: arb_rear_left, revolute, chassis
-  const double zd_arb_rear_left = state.zd[Coordinate::arb_rear_left];
-  const double v_arb_rear_left_x = mbgen::fma((-p_arb_rear_left_z), zd_arb_rear_left, v_chassis_x);
-  const double v_arb_rear_left_z = mbgen::fnma((-p_arb_rear_left_x), zd_arb_rear_left, v_chassis_z);
-  const double w_arb_rear_left_y = zd_arb_rear_left + w_chassis_y;
+  const double s4_36 = mbgen::fnma(p_arb_front_left_y, work.w_chassis_z, work.v_chassis_x);
+  work.v_arb_rear_left_x = mbgen::fnma((-p_arb_rear_left_z), work.w_chassis_y, s4_36);
+  const double s4_37 = mbgen::fma(p_arb_front_left_y, work.w_chassis_x, work.v_chassis_y);
+  work.v_arb_rear_left_y = mbgen::fnma((-p_arb_rear_left_x), work.w_chassis_z, s4_37);
+  work.v_arb_rear_left_z = mbgen::fma((-p_arb_rear_left_x), work.w_chassis_y, s4_18);
+  work.w_arb_rear_left_y = state.zd[Coordinate::arb_rear_left] + work.w_chassis_y;
   // wheel_rear_right: wheel_rear_right, revolute, rear_axle
+  const double s4_38 = mbgen::fma(s1_55, work.w_rear_axle_z, work.v_rear_axle_aux3_x);
+  work.v_wheel_rear_right_x = mbgen::fnma(s1_56, work.w_rear_axle_y, s4_38);
+  const double s4_39 = mbgen::fma(s1_56, work.w_rear_axle_x, work.v_rear_axle_aux3_y);
+  work.v_wheel_rear_right_y = mbgen::fnma(s1_54, work.w_rear_axle_z, s4_39);
+  const double s4_40 = mbgen::fma(s1_54, work.w_rear_axle_y, work.v_rear_axle_aux3_z);
+  work.v_wheel_rear_right_z = mbgen::fnma(s1_55, work.w_rear_axle_x, s4_40);
   const double zd_wheel_rear_right = state.zd[Coordinate::wheel_rear_right];
-  const double v_wheel_rear_right_x = mbgen::fma(zd_wheel_rear_right, work.b_wheel_rear_right_x,
-      v_rear_axle_x);
-  const double v_wheel_rear_right_y = mbgen::fma(zd_wheel_rear_right, work.b_wheel_rear_right_y,
-      v_rear_axle_y);
-  const double v_wheel_rear_right_z = mbgen::fma(zd_wheel_rear_right, work.b_wheel_rear_right_z,
-      v_rear_axle_z);
-  const double w_wheel_rear_right_x = mbgen::fma(zd_wheel_rear_right, work.R_rear_axle_x_y,
-      w_rear_axle_x);
-  const double w_wheel_rear_right_y = mbgen::fma(zd_wheel_rear_right, work.R_rear_axle_y_y,
-      w_rear_axle_y);
-  const double w_wheel_rear_right_z = mbgen::fma(zd_wheel_rear_right, work.R_rear_axle_z_y,
-      w_rear_axle_z);
+  work.w_wheel_rear_right_x = mbgen::fma(zd_wheel_rear_right, work.R_rear_axle_x_y,
+      work.w_rear_axle_x);
+  work.w_wheel_rear_right_y = mbgen::fma(zd_wheel_rear_right, work.R_rear_axle_y_y,
+      work.w_rear_axle_y);
+  work.w_wheel_rear_right_z = mbgen::fma(zd_wheel_rear_right, work.R_rear_axle_z_y,
+      work.w_rear_axle_z);
   // arb_rear_right: arb_rear_right, revolute, chassis
-  const double zd_arb_rear_right = state.zd[Coordinate::arb_rear_right];
-  const double v_arb_rear_right_x = mbgen::fma((-p_arb_rear_right_z), zd_arb_rear_right,
-      v_chassis_x);
-  const double v_arb_rear_right_z = mbgen::fnma((-p_arb_rear_right_x), zd_arb_rear_right,
-      v_chassis_z);
-  const double w_arb_rear_right_y = zd_arb_rear_right + w_chassis_y;
-  // operations: 113 add, 104 multiply
+  work.v_arb_rear_right_x = mbgen::fnma((-p_arb_rear_left_z), work.w_chassis_y, s4_27);
+  const double s4_41 = mbgen::fma((-p_arb_rear_left_x), work.w_chassis_y, work.v_chassis_z);
+  work.v_arb_rear_right_z = mbgen::fnma(p_arb_front_left_y, work.w_chassis_x, s4_41);
+  work.w_arb_rear_right_y = state.zd[Coordinate::arb_rear_right] + work.w_chassis_y;
+  // operations: 141 add, 132 multiply
 
-  // --- step 7: accelerations Zdot and accumulated forces QR - PR (51), (52) ---
-  // chassis: chassis_rx, revolute, chassis_aux5
-  const double s7_1 = mbgen::fnma((-I_chassis_xz), w_chassis_z, I_chassis_xx*w_chassis_x);
-  const double s7_2 = mbgen::fnma((-I_chassis_xz), w_chassis_x, I_chassis_zz*w_chassis_z);
-  // lower_arm_left: lower_arm_left, revolute, chassis
-  const double s7_3 = mbgen::fma(work.s1_91, w_chassis_y, work.s1_92*w_chassis_z);
-  const double s7_4 = mbgen::fma(work.s1_91, w_chassis_z, work.s1_95*w_chassis_y);
-  const double s7_5 = I_lower_arm_left_xx*w_lower_arm_left_x;
-  // carrier_left: carrier_left_ry, revolute, carrier_left_aux2
-  const double s7_6 = mbgen::fma(work.s1_142, w_carrier_left_x, work.s1_133*w_carrier_left_y);
-  const double s7_7 = mbgen::fma(work.s1_121, w_carrier_left_z, s7_6);
-  const double s7_8 = mbgen::fma(work.s1_145, w_carrier_left_z, work.s1_115*w_carrier_left_y);
-  const double s7_9 = mbgen::fma(work.s1_121, w_carrier_left_x, s7_8);
-  const double s7_10 = mbgen::fma(work.s1_115, w_carrier_left_z, work.s1_148*w_carrier_left_y);
-  const double s7_11 = mbgen::fma(work.s1_133, w_carrier_left_x, s7_10);
-  // wheel_front_left: wheel_front_left, revolute, carrier_left
-  const double s7_12 = work.s1_160*w_wheel_front_left_y;
-  const double s7_13 = mbgen::fma(work.s1_168, w_wheel_front_left_z, s7_12);
-  const double s7_14 = mbgen::fma(work.s1_174, w_wheel_front_left_x, s7_13);
-  const double s7_15 = work.s1_174*w_wheel_front_left_y;
-  const double s7_16 = mbgen::fma(work.s1_165, w_wheel_front_left_x, s7_15);
-  const double s7_17 = mbgen::fma(work.s1_171, w_wheel_front_left_z, s7_16);
-  const double s7_18 = work.s1_168*w_wheel_front_left_y;
-  const double s7_19 = mbgen::fma(work.s1_155, w_wheel_front_left_z, s7_18);
-  const double s7_20 = mbgen::fma(work.s1_171, w_wheel_front_left_x, s7_19);
-  // upper_arm_left: upper_arm_left, revolute, chassis
-  const double s7_21 = mbgen::fma(work.s1_181, w_chassis_y, work.s1_182*w_chassis_z);
-  const double s7_22 = mbgen::fma(work.s1_181, w_chassis_z, work.s1_185*w_chassis_y);
-  const double s7_23 = I_upper_arm_left_xx*w_upper_arm_left_x;
-  // arb_front_left: arb_front_left, revolute, chassis
-  const double s7_24 = I_arb_front_left_yy*w_arb_front_left_y;
-  const double s7_25 = mbgen::fma(work.s1_194, w_chassis_x, s7_24);
-  const double s7_26 = mbgen::fnma(work.s1_188, w_chassis_z, s7_25);
-  const double s7_27 = mbgen::fma(work.s1_201, w_chassis_x, work.s1_194*w_arb_front_left_y);
-  const double s7_28 = mbgen::fma(work.s1_198, w_chassis_z, s7_27);
-  const double s7_29 = mbgen::fma(work.s1_202, w_chassis_z, work.s1_198*w_chassis_x);
-  const double s7_30 = mbgen::fnma(work.s1_188, w_arb_front_left_y, s7_29);
-  // lower_arm_right: lower_arm_right, revolute, chassis
-  const double s7_31 = mbgen::fma(work.s1_209, w_chassis_y, work.s1_210*w_chassis_z);
-  const double s7_32 = mbgen::fma(work.s1_209, w_chassis_z, work.s1_213*w_chassis_y);
-  const double s7_33 = I_lower_arm_right_xx*w_lower_arm_right_x;
-  // carrier_right: carrier_right_ry, revolute, carrier_right_aux2
-  const double s7_34 = work.s1_251*w_carrier_right_y;
-  const double s7_35 = mbgen::fma(work.s1_239, w_carrier_right_z, s7_34);
-  const double s7_36 = mbgen::fma(work.s1_267, w_carrier_right_x, s7_35);
-  const double s7_37 = work.s1_233*w_carrier_right_y;
-  const double s7_38 = mbgen::fma(work.s1_254, w_carrier_right_z, s7_37);
-  const double s7_39 = mbgen::fma(work.s1_239, w_carrier_right_x, s7_38);
-  const double s7_40 = work.s1_257*w_carrier_right_y;
-  const double s7_41 = mbgen::fma(work.s1_233, w_carrier_right_z, s7_40);
-  const double s7_42 = mbgen::fma(work.s1_251, w_carrier_right_x, s7_41);
-  // wheel_front_right: wheel_front_right, revolute, carrier_right
-  const double s7_43 = work.s1_279*w_wheel_front_right_y;
-  const double s7_44 = mbgen::fma(work.s1_287, w_wheel_front_right_z, s7_43);
-  const double s7_45 = mbgen::fma(work.s1_293, w_wheel_front_right_x, s7_44);
-  const double s7_46 = work.s1_293*w_wheel_front_right_y;
-  const double s7_47 = mbgen::fma(work.s1_284, w_wheel_front_right_x, s7_46);
-  const double s7_48 = mbgen::fma(work.s1_290, w_wheel_front_right_z, s7_47);
-  const double s7_49 = work.s1_287*w_wheel_front_right_y;
-  const double s7_50 = mbgen::fma(work.s1_274, w_wheel_front_right_z, s7_49);
-  const double s7_51 = mbgen::fma(work.s1_290, w_wheel_front_right_x, s7_50);
-  // upper_arm_right: upper_arm_right, revolute, chassis
-  const double s7_52 = mbgen::fma(work.s1_300, w_chassis_y, work.s1_301*w_chassis_z);
-  const double s7_53 = mbgen::fma(work.s1_300, w_chassis_z, work.s1_304*w_chassis_y);
-  const double s7_54 = I_upper_arm_right_xx*w_upper_arm_right_x;
-  // arb_front_right: arb_front_right, revolute, chassis
-  const double s7_55 = mbgen::fma(s1_318, w_chassis_x, work.s1_311*w_arb_front_right_y);
-  const double s7_56 = mbgen::fma(s1_323, w_chassis_z, s7_55);
-  const double s7_57 = I_arb_front_right_yy*w_arb_front_right_y;
-  const double s7_58 = mbgen::fma(work.s1_311, w_chassis_z, s7_57);
-  const double s7_59 = mbgen::fma(s1_313, w_chassis_x, s7_58);
-  const double s7_60 = mbgen::fma(s1_321, w_chassis_x, s1_313*w_arb_front_right_y);
-  const double s7_61 = mbgen::fma(s1_318, w_chassis_z, s7_60);
-  // pitman_arm: pitman_arm, revolute, chassis
-  const double s7_62 = mbgen::fma(s1_327, w_chassis_z, s1_330*w_chassis_x);
-  const double s7_63 = mbgen::fma(s1_327, w_chassis_x, s1_331*w_chassis_z);
-  const double s7_64 = I_pitman_arm_yy*w_pitman_arm_y;
-  // bell_crank: bell_crank, revolute, chassis
-  const double s7_65 = mbgen::fma(s1_341, w_chassis_y, s1_339*w_chassis_x);
-  const double s7_66 = I_bell_crank_zz*w_bell_crank_z;
-  const double s7_67 = mbgen::fma(s1_341, w_chassis_x, s1_344*w_chassis_y);
-  // rear_axle: rear_axle_rx, revolute, rear_axle_aux5
-  const double s7_68 = mbgen::fma(s1_353, w_rear_axle_z, s1_372*w_rear_axle_y);
-  const double s7_69 = mbgen::fma(s1_367, w_rear_axle_x, s7_68);
-  const double s7_70 = mbgen::fma(s1_357, w_rear_axle_z, s1_367*w_rear_axle_y);
-  const double s7_71 = mbgen::fma(s1_379, w_rear_axle_x, s7_70);
-  const double s7_72 = mbgen::fma(s1_369, w_rear_axle_z, s1_353*w_rear_axle_y);
-  const double s7_73 = mbgen::fma(s1_357, w_rear_axle_x, s7_72);
-  // wheel_rear_left: wheel_rear_left, revolute, rear_axle
-  const double s7_74 = mbgen::fma(s1_397, w_wheel_rear_left_z, s1_395*w_wheel_rear_left_y);
-  const double s7_75 = mbgen::fma(s1_402, w_wheel_rear_left_x, s7_74);
-  const double s7_76 = mbgen::fma(s1_399, w_wheel_rear_left_z, s1_402*w_wheel_rear_left_y);
-  const double s7_77 = mbgen::fma(s1_389, w_wheel_rear_left_x, s7_76);
-  const double s7_78 = mbgen::fma(s1_384, w_wheel_rear_left_z, s1_397*w_wheel_rear_left_y);
-  const double s7_79 = mbgen::fma(s1_399, w_wheel_rear_left_x, s7_78);
-  // arb_rear_left: arb_rear_left, revolute, chassis
-  const double s7_80 = mbgen::fma(s1_408, w_chassis_z, s1_413*w_chassis_x);
-  const double s7_81 = mbgen::fnma(s1_404, w_arb_rear_left_y, s7_80);
-  const double s7_82 = mbgen::fma(s1_410, w_chassis_z, s1_406*w_arb_rear_left_y);
-  const double s7_83 = mbgen::fma(s1_408, w_chassis_x, s7_82);
-  const double s7_84 = mbgen::fma(s1_406, w_chassis_z, I_arb_rear_left_yy*w_arb_rear_left_y);
-  const double s7_85 = mbgen::fnma(s1_404, w_chassis_x, s7_84);
+  // --- step 7: inertias of the bodies and forces on joints ---
+  // arb_link_front_left
+  const double R_arb_front_left_x_z = work.sines[8];
+  const double R_arb_front_left_x_x = work.cosines[8];
+  const double s7_1 = (-p_arb_link_front_left_from_x)*R_arb_front_left_x_z;
+  work.s7_2 = mbgen::fma(p_arb_link_front_left_from_z, R_arb_front_left_x_x, s7_1);
+  const double s7_3 = p_arb_link_front_left_from_z*R_arb_front_left_x_z;
+  work.s7_4 = mbgen::fnma((-p_arb_link_front_left_from_x), R_arb_front_left_x_x, s7_3);
+  const double s7_5 = p_arb_link_front_left_to_x*work.R_carrier_left_x_x;
+  const double s7_6 = work.s1_12 + work.R_carrier_left_x_z;
+  work.s7_7 = mbgen::fma((-p_arb_link_front_left_to_y), s7_6, s7_5);
+  const double s7_8 = work.R_carrier_left_y_z - work.R_carrier_left_aux2_y_y;
+  const double s7_9 = p_arb_link_front_left_to_x*work.R_carrier_left_y_x;
+  work.s7_10 = mbgen::fma((-p_arb_link_front_left_to_y), s7_8, s7_9);
+  const double s7_11 = work.R_carrier_left_z_z - work.R_carrier_left_aux2_z_y;
+  const double s7_12 = p_arb_link_front_left_to_x*work.R_carrier_left_z_x;
+  work.s7_13 = mbgen::fma((-p_arb_link_front_left_to_y), s7_11, s7_12);
+  // arb_link_front_right
+  const double R_arb_front_right_x_z = work.sines[14];
+  const double R_arb_front_right_x_x = work.cosines[14];
+  const double s7_14 = (-p_arb_link_front_right_from_x)*R_arb_front_right_x_z;
+  work.s7_15 = mbgen::fma(p_arb_link_front_right_from_z, R_arb_front_right_x_x, s7_14);
+  const double s7_16 = p_arb_link_front_right_from_z*R_arb_front_right_x_z;
+  work.s7_17 = mbgen::fnma((-p_arb_link_front_right_from_x), R_arb_front_right_x_x, s7_16);
+  const double s7_18 = p_arb_link_front_right_to_x*work.R_carrier_right_x_x;
+  const double s7_19 = work.R_carrier_right_x_z - work.s1_34;
+  work.s7_20 = mbgen::fma((-p_arb_link_front_left_to_y), s7_19, s7_18);
+  const double s7_21 = work.R_carrier_right_aux2_y_y + work.R_carrier_right_y_z;
+  const double s7_22 = p_arb_link_front_right_to_x*work.R_carrier_right_y_x;
+  work.s7_23 = mbgen::fma((-p_arb_link_front_left_to_y), s7_21, s7_22);
+  const double s7_24 = work.R_carrier_right_aux2_z_y + work.R_carrier_right_z_z;
+  const double s7_25 = p_arb_link_front_right_to_x*work.R_carrier_right_z_x;
+  work.s7_26 = mbgen::fma((-p_arb_link_front_left_to_y), s7_24, s7_25);
+  // drag_link
+  work.s7_27 = (-p_drag_link_from_z)*work.sines[15];
+  work.s7_28 = (-p_drag_link_from_z)*work.cosines[15];
+  const double R_bell_crank_y_x = work.sines[16];
+  work.s7_29 = p_drag_link_to_y*R_bell_crank_y_x;
+  const double R_bell_crank_x_x = work.cosines[16];
+  work.s7_30 = p_drag_link_to_y*R_bell_crank_x_x;
+  // tie_rod_left
+  const double s7_31 = p_tie_rod_left_from_y*R_bell_crank_y_x;
+  const double s7_32 = (-p_tie_rod_left_from_x)*R_bell_crank_y_x;
+  work.s7_33 = mbgen::fma((-p_tie_rod_left_from_x), R_bell_crank_x_x, s7_31);
+  work.s7_34 = mbgen::fms(p_tie_rod_left_from_y, R_bell_crank_x_x, s7_32);
+  const double s7_35 = (-p_tie_rod_left_to_y)*work.s1_12;
+  const double s7_36 = mbgen::fma(p_tie_rod_left_to_z, work.R_carrier_left_x_z, s7_35);
+  work.s7_37 = mbgen::fnma((-p_tie_rod_left_to_x), work.R_carrier_left_x_x, s7_36);
+  const double s7_38 = p_tie_rod_left_to_z*work.R_carrier_left_y_z;
+  const double s7_39 = mbgen::fnma((-p_tie_rod_left_to_x), work.R_carrier_left_y_x, s7_38);
+  work.s7_40 = mbgen::fnma((-p_tie_rod_left_to_y), work.R_carrier_left_aux2_y_y, s7_39);
+  const double s7_41 = p_tie_rod_left_to_z*work.R_carrier_left_z_z;
+  const double s7_42 = mbgen::fnma((-p_tie_rod_left_to_x), work.R_carrier_left_z_x, s7_41);
+  work.s7_43 = mbgen::fnma((-p_tie_rod_left_to_y), work.R_carrier_left_aux2_z_y, s7_42);
+  // tie_rod_right
+  work.s7_44 = mbgen::fma(p_tie_rod_left_from_y, R_bell_crank_x_x, s7_32);
+  work.s7_45 = mbgen::fnma((-p_tie_rod_left_from_x), R_bell_crank_x_x, s7_31);
+  const double s7_46 = p_tie_rod_right_to_z*work.R_carrier_right_x_z;
+  const double s7_47 = mbgen::fnma((-p_tie_rod_right_to_x), work.R_carrier_right_x_x, s7_46);
+  work.s7_48 = mbgen::fnma(p_tie_rod_right_to_y, work.s1_34, s7_47);
+  const double s7_49 = p_tie_rod_right_to_y*work.R_carrier_right_aux2_y_y;
+  const double s7_50 = mbgen::fma(p_tie_rod_right_to_z, work.R_carrier_right_y_z, s7_49);
+  work.s7_51 = mbgen::fnma((-p_tie_rod_right_to_x), work.R_carrier_right_y_x, s7_50);
+  const double s7_52 = p_tie_rod_right_to_y*work.R_carrier_right_aux2_z_y;
+  const double s7_53 = mbgen::fma(p_tie_rod_right_to_z, work.R_carrier_right_z_z, s7_52);
+  work.s7_54 = mbgen::fnma((-p_tie_rod_right_to_x), work.R_carrier_right_z_x, s7_53);
+  // long_rod_left
+  const double s7_55 = p_long_rod_left_to_x*s1_51;
+  const double s7_56 = mbgen::fma((-p_long_rod_left_to_z), work.R_rear_axle_z_z, s7_55);
+  work.s7_57 = mbgen::fms(p_long_rod_left_to_y, work.R_rear_axle_z_y, s7_56);
+  const double s7_58 = p_long_rod_left_to_x*work.R_rear_axle_aux5_x_x;
+  const double s7_59 = mbgen::fnma((-p_long_rod_left_to_z), work.R_rear_axle_x_z, s7_58);
+  work.s7_60 = mbgen::fma(p_long_rod_left_to_y, work.R_rear_axle_x_y, s7_59);
+  const double s7_61 = p_long_rod_left_to_x*work.R_rear_axle_aux5_y_x;
+  const double s7_62 = mbgen::fnma((-p_long_rod_left_to_z), work.R_rear_axle_y_z, s7_61);
+  work.s7_63 = mbgen::fma(p_long_rod_left_to_y, work.R_rear_axle_y_y, s7_62);
+  // diag_rod_left
+  const double s7_64 = p_diag_rod_left_to_y*work.R_rear_axle_z_y;
+  work.s7_65 = mbgen::fma(p_diag_rod_left_to_z, work.R_rear_axle_z_z, s7_64);
+  const double s7_66 = p_diag_rod_left_to_z*work.R_rear_axle_x_z;
+  work.s7_67 = mbgen::fma(p_diag_rod_left_to_y, work.R_rear_axle_x_y, s7_66);
+  const double s7_68 = p_diag_rod_left_to_y*work.R_rear_axle_y_y;
+  work.s7_69 = mbgen::fma(p_diag_rod_left_to_z, work.R_rear_axle_y_z, s7_68);
+  // arb_link_rear_left
+  work.s7_70 = p_arb_link_rear_left_from_x*work.sines[20];
+  const double s7_71 = (-p_arb_link_rear_left_to_x)*work.R_rear_axle_aux5_y_x;
+  const double s7_72 = mbgen::fma((-p_arb_link_rear_left_to_z), work.R_rear_axle_y_z, s7_71);
+  const double s7_73 = (-p_arb_link_rear_left_to_x)*work.R_rear_axle_aux5_x_x;
+  const double s7_74 = mbgen::fma((-p_arb_link_rear_left_to_z), work.R_rear_axle_x_z, s7_73);
+  work.s7_75 = p_arb_link_rear_left_from_x*work.cosines[20];
+  const double s7_76 = (-p_arb_link_rear_left_to_x)*s1_51;
+  work.s7_77 = mbgen::fnma((-p_arb_link_rear_left_to_z), work.R_rear_axle_z_z, s7_76);
+  work.s7_78 = mbgen::fma(p_arb_link_rear_left_to_y, work.R_rear_axle_z_y, work.s7_77);
+  work.s7_79 = mbgen::fms(p_arb_link_rear_left_to_y, work.R_rear_axle_x_y, s7_74);
+  work.s7_80 = mbgen::fms(p_arb_link_rear_left_to_y, work.R_rear_axle_y_y, s7_72);
+  // long_rod_right
+  work.s7_81 = mbgen::fma(p_long_rod_left_to_y, work.R_rear_axle_z_y, s7_56);
+  work.s7_82 = mbgen::fnma(p_long_rod_left_to_y, work.R_rear_axle_x_y, s7_59);
+  work.s7_83 = mbgen::fnma(p_long_rod_left_to_y, work.R_rear_axle_y_y, s7_62);
+  // diag_rod_right
+  work.s7_84 = mbgen::fms(p_diag_rod_left_to_z, work.R_rear_axle_z_z, s7_64);
+  work.s7_85 = mbgen::fnma(p_diag_rod_left_to_y, work.R_rear_axle_x_y, s7_66);
+  work.s7_86 = mbgen::fms(p_diag_rod_left_to_z, work.R_rear_axle_y_z, s7_68);
+  // arb_link_rear_right
+  work.s7_87 = mbgen::fma(p_arb_link_rear_left_to_y, work.R_rear_axle_y_y, s7_72);
+  work.s7_88 = mbgen::fma(p_arb_link_rear_left_to_y, work.R_rear_axle_x_y, s7_74);
+}
+
+/// Part 2 of compute_outputs: step 7: inertias of the bodies and forces on joints; step 9:
+/// accelerations from the root to the leaves (63), (62).
+[[gnu::noinline]] void compute_outputs_2(const State& state, const double* tau,
+    OutputsWork& __restrict work, Outputs& __restrict result) noexcept {
+  // --- step 7: inertias of the bodies and forces on joints, continued ---
+  // arb_link_rear_right
+  const double R_arb_rear_right_x_z = work.sines[21];
+  const double s7_89 = p_arb_link_rear_right_from_x*R_arb_rear_right_x_z;
+  const double s7_90 = mbgen::fnma(p_arb_link_rear_left_to_y, work.R_rear_axle_z_y, work.s7_77);
+  const double R_arb_rear_right_x_x = work.cosines[21];
+  const double s7_91 = p_arb_link_rear_right_from_x*R_arb_rear_right_x_x;
+  // arb_rear_right: arb_rear_right, revolute, chassis
+  const double s7_92 = c_arb_rear_right_x*R_arb_rear_right_x_z;
+  const double s7_93 = c_arb_rear_right_x*R_arb_rear_right_x_x;
+  const double s7_94 = R_arb_rear_right_x_x*work.w_chassis_x;
+  const double s7_95 = mbgen::fnma(R_arb_rear_right_x_z, work.w_chassis_z, s7_94);
+  const double s7_96 = I_arb_rear_right_yy*work.w_arb_rear_right_y;
+  const double s7_97 = mbgen::fma(I_arb_rear_right_xy, s7_95, s7_96);
+  const double s7_98 = I_arb_rear_right_xy*work.w_arb_rear_right_y;
+  const double s7_99 = mbgen::fma(I_arb_rear_right_xx, s7_95, s7_98);
+  const double s7_100 = R_arb_rear_right_x_z*work.w_chassis_x;
+  const double s7_101 = mbgen::fma(R_arb_rear_right_x_x, work.w_chassis_z, s7_100);
+  const double s7_102 = I_arb_rear_right_zz*s7_101;
   // wheel_rear_right: wheel_rear_right, revolute, rear_axle
-  const double s7_86 = mbgen::fma(s1_397, w_wheel_rear_right_z, s1_395*w_wheel_rear_right_y);
-  const double s7_87 = mbgen::fma(s1_402, w_wheel_rear_right_x, s7_86);
-  const double s7_88 = mbgen::fma(s1_399, w_wheel_rear_right_z, s1_402*w_wheel_rear_right_y);
-  const double s7_89 = mbgen::fma(s1_389, w_wheel_rear_right_x, s7_88);
-  const double s7_90 = mbgen::fma(s1_384, w_wheel_rear_right_z, s1_397*w_wheel_rear_right_y);
-  const double s7_91 = mbgen::fma(s1_399, w_wheel_rear_right_x, s7_90);
-  // arb_rear_right: arb_rear_right, revolute, chassis
-  const double s7_92 = mbgen::fma(s1_424, w_chassis_x, s1_417*w_arb_rear_right_y);
-  const double s7_93 = mbgen::fma(s1_420, w_chassis_z, s7_92);
-  const double s7_94 = mbgen::fma(s1_420, w_chassis_x, s1_421*w_chassis_z);
-  const double s7_95 = mbgen::fnma(s1_414, w_arb_rear_right_y, s7_94);
-  const double s7_96 = mbgen::fma(s1_417, w_chassis_x, I_arb_rear_right_yy*w_arb_rear_right_y);
-  const double s7_97 = mbgen::fnma(s1_414, w_chassis_z, s7_96);
-  // operations: 80 add, 133 multiply
+  const double s7_103 = work.R_rear_axle_y_z*work.w_wheel_rear_right_y;
+  const double s7_104 = mbgen::fma(work.R_rear_axle_z_z, work.w_wheel_rear_right_z, s7_103);
+  const double s7_105 = mbgen::fma(work.R_rear_axle_x_z, work.w_wheel_rear_right_x, s7_104);
+  const double s7_106 = work.R_rear_axle_aux5_y_x*work.w_wheel_rear_right_y;
+  const double s1_51 = work.sines[18];
+  const double s7_107 = mbgen::fma(work.R_rear_axle_aux5_x_x, work.w_wheel_rear_right_x, s7_106);
+  const double s7_108 = mbgen::fnma(s1_51, work.w_wheel_rear_right_z, s7_107);
+  const double s7_109 = I_wheel_rear_right_xx*s7_108;
+  const double s7_110 = I_wheel_rear_right_zz*s7_105;
+  const double s7_111 = work.R_rear_axle_y_y*work.w_wheel_rear_right_y;
+  const double s7_112 = mbgen::fma(work.R_rear_axle_z_y, work.w_wheel_rear_right_z, s7_111);
+  const double s7_113 = mbgen::fma(work.R_rear_axle_x_y, work.w_wheel_rear_right_x, s7_112);
+  const double s7_114 = I_wheel_rear_right_yy*s7_113;
+  // arb_rear_left: arb_rear_left, revolute, chassis
+  const double R_arb_rear_left_x_z = work.sines[20];
+  const double s7_115 = c_arb_rear_left_x*R_arb_rear_left_x_z;
+  const double R_arb_rear_left_x_x = work.cosines[20];
+  const double s7_116 = c_arb_rear_left_x*R_arb_rear_left_x_x;
+  const double s7_117 = R_arb_rear_left_x_x*work.w_chassis_x;
+  const double s7_118 = mbgen::fnma(R_arb_rear_left_x_z, work.w_chassis_z, s7_117);
+  const double s7_119 = I_arb_rear_left_yy*work.w_arb_rear_left_y;
+  const double s7_120 = mbgen::fnma((-I_arb_rear_left_xy), s7_118, s7_119);
+  const double s7_121 = I_arb_rear_left_xx*s7_118;
+  const double s7_122 = mbgen::fnma((-I_arb_rear_left_xy), work.w_arb_rear_left_y, s7_121);
+  const double s7_123 = R_arb_rear_left_x_z*work.w_chassis_x;
+  const double s7_124 = mbgen::fma(R_arb_rear_left_x_x, work.w_chassis_z, s7_123);
+  const double s7_125 = I_arb_rear_left_zz*s7_124;
+  // wheel_rear_left: wheel_rear_left, revolute, rear_axle
+  const double s7_126 = work.R_rear_axle_y_z*work.w_wheel_rear_left_y;
+  const double s7_127 = mbgen::fma(work.R_rear_axle_z_z, work.w_wheel_rear_left_z, s7_126);
+  const double s7_128 = mbgen::fma(work.R_rear_axle_x_z, work.w_wheel_rear_left_x, s7_127);
+  const double s7_129 = work.R_rear_axle_aux5_y_x*work.w_wheel_rear_left_y;
+  const double s7_130 = mbgen::fma(work.R_rear_axle_aux5_x_x, work.w_wheel_rear_left_x, s7_129);
+  const double s7_131 = mbgen::fnma(s1_51, work.w_wheel_rear_left_z, s7_130);
+  const double s7_132 = I_wheel_rear_left_xx*s7_131;
+  const double s7_133 = I_wheel_rear_left_zz*s7_128;
+  const double s7_134 = work.R_rear_axle_y_y*work.w_wheel_rear_left_y;
+  const double s7_135 = mbgen::fma(work.R_rear_axle_z_y, work.w_wheel_rear_left_z, s7_134);
+  const double s7_136 = mbgen::fma(work.R_rear_axle_x_y, work.w_wheel_rear_left_x, s7_135);
+  const double s7_137 = I_wheel_rear_left_yy*s7_136;
+  // rear_axle: rear_axle_rx, revolute, rear_axle_aux5
+  const double s7_138 = c_rear_axle_x*work.R_rear_axle_aux5_y_x;
+  const double s7_139 = mbgen::fma(c_rear_axle_z, work.R_rear_axle_y_z, s7_138);
+  const double s7_140 = mbgen::fnma(c_rear_axle_x, s1_51, c_rear_axle_z*work.R_rear_axle_z_z);
+  const double s7_141 = c_rear_axle_x*work.R_rear_axle_aux5_x_x;
+  const double s7_142 = mbgen::fma(c_rear_axle_z, work.R_rear_axle_x_z, s7_141);
+  const double s7_143 = work.R_rear_axle_y_z*work.w_rear_axle_y;
+  const double s7_144 = mbgen::fma(work.R_rear_axle_z_z, work.w_rear_axle_z, s7_143);
+  const double s7_145 = mbgen::fma(work.R_rear_axle_x_z, work.w_rear_axle_x, s7_144);
+  const double s7_146 = work.R_rear_axle_aux5_y_x*work.w_rear_axle_y;
+  const double s7_147 = mbgen::fma(work.R_rear_axle_aux5_x_x, work.w_rear_axle_x, s7_146);
+  const double s7_148 = mbgen::fnma(s1_51, work.w_rear_axle_z, s7_147);
+  const double s7_149 = mbgen::fnma((-I_rear_axle_xz), s7_145, I_rear_axle_xx*s7_148);
+  const double s7_150 = mbgen::fnma((-I_rear_axle_xz), s7_148, I_rear_axle_zz*s7_145);
+  const double s7_151 = work.R_rear_axle_y_y*work.w_rear_axle_y;
+  const double s7_152 = mbgen::fma(work.R_rear_axle_z_y, work.w_rear_axle_z, s7_151);
+  const double s7_153 = mbgen::fma(work.R_rear_axle_x_y, work.w_rear_axle_x, s7_152);
+  const double s7_154 = I_rear_axle_yy*s7_153;
+  // bell_crank: bell_crank, revolute, chassis
+  const double R_bell_crank_y_x = work.sines[16];
+  const double R_bell_crank_x_x = work.cosines[16];
+  const double s7_155 = c_bell_crank_y*R_bell_crank_y_x;
+  const double s7_156 = mbgen::fma((-c_bell_crank_x), R_bell_crank_x_x, s7_155);
+  const double s7_157 = c_bell_crank_y*R_bell_crank_x_x;
+  const double s7_158 = mbgen::fnma((-c_bell_crank_x), R_bell_crank_y_x, s7_157);
+  const double s7_159 = R_bell_crank_x_x*work.w_chassis_y;
+  const double s7_160 = mbgen::fnma(R_bell_crank_y_x, work.w_chassis_x, s7_159);
+  const double s7_161 = I_bell_crank_zz*work.w_bell_crank_z;
+  const double s7_162 = R_bell_crank_y_x*work.w_chassis_y;
+  const double s7_163 = mbgen::fma(R_bell_crank_x_x, work.w_chassis_x, s7_162);
+  const double s7_164 = mbgen::fnma((-I_bell_crank_xy), s7_163, I_bell_crank_yy*s7_160);
+  const double s7_165 = mbgen::fnma((-I_bell_crank_xy), s7_160, I_bell_crank_xx*s7_163);
+  // pitman_arm: pitman_arm, revolute, chassis
+  const double R_pitman_arm_x_z = work.sines[15];
+  const double s7_166 = (-c_pitman_arm_z)*R_pitman_arm_x_z;
+  const double R_pitman_arm_x_x = work.cosines[15];
+  const double s7_167 = (-c_pitman_arm_z)*R_pitman_arm_x_x;
+  const double s7_168 = R_pitman_arm_x_x*work.w_chassis_x;
+  const double s7_169 = mbgen::fnma(R_pitman_arm_x_z, work.w_chassis_z, s7_168);
+  const double s7_170 = I_pitman_arm_yy*work.w_pitman_arm_y;
+  const double s7_171 = I_pitman_arm_xx*s7_169;
+  const double s7_172 = R_pitman_arm_x_z*work.w_chassis_x;
+  const double s7_173 = mbgen::fma(R_pitman_arm_x_x, work.w_chassis_z, s7_172);
+  const double s7_174 = I_pitman_arm_zz*s7_173;
+  // arb_front_right: arb_front_right, revolute, chassis
+  const double R_arb_front_right_x_z = work.sines[14];
+  const double R_arb_front_right_x_x = work.cosines[14];
+  const double s7_175 = (-c_arb_front_right_x)*R_arb_front_right_x_z;
+  const double s7_176 = mbgen::fma(c_arb_front_right_z, R_arb_front_right_x_x, s7_175);
+  const double s7_177 = c_arb_front_right_z*R_arb_front_right_x_z;
+  const double s7_178 = mbgen::fnma((-c_arb_front_right_x), R_arb_front_right_x_x, s7_177);
+  const double s7_179 = R_arb_front_right_x_x*work.w_chassis_x;
+  const double s7_180 = mbgen::fnma(R_arb_front_right_x_z, work.w_chassis_z, s7_179);
+  const double s7_181 = R_arb_front_right_x_z*work.w_chassis_x;
+  const double s7_182 = mbgen::fma(R_arb_front_right_x_x, work.w_chassis_z, s7_181);
+  const double s7_183 = I_arb_front_right_yy*work.w_arb_front_right_y;
+  const double s7_184 = mbgen::fma(I_arb_front_right_yz, s7_182, s7_183);
+  const double s7_185 = mbgen::fnma((-I_arb_front_right_xy), s7_180, s7_184);
+  const double s7_186 = mbgen::fma(I_arb_front_right_xx, s7_180, I_arb_front_right_xz*s7_182);
+  const double s7_187 = mbgen::fnma((-I_arb_front_right_xy), work.w_arb_front_right_y, s7_186);
+  const double s7_188 = I_arb_front_right_yz*work.w_arb_front_right_y;
+  const double s7_189 = mbgen::fma(I_arb_front_right_xz, s7_180, s7_188);
+  const double s7_190 = mbgen::fma(I_arb_front_right_zz, s7_182, s7_189);
+  // upper_arm_right: upper_arm_right, revolute, chassis
+  const double R_upper_arm_right_z_y = work.sines[13];
+  const double R_upper_arm_right_y_y = work.cosines[13];
+  const double s7_191 = (-c_upper_arm_right_z)*R_upper_arm_right_z_y;
+  const double s7_192 = mbgen::fnma((-c_upper_arm_right_y), R_upper_arm_right_y_y, s7_191);
+  const double s7_193 = (-c_upper_arm_right_y)*R_upper_arm_right_z_y;
+  const double s7_194 = mbgen::fma((-c_upper_arm_right_z), R_upper_arm_right_y_y, s7_193);
+  const double s7_195 = R_upper_arm_right_z_y*work.w_chassis_z;
+  const double s7_196 = mbgen::fma(R_upper_arm_right_y_y, work.w_chassis_y, s7_195);
+  const double s7_197 = R_upper_arm_right_y_y*work.w_chassis_z;
+  const double s7_198 = mbgen::fnma(R_upper_arm_right_z_y, work.w_chassis_y, s7_197);
+  const double s7_199 = I_upper_arm_right_zz*s7_198;
+  const double s7_200 = I_upper_arm_right_yy*s7_196;
+  const double s7_201 = I_upper_arm_right_xx*work.w_upper_arm_right_x;
+  // wheel_front_right: wheel_front_right, revolute, carrier_right
+  const double s7_202 = work.R_carrier_right_y_x*work.w_wheel_front_right_y;
+  const double s7_203 = mbgen::fma(work.R_carrier_right_x_x, work.w_wheel_front_right_x, s7_202);
+  const double s7_204 = mbgen::fma(work.R_carrier_right_z_x, work.w_wheel_front_right_z, s7_203);
+  const double s7_205 = work.R_carrier_right_aux2_y_y*work.w_wheel_front_right_y;
+  const double s7_206 = mbgen::fma(work.R_carrier_right_aux2_z_y, work.w_wheel_front_right_z,
+      s7_205);
+  const double s7_207 = mbgen::fnma(work.s1_34, work.w_wheel_front_right_x, s7_206);
+  const double s7_208 = I_wheel_front_right_yy*s7_207;
+  const double s7_209 = I_wheel_front_right_xx*s7_204;
+  const double s7_210 = work.R_carrier_right_y_z*work.w_wheel_front_right_y;
+  const double s7_211 = mbgen::fma(work.R_carrier_right_x_z, work.w_wheel_front_right_x, s7_210);
+  const double s7_212 = mbgen::fma(work.R_carrier_right_z_z, work.w_wheel_front_right_z, s7_211);
+  const double s7_213 = I_wheel_front_right_zz*s7_212;
+  // carrier_right: carrier_right_ry, revolute, carrier_right_aux2
+  const double s7_214 = c_carrier_right_z*work.R_carrier_right_y_z;
+  const double s7_215 = mbgen::fnma((-c_carrier_right_x), work.R_carrier_right_y_x, s7_214);
+  const double s7_216 = mbgen::fnma((-c_carrier_right_y), work.R_carrier_right_aux2_y_y, s7_215);
+  const double s7_217 = c_carrier_right_z*work.R_carrier_right_z_z;
+  const double s7_218 = mbgen::fnma((-c_carrier_right_x), work.R_carrier_right_z_x, s7_217);
+  const double s7_219 = mbgen::fnma((-c_carrier_right_y), work.R_carrier_right_aux2_z_y, s7_218);
+  const double s7_220 = (-c_carrier_right_y)*work.s1_34;
+  const double s7_221 = mbgen::fma(c_carrier_right_z, work.R_carrier_right_x_z, s7_220);
+  const double s7_222 = mbgen::fnma((-c_carrier_right_x), work.R_carrier_right_x_x, s7_221);
+  const double s7_223 = work.R_carrier_right_y_x*work.w_carrier_right_y;
+  const double s7_224 = mbgen::fma(work.R_carrier_right_x_x, work.w_carrier_right_x, s7_223);
+  const double s7_225 = mbgen::fma(work.R_carrier_right_z_x, work.w_carrier_right_z, s7_224);
+  const double s7_226 = work.R_carrier_right_aux2_y_y*work.w_carrier_right_y;
+  const double s7_227 = mbgen::fma(work.R_carrier_right_aux2_z_y, work.w_carrier_right_z, s7_226);
+  const double s7_228 = mbgen::fnma(work.s1_34, work.w_carrier_right_x, s7_227);
+  const double s7_229 = work.R_carrier_right_y_z*work.w_carrier_right_y;
+  const double s7_230 = mbgen::fma(work.R_carrier_right_x_z, work.w_carrier_right_x, s7_229);
+  const double s7_231 = mbgen::fma(work.R_carrier_right_z_z, work.w_carrier_right_z, s7_230);
+  const double s7_232 = mbgen::fma(I_carrier_right_yz, s7_231, I_carrier_right_yy*s7_228);
+  const double s7_233 = mbgen::fma(I_carrier_right_xy, s7_225, s7_232);
+  const double s7_234 = mbgen::fma(I_carrier_right_xx, s7_225, I_carrier_right_xy*s7_228);
+  const double s7_235 = mbgen::fnma((-I_carrier_right_xz), s7_231, s7_234);
+  const double s7_236 = mbgen::fma(I_carrier_right_zz, s7_231, I_carrier_right_yz*s7_228);
+  const double s7_237 = mbgen::fnma((-I_carrier_right_xz), s7_225, s7_236);
+  // lower_arm_right: lower_arm_right, revolute, chassis
+  const double R_lower_arm_right_z_y = work.sines[9];
+  const double R_lower_arm_right_y_y = work.cosines[9];
+  const double s7_238 = (-c_lower_arm_right_z)*R_lower_arm_right_z_y;
+  const double s7_239 = mbgen::fnma((-c_lower_arm_right_y), R_lower_arm_right_y_y, s7_238);
+  const double s7_240 = (-c_lower_arm_right_y)*R_lower_arm_right_z_y;
+  const double s7_241 = mbgen::fma((-c_lower_arm_right_z), R_lower_arm_right_y_y, s7_240);
+  const double s7_242 = R_lower_arm_right_z_y*work.w_chassis_z;
+  const double s7_243 = mbgen::fma(R_lower_arm_right_y_y, work.w_chassis_y, s7_242);
+  const double s7_244 = R_lower_arm_right_y_y*work.w_chassis_z;
+  const double s7_245 = mbgen::fnma(R_lower_arm_right_z_y, work.w_chassis_y, s7_244);
+  const double s7_246 = I_lower_arm_right_zz*s7_245;
+  const double s7_247 = I_lower_arm_right_yy*s7_243;
+  const double s7_248 = I_lower_arm_right_xx*work.w_lower_arm_right_x;
+  // arb_front_left: arb_front_left, revolute, chassis
+  const double R_arb_front_left_x_z = work.sines[8];
+  const double R_arb_front_left_x_x = work.cosines[8];
+  const double s7_249 = (-c_arb_front_left_x)*R_arb_front_left_x_z;
+  const double s7_250 = mbgen::fma(c_arb_front_left_z, R_arb_front_left_x_x, s7_249);
+  const double s7_251 = c_arb_front_left_z*R_arb_front_left_x_z;
+  const double s7_252 = mbgen::fnma((-c_arb_front_left_x), R_arb_front_left_x_x, s7_251);
+  const double s7_253 = R_arb_front_left_x_x*work.w_chassis_x;
+  const double s7_254 = mbgen::fnma(R_arb_front_left_x_z, work.w_chassis_z, s7_253);
+  const double s7_255 = R_arb_front_left_x_z*work.w_chassis_x;
+  const double s7_256 = mbgen::fma(R_arb_front_left_x_x, work.w_chassis_z, s7_255);
+  const double s7_257 = I_arb_front_left_yy*work.w_arb_front_left_y;
+  const double s7_258 = mbgen::fma(I_arb_front_left_xy, s7_254, s7_257);
+  const double s7_259 = mbgen::fnma((-I_arb_front_left_yz), s7_256, s7_258);
+  const double s7_260 = I_arb_front_left_xy*work.w_arb_front_left_y;
+  const double s7_261 = mbgen::fma(I_arb_front_left_xz, s7_256, s7_260);
+  const double s7_262 = mbgen::fma(I_arb_front_left_xx, s7_254, s7_261);
+  const double s7_263 = mbgen::fma(I_arb_front_left_zz, s7_256, I_arb_front_left_xz*s7_254);
+  const double s7_264 = mbgen::fnma((-I_arb_front_left_yz), work.w_arb_front_left_y, s7_263);
+  // upper_arm_left: upper_arm_left, revolute, chassis
+  const double R_upper_arm_left_z_y = work.sines[7];
+  const double R_upper_arm_left_y_y = work.cosines[7];
+  const double s7_265 = c_upper_arm_left_y*R_upper_arm_left_z_y;
+  const double s7_266 = mbgen::fnma((-c_upper_arm_left_z), R_upper_arm_left_y_y, s7_265);
+  const double s7_267 = (-c_upper_arm_left_z)*R_upper_arm_left_z_y;
+  const double s7_268 = mbgen::fma(c_upper_arm_left_y, R_upper_arm_left_y_y, s7_267);
+  const double s7_269 = R_upper_arm_left_z_y*work.w_chassis_z;
+  const double s7_270 = mbgen::fma(R_upper_arm_left_y_y, work.w_chassis_y, s7_269);
+  const double s7_271 = R_upper_arm_left_y_y*work.w_chassis_z;
+  const double s7_272 = mbgen::fnma(R_upper_arm_left_z_y, work.w_chassis_y, s7_271);
+  const double s7_273 = I_upper_arm_left_zz*s7_272;
+  const double s7_274 = I_upper_arm_left_yy*s7_270;
+  const double s7_275 = I_upper_arm_left_xx*work.w_upper_arm_left_x;
+  // wheel_front_left: wheel_front_left, revolute, carrier_left
+  const double s7_276 = work.R_carrier_left_y_x*work.w_wheel_front_left_y;
+  const double s7_277 = mbgen::fma(work.R_carrier_left_x_x, work.w_wheel_front_left_x, s7_276);
+  const double s7_278 = mbgen::fma(work.R_carrier_left_z_x, work.w_wheel_front_left_z, s7_277);
+  const double s7_279 = work.R_carrier_left_aux2_y_y*work.w_wheel_front_left_y;
+  const double s7_280 = mbgen::fma(work.R_carrier_left_aux2_z_y, work.w_wheel_front_left_z, s7_279);
+  const double s7_281 = mbgen::fnma(work.s1_12, work.w_wheel_front_left_x, s7_280);
+  const double s7_282 = I_wheel_front_left_yy*s7_281;
+  const double s7_283 = I_wheel_front_left_xx*s7_278;
+  const double s7_284 = work.R_carrier_left_y_z*work.w_wheel_front_left_y;
+  const double s7_285 = mbgen::fma(work.R_carrier_left_x_z, work.w_wheel_front_left_x, s7_284);
+  const double s7_286 = mbgen::fma(work.R_carrier_left_z_z, work.w_wheel_front_left_z, s7_285);
+  const double s7_287 = I_wheel_front_left_zz*s7_286;
+  // carrier_left: carrier_left_ry, revolute, carrier_left_aux2
+  const double s7_288 = c_carrier_left_y*work.R_carrier_left_aux2_y_y;
+  const double s7_289 = mbgen::fma(c_carrier_left_z, work.R_carrier_left_y_z, s7_288);
+  const double s7_290 = mbgen::fnma((-c_carrier_left_x), work.R_carrier_left_y_x, s7_289);
+  const double s7_291 = c_carrier_left_y*work.R_carrier_left_aux2_z_y;
+  const double s7_292 = mbgen::fma(c_carrier_left_z, work.R_carrier_left_z_z, s7_291);
+  const double s7_293 = mbgen::fnma((-c_carrier_left_x), work.R_carrier_left_z_x, s7_292);
+  const double s7_294 = c_carrier_left_z*work.R_carrier_left_x_z;
+  const double s7_295 = mbgen::fnma((-c_carrier_left_x), work.R_carrier_left_x_x, s7_294);
+  const double s7_296 = mbgen::fnma(c_carrier_left_y, work.s1_12, s7_295);
+  const double s7_297 = work.R_carrier_left_y_x*work.w_carrier_left_y;
+  const double s7_298 = mbgen::fma(work.R_carrier_left_x_x, work.w_carrier_left_x, s7_297);
+  const double s7_299 = mbgen::fma(work.R_carrier_left_z_x, work.w_carrier_left_z, s7_298);
+  const double s7_300 = work.R_carrier_left_aux2_y_y*work.w_carrier_left_y;
+  const double s7_301 = mbgen::fma(work.R_carrier_left_aux2_z_y, work.w_carrier_left_z, s7_300);
+  const double s7_302 = mbgen::fnma(work.s1_12, work.w_carrier_left_x, s7_301);
+  const double s7_303 = work.R_carrier_left_y_z*work.w_carrier_left_y;
+  const double s7_304 = mbgen::fma(work.R_carrier_left_x_z, work.w_carrier_left_x, s7_303);
+  const double s7_305 = mbgen::fma(work.R_carrier_left_z_z, work.w_carrier_left_z, s7_304);
+  const double s7_306 = mbgen::fnma((-I_carrier_left_yz), s7_305, I_carrier_left_yy*s7_302);
+  const double s7_307 = mbgen::fnma((-I_carrier_left_xy), s7_299, s7_306);
+  const double s7_308 = mbgen::fnma((-I_carrier_left_xz), s7_305, I_carrier_left_xx*s7_299);
+  const double s7_309 = mbgen::fnma((-I_carrier_left_xy), s7_302, s7_308);
+  const double s7_310 = mbgen::fnma((-I_carrier_left_xz), s7_299, I_carrier_left_zz*s7_305);
+  const double s7_311 = mbgen::fnma((-I_carrier_left_yz), s7_302, s7_310);
+  // lower_arm_left: lower_arm_left, revolute, chassis
+  const double R_lower_arm_left_z_y = work.sines[3];
+  const double R_lower_arm_left_y_y = work.cosines[3];
+  const double s7_312 = c_lower_arm_left_y*R_lower_arm_left_z_y;
+  const double s7_313 = mbgen::fnma((-c_lower_arm_left_z), R_lower_arm_left_y_y, s7_312);
+  const double s7_314 = (-c_lower_arm_left_z)*R_lower_arm_left_z_y;
+  const double s7_315 = mbgen::fma(c_lower_arm_left_y, R_lower_arm_left_y_y, s7_314);
+  const double s7_316 = R_lower_arm_left_z_y*work.w_chassis_z;
+  const double s7_317 = mbgen::fma(R_lower_arm_left_y_y, work.w_chassis_y, s7_316);
+  const double s7_318 = R_lower_arm_left_y_y*work.w_chassis_z;
+  const double s7_319 = mbgen::fnma(R_lower_arm_left_z_y, work.w_chassis_y, s7_318);
+  const double s7_320 = I_lower_arm_left_zz*s7_319;
+  const double s7_321 = I_lower_arm_left_yy*s7_317;
+  const double s7_322 = I_lower_arm_left_xx*work.w_lower_arm_left_x;
+  // chassis: chassis_rx, revolute, chassis_aux5
+  const double s7_323 = I_chassis_zz*work.w_chassis_z;
+  const double s7_324 = mbgen::fnma((-I_chassis_xz), work.w_chassis_x, s7_323);
+  const double s7_325 = I_chassis_yy*work.w_chassis_y;
+  const double s7_326 = I_chassis_xx*work.w_chassis_x;
+  const double s7_327 = mbgen::fnma((-I_chassis_xz), work.w_chassis_z, s7_326);
+  // operations: 181 add, 334 multiply
 
-  // --- step 9: independent and all accelerations (63), (62) ---
-  result.potential_energy = (-g_z)*s1_580;
-  const double s9_1 = zd_arb_rear_right*tau[Coordinate::arb_rear_right];
-  const double s9_2 = mbgen::fma(zd_wheel_rear_right, tau[Coordinate::wheel_rear_right], s9_1);
-  const double s9_3 = mbgen::fma(zd_arb_rear_left, tau[Coordinate::arb_rear_left], s9_2);
-  const double s9_4 = mbgen::fma(zd_wheel_rear_left, tau[Coordinate::wheel_rear_left], s9_3);
-  const double s9_5 = mbgen::fma(zd_rear_axle_rx, tau[Coordinate::rear_axle_rx], s9_4);
-  const double s9_6 = mbgen::fma(zd_rear_axle_ry, tau[Coordinate::rear_axle_ry], s9_5);
-  const double s9_7 = mbgen::fma(zd_rear_axle_rz, tau[Coordinate::rear_axle_rz], s9_6);
-  const double s9_8 = mbgen::fma(zd_rear_axle_tz, tau[Coordinate::rear_axle_tz], s9_7);
-  const double s9_9 = mbgen::fma(zd_rear_axle_ty, tau[Coordinate::rear_axle_ty], s9_8);
-  const double s9_10 = mbgen::fma(zd_rear_axle_tx, tau[Coordinate::rear_axle_tx], s9_9);
-  const double s9_11 = mbgen::fma(zd_bell_crank, tau[Coordinate::bell_crank], s9_10);
-  const double s9_12 = mbgen::fma(zd_pitman_arm, tau[Coordinate::pitman_arm], s9_11);
-  const double s9_13 = mbgen::fma(zd_arb_front_right, tau[Coordinate::arb_front_right], s9_12);
-  const double s9_14 = mbgen::fma(zd_upper_arm_right, tau[Coordinate::upper_arm_right], s9_13);
-  const double s9_15 = mbgen::fma(zd_wheel_front_right, tau[Coordinate::wheel_front_right], s9_14);
-  const double s9_16 = mbgen::fma(zd_carrier_right_ry, tau[Coordinate::carrier_right_ry], s9_15);
-  const double s9_17 = mbgen::fma(zd_carrier_right_rx, tau[Coordinate::carrier_right_rx], s9_16);
-  const double s9_18 = mbgen::fma(zd_carrier_right_rz, tau[Coordinate::carrier_right_rz], s9_17);
-  const double s9_19 = mbgen::fma(zd_lower_arm_right, tau[Coordinate::lower_arm_right], s9_18);
-  const double s9_20 = mbgen::fma(zd_arb_front_left, tau[Coordinate::arb_front_left], s9_19);
-  const double s9_21 = mbgen::fma(zd_upper_arm_left, tau[Coordinate::upper_arm_left], s9_20);
-  const double s9_22 = mbgen::fma(zd_wheel_front_left, tau[Coordinate::wheel_front_left], s9_21);
-  const double s9_23 = mbgen::fma(zd_carrier_left_ry, tau[Coordinate::carrier_left_ry], s9_22);
-  const double s9_24 = mbgen::fma(zd_carrier_left_rx, tau[Coordinate::carrier_left_rx], s9_23);
-  const double s9_25 = mbgen::fma(zd_carrier_left_rz, tau[Coordinate::carrier_left_rz], s9_24);
-  const double s9_26 = mbgen::fma(zd_lower_arm_left, tau[Coordinate::lower_arm_left], s9_25);
-  const double s9_27 = mbgen::fma(zd_chassis_rx, tau[Coordinate::chassis_rx], s9_26);
-  const double s9_28 = mbgen::fma(zd_chassis_ry, tau[Coordinate::chassis_ry], s9_27);
-  const double s9_29 = mbgen::fma(zd_chassis_rz, tau[Coordinate::chassis_rz], s9_28);
-  const double s9_30 = mbgen::fma(zd_chassis_tz, tau[Coordinate::chassis_tz], s9_29);
-  const double s9_31 = mbgen::fma(zd_chassis_tx, tau[Coordinate::chassis_tx], s9_30);
-  result.applied_power = mbgen::fma(zd_chassis_ty, tau[Coordinate::chassis_ty], s9_31);
-  const double s9_32 = mbgen::fma(s1_523, w_chassis_x, v_chassis_y);
-  const double s9_33 = mbgen::fma(s1_528, w_rear_axle_z, v_rear_axle_y);
-  const double s9_34 = mbgen::fma(s1_526, w_rear_axle_x, v_rear_axle_z);
-  const double s9_35 = mbgen::fnma((-p_bell_crank_z), w_chassis_x, v_arb_rear_right_z);
-  const double s9_36 = mbgen::fma(s1_524, w_rear_axle_y, v_rear_axle_x);
-  const double s9_37 = mbgen::fma(0.6, w_chassis_z, v_arb_rear_right_x);
-  const double s9_38 = mbgen::fma((-p_diag_rod_left_from_z), w_chassis_x, v_chassis_y);
-  const double s9_39 = mbgen::fma(s1_521, w_rear_axle_z, v_rear_axle_y);
-  const double s9_40 = mbgen::fma((-p_diag_rod_left_from_x), w_chassis_y, v_chassis_z);
-  const double s9_41 = mbgen::fma(s1_520, w_rear_axle_x, v_rear_axle_z);
-  const double s9_42 = mbgen::fma(p_diag_rod_left_from_y, w_chassis_z, v_chassis_x);
-  const double s9_43 = mbgen::fma(s1_522, w_rear_axle_y, v_rear_axle_x);
-  const double s9_44 = mbgen::fma((-p_long_rod_left_from_z), w_chassis_x, v_chassis_y);
-  const double s9_45 = mbgen::fma(s1_517, w_rear_axle_z, v_rear_axle_y);
-  const double s9_46 = mbgen::fma((-p_long_rod_left_from_x), w_chassis_y, v_chassis_z);
-  const double s9_47 = mbgen::fma(s1_516, w_rear_axle_x, v_rear_axle_z);
-  const double s9_48 = mbgen::fma(p_long_rod_left_from_y, w_chassis_z, v_chassis_x);
-  const double s9_49 = mbgen::fma(s1_519, w_rear_axle_y, v_rear_axle_x);
-  const double s9_50 = mbgen::fma(s1_502, w_chassis_x, v_chassis_y);
-  const double s9_51 = mbgen::fma(s1_511, w_rear_axle_z, v_rear_axle_y);
-  const double s9_52 = mbgen::fma(s1_509, w_rear_axle_x, v_rear_axle_z);
-  const double s9_53 = mbgen::fma((-p_bell_crank_z), w_chassis_x, v_arb_rear_left_z);
-  const double s9_54 = mbgen::fma(s1_515, w_rear_axle_y, v_rear_axle_x);
-  const double s9_55 = mbgen::fnma(0.6, w_chassis_z, v_arb_rear_left_x);
-  const double s9_56 = mbgen::fma(s1_499, w_rear_axle_z, v_rear_axle_y);
-  const double s9_57 = mbgen::fma(s1_497, w_rear_axle_x, v_rear_axle_z);
-  const double s9_58 = mbgen::fma(s1_501, w_rear_axle_y, v_rear_axle_x);
-  const double s9_59 = mbgen::fnma((-p_diag_rod_left_from_z), w_chassis_y, v_chassis_x);
-  const double s9_60 = mbgen::fma(s1_493, w_rear_axle_z, v_rear_axle_y);
-  const double s9_61 = mbgen::fma(s1_489, w_rear_axle_x, v_rear_axle_z);
-  const double s9_62 = mbgen::fma(s1_495, w_rear_axle_y, v_rear_axle_x);
-  const double s9_63 = mbgen::fnma(p_long_rod_left_from_y, w_chassis_z, v_chassis_x);
-  const double s9_64 = mbgen::fma(s1_477, w_carrier_right_z, v_carrier_right_y);
-  const double s9_65 = mbgen::fma((-p_bell_crank_z), w_chassis_x, v_bell_crank_y);
-  const double s9_66 = mbgen::fnma((-p_bell_crank_z), w_chassis_y, v_chassis_x);
-  const double s9_67 = mbgen::fma(s1_483, w_carrier_right_y, v_carrier_right_x);
-  const double s9_68 = mbgen::fma(s1_480, w_carrier_right_x, v_carrier_right_z);
-  const double s9_69 = mbgen::fnma(s1_472, w_chassis_x, v_chassis_z);
-  const double s9_70 = mbgen::fma(s1_465, w_carrier_left_z, v_carrier_left_y);
-  const double s9_71 = mbgen::fma(s1_460, w_chassis_x, v_chassis_z);
-  const double s9_72 = mbgen::fma(s1_468, w_carrier_left_x, v_carrier_left_z);
-  const double s9_73 = mbgen::fma(s1_471, w_carrier_left_y, v_carrier_left_x);
-  const double s9_74 = mbgen::fma(s1_451, w_chassis_x, v_chassis_y);
-  const double s9_75 = mbgen::fma(s1_452, w_chassis_x, v_chassis_z);
-  const double s9_76 = mbgen::fma(p_pitman_arm_y, w_chassis_x, v_pitman_arm_z);
-  const double s9_77 = mbgen::fnma(p_pitman_arm_y, w_chassis_z, v_pitman_arm_x);
-  const double s9_78 = mbgen::fma(s1_456, w_bell_crank_z, s9_65);
-  const double s9_79 = mbgen::fma(s1_455, w_chassis_z, s9_74)*s9_78;
-  const double s9_80 = mbgen::fnma(s1_455, w_pitman_arm_y, s9_76);
-  const double s9_81 = mbgen::fma(mbgen::fnma(s1_456, w_chassis_y, s9_75), s9_80, s9_79);
-  const double s9_82 = mbgen::fnma(s1_452, w_bell_crank_z, s9_66);
-  const double s9_83 = mbgen::fma(s1_428, w_chassis_z, v_chassis_y);
-  const double s9_84 = mbgen::fma(s1_431, w_carrier_left_z, v_carrier_left_y);
-  const double s9_85 = mbgen::fma(s1_437, w_carrier_left_y, v_carrier_left_x);
-  const double s9_86 = mbgen::fnma(0.72, w_chassis_z, v_arb_front_left_x);
-  const double s9_87 = mbgen::fma(s1_434, w_carrier_left_x, v_carrier_left_z);
-  const double s9_88 = mbgen::fma(0.72, w_chassis_x, v_arb_front_left_z);
-  const double s9_89 = mbgen::fma(s1_441, w_chassis_z, v_chassis_y);
-  const double s9_90 = mbgen::fma(s1_444, w_carrier_right_z, v_carrier_right_y);
-  const double s9_91 = mbgen::fma(s1_450, w_carrier_right_y, v_carrier_right_x);
-  const double s9_92 = mbgen::fma(0.72, w_chassis_z, v_arb_front_right_x);
-  const double s9_93 = mbgen::fma(s1_447, w_carrier_right_x, v_carrier_right_z);
-  const double s9_94 = mbgen::fnma(0.72, w_chassis_x, v_arb_front_right_z);
-  const double s9_95 = mbgen::fma(s1_416, w_chassis_x, v_chassis_y);
-  const double s9_96 = mbgen::fma(s1_418, w_chassis_z, s9_95);
-  const double s9_97 = mbgen::fma(0.5076923076923077, w_chassis_z, v_arb_rear_right_x);
-  const double s9_98 = mbgen::fnma(s1_416, w_arb_rear_right_y, s9_97);
-  const double s9_99 = mbgen::fnma(0.5076923076923077, w_chassis_x, v_arb_rear_right_z);
-  const double s9_100 = mbgen::fnma(s1_418, w_arb_rear_right_y, s9_99);
-  const double s9_101 = mbgen::fma(work.r_wheel_rear_right_x, w_wheel_rear_right_z,
-      v_wheel_rear_right_y);
-  const double s9_102 = mbgen::fnma(work.r_wheel_rear_right_z, w_wheel_rear_right_x, s9_101);
-  const double s9_103 = mbgen::fma(work.r_wheel_rear_right_y, w_wheel_rear_right_x,
-      v_wheel_rear_right_z);
-  const double s9_104 = mbgen::fnma(work.r_wheel_rear_right_x, w_wheel_rear_right_y, s9_103);
-  const double s9_105 = mbgen::fma(work.r_wheel_rear_right_z, w_wheel_rear_right_y,
-      v_wheel_rear_right_x);
-  const double s9_106 = mbgen::fnma(work.r_wheel_rear_right_y, w_wheel_rear_right_z, s9_105);
-  const double s9_107 = mbgen::fma(s1_405, w_chassis_x, v_chassis_y);
-  const double s9_108 = mbgen::fma(s1_409, w_chassis_z, s9_107);
-  const double s9_109 = mbgen::fma(0.5076923076923077, w_chassis_x, v_arb_rear_left_z);
-  const double s9_110 = mbgen::fnma(s1_409, w_arb_rear_left_y, s9_109);
-  const double s9_111 = mbgen::fnma(0.5076923076923077, w_chassis_z, v_arb_rear_left_x);
-  const double s9_112 = mbgen::fnma(s1_405, w_arb_rear_left_y, s9_111);
-  const double s9_113 = mbgen::fma(work.r_wheel_rear_left_x, w_wheel_rear_left_z,
-      v_wheel_rear_left_y);
-  const double s9_114 = mbgen::fnma(work.r_wheel_rear_left_z, w_wheel_rear_left_x, s9_113);
-  const double s9_115 = mbgen::fma(work.r_wheel_rear_left_y, w_wheel_rear_left_x,
-      v_wheel_rear_left_z);
-  const double s9_116 = mbgen::fnma(work.r_wheel_rear_left_x, w_wheel_rear_left_y, s9_115);
-  const double s9_117 = mbgen::fma(work.r_wheel_rear_left_z, w_wheel_rear_left_y,
-      v_wheel_rear_left_x);
-  const double s9_118 = mbgen::fnma(work.r_wheel_rear_left_y, w_wheel_rear_left_z, s9_117);
-  const double s9_119 = mbgen::fma(s1_359, w_rear_axle_z, v_rear_axle_y);
-  const double s9_120 = mbgen::fnma(s1_348, w_rear_axle_x, s9_119);
-  const double s9_121 = mbgen::fma(s1_355, w_rear_axle_x, v_rear_axle_z);
-  const double s9_122 = mbgen::fnma(s1_359, w_rear_axle_y, s9_121);
-  const double s9_123 = mbgen::fma(s1_348, w_rear_axle_y, v_rear_axle_x);
-  const double s9_124 = mbgen::fnma(s1_355, w_rear_axle_z, s9_123);
-  const double s9_125 = mbgen::fma(s1_343, w_bell_crank_z, s9_65);
-  const double s9_126 = mbgen::fma(s1_336, w_chassis_x, v_chassis_z);
-  const double s9_127 = mbgen::fnma(s1_343, w_chassis_y, s9_126);
-  const double s9_128 = mbgen::fnma(s1_336, w_bell_crank_z, s9_66);
-  const double s9_129 = mbgen::fma(s1_325, w_chassis_x, v_chassis_y);
-  const double s9_130 = mbgen::fma(s1_328, w_chassis_z, s9_129);
-  const double s9_131 = mbgen::fnma(s1_328, w_pitman_arm_y, s9_76);
-  const double s9_132 = mbgen::fnma(s1_325, w_pitman_arm_y, s9_77);
-  const double s9_133 = mbgen::fma(s1_315, w_chassis_z, v_chassis_y);
-  const double s9_134 = mbgen::fnma(work.s1_307, w_chassis_x, s9_133);
-  const double s9_135 = mbgen::fma(0.5169230769230769, w_chassis_z, v_arb_front_right_x);
-  const double s9_136 = mbgen::fma(work.s1_307, w_arb_front_right_y, s9_135);
-  const double s9_137 = mbgen::fnma(0.5169230769230769, w_chassis_x, v_arb_front_right_z);
-  const double s9_138 = mbgen::fnma(s1_315, w_arb_front_right_y, s9_137);
-  const double s9_139 = mbgen::fma(p_lower_arm_left_x, w_chassis_z, v_upper_arm_right_y);
-  const double s9_140 = mbgen::fma(work.s1_296, w_upper_arm_right_x, s9_139);
-  const double s9_141 = mbgen::fnma(p_lower_arm_left_x, w_chassis_y, v_upper_arm_right_z);
-  const double s9_142 = mbgen::fma(work.s1_298, w_upper_arm_right_x, s9_141);
-  const double s9_143 = mbgen::fnma(work.s1_296, w_chassis_y, v_chassis_x);
-  const double s9_144 = mbgen::fnma(work.s1_298, w_chassis_z, s9_143);
-  const double s9_145 = mbgen::fma(work.r_wheel_front_right_x, w_wheel_front_right_z,
-      v_wheel_front_right_y);
-  const double s9_146 = mbgen::fnma(work.r_wheel_front_right_z, w_wheel_front_right_x, s9_145);
-  const double s9_147 = mbgen::fma(work.r_wheel_front_right_z, w_wheel_front_right_y,
-      v_wheel_front_right_x);
-  const double s9_148 = mbgen::fnma(work.r_wheel_front_right_y, w_wheel_front_right_z, s9_147);
-  const double s9_149 = mbgen::fma(work.r_wheel_front_right_y, w_wheel_front_right_x,
-      v_wheel_front_right_z);
-  const double s9_150 = mbgen::fnma(work.r_wheel_front_right_x, w_wheel_front_right_y, s9_149);
-  const double s9_151 = mbgen::fma(work.s1_242, w_carrier_right_z, v_carrier_right_y);
-  const double s9_152 = mbgen::fnma(work.s1_216, w_carrier_right_x, s9_151);
-  const double s9_153 = mbgen::fma(work.s1_216, w_carrier_right_y, v_carrier_right_x);
-  const double s9_154 = mbgen::fnma(work.s1_236, w_carrier_right_z, s9_153);
-  const double s9_155 = mbgen::fma(work.s1_236, w_carrier_right_x, v_carrier_right_z);
-  const double s9_156 = mbgen::fnma(work.s1_242, w_carrier_right_y, s9_155);
-  const double s9_157 = mbgen::fma(p_lower_arm_left_x, w_chassis_z, v_lower_arm_right_y);
-  const double s9_158 = mbgen::fma(work.s1_205, w_lower_arm_right_x, s9_157);
-  const double s9_159 = mbgen::fnma(p_lower_arm_left_x, w_chassis_y, v_lower_arm_right_z);
-  const double s9_160 = mbgen::fma(work.s1_207, w_lower_arm_right_x, s9_159);
-  const double s9_161 = mbgen::fnma(work.s1_205, w_chassis_y, v_chassis_x);
-  const double s9_162 = mbgen::fnma(work.s1_207, w_chassis_z, s9_161);
-  const double s9_163 = mbgen::fma(work.s1_196, w_chassis_z, v_chassis_y);
-  const double s9_164 = mbgen::fnma(work.s1_190, w_chassis_x, s9_163);
-  const double s9_165 = mbgen::fma(0.5169230769230769, w_chassis_x, v_arb_front_left_z);
-  const double s9_166 = mbgen::fnma(work.s1_196, w_arb_front_left_y, s9_165);
-  const double s9_167 = mbgen::fnma(0.5169230769230769, w_chassis_z, v_arb_front_left_x);
-  const double s9_168 = mbgen::fma(work.s1_190, w_arb_front_left_y, s9_167);
-  const double s9_169 = mbgen::fma(p_lower_arm_left_x, w_chassis_z, v_upper_arm_left_y);
-  const double s9_170 = mbgen::fnma(work.s1_177, w_upper_arm_left_x, s9_169);
-  const double s9_171 = mbgen::fma(work.s1_177, w_chassis_y, v_chassis_x);
-  const double s9_172 = mbgen::fnma(work.s1_179, w_chassis_z, s9_171);
-  const double s9_173 = mbgen::fnma(p_lower_arm_left_x, w_chassis_y, v_upper_arm_left_z);
-  const double s9_174 = mbgen::fma(work.s1_179, w_upper_arm_left_x, s9_173);
-  const double s9_175 = mbgen::fma(work.r_wheel_front_left_x, w_wheel_front_left_z,
-      v_wheel_front_left_y);
-  const double s9_176 = mbgen::fnma(work.r_wheel_front_left_z, w_wheel_front_left_x, s9_175);
-  const double s9_177 = mbgen::fma(work.r_wheel_front_left_z, w_wheel_front_left_y,
-      v_wheel_front_left_x);
-  const double s9_178 = mbgen::fnma(work.r_wheel_front_left_y, w_wheel_front_left_z, s9_177);
-  const double s9_179 = mbgen::fma(work.r_wheel_front_left_y, w_wheel_front_left_x,
-      v_wheel_front_left_z);
-  const double s9_180 = mbgen::fnma(work.r_wheel_front_left_x, w_wheel_front_left_y, s9_179);
-  const double s9_181 = mbgen::fma(work.s1_124, w_carrier_left_z, v_carrier_left_y);
-  const double s9_182 = mbgen::fnma(work.s1_100, w_carrier_left_x, s9_181);
-  const double s9_183 = mbgen::fma(work.s1_100, w_carrier_left_y, v_carrier_left_x);
-  const double s9_184 = mbgen::fnma(work.s1_118, w_carrier_left_z, s9_183);
-  const double s9_185 = mbgen::fma(work.s1_118, w_carrier_left_x, v_carrier_left_z);
-  const double s9_186 = mbgen::fnma(work.s1_124, w_carrier_left_y, s9_185);
-  const double s9_187 = mbgen::fma((-c_chassis_x), w_chassis_y, v_chassis_z);
-  const double s9_188 = mbgen::fma(c_chassis_z, w_chassis_y, v_chassis_x);
-  const double s9_189 = mbgen::fnma((-c_chassis_x), w_chassis_z, v_chassis_y);
-  const double s9_190 = mbgen::fnma(c_chassis_z, w_chassis_x, s9_189);
-  const double s9_191 = mbgen::fma(p_lower_arm_left_x, w_chassis_z, v_lower_arm_left_y);
-  const double s9_192 = mbgen::fnma(work.s1_87, w_lower_arm_left_x, s9_191);
-  const double s9_193 = mbgen::fma(work.s1_87, w_chassis_y, v_chassis_x);
-  const double s9_194 = mbgen::fnma(work.s1_89, w_chassis_z, s9_193);
-  const double s9_195 = mbgen::fnma(p_lower_arm_left_x, w_chassis_y, v_lower_arm_left_z);
-  const double s9_196 = mbgen::fma(work.s1_89, w_lower_arm_left_x, s9_195);
-  const double s9_197 = s7_63 + (s7_56 + (s7_52 + (s7_31 + (s7_30 + (s7_21 + (s7_2 + s7_3))))));
-  const double s9_198 = s7_53 + (s7_32 + (s7_22 + mbgen::fma(I_chassis_yy, w_chassis_y, s7_4)));
-  const double s9_199 = mbgen::fma(s9_168, s9_168, mbgen::fma(s9_166, s9_166, s9_164*s9_164));
-  const double s9_200 = mbgen::fma(s9_136, s9_136, mbgen::fma(s9_134, s9_134, s9_199));
-  const double s9_201 = mbgen::fma(s9_96, s9_96, mbgen::fma(s9_138, s9_138, s9_200));
-  const double s9_202 = mbgen::fma(s9_100, s9_100, mbgen::fma(s9_98, s9_98, s9_201));
-  const double s9_203 = mbgen::fma(s9_110, s9_110, mbgen::fma(s9_108, s9_108, s9_202));
-  const double s9_204 = mbgen::fnma(s1_450, w_carrier_right_x, s9_90);
-  const double s9_205 = mbgen::fma(s1_439, w_arb_front_right_y, s9_92);
-  const double s9_206 = mbgen::fnma(s1_439, w_chassis_x, s9_89)*s9_204;
-  const double s9_207 = mbgen::fnma(s1_447, w_carrier_right_z, s9_91);
-  const double s9_208 = mbgen::fnma(s1_441, w_arb_front_right_y, s9_94);
-  const double s9_209 = mbgen::fnma(s1_444, w_carrier_right_y, s9_93);
-  const double s9_210 = mbgen::fma(s9_209, s9_208, mbgen::fma(s9_207, s9_205, s9_206));
-  const double s9_211 = mbgen::fnma(s1_437, w_carrier_left_x, s9_84);
-  const double s9_212 = mbgen::fma(mbgen::fnma(s1_426, w_chassis_x, s9_83), s9_211, s9_210);
-  const double s9_213 = mbgen::fma(s1_426, w_arb_front_left_y, s9_86);
-  const double s9_214 = mbgen::fma(mbgen::fnma(s1_434, w_carrier_left_z, s9_85), s9_213, s9_212);
-  const double s9_215 = mbgen::fnma(s1_428, w_arb_front_left_y, s9_88);
-  const double s9_216 = mbgen::fma(mbgen::fnma(s1_431, w_carrier_left_y, s9_87), s9_215, s9_214);
-  const double s9_217 = mbgen::fnma(s1_524, w_rear_axle_x, s9_33);
-  const double s9_218 = mbgen::fma(mbgen::fma(s1_529, w_chassis_z, s9_32), s9_217, s9_216);
-  const double s9_219 = mbgen::fnma(s1_529, w_arb_rear_right_y, s9_35);
-  const double s9_220 = mbgen::fma(mbgen::fnma(s1_528, w_rear_axle_y, s9_34), s9_219, s9_218);
-  const double s9_221 = mbgen::fnma(s1_523, w_arb_rear_right_y, s9_37);
-  const double s9_222 = mbgen::fma(mbgen::fnma(s1_526, w_rear_axle_z, s9_36), s9_221, s9_220);
-  const double s9_223 = mbgen::fnma(s1_515, w_rear_axle_x, s9_51);
-  const double s9_224 = mbgen::fma(mbgen::fma(s1_507, w_chassis_z, s9_50), s9_223, s9_222);
-  const double s9_225 = mbgen::fnma(s1_507, w_arb_rear_left_y, s9_53);
-  const double s9_226 = mbgen::fma(mbgen::fnma(s1_511, w_rear_axle_y, s9_52), s9_225, s9_224);
-  const double s9_227 = mbgen::fnma(s1_502, w_arb_rear_left_y, s9_55);
-  const double s9_228 = mbgen::fma(s9_144, s9_144, mbgen::fma(s9_142, s9_142, s9_140*s9_140));
-  const double s9_229 = mbgen::fma(s9_172, s9_172, mbgen::fma(s9_170, s9_170, s9_228));
-  const double s9_230 = mbgen::fma(s9_162, s9_162, mbgen::fma(s9_160, s9_160, s9_158*s9_158));
-  const double s9_231 = mbgen::fma(s9_194, s9_194, mbgen::fma(s9_192, s9_192, s9_230));
-  const double s9_232 = mbgen::fma(s9_156, s9_156, mbgen::fma(s9_154, s9_154, s9_152*s9_152));
-  const double s9_233 = mbgen::fma(s9_184, s9_184, mbgen::fma(s9_182, s9_182, s9_232));
-  const double s9_234 = mbgen::fma(s9_150, s9_150, mbgen::fma(s9_148, s9_148, s9_146*s9_146));
-  const double s9_235 = mbgen::fma(s9_178, s9_178, mbgen::fma(s9_176, s9_176, s9_234));
-  const double s9_236 = mbgen::fnma(s1_519, w_rear_axle_x, s9_45);
-  const double s9_237 = mbgen::fnma((-p_long_rod_left_from_z), w_chassis_x, s9_46);
-  const double s9_238 = mbgen::fnma((-p_long_rod_left_from_z), w_chassis_y, s9_48);
-  const double s9_239 = s9_237*mbgen::fnma(s1_517, w_rear_axle_y, s9_47);
-  const double s9_240 = mbgen::fma(s9_238, mbgen::fnma(s1_516, w_rear_axle_z, s9_49), s9_239);
-  const double s9_241 = mbgen::fma((-p_long_rod_left_from_z), w_chassis_x, s9_46);
-  const double s9_242 = mbgen::fma(s9_241, mbgen::fnma(s1_493, w_rear_axle_y, s9_61), s9_240);
-  const double s9_243 = mbgen::fnma((-p_long_rod_left_from_z), w_chassis_y, s9_63);
-  const double s9_244 = mbgen::fma(mbgen::fnma(s1_489, w_rear_axle_z, s9_62), s9_243, s9_242);
-  const double s9_245 = mbgen::fnma((-p_long_rod_left_from_x), w_chassis_z, s9_44);
-  const double s9_246 = s9_236 + mbgen::fnma(s1_495, w_rear_axle_x, s9_60);
-  const double s9_247 = mbgen::fma(s9_106, s9_106, mbgen::fma(s9_104, s9_104, s9_102*s9_102));
-  const double s9_248 = mbgen::fma(s9_116, s9_116, mbgen::fma(s9_114, s9_114, s9_247));
-  const double s9_249 = mbgen::fnma(s1_522, w_rear_axle_x, s9_39);
-  const double s9_250 = mbgen::fnma(p_diag_rod_left_from_y, w_chassis_x, s9_40);
-  const double s9_251 = mbgen::fnma((-p_diag_rod_left_from_z), w_chassis_y, s9_42);
-  const double s9_252 = s9_250*mbgen::fnma(s1_521, w_rear_axle_y, s9_41);
-  const double s9_253 = mbgen::fma(s9_251, mbgen::fnma(s1_520, w_rear_axle_z, s9_43), s9_252);
-  const double s9_254 = mbgen::fma(p_diag_rod_left_from_y, w_chassis_x, s9_40);
-  const double s9_255 = mbgen::fma(s9_254, mbgen::fnma(s1_499, w_rear_axle_y, s9_57), s9_253);
-  const double s9_256 = mbgen::fnma(p_diag_rod_left_from_y, w_chassis_z, s9_59);
-  const double s9_257 = mbgen::fma(mbgen::fnma(s1_497, w_rear_axle_z, s9_58), s9_256, s9_255);
-  const double s9_258 = mbgen::fnma((-p_diag_rod_left_from_x), w_chassis_z, s9_38);
-  const double s9_259 = s9_249 + mbgen::fnma(s1_501, w_rear_axle_x, s9_56);
-  const double s9_260 = mbgen::fnma(s1_483, w_carrier_right_x, s9_64);
-  const double s9_261 = s9_260*mbgen::fma(s1_474, w_bell_crank_z, s9_65);
-  const double s9_262 = mbgen::fnma(s1_480, w_carrier_right_z, s9_67);
-  const double s9_263 = mbgen::fma(mbgen::fma(s1_472, w_bell_crank_z, s9_66), s9_262, s9_261);
-  const double s9_264 = mbgen::fnma(s1_477, w_carrier_right_y, s9_68);
-  const double s9_265 = mbgen::fma(s9_264, mbgen::fnma(s1_474, w_chassis_y, s9_69), s9_263);
-  const double s9_266 = mbgen::fnma(s1_471, w_carrier_left_x, s9_70);
-  const double s9_267 = mbgen::fma(s9_266, mbgen::fma(s1_462, w_bell_crank_z, s9_65), s9_265);
-  const double s9_268 = mbgen::fnma(s1_465, w_carrier_left_y, s9_72);
-  const double s9_269 = mbgen::fma(mbgen::fnma(s1_462, w_chassis_y, s9_71), s9_268, s9_267);
-  const double s9_270 = mbgen::fnma(s1_468, w_carrier_left_z, s9_73);
-  const double s9_271 = 3.0*mbgen::fma(s9_82, mbgen::fnma(s1_451, w_pitman_arm_y, s9_77), s9_81);
-  const double s9_272 = mbgen::fma(w_arb_rear_right_y, s7_97, s9_271);
-  const double s9_273 = mbgen::fma(w_wheel_rear_right_y, s7_87, s9_272);
-  const double s9_274 = mbgen::fma(w_wheel_rear_right_x, s7_89, s9_273);
-  const double s9_275 = mbgen::fma(w_wheel_rear_right_z, s7_91, s9_274);
-  const double s9_276 = mbgen::fma(w_arb_rear_left_y, s7_85, s9_275);
-  const double s9_277 = mbgen::fma(w_wheel_rear_left_y, s7_75, s9_276);
-  const double s9_278 = mbgen::fma(w_wheel_rear_left_x, s7_77, s9_277);
-  const double s9_279 = mbgen::fma(w_wheel_rear_left_z, s7_79, s9_278);
-  const double s9_280 = mbgen::fma(w_rear_axle_y, s7_69, s9_279);
-  const double s9_281 = mbgen::fma(w_rear_axle_x, s7_71, s9_280);
-  const double s9_282 = mbgen::fma(s9_124, s9_124, mbgen::fma(s9_122, s9_122, s9_120*s9_120));
-  const double s9_283 = mbgen::fma(w_rear_axle_z, s7_73, s9_281);
-  const double s9_284 = mbgen::fma(m_rear_axle, s9_282, s9_283);
-  const double s9_285 = mbgen::fma(s9_128, s9_128, mbgen::fma(s9_127, s9_127, s9_125*s9_125));
-  const double s9_286 = mbgen::fma(w_bell_crank_z, s7_66, s9_284);
-  const double s9_287 = mbgen::fma(m_bell_crank, s9_285, s9_286);
-  const double s9_288 = mbgen::fma(s9_132, s9_132, mbgen::fma(s9_131, s9_131, s9_130*s9_130));
-  const double s9_289 = mbgen::fma(w_pitman_arm_y, s7_64, s9_287);
-  const double s9_290 = mbgen::fma(m_pitman_arm, s9_288, s9_289);
-  const double s9_291 = mbgen::fma(w_arb_front_right_y, s7_59, s9_290);
-  const double s9_292 = mbgen::fma(w_upper_arm_right_x, s7_54, s9_291);
-  const double s9_293 = mbgen::fma(w_wheel_front_right_y, s7_45, s9_292);
-  const double s9_294 = mbgen::fma(w_wheel_front_right_z, s7_51, s9_293);
-  const double s9_295 = mbgen::fma(w_wheel_front_right_x, s7_48, s9_294);
-  const double s9_296 = mbgen::fma(w_carrier_right_y, s7_42, s9_295);
-  const double s9_297 = mbgen::fma(w_carrier_right_z, s7_39, s9_296);
-  const double s9_298 = mbgen::fma(w_carrier_right_x, s7_36, s9_297);
-  const double s9_299 = mbgen::fma(w_lower_arm_right_x, s7_33, s9_298);
-  const double s9_300 = mbgen::fma(w_arb_front_left_y, s7_26, s9_299);
-  const double s9_301 = mbgen::fma(w_upper_arm_left_x, s7_23, s9_300);
-  const double s9_302 = mbgen::fma(w_wheel_front_left_y, s7_14, s9_301);
-  const double s9_303 = mbgen::fma(w_wheel_front_left_z, s7_20, s9_302);
-  const double s9_304 = mbgen::fma(w_wheel_front_left_x, s7_17, s9_303);
-  const double s9_305 = mbgen::fma(w_carrier_left_y, s7_11, s9_304);
-  const double s9_306 = mbgen::fma(w_carrier_left_z, s7_9, s9_305);
-  const double s9_307 = mbgen::fma(w_carrier_left_x, s7_7, s9_306);
-  const double s9_308 = mbgen::fma(s9_190, s9_190, mbgen::fma(s9_188, s9_188, s9_187*s9_187));
-  const double s9_309 = mbgen::fma(w_lower_arm_left_x, s7_5, s9_307);
-  const double s9_310 = mbgen::fma(m_chassis, s9_308, s9_309);
-  const double s9_311 = s7_93 + (s7_81 + (s7_65 + (s7_62 + (s7_61 + (s7_1 + s7_28)))));
-  const double s9_312 = mbgen::fma(w_chassis_z, s7_95 + (s7_83 + s9_197), s9_310);
-  const double s9_313 = mbgen::fma(w_chassis_x, s9_311, s9_312);
-  const double s9_314 = mbgen::fma(w_chassis_y, s7_67 + s9_198, s9_313);
-  const double s9_315 = mbgen::fma(m_arb_front_left, mbgen::fma(s9_112, s9_112, s9_203), s9_314);
-  const double s9_316 = mbgen::fma(mbgen::fnma(s1_509, w_rear_axle_z, s9_54), s9_227, s9_226);
-  const double s9_317 = mbgen::fma(0.6666666666666666, s9_316, s9_315);
-  const double s9_318 = mbgen::fma(m_upper_arm_left, mbgen::fma(s9_174, s9_174, s9_229), s9_317);
-  const double s9_319 = mbgen::fma(s9_196, s9_196, s9_231);
-  const double s9_320 = mbgen::fma(m_lower_arm_right, s9_319, s9_318);
-  const double s9_321 = mbgen::fma(m_carrier_right, mbgen::fma(s9_186, s9_186, s9_233), s9_320);
-  const double s9_322 = mbgen::fma(s9_180, s9_180, s9_235);
-  const double s9_323 = mbgen::fma(m_wheel_front_right, s9_322, s9_321);
-  const double s9_324 = mbgen::fma(6.0, mbgen::fma(s9_245, s9_246, s9_244), s9_323);
-  const double s9_325 = mbgen::fma(s9_118, s9_118, s9_248);
-  const double s9_326 = mbgen::fma(m_wheel_rear_left, s9_325, s9_324);
-  const double s9_327 = mbgen::fma(s9_258, s9_259, s9_257);
-  const double s9_328 = mbgen::fma(s9_270, mbgen::fnma(s1_460, w_bell_crank_z, s9_66), s9_269);
-  const double s9_329 = mbgen::fma(5.333333333333333, s9_327, s9_326);
-  result.kinetic_energy = 0.5*mbgen::fma(2.3333333333333335, s9_328, s9_329);
-  // operations: 395 add, 393 multiply
+  // --- step 9: accelerations from the root to the leaves (63), (62) ---
+  const double s9_1 = state.zd[Coordinate::arb_rear_right]*tau[Coordinate::arb_rear_right];
+  const double s9_2 = mbgen::fma(state.zd[Coordinate::wheel_rear_right],
+      tau[Coordinate::wheel_rear_right], s9_1);
+  const double s9_3 = mbgen::fma(state.zd[Coordinate::arb_rear_left],
+      tau[Coordinate::arb_rear_left], s9_2);
+  const double s9_4 = mbgen::fma(state.zd[Coordinate::wheel_rear_left],
+      tau[Coordinate::wheel_rear_left], s9_3);
+  const double s9_5 = mbgen::fma(state.zd[Coordinate::rear_axle_rx], tau[Coordinate::rear_axle_rx],
+      s9_4);
+  const double s9_6 = mbgen::fma(state.zd[Coordinate::rear_axle_ry], tau[Coordinate::rear_axle_ry],
+      s9_5);
+  const double s9_7 = mbgen::fma(state.zd[Coordinate::rear_axle_rz], tau[Coordinate::rear_axle_rz],
+      s9_6);
+  const double s9_8 = mbgen::fma(state.zd[Coordinate::rear_axle_tz], tau[Coordinate::rear_axle_tz],
+      s9_7);
+  const double s9_9 = mbgen::fma(state.zd[Coordinate::rear_axle_ty], tau[Coordinate::rear_axle_ty],
+      s9_8);
+  const double s9_10 = mbgen::fma(state.zd[Coordinate::rear_axle_tx], tau[Coordinate::rear_axle_tx],
+      s9_9);
+  const double s9_11 = mbgen::fma(state.zd[Coordinate::bell_crank], tau[Coordinate::bell_crank],
+      s9_10);
+  const double s9_12 = mbgen::fma(state.zd[Coordinate::pitman_arm], tau[Coordinate::pitman_arm],
+      s9_11);
+  const double s9_13 = mbgen::fma(state.zd[Coordinate::arb_front_right],
+      tau[Coordinate::arb_front_right], s9_12);
+  const double s9_14 = mbgen::fma(state.zd[Coordinate::upper_arm_right],
+      tau[Coordinate::upper_arm_right], s9_13);
+  const double s9_15 = mbgen::fma(state.zd[Coordinate::wheel_front_right],
+      tau[Coordinate::wheel_front_right], s9_14);
+  const double s9_16 = mbgen::fma(state.zd[Coordinate::carrier_right_ry],
+      tau[Coordinate::carrier_right_ry], s9_15);
+  const double s9_17 = mbgen::fma(state.zd[Coordinate::carrier_right_rx],
+      tau[Coordinate::carrier_right_rx], s9_16);
+  const double s9_18 = mbgen::fma(state.zd[Coordinate::carrier_right_rz],
+      tau[Coordinate::carrier_right_rz], s9_17);
+  const double s9_19 = mbgen::fma(state.zd[Coordinate::lower_arm_right],
+      tau[Coordinate::lower_arm_right], s9_18);
+  const double s9_20 = mbgen::fma(state.zd[Coordinate::arb_front_left],
+      tau[Coordinate::arb_front_left], s9_19);
+  const double s9_21 = mbgen::fma(state.zd[Coordinate::upper_arm_left],
+      tau[Coordinate::upper_arm_left], s9_20);
+  const double s9_22 = mbgen::fma(state.zd[Coordinate::wheel_front_left],
+      tau[Coordinate::wheel_front_left], s9_21);
+  const double s9_23 = mbgen::fma(state.zd[Coordinate::carrier_left_ry],
+      tau[Coordinate::carrier_left_ry], s9_22);
+  const double s9_24 = mbgen::fma(state.zd[Coordinate::carrier_left_rx],
+      tau[Coordinate::carrier_left_rx], s9_23);
+  const double s9_25 = mbgen::fma(state.zd[Coordinate::carrier_left_rz],
+      tau[Coordinate::carrier_left_rz], s9_24);
+  const double s9_26 = mbgen::fma(state.zd[Coordinate::lower_arm_left],
+      tau[Coordinate::lower_arm_left], s9_25);
+  const double s9_27 = mbgen::fma(state.zd[Coordinate::chassis_rx], tau[Coordinate::chassis_rx],
+      s9_26);
+  const double s9_28 = mbgen::fma(state.zd[Coordinate::chassis_ry], tau[Coordinate::chassis_ry],
+      s9_27);
+  const double s9_29 = mbgen::fma(state.zd[Coordinate::chassis_rz], tau[Coordinate::chassis_rz],
+      s9_28);
+  const double s9_30 = mbgen::fma(state.zd[Coordinate::chassis_tz], tau[Coordinate::chassis_tz],
+      s9_29);
+  const double s9_31 = mbgen::fma(state.zd[Coordinate::chassis_tx], tau[Coordinate::chassis_tx],
+      s9_30);
+  result.applied_power = mbgen::fma(state.zd[Coordinate::chassis_ty], tau[Coordinate::chassis_ty],
+      s9_31);
+  const double s9_32 = work.s7_75 + (work.s7_20 + (work.s7_17 + (work.s7_4 + work.s7_7)));
+  const double s9_33 = work.s7_79 + (work.r_rear_axle_aux1_x + s9_32);
+  const double s9_34 = work.r_rear_axle_aux1_x + (work.r_rear_axle_aux1_x + work.s7_82);
+  const double s9_35 = work.r_rear_axle_aux1_x + (work.r_rear_axle_aux1_x + work.s7_85);
+  const double s9_36 = work.r_rear_axle_aux1_x + s7_142;
+  const double s9_37 = mbgen::fma(m_rear_axle, s9_36, 231.99999999999997);
+  const double s9_38 = mbgen::fma(m_bell_crank, p_bell_crank_x - s7_156, s9_37);
+  const double s9_39 = 8.5 + (s7_91 + (work.r_rear_axle_aux1_x + s9_33 - work.s7_88));
+  const double s9_40 = mbgen::fma(m_pitman_arm, p_pitman_arm_x - s7_166, s9_38);
+  const double s9_41 = 13.7 + (work.s7_45 + (work.s7_48 + (work.s7_37 - work.s7_33)));
+  const double s9_42 = mbgen::fma(0.3333333333333333, s9_39, s9_40);
+  const double s9_43 = 1.3 + (s7_116 + (s7_93 + (s7_178 + s7_252)));
+  const double s9_44 = mbgen::fma(1.1666666666666667, s9_41, s9_42);
+  const double s9_45 = mbgen::fma(m_arb_rear_right, s9_43, s9_44);
+  const double s9_46 = mbgen::fma(1.5, 7.65 - work.s7_29 - work.s7_27, s9_45);
+  const double s9_47 = mbgen::fma(3.0, work.s7_60 + s9_34, s9_46);
+  const double s9_48 = mbgen::fma(2.6666666666666665, work.s7_67 + s9_35, s9_47);
+  const double s9_49 = work.r_wheel_rear_left_x + work.r_wheel_rear_right_x;
+  const double s9_50 = work.r_wheel_front_left_x + work.r_wheel_front_right_x;
+  const double s9_51 = mbgen::fma(m_wheel_rear_right, s9_49, s9_48);
+  const double s9_52 = mbgen::fma(m_wheel_front_right, s9_50, s9_51);
+  const double s9_53 = mbgen::fma(work.w_chassis_x, s7_89, work.v_arb_rear_left_y);
+  const double s9_54 = mbgen::fnma(work.w_rear_axle_z, work.s7_88, work.v_rear_axle_aux3_y);
+  const double s9_55 = mbgen::fma(work.w_rear_axle_y, work.s7_88, work.v_rear_axle_aux3_z);
+  const double s9_56 = mbgen::fnma((-p_diag_rod_left_from_z), work.w_chassis_x,
+      work.v_arb_rear_right_z);
+  const double s9_57 = mbgen::fma(work.w_rear_axle_z, work.s7_87, work.v_rear_axle_aux3_x);
+  const double s9_58 = mbgen::fma(p_arb_link_rear_left_from_y, work.w_chassis_z,
+      work.v_arb_rear_right_x);
+  const double s9_59 = mbgen::fma((-p_diag_rod_left_from_z), work.w_chassis_x, work.v_chassis_y);
+  const double s9_60 = mbgen::fma(work.w_rear_axle_z, work.s7_85, work.v_rear_axle_aux3_y);
+  const double s9_61 = mbgen::fma((-p_diag_rod_left_from_x), work.w_chassis_y, work.v_chassis_z);
+  const double s9_62 = mbgen::fma(work.w_rear_axle_x, work.s7_86, work.v_rear_axle_aux3_z);
+  const double s9_63 = mbgen::fma(work.w_rear_axle_y, work.s7_84, work.v_rear_axle_aux3_x);
+  const double s9_64 = mbgen::fma((-p_long_rod_left_from_z), work.w_chassis_x, work.v_chassis_y);
+  const double s9_65 = mbgen::fma(work.w_rear_axle_x, work.s7_81, work.v_rear_axle_aux3_y);
+  const double s9_66 = mbgen::fma((-p_long_rod_left_from_x), work.w_chassis_y, work.v_chassis_z);
+  const double s9_67 = mbgen::fma(work.w_rear_axle_x, work.s7_83, work.v_rear_axle_aux3_z);
+  const double s9_68 = mbgen::fma(p_long_rod_left_from_y, work.w_chassis_z, work.v_chassis_x);
+  const double s9_69 = mbgen::fnma(work.w_rear_axle_y, work.s7_81, work.v_rear_axle_aux3_x);
+  const double s9_70 = mbgen::fma(work.w_rear_axle_z, work.s7_79, work.v_rear_axle_aux3_y);
+  const double s9_71 = mbgen::fma(work.w_chassis_x, work.s7_70, work.v_arb_rear_left_y);
+  const double s9_72 = mbgen::fma(work.w_rear_axle_x, work.s7_80, work.v_rear_axle_aux3_z);
+  const double s9_73 = mbgen::fma((-p_diag_rod_left_from_z), work.w_chassis_x,
+      work.v_arb_rear_left_z);
+  const double s9_74 = mbgen::fma(work.w_rear_axle_y, work.s7_78, work.v_rear_axle_aux3_x);
+  const double s9_75 = mbgen::fnma(p_arb_link_rear_left_from_y, work.w_chassis_z,
+      work.v_arb_rear_left_x);
+  const double s9_76 = mbgen::fma(work.w_rear_axle_z, work.s7_67, work.v_rear_axle_aux3_y);
+  const double s9_77 = mbgen::fma(work.w_rear_axle_x, work.s7_69, work.v_rear_axle_aux3_z);
+  const double s9_78 = mbgen::fma(work.w_rear_axle_y, work.s7_65, work.v_rear_axle_aux3_x);
+  const double s9_79 = mbgen::fma(work.w_rear_axle_z, work.s7_60, work.v_rear_axle_aux3_y);
+  const double s9_80 = mbgen::fma(work.w_rear_axle_x, work.s7_63, work.v_rear_axle_aux3_z);
+  const double s9_81 = mbgen::fma(work.w_rear_axle_y, work.s7_57, work.v_rear_axle_aux3_x);
+  const double s9_82 = mbgen::fnma((-p_long_rod_left_from_z), work.w_chassis_y, work.v_chassis_x);
+  const double s9_83 = mbgen::fma(work.w_carrier_right_z, work.s7_48, work.v_carrier_right_aux1_y);
+  const double s9_84 = mbgen::fma(work.w_carrier_right_y, work.s7_54, work.v_carrier_right_aux1_x);
+  const double s9_85 = mbgen::fma(work.w_carrier_right_x, work.s7_51, work.v_carrier_right_aux1_z);
+  const double s9_86 = mbgen::fnma(work.w_chassis_x, work.s7_44, work.v_bell_crank_z);
+  const double s9_87 = mbgen::fma(work.w_carrier_left_z, work.s7_37, work.v_carrier_left_aux1_y);
+  const double s9_88 = mbgen::fma(work.w_carrier_left_y, work.s7_43, work.v_carrier_left_aux1_x);
+  const double s9_89 = mbgen::fma(work.w_carrier_left_x, work.s7_40, work.v_carrier_left_aux1_z);
+  const double s9_90 = mbgen::fma(work.w_chassis_y, work.s7_33, work.v_bell_crank_z);
+  const double s9_91 = mbgen::fma(work.w_chassis_x, work.s7_28, work.v_pitman_arm_y);
+  const double s9_92 = mbgen::fma(work.w_chassis_y, work.s7_29, work.v_bell_crank_z);
+  const double s9_93 = mbgen::fnma(work.w_bell_crank_z, work.s7_29, work.v_bell_crank_y);
+  const double s9_94 = mbgen::fnma(work.w_pitman_arm_y, work.s7_28, work.v_pitman_arm_x);
+  const double s9_95 = mbgen::fnma(work.w_bell_crank_z, work.s7_30, work.v_bell_crank_x);
+  const double s9_96 = s9_93*mbgen::fnma(work.w_chassis_z, work.s7_27, s9_91);
+  const double s9_97 = mbgen::fma(work.w_pitman_arm_y, work.s7_27, work.v_pitman_arm_z);
+  const double s9_98 = mbgen::fma(work.w_chassis_x, work.s7_30, s9_92);
+  const double s9_99 = mbgen::fma(work.w_carrier_left_z, work.s7_7, work.v_carrier_left_aux1_y);
+  const double s9_100 = mbgen::fma(work.w_chassis_z, work.s7_4, work.v_arb_front_left_y);
+  const double s9_101 = mbgen::fma(work.w_carrier_left_x, work.s7_10, work.v_carrier_left_aux1_z);
+  const double s9_102 = mbgen::fma(p_arb_link_front_left_from_y, work.w_chassis_x,
+      work.v_arb_front_left_z);
+  const double s9_103 = mbgen::fma(work.w_carrier_left_y, work.s7_13, work.v_carrier_left_aux1_x);
+  const double s9_104 = mbgen::fnma(p_arb_link_front_left_from_y, work.w_chassis_z,
+      work.v_arb_front_left_x);
+  const double s9_105 = mbgen::fma(work.w_chassis_z, work.s7_17, work.v_arb_front_left_y);
+  const double s9_106 = mbgen::fma(work.w_carrier_right_z, work.s7_20, work.v_carrier_right_aux1_y);
+  const double s9_107 = mbgen::fma(work.w_carrier_right_x, work.s7_23, work.v_carrier_right_aux1_z);
+  const double s9_108 = mbgen::fnma(p_arb_link_front_left_from_y, work.w_chassis_x,
+      work.v_arb_front_right_z);
+  const double s9_109 = mbgen::fma(work.w_carrier_right_y, work.s7_26, work.v_carrier_right_aux1_x);
+  const double s9_110 = mbgen::fma(p_arb_link_front_left_from_y, work.w_chassis_z,
+      work.v_arb_front_right_x);
+  const double s9_111 = mbgen::fma(work.w_chassis_x, s7_92, work.v_arb_rear_left_y);
+  const double s9_112 = mbgen::fma(work.w_chassis_z, s7_93, s9_111);
+  const double s9_113 = mbgen::fma(c_arb_rear_left_y, work.w_chassis_z, work.v_arb_rear_right_x);
+  const double s9_114 = mbgen::fnma(work.w_arb_rear_right_y, s7_92, s9_113);
+  const double s9_115 = mbgen::fnma(c_arb_rear_left_y, work.w_chassis_x, work.v_arb_rear_right_z);
+  const double s9_116 = mbgen::fnma(work.w_arb_rear_right_y, s7_93, s9_115);
+  const double s9_117 = mbgen::fma(work.w_chassis_x, s7_115, work.v_arb_rear_left_y);
+  const double s9_118 = mbgen::fma(work.w_chassis_z, s7_116, s9_117);
+  const double s9_119 = mbgen::fma(c_arb_rear_left_y, work.w_chassis_x, work.v_arb_rear_left_z);
+  const double s9_120 = mbgen::fnma(work.w_arb_rear_left_y, s7_116, s9_119);
+  const double s9_121 = mbgen::fnma(c_arb_rear_left_y, work.w_chassis_z, work.v_arb_rear_left_x);
+  const double s9_122 = mbgen::fnma(work.w_arb_rear_left_y, s7_115, s9_121);
+  const double s9_123 = mbgen::fma(work.w_rear_axle_z, s7_142, work.v_rear_axle_aux3_y);
+  const double s9_124 = mbgen::fnma(work.w_rear_axle_x, s7_140, s9_123);
+  const double s9_125 = mbgen::fma(work.w_rear_axle_x, s7_139, work.v_rear_axle_aux3_z);
+  const double s9_126 = mbgen::fnma(work.w_rear_axle_y, s7_142, s9_125);
+  const double s9_127 = mbgen::fma(work.w_rear_axle_y, s7_140, work.v_rear_axle_aux3_x);
+  const double s9_128 = mbgen::fnma(work.w_rear_axle_z, s7_139, s9_127);
+  const double s9_129 = mbgen::fnma(work.w_bell_crank_z, s7_156, work.v_bell_crank_y);
+  const double s9_130 = mbgen::fnma(work.w_bell_crank_z, s7_158, work.v_bell_crank_x);
+  const double s9_131 = mbgen::fma(work.w_chassis_y, s7_156, work.v_bell_crank_z);
+  const double s9_132 = mbgen::fma(work.w_chassis_x, s7_158, s9_131);
+  const double s9_133 = mbgen::fma(work.w_pitman_arm_y, s7_166, work.v_pitman_arm_z);
+  const double s9_134 = mbgen::fnma(work.w_pitman_arm_y, s7_167, work.v_pitman_arm_x);
+  const double s9_135 = mbgen::fma(work.w_chassis_x, s7_167, work.v_pitman_arm_y);
+  const double s9_136 = mbgen::fnma(work.w_chassis_z, s7_166, s9_135);
+  const double s9_137 = mbgen::fma(work.w_chassis_z, s7_178, work.v_arb_front_left_y);
+  const double s9_138 = mbgen::fnma(work.w_chassis_x, s7_176, s9_137);
+  const double s9_139 = mbgen::fma(c_arb_front_left_y, work.w_chassis_z, work.v_arb_front_right_x);
+  const double s9_140 = mbgen::fma(work.w_arb_front_right_y, s7_176, s9_139);
+  const double s9_141 = mbgen::fnma(c_arb_front_left_y, work.w_chassis_x, work.v_arb_front_right_z);
+  const double s9_142 = mbgen::fnma(work.w_arb_front_right_y, s7_178, s9_141);
+  const double s9_143 = mbgen::fma(work.w_upper_arm_right_x, s7_194, work.v_upper_arm_left_y);
+  const double s9_144 = mbgen::fma(work.w_upper_arm_right_x, s7_192, work.v_upper_arm_right_z);
+  const double s9_145 = mbgen::fnma(work.w_chassis_y, s7_194, work.v_upper_arm_right_x);
+  const double s9_146 = mbgen::fnma(work.w_chassis_z, s7_192, s9_145);
+  const double s9_147 = mbgen::fma(work.w_carrier_right_z, s7_222, work.v_carrier_right_aux1_y);
+  const double s9_148 = mbgen::fnma(work.w_carrier_right_x, s7_219, s9_147);
+  const double s9_149 = mbgen::fma(work.w_carrier_right_x, s7_216, work.v_carrier_right_aux1_z);
+  const double s9_150 = mbgen::fnma(work.w_carrier_right_y, s7_222, s9_149);
+  const double s9_151 = mbgen::fma(work.w_carrier_right_y, s7_219, work.v_carrier_right_aux1_x);
+  const double s9_152 = mbgen::fnma(work.w_carrier_right_z, s7_216, s9_151);
+  const double s9_153 = mbgen::fma(work.w_lower_arm_right_x, s7_241, work.v_lower_arm_left_y);
+  const double s9_154 = mbgen::fma(work.w_lower_arm_right_x, s7_239, work.v_lower_arm_right_z);
+  const double s9_155 = mbgen::fnma(work.w_chassis_y, s7_241, work.v_lower_arm_right_x);
+  const double s9_156 = mbgen::fnma(work.w_chassis_z, s7_239, s9_155);
+  const double s9_157 = mbgen::fma(work.w_chassis_z, s7_252, work.v_arb_front_left_y);
+  const double s9_158 = mbgen::fnma(work.w_chassis_x, s7_250, s9_157);
+  const double s9_159 = mbgen::fma(c_arb_front_left_y, work.w_chassis_x, work.v_arb_front_left_z);
+  const double s9_160 = mbgen::fnma(work.w_arb_front_left_y, s7_252, s9_159);
+  const double s9_161 = mbgen::fnma(c_arb_front_left_y, work.w_chassis_z, work.v_arb_front_left_x);
+  const double s9_162 = mbgen::fma(work.w_arb_front_left_y, s7_250, s9_161);
+  const double s9_163 = mbgen::fnma(work.w_upper_arm_left_x, s7_266, work.v_upper_arm_left_y);
+  const double s9_164 = mbgen::fma(work.w_upper_arm_left_x, s7_268, work.v_upper_arm_left_z);
+  const double s9_165 = mbgen::fma(work.w_chassis_y, s7_266, work.v_upper_arm_left_x);
+  const double s9_166 = mbgen::fnma(work.w_chassis_z, s7_268, s9_165);
+  const double s9_167 = mbgen::fma(work.w_carrier_left_z, s7_296, work.v_carrier_left_aux1_y);
+  const double s9_168 = mbgen::fnma(work.w_carrier_left_x, s7_293, s9_167);
+  const double s9_169 = mbgen::fma(work.w_carrier_left_x, s7_290, work.v_carrier_left_aux1_z);
+  const double s9_170 = mbgen::fnma(work.w_carrier_left_y, s7_296, s9_169);
+  const double s9_171 = mbgen::fma(work.w_carrier_left_y, s7_293, work.v_carrier_left_aux1_x);
+  const double s9_172 = mbgen::fnma(work.w_carrier_left_z, s7_290, s9_171);
+  const double s9_173 = mbgen::fma((-c_chassis_x), work.w_chassis_y, work.v_chassis_z);
+  const double s9_174 = mbgen::fma(c_chassis_z, work.w_chassis_y, work.v_chassis_x);
+  const double s9_175 = mbgen::fnma((-c_chassis_x), work.w_chassis_z, work.v_chassis_y);
+  const double s9_176 = mbgen::fnma(c_chassis_z, work.w_chassis_x, s9_175);
+  const double s9_177 = mbgen::fnma(work.w_lower_arm_left_x, s7_313, work.v_lower_arm_left_y);
+  const double s9_178 = mbgen::fma(work.w_lower_arm_left_x, s7_315, work.v_lower_arm_left_z);
+  const double s9_179 = mbgen::fma(work.w_chassis_y, s7_313, work.v_lower_arm_left_x);
+  const double s9_180 = mbgen::fnma(work.w_chassis_z, s7_315, s9_179);
+  const double s9_181 = mbgen::fma(s9_162, s9_162, mbgen::fma(s9_160, s9_160, s9_158*s9_158));
+  const double s9_182 = mbgen::fma(s9_140, s9_140, mbgen::fma(s9_138, s9_138, s9_181));
+  const double s9_183 = mbgen::fma(s9_112, s9_112, mbgen::fma(s9_142, s9_142, s9_182));
+  const double s9_184 = mbgen::fma(s9_116, s9_116, mbgen::fma(s9_114, s9_114, s9_183));
+  const double s9_185 = mbgen::fma(s9_120, s9_120, mbgen::fma(s9_118, s9_118, s9_184));
+  const double s9_186 = mbgen::fnma(work.w_carrier_right_x, work.s7_26, s9_106);
+  const double s9_187 = mbgen::fnma(work.w_arb_front_right_y, work.s7_17, s9_108);
+  const double s9_188 = mbgen::fnma(work.w_chassis_x, work.s7_15, s9_105)*s9_186;
+  const double s9_189 = mbgen::fnma(work.w_carrier_right_y, work.s7_20, s9_107);
+  const double s9_190 = mbgen::fma(work.w_arb_front_right_y, work.s7_15, s9_110);
+  const double s9_191 = mbgen::fnma(work.w_carrier_right_z, work.s7_23, s9_109);
+  const double s9_192 = mbgen::fma(s9_191, s9_190, mbgen::fma(s9_189, s9_187, s9_188));
+  const double s9_193 = mbgen::fnma(work.w_carrier_left_x, work.s7_13, s9_99);
+  const double s9_194 = mbgen::fnma(work.w_chassis_x, work.s7_2, s9_100);
+  const double s9_195 = mbgen::fnma(work.w_arb_front_left_y, work.s7_4, s9_102);
+  const double s9_196 = mbgen::fnma(work.w_carrier_left_y, work.s7_7, s9_101);
+  const double s9_197 = mbgen::fma(s9_196, s9_195, mbgen::fma(s9_193, s9_194, s9_192));
+  const double s9_198 = mbgen::fnma(work.w_carrier_left_z, work.s7_10, s9_103);
+  const double s9_199 = mbgen::fma(work.w_arb_front_left_y, work.s7_2, s9_104);
+  const double s9_200 = mbgen::fnma(work.w_rear_axle_x, s7_90, s9_54);
+  const double s9_201 = mbgen::fma(work.w_chassis_z, s7_91, s9_53);
+  const double s9_202 = mbgen::fma(s9_201, s9_200, mbgen::fma(s9_198, s9_199, s9_197));
+  const double s9_203 = mbgen::fnma(work.w_rear_axle_x, work.s7_87, s9_55);
+  const double s9_204 = mbgen::fnma(work.w_arb_rear_right_y, s7_91, s9_56);
+  const double s9_205 = mbgen::fnma(work.w_arb_rear_right_y, s7_89, s9_58);
+  const double s9_206 = mbgen::fma(work.w_rear_axle_y, s7_90, s9_57);
+  const double s9_207 = mbgen::fma(s9_206, s9_205, mbgen::fma(s9_203, s9_204, s9_202));
+  const double s9_208 = mbgen::fnma(work.w_rear_axle_x, work.s7_78, s9_70);
+  const double s9_209 = mbgen::fma(work.w_chassis_z, work.s7_75, s9_71);
+  const double s9_210 = mbgen::fnma(work.w_arb_rear_left_y, work.s7_75, s9_73);
+  const double s9_211 = mbgen::fnma(work.w_rear_axle_y, work.s7_79, s9_72);
+  const double s9_212 = mbgen::fma(s9_211, s9_210, mbgen::fma(s9_208, s9_209, s9_207));
+  const double s9_213 = mbgen::fnma(work.w_arb_rear_left_y, work.s7_70, s9_75);
+  const double s9_214 = mbgen::fnma(work.w_rear_axle_z, work.s7_80, s9_74);
+  const double s9_215 = work.v_wheel_rear_right_y*work.v_wheel_rear_right_y;
+  const double s9_216 = mbgen::fma(work.v_wheel_rear_right_z, work.v_wheel_rear_right_z, s9_215);
+  const double s9_217 = mbgen::fma(work.v_wheel_rear_right_x, work.v_wheel_rear_right_x, s9_216);
+  const double s9_218 = mbgen::fma(work.v_wheel_rear_left_y, work.v_wheel_rear_left_y, s9_217);
+  const double s9_219 = mbgen::fma(work.v_wheel_rear_left_z, work.v_wheel_rear_left_z, s9_218);
+  const double s9_220 = mbgen::fma(s9_146, s9_146, mbgen::fma(s9_144, s9_144, s9_143*s9_143));
+  const double s9_221 = mbgen::fma(s9_164, s9_164, mbgen::fma(s9_163, s9_163, s9_220));
+  const double s9_222 = work.v_wheel_front_right_y*work.v_wheel_front_right_y;
+  const double s9_223 = mbgen::fma(work.v_wheel_front_right_z, work.v_wheel_front_right_z, s9_222);
+  const double s9_224 = mbgen::fma(work.v_wheel_front_right_x, work.v_wheel_front_right_x, s9_223);
+  const double s9_225 = mbgen::fma(work.v_wheel_front_left_y, work.v_wheel_front_left_y, s9_224);
+  const double s9_226 = mbgen::fma(work.v_wheel_front_left_z, work.v_wheel_front_left_z, s9_225);
+  const double s9_227 = mbgen::fma(s9_152, s9_152, mbgen::fma(s9_150, s9_150, s9_148*s9_148));
+  const double s9_228 = mbgen::fma(s9_170, s9_170, mbgen::fma(s9_168, s9_168, s9_227));
+  const double s9_229 = mbgen::fma(s9_156, s9_156, mbgen::fma(s9_154, s9_154, s9_153*s9_153));
+  const double s9_230 = mbgen::fma(s9_178, s9_178, mbgen::fma(s9_177, s9_177, s9_229));
+  const double s9_231 = mbgen::fnma(work.w_rear_axle_x, work.s7_84, s9_60);
+  const double s9_232 = mbgen::fnma(p_lower_arm_left_y, work.w_chassis_x, s9_61);
+  const double s9_233 = mbgen::fnma((-p_diag_rod_left_from_z), work.w_chassis_y, work.s4_19);
+  const double s9_234 = s9_232*mbgen::fnma(work.w_rear_axle_y, work.s7_85, s9_62);
+  const double s9_235 = mbgen::fnma(work.w_rear_axle_z, work.s7_86, s9_63);
+  const double s9_236 = mbgen::fma((-p_diag_rod_left_from_x), work.w_chassis_y, work.s4_9);
+  const double s9_237 = mbgen::fnma(work.w_rear_axle_y, work.s7_67, s9_77);
+  const double s9_238 = mbgen::fnma((-p_diag_rod_left_from_z), work.w_chassis_y, work.s4_7);
+  const double s9_239 = mbgen::fma(s9_236, s9_237, mbgen::fma(s9_233, s9_235, s9_234));
+  const double s9_240 = mbgen::fnma(work.w_rear_axle_z, work.s7_69, s9_78);
+  const double s9_241 = mbgen::fnma((-p_diag_rod_left_from_x), work.w_chassis_z, s9_59);
+  const double s9_242 = s9_231 + mbgen::fnma(work.w_rear_axle_x, work.s7_65, s9_76);
+  const double s9_243 = mbgen::fnma(work.w_rear_axle_x, work.s7_57, s9_79);
+  const double s9_244 = mbgen::fnma((-p_long_rod_left_from_z), work.w_chassis_x, s9_66);
+  const double s9_245 = mbgen::fnma((-p_long_rod_left_from_z), work.w_chassis_y, s9_68);
+  const double s9_246 = s9_244*mbgen::fnma(work.w_rear_axle_y, work.s7_82, s9_67);
+  const double s9_247 = mbgen::fnma(work.w_rear_axle_z, work.s7_83, s9_69);
+  const double s9_248 = mbgen::fma((-p_long_rod_left_from_z), work.w_chassis_x, s9_66);
+  const double s9_249 = mbgen::fnma(work.w_rear_axle_y, work.s7_60, s9_80);
+  const double s9_250 = mbgen::fma(s9_248, s9_249, mbgen::fma(s9_245, s9_247, s9_246));
+  const double s9_251 = mbgen::fnma(p_long_rod_left_from_y, work.w_chassis_z, s9_82);
+  const double s9_252 = mbgen::fnma(work.w_rear_axle_z, work.s7_63, s9_81);
+  const double s9_253 = mbgen::fnma((-p_long_rod_left_from_x), work.w_chassis_z, s9_64);
+  const double s9_254 = mbgen::fma(work.w_rear_axle_z, work.s7_82, s9_65) + s9_243;
+  const double s9_255 = mbgen::fma(work.w_bell_crank_z, work.s7_45, work.v_bell_crank_y);
+  const double s9_256 = mbgen::fma(work.w_bell_crank_z, work.s7_44, work.v_bell_crank_x);
+  const double s9_257 = s9_255*mbgen::fnma(work.w_carrier_right_x, work.s7_54, s9_83);
+  const double s9_258 = mbgen::fnma(work.w_carrier_right_z, work.s7_51, s9_84);
+  const double s9_259 = mbgen::fnma(work.w_carrier_right_y, work.s7_48, s9_85);
+  const double s9_260 = mbgen::fnma(work.w_chassis_y, work.s7_45, s9_86);
+  const double s9_261 = mbgen::fnma(work.w_bell_crank_z, work.s7_33, work.v_bell_crank_y);
+  const double s9_262 = mbgen::fma(s9_259, s9_260, mbgen::fma(s9_256, s9_258, s9_257));
+  const double s9_263 = mbgen::fnma(work.w_carrier_left_x, work.s7_43, s9_87);
+  const double s9_264 = mbgen::fnma(work.w_bell_crank_z, work.s7_34, work.v_bell_crank_x);
+  const double s9_265 = mbgen::fnma(work.w_carrier_left_z, work.s7_40, s9_88);
+  const double s9_266 = mbgen::fma(s9_264, s9_265, mbgen::fma(s9_261, s9_263, s9_262));
+  const double s9_267 = mbgen::fnma(work.w_carrier_left_y, work.s7_37, s9_89);
+  const double s9_268 = mbgen::fma(work.w_chassis_x, work.s7_34, s9_90);
+  const double s9_269 = 3.0*mbgen::fma(s9_97, s9_98, mbgen::fma(s9_94, s9_95, s9_96));
+  const double s9_270 = mbgen::fma(work.w_arb_rear_right_y, s7_97, s9_269);
+  const double s9_271 = mbgen::fma(s7_95, s7_99, mbgen::fma(s7_101, s7_102, s9_270));
+  const double s9_272 = mbgen::fma(s7_108, s7_109, mbgen::fma(s7_113, s7_114, s9_271));
+  const double s9_273 = mbgen::fma(s7_105, s7_110, s9_272);
+  const double s9_274 = mbgen::fma(work.w_arb_rear_left_y, s7_120, s9_273);
+  const double s9_275 = mbgen::fma(s7_118, s7_122, mbgen::fma(s7_124, s7_125, s9_274));
+  const double s9_276 = mbgen::fma(s7_131, s7_132, mbgen::fma(s7_136, s7_137, s9_275));
+  const double s9_277 = mbgen::fma(s7_153, s7_154, mbgen::fma(s7_128, s7_133, s9_276));
+  const double s9_278 = mbgen::fma(s9_128, s9_128, mbgen::fma(s9_126, s9_126, s9_124*s9_124));
+  const double s9_279 = mbgen::fma(s7_145, s7_150, mbgen::fma(s7_148, s7_149, s9_277));
+  const double s9_280 = mbgen::fma(s7_160, s7_164, mbgen::fma(m_rear_axle, s9_278, s9_279));
+  const double s9_281 = mbgen::fma(work.w_bell_crank_z, s7_161, s9_280);
+  const double s9_282 = mbgen::fma(s9_132, s9_132, mbgen::fma(s9_130, s9_130, s9_129*s9_129));
+  const double s9_283 = mbgen::fma(m_bell_crank, s9_282, mbgen::fma(s7_163, s7_165, s9_281));
+  const double s9_284 = mbgen::fma(work.w_pitman_arm_y, s7_170, s9_283);
+  const double s9_285 = mbgen::fma(s9_136, s9_136, mbgen::fma(s9_134, s9_134, s9_133*s9_133));
+  const double s9_286 = mbgen::fma(s7_169, s7_171, mbgen::fma(s7_173, s7_174, s9_284));
+  const double s9_287 = mbgen::fma(m_pitman_arm, s9_285, s9_286);
+  const double s9_288 = mbgen::fma(work.w_arb_front_right_y, s7_185, s9_287);
+  const double s9_289 = mbgen::fma(s7_180, s7_187, mbgen::fma(s7_182, s7_190, s9_288));
+  const double s9_290 = mbgen::fma(s7_196, s7_200, s9_289);
+  const double s9_291 = mbgen::fma(work.w_upper_arm_right_x, s7_201, s9_290);
+  const double s9_292 = mbgen::fma(s7_207, s7_208, mbgen::fma(s7_198, s7_199, s9_291));
+  const double s9_293 = mbgen::fma(s7_212, s7_213, mbgen::fma(s7_204, s7_209, s9_292));
+  const double s9_294 = mbgen::fma(s7_225, s7_235, mbgen::fma(s7_228, s7_233, s9_293));
+  const double s9_295 = mbgen::fma(s7_243, s7_247, mbgen::fma(s7_231, s7_237, s9_294));
+  const double s9_296 = mbgen::fma(work.w_lower_arm_right_x, s7_248, s9_295);
+  const double s9_297 = mbgen::fma(s7_245, s7_246, s9_296);
+  const double s9_298 = mbgen::fma(work.w_arb_front_left_y, s7_259, s9_297);
+  const double s9_299 = mbgen::fma(s7_254, s7_262, mbgen::fma(s7_256, s7_264, s9_298));
+  const double s9_300 = mbgen::fma(s7_270, s7_274, s9_299);
+  const double s9_301 = mbgen::fma(work.w_upper_arm_left_x, s7_275, s9_300);
+  const double s9_302 = mbgen::fma(s7_281, s7_282, mbgen::fma(s7_272, s7_273, s9_301));
+  const double s9_303 = mbgen::fma(s7_286, s7_287, mbgen::fma(s7_278, s7_283, s9_302));
+  const double s9_304 = mbgen::fma(s7_299, s7_309, mbgen::fma(s7_302, s7_307, s9_303));
+  const double s9_305 = mbgen::fma(s7_317, s7_321, mbgen::fma(s7_305, s7_311, s9_304));
+  const double s9_306 = mbgen::fma(work.w_lower_arm_left_x, s7_322, s9_305);
+  const double s9_307 = mbgen::fma(work.w_chassis_y, s7_325, mbgen::fma(s7_319, s7_320, s9_306));
+  const double s9_308 = mbgen::fma(work.w_chassis_x, s7_327, s9_307);
+  const double s9_309 = mbgen::fma(s9_176, s9_176, mbgen::fma(s9_174, s9_174, s9_173*s9_173));
+  const double s9_310 = mbgen::fma(work.w_chassis_z, s7_324, s9_308);
+  const double s9_311 = mbgen::fma(m_chassis, s9_309, s9_310);
+  const double s9_312 = mbgen::fma(m_arb_rear_right, mbgen::fma(s9_122, s9_122, s9_185), s9_311);
+  const double s9_313 = mbgen::fma(s9_214, s9_213, s9_212);
+  const double s9_314 = mbgen::fma(work.v_wheel_rear_left_x, work.v_wheel_rear_left_x, s9_219);
+  const double s9_315 = mbgen::fma(0.6666666666666666, s9_313, s9_312);
+  const double s9_316 = mbgen::fma(m_wheel_rear_right, s9_314, s9_315);
+  const double s9_317 = mbgen::fma(s9_166, s9_166, s9_221);
+  const double s9_318 = mbgen::fma(work.v_wheel_front_left_x, work.v_wheel_front_left_x, s9_226);
+  const double s9_319 = mbgen::fma(m_upper_arm_right, s9_317, s9_316);
+  const double s9_320 = mbgen::fma(m_wheel_front_right, s9_318, s9_319);
+  const double s9_321 = mbgen::fma(m_carrier_right, mbgen::fma(s9_172, s9_172, s9_228), s9_320);
+  const double s9_322 = mbgen::fma(s9_180, s9_180, s9_230);
+  const double s9_323 = mbgen::fma(s9_241, s9_242, mbgen::fma(s9_240, s9_238, s9_239));
+  const double s9_324 = mbgen::fma(m_lower_arm_right, s9_322, s9_321);
+  const double s9_325 = mbgen::fma(s9_253, s9_254, mbgen::fma(s9_252, s9_251, s9_250));
+  const double s9_326 = mbgen::fma(6.0, s9_325, mbgen::fma(5.333333333333333, s9_323, s9_324));
+  const double s9_327 = mbgen::fma(s9_267, s9_268, s9_266);
+  result.kinetic_energy = 0.5*mbgen::fma(2.3333333333333335, s9_327, s9_326);
+  const double z_rear_axle_ty = state.z[Coordinate::rear_axle_ty];
+  const double s9_328 = work.r_carrier_right_aux1_y + (work.r_carrier_left_aux1_y + work.s7_10);
+  const double s9_329 = z_rear_axle_ty + (z_rear_axle_ty + (work.s7_23 + s9_328) - work.s7_87);
+  const double s9_330 = work.s7_51 + (work.r_carrier_right_aux1_y + work.s7_34);
+  const double s9_331 = work.r_carrier_left_aux1_y + (work.r_carrier_right_aux1_y + s7_216);
+  const double s9_332 = mbgen::fma(1.5, work.s7_30, 5.25);
+  const double s9_333 = mbgen::fma(m_rear_axle, z_rear_axle_ty + s7_139, s9_332);
+  const double s9_334 = mbgen::fma(m_bell_crank, s7_158, s9_333);
+  const double s9_335 = work.s7_40 + (work.r_carrier_left_aux1_y + s9_330) - work.s7_44;
+  const double s9_336 = mbgen::fma(0.3333333333333333, work.s7_80 + s9_329, s9_334);
+  const double s9_337 = work.s7_63 + (z_rear_axle_ty + (z_rear_axle_ty + work.s7_83));
+  const double s9_338 = mbgen::fma(3.0, s9_337, mbgen::fma(1.1666666666666667, s9_335, s9_336));
+  const double s9_339 = work.s7_69 + (z_rear_axle_ty + (z_rear_axle_ty + work.s7_86));
+  const double s9_340 = work.r_wheel_rear_left_y + work.r_wheel_rear_right_y;
+  const double s9_341 = mbgen::fma(2.6666666666666665, s9_339, s9_338);
+  const double s9_342 = mbgen::fma(m_wheel_rear_right, s9_340, s9_341);
+  const double s9_343 = work.r_wheel_front_left_y + work.r_wheel_front_right_y;
+  const double s9_344 = mbgen::fma(m_upper_arm_right, s7_192 + s7_268, s9_342);
+  const double s9_345 = mbgen::fma(m_wheel_front_right, s9_343, s9_344);
+  const double s9_346 = mbgen::fma(m_carrier_right, s7_290 + s9_331, s9_345);
+  const double s9_347 = work.s7_15 + (work.s7_13 + (work.r_carrier_left_aux1_z + work.s7_2));
+  const double s9_348 = s7_90 + (work.r_rear_axle_aux3_z + (work.s7_26 + s9_347 - work.s1_32));
+  const double s9_349 = work.s7_78 + (work.r_rear_axle_aux3_z + s9_348) - work.s7_70 - s7_89;
+  const double s9_350 = work.r_rear_axle_aux3_z + (work.r_rear_axle_aux3_z - work.s7_81);
+  const double s9_351 = work.r_rear_axle_aux3_z + (work.r_rear_axle_aux3_z + work.s7_84);
+  const double s9_352 = mbgen::fma(m_rear_axle, work.r_rear_axle_aux3_z + s7_140, 3350.4);
+  const double s9_353 = mbgen::fnma(m_pitman_arm, (-p_pitman_arm_z) + s7_167, s9_352);
+  const double s9_354 = mbgen::fnma(1.5, (-p_pitman_arm_z) + work.s7_28, s9_353);
+  const double s9_355 = mbgen::fma(0.3333333333333333, s9_349 - 1.9, s9_354);
+  const double s9_356 = s7_176 + s7_250 - s7_115 - s7_92 - 1.9;
+  const double s9_357 = work.s7_43 + (work.r_carrier_left_aux1_z + (work.s7_54 - work.s1_32));
+  const double s9_358 = mbgen::fma(m_arb_rear_right, s9_356, s9_355);
+  const double s9_359 = mbgen::fma(1.1666666666666667, s9_357, s9_358);
+  const double s9_360 = mbgen::fma(3.0, work.s7_57 + s9_350, s9_359);
+  const double s9_361 = mbgen::fma(2.6666666666666665, work.s7_65 + s9_351, s9_360);
+  const double s9_362 = work.r_wheel_rear_left_z + work.r_wheel_rear_right_z;
+  const double s9_363 = mbgen::fma(m_wheel_rear_right, s9_362, s9_361);
+  const double s9_364 = mbgen::fma(m_upper_arm_right, s7_266 - s7_194 - 0.56, s9_363);
+  const double s9_365 = work.r_wheel_front_left_z + work.r_wheel_front_right_z;
+  const double s9_366 = s7_293 + (work.r_carrier_left_aux1_z + (s7_219 - work.s1_32));
+  const double s9_367 = mbgen::fma(m_wheel_front_right, s9_365, s9_364);
+  const double s9_368 = mbgen::fma(m_carrier_right, s9_366, s9_367);
+  const double s9_369 = mbgen::fma(m_lower_arm_right, s7_239 + s7_315, s9_346);
+  const double s9_370 = 15305.999999999998*work.r_chassis_aux3_z;
+  const double s9_371 = mbgen::fma(m_lower_arm_right, s7_313 - s7_241 - 1.24, s9_368);
+  const double s9_372 = mbgen::fma(work.R_chassis_z_y, s9_369, s9_370);
+  const double s9_373 = mbgen::fma(m_carrier_right, 7.2 + (s7_222 + s7_296), s9_52);
+  const double s9_374 = mbgen::fma(work.R_chassis_z_z, s9_371, s9_372);
+  result.potential_energy = (-g_z)*mbgen::fnma(work.sines[1], s9_373, s9_374);
+  // operations: 493 add, 415 multiply
 }
 
 /// Outputs, energies and power, at given accelerations.

@@ -44,7 +44,6 @@ constexpr double c_coupler_x = 0.15;
 constexpr double c_coupler_z = 0.11;
 constexpr double I_coupler_yy = 0.021;
 constexpr double m_rocker = 1.1;
-constexpr double c_rocker_x = 0.01;
 constexpr double c_rocker_z = 0.12;
 constexpr double I_rocker_yy = 0.006;
 constexpr double p_coupler_pin_x = 0.1;
@@ -52,7 +51,6 @@ constexpr double p_coupler_pin_z = 0.05;
 constexpr double p_rocker_pin_x = 0.4;
 constexpr double p_rocker_S_x = 0.01;
 constexpr double p_rocker_S_z = 0.15;
-constexpr double p_ground_S_x = 0.6;
 constexpr double p_ground_S_z = 0.1;
 constexpr double h_crank_x = 0.04;
 constexpr double h_crank_z = 0.016;
@@ -106,17 +104,14 @@ void compute_accelerations(const Tuned& parameters, const Inputs& inputs, const 
   // --- step 5: applied forces Q (48) ---
   // return_spring
   const double s5_1 = mbgen::fnma(p_rocker_S_x, R_rocker_x_z, p_rocker_S_z*R_rocker_x_x);
-  const double s5_2 = mbgen::fma(p_rocker_S_z, R_rocker_x_z, p_rocker_pin_x);
-  const double s5_3 = mbgen::fma(p_rocker_S_x, R_rocker_x_x, s5_2);
-  const double s5_4 = p_ground_S_z - s5_1;
-  const double s5_5 = p_ground_S_x - s5_3;
-  const double s5_6 = std::sqrt(mbgen::fma(s5_5, s5_5, s5_4*s5_4));
-  const double tension_return_spring = (s5_6 - 0.18)*parameters.k;
-  const double s5_7 = tension_return_spring*(1.0/s5_6);
-  const double s5_8 = s5_4*s5_7;
-  const double s5_9 = mbgen::fnma(s5_3, s5_8, s5_1*(s5_5*s5_7));
-  const double s5_10 = mbgen::fma(p_rocker_pin_x, s5_8, s5_9);
-  // operations: 9 add, 13 multiply, 1 divide, 1 sqrt
+  const double s5_2 = mbgen::fma(p_rocker_S_x, R_rocker_x_x, p_rocker_S_z*R_rocker_x_z);
+  const double s5_3 = p_ground_S_z - s5_1;
+  const double s5_4 = 0.2 - s5_2;
+  const double s5_5 = std::sqrt(mbgen::fma(s5_4, s5_4, s5_3*s5_3));
+  const double tension_return_spring = (s5_5 - 0.18)*parameters.k;
+  const double s5_6 = tension_return_spring*(1.0/s5_5);
+  const double s5_7 = mbgen::fnma(s5_2, s5_3*s5_6, s5_1*(s5_4*s5_6));
+  // operations: 7 add, 12 multiply, 1 divide, 1 sqrt
 
   // --- step 2: closure Jacobian Phi_z and its factors (60), rocker_tip ---
   // rocker_tip
@@ -176,7 +171,7 @@ void compute_accelerations(const Tuned& parameters, const Inputs& inputs, const 
   // crank: crank_pin, revolute, ground
   const double s8_6 = mbgen::fma((-g_z), s7_1, inputs.torque + tau[Coordinate::crank_pin]);
   const double s8_7 = mbgen::fma(0.00302, s6_8, s8_6);
-  const double s8_8 = mbgen::fma((-g_z), s7_4, tau[Coordinate::rocker_pin] + s5_10);
+  const double s8_8 = mbgen::fma((-g_z), s7_4, s5_7 + tau[Coordinate::rocker_pin]);
   const double s8_9 = mbgen::fma(0.02195, s6_9, s8_8);
   // rocker: rocker_pin, revolute, ground
   const double s8_10 = s3_3*(0.02195*s3_3);
@@ -218,13 +213,6 @@ struct Closure {
 /// One Newton step of the frozen partition, and consistent velocities.
 void compute_closure(const Tuned& /*parameters*/, const Inputs& /*inputs*/, const State& state,
     Closure& __restrict result) noexcept {
-  // Results that need no operation.
-  result.dz[Coordinate::coupler_pin] = 0.0;
-  result.residual[1] = 0.0;
-  result.residual[3] = 0.0;
-  result.residual[4] = 0.0;
-  result.zd[Coordinate::coupler_pin] = state.zd[Coordinate::coupler_pin];
-
   // --- step 1: poses, axes b, accumulated inertias MR (50) ---
   // crank: crank_pin, revolute, ground
   const double z_crank_pin = state.z[Coordinate::crank_pin];
@@ -279,6 +267,11 @@ void compute_closure(const Tuned& /*parameters*/, const Inputs& /*inputs*/, cons
   result.dz[Coordinate::rocker_pin] = -(s2_9*mbgen::fms(J_rocker_tip_crank_pin, s4_2, s2_7));
   result.zd[Coordinate::rocker_pin] = -(s2_9*mbgen::fms(J_rocker_tip_crank_pin, s4_4, s4_1));
   // operations: 4 add, 10 multiply
+  result.residual[1] = 0.0;
+  result.residual[3] = 0.0;
+  result.residual[4] = 0.0;
+  result.dz[Coordinate::coupler_pin] = 0.0;
+  result.zd[Coordinate::coupler_pin] = zd_coupler_pin;
 }
 
 /// Result of compute_multipliers.
@@ -292,12 +285,7 @@ struct ConstraintForces {
 /// Multipliers of the closures and generalised driving forces, at given accelerations.
 void compute_multipliers(const Tuned& parameters, const Inputs& inputs, const State& state,
     const double* tau, const Derivative& derivative, ConstraintForces& __restrict result) noexcept {
-  // Results that need no operation.
-  result.lambda[1] = 0.0;
-  result.lambda[3] = 0.0;
-  result.lambda[4] = 0.0;
-
-  // --- step 1: poses, axes b, accumulated inertias MR (50) ---
+  // --- step 1: poses and axes b ---
   // crank: crank_pin, revolute, ground
   const double z_crank_pin = state.z[Coordinate::crank_pin];
   double R_crank_x_x, R_crank_x_z;
@@ -316,22 +304,9 @@ void compute_multipliers(const Tuned& parameters, const Inputs& inputs, const St
   const double z_rocker_pin = state.z[Coordinate::rocker_pin];
   double R_rocker_x_x, R_rocker_x_z;
   mbgen::sincos(z_rocker_pin, R_rocker_x_z, R_rocker_x_x);
-  // crank: crank_pin, revolute, ground
-  const double s1_5 = mbgen::fms(c_crank_z, R_crank_x_x, s1_3);
-  const double s1_6 = mbgen::fma(c_crank_z, R_crank_x_z, s1_4);
-  // coupler: coupler_pin, revolute, crank
-  const double s1_7 = mbgen::fma(c_coupler_z, R_coupler_x_x, r_coupler_z);
-  const double s1_8 = mbgen::fnma(c_coupler_x, R_coupler_x_z, s1_7);
-  const double s1_9 = mbgen::fma(c_coupler_z, R_coupler_x_z, r_coupler_x);
-  const double s1_10 = mbgen::fma(c_coupler_x, R_coupler_x_x, s1_9);
-  // rocker: rocker_pin, revolute, ground
-  const double s1_11 = c_rocker_x*R_rocker_x_z;
-  const double s1_12 = mbgen::fms(c_rocker_z, R_rocker_x_x, s1_11);
-  const double s1_13 = mbgen::fma(c_rocker_x, R_rocker_x_x, p_rocker_pin_x);
-  const double s1_14 = mbgen::fma(c_rocker_z, R_rocker_x_z, s1_13);
-  // operations: 13 add, 18 multiply, 6 sin cos
+  // operations: 4 add, 8 multiply, 6 sin cos
 
-  // --- step 4: velocities Z (36) ---
+  // --- step 4: angular velocities ---
   // coupler: coupler_pin, revolute, crank
   const double zd_crank_pin = state.zd[Coordinate::crank_pin];
   const double w_coupler_y = zd_crank_pin + state.zd[Coordinate::coupler_pin];
@@ -339,83 +314,83 @@ void compute_multipliers(const Tuned& parameters, const Inputs& inputs, const St
 
   // --- step 5: applied forces Q (48) ---
   // return_spring
-  const double s5_1 = mbgen::fms(p_rocker_S_z, R_rocker_x_x, s1_11);
-  const double s5_2 = p_ground_S_z - s5_1;
-  const double s5_3 = mbgen::fma(p_rocker_S_z, R_rocker_x_z, s1_13);
-  const double s5_4 = p_ground_S_x - s5_3;
-  const double s5_5 = std::sqrt(mbgen::fma(s5_4, s5_4, s5_2*s5_2));
-  const double tension_return_spring = (s5_5 - 0.18)*parameters.k;
-  const double s5_6 = tension_return_spring*(1.0/s5_5);
-  const double s5_7 = s5_2*s5_6;
-  const double s5_8 = mbgen::fnma(s5_3, s5_7, s5_1*(s5_4*s5_6));
-  // operations: 7 add, 10 multiply, 1 divide, 1 sqrt
+  const double s5_1 = p_rocker_S_x*R_rocker_x_z;
+  const double s5_2 = mbgen::fms(p_rocker_S_z, R_rocker_x_x, s5_1);
+  const double s5_3 = p_ground_S_z - s5_2;
+  const double s5_4 = p_rocker_S_x*R_rocker_x_x;
+  const double s5_5 = mbgen::fma(p_rocker_S_z, R_rocker_x_z, s5_4);
+  const double s5_6 = 0.2 - s5_5;
+  const double s5_7 = std::sqrt(mbgen::fma(s5_6, s5_6, s5_3*s5_3));
+  const double tension_return_spring = (s5_7 - 0.18)*parameters.k;
+  const double s5_8 = tension_return_spring*(1.0/s5_7);
+  const double s5_9 = mbgen::fnma(s5_5, s5_3*s5_8, s5_2*(s5_6*s5_8));
+  // operations: 7 add, 12 multiply, 1 divide, 1 sqrt
 
-  // --- step 7: accelerations Zdot and accumulated forces QR - PR (51), (52) ---
+  // --- step 7: inertias of the bodies and forces on joints ---
   // crank: crank_pin, revolute, ground
   const double s7_1 = zd_crank_pin*zd_crank_pin;
   // coupler: coupler_pin, revolute, crank
-  const double s7_2 = w_coupler_y*w_coupler_y;
-  const double s7_3 = s7_2 - s7_1;
   const double zdd_crank_pin = derivative.zdd[Coordinate::crank_pin];
+  const double a_coupler_x = mbgen::fnma(r_coupler_x, s7_1, zdd_crank_pin*r_coupler_z);
+  const double s7_2 = mbgen::fnma(zdd_crank_pin, r_coupler_x, (-g_z));
+  const double a_coupler_z = mbgen::fnma(r_coupler_z, s7_1, s7_2);
   const double alpha_coupler_y = zdd_crank_pin + derivative.zdd[Coordinate::coupler_pin];
-  const double s7_4 = zdd_crank_pin - alpha_coupler_y;
-  const double a_coupler_x = mbgen::fma(r_coupler_z, s7_4, r_coupler_x*s7_3);
-  const double s7_5 = mbgen::fma(r_coupler_x, alpha_coupler_y - zdd_crank_pin, (-g_z));
-  const double a_coupler_z = mbgen::fma(r_coupler_z, s7_3, s7_5);
+  const double s7_3 = w_coupler_y*w_coupler_y;
   // rocker: rocker_pin, revolute, ground
   const double zd_rocker_pin = state.zd[Coordinate::rocker_pin];
-  const double s7_6 = zd_rocker_pin*zd_rocker_pin;
-  const double a_rocker_x = p_rocker_pin_x*s7_6;
+  const double s7_4 = zd_rocker_pin*zd_rocker_pin;
+  const double s7_5 = mbgen::fms(c_rocker_z, R_rocker_x_x, s5_1);
+  const double s7_6 = mbgen::fma(c_rocker_z, R_rocker_x_z, s5_4);
   const double zdd_rocker_pin = derivative.zdd[Coordinate::rocker_pin];
-  const double a_rocker_z = mbgen::fma(p_rocker_pin_x, zdd_rocker_pin, (-g_z));
-  // crank: crank_pin, revolute, ground
-  const double s7_7 = mbgen::fnma(s1_5, s7_1, mbgen::fnma(zdd_crank_pin, s1_6, (-g_z)));
-  // coupler: coupler_pin, revolute, crank
-  const double s7_8 = mbgen::fnma(s1_10, s7_2, mbgen::fma(s1_8, alpha_coupler_y, a_coupler_x));
-  const double s7_9 = m_coupler*s7_8;
-  const double s7_10 = mbgen::fnma(s1_10, alpha_coupler_y, a_coupler_z);
-  const double s7_11 = m_coupler*mbgen::fnma(s1_8, s7_2, s7_10);
-  const double s7_12 = mbgen::fma(s1_8, s7_9, I_coupler_yy*alpha_coupler_y);
-  const double s7_13 = mbgen::fnma(s1_10, s7_11, s7_12);
-  // rocker: rocker_pin, revolute, ground
-  const double s7_14 = mbgen::fnma(s1_12, s7_6, mbgen::fnma(zdd_rocker_pin, s1_14, a_rocker_z));
-  const double s7_15 = m_rocker*s7_14;
-  const double s7_16 = mbgen::fnma(s1_14, s7_6, mbgen::fma(zdd_rocker_pin, s1_12, a_rocker_x));
-  const double s7_17 = tau[Coordinate::rocker_pin] + s5_8;
-  const double s7_18 = mbgen::fnma(I_rocker_yy, zdd_rocker_pin, s7_17);
-  const double s7_19 = mbgen::fma(s1_14, s7_15, mbgen::fnma(s1_12, m_rocker*s7_16, s7_18));
-  const double Q_rocker_pin = mbgen::fma(p_rocker_pin_x, s5_7 - s7_15, s7_19);
+  const double s7_7 = mbgen::fnma(s7_4, s7_5, mbgen::fnma(zdd_rocker_pin, s7_6, (-g_z)));
+  const double s7_8 = m_rocker*mbgen::fnma(s7_4, s7_6, zdd_rocker_pin*s7_5);
+  const double s7_9 = mbgen::fnma(s7_5, s7_8, mbgen::fnma(I_rocker_yy, zdd_rocker_pin, s5_9));
+  const double n_rocker_y = mbgen::fma(s7_6, m_rocker*s7_7, s7_9);
+  const double Q_rocker_pin = tau[Coordinate::rocker_pin] + n_rocker_y;
   result.missing[2] = Q_rocker_pin;
   // coupler: coupler_pin, revolute, crank
-  const double s7_20 = mbgen::fma(r_coupler_z, s7_9, tau[Coordinate::coupler_pin] - s7_13);
-  result.missing[1] = mbgen::fnma(r_coupler_x, s7_11, s7_20);
+  const double s7_10 = mbgen::fnma(c_coupler_x, R_coupler_x_z, c_coupler_z*R_coupler_x_x);
+  const double s7_11 = mbgen::fma(c_coupler_x, R_coupler_x_x, c_coupler_z*R_coupler_x_z);
+  const double s7_12 = mbgen::fma(alpha_coupler_y, s7_10, a_coupler_x);
+  const double s7_13 = m_coupler*mbgen::fnma(s7_3, s7_11, s7_12);
+  const double s7_14 = mbgen::fnma(alpha_coupler_y, s7_11, a_coupler_z);
+  const double s7_15 = m_coupler*mbgen::fnma(s7_3, s7_10, s7_14);
+  const double s7_16 = mbgen::fma(s7_10, s7_13, I_coupler_yy*alpha_coupler_y);
+  const double s7_17 = mbgen::fnma(s7_11, s7_15, s7_16);
+  result.missing[1] = tau[Coordinate::coupler_pin] - s7_17;
   // crank: crank_pin, revolute, ground
-  const double s7_21 = inputs.torque + tau[Coordinate::crank_pin] - s7_13;
-  const double s7_22 = m_crank*mbgen::fnma(s1_6, s7_1, zdd_crank_pin*s1_5);
-  const double s7_23 = mbgen::fnma(s1_5, s7_22, mbgen::fnma(I_crank_yy, zdd_crank_pin, s7_21));
-  const double Q_crank_pin = mbgen::fma(s1_6, m_crank*s7_7, s7_23);
+  const double s7_18 = mbgen::fms(c_crank_z, R_crank_x_x, s1_3);
+  const double s7_19 = mbgen::fma(c_crank_z, R_crank_x_z, s1_4);
+  const double s7_20 = mbgen::fnma(s7_1, s7_18, mbgen::fnma(zdd_crank_pin, s7_19, (-g_z)));
+  const double s7_21 = inputs.torque + tau[Coordinate::crank_pin] - s7_17;
+  const double s7_22 = mbgen::fnma(r_coupler_z, s7_13, mbgen::fma(r_coupler_x, s7_15, s7_21));
+  const double s7_23 = m_crank*mbgen::fnma(s7_1, s7_19, zdd_crank_pin*s7_18);
+  const double s7_24 = mbgen::fnma(s7_18, s7_23, mbgen::fnma(I_crank_yy, zdd_crank_pin, s7_22));
+  const double Q_crank_pin = mbgen::fma(s7_19, m_crank*s7_20, s7_24);
   result.missing[0] = Q_crank_pin;
-  // operations: 35 add, 39 multiply
+  // operations: 34 add, 44 multiply
 
-  // --- step 9: independent and all accelerations (63), (62) ---
+  // --- step 9: accelerations from the root to the leaves (63), (62) ---
   // rocker_tip
-  const double s9_1 = mbgen::fma(p_coupler_C_z, R_coupler_x_x, r_coupler_z);
-  const double J_rocker_tip_crank_pin = mbgen::fnma(p_coupler_C_x, R_coupler_x_z, s9_1);
+  const double s9_1 = mbgen::fma(p_rocker_C_x, R_rocker_x_x, p_rocker_C_z*R_rocker_x_z);
   const double s9_2 = mbgen::fnma(p_rocker_C_x, R_rocker_x_z, p_rocker_C_z*R_rocker_x_x);
-  const double s9_3 = mbgen::fma(p_rocker_C_x, R_rocker_x_x, p_rocker_C_z*R_rocker_x_z);
-  // loop block 0
-  const double s9_4 = 1.0/s9_2;
-  const double s9_5 = Q_rocker_pin*s9_4;
-  const double s9_6 = s9_3*s9_4;
-  const double s9_7 = mbgen::fma(p_coupler_C_z, R_coupler_x_z, r_coupler_x);
-  const double s9_8 = mbgen::fma(p_coupler_C_x, R_coupler_x_x, s9_7);
-  const double s9_9 = mbgen::fnma(J_rocker_tip_crank_pin, s9_6, s9_8);
-  const double s9_10 = 1.0/s9_9*mbgen::fma(J_rocker_tip_crank_pin, s9_5, Q_crank_pin);
-  result.lambda[2] = -s9_10;
-  const double s9_11 = 2.5000000000000004*std::abs(s9_9);
+  const double s9_3 = mbgen::fma(p_coupler_C_z, R_coupler_x_x, r_coupler_z);
+  const double s9_4 = mbgen::fnma(p_coupler_C_x, R_coupler_x_z, s9_3);
+  const double s9_5 = 1.0/s9_2;
+  const double s9_6 = Q_rocker_pin*s9_5;
+  const double s9_7 = s9_1*s9_5;
+  const double s9_8 = mbgen::fms(s9_4, s9_7, r_coupler_x);
+  const double s9_9 = mbgen::fnma(p_coupler_C_z, R_coupler_x_z, s9_8);
+  const double s9_10 = mbgen::fnma(p_coupler_C_x, R_coupler_x_x, s9_9);
+  const double s9_11 = 2.5000000000000004*std::abs(s9_10);
   result.pivot[0] = mbgen::min(3.999888870509994*std::abs(s9_2), s9_11);
-  result.lambda[0] = -mbgen::fma(s9_6, s9_10, s9_5);
+  const double s9_12 = mbgen::fma(s9_4, s9_6, Q_crank_pin)*(1.0/s9_10);
+  result.lambda[2] = s9_12;
+  result.lambda[0] = mbgen::fms(s9_7, s9_12, s9_6);
   // operations: 9 add, 16 multiply, 2 divide, 3 other
+  result.lambda[1] = 0.0;
+  result.lambda[3] = 0.0;
+  result.lambda[4] = 0.0;
 }
 
 /// Result of compute_closure_terms.
@@ -429,15 +404,6 @@ struct ClosureTerms {
 /// Closure equations and their derivatives, for the pivoting factorisation.
 void compute_closure_terms(const Tuned& /*parameters*/, const Inputs& /*inputs*/,
     const State& state, ClosureTerms& __restrict result) noexcept {
-  // Results that need no operation.
-  for (int k = 0; k < 15; ++k) result.Jz[k] = 0.0;
-  result.Phi[1] = 0.0;
-  result.Phi[3] = 0.0;
-  result.Phi[4] = 0.0;
-  result.c[1] = 0.0;
-  result.c[3] = 0.0;
-  result.c[4] = 0.0;
-
   // --- step 1: poses, axes b, accumulated inertias MR (50) ---
   // crank: crank_pin, revolute, ground
   const double z_crank_pin = state.z[Coordinate::crank_pin];
@@ -487,6 +453,21 @@ void compute_closure_terms(const Tuned& /*parameters*/, const Inputs& /*inputs*/
   const double s2_12 = mbgen::fnma(s2_4, s2_6, s2_2*J_rocker_tip_crank_pin);
   result.c[2] = mbgen::fnma(r_coupler_z, s2_3, s2_12);
   // operations: 19 add, 17 multiply
+  result.Phi[1] = 0.0;
+  result.Phi[3] = 0.0;
+  result.Phi[4] = 0.0;
+  result.c[1] = 0.0;
+  result.c[3] = 0.0;
+  result.c[4] = 0.0;
+  result.Jz[3] = 0.0;
+  result.Jz[4] = 0.0;
+  result.Jz[5] = 0.0;
+  result.Jz[9] = 0.0;
+  result.Jz[10] = 0.0;
+  result.Jz[11] = 0.0;
+  result.Jz[12] = 0.0;
+  result.Jz[13] = 0.0;
+  result.Jz[14] = 0.0;
 }
 
 /// Result of compute_chosen_accelerations.
@@ -526,15 +507,13 @@ void compute_chosen_accelerations(const Tuned& parameters, const Inputs& inputs,
   // return_spring
   const double s5_1 = mbgen::fnma(p_rocker_S_x, R_rocker_x_z, p_rocker_S_z*R_rocker_x_x);
   const double s5_2 = p_ground_S_z - s5_1;
-  const double s5_3 = mbgen::fma(p_rocker_S_z, R_rocker_x_z, p_rocker_pin_x);
-  const double s5_4 = mbgen::fma(p_rocker_S_x, R_rocker_x_x, s5_3);
-  const double s5_5 = p_ground_S_x - s5_4;
-  const double s5_6 = std::sqrt(mbgen::fma(s5_5, s5_5, s5_2*s5_2));
-  const double tension_return_spring = (s5_6 - 0.18)*parameters.k;
-  const double s5_7 = tension_return_spring*(1.0/s5_6);
-  const double s5_8 = s5_2*s5_7;
-  const double s5_9 = mbgen::fnma(s5_4, s5_8, s5_1*(s5_5*s5_7));
-  // operations: 9 add, 12 multiply, 1 divide, 1 sqrt
+  const double s5_3 = mbgen::fma(p_rocker_S_x, R_rocker_x_x, p_rocker_S_z*R_rocker_x_z);
+  const double s5_4 = 0.2 - s5_3;
+  const double s5_5 = std::sqrt(mbgen::fma(s5_4, s5_4, s5_2*s5_2));
+  const double tension_return_spring = (s5_5 - 0.18)*parameters.k;
+  const double s5_6 = tension_return_spring*(1.0/s5_5);
+  const double s5_7 = mbgen::fnma(s5_3, s5_2*s5_6, s5_1*(s5_4*s5_6));
+  // operations: 8 add, 12 multiply, 1 divide, 1 sqrt
 
   // --- step 7: inertias of the bodies and forces on joints ---
   const double s7_1 = inputs.torque + tau[Coordinate::crank_pin];
@@ -556,8 +535,7 @@ void compute_chosen_accelerations(const Tuned& parameters, const Inputs& inputs,
   const double s7_4 = mbgen::fnma(h_coupler_x, R_coupler_x_z, h_coupler_z*R_coupler_x_x);
   // rocker: rocker_pin, revolute, ground
   const double s7_5 = mbgen::fma(h_rocker_x, R_rocker_x_x, h_rocker_z*R_rocker_x_z);
-  const double s7_6 = mbgen::fma(p_rocker_pin_x, s5_8, s5_9);
-  // operations: 5 add, 9 multiply
+  // operations: 4 add, 8 multiply
 
   // --- step 8: elimination from the leaves to the root (63), rocker_tip ---
   // coupler: coupler_pin, revolute, crank
@@ -566,7 +544,7 @@ void compute_chosen_accelerations(const Tuned& parameters, const Inputs& inputs,
   const double s8_3 = r_coupler_x*projection.Rz[0];
   const double s8_4 = projection.zdd_star[0] + projection.zdd_star[1];
   // rocker: rocker_pin, revolute, ground
-  const double s8_5 = mbgen::fms(0.02195, projection.zdd_star[2], s7_6);
+  const double s8_5 = mbgen::fms(0.02195, projection.zdd_star[2], s5_7);
   const double n_rocker_y = mbgen::fnma((-g_z), s7_5, s8_5);
   const double s8_6 = 0.02195*projection.Rz[2];
   // coupler: coupler_pin, revolute, crank
@@ -606,10 +584,7 @@ void compute_chosen_accelerations(const Tuned& parameters, const Inputs& inputs,
 /// Outputs, energies and power, at given accelerations.
 void compute_outputs(const Tuned& parameters, const Inputs& inputs, const State& state,
     const double* tau, const Derivative& /*derivative*/, Outputs& __restrict result) noexcept {
-  // Results that need no operation.
-  result.crank_angle = state.z[Coordinate::crank_pin];
-
-  // --- step 1: poses, axes b, accumulated inertias MR (50) ---
+  // --- step 1: poses and axes b ---
   // crank: crank_pin, revolute, ground
   const double z_crank_pin = state.z[Coordinate::crank_pin];
   double R_crank_x_x, R_crank_x_z;
@@ -628,83 +603,73 @@ void compute_outputs(const Tuned& parameters, const Inputs& inputs, const State&
   const double z_rocker_pin = state.z[Coordinate::rocker_pin];
   double R_rocker_x_x, R_rocker_x_z;
   mbgen::sincos(z_rocker_pin, R_rocker_x_z, R_rocker_x_x);
-  // crank: crank_pin, revolute, ground
-  const double s1_5 = mbgen::fms(c_crank_z, R_crank_x_x, s1_3);
-  const double s1_6 = mbgen::fma(c_crank_z, R_crank_x_z, s1_4);
-  // coupler: coupler_pin, revolute, crank
-  const double s1_7 = mbgen::fma(c_coupler_z, R_coupler_x_x, r_coupler_z);
-  const double s1_8 = mbgen::fnma(c_coupler_x, R_coupler_x_z, s1_7);
-  const double s1_9 = mbgen::fma(c_coupler_z, R_coupler_x_z, r_coupler_x);
-  const double s1_10 = mbgen::fma(c_coupler_x, R_coupler_x_x, s1_9);
-  // rocker: rocker_pin, revolute, ground
-  const double s1_11 = c_rocker_x*R_rocker_x_z;
-  const double s1_12 = mbgen::fms(c_rocker_z, R_rocker_x_x, s1_11);
-  const double s1_13 = mbgen::fma(c_rocker_x, R_rocker_x_x, p_rocker_pin_x);
-  const double s1_14 = mbgen::fma(c_rocker_z, R_rocker_x_z, s1_13);
-  // coupler: coupler_pin, revolute, crank
-  const double s1_15 = mbgen::fma(m_coupler, s1_8, m_crank*s1_5);
-  // operations: 14 add, 20 multiply, 6 sin cos
+  // operations: 4 add, 8 multiply, 6 sin cos
 
-  // --- step 4: velocities Z (36) ---
+  // --- step 4: angular velocities ---
   // coupler: coupler_pin, revolute, crank
-  const double zd_coupler_pin = state.zd[Coordinate::coupler_pin];
-  const double s4_1 = zd_coupler_pin*r_coupler_z;
-  const double v_coupler_z = zd_coupler_pin*r_coupler_x;
   const double zd_crank_pin = state.zd[Coordinate::crank_pin];
+  const double v_coupler_x = zd_crank_pin*r_coupler_z;
+  const double s4_1 = zd_crank_pin*r_coupler_x;
+  const double zd_coupler_pin = state.zd[Coordinate::coupler_pin];
   const double w_coupler_y = zd_crank_pin + zd_coupler_pin;
-  // rocker: rocker_pin, revolute, ground
-  const double zd_rocker_pin = state.zd[Coordinate::rocker_pin];
-  const double v_rocker_z = p_rocker_pin_x*zd_rocker_pin;
-  // operations: 1 add, 3 multiply
+  // operations: 1 add, 2 multiply
 
   // --- step 5: applied forces Q (48) ---
   // return_spring
-  const double s5_1 = mbgen::fms(p_rocker_S_z, R_rocker_x_x, s1_11);
-  const double s5_2 = p_ground_S_z - s5_1;
-  const double s5_3 = mbgen::fma(p_rocker_S_z, R_rocker_x_z, s1_13);
-  const double s5_4 = p_ground_S_x - s5_3;
-  const double s5_5 = std::sqrt(mbgen::fma(s5_4, s5_4, s5_2*s5_2));
-  const double tension_return_spring = (s5_5 - 0.18)*parameters.k;
+  const double s5_1 = p_rocker_S_x*R_rocker_x_z;
+  const double s5_2 = mbgen::fms(p_rocker_S_z, R_rocker_x_x, s5_1);
+  const double s5_3 = p_ground_S_z - s5_2;
+  const double s5_4 = p_rocker_S_x*R_rocker_x_x;
+  const double s5_5 = mbgen::fma(p_rocker_S_z, R_rocker_x_z, s5_4);
+  const double s5_6 = 0.2 - s5_5;
+  const double s5_7 = std::sqrt(mbgen::fma(s5_6, s5_6, s5_3*s5_3));
+  const double tension_return_spring = (s5_7 - 0.18)*parameters.k;
   result.spring_force = tension_return_spring;
-  const double s5_6 = tension_return_spring*(1.0/s5_5);
-  const double s5_7 = s5_2*s5_6;
-  const double s5_8 = mbgen::fnma(s5_3, s5_7, s5_1*(s5_4*s5_6));
-  // operations: 7 add, 10 multiply, 1 divide, 1 sqrt
+  const double s5_8 = tension_return_spring*(1.0/s5_7);
+  const double s5_9 = mbgen::fnma(s5_5, s5_3*s5_8, s5_2*(s5_6*s5_8));
+  // operations: 7 add, 12 multiply, 1 divide, 1 sqrt
 
-  // --- step 7: accelerations Zdot and accumulated forces QR - PR (51), (52) ---
-  // crank: crank_pin, revolute, ground
-  const double s7_1 = I_crank_yy*zd_crank_pin;
-  // coupler: coupler_pin, revolute, crank
-  const double s7_2 = I_coupler_yy*w_coupler_y;
+  // --- step 7: inertias of the bodies and forces on joints ---
   // rocker: rocker_pin, revolute, ground
+  const double s7_1 = mbgen::fms(c_rocker_z, R_rocker_x_x, s5_1);
+  const double s7_2 = mbgen::fma(c_rocker_z, R_rocker_x_z, s5_4);
+  const double zd_rocker_pin = state.zd[Coordinate::rocker_pin];
   const double s7_3 = I_rocker_yy*zd_rocker_pin;
+  // coupler: coupler_pin, revolute, crank
+  const double s7_4 = mbgen::fnma(c_coupler_x, R_coupler_x_z, c_coupler_z*R_coupler_x_x);
+  const double s7_5 = mbgen::fma(c_coupler_x, R_coupler_x_x, c_coupler_z*R_coupler_x_z);
+  const double s7_6 = I_coupler_yy*w_coupler_y;
   // crank: crank_pin, revolute, ground
-  const double s7_4 = inputs.torque + tau[Coordinate::crank_pin];
-  // operations: 1 add, 3 multiply
+  const double s7_7 = mbgen::fms(c_crank_z, R_crank_x_x, s1_3);
+  const double s7_8 = mbgen::fma(c_crank_z, R_crank_x_z, s1_4);
+  const double s7_9 = I_crank_yy*zd_crank_pin;
+  const double s7_10 = inputs.torque + tau[Coordinate::crank_pin];
+  // operations: 7 add, 11 multiply
 
-  // --- step 9: independent and all accelerations (63), (62) ---
+  // --- step 9: accelerations from the root to the leaves (63), (62) ---
   // coupler_x
   const double s9_1 = mbgen::fma(p_coupler_P_z, R_coupler_x_z, r_coupler_x);
   result.coupler_x = mbgen::fma(p_coupler_P_x, R_coupler_x_x, s9_1);
   const double s9_2 = mbgen::fma(p_coupler_P_z, R_coupler_x_x, r_coupler_z);
   result.coupler_z = mbgen::fnma(p_coupler_P_x, R_coupler_x_z, s9_2);
-  const double s9_3 = zd_crank_pin*s1_6;
-  result.potential_energy = (-g_z)*mbgen::fma(m_rocker, s1_12, s1_15);
-  const double s9_4 = zd_crank_pin*s7_4;
-  const double s9_5 = mbgen::fma(zd_coupler_pin, tau[Coordinate::coupler_pin], s9_4);
-  const double s9_6 = tau[Coordinate::rocker_pin] + s5_8;
-  result.applied_power = mbgen::fma(zd_rocker_pin, s9_6, mbgen::fma(v_rocker_z, s5_7, s9_5));
-  const double s9_7 = zd_rocker_pin*s1_12;
-  const double s9_8 = mbgen::fnma(zd_rocker_pin, s1_14, v_rocker_z);
-  const double s9_9 = zd_crank_pin*s1_5;
-  const double s9_10 = mbgen::fnma(s1_10, w_coupler_y, v_coupler_z);
-  const double s9_11 = mbgen::fms(s1_8, w_coupler_y, s4_1);
-  const double s9_12 = mbgen::fma(s9_8, s9_8, s9_7*s9_7);
+  const double s9_3 = zd_crank_pin*s7_8;
+  const double s9_4 = zd_rocker_pin*s7_2;
+  const double s9_5 = mbgen::fma(w_coupler_y, s7_5, s4_1);
+  const double s9_6 = zd_crank_pin*s7_10;
+  const double s9_7 = mbgen::fma(zd_coupler_pin, tau[Coordinate::coupler_pin], s9_6);
+  result.applied_power = mbgen::fma(zd_rocker_pin, tau[Coordinate::rocker_pin] + s5_9, s9_7);
+  const double s9_8 = mbgen::fma(m_crank, s7_7, m_rocker*s7_1);
+  result.potential_energy = (-g_z)*mbgen::fma(m_coupler, r_coupler_z + s7_4, s9_8);
+  const double s9_9 = zd_rocker_pin*s7_1;
+  const double s9_10 = zd_crank_pin*s7_7;
+  const double s9_11 = mbgen::fma(w_coupler_y, s7_4, v_coupler_x);
+  const double s9_12 = mbgen::fma(s9_9, s9_9, s9_4*s9_4);
   const double s9_13 = mbgen::fma(m_rocker, s9_12, zd_rocker_pin*s7_3);
-  const double s9_14 = mbgen::fma(zd_crank_pin, s7_1, mbgen::fma(w_coupler_y, s7_2, s9_13));
-  const double s9_15 = mbgen::fma(m_crank, mbgen::fma(s9_9, s9_9, s9_3*s9_3), s9_14);
-  result.kinetic_energy = 0.5*mbgen::fma(m_coupler, mbgen::fma(s9_11, s9_11, s9_10*s9_10), s9_15);
-  // operations: 20 add, 29 multiply
+  const double s9_14 = mbgen::fma(zd_crank_pin, s7_9, mbgen::fma(w_coupler_y, s7_6, s9_13));
+  const double s9_15 = mbgen::fma(m_crank, mbgen::fma(s9_10, s9_10, s9_3*s9_3), s9_14);
+  result.kinetic_energy = 0.5*mbgen::fma(m_coupler, mbgen::fma(s9_11, s9_11, s9_5*s9_5), s9_15);
+  // operations: 20 add, 30 multiply
+  result.crank_angle = z_crank_pin;
 }
 
 

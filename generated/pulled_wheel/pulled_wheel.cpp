@@ -57,7 +57,6 @@ constexpr double p_wheel_z = 0.04;
 constexpr double p_arm_seat_x = -0.25;
 constexpr double p_arm_seat_z = 0.03;
 constexpr double p_carriage_seat_x = -0.22;
-constexpr double p_carriage_seat_z = 0.12;
 constexpr double h_arm_x = -1.26;
 constexpr double h_arm_z = 0.07;
 
@@ -95,11 +94,8 @@ void compute_derived_constants(const Parameters& parameters, Tuned& __restrict r
   result.derived[3] = K_knuckle_zz + (K_knuckle_xx + K_knuckle_yy);
   // operations: 11 add, 3 multiply
 
-  // --- step 1: poses, axes b, accumulated inertias MR (50) ---
-  // arm: lower, revolute, carriage
-  const double s1_3 = 345.0 + m_knuckle;
-  // carriage: pull, prismatic, ground
-  result.derived[9] = p_pull_z*s1_3;
+  // --- step 9: accelerations from the root to the leaves (63), (62) ---
+  result.derived[9] = p_pull_z*(345.0 + m_knuckle);
   // operations: 1 add, 1 multiply
 }
 
@@ -114,10 +110,6 @@ struct Accelerations {
 /// All accelerations with the frozen partition of the loop blocks.
 void compute_accelerations(const Tuned& parameters, const Inputs& /*inputs*/, const State& state,
     const double* tau, Accelerations& __restrict result) noexcept {
-  // Results that need no operation.
-  result.inertia[1] = 0.999999999999;
-  result.zdd[Coordinate::pull] = 0.0;
-
   // --- step 1: poses and axes b ---
   // arm: lower, revolute, carriage
   const double z_lower = state.z[Coordinate::lower];
@@ -132,89 +124,74 @@ void compute_accelerations(const Tuned& parameters, const Inputs& /*inputs*/, co
   const double r_knuckle_x = mbgen::fnma((-p_ball_x), R_arm_x_x, p_ball_z*R_arm_x_z);
   const double s1_3 = mbgen::fma(p_ball_z, R_arm_x_x, (-p_ball_x)*R_arm_x_z);
   // wheel: wheel, revolute, knuckle
-  const double zd_ball = state.zd[Coordinate::ball];
-  const double v_knuckle_z = zd_ball*r_knuckle_x;
-  const double r_wheel_x = mbgen::fma(p_wheel_z, R_knuckle_x_z, r_knuckle_x);
-  const double zd_wheel = state.zd[Coordinate::wheel];
-  const double v_wheel_z = mbgen::fma(zd_wheel, r_wheel_x, v_knuckle_z);
-  // operations: 6 add, 11 multiply, 4 sin cos
+  const double zd_lower = state.zd[Coordinate::lower];
+  const double w_knuckle_y = zd_lower + state.zd[Coordinate::ball];
+  const double v_knuckle_x = mbgen::fma(zd_lower, s1_3, state.zd[Coordinate::pull]);
+  const double s1_4 = p_wheel_z*R_knuckle_x_x;
+  const double v_wheel_x = mbgen::fma(s1_4, w_knuckle_y, v_knuckle_x);
+  // operations: 7 add, 11 multiply, 4 sin cos
 
   // --- step 5: applied forces Q (48) ---
-  // knuckle: ball, revolute, arm
-  const double r_knuckle_z = s1_3 - (-p_lower_z);
-  const double r_wheel_z = mbgen::fma(p_wheel_z, R_knuckle_x_x, r_knuckle_z);
-  const double zd_lower = state.zd[Coordinate::lower];
-  const double zd_pull = state.zd[Coordinate::pull];
-  const double v_arm_x = mbgen::fma((-p_lower_z), zd_lower, zd_pull);
-  const double v_knuckle_x = mbgen::fnma(zd_ball, r_knuckle_z, v_arm_x);
-  const double v_wheel_x = mbgen::fnma(zd_wheel, r_wheel_z, v_knuckle_x);
-  // wheel: wheel, revolute, knuckle
-  const double w_knuckle_y = zd_lower + zd_ball;
-  const double w_wheel_y = zd_wheel + w_knuckle_y;
-  const double s5_1 = mbgen::fnma(r_wheel_x, w_wheel_y, v_wheel_z);
-  const double s5_2 = mbgen::fma(r_wheel_z, w_wheel_y, v_wheel_x);
   // spring
-  const double s5_3 = mbgen::fnma((-p_arm_seat_x), R_arm_x_x, p_arm_seat_z*R_arm_x_z);
-  const double s5_4 = mbgen::fms((-p_arm_seat_x), R_arm_x_z, (-p_lower_z));
-  const double s5_5 = mbgen::fma(p_arm_seat_z, R_arm_x_x, s5_4);
-  const double s5_6 = (-p_carriage_seat_x) + s5_3;
-  const double s5_7 = p_carriage_seat_z - s5_5;
-  const double s5_8 = std::sqrt(mbgen::fma(s5_7, s5_7, s5_6*s5_6));
-  const double s5_9 = mbgen::fnma(zd_lower, s5_5, zd_pull - v_arm_x);
-  const double s5_10 = 1.0/s5_8;
-  const double s5_11 = mbgen::fnma(s5_6, s5_9, s5_7*(zd_lower*s5_3))*s5_10;
-  const double s5_12 = 0.2 + s5_11;
-  const double s5_13 = mbgen::fms(725.0, 1.0 + s5_11, 900.0);
-  const double s5_14 = (s5_12 >= 0.0 ? mbgen::fms(1600.0, s5_12, 320.0) : s5_13);
-  const double s5_15 = s5_11 - 0.2;
-  const double s5_16 = (s5_11 >= 0.0 ? 3200.0*s5_11 : s5_14);
-  const double s5_17 = (s5_15 >= 0.0 ? mbgen::fma(1575.0, s5_15, 640.0) : s5_16) - 3000.0;
-  const double tension_spring = mbgen::fma(s5_8 - 0.34132096331752027, parameters.k, s5_17);
-  const double s5_18 = s5_10*tension_spring;
-  const double s5_19 = s5_6*s5_18;
-  const double s5_20 = mbgen::fma(s5_3, s5_7*s5_18, s5_5*s5_19);
-  const double s5_21 = mbgen::fma((-p_lower_z), s5_19, s5_20);
+  const double s5_1 = mbgen::fnma((-p_arm_seat_x), R_arm_x_x, p_arm_seat_z*R_arm_x_z);
+  const double s5_2 = mbgen::fma(p_arm_seat_z, R_arm_x_x, (-p_arm_seat_x)*R_arm_x_z);
+  const double s5_3 = (-p_carriage_seat_x) + s5_1;
+  const double s5_4 = 0.37 - s5_2;
+  const double s5_5 = std::sqrt(mbgen::fma(s5_4, s5_4, s5_3*s5_3));
+  const double s5_6 = 1.0/s5_5;
+  const double s5_7 = mbgen::fma(s5_3, zd_lower*s5_2, s5_4*(zd_lower*s5_1))*s5_6;
+  const double s5_8 = 0.2 + s5_7;
+  const double s5_9 = mbgen::fms(725.0, 1.0 + s5_7, 900.0);
+  const double s5_10 = (s5_8 >= 0.0 ? mbgen::fms(1600.0, s5_8, 320.0) : s5_9);
+  const double s5_11 = s5_7 - 0.2;
+  const double s5_12 = (s5_7 >= 0.0 ? 3200.0*s5_7 : s5_10);
+  const double s5_13 = (s5_11 >= 0.0 ? mbgen::fma(1575.0, s5_11, 640.0) : s5_12) - 3000.0;
+  const double tension_spring = mbgen::fma(s5_5 - 0.34132096331752027, parameters.k, s5_13);
+  const double s5_14 = s5_6*tension_spring;
+  const double s5_15 = mbgen::fma(s5_1, s5_4*s5_14, s5_2*(s5_3*s5_14));
   // tyre
-  const double s5_22 = p_pull_z + r_wheel_z;
-  const double s5_23 = 0.32 - s5_22;
-  const double s5_24 = mbgen::max(0.0, 2e+05*s5_23);
-  const double load_tyre = mbgen::max(0.0, s5_24 + mbgen::min(s5_24, -(500.0*s5_1)));
-  const double s5_25 = mbgen::max(0.004, load_tyre);
-  const double s5_26 = 1e-09*s5_25;
-  const double s5_27 = 1.1*s5_25;
-  const double s5_28 = 1.6*s5_27;
-  const double s5_29 = (s5_28 >= 0.0 ? mbgen::max(s5_28, s5_26) : mbgen::min(s5_28, -s5_26));
-  const double s5_30 = state.x[0]/0.3;
-  const double s5_31 = state.x[1]/0.6;
-  const double s5_32 = std::sqrt(mbgen::fma(s5_31, s5_31, mbgen::fma(s5_30, s5_30, 1e-30)));
-  const double s5_33 = mbgen::fnma(0.3333333333333333, mbgen::max(0.0, s5_23), 0.32);
-  const double s5_34 = w_wheel_y*s5_33;
-  const double s5_35 = s5_2 - s5_34;
-  const double s5_36 = std::sqrt(mbgen::fma(s5_35, s5_35, 1e-30));
-  const double s5_37 = std::abs(s5_2);
-  const double s5_38 = mbgen::min(0.5, 0.1*mbgen::fma(0.5, s5_37 + s5_36, 1.0));
-  const double s5_39 = 1.0 - s5_32/s5_38;
-  const double s5_40 = mbgen::cosine(3.141592653589793*mbgen::min(1.0, 0.5*s5_37));
-  const double s5_41 = s5_30*(1.0/mbgen::max(0.6666666666666666*s5_32, s5_39));
-  const double s5_42 = 0.06*mbgen::fma(0.5, s5_40, 0.5)*mbgen::max(0.0, s5_39);
-  const double s5_43 = mbgen::arc_tangent(20.0*s5_25/s5_29*mbgen::fnma(s5_35, s5_42, s5_41));
-  const double fx_tyre = mbgen::max(0.0, load_tyre)/s5_25*(s5_27*mbgen::sine(1.6*s5_43));
-  const double s5_44 = s5_37 + s5_36/s5_38;
-  result.xd[1] = -(s5_31*s5_44);
-  result.xd[0] = -mbgen::fma(s5_30, s5_44, s5_35);
-  const double s5_45 = r_wheel_x*load_tyre;
-  const double s5_46 = mbgen::fms(fx_tyre, 0.32 + (r_wheel_z - s5_22 - s5_23 - s5_33), s5_45);
-  const double s5_47 = mbgen::hyperbolic_tangent(0.5*s5_34);
-  const double s5_48 = mbgen::fnma(s5_47, 0.32*(0.007*load_tyre), s5_46);
-  // operations: 50 add, 61 multiply, 8 divide, 3 sqrt, 3 sin cos, 18 other
+  const double r_knuckle_z = s1_3 - (-p_lower_z);
+  const double r_wheel_z = r_knuckle_z + s1_4;
+  const double s5_16 = p_pull_z + r_wheel_z;
+  const double s5_17 = 0.32 - s5_16;
+  const double s5_18 = mbgen::max(0.0, 2e+05*s5_17);
+  const double s5_19 = p_wheel_z*R_knuckle_x_z;
+  const double s5_20 = zd_lower*r_knuckle_x;
+  const double s5_21 = s5_18 + mbgen::min(s5_18, 500.0*mbgen::fma(s5_19, w_knuckle_y, s5_20));
+  const double load_tyre = mbgen::max(0.0, s5_21);
+  const double s5_22 = mbgen::max(0.004, load_tyre);
+  const double s5_23 = 1e-09*s5_22;
+  const double s5_24 = 1.1*s5_22;
+  const double s5_25 = 1.6*s5_24;
+  const double s5_26 = (s5_25 >= 0.0 ? mbgen::max(s5_25, s5_23) : mbgen::min(s5_25, -s5_23));
+  const double s5_27 = state.x[0]/0.3;
+  const double s5_28 = state.x[1]/0.6;
+  const double s5_29 = std::sqrt(mbgen::fma(s5_28, s5_28, mbgen::fma(s5_27, s5_27, 1e-30)));
+  const double s5_30 = mbgen::fnma(0.3333333333333333, mbgen::max(0.0, s5_17), 0.32);
+  const double w_wheel_y = state.zd[Coordinate::wheel] + w_knuckle_y;
+  const double s5_31 = w_wheel_y*s5_30;
+  const double s5_32 = v_wheel_x - s5_31;
+  const double s5_33 = std::sqrt(mbgen::fma(s5_32, s5_32, 1e-30));
+  const double s5_34 = std::abs(v_wheel_x);
+  const double s5_35 = mbgen::min(0.5, 0.1*mbgen::fma(0.5, s5_34 + s5_33, 1.0));
+  const double s5_36 = 1.0 - s5_29/s5_35;
+  const double s5_37 = mbgen::cosine(3.141592653589793*mbgen::min(1.0, 0.5*s5_34));
+  const double s5_38 = s5_27*(1.0/mbgen::max(0.6666666666666666*s5_29, s5_36));
+  const double s5_39 = 0.06*mbgen::fma(0.5, s5_37, 0.5)*mbgen::max(0.0, s5_36);
+  const double s5_40 = mbgen::arc_tangent(20.0*s5_22/s5_26*mbgen::fnma(s5_32, s5_39, s5_38));
+  const double fx_tyre = mbgen::max(0.0, load_tyre)/s5_22*(s5_24*mbgen::sine(1.6*s5_40));
+  const double s5_41 = s5_34 + s5_33/s5_35;
+  result.xd[1] = -(s5_28*s5_41);
+  result.xd[0] = -mbgen::fma(s5_27, s5_41, s5_32);
+  const double s5_42 = mbgen::hyperbolic_tangent(0.5*s5_31)*(0.32*(0.007*load_tyre));
+  const double s5_43 = mbgen::fma(fx_tyre, s5_30 + (s5_16 + s5_17) - 0.32, s5_42);
+  // operations: 39 add, 56 multiply, 8 divide, 3 sqrt, 3 sin cos, 18 other
 
   // --- step 8: elimination from the leaves to the root (63) ---
   // wheel: wheel, revolute, knuckle
-  const double s8_1 = tau[Coordinate::wheel] + (s5_45 + s5_48);
-  const double s8_2 = mbgen::fnma(r_wheel_z, fx_tyre, s8_1);
-  const double s8_3 = mbgen::fnma(r_knuckle_x, load_tyre, s8_2 - s5_48);
-  const double s8_4 = mbgen::fma(r_knuckle_z, fx_tyre, s8_3);
-  // operations: 6 add, 3 multiply
+  const double s8_1 = tau[Coordinate::wheel] - s5_43;
+  const double s8_2 = mbgen::fma(s5_19, load_tyre, mbgen::fnma(s1_4, fx_tyre, s5_43 + s8_1));
+  // operations: 4 add, 2 multiply
 
   // --- step 2: closure Jacobian Phi_z and its factors (60), upper ---
   // upper
@@ -240,13 +217,13 @@ void compute_accelerations(const Tuned& parameters, const Inputs& /*inputs*/, co
   const double s6_3 = w_knuckle_y*s2_2;
   const double s6_4 = w_knuckle_y*s2_1;
   const double s6_5 = mbgen::fma(zd_lower, s1_3, s6_4);
-  const double s6_6 = mbgen::fma(zd_lower, r_knuckle_x, s6_3);
+  const double s6_6 = s5_20 + s6_3;
   const double s6_7 = s1_3*s6_1;
   const double s6_8 = mbgen::fma(w_knuckle_y, s6_3, s6_2);
   const double s6_9 = mbgen::fma(s2_4, s6_8, mbgen::fma(s6_6, s6_6, s6_5*s6_5));
   const double s6_10 = mbgen::fnma(s2_3, mbgen::fma(w_knuckle_y, s6_4, s6_7), s6_9);
   const double zdd_star_lower = s2_7*s6_10;
-  // operations: 7 add, 14 multiply
+  // operations: 7 add, 13 multiply
 
   // --- step 7: inertias of the bodies and forces on joints, upper ---
   // arm: lower, revolute, carriage
@@ -260,46 +237,48 @@ void compute_accelerations(const Tuned& parameters, const Inputs& /*inputs*/, co
 
   // --- step 8: elimination from the leaves to the root (63), upper ---
   // arm: lower, revolute, carriage
-  const double s8_5 = mbgen::fma(0.3475, zdd_star_lower, s5_21 - tau[Coordinate::lower]);
+  const double s8_3 = mbgen::fma(0.3475, zdd_star_lower, s5_15 - tau[Coordinate::lower]);
   // knuckle: ball, revolute, arm
-  const double s8_6 = 1.0 - s3_1;
-  const double s8_7 = R_knuckle_x_x*parameters.derived[0];
-  const double s8_8 = s1_3*s3_1;
-  const double s8_9 = R_knuckle_x_z*parameters.derived[0];
-  const double s8_10 = r_knuckle_x*s3_1;
-  const double s8_11 = mbgen::fnma(s8_9, s8_10, mbgen::fnma(s8_7, s8_8, s8_6*s7_5));
-  const double s8_12 = mbgen::fms(s1_3, zdd_star_lower, s6_2);
-  const double s8_13 = w_knuckle_y*w_knuckle_y;
-  const double s8_14 = mbgen::fnma(s8_13, s8_9, mbgen::fms(zdd_star_lower, s8_7, fx_tyre));
-  const double f_knuckle_x = mbgen::fma(s8_12, parameters.derived[5], s8_14);
-  const double s8_15 = mbgen::fnma(s8_8, parameters.derived[5], s8_7*s8_6);
-  const double s8_16 = mbgen::fnma(s8_9, s8_6, s8_10*parameters.derived[5]);
+  const double s8_4 = 1.0 - s3_1;
+  const double s8_5 = R_knuckle_x_x*parameters.derived[0];
+  const double s8_6 = s1_3*s3_1;
+  const double s8_7 = R_knuckle_x_z*parameters.derived[0];
+  const double s8_8 = r_knuckle_x*s3_1;
+  const double s8_9 = mbgen::fnma(s8_7, s8_8, mbgen::fnma(s8_5, s8_6, s8_4*s7_5));
+  const double s8_10 = mbgen::fms(s1_3, zdd_star_lower, s6_2);
+  const double s8_11 = w_knuckle_y*w_knuckle_y;
+  const double s8_12 = mbgen::fnma(s8_11, s8_7, mbgen::fms(zdd_star_lower, s8_5, fx_tyre));
+  const double f_knuckle_x = mbgen::fma(s8_10, parameters.derived[5], s8_12);
+  const double s8_13 = mbgen::fnma(s8_6, parameters.derived[5], s8_5*s8_4);
+  const double s8_14 = mbgen::fnma(s8_7, s8_4, s8_8*parameters.derived[5]);
   // arm: lower, revolute, carriage
-  const double s8_17 = mbgen::fma(s8_6, s8_11, mbgen::fnma(s8_8, s8_15, s8_10*s8_16));
-  const double s8_18 = mbgen::fma(s3_1, 0.3475*s3_1, s8_17);
+  const double s8_15 = mbgen::fma(s8_4, s8_9, mbgen::fnma(s8_6, s8_13, s8_8*s8_14));
+  const double s8_16 = mbgen::fma(s3_1, 0.3475*s3_1, s8_15);
   // knuckle: ball, revolute, arm
-  const double s8_19 = mbgen::fma(r_knuckle_x, zdd_star_lower, s6_7);
-  const double s8_20 = mbgen::fma(zdd_star_lower, s8_9, mbgen::fma(s8_13, s8_7, load_tyre));
-  const double s8_21 = mbgen::fma(s8_7, s8_12, mbgen::fma(s8_9, s8_19, s8_4));
-  const double n_knuckle_y = mbgen::fma(zdd_star_lower, s7_3 + s7_4, s8_21);
-  const double s8_22 = mbgen::fnma(s8_6, n_knuckle_y, tau[Coordinate::ball]);
-  const double s8_23 = mbgen::fma(parameters.derived[5], s8_19, s8_20);
-  const double s8_24 = mbgen::fma(s8_10, s8_23, mbgen::fma(s8_8, f_knuckle_x, s8_22));
-  const double s8_25 = mbgen::fma(s3_1, s8_5, s8_24);
+  const double s8_17 = mbgen::fma(r_knuckle_x, zdd_star_lower, s6_7);
+  const double s8_18 = mbgen::fma(zdd_star_lower, s8_7, mbgen::fma(s8_11, s8_5, load_tyre));
+  const double s8_19 = mbgen::fma(s8_5, s8_10, mbgen::fma(s8_7, s8_17, s8_2));
+  const double n_knuckle_y = mbgen::fma(zdd_star_lower, s7_3 + s7_4, s8_19);
+  const double s8_20 = mbgen::fnma(s8_4, n_knuckle_y, tau[Coordinate::ball]);
+  const double s8_21 = mbgen::fma(parameters.derived[5], s8_17, s8_18);
+  const double s8_22 = mbgen::fma(s8_8, s8_21, mbgen::fma(s8_6, f_knuckle_x, s8_20));
+  const double s8_23 = mbgen::fma(s3_1, s8_3, s8_22);
   // arm: lower, revolute, carriage
-  const double s8_26 = mbgen::fma(s3_1, s7_1, s8_16);
-  result.inertia[0] = mbgen::fnma(1e-12, s8_18, s8_18);
-  const double s8_27 = 1.0/s8_18;
+  const double s8_24 = mbgen::fma(s3_1, s7_1, s8_14);
+  result.inertia[0] = mbgen::fnma(1e-12, s8_16, s8_16);
+  const double s8_25 = 1.0/s8_16;
   // operations: 28 add, 35 multiply, 1 divide
 
   // --- step 9: accelerations from the root to the leaves (63), (62) ---
   // knuckle: ball, revolute, arm
-  const double s9_1 = s8_27*mbgen::fnma((-g_z), s8_26, s8_25);
+  const double s9_1 = s8_25*mbgen::fnma((-g_z), s8_24, s8_23);
   result.zdd[Coordinate::ball] = s9_1;
   result.zdd[Coordinate::lower] = mbgen::fnma(s3_1, s9_1, zdd_star_lower);
-  const double alpha_knuckle_y = mbgen::fma(s8_6, s9_1, zdd_star_lower);
-  result.zdd[Coordinate::wheel] = s8_2 - alpha_knuckle_y;
+  const double alpha_knuckle_y = mbgen::fma(s8_4, s9_1, zdd_star_lower);
+  result.zdd[Coordinate::wheel] = s8_1 - alpha_knuckle_y;
   // operations: 4 add, 4 multiply
+  result.inertia[1] = 0.999999999999;
+  result.zdd[Coordinate::pull] = 0.0;
 }
 
 /// Result of compute_closure.
@@ -313,13 +292,6 @@ struct Closure {
 /// One Newton step of the frozen partition, and consistent velocities.
 void compute_closure(const Tuned& /*parameters*/, const Inputs& /*inputs*/, const State& state,
     Closure& __restrict result) noexcept {
-  // Results that need no operation.
-  result.dz[Coordinate::ball] = 0.0;
-  result.dz[Coordinate::wheel] = 0.0;
-  result.zd[Coordinate::pull] = 15.0;
-  result.zd[Coordinate::ball] = state.zd[Coordinate::ball];
-  result.zd[Coordinate::wheel] = state.zd[Coordinate::wheel];
-
   // --- step 1: poses, axes b, accumulated inertias MR (50) ---
   const double s1_1 = mbgen::fms(15.0, state.t, state.z[Coordinate::pull]);
   result.residual[1] = s1_1;
@@ -363,6 +335,11 @@ void compute_closure(const Tuned& /*parameters*/, const Inputs& /*inputs*/, cons
   result.dz[Coordinate::lower] = s2_10*s2_13;
   result.zd[Coordinate::lower] = -(s2_13*(state.zd[Coordinate::ball]*s2_12));
   // operations: 3 multiply
+  result.dz[Coordinate::ball] = 0.0;
+  result.dz[Coordinate::wheel] = 0.0;
+  result.zd[Coordinate::pull] = 15.0;
+  result.zd[Coordinate::ball] = state.zd[Coordinate::ball];
+  result.zd[Coordinate::wheel] = state.zd[Coordinate::wheel];
 }
 
 /// Result of compute_multipliers.
@@ -376,7 +353,7 @@ struct ConstraintForces {
 /// Multipliers of the closures and generalised driving forces, at given accelerations.
 void compute_multipliers(const Tuned& parameters, const Inputs& /*inputs*/, const State& state,
     const double* tau, const Derivative& derivative, ConstraintForces& __restrict result) noexcept {
-  // --- step 1: poses, axes b, accumulated inertias MR (50) ---
+  // --- step 1: poses and axes b ---
   // arm: lower, revolute, carriage
   const double z_lower = state.z[Coordinate::lower];
   double R_arm_x_x, R_arm_x_z;
@@ -388,160 +365,126 @@ void compute_multipliers(const Tuned& parameters, const Inputs& /*inputs*/, cons
   const double R_knuckle_x_x = mbgen::fnma(R_arm_x_z, s1_2, R_arm_x_x*s1_1);
   const double R_knuckle_x_z = mbgen::fma(R_arm_x_x, s1_2, R_arm_x_z*s1_1);
   const double r_knuckle_x = mbgen::fnma((-p_ball_x), R_arm_x_x, p_ball_z*R_arm_x_z);
-  const double s1_3 = mbgen::fms((-p_ball_x), R_arm_x_z, (-p_lower_z));
-  const double r_knuckle_z = mbgen::fma(p_ball_z, R_arm_x_x, s1_3);
+  const double s1_3 = mbgen::fma(p_ball_z, R_arm_x_x, (-p_ball_x)*R_arm_x_z);
+  const double r_knuckle_z = s1_3 - (-p_lower_z);
   // wheel: wheel, revolute, knuckle
-  const double r_wheel_x = mbgen::fma(p_wheel_z, R_knuckle_x_z, r_knuckle_x);
-  const double r_wheel_z = mbgen::fma(p_wheel_z, R_knuckle_x_x, r_knuckle_z);
-  // arm: lower, revolute, carriage
-  const double s1_4 = mbgen::fms((-c_arm_x), R_arm_x_z, (-p_lower_z));
-  const double s1_5 = mbgen::fma(c_arm_z, R_arm_x_x, s1_4);
-  const double s1_6 = mbgen::fnma((-c_arm_x), R_arm_x_x, c_arm_z*R_arm_x_z);
-  // knuckle: ball, revolute, arm
-  const double s1_7 = mbgen::fma(R_knuckle_x_x, parameters.derived[6], r_knuckle_z);
-  const double s1_8 = mbgen::fma(R_knuckle_x_z, parameters.derived[6], r_knuckle_x);
-  // operations: 12 add, 16 multiply, 4 sin cos
+  const double s1_4 = p_wheel_z*R_knuckle_x_z;
+  const double s1_5 = p_wheel_z*R_knuckle_x_x;
+  const double r_wheel_z = r_knuckle_z + s1_5;
+  // operations: 6 add, 10 multiply, 4 sin cos
 
-  // --- step 4: velocities Z (36) ---
-  // arm: lower, revolute, carriage
-  const double zd_lower = state.zd[Coordinate::lower];
-  const double zd_pull = state.zd[Coordinate::pull];
-  const double v_arm_x = mbgen::fma((-p_lower_z), zd_lower, zd_pull);
+  // --- step 4: angular velocities ---
   // knuckle: ball, revolute, arm
-  const double zd_ball = state.zd[Coordinate::ball];
-  const double v_knuckle_x = mbgen::fnma(zd_ball, r_knuckle_z, v_arm_x);
-  const double v_knuckle_z = zd_ball*r_knuckle_x;
-  const double w_knuckle_y = zd_lower + zd_ball;
+  const double zd_lower = state.zd[Coordinate::lower];
+  const double v_knuckle_x = mbgen::fma(zd_lower, s1_3, state.zd[Coordinate::pull]);
+  const double w_knuckle_y = zd_lower + state.zd[Coordinate::ball];
   // wheel: wheel, revolute, knuckle
-  const double zd_wheel = state.zd[Coordinate::wheel];
-  const double v_wheel_x = mbgen::fnma(zd_wheel, r_wheel_z, v_knuckle_x);
-  const double v_wheel_z = mbgen::fma(zd_wheel, r_wheel_x, v_knuckle_z);
-  const double w_wheel_y = zd_wheel + w_knuckle_y;
-  // operations: 6 add, 5 multiply
+  const double v_wheel_x = mbgen::fma(s1_5, w_knuckle_y, v_knuckle_x);
+  const double s4_1 = mbgen::fma(s1_4, w_knuckle_y, zd_lower*r_knuckle_x);
+  const double w_wheel_y = state.zd[Coordinate::wheel] + w_knuckle_y;
+  // operations: 5 add, 4 multiply
 
   // --- step 5: applied forces Q (48) ---
   // spring
   const double s5_1 = mbgen::fnma((-p_arm_seat_x), R_arm_x_x, p_arm_seat_z*R_arm_x_z);
   const double s5_2 = (-p_carriage_seat_x) + s5_1;
-  const double s5_3 = mbgen::fms((-p_arm_seat_x), R_arm_x_z, (-p_lower_z));
-  const double s5_4 = mbgen::fma(p_arm_seat_z, R_arm_x_x, s5_3);
-  const double s5_5 = p_carriage_seat_z - s5_4;
-  const double s5_6 = std::sqrt(mbgen::fma(s5_5, s5_5, s5_2*s5_2));
-  const double s5_7 = mbgen::fnma(zd_lower, s5_4, zd_pull - v_arm_x);
-  const double s5_8 = 1.0/s5_6;
-  const double s5_9 = mbgen::fnma(s5_2, s5_7, s5_5*(zd_lower*s5_1))*s5_8;
-  const double s5_10 = s5_9 - 0.2;
-  const double s5_11 = 0.2 + s5_9;
-  const double s5_12 = mbgen::fms(725.0, 1.0 + s5_9, 900.0);
-  const double s5_13 = (s5_11 >= 0.0 ? mbgen::fms(1600.0, s5_11, 320.0) : s5_12);
-  const double s5_14 = (s5_9 >= 0.0 ? 3200.0*s5_9 : s5_13);
-  const double s5_15 = (s5_10 >= 0.0 ? mbgen::fma(1575.0, s5_10, 640.0) : s5_14) - 3000.0;
-  const double tension_spring = mbgen::fma(s5_6 - 0.34132096331752027, parameters.k, s5_15);
-  const double s5_16 = s5_8*tension_spring;
-  const double s5_17 = s5_2*s5_16;
-  const double s5_18 = mbgen::fma(s5_1, s5_5*s5_16, s5_4*s5_17);
+  const double s5_3 = mbgen::fma(p_arm_seat_z, R_arm_x_x, (-p_arm_seat_x)*R_arm_x_z);
+  const double s5_4 = 0.37 - s5_3;
+  const double s5_5 = std::sqrt(mbgen::fma(s5_4, s5_4, s5_2*s5_2));
+  const double s5_6 = 1.0/s5_5;
+  const double s5_7 = mbgen::fma(s5_2, zd_lower*s5_3, s5_4*(zd_lower*s5_1))*s5_6;
+  const double s5_8 = s5_7 - 0.2;
+  const double s5_9 = 0.2 + s5_7;
+  const double s5_10 = mbgen::fms(725.0, 1.0 + s5_7, 900.0);
+  const double s5_11 = (s5_9 >= 0.0 ? mbgen::fms(1600.0, s5_9, 320.0) : s5_10);
+  const double s5_12 = (s5_7 >= 0.0 ? 3200.0*s5_7 : s5_11);
+  const double s5_13 = (s5_8 >= 0.0 ? mbgen::fma(1575.0, s5_8, 640.0) : s5_12) - 3000.0;
+  const double tension_spring = mbgen::fma(s5_5 - 0.34132096331752027, parameters.k, s5_13);
+  const double s5_14 = s5_6*tension_spring;
+  const double s5_15 = s5_2*s5_14;
+  const double s5_16 = mbgen::fma(s5_1, s5_4*s5_14, s5_3*s5_15);
   // tyre
-  const double s5_19 = p_pull_z + r_wheel_z;
-  const double s5_20 = 0.32 - s5_19;
-  const double s5_21 = mbgen::max(0.0, 2e+05*s5_20);
-  const double s5_22 = mbgen::min(s5_21, -(500.0*mbgen::fnma(r_wheel_x, w_wheel_y, v_wheel_z)));
-  const double load_tyre = mbgen::max(0.0, s5_21 + s5_22);
-  const double s5_23 = mbgen::max(0.004, load_tyre);
-  const double s5_24 = 1.1*s5_23;
-  const double s5_25 = 1.6*s5_24;
-  const double s5_26 = 1e-09*s5_23;
-  const double s5_27 = (s5_25 >= 0.0 ? mbgen::max(s5_25, s5_26) : mbgen::min(s5_25, -s5_26));
-  const double s5_28 = state.x[0]/0.3;
-  const double s5_29 = state.x[1]/0.6;
-  const double s5_30 = std::sqrt(mbgen::fma(s5_29, s5_29, mbgen::fma(s5_28, s5_28, 1e-30)));
-  const double s5_31 = mbgen::fma(r_wheel_z, w_wheel_y, v_wheel_x);
-  const double s5_32 = std::abs(s5_31);
-  const double s5_33 = mbgen::fnma(0.3333333333333333, mbgen::max(0.0, s5_20), 0.32);
-  const double s5_34 = w_wheel_y*s5_33;
-  const double s5_35 = s5_31 - s5_34;
-  const double s5_36 = mbgen::fma(0.5, s5_32 + std::sqrt(mbgen::fma(s5_35, s5_35, 1e-30)), 1.0);
-  const double s5_37 = 1.0 - s5_30/mbgen::min(0.5, 0.1*s5_36);
-  const double s5_38 = mbgen::cosine(3.141592653589793*mbgen::min(1.0, 0.5*s5_32));
-  const double s5_39 = s5_28*(1.0/mbgen::max(0.6666666666666666*s5_30, s5_37));
-  const double s5_40 = 0.06*mbgen::fma(0.5, s5_38, 0.5)*mbgen::max(0.0, s5_37);
-  const double s5_41 = mbgen::arc_tangent(20.0*s5_23/s5_27*mbgen::fnma(s5_35, s5_40, s5_39));
-  const double fx_tyre = mbgen::max(0.0, load_tyre)/s5_23*(s5_24*mbgen::sine(1.6*s5_41));
-  const double s5_42 = fx_tyre*(0.32 + (r_wheel_z - s5_19 - s5_20 - s5_33));
-  const double s5_43 = mbgen::fnma(r_wheel_x, load_tyre, s5_42);
-  const double s5_44 = mbgen::hyperbolic_tangent(0.5*s5_34);
-  const double s5_45 = mbgen::fnma(s5_44, 0.32*(0.007*load_tyre), s5_43);
-  // operations: 40 add, 54 multiply, 7 divide, 3 sqrt, 3 sin cos, 18 other
+  const double s5_17 = p_pull_z + r_wheel_z;
+  const double s5_18 = 0.32 - s5_17;
+  const double s5_19 = mbgen::max(0.0, 2e+05*s5_18);
+  const double load_tyre = mbgen::max(0.0, s5_19 + mbgen::min(s5_19, 500.0*s4_1));
+  const double s5_20 = mbgen::max(0.004, load_tyre);
+  const double s5_21 = 1.1*s5_20;
+  const double s5_22 = 1.6*s5_21;
+  const double s5_23 = 1e-09*s5_20;
+  const double s5_24 = (s5_22 >= 0.0 ? mbgen::max(s5_22, s5_23) : mbgen::min(s5_22, -s5_23));
+  const double s5_25 = state.x[0]/0.3;
+  const double s5_26 = state.x[1]/0.6;
+  const double s5_27 = std::sqrt(mbgen::fma(s5_26, s5_26, mbgen::fma(s5_25, s5_25, 1e-30)));
+  const double s5_28 = std::abs(v_wheel_x);
+  const double s5_29 = mbgen::fnma(0.3333333333333333, mbgen::max(0.0, s5_18), 0.32);
+  const double s5_30 = w_wheel_y*s5_29;
+  const double s5_31 = v_wheel_x - s5_30;
+  const double s5_32 = mbgen::fma(0.5, s5_28 + std::sqrt(mbgen::fma(s5_31, s5_31, 1e-30)), 1.0);
+  const double s5_33 = 1.0 - s5_27/mbgen::min(0.5, 0.1*s5_32);
+  const double s5_34 = mbgen::cosine(3.141592653589793*mbgen::min(1.0, 0.5*s5_28));
+  const double s5_35 = s5_25*(1.0/mbgen::max(0.6666666666666666*s5_27, s5_33));
+  const double s5_36 = 0.06*mbgen::fma(0.5, s5_34, 0.5)*mbgen::max(0.0, s5_33);
+  const double s5_37 = mbgen::arc_tangent(20.0*s5_20/s5_24*mbgen::fnma(s5_31, s5_36, s5_35));
+  const double fx_tyre = mbgen::max(0.0, load_tyre)/s5_20*(s5_21*mbgen::sine(1.6*s5_37));
+  const double s5_38 = mbgen::hyperbolic_tangent(0.5*s5_30)*(0.32*(0.007*load_tyre));
+  const double s5_39 = mbgen::fma(fx_tyre, s5_29 + (s5_17 + s5_18) - 0.32, s5_38);
+  // operations: 33 add, 51 multiply, 7 divide, 3 sqrt, 3 sin cos, 18 other
 
-  // --- step 7: accelerations Zdot and accumulated forces QR - PR (51), (52) ---
+  // --- step 7: inertias of the bodies and forces on joints ---
   // arm: lower, revolute, carriage
+  const double s7_1 = zd_lower*zd_lower;
+  // knuckle: ball, revolute, arm
   const double zdd_lower = derivative.zdd[Coordinate::lower];
   const double zdd_pull = derivative.zdd[Coordinate::pull];
-  const double a_arm_x = mbgen::fma((-p_lower_z), zdd_lower, zdd_pull);
-  const double s7_1 = zd_lower*zd_lower;
-  const double a_arm_z = mbgen::fnma((-p_lower_z), s7_1, (-g_z));
-  // knuckle: ball, revolute, arm
-  const double s7_2 = w_knuckle_y*w_knuckle_y;
-  const double s7_3 = s7_2 - s7_1;
+  const double a_knuckle_x = mbgen::fnma(r_knuckle_x, s7_1, mbgen::fma(zdd_lower, s1_3, zdd_pull));
+  const double a_knuckle_z = mbgen::fnma(s1_3, s7_1, mbgen::fnma(zdd_lower, r_knuckle_x, (-g_z)));
   const double alpha_knuckle_y = zdd_lower + derivative.zdd[Coordinate::ball];
-  const double s7_4 = mbgen::fma(r_knuckle_x, s7_3, a_arm_x);
-  const double a_knuckle_x = mbgen::fma(r_knuckle_z, zdd_lower - alpha_knuckle_y, s7_4);
-  const double s7_5 = mbgen::fma(r_knuckle_x, alpha_knuckle_y - zdd_lower, a_arm_z);
-  const double a_knuckle_z = mbgen::fma(r_knuckle_z, s7_3, s7_5);
+  const double s7_2 = w_knuckle_y*w_knuckle_y;
   // wheel: wheel, revolute, knuckle
-  const double s7_6 = w_wheel_y*w_wheel_y;
-  const double s7_7 = s7_6 - s7_2;
+  const double a_wheel_x = mbgen::fnma(s1_4, s7_2, mbgen::fma(s1_5, alpha_knuckle_y, a_knuckle_x));
+  const double a_wheel_z = mbgen::fnma(s1_5, s7_2, mbgen::fnma(s1_4, alpha_knuckle_y, a_knuckle_z));
   const double alpha_wheel_y = derivative.zdd[Coordinate::wheel] + alpha_knuckle_y;
-  const double s7_8 = mbgen::fma(r_wheel_x, s7_7, a_knuckle_x);
-  const double a_wheel_x = mbgen::fma(r_wheel_z, alpha_knuckle_y - alpha_wheel_y, s7_8);
-  const double s7_9 = mbgen::fma(r_wheel_x, alpha_wheel_y - alpha_knuckle_y, a_knuckle_z);
-  const double a_wheel_z = mbgen::fma(r_wheel_z, s7_7, s7_9);
-  // arm: lower, revolute, carriage
-  const double s7_10 = m_arm*mbgen::fnma(s1_6, s7_1, mbgen::fma(zdd_lower, s1_5, a_arm_x));
+  const double f_wheel_x = mbgen::fnma(m_wheel, a_wheel_x, fx_tyre);
+  const double f_wheel_z = mbgen::fnma(m_wheel, a_wheel_z, load_tyre);
   // knuckle: ball, revolute, arm
-  const double s7_11 = mbgen::fnma(s1_8, s7_2, mbgen::fma(s1_7, alpha_knuckle_y, a_knuckle_x));
-  const double s7_12 = s7_11*parameters.derived[7];
-  const double s7_13 = mbgen::fnma(s1_7, s7_2, mbgen::fnma(s1_8, alpha_knuckle_y, a_knuckle_z));
-  const double s7_14 = parameters.derived[7]*s7_13;
-  // wheel: wheel, revolute, knuckle
-  const double s7_15 = mbgen::fnma(r_wheel_x, alpha_wheel_y, a_wheel_z);
-  const double s7_16 = m_wheel*mbgen::fnma(r_wheel_z, s7_6, s7_15);
-  const double s7_17 = mbgen::fma(r_wheel_z, alpha_wheel_y, a_wheel_x);
-  const double s7_18 = m_wheel*mbgen::fnma(r_wheel_x, s7_6, s7_17);
-  const double s7_19 = load_tyre - s7_16 - s7_14;
-  const double s7_20 = fx_tyre - s7_18 - s7_12;
-  const double s7_21 = mbgen::fnma(r_wheel_z, s7_18, s5_45 - alpha_wheel_y);
-  const double s7_22 = mbgen::fma(r_wheel_x, s7_16, s7_21);
-  const double s7_23 = mbgen::fnma(alpha_knuckle_y, parameters.derived[8], s7_22);
-  const double s7_24 = mbgen::fma(s1_8, s7_14, mbgen::fnma(s1_7, s7_12, s7_23));
-  // knuckle: ball, revolute, arm
-  const double s7_25 = mbgen::fma(r_knuckle_x, s7_19, tau[Coordinate::ball] + s7_24);
-  result.missing[1] = mbgen::fnma(r_knuckle_z, s7_20, s7_25);
-  const double s7_26 = s7_20 - s5_17 - s7_10;
+  const double s7_3 = R_knuckle_x_x*parameters.derived[6];
+  const double s7_4 = R_knuckle_x_z*parameters.derived[6];
+  const double s7_5 = mbgen::fnma(s7_2, s7_4, mbgen::fma(alpha_knuckle_y, s7_3, a_knuckle_x));
+  const double s7_6 = s7_5*parameters.derived[7];
+  const double s7_7 = mbgen::fnma(s7_2, s7_3, mbgen::fnma(alpha_knuckle_y, s7_4, a_knuckle_z));
+  const double s7_8 = parameters.derived[7]*s7_7;
+  const double s7_9 = mbgen::fms(s1_5, f_wheel_x, s5_39) - alpha_wheel_y;
+  const double s7_10 = mbgen::fnma(s1_4, f_wheel_z, s7_9);
+  const double s7_11 = mbgen::fnma(alpha_knuckle_y, parameters.derived[8], s7_10);
+  const double s7_12 = mbgen::fma(s7_4, s7_8, mbgen::fnma(s7_3, s7_6, s7_11));
+  result.missing[1] = tau[Coordinate::ball] + s7_12;
+  const double s7_13 = f_wheel_z - s7_8;
+  const double s7_14 = f_wheel_x - s7_6;
   // arm: lower, revolute, carriage
-  const double s7_27 = mbgen::fnma(I_arm_yy, zdd_lower, tau[Coordinate::lower] + s7_24 - s5_18);
-  const double s7_28 = m_arm*mbgen::fnma(s1_5, s7_1, mbgen::fnma(zdd_lower, s1_6, a_arm_z));
-  const double s7_29 = mbgen::fma(s1_6, s7_28, mbgen::fnma(s1_5, s7_10, s7_27));
-  const double Q_lower = mbgen::fma((-p_lower_z), s7_26, s7_29);
+  const double s7_15 = mbgen::fma(c_arm_z, R_arm_x_x, (-c_arm_x)*R_arm_x_z);
+  const double s7_16 = mbgen::fnma((-c_arm_x), R_arm_x_x, c_arm_z*R_arm_x_z);
+  const double s7_17 = m_arm*mbgen::fnma(s7_1, s7_16, mbgen::fma(zdd_lower, s7_15, zdd_pull));
+  const double s7_18 = mbgen::fma(s1_3, s7_14, tau[Coordinate::lower] + s7_12 - s5_16);
+  const double s7_19 = mbgen::fnma(I_arm_yy, zdd_lower, mbgen::fnma(r_knuckle_x, s7_13, s7_18));
+  const double s7_20 = m_arm*mbgen::fnma(s7_1, s7_15, mbgen::fnma(zdd_lower, s7_16, (-g_z)));
+  const double Q_lower = mbgen::fma(s7_16, s7_20, mbgen::fnma(s7_15, s7_17, s7_19));
   result.missing[0] = Q_lower;
   // carriage: pull, prismatic, ground
-  const double s7_30 = s5_17 + (tau[Coordinate::pull] + s7_26);
-  const double Q_pull = mbgen::fnma(m_carriage, zdd_pull, s7_30);
-  // operations: 54 add, 43 multiply
+  const double f_carriage_x = mbgen::fnma(m_carriage, zdd_pull, s5_15);
+  const double Q_pull = s7_14 + (tau[Coordinate::pull] + f_carriage_x) - s5_15 - s7_17;
+  // operations: 43 add, 41 multiply
 
-  // --- step 9: independent and all accelerations (63), (62) ---
+  // --- step 9: accelerations from the root to the leaves (63), (62) ---
   // upper
-  const double s9_1 = mbgen::fma(p_upper_to_z, R_knuckle_x_x, r_knuckle_z);
-  const double s9_2 = mbgen::fnma(p_upper_to_x, R_knuckle_x_z, s9_1);
-  const double s9_3 = 2.380277794628896*((-p_upper_from_z) + s9_2);
-  const double s9_4 = mbgen::fma(p_upper_to_z, R_knuckle_x_z, r_knuckle_x);
-  const double s9_5 = mbgen::fma(p_upper_to_x, R_knuckle_x_x, s9_4);
-  const double s9_6 = 2.380277794628896*(p_upper_from_x - s9_5);
-  const double s9_7 = mbgen::fma(s9_6, (-p_lower_z) + s9_2, s9_3*s9_5);
-  // loop block 0
-  result.pivot[0] = 4.409001792788769*std::abs(s9_7);
-  result.lambda[0] = -(Q_lower*(1.0/s9_7));
+  const double s9_1 = mbgen::fnma(p_upper_to_x, R_knuckle_x_z, p_upper_to_z*R_knuckle_x_x);
+  const double s9_2 = mbgen::fma(p_upper_to_x, R_knuckle_x_x, p_upper_to_z*R_knuckle_x_z);
+  const double s9_3 = ((-p_upper_from_z) + (r_knuckle_z + s9_1))*(r_knuckle_x + s9_2);
+  const double s9_4 = mbgen::fma(p_upper_from_x - r_knuckle_x - s9_2, s1_3 + s9_1, s9_3);
+  result.pivot[0] = 10.4946490638541*std::abs(s9_4);
+  result.lambda[0] = -(l_upper*(Q_lower*(1.0/s9_4)));
   result.drive[0] = -Q_pull;
-  // operations: 8 add, 10 multiply, 1 divide, 1 other
+  // operations: 9 add, 9 multiply, 1 divide, 1 other
 }
 
 /// Result of compute_closure_terms.
@@ -555,9 +498,6 @@ struct ClosureTerms {
 /// Closure equations and their derivatives, for the pivoting factorisation.
 void compute_closure_terms(const Tuned& /*parameters*/, const Inputs& /*inputs*/,
     const State& state, ClosureTerms& __restrict result) noexcept {
-  // Results that need no operation.
-  result.driven_acceleration[Coordinate::pull] = 0.0;
-
   // --- step 1: poses, axes b, accumulated inertias MR (50) ---
   // arm: lower, revolute, carriage
   const double z_lower = state.z[Coordinate::lower];
@@ -606,6 +546,7 @@ void compute_closure_terms(const Tuned& /*parameters*/, const Inputs& /*inputs*/
   const double s2_21 = mbgen::fnma(s2_15, s2_16, s2_13*s2_18);
   result.c[0] = mbgen::fnma(2.380277794628896, s2_20, s2_21);
   // operations: 23 add, 31 multiply
+  result.driven_acceleration[Coordinate::pull] = 0.0;
 }
 
 /// Result of compute_chosen_accelerations.
@@ -619,10 +560,6 @@ struct ChosenAccelerations {
 void compute_chosen_accelerations(const Tuned& parameters, const Inputs& /*inputs*/,
     const State& state, const double* tau, const Projection& projection,
     ChosenAccelerations& __restrict result) noexcept {
-  // Results that need no operation.
-  result.inertia[1] = 0.999999999999;
-  result.zdd[Coordinate::pull] = 0.0;
-
   // --- step 1: poses and axes b ---
   // arm: lower, revolute, carriage
   const double z_lower = state.z[Coordinate::lower];
@@ -638,88 +575,74 @@ void compute_chosen_accelerations(const Tuned& parameters, const Inputs& /*input
   const double s1_3 = mbgen::fma(p_ball_z, R_arm_x_x, (-p_ball_x)*R_arm_x_z);
   const double r_knuckle_z = s1_3 - (-p_lower_z);
   // wheel: wheel, revolute, knuckle
-  const double r_wheel_x = mbgen::fma(p_wheel_z, R_knuckle_x_z, r_knuckle_x);
-  const double r_wheel_z = mbgen::fma(p_wheel_z, R_knuckle_x_x, r_knuckle_z);
-  // operations: 7 add, 10 multiply, 4 sin cos
+  const double s1_4 = p_wheel_z*R_knuckle_x_z;
+  const double s1_5 = p_wheel_z*R_knuckle_x_x;
+  const double r_wheel_z = r_knuckle_z + s1_5;
+  // operations: 6 add, 10 multiply, 4 sin cos
 
   // --- step 5: applied forces Q (48) ---
-  // arm: lower, revolute, carriage
-  const double zd_lower = state.zd[Coordinate::lower];
-  const double zd_pull = state.zd[Coordinate::pull];
-  const double v_arm_x = mbgen::fma((-p_lower_z), zd_lower, zd_pull);
   // knuckle: ball, revolute, arm
-  const double zd_ball = state.zd[Coordinate::ball];
-  const double v_knuckle_x = mbgen::fnma(zd_ball, r_knuckle_z, v_arm_x);
-  const double v_knuckle_z = zd_ball*r_knuckle_x;
-  const double w_knuckle_y = zd_lower + zd_ball;
+  const double zd_lower = state.zd[Coordinate::lower];
+  const double v_knuckle_x = mbgen::fma(zd_lower, s1_3, state.zd[Coordinate::pull]);
+  const double w_knuckle_y = zd_lower + state.zd[Coordinate::ball];
   // wheel: wheel, revolute, knuckle
-  const double zd_wheel = state.zd[Coordinate::wheel];
-  const double v_wheel_x = mbgen::fnma(zd_wheel, r_wheel_z, v_knuckle_x);
-  const double v_wheel_z = mbgen::fma(zd_wheel, r_wheel_x, v_knuckle_z);
-  const double w_wheel_y = zd_wheel + w_knuckle_y;
+  const double v_wheel_x = mbgen::fma(s1_5, w_knuckle_y, v_knuckle_x);
+  const double s5_1 = mbgen::fma(s1_4, w_knuckle_y, zd_lower*r_knuckle_x);
+  const double w_wheel_y = state.zd[Coordinate::wheel] + w_knuckle_y;
   // spring
-  const double s5_1 = mbgen::fnma((-p_arm_seat_x), R_arm_x_x, p_arm_seat_z*R_arm_x_z);
-  const double s5_2 = (-p_carriage_seat_x) + s5_1;
-  const double s5_3 = mbgen::fms((-p_arm_seat_x), R_arm_x_z, (-p_lower_z));
-  const double s5_4 = mbgen::fma(p_arm_seat_z, R_arm_x_x, s5_3);
-  const double s5_5 = p_carriage_seat_z - s5_4;
-  const double s5_6 = std::sqrt(mbgen::fma(s5_5, s5_5, s5_2*s5_2));
-  const double s5_7 = mbgen::fnma(zd_lower, s5_4, zd_pull - v_arm_x);
-  const double s5_8 = 1.0/s5_6;
-  const double s5_9 = mbgen::fnma(s5_2, s5_7, s5_5*(zd_lower*s5_1))*s5_8;
-  const double s5_10 = s5_9 - 0.2;
-  const double s5_11 = 0.2 + s5_9;
-  const double s5_12 = mbgen::fms(725.0, 1.0 + s5_9, 900.0);
-  const double s5_13 = (s5_11 >= 0.0 ? mbgen::fms(1600.0, s5_11, 320.0) : s5_12);
-  const double s5_14 = (s5_9 >= 0.0 ? 3200.0*s5_9 : s5_13);
-  const double s5_15 = (s5_10 >= 0.0 ? mbgen::fma(1575.0, s5_10, 640.0) : s5_14) - 3000.0;
-  const double tension_spring = mbgen::fma(s5_6 - 0.34132096331752027, parameters.k, s5_15);
-  const double s5_16 = s5_8*tension_spring;
-  const double s5_17 = s5_2*s5_16;
-  const double s5_18 = mbgen::fma(s5_1, s5_5*s5_16, s5_4*s5_17);
+  const double s5_2 = mbgen::fnma((-p_arm_seat_x), R_arm_x_x, p_arm_seat_z*R_arm_x_z);
+  const double s5_3 = (-p_carriage_seat_x) + s5_2;
+  const double s5_4 = mbgen::fma(p_arm_seat_z, R_arm_x_x, (-p_arm_seat_x)*R_arm_x_z);
+  const double s5_5 = 0.37 - s5_4;
+  const double s5_6 = std::sqrt(mbgen::fma(s5_5, s5_5, s5_3*s5_3));
+  const double s5_7 = 1.0/s5_6;
+  const double s5_8 = mbgen::fma(s5_3, zd_lower*s5_4, s5_5*(zd_lower*s5_2))*s5_7;
+  const double s5_9 = s5_8 - 0.2;
+  const double s5_10 = 0.2 + s5_8;
+  const double s5_11 = mbgen::fms(725.0, 1.0 + s5_8, 900.0);
+  const double s5_12 = (s5_10 >= 0.0 ? mbgen::fms(1600.0, s5_10, 320.0) : s5_11);
+  const double s5_13 = (s5_8 >= 0.0 ? 3200.0*s5_8 : s5_12);
+  const double s5_14 = (s5_9 >= 0.0 ? mbgen::fma(1575.0, s5_9, 640.0) : s5_13) - 3000.0;
+  const double tension_spring = mbgen::fma(s5_6 - 0.34132096331752027, parameters.k, s5_14);
+  const double s5_15 = s5_7*tension_spring;
+  const double s5_16 = mbgen::fma(s5_2, s5_5*s5_15, s5_4*(s5_3*s5_15));
   // tyre
-  const double s5_19 = p_pull_z + r_wheel_z;
-  const double s5_20 = 0.32 - s5_19;
-  const double s5_21 = mbgen::max(0.0, 2e+05*s5_20);
-  const double s5_22 = mbgen::min(s5_21, -(500.0*mbgen::fnma(r_wheel_x, w_wheel_y, v_wheel_z)));
-  const double load_tyre = mbgen::max(0.0, s5_21 + s5_22);
-  const double s5_23 = mbgen::max(0.004, load_tyre);
-  const double s5_24 = 1.1*s5_23;
-  const double s5_25 = 1.6*s5_24;
-  const double s5_26 = 1e-09*s5_23;
-  const double s5_27 = (s5_25 >= 0.0 ? mbgen::max(s5_25, s5_26) : mbgen::min(s5_25, -s5_26));
-  const double s5_28 = state.x[0]/0.3;
-  const double s5_29 = state.x[1]/0.6;
-  const double s5_30 = std::sqrt(mbgen::fma(s5_29, s5_29, mbgen::fma(s5_28, s5_28, 1e-30)));
-  const double s5_31 = mbgen::fma(r_wheel_z, w_wheel_y, v_wheel_x);
-  const double s5_32 = std::abs(s5_31);
-  const double s5_33 = mbgen::fnma(0.3333333333333333, mbgen::max(0.0, s5_20), 0.32);
-  const double s5_34 = w_wheel_y*s5_33;
-  const double s5_35 = s5_31 - s5_34;
-  const double s5_36 = std::sqrt(mbgen::fma(s5_35, s5_35, 1e-30));
-  const double s5_37 = mbgen::min(0.5, 0.1*mbgen::fma(0.5, s5_32 + s5_36, 1.0));
-  const double s5_38 = 1.0 - s5_30/s5_37;
-  const double s5_39 = mbgen::cosine(3.141592653589793*mbgen::min(1.0, 0.5*s5_32));
-  const double s5_40 = s5_28*(1.0/mbgen::max(0.6666666666666666*s5_30, s5_38));
-  const double s5_41 = 0.06*mbgen::fma(0.5, s5_39, 0.5)*mbgen::max(0.0, s5_38);
-  const double s5_42 = mbgen::arc_tangent(20.0*s5_23/s5_27*mbgen::fnma(s5_35, s5_41, s5_40));
-  const double fx_tyre = mbgen::max(0.0, load_tyre)/s5_23*(s5_24*mbgen::sine(1.6*s5_42));
-  const double s5_43 = s5_32 + s5_36/s5_37;
-  result.xd[1] = -(s5_29*s5_43);
-  result.xd[0] = -mbgen::fma(s5_28, s5_43, s5_35);
-  const double s5_44 = r_wheel_x*load_tyre;
-  const double s5_45 = mbgen::fms(fx_tyre, 0.32 + (r_wheel_z - s5_19 - s5_20 - s5_33), s5_44);
-  const double s5_46 = mbgen::hyperbolic_tangent(0.5*s5_34);
-  const double s5_47 = mbgen::fnma(s5_46, 0.32*(0.007*load_tyre), s5_45);
-  // operations: 48 add, 61 multiply, 8 divide, 3 sqrt, 3 sin cos, 18 other
+  const double s5_17 = p_pull_z + r_wheel_z;
+  const double s5_18 = 0.32 - s5_17;
+  const double s5_19 = mbgen::max(0.0, 2e+05*s5_18);
+  const double load_tyre = mbgen::max(0.0, s5_19 + mbgen::min(s5_19, 500.0*s5_1));
+  const double s5_20 = mbgen::max(0.004, load_tyre);
+  const double s5_21 = 1.1*s5_20;
+  const double s5_22 = 1.6*s5_21;
+  const double s5_23 = 1e-09*s5_20;
+  const double s5_24 = (s5_22 >= 0.0 ? mbgen::max(s5_22, s5_23) : mbgen::min(s5_22, -s5_23));
+  const double s5_25 = state.x[0]/0.3;
+  const double s5_26 = state.x[1]/0.6;
+  const double s5_27 = std::sqrt(mbgen::fma(s5_26, s5_26, mbgen::fma(s5_25, s5_25, 1e-30)));
+  const double s5_28 = std::abs(v_wheel_x);
+  const double s5_29 = mbgen::fnma(0.3333333333333333, mbgen::max(0.0, s5_18), 0.32);
+  const double s5_30 = w_wheel_y*s5_29;
+  const double s5_31 = v_wheel_x - s5_30;
+  const double s5_32 = std::sqrt(mbgen::fma(s5_31, s5_31, 1e-30));
+  const double s5_33 = mbgen::min(0.5, 0.1*mbgen::fma(0.5, s5_28 + s5_32, 1.0));
+  const double s5_34 = 1.0 - s5_27/s5_33;
+  const double s5_35 = mbgen::cosine(3.141592653589793*mbgen::min(1.0, 0.5*s5_28));
+  const double s5_36 = s5_25*(1.0/mbgen::max(0.6666666666666666*s5_27, s5_34));
+  const double s5_37 = 0.06*mbgen::fma(0.5, s5_35, 0.5)*mbgen::max(0.0, s5_34);
+  const double s5_38 = mbgen::arc_tangent(20.0*s5_20/s5_24*mbgen::fnma(s5_31, s5_37, s5_36));
+  const double fx_tyre = mbgen::max(0.0, load_tyre)/s5_20*(s5_21*mbgen::sine(1.6*s5_38));
+  const double s5_39 = s5_28 + s5_32/s5_33;
+  result.xd[1] = -(s5_26*s5_39);
+  result.xd[0] = -mbgen::fma(s5_25, s5_39, s5_31);
+  const double s5_40 = mbgen::hyperbolic_tangent(0.5*s5_30)*(0.32*(0.007*load_tyre));
+  const double s5_41 = mbgen::fma(fx_tyre, s5_29 + (s5_17 + s5_18) - 0.32, s5_40);
+  // operations: 40 add, 57 multiply, 8 divide, 3 sqrt, 3 sin cos, 18 other
 
   // --- step 8: elimination from the leaves to the root (63) ---
   // wheel: wheel, revolute, knuckle
-  const double s8_1 = tau[Coordinate::wheel] + (s5_44 + s5_47);
-  const double s8_2 = mbgen::fnma(r_wheel_z, fx_tyre, s8_1);
-  const double s8_3 = mbgen::fnma(r_knuckle_x, load_tyre, s8_2 - s5_47);
-  const double s8_4 = mbgen::fma(r_knuckle_z, fx_tyre, s8_3);
-  // operations: 6 add, 3 multiply
+  const double s8_1 = tau[Coordinate::wheel] - s5_41;
+  const double s8_2 = mbgen::fma(s1_4, load_tyre, mbgen::fnma(s1_5, fx_tyre, s5_41 + s8_1));
+  // operations: 4 add, 2 multiply
 
   // --- step 6: c and dRz/dt zd (62), upper ---
   // arm: lower, revolute, carriage
@@ -733,66 +656,64 @@ void compute_chosen_accelerations(const Tuned& parameters, const Inputs& /*input
   // --- step 7: inertias of the bodies and forces on joints, upper ---
   // arm: lower, revolute, carriage
   const double s7_1 = mbgen::fnma((-h_arm_x), R_arm_x_x, h_arm_z*R_arm_x_z);
-  const double s7_2 = mbgen::fma((-p_lower_z), s5_17, s5_18);
   // knuckle: ball, revolute, arm
-  const double s7_3 = R_knuckle_x_z*parameters.derived[0];
-  const double s7_4 = R_knuckle_x_x*parameters.derived[0];
-  const double s7_5 = R_knuckle_x_z*(R_knuckle_x_z*parameters.derived[1]);
-  const double s7_6 = mbgen::fma(R_knuckle_x_x, R_knuckle_x_x*parameters.derived[2], s7_5);
-  const double s7_7 = parameters.derived[3] - s7_6 - parameters.derived[4];
-  const double s7_8 = s7_6 + (parameters.derived[4] + s7_7);
-  // operations: 7 add, 9 multiply
+  const double s7_2 = R_knuckle_x_z*parameters.derived[0];
+  const double s7_3 = R_knuckle_x_x*parameters.derived[0];
+  const double s7_4 = R_knuckle_x_z*(R_knuckle_x_z*parameters.derived[1]);
+  const double s7_5 = mbgen::fma(R_knuckle_x_x, R_knuckle_x_x*parameters.derived[2], s7_4);
+  const double s7_6 = parameters.derived[3] - s7_5 - parameters.derived[4];
+  const double s7_7 = s7_5 + (parameters.derived[4] + s7_6);
+  // operations: 6 add, 8 multiply
 
   // --- step 8: elimination from the leaves to the root (63), upper ---
   // knuckle: ball, revolute, arm
-  const double s8_5 = projection.Rz[0] + projection.Rz[1];
-  const double s8_6 = s1_3*projection.Rz[0];
-  const double s8_7 = r_knuckle_x*projection.Rz[0];
-  const double s8_8 = projection.zdd_star[0] + projection.zdd_star[1];
-  const double s8_9 = mbgen::fms(s1_3, projection.zdd_star[0], s6_3);
-  const double s8_10 = mbgen::fnma(s6_4, s7_3, mbgen::fms(s7_4, s8_8, fx_tyre));
-  const double f_knuckle_x = mbgen::fma(s8_9, parameters.derived[5], s8_10);
-  const double s8_11 = mbgen::fma(r_knuckle_x, projection.zdd_star[0], s6_2);
-  const double s8_12 = mbgen::fma(s7_3, s8_8, mbgen::fma(s6_4, s7_4, load_tyre));
-  const double s8_13 = mbgen::fma(parameters.derived[5], s8_11, s8_12);
-  const double s8_14 = mbgen::fma(s7_4, s8_9, mbgen::fma(s7_3, s8_11, s8_4));
-  const double n_knuckle_y = mbgen::fma(s8_8, s7_6 + s7_7, s8_14);
-  const double s8_15 = mbgen::fma(s7_3, s8_5, s8_7*parameters.derived[5]);
-  const double s8_16 = mbgen::fma(s7_4, s8_6, s7_3*s8_7);
-  const double s8_17 = mbgen::fma(s8_5, s7_8 - parameters.derived[4], s8_16);
-  const double s8_18 = mbgen::fma(s7_4, s8_5, s8_6*parameters.derived[5]);
+  const double s8_3 = projection.Rz[0] + projection.Rz[1];
+  const double s8_4 = s1_3*projection.Rz[0];
+  const double s8_5 = r_knuckle_x*projection.Rz[0];
+  const double s8_6 = projection.zdd_star[0] + projection.zdd_star[1];
+  const double s8_7 = mbgen::fms(s1_3, projection.zdd_star[0], s6_3);
+  const double s8_8 = mbgen::fnma(s6_4, s7_2, mbgen::fms(s7_3, s8_6, fx_tyre));
+  const double f_knuckle_x = mbgen::fma(s8_7, parameters.derived[5], s8_8);
+  const double s8_9 = mbgen::fma(r_knuckle_x, projection.zdd_star[0], s6_2);
+  const double s8_10 = mbgen::fma(s7_2, s8_6, mbgen::fma(s6_4, s7_3, load_tyre));
+  const double s8_11 = mbgen::fma(parameters.derived[5], s8_9, s8_10);
+  const double s8_12 = mbgen::fma(s7_3, s8_7, mbgen::fma(s7_2, s8_9, s8_2));
+  const double n_knuckle_y = mbgen::fma(s8_6, s7_5 + s7_6, s8_12);
+  const double s8_13 = mbgen::fma(s7_2, s8_3, s8_5*parameters.derived[5]);
+  const double s8_14 = mbgen::fma(s7_3, s8_4, s7_2*s8_5);
+  const double s8_15 = mbgen::fma(s8_3, s7_7 - parameters.derived[4], s8_14);
+  const double s8_16 = mbgen::fma(s7_3, s8_3, s8_4*parameters.derived[5]);
   // arm: lower, revolute, carriage
-  const double s8_19 = mbgen::fma(projection.Rz[0], s7_1, s8_15);
-  const double s8_20 = mbgen::fma(s8_5, s8_17, mbgen::fma(s8_7, s8_15, s8_6*s8_18));
-  const double s8_21 = mbgen::fma(projection.Rz[0], 0.3475*projection.Rz[0], s8_20);
-  const double s8_22 = tau[Coordinate::lower] - s7_2;
-  const double s8_23 = mbgen::fnma(s8_5, n_knuckle_y, projection.Rz[1]*tau[Coordinate::ball]);
-  const double s8_24 = mbgen::fnma(s8_7, s8_13, mbgen::fnma(s8_6, f_knuckle_x, s8_23));
-  const double s8_25 = mbgen::fnma(0.3475, projection.zdd_star[0], s8_22);
-  const double s8_26 = mbgen::fma(projection.Rz[0], s8_25, s8_24);
-  result.inertia[0] = mbgen::fnma(1e-12, s8_21, s8_21);
-  const double s8_27 = 1.0/s8_21;
+  const double s8_17 = mbgen::fma(projection.Rz[0], s7_1, s8_13);
+  const double s8_18 = mbgen::fma(s8_3, s8_15, mbgen::fma(s8_5, s8_13, s8_4*s8_16));
+  const double s8_19 = mbgen::fma(projection.Rz[0], 0.3475*projection.Rz[0], s8_18);
+  const double s8_20 = tau[Coordinate::lower] - s5_16;
+  const double s8_21 = mbgen::fnma(s8_3, n_knuckle_y, projection.Rz[1]*tau[Coordinate::ball]);
+  const double s8_22 = mbgen::fnma(s8_5, s8_11, mbgen::fnma(s8_4, f_knuckle_x, s8_21));
+  const double s8_23 = mbgen::fnma(0.3475, projection.zdd_star[0], s8_20);
+  const double s8_24 = mbgen::fma(projection.Rz[0], s8_23, s8_22);
+  result.inertia[0] = mbgen::fnma(1e-12, s8_19, s8_19);
+  const double s8_25 = 1.0/s8_19;
   // operations: 30 add, 33 multiply, 1 divide
 
   // --- step 9: accelerations from the root to the leaves (63), (62) ---
   // knuckle: ball, revolute, arm
-  const double s9_1 = s8_27*mbgen::fma((-g_z), s8_19, s8_26);
+  const double s9_1 = s8_25*mbgen::fma((-g_z), s8_17, s8_24);
   result.zdd[Coordinate::lower] = mbgen::fma(projection.Rz[0], s9_1, projection.zdd_star[0]);
   result.zdd[Coordinate::ball] = mbgen::fma(projection.Rz[1], s9_1, projection.zdd_star[1]);
-  const double alpha_knuckle_y = mbgen::fma(s8_5, s9_1, s8_8);
+  const double alpha_knuckle_y = mbgen::fma(s8_3, s9_1, s8_6);
   // wheel: wheel, revolute, knuckle
-  result.zdd[Coordinate::wheel] = s8_2 - alpha_knuckle_y;
+  result.zdd[Coordinate::wheel] = s8_1 - alpha_knuckle_y;
   // operations: 5 add, 5 multiply
+  result.inertia[1] = 0.999999999999;
+  result.zdd[Coordinate::pull] = 0.0;
 }
 
 /// Outputs, energies and power, at given accelerations.
 void compute_outputs(const Tuned& parameters, const Inputs& /*inputs*/, const State& state,
     const double* tau, const Derivative& /*derivative*/, const Multipliers& multipliers,
     Outputs& __restrict result) noexcept {
-  // Results that need no operation.
-  result.wheel_speed = state.zd[Coordinate::wheel];
-
-  // --- step 1: poses, axes b, accumulated inertias MR (50) ---
+  // --- step 1: poses and axes b ---
   // arm: lower, revolute, carriage
   const double z_lower = state.z[Coordinate::lower];
   double R_arm_x_x, R_arm_x_z;
@@ -804,125 +725,113 @@ void compute_outputs(const Tuned& parameters, const Inputs& /*inputs*/, const St
   const double R_knuckle_x_x = mbgen::fnma(R_arm_x_z, s1_2, R_arm_x_x*s1_1);
   const double R_knuckle_x_z = mbgen::fma(R_arm_x_x, s1_2, R_arm_x_z*s1_1);
   const double r_knuckle_x = mbgen::fnma((-p_ball_x), R_arm_x_x, p_ball_z*R_arm_x_z);
-  const double s1_3 = mbgen::fms((-p_ball_x), R_arm_x_z, (-p_lower_z));
-  const double r_knuckle_z = mbgen::fma(p_ball_z, R_arm_x_x, s1_3);
+  const double s1_3 = mbgen::fma(p_ball_z, R_arm_x_x, (-p_ball_x)*R_arm_x_z);
+  const double r_knuckle_z = s1_3 - (-p_lower_z);
   // wheel: wheel, revolute, knuckle
-  const double r_wheel_x = mbgen::fma(p_wheel_z, R_knuckle_x_z, r_knuckle_x);
-  const double r_wheel_z = mbgen::fma(p_wheel_z, R_knuckle_x_x, r_knuckle_z);
-  // arm: lower, revolute, carriage
-  const double s1_4 = mbgen::fms((-c_arm_x), R_arm_x_z, (-p_lower_z));
-  const double s1_5 = mbgen::fma(c_arm_z, R_arm_x_x, s1_4);
-  const double s1_6 = mbgen::fnma((-c_arm_x), R_arm_x_x, c_arm_z*R_arm_x_z);
-  // knuckle: ball, revolute, arm
-  const double s1_7 = mbgen::fma(R_knuckle_x_x, parameters.derived[6], r_knuckle_z);
-  const double s1_8 = mbgen::fma(R_knuckle_x_z, parameters.derived[6], r_knuckle_x);
-  // carriage: pull, prismatic, ground
-  const double s1_9 = mbgen::fma(s1_7, parameters.derived[7], m_arm*s1_5);
-  const double s1_10 = mbgen::fma(m_wheel, r_wheel_z, s1_9) + parameters.derived[9];
-  // operations: 15 add, 19 multiply, 4 sin cos
+  const double s1_4 = p_wheel_z*R_knuckle_x_z;
+  const double s1_5 = p_wheel_z*R_knuckle_x_x;
+  const double r_wheel_z = r_knuckle_z + s1_5;
+  // operations: 6 add, 10 multiply, 4 sin cos
 
-  // --- step 4: velocities Z (36) ---
-  // arm: lower, revolute, carriage
+  // --- step 4: angular velocities ---
+  // knuckle: ball, revolute, arm
   const double zd_lower = state.zd[Coordinate::lower];
   const double zd_pull = state.zd[Coordinate::pull];
-  const double v_arm_x = mbgen::fma((-p_lower_z), zd_lower, zd_pull);
-  // knuckle: ball, revolute, arm
+  const double v_knuckle_x = mbgen::fma(zd_lower, s1_3, zd_pull);
+  const double s4_1 = zd_lower*r_knuckle_x;
   const double zd_ball = state.zd[Coordinate::ball];
-  const double v_knuckle_x = mbgen::fnma(zd_ball, r_knuckle_z, v_arm_x);
-  const double v_knuckle_z = zd_ball*r_knuckle_x;
   const double w_knuckle_y = zd_lower + zd_ball;
   // wheel: wheel, revolute, knuckle
+  const double v_wheel_x = mbgen::fma(s1_5, w_knuckle_y, v_knuckle_x);
+  const double s4_2 = mbgen::fma(s1_4, w_knuckle_y, s4_1);
   const double zd_wheel = state.zd[Coordinate::wheel];
-  const double v_wheel_x = mbgen::fnma(zd_wheel, r_wheel_z, v_knuckle_x);
-  const double v_wheel_z = mbgen::fma(zd_wheel, r_wheel_x, v_knuckle_z);
   const double w_wheel_y = zd_wheel + w_knuckle_y;
-  // operations: 6 add, 5 multiply
+  // operations: 5 add, 4 multiply
 
   // --- step 5: applied forces Q (48) ---
   // spring
   const double s5_1 = mbgen::fnma((-p_arm_seat_x), R_arm_x_x, p_arm_seat_z*R_arm_x_z);
   const double s5_2 = (-p_carriage_seat_x) + s5_1;
-  const double s5_3 = mbgen::fms((-p_arm_seat_x), R_arm_x_z, (-p_lower_z));
-  const double s5_4 = mbgen::fma(p_arm_seat_z, R_arm_x_x, s5_3);
-  const double s5_5 = p_carriage_seat_z - s5_4;
-  const double s5_6 = std::sqrt(mbgen::fma(s5_5, s5_5, s5_2*s5_2));
-  const double s5_7 = mbgen::fnma(zd_lower, s5_4, zd_pull - v_arm_x);
-  const double s5_8 = 1.0/s5_6;
-  const double s5_9 = mbgen::fnma(s5_2, s5_7, s5_5*(zd_lower*s5_1))*s5_8;
-  const double s5_10 = s5_9 - 0.2;
-  const double s5_11 = 0.2 + s5_9;
-  const double s5_12 = mbgen::fms(725.0, 1.0 + s5_9, 900.0);
-  const double s5_13 = (s5_11 >= 0.0 ? mbgen::fms(1600.0, s5_11, 320.0) : s5_12);
-  const double s5_14 = (s5_9 >= 0.0 ? 3200.0*s5_9 : s5_13);
-  const double s5_15 = (s5_10 >= 0.0 ? mbgen::fma(1575.0, s5_10, 640.0) : s5_14) - 3000.0;
-  const double tension_spring = mbgen::fma(s5_6 - 0.34132096331752027, parameters.k, s5_15);
+  const double s5_3 = mbgen::fma(p_arm_seat_z, R_arm_x_x, (-p_arm_seat_x)*R_arm_x_z);
+  const double s5_4 = 0.37 - s5_3;
+  const double s5_5 = std::sqrt(mbgen::fma(s5_4, s5_4, s5_2*s5_2));
+  const double s5_6 = 1.0/s5_5;
+  const double s5_7 = mbgen::fma(s5_2, zd_lower*s5_3, s5_4*(zd_lower*s5_1))*s5_6;
+  const double s5_8 = s5_7 - 0.2;
+  const double s5_9 = 0.2 + s5_7;
+  const double s5_10 = mbgen::fms(725.0, 1.0 + s5_7, 900.0);
+  const double s5_11 = (s5_9 >= 0.0 ? mbgen::fms(1600.0, s5_9, 320.0) : s5_10);
+  const double s5_12 = (s5_7 >= 0.0 ? 3200.0*s5_7 : s5_11);
+  const double s5_13 = (s5_8 >= 0.0 ? mbgen::fma(1575.0, s5_8, 640.0) : s5_12) - 3000.0;
+  const double tension_spring = mbgen::fma(s5_5 - 0.34132096331752027, parameters.k, s5_13);
   result.spring_force = tension_spring;
-  const double s5_16 = s5_8*tension_spring;
-  const double s5_17 = s5_2*s5_16;
-  const double s5_18 = mbgen::fma(s5_1, s5_5*s5_16, s5_4*s5_17);
+  const double s5_14 = s5_6*tension_spring;
+  const double s5_15 = mbgen::fma(s5_1, s5_4*s5_14, s5_3*(s5_2*s5_14));
   // tyre
-  const double s5_19 = p_pull_z + r_wheel_z;
-  result.hub_height = s5_19;
-  const double s5_20 = 0.32 - s5_19;
-  const double s5_21 = mbgen::max(0.0, 2e+05*s5_20);
-  const double s5_22 = mbgen::fnma(r_wheel_x, w_wheel_y, v_wheel_z);
-  const double load_tyre = mbgen::max(0.0, s5_21 + mbgen::min(s5_21, -(500.0*s5_22)));
+  const double s5_16 = p_pull_z + r_wheel_z;
+  result.hub_height = s5_16;
+  const double s5_17 = 0.32 - s5_16;
+  const double s5_18 = mbgen::max(0.0, 2e+05*s5_17);
+  const double load_tyre = mbgen::max(0.0, s5_18 + mbgen::min(s5_18, 500.0*s4_2));
   result.load = load_tyre;
-  const double s5_23 = mbgen::max(0.004, load_tyre);
-  const double s5_24 = 1.1*s5_23;
-  const double s5_25 = 1.6*s5_24;
-  const double s5_26 = 1e-09*s5_23;
-  const double s5_27 = (s5_25 >= 0.0 ? mbgen::max(s5_25, s5_26) : mbgen::min(s5_25, -s5_26));
-  const double s5_28 = state.x[0]/0.3;
-  const double s5_29 = state.x[1]/0.6;
-  const double s5_30 = std::sqrt(mbgen::fma(s5_29, s5_29, mbgen::fma(s5_28, s5_28, 1e-30)));
-  const double s5_31 = mbgen::fma(r_wheel_z, w_wheel_y, v_wheel_x);
-  const double s5_32 = std::abs(s5_31);
-  const double s5_33 = mbgen::fnma(0.3333333333333333, mbgen::max(0.0, s5_20), 0.32);
-  const double s5_34 = w_wheel_y*s5_33;
-  const double s5_35 = s5_31 - s5_34;
-  const double s5_36 = mbgen::fma(0.5, s5_32 + std::sqrt(mbgen::fma(s5_35, s5_35, 1e-30)), 1.0);
-  const double s5_37 = 1.0 - s5_30/mbgen::min(0.5, 0.1*s5_36);
-  const double s5_38 = mbgen::cosine(3.141592653589793*mbgen::min(1.0, 0.5*s5_32));
-  const double s5_39 = s5_28*(1.0/mbgen::max(0.6666666666666666*s5_30, s5_37));
-  const double s5_40 = 0.06*mbgen::fma(0.5, s5_38, 0.5)*mbgen::max(0.0, s5_37);
-  const double s5_41 = mbgen::arc_tangent(20.0*s5_23/s5_27*mbgen::fnma(s5_35, s5_40, s5_39));
-  const double fx_tyre = mbgen::max(0.0, load_tyre)/s5_23*(s5_24*mbgen::sine(1.6*s5_41));
-  const double s5_42 = fx_tyre*(0.32 + (r_wheel_z - s5_19 - s5_20 - s5_33));
-  const double s5_43 = mbgen::fnma(r_wheel_x, load_tyre, s5_42);
-  const double s5_44 = mbgen::hyperbolic_tangent(0.5*s5_34);
-  const double s5_45 = mbgen::fnma(s5_44, 0.32*(0.007*load_tyre), s5_43);
-  // operations: 40 add, 54 multiply, 7 divide, 3 sqrt, 3 sin cos, 18 other
+  const double s5_19 = mbgen::max(0.004, load_tyre);
+  const double s5_20 = 1.1*s5_19;
+  const double s5_21 = 1.6*s5_20;
+  const double s5_22 = 1e-09*s5_19;
+  const double s5_23 = (s5_21 >= 0.0 ? mbgen::max(s5_21, s5_22) : mbgen::min(s5_21, -s5_22));
+  const double s5_24 = state.x[0]/0.3;
+  const double s5_25 = state.x[1]/0.6;
+  const double s5_26 = std::sqrt(mbgen::fma(s5_25, s5_25, mbgen::fma(s5_24, s5_24, 1e-30)));
+  const double s5_27 = std::abs(v_wheel_x);
+  const double s5_28 = mbgen::fnma(0.3333333333333333, mbgen::max(0.0, s5_17), 0.32);
+  const double s5_29 = w_wheel_y*s5_28;
+  const double s5_30 = v_wheel_x - s5_29;
+  const double s5_31 = mbgen::fma(0.5, s5_27 + std::sqrt(mbgen::fma(s5_30, s5_30, 1e-30)), 1.0);
+  const double s5_32 = 1.0 - s5_26/mbgen::min(0.5, 0.1*s5_31);
+  const double s5_33 = mbgen::cosine(3.141592653589793*mbgen::min(1.0, 0.5*s5_27));
+  const double s5_34 = s5_24*(1.0/mbgen::max(0.6666666666666666*s5_26, s5_32));
+  const double s5_35 = 0.06*mbgen::fma(0.5, s5_33, 0.5)*mbgen::max(0.0, s5_32);
+  const double s5_36 = mbgen::arc_tangent(20.0*s5_19/s5_23*mbgen::fnma(s5_30, s5_35, s5_34));
+  const double fx_tyre = mbgen::max(0.0, load_tyre)/s5_19*(s5_20*mbgen::sine(1.6*s5_36));
+  const double s5_37 = mbgen::hyperbolic_tangent(0.5*s5_29)*(0.32*(0.007*load_tyre));
+  const double s5_38 = mbgen::fma(fx_tyre, s5_28 + (s5_16 + s5_17) - 0.32, s5_37);
+  // operations: 33 add, 51 multiply, 7 divide, 3 sqrt, 3 sin cos, 18 other
 
-  // --- step 7: accelerations Zdot and accumulated forces QR - PR (51), (52) ---
+  // --- step 7: inertias of the bodies and forces on joints ---
   // wheel: wheel, revolute, knuckle
   const double s7_1 = w_wheel_y*w_wheel_y;
-  // arm: lower, revolute, carriage
-  const double s7_2 = I_arm_yy*zd_lower;
   // knuckle: ball, revolute, arm
-  const double s7_3 = w_knuckle_y*parameters.derived[8];
-  // operations: 3 multiply
+  const double s7_2 = R_knuckle_x_x*parameters.derived[6];
+  const double s7_3 = R_knuckle_x_z*parameters.derived[6];
+  const double s7_4 = w_knuckle_y*parameters.derived[8];
+  // arm: lower, revolute, carriage
+  const double s7_5 = mbgen::fma(c_arm_z, R_arm_x_x, (-c_arm_x)*R_arm_x_z);
+  const double s7_6 = mbgen::fnma((-c_arm_x), R_arm_x_x, c_arm_z*R_arm_x_z);
+  const double s7_7 = I_arm_yy*zd_lower;
+  // operations: 2 add, 9 multiply
 
-  // --- step 9: independent and all accelerations (63), (62) ---
-  const double s9_1 = zd_lower*s1_6;
-  result.potential_energy = (-g_z)*s1_10;
-  const double s9_2 = mbgen::fma(w_wheel_y, s5_45, zd_wheel*tau[Coordinate::wheel]);
-  const double s9_3 = mbgen::fma(v_wheel_x, fx_tyre, mbgen::fma(v_wheel_z, load_tyre, s9_2));
-  const double s9_4 = mbgen::fma(zd_ball, tau[Coordinate::ball], s9_3);
-  const double s9_5 = multipliers.drive[0] + (tau[Coordinate::pull] + s5_17);
-  const double s9_6 = mbgen::fma(zd_pull, s9_5, mbgen::fnma(v_arm_x, s5_17, s9_4));
-  result.applied_power = mbgen::fma(zd_lower, tau[Coordinate::lower] - s5_18, s9_6);
-  const double s9_7 = mbgen::fma(s1_7, w_knuckle_y, v_knuckle_x);
-  const double s9_8 = mbgen::fnma(s1_8, w_knuckle_y, v_knuckle_z);
-  const double s9_9 = mbgen::fma(zd_lower, s1_5, v_arm_x);
-  const double s9_10 = mbgen::fma(m_wheel, mbgen::fma(s5_22, s5_22, s5_31*s5_31), s7_1);
-  const double s9_11 = mbgen::fma(w_knuckle_y, s7_3, s9_10);
-  const double s9_12 = mbgen::fma(s9_8, s9_8, s9_7*s9_7);
-  const double s9_13 = mbgen::fma(parameters.derived[7], s9_12, s9_11);
-  const double s9_14 = mbgen::fma(zd_lower, s7_2, s9_13);
-  const double s9_15 = mbgen::fma(m_carriage, zd_pull*zd_pull, s9_14);
-  result.kinetic_energy = 0.5*mbgen::fma(m_arm, mbgen::fma(s9_9, s9_9, s9_1*s9_1), s9_15);
-  // operations: 22 add, 27 multiply
+  // --- step 9: accelerations from the root to the leaves (63), (62) ---
+  const double s9_1 = zd_lower*s7_6;
+  const double s9_2 = mbgen::fma(w_knuckle_y, s7_3, s4_1);
+  const double s9_3 = mbgen::fma(r_knuckle_z + s7_2, parameters.derived[7], m_wheel*r_wheel_z);
+  const double s9_4 = mbgen::fma(m_arm, s7_5 - (-p_lower_z), s9_3) + parameters.derived[9];
+  result.potential_energy = (-g_z)*s9_4;
+  const double s9_5 = mbgen::fma(v_wheel_x, fx_tyre, zd_wheel*tau[Coordinate::wheel]);
+  const double s9_6 = mbgen::fnma(w_wheel_y, s5_38, mbgen::fnma(s4_2, load_tyre, s9_5));
+  const double s9_7 = mbgen::fma(zd_ball, tau[Coordinate::ball], s9_6);
+  const double s9_8 = mbgen::fma(zd_pull, tau[Coordinate::pull] + multipliers.drive[0], s9_7);
+  result.applied_power = mbgen::fma(zd_lower, tau[Coordinate::lower] - s5_15, s9_8);
+  const double s9_9 = mbgen::fma(w_knuckle_y, s7_2, v_knuckle_x);
+  const double s9_10 = mbgen::fma(zd_lower, s7_5, zd_pull);
+  const double s9_11 = mbgen::fma(m_wheel, mbgen::fma(v_wheel_x, v_wheel_x, s4_2*s4_2), s7_1);
+  const double s9_12 = mbgen::fma(w_knuckle_y, s7_4, s9_11);
+  const double s9_13 = mbgen::fma(s9_9, s9_9, s9_2*s9_2);
+  const double s9_14 = mbgen::fma(parameters.derived[7], s9_13, s9_12);
+  const double s9_15 = mbgen::fma(zd_lower, s7_7, s9_14);
+  const double s9_16 = mbgen::fma(m_carriage, zd_pull*zd_pull, s9_15);
+  result.kinetic_energy = 0.5*mbgen::fma(m_arm, mbgen::fma(s9_10, s9_10, s9_1*s9_1), s9_16);
+  // operations: 25 add, 29 multiply
+  result.wheel_speed = zd_wheel;
 }
 
 

@@ -76,7 +76,6 @@ constexpr double p_wheel_z = 0.04;
 constexpr double p_arm_seat_x = -0.25;
 constexpr double p_arm_seat_z = 0.03;
 constexpr double p_carriage_seat_x = -0.22;
-constexpr double p_carriage_seat_z = 0.12;
 constexpr double h_arm_x = -1.26;
 constexpr double h_arm_z = 0.07;
 
@@ -108,11 +107,8 @@ void compute_derived_constants(const Parameters& parameters, Tuned& __restrict r
   result.derived[5] = m_wheel + m_knuckle;
   // operations: 11 add, 3 multiply
 
-  // --- step 1: poses, axes b, accumulated inertias MR (50) ---
-  // arm: lower, revolute, carriage
-  const Lanes s1_3 = 345.0 + m_knuckle;
-  // carriage: pull, prismatic, ground
-  result.derived[9] = p_pull_z*s1_3;
+  // --- step 9: accelerations from the root to the leaves (63), (62) ---
+  result.derived[9] = p_pull_z*(345.0 + m_knuckle);
   // operations: 1 add, 1 multiply
 }
 
@@ -131,10 +127,6 @@ struct Accelerations {
 /// All accelerations with the frozen partition of the loop blocks.
 void compute_accelerations(const Tuned& parameters, const Inputs& /*inputs*/, const State& state,
     const Lanes* tau, Accelerations& __restrict result) noexcept {
-  // Results that need no operation.
-  result.inertia[1] = Lanes{} + 0.999999999999;
-  result.zdd[Coordinate::pull] = Lanes{} + 0.0;
-
   // --- step 1: poses and axes b ---
   // arm: lower, revolute, carriage
   const Lanes z_lower = state.z[Coordinate::lower];
@@ -149,96 +141,77 @@ void compute_accelerations(const Tuned& parameters, const Inputs& /*inputs*/, co
   const Lanes r_knuckle_x = mbgen::fnma((-p_ball_x), R_arm_x_x, p_ball_z*R_arm_x_z);
   const Lanes s1_3 = mbgen::fma(p_ball_z, R_arm_x_x, (-p_ball_x)*R_arm_x_z);
   // wheel: wheel, revolute, knuckle
-  const Lanes zd_ball = state.zd[Coordinate::ball];
-  const Lanes v_knuckle_z = zd_ball*r_knuckle_x;
-  const Lanes r_wheel_x = mbgen::fma(p_wheel_z, R_knuckle_x_z, r_knuckle_x);
-  const Lanes zd_wheel = state.zd[Coordinate::wheel];
-  const Lanes v_wheel_z = mbgen::fma(zd_wheel, r_wheel_x, v_knuckle_z);
-  // operations: 6 add, 11 multiply, 4 sin cos
+  const Lanes s1_4 = p_wheel_z*R_knuckle_x_x;
+  const Lanes zd_lower = state.zd[Coordinate::lower];
+  const Lanes w_knuckle_y = zd_lower + state.zd[Coordinate::ball];
+  const Lanes v_knuckle_x = mbgen::fma(zd_lower, s1_3, state.zd[Coordinate::pull]);
+  const Lanes v_wheel_x = mbgen::fma(s1_4, w_knuckle_y, v_knuckle_x);
+  // operations: 7 add, 11 multiply, 4 sin cos
 
   // --- step 5: applied forces Q (48) ---
   // spring
   const Lanes s5_1 = mbgen::fnma((-p_arm_seat_x), R_arm_x_x, p_arm_seat_z*R_arm_x_z);
-  const Lanes s5_2 = mbgen::fms((-p_arm_seat_x), R_arm_x_z, (-p_lower_z));
-  const Lanes s5_3 = mbgen::fma(p_arm_seat_z, R_arm_x_x, s5_2);
-  const Lanes s5_4 = p_carriage_seat_z - s5_3;
-  const Lanes zd_lower = state.zd[Coordinate::lower];
-  // knuckle: ball, revolute, arm
-  const Lanes zd_pull = state.zd[Coordinate::pull];
-  const Lanes v_arm_x = mbgen::fma((-p_lower_z), zd_lower, zd_pull);
-  // spring
-  const Lanes s5_5 = (-p_carriage_seat_x) + s5_1;
-  const Lanes s5_6 = mbgen::fnma(zd_lower, s5_3, zd_pull - v_arm_x);
-  const Lanes s5_7 = mbgen::sqrt(mbgen::fma(s5_4, s5_4, s5_5*s5_5));
-  const Lanes s5_8 = 1.0/s5_7;
-  const Lanes s5_9 = mbgen::fnma(s5_5, s5_6, s5_4*(zd_lower*s5_1))*s5_8;
-  const Lanes s5_10 = 0.2 + s5_9;
-  const Lanes s5_11 = mbgen::fms(725.0, 1.0 + s5_9, 900.0);
-  const Lanes s5_12 = mbgen::select(s5_10, mbgen::fms(1600.0, s5_10, 320.0), s5_11);
-  const Lanes s5_13 = s5_9 - 0.2;
-  const Lanes s5_14 = mbgen::select(s5_9, 3200.0*s5_9, s5_12);
-  const Lanes s5_15 = mbgen::select(s5_13, mbgen::fma(1575.0, s5_13, 640.0), s5_14) - 3000.0;
-  const Lanes tension_spring = mbgen::fma(s5_7 - 0.34132096331752027, parameters.k, s5_15);
-  const Lanes s5_16 = s5_8*tension_spring;
-  const Lanes s5_17 = s5_5*s5_16;
-  const Lanes s5_18 = mbgen::fma(s5_1, s5_4*s5_16, s5_3*s5_17);
-  const Lanes s5_19 = mbgen::fma((-p_lower_z), s5_17, s5_18);
-  // wheel: wheel, revolute, knuckle
-  const Lanes w_knuckle_y = zd_lower + zd_ball;
-  const Lanes w_wheel_y = zd_wheel + w_knuckle_y;
-  const Lanes s5_20 = mbgen::fnma(r_wheel_x, w_wheel_y, v_wheel_z);
+  const Lanes s5_2 = mbgen::fma(p_arm_seat_z, R_arm_x_x, (-p_arm_seat_x)*R_arm_x_z);
+  const Lanes s5_3 = 0.37 - s5_2;
+  const Lanes s5_4 = (-p_carriage_seat_x) + s5_1;
+  const Lanes s5_5 = mbgen::sqrt(mbgen::fma(s5_3, s5_3, s5_4*s5_4));
+  const Lanes s5_6 = 1.0/s5_5;
+  const Lanes s5_7 = mbgen::fma(s5_4, zd_lower*s5_2, s5_3*(zd_lower*s5_1))*s5_6;
+  const Lanes s5_8 = 0.2 + s5_7;
+  const Lanes s5_9 = mbgen::fms(725.0, 1.0 + s5_7, 900.0);
+  const Lanes s5_10 = mbgen::select(s5_8, mbgen::fms(1600.0, s5_8, 320.0), s5_9);
+  const Lanes s5_11 = s5_7 - 0.2;
+  const Lanes s5_12 = mbgen::select(s5_7, 3200.0*s5_7, s5_10);
+  const Lanes s5_13 = mbgen::select(s5_11, mbgen::fma(1575.0, s5_11, 640.0), s5_12) - 3000.0;
+  const Lanes tension_spring = mbgen::fma(s5_5 - 0.34132096331752027, parameters.k, s5_13);
+  const Lanes s5_14 = s5_6*tension_spring;
+  const Lanes s5_15 = mbgen::fma(s5_1, s5_3*s5_14, s5_2*(s5_4*s5_14));
   // tyre
-  // knuckle: ball, revolute, arm
   const Lanes r_knuckle_z = s1_3 - (-p_lower_z);
-  const Lanes v_knuckle_x = mbgen::fnma(zd_ball, r_knuckle_z, v_arm_x);
-  const Lanes r_wheel_z = mbgen::fma(p_wheel_z, R_knuckle_x_x, r_knuckle_z);
-  const Lanes v_wheel_x = mbgen::fnma(zd_wheel, r_wheel_z, v_knuckle_x);
-  // wheel: wheel, revolute, knuckle
-  const Lanes s5_21 = mbgen::fma(r_wheel_z, w_wheel_y, v_wheel_x);
-  // tyre
-  const Lanes s5_22 = p_pull_z + r_wheel_z;
-  const Lanes s5_23 = 0.32 - s5_22;
+  const Lanes r_wheel_z = r_knuckle_z + s1_4;
+  const Lanes s5_16 = p_pull_z + r_wheel_z;
+  const Lanes s5_17 = 0.32 - s5_16;
+  const Lanes s5_18 = mbgen::max(0.0, 2e+05*s5_17);
+  const Lanes s5_19 = mbgen::fnma(0.3333333333333333, mbgen::max(0.0, s5_17), 0.32);
+  const Lanes s5_20 = p_wheel_z*R_knuckle_x_z;
+  const Lanes s5_21 = zd_lower*r_knuckle_x;
   mbgen::read_back();
-  const Lanes s5_24 = mbgen::max(0.0, 2e+05*s5_23);
-  const Lanes s5_25 = mbgen::fnma(0.3333333333333333, mbgen::max(0.0, s5_23), 0.32);
-  const Lanes s5_26 = w_wheel_y*s5_25;
-  const Lanes load_tyre = mbgen::max(0.0, s5_24 + mbgen::min(s5_24, -(500.0*s5_20)));
-  const Lanes s5_27 = r_wheel_x*load_tyre;
-  const Lanes s5_28 = mbgen::max(0.004, load_tyre);
-  const Lanes s5_29 = 1e-09*s5_28;
-  const Lanes s5_30 = 1.1*s5_28;
-  const Lanes s5_31 = 1.6*s5_30;
-  const Lanes s5_32 = mbgen::min(s5_31, -s5_29);
-  const Lanes s5_33 = state.x[0]/0.3;
-  const Lanes s5_34 = state.x[1]/0.6;
-  const Lanes s5_35 = mbgen::sqrt(mbgen::fma(s5_34, s5_34, mbgen::fma(s5_33, s5_33, 1e-30)));
-  const Lanes s5_36 = s5_21 - s5_26;
-  const Lanes s5_37 = mbgen::abs(s5_21);
-  const Lanes s5_38 = mbgen::sqrt(mbgen::fma(s5_36, s5_36, 1e-30));
-  const Lanes s5_39 = mbgen::min(0.5, 0.1*mbgen::fma(0.5, s5_37 + s5_38, 1.0));
-  const Lanes s5_40 = s5_37 + s5_38/s5_39;
-  const Lanes s5_41 = 1.0 - s5_35/s5_39;
-  result.xd[1] = -(s5_34*s5_40);
-  result.xd[0] = -mbgen::fma(s5_33, s5_40, s5_36);
-  const Lanes s5_42 = mbgen::cosine(3.141592653589793*mbgen::min(1.0, 0.5*s5_37));
-  const Lanes s5_43 = s5_33*(1.0/mbgen::max(0.6666666666666666*s5_35, s5_41));
-  const Lanes s5_44 = 0.06*mbgen::fma(0.5, s5_42, 0.5)*mbgen::max(0.0, s5_41);
-  const Lanes s5_45 = 20.0*s5_28/mbgen::select(s5_31, mbgen::max(s5_31, s5_29), s5_32);
-  const Lanes s5_46 = 1.6*mbgen::arc_tangent(s5_45*mbgen::fnma(s5_36, s5_44, s5_43));
-  mbgen::read_back();
-  const Lanes fx_tyre = mbgen::max(0.0, load_tyre)/s5_28*(s5_30*mbgen::sine(s5_46));
-  const Lanes s5_47 = mbgen::fms(fx_tyre, 0.32 + (r_wheel_z - s5_22 - s5_23 - s5_25), s5_27);
-  const Lanes s5_48 = mbgen::hyperbolic_tangent(0.5*s5_26);
-  const Lanes s5_49 = mbgen::fnma(s5_48, 0.32*(0.007*load_tyre), s5_47);
-  // operations: 50 add, 61 multiply, 8 divide, 3 sqrt, 3 sin cos, 18 other
+  const Lanes s5_22 = s5_18 + mbgen::min(s5_18, 500.0*mbgen::fma(s5_20, w_knuckle_y, s5_21));
+  const Lanes load_tyre = mbgen::max(0.0, s5_22);
+  const Lanes s5_23 = mbgen::max(0.004, load_tyre);
+  const Lanes s5_24 = 1e-09*s5_23;
+  const Lanes s5_25 = 1.1*s5_23;
+  const Lanes s5_26 = 1.6*s5_25;
+  const Lanes s5_27 = mbgen::min(s5_26, -s5_24);
+  const Lanes s5_28 = state.x[0]/0.3;
+  const Lanes s5_29 = state.x[1]/0.6;
+  const Lanes s5_30 = mbgen::sqrt(mbgen::fma(s5_29, s5_29, mbgen::fma(s5_28, s5_28, 1e-30)));
+  const Lanes w_wheel_y = state.zd[Coordinate::wheel] + w_knuckle_y;
+  const Lanes s5_31 = w_wheel_y*s5_19;
+  const Lanes s5_32 = v_wheel_x - s5_31;
+  const Lanes s5_33 = mbgen::abs(v_wheel_x);
+  const Lanes s5_34 = mbgen::sqrt(mbgen::fma(s5_32, s5_32, 1e-30));
+  const Lanes s5_35 = mbgen::min(0.5, 0.1*mbgen::fma(0.5, s5_33 + s5_34, 1.0));
+  const Lanes s5_36 = s5_33 + s5_34/s5_35;
+  const Lanes s5_37 = 1.0 - s5_30/s5_35;
+  result.xd[1] = -(s5_29*s5_36);
+  result.xd[0] = -mbgen::fma(s5_28, s5_36, s5_32);
+  const Lanes s5_38 = mbgen::cosine(3.141592653589793*mbgen::min(1.0, 0.5*s5_33));
+  const Lanes s5_39 = s5_28*(1.0/mbgen::max(0.6666666666666666*s5_30, s5_37));
+  const Lanes s5_40 = 0.06*mbgen::fma(0.5, s5_38, 0.5)*mbgen::max(0.0, s5_37);
+  const Lanes s5_41 = 20.0*s5_23/mbgen::select(s5_26, mbgen::max(s5_26, s5_24), s5_27);
+  const Lanes s5_42 = 1.6*mbgen::arc_tangent(s5_41*mbgen::fnma(s5_32, s5_40, s5_39));
+  const Lanes fx_tyre = mbgen::max(0.0, load_tyre)/s5_23*(s5_25*mbgen::sine(s5_42));
+  const Lanes s5_43 = mbgen::hyperbolic_tangent(0.5*s5_31)*(0.32*(0.007*load_tyre));
+  const Lanes s5_44 = mbgen::fma(fx_tyre, s5_19 + (s5_16 + s5_17) - 0.32, s5_43);
+  // operations: 39 add, 56 multiply, 8 divide, 3 sqrt, 3 sin cos, 18 other
 
   // --- step 8: elimination from the leaves to the root (63) ---
   // wheel: wheel, revolute, knuckle
-  const Lanes s8_1 = tau[Coordinate::wheel] + (s5_27 + s5_49);
-  const Lanes s8_2 = mbgen::fnma(r_wheel_z, fx_tyre, s8_1);
-  const Lanes s8_3 = mbgen::fnma(r_knuckle_x, load_tyre, s8_2 - s5_49);
-  const Lanes s8_4 = mbgen::fma(r_knuckle_z, fx_tyre, s8_3);
-  // operations: 6 add, 3 multiply
+  const Lanes s8_1 = tau[Coordinate::wheel] - s5_44;
+  mbgen::read_back();
+  const Lanes s8_2 = mbgen::fma(s5_20, load_tyre, mbgen::fnma(s1_4, fx_tyre, s5_44 + s8_1));
+  // operations: 4 add, 2 multiply
 
   // --- step 2: closure Jacobian Phi_z and its factors (60), upper ---
   // upper
@@ -260,18 +233,18 @@ void compute_accelerations(const Tuned& parameters, const Inputs& /*inputs*/, co
   // upper
   const Lanes s6_1 = w_knuckle_y*s2_3;
   const Lanes s6_2 = w_knuckle_y*s2_1;
-  const Lanes s6_3 = mbgen::fma(zd_lower, s1_3, s6_2);
-  const Lanes s6_4 = mbgen::fma(zd_lower, r_knuckle_x, s6_1);
+  const Lanes s6_3 = s5_21 + s6_1;
+  const Lanes s6_4 = mbgen::fma(zd_lower, s1_3, s6_2);
   // knuckle: ball, revolute, arm
   const Lanes s6_5 = zd_lower*zd_lower;
   const Lanes s6_6 = r_knuckle_x*s6_5;
   // upper
   const Lanes s6_7 = s1_3*s6_5;
   const Lanes s6_8 = mbgen::fma(w_knuckle_y, s6_1, s6_6);
-  const Lanes s6_9 = mbgen::fma(s2_4, s6_8, mbgen::fma(s6_4, s6_4, s6_3*s6_3));
+  const Lanes s6_9 = mbgen::fma(s2_4, s6_8, mbgen::fma(s6_3, s6_3, s6_4*s6_4));
   const Lanes s6_10 = mbgen::fnma(s2_2, mbgen::fma(w_knuckle_y, s6_2, s6_7), s6_9);
   const Lanes zdd_star_lower = s2_7*s6_10;
-  // operations: 7 add, 14 multiply
+  // operations: 7 add, 13 multiply
 
   // --- step 7: inertias of the bodies and forces on joints, upper ---
   // arm: lower, revolute, carriage
@@ -286,46 +259,48 @@ void compute_accelerations(const Tuned& parameters, const Inputs& /*inputs*/, co
   // --- step 8: elimination from the leaves to the root (63), upper ---
   // arm: lower, revolute, carriage
   // knuckle: ball, revolute, arm
-  const Lanes s8_5 = w_knuckle_y*w_knuckle_y;
+  const Lanes s8_3 = w_knuckle_y*w_knuckle_y;
   // arm: lower, revolute, carriage
-  const Lanes s8_6 = mbgen::fma(0.3475, zdd_star_lower, s5_19 - tau[Coordinate::lower]);
+  const Lanes s8_4 = mbgen::fma(0.3475, zdd_star_lower, s5_15 - tau[Coordinate::lower]);
   // knuckle: ball, revolute, arm
-  const Lanes s8_7 = mbgen::fms(s1_3, zdd_star_lower, s6_6);
-  const Lanes s8_8 = mbgen::fma(r_knuckle_x, zdd_star_lower, s6_7);
-  const Lanes s8_9 = s1_3*s3_1;
-  const Lanes s8_10 = r_knuckle_x*s3_1;
-  const Lanes s8_11 = R_knuckle_x_z*parameters.derived[0];
-  const Lanes s8_12 = R_knuckle_x_x*parameters.derived[0];
+  const Lanes s8_5 = mbgen::fms(s1_3, zdd_star_lower, s6_6);
+  const Lanes s8_6 = mbgen::fma(r_knuckle_x, zdd_star_lower, s6_7);
+  const Lanes s8_7 = s1_3*s3_1;
+  const Lanes s8_8 = r_knuckle_x*s3_1;
+  const Lanes s8_9 = R_knuckle_x_z*parameters.derived[0];
+  const Lanes s8_10 = R_knuckle_x_x*parameters.derived[0];
+  const Lanes s8_11 = mbgen::fnma(s8_3, s8_9, mbgen::fms(zdd_star_lower, s8_10, fx_tyre));
+  const Lanes f_knuckle_x = mbgen::fma(s8_5, parameters.derived[5], s8_11);
+  const Lanes s8_12 = mbgen::fma(zdd_star_lower, s8_9, mbgen::fma(s8_3, s8_10, load_tyre));
+  const Lanes s8_13 = mbgen::fma(s8_10, s8_5, mbgen::fma(s8_9, s8_6, s8_2));
+  const Lanes n_knuckle_y = mbgen::fma(zdd_star_lower, s7_3 + s7_4, s8_13);
+  const Lanes s8_14 = 1.0 - s3_1;
   mbgen::read_back();
-  const Lanes s8_13 = mbgen::fnma(s8_5, s8_11, mbgen::fms(zdd_star_lower, s8_12, fx_tyre));
-  const Lanes f_knuckle_x = mbgen::fma(s8_7, parameters.derived[5], s8_13);
-  const Lanes s8_14 = mbgen::fma(zdd_star_lower, s8_11, mbgen::fma(s8_5, s8_12, load_tyre));
-  const Lanes s8_15 = mbgen::fma(s8_12, s8_7, mbgen::fma(s8_11, s8_8, s8_4));
-  const Lanes n_knuckle_y = mbgen::fma(zdd_star_lower, s7_3 + s7_4, s8_15);
-  const Lanes s8_16 = 1.0 - s3_1;
-  const Lanes s8_17 = mbgen::fnma(s8_16, n_knuckle_y, tau[Coordinate::ball]);
-  const Lanes s8_18 = mbgen::fnma(s8_11, s8_10, mbgen::fnma(s8_12, s8_9, s8_16*s7_5));
-  const Lanes s8_19 = mbgen::fma(parameters.derived[5], s8_8, s8_14);
-  const Lanes s8_20 = mbgen::fnma(s8_9, parameters.derived[5], s8_12*s8_16);
-  const Lanes s8_21 = mbgen::fma(s8_10, s8_19, mbgen::fma(s8_9, f_knuckle_x, s8_17));
-  const Lanes s8_22 = mbgen::fma(s3_1, s8_6, s8_21);
-  const Lanes s8_23 = mbgen::fnma(s8_11, s8_16, s8_10*parameters.derived[5]);
+  const Lanes s8_15 = mbgen::fnma(s8_14, n_knuckle_y, tau[Coordinate::ball]);
+  const Lanes s8_16 = mbgen::fnma(s8_9, s8_8, mbgen::fnma(s8_10, s8_7, s8_14*s7_5));
+  const Lanes s8_17 = mbgen::fma(parameters.derived[5], s8_6, s8_12);
+  const Lanes s8_18 = mbgen::fnma(s8_7, parameters.derived[5], s8_10*s8_14);
+  const Lanes s8_19 = mbgen::fma(s8_8, s8_17, mbgen::fma(s8_7, f_knuckle_x, s8_15));
+  const Lanes s8_20 = mbgen::fma(s3_1, s8_4, s8_19);
+  const Lanes s8_21 = mbgen::fnma(s8_9, s8_14, s8_8*parameters.derived[5]);
   // arm: lower, revolute, carriage
-  const Lanes s8_24 = mbgen::fma(s3_1, s7_1, s8_23);
-  const Lanes s8_25 = mbgen::fma(s8_16, s8_18, mbgen::fnma(s8_9, s8_20, s8_10*s8_23));
-  const Lanes s8_26 = mbgen::fma(s3_1, 0.3475*s3_1, s8_25);
-  const Lanes s8_27 = 1.0/s8_26;
-  result.inertia[0] = mbgen::fnma(1e-12, s8_26, s8_26);
+  const Lanes s8_22 = mbgen::fma(s3_1, s7_1, s8_21);
+  const Lanes s8_23 = mbgen::fma(s8_14, s8_16, mbgen::fnma(s8_7, s8_18, s8_8*s8_21));
+  const Lanes s8_24 = mbgen::fma(s3_1, 0.3475*s3_1, s8_23);
+  const Lanes s8_25 = 1.0/s8_24;
+  result.inertia[0] = mbgen::fnma(1e-12, s8_24, s8_24);
   // operations: 28 add, 35 multiply, 1 divide
 
   // --- step 9: accelerations from the root to the leaves (63), (62) ---
   // knuckle: ball, revolute, arm
-  const Lanes s9_1 = s8_27*mbgen::fnma((-g_z), s8_24, s8_22);
+  const Lanes s9_1 = s8_25*mbgen::fnma((-g_z), s8_22, s8_20);
   result.zdd[Coordinate::ball] = s9_1;
   result.zdd[Coordinate::lower] = mbgen::fnma(s3_1, s9_1, zdd_star_lower);
-  const Lanes alpha_knuckle_y = mbgen::fma(s8_16, s9_1, zdd_star_lower);
-  result.zdd[Coordinate::wheel] = s8_2 - alpha_knuckle_y;
+  const Lanes alpha_knuckle_y = mbgen::fma(s8_14, s9_1, zdd_star_lower);
+  result.zdd[Coordinate::wheel] = s8_1 - alpha_knuckle_y;
   // operations: 4 add, 4 multiply
+  result.inertia[1] = Lanes{} + 0.999999999999;
+  result.zdd[Coordinate::pull] = Lanes{} + 0.0;
 }
 
 /// Result of compute_closure.
@@ -339,13 +314,6 @@ struct Closure {
 /// One Newton step of the frozen partition, and consistent velocities.
 void compute_closure(const Tuned& /*parameters*/, const Inputs& /*inputs*/, const State& state,
     Closure& __restrict result) noexcept {
-  // Results that need no operation.
-  result.dz[Coordinate::ball] = Lanes{} + 0.0;
-  result.dz[Coordinate::wheel] = Lanes{} + 0.0;
-  result.zd[Coordinate::pull] = Lanes{} + 15.0;
-  result.zd[Coordinate::ball] = state.zd[Coordinate::ball];
-  result.zd[Coordinate::wheel] = state.zd[Coordinate::wheel];
-
   // --- step 1: poses, axes b, accumulated inertias MR (50) ---
   // arm: lower, revolute, carriage
   const Lanes z_lower = state.z[Coordinate::lower];
@@ -390,6 +358,11 @@ void compute_closure(const Tuned& /*parameters*/, const Inputs& /*inputs*/, cons
   result.dz[Coordinate::lower] = s2_10*s2_13;
   result.zd[Coordinate::lower] = -(s2_13*(state.zd[Coordinate::ball]*s2_12));
   // operations: 3 multiply
+  result.dz[Coordinate::ball] = Lanes{} + 0.0;
+  result.dz[Coordinate::wheel] = Lanes{} + 0.0;
+  result.zd[Coordinate::pull] = Lanes{} + 15.0;
+  result.zd[Coordinate::ball] = state.zd[Coordinate::ball];
+  result.zd[Coordinate::wheel] = state.zd[Coordinate::wheel];
 }
 
 /// Result of compute_multipliers.
@@ -403,7 +376,7 @@ struct ConstraintForces {
 /// Multipliers of the closures and generalised driving forces, at given accelerations.
 void compute_multipliers(const Tuned& parameters, const Inputs& /*inputs*/, const State& state,
     const Lanes* tau, const Derivative& derivative, ConstraintForces& __restrict result) noexcept {
-  // --- step 1: poses, axes b, accumulated inertias MR (50) ---
+  // --- step 1: poses and axes b ---
   // arm: lower, revolute, carriage
   const Lanes z_lower = state.z[Coordinate::lower];
   Lanes R_arm_x_x, R_arm_x_z;
@@ -415,193 +388,148 @@ void compute_multipliers(const Tuned& parameters, const Inputs& /*inputs*/, cons
   const Lanes R_knuckle_x_x = mbgen::fnma(R_arm_x_z, s1_2, R_arm_x_x*s1_1);
   const Lanes R_knuckle_x_z = mbgen::fma(R_arm_x_x, s1_2, R_arm_x_z*s1_1);
   const Lanes r_knuckle_x = mbgen::fnma((-p_ball_x), R_arm_x_x, p_ball_z*R_arm_x_z);
-  const Lanes s1_3 = mbgen::fms((-p_ball_x), R_arm_x_z, (-p_lower_z));
-  const Lanes r_knuckle_z = mbgen::fma(p_ball_z, R_arm_x_x, s1_3);
+  const Lanes s1_3 = mbgen::fma(p_ball_z, R_arm_x_x, (-p_ball_x)*R_arm_x_z);
   // wheel: wheel, revolute, knuckle
-  const Lanes r_wheel_x = mbgen::fma(p_wheel_z, R_knuckle_x_z, r_knuckle_x);
-  const Lanes r_wheel_z = mbgen::fma(p_wheel_z, R_knuckle_x_x, r_knuckle_z);
-  // arm: lower, revolute, carriage
-  const Lanes s1_4 = mbgen::fms((-c_arm_x), R_arm_x_z, (-p_lower_z));
-  const Lanes s1_5 = mbgen::fma(c_arm_z, R_arm_x_x, s1_4);
-  const Lanes s1_6 = mbgen::fnma((-c_arm_x), R_arm_x_x, c_arm_z*R_arm_x_z);
+  const Lanes s1_4 = p_wheel_z*R_knuckle_x_z;
   // knuckle: ball, revolute, arm
-  const Lanes s1_7 = mbgen::fma(R_knuckle_x_x, parameters.derived[6], r_knuckle_z);
-  const Lanes s1_8 = mbgen::fma(R_knuckle_x_z, parameters.derived[6], r_knuckle_x);
-  // operations: 12 add, 16 multiply, 4 sin cos
+  const Lanes r_knuckle_z = s1_3 - (-p_lower_z);
+  // wheel: wheel, revolute, knuckle
+  const Lanes s1_5 = p_wheel_z*R_knuckle_x_x;
+  const Lanes r_wheel_z = r_knuckle_z + s1_5;
+  // operations: 6 add, 10 multiply, 4 sin cos
 
-  // --- step 4: velocities Z (36) ---
-  // arm: lower, revolute, carriage
+  // --- step 4: angular velocities ---
+  // knuckle: ball, revolute, arm
   const Lanes zd_lower = state.zd[Coordinate::lower];
-  const Lanes zd_pull = state.zd[Coordinate::pull];
-  const Lanes v_arm_x = mbgen::fma((-p_lower_z), zd_lower, zd_pull);
-  // knuckle: ball, revolute, arm
-  const Lanes zd_ball = state.zd[Coordinate::ball];
-  const Lanes v_knuckle_x = mbgen::fnma(zd_ball, r_knuckle_z, v_arm_x);
-  const Lanes v_knuckle_z = zd_ball*r_knuckle_x;
+  const Lanes w_knuckle_y = zd_lower + state.zd[Coordinate::ball];
   // wheel: wheel, revolute, knuckle
-  const Lanes zd_wheel = state.zd[Coordinate::wheel];
-  const Lanes v_wheel_z = mbgen::fma(zd_wheel, r_wheel_x, v_knuckle_z);
-  const Lanes v_wheel_x = mbgen::fnma(zd_wheel, r_wheel_z, v_knuckle_x);
+  const Lanes s4_1 = mbgen::fma(s1_4, w_knuckle_y, zd_lower*r_knuckle_x);
   // knuckle: ball, revolute, arm
-  const Lanes w_knuckle_y = zd_lower + zd_ball;
+  const Lanes v_knuckle_x = mbgen::fma(zd_lower, s1_3, state.zd[Coordinate::pull]);
   // wheel: wheel, revolute, knuckle
-  const Lanes w_wheel_y = zd_wheel + w_knuckle_y;
-  // operations: 6 add, 5 multiply
+  const Lanes v_wheel_x = mbgen::fma(s1_5, w_knuckle_y, v_knuckle_x);
+  const Lanes w_wheel_y = state.zd[Coordinate::wheel] + w_knuckle_y;
+  // operations: 5 add, 4 multiply
 
   // --- step 5: applied forces Q (48) ---
   // spring
   const Lanes s5_1 = mbgen::fnma((-p_arm_seat_x), R_arm_x_x, p_arm_seat_z*R_arm_x_z);
-  const Lanes s5_2 = mbgen::fms((-p_arm_seat_x), R_arm_x_z, (-p_lower_z));
-  const Lanes s5_3 = mbgen::fma(p_arm_seat_z, R_arm_x_x, s5_2);
-  const Lanes s5_4 = p_carriage_seat_z - s5_3;
-  const Lanes s5_5 = (-p_carriage_seat_x) + s5_1;
-  const Lanes s5_6 = mbgen::fnma(zd_lower, s5_3, zd_pull - v_arm_x);
-  const Lanes s5_7 = mbgen::sqrt(mbgen::fma(s5_4, s5_4, s5_5*s5_5));
-  const Lanes s5_8 = 1.0/s5_7;
-  const Lanes s5_9 = mbgen::fnma(s5_5, s5_6, s5_4*(zd_lower*s5_1))*s5_8;
-  const Lanes s5_10 = 0.2 + s5_9;
-  const Lanes s5_11 = mbgen::fms(725.0, 1.0 + s5_9, 900.0);
-  const Lanes s5_12 = mbgen::select(s5_10, mbgen::fms(1600.0, s5_10, 320.0), s5_11);
-  const Lanes s5_13 = s5_9 - 0.2;
-  const Lanes s5_14 = mbgen::select(s5_9, 3200.0*s5_9, s5_12);
-  const Lanes s5_15 = mbgen::select(s5_13, mbgen::fma(1575.0, s5_13, 640.0), s5_14) - 3000.0;
-  const Lanes tension_spring = mbgen::fma(s5_7 - 0.34132096331752027, parameters.k, s5_15);
-  const Lanes s5_16 = s5_8*tension_spring;
-  const Lanes s5_17 = s5_5*s5_16;
-  const Lanes s5_18 = mbgen::fma(s5_1, s5_4*s5_16, s5_3*s5_17);
+  const Lanes s5_2 = mbgen::fma(p_arm_seat_z, R_arm_x_x, (-p_arm_seat_x)*R_arm_x_z);
+  const Lanes s5_3 = 0.37 - s5_2;
+  const Lanes s5_4 = (-p_carriage_seat_x) + s5_1;
+  const Lanes s5_5 = mbgen::sqrt(mbgen::fma(s5_3, s5_3, s5_4*s5_4));
+  const Lanes s5_6 = 1.0/s5_5;
+  const Lanes s5_7 = mbgen::fma(s5_4, zd_lower*s5_2, s5_3*(zd_lower*s5_1))*s5_6;
+  const Lanes s5_8 = 0.2 + s5_7;
+  const Lanes s5_9 = mbgen::fms(725.0, 1.0 + s5_7, 900.0);
+  const Lanes s5_10 = mbgen::select(s5_8, mbgen::fms(1600.0, s5_8, 320.0), s5_9);
+  const Lanes s5_11 = s5_7 - 0.2;
+  const Lanes s5_12 = mbgen::select(s5_7, 3200.0*s5_7, s5_10);
+  const Lanes s5_13 = mbgen::select(s5_11, mbgen::fma(1575.0, s5_11, 640.0), s5_12) - 3000.0;
+  const Lanes tension_spring = mbgen::fma(s5_5 - 0.34132096331752027, parameters.k, s5_13);
+  const Lanes s5_14 = s5_6*tension_spring;
+  const Lanes s5_15 = s5_4*s5_14;
+  const Lanes s5_16 = mbgen::fma(s5_1, s5_3*s5_14, s5_2*s5_15);
   // tyre
-  const Lanes s5_19 = p_pull_z + r_wheel_z;
-  const Lanes s5_20 = 0.32 - s5_19;
+  const Lanes s5_17 = p_pull_z + r_wheel_z;
+  const Lanes s5_18 = 0.32 - s5_17;
+  const Lanes s5_19 = mbgen::max(0.0, 2e+05*s5_18);
+  const Lanes s5_20 = mbgen::fnma(0.3333333333333333, mbgen::max(0.0, s5_18), 0.32);
   mbgen::read_back();
-  const Lanes s5_21 = mbgen::max(0.0, 2e+05*s5_20);
-  const Lanes s5_22 = mbgen::fnma(0.3333333333333333, mbgen::max(0.0, s5_20), 0.32);
-  const Lanes s5_23 = mbgen::fma(r_wheel_z, w_wheel_y, v_wheel_x);
-  const Lanes s5_24 = w_wheel_y*s5_22;
-  const Lanes s5_25 = mbgen::min(s5_21, -(500.0*mbgen::fnma(r_wheel_x, w_wheel_y, v_wheel_z)));
-  const Lanes load_tyre = mbgen::max(0.0, s5_21 + s5_25);
-  const Lanes s5_26 = mbgen::max(0.004, load_tyre);
-  const Lanes s5_27 = 1.1*s5_26;
-  const Lanes s5_28 = 1.6*s5_27;
-  const Lanes s5_29 = 1e-09*s5_26;
-  const Lanes s5_30 = mbgen::min(s5_28, -s5_29);
-  const Lanes s5_31 = state.x[0]/0.3;
-  const Lanes s5_32 = state.x[1]/0.6;
-  const Lanes s5_33 = mbgen::sqrt(mbgen::fma(s5_32, s5_32, mbgen::fma(s5_31, s5_31, 1e-30)));
-  const Lanes s5_34 = mbgen::abs(s5_23);
-  const Lanes s5_35 = s5_23 - s5_24;
-  const Lanes s5_36 = s5_34 + mbgen::sqrt(mbgen::fma(s5_35, s5_35, 1e-30));
-  const Lanes s5_37 = 1.0 - s5_33/mbgen::min(0.5, 0.1*mbgen::fma(0.5, s5_36, 1.0));
-  const Lanes s5_38 = mbgen::cosine(3.141592653589793*mbgen::min(1.0, 0.5*s5_34));
-  const Lanes s5_39 = s5_31*(1.0/mbgen::max(0.6666666666666666*s5_33, s5_37));
-  const Lanes s5_40 = 0.06*mbgen::fma(0.5, s5_38, 0.5)*mbgen::max(0.0, s5_37);
-  const Lanes s5_41 = 20.0*s5_26/mbgen::select(s5_28, mbgen::max(s5_28, s5_29), s5_30);
-  const Lanes s5_42 = 1.6*mbgen::arc_tangent(s5_41*mbgen::fnma(s5_35, s5_40, s5_39));
-  const Lanes fx_tyre = mbgen::max(0.0, load_tyre)/s5_26*(s5_27*mbgen::sine(s5_42));
-  mbgen::read_back();
-  const Lanes s5_43 = fx_tyre*(0.32 + (r_wheel_z - s5_19 - s5_20 - s5_22));
-  const Lanes s5_44 = mbgen::fnma(r_wheel_x, load_tyre, s5_43);
-  const Lanes s5_45 = mbgen::hyperbolic_tangent(0.5*s5_24);
-  const Lanes s5_46 = mbgen::fnma(s5_45, 0.32*(0.007*load_tyre), s5_44);
-  // operations: 40 add, 54 multiply, 7 divide, 3 sqrt, 3 sin cos, 18 other
+  const Lanes load_tyre = mbgen::max(0.0, s5_19 + mbgen::min(s5_19, 500.0*s4_1));
+  const Lanes s5_21 = mbgen::max(0.004, load_tyre);
+  const Lanes s5_22 = 1.1*s5_21;
+  const Lanes s5_23 = 1.6*s5_22;
+  const Lanes s5_24 = 1e-09*s5_21;
+  const Lanes s5_25 = mbgen::min(s5_23, -s5_24);
+  const Lanes s5_26 = state.x[0]/0.3;
+  const Lanes s5_27 = state.x[1]/0.6;
+  const Lanes s5_28 = mbgen::sqrt(mbgen::fma(s5_27, s5_27, mbgen::fma(s5_26, s5_26, 1e-30)));
+  const Lanes s5_29 = w_wheel_y*s5_20;
+  const Lanes s5_30 = mbgen::abs(v_wheel_x);
+  const Lanes s5_31 = v_wheel_x - s5_29;
+  const Lanes s5_32 = s5_30 + mbgen::sqrt(mbgen::fma(s5_31, s5_31, 1e-30));
+  const Lanes s5_33 = 1.0 - s5_28/mbgen::min(0.5, 0.1*mbgen::fma(0.5, s5_32, 1.0));
+  const Lanes s5_34 = mbgen::cosine(3.141592653589793*mbgen::min(1.0, 0.5*s5_30));
+  const Lanes s5_35 = s5_26*(1.0/mbgen::max(0.6666666666666666*s5_28, s5_33));
+  const Lanes s5_36 = 0.06*mbgen::fma(0.5, s5_34, 0.5)*mbgen::max(0.0, s5_33);
+  const Lanes s5_37 = 20.0*s5_21/mbgen::select(s5_23, mbgen::max(s5_23, s5_24), s5_25);
+  const Lanes s5_38 = 1.6*mbgen::arc_tangent(s5_37*mbgen::fnma(s5_31, s5_36, s5_35));
+  const Lanes fx_tyre = mbgen::max(0.0, load_tyre)/s5_21*(s5_22*mbgen::sine(s5_38));
+  const Lanes s5_39 = mbgen::hyperbolic_tangent(0.5*s5_29)*(0.32*(0.007*load_tyre));
+  const Lanes s5_40 = mbgen::fma(fx_tyre, s5_20 + (s5_17 + s5_18) - 0.32, s5_39);
+  // operations: 33 add, 51 multiply, 7 divide, 3 sqrt, 3 sin cos, 18 other
 
-  // --- step 7: accelerations Zdot and accumulated forces QR - PR (51), (52) ---
+  // --- step 7: inertias of the bodies and forces on joints ---
   // knuckle: ball, revolute, arm
   const Lanes s7_1 = w_knuckle_y*w_knuckle_y;
-  // wheel: wheel, revolute, knuckle
-  const Lanes s7_2 = w_wheel_y*w_wheel_y;
   // arm: lower, revolute, carriage
+  const Lanes s7_2 = zd_lower*zd_lower;
+  // knuckle: ball, revolute, arm
   const Lanes zdd_lower = derivative.zdd[Coordinate::lower];
   const Lanes zdd_pull = derivative.zdd[Coordinate::pull];
-  const Lanes a_arm_x = mbgen::fma((-p_lower_z), zdd_lower, zdd_pull);
-  const Lanes s7_3 = zd_lower*zd_lower;
-  // knuckle: ball, revolute, arm
-  const Lanes s7_4 = s7_1 - s7_3;
+  const Lanes a_knuckle_x = mbgen::fnma(r_knuckle_x, s7_2, mbgen::fma(zdd_lower, s1_3, zdd_pull));
   const Lanes alpha_knuckle_y = zdd_lower + derivative.zdd[Coordinate::ball];
-  const Lanes s7_5 = mbgen::fma(r_knuckle_x, s7_4, a_arm_x);
-  const Lanes a_knuckle_x = mbgen::fma(r_knuckle_z, zdd_lower - alpha_knuckle_y, s7_5);
-  // arm: lower, revolute, carriage
-  const Lanes s7_6 = m_arm*mbgen::fnma(s1_6, s7_3, mbgen::fma(zdd_lower, s1_5, a_arm_x));
-  const Lanes a_arm_z = mbgen::fnma((-p_lower_z), s7_3, (-g_z));
-  // knuckle: ball, revolute, arm
-  const Lanes s7_7 = mbgen::fma(r_knuckle_x, alpha_knuckle_y - zdd_lower, a_arm_z);
-  const Lanes a_knuckle_z = mbgen::fma(r_knuckle_z, s7_4, s7_7);
-  // arm: lower, revolute, carriage
   // wheel: wheel, revolute, knuckle
-  const Lanes s7_8 = s7_2 - s7_1;
-  const Lanes alpha_wheel_y = derivative.zdd[Coordinate::wheel] + alpha_knuckle_y;
-  const Lanes s7_9 = mbgen::fma(r_wheel_x, s7_8, a_knuckle_x);
-  const Lanes a_wheel_x = mbgen::fma(r_wheel_z, alpha_knuckle_y - alpha_wheel_y, s7_9);
-  const Lanes s7_10 = mbgen::fma(r_wheel_z, alpha_wheel_y, a_wheel_x);
-  const Lanes s7_11 = m_wheel*mbgen::fnma(r_wheel_x, s7_2, s7_10);
-  const Lanes s7_12 = mbgen::fma(r_wheel_x, alpha_wheel_y - alpha_knuckle_y, a_knuckle_z);
-  const Lanes a_wheel_z = mbgen::fma(r_wheel_z, s7_8, s7_12);
-  const Lanes s7_13 = mbgen::fnma(r_wheel_x, alpha_wheel_y, a_wheel_z);
-  const Lanes s7_14 = m_wheel*mbgen::fnma(r_wheel_z, s7_2, s7_13);
-  const Lanes s7_15 = mbgen::fnma(r_wheel_z, s7_11, s5_46 - alpha_wheel_y);
-  const Lanes s7_16 = mbgen::fma(r_wheel_x, s7_14, s7_15);
-  // knuckle: ball, revolute, arm
-  const Lanes s7_17 = mbgen::fnma(s1_8, s7_1, mbgen::fma(s1_7, alpha_knuckle_y, a_knuckle_x));
-  const Lanes s7_18 = s7_17*parameters.derived[7];
-  // wheel: wheel, revolute, knuckle
-  const Lanes s7_19 = fx_tyre - s7_11 - s7_18;
-  const Lanes s7_20 = mbgen::fnma(alpha_knuckle_y, parameters.derived[8], s7_16);
-  // knuckle: ball, revolute, arm
-  const Lanes s7_21 = mbgen::fnma(s1_7, s7_1, mbgen::fnma(s1_8, alpha_knuckle_y, a_knuckle_z));
-  const Lanes s7_22 = parameters.derived[7]*s7_21;
-  // wheel: wheel, revolute, knuckle
-  const Lanes s7_23 = load_tyre - s7_14 - s7_22;
-  const Lanes s7_24 = mbgen::fma(s1_8, s7_22, mbgen::fnma(s1_7, s7_18, s7_20));
-  // arm: lower, revolute, carriage
-  // knuckle: ball, revolute, arm
-  // arm: lower, revolute, carriage
-  // knuckle: ball, revolute, arm
-  // arm: lower, revolute, carriage
-  // knuckle: ball, revolute, arm
-  const Lanes s7_25 = mbgen::fma(r_knuckle_x, s7_23, tau[Coordinate::ball] + s7_24);
-  result.missing[1] = mbgen::fnma(r_knuckle_z, s7_19, s7_25);
-  // arm: lower, revolute, carriage
-  const Lanes s7_26 = mbgen::fnma(I_arm_yy, zdd_lower, tau[Coordinate::lower] + s7_24 - s5_18);
-  // knuckle: ball, revolute, arm
-  // arm: lower, revolute, carriage
-  const Lanes s7_27 = m_arm*mbgen::fnma(s1_5, s7_3, mbgen::fnma(zdd_lower, s1_6, a_arm_z));
-  // knuckle: ball, revolute, arm
-  const Lanes s7_28 = s7_19 - s5_17 - s7_6;
-  // arm: lower, revolute, carriage
-  const Lanes s7_29 = mbgen::fma(s1_6, s7_27, mbgen::fnma(s1_5, s7_6, s7_26));
-  const Lanes Q_lower = mbgen::fma((-p_lower_z), s7_28, s7_29);
-  result.missing[0] = Q_lower;
+  const Lanes a_wheel_x = mbgen::fnma(s1_4, s7_1, mbgen::fma(s1_5, alpha_knuckle_y, a_knuckle_x));
   mbgen::read_back();
+  const Lanes f_wheel_x = mbgen::fnma(m_wheel, a_wheel_x, fx_tyre);
+  // knuckle: ball, revolute, arm
+  const Lanes a_knuckle_z = mbgen::fnma(s1_3, s7_2, mbgen::fnma(zdd_lower, r_knuckle_x, (-g_z)));
+  // wheel: wheel, revolute, knuckle
+  const Lanes a_wheel_z = mbgen::fnma(s1_5, s7_1, mbgen::fnma(s1_4, alpha_knuckle_y, a_knuckle_z));
+  const Lanes f_wheel_z = mbgen::fnma(m_wheel, a_wheel_z, load_tyre);
+  // knuckle: ball, revolute, arm
+  const Lanes s7_3 = R_knuckle_x_x*parameters.derived[6];
+  const Lanes s7_4 = R_knuckle_x_z*parameters.derived[6];
+  const Lanes s7_5 = mbgen::fnma(s7_1, s7_4, mbgen::fma(alpha_knuckle_y, s7_3, a_knuckle_x));
+  const Lanes s7_6 = s7_5*parameters.derived[7];
+  const Lanes s7_7 = f_wheel_x - s7_6;
+  const Lanes s7_8 = mbgen::fnma(s7_1, s7_3, mbgen::fnma(alpha_knuckle_y, s7_4, a_knuckle_z));
+  const Lanes s7_9 = parameters.derived[7]*s7_8;
+  // wheel: wheel, revolute, knuckle
+  const Lanes alpha_wheel_y = derivative.zdd[Coordinate::wheel] + alpha_knuckle_y;
+  // knuckle: ball, revolute, arm
+  const Lanes s7_10 = mbgen::fms(s1_5, f_wheel_x, s5_40) - alpha_wheel_y;
+  const Lanes s7_11 = mbgen::fnma(s1_4, f_wheel_z, s7_10);
+  const Lanes s7_12 = f_wheel_z - s7_9;
+  const Lanes s7_13 = mbgen::fnma(alpha_knuckle_y, parameters.derived[8], s7_11);
+  const Lanes s7_14 = mbgen::fma(s7_4, s7_9, mbgen::fnma(s7_3, s7_6, s7_13));
+  // arm: lower, revolute, carriage
+  const Lanes s7_15 = mbgen::fma(c_arm_z, R_arm_x_x, (-c_arm_x)*R_arm_x_z);
+  const Lanes s7_16 = mbgen::fnma((-c_arm_x), R_arm_x_x, c_arm_z*R_arm_x_z);
+  const Lanes s7_17 = m_arm*mbgen::fnma(s7_2, s7_16, mbgen::fma(zdd_lower, s7_15, zdd_pull));
+  // knuckle: ball, revolute, arm
+  result.missing[1] = tau[Coordinate::ball] + s7_14;
+  // arm: lower, revolute, carriage
+  const Lanes s7_18 = mbgen::fma(s1_3, s7_7, tau[Coordinate::lower] + s7_14 - s5_16);
+  const Lanes s7_19 = mbgen::fnma(I_arm_yy, zdd_lower, mbgen::fnma(r_knuckle_x, s7_12, s7_18));
+  const Lanes s7_20 = m_arm*mbgen::fnma(s7_2, s7_15, mbgen::fnma(zdd_lower, s7_16, (-g_z)));
+  const Lanes Q_lower = mbgen::fma(s7_16, s7_20, mbgen::fnma(s7_15, s7_17, s7_19));
+  result.missing[0] = Q_lower;
   // carriage: pull, prismatic, ground
-  const Lanes s7_30 = s5_17 + (tau[Coordinate::pull] + s7_28);
-  const Lanes Q_pull = mbgen::fnma(m_carriage, zdd_pull, s7_30);
-  // operations: 54 add, 43 multiply
+  const Lanes f_carriage_x = mbgen::fnma(m_carriage, zdd_pull, s5_15);
+  const Lanes Q_pull = s7_7 + (tau[Coordinate::pull] + f_carriage_x) - s5_15 - s7_17;
+  // operations: 43 add, 41 multiply
 
-  // --- step 9: independent and all accelerations (63), (62) ---
+  // --- step 9: accelerations from the root to the leaves (63), (62) ---
   // upper
-  const Lanes s9_1 = mbgen::fma(p_upper_to_z, R_knuckle_x_z, r_knuckle_x);
-  const Lanes s9_2 = mbgen::fma(p_upper_to_x, R_knuckle_x_x, s9_1);
-  const Lanes s9_3 = mbgen::fma(p_upper_to_z, R_knuckle_x_x, r_knuckle_z);
-  const Lanes s9_4 = mbgen::fnma(p_upper_to_x, R_knuckle_x_z, s9_3);
+  const Lanes s9_1 = mbgen::fnma(p_upper_to_x, R_knuckle_x_z, p_upper_to_z*R_knuckle_x_x);
+  const Lanes s9_2 = mbgen::fma(p_upper_to_x, R_knuckle_x_x, p_upper_to_z*R_knuckle_x_z);
+  const Lanes s9_3 = ((-p_upper_from_z) + (r_knuckle_z + s9_1))*(r_knuckle_x + s9_2);
+  const Lanes s9_4 = mbgen::fma(p_upper_from_x - r_knuckle_x - s9_2, s1_3 + s9_1, s9_3);
   result.drive[0] = -Q_pull;
-  // upper
-  const Lanes s9_5 = 2.380277794628896*((-p_upper_from_z) + s9_4);
-  // upper
-  const Lanes s9_6 = 2.380277794628896*(p_upper_from_x - s9_2);
-  const Lanes s9_7 = mbgen::fma(s9_6, (-p_lower_z) + s9_4, s9_5*s9_2);
-  // loop block 0
-  result.pivot[0] = 4.409001792788769*mbgen::abs(s9_7);
-  result.lambda[0] = -(Q_lower*(1.0/s9_7));
-  // operations: 8 add, 10 multiply, 1 divide, 1 other
+  result.pivot[0] = 10.4946490638541*mbgen::abs(s9_4);
+  mbgen::read_back();
+  result.lambda[0] = -(l_upper*(Q_lower*(1.0/s9_4)));
+  // operations: 9 add, 9 multiply, 1 divide, 1 other
 }
 
 /// Outputs, energies and power, at given accelerations.
 void compute_outputs(const Tuned& parameters, const Inputs& /*inputs*/, const State& state,
     const Lanes* tau, const Derivative& /*derivative*/, const Multipliers& multipliers,
     Outputs& __restrict result) noexcept {
-  // Results that need no operation.
-  result.wheel_speed = state.zd[Coordinate::wheel];
-
-  // --- step 1: poses, axes b, accumulated inertias MR (50) ---
+  // --- step 1: poses and axes b ---
   // arm: lower, revolute, carriage
   const Lanes z_lower = state.z[Coordinate::lower];
   Lanes R_arm_x_x, R_arm_x_z;
@@ -613,130 +541,122 @@ void compute_outputs(const Tuned& parameters, const Inputs& /*inputs*/, const St
   const Lanes R_knuckle_x_x = mbgen::fnma(R_arm_x_z, s1_2, R_arm_x_x*s1_1);
   const Lanes R_knuckle_x_z = mbgen::fma(R_arm_x_x, s1_2, R_arm_x_z*s1_1);
   const Lanes r_knuckle_x = mbgen::fnma((-p_ball_x), R_arm_x_x, p_ball_z*R_arm_x_z);
-  const Lanes s1_3 = mbgen::fms((-p_ball_x), R_arm_x_z, (-p_lower_z));
-  const Lanes r_knuckle_z = mbgen::fma(p_ball_z, R_arm_x_x, s1_3);
+  const Lanes s1_3 = mbgen::fma(p_ball_z, R_arm_x_x, (-p_ball_x)*R_arm_x_z);
   // wheel: wheel, revolute, knuckle
-  const Lanes r_wheel_z = mbgen::fma(p_wheel_z, R_knuckle_x_x, r_knuckle_z);
+  const Lanes s1_4 = p_wheel_z*R_knuckle_x_z;
   // knuckle: ball, revolute, arm
-  const Lanes s1_4 = mbgen::fma(R_knuckle_x_x, parameters.derived[6], r_knuckle_z);
+  const Lanes r_knuckle_z = s1_3 - (-p_lower_z);
   // wheel: wheel, revolute, knuckle
-  const Lanes r_wheel_x = mbgen::fma(p_wheel_z, R_knuckle_x_z, r_knuckle_x);
-  // knuckle: ball, revolute, arm
-  const Lanes s1_5 = mbgen::fma(R_knuckle_x_z, parameters.derived[6], r_knuckle_x);
-  // arm: lower, revolute, carriage
-  const Lanes s1_6 = mbgen::fms((-c_arm_x), R_arm_x_z, (-p_lower_z));
-  const Lanes s1_7 = mbgen::fma(c_arm_z, R_arm_x_x, s1_6);
-  const Lanes s1_8 = mbgen::fnma((-c_arm_x), R_arm_x_x, c_arm_z*R_arm_x_z);
-  // carriage: pull, prismatic, ground
-  const Lanes s1_9 = mbgen::fma(s1_4, parameters.derived[7], m_arm*s1_7);
-  const Lanes s1_10 = mbgen::fma(m_wheel, r_wheel_z, s1_9) + parameters.derived[9];
-  // operations: 15 add, 19 multiply, 4 sin cos
+  const Lanes s1_5 = p_wheel_z*R_knuckle_x_x;
+  const Lanes r_wheel_z = r_knuckle_z + s1_5;
+  // operations: 6 add, 10 multiply, 4 sin cos
 
-  // --- step 4: velocities Z (36) ---
-  // arm: lower, revolute, carriage
-  const Lanes zd_lower = state.zd[Coordinate::lower];
-  const Lanes zd_pull = state.zd[Coordinate::pull];
-  const Lanes v_arm_x = mbgen::fma((-p_lower_z), zd_lower, zd_pull);
+  // --- step 4: angular velocities ---
   // knuckle: ball, revolute, arm
+  const Lanes zd_lower = state.zd[Coordinate::lower];
+  const Lanes s4_1 = zd_lower*r_knuckle_x;
   const Lanes zd_ball = state.zd[Coordinate::ball];
-  const Lanes v_knuckle_x = mbgen::fnma(zd_ball, r_knuckle_z, v_arm_x);
-  const Lanes v_knuckle_z = zd_ball*r_knuckle_x;
   const Lanes w_knuckle_y = zd_lower + zd_ball;
   // wheel: wheel, revolute, knuckle
+  const Lanes s4_2 = mbgen::fma(s1_4, w_knuckle_y, s4_1);
+  // knuckle: ball, revolute, arm
+  const Lanes zd_pull = state.zd[Coordinate::pull];
+  const Lanes v_knuckle_x = mbgen::fma(zd_lower, s1_3, zd_pull);
+  // wheel: wheel, revolute, knuckle
+  const Lanes v_wheel_x = mbgen::fma(s1_5, w_knuckle_y, v_knuckle_x);
   const Lanes zd_wheel = state.zd[Coordinate::wheel];
-  const Lanes v_wheel_z = mbgen::fma(zd_wheel, r_wheel_x, v_knuckle_z);
   const Lanes w_wheel_y = zd_wheel + w_knuckle_y;
-  const Lanes v_wheel_x = mbgen::fnma(zd_wheel, r_wheel_z, v_knuckle_x);
-  // operations: 6 add, 5 multiply
+  // operations: 5 add, 4 multiply
 
   // --- step 5: applied forces Q (48) ---
   // spring
   const Lanes s5_1 = mbgen::fnma((-p_arm_seat_x), R_arm_x_x, p_arm_seat_z*R_arm_x_z);
-  const Lanes s5_2 = mbgen::fms((-p_arm_seat_x), R_arm_x_z, (-p_lower_z));
-  const Lanes s5_3 = mbgen::fma(p_arm_seat_z, R_arm_x_x, s5_2);
-  const Lanes s5_4 = p_carriage_seat_z - s5_3;
-  const Lanes s5_5 = (-p_carriage_seat_x) + s5_1;
-  const Lanes s5_6 = mbgen::fnma(zd_lower, s5_3, zd_pull - v_arm_x);
-  const Lanes s5_7 = mbgen::sqrt(mbgen::fma(s5_4, s5_4, s5_5*s5_5));
-  const Lanes s5_8 = 1.0/s5_7;
-  const Lanes s5_9 = mbgen::fnma(s5_5, s5_6, s5_4*(zd_lower*s5_1))*s5_8;
-  const Lanes s5_10 = 0.2 + s5_9;
-  const Lanes s5_11 = mbgen::fms(725.0, 1.0 + s5_9, 900.0);
-  const Lanes s5_12 = mbgen::select(s5_10, mbgen::fms(1600.0, s5_10, 320.0), s5_11);
-  const Lanes s5_13 = s5_9 - 0.2;
-  const Lanes s5_14 = mbgen::select(s5_9, 3200.0*s5_9, s5_12);
-  const Lanes s5_15 = mbgen::select(s5_13, mbgen::fma(1575.0, s5_13, 640.0), s5_14) - 3000.0;
-  const Lanes tension_spring = mbgen::fma(s5_7 - 0.34132096331752027, parameters.k, s5_15);
+  const Lanes s5_2 = mbgen::fma(p_arm_seat_z, R_arm_x_x, (-p_arm_seat_x)*R_arm_x_z);
+  const Lanes s5_3 = 0.37 - s5_2;
+  const Lanes s5_4 = (-p_carriage_seat_x) + s5_1;
+  const Lanes s5_5 = mbgen::sqrt(mbgen::fma(s5_3, s5_3, s5_4*s5_4));
+  const Lanes s5_6 = 1.0/s5_5;
+  const Lanes s5_7 = mbgen::fma(s5_4, zd_lower*s5_2, s5_3*(zd_lower*s5_1))*s5_6;
+  const Lanes s5_8 = 0.2 + s5_7;
+  const Lanes s5_9 = mbgen::fms(725.0, 1.0 + s5_7, 900.0);
+  const Lanes s5_10 = mbgen::select(s5_8, mbgen::fms(1600.0, s5_8, 320.0), s5_9);
+  const Lanes s5_11 = s5_7 - 0.2;
+  const Lanes s5_12 = mbgen::select(s5_7, 3200.0*s5_7, s5_10);
+  const Lanes s5_13 = mbgen::select(s5_11, mbgen::fma(1575.0, s5_11, 640.0), s5_12) - 3000.0;
+  const Lanes tension_spring = mbgen::fma(s5_5 - 0.34132096331752027, parameters.k, s5_13);
   result.spring_force = tension_spring;
-  const Lanes s5_16 = s5_8*tension_spring;
-  const Lanes s5_17 = s5_5*s5_16;
-  mbgen::read_back();
-  const Lanes s5_18 = mbgen::fma(s5_1, s5_4*s5_16, s5_3*s5_17);
+  const Lanes s5_14 = s5_6*tension_spring;
+  const Lanes s5_15 = mbgen::fma(s5_1, s5_3*s5_14, s5_2*(s5_4*s5_14));
   // tyre
-  const Lanes s5_19 = p_pull_z + r_wheel_z;
-  result.hub_height = s5_19;
-  const Lanes s5_20 = 0.32 - s5_19;
-  const Lanes s5_21 = mbgen::max(0.0, 2e+05*s5_20);
-  const Lanes s5_22 = mbgen::fnma(0.3333333333333333, mbgen::max(0.0, s5_20), 0.32);
-  const Lanes s5_23 = w_wheel_y*s5_22;
-  const Lanes s5_24 = mbgen::fnma(r_wheel_x, w_wheel_y, v_wheel_z);
-  const Lanes load_tyre = mbgen::max(0.0, s5_21 + mbgen::min(s5_21, -(500.0*s5_24)));
-  result.load = load_tyre;
-  const Lanes s5_25 = mbgen::max(0.004, load_tyre);
-  const Lanes s5_26 = 1.1*s5_25;
-  const Lanes s5_27 = 1.6*s5_26;
-  const Lanes s5_28 = 1e-09*s5_25;
-  const Lanes s5_29 = mbgen::min(s5_27, -s5_28);
-  const Lanes s5_30 = state.x[0]/0.3;
-  const Lanes s5_31 = state.x[1]/0.6;
-  const Lanes s5_32 = mbgen::sqrt(mbgen::fma(s5_31, s5_31, mbgen::fma(s5_30, s5_30, 1e-30)));
-  const Lanes s5_33 = mbgen::fma(r_wheel_z, w_wheel_y, v_wheel_x);
-  const Lanes s5_34 = s5_33 - s5_23;
-  const Lanes s5_35 = mbgen::abs(s5_33);
-  const Lanes s5_36 = s5_35 + mbgen::sqrt(mbgen::fma(s5_34, s5_34, 1e-30));
-  const Lanes s5_37 = 1.0 - s5_32/mbgen::min(0.5, 0.1*mbgen::fma(0.5, s5_36, 1.0));
-  const Lanes s5_38 = mbgen::cosine(3.141592653589793*mbgen::min(1.0, 0.5*s5_35));
-  const Lanes s5_39 = s5_30*(1.0/mbgen::max(0.6666666666666666*s5_32, s5_37));
-  const Lanes s5_40 = 0.06*mbgen::fma(0.5, s5_38, 0.5)*mbgen::max(0.0, s5_37);
-  const Lanes s5_41 = 20.0*s5_25/mbgen::select(s5_27, mbgen::max(s5_27, s5_28), s5_29);
+  const Lanes s5_16 = p_pull_z + r_wheel_z;
+  result.hub_height = s5_16;
+  const Lanes s5_17 = 0.32 - s5_16;
+  const Lanes s5_18 = mbgen::max(0.0, 2e+05*s5_17);
+  const Lanes s5_19 = mbgen::fnma(0.3333333333333333, mbgen::max(0.0, s5_17), 0.32);
   mbgen::read_back();
-  const Lanes s5_42 = 1.6*mbgen::arc_tangent(s5_41*mbgen::fnma(s5_34, s5_40, s5_39));
-  const Lanes fx_tyre = mbgen::max(0.0, load_tyre)/s5_25*(s5_26*mbgen::sine(s5_42));
-  const Lanes s5_43 = fx_tyre*(0.32 + (r_wheel_z - s5_19 - s5_20 - s5_22));
-  const Lanes s5_44 = mbgen::fnma(r_wheel_x, load_tyre, s5_43);
-  const Lanes s5_45 = mbgen::hyperbolic_tangent(0.5*s5_23);
-  const Lanes s5_46 = mbgen::fnma(s5_45, 0.32*(0.007*load_tyre), s5_44);
-  // operations: 40 add, 54 multiply, 7 divide, 3 sqrt, 3 sin cos, 18 other
+  const Lanes load_tyre = mbgen::max(0.0, s5_18 + mbgen::min(s5_18, 500.0*s4_2));
+  result.load = load_tyre;
+  const Lanes s5_20 = mbgen::max(0.004, load_tyre);
+  const Lanes s5_21 = 1.1*s5_20;
+  const Lanes s5_22 = 1.6*s5_21;
+  const Lanes s5_23 = 1e-09*s5_20;
+  const Lanes s5_24 = mbgen::min(s5_22, -s5_23);
+  const Lanes s5_25 = state.x[0]/0.3;
+  const Lanes s5_26 = state.x[1]/0.6;
+  const Lanes s5_27 = mbgen::sqrt(mbgen::fma(s5_26, s5_26, mbgen::fma(s5_25, s5_25, 1e-30)));
+  const Lanes s5_28 = w_wheel_y*s5_19;
+  const Lanes s5_29 = v_wheel_x - s5_28;
+  const Lanes s5_30 = mbgen::abs(v_wheel_x);
+  const Lanes s5_31 = s5_30 + mbgen::sqrt(mbgen::fma(s5_29, s5_29, 1e-30));
+  const Lanes s5_32 = 1.0 - s5_27/mbgen::min(0.5, 0.1*mbgen::fma(0.5, s5_31, 1.0));
+  const Lanes s5_33 = mbgen::cosine(3.141592653589793*mbgen::min(1.0, 0.5*s5_30));
+  const Lanes s5_34 = s5_25*(1.0/mbgen::max(0.6666666666666666*s5_27, s5_32));
+  const Lanes s5_35 = 0.06*mbgen::fma(0.5, s5_33, 0.5)*mbgen::max(0.0, s5_32);
+  const Lanes s5_36 = 20.0*s5_20/mbgen::select(s5_22, mbgen::max(s5_22, s5_23), s5_24);
+  const Lanes s5_37 = 1.6*mbgen::arc_tangent(s5_36*mbgen::fnma(s5_29, s5_35, s5_34));
+  const Lanes fx_tyre = mbgen::max(0.0, load_tyre)/s5_20*(s5_21*mbgen::sine(s5_37));
+  const Lanes s5_38 = mbgen::hyperbolic_tangent(0.5*s5_28)*(0.32*(0.007*load_tyre));
+  const Lanes s5_39 = mbgen::fma(fx_tyre, s5_19 + (s5_16 + s5_17) - 0.32, s5_38);
+  // operations: 33 add, 51 multiply, 7 divide, 3 sqrt, 3 sin cos, 18 other
 
-  // --- step 7: accelerations Zdot and accumulated forces QR - PR (51), (52) ---
-  // wheel: wheel, revolute, knuckle
-  const Lanes s7_1 = w_wheel_y*w_wheel_y;
+  // --- step 7: inertias of the bodies and forces on joints ---
   // knuckle: ball, revolute, arm
-  const Lanes s7_2 = w_knuckle_y*parameters.derived[8];
+  const Lanes s7_1 = R_knuckle_x_z*parameters.derived[6];
+  const Lanes s7_2 = R_knuckle_x_x*parameters.derived[6];
+  // wheel: wheel, revolute, knuckle
+  const Lanes s7_3 = w_wheel_y*w_wheel_y;
   // arm: lower, revolute, carriage
-  const Lanes s7_3 = I_arm_yy*zd_lower;
-  // operations: 3 multiply
+  const Lanes s7_4 = mbgen::fma(c_arm_z, R_arm_x_x, (-c_arm_x)*R_arm_x_z);
+  const Lanes s7_5 = mbgen::fnma((-c_arm_x), R_arm_x_x, c_arm_z*R_arm_x_z);
+  mbgen::read_back();
+  // knuckle: ball, revolute, arm
+  const Lanes s7_6 = w_knuckle_y*parameters.derived[8];
+  // arm: lower, revolute, carriage
+  const Lanes s7_7 = I_arm_yy*zd_lower;
+  // operations: 2 add, 9 multiply
 
-  // --- step 9: independent and all accelerations (63), (62) ---
-  const Lanes s9_1 = mbgen::fnma(s1_5, w_knuckle_y, v_knuckle_z);
-  const Lanes s9_2 = mbgen::fma(s1_4, w_knuckle_y, v_knuckle_x);
-  const Lanes s9_3 = mbgen::fma(w_wheel_y, s5_46, zd_wheel*tau[Coordinate::wheel]);
-  const Lanes s9_4 = mbgen::fma(v_wheel_x, fx_tyre, mbgen::fma(v_wheel_z, load_tyre, s9_3));
+  // --- step 9: accelerations from the root to the leaves (63), (62) ---
+  const Lanes s9_1 = mbgen::fma(w_knuckle_y, s7_1, s4_1);
+  const Lanes s9_2 = mbgen::fma(w_knuckle_y, s7_2, v_knuckle_x);
+  const Lanes s9_3 = mbgen::fma(v_wheel_x, fx_tyre, zd_wheel*tau[Coordinate::wheel]);
+  const Lanes s9_4 = mbgen::fnma(w_wheel_y, s5_39, mbgen::fnma(s4_2, load_tyre, s9_3));
   const Lanes s9_5 = mbgen::fma(zd_ball, tau[Coordinate::ball], s9_4);
-  const Lanes s9_6 = multipliers.drive[0] + (tau[Coordinate::pull] + s5_17);
-  const Lanes s9_7 = mbgen::fma(zd_pull, s9_6, mbgen::fnma(v_arm_x, s5_17, s9_5));
-  result.applied_power = mbgen::fma(zd_lower, tau[Coordinate::lower] - s5_18, s9_7);
-  const Lanes s9_8 = mbgen::fma(zd_lower, s1_7, v_arm_x);
-  const Lanes s9_9 = zd_lower*s1_8;
-  result.potential_energy = (-g_z)*s1_10;
-  const Lanes s9_10 = mbgen::fma(m_wheel, mbgen::fma(s5_24, s5_24, s5_33*s5_33), s7_1);
-  const Lanes s9_11 = mbgen::fma(w_knuckle_y, s7_2, s9_10);
-  const Lanes s9_12 = mbgen::fma(s9_1, s9_1, s9_2*s9_2);
-  const Lanes s9_13 = mbgen::fma(parameters.derived[7], s9_12, s9_11);
-  const Lanes s9_14 = mbgen::fma(zd_lower, s7_3, s9_13);
-  const Lanes s9_15 = mbgen::fma(m_carriage, zd_pull*zd_pull, s9_14);
-  result.kinetic_energy = 0.5*mbgen::fma(m_arm, mbgen::fma(s9_8, s9_8, s9_9*s9_9), s9_15);
-  // operations: 22 add, 27 multiply
+  const Lanes s9_6 = mbgen::fma(zd_pull, tau[Coordinate::pull] + multipliers.drive[0], s9_5);
+  result.applied_power = mbgen::fma(zd_lower, tau[Coordinate::lower] - s5_15, s9_6);
+  const Lanes s9_7 = zd_lower*s7_5;
+  const Lanes s9_8 = mbgen::fma(m_wheel, mbgen::fma(v_wheel_x, v_wheel_x, s4_2*s4_2), s7_3);
+  const Lanes s9_9 = mbgen::fma(w_knuckle_y, s7_6, s9_8);
+  const Lanes s9_10 = mbgen::fma(s9_2, s9_2, s9_1*s9_1);
+  const Lanes s9_11 = mbgen::fma(r_knuckle_z + s7_2, parameters.derived[7], m_wheel*r_wheel_z);
+  const Lanes s9_12 = mbgen::fma(zd_lower, s7_4, zd_pull);
+  const Lanes s9_13 = mbgen::fma(m_arm, s7_4 - (-p_lower_z), s9_11) + parameters.derived[9];
+  result.potential_energy = (-g_z)*s9_13;
+  const Lanes s9_14 = mbgen::fma(parameters.derived[7], s9_10, s9_9);
+  const Lanes s9_15 = mbgen::fma(zd_lower, s7_7, s9_14);
+  const Lanes s9_16 = mbgen::fma(m_carriage, zd_pull*zd_pull, s9_15);
+  result.kinetic_energy = 0.5*mbgen::fma(m_arm, mbgen::fma(s9_12, s9_12, s9_7*s9_7), s9_16);
+  // operations: 25 add, 29 multiply
+  result.wheel_speed = zd_wheel;
 }
 
 }  // namespace lanes

@@ -191,7 +191,7 @@ GenericOutputs GenericSolver::outputs(const GenericState& state, const std::vect
                                  derivative.zdd,
                                  solved.multipliers,
                                  drive};
-  const Energies<double> e = energies(system, view, solved.inertias, tau, driven);
+  const Energies<double> e = energies(system, view, tau, driven);
   return {output_values(system, view), e.kinetic, e.potential, e.power};
 }
 

@@ -1,0 +1,138 @@
+#include "compiler/trace/given_state.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "compiler/trace/tracing.hpp"
+
+namespace mbgen {
+namespace {
+
+/// A state with given accelerations, and the forces that its joints must still be given.
+struct GivenState {
+  std::vector<Expr> tau, zdd;
+  Kinematics<Expr> kinematics;
+  Velocities<Expr> velocities;
+  AppliedForces<Expr> forces;
+  Accelerations<Expr> accelerations;
+  GatheredForces<Expr> missing;  ///< per coordinate equal to Phi_z' lambda less the drives
+};
+
+/// The sweeps of the form that the tracing is in.
+GivenState given_state(Tracing& tracing) {
+  System<Expr>& system = tracing.system;
+  const bool is_matrix = tracing.scribe.form == Form::matrix;
+  GivenState s;
+  s.tau = tracing.inputs(Array::tau, tracing.size());
+  s.zdd = tracing.inputs(Array::zdd, tracing.size());
+  s.kinematics = kinematics(system);
+  const Inertias<Expr> m = is_matrix ? inertias(system, s.kinematics) : Inertias<Expr>{};
+  tracing.scribe.step(Step::velocities);
+  s.velocities = velocities(system, s.kinematics, is_matrix ? MotionPoint::frame_origin : MotionPoint::body_origin);
+  tracing.scribe.step(Step::forces);
+  s.forces = applied_forces(system, s.kinematics, s.velocities);
+  tracing.scribe.step(Step::accelerations);
+  s.accelerations = accelerations(system, s.kinematics, s.velocities, s.zdd);
+  if (is_matrix)
+    s.missing.joint = tree_forces(system, s.kinematics, m, s.velocities, s.accelerations, s.forces, s.tau);
+  else
+    s.missing = gathered_forces(system, s.kinematics, s.velocities, s.accelerations, s.forces, s.tau);
+  tracing.scribe.step(Step::solution);
+  return s;
+}
+
+/// Multipliers of a block over joint rates: the paper's order.
+BlockMultipliers<Expr> rate_multipliers(Tracing& tracing, const GivenState& s, std::size_t b) {
+  const LoopBlock& block = tracing.system.topology.blocks[b];
+  const LoopPartition& partition = tracing.analysis.blocks[b];
+  const SparseClosure<Expr> closed =
+      sparse_closure(tracing.system, s.kinematics, block, at_rest<Expr>(tracing.system.topology));
+  const auto heading = tracing.scribe.within(fmt::format("loop block {}", b));
+  BlockMultipliers<Expr> result;
+  for (int j : block.joints) result.left.push_back(s.missing.joint[j]);
+  const FrozenFactors<Expr> factors = factorise_frozen(closed.jacobian, partition, block.joints.size());
+  result.quality = factors.quality;
+  result.lambda = solve_frozen_transposed(factors, partition, result.left, closed.residual.size());
+  take_off(closed.jacobian, result.lambda, result.left);
+  return result;
+}
+
+/// Multipliers of every block, in the form that the tracing is in.
+std::vector<BlockMultipliers<Expr>> all_multipliers(Tracing& tracing, const GivenState& s, const Recursion& recursion) {
+  const std::size_t count = tracing.system.topology.blocks.size();
+  std::vector<BlockMultipliers<Expr>> result(count);
+  if (tracing.scribe.form == Form::matrix) {
+    for (std::size_t b = 0; b < count; ++b) result[b] = rate_multipliers(tracing, s, b);
+    return result;
+  }
+  const RecursionWork<Expr> work = recursion_work(tracing.system, recursion, s.kinematics);
+  std::vector<Expr> applied = s.tau;
+  for (std::size_t i = 0; i < applied.size(); ++i) applied[i] += s.forces.joint[i];
+  for (const RecursionUnit& unit : recursion.units)
+    if (unit.block >= 0)
+      result[unit.block] = block_multipliers(work, unit, tracing.analysis.blocks[unit.block].quasi, s.missing, applied);
+  return result;
+}
+
+/// Driving force of every motion, from what the multipliers leave of the missing forces.
+std::vector<Expr> driving_forces(const Tracing& tracing, const std::vector<Expr>& left) {
+  std::vector<Expr> drive;
+  for (const Drive<Expr>& d : tracing.drive) drive.push_back(-left[d.coordinate]);
+  return drive;
+}
+
+bool looks_at_multipliers(const Model& model) {
+  return !model.motions.empty() || std::any_of(model.outputs.begin(), model.outputs.end(), [](const Output& output) {
+    return std::holds_alternative<ReactionOutput>(output.source) ||
+           std::holds_alternative<MultiplierOutput>(output.source);
+  });
+}
+
+}  // namespace
+
+Program trace_multipliers(const Model& model, const Topology& topology, const Analysis& analysis, Form form) {
+  const Recursion recursion = plan_recursion(model, topology, analysis.driven);
+  Tracing tracing(Role::multipliers, model, topology, analysis, form == Form::matrix ? nullptr : &recursion.layout);
+  const GivenState s = given_state(tracing);
+  std::vector<std::vector<Expr>> lambda;
+  std::vector<Expr> left = s.missing.joint;
+  const std::vector<BlockMultipliers<Expr>> blocks = all_multipliers(tracing, s, recursion);
+  for (std::size_t b = 0; b < topology.blocks.size(); ++b) {
+    const LoopBlock& block = topology.blocks[b];
+    lambda.push_back(blocks[b].lambda);
+    for (std::size_t c = 0; c < block.joints.size(); ++c) {
+      left[block.joints[c]] = blocks[b].left[c];
+      tracing.output(of_block(Array::missing, b), static_cast<int>(c), s.missing.joint[block.joints[c]]);
+    }
+    if (analysis.blocks[b].rank > 0) tracing.output(Array::pivot, static_cast<int>(b), blocks[b].quality);
+  }
+  tracing.outputs(Array::lambda, in_loop_order(topology, lambda));
+  tracing.outputs(Array::drive, driving_forces(tracing, left));
+  return tracing.builder.finish_in_canonical_order();
+}
+
+Program trace_outputs(const Model& model, const Topology& topology, const Analysis& analysis, Form form) {
+  const Recursion recursion = plan_recursion(model, topology, analysis.driven);
+  Tracing tracing(Role::outputs, model, topology, analysis, form == Form::matrix ? nullptr : &recursion.layout);
+  System<Expr>& system = tracing.system;
+  const GivenState s = given_state(tracing);
+  std::vector<std::vector<Expr>> lambda;
+  std::vector<Expr> drive;
+  if (topology.loops.empty()) {
+    drive = driving_forces(tracing, s.missing.joint);
+  } else if (looks_at_multipliers(model)) {
+    lambda = by_block(topology, tracing.inputs(Array::lambda, equation_count(topology)));
+    drive = tracing.inputs(Array::drive, static_cast<int>(tracing.drive.size()));
+  }
+  std::vector<int> driven;
+  for (const Drive<Expr>& d : tracing.drive) driven.push_back(d.coordinate);
+  const SolvedState<Expr> solved{s.kinematics, s.velocities, s.accelerations, s.forces, s.zdd, lambda, drive};
+  tracing.outputs(Array::y, output_values(system, solved));
+  const Energies<Expr> e = energies(system, solved, s.tau, driven);
+  tracing.outputs(Array::energy, {e.kinetic, e.potential});
+  tracing.outputs(Array::power, {e.power});
+  return tracing.builder.finish_in_canonical_order();
+}
+
+}  // namespace mbgen
