@@ -8,6 +8,7 @@ namespace mbgen {
 namespace {
 
 constexpr int kMostSteps = 100;
+constexpr int kMostStraight = 10;      // of kLongestStep: farther away is no equilibrium near the start
 constexpr double kLongestStep = 0.05;  // rad or m per step and coordinate
 constexpr double kDifference = 1e-6;   // rad or m, for the stiffness by central differences
 constexpr double kIndifferent = 1e-7;  // stiffness below this share of the largest leaves a direction where it is
@@ -74,19 +75,23 @@ Status stiffness_at(const GenericSolver& solver, Content& content, const Generic
   return {};
 }
 
+/// Whether the search goes downhill, or straight to where the forces balance, which need not hold the bodies there.
+enum class Search { downhill, straight };
+
 /// The next change of the unknowns: of all that balance the linearised forces the smallest. Far from balance a drag on
 /// the inertias joins the stiffness: where nothing holds the bodies they sink no further than kLongestStep, and they
 /// go downhill. It fades with the unbalanced acceleration (1/s^2 or m/s^2), so that the end is Newton's.
 /// Source: C. T. Kelley, D. E. Keyes, "Convergence Analysis of Pseudo-Transient Continuation", SIAM J. Numer. Anal.
 /// 35(2), 1998, with the drag of switched evolution relaxation.
-Eigen::VectorXd next_change(const Balance& b, const Eigen::MatrixXd& stiffness, double unbalanced) {
+Eigen::VectorXd next_change(const Balance& b, const Eigen::MatrixXd& stiffness, double unbalanced, Search search) {
   const Eigen::Index free = b.rz.cols();
   const Eigen::VectorXd scale = b.inertia.cwiseMax(1e-12).cwiseSqrt().cwiseInverse();
   const double unit = scale.minCoeff();
   Eigen::VectorXd reach = Eigen::VectorXd::Constant(stiffness.cols(), kSlipReach);
   reach.head(free) = scale / unit;
   Eigen::MatrixXd matrix = scale.asDiagonal() * stiffness * reach.asDiagonal();
-  if (unbalanced > kBalanced) matrix.leftCols(free).diagonal().array() -= unbalanced / (kLongestStep * unit);
+  if (search == Search::downhill && unbalanced > kBalanced)
+    matrix.leftCols(free).diagonal().array() -= unbalanced / (kLongestStep * unit);
   const Eigen::VectorXd wanted = -(scale.asDiagonal() * b.force);
   return reach.asDiagonal() * least_squares(matrix, wanted, kIndifferent);
 }
@@ -96,36 +101,45 @@ double unbalanced_acceleration(const Balance& b) {
   return (b.rz * b.force.cwiseQuotient(b.inertia.cwiseMax(1e-12))).cwiseAbs().maxCoeff();
 }
 
+/// Walks from a settled state to a balance; `trial` is the last state that was tried.
+template <class Content>
+Status walk_to_balance(const GenericSolver& solver, Content& content, Search search, int most_steps,
+                       GenericState& trial) {
+  for (int step = 0;; ++step) {
+    const Balance here = balance(content, trial);
+    if (here.rz.cols() == 0) return {};
+    const double unbalanced = unbalanced_acceleration(here);
+    Eigen::MatrixXd stiffness;
+    if (const Status status = stiffness_at(solver, content, trial, here, stiffness); !status.ok()) return status;
+    Eigen::VectorXd change = next_change(here, stiffness, unbalanced, search);
+    if (!change.allFinite()) return {Code::not_a_number, -1};
+    const double longest = (here.rz * change.head(here.rz.cols())).cwiseAbs().maxCoeff();
+    if (longest < kSettled && unbalanced < kBalanced) return {};
+    if (longest < kSettled || step + 1 == most_steps) return {Code::no_equilibrium, -1};
+    if (longest > kLongestStep) change *= kLongestStep / longest;
+    GenericState next;
+    if (const Status status = moved(solver, trial, here, change, next); !status.ok()) return status;
+    trial = std::move(next);
+  }
+}
+
 }  // namespace
 
 Status GenericSolver::equilibrium(GenericState& state) const {
-  GenericState trial = state;
-  std::fill(trial.zd.begin(), trial.zd.end(), 0.0);
-  if (const Status status = settled(*this, trial); !status.ok()) return status;
-  const auto give_up = [&](Status status) {
-    state = trial;
-    return status;
-  };
-  for (int step = 0;; ++step) {
-    const Balance here = balance(*content_, trial);
-    if (here.rz.cols() == 0) break;
-    const double unbalanced = unbalanced_acceleration(here);
-    Eigen::MatrixXd stiffness;
-    if (const Status s = stiffness_at(*this, *content_, trial, here, stiffness); !s.ok()) return give_up(s);
-    Eigen::VectorXd change = next_change(here, stiffness, unbalanced);
-    if (!change.allFinite()) return give_up({Code::not_a_number, -1});
-    const double longest = (here.rz * change.head(here.rz.cols())).cwiseAbs().maxCoeff();
-    if (longest < kSettled && unbalanced < kBalanced) break;
-    if (longest < kSettled || step + 1 == kMostSteps) return give_up({Code::no_equilibrium, -1});
-    if (longest > kLongestStep) change *= kLongestStep / longest;
-    GenericState next;
-    if (const Status status = moved(*this, trial, here, change, next); !status.ok()) return give_up(status);
-    trial = std::move(next);
+  GenericState start = state;
+  std::fill(start.zd.begin(), start.zd.end(), 0.0);
+  if (const Status status = settled(*this, start); !status.ok()) return status;
+  GenericState found = start;
+  Status status = walk_to_balance(*this, *content_, Search::downhill, kMostSteps, found);
+  if (!status.ok()) {
+    GenericState near = start;
+    if (walk_to_balance(*this, *content_, Search::straight, kMostStraight, near).ok()) {
+      found = std::move(near);
+      status = {};
+    }
   }
-  state.z = trial.z;
-  state.x = trial.x;
-  state.zd = trial.zd;
-  return {};
+  state = std::move(found);
+  return status;
 }
 
 }  // namespace mbgen

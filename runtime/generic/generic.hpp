@@ -86,8 +86,8 @@ class GenericSolver {
   /// The same for velocities, at the positions of `state`: the least that meet the wishes.
   Status assemble_velocities(GenericState& state, const std::vector<CoordinateWish>& velocities) const;
   /// Static equilibrium, driven coordinates at their motions: at rest, closed, generalised forces of the free
-  /// directions zero (least change of position where they are indifferent). Where there is none `state` is the last
-  /// that was tried.
+  /// directions zero (least change of position where they are indifferent). First that to which the bodies sink, else
+  /// one nearby from which they would fall. Where there is none `state` is the last that was tried.
   Status equilibrium(GenericState& state) const;
 
  private:

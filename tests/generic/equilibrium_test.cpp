@@ -48,6 +48,35 @@ TEST(Equilibrium, BobGoesDownhillFromNearTheTop) {
   }
 }
 
+// A lift on scissors whose cylinder pushes with one force: it sinks from below the balance and rises from above.
+TEST(Equilibrium, OneThatHoldsNothingIsFoundNearby) {
+  const Mechanism m = mechanism_of(R"({ "mbgen": 1, "name": "lift", "gravity": [0, 0, -9.81],
+    "bodies": {
+      "ground": { "points": { "A": [0, 0, 0], "rail": [1, 0, 0] } },
+      "arm": { "mass": 2, "com": [0.5, 0, 0.25], "inertia": [0.2, 0.2, 0.2],
+               "points": { "A": [0, 0, 0], "mid": [0.5, 0, 0.25] } },
+      "strut": { "mass": 1, "com": [0.75, 0, 0.125], "inertia": [0.1, 0.1, 0.1],
+                 "points": { "mid": [0.5, 0, 0.25], "foot": [1, 0, 0] } },
+      "roller": { "mass": 1, "com": [1, 0, 0], "inertia": [0.1, 0.1, 0.1], "points": { "rail": [1, 0, 0] } } },
+    "joints": {
+      "arm": { "type": "revolute", "from": "ground.A", "to": "arm.A", "axis": "y" },
+      "mid": { "type": "revolute", "from": "arm.mid", "to": "strut.mid", "axis": "y" },
+      "rail": { "type": "prismatic", "from": "ground.rail", "to": "roller.rail", "axis": "x" },
+      "foot": { "type": "revolute", "from": "roller.rail", "to": "strut.foot", "axis": "y", "cut": true } },
+    "joint_forces": { "cylinder": { "joint": "rail", "force": -25 } } })");
+  const GenericSolver solver(m.model, m.topology, m.analysis);
+  GenericState state = reference_state(m);
+  ASSERT_TRUE(solver.equilibrium(state).ok());
+  int rail = 0;
+  while (m.topology.bodies[rail].coordinate != "rail") ++rail;
+  // Virtual work: the middle falls by span / (4 height) as the span grows, and the strut's centre by half of that.
+  const double span = 1 + state.z[static_cast<std::size_t>(rail)], height = std::sqrt(0.3125 - span * span / 4);
+  EXPECT_NEAR(2.5 * 9.81 * span / (4 * height), 25, 1e-8);
+  GenericDerivative rates;
+  ASSERT_TRUE(solver.accelerations(state, std::vector<double>(state.z.size(), 0.0), rates).ok());
+  EXPECT_LT(largest_absolute(rates.zdd), 1e-8);
+}
+
 TEST(Equilibrium, FallingMassHasNone) {
   const Mechanism m = mechanism_of(mass_and_bob(""));
   GenericState state = reference_state(m);
