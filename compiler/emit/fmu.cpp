@@ -61,6 +61,16 @@ std::vector<std::string> ranges(const FmuLayout& fmu) {
   return items;
 }
 
+/// Of the continuous states: positions, velocities, auxiliary states.
+std::vector<double> nominals(const FmuLayout& fmu) {
+  std::vector<double> values;
+  for (const FmuUnknown& derivative : fmu.derivatives) {
+    const int state = fmu.variables[static_cast<std::size_t>(derivative.variable)].derivative_of;
+    values.push_back(fmu.variables[static_cast<std::size_t>(state)].shown.nominal.value_or(1));
+  }
+  return values;
+}
+
 std::string names_text(const FmuLayout& fmu) {
   std::vector<std::string> names;
   for (const FmuVariable& variable : fmu.variables) names.push_back('"' + variable.name + '"');
@@ -88,6 +98,7 @@ std::string model_text(const EmitContext& context, const FmuLayout& fmu, const I
        {"block_of", integers("kBlockOf", fmu.block_of)},
        {"input_paths", input_rows(context.model.inputs).empty() ? "mbgen::fmu::GivenInputs<Inputs>"
                                                                 : context.names.solver + "::InputPaths"},
+       {"nominals", numbers("kNominal", nominals(fmu))},
        {"input_derivatives", integers("kInputDerivative", input_derivatives(context.model))},
        {"undriven_count", std::to_string(fmu.undriven.size())},
        {"undriven", integers("kUndriven", fmu.undriven)},

@@ -17,6 +17,7 @@ struct Variable {
   unsigned reference = 0;
   bool has_range = false;
   bool reinit = false;  ///< whether an event may change it
+  double nominal = 1;
 };
 
 struct Unknown {
@@ -84,6 +85,8 @@ inline Description read_description(const std::string& path) {
                                        attribute(line, "initial"), attribute(line, "variability"), last});
     }
     if (!attribute(line, "max").empty()) description.variables.back().has_range = true;
+    if (!attribute(line, "nominal").empty())
+      description.variables.back().nominal = std::strtod(attribute(line, "nominal").c_str(), nullptr);
     if (attribute(line, "reinit") == "true") description.variables.back().reinit = true;
     if (!attribute(line, "derivative").empty()) {
       description.state_of[last] = static_cast<unsigned>(std::stoul(attribute(line, "derivative"))) - offset;

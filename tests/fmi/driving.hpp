@@ -76,6 +76,32 @@ void warn_of_rates(const Case& c) {
   require(warned<Unit>(c, true) == 0, "no warning where they are given");
 }
 
+/// Co-simulation with a value that moves and a rate of its own. Result: the step that answers with a warning, 0 for
+/// none; no other answers are taken.
+template <class Unit>
+int contradicted(const Case& c, double factor) {
+  const unsigned way = c.description.reference("way"), speed = c.description.reference("speed"),
+                 acceleration = c.description.reference("acceleration");
+  Unit unit(c.library, c.description, false);
+  start(unit);
+  int warned_at = 0;
+  for (int i = 1; i <= 8; ++i) {
+    const double t = (i - 1) * c.description.step;
+    require(unit.set({way, speed, acceleration}, {0.01 + 0.5 * t * t, factor * t, factor}) == kOk, "inputs");
+    const int answer = unit.step(t, c.description.step);
+    require(answer == kOk || (answer == kWarning && warned_at == 0), "a step with rates");
+    if (answer == kWarning) require(says("\"way\" must change as its derivative says"), "the warning");
+    if (answer == kWarning) warned_at = i;
+  }
+  return warned_at;
+}
+
+template <class Unit>
+void warn_of_contradictions(const Case& c) {
+  require(contradicted<Unit>(c, 1) == 0, "no warning of rates that belong to their values");
+  for (const double factor : {57.3, -1.0, 0.5}) require(contradicted<Unit>(c, factor) == 5, "a warning of wrong rates");
+}
+
 /// Calls that have no place within a communication step.
 template <class Unit>
 void call_between(const Case& c, Unit& unit, double t) {
@@ -100,8 +126,9 @@ void update_between(const Case& c) {
   }
   exchanged.insert(exchanged.end(), inputs.begin(), inputs.end());
   const auto give = [&](Unit& unit, int point) {
+    const double t = h * point, given[] = {0.5 * t * t, t, 1, 1e-3 * point};  // a row with two rates, and others
     for (std::size_t k = 0; k < inputs.size(); ++k)
-      require(unit.set({inputs[k]}, {1e-3 * point * static_cast<double>(k + 1)}) == kOk, "an input");
+      require(unit.set({inputs[k]}, {given[std::min<std::size_t>(k, 3)]}) == kOk, "an input");
   };
   constexpr int kCount = 7;
   Unit single(c.library, c.description, false);

@@ -51,6 +51,10 @@ class Unit2 {
     return call<fmi2SetRealTYPE>("fmi2SetReal")(component_, references.data(), references.size(), values.data());
   }
   int step(double t, double h) { return call<fmi2DoStepTYPE>("fmi2DoStep")(component_, t, h, 0); }
+  int nominals(std::vector<double>& values) {
+    return call<fmi2GetNominalsOfContinuousStatesTYPE>("fmi2GetNominalsOfContinuousStates")(component_, values.data(),
+                                                                                            values.size());
+  }
   int set_time(double t) { return call<fmi2SetTimeTYPE>("fmi2SetTime")(component_, t); }
   int set_states(const std::vector<double>& x) {
     return call<fmi2SetContinuousStatesTYPE>("fmi2SetContinuousStates")(component_, x.data(), x.size());

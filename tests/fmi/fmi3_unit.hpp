@@ -58,6 +58,10 @@ class Unit3 {
               "fmi3DoStep's answers");
     return status;
   }
+  int nominals(std::vector<double>& values) {
+    return call<fmi3GetNominalsOfContinuousStatesTYPE>("fmi3GetNominalsOfContinuousStates")(instance_, values.data(),
+                                                                                            values.size());
+  }
   int set_time(double t) { return call<fmi3SetTimeTYPE>("fmi3SetTime")(instance_, t); }
   int set_states(const std::vector<double>& x) {
     return call<fmi3SetContinuousStatesTYPE>("fmi3SetContinuousStates")(instance_, x.data(), x.size());

@@ -257,6 +257,20 @@ void call_wrongly(const Case& c) {
   require(other.derivatives(x) == kError && other.states(x) != kOk, "number of states");
 }
 
+/// Nominal values of the states are those of the description, and sizes.
+template <class Unit>
+void weigh(const Case& c) {
+  Unit unit(c.library, c.description, true);
+  start(unit);
+  const std::vector<unsigned> states = c.description.states();
+  std::vector<double> nominals(states.size());
+  require(unit.nominals(nominals) == kOk, "nominal values");
+  for (std::size_t i = 0; i < states.size(); ++i) {
+    const Variable& state = c.description.variables[states[i]];
+    require(nominals[i] > 0 && nominals[i] == state.nominal, "the nominal value of " + state.name);
+  }
+}
+
 /// As many instances as memory has room for, each with a state of its own.
 template <class Unit>
 void crowd(const Case& c) {
@@ -319,6 +333,7 @@ void drive(const Case& c) {
   differentiate<Unit>(c);
   call_wrongly<Unit>(c);
   tune<Unit>(c);
+  weigh<Unit>(c);
   crowd<Unit>(c);
   exceed<Unit>(c);
   switch_messages<Unit>(c, Unit::kVersion == 2 ? messages : messages_3);
@@ -326,6 +341,7 @@ void drive(const Case& c) {
   if (c.description.identifier == "driven_cart") {
     drive_by_inputs<Unit>(c);
     warn_of_rates<Unit>(c);
+    warn_of_contradictions<Unit>(c);
   }
   if constexpr (Unit::kVersion == 3) update_between<Unit>(c);
   attack_all<Unit>(c);

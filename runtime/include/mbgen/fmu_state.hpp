@@ -67,8 +67,10 @@ struct Run {
   Choice<Model> choice;
   typename Model::InputPaths paths{};                          ///< of inputs whose rates are not given
   double slope[Model::kInputs > 0 ? Model::kInputs : 1] = {};  ///< of inputs that go on by a rate that is no input
-  Closed<Model> closed;                            ///< the last state whose loops were, where those of `state` are not
-  typename Model::Inputs accepted;                 ///< of the last point that an importer of model exchange accepted
+  Closed<Model> closed;             ///< the last state whose loops were, where those of `state` are not
+  typename Model::Inputs accepted;  ///< of the last point of model exchange that was accepted, or of communication
+  double accepted_time = 0;         ///< s, of the last communication point
+  int contradictions[Model::kInputs > 0 ? Model::kInputs : 1] = {};  ///< steps in a row, see compare_rates
   double start[Model::kStartParameters + 1] = {};  ///< parameters that act at the start; the last one is none
 };
 
@@ -107,7 +109,7 @@ struct Core {
   typename Model::Outputs outputs{};
   Status status;            ///< of the solver's last call
   Refusal refusal;          ///< of the last call of the importer's that was refused or had a warning
-  bool has_warned = false;  ///< of rates that were left out
+  bool has_warned = false;  ///< of rates that were left out or contradict their values
 };
 
 template <class Model>
