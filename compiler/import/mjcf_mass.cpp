@@ -94,8 +94,12 @@ std::optional<Solid> read_solid(Mjcf& mjcf, const Element& geom, const std::stri
   const double density = inherited_number(mjcf, geom, childclass, "density", kDensity);
   if (given == 0 || (given < 0 && density == 0)) return std::nullopt;
   if (std::find(solid_types.begin(), solid_types.end(), type) == solid_types.end() || has_mesh) {
-    if (type != "plane")
-      lose(mjcf, geom.spot, "geom of a mesh: its mass is not carried over, give the body an <inertial>");
+    if (type != "plane") {
+      const std::string mesh = inherited_text(mjcf, geom, childclass, "mesh", "");
+      lose(mjcf, geom.spot,
+           fmt::format("geom of {}: its mass is not carried over, give the body an <inertial>",
+                       mesh.empty() ? "a mesh" : "mesh " + quoted_text(mesh)));
+    }
     return std::nullopt;
   }
   std::vector<double> size;

@@ -91,7 +91,7 @@ TEST(ImportUrdf, ExtensionsCloseTheSameLoopAsTheSidecar) {
 
 TEST(ImportUrdf, TellsWhatItLeavesOut) {
   const ImportedModel model = imported("arm.urdf");
-  EXPECT_TRUE(has_note(model, "<visual> (2 of them) not carried over: only boxes"));
+  EXPECT_TRUE(has_note(model, "mesh \"package://arm/pedestal.stl\" is not drawn, no STL file"));
   EXPECT_TRUE(has_note(model, "<collision> not carried over"));
   EXPECT_TRUE(has_note(model, "<limit> (6 of them) not carried over"));
   EXPECT_TRUE(has_note(model, "<transmission> not carried over"));

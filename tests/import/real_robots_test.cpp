@@ -33,7 +33,7 @@ TEST(ImportRealRobots, WhatMovesAsOneDecidesOnAnInertia) {
       "what is fixed to it it is that of a rigid body\n"
       "23:8: link \"shank\": inertia breaks the triangle inequality, principal moments 0.01, 0.01, 0.05; it is taken "
       "as it is\n"
-      "27:6: <visual> not carried over: only boxes, cylinders and spheres are drawn\n"
+      "27:6: link \"shank\": mesh \"package://legged/shank.stl\" is not drawn, no STL file of this name lies beside\n"
       "33:6: <limit> not carried over: limits are not enforced, they stand beside the joints as comments\n");
   const Result<Model> model = read_model(robot.json, "legged.json");
   ASSERT_TRUE(model) << to_text(model.problems());
@@ -128,6 +128,57 @@ TEST(ImportRealRobots, ALoopThatIsWideOpenIsRefusedAsItWas) {
   ASSERT_FALSE(robot);
   EXPECT_EQ(robot.problems().front().message.find("loop \"tip\" does not close, its ends are 0.0"), 0u)
       << to_text(robot.problems());
+}
+
+/// One link that shows a mesh twice, and a file beside it.
+ImportedModel with_mesh(const std::string& content) {
+  ImportRequest request =
+      request_of("robot.urdf",
+                 "<robot name='r'><link name='base'>"
+                 "<visual><origin xyz='0 0 1' rpy='0 0 1.5707963267948966'/><geometry>"
+                 "<mesh filename='package://r/meshes/part.stl' scale='1e-3 1e-3 -1e-3'/></geometry></visual>"
+                 "<visual><geometry><mesh filename='package://r/meshes/part.stl'/></geometry></visual>"
+                 "</link></robot>");
+  request.read = [content](const std::string& path) -> std::optional<std::string> {
+    if (path != "part.stl") return std::nullopt;  // by its name alone
+    return content;
+  };
+  return imported_text(request);
+}
+
+TEST(ImportRealRobots, MeshesBecomeTheBoxAroundThem) {
+  const std::string ascii =
+      "solid part\nfacet normal 0 0 1\nouter loop\nvertex 100 -20 0\nvertex 0 40 3e1\nvertex 5 5 "
+      "-1.5\nendloop\nendfacet\n"
+      "endsolid part\n";
+  std::string binary(80, ' ');  // of the same triangle
+  const std::uint32_t count = 1;
+  const float numbers[12] = {0, 0, 1, 100, -20, 0, 0, 40, 30, 5, 5, -1.5F};
+  binary.append(reinterpret_cast<const char*>(&count), sizeof(count));
+  binary.append(reinterpret_cast<const char*>(numbers), sizeof(numbers));
+  binary.append(2, '\0');
+  for (const std::string& content : {ascii, binary}) {
+    const ImportedModel robot = with_mesh(content);
+    EXPECT_EQ(notes_of(robot),
+              "1:18: root link \"base\" is fixed to the ground\n1:36: link \"base\": mesh "
+              "\"package://r/meshes/part.stl\" is drawn as the box around it\n");
+    const Result<Model> model = read_model(robot.json, "r.json");
+    ASSERT_TRUE(model) << to_text(model.problems());
+    ASSERT_EQ(model->shapes.size(), 2u);
+    // Millimetres, mirrored in z, turned by a right angle about z, 1 m up: x runs along -y of the mesh.
+    const Vector3 from = reference_position(*model, model->shapes[0].from);
+    const Vector3 to = reference_position(*model, model->shapes[0].to);
+    const double least[] = {-0.04, 0, 0.97}, most[] = {0.02, 0.1, 1.0015};
+    for (std::size_t i = 0; i < 3; ++i) {
+      EXPECT_NEAR(from[i], least[i], 1e-9) << i;
+      EXPECT_NEAR(to[i], most[i], 1e-9) << i;
+    }
+  }
+  for (const std::string& content : {binary.substr(0, 130), std::string("solid part\nvertex 1 2 nan\n"),
+                                     std::string("solid part\nvertex 1 2"), std::string("v 1 2 3\n"), std::string()}) {
+    EXPECT_NE(notes_of(with_mesh(content)).find("is not drawn, no STL file of this name lies beside"),
+              std::string::npos);
+  }
 }
 
 }  // namespace
