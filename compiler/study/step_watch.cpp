@@ -21,6 +21,8 @@ constexpr double kBlownUp = 1e6;
 constexpr double kFittingLoss = kEnergyWarning / 2;
 /// Energies that differ by this part of their level are the same but for rounding.
 constexpr double kRoundedEnergy = 1e-9;
+/// Speed, rad/s or m/s, that rounding leaves of what rests.
+constexpr double kAtRest = 1e-9;
 constexpr int kMostTries = 60;
 
 /// Positions and rates near a state, as the loops let it move.
@@ -172,16 +174,20 @@ struct StepJudge {
                        summary.energy.scale);
   }
 
-  std::string advice() const {
+  /// is_step: whether the step is known to be at fault.
+  std::string advice(bool is_step = true) const {
     const std::string cause = of_mode.empty() ? "" : "; " + of_mode;
-    return verdict.fitting_step > 0 ? fmt::format("{}; --step {:.3g} would do", cause, verdict.fitting_step) : cause;
+    if (!(verdict.fitting_step > 0)) return cause;
+    return fmt::format("{}; {}--step {:.3g} would do", cause, is_step ? "" : "if it is the step, ",
+                       verdict.fitting_step);
   }
 
   /// A motion that came to its end.
   void judge_energy(const std::vector<Mode>& modes) {
     const EnergyBalance& energy = summary.energy;
     const double relative = std::abs(energy.relative_error());
-    const bool is_rounding = std::abs(energy.error()) <= kRoundedEnergy * energy.level;
+    const bool is_rounding =
+        std::abs(energy.error()) <= kRoundedEnergy * energy.level || summary.largest_velocity <= kAtRest;
     const bool is_off = !(relative <= kEnergyWarning) && !is_rounding;
     if (blew_up()) {
       shorten(std::max(relative, kEnergyFailure), modes);
@@ -190,11 +196,16 @@ struct StepJudge {
           fmt::format("the values blew up, {} reached {:.3g} {}/s: {}, step {:.6g} s is too long{}",
                       compilation.topology.bodies[fastest].coordinate, summary.largest_velocity,
                       unit_of(compilation.topology.bodies[fastest].kind), energy_text(), settings.step, advice());
+      verdict.outcome = "values blew up";
     } else if (is_off) {
       shorten(relative, modes);
-      verdict.warnings.push_back(
+      const bool is_step = !of_mode.empty();
+      const std::string text =
           fmt::format("{}, step {:.6g} s {}{}", energy_text(), settings.step,
-                      of_mode.empty() ? "may be too long, or an input or a law jumps" : "is too long", advice()));
+                      is_step ? "is too long" : "may be too long, or an input or a law jumps", advice(is_step));
+      if (relative <= kEnergyFailure) return verdict.warnings.push_back(text);
+      verdict.failure = text;
+      verdict.outcome = fmt::format("energy balance off by {:.2g} %", 100 * relative);
     } else if (is_unstable) {
       verdict.warnings.push_back(fmt::format("step {:.6g} s is too long{}", settings.step, advice()));
     }

@@ -20,13 +20,13 @@ constexpr int kMostWatchedStates = 200;
 struct StepVerdict {
   std::vector<std::string> warnings;  ///< the result is there, and not to be trusted in digits
   std::string failure;                ///< the result is wrong, or ends early for its step; empty where neither
+  std::string outcome;                ///< the failure of a motion that came to its end, in a few words
   double stable_step = 0;             ///< s, of the mode that asks for the shortest; 0 where none is known
   double fitting_step = 0;            ///< s, one that would do, 0 where the step does or none is known
 };
 
 /// Compares the step with the modes (a mode that the integrator lets grow e-fold over the motion is not stable) and
-/// judges the energy balance: off by more than kEnergyWarning it is a warning, by more than kEnergyFailure with values
-/// that no step of this size holds down a failure.
+/// judges the energy balance: off by more than kEnergyWarning it is a warning, by more than kEnergyFailure a failure.
 StepVerdict judge_step(const Compilation& compilation, SolverSettings::Integrator integrator,
                        const SimulationSettings& settings, const SimulationSummary& summary,
                        const std::vector<Mode>& modes);

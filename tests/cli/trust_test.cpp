@@ -119,8 +119,8 @@ TEST_F(Trust, RatesBelongToTheirValues) {
   const auto sine = [&](int rows_a_period, double factor) {
     std::string text = "t,way,speed\n";
     for (int k = 0; k <= 2 * rows_a_period; ++k) {
-      const double phase = 0.3 + k * 2 * std::acos(-1.0) / rows_a_period;
-      text += fmt::format("{},{},{}\n", phase, std::sin(phase), factor * std::cos(phase));
+      const double t = k * 2 * std::acos(-1.0) / rows_a_period;
+      text += fmt::format("{},{},{}\n", t, std::sin(t + 0.3), factor * std::cos(t + 0.3));
     }
     write("table.csv", text);
     return mbgen(simulate).exit_code;
@@ -168,10 +168,34 @@ TEST_F(Trust, StepThatIsTooLongIsAnError) {
     EXPECT_EQ(good.err, "") << integrator << fitting;
     EXPECT_LT(std::abs(Json::parse(good.out)["relative_energy_error"].get<double>()), 1e-3);
     const Outcome stable_only = mbgen(simulate + fmt::format(" --step {}", 0.9 * stable));
-    EXPECT_EQ(stable_only.exit_code, 0) << stable_only.err;
-    EXPECT_NE(stable_only.err.find("simulate: warning: the energy balance is off by "), std::string::npos)
-        << stable_only.err;
+    EXPECT_EQ(stable_only.exit_code, 1) << stable_only.err;
+    EXPECT_NE(stable_only.err.find("simulate: the energy balance is off by "), std::string::npos) << stable_only.err;
+    EXPECT_NE(stable_only.err.find("; o.csv holds the motion"), std::string::npos) << stable_only.err;
+    const Json lost = Json::parse(stable_only.out);
+    EXPECT_TRUE(lost["status"].get<std::string>().starts_with("energy balance off by ")) << lost["status"];
+    EXPECT_GT(std::abs(lost["relative_energy_error"].get<double>()), 0.1);
+    EXPECT_NEAR(table("o.csv").rows.back()[0], 0.2, 1e-12) << "the table is whole";
+    const double part = integrator == std::string("rk4") ? 0.1 : 0.4;
+    const Outcome less = mbgen(simulate + fmt::format(" --step {}", part * stable));
+    EXPECT_EQ(less.exit_code, 0) << less.err;
+    EXPECT_NE(less.err.find("simulate: warning: the energy balance is off by "), std::string::npos) << less.err;
+    EXPECT_EQ(Json::parse(less.out)["status"], "1 warning");
   }
+}
+
+// At rest, between springs without gravity, all energies are rounding: their error says nothing.
+TEST_F(Trust, RestIsNoTrouble) {
+  write("rest.json", R"({ "mbgen": 1, "name": "rest", "gravity": [0, 0, 0],
+    "bodies": { "ground": { "points": { "A": [0, 0, 0], "P": [1, 0.3, 0.2], "Q": [-0.7, 0.9, -0.1], "R": [0.1, -1.1, 0.4] } },
+                "block": { "mass": 1, "inertia": [1, 1, 1], "points": { "A": [0, 0, 0] } } },
+    "joints": { "block": { "type": "free", "from": "ground.A", "to": "block.A" } },
+    "springs": { "p": { "from": "ground.P", "to": "block.A", "stiffness": 1e3, "preload": 100, "damping": 30 },
+                 "q": { "from": "ground.Q", "to": "block.A", "stiffness": 1e3, "preload": 120, "damping": 30 },
+                 "r": { "from": "ground.R", "to": "block.A", "stiffness": 1e3, "preload": 90, "damping": 30 } },
+    "initial": { "equilibrium": true } })");
+  const Outcome run = mbgen("simulate rest.json --engine generic --duration 0.5 --step 1e-3 --out o.csv");
+  EXPECT_EQ(run.exit_code, 0);
+  EXPECT_EQ(run.err, "");
 }
 
 // A case of a study that blew up has no values.
