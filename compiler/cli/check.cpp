@@ -43,7 +43,7 @@ Findings findings_of(const CheckOptions& options) {
     const Initial& initial = model.initial;
     if (!initial.equilibrium && initial.positions.empty() && initial.velocities.empty()) return findings;
     const Start start = initial_start(compilation, input_values(model, {}));
-    for (Diagnostic& note : moved_notes(compilation, start.moved)) findings.notes.push_back(std::move(note));
+    for (Diagnostic& note : start_notes(compilation, start)) findings.notes.push_back(std::move(note));
   } catch (const UserError& error) {
     if (error.problems().empty()) throw;
     findings.problems = error.problems();
@@ -80,12 +80,11 @@ void add_check(NamedCommand application, int& exit_code) {
   command.footer(
       "Example: mbgen check models/coach.json\n"
       "Standard error has notes of what is allowed and may not be meant: axes of tyres and wheels out of balance, "
-      "damping\n"
-      "that adds energy, likely mistakes of units, what nothing holds or loops lock, what tyre files have and the "
-      "model does not "
-      "use, "
-      "and how\n"
-      "far initial values that do not fit together are moved.");
+      "wheels\n"
+      "that stand while their tyres run, damping that adds energy, likely mistakes of units, what nothing holds or "
+      "loops\n"
+      "lock, what tyre files have and the model does not use, and how far initial values that do not fit together are\n"
+      "moved.");
   add_model_argument(command, options->model);
   add_set_option(command, options->set);
   add_json_option(command, options->json);

@@ -43,7 +43,14 @@ GenericState noted_initial_state(const Compilation& compilation, const std::vect
 /// A note for each value that moved and by how much; none where none moved by more than values of a few digits are off.
 Diagnostics moved_notes(const Compilation& compilation, const std::vector<MovedValue>& moved);
 
-/// The same for machines, every value that moved: coordinate, quantity, asked, found.
+/// A note on the wheels that stand or spin while their tyres run over the road, with the rates that roll; none where
+/// the model itself says how fast they turn.
+Diagnostics sliding_notes(const Compilation& compilation, const GenericState& start);
+
+/// Both.
+Diagnostics start_notes(const Compilation& compilation, const Start& start);
+
+/// Values that moved, for machines: coordinate, quantity, asked, found.
 nlohmann::ordered_json moved_json(const Compilation& compilation, const std::vector<MovedValue>& moved);
 
 /// The same at the default inputs, as emitted code holds it.

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "compiler/describe/notes.hpp"
 #include "compiler/study/initial_state.hpp"
@@ -39,6 +40,12 @@ Diagnostics moved_notes(const Compilation& compilation, const std::vector<MovedV
   return notes;
 }
 
+Diagnostics start_notes(const Compilation& compilation, const Start& start) {
+  Diagnostics notes = moved_notes(compilation, start.moved);
+  for (Diagnostic& note : sliding_notes(compilation, start.state)) notes.push_back(std::move(note));
+  return notes;
+}
+
 Json moved_json(const Compilation& compilation, const std::vector<MovedValue>& moved) {
   Json list = Json::array();
   for (const MovedValue& value : moved) {
@@ -52,7 +59,7 @@ Json moved_json(const Compilation& compilation, const std::vector<MovedValue>& m
 
 GenericState noted_initial_state(const Compilation& compilation, const std::vector<double>& inputs) {
   Start start = initial_start(compilation, inputs);
-  print_notes(moved_notes(compilation, start.moved));
+  print_notes(start_notes(compilation, start));
   return std::move(start.state);
 }
 
