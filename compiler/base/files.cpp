@@ -41,7 +41,10 @@ void make_directories(const std::filesystem::path& path) {
 
 }  // namespace
 
+bool is_standard_output(const std::filesystem::path& path) { return path == "-"; }
+
 bool is_special(const std::filesystem::path& path) {
+  if (is_standard_output(path)) return true;
   std::error_code problem;
   const std::filesystem::file_status status = std::filesystem::status(path, problem);
   return !problem && std::filesystem::exists(status) && !std::filesystem::is_regular_file(status);
@@ -49,7 +52,11 @@ bool is_special(const std::filesystem::path& path) {
 
 std::string read_text(const std::filesystem::path& path) {
   std::FILE* stream = std::fopen(path.c_str(), "rb");
-  if (stream == nullptr) fail_with(path, "read");
+  if (stream == nullptr) {
+    const std::string hint = hint_of_missing(path.string());
+    throw UserError(fmt::format("{}: cannot read: {}\n{}", path.string(), std::strerror(errno),
+                                hint.empty() ? "" : fmt::format("  hint: {}\n", hint)));
+  }
   std::string text;
   std::size_t taken = 0;
   do {
@@ -70,6 +77,7 @@ std::string read_text(const std::filesystem::path& path) {
 
 void require_other_file(const std::filesystem::path& output, const std::vector<std::string>& inputs) {
   for (const std::string& input : inputs) {
+    if (is_standard_output(output)) return;
     std::error_code problem;
     if (!std::filesystem::equivalent(output, input, problem) || problem) continue;
     throw UserError(fmt::format("{}: cannot write: it is read by this command\n", output.string()));
@@ -77,6 +85,12 @@ void require_other_file(const std::filesystem::path& output, const std::vector<s
 }
 
 AtomicFile::AtomicFile(const std::filesystem::path& path) : path_(behind_links(path)) {
+  if (is_standard_output(path_)) {
+    std::fflush(stdout);
+    stream_ = ::fdopen(::dup(STDOUT_FILENO), "wb");
+    if (stream_ == nullptr) fail("write");
+    return;
+  }
   std::error_code ignored;
   if (std::filesystem::is_directory(path_, ignored)) {
     throw UserError(fmt::format("{}: cannot write: it is a directory\n", path_.string()));
@@ -107,7 +121,7 @@ AtomicFile::~AtomicFile() {
   if (!temporary_.empty()) ::unlink(temporary_.c_str());
 }
 
-void AtomicFile::fail(const char* action) const { fail_with(path_, action); }
+void AtomicFile::fail(const char* action) const { fail_with(shown_name(path_), action); }
 
 void AtomicFile::write(std::string_view text) {
   if (std::fwrite(text.data(), 1, text.size(), stream_) != text.size()) fail("write");
@@ -167,9 +181,13 @@ void write_file(const std::filesystem::path& path, std::string_view text) {
   file.commit();
 }
 
-void write_or_print(const std::string& file, std::string_view text) {
-  if (file == "-") return print(text);
-  write_file(file, text);
+void print_beside(const std::filesystem::path& result, std::string_view text) {
+  if (!is_standard_output(result)) return print(text);
+  fmt::print(stderr, "{}", text);
+}
+
+std::string shown_name(const std::filesystem::path& result) {
+  return is_standard_output(result) ? "standard output" : result.string();
 }
 
 }  // namespace mbgen::cli

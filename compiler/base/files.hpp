@@ -15,11 +15,15 @@ std::string read_text(const std::filesystem::path& path);
 /// Fails: UserError when `output` is one of the files that are read: writing would destroy it.
 void require_other_file(const std::filesystem::path& output, const std::vector<std::string>& inputs);
 
-/// Whether a path is a device, pipe or socket, which no file may replace.
+/// Whether a name means standard output: "-". A file of that name is "./-".
+bool is_standard_output(const std::filesystem::path& path);
+
+/// Whether a path is standard output, a device, pipe or socket, which no file may replace.
 bool is_special(const std::filesystem::path& path);
 
 /// A file that appears under its name when it is complete: written beside it as `.NAME.XXXXXX` until `commit`, which is
-/// all that a process killed before leaves behind. A symbolic link stays one; devices and pipes are written directly.
+/// all that a process killed before leaves behind. A symbolic link stays one; devices, pipes and standard output ("-")
+/// are written directly.
 class AtomicFile {
  public:
   /// Creates the temporary file. Fails: UserError when the directory is missing or not writable.
@@ -70,10 +74,14 @@ void write_files(const std::filesystem::path& directory, const std::vector<Named
 /// Writes to standard output. Fails: UserError when it does not take the text.
 void print(std::string_view text);
 
+/// Prints what there is to say beside a result: to standard error where `result` is standard output, which then holds
+/// the result and nothing else. Fails: as print.
+void print_beside(const std::filesystem::path& result, std::string_view text);
+
+/// The name of a result for a message.
+std::string shown_name(const std::filesystem::path& result);
+
 /// Writes a file whole. Fails: UserError.
 void write_file(const std::filesystem::path& path, std::string_view text);
-
-/// The same, or to standard output where its name is "-". Fails: UserError.
-void write_or_print(const std::string& file, std::string_view text);
 
 }  // namespace mbgen::cli

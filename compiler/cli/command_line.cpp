@@ -3,6 +3,25 @@
 #include <CLI/CLI.hpp>
 
 namespace mbgen::cli {
+namespace {
+
+/// Refuses the empty word, which a variable of a shell that nobody set leaves behind.
+CLI::Option* with_value(CLI::Option* option) {
+  return option->check(
+      [](const std::string& word) { return word.empty() ? std::string("must not be empty") : std::string(); });
+}
+
+/// Refuses what is no number of a kind.
+template <class Number>
+CLI::Option* with_number(CLI::Option* option, const char* kind) {
+  return option->check([kind](const std::string& word) {
+    Number number{};
+    if (CLI::detail::lexical_cast(word, number)) return std::string();
+    return "must be " + std::string(kind) + ", found \"" + word + "\"";
+  });
+}
+
+}  // namespace
 
 Option Option::required() const { return Option(option_->required()); }
 
@@ -31,30 +50,30 @@ void NamedCommand::footer(const std::string& text) const { app_->footer(text); }
 void NamedCommand::callback(const std::function<void()>& run) const { app_->callback(run); }
 
 Option NamedCommand::add_option(const std::string& names, std::string& value, const std::string& description) const {
-  return Option(app_->add_option(names, value, description));
+  return Option(with_value(app_->add_option(names, value, description)));
 }
 
 Option NamedCommand::add_option(const std::string& names, std::vector<std::string>& values,
                                 const std::string& description) const {
-  return Option(app_->add_option(names, values, description));
+  return Option(with_value(app_->add_option(names, values, description)));
 }
 
 Option NamedCommand::add_option(const std::string& names, int& value, const std::string& description) const {
-  return Option(app_->add_option(names, value, description));
+  return Option(with_number<int>(app_->add_option(names, value, description), "a whole number"));
 }
 
 Option NamedCommand::add_option(const std::string& names, long& value, const std::string& description) const {
-  return Option(app_->add_option(names, value, description));
+  return Option(with_number<long>(app_->add_option(names, value, description), "a whole number"));
 }
 
 Option NamedCommand::add_option(const std::string& names, std::optional<double>& value,
                                 const std::string& description) const {
-  return Option(app_->add_option(names, value, description));
+  return Option(with_number<double>(app_->add_option(names, value, description), "a number without a unit"));
 }
 
 Option NamedCommand::add_option(const std::string& names, const std::function<void(const std::string&)>& take,
                                 const std::string& description) const {
-  return Option(app_->add_option_function<std::string>(names, take, description));
+  return Option(with_value(app_->add_option_function<std::string>(names, take, description)));
 }
 
 Option NamedCommand::add_flag(const std::string& names, bool& is_given, const std::string& description) const {

@@ -85,7 +85,8 @@ int run(const EquilibriumOptions& options) {
   count_notes(compilation);
   const Equilibrium found = find(compilation, input_values(compilation.model, options.inputs));
   if (!options.file.empty()) write_start(options, compilation, found);
-  print(options.json ? json_text(equilibrium_json(compilation, found)) : equilibrium_text(compilation, found));
+  print_beside(options.file,
+               options.json ? json_text(equilibrium_json(compilation, found)) : equilibrium_text(compilation, found));
   return kDone;
 }
 

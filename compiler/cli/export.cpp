@@ -173,6 +173,8 @@ void pack(const fs::path& scratch, const fs::path& content, std::vector<std::str
 }
 
 int run(const ExportOptions& options) {
+  if (is_standard_output(options.file))
+    throw UserError("--out: an FMU is no text for standard output, name a file\n  hint: a file of this name is ./-\n");
   const Compilation compilation =
       expect(compile(read_set_model(options.model, options.set), {chosen_form(options.form)}));
   require_other_file(options.file, compilation.model.files);

@@ -102,6 +102,11 @@ int run(const GenerateOptions& options) {
     return kDone;
   }
   if (options.directory.empty()) throw UserError("generate: --out DIR is required\n");
+  if (is_standard_output(options.directory)) {
+    throw UserError(
+        "--out: the solver is several files, name a directory\n"
+        "  hint: --dump code prints the solver, a directory of this name is ./-\n");
+  }
   require_precision(options);
   check_budget(options);
   const Compilation compilation = expect(compile(read_named(options), {chosen_form(options.form)}));

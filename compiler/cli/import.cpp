@@ -49,7 +49,7 @@ nlohmann::ordered_json import_json(const ImportOptions& options, const ImportedM
 }
 
 int run(const ImportOptions& options) {
-  if (options.json && options.file.empty())
+  if (options.json && (options.file.empty() || is_standard_output(options.file)))
     throw UserError("--json: the report takes standard output, give the model a file with --out\n");
   const ImportedModel model = expect(import_robot(import_request(options)));
   const std::string file = options.file.empty() ? model.name + ".json" : options.file;
@@ -67,9 +67,13 @@ int run(const ImportOptions& options) {
     return kDone;
   }
   print_notes(model.notes);
-  print(options.file.empty() ? model.json
-                             : fmt::format("{}: bodies {}, joints {}, of them closing loops {}, notes {}\n",
-                                           options.file, model.bodies, model.joints, model.loops, model.notes.size()));
+  if (options.file.empty()) {
+    print(model.json);
+    return kDone;
+  }
+  print_beside(options.file,
+               fmt::format("{}: bodies {}, joints {}, of them closing loops {}, notes {}\n", shown_name(options.file),
+                           model.bodies, model.joints, model.loops, model.notes.size()));
   return kDone;
 }
 

@@ -60,7 +60,7 @@ int run(const InspectOptions& options) {
   if (!options.svg.empty()) {
     const std::string drawing = topology_svg(compilation.model, compilation.topology, compilation.analysis);
     require_other_file(options.svg, compilation.model.files);
-    write_or_print(options.svg, drawing);
+    write_file(options.svg, drawing);
     return kDone;
   }
   const Diagnostics problems = too_large(compilation, form);

@@ -211,8 +211,10 @@ int run(const LinearizeOptions& options) {
     write_file(options.file, json);
   }
   if (!options.page.empty()) write_page(options, compilation, point, system, list);
-  print(options.json ? json
-                     : heading_text(options, compilation, chosen, system) + modes_text(compilation, list, places));
+  const std::string& result = is_standard_output(options.page) ? options.page : options.file;
+  print_beside(
+      result,
+      options.json ? json : heading_text(options, compilation, chosen, system) + modes_text(compilation, list, places));
   return kDone;
 }
 

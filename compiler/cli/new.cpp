@@ -70,10 +70,12 @@ int run(const NewOptions& options) {
   const Starter& starter = find_starter(list, options.kind);
   const std::string path = options.output.empty() ? starter.kind + ".json" : options.output;
   std::error_code ignored;
-  if (!options.force && std::filesystem::exists(std::filesystem::symlink_status(path, ignored)))
+  if (!options.force && !is_standard_output(path) &&
+      std::filesystem::exists(std::filesystem::symlink_status(path, ignored)))
     throw UserError(
         fmt::format("{}: file exists\n  hint: name another one with --out, or overwrite it with --force\n", path));
   write_file(path, starter.text);
+  if (is_standard_output(path)) return kDone;
   print(options.json ? json_text({{"kind", starter.kind}, {"file", path}}) : path + "\n");
   return kDone;
 }

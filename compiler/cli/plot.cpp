@@ -134,7 +134,7 @@ int run(const PlotOptions& options) {
   }
   const Heading& over = sources.front().over.heading;
   const Abscissa abscissa{over.name == "t" ? "time" : over.name, over.unit == "1" ? "" : over.unit};
-  write_or_print(options.file, plot_svg(abscissa, panels, options.size));
+  write_file(options.file, plot_svg(abscissa, panels, options.size));
   return kDone;
 }
 

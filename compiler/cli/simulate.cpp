@@ -44,7 +44,7 @@ Run compute(const Compilation& compilation, const EngineChoice& choice, const In
             const SimulationSettings& settings, MotionTable& table) {
   const Engine engine = make_engine(compilation, choice);
   const Start start = initial_start(compilation, inputs.at(0));
-  print_notes(moved_notes(compilation, start.moved));
+  print_notes(start_notes(compilation, start));
   Progress progress(settings.steps);
   Run run;
   run.moved = start.moved;
@@ -77,11 +77,11 @@ int tell(const SimulationRecord& record) {
   const SimulationSummary& summary = record.summary;
   if (summary.status.ok() && verdict.failure.empty()) return kDone;
   if (summary.status.ok()) {
-    fmt::print(stderr, "simulate: {}; {} holds the motion\n", verdict.failure, record.file);
+    fmt::print(stderr, "simulate: {}; {} holds the motion\n", verdict.failure, shown_name(record.file));
     return kUserFault;
   }
   fmt::print(stderr, "simulate: stopped after t = {:.10g} s: {}; {} holds the motion up to there\n", summary.end_time,
-             describe(record.compilation, summary.status), record.file);
+             describe(record.compilation, summary.status), shown_name(record.file));
   const std::string hint =
       verdict.failure.empty() ? hint_of_reach(record.compilation, summary.status) : verdict.failure;
   if (!hint.empty()) fmt::print(stderr, "  hint: {}\n", hint);
@@ -109,7 +109,7 @@ int run(const SimulateOptions& options) {
   const SimulationRecord record{compilation,   choice,      settings,  run.summary, options.file,      rows,
                                 options.every, run.verdict, run.moved, options.set, inputs.is_constant};
   table.commit(run_json(record));
-  print(options.json ? summary_json(record) : summary_text(record));
+  print_beside(options.file, options.json ? summary_json(record) : summary_text(record));
   return tell(record);
 }
 
@@ -120,7 +120,8 @@ void add_simulate(NamedCommand application, int& exit_code) {
   NamedCommand command = application.add_command("simulate", "compute a motion, write it as a table (CSV or MAT)");
   command.footer(
       "Example: mbgen simulate models/coach.json --duration 5 --step 1e-3 --out coach.csv\n"
-      "Prints a summary; the file appears when it is complete. When the motion cannot go on, the file holds\n"
+      "Prints a summary; the file appears when it is complete. With --out - the table goes to standard output and the\n"
+      "summary to standard error. When the motion cannot go on, the file holds\n"
       "what there is, standard error says why, and the exit code is 1.\n"
       "Beside a CSV file FILE.run.json says which run it is of, for mbgen report; a MAT file holds that itself.\n"
       "Inputs keep their values (--input), or follow a table (--input-table steer.csv), whose header names them:\n"
@@ -128,10 +129,10 @@ void add_simulate(NamedCommand application, int& exit_code) {
       "An input with a derivative among the inputs continues with it; where the table has no column for the\n"
       "derivative, it is that of the curve through the rows.\n"
       "Where the step is too long for the model (its fastest mode, or an energy balance off by 0.1 %), standard error\n"
-      "says so and names one that would do; values that blow up are an error.");
+      "says so and names one that would do; values that blow up and an energy balance off by 10 % are an error.");
   add_model_argument(command, options->model);
   add_simulation_options(command, options->simulation);
-  command.add_option("-o,--out", options->file, "table of the motion").required();
+  command.add_option("-o,--out", options->file, "table of the motion; - for standard output").required();
   command.add_option("--format", options->format, "csv or mat (level 4) (default: by the ending of --out)");
   command.add_option("--every", options->every, "write every n-th step, and the last (default 1)");
   add_set_option(command, options->set);

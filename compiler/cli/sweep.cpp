@@ -154,8 +154,8 @@ int write_slurm_script(const SweepOptions& options, const Study& study) {
   const long parts = std::min(options.parts, study.grid.size());
   require_other_file(options.slurm, study.model.files);
   write_file(options.slurm, slurm_script(study.model.name, words_of(options), parts, std::max(options.jobs, 1)));
-  print(fmt::format("{}: {} cases in {} parts; submit with: sh {}\n", options.slurm, study.grid.size(), parts,
-                    options.slurm));
+  print_beside(options.slurm, fmt::format("{}: {} cases in {} parts; submit with: sh {}\n", options.slurm,
+                                          study.grid.size(), parts, options.slurm));
   return kDone;
 }
 
@@ -165,8 +165,9 @@ void check(const SweepOptions& options) {
   }
   std::error_code problem;
   const std::filesystem::file_status status = std::filesystem::status(options.file, problem);
-  if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status)) {
-    throw UserError(fmt::format("{}: cannot write: a study keeps a journal beside its table, which must be a file\n",
+  if (is_standard_output(options.file) ||
+      (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status))) {
+    throw UserError(fmt::format("{}: cannot write: a study keeps a journal beside its table, name a file\n",
                                 options.file));
   }
 }

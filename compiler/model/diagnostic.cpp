@@ -70,6 +70,19 @@ constexpr const char *kBold = "1", *kRed = "1;31", *kGreen = "1;32", *kCyan = "3
 
 }  // namespace
 
+std::string hint_of_missing(std::string_view name) {
+  return name == "-" ? "standard input is /dev/stdin, a file of this name is ./-" : "";
+}
+
+std::string in_quotes(std::string_view text) {
+  constexpr std::size_t kLongest = 80;
+  std::string result = "\"";
+  for (const char c : text.substr(0, kLongest)) result += static_cast<unsigned char>(c) < 0x20 || c == 0x7f ? '?' : c;
+  if (text.size() > kLongest) result += "...";
+  result += '"';
+  return result;
+}
+
 int marked_length(const std::string& line, int column) {
   if (column < 1 || static_cast<std::size_t>(column) > line.size()) return 1;
   const auto begin = static_cast<std::size_t>(column - 1);

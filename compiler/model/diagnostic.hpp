@@ -32,6 +32,12 @@ using Diagnostics = std::vector<Diagnostic>;
 /// A name as messages show it.
 inline std::string quoted(const std::string& name) { return '"' + name + '"'; }
 
+/// What to do where there is no file of a name; empty where nothing is known.
+std::string hint_of_missing(std::string_view name);
+
+/// Text of a file as messages show it: in double quotes, without control characters, shortened when long.
+std::string in_quotes(std::string_view text);
+
 /// Number of bytes from `column` (1-based) of a line that a message about this place means: a string with its quotes, a
 /// number, a name, else one character.
 int marked_length(const std::string& line, int column);

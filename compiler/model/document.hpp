@@ -92,7 +92,4 @@ Diagnostics to_diagnostics(const Documents& documents, Problems problems);
 /// Name of a value in messages: `3.5`, `"abc"`, `an array of 2`, `an object`.
 std::string describe(const Value& value);
 
-/// In double quotes, without control characters, shortened when long.
-std::string in_quotes(std::string_view text);
-
 }  // namespace mbgen::reading

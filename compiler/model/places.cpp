@@ -149,13 +149,4 @@ std::string describe(const Value& value) {
   return {};
 }
 
-std::string in_quotes(std::string_view text) {
-  constexpr std::size_t kLongest = 80;
-  std::string result = "\"";
-  for (const char c : text.substr(0, kLongest)) result += static_cast<unsigned char>(c) < 0x20 ? '?' : c;
-  if (text.size() > kLongest) result += "...";
-  result += '"';
-  return result;
-}
-
 }  // namespace mbgen::reading

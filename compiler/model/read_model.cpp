@@ -226,7 +226,7 @@ Result<Model> read(std::string_view text, const std::string& file_name, const st
 
 Result<Model> read_file(const std::string& path, const std::vector<VariedParameter>& varied) {
   FileText content = read_text(path);
-  if (!content.problem.empty()) return Diagnostic{{path, 0, 0, {}, {}}, content.problem, {}, {}};
+  if (!content.problem.empty()) return Diagnostic{{path, 0, 0, {}, {}}, content.problem, hint_of_missing(path), {}};
   return read(content.text, path, varied);
 }
 

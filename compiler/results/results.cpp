@@ -2,7 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <set>
 
 #include "compiler/results/parts.hpp"
@@ -22,6 +24,23 @@ Diagnostic problem(const std::string& file, int line, std::string message, std::
 
 }  // namespace results_detail
 
+std::optional<Diagnostic> no_text(std::string_view bytes, const std::string& file, const char* kind) {
+  const auto is_control = [](char letter) {
+    const auto code = static_cast<unsigned char>(letter);
+    return code == 0x7f || (code < ' ' && letter != '\t' && letter != '\n' && letter != '\r');
+  };
+  const auto first = std::find_if(bytes.begin(), bytes.end(), is_control);
+  if (first == bytes.end()) return std::nullopt;
+  Diagnostic diagnostic;
+  const auto before = std::find(std::make_reverse_iterator(first), bytes.rend(), '\n');
+  diagnostic.where.file = file;
+  diagnostic.where.line = static_cast<int>(std::count(bytes.begin(), first, '\n')) + 1;
+  diagnostic.where.column = static_cast<int>(std::distance(before.base(), first)) + 1;
+  diagnostic.message = fmt::format("must be text, found a byte {:#04x}", static_cast<unsigned char>(*first));
+  diagnostic.hint = kind;
+  return diagnostic;
+}
+
 int find_column(const Results& results, const std::string& name) {
   for (std::size_t c = 0; c < results.columns.size(); ++c) {
     const Heading& heading = results.columns[c].heading;
@@ -34,10 +53,14 @@ Result<Results> read_results(std::string_view bytes, const std::string& file) {
   using namespace results_detail;
   constexpr const char* kHint = "a result is what mbgen simulate writes";
   if (bytes.empty()) return problem(file, 0, "the file is empty", kHint);
+  if (!is_mat(bytes)) {
+    if (std::optional<Diagnostic> fault = no_text(bytes, file, kHint)) return *std::move(fault);
+  }
   Result<Results> results = is_mat(bytes) ? read_mat(bytes, file) : read_csv(bytes, file);
   if (!results) return results;
   const std::string& first = results->columns.front().heading.name;
-  if (first != "t") return problem(file, 1, fmt::format("the first column must be \"t\", found \"{}\"", first), kHint);
+  if (first != "t")
+    return problem(file, 1, fmt::format("the first column must be \"t\", found {}", in_quotes(first)), kHint);
   if (results->rows() == 0) return problem(file, 0, "the table has no rows", kHint);
   std::set<std::string> names;
   for (const Column& column : results->columns) {

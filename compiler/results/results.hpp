@@ -1,6 +1,7 @@
 #pragma once
 // The door of the results room: tables of a motion as files, CSV or MAT (level 4), written and read.
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -52,6 +53,10 @@ std::string mat_text(const Results& results);
 /// does not increase or does not stand first, a heading that stands twice, a MAT file of another level, byte order or
 /// make.
 Result<Results> read_results(std::string_view bytes, const std::string& file);
+
+/// Refuses bytes that are no text, control characters but for tabs and ends of lines, before any of them is repeated in
+/// a message. kind: of the file that is expected. Fails: Diagnostic with line and column of the first.
+std::optional<Diagnostic> no_text(std::string_view bytes, const std::string& file, const char* kind);
 
 /// Whether a text is the table of a study, as `mbgen sweep` writes it: its first column is "case".
 bool is_sweep(std::string_view bytes);

@@ -38,6 +38,8 @@ std::vector<std::string_view> lines_of(std::string_view text) {
 bool is_sweep(std::string_view bytes) { return bytes.starts_with("case,"); }
 
 Result<Results> read_sweep(std::string_view text, const std::string& file) {
+  if (std::optional<Diagnostic> fault = no_text(text, file, "a table of a study is what mbgen sweep writes"))
+    return *std::move(fault);
   const std::vector<std::string_view> lines = lines_of(text);
   Results results;
   std::vector<std::string> fields = csv_fields(lines.front());
@@ -57,8 +59,8 @@ Result<Results> read_sweep(std::string_view text, const std::string& file) {
       double value = 0;
       if (!read_field(fields[c], value)) {
         return results_detail::problem(file, line,
-                                       fmt::format("{}: must be a finite number or empty, found \"{}\"",
-                                                   results.columns[c].heading.name, fields[c]));
+                                       fmt::format("{}: must be a finite number or empty, found {}",
+                                                   results.columns[c].heading.name, in_quotes(fields[c])));
       }
       results.columns[c].values.push_back(value);
     }

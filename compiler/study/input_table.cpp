@@ -51,7 +51,10 @@ void read_header(const Line& line, const std::vector<std::string>& fields, const
   table.path = line.path;
   table.header = line.place();
   const Heading time = heading_of(fields[0]);
-  if (time.name != "t") line.fail(fmt::format("the first column must be \"t\", found \"{}\"", time.name));
+  if (time.name != "t") {
+    line.fail(fmt::format("the first column must be \"t\", found {}{}", in_quotes(time.name),
+                          time.name.find(';') == std::string::npos ? "" : "; commas separate fields"));
+  }
   check_unit(line, time, "s");
   if (fields.size() == 1) line.fail("there is no column of an input");
   for (std::size_t c = 1; c < fields.size(); ++c) {
@@ -101,6 +104,8 @@ InputTable parse_input_table(const std::string& text, const std::string& path, c
   std::string_view rest = text;
   constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
   if (rest.substr(0, kByteOrderMark.size()) == kByteOrderMark) rest.remove_prefix(kByteOrderMark.size());
+  if (std::optional<Diagnostic> fault = no_text(text, path, "inputs over time are a CSV table: t [s],name [unit]"))
+    throw UserError(Diagnostics{*std::move(fault)});
   InputTable table;
   for (Line line{path, 1}; !rest.empty(); ++line.number) {
     const std::size_t length = std::min(rest.find('\n'), rest.size());

@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
+#include "compiler/base/files.hpp"
 #include "compiler/base/json_text.hpp"
 #include "compiler/base/number.hpp"
 #include "compiler/describe/names.hpp"
@@ -22,7 +23,7 @@ std::string status_text(const SimulationRecord& record) {
   const SimulationSummary& summary = record.summary;
   const StepVerdict& verdict = record.verdict;
   if (!summary.status.ok()) return describe(record.compilation, summary.status);
-  if (!verdict.failure.empty()) return "values blew up";
+  if (!verdict.failure.empty()) return verdict.outcome;
   if (verdict.warnings.empty()) return "ok";
   return verdict.warnings.size() == 1 ? "1 warning" : fmt::format("{} warnings", verdict.warnings.size());
 }
@@ -185,7 +186,7 @@ std::string summary_text(const SimulationRecord& record) {
   text += blocks_text(record);
   if (!record.are_inputs_constant) text += ranges_text("input", summary.inputs, record.compilation.model.inputs);
   text += ranges_text("output", summary.outputs, record.compilation.model.outputs);
-  return text + fmt::format("  table                     {} ({})\n", record.file, rows_text(record));
+  return text + fmt::format("  table                     {} ({})\n", shown_name(record.file), rows_text(record));
 }
 
 std::string summary_json(const SimulationRecord& record) {

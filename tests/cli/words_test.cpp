@@ -76,5 +76,78 @@ TEST_F(CommandLine, ColoursAreForTerminalsOnly) {
   EXPECT_EQ(shell("NO_COLOR=1 " + on_terminal).out.find('\033'), std::string::npos);
 }
 
+// "-" is standard output: the result and nothing else, what there is to say beside it on standard error.
+TEST_F(CommandLine, StandardOutputTakesAResult) {
+  write("pendulum.json", kPendulum);
+  const Outcome run = mbgen("simulate pendulum.json --engine generic --duration 0.1 --step 0.01 --out -");
+  EXPECT_EQ(run.exit_code, 0);
+  EXPECT_TRUE(run.out.starts_with("t [s],z.pin [rad],")) << run.out;
+  EXPECT_EQ(std::count(run.out.begin(), run.out.end(), '\n'), 12);
+  EXPECT_NE(run.err.find("  table                     standard output (11 rows, every step)\n"), std::string::npos)
+      << run.err;
+  ASSERT_EQ(mbgen("simulate pendulum.json --engine generic --duration 0.1 --step 0.01 --out o.csv").exit_code, 0);
+  EXPECT_EQ(run.out, read("o.csv"));
+  const Outcome linear = mbgen("linearize pendulum.json --out -");
+  EXPECT_EQ(Json::parse(linear.out)["states"].size(), 2u);
+  EXPECT_NE(linear.err.find("eigenvalue"), std::string::npos) << linear.err;
+  EXPECT_EQ(Json::parse(mbgen("equilibrium pendulum.json --out -").out)["mbgen"], 1);
+  EXPECT_TRUE(mbgen("new pendulum --out -").out.starts_with("// "));
+  EXPECT_EQ(mbgen("new pendulum --out -").exit_code, 0);
+  for (const char* refused :
+       {"sweep pendulum.json --vary torque=1,2 --metric 'max(height)' --engine generic --out -",
+        "export pendulum.json --fmi 2 --sources-only --out -", "generate pendulum.json --out -"}) {
+    const Outcome refusal = mbgen(refused);
+    EXPECT_EQ(refusal.exit_code, 1) << refused;
+    EXPECT_NE(refusal.err.find("name a "), std::string::npos) << refusal.err;
+  }
+  EXPECT_FALSE(std::filesystem::exists(path("-")));
+  EXPECT_FALSE(std::filesystem::exists(path("-.run.json")));
+  EXPECT_EQ(
+      mbgen("check -").err,
+      "-: cannot read file, it does not exist\n  hint: standard input is /dev/stdin, a file of this name is ./-\n");
+}
+
+// What is left where a variable of the shell is not set.
+TEST_F(CommandLine, EmptyWordsAreRefused) {
+  write("pendulum.json", kPendulum);
+  for (const char* command :
+       {"check", "inspect", "explain", "equilibrium", "generate --out g", "simulate --out o.csv"}) {
+    EXPECT_EQ(mbgen(std::string(command) + " ''").err,
+              "MODEL: must not be empty\nRun with --help for more information.\n")
+        << command;
+  }
+  for (const char* option : {"--out", "--input-table", "--set", "--engine", "--format"}) {
+    const Outcome run = mbgen(fmt::format("simulate pendulum.json --out o.csv --duration 0.1 {} ''", option));
+    EXPECT_EQ(run.exit_code, 1) << option;
+    EXPECT_NE(run.err.find(fmt::format("{}: must not be empty", option)), std::string::npos) << run.err;
+  }
+  EXPECT_EQ(mbgen("simulate pendulum.json --out o.csv --duration 1s").err,
+            "--duration: must be a number without a unit, found \"1s\"\nRun with --help for more information.\n");
+}
+
+// A file of another kind is named with the place of its first byte that is no text; its bytes are not printed.
+TEST_F(CommandLine, BinaryFilesAreNoTables) {
+  write("pendulum.json", kPendulum);
+  write("t.csv", std::string("\x7f"
+                             "ELF\x02\x01\0\0,\x1b[31m\n",
+                             14));
+  const std::string place = "t.csv:1:1: must be text, found a byte 0x7f\n";
+  for (const char* command :
+       {"plot t.csv --columns height -o p.svg", "report t.csv -o p.html", "linearize pendulum.json --result t.csv",
+        "simulate pendulum.json --engine generic --input-table t.csv -o o.csv"}) {
+    const Outcome run = mbgen(command);
+    EXPECT_EQ(run.exit_code, 1) << command;
+    EXPECT_TRUE(run.err.starts_with(place)) << command << "\n" << run.err;
+    EXPECT_NE(run.err.find("  hint: "), std::string::npos) << command;
+    EXPECT_EQ(run.err.find_first_of("\x1b\x7f"), std::string::npos) << command;
+  }
+  write("t.csv", "case,\x1b[31m\n1,2\n");
+  EXPECT_TRUE(mbgen("plot t.csv --columns x -o p.svg").err.starts_with("t.csv:1:6: must be text, found a byte 0x1b\n"));
+  // A model in place of a result: its first line is no header.
+  EXPECT_EQ(mbgen("plot pendulum.json --columns x -o p.svg").err,
+            "pendulum.json:1:1: the first column must be \"t\", found \"{\"\n  hint: a result is what mbgen simulate "
+            "writes\n");
+}
+
 }  // namespace
 }  // namespace mbgen::cli_test

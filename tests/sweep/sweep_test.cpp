@@ -136,7 +136,7 @@ TEST_F(Sweep, SaysWhatIsWrong) {
             "tunable parameter \"tilt\"\n  hint: leave out --engine, cases are then analysed one by one and run on the "
             "generic engine\n");
   const Outcome device = mbgen("sweep spring.json --vary mass=1 --metric 'final(x)' --out /dev/null");
-  EXPECT_EQ(device.err, "/dev/null: cannot write: a study keeps a journal beside its table, which must be a file\n");
+  EXPECT_EQ(device.err, "/dev/null: cannot write: a study keeps a journal beside its table, name a file\n");
 }
 
 TEST_F(Sweep, SaysWhatIsWrongWithAMetric) {
