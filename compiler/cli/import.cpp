@@ -32,6 +32,7 @@ ImportRequest import_request(const ImportOptions& options) {
   }
   request.base = options.base == "floating" ? RobotBase::floating : RobotBase::fixed;
   request.read = [](const std::string& path) -> std::optional<std::string> {
+    if (is_special(path)) return std::nullopt;
     try {
       return read_text(path);
     } catch (const UserError&) {

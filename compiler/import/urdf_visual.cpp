@@ -58,8 +58,10 @@ std::optional<MeshBox> box_of_mesh(const ImportRequest& request, const std::stri
     if (path.starts_with(scheme))
       path = path.substr(scheme == "file://" ? scheme.size() : path.find('/', scheme.size()) + 1);
   }
+  const std::filesystem::path last = std::filesystem::path(path).filename();
+  if (last.empty() || last == "." || last == "..") return std::nullopt;
   const std::filesystem::path beside = std::filesystem::path(request.file).parent_path();
-  for (const std::filesystem::path& place : {beside / path, beside / std::filesystem::path(path).filename()}) {
+  for (const std::filesystem::path& place : {beside / path, beside / last}) {
     const std::optional<std::string> bytes = request.read(place.string());
     if (bytes) return box_of_stl(*bytes);
   }

@@ -130,22 +130,28 @@ TEST_F(Set, TimesAreShortDecimals) {
 
 TEST_F(Set, StatusOfARunWithWarningsIsNotOk) {
   const std::string simulate = "simulate block.json --engine generic --duration 5 --out o.csv --step ";
-  const Outcome damped = mbgen(simulate + "0.2");
+  const Outcome damped = mbgen(simulate + "0.05");
   EXPECT_EQ(damped.exit_code, 0) << damped.err;
   EXPECT_NE(damped.err.find("warning: the energy balance is off by "), std::string::npos) << damped.err;
   EXPECT_NE(damped.out.find("  status                    1 warning at t = 5 s\n"), std::string::npos) << damped.out;
   EXPECT_EQ(Json::parse(read("o.csv.run.json"))["status"], "1 warning");
   EXPECT_NE(mbgen(simulate + "1e-2").out.find("  status                    ok at t = 5 s\n"), std::string::npos);
+  const Outcome lost = mbgen(simulate + "0.2");
+  EXPECT_EQ(lost.exit_code, 1);
+  EXPECT_NE(lost.out.find("  status                    energy balance off by 92 % at t = 5 s\n"), std::string::npos)
+      << lost.out;
+  EXPECT_NE(lost.err.find(", step 0.2 s is too long; the fastest mode at the start, 1.592 Hz ("), std::string::npos)
+      << lost.err;
 }
 
 TEST_F(Set, CasesWithWarningsAreNotOk) {
   const std::string sweep =
-      "sweep block.json --vary k=0.1,100,130 --metric 'max(abs(x))' --engine generic --duration 5 --step 0.2 --out "
+      "sweep block.json --vary k=0.1,100,130,800 --metric 'max(abs(x))' --engine generic --duration 5 --step 0.05 --out "
       "s.csv";
   const Outcome run = mbgen(sweep);
   EXPECT_EQ(run.exit_code, 0) << run.err;
   EXPECT_NE(run.out.find("warning: the energy balance is off by "), std::string::npos) << run.out;
-  EXPECT_NE(run.out.find("\nblock: 3 cases, 0 failed, 2 with a warning, engine generic; table in s.csv\n"
+  EXPECT_NE(run.out.find("\nblock: 4 cases, 1 failed, 2 with a warning, engine generic; table in s.csv\n"
                          "  the worst warning is that of case 3, k = 130\n"),
             std::string::npos)
       << run.out;
@@ -154,6 +160,8 @@ TEST_F(Set, CasesWithWarningsAreNotOk) {
   EXPECT_EQ(again["cases"][0]["status"], "ok");
   EXPECT_TRUE(again["cases"][1]["metrics"][0].is_number()) << "there are values, with a warning";
   EXPECT_GT(std::abs(again["cases"][2]["energy_error"].get<double>()), 1e-3) << "the journal keeps it";
+  EXPECT_TRUE(again["cases"][3]["status"].get<std::string>().starts_with("the energy balance is off by ")) << again;
+  EXPECT_TRUE(again["cases"][3]["metrics"][0].is_null()) << "a wrong number is none";
   EXPECT_NE(mbgen("plot s.csv --columns 'max(abs(x))' --over k -o s.svg").exit_code, 1);
 }
 
