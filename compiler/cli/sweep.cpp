@@ -167,8 +167,8 @@ void check(const SweepOptions& options) {
   const std::filesystem::file_status status = std::filesystem::status(options.file, problem);
   if (is_standard_output(options.file) ||
       (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status))) {
-    throw UserError(fmt::format("{}: cannot write: a study keeps a journal beside its table, name a file\n",
-                                options.file));
+    throw UserError(
+        fmt::format("{}: cannot write: a study keeps a journal beside its table, name a file\n", options.file));
   }
 }
 

@@ -146,7 +146,8 @@ TEST_F(Set, StatusOfARunWithWarningsIsNotOk) {
 
 TEST_F(Set, CasesWithWarningsAreNotOk) {
   const std::string sweep =
-      "sweep block.json --vary k=0.1,100,130,800 --metric 'max(abs(x))' --engine generic --duration 5 --step 0.05 --out "
+      "sweep block.json --vary k=0.1,100,130,800 --metric 'max(abs(x))' --engine generic --duration 5 --step 0.05 "
+      "--out "
       "s.csv";
   const Outcome run = mbgen(sweep);
   EXPECT_EQ(run.exit_code, 0) << run.err;
