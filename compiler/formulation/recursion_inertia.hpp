@@ -65,7 +65,7 @@ PseudoInertia<T> rotated(const Matrix<T>& r, const PseudoInertia<T>& m) {
 
 /// Entries that cancelled but for rounding become zero.
 template <class T>
-Symmetric<T> without_noise(const Symmetric<T>& s, const T& size) {
+Symmetric<T> entries_without_noise(const Symmetric<T>& s, const T& size) {
   const auto entry = [&](const T& value) { return without_noise(value, known_size(size)); };
   return {entry(s.xx), entry(s.yy), entry(s.zz), entry(s.xy), entry(s.xz), entry(s.yz)};
 }
@@ -83,7 +83,7 @@ PseudoInertia<T> from_central(const T& mass, const Vector<T>& com, const Symmetr
 template <class T>
 PseudoInertia<T> centred(const PseudoInertia<T>& m) {
   const Vector<T> com = (T(1.0) / m.mass) * m.moment;
-  return pseudo_inertia(m.mass, Vector<T>{}, without_noise(m.second + square(-m.mass, com), m.trace));
+  return pseudo_inertia(m.mass, Vector<T>{}, entries_without_noise(m.second + square(-m.mass, com), m.trace));
 }
 
 /// J about the origin.
