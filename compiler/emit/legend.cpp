@@ -59,8 +59,13 @@ constexpr const char* kNames[] = {
     "  m mass, h first moments, K second moments about the origin; c centre of mass, I inertia about it",
     "  p_<coordinate> origin of a body from that of the body before it; p_<body>_<point> a point from its body's",
     "    origin; l length, g gravity: numbers of the model, or what its parameters make of them",
+    "  l0 z0 free length, free coordinate, k stiffness, d damping, f0 preload of an element; its other numbers by "
+    "their",
+    "    fields, as area_<element>",
     "  z zd zdd coordinate, rate, acceleration; R_<body>_x_z component z of the body's axis x; r origin; u joint axis",
-    "  w angular velocity, a acceleration of the origin, alpha angular acceleration, f n force and moment needed",
+    "  v velocity of the origin, w angular velocity, a acceleration of the origin, alpha angular acceleration",
+    "  f n force and moment that a body needs, Q force of a joint that its closures and drives must give",
+    "  pivot of a coordinate: of its column of the closure Jacobian (60), or of its free direction (63)",
     "  J entry of the closure Jacobian; Rz projection (61); zdd_star accelerations at zero free ones (62)",
     "  s8_12 the 12th value without a name of step 8"};
 

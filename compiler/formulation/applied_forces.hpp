@@ -15,9 +15,11 @@ void point_springs(ForceWork<T>& work) {
     const auto heading = work.system.scribe.within(spring.name);
     work.forces.springs.push_back(
         line_element(work, spring.from, spring.to, [&](const T& length, const T& rate, const T& reference) {
-          const T free = spring.free_length ? work.value(*spring.free_length) : reference;
-          T tension =
-              work.value(spring.preload) + law(work, spring.stiffness, length - free) + law(work, spring.damping, rate);
+          T free = spring.free_length ? work.value(*spring.free_length) : reference;
+          work.system.scribe.constant(free, "l0_", spring.name);
+          T tension = work.value(spring.preload, "f0", spring.name) +
+                      law(work, spring.stiffness, length - free, "k", spring.name) +
+                      law(work, spring.damping, rate, "d", spring.name);
           if (spring.force) tension = tension + with_locals(work, *spring.force, length, rate);
           work.system.scribe.name(tension, "tension_", spring.name);
           return tension;
@@ -31,17 +33,22 @@ void air_springs(ForceWork<T>& work) {
     const auto heading = work.system.scribe.within(spring.name);
     work.forces.air_springs.push_back(
         line_element(work, spring.from, spring.to, [&](const T& length, const T&, const T& reference) {
-          const T length0 = spring.length ? work.value(*spring.length) : reference;
+          T length0 = spring.length ? work.value(*spring.length) : reference;
+          work.system.scribe.constant(length0, "l0_", spring.name);
           const auto area = [&](const T& l) {
             const Quantity* fixed = std::get_if<Quantity>(&spring.area);
-            return fixed ? work.value(*fixed) : law(work, spring.area, l);
+            return fixed ? work.value(*fixed, "area", spring.name) : law(work, spring.area, l, "area", spring.name);
           };
           const auto volume = [&](const T& l) {
-            return spring.volume ? law(work, Law(*spring.volume), l)
-                                 : work.value(spring.volume0) + area(length0) * (l - length0);
+            return spring.volume ? law(work, Law(*spring.volume), l, "volume", spring.name)
+                                 : work.value(spring.volume0, "volume0", spring.name) + area(length0) * (l - length0);
           };
-          const T push = air_spring_force(work.value(spring.pressure), work.value(spring.ambient),
-                                          work.value(spring.exponent), volume(length0), volume(length), area(length));
+          const auto value = [&](const Quantity& q, const char* meaning) {
+            return work.value(q, meaning, spring.name);
+          };
+          const T push =
+              air_spring_force(value(spring.pressure, "pressure"), value(spring.ambient, "ambient"),
+                               value(spring.exponent, "exponent"), volume(length0), volume(length), area(length));
           work.system.scribe.name(push, "push_", spring.name);
           return -push;
         }));
@@ -65,8 +72,9 @@ void joint_elements(ForceWork<T>& work) {
       position = position - e.position(*spring.relative_to);
       rate = rate - e.velocity(*spring.relative_to);
     }
-    T force = work.value(spring.preload) + law(work, spring.stiffness, position - work.value(spring.free)) +
-              law(work, spring.damping, rate);
+    T force = work.value(spring.preload, "f0", spring.name) +
+              law(work, spring.stiffness, position - work.value(spring.free, "z0", spring.name), "k", spring.name) +
+              law(work, spring.damping, rate, "d", spring.name);
     if (spring.force) force = force + with_locals(work, *spring.force, position, rate);
     work.system.scribe.name(force, "force_", spring.name);
     add_joint_force(work, spring.joint, -force);
@@ -74,15 +82,16 @@ void joint_elements(ForceWork<T>& work) {
   }
   for (const JointFriction& friction : model.frictions) {
     const auto heading = work.system.scribe.within(friction.name);
-    const T force = friction_force(work.value(friction.coulomb), work.value(friction.stiction),
-                                   work.value(friction.viscous), work.value(friction.velocity),
-                                   work.value(friction.stribeck_velocity), e.velocity(friction.joint));
+    const auto value = [&](const Quantity& q, const char* meaning) { return work.value(q, meaning, friction.name); };
+    const T force = friction_force(value(friction.coulomb, "coulomb"), value(friction.stiction, "stiction"),
+                                   value(friction.viscous, "viscous"), value(friction.velocity, "velocity"),
+                                   value(friction.stribeck_velocity, "stribeck"), e.velocity(friction.joint));
     work.system.scribe.name(force, "force_", friction.name);
     add_joint_force(work, friction.joint, force);
   }
   for (const JointForce& force : model.joint_forces) {
     const auto heading = work.system.scribe.within(force.name);
-    add_joint_force(work, force.joint, work.value(force.force));
+    add_joint_force(work, force.joint, work.value(force.force, "force", force.name));
   }
 }
 

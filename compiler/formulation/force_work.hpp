@@ -43,13 +43,20 @@ struct ForceWork {
   const Velocities<T>& v;
   AppliedForces<T>& forces;
   T value(const Quantity& q) const { return value_of(system.model, q, system.environment); }
+  /// The value of an element's field, named <meaning>_<element>.
+  T value(const Quantity& q, const char* meaning, const std::string& element) const {
+    T result = value(q);
+    system.scribe.constant(result, meaning, "_", element);
+    return result;
+  }
   Place<T> place(const Attachment& at) const { return place_of(system, at); }
 };
 
-/// Value of a characteristic at an argument: factor times argument, or a table.
+/// Value of a characteristic at an argument: factor times argument, or a table. The factor is named
+/// <meaning>_<element>.
 template <class T>
-T law(const ForceWork<T>& work, const Law& law, const T& argument) {
-  if (const Quantity* factor = std::get_if<Quantity>(&law)) return work.value(*factor) * argument;
+T law(const ForceWork<T>& work, const Law& law, const T& argument, const char* meaning, const std::string& element) {
+  if (const Quantity* factor = std::get_if<Quantity>(&law)) return work.value(*factor, meaning, element) * argument;
   const Table& table = std::get<Table>(law);
   const int count = static_cast<int>(table.x.size());
   if (table.interpolation == Table::Interpolation::linear)
@@ -60,8 +67,9 @@ T law(const ForceWork<T>& work, const Law& law, const T& argument) {
 }
 
 template <class T>
-T law(const ForceWork<T>& work, const std::optional<Law>& optional, const T& argument) {
-  return optional ? law(work, *optional, argument) : T(0.0);
+T law(const ForceWork<T>& work, const std::optional<Law>& optional, const T& argument, const char* meaning,
+      const std::string& element) {
+  return optional ? law(work, *optional, argument, meaning, element) : T(0.0);
 }
 
 /// An expression with two local variables.

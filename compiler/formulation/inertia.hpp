@@ -33,14 +33,22 @@ Matrix<T> inertia_axes(const System<T>& system, const Kinematics<T>& k, int i) {
   return system.on_base(i) ? identity<T>() : k.orientation[system.topology.bodies[i].parent];
 }
 
+/// A point of body i's inertia, as its centre of mass, from the point that motions are about, in the axes of the frame
+/// that carries the body.
+template <class T>
+Vector<T> inertia_arm(const System<T>& system, const Kinematics<T>& k, int i, const Vector<T>& at, MotionPoint about) {
+  if (system.layout.frame_of(i) == i) return at;
+  const Vector<T> arm = inertia_axes(system, k, i) * at;
+  return about == MotionPoint::body_origin ? arm : k.position[i] + arm;
+}
+
 /// Force that a rigid part of tree body i (or of ground) takes, moments in the part's own axes, where its inertia is
 /// constant. Result: about the point of the motion.
 template <class T>
 Spatial<T> part_force(const System<T>& system, const Kinematics<T>& k, int i, const Part<T>& part,
                       const Vector<T>& angular_velocity, const Acceleration<T>& a, MotionPoint about) {
   const Matrix<T> axes = inertia_axes(system, k, i);
-  Vector<T> com = axes * part.com;
-  if (about == MotionPoint::frame_origin && system.layout.frame_of(i) != i) com = k.position[i] + com;
+  const Vector<T> com = inertia_arm(system, k, i, part.com, about);
   const Vector<T> w = transposed_times(axes, angular_velocity), alpha = transposed_times(axes, a.angular);
   const Vector<T> force = part.mass * a.at(com);
   return {force, cross(com, force) + axes * (part.inertia * alpha + cross(w, part.inertia * w))};

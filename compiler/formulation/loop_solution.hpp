@@ -19,11 +19,11 @@ struct GroupProjection {
 /// LU factors of the dependent Jacobian in the frozen order, and the monitor of its pivots. Row k belongs to pivot k.
 template <class T>
 struct FrozenFactors {
-  std::vector<SparseRow<T>> rows;   ///< its equation after elimination, without the pivot; `columns` as in the block
-  std::vector<SparseRow<T>> upper;  ///< of them those at later pivots, `columns` are pivot numbers
-  std::vector<SparseRow<T>> lower;  ///< factors of earlier pivot rows, `columns` are pivot numbers
-  std::vector<T> reciprocal;        ///< 1 / pivot
-  T quality{1.0};                   ///< smallest |pivot| / reference
+  std::vector<SparseRow<T>> rows;    ///< its equation after elimination, without the pivot; `columns` as in the block
+  std::vector<SparseRow<T>> upper;   ///< of them those at later pivots, `columns` are pivot numbers
+  std::vector<SparseRow<T>> lower;   ///< factors of earlier pivot rows, `columns` are pivot numbers
+  std::vector<T> pivot, reciprocal;  ///< and 1 / pivot
+  T quality{1.0};                    ///< smallest |pivot| / reference
 };
 
 namespace detail {
@@ -119,6 +119,7 @@ FrozenFactors<T> factorise_frozen(const std::vector<SparseRow<T>>& jacobian, con
     row.take(pivot_column);
     for (int later : row.pivots) upper.push_back(later, row.at(partition.pivots[later].coordinate));
     for (const auto& [column, value] : row.entries) kept.push_back(column, value);
+    f.pivot.push_back(pivot);
     f.reciprocal.push_back(T(1.0) / pivot);
     const T ratio = abs(pivot) * T(1.0 / partition.pivots[k].reference);
     f.quality = k == 0 ? ratio : min(f.quality, ratio);
@@ -127,6 +128,15 @@ FrozenFactors<T> factorise_frozen(const std::vector<SparseRow<T>>& jacobian, con
     f.lower.push_back(std::move(lower));
   }
   return f;
+}
+
+/// Names the pivots of a block after their coordinates.
+template <class T>
+void name_pivots(const System<T>& system, const LoopBlock& block, const LoopPartition& partition,
+                 const FrozenFactors<T>& factors) {
+  for (std::size_t k = 0; k < factors.pivot.size(); ++k)
+    system.scribe.name(factors.pivot[k], "pivot_",
+                       system.topology.bodies[block.joints[partition.pivots[k].coordinate]].coordinate);
 }
 
 /// Solves Phi_d x_d = right_hand_side for the dependent coordinates; right_hand_side per equation of the block.

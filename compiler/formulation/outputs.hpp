@@ -159,11 +159,8 @@ Vector<T> first_moment(const System<T>& system, const Kinematics<T>& k) {
     moment[place_in(frame)] = moment[place_in(frame)] + m * at;
   };
   for (int i = 0; i < n; ++i) {
-    const int frame = system.layout.frame_of(i);
-    if (frame == i)
-      add(frame, c.mass[i], c.com[i]);
-    else
-      add(frame, c.mass[i], k.position[i] + inertia_axes(system, k, i) * c.com[i]);
+    const Vector<T> com = inertia_arm(system, k, i, c.com[i], MotionPoint::frame_origin);
+    add(system.layout.frame_of(i), c.mass[i], com);
   }
   for (const LoopBlock& block : system.topology.blocks)
     for (int l : block.loops) {
@@ -209,11 +206,9 @@ Energies<T> energies(System<T>& system, const SolvedState<T>& s, const std::vect
   T twice(0.0);
   for (int i = 0; i < system.topology.size(); ++i) {
     const Spatial<T> velocity = velocity_of(system, s.velocities, i);
-    const Matrix<T> axes = inertia_axes(system, s.kinematics, i);
-    Vector<T> com = axes * c.com[i];
-    if (s.velocities.about == MotionPoint::frame_origin && system.layout.frame_of(i) != i)
-      com = s.kinematics.position[i] + com;
-    const Vector<T> v = velocity_at(velocity, com), w = transposed_times(axes, velocity.angular);
+    const Vector<T> com = inertia_arm(system, s.kinematics, i, c.com[i], s.velocities.about);
+    const Vector<T> v = velocity_at(velocity, com);
+    const Vector<T> w = transposed_times(inertia_axes(system, s.kinematics, i), velocity.angular);
     twice = twice + c.mass[i] * dot(v, v) + dot(w, c.inertia[i] * w);
     e.power = e.power + dot(s.forces.wrench[i], velocity) + (tau[i] + s.forces.joint[i]) * system.zd(i);
   }

@@ -204,6 +204,13 @@ void solve_rotor(RecursionState<T>& s, std::size_t u, std::vector<T>& zdd) {
   zdd[w] = e.force[0] * e.reciprocal[0] - dot(s.k().axis[w], s.acceleration[unit.base].angular);
 }
 
+/// Names the pivot of a unit's free direction after the direction's joint.
+template <class T>
+void name_pivot(const RecursionState<T>& s, std::size_t u, std::size_t direction, int joint) {
+  s.system().scribe.name(s.equations[u].mass[direction][direction], "pivot_",
+                         s.system().topology.bodies[joint].coordinate);
+}
+
 /// Adds a unit's own inertia and applied forces to the shares that the units above have left on its bodies.
 template <class T>
 void add_own_parts(RecursionState<T>& s, const RecursionUnit& unit, const AppliedForces<T>& forces) {
@@ -228,6 +235,7 @@ void project_block(RecursionState<T>& s, std::size_t u, const std::string& name,
   const SparseClosure<T> closed =
       quasi_closure(s.work, unit, PerBody<Spatial<T>>(unit), PerBody<BodyAcceleration<T>>(unit));
   parts.factors = factorise_frozen(closed.jacobian, partition, unit.joints.size());
+  name_pivots(s.system(), s.system().topology.blocks[unit.block], partition, parts.factors);
   quality = parts.factors.quality;
   scribe.step(Step::projection, name);
   parts.rz = frozen_rz(parts.factors, partition, unit.joints.size());
@@ -263,6 +271,9 @@ void eliminate_block(RecursionState<T>& s, std::size_t u, const AppliedForces<T>
   add_own_parts(s, unit, forces);
   scribe.step(Step::reduced_system, name);
   eliminate_block(s, u);
+  if (const LoopPartition* frozen = std::get_if<LoopPartition>(&projection))
+    for (std::size_t q = 0; q < frozen->independent.size(); ++q)
+      name_pivot(s, u, q, unit.joints[frozen->independent[q]]);
 }
 
 /// The way to the root (steps 2 to 8).
@@ -285,6 +296,7 @@ void eliminate_units(RecursionState<T>& s, const AppliedForces<T>& forces,
     set_run_bias(s, u);
     add_own_parts(s, unit, forces);
     eliminate_run(s, u);
+    for (std::size_t q = 0; q < s.equations[u].size(); ++q) name_pivot(s, u, q, s.runs[u].columns[q]);
   }
 }
 

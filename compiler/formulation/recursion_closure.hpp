@@ -1,6 +1,6 @@
 #pragma once
-// Loop closures of the recursive form (theory.md section 3): Jacobian by quasi-velocities and acceleration right-hand
-// side, each end seen from the origin of its own body. Rods by (d.d - l^2)/2.
+// Loop closures of the recursive form (theory.md section 3): residual, Jacobian and acceleration right-hand side, each
+// end seen from the origin of its own body. Rods by (d.d - l^2)/2 over quasi-velocities, divided by l over joint rates.
 
 #include <map>
 
@@ -8,6 +8,13 @@
 #include "compiler/formulation/recursion_motion.hpp"
 
 namespace mbgen {
+
+/// Columns of a block's Jacobian.
+enum class Columns {
+  quasi,  ///< the (quasi-)velocities of the recursion
+  rates   ///< the joint rates, as in `closure`
+};
+
 namespace detail {
 
 /// One end of a loop, in the axes of the block's base.
@@ -25,24 +32,26 @@ struct NearEnd {
 };
 
 /// Wrench rows of a closure about the origins of its two bodies; `acceleration` is the second derivative of the
-/// residual at zero accelerations.
+/// residual at the ends' bias.
 template <class T>
 struct NearRow {
   Vector<T> force, moment_from, moment_to;
   T acceleration{0.0};
+  T residual{0.0};
 };
 
 template <class T>
 NearRow<T> near_coincidence(const NearEnd<T>& from, const NearEnd<T>& to, const Vector<T>& direction) {
   return {direction, cross(from.arm, direction), cross(to.arm, direction),
-          dot(direction, from.point_acceleration() - to.point_acceleration())};
+          dot(direction, from.point_acceleration() - to.point_acceleration()), dot(direction, from.place - to.place)};
 }
 
 template <class T>
 NearRow<T> near_perpendicular(const NearEnd<T>& from, const NearEnd<T>& to, const Vector<T>& a, const Vector<T>& b) {
   const Vector<T> moment = cross(a, b);
   const T twice = dot(cross(from.velocity.angular, a), cross(to.velocity.angular, b));
-  return {{}, moment, moment, dot(from.bias.gradient * a, b) + dot(a, to.bias.gradient * b) + (twice + twice)};
+  return {
+      {}, moment, moment, dot(from.bias.gradient * a, b) + dot(a, to.bias.gradient * b) + (twice + twice), dot(a, b)};
 }
 
 template <class T>
@@ -52,15 +61,18 @@ NearRow<T> near_in_plane(const NearEnd<T>& from, const NearEnd<T>& to, const Vec
   const T twice = dot(cross(from.velocity.angular, a), rate);
   return {
       a, cross(from.arm - gap, a), cross(to.arm, a),
-      dot(from.bias.gradient * a, gap) + dot(a, from.point_acceleration() - to.point_acceleration()) + (twice + twice)};
+      dot(from.bias.gradient * a, gap) + dot(a, from.point_acceleration() - to.point_acceleration()) + (twice + twice),
+      dot(a, gap)};
 }
 
 template <class T>
-NearRow<T> near_distance(const NearEnd<T>& from, const NearEnd<T>& to) {
-  const Vector<T> gap = from.place - to.place;
+NearRow<T> near_distance(const NearEnd<T>& from, const NearEnd<T>& to, const T& length, Columns columns) {
+  const T scale = columns == Columns::rates ? T(1.0) / length : T(1.0);
+  const Vector<T> gap = from.place - to.place, along = scale * gap;
   const Vector<T> rate = from.point_velocity() - to.point_velocity();
-  return {gap, cross(from.arm, gap), cross(to.arm, gap),
-          dot(rate, rate) + dot(gap, from.point_acceleration() - to.point_acceleration())};
+  return {along, cross(from.arm, along), cross(to.arm, along),
+          scale * dot(rate, rate) + dot(along, from.point_acceleration() - to.point_acceleration()),
+          T(0.5) * (dot(along, gap) - length)};
 }
 
 /// The rows of a cut joint, in the order of joint_rows.
@@ -101,12 +113,12 @@ NearEnd<T> near_end(const RecursionWork<T>& work, const RecursionUnit& unit, con
 template <class T>
 std::vector<NearRow<T>> near_rows(const RecursionWork<T>& work, const RecursionUnit& unit,
                                   const PerBody<Spatial<T>>& velocity, const PerBody<BodyAcceleration<T>>& bias,
-                                  const Loop& loop) {
+                                  const Loop& loop, Columns by) {
   const System<T>& system = work.system;
   const auto end = [&](const Place<T>& place) { return near_end(work, unit, velocity, bias, place); };
   if (loop.kind == ClosureKind::rod) {
     const RodConstants<T>& rod = system.constants.rods[loop.rod];
-    return {near_distance(end(rod.from), end(rod.to))};
+    return {near_distance(end(rod.from), end(rod.to), rod.length, by)};
   }
   const Joint& joint = system.model.joints[loop.joint];
   const auto at = [&](const Attachment& a) { return end(place_of(system, a)); };
@@ -120,21 +132,21 @@ std::vector<NearRow<T>> near_rows(const RecursionWork<T>& work, const RecursionU
   return near_joint_rows(loop.kind, from, to, triad_at(from.body, joint.axis), triad_at(to.body, axis_on_to));
 }
 
-/// Adds sign times the columns of a wrench about the origin of `body` to a row.
+/// Adds sign times the columns of a wrench about the origin of `body` to a row. by: what columns stand for.
 template <class T>
 void add_columns(const RecursionWork<T>& work, const RecursionUnit& unit, const Loop& loop, int body,
-                 const Vector<T>& force, Vector<T> moment, double sign, std::map<int, T>& row) {
+                 const Vector<T>& force, Vector<T> moment, double sign, Columns by, std::map<int, T>& row) {
   const auto local = [&](int joint) { return static_cast<int>(unit.column(joint)); };
   while (body != unit.base) {
     const JointStep& step = *work.step[body];
     const Vector<T>& acting = step.revolute ? moment : force;
     if (std::binary_search(loop.joints.begin(), loop.joints.end(), step.joints[0])) {
-      if (step.quasi()) {
+      if (step.quasi() && by == Columns::quasi) {
         row[local(step.joints[0])] = T(sign) * acting.x;
         row[local(step.joints[1])] = T(sign) * acting.y;
         row[local(step.joints[2])] = T(sign) * acting.z;
       } else {
-        row[local(step.joints[0])] = T(sign) * dot(work.k.axis[step.joints[0]], acting);
+        for (int j : step.joints) row[local(j)] = T(sign) * dot(work.k.axis[j], acting);
       }
     }
     moment = moment + cross(work.offset[body], force);
@@ -144,26 +156,34 @@ void add_columns(const RecursionWork<T>& work, const RecursionUnit& unit, const 
 
 }  // namespace detail
 
-/// Jacobian by (quasi-)velocities and acceleration right-hand side of a block, rows as in `closure`. velocity, bias: of
-/// block_motion and block_bias; zero ones give the Jacobian alone. No residuals.
+/// Closure terms of a block, rows as in `closure`. velocity, bias: of block_motion and of block_bias or, by joint
+/// rates, rate_bias; zero ones give residual and Jacobian alone. Residuals: right by joint rates only, see Columns.
 template <class T>
-SparseClosure<T> quasi_closure(const RecursionWork<T>& work, const RecursionUnit& unit,
-                               const PerBody<Spatial<T>>& velocity, const PerBody<BodyAcceleration<T>>& bias) {
+SparseClosure<T> near_closure(const RecursionWork<T>& work, const RecursionUnit& unit,
+                              const PerBody<Spatial<T>>& velocity, const PerBody<BodyAcceleration<T>>& bias,
+                              Columns by) {
   SparseClosure<T> result;
   for (int l : work.system.topology.blocks[unit.block].loops) {
     const Loop& loop = work.system.topology.loops[l];
     const auto heading = work.system.scribe.within(loop.name);
-    for (const detail::NearRow<T>& row : detail::near_rows(work, unit, velocity, bias, loop)) {
+    for (const detail::NearRow<T>& row : detail::near_rows(work, unit, velocity, bias, loop, by)) {
       std::map<int, T> columns;
-      detail::add_columns(work, unit, loop, loop.body_from, row.force, row.moment_from, 1.0, columns);
-      detail::add_columns(work, unit, loop, loop.body_to, row.force, row.moment_to, -1.0, columns);
+      detail::add_columns(work, unit, loop, loop.body_from, row.force, row.moment_from, 1.0, by, columns);
+      detail::add_columns(work, unit, loop, loop.body_to, row.force, row.moment_to, -1.0, by, columns);
       SparseRow<T> entries;
       for (const auto& [column, value] : columns) entries.push_back(column, value);
       result.jacobian.push_back(std::move(entries));
       result.acceleration.push_back(-row.acceleration);
+      result.residual.push_back(row.residual);
     }
   }
   return result;
+}
+
+template <class T>
+SparseClosure<T> quasi_closure(const RecursionWork<T>& work, const RecursionUnit& unit,
+                               const PerBody<Spatial<T>>& velocity, const PerBody<BodyAcceleration<T>>& bias) {
+  return near_closure(work, unit, velocity, bias, Columns::quasi);
 }
 
 }  // namespace mbgen

@@ -10,32 +10,33 @@ namespace mbgen {
 /// Forces that joints must still be given: applied forces less inertia, summed over all bodies that a joint carries.
 template <class T>
 struct GatheredForces {
-  std::vector<T> joint;            ///< per tree joint, tau included, N or N m
-  std::vector<Vector<T>> on_step;  ///< per tree body: force or moment on its joint in the joint's frame, without tau
+  std::vector<T> joint;           ///< per tree joint, tau included, N or N m
+  std::vector<Vector<T>> needed;  ///< per tree body: force or moment that its joint needs, in the joint's frame
 };
 
 namespace detail {
 
-/// Applied forces less inertia of body i about its origin, in the axes of the frame that carries it.
+/// Force that body i needs: inertia less applied forces, about its origin, in the axes of the frame that carries it.
 template <class T>
-Spatial<T> available_force(const System<T>& system, const Kinematics<T>& k, const Velocities<T>& v,
-                           const Accelerations<T>& a, const AppliedForces<T>& forces, int i) {
+Spatial<T> needed_force(const System<T>& system, const Kinematics<T>& k, const Velocities<T>& v,
+                        const Accelerations<T>& a, const AppliedForces<T>& forces, int i) {
   const Constants<T>& c = system.constants;
   const Spatial<T> inertial =
       part_force(system, k, i, Part<T>{c.mass[i], c.com[i], c.inertia[i]}, velocity_of(system, v, i).angular,
                  acceleration_of(system, a, i), MotionPoint::body_origin);
-  const Spatial<T> available = forces.wrench[i] - inertial;
-  name(system.scribe, available, "f", "n", system.body_name(i));
-  return available;
+  const Spatial<T> needed = inertial - forces.wrench[i];
+  name(system.scribe, needed, "f", "n", system.body_name(i));
+  return needed;
 }
 
-/// Force on joint j of what it carries. carried: about a point from which the pin is seen at `pin`.
+/// Force on joint j, applied less needed by what it carries. carried: about a point from which the pin is seen at
+/// `pin`.
 template <class T>
 void take_joint(const System<T>& system, const Kinematics<T>& k, int j, const Spatial<T>& carried, const Vector<T>& pin,
                 const T& applied, GatheredForces<T>& gathered) {
-  Vector<T>& acting = gathered.on_step[j];
+  Vector<T>& acting = gathered.needed[j];
   acting = system.revolute(j) ? carried.angular - cross(pin, carried.linear) : carried.linear;
-  gathered.joint[j] = applied + dot(k.axis[j], acting);
+  gathered.joint[j] = applied - dot(k.axis[j], acting);
   system.scribe.name(gathered.joint[j], "Q_", system.topology.bodies[j].coordinate);
 }
 
@@ -55,7 +56,7 @@ GatheredForces<T> gathered_forces(System<T>& system, const Kinematics<T>& k, con
     const BodyLayout& layout = system.layout.bodies[i];
     if (layout.joint_frame != layout.base && layout.joint_frame != i) continue;  // inside a run: taken with its end
     const auto heading = system.scribe.within(system.layout.titles[i]);
-    Spatial<T> whole = carried[i] + detail::available_force(system, k, v, a, forces, i);
+    Spatial<T> whole = carried[i] + detail::needed_force(system, k, v, a, forces, i);
     const auto take = [&](int j, const Vector<T>& pin) {
       detail::take_joint(system, k, j, whole, pin, tau[j] + forces.joint[j], gathered);
     };
@@ -107,7 +108,7 @@ std::vector<T> forces_of_columns(const RecursionWork<T>& work, const RecursionUn
     }
     const auto heading = work.system.scribe.within(work.system.layout.titles[step.body()]);
     const QuasiAxes<T>& q = work.quasi[step.body()];
-    Vector<T> sum = gathered.on_step[step.body()];
+    Vector<T> sum = -gathered.needed[step.body()];
     for (int c = 0; c < 3; ++c) sum = sum + applied[step.joints[c]] * q.dual[c];
     set_components(step, sum, [&](int j) -> T& { return values[unit.column(j)]; });
     if (step.revolute) quality = min(quality, abs(q.volume));
@@ -139,6 +140,7 @@ BlockMultipliers<T> block_multipliers(const RecursionWork<T>& work, const Recurs
   const std::vector<SparseRow<T>> jacobian =
       quasi_closure(work, unit, PerBody<Spatial<T>>(unit), PerBody<BodyAcceleration<T>>(unit)).jacobian;
   const FrozenFactors<T> factors = factorise_frozen(jacobian, partition, unit.joints.size());
+  name_pivots(work.system, block, partition, factors);
   result.quality = factors.quality;
   result.left = detail::forces_of_columns(work, unit, gathered, applied, result.quality);
   result.lambda = solve_frozen_transposed(factors, partition, result.left, jacobian.size());

@@ -198,10 +198,11 @@ struct BodyAcceleration {
   Matrix<T> gradient{};
 };
 
-/// Accelerations of a block's bodies against the base under the present velocities and zero (quasi-)accelerations.
+/// Accelerations of a block's bodies against the base under the present velocities and zero accelerations of single
+/// joints. quasi: accelerations of the quasi steps, by column of the block; empty: zero.
 template <class T>
 PerBody<BodyAcceleration<T>> block_bias(const RecursionWork<T>& work, const RecursionUnit& unit,
-                                        const PerBody<Spatial<T>>& velocity) {
+                                        const PerBody<Spatial<T>>& velocity, const std::vector<T>& quasi = {}) {
   PerBody<BodyAcceleration<T>> bias(unit);
   for (const JointStep& step : unit.steps) {
     const int body = step.body(), p = work.parent(step);
@@ -209,7 +210,10 @@ PerBody<BodyAcceleration<T>> block_bias(const RecursionWork<T>& work, const Recu
     const BodyAcceleration<T> below = p == unit.base ? BodyAcceleration<T>{} : bias[p];
     const Vector<T> turning = p == unit.base ? Vector<T>{} : velocity[p].angular;
     BodyAcceleration<T> b{below.linear + below.gradient * work.offset[body], below.angular, below.gradient};
-    if (!step.quasi()) {
+    if (step.quasi() && !quasi.empty()) {
+      const auto at = [&](int c) -> const T& { return quasi[unit.column(step.joints[c])]; };
+      b.angular = b.angular + Vector<T>{at(0), at(1), at(2)};
+    } else if (!step.quasi()) {
       const Vector<T> coriolis = cross(turning, work.system.zd(step.joints[0]) * work.k.axis[step.joints[0]]);
       if (step.revolute)
         b.angular = b.angular + coriolis;
@@ -220,6 +224,14 @@ PerBody<BodyAcceleration<T>> block_bias(const RecursionWork<T>& work, const Recu
     bias[body] = b;
   }
   return bias;
+}
+
+/// The same under zero accelerations of all joints, those of quasi steps too.
+template <class T>
+PerBody<BodyAcceleration<T>> rate_bias(const RecursionWork<T>& work, const RecursionUnit& unit,
+                                       const PerBody<Spatial<T>>& velocity) {
+  const std::vector<T> zero(unit.joints.size(), T(0.0));
+  return block_bias(work, unit, velocity, quasi_accelerations(work, unit, velocity, zero));
 }
 
 }  // namespace mbgen

@@ -7,7 +7,8 @@
 
 namespace mbgen {
 
-/// The nine steps of the paper's tables 1 and 2, in order.
+/// The nine steps of the paper's tables 1 and 2, in order; after them what programs at given accelerations do as the
+/// last.
 enum class Step {
   inertias = 1,
   jacobian,
@@ -17,7 +18,9 @@ enum class Step {
   closure_bias,
   accelerations,
   reduced_system,
-  solution
+  solution,
+  multipliers,
+  outputs
 };
 
 /// Receives step, heading and name of the values in the making. This one, for numbers, ignores them.

@@ -43,7 +43,7 @@ RoadContact<T> road_contact(const ForceWork<T>& work, const Tyre& tyre, std::siz
   c.up = up;
   c.forward = (T(1.0) / cosine) * across;
   c.left = cross(up, c.forward);
-  const T height = position_in(system, work.k, centre, kGround).z - work.value(tyre.road_height);
+  const T height = position_in(system, work.k, centre, kGround).z - work.value(tyre.road_height, "road", tyre.name);
   const T loaded_radius = height / cosine;
   const Vector<T> down = (loaded_radius / cosine) * (sine * axis - up);  // from the centre to the contact point
   const Vector<T> at = arm_of(system, work.k, centre, work.v.about);
@@ -53,7 +53,7 @@ RoadContact<T> road_contact(const ForceWork<T>& work, const Tyre& tyre, std::siz
   const T spin = dot(velocity.angular, axis);
   const Vector<T> turning = velocity.angular - spin * axis;
   const T sine_rate = dot(cross(velocity.angular, axis), up);
-  c.motion.deflection = work.value(tyre.radius) - loaded_radius;
+  c.motion.deflection = work.value(tyre.radius, "radius", tyre.name) - loaded_radius;
   c.motion.deflection_rate = -(dot(centre_velocity, up) + loaded_radius * sine * sine_rate / cosine) / cosine;
   c.motion.vx = dot(centre_velocity, c.forward);
   c.motion.vy = dot(centre_velocity + cross(turning, down), c.left);
@@ -68,14 +68,15 @@ template <class T>
 TyreResult<T> tyre_result(const ForceWork<T>& work, const Tyre& tyre, const TyreContact<T>& contact) {
   std::vector<T> coefficients;
   for (const Quantity& q : tyre.coefficients) coefficients.push_back(work.value(q));
-  const TyreProperties<T> properties{work.value(tyre.radius),
-                                     work.value(tyre.stiffness),
-                                     work.value(tyre.damping),
-                                     work.value(tyre.friction),
-                                     work.value(tyre.rolling_resistance),
-                                     work.value(tyre.relaxation_x),
-                                     work.value(tyre.relaxation_y),
-                                     work.value(tyre.low_speed),
+  const auto value = [&](const Quantity& q, const char* meaning) { return work.value(q, meaning, tyre.name); };
+  const TyreProperties<T> properties{value(tyre.radius, "radius"),
+                                     value(tyre.stiffness, "k"),
+                                     value(tyre.damping, "d"),
+                                     value(tyre.friction, "friction"),
+                                     value(tyre.rolling_resistance, "rolling"),
+                                     value(tyre.relaxation_x, "relaxation_x"),
+                                     value(tyre.relaxation_y, "relaxation_y"),
+                                     value(tyre.low_speed, "low_speed"),
                                      tyre.side,
                                      tyre.count};
   if (tyre.model == TyreModel::pac2002)

@@ -38,7 +38,6 @@ GivenState given_state(Tracing& tracing) {
     s.missing.joint = tree_forces(system, s.kinematics, m, s.velocities, s.accelerations, s.forces, s.tau);
   else
     s.missing = gathered_forces(system, s.kinematics, s.velocities, s.accelerations, s.forces, s.tau);
-  tracing.scribe.step(Step::solution);
   return s;
 }
 
@@ -95,6 +94,7 @@ Program trace_multipliers(const Model& model, const Topology& topology, const An
   const Recursion recursion = plan_recursion(model, topology, analysis.driven);
   Tracing tracing(Role::multipliers, model, topology, analysis, form == Form::matrix ? nullptr : &recursion.layout);
   const GivenState s = given_state(tracing);
+  tracing.scribe.step(Step::multipliers);
   std::vector<std::vector<Expr>> lambda;
   std::vector<Expr> left = s.missing.joint;
   const std::vector<BlockMultipliers<Expr>> blocks = all_multipliers(tracing, s, recursion);
@@ -117,6 +117,7 @@ Program trace_outputs(const Model& model, const Topology& topology, const Analys
   Tracing tracing(Role::outputs, model, topology, analysis, form == Form::matrix ? nullptr : &recursion.layout);
   System<Expr>& system = tracing.system;
   const GivenState s = given_state(tracing);
+  tracing.scribe.step(Step::outputs);
   std::vector<std::vector<Expr>> lambda;
   std::vector<Expr> drive;
   if (topology.loops.empty()) {

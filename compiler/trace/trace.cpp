@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "compiler/trace/closure_programs.hpp"
 #include "compiler/trace/given_state.hpp"
 #include "compiler/trace/recursive.hpp"
 #include "compiler/trace/tracing.hpp"
@@ -127,89 +128,6 @@ Program trace_matrix_accelerations_chosen(const Model& model, const Topology& to
   return tracing.builder.finish_in_canonical_order();
 }
 
-/// Newton correction of positions and consistent velocities by the frozen factors (60), (61).
-Program trace_closure(const Model& model, const Topology& topology, const Analysis& analysis) {
-  Tracing tracing(Role::closure, model, topology, analysis);
-  System<Expr>& system = tracing.system;
-  std::vector<Expr> dz(topology.size(), Expr(0.0)), zd = system.environment.zd, residual;
-  for (const Drive<Expr>& d : tracing.drive) {
-    dz[d.coordinate] = d.position - system.z(d.coordinate);
-    zd[d.coordinate] = d.velocity;
-  }
-  const Kinematics<Expr> k = kinematics(system);
-  const RelativeMotion<Expr> rest = at_rest<Expr>(topology);
-  for (std::size_t b = 0; b < topology.blocks.size(); ++b) {
-    const LoopBlock& block = topology.blocks[b];
-    const BlockAnalysis& partition = analysis.blocks[b];
-    tracing.scribe.step(Step::jacobian);
-    const SparseClosure<Expr> closed = sparse_closure(system, k, block, rest);
-    const FrozenFactors<Expr> factors = factorise_frozen(closed.jacobian, partition, block.joints.size());
-    tracing.scribe.step(Step::velocities);
-    const auto heading = tracing.scribe.within(fmt::format("loop block {}", b));
-    std::vector<Expr> open, still(closed.residual.size(), Expr(0.0)), known_z, known_zd;
-    for (const Expr& value : closed.residual) open.push_back(-value);
-    for (int j : block.joints) {
-      known_z.push_back(dz[j]);
-      known_zd.push_back(zd[j]);
-    }
-    std::vector<int> known = partition.independent;
-    known.insert(known.end(), partition.driven.begin(), partition.driven.end());
-    const auto correction = solve_frozen(
-        factors, partition, moved_over(closed.jacobian, open, partition.driven, known_z), block.joints.size());
-    const auto velocity =
-        solve_frozen(factors, partition, moved_over(closed.jacobian, still, known, known_zd), block.joints.size());
-    for (int c : partition.dependent) {
-      dz[block.joints[c]] = correction[c];
-      zd[block.joints[c]] = velocity[c];
-    }
-    residual.insert(residual.end(), closed.residual.begin(), closed.residual.end());
-    if (partition.rank > 0) tracing.output(Array::pivot, static_cast<int>(b), factors.quality);
-  }
-  for (const Drive<Expr>& d : tracing.drive) residual.push_back(dz[d.coordinate]);
-  tracing.outputs(Array::residual, residual);
-  tracing.outputs(Array::dz, dz);
-  tracing.outputs(Array::zd, zd);
-  return tracing.builder.finish_in_canonical_order();
-}
-
-/// Phi_z zd per equation.
-std::vector<Expr> rates_of(const System<Expr>& system, const SparseClosure<Expr>& closed, const LoopBlock& block) {
-  std::vector<Expr> rates;
-  for (const SparseRow<Expr>& row : closed.jacobian) {
-    rates.emplace_back(0.0);
-    for (std::size_t i = 0; i < row.columns.size(); ++i)
-      rates.back() += row.values[i] * system.zd(block.joints[row.columns[i]]);
-  }
-  return rates;
-}
-
-Program trace_closure_terms(const Model& model, const Topology& topology, const Analysis& analysis) {
-  Tracing tracing(Role::closure_terms, model, topology, analysis);
-  System<Expr>& system = tracing.system;
-  const Kinematics<Expr> k = kinematics(system);
-  RelativeMotion<Expr> relative = at_rest<Expr>(topology);
-  const bool again = chooses_again(topology);
-  for (std::size_t b = 0; b < topology.blocks.size(); ++b) {
-    const LoopBlock& block = topology.blocks[b];
-    tracing.scribe.step(Step::jacobian);
-    set_relative_motion(system, k, block, relative);
-    const SparseClosure<Expr> closed = sparse_closure(system, k, block, relative);
-    tracing.outputs(of_block(Array::Phi, b), closed.residual);
-    tracing.outputs(of_block(Array::c, b), closed.acceleration);
-    if (!again) {
-      tracing.outputs(of_block(Array::rate, b), rates_of(system, closed, block));
-      continue;
-    }
-    const SlotGroup group = of_block(Array::Jz, b);
-    int first = 0;
-    for (const SparseRow<Expr>& row : closed.jacobian) {
-      for (int c = 0; c < static_cast<int>(block.joints.size()); ++c) tracing.output(group, first++, row.at(c));
-    }
-  }
-  for (const Drive<Expr>& d : tracing.drive) tracing.output(Array::driven_acceleration, d.coordinate, d.acceleration);
-  return tracing.builder.finish_in_canonical_order();
-}
-
 /// The frozen and the chosen partition in one form, so that both are the same equations.
 void trace_all_accelerations(const Model& model, const Topology& topology, const Analysis& analysis,
                              Programs& programs) {
@@ -247,8 +165,8 @@ Programs trace(const Model& model, const Topology& topology, const Analysis& ana
   Programs programs;
   programs.form = form.value_or(form_of(topology, analysis));
   trace_all_accelerations(model, topology, analysis, programs);
-  programs.closure = trace_closure(model, topology, analysis);
-  if (!topology.loops.empty()) programs.closure_terms = trace_closure_terms(model, topology, analysis);
+  programs.closure = trace_closure(model, topology, analysis, programs.form);
+  if (!topology.loops.empty()) programs.closure_terms = trace_closure_terms(model, topology, analysis, programs.form);
   programs.multipliers = trace_multipliers(model, topology, analysis, programs.form);
   programs.outputs = trace_outputs(model, topology, analysis, programs.form);
   for (int i : free_coordinates(topology, analysis))

@@ -116,13 +116,13 @@ TEST_P(Golden, agreesWithTheGenericRuntime) {
     EXPECT_LE(relative_error({end_of_zdd, end_of_zdd + slips}, expected.xd), kTolerance) << "state " << attempt;
 
     Groups program = interpreted(*compilation, same, tau);
-    if (std::any_of(program["pivot"].begin(), program["pivot"].end(),
+    if (std::any_of(program[Array::pivot].begin(), program[Array::pivot].end(),
                     [](double pivot) { return pivot < kPivotThreshold<double>; }))
       continue;  // emitted code has pivoted there
     ++frozen;
     const auto at_double =
         recursion_at_double(compilation->model, compilation->topology, compilation->analysis, choices, same, tau);
-    EXPECT_LE(relative_error(program["zdd"], at_double.zdd), kSameEquations) << "state " << attempt;
+    EXPECT_LE(relative_error(program[Array::zdd], at_double.zdd), kSameEquations) << "state " << attempt;
     EXPECT_LE(relative_error({derivative.begin(), end_of_zdd}, at_double.zdd), kSameEquations) << "state " << attempt;
     EXPECT_LE(relative_error({end_of_zdd, end_of_zdd + slips}, at_double.xd), kSameEquations) << "state " << attempt;
   }

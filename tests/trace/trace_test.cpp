@@ -5,7 +5,9 @@
 #include <map>
 
 #include "compiler/passes/passes.hpp"
+#include "compiler/trace/recursive.hpp"
 #include "runtime/generic/block_factors.hpp"
+#include "tests/support/recursion_support.hpp"
 #include "tests/support/reference_support.hpp"
 
 namespace mbgen {
@@ -87,29 +89,60 @@ TEST_P(EveryModel, FrozenAccelerationsEqualThoseOfFullPivoting) {
     }
 }
 
+/// Projections of all blocks by full pivoting. terms: outputs of the closure terms.
+std::vector<GroupProjection<double>> pivoted_projections(const Mechanism& m, const Slots& terms) {
+  std::vector<GroupProjection<double>> projections;
+  for (std::size_t b = 0; b < m.topology.blocks.size(); ++b) {
+    const std::size_t columns = m.topology.blocks[b].joints.size(), rows = terms.at(of_block(Array::Phi, b)).size();
+    const std::vector<double>& flat = terms.at(of_block(Array::Jz, b));
+    std::vector<std::vector<double>> jacobian;
+    for (std::size_t e = 0; e < rows; ++e)
+      jacobian.emplace_back(flat.begin() + e * columns, flat.begin() + (e + 1) * columns);
+    const BlockFactors factors(jacobian, m.analysis.blocks[b].driven, m.analysis.blocks[b].rank);
+    std::vector<double> zdd_star(columns, 0.0);
+    for (int c : m.analysis.blocks[b].driven)
+      zdd_star[c] = terms.at(Array::driven_acceleration)[m.topology.blocks[b].joints[c]];
+    factors.solve(terms.at(of_block(Array::c, b)), zdd_star);
+    projections.push_back({factors.rz(), zdd_star});
+  }
+  return projections;
+}
+
+/// The projections as inputs of a program.
+Slots with_projections(Slots given, const std::vector<GroupProjection<double>>& projections) {
+  for (std::size_t b = 0; b < projections.size(); ++b) {
+    given[of_block(Array::zdd_star, b)] = projections[b].zdd_star;
+    std::vector<double>& flat = given[of_block(Array::Rz, b)];
+    for (const std::vector<double>& row : projections[b].rz) flat.insert(flat.end(), row.begin(), row.end());
+  }
+  return given;
+}
+
 TEST_P(EveryModelWithLoops, AccelerationsWithAGivenPartitionEqualTheFrozenOnes) {
   for (const GenericState& state : random_states(m, 3)) {
     const std::vector<double> tau = random_tau(m, 13);
-    const Slots terms = run(programs.closure_terms, m, slots_of(state, tau));
-    Slots given = slots_of(state, tau);
-    for (std::size_t b = 0; b < m.topology.blocks.size(); ++b) {
-      const std::size_t columns = m.topology.blocks[b].joints.size(), rows = terms.at(of_block(Array::Phi, b)).size();
-      const std::vector<double>& flat = terms.at(of_block(Array::Jz, b));
-      std::vector<std::vector<double>> jacobian;
-      for (std::size_t e = 0; e < rows; ++e)
-        jacobian.emplace_back(flat.begin() + e * columns, flat.begin() + (e + 1) * columns);
-      const BlockFactors factors(jacobian, m.analysis.blocks[b].driven, m.analysis.blocks[b].rank);
-      std::vector<double> zdd_star(columns, 0.0);
-      for (int c : m.analysis.blocks[b].driven)
-        zdd_star[c] = terms.at(Array::driven_acceleration)[m.topology.blocks[b].joints[c]];
-      factors.solve(terms.at(of_block(Array::c, b)), zdd_star);
-      given[of_block(Array::zdd_star, b)] = zdd_star;
-      for (const std::vector<double>& row : factors.rz())
-        given[of_block(Array::Rz, b)].insert(given[of_block(Array::Rz, b)].end(), row.begin(), row.end());
-    }
-    const Slots chosen = run(programs.accelerations_chosen, m, given);
+    const auto projections = pivoted_projections(m, run(programs.closure_terms, m, slots_of(state, tau)));
+    const Slots chosen = run(programs.accelerations_chosen, m, with_projections(slots_of(state, tau), projections));
     const Slots frozen = run(programs.accelerations, m, slots_of(state, tau));
     EXPECT_LT(relative_error(chosen.at(Array::zdd), frozen.at(Array::zdd)), 1e-9);
+  }
+}
+
+// The recursion with a partition chosen at run time, at `double` and traced: the same operations but for sums in
+// another order. The frozen partition and emitted code: golden_test.
+TEST(Trace, TheChosenPartitionAtDoubleEqualsItsProgram) {
+  for (const char* path : {"models/four_bar.json", "models/pulled_wheel.json", "models/coach_mechanism.json"}) {
+    SCOPED_TRACE(path);
+    const Mechanism m = load(path);
+    const Program terms = trace(m.model, m.topology, m.analysis).closure_terms;
+    const Program program = trace_recursive_accelerations(m.model, m.topology, m.analysis, Partition::chosen);
+    for (const GenericState& state : random_states(m, 3)) {
+      const std::vector<double> tau = random_tau(m, 19);
+      const auto projections = pivoted_projections(m, run(terms, m, slots_of(state, tau)));
+      const Slots traced = run(program, m, with_projections(slots_of(state, tau), projections));
+      const auto at_double = test::recursion_at_double(m.model, m.topology, m.analysis, {}, state, tau, projections);
+      EXPECT_LT(relative_error(traced.at(Array::zdd), at_double.zdd), 1e-12);
+    }
   }
 }
 

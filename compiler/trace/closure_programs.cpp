@@ -1,0 +1,137 @@
+#include "compiler/trace/closure_programs.hpp"
+
+#include <fmt/format.h>
+
+#include <optional>
+
+#include "compiler/trace/tracing.hpp"
+
+namespace mbgen {
+namespace {
+
+/// Closure terms of the blocks over joint rates, in the form that the tracing is in.
+class Closures {
+ public:
+  Closures(Tracing& tracing, const Recursion& recursion, const Kinematics<Expr>& k)
+      : system_(tracing.system), k_(k), relative_(mbgen::at_rest<Expr>(tracing.system.topology)) {
+    if (tracing.scribe.form == Form::matrix) return;
+    work_.emplace(recursion_work(system_, recursion, k));
+    rates_ = quasi_velocities(*work_);
+    units_.resize(system_.topology.blocks.size());
+    for (const RecursionUnit& unit : recursion.units)
+      if (unit.block >= 0) units_[unit.block] = &unit;
+  }
+  /// Residual and Jacobian.
+  SparseClosure<Expr> at_rest(std::size_t b) {
+    if (!work_) return sparse_closure(system_, k_, system_.topology.blocks[b], relative_);
+    const RecursionUnit& unit = *units_[b];
+    return near_closure(*work_, unit, PerBody<Spatial<Expr>>(unit), PerBody<BodyAcceleration<Expr>>(unit),
+                        Columns::rates);
+  }
+  /// All terms.
+  SparseClosure<Expr> moving(std::size_t b) {
+    if (!work_) {
+      set_relative_motion(system_, k_, system_.topology.blocks[b], relative_);
+      return sparse_closure(system_, k_, system_.topology.blocks[b], relative_);
+    }
+    const RecursionUnit& unit = *units_[b];
+    const PerBody<Spatial<Expr>> velocity = block_motion(*work_, unit, rates_);
+    return near_closure(*work_, unit, velocity, rate_bias(*work_, unit, velocity), Columns::rates);
+  }
+
+ private:
+  System<Expr>& system_;
+  const Kinematics<Expr>& k_;
+  RelativeMotion<Expr> relative_;
+  std::optional<RecursionWork<Expr>> work_;  ///< the recursive form alone
+  std::vector<Expr> rates_;
+  std::vector<const RecursionUnit*> units_;  ///< per block
+};
+
+/// Phi_z zd per equation.
+std::vector<Expr> rates_of(const System<Expr>& system, const SparseClosure<Expr>& closed, const LoopBlock& block) {
+  std::vector<Expr> rates;
+  for (const SparseRow<Expr>& row : closed.jacobian) {
+    rates.emplace_back(0.0);
+    for (std::size_t i = 0; i < row.columns.size(); ++i)
+      rates.back() += row.values[i] * system.zd(block.joints[row.columns[i]]);
+  }
+  return rates;
+}
+
+}  // namespace
+
+Program trace_closure(const Model& model, const Topology& topology, const Analysis& analysis, Form form) {
+  const Recursion recursion = plan_recursion(model, topology, analysis.driven);
+  Tracing tracing(Role::closure, model, topology, analysis, form == Form::matrix ? nullptr : &recursion.layout);
+  System<Expr>& system = tracing.system;
+  std::vector<Expr> dz(topology.size(), Expr(0.0)), zd = system.environment.zd, residual;
+  for (const Drive<Expr>& d : tracing.drive) {
+    dz[d.coordinate] = d.position - system.z(d.coordinate);
+    zd[d.coordinate] = d.velocity;
+  }
+  const Kinematics<Expr> k = kinematics(system);
+  Closures closures(tracing, recursion, k);
+  for (std::size_t b = 0; b < topology.blocks.size(); ++b) {
+    const LoopBlock& block = topology.blocks[b];
+    const BlockAnalysis& partition = analysis.blocks[b];
+    tracing.scribe.step(Step::jacobian);
+    const SparseClosure<Expr> closed = closures.at_rest(b);
+    const FrozenFactors<Expr> factors = factorise_frozen(closed.jacobian, partition, block.joints.size());
+    name_pivots(system, block, partition, factors);
+    tracing.scribe.step(Step::velocities);
+    const auto heading = tracing.scribe.within(fmt::format("loop block {}", b));
+    std::vector<Expr> open, still(closed.residual.size(), Expr(0.0)), known_z, known_zd;
+    for (const Expr& value : closed.residual) open.push_back(-value);
+    for (int j : block.joints) {
+      known_z.push_back(dz[j]);
+      known_zd.push_back(zd[j]);
+    }
+    std::vector<int> known = partition.independent;
+    known.insert(known.end(), partition.driven.begin(), partition.driven.end());
+    const auto correction = solve_frozen(
+        factors, partition, moved_over(closed.jacobian, open, partition.driven, known_z), block.joints.size());
+    const auto velocity =
+        solve_frozen(factors, partition, moved_over(closed.jacobian, still, known, known_zd), block.joints.size());
+    for (int c : partition.dependent) {
+      dz[block.joints[c]] = correction[c];
+      zd[block.joints[c]] = velocity[c];
+    }
+    residual.insert(residual.end(), closed.residual.begin(), closed.residual.end());
+    if (partition.rank > 0) tracing.output(Array::pivot, static_cast<int>(b), factors.quality);
+  }
+  for (const Drive<Expr>& d : tracing.drive) residual.push_back(dz[d.coordinate]);
+  tracing.outputs(Array::residual, residual);
+  tracing.outputs(Array::dz, dz);
+  tracing.outputs(Array::zd, zd);
+  return tracing.builder.finish_in_canonical_order();
+}
+
+Program trace_closure_terms(const Model& model, const Topology& topology, const Analysis& analysis, Form form) {
+  const Recursion recursion = plan_recursion(model, topology, analysis.driven);
+  Tracing tracing(Role::closure_terms, model, topology, analysis, form == Form::matrix ? nullptr : &recursion.layout);
+  System<Expr>& system = tracing.system;
+  const Kinematics<Expr> k = kinematics(system);
+  Closures closures(tracing, recursion, k);
+  const bool again = chooses_again(topology);
+  for (std::size_t b = 0; b < topology.blocks.size(); ++b) {
+    const LoopBlock& block = topology.blocks[b];
+    tracing.scribe.step(Step::jacobian);
+    const SparseClosure<Expr> closed = closures.moving(b);
+    tracing.outputs(of_block(Array::Phi, b), closed.residual);
+    tracing.outputs(of_block(Array::c, b), closed.acceleration);
+    if (!again) {
+      tracing.outputs(of_block(Array::rate, b), rates_of(system, closed, block));
+      continue;
+    }
+    const SlotGroup group = of_block(Array::Jz, b);
+    int first = 0;
+    for (const SparseRow<Expr>& row : closed.jacobian) {
+      for (int c = 0; c < static_cast<int>(block.joints.size()); ++c) tracing.output(group, first++, row.at(c));
+    }
+  }
+  for (const Drive<Expr>& d : tracing.drive) tracing.output(Array::driven_acceleration, d.coordinate, d.acceleration);
+  return tracing.builder.finish_in_canonical_order();
+}
+
+}  // namespace mbgen
