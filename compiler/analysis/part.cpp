@@ -104,7 +104,7 @@ PartView view(const NumericSystem& numbers, std::size_t b, const BlockPart& part
     v.singular_values.push_back(singular_values(j));
     const Eigen::VectorXd& correction = configurations[v.configurations[i]].corrections[b];
     const double uncertain = correction(part.columns).cwiseQuotient(v.column_scale).cwiseAbs().maxCoeff();
-    const double tolerance = std::max(kRankTolerance, kUncertainty * uncertain);
+    const double tolerance = std::max(kLeastSingularValue, kUncertainty * uncertain);
     v.ranks.push_back(static_cast<int>((v.singular_values.back().array() > tolerance).count()));
     v.rank = std::max(v.rank, v.ranks.back());
   }

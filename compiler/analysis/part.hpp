@@ -10,7 +10,9 @@
 
 namespace mbgen {
 
-constexpr double kRankTolerance = 1e-8;  ///< singular value of a unit-free Jacobian; closures are exact to 1e-11
+/// A unit-free Jacobian has its number of larger singular values as rank; closures are exact to 1e-11. Pivots of the
+/// solver are judged by kRankTolerance of mbgen/precision.hpp.
+constexpr double kLeastSingularValue = 1e-8;
 
 /// Some loops of a block with the joints that they constrain; rows and columns local to the block, ascending.
 struct BlockPart {
@@ -34,7 +36,7 @@ struct PartView {
   std::vector<int> configurations;         ///< indices of the closed ones
   std::vector<Eigen::MatrixXd> jacobians;  ///< J at each of them
   std::vector<Eigen::VectorXd> singular_values;
-  std::vector<int> ranks;  ///< singular values above kRankTolerance, and above what the position is uncertain by
+  std::vector<int> ranks;  ///< singular values above kLeastSingularValue, and above what the position is uncertain by
   int rank = 0;            ///< generic: the largest seen
   /// Weakest singular value that counts as rank over the largest one, at least 1: at view index `s`.
   double margin(std::size_t s) const;

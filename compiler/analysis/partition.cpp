@@ -39,7 +39,7 @@ MatrixXd part_of(const MatrixXd& m, const std::vector<int>& rows, const std::vec
 
 int rank_of(const MatrixXd& m) {
   if (m.size() == 0) return 0;
-  return static_cast<int>((singular_values(m).array() > kRankTolerance).count());
+  return static_cast<int>((singular_values(m).array() > kLeastSingularValue).count());
 }
 
 struct Candidate {
@@ -336,7 +336,7 @@ double typical_pivot(const std::vector<MatrixXd>& jacobians, int rank, const std
     loop.matrix = factors.data();
     loop.rows = rows.data();
     loop.columns = columns.data();
-    factorise(loop, rank, is_driven.data(), kRankTolerance);
+    factorise(loop, rank, is_driven.data(), kLeastSingularValue);
     smallest.push_back(loop.rank == rank ? smallest_pivot(loop) : 0);
   }
   std::sort(smallest.begin(), smallest.end());

@@ -11,7 +11,6 @@ namespace mbgen {
 
 namespace {
 
-constexpr int kMostNewtonSteps = 20;
 constexpr double kLongestNewtonStep = 0.3;  // rad or m; a longer one leaves the basin
 
 }  // namespace
@@ -101,7 +100,7 @@ Status GenericSolver::project(GenericState& state) const {
     // Angles of many turns round above the tolerance, as in mbgen/closure.hpp.
     if (open < 0 || (!(size < 0.5 * previous) && size <= kRoundingFloor<double>)) break;
     previous = size;
-    if (step == kMostNewtonSteps) return {Code::loop_not_closed, open};
+    if (step == kNewtonIterations) return {Code::loop_not_closed, open};
     std::vector<double> dz(trial.z.size(), 0.0);
     content_->algebra.solve(right_hand_side, dz);
     for (std::size_t b = 0; b < closures.size(); ++b) {
