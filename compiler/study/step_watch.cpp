@@ -12,6 +12,11 @@
 namespace mbgen::cli {
 namespace {
 
+/// Two digits, and all of them from 100 % on.
+std::string percent_text(double share) {
+  return share < 0.995 ? fmt::format("{:.2g} %", 100 * share) : fmt::format("{:.0f} %", 100 * share);
+}
+
 using Integrator = SolverSettings::Integrator;
 
 constexpr double kDifference = 1e-6;  // rad, m or per second
@@ -169,8 +174,8 @@ struct StepJudge {
   }
 
   std::string energy_text() const {
-    return fmt::format("the energy balance is off by {:.2g} % ({:.3g} J of {:.3g} J)",
-                       100 * std::abs(summary.energy.relative_error()), std::abs(summary.energy.error()),
+    return fmt::format("the energy balance is off by {} ({:.3g} J of {:.3g} J)",
+                       percent_text(std::abs(summary.energy.relative_error())), std::abs(summary.energy.error()),
                        summary.energy.scale);
   }
 
@@ -205,7 +210,7 @@ struct StepJudge {
                       is_step ? "is too long" : "may be too long, or an input or a law jumps", advice(is_step));
       if (relative <= kEnergyFailure) return verdict.warnings.push_back(text);
       verdict.failure = text;
-      verdict.outcome = fmt::format("energy balance off by {:.2g} %", 100 * relative);
+      verdict.outcome = "energy balance off by " + percent_text(relative);
     } else if (is_unstable) {
       verdict.warnings.push_back(fmt::format("step {:.6g} s is too long{}", settings.step, advice()));
     }
