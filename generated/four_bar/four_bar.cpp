@@ -16,8 +16,12 @@
 //   m mass, h first moments, K second moments about the origin; c centre of mass, I inertia about it
 //   p_<coordinate> origin of a body from that of the body before it; p_<body>_<point> a point from its body's
 //     origin; l length, g gravity: numbers of the model, or what its parameters make of them
+//   l0 z0 free length, free coordinate, k stiffness, d damping, f0 preload of an element; its other numbers by their
+//     fields, as area_<element>
 //   z zd zdd coordinate, rate, acceleration; R_<body>_x_z component z of the body's axis x; r origin; u joint axis
-//   w angular velocity, a acceleration of the origin, alpha angular acceleration, f n force and moment needed
+//   v velocity of the origin, w angular velocity, a acceleration of the origin, alpha angular acceleration
+//   f n force and moment that a body needs, Q force of a joint that its closures and drives must give
+//   pivot of a coordinate: of its column of the closure Jacobian (60), or of its free direction (63)
 //   J entry of the closure Jacobian; Rz projection (61); zdd_star accelerations at zero free ones (62)
 //   s8_12 the 12th value without a name of step 8
 
@@ -52,6 +56,7 @@ constexpr double p_rocker_pin_x = 0.4;
 constexpr double p_rocker_S_x = 0.01;
 constexpr double p_rocker_S_z = 0.15;
 constexpr double p_ground_S_z = 0.1;
+constexpr double l0_return_spring = 0.18;
 constexpr double h_crank_x = 0.04;
 constexpr double h_crank_z = 0.016;
 constexpr double h_coupler_x = 0.225;
@@ -103,35 +108,36 @@ void compute_accelerations(const Tuned& parameters, const Inputs& inputs, const 
 
   // --- step 5: applied forces Q (48) ---
   // return_spring
-  const double s5_1 = mbgen::fnma(p_rocker_S_x, R_rocker_x_z, p_rocker_S_z*R_rocker_x_x);
-  const double s5_2 = mbgen::fma(p_rocker_S_x, R_rocker_x_x, p_rocker_S_z*R_rocker_x_z);
-  const double s5_3 = p_ground_S_z - s5_1;
-  const double s5_4 = 0.2 - s5_2;
-  const double s5_5 = std::sqrt(mbgen::fma(s5_4, s5_4, s5_3*s5_3));
-  const double tension_return_spring = (s5_5 - 0.18)*parameters.k;
-  const double s5_6 = tension_return_spring*(1.0/s5_5);
-  const double s5_7 = mbgen::fnma(s5_2, s5_3*s5_6, s5_1*(s5_4*s5_6));
+  const double s5_1 = mbgen::fma(p_rocker_S_x, R_rocker_x_x, p_rocker_S_z*R_rocker_x_z);
+  const double s5_2 = mbgen::fnma(p_rocker_S_x, R_rocker_x_z, p_rocker_S_z*R_rocker_x_x);
+  const double s5_3 = 0.2 - s5_1;
+  const double s5_4 = p_ground_S_z - s5_2;
+  const double s5_5 = std::sqrt(mbgen::fma(s5_3, s5_3, s5_4*s5_4));
+  const double tension_return_spring = (s5_5 - l0_return_spring)*parameters.k;
+  const double s5_6 = 1.0/s5_5*tension_return_spring;
+  const double s5_7 = mbgen::fnma(s5_1, s5_4*s5_6, s5_2*(s5_3*s5_6));
   // operations: 7 add, 12 multiply, 1 divide, 1 sqrt
 
   // --- step 2: closure Jacobian Phi_z and its factors (60), rocker_tip ---
   // rocker_tip
-  const double s2_1 = mbgen::fma(p_coupler_C_x, R_coupler_x_x, p_coupler_C_z*R_coupler_x_z);
-  const double s2_2 = mbgen::fnma(p_coupler_C_x, R_coupler_x_z, p_coupler_C_z*R_coupler_x_x);
-  const double s2_3 = mbgen::fma(p_rocker_C_x, R_rocker_x_x, p_rocker_C_z*R_rocker_x_z);
-  const double s2_4 = mbgen::fnma(p_rocker_C_x, R_rocker_x_z, p_rocker_C_z*R_rocker_x_x);
-  const double s2_5 = 1.0/s2_4;
-  const double s2_6 = s2_3*s2_5;
-  const double s2_7 = r_coupler_z + s2_2;
-  const double s2_8 = mbgen::fms(s2_7, s2_6, r_coupler_x) - s2_1;
-  const double s2_9 = 2.5000000000000004*std::abs(s2_8);
-  result.pivot[0] = mbgen::min(3.999888870509994*std::abs(s2_4), s2_9);
-  // operations: 7 add, 12 multiply, 1 divide, 3 other
+  const double s2_1 = mbgen::fnma(p_rocker_C_x, R_rocker_x_z, p_rocker_C_z*R_rocker_x_x);
+  const double s2_2 = mbgen::fma(p_rocker_C_x, R_rocker_x_x, p_rocker_C_z*R_rocker_x_z);
+  const double s2_3 = mbgen::fma(p_coupler_C_x, R_coupler_x_x, p_coupler_C_z*R_coupler_x_z);
+  const double s2_4 = mbgen::fnma(p_coupler_C_x, R_coupler_x_z, p_coupler_C_z*R_coupler_x_x);
+  const double s2_5 = 1.0/s2_1;
+  const double s2_6 = s2_2*s2_5;
+  const double s2_7 = r_coupler_z + s2_4;
+  const double pivot_crank_pin = mbgen::fms(s2_7, s2_6, r_coupler_x) - s2_3;
+  const double s2_8 = mbgen::fms(s2_4, s2_6, s2_3);
+  const double s2_9 = 2.5000000000000004*std::abs(pivot_crank_pin);
+  result.pivot[0] = mbgen::min(3.999888870509994*std::abs(s2_1), s2_9);
+  // operations: 8 add, 13 multiply, 1 divide, 3 other
 
   // --- step 3: Rz (61), rocker_tip ---
-  const double s3_1 = 1.0/s2_8;
-  const double s3_2 = mbgen::fms(s2_2, s2_6, s2_1)*s3_1;
-  const double s3_3 = s2_5*mbgen::fms(s2_7, s3_2, s2_2);
-  // operations: 2 add, 4 multiply, 1 divide
+  const double s3_1 = 1.0/pivot_crank_pin;
+  const double s3_2 = s2_8*s3_1;
+  const double s3_3 = s2_5*mbgen::fms(s2_7, s3_2, s2_4);
+  // operations: 1 add, 3 multiply, 1 divide
 
   // --- step 6: c and dRz/dt zd (62), rocker_tip ---
   // coupler: coupler_pin, revolute, crank
@@ -142,10 +148,10 @@ void compute_accelerations(const Tuned& parameters, const Inputs& inputs, const 
   const double zd_rocker_pin = state.zd[Coordinate::rocker_pin];
   const double s6_3 = r_coupler_x*s6_1;
   const double w_coupler_y = zd_crank_pin + state.zd[Coordinate::coupler_pin];
-  const double s6_4 = mbgen::fms(zd_rocker_pin, zd_rocker_pin*s2_3, s6_3);
-  const double s6_5 = mbgen::fnma(w_coupler_y, w_coupler_y*s2_1, s6_4);
-  const double s6_6 = mbgen::fms(zd_rocker_pin, zd_rocker_pin*s2_4, s6_2);
-  const double s6_7 = mbgen::fma(s2_6, s6_5, mbgen::fnma(w_coupler_y, w_coupler_y*s2_2, s6_6));
+  const double s6_4 = mbgen::fms(zd_rocker_pin, zd_rocker_pin*s2_2, s6_3);
+  const double s6_5 = mbgen::fnma(w_coupler_y, w_coupler_y*s2_3, s6_4);
+  const double s6_6 = mbgen::fms(zd_rocker_pin, zd_rocker_pin*s2_1, s6_2);
+  const double s6_7 = mbgen::fma(s2_6, s6_5, mbgen::fnma(w_coupler_y, w_coupler_y*s2_4, s6_6));
   const double s6_8 = s3_1*s6_7;
   const double s6_9 = s2_5*mbgen::fms(s2_7, s6_8, s6_5);
   // operations: 7 add, 15 multiply
@@ -180,22 +186,22 @@ void compute_accelerations(const Tuned& parameters, const Inputs& inputs, const 
   const double s8_12 = mbgen::fnma(m_coupler, s8_3, s7_3*s8_2);
   // crank: crank_pin, revolute, ground
   const double s8_13 = mbgen::fnma(s8_3, s8_12, mbgen::fma(s8_4, s8_11, s8_10));
-  const double s8_14 = mbgen::fma(s3_2, 0.00302*s3_2, mbgen::fma(s8_2, s8_5, s8_13));
+  const double pivot_coupler_pin = mbgen::fma(s3_2, 0.00302*s3_2, mbgen::fma(s8_2, s8_5, s8_13));
   // coupler: coupler_pin, revolute, crank
-  const double s8_15 = mbgen::fma(r_coupler_z, s6_8, s6_3);
-  const double s8_16 = mbgen::fma(r_coupler_x, s6_8, (-g_z) - s6_2);
-  const double f_coupler_z = mbgen::fma(m_coupler, s8_16, mbgen::fnma(s8_1, s7_3, s6_8*s7_2));
-  const double s8_17 = mbgen::fma(m_coupler, s8_15, mbgen::fma(s6_8, s7_3, s8_1*s7_2));
-  const double s8_18 = mbgen::fnma(s8_4, f_coupler_z, tau[Coordinate::coupler_pin]);
-  const double s8_19 = mbgen::fma(0.0729, s6_8, mbgen::fma(s7_2, s8_16, s7_3*s8_15));
-  const double s8_20 = mbgen::fma(s8_2, s8_19, mbgen::fnma(s8_3, s8_17, s8_18));
-  const double s8_21 = mbgen::fnma(s3_3, s8_9, mbgen::fnma(s3_2, s8_7, s8_20));
-  result.inertia[0] = mbgen::fnma(1e-12, s8_14, s8_14);
+  const double s8_14 = mbgen::fma(r_coupler_z, s6_8, s6_3);
+  const double s8_15 = mbgen::fma(r_coupler_x, s6_8, (-g_z) - s6_2);
+  const double f_coupler_z = mbgen::fma(m_coupler, s8_15, mbgen::fnma(s8_1, s7_3, s6_8*s7_2));
+  const double s8_16 = mbgen::fma(m_coupler, s8_14, mbgen::fma(s6_8, s7_3, s8_1*s7_2));
+  const double s8_17 = mbgen::fnma(s8_4, f_coupler_z, tau[Coordinate::coupler_pin]);
+  const double s8_18 = mbgen::fma(0.0729, s6_8, mbgen::fma(s7_2, s8_15, s7_3*s8_14));
+  const double s8_19 = mbgen::fma(s8_2, s8_18, mbgen::fnma(s8_3, s8_16, s8_17));
+  const double s8_20 = mbgen::fnma(s3_3, s8_9, mbgen::fnma(s3_2, s8_7, s8_19));
+  result.inertia[0] = mbgen::fnma(1e-12, pivot_coupler_pin, pivot_coupler_pin);
   // operations: 30 add, 38 multiply
 
   // --- step 9: accelerations from the root to the leaves (63), (62) ---
   // rocker: rocker_pin, revolute, ground
-  const double s9_1 = s8_21*(1.0/s8_14);
+  const double s9_1 = s8_20*(1.0/pivot_coupler_pin);
   result.zdd[Coordinate::coupler_pin] = s9_1;
   result.zdd[Coordinate::crank_pin] = -mbgen::fma(s3_2, s9_1, s6_8);
   result.zdd[Coordinate::rocker_pin] = -mbgen::fma(s3_3, s9_1, s6_9);
@@ -213,7 +219,14 @@ struct Closure {
 /// One Newton step of the frozen partition, and consistent velocities.
 void compute_closure(const Tuned& /*parameters*/, const Inputs& /*inputs*/, const State& state,
     Closure& __restrict result) noexcept {
-  // --- step 1: poses, axes b, accumulated inertias MR (50) ---
+  // Results that need no operation.
+  result.dz[Coordinate::coupler_pin] = 0.0;
+  result.residual[1] = 0.0;
+  result.residual[3] = 0.0;
+  result.residual[4] = 0.0;
+  result.zd[Coordinate::coupler_pin] = state.zd[Coordinate::coupler_pin];
+
+  // --- step 1: poses and axes b ---
   // crank: crank_pin, revolute, ground
   const double z_crank_pin = state.z[Coordinate::crank_pin];
   double R_crank_x_x, R_crank_x_z;
@@ -234,44 +247,35 @@ void compute_closure(const Tuned& /*parameters*/, const Inputs& /*inputs*/, cons
 
   // --- step 2: closure Jacobian Phi_z and its factors (60) ---
   // rocker_tip
-  const double s2_1 = mbgen::fma(p_coupler_C_z, R_coupler_x_x, r_coupler_z);
-  const double J_rocker_tip_crank_pin = mbgen::fnma(p_coupler_C_x, R_coupler_x_z, s2_1);
-  const double s2_2 = mbgen::fnma(p_rocker_C_x, R_rocker_x_z, p_rocker_C_z*R_rocker_x_x);
-  const double s2_3 = mbgen::fma(p_coupler_C_z, R_coupler_x_z, r_coupler_x);
-  const double s2_4 = mbgen::fma(p_coupler_C_x, R_coupler_x_x, s2_3);
-  const double s2_5 = mbgen::fma(p_rocker_C_z, R_rocker_x_z, p_rocker_pin_x);
-  const double s2_6 = mbgen::fma(p_rocker_C_x, R_rocker_x_x, s2_5);
-  const double s2_7 = s2_4 - s2_6;
-  result.residual[0] = s2_7;
-  const double s2_8 = J_rocker_tip_crank_pin - s2_2;
+  const double s2_1 = mbgen::fnma(p_rocker_C_x, R_rocker_x_z, p_rocker_C_z*R_rocker_x_x);
+  const double s2_2 = mbgen::fma(p_coupler_C_x, R_coupler_x_x, p_coupler_C_z*R_coupler_x_z);
+  const double s2_3 = mbgen::fma(p_rocker_C_x, R_rocker_x_x, p_rocker_C_z*R_rocker_x_z);
+  const double s2_4 = mbgen::fnma(p_coupler_C_x, R_coupler_x_z, p_coupler_C_z*R_coupler_x_x);
+  const double s2_5 = r_coupler_x + s2_2;
+  const double s2_6 = s2_5 - s2_3 - p_rocker_pin_x;
+  result.residual[0] = s2_6;
+  const double s2_7 = r_coupler_z + s2_4;
+  const double s2_8 = s2_7 - s2_1;
   result.residual[2] = s2_8;
-  const double J_rocker_tip_coupler_pin = J_rocker_tip_crank_pin - r_coupler_z;
-  const double J_rocker_tip_coupler_pin_2 = r_coupler_x - s2_4;
-  const double s2_9 = 1.0/s2_2;
-  const double s2_10 = (p_rocker_pin_x - s2_6)*s2_9;
-  const double s2_11 = mbgen::fma(J_rocker_tip_crank_pin, s2_10, s2_4);
-  const double s2_12 = 1.0/s2_11;
-  const double s2_13 = 2.5000000000000004*std::abs(s2_11);
-  result.pivot[0] = mbgen::min(3.999888870509994*std::abs(s2_2), s2_13);
-  // operations: 13 add, 12 multiply, 2 divide, 3 other
+  const double s2_9 = 1.0/s2_1;
+  const double s2_10 = s2_3*s2_9;
+  const double pivot_crank_pin = mbgen::fms(s2_7, s2_10, s2_5);
+  const double s2_11 = 1.0/pivot_crank_pin;
+  const double s2_12 = 2.5000000000000004*std::abs(pivot_crank_pin);
+  result.pivot[0] = mbgen::min(3.999888870509994*std::abs(s2_1), s2_12);
+  // operations: 10 add, 12 multiply, 2 divide, 3 other
 
-  // --- step 4: velocities Z (36) ---
+  // --- step 4: velocities ---
   // loop block 0
   const double zd_coupler_pin = state.zd[Coordinate::coupler_pin];
-  const double s4_1 = zd_coupler_pin*J_rocker_tip_coupler_pin;
-  const double s4_2 = s2_12*mbgen::fms(s2_7, s2_10, s2_8);
+  const double s4_1 = zd_coupler_pin*s2_4;
+  const double s4_2 = s2_11*mbgen::fma(s2_6, s2_10, s2_8);
   result.dz[Coordinate::crank_pin] = -s4_2;
-  const double s4_3 = mbgen::fnma(zd_coupler_pin, J_rocker_tip_coupler_pin_2, s2_10*s4_1);
-  const double s4_4 = s2_12*s4_3;
-  result.zd[Coordinate::crank_pin] = -s4_4;
-  result.dz[Coordinate::rocker_pin] = -(s2_9*mbgen::fms(J_rocker_tip_crank_pin, s4_2, s2_7));
-  result.zd[Coordinate::rocker_pin] = -(s2_9*mbgen::fms(J_rocker_tip_crank_pin, s4_4, s4_1));
+  const double s4_3 = s2_11*mbgen::fnma(s2_10, s4_1, zd_coupler_pin*s2_2);
+  result.zd[Coordinate::crank_pin] = s4_3;
+  result.zd[Coordinate::rocker_pin] = s2_9*mbgen::fma(s2_7, s4_3, s4_1);
+  result.dz[Coordinate::rocker_pin] = -(s2_9*mbgen::fms(s2_7, s4_2, s2_6));
   // operations: 4 add, 10 multiply
-  result.residual[1] = 0.0;
-  result.residual[3] = 0.0;
-  result.residual[4] = 0.0;
-  result.dz[Coordinate::coupler_pin] = 0.0;
-  result.zd[Coordinate::coupler_pin] = zd_coupler_pin;
 }
 
 /// Result of compute_multipliers.
@@ -285,6 +289,11 @@ struct ConstraintForces {
 /// Multipliers of the closures and generalised driving forces, at given accelerations.
 void compute_multipliers(const Tuned& parameters, const Inputs& inputs, const State& state,
     const double* tau, const Derivative& derivative, ConstraintForces& __restrict result) noexcept {
+  // Results that need no operation.
+  result.lambda[1] = 0.0;
+  result.lambda[3] = 0.0;
+  result.lambda[4] = 0.0;
+
   // --- step 1: poses and axes b ---
   // crank: crank_pin, revolute, ground
   const double z_crank_pin = state.z[Coordinate::crank_pin];
@@ -306,7 +315,7 @@ void compute_multipliers(const Tuned& parameters, const Inputs& inputs, const St
   mbgen::sincos(z_rocker_pin, R_rocker_x_z, R_rocker_x_x);
   // operations: 4 add, 8 multiply, 6 sin cos
 
-  // --- step 4: angular velocities ---
+  // --- step 4: velocities ---
   // coupler: coupler_pin, revolute, crank
   const double zd_crank_pin = state.zd[Coordinate::crank_pin];
   const double w_coupler_y = zd_crank_pin + state.zd[Coordinate::coupler_pin];
@@ -315,15 +324,15 @@ void compute_multipliers(const Tuned& parameters, const Inputs& inputs, const St
   // --- step 5: applied forces Q (48) ---
   // return_spring
   const double s5_1 = p_rocker_S_x*R_rocker_x_z;
-  const double s5_2 = mbgen::fms(p_rocker_S_z, R_rocker_x_x, s5_1);
-  const double s5_3 = p_ground_S_z - s5_2;
-  const double s5_4 = p_rocker_S_x*R_rocker_x_x;
-  const double s5_5 = mbgen::fma(p_rocker_S_z, R_rocker_x_z, s5_4);
-  const double s5_6 = 0.2 - s5_5;
-  const double s5_7 = std::sqrt(mbgen::fma(s5_6, s5_6, s5_3*s5_3));
-  const double tension_return_spring = (s5_7 - 0.18)*parameters.k;
-  const double s5_8 = tension_return_spring*(1.0/s5_7);
-  const double s5_9 = mbgen::fnma(s5_5, s5_3*s5_8, s5_2*(s5_6*s5_8));
+  const double s5_2 = p_rocker_S_x*R_rocker_x_x;
+  const double s5_3 = mbgen::fma(p_rocker_S_z, R_rocker_x_z, s5_2);
+  const double s5_4 = mbgen::fms(p_rocker_S_z, R_rocker_x_x, s5_1);
+  const double s5_5 = 0.2 - s5_3;
+  const double s5_6 = p_ground_S_z - s5_4;
+  const double s5_7 = std::sqrt(mbgen::fma(s5_5, s5_5, s5_6*s5_6));
+  const double tension_return_spring = (s5_7 - l0_return_spring)*parameters.k;
+  const double s5_8 = 1.0/s5_7*tension_return_spring;
+  const double s5_9 = mbgen::fnma(s5_3, s5_6*s5_8, s5_4*(s5_5*s5_8));
   // operations: 7 add, 12 multiply, 1 divide, 1 sqrt
 
   // --- step 7: inertias of the bodies and forces on joints ---
@@ -340,57 +349,56 @@ void compute_multipliers(const Tuned& parameters, const Inputs& inputs, const St
   const double zd_rocker_pin = state.zd[Coordinate::rocker_pin];
   const double s7_4 = zd_rocker_pin*zd_rocker_pin;
   const double s7_5 = mbgen::fms(c_rocker_z, R_rocker_x_x, s5_1);
-  const double s7_6 = mbgen::fma(c_rocker_z, R_rocker_x_z, s5_4);
+  const double s7_6 = mbgen::fma(c_rocker_z, R_rocker_x_z, s5_2);
   const double zdd_rocker_pin = derivative.zdd[Coordinate::rocker_pin];
   const double s7_7 = mbgen::fnma(s7_4, s7_5, mbgen::fnma(zdd_rocker_pin, s7_6, (-g_z)));
   const double s7_8 = m_rocker*mbgen::fnma(s7_4, s7_6, zdd_rocker_pin*s7_5);
-  const double s7_9 = mbgen::fnma(s7_5, s7_8, mbgen::fnma(I_rocker_yy, zdd_rocker_pin, s5_9));
-  const double n_rocker_y = mbgen::fma(s7_6, m_rocker*s7_7, s7_9);
-  const double Q_rocker_pin = tau[Coordinate::rocker_pin] + n_rocker_y;
+  const double s7_9 = mbgen::fma(s7_5, s7_8, mbgen::fms(I_rocker_yy, zdd_rocker_pin, s5_9));
+  const double n_rocker_y = mbgen::fnma(s7_6, m_rocker*s7_7, s7_9);
+  const double Q_rocker_pin = tau[Coordinate::rocker_pin] - n_rocker_y;
   result.missing[2] = Q_rocker_pin;
   // coupler: coupler_pin, revolute, crank
   const double s7_10 = mbgen::fnma(c_coupler_x, R_coupler_x_z, c_coupler_z*R_coupler_x_x);
   const double s7_11 = mbgen::fma(c_coupler_x, R_coupler_x_x, c_coupler_z*R_coupler_x_z);
   const double s7_12 = mbgen::fma(alpha_coupler_y, s7_10, a_coupler_x);
-  const double s7_13 = m_coupler*mbgen::fnma(s7_3, s7_11, s7_12);
-  const double s7_14 = mbgen::fnma(alpha_coupler_y, s7_11, a_coupler_z);
-  const double s7_15 = m_coupler*mbgen::fnma(s7_3, s7_10, s7_14);
-  const double s7_16 = mbgen::fma(s7_10, s7_13, I_coupler_yy*alpha_coupler_y);
-  const double s7_17 = mbgen::fnma(s7_11, s7_15, s7_16);
-  result.missing[1] = tau[Coordinate::coupler_pin] - s7_17;
+  const double f_coupler_x = m_coupler*mbgen::fnma(s7_3, s7_11, s7_12);
+  const double s7_13 = mbgen::fnma(alpha_coupler_y, s7_11, a_coupler_z);
+  const double f_coupler_z = m_coupler*mbgen::fnma(s7_3, s7_10, s7_13);
+  const double s7_14 = mbgen::fma(s7_10, f_coupler_x, I_coupler_yy*alpha_coupler_y);
+  const double n_coupler_y = mbgen::fnma(s7_11, f_coupler_z, s7_14);
+  result.missing[1] = tau[Coordinate::coupler_pin] - n_coupler_y;
   // crank: crank_pin, revolute, ground
-  const double s7_18 = mbgen::fms(c_crank_z, R_crank_x_x, s1_3);
-  const double s7_19 = mbgen::fma(c_crank_z, R_crank_x_z, s1_4);
-  const double s7_20 = mbgen::fnma(s7_1, s7_18, mbgen::fnma(zdd_crank_pin, s7_19, (-g_z)));
-  const double s7_21 = inputs.torque + tau[Coordinate::crank_pin] - s7_17;
-  const double s7_22 = mbgen::fnma(r_coupler_z, s7_13, mbgen::fma(r_coupler_x, s7_15, s7_21));
-  const double s7_23 = m_crank*mbgen::fnma(s7_1, s7_19, zdd_crank_pin*s7_18);
-  const double s7_24 = mbgen::fnma(s7_18, s7_23, mbgen::fnma(I_crank_yy, zdd_crank_pin, s7_22));
-  const double Q_crank_pin = mbgen::fma(s7_19, m_crank*s7_20, s7_24);
+  const double s7_15 = mbgen::fms(c_crank_z, R_crank_x_x, s1_3);
+  const double s7_16 = mbgen::fma(c_crank_z, R_crank_x_z, s1_4);
+  const double f_crank_x = m_crank*mbgen::fnma(s7_1, s7_16, zdd_crank_pin*s7_15);
+  const double s7_17 = mbgen::fnma(s7_1, s7_15, mbgen::fnma(zdd_crank_pin, s7_16, (-g_z)));
+  const double f_crank_z = m_crank*s7_17;
+  const double s7_18 = mbgen::fma(s7_15, f_crank_x, I_crank_yy*zdd_crank_pin);
+  const double n_crank_y = mbgen::fnma(s7_16, f_crank_z, s7_18);
+  const double s7_19 = inputs.torque + tau[Coordinate::crank_pin] - n_coupler_y - n_crank_y;
+  const double s7_20 = mbgen::fnma(r_coupler_z, f_coupler_x, s7_19);
+  const double Q_crank_pin = mbgen::fma(r_coupler_x, f_coupler_z, s7_20);
   result.missing[0] = Q_crank_pin;
   // operations: 34 add, 44 multiply
 
-  // --- step 9: accelerations from the root to the leaves (63), (62) ---
+  // --- step 9: multipliers of the closures and driving forces ---
   // rocker_tip
-  const double s9_1 = mbgen::fma(p_rocker_C_x, R_rocker_x_x, p_rocker_C_z*R_rocker_x_z);
-  const double s9_2 = mbgen::fnma(p_rocker_C_x, R_rocker_x_z, p_rocker_C_z*R_rocker_x_x);
+  const double s9_1 = mbgen::fnma(p_rocker_C_x, R_rocker_x_z, p_rocker_C_z*R_rocker_x_x);
+  const double s9_2 = mbgen::fma(p_rocker_C_x, R_rocker_x_x, p_rocker_C_z*R_rocker_x_z);
   const double s9_3 = mbgen::fma(p_coupler_C_z, R_coupler_x_x, r_coupler_z);
   const double s9_4 = mbgen::fnma(p_coupler_C_x, R_coupler_x_z, s9_3);
-  const double s9_5 = 1.0/s9_2;
-  const double s9_6 = Q_rocker_pin*s9_5;
-  const double s9_7 = s9_1*s9_5;
-  const double s9_8 = mbgen::fms(s9_4, s9_7, r_coupler_x);
-  const double s9_9 = mbgen::fnma(p_coupler_C_z, R_coupler_x_z, s9_8);
-  const double s9_10 = mbgen::fnma(p_coupler_C_x, R_coupler_x_x, s9_9);
-  const double s9_11 = 2.5000000000000004*std::abs(s9_10);
-  result.pivot[0] = mbgen::min(3.999888870509994*std::abs(s9_2), s9_11);
-  const double s9_12 = mbgen::fma(s9_4, s9_6, Q_crank_pin)*(1.0/s9_10);
-  result.lambda[2] = s9_12;
-  result.lambda[0] = mbgen::fms(s9_7, s9_12, s9_6);
+  const double s9_5 = 1.0/s9_1;
+  const double s9_6 = s9_2*s9_5;
+  const double s9_7 = mbgen::fms(s9_4, s9_6, r_coupler_x);
+  const double s9_8 = mbgen::fnma(p_coupler_C_z, R_coupler_x_z, s9_7);
+  const double pivot_crank_pin = mbgen::fnma(p_coupler_C_x, R_coupler_x_x, s9_8);
+  const double s9_9 = 2.5000000000000004*std::abs(pivot_crank_pin);
+  result.pivot[0] = mbgen::min(3.999888870509994*std::abs(s9_1), s9_9);
+  const double s9_10 = Q_rocker_pin*s9_5;
+  const double s9_11 = 1.0/pivot_crank_pin*mbgen::fma(s9_4, s9_10, Q_crank_pin);
+  result.lambda[2] = s9_11;
+  result.lambda[0] = mbgen::fms(s9_6, s9_11, s9_10);
   // operations: 9 add, 16 multiply, 2 divide, 3 other
-  result.lambda[1] = 0.0;
-  result.lambda[3] = 0.0;
-  result.lambda[4] = 0.0;
 }
 
 /// Result of compute_closure_terms.
@@ -404,7 +412,16 @@ struct ClosureTerms {
 /// Closure equations and their derivatives, for the pivoting factorisation.
 void compute_closure_terms(const Tuned& /*parameters*/, const Inputs& /*inputs*/,
     const State& state, ClosureTerms& __restrict result) noexcept {
-  // --- step 1: poses, axes b, accumulated inertias MR (50) ---
+  // Results that need no operation.
+  for (int k = 0; k < 15; ++k) result.Jz[k] = 0.0;
+  result.Phi[1] = 0.0;
+  result.Phi[3] = 0.0;
+  result.Phi[4] = 0.0;
+  result.c[1] = 0.0;
+  result.c[3] = 0.0;
+  result.c[4] = 0.0;
+
+  // --- step 1: poses and axes b ---
   // crank: crank_pin, revolute, ground
   const double z_crank_pin = state.z[Coordinate::crank_pin];
   double R_crank_x_x, R_crank_x_z;
@@ -427,47 +444,29 @@ void compute_closure_terms(const Tuned& /*parameters*/, const Inputs& /*inputs*/
   // coupler: coupler_pin, revolute, crank
   const double zd_crank_pin = state.zd[Coordinate::crank_pin];
   const double s2_1 = zd_crank_pin + state.zd[Coordinate::coupler_pin];
-  const double s2_2 = s2_1*s2_1;
-  const double s2_3 = mbgen::fnma(zd_crank_pin, zd_crank_pin, s2_2);
-  // rocker: rocker_pin, revolute, ground
-  const double zd_rocker_pin = state.zd[Coordinate::rocker_pin];
-  const double s2_4 = zd_rocker_pin*zd_rocker_pin;
+  // crank: crank_pin, revolute, ground
+  const double s2_2 = zd_crank_pin*zd_crank_pin;
   // rocker_tip
-  const double s2_5 = mbgen::fma(p_coupler_C_z, R_coupler_x_x, r_coupler_z);
-  const double J_rocker_tip_crank_pin = mbgen::fnma(p_coupler_C_x, R_coupler_x_z, s2_5);
-  result.Jz[0] = J_rocker_tip_crank_pin;
+  const double s2_3 = mbgen::fma(p_coupler_C_x, R_coupler_x_x, p_coupler_C_z*R_coupler_x_z);
+  result.Jz[7] = -s2_3;
+  const double s2_4 = mbgen::fma(p_rocker_C_x, R_rocker_x_x, p_rocker_C_z*R_rocker_x_z);
+  result.Jz[8] = s2_4;
+  const double s2_5 = mbgen::fnma(p_coupler_C_x, R_coupler_x_z, p_coupler_C_z*R_coupler_x_x);
+  result.Jz[1] = s2_5;
   const double s2_6 = mbgen::fnma(p_rocker_C_x, R_rocker_x_z, p_rocker_C_z*R_rocker_x_x);
   result.Jz[2] = -s2_6;
-  const double s2_7 = mbgen::fma(p_coupler_C_z, R_coupler_x_z, r_coupler_x);
-  const double s2_8 = mbgen::fma(p_coupler_C_x, R_coupler_x_x, s2_7);
-  result.Jz[6] = -s2_8;
-  const double s2_9 = mbgen::fma(p_rocker_C_z, R_rocker_x_z, p_rocker_pin_x);
-  const double s2_10 = mbgen::fma(p_rocker_C_x, R_rocker_x_x, s2_9);
-  result.Phi[0] = s2_8 - s2_10;
-  result.Phi[2] = J_rocker_tip_crank_pin - s2_6;
-  result.Jz[1] = J_rocker_tip_crank_pin - r_coupler_z;
-  const double s2_11 = mbgen::fnma(r_coupler_x, s2_3, s2_2*s2_8);
-  result.c[0] = mbgen::fma(s2_4, p_rocker_pin_x - s2_10, s2_11);
-  result.Jz[7] = r_coupler_x - s2_8;
-  result.Jz[8] = s2_10 - p_rocker_pin_x;
-  const double s2_12 = mbgen::fnma(s2_4, s2_6, s2_2*J_rocker_tip_crank_pin);
-  result.c[2] = mbgen::fnma(r_coupler_z, s2_3, s2_12);
-  // operations: 19 add, 17 multiply
-  result.Phi[1] = 0.0;
-  result.Phi[3] = 0.0;
-  result.Phi[4] = 0.0;
-  result.c[1] = 0.0;
-  result.c[3] = 0.0;
-  result.c[4] = 0.0;
-  result.Jz[3] = 0.0;
-  result.Jz[4] = 0.0;
-  result.Jz[5] = 0.0;
-  result.Jz[9] = 0.0;
-  result.Jz[10] = 0.0;
-  result.Jz[11] = 0.0;
-  result.Jz[12] = 0.0;
-  result.Jz[13] = 0.0;
-  result.Jz[14] = 0.0;
+  const double s2_7 = r_coupler_x + s2_3;
+  result.Phi[0] = s2_7 - s2_4 - p_rocker_pin_x;
+  const double s2_8 = r_coupler_z + s2_5;
+  result.Jz[0] = s2_8;
+  result.Phi[2] = s2_8 - s2_6;
+  result.Jz[6] = -s2_7;
+  const double zd_rocker_pin = state.zd[Coordinate::rocker_pin];
+  const double s2_9 = mbgen::fnma(zd_rocker_pin, zd_rocker_pin*s2_4, r_coupler_x*s2_2);
+  result.c[0] = mbgen::fma(s2_1, s2_1*s2_3, s2_9);
+  const double s2_10 = mbgen::fnma(zd_rocker_pin, zd_rocker_pin*s2_6, r_coupler_z*s2_2);
+  result.c[2] = mbgen::fma(s2_1, s2_1*s2_5, s2_10);
+  // operations: 14 add, 19 multiply
 }
 
 /// Result of compute_chosen_accelerations.
@@ -505,14 +504,14 @@ void compute_chosen_accelerations(const Tuned& parameters, const Inputs& inputs,
   const double zd_crank_pin = state.zd[Coordinate::crank_pin];
   const double w_coupler_y = zd_crank_pin + state.zd[Coordinate::coupler_pin];
   // return_spring
-  const double s5_1 = mbgen::fnma(p_rocker_S_x, R_rocker_x_z, p_rocker_S_z*R_rocker_x_x);
-  const double s5_2 = p_ground_S_z - s5_1;
-  const double s5_3 = mbgen::fma(p_rocker_S_x, R_rocker_x_x, p_rocker_S_z*R_rocker_x_z);
-  const double s5_4 = 0.2 - s5_3;
-  const double s5_5 = std::sqrt(mbgen::fma(s5_4, s5_4, s5_2*s5_2));
-  const double tension_return_spring = (s5_5 - 0.18)*parameters.k;
-  const double s5_6 = tension_return_spring*(1.0/s5_5);
-  const double s5_7 = mbgen::fnma(s5_3, s5_2*s5_6, s5_1*(s5_4*s5_6));
+  const double s5_1 = mbgen::fma(p_rocker_S_x, R_rocker_x_x, p_rocker_S_z*R_rocker_x_z);
+  const double s5_2 = mbgen::fnma(p_rocker_S_x, R_rocker_x_z, p_rocker_S_z*R_rocker_x_x);
+  const double s5_3 = 0.2 - s5_1;
+  const double s5_4 = p_ground_S_z - s5_2;
+  const double s5_5 = std::sqrt(mbgen::fma(s5_3, s5_3, s5_4*s5_4));
+  const double tension_return_spring = (s5_5 - l0_return_spring)*parameters.k;
+  const double s5_6 = 1.0/s5_5*tension_return_spring;
+  const double s5_7 = mbgen::fnma(s5_1, s5_4*s5_6, s5_2*(s5_3*s5_6));
   // operations: 8 add, 12 multiply, 1 divide, 1 sqrt
 
   // --- step 7: inertias of the bodies and forces on joints ---
@@ -584,6 +583,9 @@ void compute_chosen_accelerations(const Tuned& parameters, const Inputs& inputs,
 /// Outputs, energies and power, at given accelerations.
 void compute_outputs(const Tuned& parameters, const Inputs& inputs, const State& state,
     const double* tau, const Derivative& /*derivative*/, Outputs& __restrict result) noexcept {
+  // Results that need no operation.
+  result.crank_angle = state.z[Coordinate::crank_pin];
+
   // --- step 1: poses and axes b ---
   // crank: crank_pin, revolute, ground
   const double z_crank_pin = state.z[Coordinate::crank_pin];
@@ -605,7 +607,7 @@ void compute_outputs(const Tuned& parameters, const Inputs& inputs, const State&
   mbgen::sincos(z_rocker_pin, R_rocker_x_z, R_rocker_x_x);
   // operations: 4 add, 8 multiply, 6 sin cos
 
-  // --- step 4: angular velocities ---
+  // --- step 4: velocities ---
   // coupler: coupler_pin, revolute, crank
   const double zd_crank_pin = state.zd[Coordinate::crank_pin];
   const double v_coupler_x = zd_crank_pin*r_coupler_z;
@@ -617,22 +619,22 @@ void compute_outputs(const Tuned& parameters, const Inputs& inputs, const State&
   // --- step 5: applied forces Q (48) ---
   // return_spring
   const double s5_1 = p_rocker_S_x*R_rocker_x_z;
-  const double s5_2 = mbgen::fms(p_rocker_S_z, R_rocker_x_x, s5_1);
-  const double s5_3 = p_ground_S_z - s5_2;
-  const double s5_4 = p_rocker_S_x*R_rocker_x_x;
-  const double s5_5 = mbgen::fma(p_rocker_S_z, R_rocker_x_z, s5_4);
-  const double s5_6 = 0.2 - s5_5;
-  const double s5_7 = std::sqrt(mbgen::fma(s5_6, s5_6, s5_3*s5_3));
-  const double tension_return_spring = (s5_7 - 0.18)*parameters.k;
+  const double s5_2 = p_rocker_S_x*R_rocker_x_x;
+  const double s5_3 = mbgen::fma(p_rocker_S_z, R_rocker_x_z, s5_2);
+  const double s5_4 = mbgen::fms(p_rocker_S_z, R_rocker_x_x, s5_1);
+  const double s5_5 = 0.2 - s5_3;
+  const double s5_6 = p_ground_S_z - s5_4;
+  const double s5_7 = std::sqrt(mbgen::fma(s5_5, s5_5, s5_6*s5_6));
+  const double tension_return_spring = (s5_7 - l0_return_spring)*parameters.k;
   result.spring_force = tension_return_spring;
-  const double s5_8 = tension_return_spring*(1.0/s5_7);
-  const double s5_9 = mbgen::fnma(s5_5, s5_3*s5_8, s5_2*(s5_6*s5_8));
+  const double s5_8 = 1.0/s5_7*tension_return_spring;
+  const double s5_9 = mbgen::fnma(s5_3, s5_6*s5_8, s5_4*(s5_5*s5_8));
   // operations: 7 add, 12 multiply, 1 divide, 1 sqrt
 
   // --- step 7: inertias of the bodies and forces on joints ---
   // rocker: rocker_pin, revolute, ground
   const double s7_1 = mbgen::fms(c_rocker_z, R_rocker_x_x, s5_1);
-  const double s7_2 = mbgen::fma(c_rocker_z, R_rocker_x_z, s5_4);
+  const double s7_2 = mbgen::fma(c_rocker_z, R_rocker_x_z, s5_2);
   const double zd_rocker_pin = state.zd[Coordinate::rocker_pin];
   const double s7_3 = I_rocker_yy*zd_rocker_pin;
   // coupler: coupler_pin, revolute, crank
@@ -646,7 +648,7 @@ void compute_outputs(const Tuned& parameters, const Inputs& inputs, const State&
   const double s7_10 = inputs.torque + tau[Coordinate::crank_pin];
   // operations: 7 add, 11 multiply
 
-  // --- step 9: accelerations from the root to the leaves (63), (62) ---
+  // --- step 9: outputs, energies, power ---
   // coupler_x
   const double s9_1 = mbgen::fma(p_coupler_P_z, R_coupler_x_z, r_coupler_x);
   result.coupler_x = mbgen::fma(p_coupler_P_x, R_coupler_x_x, s9_1);
@@ -669,7 +671,6 @@ void compute_outputs(const Tuned& parameters, const Inputs& inputs, const State&
   const double s9_15 = mbgen::fma(m_crank, mbgen::fma(s9_10, s9_10, s9_3*s9_3), s9_14);
   result.kinetic_energy = 0.5*mbgen::fma(m_coupler, mbgen::fma(s9_11, s9_11, s9_5*s9_5), s9_15);
   // operations: 20 add, 30 multiply
-  result.crank_angle = z_crank_pin;
 }
 
 

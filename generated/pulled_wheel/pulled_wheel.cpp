@@ -17,8 +17,12 @@
 //   m mass, h first moments, K second moments about the origin; c centre of mass, I inertia about it
 //   p_<coordinate> origin of a body from that of the body before it; p_<body>_<point> a point from its body's
 //     origin; l length, g gravity: numbers of the model, or what its parameters make of them
+//   l0 z0 free length, free coordinate, k stiffness, d damping, f0 preload of an element; its other numbers by their
+//     fields, as area_<element>
 //   z zd zdd coordinate, rate, acceleration; R_<body>_x_z component z of the body's axis x; r origin; u joint axis
-//   w angular velocity, a acceleration of the origin, alpha angular acceleration, f n force and moment needed
+//   v velocity of the origin, w angular velocity, a acceleration of the origin, alpha angular acceleration
+//   f n force and moment that a body needs, Q force of a joint that its closures and drives must give
+//   pivot of a coordinate: of its column of the closure Jacobian (60), or of its free direction (63)
 //   J entry of the closure Jacobian; Rz projection (61); zdd_star accelerations at zero free ones (62)
 //   s8_12 the 12th value without a name of step 8
 
@@ -57,6 +61,14 @@ constexpr double p_wheel_z = 0.04;
 constexpr double p_arm_seat_x = -0.25;
 constexpr double p_arm_seat_z = 0.03;
 constexpr double p_carriage_seat_x = -0.22;
+constexpr double l0_spring = 0.34132096331752027;
+constexpr double f0_spring = -3000.0;
+constexpr double radius_tyre = 0.32;
+constexpr double k_tyre = 2e+05;
+constexpr double d_tyre = 500.0;
+constexpr double rolling_tyre = 0.007;
+constexpr double relaxation_x_tyre = 0.3;
+constexpr double relaxation_y_tyre = 0.6;
 constexpr double h_arm_x = -1.26;
 constexpr double h_arm_z = 0.07;
 
@@ -94,7 +106,7 @@ void compute_derived_constants(const Parameters& parameters, Tuned& __restrict r
   result.derived[3] = K_knuckle_zz + (K_knuckle_xx + K_knuckle_yy);
   // operations: 11 add, 3 multiply
 
-  // --- step 9: accelerations from the root to the leaves (63), (62) ---
+  // --- step 9: outputs, energies, power ---
   result.derived[9] = p_pull_z*(345.0 + m_knuckle);
   // operations: 1 add, 1 multiply
 }
@@ -110,6 +122,10 @@ struct Accelerations {
 /// All accelerations with the frozen partition of the loop blocks.
 void compute_accelerations(const Tuned& parameters, const Inputs& /*inputs*/, const State& state,
     const double* tau, Accelerations& __restrict result) noexcept {
+  // Results that need no operation.
+  result.inertia[1] = 0.999999999999;
+  result.zdd[Coordinate::pull] = 0.0;
+
   // --- step 1: poses and axes b ---
   // arm: lower, revolute, carriage
   const double z_lower = state.z[Coordinate::lower];
@@ -139,35 +155,35 @@ void compute_accelerations(const Tuned& parameters, const Inputs& /*inputs*/, co
   const double s5_4 = 0.37 - s5_2;
   const double s5_5 = std::sqrt(mbgen::fma(s5_4, s5_4, s5_3*s5_3));
   const double s5_6 = 1.0/s5_5;
-  const double s5_7 = mbgen::fma(s5_3, zd_lower*s5_2, s5_4*(zd_lower*s5_1))*s5_6;
+  const double s5_7 = mbgen::fma(s5_3, zd_lower*s5_2, zd_lower*s5_1*s5_4)*s5_6;
   const double s5_8 = 0.2 + s5_7;
   const double s5_9 = mbgen::fms(725.0, 1.0 + s5_7, 900.0);
   const double s5_10 = (s5_8 >= 0.0 ? mbgen::fms(1600.0, s5_8, 320.0) : s5_9);
   const double s5_11 = s5_7 - 0.2;
   const double s5_12 = (s5_7 >= 0.0 ? 3200.0*s5_7 : s5_10);
-  const double s5_13 = (s5_11 >= 0.0 ? mbgen::fma(1575.0, s5_11, 640.0) : s5_12) - 3000.0;
-  const double tension_spring = mbgen::fma(s5_5 - 0.34132096331752027, parameters.k, s5_13);
+  const double s5_13 = (s5_11 >= 0.0 ? mbgen::fma(1575.0, s5_11, 640.0) : s5_12) - (-f0_spring);
+  const double tension_spring = mbgen::fma(s5_5 - l0_spring, parameters.k, s5_13);
   const double s5_14 = s5_6*tension_spring;
   const double s5_15 = mbgen::fma(s5_1, s5_4*s5_14, s5_2*(s5_3*s5_14));
   // tyre
   const double r_knuckle_z = s1_3 - (-p_lower_z);
   const double r_wheel_z = r_knuckle_z + s1_4;
   const double s5_16 = p_pull_z + r_wheel_z;
-  const double s5_17 = 0.32 - s5_16;
-  const double s5_18 = mbgen::max(0.0, 2e+05*s5_17);
+  const double s5_17 = radius_tyre - s5_16;
+  const double s5_18 = mbgen::max(0.0, k_tyre*s5_17);
   const double s5_19 = p_wheel_z*R_knuckle_x_z;
   const double s5_20 = zd_lower*r_knuckle_x;
-  const double s5_21 = s5_18 + mbgen::min(s5_18, 500.0*mbgen::fma(s5_19, w_knuckle_y, s5_20));
+  const double s5_21 = s5_18 + mbgen::min(s5_18, d_tyre*mbgen::fma(s5_19, w_knuckle_y, s5_20));
   const double load_tyre = mbgen::max(0.0, s5_21);
   const double s5_22 = mbgen::max(0.004, load_tyre);
   const double s5_23 = 1e-09*s5_22;
   const double s5_24 = 1.1*s5_22;
   const double s5_25 = 1.6*s5_24;
   const double s5_26 = (s5_25 >= 0.0 ? mbgen::max(s5_25, s5_23) : mbgen::min(s5_25, -s5_23));
-  const double s5_27 = state.x[0]/0.3;
-  const double s5_28 = state.x[1]/0.6;
+  const double s5_27 = state.x[0]/relaxation_x_tyre;
+  const double s5_28 = state.x[1]/relaxation_y_tyre;
   const double s5_29 = std::sqrt(mbgen::fma(s5_28, s5_28, mbgen::fma(s5_27, s5_27, 1e-30)));
-  const double s5_30 = mbgen::fnma(0.3333333333333333, mbgen::max(0.0, s5_17), 0.32);
+  const double s5_30 = mbgen::fnma(0.3333333333333333, mbgen::max(0.0, s5_17), radius_tyre);
   const double w_wheel_y = state.zd[Coordinate::wheel] + w_knuckle_y;
   const double s5_31 = w_wheel_y*s5_30;
   const double s5_32 = v_wheel_x - s5_31;
@@ -183,24 +199,25 @@ void compute_accelerations(const Tuned& parameters, const Inputs& /*inputs*/, co
   const double s5_41 = s5_34 + s5_33/s5_35;
   result.xd[1] = -(s5_28*s5_41);
   result.xd[0] = -mbgen::fma(s5_27, s5_41, s5_32);
-  const double s5_42 = mbgen::hyperbolic_tangent(0.5*s5_31)*(0.32*(0.007*load_tyre));
-  const double s5_43 = mbgen::fma(fx_tyre, s5_30 + (s5_16 + s5_17) - 0.32, s5_42);
+  const double s5_42 = mbgen::hyperbolic_tangent(0.5*s5_31);
+  const double s5_43 = s5_42*(radius_tyre*(rolling_tyre*load_tyre));
+  const double s5_44 = mbgen::fma(fx_tyre, s5_30 + (s5_16 + s5_17) - radius_tyre, s5_43);
   // operations: 39 add, 56 multiply, 8 divide, 3 sqrt, 3 sin cos, 18 other
 
   // --- step 8: elimination from the leaves to the root (63) ---
   // wheel: wheel, revolute, knuckle
-  const double s8_1 = tau[Coordinate::wheel] - s5_43;
-  const double s8_2 = mbgen::fma(s5_19, load_tyre, mbgen::fnma(s1_4, fx_tyre, s5_43 + s8_1));
+  const double s8_1 = tau[Coordinate::wheel] - s5_44;
+  const double s8_2 = mbgen::fma(s5_19, load_tyre, mbgen::fnma(s1_4, fx_tyre, s5_44 + s8_1));
   // operations: 4 add, 2 multiply
 
   // --- step 2: closure Jacobian Phi_z and its factors (60), upper ---
   // upper
-  const double s2_1 = mbgen::fnma(p_upper_to_x, R_knuckle_x_z, p_upper_to_z*R_knuckle_x_x);
-  const double s2_2 = mbgen::fma(p_upper_to_x, R_knuckle_x_x, p_upper_to_z*R_knuckle_x_z);
-  const double s2_3 = (-p_upper_from_z) + (r_knuckle_z + s2_1);
-  const double s2_4 = p_upper_from_x - r_knuckle_x - s2_2;
-  const double s2_5 = mbgen::fma(s2_1, s2_4, s2_3*s2_2);
-  const double s2_6 = mbgen::fma(s1_3, s2_4, mbgen::fma(r_knuckle_x, s2_3, s2_5));
+  const double s2_1 = mbgen::fma(p_upper_to_x, R_knuckle_x_x, p_upper_to_z*R_knuckle_x_z);
+  const double s2_2 = p_upper_from_x - r_knuckle_x - s2_1;
+  const double s2_3 = mbgen::fnma(p_upper_to_x, R_knuckle_x_z, p_upper_to_z*R_knuckle_x_x);
+  const double s2_4 = (-p_upper_from_z) + (r_knuckle_z + s2_3);
+  const double s2_5 = mbgen::fma(s2_2, s2_3, s2_1*s2_4);
+  const double s2_6 = mbgen::fma(r_knuckle_x, s2_4, mbgen::fma(s1_3, s2_2, s2_5));
   result.pivot[0] = 10.4946490638541*std::abs(s2_6);
   const double s2_7 = 1.0/s2_6;
   // operations: 9 add, 9 multiply, 1 divide, 1 other
@@ -214,14 +231,14 @@ void compute_accelerations(const Tuned& parameters, const Inputs& /*inputs*/, co
   const double s6_1 = zd_lower*zd_lower;
   const double s6_2 = r_knuckle_x*s6_1;
   // upper
-  const double s6_3 = w_knuckle_y*s2_2;
-  const double s6_4 = w_knuckle_y*s2_1;
+  const double s6_3 = w_knuckle_y*s2_1;
+  const double s6_4 = w_knuckle_y*s2_3;
   const double s6_5 = mbgen::fma(zd_lower, s1_3, s6_4);
   const double s6_6 = s5_20 + s6_3;
   const double s6_7 = s1_3*s6_1;
   const double s6_8 = mbgen::fma(w_knuckle_y, s6_3, s6_2);
-  const double s6_9 = mbgen::fma(s2_4, s6_8, mbgen::fma(s6_6, s6_6, s6_5*s6_5));
-  const double s6_10 = mbgen::fnma(s2_3, mbgen::fma(w_knuckle_y, s6_4, s6_7), s6_9);
+  const double s6_9 = mbgen::fma(s2_2, s6_8, mbgen::fma(s6_6, s6_6, s6_5*s6_5));
+  const double s6_10 = mbgen::fnma(s2_4, mbgen::fma(w_knuckle_y, s6_4, s6_7), s6_9);
   const double zdd_star_lower = s2_7*s6_10;
   // operations: 7 add, 13 multiply
 
@@ -253,32 +270,30 @@ void compute_accelerations(const Tuned& parameters, const Inputs& /*inputs*/, co
   const double s8_14 = mbgen::fnma(s8_7, s8_4, s8_8*parameters.derived[5]);
   // arm: lower, revolute, carriage
   const double s8_15 = mbgen::fma(s8_4, s8_9, mbgen::fnma(s8_6, s8_13, s8_8*s8_14));
-  const double s8_16 = mbgen::fma(s3_1, 0.3475*s3_1, s8_15);
+  const double pivot_ball = mbgen::fma(s3_1, 0.3475*s3_1, s8_15);
   // knuckle: ball, revolute, arm
-  const double s8_17 = mbgen::fma(r_knuckle_x, zdd_star_lower, s6_7);
-  const double s8_18 = mbgen::fma(zdd_star_lower, s8_7, mbgen::fma(s8_11, s8_5, load_tyre));
-  const double s8_19 = mbgen::fma(s8_5, s8_10, mbgen::fma(s8_7, s8_17, s8_2));
-  const double n_knuckle_y = mbgen::fma(zdd_star_lower, s7_3 + s7_4, s8_19);
-  const double s8_20 = mbgen::fnma(s8_4, n_knuckle_y, tau[Coordinate::ball]);
-  const double s8_21 = mbgen::fma(parameters.derived[5], s8_17, s8_18);
-  const double s8_22 = mbgen::fma(s8_8, s8_21, mbgen::fma(s8_6, f_knuckle_x, s8_20));
-  const double s8_23 = mbgen::fma(s3_1, s8_3, s8_22);
+  const double s8_16 = mbgen::fma(r_knuckle_x, zdd_star_lower, s6_7);
+  const double s8_17 = mbgen::fma(zdd_star_lower, s8_7, mbgen::fma(s8_11, s8_5, load_tyre));
+  const double s8_18 = mbgen::fma(s8_5, s8_10, mbgen::fma(s8_7, s8_16, s8_2));
+  const double n_knuckle_y = mbgen::fma(zdd_star_lower, s7_3 + s7_4, s8_18);
+  const double s8_19 = mbgen::fnma(s8_4, n_knuckle_y, tau[Coordinate::ball]);
+  const double s8_20 = mbgen::fma(parameters.derived[5], s8_16, s8_17);
+  const double s8_21 = mbgen::fma(s8_8, s8_20, mbgen::fma(s8_6, f_knuckle_x, s8_19));
+  const double s8_22 = mbgen::fma(s3_1, s8_3, s8_21);
   // arm: lower, revolute, carriage
-  const double s8_24 = mbgen::fma(s3_1, s7_1, s8_14);
-  result.inertia[0] = mbgen::fnma(1e-12, s8_16, s8_16);
-  const double s8_25 = 1.0/s8_16;
+  const double s8_23 = mbgen::fma(s3_1, s7_1, s8_14);
+  result.inertia[0] = mbgen::fnma(1e-12, pivot_ball, pivot_ball);
+  const double s8_24 = 1.0/pivot_ball;
   // operations: 28 add, 35 multiply, 1 divide
 
   // --- step 9: accelerations from the root to the leaves (63), (62) ---
   // knuckle: ball, revolute, arm
-  const double s9_1 = s8_25*mbgen::fnma((-g_z), s8_24, s8_23);
+  const double s9_1 = s8_24*mbgen::fnma((-g_z), s8_23, s8_22);
   result.zdd[Coordinate::ball] = s9_1;
   result.zdd[Coordinate::lower] = mbgen::fnma(s3_1, s9_1, zdd_star_lower);
   const double alpha_knuckle_y = mbgen::fma(s8_4, s9_1, zdd_star_lower);
   result.zdd[Coordinate::wheel] = s8_1 - alpha_knuckle_y;
   // operations: 4 add, 4 multiply
-  result.inertia[1] = 0.999999999999;
-  result.zdd[Coordinate::pull] = 0.0;
 }
 
 /// Result of compute_closure.
@@ -292,7 +307,14 @@ struct Closure {
 /// One Newton step of the frozen partition, and consistent velocities.
 void compute_closure(const Tuned& /*parameters*/, const Inputs& /*inputs*/, const State& state,
     Closure& __restrict result) noexcept {
-  // --- step 1: poses, axes b, accumulated inertias MR (50) ---
+  // Results that need no operation.
+  result.dz[Coordinate::ball] = 0.0;
+  result.dz[Coordinate::wheel] = 0.0;
+  result.zd[Coordinate::pull] = 15.0;
+  result.zd[Coordinate::ball] = state.zd[Coordinate::ball];
+  result.zd[Coordinate::wheel] = state.zd[Coordinate::wheel];
+
+  // --- step 1: poses and axes b ---
   const double s1_1 = mbgen::fms(15.0, state.t, state.z[Coordinate::pull]);
   result.residual[1] = s1_1;
   result.dz[Coordinate::pull] = s1_1;
@@ -307,39 +329,31 @@ void compute_closure(const Tuned& /*parameters*/, const Inputs& /*inputs*/, cons
   const double R_knuckle_x_x = mbgen::fnma(R_arm_x_z, s1_3, R_arm_x_x*s1_2);
   const double R_knuckle_x_z = mbgen::fma(R_arm_x_x, s1_3, R_arm_x_z*s1_2);
   const double r_knuckle_x = mbgen::fnma((-p_ball_x), R_arm_x_x, p_ball_z*R_arm_x_z);
-  const double s1_4 = mbgen::fms((-p_ball_x), R_arm_x_z, (-p_lower_z));
-  const double r_knuckle_z = mbgen::fma(p_ball_z, R_arm_x_x, s1_4);
+  const double s1_4 = mbgen::fma(p_ball_z, R_arm_x_x, (-p_ball_x)*R_arm_x_z);
+  const double r_knuckle_z = s1_4 - (-p_lower_z);
   // operations: 6 add, 9 multiply, 4 sin cos
 
   // --- step 2: closure Jacobian Phi_z and its factors (60) ---
   // upper
-  const double s2_1 = mbgen::fma(p_upper_to_z, R_knuckle_x_x, r_knuckle_z);
-  const double s2_2 = mbgen::fnma(p_upper_to_x, R_knuckle_x_z, s2_1);
-  const double s2_3 = (-p_upper_from_z) + s2_2;
-  const double s2_4 = 2.380277794628896*s2_3;
-  const double s2_5 = mbgen::fma(p_upper_to_z, R_knuckle_x_z, r_knuckle_x);
-  const double s2_6 = mbgen::fma(p_upper_to_x, R_knuckle_x_x, s2_5);
-  const double s2_7 = p_upper_from_x - s2_6;
-  const double s2_8 = 2.380277794628896*s2_7;
-  const double s2_9 = mbgen::fma(s2_2, s2_8, s2_4*s2_6);
-  const double s2_10 = 0.5*mbgen::fma(s2_7, s2_8, mbgen::fms(s2_3, s2_4, l_upper));
-  result.residual[0] = s2_10;
-  const double s2_11 = mbgen::fma((-p_lower_z), s2_8, s2_9);
-  const double s2_12 = mbgen::fnma(r_knuckle_z, s2_8, mbgen::fnma(r_knuckle_x, s2_4, s2_9));
-  result.pivot[0] = 4.409001792788769*std::abs(s2_11);
-  const double s2_13 = 1.0/s2_11;
-  // operations: 12 add, 15 multiply, 1 divide, 1 other
+  const double s2_1 = mbgen::fma(p_upper_to_x, R_knuckle_x_x, p_upper_to_z*R_knuckle_x_z);
+  const double s2_2 = p_upper_from_x - r_knuckle_x - s2_1;
+  const double s2_3 = 2.380277794628896*s2_2;
+  const double s2_4 = mbgen::fnma(p_upper_to_x, R_knuckle_x_z, p_upper_to_z*R_knuckle_x_x);
+  const double s2_5 = (-p_upper_from_z) + (r_knuckle_z + s2_4);
+  const double s2_6 = 2.380277794628896*s2_5;
+  const double s2_7 = mbgen::fma(s2_3, s2_4, s2_1*s2_6);
+  const double s2_8 = mbgen::fma(r_knuckle_x, s2_6, mbgen::fma(s1_4, s2_3, s2_7));
+  const double s2_9 = 0.5*mbgen::fma(s2_2, s2_3, mbgen::fms(s2_5, s2_6, l_upper));
+  result.residual[0] = s2_9;
+  result.pivot[0] = 4.409001792788769*std::abs(s2_8);
+  const double s2_10 = 1.0/s2_8;
+  // operations: 11 add, 14 multiply, 1 divide, 1 other
 
-  // --- step 4: velocities Z (36) ---
+  // --- step 4: velocities ---
   // loop block 0
-  result.dz[Coordinate::lower] = s2_10*s2_13;
-  result.zd[Coordinate::lower] = -(s2_13*(state.zd[Coordinate::ball]*s2_12));
+  result.dz[Coordinate::lower] = s2_9*s2_10;
+  result.zd[Coordinate::lower] = -(s2_10*(state.zd[Coordinate::ball]*s2_7));
   // operations: 3 multiply
-  result.dz[Coordinate::ball] = 0.0;
-  result.dz[Coordinate::wheel] = 0.0;
-  result.zd[Coordinate::pull] = 15.0;
-  result.zd[Coordinate::ball] = state.zd[Coordinate::ball];
-  result.zd[Coordinate::wheel] = state.zd[Coordinate::wheel];
 }
 
 /// Result of compute_multipliers.
@@ -373,7 +387,7 @@ void compute_multipliers(const Tuned& parameters, const Inputs& /*inputs*/, cons
   const double r_wheel_z = r_knuckle_z + s1_5;
   // operations: 6 add, 10 multiply, 4 sin cos
 
-  // --- step 4: angular velocities ---
+  // --- step 4: velocities ---
   // knuckle: ball, revolute, arm
   const double zd_lower = state.zd[Coordinate::lower];
   const double v_knuckle_x = mbgen::fma(zd_lower, s1_3, state.zd[Coordinate::pull]);
@@ -392,32 +406,32 @@ void compute_multipliers(const Tuned& parameters, const Inputs& /*inputs*/, cons
   const double s5_4 = 0.37 - s5_3;
   const double s5_5 = std::sqrt(mbgen::fma(s5_4, s5_4, s5_2*s5_2));
   const double s5_6 = 1.0/s5_5;
-  const double s5_7 = mbgen::fma(s5_2, zd_lower*s5_3, s5_4*(zd_lower*s5_1))*s5_6;
+  const double s5_7 = mbgen::fma(s5_2, zd_lower*s5_3, zd_lower*s5_1*s5_4)*s5_6;
   const double s5_8 = s5_7 - 0.2;
   const double s5_9 = 0.2 + s5_7;
   const double s5_10 = mbgen::fms(725.0, 1.0 + s5_7, 900.0);
   const double s5_11 = (s5_9 >= 0.0 ? mbgen::fms(1600.0, s5_9, 320.0) : s5_10);
   const double s5_12 = (s5_7 >= 0.0 ? 3200.0*s5_7 : s5_11);
-  const double s5_13 = (s5_8 >= 0.0 ? mbgen::fma(1575.0, s5_8, 640.0) : s5_12) - 3000.0;
-  const double tension_spring = mbgen::fma(s5_5 - 0.34132096331752027, parameters.k, s5_13);
+  const double s5_13 = (s5_8 >= 0.0 ? mbgen::fma(1575.0, s5_8, 640.0) : s5_12) - (-f0_spring);
+  const double tension_spring = mbgen::fma(s5_5 - l0_spring, parameters.k, s5_13);
   const double s5_14 = s5_6*tension_spring;
   const double s5_15 = s5_2*s5_14;
   const double s5_16 = mbgen::fma(s5_1, s5_4*s5_14, s5_3*s5_15);
   // tyre
   const double s5_17 = p_pull_z + r_wheel_z;
-  const double s5_18 = 0.32 - s5_17;
-  const double s5_19 = mbgen::max(0.0, 2e+05*s5_18);
-  const double load_tyre = mbgen::max(0.0, s5_19 + mbgen::min(s5_19, 500.0*s4_1));
+  const double s5_18 = radius_tyre - s5_17;
+  const double s5_19 = mbgen::max(0.0, k_tyre*s5_18);
+  const double load_tyre = mbgen::max(0.0, s5_19 + mbgen::min(s5_19, d_tyre*s4_1));
   const double s5_20 = mbgen::max(0.004, load_tyre);
   const double s5_21 = 1.1*s5_20;
   const double s5_22 = 1.6*s5_21;
   const double s5_23 = 1e-09*s5_20;
   const double s5_24 = (s5_22 >= 0.0 ? mbgen::max(s5_22, s5_23) : mbgen::min(s5_22, -s5_23));
-  const double s5_25 = state.x[0]/0.3;
-  const double s5_26 = state.x[1]/0.6;
+  const double s5_25 = state.x[0]/relaxation_x_tyre;
+  const double s5_26 = state.x[1]/relaxation_y_tyre;
   const double s5_27 = std::sqrt(mbgen::fma(s5_26, s5_26, mbgen::fma(s5_25, s5_25, 1e-30)));
   const double s5_28 = std::abs(v_wheel_x);
-  const double s5_29 = mbgen::fnma(0.3333333333333333, mbgen::max(0.0, s5_18), 0.32);
+  const double s5_29 = mbgen::fnma(0.3333333333333333, mbgen::max(0.0, s5_18), radius_tyre);
   const double s5_30 = w_wheel_y*s5_29;
   const double s5_31 = v_wheel_x - s5_30;
   const double s5_32 = mbgen::fma(0.5, s5_28 + std::sqrt(mbgen::fma(s5_31, s5_31, 1e-30)), 1.0);
@@ -427,8 +441,9 @@ void compute_multipliers(const Tuned& parameters, const Inputs& /*inputs*/, cons
   const double s5_36 = 0.06*mbgen::fma(0.5, s5_34, 0.5)*mbgen::max(0.0, s5_33);
   const double s5_37 = mbgen::arc_tangent(20.0*s5_20/s5_24*mbgen::fnma(s5_31, s5_36, s5_35));
   const double fx_tyre = mbgen::max(0.0, load_tyre)/s5_20*(s5_21*mbgen::sine(1.6*s5_37));
-  const double s5_38 = mbgen::hyperbolic_tangent(0.5*s5_30)*(0.32*(0.007*load_tyre));
-  const double s5_39 = mbgen::fma(fx_tyre, s5_29 + (s5_17 + s5_18) - 0.32, s5_38);
+  const double s5_38 = mbgen::hyperbolic_tangent(0.5*s5_30);
+  const double s5_39 = s5_38*(radius_tyre*(rolling_tyre*load_tyre));
+  const double s5_40 = mbgen::fma(fx_tyre, s5_29 + (s5_17 + s5_18) - radius_tyre, s5_39);
   // operations: 33 add, 51 multiply, 7 divide, 3 sqrt, 3 sin cos, 18 other
 
   // --- step 7: inertias of the bodies and forces on joints ---
@@ -445,44 +460,48 @@ void compute_multipliers(const Tuned& parameters, const Inputs& /*inputs*/, cons
   const double a_wheel_x = mbgen::fnma(s1_4, s7_2, mbgen::fma(s1_5, alpha_knuckle_y, a_knuckle_x));
   const double a_wheel_z = mbgen::fnma(s1_5, s7_2, mbgen::fnma(s1_4, alpha_knuckle_y, a_knuckle_z));
   const double alpha_wheel_y = derivative.zdd[Coordinate::wheel] + alpha_knuckle_y;
-  const double f_wheel_x = mbgen::fnma(m_wheel, a_wheel_x, fx_tyre);
-  const double f_wheel_z = mbgen::fnma(m_wheel, a_wheel_z, load_tyre);
+  const double f_wheel_x = mbgen::fms(m_wheel, a_wheel_x, fx_tyre);
+  const double f_wheel_z = mbgen::fms(m_wheel, a_wheel_z, load_tyre);
+  const double n_wheel_y = s5_40 + alpha_wheel_y;
   // knuckle: ball, revolute, arm
   const double s7_3 = R_knuckle_x_x*parameters.derived[6];
   const double s7_4 = R_knuckle_x_z*parameters.derived[6];
   const double s7_5 = mbgen::fnma(s7_2, s7_4, mbgen::fma(alpha_knuckle_y, s7_3, a_knuckle_x));
-  const double s7_6 = s7_5*parameters.derived[7];
-  const double s7_7 = mbgen::fnma(s7_2, s7_3, mbgen::fnma(alpha_knuckle_y, s7_4, a_knuckle_z));
-  const double s7_8 = parameters.derived[7]*s7_7;
-  const double s7_9 = mbgen::fms(s1_5, f_wheel_x, s5_39) - alpha_wheel_y;
-  const double s7_10 = mbgen::fnma(s1_4, f_wheel_z, s7_9);
-  const double s7_11 = mbgen::fnma(alpha_knuckle_y, parameters.derived[8], s7_10);
-  const double s7_12 = mbgen::fma(s7_4, s7_8, mbgen::fnma(s7_3, s7_6, s7_11));
-  result.missing[1] = tau[Coordinate::ball] + s7_12;
-  const double s7_13 = f_wheel_z - s7_8;
-  const double s7_14 = f_wheel_x - s7_6;
+  const double f_knuckle_x = s7_5*parameters.derived[7];
+  const double s7_6 = mbgen::fnma(s7_2, s7_3, mbgen::fnma(alpha_knuckle_y, s7_4, a_knuckle_z));
+  const double f_knuckle_z = parameters.derived[7]*s7_6;
+  const double s7_7 = mbgen::fma(s7_3, f_knuckle_x, alpha_knuckle_y*parameters.derived[8]);
+  const double n_knuckle_y = mbgen::fnma(s7_4, f_knuckle_z, s7_7);
+  const double s7_8 = mbgen::fma(s1_5, f_wheel_x, n_wheel_y + n_knuckle_y);
+  const double s7_9 = mbgen::fnma(s1_4, f_wheel_z, s7_8);
+  result.missing[1] = tau[Coordinate::ball] - s7_9;
+  const double s7_10 = f_wheel_x + f_knuckle_x;
+  const double s7_11 = f_wheel_z + f_knuckle_z;
   // arm: lower, revolute, carriage
-  const double s7_15 = mbgen::fma(c_arm_z, R_arm_x_x, (-c_arm_x)*R_arm_x_z);
-  const double s7_16 = mbgen::fnma((-c_arm_x), R_arm_x_x, c_arm_z*R_arm_x_z);
-  const double s7_17 = m_arm*mbgen::fnma(s7_1, s7_16, mbgen::fma(zdd_lower, s7_15, zdd_pull));
-  const double s7_18 = mbgen::fma(s1_3, s7_14, tau[Coordinate::lower] + s7_12 - s5_16);
-  const double s7_19 = mbgen::fnma(I_arm_yy, zdd_lower, mbgen::fnma(r_knuckle_x, s7_13, s7_18));
-  const double s7_20 = m_arm*mbgen::fnma(s7_1, s7_15, mbgen::fnma(zdd_lower, s7_16, (-g_z)));
-  const double Q_lower = mbgen::fma(s7_16, s7_20, mbgen::fnma(s7_15, s7_17, s7_19));
+  const double s7_12 = mbgen::fma(c_arm_z, R_arm_x_x, (-c_arm_x)*R_arm_x_z);
+  const double s7_13 = mbgen::fnma((-c_arm_x), R_arm_x_x, c_arm_z*R_arm_x_z);
+  const double s7_14 = m_arm*mbgen::fnma(s7_1, s7_13, mbgen::fma(zdd_lower, s7_12, zdd_pull));
+  const double f_arm_x = s5_15 + s7_14;
+  const double s7_15 = m_arm*mbgen::fnma(s7_1, s7_12, mbgen::fnma(zdd_lower, s7_13, (-g_z)));
+  const double s7_16 = mbgen::fma(s7_12, s7_14, mbgen::fma(I_arm_yy, zdd_lower, s5_16));
+  const double n_arm_y = mbgen::fnma(s7_13, s7_15, s7_16);
+  const double s7_17 = mbgen::fnma(s1_3, s7_10, tau[Coordinate::lower] - s7_9 - n_arm_y);
+  const double Q_lower = mbgen::fma(r_knuckle_x, s7_11, s7_17);
   result.missing[0] = Q_lower;
   // carriage: pull, prismatic, ground
-  const double f_carriage_x = mbgen::fnma(m_carriage, zdd_pull, s5_15);
-  const double Q_pull = s7_14 + (tau[Coordinate::pull] + f_carriage_x) - s5_15 - s7_17;
+  const double f_carriage_x = mbgen::fms(m_carriage, zdd_pull, s5_15);
+  const double Q_pull = tau[Coordinate::pull] - s7_10 - f_arm_x - f_carriage_x;
   // operations: 43 add, 41 multiply
 
-  // --- step 9: accelerations from the root to the leaves (63), (62) ---
+  // --- step 9: multipliers of the closures and driving forces ---
   // upper
-  const double s9_1 = mbgen::fnma(p_upper_to_x, R_knuckle_x_z, p_upper_to_z*R_knuckle_x_x);
-  const double s9_2 = mbgen::fma(p_upper_to_x, R_knuckle_x_x, p_upper_to_z*R_knuckle_x_z);
-  const double s9_3 = ((-p_upper_from_z) + (r_knuckle_z + s9_1))*(r_knuckle_x + s9_2);
-  const double s9_4 = mbgen::fma(p_upper_from_x - r_knuckle_x - s9_2, s1_3 + s9_1, s9_3);
-  result.pivot[0] = 10.4946490638541*std::abs(s9_4);
-  result.lambda[0] = -(l_upper*(Q_lower*(1.0/s9_4)));
+  const double s9_1 = mbgen::fma(p_upper_to_x, R_knuckle_x_x, p_upper_to_z*R_knuckle_x_z);
+  const double s9_2 = mbgen::fnma(p_upper_to_x, R_knuckle_x_z, p_upper_to_z*R_knuckle_x_x);
+  const double s9_3 = (p_upper_from_x - r_knuckle_x - s9_1)*(s1_3 + s9_2);
+  const double s9_4 = (-p_upper_from_z) + (r_knuckle_z + s9_2);
+  const double s9_5 = mbgen::fma(s9_4, r_knuckle_x + s9_1, s9_3);
+  result.pivot[0] = 10.4946490638541*std::abs(s9_5);
+  result.lambda[0] = -(l_upper*(Q_lower*(1.0/s9_5)));
   result.drive[0] = -Q_pull;
   // operations: 9 add, 9 multiply, 1 divide, 1 other
 }
@@ -498,7 +517,10 @@ struct ClosureTerms {
 /// Closure equations and their derivatives, for the pivoting factorisation.
 void compute_closure_terms(const Tuned& /*parameters*/, const Inputs& /*inputs*/,
     const State& state, ClosureTerms& __restrict result) noexcept {
-  // --- step 1: poses, axes b, accumulated inertias MR (50) ---
+  // Results that need no operation.
+  result.driven_acceleration[Coordinate::pull] = 0.0;
+
+  // --- step 1: poses and axes b ---
   // arm: lower, revolute, carriage
   const double z_lower = state.z[Coordinate::lower];
   double R_arm_x_x, R_arm_x_z;
@@ -510,43 +532,35 @@ void compute_closure_terms(const Tuned& /*parameters*/, const Inputs& /*inputs*/
   const double R_knuckle_x_x = mbgen::fnma(R_arm_x_z, s1_2, R_arm_x_x*s1_1);
   const double R_knuckle_x_z = mbgen::fma(R_arm_x_x, s1_2, R_arm_x_z*s1_1);
   const double r_knuckle_x = mbgen::fnma((-p_ball_x), R_arm_x_x, p_ball_z*R_arm_x_z);
-  const double s1_3 = mbgen::fms((-p_ball_x), R_arm_x_z, (-p_lower_z));
-  const double r_knuckle_z = mbgen::fma(p_ball_z, R_arm_x_x, s1_3);
+  const double s1_3 = mbgen::fma(p_ball_z, R_arm_x_x, (-p_ball_x)*R_arm_x_z);
+  const double r_knuckle_z = s1_3 - (-p_lower_z);
   // operations: 5 add, 8 multiply, 4 sin cos
 
   // --- step 2: closure Jacobian Phi_z and its factors (60) ---
-  // arm: lower, revolute, carriage
-  const double zd_lower = state.zd[Coordinate::lower];
-  const double s2_1 = zd_lower*zd_lower;
   // knuckle: ball, revolute, arm
-  const double zd_ball = state.zd[Coordinate::ball];
-  const double s2_2 = zd_lower + zd_ball;
-  const double s2_3 = s2_2*s2_2;
-  const double s2_4 = s2_3 - s2_1;
+  const double zd_lower = state.zd[Coordinate::lower];
+  const double s2_1 = zd_lower + state.zd[Coordinate::ball];
+  // arm: lower, revolute, carriage
+  const double s2_2 = zd_lower*zd_lower;
   // upper
-  const double s2_5 = mbgen::fma(p_upper_to_z, R_knuckle_x_x, r_knuckle_z);
-  const double s2_6 = mbgen::fnma(p_upper_to_x, R_knuckle_x_z, s2_5);
-  const double s2_7 = (-p_upper_from_z) + s2_6;
-  const double s2_8 = mbgen::fma(p_upper_to_z, R_knuckle_x_z, r_knuckle_x);
-  const double s2_9 = mbgen::fma(p_upper_to_x, R_knuckle_x_x, s2_8);
-  const double s2_10 = mbgen::fnma(zd_ball, r_knuckle_z, (-p_lower_z)*zd_lower);
-  const double s2_11 = mbgen::fma(s2_2, s2_6, s2_10);
-  const double s2_12 = mbgen::fnma(s2_2, s2_9, zd_ball*r_knuckle_x);
-  const double s2_13 = mbgen::fnma(s2_3, s2_9, r_knuckle_x*s2_4);
-  const double s2_14 = mbgen::fnma((-p_lower_z), s2_1, r_knuckle_z*s2_4);
-  const double s2_15 = mbgen::fnma(s2_3, s2_6, s2_14);
-  const double s2_16 = 2.380277794628896*s2_7;
-  const double s2_17 = p_upper_from_x - s2_9;
-  const double s2_18 = 2.380277794628896*s2_17;
-  const double s2_19 = mbgen::fma(s2_6, s2_18, s2_9*s2_16);
-  const double s2_20 = mbgen::fma(s2_12, s2_12, s2_11*s2_11);
-  result.Phi[0] = 0.5*mbgen::fma(s2_17, s2_18, mbgen::fms(s2_7, s2_16, l_upper));
-  result.Jz[0] = -mbgen::fma((-p_lower_z), s2_18, s2_19);
-  result.Jz[1] = mbgen::fma(r_knuckle_z, s2_18, mbgen::fms(r_knuckle_x, s2_16, s2_19));
-  const double s2_21 = mbgen::fnma(s2_15, s2_16, s2_13*s2_18);
-  result.c[0] = mbgen::fnma(2.380277794628896, s2_20, s2_21);
-  // operations: 23 add, 31 multiply
-  result.driven_acceleration[Coordinate::pull] = 0.0;
+  const double s2_3 = mbgen::fma(p_upper_to_x, R_knuckle_x_x, p_upper_to_z*R_knuckle_x_z);
+  const double s2_4 = s2_1*s2_3;
+  const double s2_5 = mbgen::fnma(p_upper_to_x, R_knuckle_x_z, p_upper_to_z*R_knuckle_x_x);
+  const double s2_6 = s2_1*s2_5;
+  const double s2_7 = mbgen::fma(zd_lower, s1_3, s2_6);
+  const double s2_8 = mbgen::fma(zd_lower, r_knuckle_x, s2_4);
+  const double s2_9 = (-p_upper_from_z) + (r_knuckle_z + s2_5);
+  const double s2_10 = 2.380277794628896*s2_9;
+  const double s2_11 = p_upper_from_x - r_knuckle_x - s2_3;
+  const double s2_12 = 2.380277794628896*s2_11;
+  const double s2_13 = mbgen::fma(s2_5, s2_12, s2_3*s2_10);
+  result.Jz[1] = -s2_13;
+  result.Phi[0] = 0.5*mbgen::fma(s2_11, s2_12, mbgen::fms(s2_9, s2_10, l_upper));
+  result.Jz[0] = -mbgen::fma(s1_3, s2_12, mbgen::fma(r_knuckle_x, s2_10, s2_13));
+  const double s2_14 = mbgen::fma(s2_1, s2_4, r_knuckle_x*s2_2);
+  const double s2_15 = mbgen::fnma(s2_14, s2_12, mbgen::fma(s2_1, s2_6, s1_3*s2_2)*s2_10);
+  result.c[0] = mbgen::fnma(2.380277794628896, mbgen::fma(s2_8, s2_8, s2_7*s2_7), s2_15);
+  // operations: 19 add, 27 multiply
 }
 
 /// Result of compute_chosen_accelerations.
@@ -560,6 +574,10 @@ struct ChosenAccelerations {
 void compute_chosen_accelerations(const Tuned& parameters, const Inputs& /*inputs*/,
     const State& state, const double* tau, const Projection& projection,
     ChosenAccelerations& __restrict result) noexcept {
+  // Results that need no operation.
+  result.inertia[1] = 0.999999999999;
+  result.zdd[Coordinate::pull] = 0.0;
+
   // --- step 1: poses and axes b ---
   // arm: lower, revolute, carriage
   const double z_lower = state.z[Coordinate::lower];
@@ -596,31 +614,31 @@ void compute_chosen_accelerations(const Tuned& parameters, const Inputs& /*input
   const double s5_5 = 0.37 - s5_4;
   const double s5_6 = std::sqrt(mbgen::fma(s5_5, s5_5, s5_3*s5_3));
   const double s5_7 = 1.0/s5_6;
-  const double s5_8 = mbgen::fma(s5_3, zd_lower*s5_4, s5_5*(zd_lower*s5_2))*s5_7;
+  const double s5_8 = mbgen::fma(s5_3, zd_lower*s5_4, zd_lower*s5_2*s5_5)*s5_7;
   const double s5_9 = s5_8 - 0.2;
   const double s5_10 = 0.2 + s5_8;
   const double s5_11 = mbgen::fms(725.0, 1.0 + s5_8, 900.0);
   const double s5_12 = (s5_10 >= 0.0 ? mbgen::fms(1600.0, s5_10, 320.0) : s5_11);
   const double s5_13 = (s5_8 >= 0.0 ? 3200.0*s5_8 : s5_12);
-  const double s5_14 = (s5_9 >= 0.0 ? mbgen::fma(1575.0, s5_9, 640.0) : s5_13) - 3000.0;
-  const double tension_spring = mbgen::fma(s5_6 - 0.34132096331752027, parameters.k, s5_14);
+  const double s5_14 = (s5_9 >= 0.0 ? mbgen::fma(1575.0, s5_9, 640.0) : s5_13) - (-f0_spring);
+  const double tension_spring = mbgen::fma(s5_6 - l0_spring, parameters.k, s5_14);
   const double s5_15 = s5_7*tension_spring;
   const double s5_16 = mbgen::fma(s5_2, s5_5*s5_15, s5_4*(s5_3*s5_15));
   // tyre
   const double s5_17 = p_pull_z + r_wheel_z;
-  const double s5_18 = 0.32 - s5_17;
-  const double s5_19 = mbgen::max(0.0, 2e+05*s5_18);
-  const double load_tyre = mbgen::max(0.0, s5_19 + mbgen::min(s5_19, 500.0*s5_1));
+  const double s5_18 = radius_tyre - s5_17;
+  const double s5_19 = mbgen::max(0.0, k_tyre*s5_18);
+  const double load_tyre = mbgen::max(0.0, s5_19 + mbgen::min(s5_19, d_tyre*s5_1));
   const double s5_20 = mbgen::max(0.004, load_tyre);
   const double s5_21 = 1.1*s5_20;
   const double s5_22 = 1.6*s5_21;
   const double s5_23 = 1e-09*s5_20;
   const double s5_24 = (s5_22 >= 0.0 ? mbgen::max(s5_22, s5_23) : mbgen::min(s5_22, -s5_23));
-  const double s5_25 = state.x[0]/0.3;
-  const double s5_26 = state.x[1]/0.6;
+  const double s5_25 = state.x[0]/relaxation_x_tyre;
+  const double s5_26 = state.x[1]/relaxation_y_tyre;
   const double s5_27 = std::sqrt(mbgen::fma(s5_26, s5_26, mbgen::fma(s5_25, s5_25, 1e-30)));
   const double s5_28 = std::abs(v_wheel_x);
-  const double s5_29 = mbgen::fnma(0.3333333333333333, mbgen::max(0.0, s5_18), 0.32);
+  const double s5_29 = mbgen::fnma(0.3333333333333333, mbgen::max(0.0, s5_18), radius_tyre);
   const double s5_30 = w_wheel_y*s5_29;
   const double s5_31 = v_wheel_x - s5_30;
   const double s5_32 = std::sqrt(mbgen::fma(s5_31, s5_31, 1e-30));
@@ -634,14 +652,15 @@ void compute_chosen_accelerations(const Tuned& parameters, const Inputs& /*input
   const double s5_39 = s5_28 + s5_32/s5_33;
   result.xd[1] = -(s5_26*s5_39);
   result.xd[0] = -mbgen::fma(s5_25, s5_39, s5_31);
-  const double s5_40 = mbgen::hyperbolic_tangent(0.5*s5_30)*(0.32*(0.007*load_tyre));
-  const double s5_41 = mbgen::fma(fx_tyre, s5_29 + (s5_17 + s5_18) - 0.32, s5_40);
+  const double s5_40 = mbgen::hyperbolic_tangent(0.5*s5_30);
+  const double s5_41 = s5_40*(radius_tyre*(rolling_tyre*load_tyre));
+  const double s5_42 = mbgen::fma(fx_tyre, s5_29 + (s5_17 + s5_18) - radius_tyre, s5_41);
   // operations: 40 add, 57 multiply, 8 divide, 3 sqrt, 3 sin cos, 18 other
 
   // --- step 8: elimination from the leaves to the root (63) ---
   // wheel: wheel, revolute, knuckle
-  const double s8_1 = tau[Coordinate::wheel] - s5_41;
-  const double s8_2 = mbgen::fma(s1_4, load_tyre, mbgen::fnma(s1_5, fx_tyre, s5_41 + s8_1));
+  const double s8_1 = tau[Coordinate::wheel] - s5_42;
+  const double s8_2 = mbgen::fma(s1_4, load_tyre, mbgen::fnma(s1_5, fx_tyre, s5_42 + s8_1));
   // operations: 4 add, 2 multiply
 
   // --- step 6: c and dRz/dt zd (62), upper ---
@@ -705,14 +724,15 @@ void compute_chosen_accelerations(const Tuned& parameters, const Inputs& /*input
   // wheel: wheel, revolute, knuckle
   result.zdd[Coordinate::wheel] = s8_1 - alpha_knuckle_y;
   // operations: 5 add, 5 multiply
-  result.inertia[1] = 0.999999999999;
-  result.zdd[Coordinate::pull] = 0.0;
 }
 
 /// Outputs, energies and power, at given accelerations.
 void compute_outputs(const Tuned& parameters, const Inputs& /*inputs*/, const State& state,
     const double* tau, const Derivative& /*derivative*/, const Multipliers& multipliers,
     Outputs& __restrict result) noexcept {
+  // Results that need no operation.
+  result.wheel_speed = state.zd[Coordinate::wheel];
+
   // --- step 1: poses and axes b ---
   // arm: lower, revolute, carriage
   const double z_lower = state.z[Coordinate::lower];
@@ -733,7 +753,7 @@ void compute_outputs(const Tuned& parameters, const Inputs& /*inputs*/, const St
   const double r_wheel_z = r_knuckle_z + s1_5;
   // operations: 6 add, 10 multiply, 4 sin cos
 
-  // --- step 4: angular velocities ---
+  // --- step 4: velocities ---
   // knuckle: ball, revolute, arm
   const double zd_lower = state.zd[Coordinate::lower];
   const double zd_pull = state.zd[Coordinate::pull];
@@ -756,34 +776,34 @@ void compute_outputs(const Tuned& parameters, const Inputs& /*inputs*/, const St
   const double s5_4 = 0.37 - s5_3;
   const double s5_5 = std::sqrt(mbgen::fma(s5_4, s5_4, s5_2*s5_2));
   const double s5_6 = 1.0/s5_5;
-  const double s5_7 = mbgen::fma(s5_2, zd_lower*s5_3, s5_4*(zd_lower*s5_1))*s5_6;
+  const double s5_7 = mbgen::fma(s5_2, zd_lower*s5_3, zd_lower*s5_1*s5_4)*s5_6;
   const double s5_8 = s5_7 - 0.2;
   const double s5_9 = 0.2 + s5_7;
   const double s5_10 = mbgen::fms(725.0, 1.0 + s5_7, 900.0);
   const double s5_11 = (s5_9 >= 0.0 ? mbgen::fms(1600.0, s5_9, 320.0) : s5_10);
   const double s5_12 = (s5_7 >= 0.0 ? 3200.0*s5_7 : s5_11);
-  const double s5_13 = (s5_8 >= 0.0 ? mbgen::fma(1575.0, s5_8, 640.0) : s5_12) - 3000.0;
-  const double tension_spring = mbgen::fma(s5_5 - 0.34132096331752027, parameters.k, s5_13);
+  const double s5_13 = (s5_8 >= 0.0 ? mbgen::fma(1575.0, s5_8, 640.0) : s5_12) - (-f0_spring);
+  const double tension_spring = mbgen::fma(s5_5 - l0_spring, parameters.k, s5_13);
   result.spring_force = tension_spring;
   const double s5_14 = s5_6*tension_spring;
   const double s5_15 = mbgen::fma(s5_1, s5_4*s5_14, s5_3*(s5_2*s5_14));
   // tyre
   const double s5_16 = p_pull_z + r_wheel_z;
   result.hub_height = s5_16;
-  const double s5_17 = 0.32 - s5_16;
-  const double s5_18 = mbgen::max(0.0, 2e+05*s5_17);
-  const double load_tyre = mbgen::max(0.0, s5_18 + mbgen::min(s5_18, 500.0*s4_2));
+  const double s5_17 = radius_tyre - s5_16;
+  const double s5_18 = mbgen::max(0.0, k_tyre*s5_17);
+  const double load_tyre = mbgen::max(0.0, s5_18 + mbgen::min(s5_18, d_tyre*s4_2));
   result.load = load_tyre;
   const double s5_19 = mbgen::max(0.004, load_tyre);
   const double s5_20 = 1.1*s5_19;
   const double s5_21 = 1.6*s5_20;
   const double s5_22 = 1e-09*s5_19;
   const double s5_23 = (s5_21 >= 0.0 ? mbgen::max(s5_21, s5_22) : mbgen::min(s5_21, -s5_22));
-  const double s5_24 = state.x[0]/0.3;
-  const double s5_25 = state.x[1]/0.6;
+  const double s5_24 = state.x[0]/relaxation_x_tyre;
+  const double s5_25 = state.x[1]/relaxation_y_tyre;
   const double s5_26 = std::sqrt(mbgen::fma(s5_25, s5_25, mbgen::fma(s5_24, s5_24, 1e-30)));
   const double s5_27 = std::abs(v_wheel_x);
-  const double s5_28 = mbgen::fnma(0.3333333333333333, mbgen::max(0.0, s5_17), 0.32);
+  const double s5_28 = mbgen::fnma(0.3333333333333333, mbgen::max(0.0, s5_17), radius_tyre);
   const double s5_29 = w_wheel_y*s5_28;
   const double s5_30 = v_wheel_x - s5_29;
   const double s5_31 = mbgen::fma(0.5, s5_27 + std::sqrt(mbgen::fma(s5_30, s5_30, 1e-30)), 1.0);
@@ -793,8 +813,9 @@ void compute_outputs(const Tuned& parameters, const Inputs& /*inputs*/, const St
   const double s5_35 = 0.06*mbgen::fma(0.5, s5_33, 0.5)*mbgen::max(0.0, s5_32);
   const double s5_36 = mbgen::arc_tangent(20.0*s5_19/s5_23*mbgen::fnma(s5_30, s5_35, s5_34));
   const double fx_tyre = mbgen::max(0.0, load_tyre)/s5_19*(s5_20*mbgen::sine(1.6*s5_36));
-  const double s5_37 = mbgen::hyperbolic_tangent(0.5*s5_29)*(0.32*(0.007*load_tyre));
-  const double s5_38 = mbgen::fma(fx_tyre, s5_28 + (s5_16 + s5_17) - 0.32, s5_37);
+  const double s5_37 = mbgen::hyperbolic_tangent(0.5*s5_29);
+  const double s5_38 = s5_37*(radius_tyre*(rolling_tyre*load_tyre));
+  const double s5_39 = mbgen::fma(fx_tyre, s5_28 + (s5_16 + s5_17) - radius_tyre, s5_38);
   // operations: 33 add, 51 multiply, 7 divide, 3 sqrt, 3 sin cos, 18 other
 
   // --- step 7: inertias of the bodies and forces on joints ---
@@ -810,14 +831,14 @@ void compute_outputs(const Tuned& parameters, const Inputs& /*inputs*/, const St
   const double s7_7 = I_arm_yy*zd_lower;
   // operations: 2 add, 9 multiply
 
-  // --- step 9: accelerations from the root to the leaves (63), (62) ---
+  // --- step 9: outputs, energies, power ---
   const double s9_1 = zd_lower*s7_6;
   const double s9_2 = mbgen::fma(w_knuckle_y, s7_3, s4_1);
   const double s9_3 = mbgen::fma(r_knuckle_z + s7_2, parameters.derived[7], m_wheel*r_wheel_z);
   const double s9_4 = mbgen::fma(m_arm, s7_5 - (-p_lower_z), s9_3) + parameters.derived[9];
   result.potential_energy = (-g_z)*s9_4;
   const double s9_5 = mbgen::fma(v_wheel_x, fx_tyre, zd_wheel*tau[Coordinate::wheel]);
-  const double s9_6 = mbgen::fnma(w_wheel_y, s5_38, mbgen::fnma(s4_2, load_tyre, s9_5));
+  const double s9_6 = mbgen::fnma(w_wheel_y, s5_39, mbgen::fnma(s4_2, load_tyre, s9_5));
   const double s9_7 = mbgen::fma(zd_ball, tau[Coordinate::ball], s9_6);
   const double s9_8 = mbgen::fma(zd_pull, tau[Coordinate::pull] + multipliers.drive[0], s9_7);
   result.applied_power = mbgen::fma(zd_lower, tau[Coordinate::lower] - s5_15, s9_8);
@@ -831,7 +852,6 @@ void compute_outputs(const Tuned& parameters, const Inputs& /*inputs*/, const St
   const double s9_16 = mbgen::fma(m_carriage, zd_pull*zd_pull, s9_15);
   result.kinetic_energy = 0.5*mbgen::fma(m_arm, mbgen::fma(s9_10, s9_10, s9_1*s9_1), s9_16);
   // operations: 25 add, 29 multiply
-  result.wheel_speed = zd_wheel;
 }
 
 

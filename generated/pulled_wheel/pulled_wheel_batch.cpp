@@ -76,6 +76,14 @@ constexpr double p_wheel_z = 0.04;
 constexpr double p_arm_seat_x = -0.25;
 constexpr double p_arm_seat_z = 0.03;
 constexpr double p_carriage_seat_x = -0.22;
+constexpr double l0_spring = 0.34132096331752027;
+constexpr double f0_spring = -3000.0;
+constexpr double radius_tyre = 0.32;
+constexpr double k_tyre = 2e+05;
+constexpr double d_tyre = 500.0;
+constexpr double rolling_tyre = 0.007;
+constexpr double relaxation_x_tyre = 0.3;
+constexpr double relaxation_y_tyre = 0.6;
 constexpr double h_arm_x = -1.26;
 constexpr double h_arm_z = 0.07;
 
@@ -107,7 +115,7 @@ void compute_derived_constants(const Parameters& parameters, Tuned& __restrict r
   result.derived[5] = m_wheel + m_knuckle;
   // operations: 11 add, 3 multiply
 
-  // --- step 9: accelerations from the root to the leaves (63), (62) ---
+  // --- step 9: outputs, energies, power ---
   result.derived[9] = p_pull_z*(345.0 + m_knuckle);
   // operations: 1 add, 1 multiply
 }
@@ -127,6 +135,10 @@ struct Accelerations {
 /// All accelerations with the frozen partition of the loop blocks.
 void compute_accelerations(const Tuned& parameters, const Inputs& /*inputs*/, const State& state,
     const Lanes* tau, Accelerations& __restrict result) noexcept {
+  // Results that need no operation.
+  result.inertia[1] = Lanes{} + 0.999999999999;
+  result.zdd[Coordinate::pull] = Lanes{} + 0.0;
+
   // --- step 1: poses and axes b ---
   // arm: lower, revolute, carriage
   const Lanes z_lower = state.z[Coordinate::lower];
@@ -156,35 +168,35 @@ void compute_accelerations(const Tuned& parameters, const Inputs& /*inputs*/, co
   const Lanes s5_4 = (-p_carriage_seat_x) + s5_1;
   const Lanes s5_5 = mbgen::sqrt(mbgen::fma(s5_3, s5_3, s5_4*s5_4));
   const Lanes s5_6 = 1.0/s5_5;
-  const Lanes s5_7 = mbgen::fma(s5_4, zd_lower*s5_2, s5_3*(zd_lower*s5_1))*s5_6;
+  const Lanes s5_7 = mbgen::fma(s5_4, zd_lower*s5_2, zd_lower*s5_1*s5_3)*s5_6;
   const Lanes s5_8 = 0.2 + s5_7;
   const Lanes s5_9 = mbgen::fms(725.0, 1.0 + s5_7, 900.0);
   const Lanes s5_10 = mbgen::select(s5_8, mbgen::fms(1600.0, s5_8, 320.0), s5_9);
   const Lanes s5_11 = s5_7 - 0.2;
   const Lanes s5_12 = mbgen::select(s5_7, 3200.0*s5_7, s5_10);
-  const Lanes s5_13 = mbgen::select(s5_11, mbgen::fma(1575.0, s5_11, 640.0), s5_12) - 3000.0;
-  const Lanes tension_spring = mbgen::fma(s5_5 - 0.34132096331752027, parameters.k, s5_13);
+  const Lanes s5_13 = mbgen::select(s5_11, mbgen::fma(1575.0, s5_11, 640.0), s5_12);
+  const Lanes tension_spring = mbgen::fma(s5_5 - l0_spring, parameters.k, s5_13 - (-f0_spring));
   const Lanes s5_14 = s5_6*tension_spring;
   const Lanes s5_15 = mbgen::fma(s5_1, s5_3*s5_14, s5_2*(s5_4*s5_14));
   // tyre
   const Lanes r_knuckle_z = s1_3 - (-p_lower_z);
   const Lanes r_wheel_z = r_knuckle_z + s1_4;
   const Lanes s5_16 = p_pull_z + r_wheel_z;
-  const Lanes s5_17 = 0.32 - s5_16;
-  const Lanes s5_18 = mbgen::max(0.0, 2e+05*s5_17);
-  const Lanes s5_19 = mbgen::fnma(0.3333333333333333, mbgen::max(0.0, s5_17), 0.32);
+  const Lanes s5_17 = radius_tyre - s5_16;
+  const Lanes s5_18 = mbgen::max(0.0, k_tyre*s5_17);
+  const Lanes s5_19 = mbgen::fnma(0.3333333333333333, mbgen::max(0.0, s5_17), radius_tyre);
   const Lanes s5_20 = p_wheel_z*R_knuckle_x_z;
   const Lanes s5_21 = zd_lower*r_knuckle_x;
   mbgen::read_back();
-  const Lanes s5_22 = s5_18 + mbgen::min(s5_18, 500.0*mbgen::fma(s5_20, w_knuckle_y, s5_21));
+  const Lanes s5_22 = s5_18 + mbgen::min(s5_18, d_tyre*mbgen::fma(s5_20, w_knuckle_y, s5_21));
   const Lanes load_tyre = mbgen::max(0.0, s5_22);
   const Lanes s5_23 = mbgen::max(0.004, load_tyre);
   const Lanes s5_24 = 1e-09*s5_23;
   const Lanes s5_25 = 1.1*s5_23;
   const Lanes s5_26 = 1.6*s5_25;
   const Lanes s5_27 = mbgen::min(s5_26, -s5_24);
-  const Lanes s5_28 = state.x[0]/0.3;
-  const Lanes s5_29 = state.x[1]/0.6;
+  const Lanes s5_28 = state.x[0]/relaxation_x_tyre;
+  const Lanes s5_29 = state.x[1]/relaxation_y_tyre;
   const Lanes s5_30 = mbgen::sqrt(mbgen::fma(s5_29, s5_29, mbgen::fma(s5_28, s5_28, 1e-30)));
   const Lanes w_wheel_y = state.zd[Coordinate::wheel] + w_knuckle_y;
   const Lanes s5_31 = w_wheel_y*s5_19;
@@ -202,25 +214,26 @@ void compute_accelerations(const Tuned& parameters, const Inputs& /*inputs*/, co
   const Lanes s5_41 = 20.0*s5_23/mbgen::select(s5_26, mbgen::max(s5_26, s5_24), s5_27);
   const Lanes s5_42 = 1.6*mbgen::arc_tangent(s5_41*mbgen::fnma(s5_32, s5_40, s5_39));
   const Lanes fx_tyre = mbgen::max(0.0, load_tyre)/s5_23*(s5_25*mbgen::sine(s5_42));
-  const Lanes s5_43 = mbgen::hyperbolic_tangent(0.5*s5_31)*(0.32*(0.007*load_tyre));
-  const Lanes s5_44 = mbgen::fma(fx_tyre, s5_19 + (s5_16 + s5_17) - 0.32, s5_43);
+  const Lanes s5_43 = mbgen::hyperbolic_tangent(0.5*s5_31);
+  const Lanes s5_44 = s5_43*(radius_tyre*(rolling_tyre*load_tyre));
+  const Lanes s5_45 = mbgen::fma(fx_tyre, s5_19 + (s5_16 + s5_17) - radius_tyre, s5_44);
   // operations: 39 add, 56 multiply, 8 divide, 3 sqrt, 3 sin cos, 18 other
 
   // --- step 8: elimination from the leaves to the root (63) ---
   // wheel: wheel, revolute, knuckle
-  const Lanes s8_1 = tau[Coordinate::wheel] - s5_44;
+  const Lanes s8_1 = tau[Coordinate::wheel] - s5_45;
   mbgen::read_back();
-  const Lanes s8_2 = mbgen::fma(s5_20, load_tyre, mbgen::fnma(s1_4, fx_tyre, s5_44 + s8_1));
+  const Lanes s8_2 = mbgen::fma(s5_20, load_tyre, mbgen::fnma(s1_4, fx_tyre, s5_45 + s8_1));
   // operations: 4 add, 2 multiply
 
   // --- step 2: closure Jacobian Phi_z and its factors (60), upper ---
   // upper
-  const Lanes s2_1 = mbgen::fnma(p_upper_to_x, R_knuckle_x_z, p_upper_to_z*R_knuckle_x_x);
-  const Lanes s2_2 = (-p_upper_from_z) + (r_knuckle_z + s2_1);
-  const Lanes s2_3 = mbgen::fma(p_upper_to_x, R_knuckle_x_x, p_upper_to_z*R_knuckle_x_z);
-  const Lanes s2_4 = p_upper_from_x - r_knuckle_x - s2_3;
-  const Lanes s2_5 = mbgen::fma(s2_1, s2_4, s2_2*s2_3);
-  const Lanes s2_6 = mbgen::fma(s1_3, s2_4, mbgen::fma(r_knuckle_x, s2_2, s2_5));
+  const Lanes s2_1 = mbgen::fma(p_upper_to_x, R_knuckle_x_x, p_upper_to_z*R_knuckle_x_z);
+  const Lanes s2_2 = p_upper_from_x - r_knuckle_x - s2_1;
+  const Lanes s2_3 = mbgen::fnma(p_upper_to_x, R_knuckle_x_z, p_upper_to_z*R_knuckle_x_x);
+  const Lanes s2_4 = (-p_upper_from_z) + (r_knuckle_z + s2_3);
+  const Lanes s2_5 = mbgen::fma(s2_2, s2_3, s2_1*s2_4);
+  const Lanes s2_6 = mbgen::fma(r_knuckle_x, s2_4, mbgen::fma(s1_3, s2_2, s2_5));
   const Lanes s2_7 = 1.0/s2_6;
   result.pivot[0] = 10.4946490638541*mbgen::abs(s2_6);
   // operations: 9 add, 9 multiply, 1 divide, 1 other
@@ -231,8 +244,8 @@ void compute_accelerations(const Tuned& parameters, const Inputs& /*inputs*/, co
 
   // --- step 6: c and dRz/dt zd (62), upper ---
   // upper
-  const Lanes s6_1 = w_knuckle_y*s2_3;
-  const Lanes s6_2 = w_knuckle_y*s2_1;
+  const Lanes s6_1 = w_knuckle_y*s2_1;
+  const Lanes s6_2 = w_knuckle_y*s2_3;
   const Lanes s6_3 = s5_21 + s6_1;
   const Lanes s6_4 = mbgen::fma(zd_lower, s1_3, s6_2);
   // knuckle: ball, revolute, arm
@@ -241,8 +254,8 @@ void compute_accelerations(const Tuned& parameters, const Inputs& /*inputs*/, co
   // upper
   const Lanes s6_7 = s1_3*s6_5;
   const Lanes s6_8 = mbgen::fma(w_knuckle_y, s6_1, s6_6);
-  const Lanes s6_9 = mbgen::fma(s2_4, s6_8, mbgen::fma(s6_3, s6_3, s6_4*s6_4));
-  const Lanes s6_10 = mbgen::fnma(s2_2, mbgen::fma(w_knuckle_y, s6_2, s6_7), s6_9);
+  const Lanes s6_9 = mbgen::fma(s2_2, s6_8, mbgen::fma(s6_3, s6_3, s6_4*s6_4));
+  const Lanes s6_10 = mbgen::fnma(s2_4, mbgen::fma(w_knuckle_y, s6_2, s6_7), s6_9);
   const Lanes zdd_star_lower = s2_7*s6_10;
   // operations: 7 add, 13 multiply
 
@@ -286,21 +299,19 @@ void compute_accelerations(const Tuned& parameters, const Inputs& /*inputs*/, co
   // arm: lower, revolute, carriage
   const Lanes s8_22 = mbgen::fma(s3_1, s7_1, s8_21);
   const Lanes s8_23 = mbgen::fma(s8_14, s8_16, mbgen::fnma(s8_7, s8_18, s8_8*s8_21));
-  const Lanes s8_24 = mbgen::fma(s3_1, 0.3475*s3_1, s8_23);
-  const Lanes s8_25 = 1.0/s8_24;
-  result.inertia[0] = mbgen::fnma(1e-12, s8_24, s8_24);
+  const Lanes pivot_ball = mbgen::fma(s3_1, 0.3475*s3_1, s8_23);
+  const Lanes s8_24 = 1.0/pivot_ball;
+  result.inertia[0] = mbgen::fnma(1e-12, pivot_ball, pivot_ball);
   // operations: 28 add, 35 multiply, 1 divide
 
   // --- step 9: accelerations from the root to the leaves (63), (62) ---
   // knuckle: ball, revolute, arm
-  const Lanes s9_1 = s8_25*mbgen::fnma((-g_z), s8_22, s8_20);
+  const Lanes s9_1 = s8_24*mbgen::fnma((-g_z), s8_22, s8_20);
   result.zdd[Coordinate::ball] = s9_1;
   result.zdd[Coordinate::lower] = mbgen::fnma(s3_1, s9_1, zdd_star_lower);
   const Lanes alpha_knuckle_y = mbgen::fma(s8_14, s9_1, zdd_star_lower);
   result.zdd[Coordinate::wheel] = s8_1 - alpha_knuckle_y;
   // operations: 4 add, 4 multiply
-  result.inertia[1] = Lanes{} + 0.999999999999;
-  result.zdd[Coordinate::pull] = Lanes{} + 0.0;
 }
 
 /// Result of compute_closure.
@@ -314,7 +325,14 @@ struct Closure {
 /// One Newton step of the frozen partition, and consistent velocities.
 void compute_closure(const Tuned& /*parameters*/, const Inputs& /*inputs*/, const State& state,
     Closure& __restrict result) noexcept {
-  // --- step 1: poses, axes b, accumulated inertias MR (50) ---
+  // Results that need no operation.
+  result.dz[Coordinate::ball] = Lanes{} + 0.0;
+  result.dz[Coordinate::wheel] = Lanes{} + 0.0;
+  result.zd[Coordinate::pull] = Lanes{} + 15.0;
+  result.zd[Coordinate::ball] = state.zd[Coordinate::ball];
+  result.zd[Coordinate::wheel] = state.zd[Coordinate::wheel];
+
+  // --- step 1: poses and axes b ---
   // arm: lower, revolute, carriage
   const Lanes z_lower = state.z[Coordinate::lower];
   Lanes R_arm_x_x, R_arm_x_z;
@@ -326,8 +344,8 @@ void compute_closure(const Tuned& /*parameters*/, const Inputs& /*inputs*/, cons
   const Lanes R_knuckle_x_x = mbgen::fnma(R_arm_x_z, s1_2, R_arm_x_x*s1_1);
   const Lanes R_knuckle_x_z = mbgen::fma(R_arm_x_x, s1_2, R_arm_x_z*s1_1);
   const Lanes r_knuckle_x = mbgen::fnma((-p_ball_x), R_arm_x_x, p_ball_z*R_arm_x_z);
-  const Lanes s1_3 = mbgen::fms((-p_ball_x), R_arm_x_z, (-p_lower_z));
-  const Lanes r_knuckle_z = mbgen::fma(p_ball_z, R_arm_x_x, s1_3);
+  const Lanes s1_3 = mbgen::fma(p_ball_z, R_arm_x_x, (-p_ball_x)*R_arm_x_z);
+  const Lanes r_knuckle_z = s1_3 - (-p_lower_z);
   const Lanes s1_4 = mbgen::fms(15.0, state.t, state.z[Coordinate::pull]);
   result.residual[1] = s1_4;
   result.dz[Coordinate::pull] = s1_4;
@@ -335,34 +353,25 @@ void compute_closure(const Tuned& /*parameters*/, const Inputs& /*inputs*/, cons
 
   // --- step 2: closure Jacobian Phi_z and its factors (60) ---
   // upper
-  const Lanes s2_1 = mbgen::fma(p_upper_to_z, R_knuckle_x_x, r_knuckle_z);
-  const Lanes s2_2 = mbgen::fnma(p_upper_to_x, R_knuckle_x_z, s2_1);
-  const Lanes s2_3 = mbgen::fma(p_upper_to_z, R_knuckle_x_z, r_knuckle_x);
-  const Lanes s2_4 = mbgen::fma(p_upper_to_x, R_knuckle_x_x, s2_3);
-  const Lanes s2_5 = (-p_upper_from_z) + s2_2;
-  const Lanes s2_6 = 2.380277794628896*s2_5;
-  const Lanes s2_7 = p_upper_from_x - s2_4;
-  const Lanes s2_8 = 2.380277794628896*s2_7;
-  const Lanes s2_9 = mbgen::fma(s2_2, s2_8, s2_6*s2_4);
-  // upper
-  const Lanes s2_10 = 0.5*mbgen::fma(s2_7, s2_8, mbgen::fms(s2_5, s2_6, l_upper));
-  result.residual[0] = s2_10;
-  const Lanes s2_11 = mbgen::fma((-p_lower_z), s2_8, s2_9);
-  const Lanes s2_12 = mbgen::fnma(r_knuckle_z, s2_8, mbgen::fnma(r_knuckle_x, s2_6, s2_9));
-  result.pivot[0] = 4.409001792788769*mbgen::abs(s2_11);
-  const Lanes s2_13 = 1.0/s2_11;
-  // operations: 12 add, 15 multiply, 1 divide, 1 other
+  const Lanes s2_1 = mbgen::fma(p_upper_to_x, R_knuckle_x_x, p_upper_to_z*R_knuckle_x_z);
+  const Lanes s2_2 = mbgen::fnma(p_upper_to_x, R_knuckle_x_z, p_upper_to_z*R_knuckle_x_x);
+  const Lanes s2_3 = p_upper_from_x - r_knuckle_x - s2_1;
+  const Lanes s2_4 = (-p_upper_from_z) + (r_knuckle_z + s2_2);
+  const Lanes s2_5 = 2.380277794628896*s2_4;
+  const Lanes s2_6 = 2.380277794628896*s2_3;
+  const Lanes s2_7 = mbgen::fma(s2_6, s2_2, s2_1*s2_5);
+  const Lanes s2_8 = 0.5*mbgen::fma(s2_3, s2_6, mbgen::fms(s2_4, s2_5, l_upper));
+  result.residual[0] = s2_8;
+  const Lanes s2_9 = mbgen::fma(r_knuckle_x, s2_5, mbgen::fma(s1_3, s2_6, s2_7));
+  result.pivot[0] = 4.409001792788769*mbgen::abs(s2_9);
+  const Lanes s2_10 = 1.0/s2_9;
+  // operations: 11 add, 14 multiply, 1 divide, 1 other
 
-  // --- step 4: velocities Z (36) ---
+  // --- step 4: velocities ---
   // loop block 0
-  result.dz[Coordinate::lower] = s2_10*s2_13;
-  result.zd[Coordinate::lower] = -(s2_13*(state.zd[Coordinate::ball]*s2_12));
+  result.dz[Coordinate::lower] = s2_8*s2_10;
+  result.zd[Coordinate::lower] = -(s2_10*(state.zd[Coordinate::ball]*s2_7));
   // operations: 3 multiply
-  result.dz[Coordinate::ball] = Lanes{} + 0.0;
-  result.dz[Coordinate::wheel] = Lanes{} + 0.0;
-  result.zd[Coordinate::pull] = Lanes{} + 15.0;
-  result.zd[Coordinate::ball] = state.zd[Coordinate::ball];
-  result.zd[Coordinate::wheel] = state.zd[Coordinate::wheel];
 }
 
 /// Result of compute_multipliers.
@@ -398,7 +407,7 @@ void compute_multipliers(const Tuned& parameters, const Inputs& /*inputs*/, cons
   const Lanes r_wheel_z = r_knuckle_z + s1_5;
   // operations: 6 add, 10 multiply, 4 sin cos
 
-  // --- step 4: angular velocities ---
+  // --- step 4: velocities ---
   // knuckle: ball, revolute, arm
   const Lanes zd_lower = state.zd[Coordinate::lower];
   const Lanes w_knuckle_y = zd_lower + state.zd[Coordinate::ball];
@@ -419,31 +428,31 @@ void compute_multipliers(const Tuned& parameters, const Inputs& /*inputs*/, cons
   const Lanes s5_4 = (-p_carriage_seat_x) + s5_1;
   const Lanes s5_5 = mbgen::sqrt(mbgen::fma(s5_3, s5_3, s5_4*s5_4));
   const Lanes s5_6 = 1.0/s5_5;
-  const Lanes s5_7 = mbgen::fma(s5_4, zd_lower*s5_2, s5_3*(zd_lower*s5_1))*s5_6;
+  const Lanes s5_7 = mbgen::fma(s5_4, zd_lower*s5_2, zd_lower*s5_1*s5_3)*s5_6;
   const Lanes s5_8 = 0.2 + s5_7;
   const Lanes s5_9 = mbgen::fms(725.0, 1.0 + s5_7, 900.0);
   const Lanes s5_10 = mbgen::select(s5_8, mbgen::fms(1600.0, s5_8, 320.0), s5_9);
   const Lanes s5_11 = s5_7 - 0.2;
   const Lanes s5_12 = mbgen::select(s5_7, 3200.0*s5_7, s5_10);
-  const Lanes s5_13 = mbgen::select(s5_11, mbgen::fma(1575.0, s5_11, 640.0), s5_12) - 3000.0;
-  const Lanes tension_spring = mbgen::fma(s5_5 - 0.34132096331752027, parameters.k, s5_13);
+  const Lanes s5_13 = mbgen::select(s5_11, mbgen::fma(1575.0, s5_11, 640.0), s5_12);
+  const Lanes tension_spring = mbgen::fma(s5_5 - l0_spring, parameters.k, s5_13 - (-f0_spring));
   const Lanes s5_14 = s5_6*tension_spring;
   const Lanes s5_15 = s5_4*s5_14;
   const Lanes s5_16 = mbgen::fma(s5_1, s5_3*s5_14, s5_2*s5_15);
   // tyre
   const Lanes s5_17 = p_pull_z + r_wheel_z;
-  const Lanes s5_18 = 0.32 - s5_17;
-  const Lanes s5_19 = mbgen::max(0.0, 2e+05*s5_18);
-  const Lanes s5_20 = mbgen::fnma(0.3333333333333333, mbgen::max(0.0, s5_18), 0.32);
+  const Lanes s5_18 = radius_tyre - s5_17;
+  const Lanes s5_19 = mbgen::max(0.0, k_tyre*s5_18);
+  const Lanes s5_20 = mbgen::fnma(0.3333333333333333, mbgen::max(0.0, s5_18), radius_tyre);
   mbgen::read_back();
-  const Lanes load_tyre = mbgen::max(0.0, s5_19 + mbgen::min(s5_19, 500.0*s4_1));
+  const Lanes load_tyre = mbgen::max(0.0, s5_19 + mbgen::min(s5_19, d_tyre*s4_1));
   const Lanes s5_21 = mbgen::max(0.004, load_tyre);
   const Lanes s5_22 = 1.1*s5_21;
   const Lanes s5_23 = 1.6*s5_22;
   const Lanes s5_24 = 1e-09*s5_21;
   const Lanes s5_25 = mbgen::min(s5_23, -s5_24);
-  const Lanes s5_26 = state.x[0]/0.3;
-  const Lanes s5_27 = state.x[1]/0.6;
+  const Lanes s5_26 = state.x[0]/relaxation_x_tyre;
+  const Lanes s5_27 = state.x[1]/relaxation_y_tyre;
   const Lanes s5_28 = mbgen::sqrt(mbgen::fma(s5_27, s5_27, mbgen::fma(s5_26, s5_26, 1e-30)));
   const Lanes s5_29 = w_wheel_y*s5_20;
   const Lanes s5_30 = mbgen::abs(v_wheel_x);
@@ -456,72 +465,76 @@ void compute_multipliers(const Tuned& parameters, const Inputs& /*inputs*/, cons
   const Lanes s5_37 = 20.0*s5_21/mbgen::select(s5_23, mbgen::max(s5_23, s5_24), s5_25);
   const Lanes s5_38 = 1.6*mbgen::arc_tangent(s5_37*mbgen::fnma(s5_31, s5_36, s5_35));
   const Lanes fx_tyre = mbgen::max(0.0, load_tyre)/s5_21*(s5_22*mbgen::sine(s5_38));
-  const Lanes s5_39 = mbgen::hyperbolic_tangent(0.5*s5_29)*(0.32*(0.007*load_tyre));
-  const Lanes s5_40 = mbgen::fma(fx_tyre, s5_20 + (s5_17 + s5_18) - 0.32, s5_39);
+  const Lanes s5_39 = mbgen::hyperbolic_tangent(0.5*s5_29);
+  const Lanes s5_40 = s5_39*(radius_tyre*(rolling_tyre*load_tyre));
+  const Lanes s5_41 = mbgen::fma(fx_tyre, s5_20 + (s5_17 + s5_18) - radius_tyre, s5_40);
   // operations: 33 add, 51 multiply, 7 divide, 3 sqrt, 3 sin cos, 18 other
 
   // --- step 7: inertias of the bodies and forces on joints ---
+  // arm: lower, revolute, carriage
+  const Lanes zdd_lower = derivative.zdd[Coordinate::lower];
   // knuckle: ball, revolute, arm
   const Lanes s7_1 = w_knuckle_y*w_knuckle_y;
   // arm: lower, revolute, carriage
-  const Lanes s7_2 = zd_lower*zd_lower;
-  // knuckle: ball, revolute, arm
-  const Lanes zdd_lower = derivative.zdd[Coordinate::lower];
+  const Lanes s7_2 = mbgen::fma(c_arm_z, R_arm_x_x, (-c_arm_x)*R_arm_x_z);
+  const Lanes s7_3 = mbgen::fnma((-c_arm_x), R_arm_x_x, c_arm_z*R_arm_x_z);
+  const Lanes s7_4 = zd_lower*zd_lower;
+  mbgen::read_back();
   const Lanes zdd_pull = derivative.zdd[Coordinate::pull];
-  const Lanes a_knuckle_x = mbgen::fnma(r_knuckle_x, s7_2, mbgen::fma(zdd_lower, s1_3, zdd_pull));
+  const Lanes s7_5 = m_arm*mbgen::fnma(s7_4, s7_3, mbgen::fma(zdd_lower, s7_2, zdd_pull));
+  const Lanes f_arm_x = s5_15 + s7_5;
+  // carriage: pull, prismatic, ground
+  const Lanes f_carriage_x = mbgen::fms(m_carriage, zdd_pull, s5_15);
+  // arm: lower, revolute, carriage
+  const Lanes s7_6 = m_arm*mbgen::fnma(s7_4, s7_2, mbgen::fnma(zdd_lower, s7_3, (-g_z)));
+  const Lanes s7_7 = mbgen::fma(s7_2, s7_5, mbgen::fma(I_arm_yy, zdd_lower, s5_16));
+  const Lanes n_arm_y = mbgen::fnma(s7_3, s7_6, s7_7);
+  // knuckle: ball, revolute, arm
+  const Lanes a_knuckle_x = mbgen::fnma(r_knuckle_x, s7_4, mbgen::fma(zdd_lower, s1_3, zdd_pull));
+  const Lanes a_knuckle_z = mbgen::fnma(s1_3, s7_4, mbgen::fnma(zdd_lower, r_knuckle_x, (-g_z)));
   const Lanes alpha_knuckle_y = zdd_lower + derivative.zdd[Coordinate::ball];
   // wheel: wheel, revolute, knuckle
   const Lanes a_wheel_x = mbgen::fnma(s1_4, s7_1, mbgen::fma(s1_5, alpha_knuckle_y, a_knuckle_x));
-  mbgen::read_back();
-  const Lanes f_wheel_x = mbgen::fnma(m_wheel, a_wheel_x, fx_tyre);
-  // knuckle: ball, revolute, arm
-  const Lanes a_knuckle_z = mbgen::fnma(s1_3, s7_2, mbgen::fnma(zdd_lower, r_knuckle_x, (-g_z)));
-  // wheel: wheel, revolute, knuckle
+  const Lanes f_wheel_x = mbgen::fms(m_wheel, a_wheel_x, fx_tyre);
   const Lanes a_wheel_z = mbgen::fnma(s1_5, s7_1, mbgen::fnma(s1_4, alpha_knuckle_y, a_knuckle_z));
-  const Lanes f_wheel_z = mbgen::fnma(m_wheel, a_wheel_z, load_tyre);
-  // knuckle: ball, revolute, arm
-  const Lanes s7_3 = R_knuckle_x_x*parameters.derived[6];
-  const Lanes s7_4 = R_knuckle_x_z*parameters.derived[6];
-  const Lanes s7_5 = mbgen::fnma(s7_1, s7_4, mbgen::fma(alpha_knuckle_y, s7_3, a_knuckle_x));
-  const Lanes s7_6 = s7_5*parameters.derived[7];
-  const Lanes s7_7 = f_wheel_x - s7_6;
-  const Lanes s7_8 = mbgen::fnma(s7_1, s7_3, mbgen::fnma(alpha_knuckle_y, s7_4, a_knuckle_z));
-  const Lanes s7_9 = parameters.derived[7]*s7_8;
-  // wheel: wheel, revolute, knuckle
+  const Lanes f_wheel_z = mbgen::fms(m_wheel, a_wheel_z, load_tyre);
   const Lanes alpha_wheel_y = derivative.zdd[Coordinate::wheel] + alpha_knuckle_y;
+  const Lanes n_wheel_y = s5_41 + alpha_wheel_y;
   // knuckle: ball, revolute, arm
-  const Lanes s7_10 = mbgen::fms(s1_5, f_wheel_x, s5_40) - alpha_wheel_y;
-  const Lanes s7_11 = mbgen::fnma(s1_4, f_wheel_z, s7_10);
-  const Lanes s7_12 = f_wheel_z - s7_9;
-  const Lanes s7_13 = mbgen::fnma(alpha_knuckle_y, parameters.derived[8], s7_11);
-  const Lanes s7_14 = mbgen::fma(s7_4, s7_9, mbgen::fnma(s7_3, s7_6, s7_13));
+  const Lanes s7_8 = R_knuckle_x_x*parameters.derived[6];
+  const Lanes s7_9 = R_knuckle_x_z*parameters.derived[6];
+  const Lanes s7_10 = mbgen::fnma(s7_1, s7_9, mbgen::fma(alpha_knuckle_y, s7_8, a_knuckle_x));
+  const Lanes f_knuckle_x = s7_10*parameters.derived[7];
+  const Lanes s7_11 = mbgen::fnma(s7_1, s7_8, mbgen::fnma(alpha_knuckle_y, s7_9, a_knuckle_z));
+  const Lanes f_knuckle_z = parameters.derived[7]*s7_11;
+  const Lanes s7_12 = mbgen::fma(s7_8, f_knuckle_x, alpha_knuckle_y*parameters.derived[8]);
+  const Lanes n_knuckle_y = mbgen::fnma(s7_9, f_knuckle_z, s7_12);
+  const Lanes s7_13 = f_wheel_x + f_knuckle_x;
+  const Lanes s7_14 = f_wheel_z + f_knuckle_z;
+  const Lanes s7_15 = mbgen::fma(s1_5, f_wheel_x, n_wheel_y + n_knuckle_y);
+  const Lanes s7_16 = mbgen::fnma(s1_4, f_wheel_z, s7_15);
   // arm: lower, revolute, carriage
-  const Lanes s7_15 = mbgen::fma(c_arm_z, R_arm_x_x, (-c_arm_x)*R_arm_x_z);
-  const Lanes s7_16 = mbgen::fnma((-c_arm_x), R_arm_x_x, c_arm_z*R_arm_x_z);
-  const Lanes s7_17 = m_arm*mbgen::fnma(s7_2, s7_16, mbgen::fma(zdd_lower, s7_15, zdd_pull));
   // knuckle: ball, revolute, arm
-  result.missing[1] = tau[Coordinate::ball] + s7_14;
+  result.missing[1] = tau[Coordinate::ball] - s7_16;
   // arm: lower, revolute, carriage
-  const Lanes s7_18 = mbgen::fma(s1_3, s7_7, tau[Coordinate::lower] + s7_14 - s5_16);
-  const Lanes s7_19 = mbgen::fnma(I_arm_yy, zdd_lower, mbgen::fnma(r_knuckle_x, s7_12, s7_18));
-  const Lanes s7_20 = m_arm*mbgen::fnma(s7_2, s7_15, mbgen::fnma(zdd_lower, s7_16, (-g_z)));
-  const Lanes Q_lower = mbgen::fma(s7_16, s7_20, mbgen::fnma(s7_15, s7_17, s7_19));
+  const Lanes s7_17 = mbgen::fnma(s1_3, s7_13, tau[Coordinate::lower] - s7_16 - n_arm_y);
+  const Lanes Q_lower = mbgen::fma(r_knuckle_x, s7_14, s7_17);
   result.missing[0] = Q_lower;
   // carriage: pull, prismatic, ground
-  const Lanes f_carriage_x = mbgen::fnma(m_carriage, zdd_pull, s5_15);
-  const Lanes Q_pull = s7_7 + (tau[Coordinate::pull] + f_carriage_x) - s5_15 - s7_17;
+  const Lanes Q_pull = tau[Coordinate::pull] - s7_13 - f_arm_x - f_carriage_x;
   // operations: 43 add, 41 multiply
 
-  // --- step 9: accelerations from the root to the leaves (63), (62) ---
-  // upper
-  const Lanes s9_1 = mbgen::fnma(p_upper_to_x, R_knuckle_x_z, p_upper_to_z*R_knuckle_x_x);
-  const Lanes s9_2 = mbgen::fma(p_upper_to_x, R_knuckle_x_x, p_upper_to_z*R_knuckle_x_z);
-  const Lanes s9_3 = ((-p_upper_from_z) + (r_knuckle_z + s9_1))*(r_knuckle_x + s9_2);
-  const Lanes s9_4 = mbgen::fma(p_upper_from_x - r_knuckle_x - s9_2, s1_3 + s9_1, s9_3);
+  // --- step 9: multipliers of the closures and driving forces ---
   result.drive[0] = -Q_pull;
-  result.pivot[0] = 10.4946490638541*mbgen::abs(s9_4);
+  // upper
+  const Lanes s9_1 = mbgen::fma(p_upper_to_x, R_knuckle_x_x, p_upper_to_z*R_knuckle_x_z);
+  const Lanes s9_2 = mbgen::fnma(p_upper_to_x, R_knuckle_x_z, p_upper_to_z*R_knuckle_x_x);
+  const Lanes s9_3 = (p_upper_from_x - r_knuckle_x - s9_1)*(s1_3 + s9_2);
+  const Lanes s9_4 = (-p_upper_from_z) + (r_knuckle_z + s9_2);
+  const Lanes s9_5 = mbgen::fma(s9_4, r_knuckle_x + s9_1, s9_3);
+  result.pivot[0] = 10.4946490638541*mbgen::abs(s9_5);
   mbgen::read_back();
-  result.lambda[0] = -(l_upper*(Q_lower*(1.0/s9_4)));
+  result.lambda[0] = -(l_upper*(Q_lower*(1.0/s9_5)));
   // operations: 9 add, 9 multiply, 1 divide, 1 other
 }
 
@@ -529,6 +542,9 @@ void compute_multipliers(const Tuned& parameters, const Inputs& /*inputs*/, cons
 void compute_outputs(const Tuned& parameters, const Inputs& /*inputs*/, const State& state,
     const Lanes* tau, const Derivative& /*derivative*/, const Multipliers& multipliers,
     Outputs& __restrict result) noexcept {
+  // Results that need no operation.
+  result.wheel_speed = state.zd[Coordinate::wheel];
+
   // --- step 1: poses and axes b ---
   // arm: lower, revolute, carriage
   const Lanes z_lower = state.z[Coordinate::lower];
@@ -551,7 +567,7 @@ void compute_outputs(const Tuned& parameters, const Inputs& /*inputs*/, const St
   const Lanes r_wheel_z = r_knuckle_z + s1_5;
   // operations: 6 add, 10 multiply, 4 sin cos
 
-  // --- step 4: angular velocities ---
+  // --- step 4: velocities ---
   // knuckle: ball, revolute, arm
   const Lanes zd_lower = state.zd[Coordinate::lower];
   const Lanes s4_1 = zd_lower*r_knuckle_x;
@@ -576,33 +592,33 @@ void compute_outputs(const Tuned& parameters, const Inputs& /*inputs*/, const St
   const Lanes s5_4 = (-p_carriage_seat_x) + s5_1;
   const Lanes s5_5 = mbgen::sqrt(mbgen::fma(s5_3, s5_3, s5_4*s5_4));
   const Lanes s5_6 = 1.0/s5_5;
-  const Lanes s5_7 = mbgen::fma(s5_4, zd_lower*s5_2, s5_3*(zd_lower*s5_1))*s5_6;
+  const Lanes s5_7 = mbgen::fma(s5_4, zd_lower*s5_2, zd_lower*s5_1*s5_3)*s5_6;
   const Lanes s5_8 = 0.2 + s5_7;
   const Lanes s5_9 = mbgen::fms(725.0, 1.0 + s5_7, 900.0);
   const Lanes s5_10 = mbgen::select(s5_8, mbgen::fms(1600.0, s5_8, 320.0), s5_9);
   const Lanes s5_11 = s5_7 - 0.2;
   const Lanes s5_12 = mbgen::select(s5_7, 3200.0*s5_7, s5_10);
-  const Lanes s5_13 = mbgen::select(s5_11, mbgen::fma(1575.0, s5_11, 640.0), s5_12) - 3000.0;
-  const Lanes tension_spring = mbgen::fma(s5_5 - 0.34132096331752027, parameters.k, s5_13);
+  const Lanes s5_13 = mbgen::select(s5_11, mbgen::fma(1575.0, s5_11, 640.0), s5_12);
+  const Lanes tension_spring = mbgen::fma(s5_5 - l0_spring, parameters.k, s5_13 - (-f0_spring));
   result.spring_force = tension_spring;
   const Lanes s5_14 = s5_6*tension_spring;
   const Lanes s5_15 = mbgen::fma(s5_1, s5_3*s5_14, s5_2*(s5_4*s5_14));
   // tyre
   const Lanes s5_16 = p_pull_z + r_wheel_z;
   result.hub_height = s5_16;
-  const Lanes s5_17 = 0.32 - s5_16;
-  const Lanes s5_18 = mbgen::max(0.0, 2e+05*s5_17);
-  const Lanes s5_19 = mbgen::fnma(0.3333333333333333, mbgen::max(0.0, s5_17), 0.32);
+  const Lanes s5_17 = radius_tyre - s5_16;
+  const Lanes s5_18 = mbgen::max(0.0, k_tyre*s5_17);
+  const Lanes s5_19 = mbgen::fnma(0.3333333333333333, mbgen::max(0.0, s5_17), radius_tyre);
   mbgen::read_back();
-  const Lanes load_tyre = mbgen::max(0.0, s5_18 + mbgen::min(s5_18, 500.0*s4_2));
+  const Lanes load_tyre = mbgen::max(0.0, s5_18 + mbgen::min(s5_18, d_tyre*s4_2));
   result.load = load_tyre;
   const Lanes s5_20 = mbgen::max(0.004, load_tyre);
   const Lanes s5_21 = 1.1*s5_20;
   const Lanes s5_22 = 1.6*s5_21;
   const Lanes s5_23 = 1e-09*s5_20;
   const Lanes s5_24 = mbgen::min(s5_22, -s5_23);
-  const Lanes s5_25 = state.x[0]/0.3;
-  const Lanes s5_26 = state.x[1]/0.6;
+  const Lanes s5_25 = state.x[0]/relaxation_x_tyre;
+  const Lanes s5_26 = state.x[1]/relaxation_y_tyre;
   const Lanes s5_27 = mbgen::sqrt(mbgen::fma(s5_26, s5_26, mbgen::fma(s5_25, s5_25, 1e-30)));
   const Lanes s5_28 = w_wheel_y*s5_19;
   const Lanes s5_29 = v_wheel_x - s5_28;
@@ -615,8 +631,9 @@ void compute_outputs(const Tuned& parameters, const Inputs& /*inputs*/, const St
   const Lanes s5_36 = 20.0*s5_20/mbgen::select(s5_22, mbgen::max(s5_22, s5_23), s5_24);
   const Lanes s5_37 = 1.6*mbgen::arc_tangent(s5_36*mbgen::fnma(s5_29, s5_35, s5_34));
   const Lanes fx_tyre = mbgen::max(0.0, load_tyre)/s5_20*(s5_21*mbgen::sine(s5_37));
-  const Lanes s5_38 = mbgen::hyperbolic_tangent(0.5*s5_28)*(0.32*(0.007*load_tyre));
-  const Lanes s5_39 = mbgen::fma(fx_tyre, s5_19 + (s5_16 + s5_17) - 0.32, s5_38);
+  const Lanes s5_38 = mbgen::hyperbolic_tangent(0.5*s5_28);
+  const Lanes s5_39 = s5_38*(radius_tyre*(rolling_tyre*load_tyre));
+  const Lanes s5_40 = mbgen::fma(fx_tyre, s5_19 + (s5_16 + s5_17) - radius_tyre, s5_39);
   // operations: 33 add, 51 multiply, 7 divide, 3 sqrt, 3 sin cos, 18 other
 
   // --- step 7: inertias of the bodies and forces on joints ---
@@ -635,11 +652,11 @@ void compute_outputs(const Tuned& parameters, const Inputs& /*inputs*/, const St
   const Lanes s7_7 = I_arm_yy*zd_lower;
   // operations: 2 add, 9 multiply
 
-  // --- step 9: accelerations from the root to the leaves (63), (62) ---
+  // --- step 9: outputs, energies, power ---
   const Lanes s9_1 = mbgen::fma(w_knuckle_y, s7_1, s4_1);
   const Lanes s9_2 = mbgen::fma(w_knuckle_y, s7_2, v_knuckle_x);
   const Lanes s9_3 = mbgen::fma(v_wheel_x, fx_tyre, zd_wheel*tau[Coordinate::wheel]);
-  const Lanes s9_4 = mbgen::fnma(w_wheel_y, s5_39, mbgen::fnma(s4_2, load_tyre, s9_3));
+  const Lanes s9_4 = mbgen::fnma(w_wheel_y, s5_40, mbgen::fnma(s4_2, load_tyre, s9_3));
   const Lanes s9_5 = mbgen::fma(zd_ball, tau[Coordinate::ball], s9_4);
   const Lanes s9_6 = mbgen::fma(zd_pull, tau[Coordinate::pull] + multipliers.drive[0], s9_5);
   result.applied_power = mbgen::fma(zd_lower, tau[Coordinate::lower] - s5_15, s9_6);
@@ -656,7 +673,6 @@ void compute_outputs(const Tuned& parameters, const Inputs& /*inputs*/, const St
   const Lanes s9_16 = mbgen::fma(m_carriage, zd_pull*zd_pull, s9_15);
   result.kinetic_energy = 0.5*mbgen::fma(m_arm, mbgen::fma(s9_12, s9_12, s9_7*s9_7), s9_16);
   // operations: 25 add, 29 multiply
-  result.wheel_speed = zd_wheel;
 }
 
 }  // namespace lanes
