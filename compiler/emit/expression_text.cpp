@@ -78,11 +78,11 @@ Phrase operation_phrase(Op op, const Phrase& a, const Phrase& b, const Phrase& c
     case Op::select:
       return {fmt::format("({} >= 0.0 ? {} : {})", a.text, b.text, c.text), Binding::primary};
     case Op::multiply_add:
-      return {call("mbgen::fma", a, b, c), Binding::primary};
+      return {call("fma", a, b, c), Binding::primary};
     case Op::multiply_subtract:
-      return {call("mbgen::fms", a, b, c), Binding::primary};
+      return {call("fms", a, b, c), Binding::primary};
     case Op::subtract_product:
-      return {call("mbgen::fnma", b, c, a), Binding::primary};
+      return {call("fnma", b, c, a), Binding::primary};
     case Op::constant:
     case Op::input:
       break;

@@ -34,7 +34,7 @@ void ValueTexts::reserve_names() {
   for (const auto& [group, place] : shape_.inputs) {
     for (const std::string& local : place.locals) names_.reserve(local);
   }
-  for (const char* name : {"work", "result"}) names_.reserve(name);
+  for (const char* name : {"work", "result", "fma", "fms", "fnma"}) names_.reserve(name);
   if (schedule_.has_loops()) names_.reserve("k");
 }
 
