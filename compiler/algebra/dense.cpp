@@ -73,6 +73,11 @@ VectorXd symmetric_eigenvalues(const MatrixXd& a) {
   return Eigen::SelfAdjointEigenSolver<MatrixXd>(a, Eigen::EigenvaluesOnly).eigenvalues();
 }
 
+SymmetricEigenVectors symmetric_eigenvectors(const MatrixXd& a) {
+  const Eigen::SelfAdjointEigenSolver<MatrixXd> factors(a);
+  return {factors.eigenvalues(), factors.eigenvectors()};
+}
+
 EigenVectors eigenvectors(const MatrixXd& a) {
   const Eigen::EigenSolver<MatrixXd> factors(a);
   return {factors.eigenvalues(), factors.eigenvectors()};

@@ -44,6 +44,13 @@ SingularVectors right_singular_vectors(const Eigen::MatrixXd& a);
 /// Smallest first. Requires: a symmetric; its lower half is read.
 Eigen::VectorXd symmetric_eigenvalues(const Eigen::MatrixXd& a);
 
+/// Eigenvalues, smallest first, and orthonormal vectors as columns in their order. Requires: as symmetric_eigenvalues.
+struct SymmetricEigenVectors {
+  Eigen::VectorXd values;
+  Eigen::MatrixXd vectors;
+};
+SymmetricEigenVectors symmetric_eigenvectors(const Eigen::MatrixXd& a);
+
 /// a v = value v; vectors are columns, normalised.
 struct EigenVectors {
   Eigen::VectorXcd values;

@@ -1,9 +1,9 @@
 // Inertias that no rigid body has: files of real robots have them, and what moves as one decides.
 #include <fmt/format.h>
 
-#include <Eigen/Eigenvalues>
 #include <numeric>
 
+#include "compiler/algebra/dense.hpp"
 #include "compiler/import/assembly.hpp"
 
 namespace mbgen::importing {
@@ -20,7 +20,7 @@ struct Finding {
 };
 
 Finding finding_of(double mass, const Matrix3d& inertia) {
-  const Vector3d moments = Eigen::SelfAdjointEigenSolver<Matrix3d>(inertia, Eigen::EigenvaluesOnly).eigenvalues();
+  const Vector3d moments = symmetric_eigenvalues(inertia);
   const double slack = kInertiaSlack * std::abs(inertia.trace());
   const std::string values =
       fmt::format(", principal moments {:.6g}, {:.6g}, {:.6g}", moments[0], moments[1], moments[2]);

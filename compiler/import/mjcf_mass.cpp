@@ -1,11 +1,12 @@
 // MJCF: masses, as <inertial> gives them or of the shapes of the geoms.
 #include <fmt/format.h>
 
-#include <Eigen/Eigenvalues>
 #include <array>
 #include <cmath>
 #include <numbers>
 
+#include "compiler/algebra/dense.hpp"
+#include "compiler/algebra/turns.hpp"
 #include "compiler/import/mjcf.hpp"
 
 namespace mbgen::importing {
@@ -76,7 +77,7 @@ void lay_between(Mjcf& mjcf, const Attribute& fromto, const std::string& type, s
   const Vector3d from(v[0], v[1], v[2]), to(v[3], v[4], v[5]);
   if ((to - from).norm() == 0) problem(mjcf.reading, fromto.spot, "fromto has zero length");
   frame.translation() = (from + to) / 2;
-  frame.linear() = Eigen::Quaterniond::FromTwoVectors(Vector3d::UnitZ(), to - from).toRotationMatrix();
+  frame.linear() = shortest_turn(Vector3d::UnitZ(), to - from).toRotationMatrix();
   if (size.empty()) return;
   const double half = (to - from).norm() / 2;
   size = type == "box" || type == "ellipsoid" ? std::vector<double>{size[0], size[0], half}
@@ -154,10 +155,11 @@ void read_inertial(Mjcf& mjcf, const Element& inertial, BodyDraft& body) {
 void correct_inertia(const MjcfSettings& settings, BodyDraft& body) {
   if (settings.bound_mass > 0) body.mass = std::max(body.mass, settings.bound_mass);
   if (settings.bound_inertia <= 0 && !settings.balances_inertia) return;
-  const Eigen::SelfAdjointEigenSolver<Matrix3d> principal(body.inertia);
-  Vector3d moments = principal.eigenvalues().cwiseMax(settings.bound_inertia);
+  const SymmetricEigenVectors principal = symmetric_eigenvectors(body.inertia);
+  const Matrix3d axes = principal.vectors;
+  Vector3d moments = principal.values.cwiseMax(settings.bound_inertia);
   if (settings.balances_inertia && moments[0] + moments[1] < moments[2]) moments.setConstant(moments.mean());
-  body.inertia = principal.eigenvectors() * moments.asDiagonal() * principal.eigenvectors().transpose();
+  body.inertia = axes * moments.asDiagonal() * axes.transpose();
 }
 
 }  // namespace

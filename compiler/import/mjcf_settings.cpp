@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "compiler/algebra/turns.hpp"
 #include "compiler/import/mjcf.hpp"
 
 namespace mbgen::importing {
@@ -163,7 +164,7 @@ Matrix3d read_rotation(Mjcf& mjcf, const Attribute& attribute) {
   }
   if (attribute.name == "quat") return Eigen::Quaterniond(v[0], v[1], v[2], v[3]).normalized().toRotationMatrix();
   if (attribute.name == "xyaxes") return from_axes(first, {v[3], v[4], v[5]});
-  if (attribute.name == "zaxis") return Eigen::Quaterniond::FromTwoVectors(Vector3d::UnitZ(), first).toRotationMatrix();
+  if (attribute.name == "zaxis") return shortest_turn(Vector3d::UnitZ(), first).toRotationMatrix();
   const double angle = v[3] * (mjcf.settings.is_in_degrees ? std::numbers::pi / 180 : 1.0);
   return Eigen::AngleAxisd(angle, first.normalized()).toRotationMatrix();
 }

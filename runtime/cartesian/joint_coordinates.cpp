@@ -43,7 +43,9 @@ Matrix3d turned(const std::vector<Vector3d>& axes, const Angles& angles) {
 /// Rates of the angles from an angular velocity; least squares where it has other components.
 Inverse rates_of(const Columns& columns) {
   if (columns.cols() == 3) return Matrix3d(columns).inverse();
-  return (columns.transpose() * columns).inverse() * columns.transpose();
+  if (columns.cols() == 1) return columns.transpose() / columns.squaredNorm();
+  const Eigen::Matrix<double, 3, 2> two = columns;
+  return (two.transpose() * two).inverse() * two.transpose();
 }
 
 /// The angle of a turn about one axis.

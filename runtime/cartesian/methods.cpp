@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "compiler/algebra/dense.hpp"
+
 namespace mbgen {
 namespace {
 
@@ -75,7 +77,7 @@ CartesianSolution augmented(const CartesianEquations& e) {
   matrix.topRightCorner(n, r) = matrix.bottomLeftCorner(r, n).transpose();
   VectorXd right_hand_side(n + r);
   right_hand_side << e.force, scale.cwiseProduct(e.bias.kept);
-  const VectorXd x = matrix.partialPivLu().solve(right_hand_side);
+  const VectorXd x = solved(matrix, right_hand_side);
   return with_multipliers(e, x.head(n), scale.cwiseProduct(x.tail(r)));
 }
 
@@ -113,7 +115,7 @@ CartesianSolution null_space(const CartesianEquations& e) {
   }
   matrix.bottomRows(n - f) = e.factors.reduced();
   right_hand_side.tail(n - f) = e.bias.kept;
-  return with_multipliers(e, matrix.partialPivLu().solve(right_hand_side));
+  return with_multipliers(e, solved(matrix, right_hand_side));
 }
 
 /// qdd = R zdd + S c with R' M R zdd = R' (F - M S c) (29), (30).

@@ -2,6 +2,7 @@
 
 #include <Eigen/Geometry>
 
+#include "compiler/algebra/turns.hpp"
 #include "runtime/cartesian/content.hpp"
 
 namespace mbgen {
@@ -53,7 +54,7 @@ CartesianBody placed(const Part& part, const Displaced& displaced) {
 CartesianBody placed_rod(const End& from, const End& to) {
   const Vector3d gap = to.position - from.position, rate = to.velocity - from.velocity;
   const double square = gap.squaredNorm();
-  CartesianBody rod{(from.position + to.position) / 2, Quaterniond::FromTwoVectors(Vector3d::UnitX(), gap),
+  CartesianBody rod{(from.position + to.position) / 2, shortest_turn(Vector3d::UnitX(), gap),
                     (from.velocity + to.velocity) / 2, Vector3d::Zero()};
   if (square > 0) rod.spin = gap.cross(rate) / square;
   return rod;

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 
+#include "compiler/algebra/turns.hpp"
 #include "tests/import/import_support.hpp"
 
 namespace mbgen {
@@ -225,6 +226,22 @@ TEST(Import, BrokenFilesAreImportedOrRefused) {
       EXPECT_TRUE(read) << to_text(read.problems()) << bad;
     }
   }
+}
+
+TEST(Turns, TakeOneDirectionToTheOther) {
+  using Eigen::Vector3d;
+  const std::vector<Vector3d> directions = {{0, 0, 1}, {0, 0, -1}, {1, 0, 0},   {-2, 0, 0},    {0, -3, 0},
+                                            {0, 1, 0}, {1, 2, -2}, {-1, -2, 2}, {1e-9, 0, -1}, {0, 1e-5, -1}};
+  for (const Vector3d& from : directions) {
+    for (const Vector3d& to : directions) {
+      const Eigen::Quaterniond turn = shortest_turn(from, to);
+      EXPECT_NEAR(turn.norm(), 1, 1e-15);
+      EXPECT_LT((turn * from.normalized() - to.normalized()).norm(), 1e-15)
+          << from.transpose() << " to " << to.transpose();
+    }
+  }
+  // MuJoCo turns about x, which decides the frames of bodies with zaxis="0 0 -1".
+  EXPECT_EQ(std::abs(shortest_turn(Vector3d::UnitZ(), -Vector3d::UnitZ()).x()), 1);
 }
 
 }  // namespace
