@@ -91,20 +91,21 @@ bool has_no_rates(const typename Model::Inputs& inputs, int input) noexcept {
 constexpr double kRateGap = 0.2;
 constexpr int kContradictions = 4;
 
-/// Answer: warning, once, where an input moves otherwise than the rates that are given with it say.
+/// Answer: warning, once, where an input moves otherwise than the rates that are given with it say. now: the inputs at
+/// a communication point from which a step was taken; one that was refused is not compared.
 template <class Model>
-Answer compare_rates(Core<Model>& core, double point) noexcept {
+Answer compare_rates(Core<Model>& core, double point, const typename Model::Inputs& now) noexcept {
   Run<Model>& run = core.run;
   const typename Model::Inputs before = run.accepted;
   const double width = point - run.accepted_time;
-  run.accepted = run.inputs;
+  run.accepted = now;
   run.accepted_time = point;
   if (core.has_warned || !(width > 0)) return Answer::ok;
   for (int i = 0; i < Model::kInputs; ++i) {
     const int rate = Model::kInputDerivative[i];
-    if (rate < 0 || (has_no_rates<Model>(before, i) && has_no_rates<Model>(run.inputs, i))) continue;
-    const double from = before.*Model::kInputMember[rate], to = run.inputs.*Model::kInputMember[rate];
-    const double change = run.inputs.*Model::kInputMember[i] - before.*Model::kInputMember[i];
+    if (rate < 0 || (has_no_rates<Model>(before, i) && has_no_rates<Model>(now, i))) continue;
+    const double from = before.*Model::kInputMember[rate], to = now.*Model::kInputMember[rate];
+    const double change = now.*Model::kInputMember[i] - before.*Model::kInputMember[i];
     const double of_rates = width * (from + to) / 2;
     const double largest = std::fmax(std::abs(change), width * std::fmax(std::abs(from), std::abs(to)));
     run.contradictions[i] = std::abs(change - of_rates) > kRateGap * largest ? run.contradictions[i] + 1 : 0;
@@ -140,11 +141,11 @@ Answer do_step(Core<Model>& core, double point, double size, const AtPoint& at_p
   if (!(division.count <= kMostInnerSteps))
     return refuse(
         core, Refusal::of_limit("the communication step size must be at most", kMostInnerSteps * Model::kStep, size));
-  const Answer answer = compare_rates(core, point);
+  const typename Model::Inputs now = core.run.inputs;
   if (core.run.is_closed && division.count == 1) {  // needs no way back
     if (!take_step(core, division.size)) return Answer::discard;
     at_point(true);
-    return answer;
+    return compare_rates(core, point, now);
   }
   const Run<Model> before = core.run;
   if (!core.run.is_closed) {
@@ -159,7 +160,7 @@ Answer do_step(Core<Model>& core, double point, double size, const AtPoint& at_p
     }
     at_point(i + 1 == division.count);
   }
-  return answer;
+  return compare_rates(core, point, now);
 }
 
 /// Continuous states in their order: positions and velocities of the independent coordinates, auxiliary states.
