@@ -74,7 +74,7 @@ TEST_F(Compiling, TakesLargeSolversInPartsAndNamesThePartThatFails) {
       "case \"$*\" in *-DMBGEN_PART=2*) echo part two is broken; exit 1;; esac\n"
       "for word; do [ \"$last\" = -o ] && : >\"$word\"; last=$word; done\n");
   const Outcome run =
-      mbgen("simulate '" + kSource + "/models/coach_mechanism.json' --duration 0.1 --step 1e-2 --out o.csv");
+      mbgen("simulate '" + kSource + "/models/coach.json' --duration 0.1 --step 1e-2 --out o.csv");
   EXPECT_EQ(run.exit_code, 2);
   EXPECT_NE(run.err.find("part two is broken"), std::string::npos) << run.err;
   EXPECT_NE(run.err.find("-DMBGEN_PART=2 "), std::string::npos) << run.err;
