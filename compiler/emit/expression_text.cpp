@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "compiler/emit/layout.hpp"
 #include "compiler/emit/text.hpp"
 
 namespace mbgen {
@@ -30,10 +31,11 @@ std::string call(const std::string& function, const Phrase& first, const Phrase&
 }  // namespace
 
 Phrase constant_phrase(const std::string& text) {
-  return {text.front() == '-' ? fmt::format("({})", text) : text, Binding::primary};
+  return {text, text.front() == '-' ? Binding::sign : Binding::primary};
 }
 
-Phrase operation_phrase(Op op, const Phrase& a, const Phrase& b, const Phrase& c) {
+Phrase operation_phrase(const std::string& scalar, Op op, const Phrase& a, const Phrase& b, const Phrase& c) {
+  const std::string library = is_number(scalar) ? "std::" : "mbgen::";
   switch (op) {
     case Op::add:
       return {a.text + " + " + right_term(b), Binding::sum};
@@ -46,7 +48,7 @@ Phrase operation_phrase(Op op, const Phrase& a, const Phrase& b, const Phrase& c
     case Op::negate:
       return {fmt::format("-{}", operand(a, Binding::primary)), Binding::sign};
     case Op::sqrt:
-      return {call("std::sqrt", a), Binding::primary};
+      return {call(library + "sqrt", a), Binding::primary};
     case Op::sin:
       return {call("mbgen::sine", a), Binding::primary};
     case Op::cos:
@@ -70,13 +72,14 @@ Phrase operation_phrase(Op op, const Phrase& a, const Phrase& b, const Phrase& c
     case Op::tanh:
       return {call("mbgen::hyperbolic_tangent", a), Binding::primary};
     case Op::abs:
-      return {call("std::abs", a), Binding::primary};
+      return {call(library + "abs", a), Binding::primary};
     case Op::min:
       return {call("mbgen::min", a, b), Binding::primary};
     case Op::max:
       return {call("mbgen::max", a, b), Binding::primary};
     case Op::select:
-      return {fmt::format("({} >= 0.0 ? {} : {})", a.text, b.text, c.text), Binding::primary};
+      if (!is_number(scalar)) return {call("mbgen::select", a, b, c), Binding::primary};
+      return {fmt::format("({} >= {} ? {} : {})", a.text, number_text(0, scalar), b.text, c.text), Binding::primary};
     case Op::multiply_add:
       return {call("fma", a, b, c), Binding::primary};
     case Op::multiply_subtract:
@@ -88,26 +91,6 @@ Phrase operation_phrase(Op op, const Phrase& a, const Phrase& b, const Phrase& c
       break;
   }
   return a;
-}
-
-Phrase operation_phrase(const std::string& scalar, Op op, const Phrase& a, const Phrase& b, const Phrase& c) {
-  constexpr std::string_view kLibrary = "std::";
-  if (scalar == "double") return operation_phrase(op, a, b, c);
-  if (scalar == "float") {
-    if (op != Op::select) return operation_phrase(op, a, b, c);
-    return {fmt::format("({} >= 0.0f ? {} : {})", a.text, b.text, c.text), Binding::primary};
-  }
-  if (op == Op::select) return {call("mbgen::select", a, b, c), Binding::primary};
-  Phrase phrase = operation_phrase(op, a, b, c);
-  if (phrase.text.starts_with(kLibrary)) phrase.text.replace(0, kLibrary.size(), "mbgen::");
-  return phrase;
-}
-
-std::string standing_alone(const Phrase& phrase) {
-  const std::string& text = phrase.text;
-  const bool negative_constant = text.size() > 2 && text.compare(0, 2, "(-") == 0 &&
-                                 text.find(')') == text.size() - 1 && text.find('(', 1) == std::string::npos;
-  return negative_constant ? text.substr(1, text.size() - 2) : text;
 }
 
 }  // namespace mbgen

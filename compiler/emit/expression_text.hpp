@@ -15,18 +15,13 @@ struct Phrase {
   Binding binding = Binding::primary;
 };
 
-/// A number or the name of one; negative ones in parentheses, so that they stand anywhere.
+/// A number or the name of one; a negative one binds as its sign does.
 Phrase constant_phrase(const std::string& text);
 
-/// The operation on its operands; those beyond its arity are ignored. Associativity is kept: a + (b + c) stays as it
-/// is, since floating-point sums are not associative.
-Phrase operation_phrase(Op op, const Phrase& first, const Phrase& second, const Phrase& third);
-
-/// The same on values of a scalar type: on vectors by functions of mbgen/lanes.hpp.
+/// The operation on its operands, values of a scalar type; those beyond its arity are ignored. Associativity is kept:
+/// a + (b + c) stays as it is, since floating-point sums are not associative. Vectors have functions of
+/// mbgen/lanes.hpp.
 Phrase operation_phrase(const std::string& scalar, Op op, const Phrase& first, const Phrase& second,
                         const Phrase& third);
-
-/// Text of a phrase that stands alone, after `=`.
-std::string standing_alone(const Phrase& phrase);
 
 }  // namespace mbgen

@@ -58,7 +58,7 @@ class ProgramWriter {
   /// Turns the pending text of a value into a statement.
   void name_value(ValueId v, PartText& part) {
     const std::string name = texts_.name_of(v);
-    add_line(part, "const " + shape_.scalar + " " + name + " = " + standing_alone(texts_.phrase(v)) + ";");
+    add_line(part, "const " + shape_.scalar + " " + name + " = " + texts_.phrase(v).text + ";");
     texts_.phrase(v) = {name, Binding::primary};
     pending_[v] = false;
   }
@@ -142,10 +142,10 @@ class ProgramWriter {
     compose_in_line(unit, v, part);
     if (value.crosses && !schedule_.has_loops()) {
       const std::string place = texts_.crossing_place(v, texts_.name_of(v), part);
-      add_line(part, place + " = " + standing_alone(texts_.phrase(v)) + ";");
+      add_line(part, place + " = " + texts_.phrase(v).text + ";");
       texts_.phrase(v) = {place, Binding::primary};
     } else if (!value.crosses && value.users == 0 && texts_.output_count(v) == 1) {
-      add_line(part, texts_.output_texts(v, part).front() + " = " + standing_alone(texts_.phrase(v)) + ";");
+      add_line(part, texts_.output_texts(v, part).front() + " = " + texts_.phrase(v).text + ";");
       return;
     } else if (value.is_inlined) {
       pending_[v] = true;
@@ -213,8 +213,7 @@ class ProgramWriter {
       given[output.slot.group].insert(output.slot.index);
       texts_.place_of(shape_.outputs, output.slot);
       if (op == Op::constant)
-        plain[output.slot.group][output.slot.index] =
-            texts_.number(standing_alone(texts_.constants_phrase({output.value})));
+        plain[output.slot.group][output.slot.index] = texts_.number(texts_.constants_phrase({output.value}).text);
       if (op == Op::input)
         plain[output.slot.group][output.slot.index] =
             texts_.slots_text(shape_.inputs, {program_.inputs[program_.nodes[output.value].input]}, part);

@@ -179,32 +179,31 @@ void compute_accelerations(const Tuned& parameters, const Inputs& inputs, const 
   const double s8_4 = r_coupler_x*s3_2;
   const double s8_5 = fnma(s7_2, s8_4, fnma(s7_3, s8_3, 0.0729*s8_2));
   // crank: crank_pin, revolute, ground
-  const double s8_6 = fma((-g_z), s7_1, inputs.torque + tau[Coordinate::crank_pin]);
+  const double s8_6 = fma(-g_z, s7_1, inputs.torque + tau[Coordinate::crank_pin]);
   const double s8_7 = fma(0.00302, s6_7, s8_6);
-  const double s8_8 = fma((-g_z), s7_4, s5_7 + tau[Coordinate::rocker_pin]);
-  const double s8_9 = fma(0.02195, s6_8, s8_8);
+  const double s8_8 = fma(0.02195, s6_8, fma(-g_z, s7_4, s5_7 + tau[Coordinate::rocker_pin]));
   // rocker: rocker_pin, revolute, ground
-  const double s8_10 = s3_3*(0.02195*s3_3);
+  const double s8_9 = s3_3*(0.02195*s3_3);
   // coupler: coupler_pin, revolute, crank
-  const double s8_11 = fnma(s7_2, s8_2, m_coupler*s8_4);
-  const double s8_12 = fnma(m_coupler, s8_3, s7_3*s8_2);
+  const double s8_10 = fnma(s7_2, s8_2, m_coupler*s8_4);
+  const double s8_11 = fnma(m_coupler, s8_3, s7_3*s8_2);
   // crank: crank_pin, revolute, ground
-  const double s8_13 = fma(s8_2, s8_5, fnma(s8_3, s8_12, fma(s8_4, s8_11, s8_10)));
-  const double pivot_coupler_pin = fma(s3_2, 0.00302*s3_2, s8_13);
+  const double s8_12 = fma(s8_2, s8_5, fnma(s8_3, s8_11, fma(s8_4, s8_10, s8_9)));
+  const double pivot_coupler_pin = fma(s3_2, 0.00302*s3_2, s8_12);
   // coupler: coupler_pin, revolute, crank
-  const double s8_14 = fma(r_coupler_z, s6_7, s6_3);
-  const double s8_15 = fma(r_coupler_x, s6_7, (-g_z) - s6_2);
-  const double f_coupler_z = fma(m_coupler, s8_15, fnma(s8_1, s7_3, s6_7*s7_2));
-  const double s8_16 = fnma(s8_4, f_coupler_z, tau[Coordinate::coupler_pin]);
-  const double s8_17 = fnma(s8_3, fma(m_coupler, s8_14, fma(s6_7, s7_3, s8_1*s7_2)), s8_16);
-  const double s8_18 = fma(s8_2, fma(0.0729, s6_7, fma(s7_2, s8_15, s7_3*s8_14)), s8_17);
-  const double s8_19 = fnma(s3_3, s8_9, fnma(s3_2, s8_7, s8_18));
+  const double s8_13 = fma(r_coupler_z, s6_7, s6_3);
+  const double s8_14 = fma(r_coupler_x, s6_7, -g_z - s6_2);
+  const double f_coupler_z = fma(m_coupler, s8_14, fnma(s8_1, s7_3, s6_7*s7_2));
+  const double s8_15 = fnma(s8_4, f_coupler_z, tau[Coordinate::coupler_pin]);
+  const double s8_16 = fnma(s8_3, fma(m_coupler, s8_13, fma(s6_7, s7_3, s8_1*s7_2)), s8_15);
+  const double s8_17 = fma(s8_2, fma(0.0729, s6_7, fma(s7_2, s8_14, s7_3*s8_13)), s8_16);
+  const double s8_18 = fnma(s3_3, s8_8, fnma(s3_2, s8_7, s8_17));
   result.inertia[0] = fnma(1e-12, pivot_coupler_pin, pivot_coupler_pin);
   // operations: 30 add, 38 multiply
 
   // --- step 9: accelerations from the root to the leaves (63), (62) ---
   // rocker: rocker_pin, revolute, ground
-  const double s9_1 = s8_19*(1.0/pivot_coupler_pin);
+  const double s9_1 = s8_18*(1.0/pivot_coupler_pin);
   result.zdd[Coordinate::coupler_pin] = s9_1;
   result.zdd[Coordinate::crank_pin] = -fma(s3_2, s9_1, s6_7);
   result.zdd[Coordinate::rocker_pin] = -fma(s3_3, s9_1, s6_8);
@@ -344,7 +343,7 @@ void compute_multipliers(const Tuned& parameters, const Inputs& inputs, const St
   // coupler: coupler_pin, revolute, crank
   const double zdd_crank_pin = derivative.zdd[Coordinate::crank_pin];
   const double a_coupler_x = fnma(r_coupler_x, s7_1, zdd_crank_pin*r_coupler_z);
-  const double a_coupler_z = fnma(r_coupler_z, s7_1, fnma(zdd_crank_pin, r_coupler_x, (-g_z)));
+  const double a_coupler_z = fnma(r_coupler_z, s7_1, fnma(zdd_crank_pin, r_coupler_x, -g_z));
   const double alpha_coupler_y = zdd_crank_pin + derivative.zdd[Coordinate::coupler_pin];
   const double s7_2 = w_coupler_y*w_coupler_y;
   // rocker: rocker_pin, revolute, ground
@@ -354,7 +353,7 @@ void compute_multipliers(const Tuned& parameters, const Inputs& inputs, const St
   const double s7_5 = fma(c_rocker_z, R_rocker_x_z, s5_2);
   const double zdd_rocker_pin = derivative.zdd[Coordinate::rocker_pin];
   const double s7_6 = m_rocker*fnma(s7_3, s7_5, zdd_rocker_pin*s7_4);
-  const double s7_7 = m_rocker*fnma(s7_3, s7_4, fnma(zdd_rocker_pin, s7_5, (-g_z)));
+  const double s7_7 = m_rocker*fnma(s7_3, s7_4, fnma(zdd_rocker_pin, s7_5, -g_z));
   const double s7_8 = fma(s7_4, s7_6, fms(I_rocker_yy, zdd_rocker_pin, s5_9));
   const double n_rocker_y = fnma(s7_5, s7_7, s7_8);
   const double Q_rocker_pin = tau[Coordinate::rocker_pin] - n_rocker_y;
@@ -371,7 +370,7 @@ void compute_multipliers(const Tuned& parameters, const Inputs& inputs, const St
   const double s7_12 = fms(c_crank_z, R_crank_x_x, s1_3);
   const double s7_13 = fma(c_crank_z, R_crank_x_z, s1_4);
   const double f_crank_x = m_crank*fnma(s7_1, s7_13, zdd_crank_pin*s7_12);
-  const double f_crank_z = m_crank*fnma(s7_1, s7_12, fnma(zdd_crank_pin, s7_13, (-g_z)));
+  const double f_crank_z = m_crank*fnma(s7_1, s7_12, fnma(zdd_crank_pin, s7_13, -g_z));
   const double n_crank_y = fnma(s7_13, f_crank_z, fma(s7_12, f_crank_x, I_crank_yy*zdd_crank_pin));
   const double s7_14 = inputs.torque + tau[Coordinate::crank_pin] - n_coupler_y - n_crank_y;
   const double Q_crank_pin = fma(r_coupler_x, f_coupler_z, fnma(r_coupler_z, f_coupler_x, s7_14));
@@ -539,33 +538,32 @@ void compute_chosen_accelerations(const Tuned& parameters, const Inputs& inputs,
   const double s8_3 = r_coupler_x*projection.Rz[0];
   const double s8_4 = projection.zdd_star[0] + projection.zdd_star[1];
   // rocker: rocker_pin, revolute, ground
-  const double n_rocker_y = fnma((-g_z), s7_5, fms(0.02195, projection.zdd_star[2], s5_7));
+  const double n_rocker_y = fnma(-g_z, s7_5, fms(0.02195, projection.zdd_star[2], s5_7));
   const double s8_5 = 0.02195*projection.Rz[2];
   // coupler: coupler_pin, revolute, crank
   const double s8_6 = fms(r_coupler_z, projection.zdd_star[0], s6_2);
   const double f_coupler_x = fma(m_coupler, s8_6, fnma(s6_3, s7_3, s7_4*s8_4));
-  const double s8_7 = fnma(r_coupler_z, s6_1, (-g_z));
-  const double s8_8 = fnma(r_coupler_x, projection.zdd_star[0], s8_7);
-  const double f_coupler_z = fnma(s7_3, s8_4, fnma(s6_3, s7_4, m_coupler*s8_8));
-  const double n_coupler_y = fma(0.0729, s8_4, fnma(s7_3, s8_8, s7_4*s8_6));
-  const double s8_9 = fma(m_coupler, s8_2, s7_4*s8_1);
-  const double s8_10 = fma(m_coupler, s8_3, s7_3*s8_1);
-  const double s8_11 = fma(0.0729, s8_1, fma(s7_4, s8_2, s7_3*s8_3));
+  const double s8_7 = fnma(r_coupler_x, projection.zdd_star[0], fnma(r_coupler_z, s6_1, -g_z));
+  const double f_coupler_z = fnma(s7_3, s8_4, fnma(s6_3, s7_4, m_coupler*s8_7));
+  const double n_coupler_y = fma(0.0729, s8_4, fnma(s7_3, s8_7, s7_4*s8_6));
+  const double s8_8 = fma(m_coupler, s8_2, s7_4*s8_1);
+  const double s8_9 = fma(m_coupler, s8_3, s7_3*s8_1);
+  const double s8_10 = fma(0.0729, s8_1, fma(s7_4, s8_2, s7_3*s8_3));
   // crank: crank_pin, revolute, ground
-  const double n_crank_y = fnma((-g_z), s7_2, 0.00302*projection.zdd_star[0]);
-  const double s8_12 = fnma(s8_1, n_coupler_y, projection.Rz[1]*tau[Coordinate::coupler_pin]);
-  const double s8_13 = fma(s8_3, f_coupler_z, fnma(s8_2, f_coupler_x, s8_12));
-  const double s8_14 = fma(projection.Rz[0], s7_1 - n_crank_y, s8_13);
-  const double s8_15 = fma(projection.Rz[2], tau[Coordinate::rocker_pin] - n_rocker_y, s8_14);
-  const double s8_16 = fma(s8_2, s8_9, fma(s8_3, s8_10, projection.Rz[2]*s8_5));
-  const double s8_17 = fma(projection.Rz[0], 0.00302*projection.Rz[0], fma(s8_1, s8_11, s8_16));
-  const double s8_18 = 1.0/s8_17;
-  result.inertia[0] = fnma(1e-12, s8_17, s8_17);
+  const double n_crank_y = fnma(-g_z, s7_2, 0.00302*projection.zdd_star[0]);
+  const double s8_11 = fnma(s8_1, n_coupler_y, projection.Rz[1]*tau[Coordinate::coupler_pin]);
+  const double s8_12 = fma(s8_3, f_coupler_z, fnma(s8_2, f_coupler_x, s8_11));
+  const double s8_13 = fma(projection.Rz[0], s7_1 - n_crank_y, s8_12);
+  const double s8_14 = fma(projection.Rz[2], tau[Coordinate::rocker_pin] - n_rocker_y, s8_13);
+  const double s8_15 = fma(s8_2, s8_8, fma(s8_3, s8_9, projection.Rz[2]*s8_5));
+  const double s8_16 = fma(projection.Rz[0], 0.00302*projection.Rz[0], fma(s8_1, s8_10, s8_15));
+  const double s8_17 = 1.0/s8_16;
+  result.inertia[0] = fnma(1e-12, s8_16, s8_16);
   // operations: 30 add, 39 multiply, 1 divide
 
   // --- step 9: accelerations from the root to the leaves (63), (62) ---
   // rocker: rocker_pin, revolute, ground
-  const double s9_1 = s8_15*s8_18;
+  const double s9_1 = s8_14*s8_17;
   result.zdd[Coordinate::crank_pin] = fma(projection.Rz[0], s9_1, projection.zdd_star[0]);
   result.zdd[Coordinate::rocker_pin] = fma(projection.Rz[2], s9_1, projection.zdd_star[2]);
   result.zdd[Coordinate::coupler_pin] = fma(projection.Rz[1], s9_1, projection.zdd_star[1]);
@@ -652,7 +650,7 @@ void compute_outputs(const Tuned& parameters, const Inputs& inputs, const State&
   const double s9_6 = fma(zd_coupler_pin, tau[Coordinate::coupler_pin], zd_crank_pin*s7_10);
   result.applied_power = fma(zd_rocker_pin, tau[Coordinate::rocker_pin] + s5_9, s9_6);
   const double s9_7 = fma(m_coupler, r_coupler_z + s7_4, fma(m_crank, s7_7, m_rocker*s7_1));
-  result.potential_energy = (-g_z)*s9_7;
+  result.potential_energy = -g_z*s9_7;
   const double s9_8 = zd_rocker_pin*s7_1;
   const double s9_9 = zd_crank_pin*s7_7;
   const double s9_10 = fma(w_coupler_y, s7_4, v_coupler_x);

@@ -142,8 +142,8 @@ void compute_accelerations(const Tuned& parameters, const Inputs& /*inputs*/, co
   mbgen::sincos(z_ball, s1_2, s1_1);
   const double R_knuckle_x_x = fnma(R_arm_x_z, s1_2, R_arm_x_x*s1_1);
   const double R_knuckle_x_z = fma(R_arm_x_x, s1_2, R_arm_x_z*s1_1);
-  const double r_knuckle_x = fnma((-p_ball_x), R_arm_x_x, p_ball_z*R_arm_x_z);
-  const double s1_3 = fma(p_ball_z, R_arm_x_x, (-p_ball_x)*R_arm_x_z);
+  const double r_knuckle_x = fnma(-p_ball_x, R_arm_x_x, p_ball_z*R_arm_x_z);
+  const double s1_3 = fma(p_ball_z, R_arm_x_x, -p_ball_x*R_arm_x_z);
   // wheel: wheel, revolute, knuckle
   const double zd_lower = state.zd[Coordinate::lower];
   const double w_knuckle_y = zd_lower + state.zd[Coordinate::ball];
@@ -154,9 +154,9 @@ void compute_accelerations(const Tuned& parameters, const Inputs& /*inputs*/, co
 
   // --- step 5: applied forces Q (48) ---
   // spring
-  const double s5_1 = fnma((-p_arm_seat_x), R_arm_x_x, p_arm_seat_z*R_arm_x_z);
-  const double s5_2 = fma(p_arm_seat_z, R_arm_x_x, (-p_arm_seat_x)*R_arm_x_z);
-  const double s5_3 = (-p_carriage_seat_x) + s5_1;
+  const double s5_1 = fnma(-p_arm_seat_x, R_arm_x_x, p_arm_seat_z*R_arm_x_z);
+  const double s5_2 = fma(p_arm_seat_z, R_arm_x_x, -p_arm_seat_x*R_arm_x_z);
+  const double s5_3 = -p_carriage_seat_x + s5_1;
   const double s5_4 = 0.37 - s5_2;
   const double s5_5 = std::sqrt(fma(s5_4, s5_4, s5_3*s5_3));
   const double s5_6 = 1.0/s5_5;
@@ -219,7 +219,7 @@ void compute_accelerations(const Tuned& parameters, const Inputs& /*inputs*/, co
   const double s2_1 = fma(p_upper_to_x, R_knuckle_x_x, p_upper_to_z*R_knuckle_x_z);
   const double s2_2 = p_upper_from_x - r_knuckle_x - s2_1;
   const double s2_3 = fnma(p_upper_to_x, R_knuckle_x_z, p_upper_to_z*R_knuckle_x_x);
-  const double s2_4 = (-p_upper_from_z) + (r_knuckle_z + s2_3);
+  const double s2_4 = -p_upper_from_z + (r_knuckle_z + s2_3);
   const double s2_5 = fma(s2_2, s2_3, s2_1*s2_4);
   const double s2_6 = fma(r_knuckle_x, s2_4, fma(s1_3, s2_2, s2_5));
   result.pivot[0] = 10.4946490638541*std::abs(s2_6);
@@ -247,7 +247,7 @@ void compute_accelerations(const Tuned& parameters, const Inputs& /*inputs*/, co
 
   // --- step 7: inertias of the bodies and forces on joints, upper ---
   // arm: lower, revolute, carriage
-  const double s7_1 = fnma((-h_arm_x), R_arm_x_x, h_arm_z*R_arm_x_z);
+  const double s7_1 = fnma(-h_arm_x, R_arm_x_x, h_arm_z*R_arm_x_z);
   // knuckle: ball, revolute, arm
   const double s7_2 = R_knuckle_x_z*(R_knuckle_x_z*parameters.derived[1]);
   const double s7_3 = fma(R_knuckle_x_x, R_knuckle_x_x*parameters.derived[2], s7_2);
@@ -289,7 +289,7 @@ void compute_accelerations(const Tuned& parameters, const Inputs& /*inputs*/, co
 
   // --- step 9: accelerations from the root to the leaves (63), (62) ---
   // knuckle: ball, revolute, arm
-  const double s9_1 = s8_22*fnma((-g_z), s8_21, s8_20);
+  const double s9_1 = s8_22*fnma(-g_z, s8_21, s8_20);
   result.zdd[Coordinate::ball] = s9_1;
   result.zdd[Coordinate::lower] = fnma(s3_1, s9_1, zdd_star_lower);
   const double alpha_knuckle_y = fma(s8_4, s9_1, zdd_star_lower);
@@ -329,8 +329,8 @@ void compute_closure(const Tuned& /*parameters*/, const Inputs& /*inputs*/, cons
   mbgen::sincos(z_ball, s1_3, s1_2);
   const double R_knuckle_x_x = fnma(R_arm_x_z, s1_3, R_arm_x_x*s1_2);
   const double R_knuckle_x_z = fma(R_arm_x_x, s1_3, R_arm_x_z*s1_2);
-  const double r_knuckle_x = fnma((-p_ball_x), R_arm_x_x, p_ball_z*R_arm_x_z);
-  const double s1_4 = fma(p_ball_z, R_arm_x_x, (-p_ball_x)*R_arm_x_z);
+  const double r_knuckle_x = fnma(-p_ball_x, R_arm_x_x, p_ball_z*R_arm_x_z);
+  const double s1_4 = fma(p_ball_z, R_arm_x_x, -p_ball_x*R_arm_x_z);
   const double r_knuckle_z = s1_4 - (-p_lower_z);
   // operations: 6 add, 9 multiply, 4 sin cos
 
@@ -340,7 +340,7 @@ void compute_closure(const Tuned& /*parameters*/, const Inputs& /*inputs*/, cons
   const double s2_2 = p_upper_from_x - r_knuckle_x - s2_1;
   const double s2_3 = 2.380277794628896*s2_2;
   const double s2_4 = fnma(p_upper_to_x, R_knuckle_x_z, p_upper_to_z*R_knuckle_x_x);
-  const double s2_5 = (-p_upper_from_z) + (r_knuckle_z + s2_4);
+  const double s2_5 = -p_upper_from_z + (r_knuckle_z + s2_4);
   const double s2_6 = 2.380277794628896*s2_5;
   const double s2_7 = fma(s2_3, s2_4, s2_1*s2_6);
   const double s2_8 = fma(r_knuckle_x, s2_6, fma(s1_4, s2_3, s2_7));
@@ -379,8 +379,8 @@ void compute_multipliers(const Tuned& parameters, const Inputs& /*inputs*/, cons
   mbgen::sincos(z_ball, s1_2, s1_1);
   const double R_knuckle_x_x = fnma(R_arm_x_z, s1_2, R_arm_x_x*s1_1);
   const double R_knuckle_x_z = fma(R_arm_x_x, s1_2, R_arm_x_z*s1_1);
-  const double r_knuckle_x = fnma((-p_ball_x), R_arm_x_x, p_ball_z*R_arm_x_z);
-  const double s1_3 = fma(p_ball_z, R_arm_x_x, (-p_ball_x)*R_arm_x_z);
+  const double r_knuckle_x = fnma(-p_ball_x, R_arm_x_x, p_ball_z*R_arm_x_z);
+  const double s1_3 = fma(p_ball_z, R_arm_x_x, -p_ball_x*R_arm_x_z);
   const double r_knuckle_z = s1_3 - (-p_lower_z);
   // wheel: wheel, revolute, knuckle
   const double s1_4 = p_wheel_z*R_knuckle_x_z;
@@ -401,9 +401,9 @@ void compute_multipliers(const Tuned& parameters, const Inputs& /*inputs*/, cons
 
   // --- step 5: applied forces Q (48) ---
   // spring
-  const double s5_1 = fnma((-p_arm_seat_x), R_arm_x_x, p_arm_seat_z*R_arm_x_z);
-  const double s5_2 = (-p_carriage_seat_x) + s5_1;
-  const double s5_3 = fma(p_arm_seat_z, R_arm_x_x, (-p_arm_seat_x)*R_arm_x_z);
+  const double s5_1 = fnma(-p_arm_seat_x, R_arm_x_x, p_arm_seat_z*R_arm_x_z);
+  const double s5_2 = -p_carriage_seat_x + s5_1;
+  const double s5_3 = fma(p_arm_seat_z, R_arm_x_x, -p_arm_seat_x*R_arm_x_z);
   const double s5_4 = 0.37 - s5_3;
   const double s5_5 = std::sqrt(fma(s5_4, s5_4, s5_2*s5_2));
   const double s5_6 = 1.0/s5_5;
@@ -453,7 +453,7 @@ void compute_multipliers(const Tuned& parameters, const Inputs& /*inputs*/, cons
   const double zdd_lower = derivative.zdd[Coordinate::lower];
   const double zdd_pull = derivative.zdd[Coordinate::pull];
   const double a_knuckle_x = fnma(r_knuckle_x, s7_1, fma(zdd_lower, s1_3, zdd_pull));
-  const double a_knuckle_z = fnma(s1_3, s7_1, fnma(zdd_lower, r_knuckle_x, (-g_z)));
+  const double a_knuckle_z = fnma(s1_3, s7_1, fnma(zdd_lower, r_knuckle_x, -g_z));
   const double alpha_knuckle_y = zdd_lower + derivative.zdd[Coordinate::ball];
   const double s7_2 = w_knuckle_y*w_knuckle_y;
   // wheel: wheel, revolute, knuckle
@@ -477,11 +477,11 @@ void compute_multipliers(const Tuned& parameters, const Inputs& /*inputs*/, cons
   const double s7_9 = f_wheel_x + f_knuckle_x;
   const double s7_10 = f_wheel_z + f_knuckle_z;
   // arm: lower, revolute, carriage
-  const double s7_11 = fma(c_arm_z, R_arm_x_x, (-c_arm_x)*R_arm_x_z);
-  const double s7_12 = fnma((-c_arm_x), R_arm_x_x, c_arm_z*R_arm_x_z);
+  const double s7_11 = fma(c_arm_z, R_arm_x_x, -c_arm_x*R_arm_x_z);
+  const double s7_12 = fnma(-c_arm_x, R_arm_x_x, c_arm_z*R_arm_x_z);
   const double s7_13 = m_arm*fnma(s7_1, s7_12, fma(zdd_lower, s7_11, zdd_pull));
   const double f_arm_x = s5_14 + s7_13;
-  const double s7_14 = m_arm*fnma(s7_1, s7_11, fnma(zdd_lower, s7_12, (-g_z)));
+  const double s7_14 = m_arm*fnma(s7_1, s7_11, fnma(zdd_lower, s7_12, -g_z));
   const double n_arm_y = fnma(s7_12, s7_14, fma(s7_11, s7_13, fma(I_arm_yy, zdd_lower, s5_15)));
   const double s7_15 = fnma(s1_3, s7_9, tau[Coordinate::lower] - s7_8 - n_arm_y);
   const double Q_lower = fma(r_knuckle_x, s7_10, s7_15);
@@ -496,7 +496,7 @@ void compute_multipliers(const Tuned& parameters, const Inputs& /*inputs*/, cons
   const double s9_1 = fma(p_upper_to_x, R_knuckle_x_x, p_upper_to_z*R_knuckle_x_z);
   const double s9_2 = fnma(p_upper_to_x, R_knuckle_x_z, p_upper_to_z*R_knuckle_x_x);
   const double s9_3 = (p_upper_from_x - r_knuckle_x - s9_1)*(s1_3 + s9_2);
-  const double s9_4 = fma((-p_upper_from_z) + (r_knuckle_z + s9_2), r_knuckle_x + s9_1, s9_3);
+  const double s9_4 = fma(-p_upper_from_z + (r_knuckle_z + s9_2), r_knuckle_x + s9_1, s9_3);
   result.pivot[0] = 10.4946490638541*std::abs(s9_4);
   result.lambda[0] = -(l_upper*(Q_lower*(1.0/s9_4)));
   result.drive[0] = -Q_pull;
@@ -528,8 +528,8 @@ void compute_closure_terms(const Tuned& /*parameters*/, const Inputs& /*inputs*/
   mbgen::sincos(z_ball, s1_2, s1_1);
   const double R_knuckle_x_x = fnma(R_arm_x_z, s1_2, R_arm_x_x*s1_1);
   const double R_knuckle_x_z = fma(R_arm_x_x, s1_2, R_arm_x_z*s1_1);
-  const double r_knuckle_x = fnma((-p_ball_x), R_arm_x_x, p_ball_z*R_arm_x_z);
-  const double s1_3 = fma(p_ball_z, R_arm_x_x, (-p_ball_x)*R_arm_x_z);
+  const double r_knuckle_x = fnma(-p_ball_x, R_arm_x_x, p_ball_z*R_arm_x_z);
+  const double s1_3 = fma(p_ball_z, R_arm_x_x, -p_ball_x*R_arm_x_z);
   const double r_knuckle_z = s1_3 - (-p_lower_z);
   // operations: 5 add, 8 multiply, 4 sin cos
 
@@ -546,7 +546,7 @@ void compute_closure_terms(const Tuned& /*parameters*/, const Inputs& /*inputs*/
   const double s2_6 = s2_1*s2_5;
   const double s2_7 = fma(zd_lower, s1_3, s2_6);
   const double s2_8 = fma(zd_lower, r_knuckle_x, s2_4);
-  const double s2_9 = (-p_upper_from_z) + (r_knuckle_z + s2_5);
+  const double s2_9 = -p_upper_from_z + (r_knuckle_z + s2_5);
   const double s2_10 = 2.380277794628896*s2_9;
   const double s2_11 = p_upper_from_x - r_knuckle_x - s2_3;
   const double s2_12 = 2.380277794628896*s2_11;
@@ -586,8 +586,8 @@ void compute_chosen_accelerations(const Tuned& parameters, const Inputs& /*input
   mbgen::sincos(z_ball, s1_2, s1_1);
   const double R_knuckle_x_x = fnma(R_arm_x_z, s1_2, R_arm_x_x*s1_1);
   const double R_knuckle_x_z = fma(R_arm_x_x, s1_2, R_arm_x_z*s1_1);
-  const double r_knuckle_x = fnma((-p_ball_x), R_arm_x_x, p_ball_z*R_arm_x_z);
-  const double s1_3 = fma(p_ball_z, R_arm_x_x, (-p_ball_x)*R_arm_x_z);
+  const double r_knuckle_x = fnma(-p_ball_x, R_arm_x_x, p_ball_z*R_arm_x_z);
+  const double s1_3 = fma(p_ball_z, R_arm_x_x, -p_ball_x*R_arm_x_z);
   const double r_knuckle_z = s1_3 - (-p_lower_z);
   // wheel: wheel, revolute, knuckle
   const double s1_4 = p_wheel_z*R_knuckle_x_z;
@@ -605,9 +605,9 @@ void compute_chosen_accelerations(const Tuned& parameters, const Inputs& /*input
   const double s5_1 = fma(s1_4, w_knuckle_y, zd_lower*r_knuckle_x);
   const double w_wheel_y = state.zd[Coordinate::wheel] + w_knuckle_y;
   // spring
-  const double s5_2 = fnma((-p_arm_seat_x), R_arm_x_x, p_arm_seat_z*R_arm_x_z);
-  const double s5_3 = (-p_carriage_seat_x) + s5_2;
-  const double s5_4 = fma(p_arm_seat_z, R_arm_x_x, (-p_arm_seat_x)*R_arm_x_z);
+  const double s5_2 = fnma(-p_arm_seat_x, R_arm_x_x, p_arm_seat_z*R_arm_x_z);
+  const double s5_3 = -p_carriage_seat_x + s5_2;
+  const double s5_4 = fma(p_arm_seat_z, R_arm_x_x, -p_arm_seat_x*R_arm_x_z);
   const double s5_5 = 0.37 - s5_4;
   const double s5_6 = std::sqrt(fma(s5_5, s5_5, s5_3*s5_3));
   const double s5_7 = 1.0/s5_6;
@@ -671,7 +671,7 @@ void compute_chosen_accelerations(const Tuned& parameters, const Inputs& /*input
 
   // --- step 7: inertias of the bodies and forces on joints, upper ---
   // arm: lower, revolute, carriage
-  const double s7_1 = fnma((-h_arm_x), R_arm_x_x, h_arm_z*R_arm_x_z);
+  const double s7_1 = fnma(-h_arm_x, R_arm_x_x, h_arm_z*R_arm_x_z);
   // knuckle: ball, revolute, arm
   const double s7_2 = R_knuckle_x_z*parameters.derived[0];
   const double s7_3 = R_knuckle_x_x*parameters.derived[0];
@@ -711,7 +711,7 @@ void compute_chosen_accelerations(const Tuned& parameters, const Inputs& /*input
 
   // --- step 9: accelerations from the root to the leaves (63), (62) ---
   // knuckle: ball, revolute, arm
-  const double s9_1 = s8_22*fma((-g_z), s8_15, s8_21);
+  const double s9_1 = s8_22*fma(-g_z, s8_15, s8_21);
   result.zdd[Coordinate::lower] = fma(projection.Rz[0], s9_1, projection.zdd_star[0]);
   result.zdd[Coordinate::ball] = fma(projection.Rz[1], s9_1, projection.zdd_star[1]);
   const double alpha_knuckle_y = fma(s8_3, s9_1, s8_6);
@@ -738,8 +738,8 @@ void compute_outputs(const Tuned& parameters, const Inputs& /*inputs*/, const St
   mbgen::sincos(z_ball, s1_2, s1_1);
   const double R_knuckle_x_x = fnma(R_arm_x_z, s1_2, R_arm_x_x*s1_1);
   const double R_knuckle_x_z = fma(R_arm_x_x, s1_2, R_arm_x_z*s1_1);
-  const double r_knuckle_x = fnma((-p_ball_x), R_arm_x_x, p_ball_z*R_arm_x_z);
-  const double s1_3 = fma(p_ball_z, R_arm_x_x, (-p_ball_x)*R_arm_x_z);
+  const double r_knuckle_x = fnma(-p_ball_x, R_arm_x_x, p_ball_z*R_arm_x_z);
+  const double s1_3 = fma(p_ball_z, R_arm_x_x, -p_ball_x*R_arm_x_z);
   const double r_knuckle_z = s1_3 - (-p_lower_z);
   // wheel: wheel, revolute, knuckle
   const double s1_4 = p_wheel_z*R_knuckle_x_z;
@@ -764,9 +764,9 @@ void compute_outputs(const Tuned& parameters, const Inputs& /*inputs*/, const St
 
   // --- step 5: applied forces Q (48) ---
   // spring
-  const double s5_1 = fnma((-p_arm_seat_x), R_arm_x_x, p_arm_seat_z*R_arm_x_z);
-  const double s5_2 = (-p_carriage_seat_x) + s5_1;
-  const double s5_3 = fma(p_arm_seat_z, R_arm_x_x, (-p_arm_seat_x)*R_arm_x_z);
+  const double s5_1 = fnma(-p_arm_seat_x, R_arm_x_x, p_arm_seat_z*R_arm_x_z);
+  const double s5_2 = -p_carriage_seat_x + s5_1;
+  const double s5_3 = fma(p_arm_seat_z, R_arm_x_x, -p_arm_seat_x*R_arm_x_z);
   const double s5_4 = 0.37 - s5_3;
   const double s5_5 = std::sqrt(fma(s5_4, s5_4, s5_2*s5_2));
   const double s5_6 = 1.0/s5_5;
@@ -819,8 +819,8 @@ void compute_outputs(const Tuned& parameters, const Inputs& /*inputs*/, const St
   const double s7_3 = R_knuckle_x_z*parameters.derived[6];
   const double s7_4 = w_knuckle_y*parameters.derived[8];
   // arm: lower, revolute, carriage
-  const double s7_5 = fma(c_arm_z, R_arm_x_x, (-c_arm_x)*R_arm_x_z);
-  const double s7_6 = fnma((-c_arm_x), R_arm_x_x, c_arm_z*R_arm_x_z);
+  const double s7_5 = fma(c_arm_z, R_arm_x_x, -c_arm_x*R_arm_x_z);
+  const double s7_6 = fnma(-c_arm_x, R_arm_x_x, c_arm_z*R_arm_x_z);
   const double s7_7 = I_arm_yy*zd_lower;
   // operations: 2 add, 9 multiply
 
@@ -828,7 +828,7 @@ void compute_outputs(const Tuned& parameters, const Inputs& /*inputs*/, const St
   const double s9_1 = zd_lower*s7_6;
   const double s9_2 = fma(w_knuckle_y, s7_3, s4_1);
   const double s9_3 = fma(r_knuckle_z + s7_2, parameters.derived[7], m_wheel*r_wheel_z);
-  result.potential_energy = (-g_z)*(fma(m_arm, s7_5 - (-p_lower_z), s9_3) + parameters.derived[9]);
+  result.potential_energy = -g_z*(fma(m_arm, s7_5 - (-p_lower_z), s9_3) + parameters.derived[9]);
   const double s9_4 = fma(v_wheel_x, fx_tyre, zd_wheel*tau[Coordinate::wheel]);
   const double s9_5 = fnma(w_wheel_y, s5_38, fnma(s4_2, load_tyre, s9_4));
   const double s9_6 = tau[Coordinate::pull] + multipliers.drive[0];

@@ -155,8 +155,8 @@ void compute_accelerations(const Tuned& parameters, const Inputs& /*inputs*/, co
   mbgen::sincos(z_ball, s1_2, s1_1);
   const Lanes R_knuckle_x_x = fnma(R_arm_x_z, s1_2, R_arm_x_x*s1_1);
   const Lanes R_knuckle_x_z = fma(R_arm_x_x, s1_2, R_arm_x_z*s1_1);
-  const Lanes r_knuckle_x = fnma((-p_ball_x), R_arm_x_x, p_ball_z*R_arm_x_z);
-  const Lanes s1_3 = fma(p_ball_z, R_arm_x_x, (-p_ball_x)*R_arm_x_z);
+  const Lanes r_knuckle_x = fnma(-p_ball_x, R_arm_x_x, p_ball_z*R_arm_x_z);
+  const Lanes s1_3 = fma(p_ball_z, R_arm_x_x, -p_ball_x*R_arm_x_z);
   // wheel: wheel, revolute, knuckle
   const Lanes s1_4 = p_wheel_z*R_knuckle_x_x;
   const Lanes zd_lower = state.zd[Coordinate::lower];
@@ -167,10 +167,10 @@ void compute_accelerations(const Tuned& parameters, const Inputs& /*inputs*/, co
 
   // --- step 5: applied forces Q (48) ---
   // spring
-  const Lanes s5_1 = fnma((-p_arm_seat_x), R_arm_x_x, p_arm_seat_z*R_arm_x_z);
-  const Lanes s5_2 = fma(p_arm_seat_z, R_arm_x_x, (-p_arm_seat_x)*R_arm_x_z);
+  const Lanes s5_1 = fnma(-p_arm_seat_x, R_arm_x_x, p_arm_seat_z*R_arm_x_z);
+  const Lanes s5_2 = fma(p_arm_seat_z, R_arm_x_x, -p_arm_seat_x*R_arm_x_z);
   const Lanes s5_3 = 0.37 - s5_2;
-  const Lanes s5_4 = (-p_carriage_seat_x) + s5_1;
+  const Lanes s5_4 = -p_carriage_seat_x + s5_1;
   const Lanes s5_5 = mbgen::sqrt(fma(s5_3, s5_3, s5_4*s5_4));
   const Lanes s5_6 = 1.0/s5_5;
   const Lanes s5_7 = fma(s5_4, zd_lower*s5_2, zd_lower*s5_1*s5_3)*s5_6;
@@ -236,7 +236,7 @@ void compute_accelerations(const Tuned& parameters, const Inputs& /*inputs*/, co
   const Lanes s2_1 = fma(p_upper_to_x, R_knuckle_x_x, p_upper_to_z*R_knuckle_x_z);
   const Lanes s2_2 = p_upper_from_x - r_knuckle_x - s2_1;
   const Lanes s2_3 = fnma(p_upper_to_x, R_knuckle_x_z, p_upper_to_z*R_knuckle_x_x);
-  const Lanes s2_4 = (-p_upper_from_z) + (r_knuckle_z + s2_3);
+  const Lanes s2_4 = -p_upper_from_z + (r_knuckle_z + s2_3);
   const Lanes s2_5 = fma(s2_2, s2_3, s2_1*s2_4);
   const Lanes s2_6 = fma(r_knuckle_x, s2_4, fma(s1_3, s2_2, s2_5));
   const Lanes s2_7 = 1.0/s2_6;
@@ -265,7 +265,7 @@ void compute_accelerations(const Tuned& parameters, const Inputs& /*inputs*/, co
 
   // --- step 7: inertias of the bodies and forces on joints, upper ---
   // arm: lower, revolute, carriage
-  const Lanes s7_1 = fnma((-h_arm_x), R_arm_x_x, h_arm_z*R_arm_x_z);
+  const Lanes s7_1 = fnma(-h_arm_x, R_arm_x_x, h_arm_z*R_arm_x_z);
   // knuckle: ball, revolute, arm
   const Lanes s7_2 = R_knuckle_x_z*(R_knuckle_x_z*parameters.derived[1]);
   const Lanes s7_3 = fma(R_knuckle_x_x, R_knuckle_x_x*parameters.derived[2], s7_2);
@@ -308,7 +308,7 @@ void compute_accelerations(const Tuned& parameters, const Inputs& /*inputs*/, co
 
   // --- step 9: accelerations from the root to the leaves (63), (62) ---
   // knuckle: ball, revolute, arm
-  const Lanes s9_1 = s8_22*fnma((-g_z), s8_21, s8_19);
+  const Lanes s9_1 = s8_22*fnma(-g_z, s8_21, s8_19);
   result.zdd[Coordinate::ball] = s9_1;
   result.zdd[Coordinate::lower] = fnma(s3_1, s9_1, zdd_star_lower);
   const Lanes alpha_knuckle_y = fma(s8_14, s9_1, zdd_star_lower);
@@ -345,8 +345,8 @@ void compute_closure(const Tuned& /*parameters*/, const Inputs& /*inputs*/, cons
   mbgen::sincos(z_ball, s1_2, s1_1);
   const Lanes R_knuckle_x_x = fnma(R_arm_x_z, s1_2, R_arm_x_x*s1_1);
   const Lanes R_knuckle_x_z = fma(R_arm_x_x, s1_2, R_arm_x_z*s1_1);
-  const Lanes r_knuckle_x = fnma((-p_ball_x), R_arm_x_x, p_ball_z*R_arm_x_z);
-  const Lanes s1_3 = fma(p_ball_z, R_arm_x_x, (-p_ball_x)*R_arm_x_z);
+  const Lanes r_knuckle_x = fnma(-p_ball_x, R_arm_x_x, p_ball_z*R_arm_x_z);
+  const Lanes s1_3 = fma(p_ball_z, R_arm_x_x, -p_ball_x*R_arm_x_z);
   const Lanes r_knuckle_z = s1_3 - (-p_lower_z);
   const Lanes s1_4 = fms(15.0, state.t, state.z[Coordinate::pull]);
   result.residual[1] = s1_4;
@@ -358,7 +358,7 @@ void compute_closure(const Tuned& /*parameters*/, const Inputs& /*inputs*/, cons
   const Lanes s2_1 = fma(p_upper_to_x, R_knuckle_x_x, p_upper_to_z*R_knuckle_x_z);
   const Lanes s2_2 = fnma(p_upper_to_x, R_knuckle_x_z, p_upper_to_z*R_knuckle_x_x);
   const Lanes s2_3 = p_upper_from_x - r_knuckle_x - s2_1;
-  const Lanes s2_4 = (-p_upper_from_z) + (r_knuckle_z + s2_2);
+  const Lanes s2_4 = -p_upper_from_z + (r_knuckle_z + s2_2);
   const Lanes s2_5 = 2.380277794628896*s2_4;
   const Lanes s2_6 = 2.380277794628896*s2_3;
   const Lanes s2_7 = fma(s2_6, s2_2, s2_1*s2_5);
@@ -398,8 +398,8 @@ void compute_multipliers(const Tuned& parameters, const Inputs& /*inputs*/, cons
   mbgen::sincos(z_ball, s1_2, s1_1);
   const Lanes R_knuckle_x_x = fnma(R_arm_x_z, s1_2, R_arm_x_x*s1_1);
   const Lanes R_knuckle_x_z = fma(R_arm_x_x, s1_2, R_arm_x_z*s1_1);
-  const Lanes r_knuckle_x = fnma((-p_ball_x), R_arm_x_x, p_ball_z*R_arm_x_z);
-  const Lanes s1_3 = fma(p_ball_z, R_arm_x_x, (-p_ball_x)*R_arm_x_z);
+  const Lanes r_knuckle_x = fnma(-p_ball_x, R_arm_x_x, p_ball_z*R_arm_x_z);
+  const Lanes s1_3 = fma(p_ball_z, R_arm_x_x, -p_ball_x*R_arm_x_z);
   // wheel: wheel, revolute, knuckle
   const Lanes s1_4 = p_wheel_z*R_knuckle_x_z;
   // knuckle: ball, revolute, arm
@@ -424,10 +424,10 @@ void compute_multipliers(const Tuned& parameters, const Inputs& /*inputs*/, cons
 
   // --- step 5: applied forces Q (48) ---
   // spring
-  const Lanes s5_1 = fnma((-p_arm_seat_x), R_arm_x_x, p_arm_seat_z*R_arm_x_z);
-  const Lanes s5_2 = fma(p_arm_seat_z, R_arm_x_x, (-p_arm_seat_x)*R_arm_x_z);
+  const Lanes s5_1 = fnma(-p_arm_seat_x, R_arm_x_x, p_arm_seat_z*R_arm_x_z);
+  const Lanes s5_2 = fma(p_arm_seat_z, R_arm_x_x, -p_arm_seat_x*R_arm_x_z);
   const Lanes s5_3 = 0.37 - s5_2;
-  const Lanes s5_4 = (-p_carriage_seat_x) + s5_1;
+  const Lanes s5_4 = -p_carriage_seat_x + s5_1;
   const Lanes s5_5 = mbgen::sqrt(fma(s5_3, s5_3, s5_4*s5_4));
   const Lanes s5_6 = 1.0/s5_5;
   const Lanes s5_7 = fma(s5_4, zd_lower*s5_2, zd_lower*s5_1*s5_3)*s5_6;
@@ -478,8 +478,8 @@ void compute_multipliers(const Tuned& parameters, const Inputs& /*inputs*/, cons
   // knuckle: ball, revolute, arm
   const Lanes s7_1 = w_knuckle_y*w_knuckle_y;
   // arm: lower, revolute, carriage
-  const Lanes s7_2 = fma(c_arm_z, R_arm_x_x, (-c_arm_x)*R_arm_x_z);
-  const Lanes s7_3 = fnma((-c_arm_x), R_arm_x_x, c_arm_z*R_arm_x_z);
+  const Lanes s7_2 = fma(c_arm_z, R_arm_x_x, -c_arm_x*R_arm_x_z);
+  const Lanes s7_3 = fnma(-c_arm_x, R_arm_x_x, c_arm_z*R_arm_x_z);
   const Lanes s7_4 = zd_lower*zd_lower;
   mbgen::read_back();
   const Lanes zdd_pull = derivative.zdd[Coordinate::pull];
@@ -488,11 +488,11 @@ void compute_multipliers(const Tuned& parameters, const Inputs& /*inputs*/, cons
   // carriage: pull, prismatic, ground
   const Lanes f_carriage_x = fms(m_carriage, zdd_pull, s5_15);
   // arm: lower, revolute, carriage
-  const Lanes s7_6 = m_arm*fnma(s7_4, s7_2, fnma(zdd_lower, s7_3, (-g_z)));
+  const Lanes s7_6 = m_arm*fnma(s7_4, s7_2, fnma(zdd_lower, s7_3, -g_z));
   const Lanes n_arm_y = fnma(s7_3, s7_6, fma(s7_2, s7_5, fma(I_arm_yy, zdd_lower, s5_16)));
   // knuckle: ball, revolute, arm
   const Lanes a_knuckle_x = fnma(r_knuckle_x, s7_4, fma(zdd_lower, s1_3, zdd_pull));
-  const Lanes a_knuckle_z = fnma(s1_3, s7_4, fnma(zdd_lower, r_knuckle_x, (-g_z)));
+  const Lanes a_knuckle_z = fnma(s1_3, s7_4, fnma(zdd_lower, r_knuckle_x, -g_z));
   const Lanes alpha_knuckle_y = zdd_lower + derivative.zdd[Coordinate::ball];
   // wheel: wheel, revolute, knuckle
   const Lanes a_wheel_x = fnma(s1_4, s7_1, fma(s1_5, alpha_knuckle_y, a_knuckle_x));
@@ -530,7 +530,7 @@ void compute_multipliers(const Tuned& parameters, const Inputs& /*inputs*/, cons
   const Lanes s9_1 = fma(p_upper_to_x, R_knuckle_x_x, p_upper_to_z*R_knuckle_x_z);
   const Lanes s9_2 = fnma(p_upper_to_x, R_knuckle_x_z, p_upper_to_z*R_knuckle_x_x);
   const Lanes s9_3 = (p_upper_from_x - r_knuckle_x - s9_1)*(s1_3 + s9_2);
-  const Lanes s9_4 = fma((-p_upper_from_z) + (r_knuckle_z + s9_2), r_knuckle_x + s9_1, s9_3);
+  const Lanes s9_4 = fma(-p_upper_from_z + (r_knuckle_z + s9_2), r_knuckle_x + s9_1, s9_3);
   result.pivot[0] = 10.4946490638541*mbgen::abs(s9_4);
   mbgen::read_back();
   result.lambda[0] = -(l_upper*(Q_lower*(1.0/s9_4)));
@@ -555,8 +555,8 @@ void compute_outputs(const Tuned& parameters, const Inputs& /*inputs*/, const St
   mbgen::sincos(z_ball, s1_2, s1_1);
   const Lanes R_knuckle_x_x = fnma(R_arm_x_z, s1_2, R_arm_x_x*s1_1);
   const Lanes R_knuckle_x_z = fma(R_arm_x_x, s1_2, R_arm_x_z*s1_1);
-  const Lanes r_knuckle_x = fnma((-p_ball_x), R_arm_x_x, p_ball_z*R_arm_x_z);
-  const Lanes s1_3 = fma(p_ball_z, R_arm_x_x, (-p_ball_x)*R_arm_x_z);
+  const Lanes r_knuckle_x = fnma(-p_ball_x, R_arm_x_x, p_ball_z*R_arm_x_z);
+  const Lanes s1_3 = fma(p_ball_z, R_arm_x_x, -p_ball_x*R_arm_x_z);
   // wheel: wheel, revolute, knuckle
   const Lanes s1_4 = p_wheel_z*R_knuckle_x_z;
   // knuckle: ball, revolute, arm
@@ -585,10 +585,10 @@ void compute_outputs(const Tuned& parameters, const Inputs& /*inputs*/, const St
 
   // --- step 5: applied forces Q (48) ---
   // spring
-  const Lanes s5_1 = fnma((-p_arm_seat_x), R_arm_x_x, p_arm_seat_z*R_arm_x_z);
-  const Lanes s5_2 = fma(p_arm_seat_z, R_arm_x_x, (-p_arm_seat_x)*R_arm_x_z);
+  const Lanes s5_1 = fnma(-p_arm_seat_x, R_arm_x_x, p_arm_seat_z*R_arm_x_z);
+  const Lanes s5_2 = fma(p_arm_seat_z, R_arm_x_x, -p_arm_seat_x*R_arm_x_z);
   const Lanes s5_3 = 0.37 - s5_2;
-  const Lanes s5_4 = (-p_carriage_seat_x) + s5_1;
+  const Lanes s5_4 = -p_carriage_seat_x + s5_1;
   const Lanes s5_5 = mbgen::sqrt(fma(s5_3, s5_3, s5_4*s5_4));
   const Lanes s5_6 = 1.0/s5_5;
   const Lanes s5_7 = fma(s5_4, zd_lower*s5_2, zd_lower*s5_1*s5_3)*s5_6;
@@ -642,8 +642,8 @@ void compute_outputs(const Tuned& parameters, const Inputs& /*inputs*/, const St
   // wheel: wheel, revolute, knuckle
   const Lanes s7_3 = w_wheel_y*w_wheel_y;
   // arm: lower, revolute, carriage
-  const Lanes s7_4 = fma(c_arm_z, R_arm_x_x, (-c_arm_x)*R_arm_x_z);
-  const Lanes s7_5 = fnma((-c_arm_x), R_arm_x_x, c_arm_z*R_arm_x_z);
+  const Lanes s7_4 = fma(c_arm_z, R_arm_x_x, -c_arm_x*R_arm_x_z);
+  const Lanes s7_5 = fnma(-c_arm_x, R_arm_x_x, c_arm_z*R_arm_x_z);
   mbgen::read_back();
   // knuckle: ball, revolute, arm
   const Lanes s7_6 = w_knuckle_y*parameters.derived[8];
@@ -664,7 +664,7 @@ void compute_outputs(const Tuned& parameters, const Inputs& /*inputs*/, const St
   const Lanes s9_9 = fma(w_knuckle_y, s7_6, s9_8);
   const Lanes s9_10 = fma(r_knuckle_z + s7_2, parameters.derived[7], m_wheel*r_wheel_z);
   const Lanes s9_11 = fma(zd_lower, s7_4, zd_pull);
-  result.potential_energy = (-g_z)*(fma(m_arm, s7_4 - (-p_lower_z), s9_10) + parameters.derived[9]);
+  result.potential_energy = -g_z*(fma(m_arm, s7_4 - (-p_lower_z), s9_10) + parameters.derived[9]);
   const Lanes s9_12 = fma(parameters.derived[7], fma(s9_2, s9_2, s9_1*s9_1), s9_9);
   const Lanes s9_13 = fma(m_carriage, zd_pull*zd_pull, fma(zd_lower, s7_7, s9_12));
   result.kinetic_energy = 0.5*fma(m_arm, fma(s9_11, s9_11, s9_7*s9_7), s9_13);

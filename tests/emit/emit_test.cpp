@@ -109,12 +109,12 @@ TEST(EmittedNames, ofSolversLeaveTheGlobalNamespaceAlone) {
 template <class Build>
 std::string expression(Build build) {
   const Phrase a{"a"}, b{"b"}, c{"c"};
-  return standing_alone(build(a, b, c));
+  return build(a, b, c).text;
 }
 
 TEST(EmittedExpressions, haveTheParenthesesTheyNeed) {
   const auto op = [](Op o, const Phrase& x, const Phrase& y = {}, const Phrase& z = {}) {
-    return operation_phrase(o, x, y, z);
+    return operation_phrase("double", o, x, y, z);
   };
   using P = const Phrase&;
   EXPECT_EQ(expression([&](P a, P b, P c) { return op(Op::add, op(Op::add, a, b), c); }), "a + b + c");
@@ -130,11 +130,16 @@ TEST(EmittedExpressions, haveTheParenthesesTheyNeed) {
   EXPECT_EQ(expression([&](P a, P, P) { return op(Op::negate, op(Op::negate, a)); }), "-(-a)");
   EXPECT_EQ(expression([&](P a, P b, P) { return op(Op::multiply, op(Op::negate, a), b); }), "-a*b");
   EXPECT_EQ(expression([&](P a, P, P) { return op(Op::multiply, a, constant_phrase("-2.5")); }), "a*(-2.5)");
-  EXPECT_EQ(expression([&](P a, P, P) { return op(Op::add, constant_phrase("-2.5"), a); }), "(-2.5) + a");
+  EXPECT_EQ(expression([&](P a, P, P) { return op(Op::add, constant_phrase("-2.5"), a); }), "-2.5 + a");
   EXPECT_EQ(expression([&](P, P, P) { return constant_phrase("-2.5"); }), "-2.5");
   EXPECT_EQ(expression([&](P a, P b, P c) { return op(Op::select, op(Op::subtract, a, b), b, c); }),
             "(a - b >= 0.0 ? b : c)");
   EXPECT_EQ(expression([&](P a, P b, P) { return op(Op::sqrt, op(Op::min, a, b)); }), "std::sqrt(mbgen::min(a, b))");
+  EXPECT_EQ(expression([&](P a, P b, P) { return op(Op::subtract, a, constant_phrase("-2.5")); }), "a - (-2.5)");
+  const auto on = [](const char* scalar, Op o) { return operation_phrase(scalar, o, {"a"}, {"b"}, {"c"}).text; };
+  EXPECT_EQ(on("float", Op::select), "(a >= 0.0f ? b : c)");
+  EXPECT_EQ(on("Lanes", Op::select), "mbgen::select(a, b, c)");
+  EXPECT_EQ(on("Lanes", Op::sqrt), "mbgen::sqrt(a)");
 }
 
 ProgramShape bead_shape() {
