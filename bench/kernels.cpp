@@ -138,10 +138,10 @@ void generated_step(benchmark::State& state, const std::string& model, SolverSet
     state.SkipWithError(to_text(compiled.problems()).c_str());
     return;
   }
-  cli::EngineChoice choice;
+  EngineChoice choice;
   choice.integrator = integrator;
-  const cli::Engine engine = cli::make_engine(*compiled, choice);
-  const GenericState start = cli::initial_state(*compiled, cli::input_values(compiled->model, {}));
+  const Engine engine = make_engine(*compiled, choice);
+  const GenericState start = initial_state(*compiled, input_values(compiled->model, {}));
   GenericState s = start;
   for (auto _ : state) {
     if (s.t > start.t + 1 || !engine.step(s, 1e-3).ok()) s = start;

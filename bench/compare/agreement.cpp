@@ -15,8 +15,8 @@ namespace mbgen::compare {
 namespace {
 
 /// Accelerations with massless rods, which the reader of states does not know.
-void take_massless_accelerations(const std::string& path, cli::StatesFile& file) {
-  const nlohmann::json json = nlohmann::json::parse(cli::read_text(path));
+void take_massless_accelerations(const std::string& path, StatesFile& file) {
+  const nlohmann::json json = nlohmann::json::parse(read_text(path));
   for (std::size_t s = 0; s < file.states.size(); ++s) {
     const std::vector<double> zdd = json["states"][s]["zdd_massless_rods"];
     for (std::size_t i = 0; i < zdd.size(); ++i)
@@ -27,16 +27,16 @@ void take_massless_accelerations(const std::string& path, cli::StatesFile& file)
 }  // namespace
 
 StatesInUse states_in_use(const Compilation& compilation, const std::string& file, bool rods_are_massless,
-                          const cli::Engine& projecting, const Contestant& reference) {
-  const std::vector<double> inputs = cli::input_values(compilation.model, {});
+                          const Engine& projecting, const Contestant& reference) {
+  const std::vector<double> inputs = input_values(compilation.model, {});
   if (!file.empty()) {
-    cli::StatesFile read = cli::read_states(file, compilation, inputs);
+    StatesFile read = read_states(file, compilation, inputs);
     if (rods_are_massless) take_massless_accelerations(file, read);
     return {fmt::format("{} states of {}", read.states.size(), std::filesystem::path(file).filename().string()),
             read.states};
   }
-  std::vector<cli::FileState> states = cli::random_states(compilation, projecting, inputs);
-  for (cli::FileState& state : states) {
+  std::vector<FileState> states = random_states(compilation, projecting, inputs);
+  for (FileState& state : states) {
     GenericDerivative derivative;
     reference.engine.accelerations(state.at, derivative);
     state.zdd = derivative.zdd;
@@ -44,9 +44,9 @@ StatesInUse states_in_use(const Compilation& compilation, const std::string& fil
   return {fmt::format("{} random consistent states, reference: {}", states.size(), reference.name), states};
 }
 
-double deviation(const Contestant& contestant, const std::vector<cli::FileState>& states) {
+double deviation(const Contestant& contestant, const std::vector<FileState>& states) {
   double largest = 0;
-  for (const cli::FileState& state : states) {
+  for (const FileState& state : states) {
     GenericDerivative derivative;
     if (!contestant.engine.accelerations(state.at, derivative).ok()) return std::numeric_limits<double>::infinity();
     double difference = 0;

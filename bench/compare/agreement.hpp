@@ -15,16 +15,16 @@ constexpr double kAgreement = 1e-9;
 /// Whose answers the states bring.
 struct StatesInUse {
   std::string source;  ///< for the table: a file, or how they were made
-  std::vector<cli::FileState> states;
+  std::vector<FileState> states;
 };
 
 /// The states of `file` with the accelerations that it expects there (of massless rods when `rods_are_massless`), or,
 /// when `file` is "", random consistent ones as of `mbgen bench`, with the accelerations of `reference`.
 /// Fails: UserError as read_states and random_states.
 StatesInUse states_in_use(const Compilation& compilation, const std::string& file, bool rods_are_massless,
-                          const cli::Engine& projecting, const Contestant& reference);
+                          const Engine& projecting, const Contestant& reference);
 
 /// Largest relative difference of a contestant from the states' accelerations. Infinite when it has no answer.
-double deviation(const Contestant& contestant, const std::vector<cli::FileState>& states);
+double deviation(const Contestant& contestant, const std::vector<FileState>& states);
 
 }  // namespace mbgen::compare

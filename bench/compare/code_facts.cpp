@@ -36,7 +36,7 @@ double children_seconds() {
 /// What a program prints; "" when it fails.
 std::string answer(const fs::path& scratch, const Words& words) {
   const fs::path log = scratch / "log";
-  return cli::run_side_by_side({{words, log}})[0] == 0 ? cli::read_text(log) : "";
+  return run_side_by_side({{words, log}})[0] == 0 ? read_text(log) : "";
 }
 
 /// g++ with the flags of solvers for a processor.
@@ -50,8 +50,8 @@ Words compiler(const std::string& processor) {
 void compile_or_throw(const fs::path& scratch, Words words, const Words& more) {
   words.insert(words.end(), more.begin(), more.end());
   words.insert(words.end(), {"-I", scratch.string()});
-  if (cli::run_side_by_side({{words, scratch / "log"}})[0] == 0) return;
-  throw cli::UserError("g++ does not compile the generated solver:\n" + cli::read_text(scratch / "log"));
+  if (run_side_by_side({{words, scratch / "log"}})[0] == 0) return;
+  throw UserError("g++ does not compile the generated solver:\n" + read_text(scratch / "log"));
 }
 
 /// Files of the solver and its driver, in scratch. Result: the least time that making them took, s.
@@ -60,13 +60,13 @@ double generate(const Model& model, const fs::path& scratch, OperationCount& ope
   for (int k = 0; k < kGenerations; ++k) {
     const double start = own_seconds();
     const Compilation compilation =
-        cli::expect(model.file.empty() ? compile(model) : compile(cli::expect(read_model_file(model.file))));
-    std::vector<cli::NamedText> files;
+        expect(model.file.empty() ? compile(model) : compile(expect(read_model_file(model.file))));
+    std::vector<NamedText> files;
     for (EmittedFile& file : emit(compilation)) files.push_back({file.path, std::move(file.text)});
-    cli::write_files(scratch, files);
+    write_files(scratch, files);
     least = std::min(least, own_seconds() - start);
     const EmittedFile driver = emit_driver(compilation.model);
-    cli::write_files(scratch, {{driver.path, driver.text}});
+    write_files(scratch, {{driver.path, driver.text}});
     operations = count_operations(compilation.programs.accelerations);
   }
   return least;
@@ -96,9 +96,9 @@ long text_bytes(const fs::path& scratch, const std::string& object) {
   return sum;
 }
 
-std::string states_text(const std::vector<cli::LoadedState>& states) {
+std::string states_text(const std::vector<LoadedState>& states) {
   std::string text = fmt::format("{}\n", states.size());
-  for (const cli::LoadedState& at : states) {
+  for (const LoadedState& at : states) {
     for (const std::vector<double>* part : {&at.state.z, &at.state.zd, &at.state.x})
       for (const double value : *part) text += fmt::format("{:.17g} ", value);
     text += fmt::format("{:.17g}\n", at.state.t);
@@ -118,10 +118,10 @@ long collected(const fs::path& scratch, int repetitions) {
 }
 
 std::optional<long> instructions(const fs::path& scratch, const std::string& source,
-                                 const std::vector<cli::LoadedState>& states) {
+                                 const std::vector<LoadedState>& states) {
   if (answer(scratch, {"valgrind", "--version"}).empty()) return {};
   const std::string driver = source.substr(0, source.size() - 4) + "_driver.cpp";
-  cli::write_files(scratch, {{"states", states_text(states)}});
+  write_files(scratch, {{"states", states_text(states)}});
   compile_or_throw(
       scratch, compiler("x86-64-v3"),
       {source, driver, MBGEN_SOURCE_DIR "/bench/compare/counted/main.cpp", "-o", (scratch / "counted").string()});
@@ -132,8 +132,8 @@ std::optional<long> instructions(const fs::path& scratch, const std::string& sou
 
 }  // namespace
 
-CodeFacts code_facts(const Model& model, const std::vector<cli::LoadedState>& states) {
-  const cli::TemporaryDirectory directory(cli::temporary_parent());
+CodeFacts code_facts(const Model& model, const std::vector<LoadedState>& states) {
+  const TemporaryDirectory directory(temporary_parent());
   const fs::path& scratch = directory.path();
   CodeFacts facts;
   facts.generation_seconds = generate(model, scratch, facts.operations);

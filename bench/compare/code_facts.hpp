@@ -20,6 +20,6 @@ struct CodeFacts {
 };
 
 /// Emits the solver of a model once more, compiles it and counts. Fails: UserError when g++ does not take it.
-CodeFacts code_facts(const Model& model, const std::vector<cli::LoadedState>& states);
+CodeFacts code_facts(const Model& model, const std::vector<LoadedState>& states);
 
 }  // namespace mbgen::compare

@@ -31,8 +31,8 @@ std::string states_file(const std::string& model, const std::string& directory) 
   return std::filesystem::exists(path) ? path.string() : "";
 }
 
-std::vector<cli::FileState> at_rest(std::vector<cli::FileState> states, const Contestant& reference) {
-  for (cli::FileState& state : states) {
+std::vector<FileState> at_rest(std::vector<FileState> states, const Contestant& reference) {
+  for (FileState& state : states) {
     state.at.state.zd.assign(state.at.state.zd.size(), 0.0);
     GenericDerivative derivative;
     reference.engine.accelerations(state.at, derivative);
@@ -41,7 +41,7 @@ std::vector<cli::FileState> at_rest(std::vector<cli::FileState> states, const Co
   return states;
 }
 
-Row row_of(const Contestant& contestant, const Contestant& reference, const std::vector<cli::FileState>& states) {
+Row row_of(const Contestant& contestant, const Contestant& reference, const std::vector<FileState>& states) {
   Row row{contestant.key, contestant.name, contestant.remark, contestant.absent, contestant.exact, 0, {}, {}};
   if (!contestant.absent.empty()) return row;
   row.deviation = deviation(contestant, states);
@@ -50,12 +50,12 @@ Row row_of(const Contestant& contestant, const Contestant& reference, const std:
 }
 
 Model model_of(const std::string& path, bool rods_are_massless) {
-  Model model = cli::expect(read_model_file(path));
+  Model model = expect(read_model_file(path));
   const std::size_t forces = model.springs.size() + model.joint_springs.size() + model.frictions.size() +
                              model.air_springs.size() + model.forces.size() + model.joint_forces.size() +
                              model.tyres.size() + model.motions.size();
   if (forces > 0)
-    throw cli::UserError(fmt::format("{}: has force elements or motions, which other solvers do not get\n", path));
+    throw UserError(fmt::format("{}: has force elements or motions, which other solvers do not get\n", path));
   if (!rods_are_massless) return model;
   for (Rod& rod : model.rods) rod.mass = 0.0;
   model.name += "_massless_rods";
@@ -100,7 +100,7 @@ std::optional<double> value_of(const Comparison& c, Figure figure) {
 Comparison compare_on(const std::string& model_path, const Settings& settings) {
   const Model model = model_of(model_path, settings.rods_are_massless);
   const std::string mechanism = model.name.substr(0, model.name.find("_massless_rods"));
-  const Compilation compilation = cli::expect(compile(model));
+  const Compilation compilation = expect(compile(model));
   const std::vector<Contestant> all = contestants(compilation);
   const Contestant& reference = reference_of(all);
   const StatesInUse in_use = states_in_use(compilation, states_file(mechanism, settings.states_directory),
@@ -121,7 +121,7 @@ Comparison compare_on(const std::string& model_path, const Settings& settings) {
     if (row.exact && !(row.deviation < kAgreement)) comparison.disagreeing.push_back(row.name);
   }
   if (!comparison.disagreeing.empty()) return comparison;
-  const std::vector<cli::LoadedState> at = cli::timed_states(in_use.states, kLanes);
+  const std::vector<LoadedState> at = timed_states(in_use.states, kLanes);
   const std::vector<Timing> timings = time_in_turns(all, at, settings.rounds, settings.seconds);
   for (std::size_t k = 0; k < timings.size(); ++k) comparison.rows[k].timing = timings[k];
   if (settings.counts_code) comparison.code = code_facts(model, at);

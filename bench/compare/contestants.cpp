@@ -15,20 +15,20 @@ namespace {
 
 using namespace foreign;
 
-ForeignState foreign_state(const cli::LoadedState& at) { return {at.state.z, at.state.zd, at.tau}; }
+ForeignState foreign_state(const LoadedState& at) { return {at.state.z, at.state.zd, at.tau}; }
 
 /// An engine around a mechanism with accelerations, load and run.
 template <class Mechanism>
-cli::Engine engine_of(std::shared_ptr<Mechanism> mechanism) {
-  cli::Engine engine;
-  engine.accelerations = [mechanism](const cli::LoadedState& at, GenericDerivative& derivative) {
+Engine engine_of(std::shared_ptr<Mechanism> mechanism) {
+  Engine engine;
+  engine.accelerations = [mechanism](const LoadedState& at, GenericDerivative& derivative) {
     derivative.zdd = mechanism->accelerations(foreign_state(at));
     return Status{};
   };
-  engine.time_accelerations = [mechanism](const std::vector<cli::LoadedState>& at, int repetitions) {
+  engine.time_accelerations = [mechanism](const std::vector<LoadedState>& at, int repetitions) {
     if (repetitions == 0) {
       std::vector<ForeignState> states;
-      for (const cli::LoadedState& one : at) states.push_back(foreign_state(one));
+      for (const LoadedState& one : at) states.push_back(foreign_state(one));
       mechanism->load(states);
     }
     mechanism->run(repetitions);
@@ -62,10 +62,10 @@ Topology in_one_block(Topology topology) {
 
 Contestant mbgen_engine(const Compilation& compilation, const std::string& engine, const std::string& name,
                         const std::string& remark, int lanes = 0) {
-  cli::EngineChoice choice;
+  EngineChoice choice;
   choice.name = engine;
   choice.lanes = lanes;
-  return {engine, name, remark, "", true, cli::make_engine(compilation, choice)};
+  return {engine, name, remark, "", true, make_engine(compilation, choice)};
 }
 
 /// The generated solver, and that of the other form of the equations where there is one.
@@ -75,7 +75,7 @@ void add_generated(const Compilation& compilation, std::vector<Contestant>& all)
   all.push_back(mbgen_engine(compilation, "generated", "mbgen, generated, eight in lanes", "per instance", kLanes));
   all.back().key = "batch8";
   const Form rest = other_form(form);
-  const Compilation other = cli::expect(compile(compilation.model, {rest}));
+  const Compilation other = expect(compile(compilation.model, {rest}));
   if (other.programs.form == form) return;
   all.push_back(mbgen_engine(other, "generated", fmt::format("mbgen, generated, {}", name_of(rest)),
                              "the form with more operations"));

@@ -19,7 +19,7 @@ struct Contestant {
   std::string remark;  ///< "" when there is nothing to say
   std::string absent;  ///< why there is no engine; "" when there is one
   bool exact = true;   ///< solves the equations of motion, and not something near them
-  cli::Engine engine;  ///< name, accelerations and time_accelerations are set
+  Engine engine;       ///< name, accelerations and time_accelerations are set
 };
 
 /// Everybody, mbgen's generated solver first. Fails: UserError when the generated code cannot be compiled.

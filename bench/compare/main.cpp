@@ -19,7 +19,7 @@ struct Options {
   bool json = false, massless = false, no_code = false;
 };
 
-bool has_rods(const std::string& path) { return !cli::expect(read_model_file(path)).rods.empty(); }
+bool has_rods(const std::string& path) { return !expect(read_model_file(path)).rods.empty(); }
 
 int run(const Options& options) {
   std::vector<Comparison> comparisons;
@@ -29,14 +29,14 @@ int run(const Options& options) {
     settings.rods_are_massless = rods_are_massless;
     comparisons.push_back(compare_on(path, settings));
     agree = agree && comparisons.back().disagreeing.empty();
-    if (!options.json) cli::print(table_text(comparisons.back()) + "\n");
+    if (!options.json) print(table_text(comparisons.back()) + "\n");
   };
-  if (!options.json) cli::print(machine_text() + "\n\n");
+  if (!options.json) print(machine_text() + "\n\n");
   for (const std::string& path : options.models) {
     compare(path, false);
     if (options.massless && has_rods(path)) compare(path, true);
   }
-  if (options.json) cli::print(json_text(comparisons));
+  if (options.json) print(json_text(comparisons));
   return agree ? kDone : kDisagreement;
 }
 
@@ -64,7 +64,7 @@ int main_of(int argc, char** argv) {
     return run(options);
   } catch (const CLI::ParseError& error) {
     return application.exit(error) == 0 ? kDone : kUserFault;
-  } catch (const cli::UserError& error) {
+  } catch (const UserError& error) {
     fmt::print(stderr, "{}", error.what());
     return kUserFault;
   }

@@ -10,14 +10,14 @@ namespace {
 /// Time of the processor, not of the clock on the wall: other programs get their share between two of our instructions.
 double processor_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 
-double seconds_for(const Contestant& contestant, const std::vector<cli::LoadedState>& states, int repetitions) {
+double seconds_for(const Contestant& contestant, const std::vector<LoadedState>& states, int repetitions) {
   const double start = processor_seconds();
   contestant.engine.time_accelerations(states, repetitions);
   return processor_seconds() - start;
 }
 
 /// Repetitions that take about `seconds`; the contestant is warm after it.
-int repetitions_for(const Contestant& contestant, const std::vector<cli::LoadedState>& states, double seconds) {
+int repetitions_for(const Contestant& contestant, const std::vector<LoadedState>& states, double seconds) {
   contestant.engine.time_accelerations(states, 0);
   int repetitions = 1;
   for (double taken = 0; (taken = seconds_for(contestant, states, repetitions)) < seconds;) {
@@ -35,8 +35,8 @@ Spread spread_of(std::vector<double> values) {
 
 }  // namespace
 
-std::vector<Timing> time_in_turns(const std::vector<Contestant>& contestants,
-                                  const std::vector<cli::LoadedState>& states, int rounds, double seconds) {
+std::vector<Timing> time_in_turns(const std::vector<Contestant>& contestants, const std::vector<LoadedState>& states,
+                                  int rounds, double seconds) {
   std::vector<int> repetitions;
   for (const Contestant& c : contestants)
     repetitions.push_back(c.absent.empty() ? repetitions_for(c, states, seconds) : 0);

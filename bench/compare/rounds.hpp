@@ -20,7 +20,7 @@ struct Timing {
 
 /// Every round gives each contestant about `seconds` at the states, one after the other, after one unmeasured round.
 /// Result: per contestant; of those that are absent all zero. Requires: the first one is there.
-std::vector<Timing> time_in_turns(const std::vector<Contestant>& contestants,
-                                  const std::vector<cli::LoadedState>& states, int rounds, double seconds);
+std::vector<Timing> time_in_turns(const std::vector<Contestant>& contestants, const std::vector<LoadedState>& states,
+                                  int rounds, double seconds);
 
 }  // namespace mbgen::compare

@@ -9,7 +9,7 @@
 #include "compiler/base/number.hpp"
 #include "compiler/base/user_error.hpp"
 
-namespace mbgen::cli {
+namespace mbgen {
 namespace {
 
 [[noreturn]] void fail_unknown(const Model& model, const std::string& name) {
@@ -90,4 +90,4 @@ Model read_set_model(const std::string& path, const std::vector<std::string>& as
   return model;
 }
 
-}  // namespace mbgen::cli
+}  // namespace mbgen

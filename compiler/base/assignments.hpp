@@ -6,7 +6,7 @@
 
 #include "compiler/model/varied.hpp"
 
-namespace mbgen::cli {
+namespace mbgen {
 
 /// A line with the name that was probably meant, or "".
 std::string nearest_hint(const std::string& word, const std::vector<std::string>& candidates);
@@ -25,4 +25,4 @@ std::vector<VariedParameter> set_parameters(const Model& model, const std::vecto
 /// number, a name given twice, and as read_model_file.
 Model read_set_model(const std::string& path, const std::vector<std::string>& assignments);
 
-}  // namespace mbgen::cli
+}  // namespace mbgen

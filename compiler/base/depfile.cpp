@@ -4,7 +4,7 @@
 
 #include "compiler/base/user_error.hpp"
 
-namespace mbgen::cli {
+namespace mbgen {
 namespace {
 
 /// A path with what Make would read as its own escaped: blanks, the backslashes before them, # and $.
@@ -40,4 +40,4 @@ std::optional<AtomicFile> depfile_of(const std::string& path, const std::string&
   return file;
 }
 
-}  // namespace mbgen::cli
+}  // namespace mbgen

@@ -7,7 +7,7 @@
 
 #include "compiler/base/files.hpp"
 
-namespace mbgen::cli {
+namespace mbgen {
 
 /// The rule `output: inputs` in the syntax of Make, as compilers write it with -MD.
 /// Fails: UserError for the end of a line in a path, which Make cannot say.
@@ -17,4 +17,4 @@ std::string depfile_text(const std::string& output, const std::vector<std::strin
 std::optional<AtomicFile> depfile_of(const std::string& path, const std::string& output,
                                      const std::vector<std::string>& inputs);
 
-}  // namespace mbgen::cli
+}  // namespace mbgen

@@ -13,7 +13,7 @@
 #include "compiler/base/own_directory.hpp"
 #include "compiler/base/user_error.hpp"
 
-namespace mbgen::cli {
+namespace mbgen {
 namespace {
 
 constexpr std::size_t kReadPiece = 1 << 16;
@@ -190,4 +190,4 @@ std::string shown_name(const std::filesystem::path& result) {
   return is_standard_output(result) ? "standard output" : result.string();
 }
 
-}  // namespace mbgen::cli
+}  // namespace mbgen

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-namespace mbgen::cli {
+namespace mbgen {
 
 /// Content of a file. Fails: UserError when it cannot be read, or is larger than 1 GB.
 std::string read_text(const std::filesystem::path& path);
@@ -84,4 +84,4 @@ std::string shown_name(const std::filesystem::path& result);
 /// Writes a file whole. Fails: UserError.
 void write_file(const std::filesystem::path& path, std::string_view text);
 
-}  // namespace mbgen::cli
+}  // namespace mbgen

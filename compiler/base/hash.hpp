@@ -7,7 +7,7 @@
 #include <string>
 #include <string_view>
 
-namespace mbgen::cli {
+namespace mbgen {
 
 /// FNV-1a, 64 bits, over texts and their borders.
 class Hash {
@@ -24,4 +24,4 @@ class Hash {
   std::uint64_t value_ = 0xcbf29ce484222325u;
 };
 
-}  // namespace mbgen::cli
+}  // namespace mbgen

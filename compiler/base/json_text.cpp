@@ -2,10 +2,10 @@
 
 #include <nlohmann/json.hpp>
 
-namespace mbgen::cli {
+namespace mbgen {
 
 std::string json_text(const nlohmann::ordered_json& report) {
   return report.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
 }
 
-}  // namespace mbgen::cli
+}  // namespace mbgen

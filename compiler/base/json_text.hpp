@@ -4,9 +4,9 @@
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 
-namespace mbgen::cli {
+namespace mbgen {
 
 /// A report as it is printed, a line feed at its end. Bytes that are no UTF-8, as file names may hold, are replaced.
 std::string json_text(const nlohmann::ordered_json& report);
 
-}  // namespace mbgen::cli
+}  // namespace mbgen

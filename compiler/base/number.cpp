@@ -9,7 +9,7 @@
 
 #include "compiler/base/user_error.hpp"
 
-namespace mbgen::cli {
+namespace mbgen {
 
 double parse_number(const std::string& text, const std::string& what) {
   double value = 0;
@@ -34,4 +34,4 @@ double on_decimals(double value, int decimals) {
   return std::abs(decimal - value) <= rounding ? decimal : value;
 }
 
-}  // namespace mbgen::cli
+}  // namespace mbgen

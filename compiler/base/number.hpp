@@ -3,7 +3,7 @@
 
 #include <string>
 
-namespace mbgen::cli {
+namespace mbgen {
 
 /// A finite number. Fails: UserError with `what` in front.
 double parse_number(const std::string& text, const std::string& what);
@@ -14,4 +14,4 @@ int decimals_of(double value);
 /// The double of the decimal with so many digits that `value` is but for the rounding of a product; else `value`.
 double on_decimals(double value, int decimals);
 
-}  // namespace mbgen::cli
+}  // namespace mbgen

@@ -13,7 +13,7 @@
 
 #include "compiler/base/user_error.hpp"
 
-namespace mbgen::cli {
+namespace mbgen {
 namespace {
 
 namespace fs = std::filesystem;
@@ -156,4 +156,4 @@ fs::path temporary_parent() {
                               environment("TMPDIR").empty() ? "/tmp" : environment("TMPDIR"), problem.message()));
 }
 
-}  // namespace mbgen::cli
+}  // namespace mbgen

@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <string>
 
-namespace mbgen::cli {
+namespace mbgen {
 
 /// Why somebody else could put files into a directory or put another in its place; "" when nobody can but the user and
 /// the administrator. Every directory and symbolic link on the way from / has to belong to one of them; a directory
@@ -23,4 +23,4 @@ bool is_own_file(const std::filesystem::path& file);
 /// Where temporary directories are made: $TMPDIR, or /tmp. Fails: UserError when there is no such directory.
 std::filesystem::path temporary_parent();
 
-}  // namespace mbgen::cli
+}  // namespace mbgen

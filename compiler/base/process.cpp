@@ -13,7 +13,7 @@
 #include <sstream>
 #include <thread>
 
-namespace mbgen::cli {
+namespace mbgen {
 namespace {
 
 constexpr pid_t kNoProcess = -1;
@@ -134,4 +134,4 @@ std::vector<std::string> split_words(const std::string& line) {
   return words;
 }
 
-}  // namespace mbgen::cli
+}  // namespace mbgen

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace mbgen::cli {
+namespace mbgen {
 
 /// A program with its arguments; its output goes to the file `log`.
 struct Command {
@@ -34,4 +34,4 @@ std::vector<int> run_side_by_side(const std::vector<Command>& commands,
 /// The words of a command line, split at blanks.
 std::vector<std::string> split_words(const std::string& line);
 
-}  // namespace mbgen::cli
+}  // namespace mbgen

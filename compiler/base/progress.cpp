@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cstdio>
 
-namespace mbgen::cli {
+namespace mbgen {
 namespace {
 
 constexpr int kBarWidth = 40;
@@ -48,4 +48,4 @@ void Progress::show(long done) {
                          100 * part));
 }
 
-}  // namespace mbgen::cli
+}  // namespace mbgen

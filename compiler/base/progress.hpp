@@ -4,7 +4,7 @@
 #include <chrono>
 #include <string>
 
-namespace mbgen::cli {
+namespace mbgen {
 
 /// A line that is written over as things change, a few times a second. Silent in a pipe.
 class StatusLine {
@@ -40,4 +40,4 @@ class Progress {
   StatusLine line_;
 };
 
-}  // namespace mbgen::cli
+}  // namespace mbgen

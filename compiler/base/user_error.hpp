@@ -6,7 +6,7 @@
 
 #include "compiler/model/diagnostic.hpp"
 
-namespace mbgen::cli {
+namespace mbgen {
 
 /// The user's input, files or surroundings are at fault. The text is complete: lines for standard error.
 class UserError : public std::runtime_error {
@@ -32,4 +32,4 @@ Value expect(Result<Value> result) {
   return std::move(*result);
 }
 
-}  // namespace mbgen::cli
+}  // namespace mbgen

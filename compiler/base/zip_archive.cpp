@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <stdexcept>
 
-namespace mbgen::cli {
+namespace mbgen {
 namespace {
 
 // Source: APPNOTE.TXT of the zip format, sections 4.3.7, 4.3.12, 4.3.16; extra fields "UT" and "ux" of Info-ZIP.
@@ -59,4 +59,4 @@ std::string without_circumstances(std::string archive) {
   return archive;
 }
 
-}  // namespace mbgen::cli
+}  // namespace mbgen

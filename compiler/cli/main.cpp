@@ -80,10 +80,10 @@ int main(int argc, char** argv) {
   std::signal(SIGXFSZ, SIG_IGN);  // a file that grows too large is an error of its write, not the end of the process
   try {
     return run(argc, argv);
-  } catch (const UserError& error) {
+  } catch (const mbgen::UserError& error) {
     fmt::print(stderr, "{}", error.text(style_of_errors()));
     return kUserFault;
-  } catch (const Interrupted& interrupted) {
+  } catch (const mbgen::Interrupted& interrupted) {
     std::raise(interrupted.signal);
   } catch (const std::exception& error) {
     fmt::print(stderr, "mbgen: a defect of mbgen, please report it with the model: {}\n", error.what());

@@ -6,11 +6,13 @@
 
 #include "compiler/cli/command_line.hpp"
 
-namespace mbgen::cli {
-
+namespace mbgen {
 struct EngineArguments;
 struct SimulationArguments;
 struct StateArguments;
+}  // namespace mbgen
+
+namespace mbgen::cli {
 
 /// MODEL, the first argument of most commands.
 void add_model_argument(NamedCommand command, std::string& path);

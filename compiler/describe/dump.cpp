@@ -11,7 +11,7 @@
 #include "compiler/describe/dump_model.hpp"
 #include "compiler/describe/names.hpp"
 
-namespace mbgen::cli {
+namespace mbgen {
 namespace {
 
 std::string dump_bodies(const Topology& topology) {
@@ -132,4 +132,4 @@ std::string dump_stage(Model model, const std::string& stage, const StartOf& sta
   return dump_code(emit(compilation, options));
 }
 
-}  // namespace mbgen::cli
+}  // namespace mbgen

@@ -11,7 +11,7 @@
 #include "compiler/model/model.hpp"
 #include "compiler/solver/programs.hpp"
 
-namespace mbgen::cli {
+namespace mbgen {
 
 /// Names of the stages, in the order of the pipeline: those of the compiler, code, and passes, which lists the stages
 /// with operations and times.
@@ -25,4 +25,4 @@ using StartOf = std::function<std::optional<InitialState>(const Compilation&)>;
 std::string dump_stage(Model model, const std::string& stage, const StartOf& start, std::optional<Form> form = {},
                        EmitOptions options = {});
 
-}  // namespace mbgen::cli
+}  // namespace mbgen

@@ -5,7 +5,7 @@
 
 #include "compiler/describe/names.hpp"
 
-namespace mbgen::cli {
+namespace mbgen {
 namespace {
 
 /// Prints the elements of one model; the model gives the names behind indices.
@@ -192,4 +192,4 @@ std::string dump_model(const Model& model) {
   return text;
 }
 
-}  // namespace mbgen::cli
+}  // namespace mbgen

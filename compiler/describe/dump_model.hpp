@@ -5,9 +5,9 @@
 
 #include "compiler/model/model.hpp"
 
-namespace mbgen::cli {
+namespace mbgen {
 
 /// Every element of the model with its numbers; expressions as they were written.
 std::string dump_model(const Model& model);
 
-}  // namespace mbgen::cli
+}  // namespace mbgen

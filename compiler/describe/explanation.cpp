@@ -12,7 +12,7 @@
 #include "compiler/describe/names.hpp"
 #include "compiler/describe/notes.hpp"
 
-namespace mbgen::cli {
+namespace mbgen {
 namespace {
 
 constexpr std::size_t kExplanationWidth = 100;
@@ -275,4 +275,4 @@ std::string explanation_text(const Compilation& compilation) {
          notes_explanation(all_notes(compilation));
 }
 
-}  // namespace mbgen::cli
+}  // namespace mbgen

@@ -5,9 +5,9 @@
 
 #include "compiler/compile.hpp"
 
-namespace mbgen::cli {
+namespace mbgen {
 
 /// Tree, cuts and their reasons, loop blocks, redundant equations and their reasons, freedoms, operations by part.
 std::string explanation_text(const Compilation& compilation);
 
-}  // namespace mbgen::cli
+}  // namespace mbgen

@@ -2,7 +2,7 @@
 
 #include <numeric>
 
-namespace mbgen::cli {
+namespace mbgen {
 
 const char* name_of(SolverSettings::Integrator integrator) {
   return integrator == SolverSettings::Integrator::rk4 ? "rk4" : "abm4";
@@ -35,4 +35,4 @@ std::vector<std::string> local_names(const Topology& topology, const LoopBlock& 
   return names;
 }
 
-}  // namespace mbgen::cli
+}  // namespace mbgen

@@ -9,7 +9,7 @@
 #include "compiler/trace/trace.hpp"
 #include "runtime/cartesian/cartesian.hpp"
 
-namespace mbgen::cli {
+namespace mbgen {
 
 const char* name_of(SolverSettings::Integrator integrator);
 const char* name_of(Stabilisation stabilisation);
@@ -26,4 +26,4 @@ std::vector<std::string> coordinate_names(const Topology& topology);
 /// Names of the coordinates of these local columns of a block.
 std::vector<std::string> local_names(const Topology& topology, const LoopBlock& block, const std::vector<int>& columns);
 
-}  // namespace mbgen::cli
+}  // namespace mbgen

@@ -7,7 +7,7 @@
 #include "compiler/analysis/notes.hpp"
 #include "compiler/analysis/unheld.hpp"
 
-namespace mbgen::cli {
+namespace mbgen {
 
 Diagnostics all_notes(const Compilation& compilation) {
   Diagnostics notes = compilation.model.notes;
@@ -53,4 +53,4 @@ nlohmann::ordered_json diagnostics_json(const Diagnostics& diagnostics) {
   return list;
 }
 
-}  // namespace mbgen::cli
+}  // namespace mbgen

@@ -7,7 +7,7 @@
 #include "compiler/compile.hpp"
 #include "compiler/model/diagnostic.hpp"
 
-namespace mbgen::cli {
+namespace mbgen {
 
 /// What the files of a model say and it does not use, what its loops lock, in which modes it is not, and what nothing
 /// holds.
@@ -25,4 +25,4 @@ void count_notes(const Compilation& compilation);
 /// Problems or notes as machines read them, an array.
 nlohmann::ordered_json diagnostics_json(const Diagnostics& diagnostics);
 
-}  // namespace mbgen::cli
+}  // namespace mbgen

@@ -5,7 +5,7 @@
 #include "compiler/describe/names.hpp"
 #include "compiler/describe/notes.hpp"
 
-namespace mbgen::cli {
+namespace mbgen {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -161,4 +161,4 @@ Json make_report(const Compilation& compilation, const Counts& counts) {
   return report;
 }
 
-}  // namespace mbgen::cli
+}  // namespace mbgen

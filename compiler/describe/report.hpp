@@ -7,7 +7,7 @@
 
 #include "compiler/compile.hpp"
 
-namespace mbgen::cli {
+namespace mbgen {
 
 /// Operations of the accelerations: of each form, and the savings of decisions.
 struct Counts {
@@ -28,4 +28,4 @@ std::string redundancy_text(const nlohmann::ordered_json& report);
 /// The whole report as tables for people.
 std::string report_text(const nlohmann::ordered_json& report);
 
-}  // namespace mbgen::cli
+}  // namespace mbgen

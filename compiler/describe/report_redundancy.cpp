@@ -7,7 +7,7 @@
 
 #include "compiler/describe/report.hpp"
 
-namespace mbgen::cli {
+namespace mbgen {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -90,4 +90,4 @@ std::string redundancy_text(const Json& report) {
   return text;
 }
 
-}  // namespace mbgen::cli
+}  // namespace mbgen

@@ -7,7 +7,7 @@
 #include "compiler/describe/report.hpp"
 #include "compiler/emit/cost_sheet.hpp"
 
-namespace mbgen::cli {
+namespace mbgen {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -123,4 +123,4 @@ std::string report_text(const Json& report) {
          path_matrix_text(report) + operations_text(report);
 }
 
-}  // namespace mbgen::cli
+}  // namespace mbgen

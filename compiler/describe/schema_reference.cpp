@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <vector>
 
-namespace mbgen::cli {
+namespace mbgen {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -113,4 +113,4 @@ std::string schema_reference(const Json& schema) {
   return text;
 }
 
-}  // namespace mbgen::cli
+}  // namespace mbgen

@@ -4,10 +4,10 @@
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 
-namespace mbgen::cli {
+namespace mbgen {
 
 /// Every object of the schema as a section in Markdown, its fields as a table: type of the value, whether it is
 /// required, and its meaning.
 std::string schema_reference(const nlohmann::ordered_json& schema);
 
-}  // namespace mbgen::cli
+}  // namespace mbgen

@@ -5,7 +5,7 @@
 
 #include "compiler/engines/engine.hpp"
 
-namespace mbgen::cli {
+namespace mbgen {
 namespace {
 
 struct Judge {
@@ -70,4 +70,4 @@ Engine make_cartesian_engine(const Compilation& compilation, const EngineChoice&
   return engine;
 }
 
-}  // namespace mbgen::cli
+}  // namespace mbgen

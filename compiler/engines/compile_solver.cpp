@@ -13,7 +13,7 @@
 #include "compiler/base/user_error.hpp"
 #include "compiler/engines/host_compiler.hpp"
 
-namespace mbgen::cli {
+namespace mbgen {
 namespace {
 
 namespace fs = std::filesystem;
@@ -106,4 +106,4 @@ std::shared_ptr<const SolverTable> load_solver(const Compilation& compilation, c
   return solver;
 }
 
-}  // namespace mbgen::cli
+}  // namespace mbgen

@@ -11,7 +11,7 @@
 #include "compiler/engines/engine.hpp"
 #include "mbgen/driver.hpp"
 
-namespace mbgen::cli {
+namespace mbgen {
 
 /// Emits the solver and its driver, compiles them with $CXX (or c++) for this processor and loads the result.
 /// choice: its use, its lanes, and use_cache: look for the object under ${XDG_CACHE_HOME:-~/.cache}/mbgen first, and
@@ -26,4 +26,4 @@ std::shared_ptr<const SolverTable> load_solver(const Compilation& compilation, c
 Engine make_generated_engine(const std::shared_ptr<const SolverTable>& solver, const Compilation& compilation,
                              const EngineChoice& choice);
 
-}  // namespace mbgen::cli
+}  // namespace mbgen

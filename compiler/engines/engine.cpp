@@ -9,7 +9,7 @@
 #include "compiler/base/user_error.hpp"
 #include "compiler/describe/names.hpp"
 
-namespace mbgen::cli {
+namespace mbgen {
 namespace {
 
 template <CartesianMethod method>
@@ -104,4 +104,4 @@ std::string describe(const Compilation& compilation, Status status) {
   return is_named ? fmt::format("{}: {}", text(status.code), names[status.index]) : text(status.code);
 }
 
-}  // namespace mbgen::cli
+}  // namespace mbgen

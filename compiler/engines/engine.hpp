@@ -13,7 +13,7 @@
 #include "runtime/cartesian/cartesian.hpp"
 #include "runtime/generic/generic.hpp"
 
-namespace mbgen::cli {
+namespace mbgen {
 
 /// A state and the joint forces that act in it.
 struct LoadedState {
@@ -108,4 +108,4 @@ Engine make_cartesian_engine(const Compilation& compilation, const EngineChoice&
 /// Words for a status, with the names of its loops or coordinates: "loop not closed: rod_left, tip".
 std::string describe(const Compilation& compilation, Status status);
 
-}  // namespace mbgen::cli
+}  // namespace mbgen

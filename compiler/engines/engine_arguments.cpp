@@ -9,7 +9,7 @@
 
 #include "compiler/base/user_error.hpp"
 
-namespace mbgen::cli {
+namespace mbgen {
 namespace {
 
 /// An option whose value is one of a few words.
@@ -77,4 +77,4 @@ EngineChoice chosen_engine(const EngineArguments& arguments) {
   return choice;
 }
 
-}  // namespace mbgen::cli
+}  // namespace mbgen

@@ -7,7 +7,7 @@
 
 #include "compiler/engines/engine.hpp"
 
-namespace mbgen::cli {
+namespace mbgen {
 
 /// The form that was typed, none for "". Fails: UserError for a form that there is not.
 std::optional<Form> chosen_form(const std::string& typed);
@@ -23,4 +23,4 @@ struct EngineArguments {
 /// unknown, or that the engine does not let one choose, and for QR without Eigen.
 EngineChoice chosen_engine(const EngineArguments& arguments);
 
-}  // namespace mbgen::cli
+}  // namespace mbgen

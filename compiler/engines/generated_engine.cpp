@@ -7,7 +7,7 @@
 #include "compiler/engines/compile_solver.hpp"
 #include "compiler/engines/engine.hpp"
 
-namespace mbgen::cli {
+namespace mbgen {
 namespace {
 
 /// A loaded solver with its parameters and the memory that its calls work on.
@@ -236,4 +236,4 @@ Engine make_generated_engine(const std::shared_ptr<const SolverTable>& table, co
   return engine;
 }
 
-}  // namespace mbgen::cli
+}  // namespace mbgen

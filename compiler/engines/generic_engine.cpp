@@ -9,7 +9,7 @@
 #include "compiler/model/inputs.hpp"
 #include "mbgen/integrators.hpp"
 
-namespace mbgen::cli {
+namespace mbgen {
 namespace {
 
 /// What the integrators ask of a system.
@@ -142,4 +142,4 @@ Engine make_generic_engine(const Compilation& compilation, const EngineChoice& c
   return engine;
 }
 
-}  // namespace mbgen::cli
+}  // namespace mbgen

@@ -12,7 +12,7 @@
 #include "compiler/base/user_error.hpp"
 #include "compiler/emit/emit.hpp"
 
-namespace mbgen::cli {
+namespace mbgen {
 namespace {
 
 constexpr std::size_t kMessageTail = 2000;  // characters of the compiler's messages that a person still reads
@@ -112,4 +112,4 @@ std::vector<std::string> compile_sources(const HostCompiler& compiler,
   return names;
 }
 
-}  // namespace mbgen::cli
+}  // namespace mbgen

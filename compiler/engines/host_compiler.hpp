@@ -7,7 +7,7 @@
 
 #include "compiler/base/process.hpp"
 
-namespace mbgen::cli {
+namespace mbgen {
 
 struct HostCompiler {
   std::vector<std::string> words;       ///< of $CXX
@@ -55,4 +55,4 @@ std::vector<std::string> compile_sources(const HostCompiler& compiler,
                                          const std::vector<Source>& sources, const std::filesystem::path& objects,
                                          const std::string& product);
 
-}  // namespace mbgen::cli
+}  // namespace mbgen

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-namespace mbgen::cli {
+namespace mbgen {
 namespace {
 
 /// The last piece holds on for this part of it: a clock that adds up steps rounds.
@@ -190,4 +190,4 @@ CourseRange range_of(const Course& course) {
   return range;
 }
 
-}  // namespace mbgen::cli
+}  // namespace mbgen

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-namespace mbgen::cli {
+namespace mbgen {
 
 /// Piece k holds from times[k] to times[k + 1], the last one without end or until `end`; coefficients are those of
 /// powers of the time since its start, the constant first. Outside the value stands still.
@@ -53,4 +53,4 @@ struct CourseRange {
 /// By samples between the points, kSamples a piece: an extremum is found to about 1e-3 of the rise of the piece.
 CourseRange range_of(const Course& course);
 
-}  // namespace mbgen::cli
+}  // namespace mbgen

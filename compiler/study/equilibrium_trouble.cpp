@@ -11,7 +11,7 @@
 #include "compiler/model/evaluate.hpp"
 #include "mbgen/pac2002.hpp"
 
-namespace mbgen::cli {
+namespace mbgen {
 namespace {
 
 constexpr double kLargestRadius = 5;    // m, of a tyre of any vehicle
@@ -180,4 +180,4 @@ void fail_equilibrium(const Compilation& compilation, const std::vector<double>&
       {{compilation.model.file, 0, 0, ""}, message, fmt::format("{}", fmt::join(causes, "\n  hint: ")), ""}});
 }
 
-}  // namespace mbgen::cli
+}  // namespace mbgen

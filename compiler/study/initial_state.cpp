@@ -12,7 +12,7 @@
 #include "compiler/study/equilibrium_trouble.hpp"
 #include "compiler/study/loop_openings.hpp"
 
-namespace mbgen::cli {
+namespace mbgen {
 namespace {
 
 /// A value counts as kept when the closures moved it less than this (rad, m or per second, relative above 1).
@@ -228,4 +228,4 @@ std::optional<InitialState> known_start(const Compilation& compilation) {
   }
 }
 
-}  // namespace mbgen::cli
+}  // namespace mbgen

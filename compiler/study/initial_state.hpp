@@ -9,7 +9,7 @@
 #include "compiler/compile.hpp"
 #include "runtime/generic/generic.hpp"
 
-namespace mbgen::cli {
+namespace mbgen {
 
 /// All coordinates zero, at rest, t = 0: the reference configuration, driven coordinates not yet at their motions.
 GenericState reference_state(const Compilation& compilation);
@@ -59,4 +59,4 @@ InitialState default_initial_state(const Compilation& compilation);
 /// The same for a solver that goes without where the model has no start; a note on standard error says so.
 std::optional<InitialState> known_start(const Compilation& compilation);
 
-}  // namespace mbgen::cli
+}  // namespace mbgen

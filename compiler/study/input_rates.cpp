@@ -7,7 +7,7 @@
 
 #include "compiler/base/user_error.hpp"
 
-namespace mbgen::cli {
+namespace mbgen {
 namespace {
 
 /// Between two rows, of the largest rate: the trapezoidal rule is off by 0.19 at four rows a period of a sine.
@@ -64,4 +64,4 @@ void check_rates(const Model& model, const InputTable& table, const InputColumn&
                   unit_or_one(input.unit), rate.name, input.name));
 }
 
-}  // namespace mbgen::cli
+}  // namespace mbgen

@@ -3,7 +3,7 @@
 
 #include "compiler/study/input_table.hpp"
 
-namespace mbgen::cli {
+namespace mbgen {
 
 /// Compares a column with that of its derivative, where the table has one: what the rates add up to between rows, by
 /// the trapezoidal rule, with what the values change by. Rows of a smooth motion agree from four rows a period on; so
@@ -11,4 +11,4 @@ namespace mbgen::cli {
 /// both names and both numbers.
 void check_rates(const Model& model, const InputTable& table, const InputColumn& column);
 
-}  // namespace mbgen::cli
+}  // namespace mbgen

@@ -11,7 +11,7 @@
 #include "compiler/base/user_error.hpp"
 #include "compiler/results/results.hpp"
 
-namespace mbgen::cli {
+namespace mbgen {
 namespace {
 
 /// A line of the file, for messages.
@@ -122,4 +122,4 @@ InputTable parse_input_table(const std::string& text, const std::string& path, c
   return table;
 }
 
-}  // namespace mbgen::cli
+}  // namespace mbgen

@@ -6,7 +6,7 @@
 
 #include "compiler/model/model.hpp"
 
-namespace mbgen::cli {
+namespace mbgen {
 
 struct InputColumn {
   int input = -1;              ///< index into Model::inputs
@@ -36,4 +36,4 @@ InputTable read_input_table(const std::string& path, const Model& model);
 /// The same from the file's text; path: as messages name it.
 InputTable parse_input_table(const std::string& text, const std::string& path, const Model& model);
 
-}  // namespace mbgen::cli
+}  // namespace mbgen

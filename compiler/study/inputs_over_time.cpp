@@ -9,7 +9,7 @@
 #include "compiler/study/input_rates.hpp"
 #include "compiler/study/input_table.hpp"
 
-namespace mbgen::cli {
+namespace mbgen {
 namespace {
 
 /// Who gives an input its values: nobody (its default), the command line, a column, or the derivative of a column.
@@ -185,4 +185,4 @@ InputsOverTime inputs_over_time(const Model& model, const std::vector<std::strin
   return result;
 }
 
-}  // namespace mbgen::cli
+}  // namespace mbgen

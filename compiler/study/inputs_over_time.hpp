@@ -7,7 +7,7 @@
 #include "compiler/model/model.hpp"
 #include "compiler/study/course.hpp"
 
-namespace mbgen::cli {
+namespace mbgen {
 
 /// How a column runs between its rows.
 enum class Interpolation {
@@ -45,4 +45,4 @@ struct InputsOverTime {
 InputsOverTime inputs_over_time(const Model& model, const std::vector<std::string>& assignments,
                                 const std::string& table, Interpolation interpolation);
 
-}  // namespace mbgen::cli
+}  // namespace mbgen

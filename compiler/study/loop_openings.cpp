@@ -9,14 +9,14 @@
 #include "compiler/analysis/equations.hpp"
 #include "compiler/base/user_error.hpp"
 
-namespace mbgen::cli {
+namespace mbgen {
 namespace {
 
-constexpr double kClosed = 1e-9;  // m or 1
+constexpr double kShownGap = 1e-9;  // m or 1; a smaller gap is rounding
 constexpr std::size_t kMostLoops = 3;
 
-/// What is between the two sides of a loop.
-struct Opening {
+/// The distance and the angle between the two sides of a loop.
+struct LoopGap {
   int loop = 0;
   double distance = 0;  ///< m
   double angle = 0;     ///< sine of it
@@ -24,9 +24,9 @@ struct Opening {
 };
 
 /// residuals: of all loops, in their order. Result: the same for every loop.
-std::vector<Opening> openings(const Compilation& compilation, const std::vector<double>& residuals) {
+std::vector<LoopGap> loop_gaps(const Compilation& compilation, const std::vector<double>& residuals) {
   const Topology& topology = compilation.topology;
-  std::vector<Opening> result;
+  std::vector<LoopGap> result;
   std::vector<std::size_t> row;
   std::size_t next = 0;
   for (std::size_t l = 0; l < topology.loops.size(); ++l) {
@@ -44,21 +44,21 @@ std::vector<Opening> openings(const Compilation& compilation, const std::vector<
   return result;
 }
 
-std::vector<Opening> widest_first(std::vector<Opening> all) {
-  std::erase_if(all, [](const Opening& opening) { return !(opening.size() > kClosed); });
-  std::stable_sort(all.begin(), all.end(), [](const Opening& a, const Opening& b) { return a.size() > b.size(); });
+std::vector<LoopGap> widest_first(std::vector<LoopGap> all) {
+  std::erase_if(all, [](const LoopGap& gap) { return !(gap.size() > kShownGap); });
+  std::stable_sort(all.begin(), all.end(), [](const LoopGap& a, const LoopGap& b) { return a.size() > b.size(); });
   if (all.size() > kMostLoops) all.resize(kMostLoops);
   return all;
 }
 
 /// `loop "a" stays open by 2 mm, loop "b" by 1 mm and 3 deg`.
-std::string openings_text(const Compilation& compilation, const std::vector<Opening>& all) {
+std::string gaps_text(const Compilation& compilation, const std::vector<LoopGap>& all) {
   std::vector<std::string> texts;
-  for (const Opening& opening : all) {
+  for (const LoopGap& gap : all) {
     std::vector<std::string> sizes;
-    if (opening.distance > kClosed) sizes.push_back(opening_text(ResidualUnit::metre, opening.distance));
-    if (opening.angle > kClosed) sizes.push_back(opening_text(ResidualUnit::one, opening.angle));
-    texts.push_back(fmt::format("loop {} {}by {}", quoted(compilation.topology.loops[opening.loop].name),
+    if (gap.distance > kShownGap) sizes.push_back(opening_text(ResidualUnit::metre, gap.distance));
+    if (gap.angle > kShownGap) sizes.push_back(opening_text(ResidualUnit::one, gap.angle));
+    texts.push_back(fmt::format("loop {} {}by {}", quoted(compilation.topology.loops[gap.loop].name),
                                 texts.empty() ? "stays open " : "", fmt::join(sizes, " and ")));
   }
   return fmt::format("{}", fmt::join(texts, ", "));
@@ -87,12 +87,12 @@ std::string openings_text(const Compilation& compilation, const std::vector<Open
 }  // namespace
 
 void refuse_open_positions(const Compilation& compilation, const GenericSolver& solver, const GenericState& state) {
-  const std::vector<Opening> all = openings(compilation, solver.position_residuals(state));
-  refuse(compilation, compilation.model.initial.positions, "positions", openings_text(compilation, widest_first(all)));
+  const std::vector<LoopGap> all = loop_gaps(compilation, solver.position_residuals(state));
+  refuse(compilation, compilation.model.initial.positions, "positions", gaps_text(compilation, widest_first(all)));
 }
 
 void refuse_open_velocities(const Compilation& compilation) {
   refuse(compilation, compilation.model.initial.velocities, "velocities", "the loops do not close at them");
 }
 
-}  // namespace mbgen::cli
+}  // namespace mbgen

@@ -4,7 +4,7 @@
 #include "compiler/compile.hpp"
 #include "runtime/generic/generic.hpp"
 
-namespace mbgen::cli {
+namespace mbgen {
 
 /// Says which loops stay open by how many millimetres or degrees at the positions of `state`, the nearest that the
 /// locked and driven coordinates allow. Fails: always, UserError.
@@ -14,4 +14,4 @@ namespace mbgen::cli {
 /// Says that the locked and driven velocities contradict the closures. Fails: always, UserError.
 [[noreturn]] void refuse_open_velocities(const Compilation& compilation);
 
-}  // namespace mbgen::cli
+}  // namespace mbgen

@@ -8,7 +8,7 @@
 #include "compiler/base/user_error.hpp"
 #include "compiler/study/simulation_text.hpp"
 
-namespace mbgen::cli {
+namespace mbgen {
 namespace {
 
 /// The header of a CSV file, with a line end.
@@ -81,4 +81,4 @@ void MotionTable::write(const Sample& sample) {
   ++rows_;
 }
 
-}  // namespace mbgen::cli
+}  // namespace mbgen

@@ -8,7 +8,7 @@
 #include "compiler/results/results.hpp"
 #include "compiler/study/simulation.hpp"
 
-namespace mbgen::cli {
+namespace mbgen {
 
 enum class TableFormat { csv, mat };
 
@@ -43,4 +43,4 @@ class MotionTable {
   Sample last_;
 };
 
-}  // namespace mbgen::cli
+}  // namespace mbgen

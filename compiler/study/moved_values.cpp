@@ -9,7 +9,7 @@
 #include "compiler/describe/notes.hpp"
 #include "compiler/study/initial_state.hpp"
 
-namespace mbgen::cli {
+namespace mbgen {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -63,4 +63,4 @@ GenericState noted_initial_state(const Compilation& compilation, const std::vect
   return std::move(start.state);
 }
 
-}  // namespace mbgen::cli
+}  // namespace mbgen

@@ -14,7 +14,7 @@
 #include "compiler/study/result_file.hpp"
 #include "compiler/study/states_file.hpp"
 
-namespace mbgen::cli {
+namespace mbgen {
 namespace {
 
 /// A state of a file, made consistent.
@@ -141,4 +141,4 @@ ChosenPoint operating_point(const Compilation& compilation, const StateArguments
   return {steady.point, steady};
 }
 
-}  // namespace mbgen::cli
+}  // namespace mbgen

@@ -9,7 +9,7 @@
 #include "compiler/study/steady_motion.hpp"
 #include "runtime/generic/generic.hpp"
 
-namespace mbgen::cli {
+namespace mbgen {
 
 /// A state as typed.
 struct StateArguments {
@@ -32,4 +32,4 @@ ChosenPoint operating_point(const Compilation& compilation, const StateArguments
 /// The static equilibrium near the model's initial state, at these inputs. Fails: UserError when there is none.
 GenericState equilibrium_state(const Compilation& compilation, const std::vector<double>& inputs);
 
-}  // namespace mbgen::cli
+}  // namespace mbgen

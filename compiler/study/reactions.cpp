@@ -7,7 +7,7 @@
 
 #include "compiler/base/user_error.hpp"
 
-namespace mbgen::cli {
+namespace mbgen {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -81,4 +81,4 @@ Json reactions_json(const Model& model, const std::vector<std::array<double, kCo
   return result;
 }
 
-}  // namespace mbgen::cli
+}  // namespace mbgen

@@ -8,7 +8,7 @@
 
 #include "compiler/engines/engine.hpp"
 
-namespace mbgen::cli {
+namespace mbgen {
 
 /// Appends an output for each component of the action of every joint, then every rod, on its `to` body: force, then
 /// moment about the joint's point on that body, global axes.
@@ -21,4 +21,4 @@ void use_reaction_outputs(Engine& engine, const Model& model);
 /// finite. Fails: UserError when a joint and a rod have the same name.
 nlohmann::ordered_json reactions_json(const Model& model, const std::vector<std::array<double, 6>>& wrenches);
 
-}  // namespace mbgen::cli
+}  // namespace mbgen

@@ -1,6 +1,6 @@
 #include "compiler/study/initial_state.hpp"
 
-namespace mbgen::cli {
+namespace mbgen {
 
 GenericState reference_state(const Compilation& compilation) {
   GenericState state;
@@ -10,4 +10,4 @@ GenericState reference_state(const Compilation& compilation) {
   return state;
 }
 
-}  // namespace mbgen::cli
+}  // namespace mbgen

@@ -8,7 +8,7 @@
 #include "compiler/base/user_error.hpp"
 #include "compiler/study/motion_table.hpp"
 
-namespace mbgen::cli {
+namespace mbgen {
 namespace {
 
 /// Whether a text is what a pattern stands for, * being any letters.
@@ -70,4 +70,4 @@ std::vector<int> find_columns(const Results& results, const std::string& names, 
   return found;
 }
 
-}  // namespace mbgen::cli
+}  // namespace mbgen

@@ -6,7 +6,7 @@
 
 #include "compiler/results/results.hpp"
 
-namespace mbgen::cli {
+namespace mbgen {
 
 /// The table of a file that `simulate` wrote. A CSV table's run is read from the file beside it when that is there.
 /// Fails: UserError, as read_results.
@@ -20,4 +20,4 @@ Results read_result_or_sweep(const std::string& path);
 std::vector<int> find_columns(const Results& results, const std::string& names, const std::string& path,
                               const std::string& option = "--columns");
 
-}  // namespace mbgen::cli
+}  // namespace mbgen

@@ -7,7 +7,7 @@
 
 #include "mbgen/step_time.hpp"
 
-namespace mbgen::cli {
+namespace mbgen {
 namespace {
 
 using Clock = std::chrono::steady_clock;
@@ -228,4 +228,4 @@ SimulationSummary simulate(const Engine& engine, const GenericState& state, cons
   return summary;
 }
 
-}  // namespace mbgen::cli
+}  // namespace mbgen

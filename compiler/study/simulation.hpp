@@ -7,7 +7,7 @@
 #include "compiler/engines/engine.hpp"
 #include "compiler/study/inputs_over_time.hpp"
 
-namespace mbgen::cli {
+namespace mbgen {
 
 struct SimulationSettings {
   long steps = 0;
@@ -74,4 +74,4 @@ struct SimulationSummary {
 SimulationSummary simulate(const Engine& engine, const GenericState& state, const InputsOverTime& inputs,
                            const SimulationSettings& settings, const std::function<void(const Sample&)>& on_sample);
 
-}  // namespace mbgen::cli
+}  // namespace mbgen

@@ -8,7 +8,7 @@
 #include "compiler/base/user_error.hpp"
 #include "mbgen/step_time.hpp"
 
-namespace mbgen::cli {
+namespace mbgen {
 namespace {
 
 constexpr double kMostSteps = 1e12;
@@ -62,4 +62,4 @@ SimulationSettings settings_of(const SimulationArguments& arguments, const Solve
   return {static_cast<long>(steps), duration / steps};
 }
 
-}  // namespace mbgen::cli
+}  // namespace mbgen

@@ -6,7 +6,7 @@
 
 #include "compiler/study/simulation.hpp"
 
-namespace mbgen::cli {
+namespace mbgen {
 
 struct SimulationArguments {
   std::optional<double> duration, step;                ///< s
@@ -25,4 +25,4 @@ SimulationSettings settings_of(const SimulationArguments& arguments, const Solve
 SolverSettings::Integrator integrator_of(const std::string& name, SolverSettings::Integrator of_model,
                                          const std::string& engine);
 
-}  // namespace mbgen::cli
+}  // namespace mbgen

@@ -13,7 +13,7 @@
 #include "compiler/describe/names.hpp"
 #include "compiler/study/input_table.hpp"
 
-namespace mbgen::cli {
+namespace mbgen {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -211,4 +211,4 @@ std::string run_json(const SimulationRecord& record) {
   return json_text(run);
 }
 
-}  // namespace mbgen::cli
+}  // namespace mbgen

@@ -9,7 +9,7 @@
 #include "compiler/study/simulation.hpp"
 #include "compiler/study/step_watch.hpp"
 
-namespace mbgen::cli {
+namespace mbgen {
 
 /// Names and units of all columns: t, coordinates, velocities, slips of tyres, outputs, residual.
 std::vector<Heading> headings(const Compilation& compilation);
@@ -42,4 +42,4 @@ std::string summary_json(const SimulationRecord& record);
 /// hash, and the summary without what changes from run to run.
 std::string run_json(const SimulationRecord& record);
 
-}  // namespace mbgen::cli
+}  // namespace mbgen

@@ -10,7 +10,7 @@
 #include "compiler/describe/notes.hpp"
 #include "compiler/study/initial_state.hpp"
 
-namespace mbgen::cli {
+namespace mbgen {
 namespace {
 
 using Eigen::Vector3d;
@@ -104,4 +104,4 @@ Diagnostics sliding_notes(const Compilation& compilation, const GenericState& st
        ""}};
 }
 
-}  // namespace mbgen::cli
+}  // namespace mbgen

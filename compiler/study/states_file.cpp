@@ -12,13 +12,13 @@
 #include "compiler/describe/names.hpp"
 #include "compiler/study/initial_state.hpp"
 
-namespace mbgen::cli {
+namespace mbgen {
 namespace {
 
 using UnorderedJson = nlohmann::json;
 
 /// A value of the file and the way to it, for messages.
-struct Place {
+struct Entry {
   const UnorderedJson& value;
   std::string path;  ///< file and JSON pointer
 };
@@ -38,26 +38,26 @@ UnorderedJson parse(const std::string& text, const std::string& path) {
 }
 
 /// A number; null is one that is not finite, as writers of JSON put it.
-double read_number(const Place& place) {
-  if (place.value.is_null()) return std::numeric_limits<double>::quiet_NaN();
-  if (!place.value.is_number()) fail(place.path, fmt::format("must be a number, found {}", place.value.type_name()));
-  return place.value.get<double>();
+double read_number(const Entry& entry) {
+  if (entry.value.is_null()) return std::numeric_limits<double>::quiet_NaN();
+  if (!entry.value.is_number()) fail(entry.path, fmt::format("must be a number, found {}", entry.value.type_name()));
+  return entry.value.get<double>();
 }
 
-std::vector<double> read_numbers(const Place& place, std::size_t size) {
-  if (!place.value.is_array()) fail(place.path, fmt::format("must be an array, found {}", place.value.type_name()));
-  if (place.value.size() != size) {
-    fail(place.path, fmt::format("must have {} numbers, found {}", size, place.value.size()));
+std::vector<double> read_numbers(const Entry& entry, std::size_t size) {
+  if (!entry.value.is_array()) fail(entry.path, fmt::format("must be an array, found {}", entry.value.type_name()));
+  if (entry.value.size() != size) {
+    fail(entry.path, fmt::format("must have {} numbers, found {}", size, entry.value.size()));
   }
   std::vector<double> numbers;
   for (std::size_t i = 0; i < size; ++i) {
-    numbers.push_back(read_number({place.value[i], fmt::format("{}/{}", place.path, i)}));
+    numbers.push_back(read_number({entry.value[i], fmt::format("{}/{}", entry.path, i)}));
   }
   return numbers;
 }
 
 /// Numbers of a field, in the order of the model; empty when the field is missing.
-std::vector<double> read_coordinates(const Place& state, const char* field, const StatesFile& file) {
+std::vector<double> read_coordinates(const Entry& state, const char* field, const StatesFile& file) {
   const auto found = state.value.find(field);
   if (found == state.value.end()) return {};
   const std::vector<double> numbers = read_numbers({*found, state.path + "/" + field}, file.coordinate.size());
@@ -77,13 +77,13 @@ std::string unknown_name(const char* what, const std::string& name, const std::v
   return fmt::format("the model has no {} \"{}\"{}{}", what, name, hint.empty() ? "" : "; ", hint);
 }
 
-void read_order(const Place& place, const Topology& topology, StatesFile& file) {
-  if (!place.value.is_array()) fail(place.path, "must be an array of coordinate names");
+void read_order(const Entry& entry, const Topology& topology, StatesFile& file) {
+  if (!entry.value.is_array()) fail(entry.path, "must be an array of coordinate names");
   std::vector<bool> taken(static_cast<std::size_t>(topology.size()), false);
-  for (std::size_t i = 0; i < place.value.size(); ++i) {
-    const std::string path = fmt::format("{}/{}", place.path, i);
-    if (!place.value[i].is_string()) fail(path, "must be the name of a coordinate");
-    const std::string name = place.value[i].get<std::string>();
+  for (std::size_t i = 0; i < entry.value.size(); ++i) {
+    const std::string path = fmt::format("{}/{}", entry.path, i);
+    if (!entry.value[i].is_string()) fail(path, "must be the name of a coordinate");
+    const std::string name = entry.value[i].get<std::string>();
     const int coordinate = find_coordinate(topology, name);
     if (coordinate < 0) fail(path, unknown_name("coordinate", name, coordinate_names(topology)));
     if (taken[coordinate]) fail(path, fmt::format("coordinate \"{}\" stands twice", name));
@@ -95,35 +95,35 @@ void read_order(const Place& place, const Topology& topology, StatesFile& file) 
   for (int i = 0; i < topology.size(); ++i) {
     if (!taken[i]) missing.push_back(topology.bodies[i].coordinate);
   }
-  if (!missing.empty()) fail(place.path, fmt::format("coordinates are missing: {}", fmt::join(missing, ", ")));
+  if (!missing.empty()) fail(entry.path, fmt::format("coordinates are missing: {}", fmt::join(missing, ", ")));
 }
 
-void read_inputs(const Place& place, const Model& model, std::vector<double>& inputs) {
-  if (!place.value.is_object()) fail(place.path, "must be an object of input names and values");
-  for (const auto& [name, value] : place.value.items()) {
+void read_inputs(const Entry& entry, const Model& model, std::vector<double>& inputs) {
+  if (!entry.value.is_object()) fail(entry.path, "must be an object of input names and values");
+  for (const auto& [name, value] : entry.value.items()) {
     const auto found = std::find_if(model.inputs.begin(), model.inputs.end(),
                                     [&name = name](const Input& input) { return input.name == name; });
-    if (found == model.inputs.end()) fail(place.path, unknown_name("input", name, input_names(model)));
-    inputs[static_cast<std::size_t>(found - model.inputs.begin())] = read_number({value, place.path + "/" + name});
+    if (found == model.inputs.end()) fail(entry.path, unknown_name("input", name, input_names(model)));
+    inputs[static_cast<std::size_t>(found - model.inputs.begin())] = read_number({value, entry.path + "/" + name});
   }
 }
 
-FileState read_state(const Place& place, const Compilation& compilation, const StatesFile& file,
+FileState read_state(const Entry& entry, const Compilation& compilation, const StatesFile& file,
                      const std::vector<double>& default_inputs) {
-  if (!place.value.is_object()) fail(place.path, fmt::format("must be an object, found {}", place.value.type_name()));
+  if (!entry.value.is_object()) fail(entry.path, fmt::format("must be an object, found {}", entry.value.type_name()));
   FileState state;
   GenericState& values = state.at.state;
   values = reference_state(compilation);
   state.at.tau = values.zd;
   state.inputs = default_inputs;
-  if (!place.value.contains("z")) fail(place.path, "\"z\" is missing");
-  values.z = read_coordinates(place, "z", file);
-  if (place.value.contains("zd")) values.zd = read_coordinates(place, "zd", file);
-  if (place.value.contains("tau")) state.at.tau = read_coordinates(place, "tau", file);
-  if (place.value.contains("x")) values.x = read_numbers({place.value["x"], place.path + "/x"}, values.x.size());
-  if (place.value.contains("t")) values.t = read_number({place.value["t"], place.path + "/t"});
-  if (place.value.contains("inputs")) {
-    read_inputs({place.value["inputs"], place.path + "/inputs"}, compilation.model, state.inputs);
+  if (!entry.value.contains("z")) fail(entry.path, "\"z\" is missing");
+  values.z = read_coordinates(entry, "z", file);
+  if (entry.value.contains("zd")) values.zd = read_coordinates(entry, "zd", file);
+  if (entry.value.contains("tau")) state.at.tau = read_coordinates(entry, "tau", file);
+  if (entry.value.contains("x")) values.x = read_numbers({entry.value["x"], entry.path + "/x"}, values.x.size());
+  if (entry.value.contains("t")) values.t = read_number({entry.value["t"], entry.path + "/t"});
+  if (entry.value.contains("inputs")) {
+    read_inputs({entry.value["inputs"], entry.path + "/inputs"}, compilation.model, state.inputs);
   }
   return state;
 }
@@ -169,4 +169,4 @@ std::vector<double> in_file_order(const StatesFile& file, const std::vector<doub
   return ordered;
 }
 
-}  // namespace mbgen::cli
+}  // namespace mbgen

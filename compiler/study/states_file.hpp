@@ -6,7 +6,7 @@
 
 #include "compiler/engines/engine.hpp"
 
-namespace mbgen::cli {
+namespace mbgen {
 
 /// One state of the file, in the order of the model.
 struct FileState {
@@ -35,4 +35,4 @@ StatesFile parse_states(const std::string& text, const std::string& path, const 
 /// Values in the order of the model, put in the order of the file.
 std::vector<double> in_file_order(const StatesFile& file, const std::vector<double>& values);
 
-}  // namespace mbgen::cli
+}  // namespace mbgen

@@ -12,7 +12,7 @@
 #include "compiler/engines/engine.hpp"
 #include "runtime/generic/generic.hpp"
 
-namespace mbgen::cli {
+namespace mbgen {
 namespace {
 
 using StateKind = LinearState::Kind;
@@ -293,4 +293,4 @@ void mark_places(const SteadyMotion& motion, std::vector<Mode>& list) {
   std::stable_partition(list.begin(), list.end(), [](const Mode& mode) { return !mode.is_neutral; });
 }
 
-}  // namespace mbgen::cli
+}  // namespace mbgen

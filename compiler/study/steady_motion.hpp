@@ -6,7 +6,7 @@
 
 #include "compiler/compile.hpp"
 
-namespace mbgen::cli {
+namespace mbgen {
 
 /// Request for a steady motion.
 struct SteadyWish {
@@ -41,4 +41,4 @@ void settle_auxiliary(const Compilation& compilation, OperatingPoint& point);
 /// axes that turn, so that A does not change with time.
 LinearSystem turning_with(const SteadyMotion& motion, LinearSystem system);
 
-}  // namespace mbgen::cli
+}  // namespace mbgen

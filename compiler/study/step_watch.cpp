@@ -9,7 +9,7 @@
 #include "compiler/describe/names.hpp"
 #include "compiler/engines/engine.hpp"
 
-namespace mbgen::cli {
+namespace mbgen {
 namespace {
 
 /// Two digits, and all of them from 100 % on.
@@ -277,4 +277,4 @@ StepVerdict judge_step(const Compilation& compilation, Integrator integrator, co
   return judge.verdict;
 }
 
-}  // namespace mbgen::cli
+}  // namespace mbgen

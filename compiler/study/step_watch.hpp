@@ -7,7 +7,7 @@
 #include "compiler/linearisation/linearisation.hpp"
 #include "compiler/study/simulation.hpp"
 
-namespace mbgen::cli {
+namespace mbgen {
 
 /// The modes of small motions about a state by central differences of its accelerations, see modes(); none for a model
 /// of more than kMostWatchedStates states, at a singular position, and where no acceleration is to be had. inputs: of
@@ -36,4 +36,4 @@ constexpr double kEnergyWarning = 1e-3, kEnergyFailure = 0.1;  // of the energie
 /// the largest root of its characteristic polynomial.
 double growth_of_step(SolverSettings::Integrator integrator, std::complex<double> z);
 
-}  // namespace mbgen::cli
+}  // namespace mbgen

@@ -35,20 +35,19 @@ class OwnDirectory : public CommandLine {
 };
 
 TEST_F(OwnDirectory, FaultsAreSeenInTheDirectoryAndOnTheWay) {
-  EXPECT_EQ(cli::foreign_hand(directory("own", 0755), false), "");
-  EXPECT_EQ(cli::foreign_hand(directory("own/deeper", 0700), false), "");
-  EXPECT_EQ(cli::foreign_hand(path("own") / ".." / "own" / "", false), "");
+  EXPECT_EQ(foreign_hand(directory("own", 0755), false), "");
+  EXPECT_EQ(foreign_hand(directory("own/deeper", 0700), false), "");
+  EXPECT_EQ(foreign_hand(path("own") / ".." / "own" / "", false), "");
 
   const fs::path open = directory("open", 0777);
-  EXPECT_EQ(cli::foreign_hand(open, false), "others can write in " + open.string() + " (mode 0777)");
-  EXPECT_EQ(cli::foreign_hand(open, true), "others can write in " + open.string() + " (mode 0777)");
-  EXPECT_EQ(cli::foreign_hand(directory("open/mine", 0700), false),
-            "others can write in " + open.string() + " (mode 0777)");
+  EXPECT_EQ(foreign_hand(open, false), "others can write in " + open.string() + " (mode 0777)");
+  EXPECT_EQ(foreign_hand(open, true), "others can write in " + open.string() + " (mode 0777)");
+  EXPECT_EQ(foreign_hand(directory("open/mine", 0700), false), "others can write in " + open.string() + " (mode 0777)");
 
   const fs::path sticky = directory("sticky", 01777);
-  EXPECT_EQ(cli::foreign_hand(sticky, false), "others can write in " + sticky.string() + " (mode 1777)");
-  EXPECT_EQ(cli::foreign_hand(sticky, true), "");
-  EXPECT_EQ(cli::foreign_hand(directory("sticky/mine", 0700), false), "");
+  EXPECT_EQ(foreign_hand(sticky, false), "others can write in " + sticky.string() + " (mode 1777)");
+  EXPECT_EQ(foreign_hand(sticky, true), "");
+  EXPECT_EQ(foreign_hand(directory("sticky/mine", 0700), false), "");
 }
 
 TEST_F(OwnDirectory, LinksAreLookedThrough) {
@@ -56,12 +55,12 @@ TEST_F(OwnDirectory, LinksAreLookedThrough) {
   directory("open/mine", 0700);
   directory("open", 0777);
   fs::create_symlink("own", path("link"));
-  EXPECT_EQ(cli::foreign_hand(path("link"), false), "");
+  EXPECT_EQ(foreign_hand(path("link"), false), "");
   fs::create_symlink(path("open/mine"), path("to_open"));
-  EXPECT_NE(cli::foreign_hand(path("to_open"), false).find("others can write in " + path("open").string()),
+  EXPECT_NE(foreign_hand(path("to_open"), false).find("others can write in " + path("open").string()),
             std::string::npos);
   fs::create_symlink("round", path("round"));
-  EXPECT_NE(cli::foreign_hand(path("round"), false), "");
+  EXPECT_NE(foreign_hand(path("round"), false), "");
 }
 
 TEST_F(OwnDirectory, WhatBelongsToAnotherUserIsNotTrusted) {
@@ -69,17 +68,17 @@ TEST_F(OwnDirectory, WhatBelongsToAnotherUserIsNotTrusted) {
   const fs::path foreign = directory("foreign", 0755);
   const fs::path mine = directory("foreign/mine", 0700);
   ASSERT_EQ(::chown(foreign.c_str(), kStranger, 0), 0);
-  EXPECT_NE(cli::foreign_hand(foreign, false).find(foreign.string() + " belongs to user"), std::string::npos);
-  EXPECT_NE(cli::foreign_hand(mine, false).find(foreign.string() + " belongs to user"), std::string::npos);
+  EXPECT_NE(foreign_hand(foreign, false).find(foreign.string() + " belongs to user"), std::string::npos);
+  EXPECT_NE(foreign_hand(mine, false).find(foreign.string() + " belongs to user"), std::string::npos);
 
   directory("own", 0700);
   fs::create_symlink("own", path("link"));
   ASSERT_EQ(::lchown(path("link").c_str(), kStranger, 0), 0);
-  EXPECT_NE(cli::foreign_hand(path("link"), false).find("link belongs to user"), std::string::npos);
+  EXPECT_NE(foreign_hand(path("link"), false).find("link belongs to user"), std::string::npos);
 
   const fs::path shared = directory("shared", 0775);
   ASSERT_EQ(::chown(shared.c_str(), 0, kStranger), 0);
-  EXPECT_EQ(cli::foreign_hand(shared, false), "others can write in " + shared.string() + " (mode 0775)");
+  EXPECT_EQ(foreign_hand(shared, false), "others can write in " + shared.string() + " (mode 0775)");
 }
 
 TEST_F(OwnDirectory, SolversThatOthersCouldHaveWrittenAreNotLoaded) {

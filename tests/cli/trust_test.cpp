@@ -33,8 +33,8 @@ TEST(Course, PchipIsThatOfScipy) {
                                   {3.75, -0.053676470588235284, 0.88529411764705901},
                                   {4.5, 0.12435661764705881, 0.039154411764705875},
                                   {5.9, 0.1499169117647059, 0.0016838235294117515}};
-  const cli::Course course = cli::pchip({0, 1, 1.2, 2, 3.5, 4, 6}, {0, 0.3, 0.785, 0.785, -0.2, 0.1, 0.15});
-  const cli::Course rate = cli::derivative(course);
+  const Course course = pchip({0, 1, 1.2, 2, 3.5, 4, 6}, {0, 0.3, 0.785, 0.785, -0.2, 0.1, 0.15});
+  const Course rate = derivative(course);
   for (const auto& [t, value, slope] : kScipy) {
     EXPECT_NEAR(course.at(t), value, 1e-14) << t;
     EXPECT_NEAR(rate.at(t), slope, 1e-13) << t;
@@ -50,10 +50,10 @@ TEST(Course, HermiteMeetsAllOrders) {
     orders[1].push_back(5 * std::pow(x, 4));
     orders[2].push_back(20 * std::pow(x, 3));
   }
-  const cli::Course course = cli::hermite(t, orders);
+  const Course course = hermite(t, orders);
   for (const double x : {0.5, 0.7, 1.0, 1.9, 3.0}) {
     EXPECT_NEAR(course.at(x), std::pow(x, 5), 1e-12 * std::pow(3, 5)) << x;
-    EXPECT_NEAR(cli::derivative(course).at(x), 5 * std::pow(x, 4), 1e-11 * std::pow(3, 5)) << x;
+    EXPECT_NEAR(derivative(course).at(x), 5 * std::pow(x, 4), 1e-11 * std::pow(3, 5)) << x;
   }
 }
 
@@ -62,7 +62,7 @@ TEST(Course, HermiteMeetsAllOrders) {
 TEST(StepWatch, RegionsOfStability) {
   using Integrator = SolverSettings::Integrator;
   const auto stable = [](Integrator integrator, std::complex<double> z) {
-    return cli::growth_of_step(integrator, z) <= 1 + 1e-12;
+    return growth_of_step(integrator, z) <= 1 + 1e-12;
   };
   EXPECT_TRUE(stable(Integrator::rk4, -2.785));
   EXPECT_FALSE(stable(Integrator::rk4, -2.786));

@@ -4,7 +4,7 @@
 #include <chrono>
 #include <cmath>
 
-namespace mbgen::cli {
+namespace mbgen {
 namespace {
 
 constexpr double kShortestTurn = 0.002;  // s; shorter ones drown in the clock and in interrupts
@@ -90,4 +90,4 @@ std::vector<Measurement> measure(const std::vector<Engine>& engines, const std::
   return measurements;
 }
 
-}  // namespace mbgen::cli
+}  // namespace mbgen

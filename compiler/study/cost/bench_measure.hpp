@@ -6,7 +6,7 @@
 
 #include "compiler/engines/engine.hpp"
 
-namespace mbgen::cli {
+namespace mbgen {
 
 struct Measurement {
   const Engine* engine = nullptr;
@@ -28,4 +28,4 @@ constexpr double kLongestMeasurement = 8;  // s
 std::vector<Measurement> measure(const std::vector<Engine>& engines, const std::vector<LoadedState>& states,
                                  long long evaluations);
 
-}  // namespace mbgen::cli
+}  // namespace mbgen

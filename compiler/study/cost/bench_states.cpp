@@ -8,7 +8,7 @@
 #include "compiler/base/user_error.hpp"
 #include "compiler/study/initial_state.hpp"
 
-namespace mbgen::cli {
+namespace mbgen {
 namespace {
 
 constexpr int kStates = 20;
@@ -73,4 +73,4 @@ double largest_error(const Engine& engine, const Compilation& compilation, const
   return largest;
 }
 
-}  // namespace mbgen::cli
+}  // namespace mbgen

@@ -6,7 +6,7 @@
 #include "compiler/engines/engine.hpp"
 #include "compiler/study/states_file.hpp"
 
-namespace mbgen::cli {
+namespace mbgen {
 
 /// Consistent random states around the initial one, the same on every machine.
 /// engine: closes the loops. Fails: UserError when none closes.
@@ -24,4 +24,4 @@ std::vector<LoadedState> timed_states(const std::vector<FileState>& states, int 
 /// Fails: UserError when the engine has no accelerations at a state.
 double largest_error(const Engine& engine, const Compilation& compilation, const std::vector<FileState>& states);
 
-}  // namespace mbgen::cli
+}  // namespace mbgen

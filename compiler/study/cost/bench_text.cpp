@@ -10,7 +10,7 @@
 #include "compiler/study/cost/paper_tables.hpp"
 #include "compiler/trace/trace.hpp"
 
-namespace mbgen::cli {
+namespace mbgen {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -154,4 +154,4 @@ std::string bench_json(const BenchRecord& record) {
   return json_text(result);
 }
 
-}  // namespace mbgen::cli
+}  // namespace mbgen

@@ -6,7 +6,7 @@
 
 #include "compiler/study/cost/bench_measure.hpp"
 
-namespace mbgen::cli {
+namespace mbgen {
 
 struct BenchRecord {
   std::string model;
@@ -23,4 +23,4 @@ std::string bench_text(const BenchRecord& record);
 /// One JSON object: model, machine, compiler, every engine with microseconds per evaluation, the paper's columns.
 std::string bench_json(const BenchRecord& record);
 
-}  // namespace mbgen::cli
+}  // namespace mbgen

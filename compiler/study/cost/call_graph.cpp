@@ -7,7 +7,7 @@
 #include <sstream>
 #include <stdexcept>
 
-namespace mbgen::cli {
+namespace mbgen {
 namespace {
 
 /// The quoted value after `key` in a line of the file, "" when there is none.
@@ -83,4 +83,4 @@ void add_call_graph(const std::string& text, CallGraph& graph) {
 
 CallPath deepest_path(const CallGraph& graph, const std::string& title) { return DeepestPath(graph).from(title); }
 
-}  // namespace mbgen::cli
+}  // namespace mbgen

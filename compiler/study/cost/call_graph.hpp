@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace mbgen::cli {
+namespace mbgen {
 
 /// A function of the graph.
 struct CalledFunction {
@@ -33,4 +33,4 @@ struct CallPath {
 /// The path from a function on that needs most. Fails: std::runtime_error when something recurses.
 CallPath deepest_path(const CallGraph& graph, const std::string& title);
 
-}  // namespace mbgen::cli
+}  // namespace mbgen

@@ -8,7 +8,7 @@
 #include "compiler/base/user_error.hpp"
 #include "compiler/study/cost/call_graph.hpp"
 
-namespace mbgen::cli {
+namespace mbgen {
 namespace {
 
 namespace fs = std::filesystem;
@@ -113,4 +113,4 @@ Footprint measure_footprint(const std::vector<EmittedFile>& files, const std::st
   return footprint;
 }
 
-}  // namespace mbgen::cli
+}  // namespace mbgen

@@ -7,7 +7,7 @@
 #include "compiler/emit/emit.hpp"
 #include "compiler/engines/host_compiler.hpp"
 
-namespace mbgen::cli {
+namespace mbgen {
 
 /// Stack of one function of the solver.
 struct StackUse {
@@ -38,4 +38,4 @@ struct Footprint {
 Footprint measure_footprint(const std::vector<EmittedFile>& files, const std::string& solver,
                             const HostCompiler& compiler, const std::filesystem::path& scratch);
 
-}  // namespace mbgen::cli
+}  // namespace mbgen

@@ -11,7 +11,7 @@
 #include "compiler/base/own_directory.hpp"
 #include "compiler/study/cost/bench_text.hpp"
 
-namespace mbgen::cli {
+namespace mbgen {
 namespace {
 
 using MeasuredJson = nlohmann::ordered_json;
@@ -121,4 +121,4 @@ std::string budget_text(const MeasuredCost& cost) {
                      100 * std::abs(margin) / *cost.budget, margin < 0 ? "over" : "under", *cost.budget, lead);
 }
 
-}  // namespace mbgen::cli
+}  // namespace mbgen

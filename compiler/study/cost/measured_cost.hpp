@@ -8,7 +8,7 @@
 #include "compiler/study/cost/footprint.hpp"
 #include "compiler/study/cost/step_time.hpp"
 
-namespace mbgen::cli {
+namespace mbgen {
 
 struct MeasuredCost {
   std::string solver;     ///< name of its files
@@ -36,4 +36,4 @@ bool exceeds_budget(const MeasuredCost& cost);
 /// One line: the step, by how much it keeps or exceeds the budget, and the section that leads.
 std::string budget_text(const MeasuredCost& cost);
 
-}  // namespace mbgen::cli
+}  // namespace mbgen

@@ -6,7 +6,7 @@
 
 #include "mbgen/step_clock.hpp"
 
-namespace mbgen::cli {
+namespace mbgen {
 
 constexpr long long kPaperEvaluations = 20000;
 
@@ -44,4 +44,4 @@ constexpr std::array<PaperTable, 2> kPaperTables = {
         {"BLAS", {0.665, 0.927, 0.655, 0.361, 0.275, 0.198, 0.194, 2.054, 0.258}, 5.588},
         {"SPARSE", {0.658, 0.721, 0.616, 0.195, 0.275, 0.180, 0.193, 2.044, 0.255}, 5.137}}}}}};
 
-}  // namespace mbgen::cli
+}  // namespace mbgen

@@ -14,7 +14,7 @@
 #include "compiler/study/initial_state.hpp"
 #include "mbgen/worst_case.hpp"
 
-namespace mbgen::cli {
+namespace mbgen {
 namespace {
 
 constexpr int kTurnsOfMotion = 7;
@@ -25,7 +25,7 @@ constexpr int kShortTurns = 101;  // odd, for the median
 constexpr int kRepetitions = 4;   // of all timed states in a short turn
 
 /// One engine from one state on.
-struct Motion {
+struct TimedMotion {
   Engine engine;
   GenericState start;
   std::vector<double> inputs;
@@ -34,7 +34,7 @@ struct Motion {
 
 /// One turn: the time of each step in microseconds goes to `shortest` where it is shorter, states along the way to
 /// `states`. Ends early after kLongestTurn seconds. Fails: UserError when the first step does.
-void run_turn(const Motion& motion, const Compilation& compilation, std::vector<double>& shortest,
+void run_turn(const TimedMotion& motion, const Compilation& compilation, std::vector<double>& shortest,
               std::vector<LoadedState>& states) {
   using Clock = std::chrono::steady_clock;
   motion.engine.set_inputs(motion.inputs);
@@ -117,7 +117,7 @@ StepTime measure_step(const Compilation& compilation) {
   choice.use = SolverUse::timing_steps;
   const std::vector<double> inputs = input_values(compilation.model, {});
   const GenericState start = initial_state(compilation, inputs);
-  const Motion motion{make_engine(compilation, choice), start, inputs, settings.step};
+  const TimedMotion motion{make_engine(compilation, choice), start, inputs, settings.step};
 
   std::vector<double> shortest(kMostStepsOfMotion, std::numeric_limits<double>::infinity());
   std::vector<LoadedState> states;
@@ -143,4 +143,4 @@ const SectionTime& leading_section(const StepTime& time) {
                            [](const SectionTime& a, const SectionTime& b) { return a.microseconds < b.microseconds; });
 }
 
-}  // namespace mbgen::cli
+}  // namespace mbgen

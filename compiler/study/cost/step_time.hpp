@@ -6,7 +6,7 @@
 
 #include "compiler/compile.hpp"
 
-namespace mbgen::cli {
+namespace mbgen {
 
 /// A section of a step.
 struct SectionTime {
@@ -33,4 +33,4 @@ StepTime measure_step(const Compilation& compilation);
 /// The section that takes most of a step.
 const SectionTime& leading_section(const StepTime& time);
 
-}  // namespace mbgen::cli
+}  // namespace mbgen

@@ -9,7 +9,7 @@
 #include "compiler/base/user_error.hpp"
 #include "compiler/model/names.hpp"
 
-namespace mbgen::cli {
+namespace mbgen {
 namespace {
 
 constexpr double kMostCases = 1e7;
@@ -136,4 +136,4 @@ SweepGrid read_grid(const std::vector<std::string>& texts, const Model& model) {
   return grid;
 }
 
-}  // namespace mbgen::cli
+}  // namespace mbgen

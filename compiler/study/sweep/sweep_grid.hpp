@@ -6,7 +6,7 @@
 
 #include "compiler/model/model.hpp"
 
-namespace mbgen::cli {
+namespace mbgen {
 
 /// One varied parameter or input.
 struct SweepAxis {
@@ -32,4 +32,4 @@ struct SweepGrid {
 /// is none, an empty or an endless range, more cases than a study can have.
 SweepGrid read_grid(const std::vector<std::string>& texts, const Model& model);
 
-}  // namespace mbgen::cli
+}  // namespace mbgen

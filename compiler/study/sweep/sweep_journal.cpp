@@ -17,7 +17,7 @@
 #include "compiler/base/hash.hpp"
 #include "compiler/base/user_error.hpp"
 
-namespace mbgen::cli {
+namespace mbgen {
 namespace {
 
 namespace fs = std::filesystem;
@@ -176,4 +176,4 @@ bool is_held(const fs::path& journal) {
   return held;
 }
 
-}  // namespace mbgen::cli
+}  // namespace mbgen

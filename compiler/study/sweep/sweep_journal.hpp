@@ -7,7 +7,7 @@
 
 #include "compiler/study/sweep/sweep_study.hpp"
 
-namespace mbgen::cli {
+namespace mbgen {
 
 /// Which part of the cases this process computes: the cases whose number leaves the remainder `index` when divided by
 /// `count`.
@@ -49,4 +49,4 @@ class Journal {
 /// Whether a process holds this journal.
 bool is_held(const std::filesystem::path& journal);
 
-}  // namespace mbgen::cli
+}  // namespace mbgen

@@ -9,7 +9,7 @@
 
 #include "compiler/base/user_error.hpp"
 
-namespace mbgen::cli {
+namespace mbgen {
 namespace {
 
 /// The variables in which a launcher tells a process its rank and how many there are.
@@ -106,4 +106,4 @@ std::string slurm_script(const std::string& model, const std::vector<std::string
       fmt::arg("directory", shell_quoted(std::filesystem::current_path().string())));
 }
 
-}  // namespace mbgen::cli
+}  // namespace mbgen

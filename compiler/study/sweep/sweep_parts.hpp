@@ -7,7 +7,7 @@
 
 #include "compiler/study/sweep/sweep_journal.hpp"
 
-namespace mbgen::cli {
+namespace mbgen {
 
 /// The part that "K/N" names, K from 1. Fails: UserError.
 SweepPart part_from(const std::string& text);
@@ -24,4 +24,4 @@ int processors();
 /// line of the study without the name of the program.
 std::string slurm_script(const std::string& model, const std::vector<std::string>& words, long parts, int jobs);
 
-}  // namespace mbgen::cli
+}  // namespace mbgen

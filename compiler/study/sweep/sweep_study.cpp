@@ -18,7 +18,7 @@
 #include "compiler/study/simulation_arguments.hpp"
 #include "compiler/study/step_watch.hpp"
 
-namespace mbgen::cli {
+namespace mbgen {
 namespace {
 
 constexpr const char* kMetricOption = "--metric";
@@ -86,7 +86,7 @@ InputsOverTime inputs_of(const Study& study, const Model& model, const std::vect
     const SweepAxis& axis = study.grid.axes[a];
     if (axis.is_input) assignments.push_back(fmt::format("{}={}", axis.name, values[a]));
   }
-  return mbgen::cli::inputs_of(model, assignments, study.arguments.simulation);
+  return mbgen::inputs_of(model, assignments, study.arguments.simulation);
 }
 
 /// Fails: UserError when the model is not what it was when the study was read, or cannot be read any more.
@@ -260,4 +260,4 @@ CaseResult run_case(const Study& study, const StudySolver& solver, long index) {
   }
 }
 
-}  // namespace mbgen::cli
+}  // namespace mbgen

@@ -13,7 +13,7 @@
 #include "compiler/study/simulation_arguments.hpp"
 #include "compiler/study/sweep/sweep_grid.hpp"
 
-namespace mbgen::cli {
+namespace mbgen {
 
 /// A study as typed.
 struct StudyArguments {
@@ -70,4 +70,4 @@ StudySolver prepare(const Study& study);
 /// Fails: std::exception where mbgen is at fault, UserError when the model was changed meanwhile.
 CaseResult run_case(const Study& study, const StudySolver& solver, long index);
 
-}  // namespace mbgen::cli
+}  // namespace mbgen

@@ -11,7 +11,7 @@
 #include "compiler/results/results.hpp"
 #include "compiler/study/simulation_text.hpp"
 
-namespace mbgen::cli {
+namespace mbgen {
 namespace {
 
 /// Rows that people read; of more, the first and last half of these.
@@ -133,4 +133,4 @@ std::string results_json(const Study& study, const CaseResults& results, const s
                     {"file", file}});
 }
 
-}  // namespace mbgen::cli
+}  // namespace mbgen

@@ -5,7 +5,7 @@
 
 #include "compiler/study/sweep/sweep_study.hpp"
 
-namespace mbgen::cli {
+namespace mbgen {
 
 // results: of all cases.
 
@@ -22,4 +22,4 @@ std::string results_json(const Study& study, const CaseResults& results, const s
 /// Cases without values.
 long failures_of(const CaseResults& results);
 
-}  // namespace mbgen::cli
+}  // namespace mbgen

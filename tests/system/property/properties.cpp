@@ -34,7 +34,6 @@ std::vector<GenericState> good_states(const Mechanism& m, int wanted) {
   return states;
 }
 
-
 Complaint differ(const std::string& what, const std::vector<double>& actual, const std::vector<double>& expected,
                  double tolerance) {
   const double error = relative_error(actual, expected);
@@ -102,13 +101,13 @@ Complaint engines_disagree(const RandomMechanism&, const Mechanism& m) {
 Complaint compiled_solver_disagrees(const RandomMechanism& random, const Mechanism& m) {
   if (random.seed % static_cast<unsigned>(from_environment("MBGEN_PROPERTY_COMPILED", 12)) != 0) return {};
   const Compilation compilation = compiled(m);
-  cli::EngineChoice choice;
+  EngineChoice choice;
   choice.use_cache = false;
-  const cli::Engine emitted = cli::make_engine(compilation, choice);
+  const Engine emitted = make_engine(compilation, choice);
   choice.name = "generic";
-  const cli::Engine generic = cli::make_engine(compilation, choice);
+  const Engine generic = make_engine(compilation, choice);
   for (const GenericState& state : good_states(m, 2)) {
-    const cli::LoadedState loaded{state, random_tau(m, 3)};
+    const LoadedState loaded{state, random_tau(m, 3)};
     GenericDerivative expected, actual;
     if (!generic.accelerations(loaded, expected).ok()) return "generic refuses a state";
     if (!emitted.accelerations(loaded, actual).ok()) return "the compiled solver refuses a state";
@@ -171,10 +170,10 @@ Complaint order_shows(const RandomMechanism& random, const Mechanism& m) {
 /// A run of `steps` steps of h. Result: outputs before and after; none where the motion meets a singular position.
 std::optional<std::array<GenericOutputs, 2>> run(const Compilation& compilation, GenericState state, int steps,
                                                  double h) {
-  const cli::Engine engine = cli::make_generic_engine(compilation, cli::EngineChoice{});
+  const Engine engine = make_generic_engine(compilation, EngineChoice{});
   std::array<GenericOutputs, 2> results;
   const auto look = [&](GenericOutputs& outputs) {
-    const cli::LoadedState loaded{state, std::vector<double>(state.z.size(), 0.0)};
+    const LoadedState loaded{state, std::vector<double>(state.z.size(), 0.0)};
     GenericDerivative derivative;
     return engine.accelerations(loaded, derivative).ok() && engine.outputs(loaded, derivative, outputs).ok();
   };
@@ -248,7 +247,7 @@ Complaint format_shows(const RandomMechanism& random, const Mechanism& m) {
   const Result<Model> again = read_model(other, "random.json");
   if (!again) return "refused: " + to_text(again.problems());
   const auto content = [](const Model& model) {
-    const std::string text = cli::dump_model(model);
+    const std::string text = dump_model(model);
     return text.substr(text.find('\n'));  // the first line has the hash of the text
   };
   if (content(*again) != content(m.model)) return "it is another model";

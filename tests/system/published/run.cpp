@@ -25,10 +25,10 @@ double number(const nlohmann::json& value) {
   return value.is_string() ? std::stod(value.get<std::string>()) : value.get<double>();
 }
 
-Compilation compiled(const std::string& model) { return cli::expect(compile(source_path(model))); }
-Compilation compiled(Model model) { return cli::expect(compile(std::move(model))); }
+Compilation compiled(const std::string& model) { return expect(compile(source_path(model))); }
+Compilation compiled(Model model) { return expect(compile(std::move(model))); }
 
-Compilation compiled_text(const std::string& text) { return compiled(cli::expect(read_model(text, "text.json"))); }
+Compilation compiled_text(const std::string& text) { return compiled(expect(read_model(text, "text.json"))); }
 
 std::string output_of(const std::string& command) {
   FILE* const pipe = popen(fmt::format("cd '{}' && {}", MBGEN_SOURCE_DIR, command).c_str(), "r");
@@ -42,14 +42,14 @@ std::string output_of(const std::string& command) {
 Run::Run(const std::string& model, double h) : Run(compiled(model), h) {}
 
 Run::Run(Compilation compilation, double h) : compilation_(std::move(compilation)), h_(h) {
-  cli::EngineChoice choice;
+  EngineChoice choice;
   choice.use_cache = false;  // the solver of this source, whatever was compiled before
-  engine_ = cli::make_engine(compilation_, choice);
-  state_.state = cli::initial_state(compilation_, {});
+  engine_ = make_engine(compilation_, choice);
+  state_.state = initial_state(compilation_, {});
   state_.tau.assign(state_.state.z.size(), 0.0);
 }
 
-void Run::take_reference() { state_.state = cli::reference_state(compilation_); }
+void Run::take_reference() { state_.state = reference_state(compilation_); }
 
 void Run::set_step(double h) { h_ = h; }
 
@@ -57,7 +57,7 @@ void Run::go_to(double t) {
   for (long steps = std::lround((t - state_.state.t) / h_); steps > 0; --steps) {
     const Status status = engine_.step(state_.state, h_);
     if (!status.ok())
-      throw std::runtime_error(fmt::format("{} at {} s", cli::describe(compilation_, status), state_.state.t));
+      throw std::runtime_error(fmt::format("{} at {} s", describe(compilation_, status), state_.state.t));
   }
 }
 
@@ -66,7 +66,7 @@ GenericOutputs Run::outputs() const {
   GenericOutputs values;
   Status status = engine_.accelerations_in_motion(state_.state, h_, derivative);
   if (status.ok()) status = engine_.outputs(state_, derivative, values);
-  if (!status.ok()) throw std::runtime_error(cli::describe(compilation_, status));
+  if (!status.ok()) throw std::runtime_error(describe(compilation_, status));
   return values;
 }
 

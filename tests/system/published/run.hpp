@@ -43,8 +43,8 @@ class Run {
   GenericOutputs outputs() const;
 
   Compilation compilation_;
-  cli::Engine engine_;
-  cli::LoadedState state_;
+  Engine engine_;
+  LoadedState state_;
   double h_;
 };
 

@@ -74,7 +74,7 @@ Solver generic_solver(const Compilation& compilation) {
   solver.largest_residual = [given](const Case& at) {
     return largest_absolute(given(at).solver.position_residuals(at.state));
   };
-  solver.describe = [&compilation](Status status) { return cli::describe(compilation, status); };
+  solver.describe = [&compilation](Status status) { return describe(compilation, status); };
   return solver;
 }
 

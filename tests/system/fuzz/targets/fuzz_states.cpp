@@ -8,15 +8,15 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   static const Compilation compilation = fuzz::small_compilation();
   const auto n = static_cast<std::size_t>(compilation.topology.size());
   try {
-    const cli::StatesFile file = cli::parse_states(fuzz::text_of(data, size), "states.json", compilation, {0, 0});
+    const StatesFile file = parse_states(fuzz::text_of(data, size), "states.json", compilation, {0, 0});
     fuzz::require(file.coordinate.size() == n, "every coordinate has its place");
-    for (const cli::FileState& state : file.states) {
+    for (const FileState& state : file.states) {
       const GenericState& at = state.at.state;
       const bool whole = at.z.size() == n && at.zd.size() == n && state.at.tau.size() == n && at.x.empty() &&
                          state.inputs.size() == 2 && (state.zdd.empty() || state.zdd.size() == n);
       fuzz::require(whole, "states have the sizes of the model");
     }
-  } catch (const cli::UserError& error) {
+  } catch (const UserError& error) {
     fuzz::require(error.what()[0] != 0, "an error has a text");
   }
   return 0;
