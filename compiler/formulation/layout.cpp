@@ -16,23 +16,6 @@ std::vector<bool> block_bases(const Topology& topology) {
   return base;
 }
 
-/// Bodies that a force element or a rod holds on to.
-std::vector<bool> loaded_bodies(const Model& model, const Topology& topology) {
-  std::vector<bool> loaded(topology.size(), false);
-  const auto load = [&](const Attachment& at) {
-    if (const int body = topology.tree_body[at.body]; body != kGround) loaded[body] = true;
-  };
-  const auto load_ends = [&](const auto& elements) {
-    for (const auto& element : elements) load(element.from), load(element.to);
-  };
-  load_ends(model.rods);
-  load_ends(model.springs);
-  load_ends(model.air_springs);
-  for (const AppliedForce& force : model.forces) load(force.at);
-  for (const Tyre& tyre : model.tyres) load(tyre.centre);
-  return loaded;
-}
-
 /// Start of the run of massless joints that ends at an own body, all outside loop blocks.
 int find_chain_start(const Topology& topology, const std::vector<bool>& carries, int end) {
   int start = end;
@@ -100,6 +83,22 @@ std::string title_of(const Topology& topology, int i) {
 }
 
 }  // namespace
+
+std::vector<bool> loaded_bodies(const Model& model, const Topology& topology) {
+  std::vector<bool> loaded(topology.size(), false);
+  const auto load = [&](const Attachment& at) {
+    if (const int body = topology.tree_body[at.body]; body != kGround) loaded[body] = true;
+  };
+  const auto load_ends = [&](const auto& elements) {
+    for (const auto& element : elements) load(element.from), load(element.to);
+  };
+  load_ends(model.rods);
+  load_ends(model.springs);
+  load_ends(model.air_springs);
+  for (const AppliedForce& force : model.forces) load(force.at);
+  for (const Tyre& tyre : model.tyres) load(tyre.centre);
+  return loaded;
+}
 
 Layout choose_layout(const Model& model, const Topology& topology, Frames frames) {
   const int n = topology.size();

@@ -34,6 +34,9 @@ enum class Frames {
   all   ///< rotors as well
 };
 
+/// Per tree body: a force element or a rod holds on to it.
+std::vector<bool> loaded_bodies(const Model& model, const Topology& topology);
+
 /// Chooses the frames: own frames for block bases, for the first massive or branching body above ground (so that the
 /// far inertial origin never enters) and for massive branching bodies outside loop blocks. Source:
 /// docs/method/recursive.md, "What keeps it small".

@@ -41,7 +41,8 @@ QuasiAxes<T> quasi_axes(const System<T>& system, const Kinematics<T>& k, const J
   q.dual[0] = scale * across;
   q.dual[2] = scale * cross(q.axis[0], q.axis[1]);
   const auto constant_axis = [&](int c) { return constant<double>(system.topology.bodies[step.joints[c]].axis); };
-  const bool cardan = dot(constant_axis(0), constant_axis(1)) == 0 && dot(constant_axis(1), constant_axis(2)) == 0;
+  const auto square = [&](int a, int b) { return std::abs(dot(constant_axis(a), constant_axis(b))) <= 1e-15; };
+  const bool cardan = square(0, 1) && square(1, 2);
   if (!cardan) q.dual[1] = scale * cross(q.axis[2], q.axis[0]);  // else the middle axis is its own dual
   return q;
 }

@@ -12,8 +12,9 @@ namespace mbgen {
 /// Blocks of more joints have no quasi-velocities: they are analysed once, over joint rates.
 constexpr std::size_t kLargestQuasiBlock = 40;
 
-/// Joints that move a body against the body before it. Three revolute joints of one ball, or three prismatic ones, are
-/// taken by quasi-velocities: components of their joint motion along the axes of the frame, in place of their rates.
+/// Joints that move a body against the body before it. Three revolute joints about axes through one point, or three
+/// prismatic ones, are taken by quasi-velocities: components of their joint motion along the axes of the frame, in
+/// place of their rates. They may be those of one ball or joints of their own over bodies that do nothing else.
 struct JointStep {
   std::vector<int> joints;  ///< one, or three of a kind, in the order in which they turn or move
   bool revolute = true;
