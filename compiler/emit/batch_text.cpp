@@ -42,17 +42,24 @@ std::string lane_struct(const std::string& name, const std::vector<std::string>&
   return text + "};\n";
 }
 
-/// The structs of the interface with a vector in place of each number.
+/// A struct of rows for the iterations, and of vectors for the programs.
+std::string row_or_lane_struct(const std::string& name, const std::vector<std::string>& members) {
+  return "template <class Lanes>\n" + lane_struct(name + "Of", members) + "using " + name + " = " + name +
+         "Of<Lanes>;\n";
+}
+
+/// The structs of the interface with vectors in place of each number.
 std::string lane_structs(const EmitContext& context) {
   const SolverLayout& layout = context.layout;
   const std::string auxiliary = size_text(layout.auxiliary_states);
   return lane_struct("Parameters", names_of(parameter_members(context))) + tuned_type_text(context.programs, "Lanes") +
          lane_struct("Inputs", names_of(input_members(context))) +
-         lane_struct("State", {"z[kCoordinates]", "zd[kCoordinates]", "x[" + auxiliary + "]", "t"}) +
-         lane_struct("Derivative", {"zdd[kCoordinates]", "xd[" + auxiliary + "]"}) +
-         lane_struct("Multipliers",
-                     {"lambda[" + size_text(layout.equations) + "]", "drive[" + size_text(layout.drives) + "]"}) +
-         lane_struct("Outputs", names_of(output_members(context)));
+         row_or_lane_struct("State", {"z[kCoordinates]", "zd[kCoordinates]", "x[" + auxiliary + "]", "t"}) +
+         row_or_lane_struct("JointForces", {"tau[kCoordinates]"}) +
+         row_or_lane_struct("Derivative", {"zdd[kCoordinates]", "xd[" + auxiliary + "]"}) +
+         row_or_lane_struct("Multipliers", {"lambda[" + size_text(layout.equations) + "]",
+                                            "drive[" + size_text(layout.drives) + "]"}) +
+         row_or_lane_struct("Outputs", names_of(output_members(context)));
 }
 
 /// One statement a member: a format of its name.
@@ -69,6 +76,7 @@ ShapedProgram in_lanes(ShapedProgram shaped) {
   shaped.shape.scalar = "Lanes";
   shaped.shape.most_crossing = kReachedByOneByte;
   shaped.shape.read_back_after = kReadBackAfter;
+  shaped.shape.in_groups = shaped.role != Role::derived_constants;
   for (auto& [name, declaration] : shaped.shape.arguments) {
     if (name == "tau") declaration = "const Lanes* tau";
   }
@@ -90,12 +98,12 @@ std::string inputs_at(const EmitContext& context) {
 
 std::string batch_outputs_call(const EmitContext& context) {
   if (!outputs_take_multipliers(context.programs)) {
-    return "  const Mask good = mbgen::batch_detail::arguments_are_finite<System>(p, in, at, tau);\n"
-           "  lanes::compute_outputs(p, in, at, tau, rates, result);";
+    return "  const Mask good = mbgen::batch_detail::arguments_are_finite<System>(p, in, at, &tau);\n"
+           "  mbgen::run_groups(&lanes::compute_outputs, result, p, in, at, tau, rates);";
   }
-  return "  lanes::Multipliers constraint;\n"
-         "  const Mask good = mbgen::constrain_lanes<System>(p, in, at, tau, rates, constraint);\n"
-         "  lanes::compute_outputs(p, in, at, tau, rates, constraint, result);";
+  return "  System::Multipliers constraint;\n"
+         "  const Mask good = mbgen::constrain_lanes<System>(p, in, at, &tau, rates, constraint);\n"
+         "  mbgen::run_groups(&lanes::compute_outputs, result, p, in, at, tau, rates, constraint);";
 }
 
 /// The start of every lane.
@@ -137,33 +145,36 @@ std::string batch_text(const EmitContext& context, const std::vector<ShapedProgr
     programs += program_text(program, schedule(program), shaped.shape) + "\n";
     if (shaped.role == Role::derived_constants) programs += tuned_constructor_text(context.programs);
     if (shaped.role == Role::outputs || shaped.role == Role::derived_constants) continue;
-    members += "  using " + shaped.shape.result + " = lanes::" + shaped.shape.result + ";\n" +
+    members += "  using " + shaped.shape.result + " = lanes::" + shaped.shape.result + "Of<Row>;\n" +
                "  static constexpr auto " + shaped.shape.function.substr(std::string("compute_").size()) +
                " = &lanes::" + shaped.shape.function + ";\n";
   }
   const Members parameters = parameter_members(context), inputs = input_members(context),
                 outputs = output_members(context);
-  constexpr const char* kLoad = "  values.{0} = load(batch.{0});";
+  constexpr const char* kLoadParameter = "    group.{0} = load_group<Lanes>(batch.{0}, g);";
+  constexpr const char* kLoadInput = "    values.group[g].{0} = load_group<Lanes>(batch.{0}, g);";
   constexpr const char* kOne = "  one.{0} = batch.{0}[lane];";
   constexpr const char* kSet = "  batch.{0}[lane] = one.{0};";
-  return fill_template("batch.cpp.in",
-                       {{"banner", banner_text(context.model, "//")},
-                        {"solver", context.names.solver},
-                        {"lane_structs", lane_structs(context)},
-                        {"programs", constants_text(constants, "double") + programs},
-                        {"system", system_text(context, members, "Lanes")},
-                        {"inputs_at", inputs_at(context)},
-                        {"load_parameters", statements(parameters, kLoad)},
-                        {"load_inputs", statements(inputs, kLoad)},
-                        {"parameters_of", statements(parameters, kOne)},
-                        {"inputs_of", statements(inputs, kOne)},
-                        {"outputs_of", statements(outputs, kOne)},
-                        {"set_parameters", statements(parameters, kSet)},
-                        {"set_inputs", statements(inputs, kSet)},
-                        {"set_outputs", statements(outputs, kSet)},
-                        {"store_outputs", statements(outputs, "  store_row(good, result.{0}, values.{0});")},
-                        {"initial_state", batch_start(context)},
-                        {"outputs_call", batch_outputs_call(context)}});
+  return fill_template(
+      "batch.cpp.in",
+      {{"banner", banner_text(context.model, "//")},
+       {"solver", context.names.solver},
+       {"lane_structs", lane_structs(context)},
+       {"programs", constants_text(constants, "double") + programs},
+       {"system", system_text(context, members, "Lanes")},
+       {"inputs_at", inputs_at(context)},
+       {"load_parameters", statements(parameters, kLoadParameter)},
+       {"load_inputs",
+        inputs.empty() ? "" : "  for (int g = 0; g < kGroups; ++g) {\n" + statements(inputs, kLoadInput) + "  }\n"},
+       {"parameters_of", statements(parameters, kOne)},
+       {"inputs_of", statements(inputs, kOne)},
+       {"outputs_of", statements(outputs, kOne)},
+       {"set_parameters", statements(parameters, kSet)},
+       {"set_inputs", statements(inputs, kSet)},
+       {"set_outputs", statements(outputs, kSet)},
+       {"store_outputs", statements(outputs, "  store_row(good, result.{0}, values.{0});")},
+       {"initial_state", batch_start(context)},
+       {"outputs_call", batch_outputs_call(context)}});
 }
 
 }  // namespace mbgen

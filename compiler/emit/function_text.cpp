@@ -1,5 +1,7 @@
 #include "compiler/emit/function_text.hpp"
 
+#include <fmt/format.h>
+
 #include "compiler/emit/file_parts.hpp"
 #include "compiler/emit/text.hpp"
 
@@ -8,12 +10,16 @@ namespace {
 
 std::string result_struct(const ProgramShape& shape) {
   if (shape.members.empty()) return "";
-  std::string text = "/// Result of " + shape.function + ".\nstruct " + shape.result + " {\n";
+  std::string text =
+      "/// Result of " + shape.function + ".\n" +
+      (shape.in_groups ? "template <class Lanes>\nstruct " + shape.result + "Of" : "struct " + shape.result) + " {\n";
   for (const ArrayMember& member : shape.members) {
     text += "  " + shape.scalar + " " + member.name + "[" + std::to_string(member.size > 0 ? member.size : 1) +
             "];  ///< " + member.comment + "\n";
   }
-  return text + "};\n\n";
+  text += "};\n";
+  if (shape.in_groups) text += fmt::format("using {0} = {0}Of<{1}>;\n", shape.result, shape.scalar);
+  return text + "\n";
 }
 
 /// The type of such an argument: AccelerationsWork of "work", AccelerationsWork2 of "work2".
@@ -74,13 +80,41 @@ std::string argument_list(const ProgramShape& shape, const CrossingStructs& cros
   return joined(list, ", ");
 }
 
+/// The parameters of a function of all groups, arrays of structs.
+std::string group_parameters(const ProgramShape& shape, const std::set<std::string>& used) {
+  std::vector<std::string> list;
+  for (const auto& [name, declaration] : shape.arguments) {
+    const std::string type =
+        name == "tau" ? "const JointForces& " : declaration.substr(0, declaration.size() - name.size());
+    list.push_back(type.substr(0, type.find('&')) + "* " + (used.count(name) ? name : "/*" + name + "*/"));
+  }
+  list.push_back(shape.result + "* " + (used.count("result") ? "__restrict result" : "/*result*/"));
+  return joined(list, ", ");
+}
+
+/// The arguments of a part for group g.
+std::string group_arguments(const ProgramShape& shape, const CrossingStructs& crossing,
+                            const std::set<std::string>& used) {
+  std::vector<std::string> list;
+  for (const auto& [name, declaration] : shape.arguments) {
+    if (used.count(name)) list.push_back(name == "tau" ? "tau[g].tau" : name + "[g]");
+  }
+  for (const CrossingStruct& work : crossing) {
+    if (used.count(work.argument)) list.push_back(work.argument + "[g]");
+  }
+  if (used.count("result")) list.push_back("result[g]");
+  return joined(list, ", ");
+}
+
 std::string heading(const std::string& comment, const std::string& declaration) {
   return wrapped_words(comment, "/// ") + "\n" + wrapped_statement(declaration) + "\n";
 }
 
 std::string whole_heading(const ProgramShape& shape, const std::set<std::string>& used) {
-  return heading(shape.title,
-                 "void " + shape.function + "(" + parameter_list(shape, {}, used, Signature::whole) + ") noexcept {");
+  return heading(shape.title, "void " + shape.function + "(" +
+                                  (shape.in_groups ? group_parameters(shape, used)
+                                                   : parameter_list(shape, {}, used, Signature::whole)) +
+                                  ") noexcept {");
 }
 
 /// Kept out of line: inlined, the parts would grow together again.
@@ -109,18 +143,23 @@ std::string definitions(const ProgramShape& shape, const std::vector<PartText>& 
                         const CrossingStructs& crossing) {
   const std::string structs = work_structs(shape, crossing);
   std::string work;
-  for (const CrossingStruct& values : crossing) work += "  " + work_type(shape, values) + " " + values.argument + ";\n";
+  for (const CrossingStruct& values : crossing)
+    work += "  " + work_type(shape, values) + " " + values.argument + (shape.in_groups ? "[kGroups];\n" : ";\n");
   std::string functions, calls;
   std::set<std::string> used;
   for (std::size_t p = 0; p < parts.size(); ++p) {
     used.insert(parts[p].arguments.begin(), parts[p].arguments.end());
-    if (parts.size() == 1 && shape.clock.empty()) {
+    if (parts.size() == 1 && shape.clock.empty() && !shape.in_groups) {
       calls = parts[0].body;
       break;
     }
     functions += part_function(shape, crossing, parts[p], p + 1);
-    calls += "  " + shape.function + "_" + std::to_string(p + 1) + "(" +
-             argument_list(shape, crossing, parts[p].arguments) + ");\n";
+    const std::string function = shape.function + "_" + std::to_string(p + 1);
+    if (shape.in_groups)
+      calls += "  for (int g = 0; g < kGroups; ++g)\n    " + function + "(" +
+               group_arguments(shape, crossing, parts[p].arguments) + ");\n";
+    else
+      calls += "  " + function + "(" + argument_list(shape, crossing, parts[p].arguments) + ");\n";
     if (!shape.clock.empty() && !parts[p].ended_step.empty()) {
       calls += "  " + shape.clock + ".at_end_of(" + parts[p].ended_step + ");\n";
       used.insert(shape.clock);

@@ -64,6 +64,8 @@ struct ProgramShape {
   std::vector<std::pair<std::string, std::string>> arguments;  ///< name, declaration; in order
   Places inputs, outputs;
   std::string scalar = "double";  ///< type of every value: double, float, or a vector of doubles
+  /// The function takes an array of structs in place of each argument, one a group of instances, and goes part by part.
+  bool in_groups = false;
   /// Argument that is told the end of every section by its number, "" for none: then the parts follow the sections.
   std::string clock;
   /// Largest number of values in one struct of values that cross parts, 0: all in one.

@@ -48,8 +48,8 @@ const std::set<std::string_view>& reserved_names() {
 /// Names beside which there is no namespace, between blanks: the types of the interface, and what the headers of the C
 /// library and POSIX declare. Of mathematical functions those for double; their sisters end in kPrecisions.
 constexpr std::string_view kGlobalNames =
-    " main Dynamics ClosureResidual lanes batch mbgen_solver_table a64l abort accept access acct alarm"
-    " aligned_alloc alloca arc4random arc4random_buf arc4random_uniform asctime at_quick_exit atexit atof"
+    " main Dynamics ClosureResidual lanes batch Row kGroups mbgen_solver_table a64l abort accept access acct"
+    " alarm aligned_alloc alloca arc4random arc4random_buf arc4random_uniform asctime at_quick_exit atexit atof"
     " atoi atol atoll basename bcmp bcopy bind brk bsearch bzero calloc canonicalize canonicalize_file_name"
     " chdir chmod chown chroot clearenv clock clock_adjtime clock_getcpuclockid clock_getres clock_gettime"
     " clock_nanosleep clock_settime close connect creat crypt ctime daddl daylight ddivl dfmal difftime dmull"

@@ -16,9 +16,13 @@ using mbgen::fnma;  // c - a b, of fnma(a, b, c)
 
 namespace {
 
-using Lanes = mbgen::LaneTypes<kLanes>::Lanes;
+/// A row of kLanes numbers is cut into vectors of the processor, one a group of instances.
+constexpr int kGroups = kLanes / mbgen::lanes_of_vectors(kLanes);
+using Lanes = mbgen::LaneTypes<kLanes / kGroups>::Lanes;
+using Row = mbgen::RowOf<Lanes, kGroups>;
 
-/// The programs of the solver on vectors, and what they work on.
+/// The programs of the solver on vectors, and the structs that they take and give. A program takes one struct a group:
+/// the code of a part serves all groups before that of the next part comes into the cache.
 namespace lanes {
 
 struct Parameters {
@@ -35,21 +39,33 @@ struct Tuned : Parameters {
 };
 struct Inputs {
 };
-struct State {
+template <class Lanes>
+struct StateOf {
   Lanes z[kCoordinates];
   Lanes zd[kCoordinates];
   Lanes x[2];
   Lanes t;
 };
-struct Derivative {
+using State = StateOf<Lanes>;
+template <class Lanes>
+struct JointForcesOf {
+  Lanes tau[kCoordinates];
+};
+using JointForces = JointForcesOf<Lanes>;
+template <class Lanes>
+struct DerivativeOf {
   Lanes zdd[kCoordinates];
   Lanes xd[2];
 };
-struct Multipliers {
+using Derivative = DerivativeOf<Lanes>;
+template <class Lanes>
+struct MultipliersOf {
   Lanes lambda[1];
   Lanes drive[1];
 };
-struct Outputs {
+using Multipliers = MultipliersOf<Lanes>;
+template <class Lanes>
+struct OutputsOf {
   Lanes load;
   Lanes wheel_speed;
   Lanes hub_height;
@@ -58,6 +74,7 @@ struct Outputs {
   Lanes potential_energy;
   Lanes applied_power;
 };
+using Outputs = OutputsOf<Lanes>;
 
 // Numbers of the model.
 constexpr double g_z = -9.81;
@@ -130,15 +147,21 @@ Tuned::Tuned(const Parameters& parameters) noexcept : Parameters(parameters) {
 }
 
 /// Result of compute_accelerations.
-struct Accelerations {
+template <class Lanes>
+struct AccelerationsOf {
   Lanes zdd[4];  ///< accelerations
   Lanes xd[2];  ///< rates of the auxiliary states
   Lanes pivot[1];  ///< smallest pivot of each block over its reference
   Lanes inertia[2];  ///< pivots of the final equations
 };
+using Accelerations = AccelerationsOf<Lanes>;
 
-/// All accelerations with the frozen partition of the loop blocks.
-void compute_accelerations(const Tuned& parameters, const Inputs& /*inputs*/, const State& state,
+/// Part 1 of compute_accelerations: step 1: poses and axes b; step 5: applied forces Q (48); step
+/// 8: elimination from the leaves to the root (63); step 2: closure Jacobian Phi_z and its factors
+/// (60), upper; step 3: Rz (61), upper; step 6: c and dRz/dt zd (62), upper; step 7: inertias of
+/// the bodies and forces on joints, upper; step 8: elimination from the leaves to the root (63),
+/// upper; step 9: accelerations from the root to the leaves (63), (62).
+[[gnu::noinline]] void compute_accelerations_1(const Tuned& parameters, const State& state,
     const Lanes* tau, Accelerations& __restrict result) noexcept {
   // Results that need no operation.
   result.inertia[1] = Lanes{} + 0.999999999999;
@@ -316,17 +339,26 @@ void compute_accelerations(const Tuned& parameters, const Inputs& /*inputs*/, co
   // operations: 4 add, 4 multiply
 }
 
+/// All accelerations with the frozen partition of the loop blocks.
+void compute_accelerations(const Tuned* parameters, const Inputs* /*inputs*/, const State* state,
+    const JointForces* tau, Accelerations* __restrict result) noexcept {
+  for (int g = 0; g < kGroups; ++g)
+    compute_accelerations_1(parameters[g], state[g], tau[g].tau, result[g]);
+}
+
 /// Result of compute_closure.
-struct Closure {
+template <class Lanes>
+struct ClosureOf {
   Lanes residual[2];  ///< of every closure equation, block after block, then of every motion
   Lanes dz[4];  ///< Newton correction; driven coordinates go to their motions
   Lanes zd[4];  ///< consistent velocities
   Lanes pivot[1];  ///< smallest pivot of each block over its reference
 };
+using Closure = ClosureOf<Lanes>;
 
-/// One Newton step of the frozen partition, and consistent velocities.
-void compute_closure(const Tuned& /*parameters*/, const Inputs& /*inputs*/, const State& state,
-    Closure& __restrict result) noexcept {
+/// Part 1 of compute_closure: step 1: poses and axes b; step 2: closure Jacobian Phi_z and its
+/// factors (60); step 4: velocities.
+[[gnu::noinline]] void compute_closure_1(const State& state, Closure& __restrict result) noexcept {
   // Results that need no operation.
   result.dz[Coordinate::ball] = Lanes{} + 0.0;
   result.dz[Coordinate::wheel] = Lanes{} + 0.0;
@@ -376,16 +408,27 @@ void compute_closure(const Tuned& /*parameters*/, const Inputs& /*inputs*/, cons
   // operations: 3 multiply
 }
 
+/// One Newton step of the frozen partition, and consistent velocities.
+void compute_closure(const Tuned* /*parameters*/, const Inputs* /*inputs*/, const State* state,
+    Closure* __restrict result) noexcept {
+  for (int g = 0; g < kGroups; ++g)
+    compute_closure_1(state[g], result[g]);
+}
+
 /// Result of compute_multipliers.
-struct ConstraintForces {
+template <class Lanes>
+struct ConstraintForcesOf {
   Lanes lambda[1];  ///< multipliers, loop after loop
   Lanes drive[1];  ///< generalised driving forces
   Lanes missing[2];  ///< what multipliers and drives must provide, block after block
   Lanes pivot[1];  ///< smallest pivot of each block over its reference
 };
+using ConstraintForces = ConstraintForcesOf<Lanes>;
 
-/// Multipliers of the closures and generalised driving forces, at given accelerations.
-void compute_multipliers(const Tuned& parameters, const Inputs& /*inputs*/, const State& state,
+/// Part 1 of compute_multipliers: step 1: poses and axes b; step 4: velocities; step 5: applied
+/// forces Q (48); step 7: inertias of the bodies and forces on joints; step 9: multipliers of the
+/// closures and driving forces.
+[[gnu::noinline]] void compute_multipliers_1(const Tuned& parameters, const State& state,
     const Lanes* tau, const Derivative& derivative, ConstraintForces& __restrict result) noexcept {
   // --- step 1: poses and axes b ---
   // arm: lower, revolute, carriage
@@ -537,10 +580,18 @@ void compute_multipliers(const Tuned& parameters, const Inputs& /*inputs*/, cons
   // operations: 9 add, 9 multiply, 1 divide, 1 other
 }
 
-/// Outputs, energies and power, at given accelerations.
-void compute_outputs(const Tuned& parameters, const Inputs& /*inputs*/, const State& state,
-    const Lanes* tau, const Derivative& /*derivative*/, const Multipliers& multipliers,
-    Outputs& __restrict result) noexcept {
+/// Multipliers of the closures and generalised driving forces, at given accelerations.
+void compute_multipliers(const Tuned* parameters, const Inputs* /*inputs*/, const State* state,
+    const JointForces* tau, const Derivative* derivative,
+    ConstraintForces* __restrict result) noexcept {
+  for (int g = 0; g < kGroups; ++g)
+    compute_multipliers_1(parameters[g], state[g], tau[g].tau, derivative[g], result[g]);
+}
+
+/// Part 1 of compute_outputs: step 1: poses and axes b; step 4: velocities; step 5: applied forces
+/// Q (48); step 7: inertias of the bodies and forces on joints; step 9: outputs, energies, power.
+[[gnu::noinline]] void compute_outputs_1(const Tuned& parameters, const State& state,
+    const Lanes* tau, const Multipliers& multipliers, Outputs& __restrict result) noexcept {
   // Results that need no operation.
   result.wheel_speed = state.zd[Coordinate::wheel];
 
@@ -671,18 +722,29 @@ void compute_outputs(const Tuned& parameters, const Inputs& /*inputs*/, const St
   // operations: 25 add, 29 multiply
 }
 
+/// Outputs, energies and power, at given accelerations.
+void compute_outputs(const Tuned* parameters, const Inputs* /*inputs*/, const State* state,
+    const JointForces* tau, const Derivative* /*derivative*/, const Multipliers* multipliers,
+    Outputs* __restrict result) noexcept {
+  for (int g = 0; g < kGroups; ++g)
+    compute_outputs_1(parameters[g], state[g], tau[g].tau, multipliers[g], result[g]);
+}
+
 }  // namespace lanes
 
 /// What the runtime's algorithms need to know of this model; see mbgen/batch.hpp.
 struct System {
   using Lanes = batch::Lanes;
-  using Mask = mbgen::MaskOf<Lanes>;
+  using Row = batch::Row;
+  using Mask = mbgen::MaskOf<Row>;
   using Parameters = lanes::Tuned;
   using Inputs = lanes::Inputs;
-  using State = lanes::State;
-  using Derivative = lanes::Derivative;
-  using Multipliers = lanes::Multipliers;
+  using State = lanes::StateOf<Row>;
+  using JointForces = lanes::JointForcesOf<Row>;
+  using Derivative = lanes::DerivativeOf<Row>;
+  using Multipliers = lanes::MultipliersOf<Row>;
   static constexpr int kLanes = batch::kLanes;
+  static constexpr int kGroups = batch::kGroups;
   static constexpr int kCoordinates = 4;
   static constexpr int kAuxiliaryStates = 2;
   static constexpr int kBlocks = 1;
@@ -694,11 +756,11 @@ struct System {
   static constexpr unsigned char kDriven[] = {1, 0, 0, 0};
   static constexpr unsigned char kRedundant[] = {0};
   static constexpr int kBlockCoordinate[] = {1, 2};
-  using Accelerations = lanes::Accelerations;
+  using Accelerations = lanes::AccelerationsOf<Row>;
   static constexpr auto accelerations = &lanes::compute_accelerations;
-  using Closure = lanes::Closure;
+  using Closure = lanes::ClosureOf<Row>;
   static constexpr auto closure = &lanes::compute_closure;
-  using ConstraintForces = lanes::ConstraintForces;
+  using ConstraintForces = lanes::ConstraintForcesOf<Row>;
   static constexpr auto multipliers = &lanes::compute_multipliers;
   static Lanes argument_sum(const Parameters& parameters, const Inputs& /*inputs*/) noexcept {
     return parameters.k + parameters.ballast;
@@ -707,42 +769,46 @@ struct System {
 };
 
 using Mask = System::Mask;
-using mbgen::load;
-using mbgen::store;
+using mbgen::load_group;
+using mbgen::load_row;
 using mbgen::batch_detail::load_rows;
 using mbgen::batch_detail::store_rows;
 
-lanes::Tuned in_lanes([[maybe_unused]] const Parameters& batch) noexcept {
-  lanes::Parameters values;
-  values.k = load(batch.k);
-  values.ballast = load(batch.ballast);
+mbgen::ParametersOf<System> in_lanes([[maybe_unused]] const Parameters& batch) noexcept {
+  mbgen::ParametersOf<System> values;
+  for ([[maybe_unused]] int g = 0; g < kGroups; ++g) {
+    lanes::Parameters group;
+    group.k = load_group<Lanes>(batch.k, g);
+    group.ballast = load_group<Lanes>(batch.ballast, g);
+    values.group[g] = group;
+  }
   return values;
 }
 
-lanes::Inputs in_lanes([[maybe_unused]] const Inputs& batch) noexcept {
-  lanes::Inputs values;
+mbgen::InputsOf<System> in_lanes([[maybe_unused]] const Inputs& batch) noexcept {
+  mbgen::InputsOf<System> values;
   return values;
 }
 
 /// To the caller's place: g++ copies returned structs of this size.
-void in_lanes(const State& batch, lanes::State& values) noexcept {
+void in_lanes(const State& batch, System::State& values) noexcept {
   load_rows(batch.z, values.z);
   load_rows(batch.zd, values.zd);
   load_rows(batch.x, values.x);
-  values.t = load(batch.t);
+  values.t = load_row<Row>(batch.t);
 }
 
-void in_lanes(const Derivative& batch, lanes::Derivative& values) noexcept {
+void in_lanes(const Derivative& batch, System::Derivative& values) noexcept {
   load_rows(batch.zdd, values.zdd);
   load_rows(batch.xd, values.xd);
 }
 
 /// The lanes of the mask.
-void store_row(const Mask& mask, const Lanes& values, double (&row)[kLanes]) noexcept {
-  store(mbgen::choose(mask, values, load(row)), row);
+void store_row(const Mask& mask, const Row& values, double (&row)[kLanes]) noexcept {
+  mbgen::store_row(mbgen::choose(mask, values, load_row<Row>(row)), row);
 }
 
-void store_state(const Mask& mask, const lanes::State& values, State& batch) noexcept {
+void store_state(const Mask& mask, const System::State& values, State& batch) noexcept {
   store_rows(mask, values.z, batch.z);
   store_rows(mask, values.zd, batch.zd);
   store_rows(mask, values.x, batch.x);
@@ -883,7 +949,7 @@ State initial_state() noexcept {
 }
 
 Statuses assemble(const Parameters& parameters, const Inputs& inputs, State& state) noexcept {
-  lanes::State values;
+  System::State values;
   in_lanes(state, values);
   const Mask good = mbgen::project_lanes<System>(in_lanes(parameters), in_lanes(inputs), values);
   store_state(good, values, state);
@@ -897,12 +963,12 @@ Statuses assemble(const Parameters& parameters, const Inputs& inputs, State& sta
 
 Statuses accelerations(const Parameters& parameters, const Inputs& inputs, const State& state,
                        const JointForces& forces, Derivative& derivative) noexcept {
-  lanes::State at;
+  System::State at;
   in_lanes(state, at);
-  Lanes tau[kCoordinates];
-  load_rows(forces.tau, tau);
-  lanes::Derivative values;
-  const Mask good = mbgen::accelerate_lanes<System>(in_lanes(parameters), in_lanes(inputs), at, tau,
+  System::JointForces tau;
+  load_rows(forces.tau, tau.tau);
+  System::Derivative values;
+  const Mask good = mbgen::accelerate_lanes<System>(in_lanes(parameters), in_lanes(inputs), at, &tau,
                                                     mbgen::kPivotThreshold<double>, values);
   store_rows(good, values.zdd, derivative.zdd);
   store_rows(good, values.xd, derivative.xd);
@@ -919,7 +985,7 @@ Statuses accelerations(const Parameters& parameters, const Inputs& inputs, const
 
 Statuses step_rk4(const Parameters& parameters, const Inputs& inputs, State& state, double h) noexcept {
   if (!mbgen::is_step(h)) return invalid_step();
-  lanes::State start, result;
+  System::State start, result;
   in_lanes(state, start);
   in_lanes(state, result);
   const Mask good = mbgen::step_lanes_rk4<System>(in_lanes(parameters), in_lanes(inputs), start, h, result);
@@ -935,7 +1001,7 @@ Statuses step_rk4(const Parameters& parameters, const Inputs& inputs, State& sta
 Statuses step_abm4(const Parameters& parameters, const Inputs& inputs, State& state, History& history,
                    double h) noexcept {
   if (!mbgen::is_step(h)) return invalid_step();
-  lanes::State start, result;
+  System::State start, result;
   in_lanes(state, start);
   in_lanes(state, result);
   const Mask good =
@@ -956,18 +1022,18 @@ Statuses step_abm4(const Parameters& parameters, const Inputs& inputs, State& st
 
 Statuses outputs(const Parameters& parameters, const Inputs& inputs, const State& state, const JointForces& forces,
                  const Derivative& derivative, Outputs& values) noexcept {
-  const lanes::Tuned p = in_lanes(parameters);
-  const lanes::Inputs in = in_lanes(inputs);
-  lanes::State at;
+  const mbgen::ParametersOf<System> p = in_lanes(parameters);
+  const mbgen::InputsOf<System> in = in_lanes(inputs);
+  System::State at;
   in_lanes(state, at);
-  Lanes tau[kCoordinates];
-  load_rows(forces.tau, tau);
-  lanes::Derivative rates;
+  System::JointForces tau;
+  load_rows(forces.tau, tau.tau);
+  System::Derivative rates;
   in_lanes(derivative, rates);
-  lanes::Outputs result;
-  lanes::Multipliers constraint;
-  const Mask good = mbgen::constrain_lanes<System>(p, in, at, tau, rates, constraint);
-  lanes::compute_outputs(p, in, at, tau, rates, constraint, result);
+  lanes::OutputsOf<Row> result;
+  System::Multipliers constraint;
+  const Mask good = mbgen::constrain_lanes<System>(p, in, at, &tau, rates, constraint);
+  mbgen::run_groups(&lanes::compute_outputs, result, p, in, at, tau, rates, constraint);
   store_row(good, result.load, values.load);
   store_row(good, result.wheel_speed, values.wheel_speed);
   store_row(good, result.hub_height, values.hub_height);
@@ -989,15 +1055,15 @@ Statuses outputs(const Parameters& parameters, const Inputs& inputs, const State
 
 Statuses multipliers(const Parameters& parameters, const Inputs& inputs, const State& state,
                      const JointForces& forces, const Derivative& derivative, Multipliers& values) noexcept {
-  lanes::State at;
+  System::State at;
   in_lanes(state, at);
-  Lanes tau[kCoordinates];
-  load_rows(forces.tau, tau);
-  lanes::Derivative rates;
+  System::JointForces tau;
+  load_rows(forces.tau, tau.tau);
+  System::Derivative rates;
   in_lanes(derivative, rates);
-  lanes::Multipliers result;
+  System::Multipliers result;
   const Mask good =
-      mbgen::constrain_lanes<System>(in_lanes(parameters), in_lanes(inputs), at, tau, rates, result);
+      mbgen::constrain_lanes<System>(in_lanes(parameters), in_lanes(inputs), at, &tau, rates, result);
   for (int e = 0; e < kClosureEquations; ++e) store_row(good, result.lambda[e], values.lambda[e]);
   for (int g = 0; g < kMotions; ++g) store_row(good, result.drive[g], values.drive[g]);
   return mbgen::with_the_others_alone<kLanes>(good, [&](int lane) {

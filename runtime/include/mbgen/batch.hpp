@@ -3,8 +3,9 @@
 // function says which lanes are good: there the scalar solver would have gone the same way, with the same bits. What
 // is in the other lanes means nothing; the caller solves them one by one.
 //
-// `System` is that of blocks.hpp with vectors in place of doubles: Lanes, Mask, kLanes, and types, tables and programs
-// as there; beyond it inputs_at(inputs, dt), the inputs dt seconds later.
+// `System` is that of blocks.hpp with rows (rows.hpp) in place of doubles: Row, Mask, kLanes, kGroups, tables and types
+// as there. Its programs take structs of vectors, one a group, see run_groups; Parameters and Inputs are those of one
+// group. Beyond it inputs_at(inputs, dt), the inputs of a group dt seconds later.
 
 #include <limits>
 
@@ -13,9 +14,15 @@
 #include "mbgen/closure.hpp"
 #include "mbgen/lanes.hpp"
 #include "mbgen/motion.hpp"
+#include "mbgen/rows.hpp"
 #include "mbgen/states.hpp"
 
 namespace mbgen {
+
+template <class System>
+using ParametersOf = Grouped<typename System::Parameters, System::kGroups>;
+template <class System>
+using InputsOf = Grouped<typename System::Inputs, System::kGroups>;
 
 namespace batch_detail {
 
@@ -25,9 +32,9 @@ constexpr typename System::Mask every_lane() noexcept {
 }
 
 /// Sum of the first `count` rows with four accumulators, to halve the waiting twice.
-template <class Lanes>
-[[gnu::always_inline]] inline Lanes sum(const Lanes* rows, int count) noexcept {
-  Lanes sums[4] = {};
+template <class Row>
+[[gnu::always_inline]] inline Row sum(const Row* rows, int count) noexcept {
+  Row sums[4] = {};
   int i = 0;
   for (; i + 3 < count; i += 4) {
     for (int k = 0; k < 4; ++k) sums[k] += rows[i + k];
@@ -36,41 +43,44 @@ template <class Lanes>
   return (sums[0] + sums[1]) + (sums[2] + sums[3]);
 }
 
-template <class Lanes>
-[[gnu::always_inline]] inline MaskOf<Lanes> is_finite(const Lanes& value) noexcept {
+template <class Row>
+[[gnu::always_inline]] inline MaskOf<Row> is_finite(const Row& value) noexcept {
   return value - value == 0.0;
 }
 
-/// Lanes whose arguments are surely finite; tau may be null.
+/// Lanes whose arguments are surely finite; forces may be null.
 template <class System>
-typename System::Mask arguments_are_finite(const typename System::Parameters& parameters,
-                                           const typename System::Inputs& inputs, const typename System::State& state,
-                                           const typename System::Lanes* tau) noexcept {
-  typename System::Lanes total = System::argument_sum(parameters, inputs) + state.t;
+typename System::Mask arguments_are_finite(const ParametersOf<System>& parameters, const InputsOf<System>& inputs,
+                                           const typename System::State& state,
+                                           const typename System::JointForces* forces) noexcept {
+  typename System::Row total;
+  for (int g = 0; g < System::kGroups; ++g)
+    part_of(total, g) = System::argument_sum(parameters.group[g], inputs.group[g]);
+  total += state.t;
   total += sum(state.z, System::kCoordinates) + sum(state.zd, System::kCoordinates);
   total += sum(state.x, System::kAuxiliaryStates);
-  if (tau != nullptr) total += sum(tau, System::kCoordinates);
+  if (forces != nullptr) total += sum(forces->tau, System::kCoordinates);
   return is_finite(total);
 }
 
 /// Lanes in which every block has at least this pivot over its reference.
-template <class System, class Lanes>
-typename System::Mask pivots_reach(const Lanes* pivot, double threshold) noexcept {
+template <class System, class Row>
+typename System::Mask pivots_reach(const Row* pivot, double threshold) noexcept {
   typename System::Mask good = every_lane<System>();
   for (int b = 0; b < System::kBlocks; ++b) good &= pivot[b] >= threshold;
   return good;
 }
 
 /// The larger, NaN counting as larger than what came before.
-template <class Lanes>
-[[gnu::always_inline]] inline Lanes larger(const Lanes& size, const Lanes& largest) noexcept {
+template <class Row>
+[[gnu::always_inline]] inline Row larger(const Row& size, const Row& largest) noexcept {
   return choose(size <= largest, largest, size);
 }
 
 /// Largest residual of the equations whose redundancy flag is `redundant`.
 template <class System>
-typename System::Lanes largest_residual(const typename System::Closure& closure, unsigned char redundant) noexcept {
-  typename System::Lanes largest{};
+typename System::Row largest_residual(const typename System::Closure& closure, unsigned char redundant) noexcept {
+  typename System::Row largest{};
   for (int e = 0; e < System::kEquations; ++e) {
     if (System::kRedundant[e] == redundant) largest = larger(mbgen::abs(closure.residual[e]), largest);
   }
@@ -78,8 +88,8 @@ typename System::Lanes largest_residual(const typename System::Closure& closure,
 }
 
 template <class System>
-typename System::Lanes largest_driven_step(const typename System::Closure& closure) noexcept {
-  typename System::Lanes largest{};
+typename System::Row largest_driven_step(const typename System::Closure& closure) noexcept {
+  typename System::Row largest{};
   for (int i = 0; i < System::kCoordinates; ++i) {
     if (System::kDriven[i] != 0) largest = larger(mbgen::abs(closure.dz[i]), largest);
   }
@@ -90,17 +100,17 @@ typename System::Lanes largest_driven_step(const typename System::Closure& closu
 template <class System>
 void apply_step(const typename System::Closure& closure, const typename System::Mask& mask,
                 typename System::State& state) noexcept {
-  using Lanes = typename System::Lanes;
-  Lanes largest{};
+  using Row = typename System::Row;
+  Row largest{};
   for (int i = 0; i < System::kCoordinates; ++i) {
     if (System::kDriven[i] != 0) continue;
-    const Lanes size = mbgen::abs(closure.dz[i]);
+    const Row size = mbgen::abs(closure.dz[i]);
     largest = choose(size > largest, size, largest);
   }
-  const Lanes one = Lanes{} + 1.0;
-  const Lanes factor = choose(largest > kLargestNewtonStep<double>, kLargestNewtonStep<double> / largest, one);
+  const Row one = Row{} + 1.0;
+  const Row factor = choose(largest > kLargestNewtonStep<double>, kLargestNewtonStep<double> / largest, one);
   for (int i = 0; i < System::kCoordinates; ++i) {
-    const Lanes step = System::kDriven[i] != 0 ? closure.dz[i] : factor * closure.dz[i];
+    const Row step = System::kDriven[i] != 0 ? closure.dz[i] : factor * closure.dz[i];
     take(mask, state.z[i] + step, state.z[i]);
   }
 }
@@ -113,7 +123,7 @@ typename System::Mask accept(const typename System::Closure& closure, const type
     if (System::kDriven[i] != 0) take(mask, trial.z[i] + closure.dz[i], trial.z[i]);
     take(mask, closure.zd[i], trial.zd[i]);
   }
-  typename System::Lanes total = sum(closure.zd, System::kCoordinates);
+  typename System::Row total = sum(closure.zd, System::kCoordinates);
   if constexpr (System::kDrives > 0) total += sum(trial.z, System::kCoordinates);
   return (largest_residual<System>(closure, 1) <= kRedundantTolerance<double>)&is_finite(total);
 }
@@ -121,19 +131,19 @@ typename System::Mask accept(const typename System::Closure& closure, const type
 /// Newton on z and t of `trial`, far from singular positions; at the end its velocities are consistent. wanted: lanes
 /// that matter. Result: those that came through.
 template <class System>
-typename System::Mask close_lanes(const typename System::Parameters& parameters, const typename System::Inputs& inputs,
+typename System::Mask close_lanes(const ParametersOf<System>& parameters, const InputsOf<System>& inputs,
                                   const typename System::Mask& wanted, typename System::State& trial) noexcept {
-  using Lanes = typename System::Lanes;
+  using Row = typename System::Row;
   using Mask = typename System::Mask;
   typename System::Closure closure;
   Mask open = wanted, done{};
-  Lanes previous = Lanes{} + std::numeric_limits<double>::infinity();
+  Row previous = Row{} + std::numeric_limits<double>::infinity();
   for (int iteration = 0; iteration <= kNewtonIterations && bits_of(open) != 0; ++iteration) {
-    System::closure(parameters, inputs, trial, closure);
+    run_groups(System::closure, closure, parameters, inputs, trial);
     open &= pivots_reach<System>(closure.pivot, kNearSingular<double>);
-    const Lanes misfit = largest_residual<System>(closure, 0);
-    const Lanes driven = largest_driven_step<System>(closure);
-    const Lanes size = choose(driven > misfit, driven, misfit);
+    const Row misfit = largest_residual<System>(closure, 0);
+    const Row driven = largest_driven_step<System>(closure);
+    const Row size = choose(driven > misfit, driven, misfit);
     const Mask may_gain = iteration < kNewtonIterations ? every_lane<System>() : Mask{};
     const Mask gains = (size > 0.0) & (size < 0.5 * previous) & may_gain;
     const Mask closed = open & ((size <= System::kClosureTolerance) | (~gains & (size <= kRoundingFloor<double>)));
@@ -162,27 +172,26 @@ typename System::Mask stayed_near(const typename System::State& from, const type
 
 /// All accelerations at a state. least_pivot: of every block over its reference. Result: the good lanes.
 template <class System>
-typename System::Mask accelerate_lanes(const typename System::Parameters& parameters,
-                                       const typename System::Inputs& inputs, const typename System::State& state,
-                                       const typename System::Lanes* tau, double least_pivot,
-                                       typename System::Derivative& derivative) noexcept {
+typename System::Mask accelerate_lanes(const ParametersOf<System>& parameters, const InputsOf<System>& inputs,
+                                       const typename System::State& state, const typename System::JointForces* forces,
+                                       double least_pivot, typename System::Derivative& derivative) noexcept {
   using namespace batch_detail;
   typename System::Accelerations values;
-  System::accelerations(parameters, inputs, state, tau, values);
+  run_groups(System::accelerations, values, parameters, inputs, state, *forces);
   typename System::Mask good =
-      arguments_are_finite<System>(parameters, inputs, state, tau) & pivots_reach<System>(values.pivot, least_pivot);
+      arguments_are_finite<System>(parameters, inputs, state, forces) & pivots_reach<System>(values.pivot, least_pivot);
   for (int k = 0; k < System::kFreeDirections; ++k) good &= values.inertia[k] > 0.0;
   for (int i = 0; i < System::kCoordinates; ++i) derivative.zdd[i] = values.zdd[i];
   for (int i = 0; i < System::kAuxiliaryStates; ++i) derivative.xd[i] = values.xd[i];
   // The array of a solver without auxiliary states has one entry all the same, and integrators integrate it.
-  if constexpr (System::kAuxiliaryStates == 0) derivative.xd[0] = typename System::Lanes{};
+  if constexpr (System::kAuxiliaryStates == 0) derivative.xd[0] = typename System::Row{};
   return good & is_finite(sum(values.zdd, System::kCoordinates) + sum(values.xd, System::kAuxiliaryStates));
 }
 
 /// Closes every loop from the state as a guess, as project_state. Result: the good lanes.
 template <class System>
-typename System::Mask project_lanes(const typename System::Parameters& parameters,
-                                    const typename System::Inputs& inputs, typename System::State& state) noexcept {
+typename System::Mask project_lanes(const ParametersOf<System>& parameters, const InputsOf<System>& inputs,
+                                    typename System::State& state) noexcept {
   using namespace batch_detail;
   const typename System::Mask finite = arguments_are_finite<System>(parameters, inputs, state, nullptr);
   static_assert(System::kHasClosure || System::kEquations == 0);  // else clang++ sees a constant that nobody uses
@@ -192,8 +201,7 @@ typename System::Mask project_lanes(const typename System::Parameters& parameter
 
 /// The same from a good guess, as project_motion.
 template <class System>
-typename System::Mask project_lanes_in_motion(const typename System::Parameters& parameters,
-                                              const typename System::Inputs& inputs,
+typename System::Mask project_lanes_in_motion(const ParametersOf<System>& parameters, const InputsOf<System>& inputs,
                                               typename System::State& state) noexcept {
   typename System::State guess;
   integrator_detail::copy_state(state, guess);
@@ -203,15 +211,15 @@ typename System::Mask project_lanes_in_motion(const typename System::Parameters&
 
 /// Multipliers and driving forces at given accelerations, as solve_multipliers. Result: the good lanes.
 template <class System>
-typename System::Mask constrain_lanes(const typename System::Parameters& parameters,
-                                      const typename System::Inputs& inputs, const typename System::State& state,
-                                      const typename System::Lanes* tau, const typename System::Derivative& derivative,
+typename System::Mask constrain_lanes(const ParametersOf<System>& parameters, const InputsOf<System>& inputs,
+                                      const typename System::State& state, const typename System::JointForces* forces,
+                                      const typename System::Derivative& derivative,
                                       typename System::Multipliers& multipliers) noexcept {
   using namespace batch_detail;
-  typename System::Mask good = arguments_are_finite<System>(parameters, inputs, state, tau);
+  typename System::Mask good = arguments_are_finite<System>(parameters, inputs, state, forces);
   if constexpr (System::kHasClosure) {
     typename System::ConstraintForces values;
-    System::multipliers(parameters, inputs, state, tau, derivative, values);
+    run_groups(System::multipliers, values, parameters, inputs, state, *forces, derivative);
     good &= pivots_reach<System>(values.pivot, kPivotThreshold<double>) &
             is_finite(sum(values.lambda, System::kEquations) + sum(values.drive, System::kDrives));
     for (int e = 0; e < System::kEquations; ++e) multipliers.lambda[e] = values.lambda[e];

@@ -14,20 +14,28 @@ template <class System>
 struct LaneDynamics {
   using State = typename System::State;
   using Derivative = typename System::Derivative;
-  const typename System::Parameters& parameters;
-  const typename System::Inputs& inputs;
-  const typename System::Lanes& start;  ///< s, time of the inputs
+  const ParametersOf<System>& parameters;
+  const InputsOf<System>& inputs;
+  const typename System::Row& start;  ///< s, time of the inputs
   typename System::Mask& good;
 
   Status derivative(const State& state, Derivative& derivative) const noexcept {
-    static constexpr typename System::Lanes kNoForces[System::kCoordinates] = {};
-    good &= accelerate_lanes<System>(parameters, System::inputs_at(inputs, state.t - start), state, kNoForces,
-                                     kNearSingular<double>, derivative);
+    static constexpr typename System::JointForces kNoForces = {};
+    good &=
+        accelerate_lanes<System>(parameters, inputs_at(state.t), state, &kNoForces, kNearSingular<double>, derivative);
     return {};
   }
   Status project(State& state) const noexcept {
-    good &= project_lanes_in_motion<System>(parameters, System::inputs_at(inputs, state.t - start), state);
+    good &= project_lanes_in_motion<System>(parameters, inputs_at(state.t), state);
     return {};
+  }
+
+ private:
+  InputsOf<System> inputs_at(const typename System::Row& t) const noexcept {
+    InputsOf<System> later;
+    const typename System::Row dt = t - start;
+    for (int g = 0; g < System::kGroups; ++g) later.group[g] = System::inputs_at(inputs.group[g], part_of(dt, g));
+    return later;
   }
 };
 
@@ -58,9 +66,9 @@ inline bool is_step(double h) noexcept { return integrator_detail::check_step(h)
 /// One step by the classical Runge-Kutta method, as step_rk4. result: a copy of the state. Result: the good lanes.
 /// Requires: is_step(h).
 template <class System>
-typename System::Mask step_lanes_rk4(const typename System::Parameters& parameters,
-                                     const typename System::Inputs& inputs, const typename System::State& state,
-                                     double h, typename System::State& result) noexcept {
+typename System::Mask step_lanes_rk4(const ParametersOf<System>& parameters, const InputsOf<System>& inputs,
+                                     const typename System::State& state, double h,
+                                     typename System::State& result) noexcept {
   typename System::Mask good = batch_detail::every_lane<System>();
   const batch_detail::LaneDynamics<System> dynamics{parameters, inputs, state.t, good};
   integrator_detail::try_rk4<batch_detail::LaneStages>(dynamics, state, h, result);
@@ -69,15 +77,15 @@ typename System::Mask step_lanes_rk4(const typename System::Parameters& paramete
 
 namespace batch_detail {
 
-template <class Lanes, int W, int N>
-void load_rows(const double (&from)[N][W], Lanes (&to)[N]) noexcept {
-  for (int i = 0; i < N; ++i) to[i] = load(from[i]);
+template <class Row, int W, int N>
+void load_rows(const double (&from)[N][W], Row (&to)[N]) noexcept {
+  for (int i = 0; i < N; ++i) to[i] = load_row<Row>(from[i]);
 }
 
 /// Rows of the lanes in the mask.
-template <class Mask, class Lanes, int W, int N>
-void store_rows(const Mask& mask, const Lanes (&from)[N], double (&to)[N][W]) noexcept {
-  for (int i = 0; i < N; ++i) store(choose(mask, from[i], load(to[i])), to[i]);
+template <class Mask, class Row, int W, int N>
+void store_rows(const Mask& mask, const Row (&from)[N], double (&to)[N][W]) noexcept {
+  for (int i = 0; i < N; ++i) store_row(choose(mask, from[i], load_row<Row>(to[i])), to[i]);
 }
 
 }  // namespace batch_detail
@@ -85,9 +93,9 @@ void store_rows(const Mask& mask, const Lanes (&from)[N], double (&to)[N][W]) no
 /// One step by Adams-Bashforth-Moulton, as step_abm4. Result: the good lanes, whose history has it. Lanes that know
 /// fewer rates than others are not good. Requires: is_step(h).
 template <class System, class History>
-typename System::Mask step_rows_abm4(const typename System::Parameters& parameters,
-                                     const typename System::Inputs& inputs, const typename System::State& state,
-                                     History& history, double h, typename System::State& result) noexcept {
+typename System::Mask step_rows_abm4(const ParametersOf<System>& parameters, const InputsOf<System>& inputs,
+                                     const typename System::State& state, History& history, double h,
+                                     typename System::State& result) noexcept {
   using namespace batch_detail;
   using Dynamics = LaneDynamics<System>;
   StateRates<Dynamics> known_rates[4], start, next;

@@ -17,6 +17,10 @@
 #endif
 #endif
 
+#if defined(__aarch64__)
+#include <arm_neon.h>
+#endif
+
 // Vectors wider than the processor's have no settled way to be passed; nothing here is called across files.
 #pragma GCC diagnostic ignored "-Wpsabi"
 
@@ -71,9 +75,13 @@ template <class Lanes>
 /// an operand that several of them share beforehand.
 template <class Lanes>
 [[gnu::always_inline]] inline Lanes fused(const Lanes& a, const Lanes& b, const Lanes& c) noexcept {
+#if defined(__FMA__) || defined(__aarch64__)
   Lanes result{};
   for (int lane = 0; lane < kLanesOf<Lanes>; ++lane) result[lane] = mbgen::fma(a[lane], b[lane], c[lane]);
   return result;
+#else
+  return a * b + c;
+#endif
 }
 template <class Lanes>
 [[gnu::always_inline]] inline Lanes fused_less(const Lanes& a, const Lanes& b, const Lanes& c) noexcept {
@@ -83,6 +91,19 @@ template <class Lanes>
 [[gnu::always_inline]] inline Lanes fused_from(const Lanes& a, const Lanes& b, const Lanes& c) noexcept {
   return fused(-a, b, c);
 }
+
+#if defined(__aarch64__)
+typedef double Two __attribute__((vector_size(16), may_alias));
+[[gnu::always_inline]] inline Two fused(const Two& a, const Two& b, const Two& c) noexcept {
+  return vfmaq_f64(c, a, b);
+}
+[[gnu::always_inline]] inline Two fused_less(const Two& a, const Two& b, const Two& c) noexcept {
+  return vfmaq_f64(-c, a, b);
+}
+[[gnu::always_inline]] inline Two fused_from(const Two& a, const Two& b, const Two& c) noexcept {
+  return vfmsq_f64(c, a, b);
+}
+#endif
 
 #if defined(__AVX__) && defined(__FMA__)
 typedef double Two __attribute__((vector_size(16), may_alias));

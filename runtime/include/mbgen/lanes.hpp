@@ -28,17 +28,6 @@ struct LaneTypes {
 template <class Lanes>
 using MaskOf = decltype(Lanes() < Lanes());
 
-/// One row of an array of structures turned inside out: a quantity of every lane.
-template <int W>
-[[gnu::always_inline]] inline typename LaneTypes<W>::Lanes load(const double (&row)[W]) noexcept {
-  return *reinterpret_cast<const typename LaneTypes<W>::InArray*>(&row);
-}
-
-template <class Lanes, int W>
-[[gnu::always_inline]] inline void store(const Lanes& value, double (&row)[W]) noexcept {
-  *reinterpret_cast<typename LaneTypes<W>::InArray*>(&row) = value;
-}
-
 /// Lanes of `chosen` where the mask has them, of `other` elsewhere.
 template <class Mask, class Lanes>
 [[gnu::always_inline]] inline Lanes choose(const Mask& mask, const Lanes& chosen, const Lanes& other) noexcept {
