@@ -32,26 +32,6 @@ class Stages {
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
-/// The refusal of a whole model, with what is too large of it.
-Diagnostics too_large_to_be_written(const Compilation& c, const std::string& what, const std::string& size,
-                                    const std::string& hint) {
-  Where whole_file;
-  whole_file.file = c.model.file;
-  return {{whole_file, fmt::format("the {} of this model is too large to be written: {} are written", what, size), hint,
-           ""}};
-}
-
-constexpr const char* kWriteNothing =
-    "simulate it with --engine generic, which writes nothing, or make the model smaller";
-
-/// Parts of a model that have a title of their own in its programs.
-std::size_t titles_of(const Compilation& c) {
-  const Model& m = c.model;
-  return c.topology.bodies.size() + c.topology.loops.size() + c.topology.blocks.size() + m.bodies.size() +
-         m.springs.size() + m.air_springs.size() + m.joint_springs.size() + m.frictions.size() + m.joint_forces.size() +
-         m.forces.size() + 2 * m.tyres.size() + m.motions.size() + m.outputs.size();
-}
-
 }  // namespace
 
 std::vector<std::string> stage_names() {
@@ -84,21 +64,21 @@ Result<Compilation> decide(const std::string& path) {
 }
 
 Diagnostics too_large(const Compilation& c, std::optional<Form> form) {
-  if (const std::size_t titles = titles_of(c); titles > kMostTitles) {
-    return too_large_to_be_written(
-        c, "solver",
-        fmt::format("{} bodies, joints, loops, force elements and outputs, at most {}", titles, kMostTitles),
-        kWriteNothing);
-  }
   const auto [matrix, recursive] = least_operations(c.topology, c.analysis);
   const double least = !form ? std::min(matrix, recursive) : *form == Form::matrix ? matrix : recursive;
   if (least <= kMostOperations) return {};
   const bool other = form && std::min(matrix, recursive) <= kMostOperations;
-  return too_large_to_be_written(
-      c, form ? fmt::format("{} form", name_of(*form)) : "solver",
-      fmt::format("{} coordinates with {} free directions take at least {:.2g} operations, at most {:.2g}",
-                  c.topology.size(), free_coordinates(c.topology, c.analysis).size(), least, kMostOperations),
-      other ? fmt::format("--form {} is smaller", name_of(other_form(*form))) : kWriteNothing);
+  Where whole_file;
+  whole_file.file = c.model.file;
+  return {
+      {whole_file,
+       fmt::format("the {} of this model is too large to be written: {} coordinates with {} free directions take at "
+                   "least {:.2g} operations, at most {:.2g} are written",
+                   form ? fmt::format("{} form", name_of(*form)) : "solver", c.topology.size(),
+                   free_coordinates(c.topology, c.analysis).size(), least, kMostOperations),
+       other ? fmt::format("--form {} is smaller", name_of(other_form(*form)))
+             : "simulate it with --engine generic, which writes nothing, or make the model smaller",
+       ""}};
 }
 
 void add_programs(Compilation& c, const CompileOptions& options) {

@@ -54,10 +54,6 @@ Result<Compilation> decide(const std::string& path);
 /// Operations of a program up to which a solver is written: millions take gigabytes here and hours in a C++ compiler.
 constexpr double kMostOperations = 2097152;
 
-/// Parts of a model with a title of their own (bodies, joints, loops, blocks, force elements, outputs) up to which a
-/// solver is written: programs number them with 16 bits, and have some more.
-constexpr std::size_t kMostTitles = 65000;
-
 /// One diagnostic with the size when the solver of a decided model is too large to be written.
 Diagnostics too_large(const Compilation& decided, std::optional<Form> form = {});
 

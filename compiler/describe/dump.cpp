@@ -10,6 +10,7 @@
 #include "compiler/compile.hpp"
 #include "compiler/describe/dump_model.hpp"
 #include "compiler/describe/names.hpp"
+#include "compiler/emit/titles.hpp"
 
 namespace mbgen {
 namespace {
@@ -72,10 +73,11 @@ std::string dump_analysis(const Topology& topology, const Analysis& analysis) {
   return text;
 }
 
-std::string dump_programs(const Programs& programs) {
+std::string dump_programs(const Compilation& so_far, const Programs& programs) {
+  const Titles titles = titles_of(programs.form, so_far.model, so_far.topology);
   std::string text;
   for (const Program* program : all_programs(programs)) {
-    text += fmt::format("; program {}\n{}\n", program->name, dump(*program));
+    text += fmt::format("; program {}\n{}\n", program->name, dump(*program, titles));
   }
   return text;
 }
@@ -91,7 +93,7 @@ std::string dump_of(const Stage& stage) {
   if (name == "model") return dump_model(so_far.model);
   if (name == "topology") return dump_topology(so_far.topology);
   if (name == "analysis") return dump_analysis(so_far.topology, so_far.analysis);
-  return dump_programs(programs);
+  return dump_programs(so_far, programs);
 }
 
 /// The operations of the accelerations, and of all programs, after a stage.

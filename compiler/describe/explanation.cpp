@@ -11,6 +11,7 @@
 
 #include "compiler/describe/names.hpp"
 #include "compiler/describe/notes.hpp"
+#include "compiler/emit/titles.hpp"
 
 namespace mbgen {
 namespace {
@@ -236,6 +237,7 @@ std::string operations_explanation(const Compilation& compilation) {
   const Programs& programs = compilation.programs;
   const Program& accelerations = programs.accelerations;
   const std::vector<OperationCount> counts = count_operations_by_section(accelerations);
+  const Titles titles = titles_of(programs.form, compilation.model, compilation.topology);
   const long total = count_operations(accelerations).total();
   const long other = count_operations_of(compilation, other_form(programs.form));
   std::string text =
@@ -253,7 +255,8 @@ std::string operations_explanation(const Compilation& compilation) {
     const auto bar = static_cast<std::size_t>(std::lround(static_cast<double>(kBarWidth) * static_cast<double>(count) /
                                                           static_cast<double>(counts[order.front()].total())));
     text += fmt::format("{:>7}  {:<{}}  {}\n", count, std::string(bar, '#'), kBarWidth,
-                        accelerations.sections[s].empty() ? "before the first step" : accelerations.sections[s]);
+                        accelerations.sections[s].step == Step::none ? "before the first step"
+                                                                     : titles.section(accelerations.sections[s]));
   }
   return text;
 }

@@ -4,6 +4,7 @@
 
 #include "compiler/describe/names.hpp"
 #include "compiler/describe/notes.hpp"
+#include "compiler/emit/titles.hpp"
 
 namespace mbgen {
 namespace {
@@ -93,11 +94,11 @@ Json report_operations(const OperationCount& count) {
           {"total", count.total()}};
 }
 
-Json report_program(const Program& program) {
+Json report_program(const Program& program, const Titles& titles) {
   Json sections = Json::array();
   const std::vector<OperationCount> counts = count_operations_by_section(program);
   for (std::size_t s = 0; s < counts.size(); ++s) {
-    Json section = {{"section", program.sections[s]}};
+    Json section = {{"section", titles.section(program.sections[s])}};
     section.update(report_operations(counts[s]));
     sections.push_back(section);
   }
@@ -155,9 +156,9 @@ Json make_report(const Compilation& compilation, const Counts& counts) {
   for (const Saving& saving : counts.savings)
     report["savings"].push_back({{"treatment", saving.name}, {"without", saving.without}, {"with", saving.with}});
   report["operations"] = Json::object();
-  for (const Program* program : all_programs(programs)) {
-    report["operations"][program->name] = report_program(*program);
-  }
+  const Titles titles = titles_of(programs.form, model, topology);
+  for (const Program* program : all_programs(programs))
+    report["operations"][program->name] = report_program(*program, titles);
   return report;
 }
 

@@ -6,6 +6,7 @@
 
 #include "compiler/emit/program_text.hpp"
 #include "compiler/emit/text.hpp"
+#include "compiler/emit/titles.hpp"
 #include "compiler/passes/passes.hpp"
 
 namespace mbgen {
@@ -64,6 +65,7 @@ ProgramShape shape_along(const EmitContext& context, const std::string& function
   shape.arguments.insert(shape.arguments.end(), arguments.begin(), arguments.end());
   shape.arguments.push_back({"direction", "const Direction& direction"});
   shape.inputs = input_places(context.programs, context.layout, context.names);
+  shape.titles = titles_of(context.programs.form, context.model, context.topology);
   GroupPlace& seed = shape.inputs[Array::seed];
   seed.argument = "direction";
   seed.texts = direction_texts(direction_groups(context));

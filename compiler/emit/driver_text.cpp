@@ -2,6 +2,7 @@
 #include "compiler/emit/interface_text.hpp"
 #include "compiler/emit/program_text.hpp"
 #include "compiler/emit/text.hpp"
+#include "compiler/emit/titles.hpp"
 
 namespace mbgen {
 namespace {
@@ -55,7 +56,8 @@ EmittedFile emit_driver(const Model& model, int lanes) { return driver(model, la
 EmittedFile emit_clocked_driver(const Programs& programs, const Model& model, const Topology& topology,
                                 const Analysis& analysis, int lanes) {
   const SolverNames names = solver_names(model, topology);
-  const ShapedProgram clocked = clocked_accelerations(programs, solver_layout(model, topology, analysis), names);
+  const ShapedProgram clocked = clocked_accelerations(programs, solver_layout(model, topology, analysis), names,
+                                                      titles_of(programs.form, model, topology));
   const std::string program = program_text(*clocked.program, clocked.schedule, clocked.shape);
   return driver(model, lanes, fill_template("step_clock.cpp.in", {{"solver", names.solver}, {"program", program}}));
 }

@@ -12,6 +12,7 @@
 #include "compiler/emit/embedded.hpp"
 #include "compiler/emit/interface_text.hpp"
 #include "compiler/emit/text.hpp"
+#include "compiler/emit/titles.hpp"
 
 namespace mbgen {
 namespace {
@@ -63,7 +64,8 @@ std::vector<EmittedFile> emit(const Programs& programs, const Model& model, cons
                             options.file_part_values};
   const std::string& name = context.names.solver;
   const std::vector<ShapedProgram> solver =
-      shaped_programs(programs, context.layout, context.names, options.scalar, options.roll_above);
+      shaped_programs(programs, context.layout, context.names, titles_of(programs.form, model, topology),
+                      options.scalar, options.roll_above);
   const nlohmann::ordered_json manifest = manifest_json(context, solver);
   std::vector<EmittedFile> files = {{name + ".hpp", interface_text(context)},
                                     solver_file(context, solver),

@@ -8,6 +8,7 @@
 #include "compiler/emit/fmu_documentation.hpp"
 #include "compiler/emit/input_text.hpp"
 #include "compiler/emit/text.hpp"
+#include "compiler/emit/titles.hpp"
 #include "compiler/model/inputs.hpp"
 
 namespace mbgen {
@@ -147,7 +148,8 @@ FmuFiles emit_fmu(const Programs& programs, const Programs& emitted, const Model
   context.initial = initial;
   const std::string& solver = context.names.solver;
   const std::vector<ShapedProgram> shaped =
-      shaped_programs(emitted, context.layout, context.names, context.scalar, context.roll_above);
+      shaped_programs(emitted, context.layout, context.names, titles_of(emitted.form, model, topology), context.scalar,
+                      context.roll_above);
   const FmuLayout fmu = fmu_layout(context, programs, initial, version);
   const std::string functions = version == FmiVersion::two ? "_fmi2.cpp" : "_fmi3.cpp";
 

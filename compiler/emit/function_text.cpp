@@ -160,8 +160,8 @@ std::string definitions(const ProgramShape& shape, const std::vector<PartText>& 
                group_arguments(shape, crossing, parts[p].arguments) + ");\n";
     else
       calls += "  " + function + "(" + argument_list(shape, crossing, parts[p].arguments) + ");\n";
-    if (!shape.clock.empty() && !parts[p].ended_step.empty()) {
-      calls += "  " + shape.clock + ".at_end_of(" + parts[p].ended_step + ");\n";
+    if (!shape.clock.empty() && parts[p].ended_step) {
+      calls += "  " + shape.clock + ".at_end_of(" + std::to_string(*parts[p].ended_step) + ");\n";
       used.insert(shape.clock);
     }
   }

@@ -1,6 +1,7 @@
 #pragma once
 // Functions and structs around the statements of a program.
 
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
@@ -16,7 +17,7 @@ struct PartText {
   std::string indent = "  ";          ///< of the lines that come next
   std::set<std::string> arguments;    ///< names that the body uses, those of `crossing` and "result" among them
   std::vector<std::string> sections;  ///< titles, in order
-  std::string ended_step;             ///< number of the step that ends with this part, "" for none
+  std::optional<int> ended_step;      ///< number of the step that ends with this part
 };
 
 /// Adds a statement.

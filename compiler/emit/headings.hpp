@@ -1,8 +1,9 @@
 #pragma once
-// Headings of sections and blocks in the text of a program, and the operation counts below sections.
+// Headings of sections and owners in the text of a program, and the operation counts below sections.
 
+#include <map>
+#include <optional>
 #include <set>
-#include <string>
 #include <vector>
 
 #include "compiler/emit/function_text.hpp"
@@ -14,33 +15,35 @@ namespace mbgen {
 /// Writes headings while the values of a program are written in order, part by part.
 class Headings {
  public:
-  Headings(const Program& program, const Schedule& schedule);
+  Headings(const Program& program, const Schedule& schedule, const Titles& titles);
 
   void start_part();
   /// Writes the heading before the i-th value of the order. in_call: of a call for many arguments, which belongs to all
-  /// blocks of its section.
+  /// owners in its section.
   void write_before(std::size_t i, bool in_call, PartText& part);
-  /// Writes the heading before a loop: that of its first value, and the block of its last slice.
+  /// Writes the heading before a loop: that of its first value, and the owner of its last slice.
   void write_before_loop(const ScheduledUnit& loop, PartText& part);
   /// Writes the text after the values from `first` to before `last`: the operations of sections that end there.
   void write_after(std::size_t first, std::size_t last, PartText& part) const;
-  /// The block of a loop is that of many: the next one is written anew.
-  void leave_loop() { block_ = -1; }
-  /// Number of the step that ends with the part whose last value is before place `end`, "" for none.
-  std::string ended_step(std::size_t end) const;
+  /// A loop has many owners: the next one is written anew.
+  void leave_loop() { owner_.reset(); }
+  /// Number of the step that ends with the part whose last value is before place `end`.
+  std::optional<int> ended_step(std::size_t end) const;
 
  private:
   const Node& node_at(std::size_t i) const { return program_.nodes[schedule_.order[i]]; }
-  int section_of(std::size_t i) const { return node_at(i).section; }
+  const Section& section_of(std::size_t i) const { return node_at(i).section; }
   /// True when more than a few values of a section follow from place `i` on. The names of the others tell their step.
   bool is_worth_heading(std::size_t i) const;
 
   const Program& program_;
   const Schedule& schedule_;
+  const Titles& titles_;
   std::vector<OperationCount> counts_;  ///< per section
-  std::vector<std::size_t> end_;        ///< place of the last value of each section
-  std::set<int> entered_;               ///< sections with a heading so far
-  int section_ = -1, block_ = -1;
+  std::map<Section, std::size_t> end_;  ///< place of the last value of each section
+  std::set<Section> entered_;           ///< sections with a heading so far
+  std::optional<Section> section_;
+  std::optional<Owner> owner_;
 };
 
 }  // namespace mbgen

@@ -264,13 +264,15 @@ int derived_constant_count(const Programs& programs) {
   return static_cast<int>(programs.derived_constants.outputs.size());
 }
 
-ShapedProgram clocked_accelerations(const Programs& programs, const SolverLayout& layout, const SolverNames& names) {
+ShapedProgram clocked_accelerations(const Programs& programs, const SolverLayout& layout, const SolverNames& names,
+                                    const Titles& titles) {
   const int directions = static_cast<int>(programs.free_direction_coordinate.size());
   ProgramShape s = accelerations_shape(layout, names, input_places(programs, layout, names), directions);
   s.title = "All accelerations, step by step against the clock.";
   s.function = "compute_clocked_accelerations";
   s.result = "ClockedAccelerations";
   s.clock = "clock";
+  s.titles = titles;
   s.arguments.push_back({"clock", "mbgen::StepClock& clock"});
   return {&programs.accelerations, Role::accelerations, s,
           schedule(programs.accelerations, schedule_options(s, kRollAbove))};
@@ -287,7 +289,7 @@ ScheduleOptions schedule_options(const ProgramShape& shape, std::size_t roll_abo
 bool is_number(const std::string& scalar) { return scalar == "double" || scalar == "float"; }
 
 std::vector<ShapedProgram> shaped_programs(const Programs& programs, const SolverLayout& layout,
-                                           const SolverNames& names, const std::string& scalar,
+                                           const SolverNames& names, const Titles& titles, const std::string& scalar,
                                            std::size_t roll_above) {
   const Places inputs = input_places(programs, layout, names);
   const int directions = static_cast<int>(programs.free_direction_coordinate.size());
@@ -310,8 +312,10 @@ std::vector<ShapedProgram> shaped_programs(const Programs& programs, const Solve
   if (scalar == "float") {
     for (ShapedProgram& shaped : all) take_floats(shaped.shape);
   }
-  for (ShapedProgram& shaped : all)
+  for (ShapedProgram& shaped : all) {
+    shaped.shape.titles = titles;
     shaped.schedule = schedule(*shaped.program, schedule_options(shaped.shape, roll_above));
+  }
   return all;
 }
 

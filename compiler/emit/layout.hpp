@@ -12,6 +12,7 @@
 #include "compiler/model/model.hpp"
 #include "compiler/passes/roll.hpp"
 #include "compiler/passes/schedule.hpp"
+#include "compiler/program/program.hpp"
 #include "compiler/topology/topology.hpp"
 #include "compiler/trace/trace.hpp"
 
@@ -63,6 +64,7 @@ struct ProgramShape {
   std::vector<ArrayMember> members;                            ///< of the result struct
   std::vector<std::pair<std::string, std::string>> arguments;  ///< name, declaration; in order
   Places inputs, outputs;
+  Titles titles = {};             ///< of sections and owners
   std::string scalar = "double";  ///< type of every value: double, float, or a vector of doubles
   /// The function takes an array of structs in place of each argument, one a group of instances, and goes part by part.
   bool in_groups = false;
@@ -103,9 +105,11 @@ bool outputs_take_multipliers(const Programs& programs);
 
 /// The programs of a solver; programs of closures are left out when there is nothing to close. scalar: double or float.
 std::vector<ShapedProgram> shaped_programs(const Programs& programs, const SolverLayout& layout,
-                                           const SolverNames& names, const std::string& scalar, std::size_t roll_above);
+                                           const SolverNames& names, const Titles& titles, const std::string& scalar,
+                                           std::size_t roll_above);
 
 /// The program of accelerations once more, with a clock that is told the end of each step.
-ShapedProgram clocked_accelerations(const Programs& programs, const SolverLayout& layout, const SolverNames& names);
+ShapedProgram clocked_accelerations(const Programs& programs, const SolverLayout& layout, const SolverNames& names,
+                                    const Titles& titles);
 
 }  // namespace mbgen

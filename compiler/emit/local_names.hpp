@@ -27,12 +27,12 @@ class UniqueNames {
 class LocalNames : public UniqueNames {
  public:
   explicit LocalNames(const Program& program) : program_(program) {}
-  /// By the label of the value, or by its section and a number: s3_12.
+  /// By the label of the value, or by the number of its step and one of its own: s3_12.
   std::string of_value(ValueId value);
 
  private:
   const Program& program_;
-  std::map<std::string, int> leftovers_;  ///< numbers given so far, by section
+  std::map<int, int> leftovers_;  ///< numbers given so far, by step
 };
 
 }  // namespace mbgen

@@ -20,8 +20,8 @@ Json program_json(const ShapedProgram& shaped) {
   const std::vector<OperationCount> counts = count_operations_by_section(program);
   Json sections = Json::array();
   for (std::size_t s = 0; s < counts.size(); ++s) {
-    if (program.sections[s].empty()) continue;
-    Json section = {{"title", program.sections[s]}};
+    if (program.sections[s].step == Step::none) continue;
+    Json section = {{"title", shaped.shape.titles.section(program.sections[s])}};
     section.update(count_json(counts[s]));
     sections.push_back(section);
   }

@@ -30,7 +30,7 @@ class ProgramWriter {
         shape_(shape),
         texts_(program, schedule, shape),
         pending_(program.nodes.size(), false),
-        headings_(program, schedule) {}
+        headings_(program, schedule, shape.titles) {}
 
   std::string text() {
     std::vector<PartText> parts;

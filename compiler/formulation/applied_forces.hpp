@@ -12,7 +12,7 @@ namespace detail {
 template <class T>
 void point_springs(ForceWork<T>& work) {
   for (const PointSpring& spring : work.system.model.springs) {
-    const auto heading = work.system.scribe.within(spring.name);
+    const auto heading = work.system.scribe.within(OwnerKind::spring, index_in(work.system.model.springs, spring));
     work.forces.springs.push_back(
         line_element(work, spring.from, spring.to, [&](const T& length, const T& rate, const T& reference) {
           T free = spring.free_length ? work.value(*spring.free_length) : reference;
@@ -30,7 +30,8 @@ void point_springs(ForceWork<T>& work) {
 template <class T>
 void air_springs(ForceWork<T>& work) {
   for (const AirSpring& spring : work.system.model.air_springs) {
-    const auto heading = work.system.scribe.within(spring.name);
+    const auto heading =
+        work.system.scribe.within(OwnerKind::air_spring, index_in(work.system.model.air_springs, spring));
     work.forces.air_springs.push_back(
         line_element(work, spring.from, spring.to, [&](const T& length, const T&, const T& reference) {
           T length0 = spring.length ? work.value(*spring.length) : reference;
@@ -66,7 +67,7 @@ void joint_elements(ForceWork<T>& work) {
   const Model& model = work.system.model;
   const Environment<T>& e = work.system.environment;
   for (const JointSpring& spring : model.joint_springs) {
-    const auto heading = work.system.scribe.within(spring.name);
+    const auto heading = work.system.scribe.within(OwnerKind::joint_spring, index_in(model.joint_springs, spring));
     T position = e.position(spring.joint), rate = e.velocity(spring.joint);
     if (spring.relative_to) {
       position = position - e.position(*spring.relative_to);
@@ -81,7 +82,7 @@ void joint_elements(ForceWork<T>& work) {
     if (spring.relative_to) add_joint_force(work, *spring.relative_to, force);
   }
   for (const JointFriction& friction : model.frictions) {
-    const auto heading = work.system.scribe.within(friction.name);
+    const auto heading = work.system.scribe.within(OwnerKind::friction, index_in(model.frictions, friction));
     const auto value = [&](const Quantity& q, const char* meaning) { return work.value(q, meaning, friction.name); };
     const T force = friction_force(value(friction.coulomb, "coulomb"), value(friction.stiction, "stiction"),
                                    value(friction.viscous, "viscous"), value(friction.velocity, "velocity"),
@@ -90,7 +91,7 @@ void joint_elements(ForceWork<T>& work) {
     add_joint_force(work, friction.joint, force);
   }
   for (const JointForce& force : model.joint_forces) {
-    const auto heading = work.system.scribe.within(force.name);
+    const auto heading = work.system.scribe.within(OwnerKind::joint_force, index_in(model.joint_forces, force));
     add_joint_force(work, force.joint, work.value(force.force, "force", force.name));
   }
 }
@@ -99,7 +100,7 @@ template <class T>
 void body_forces(ForceWork<T>& work) {
   const System<T>& system = work.system;
   for (const AppliedForce& applied : system.model.forces) {
-    const auto heading = work.system.scribe.within(applied.name);
+    const auto heading = work.system.scribe.within(OwnerKind::force, index_in(system.model.forces, applied));
     const Place<T> place = work.place(applied.at);
     const int carrier = system.layout.frame_of(place.body);
     const auto to_carrier = [&](Vector<T> v) {

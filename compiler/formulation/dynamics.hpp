@@ -27,7 +27,7 @@ void rod_forces(System<T>& system, const Kinematics<T>& k, const Accelerations<T
     for (int l : block.loops) {
       const Loop& loop = system.topology.loops[l];
       if (loop.kind != ClosureKind::rod || is_zero(system.constants.rods[loop.rod].coupling)) continue;
-      const auto heading = system.scribe.within(loop.name);
+      const auto heading = system.scribe.within(OwnerKind::loop, l);
       const RodConstants<T>& rod = system.constants.rods[loop.rod];
       const auto acceleration = [&](const Place<T>& end) {
         const int carrier = system.layout.frame_of(end.body);
@@ -50,14 +50,14 @@ std::vector<T> tree_forces(System<T>& system, const Kinematics<T>& k, const Iner
   detail::rod_forces(system, k, a, forces);
   std::vector<Spatial<T>> own(n), base(n);
   for (int i = 0; i < n; ++i) {
-    const auto heading = system.scribe.within(system.layout.titles[i]);
+    const auto heading = system.scribe.within(OwnerKind::tree_body, i);
     const Spatial<T> inertial =
         inertial_force(m.body[i], velocity_of(system, v, i).angular, acceleration_of(system, a, i));
     (system.layout.bodies[i].own_frame ? own[i] : base[i]) = forces.wrench[i] - inertial;
   }
   std::vector<T> result(n);
   for (int i = n - 1; i >= 0; --i) {
-    const auto heading = system.scribe.within(system.layout.titles[i]);
+    const auto heading = system.scribe.within(OwnerKind::tree_body, i);
     const BodyLayout& layout = system.layout.bodies[i];
     if (layout.own_frame) base[i] = base[i] + detail::lowered(k, i, own[i]);
     const Spatial<T>& above = layout.joint_frame == layout.base ? base[i] : own[layout.joint_frame];
@@ -118,7 +118,7 @@ GroupMass<T> group_mass(System<T>& system, const Kinematics<T>& k, const Inertia
   const std::size_t count = group.joints.size();
   GroupMass<T> result;
   for (int i : group.joints) {
-    const auto heading = system.scribe.within(system.layout.titles[i]);
+    const auto heading = system.scribe.within(OwnerKind::tree_body, i);
     result.momentum.push_back(m.of_joint(system.layout, i) * k.column[i]);
     name(system.scribe, result.momentum.back(), "F", "N", system.topology.bodies[i].coordinate);
   }
@@ -131,7 +131,7 @@ GroupMass<T> group_mass(System<T>& system, const Kinematics<T>& k, const Inertia
   for (int l : system.topology.blocks[group.block].loops) {
     const Loop& loop = system.topology.loops[l];
     if (loop.kind != ClosureKind::rod || is_zero(system.constants.rods[loop.rod].coupling)) continue;
-    const auto heading = system.scribe.within(loop.name);
+    const auto heading = system.scribe.within(OwnerKind::loop, l);
     add_rod(system, k, group.joints, group.base, system.constants.rods[loop.rod], result);
   }
   return result;

@@ -96,7 +96,7 @@ Inertias<T> inertias(System<T>& system, const Kinematics<T>& k) {
   m.own.resize(n);
   m.base.resize(n);
   for (int i = 0; i < n; ++i) {
-    const auto heading = system.scribe.within(system.layout.titles[i]);
+    const auto heading = system.scribe.within(OwnerKind::tree_body, i);
     m.body[i] = body_inertia(system, k, i);
     (system.layout.bodies[i].own_frame ? m.own[i] : m.base[i]) = about_origin(m.body[i]);
   }
@@ -106,12 +106,12 @@ Inertias<T> inertias(System<T>& system, const Kinematics<T>& k) {
       if (loop.kind != ClosureKind::rod || block.base == kGround) continue;
       const RodConstants<T>& rod = system.constants.rods[loop.rod];
       if (is_zero(rod.coupling)) continue;
-      const auto heading = system.scribe.within(loop.name);
+      const auto heading = system.scribe.within(OwnerKind::loop, l);
       m.own[block.base] = m.own[block.base] + pair_inertia(rod.coupling, position_in(system, k, rod.from, block.base),
                                                            position_in(system, k, rod.to, block.base));
     }
   for (int i = n - 1; i >= 0; --i) {
-    const auto heading = system.scribe.within(system.layout.titles[i]);
+    const auto heading = system.scribe.within(OwnerKind::tree_body, i);
     if (system.layout.bodies[i].own_frame) m.base[i] = m.base[i] + moved(k.orientation[i], k.position[i], m.own[i]);
     const int p = system.topology.bodies[i].parent;
     if (p == kGround) continue;

@@ -125,7 +125,7 @@ Kinematics<T> kinematics(System<T>& system) {
   k.column.resize(n);
   k.base_column.resize(n);
   for (int i = 0; i < static_cast<int>(n); ++i) {
-    const auto heading = system.scribe.within(system.layout.titles[i]);
+    const auto heading = system.scribe.within(OwnerKind::tree_body, i);
     detail::advance_pose(system, k, i);
     if (system.layout.bodies[i].chain_start >= 0) detail::own_chain(system, k, i);
     name(system.scribe, k.orientation[i], "R_", system.body_name(i));

@@ -76,12 +76,6 @@ bool is_rotor(const Model& model, const Topology& topology, int body, int parts)
   return true;
 }
 
-std::string title_of(const Topology& topology, int i) {
-  const TreeBody& body = topology.bodies[i];
-  return body.name + ": " + body.coordinate + ", " + (body.kind == FreedomKind::revolute ? "revolute" : "prismatic") +
-         ", " + (body.parent == kGround ? "ground" : topology.bodies[body.parent].name);
-}
-
 }  // namespace
 
 std::vector<bool> loaded_bodies(const Model& model, const Topology& topology) {
@@ -121,7 +115,6 @@ Layout choose_layout(const Model& model, const Topology& topology, Frames frames
   }
   Layout layout;
   layout.bodies.resize(n);
-  for (int i = 0; i < n; ++i) layout.titles.push_back(title_of(topology, i));
   for (int i = 0; i < n; ++i) {
     BodyLayout& body = layout.bodies[i];
     body.own_frame = own[i];

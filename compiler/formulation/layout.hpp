@@ -21,8 +21,6 @@ struct BodyLayout {
 
 struct Layout {
   std::vector<BodyLayout> bodies;
-  std::vector<std::string>
-      titles;  ///< per tree body: `body: joint, kind, parent`, the heading of its values in emitted code
   /// Frame in which inertias and forces of body i are accumulated; kGround for kGround.
   int frame_of(int body) const { return body == kGround ? kGround : bodies[body].own_frame ? body : bodies[body].base; }
 };

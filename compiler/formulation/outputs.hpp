@@ -122,7 +122,7 @@ std::vector<T> output_values(System<T>& system, const SolvedState<T>& s) {
   if (detail::asks_for_reactions(system.model)) all_reactions = reactions(system, s);
   std::vector<T> values;
   for (const Output& output : system.model.outputs) {
-    const auto heading = system.scribe.within(output.name);
+    const auto heading = system.scribe.within(OwnerKind::output, index_in(system.model.outputs, output));
     if (const auto* e = std::get_if<ExpressionOutput>(&output.source))
       values.push_back(value_of(system.model, e->value, system.environment));
     else if (const auto* point = std::get_if<PointOutput>(&output.source))

@@ -24,12 +24,6 @@ void eliminate_block(RecursionState<T>& s, std::size_t u) {
   below.needed = below.needed + base.needed;
 }
 
-/// A block as its loops name it.
-inline std::string block_name(const Topology& topology, int block) {
-  const LoopBlock& b = topology.blocks[block];
-  return topology.loops[b.loops[0]].name + (b.loops.size() > 1 ? " .. " + topology.loops[b.loops.back()].name : "");
-}
-
 template <class T>
 void eliminate_run(RecursionState<T>& s, std::size_t u) {
   const RecursionUnit& unit = s.units()[u];
@@ -135,7 +129,7 @@ void solve_block(RecursionState<T>& s, std::size_t u, std::vector<T>& zdd) {
   const Matrix<T> base_gradient = acceleration_gradient(turning, base.angular);
   for (const JointStep& step : unit.steps) {
     const int i = step.body(), p = s.work.parent(step);
-    const auto heading = system.scribe.within(system.layout.titles[i]);
+    const auto heading = system.scribe.within(OwnerKind::tree_body, i);
     if (step.quasi() && !parts.chosen) {
       set_joint_accelerations(s.work, step, p == unit.base ? Vector<T>{} : parts.velocity[p].angular,
                               quasi_of(step, zdd), zdd);
@@ -217,44 +211,50 @@ void add_own_parts(RecursionState<T>& s, const RecursionUnit& unit, const Applie
   for (const JointStep& step : unit.steps) {
     const int i = step.body();
     if (unit.block < 0 && i != unit.end()) continue;
-    const auto heading = s.system().scribe.within(s.system().layout.titles[i]);
+    const auto heading = s.system().scribe.within(OwnerKind::tree_body, i);
     Carried<T>& c = s.carried[i];
     c.rigid = c.rigid + (s.work.own(i) ? s.constant[i] : rotated(s.k().orientation[i], s.constant[i]));
     c.needed = c.needed - forces.wrench[i];
   }
 }
 
-/// A block as its frozen partition solves it (steps 2, 3 and 6). name: of the block, for headings.
+/// A block as its frozen partition solves it (steps 2, 3 and 6).
 template <class T>
-void project_block(RecursionState<T>& s, std::size_t u, const std::string& name, const LoopPartition& partition,
-                   T& quality) {
+void project_block(RecursionState<T>& s, std::size_t u, const LoopPartition& partition, T& quality) {
   const RecursionUnit& unit = s.units()[u];
   Scribe<T>& scribe = s.system().scribe;
   BlockParts<T>& parts = s.blocks[u];
-  scribe.step(Step::jacobian, name);
-  const SparseClosure<T> closed =
-      quasi_closure(s.work, unit, PerBody<Spatial<T>>(unit), PerBody<BodyAcceleration<T>>(unit));
-  parts.factors = factorise_frozen(closed.jacobian, partition, unit.joints.size());
-  name_pivots(s.system(), s.system().topology.blocks[unit.block], partition, parts.factors);
-  quality = parts.factors.quality;
-  scribe.step(Step::projection, name);
-  parts.rz = frozen_rz(parts.factors, partition, unit.joints.size());
-  for (std::size_t c = 0; c < parts.rz.size(); ++c)
-    for (std::size_t q = 0; q < parts.rz[c].size(); ++q)
-      scribe.name(parts.rz[c][q], "Rz_", s.system().topology.bodies[unit.joints[c]].coordinate, "_", std::to_string(q));
-  scribe.step(Step::closure_bias, name);
+  {
+    const auto step = scribe.step(Step::jacobian, unit.block);
+    const SparseClosure<T> closed =
+        quasi_closure(s.work, unit, PerBody<Spatial<T>>(unit), PerBody<BodyAcceleration<T>>(unit));
+    parts.factors = factorise_frozen(closed.jacobian, partition, unit.joints.size());
+    name_pivots(s.system(), s.system().topology.blocks[unit.block], partition, parts.factors);
+    quality = parts.factors.quality;
+  }
+  {
+    const auto step = scribe.step(Step::projection, unit.block);
+    parts.rz = frozen_rz(parts.factors, partition, unit.joints.size());
+    for (std::size_t c = 0; c < parts.rz.size(); ++c)
+      for (std::size_t q = 0; q < parts.rz[c].size(); ++q)
+        scribe.name(parts.rz[c][q], "Rz_", s.system().topology.bodies[unit.joints[c]].coordinate, "_",
+                    std::to_string(q));
+  }
+  const auto step = scribe.step(Step::closure_bias, unit.block);
   set_block_bias(s, u, partition);
 }
 
 /// A block with a projection over joint rates that was chosen at run time: the same over quasi-velocities.
 template <class T>
-void project_block(RecursionState<T>& s, std::size_t u, const std::string& name, const GroupProjection<T>& chosen, T&) {
+void project_block(RecursionState<T>& s, std::size_t u, const GroupProjection<T>& chosen, T&) {
   const RecursionUnit& unit = s.units()[u];
   BlockParts<T>& parts = s.blocks[u];
   parts.chosen = &chosen;
-  s.system().scribe.step(Step::projection, name);
-  parts.rz = quasi_projection(s.work, unit, chosen.rz);
-  s.system().scribe.step(Step::closure_bias, name);
+  {
+    const auto step = s.system().scribe.step(Step::projection, unit.block);
+    parts.rz = quasi_projection(s.work, unit, chosen.rz);
+  }
+  const auto step = s.system().scribe.step(Step::closure_bias, unit.block);
   parts.bias = block_bias(s.work, unit, parts.velocity);
   parts.star = quasi_accelerations(s.work, unit, parts.velocity, chosen.zdd_star);
 }
@@ -265,11 +265,12 @@ void eliminate_block(RecursionState<T>& s, std::size_t u, const AppliedForces<T>
                      const BlockProjection<T>& projection, T& quality) {
   const RecursionUnit& unit = s.units()[u];
   Scribe<T>& scribe = s.system().scribe;
-  const std::string name = block_name(s.system().topology, unit.block);
-  std::visit([&](const auto& of_block) { project_block(s, u, name, of_block, quality); }, projection);
-  scribe.step(Step::accelerations, name);
-  add_own_parts(s, unit, forces);
-  scribe.step(Step::reduced_system, name);
+  std::visit([&](const auto& of_block) { project_block(s, u, of_block, quality); }, projection);
+  {
+    const auto step = scribe.step(Step::accelerations, unit.block);
+    add_own_parts(s, unit, forces);
+  }
+  const auto step = scribe.step(Step::reduced_system, unit.block);
   eliminate_block(s, u);
   if (const LoopPartition* frozen = std::get_if<LoopPartition>(&projection))
     for (std::size_t q = 0; q < frozen->independent.size(); ++q)
@@ -287,8 +288,8 @@ void eliminate_units(RecursionState<T>& s, const AppliedForces<T>& forces,
       eliminate_block(s, u, forces, projections[unit.block], solution.quality[unit.block]);
       continue;
     }
-    scribe.step(Step::reduced_system);
-    const auto heading = scribe.within(s.system().layout.titles[unit.end()]);
+    const auto step = scribe.step(Step::reduced_system);
+    const auto heading = scribe.within(OwnerKind::tree_body, unit.end());
     if (unit.rotor) {
       eliminate_rotor(s, u, forces);
       continue;
@@ -304,11 +305,11 @@ void eliminate_units(RecursionState<T>& s, const AppliedForces<T>& forces,
 template <class T>
 void solve_units(RecursionState<T>& s, RecursiveSolution<T>& solution) {
   const System<T>& system = s.system();
-  system.scribe.step(Step::solution);
+  const auto step = system.scribe.step(Step::solution);
   solution.zdd.assign(system.topology.bodies.size(), T(0.0));
   for (std::size_t u = 0; u < s.units().size(); ++u) {
     const RecursionUnit& unit = s.units()[u];
-    const auto heading = system.scribe.within(system.layout.titles[unit.end()]);
+    const auto heading = system.scribe.within(OwnerKind::tree_body, unit.end());
     if (unit.rotor)
       solve_rotor(s, u, solution.zdd);
     else if (unit.block >= 0)
@@ -337,15 +338,22 @@ RecursiveSolution<T> recursive_accelerations(System<T>& system, const Recursion&
   s.equations.resize(units);
   s.acceleration.resize(n);
   s.carried.resize(n);
-  detail::set_constants(s);
   RecursiveSolution<T> solution;
   solution.quality.assign(system.topology.blocks.size(), T(1.0));
-  system.scribe.step(Step::velocities);
-  detail::set_velocities(s);
-  system.scribe.step(Step::accelerations);
-  s.force = tau;
-  for (std::size_t i = 0; i < n; ++i) s.force[i] = s.force[i] + forces.joint[i];
-  s.force = quasi_forces(work, s.force);
+  {
+    const auto step = system.scribe.step(Step::inertias);
+    detail::set_constants(s);
+  }
+  {
+    const auto step = system.scribe.step(Step::velocities);
+    detail::set_velocities(s);
+  }
+  {
+    const auto step = system.scribe.step(Step::accelerations);
+    s.force = tau;
+    for (std::size_t i = 0; i < n; ++i) s.force[i] = s.force[i] + forces.joint[i];
+    s.force = quasi_forces(work, s.force);
+  }
   detail::eliminate_units(s, forces, projections, solution);
   detail::solve_units(s, solution);
   return solution;

@@ -165,7 +165,7 @@ SparseClosure<T> near_closure(const RecursionWork<T>& work, const RecursionUnit&
   SparseClosure<T> result;
   for (int l : work.system.topology.blocks[unit.block].loops) {
     const Loop& loop = work.system.topology.loops[l];
-    const auto heading = work.system.scribe.within(loop.name);
+    const auto heading = work.system.scribe.within(OwnerKind::loop, l);
     for (const detail::NearRow<T>& row : detail::near_rows(work, unit, velocity, bias, loop, by)) {
       std::map<int, T> columns;
       detail::add_columns(work, unit, loop, loop.body_from, row.force, row.moment_from, 1.0, by, columns);

@@ -227,7 +227,7 @@ Carried<T> gather_block(RecursionState<T>& s, std::size_t u) {
                       {},      PerBody<Held<T>>(unit)};
   start_equations(s, g);
   for (auto step = unit.steps.rbegin(); step != unit.steps.rend(); ++step) {
-    const auto heading = system.scribe.within(system.layout.titles[step->body()]);
+    const auto heading = system.scribe.within(OwnerKind::tree_body, step->body());
     if (is_arm(s, unit, *step))
       gather_arm(s, g, step->body());
     else if (is_held(s, unit, *step))
@@ -238,7 +238,7 @@ Carried<T> gather_block(RecursionState<T>& s, std::size_t u) {
   for (int l : system.topology.blocks[unit.block].loops) {
     const Loop& loop = system.topology.loops[l];
     if (loop.kind != ClosureKind::rod || is_zero(system.constants.rods[loop.rod].coupling)) continue;
-    const auto heading = system.scribe.within(loop.name);
+    const auto heading = system.scribe.within(OwnerKind::loop, l);
     gather_rod(s, g, system.constants.rods[loop.rod]);
   }
   return g.base;

@@ -1,39 +1,26 @@
 #pragma once
-// Titles and names for the values that the formulation makes: nothing for numbers, sections and labels for symbols.
+// Origins and names of the values that the formulation makes: nothing for numbers, sections, owners and labels for
+// symbols.
 
 #include <string>
+#include <vector>
 
 #include "compiler/formulation/vector.hpp"
+#include "compiler/origin/origin.hpp"
 
 namespace mbgen {
 
-/// The nine steps of the paper's tables 1 and 2, in order; after them what programs at given accelerations do as the
-/// last.
-enum class Step {
-  inertias = 1,
-  jacobian,
-  projection,
-  velocities,
-  forces,
-  closure_bias,
-  accelerations,
-  reduced_system,
-  solution,
-  multipliers,
-  outputs
-};
-
-/// Receives step, heading and name of the values in the making. This one, for numbers, ignores them.
+/// Receives step, owner and name of the values in the making. This one, for numbers, ignores them.
 template <class T>
 struct Scribe {
-  void step(Step) {}
-  /// A step of one part of the mechanism.
-  void step(Step, const std::string&) {}
-  struct Heading {
-    ~Heading() {}  // NOLINT: a destructor that does something, so that no compiler calls a heading unused
+  struct Scope {
+    ~Scope() {}  // NOLINT: a destructor that does something, so that no compiler calls a scope unused
   };
-  /// Heading of the values made while the result lives.
-  [[nodiscard]] Heading within(const std::string&) { return {}; }
+  /// Values made while the result lives belong to this step; block: index of the loop block that is taken through it,
+  /// -1 for the whole mechanism.
+  [[nodiscard]] Scope step(Step, int /*block*/ = -1) { return {}; }
+  /// Values made while the result lives belong to this part of the mechanism.
+  [[nodiscard]] Scope within(OwnerKind, std::size_t /*index*/) { return {}; }
   /// parts: of the name; where nobody reads it, nobody puts it together.
   template <class... Parts>
   void name(const T&, const Parts&...) {}
@@ -41,6 +28,12 @@ struct Scribe {
   template <class... Parts>
   void constant(T&, const Parts&...) {}
 };
+
+/// Index of an item of a list.
+template <class Item>
+std::size_t index_in(const std::vector<Item>& list, const Item& item) {
+  return static_cast<std::size_t>(&item - list.data());
+}
 
 /// Whether a value is known to be zero when the equations are written: then work on it is not done at all.
 inline bool is_zero(double value) { return value == 0.0; }

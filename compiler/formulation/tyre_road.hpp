@@ -88,7 +88,7 @@ template <class T>
 void tyres(ForceWork<T>& work) {
   for (std::size_t i = 0; i < work.system.model.tyres.size(); ++i) {
     const Tyre& tyre = work.system.model.tyres[i];
-    const auto heading = work.system.scribe.within(tyre.name);
+    const auto heading = work.system.scribe.within(OwnerKind::tyre, i);
     const RoadContact<T> contact = road_contact(work, tyre, i);
     const TyreResult<T> result = tyre_result(work, tyre, contact.motion);
     const Vector<T> force = result.fx * contact.forward + result.fy * contact.left + result.load * contact.up;

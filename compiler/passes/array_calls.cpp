@@ -175,7 +175,7 @@ void gather(const Program& program, std::span<ValueId> range, Levels& levels, Ar
 
 /// Functions of what is given from the start, over all that a section has between other sections' values.
 void gather_given(const Program& program, std::vector<ValueId>& order, Levels& levels, ArrayCalls& result) {
-  for (std::size_t section = 0; section < program.sections.size(); ++section) {
+  for (const Section& section : program.sections) {
     const auto is_in_section = [&](ValueId v) { return program.nodes[v].section == section; };
     const auto first = std::ranges::find_if(order, is_in_section);
     if (first == order.end()) continue;

@@ -70,8 +70,7 @@ Program contract(const Program& program) {
       renamed.push_back(builder.copy(program, node, renamed));
       continue;
     }
-    builder.set_section(program.sections[node.section]);
-    builder.set_block(program.blocks[node.block]);
+    builder.set_origin(node);
     const ValueId value = contracted(builder, program, node, operand, renamed);
     if (node.label >= 0) builder.label(value, program.labels[static_cast<std::size_t>(node.label)]);
     renamed.push_back(value);

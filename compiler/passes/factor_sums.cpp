@@ -81,8 +81,7 @@ class SumWriter {
 
   ValueId write_sum(ValueId v) {
     const Node& node = program_.nodes[v];
-    builder_.set_section(program_.sections[node.section]);
-    builder_.set_block(program_.blocks[node.block]);
+    builder_.set_origin(node);
     const ValueId sum = write(terms_of(v));
     if (node.label >= 0) builder_.label(sum, program_.labels[static_cast<std::size_t>(node.label)]);
     return sum;

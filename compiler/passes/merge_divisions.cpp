@@ -27,8 +27,7 @@ Program merge_divisions(const Program& program) {
       continue;
     }
     // a / d -> a * (1 / d)
-    builder.set_section(program.sections[node.section]);
-    builder.set_block(program.blocks[node.block]);
+    builder.set_origin(node);
     const ValueId reciprocal = builder.append(Op::divide, builder.constant(1), renamed[node.operands[1]]);
     const ValueId quotient = builder.append(Op::multiply, renamed[node.operands[0]], reciprocal);
     if (node.label >= 0) builder.label(quotient, program.labels[static_cast<std::size_t>(node.label)]);

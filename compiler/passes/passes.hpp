@@ -1,6 +1,6 @@
 #pragma once
 // The door of the passes room. A pass is a pure function Program -> Program; each header holds its contract.
-// Every pass keeps name, outputs, sections, blocks and labels, and verifies its result.
+// Every pass keeps name, outputs, sections, owners and labels, and verifies its result.
 
 #include "compiler/passes/contract.hpp"
 #include "compiler/passes/dead_values.hpp"

@@ -37,7 +37,8 @@ std::vector<std::uint64_t> signatures(const Program& program, const std::vector<
   std::vector<std::uint64_t> result;
   for (const ValueId v : order) {
     const Node& node = program.nodes[v];
-    std::uint64_t signature = mixed(static_cast<std::uint64_t>(node.op), node.section);
+    std::uint64_t signature = mixed(static_cast<std::uint64_t>(node.op), static_cast<std::uint64_t>(node.section.step));
+    signature = mixed(signature, static_cast<std::uint64_t>(node.section.block + 1));
     signature = mixed(signature, of_outputs[v]);
     for (int k = 0; k < arity(node.op); ++k) {
       const Node& operand = program.nodes[node.operands[k]];

@@ -74,7 +74,7 @@ bool can_be_inlined(const Program& program, const Schedule& schedule, const std:
   const Node& user = program.nodes[value.user];
   const ScheduledValue& place = schedule.value[value.user];
   const bool is_beside = !schedule.has_loops() || (place.unit == value.unit && place.slice == value.slice);
-  return is_beside && user.section == node.section && user.block == node.block;
+  return is_beside && user.section == node.section && user.owner == node.owner;
 }
 
 /// The facts of the first slice become those of all: a value is inlined or unused where it is so in every slice.

@@ -39,7 +39,7 @@ Program sorted(const Program& program, const std::vector<ValueId>& key) {
     const Node& neighbour = program.nodes[key[order[place]]];
     if (is_operation(node) && is_operation(neighbour)) {
       node.section = neighbour.section;
-      node.block = neighbour.block;
+      node.owner = neighbour.owner;
     }
     for (int k = 0; k < arity(node.op); ++k) node.operands[k] = renamed[node.operands[k]];
     result.nodes[place] = node;

@@ -15,20 +15,20 @@ constexpr long kSectionCost = 10;
 
 /// Section after section, when no value needs one of a later section.
 void sort_by_section(const Program& program, std::vector<ValueId>& order) {
+  const std::map<Section, std::size_t> places = places_of_sections(program);
+  std::vector<std::size_t> place(program.nodes.size(), 0);
   for (const ValueId v : order) {
     const Node& node = program.nodes[v];
-    for (int k = 0; k < arity(node.op); ++k) {
-      const Node& operand = program.nodes[node.operands[k]];
-      if (is_operation(operand) && operand.section > node.section) return;
-    }
+    place[v] = places.at(node.section);
+    for (int k = 0; k < arity(node.op); ++k)
+      if (place[node.operands[k]] > place[v]) return;
   }
-  std::stable_sort(order.begin(), order.end(),
-                   [&](ValueId a, ValueId b) { return program.nodes[a].section < program.nodes[b].section; });
+  std::ranges::stable_sort(order, {}, [&](ValueId v) { return place[v]; });
 }
 
 /// The other of sine and cosine of the same angle in the same section, kNoValue when there is none.
 std::vector<ValueId> angle_partners(const Program& program, const std::vector<ValueId>& order) {
-  std::map<std::pair<ValueId, std::uint16_t>, ValueId> first_of;
+  std::map<std::pair<ValueId, Section>, ValueId> first_of;
   std::vector<ValueId> partner(program.nodes.size(), kNoValue);
   for (const ValueId v : order) {
     const Node& node = program.nodes[v];

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
-#include <limits>
 #include <stdexcept>
 #include <utility>
 
@@ -23,31 +22,19 @@ std::uint64_t mix(std::uint64_t hash, std::uint64_t word) {
   return hash ^ (hash >> 31);
 }
 
-/// Index of a title, appended when it is new.
-std::uint16_t find_or_add(std::vector<std::string>& titles, std::unordered_map<std::string, std::uint16_t>& index_of,
-                          const std::string& title) {
-  if (titles.size() != index_of.size())
-    for (std::size_t i = 0; i < titles.size(); ++i) index_of.emplace(titles[i], static_cast<std::uint16_t>(i));
-  if (const auto found = index_of.find(title); found != index_of.end()) return found->second;
-  if (titles.size() > std::numeric_limits<std::uint16_t>::max())
-    throw std::length_error("more than 65536 sections or blocks");
-  titles.push_back(title);
-  return index_of[title] = static_cast<std::uint16_t>(titles.size() - 1);
-}
-
 }  // namespace
 
 ProgramBuilder::ProgramBuilder(std::string name) {
   program_.name = std::move(name);
-  program_.sections = {""};
-  program_.blocks = {""};
+  program_.sections = {Section{}};
+  known_sections_ = {Section{}};
 }
 
 ProgramBuilder ProgramBuilder::like(const Program& program) {
   ProgramBuilder builder(program.name);
   builder.program_.inputs = program.inputs;
   builder.program_.sections = program.sections;
-  builder.program_.blocks = program.blocks;
+  builder.known_sections_ = {program.sections.begin(), program.sections.end()};
   for (const NamedConstant& constant : program.constants) builder.name_constant(constant.value, constant.name);
   builder.program_.nodes.reserve(program.nodes.size());
   builder.shared_.reserve(program.nodes.size());
@@ -126,7 +113,7 @@ ValueId ProgramBuilder::append(Op op, ValueId first, ValueId second, ValueId thi
   node.op = op;
   std::ranges::copy(operands, node.operands);
   node.section = section_;
-  node.block = block_;
+  node.owner = owner_;
   return share_or_push(node);
 }
 
@@ -174,8 +161,7 @@ ValueId ProgramBuilder::copy(const Program& source, const Node& node, std::span<
     const Slot& slot = source.inputs[static_cast<std::size_t>(node.input)];
     return input(slot.group, slot.index);
   }
-  set_section(source.sections[node.section]);
-  set_block(source.blocks[node.block]);
+  set_origin(node);
   ValueId operands[3] = {kNoValue, kNoValue, kNoValue};
   for (int i = 0; i < arity(node.op); ++i) operands[i] = renamed[node.operands[i]];
   const ValueId value = append(node.op, operands[0], operands[1], operands[2]);
@@ -188,14 +174,20 @@ void ProgramBuilder::output(SlotGroup group, int index, ValueId value) {
   program_.outputs.push_back({{group, index}, value});
 }
 
-void ProgramBuilder::set_section(const std::string& title) {
+void ProgramBuilder::set_section(const Section& section) {
   ++moment_;
-  if (program_.sections[section_] != title) section_ = find_or_add(program_.sections, section_index_, title);
+  section_ = section;
+  if (known_sections_.insert(section).second) program_.sections.push_back(section);
 }
 
-void ProgramBuilder::set_block(const std::string& title) {
+void ProgramBuilder::set_owner(const Owner& owner) {
   ++moment_;
-  if (program_.blocks[block_] != title) block_ = find_or_add(program_.blocks, block_index_, title);
+  owner_ = owner;
+}
+
+void ProgramBuilder::set_origin(const Node& node) {
+  set_section(node.section);
+  set_owner(node.owner);
 }
 
 void ProgramBuilder::label(ValueId value, const std::string& name) {

@@ -104,8 +104,7 @@ Expr derive(Derivation& derivation, std::size_t index, const std::vector<Expr>& 
     varies = varies || !derivative[i].is_constant() || derivative[i].constant() != 0;
   }
   if (!varies) return 0.0;
-  derivation.builder.set_section(derivation.source.sections[node.section]);
-  derivation.builder.set_block(derivation.source.blocks[node.block]);
+  derivation.builder.set_origin(node);
   const Expr result(derivation.builder, derivation.value[index]);
   // d(select(c, x, y)) = select(c, dx, dy)
   if (node.op == Op::select) return select(operand[0], derivative[1], derivative[2]);

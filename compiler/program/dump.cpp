@@ -29,18 +29,32 @@ void append_value(std::string& text, const Program& program, std::size_t value) 
 
 }  // namespace
 
-std::string dump(const Program& program) {
+std::string text_of(const Section& section) {
+  if (section.step == Step::none) return "";
+  const std::string step = fmt::format("step {}", static_cast<int>(section.step));
+  return section.block < 0 ? step : fmt::format("{}, block {}", step, section.block);
+}
+
+std::string text_of(const Owner& owner) {
+  constexpr const char* kKinds[] = {"",       "tree_body",  "loop",         "loop_block", "body",        "joint",
+                                    "spring", "air_spring", "joint_spring", "friction",   "joint_force", "force",
+                                    "tyre",   "motion",     "output"};
+  return owner.kind == OwnerKind::none ? "" : fmt::format("{} {}", kKinds[static_cast<int>(owner.kind)], owner.index);
+}
+
+std::string dump(const Program& program, const Titles& titles) {
   std::string text = fmt::format("program {}\n", program.name);
-  std::uint16_t section = 0, block = 0;
+  Section section;
+  Owner owner;
   for (std::size_t value = 0; value < program.nodes.size(); ++value) {
     const Node& node = program.nodes[value];
     if (arity(node.op) > 0 && node.section != section) {
       section = node.section;
-      append_title(text, "section", program.sections[section]);
+      append_title(text, "section", titles.section(section));
     }
-    if (arity(node.op) > 0 && node.block != block) {
-      block = node.block;
-      append_title(text, "block", program.blocks[block]);
+    if (arity(node.op) > 0 && node.owner != owner) {
+      owner = node.owner;
+      append_title(text, "owner", titles.owner(owner));
     }
     append_value(text, program, value);
   }

@@ -95,11 +95,18 @@ OperationCount count_operations(const Program& program) {
   return total;
 }
 
+std::map<Section, std::size_t> places_of_sections(const Program& program) {
+  std::map<Section, std::size_t> places;
+  for (const Section& section : program.sections) places.emplace(section, places.size());
+  return places;
+}
+
 std::vector<OperationCount> count_operations_by_section(const Program& program) {
   const std::vector<bool> needed = needed_values(program);
+  const std::map<Section, std::size_t> places = places_of_sections(program);
   std::vector<OperationCount> totals(program.sections.size());
   for (std::size_t i = 0; i < needed.size(); ++i) {
-    if (needed[i]) count(totals[program.nodes[i].section], program.nodes[i].op);
+    if (needed[i]) count(totals[places.at(program.nodes[i].section)], program.nodes[i].op);
   }
   return totals;
 }

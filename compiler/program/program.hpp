@@ -3,12 +3,15 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <map>
+#include <set>
 #include <span>
 #include <string>
 #include <unordered_map>
 #include <vector>
 
+#include "compiler/origin/origin.hpp"
 #include "compiler/program/slot.hpp"
 
 namespace mbgen {
@@ -50,11 +53,11 @@ enum class Op : std::uint8_t {
 struct Node {
   Op op = Op::constant;
   ValueId operands[3] = {kNoValue, kNoValue, kNoValue};
-  double constant = 0;        ///< for Op::constant
-  std::int32_t input = -1;    ///< for Op::input: index into Program::inputs
-  std::uint16_t section = 0;  ///< index into Program::sections
-  std::uint16_t block = 0;    ///< index into Program::blocks
-  std::int32_t label = -1;    ///< index into Program::labels, of a constant into Program::constants, or -1
+  double constant = 0;      ///< for Op::constant
+  std::int32_t input = -1;  ///< for Op::input: index into Program::inputs
+  std::int32_t label = -1;  ///< index into Program::labels, of a constant into Program::constants, or -1
+  Section section = {};     ///< one of Program::sections; inputs and constants have none
+  Owner owner = {};         ///< part of the mechanism that the value belongs to
 };
 
 /// A number of the model as the formulation takes it: a mass, a coordinate of a point.
@@ -69,18 +72,15 @@ struct OutputValue {
 };
 
 /// A straight-line program. Invariants (see verify): operands earlier than users and exactly as many as the arity,
-/// indices in range, constants finite, no duplicate inputs, outputs, sections or blocks, at most one value per input,
-/// no output without value.
+/// indices in range, constants finite, no duplicate inputs, outputs or sections, at most one value per input, no output
+/// without value.
 struct Program {
   std::string name;  ///< name of the emitted function
   std::vector<Node> nodes;
   std::vector<Slot> inputs;
   std::vector<OutputValue> outputs;
-  std::vector<std::string>
-      sections;  ///< titles, in order of the paper's steps; nodes of one section need not be contiguous.
-                 ///< 0 is "": inputs, constants and what was appended before the first set_section
-  std::vector<std::string>
-      blocks;  ///< titles such as "carrier_left: carrier_left_ry, revolute, carrier_left_aux2"; 0 is ""
+  std::vector<Section> sections;         ///< in the order in which the formulation comes to them, the one of no step
+                                         ///< first; nodes of one section need not be contiguous
   std::vector<std::string> labels;       ///< names given by the formulation, for example "R_carrier_left_xz"
   std::vector<NamedConstant> constants;  ///< numbers of the model: a constant with a label is one of these, or its
                                          ///< negative
@@ -99,7 +99,7 @@ const char* op_name(Op op);
 class ProgramBuilder {
  public:
   explicit ProgramBuilder(std::string name);
-  /// A builder with the name, inputs, sections, blocks and named constants of `program`, but none of its values: the
+  /// A builder with the name, inputs, sections and named constants of `program`, but none of its values: the
   /// start of a rewritten program.
   static ProgramBuilder like(const Program& program);
 
@@ -118,14 +118,16 @@ class ProgramBuilder {
   ValueId append(Op op, ValueId first, ValueId second = kNoValue, ValueId third = kNoValue);
   /// Fails: std::logic_error when the slot has a value already (at finish).
   void output(SlotGroup group, int index, ValueId value);
-  /// Appends `node` of `source` in the same section and block under the same label. renamed: new value of each older
-  /// one of `source`.
+  /// Appends `node` of `source` in the same section, of the same owner, under the same label. renamed: new value of
+  /// each older one of `source`.
   ValueId copy(const Program& source, const Node& node, std::span<const ValueId> renamed);
 
-  /// Values appended from now on belong to this section / block (found by title, created at first use).
-  void set_section(const std::string& title);
-  void set_block(const std::string& title);
-  const std::string& block() const { return program_.blocks[block_]; }
+  /// Values appended from now on belong to this section / this part of the mechanism / where `node` does.
+  void set_section(const Section& section);
+  void set_owner(const Owner& owner);
+  void set_origin(const Node& node);
+  const Section& section() const { return section_; }
+  const Owner& owner() const { return owner_; }
   /// Names a value; the first name given to a value stays. Constants and inputs are not named here.
   void label(ValueId value, const std::string& name);
 
@@ -147,13 +149,14 @@ class ProgramBuilder {
   ValueId input(std::size_t index);
   ValueId push(const Node& node);
   Program program_;
-  std::vector<std::uint32_t> moments_;  ///< per node, the statements before it: sections, blocks, labels, outputs
+  std::vector<std::uint32_t> moments_;  ///< per node, the statements before it: sections, owners, labels, outputs
   std::uint32_t moment_ = 0;
   std::map<Slot, std::size_t> input_index_;
   std::vector<ValueId> input_value_;                        ///< per input, kNoValue before its first use
   std::unordered_multimap<std::uint64_t, ValueId> shared_;  ///< values by hash
-  std::unordered_map<std::string, std::uint16_t> section_index_, block_index_;  ///< of the titles, filled when asked
-  std::uint16_t section_ = 0, block_ = 0;
+  std::set<Section> known_sections_;
+  Section section_;
+  Owner owner_;
   std::unordered_map<std::string, std::int32_t> named_;  ///< index into Program::constants by name, last of each
 };
 
@@ -167,9 +170,20 @@ Program verified(Program program);
 /// Fails: std::invalid_argument when the number of inputs differs.
 std::vector<double> interpret(const Program& program, std::span<const double> inputs);
 
-/// Text form, one value a line: `%12 = mul %3 %7  ; R_crank_xz`, sections and blocks as comment lines where they change
+/// "step 4, block 0", "" for no step.
+std::string text_of(const Section& section);
+/// "tree_body 3", "" for none.
+std::string text_of(const Owner& owner);
+
+/// Sections and owners as people read them; these know no names.
+struct Titles {
+  std::function<std::string(const Section&)> section = [](const Section& s) { return text_of(s); };
+  std::function<std::string(const Owner&)> owner = [](const Owner& o) { return text_of(o); };
+};
+
+/// Text form, one value a line: `%12 = mul %3 %7  ; R_crank_xz`, sections and owners as comment lines where they change
 /// (constants and inputs belong to none). Exact: constants shortest-round-trip, on any locale.
-std::string dump(const Program& program);
+std::string dump(const Program& program, const Titles& titles = {});
 
 /// Which values some output needs, one flag per node.
 std::vector<bool> needed_values(const Program& program);
@@ -182,6 +196,8 @@ struct OperationCount {
   }  ///< floating-point operations (add, subtract, multiply, divide); negations are free
 };
 OperationCount count_operations(const Program& program);
+/// Places of the sections in program.sections.
+std::map<Section, std::size_t> places_of_sections(const Program& program);
 /// One count per section, in the order of program.sections.
 std::vector<OperationCount> count_operations_by_section(const Program& program);
 
@@ -198,9 +214,9 @@ std::vector<int> seeds_of(const Program& program, std::span<const DirectionGroup
 /// Forward derivatives: for every output y, dy = sum over inputs of (dy/dinput) * seed.
 /// seed_of_input: for each program input, index of its seed in Array::seed, or -1 for a zero seed.
 /// Result: the same program plus the derivative of every output at the same index; an output that has its derivative
-/// already keeps it, so that a second application adds second derivatives only. Each derivative is in the section and
-/// block of its value. Fails: std::invalid_argument when the number of seeds differs. At the kinks of abs, min, max,
-/// select the side that is taken counts.
+/// already keeps it, so that a second application adds second derivatives only. Each derivative has the section and
+/// the owner of its value. Fails: std::invalid_argument when the number of seeds differs. At the kinks of abs, min,
+/// max, select the side that is taken counts.
 Program differentiate(const Program& program, std::span<const int> seed_of_input);
 
 /// A scalar that records. Constants need no builder; mixing with a recorded value takes that value's builder.

@@ -27,8 +27,9 @@ std::string verify_operands(const Program& program, std::size_t value) {
   return "";
 }
 
-/// value_seen: per input, whether an earlier node is its value; updated.
-std::string verify_node(const Program& program, std::size_t value, std::vector<bool>& value_seen) {
+/// sections: those of the program. value_seen: per input, whether an earlier node is its value; updated.
+std::string verify_node(const Program& program, std::size_t value, const std::set<Section>& sections,
+                        std::vector<bool>& value_seen) {
   const Node& node = program.nodes[value];
   if (node.op > Op::subtract_product) return fmt::format("%{}: unknown operation {}", value, static_cast<int>(node.op));
   if (std::string problem = verify_operands(program, value); !problem.empty()) return problem;
@@ -45,8 +46,9 @@ std::string verify_node(const Program& program, std::size_t value, std::vector<b
     }
     value_seen[input] = true;
   }
-  if (node.section >= program.sections.size()) return fmt::format("%{}: no section {}", value, node.section);
-  if (node.block >= program.blocks.size()) return fmt::format("%{}: no block {}", value, node.block);
+  const bool is_next = value > 0 && program.nodes[value - 1].section == node.section;
+  if (!is_next && !sections.contains(node.section))
+    return fmt::format("%{}: no section \"{}\"", value, text_of(node.section));
   const std::size_t labels = node.op == Op::constant ? program.constants.size() : program.labels.size();
   if (node.label < -1 || (node.label >= 0 && static_cast<std::size_t>(node.label) >= labels)) {
     return fmt::format("%{}: no label {}", value, node.label);
@@ -77,22 +79,15 @@ std::string verify_slots(const Program& program) {
   return "";
 }
 
-std::string verify_titles(const char* kind, const std::vector<std::string>& titles) {
-  std::set<std::string> taken;
-  for (const std::string& title : titles) {
-    if (!taken.insert(title).second) return fmt::format("{} \"{}\" appears twice", kind, title);
-  }
-  return "";
-}
-
 }  // namespace
 
 std::string verify(const Program& program) {
-  if (std::string problem = verify_titles("section", program.sections); !problem.empty()) return problem;
-  if (std::string problem = verify_titles("block", program.blocks); !problem.empty()) return problem;
+  std::set<Section> sections;
+  for (const Section& section : program.sections)
+    if (!sections.insert(section).second) return fmt::format("section \"{}\" appears twice", text_of(section));
   std::vector<bool> value_seen(program.inputs.size(), false);
   for (std::size_t value = 0; value < program.nodes.size(); ++value) {
-    if (std::string problem = verify_node(program, value, value_seen); !problem.empty()) return problem;
+    if (std::string problem = verify_node(program, value, sections, value_seen); !problem.empty()) return problem;
   }
   return verify_slots(program);
 }

@@ -1,7 +1,5 @@
 #include "compiler/trace/closure_programs.hpp"
 
-#include <fmt/format.h>
-
 #include <optional>
 
 #include "compiler/trace/tracing.hpp"
@@ -14,9 +12,9 @@ class Closures {
  public:
   Closures(Tracing& tracing, const Recursion& recursion, const Kinematics<Expr>& k)
       : system_(tracing.system), k_(k), relative_(mbgen::at_rest<Expr>(tracing.system.topology)) {
-    if (tracing.scribe.form == Form::matrix) return;
+    if (tracing.form == Form::matrix) return;
     work_.emplace(recursion_work(system_, recursion, k));
-    rates_ = quasi_velocities(*work_);
+    rates_ = tracing.in(Step::velocities, [&] { return quasi_velocities(*work_); });
     units_.resize(system_.topology.blocks.size());
     for (const RecursionUnit& unit : recursion.units)
       if (unit.block >= 0) units_[unit.block] = &unit;
@@ -66,21 +64,25 @@ Program trace_closure(const Model& model, const Topology& topology, const Analys
   Tracing tracing(Role::closure, model, topology, analysis, form == Form::matrix ? nullptr : &recursion.layout);
   System<Expr>& system = tracing.system;
   std::vector<Expr> dz(topology.size(), Expr(0.0)), zd = system.environment.zd, residual;
-  for (const Drive<Expr>& d : tracing.drive) {
-    dz[d.coordinate] = d.position - system.z(d.coordinate);
-    zd[d.coordinate] = d.velocity;
-  }
-  const Kinematics<Expr> k = kinematics(system);
+  tracing.in(Step::inertias, [&] {
+    for (const Drive<Expr>& d : tracing.drive) {
+      dz[d.coordinate] = d.position - system.z(d.coordinate);
+      zd[d.coordinate] = d.velocity;
+    }
+  });
+  const Kinematics<Expr> k = tracing.poses();
   Closures closures(tracing, recursion, k);
   for (std::size_t b = 0; b < topology.blocks.size(); ++b) {
     const LoopBlock& block = topology.blocks[b];
     const BlockAnalysis& partition = analysis.blocks[b];
-    tracing.scribe.step(Step::jacobian);
-    const SparseClosure<Expr> closed = closures.at_rest(b);
-    const FrozenFactors<Expr> factors = factorise_frozen(closed.jacobian, partition, block.joints.size());
-    name_pivots(system, block, partition, factors);
-    tracing.scribe.step(Step::velocities);
-    const auto heading = tracing.scribe.within(fmt::format("loop block {}", b));
+    const auto [closed, factors] = tracing.in(Step::jacobian, [&] {
+      SparseClosure<Expr> rows = closures.at_rest(b);
+      FrozenFactors<Expr> pivots = factorise_frozen(rows.jacobian, partition, block.joints.size());
+      name_pivots(system, block, partition, pivots);
+      return std::pair(std::move(rows), std::move(pivots));
+    });
+    const auto step = tracing.scribe.step(Step::velocities);
+    const auto heading = tracing.scribe.within(OwnerKind::loop_block, b);
     std::vector<Expr> open, still(closed.residual.size(), Expr(0.0)), known_z, known_zd;
     for (const Expr& value : closed.residual) open.push_back(-value);
     for (int j : block.joints) {
@@ -111,12 +113,12 @@ Program trace_closure_terms(const Model& model, const Topology& topology, const 
   const Recursion recursion = plan_recursion(model, topology, analysis.driven);
   Tracing tracing(Role::closure_terms, model, topology, analysis, form == Form::matrix ? nullptr : &recursion.layout);
   System<Expr>& system = tracing.system;
-  const Kinematics<Expr> k = kinematics(system);
+  const Kinematics<Expr> k = tracing.poses();
   Closures closures(tracing, recursion, k);
   const bool again = chooses_again(topology);
   for (std::size_t b = 0; b < topology.blocks.size(); ++b) {
     const LoopBlock& block = topology.blocks[b];
-    tracing.scribe.step(Step::jacobian);
+    const auto step = tracing.scribe.step(Step::jacobian);
     const SparseClosure<Expr> closed = closures.moving(b);
     tracing.outputs(of_block(Array::Phi, b), closed.residual);
     tracing.outputs(of_block(Array::c, b), closed.acceleration);

@@ -1,7 +1,5 @@
 #include "compiler/trace/given_state.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 
 #include "compiler/trace/tracing.hpp"
@@ -22,17 +20,17 @@ struct GivenState {
 /// The sweeps of the form that the tracing is in.
 GivenState given_state(Tracing& tracing) {
   System<Expr>& system = tracing.system;
-  const bool is_matrix = tracing.scribe.form == Form::matrix;
+  const bool is_matrix = tracing.form == Form::matrix;
   GivenState s;
   s.tau = tracing.inputs(Array::tau, tracing.size());
   s.zdd = tracing.inputs(Array::zdd, tracing.size());
-  s.kinematics = kinematics(system);
-  const Inertias<Expr> m = is_matrix ? inertias(system, s.kinematics) : Inertias<Expr>{};
-  tracing.scribe.step(Step::velocities);
-  s.velocities = velocities(system, s.kinematics, is_matrix ? MotionPoint::frame_origin : MotionPoint::body_origin);
-  tracing.scribe.step(Step::forces);
-  s.forces = applied_forces(system, s.kinematics, s.velocities);
-  tracing.scribe.step(Step::accelerations);
+  s.kinematics = tracing.poses();
+  const Inertias<Expr> m =
+      is_matrix ? tracing.in(Step::inertias, [&] { return inertias(system, s.kinematics); }) : Inertias<Expr>{};
+  const MotionPoint point = is_matrix ? MotionPoint::frame_origin : MotionPoint::body_origin;
+  s.velocities = tracing.in(Step::velocities, [&] { return velocities(system, s.kinematics, point); });
+  s.forces = tracing.in(Step::forces, [&] { return applied_forces(system, s.kinematics, s.velocities); });
+  const auto step = tracing.scribe.step(Step::accelerations);
   s.accelerations = accelerations(system, s.kinematics, s.velocities, s.zdd);
   if (is_matrix)
     s.missing.joint = tree_forces(system, s.kinematics, m, s.velocities, s.accelerations, s.forces, s.tau);
@@ -47,7 +45,7 @@ BlockMultipliers<Expr> rate_multipliers(Tracing& tracing, const GivenState& s, s
   const LoopPartition& partition = tracing.analysis.blocks[b];
   const SparseClosure<Expr> closed =
       sparse_closure(tracing.system, s.kinematics, block, at_rest<Expr>(tracing.system.topology));
-  const auto heading = tracing.scribe.within(fmt::format("loop block {}", b));
+  const auto heading = tracing.scribe.within(OwnerKind::loop_block, b);
   BlockMultipliers<Expr> result;
   for (int j : block.joints) result.left.push_back(s.missing.joint[j]);
   const FrozenFactors<Expr> factors = factorise_frozen(closed.jacobian, partition, block.joints.size());
@@ -61,7 +59,7 @@ BlockMultipliers<Expr> rate_multipliers(Tracing& tracing, const GivenState& s, s
 std::vector<BlockMultipliers<Expr>> all_multipliers(Tracing& tracing, const GivenState& s, const Recursion& recursion) {
   const std::size_t count = tracing.system.topology.blocks.size();
   std::vector<BlockMultipliers<Expr>> result(count);
-  if (tracing.scribe.form == Form::matrix) {
+  if (tracing.form == Form::matrix) {
     for (std::size_t b = 0; b < count; ++b) result[b] = rate_multipliers(tracing, s, b);
     return result;
   }
@@ -94,7 +92,7 @@ Program trace_multipliers(const Model& model, const Topology& topology, const An
   const Recursion recursion = plan_recursion(model, topology, analysis.driven);
   Tracing tracing(Role::multipliers, model, topology, analysis, form == Form::matrix ? nullptr : &recursion.layout);
   const GivenState s = given_state(tracing);
-  tracing.scribe.step(Step::multipliers);
+  const auto step = tracing.scribe.step(Step::multipliers);
   std::vector<std::vector<Expr>> lambda;
   std::vector<Expr> left = s.missing.joint;
   const std::vector<BlockMultipliers<Expr>> blocks = all_multipliers(tracing, s, recursion);
@@ -117,7 +115,7 @@ Program trace_outputs(const Model& model, const Topology& topology, const Analys
   Tracing tracing(Role::outputs, model, topology, analysis, form == Form::matrix ? nullptr : &recursion.layout);
   System<Expr>& system = tracing.system;
   const GivenState s = given_state(tracing);
-  tracing.scribe.step(Step::outputs);
+  const auto step = tracing.scribe.step(Step::outputs);
   std::vector<std::vector<Expr>> lambda;
   std::vector<Expr> drive;
   if (topology.loops.empty()) {

@@ -55,9 +55,10 @@ Program trace_recursive_accelerations(const Model& model, const Topology& topolo
   Tracing tracing(is_frozen ? Role::accelerations : Role::accelerations_chosen, model, topology, analysis,
                   &recursion.layout);
   System<Expr>& system = tracing.system;
-  const Kinematics<Expr> k = kinematics(system);
-  tracing.scribe.step(Step::forces);
-  const AppliedForces<Expr> forces = applied_forces(system, k, velocities(system, k, MotionPoint::body_origin));
+  const Kinematics<Expr> k = tracing.poses();
+  const Velocities<Expr> v =
+      tracing.in(Step::velocities, [&] { return velocities(system, k, MotionPoint::body_origin); });
+  const AppliedForces<Expr> forces = tracing.in(Step::forces, [&] { return applied_forces(system, k, v); });
   const RecursiveSolution<Expr> solution =
       recursive_accelerations(system, recursion, k, forces, tracing.drive, tracing.inputs(Array::tau, tracing.size()),
                               block_projections(tracing, partition));

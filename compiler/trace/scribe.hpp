@@ -1,5 +1,5 @@
 #pragma once
-// The formulation's titles and names, written into a program under construction.
+// The formulation's origins and names, written into a program under construction.
 
 #include <cmath>
 
@@ -18,23 +18,30 @@ inline double known_size(const Expr& value) { return value.is_constant() ? std::
 template <>
 struct Scribe<Expr> {
   ProgramBuilder& builder;
-  Form form = Form::matrix;
-  void step(Step step, const std::string& part = "");
-  /// Goes back to the heading before.
-  class Heading {
+  /// Goes back to the origin before.
+  class Scope {
    public:
-    Heading(ProgramBuilder& builder, const std::string& title) : builder_(builder), before_(builder.block()) {
-      builder.set_block(title);
+    Scope(ProgramBuilder& builder, const Section& section, const Owner& owner)
+        : builder_(builder), section_(builder.section()), owner_(builder.owner()) {
+      builder.set_section(section);
+      builder.set_owner(owner);
     }
-    Heading(const Heading&) = delete;
-    Heading& operator=(const Heading&) = delete;
-    ~Heading() { builder_.set_block(before_); }
+    Scope(const Scope&) = delete;
+    Scope& operator=(const Scope&) = delete;
+    ~Scope() {
+      builder_.set_section(section_);
+      builder_.set_owner(owner_);
+    }
 
    private:
     ProgramBuilder& builder_;
-    std::string before_;
+    Section section_;
+    Owner owner_;
   };
-  [[nodiscard]] Heading within(const std::string& title) { return {builder, title}; }
+  [[nodiscard]] Scope step(Step step, int block = -1) { return {builder, {step, block}, {}}; }
+  [[nodiscard]] Scope within(OwnerKind kind, std::size_t index) {
+    return {builder, builder.section(), {kind, static_cast<int>(index)}};
+  }
   template <class... Parts>
   void name(const Expr& value, const Parts&... parts) {
     if (value.is_constant()) return;

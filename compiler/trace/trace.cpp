@@ -26,21 +26,25 @@ struct FrozenBlocks {
   std::vector<std::vector<Expr>> zdd_star;
 };
 
-/// Steps 2 and 3.
-FrozenBlocks frozen_jacobians(Tracing& tracing, const Kinematics<Expr>& k) {
-  FrozenBlocks blocks;
+/// Step 2.
+void frozen_jacobians(Tracing& tracing, const Kinematics<Expr>& k, FrozenBlocks& blocks) {
   System<Expr>& system = tracing.system;
-  tracing.scribe.step(Step::jacobian);
+  const auto step = tracing.scribe.step(Step::jacobian);
   const RelativeMotion<Expr> rest = at_rest<Expr>(system.topology);
   for (std::size_t b = 0; b < system.topology.blocks.size(); ++b) {
     const SparseClosure<Expr> closed = sparse_closure(system, k, system.topology.blocks[b], rest);
-    const auto heading = tracing.scribe.within(fmt::format("loop block {}", b));
+    const auto heading = tracing.scribe.within(OwnerKind::loop_block, b);
     const std::size_t coordinates = system.topology.blocks[b].joints.size();
     blocks.factors.push_back(factorise_frozen(closed.jacobian, tracing.analysis.blocks[b], coordinates));
   }
-  tracing.scribe.step(Step::projection);
+}
+
+/// Step 3.
+void frozen_projections(Tracing& tracing, FrozenBlocks& blocks) {
+  System<Expr>& system = tracing.system;
+  const auto step = tracing.scribe.step(Step::projection);
   for (std::size_t b = 0; b < system.topology.blocks.size(); ++b) {
-    const auto heading = tracing.scribe.within(fmt::format("loop block {}", b));
+    const auto heading = tracing.scribe.within(OwnerKind::loop_block, b);
     blocks.rz.push_back(
         frozen_rz(blocks.factors[b], tracing.analysis.blocks[b], system.topology.blocks[b].joints.size()));
     for (std::size_t c = 0; c < blocks.rz[b].size(); ++c)
@@ -49,19 +53,18 @@ FrozenBlocks frozen_jacobians(Tracing& tracing, const Kinematics<Expr>& k) {
             blocks.rz[b][c][q],
             fmt::format("Rz_{}_{}", system.topology.bodies[system.topology.blocks[b].joints[c]].coordinate, q));
   }
-  return blocks;
 }
 
 /// Step 6.
 void frozen_bias(Tracing& tracing, const Kinematics<Expr>& k, FrozenBlocks& blocks) {
   System<Expr>& system = tracing.system;
-  tracing.scribe.step(Step::closure_bias);
+  const auto step = tracing.scribe.step(Step::closure_bias);
   RelativeMotion<Expr> relative = at_rest<Expr>(system.topology);
   for (std::size_t b = 0; b < system.topology.blocks.size(); ++b) {
     const LoopBlock& block = system.topology.blocks[b];
     set_relative_motion(system, k, block, relative);
     const SparseClosure<Expr> closed = sparse_closure(system, k, block, relative);
-    const auto heading = tracing.scribe.within(fmt::format("loop block {}", b));
+    const auto heading = tracing.scribe.within(OwnerKind::loop_block, b);
     blocks.zdd_star.push_back(frozen_zdd_star(blocks.factors[b], tracing.analysis.blocks[b], closed,
                                               tracing.driven_values(block, &Drive<Expr>::acceleration)));
     for (std::size_t c = 0; c < block.joints.size(); ++c)
@@ -73,12 +76,13 @@ void frozen_bias(Tracing& tracing, const Kinematics<Expr>& k, FrozenBlocks& bloc
 void trace_solution(Tracing& tracing, const Kinematics<Expr>& k, const Inertias<Expr>& m, const Velocities<Expr>& v,
                     const AppliedForces<Expr>& forces, const std::vector<GroupProjection<Expr>>& projections) {
   System<Expr>& system = tracing.system;
-  tracing.scribe.step(Step::accelerations);
-  const Accelerations<Expr> a = accelerations(system, k, v, starred_accelerations(system.topology, projections));
-  const std::vector<Expr> q = tree_forces(system, k, m, v, a, forces, tracing.inputs(Array::tau, tracing.size()));
-  tracing.scribe.step(Step::reduced_system);
-  const ReducedSystem<Expr> reduced = reduced_system(system, k, m, projections, q);
-  tracing.scribe.step(Step::solution);
+  const std::vector<Expr> q = tracing.in(Step::accelerations, [&] {
+    const Accelerations<Expr> a = accelerations(system, k, v, starred_accelerations(system.topology, projections));
+    return tree_forces(system, k, m, v, a, forces, tracing.inputs(Array::tau, tracing.size()));
+  });
+  const ReducedSystem<Expr> reduced =
+      tracing.in(Step::reduced_system, [&] { return reduced_system(system, k, m, projections, q); });
+  const auto step = tracing.scribe.step(Step::solution);
   const ReducedSolution<Expr> solution = solve_reduced(reduced);
   tracing.outputs(Array::inertia, solution.inertia);
   tracing.outputs(Array::zdd, joint_accelerations(system.topology, projections, reduced, solution.acceleration));
@@ -88,13 +92,13 @@ void trace_solution(Tracing& tracing, const Kinematics<Expr>& k, const Inertias<
 Program trace_matrix_accelerations(const Model& model, const Topology& topology, const Analysis& analysis) {
   Tracing tracing(Role::accelerations, model, topology, analysis);
   System<Expr>& system = tracing.system;
-  const Kinematics<Expr> k = kinematics(system);
-  const Inertias<Expr> m = inertias(system, k);
-  FrozenBlocks blocks = frozen_jacobians(tracing, k);
-  tracing.scribe.step(Step::velocities);
-  const Velocities<Expr> v = velocities(system, k);
-  tracing.scribe.step(Step::forces);
-  const AppliedForces<Expr> forces = applied_forces(system, k, v);
+  const Kinematics<Expr> k = tracing.poses();
+  const Inertias<Expr> m = tracing.in(Step::inertias, [&] { return inertias(system, k); });
+  FrozenBlocks blocks;
+  frozen_jacobians(tracing, k, blocks);
+  frozen_projections(tracing, blocks);
+  const Velocities<Expr> v = tracing.in(Step::velocities, [&] { return velocities(system, k); });
+  const AppliedForces<Expr> forces = tracing.in(Step::forces, [&] { return applied_forces(system, k, v); });
   frozen_bias(tracing, k, blocks);
   std::vector<GroupProjection<Expr>> projections;
   for (const JointGroup& group : topology.groups)
@@ -110,12 +114,10 @@ Program trace_matrix_accelerations(const Model& model, const Topology& topology,
 Program trace_matrix_accelerations_chosen(const Model& model, const Topology& topology, const Analysis& analysis) {
   Tracing tracing(Role::accelerations_chosen, model, topology, analysis);
   System<Expr>& system = tracing.system;
-  const Kinematics<Expr> k = kinematics(system);
-  const Inertias<Expr> m = inertias(system, k);
-  tracing.scribe.step(Step::velocities);
-  const Velocities<Expr> v = velocities(system, k);
-  tracing.scribe.step(Step::forces);
-  const AppliedForces<Expr> forces = applied_forces(system, k, v);
+  const Kinematics<Expr> k = tracing.poses();
+  const Inertias<Expr> m = tracing.in(Step::inertias, [&] { return inertias(system, k); });
+  const Velocities<Expr> v = tracing.in(Step::velocities, [&] { return velocities(system, k); });
+  const AppliedForces<Expr> forces = tracing.in(Step::forces, [&] { return applied_forces(system, k, v); });
   std::vector<GroupProjection<Expr>> projections;
   for (const JointGroup& group : topology.groups) {
     if (group.block < 0) {

@@ -16,15 +16,27 @@ class Tracing {
   Tracing(Role role, const Model& model, const Topology& topology, const Analysis& analysis,
           const Layout* recursive_layout = nullptr)
       : builder(name_of(role)),
-        scribe{builder, recursive_layout ? Form::recursive : Form::matrix},
+        scribe{builder},
+        form(recursive_layout ? Form::recursive : Form::matrix),
         layout(recursive_layout ? *recursive_layout : choose_layout(model, topology)),
         analysis(analysis),
         system{model, topology, layout, environment(model, topology), {}, {}, scribe} {
-    scribe.step(Step::inertias);
+    const auto step = scribe.step(Step::inertias);
     for (int i = 0; i < auxiliary_state_count(model); ++i) system.x.push_back(input(Array::x, i));
     system.constants = make_constants(model, topology, system.environment);
     name_constants(scribe, model, topology, system.constants);
     drive = drives(system);
+  }
+
+  /// What `work` gives, its values in this step.
+  template <class Work>
+  auto in(Step step, Work work) {
+    const auto scope = scribe.step(step);
+    return work();
+  }
+  /// Step 1.
+  Kinematics<Expr> poses() {
+    return in(Step::inertias, [&] { return kinematics(system); });
   }
 
   Expr input(SlotGroup group, int index) { return {builder, builder.input(group, index)}; }
@@ -50,6 +62,7 @@ class Tracing {
 
   ProgramBuilder builder;
   Scribe<Expr> scribe;
+  Form form;
   Layout layout;
   const Analysis& analysis;
   System<Expr> system;

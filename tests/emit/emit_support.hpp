@@ -58,7 +58,7 @@ inline Example two_sliders() {
     builder.output(Array::zdd, i, builder.input(Array::tau, i));
     builder.output(Array::inertia, i, builder.constant(1));
   }
-  example.programs.accelerations = builder.finish();
+  example.programs.accelerations = builder.finish_in_canonical_order();
   example.programs.free_direction_coordinate = {"x", "y"};
   return example;
 }
@@ -77,7 +77,7 @@ inline Example pushed_slider() {
   builder.output(Array::zdd, 0, builder.input(Array::in, 1));
   builder.output(Array::zdd, 1, builder.constant(0));
   for (int i = 0; i < 2; ++i) builder.output(Array::inertia, i, builder.constant(1));
-  example.programs.accelerations = builder.finish();
+  example.programs.accelerations = builder.finish_in_canonical_order();
   return example;
 }
 
@@ -100,26 +100,26 @@ inline void output(ProgramBuilder& builder, SlotGroup group, int index, const Ex
 /// Frozen: x is dependent, y is free. mass (xdd, ydd) = (tau_x + push, tau_y - mass g) + lambda (2 x, 2 y).
 inline Program bead_accelerations() {
   ProgramBuilder builder("accelerations");
-  builder.set_section("1 forces");
+  builder.set_section({Step::inertias});
   const Symbols s(builder);
   const Expr mass(builder, builder.input(Array::par, 0));
   const Expr force_x = Expr(builder, builder.input(Array::tau, 0)) + Expr(builder, builder.input(Array::in, 0));
   const Expr force_y = Expr(builder, builder.input(Array::tau, 1)) - 9.81 * mass;
   builder.label(force_x.value(builder), "force x");
-  builder.set_section("2 Rz");
-  builder.set_block("x: prismatic, ground");
+  builder.set_section({Step::jacobian});
+  builder.set_owner({OwnerKind::tree_body, 0});
   const Expr rz = -(s.y / s.x);
   builder.label(rz.value(builder), "Rz_x");
   const Expr star = s.c() / (2.0 * s.x);
-  builder.set_section("3 final equations");
-  builder.set_block("y: prismatic, carriage");
+  builder.set_section({Step::projection});
+  builder.set_owner({OwnerKind::tree_body, 1});
   const Expr inertia = mass * (rz * rz + 1.0);
   const Expr ydd = (rz * (force_x - mass * star) + force_y) / inertia;
   output(builder, Array::zdd, 1, ydd);
   output(builder, Array::zdd, 0, rz * ydd + star);
   output(builder, Array::pivot, 0, abs(s.x));
   output(builder, Array::inertia, 0, inertia);
-  return builder.finish();
+  return builder.finish_in_canonical_order();
 }
 
 inline Program bead_accelerations_chosen() {
@@ -138,7 +138,7 @@ inline Program bead_accelerations_chosen() {
   const Expr free = right_hand_side / inertia;
   for (int i = 0; i < 2; ++i) output(builder, Array::zdd, i, rz[i] * free + star[i]);
   output(builder, Array::inertia, 0, inertia);
-  return builder.finish();
+  return builder.finish_in_canonical_order();
 }
 
 inline Program bead_closure() {
@@ -150,7 +150,7 @@ inline Program bead_closure() {
   output(builder, Array::zd, 0, -(s.y / s.x) * s.yd);
   output(builder, Array::zd, 1, s.yd);
   output(builder, Array::pivot, 0, abs(s.x));
-  return builder.finish();
+  return builder.finish_in_canonical_order();
 }
 
 inline Program bead_closure_terms() {
@@ -160,7 +160,7 @@ inline Program bead_closure_terms() {
   output(builder, {Array::Jz, 0}, 0, 2.0 * s.x);
   output(builder, {Array::Jz, 0}, 1, 2.0 * s.y);
   output(builder, {Array::c, 0}, 0, s.c());
-  return builder.finish();
+  return builder.finish_in_canonical_order();
 }
 
 /// The frozen multiplier, from x; `motions` is 1 when y is driven.
@@ -178,7 +178,7 @@ inline Program bead_multipliers(int motions = 0) {
   output(builder, {Array::missing, 0}, 0, missing_x);
   output(builder, {Array::missing, 0}, 1, missing_y);
   output(builder, Array::pivot, 0, abs(s.x));
-  return builder.finish();
+  return builder.finish_in_canonical_order();
 }
 
 inline Program bead_outputs() {
@@ -189,7 +189,7 @@ inline Program bead_outputs() {
   output(builder, Array::energy, 0, 0.5 * mass * (s.xd * s.xd + s.yd * s.yd));
   output(builder, Array::energy, 1, 9.81 * mass * s.y);
   output(builder, Array::power, 0, Expr(builder, builder.input(Array::in, 0)) * s.xd);
-  return builder.finish();
+  return builder.finish_in_canonical_order();
 }
 
 /// The bead on its circle. Tunable parameters `mass` (2 kg) and `area` (1 m^2), input `push` (0 N along x), output
@@ -258,7 +258,7 @@ inline Example bead_with_pull() {
   const Symbols s(builder);
   output(builder, Array::y, 0, sqrt(s.x * s.x + s.y * s.y));
   builder.output(Array::y, 1, builder.input(Array::lambda, 0));
-  example.programs.outputs = builder.finish();
+  example.programs.outputs = builder.finish_in_canonical_order();
   return example;
 }
 

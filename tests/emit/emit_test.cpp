@@ -145,8 +145,8 @@ TEST(EmittedExpressions, haveTheParenthesesTheyNeed) {
 ProgramShape bead_shape() {
   const Example example = bead_on_circle();
   const SolverLayout layout = solver_layout(example.model, example.topology, example.analysis);
-  const std::vector<ShapedProgram> shaped =
-      shaped_programs(example.programs, layout, solver_names(example.model, example.topology), "double", kRollAbove);
+  const std::vector<ShapedProgram> shaped = shaped_programs(
+      example.programs, layout, solver_names(example.model, example.topology), {}, "double", kRollAbove);
   return shaped.front().shape;
 }
 
@@ -166,22 +166,22 @@ struct Accelerations {
 /// All accelerations with the frozen partition of the loop blocks.
 void compute_accelerations(const Tuned& parameters, const Inputs& inputs, const State& state,
     const double* tau, Accelerations& __restrict result) noexcept {
-  // --- 1 forces ---
+  // --- step 1 ---
   const double force_x = inputs.push + tau[Coordinate::x];
   const double s1_1 = tau[Coordinate::y] - 9.81*parameters.mass;
   // operations: 2 add, 1 multiply
 
-  // --- 2 Rz ---
-  // x: prismatic, ground
+  // --- step 2 ---
+  // tree_body 0
   const double z_x = state.z[Coordinate::x];
   const double s2_1 = state.z[Coordinate::y]/z_x;
-  const double zd_y = state.zd[Coordinate::y];
   const double zd_x = state.zd[Coordinate::x];
-  const double s2_2 = 2.0*(zd_y*zd_y + zd_x*zd_x)/(2.0*z_x);
+  const double zd_y = state.zd[Coordinate::y];
+  const double s2_2 = 2.0*(zd_x*zd_x + zd_y*zd_y)/(2.0*z_x);
   // operations: 1 add, 4 multiply, 2 divide
 
-  // --- 3 final equations ---
-  // y: prismatic, carriage
+  // --- step 3 ---
+  // tree_body 1
   const double s3_1 = parameters.mass*(1.0 + s2_1*s2_1);
   result.inertia[0] = s3_1;
   const double s3_2 = (s1_1 - s2_1*(force_x + parameters.mass*s2_2))/s3_1;
@@ -201,17 +201,17 @@ TEST(EmittedProgram, keepsSineAndCosineTogetherAndNamesWhatIsUsedTwice) {
   const Expr c = cos(angle);
   output(builder, Array::zdd, 0, far * c);
   output(builder, Array::zdd, 1, 2.5);
-  const std::string text = written(builder.finish());
+  const std::string text = written(builder.finish_in_canonical_order());
   const std::string body = text.substr(text.find("{\n", text.find("void ")) + 2);
   EXPECT_EQ(body, R"(  // Results that need no operation.
   result.inertia[0] = 1.0;
   result.pivot[0] = 1.0;
   result.zdd[Coordinate::y] = 2.5;
 
-  const double s0_1 = state.zd[Coordinate::y]*state.z[Coordinate::x];
+  const double s0_1 = state.z[Coordinate::x]*state.zd[Coordinate::y];
   double s0_2, s0_3;
-  mbgen::sincos(s0_1, s0_2, s0_3);
-  result.zdd[Coordinate::x] = (1.0 + s0_2*s0_2)*s0_3;
+  mbgen::sincos(s0_1, s0_3, s0_2);
+  result.zdd[Coordinate::x] = s0_2*(1.0 + s0_3*s0_3);
 }
 )");
 }
@@ -220,15 +220,15 @@ TEST(EmittedProgram, keepsSineAndCosineTogetherAndNamesWhatIsUsedTwice) {
 Program rotations() {
   ProgramBuilder builder("accelerations");
   const auto z = [&](int i) { return Expr(builder, builder.input(Array::z, i)); };
-  builder.set_section("step 1: poses");
+  builder.set_section({Step::inertias});
   const Expr first = sin(z(0)) * cos(z(0));
   const Expr second = first + sin(z(1)) - cos(z(0) + z(1));
   const Expr third = second * sin(2.0 * z(0) - z(1));
   const Expr inner = sin(first);
-  builder.set_section("step 2: forces");
+  builder.set_section({Step::jacobian});
   output(builder, Array::zdd, 0, third);
   output(builder, Array::zdd, 1, inner + cos(z(1)));
-  return builder.finish();
+  return builder.finish_in_canonical_order();
 }
 
 TEST(EmittedProgram, callsForManyAnglesAtOnceWhereTheirSectionBegins) {
@@ -238,19 +238,19 @@ TEST(EmittedProgram, callsForManyAnglesAtOnceWhereTheirSectionBegins) {
   result.inertia[0] = 1.0;
   result.pivot[0] = 1.0;
 
-  // --- step 1: poses ---
+  // --- step 1 ---
   const double z_x = state.z[Coordinate::x];
   const double z_y = state.z[Coordinate::y];
   const double angles[] = {
-      z_x, z_x + z_y, z_y, 2.0*z_x - z_y};
+      z_x, 2.0*z_x - z_y, z_y, z_x + z_y};
   double sines[4], cosines[4];
   mbgen::sincos(angles, sines, cosines);
-  const double s1_1 = cosines[0]*sines[0];
-  result.zdd[Coordinate::x] = (s1_1 + sines[2] - cosines[1])*sines[3];
+  const double s1_1 = sines[0]*cosines[0];
   const double s1_2 = mbgen::sine(s1_1);
+  result.zdd[Coordinate::x] = sines[1]*(s1_1 + sines[2] - cosines[3]);
   // operations: 4 add, 3 multiply, 6 sin cos
 
-  // --- step 2: forces ---
+  // --- step 2 ---
   result.zdd[Coordinate::y] = s1_2 + mbgen::cosine(z_y);
   // operations: 1 add, 1 sin cos
 }
@@ -266,7 +266,7 @@ TEST(Schedules, gatherOnlyWhatIsManyEnough) {
     const Node& node = program.nodes[v];
     if (calls.place[v].call < 0) continue;
     EXPECT_EQ(calls.calls[0].arguments[calls.place[v].argument], node.operands[0]);
-    EXPECT_EQ(program.sections[node.section], "step 1: poses");
+    EXPECT_EQ(node.section, Section{Step::inertias});
   }
 }
 
@@ -276,7 +276,7 @@ TEST(Schedules, gatherWhatOneCallAfterTheOtherNeeds) {
     const Expr slip = Expr(builder, builder.input(Array::z, wheel)) * Expr(builder, builder.input(Array::zd, wheel));
     builder.output(Array::zdd, wheel, sin(1.5 * atan(slip)).value(builder));
   }
-  const Program program = builder.finish();
+  const Program program = builder.finish_in_canonical_order();
   const Schedule scheduled = schedule(program);
   std::string ops;
   for (const ValueId v : scheduled.order) ops += std::string(op_name(program.nodes[v].op)) + " ";
@@ -289,7 +289,7 @@ TEST(Schedules, gatherWhatOneCallAfterTheOtherNeeds) {
 TEST(EmittedProgram, refusesSlotsThatHaveNoPlace) {
   ProgramBuilder builder("accelerations");
   builder.output(Array::zdd, 2, builder.input(Array::z, 0));
-  EXPECT_THROW(written(builder.finish()), std::logic_error);
+  EXPECT_THROW(written(builder.finish_in_canonical_order()), std::logic_error);
   ProgramBuilder second("accelerations");
   second.output(Array::zdd, 1, second.input(Array::zdd, 0));
   EXPECT_THROW(written(second.finish()), std::logic_error);
@@ -304,7 +304,7 @@ TEST(EmittedProgram, keepsLinesShort) {
     builder.label(sum.value(builder), "a rather long name of an intermediate result, number " + std::to_string(i));
   }
   output(builder, Array::zdd, 0, sum);
-  std::istringstream text(written(builder.finish()));
+  std::istringstream text(written(builder.finish_in_canonical_order()));
   for (std::string line; std::getline(text, line);) EXPECT_LE(line.size(), 110u) << line;
 }
 
@@ -320,7 +320,7 @@ TEST(Schedules, divideLargeProgramsWhereFewValuesCross) {
     x = sum;
   }
   output(builder, Array::zdd, 0, x);
-  const Program program = builder.finish();
+  const Program program = builder.finish_in_canonical_order();
   const Schedule result = schedule(program);
   ASSERT_GE(result.parts.size(), 4u);
   for (const PlaceRange& part : result.parts) {
@@ -345,17 +345,16 @@ TEST(Schedules, divideLargeProgramsWhereFewValuesCross) {
   EXPECT_EQ(crossing.size(), result.parts.size() - 1);
 }
 
-/// A program of three numbered sections, the middle one longer than a part.
+/// A program of three sections, the middle one longer than a part.
 Program three_sections() {
   ProgramBuilder builder("p");
   Expr x(builder, builder.input(Array::z, 0));
-  for (const auto& [title, length] :
-       {std::pair{"step 1: inertias", 3}, {"step 4: velocities (36)", 1500}, {"step 9", 2}}) {
-    builder.set_section(title);
+  for (const auto& [step, length] : {std::pair{Step::inertias, 3}, {Step::velocities, 1500}, {Step::solution, 2}}) {
+    builder.set_section({step});
     for (int i = 0; i < length; ++i) x = x * x + (1.0 + i);
   }
   output(builder, Array::zdd, 0, x);
-  return builder.finish();
+  return builder.finish_in_canonical_order();
 }
 
 TEST(Schedules, canFollowTheSections) {
@@ -389,7 +388,7 @@ TEST(Schedules, leaveDeadValuesOut) {
   const Expr x(builder, builder.input(Array::z, 0));
   builder.append(Op::sin, x.value(builder));
   output(builder, Array::zdd, 0, cos(x));
-  EXPECT_EQ(schedule(builder.finish()).order.size(), 1u);
+  EXPECT_EQ(schedule(builder.finish_in_canonical_order()).order.size(), 1u);
 }
 
 }  // namespace

@@ -132,7 +132,7 @@ TEST(EmittedFiles, manifestCountsTheOperationsOfEverySection) {
   EXPECT_EQ(manifest["loop_blocks"][0]["loops"][0], "circle");
   const auto& program = manifest["programs"]["accelerations"];
   EXPECT_EQ(program["sections"].size(), 3u);
-  EXPECT_EQ(program["sections"][0]["title"], "1 forces");
+  EXPECT_EQ(program["sections"][0]["title"], "step 1: poses and axes b");
   long total = 0;
   for (const auto& section : program["sections"]) total += section["total"].get<long>();
   EXPECT_EQ(program["operations"]["total"], total);

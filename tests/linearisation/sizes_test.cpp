@@ -29,17 +29,5 @@ TEST(Sizes, AFormThatIsTooLargeNamesTheOther) {
   EXPECT_EQ(problems[0].hint, "--form recursive is smaller");
 }
 
-// Programs number their titles with 16 bits: 70000 outputs are refused with their number, not by an exception.
-TEST(Sizes, ManyOutputsAreRefusedWithTheirNumber) {
-  Result<Compilation> decided = decide(source_path("models/pendulum.json"));
-  ASSERT_TRUE(decided) << to_text(decided.problems());
-  EXPECT_TRUE(too_large(*decided).empty());
-  decided->model.outputs.resize(70000);
-  const Diagnostics problems = too_large(*decided);
-  ASSERT_EQ(problems.size(), 1u);
-  EXPECT_NE(problems[0].message.find("force elements and outputs, at most 65000 are written"), std::string::npos)
-      << problems[0].message;
-}
-
 }  // namespace
 }  // namespace mbgen

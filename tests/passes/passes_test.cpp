@@ -21,8 +21,8 @@ namespace {
 TEST(PassText, DeadValuesAndInputsGo) {
   ProgramBuilder builder("f");
   const Expr unused(builder, builder.input(Array::z, 0)), x(builder, builder.input(Array::z, 1));
-  builder.set_section("only");
-  builder.set_block("arm");
+  builder.set_section({Step::forces});
+  builder.set_owner({OwnerKind::tree_body, 0});
   const Expr s = sin(x), c = cos(x) * unused;
   builder.label(s.value(builder), "s_arm");
   builder.label(c.value(builder), "c_arm");
@@ -31,8 +31,8 @@ TEST(PassText, DeadValuesAndInputsGo) {
   EXPECT_EQ(dump(program),
             "program f\n"
             "%0 = input z[1]\n"
-            "; section only\n"
-            "; block arm\n"
+            "; section step 5\n"
+            "; owner tree_body 0\n"
             "%1 = sin %0  ; s_arm\n"
             "out y[0] = %1\n");
   EXPECT_EQ(program.inputs, (std::vector<Slot>{{Array::z, 1}}));
@@ -44,7 +44,7 @@ Program divisions(int count, const std::function<Expr(ProgramBuilder&)>& divisor
   ProgramBuilder builder("f");
   const Expr d = divisor(builder);
   for (int i = 0; i < count; ++i) {
-    builder.set_section(fmt::format("step {}", i));
+    builder.set_section({Step::forces, i});
     const Expr quotient = Expr(builder, builder.input(Array::x, i)) / d;
     builder.label(quotient.value(builder), fmt::format("q{}", i));
     builder.output(Array::y, i, quotient.value(builder));
@@ -59,14 +59,14 @@ TEST(PassText, ThreeDivisionsByOneValueShareAReciprocal) {
             "%0 = input in[0]\n"
             "%1 = input x[0]\n"
             "%2 = constant 1\n"
-            "; section step 0\n"
+            "; section step 5, block 0\n"
             "%3 = div %2 %0\n"
             "%4 = mul %1 %3  ; q0\n"
             "%5 = input x[1]\n"
-            "; section step 1\n"
+            "; section step 5, block 1\n"
             "%6 = mul %3 %5  ; q1\n"
             "%7 = input x[2]\n"
-            "; section step 2\n"
+            "; section step 5, block 2\n"
             "%8 = mul %3 %7  ; q2\n"
             "out y[0] = %4\n"
             "out y[1] = %6\n"

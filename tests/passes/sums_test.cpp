@@ -16,7 +16,7 @@ Program program_of(const std::function<Expr(const std::vector<Expr>&)>& body) {
   ProgramBuilder builder("f");
   std::vector<Expr> x;
   for (int i = 0; i < 6; ++i) x.emplace_back(builder, builder.input(Array::x, i));
-  builder.set_section("step 1");
+  builder.set_section({Step::inertias});
   builder.output(Array::y, 0, body(x).value(builder));
   return builder.finish();
 }
@@ -87,7 +87,7 @@ Program random_program(unsigned seed) {
   for (int i = 0; i < 5; ++i) values.emplace_back(builder, builder.input(Array::x, i));
   const auto any = [&] { return values[random() % values.size()]; };
   for (int i = 0; i < 60; ++i) {
-    builder.set_section("step " + std::to_string(i / 20 + 1));
+    builder.set_section({Step::forces, i / 20});
     switch (random() % 4) {
       case 0:
         values.push_back(any() + any());
@@ -140,9 +140,9 @@ TEST(ShortenLifetimes, ATermJoinsItsSumWhenItIsKnown) {
 TEST(ShortenLifetimes, AValueOfLastingOperandsIsComputedWhereItIsUsed) {
   ProgramBuilder builder("f");
   const Expr a(builder, builder.input(Array::x, 0)), b(builder, builder.input(Array::x, 1));
-  builder.set_section("step 1");
+  builder.set_section({Step::inertias});
   const Expr u = tan(a), v = tan(b), early = u * v;
-  builder.set_section("step 2");
+  builder.set_section({Step::jacobian});
   const Expr work = exp(u) * exp(v);
   builder.output(Array::y, 0, (work / early).value(builder));
   builder.output(Array::y, 1, (u / v).value(builder));
@@ -151,7 +151,7 @@ TEST(ShortenLifetimes, AValueOfLastingOperandsIsComputedWhereItIsUsed) {
   int products = 0;
   for (const Node& node : ordered.nodes) {
     if (!is_product(node)) continue;
-    EXPECT_EQ(ordered.sections[node.section], "step 2");
+    EXPECT_EQ(node.section, Section{Step::jacobian});
     ++products;
   }
   EXPECT_EQ(products, 2);

@@ -36,7 +36,7 @@ Program traced(const Evaluate& evaluate) {
     return evaluate(
         Op::multiply, [&, i] { return x(i); }, [&, k] { return x(k); });
   };
-  builder.set_section("first");
+  builder.set_section({Step::inertias});
   const Expr p = evaluate(
       Op::add, [&] { return product(0, 1); },
       [&] {
@@ -44,7 +44,7 @@ Program traced(const Evaluate& evaluate) {
             Op::multiply, [] { return Expr(3); }, [&] { return sin(x(2)); });
       });
   builder.label(p.value(builder), "p");
-  builder.set_section("second");
+  builder.set_section({Step::jacobian});
   const Expr q = evaluate(
       Op::subtract,
       [&] {
@@ -70,7 +70,7 @@ TEST(CanonicalOrder, KeepsStatementsAndPutsOperandsBeforeTheirUser) {
             "program f\n"
             "%0 = input x[0]\n"
             "%1 = input x[1]\n"
-            "; section first\n"
+            "; section step 1\n"
             "%2 = mul %0 %1\n"
             "%3 = constant 3\n"
             "%4 = input x[2]\n"
@@ -78,7 +78,7 @@ TEST(CanonicalOrder, KeepsStatementsAndPutsOperandsBeforeTheirUser) {
             "%6 = mul %3 %5\n"
             "%7 = add %2 %6  ; p\n"
             "%8 = input x[3]\n"
-            "; section second\n"
+            "; section step 2\n"
             "%9 = div %7 %8\n"
             "%10 = sub %9 %2  ; q\n"
             "%11 = input x[5]\n"

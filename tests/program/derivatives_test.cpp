@@ -108,13 +108,13 @@ TEST(Derivative, AppliedTwiceGivesSecondDerivatives) {
 TEST(Derivative, TextIsTheProgramItsSeedsAndTheirProducts) {
   ProgramBuilder builder("f");
   const Expr z(builder, builder.input(Array::z, 0)), t(builder, builder.input(Array::t, 0));
-  builder.set_section("positions");
+  builder.set_section({Step::inertias});
   builder.output(Array::y, 0, (sin(z) + t).value(builder));
   EXPECT_EQ(dump(differentiate(builder.finish(), std::vector<int>{0, -1})),
             "program f\n"
             "%0 = input t[0]\n"
             "%1 = input z[0]\n"
-            "; section positions\n"
+            "; section step 1\n"
             "%2 = sin %1\n"
             "%3 = input seed[0]\n"
             "%4 = add %0 %2\n"

@@ -124,8 +124,7 @@ TEST(Verify, NamesEachBrokenInvariant) {
   EXPECT_NE(broken([](Program& p) { p.nodes.back().operands[1] = kNoValue; }), "");
   EXPECT_NE(broken([](Program& p) { p.nodes[0].operands[0] = 0; }), "");
   EXPECT_NE(broken([](Program& p) { p.nodes[0].input = 7; }), "");
-  EXPECT_NE(broken([](Program& p) { p.nodes.back().section = 9; }), "");
-  EXPECT_NE(broken([](Program& p) { p.nodes.back().block = 9; }), "");
+  EXPECT_NE(broken([](Program& p) { p.nodes.back().section = {Step::solution}; }), "");
   EXPECT_NE(broken([](Program& p) { p.nodes.back().label = 9; }), "");
   EXPECT_NE(broken([](Program& p) { p.outputs[0].value = 99; }), "");
   EXPECT_NE(broken([](Program& p) { p.outputs.push_back(p.outputs[0]); }), "");
@@ -135,9 +134,9 @@ TEST(Verify, NamesEachBrokenInvariant) {
 TEST(Count, LooksAtLiveValuesBySection) {
   ProgramBuilder builder("f");
   const Expr x(builder, builder.input(Array::in, 0));
-  builder.set_section("one");
+  builder.set_section({Step::inertias});
   const Expr a = sin(x) + x;
-  builder.set_section("two");
+  builder.set_section({Step::jacobian});
   const Expr b = sqrt(a * a) / x;
   cos(b);  // needed by nobody
   builder.output(Array::y, 0, (-b).value(builder));
@@ -164,6 +163,21 @@ const std::vector<Make>& smooth_functions() {
       [](const Expr& x, const Expr& y) { return pow(x + 2.0, y) + pow(y, Expr(3.0)) + pow(x + 2.0, Expr(-1.5)); },
       [](const Expr& x, const Expr& y) { return abs(x) * y + min(x, y) * max(x * x, y) + select(x - y, x * y, -y); }};
   return functions;
+}
+
+TEST(Program, HasAsManyOwnersAsAModelHasParts) {
+  ProgramBuilder builder("p");
+  Expr x(builder, builder.input(Array::z, 0));
+  constexpr int kMany = 70000;
+  for (int i = 0; i < kMany; ++i) {
+    builder.set_section({Step::outputs, i});
+    builder.set_owner({OwnerKind::output, i});
+    x = sin(x);
+  }
+  builder.output(Array::y, 0, x.value(builder));
+  const Program program = builder.finish();
+  EXPECT_EQ(program.nodes.back().owner, (Owner{OwnerKind::output, kMany - 1}));
+  EXPECT_EQ(program.sections.size(), kMany + 1u);
 }
 
 TEST(Derivative, EqualsCentralDifferences) {

@@ -180,29 +180,29 @@ TEST(RuleText, ConstantsFoldUnlessTheResultIsNotFinite) {
 TEST(Dump, NamesSectionsBlocksAndLabelsWhereTheyChange) {
   ProgramBuilder builder("two_steps");
   const Expr z(builder, builder.input(Array::z, 3)), zd(builder, builder.input(Array::zd, 0));
-  builder.set_section("kinematics");
-  builder.set_block("crank: crank_pin, revolute, ground");
+  builder.set_section({Step::inertias});
+  builder.set_owner({OwnerKind::tree_body, 0});
   const Expr s = sin(z);
   builder.label(s.value(builder), "R_crank_xz");
   const Expr velocity = s * zd + 0.1;
-  builder.set_section("dynamics");
+  builder.set_section({Step::accelerations, 2});
   const Expr force = velocity * velocity;
-  builder.set_block("");
+  builder.set_owner({});
   builder.output(Array::zdd, 0, (force - sin(z)).value(builder));
   builder.output(Array::y, 4, zd.value(builder));
   EXPECT_EQ(dump(builder.finish()),
             "program two_steps\n"
             "%0 = input z[3]\n"
             "%1 = input zd[0]\n"
-            "; section kinematics\n"
-            "; block crank: crank_pin, revolute, ground\n"
+            "; section step 1\n"
+            "; owner tree_body 0\n"
             "%2 = sin %0  ; R_crank_xz\n"
             "%3 = mul %1 %2\n"
             "%4 = constant 0.1\n"
             "%5 = add %4 %3\n"
-            "; section dynamics\n"
+            "; section step 7, block 2\n"
             "%6 = mul %5 %5\n"
-            "; block\n"
+            "; owner\n"
             "%7 = sub %6 %2\n"
             "out zdd[0] = %7\n"
             "out y[4] = %1\n");
@@ -262,15 +262,13 @@ TEST(VerifyText, NamesTheFirstBrokenInvariant) {
       {[](Program& p) { p.nodes[1].input = 2; }, "%1: no input 2"},
       {[](Program& p) { p.nodes[1].input = -1; }, "%1: no input -1"},
       {[](Program& p) { p.nodes[1].input = 0; }, "%1: second value of input x[0]"},
-      {[](Program& p) { p.nodes[3].section = 1; }, "%3: no section 1"},
-      {[](Program& p) { p.nodes[3].block = 1; }, "%3: no block 1"},
+      {[](Program& p) {
+         p.nodes[3].section = {Step::forces, 1};
+       },
+       "%3: no section \"step 5, block 1\""},
       {[](Program& p) { p.nodes[3].label = 0; }, "%3: no label 0"},
       {[](Program& p) { p.nodes[3].label = -2; }, "%3: no label -2"},
-      {[](Program& p) { p.sections.push_back(""); }, "section \"\" appears twice"},
-      {[](Program& p) {
-         p.blocks = {"", "arm", "arm"};
-       },
-       "block \"arm\" appears twice"},
+      {[](Program& p) { p.sections.push_back({}); }, "section \"\" appears twice"},
       {[](Program& p) { p.inputs[1].index = 0; }, "input x[0] appears twice"},
       {[](Program& p) { p.inputs[1].index = -3; }, "input x[-3] has a negative index"},
       {[](Program& p) { p.outputs[1].slot.index = 0; }, "output y[0] appears twice"},

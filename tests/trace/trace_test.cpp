@@ -207,6 +207,21 @@ TEST(Trace, TwoRunsGiveTheSameProgram) {
   EXPECT_EQ(dump(first.accelerations), dump(second.accelerations));
 }
 
+// Scopes leave no operation outside a step, whatever the form and the program.
+TEST(Trace, EveryOperationBelongsToAStep) {
+  for (const char* path : {"models/four_bar.json", "models/pulled_wheel.json", "models/slider_crank.json"})
+    for (const Form form : {Form::matrix, Form::recursive}) {
+      const Mechanism m = load(path);
+      const Programs programs = trace(m.model, m.topology, m.analysis, form);
+      for (const Program* program : all_programs(programs))
+        for (ValueId v = 0; v < program->nodes.size(); ++v) {
+          const Node& node = program->nodes[v];
+          if (arity(node.op) == 0) continue;
+          ASSERT_NE(node.section.step, Step::none) << path << " " << program->name << " %" << v;
+        }
+    }
+}
+
 // A form that grows faster than the model is not written where the other one does not: chains in the matrix form.
 TEST(Trace, ALongChainIsTracedInTheRecursiveFormAlone) {
   const auto operations = [](int size) {
