@@ -444,14 +444,14 @@ struct AccelerationsWork {
       R_carrier_right_x_z, R_carrier_right_y_x, R_carrier_right_y_z, R_carrier_right_z_x,
       R_carrier_right_z_z, R_rear_axle_aux5_x_x, R_rear_axle_aux5_y_x, s1_50, R_rear_axle_x_y,
       R_rear_axle_x_z, R_rear_axle_y_y, R_rear_axle_y_z, R_rear_axle_z_y, R_rear_axle_z_z,
-      R_chassis_aux5_x_x, R_chassis_aux5_y_x, s7_4, s7_7, s7_9, s5_2, s5_3, s5_5, s5_6, s5_7, s5_9,
-      s5_10, s5_12, s5_14, s5_16, s5_18, s5_19, s5_21, s5_23, s5_24, s5_26, s5_28, s5_30, s5_32,
-      s5_34, s5_35, s5_37, s5_39, s5_40, s5_42, s5_44, s5_45, s5_47, s5_48, s5_49, s5_51, s5_52,
-      s4_1, s4_2, w_chassis_y, s4_3, s4_4, w_chassis_z, s4_5, s4_6, s4_7, s4_8, s4_9, s4_10, s4_11,
-      s4_12, s4_13, s4_14, s4_15, s4_16, s4_17, s4_18, s4_19, s4_20, s4_21, s4_22, s4_23, s4_24,
-      s4_25, s4_26, s4_27, s4_28, s4_29, s4_30, s4_32, s4_33, w_chassis_x, s4_34, s4_35, s4_37,
-      s4_38, s4_39, s4_40, s4_41, s4_42, s4_43, s4_44, s4_45, s4_46, s4_47, s4_48, s4_49, s4_50,
-      w_carrier_left_x, w_carrier_left_y, s4_52, w_carrier_left_z, s4_54, s4_57, s4_59,
+      R_chassis_aux5_x_x, R_chassis_aux5_y_x, s7_4, s7_7, s7_9, s1_55, s1_56, s1_58, s1_59, s1_60,
+      s1_62, s1_63, s1_65, s1_67, s1_69, s1_71, s1_72, s1_74, s1_76, s1_77, s1_79, s1_81, s1_83,
+      s1_85, s1_87, s1_88, s1_90, s1_92, s1_93, s1_95, s1_97, s1_98, s1_100, s1_101, s1_102, s1_104,
+      s1_105, s4_1, s4_2, w_chassis_y, s4_3, s4_4, w_chassis_z, s4_5, s4_6, s4_7, s4_8, s4_9, s4_10,
+      s4_11, s4_12, s4_13, s4_14, s4_15, s4_16, s4_17, s4_18, s4_19, s4_20, s4_21, s4_22, s4_23,
+      s4_24, s4_25, s4_26, s4_27, s4_28, s4_29, s4_30, s4_32, s4_33, w_chassis_x, s4_34, s4_35,
+      s4_37, s4_38, s4_39, s4_40, s4_41, s4_42, s4_43, s4_44, s4_45, s4_46, s4_47, s4_48, s4_49,
+      s4_50, w_carrier_left_x, w_carrier_left_y, s4_52, w_carrier_left_z, s4_54, s4_57, s4_59,
       w_carrier_right_x, w_carrier_right_y, s4_61, w_carrier_right_z, s4_63, s4_66, s4_68,
       w_rear_axle_x, w_rear_axle_y, w_rear_axle_z, s8_3, s8_4, s8_5, r_rear_axle_aux3_z, s2_7, s2_8,
       s2_9, r_rear_axle_aux1_x, s2_11, s2_12, s2_13, s2_17, s2_18, s2_19, s2_21, s2_22, s2_24,
@@ -510,10 +510,10 @@ struct AccelerationsWork {
 };
 
 /// Part 1 of compute_accelerations: step 1: poses and axes b; step 7: inertias of the bodies and
-/// forces on joints; step 5: applied forces Q (48); step 4: velocities; step 8: elimination from
-/// the leaves to the root (63); step 2: closure Jacobian Phi_z and its factors (60), long_rod_left
-/// .. arb_link_rear_right; step 3: Rz (61), long_rod_left .. arb_link_rear_right; step 6: c and
-/// dRz/dt zd (62), long_rod_left .. arb_link_rear_right.
+/// forces on joints; step 1: poses and axes b; step 4: velocities; step 8: elimination from the
+/// leaves to the root (63); step 2: closure Jacobian Phi_z and its factors (60), long_rod_left ..
+/// arb_link_rear_right; step 3: Rz (61), long_rod_left .. arb_link_rear_right; step 6: c and dRz/dt
+/// zd (62), long_rod_left .. arb_link_rear_right.
 [[gnu::noinline]] void compute_accelerations_1(const State& state, const double* tau,
     AccelerationsWork& __restrict work, Accelerations& __restrict result) noexcept {
   // Results that need no operation.
@@ -658,7 +658,6 @@ struct AccelerationsWork {
   work.R_rear_axle_y_z = fnma(R_rear_axle_aux4_x_x, s1_52, R_rear_axle_aux5_y_z*s1_53);
   work.R_rear_axle_z_y = R_rear_axle_aux5_z_z*s1_52;
   work.R_rear_axle_z_z = R_rear_axle_aux5_z_z*s1_53;
-  // operations: 44 add, 110 multiply, 44 sin cos
 
   // --- step 7: inertias of the bodies and forces on joints ---
   // chassis_aux3: chassis_tz, prismatic, chassis_aux2
@@ -678,76 +677,76 @@ struct AccelerationsWork {
   work.s7_9 = fnma(s1_1, tau_chassis_tz, s7_8);
   // operations: 6 add, 11 multiply
 
-  // --- step 5: applied forces Q (48) ---
+  // --- step 1: poses and axes b, continued ---
   // chassis: chassis_rx, revolute, chassis_aux5
-  const double s5_1 = 1.0/work.s1_6;
-  work.s5_2 = s1_3*s5_1;
+  const double s1_54 = 1.0/work.s1_6;
+  work.s1_55 = s1_3*s1_54;
   const double tau_chassis_rx = tau[Coordinate::chassis_rx];
   const double tau_chassis_ry = tau[Coordinate::chassis_ry];
-  work.s5_3 = s1_2*s5_1;
+  work.s1_56 = s1_2*s1_54;
   const double tau_chassis_rz = tau[Coordinate::chassis_rz];
-  const double s5_4 = fma(s1_4, tau_chassis_ry, tau_chassis_rx*work.s5_2);
-  work.s5_5 = fma(tau_chassis_rz, work.s5_3, s5_4);
-  work.s5_6 = s1_5*s5_1;
-  work.s5_7 = s1_4*s5_1;
-  const double s5_8 = fma(tau_chassis_rz, work.s5_7, tau_chassis_rx*work.s5_6);
-  work.s5_9 = fnma(s1_2, tau_chassis_ry, s5_8);
-  work.s5_10 = work.s1_6*s5_1;
+  const double s1_57 = fma(s1_4, tau_chassis_ry, tau_chassis_rx*work.s1_55);
+  work.s1_58 = fma(tau_chassis_rz, work.s1_56, s1_57);
+  work.s1_59 = s1_5*s1_54;
+  work.s1_60 = s1_4*s1_54;
+  const double s1_61 = fma(tau_chassis_rz, work.s1_60, tau_chassis_rx*work.s1_59);
+  work.s1_62 = fnma(s1_2, tau_chassis_ry, s1_61);
+  work.s1_63 = work.s1_6*s1_54;
   // carrier_left: carrier_left_ry, revolute, carrier_left_aux2
-  const double s5_11 = 1.0/work.s1_22;
-  work.s5_12 = R_carrier_left_aux1_z_y*s5_11;
+  const double s1_64 = 1.0/work.s1_22;
+  work.s1_65 = R_carrier_left_aux1_z_y*s1_64;
   const double tau_carrier_left_ry = tau[Coordinate::carrier_left_ry];
   const double tau_carrier_left_rx = tau[Coordinate::carrier_left_rx];
-  const double s5_13 = tau_carrier_left_ry*work.s5_12;
-  work.s5_14 = R_carrier_left_aux1_y_y*s5_11;
-  const double s5_15 = tau_carrier_left_ry*work.s5_14;
-  work.s5_16 = s1_21*s5_11;
+  const double s1_66 = tau_carrier_left_ry*work.s1_65;
+  work.s1_67 = R_carrier_left_aux1_y_y*s1_64;
+  const double s1_68 = tau_carrier_left_ry*work.s1_67;
+  work.s1_69 = s1_21*s1_64;
   const double tau_carrier_left_rz = tau[Coordinate::carrier_left_rz];
-  const double s5_17 = fma(work.R_carrier_left_aux1_z_x, tau_carrier_left_rx, s5_13);
-  work.s5_18 = fma(tau_carrier_left_rz, work.s5_16, s5_17);
-  work.s5_19 = s5_11*s1_24;
-  const double s5_20 = R_carrier_left_aux1_x_x*tau_carrier_left_rx;
-  work.s5_21 = s1_9*s5_11;
-  const double s5_22 = fma(tau_carrier_left_rz, work.s5_19, s5_20);
-  work.s5_23 = fnma(tau_carrier_left_ry, work.s5_21, s5_22);
-  work.s5_24 = s1_19*s5_11;
-  const double s5_25 = fma(work.R_carrier_left_aux1_y_x, tau_carrier_left_rx, s5_15);
-  work.s5_26 = fnma(tau_carrier_left_rz, work.s5_24, s5_25);
+  const double s1_70 = fma(work.R_carrier_left_aux1_z_x, tau_carrier_left_rx, s1_66);
+  work.s1_71 = fma(tau_carrier_left_rz, work.s1_69, s1_70);
+  work.s1_72 = s1_64*s1_24;
+  const double s1_73 = R_carrier_left_aux1_x_x*tau_carrier_left_rx;
+  work.s1_74 = s1_9*s1_64;
+  const double s1_75 = fma(tau_carrier_left_rz, work.s1_72, s1_73);
+  work.s1_76 = fnma(tau_carrier_left_ry, work.s1_74, s1_75);
+  work.s1_77 = s1_19*s1_64;
+  const double s1_78 = fma(work.R_carrier_left_aux1_y_x, tau_carrier_left_rx, s1_68);
+  work.s1_79 = fnma(tau_carrier_left_rz, work.s1_77, s1_78);
   // carrier_right: carrier_right_ry, revolute, carrier_right_aux2
-  const double s5_27 = 1.0/work.s1_42;
-  work.s5_28 = R_carrier_right_aux1_z_y*s5_27;
+  const double s1_80 = 1.0/work.s1_42;
+  work.s1_81 = R_carrier_right_aux1_z_y*s1_80;
   const double tau_carrier_right_ry = tau[Coordinate::carrier_right_ry];
   const double tau_carrier_right_rx = tau[Coordinate::carrier_right_rx];
-  const double s5_29 = tau_carrier_right_ry*work.s5_28;
-  work.s5_30 = R_carrier_right_aux1_y_y*s5_27;
-  const double s5_31 = tau_carrier_right_ry*work.s5_30;
-  work.s5_32 = s1_41*s5_27;
+  const double s1_82 = tau_carrier_right_ry*work.s1_81;
+  work.s1_83 = R_carrier_right_aux1_y_y*s1_80;
+  const double s1_84 = tau_carrier_right_ry*work.s1_83;
+  work.s1_85 = s1_41*s1_80;
   const double tau_carrier_right_rz = tau[Coordinate::carrier_right_rz];
-  const double s5_33 = fma(work.R_carrier_right_aux1_z_x, tau_carrier_right_rx, s5_29);
-  work.s5_34 = fma(tau_carrier_right_rz, work.s5_32, s5_33);
-  work.s5_35 = s5_27*s1_44;
-  const double s5_36 = R_carrier_right_aux1_x_x*tau_carrier_right_rx;
-  work.s5_37 = s1_29*s5_27;
-  const double s5_38 = fma(tau_carrier_right_rz, work.s5_35, s5_36);
-  work.s5_39 = fnma(tau_carrier_right_ry, work.s5_37, s5_38);
-  work.s5_40 = s1_39*s5_27;
-  const double s5_41 = fma(work.R_carrier_right_aux1_y_x, tau_carrier_right_rx, s5_31);
-  work.s5_42 = fnma(tau_carrier_right_rz, work.s5_40, s5_41);
+  const double s1_86 = fma(work.R_carrier_right_aux1_z_x, tau_carrier_right_rx, s1_82);
+  work.s1_87 = fma(tau_carrier_right_rz, work.s1_85, s1_86);
+  work.s1_88 = s1_80*s1_44;
+  const double s1_89 = R_carrier_right_aux1_x_x*tau_carrier_right_rx;
+  work.s1_90 = s1_29*s1_80;
+  const double s1_91 = fma(tau_carrier_right_rz, work.s1_88, s1_89);
+  work.s1_92 = fnma(tau_carrier_right_ry, work.s1_90, s1_91);
+  work.s1_93 = s1_39*s1_80;
+  const double s1_94 = fma(work.R_carrier_right_aux1_y_x, tau_carrier_right_rx, s1_84);
+  work.s1_95 = fnma(tau_carrier_right_rz, work.s1_93, s1_94);
   // rear_axle: rear_axle_rx, revolute, rear_axle_aux5
-  const double s5_43 = 1.0/work.s1_50;
-  work.s5_44 = R_rear_axle_aux4_y_x*s5_43;
+  const double s1_96 = 1.0/work.s1_50;
+  work.s1_97 = R_rear_axle_aux4_y_x*s1_96;
   const double tau_rear_axle_rx = tau[Coordinate::rear_axle_rx];
   const double tau_rear_axle_ry = tau[Coordinate::rear_axle_ry];
-  work.s5_45 = R_rear_axle_aux5_y_z*s5_43;
+  work.s1_98 = R_rear_axle_aux5_y_z*s1_96;
   const double tau_rear_axle_rz = tau[Coordinate::rear_axle_rz];
-  const double s5_46 = fma(R_rear_axle_aux4_x_x, tau_rear_axle_ry, tau_rear_axle_rx*work.s5_44);
-  work.s5_47 = fma(tau_rear_axle_rz, work.s5_45, s5_46);
-  work.s5_48 = R_rear_axle_aux5_x_z*s5_43;
-  work.s5_49 = R_rear_axle_aux4_x_x*s5_43;
-  const double s5_50 = fma(tau_rear_axle_rz, work.s5_48, tau_rear_axle_rx*work.s5_49);
-  work.s5_51 = fnma(R_rear_axle_aux4_y_x, tau_rear_axle_ry, s5_50);
-  work.s5_52 = work.s1_50*s5_43;
-  // operations: 20 add, 52 multiply, 4 divide
+  const double s1_99 = fma(R_rear_axle_aux4_x_x, tau_rear_axle_ry, tau_rear_axle_rx*work.s1_97);
+  work.s1_100 = fma(tau_rear_axle_rz, work.s1_98, s1_99);
+  work.s1_101 = R_rear_axle_aux5_x_z*s1_96;
+  work.s1_102 = R_rear_axle_aux4_x_x*s1_96;
+  const double s1_103 = fma(tau_rear_axle_rz, work.s1_101, tau_rear_axle_rx*work.s1_102);
+  work.s1_104 = fnma(R_rear_axle_aux4_y_x, tau_rear_axle_ry, s1_103);
+  work.s1_105 = work.s1_50*s1_96;
+  // operations: 64 add, 162 multiply, 4 divide, 44 sin cos
 
   // --- step 4: velocities ---
   // carrier_left: carrier_left_ry, revolute, carrier_left_aux2
@@ -1368,7 +1367,7 @@ struct AccelerationsWork {
   const double f_rear_axle_z = fnma(work.s7_14, s8_129, s8_130);
   const double n_rear_axle_x = fma(s7_27, s8_116 - s8_129, fnma(s7_39, s8_113, s8_127));
   const double n_rear_axle_y = fma(s7_32, s8_129 - s8_104, fnma(s7_38, s8_126, s8_128));
-  const double s8_131 = work.s5_47 - n_rear_axle_y;
+  const double s8_131 = work.s1_100 - n_rear_axle_y;
   const double n_rear_axle_z = fma(s7_34, s8_104 - s8_116, fnma(s7_27, s8_101, s8_115));
   const double s8_132 = s7_40 - s7_38;
   const double s8_133 = fnma(work.s3_10, s8_132, fnma(work.Rz_rear_axle_rx_1, s7_32, s8_10));
@@ -1685,8 +1684,8 @@ struct AccelerationsWork {
   const double tau_rear_axle_tz = tau[Coordinate::rear_axle_tz];
   const double s8_437 = fnma(s8_331, s8_429, fnma(s8_329, s8_435, fnma(s8_326, s8_424, s8_323)));
   const double s8_438 = fma(work.Rz_rear_axle_tz_1, tau_rear_axle_tz - f_rear_axle_z, s8_437);
-  const double s8_439 = fma(work.s3_10, n_rear_axle_x - work.s5_51, s8_438);
-  const double s8_440 = fms(tau[Coordinate::rear_axle_rz], work.s5_52, n_rear_axle_z);
+  const double s8_439 = fma(work.s3_10, n_rear_axle_x - work.s1_104, s8_438);
+  const double s8_440 = fms(tau[Coordinate::rear_axle_rz], work.s1_105, n_rear_axle_z);
   const double s8_441 = fma(work.Rz_rear_axle_ry_1, s8_131, s8_439);
   const double s8_442 = f_rear_axle_y - tau[Coordinate::rear_axle_ty];
   const double s8_443 = tau[Coordinate::rear_axle_tx] - f_rear_axle_x;
@@ -1738,7 +1737,7 @@ struct AccelerationsWork {
   work.s8_486 = fma(work.s8_412, s8_481, s8_480*work.s8_478);
   const double s8_487 = fnma(work.s8_447, s8_449, s8_436);
   const double s8_488 = fma(work.s3_2, f_rear_axle_z - tau_rear_axle_tz, s8_487);
-  const double s8_489 = fma(work.Rz_rear_axle_rz_0, work.s5_51 - n_rear_axle_x, s8_488);
+  const double s8_489 = fma(work.Rz_rear_axle_rz_0, work.s1_104 - n_rear_axle_x, s8_488);
   const double s8_490 = fma(work.Rz_rear_axle_ry_0, s8_131, s8_489);
   const double s8_491 = fma(work.s3_8, s8_442, fma(work.Rz_rear_axle_rx_0, s8_440, s8_490));
   const double s8_492 = fma(s7_43, work.s8_445, fma(work.Rz_rear_axle_tx_0, s8_443, s8_491));
@@ -2582,7 +2581,7 @@ struct AccelerationsWork {
   const double s8_686 = fma(work.w_carrier_right_x, work.w_carrier_right_x, s8_674);
   const double s8_687 = fma(s7_159, s8_684, fma(s7_156, s8_681, m_carrier_right_2*s8_680));
   work.f_carrier_right_y = fnma(s7_162, s8_686, s8_687);
-  const double s8_688 = fnma(work.s5_39, work.s3_34, tau[Coordinate::lower_arm_right]);
+  const double s8_688 = fnma(work.s1_92, work.s3_34, tau[Coordinate::lower_arm_right]);
   const double s8_689 = p_upper_arm_right_x*work.s8_36;
   const double s8_690 = fma(work.s6_122, work.s8_19, work.s6_84 + s8_689);
   const double s8_691 = fma(work.r_carrier_right_aux1_y, work.s8_28, s8_690);
@@ -2601,9 +2600,9 @@ struct AccelerationsWork {
   const double s8_702 = fnma(work.s1_31, work.f_carrier_right_z, s8_701);
   const double s8_703 = fnma(work.s8_660, work.n_carrier_right_x, s8_702);
   work.n_carrier_right_y = fma(s7_179, s8_699 - s8_675, fnma(s7_183, s8_696, s8_698));
-  work.s8_704 = work.s5_42 - work.n_carrier_right_y;
+  work.s8_704 = work.s1_95 - work.n_carrier_right_y;
   const double n_carrier_right_z = fma(s7_181, s8_675 - s8_686, fnma(s7_174, s8_672, s8_685));
-  work.s8_705 = work.s5_34 - n_carrier_right_z;
+  work.s8_705 = work.s1_87 - n_carrier_right_z;
   work.s8_706 = 395.1 + s7_156;
   const double s8_707 = fnma(work.s2_213, work.s8_706, s8_609);
   const double s8_708 = fma(work.r_carrier_right_aux1_y, work.s8_706, s8_610);
@@ -2735,10 +2734,10 @@ struct AccelerationsWork {
   work.n_carrier_left_x = fma(work.s7_91, s8_805 - s8_817, s8_820);
   const double s8_821 = fnma(work.s7_102, s8_814, fnma(work.s7_98, s8_811, s8_813));
   work.n_carrier_left_y = fma(work.s7_96, s8_817 - s8_794, s8_821);
-  work.s8_822 = work.n_carrier_left_y - work.s5_26;
+  work.s8_822 = work.n_carrier_left_y - work.s1_79;
   const double s8_823 = fnma(work.s7_91, s8_790, fnma(work.s7_100, s8_788, s8_804));
   const double n_carrier_left_z = fma(work.s7_98, s8_794 - s8_805, s8_823);
-  work.s8_824 = n_carrier_left_z - work.s5_18;
+  work.s8_824 = n_carrier_left_z - work.s1_71;
   work.s8_825 = n_carrier_right_z + (work.s8_552 + n_carrier_left_z);
   const double s8_826 = work.Rz_arb_front_right_2*work.s7_203;
   const double s8_827 = s8_601 + fma(work.Rz_arb_front_left_2, work.s7_123, work.s8_581);
@@ -3091,7 +3090,7 @@ struct AccelerationsWork {
   work.s8_1166 = fma(work.s7_197, s8_772, s8_1165);
   const double s8_1167 = fma(work.Rz_arb_front_left_2, work.s8_758, s8_1161);
   const double s8_1168 = fma(work.s3_35, work.s8_1166, s8_1167);
-  const double s8_1169 = work.s5_39 - work.n_carrier_right_x;
+  const double s8_1169 = work.s1_92 - work.n_carrier_right_x;
   work.s8_1170 = fma(work.Rz_carrier_right_rz_2, s8_1169, s8_1168);
 }
 
@@ -3218,7 +3217,7 @@ struct AccelerationsWork {
   const double s8_1278 = work.s8_39 - work.s8_48;
   const double s8_1279 = fma(work.Rz_arb_front_right_1, work.s8_650, s8_1277);
   const double s8_1280 = fma(work.s7_143, s8_1278, s8_1279);
-  const double s8_1281 = fma(s8_1185, s8_1280, work.s5_23);
+  const double s8_1281 = fma(s8_1185, s8_1280, work.s1_76);
   const double s8_1282 = fnma(work.s8_624, work.f_carrier_left_y, s8_1281);
   const double s8_1283 = fma(work.s8_622, work.f_carrier_left_z, s8_1282);
   const double s8_1284 = fnma(work.s8_621, work.n_carrier_left_x, s8_1283);
@@ -3398,14 +3397,14 @@ struct AccelerationsWork {
   const double s8_1457 = fma(work.s7_136, work.s8_740, work.s8_872);
   const double s8_1458 = fnma(-p_lower_arm_left_z, s8_1457, s8_1456);
   const double s8_1459 = fma(-p_upper_arm_right_z, work.s8_594 - work.s8_616, s8_1458);
-  const double s8_1460 = fms(tau[Coordinate::chassis_rx], work.s5_10, s8_1459);
+  const double s8_1460 = fms(tau[Coordinate::chassis_rx], work.s1_63, s8_1459);
   const double s8_1461 = work.f_carrier_right_y + s8_1415 - work.s8_616;
   const double s8_1462 = fnma(work.s7_136, work.s8_740, s8_1461) - work.s8_872;
   const double s8_1463 = fma(p_lower_arm_left_x, s8_1462, fma(s8_1311, s8_1413, s8_1414));
   const double s8_1464 = fma(-p_rear_axle_tx_z, work.s8_658 - work.s7_224 - work.s8_766, s8_1463);
   const double s8_1465 = fma(p_lower_arm_left_y, work.s8_743 - work.s8_877, s8_1464);
   const double s8_1466 = fma(p_carrier_left_rz_y, work.s8_617 - work.s8_596, s8_1465);
-  const double s8_1467 = work.s5_9 - fma(p_arb_front_left_x, work.s8_644 + work.s8_751, s8_1466);
+  const double s8_1467 = work.s1_62 - fma(p_arb_front_left_x, work.s8_644 + work.s8_751, s8_1466);
   const double s8_1468 = work.s8_595 - work.s8_615 - work.f_carrier_right_z;
   const double s8_1469 = fnma(work.s7_138, work.s8_740, s8_1468) - work.f_carrier_left_z;
   const double s8_1470 = fma(work.zdd_star_arb_front_left, work.s7_133, work.n_carrier_left_y);
@@ -3434,7 +3433,7 @@ struct AccelerationsWork {
   const double s8_1493 = fnma(-p_rear_axle_tx_z, work.s8_617 + work.s8_596, s8_1492);
   const double s8_1494 = fma(p_arb_front_left_x, work.s8_618 + work.s8_597, s8_1493);
   const double s8_1495 = fnma(-p_upper_arm_right_z, work.s8_658 + work.s8_766, s8_1494);
-  const double s8_1496 = work.s5_5 - s8_1495;
+  const double s8_1496 = work.s1_58 - s8_1495;
   // operations: 1213 add, 1099 multiply, 3 divide
 
   // --- step 8: elimination from the leaves to the root (63), continued ---
@@ -3563,11 +3562,11 @@ struct AccelerationsWork {
   const double s9_11 = fnma(zd_chassis_rx, work.w_chassis_z, s9_10);
   const double s9_12 = fma(zd_chassis_rx, work.w_chassis_y, alpha_chassis_z);
   const double s9_13 = fma(work.s4_33, work.s4_2, s9_12);
-  result.zdd[Coordinate::chassis_rz] = fma(work.s5_7, s9_13, work.s5_3*s9_11);
+  result.zdd[Coordinate::chassis_rz] = fma(work.s1_60, s9_13, work.s1_56*s9_11);
   result.zdd[Coordinate::chassis_ry] = fnma(work.sines[2], s9_13, work.cosines[2]*s9_11);
   const double s9_14 = fma(work.s4_2, work.s4_3, fma(work.s4_1, work.s4_4, alpha_chassis_x));
-  result.zdd[Coordinate::chassis_rx] = fma(work.s5_10, s9_14, fma(work.s5_6, s9_13,
-      work.s5_2*s9_11));
+  result.zdd[Coordinate::chassis_rx] = fma(work.s1_63, s9_14, fma(work.s1_59, s9_13,
+      work.s1_55*s9_11));
   // bell_crank: bell_crank, revolute, chassis
   const double s9_15 = fnma(s8_1289, a_chassis_x, fnma(s8_1296, a_chassis_y, s8_1413));
   const double s9_16 = fnma(s8_1332, alpha_chassis_y, fnma(s8_1302, a_chassis_z, s9_15));
@@ -3619,10 +3618,10 @@ struct AccelerationsWork {
   const double s9_47 = fma(zd_lower_arm_left, work.s4_5 - work.s4_7, s9_46);
   const double s9_48 = fma(work.cosines[4], s9_42, work.R_carrier_left_aux1_y_x*s9_44);
   result.zdd[Coordinate::carrier_left_rx] = fma(work.R_carrier_left_aux1_z_x, s9_47, s9_48);
-  result.zdd[Coordinate::carrier_left_ry] = fnma(work.s5_21, s9_42, fma(work.s5_12, s9_47,
-      work.s5_14*s9_44));
-  result.zdd[Coordinate::carrier_left_rz] = fnma(work.s5_24, s9_44, fma(work.s5_19, s9_42,
-      work.s5_16*s9_47));
+  result.zdd[Coordinate::carrier_left_ry] = fnma(work.s1_74, s9_42, fma(work.s1_65, s9_47,
+      work.s1_67*s9_44));
+  result.zdd[Coordinate::carrier_left_rz] = fnma(work.s1_77, s9_44, fma(work.s1_72, s9_42,
+      work.s1_69*s9_47));
   // carrier_right: carrier_right_ry, revolute, carrier_right_aux2
   const double s9_49 = fma(work.Rz_carrier_right_rz_2, s9_28, work.zdd_star_carrier_right_rz);
   const double alpha_carrier_right_x = fma(work.s8_660, s9_22,
@@ -3640,10 +3639,10 @@ struct AccelerationsWork {
   const double s9_57 = fma(zd_lower_arm_right, work.s4_16 - work.s4_18, s9_56);
   const double s9_58 = fma(work.cosines[10], s9_52, work.R_carrier_right_aux1_y_x*s9_54);
   result.zdd[Coordinate::carrier_right_rx] = fma(work.R_carrier_right_aux1_z_x, s9_57, s9_58);
-  result.zdd[Coordinate::carrier_right_ry] = fnma(work.s5_37, s9_52, fma(work.s5_28, s9_57,
-      work.s5_30*s9_54));
-  result.zdd[Coordinate::carrier_right_rz] = fnma(work.s5_40, s9_54, fma(work.s5_35, s9_52,
-      work.s5_32*s9_57));
+  result.zdd[Coordinate::carrier_right_ry] = fnma(work.s1_90, s9_52, fma(work.s1_81, s9_57,
+      work.s1_83*s9_54));
+  result.zdd[Coordinate::carrier_right_rz] = fnma(work.s1_93, s9_54, fma(work.s1_88, s9_52,
+      work.s1_85*s9_57));
   // bell_crank: bell_crank, revolute, chassis
   const double s9_59 = mbgen::min(work.s2_308, std::abs(work.s1_22));
   result.pivot[0] = mbgen::min(std::abs(work.s1_42), s9_59);
@@ -3693,11 +3692,11 @@ struct AccelerationsWork {
   const double s9_88 = fma(work.s4_34, work.s4_29, s9_78);
   const double s9_89 = fma(zd_rear_axle_rz, work.s4_34 - work.s4_35, s9_88);
   const double s9_90 = fma(zd_rear_axle_rz, work.s4_30, fma(work.s4_27, work.s4_29, s9_84));
-  result.zdd[Coordinate::rear_axle_rx] = fma(work.s5_49, s9_90, work.s5_44*s9_89);
+  result.zdd[Coordinate::rear_axle_rx] = fma(work.s1_102, s9_90, work.s1_97*s9_89);
   result.zdd[Coordinate::rear_axle_ry] = fnma(work.sines[17], s9_90, work.cosines[17]*s9_89);
   const double s9_91 = fma(work.s4_27, work.s4_35, fma(work.s4_34, work.s4_28, s9_80));
-  result.zdd[Coordinate::rear_axle_rz] = fma(work.s5_52, s9_91, fma(work.s5_48, s9_90,
-      work.s5_45*s9_89));
+  result.zdd[Coordinate::rear_axle_rz] = fma(work.s1_105, s9_91, fma(work.s1_101, s9_90,
+      work.s1_98*s9_89));
   // arb_rear_right: arb_rear_right, revolute, chassis
   result.pivot[1] = mbgen::min(work.s2_150, std::abs(work.s1_50));
   // wheel_rear_left: wheel_rear_left, revolute, rear_axle
@@ -4106,6 +4105,65 @@ void compute_closure(const Tuned& /*parameters*/, const Inputs& /*inputs*/, cons
   const double s2_199 = mbgen::min(15.714736645766752*std::abs(s2_128), s2_198);
   const double s2_200 = mbgen::min(5.864463449986124*std::abs(pivot_carrier_left_ry), s2_199);
   result.pivot[0] = mbgen::min(0.43888841273380513*std::abs(s2_185), s2_200);
+
+  // --- step 4: velocities ---
+  // loop block 0
+  const double zd_lower_arm_left = state.zd[Coordinate::lower_arm_left];
+  const double s4_1 = zd_lower_arm_left*s2_17;
+  const double zd_lower_arm_right = state.zd[Coordinate::lower_arm_right];
+  const double s4_2 = zd_lower_arm_right*s2_32;
+  const double zd_bell_crank = state.zd[Coordinate::bell_crank];
+  result.dz[Coordinate::pitman_arm] = -(s2_107*s2_188);
+  const double s4_3 = fma(s2_156, s2_162, s2_22);
+  result.zd[Coordinate::pitman_arm] = -(s2_188*(zd_bell_crank*s2_105));
+  const double s4_4 = fma(s2_132, s2_177, fma(s2_14, s2_174, s2_13));
+  const double s4_5 = fnma(zd_lower_arm_left, s2_130, zd_bell_crank*s2_129);
+  const double s4_6 = fnma(zd_bell_crank, s2_152, zd_lower_arm_right*s2_154);
+  const double s4_7 = s2_162*s4_6;
+  const double s4_8 = s2_189*fma(s2_31, s2_165, fma(s2_156, s2_166, fms(s2_171, s4_3, s2_33)));
+  result.dz[Coordinate::carrier_right_rx] = s4_8;
+  const double s4_9 = s2_190*fnma(s2_132, s2_179, fms(s2_183, s4_4, s2_8));
+  result.dz[Coordinate::carrier_left_rz] = -s4_9;
+  const double s4_10 = fnma(s2_166, s4_6, fnma(zd_lower_arm_right, s2_30, s2_165*s4_2));
+  const double s4_11 = s2_189*fnma(s2_171, s4_7, s4_10);
+  result.zd[Coordinate::carrier_right_rx] = s4_11;
+  const double s4_12 = fnma(s2_174, s4_1, fma(zd_lower_arm_left, s2_12, s2_177*s4_5));
+  const double s4_13 = s2_190*fnma(s2_183, s4_12, s2_179*s4_5);
+  result.zd[Coordinate::carrier_left_rz] = -s4_13;
+  const double s4_14 = s2_169*fma(s2_168, s4_8, s4_3);
+  result.dz[Coordinate::carrier_right_ry] = -s4_14;
+  const double s4_15 = s2_182*fms(s2_180, s4_9, s4_4);
+  result.dz[Coordinate::carrier_left_ry] = s4_15;
+  const double s4_16 = s2_169*fnma(s2_168, s4_11, s4_7);
+  result.zd[Coordinate::carrier_right_ry] = s4_16;
+  const double s4_17 = s2_182*fma(s2_180, s4_13, s4_12);
+  result.zd[Coordinate::carrier_left_ry] = s4_17;
+  const double s4_18 = s2_175*fnma(s2_133, s4_9, fms(s2_135, s4_15, s2_132));
+  result.dz[Coordinate::carrier_left_rx] = -s4_18;
+  const double s4_19 = s2_161*fnma(s2_160, s4_14, fms(s2_158, s4_8, s2_156));
+  result.dz[Coordinate::carrier_right_rz] = s4_19;
+  const double s4_20 = s2_175*fnma(s2_133, s4_13, fma(s2_135, s4_17, s4_5));
+  result.zd[Coordinate::carrier_left_rx] = -s4_20;
+  const double s4_21 = s2_161*fma(s2_160, s4_16, fma(s2_158, s4_11, s4_6));
+  result.zd[Coordinate::carrier_right_rz] = s4_21;
+  result.dz[Coordinate::upper_arm_right] = s2_164*fma(s2_34, s4_8, fma(s2_36, s4_14, fma(s2_23,
+      s4_19, s2_31)));
+  result.dz[Coordinate::arb_front_right] = s2_187*fnma(s2_94, s4_14, fnma(s2_90, s4_19, fms(s2_92,
+      s4_8, s2_89)));
+  result.dz[Coordinate::arb_front_left] = s2_186*fnma(s2_61, s4_9, fnma(s2_63, s4_18, fms(s2_65,
+      s4_15, s2_60)));
+  const double s4_22 = fma(zd_lower_arm_right, s2_86, fma(s2_94, s4_16, s2_92*s4_11));
+  result.zd[Coordinate::arb_front_right] = s2_187*fnma(s2_90, s4_21, s4_22);
+  const double s4_23 = fnma(s2_63, s4_20, fma(zd_lower_arm_left, s2_56, s2_65*s4_17));
+  result.zd[Coordinate::arb_front_left] = s2_186*fnma(s2_61, s4_13, s4_23);
+  result.dz[Coordinate::upper_arm_left] = -(s2_173*fma(s2_15, s4_18, fma(s2_18, s4_15, fms(s2_9,
+      s4_9, s2_14))));
+  const double s4_24 = s2_164*fnma(s2_34, s4_11, fnma(s2_23, s4_21, fms(s2_36, s4_16, s4_2)));
+  result.zd[Coordinate::upper_arm_right] = -s4_24;
+  result.zd[Coordinate::upper_arm_left] = -(s2_173*fma(s2_15, s4_20, fma(s2_18, s4_17, fms(s2_9,
+      s4_13, s4_1))));
+
+  // --- step 2: closure Jacobian Phi_z and its factors (60), continued ---
   // long_rod_left
   const double s2_201 = fma(-p_long_rod_left_to_z, R_rear_axle_z_z, p_long_rod_left_to_x*s1_24);
   const double s2_202 = fms(p_long_rod_left_to_y, R_rear_axle_z_y, s2_201);
@@ -4269,62 +4327,7 @@ void compute_closure(const Tuned& /*parameters*/, const Inputs& /*inputs*/, cons
   result.pivot[1] = mbgen::min(s2_339, 1.4337752588788297*std::abs(pivot_rear_axle_ty));
   // operations: 313 add, 415 multiply, 17 divide, 32 other
 
-  // --- step 4: velocities ---
-  // loop block 0
-  const double zd_lower_arm_left = state.zd[Coordinate::lower_arm_left];
-  const double s4_1 = zd_lower_arm_left*s2_17;
-  const double zd_lower_arm_right = state.zd[Coordinate::lower_arm_right];
-  const double s4_2 = zd_lower_arm_right*s2_32;
-  const double zd_bell_crank = state.zd[Coordinate::bell_crank];
-  result.dz[Coordinate::pitman_arm] = -(s2_107*s2_188);
-  const double s4_3 = fma(s2_156, s2_162, s2_22);
-  result.zd[Coordinate::pitman_arm] = -(s2_188*(zd_bell_crank*s2_105));
-  const double s4_4 = fma(s2_132, s2_177, fma(s2_14, s2_174, s2_13));
-  const double s4_5 = fnma(zd_lower_arm_left, s2_130, zd_bell_crank*s2_129);
-  const double s4_6 = fnma(zd_bell_crank, s2_152, zd_lower_arm_right*s2_154);
-  const double s4_7 = s2_162*s4_6;
-  const double s4_8 = s2_189*fma(s2_31, s2_165, fma(s2_156, s2_166, fms(s2_171, s4_3, s2_33)));
-  result.dz[Coordinate::carrier_right_rx] = s4_8;
-  const double s4_9 = s2_190*fnma(s2_132, s2_179, fms(s2_183, s4_4, s2_8));
-  result.dz[Coordinate::carrier_left_rz] = -s4_9;
-  const double s4_10 = fnma(s2_166, s4_6, fnma(zd_lower_arm_right, s2_30, s2_165*s4_2));
-  const double s4_11 = s2_189*fnma(s2_171, s4_7, s4_10);
-  result.zd[Coordinate::carrier_right_rx] = s4_11;
-  const double s4_12 = fnma(s2_174, s4_1, fma(zd_lower_arm_left, s2_12, s2_177*s4_5));
-  const double s4_13 = s2_190*fnma(s2_183, s4_12, s2_179*s4_5);
-  result.zd[Coordinate::carrier_left_rz] = -s4_13;
-  const double s4_14 = s2_169*fma(s2_168, s4_8, s4_3);
-  result.dz[Coordinate::carrier_right_ry] = -s4_14;
-  const double s4_15 = s2_182*fms(s2_180, s4_9, s4_4);
-  result.dz[Coordinate::carrier_left_ry] = s4_15;
-  const double s4_16 = s2_169*fnma(s2_168, s4_11, s4_7);
-  result.zd[Coordinate::carrier_right_ry] = s4_16;
-  const double s4_17 = s2_182*fma(s2_180, s4_13, s4_12);
-  result.zd[Coordinate::carrier_left_ry] = s4_17;
-  const double s4_18 = s2_175*fnma(s2_133, s4_9, fms(s2_135, s4_15, s2_132));
-  result.dz[Coordinate::carrier_left_rx] = -s4_18;
-  const double s4_19 = s2_161*fnma(s2_160, s4_14, fms(s2_158, s4_8, s2_156));
-  result.dz[Coordinate::carrier_right_rz] = s4_19;
-  const double s4_20 = s2_175*fnma(s2_133, s4_13, fma(s2_135, s4_17, s4_5));
-  result.zd[Coordinate::carrier_left_rx] = -s4_20;
-  const double s4_21 = s2_161*fma(s2_160, s4_16, fma(s2_158, s4_11, s4_6));
-  result.zd[Coordinate::carrier_right_rz] = s4_21;
-  result.dz[Coordinate::upper_arm_right] = s2_164*fma(s2_34, s4_8, fma(s2_36, s4_14, fma(s2_23,
-      s4_19, s2_31)));
-  result.dz[Coordinate::arb_front_right] = s2_187*fnma(s2_94, s4_14, fnma(s2_90, s4_19, fms(s2_92,
-      s4_8, s2_89)));
-  result.dz[Coordinate::arb_front_left] = s2_186*fnma(s2_61, s4_9, fnma(s2_63, s4_18, fms(s2_65,
-      s4_15, s2_60)));
-  const double s4_22 = fma(zd_lower_arm_right, s2_86, fma(s2_94, s4_16, s2_92*s4_11));
-  result.zd[Coordinate::arb_front_right] = s2_187*fnma(s2_90, s4_21, s4_22);
-  const double s4_23 = fnma(s2_63, s4_20, fma(zd_lower_arm_left, s2_56, s2_65*s4_17));
-  result.zd[Coordinate::arb_front_left] = s2_186*fnma(s2_61, s4_13, s4_23);
-  result.dz[Coordinate::upper_arm_left] = -(s2_173*fma(s2_15, s4_18, fma(s2_18, s4_15, fms(s2_9,
-      s4_9, s2_14))));
-  const double s4_24 = s2_164*fnma(s2_34, s4_11, fnma(s2_23, s4_21, fms(s2_36, s4_16, s4_2)));
-  result.zd[Coordinate::upper_arm_right] = -s4_24;
-  result.zd[Coordinate::upper_arm_left] = -(s2_173*fma(s2_15, s4_20, fma(s2_18, s4_17, fms(s2_9,
-      s4_13, s4_1))));
+  // --- step 4: velocities, continued ---
   // loop block 1
   const double s4_25 = fms(s2_294, s2_318, s2_219);
   const double s4_26 = fnma(s2_323, s4_25, fms(s2_294, s2_319, s2_279));
@@ -4396,56 +4399,61 @@ void compute_multipliers(const Tuned& parameters, const Inputs& inputs, const St
 /// Values of compute_multipliers that cross its parts.
 struct ConstraintForcesWork {
   double
-      sines[22], cosines[22], R_carrier_left_aux1_y_x, R_carrier_left_aux1_y_y,
-      R_carrier_left_aux1_z_x, R_carrier_left_aux1_z_y, s1_8, r_carrier_left_aux1_y, s1_10,
-      r_carrier_left_aux1_z, s1_12, R_carrier_left_aux2_y_y, R_carrier_left_aux2_z_y,
-      R_carrier_left_x_x, R_carrier_left_x_z, R_carrier_left_y_x, R_carrier_left_y_z,
-      R_carrier_left_z_x, R_carrier_left_z_z, s1_18, s1_20, s1_22, R_carrier_right_aux1_y_x,
-      R_carrier_right_aux1_y_y, R_carrier_right_aux1_z_x, R_carrier_right_aux1_z_y, s1_25,
-      r_carrier_right_aux1_y, s1_27, s1_28, s1_30, R_carrier_right_aux2_y_y,
-      R_carrier_right_aux2_z_y, R_carrier_right_x_x, R_carrier_right_x_z, R_carrier_right_y_x,
-      R_carrier_right_y_z, R_carrier_right_z_x, R_carrier_right_z_z, s1_38, s1_40, s1_42,
-      r_rear_axle_aux1_x, r_rear_axle_aux3_z, R_rear_axle_aux5_x_x, R_rear_axle_aux5_x_z,
-      R_rear_axle_aux5_y_x, R_rear_axle_aux5_y_z, R_rear_axle_x_y, R_rear_axle_x_z, R_rear_axle_y_y,
-      R_rear_axle_y_z, R_rear_axle_z_y, R_rear_axle_z_z, s1_46, s1_47, s1_48, w_chassis_x,
-      w_chassis_y, w_chassis_z, w_carrier_left_x, w_carrier_left_y, w_carrier_left_z,
-      w_wheel_front_left_x, w_wheel_front_left_y, w_wheel_front_left_z, w_arb_front_left_y,
-      w_carrier_right_x, w_carrier_right_y, w_carrier_right_z, w_wheel_front_right_x,
-      w_wheel_front_right_y, w_wheel_front_right_z, w_arb_front_right_y, w_rear_axle_x,
-      w_rear_axle_y, w_rear_axle_z, s4_33, w_wheel_rear_left_x, s4_34, w_wheel_rear_left_y, s4_35,
-      w_wheel_rear_left_z, w_arb_rear_left_y, s4_36, w_wheel_rear_right_x, s4_37,
-      w_wheel_rear_right_y, s4_38, w_wheel_rear_right_z, w_arb_rear_right_y, a_chassis_x,
-      a_chassis_y, a_chassis_z, alpha_chassis_x, alpha_chassis_y, alpha_chassis_z, s7_9, s7_10,
-      s7_11, s7_12, s7_13, s7_14, s7_15, s7_16, s7_17, s7_18, s7_19, s7_21, a_lower_arm_left_y,
-      s7_26, a_lower_arm_left_z, alpha_lower_arm_left_x, s7_27, s7_28, s7_29, s7_30,
-      a_carrier_left_aux1_x, a_carrier_left_aux1_y, a_carrier_left_aux1_z, alpha_carrier_left_x,
-      alpha_carrier_left_y, alpha_carrier_left_z, s7_50, s7_51, s7_52, s7_53, s7_54, s7_55, s7_56,
-      s7_57, s7_58, a_wheel_front_left_x, a_wheel_front_left_y, a_wheel_front_left_z,
-      alpha_wheel_front_left_x, alpha_wheel_front_left_y, alpha_wheel_front_left_z,
-      a_upper_arm_left_y, a_upper_arm_left_z, alpha_upper_arm_left_x, s7_71, s7_72, s7_73, s7_74,
-      s7_77, a_arb_front_left_x, a_arb_front_left_y, s7_82, a_arb_front_left_z,
+      sines[22], cosines[22], R_carrier_left_aux1_y_x, R_carrier_left_aux1_z_x, s1_8,
+      r_carrier_left_aux1_y, s1_10, r_carrier_left_aux1_z, s1_12, R_carrier_left_aux2_y_y,
+      R_carrier_left_aux2_z_y, R_carrier_left_x_x, R_carrier_left_x_z, R_carrier_left_y_x,
+      R_carrier_left_y_z, R_carrier_left_z_x, R_carrier_left_z_z, s1_18, s1_20, s1_22,
+      R_carrier_right_aux1_y_x, R_carrier_right_aux1_z_x, s1_25, r_carrier_right_aux1_y, s1_27,
+      s1_28, s1_30, R_carrier_right_aux2_y_y, R_carrier_right_aux2_z_y, R_carrier_right_x_x,
+      R_carrier_right_x_z, R_carrier_right_y_x, R_carrier_right_y_z, R_carrier_right_z_x,
+      R_carrier_right_z_z, s1_38, s1_40, s1_42, r_rear_axle_aux1_x, r_rear_axle_aux3_z,
+      R_rear_axle_aux5_x_x, R_rear_axle_aux5_y_x, R_rear_axle_x_y, R_rear_axle_x_z, R_rear_axle_y_y,
+      R_rear_axle_y_z, R_rear_axle_z_y, R_rear_axle_z_z, s1_46, s1_47, s1_48, s1_53, s1_55, s1_56,
+      s1_57, s1_58, s1_64, s1_66, s1_67, s1_68, s1_71, s1_72, s1_73, s1_75, s1_77, s1_78, s1_79,
+      s1_80, s1_81, w_chassis_x, w_chassis_y, w_chassis_z, w_carrier_left_x, w_carrier_left_y,
+      w_carrier_left_z, w_wheel_front_left_x, w_wheel_front_left_y, w_wheel_front_left_z,
+      w_arb_front_left_y, w_carrier_right_x, w_carrier_right_y, w_carrier_right_z,
+      w_wheel_front_right_x, w_wheel_front_right_y, w_wheel_front_right_z, w_arb_front_right_y,
+      w_rear_axle_x, w_rear_axle_y, w_rear_axle_z, w_wheel_rear_left_x, w_wheel_rear_left_y,
+      w_wheel_rear_left_z, w_arb_rear_left_y, w_wheel_rear_right_x, w_wheel_rear_right_y,
+      w_wheel_rear_right_z, w_arb_rear_right_y, a_chassis_x, a_chassis_y, a_chassis_z, s7_11, s7_12,
+      s7_13, s7_14, s7_15, s7_16, s7_17, s7_18, s7_19, s7_21, a_lower_arm_left_y, s7_26,
+      a_lower_arm_left_z, alpha_lower_arm_left_x, s7_27, s7_28, s7_29, s7_30, a_carrier_left_aux1_x,
+      a_carrier_left_aux1_y, a_carrier_left_aux1_z, alpha_carrier_left_x, alpha_carrier_left_y,
+      alpha_carrier_left_z, s7_50, s7_51, s7_52, s7_53, s7_54, s7_55, s7_56, s7_57, s7_58,
+      a_wheel_front_left_x, a_wheel_front_left_y, a_wheel_front_left_z, alpha_wheel_front_left_x,
+      alpha_wheel_front_left_y, alpha_wheel_front_left_z, a_upper_arm_left_y, a_upper_arm_left_z,
+      alpha_upper_arm_left_x, s7_71, s7_72, s7_73, s7_74, a_arb_front_left_x, a_arb_front_left_z,
       alpha_arb_front_left_x, alpha_arb_front_left_y, alpha_arb_front_left_z, s7_83, s7_84, s7_85,
-      s7_86, s7_87, s7_88, s7_89, s7_90, a_lower_arm_right_y, a_lower_arm_right_z,
-      alpha_lower_arm_right_x, s7_91, s7_92, s7_93, s7_94, a_carrier_right_aux1_x,
-      a_carrier_right_aux1_y, a_carrier_right_aux1_z, alpha_carrier_right_x, alpha_carrier_right_y,
-      alpha_carrier_right_z, s7_116, s7_117, s7_118, s7_119, s7_120, s7_121, s7_122, s7_123, s7_124,
-      a_wheel_front_right_x, a_wheel_front_right_y, a_wheel_front_right_z,
-      alpha_wheel_front_right_x, alpha_wheel_front_right_y, alpha_wheel_front_right_z,
-      a_upper_arm_right_y, a_upper_arm_right_z, alpha_upper_arm_right_x, s7_134, s7_135, s7_136,
-      s7_137, a_arb_front_right_x, a_arb_front_right_y, a_arb_front_right_z,
+      s7_86, s7_88, s7_89, a_lower_arm_right_y, a_lower_arm_right_z, alpha_lower_arm_right_x, s7_91,
+      s7_92, s7_93, s7_94, a_carrier_right_aux1_x, a_carrier_right_aux1_y, a_carrier_right_aux1_z,
+      alpha_carrier_right_x, alpha_carrier_right_y, alpha_carrier_right_z, s7_116, s7_117, s7_118,
+      s7_119, s7_120, s7_121, s7_122, s7_123, s7_124, a_wheel_front_right_x, a_wheel_front_right_y,
+      a_wheel_front_right_z, alpha_wheel_front_right_x, alpha_wheel_front_right_y,
+      alpha_wheel_front_right_z, a_upper_arm_right_y, a_upper_arm_right_z, alpha_upper_arm_right_x,
+      s7_134, s7_135, s7_136, s7_137, a_arb_front_right_x, a_arb_front_right_z,
       alpha_arb_front_right_x, alpha_arb_front_right_y, alpha_arb_front_right_z, s7_138, s7_139,
-      s7_140, s7_141, s7_142, s7_143, s7_144, s7_145, a_pitman_arm_x, a_pitman_arm_y,
-      a_pitman_arm_z, alpha_pitman_arm_y, s7_150, s7_151, s7_152, s7_153, s7_154, s7_155,
-      a_bell_crank_x, a_bell_crank_y, a_bell_crank_z, alpha_bell_crank_z, s7_159, s7_160, s7_161,
-      s7_162, s7_163, s7_164, a_rear_axle_aux3_x, a_rear_axle_aux3_y, a_rear_axle_aux3_z,
-      alpha_rear_axle_x, alpha_rear_axle_y, alpha_rear_axle_z, s7_235, s7_237, s7_240, s7_243,
-      s7_246, s7_249, s7_252, s7_255, s7_263, s7_265, s7_268, s7_271, s7_274, s7_292, s7_293,
-      s7_294, s7_304, s7_305, s7_308, s7_309, s7_310, s7_312, s7_314, s7_316, s7_318, s7_320,
-      s7_322, s7_329, s7_330, s7_331, s7_333, s7_334, s7_336, s7_337, s7_339, s7_356, s7_359,
-      s7_362, s7_374, s7_376, s7_378, s7_387, s7_392, s7_395, s7_396, s7_397, s7_413, s7_414,
-      s7_415, s7_419, s7_420, s7_421, s7_428, s7_429, s7_430, s7_431, s7_432, s7_598, s7_601,
-      s7_604, Q_rear_axle_tz, Q_rear_axle_ty, Q_rear_axle_tx, Q_pitman_arm, Q_arb_front_right,
-      Q_upper_arm_right, s7_777, s7_780, s7_783, Q_arb_front_left, n_upper_arm_left_x;
+      s7_140, s7_141, s7_143, s7_144, a_pitman_arm_x, a_pitman_arm_z, alpha_pitman_arm_y, s7_150,
+      s7_151, s7_152, s7_153, a_bell_crank_x, a_bell_crank_y, a_bell_crank_z, alpha_bell_crank_z,
+      s7_159, s7_160, s7_161, s7_162, s7_163, s7_164, a_rear_axle_aux3_x, a_rear_axle_aux3_y,
+      a_rear_axle_aux3_z, alpha_rear_axle_x, alpha_rear_axle_y, alpha_rear_axle_z, s7_189, s7_190,
+      s7_191, s7_192, s7_193, s7_194, s7_195, s7_196, s7_197, a_wheel_rear_left_x,
+      a_wheel_rear_left_y, a_wheel_rear_left_z, alpha_wheel_rear_left_x, alpha_wheel_rear_left_y,
+      alpha_wheel_rear_left_z, a_arb_rear_left_x, a_arb_rear_left_y, a_arb_rear_left_z,
+      alpha_arb_rear_left_x, alpha_arb_rear_left_y, alpha_arb_rear_left_z, s7_207, s7_208, s7_209,
+      s7_210, s7_211, s7_212, s7_213, s7_214, a_wheel_rear_right_x, a_wheel_rear_right_y,
+      a_wheel_rear_right_z, alpha_wheel_rear_right_x, alpha_wheel_rear_right_y,
+      alpha_wheel_rear_right_z, a_arb_rear_right_x, a_arb_rear_right_y, a_arb_rear_right_z,
+      alpha_arb_rear_right_x, alpha_arb_rear_right_y, alpha_arb_rear_right_z, s7_220, s7_221,
+      s7_222, s7_223, s7_224, s7_225, s7_226, s7_227, s7_229, s7_231, s7_234, s7_237, s7_240,
+      s7_243, s7_246, s7_249, s7_252, s7_255, s7_257, s7_259, s7_262, s7_265, s7_268, s7_271,
+      s7_275, s7_279, s7_282, s7_285, s7_286, s7_287, s7_288, s7_289, s7_291, s7_293, s7_295,
+      s7_296, s7_297, s7_298, s7_301, s7_302, s7_303, s7_305, s7_307, s7_309, s7_322, s7_323,
+      s7_324, s7_326, s7_327, s7_329, s7_330, s7_332, s7_349, s7_352, s7_355, s7_367, s7_369,
+      s7_371, s7_380, s7_385, s7_388, s7_389, s7_390, s7_406, s7_407, s7_408, s7_412, s7_413,
+      s7_414, s7_421, s7_422, s7_423, s7_424, s7_425, s7_596, s7_599, s7_602, Q_rear_axle_tz,
+      Q_rear_axle_ty, Q_rear_axle_tx, Q_pitman_arm, Q_arb_front_right, Q_upper_arm_right, s7_775,
+      s7_778, s7_781, Q_arb_front_left, Q_upper_arm_left, s7_937, s7_940, Q_lower_arm_left;
 };
 
 /// Part 1 of compute_multipliers: step 1: poses and axes b; step 4: velocities; step 7: inertias of
@@ -4489,10 +4497,10 @@ struct ConstraintForcesWork {
   const double s1_6 = work.sines[4];
   work.R_carrier_left_aux1_y_x = R_lower_arm_left_y_y*s1_6;
   const double R_carrier_left_aux1_x_x = work.cosines[4];
-  work.R_carrier_left_aux1_y_y = R_lower_arm_left_y_y*R_carrier_left_aux1_x_x;
+  const double R_carrier_left_aux1_y_y = R_lower_arm_left_y_y*R_carrier_left_aux1_x_x;
   const double R_lower_arm_left_z_y = work.sines[3];
   work.R_carrier_left_aux1_z_x = R_lower_arm_left_z_y*s1_6;
-  work.R_carrier_left_aux1_z_y = R_lower_arm_left_z_y*R_carrier_left_aux1_x_x;
+  const double R_carrier_left_aux1_z_y = R_lower_arm_left_z_y*R_carrier_left_aux1_x_x;
   const double s1_7 = -p_carrier_left_rz_z*R_lower_arm_left_z_y;
   work.s1_8 = fma(p_carrier_left_rz_y, R_lower_arm_left_y_y, s1_7);
   work.r_carrier_left_aux1_y = p_lower_arm_left_y + work.s1_8;
@@ -4504,12 +4512,10 @@ struct ConstraintForcesWork {
   work.s1_12 = s1_6*s1_11;
   const double s1_13 = work.sines[5];
   const double R_carrier_left_aux2_x_z = s1_6*s1_13;
-  work.R_carrier_left_aux2_y_y = fnma(R_lower_arm_left_z_y, s1_13,
-      work.R_carrier_left_aux1_y_y*s1_11);
-  const double s1_14 = fma(work.R_carrier_left_aux1_y_y, s1_13, R_lower_arm_left_z_y*s1_11);
-  work.R_carrier_left_aux2_z_y = fma(work.R_carrier_left_aux1_z_y, s1_11,
-      R_lower_arm_left_y_y*s1_13);
-  const double R_carrier_left_aux2_z_z = fnma(work.R_carrier_left_aux1_z_y, s1_13,
+  work.R_carrier_left_aux2_y_y = fnma(R_lower_arm_left_z_y, s1_13, R_carrier_left_aux1_y_y*s1_11);
+  const double s1_14 = fma(R_carrier_left_aux1_y_y, s1_13, R_lower_arm_left_z_y*s1_11);
+  work.R_carrier_left_aux2_z_y = fma(R_carrier_left_aux1_z_y, s1_11, R_lower_arm_left_y_y*s1_13);
+  const double R_carrier_left_aux2_z_z = fnma(R_carrier_left_aux1_z_y, s1_13,
       R_lower_arm_left_y_y*s1_11);
   // carrier_left: carrier_left_ry, revolute, carrier_left_aux2
   const double s1_15 = work.cosines[6];
@@ -4533,10 +4539,10 @@ struct ConstraintForcesWork {
   const double s1_23 = work.sines[10];
   work.R_carrier_right_aux1_y_x = R_lower_arm_right_y_y*s1_23;
   const double R_carrier_right_aux1_x_x = work.cosines[10];
-  work.R_carrier_right_aux1_y_y = R_lower_arm_right_y_y*R_carrier_right_aux1_x_x;
+  const double R_carrier_right_aux1_y_y = R_lower_arm_right_y_y*R_carrier_right_aux1_x_x;
   const double R_lower_arm_right_z_y = work.sines[9];
   work.R_carrier_right_aux1_z_x = R_lower_arm_right_z_y*s1_23;
-  work.R_carrier_right_aux1_z_y = R_lower_arm_right_z_y*R_carrier_right_aux1_x_x;
+  const double R_carrier_right_aux1_z_y = R_lower_arm_right_z_y*R_carrier_right_aux1_x_x;
   const double s1_24 = -p_carrier_right_rz_z*R_lower_arm_right_z_y;
   work.s1_25 = fnma(-p_carrier_right_rz_y, R_lower_arm_right_y_y, s1_24);
   work.r_carrier_right_aux1_y = work.s1_25 - (-p_lower_arm_right_y);
@@ -4549,11 +4555,10 @@ struct ConstraintForcesWork {
   const double s1_31 = work.sines[11];
   const double R_carrier_right_aux2_x_z = s1_23*s1_31;
   work.R_carrier_right_aux2_y_y = fnma(R_lower_arm_right_z_y, s1_31,
-      work.R_carrier_right_aux1_y_y*s1_29);
-  const double s1_32 = fma(work.R_carrier_right_aux1_y_y, s1_31, R_lower_arm_right_z_y*s1_29);
-  work.R_carrier_right_aux2_z_y = fma(work.R_carrier_right_aux1_z_y, s1_29,
-      R_lower_arm_right_y_y*s1_31);
-  const double R_carrier_right_aux2_z_z = fnma(work.R_carrier_right_aux1_z_y, s1_31,
+      R_carrier_right_aux1_y_y*s1_29);
+  const double s1_32 = fma(R_carrier_right_aux1_y_y, s1_31, R_lower_arm_right_z_y*s1_29);
+  work.R_carrier_right_aux2_z_y = fma(R_carrier_right_aux1_z_y, s1_29, R_lower_arm_right_y_y*s1_31);
+  const double R_carrier_right_aux2_z_z = fnma(R_carrier_right_aux1_z_y, s1_31,
       R_lower_arm_right_y_y*s1_29);
   // carrier_right: carrier_right_ry, revolute, carrier_right_aux2
   const double s1_33 = work.cosines[12];
@@ -4583,24 +4588,60 @@ struct ConstraintForcesWork {
   const double R_rear_axle_aux5_z_z = work.cosines[18];
   work.R_rear_axle_aux5_x_x = R_rear_axle_aux4_x_x*R_rear_axle_aux5_z_z;
   const double s1_43 = work.sines[18];
-  work.R_rear_axle_aux5_x_z = R_rear_axle_aux4_x_x*s1_43;
+  const double R_rear_axle_aux5_x_z = R_rear_axle_aux4_x_x*s1_43;
   const double R_rear_axle_aux4_y_x = work.sines[17];
   work.R_rear_axle_aux5_y_x = R_rear_axle_aux4_y_x*R_rear_axle_aux5_z_z;
-  work.R_rear_axle_aux5_y_z = R_rear_axle_aux4_y_x*s1_43;
+  const double R_rear_axle_aux5_y_z = R_rear_axle_aux4_y_x*s1_43;
   // rear_axle: rear_axle_rx, revolute, rear_axle_aux5
   const double s1_44 = work.sines[19];
   const double s1_45 = work.cosines[19];
-  work.R_rear_axle_x_y = fnma(R_rear_axle_aux4_y_x, s1_45, work.R_rear_axle_aux5_x_z*s1_44);
-  work.R_rear_axle_x_z = fma(work.R_rear_axle_aux5_x_z, s1_45, R_rear_axle_aux4_y_x*s1_44);
-  work.R_rear_axle_y_y = fma(work.R_rear_axle_aux5_y_z, s1_44, R_rear_axle_aux4_x_x*s1_45);
-  work.R_rear_axle_y_z = fnma(R_rear_axle_aux4_x_x, s1_44, work.R_rear_axle_aux5_y_z*s1_45);
+  work.R_rear_axle_x_y = fnma(R_rear_axle_aux4_y_x, s1_45, R_rear_axle_aux5_x_z*s1_44);
+  work.R_rear_axle_x_z = fma(R_rear_axle_aux5_x_z, s1_45, R_rear_axle_aux4_y_x*s1_44);
+  work.R_rear_axle_y_y = fma(R_rear_axle_aux5_y_z, s1_44, R_rear_axle_aux4_x_x*s1_45);
+  work.R_rear_axle_y_z = fnma(R_rear_axle_aux4_x_x, s1_44, R_rear_axle_aux5_y_z*s1_45);
   work.R_rear_axle_z_y = R_rear_axle_aux5_z_z*s1_44;
   work.R_rear_axle_z_z = R_rear_axle_aux5_z_z*s1_45;
   // wheel_rear_left: wheel_rear_left, revolute, rear_axle
   work.s1_46 = p_wheel_rear_left_y*work.R_rear_axle_x_y;
   work.s1_47 = p_wheel_rear_left_y*work.R_rear_axle_y_y;
   work.s1_48 = p_wheel_rear_left_y*work.R_rear_axle_z_y;
-  // operations: 44 add, 103 multiply, 44 sin cos
+  // carrier_left: carrier_left_ry, revolute, carrier_left_aux2
+  const double s1_49 = work.R_carrier_left_aux1_z_x*work.s1_12;
+  const double s1_50 = fma(R_carrier_left_aux1_x_x, work.R_carrier_left_aux2_z_y, s1_49);
+  const double s1_51 = work.R_carrier_left_aux1_y_x*work.s1_12;
+  const double s1_52 = fma(R_carrier_left_aux1_x_x, work.R_carrier_left_aux2_y_y, s1_51);
+  work.s1_53 = fma(R_lower_arm_left_y_y, s1_52, R_lower_arm_left_z_y*s1_50);
+  const double s1_54 = 1.0/work.s1_53;
+  work.s1_55 = R_carrier_left_aux1_z_y*s1_54;
+  work.s1_56 = R_carrier_left_aux1_y_y*s1_54;
+  work.s1_57 = s1_52*s1_54;
+  work.s1_58 = s1_50*s1_54;
+  // carrier_right: carrier_right_ry, revolute, carrier_right_aux2
+  const double s1_59 = R_lower_arm_right_z_y*work.R_carrier_right_aux1_z_x;
+  const double s1_60 = work.R_carrier_right_aux1_z_x*work.s1_30;
+  const double s1_61 = fma(R_carrier_right_aux1_x_x, work.R_carrier_right_aux2_z_y, s1_60);
+  const double s1_62 = work.R_carrier_right_aux1_y_x*work.s1_30;
+  const double s1_63 = fma(R_carrier_right_aux1_x_x, work.R_carrier_right_aux2_y_y, s1_62);
+  work.s1_64 = fma(R_lower_arm_right_y_y, s1_63, R_lower_arm_right_z_y*s1_61);
+  const double s1_65 = 1.0/work.s1_64;
+  work.s1_66 = R_carrier_right_aux1_z_y*s1_65;
+  work.s1_67 = R_carrier_right_aux1_y_y*s1_65;
+  work.s1_68 = s1_63*s1_65;
+  const double s1_69 = work.R_carrier_right_aux1_y_x*work.R_carrier_right_aux2_z_y;
+  const double s1_70 = fnma(work.R_carrier_right_aux1_z_x, work.R_carrier_right_aux2_y_y, s1_69);
+  work.s1_71 = s1_65*s1_70;
+  work.s1_72 = fma(R_lower_arm_right_y_y, work.R_carrier_right_aux1_y_x, s1_59)*s1_65;
+  work.s1_73 = s1_61*s1_65;
+  // rear_axle: rear_axle_rx, revolute, rear_axle_aux5
+  const double s1_74 = R_rear_axle_aux4_y_x*work.R_rear_axle_aux5_y_x;
+  work.s1_75 = fma(R_rear_axle_aux4_x_x, work.R_rear_axle_aux5_x_x, s1_74);
+  const double s1_76 = 1.0/work.s1_75;
+  work.s1_77 = R_rear_axle_aux4_y_x*s1_76;
+  work.s1_78 = R_rear_axle_aux4_x_x*s1_76;
+  work.s1_79 = R_rear_axle_aux5_y_z*s1_76;
+  work.s1_80 = R_rear_axle_aux5_x_z*s1_76;
+  work.s1_81 = work.s1_75*s1_76;
+  // operations: 53 add, 136 multiply, 3 divide, 44 sin cos
 
   // --- step 4: velocities ---
   // chassis: chassis_rx, revolute, chassis_aux5
@@ -4716,24 +4757,26 @@ struct ConstraintForcesWork {
   work.w_rear_axle_z = w_rear_axle_aux4_z - s4_32;
   // wheel_rear_left: wheel_rear_left, revolute, rear_axle
   const double zd_wheel_rear_left = state.zd[Coordinate::wheel_rear_left];
-  work.s4_33 = zd_wheel_rear_left*work.R_rear_axle_x_y;
-  work.w_wheel_rear_left_x = work.w_rear_axle_x + work.s4_33;
-  work.s4_34 = zd_wheel_rear_left*work.R_rear_axle_y_y;
-  work.w_wheel_rear_left_y = work.w_rear_axle_y + work.s4_34;
-  work.s4_35 = zd_wheel_rear_left*work.R_rear_axle_z_y;
-  work.w_wheel_rear_left_z = work.w_rear_axle_z + work.s4_35;
+  const double s4_33 = zd_wheel_rear_left*work.R_rear_axle_x_y;
+  work.w_wheel_rear_left_x = work.w_rear_axle_x + s4_33;
+  const double s4_34 = zd_wheel_rear_left*work.R_rear_axle_y_y;
+  work.w_wheel_rear_left_y = work.w_rear_axle_y + s4_34;
+  const double s4_35 = zd_wheel_rear_left*work.R_rear_axle_z_y;
+  work.w_wheel_rear_left_z = work.w_rear_axle_z + s4_35;
   // arb_rear_left: arb_rear_left, revolute, chassis
-  work.w_arb_rear_left_y = state.zd[Coordinate::arb_rear_left] + work.w_chassis_y;
+  const double zd_arb_rear_left = state.zd[Coordinate::arb_rear_left];
+  work.w_arb_rear_left_y = zd_arb_rear_left + work.w_chassis_y;
   // wheel_rear_right: wheel_rear_right, revolute, rear_axle
   const double zd_wheel_rear_right = state.zd[Coordinate::wheel_rear_right];
-  work.s4_36 = zd_wheel_rear_right*work.R_rear_axle_x_y;
-  work.w_wheel_rear_right_x = work.w_rear_axle_x + work.s4_36;
-  work.s4_37 = zd_wheel_rear_right*work.R_rear_axle_y_y;
-  work.w_wheel_rear_right_y = work.w_rear_axle_y + work.s4_37;
-  work.s4_38 = zd_wheel_rear_right*work.R_rear_axle_z_y;
-  work.w_wheel_rear_right_z = work.w_rear_axle_z + work.s4_38;
+  const double s4_36 = zd_wheel_rear_right*work.R_rear_axle_x_y;
+  work.w_wheel_rear_right_x = work.w_rear_axle_x + s4_36;
+  const double s4_37 = zd_wheel_rear_right*work.R_rear_axle_y_y;
+  work.w_wheel_rear_right_y = work.w_rear_axle_y + s4_37;
+  const double s4_38 = zd_wheel_rear_right*work.R_rear_axle_z_y;
+  work.w_wheel_rear_right_z = work.w_rear_axle_z + s4_38;
   // arb_rear_right: arb_rear_right, revolute, chassis
-  work.w_arb_rear_right_y = state.zd[Coordinate::arb_rear_right] + work.w_chassis_y;
+  const double zd_arb_rear_right = state.zd[Coordinate::arb_rear_right];
+  work.w_arb_rear_right_y = zd_arb_rear_right + work.w_chassis_y;
   // operations: 47 add, 38 multiply
 
   // --- step 7: inertias of the bodies and forces on joints ---
@@ -4749,24 +4792,24 @@ struct ConstraintForcesWork {
   work.a_chassis_z = fma(R_chassis_z_z, s7_1, s7_4);
   const double zdd_chassis_rz = derivative.zdd[Coordinate::chassis_rz];
   const double s7_5 = fnma(zdd_chassis_rz, s1_1, derivative.zdd[Coordinate::chassis_rx]);
-  work.alpha_chassis_x = fnma(s4_3, s4_4, fnma(s4_2, s4_5, s7_5));
+  const double alpha_chassis_x = fnma(s4_3, s4_4, fnma(s4_2, s4_5, s7_5));
   const double zdd_chassis_ry = derivative.zdd[Coordinate::chassis_ry];
   const double s7_6 = fma(zdd_chassis_rz, R_chassis_z_y, zd_chassis_rx*work.w_chassis_z);
-  work.alpha_chassis_y = fnma(s4_1, s4_5, fma(zdd_chassis_ry, s1_4, s7_6));
+  const double alpha_chassis_y = fnma(s4_1, s4_5, fma(zdd_chassis_ry, s1_4, s7_6));
   const double s7_7 = fnma(zdd_chassis_ry, s1_2, zdd_chassis_rz*R_chassis_z_z);
-  work.alpha_chassis_z = fnma(zd_chassis_rx, work.w_chassis_y, fnma(s4_1, s4_3, s7_7));
+  const double alpha_chassis_z = fnma(zd_chassis_rx, work.w_chassis_y, fnma(s4_1, s4_3, s7_7));
   const double s7_8 = work.w_chassis_y*work.w_chassis_y;
-  work.s7_9 = work.w_chassis_z*work.w_chassis_z;
-  work.s7_10 = work.w_chassis_x*work.w_chassis_x;
-  work.s7_11 = s7_8 + work.s7_10;
-  work.s7_12 = s7_8 + work.s7_9;
-  work.s7_13 = work.s7_9 + work.s7_10;
-  work.s7_14 = fms(work.w_chassis_y, work.w_chassis_z, work.alpha_chassis_x);
-  work.s7_15 = fma(work.w_chassis_y, work.w_chassis_z, work.alpha_chassis_x);
-  work.s7_16 = fma(work.w_chassis_x, work.w_chassis_z, work.alpha_chassis_y);
-  work.s7_17 = fma(work.w_chassis_x, work.w_chassis_y, work.alpha_chassis_z);
-  work.s7_18 = fms(work.w_chassis_x, work.w_chassis_y, work.alpha_chassis_z);
-  work.s7_19 = fms(work.w_chassis_x, work.w_chassis_z, work.alpha_chassis_y);
+  const double s7_9 = work.w_chassis_z*work.w_chassis_z;
+  const double s7_10 = work.w_chassis_x*work.w_chassis_x;
+  work.s7_11 = s7_8 + s7_10;
+  work.s7_12 = s7_8 + s7_9;
+  work.s7_13 = s7_9 + s7_10;
+  work.s7_14 = fms(work.w_chassis_y, work.w_chassis_z, alpha_chassis_x);
+  work.s7_15 = fma(work.w_chassis_y, work.w_chassis_z, alpha_chassis_x);
+  work.s7_16 = fma(work.w_chassis_x, work.w_chassis_z, alpha_chassis_y);
+  work.s7_17 = fma(work.w_chassis_x, work.w_chassis_y, alpha_chassis_z);
+  work.s7_18 = fms(work.w_chassis_x, work.w_chassis_y, alpha_chassis_z);
+  work.s7_19 = fms(work.w_chassis_x, work.w_chassis_z, alpha_chassis_y);
   // lower_arm_left: lower_arm_left, revolute, chassis
   const double s7_20 = fma(p_lower_arm_left_x, work.s7_12, -p_lower_arm_left_z*work.s7_16);
   work.s7_21 = fma(p_lower_arm_left_y, work.s7_18, work.a_chassis_x);
@@ -4778,15 +4821,13 @@ struct ConstraintForcesWork {
   const double s7_25 = fma(-p_lower_arm_left_z, work.s7_11, s7_24);
   work.s7_26 = fma(p_lower_arm_left_y, work.s7_15, work.a_chassis_z);
   work.a_lower_arm_left_z = s7_25 + work.s7_26;
-  work.alpha_lower_arm_left_x = derivative.zdd[Coordinate::lower_arm_left] + work.alpha_chassis_x;
-  const double alpha_lower_arm_left_y = fma(zd_lower_arm_left, work.w_chassis_z,
-      work.alpha_chassis_y);
-  const double alpha_lower_arm_left_z = fnma(zd_lower_arm_left, work.w_chassis_y,
-      work.alpha_chassis_z);
+  work.alpha_lower_arm_left_x = derivative.zdd[Coordinate::lower_arm_left] + alpha_chassis_x;
+  const double alpha_lower_arm_left_y = fma(zd_lower_arm_left, work.w_chassis_z, alpha_chassis_y);
+  const double alpha_lower_arm_left_z = fnma(zd_lower_arm_left, work.w_chassis_y, alpha_chassis_z);
   work.s7_27 = fma(work.w_chassis_y, work.w_chassis_z, work.alpha_lower_arm_left_x);
   work.s7_28 = fms(work.w_chassis_y, work.w_chassis_z, work.alpha_lower_arm_left_x);
   work.s7_29 = fma(w_lower_arm_left_x, w_lower_arm_left_x, s7_8);
-  work.s7_30 = fma(w_lower_arm_left_x, w_lower_arm_left_x, work.s7_9);
+  work.s7_30 = fma(w_lower_arm_left_x, w_lower_arm_left_x, s7_9);
   const double s7_31 = fma(work.w_chassis_z, w_lower_arm_left_x, alpha_lower_arm_left_y);
   const double s7_32 = fms(work.w_chassis_y, w_lower_arm_left_x, alpha_lower_arm_left_z);
   // carrier_left_aux1: carrier_left_rz, revolute, lower_arm_left
@@ -4864,47 +4905,46 @@ struct ConstraintForcesWork {
   const double s7_69 = fma(-p_upper_arm_left_z, work.s7_11, s7_24);
   const double s7_70 = fma(p_upper_arm_left_y, work.s7_15, work.a_chassis_z);
   work.a_upper_arm_left_z = s7_69 + s7_70;
-  work.alpha_upper_arm_left_x = derivative.zdd[Coordinate::upper_arm_left] + work.alpha_chassis_x;
+  work.alpha_upper_arm_left_x = derivative.zdd[Coordinate::upper_arm_left] + alpha_chassis_x;
   work.s7_71 = fma(work.w_chassis_y, work.w_chassis_z, work.alpha_upper_arm_left_x);
   work.s7_72 = fms(work.w_chassis_y, work.w_chassis_z, work.alpha_upper_arm_left_x);
   work.s7_73 = fma(w_upper_arm_left_x, w_upper_arm_left_x, s7_8);
-  work.s7_74 = fma(w_upper_arm_left_x, w_upper_arm_left_x, work.s7_9);
+  work.s7_74 = fma(w_upper_arm_left_x, w_upper_arm_left_x, s7_9);
   // arb_front_left: arb_front_left, revolute, chassis
   const double s7_75 = -p_arb_front_left_z*work.s7_16;
   const double s7_76 = fma(p_arb_front_left_x, work.s7_12, s7_75);
-  work.s7_77 = fma(p_arb_front_left_y, work.s7_18, work.a_chassis_x);
-  work.a_arb_front_left_x = work.s7_77 - s7_76;
+  const double s7_77 = fma(p_arb_front_left_y, work.s7_18, work.a_chassis_x);
+  work.a_arb_front_left_x = s7_77 - s7_76;
   const double s7_78 = fnma(-p_arb_front_left_z, work.s7_14, work.a_chassis_y);
   const double s7_79 = fma(p_arb_front_left_x, work.s7_17, s7_78);
-  work.a_arb_front_left_y = fnma(p_arb_front_left_y, work.s7_13, s7_79);
+  const double a_arb_front_left_y = fnma(p_arb_front_left_y, work.s7_13, s7_79);
   const double s7_80 = -p_arb_front_left_z*work.s7_11;
   const double s7_81 = fma(p_arb_front_left_x, work.s7_19, s7_80);
-  work.s7_82 = fma(p_arb_front_left_y, work.s7_15, work.a_chassis_z);
-  work.a_arb_front_left_z = s7_81 + work.s7_82;
-  work.alpha_arb_front_left_x = fnma(zd_arb_front_left, work.w_chassis_z, work.alpha_chassis_x);
-  work.alpha_arb_front_left_y = derivative.zdd[Coordinate::arb_front_left] + work.alpha_chassis_y;
-  work.alpha_arb_front_left_z = fma(zd_arb_front_left, work.w_chassis_x, work.alpha_chassis_z);
+  const double s7_82 = fma(p_arb_front_left_y, work.s7_15, work.a_chassis_z);
+  work.a_arb_front_left_z = s7_81 + s7_82;
+  work.alpha_arb_front_left_x = fnma(zd_arb_front_left, work.w_chassis_z, alpha_chassis_x);
+  work.alpha_arb_front_left_y = derivative.zdd[Coordinate::arb_front_left] + alpha_chassis_y;
+  work.alpha_arb_front_left_z = fma(zd_arb_front_left, work.w_chassis_x, alpha_chassis_z);
   work.s7_83 = fma(work.w_chassis_x, work.w_chassis_z, work.alpha_arb_front_left_y);
   work.s7_84 = fms(work.w_chassis_x, work.w_chassis_z, work.alpha_arb_front_left_y);
-  work.s7_85 = fma(work.w_arb_front_left_y, work.w_arb_front_left_y, work.s7_10);
-  work.s7_86 = fma(work.w_arb_front_left_y, work.w_arb_front_left_y, work.s7_9);
-  work.s7_87 = fma(work.w_chassis_x, work.w_arb_front_left_y, work.alpha_arb_front_left_z);
+  work.s7_85 = fma(work.w_arb_front_left_y, work.w_arb_front_left_y, s7_10);
+  work.s7_86 = fma(work.w_arb_front_left_y, work.w_arb_front_left_y, s7_9);
+  const double s7_87 = fma(work.w_chassis_x, work.w_arb_front_left_y, work.alpha_arb_front_left_z);
   work.s7_88 = fma(work.w_chassis_z, work.w_arb_front_left_y, work.alpha_arb_front_left_x);
   work.s7_89 = fms(work.w_chassis_x, work.w_arb_front_left_y, work.alpha_arb_front_left_z);
-  work.s7_90 = fms(work.w_chassis_z, work.w_arb_front_left_y, work.alpha_arb_front_left_x);
+  const double s7_90 = fms(work.w_chassis_z, work.w_arb_front_left_y, work.alpha_arb_front_left_x);
   // lower_arm_right: lower_arm_right, revolute, chassis
   const double a_lower_arm_right_x = fnma(p_lower_arm_left_y, work.s7_18, work.a_chassis_x) - s7_20;
   work.a_lower_arm_right_y = fma(p_lower_arm_left_y, work.s7_13, s7_23);
   work.a_lower_arm_right_z = fnma(p_lower_arm_left_y, work.s7_15, work.a_chassis_z + s7_25);
-  work.alpha_lower_arm_right_x = derivative.zdd[Coordinate::lower_arm_right] + work.alpha_chassis_x;
-  const double alpha_lower_arm_right_y = fma(zd_lower_arm_right, work.w_chassis_z,
-      work.alpha_chassis_y);
+  work.alpha_lower_arm_right_x = derivative.zdd[Coordinate::lower_arm_right] + alpha_chassis_x;
+  const double alpha_lower_arm_right_y = fma(zd_lower_arm_right, work.w_chassis_z, alpha_chassis_y);
   const double alpha_lower_arm_right_z = fnma(zd_lower_arm_right, work.w_chassis_y,
-      work.alpha_chassis_z);
+      alpha_chassis_z);
   work.s7_91 = fma(work.w_chassis_y, work.w_chassis_z, work.alpha_lower_arm_right_x);
   work.s7_92 = fms(work.w_chassis_y, work.w_chassis_z, work.alpha_lower_arm_right_x);
   work.s7_93 = fma(w_lower_arm_right_x, w_lower_arm_right_x, s7_8);
-  work.s7_94 = fma(w_lower_arm_right_x, w_lower_arm_right_x, work.s7_9);
+  work.s7_94 = fma(w_lower_arm_right_x, w_lower_arm_right_x, s7_9);
   const double s7_95 = fma(work.w_chassis_z, w_lower_arm_right_x, alpha_lower_arm_right_y);
   const double s7_96 = fms(work.w_chassis_y, w_lower_arm_right_x, alpha_lower_arm_right_z);
   // carrier_right_aux1: carrier_right_rz, revolute, lower_arm_right
@@ -4981,43 +5021,45 @@ struct ConstraintForcesWork {
   // upper_arm_right: upper_arm_right, revolute, chassis
   work.a_upper_arm_right_y = fma(p_upper_arm_left_y, work.s7_13, s7_68);
   work.a_upper_arm_right_z = fnma(p_upper_arm_left_y, work.s7_15, work.a_chassis_z + s7_69);
-  work.alpha_upper_arm_right_x = derivative.zdd[Coordinate::upper_arm_right] + work.alpha_chassis_x;
+  work.alpha_upper_arm_right_x = derivative.zdd[Coordinate::upper_arm_right] + alpha_chassis_x;
   work.s7_134 = fma(work.w_chassis_y, work.w_chassis_z, work.alpha_upper_arm_right_x);
   work.s7_135 = fms(work.w_chassis_y, work.w_chassis_z, work.alpha_upper_arm_right_x);
   work.s7_136 = fma(w_upper_arm_right_x, w_upper_arm_right_x, s7_8);
-  work.s7_137 = fma(w_upper_arm_right_x, w_upper_arm_right_x, work.s7_9);
+  work.s7_137 = fma(w_upper_arm_right_x, w_upper_arm_right_x, s7_9);
   // arb_front_right: arb_front_right, revolute, chassis
   work.a_arb_front_right_x = fnma(p_arb_front_left_y, work.s7_18, work.a_chassis_x) - s7_76;
-  work.a_arb_front_right_y = fma(p_arb_front_left_y, work.s7_13, s7_79);
+  const double a_arb_front_right_y = fma(p_arb_front_left_y, work.s7_13, s7_79);
   work.a_arb_front_right_z = fnma(p_arb_front_left_y, work.s7_15, work.a_chassis_z + s7_81);
-  work.alpha_arb_front_right_x = fnma(zd_arb_front_right, work.w_chassis_z, work.alpha_chassis_x);
-  work.alpha_arb_front_right_y = derivative.zdd[Coordinate::arb_front_right] + work.alpha_chassis_y;
-  work.alpha_arb_front_right_z = fma(zd_arb_front_right, work.w_chassis_x, work.alpha_chassis_z);
+  work.alpha_arb_front_right_x = fnma(zd_arb_front_right, work.w_chassis_z, alpha_chassis_x);
+  work.alpha_arb_front_right_y = derivative.zdd[Coordinate::arb_front_right] + alpha_chassis_y;
+  work.alpha_arb_front_right_z = fma(zd_arb_front_right, work.w_chassis_x, alpha_chassis_z);
   work.s7_138 = fma(work.w_chassis_x, work.w_chassis_z, work.alpha_arb_front_right_y);
   work.s7_139 = fms(work.w_chassis_x, work.w_chassis_z, work.alpha_arb_front_right_y);
-  work.s7_140 = fma(work.w_arb_front_right_y, work.w_arb_front_right_y, work.s7_10);
-  work.s7_141 = fma(work.w_arb_front_right_y, work.w_arb_front_right_y, work.s7_9);
-  work.s7_142 = fma(work.w_chassis_x, work.w_arb_front_right_y, work.alpha_arb_front_right_z);
+  work.s7_140 = fma(work.w_arb_front_right_y, work.w_arb_front_right_y, s7_10);
+  work.s7_141 = fma(work.w_arb_front_right_y, work.w_arb_front_right_y, s7_9);
+  const double s7_142 = fma(work.w_chassis_x, work.w_arb_front_right_y,
+      work.alpha_arb_front_right_z);
   work.s7_143 = fma(work.w_chassis_z, work.w_arb_front_right_y, work.alpha_arb_front_right_x);
   work.s7_144 = fms(work.w_chassis_x, work.w_arb_front_right_y, work.alpha_arb_front_right_z);
-  work.s7_145 = fms(work.w_chassis_z, work.w_arb_front_right_y, work.alpha_arb_front_right_x);
+  const double s7_145 = fms(work.w_chassis_z, work.w_arb_front_right_y,
+      work.alpha_arb_front_right_x);
   // pitman_arm: pitman_arm, revolute, chassis
   const double s7_146 = fma(p_upper_arm_left_y, work.s7_18, work.a_chassis_x);
   const double s7_147 = fnma(-p_pitman_arm_z, work.s7_16, s7_146);
   work.a_pitman_arm_x = fnma(p_pitman_arm_x, work.s7_12, s7_147);
   const double s7_148 = fnma(p_upper_arm_left_y, work.s7_13, work.a_chassis_y);
   const double s7_149 = fma(p_pitman_arm_x, work.s7_17, s7_148);
-  work.a_pitman_arm_y = fnma(-p_pitman_arm_z, work.s7_14, s7_149);
+  const double a_pitman_arm_y = fnma(-p_pitman_arm_z, work.s7_14, s7_149);
   work.a_pitman_arm_z = fma(p_pitman_arm_x, work.s7_19, fma(-p_pitman_arm_z, work.s7_11, s7_70));
-  const double alpha_pitman_arm_x = fnma(zd_pitman_arm, work.w_chassis_z, work.alpha_chassis_x);
-  work.alpha_pitman_arm_y = derivative.zdd[Coordinate::pitman_arm] + work.alpha_chassis_y;
-  const double alpha_pitman_arm_z = fma(zd_pitman_arm, work.w_chassis_x, work.alpha_chassis_z);
+  const double alpha_pitman_arm_x = fnma(zd_pitman_arm, work.w_chassis_z, alpha_chassis_x);
+  work.alpha_pitman_arm_y = derivative.zdd[Coordinate::pitman_arm] + alpha_chassis_y;
+  const double alpha_pitman_arm_z = fma(zd_pitman_arm, work.w_chassis_x, alpha_chassis_z);
   work.s7_150 = fma(work.w_chassis_x, work.w_chassis_z, work.alpha_pitman_arm_y);
   work.s7_151 = fms(work.w_chassis_x, work.w_chassis_z, work.alpha_pitman_arm_y);
-  work.s7_152 = fma(w_pitman_arm_y, w_pitman_arm_y, work.s7_10);
-  work.s7_153 = fma(w_pitman_arm_y, w_pitman_arm_y, work.s7_9);
-  work.s7_154 = fma(work.w_chassis_x, w_pitman_arm_y, alpha_pitman_arm_z);
-  work.s7_155 = fms(work.w_chassis_z, w_pitman_arm_y, alpha_pitman_arm_x);
+  work.s7_152 = fma(w_pitman_arm_y, w_pitman_arm_y, s7_10);
+  work.s7_153 = fma(w_pitman_arm_y, w_pitman_arm_y, s7_9);
+  const double s7_154 = fma(work.w_chassis_x, w_pitman_arm_y, alpha_pitman_arm_z);
+  const double s7_155 = fms(work.w_chassis_z, w_pitman_arm_y, alpha_pitman_arm_x);
   // bell_crank: bell_crank, revolute, chassis
   const double s7_156 = fnma(-p_bell_crank_z, work.s7_16, work.a_chassis_x);
   work.a_bell_crank_x = fnma(p_bell_crank_x, work.s7_12, s7_156);
@@ -5025,13 +5067,13 @@ struct ConstraintForcesWork {
   work.a_bell_crank_y = fnma(-p_bell_crank_z, work.s7_14, s7_157);
   const double s7_158 = fma(-p_bell_crank_z, work.s7_11, work.a_chassis_z);
   work.a_bell_crank_z = fma(p_bell_crank_x, work.s7_19, s7_158);
-  const double alpha_bell_crank_x = fma(zd_bell_crank, work.w_chassis_y, work.alpha_chassis_x);
-  const double alpha_bell_crank_y = fnma(zd_bell_crank, work.w_chassis_x, work.alpha_chassis_y);
-  work.alpha_bell_crank_z = derivative.zdd[Coordinate::bell_crank] + work.alpha_chassis_z;
+  const double alpha_bell_crank_x = fma(zd_bell_crank, work.w_chassis_y, alpha_chassis_x);
+  const double alpha_bell_crank_y = fnma(zd_bell_crank, work.w_chassis_x, alpha_chassis_y);
+  work.alpha_bell_crank_z = derivative.zdd[Coordinate::bell_crank] + alpha_chassis_z;
   work.s7_159 = fma(work.w_chassis_x, work.w_chassis_y, work.alpha_bell_crank_z);
   work.s7_160 = fms(work.w_chassis_x, work.w_chassis_y, work.alpha_bell_crank_z);
   work.s7_161 = fma(w_bell_crank_z, w_bell_crank_z, s7_8);
-  work.s7_162 = fma(w_bell_crank_z, w_bell_crank_z, work.s7_10);
+  work.s7_162 = fma(w_bell_crank_z, w_bell_crank_z, s7_10);
   work.s7_163 = fma(work.w_chassis_y, w_bell_crank_z, alpha_bell_crank_x);
   work.s7_164 = fms(work.w_chassis_x, w_bell_crank_z, alpha_bell_crank_y);
   // rear_axle_aux1: rear_axle_tx, prismatic, chassis
@@ -5067,12 +5109,9 @@ struct ConstraintForcesWork {
   const double s7_180 = derivative.zdd[Coordinate::rear_axle_tz] + a_rear_axle_aux2_z;
   work.a_rear_axle_aux3_z = fnma(z_rear_axle_tz, work.s7_11, s7_180);
   // rear_axle_aux4: rear_axle_rz, revolute, rear_axle_aux3
-  const double alpha_rear_axle_aux4_x = fma(zd_rear_axle_rz, work.w_chassis_y,
-      work.alpha_chassis_x);
-  const double alpha_rear_axle_aux4_y = fnma(zd_rear_axle_rz, work.w_chassis_x,
-      work.alpha_chassis_y);
-  const double alpha_rear_axle_aux4_z = derivative.zdd[Coordinate::rear_axle_rz] +
-      work.alpha_chassis_z;
+  const double alpha_rear_axle_aux4_x = fma(zd_rear_axle_rz, work.w_chassis_y, alpha_chassis_x);
+  const double alpha_rear_axle_aux4_y = fnma(zd_rear_axle_rz, work.w_chassis_x, alpha_chassis_y);
+  const double alpha_rear_axle_aux4_z = derivative.zdd[Coordinate::rear_axle_rz] + alpha_chassis_z;
   // rear_axle_aux5: rear_axle_ry, revolute, rear_axle_aux4
   const double zdd_rear_axle_ry = derivative.zdd[Coordinate::rear_axle_ry];
   const double s7_181 = fnma(zdd_rear_axle_ry, R_rear_axle_aux4_y_x, alpha_rear_axle_aux4_x);
@@ -5089,1298 +5128,1252 @@ struct ConstraintForcesWork {
   work.alpha_rear_axle_y = fma(w_rear_axle_aux5_x, s4_32, fma(w_rear_axle_aux4_z, s4_30, s7_185));
   const double s7_186 = fnma(zdd_rear_axle_rx, s1_43, alpha_rear_axle_aux5_z);
   work.alpha_rear_axle_z = fnma(w_rear_axle_aux5_y, s4_30, fma(w_rear_axle_aux5_x, s4_31, s7_186));
-}
-
-/// Part 2 of compute_multipliers: step 7: inertias of the bodies and forces on joints.
-[[gnu::noinline]] void compute_multipliers_2(const State& state, const double* tau,
-    const Derivative& derivative, ConstraintForcesWork& __restrict work,
-    ConstraintForces& __restrict result) noexcept {
-  // --- step 7: inertias of the bodies and forces on joints, continued ---
-  // rear_axle: rear_axle_rx, revolute, rear_axle_aux5
   const double s7_187 = work.w_rear_axle_y*work.w_rear_axle_y;
   const double s7_188 = work.w_rear_axle_x*work.w_rear_axle_x;
-  const double s7_189 = s7_187 + s7_188;
-  const double s7_190 = fma(work.w_rear_axle_z, work.w_rear_axle_z, s7_187);
-  const double s7_191 = fma(work.w_rear_axle_z, work.w_rear_axle_z, s7_188);
-  const double s7_192 = fma(work.w_rear_axle_y, work.w_rear_axle_z, work.alpha_rear_axle_x);
-  const double s7_193 = fma(work.w_rear_axle_x, work.w_rear_axle_z, work.alpha_rear_axle_y);
-  const double s7_194 = fma(work.w_rear_axle_x, work.w_rear_axle_y, work.alpha_rear_axle_z);
-  const double s7_195 = fms(work.w_rear_axle_y, work.w_rear_axle_z, work.alpha_rear_axle_x);
-  const double s7_196 = fms(work.w_rear_axle_x, work.w_rear_axle_z, work.alpha_rear_axle_y);
-  const double s7_197 = fms(work.w_rear_axle_x, work.w_rear_axle_y, work.alpha_rear_axle_z);
+  work.s7_189 = s7_187 + s7_188;
+  work.s7_190 = fma(work.w_rear_axle_z, work.w_rear_axle_z, s7_187);
+  work.s7_191 = fma(work.w_rear_axle_z, work.w_rear_axle_z, s7_188);
+  work.s7_192 = fma(work.w_rear_axle_y, work.w_rear_axle_z, work.alpha_rear_axle_x);
+  work.s7_193 = fma(work.w_rear_axle_x, work.w_rear_axle_z, work.alpha_rear_axle_y);
+  work.s7_194 = fma(work.w_rear_axle_x, work.w_rear_axle_y, work.alpha_rear_axle_z);
+  work.s7_195 = fms(work.w_rear_axle_y, work.w_rear_axle_z, work.alpha_rear_axle_x);
+  work.s7_196 = fms(work.w_rear_axle_x, work.w_rear_axle_z, work.alpha_rear_axle_y);
+  work.s7_197 = fms(work.w_rear_axle_x, work.w_rear_axle_y, work.alpha_rear_axle_z);
   // wheel_rear_left: wheel_rear_left, revolute, rear_axle
-  const double s7_198 = fma(work.s1_48, s7_193, work.a_rear_axle_aux3_x);
-  const double a_wheel_rear_left_x = fnma(work.s1_46, s7_190, fma(work.s1_47, s7_197, s7_198));
-  const double s7_199 = fma(work.s1_46, s7_194, work.s1_48*s7_195);
-  const double a_wheel_rear_left_y = fnma(work.s1_47, s7_191, work.a_rear_axle_aux3_y + s7_199);
-  const double s7_200 = fma(work.s1_46, s7_196, work.a_rear_axle_aux3_z);
-  const double a_wheel_rear_left_z = fnma(work.s1_48, s7_189, fma(work.s1_47, s7_192, s7_200));
+  const double s7_198 = fma(work.s1_48, work.s7_193, work.a_rear_axle_aux3_x);
+  work.a_wheel_rear_left_x = fnma(work.s1_46, work.s7_190, fma(work.s1_47, work.s7_197, s7_198));
+  const double s7_199 = fma(work.s1_46, work.s7_194, work.s1_48*work.s7_195);
+  work.a_wheel_rear_left_y = fnma(work.s1_47, work.s7_191, work.a_rear_axle_aux3_y + s7_199);
+  const double s7_200 = fma(work.s1_46, work.s7_196, work.a_rear_axle_aux3_z);
+  work.a_wheel_rear_left_z = fnma(work.s1_48, work.s7_189, fma(work.s1_47, work.s7_192, s7_200));
   const double zdd_wheel_rear_left = derivative.zdd[Coordinate::wheel_rear_left];
   const double s7_201 = fma(zdd_wheel_rear_left, work.R_rear_axle_x_y, work.alpha_rear_axle_x);
-  const double s7_202 = fma(work.w_rear_axle_y, work.s4_35, s7_201);
-  const double alpha_wheel_rear_left_x = fnma(work.w_rear_axle_z, work.s4_34, s7_202);
-  const double s7_203 = fma(zdd_wheel_rear_left, work.R_rear_axle_y_y, work.alpha_rear_axle_y);
-  const double s7_204 = fma(work.w_rear_axle_z, work.s4_33, s7_203);
-  const double alpha_wheel_rear_left_y = fnma(work.w_rear_axle_x, work.s4_35, s7_204);
-  const double s7_205 = fma(zdd_wheel_rear_left, work.R_rear_axle_z_y, work.alpha_rear_axle_z);
-  const double s7_206 = fma(work.w_rear_axle_x, work.s4_34, s7_205);
-  const double alpha_wheel_rear_left_z = fnma(work.w_rear_axle_y, work.s4_33, s7_206);
+  work.alpha_wheel_rear_left_x = fnma(work.w_rear_axle_z, s4_34, fma(work.w_rear_axle_y, s4_35,
+      s7_201));
+  const double s7_202 = fma(zdd_wheel_rear_left, work.R_rear_axle_y_y, work.alpha_rear_axle_y);
+  work.alpha_wheel_rear_left_y = fnma(work.w_rear_axle_x, s4_35, fma(work.w_rear_axle_z, s4_33,
+      s7_202));
+  const double s7_203 = fma(zdd_wheel_rear_left, work.R_rear_axle_z_y, work.alpha_rear_axle_z);
+  work.alpha_wheel_rear_left_z = fnma(work.w_rear_axle_y, s4_33, fma(work.w_rear_axle_x, s4_34,
+      s7_203));
   // arb_rear_left: arb_rear_left, revolute, chassis
-  const double s7_207 = fnma(-p_arb_rear_left_z, work.s7_16, -p_arb_rear_left_x*work.s7_12);
-  const double a_arb_rear_left_x = work.s7_77 + s7_207;
-  const double s7_208 = fma(-p_arb_rear_left_x, work.s7_17, -p_arb_rear_left_z*work.s7_14);
-  const double a_arb_rear_left_y = fnma(p_arb_front_left_y, work.s7_13, work.a_chassis_y) - s7_208;
-  const double s7_209 = fnma(-p_arb_rear_left_x, work.s7_19, -p_arb_rear_left_z*work.s7_11);
-  const double a_arb_rear_left_z = work.s7_82 + s7_209;
-  const double zd_arb_rear_left = state.zd[Coordinate::arb_rear_left];
-  const double alpha_arb_rear_left_x = fnma(zd_arb_rear_left, work.w_chassis_z,
-      work.alpha_chassis_x);
-  const double alpha_arb_rear_left_y = derivative.zdd[Coordinate::arb_rear_left] +
-      work.alpha_chassis_y;
-  const double alpha_arb_rear_left_z = fma(zd_arb_rear_left, work.w_chassis_x,
-      work.alpha_chassis_z);
-  const double s7_210 = fma(work.w_chassis_x, work.w_chassis_z, alpha_arb_rear_left_y);
-  const double s7_211 = fms(work.w_chassis_x, work.w_chassis_z, alpha_arb_rear_left_y);
-  const double s7_212 = fma(work.w_arb_rear_left_y, work.w_arb_rear_left_y, work.s7_10);
-  const double s7_213 = fma(work.w_arb_rear_left_y, work.w_arb_rear_left_y, work.s7_9);
-  const double s7_214 = fma(work.w_chassis_x, work.w_arb_rear_left_y, alpha_arb_rear_left_z);
-  const double s7_215 = fma(work.w_chassis_z, work.w_arb_rear_left_y, alpha_arb_rear_left_x);
-  const double s7_216 = fms(work.w_chassis_x, work.w_arb_rear_left_y, alpha_arb_rear_left_z);
-  const double s7_217 = fms(work.w_chassis_z, work.w_arb_rear_left_y, alpha_arb_rear_left_x);
+  const double s7_204 = fnma(-p_arb_rear_left_z, work.s7_16, -p_arb_rear_left_x*work.s7_12);
+  work.a_arb_rear_left_x = s7_77 + s7_204;
+  const double s7_205 = fma(-p_arb_rear_left_x, work.s7_17, -p_arb_rear_left_z*work.s7_14);
+  work.a_arb_rear_left_y = fnma(p_arb_front_left_y, work.s7_13, work.a_chassis_y) - s7_205;
+  const double s7_206 = fnma(-p_arb_rear_left_x, work.s7_19, -p_arb_rear_left_z*work.s7_11);
+  work.a_arb_rear_left_z = s7_82 + s7_206;
+  work.alpha_arb_rear_left_x = fnma(zd_arb_rear_left, work.w_chassis_z, alpha_chassis_x);
+  work.alpha_arb_rear_left_y = derivative.zdd[Coordinate::arb_rear_left] + alpha_chassis_y;
+  work.alpha_arb_rear_left_z = fma(zd_arb_rear_left, work.w_chassis_x, alpha_chassis_z);
+  work.s7_207 = fma(work.w_chassis_x, work.w_chassis_z, work.alpha_arb_rear_left_y);
+  work.s7_208 = fms(work.w_chassis_x, work.w_chassis_z, work.alpha_arb_rear_left_y);
+  work.s7_209 = fma(work.w_arb_rear_left_y, work.w_arb_rear_left_y, s7_10);
+  work.s7_210 = fma(work.w_arb_rear_left_y, work.w_arb_rear_left_y, s7_9);
+  work.s7_211 = fma(work.w_chassis_x, work.w_arb_rear_left_y, work.alpha_arb_rear_left_z);
+  work.s7_212 = fma(work.w_chassis_z, work.w_arb_rear_left_y, work.alpha_arb_rear_left_x);
+  work.s7_213 = fms(work.w_chassis_x, work.w_arb_rear_left_y, work.alpha_arb_rear_left_z);
+  work.s7_214 = fms(work.w_chassis_z, work.w_arb_rear_left_y, work.alpha_arb_rear_left_x);
   // wheel_rear_right: wheel_rear_right, revolute, rear_axle
-  const double s7_218 = fma(work.s1_46, s7_190, work.a_rear_axle_aux3_x);
-  const double a_wheel_rear_right_x = fnma(work.s1_47, s7_197, fnma(work.s1_48, s7_193, s7_218));
-  const double a_wheel_rear_right_y = fma(work.s1_47, s7_191, work.a_rear_axle_aux3_y) - s7_199;
-  const double s7_219 = fma(work.s1_48, s7_189, work.a_rear_axle_aux3_z);
-  const double a_wheel_rear_right_z = fnma(work.s1_47, s7_192, fnma(work.s1_46, s7_196, s7_219));
+  const double s7_215 = fma(work.s1_46, work.s7_190, work.a_rear_axle_aux3_x);
+  work.a_wheel_rear_right_x = fnma(work.s1_47, work.s7_197, fnma(work.s1_48, work.s7_193, s7_215));
+  work.a_wheel_rear_right_y = fma(work.s1_47, work.s7_191, work.a_rear_axle_aux3_y) - s7_199;
+  const double s7_216 = fma(work.s1_48, work.s7_189, work.a_rear_axle_aux3_z);
+  work.a_wheel_rear_right_z = fnma(work.s1_47, work.s7_192, fnma(work.s1_46, work.s7_196, s7_216));
   const double zdd_wheel_rear_right = derivative.zdd[Coordinate::wheel_rear_right];
-  const double s7_220 = fma(zdd_wheel_rear_right, work.R_rear_axle_x_y, work.alpha_rear_axle_x);
-  const double s7_221 = fma(work.w_rear_axle_y, work.s4_38, s7_220);
-  const double alpha_wheel_rear_right_x = fnma(work.w_rear_axle_z, work.s4_37, s7_221);
-  const double s7_222 = fma(zdd_wheel_rear_right, work.R_rear_axle_y_y, work.alpha_rear_axle_y);
-  const double s7_223 = fma(work.w_rear_axle_z, work.s4_36, s7_222);
-  const double alpha_wheel_rear_right_y = fnma(work.w_rear_axle_x, work.s4_38, s7_223);
-  const double s7_224 = fma(zdd_wheel_rear_right, work.R_rear_axle_z_y, work.alpha_rear_axle_z);
-  const double s7_225 = fma(work.w_rear_axle_x, work.s4_37, s7_224);
-  const double alpha_wheel_rear_right_z = fnma(work.w_rear_axle_y, work.s4_36, s7_225);
+  const double s7_217 = fma(zdd_wheel_rear_right, work.R_rear_axle_x_y, work.alpha_rear_axle_x);
+  work.alpha_wheel_rear_right_x = fnma(work.w_rear_axle_z, s4_37, fma(work.w_rear_axle_y, s4_38,
+      s7_217));
+  const double s7_218 = fma(zdd_wheel_rear_right, work.R_rear_axle_y_y, work.alpha_rear_axle_y);
+  work.alpha_wheel_rear_right_y = fnma(work.w_rear_axle_x, s4_38, fma(work.w_rear_axle_z, s4_36,
+      s7_218));
+  const double s7_219 = fma(zdd_wheel_rear_right, work.R_rear_axle_z_y, work.alpha_rear_axle_z);
+  work.alpha_wheel_rear_right_z = fnma(work.w_rear_axle_y, s4_36, fma(work.w_rear_axle_x, s4_37,
+      s7_219));
   // arb_rear_right: arb_rear_right, revolute, chassis
-  const double a_arb_rear_right_x = fnma(p_arb_front_left_y, work.s7_18, work.a_chassis_x + s7_207);
-  const double a_arb_rear_right_y = fma(p_arb_front_left_y, work.s7_13, work.a_chassis_y) - s7_208;
-  const double a_arb_rear_right_z = fnma(p_arb_front_left_y, work.s7_15, work.a_chassis_z + s7_209);
-  const double zd_arb_rear_right = state.zd[Coordinate::arb_rear_right];
-  const double alpha_arb_rear_right_x = fnma(zd_arb_rear_right, work.w_chassis_z,
-      work.alpha_chassis_x);
-  const double alpha_arb_rear_right_y = derivative.zdd[Coordinate::arb_rear_right] +
-      work.alpha_chassis_y;
-  const double alpha_arb_rear_right_z = fma(zd_arb_rear_right, work.w_chassis_x,
-      work.alpha_chassis_z);
-  const double s7_226 = fma(work.w_chassis_x, work.w_chassis_z, alpha_arb_rear_right_y);
-  const double s7_227 = fms(work.w_chassis_x, work.w_chassis_z, alpha_arb_rear_right_y);
-  const double s7_228 = fma(work.w_arb_rear_right_y, work.w_arb_rear_right_y, work.s7_10);
-  const double s7_229 = fma(work.w_arb_rear_right_y, work.w_arb_rear_right_y, work.s7_9);
-  const double s7_230 = fma(work.w_chassis_x, work.w_arb_rear_right_y, alpha_arb_rear_right_z);
-  const double s7_231 = fma(work.w_chassis_z, work.w_arb_rear_right_y, alpha_arb_rear_right_x);
-  const double s7_232 = fms(work.w_chassis_x, work.w_arb_rear_right_y, alpha_arb_rear_right_z);
-  const double s7_233 = fms(work.w_chassis_z, work.w_arb_rear_right_y, alpha_arb_rear_right_x);
+  work.a_arb_rear_right_x = fnma(p_arb_front_left_y, work.s7_18, work.a_chassis_x + s7_204);
+  work.a_arb_rear_right_y = fma(p_arb_front_left_y, work.s7_13, work.a_chassis_y) - s7_205;
+  work.a_arb_rear_right_z = fnma(p_arb_front_left_y, work.s7_15, work.a_chassis_z + s7_206);
+  work.alpha_arb_rear_right_x = fnma(zd_arb_rear_right, work.w_chassis_z, alpha_chassis_x);
+  work.alpha_arb_rear_right_y = derivative.zdd[Coordinate::arb_rear_right] + alpha_chassis_y;
+  work.alpha_arb_rear_right_z = fma(zd_arb_rear_right, work.w_chassis_x, alpha_chassis_z);
+  work.s7_220 = fma(work.w_chassis_x, work.w_chassis_z, work.alpha_arb_rear_right_y);
+  work.s7_221 = fms(work.w_chassis_x, work.w_chassis_z, work.alpha_arb_rear_right_y);
+  work.s7_222 = fma(work.w_arb_rear_right_y, work.w_arb_rear_right_y, s7_10);
+  work.s7_223 = fma(work.w_arb_rear_right_y, work.w_arb_rear_right_y, s7_9);
+  work.s7_224 = fma(work.w_chassis_x, work.w_arb_rear_right_y, work.alpha_arb_rear_right_z);
+  work.s7_225 = fma(work.w_chassis_z, work.w_arb_rear_right_y, work.alpha_arb_rear_right_x);
+  work.s7_226 = fms(work.w_chassis_x, work.w_arb_rear_right_y, work.alpha_arb_rear_right_z);
+  work.s7_227 = fms(work.w_chassis_z, work.w_arb_rear_right_y, work.alpha_arb_rear_right_x);
   // arb_link_front_left
   const double R_arb_front_left_x_z = work.sines[8];
   const double R_arb_front_left_x_x = work.cosines[8];
-  const double s7_234 = -p_arb_link_front_left_from_x*R_arb_front_left_x_z;
-  work.s7_235 = fma(p_arb_link_front_left_from_z, R_arb_front_left_x_x, s7_234);
-  const double s7_236 = p_arb_link_front_left_from_z*R_arb_front_left_x_z;
-  work.s7_237 = fnma(-p_arb_link_front_left_from_x, R_arb_front_left_x_x, s7_236);
-  const double s7_238 = p_arb_link_front_left_to_x*work.R_carrier_left_x_x;
-  const double s7_239 = work.s1_12 + work.R_carrier_left_x_z;
-  work.s7_240 = fma(-p_arb_link_front_left_to_y, s7_239, s7_238);
-  const double s7_241 = work.R_carrier_left_y_z - work.R_carrier_left_aux2_y_y;
-  const double s7_242 = p_arb_link_front_left_to_x*work.R_carrier_left_y_x;
-  work.s7_243 = fma(-p_arb_link_front_left_to_y, s7_241, s7_242);
-  const double s7_244 = work.R_carrier_left_z_z - work.R_carrier_left_aux2_z_y;
-  const double s7_245 = p_arb_link_front_left_to_x*work.R_carrier_left_z_x;
-  work.s7_246 = fma(-p_arb_link_front_left_to_y, s7_244, s7_245);
-  const double s7_247 = fnma(p_arb_link_front_left_from_y, work.s7_13, work.a_arb_front_left_y);
-  const double s7_248 = fma(work.s7_90, work.s7_235, fma(work.s7_87, work.s7_237, s7_247));
+  const double s7_228 = -p_arb_link_front_left_from_x*R_arb_front_left_x_z;
+  work.s7_229 = fma(p_arb_link_front_left_from_z, R_arb_front_left_x_x, s7_228);
+  const double s7_230 = p_arb_link_front_left_from_z*R_arb_front_left_x_z;
+  work.s7_231 = fnma(-p_arb_link_front_left_from_x, R_arb_front_left_x_x, s7_230);
+  const double s7_232 = p_arb_link_front_left_to_x*work.R_carrier_left_x_x;
+  const double s7_233 = work.s1_12 + work.R_carrier_left_x_z;
+  work.s7_234 = fma(-p_arb_link_front_left_to_y, s7_233, s7_232);
+  const double s7_235 = work.R_carrier_left_y_z - work.R_carrier_left_aux2_y_y;
+  const double s7_236 = p_arb_link_front_left_to_x*work.R_carrier_left_y_x;
+  work.s7_237 = fma(-p_arb_link_front_left_to_y, s7_235, s7_236);
+  const double s7_238 = work.R_carrier_left_z_z - work.R_carrier_left_aux2_z_y;
+  const double s7_239 = p_arb_link_front_left_to_x*work.R_carrier_left_z_x;
+  work.s7_240 = fma(-p_arb_link_front_left_to_y, s7_238, s7_239);
+  const double s7_241 = fnma(p_arb_link_front_left_from_y, work.s7_13, a_arb_front_left_y);
+  const double s7_242 = fma(s7_90, work.s7_229, fma(s7_87, work.s7_231, s7_241));
+  work.s7_243 = 0.3333333333333333*s7_242;
+  const double s7_244 = fma(p_arb_link_front_left_from_y, work.s7_88, work.a_arb_front_left_z);
+  const double s7_245 = fnma(work.s7_85, work.s7_229, fma(work.s7_84, work.s7_231, s7_244));
+  work.s7_246 = 0.3333333333333333*s7_245;
+  const double s7_247 = fma(p_arb_link_front_left_from_y, work.s7_89, work.a_arb_front_left_x);
+  const double s7_248 = fnma(work.s7_86, work.s7_231, fma(work.s7_83, work.s7_229, s7_247));
   work.s7_249 = 0.3333333333333333*s7_248;
-  const double s7_250 = fma(p_arb_link_front_left_from_y, work.s7_88, work.a_arb_front_left_z);
-  const double s7_251 = fnma(work.s7_85, work.s7_235, fma(work.s7_84, work.s7_237, s7_250));
+  const double s7_250 = fma(work.s7_55, work.s7_237, work.a_carrier_left_aux1_z);
+  const double s7_251 = fnma(work.s7_52, work.s7_240, fma(work.s7_56, work.s7_234, s7_250));
   work.s7_252 = 0.3333333333333333*s7_251;
-  const double s7_253 = fma(p_arb_link_front_left_from_y, work.s7_89, work.a_arb_front_left_x);
-  const double s7_254 = fnma(work.s7_86, work.s7_237, fma(work.s7_83, work.s7_235, s7_253));
+  const double s7_253 = fma(work.s7_57, work.s7_237, work.a_carrier_left_aux1_x);
+  const double s7_254 = fnma(work.s7_50, work.s7_234, fma(work.s7_53, work.s7_240, s7_253));
   work.s7_255 = 0.3333333333333333*s7_254;
-  const double s7_256 = fma(work.s7_55, work.s7_243, work.a_carrier_left_aux1_z);
-  const double s7_257 = fnma(work.s7_52, work.s7_246, fma(work.s7_56, work.s7_240, s7_256));
-  const double s7_258 = 0.3333333333333333*s7_257;
-  const double s7_259 = fma(work.s7_57, work.s7_243, work.a_carrier_left_aux1_x);
-  const double s7_260 = fnma(work.s7_50, work.s7_240, fma(work.s7_53, work.s7_246, s7_259));
-  const double s7_261 = 0.3333333333333333*s7_260;
   // arb_link_front_right
   const double R_arb_front_right_x_z = work.sines[14];
   const double R_arb_front_right_x_x = work.cosines[14];
-  const double s7_262 = -p_arb_link_front_right_from_x*R_arb_front_right_x_z;
-  work.s7_263 = fma(p_arb_link_front_right_from_z, R_arb_front_right_x_x, s7_262);
-  const double s7_264 = p_arb_link_front_right_from_z*R_arb_front_right_x_z;
-  work.s7_265 = fnma(-p_arb_link_front_right_from_x, R_arb_front_right_x_x, s7_264);
-  const double s7_266 = p_arb_link_front_right_to_x*work.R_carrier_right_x_x;
-  const double s7_267 = work.R_carrier_right_x_z - work.s1_30;
-  work.s7_268 = fma(-p_arb_link_front_left_to_y, s7_267, s7_266);
-  const double s7_269 = work.R_carrier_right_aux2_y_y + work.R_carrier_right_y_z;
-  const double s7_270 = p_arb_link_front_right_to_x*work.R_carrier_right_y_x;
-  work.s7_271 = fma(-p_arb_link_front_left_to_y, s7_269, s7_270);
-  const double s7_272 = work.R_carrier_right_aux2_z_y + work.R_carrier_right_z_z;
-  const double s7_273 = p_arb_link_front_right_to_x*work.R_carrier_right_z_x;
-  work.s7_274 = fma(-p_arb_link_front_left_to_y, s7_272, s7_273);
-  const double s7_275 = fma(p_arb_link_front_left_from_y, work.s7_13, work.a_arb_front_right_y);
-  const double s7_276 = fma(work.s7_145, work.s7_263, fma(work.s7_142, work.s7_265, s7_275));
-  const double s7_277 = 0.3333333333333333*s7_276;
-  const double s7_278 = fma(work.s7_139, work.s7_265, work.a_arb_front_right_z);
-  const double s7_279 = fnma(work.s7_140, work.s7_263, s7_278);
-  const double s7_280 = fnma(-p_arb_link_front_right_from_y, work.s7_143, s7_279);
-  const double s7_281 = 0.3333333333333333*s7_280;
-  const double s7_282 = fma(work.s7_138, work.s7_263, work.a_arb_front_right_x);
-  const double s7_283 = fnma(work.s7_141, work.s7_265, s7_282);
-  const double s7_284 = fnma(-p_arb_link_front_right_from_y, work.s7_144, s7_283);
-  const double s7_285 = 0.3333333333333333*s7_284;
-  const double s7_286 = fma(work.s7_121, work.s7_271, work.a_carrier_right_aux1_z);
-  const double s7_287 = fnma(work.s7_118, work.s7_274, fma(work.s7_122, work.s7_268, s7_286));
-  const double s7_288 = 0.3333333333333333*s7_287;
-  const double s7_289 = fma(work.s7_123, work.s7_271, work.a_carrier_right_aux1_x);
-  const double s7_290 = fnma(work.s7_116, work.s7_268, fma(work.s7_119, work.s7_274, s7_289));
-  const double s7_291 = 0.3333333333333333*s7_290;
+  const double s7_256 = -p_arb_link_front_right_from_x*R_arb_front_right_x_z;
+  work.s7_257 = fma(p_arb_link_front_right_from_z, R_arb_front_right_x_x, s7_256);
+  const double s7_258 = p_arb_link_front_right_from_z*R_arb_front_right_x_z;
+  work.s7_259 = fnma(-p_arb_link_front_right_from_x, R_arb_front_right_x_x, s7_258);
+  const double s7_260 = p_arb_link_front_right_to_x*work.R_carrier_right_x_x;
+  const double s7_261 = work.R_carrier_right_x_z - work.s1_30;
+  work.s7_262 = fma(-p_arb_link_front_left_to_y, s7_261, s7_260);
+  const double s7_263 = work.R_carrier_right_aux2_y_y + work.R_carrier_right_y_z;
+  const double s7_264 = p_arb_link_front_right_to_x*work.R_carrier_right_y_x;
+  work.s7_265 = fma(-p_arb_link_front_left_to_y, s7_263, s7_264);
+  const double s7_266 = work.R_carrier_right_aux2_z_y + work.R_carrier_right_z_z;
+  const double s7_267 = p_arb_link_front_right_to_x*work.R_carrier_right_z_x;
+  work.s7_268 = fma(-p_arb_link_front_left_to_y, s7_266, s7_267);
+  const double s7_269 = fma(p_arb_link_front_left_from_y, work.s7_13, a_arb_front_right_y);
+  const double s7_270 = fma(s7_145, work.s7_257, fma(s7_142, work.s7_259, s7_269));
+  work.s7_271 = 0.3333333333333333*s7_270;
+  const double s7_272 = fma(work.s7_139, work.s7_259, work.a_arb_front_right_z);
+  const double s7_273 = fnma(work.s7_140, work.s7_257, s7_272);
+  const double s7_274 = fnma(-p_arb_link_front_right_from_y, work.s7_143, s7_273);
+  work.s7_275 = 0.3333333333333333*s7_274;
+  const double s7_276 = fma(work.s7_138, work.s7_257, work.a_arb_front_right_x);
+  const double s7_277 = fnma(work.s7_141, work.s7_259, s7_276);
+  const double s7_278 = fnma(-p_arb_link_front_right_from_y, work.s7_144, s7_277);
+  work.s7_279 = 0.3333333333333333*s7_278;
+  const double s7_280 = fma(work.s7_121, work.s7_265, work.a_carrier_right_aux1_z);
+  const double s7_281 = fnma(work.s7_118, work.s7_268, fma(work.s7_122, work.s7_262, s7_280));
+  work.s7_282 = 0.3333333333333333*s7_281;
+  const double s7_283 = fma(work.s7_123, work.s7_265, work.a_carrier_right_aux1_x);
+  const double s7_284 = fnma(work.s7_116, work.s7_262, fma(work.s7_119, work.s7_268, s7_283));
+  work.s7_285 = 0.3333333333333333*s7_284;
   // drag_link
-  const double R_pitman_arm_x_z = work.sines[15];
-  work.s7_292 = -p_drag_link_from_z*R_pitman_arm_x_z;
-  const double R_pitman_arm_x_x = work.cosines[15];
-  work.s7_293 = -p_drag_link_from_z*R_pitman_arm_x_x;
-  const double R_bell_crank_y_x = work.sines[16];
-  work.s7_294 = p_drag_link_to_y*R_bell_crank_y_x;
-  const double R_bell_crank_x_x = work.cosines[16];
-  const double s7_295 = p_drag_link_to_y*R_bell_crank_x_x;
-  const double s7_296 = fma(work.s7_153, work.s7_292, work.a_pitman_arm_x);
-  const double s7_297 = 1.5*fnma(work.s7_150, work.s7_293, s7_296);
-  const double s7_298 = fma(work.s7_163, s7_295, work.a_bell_crank_z);
-  const double s7_299 = 1.5*fnma(work.s7_164, work.s7_294, s7_298);
-  const double s7_300 = fma(work.s7_161, work.s7_294, work.a_bell_crank_x);
-  const double s7_301 = 1.5*fma(work.s7_160, s7_295, s7_300);
-  const double s7_302 = fnma(work.s7_154, work.s7_292, work.a_pitman_arm_y);
-  const double s7_303 = 1.5*fnma(work.s7_155, work.s7_293, s7_302);
+  work.s7_286 = -p_drag_link_from_z*work.sines[15];
+  work.s7_287 = -p_drag_link_from_z*work.cosines[15];
+  work.s7_288 = p_drag_link_to_y*work.sines[16];
+  work.s7_289 = p_drag_link_to_y*work.cosines[16];
+  const double s7_290 = fma(work.s7_153, work.s7_286, work.a_pitman_arm_x);
+  work.s7_291 = 1.5*fnma(work.s7_150, work.s7_287, s7_290);
+  const double s7_292 = fma(work.s7_163, work.s7_289, work.a_bell_crank_z);
+  work.s7_293 = 1.5*fnma(work.s7_164, work.s7_288, s7_292);
+  const double s7_294 = fma(work.s7_161, work.s7_288, work.a_bell_crank_x);
+  work.s7_295 = 1.5*fma(work.s7_160, work.s7_289, s7_294);
+  work.s7_296 = 1.5*fnma(s7_155, work.s7_287, fnma(s7_154, work.s7_286, a_pitman_arm_y));
   // tie_rod_left
-  work.s7_304 = -p_tie_rod_left_to_y*work.R_carrier_left_aux2_z_y;
-  work.s7_305 = -p_tie_rod_left_to_y*work.R_carrier_left_aux2_y_y;
-  const double s7_306 = p_tie_rod_left_from_y*R_bell_crank_y_x;
-  const double s7_307 = -p_tie_rod_left_from_x*R_bell_crank_y_x;
-  work.s7_308 = fma(-p_tie_rod_left_from_x, R_bell_crank_x_x, s7_306);
-  work.s7_309 = fms(p_tie_rod_left_from_y, R_bell_crank_x_x, s7_307);
-  work.s7_310 = -p_tie_rod_left_to_y*work.s1_12;
-  const double s7_311 = fma(p_tie_rod_left_to_z, work.R_carrier_left_x_z, work.s7_310);
-  work.s7_312 = fnma(-p_tie_rod_left_to_x, work.R_carrier_left_x_x, s7_311);
-  const double s7_313 = fms(p_tie_rod_left_to_z, work.R_carrier_left_y_z, work.s7_305);
-  work.s7_314 = fnma(-p_tie_rod_left_to_x, work.R_carrier_left_y_x, s7_313);
-  const double s7_315 = fms(p_tie_rod_left_to_z, work.R_carrier_left_z_z, work.s7_304);
-  work.s7_316 = fnma(-p_tie_rod_left_to_x, work.R_carrier_left_z_x, s7_315);
-  const double s7_317 = fma(work.s7_163, work.s7_309, work.a_bell_crank_z);
-  work.s7_318 = 1.1666666666666667*fnma(work.s7_164, work.s7_308, s7_317);
-  const double s7_319 = fma(work.s7_161, work.s7_308, work.a_bell_crank_x);
-  work.s7_320 = 1.1666666666666667*fma(work.s7_160, work.s7_309, s7_319);
-  const double s7_321 = fnma(work.s7_159, work.s7_308, work.a_bell_crank_y);
-  work.s7_322 = 1.1666666666666667*fnma(work.s7_162, work.s7_309, s7_321);
-  const double s7_323 = fma(work.s7_54, work.s7_312, work.a_carrier_left_aux1_y);
-  const double s7_324 = fnma(work.s7_51, work.s7_314, fma(work.s7_58, work.s7_316, s7_323));
-  const double s7_325 = 1.1666666666666667*s7_324;
-  const double s7_326 = fma(work.s7_57, work.s7_314, work.a_carrier_left_aux1_x);
-  const double s7_327 = fnma(work.s7_50, work.s7_312, fma(work.s7_53, work.s7_316, s7_326));
-  const double s7_328 = 1.1666666666666667*s7_327;
+  work.s7_297 = -p_tie_rod_left_to_y*work.R_carrier_left_aux2_z_y;
+}
+
+/// Part 2 of compute_multipliers: step 7: inertias of the bodies and forces on joints.
+[[gnu::noinline]] void compute_multipliers_2(const double* tau,
+    ConstraintForcesWork& __restrict work, ConstraintForces& __restrict result) noexcept {
+  // --- step 7: inertias of the bodies and forces on joints, continued ---
+  // tie_rod_left
+  work.s7_298 = -p_tie_rod_left_to_y*work.R_carrier_left_aux2_y_y;
+  const double R_bell_crank_y_x = work.sines[16];
+  const double s7_299 = p_tie_rod_left_from_y*R_bell_crank_y_x;
+  const double s7_300 = -p_tie_rod_left_from_x*R_bell_crank_y_x;
+  const double R_bell_crank_x_x = work.cosines[16];
+  work.s7_301 = fma(-p_tie_rod_left_from_x, R_bell_crank_x_x, s7_299);
+  work.s7_302 = fms(p_tie_rod_left_from_y, R_bell_crank_x_x, s7_300);
+  work.s7_303 = -p_tie_rod_left_to_y*work.s1_12;
+  const double s7_304 = fma(p_tie_rod_left_to_z, work.R_carrier_left_x_z, work.s7_303);
+  work.s7_305 = fnma(-p_tie_rod_left_to_x, work.R_carrier_left_x_x, s7_304);
+  const double s7_306 = fms(p_tie_rod_left_to_z, work.R_carrier_left_y_z, work.s7_298);
+  work.s7_307 = fnma(-p_tie_rod_left_to_x, work.R_carrier_left_y_x, s7_306);
+  const double s7_308 = fms(p_tie_rod_left_to_z, work.R_carrier_left_z_z, work.s7_297);
+  work.s7_309 = fnma(-p_tie_rod_left_to_x, work.R_carrier_left_z_x, s7_308);
+  const double s7_310 = fma(work.s7_163, work.s7_302, work.a_bell_crank_z);
+  const double s7_311 = 1.1666666666666667*fnma(work.s7_164, work.s7_301, s7_310);
+  const double s7_312 = fma(work.s7_161, work.s7_301, work.a_bell_crank_x);
+  const double s7_313 = 1.1666666666666667*fma(work.s7_160, work.s7_302, s7_312);
+  const double s7_314 = fnma(work.s7_159, work.s7_301, work.a_bell_crank_y);
+  const double s7_315 = 1.1666666666666667*fnma(work.s7_162, work.s7_302, s7_314);
+  const double s7_316 = fma(work.s7_54, work.s7_305, work.a_carrier_left_aux1_y);
+  const double s7_317 = fnma(work.s7_51, work.s7_307, fma(work.s7_58, work.s7_309, s7_316));
+  const double s7_318 = 1.1666666666666667*s7_317;
+  const double s7_319 = fma(work.s7_57, work.s7_307, work.a_carrier_left_aux1_x);
+  const double s7_320 = fnma(work.s7_50, work.s7_305, fma(work.s7_53, work.s7_309, s7_319));
+  const double s7_321 = 1.1666666666666667*s7_320;
   // tie_rod_right
-  work.s7_329 = fma(p_tie_rod_left_from_y, R_bell_crank_x_x, s7_307);
-  work.s7_330 = p_tie_rod_right_to_y*work.s1_30;
-  work.s7_331 = fnma(-p_tie_rod_left_from_x, R_bell_crank_x_x, s7_306);
-  const double s7_332 = fms(p_tie_rod_right_to_z, work.R_carrier_right_x_z, work.s7_330);
-  work.s7_333 = fnma(-p_tie_rod_right_to_x, work.R_carrier_right_x_x, s7_332);
-  work.s7_334 = p_tie_rod_right_to_y*work.R_carrier_right_aux2_y_y;
-  const double s7_335 = fma(p_tie_rod_right_to_z, work.R_carrier_right_y_z, work.s7_334);
-  work.s7_336 = fnma(-p_tie_rod_right_to_x, work.R_carrier_right_y_x, s7_335);
-  work.s7_337 = p_tie_rod_right_to_y*work.R_carrier_right_aux2_z_y;
-  const double s7_338 = fma(p_tie_rod_right_to_z, work.R_carrier_right_z_z, work.s7_337);
-  work.s7_339 = fnma(-p_tie_rod_right_to_x, work.R_carrier_right_z_x, s7_338);
-  const double s7_340 = fma(work.s7_159, work.s7_331, work.a_bell_crank_y);
-  const double s7_341 = 1.1666666666666667*fma(work.s7_162, work.s7_329, s7_340);
-  const double s7_342 = fma(work.s7_164, work.s7_331, work.a_bell_crank_z);
-  const double s7_343 = 1.1666666666666667*fnma(work.s7_163, work.s7_329, s7_342);
-  const double s7_344 = fnma(work.s7_161, work.s7_331, work.a_bell_crank_x);
-  const double s7_345 = 1.1666666666666667*fnma(work.s7_160, work.s7_329, s7_344);
-  const double s7_346 = fma(work.s7_123, work.s7_336, work.a_carrier_right_aux1_x);
-  const double s7_347 = fnma(work.s7_116, work.s7_333, fma(work.s7_119, work.s7_339, s7_346));
-  const double s7_348 = 1.1666666666666667*s7_347;
-  const double s7_349 = fma(work.s7_120, work.s7_333, work.a_carrier_right_aux1_y);
-  const double s7_350 = fnma(work.s7_117, work.s7_336, fma(work.s7_124, work.s7_339, s7_349));
-  const double s7_351 = 1.1666666666666667*s7_350;
+  work.s7_322 = fma(p_tie_rod_left_from_y, R_bell_crank_x_x, s7_300);
+  work.s7_323 = p_tie_rod_right_to_y*work.s1_30;
+  work.s7_324 = fnma(-p_tie_rod_left_from_x, R_bell_crank_x_x, s7_299);
+  const double s7_325 = fms(p_tie_rod_right_to_z, work.R_carrier_right_x_z, work.s7_323);
+  work.s7_326 = fnma(-p_tie_rod_right_to_x, work.R_carrier_right_x_x, s7_325);
+  work.s7_327 = p_tie_rod_right_to_y*work.R_carrier_right_aux2_y_y;
+  const double s7_328 = fma(p_tie_rod_right_to_z, work.R_carrier_right_y_z, work.s7_327);
+  work.s7_329 = fnma(-p_tie_rod_right_to_x, work.R_carrier_right_y_x, s7_328);
+  work.s7_330 = p_tie_rod_right_to_y*work.R_carrier_right_aux2_z_y;
+  const double s7_331 = fma(p_tie_rod_right_to_z, work.R_carrier_right_z_z, work.s7_330);
+  work.s7_332 = fnma(-p_tie_rod_right_to_x, work.R_carrier_right_z_x, s7_331);
+  const double s7_333 = fma(work.s7_159, work.s7_324, work.a_bell_crank_y);
+  const double s7_334 = 1.1666666666666667*fma(work.s7_162, work.s7_322, s7_333);
+  const double s7_335 = fma(work.s7_164, work.s7_324, work.a_bell_crank_z);
+  const double s7_336 = 1.1666666666666667*fnma(work.s7_163, work.s7_322, s7_335);
+  const double s7_337 = fnma(work.s7_161, work.s7_324, work.a_bell_crank_x);
+  const double s7_338 = 1.1666666666666667*fnma(work.s7_160, work.s7_322, s7_337);
+  const double s7_339 = fma(work.s7_123, work.s7_329, work.a_carrier_right_aux1_x);
+  const double s7_340 = fnma(work.s7_116, work.s7_326, fma(work.s7_119, work.s7_332, s7_339));
+  const double s7_341 = 1.1666666666666667*s7_340;
+  const double s7_342 = fma(work.s7_120, work.s7_326, work.a_carrier_right_aux1_y);
+  const double s7_343 = fnma(work.s7_117, work.s7_329, fma(work.s7_124, work.s7_332, s7_342));
+  const double s7_344 = 1.1666666666666667*s7_343;
   // long_rod_left
   const double s1_43 = work.sines[18];
-  const double s7_352 = p_long_rod_left_to_x*s1_43;
-  const double s7_353 = fma(-p_long_rod_left_to_z, work.R_rear_axle_z_z, s7_352);
-  const double s7_354 = -p_long_rod_left_from_x*work.s7_17;
-  const double s7_355 = fma(-p_long_rod_left_from_z, work.s7_14, s7_354);
-  work.s7_356 = fms(p_long_rod_left_to_y, work.R_rear_axle_z_y, s7_353);
-  const double s7_357 = p_long_rod_left_to_x*work.R_rear_axle_aux5_x_x;
-  const double s7_358 = fnma(-p_long_rod_left_to_z, work.R_rear_axle_x_z, s7_357);
-  work.s7_359 = fma(p_long_rod_left_to_y, work.R_rear_axle_x_y, s7_358);
-  const double s7_360 = p_long_rod_left_to_x*work.R_rear_axle_aux5_y_x;
-  const double s7_361 = fnma(-p_long_rod_left_to_z, work.R_rear_axle_y_z, s7_360);
-  work.s7_362 = fma(p_long_rod_left_to_y, work.R_rear_axle_y_y, s7_361);
-  const double s7_363 = -p_long_rod_left_from_z*work.s7_11;
-  const double s7_364 = work.a_chassis_z + fnma(-p_long_rod_left_from_x, work.s7_19, s7_363);
-  const double s7_365 = 3.0*fma(p_long_rod_left_from_y, work.s7_15, s7_364);
-  const double s7_366 = -p_long_rod_left_from_x*work.s7_12;
-  const double s7_367 = work.a_chassis_x + fnma(-p_long_rod_left_from_z, work.s7_16, s7_366);
-  const double s7_368 = 3.0*fma(p_long_rod_left_from_y, work.s7_18, s7_367);
-  const double s7_369 = fnma(p_long_rod_left_from_y, work.s7_13, work.a_chassis_y) - s7_355;
-  const double s7_370 = 3.0*s7_369;
+  const double s7_345 = p_long_rod_left_to_x*s1_43;
+  const double s7_346 = fma(-p_long_rod_left_to_z, work.R_rear_axle_z_z, s7_345);
+  const double s7_347 = -p_long_rod_left_from_x*work.s7_17;
+  const double s7_348 = fma(-p_long_rod_left_from_z, work.s7_14, s7_347);
+  work.s7_349 = fms(p_long_rod_left_to_y, work.R_rear_axle_z_y, s7_346);
+  const double s7_350 = p_long_rod_left_to_x*work.R_rear_axle_aux5_x_x;
+  const double s7_351 = fnma(-p_long_rod_left_to_z, work.R_rear_axle_x_z, s7_350);
+  work.s7_352 = fma(p_long_rod_left_to_y, work.R_rear_axle_x_y, s7_351);
+  const double s7_353 = p_long_rod_left_to_x*work.R_rear_axle_aux5_y_x;
+  const double s7_354 = fnma(-p_long_rod_left_to_z, work.R_rear_axle_y_z, s7_353);
+  work.s7_355 = fma(p_long_rod_left_to_y, work.R_rear_axle_y_y, s7_354);
+  const double s7_356 = -p_long_rod_left_from_z*work.s7_11;
+  const double s7_357 = work.a_chassis_z + fnma(-p_long_rod_left_from_x, work.s7_19, s7_356);
+  const double s7_358 = 3.0*fma(p_long_rod_left_from_y, work.s7_15, s7_357);
+  const double s7_359 = -p_long_rod_left_from_x*work.s7_12;
+  const double s7_360 = work.a_chassis_x + fnma(-p_long_rod_left_from_z, work.s7_16, s7_359);
+  const double s7_361 = 3.0*fma(p_long_rod_left_from_y, work.s7_18, s7_360);
+  const double s7_362 = fnma(p_long_rod_left_from_y, work.s7_13, work.a_chassis_y) - s7_348;
+  const double s7_363 = 3.0*s7_362;
   // diag_rod_left
-  const double s7_371 = -p_diag_rod_left_from_x*work.s7_17;
-  const double s7_372 = fma(-p_diag_rod_left_from_z, work.s7_14, s7_371);
-  const double s7_373 = p_diag_rod_left_to_y*work.R_rear_axle_z_y;
-  work.s7_374 = fma(p_diag_rod_left_to_z, work.R_rear_axle_z_z, s7_373);
-  const double s7_375 = p_diag_rod_left_to_z*work.R_rear_axle_x_z;
-  work.s7_376 = fma(p_diag_rod_left_to_y, work.R_rear_axle_x_y, s7_375);
-  const double s7_377 = p_diag_rod_left_to_y*work.R_rear_axle_y_y;
-  work.s7_378 = fma(p_diag_rod_left_to_z, work.R_rear_axle_y_z, s7_377);
-  const double s7_379 = -p_diag_rod_left_from_z*work.s7_11;
-  const double s7_380 = fnma(-p_diag_rod_left_from_x, work.s7_19, s7_379);
-  const double s7_381 = 2.6666666666666665*(work.s7_26 + s7_380);
-  const double s7_382 = -p_diag_rod_left_from_x*work.s7_12;
-  const double s7_383 = fnma(-p_diag_rod_left_from_z, work.s7_16, s7_382);
-  const double s7_384 = 2.6666666666666665*(work.s7_21 + s7_383);
-  const double s7_385 = fnma(p_lower_arm_left_y, work.s7_13, work.a_chassis_y) - s7_372;
-  const double s7_386 = 2.6666666666666665*s7_385;
+  const double s7_364 = -p_diag_rod_left_from_x*work.s7_17;
+  const double s7_365 = fma(-p_diag_rod_left_from_z, work.s7_14, s7_364);
+  const double s7_366 = p_diag_rod_left_to_y*work.R_rear_axle_z_y;
+  work.s7_367 = fma(p_diag_rod_left_to_z, work.R_rear_axle_z_z, s7_366);
+  const double s7_368 = p_diag_rod_left_to_z*work.R_rear_axle_x_z;
+  work.s7_369 = fma(p_diag_rod_left_to_y, work.R_rear_axle_x_y, s7_368);
+  const double s7_370 = p_diag_rod_left_to_y*work.R_rear_axle_y_y;
+  work.s7_371 = fma(p_diag_rod_left_to_z, work.R_rear_axle_y_z, s7_370);
+  const double s7_372 = -p_diag_rod_left_from_z*work.s7_11;
+  const double s7_373 = fnma(-p_diag_rod_left_from_x, work.s7_19, s7_372);
+  const double s7_374 = 2.6666666666666665*(work.s7_26 + s7_373);
+  const double s7_375 = -p_diag_rod_left_from_x*work.s7_12;
+  const double s7_376 = fnma(-p_diag_rod_left_from_z, work.s7_16, s7_375);
+  const double s7_377 = 2.6666666666666665*(work.s7_21 + s7_376);
+  const double s7_378 = fnma(p_lower_arm_left_y, work.s7_13, work.a_chassis_y) - s7_365;
+  const double s7_379 = 2.6666666666666665*s7_378;
   // arb_link_rear_left
   const double R_arb_rear_left_x_z = work.sines[20];
-  work.s7_387 = p_arb_link_rear_left_from_x*R_arb_rear_left_x_z;
-  const double s7_388 = -p_arb_link_rear_left_to_x*work.R_rear_axle_aux5_y_x;
-  const double s7_389 = fma(-p_arb_link_rear_left_to_z, work.R_rear_axle_y_z, s7_388);
-  const double s7_390 = -p_arb_link_rear_left_to_x*work.R_rear_axle_aux5_x_x;
-  const double s7_391 = fma(-p_arb_link_rear_left_to_z, work.R_rear_axle_x_z, s7_390);
+  work.s7_380 = p_arb_link_rear_left_from_x*R_arb_rear_left_x_z;
+  const double s7_381 = -p_arb_link_rear_left_to_x*work.R_rear_axle_aux5_y_x;
+  const double s7_382 = fma(-p_arb_link_rear_left_to_z, work.R_rear_axle_y_z, s7_381);
+  const double s7_383 = -p_arb_link_rear_left_to_x*work.R_rear_axle_aux5_x_x;
+  const double s7_384 = fma(-p_arb_link_rear_left_to_z, work.R_rear_axle_x_z, s7_383);
   const double R_arb_rear_left_x_x = work.cosines[20];
-  work.s7_392 = p_arb_link_rear_left_from_x*R_arb_rear_left_x_x;
-  const double s7_393 = -p_arb_link_rear_left_to_x*s1_43;
-  const double s7_394 = fnma(-p_arb_link_rear_left_to_z, work.R_rear_axle_z_z, s7_393);
-  work.s7_395 = fma(p_arb_link_rear_left_to_y, work.R_rear_axle_z_y, s7_394);
-  work.s7_396 = fms(p_arb_link_rear_left_to_y, work.R_rear_axle_x_y, s7_391);
-  work.s7_397 = fms(p_arb_link_rear_left_to_y, work.R_rear_axle_y_y, s7_389);
-  const double s7_398 = fma(p_arb_link_rear_left_from_y, s7_215, a_arb_rear_left_z);
-  const double s7_399 = fma(s7_211, work.s7_392, fma(s7_212, work.s7_387, s7_398));
-  const double s7_400 = 0.3333333333333333*s7_399;
-  const double s7_401 = fma(p_arb_link_rear_left_from_y, s7_216, a_arb_rear_left_x);
-  const double s7_402 = fnma(s7_213, work.s7_392, fnma(s7_210, work.s7_387, s7_401));
-  const double s7_403 = 0.3333333333333333*s7_402;
-  const double s7_404 = fnma(p_arb_link_rear_left_from_y, work.s7_13, a_arb_rear_left_y);
-  const double s7_405 = fnma(s7_217, work.s7_387, fma(s7_214, work.s7_392, s7_404));
-  const double s7_406 = 0.3333333333333333*s7_405;
-  const double s7_407 = fma(s7_192, work.s7_397, work.a_rear_axle_aux3_z);
-  const double s7_408 = fnma(s7_189, work.s7_395, fma(s7_196, work.s7_396, s7_407));
-  const double s7_409 = 0.3333333333333333*s7_408;
-  const double s7_410 = fma(s7_197, work.s7_397, work.a_rear_axle_aux3_x);
-  const double s7_411 = fnma(s7_190, work.s7_396, fma(s7_193, work.s7_395, s7_410));
-  const double s7_412 = 0.3333333333333333*s7_411;
+  work.s7_385 = p_arb_link_rear_left_from_x*R_arb_rear_left_x_x;
+  const double s7_386 = -p_arb_link_rear_left_to_x*s1_43;
+  const double s7_387 = fnma(-p_arb_link_rear_left_to_z, work.R_rear_axle_z_z, s7_386);
+  work.s7_388 = fma(p_arb_link_rear_left_to_y, work.R_rear_axle_z_y, s7_387);
+  work.s7_389 = fms(p_arb_link_rear_left_to_y, work.R_rear_axle_x_y, s7_384);
+  work.s7_390 = fms(p_arb_link_rear_left_to_y, work.R_rear_axle_y_y, s7_382);
+  const double s7_391 = fma(p_arb_link_rear_left_from_y, work.s7_212, work.a_arb_rear_left_z);
+  const double s7_392 = fma(work.s7_208, work.s7_385, fma(work.s7_209, work.s7_380, s7_391));
+  const double s7_393 = 0.3333333333333333*s7_392;
+  const double s7_394 = fma(p_arb_link_rear_left_from_y, work.s7_213, work.a_arb_rear_left_x);
+  const double s7_395 = fnma(work.s7_210, work.s7_385, fnma(work.s7_207, work.s7_380, s7_394));
+  const double s7_396 = 0.3333333333333333*s7_395;
+  const double s7_397 = fnma(p_arb_link_rear_left_from_y, work.s7_13, work.a_arb_rear_left_y);
+  const double s7_398 = fnma(work.s7_214, work.s7_380, fma(work.s7_211, work.s7_385, s7_397));
+  const double s7_399 = 0.3333333333333333*s7_398;
+  const double s7_400 = fma(work.s7_192, work.s7_390, work.a_rear_axle_aux3_z);
+  const double s7_401 = fnma(work.s7_189, work.s7_388, fma(work.s7_196, work.s7_389, s7_400));
+  const double s7_402 = 0.3333333333333333*s7_401;
+  const double s7_403 = fma(work.s7_197, work.s7_390, work.a_rear_axle_aux3_x);
+  const double s7_404 = fnma(work.s7_190, work.s7_389, fma(work.s7_193, work.s7_388, s7_403));
+  const double s7_405 = 0.3333333333333333*s7_404;
   // long_rod_right
-  work.s7_413 = fma(p_long_rod_left_to_y, work.R_rear_axle_z_y, s7_353);
-  work.s7_414 = fnma(p_long_rod_left_to_y, work.R_rear_axle_x_y, s7_358);
-  work.s7_415 = fnma(p_long_rod_left_to_y, work.R_rear_axle_y_y, s7_361);
-  const double s7_416 = 3.0*(fma(p_long_rod_left_from_y, work.s7_13, work.a_chassis_y) - s7_355);
-  const double s7_417 = 3.0*fnma(p_long_rod_left_from_y, work.s7_15, s7_364);
-  const double s7_418 = 3.0*fnma(p_long_rod_left_from_y, work.s7_18, s7_367);
+  work.s7_406 = fma(p_long_rod_left_to_y, work.R_rear_axle_z_y, s7_346);
+  work.s7_407 = fnma(p_long_rod_left_to_y, work.R_rear_axle_x_y, s7_351);
+  work.s7_408 = fnma(p_long_rod_left_to_y, work.R_rear_axle_y_y, s7_354);
+  const double s7_409 = 3.0*(fma(p_long_rod_left_from_y, work.s7_13, work.a_chassis_y) - s7_348);
+  const double s7_410 = 3.0*fnma(p_long_rod_left_from_y, work.s7_15, s7_357);
+  const double s7_411 = 3.0*fnma(p_long_rod_left_from_y, work.s7_18, s7_360);
   // diag_rod_right
-  work.s7_419 = fms(p_diag_rod_left_to_z, work.R_rear_axle_z_z, s7_373);
-  work.s7_420 = fnma(p_diag_rod_left_to_y, work.R_rear_axle_x_y, s7_375);
-  work.s7_421 = fms(p_diag_rod_left_to_z, work.R_rear_axle_y_z, s7_377);
-  const double s7_422 = fma(p_lower_arm_left_y, work.s7_13, work.a_chassis_y) - s7_372;
-  const double s7_423 = 2.6666666666666665*s7_422;
-  const double s7_424 = fnma(p_lower_arm_left_y, work.s7_15, work.a_chassis_z + s7_380);
-  const double s7_425 = 2.6666666666666665*s7_424;
-  const double s7_426 = fnma(p_lower_arm_left_y, work.s7_18, work.a_chassis_x + s7_383);
-  const double s7_427 = 2.6666666666666665*s7_426;
+  work.s7_412 = fms(p_diag_rod_left_to_z, work.R_rear_axle_z_z, s7_366);
+  work.s7_413 = fnma(p_diag_rod_left_to_y, work.R_rear_axle_x_y, s7_368);
+  work.s7_414 = fms(p_diag_rod_left_to_z, work.R_rear_axle_y_z, s7_370);
+  const double s7_415 = fma(p_lower_arm_left_y, work.s7_13, work.a_chassis_y) - s7_365;
+  const double s7_416 = 2.6666666666666665*s7_415;
+  const double s7_417 = fnma(p_lower_arm_left_y, work.s7_15, work.a_chassis_z + s7_373);
+  const double s7_418 = 2.6666666666666665*s7_417;
+  const double s7_419 = fnma(p_lower_arm_left_y, work.s7_18, work.a_chassis_x + s7_376);
+  const double s7_420 = 2.6666666666666665*s7_419;
   // arb_link_rear_right
-  work.s7_428 = fma(p_arb_link_rear_left_to_y, work.R_rear_axle_y_y, s7_389);
-  work.s7_429 = fma(p_arb_link_rear_left_to_y, work.R_rear_axle_x_y, s7_391);
+  work.s7_421 = fma(p_arb_link_rear_left_to_y, work.R_rear_axle_y_y, s7_382);
+  work.s7_422 = fma(p_arb_link_rear_left_to_y, work.R_rear_axle_x_y, s7_384);
   const double R_arb_rear_right_x_z = work.sines[21];
-  work.s7_430 = p_arb_link_rear_right_from_x*R_arb_rear_right_x_z;
-  work.s7_431 = fnma(p_arb_link_rear_left_to_y, work.R_rear_axle_z_y, s7_394);
+  work.s7_423 = p_arb_link_rear_right_from_x*R_arb_rear_right_x_z;
+  work.s7_424 = fnma(p_arb_link_rear_left_to_y, work.R_rear_axle_z_y, s7_387);
   const double R_arb_rear_right_x_x = work.cosines[21];
-  work.s7_432 = p_arb_link_rear_right_from_x*R_arb_rear_right_x_x;
-  const double s7_433 = fma(s7_190, work.s7_429, work.a_rear_axle_aux3_x);
-  const double s7_434 = fnma(s7_197, work.s7_428, fma(s7_193, work.s7_431, s7_433));
-  const double s7_435 = 0.3333333333333333*s7_434;
-  const double s7_436 = fnma(s7_192, work.s7_428, work.a_rear_axle_aux3_z);
-  const double s7_437 = fnma(s7_196, work.s7_429, fnma(s7_189, work.s7_431, s7_436));
+  work.s7_425 = p_arb_link_rear_right_from_x*R_arb_rear_right_x_x;
+  const double s7_426 = fma(work.s7_190, work.s7_422, work.a_rear_axle_aux3_x);
+  const double s7_427 = fnma(work.s7_197, work.s7_421, fma(work.s7_193, work.s7_424, s7_426));
+  const double s7_428 = 0.3333333333333333*s7_427;
+  const double s7_429 = fnma(work.s7_192, work.s7_421, work.a_rear_axle_aux3_z);
+  const double s7_430 = fnma(work.s7_196, work.s7_422, fnma(work.s7_189, work.s7_424, s7_429));
+  const double s7_431 = 0.3333333333333333*s7_430;
+  const double s7_432 = fma(p_arb_link_rear_left_from_y, work.s7_13, work.a_arb_rear_right_y);
+  const double s7_433 = fnma(work.s7_227, work.s7_423, fma(work.s7_224, work.s7_425, s7_432));
+  const double s7_434 = 0.3333333333333333*s7_433;
+  const double s7_435 = fma(work.s7_222, work.s7_423, work.a_arb_rear_right_z);
+  const double s7_436 = fma(work.s7_221, work.s7_425, s7_435);
+  const double s7_437 = fnma(-p_arb_link_rear_right_from_y, work.s7_225, s7_436);
   const double s7_438 = 0.3333333333333333*s7_437;
-  const double s7_439 = fma(p_arb_link_rear_left_from_y, work.s7_13, a_arb_rear_right_y);
-  const double s7_440 = fnma(s7_233, work.s7_430, fma(s7_230, work.s7_432, s7_439));
+  const double s7_439 = fnma(-p_arb_link_rear_right_from_y, work.s7_226, work.a_arb_rear_right_x);
+  const double s7_440 = fnma(work.s7_223, work.s7_425, fnma(work.s7_220, work.s7_423, s7_439));
   const double s7_441 = 0.3333333333333333*s7_440;
-  const double s7_442 = fma(s7_227, work.s7_432, fma(s7_228, work.s7_430, a_arb_rear_right_z));
-  const double s7_443 = 0.3333333333333333*fnma(-p_arb_link_rear_right_from_y, s7_231, s7_442);
-  const double s7_444 = fnma(-p_arb_link_rear_right_from_y, s7_232, a_arb_rear_right_x);
-  const double s7_445 = fnma(s7_229, work.s7_432, fnma(s7_226, work.s7_430, s7_444));
-  const double s7_446 = 0.3333333333333333*s7_445;
   // arb_rear_right: arb_rear_right, revolute, chassis
-  const double s7_447 = c_arb_rear_right_x*R_arb_rear_right_x_z;
-  const double s7_448 = c_arb_rear_right_x*R_arb_rear_right_x_x;
-  const double s7_449 = fnma(-c_arb_rear_right_y, s7_232, a_arb_rear_right_x);
-  const double s7_450 = fma(s7_227, s7_448, fma(s7_228, s7_447, a_arb_rear_right_z));
-  const double s7_451 = R_arb_rear_right_x_x*work.w_chassis_x;
-  const double s7_452 = fnma(R_arb_rear_right_x_z, work.w_chassis_z, s7_451);
-  const double s7_453 = I_arb_rear_right_xy*work.w_arb_rear_right_y;
-  const double s7_454 = R_arb_rear_right_x_x*alpha_arb_rear_right_x;
-  const double s7_455 = R_arb_rear_right_x_z*work.w_chassis_x;
-  const double s7_456 = fma(R_arb_rear_right_x_x, work.w_chassis_z, s7_455);
-  const double s7_457 = fnma(R_arb_rear_right_x_z, alpha_arb_rear_right_z, s7_454);
-  const double s7_458 = I_arb_rear_right_yy*alpha_arb_rear_right_y;
-  const double s7_459 = fma(I_arb_rear_right_xx, s7_452, s7_453);
-  const double s7_460 = fma(s7_459, s7_456, fma(I_arb_rear_right_xy, s7_457, s7_458));
-  const double s7_461 = m_arb_rear_right*fnma(s7_229, s7_448, fnma(s7_226, s7_447, s7_449));
-  const double s7_462 = fnma(s7_447, s7_461, fnma(s7_452, I_arb_rear_right_zz*s7_456, s7_460));
-  const double s7_463 = m_arb_rear_right*fnma(-c_arb_rear_right_y, s7_231, s7_450);
-  const double s7_464 = fnma(work.s7_430, s7_435, fnma(s7_448, s7_463, s7_462));
-  const double n_arb_rear_right_y = fnma(work.s7_432, s7_438, s7_464);
+  const double s7_442 = c_arb_rear_right_x*R_arb_rear_right_x_z;
+  const double s7_443 = c_arb_rear_right_x*R_arb_rear_right_x_x;
+  const double s7_444 = fnma(-c_arb_rear_right_y, work.s7_226, work.a_arb_rear_right_x);
+  const double s7_445 = fnma(work.s7_223, s7_443, fnma(work.s7_220, s7_442, s7_444));
+  const double s7_446 = fma(work.s7_222, s7_442, work.a_arb_rear_right_z);
+  const double s7_447 = fnma(-c_arb_rear_right_y, work.s7_225, fma(work.s7_221, s7_443, s7_446));
+  const double s7_448 = R_arb_rear_right_x_x*work.w_chassis_x;
+  const double s7_449 = fnma(R_arb_rear_right_x_z, work.w_chassis_z, s7_448);
+  const double s7_450 = I_arb_rear_right_xy*work.w_arb_rear_right_y;
+  const double s7_451 = R_arb_rear_right_x_x*work.alpha_arb_rear_right_x;
+  const double s7_452 = R_arb_rear_right_x_z*work.w_chassis_x;
+  const double s7_453 = fma(R_arb_rear_right_x_x, work.w_chassis_z, s7_452);
+  const double s7_454 = fnma(R_arb_rear_right_x_z, work.alpha_arb_rear_right_z, s7_451);
+  const double s7_455 = I_arb_rear_right_yy*work.alpha_arb_rear_right_y;
+  const double s7_456 = fma(I_arb_rear_right_xx, s7_449, s7_450);
+  const double s7_457 = fma(s7_456, s7_453, fma(I_arb_rear_right_xy, s7_454, s7_455));
+  const double s7_458 = fnma(s7_449, I_arb_rear_right_zz*s7_453, s7_457);
+  const double s7_459 = fnma(s7_442, m_arb_rear_right*s7_445, s7_458);
+  const double s7_460 = fnma(work.s7_423, s7_428, fnma(s7_443, m_arb_rear_right*s7_447, s7_459));
+  const double n_arb_rear_right_y = fnma(work.s7_425, s7_431, s7_460);
   result.missing[21] = tau[Coordinate::arb_rear_right] - n_arb_rear_right_y;
   // wheel_rear_right: wheel_rear_right, revolute, rear_axle
-  const double f_wheel_rear_right_x = m_wheel_rear_right*a_wheel_rear_right_x;
-  const double f_wheel_rear_right_y = m_wheel_rear_right*a_wheel_rear_right_y;
-  const double f_wheel_rear_right_z = m_wheel_rear_right*a_wheel_rear_right_z;
-  const double s7_465 = work.R_rear_axle_y_y*alpha_wheel_rear_right_y;
-  const double s7_466 = fma(work.R_rear_axle_z_y, alpha_wheel_rear_right_z, s7_465);
-  const double s7_467 = work.R_rear_axle_y_z*work.w_wheel_rear_right_y;
-  const double s7_468 = fma(work.R_rear_axle_z_z, work.w_wheel_rear_right_z, s7_467);
-  const double s7_469 = fma(work.R_rear_axle_x_z, work.w_wheel_rear_right_x, s7_468);
-  const double s7_470 = work.R_rear_axle_aux5_y_x*work.w_wheel_rear_right_y;
-  const double s7_471 = fma(work.R_rear_axle_aux5_x_x, work.w_wheel_rear_right_x, s7_470);
-  const double s7_472 = fnma(s1_43, work.w_wheel_rear_right_z, s7_471);
-  const double s7_473 = I_wheel_rear_right_xx*s7_472;
-  const double s7_474 = I_wheel_rear_right_zz*s7_469;
-  const double s7_475 = fma(work.R_rear_axle_x_y, alpha_wheel_rear_right_x, s7_466);
-  const double s7_476 = fnma(s7_472, s7_474, fma(s7_469, s7_473, I_wheel_rear_right_yy*s7_475));
-  const double s7_477 = work.R_rear_axle_aux5_y_x*alpha_wheel_rear_right_y;
-  const double s7_478 = fma(work.R_rear_axle_aux5_x_x, alpha_wheel_rear_right_x, s7_477);
-  const double s7_479 = work.R_rear_axle_y_y*work.w_wheel_rear_right_y;
-  const double s7_480 = fma(work.R_rear_axle_z_y, work.w_wheel_rear_right_z, s7_479);
-  const double s7_481 = fma(work.R_rear_axle_x_y, work.w_wheel_rear_right_x, s7_480);
-  const double s7_482 = I_wheel_rear_right_yy*s7_481;
-  const double s7_483 = I_wheel_rear_right_xx*fnma(s1_43, alpha_wheel_rear_right_z, s7_478);
-  const double s7_484 = fnma(s7_469, s7_482, fma(s7_474, s7_481, s7_483));
-  const double s7_485 = work.R_rear_axle_y_z*alpha_wheel_rear_right_y;
-  const double s7_486 = fma(work.R_rear_axle_z_z, alpha_wheel_rear_right_z, s7_485);
-  const double s7_487 = fma(work.R_rear_axle_x_z, alpha_wheel_rear_right_x, s7_486);
-  const double s7_488 = fnma(s7_473, s7_481, fma(s7_472, s7_482, I_wheel_rear_right_zz*s7_487));
-  const double s7_489 = fma(work.R_rear_axle_aux5_x_x, s7_484, work.R_rear_axle_x_y*s7_476);
-  const double n_wheel_rear_right_x = fma(work.R_rear_axle_x_z, s7_488, s7_489);
-  const double s7_490 = fma(work.R_rear_axle_aux5_y_x, s7_484, work.R_rear_axle_y_y*s7_476);
-  const double n_wheel_rear_right_y = fma(work.R_rear_axle_y_z, s7_488, s7_490);
-  const double s7_491 = fma(work.R_rear_axle_z_z, s7_488, work.R_rear_axle_z_y*s7_476);
-  const double n_wheel_rear_right_z = fnma(s1_43, s7_484, s7_491);
+  const double f_wheel_rear_right_x = m_wheel_rear_right*work.a_wheel_rear_right_x;
+  const double f_wheel_rear_right_y = m_wheel_rear_right*work.a_wheel_rear_right_y;
+  const double f_wheel_rear_right_z = m_wheel_rear_right*work.a_wheel_rear_right_z;
+  const double s7_461 = work.R_rear_axle_y_y*work.alpha_wheel_rear_right_y;
+  const double s7_462 = fma(work.R_rear_axle_z_y, work.alpha_wheel_rear_right_z, s7_461);
+  const double s7_463 = work.R_rear_axle_y_z*work.w_wheel_rear_right_y;
+  const double s7_464 = fma(work.R_rear_axle_z_z, work.w_wheel_rear_right_z, s7_463);
+  const double s7_465 = fma(work.R_rear_axle_x_z, work.w_wheel_rear_right_x, s7_464);
+  const double s7_466 = work.R_rear_axle_aux5_y_x*work.w_wheel_rear_right_y;
+  const double s7_467 = fma(work.R_rear_axle_aux5_x_x, work.w_wheel_rear_right_x, s7_466);
+  const double s7_468 = fnma(s1_43, work.w_wheel_rear_right_z, s7_467);
+  const double s7_469 = I_wheel_rear_right_xx*s7_468;
+  const double s7_470 = I_wheel_rear_right_zz*s7_465;
+  const double s7_471 = fma(work.R_rear_axle_x_y, work.alpha_wheel_rear_right_x, s7_462);
+  const double s7_472 = fnma(s7_468, s7_470, fma(s7_465, s7_469, I_wheel_rear_right_yy*s7_471));
+  const double s7_473 = work.R_rear_axle_aux5_y_x*work.alpha_wheel_rear_right_y;
+  const double s7_474 = fma(work.R_rear_axle_aux5_x_x, work.alpha_wheel_rear_right_x, s7_473);
+  const double s7_475 = work.R_rear_axle_y_y*work.w_wheel_rear_right_y;
+  const double s7_476 = fma(work.R_rear_axle_z_y, work.w_wheel_rear_right_z, s7_475);
+  const double s7_477 = fma(work.R_rear_axle_x_y, work.w_wheel_rear_right_x, s7_476);
+  const double s7_478 = I_wheel_rear_right_yy*s7_477;
+  const double s7_479 = I_wheel_rear_right_xx*fnma(s1_43, work.alpha_wheel_rear_right_z, s7_474);
+  const double s7_480 = fnma(s7_465, s7_478, fma(s7_470, s7_477, s7_479));
+  const double s7_481 = work.R_rear_axle_y_z*work.alpha_wheel_rear_right_y;
+  const double s7_482 = fma(work.R_rear_axle_z_z, work.alpha_wheel_rear_right_z, s7_481);
+  const double s7_483 = fma(work.R_rear_axle_x_z, work.alpha_wheel_rear_right_x, s7_482);
+  const double s7_484 = fnma(s7_469, s7_477, fma(s7_468, s7_478, I_wheel_rear_right_zz*s7_483));
+  const double s7_485 = fma(work.R_rear_axle_aux5_x_x, s7_480, work.R_rear_axle_x_y*s7_472);
+  const double n_wheel_rear_right_x = fma(work.R_rear_axle_x_z, s7_484, s7_485);
+  const double s7_486 = fma(work.R_rear_axle_aux5_y_x, s7_480, work.R_rear_axle_y_y*s7_472);
+  const double n_wheel_rear_right_y = fma(work.R_rear_axle_y_z, s7_484, s7_486);
+  const double s7_487 = fma(work.R_rear_axle_z_z, s7_484, work.R_rear_axle_z_y*s7_472);
+  const double n_wheel_rear_right_z = fnma(s1_43, s7_480, s7_487);
   // arb_rear_left: arb_rear_left, revolute, chassis
-  const double s7_492 = c_arb_rear_left_x*R_arb_rear_left_x_z;
-  const double s7_493 = c_arb_rear_left_x*R_arb_rear_left_x_x;
-  const double s7_494 = fnma(s7_210, s7_492, fma(c_arb_rear_left_y, s7_216, a_arb_rear_left_x));
-  const double s7_495 = fma(s7_212, s7_492, fma(c_arb_rear_left_y, s7_215, a_arb_rear_left_z));
-  const double s7_496 = R_arb_rear_left_x_x*work.w_chassis_x;
-  const double s7_497 = fnma(R_arb_rear_left_x_z, work.w_chassis_z, s7_496);
-  const double s7_498 = I_arb_rear_left_xx*s7_497;
-  const double s7_499 = R_arb_rear_left_x_x*alpha_arb_rear_left_x;
-  const double s7_500 = R_arb_rear_left_x_z*work.w_chassis_x;
-  const double s7_501 = fma(R_arb_rear_left_x_x, work.w_chassis_z, s7_500);
-  const double s7_502 = fnma(R_arb_rear_left_x_z, alpha_arb_rear_left_z, s7_499);
-  const double s7_503 = I_arb_rear_left_yy*alpha_arb_rear_left_y;
-  const double s7_504 = fnma(-I_arb_rear_left_xy, work.w_arb_rear_left_y, s7_498);
-  const double s7_505 = fma(s7_504, s7_501, fnma(-I_arb_rear_left_xy, s7_502, s7_503));
-  const double s7_506 = fnma(s7_497, I_arb_rear_left_zz*s7_501, s7_505);
-  const double s7_507 = fnma(s7_492, m_arb_rear_left*fnma(s7_213, s7_493, s7_494), s7_506);
-  const double s7_508 = fnma(s7_493, m_arb_rear_left*fma(s7_211, s7_493, s7_495), s7_507);
-  const double n_arb_rear_left_y = fnma(work.s7_392, s7_409, fnma(work.s7_387, s7_412, s7_508));
+  const double s7_488 = c_arb_rear_left_x*R_arb_rear_left_x_z;
+  const double s7_489 = c_arb_rear_left_x*R_arb_rear_left_x_x;
+  const double s7_490 = fma(c_arb_rear_left_y, work.s7_213, work.a_arb_rear_left_x);
+  const double s7_491 = fnma(work.s7_210, s7_489, fnma(work.s7_207, s7_488, s7_490));
+  const double s7_492 = fma(c_arb_rear_left_y, work.s7_212, work.a_arb_rear_left_z);
+  const double s7_493 = fma(work.s7_208, s7_489, fma(work.s7_209, s7_488, s7_492));
+  const double s7_494 = R_arb_rear_left_x_x*work.w_chassis_x;
+  const double s7_495 = fnma(R_arb_rear_left_x_z, work.w_chassis_z, s7_494);
+  const double s7_496 = I_arb_rear_left_xx*s7_495;
+  const double s7_497 = R_arb_rear_left_x_x*work.alpha_arb_rear_left_x;
+  const double s7_498 = R_arb_rear_left_x_z*work.w_chassis_x;
+  const double s7_499 = fma(R_arb_rear_left_x_x, work.w_chassis_z, s7_498);
+  const double s7_500 = fnma(R_arb_rear_left_x_z, work.alpha_arb_rear_left_z, s7_497);
+  const double s7_501 = I_arb_rear_left_yy*work.alpha_arb_rear_left_y;
+  const double s7_502 = fnma(-I_arb_rear_left_xy, work.w_arb_rear_left_y, s7_496);
+  const double s7_503 = fma(s7_502, s7_499, fnma(-I_arb_rear_left_xy, s7_500, s7_501));
+  const double s7_504 = fnma(s7_495, I_arb_rear_left_zz*s7_499, s7_503);
+  const double s7_505 = fnma(s7_488, m_arb_rear_left*s7_491, s7_504);
+  const double s7_506 = fnma(work.s7_380, s7_405, fnma(s7_489, m_arb_rear_left*s7_493, s7_505));
+  const double n_arb_rear_left_y = fnma(work.s7_385, s7_402, s7_506);
   result.missing[20] = tau[Coordinate::arb_rear_left] - n_arb_rear_left_y;
   // wheel_rear_left: wheel_rear_left, revolute, rear_axle
-  const double f_wheel_rear_left_x = m_wheel_rear_left*a_wheel_rear_left_x;
-  const double f_wheel_rear_left_y = m_wheel_rear_left*a_wheel_rear_left_y;
-  const double f_wheel_rear_left_z = m_wheel_rear_left*a_wheel_rear_left_z;
-  const double s7_509 = work.R_rear_axle_y_y*alpha_wheel_rear_left_y;
-  const double s7_510 = fma(work.R_rear_axle_z_y, alpha_wheel_rear_left_z, s7_509);
-  const double s7_511 = work.R_rear_axle_y_z*work.w_wheel_rear_left_y;
-  const double s7_512 = fma(work.R_rear_axle_z_z, work.w_wheel_rear_left_z, s7_511);
-  const double s7_513 = fma(work.R_rear_axle_x_z, work.w_wheel_rear_left_x, s7_512);
-  const double s7_514 = work.R_rear_axle_aux5_y_x*work.w_wheel_rear_left_y;
-  const double s7_515 = fma(work.R_rear_axle_aux5_x_x, work.w_wheel_rear_left_x, s7_514);
-  const double s7_516 = fnma(s1_43, work.w_wheel_rear_left_z, s7_515);
-  const double s7_517 = I_wheel_rear_left_xx*s7_516;
-  const double s7_518 = I_wheel_rear_left_zz*s7_513;
-  const double s7_519 = fma(work.R_rear_axle_x_y, alpha_wheel_rear_left_x, s7_510);
-  const double s7_520 = fnma(s7_516, s7_518, fma(s7_513, s7_517, I_wheel_rear_left_yy*s7_519));
-  const double s7_521 = work.R_rear_axle_aux5_y_x*alpha_wheel_rear_left_y;
-  const double s7_522 = fma(work.R_rear_axle_aux5_x_x, alpha_wheel_rear_left_x, s7_521);
-  const double s7_523 = work.R_rear_axle_y_y*work.w_wheel_rear_left_y;
-  const double s7_524 = fma(work.R_rear_axle_z_y, work.w_wheel_rear_left_z, s7_523);
-  const double s7_525 = fma(work.R_rear_axle_x_y, work.w_wheel_rear_left_x, s7_524);
-  const double s7_526 = I_wheel_rear_left_yy*s7_525;
-  const double s7_527 = I_wheel_rear_left_xx*fnma(s1_43, alpha_wheel_rear_left_z, s7_522);
-  const double s7_528 = fnma(s7_513, s7_526, fma(s7_518, s7_525, s7_527));
-  const double s7_529 = work.R_rear_axle_y_z*alpha_wheel_rear_left_y;
-  const double s7_530 = fma(work.R_rear_axle_z_z, alpha_wheel_rear_left_z, s7_529);
-  const double s7_531 = fma(work.R_rear_axle_x_z, alpha_wheel_rear_left_x, s7_530);
-  const double s7_532 = fnma(s7_517, s7_525, fma(s7_516, s7_526, I_wheel_rear_left_zz*s7_531));
-  const double s7_533 = fma(work.R_rear_axle_aux5_x_x, s7_528, work.R_rear_axle_x_y*s7_520);
-  const double n_wheel_rear_left_x = fma(work.R_rear_axle_x_z, s7_532, s7_533);
-  const double s7_534 = fma(work.R_rear_axle_aux5_y_x, s7_528, work.R_rear_axle_y_y*s7_520);
-  const double n_wheel_rear_left_y = fma(work.R_rear_axle_y_z, s7_532, s7_534);
-  const double s7_535 = fma(work.R_rear_axle_z_z, s7_532, work.R_rear_axle_z_y*s7_520);
-  const double n_wheel_rear_left_z = fnma(s1_43, s7_528, s7_535);
+  const double f_wheel_rear_left_x = m_wheel_rear_left*work.a_wheel_rear_left_x;
+  const double f_wheel_rear_left_y = m_wheel_rear_left*work.a_wheel_rear_left_y;
+  const double f_wheel_rear_left_z = m_wheel_rear_left*work.a_wheel_rear_left_z;
+  const double s7_507 = work.R_rear_axle_y_y*work.alpha_wheel_rear_left_y;
+  const double s7_508 = fma(work.R_rear_axle_z_y, work.alpha_wheel_rear_left_z, s7_507);
+  const double s7_509 = work.R_rear_axle_y_z*work.w_wheel_rear_left_y;
+  const double s7_510 = fma(work.R_rear_axle_z_z, work.w_wheel_rear_left_z, s7_509);
+  const double s7_511 = fma(work.R_rear_axle_x_z, work.w_wheel_rear_left_x, s7_510);
+  const double s7_512 = work.R_rear_axle_aux5_y_x*work.w_wheel_rear_left_y;
+  const double s7_513 = fma(work.R_rear_axle_aux5_x_x, work.w_wheel_rear_left_x, s7_512);
+  const double s7_514 = fnma(s1_43, work.w_wheel_rear_left_z, s7_513);
+  const double s7_515 = I_wheel_rear_left_xx*s7_514;
+  const double s7_516 = I_wheel_rear_left_zz*s7_511;
+  const double s7_517 = fma(work.R_rear_axle_x_y, work.alpha_wheel_rear_left_x, s7_508);
+  const double s7_518 = fnma(s7_514, s7_516, fma(s7_511, s7_515, I_wheel_rear_left_yy*s7_517));
+  const double s7_519 = work.R_rear_axle_aux5_y_x*work.alpha_wheel_rear_left_y;
+  const double s7_520 = fma(work.R_rear_axle_aux5_x_x, work.alpha_wheel_rear_left_x, s7_519);
+  const double s7_521 = work.R_rear_axle_y_y*work.w_wheel_rear_left_y;
+  const double s7_522 = fma(work.R_rear_axle_z_y, work.w_wheel_rear_left_z, s7_521);
+  const double s7_523 = fma(work.R_rear_axle_x_y, work.w_wheel_rear_left_x, s7_522);
+  const double s7_524 = I_wheel_rear_left_yy*s7_523;
+  const double s7_525 = I_wheel_rear_left_xx*fnma(s1_43, work.alpha_wheel_rear_left_z, s7_520);
+  const double s7_526 = fnma(s7_511, s7_524, fma(s7_516, s7_523, s7_525));
+  const double s7_527 = work.R_rear_axle_y_z*work.alpha_wheel_rear_left_y;
+  const double s7_528 = fma(work.R_rear_axle_z_z, work.alpha_wheel_rear_left_z, s7_527);
+  const double s7_529 = fma(work.R_rear_axle_x_z, work.alpha_wheel_rear_left_x, s7_528);
+  const double s7_530 = fnma(s7_515, s7_523, fma(s7_514, s7_524, I_wheel_rear_left_zz*s7_529));
+  const double s7_531 = fma(work.R_rear_axle_aux5_x_x, s7_526, work.R_rear_axle_x_y*s7_518);
+  const double n_wheel_rear_left_x = fma(work.R_rear_axle_x_z, s7_530, s7_531);
+  const double s7_532 = fma(work.R_rear_axle_aux5_y_x, s7_526, work.R_rear_axle_y_y*s7_518);
+  const double n_wheel_rear_left_y = fma(work.R_rear_axle_y_z, s7_530, s7_532);
+  const double s7_533 = fma(work.R_rear_axle_z_z, s7_530, work.R_rear_axle_z_y*s7_518);
+  const double n_wheel_rear_left_z = fnma(s1_43, s7_526, s7_533);
   // rear_axle: rear_axle_rx, revolute, rear_axle_aux5
-  const double s7_536 = c_rear_axle_x*work.R_rear_axle_aux5_y_x;
-  const double s7_537 = fma(c_rear_axle_z, work.R_rear_axle_y_z, s7_536);
-  const double s7_538 = fnma(c_rear_axle_x, s1_43, c_rear_axle_z*work.R_rear_axle_z_z);
-  const double s7_539 = c_rear_axle_x*work.R_rear_axle_aux5_x_x;
-  const double s7_540 = fma(c_rear_axle_z, work.R_rear_axle_x_z, s7_539);
-  const double s7_541 = fma(s7_193, s7_538, fma(s7_197, s7_537, work.a_rear_axle_aux3_x));
-  const double s7_542 = m_rear_axle*fnma(s7_190, s7_540, s7_541);
-  const double f_rear_axle_x = s7_384 + (s7_368 + (s7_403 + (s7_418 + (s7_427 + (s7_446 +
+  const double s7_534 = c_rear_axle_x*work.R_rear_axle_aux5_y_x;
+  const double s7_535 = fma(c_rear_axle_z, work.R_rear_axle_y_z, s7_534);
+  const double s7_536 = fnma(c_rear_axle_x, s1_43, c_rear_axle_z*work.R_rear_axle_z_z);
+  const double s7_537 = c_rear_axle_x*work.R_rear_axle_aux5_x_x;
+  const double s7_538 = fma(c_rear_axle_z, work.R_rear_axle_x_z, s7_537);
+  const double s7_539 = fma(work.s7_197, s7_535, work.a_rear_axle_aux3_x);
+  const double s7_540 = m_rear_axle*fnma(work.s7_190, s7_538, fma(work.s7_193, s7_536, s7_539));
+  const double f_rear_axle_x = s7_377 + (s7_361 + (s7_396 + (s7_411 + (s7_420 + (s7_441 +
+      s7_540)))));
+  const double s7_541 = fma(work.s7_194, s7_538, work.a_rear_axle_aux3_y);
+  const double s7_542 = m_rear_axle*fnma(work.s7_191, s7_535, fma(work.s7_195, s7_536, s7_541));
+  const double f_rear_axle_y = s7_379 + (s7_363 + (s7_399 + (s7_409 + (s7_416 + (s7_434 +
       s7_542)))));
-  const double s7_543 = fma(s7_195, s7_538, fma(s7_194, s7_540, work.a_rear_axle_aux3_y));
-  const double s7_544 = m_rear_axle*fnma(s7_191, s7_537, s7_543);
-  const double f_rear_axle_y = s7_386 + (s7_370 + (s7_406 + (s7_416 + (s7_423 + (s7_441 +
+  const double s7_543 = fma(work.s7_192, s7_535, work.a_rear_axle_aux3_z);
+  const double s7_544 = m_rear_axle*fnma(work.s7_189, s7_536, fma(work.s7_196, s7_538, s7_543));
+  const double f_rear_axle_z = s7_374 + (s7_358 + (s7_393 + (s7_410 + (s7_418 + (s7_438 +
       s7_544)))));
-  const double s7_545 = fma(s7_196, s7_540, fma(s7_192, s7_537, work.a_rear_axle_aux3_z));
-  const double s7_546 = m_rear_axle*fnma(s7_189, s7_538, s7_545);
-  const double f_rear_axle_z = s7_381 + (s7_365 + (s7_400 + (s7_417 + (s7_425 + (s7_443 +
-      s7_546)))));
-  const double s7_547 = work.R_rear_axle_y_y*work.alpha_rear_axle_y;
-  const double s7_548 = fma(work.R_rear_axle_z_y, work.alpha_rear_axle_z, s7_547);
-  const double s7_549 = work.R_rear_axle_y_z*work.w_rear_axle_y;
-  const double s7_550 = fma(work.R_rear_axle_z_z, work.w_rear_axle_z, s7_549);
-  const double s7_551 = fma(work.R_rear_axle_x_z, work.w_rear_axle_x, s7_550);
-  const double s7_552 = work.R_rear_axle_aux5_y_x*work.w_rear_axle_y;
-  const double s7_553 = fma(work.R_rear_axle_aux5_x_x, work.w_rear_axle_x, s7_552);
-  const double s7_554 = fnma(s1_43, work.w_rear_axle_z, s7_553);
-  const double s7_555 = fnma(-I_rear_axle_xz, s7_551, I_rear_axle_xx*s7_554);
-  const double s7_556 = fnma(-I_rear_axle_xz, s7_554, I_rear_axle_zz*s7_551);
-  const double s7_557 = I_rear_axle_yy*fma(work.R_rear_axle_x_y, work.alpha_rear_axle_x, s7_548);
-  const double s7_558 = fnma(s7_554, s7_556, fma(s7_551, s7_555, s7_557));
-  const double s7_559 = work.R_rear_axle_aux5_y_x*work.alpha_rear_axle_y;
-  const double s7_560 = fma(work.R_rear_axle_aux5_x_x, work.alpha_rear_axle_x, s7_559);
-  const double s7_561 = fnma(s1_43, work.alpha_rear_axle_z, s7_560);
-  const double s7_562 = work.R_rear_axle_y_z*work.alpha_rear_axle_y;
-  const double s7_563 = fma(work.R_rear_axle_z_z, work.alpha_rear_axle_z, s7_562);
-  const double s7_564 = fma(work.R_rear_axle_x_z, work.alpha_rear_axle_x, s7_563);
-  const double s7_565 = work.R_rear_axle_y_y*work.w_rear_axle_y;
-  const double s7_566 = fma(work.R_rear_axle_z_y, work.w_rear_axle_z, s7_565);
-  const double s7_567 = fma(work.R_rear_axle_x_y, work.w_rear_axle_x, s7_566);
-  const double s7_568 = I_rear_axle_yy*s7_567;
-  const double s7_569 = fnma(-I_rear_axle_xz, s7_564, I_rear_axle_xx*s7_561);
-  const double s7_570 = fnma(s7_551, s7_568, fma(s7_556, s7_567, s7_569));
-  const double s7_571 = fnma(-I_rear_axle_xz, s7_561, I_rear_axle_zz*s7_564);
-  const double s7_572 = fnma(s7_555, s7_567, fma(s7_554, s7_568, s7_571));
-  const double s7_573 = fma(work.R_rear_axle_x_y, s7_558, fnma(s7_538, s7_544, s7_537*s7_546));
-  const double s7_574 = fma(work.R_rear_axle_aux5_x_x, s7_570, s7_573);
-  const double s7_575 = fnma(work.s7_356, s7_370, fma(work.R_rear_axle_x_z, s7_572, s7_574));
-  const double s7_576 = fnma(work.s7_374, s7_386, fma(work.s7_362, s7_365, s7_575));
-  const double s7_577 = fnma(work.s7_395, s7_406, fma(work.s7_378, s7_381, s7_576));
-  const double s7_578 = fma(work.s7_415, s7_417, fma(work.s7_397, s7_400, s7_577));
-  const double s7_579 = fnma(work.s7_419, s7_423, fma(work.s7_413, s7_416, s7_578));
-  const double s7_580 = fnma(work.s7_431, s7_441, fma(work.s7_421, s7_425, s7_579));
-  const double n_rear_axle_x = fnma(work.s7_428, s7_443, s7_580);
-  const double s7_581 = fma(work.R_rear_axle_y_y, s7_558, fnma(s7_540, s7_546, s7_538*s7_542));
-  const double s7_582 = fma(work.R_rear_axle_aux5_y_x, s7_570, s7_581);
-  const double s7_583 = fnma(work.s7_359, s7_365, fma(work.R_rear_axle_y_z, s7_572, s7_582));
-  const double s7_584 = fnma(work.s7_376, s7_381, fma(work.s7_356, s7_368, s7_583));
-  const double s7_585 = fnma(work.s7_396, s7_400, fma(work.s7_374, s7_384, s7_584));
-  const double s7_586 = fnma(work.s7_414, s7_417, fma(work.s7_395, s7_403, s7_585));
-  const double s7_587 = fnma(work.s7_420, s7_425, fnma(work.s7_413, s7_418, s7_586));
-  const double s7_588 = fma(work.s7_431, s7_446, fma(work.s7_419, s7_427, s7_587));
-  const double n_rear_axle_y = fma(work.s7_429, s7_443, s7_588);
-  const double s7_589 = fma(work.R_rear_axle_z_y, s7_558, fnma(s7_537, s7_542, s7_540*s7_544));
-  const double s7_590 = fnma(s1_43, s7_570, fma(work.R_rear_axle_z_z, s7_572, s7_589));
-  const double s7_591 = fma(work.s7_359, s7_370, fnma(work.s7_362, s7_368, s7_590));
-  const double s7_592 = fma(work.s7_376, s7_386, fnma(work.s7_378, s7_384, s7_591));
-  const double s7_593 = fma(work.s7_396, s7_406, fnma(work.s7_397, s7_403, s7_592));
-  const double s7_594 = fma(work.s7_414, s7_416, fnma(work.s7_415, s7_418, s7_593));
-  const double s7_595 = fma(work.s7_420, s7_423, fnma(work.s7_421, s7_427, s7_594));
-  const double n_rear_axle_z = fma(work.s7_428, s7_446, fnma(work.s7_429, s7_441, s7_595));
-  const double s7_596 = n_wheel_rear_left_y + (n_wheel_rear_right_y + n_rear_axle_y);
-  const double s7_597 = fma(work.s1_46, f_wheel_rear_right_z - f_wheel_rear_left_z, s7_596);
-  work.s7_598 = fma(work.s1_48, f_wheel_rear_left_x - f_wheel_rear_right_x, s7_597);
-  const double s7_599 = n_wheel_rear_left_x + (n_wheel_rear_right_x + n_rear_axle_x);
-  const double s7_600 = fma(work.s1_47, f_wheel_rear_left_z - f_wheel_rear_right_z, s7_599);
-  work.s7_601 = fma(work.s1_48, f_wheel_rear_right_y - f_wheel_rear_left_y, s7_600);
-  const double s7_602 = n_wheel_rear_left_z + (n_wheel_rear_right_z + n_rear_axle_z);
-  const double s7_603 = fma(work.s1_46, f_wheel_rear_left_y - f_wheel_rear_right_y, s7_602);
-  work.s7_604 = fma(work.s1_47, f_wheel_rear_right_x - f_wheel_rear_left_x, s7_603);
-  const double s7_605 = fnma(work.R_rear_axle_aux5_y_x, work.s7_598, tau[Coordinate::rear_axle_rx]);
-  const double s7_606 = fnma(work.R_rear_axle_aux5_x_x, work.s7_601, s7_605);
-  result.missing[19] = fma(s1_43, work.s7_604, s7_606);
+  const double s7_545 = work.R_rear_axle_y_y*work.alpha_rear_axle_y;
+  const double s7_546 = fma(work.R_rear_axle_z_y, work.alpha_rear_axle_z, s7_545);
+  const double s7_547 = work.R_rear_axle_y_z*work.w_rear_axle_y;
+  const double s7_548 = fma(work.R_rear_axle_z_z, work.w_rear_axle_z, s7_547);
+  const double s7_549 = fma(work.R_rear_axle_x_z, work.w_rear_axle_x, s7_548);
+  const double s7_550 = work.R_rear_axle_aux5_y_x*work.w_rear_axle_y;
+  const double s7_551 = fma(work.R_rear_axle_aux5_x_x, work.w_rear_axle_x, s7_550);
+  const double s7_552 = fnma(s1_43, work.w_rear_axle_z, s7_551);
+  const double s7_553 = fnma(-I_rear_axle_xz, s7_549, I_rear_axle_xx*s7_552);
+  const double s7_554 = fnma(-I_rear_axle_xz, s7_552, I_rear_axle_zz*s7_549);
+  const double s7_555 = I_rear_axle_yy*fma(work.R_rear_axle_x_y, work.alpha_rear_axle_x, s7_546);
+  const double s7_556 = fnma(s7_552, s7_554, fma(s7_549, s7_553, s7_555));
+  const double s7_557 = work.R_rear_axle_aux5_y_x*work.alpha_rear_axle_y;
+  const double s7_558 = fma(work.R_rear_axle_aux5_x_x, work.alpha_rear_axle_x, s7_557);
+  const double s7_559 = fnma(s1_43, work.alpha_rear_axle_z, s7_558);
+  const double s7_560 = work.R_rear_axle_y_z*work.alpha_rear_axle_y;
+  const double s7_561 = fma(work.R_rear_axle_z_z, work.alpha_rear_axle_z, s7_560);
+  const double s7_562 = fma(work.R_rear_axle_x_z, work.alpha_rear_axle_x, s7_561);
+  const double s7_563 = work.R_rear_axle_y_y*work.w_rear_axle_y;
+  const double s7_564 = fma(work.R_rear_axle_z_y, work.w_rear_axle_z, s7_563);
+  const double s7_565 = fma(work.R_rear_axle_x_y, work.w_rear_axle_x, s7_564);
+  const double s7_566 = I_rear_axle_yy*s7_565;
+  const double s7_567 = fnma(-I_rear_axle_xz, s7_562, I_rear_axle_xx*s7_559);
+  const double s7_568 = fnma(s7_549, s7_566, fma(s7_554, s7_565, s7_567));
+  const double s7_569 = fnma(-I_rear_axle_xz, s7_559, I_rear_axle_zz*s7_562);
+  const double s7_570 = fnma(s7_553, s7_565, fma(s7_552, s7_566, s7_569));
+  const double s7_571 = fma(work.R_rear_axle_x_y, s7_556, fnma(s7_536, s7_542, s7_535*s7_544));
+  const double s7_572 = fma(work.R_rear_axle_aux5_x_x, s7_568, s7_571);
+  const double s7_573 = fnma(work.s7_349, s7_363, fma(work.R_rear_axle_x_z, s7_570, s7_572));
+  const double s7_574 = fnma(work.s7_367, s7_379, fma(work.s7_355, s7_358, s7_573));
+  const double s7_575 = fnma(work.s7_388, s7_399, fma(work.s7_371, s7_374, s7_574));
+  const double s7_576 = fma(work.s7_408, s7_410, fma(work.s7_390, s7_393, s7_575));
+  const double s7_577 = fnma(work.s7_412, s7_416, fma(work.s7_406, s7_409, s7_576));
+  const double s7_578 = fnma(work.s7_424, s7_434, fma(work.s7_414, s7_418, s7_577));
+  const double n_rear_axle_x = fnma(work.s7_421, s7_438, s7_578);
+  const double s7_579 = fma(work.R_rear_axle_y_y, s7_556, fnma(s7_538, s7_544, s7_536*s7_540));
+  const double s7_580 = fma(work.R_rear_axle_aux5_y_x, s7_568, s7_579);
+  const double s7_581 = fnma(work.s7_352, s7_358, fma(work.R_rear_axle_y_z, s7_570, s7_580));
+  const double s7_582 = fnma(work.s7_369, s7_374, fma(work.s7_349, s7_361, s7_581));
+  const double s7_583 = fnma(work.s7_389, s7_393, fma(work.s7_367, s7_377, s7_582));
+  const double s7_584 = fnma(work.s7_407, s7_410, fma(work.s7_388, s7_396, s7_583));
+  const double s7_585 = fnma(work.s7_413, s7_418, fnma(work.s7_406, s7_411, s7_584));
+  const double s7_586 = fma(work.s7_424, s7_441, fma(work.s7_412, s7_420, s7_585));
+  const double n_rear_axle_y = fma(work.s7_422, s7_438, s7_586);
+  const double s7_587 = fma(work.R_rear_axle_z_y, s7_556, fnma(s7_535, s7_540, s7_538*s7_542));
+  const double s7_588 = fnma(s1_43, s7_568, fma(work.R_rear_axle_z_z, s7_570, s7_587));
+  const double s7_589 = fma(work.s7_352, s7_363, fnma(work.s7_355, s7_361, s7_588));
+  const double s7_590 = fma(work.s7_369, s7_379, fnma(work.s7_371, s7_377, s7_589));
+  const double s7_591 = fma(work.s7_389, s7_399, fnma(work.s7_390, s7_396, s7_590));
+  const double s7_592 = fma(work.s7_407, s7_409, fnma(work.s7_408, s7_411, s7_591));
+  const double s7_593 = fma(work.s7_413, s7_416, fnma(work.s7_414, s7_420, s7_592));
+  const double n_rear_axle_z = fma(work.s7_421, s7_441, fnma(work.s7_422, s7_434, s7_593));
+  const double s7_594 = n_wheel_rear_left_y + (n_wheel_rear_right_y + n_rear_axle_y);
+  const double s7_595 = fma(work.s1_46, f_wheel_rear_right_z - f_wheel_rear_left_z, s7_594);
+  work.s7_596 = fma(work.s1_48, f_wheel_rear_left_x - f_wheel_rear_right_x, s7_595);
+  const double s7_597 = n_wheel_rear_left_x + (n_wheel_rear_right_x + n_rear_axle_x);
+  const double s7_598 = fma(work.s1_47, f_wheel_rear_left_z - f_wheel_rear_right_z, s7_597);
+  work.s7_599 = fma(work.s1_48, f_wheel_rear_right_y - f_wheel_rear_left_y, s7_598);
+  const double s7_600 = n_wheel_rear_left_z + (n_wheel_rear_right_z + n_rear_axle_z);
+  const double s7_601 = fma(work.s1_46, f_wheel_rear_left_y - f_wheel_rear_right_y, s7_600);
+  work.s7_602 = fma(work.s1_47, f_wheel_rear_right_x - f_wheel_rear_left_x, s7_601);
+  const double s7_603 = fnma(work.R_rear_axle_aux5_y_x, work.s7_596, tau[Coordinate::rear_axle_rx]);
+  const double s7_604 = fnma(work.R_rear_axle_aux5_x_x, work.s7_599, s7_603);
+  result.missing[19] = fma(s1_43, work.s7_602, s7_604);
   // rear_axle_aux5: rear_axle_ry, revolute, rear_axle_aux4
-  const double s7_607 = fnma(work.cosines[17], work.s7_598, tau[Coordinate::rear_axle_ry]);
-  result.missing[18] = fma(work.sines[17], work.s7_601, s7_607);
+  const double s7_605 = fnma(work.cosines[17], work.s7_596, tau[Coordinate::rear_axle_ry]);
+  result.missing[18] = fma(work.sines[17], work.s7_599, s7_605);
   // rear_axle_aux4: rear_axle_rz, revolute, rear_axle_aux3
-  result.missing[17] = tau[Coordinate::rear_axle_rz] - work.s7_604;
+  result.missing[17] = tau[Coordinate::rear_axle_rz] - work.s7_602;
   // rear_axle_aux3: rear_axle_tz, prismatic, rear_axle_aux2
-  const double s7_608 = tau[Coordinate::rear_axle_tz] - f_wheel_rear_right_z;
-  work.Q_rear_axle_tz = s7_608 - f_wheel_rear_left_z - f_rear_axle_z;
+  const double s7_606 = tau[Coordinate::rear_axle_tz] - f_wheel_rear_right_z;
+  work.Q_rear_axle_tz = s7_606 - f_wheel_rear_left_z - f_rear_axle_z;
   result.missing[16] = work.Q_rear_axle_tz;
   // rear_axle_aux2: rear_axle_ty, prismatic, rear_axle_aux1
-  const double s7_609 = tau[Coordinate::rear_axle_ty] - f_wheel_rear_right_y;
-  work.Q_rear_axle_ty = s7_609 - f_wheel_rear_left_y - f_rear_axle_y;
+  const double s7_607 = tau[Coordinate::rear_axle_ty] - f_wheel_rear_right_y;
+  work.Q_rear_axle_ty = s7_607 - f_wheel_rear_left_y - f_rear_axle_y;
   result.missing[15] = work.Q_rear_axle_ty;
   // rear_axle_aux1: rear_axle_tx, prismatic, chassis
-  const double s7_610 = tau[Coordinate::rear_axle_tx] - f_wheel_rear_right_x;
-  work.Q_rear_axle_tx = s7_610 - f_wheel_rear_left_x - f_rear_axle_x;
+  const double s7_608 = tau[Coordinate::rear_axle_tx] - f_wheel_rear_right_x;
+  work.Q_rear_axle_tx = s7_608 - f_wheel_rear_left_x - f_rear_axle_x;
   result.missing[14] = work.Q_rear_axle_tx;
   // bell_crank: bell_crank, revolute, chassis
-  const double s7_611 = fma(-c_bell_crank_x, R_bell_crank_x_x, c_bell_crank_y*R_bell_crank_y_x);
-  const double s7_612 = fnma(-c_bell_crank_x, R_bell_crank_y_x, c_bell_crank_y*R_bell_crank_x_x);
-  const double s7_613 = fma(work.s7_160, s7_612, fma(work.s7_161, s7_611, work.a_bell_crank_x));
-  const double s7_614 = fnma(work.s7_159, s7_611, work.a_bell_crank_y);
-  const double s7_615 = R_bell_crank_x_x*work.w_chassis_y;
-  const double s7_616 = fnma(R_bell_crank_y_x, work.w_chassis_x, s7_615);
-  const double s7_617 = R_bell_crank_y_x*work.w_chassis_y;
-  const double s7_618 = fma(R_bell_crank_x_x, work.w_chassis_x, s7_617);
-  const double s7_619 = fnma(-I_bell_crank_xy, s7_618, I_bell_crank_yy*s7_616);
-  const double s7_620 = fma(s7_618, s7_619, I_bell_crank_zz*work.alpha_bell_crank_z);
-  const double s7_621 = fnma(-I_bell_crank_xy, s7_616, I_bell_crank_xx*s7_618);
-  const double s7_622 = m_bell_crank*fnma(work.s7_162, s7_612, s7_614);
-  const double s7_623 = fnma(s7_611, s7_622, fnma(s7_616, s7_621, s7_620));
-  const double s7_624 = fnma(work.s7_294, s7_303, fnma(s7_612, m_bell_crank*s7_613, s7_623));
-  const double s7_625 = fnma(work.s7_309, s7_328, fnma(s7_295, s7_297, s7_624));
-  const double s7_626 = fma(work.s7_331, s7_351, fnma(work.s7_308, s7_325, s7_625));
-  const double n_bell_crank_z = fma(work.s7_329, s7_348, s7_626);
+  const double s7_609 = fma(-c_bell_crank_x, R_bell_crank_x_x, c_bell_crank_y*R_bell_crank_y_x);
+  const double s7_610 = fnma(-c_bell_crank_x, R_bell_crank_y_x, c_bell_crank_y*R_bell_crank_x_x);
+  const double s7_611 = fma(work.s7_160, s7_610, fma(work.s7_161, s7_609, work.a_bell_crank_x));
+  const double s7_612 = fnma(work.s7_159, s7_609, work.a_bell_crank_y);
+  const double s7_613 = R_bell_crank_x_x*work.w_chassis_y;
+  const double s7_614 = fnma(R_bell_crank_y_x, work.w_chassis_x, s7_613);
+  const double s7_615 = R_bell_crank_y_x*work.w_chassis_y;
+  const double s7_616 = fma(R_bell_crank_x_x, work.w_chassis_x, s7_615);
+  const double s7_617 = fnma(-I_bell_crank_xy, s7_616, I_bell_crank_yy*s7_614);
+  const double s7_618 = fma(s7_616, s7_617, I_bell_crank_zz*work.alpha_bell_crank_z);
+  const double s7_619 = fnma(-I_bell_crank_xy, s7_614, I_bell_crank_xx*s7_616);
+  const double s7_620 = m_bell_crank*fnma(work.s7_162, s7_610, s7_612);
+  const double s7_621 = fnma(s7_609, s7_620, fnma(s7_614, s7_619, s7_618));
+  const double s7_622 = fnma(s7_610, m_bell_crank*s7_611, s7_621);
+  const double s7_623 = fnma(work.s7_289, work.s7_291, fnma(work.s7_288, work.s7_296, s7_622));
+  const double s7_624 = fnma(work.s7_301, s7_318, fnma(work.s7_302, s7_321, s7_623));
+  const double n_bell_crank_z = fma(work.s7_322, s7_341, fma(work.s7_324, s7_344, s7_624));
   result.missing[13] = tau[Coordinate::bell_crank] - n_bell_crank_z;
   // pitman_arm: pitman_arm, revolute, chassis
-  const double s7_627 = -c_pitman_arm_z*R_pitman_arm_x_z;
-  const double s7_628 = -c_pitman_arm_z*R_pitman_arm_x_x;
-  const double s7_629 = fnma(work.s7_150, s7_628, fma(work.s7_153, s7_627, work.a_pitman_arm_x));
-  const double s7_630 = fnma(work.s7_151, s7_627, fma(work.s7_152, s7_628, work.a_pitman_arm_z));
-  const double s7_631 = R_pitman_arm_x_x*work.w_chassis_x;
-  const double s7_632 = fnma(R_pitman_arm_x_z, work.w_chassis_z, s7_631);
-  const double s7_633 = R_pitman_arm_x_z*work.w_chassis_x;
-  const double s7_634 = fma(R_pitman_arm_x_x, work.w_chassis_z, s7_633);
-  const double s7_635 = I_pitman_arm_yy*work.alpha_pitman_arm_y;
-  const double s7_636 = fma(I_pitman_arm_xx*s7_632, s7_634, s7_635);
-  const double s7_637 = fnma(s7_632, I_pitman_arm_zz*s7_634, s7_636);
-  const double s7_638 = fma(s7_627, m_pitman_arm*s7_630, s7_637);
-  const double s7_639 = fnma(work.s7_293, s7_301, fnma(s7_628, m_pitman_arm*s7_629, s7_638));
-  const double n_pitman_arm_y = fma(work.s7_292, s7_299, s7_639);
+  const double R_pitman_arm_x_z = work.sines[15];
+  const double s7_625 = -c_pitman_arm_z*R_pitman_arm_x_z;
+  const double R_pitman_arm_x_x = work.cosines[15];
+  const double s7_626 = -c_pitman_arm_z*R_pitman_arm_x_x;
+  const double s7_627 = fnma(work.s7_150, s7_626, fma(work.s7_153, s7_625, work.a_pitman_arm_x));
+  const double s7_628 = fnma(work.s7_151, s7_625, fma(work.s7_152, s7_626, work.a_pitman_arm_z));
+  const double s7_629 = R_pitman_arm_x_x*work.w_chassis_x;
+  const double s7_630 = fnma(R_pitman_arm_x_z, work.w_chassis_z, s7_629);
+  const double s7_631 = R_pitman_arm_x_z*work.w_chassis_x;
+  const double s7_632 = fma(R_pitman_arm_x_x, work.w_chassis_z, s7_631);
+  const double s7_633 = I_pitman_arm_yy*work.alpha_pitman_arm_y;
+  const double s7_634 = fma(I_pitman_arm_xx*s7_630, s7_632, s7_633);
+  const double s7_635 = fnma(s7_630, I_pitman_arm_zz*s7_632, s7_634);
+  const double s7_636 = fma(s7_625, m_pitman_arm*s7_628, s7_635);
+  const double s7_637 = fnma(s7_626, m_pitman_arm*s7_627, s7_636);
+  const double n_pitman_arm_y = fma(work.s7_286, work.s7_293, fnma(work.s7_287, work.s7_295,
+      s7_637));
   work.Q_pitman_arm = tau[Coordinate::pitman_arm] - n_pitman_arm_y;
   result.missing[12] = work.Q_pitman_arm;
   // arb_front_right: arb_front_right, revolute, chassis
-  const double s7_640 = -c_arb_front_right_x*R_arb_front_right_x_z;
-  const double s7_641 = fma(c_arb_front_right_z, R_arb_front_right_x_x, s7_640);
-  const double s7_642 = c_arb_front_right_z*R_arb_front_right_x_z;
-  const double s7_643 = fnma(-c_arb_front_right_x, R_arb_front_right_x_x, s7_642);
-  const double s7_644 = fma(work.s7_138, s7_641, work.a_arb_front_right_x);
-  const double s7_645 = fnma(work.s7_141, s7_643, s7_644);
-  const double s7_646 = fma(work.s7_139, s7_643, work.a_arb_front_right_z);
-  const double s7_647 = fnma(work.s7_140, s7_641, s7_646);
-  const double s7_648 = R_arb_front_right_x_x*work.alpha_arb_front_right_x;
-  const double s7_649 = R_arb_front_right_x_z*work.alpha_arb_front_right_x;
-  const double s7_650 = R_arb_front_right_x_x*work.w_chassis_x;
-  const double s7_651 = fnma(R_arb_front_right_x_z, work.w_chassis_z, s7_650);
-  const double s7_652 = R_arb_front_right_x_z*work.w_chassis_x;
-  const double s7_653 = fma(R_arb_front_right_x_x, work.w_chassis_z, s7_652);
-  const double s7_654 = fma(I_arb_front_right_xx, s7_651, I_arb_front_right_xz*s7_653);
-  const double s7_655 = I_arb_front_right_yz*work.w_arb_front_right_y;
-  const double s7_656 = fma(I_arb_front_right_xz, s7_651, s7_655);
-  const double s7_657 = fma(R_arb_front_right_x_x, work.alpha_arb_front_right_z, s7_649);
-  const double s7_658 = I_arb_front_right_yy*work.alpha_arb_front_right_y;
-  const double s7_659 = fnma(R_arb_front_right_x_z, work.alpha_arb_front_right_z, s7_648);
-  const double s7_660 = fma(I_arb_front_right_yz, s7_657, s7_658);
-  const double s7_661 = fnma(-I_arb_front_right_xy, work.w_arb_front_right_y, s7_654);
-  const double s7_662 = fma(s7_653, s7_661, fnma(-I_arb_front_right_xy, s7_659, s7_660));
-  const double s7_663 = m_arb_front_right*fnma(-c_arb_front_right_y, work.s7_144, s7_645);
-  const double s7_664 = fnma(s7_651, fma(I_arb_front_right_zz, s7_653, s7_656), s7_662);
-  const double s7_665 = m_arb_front_right*fnma(-c_arb_front_right_y, work.s7_143, s7_647);
-  const double s7_666 = fnma(s7_643, s7_665, fma(s7_641, s7_663, s7_664));
-  const double n_arb_front_right_y = fma(work.s7_263, s7_291, fnma(work.s7_265, s7_288, s7_666));
+  const double R_arb_front_right_x_z = work.sines[14];
+  const double R_arb_front_right_x_x = work.cosines[14];
+  const double s7_638 = -c_arb_front_right_x*R_arb_front_right_x_z;
+  const double s7_639 = fma(c_arb_front_right_z, R_arb_front_right_x_x, s7_638);
+  const double s7_640 = c_arb_front_right_z*R_arb_front_right_x_z;
+  const double s7_641 = fnma(-c_arb_front_right_x, R_arb_front_right_x_x, s7_640);
+  const double s7_642 = fma(work.s7_138, s7_639, work.a_arb_front_right_x);
+  const double s7_643 = fnma(work.s7_141, s7_641, s7_642);
+  const double s7_644 = fma(work.s7_139, s7_641, work.a_arb_front_right_z);
+  const double s7_645 = fnma(work.s7_140, s7_639, s7_644);
+  const double s7_646 = R_arb_front_right_x_x*work.alpha_arb_front_right_x;
+  const double s7_647 = R_arb_front_right_x_z*work.alpha_arb_front_right_x;
+  const double s7_648 = R_arb_front_right_x_x*work.w_chassis_x;
+  const double s7_649 = fnma(R_arb_front_right_x_z, work.w_chassis_z, s7_648);
+  const double s7_650 = R_arb_front_right_x_z*work.w_chassis_x;
+  const double s7_651 = fma(R_arb_front_right_x_x, work.w_chassis_z, s7_650);
+  const double s7_652 = fma(I_arb_front_right_xx, s7_649, I_arb_front_right_xz*s7_651);
+  const double s7_653 = I_arb_front_right_yz*work.w_arb_front_right_y;
+  const double s7_654 = fma(I_arb_front_right_xz, s7_649, s7_653);
+  const double s7_655 = fma(R_arb_front_right_x_x, work.alpha_arb_front_right_z, s7_647);
+  const double s7_656 = I_arb_front_right_yy*work.alpha_arb_front_right_y;
+  const double s7_657 = fnma(R_arb_front_right_x_z, work.alpha_arb_front_right_z, s7_646);
+  const double s7_658 = fma(I_arb_front_right_yz, s7_655, s7_656);
+  const double s7_659 = fnma(-I_arb_front_right_xy, work.w_arb_front_right_y, s7_652);
+  const double s7_660 = fma(s7_651, s7_659, fnma(-I_arb_front_right_xy, s7_657, s7_658));
+  const double s7_661 = m_arb_front_right*fnma(-c_arb_front_right_y, work.s7_144, s7_643);
+  const double s7_662 = fnma(s7_649, fma(I_arb_front_right_zz, s7_651, s7_654), s7_660);
+  const double s7_663 = m_arb_front_right*fnma(-c_arb_front_right_y, work.s7_143, s7_645);
+  const double s7_664 = fnma(s7_641, s7_663, fma(s7_639, s7_661, s7_662));
+  const double n_arb_front_right_y = fma(work.s7_257, work.s7_285, fnma(work.s7_259, work.s7_282,
+      s7_664));
   work.Q_arb_front_right = tau[Coordinate::arb_front_right] - n_arb_front_right_y;
   result.missing[11] = work.Q_arb_front_right;
   // upper_arm_right: upper_arm_right, revolute, chassis
   const double R_upper_arm_right_z_y = work.sines[13];
   const double R_upper_arm_right_y_y = work.cosines[13];
-  const double s7_667 = -c_upper_arm_right_z*R_upper_arm_right_z_y;
-  const double s7_668 = fnma(-c_upper_arm_right_y, R_upper_arm_right_y_y, s7_667);
-  const double s7_669 = -c_upper_arm_right_y*R_upper_arm_right_z_y;
-  const double s7_670 = fma(-c_upper_arm_right_z, R_upper_arm_right_y_y, s7_669);
-  const double s7_671 = fnma(work.s7_137, s7_668, work.a_upper_arm_right_y);
-  const double f_upper_arm_right_y = m_upper_arm_right*fnma(work.s7_135, s7_670, s7_671);
-  const double s7_672 = fma(work.s7_136, s7_670, work.a_upper_arm_right_z);
-  const double f_upper_arm_right_z = m_upper_arm_right*fma(work.s7_134, s7_668, s7_672);
-  const double s7_673 = R_upper_arm_right_z_y*work.w_chassis_z;
-  const double s7_674 = fma(R_upper_arm_right_y_y, work.w_chassis_y, s7_673);
-  const double s7_675 = R_upper_arm_right_y_y*work.w_chassis_z;
-  const double s7_676 = fnma(R_upper_arm_right_z_y, work.w_chassis_y, s7_675);
-  const double s7_677 = I_upper_arm_right_xx*work.alpha_upper_arm_right_x;
-  const double s7_678 = fma(s7_674, I_upper_arm_right_zz*s7_676, s7_677);
-  const double s7_679 = fnma(s7_676, I_upper_arm_right_yy*s7_674, s7_678);
-  const double s7_680 = fma(s7_670, f_upper_arm_right_y, s7_679);
-  const double n_upper_arm_right_x = fma(s7_668, f_upper_arm_right_z, s7_680);
+  const double s7_665 = -c_upper_arm_right_z*R_upper_arm_right_z_y;
+  const double s7_666 = fnma(-c_upper_arm_right_y, R_upper_arm_right_y_y, s7_665);
+  const double s7_667 = -c_upper_arm_right_y*R_upper_arm_right_z_y;
+  const double s7_668 = fma(-c_upper_arm_right_z, R_upper_arm_right_y_y, s7_667);
+  const double s7_669 = fnma(work.s7_137, s7_666, work.a_upper_arm_right_y);
+  const double f_upper_arm_right_y = m_upper_arm_right*fnma(work.s7_135, s7_668, s7_669);
+  const double s7_670 = fma(work.s7_136, s7_668, work.a_upper_arm_right_z);
+  const double f_upper_arm_right_z = m_upper_arm_right*fma(work.s7_134, s7_666, s7_670);
+  const double s7_671 = R_upper_arm_right_z_y*work.w_chassis_z;
+  const double s7_672 = fma(R_upper_arm_right_y_y, work.w_chassis_y, s7_671);
+  const double s7_673 = R_upper_arm_right_y_y*work.w_chassis_z;
+  const double s7_674 = fnma(R_upper_arm_right_z_y, work.w_chassis_y, s7_673);
+  const double s7_675 = I_upper_arm_right_xx*work.alpha_upper_arm_right_x;
+  const double s7_676 = fma(s7_672, I_upper_arm_right_zz*s7_674, s7_675);
+  const double s7_677 = fnma(s7_674, I_upper_arm_right_yy*s7_672, s7_676);
+  const double s7_678 = fma(s7_668, f_upper_arm_right_y, s7_677);
+  const double n_upper_arm_right_x = fma(s7_666, f_upper_arm_right_z, s7_678);
   work.Q_upper_arm_right = tau[Coordinate::upper_arm_right] - n_upper_arm_right_x;
   result.missing[10] = work.Q_upper_arm_right;
   // wheel_front_right: wheel_front_right, revolute, carrier_right
   const double f_wheel_front_right_x = m_wheel_front_right*work.a_wheel_front_right_x;
   const double f_wheel_front_right_y = m_wheel_front_right*work.a_wheel_front_right_y;
   const double f_wheel_front_right_z = m_wheel_front_right*work.a_wheel_front_right_z;
-  const double s7_681 = work.R_carrier_right_y_z*work.alpha_wheel_front_right_y;
-  const double s7_682 = fma(work.R_carrier_right_x_z, work.alpha_wheel_front_right_x, s7_681);
-  const double s7_683 = work.R_carrier_right_y_x*work.w_wheel_front_right_y;
-  const double s7_684 = fma(work.R_carrier_right_x_x, work.w_wheel_front_right_x, s7_683);
-  const double s7_685 = fma(work.R_carrier_right_z_x, work.w_wheel_front_right_z, s7_684);
-  const double s7_686 = work.R_carrier_right_aux2_y_y*work.w_wheel_front_right_y;
-  const double s7_687 = fma(work.R_carrier_right_aux2_z_y, work.w_wheel_front_right_z, s7_686);
-  const double s7_688 = fnma(work.s1_30, work.w_wheel_front_right_x, s7_687);
-  const double s7_689 = I_wheel_front_right_yy*s7_688;
-  const double s7_690 = I_wheel_front_right_xx*s7_685;
-  const double s7_691 = fma(work.R_carrier_right_z_z, work.alpha_wheel_front_right_z, s7_682);
-  const double s7_692 = fnma(s7_688, s7_690, fma(s7_685, s7_689, I_wheel_front_right_zz*s7_691));
-  const double s7_693 = work.R_carrier_right_y_x*work.alpha_wheel_front_right_y;
-  const double s7_694 = fma(work.R_carrier_right_x_x, work.alpha_wheel_front_right_x, s7_693);
-  const double s7_695 = work.R_carrier_right_y_z*work.w_wheel_front_right_y;
-  const double s7_696 = fma(work.R_carrier_right_x_z, work.w_wheel_front_right_x, s7_695);
-  const double s7_697 = fma(work.R_carrier_right_z_z, work.w_wheel_front_right_z, s7_696);
-  const double s7_698 = I_wheel_front_right_zz*s7_697;
-  const double s7_699 = fma(work.R_carrier_right_z_x, work.alpha_wheel_front_right_z, s7_694);
-  const double s7_700 = fnma(s7_689, s7_697, fma(s7_688, s7_698, I_wheel_front_right_xx*s7_699));
-  const double s7_701 = work.R_carrier_right_aux2_y_y*work.alpha_wheel_front_right_y;
-  const double s7_702 = fma(work.R_carrier_right_aux2_z_y, work.alpha_wheel_front_right_z, s7_701);
-  const double s7_703 = fnma(work.s1_30, work.alpha_wheel_front_right_x, s7_702);
-  const double s7_704 = fnma(s7_685, s7_698, fma(s7_690, s7_697, I_wheel_front_right_yy*s7_703));
-  const double s7_705 = fma(work.R_carrier_right_x_x, s7_700, work.R_carrier_right_x_z*s7_692);
-  const double n_wheel_front_right_x = fnma(work.s1_30, s7_704, s7_705);
-  const double s7_706 = work.R_carrier_right_aux2_y_y*s7_704;
-  const double s7_707 = fma(work.R_carrier_right_y_x, s7_700, s7_706);
-  const double n_wheel_front_right_y = fma(work.R_carrier_right_y_z, s7_692, s7_707);
-  const double s7_708 = work.R_carrier_right_aux2_z_y*s7_704;
-  const double s7_709 = fma(work.R_carrier_right_z_z, s7_692, s7_708);
-  const double n_wheel_front_right_z = fma(work.R_carrier_right_z_x, s7_700, s7_709);
+  const double s7_679 = work.R_carrier_right_y_z*work.alpha_wheel_front_right_y;
+  const double s7_680 = fma(work.R_carrier_right_x_z, work.alpha_wheel_front_right_x, s7_679);
+  const double s7_681 = work.R_carrier_right_y_x*work.w_wheel_front_right_y;
+  const double s7_682 = fma(work.R_carrier_right_x_x, work.w_wheel_front_right_x, s7_681);
+  const double s7_683 = fma(work.R_carrier_right_z_x, work.w_wheel_front_right_z, s7_682);
+  const double s7_684 = work.R_carrier_right_aux2_y_y*work.w_wheel_front_right_y;
+  const double s7_685 = fma(work.R_carrier_right_aux2_z_y, work.w_wheel_front_right_z, s7_684);
+  const double s7_686 = fnma(work.s1_30, work.w_wheel_front_right_x, s7_685);
+  const double s7_687 = I_wheel_front_right_yy*s7_686;
+  const double s7_688 = I_wheel_front_right_xx*s7_683;
+  const double s7_689 = fma(work.R_carrier_right_z_z, work.alpha_wheel_front_right_z, s7_680);
+  const double s7_690 = fnma(s7_686, s7_688, fma(s7_683, s7_687, I_wheel_front_right_zz*s7_689));
+  const double s7_691 = work.R_carrier_right_y_x*work.alpha_wheel_front_right_y;
+  const double s7_692 = fma(work.R_carrier_right_x_x, work.alpha_wheel_front_right_x, s7_691);
+  const double s7_693 = work.R_carrier_right_y_z*work.w_wheel_front_right_y;
+  const double s7_694 = fma(work.R_carrier_right_x_z, work.w_wheel_front_right_x, s7_693);
+  const double s7_695 = fma(work.R_carrier_right_z_z, work.w_wheel_front_right_z, s7_694);
+  const double s7_696 = I_wheel_front_right_zz*s7_695;
+  const double s7_697 = fma(work.R_carrier_right_z_x, work.alpha_wheel_front_right_z, s7_692);
+  const double s7_698 = fnma(s7_687, s7_695, fma(s7_686, s7_696, I_wheel_front_right_xx*s7_697));
+  const double s7_699 = work.R_carrier_right_aux2_y_y*work.alpha_wheel_front_right_y;
+  const double s7_700 = fma(work.R_carrier_right_aux2_z_y, work.alpha_wheel_front_right_z, s7_699);
+  const double s7_701 = fnma(work.s1_30, work.alpha_wheel_front_right_x, s7_700);
+  const double s7_702 = fnma(s7_683, s7_696, fma(s7_688, s7_695, I_wheel_front_right_yy*s7_701));
+  const double s7_703 = fma(work.R_carrier_right_x_x, s7_698, work.R_carrier_right_x_z*s7_690);
+  const double n_wheel_front_right_x = fnma(work.s1_30, s7_702, s7_703);
+  const double s7_704 = work.R_carrier_right_aux2_y_y*s7_702;
+  const double s7_705 = fma(work.R_carrier_right_y_x, s7_698, s7_704);
+  const double n_wheel_front_right_y = fma(work.R_carrier_right_y_z, s7_690, s7_705);
+  const double s7_706 = work.R_carrier_right_aux2_z_y*s7_702;
+  const double s7_707 = fma(work.R_carrier_right_z_z, s7_690, s7_706);
+  const double n_wheel_front_right_z = fma(work.R_carrier_right_z_x, s7_698, s7_707);
   // carrier_right: carrier_right_ry, revolute, carrier_right_aux2
-  const double s7_710 = c_carrier_right_z*work.R_carrier_right_y_z;
-  const double s7_711 = fnma(-c_carrier_right_x, work.R_carrier_right_y_x, s7_710);
-  const double s7_712 = fnma(-c_carrier_right_y, work.R_carrier_right_aux2_y_y, s7_711);
-  const double s7_713 = c_carrier_right_z*work.R_carrier_right_z_z;
-  const double s7_714 = fnma(-c_carrier_right_x, work.R_carrier_right_z_x, s7_713);
-  const double s7_715 = fnma(-c_carrier_right_y, work.R_carrier_right_aux2_z_y, s7_714);
-  const double s7_716 = -c_carrier_right_y*work.s1_30;
-  const double s7_717 = fma(c_carrier_right_z, work.R_carrier_right_x_z, s7_716);
-  const double s7_718 = fnma(-c_carrier_right_x, work.R_carrier_right_x_x, s7_717);
-  const double s7_719 = fma(work.s7_123, s7_712, work.a_carrier_right_aux1_x);
-  const double s7_720 = fnma(work.s7_116, s7_718, fma(work.s7_119, s7_715, s7_719));
-  const double s7_721 = m_carrier_right*s7_720;
-  const double s7_722 = fma(work.s7_120, s7_718, work.a_carrier_right_aux1_y);
-  const double s7_723 = fnma(work.s7_117, s7_712, fma(work.s7_124, s7_715, s7_722));
-  const double s7_724 = m_carrier_right*s7_723;
-  const double f_carrier_right_y = s7_341 + (s7_277 + s7_724);
-  const double s7_725 = fma(work.s7_121, s7_712, work.a_carrier_right_aux1_z);
-  const double s7_726 = fnma(work.s7_118, s7_715, fma(work.s7_122, s7_718, s7_725));
-  const double s7_727 = m_carrier_right*s7_726;
-  const double f_carrier_right_z = s7_343 + (s7_281 + s7_727);
-  const double s7_728 = work.R_carrier_right_aux2_y_y*work.alpha_carrier_right_y;
-  const double s7_729 = fma(work.R_carrier_right_aux2_z_y, work.alpha_carrier_right_z, s7_728);
-  const double s7_730 = fnma(work.s1_30, work.alpha_carrier_right_x, s7_729);
-  const double s7_731 = work.R_carrier_right_y_z*work.alpha_carrier_right_y;
-  const double s7_732 = fma(work.R_carrier_right_x_z, work.alpha_carrier_right_x, s7_731);
-  const double s7_733 = fma(work.R_carrier_right_z_z, work.alpha_carrier_right_z, s7_732);
-  const double s7_734 = work.R_carrier_right_y_x*work.alpha_carrier_right_y;
-  const double s7_735 = fma(work.R_carrier_right_x_x, work.alpha_carrier_right_x, s7_734);
-  const double s7_736 = fma(work.R_carrier_right_z_x, work.alpha_carrier_right_z, s7_735);
-  const double s7_737 = work.R_carrier_right_y_x*work.w_carrier_right_y;
-  const double s7_738 = fma(work.R_carrier_right_x_x, work.w_carrier_right_x, s7_737);
-  const double s7_739 = fma(work.R_carrier_right_z_x, work.w_carrier_right_z, s7_738);
-  const double s7_740 = work.R_carrier_right_aux2_y_y*work.w_carrier_right_y;
-  const double s7_741 = fma(work.R_carrier_right_aux2_z_y, work.w_carrier_right_z, s7_740);
-  const double s7_742 = fnma(work.s1_30, work.w_carrier_right_x, s7_741);
-  const double s7_743 = work.R_carrier_right_y_z*work.w_carrier_right_y;
-  const double s7_744 = fma(work.R_carrier_right_x_z, work.w_carrier_right_x, s7_743);
-  const double s7_745 = fma(work.R_carrier_right_z_z, work.w_carrier_right_z, s7_744);
-  const double s7_746 = fma(I_carrier_right_yz, s7_745, I_carrier_right_yy*s7_742);
-  const double s7_747 = fma(I_carrier_right_xy, s7_739, s7_746);
-  const double s7_748 = fma(I_carrier_right_xx, s7_739, I_carrier_right_xy*s7_742);
-  const double s7_749 = fnma(-I_carrier_right_xz, s7_745, s7_748);
-  const double s7_750 = fma(I_carrier_right_zz, s7_733, I_carrier_right_yz*s7_730);
-  const double s7_751 = fma(s7_739, s7_747, fnma(-I_carrier_right_xz, s7_736, s7_750));
-  const double s7_752 = fnma(s7_742, s7_749, s7_751);
-  const double s7_753 = fma(I_carrier_right_zz, s7_745, I_carrier_right_yz*s7_742);
-  const double s7_754 = fnma(-I_carrier_right_xz, s7_739, s7_753);
-  const double s7_755 = fma(I_carrier_right_xx, s7_736, I_carrier_right_xy*s7_730);
-  const double s7_756 = fma(s7_742, s7_754, fnma(-I_carrier_right_xz, s7_733, s7_755));
-  const double s7_757 = fnma(s7_745, s7_747, s7_756);
-  const double s7_758 = fma(I_carrier_right_yz, s7_733, I_carrier_right_yy*s7_730);
-  const double s7_759 = fma(s7_745, s7_749, fma(I_carrier_right_xy, s7_736, s7_758));
-  const double s7_760 = fnma(s7_739, s7_754, s7_759);
-  const double s7_761 = fnma(s7_715, s7_724, s7_712*s7_727);
-  const double s7_762 = fma(work.R_carrier_right_x_z, s7_752, s7_761);
-  const double s7_763 = fnma(work.s1_30, s7_760, fma(work.R_carrier_right_x_x, s7_757, s7_762));
-  const double s7_764 = fma(work.s7_271, s7_281, fnma(work.s7_274, s7_277, s7_763));
-  const double n_carrier_right_x = fma(work.s7_336, s7_343, fnma(work.s7_339, s7_341, s7_764));
-  const double s7_765 = fnma(s7_718, s7_727, s7_715*s7_721);
-  const double s7_766 = fma(work.R_carrier_right_aux2_y_y, s7_760, s7_765);
-  const double s7_767 = fma(work.R_carrier_right_y_x, s7_757, s7_766);
-  const double s7_768 = fnma(work.s7_268, s7_281, fma(work.R_carrier_right_y_z, s7_752, s7_767));
-  const double s7_769 = fnma(work.s7_333, s7_343, fma(work.s7_274, s7_285, s7_768));
-  const double n_carrier_right_y = fma(work.s7_339, s7_345, s7_769);
-  const double s7_770 = fnma(s7_712, s7_721, s7_718*s7_724);
-  const double s7_771 = fma(work.R_carrier_right_aux2_z_y, s7_760, s7_770);
-  const double s7_772 = fma(work.R_carrier_right_z_z, s7_752, s7_771);
-  const double s7_773 = fnma(work.s7_271, s7_285, fma(work.R_carrier_right_z_x, s7_757, s7_772));
-  const double s7_774 = fnma(work.s7_336, s7_345, fma(work.s7_268, s7_277, s7_773));
-  const double n_carrier_right_z = fma(work.s7_333, s7_341, s7_774);
-  const double s7_775 = n_wheel_front_right_y + n_carrier_right_y;
-  const double s7_776 = fma(work.s1_42, f_wheel_front_right_x, s7_775);
-  work.s7_777 = fnma(work.s1_38, f_wheel_front_right_z, s7_776);
-  const double s7_778 = n_wheel_front_right_z + n_carrier_right_z;
-  const double s7_779 = fma(work.s1_38, f_wheel_front_right_y, s7_778);
-  work.s7_780 = fnma(work.s1_40, f_wheel_front_right_x, s7_779);
-  const double s7_781 = n_wheel_front_right_x + n_carrier_right_x;
-  const double s7_782 = fma(work.s1_40, f_wheel_front_right_z, s7_781);
-  work.s7_783 = fnma(work.s1_42, f_wheel_front_right_y, s7_782);
-  const double s7_784 = fnma(work.R_carrier_right_aux2_y_y, work.s7_777,
+  const double s7_708 = c_carrier_right_z*work.R_carrier_right_y_z;
+  const double s7_709 = fnma(-c_carrier_right_x, work.R_carrier_right_y_x, s7_708);
+  const double s7_710 = fnma(-c_carrier_right_y, work.R_carrier_right_aux2_y_y, s7_709);
+  const double s7_711 = c_carrier_right_z*work.R_carrier_right_z_z;
+  const double s7_712 = fnma(-c_carrier_right_x, work.R_carrier_right_z_x, s7_711);
+  const double s7_713 = fnma(-c_carrier_right_y, work.R_carrier_right_aux2_z_y, s7_712);
+  const double s7_714 = -c_carrier_right_y*work.s1_30;
+  const double s7_715 = fma(c_carrier_right_z, work.R_carrier_right_x_z, s7_714);
+  const double s7_716 = fnma(-c_carrier_right_x, work.R_carrier_right_x_x, s7_715);
+  const double s7_717 = fma(work.s7_123, s7_710, work.a_carrier_right_aux1_x);
+  const double s7_718 = fnma(work.s7_116, s7_716, fma(work.s7_119, s7_713, s7_717));
+  const double s7_719 = m_carrier_right*s7_718;
+  const double s7_720 = fma(work.s7_120, s7_716, work.a_carrier_right_aux1_y);
+  const double s7_721 = fnma(work.s7_117, s7_710, fma(work.s7_124, s7_713, s7_720));
+  const double s7_722 = m_carrier_right*s7_721;
+  const double f_carrier_right_y = s7_334 + (work.s7_271 + s7_722);
+  const double s7_723 = fma(work.s7_121, s7_710, work.a_carrier_right_aux1_z);
+  const double s7_724 = fnma(work.s7_118, s7_713, fma(work.s7_122, s7_716, s7_723));
+  const double s7_725 = m_carrier_right*s7_724;
+  const double f_carrier_right_z = s7_336 + (work.s7_275 + s7_725);
+  const double s7_726 = work.R_carrier_right_aux2_y_y*work.alpha_carrier_right_y;
+  const double s7_727 = fma(work.R_carrier_right_aux2_z_y, work.alpha_carrier_right_z, s7_726);
+  const double s7_728 = fnma(work.s1_30, work.alpha_carrier_right_x, s7_727);
+  const double s7_729 = work.R_carrier_right_y_z*work.alpha_carrier_right_y;
+  const double s7_730 = fma(work.R_carrier_right_x_z, work.alpha_carrier_right_x, s7_729);
+  const double s7_731 = fma(work.R_carrier_right_z_z, work.alpha_carrier_right_z, s7_730);
+  const double s7_732 = work.R_carrier_right_y_x*work.alpha_carrier_right_y;
+  const double s7_733 = fma(work.R_carrier_right_x_x, work.alpha_carrier_right_x, s7_732);
+  const double s7_734 = fma(work.R_carrier_right_z_x, work.alpha_carrier_right_z, s7_733);
+  const double s7_735 = work.R_carrier_right_y_x*work.w_carrier_right_y;
+  const double s7_736 = fma(work.R_carrier_right_x_x, work.w_carrier_right_x, s7_735);
+  const double s7_737 = fma(work.R_carrier_right_z_x, work.w_carrier_right_z, s7_736);
+  const double s7_738 = work.R_carrier_right_aux2_y_y*work.w_carrier_right_y;
+  const double s7_739 = fma(work.R_carrier_right_aux2_z_y, work.w_carrier_right_z, s7_738);
+  const double s7_740 = fnma(work.s1_30, work.w_carrier_right_x, s7_739);
+  const double s7_741 = work.R_carrier_right_y_z*work.w_carrier_right_y;
+  const double s7_742 = fma(work.R_carrier_right_x_z, work.w_carrier_right_x, s7_741);
+  const double s7_743 = fma(work.R_carrier_right_z_z, work.w_carrier_right_z, s7_742);
+  const double s7_744 = fma(I_carrier_right_yz, s7_743, I_carrier_right_yy*s7_740);
+  const double s7_745 = fma(I_carrier_right_xy, s7_737, s7_744);
+  const double s7_746 = fma(I_carrier_right_xx, s7_737, I_carrier_right_xy*s7_740);
+  const double s7_747 = fnma(-I_carrier_right_xz, s7_743, s7_746);
+  const double s7_748 = fma(I_carrier_right_zz, s7_731, I_carrier_right_yz*s7_728);
+  const double s7_749 = fma(s7_737, s7_745, fnma(-I_carrier_right_xz, s7_734, s7_748));
+  const double s7_750 = fnma(s7_740, s7_747, s7_749);
+  const double s7_751 = fma(I_carrier_right_zz, s7_743, I_carrier_right_yz*s7_740);
+  const double s7_752 = fnma(-I_carrier_right_xz, s7_737, s7_751);
+  const double s7_753 = fma(I_carrier_right_xx, s7_734, I_carrier_right_xy*s7_728);
+  const double s7_754 = fma(s7_740, s7_752, fnma(-I_carrier_right_xz, s7_731, s7_753));
+  const double s7_755 = fnma(s7_743, s7_745, s7_754);
+  const double s7_756 = fma(I_carrier_right_yz, s7_731, I_carrier_right_yy*s7_728);
+  const double s7_757 = fma(s7_743, s7_747, fma(I_carrier_right_xy, s7_734, s7_756));
+  const double s7_758 = fnma(s7_737, s7_752, s7_757);
+  const double s7_759 = fnma(s7_713, s7_722, s7_710*s7_725);
+  const double s7_760 = fma(work.R_carrier_right_x_z, s7_750, s7_759);
+  const double s7_761 = fnma(work.s1_30, s7_758, fma(work.R_carrier_right_x_x, s7_755, s7_760));
+  const double s7_762 = fma(work.s7_265, work.s7_275, fnma(work.s7_268, work.s7_271, s7_761));
+  const double n_carrier_right_x = fma(work.s7_329, s7_336, fnma(work.s7_332, s7_334, s7_762));
+  const double s7_763 = fnma(s7_716, s7_725, s7_713*s7_719);
+  const double s7_764 = fma(work.R_carrier_right_aux2_y_y, s7_758, s7_763);
+  const double s7_765 = fma(work.R_carrier_right_y_x, s7_755, s7_764);
+  const double s7_766 = fma(work.R_carrier_right_y_z, s7_750, s7_765);
+  const double s7_767 = fma(work.s7_268, work.s7_279, fnma(work.s7_262, work.s7_275, s7_766));
+  const double n_carrier_right_y = fma(work.s7_332, s7_338, fnma(work.s7_326, s7_336, s7_767));
+  const double s7_768 = fnma(s7_710, s7_719, s7_716*s7_722);
+  const double s7_769 = fma(work.R_carrier_right_aux2_z_y, s7_758, s7_768);
+  const double s7_770 = fma(work.R_carrier_right_z_z, s7_750, s7_769);
+  const double s7_771 = fma(work.R_carrier_right_z_x, s7_755, s7_770);
+  const double s7_772 = fma(work.s7_262, work.s7_271, fnma(work.s7_265, work.s7_279, s7_771));
+  const double n_carrier_right_z = fma(work.s7_326, s7_334, fnma(work.s7_329, s7_338, s7_772));
+  const double s7_773 = n_wheel_front_right_y + n_carrier_right_y;
+  const double s7_774 = fma(work.s1_42, f_wheel_front_right_x, s7_773);
+  work.s7_775 = fnma(work.s1_38, f_wheel_front_right_z, s7_774);
+  const double s7_776 = n_wheel_front_right_z + n_carrier_right_z;
+  const double s7_777 = fma(work.s1_38, f_wheel_front_right_y, s7_776);
+  work.s7_778 = fnma(work.s1_40, f_wheel_front_right_x, s7_777);
+  const double s7_779 = n_wheel_front_right_x + n_carrier_right_x;
+  const double s7_780 = fma(work.s1_40, f_wheel_front_right_z, s7_779);
+  work.s7_781 = fnma(work.s1_42, f_wheel_front_right_y, s7_780);
+  const double s7_782 = fnma(work.R_carrier_right_aux2_y_y, work.s7_775,
       tau[Coordinate::carrier_right_ry]);
-  const double s7_785 = fnma(work.R_carrier_right_aux2_z_y, work.s7_780, s7_784);
-  result.missing[9] = fma(work.s1_30, work.s7_783, s7_785);
-  const double s7_786 = f_wheel_front_right_z + f_carrier_right_z;
-  const double s7_787 = f_wheel_front_right_y + f_carrier_right_y;
+  const double s7_783 = fnma(work.R_carrier_right_aux2_z_y, work.s7_778, s7_782);
+  result.missing[9] = fma(work.s1_30, work.s7_781, s7_783);
+  const double s7_784 = f_wheel_front_right_z + f_carrier_right_z;
+  const double s7_785 = f_wheel_front_right_y + f_carrier_right_y;
   // carrier_right_aux2: carrier_right_rx, revolute, carrier_right_aux1
-  const double s7_788 = fnma(work.R_carrier_right_aux1_y_x, work.s7_777,
+  const double s7_786 = fnma(work.R_carrier_right_aux1_y_x, work.s7_775,
       tau[Coordinate::carrier_right_rx]);
-  const double s7_789 = fnma(work.cosines[10], work.s7_783, s7_788);
-  result.missing[8] = fnma(work.R_carrier_right_aux1_z_x, work.s7_780, s7_789);
+  const double s7_787 = fnma(work.cosines[10], work.s7_781, s7_786);
+  result.missing[8] = fnma(work.R_carrier_right_aux1_z_x, work.s7_778, s7_787);
   // carrier_right_aux1: carrier_right_rz, revolute, lower_arm_right
   const double R_lower_arm_right_y_y = work.cosines[9];
   const double R_lower_arm_right_z_y = work.sines[9];
-  const double s7_790 = fnma(R_lower_arm_right_y_y, work.s7_780, tau[Coordinate::carrier_right_rz]);
-  result.missing[7] = fma(R_lower_arm_right_z_y, work.s7_777, s7_790);
+  const double s7_788 = fnma(R_lower_arm_right_y_y, work.s7_778, tau[Coordinate::carrier_right_rz]);
+  result.missing[7] = fma(R_lower_arm_right_z_y, work.s7_775, s7_788);
   // lower_arm_right: lower_arm_right, revolute, chassis
-  const double s7_791 = -c_lower_arm_right_z*R_lower_arm_right_z_y;
-  const double s7_792 = fnma(-c_lower_arm_right_y, R_lower_arm_right_y_y, s7_791);
-  const double s7_793 = -c_lower_arm_right_y*R_lower_arm_right_z_y;
-  const double s7_794 = fma(-c_lower_arm_right_z, R_lower_arm_right_y_y, s7_793);
-  const double s7_795 = fnma(work.s7_94, s7_792, work.a_lower_arm_right_y);
-  const double f_lower_arm_right_y = m_lower_arm_right*fnma(work.s7_92, s7_794, s7_795);
-  const double s7_796 = fma(work.s7_93, s7_794, work.a_lower_arm_right_z);
-  const double f_lower_arm_right_z = m_lower_arm_right*fma(work.s7_91, s7_792, s7_796);
-  const double s7_797 = R_lower_arm_right_z_y*work.w_chassis_z;
-  const double s7_798 = fma(R_lower_arm_right_y_y, work.w_chassis_y, s7_797);
-  const double s7_799 = R_lower_arm_right_y_y*work.w_chassis_z;
-  const double s7_800 = fnma(R_lower_arm_right_z_y, work.w_chassis_y, s7_799);
-  const double s7_801 = I_lower_arm_right_xx*work.alpha_lower_arm_right_x;
-  const double s7_802 = fma(s7_798, I_lower_arm_right_zz*s7_800, s7_801);
-  const double s7_803 = fnma(s7_800, I_lower_arm_right_yy*s7_798, s7_802);
-  const double s7_804 = fma(s7_794, f_lower_arm_right_y, s7_803);
-  const double n_lower_arm_right_x = fma(s7_792, f_lower_arm_right_z, s7_804);
-  const double s7_805 = tau[Coordinate::lower_arm_right] - work.s7_783 - n_lower_arm_right_x;
-  result.missing[6] = fnma(work.s1_25, s7_786, fnma(work.s1_27, s7_787, s7_805));
+  const double s7_789 = -c_lower_arm_right_z*R_lower_arm_right_z_y;
+  const double s7_790 = fnma(-c_lower_arm_right_y, R_lower_arm_right_y_y, s7_789);
+  const double s7_791 = -c_lower_arm_right_y*R_lower_arm_right_z_y;
+  const double s7_792 = fma(-c_lower_arm_right_z, R_lower_arm_right_y_y, s7_791);
+  const double s7_793 = fnma(work.s7_94, s7_790, work.a_lower_arm_right_y);
+  const double f_lower_arm_right_y = m_lower_arm_right*fnma(work.s7_92, s7_792, s7_793);
+  const double s7_794 = fma(work.s7_93, s7_792, work.a_lower_arm_right_z);
+  const double f_lower_arm_right_z = m_lower_arm_right*fma(work.s7_91, s7_790, s7_794);
+  const double s7_795 = R_lower_arm_right_z_y*work.w_chassis_z;
+  const double s7_796 = fma(R_lower_arm_right_y_y, work.w_chassis_y, s7_795);
+  const double s7_797 = R_lower_arm_right_y_y*work.w_chassis_z;
+  const double s7_798 = fnma(R_lower_arm_right_z_y, work.w_chassis_y, s7_797);
+  const double s7_799 = I_lower_arm_right_xx*work.alpha_lower_arm_right_x;
+  const double s7_800 = fma(s7_796, I_lower_arm_right_zz*s7_798, s7_799);
+  const double s7_801 = fnma(s7_798, I_lower_arm_right_yy*s7_796, s7_800);
+  const double s7_802 = fma(s7_792, f_lower_arm_right_y, s7_801);
+  const double n_lower_arm_right_x = fma(s7_790, f_lower_arm_right_z, s7_802);
+  const double s7_803 = tau[Coordinate::lower_arm_right] - work.s7_781 - n_lower_arm_right_x;
+  result.missing[6] = fnma(work.s1_25, s7_784, fnma(work.s1_27, s7_785, s7_803));
   // arb_front_left: arb_front_left, revolute, chassis
-  const double s7_806 = -c_arb_front_left_x*R_arb_front_left_x_z;
-  const double s7_807 = fma(c_arb_front_left_z, R_arb_front_left_x_x, s7_806);
-  const double s7_808 = c_arb_front_left_z*R_arb_front_left_x_z;
-  const double s7_809 = fnma(-c_arb_front_left_x, R_arb_front_left_x_x, s7_808);
-  const double s7_810 = fma(c_arb_front_left_y, work.s7_89, work.a_arb_front_left_x);
-  const double s7_811 = fnma(work.s7_86, s7_809, fma(work.s7_83, s7_807, s7_810));
-  const double s7_812 = fma(c_arb_front_left_y, work.s7_88, work.a_arb_front_left_z);
-  const double s7_813 = fnma(work.s7_85, s7_807, fma(work.s7_84, s7_809, s7_812));
-  const double s7_814 = R_arb_front_left_x_x*work.alpha_arb_front_left_x;
-  const double s7_815 = R_arb_front_left_x_z*work.alpha_arb_front_left_x;
-  const double s7_816 = R_arb_front_left_x_x*work.w_chassis_x;
-  const double s7_817 = fnma(R_arb_front_left_x_z, work.w_chassis_z, s7_816);
-  const double s7_818 = R_arb_front_left_x_z*work.w_chassis_x;
-  const double s7_819 = fma(R_arb_front_left_x_x, work.w_chassis_z, s7_818);
-  const double s7_820 = I_arb_front_left_xy*work.w_arb_front_left_y;
-  const double s7_821 = fma(I_arb_front_left_xz, s7_819, s7_820);
-  const double s7_822 = fma(I_arb_front_left_zz, s7_819, I_arb_front_left_xz*s7_817);
-  const double s7_823 = fnma(R_arb_front_left_x_z, work.alpha_arb_front_left_z, s7_814);
-  const double s7_824 = I_arb_front_left_yy*work.alpha_arb_front_left_y;
-  const double s7_825 = fma(R_arb_front_left_x_x, work.alpha_arb_front_left_z, s7_815);
-  const double s7_826 = fma(I_arb_front_left_xy, s7_823, s7_824);
-  const double s7_827 = fnma(-I_arb_front_left_yz, s7_825, s7_826);
-  const double s7_828 = fma(s7_819, fma(I_arb_front_left_xx, s7_817, s7_821), s7_827);
-  const double s7_829 = fnma(-I_arb_front_left_yz, work.w_arb_front_left_y, s7_822);
-  const double s7_830 = fma(s7_807, m_arb_front_left*s7_811, fnma(s7_817, s7_829, s7_828));
-  const double s7_831 = fnma(work.s7_237, s7_258, fnma(s7_809, m_arb_front_left*s7_813, s7_830));
-  const double n_arb_front_left_y = fma(work.s7_235, s7_261, s7_831);
+  const double R_arb_front_left_x_z = work.sines[8];
+  const double R_arb_front_left_x_x = work.cosines[8];
+  const double s7_804 = -c_arb_front_left_x*R_arb_front_left_x_z;
+  const double s7_805 = fma(c_arb_front_left_z, R_arb_front_left_x_x, s7_804);
+  const double s7_806 = c_arb_front_left_z*R_arb_front_left_x_z;
+  const double s7_807 = fnma(-c_arb_front_left_x, R_arb_front_left_x_x, s7_806);
+  const double s7_808 = fma(c_arb_front_left_y, work.s7_89, work.a_arb_front_left_x);
+  const double s7_809 = fnma(work.s7_86, s7_807, fma(work.s7_83, s7_805, s7_808));
+  const double s7_810 = fma(c_arb_front_left_y, work.s7_88, work.a_arb_front_left_z);
+  const double s7_811 = fnma(work.s7_85, s7_805, fma(work.s7_84, s7_807, s7_810));
+  const double s7_812 = R_arb_front_left_x_x*work.alpha_arb_front_left_x;
+  const double s7_813 = R_arb_front_left_x_z*work.alpha_arb_front_left_x;
+  const double s7_814 = R_arb_front_left_x_x*work.w_chassis_x;
+  const double s7_815 = fnma(R_arb_front_left_x_z, work.w_chassis_z, s7_814);
+  const double s7_816 = R_arb_front_left_x_z*work.w_chassis_x;
+  const double s7_817 = fma(R_arb_front_left_x_x, work.w_chassis_z, s7_816);
+  const double s7_818 = I_arb_front_left_xy*work.w_arb_front_left_y;
+  const double s7_819 = fma(I_arb_front_left_xz, s7_817, s7_818);
+  const double s7_820 = fma(I_arb_front_left_zz, s7_817, I_arb_front_left_xz*s7_815);
+  const double s7_821 = fnma(R_arb_front_left_x_z, work.alpha_arb_front_left_z, s7_812);
+  const double s7_822 = I_arb_front_left_yy*work.alpha_arb_front_left_y;
+  const double s7_823 = fma(R_arb_front_left_x_x, work.alpha_arb_front_left_z, s7_813);
+  const double s7_824 = fma(I_arb_front_left_xy, s7_821, s7_822);
+  const double s7_825 = fnma(-I_arb_front_left_yz, s7_823, s7_824);
+  const double s7_826 = fma(s7_817, fma(I_arb_front_left_xx, s7_815, s7_819), s7_825);
+  const double s7_827 = fnma(-I_arb_front_left_yz, work.w_arb_front_left_y, s7_820);
+  const double s7_828 = fma(s7_805, m_arb_front_left*s7_809, fnma(s7_815, s7_827, s7_826));
+  const double s7_829 = fnma(s7_807, m_arb_front_left*s7_811, s7_828);
+  const double n_arb_front_left_y = fma(work.s7_229, work.s7_255, fnma(work.s7_231, work.s7_252,
+      s7_829));
   work.Q_arb_front_left = tau[Coordinate::arb_front_left] - n_arb_front_left_y;
   result.missing[5] = work.Q_arb_front_left;
   // upper_arm_left: upper_arm_left, revolute, chassis
   const double R_upper_arm_left_z_y = work.sines[7];
   const double R_upper_arm_left_y_y = work.cosines[7];
-  const double s7_832 = c_upper_arm_left_y*R_upper_arm_left_z_y;
-  const double s7_833 = fnma(-c_upper_arm_left_z, R_upper_arm_left_y_y, s7_832);
-  const double s7_834 = -c_upper_arm_left_z*R_upper_arm_left_z_y;
-  const double s7_835 = fma(c_upper_arm_left_y, R_upper_arm_left_y_y, s7_834);
-  const double s7_836 = fma(work.s7_72, s7_833, work.a_upper_arm_left_y);
-  const double f_upper_arm_left_y = m_upper_arm_left*fnma(work.s7_74, s7_835, s7_836);
-  const double s7_837 = fma(work.s7_71, s7_835, work.a_upper_arm_left_z);
-  const double f_upper_arm_left_z = m_upper_arm_left*fnma(work.s7_73, s7_833, s7_837);
-  const double s7_838 = R_upper_arm_left_z_y*work.w_chassis_z;
-  const double s7_839 = fma(R_upper_arm_left_y_y, work.w_chassis_y, s7_838);
-  const double s7_840 = R_upper_arm_left_y_y*work.w_chassis_z;
-  const double s7_841 = fnma(R_upper_arm_left_z_y, work.w_chassis_y, s7_840);
-  const double s7_842 = I_upper_arm_left_xx*work.alpha_upper_arm_left_x;
-  const double s7_843 = fma(s7_839, I_upper_arm_left_zz*s7_841, s7_842);
-  const double s7_844 = fnma(s7_841, I_upper_arm_left_yy*s7_839, s7_843);
-  const double s7_845 = fma(s7_835, f_upper_arm_left_z, s7_844);
-  work.n_upper_arm_left_x = fnma(s7_833, f_upper_arm_left_y, s7_845);
-}
-
-/// Part 3 of compute_multipliers: step 7: inertias of the bodies and forces on joints; step 9:
-/// multipliers of the closures and driving forces.
-[[gnu::noinline]] void compute_multipliers_3(const State& state, const double* tau,
-    ConstraintForcesWork& __restrict work, ConstraintForces& __restrict result) noexcept {
-  // --- step 7: inertias of the bodies and forces on joints, continued ---
-  // upper_arm_left: upper_arm_left, revolute, chassis
-  const double Q_upper_arm_left = tau[Coordinate::upper_arm_left] - work.n_upper_arm_left_x;
-  result.missing[4] = Q_upper_arm_left;
+  const double s7_830 = c_upper_arm_left_y*R_upper_arm_left_z_y;
+  const double s7_831 = fnma(-c_upper_arm_left_z, R_upper_arm_left_y_y, s7_830);
+  const double s7_832 = -c_upper_arm_left_z*R_upper_arm_left_z_y;
+  const double s7_833 = fma(c_upper_arm_left_y, R_upper_arm_left_y_y, s7_832);
+  const double s7_834 = fma(work.s7_72, s7_831, work.a_upper_arm_left_y);
+  const double f_upper_arm_left_y = m_upper_arm_left*fnma(work.s7_74, s7_833, s7_834);
+  const double s7_835 = fma(work.s7_71, s7_833, work.a_upper_arm_left_z);
+  const double f_upper_arm_left_z = m_upper_arm_left*fnma(work.s7_73, s7_831, s7_835);
+  const double s7_836 = R_upper_arm_left_z_y*work.w_chassis_z;
+  const double s7_837 = fma(R_upper_arm_left_y_y, work.w_chassis_y, s7_836);
+  const double s7_838 = R_upper_arm_left_y_y*work.w_chassis_z;
+  const double s7_839 = fnma(R_upper_arm_left_z_y, work.w_chassis_y, s7_838);
+  const double s7_840 = I_upper_arm_left_xx*work.alpha_upper_arm_left_x;
+  const double s7_841 = fma(s7_837, I_upper_arm_left_zz*s7_839, s7_840);
+  const double s7_842 = fnma(s7_839, I_upper_arm_left_yy*s7_837, s7_841);
+  const double s7_843 = fma(s7_833, f_upper_arm_left_z, s7_842);
+  const double n_upper_arm_left_x = fnma(s7_831, f_upper_arm_left_y, s7_843);
+  work.Q_upper_arm_left = tau[Coordinate::upper_arm_left] - n_upper_arm_left_x;
+  result.missing[4] = work.Q_upper_arm_left;
   // wheel_front_left: wheel_front_left, revolute, carrier_left
   const double f_wheel_front_left_x = m_wheel_front_left*work.a_wheel_front_left_x;
   const double f_wheel_front_left_y = m_wheel_front_left*work.a_wheel_front_left_y;
   const double f_wheel_front_left_z = m_wheel_front_left*work.a_wheel_front_left_z;
-  const double s7_846 = work.R_carrier_left_y_z*work.alpha_wheel_front_left_y;
-  const double s7_847 = fma(work.R_carrier_left_x_z, work.alpha_wheel_front_left_x, s7_846);
-  const double s7_848 = work.R_carrier_left_y_x*work.w_wheel_front_left_y;
-  const double s7_849 = fma(work.R_carrier_left_x_x, work.w_wheel_front_left_x, s7_848);
-  const double s7_850 = fma(work.R_carrier_left_z_x, work.w_wheel_front_left_z, s7_849);
-  const double s7_851 = work.R_carrier_left_aux2_y_y*work.w_wheel_front_left_y;
-  const double s7_852 = fma(work.R_carrier_left_aux2_z_y, work.w_wheel_front_left_z, s7_851);
-  const double s7_853 = fnma(work.s1_12, work.w_wheel_front_left_x, s7_852);
-  const double s7_854 = I_wheel_front_left_yy*s7_853;
-  const double s7_855 = I_wheel_front_left_xx*s7_850;
-  const double s7_856 = fma(work.R_carrier_left_z_z, work.alpha_wheel_front_left_z, s7_847);
-  const double s7_857 = fnma(s7_853, s7_855, fma(s7_850, s7_854, I_wheel_front_left_zz*s7_856));
-  const double s7_858 = work.R_carrier_left_y_x*work.alpha_wheel_front_left_y;
-  const double s7_859 = fma(work.R_carrier_left_x_x, work.alpha_wheel_front_left_x, s7_858);
-  const double s7_860 = work.R_carrier_left_y_z*work.w_wheel_front_left_y;
-  const double s7_861 = fma(work.R_carrier_left_x_z, work.w_wheel_front_left_x, s7_860);
-  const double s7_862 = fma(work.R_carrier_left_z_z, work.w_wheel_front_left_z, s7_861);
-  const double s7_863 = I_wheel_front_left_zz*s7_862;
-  const double s7_864 = fma(work.R_carrier_left_z_x, work.alpha_wheel_front_left_z, s7_859);
-  const double s7_865 = fnma(s7_854, s7_862, fma(s7_853, s7_863, I_wheel_front_left_xx*s7_864));
-  const double s7_866 = work.R_carrier_left_aux2_y_y*work.alpha_wheel_front_left_y;
-  const double s7_867 = fma(work.R_carrier_left_aux2_z_y, work.alpha_wheel_front_left_z, s7_866);
-  const double s7_868 = fnma(work.s1_12, work.alpha_wheel_front_left_x, s7_867);
-  const double s7_869 = fnma(s7_850, s7_863, fma(s7_855, s7_862, I_wheel_front_left_yy*s7_868));
-  const double s7_870 = fma(work.R_carrier_left_x_x, s7_865, work.R_carrier_left_x_z*s7_857);
-  const double n_wheel_front_left_x = fnma(work.s1_12, s7_869, s7_870);
-  const double s7_871 = work.R_carrier_left_aux2_y_y*s7_869;
-  const double s7_872 = fma(work.R_carrier_left_y_x, s7_865, s7_871);
-  const double n_wheel_front_left_y = fma(work.R_carrier_left_y_z, s7_857, s7_872);
-  const double s7_873 = work.R_carrier_left_aux2_z_y*s7_869;
-  const double s7_874 = fma(work.R_carrier_left_z_z, s7_857, s7_873);
-  const double n_wheel_front_left_z = fma(work.R_carrier_left_z_x, s7_865, s7_874);
+  const double s7_844 = work.R_carrier_left_y_z*work.alpha_wheel_front_left_y;
+  const double s7_845 = fma(work.R_carrier_left_x_z, work.alpha_wheel_front_left_x, s7_844);
+  const double s7_846 = work.R_carrier_left_y_x*work.w_wheel_front_left_y;
+  const double s7_847 = fma(work.R_carrier_left_x_x, work.w_wheel_front_left_x, s7_846);
+  const double s7_848 = fma(work.R_carrier_left_z_x, work.w_wheel_front_left_z, s7_847);
+  const double s7_849 = work.R_carrier_left_aux2_y_y*work.w_wheel_front_left_y;
+  const double s7_850 = fma(work.R_carrier_left_aux2_z_y, work.w_wheel_front_left_z, s7_849);
+  const double s7_851 = fnma(work.s1_12, work.w_wheel_front_left_x, s7_850);
+  const double s7_852 = I_wheel_front_left_yy*s7_851;
+  const double s7_853 = I_wheel_front_left_xx*s7_848;
+  const double s7_854 = fma(work.R_carrier_left_z_z, work.alpha_wheel_front_left_z, s7_845);
+  const double s7_855 = fnma(s7_851, s7_853, fma(s7_848, s7_852, I_wheel_front_left_zz*s7_854));
+  const double s7_856 = work.R_carrier_left_y_x*work.alpha_wheel_front_left_y;
+  const double s7_857 = fma(work.R_carrier_left_x_x, work.alpha_wheel_front_left_x, s7_856);
+  const double s7_858 = work.R_carrier_left_y_z*work.w_wheel_front_left_y;
+  const double s7_859 = fma(work.R_carrier_left_x_z, work.w_wheel_front_left_x, s7_858);
+  const double s7_860 = fma(work.R_carrier_left_z_z, work.w_wheel_front_left_z, s7_859);
+  const double s7_861 = I_wheel_front_left_zz*s7_860;
+  const double s7_862 = fma(work.R_carrier_left_z_x, work.alpha_wheel_front_left_z, s7_857);
+  const double s7_863 = fnma(s7_852, s7_860, fma(s7_851, s7_861, I_wheel_front_left_xx*s7_862));
+  const double s7_864 = work.R_carrier_left_aux2_y_y*work.alpha_wheel_front_left_y;
+  const double s7_865 = fma(work.R_carrier_left_aux2_z_y, work.alpha_wheel_front_left_z, s7_864);
+  const double s7_866 = fnma(work.s1_12, work.alpha_wheel_front_left_x, s7_865);
+  const double s7_867 = fnma(s7_848, s7_861, fma(s7_853, s7_860, I_wheel_front_left_yy*s7_866));
+  const double s7_868 = fma(work.R_carrier_left_x_x, s7_863, work.R_carrier_left_x_z*s7_855);
+  const double n_wheel_front_left_x = fnma(work.s1_12, s7_867, s7_868);
+  const double s7_869 = work.R_carrier_left_aux2_y_y*s7_867;
+  const double s7_870 = fma(work.R_carrier_left_y_x, s7_863, s7_869);
+  const double n_wheel_front_left_y = fma(work.R_carrier_left_y_z, s7_855, s7_870);
+  const double s7_871 = work.R_carrier_left_aux2_z_y*s7_867;
+  const double s7_872 = fma(work.R_carrier_left_z_z, s7_855, s7_871);
+  const double n_wheel_front_left_z = fma(work.R_carrier_left_z_x, s7_863, s7_872);
   // carrier_left: carrier_left_ry, revolute, carrier_left_aux2
-  const double s7_875 = c_carrier_left_y*work.R_carrier_left_aux2_y_y;
-  const double s7_876 = fma(c_carrier_left_z, work.R_carrier_left_y_z, s7_875);
-  const double s7_877 = fnma(-c_carrier_left_x, work.R_carrier_left_y_x, s7_876);
-  const double s7_878 = c_carrier_left_y*work.R_carrier_left_aux2_z_y;
-  const double s7_879 = fma(c_carrier_left_z, work.R_carrier_left_z_z, s7_878);
-  const double s7_880 = fnma(-c_carrier_left_x, work.R_carrier_left_z_x, s7_879);
-  const double s7_881 = c_carrier_left_z*work.R_carrier_left_x_z;
-  const double s7_882 = fnma(-c_carrier_left_x, work.R_carrier_left_x_x, s7_881);
-  const double s7_883 = fnma(c_carrier_left_y, work.s1_12, s7_882);
-  const double s7_884 = fma(work.s7_57, s7_877, work.a_carrier_left_aux1_x);
-  const double s7_885 = m_carrier_left*fnma(work.s7_50, s7_883, fma(work.s7_53, s7_880, s7_884));
-  const double s7_886 = fma(work.s7_54, s7_883, work.a_carrier_left_aux1_y);
-  const double s7_887 = m_carrier_left*fnma(work.s7_51, s7_877, fma(work.s7_58, s7_880, s7_886));
-  const double f_carrier_left_y = work.s7_322 + (work.s7_249 + s7_887);
-  const double s7_888 = fma(work.s7_55, s7_877, work.a_carrier_left_aux1_z);
-  const double s7_889 = m_carrier_left*fnma(work.s7_52, s7_880, fma(work.s7_56, s7_883, s7_888));
-  const double f_carrier_left_z = work.s7_318 + (work.s7_252 + s7_889);
-  const double s7_890 = work.R_carrier_left_y_z*work.alpha_carrier_left_y;
-  const double s7_891 = fma(work.R_carrier_left_x_z, work.alpha_carrier_left_x, s7_890);
-  const double s7_892 = fma(work.R_carrier_left_z_z, work.alpha_carrier_left_z, s7_891);
-  const double s7_893 = work.R_carrier_left_y_x*work.alpha_carrier_left_y;
-  const double s7_894 = fma(work.R_carrier_left_x_x, work.alpha_carrier_left_x, s7_893);
-  const double s7_895 = fma(work.R_carrier_left_z_x, work.alpha_carrier_left_z, s7_894);
-  const double s7_896 = work.R_carrier_left_aux2_y_y*work.alpha_carrier_left_y;
-  const double s7_897 = fma(work.R_carrier_left_aux2_z_y, work.alpha_carrier_left_z, s7_896);
-  const double s7_898 = fnma(work.s1_12, work.alpha_carrier_left_x, s7_897);
-  const double s7_899 = work.R_carrier_left_y_x*work.w_carrier_left_y;
-  const double s7_900 = fma(work.R_carrier_left_x_x, work.w_carrier_left_x, s7_899);
-  const double s7_901 = fma(work.R_carrier_left_z_x, work.w_carrier_left_z, s7_900);
-  const double s7_902 = work.R_carrier_left_aux2_y_y*work.w_carrier_left_y;
-  const double s7_903 = fma(work.R_carrier_left_aux2_z_y, work.w_carrier_left_z, s7_902);
-  const double s7_904 = fnma(work.s1_12, work.w_carrier_left_x, s7_903);
-  const double s7_905 = work.R_carrier_left_y_z*work.w_carrier_left_y;
-  const double s7_906 = fma(work.R_carrier_left_x_z, work.w_carrier_left_x, s7_905);
-  const double s7_907 = fma(work.R_carrier_left_z_z, work.w_carrier_left_z, s7_906);
-  const double s7_908 = fnma(-I_carrier_left_yz, s7_907, I_carrier_left_yy*s7_904);
-  const double s7_909 = fnma(-I_carrier_left_xy, s7_901, s7_908);
-  const double s7_910 = fnma(-I_carrier_left_xz, s7_907, I_carrier_left_xx*s7_901);
-  const double s7_911 = fnma(-I_carrier_left_xy, s7_904, s7_910);
-  const double s7_912 = fnma(-I_carrier_left_xz, s7_895, I_carrier_left_zz*s7_892);
-  const double s7_913 = fma(s7_901, s7_909, fnma(-I_carrier_left_yz, s7_898, s7_912));
-  const double s7_914 = fnma(s7_904, s7_911, s7_913);
-  const double s7_915 = fnma(-I_carrier_left_xz, s7_901, I_carrier_left_zz*s7_907);
-  const double s7_916 = fnma(-I_carrier_left_yz, s7_904, s7_915);
-  const double s7_917 = fnma(-I_carrier_left_xz, s7_892, I_carrier_left_xx*s7_895);
-  const double s7_918 = fma(s7_904, s7_916, fnma(-I_carrier_left_xy, s7_898, s7_917));
-  const double s7_919 = fnma(s7_907, s7_909, s7_918);
-  const double s7_920 = fnma(-I_carrier_left_yz, s7_892, I_carrier_left_yy*s7_898);
-  const double s7_921 = fma(s7_907, s7_911, fnma(-I_carrier_left_xy, s7_895, s7_920));
-  const double s7_922 = fnma(s7_901, s7_916, s7_921);
-  const double s7_923 = fnma(s7_880, s7_887, s7_877*s7_889);
-  const double s7_924 = fma(work.R_carrier_left_x_z, s7_914, s7_923);
-  const double s7_925 = fnma(work.s1_12, s7_922, fma(work.R_carrier_left_x_x, s7_919, s7_924));
-  const double s7_926 = fma(work.s7_243, work.s7_252, fnma(work.s7_246, work.s7_249, s7_925));
-  const double n_carrier_left_x = fma(work.s7_314, work.s7_318, fnma(work.s7_316, work.s7_322,
-      s7_926));
-  const double s7_927 = fnma(s7_883, s7_889, s7_880*s7_885);
-  const double s7_928 = fma(work.R_carrier_left_aux2_y_y, s7_922, s7_927);
-  const double s7_929 = fma(work.R_carrier_left_y_x, s7_919, s7_928);
-  const double s7_930 = fma(work.R_carrier_left_y_z, s7_914, s7_929);
-  const double s7_931 = fma(work.s7_246, work.s7_255, fnma(work.s7_240, work.s7_252, s7_930));
-  const double n_carrier_left_y = fma(work.s7_316, work.s7_320, fnma(work.s7_312, work.s7_318,
-      s7_931));
-  const double s7_932 = fnma(s7_877, s7_885, s7_883*s7_887);
-  const double s7_933 = fma(work.R_carrier_left_aux2_z_y, s7_922, s7_932);
-  const double s7_934 = fma(work.R_carrier_left_z_z, s7_914, s7_933);
-  const double s7_935 = fma(work.R_carrier_left_z_x, s7_919, s7_934);
-  const double s7_936 = fma(work.s7_240, work.s7_249, fnma(work.s7_243, work.s7_255, s7_935));
-  const double n_carrier_left_z = fma(work.s7_312, work.s7_322, fnma(work.s7_314, work.s7_320,
-      s7_936));
-  const double s7_937 = n_wheel_front_left_y + n_carrier_left_y;
-  const double s7_938 = fma(work.s1_22, f_wheel_front_left_x, s7_937);
-  const double s7_939 = fnma(work.s1_18, f_wheel_front_left_z, s7_938);
-  const double s7_940 = n_wheel_front_left_z + n_carrier_left_z;
-  const double s7_941 = fma(work.s1_18, f_wheel_front_left_y, s7_940);
-  const double s7_942 = fnma(work.s1_20, f_wheel_front_left_x, s7_941);
-  const double s7_943 = n_wheel_front_left_x + n_carrier_left_x;
-  const double s7_944 = fma(work.s1_20, f_wheel_front_left_z, s7_943);
-  const double s7_945 = fnma(work.s1_22, f_wheel_front_left_y, s7_944);
-  const double tau_carrier_left_ry = tau[Coordinate::carrier_left_ry];
-  const double s7_946 = fnma(work.R_carrier_left_aux2_y_y, s7_939, tau_carrier_left_ry);
-  const double s7_947 = fnma(work.R_carrier_left_aux2_z_y, s7_942, s7_946);
-  result.missing[3] = fma(work.s1_12, s7_945, s7_947);
-  const double s7_948 = f_wheel_front_left_y + f_carrier_left_y;
-  const double s7_949 = f_wheel_front_left_z + f_carrier_left_z;
+  const double s7_873 = c_carrier_left_y*work.R_carrier_left_aux2_y_y;
+  const double s7_874 = fma(c_carrier_left_z, work.R_carrier_left_y_z, s7_873);
+  const double s7_875 = fnma(-c_carrier_left_x, work.R_carrier_left_y_x, s7_874);
+  const double s7_876 = c_carrier_left_y*work.R_carrier_left_aux2_z_y;
+  const double s7_877 = fma(c_carrier_left_z, work.R_carrier_left_z_z, s7_876);
+  const double s7_878 = fnma(-c_carrier_left_x, work.R_carrier_left_z_x, s7_877);
+  const double s7_879 = c_carrier_left_z*work.R_carrier_left_x_z;
+  const double s7_880 = fnma(-c_carrier_left_x, work.R_carrier_left_x_x, s7_879);
+  const double s7_881 = fnma(c_carrier_left_y, work.s1_12, s7_880);
+  const double s7_882 = fma(work.s7_57, s7_875, work.a_carrier_left_aux1_x);
+  const double s7_883 = m_carrier_left*fnma(work.s7_50, s7_881, fma(work.s7_53, s7_878, s7_882));
+  const double s7_884 = fma(work.s7_54, s7_881, work.a_carrier_left_aux1_y);
+  const double s7_885 = m_carrier_left*fnma(work.s7_51, s7_875, fma(work.s7_58, s7_878, s7_884));
+  const double f_carrier_left_y = s7_315 + (work.s7_243 + s7_885);
+  const double s7_886 = fma(work.s7_55, s7_875, work.a_carrier_left_aux1_z);
+  const double s7_887 = m_carrier_left*fnma(work.s7_52, s7_878, fma(work.s7_56, s7_881, s7_886));
+  const double f_carrier_left_z = s7_311 + (work.s7_246 + s7_887);
+  const double s7_888 = work.R_carrier_left_y_z*work.alpha_carrier_left_y;
+  const double s7_889 = fma(work.R_carrier_left_x_z, work.alpha_carrier_left_x, s7_888);
+  const double s7_890 = fma(work.R_carrier_left_z_z, work.alpha_carrier_left_z, s7_889);
+  const double s7_891 = work.R_carrier_left_y_x*work.alpha_carrier_left_y;
+  const double s7_892 = fma(work.R_carrier_left_x_x, work.alpha_carrier_left_x, s7_891);
+  const double s7_893 = fma(work.R_carrier_left_z_x, work.alpha_carrier_left_z, s7_892);
+  const double s7_894 = work.R_carrier_left_aux2_y_y*work.alpha_carrier_left_y;
+  const double s7_895 = fma(work.R_carrier_left_aux2_z_y, work.alpha_carrier_left_z, s7_894);
+  const double s7_896 = fnma(work.s1_12, work.alpha_carrier_left_x, s7_895);
+  const double s7_897 = work.R_carrier_left_y_x*work.w_carrier_left_y;
+  const double s7_898 = fma(work.R_carrier_left_x_x, work.w_carrier_left_x, s7_897);
+  const double s7_899 = fma(work.R_carrier_left_z_x, work.w_carrier_left_z, s7_898);
+  const double s7_900 = work.R_carrier_left_aux2_y_y*work.w_carrier_left_y;
+  const double s7_901 = fma(work.R_carrier_left_aux2_z_y, work.w_carrier_left_z, s7_900);
+  const double s7_902 = fnma(work.s1_12, work.w_carrier_left_x, s7_901);
+  const double s7_903 = work.R_carrier_left_y_z*work.w_carrier_left_y;
+  const double s7_904 = fma(work.R_carrier_left_x_z, work.w_carrier_left_x, s7_903);
+  const double s7_905 = fma(work.R_carrier_left_z_z, work.w_carrier_left_z, s7_904);
+  const double s7_906 = fnma(-I_carrier_left_yz, s7_905, I_carrier_left_yy*s7_902);
+  const double s7_907 = fnma(-I_carrier_left_xy, s7_899, s7_906);
+  const double s7_908 = fnma(-I_carrier_left_xz, s7_905, I_carrier_left_xx*s7_899);
+  const double s7_909 = fnma(-I_carrier_left_xy, s7_902, s7_908);
+  const double s7_910 = fnma(-I_carrier_left_xz, s7_893, I_carrier_left_zz*s7_890);
+  const double s7_911 = fma(s7_899, s7_907, fnma(-I_carrier_left_yz, s7_896, s7_910));
+  const double s7_912 = fnma(s7_902, s7_909, s7_911);
+  const double s7_913 = fnma(-I_carrier_left_xz, s7_899, I_carrier_left_zz*s7_905);
+  const double s7_914 = fnma(-I_carrier_left_yz, s7_902, s7_913);
+  const double s7_915 = fnma(-I_carrier_left_xz, s7_890, I_carrier_left_xx*s7_893);
+  const double s7_916 = fma(s7_902, s7_914, fnma(-I_carrier_left_xy, s7_896, s7_915));
+  const double s7_917 = fnma(s7_905, s7_907, s7_916);
+  const double s7_918 = fnma(-I_carrier_left_yz, s7_890, I_carrier_left_yy*s7_896);
+  const double s7_919 = fma(s7_905, s7_909, fnma(-I_carrier_left_xy, s7_893, s7_918));
+  const double s7_920 = fnma(s7_899, s7_914, s7_919);
+  const double s7_921 = fnma(s7_878, s7_885, s7_875*s7_887);
+  const double s7_922 = fma(work.R_carrier_left_x_z, s7_912, s7_921);
+  const double s7_923 = fnma(work.s1_12, s7_920, fma(work.R_carrier_left_x_x, s7_917, s7_922));
+  const double s7_924 = fma(work.s7_237, work.s7_246, fnma(work.s7_240, work.s7_243, s7_923));
+  const double n_carrier_left_x = fma(work.s7_307, s7_311, fnma(work.s7_309, s7_315, s7_924));
+  const double s7_925 = fnma(s7_881, s7_887, s7_878*s7_883);
+  const double s7_926 = fma(work.R_carrier_left_aux2_y_y, s7_920, s7_925);
+  const double s7_927 = fma(work.R_carrier_left_y_x, s7_917, s7_926);
+  const double s7_928 = fma(work.R_carrier_left_y_z, s7_912, s7_927);
+  const double s7_929 = fma(work.s7_240, work.s7_249, fnma(work.s7_234, work.s7_246, s7_928));
+  const double n_carrier_left_y = fma(work.s7_309, s7_313, fnma(work.s7_305, s7_311, s7_929));
+  const double s7_930 = fnma(s7_875, s7_883, s7_881*s7_885);
+  const double s7_931 = fma(work.R_carrier_left_aux2_z_y, s7_920, s7_930);
+  const double s7_932 = fma(work.R_carrier_left_z_z, s7_912, s7_931);
+  const double s7_933 = fma(work.R_carrier_left_z_x, s7_917, s7_932);
+  const double s7_934 = fma(work.s7_234, work.s7_243, fnma(work.s7_237, work.s7_249, s7_933));
+  const double n_carrier_left_z = fma(work.s7_305, s7_315, fnma(work.s7_307, s7_313, s7_934));
+  const double s7_935 = n_wheel_front_left_y + n_carrier_left_y;
+  const double s7_936 = fma(work.s1_22, f_wheel_front_left_x, s7_935);
+  work.s7_937 = fnma(work.s1_18, f_wheel_front_left_z, s7_936);
+  const double s7_938 = n_wheel_front_left_z + n_carrier_left_z;
+  const double s7_939 = fma(work.s1_18, f_wheel_front_left_y, s7_938);
+  work.s7_940 = fnma(work.s1_20, f_wheel_front_left_x, s7_939);
+  const double s7_941 = n_wheel_front_left_x + n_carrier_left_x;
+  const double s7_942 = fma(work.s1_20, f_wheel_front_left_z, s7_941);
+  const double s7_943 = fnma(work.s1_22, f_wheel_front_left_y, s7_942);
+  const double s7_944 = fnma(work.R_carrier_left_aux2_y_y, work.s7_937,
+      tau[Coordinate::carrier_left_ry]);
+  const double s7_945 = fnma(work.R_carrier_left_aux2_z_y, work.s7_940, s7_944);
+  result.missing[3] = fma(work.s1_12, s7_943, s7_945);
+  const double s7_946 = f_wheel_front_left_y + f_carrier_left_y;
+  const double s7_947 = f_wheel_front_left_z + f_carrier_left_z;
   // carrier_left_aux2: carrier_left_rx, revolute, carrier_left_aux1
-  const double tau_carrier_left_rx = tau[Coordinate::carrier_left_rx];
-  const double R_carrier_left_aux1_x_x = work.cosines[4];
-  const double s7_950 = fnma(work.R_carrier_left_aux1_y_x, s7_939, tau_carrier_left_rx);
-  const double s7_951 = fnma(R_carrier_left_aux1_x_x, s7_945, s7_950);
-  result.missing[2] = fnma(work.R_carrier_left_aux1_z_x, s7_942, s7_951);
+  const double s7_948 = fnma(work.R_carrier_left_aux1_y_x, work.s7_937,
+      tau[Coordinate::carrier_left_rx]);
+  const double s7_949 = fnma(work.cosines[4], s7_943, s7_948);
+  result.missing[2] = fnma(work.R_carrier_left_aux1_z_x, work.s7_940, s7_949);
   // carrier_left_aux1: carrier_left_rz, revolute, lower_arm_left
-  const double tau_carrier_left_rz = tau[Coordinate::carrier_left_rz];
   const double R_lower_arm_left_y_y = work.cosines[3];
   const double R_lower_arm_left_z_y = work.sines[3];
-  const double s7_952 = fnma(R_lower_arm_left_y_y, s7_942, tau_carrier_left_rz);
-  result.missing[1] = fma(R_lower_arm_left_z_y, s7_939, s7_952);
+  const double s7_950 = fnma(R_lower_arm_left_y_y, work.s7_940, tau[Coordinate::carrier_left_rz]);
+  result.missing[1] = fma(R_lower_arm_left_z_y, work.s7_937, s7_950);
   // lower_arm_left: lower_arm_left, revolute, chassis
-  const double s7_953 = c_lower_arm_left_y*R_lower_arm_left_z_y;
-  const double s7_954 = fnma(-c_lower_arm_left_z, R_lower_arm_left_y_y, s7_953);
-  const double s7_955 = -c_lower_arm_left_z*R_lower_arm_left_z_y;
-  const double s7_956 = fma(c_lower_arm_left_y, R_lower_arm_left_y_y, s7_955);
-  const double s7_957 = fma(work.s7_28, s7_954, work.a_lower_arm_left_y);
-  const double f_lower_arm_left_y = m_lower_arm_left*fnma(work.s7_30, s7_956, s7_957);
-  const double s7_958 = fma(work.s7_27, s7_956, work.a_lower_arm_left_z);
-  const double f_lower_arm_left_z = m_lower_arm_left*fnma(work.s7_29, s7_954, s7_958);
-  const double s7_959 = R_lower_arm_left_z_y*work.w_chassis_z;
-  const double s7_960 = fma(R_lower_arm_left_y_y, work.w_chassis_y, s7_959);
-  const double s7_961 = R_lower_arm_left_y_y*work.w_chassis_z;
-  const double s7_962 = fnma(R_lower_arm_left_z_y, work.w_chassis_y, s7_961);
-  const double s7_963 = I_lower_arm_left_xx*work.alpha_lower_arm_left_x;
-  const double s7_964 = fma(s7_960, I_lower_arm_left_zz*s7_962, s7_963);
-  const double s7_965 = fnma(s7_962, I_lower_arm_left_yy*s7_960, s7_964);
-  const double s7_966 = fma(s7_956, f_lower_arm_left_z, s7_965);
-  const double n_lower_arm_left_x = fnma(s7_954, f_lower_arm_left_y, s7_966);
-  const double s7_967 = tau[Coordinate::lower_arm_left] - s7_945 - n_lower_arm_left_x;
-  const double Q_lower_arm_left = fma(work.s1_10, s7_948, fnma(work.s1_8, s7_949, s7_967));
-  result.missing[0] = Q_lower_arm_left;
+  const double s7_951 = c_lower_arm_left_y*R_lower_arm_left_z_y;
+  const double s7_952 = fnma(-c_lower_arm_left_z, R_lower_arm_left_y_y, s7_951);
+  const double s7_953 = -c_lower_arm_left_z*R_lower_arm_left_z_y;
+  const double s7_954 = fma(c_lower_arm_left_y, R_lower_arm_left_y_y, s7_953);
+  const double s7_955 = fma(work.s7_28, s7_952, work.a_lower_arm_left_y);
+  const double f_lower_arm_left_y = m_lower_arm_left*fnma(work.s7_30, s7_954, s7_955);
+  const double s7_956 = fma(work.s7_27, s7_954, work.a_lower_arm_left_z);
+  const double f_lower_arm_left_z = m_lower_arm_left*fnma(work.s7_29, s7_952, s7_956);
+  const double s7_957 = R_lower_arm_left_z_y*work.w_chassis_z;
+  const double s7_958 = fma(R_lower_arm_left_y_y, work.w_chassis_y, s7_957);
+  const double s7_959 = R_lower_arm_left_y_y*work.w_chassis_z;
+  const double s7_960 = fnma(R_lower_arm_left_z_y, work.w_chassis_y, s7_959);
+  const double s7_961 = I_lower_arm_left_xx*work.alpha_lower_arm_left_x;
+  const double s7_962 = fma(s7_958, I_lower_arm_left_zz*s7_960, s7_961);
+  const double s7_963 = fnma(s7_960, I_lower_arm_left_yy*s7_958, s7_962);
+  const double s7_964 = fma(s7_954, f_lower_arm_left_z, s7_963);
+  const double n_lower_arm_left_x = fnma(s7_952, f_lower_arm_left_y, s7_964);
+  const double s7_965 = tau[Coordinate::lower_arm_left] - s7_943 - n_lower_arm_left_x;
+  work.Q_lower_arm_left = fma(work.s1_10, s7_946, fnma(work.s1_8, s7_947, s7_965));
+  result.missing[0] = work.Q_lower_arm_left;
   // operations: 1146 add, 1359 multiply
+}
 
+/// Part 3 of compute_multipliers: step 9: multipliers of the closures and driving forces.
+[[gnu::noinline]] void compute_multipliers_3(const State& state, const double* tau,
+    ConstraintForcesWork& __restrict work, ConstraintForces& __restrict result) noexcept {
   // --- step 9: multipliers of the closures and driving forces ---
-  // carrier_left: carrier_left_ry, revolute, carrier_left_aux2
-  const double s9_1 = work.R_carrier_left_aux1_z_x*work.s1_12;
-  const double s9_2 = fma(R_carrier_left_aux1_x_x, work.R_carrier_left_aux2_z_y, s9_1);
-  const double s9_3 = work.R_carrier_left_aux1_y_x*work.s1_12;
-  const double s9_4 = fma(R_carrier_left_aux1_x_x, work.R_carrier_left_aux2_y_y, s9_3);
-  const double s9_5 = fma(R_lower_arm_left_y_y, s9_4, R_lower_arm_left_z_y*s9_2);
-  const double s9_6 = 1.0/s9_5;
-  const double s9_7 = work.R_carrier_left_aux1_z_y*s9_6;
-  const double s9_8 = work.R_carrier_left_aux1_y_y*s9_6;
-  const double s9_9 = s9_4*s9_6;
-  const double s9_10 = s9_2*s9_6;
-  // carrier_right: carrier_right_ry, revolute, carrier_right_aux2
-  const double R_lower_arm_right_z_y = work.sines[9];
-  const double R_lower_arm_right_y_y = work.cosines[9];
-  const double s9_11 = R_lower_arm_right_z_y*work.R_carrier_right_aux1_z_x;
-  const double R_carrier_right_aux1_x_x = work.cosines[10];
-  const double s9_12 = work.R_carrier_right_aux1_z_x*work.s1_30;
-  const double s9_13 = fma(R_carrier_right_aux1_x_x, work.R_carrier_right_aux2_z_y, s9_12);
-  const double s9_14 = work.R_carrier_right_aux1_y_x*work.s1_30;
-  const double s9_15 = fma(R_carrier_right_aux1_x_x, work.R_carrier_right_aux2_y_y, s9_14);
-  const double s9_16 = fma(R_lower_arm_right_y_y, s9_15, R_lower_arm_right_z_y*s9_13);
-  const double s9_17 = 1.0/s9_16;
-  const double s9_18 = work.R_carrier_right_aux1_z_y*s9_17;
-  const double s9_19 = work.R_carrier_right_aux1_y_y*s9_17;
-  const double s9_20 = s9_15*s9_17;
-  const double s9_21 = work.R_carrier_right_aux1_y_x*work.R_carrier_right_aux2_z_y;
-  const double s9_22 = fnma(work.R_carrier_right_aux1_z_x, work.R_carrier_right_aux2_y_y, s9_21);
-  const double s9_23 = s9_17*s9_22;
-  const double s9_24 = fma(R_lower_arm_right_y_y, work.R_carrier_right_aux1_y_x, s9_11)*s9_17;
-  const double s9_25 = s9_13*s9_17;
-  // rear_axle: rear_axle_rx, revolute, rear_axle_aux5
-  const double R_rear_axle_aux4_y_x = work.sines[17];
-  const double R_rear_axle_aux4_x_x = work.cosines[17];
-  const double s9_26 = R_rear_axle_aux4_y_x*work.R_rear_axle_aux5_y_x;
-  const double s9_27 = fma(R_rear_axle_aux4_x_x, work.R_rear_axle_aux5_x_x, s9_26);
-  const double s9_28 = 1.0/s9_27;
-  const double s9_29 = R_rear_axle_aux4_y_x*s9_28;
-  const double s9_30 = R_rear_axle_aux4_x_x*s9_28;
-  const double s9_31 = work.R_rear_axle_aux5_y_z*s9_28;
-  const double s9_32 = work.R_rear_axle_aux5_x_z*s9_28;
-  const double s9_33 = s9_27*s9_28;
   // upper_ball_left
   const double pivot_carrier_left_rx = fms(p_carrier_left_upper_ball_z, work.R_carrier_left_z_z,
-      work.s7_304);
-  const double s9_34 = fma(p_carrier_left_upper_ball_z, work.R_carrier_left_x_z, work.s7_310);
+      work.s7_297);
+  const double s9_1 = fma(p_carrier_left_upper_ball_z, work.R_carrier_left_x_z, work.s7_303);
   const double R_upper_arm_left_z_y = work.sines[7];
   const double R_upper_arm_left_y_y = work.cosines[7];
-  const double s9_35 = -p_upper_arm_left_ball_z*R_upper_arm_left_z_y;
-  const double s9_36 = fma(p_upper_arm_left_ball_y, R_upper_arm_left_y_y, s9_35);
-  const double s9_37 = fms(p_carrier_left_upper_ball_z, work.R_carrier_left_y_z, work.s7_305);
+  const double s9_2 = -p_upper_arm_left_ball_z*R_upper_arm_left_z_y;
+  const double s9_3 = fma(p_upper_arm_left_ball_y, R_upper_arm_left_y_y, s9_2);
+  const double s9_4 = fms(p_carrier_left_upper_ball_z, work.R_carrier_left_y_z, work.s7_298);
   // upper_ball_right
   const double pivot_carrier_right_rx = fma(p_carrier_right_upper_ball_z, work.R_carrier_right_z_z,
-      work.s7_337);
-  const double s9_38 = fma(p_carrier_right_upper_ball_z, work.R_carrier_right_y_z, work.s7_334);
+      work.s7_330);
+  const double s9_5 = fma(p_carrier_right_upper_ball_z, work.R_carrier_right_y_z, work.s7_327);
   const double R_upper_arm_right_z_y = work.sines[13];
   const double R_upper_arm_right_y_y = work.cosines[13];
-  const double s9_39 = -p_upper_arm_right_ball_y*R_upper_arm_right_z_y;
-  const double s9_40 = fma(-p_upper_arm_right_ball_z, R_upper_arm_right_y_y, s9_39);
-  const double s9_41 = fms(p_carrier_right_upper_ball_z, work.R_carrier_right_x_z, work.s7_330);
+  const double s9_6 = -p_upper_arm_right_ball_y*R_upper_arm_right_z_y;
+  const double s9_7 = fma(-p_upper_arm_right_ball_z, R_upper_arm_right_y_y, s9_6);
+  const double s9_8 = fms(p_carrier_right_upper_ball_z, work.R_carrier_right_x_z, work.s7_323);
   // arb_link_front_left
-  const double s9_42 = 0.35 + (work.s7_237 - work.s7_240);
-  const double s9_43 = work.s7_235 - work.r_carrier_left_aux1_z - work.s7_246;
-  const double s9_44 = s9_43 - (-p_arb_front_left_z);
-  const double pivot_arb_front_left = fnma(work.s7_237, s9_44, work.s7_235*s9_42);
-  const double s9_45 = 0.72 - work.r_carrier_left_aux1_y - work.s7_243;
-  const double s9_46 = fnma(work.s7_243, s9_42, work.s7_240*s9_45);
-  const double s9_47 = fnma(work.s7_240, s9_44, work.s7_246*s9_42);
-  const double s9_48 = fnma(s9_45, work.s1_10 + work.s7_246, s9_44*(work.s1_8 + work.s7_243));
+  const double s9_9 = 0.35 + (work.s7_231 - work.s7_234);
+  const double s9_10 = work.s7_229 - work.r_carrier_left_aux1_z - work.s7_240;
+  const double s9_11 = s9_10 - (-p_arb_front_left_z);
+  const double pivot_arb_front_left = fnma(work.s7_231, s9_11, work.s7_229*s9_9);
+  const double s9_12 = 0.72 - work.r_carrier_left_aux1_y - work.s7_237;
+  const double s9_13 = fnma(work.s7_237, s9_9, work.s7_234*s9_12);
+  const double s9_14 = fnma(work.s7_234, s9_11, work.s7_240*s9_9);
+  const double s9_15 = fnma(s9_12, work.s1_10 + work.s7_240, s9_11*(work.s1_8 + work.s7_237));
   // arb_link_front_right
-  const double s9_49 = 0.35 + (work.s7_265 - work.s7_268);
-  const double s9_50 = work.s1_28 + work.s7_263 - work.s7_274 - (-p_arb_front_right_z);
-  const double pivot_arb_front_right = fnma(work.s7_265, s9_50, work.s7_263*s9_49);
-  const double s9_51 = 0.72 + (work.r_carrier_right_aux1_y + work.s7_271);
-  const double s9_52 = fma(work.s7_271, s9_50, work.s7_274*s9_51);
-  const double s9_53 = fma(work.s7_271, s9_49, work.s7_268*s9_51);
-  const double s9_54 = fnma(work.s7_268, s9_50, work.s7_274*s9_49);
+  const double s9_16 = 0.35 + (work.s7_259 - work.s7_262);
+  const double s9_17 = work.s1_28 + work.s7_257 - work.s7_268 - (-p_arb_front_right_z);
+  const double pivot_arb_front_right = fnma(work.s7_259, s9_17, work.s7_257*s9_16);
+  const double s9_18 = 0.72 + (work.r_carrier_right_aux1_y + work.s7_265);
+  const double s9_19 = fma(work.s7_265, s9_17, work.s7_268*s9_18);
+  const double s9_20 = fma(work.s7_265, s9_16, work.s7_262*s9_18);
+  const double s9_21 = fnma(work.s7_262, s9_17, work.s7_268*s9_16);
   // drag_link
-  const double s9_55 = 1.15 + (work.s7_294 - work.s7_292);
-  const double pivot_pitman_arm = fnma(work.s7_293, s9_55, work.s7_292*(0.2 - work.s7_293));
+  const double s9_22 = 1.15 + (work.s7_288 - work.s7_286);
+  const double pivot_pitman_arm = fnma(work.s7_287, s9_22, work.s7_286*(0.2 - work.s7_287));
   // tie_rod_left
-  const double s9_56 = -p_bell_crank_z + (work.r_carrier_left_aux1_z + work.s7_316);
-  const double s9_57 = work.s7_309 - work.r_carrier_left_aux1_y - work.s7_314;
-  const double s9_58 = 0.35 + (work.s7_308 + work.s7_312);
-  const double s9_59 = fnma(work.s7_316, s9_58, work.s7_312*s9_56);
-  const double s9_60 = fma(s9_57, work.s1_10 + work.s7_316, s9_56*(work.s1_8 + work.s7_314));
+  const double s9_23 = -p_bell_crank_z + (work.r_carrier_left_aux1_z + work.s7_309);
+  const double s9_24 = work.s7_302 - work.r_carrier_left_aux1_y - work.s7_307;
+  const double s9_25 = 0.35 + (work.s7_301 + work.s7_305);
+  const double s9_26 = fnma(work.s7_309, s9_25, work.s7_305*s9_23);
+  const double s9_27 = fma(s9_24, work.s1_10 + work.s7_309, s9_23*(work.s1_8 + work.s7_307));
   // tie_rod_right
-  const double s9_61 = -p_bell_crank_z + (work.s7_339 - work.s1_28);
-  const double s9_62 = work.s7_329 + (work.r_carrier_right_aux1_y + work.s7_336);
-  const double s9_63 = work.s7_331 - work.s7_333 - 0.35;
-  const double s9_64 = fma(work.s7_339, s9_63, work.s7_333*s9_61);
-  const double s9_65 = fnma(work.s7_336, s9_61, work.s7_339*s9_62);
-  const double s9_66 = 1.0/pivot_carrier_right_rx;
-  const double s9_67 = s9_64*s9_66;
-  const double pivot_carrier_right_ry = fnma(s9_38, s9_67, fma(work.s7_336, s9_63,
-      work.s7_333*s9_62));
-  const double s9_68 = 1.0/pivot_carrier_right_ry;
-  const double s9_69 = s9_41*s9_68;
-  const double pivot_carrier_right_rz = fms(s9_65, s9_69, pivot_carrier_right_rx);
-  const double s9_70 = s9_41*s9_66;
-  const double s9_71 = s9_68*(s9_38*s9_70);
-  const double s9_72 = 1.0/pivot_carrier_right_rz;
-  const double s9_73 = fnma(s9_65, s9_71, s9_38)*s9_72;
-  const double s9_74 = fnma(-p_upper_arm_right_ball_z, R_upper_arm_right_z_y, s9_40*s9_73);
-  const double pivot_upper_arm_right = fma(-p_upper_arm_right_ball_y, R_upper_arm_right_y_y, s9_74);
-  const double s9_75 = 1.0/pivot_carrier_left_rx;
-  const double s9_76 = s9_59*s9_75;
-  const double s9_77 = fma(s9_37, s9_76, fma(work.s7_314, s9_58, work.s7_312*s9_57));
-  const double s9_78 = s9_34*s9_75;
-  const double s9_79 = 1.0/s9_77;
-  const double s9_80 = s9_37*s9_78*s9_79;
-  const double pivot_lower_arm_left = fnma(s9_60, s9_80, work.s1_8 + s9_37);
-  const double s9_81 = s9_34*s9_79;
-  const double s9_82 = 1.0/pivot_lower_arm_left;
-  const double s9_83 = (fms(s9_60, s9_81, work.s1_10) - pivot_carrier_left_rx)*s9_82;
-  const double s9_84 = p_upper_arm_left_ball_y*R_upper_arm_left_z_y;
-  const double s9_85 = fnma(-p_upper_arm_left_ball_z, R_upper_arm_left_y_y, s9_84);
-  const double pivot_upper_arm_left = fma(s9_36, s9_83, s9_85);
-  const double s9_86 = 16.504892200367603*std::abs(pivot_arb_front_right);
-  const double s9_87 = mbgen::min(3.9625229801272064*std::abs(pivot_pitman_arm), s9_86);
-  const double s9_88 = mbgen::min(16.679425973935604*std::abs(pivot_arb_front_left), s9_87);
-  const double s9_89 = mbgen::min(2.7028647671567816*std::abs(pivot_carrier_right_rx), s9_88);
-  const double s9_90 = mbgen::min(s9_89, 6.8514628664707224*std::abs(pivot_carrier_right_ry));
-  const double s9_91 = mbgen::min(s9_90, 2.7028647671567816*std::abs(pivot_carrier_right_rz));
-  const double s9_92 = mbgen::min(s9_91, 3.405476531191585*std::abs(pivot_upper_arm_right));
-  const double s9_93 = mbgen::min(2.7028219055711094*std::abs(pivot_carrier_left_rx), s9_92);
-  const double s9_94 = mbgen::min(6.915894223167945*std::abs(s9_77), s9_93);
-  const double s9_95 = mbgen::min(2.5101920700758265*std::abs(pivot_lower_arm_left), s9_94);
-  const double s9_96 = mbgen::min(3.84681640934729*std::abs(pivot_upper_arm_left), s9_95);
+  const double s9_28 = -p_bell_crank_z + (work.s7_332 - work.s1_28);
+  const double s9_29 = work.s7_322 + (work.r_carrier_right_aux1_y + work.s7_329);
+  const double s9_30 = work.s7_324 - work.s7_326 - 0.35;
+  const double s9_31 = fma(work.s7_332, s9_30, work.s7_326*s9_28);
+  const double s9_32 = fnma(work.s7_329, s9_28, work.s7_332*s9_29);
+  const double s9_33 = 1.0/pivot_carrier_right_rx;
+  const double s9_34 = s9_31*s9_33;
+  const double pivot_carrier_right_ry = fnma(s9_5, s9_34, fma(work.s7_329, s9_30,
+      work.s7_326*s9_29));
+  const double s9_35 = 1.0/pivot_carrier_right_ry;
+  const double s9_36 = s9_8*s9_35;
+  const double pivot_carrier_right_rz = fms(s9_32, s9_36, pivot_carrier_right_rx);
+  const double s9_37 = s9_8*s9_33;
+  const double s9_38 = s9_35*(s9_5*s9_37);
+  const double s9_39 = 1.0/pivot_carrier_right_rz;
+  const double s9_40 = fnma(s9_32, s9_38, s9_5)*s9_39;
+  const double s9_41 = fnma(-p_upper_arm_right_ball_z, R_upper_arm_right_z_y, s9_7*s9_40);
+  const double pivot_upper_arm_right = fma(-p_upper_arm_right_ball_y, R_upper_arm_right_y_y, s9_41);
+  const double s9_42 = 1.0/pivot_carrier_left_rx;
+  const double s9_43 = s9_26*s9_42;
+  const double s9_44 = fma(s9_4, s9_43, fma(work.s7_307, s9_25, work.s7_305*s9_24));
+  const double s9_45 = s9_1*s9_42;
+  const double s9_46 = 1.0/s9_44;
+  const double s9_47 = s9_4*s9_45*s9_46;
+  const double pivot_lower_arm_left = fnma(s9_27, s9_47, work.s1_8 + s9_4);
+  const double s9_48 = s9_1*s9_46;
+  const double s9_49 = 1.0/pivot_lower_arm_left;
+  const double s9_50 = (fms(s9_27, s9_48, work.s1_10) - pivot_carrier_left_rx)*s9_49;
+  const double s9_51 = p_upper_arm_left_ball_y*R_upper_arm_left_z_y;
+  const double s9_52 = fnma(-p_upper_arm_left_ball_z, R_upper_arm_left_y_y, s9_51);
+  const double pivot_upper_arm_left = fma(s9_3, s9_50, s9_52);
+  const double s9_53 = 16.504892200367603*std::abs(pivot_arb_front_right);
+  const double s9_54 = mbgen::min(3.9625229801272064*std::abs(pivot_pitman_arm), s9_53);
+  const double s9_55 = mbgen::min(16.679425973935604*std::abs(pivot_arb_front_left), s9_54);
+  const double s9_56 = mbgen::min(2.7028647671567816*std::abs(pivot_carrier_right_rx), s9_55);
+  const double s9_57 = mbgen::min(s9_56, 6.8514628664707224*std::abs(pivot_carrier_right_ry));
+  const double s9_58 = mbgen::min(s9_57, 2.7028647671567816*std::abs(pivot_carrier_right_rz));
+  const double s9_59 = mbgen::min(s9_58, 3.405476531191585*std::abs(pivot_upper_arm_right));
+  const double s9_60 = mbgen::min(2.7028219055711094*std::abs(pivot_carrier_left_rx), s9_59);
+  const double s9_61 = mbgen::min(6.915894223167945*std::abs(s9_44), s9_60);
+  const double s9_62 = mbgen::min(2.5101920700758265*std::abs(pivot_lower_arm_left), s9_61);
+  const double s9_63 = mbgen::min(3.84681640934729*std::abs(pivot_upper_arm_left), s9_62);
   // carrier_left: carrier_left_ry, revolute, carrier_left_aux2
-  const double s9_97 = mbgen::min(s9_96, std::abs(s9_5));
+  const double s9_64 = mbgen::min(s9_63, std::abs(work.s1_53));
   // carrier_right: carrier_right_ry, revolute, carrier_right_aux2
-  result.pivot[0] = mbgen::min(s9_97, std::abs(s9_16));
-  const double s9_98 = work.Q_arb_front_left*(1.0/pivot_arb_front_left);
-  result.lambda[6] = l_arb_link_front_left*s9_98;
-  const double s9_99 = work.Q_arb_front_right*(1.0/pivot_arb_front_right);
-  result.lambda[7] = l_arb_link_front_right*s9_99;
+  result.pivot[0] = mbgen::min(s9_64, std::abs(work.s1_64));
+  const double s9_65 = work.Q_arb_front_left*(1.0/pivot_arb_front_left);
+  result.lambda[6] = l_arb_link_front_left*s9_65;
+  const double s9_66 = work.Q_arb_front_right*(1.0/pivot_arb_front_right);
+  result.lambda[7] = l_arb_link_front_right*s9_66;
   result.lambda[8] = l_drag_link*(work.Q_pitman_arm*(1.0/pivot_pitman_arm));
-  const double s9_100 = fms(tau_carrier_left_ry, s9_8, s7_939);
-  const double s9_101 = fma(tau_carrier_left_rx, work.R_carrier_left_aux1_y_x, s9_100);
-  const double s9_102 = s9_75*fma(s9_47, s9_98, fnma(tau_carrier_left_rz, s9_10, s9_101));
+  const double tau_carrier_left_ry = tau[Coordinate::carrier_left_ry];
+  const double tau_carrier_left_rx = tau[Coordinate::carrier_left_rx];
+  const double s9_67 = fms(tau_carrier_left_ry, work.s1_56, work.s7_937);
+  const double tau_carrier_left_rz = tau[Coordinate::carrier_left_rz];
+  const double s9_68 = fma(tau_carrier_left_rx, work.R_carrier_left_aux1_y_x, s9_67);
+  const double s9_69 = s9_42*fma(s9_14, s9_65, fnma(tau_carrier_left_rz, work.s1_58, s9_68));
   const double tau_carrier_right_ry = tau[Coordinate::carrier_right_ry];
   const double tau_carrier_right_rx = tau[Coordinate::carrier_right_rx];
-  const double s9_103 = fms(tau_carrier_right_ry, s9_19, work.s7_777);
+  const double s9_70 = fms(tau_carrier_right_ry, work.s1_67, work.s7_775);
   const double tau_carrier_right_rz = tau[Coordinate::carrier_right_rz];
-  const double s9_104 = fma(tau_carrier_right_rx, work.R_carrier_right_aux1_y_x, s9_103);
-  const double s9_105 = s9_66*fma(s9_54, s9_99, fnma(tau_carrier_right_rz, s9_25, s9_104));
-  const double s9_106 = fma(tau_carrier_left_ry, s9_7, fms(s9_37, s9_102, s7_942));
-  const double s9_107 = fma(tau_carrier_left_rx, work.R_carrier_left_aux1_z_x, s9_106);
-  const double s9_108 = s9_79*fma(s9_46, s9_98, fma(tau_carrier_left_rz, s9_9, s9_107));
-  const double s9_109 = fma(tau_carrier_right_ry, s9_18, fms(s9_38, s9_105, work.s7_780));
-  const double s9_110 = fma(tau_carrier_right_rx, work.R_carrier_right_aux1_z_x, s9_109);
-  const double s9_111 = s9_68*fnma(s9_53, s9_99, fma(tau_carrier_right_rz, s9_20, s9_110));
-  const double s9_112 = s9_82*fma(s9_48, s9_98, fma(s9_60, s9_108, Q_lower_arm_left));
-  const double s9_113 = fms(s9_65, s9_111, work.s7_783);
-  const double s9_114 = fma(tau_carrier_right_rx, R_carrier_right_aux1_x_x, s9_113);
-  const double s9_115 = fma(tau_carrier_right_rz, s9_23, s9_114);
-  const double s9_116 = s9_72*fma(s9_52, s9_99, fnma(tau_carrier_right_ry, s9_24, s9_115));
-  const double s9_117 = 1.0/pivot_upper_arm_left*fma(s9_36, s9_112, Q_upper_arm_left);
-  result.lambda[1] = s9_117;
-  const double s9_118 = 1.0/pivot_upper_arm_right*fma(s9_40, s9_116, work.Q_upper_arm_right);
-  result.lambda[5] = s9_118;
-  const double s9_119 = fnma(s9_83, s9_117, s9_112);
-  result.lambda[2] = s9_119;
-  const double s9_120 = fnma(s9_73, s9_118, s9_116);
-  result.lambda[4] = s9_120;
-  const double s9_121 = fnma(s9_80, s9_119, fms(s9_81, s9_117, s9_108));
-  result.lambda[9] = l_tie_rod_left*s9_121;
-  const double s9_122 = fnma(s9_69, s9_120, fma(s9_71, s9_118, s9_111));
-  result.lambda[10] = l_tie_rod_right*s9_122;
-  result.lambda[0] = fma(s9_76, s9_121, fma(s9_78, s9_119, s9_102));
-  result.lambda[3] = fma(s9_67, s9_122, fma(s9_70, s9_118, s9_105));
+  const double s9_71 = fma(tau_carrier_right_rx, work.R_carrier_right_aux1_y_x, s9_70);
+  const double s9_72 = s9_33*fma(s9_21, s9_66, fnma(tau_carrier_right_rz, work.s1_73, s9_71));
+  const double s9_73 = fma(tau_carrier_left_ry, work.s1_55, fms(s9_4, s9_69, work.s7_940));
+  const double s9_74 = fma(tau_carrier_left_rx, work.R_carrier_left_aux1_z_x, s9_73);
+  const double s9_75 = s9_46*fma(s9_13, s9_65, fma(tau_carrier_left_rz, work.s1_57, s9_74));
+  const double s9_76 = fma(tau_carrier_right_ry, work.s1_66, fms(s9_5, s9_72, work.s7_778));
+  const double s9_77 = fma(tau_carrier_right_rx, work.R_carrier_right_aux1_z_x, s9_76);
+  const double s9_78 = s9_35*fnma(s9_20, s9_66, fma(tau_carrier_right_rz, work.s1_68, s9_77));
+  const double s9_79 = s9_49*fma(s9_15, s9_65, fma(s9_27, s9_75, work.Q_lower_arm_left));
+  const double s9_80 = fms(s9_32, s9_78, work.s7_781);
+  const double s9_81 = fma(tau_carrier_right_rx, work.cosines[10], s9_80);
+  const double s9_82 = fma(tau_carrier_right_rz, work.s1_71, s9_81);
+  const double s9_83 = s9_39*fma(s9_19, s9_66, fnma(tau_carrier_right_ry, work.s1_72, s9_82));
+  const double s9_84 = 1.0/pivot_upper_arm_left*fma(s9_3, s9_79, work.Q_upper_arm_left);
+  result.lambda[1] = s9_84;
+  const double s9_85 = 1.0/pivot_upper_arm_right*fma(s9_7, s9_83, work.Q_upper_arm_right);
+  result.lambda[5] = s9_85;
+  const double s9_86 = fnma(s9_50, s9_84, s9_79);
+  result.lambda[2] = s9_86;
+  const double s9_87 = fnma(s9_40, s9_85, s9_83);
+  result.lambda[4] = s9_87;
+  const double s9_88 = fnma(s9_47, s9_86, fms(s9_48, s9_84, s9_75));
+  result.lambda[9] = l_tie_rod_left*s9_88;
+  const double s9_89 = fnma(s9_36, s9_87, fma(s9_38, s9_85, s9_78));
+  result.lambda[10] = l_tie_rod_right*s9_89;
+  result.lambda[0] = fma(s9_43, s9_88, fma(s9_45, s9_86, s9_69));
+  result.lambda[3] = fma(s9_34, s9_89, fma(s9_37, s9_85, s9_72));
   // long_rod_left
-  const double s9_123 = -p_long_rod_left_from_z + (work.r_rear_axle_aux3_z + work.s7_356);
-  const double s9_124 = -p_long_rod_left_from_x + (work.r_rear_axle_aux1_x + work.s7_359);
+  const double s9_90 = -p_long_rod_left_from_z + (work.r_rear_axle_aux3_z + work.s7_349);
+  const double s9_91 = -p_long_rod_left_from_x + (work.r_rear_axle_aux1_x + work.s7_352);
   const double z_rear_axle_ty = state.z[Coordinate::rear_axle_ty];
-  const double s9_125 = p_long_rod_left_from_y - z_rear_axle_ty - work.s7_362;
+  const double s9_92 = p_long_rod_left_from_y - z_rear_axle_ty - work.s7_355;
   // diag_rod_left
-  const double s9_126 = -p_diag_rod_left_from_z + (work.r_rear_axle_aux3_z + work.s7_374);
-  const double s9_127 = -p_diag_rod_left_from_x + (work.r_rear_axle_aux1_x + work.s7_376);
-  const double s9_128 = p_diag_rod_left_from_y - z_rear_axle_ty - work.s7_378;
+  const double s9_93 = -p_diag_rod_left_from_z + (work.r_rear_axle_aux3_z + work.s7_367);
+  const double s9_94 = -p_diag_rod_left_from_x + (work.r_rear_axle_aux1_x + work.s7_369);
+  const double s9_95 = p_diag_rod_left_from_y - z_rear_axle_ty - work.s7_371;
   // arb_link_rear_left
-  const double s9_129 = work.s7_387 + (work.r_rear_axle_aux3_z + work.s7_395);
-  const double s9_130 = -p_arb_rear_left_z + s9_129;
-  const double s9_131 = 0.6 - z_rear_axle_ty - work.s7_397;
-  const double s9_132 = work.s7_392 - work.r_rear_axle_aux1_x - work.s7_396;
-  const double s9_133 = s9_132 - (-p_arb_rear_left_x);
+  const double s9_96 = work.s7_380 + (work.r_rear_axle_aux3_z + work.s7_388);
+  const double s9_97 = -p_arb_rear_left_z + s9_96;
+  const double s9_98 = 0.6 - z_rear_axle_ty - work.s7_390;
+  const double s9_99 = work.s7_385 - work.r_rear_axle_aux1_x - work.s7_389;
+  const double s9_100 = s9_99 - (-p_arb_rear_left_x);
   // long_rod_right
-  const double s9_134 = -p_long_rod_right_from_y + (z_rear_axle_ty + work.s7_415);
-  const double s9_135 = -p_long_rod_right_from_z + (work.r_rear_axle_aux3_z - work.s7_413);
-  const double s9_136 = -p_long_rod_right_from_x + (work.r_rear_axle_aux1_x + work.s7_414);
+  const double s9_101 = -p_long_rod_right_from_y + (z_rear_axle_ty + work.s7_408);
+  const double s9_102 = -p_long_rod_right_from_z + (work.r_rear_axle_aux3_z - work.s7_406);
+  const double s9_103 = -p_long_rod_right_from_x + (work.r_rear_axle_aux1_x + work.s7_407);
   // diag_rod_right
   const double pivot_rear_axle_tx = -p_diag_rod_right_from_x + (work.r_rear_axle_aux1_x +
-      work.s7_420);
-  const double s9_137 = -p_diag_rod_right_from_z + (work.r_rear_axle_aux3_z + work.s7_419);
-  const double s9_138 = -p_diag_rod_right_from_y + (z_rear_axle_ty + work.s7_421);
-  const double s9_139 = fnma(work.s7_421, s9_137, work.s7_419*s9_138);
-  const double s9_140 = fnma(work.s7_419, pivot_rear_axle_tx, work.s7_420*s9_137);
-  const double s9_141 = fnma(work.s7_420, s9_138, work.s7_421*pivot_rear_axle_tx);
+      work.s7_413);
+  const double s9_104 = -p_diag_rod_right_from_z + (work.r_rear_axle_aux3_z + work.s7_412);
+  const double s9_105 = -p_diag_rod_right_from_y + (z_rear_axle_ty + work.s7_414);
+  const double s9_106 = fnma(work.s7_414, s9_104, work.s7_412*s9_105);
+  const double s9_107 = fnma(work.s7_412, pivot_rear_axle_tx, work.s7_413*s9_104);
+  const double s9_108 = fnma(work.s7_413, s9_105, work.s7_414*pivot_rear_axle_tx);
   // arb_link_rear_right
-  const double s9_142 = 0.6 + (z_rear_axle_ty - work.s7_428);
-  const double s9_143 = work.s7_430 + (work.r_rear_axle_aux3_z + work.s7_431);
-  const double s9_144 = -p_arb_rear_right_z + s9_143;
-  const double s9_145 = work.s7_429 + work.s7_432 - work.r_rear_axle_aux1_x;
-  const double s9_146 = s9_145 - (-p_arb_rear_right_x);
-  const double s9_147 = 1.0/pivot_rear_axle_tx;
-  const double s9_148 = s9_127*s9_147;
-  const double s9_149 = fma(s9_138, s9_148, s9_128);
-  const double s9_150 = s9_124*s9_147;
-  const double s9_151 = fnma(work.s7_376, s9_128, fnma(work.s7_378, s9_127, s9_141*s9_148));
-  const double s9_152 = 1.0/s9_149;
-  const double s9_153 = fma(s9_138, s9_150, s9_125)*s9_152;
-  const double s9_154 = fnma(work.s7_359, s9_125, fnma(work.s7_362, s9_124, s9_141*s9_150));
-  const double pivot_rear_axle_rx = fnma(s9_151, s9_153, s9_154);
-  const double s9_155 = s9_136*s9_147;
-  const double s9_156 = fma(work.s7_374, s9_127, fnma(work.s7_376, s9_126, s9_140*s9_148));
-  const double s9_157 = s9_152*fnma(s9_138, s9_155, s9_134);
-  const double s9_158 = fma(work.s7_356, s9_124, fnma(work.s7_359, s9_123, s9_140*s9_150));
-  const double s9_159 = fnma(s9_153, s9_156, s9_158);
-  const double s9_160 = fma(work.s7_414, s9_134, fnma(work.s7_415, s9_136, s9_141*s9_155));
-  const double s9_161 = 1.0/pivot_rear_axle_rx;
-  const double s9_162 = fma(s9_151, s9_157, s9_160)*s9_161;
-  const double s9_163 = fnma(work.s7_413, s9_136, fnma(work.s7_414, s9_135, s9_140*s9_155));
-  const double pivot_rear_axle_ry = fnma(s9_159, s9_162, fma(s9_156, s9_157, s9_163));
-  const double s9_164 = fma(s9_139, s9_148, fma(work.s7_374, s9_128, work.s7_378*s9_126));
-  const double s9_165 = s9_146*s9_147;
-  const double s9_166 = s9_152*fma(s9_138, s9_165, s9_142);
-  const double s9_167 = fma(s9_139, s9_150, fma(work.s7_356, s9_125, work.s7_362*s9_123));
-  const double s9_168 = fnma(s9_153, s9_164, s9_167);
-  const double s9_169 = fnma(work.s7_429, s9_142, fnma(work.s7_428, s9_146, s9_151*s9_166));
-  const double s9_170 = s9_161*fnma(s9_141, s9_165, s9_169);
-  const double s9_171 = fma(s9_139, s9_155, fma(work.s7_413, s9_134, work.s7_415*s9_135));
-  const double s9_172 = fnma(s9_162, s9_168, fma(s9_157, s9_164, s9_171));
-  const double s9_173 = fma(work.s7_429, s9_144, fnma(work.s7_431, s9_146, s9_156*s9_166));
-  const double s9_174 = 1.0/pivot_rear_axle_ry;
-  const double s9_175 = fnma(s9_159, s9_170, fnma(s9_140, s9_165, s9_173))*s9_174;
-  const double s9_176 = fnma(work.s7_428, s9_144, fnma(work.s7_431, s9_142, s9_164*s9_166));
-  const double pivot_rear_axle_rz = fnma(s9_172, s9_175, fnma(s9_168, s9_170, fnma(s9_139, s9_165,
-      s9_176)));
-  const double s9_177 = s9_133*s9_147;
-  const double s9_178 = fnma(s9_137, s9_148, s9_126);
-  const double s9_179 = s9_152*fms(s9_138, s9_177, s9_131);
-  const double s9_180 = fnma(s9_153, s9_178, fnma(s9_137, s9_150, s9_123));
-  const double s9_181 = fma(work.s7_397, s9_133, fnma(work.s7_396, s9_131, s9_151*s9_179));
-  const double s9_182 = s9_161*fnma(s9_141, s9_177, s9_181);
-  const double s9_183 = fnma(s9_162, s9_180, fma(s9_157, s9_178, fnma(s9_137, s9_155, s9_135)));
-  const double s9_184 = fnma(work.s7_395, s9_133, fnma(work.s7_396, s9_130, s9_156*s9_179));
-  const double s9_185 = s9_174*fnma(s9_159, s9_182, fnma(s9_140, s9_177, s9_184));
-  const double s9_186 = fnma(s9_170, s9_180, fma(s9_166, s9_178, fma(s9_137, s9_165, s9_144)));
-  const double s9_187 = fnma(s9_175, s9_183, s9_186);
-  const double s9_188 = fnma(s9_139, s9_177, fma(work.s7_395, s9_131, work.s7_397*s9_130));
-  const double s9_189 = 1.0/pivot_rear_axle_rz;
-  const double s9_190 = fnma(s9_172, s9_185, fnma(s9_168, s9_182, fma(s9_164, s9_179, s9_188)));
-  const double s9_191 = s9_190*s9_189;
-  const double s9_192 = fnma(s9_180, s9_182, fma(s9_178, s9_179, fma(s9_137, s9_177, s9_130)));
-  const double pivot_rear_axle_tz = fnma(s9_187, s9_191, fnma(s9_183, s9_185, s9_192));
-  const double s9_193 = 1.2494533266510743*std::abs(pivot_rear_axle_tx);
-  const double s9_194 = mbgen::min(s9_193, 1.665350081353039*std::abs(s9_149));
-  const double s9_195 = mbgen::min(s9_194, 2.1234888829989926*std::abs(pivot_rear_axle_rx));
-  const double s9_196 = mbgen::min(s9_195, 1.7864443153153613*std::abs(pivot_rear_axle_ry));
-  const double s9_197 = mbgen::min(s9_196, 8.176955428452642*std::abs(pivot_rear_axle_rz));
-  const double s9_198 = mbgen::min(s9_197, 2.7700489841913827*std::abs(pivot_rear_axle_tz));
+  const double s9_109 = 0.6 + (z_rear_axle_ty - work.s7_421);
+  const double s9_110 = work.s7_423 + (work.r_rear_axle_aux3_z + work.s7_424);
+  const double s9_111 = -p_arb_rear_right_z + s9_110;
+  const double s9_112 = work.s7_422 + work.s7_425 - work.r_rear_axle_aux1_x;
+  const double s9_113 = s9_112 - (-p_arb_rear_right_x);
+  const double s9_114 = 1.0/pivot_rear_axle_tx;
+  const double s9_115 = s9_94*s9_114;
+  const double s9_116 = fma(s9_105, s9_115, s9_95);
+  const double s9_117 = s9_91*s9_114;
+  const double s9_118 = fnma(work.s7_369, s9_95, fnma(work.s7_371, s9_94, s9_108*s9_115));
+  const double s9_119 = 1.0/s9_116;
+  const double s9_120 = fma(s9_105, s9_117, s9_92)*s9_119;
+  const double s9_121 = fnma(work.s7_352, s9_92, fnma(work.s7_355, s9_91, s9_108*s9_117));
+  const double pivot_rear_axle_rx = fnma(s9_118, s9_120, s9_121);
+  const double s9_122 = s9_103*s9_114;
+  const double s9_123 = fma(work.s7_367, s9_94, fnma(work.s7_369, s9_93, s9_107*s9_115));
+  const double s9_124 = s9_119*fnma(s9_105, s9_122, s9_101);
+  const double s9_125 = fma(work.s7_349, s9_91, fnma(work.s7_352, s9_90, s9_107*s9_117));
+  const double s9_126 = fnma(s9_120, s9_123, s9_125);
+  const double s9_127 = fma(work.s7_407, s9_101, fnma(work.s7_408, s9_103, s9_108*s9_122));
+  const double s9_128 = 1.0/pivot_rear_axle_rx;
+  const double s9_129 = fma(s9_118, s9_124, s9_127)*s9_128;
+  const double s9_130 = fnma(work.s7_406, s9_103, fnma(work.s7_407, s9_102, s9_107*s9_122));
+  const double pivot_rear_axle_ry = fnma(s9_126, s9_129, fma(s9_123, s9_124, s9_130));
+  const double s9_131 = fma(s9_106, s9_115, fma(work.s7_367, s9_95, work.s7_371*s9_93));
+  const double s9_132 = s9_113*s9_114;
+  const double s9_133 = s9_119*fma(s9_105, s9_132, s9_109);
+  const double s9_134 = fma(s9_106, s9_117, fma(work.s7_349, s9_92, work.s7_355*s9_90));
+  const double s9_135 = fnma(s9_120, s9_131, s9_134);
+  const double s9_136 = fnma(work.s7_422, s9_109, fnma(work.s7_421, s9_113, s9_118*s9_133));
+  const double s9_137 = s9_128*fnma(s9_108, s9_132, s9_136);
+  const double s9_138 = fma(s9_106, s9_122, fma(work.s7_406, s9_101, work.s7_408*s9_102));
+  const double s9_139 = fnma(s9_129, s9_135, fma(s9_124, s9_131, s9_138));
+  const double s9_140 = fma(work.s7_422, s9_111, fnma(work.s7_424, s9_113, s9_123*s9_133));
+  const double s9_141 = 1.0/pivot_rear_axle_ry;
+  const double s9_142 = fnma(s9_126, s9_137, fnma(s9_107, s9_132, s9_140))*s9_141;
+  const double s9_143 = fnma(work.s7_421, s9_111, fnma(work.s7_424, s9_109, s9_131*s9_133));
+  const double pivot_rear_axle_rz = fnma(s9_139, s9_142, fnma(s9_135, s9_137, fnma(s9_106, s9_132,
+      s9_143)));
+  const double s9_144 = s9_100*s9_114;
+  const double s9_145 = fnma(s9_104, s9_115, s9_93);
+  const double s9_146 = s9_119*fms(s9_105, s9_144, s9_98);
+  const double s9_147 = fnma(s9_120, s9_145, fnma(s9_104, s9_117, s9_90));
+  const double s9_148 = fma(work.s7_390, s9_100, fnma(work.s7_389, s9_98, s9_118*s9_146));
+  const double s9_149 = s9_128*fnma(s9_108, s9_144, s9_148);
+  const double s9_150 = fnma(s9_129, s9_147, fma(s9_124, s9_145, fnma(s9_104, s9_122, s9_102)));
+  const double s9_151 = fnma(work.s7_388, s9_100, fnma(work.s7_389, s9_97, s9_123*s9_146));
+  const double s9_152 = s9_141*fnma(s9_126, s9_149, fnma(s9_107, s9_144, s9_151));
+  const double s9_153 = fnma(s9_137, s9_147, fma(s9_133, s9_145, fma(s9_104, s9_132, s9_111)));
+  const double s9_154 = fnma(s9_142, s9_150, s9_153);
+  const double s9_155 = fnma(s9_106, s9_144, fma(work.s7_388, s9_98, work.s7_390*s9_97));
+  const double s9_156 = 1.0/pivot_rear_axle_rz;
+  const double s9_157 = fnma(s9_139, s9_152, fnma(s9_135, s9_149, fma(s9_131, s9_146, s9_155)));
+  const double s9_158 = s9_157*s9_156;
+  const double s9_159 = fnma(s9_147, s9_149, fma(s9_145, s9_146, fma(s9_104, s9_144, s9_97)));
+  const double pivot_rear_axle_tz = fnma(s9_154, s9_158, fnma(s9_150, s9_152, s9_159));
+  const double s9_160 = 1.2494533266510743*std::abs(pivot_rear_axle_tx);
+  const double s9_161 = mbgen::min(s9_160, 1.665350081353039*std::abs(s9_116));
+  const double s9_162 = mbgen::min(s9_161, 2.1234888829989926*std::abs(pivot_rear_axle_rx));
+  const double s9_163 = mbgen::min(s9_162, 1.7864443153153613*std::abs(pivot_rear_axle_ry));
+  const double s9_164 = mbgen::min(s9_163, 8.176955428452642*std::abs(pivot_rear_axle_rz));
+  const double s9_165 = mbgen::min(s9_164, 2.7700489841913827*std::abs(pivot_rear_axle_tz));
   // rear_axle: rear_axle_rx, revolute, rear_axle_aux5
-  result.pivot[1] = mbgen::min(s9_198, std::abs(s9_27));
-  const double s9_199 = work.Q_rear_axle_tx*s9_147;
-  const double s9_200 = s9_152*fnma(s9_138, s9_199, work.Q_rear_axle_ty);
+  result.pivot[1] = mbgen::min(s9_165, std::abs(work.s1_75));
+  const double s9_166 = work.Q_rear_axle_tx*s9_114;
+  const double s9_167 = s9_119*fnma(s9_105, s9_166, work.Q_rear_axle_ty);
   const double tau_rear_axle_rz = tau[Coordinate::rear_axle_rz];
-  const double s9_201 = fma(tau_rear_axle_rz, s9_33, fms(s9_151, s9_200, work.s7_604));
-  const double s9_202 = s9_161*fma(s9_141, s9_199, s9_201);
+  const double s9_168 = fma(tau_rear_axle_rz, work.s1_81, fms(s9_118, s9_167, work.s7_602));
+  const double s9_169 = s9_128*fma(s9_108, s9_166, s9_168);
   const double tau_rear_axle_rx = tau[Coordinate::rear_axle_rx];
   const double tau_rear_axle_ry = tau[Coordinate::rear_axle_ry];
-  const double s9_203 = fma(tau_rear_axle_rx, s9_29, fms(s9_156, s9_200, work.s7_598));
-  const double s9_204 = fma(tau_rear_axle_ry, R_rear_axle_aux4_x_x, s9_203);
-  const double s9_205 = fma(s9_140, s9_199, fma(tau_rear_axle_rz, s9_31, s9_204));
-  const double s9_206 = s9_174*fnma(s9_159, s9_202, s9_205);
-  const double s9_207 = fma(tau_rear_axle_rx, s9_30, fms(s9_164, s9_200, work.s7_601));
-  const double s9_208 = fma(tau_rear_axle_rz, s9_32, s9_207);
-  const double s9_209 = fnma(tau_rear_axle_ry, R_rear_axle_aux4_y_x, s9_208);
-  const double s9_210 = fnma(s9_172, s9_206, fnma(s9_168, s9_202, fma(s9_139, s9_199, s9_209)));
-  const double s9_211 = s9_189*s9_210;
-  const double s9_212 = fnma(s9_137, s9_199, fma(s9_178, s9_200, work.Q_rear_axle_tz));
-  const double s9_213 = fnma(s9_187, s9_211, fnma(s9_183, s9_206, fnma(s9_180, s9_202, s9_212)));
-  const double s9_214 = 1.0/pivot_rear_axle_tz*s9_213;
-  result.lambda[13] = l_arb_link_rear_left*s9_214;
-  const double s9_215 = fnma(s9_191, s9_214, s9_211);
-  result.lambda[16] = l_arb_link_rear_right*s9_215;
-  const double s9_216 = fnma(s9_185, s9_214, fnma(s9_175, s9_215, s9_206));
-  result.lambda[14] = l_long_rod_right*s9_216;
-  const double s9_217 = fnma(s9_182, s9_214, fnma(s9_170, s9_215, fnma(s9_162, s9_216, s9_202)));
-  result.lambda[11] = l_long_rod_left*s9_217;
-  const double s9_218 = fma(s9_157, s9_216, fma(s9_166, s9_215, fms(s9_179, s9_214, s9_200)));
-  const double s9_219 = fnma(s9_153, s9_217, s9_218);
-  result.lambda[12] = l_diag_rod_left*s9_219;
-  const double s9_220 = fnma(s9_148, s9_219, fma(s9_165, s9_215, fma(s9_177, s9_214, s9_199)));
-  result.lambda[15] = l_diag_rod_right*fnma(s9_155, s9_216, fnma(s9_150, s9_217, s9_220));
-  // operations: 264 add, 322 multiply, 20 divide, 38 other
+  const double s9_170 = fma(tau_rear_axle_rx, work.s1_77, fms(s9_123, s9_167, work.s7_596));
+  const double s9_171 = fma(tau_rear_axle_ry, work.cosines[17], s9_170);
+  const double s9_172 = fma(s9_107, s9_166, fma(tau_rear_axle_rz, work.s1_79, s9_171));
+  const double s9_173 = s9_141*fnma(s9_126, s9_169, s9_172);
+  const double s9_174 = fma(tau_rear_axle_rx, work.s1_78, fms(s9_131, s9_167, work.s7_599));
+  const double s9_175 = fma(tau_rear_axle_rz, work.s1_80, s9_174);
+  const double s9_176 = fma(s9_106, s9_166, fnma(tau_rear_axle_ry, work.sines[17], s9_175));
+  const double s9_177 = s9_156*fnma(s9_139, s9_173, fnma(s9_135, s9_169, s9_176));
+  const double s9_178 = fnma(s9_104, s9_166, fma(s9_145, s9_167, work.Q_rear_axle_tz));
+  const double s9_179 = fnma(s9_154, s9_177, fnma(s9_150, s9_173, fnma(s9_147, s9_169, s9_178)));
+  const double s9_180 = 1.0/pivot_rear_axle_tz*s9_179;
+  result.lambda[13] = l_arb_link_rear_left*s9_180;
+  const double s9_181 = fnma(s9_158, s9_180, s9_177);
+  result.lambda[16] = l_arb_link_rear_right*s9_181;
+  const double s9_182 = fnma(s9_152, s9_180, fnma(s9_142, s9_181, s9_173));
+  result.lambda[14] = l_long_rod_right*s9_182;
+  const double s9_183 = fnma(s9_149, s9_180, fnma(s9_137, s9_181, fnma(s9_129, s9_182, s9_169)));
+  result.lambda[11] = l_long_rod_left*s9_183;
+  const double s9_184 = fma(s9_124, s9_182, fma(s9_133, s9_181, fms(s9_146, s9_180, s9_167)));
+  const double s9_185 = fnma(s9_120, s9_183, s9_184);
+  result.lambda[12] = l_diag_rod_left*s9_185;
+  const double s9_186 = fnma(s9_115, s9_185, fma(s9_132, s9_181, fma(s9_144, s9_180, s9_166)));
+  result.lambda[15] = l_diag_rod_right*fnma(s9_122, s9_182, fnma(s9_117, s9_183, s9_186));
+  // operations: 255 add, 289 multiply, 17 divide, 38 other
 }
 
 /// Multipliers of the closures and generalised driving forces, at given accelerations.
@@ -6388,7 +6381,7 @@ void compute_multipliers(const Tuned& /*parameters*/, const Inputs& /*inputs*/, 
     const double* tau, const Derivative& derivative, ConstraintForces& __restrict result) noexcept {
   ConstraintForcesWork work;
   compute_multipliers_1(state, derivative, work);
-  compute_multipliers_2(state, tau, derivative, work, result);
+  compute_multipliers_2(tau, work, result);
   compute_multipliers_3(state, tau, work, result);
 }
 #endif  // part 1
@@ -6410,12 +6403,12 @@ struct ClosureTermsWork {
   double
       sines[19], cosines[19], s1_16, r_rear_axle_aux1_x, r_rear_axle_aux3_z, R_rear_axle_aux5_x_x,
       R_rear_axle_aux5_y_x, R_rear_axle_x_y, R_rear_axle_x_z, R_rear_axle_y_y, R_rear_axle_y_z,
-      R_rear_axle_z_y, R_rear_axle_z_z, s1_51, s1_52, s1_53, s1_54, s1_55, s1_56, s1_57, s1_58,
+      R_rear_axle_z_y, R_rear_axle_z_z, s4_25, s4_26, s4_27, s4_28, s4_29, s4_30, s4_31, s4_32,
       s2_190, s2_200, s2_201, s2_202, s2_204, s2_205, s2_208, s2_213, s2_216, s2_219;
 };
 
-/// Part 1 of compute_closure_terms: step 1: poses and axes b; step 2: closure Jacobian Phi_z and
-/// its factors (60).
+/// Part 1 of compute_closure_terms: step 1: poses and axes b; step 4: velocities; step 2: closure
+/// Jacobian Phi_z and its factors (60).
 [[gnu::noinline]] void compute_closure_terms_1(const State& state,
     ClosureTermsWork& __restrict work, ClosureTerms& __restrict result) noexcept {
   // Results that need no operation.
@@ -6537,68 +6530,71 @@ struct ClosureTermsWork {
   work.R_rear_axle_y_z = fnma(R_rear_axle_aux4_x_x, s1_25, R_rear_axle_aux5_y_z*s1_26);
   work.R_rear_axle_z_y = R_rear_axle_aux5_z_z*s1_25;
   work.R_rear_axle_z_z = R_rear_axle_aux5_z_z*s1_26;
+  // operations: 34 add, 74 multiply, 38 sin cos
+
+  // --- step 4: velocities ---
   // carrier_left: carrier_left_ry, revolute, carrier_left_aux2
   const double zd_carrier_left_rx = state.zd[Coordinate::carrier_left_rx];
-  const double s1_27 = zd_carrier_left_rx*R_carrier_left_aux1_x_x;
+  const double s4_1 = zd_carrier_left_rx*R_carrier_left_aux1_x_x;
   const double zd_carrier_left_ry = state.zd[Coordinate::carrier_left_ry];
-  const double s1_28 = fnma(zd_carrier_left_ry, s1_7, s1_27);
+  const double s4_2 = fnma(zd_carrier_left_ry, s1_7, s4_1);
   const double zd_carrier_left_rz = state.zd[Coordinate::carrier_left_rz];
-  const double s1_29 = zd_carrier_left_rz*R_lower_arm_left_z_y;
-  const double s1_30 = zd_carrier_left_ry*R_carrier_left_aux2_z_y;
-  const double s1_31 = zd_carrier_left_rz*R_lower_arm_left_y_y;
-  const double s1_32 = zd_carrier_left_rx*R_carrier_left_aux1_z_x;
-  const double s1_33 = s1_31 + s1_32;
-  const double s1_34 = s1_30 + s1_33;
-  const double s1_35 = zd_carrier_left_ry*R_carrier_left_aux2_y_y;
-  const double s1_36 = zd_carrier_left_rx*R_carrier_left_aux1_y_x;
-  const double s1_37 = s1_36 - s1_29;
-  const double s1_38 = s1_35 + s1_37;
+  const double s4_3 = zd_carrier_left_rz*R_lower_arm_left_z_y;
+  const double s4_4 = zd_carrier_left_ry*R_carrier_left_aux2_z_y;
+  const double s4_5 = zd_carrier_left_rz*R_lower_arm_left_y_y;
+  const double s4_6 = zd_carrier_left_rx*R_carrier_left_aux1_z_x;
+  const double s4_7 = s4_5 + s4_6;
+  const double s4_8 = s4_4 + s4_7;
+  const double s4_9 = zd_carrier_left_ry*R_carrier_left_aux2_y_y;
+  const double s4_10 = zd_carrier_left_rx*R_carrier_left_aux1_y_x;
+  const double s4_11 = s4_10 - s4_3;
+  const double s4_12 = s4_9 + s4_11;
   // carrier_right: carrier_right_ry, revolute, carrier_right_aux2
   const double zd_carrier_right_rx = state.zd[Coordinate::carrier_right_rx];
-  const double s1_39 = zd_carrier_right_rx*R_carrier_right_aux1_x_x;
+  const double s4_13 = zd_carrier_right_rx*R_carrier_right_aux1_x_x;
   const double zd_carrier_right_ry = state.zd[Coordinate::carrier_right_ry];
-  const double s1_40 = fnma(zd_carrier_right_ry, s1_19, s1_39);
+  const double s4_14 = fnma(zd_carrier_right_ry, s1_19, s4_13);
   const double zd_carrier_right_rz = state.zd[Coordinate::carrier_right_rz];
-  const double s1_41 = zd_carrier_right_rz*R_lower_arm_right_z_y;
-  const double s1_42 = zd_carrier_right_ry*R_carrier_right_aux2_z_y;
-  const double s1_43 = zd_carrier_right_rz*R_lower_arm_right_y_y;
-  const double s1_44 = zd_carrier_right_rx*R_carrier_right_aux1_z_x;
-  const double s1_45 = s1_43 + s1_44;
-  const double s1_46 = s1_42 + s1_45;
-  const double s1_47 = zd_carrier_right_ry*R_carrier_right_aux2_y_y;
-  const double s1_48 = zd_carrier_right_rx*R_carrier_right_aux1_y_x;
-  const double s1_49 = s1_48 - s1_41;
-  const double s1_50 = s1_47 + s1_49;
+  const double s4_15 = zd_carrier_right_rz*R_lower_arm_right_z_y;
+  const double s4_16 = zd_carrier_right_ry*R_carrier_right_aux2_z_y;
+  const double s4_17 = zd_carrier_right_rz*R_lower_arm_right_y_y;
+  const double s4_18 = zd_carrier_right_rx*R_carrier_right_aux1_z_x;
+  const double s4_19 = s4_17 + s4_18;
+  const double s4_20 = s4_16 + s4_19;
+  const double s4_21 = zd_carrier_right_ry*R_carrier_right_aux2_y_y;
+  const double s4_22 = zd_carrier_right_rx*R_carrier_right_aux1_y_x;
+  const double s4_23 = s4_22 - s4_15;
+  const double s4_24 = s4_21 + s4_23;
   // rear_axle: rear_axle_rx, revolute, rear_axle_aux5
   const double zd_rear_axle_ry = state.zd[Coordinate::rear_axle_ry];
-  work.s1_51 = zd_rear_axle_ry*R_rear_axle_aux4_x_x;
+  work.s4_25 = zd_rear_axle_ry*R_rear_axle_aux4_x_x;
   const double zd_rear_axle_rx = state.zd[Coordinate::rear_axle_rx];
-  work.s1_52 = zd_rear_axle_rx*work.R_rear_axle_aux5_y_x;
-  work.s1_53 = work.s1_51 + work.s1_52;
-  work.s1_54 = zd_rear_axle_rx*s1_24;
-  work.s1_55 = state.zd[Coordinate::rear_axle_rz] - work.s1_54;
-  work.s1_56 = zd_rear_axle_rx*work.R_rear_axle_aux5_x_x;
-  work.s1_57 = zd_rear_axle_ry*R_rear_axle_aux4_y_x;
-  work.s1_58 = work.s1_56 - work.s1_57;
-  // operations: 47 add, 95 multiply, 38 sin cos
+  work.s4_26 = zd_rear_axle_rx*work.R_rear_axle_aux5_y_x;
+  work.s4_27 = work.s4_25 + work.s4_26;
+  work.s4_28 = zd_rear_axle_rx*s1_24;
+  work.s4_29 = state.zd[Coordinate::rear_axle_rz] - work.s4_28;
+  work.s4_30 = zd_rear_axle_rx*work.R_rear_axle_aux5_x_x;
+  work.s4_31 = zd_rear_axle_ry*R_rear_axle_aux4_y_x;
+  work.s4_32 = work.s4_30 - work.s4_31;
+  // operations: 13 add, 21 multiply
 
   // --- step 2: closure Jacobian Phi_z and its factors (60) ---
   // carrier_left: carrier_left_ry, revolute, carrier_left_aux2
   const double zd_lower_arm_left = state.zd[Coordinate::lower_arm_left];
-  const double s2_1 = zd_lower_arm_left + s1_28;
+  const double s2_1 = zd_lower_arm_left + s4_2;
   // carrier_right: carrier_right_ry, revolute, carrier_right_aux2
   const double zd_lower_arm_right = state.zd[Coordinate::lower_arm_right];
-  const double s2_2 = zd_lower_arm_right + s1_40;
-  const double s2_3 = zd_lower_arm_left + s1_27;
-  const double s2_4 = zd_lower_arm_right + s1_39;
-  const double s2_5 = fnma(s1_31, s1_36, fnma(s1_29, s1_32, fnma(s1_33, s1_35, s1_30*s1_37)));
-  const double s2_6 = fnma(s1_43, s1_48, fnma(s1_41, s1_44, fnma(s1_45, s1_47, s1_42*s1_49)));
+  const double s2_2 = zd_lower_arm_right + s4_14;
+  const double s2_3 = zd_lower_arm_left + s4_1;
+  const double s2_4 = zd_lower_arm_right + s4_13;
+  const double s2_5 = fnma(s4_5, s4_10, fnma(s4_3, s4_6, fnma(s4_7, s4_9, s4_4*s4_11)));
+  const double s2_6 = fnma(s4_17, s4_22, fnma(s4_15, s4_18, fnma(s4_19, s4_21, s4_16*s4_23)));
   const double s2_7 = fma(zd_carrier_left_ry, s1_7, zd_lower_arm_left);
-  const double s2_8 = fma(s1_37, s2_7, fma(s1_27, s1_29, s1_35*s2_3));
+  const double s2_8 = fma(s4_11, s2_7, fma(s4_1, s4_3, s4_9*s2_3));
   const double s2_9 = fma(zd_carrier_right_ry, s1_19, zd_lower_arm_right);
-  const double s2_10 = fma(s1_49, s2_9, fma(s1_39, s1_41, s1_47*s2_4));
-  const double s2_11 = fnma(s1_33, s2_7, fnma(s1_30, s2_3, s1_27*s1_31));
-  const double s2_12 = fnma(s1_45, s2_9, fnma(s1_42, s2_4, s1_39*s1_43));
+  const double s2_10 = fma(s4_23, s2_9, fma(s4_13, s4_15, s4_21*s2_4));
+  const double s2_11 = fnma(s4_7, s2_7, fnma(s4_4, s2_3, s4_1*s4_5));
+  const double s2_12 = fnma(s4_19, s2_9, fnma(s4_16, s2_4, s4_13*s4_17));
   // lower_arm_left: lower_arm_left, revolute, chassis
   const double s2_13 = zd_lower_arm_left*zd_lower_arm_left;
   // carrier_left: carrier_left_ry, revolute, carrier_left_aux2
@@ -6639,16 +6635,16 @@ struct ClosureTermsWork {
   const double zd_upper_arm_left = state.zd[Coordinate::upper_arm_left];
   result.Jz[1] = -fma(R_lower_arm_left_y_y, s2_28, R_lower_arm_left_z_y*s2_27);
   result.Jz[31] = -fma(R_carrier_left_aux2_y_y, s2_24, s1_7*s2_28);
-  const double s2_29 = fnma(s1_38, s2_24, s2_1*s2_28);
-  const double s2_30 = fnma(s2_1, s2_27, s1_34*s2_24);
-  result.c[0] = fma(s1_34, s2_30, fnma(s1_38, s2_29, fnma(s2_11, s2_27, s2_8*s2_28)));
-  const double s2_31 = fnma(s1_34, s2_28, s1_38*s2_27);
+  const double s2_29 = fnma(s4_12, s2_24, s2_1*s2_28);
+  const double s2_30 = fnma(s2_1, s2_27, s4_8*s2_24);
+  result.c[0] = fma(s4_8, s2_30, fnma(s4_12, s2_29, fnma(s2_11, s2_27, s2_8*s2_28)));
+  const double s2_31 = fnma(s4_8, s2_28, s4_12*s2_27);
   const double s2_32 = fnma(zd_upper_arm_left, zd_upper_arm_left*s2_26, s2_14);
-  const double s2_33 = fnma(s1_34, s2_31, fma(s2_5, s2_27, fnma(s2_8, s2_24, s2_32)));
+  const double s2_33 = fnma(s4_8, s2_31, fma(s2_5, s2_27, fnma(s2_8, s2_24, s2_32)));
   result.c[1] = fma(s2_1, s2_29, s2_33);
   const double s2_34 = fnma(zd_upper_arm_left, zd_upper_arm_left*s2_22, s2_15);
   const double s2_35 = fnma(s2_1, s2_30, fma(s2_11, s2_24, fnma(s2_5, s2_28, s2_34)));
-  result.c[2] = fma(s1_38, s2_31, s2_35);
+  result.c[2] = fma(s4_12, s2_31, s2_35);
   // upper_ball_right
   const double s2_36 = p_carrier_right_upper_ball_y*s1_19;
   const double R_upper_arm_right_z_y = work.sines[10];
@@ -6679,16 +6675,16 @@ struct ClosureTermsWork {
   const double zd_upper_arm_right = state.zd[Coordinate::upper_arm_right];
   result.Jz[49] = -fma(R_lower_arm_right_y_y, s2_43, R_lower_arm_right_z_y*s2_41);
   result.Jz[79] = -fma(R_carrier_right_aux2_y_y, s2_39, s1_19*s2_43);
-  const double s2_46 = fnma(s1_50, s2_39, s2_2*s2_43);
-  const double s2_47 = fnma(s2_2, s2_41, s1_46*s2_39);
-  result.c[3] = fma(s1_46, s2_47, fnma(s1_50, s2_46, fnma(s2_12, s2_41, s2_10*s2_43)));
-  const double s2_48 = fnma(s1_46, s2_43, s1_50*s2_41);
+  const double s2_46 = fnma(s4_24, s2_39, s2_2*s2_43);
+  const double s2_47 = fnma(s2_2, s2_41, s4_20*s2_39);
+  result.c[3] = fma(s4_20, s2_47, fnma(s4_24, s2_46, fnma(s2_12, s2_41, s2_10*s2_43)));
+  const double s2_48 = fnma(s4_20, s2_43, s4_24*s2_41);
   const double s2_49 = fnma(zd_upper_arm_right, zd_upper_arm_right*s2_38, s2_18);
-  const double s2_50 = fnma(s1_46, s2_48, fma(s2_6, s2_41, fnma(s2_10, s2_39, s2_49)));
+  const double s2_50 = fnma(s4_20, s2_48, fma(s2_6, s2_41, fnma(s2_10, s2_39, s2_49)));
   result.c[4] = fma(s2_2, s2_46, s2_50);
   const double s2_51 = fnma(s2_2, s2_47, fnma(s2_6, s2_43, fms(s2_12, s2_39, s2_17)));
   const double s2_52 = zd_upper_arm_right*s2_45;
-  result.c[5] = fma(zd_upper_arm_right, s2_52, fma(s1_50, s2_48, s2_51));
+  result.c[5] = fma(zd_upper_arm_right, s2_52, fma(s4_24, s2_48, s2_51));
   // arb_link_front_left
   const double R_arb_front_left_x_z = work.sines[5];
   const double R_arb_front_left_x_x = work.cosines[5];
@@ -6704,12 +6700,12 @@ struct ClosureTermsWork {
   const double s2_61 = p_arb_link_front_left_to_x*R_carrier_left_z_x;
   const double s2_62 = R_carrier_left_z_z - R_carrier_left_aux2_z_y;
   const double s2_63 = fma(-p_arb_link_front_left_to_y, s2_62, s2_61);
-  const double s2_64 = fnma(s2_1, s2_63, s1_34*s2_60);
+  const double s2_64 = fnma(s2_1, s2_63, s4_8*s2_60);
   const double s2_65 = fnma(zd_lower_arm_left, s1_5, s2_64);
   const double s2_66 = p_arb_link_front_left_to_x*R_carrier_left_y_x;
   const double s2_67 = R_carrier_left_y_z - R_carrier_left_aux2_y_y;
   const double s2_68 = fma(-p_arb_link_front_left_to_y, s2_67, s2_66);
-  const double s2_69 = fnma(s1_38, s2_60, s2_1*s2_68);
+  const double s2_69 = fnma(s4_12, s2_60, s2_1*s2_68);
   const double s2_70 = s2_55 + fma(zd_lower_arm_left, s1_3, s2_69);
   const double s2_71 = 0.72 - r_carrier_left_aux1_y - s2_68;
   const double s2_72 = 3.846153846153846*s2_71;
@@ -6718,8 +6714,8 @@ struct ClosureTermsWork {
   const double s2_75 = s2_57 - r_carrier_left_aux1_z - s2_63 - (-p_arb_front_left_z);
   const double s2_76 = 3.846153846153846*s2_75;
   result.Jz[89] = fnma(s2_54, s2_76, s2_57*s2_74);
-  const double s2_77 = fnma(s1_34, s2_68, s1_38*s2_63);
-  const double s2_78 = fma(s1_34, s2_77, fnma(s2_5, s2_63, fms(s2_8, s2_60, s2_14)));
+  const double s2_77 = fnma(s4_8, s2_68, s4_12*s2_63);
+  const double s2_78 = fma(s4_8, s2_77, fnma(s2_5, s2_63, fms(s2_8, s2_60, s2_14)));
   const double s2_79 = fnma(s2_63, s2_72, s2_68*s2_76);
   const double s2_80 = fnma(s2_68, s2_74, s2_60*s2_72);
   const double s2_81 = fnma(s2_60, s2_76, s2_63*s2_74);
@@ -6736,8 +6732,8 @@ struct ClosureTermsWork {
   const double s2_87 = s2_58 - s2_77;
   const double s2_88 = fma(s2_70, s2_70, fma(s2_87, s2_87, s2_65*s2_65));
   const double s2_89 = fnma(3.846153846153846, s2_88, s2_72*fnma(s2_1, s2_69, s2_78));
-  const double s2_90 = fnma(s1_38, s2_77, fma(s2_1, s2_64, fnma(s2_11, s2_60, s2_82)));
-  const double s2_91 = fma(s2_74, fnma(s1_34, s2_64, fma(s1_38, s2_69, s2_83)), s2_89);
+  const double s2_90 = fnma(s4_12, s2_77, fma(s2_1, s2_64, fnma(s2_11, s2_60, s2_82)));
+  const double s2_91 = fma(s2_74, fnma(s4_8, s2_64, fma(s4_12, s2_69, s2_83)), s2_89);
   result.c[6] = fma(s2_76, s2_90, s2_91);
   // arb_link_front_right
   const double R_arb_front_right_x_z = work.sines[11];
@@ -6758,18 +6754,18 @@ struct ClosureTermsWork {
   const double s2_104 = p_arb_link_front_right_to_x*R_carrier_right_z_x;
   const double s2_105 = R_carrier_right_aux2_z_y + R_carrier_right_z_z;
   const double s2_106 = fma(-p_arb_link_front_left_to_y, s2_105, s2_104);
-  const double s2_107 = fnma(s2_2, s2_106, s1_46*s2_103);
+  const double s2_107 = fnma(s2_2, s2_106, s4_20*s2_103);
   const double s2_108 = fma(zd_lower_arm_right, work.s1_16, s2_107);
   const double s2_109 = 3.846153846153846*s2_101;
-  const double s2_110 = fnma(s1_50, s2_103, s2_2*s2_100);
+  const double s2_110 = fnma(s4_24, s2_103, s2_2*s2_100);
   const double s2_111 = s2_94 + fma(zd_lower_arm_right, s1_14, s2_110);
   const double s2_112 = 0.35 + (s2_93 - s2_103);
   const double s2_113 = 3.846153846153846*s2_112;
   const double s2_114 = s1_17 + s2_96 - s2_106 - (-p_arb_front_right_z);
   const double s2_115 = 3.846153846153846*s2_114;
   result.Jz[109] = fnma(s2_93, s2_115, s2_96*s2_113);
-  const double s2_116 = fnma(s1_46, s2_100, s1_50*s2_106);
-  const double s2_117 = fma(s1_46, s2_116, fnma(s2_6, s2_106, fms(s2_10, s2_103, s2_18)));
+  const double s2_116 = fnma(s4_20, s2_100, s4_24*s2_106);
+  const double s2_117 = fma(s4_20, s2_116, fnma(s2_6, s2_106, fms(s2_10, s2_103, s2_18)));
   const double s2_118 = fma(s2_100, s2_113, s2_103*s2_109);
   const double s2_119 = fma(s2_100, s2_115, s2_106*s2_109);
   const double s2_120 = fnma(s2_103, s2_115, s2_106*s2_113);
@@ -6785,9 +6781,9 @@ struct ClosureTermsWork {
   result.Jz[107] = fma(R_carrier_right_aux2_z_y, s2_118, s2_125);
   const double s2_126 = s2_97 - s2_116;
   const double s2_127 = fma(s2_111, s2_111, fma(s2_126, s2_126, s2_108*s2_108));
-  const double s2_128 = s2_113*fnma(s1_46, s2_107, fma(s1_50, s2_110, s2_122));
+  const double s2_128 = s2_113*fnma(s4_20, s2_107, fma(s4_24, s2_110, s2_122));
   const double s2_129 = fnma(3.846153846153846, s2_127, s2_128);
-  const double s2_130 = fnma(s1_50, s2_116, fma(s2_2, s2_107, fnma(s2_12, s2_103, s2_121)));
+  const double s2_130 = fnma(s4_24, s2_116, fma(s2_2, s2_107, fnma(s2_12, s2_103, s2_121)));
   result.c[7] = fma(s2_115, s2_130, fnma(s2_109, fnma(s2_2, s2_110, s2_117), s2_129));
   // drag_link
   const double s2_131 = -p_drag_link_from_z*work.sines[12];
@@ -6831,14 +6827,14 @@ struct ClosureTermsWork {
   const double s2_160 = fnma(-p_tie_rod_left_to_x, R_carrier_left_y_x, s2_159);
   const double s2_161 = fma(p_tie_rod_left_to_z, R_carrier_left_x_z, s2_23);
   const double s2_162 = fnma(-p_tie_rod_left_to_x, R_carrier_left_x_x, s2_161);
-  const double s2_163 = fnma(s1_38, s2_162, s2_1*s2_160);
+  const double s2_163 = fnma(s4_12, s2_162, s2_1*s2_160);
   const double s2_164 = fma(zd_lower_arm_left, s1_3, s2_163);
-  const double s2_165 = fnma(s1_34, s2_160, s1_38*s2_157);
+  const double s2_165 = fnma(s4_8, s2_160, s4_12*s2_157);
   const double s2_166 = s2_155 + s2_165;
   const double s2_167 = 1.262590031797617*s2_158;
   const double s2_168 = s2_154 - r_carrier_left_aux1_y - s2_160;
   const double s2_169 = 1.262590031797617*s2_168;
-  const double s2_170 = fnma(s2_1, s2_157, s1_34*s2_162);
+  const double s2_170 = fnma(s2_1, s2_157, s4_8*s2_162);
   const double s2_171 = fnma(zd_lower_arm_left, s1_5, s2_153 + s2_170);
   const double s2_172 = 0.35 + (s2_152 + s2_162);
   const double s2_173 = 1.262590031797617*s2_172;
@@ -6858,10 +6854,10 @@ struct ClosureTermsWork {
   result.Jz[129] = -fma(R_carrier_left_aux2_z_y, s2_177, s2_181);
   const double s2_182 = fma(s2_8, s2_160, fnma(s2_11, s2_157, zd_bell_crank*s2_153));
   const double s2_183 = fma(s2_171, s2_171, fma(s2_166, s2_166, s2_164*s2_164));
-  const double s2_184 = s2_169*fnma(s2_1, s2_163, fma(s1_34, s2_165, s2_178));
+  const double s2_184 = s2_169*fnma(s2_1, s2_163, fma(s4_8, s2_165, s2_178));
   const double s2_185 = fnma(1.262590031797617, s2_183, s2_184);
-  const double s2_186 = fnma(s2_167, fnma(s1_38, s2_165, s2_174), s2_185);
-  result.c[9] = fma(s2_173, fma(s1_34, s2_170, fnma(s1_38, s2_163, s2_182)), s2_186);
+  const double s2_186 = fnma(s2_167, fnma(s4_12, s2_165, s2_174), s2_185);
+  result.c[9] = fma(s2_173, fma(s4_8, s2_170, fnma(s4_12, s2_163, s2_182)), s2_186);
   // tie_rod_right
   const double s2_187 = fma(p_tie_rod_left_from_y, R_bell_crank_x_x, s2_151);
   const double s2_188 = zd_bell_crank*s2_187;
@@ -6875,28 +6871,28 @@ struct ClosureTermsWork {
   const double s2_196 = s2_187 + (r_carrier_right_aux1_y + s2_195);
   const double s2_197 = fms(p_tie_rod_right_to_z, R_carrier_right_x_z, s2_36);
   const double s2_198 = fnma(-p_tie_rod_right_to_x, R_carrier_right_x_x, s2_197);
-  const double s2_199 = fnma(s1_50, s2_198, s2_2*s2_195);
+  const double s2_199 = fnma(s4_24, s2_198, s2_2*s2_195);
   work.s2_200 = fma(zd_lower_arm_right, s1_14, s2_199);
   work.s2_201 = 1.262590031797617*s2_193;
   work.s2_202 = 1.262590031797617*s2_196;
   const double s2_203 = s2_189 - s2_198 - 0.35;
   work.s2_204 = 1.262590031797617*s2_203;
   result.Jz[153] = fnma(s2_189, work.s2_202, s2_187*work.s2_204);
-  work.s2_205 = fnma(s2_2, s2_192, s1_46*s2_198);
-  const double s2_206 = fnma(s1_46, s2_195, s1_50*s2_192);
+  work.s2_205 = fnma(s2_2, s2_192, s4_20*s2_198);
+  const double s2_206 = fnma(s4_20, s2_195, s4_24*s2_192);
   const double s2_207 = fma(s2_2, work.s2_205, fnma(s2_12, s2_198, fma(s2_6, s2_195, s2_17)));
-  work.s2_208 = fnma(s1_50, s2_206, s2_207);
+  work.s2_208 = fnma(s4_24, s2_206, s2_207);
   const double s2_209 = fma(s2_195, work.s2_204, s2_198*work.s2_202);
   const double s2_210 = fnma(s2_195, work.s2_201, s2_192*work.s2_202);
   const double s2_211 = fma(s2_192, work.s2_204, s2_198*work.s2_201);
   const double s2_212 = fnma(s2_10, s2_195, fma(s2_12, s2_192, zd_bell_crank*work.s2_190));
-  work.s2_213 = fnma(s1_46, work.s2_205, fma(s1_50, s2_199, s2_212));
+  work.s2_213 = fnma(s4_20, work.s2_205, fma(s4_24, s2_199, s2_212));
   result.Jz[146] = fma(work.s1_16, work.s2_202, fms(s1_14, work.s2_201, s2_210));
   const double s2_214 = fma(s2_193, work.s2_201, fms(s2_196, work.s2_202, l_tie_rod_right));
   result.Phi[10] = 0.5*fma(s2_203, work.s2_204, s2_214);
   result.Jz[147] = fma(R_lower_arm_right_y_y, s2_209, R_lower_arm_right_z_y*s2_211);
   const double s2_215 = fnma(s2_10, s2_198, fma(zd_bell_crank, s2_188, s2_18));
-  work.s2_216 = fma(s2_2, s2_199, fnma(s1_46, s2_206, fma(s2_6, s2_192, s2_215)));
+  work.s2_216 = fma(s2_2, s2_199, fnma(s4_20, s2_206, fma(s2_6, s2_192, s2_215)));
   const double s2_217 = fnma(R_carrier_right_aux1_y_x, s2_211, R_carrier_right_aux1_z_x*s2_209);
   result.Jz[148] = fnma(R_carrier_right_aux1_x_x, s2_210, s2_217);
   const double s2_218 = fnma(R_carrier_right_aux2_y_y, s2_211, s1_19*s2_210);
@@ -6916,9 +6912,9 @@ struct ClosureTermsWork {
   const double s2_224 = fnma(1.262590031797617, s2_223, work.s2_204*work.s2_213);
   result.c[10] = fma(work.s2_202, work.s2_216, fnma(work.s2_201, work.s2_208, s2_224));
   const double zd_rear_axle_rz = state.zd[Coordinate::rear_axle_rz];
-  const double s2_225 = fnma(work.s1_54, work.s1_57, zd_rear_axle_rz*work.s1_58);
-  const double s2_226 = fma(work.s1_51, work.s1_56, work.s1_52*work.s1_57);
-  const double s2_227 = fma(zd_rear_axle_rz, work.s1_53, work.s1_51*work.s1_54);
+  const double s2_225 = fnma(work.s4_28, work.s4_31, zd_rear_axle_rz*work.s4_32);
+  const double s2_226 = fma(work.s4_25, work.s4_30, work.s4_26*work.s4_31);
+  const double s2_227 = fma(zd_rear_axle_rz, work.s4_27, work.s4_25*work.s4_28);
   // long_rod_left
   const double s1_24 = work.sines[15];
   const double s2_228 = p_long_rod_left_to_x*s1_24;
@@ -6932,13 +6928,13 @@ struct ClosureTermsWork {
   const double s2_236 = fms(p_long_rod_left_to_y, work.R_rear_axle_z_y, s2_229);
   const double s2_237 = -p_long_rod_left_from_z + (work.r_rear_axle_aux3_z + s2_236);
   const double s2_238 = -p_long_rod_left_from_x + (work.r_rear_axle_aux1_x + s2_235);
-  const double s2_239 = fnma(work.s1_55, s2_232, work.s1_53*s2_236);
+  const double s2_239 = fnma(work.s4_29, s2_232, work.s4_27*s2_236);
   const double zd_rear_axle_tx = state.zd[Coordinate::rear_axle_tx];
   const double s2_240 = zd_rear_axle_tx + s2_239;
-  const double s2_241 = fnma(work.s1_58, s2_236, work.s1_55*s2_235);
+  const double s2_241 = fnma(work.s4_32, s2_236, work.s4_29*s2_235);
   const double zd_rear_axle_ty = state.zd[Coordinate::rear_axle_ty];
   const double s2_242 = zd_rear_axle_ty + s2_241;
-  const double s2_243 = fnma(work.s1_53, s2_235, work.s1_58*s2_232);
+  const double s2_243 = fnma(work.s4_27, s2_235, work.s4_32*s2_232);
   const double zd_rear_axle_tz = state.zd[Coordinate::rear_axle_tz];
   const double s2_244 = zd_rear_axle_tz + s2_243;
   const double s2_245 = 1.1757385222540735*s2_237;
@@ -6949,12 +6945,12 @@ struct ClosureTermsWork {
   const double s2_247 = p_long_rod_left_from_y - z_rear_axle_ty - s2_232;
   const double s2_248 = 1.1757385222540735*s2_247;
   result.Jz[155] = -s2_248;
-  const double s2_249 = fma(work.s1_53, s2_243, fma(s2_225, s2_236, s2_226*s2_232));
-  const double s2_250 = fma(work.s1_55, s2_239, fnma(s2_226, s2_235, s2_227*s2_236));
+  const double s2_249 = fma(work.s4_27, s2_243, fma(s2_225, s2_236, s2_226*s2_232));
+  const double s2_250 = fma(work.s4_29, s2_239, fnma(s2_226, s2_235, s2_227*s2_236));
   const double s2_251 = fma(s2_236, s2_248, s2_232*s2_245);
   const double s2_252 = fma(s2_235, s2_248, s2_232*s2_246);
   result.Jz[157] = -s2_252;
-  const double s2_253 = fnma(s2_227, s2_232, fnma(work.s1_53, s2_239, work.s1_58*s2_241));
+  const double s2_253 = fnma(s2_227, s2_232, fnma(work.s4_27, s2_239, work.s4_32*s2_241));
   const double s2_254 = fnma(s2_236, s2_246, s2_235*s2_245);
   const double s2_255 = fma(s2_237, s2_245, fms(s2_247, s2_248, l_long_rod_left));
   result.Phi[11] = 0.5*fma(s2_238, s2_246, s2_255);
@@ -6964,10 +6960,10 @@ struct ClosureTermsWork {
   const double s2_256 = fnma(work.R_rear_axle_aux5_y_x, s2_254, s1_24*s2_252);
   result.Jz[159] = fma(work.R_rear_axle_aux5_x_x, s2_251, s2_256);
   const double s2_257 = fma(s2_244, s2_244, fma(s2_240, s2_240, s2_242*s2_242));
-  const double s2_258 = s2_248*fnma(work.s1_58, s2_243, s2_250);
+  const double s2_258 = s2_248*fnma(work.s4_32, s2_243, s2_250);
   const double s2_259 = fnma(1.1757385222540735, s2_257, s2_258);
   const double s2_260 = fnma(s2_245, fnma(s2_225, s2_235, s2_253), s2_259);
-  result.c[11] = fnma(s2_246, fnma(work.s1_55, s2_241, s2_249), s2_260);
+  result.c[11] = fnma(s2_246, fnma(work.s4_29, s2_241, s2_249), s2_260);
   // diag_rod_left
   const double s2_261 = p_diag_rod_left_to_z*work.R_rear_axle_x_z;
   const double s2_262 = fma(p_diag_rod_left_to_y, work.R_rear_axle_x_y, s2_261);
@@ -6977,11 +6973,11 @@ struct ClosureTermsWork {
   const double s2_266 = fma(p_diag_rod_left_to_z, work.R_rear_axle_z_z, s2_265);
   const double s2_267 = -p_diag_rod_left_from_z + (work.r_rear_axle_aux3_z + s2_266);
   const double s2_268 = -p_diag_rod_left_from_x + (work.r_rear_axle_aux1_x + s2_262);
-  const double s2_269 = fnma(work.s1_55, s2_264, work.s1_53*s2_266);
+  const double s2_269 = fnma(work.s4_29, s2_264, work.s4_27*s2_266);
   const double s2_270 = zd_rear_axle_tx + s2_269;
-  const double s2_271 = fnma(work.s1_58, s2_266, work.s1_55*s2_262);
+  const double s2_271 = fnma(work.s4_32, s2_266, work.s4_29*s2_262);
   const double s2_272 = zd_rear_axle_ty + s2_271;
-  const double s2_273 = fnma(work.s1_53, s2_262, work.s1_58*s2_264);
+  const double s2_273 = fnma(work.s4_27, s2_262, work.s4_32*s2_264);
   const double s2_274 = zd_rear_axle_tz + s2_273;
   const double s2_275 = 1.162476387438193*s2_267;
   result.Jz[164] = s2_275;
@@ -6990,12 +6986,12 @@ struct ClosureTermsWork {
   const double s2_277 = p_diag_rod_left_from_y - z_rear_axle_ty - s2_264;
   const double s2_278 = 1.162476387438193*s2_277;
   result.Jz[163] = -s2_278;
-  const double s2_279 = fma(work.s1_53, s2_273, fma(s2_225, s2_266, s2_226*s2_264));
-  const double s2_280 = fma(work.s1_55, s2_269, fnma(s2_226, s2_262, s2_227*s2_266));
+  const double s2_279 = fma(work.s4_27, s2_273, fma(s2_225, s2_266, s2_226*s2_264));
+  const double s2_280 = fma(work.s4_29, s2_269, fnma(s2_226, s2_262, s2_227*s2_266));
   const double s2_281 = fma(s2_266, s2_278, s2_264*s2_275);
   const double s2_282 = fma(s2_262, s2_278, s2_264*s2_276);
   result.Jz[165] = -s2_282;
-  const double s2_283 = fnma(s2_227, s2_264, fnma(work.s1_53, s2_269, work.s1_58*s2_271));
+  const double s2_283 = fnma(s2_227, s2_264, fnma(work.s4_27, s2_269, work.s4_32*s2_271));
   const double s2_284 = fnma(s2_266, s2_276, s2_262*s2_275);
   const double s2_285 = fma(s2_267, s2_275, fms(s2_277, s2_278, l_diag_rod_left));
   result.Phi[12] = 0.5*fma(s2_268, s2_276, s2_285);
@@ -7003,9 +6999,9 @@ struct ClosureTermsWork {
   const double s2_286 = fnma(work.R_rear_axle_aux5_y_x, s2_284, s1_24*s2_282);
   result.Jz[167] = fma(work.R_rear_axle_aux5_x_x, s2_281, s2_286);
   const double s2_287 = fma(s2_274, s2_274, fma(s2_270, s2_270, s2_272*s2_272));
-  const double s2_288 = fnma(1.162476387438193, s2_287, s2_278*fnma(work.s1_58, s2_273, s2_280));
+  const double s2_288 = fnma(1.162476387438193, s2_287, s2_278*fnma(work.s4_32, s2_273, s2_280));
   const double s2_289 = fnma(s2_275, fnma(s2_225, s2_262, s2_283), s2_288);
-  result.c[12] = fnma(s2_276, fnma(work.s1_55, s2_271, s2_279), s2_289);
+  result.c[12] = fnma(s2_276, fnma(work.s4_29, s2_271, s2_279), s2_289);
   // arb_link_rear_left
   const double s2_290 = p_arb_link_rear_left_from_x*work.sines[17];
   const double s2_291 = -p_arb_link_rear_left_to_x*work.R_rear_axle_aux5_y_x;
@@ -7022,7 +7018,7 @@ struct ClosureTermsWork {
   const double s2_301 = fnma(-p_arb_link_rear_left_to_z, work.R_rear_axle_z_z, s2_300);
   const double s2_302 = fma(p_arb_link_rear_left_to_y, work.R_rear_axle_z_y, s2_301);
   const double s2_303 = -p_arb_rear_left_z + (s2_290 + (work.r_rear_axle_aux3_z + s2_302));
-  const double s2_304 = fnma(work.s1_58, s2_302, work.s1_55*s2_299);
+  const double s2_304 = fnma(work.s4_32, s2_302, work.s4_29*s2_299);
   const double s2_305 = zd_rear_axle_ty + s2_304;
   const double s2_306 = 4.47213595499958*s2_303;
   result.Jz[172] = s2_306;
@@ -7032,12 +7028,12 @@ struct ClosureTermsWork {
   const double s2_309 = s2_296 - work.r_rear_axle_aux1_x - s2_299 - (-p_arb_rear_left_x);
   const double s2_310 = 4.47213595499958*s2_309;
   result.Jz[170] = -s2_310;
-  const double s2_311 = fnma(work.s1_55, s2_298, work.s1_53*s2_302);
+  const double s2_311 = fnma(work.s4_29, s2_298, work.s4_27*s2_302);
   const double s2_312 = s2_295 + (zd_rear_axle_tx + s2_311);
-  const double s2_313 = fnma(work.s1_53, s2_299, work.s1_58*s2_298);
+  const double s2_313 = fnma(work.s4_27, s2_299, work.s4_32*s2_298);
   const double s2_314 = s2_297 + (zd_rear_axle_tz + s2_313);
   result.Jz[176] = fnma(s2_290, s2_310, s2_296*s2_306);
-  const double s2_315 = fma(work.s1_55, s2_311, fnma(s2_226, s2_299, s2_227*s2_302));
+  const double s2_315 = fma(work.s4_29, s2_311, fnma(s2_226, s2_299, s2_227*s2_302));
   const double s2_316 = fma(s2_302, s2_308, s2_298*s2_306);
   const double s2_317 = fnma(s2_298, s2_310, s2_299*s2_308);
   result.Jz[173] = -s2_317;
@@ -7046,13 +7042,13 @@ struct ClosureTermsWork {
   const double s2_320 = fma(s2_303, s2_306, fms(s2_307, s2_308, l_arb_link_rear_left));
   result.Phi[13] = 0.5*fma(s2_309, s2_310, s2_320);
   result.Jz[174] = -fma(R_rear_axle_aux4_x_x, s2_318, R_rear_axle_aux4_y_x*s2_316);
-  const double s2_321 = fnma(work.s1_58, s2_304, zd_arb_rear_left*s2_295);
-  const double s2_322 = fma(s2_227, s2_298, fma(work.s1_53, s2_311, s2_321));
+  const double s2_321 = fnma(work.s4_32, s2_304, zd_arb_rear_left*s2_295);
+  const double s2_322 = fma(s2_227, s2_298, fma(work.s4_27, s2_311, s2_321));
   const double s2_323 = fnma(work.R_rear_axle_aux5_y_x, s2_318, s1_24*s2_317);
   result.Jz[175] = fma(work.R_rear_axle_aux5_x_x, s2_316, s2_323);
   const double s2_324 = fma(s2_314, s2_314, fma(s2_312, s2_312, s2_305*s2_305));
-  const double s2_325 = fnma(4.47213595499958, s2_324, s2_308*fnma(work.s1_58, s2_313, s2_315));
-  const double s2_326 = fnma(work.s1_55, s2_304, fma(work.s1_53, s2_313, s2_319));
+  const double s2_325 = fnma(4.47213595499958, s2_324, s2_308*fnma(work.s4_32, s2_313, s2_315));
+  const double s2_326 = fnma(work.s4_29, s2_304, fma(work.s4_27, s2_313, s2_319));
   result.c[13] = fma(s2_310, s2_326, fma(s2_306, fma(s2_225, s2_299, s2_322), s2_325));
   // long_rod_right
   const double s2_327 = fma(p_long_rod_left_to_y, work.R_rear_axle_z_y, s2_229);
@@ -7061,10 +7057,10 @@ struct ClosureTermsWork {
   const double s2_330 = -p_long_rod_right_from_y + (z_rear_axle_ty + s2_328);
   const double s2_331 = -p_long_rod_right_from_z + (work.r_rear_axle_aux3_z - s2_327);
   const double s2_332 = -p_long_rod_right_from_x + (work.r_rear_axle_aux1_x + s2_329);
-  const double s2_333 = fma(work.s1_55, s2_328, work.s1_53*s2_327);
-  const double s2_334 = fma(work.s1_55, s2_329, work.s1_58*s2_327);
+  const double s2_333 = fma(work.s4_29, s2_328, work.s4_27*s2_327);
+  const double s2_334 = fma(work.s4_29, s2_329, work.s4_32*s2_327);
   const double s2_335 = zd_rear_axle_ty + s2_334;
-  const double s2_336 = fnma(work.s1_53, s2_329, work.s1_58*s2_328);
+  const double s2_336 = fnma(work.s4_27, s2_329, work.s4_32*s2_328);
   const double s2_337 = zd_rear_axle_tz + s2_336;
   const double s2_338 = zd_rear_axle_tx - s2_333;
   const double s2_339 = 1.1757385222540735*s2_330;
@@ -7073,10 +7069,10 @@ struct ClosureTermsWork {
   result.Jz[180] = s2_340;
   const double s2_341 = 1.1757385222540735*s2_332;
   result.Jz[178] = s2_341;
-  const double s2_342 = fma(work.s1_55, s2_333, fma(s2_227, s2_327, s2_226*s2_329));
-  const double s2_343 = fma(work.s1_53, s2_336, fnma(s2_225, s2_327, s2_226*s2_328));
+  const double s2_342 = fma(work.s4_29, s2_333, fma(s2_227, s2_327, s2_226*s2_329));
+  const double s2_343 = fma(work.s4_27, s2_336, fnma(s2_225, s2_327, s2_226*s2_328));
   const double s2_344 = fma(s2_327, s2_339, s2_328*s2_340);
-  const double s2_345 = fnma(s2_227, s2_328, fma(work.s1_58, s2_334, work.s1_53*s2_333));
+  const double s2_345 = fnma(s2_227, s2_328, fma(work.s4_32, s2_334, work.s4_27*s2_333));
   const double s2_346 = fnma(s2_329, s2_339, s2_328*s2_341);
   result.Jz[181] = -s2_346;
   const double s2_347 = fma(s2_327, s2_341, s2_329*s2_340);
@@ -7086,9 +7082,9 @@ struct ClosureTermsWork {
   const double s2_349 = fnma(work.R_rear_axle_aux5_y_x, s2_347, s1_24*s2_346);
   result.Jz[183] = fma(work.R_rear_axle_aux5_x_x, s2_344, s2_349);
   const double s2_350 = fma(s2_338, s2_338, fma(s2_337, s2_337, s2_335*s2_335));
-  const double s2_351 = fnma(1.1757385222540735, s2_350, s2_339*fma(work.s1_58, s2_336, s2_342));
+  const double s2_351 = fnma(1.1757385222540735, s2_350, s2_339*fma(work.s4_32, s2_336, s2_342));
   const double s2_352 = fnma(s2_340, fnma(s2_225, s2_329, s2_345), s2_351);
-  result.c[14] = fnma(s2_341, fnma(work.s1_55, s2_334, s2_343), s2_352);
+  result.c[14] = fnma(s2_341, fnma(work.s4_29, s2_334, s2_343), s2_352);
   // diag_rod_right
   const double s2_353 = fnma(p_diag_rod_left_to_y, work.R_rear_axle_x_y, s2_261);
   const double s2_354 = fms(p_diag_rod_left_to_z, work.R_rear_axle_y_z, s2_263);
@@ -7096,11 +7092,11 @@ struct ClosureTermsWork {
   const double s2_356 = -p_diag_rod_right_from_z + (work.r_rear_axle_aux3_z + s2_355);
   const double s2_357 = -p_diag_rod_right_from_y + (z_rear_axle_ty + s2_354);
   const double s2_358 = -p_diag_rod_right_from_x + (work.r_rear_axle_aux1_x + s2_353);
-  const double s2_359 = fnma(work.s1_55, s2_354, work.s1_53*s2_355);
+  const double s2_359 = fnma(work.s4_29, s2_354, work.s4_27*s2_355);
   const double s2_360 = zd_rear_axle_tx + s2_359;
-  const double s2_361 = fnma(work.s1_58, s2_355, work.s1_55*s2_353);
+  const double s2_361 = fnma(work.s4_32, s2_355, work.s4_29*s2_353);
   const double s2_362 = zd_rear_axle_ty + s2_361;
-  const double s2_363 = fnma(work.s1_53, s2_353, work.s1_58*s2_354);
+  const double s2_363 = fnma(work.s4_27, s2_353, work.s4_32*s2_354);
   const double s2_364 = zd_rear_axle_tz + s2_363;
   const double s2_365 = 1.162476387438193*s2_356;
   result.Jz[188] = s2_365;
@@ -7108,9 +7104,9 @@ struct ClosureTermsWork {
   result.Jz[187] = s2_366;
   const double s2_367 = 1.162476387438193*s2_358;
   result.Jz[186] = s2_367;
-  const double s2_368 = fma(work.s1_53, s2_363, fma(s2_225, s2_355, s2_226*s2_354));
-  const double s2_369 = fma(work.s1_55, s2_359, fnma(s2_226, s2_353, s2_227*s2_355));
-  const double s2_370 = fnma(s2_227, s2_354, fnma(work.s1_53, s2_359, work.s1_58*s2_361));
+  const double s2_368 = fma(work.s4_27, s2_363, fma(s2_225, s2_355, s2_226*s2_354));
+  const double s2_369 = fma(work.s4_29, s2_359, fnma(s2_226, s2_353, s2_227*s2_355));
+  const double s2_370 = fnma(s2_227, s2_354, fnma(work.s4_27, s2_359, work.s4_32*s2_361));
   const double s2_371 = fnma(s2_353, s2_366, s2_354*s2_367);
   result.Jz[189] = -s2_371;
   const double s2_372 = fnma(s2_355, s2_367, s2_353*s2_365);
@@ -7121,16 +7117,16 @@ struct ClosureTermsWork {
   const double s2_375 = fnma(work.R_rear_axle_aux5_y_x, s2_372, s1_24*s2_371);
   result.Jz[191] = fnma(work.R_rear_axle_aux5_x_x, s2_373, s2_375);
   const double s2_376 = fma(s2_364, s2_364, fma(s2_360, s2_360, s2_362*s2_362));
-  const double s2_377 = fma(s2_366, fnma(work.s1_58, s2_363, s2_369), 1.162476387438193*s2_376);
+  const double s2_377 = fma(s2_366, fnma(work.s4_32, s2_363, s2_369), 1.162476387438193*s2_376);
   const double s2_378 = fma(s2_365, fnma(s2_225, s2_353, s2_370), s2_377);
-  result.c[15] = -fma(s2_367, fnma(work.s1_55, s2_361, s2_368), s2_378);
+  result.c[15] = -fma(s2_367, fnma(work.s4_29, s2_361, s2_368), s2_378);
   // arb_link_rear_right
   const double s2_379 = fma(p_arb_link_rear_left_to_y, work.R_rear_axle_y_y, s2_292);
   const double s2_380 = fma(p_arb_link_rear_left_to_y, work.R_rear_axle_x_y, s2_294);
   const double s2_381 = p_arb_link_rear_right_from_x*work.sines[18];
   const double s2_382 = fnma(p_arb_link_rear_left_to_y, work.R_rear_axle_z_y, s2_301);
   const double s2_383 = 0.6 + (z_rear_axle_ty - s2_379);
-  const double s2_384 = fma(work.s1_58, s2_382, work.s1_55*s2_380);
+  const double s2_384 = fma(work.s4_32, s2_382, work.s4_29*s2_380);
   const double zd_arb_rear_right = state.zd[Coordinate::arb_rear_right];
   const double s2_385 = zd_arb_rear_right*s2_381;
   const double s2_386 = p_arb_link_rear_right_from_x*work.cosines[18];
@@ -7139,16 +7135,16 @@ struct ClosureTermsWork {
   const double s2_389 = zd_rear_axle_ty - s2_384;
   const double s2_390 = 4.47213595499958*s2_383;
   result.Jz[195] = s2_390;
-  const double s2_391 = fma(work.s1_53, s2_382, work.s1_55*s2_379);
+  const double s2_391 = fma(work.s4_27, s2_382, work.s4_29*s2_379);
   const double s2_392 = s2_385 + (zd_rear_axle_tx + s2_391);
-  const double s2_393 = fnma(work.s1_58, s2_379, work.s1_53*s2_380);
+  const double s2_393 = fnma(work.s4_32, s2_379, work.s4_27*s2_380);
   const double s2_394 = s2_387 + (zd_rear_axle_tz + s2_393);
   const double s2_395 = 4.47213595499958*s2_388;
   result.Jz[196] = s2_395;
   const double s2_396 = s2_380 + s2_386 - work.r_rear_axle_aux1_x - (-p_arb_rear_right_x);
   const double s2_397 = 4.47213595499958*s2_396;
   result.Jz[194] = -s2_397;
-  const double s2_398 = fma(work.s1_55, s2_391, fma(s2_226, s2_380, s2_227*s2_382));
+  const double s2_398 = fma(work.s4_29, s2_391, fma(s2_226, s2_380, s2_227*s2_382));
   result.Jz[201] = fnma(s2_381, s2_397, s2_386*s2_395);
   const double s2_399 = fnma(s2_226, s2_379, fma(s2_225, s2_382, zd_arb_rear_right*s2_387));
   const double s2_400 = fma(s2_380, s2_390, s2_379*s2_397);
@@ -7161,11 +7157,11 @@ struct ClosureTermsWork {
   result.Jz[198] = fnma(R_rear_axle_aux4_x_x, s2_401, R_rear_axle_aux4_y_x*s2_402);
   const double s2_405 = fnma(work.R_rear_axle_aux5_y_x, s2_401, s1_24*s2_400);
   result.Jz[199] = fnma(work.R_rear_axle_aux5_x_x, s2_402, s2_405);
-  const double s2_406 = s2_395*fma(work.s1_53, s2_391, fma(work.s1_58, s2_384, s2_403));
+  const double s2_406 = s2_395*fma(work.s4_27, s2_391, fma(work.s4_32, s2_384, s2_403));
   const double s2_407 = fma(s2_394, s2_394, fma(s2_392, s2_392, s2_389*s2_389));
   const double s2_408 = fnma(4.47213595499958, s2_407, s2_406);
-  const double s2_409 = fma(work.s1_53, s2_393, fma(work.s1_55, s2_384, s2_399));
-  const double s2_410 = fnma(s2_390, fnma(work.s1_58, s2_393, s2_398), s2_408);
+  const double s2_409 = fma(work.s4_27, s2_393, fma(work.s4_29, s2_384, s2_399));
+  const double s2_410 = fnma(s2_390, fnma(work.s4_32, s2_393, s2_398), s2_408);
   result.c[16] = fma(s2_397, s2_409, s2_410);
   // operations: 573 add, 729 multiply
 }
@@ -7204,75 +7200,75 @@ struct ChosenAccelerationsWork {
       R_carrier_right_x_z, R_carrier_right_y_x, R_carrier_right_y_z, R_carrier_right_z_x,
       R_carrier_right_z_z, r_rear_axle_aux1_x, r_rear_axle_aux3_z, R_rear_axle_aux5_x_x,
       R_rear_axle_aux5_y_x, R_rear_axle_x_y, R_rear_axle_x_z, R_rear_axle_y_y, R_rear_axle_y_z,
-      R_rear_axle_z_y, R_rear_axle_z_z, s5_1, w_chassis_x, s5_2, s5_3, w_chassis_y, s5_4, s5_5,
-      w_chassis_z, s5_6, s5_7, s5_8, s5_9, s5_10, s5_11, s5_12, s5_13, s5_14, s5_15, s5_16, s5_17,
-      s5_18, s5_19, s5_25, s5_27, s5_28, s5_29, s5_30, s5_31, s5_67, s4_1, s4_2, s4_3, s4_4, s4_5,
-      s4_6, s4_7, s4_8, s4_9, s4_10, s4_11, s4_12, s4_13, s4_14, s4_15, s4_16, s4_17, s4_18, s4_19,
-      w_carrier_left_x, w_carrier_left_y, w_carrier_left_z, w_carrier_right_x, w_carrier_right_y,
-      w_carrier_right_z, w_rear_axle_x, w_rear_axle_y, w_rear_axle_z, s7_3, s7_6, s7_9, s7_11,
-      s7_13, s7_16, s7_19, s7_21, s7_24, s7_27, s7_30, s7_32, s7_34, s8_14, s8_15, s8_16, s3_2,
-      s3_4, s3_5, s3_6, s3_8, s3_10, s6_4, s6_7, s6_10, s7_36, s7_38, s7_39, s7_50, s7_57, s7_59,
-      s7_61, s7_63, s7_64, s7_65, s7_66, s7_67, s7_68, s7_69, s7_72, s7_73, s7_74, s7_75, s7_77,
-      s7_78, s7_79, s7_80, s7_83, s7_84, s7_85, s7_86, s8_17, s8_18, s8_19, s8_20, s8_21, s8_22,
-      s8_25, s8_26, s8_27, s8_28, s8_29, s8_30, s8_31, s8_33, s8_34, s8_35, s8_37, s8_39, s8_40,
-      s8_41, s8_43, s8_45, s8_46, s8_47, s8_48, s8_49, s8_51, s8_52, s8_53, s8_54, s8_56, s8_57,
-      s8_58, s8_59, s8_61, s8_62, s8_63, s8_64, s8_67, s8_69, s8_70, s8_71, s8_72, s8_73, s8_74,
-      s8_82, s8_85, s8_98, s8_120, s8_121, s8_122, s8_127, s8_132, s8_146, s8_164, s8_165, s8_166,
-      s8_398, s8_416, s8_420, s8_430, s8_440, s8_450, s8_453, s8_456, s8_459, s8_484, s8_541,
-      s8_542, s8_545, s8_546, s8_547, s8_548, s8_549, s8_551, s8_552, s8_561, s8_562, s8_573,
-      s8_574, s8_584, s8_585, s8_586, s8_597, s8_600, s8_601, s8_603, s8_604, s8_607, s8_608,
-      s8_622, s8_623, s8_639, s8_640, s8_652, s8_653, s8_654, s8_655, s8_656, s8_657, s8_658,
-      s8_659, s8_660, s8_661, s8_662, s8_663, s8_664, s8_665, s8_666, s8_667, s8_668, s8_669,
-      s8_670, s8_671, s8_672, s8_673, s3_12, s3_14, s3_16, s3_18, s3_20, s3_22, s3_25, s3_28, s3_31,
-      s3_34, s3_37, s3_40, s3_43, s3_46, s3_49, s3_52, s3_55, s3_58, s6_11, s6_12, s6_13, s6_16,
-      s6_17, s6_36, s6_43, s6_48, s6_53, s7_89, s7_91, s7_96, s7_97, s7_98, s7_99, s7_100, s7_103,
-      s7_106, s7_109, s7_124, s7_133, s7_136, s7_139, s7_141, s7_142, s7_143, s7_145, s7_147,
-      s7_152, s7_153, s7_154, s7_155, s7_158, s7_160, s7_162, s7_164, s7_169, s7_170, s7_171,
-      s7_172, s7_175, s7_177, s7_182, s7_183, s7_184, s7_185, s7_189, s7_192, s7_195, s7_210,
-      s7_218, s7_220, s7_222, s7_225, s7_226, s7_229, s7_231, s7_236, s7_237, s7_238, s7_239,
-      s7_242, s7_244, s7_246, s7_248, s7_253, s7_254, s7_255, s7_256, s7_258, s7_259, s7_262,
-      s7_263, s7_264, s7_265, s7_267, s7_271, s7_273, s7_274, s7_277, s7_278, s7_279, s8_700,
-      s8_701, s8_702, s8_703, s8_704, s8_705, s8_706, s8_707, s8_708, s8_709, s8_710, s8_711,
-      s8_712, s8_713, s8_714, s8_715, s8_716, s8_717, s8_718, s8_719, s8_720, s8_721, s8_722,
-      s8_723, s8_724, s8_725, s8_726, s8_728, s8_729, s8_730, s8_732, s8_733, s8_734, s8_735,
-      s8_736, s8_737, s8_738, s8_739, s8_740, s8_741, s8_742, s8_743, s8_744, s8_745, s8_746,
-      s8_747, s8_749, s8_750, s8_751, s8_753, s8_754, s8_755, s8_756, s8_757, s8_758, s8_759,
-      s8_761, s8_763, s8_764, s8_765, s8_766, s8_767, s8_768, s8_769, s8_770, s8_772, s8_773,
-      s8_775, s8_776, s8_777, s8_778, s8_779, s8_780, s8_781, s8_782, s8_783, s8_784, s8_786,
-      s8_787, s8_788, s8_789, s8_790, s8_791, s8_794, s8_795, s8_797, s8_798, s8_799, s8_800,
-      s8_801, s8_802, s8_803, s8_806, s8_809, s8_810, s8_811, s8_816, s8_819, f_carrier_right_x,
-      s8_831, f_carrier_right_y, f_carrier_right_z, n_carrier_right_x, n_carrier_right_y,
-      n_carrier_right_z, s8_852, s8_853, s8_854, s8_855, s8_857, s8_859, s8_861, s8_863, s8_865,
-      s8_867, s8_868, s8_869, s8_870, s8_873, s8_875, s8_877, s8_880, s8_882, s8_884, s8_888,
-      s8_891, s8_894, s8_895, s8_896, s8_897, s8_898, s8_899, s8_900, s8_901, s8_903, s8_904,
-      s8_905, s8_906, s8_908, s8_909, s8_910, s8_911, s8_912, s8_913, s8_914, s8_915, s8_916,
-      s8_917, s8_918, s8_919, s8_920, s8_921, s8_923, s8_924, s8_925, s8_926, s8_927, s8_928,
-      s8_929, s8_930, s8_931, s8_932, s8_933, s8_935, s8_936, s8_938, s8_939, s8_940, s8_941,
-      s8_942, s8_943, s8_944, s8_945, s8_946, s8_947, s8_948, s8_953, s8_956, f_carrier_left_x,
-      s8_967, f_carrier_left_y, f_carrier_left_z, n_carrier_left_x, n_carrier_left_y,
-      n_carrier_left_z, s8_989, s8_990, s8_991, s8_993, s8_995, s8_997, s8_999, s8_1001, s8_1003,
-      s8_1005, s8_1006, s8_1007, s8_1008, s8_1009, s8_1010, s8_1013, s8_1015, s8_1017, s8_1020,
-      s8_1022, s8_1028, s8_1031, s8_1036, s8_1040, s8_1044, s8_1048, s8_1049, s8_1050, s8_1052,
-      s8_1053, s8_1055, s8_1057, s8_1074, s8_1075, s8_1077, s8_1078, s8_1082, s8_1083, s8_1084,
-      s8_1085, s8_1089, s8_1091, s8_1095, s8_1097, s8_1108, s8_1114, s8_1122, s8_1132, s8_1141,
-      s8_1142, s8_1144, s8_1145, s8_1146, s8_1147, s8_1148, s8_1152, s8_1154, s8_1158, s8_1160,
-      s8_1170, s8_1177, s8_1184, s8_1193, s8_1194, s8_1196, s8_1197, s8_1199, s8_1200, s8_1201,
-      s8_1202, s8_1203, s8_1204, s8_1205, s8_1206, s8_1211, s8_1224, s8_1230, s8_1234, s8_1244,
-      s8_1253, s8_1254, s8_1259, s8_1261, s8_1264, s8_1265, s8_1266, s8_1267, s8_1271, s8_1273,
-      s8_1276, s8_1281, s8_1288, s8_1295, s8_1303, s8_1307, s8_1313, s8_1314, s8_1316, s8_1317,
-      s8_1318, s8_1319, s8_1321, s8_1323, s8_1342, s8_1346, s8_1348, s8_1368, s8_1392, s8_1418,
-      s8_1438, s8_1463, s8_1483, s8_1502, s8_1509, s8_1515, s8_1521, s8_1524, s8_1527, s8_1531,
-      s8_1534, s8_1537, s8_1541, s8_1544, s8_1547, s8_1548, s8_1549, s8_1550, s8_1551, s8_1575,
-      s8_1577, s8_1586, s8_1592, s8_1600, s8_1603, s8_1604, s8_1606, s8_1616, s8_1624, s8_1633,
-      s8_1635, s8_1640, s8_1643, s8_1646, s8_1653, s8_1660, s8_1661, s8_1662;
+      R_rear_axle_z_y, R_rear_axle_z_z, s4_1, w_chassis_x, s4_2, s4_3, w_chassis_y, s4_4, s4_5,
+      w_chassis_z, s4_6, s4_7, s4_8, s4_9, s4_10, s4_11, s4_12, s4_13, s4_14, s4_15, s4_16, s4_17,
+      s4_18, s4_19, s1_34, s1_36, s1_37, s1_38, s1_39, s1_40, s1_76, s4_25, s4_26, s4_27, s4_28,
+      s4_29, s4_30, s4_31, s4_32, s4_33, s4_34, s4_35, s4_36, s4_37, s4_38, s4_39, s4_40, s4_41,
+      s4_42, s4_43, w_carrier_left_x, w_carrier_left_y, w_carrier_left_z, w_carrier_right_x,
+      w_carrier_right_y, w_carrier_right_z, w_rear_axle_x, w_rear_axle_y, w_rear_axle_z, s7_3, s7_6,
+      s7_9, s7_11, s7_13, s7_16, s7_19, s7_21, s7_24, s7_27, s7_30, s7_32, s7_34, s8_14, s8_15,
+      s8_16, s3_2, s3_4, s3_5, s3_6, s3_8, s3_10, s6_4, s6_7, s6_10, s7_36, s7_38, s7_39, s7_50,
+      s7_57, s7_59, s7_61, s7_63, s7_64, s7_65, s7_66, s7_67, s7_68, s7_69, s7_72, s7_73, s7_74,
+      s7_75, s7_77, s7_78, s7_79, s7_80, s7_83, s7_84, s7_85, s7_86, s8_17, s8_18, s8_19, s8_20,
+      s8_21, s8_22, s8_25, s8_26, s8_27, s8_28, s8_29, s8_30, s8_31, s8_33, s8_34, s8_35, s8_37,
+      s8_39, s8_40, s8_41, s8_43, s8_45, s8_46, s8_47, s8_48, s8_49, s8_51, s8_52, s8_53, s8_54,
+      s8_56, s8_57, s8_58, s8_59, s8_61, s8_62, s8_63, s8_64, s8_67, s8_69, s8_70, s8_71, s8_72,
+      s8_73, s8_74, s8_82, s8_85, s8_98, s8_120, s8_121, s8_122, s8_127, s8_132, s8_146, s8_164,
+      s8_165, s8_166, s8_398, s8_416, s8_420, s8_430, s8_440, s8_450, s8_453, s8_456, s8_459,
+      s8_484, s8_541, s8_542, s8_545, s8_546, s8_547, s8_548, s8_549, s8_551, s8_552, s8_561,
+      s8_562, s8_573, s8_574, s8_584, s8_585, s8_586, s8_597, s8_600, s8_601, s8_603, s8_604,
+      s8_607, s8_608, s8_622, s8_623, s8_639, s8_640, s8_652, s8_653, s8_654, s8_655, s8_656,
+      s8_657, s8_658, s8_659, s8_660, s8_661, s8_662, s8_663, s8_664, s8_665, s8_666, s8_667,
+      s8_668, s8_669, s8_670, s8_671, s8_672, s8_673, s3_12, s3_14, s3_16, s3_18, s3_20, s3_22,
+      s3_25, s3_28, s3_31, s3_34, s3_37, s3_40, s3_43, s3_46, s3_49, s3_52, s3_55, s3_58, s6_11,
+      s6_12, s6_13, s6_16, s6_17, s6_36, s6_43, s6_48, s6_53, s7_89, s7_91, s7_96, s7_97, s7_98,
+      s7_99, s7_100, s7_103, s7_106, s7_109, s7_124, s7_133, s7_136, s7_139, s7_141, s7_142, s7_143,
+      s7_145, s7_147, s7_152, s7_153, s7_154, s7_155, s7_158, s7_160, s7_162, s7_164, s7_169,
+      s7_170, s7_171, s7_172, s7_175, s7_177, s7_182, s7_183, s7_184, s7_185, s7_189, s7_192,
+      s7_195, s7_210, s7_218, s7_220, s7_222, s7_225, s7_226, s7_229, s7_231, s7_236, s7_237,
+      s7_238, s7_239, s7_242, s7_244, s7_246, s7_248, s7_253, s7_254, s7_255, s7_256, s7_258,
+      s7_259, s7_262, s7_263, s7_264, s7_265, s7_267, s7_271, s7_273, s7_274, s7_277, s7_278,
+      s7_279, s8_700, s8_701, s8_702, s8_703, s8_704, s8_705, s8_706, s8_707, s8_708, s8_709,
+      s8_710, s8_711, s8_712, s8_713, s8_714, s8_715, s8_716, s8_717, s8_718, s8_719, s8_720,
+      s8_721, s8_722, s8_723, s8_724, s8_725, s8_726, s8_728, s8_729, s8_730, s8_732, s8_733,
+      s8_734, s8_735, s8_736, s8_737, s8_738, s8_739, s8_740, s8_741, s8_742, s8_743, s8_744,
+      s8_745, s8_746, s8_747, s8_749, s8_750, s8_751, s8_753, s8_754, s8_755, s8_756, s8_757,
+      s8_758, s8_759, s8_761, s8_763, s8_764, s8_765, s8_766, s8_767, s8_768, s8_769, s8_770,
+      s8_772, s8_773, s8_775, s8_776, s8_777, s8_778, s8_779, s8_780, s8_781, s8_782, s8_783,
+      s8_784, s8_786, s8_787, s8_788, s8_789, s8_790, s8_791, s8_794, s8_795, s8_797, s8_798,
+      s8_799, s8_800, s8_801, s8_802, s8_803, s8_806, s8_809, s8_810, s8_811, s8_816, s8_819,
+      f_carrier_right_x, s8_831, f_carrier_right_y, f_carrier_right_z, n_carrier_right_x,
+      n_carrier_right_y, n_carrier_right_z, s8_852, s8_853, s8_854, s8_855, s8_857, s8_859, s8_861,
+      s8_863, s8_865, s8_867, s8_868, s8_869, s8_870, s8_873, s8_875, s8_877, s8_880, s8_882,
+      s8_884, s8_888, s8_891, s8_894, s8_895, s8_896, s8_897, s8_898, s8_899, s8_900, s8_901,
+      s8_903, s8_904, s8_905, s8_906, s8_908, s8_909, s8_910, s8_911, s8_912, s8_913, s8_914,
+      s8_915, s8_916, s8_917, s8_918, s8_919, s8_920, s8_921, s8_923, s8_924, s8_925, s8_926,
+      s8_927, s8_928, s8_929, s8_930, s8_931, s8_932, s8_933, s8_935, s8_936, s8_938, s8_939,
+      s8_940, s8_941, s8_942, s8_943, s8_944, s8_945, s8_946, s8_947, s8_948, s8_953, s8_956,
+      f_carrier_left_x, s8_967, f_carrier_left_y, f_carrier_left_z, n_carrier_left_x,
+      n_carrier_left_y, n_carrier_left_z, s8_989, s8_990, s8_991, s8_993, s8_995, s8_997, s8_999,
+      s8_1001, s8_1003, s8_1005, s8_1006, s8_1007, s8_1008, s8_1009, s8_1010, s8_1013, s8_1015,
+      s8_1017, s8_1020, s8_1022, s8_1028, s8_1031, s8_1036, s8_1040, s8_1044, s8_1048, s8_1049,
+      s8_1050, s8_1052, s8_1053, s8_1055, s8_1057, s8_1074, s8_1075, s8_1077, s8_1078, s8_1082,
+      s8_1083, s8_1084, s8_1085, s8_1089, s8_1091, s8_1095, s8_1097, s8_1108, s8_1114, s8_1122,
+      s8_1132, s8_1141, s8_1142, s8_1144, s8_1145, s8_1146, s8_1147, s8_1148, s8_1152, s8_1154,
+      s8_1158, s8_1160, s8_1170, s8_1177, s8_1184, s8_1193, s8_1194, s8_1196, s8_1197, s8_1199,
+      s8_1200, s8_1201, s8_1202, s8_1203, s8_1204, s8_1205, s8_1206, s8_1211, s8_1224, s8_1230,
+      s8_1234, s8_1244, s8_1253, s8_1254, s8_1259, s8_1261, s8_1264, s8_1265, s8_1266, s8_1267,
+      s8_1271, s8_1273, s8_1276, s8_1281, s8_1288, s8_1295, s8_1303, s8_1307, s8_1313, s8_1314,
+      s8_1316, s8_1317, s8_1318, s8_1319, s8_1321, s8_1323, s8_1342, s8_1346, s8_1348, s8_1368,
+      s8_1392, s8_1418, s8_1438, s8_1463, s8_1483, s8_1502, s8_1509, s8_1515, s8_1521, s8_1524,
+      s8_1527, s8_1531, s8_1534, s8_1537, s8_1541, s8_1544, s8_1547, s8_1548, s8_1549, s8_1550,
+      s8_1551, s8_1575, s8_1577, s8_1586, s8_1592, s8_1600, s8_1603, s8_1604, s8_1606, s8_1616,
+      s8_1624, s8_1633, s8_1635, s8_1640, s8_1643, s8_1646, s8_1653, s8_1660, s8_1661, s8_1662;
 };
 
-/// Part 1 of compute_chosen_accelerations: step 1: poses and axes b; step 5: applied forces Q (48);
-/// step 4: velocities; step 7: inertias of the bodies and forces on joints; step 8: elimination
-/// from the leaves to the root (63); step 3: Rz (61), long_rod_left .. arb_link_rear_right; step 6:
-/// c and dRz/dt zd (62), long_rod_left .. arb_link_rear_right; step 7: inertias of the bodies and
-/// forces on joints, long_rod_left .. arb_link_rear_right; step 8: elimination from the leaves to
-/// the root (63), long_rod_left .. arb_link_rear_right.
+/// Part 1 of compute_chosen_accelerations: step 1: poses and axes b; step 4: velocities; step 1:
+/// poses and axes b; step 4: velocities; step 7: inertias of the bodies and forces on joints; step
+/// 8: elimination from the leaves to the root (63); step 3: Rz (61), long_rod_left ..
+/// arb_link_rear_right; step 6: c and dRz/dt zd (62), long_rod_left .. arb_link_rear_right; step 7:
+/// inertias of the bodies and forces on joints, long_rod_left .. arb_link_rear_right; step 8:
+/// elimination from the leaves to the root (63), long_rod_left .. arb_link_rear_right.
 [[gnu::noinline]] void compute_chosen_accelerations_1(const State& state, const double* tau,
     const Projection& projection, ChosenAccelerationsWork& __restrict work,
     ChosenAccelerations& __restrict result) noexcept {
@@ -7408,145 +7404,146 @@ struct ChosenAccelerationsWork {
   work.R_rear_axle_y_z = fnma(R_rear_axle_aux4_x_x, s1_32, R_rear_axle_aux5_y_z*s1_33);
   work.R_rear_axle_z_y = R_rear_axle_aux5_z_z*s1_32;
   work.R_rear_axle_z_z = R_rear_axle_aux5_z_z*s1_33;
-  // operations: 38 add, 88 multiply, 44 sin cos
-
-  // --- step 5: applied forces Q (48) ---
-  // chassis: chassis_rx, revolute, chassis_aux5
-  const double zd_chassis_rz = state.zd[Coordinate::chassis_rz];
-  work.s5_1 = zd_chassis_rz*s1_1;
-  work.w_chassis_x = state.zd[Coordinate::chassis_rx] - work.s5_1;
-  work.s5_2 = zd_chassis_rz*work.R_chassis_z_y;
-  const double zd_chassis_ry = state.zd[Coordinate::chassis_ry];
-  work.s5_3 = zd_chassis_ry*s1_4;
-  work.w_chassis_y = work.s5_2 + work.s5_3;
-  work.s5_4 = zd_chassis_rz*work.R_chassis_z_z;
-  work.s5_5 = zd_chassis_ry*s1_2;
-  work.w_chassis_z = work.s5_4 - work.s5_5;
-  // carrier_left_aux1: carrier_left_rz, revolute, lower_arm_left
-  const double zd_carrier_left_rz = state.zd[Coordinate::carrier_left_rz];
-  work.s5_6 = zd_carrier_left_rz*R_lower_arm_left_z_y;
-  work.s5_7 = zd_carrier_left_rz*R_lower_arm_left_y_y;
-  // carrier_left_aux2: carrier_left_rx, revolute, carrier_left_aux1
-  const double zd_carrier_left_rx = state.zd[Coordinate::carrier_left_rx];
-  work.s5_8 = zd_carrier_left_rx*R_carrier_left_aux1_x_x;
-  work.s5_9 = zd_carrier_left_rx*work.R_carrier_left_aux1_y_x;
-  work.s5_10 = zd_carrier_left_rx*work.R_carrier_left_aux1_z_x;
-  // carrier_left: carrier_left_ry, revolute, carrier_left_aux2
-  const double zd_carrier_left_ry = state.zd[Coordinate::carrier_left_ry];
-  work.s5_11 = zd_carrier_left_ry*work.R_carrier_left_aux2_y_y;
-  work.s5_12 = zd_carrier_left_ry*work.R_carrier_left_aux2_z_y;
-  // carrier_right_aux1: carrier_right_rz, revolute, lower_arm_right
-  const double zd_carrier_right_rz = state.zd[Coordinate::carrier_right_rz];
-  work.s5_13 = zd_carrier_right_rz*R_lower_arm_right_z_y;
-  work.s5_14 = zd_carrier_right_rz*R_lower_arm_right_y_y;
-  // carrier_right_aux2: carrier_right_rx, revolute, carrier_right_aux1
-  const double zd_carrier_right_rx = state.zd[Coordinate::carrier_right_rx];
-  work.s5_15 = zd_carrier_right_rx*R_carrier_right_aux1_x_x;
-  work.s5_16 = zd_carrier_right_rx*work.R_carrier_right_aux1_y_x;
-  work.s5_17 = zd_carrier_right_rx*work.R_carrier_right_aux1_z_x;
-  // carrier_right: carrier_right_ry, revolute, carrier_right_aux2
-  const double zd_carrier_right_ry = state.zd[Coordinate::carrier_right_ry];
-  work.s5_18 = zd_carrier_right_ry*work.R_carrier_right_aux2_y_y;
-  work.s5_19 = zd_carrier_right_ry*work.R_carrier_right_aux2_z_y;
-  // rear_axle_aux5: rear_axle_ry, revolute, rear_axle_aux4
-  const double zd_rear_axle_ry = state.zd[Coordinate::rear_axle_ry];
-  const double s5_20 = zd_rear_axle_ry*R_rear_axle_aux4_y_x;
-  const double s5_21 = zd_rear_axle_ry*R_rear_axle_aux4_x_x;
-  // rear_axle: rear_axle_rx, revolute, rear_axle_aux5
-  const double zd_rear_axle_rx = state.zd[Coordinate::rear_axle_rx];
-  const double s5_22 = zd_rear_axle_rx*work.R_rear_axle_aux5_x_x;
-  const double s5_23 = zd_rear_axle_rx*work.R_rear_axle_aux5_y_x;
-  const double s5_24 = zd_rear_axle_rx*s1_31;
-  // chassis: chassis_rx, revolute, chassis_aux5
-  work.s5_25 = fma(s1_4, work.R_chassis_z_z, s1_2*work.R_chassis_z_y);
-  const double s5_26 = 1.0/work.s5_25;
-  work.s5_27 = s1_2*s5_26;
-  work.s5_28 = s1_4*s5_26;
-  work.s5_29 = s1_3*s5_26;
-  work.s5_30 = s1_5*s5_26;
-  work.s5_31 = work.s5_25*s5_26;
-  // carrier_left: carrier_left_ry, revolute, carrier_left_aux2
-  const double s5_32 = R_lower_arm_left_z_y*work.R_carrier_left_aux1_z_x;
-  const double s5_33 = work.R_carrier_left_aux1_z_x*work.s1_12;
-  const double s5_34 = fma(R_carrier_left_aux1_x_x, work.R_carrier_left_aux2_z_y, s5_33);
-  const double s5_35 = work.R_carrier_left_aux1_y_x*work.s1_12;
-  const double s5_36 = fma(R_carrier_left_aux1_x_x, work.R_carrier_left_aux2_y_y, s5_35);
-  const double s5_37 = 1.0/fma(R_lower_arm_left_y_y, s5_36, R_lower_arm_left_z_y*s5_34);
-  const double s5_38 = R_carrier_left_aux1_z_y*s5_37;
-  const double s5_39 = R_carrier_left_aux1_y_y*s5_37;
-  const double s5_40 = s5_36*s5_37;
-  const double s5_41 = work.R_carrier_left_aux1_y_x*work.R_carrier_left_aux2_z_y;
-  const double s5_42 = fnma(work.R_carrier_left_aux1_z_x, work.R_carrier_left_aux2_y_y, s5_41);
-  const double s5_43 = s5_37*s5_42;
-  const double s5_44 = fma(R_lower_arm_left_y_y, work.R_carrier_left_aux1_y_x, s5_32)*s5_37;
-  const double s5_45 = s5_34*s5_37;
-  // carrier_right: carrier_right_ry, revolute, carrier_right_aux2
-  const double s5_46 = R_lower_arm_right_z_y*work.R_carrier_right_aux1_z_x;
-  const double s5_47 = work.R_carrier_right_aux1_z_x*work.s1_24;
-  const double s5_48 = fma(R_carrier_right_aux1_x_x, work.R_carrier_right_aux2_z_y, s5_47);
-  const double s5_49 = work.R_carrier_right_aux1_y_x*work.s1_24;
-  const double s5_50 = fma(R_carrier_right_aux1_x_x, work.R_carrier_right_aux2_y_y, s5_49);
-  const double s5_51 = 1.0/fma(R_lower_arm_right_y_y, s5_50, R_lower_arm_right_z_y*s5_48);
-  const double s5_52 = R_carrier_right_aux1_z_y*s5_51;
-  const double s5_53 = R_carrier_right_aux1_y_y*s5_51;
-  const double s5_54 = s5_50*s5_51;
-  const double s5_55 = work.R_carrier_right_aux1_y_x*work.R_carrier_right_aux2_z_y;
-  const double s5_56 = fnma(work.R_carrier_right_aux1_z_x, work.R_carrier_right_aux2_y_y, s5_55);
-  const double s5_57 = s5_51*s5_56;
-  const double s5_58 = fma(R_lower_arm_right_y_y, work.R_carrier_right_aux1_y_x, s5_46)*s5_51;
-  const double s5_59 = s5_48*s5_51;
-  // rear_axle: rear_axle_rx, revolute, rear_axle_aux5
-  const double s5_60 = R_rear_axle_aux4_y_x*work.R_rear_axle_aux5_y_x;
-  const double s5_61 = fma(R_rear_axle_aux4_x_x, work.R_rear_axle_aux5_x_x, s5_60);
-  const double s5_62 = 1.0/s5_61;
-  const double s5_63 = R_rear_axle_aux4_y_x*s5_62;
-  const double s5_64 = R_rear_axle_aux4_x_x*s5_62;
-  const double s5_65 = R_rear_axle_aux5_y_z*s5_62;
-  const double s5_66 = R_rear_axle_aux5_x_z*s5_62;
-  work.s5_67 = s5_61*s5_62;
-  // operations: 15 add, 70 multiply, 4 divide
 
   // --- step 4: velocities ---
+  // chassis: chassis_rx, revolute, chassis_aux5
+  const double zd_chassis_rz = state.zd[Coordinate::chassis_rz];
+  work.s4_1 = zd_chassis_rz*s1_1;
+  work.w_chassis_x = state.zd[Coordinate::chassis_rx] - work.s4_1;
+  work.s4_2 = zd_chassis_rz*work.R_chassis_z_y;
+  const double zd_chassis_ry = state.zd[Coordinate::chassis_ry];
+  work.s4_3 = zd_chassis_ry*s1_4;
+  work.w_chassis_y = work.s4_2 + work.s4_3;
+  work.s4_4 = zd_chassis_rz*work.R_chassis_z_z;
+  work.s4_5 = zd_chassis_ry*s1_2;
+  work.w_chassis_z = work.s4_4 - work.s4_5;
+  // carrier_left_aux1: carrier_left_rz, revolute, lower_arm_left
+  const double zd_carrier_left_rz = state.zd[Coordinate::carrier_left_rz];
+  work.s4_6 = zd_carrier_left_rz*R_lower_arm_left_z_y;
+  work.s4_7 = zd_carrier_left_rz*R_lower_arm_left_y_y;
+  // carrier_left_aux2: carrier_left_rx, revolute, carrier_left_aux1
+  const double zd_carrier_left_rx = state.zd[Coordinate::carrier_left_rx];
+  work.s4_8 = zd_carrier_left_rx*R_carrier_left_aux1_x_x;
+  work.s4_9 = zd_carrier_left_rx*work.R_carrier_left_aux1_y_x;
+  work.s4_10 = zd_carrier_left_rx*work.R_carrier_left_aux1_z_x;
   // carrier_left: carrier_left_ry, revolute, carrier_left_aux2
-  work.s4_1 = work.s5_7 + work.s5_10;
-  work.s4_2 = work.s5_12 + work.s4_1;
-  work.s4_3 = work.s5_9 - work.s5_6;
-  work.s4_4 = work.s5_11 + work.s4_3;
+  const double zd_carrier_left_ry = state.zd[Coordinate::carrier_left_ry];
+  work.s4_11 = zd_carrier_left_ry*work.R_carrier_left_aux2_y_y;
+  work.s4_12 = zd_carrier_left_ry*work.R_carrier_left_aux2_z_y;
+  // carrier_right_aux1: carrier_right_rz, revolute, lower_arm_right
+  const double zd_carrier_right_rz = state.zd[Coordinate::carrier_right_rz];
+  work.s4_13 = zd_carrier_right_rz*R_lower_arm_right_z_y;
+  work.s4_14 = zd_carrier_right_rz*R_lower_arm_right_y_y;
+  // carrier_right_aux2: carrier_right_rx, revolute, carrier_right_aux1
+  const double zd_carrier_right_rx = state.zd[Coordinate::carrier_right_rx];
+  work.s4_15 = zd_carrier_right_rx*R_carrier_right_aux1_x_x;
+  work.s4_16 = zd_carrier_right_rx*work.R_carrier_right_aux1_y_x;
+  work.s4_17 = zd_carrier_right_rx*work.R_carrier_right_aux1_z_x;
   // carrier_right: carrier_right_ry, revolute, carrier_right_aux2
-  work.s4_5 = work.s5_14 + work.s5_17;
-  work.s4_6 = work.s5_19 + work.s4_5;
-  work.s4_7 = work.s5_16 - work.s5_13;
-  work.s4_8 = work.s5_18 + work.s4_7;
+  const double zd_carrier_right_ry = state.zd[Coordinate::carrier_right_ry];
+  work.s4_18 = zd_carrier_right_ry*work.R_carrier_right_aux2_y_y;
+  work.s4_19 = zd_carrier_right_ry*work.R_carrier_right_aux2_z_y;
+  // rear_axle_aux5: rear_axle_ry, revolute, rear_axle_aux4
+  const double zd_rear_axle_ry = state.zd[Coordinate::rear_axle_ry];
+  const double s4_20 = zd_rear_axle_ry*R_rear_axle_aux4_y_x;
+  const double s4_21 = zd_rear_axle_ry*R_rear_axle_aux4_x_x;
   // rear_axle: rear_axle_rx, revolute, rear_axle_aux5
-  work.s4_9 = s5_21 + s5_23;
+  const double zd_rear_axle_rx = state.zd[Coordinate::rear_axle_rx];
+  const double s4_22 = zd_rear_axle_rx*work.R_rear_axle_aux5_x_x;
+  const double s4_23 = zd_rear_axle_rx*work.R_rear_axle_aux5_y_x;
+  const double s4_24 = zd_rear_axle_rx*s1_31;
+
+  // --- step 1: poses and axes b, continued ---
+  // chassis: chassis_rx, revolute, chassis_aux5
+  work.s1_34 = fma(s1_4, work.R_chassis_z_z, s1_2*work.R_chassis_z_y);
+  const double s1_35 = 1.0/work.s1_34;
+  work.s1_36 = s1_2*s1_35;
+  work.s1_37 = s1_4*s1_35;
+  work.s1_38 = s1_3*s1_35;
+  work.s1_39 = s1_5*s1_35;
+  work.s1_40 = work.s1_34*s1_35;
+  // carrier_left: carrier_left_ry, revolute, carrier_left_aux2
+  const double s1_41 = R_lower_arm_left_z_y*work.R_carrier_left_aux1_z_x;
+  const double s1_42 = work.R_carrier_left_aux1_z_x*work.s1_12;
+  const double s1_43 = fma(R_carrier_left_aux1_x_x, work.R_carrier_left_aux2_z_y, s1_42);
+  const double s1_44 = work.R_carrier_left_aux1_y_x*work.s1_12;
+  const double s1_45 = fma(R_carrier_left_aux1_x_x, work.R_carrier_left_aux2_y_y, s1_44);
+  const double s1_46 = 1.0/fma(R_lower_arm_left_y_y, s1_45, R_lower_arm_left_z_y*s1_43);
+  const double s1_47 = R_carrier_left_aux1_z_y*s1_46;
+  const double s1_48 = R_carrier_left_aux1_y_y*s1_46;
+  const double s1_49 = s1_45*s1_46;
+  const double s1_50 = work.R_carrier_left_aux1_y_x*work.R_carrier_left_aux2_z_y;
+  const double s1_51 = fnma(work.R_carrier_left_aux1_z_x, work.R_carrier_left_aux2_y_y, s1_50);
+  const double s1_52 = s1_46*s1_51;
+  const double s1_53 = fma(R_lower_arm_left_y_y, work.R_carrier_left_aux1_y_x, s1_41)*s1_46;
+  const double s1_54 = s1_43*s1_46;
+  // carrier_right: carrier_right_ry, revolute, carrier_right_aux2
+  const double s1_55 = R_lower_arm_right_z_y*work.R_carrier_right_aux1_z_x;
+  const double s1_56 = work.R_carrier_right_aux1_z_x*work.s1_24;
+  const double s1_57 = fma(R_carrier_right_aux1_x_x, work.R_carrier_right_aux2_z_y, s1_56);
+  const double s1_58 = work.R_carrier_right_aux1_y_x*work.s1_24;
+  const double s1_59 = fma(R_carrier_right_aux1_x_x, work.R_carrier_right_aux2_y_y, s1_58);
+  const double s1_60 = 1.0/fma(R_lower_arm_right_y_y, s1_59, R_lower_arm_right_z_y*s1_57);
+  const double s1_61 = R_carrier_right_aux1_z_y*s1_60;
+  const double s1_62 = R_carrier_right_aux1_y_y*s1_60;
+  const double s1_63 = s1_59*s1_60;
+  const double s1_64 = work.R_carrier_right_aux1_y_x*work.R_carrier_right_aux2_z_y;
+  const double s1_65 = fnma(work.R_carrier_right_aux1_z_x, work.R_carrier_right_aux2_y_y, s1_64);
+  const double s1_66 = s1_60*s1_65;
+  const double s1_67 = fma(R_lower_arm_right_y_y, work.R_carrier_right_aux1_y_x, s1_55)*s1_60;
+  const double s1_68 = s1_57*s1_60;
+  // rear_axle: rear_axle_rx, revolute, rear_axle_aux5
+  const double s1_69 = R_rear_axle_aux4_y_x*work.R_rear_axle_aux5_y_x;
+  const double s1_70 = fma(R_rear_axle_aux4_x_x, work.R_rear_axle_aux5_x_x, s1_69);
+  const double s1_71 = 1.0/s1_70;
+  const double s1_72 = R_rear_axle_aux4_y_x*s1_71;
+  const double s1_73 = R_rear_axle_aux4_x_x*s1_71;
+  const double s1_74 = R_rear_axle_aux5_y_z*s1_71;
+  const double s1_75 = R_rear_axle_aux5_x_z*s1_71;
+  work.s1_76 = s1_70*s1_71;
+  // operations: 50 add, 134 multiply, 4 divide, 44 sin cos
+
+  // --- step 4: velocities, continued ---
+  // carrier_left: carrier_left_ry, revolute, carrier_left_aux2
+  work.s4_25 = work.s4_7 + work.s4_10;
+  work.s4_26 = work.s4_12 + work.s4_25;
+  work.s4_27 = work.s4_9 - work.s4_6;
+  work.s4_28 = work.s4_11 + work.s4_27;
+  // carrier_right: carrier_right_ry, revolute, carrier_right_aux2
+  work.s4_29 = work.s4_14 + work.s4_17;
+  work.s4_30 = work.s4_19 + work.s4_29;
+  work.s4_31 = work.s4_16 - work.s4_13;
+  work.s4_32 = work.s4_18 + work.s4_31;
+  // rear_axle: rear_axle_rx, revolute, rear_axle_aux5
+  work.s4_33 = s4_21 + s4_23;
   const double zd_rear_axle_rz = state.zd[Coordinate::rear_axle_rz];
-  work.s4_10 = zd_rear_axle_rz - s5_24;
-  work.s4_11 = s5_22 - s5_20;
+  work.s4_34 = zd_rear_axle_rz - s4_24;
+  work.s4_35 = s4_22 - s4_20;
   // carrier_left: carrier_left_ry, revolute, carrier_left_aux2
   const double zd_lower_arm_left = state.zd[Coordinate::lower_arm_left];
-  work.s4_12 = zd_lower_arm_left + work.s5_8;
-  work.s4_13 = fnma(zd_carrier_left_ry, work.s1_12, work.s4_12);
-  work.s4_14 = zd_lower_arm_left*work.s1_8;
-  work.s4_15 = zd_lower_arm_left*work.s1_10;
+  work.s4_36 = zd_lower_arm_left + work.s4_8;
+  work.s4_37 = fnma(zd_carrier_left_ry, work.s1_12, work.s4_36);
+  work.s4_38 = zd_lower_arm_left*work.s1_8;
+  work.s4_39 = zd_lower_arm_left*work.s1_10;
   // carrier_right: carrier_right_ry, revolute, carrier_right_aux2
   const double zd_lower_arm_right = state.zd[Coordinate::lower_arm_right];
-  work.s4_16 = zd_lower_arm_right + work.s5_15;
-  work.s4_17 = fnma(zd_carrier_right_ry, work.s1_24, work.s4_16);
-  work.s4_18 = zd_lower_arm_right*work.s1_19;
-  work.s4_19 = zd_lower_arm_right*work.s1_21;
+  work.s4_40 = zd_lower_arm_right + work.s4_15;
+  work.s4_41 = fnma(zd_carrier_right_ry, work.s1_24, work.s4_40);
+  work.s4_42 = zd_lower_arm_right*work.s1_19;
+  work.s4_43 = zd_lower_arm_right*work.s1_21;
   // carrier_left: carrier_left_ry, revolute, carrier_left_aux2
-  work.w_carrier_left_x = work.w_chassis_x + work.s4_13;
-  work.w_carrier_left_y = work.w_chassis_y + work.s4_4;
-  work.w_carrier_left_z = work.w_chassis_z + work.s4_2;
+  work.w_carrier_left_x = work.w_chassis_x + work.s4_37;
+  work.w_carrier_left_y = work.w_chassis_y + work.s4_28;
+  work.w_carrier_left_z = work.w_chassis_z + work.s4_26;
   // carrier_right: carrier_right_ry, revolute, carrier_right_aux2
-  work.w_carrier_right_x = work.w_chassis_x + work.s4_17;
-  work.w_carrier_right_y = work.w_chassis_y + work.s4_8;
-  work.w_carrier_right_z = work.w_chassis_z + work.s4_6;
+  work.w_carrier_right_x = work.w_chassis_x + work.s4_41;
+  work.w_carrier_right_y = work.w_chassis_y + work.s4_32;
+  work.w_carrier_right_z = work.w_chassis_z + work.s4_30;
   // rear_axle: rear_axle_rx, revolute, rear_axle_aux5
-  work.w_rear_axle_x = work.w_chassis_x + work.s4_11;
-  work.w_rear_axle_y = work.w_chassis_y + work.s4_9;
-  work.w_rear_axle_z = work.w_chassis_z + work.s4_10;
-  // operations: 24 add, 6 multiply
+  work.w_rear_axle_x = work.w_chassis_x + work.s4_35;
+  work.w_rear_axle_y = work.w_chassis_y + work.s4_33;
+  work.w_rear_axle_z = work.w_chassis_z + work.s4_34;
+  // operations: 27 add, 30 multiply
 
   // --- step 7: inertias of the bodies and forces on joints ---
   // chassis_aux3: chassis_tz, prismatic, chassis_aux2
@@ -7566,42 +7563,42 @@ struct ChosenAccelerationsWork {
   const double tau_chassis_rx = tau[Coordinate::chassis_rx];
   const double tau_chassis_ry = tau[Coordinate::chassis_ry];
   const double tau_chassis_rz = tau[Coordinate::chassis_rz];
-  const double s7_10 = fma(s1_4, tau_chassis_ry, tau_chassis_rx*work.s5_29);
-  work.s7_11 = fma(tau_chassis_rz, work.s5_27, s7_10);
-  const double s7_12 = fma(tau_chassis_rz, work.s5_28, tau_chassis_rx*work.s5_30);
+  const double s7_10 = fma(s1_4, tau_chassis_ry, tau_chassis_rx*work.s1_38);
+  work.s7_11 = fma(tau_chassis_rz, work.s1_36, s7_10);
+  const double s7_12 = fma(tau_chassis_rz, work.s1_37, tau_chassis_rx*work.s1_39);
   work.s7_13 = fnma(s1_2, tau_chassis_ry, s7_12);
   // carrier_left: carrier_left_ry, revolute, carrier_left_aux2
   const double tau_carrier_left_ry = tau[Coordinate::carrier_left_ry];
   const double tau_carrier_left_rx = tau[Coordinate::carrier_left_rx];
-  const double s7_14 = tau_carrier_left_ry*s5_38;
+  const double s7_14 = tau_carrier_left_ry*s1_47;
   const double tau_carrier_left_rz = tau[Coordinate::carrier_left_rz];
   const double s7_15 = fma(work.R_carrier_left_aux1_z_x, tau_carrier_left_rx, s7_14);
-  work.s7_16 = fma(tau_carrier_left_rz, s5_40, s7_15);
-  const double s7_17 = tau_carrier_left_ry*s5_39;
+  work.s7_16 = fma(tau_carrier_left_rz, s1_49, s7_15);
+  const double s7_17 = tau_carrier_left_ry*s1_48;
   const double s7_18 = fma(work.R_carrier_left_aux1_y_x, tau_carrier_left_rx, s7_17);
-  work.s7_19 = fnma(tau_carrier_left_rz, s5_45, s7_18);
+  work.s7_19 = fnma(tau_carrier_left_rz, s1_54, s7_18);
   const double s7_20 = R_carrier_left_aux1_x_x*tau_carrier_left_rx;
-  work.s7_21 = fnma(tau_carrier_left_ry, s5_44, fma(tau_carrier_left_rz, s5_43, s7_20));
+  work.s7_21 = fnma(tau_carrier_left_ry, s1_53, fma(tau_carrier_left_rz, s1_52, s7_20));
   // carrier_right: carrier_right_ry, revolute, carrier_right_aux2
   const double tau_carrier_right_ry = tau[Coordinate::carrier_right_ry];
   const double tau_carrier_right_rx = tau[Coordinate::carrier_right_rx];
-  const double s7_22 = tau_carrier_right_ry*s5_52;
+  const double s7_22 = tau_carrier_right_ry*s1_61;
   const double tau_carrier_right_rz = tau[Coordinate::carrier_right_rz];
   const double s7_23 = fma(work.R_carrier_right_aux1_z_x, tau_carrier_right_rx, s7_22);
-  work.s7_24 = fma(tau_carrier_right_rz, s5_54, s7_23);
-  const double s7_25 = tau_carrier_right_ry*s5_53;
+  work.s7_24 = fma(tau_carrier_right_rz, s1_63, s7_23);
+  const double s7_25 = tau_carrier_right_ry*s1_62;
   const double s7_26 = fma(work.R_carrier_right_aux1_y_x, tau_carrier_right_rx, s7_25);
-  work.s7_27 = fnma(tau_carrier_right_rz, s5_59, s7_26);
+  work.s7_27 = fnma(tau_carrier_right_rz, s1_68, s7_26);
   const double s7_28 = R_carrier_right_aux1_x_x*tau_carrier_right_rx;
-  const double s7_29 = fma(tau_carrier_right_rz, s5_57, s7_28);
-  work.s7_30 = fnma(tau_carrier_right_ry, s5_58, s7_29);
+  const double s7_29 = fma(tau_carrier_right_rz, s1_66, s7_28);
+  work.s7_30 = fnma(tau_carrier_right_ry, s1_67, s7_29);
   // rear_axle: rear_axle_rx, revolute, rear_axle_aux5
   const double tau_rear_axle_rx = tau[Coordinate::rear_axle_rx];
   const double tau_rear_axle_ry = tau[Coordinate::rear_axle_ry];
   const double tau_rear_axle_rz = tau[Coordinate::rear_axle_rz];
-  const double s7_31 = fma(R_rear_axle_aux4_x_x, tau_rear_axle_ry, tau_rear_axle_rx*s5_63);
-  work.s7_32 = fma(tau_rear_axle_rz, s5_65, s7_31);
-  const double s7_33 = fma(tau_rear_axle_rz, s5_66, tau_rear_axle_rx*s5_64);
+  const double s7_31 = fma(R_rear_axle_aux4_x_x, tau_rear_axle_ry, tau_rear_axle_rx*s1_72);
+  work.s7_32 = fma(tau_rear_axle_rz, s1_74, s7_31);
+  const double s7_33 = fma(tau_rear_axle_rz, s1_75, tau_rear_axle_rx*s1_73);
   work.s7_34 = fnma(R_rear_axle_aux4_y_x, tau_rear_axle_ry, s7_33);
   // operations: 26 add, 39 multiply
 
@@ -7646,13 +7643,13 @@ struct ChosenAccelerationsWork {
   const double zd_arb_rear_right = state.zd[Coordinate::arb_rear_right];
   const double s6_2 = zd_arb_rear_right*zd_arb_rear_right;
   const double s6_3 = fnma(s1_31, projection.zdd_star[19], projection.zdd_star[17]);
-  work.s6_4 = fnma(s5_21, s5_22, fnma(s5_20, s5_23, s6_3));
-  const double s6_5 = fnma(s5_20, s5_24, work.R_rear_axle_aux5_y_x*projection.zdd_star[19]);
+  work.s6_4 = fnma(s4_21, s4_22, fnma(s4_20, s4_23, s6_3));
+  const double s6_5 = fnma(s4_20, s4_24, work.R_rear_axle_aux5_y_x*projection.zdd_star[19]);
   const double s6_6 = fma(R_rear_axle_aux4_x_x, projection.zdd_star[18], s6_5);
-  work.s6_7 = fma(zd_rear_axle_rz, work.s4_11, s6_6);
+  work.s6_7 = fma(zd_rear_axle_rz, work.s4_35, s6_6);
   const double s6_8 = work.R_rear_axle_aux5_x_x*projection.zdd_star[19];
   const double s6_9 = fnma(R_rear_axle_aux4_y_x, projection.zdd_star[18], s6_8);
-  work.s6_10 = fnma(zd_rear_axle_rz, work.s4_9, fnma(s5_21, s5_24, s6_9));
+  work.s6_10 = fnma(zd_rear_axle_rz, work.s4_33, fnma(s4_21, s4_24, s6_9));
   // operations: 9 add, 13 multiply
 
   // --- step 7: inertias of the bodies and forces on joints, long_rod_left .. arb_link_rear_right
@@ -7801,10 +7798,10 @@ struct ChosenAccelerationsWork {
   const double s8_78 = fma(z_rear_axle_ty, work.s8_20, s8_77);
   const double s8_79 = fma(work.r_rear_axle_aux3_z, work.s8_22, s8_78);
   const double s8_80 = fnma(work.r_rear_axle_aux1_x, work.s8_26, s8_79);
-  const double s8_81 = fnma(work.w_chassis_y, work.s4_11, work.w_chassis_x*work.s4_9);
+  const double s8_81 = fnma(work.w_chassis_y, work.s4_35, work.w_chassis_x*work.s4_33);
   work.s8_82 = work.s6_4 + s8_81;
   const double s8_83 = fms(work.w_rear_axle_x, work.w_rear_axle_y, work.s8_82);
-  const double s8_84 = fnma(work.w_chassis_x, work.s4_10, work.w_chassis_z*work.s4_11);
+  const double s8_84 = fnma(work.w_chassis_x, work.s4_34, work.w_chassis_z*work.s4_35);
   work.s8_85 = work.s6_7 + s8_84;
   const double s8_86 = fma(work.w_rear_axle_x, work.w_rear_axle_z, work.s8_85);
   const double s8_87 = work.w_rear_axle_y*work.w_rear_axle_y;
@@ -7819,7 +7816,7 @@ struct ChosenAccelerationsWork {
   const double s8_94 = fma(work.r_rear_axle_aux3_z, work.s8_21, s8_93);
   const double s8_95 = fnma(z_rear_axle_ty, work.s8_27, s8_94);
   const double s8_96 = fma(work.w_rear_axle_x, work.w_rear_axle_y, work.s8_82);
-  const double s8_97 = fnma(work.w_chassis_z, work.s4_9, work.w_chassis_y*work.s4_10);
+  const double s8_97 = fnma(work.w_chassis_z, work.s4_33, work.w_chassis_y*work.s4_34);
   work.s8_98 = work.s6_10 + s8_97;
   const double s8_99 = fms(work.w_rear_axle_y, work.w_rear_axle_z, work.s8_98);
   const double s8_100 = fma(work.w_rear_axle_x, work.w_rear_axle_x, s8_88);
@@ -7908,11 +7905,11 @@ struct ChosenAccelerationsWork {
   const double s8_175 = p_long_rod_left_to_x*work.R_rear_axle_aux5_y_x;
   const double s8_176 = fnma(-p_long_rod_left_to_z, work.R_rear_axle_y_z, s8_175);
   const double s8_177 = fma(p_long_rod_left_to_y, work.R_rear_axle_y_y, s8_176);
-  const double s8_178 = fnma(work.s4_10, s8_177, work.s4_9*s8_169);
+  const double s8_178 = fnma(work.s4_34, s8_177, work.s4_33*s8_169);
   const double s8_179 = zd_rear_axle_tx + s8_178;
-  const double s8_180 = fnma(work.s4_11, s8_169, work.s4_10*s8_173);
+  const double s8_180 = fnma(work.s4_35, s8_169, work.s4_34*s8_173);
   const double s8_181 = zd_rear_axle_ty + s8_180;
-  const double s8_182 = fnma(work.s4_9, s8_173, work.s4_11*s8_177);
+  const double s8_182 = fnma(work.s4_33, s8_173, work.s4_35*s8_177);
   const double s8_183 = zd_rear_axle_tz + s8_182;
   const double s8_184 = fnma(work.s3_5, s8_177, fma(work.s3_2, s8_169, projection.Rz[42]));
   const double s8_185 = fnma(work.s3_6, s8_177, fma(work.s3_4, s8_169, projection.Rz[43]));
@@ -7928,16 +7925,16 @@ struct ChosenAccelerationsWork {
   const double s8_195 = fnma(work.s8_22, s8_170, fma(work.s8_26, s8_174, s8_194));
   const double s8_196 = fnma(work.s8_17, s8_183, fma(work.s8_19, s8_181, s8_195));
   const double s8_197 = fma(work.s6_4, s8_177, fnma(work.s6_7, s8_169, s8_196));
-  const double s8_198 = 3.0*fma(work.s4_10, s8_180, fnma(work.s4_9, s8_182, s8_197));
+  const double s8_198 = 3.0*fma(work.s4_34, s8_180, fnma(work.s4_33, s8_182, s8_197));
   const double s8_199 = fms(work.s8_21, s8_190, projection.zdd_star[16]);
   const double s8_200 = fnma(work.s8_22, s8_174, fma(work.s8_25, s8_170, s8_199));
   const double s8_201 = fnma(work.s8_18, s8_181, fma(work.s8_17, s8_179, s8_200));
   const double s8_202 = fma(work.s6_7, s8_173, fnma(work.s6_10, s8_177, s8_201));
-  const double s8_203 = 3.0*fma(work.s4_9, s8_178, fnma(work.s4_11, s8_180, s8_202));
+  const double s8_203 = 3.0*fma(work.s4_33, s8_178, fnma(work.s4_35, s8_180, s8_202));
   const double s8_204 = fms(work.s8_18, s8_183, projection.zdd_star[15]);
   const double s8_205 = fnma(work.s6_4, s8_173, fnma(work.s8_19, s8_179, s8_204));
-  const double s8_206 = fnma(work.s4_10, s8_178, fma(work.s6_10, s8_169, s8_205));
-  const double s8_207 = fnma(work.s8_27, s8_190, fma(work.s4_11, s8_182, s8_206));
+  const double s8_206 = fnma(work.s4_34, s8_178, fma(work.s6_10, s8_169, s8_205));
+  const double s8_207 = fnma(work.s8_27, s8_190, fma(work.s4_35, s8_182, s8_206));
   const double s8_208 = 3.0*fnma(work.s8_21, s8_170, fnma(work.s8_20, s8_174, s8_207));
   // diag_rod_left
   const double s8_209 = p_diag_rod_left_to_y*work.R_rear_axle_z_y;
@@ -7948,11 +7945,11 @@ struct ChosenAccelerationsWork {
   const double s8_214 = -p_diag_rod_left_from_x + (work.r_rear_axle_aux1_x + s8_213);
   const double s8_215 = p_diag_rod_left_to_y*work.R_rear_axle_y_y;
   const double s8_216 = fma(p_diag_rod_left_to_z, work.R_rear_axle_y_z, s8_215);
-  const double s8_217 = fnma(work.s4_10, s8_216, work.s4_9*s8_210);
+  const double s8_217 = fnma(work.s4_34, s8_216, work.s4_33*s8_210);
   const double s8_218 = zd_rear_axle_tx + s8_217;
-  const double s8_219 = fnma(work.s4_11, s8_210, work.s4_10*s8_213);
+  const double s8_219 = fnma(work.s4_35, s8_210, work.s4_34*s8_213);
   const double s8_220 = zd_rear_axle_ty + s8_219;
-  const double s8_221 = fnma(work.s4_9, s8_213, work.s4_11*s8_216);
+  const double s8_221 = fnma(work.s4_33, s8_213, work.s4_35*s8_216);
   const double s8_222 = zd_rear_axle_tz + s8_221;
   const double s8_223 = fnma(work.s3_5, s8_216, fma(work.s3_2, s8_210, projection.Rz[42]));
   const double s8_224 = fnma(work.s3_6, s8_216, fma(work.s3_4, s8_210, projection.Rz[43]));
@@ -7968,18 +7965,18 @@ struct ChosenAccelerationsWork {
   const double s8_234 = fnma(work.s8_22, s8_211, fma(work.s8_26, s8_214, s8_233));
   const double s8_235 = fnma(work.s8_17, s8_222, fma(work.s8_19, s8_220, s8_234));
   const double s8_236 = fma(work.s6_4, s8_216, fnma(work.s6_7, s8_210, s8_235));
-  const double s8_237 = fma(work.s4_10, s8_219, fnma(work.s4_9, s8_221, s8_236));
+  const double s8_237 = fma(work.s4_34, s8_219, fnma(work.s4_33, s8_221, s8_236));
   const double s8_238 = 2.6666666666666665*s8_237;
   const double s8_239 = fms(work.s8_21, s8_229, projection.zdd_star[16]);
   const double s8_240 = fnma(work.s8_22, s8_214, fma(work.s8_25, s8_211, s8_239));
   const double s8_241 = fnma(work.s8_18, s8_220, fma(work.s8_17, s8_218, s8_240));
   const double s8_242 = fma(work.s6_7, s8_213, fnma(work.s6_10, s8_216, s8_241));
-  const double s8_243 = fma(work.s4_9, s8_217, fnma(work.s4_11, s8_219, s8_242));
+  const double s8_243 = fma(work.s4_33, s8_217, fnma(work.s4_35, s8_219, s8_242));
   const double s8_244 = 2.6666666666666665*s8_243;
   const double s8_245 = fms(work.s8_18, s8_222, projection.zdd_star[15]);
   const double s8_246 = fnma(work.s6_4, s8_213, fnma(work.s8_19, s8_218, s8_245));
-  const double s8_247 = fnma(work.s4_10, s8_217, fma(work.s6_10, s8_210, s8_246));
-  const double s8_248 = fnma(work.s8_27, s8_229, fma(work.s4_11, s8_221, s8_247));
+  const double s8_247 = fnma(work.s4_34, s8_217, fma(work.s6_10, s8_210, s8_246));
+  const double s8_248 = fnma(work.s8_27, s8_229, fma(work.s4_35, s8_221, s8_247));
   const double s8_249 = fnma(work.s8_21, s8_211, fnma(work.s8_20, s8_214, s8_248));
   const double s8_250 = 2.6666666666666665*s8_249;
   // arb_link_rear_left
@@ -7997,7 +7994,7 @@ struct ChosenAccelerationsWork {
   const double s8_261 = fma(p_arb_link_rear_left_to_y, work.R_rear_axle_z_y, s8_260);
   const double s8_262 = -p_arb_rear_left_z + (s8_251 + (work.r_rear_axle_aux3_z + s8_261));
   const double s8_263 = fms(p_arb_link_rear_left_to_y, work.R_rear_axle_x_y, s8_255);
-  const double s8_264 = fnma(work.s4_11, s8_261, work.s4_10*s8_263);
+  const double s8_264 = fnma(work.s4_35, s8_261, work.s4_34*s8_263);
   const double s8_265 = zd_rear_axle_ty + s8_264;
   const double s8_266 = fnma(work.s3_8, s8_261, fma(work.s3_5, s8_263, projection.Rz[44]));
   const double s8_267 = fnma(work.s3_10, s8_261, fma(work.s3_6, s8_263, projection.Rz[45]));
@@ -8006,9 +8003,9 @@ struct ChosenAccelerationsWork {
   const double s8_270 = 0.6 - z_rear_axle_ty - s8_269;
   const double s8_271 = 0.3333333333333333*s8_270;
   const double s8_272 = 0.3333333333333333*s8_268;
-  const double s8_273 = fnma(work.s4_10, s8_269, work.s4_9*s8_261);
+  const double s8_273 = fnma(work.s4_34, s8_269, work.s4_33*s8_261);
   const double s8_274 = s8_256 + (zd_rear_axle_tx + s8_273);
-  const double s8_275 = fnma(work.s4_9, s8_263, work.s4_11*s8_269);
+  const double s8_275 = fnma(work.s4_33, s8_263, work.s4_35*s8_269);
   const double s8_276 = s8_258 + (zd_rear_axle_tz + s8_275);
   const double s8_277 = fma(projection.Rz[54], s8_251, projection.Rz[42]);
   const double s8_278 = fnma(work.s3_5, s8_269, fma(work.s3_2, s8_261, s8_277));
@@ -8021,8 +8018,8 @@ struct ChosenAccelerationsWork {
   const double s8_285 = 0.3333333333333333*s8_262;
   const double s8_286 = fms(work.s8_21, s8_270, projection.zdd_star[16]);
   const double s8_287 = fma(work.s8_25, s8_262, fma(work.s8_22, s8_268, s8_286));
-  const double s8_288 = fnma(work.s4_11, s8_264, fma(zd_arb_rear_left, s8_256, s8_287));
-  const double s8_289 = fnma(projection.zdd_star[20], s8_257, fma(work.s4_9, s8_273, s8_288));
+  const double s8_288 = fnma(work.s4_35, s8_264, fma(zd_arb_rear_left, s8_256, s8_287));
+  const double s8_289 = fnma(projection.zdd_star[20], s8_257, fma(work.s4_33, s8_273, s8_288));
   const double s8_290 = fma(work.s6_7, s8_263, fnma(work.s6_10, s8_269, s8_289));
   const double s8_291 = fnma(work.s8_18, s8_265, fma(work.s8_17, s8_274, s8_290));
   const double s8_292 = 0.3333333333333333*s8_291;
@@ -8031,13 +8028,13 @@ struct ChosenAccelerationsWork {
   const double s8_295 = fnma(work.s8_17, s8_276, fma(work.s8_19, s8_265, s8_294));
   const double s8_296 = fnma(work.s6_7, s8_261, fnma(projection.zdd_star[20], s8_251, s8_295));
   const double s8_297 = fnma(zd_arb_rear_left, s8_258, fma(work.s6_4, s8_269, s8_296));
-  const double s8_298 = fma(work.s4_10, s8_264, fnma(work.s4_9, s8_275, s8_297));
+  const double s8_298 = fma(work.s4_34, s8_264, fnma(work.s4_33, s8_275, s8_297));
   const double s8_299 = 0.3333333333333333*s8_298;
   const double s8_300 = fms(work.s8_20, s8_268, projection.zdd_star[15]);
   const double s8_301 = fnma(work.s8_27, s8_270, fnma(work.s8_21, s8_262, s8_300));
   const double s8_302 = fnma(work.s8_19, s8_274, fma(work.s8_18, s8_276, s8_301));
   const double s8_303 = fma(work.s6_10, s8_261, fnma(work.s6_4, s8_263, s8_302));
-  const double s8_304 = fma(work.s4_11, s8_275, fnma(work.s4_10, s8_273, s8_303));
+  const double s8_304 = fma(work.s4_35, s8_275, fnma(work.s4_34, s8_273, s8_303));
   const double s8_305 = 0.3333333333333333*s8_304;
   // long_rod_right
   const double s8_306 = fma(p_long_rod_left_to_y, work.R_rear_axle_z_y, s8_168);
@@ -8046,10 +8043,10 @@ struct ChosenAccelerationsWork {
   const double s8_309 = -p_long_rod_right_from_z + (work.r_rear_axle_aux3_z - s8_306);
   const double s8_310 = fnma(p_long_rod_left_to_y, work.R_rear_axle_x_y, s8_172);
   const double s8_311 = -p_long_rod_right_from_x + (work.r_rear_axle_aux1_x + s8_310);
-  const double s8_312 = fma(work.s4_10, s8_307, work.s4_9*s8_306);
-  const double s8_313 = fma(work.s4_10, s8_310, work.s4_11*s8_306);
+  const double s8_312 = fma(work.s4_34, s8_307, work.s4_33*s8_306);
+  const double s8_313 = fma(work.s4_34, s8_310, work.s4_35*s8_306);
   const double s8_314 = zd_rear_axle_ty + s8_313;
-  const double s8_315 = fnma(work.s4_9, s8_310, work.s4_11*s8_307);
+  const double s8_315 = fnma(work.s4_33, s8_310, work.s4_35*s8_307);
   const double s8_316 = zd_rear_axle_tz + s8_315;
   const double s8_317 = fma(work.s3_5, s8_310, fma(work.s3_8, s8_306, projection.Rz[44]));
   const double s8_318 = fma(work.s3_6, s8_310, fma(work.s3_10, s8_306, projection.Rz[45]));
@@ -8063,19 +8060,19 @@ struct ChosenAccelerationsWork {
   const double s8_326 = 3.0*s8_309;
   const double s8_327 = fms(work.s8_27, s8_308, projection.zdd_star[15]);
   const double s8_328 = fnma(work.s8_21, s8_309, fnma(work.s8_20, s8_311, s8_327));
-  const double s8_329 = fma(work.s4_11, s8_315, fma(work.s4_10, s8_312, s8_328));
+  const double s8_329 = fma(work.s4_35, s8_315, fma(work.s4_34, s8_312, s8_328));
   const double s8_330 = fnma(work.s6_4, s8_310, fnma(work.s6_10, s8_306, s8_329));
   const double s8_331 = 3.0*fnma(work.s8_19, s8_321, fma(work.s8_18, s8_316, s8_330));
   const double s8_332 = fms(work.s8_25, s8_309, projection.zdd_star[16]);
   const double s8_333 = fnma(work.s8_21, s8_308, fnma(work.s8_22, s8_311, s8_332));
   const double s8_334 = fnma(work.s8_18, s8_314, fma(work.s8_17, s8_321, s8_333));
   const double s8_335 = fma(work.s6_7, s8_310, fnma(work.s6_10, s8_307, s8_334));
-  const double s8_336 = 3.0*fnma(work.s4_11, s8_313, fnma(work.s4_9, s8_312, s8_335));
+  const double s8_336 = 3.0*fnma(work.s4_35, s8_313, fnma(work.s4_33, s8_312, s8_335));
   const double s8_337 = fms(work.s8_26, s8_311, projection.zdd_star[14]);
   const double s8_338 = fnma(work.s8_20, s8_308, fnma(work.s8_22, s8_309, s8_337));
   const double s8_339 = fnma(work.s8_17, s8_316, fma(work.s8_19, s8_314, s8_338));
   const double s8_340 = fma(work.s6_4, s8_307, fma(work.s6_7, s8_306, s8_339));
-  const double s8_341 = 3.0*fma(work.s4_10, s8_313, fnma(work.s4_9, s8_315, s8_340));
+  const double s8_341 = 3.0*fma(work.s4_34, s8_313, fnma(work.s4_33, s8_315, s8_340));
   // diag_rod_right
   const double s8_342 = fms(p_diag_rod_left_to_z, work.R_rear_axle_z_z, s8_209);
   const double s8_343 = -p_diag_rod_right_from_z + (work.r_rear_axle_aux3_z + s8_342);
@@ -8083,11 +8080,11 @@ struct ChosenAccelerationsWork {
   const double s8_345 = -p_diag_rod_right_from_y + (z_rear_axle_ty + s8_344);
   const double s8_346 = fnma(p_diag_rod_left_to_y, work.R_rear_axle_x_y, s8_212);
   const double s8_347 = -p_diag_rod_right_from_x + (work.r_rear_axle_aux1_x + s8_346);
-  const double s8_348 = fnma(work.s4_10, s8_344, work.s4_9*s8_342);
+  const double s8_348 = fnma(work.s4_34, s8_344, work.s4_33*s8_342);
   const double s8_349 = zd_rear_axle_tx + s8_348;
-  const double s8_350 = fnma(work.s4_11, s8_342, work.s4_10*s8_346);
+  const double s8_350 = fnma(work.s4_35, s8_342, work.s4_34*s8_346);
   const double s8_351 = zd_rear_axle_ty + s8_350;
-  const double s8_352 = fnma(work.s4_9, s8_346, work.s4_11*s8_344);
+  const double s8_352 = fnma(work.s4_33, s8_346, work.s4_35*s8_344);
   const double s8_353 = zd_rear_axle_tz + s8_352;
   const double s8_354 = fnma(work.s3_5, s8_344, fma(work.s3_2, s8_342, projection.Rz[42]));
   const double s8_355 = fnma(work.s3_6, s8_344, fma(work.s3_4, s8_342, projection.Rz[43]));
@@ -8102,19 +8099,19 @@ struct ChosenAccelerationsWork {
   const double s8_364 = fnma(work.s8_21, s8_343, fnma(work.s8_20, s8_347, s8_363));
   const double s8_365 = fnma(work.s8_19, s8_349, fma(work.s8_18, s8_353, s8_364));
   const double s8_366 = fma(work.s6_10, s8_342, fnma(work.s6_4, s8_346, s8_365));
-  const double s8_367 = fma(work.s4_11, s8_352, fnma(work.s4_10, s8_348, s8_366));
+  const double s8_367 = fma(work.s4_35, s8_352, fnma(work.s4_34, s8_348, s8_366));
   const double s8_368 = 2.6666666666666665*s8_367;
   const double s8_369 = fms(work.s8_25, s8_343, projection.zdd_star[16]);
   const double s8_370 = fnma(work.s8_21, s8_345, fnma(work.s8_22, s8_347, s8_369));
   const double s8_371 = fnma(work.s8_18, s8_351, fma(work.s8_17, s8_349, s8_370));
   const double s8_372 = fma(work.s6_7, s8_346, fnma(work.s6_10, s8_344, s8_371));
-  const double s8_373 = fma(work.s4_9, s8_348, fnma(work.s4_11, s8_350, s8_372));
+  const double s8_373 = fma(work.s4_33, s8_348, fnma(work.s4_35, s8_350, s8_372));
   const double s8_374 = 2.6666666666666665*s8_373;
   const double s8_375 = fms(work.s8_26, s8_347, projection.zdd_star[14]);
   const double s8_376 = fnma(work.s8_20, s8_345, fnma(work.s8_22, s8_343, s8_375));
   const double s8_377 = fnma(work.s8_17, s8_353, fma(work.s8_19, s8_351, s8_376));
   const double s8_378 = fma(work.s6_4, s8_344, fnma(work.s6_7, s8_342, s8_377));
-  const double s8_379 = fma(work.s4_10, s8_350, fnma(work.s4_9, s8_352, s8_378));
+  const double s8_379 = fma(work.s4_34, s8_350, fnma(work.s4_33, s8_352, s8_378));
   const double s8_380 = 2.6666666666666665*s8_379;
   // arb_link_rear_right
   const double s8_381 = fma(p_arb_link_rear_left_to_y, work.R_rear_axle_y_y, s8_253);
@@ -8122,7 +8119,7 @@ struct ChosenAccelerationsWork {
   const double s8_383 = p_arb_link_rear_right_from_x*work.sines[21];
   const double s8_384 = 0.6 + (z_rear_axle_ty - s8_381);
   const double s8_385 = fnma(p_arb_link_rear_left_to_y, work.R_rear_axle_z_y, s8_260);
-  const double s8_386 = fma(work.s4_11, s8_385, work.s4_10*s8_382);
+  const double s8_386 = fma(work.s4_35, s8_385, work.s4_34*s8_382);
   const double zd_arb_rear_right = state.zd[Coordinate::arb_rear_right];
   const double s8_387 = zd_arb_rear_right*s8_383;
   const double s8_388 = p_arb_link_rear_right_from_x*work.cosines[21];
@@ -8136,9 +8133,9 @@ struct ChosenAccelerationsWork {
   const double s8_396 = fma(s8_170, s8_191, fma(work.r_rear_axle_aux3_z, s8_134, s8_395));
   const double s8_397 = fnma(s8_309, s8_324, fma(s8_262, s8_271, fma(s8_211, s8_230, s8_396)));
   work.s8_398 = fnma(s8_390, s8_394, fnma(s8_343, s8_360, s8_397));
-  const double s8_399 = fma(work.s4_9, s8_385, work.s4_10*s8_381);
+  const double s8_399 = fma(work.s4_33, s8_385, work.s4_34*s8_381);
   const double s8_400 = s8_387 + (zd_rear_axle_tx + s8_399);
-  const double s8_401 = fnma(work.s4_11, s8_381, work.s4_9*s8_382);
+  const double s8_401 = fnma(work.s4_35, s8_381, work.s4_33*s8_382);
   const double s8_402 = s8_389 + (zd_rear_axle_tz + s8_401);
   const double s8_403 = fma(projection.Rz[56], s8_383, projection.Rz[42]);
   const double s8_404 = fma(work.s3_2, s8_385, fma(work.s3_5, s8_381, s8_403));
@@ -8239,20 +8236,20 @@ struct ChosenAccelerationsWork {
   const double s8_499 = fnma(work.s8_21, s8_390, fma(work.s8_20, s8_411, s8_498));
   const double s8_500 = fnma(work.s8_19, s8_400, fma(work.s8_18, s8_402, s8_499));
   const double s8_501 = fma(work.s6_10, s8_385, fma(work.s6_4, s8_382, s8_500));
-  const double s8_502 = fma(work.s4_11, s8_401, fnma(work.s4_10, s8_399, s8_501));
+  const double s8_502 = fma(work.s4_35, s8_401, fnma(work.s4_34, s8_399, s8_501));
   const double s8_503 = 0.3333333333333333*s8_502;
   const double s8_504 = fms(work.s8_22, s8_411, projection.zdd_star[16]);
   const double s8_505 = fnma(work.s8_21, s8_384, fma(work.s8_25, s8_390, s8_504));
-  const double s8_506 = fma(work.s4_11, s8_386, fma(zd_arb_rear_right, s8_387, s8_505));
-  const double s8_507 = fnma(projection.zdd_star[21], s8_388, fma(work.s4_9, s8_399, s8_506));
+  const double s8_506 = fma(work.s4_35, s8_386, fma(zd_arb_rear_right, s8_387, s8_505));
+  const double s8_507 = fnma(projection.zdd_star[21], s8_388, fma(work.s4_33, s8_399, s8_506));
   const double s8_508 = fma(work.s6_10, s8_381, fnma(work.s6_7, s8_382, s8_507));
   const double s8_509 = fnma(work.s8_18, s8_391, fma(work.s8_17, s8_400, s8_508));
   const double s8_510 = 0.3333333333333333*s8_509;
   const double s8_511 = fms(work.s8_19, s8_391, projection.zdd_star[14]);
   const double s8_512 = fnma(projection.zdd_star[21], s8_383, fnma(work.s8_17, s8_402, s8_511));
   const double s8_513 = fnma(work.s6_7, s8_385, fnma(work.s6_4, s8_381, s8_512));
-  const double s8_514 = fnma(work.s4_10, s8_386, fnma(zd_arb_rear_right, s8_389, s8_513));
-  const double s8_515 = fnma(work.s8_20, s8_384, fnma(work.s4_9, s8_401, s8_514));
+  const double s8_514 = fnma(work.s4_34, s8_386, fnma(zd_arb_rear_right, s8_389, s8_513));
+  const double s8_515 = fnma(work.s8_20, s8_384, fnma(work.s4_33, s8_401, s8_514));
   const double s8_516 = fnma(work.s8_26, s8_411, fnma(work.s8_22, s8_390, s8_515));
   const double s8_517 = 0.3333333333333333*s8_516;
   const double s8_518 = tau[Coordinate::rear_axle_tx] - f_rear_axle_x;
@@ -8267,7 +8264,7 @@ struct ChosenAccelerationsWork {
   const double s8_527 = fma(work.s7_78, work.s8_45, fma(work.s7_79, work.s8_43, s8_526));
   const double s8_528 = fnma(work.s8_22, work.s8_48, fnma(work.s7_83, work.s8_47, s8_527));
   const double s8_529 = work.s7_32 - n_rear_axle_y;
-  const double s8_530 = fms(tau[Coordinate::rear_axle_rz], work.s5_67, n_rear_axle_z);
+  const double s8_530 = fms(tau[Coordinate::rear_axle_rz], work.s1_76, n_rear_axle_z);
   const double s8_531 = work.s7_34 - n_rear_axle_x;
   const double s8_532 = fnma(s8_185, s8_198, fnma(s8_187, s8_208, projection.Rz[43]*s8_518));
   const double s8_533 = fnma(s8_224, s8_238, fnma(s8_226, s8_250, fnma(s8_189, s8_203, s8_532)));
@@ -8548,38 +8545,38 @@ struct ChosenAccelerationsWork {
   // bell_crank: bell_crank, revolute, chassis
   const double zd_bell_crank = state.zd[Coordinate::bell_crank];
   const double s6_21 = zd_bell_crank*zd_bell_crank;
-  const double s6_22 = fnma(work.s5_11, work.s4_1, work.s5_12*work.s4_3);
+  const double s6_22 = fnma(work.s4_11, work.s4_25, work.s4_12*work.s4_27);
   const double s6_23 = fma(R_carrier_left_aux1_x_x, projection.zdd_star[2], s6_22);
-  const double s6_24 = fnma(work.s5_7, work.s5_9, fnma(work.s5_6, work.s5_10, s6_23));
+  const double s6_24 = fnma(work.s4_7, work.s4_9, fnma(work.s4_6, work.s4_10, s6_23));
   const double s6_25 = fnma(work.s1_12, projection.zdd_star[3], s6_24);
-  const double s6_26 = fnma(work.s5_18, work.s4_5, work.s5_19*work.s4_7);
+  const double s6_26 = fnma(work.s4_18, work.s4_29, work.s4_19*work.s4_31);
   const double s6_27 = fma(R_carrier_right_aux1_x_x, projection.zdd_star[8], s6_26);
-  const double s6_28 = fnma(work.s5_14, work.s5_16, fnma(work.s5_13, work.s5_17, s6_27));
+  const double s6_28 = fnma(work.s4_14, work.s4_16, fnma(work.s4_13, work.s4_17, s6_27));
   const double s6_29 = fnma(work.s1_24, projection.zdd_star[9], s6_28);
   const double s6_30 = fma(state.zd[Coordinate::carrier_left_ry], work.s1_12, zd_lower_arm_left);
-  const double s6_31 = work.s5_11*work.s4_12;
+  const double s6_31 = work.s4_11*work.s4_36;
   const double s6_32 = fma(work.R_carrier_left_aux2_z_y, projection.zdd_star[3], s6_31);
-  const double s6_33 = fma(work.s5_6, work.s5_8, s6_32);
+  const double s6_33 = fma(work.s4_6, work.s4_8, s6_32);
   const double s6_34 = fma(work.R_carrier_left_aux1_z_x, projection.zdd_star[2], s6_33);
   const double s6_35 = fma(R_lower_arm_left_y_y, projection.zdd_star[1], s6_34);
-  work.s6_36 = fma(work.s4_3, s6_30, s6_35);
+  work.s6_36 = fma(work.s4_27, s6_30, s6_35);
   const double s6_37 = fma(state.zd[Coordinate::carrier_right_ry], work.s1_24, zd_lower_arm_right);
-  const double s6_38 = work.s5_18*work.s4_16;
+  const double s6_38 = work.s4_18*work.s4_40;
   const double s6_39 = fma(work.R_carrier_right_aux2_z_y, projection.zdd_star[9], s6_38);
-  const double s6_40 = fma(work.s5_13, work.s5_15, s6_39);
+  const double s6_40 = fma(work.s4_13, work.s4_15, s6_39);
   const double s6_41 = fma(work.R_carrier_right_aux1_z_x, projection.zdd_star[8], s6_40);
   const double s6_42 = fma(R_lower_arm_right_y_y, projection.zdd_star[7], s6_41);
-  work.s6_43 = fma(work.s4_7, s6_37, s6_42);
+  work.s6_43 = fma(work.s4_31, s6_37, s6_42);
   const double s6_44 = work.R_carrier_left_aux2_y_y*projection.zdd_star[3];
-  const double s6_45 = fma(work.s5_7, work.s5_8, s6_44);
+  const double s6_45 = fma(work.s4_7, work.s4_8, s6_44);
   const double s6_46 = fma(work.R_carrier_left_aux1_y_x, projection.zdd_star[2], s6_45);
   const double s6_47 = fnma(R_lower_arm_left_z_y, projection.zdd_star[1], s6_46);
-  work.s6_48 = fnma(work.s4_1, s6_30, fnma(work.s5_12, work.s4_12, s6_47));
+  work.s6_48 = fnma(work.s4_25, s6_30, fnma(work.s4_12, work.s4_36, s6_47));
   const double s6_49 = work.R_carrier_right_aux2_y_y*projection.zdd_star[9];
-  const double s6_50 = fma(work.s5_14, work.s5_15, s6_49);
+  const double s6_50 = fma(work.s4_14, work.s4_15, s6_49);
   const double s6_51 = fma(work.R_carrier_right_aux1_y_x, projection.zdd_star[8], s6_50);
   const double s6_52 = fnma(R_lower_arm_right_z_y, projection.zdd_star[7], s6_51);
-  work.s6_53 = fnma(work.s4_5, s6_37, fnma(work.s5_19, work.s4_16, s6_52));
+  work.s6_53 = fnma(work.s4_29, s6_37, fnma(work.s4_19, work.s4_40, s6_52));
   // operations: 32 add, 49 multiply
 
   // --- step 7: inertias of the bodies and forces on joints, upper_ball_left .. tie_rod_right ---
@@ -8926,13 +8923,13 @@ struct ChosenAccelerationsWork {
   work.s8_810 = work.s7_237 - work.s7_238;
   work.s8_811 = work.s8_27 - work.s8_25;
   // carrier_right: carrier_right_ry, revolute, carrier_right_aux2
-  const double s8_812 = fnma(work.s4_19, work.s8_19, fms(work.s4_18, work.s8_17, s8_792));
+  const double s8_812 = fnma(work.s4_43, work.s8_19, fms(work.s4_42, work.s8_17, s8_792));
   const double s8_813 = fma(work.r_carrier_right_aux1_y, work.s8_20, s8_812);
   const double s8_814 = fnma(work.s1_22, work.s8_22, s8_813);
-  const double s8_815 = fnma(work.w_chassis_y, work.s4_17, work.w_chassis_x*work.s4_8);
+  const double s8_815 = fnma(work.w_chassis_y, work.s4_41, work.w_chassis_x*work.s4_32);
   work.s8_816 = work.s6_43 + s8_815;
   const double s8_817 = fms(work.w_carrier_right_x, work.w_carrier_right_y, work.s8_816);
-  const double s8_818 = fnma(work.w_chassis_x, work.s4_6, work.w_chassis_z*work.s4_17);
+  const double s8_818 = fnma(work.w_chassis_x, work.s4_30, work.w_chassis_z*work.s4_41);
   work.s8_819 = work.s6_53 + s8_818;
   const double s8_820 = fma(work.w_carrier_right_x, work.w_carrier_right_z, work.s8_819);
   const double s8_821 = work.w_carrier_right_y*work.w_carrier_right_y;
@@ -8943,16 +8940,16 @@ struct ChosenAccelerationsWork {
   const double s8_825 = fma(work.s1_21, projection.zdd_star[6], s8_804) - work.s6_17;
   const double s8_826 = fnma(work.s1_22, work.s8_21, s8_825);
   const double s8_827 = fnma(work.r_carrier_right_aux1_y, work.s8_27, s8_826);
-  const double s8_828 = fnma(work.s4_18, work.s8_18, s8_827);
+  const double s8_828 = fnma(work.s4_42, work.s8_18, s8_827);
   const double s8_829 = fma(work.w_carrier_right_x, work.w_carrier_right_y, work.s8_816);
-  const double s8_830 = fnma(work.w_chassis_z, work.s4_8, work.w_chassis_y*work.s4_6);
+  const double s8_830 = fnma(work.w_chassis_z, work.s4_32, work.w_chassis_y*work.s4_30);
   work.s8_831 = work.s8_719 + s8_830;
   const double s8_832 = fms(work.w_carrier_right_y, work.w_carrier_right_z, work.s8_831);
   const double s8_833 = fma(work.w_carrier_right_x, work.w_carrier_right_x, s8_822);
   const double s8_834 = fma(work.s7_189, s8_829, m_carrier_right_2*s8_828);
   work.f_carrier_right_y = fnma(work.s7_195, s8_833, fma(work.s7_192, s8_832, s8_834));
   const double s8_835 = work.s8_720 + fma(work.s1_21, work.s6_16, s8_807);
-  const double s8_836 = fma(work.s4_19, work.s8_18, s8_835);
+  const double s8_836 = fma(work.s4_43, work.s8_18, s8_835);
   const double s8_837 = fma(work.r_carrier_right_aux1_y, work.s8_21, s8_836);
   const double s8_838 = fma(work.s1_22, work.s8_25, s8_837);
   const double s8_839 = fma(work.w_carrier_right_y, work.w_carrier_right_z, work.s8_831);
@@ -9073,13 +9070,13 @@ struct ChosenAccelerationsWork {
   work.s8_947 = fnma(p_pitman_arm_y, work.s8_27, s8_805);
   work.s8_948 = work.s7_153 - work.s7_154;
   // carrier_left: carrier_left_ry, revolute, carrier_left_aux2
-  const double s8_949 = fma(work.s4_15, work.s8_19, fms(work.s4_14, work.s8_17, s8_792));
+  const double s8_949 = fma(work.s4_39, work.s8_19, fms(work.s4_38, work.s8_17, s8_792));
   const double s8_950 = fma(work.r_carrier_left_aux1_y, work.s8_20, s8_949);
   const double s8_951 = fma(work.r_carrier_left_aux1_z, work.s8_22, s8_950);
-  const double s8_952 = fnma(work.w_chassis_y, work.s4_13, work.w_chassis_x*work.s4_4);
+  const double s8_952 = fnma(work.w_chassis_y, work.s4_37, work.w_chassis_x*work.s4_28);
   work.s8_953 = work.s6_36 + s8_952;
   const double s8_954 = fms(work.w_carrier_left_x, work.w_carrier_left_y, work.s8_953);
-  const double s8_955 = fnma(work.w_chassis_x, work.s4_2, work.w_chassis_z*work.s4_13);
+  const double s8_955 = fnma(work.w_chassis_x, work.s4_26, work.w_chassis_z*work.s4_37);
   work.s8_956 = work.s6_48 + s8_955;
   const double s8_957 = fma(work.w_carrier_left_x, work.w_carrier_left_z, work.s8_956);
   const double s8_958 = work.w_carrier_left_y*work.w_carrier_left_y;
@@ -9090,8 +9087,8 @@ struct ChosenAccelerationsWork {
   const double s8_962 = fnma(work.s1_10, projection.zdd_star[0], s8_804 - work.s6_12);
   const double s8_963 = fma(work.r_carrier_left_aux1_z, work.s8_21, s8_962);
   const double s8_964 = fnma(work.r_carrier_left_aux1_y, work.s8_27, s8_963);
-  const double s8_965 = fnma(work.s4_14, work.s8_18, s8_964);
-  const double s8_966 = fnma(work.w_chassis_z, work.s4_4, work.w_chassis_y*work.s4_2);
+  const double s8_965 = fnma(work.s4_38, work.s8_18, s8_964);
+  const double s8_966 = fnma(work.w_chassis_z, work.s4_28, work.w_chassis_y*work.s4_26);
   work.s8_967 = work.s8_718 + s8_966;
   const double s8_968 = fms(work.w_carrier_left_y, work.w_carrier_left_z, work.s8_967);
   const double s8_969 = fma(work.w_carrier_left_x, work.w_carrier_left_y, work.s8_953);
@@ -9101,7 +9098,7 @@ struct ChosenAccelerationsWork {
   const double s8_972 = fma(work.s1_8, projection.zdd_star[0], s8_807) - work.s6_13;
   const double s8_973 = fma(work.r_carrier_left_aux1_y, work.s8_21, s8_972);
   const double s8_974 = fnma(work.r_carrier_left_aux1_z, work.s8_25, s8_973);
-  const double s8_975 = fnma(work.s4_15, work.s8_18, s8_974);
+  const double s8_975 = fnma(work.s4_39, work.s8_18, s8_974);
   const double s8_976 = fma(work.w_carrier_left_y, work.w_carrier_left_z, work.s8_967);
   const double s8_977 = fms(work.w_carrier_left_x, work.w_carrier_left_z, work.s8_956);
   const double s8_978 = fma(work.w_carrier_left_x, work.w_carrier_left_x, s8_958);
@@ -9218,8 +9215,8 @@ struct ChosenAccelerationsWork {
   const double s8_1069 = work.R_carrier_left_z_z - work.R_carrier_left_aux2_z_y;
   const double s8_1070 = p_arb_link_front_left_to_x*work.R_carrier_left_z_x;
   const double s8_1071 = fma(-p_arb_link_front_left_to_y, s8_1069, s8_1070);
-  const double s8_1072 = fnma(work.s4_13, s8_1071, work.s4_2*s8_1068);
-  const double s8_1073 = s8_1072 - work.s4_15;
+  const double s8_1072 = fnma(work.s4_37, s8_1071, work.s4_26*s8_1068);
+  const double s8_1073 = s8_1072 - work.s4_39;
   work.s8_1074 = fnma(work.s8_700, s8_1071, fms(work.s3_25, s8_1068, work.s8_702));
   work.s8_1075 = fnma(work.s8_706, s8_1071, fms(work.s3_28, s8_1068, work.s8_708));
   const double s8_1076 = fnma(work.s8_712, s8_1071, fms(work.s3_31, s8_1068, work.s8_714));
@@ -9232,8 +9229,8 @@ struct ChosenAccelerationsWork {
   work.s8_1083 = 0.3333333333333333*work.s8_1082;
   work.s8_1084 = 0.3333333333333333*work.s8_1078;
   work.s8_1085 = 0.3333333333333333*work.s8_1077;
-  const double s8_1086 = fnma(work.s4_4, s8_1068, work.s4_13*s8_1081);
-  const double s8_1087 = s8_1062 + (work.s4_14 + s8_1086);
+  const double s8_1086 = fnma(work.s4_28, s8_1068, work.s4_37*s8_1081);
+  const double s8_1087 = s8_1062 + (work.s4_38 + s8_1086);
   const double s8_1088 = fma(work.s8_700, s8_1081, fma(projection.Rz[15], s8_1061, work.s8_701));
   work.s8_1089 = fnma(work.s3_34, s8_1068, s8_1088);
   const double s8_1090 = fma(work.s8_706, s8_1081, fma(projection.Rz[16], s8_1061, work.s8_707));
@@ -9246,29 +9243,29 @@ struct ChosenAccelerationsWork {
   work.s8_1097 = fma(work.s3_28, s8_1081, s8_1096);
   const double s8_1098 = fnma(work.s3_40, s8_1071, projection.Rz[17]*s8_1064);
   const double s8_1099 = fma(work.s3_31, s8_1081, s8_1098);
-  const double s8_1100 = fnma(work.s4_2, s8_1081, work.s4_4*s8_1071);
+  const double s8_1100 = fnma(work.s4_26, s8_1081, work.s4_28*s8_1071);
   const double s8_1101 = s8_1065 - s8_1100;
   const double s8_1102 = fma(work.s8_22, work.s8_1077, work.s8_20*work.s8_1082);
   const double s8_1103 = fnma(work.s8_26, work.s8_1078, s8_1102);
   const double s8_1104 = fnma(work.s6_48, s8_1071, fma(projection.zdd_star[5], s8_1064, s8_1103));
   const double s8_1105 = fnma(zd_arb_front_left, s8_1062, fma(work.s6_36, s8_1081, s8_1104));
-  const double s8_1106 = fma(work.s4_2, s8_1072, fnma(work.s4_4, s8_1086, s8_1105));
+  const double s8_1106 = fma(work.s4_26, s8_1072, fnma(work.s4_28, s8_1086, s8_1105));
   const double s8_1107 = fnma(work.s8_17, s8_1087, fma(work.s8_19, s8_1073, s8_1106));
   work.s8_1108 = 0.3333333333333333*s8_1107;
   const double s8_1109 = fma(work.s1_10, projection.zdd_star[0], work.s6_12);
   const double s8_1110 = fma(work.s8_21, work.s8_1077, fma(work.s8_20, work.s8_1078, s8_1109));
   const double s8_1111 = fma(work.s8_18, s8_1087, fnma(work.s8_27, work.s8_1082, s8_1110));
   const double s8_1112 = fnma(work.s6_36, s8_1068, fma(work.s8_19, s8_1101, s8_1111));
-  const double s8_1113 = fnma(work.s4_2, s8_1100, fma(work.s8_718, s8_1071, s8_1112));
-  work.s8_1114 = 0.3333333333333333*fma(work.s4_13, s8_1086, s8_1113);
+  const double s8_1113 = fnma(work.s4_26, s8_1100, fma(work.s8_718, s8_1071, s8_1112));
+  work.s8_1114 = 0.3333333333333333*fma(work.s4_37, s8_1086, s8_1113);
   const double s8_1115 = fnma(work.s1_8, projection.zdd_star[0], work.s6_13);
   const double s8_1116 = fma(work.s8_22, work.s8_1078, fma(work.s8_21, work.s8_1082, s8_1115));
   const double s8_1117 = fnma(work.s8_18, s8_1073, fnma(work.s8_25, work.s8_1077, s8_1116));
   const double s8_1118 = fnma(work.s8_17, s8_1101, s8_1117);
   const double s8_1119 = fnma(projection.zdd_star[5], s8_1061, s8_1118);
   const double s8_1120 = fma(work.s6_48, s8_1068, fnma(work.s8_718, s8_1081, s8_1119));
-  const double s8_1121 = fnma(work.s4_13, s8_1072, fnma(zd_arb_front_left, s8_1065, s8_1120));
-  work.s8_1122 = 0.3333333333333333*fma(work.s4_4, s8_1100, s8_1121);
+  const double s8_1121 = fnma(work.s4_37, s8_1072, fnma(zd_arb_front_left, s8_1065, s8_1120));
+  work.s8_1122 = 0.3333333333333333*fma(work.s4_28, s8_1100, s8_1121);
   // arb_link_front_right
   const double R_arb_front_right_x_z = work.sines[14];
   const double R_arb_front_right_x_x = work.cosines[14];
@@ -9289,8 +9286,8 @@ struct ChosenAccelerationsWork {
   const double s8_1136 = work.R_carrier_right_aux2_z_y + work.R_carrier_right_z_z;
   const double s8_1137 = p_arb_link_front_right_to_x*work.R_carrier_right_z_x;
   const double s8_1138 = fma(-p_arb_link_front_left_to_y, s8_1136, s8_1137);
-  const double s8_1139 = fnma(work.s4_17, s8_1138, work.s4_6*s8_1135);
-  const double s8_1140 = work.s4_19 + s8_1139;
+  const double s8_1139 = fnma(work.s4_41, s8_1138, work.s4_30*s8_1135);
+  const double s8_1140 = work.s4_43 + s8_1139;
   work.s8_1141 = fnma(work.s8_703, s8_1138, fma(work.s3_43, s8_1135, work.s8_705));
   work.s8_1142 = fnma(work.s8_709, s8_1138, fma(work.s3_46, s8_1135, work.s8_711));
   const double s8_1143 = fnma(work.s8_715, s8_1138, fma(work.s3_49, s8_1135, work.s8_717));
@@ -9299,8 +9296,8 @@ struct ChosenAccelerationsWork {
   work.s8_1146 = 0.3333333333333333*work.s8_1145;
   work.s8_1147 = 0.3333333333333333*work.s8_1144;
   work.s8_1148 = 0.3333333333333333*work.s8_1132;
-  const double s8_1149 = fnma(work.s4_8, s8_1135, work.s4_17*s8_1131);
-  const double s8_1150 = s8_1125 + (work.s4_18 + s8_1149);
+  const double s8_1149 = fnma(work.s4_32, s8_1135, work.s4_41*s8_1131);
+  const double s8_1150 = s8_1125 + (work.s4_42 + s8_1149);
   const double s8_1151 = fma(work.s8_703, s8_1131, fma(projection.Rz[33], s8_1124, work.s8_704));
   work.s8_1152 = fnma(work.s3_52, s8_1135, s8_1151);
   const double s8_1153 = fma(work.s8_709, s8_1131, fma(projection.Rz[34], s8_1124, work.s8_710));
@@ -9313,28 +9310,28 @@ struct ChosenAccelerationsWork {
   work.s8_1160 = fma(work.s3_46, s8_1131, s8_1159);
   const double s8_1161 = fnma(work.s3_58, s8_1138, projection.Rz[35]*s8_1127);
   const double s8_1162 = fma(work.s3_49, s8_1131, s8_1161);
-  const double s8_1163 = fnma(work.s4_6, s8_1131, work.s4_8*s8_1138);
+  const double s8_1163 = fnma(work.s4_30, s8_1131, work.s4_32*s8_1138);
   const double s8_1164 = s8_1128 - s8_1163;
   const double s8_1165 = fnma(work.s1_21, projection.zdd_star[6], work.s6_17);
   const double s8_1166 = fma(work.s8_20, work.s8_1145, fma(work.s8_27, work.s8_1132, s8_1165));
   const double s8_1167 = fma(work.s8_18, s8_1150, fma(work.s8_21, work.s8_1144, s8_1166));
   const double s8_1168 = fnma(work.s6_43, s8_1135, fma(work.s8_19, s8_1164, s8_1167));
-  const double s8_1169 = fnma(work.s4_6, s8_1163, fma(work.s8_719, s8_1138, s8_1168));
-  work.s8_1170 = 0.3333333333333333*fma(work.s4_17, s8_1149, s8_1169);
+  const double s8_1169 = fnma(work.s4_30, s8_1163, fma(work.s8_719, s8_1138, s8_1168));
+  work.s8_1170 = 0.3333333333333333*fma(work.s4_41, s8_1149, s8_1169);
   const double s8_1171 = fnma(work.s8_26, work.s8_1145, work.s8_22*work.s8_1144);
   const double s8_1172 = fnma(work.s8_20, work.s8_1132, s8_1171);
   const double s8_1173 = fma(projection.zdd_star[11], s8_1127, s8_1172);
   const double s8_1174 = fma(work.s6_43, s8_1131, fnma(work.s6_53, s8_1138, s8_1173));
-  const double s8_1175 = fnma(work.s4_8, s8_1149, fnma(zd_arb_front_right, s8_1125, s8_1174));
-  const double s8_1176 = fma(work.s8_19, s8_1140, fma(work.s4_6, s8_1139, s8_1175));
+  const double s8_1175 = fnma(work.s4_32, s8_1149, fnma(zd_arb_front_right, s8_1125, s8_1174));
+  const double s8_1176 = fma(work.s8_19, s8_1140, fma(work.s4_30, s8_1139, s8_1175));
   work.s8_1177 = 0.3333333333333333*fnma(work.s8_17, s8_1150, s8_1176);
   const double s8_1178 = fnma(work.s1_21, work.s6_16, fms(work.s8_22, work.s8_1145, work.s8_720));
   const double s8_1179 = fnma(work.s8_21, work.s8_1132, fnma(work.s8_25, work.s8_1144, s8_1178));
   const double s8_1180 = fnma(work.s8_17, s8_1164, fnma(work.s8_18, s8_1140, s8_1179));
   const double s8_1181 = fnma(projection.zdd_star[11], s8_1124, s8_1180);
   const double s8_1182 = fma(work.s6_53, s8_1135, fnma(work.s8_719, s8_1131, s8_1181));
-  const double s8_1183 = fnma(work.s4_17, s8_1139, fnma(zd_arb_front_right, s8_1128, s8_1182));
-  work.s8_1184 = 0.3333333333333333*fma(work.s4_8, s8_1163, s8_1183);
+  const double s8_1183 = fnma(work.s4_41, s8_1139, fnma(zd_arb_front_right, s8_1128, s8_1182));
+  work.s8_1184 = 0.3333333333333333*fma(work.s4_32, s8_1163, s8_1183);
   // drag_link
   const double s8_1185 = -p_drag_link_from_z*work.sines[15];
   const double s8_1186 = -p_drag_link_from_z*work.cosines[15];
@@ -9407,12 +9404,12 @@ struct ChosenAccelerationsWork {
   const double s8_1248 = -p_tie_rod_left_to_y*work.s1_12;
   const double s8_1249 = fma(p_tie_rod_left_to_z, work.R_carrier_left_x_z, s8_1248);
   const double s8_1250 = fnma(-p_tie_rod_left_to_x, work.R_carrier_left_x_x, s8_1249);
-  const double s8_1251 = fnma(work.s4_4, s8_1250, work.s4_13*s8_1247);
-  const double s8_1252 = work.s4_14 + s8_1251;
+  const double s8_1251 = fnma(work.s4_28, s8_1250, work.s4_37*s8_1247);
+  const double s8_1252 = work.s4_38 + s8_1251;
   work.s8_1253 = fnma(work.s3_34, s8_1250, fma(work.s8_700, s8_1247, work.s8_701));
   work.s8_1254 = fnma(work.s3_37, s8_1250, fma(work.s8_706, s8_1247, work.s8_707));
   const double s8_1255 = fnma(work.s3_40, s8_1250, fma(work.s8_712, s8_1247, work.s8_713));
-  const double s8_1256 = fnma(work.s4_2, s8_1247, work.s4_4*s8_1243);
+  const double s8_1256 = fnma(work.s4_26, s8_1247, work.s4_28*s8_1243);
   const double s8_1257 = s8_1240 + s8_1256;
   const double s8_1258 = fma(work.s3_34, s8_1243, projection.Rz[39]*s8_1239);
   work.s8_1259 = fnma(work.s3_25, s8_1247, s8_1258);
@@ -9424,8 +9421,8 @@ struct ChosenAccelerationsWork {
   work.s8_1265 = s8_1239 - work.r_carrier_left_aux1_y - s8_1247;
   work.s8_1266 = 1.1666666666666667*work.s8_1265;
   work.s8_1267 = 1.1666666666666667*work.s8_1264;
-  const double s8_1268 = fnma(work.s4_13, s8_1243, work.s4_2*s8_1250);
-  const double s8_1269 = s8_1238 + s8_1268 - work.s4_15;
+  const double s8_1268 = fnma(work.s4_37, s8_1243, work.s4_26*s8_1250);
+  const double s8_1269 = s8_1238 + s8_1268 - work.s4_39;
   const double s8_1270 = fma(work.s3_25, s8_1250, fms(projection.Rz[39], s8_1237, work.s8_702));
   work.s8_1271 = fnma(work.s8_700, s8_1243, s8_1270);
   const double s8_1272 = fma(work.s3_28, s8_1250, fms(projection.Rz[40], s8_1237, work.s8_708));
@@ -9436,11 +9433,11 @@ struct ChosenAccelerationsWork {
   const double s8_1277 = fnma(work.s8_22, work.s8_1264, fma(work.s8_21, work.s8_1265, s8_1115));
   const double s8_1278 = fma(work.s8_17, s8_1257, fma(work.s8_25, work.s8_1244, s8_1277));
   const double s8_1279 = fnma(work.s8_718, s8_1247, fnma(work.s8_18, s8_1269, s8_1278));
-  const double s8_1280 = fnma(work.s4_13, s8_1268, fma(work.s6_48, s8_1250, s8_1279));
-  work.s8_1281 = 1.1666666666666667*fma(work.s4_4, s8_1256, s8_1280);
+  const double s8_1280 = fnma(work.s4_37, s8_1268, fma(work.s6_48, s8_1250, s8_1279));
+  work.s8_1281 = 1.1666666666666667*fma(work.s4_28, s8_1256, s8_1280);
   const double s8_1282 = fnma(work.s8_22, work.s8_1244, work.s8_20*work.s8_1265);
   const double s8_1283 = fma(zd_bell_crank, s8_1238, fma(work.s8_26, work.s8_1264, s8_1282));
-  const double s8_1284 = fma(work.s4_2, s8_1268, fnma(work.s4_4, s8_1251, s8_1283));
+  const double s8_1284 = fma(work.s4_26, s8_1268, fnma(work.s4_28, s8_1251, s8_1283));
   const double s8_1285 = fnma(projection.zdd_star[13], s8_1239, s8_1284);
   const double s8_1286 = fma(work.s6_36, s8_1247, fnma(work.s6_48, s8_1243, s8_1285));
   const double s8_1287 = fnma(work.s8_17, s8_1252, fma(work.s8_19, s8_1269, s8_1286));
@@ -9450,8 +9447,8 @@ struct ChosenAccelerationsWork {
   const double s8_1291 = fnma(work.s8_19, s8_1257, s8_1290);
   const double s8_1292 = fnma(projection.zdd_star[13], s8_1237, s8_1291);
   const double s8_1293 = fma(work.s8_718, s8_1243, fnma(work.s6_36, s8_1250, s8_1292));
-  const double s8_1294 = fnma(work.s4_2, s8_1256, fnma(zd_bell_crank, s8_1240, s8_1293));
-  work.s8_1295 = 1.1666666666666667*fma(work.s4_13, s8_1251, s8_1294);
+  const double s8_1294 = fnma(work.s4_26, s8_1256, fnma(zd_bell_crank, s8_1240, s8_1293));
+  work.s8_1295 = 1.1666666666666667*fma(work.s4_37, s8_1251, s8_1294);
   // tie_rod_right
   const double s8_1296 = fma(p_tie_rod_left_from_y, R_bell_crank_x_x, s8_1236);
   const double s8_1297 = zd_bell_crank*s8_1296;
@@ -9468,8 +9465,8 @@ struct ChosenAccelerationsWork {
   const double s8_1308 = p_tie_rod_right_to_z*work.R_carrier_right_x_z;
   const double s8_1309 = fnma(-p_tie_rod_right_to_x, work.R_carrier_right_x_x, s8_1308);
   const double s8_1310 = fnma(p_tie_rod_right_to_y, work.s1_24, s8_1309);
-  const double s8_1311 = fnma(work.s4_8, s8_1310, work.s4_17*s8_1306);
-  const double s8_1312 = work.s4_18 + s8_1311;
+  const double s8_1311 = fnma(work.s4_32, s8_1310, work.s4_41*s8_1306);
+  const double s8_1312 = work.s4_42 + s8_1311;
   work.s8_1313 = fnma(work.s3_52, s8_1310, fma(work.s8_703, s8_1306, work.s8_704));
   work.s8_1314 = fnma(work.s3_55, s8_1310, fma(work.s8_709, s8_1306, work.s8_710));
   const double s8_1315 = fnma(work.s3_58, s8_1310, fma(work.s8_715, s8_1306, work.s8_716));
@@ -9500,8 +9497,8 @@ struct ChosenAccelerationsWork {
   const double s8_1340 = fma(projection.Rz[17], work.s7_164, work.s8_767);
   const double s8_1341 = fnma(-p_rear_axle_tx_z, s8_1338, s8_1339);
   work.s8_1342 = fma(p_arb_front_right_x, s8_1340, s8_1341);
-  const double s8_1343 = fnma(work.s4_17, s8_1302, work.s4_6*s8_1310);
-  const double s8_1344 = fnma(work.s4_6, s8_1306, work.s4_8*s8_1302);
+  const double s8_1343 = fnma(work.s4_41, s8_1302, work.s4_30*s8_1310);
+  const double s8_1344 = fnma(work.s4_30, s8_1306, work.s4_32*s8_1302);
   const double s8_1345 = fnma(work.s3_43, s8_1310, fms(projection.Rz[39], s8_1298, work.s8_705));
   work.s8_1346 = fma(work.s8_703, s8_1302, s8_1345);
   const double s8_1347 = fnma(work.s3_46, s8_1310, fms(projection.Rz[40], s8_1298, work.s8_711));
@@ -9550,7 +9547,7 @@ struct ChosenAccelerationsWork {
   const double s8_1390 = fnma(projection.Rz[14], work.s7_147, work.s8_790);
   const double s8_1391 = fma(-p_lower_arm_left_z, s8_1388, s8_1389);
   work.s8_1392 = fma(-p_upper_arm_right_z, s8_1390, s8_1391);
-  const double s8_1393 = s8_1299 - work.s4_19 - s8_1343;
+  const double s8_1393 = s8_1299 - work.s4_43 - s8_1343;
   const double s8_1394 = fma(work.s8_1095, work.s8_1095, work.s8_1074*work.s8_1074);
   const double s8_1395 = fma(work.s8_1089, work.s8_1089, s8_1394);
   const double s8_1396 = fma(work.s8_1141, work.s8_1141, s8_1395);
@@ -9665,11 +9662,11 @@ struct ChosenAccelerationsWork {
   const double s8_1505 = fnma(work.s8_21, work.s8_1307, fma(work.s8_25, work.s8_1303, s8_1504));
   const double s8_1506 = fnma(work.s8_17, s8_1503, fma(work.s8_18, s8_1393, s8_1505));
   const double s8_1507 = fma(work.s6_53, s8_1310, fnma(work.s8_719, s8_1306, s8_1506));
-  const double s8_1508 = fma(work.s4_8, s8_1344, fnma(work.s4_17, s8_1343, s8_1507));
+  const double s8_1508 = fma(work.s4_32, s8_1344, fnma(work.s4_41, s8_1343, s8_1507));
   work.s8_1509 = 1.1666666666666667*s8_1508;
   const double s8_1510 = fnma(work.s6_53, s8_1302, projection.zdd_star[13]*s8_1296);
   const double s8_1511 = fnma(zd_bell_crank, s8_1299, fma(work.s6_43, s8_1306, s8_1510));
-  const double s8_1512 = fma(work.s4_6, s8_1343, fnma(work.s4_8, s8_1311, s8_1511));
+  const double s8_1512 = fma(work.s4_30, s8_1343, fnma(work.s4_32, s8_1311, s8_1511));
   const double s8_1513 = fnma(work.s8_19, s8_1393, fnma(work.s8_17, s8_1312, s8_1512));
   const double s8_1514 = fnma(work.s8_22, work.s8_1303, fnma(work.s8_20, work.s8_1307, s8_1513));
   work.s8_1515 = 1.1666666666666667*fnma(work.s8_26, work.s8_1316, s8_1514);
@@ -9677,8 +9674,8 @@ struct ChosenAccelerationsWork {
   const double s8_1517 = fma(work.s8_18, s8_1312, fnma(work.s8_21, work.s8_1303, s8_1516));
   const double s8_1518 = fma(projection.zdd_star[13], s8_1298, fma(work.s8_19, s8_1503, s8_1517));
   const double s8_1519 = fma(work.s8_719, s8_1302, fnma(work.s6_43, s8_1310, s8_1518));
-  const double s8_1520 = fnma(work.s4_6, s8_1344, fma(zd_bell_crank, s8_1297, s8_1519));
-  work.s8_1521 = 1.1666666666666667*fma(work.s4_17, s8_1311, s8_1520);
+  const double s8_1520 = fnma(work.s4_30, s8_1344, fma(zd_bell_crank, s8_1297, s8_1519));
+  work.s8_1521 = 1.1666666666666667*fma(work.s4_41, s8_1311, s8_1520);
   const double s8_1522 = fnma(projection.zdd_star[0], work.s7_99, tau[Coordinate::lower_arm_left]);
   const double s8_1523 = fma(work.s7_91, s8_1058, fnma(work.s7_89, s8_1056, s8_1522));
   work.s8_1524 = fnma(work.s7_96, work.s8_811, fnma(work.s8_21, s8_1059, s8_1523));
@@ -10375,7 +10372,7 @@ struct ChosenAccelerationsWork {
   result.inertia[3] = fnma(1e-12, s8_2147, pivot_chassis_rz);
   result.inertia[2] = fnma(1e-12, s8_2158, pivot_chassis_tz);
   result.inertia[1] = fnma(1e-12, s8_2173, pivot_chassis_ty);
-  const double s8_2188 = fms(tau[Coordinate::chassis_rx], work.s5_31, s8_2008);
+  const double s8_2188 = fms(tau[Coordinate::chassis_rx], work.s1_40, s8_2008);
   const double s8_2189 = fma(s8_2145, s8_2182, fma(s8_2144, s8_2187, s8_2188));
   const double s8_2190 = fma(work.s8_20, s8_2119, fnma(work.s8_22, s8_2120, s8_2189));
   const double s8_2191 = fma(work.s8_21, s8_2123 - s8_2124, s8_2190);
@@ -10419,17 +10416,17 @@ struct ChosenAccelerationsWork {
   result.zdd[Coordinate::chassis_ty] = fma(work.R_chassis_y_z, s9_7, s9_8);
   const double s9_9 = fma(work.R_chassis_aux5_x_x, s9_5, work.R_chassis_x_y*s9_6);
   result.zdd[Coordinate::chassis_tx] = fma(work.R_chassis_x_z, s9_7, s9_9);
-  result.inertia[4] = mbgen::min(s8_2183, fms(work.s5_25, work.s5_25, 1e-12));
+  result.inertia[4] = mbgen::min(s8_2183, fms(work.s1_34, work.s1_34, 1e-12));
   const double zd_chassis_rx = state.zd[Coordinate::chassis_rx];
-  const double s9_10 = fma(work.s5_1, work.s5_5, alpha_chassis_y);
+  const double s9_10 = fma(work.s4_1, work.s4_5, alpha_chassis_y);
   const double s9_11 = fnma(zd_chassis_rx, work.w_chassis_z, s9_10);
   const double s9_12 = fma(zd_chassis_rx, work.w_chassis_y, alpha_chassis_z);
-  const double s9_13 = fma(work.s5_1, work.s5_3, s9_12);
-  result.zdd[Coordinate::chassis_rz] = fma(work.s5_28, s9_13, work.s5_27*s9_11);
+  const double s9_13 = fma(work.s4_1, work.s4_3, s9_12);
+  result.zdd[Coordinate::chassis_rz] = fma(work.s1_37, s9_13, work.s1_36*s9_11);
   result.zdd[Coordinate::chassis_ry] = fnma(work.sines[2], s9_13, work.cosines[2]*s9_11);
-  const double s9_14 = fma(work.s5_3, work.s5_4, fma(work.s5_2, work.s5_5, alpha_chassis_x));
-  result.zdd[Coordinate::chassis_rx] = fma(work.s5_31, s9_14, fma(work.s5_30, s9_13,
-      work.s5_29*s9_11));
+  const double s9_14 = fma(work.s4_3, work.s4_4, fma(work.s4_2, work.s4_5, alpha_chassis_x));
+  result.zdd[Coordinate::chassis_rx] = fma(work.s1_40, s9_14, fma(work.s1_39, s9_13,
+      work.s1_38*s9_11));
   // bell_crank: bell_crank, revolute, chassis
   const double s9_15 = fnma(s8_1705, a_chassis_x, fnma(s8_1727, a_chassis_y, s8_1957));
   const double s9_16 = fnma(s8_1772, alpha_chassis_y, fnma(s8_1717, a_chassis_z, s9_15));

@@ -494,10 +494,13 @@ void compute_chosen_accelerations(const Tuned& parameters, const Inputs& inputs,
   mbgen::sincos(z_rocker_pin, R_rocker_x_z, R_rocker_x_x);
   // operations: 4 add, 8 multiply, 6 sin cos
 
-  // --- step 5: applied forces Q (48) ---
+  // --- step 4: velocities ---
   // coupler: coupler_pin, revolute, crank
   const double zd_crank_pin = state.zd[Coordinate::crank_pin];
   const double w_coupler_y = zd_crank_pin + state.zd[Coordinate::coupler_pin];
+  // operations: 1 add
+
+  // --- step 5: applied forces Q (48) ---
   // return_spring
   const double s5_1 = fma(p_rocker_S_x, R_rocker_x_x, p_rocker_S_z*R_rocker_x_z);
   const double s5_2 = fnma(p_rocker_S_x, R_rocker_x_z, p_rocker_S_z*R_rocker_x_x);
@@ -507,7 +510,7 @@ void compute_chosen_accelerations(const Tuned& parameters, const Inputs& inputs,
   const double tension_return_spring = (s5_5 - l0_return_spring)*parameters.k;
   const double s5_6 = 1.0/s5_5*tension_return_spring;
   const double s5_7 = fnma(s5_1, s5_4*s5_6, s5_2*(s5_3*s5_6));
-  // operations: 8 add, 12 multiply, 1 divide, 1 sqrt
+  // operations: 7 add, 12 multiply, 1 divide, 1 sqrt
 
   // --- step 7: inertias of the bodies and forces on joints ---
   const double s7_1 = inputs.torque + tau[Coordinate::crank_pin];

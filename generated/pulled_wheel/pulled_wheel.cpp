@@ -95,21 +95,18 @@ void compute_derived_constants(const Parameters& parameters, Tuned& __restrict r
   const double I_knuckle_xx = 0.31 + s1_2;
   const double I_knuckle_yy = 0.36 + s1_2;
   result.derived[8] = I_knuckle_yy;
-  // operations: 4 add, 3 multiply, 1 divide
-
-  // --- step 5: applied forces Q (48) ---
   result.derived[5] = m_wheel + m_knuckle;
-  const double s5_1 = m_knuckle*c_knuckle_z;
-  result.derived[0] = 0.72 + s5_1;
-  const double s5_2 = 0.5*(I_knuckle_zz + (I_knuckle_xx + I_knuckle_yy));
-  const double K_knuckle_xx = s5_2 - I_knuckle_xx;
+  const double s1_3 = m_knuckle*c_knuckle_z;
+  result.derived[0] = 0.72 + s1_3;
+  const double s1_4 = 0.5*(I_knuckle_zz + (I_knuckle_xx + I_knuckle_yy));
+  const double K_knuckle_xx = s1_4 - I_knuckle_xx;
   result.derived[2] = K_knuckle_xx;
-  const double K_knuckle_yy = 0.6 + (s5_2 - I_knuckle_yy);
+  const double K_knuckle_yy = 0.6 + (s1_4 - I_knuckle_yy);
   result.derived[4] = K_knuckle_yy;
-  const double K_knuckle_zz = s5_2 - 0.2312 + c_knuckle_z*s5_1;
+  const double K_knuckle_zz = s1_4 - 0.2312 + c_knuckle_z*s1_3;
   result.derived[1] = K_knuckle_zz;
   result.derived[3] = K_knuckle_zz + (K_knuckle_xx + K_knuckle_yy);
-  // operations: 11 add, 3 multiply
+  // operations: 15 add, 6 multiply, 1 divide
 
   // --- step 9: outputs, energies, power ---
   result.derived[9] = p_pull_z*(345.0 + m_knuckle);
@@ -595,69 +592,71 @@ void compute_chosen_accelerations(const Tuned& parameters, const Inputs& /*input
   const double r_wheel_z = r_knuckle_z + s1_5;
   // operations: 6 add, 10 multiply, 4 sin cos
 
-  // --- step 5: applied forces Q (48) ---
+  // --- step 4: velocities ---
   // knuckle: ball, revolute, arm
   const double zd_lower = state.zd[Coordinate::lower];
   const double v_knuckle_x = fma(zd_lower, s1_3, state.zd[Coordinate::pull]);
   const double w_knuckle_y = zd_lower + state.zd[Coordinate::ball];
   // wheel: wheel, revolute, knuckle
   const double v_wheel_x = fma(s1_5, w_knuckle_y, v_knuckle_x);
-  const double s5_1 = fma(s1_4, w_knuckle_y, zd_lower*r_knuckle_x);
+  const double s4_1 = fma(s1_4, w_knuckle_y, zd_lower*r_knuckle_x);
   const double w_wheel_y = state.zd[Coordinate::wheel] + w_knuckle_y;
+  // operations: 5 add, 4 multiply
+
+  // --- step 5: applied forces Q (48) ---
   // spring
-  const double s5_2 = fnma(-p_arm_seat_x, R_arm_x_x, p_arm_seat_z*R_arm_x_z);
-  const double s5_3 = -p_carriage_seat_x + s5_2;
-  const double s5_4 = fma(p_arm_seat_z, R_arm_x_x, -p_arm_seat_x*R_arm_x_z);
-  const double s5_5 = 0.37 - s5_4;
-  const double s5_6 = std::sqrt(fma(s5_5, s5_5, s5_3*s5_3));
-  const double s5_7 = 1.0/s5_6;
-  const double s5_8 = fma(s5_3, zd_lower*s5_4, zd_lower*s5_2*s5_5)*s5_7;
-  const double s5_9 = s5_8 - 0.2;
-  const double s5_10 = 0.2 + s5_8;
-  const double s5_11 = fms(725.0, 1.0 + s5_8, 900.0);
-  const double s5_12 = (s5_10 >= 0.0 ? fms(1600.0, s5_10, 320.0) : s5_11);
-  const double s5_13 = (s5_8 >= 0.0 ? 3200.0*s5_8 : s5_12);
-  const double s5_14 = (s5_9 >= 0.0 ? fma(1575.0, s5_9, 640.0) : s5_13) - (-f0_spring);
-  const double tension_spring = fma(s5_6 - l0_spring, parameters.k, s5_14);
-  const double s5_15 = s5_7*tension_spring;
-  const double s5_16 = fma(s5_2, s5_5*s5_15, s5_4*(s5_3*s5_15));
+  const double s5_1 = fnma(-p_arm_seat_x, R_arm_x_x, p_arm_seat_z*R_arm_x_z);
+  const double s5_2 = -p_carriage_seat_x + s5_1;
+  const double s5_3 = fma(p_arm_seat_z, R_arm_x_x, -p_arm_seat_x*R_arm_x_z);
+  const double s5_4 = 0.37 - s5_3;
+  const double s5_5 = std::sqrt(fma(s5_4, s5_4, s5_2*s5_2));
+  const double s5_6 = 1.0/s5_5;
+  const double s5_7 = fma(s5_2, zd_lower*s5_3, zd_lower*s5_1*s5_4)*s5_6;
+  const double s5_8 = s5_7 - 0.2;
+  const double s5_9 = 0.2 + s5_7;
+  const double s5_10 = (s5_9 >= 0.0 ? fms(1600.0, s5_9, 320.0) : fms(725.0, 1.0 + s5_7, 900.0));
+  const double s5_11 = (s5_7 >= 0.0 ? 3200.0*s5_7 : s5_10);
+  const double s5_12 = (s5_8 >= 0.0 ? fma(1575.0, s5_8, 640.0) : s5_11) - (-f0_spring);
+  const double tension_spring = fma(s5_5 - l0_spring, parameters.k, s5_12);
+  const double s5_13 = s5_6*tension_spring;
+  const double s5_14 = fma(s5_1, s5_4*s5_13, s5_3*(s5_2*s5_13));
   // tyre
-  const double s5_17 = p_pull_z + r_wheel_z;
-  const double s5_18 = radius_tyre - s5_17;
-  const double s5_19 = mbgen::max(0.0, k_tyre*s5_18);
-  const double load_tyre = mbgen::max(0.0, s5_19 + mbgen::min(s5_19, d_tyre*s5_1));
-  const double s5_20 = mbgen::max(0.004, load_tyre);
-  const double s5_21 = 1.1*s5_20;
-  const double s5_22 = 1.6*s5_21;
-  const double s5_23 = 1e-09*s5_20;
-  const double s5_24 = (s5_22 >= 0.0 ? mbgen::max(s5_22, s5_23) : mbgen::min(s5_22, -s5_23));
-  const double s5_25 = state.x[0]/relaxation_x_tyre;
-  const double s5_26 = state.x[1]/relaxation_y_tyre;
-  const double s5_27 = std::sqrt(fma(s5_26, s5_26, fma(s5_25, s5_25, 1e-30)));
-  const double s5_28 = std::abs(v_wheel_x);
-  const double s5_29 = fnma(0.3333333333333333, mbgen::max(0.0, s5_18), radius_tyre);
-  const double s5_30 = w_wheel_y*s5_29;
-  const double s5_31 = v_wheel_x - s5_30;
-  const double s5_32 = std::sqrt(fma(s5_31, s5_31, 1e-30));
-  const double s5_33 = mbgen::min(0.5, 0.1*fma(0.5, s5_28 + s5_32, 1.0));
-  const double s5_34 = 1.0 - s5_27/s5_33;
-  const double s5_35 = mbgen::cosine(3.141592653589793*mbgen::min(1.0, 0.5*s5_28));
-  const double s5_36 = s5_25*(1.0/mbgen::max(0.6666666666666666*s5_27, s5_34));
-  const double s5_37 = fnma(s5_31, 0.06*fma(0.5, s5_35, 0.5)*mbgen::max(0.0, s5_34), s5_36);
-  const double s5_38 = s5_21*mbgen::sine(1.6*mbgen::arc_tangent(20.0*s5_20/s5_24*s5_37));
-  const double fx_tyre = mbgen::max(0.0, load_tyre)/s5_20*s5_38;
-  const double s5_39 = s5_28 + s5_32/s5_33;
-  result.xd[1] = -(s5_26*s5_39);
-  result.xd[0] = -fma(s5_25, s5_39, s5_31);
-  const double s5_40 = mbgen::hyperbolic_tangent(0.5*s5_30);
-  const double s5_41 = s5_40*(radius_tyre*(rolling_tyre*load_tyre));
-  const double s5_42 = fma(fx_tyre, s5_29 + (s5_17 + s5_18) - radius_tyre, s5_41);
-  // operations: 40 add, 57 multiply, 8 divide, 3 sqrt, 3 sin cos, 18 other
+  const double s5_15 = p_pull_z + r_wheel_z;
+  const double s5_16 = radius_tyre - s5_15;
+  const double s5_17 = mbgen::max(0.0, k_tyre*s5_16);
+  const double load_tyre = mbgen::max(0.0, s5_17 + mbgen::min(s5_17, d_tyre*s4_1));
+  const double s5_18 = mbgen::max(0.004, load_tyre);
+  const double s5_19 = 1.1*s5_18;
+  const double s5_20 = 1.6*s5_19;
+  const double s5_21 = 1e-09*s5_18;
+  const double s5_22 = (s5_20 >= 0.0 ? mbgen::max(s5_20, s5_21) : mbgen::min(s5_20, -s5_21));
+  const double s5_23 = state.x[0]/relaxation_x_tyre;
+  const double s5_24 = state.x[1]/relaxation_y_tyre;
+  const double s5_25 = std::sqrt(fma(s5_24, s5_24, fma(s5_23, s5_23, 1e-30)));
+  const double s5_26 = std::abs(v_wheel_x);
+  const double s5_27 = fnma(0.3333333333333333, mbgen::max(0.0, s5_16), radius_tyre);
+  const double s5_28 = w_wheel_y*s5_27;
+  const double s5_29 = v_wheel_x - s5_28;
+  const double s5_30 = std::sqrt(fma(s5_29, s5_29, 1e-30));
+  const double s5_31 = mbgen::min(0.5, 0.1*fma(0.5, s5_26 + s5_30, 1.0));
+  const double s5_32 = 1.0 - s5_25/s5_31;
+  const double s5_33 = mbgen::cosine(3.141592653589793*mbgen::min(1.0, 0.5*s5_26));
+  const double s5_34 = s5_23*(1.0/mbgen::max(0.6666666666666666*s5_25, s5_32));
+  const double s5_35 = fnma(s5_29, 0.06*fma(0.5, s5_33, 0.5)*mbgen::max(0.0, s5_32), s5_34);
+  const double s5_36 = s5_19*mbgen::sine(1.6*mbgen::arc_tangent(20.0*s5_18/s5_22*s5_35));
+  const double fx_tyre = mbgen::max(0.0, load_tyre)/s5_18*s5_36;
+  const double s5_37 = s5_26 + s5_30/s5_31;
+  result.xd[1] = -(s5_24*s5_37);
+  result.xd[0] = -fma(s5_23, s5_37, s5_29);
+  const double s5_38 = mbgen::hyperbolic_tangent(0.5*s5_28);
+  const double s5_39 = s5_38*(radius_tyre*(rolling_tyre*load_tyre));
+  const double s5_40 = fma(fx_tyre, s5_27 + (s5_15 + s5_16) - radius_tyre, s5_39);
+  // operations: 35 add, 53 multiply, 8 divide, 3 sqrt, 3 sin cos, 18 other
 
   // --- step 8: elimination from the leaves to the root (63) ---
   // wheel: wheel, revolute, knuckle
-  const double s8_1 = tau[Coordinate::wheel] - s5_42;
-  const double s8_2 = fma(s1_4, load_tyre, fnma(s1_5, fx_tyre, s5_42 + s8_1));
+  const double s8_1 = tau[Coordinate::wheel] - s5_40;
+  const double s8_2 = fma(s1_4, load_tyre, fnma(s1_5, fx_tyre, s5_40 + s8_1));
   // operations: 4 add, 2 multiply
 
   // --- step 6: c and dRz/dt zd (62), upper ---
@@ -702,7 +701,7 @@ void compute_chosen_accelerations(const Tuned& parameters, const Inputs& /*input
   const double s8_16 = fma(s8_3, s8_13, fma(s8_5, s8_12, s8_4*s8_14));
   const double s8_17 = fma(projection.Rz[0], 0.3475*projection.Rz[0], s8_16);
   const double s8_18 = fnma(s8_3, n_knuckle_y, projection.Rz[1]*tau[Coordinate::ball]);
-  const double s8_19 = fnma(0.3475, projection.zdd_star[0], tau[Coordinate::lower] - s5_16);
+  const double s8_19 = fnma(0.3475, projection.zdd_star[0], tau[Coordinate::lower] - s5_14);
   const double s8_20 = fnma(s8_5, s8_11, fnma(s8_4, f_knuckle_x, s8_18));
   const double s8_21 = fma(projection.Rz[0], s8_19, s8_20);
   result.inertia[0] = fnma(1e-12, s8_17, s8_17);

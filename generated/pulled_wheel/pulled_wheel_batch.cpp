@@ -121,21 +121,18 @@ void compute_derived_constants(const Parameters& parameters, Tuned& __restrict r
   const Lanes I_knuckle_xx = 0.31 + s1_2;
   const Lanes I_knuckle_yy = 0.36 + s1_2;
   result.derived[8] = I_knuckle_yy;
-  // operations: 4 add, 3 multiply, 1 divide
-
-  // --- step 5: applied forces Q (48) ---
-  const Lanes s5_1 = 0.5*(I_knuckle_zz + (I_knuckle_xx + I_knuckle_yy));
-  const Lanes K_knuckle_xx = s5_1 - I_knuckle_xx;
+  const Lanes s1_3 = 0.5*(I_knuckle_zz + (I_knuckle_xx + I_knuckle_yy));
+  const Lanes K_knuckle_xx = s1_3 - I_knuckle_xx;
   result.derived[2] = K_knuckle_xx;
-  const Lanes K_knuckle_yy = 0.6 + (s5_1 - I_knuckle_yy);
+  const Lanes K_knuckle_yy = 0.6 + (s1_3 - I_knuckle_yy);
   result.derived[4] = K_knuckle_yy;
-  const Lanes s5_2 = m_knuckle*c_knuckle_z;
-  result.derived[0] = 0.72 + s5_2;
-  const Lanes K_knuckle_zz = s5_1 - 0.2312 + c_knuckle_z*s5_2;
+  const Lanes s1_4 = m_knuckle*c_knuckle_z;
+  result.derived[0] = 0.72 + s1_4;
+  const Lanes K_knuckle_zz = s1_3 - 0.2312 + c_knuckle_z*s1_4;
   result.derived[1] = K_knuckle_zz;
   result.derived[3] = K_knuckle_zz + (K_knuckle_xx + K_knuckle_yy);
   result.derived[5] = m_wheel + m_knuckle;
-  // operations: 11 add, 3 multiply
+  // operations: 15 add, 6 multiply, 1 divide
 
   // --- step 9: outputs, energies, power ---
   result.derived[9] = p_pull_z*(345.0 + m_knuckle);
@@ -379,17 +376,13 @@ using Closure = ClosureOf<Lanes>;
   const Lanes R_knuckle_x_z = fma(R_arm_x_x, s1_2, R_arm_x_z*s1_1);
   const Lanes r_knuckle_x = fnma(-p_ball_x, R_arm_x_x, p_ball_z*R_arm_x_z);
   const Lanes s1_3 = fma(p_ball_z, R_arm_x_x, -p_ball_x*R_arm_x_z);
-  const Lanes r_knuckle_z = s1_3 - (-p_lower_z);
-  const Lanes s1_4 = fms(15.0, state.t, state.z[Coordinate::pull]);
-  result.residual[1] = s1_4;
-  result.dz[Coordinate::pull] = s1_4;
-  // operations: 6 add, 9 multiply, 4 sin cos
 
   // --- step 2: closure Jacobian Phi_z and its factors (60) ---
   // upper
   const Lanes s2_1 = fma(p_upper_to_x, R_knuckle_x_x, p_upper_to_z*R_knuckle_x_z);
   const Lanes s2_2 = fnma(p_upper_to_x, R_knuckle_x_z, p_upper_to_z*R_knuckle_x_x);
   const Lanes s2_3 = p_upper_from_x - r_knuckle_x - s2_1;
+  const Lanes r_knuckle_z = s1_3 - (-p_lower_z);
   const Lanes s2_4 = -p_upper_from_z + (r_knuckle_z + s2_2);
   const Lanes s2_5 = 2.380277794628896*s2_4;
   const Lanes s2_6 = 2.380277794628896*s2_3;
@@ -397,15 +390,19 @@ using Closure = ClosureOf<Lanes>;
   const Lanes s2_8 = 0.5*fma(s2_3, s2_6, fms(s2_4, s2_5, l_upper));
   result.residual[0] = s2_8;
   const Lanes s2_9 = fma(r_knuckle_x, s2_5, fma(s1_3, s2_6, s2_7));
-  result.pivot[0] = 4.409001792788769*mbgen::abs(s2_9);
-  const Lanes s2_10 = 1.0/s2_9;
-  // operations: 11 add, 14 multiply, 1 divide, 1 other
 
   // --- step 4: velocities ---
   // loop block 0
+  result.pivot[0] = 4.409001792788769*mbgen::abs(s2_9);
+  const Lanes s2_10 = 1.0/s2_9;
+  // operations: 11 add, 14 multiply, 1 divide, 1 other
   result.dz[Coordinate::lower] = s2_8*s2_10;
   result.zd[Coordinate::lower] = -(s2_10*(state.zd[Coordinate::ball]*s2_7));
   // operations: 3 multiply
+  const Lanes s1_4 = fms(15.0, state.t, state.z[Coordinate::pull]);
+  result.residual[1] = s1_4;
+  result.dz[Coordinate::pull] = s1_4;
+  // operations: 6 add, 9 multiply, 4 sin cos
 }
 
 /// One Newton step of the frozen partition, and consistent velocities.
