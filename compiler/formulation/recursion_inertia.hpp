@@ -26,9 +26,17 @@ PseudoInertia<T> pseudo_inertia(const T& mass, const Vector<T>& moment, const Sy
   return {mass, moment, second, trace(second)};
 }
 
+/// Traces that are known when the equations are written stay known; of others nothing is kept but the entries.
+template <class T>
+T summed_trace(const T& a, const T& b, const Symmetric<T>& sum) {
+  const auto is_known = [](const T& value) { return is_zero(value) || known_size(value) > 0; };
+  return is_known(a) && is_known(b) ? a + b : trace(sum);
+}
+
 template <class T>
 PseudoInertia<T> operator+(const PseudoInertia<T>& a, const PseudoInertia<T>& b) {
-  return pseudo_inertia(a.mass + b.mass, a.moment + b.moment, a.second + b.second);
+  const Symmetric<T> second = a.second + b.second;
+  return {a.mass + b.mass, a.moment + b.moment, second, summed_trace(a.trace, b.trace, second)};
 }
 
 /// scale a b' + b a', symmetric.
@@ -53,14 +61,29 @@ PseudoInertia<T> shifted(const Vector<T>& place, const PseudoInertia<T>& m) {
   return pseudo_inertia(m.mass, m.moment + m.mass * place, m.second + symmetric_product(m.moment + half, place));
 }
 
+/// Whether a unit vector is known to lie along a coordinate axis.
 template <class T>
-PseudoInertia<T> rotated(const Matrix<T>& r, const PseudoInertia<T>& m) {
-  const Symmetric<T>& k = m.second;
+bool is_coordinate_axis(const Vector<T>& a) {
+  return known_size(a.x) == 1.0 || known_size(a.y) == 1.0 || known_size(a.z) == 1.0;
+}
+
+/// r k r', one entry of the diagonal by the trace: the last one that r turns.
+template <class T>
+Symmetric<T> rotated_second(const Matrix<T>& r, const Symmetric<T>& k, const T& trace) {
   const Vector<T> row_x{r.x.x, r.y.x, r.z.x}, row_y{r.x.y, r.y.y, r.z.y}, row_z{r.x.z, r.y.z, r.z.z};
   const Vector<T> x = k * row_x, y = k * row_y;
-  const T xx = dot(row_x, x), yy = dot(row_y, y);
-  const Symmetric<T> second{xx, yy, m.trace - xx - yy, dot(row_y, x), dot(row_z, x), dot(row_z, y)};
-  return {m.mass, r * m.moment, second, m.trace};
+  const T xx = dot(row_x, x), xy = dot(row_y, x), xz = dot(row_z, x), yz = dot(row_z, y);
+  if (!is_coordinate_axis(row_z)) {
+    const T yy = dot(row_y, y);
+    return {xx, yy, trace - xx - yy, xy, xz, yz};
+  }
+  const T zz = dot(row_z, k * row_z);
+  return {xx, (trace - zz) - xx, zz, xy, xz, yz};
+}
+
+template <class T>
+PseudoInertia<T> rotated(const Matrix<T>& r, const PseudoInertia<T>& m) {
+  return {m.mass, r * m.moment, rotated_second(r, m.second, m.trace), m.trace};
 }
 
 /// Entries that cancelled but for rounding become zero.
@@ -86,11 +109,12 @@ PseudoInertia<T> centred(const PseudoInertia<T>& m) {
   return pseudo_inertia(m.mass, Vector<T>{}, entries_without_noise(m.second + square(-m.mass, com), m.trace));
 }
 
-/// J about the origin.
+/// J about the origin: tr(K) I - K by a trace that is a constant, else by sums of two entries.
 template <class T>
 Symmetric<T> inertia_matrix(const PseudoInertia<T>& m) {
   const Symmetric<T>& k = m.second;
-  return {m.trace - k.xx, m.trace - k.yy, m.trace - k.zz, -k.xy, -k.xz, -k.yz};
+  if (known_size(m.trace) > 0) return {m.trace - k.xx, m.trace - k.yy, m.trace - k.zz, -k.xy, -k.xz, -k.yz};
+  return {k.yy + k.zz, k.xx + k.zz, k.xx + k.yy, -k.xy, -k.xz, -k.yz};
 }
 
 /// Momentum about the origin of a motion about the origin.
@@ -100,14 +124,17 @@ Spatial<T> operator*(const PseudoInertia<T>& m, const Spatial<T>& motion) {
           cross(m.moment, motion.linear) + inertia_matrix(m) * motion.angular};
 }
 
-/// Force and moment that a field of accelerations a + g r takes.
+/// Force and moment that a field of accelerations a + g r takes. Where two entries across an axis are known to be
+/// opposite, the moment about it is that of an angular acceleration alone, by J.
 template <class T>
 Spatial<T> field_force(const PseudoInertia<T>& m, const Vector<T>& a, const Matrix<T>& g) {
-  const Symmetric<T>& k = m.second;
-  const Vector<T> kx{k.xx, k.xy, k.xz}, ky{k.xy, k.yy, k.yz}, kz{k.xz, k.yz, k.zz};
-  const Vector<T> row_x{g.x.x, g.y.x, g.z.x}, row_y{g.x.y, g.y.y, g.z.y}, row_z{g.x.z, g.y.z, g.z.z};
-  const Vector<T> moment{dot(row_z, ky) - dot(row_y, kz), dot(row_x, kz) - dot(row_z, kx),
-                         dot(row_y, kx) - dot(row_x, ky)};
+  const Symmetric<T>&k = m.second, j = inertia_matrix(m);
+  const auto across = [](const T& g_ab, const T& g_ba, const T& k_a, const T& k_b, const T& about) {
+    return is_zero(g_ab + g_ba) ? g_ab * about : g_ab * k_b - g_ba * k_a;
+  };
+  const Vector<T> moment{across(g.y.z, g.z.y, k.zz, k.yy, j.xx) + (g.z.z - g.y.y) * k.yz + g.x.z * k.xy - g.x.y * k.xz,
+                         across(g.z.x, g.x.z, k.xx, k.zz, j.yy) + (g.x.x - g.z.z) * k.xz + g.y.x * k.yz - g.y.z * k.xy,
+                         across(g.x.y, g.y.x, k.yy, k.xx, j.zz) + (g.y.y - g.x.x) * k.xy + g.z.y * k.xz - g.z.x * k.yz};
   return {m.mass * a + g * m.moment, cross(m.moment, a) + moment};
 }
 
