@@ -10,7 +10,6 @@
 #include "compiler/emit/text.hpp"
 #include "compiler/emit/tuned_text.hpp"
 #include "compiler/model/inputs.hpp"
-#include "compiler/passes/fewest_alive.hpp"
 
 namespace mbgen {
 namespace {
@@ -141,8 +140,9 @@ std::string batch_text(const EmitContext& context, const std::vector<ShapedProgr
       continue;  // of lanes that are alone
     ShapedProgram shaped = in_lanes(scalar);
     shaped.shape.constants = &constants;
-    const Program program = fewest_alive(*shaped.program);
-    programs += program_text(program, schedule(program), shaped.shape) + "\n";
+    programs +=
+        program_text(*shaped.program, schedule(*shaped.program, {.order = ValueOrder::fewest_alive}), shaped.shape) +
+        "\n";
     if (shaped.role == Role::derived_constants) programs += tuned_constructor_text(context.programs);
     if (shaped.role == Role::outputs || shaped.role == Role::derived_constants) continue;
     members += "  using " + shaped.shape.result + " = lanes::" + shaped.shape.result + "Of<Row>;\n" +

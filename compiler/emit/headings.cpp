@@ -9,6 +9,9 @@ namespace {
 /// Values of a section that come back to it for less than this have no heading of their own.
 constexpr std::size_t kShortestRun = 12;
 
+/// Values without a name have no heading of their owner for less than this.
+constexpr std::size_t kShortestOwnerRun = 8;
+
 }  // namespace
 
 Headings::Headings(const Program& program, const Schedule& schedule, const Titles& titles)
@@ -21,26 +24,31 @@ void Headings::start_part() {
   owner_.reset();
 }
 
-bool Headings::is_worth_heading(std::size_t i) const {
-  const Section section = section_of(i);
-  const std::size_t last = i + kShortestRun;
-  while (i < last && i < schedule_.order.size() && section_of(i) == section) ++i;
-  return i == last;
+bool Headings::goes_on(std::size_t i, std::size_t length, bool with_owner) const {
+  const Node& first = node_at(i);
+  for (std::size_t k = i; k < i + length; ++k)
+    if (k >= schedule_.order.size() || section_of(k) != first.section ||
+        (with_owner && node_at(k).owner != first.owner))
+      return false;
+  return true;
+}
+
+void Headings::write_section(const Node& node, PartText& part) {
+  const std::string title = titles_.section(node.section);
+  const bool again = !entered_.insert(node.section).second;
+  part.sections.push_back(title);
+  if (section_) part.body += "\n";
+  if (!title.empty()) add_comment(part, "--- " + comment_text(title) + (again ? ", continued" : "") + " ---");
+  section_ = node.section;
+  owner_.reset();
 }
 
 void Headings::write_before(std::size_t i, bool in_call, PartText& part) {
   const Node& node = node_at(i);
-  if (section_ != node.section) {
-    const std::string title = titles_.section(node.section);
-    if (section_ && entered_.contains(node.section) && !is_worth_heading(i)) return;
-    const bool again = !entered_.insert(node.section).second;
-    part.sections.push_back(title);
-    if (section_) part.body += "\n";
-    if (!title.empty()) add_comment(part, "--- " + comment_text(title) + (again ? ", continued" : "") + " ---");
-    section_ = node.section;
-    owner_.reset();
-  }
-  if (owner_ == node.owner || in_call) return;
+  const bool is_known = section_ && entered_.contains(node.section);
+  if (section_ != node.section && (!is_known || goes_on(i, kShortestRun, false))) write_section(node, part);
+  const bool is_worth_it = node.label >= 0 || goes_on(i, kShortestOwnerRun, true);
+  if (owner_ == node.owner || in_call || !is_worth_it) return;
   const std::string title = titles_.owner(node.owner);
   if (!title.empty()) add_comment(part, comment_text(title));
   owner_ = node.owner;

@@ -33,8 +33,10 @@ class Headings {
  private:
   const Node& node_at(std::size_t i) const { return program_.nodes[schedule_.order[i]]; }
   const Section& section_of(std::size_t i) const { return node_at(i).section; }
-  /// True when more than a few values of a section follow from place `i` on. The names of the others tell their step.
-  bool is_worth_heading(std::size_t i) const;
+  /// True when the values from place `i` on stay in its section, and with its owner, for so long. The names of others
+  /// tell their step.
+  bool goes_on(std::size_t i, std::size_t length, bool with_owner) const;
+  void write_section(const Node& node, PartText& part);
 
   const Program& program_;
   const Schedule& schedule_;

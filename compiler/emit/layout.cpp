@@ -279,12 +279,15 @@ ShapedProgram clocked_accelerations(const Programs& programs, const SolverLayout
 }
 
 ScheduleOptions schedule_options(const ProgramShape& shape, std::size_t roll_above) {
-  ScheduleOptions options{shape.clock.empty() ? Division::cheapest : Division::by_section, roll_above};
+  ScheduleOptions options{shape.clock.empty() ? Division::cheapest : Division::by_section, shape.order, roll_above};
   for (const Places* places : {&shape.inputs, &shape.outputs})
     for (const auto& [group, place] : *places)
       if (!place.array.empty()) options.indexed.insert(group);
   return options;
 }
+
+/// The programs whose time counts; the others, and the matrix form, keep the order of the steps of the method.
+static bool runs_in_every_step(Role role) { return role == Role::accelerations || role == Role::closure; }
 
 bool is_number(const std::string& scalar) { return scalar == "double" || scalar == "float"; }
 
@@ -314,6 +317,8 @@ std::vector<ShapedProgram> shaped_programs(const Programs& programs, const Solve
   }
   for (ShapedProgram& shaped : all) {
     shaped.shape.titles = titles;
+    if (programs.form == Form::recursive && runs_in_every_step(shaped.role))
+      shaped.shape.order = ValueOrder::fewest_alive;
     shaped.schedule = schedule(*shaped.program, schedule_options(shaped.shape, roll_above));
   }
   return all;

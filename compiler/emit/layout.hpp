@@ -76,6 +76,8 @@ struct ProgramShape {
   ConstantNames* constants = nullptr;
   /// Values after which mbgen::read_back() is called, 0: never.
   std::size_t read_back_after = 0;
+  /// Order of its values.
+  ValueOrder order = ValueOrder::by_section;
   /// Part of the file that defines the function, see file_parts.hpp.
   int file_part = 0;
 };

@@ -162,7 +162,7 @@ class ProgramWriter {
     const std::size_t start = schedule_.parts[unit.part].first;
     for (std::size_t i = unit.first; i < unit.last(); ++i) {
       const ValueId v = schedule_.order[i];
-      headings_.write_before(i, texts_.place_in_call(v).call >= 0, part);
+      if (!texts_.facts(v).is_inlined) headings_.write_before(i, texts_.place_in_call(v).call >= 0, part);
       write_value(unit, v, i > start ? schedule_.order[i - 1] : kNoValue, part);
       if (shape_.read_back_after > 0 && (i + 1 - start) % shape_.read_back_after == 0) {
         add_line(part, "mbgen::read_back();");

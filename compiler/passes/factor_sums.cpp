@@ -52,7 +52,7 @@ class SumWriter {
         const ValueId operand = user.operands[k];
         const Node& node = program_.nodes[operand];
         const bool fits = is_sum(node.op) || node.op == Op::multiply;
-        if (fits && uses_[operand] == 1 && node.label < 0 && node.section == user.section) absorbed_[operand] = true;
+        if (fits && uses_[operand] == 1 && node.label < 0) absorbed_[operand] = true;
       }
     }
   }
@@ -157,11 +157,19 @@ class SumWriter {
     }
   }
 
+  /// The value from which on a term is known. A sum takes its terms in this order: they need not wait for each other.
+  ValueId known_from(const Term& term) const {
+    ValueId last = 0;
+    for (const ValueId value : {term.first, term.second})
+      if (value != kNoValue && !builder_.is_constant(value)) last = std::max(last, value);
+    return last;
+  }
+
   ValueId write(std::vector<Term> terms) {
     cancel(terms);
     merge_constants(terms);
     factor(terms);
-    std::stable_partition(terms.begin(), terms.end(), [](const Term& t) { return !t.is_product(); });
+    std::ranges::stable_sort(terms, {}, [&](const Term& t) { return known_from(t); });
     if (terms.empty()) return builder_.constant(0);
     const auto first = std::find_if(terms.begin(), terms.end(), [](const Term& t) { return !t.negative; });
     if (first != terms.end()) std::rotate(terms.begin(), first, first + 1);

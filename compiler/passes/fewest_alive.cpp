@@ -18,9 +18,8 @@ struct Unit {
 std::vector<Unit> units_of(const Program& program) {
   std::vector<Unit> units;
   std::vector<std::uint32_t> unit_of(program.nodes.size());
-  for (ValueId v = 0; v < program.nodes.size(); ++v) {
+  for (const ValueId v : live_operations(program)) {
     const Node& node = program.nodes[v];
-    if (!is_operation(node)) continue;
     const auto place = static_cast<std::uint32_t>(units.size());
     unit_of[v] = place;
     Unit unit{v, {}, {}};
@@ -107,29 +106,13 @@ Order order_with_early_ends(const std::vector<Unit>& units, const Order& order) 
   return result;
 }
 
-/// The program with its operations in the order of their units.
-Program reordered(const Program& program, const std::vector<Unit>& units, const Order& order) {
-  std::vector<ValueId> places;
-  for (ValueId v = 0; v < program.nodes.size(); ++v)
-    if (!is_operation(program.nodes[v])) places.push_back(v);
-  for (const std::uint32_t u : order) places.push_back(units[u].value);
-  Program result = program;
-  std::vector<ValueId> renamed(program.nodes.size());
-  for (ValueId place = 0; place < places.size(); ++place) renamed[places[place]] = place;
-  for (ValueId place = 0; place < places.size(); ++place) {
-    Node node = program.nodes[places[place]];
-    for (int k = 0; k < arity(node.op); ++k) node.operands[k] = renamed[node.operands[k]];
-    result.nodes[place] = node;
-  }
-  for (OutputValue& output : result.outputs) output.value = renamed[output.value];
-  return verified(std::move(result));
-}
-
 }  // namespace
 
-Program fewest_alive(const Program& program) {
+std::vector<ValueId> fewest_alive(const Program& program) {
   const std::vector<Unit> units = units_of(program);
-  return reordered(program, units, order_with_early_ends(units, order_from_end(units)));
+  std::vector<ValueId> values;
+  for (const std::uint32_t u : order_with_early_ends(units, order_from_end(units))) values.push_back(units[u].value);
+  return values;
 }
 
 }  // namespace mbgen

@@ -21,12 +21,6 @@ Programs with_derived_constants(Programs programs) {
   return programs;
 }
 
-/// The matrix form keeps the order of the paper's steps.
-Programs with_short_lifetimes(Programs programs) {
-  if (programs.form == Form::recursive) programs.accelerations = shorten_lifetimes(programs.accelerations);
-  return programs;
-}
-
 constexpr Pass kPasses[] = {
     {"dead-values", "values that no output needs taken out", Lowered::whole, on_each<remove_dead_values>},
     {"divisions", "divisions by one value merged", Lowered::whole, on_each<merge_divisions>},
@@ -34,7 +28,6 @@ constexpr Pass kPasses[] = {
     {"optimised", "sums of what that left factored", Lowered::whole, on_each<factor_sums>},
     {"derived-constants", "what depends on parameters alone taken out", Lowered::lean, with_derived_constants},
     {"contraction", "products taken into sums, rounded once", Lowered::emitted, on_each<contract>},
-    {"lifetimes", "accelerations ordered for few registers", Lowered::emitted, with_short_lifetimes},
 };
 
 }  // namespace

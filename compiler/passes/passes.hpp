@@ -9,4 +9,3 @@
 #include "compiler/passes/fewest_alive.hpp"
 #include "compiler/passes/lower.hpp"
 #include "compiler/passes/merge_divisions.hpp"
-#include "compiler/passes/shorten_lifetimes.hpp"

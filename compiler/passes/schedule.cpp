@@ -66,15 +66,13 @@ void find_partners(const Program& program, Schedule& schedule) {
     }
 }
 
-/// Whether only the one user of a value, in the same slice and under the same heading, needs to know it.
+/// Whether only the one user of a value, in the same slice, needs to know it.
 bool can_be_inlined(const Program& program, const Schedule& schedule, const std::vector<bool>& is_output, ValueId v) {
   const ScheduledValue& value = schedule.value[v];
   const Node& node = program.nodes[v];
   if (value.users != 1 || value.crosses || value.partner != kNoValue || is_output[v] || node.label >= 0) return false;
-  const Node& user = program.nodes[value.user];
   const ScheduledValue& place = schedule.value[value.user];
-  const bool is_beside = !schedule.has_loops() || (place.unit == value.unit && place.slice == value.slice);
-  return is_beside && user.section == node.section && user.owner == node.owner;
+  return !schedule.has_loops() || (place.unit == value.unit && place.slice == value.slice);
 }
 
 /// The facts of the first slice become those of all: a value is inlined or unused where it is so in every slice.
@@ -153,7 +151,7 @@ Schedule schedule(const Program& program, const ScheduleOptions& options) {
   const Rolling rolling = options.division == Division::cheapest ? worthwhile_loops(program, options) : Rolling{};
   Schedule result;
   if (rolling.loops.empty()) {
-    result = straight_schedule(program, options.division);
+    result = straight_schedule(program, options.division, options.order);
     result.place_values(program);
   } else {
     result = rolled_schedule(program, rolling);

@@ -15,8 +15,8 @@ namespace mbgen {
 
 /// Values of a part: one function holds at least the first and at most the second number, unless the program is
 /// smaller. g++ takes 251 s for 22 000 statements in one function and 2 s in parts of this size, which run no slower.
-constexpr std::size_t kSmallestPart = 400;
-constexpr std::size_t kLargestPart = 1000;
+constexpr std::size_t kSmallestPart = 300;
+constexpr std::size_t kLargestPart = 600;
 
 /// Half-open range of places in Schedule::order.
 struct PlaceRange {
@@ -77,21 +77,28 @@ enum class Division {
   by_section  ///< at every end of a section, and inside long ones where the fewest values cross
 };
 
+/// In which order straight code stands.
+enum class ValueOrder {
+  by_section,   ///< that of the program, section after section where operands allow it
+  fewest_alive  ///< see fewest_alive.hpp
+};
+
 struct ScheduleOptions {
   Division division = Division::cheapest;
+  ValueOrder order = ValueOrder::by_section;
   /// Operations and outputs, together, above which equal subsystems become loops when that saves half of the text.
   std::size_t roll_above = std::numeric_limits<std::size_t>::max();
   std::set<SlotGroup> indexed = {};  ///< groups whose slots are an array in the text, see roll
 };
 
 /// Schedules a program.
-/// Straight code: the order is that of the program, with the sections one after the other where operands allow it, and
-/// the cosine of an angle right after its sine (or the other way round) where both are in one section; then
-/// gather_calls. The cheapest division has the fewest values that cross from one part to the next; a cut inside a
-/// section counts as kSectionCost more values, one between the two functions of an angle or inside a call for many
-/// arguments is never made. Results of such a call are in memory anyway and do not count as crossing.
-/// Loops: those of roll, in the order of the program, without calls for many arguments. Values that cross slices, loops
-/// or parts stand in one array, those of a slice side by side. The rule for loops is in docs/evidence/growth.md.
+/// Straight code: the order that is asked for, with the cosine of an angle right after its sine (or the other way
+/// round) where both are in one section; then gather_calls. The cheapest division has the fewest values that cross from
+/// one part to the next; a cut inside a section counts as kSectionCost more values, one between the two functions of an
+/// angle or inside a call for many arguments is never made. Results of such a call are in memory anyway and do not
+/// count as crossing. Loops: those of roll, in the order of the program, without calls for many arguments. Values that
+/// cross slices, loops or parts stand in one array, those of a slice side by side. The rule for loops is in
+/// docs/evidence/growth.md.
 Schedule schedule(const Program& program, const ScheduleOptions& options = {});
 
 }  // namespace mbgen

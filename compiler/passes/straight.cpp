@@ -5,6 +5,7 @@
 #include <map>
 #include <utility>
 
+#include "compiler/passes/fewest_alive.hpp"
 #include "compiler/passes/kinds.hpp"
 
 namespace mbgen {
@@ -122,9 +123,9 @@ std::vector<PlaceRange> section_ranges(const Program& program, const std::vector
 
 }  // namespace
 
-Schedule straight_schedule(const Program& program, Division division) {
-  std::vector<ValueId> order = live_operations(program);
-  sort_by_section(program, order);
+Schedule straight_schedule(const Program& program, Division division, ValueOrder wanted) {
+  std::vector<ValueId> order = wanted == ValueOrder::fewest_alive ? fewest_alive(program) : live_operations(program);
+  if (wanted == ValueOrder::by_section) sort_by_section(program, order);
   const std::vector<ValueId> partner = angle_partners(program, order);
   Schedule result;
   result.order = pair_angles(order, partner);

@@ -6,6 +6,6 @@
 namespace mbgen {
 
 /// Order, parts, calls and one unit a part; no facts of values.
-Schedule straight_schedule(const Program& program, Division division);
+Schedule straight_schedule(const Program& program, Division division, ValueOrder order);
 
 }  // namespace mbgen

@@ -103,7 +103,7 @@ void compute_accelerations(const Tuned& parameters, const Inputs& inputs, const 
   mbgen::sincos(z_coupler_pin, s1_2, s1_1);
   const double R_coupler_x_x = fnma(R_crank_x_z, s1_2, R_crank_x_x*s1_1);
   const double R_coupler_x_z = fma(R_crank_x_x, s1_2, R_crank_x_z*s1_1);
-  const double r_coupler_x = fma(p_coupler_pin_x, R_crank_x_x, p_coupler_pin_z*R_crank_x_z);
+  const double r_coupler_x = fma(p_coupler_pin_z, R_crank_x_z, p_coupler_pin_x*R_crank_x_x);
   const double r_coupler_z = fnma(p_coupler_pin_x, R_crank_x_z, p_coupler_pin_z*R_crank_x_x);
   // rocker: rocker_pin, revolute, ground
   const double z_rocker_pin = state.z[Coordinate::rocker_pin];
@@ -111,103 +111,94 @@ void compute_accelerations(const Tuned& parameters, const Inputs& inputs, const 
   mbgen::sincos(z_rocker_pin, R_rocker_x_z, R_rocker_x_x);
   // operations: 4 add, 8 multiply, 6 sin cos
 
-  // --- step 5: applied forces Q (48) ---
-  // return_spring
-  const double s5_1 = fma(p_rocker_S_x, R_rocker_x_x, p_rocker_S_z*R_rocker_x_z);
-  const double s5_2 = fnma(p_rocker_S_x, R_rocker_x_z, p_rocker_S_z*R_rocker_x_x);
-  const double s5_3 = 0.2 - s5_1;
-  const double s5_4 = p_ground_S_z - s5_2;
-  const double s5_5 = std::sqrt(fma(s5_3, s5_3, s5_4*s5_4));
-  const double tension_return_spring = (s5_5 - l0_return_spring)*parameters.k;
-  const double s5_6 = 1.0/s5_5*tension_return_spring;
-  const double s5_7 = fnma(s5_1, s5_4*s5_6, s5_2*(s5_3*s5_6));
-  // operations: 7 add, 12 multiply, 1 divide, 1 sqrt
-
   // --- step 2: closure Jacobian Phi_z and its factors (60), rocker_tip ---
   // rocker_tip
   const double s2_1 = fnma(p_rocker_C_x, R_rocker_x_z, p_rocker_C_z*R_rocker_x_x);
-  const double s2_2 = fma(p_rocker_C_x, R_rocker_x_x, p_rocker_C_z*R_rocker_x_z);
-  const double s2_3 = fma(p_coupler_C_x, R_coupler_x_x, p_coupler_C_z*R_coupler_x_z);
+  const double s2_2 = fma(p_coupler_C_z, R_coupler_x_z, p_coupler_C_x*R_coupler_x_x);
+  const double s2_3 = fma(p_rocker_C_z, R_rocker_x_z, p_rocker_C_x*R_rocker_x_x);
   const double s2_4 = fnma(p_coupler_C_x, R_coupler_x_z, p_coupler_C_z*R_coupler_x_x);
-  const double s2_5 = 1.0/s2_1;
-  const double s2_6 = s2_2*s2_5;
-  const double s2_7 = r_coupler_z + s2_4;
-  const double pivot_crank_pin = fms(s2_7, s2_6, r_coupler_x) - s2_3;
-  const double s2_8 = fms(s2_4, s2_6, s2_3);
+  const double s2_5 = r_coupler_z + s2_4;
+  const double s2_6 = 1.0/s2_1;
+  const double s2_7 = s2_3*s2_6;
+  const double zd_rocker_pin = state.zd[Coordinate::rocker_pin];
+  const double pivot_crank_pin = fms(s2_5, s2_7, r_coupler_x) - s2_2;
+  const double s2_8 = 1.0/pivot_crank_pin;
   const double s2_9 = 2.5000000000000004*std::abs(pivot_crank_pin);
   result.pivot[0] = mbgen::min(3.999888870509994*std::abs(s2_1), s2_9);
-  // operations: 8 add, 13 multiply, 1 divide, 3 other
 
-  // --- step 3: Rz (61), rocker_tip ---
-  const double s3_1 = 1.0/pivot_crank_pin;
-  const double s3_2 = s2_8*s3_1;
-  const double s3_3 = s2_5*fms(s2_7, s3_2, s2_4);
-  // operations: 1 add, 3 multiply, 1 divide
+  // --- step 5: applied forces Q (48) ---
+  const double s5_1 = fma(p_rocker_S_z, R_rocker_x_z, p_rocker_S_x*R_rocker_x_x);
+  const double s5_2 = fnma(p_rocker_S_x, R_rocker_x_z, p_rocker_S_z*R_rocker_x_x);
+  // return_spring
+  const double s5_3 = 0.2 - s5_1;
+  const double s5_4 = p_ground_S_z - s5_2;
+  const double s5_5 = std::sqrt(fma(s5_4, s5_4, s5_3*s5_3));
+  const double tension_return_spring = (s5_5 - l0_return_spring)*parameters.k;
+  const double s5_6 = 1.0/s5_5*tension_return_spring;
+  // operations: 6 add, 10 multiply, 1 divide, 1 sqrt
 
   // --- step 6: c and dRz/dt zd (62), rocker_tip ---
-  // coupler: coupler_pin, revolute, crank
   const double zd_crank_pin = state.zd[Coordinate::crank_pin];
   const double s6_1 = zd_crank_pin*zd_crank_pin;
-  const double s6_2 = r_coupler_z*s6_1;
-  // rocker_tip
-  const double zd_rocker_pin = state.zd[Coordinate::rocker_pin];
-  const double s6_3 = r_coupler_x*s6_1;
-  const double w_coupler_y = zd_crank_pin + state.zd[Coordinate::coupler_pin];
-  const double s6_4 = fms(zd_rocker_pin, zd_rocker_pin*s2_2, s6_3);
-  const double s6_5 = fnma(w_coupler_y, w_coupler_y*s2_3, s6_4);
-  const double s6_6 = fms(zd_rocker_pin, zd_rocker_pin*s2_1, s6_2);
-  const double s6_7 = s3_1*fma(s2_6, s6_5, fnma(w_coupler_y, w_coupler_y*s2_4, s6_6));
-  const double s6_8 = s2_5*fms(s2_7, s6_7, s6_5);
-  // operations: 7 add, 15 multiply
+  const double s6_2 = r_coupler_x*s6_1;
+  const double s6_3 = r_coupler_z*s6_1;
 
-  // --- step 7: inertias of the bodies and forces on joints, rocker_tip ---
-  // crank: crank_pin, revolute, ground
-  const double s7_1 = fma(h_crank_x, R_crank_x_x, h_crank_z*R_crank_x_z);
+  // --- step 4: velocities ---
   // coupler: coupler_pin, revolute, crank
-  const double s7_2 = fma(h_coupler_x, R_coupler_x_x, h_coupler_z*R_coupler_x_z);
-  const double s7_3 = fnma(h_coupler_x, R_coupler_x_z, h_coupler_z*R_coupler_x_x);
-  // rocker: rocker_pin, revolute, ground
-  const double s7_4 = fma(h_rocker_x, R_rocker_x_x, h_rocker_z*R_rocker_x_z);
-  // operations: 4 add, 8 multiply
+  const double w_coupler_y = zd_crank_pin + state.zd[Coordinate::coupler_pin];
+  // operations: 1 add
+  // operations: 8 add, 13 multiply, 2 divide, 3 other
+  const double s6_4 = fms(zd_rocker_pin, zd_rocker_pin*s2_3, s6_2);
+  const double s6_5 = fnma(w_coupler_y, w_coupler_y*s2_2, s6_4);
+
+  // --- step 3: Rz (61), rocker_tip ---
+  const double s3_1 = fms(s2_4, s2_7, s2_2)*s2_8;
+  const double s6_6 = fms(zd_rocker_pin, zd_rocker_pin*s2_1, s6_3);
+  const double s3_2 = s2_6*fms(s2_5, s3_1, s2_4);
+  // operations: 1 add, 3 multiply
+  const double s6_7 = w_coupler_y*w_coupler_y;
+  const double s6_8 = s2_8*fma(s2_7, s6_5, fnma(w_coupler_y, w_coupler_y*s2_4, s6_6));
 
   // --- step 8: elimination from the leaves to the root (63), rocker_tip ---
-  // crank: crank_pin, revolute, ground
+  const double s8_1 = fma(r_coupler_z, s6_8, s6_2);
+  const double s8_2 = fma(r_coupler_x, s6_8, -g_z - s6_3);
+  const double s6_9 = s2_6*fms(s2_5, s6_8, s6_5);
+  // operations: 6 add, 16 multiply
+  const double s8_3 = r_coupler_z*s3_1;
+  const double s8_4 = r_coupler_x*s3_1;
+  const double s8_5 = tau[Coordinate::rocker_pin] + fnma(s5_1, s5_4*s5_6, s5_2*(s5_3*s5_6));
+  const double s7_1 = fma(h_rocker_z, R_rocker_x_z, h_rocker_x*R_rocker_x_x);
+
+  // --- step 7: inertias of the bodies and forces on joints, rocker_tip ---
+  const double s7_2 = fma(h_coupler_z, R_coupler_x_z, h_coupler_x*R_coupler_x_x);
+  const double s7_3 = fnma(h_coupler_x, R_coupler_x_z, h_coupler_z*R_coupler_x_x);
+  // operations: 4 add, 8 multiply
+
+  // --- step 8: elimination from the leaves to the root (63), rocker_tip, continued ---
   // coupler: coupler_pin, revolute, crank
-  const double s8_1 = w_coupler_y*w_coupler_y;
-  const double s8_2 = 1.0 - s3_2;
-  const double s8_3 = r_coupler_z*s3_2;
-  const double s8_4 = r_coupler_x*s3_2;
-  const double s8_5 = fnma(s7_2, s8_4, fnma(s7_3, s8_3, 0.0729*s8_2));
+  const double f_coupler_z = fma(m_coupler, s8_2, fnma(s6_7, s7_3, s6_8*s7_2));
+  const double s8_6 = fma(m_coupler, s8_1, fma(s6_8, s7_3, s6_7*s7_2));
+  const double s8_7 = 1.0 - s3_1;
+  const double s8_8 = fnma(s8_4, f_coupler_z, fnma(s8_3, s8_6, tau[Coordinate::coupler_pin]));
+  const double s8_9 = fma(s8_4, fnma(s7_2, s8_7, m_coupler*s8_4), s3_2*(0.02195*s3_2));
+  const double s8_10 = fnma(s8_3, fnma(m_coupler, s8_3, s7_3*s8_7), s8_9);
   // crank: crank_pin, revolute, ground
-  const double s8_6 = fma(-g_z, s7_1, inputs.torque + tau[Coordinate::crank_pin]);
-  const double s8_7 = fma(0.00302, s6_7, s8_6);
-  const double s8_8 = fma(0.02195, s6_8, fma(-g_z, s7_4, s5_7 + tau[Coordinate::rocker_pin]));
-  // rocker: rocker_pin, revolute, ground
-  const double s8_9 = s3_3*(0.02195*s3_3);
-  // coupler: coupler_pin, revolute, crank
-  const double s8_10 = fnma(s7_2, s8_2, m_coupler*s8_4);
-  const double s8_11 = fnma(m_coupler, s8_3, s7_3*s8_2);
-  // crank: crank_pin, revolute, ground
-  const double s8_12 = fma(s8_2, s8_5, fnma(s8_3, s8_11, fma(s8_4, s8_10, s8_9)));
-  const double pivot_coupler_pin = fma(s3_2, 0.00302*s3_2, s8_12);
-  // coupler: coupler_pin, revolute, crank
-  const double s8_13 = fma(r_coupler_z, s6_7, s6_3);
-  const double s8_14 = fma(r_coupler_x, s6_7, -g_z - s6_2);
-  const double f_coupler_z = fma(m_coupler, s8_14, fnma(s8_1, s7_3, s6_7*s7_2));
-  const double s8_15 = fnma(s8_4, f_coupler_z, tau[Coordinate::coupler_pin]);
-  const double s8_16 = fnma(s8_3, fma(m_coupler, s8_13, fma(s6_7, s7_3, s8_1*s7_2)), s8_15);
-  const double s8_17 = fma(s8_2, fma(0.0729, s6_7, fma(s7_2, s8_14, s7_3*s8_13)), s8_16);
-  const double s8_18 = fnma(s3_3, s8_8, fnma(s3_2, s8_7, s8_17));
+  const double s8_11 = fma(s8_7, fnma(s7_3, s8_3, fnma(s7_2, s8_4, 0.0729*s8_7)), s8_10);
+  const double pivot_coupler_pin = fma(s3_1, 0.00302*s3_1, s8_11);
+  const double s8_12 = fma(0.00302, s6_8, inputs.torque + tau[Coordinate::crank_pin]);
+  const double s8_13 = fma(-g_z, fma(h_crank_z, R_crank_x_z, h_crank_x*R_crank_x_x), s8_12);
+  const double s8_14 = fma(s8_7, fma(s7_2, s8_2, fma(s7_3, s8_1, 0.0729*s6_8)), s8_8);
+  const double s8_15 = fma(-g_z, s7_1, fma(0.02195, s6_9, s8_5));
   result.inertia[0] = fnma(1e-12, pivot_coupler_pin, pivot_coupler_pin);
-  // operations: 30 add, 38 multiply
+  // operations: 31 add, 39 multiply, 1 divide
 
   // --- step 9: accelerations from the root to the leaves (63), (62) ---
-  // rocker: rocker_pin, revolute, ground
-  const double s9_1 = s8_18*(1.0/pivot_coupler_pin);
+  const double s9_1 = fnma(s3_2, s8_15, fnma(s3_1, s8_13, s8_14))*(1.0/pivot_coupler_pin);
   result.zdd[Coordinate::coupler_pin] = s9_1;
-  result.zdd[Coordinate::crank_pin] = -fma(s3_2, s9_1, s6_7);
-  result.zdd[Coordinate::rocker_pin] = -fma(s3_3, s9_1, s6_8);
-  // operations: 2 add, 3 multiply, 1 divide
+  // rocker: rocker_pin, revolute, ground
+  result.zdd[Coordinate::crank_pin] = -fma(s3_1, s9_1, s6_8);
+  result.zdd[Coordinate::rocker_pin] = -fma(s3_2, s9_1, s6_9);
+  // operations: 2 add, 3 multiply
 }
 
 /// Result of compute_closure.
@@ -239,7 +230,7 @@ void compute_closure(const Tuned& /*parameters*/, const Inputs& /*inputs*/, cons
   mbgen::sincos(z_coupler_pin, s1_2, s1_1);
   const double R_coupler_x_x = fnma(R_crank_x_z, s1_2, R_crank_x_x*s1_1);
   const double R_coupler_x_z = fma(R_crank_x_x, s1_2, R_crank_x_z*s1_1);
-  const double r_coupler_x = fma(p_coupler_pin_x, R_crank_x_x, p_coupler_pin_z*R_crank_x_z);
+  const double r_coupler_x = fma(p_coupler_pin_z, R_crank_x_z, p_coupler_pin_x*R_crank_x_x);
   const double r_coupler_z = fnma(p_coupler_pin_x, R_crank_x_z, p_coupler_pin_z*R_crank_x_x);
   // rocker: rocker_pin, revolute, ground
   const double z_rocker_pin = state.z[Coordinate::rocker_pin];
@@ -250,33 +241,32 @@ void compute_closure(const Tuned& /*parameters*/, const Inputs& /*inputs*/, cons
   // --- step 2: closure Jacobian Phi_z and its factors (60) ---
   // rocker_tip
   const double s2_1 = fnma(p_rocker_C_x, R_rocker_x_z, p_rocker_C_z*R_rocker_x_x);
-  const double s2_2 = fma(p_coupler_C_x, R_coupler_x_x, p_coupler_C_z*R_coupler_x_z);
-  const double s2_3 = fma(p_rocker_C_x, R_rocker_x_x, p_rocker_C_z*R_rocker_x_z);
-  const double s2_4 = fnma(p_coupler_C_x, R_coupler_x_z, p_coupler_C_z*R_coupler_x_x);
-  const double s2_5 = r_coupler_x + s2_2;
-  const double s2_6 = s2_5 - s2_3 - p_rocker_pin_x;
-  result.residual[0] = s2_6;
-  const double s2_7 = r_coupler_z + s2_4;
-  const double s2_8 = s2_7 - s2_1;
+  const double s2_2 = fma(p_rocker_C_z, R_rocker_x_z, p_rocker_C_x*R_rocker_x_x);
+  const double s2_3 = fma(p_coupler_C_z, R_coupler_x_z, p_coupler_C_x*R_coupler_x_x);
+  const double s2_4 = r_coupler_x + s2_3;
+  const double s2_5 = fnma(p_coupler_C_x, R_coupler_x_z, p_coupler_C_z*R_coupler_x_x);
+  const double zd_coupler_pin = state.zd[Coordinate::coupler_pin];
+  const double s2_6 = r_coupler_z + s2_5;
+
+  // --- step 4: velocities ---
+  const double s4_1 = zd_coupler_pin*s2_5;
+  const double s2_7 = 1.0/s2_1;
+  const double s2_8 = s2_6 - s2_1;
   result.residual[2] = s2_8;
-  const double s2_9 = 1.0/s2_1;
-  const double s2_10 = s2_3*s2_9;
-  const double pivot_crank_pin = fms(s2_7, s2_10, s2_5);
+  const double s2_9 = s2_2*s2_7;
+  const double pivot_crank_pin = fms(s2_6, s2_9, s2_4);
+  const double s2_10 = s2_4 - p_rocker_pin_x - s2_2;
+  result.residual[0] = s2_10;
   const double s2_11 = 1.0/pivot_crank_pin;
+  const double s4_2 = s2_11*fma(s2_10, s2_9, s2_8);
+  const double s4_3 = s2_11*fnma(s2_9, s4_1, zd_coupler_pin*s2_3);
+  result.zd[Coordinate::crank_pin] = s4_3;
   const double s2_12 = 2.5000000000000004*std::abs(pivot_crank_pin);
   result.pivot[0] = mbgen::min(3.999888870509994*std::abs(s2_1), s2_12);
   // operations: 10 add, 12 multiply, 2 divide, 3 other
-
-  // --- step 4: velocities ---
-  // loop block 0
-  const double zd_coupler_pin = state.zd[Coordinate::coupler_pin];
-  const double s4_1 = zd_coupler_pin*s2_4;
-  const double s4_2 = s2_11*fma(s2_6, s2_10, s2_8);
   result.dz[Coordinate::crank_pin] = -s4_2;
-  const double s4_3 = s2_11*fnma(s2_10, s4_1, zd_coupler_pin*s2_2);
-  result.zd[Coordinate::crank_pin] = s4_3;
-  result.zd[Coordinate::rocker_pin] = s2_9*fma(s2_7, s4_3, s4_1);
-  result.dz[Coordinate::rocker_pin] = -(s2_9*fms(s2_7, s4_2, s2_6));
+  result.zd[Coordinate::rocker_pin] = s2_7*fma(s2_6, s4_3, s4_1);
+  result.dz[Coordinate::rocker_pin] = -(s2_7*fms(s2_6, s4_2, s2_10));
   // operations: 4 add, 10 multiply
 }
 
@@ -331,17 +321,15 @@ void compute_multipliers(const Tuned& parameters, const Inputs& inputs, const St
   const double s5_4 = fms(p_rocker_S_z, R_rocker_x_x, s5_1);
   const double s5_5 = 0.2 - s5_3;
   const double s5_6 = p_ground_S_z - s5_4;
-  const double s5_7 = std::sqrt(fma(s5_5, s5_5, s5_6*s5_6));
+  const double s5_7 = std::sqrt(fma(s5_6, s5_6, s5_5*s5_5));
   const double tension_return_spring = (s5_7 - l0_return_spring)*parameters.k;
   const double s5_8 = 1.0/s5_7*tension_return_spring;
-  const double s5_9 = fnma(s5_3, s5_6*s5_8, s5_4*(s5_5*s5_8));
-  // operations: 7 add, 12 multiply, 1 divide, 1 sqrt
+  // operations: 6 add, 10 multiply, 1 divide, 1 sqrt
 
   // --- step 7: inertias of the bodies and forces on joints ---
-  // crank: crank_pin, revolute, ground
   const double s7_1 = zd_crank_pin*zd_crank_pin;
-  // coupler: coupler_pin, revolute, crank
   const double zdd_crank_pin = derivative.zdd[Coordinate::crank_pin];
+  // coupler: coupler_pin, revolute, crank
   const double a_coupler_x = fnma(r_coupler_x, s7_1, zdd_crank_pin*r_coupler_z);
   const double a_coupler_z = fnma(r_coupler_z, s7_1, fnma(zdd_crank_pin, r_coupler_x, -g_z));
   const double alpha_coupler_y = zdd_crank_pin + derivative.zdd[Coordinate::coupler_pin];
@@ -352,17 +340,17 @@ void compute_multipliers(const Tuned& parameters, const Inputs& inputs, const St
   const double s7_4 = fms(c_rocker_z, R_rocker_x_x, s5_1);
   const double s7_5 = fma(c_rocker_z, R_rocker_x_z, s5_2);
   const double zdd_rocker_pin = derivative.zdd[Coordinate::rocker_pin];
-  const double s7_6 = m_rocker*fnma(s7_3, s7_5, zdd_rocker_pin*s7_4);
-  const double s7_7 = m_rocker*fnma(s7_3, s7_4, fnma(zdd_rocker_pin, s7_5, -g_z));
-  const double s7_8 = fma(s7_4, s7_6, fms(I_rocker_yy, zdd_rocker_pin, s5_9));
-  const double n_rocker_y = fnma(s7_5, s7_7, s7_8);
+  const double s7_6 = fnma(s5_4, s5_5*s5_8, fma(s5_3, s5_6*s5_8, I_rocker_yy*zdd_rocker_pin));
+  const double s7_7 = fma(s7_4, m_rocker*fnma(s7_3, s7_5, zdd_rocker_pin*s7_4), s7_6);
+  const double s7_8 = m_rocker*fnma(zdd_rocker_pin, s7_5, fnma(s7_3, s7_4, -g_z));
+  const double n_rocker_y = fnma(s7_5, s7_8, s7_7);
   const double Q_rocker_pin = tau[Coordinate::rocker_pin] - n_rocker_y;
   result.missing[2] = Q_rocker_pin;
   // coupler: coupler_pin, revolute, crank
   const double s7_9 = fnma(c_coupler_x, R_coupler_x_z, c_coupler_z*R_coupler_x_x);
-  const double s7_10 = fma(c_coupler_x, R_coupler_x_x, c_coupler_z*R_coupler_x_z);
+  const double s7_10 = fma(c_coupler_z, R_coupler_x_z, c_coupler_x*R_coupler_x_x);
   const double f_coupler_x = m_coupler*fnma(s7_2, s7_10, fma(alpha_coupler_y, s7_9, a_coupler_x));
-  const double f_coupler_z = m_coupler*fnma(s7_2, s7_9, fnma(alpha_coupler_y, s7_10, a_coupler_z));
+  const double f_coupler_z = m_coupler*fnma(alpha_coupler_y, s7_10, fnma(s7_2, s7_9, a_coupler_z));
   const double s7_11 = fma(s7_9, f_coupler_x, I_coupler_yy*alpha_coupler_y);
   const double n_coupler_y = fnma(s7_10, f_coupler_z, s7_11);
   result.missing[1] = tau[Coordinate::coupler_pin] - n_coupler_y;
@@ -370,29 +358,28 @@ void compute_multipliers(const Tuned& parameters, const Inputs& inputs, const St
   const double s7_12 = fms(c_crank_z, R_crank_x_x, s1_3);
   const double s7_13 = fma(c_crank_z, R_crank_x_z, s1_4);
   const double f_crank_x = m_crank*fnma(s7_1, s7_13, zdd_crank_pin*s7_12);
-  const double f_crank_z = m_crank*fnma(s7_1, s7_12, fnma(zdd_crank_pin, s7_13, -g_z));
+  const double f_crank_z = m_crank*fnma(zdd_crank_pin, s7_13, fnma(s7_1, s7_12, -g_z));
   const double n_crank_y = fnma(s7_13, f_crank_z, fma(s7_12, f_crank_x, I_crank_yy*zdd_crank_pin));
-  const double s7_14 = inputs.torque + tau[Coordinate::crank_pin] - n_coupler_y - n_crank_y;
-  const double Q_crank_pin = fma(r_coupler_x, f_coupler_z, fnma(r_coupler_z, f_coupler_x, s7_14));
+  const double s7_14 = inputs.torque + tau[Coordinate::crank_pin];
+  const double s7_15 = fma(r_coupler_x, f_coupler_z, fnma(r_coupler_z, f_coupler_x, s7_14));
+  const double Q_crank_pin = s7_15 - n_coupler_y - n_crank_y;
   result.missing[0] = Q_crank_pin;
-  // operations: 34 add, 44 multiply
+  // operations: 35 add, 46 multiply
 
   // --- step 9: multipliers of the closures and driving forces ---
-  // rocker_tip
   const double s9_1 = fnma(p_rocker_C_x, R_rocker_x_z, p_rocker_C_z*R_rocker_x_x);
-  const double s9_2 = fma(p_rocker_C_x, R_rocker_x_x, p_rocker_C_z*R_rocker_x_z);
-  const double s9_3 = fma(p_coupler_C_z, R_coupler_x_x, r_coupler_z);
-  const double s9_4 = fnma(p_coupler_C_x, R_coupler_x_z, s9_3);
-  const double s9_5 = 1.0/s9_1;
-  const double s9_6 = s9_2*s9_5;
-  const double s9_7 = fnma(p_coupler_C_z, R_coupler_x_z, fms(s9_4, s9_6, r_coupler_x));
-  const double pivot_crank_pin = fnma(p_coupler_C_x, R_coupler_x_x, s9_7);
-  const double s9_8 = 2.5000000000000004*std::abs(pivot_crank_pin);
-  result.pivot[0] = mbgen::min(3.999888870509994*std::abs(s9_1), s9_8);
-  const double s9_9 = Q_rocker_pin*s9_5;
-  const double s9_10 = 1.0/pivot_crank_pin*fma(s9_4, s9_9, Q_crank_pin);
-  result.lambda[2] = s9_10;
-  result.lambda[0] = fms(s9_6, s9_10, s9_9);
+  const double s9_2 = fnma(p_coupler_C_x, R_coupler_x_z, p_coupler_C_z*R_coupler_x_x);
+  const double s9_3 = r_coupler_z + s9_2;
+  const double s9_4 = 1.0/s9_1;
+  const double s9_5 = fma(p_rocker_C_z, R_rocker_x_z, p_rocker_C_x*R_rocker_x_x)*s9_4;
+  const double s9_6 = fnma(p_coupler_C_x, R_coupler_x_x, s9_3*s9_5);
+  const double pivot_crank_pin = fnma(p_coupler_C_z, R_coupler_x_z, s9_6) - r_coupler_x;
+  const double s9_7 = 2.5000000000000004*std::abs(pivot_crank_pin);
+  result.pivot[0] = mbgen::min(3.999888870509994*std::abs(s9_1), s9_7);
+  const double s9_8 = Q_rocker_pin*s9_4;
+  const double s9_9 = 1.0/pivot_crank_pin*fma(s9_3, s9_8, Q_crank_pin);
+  result.lambda[2] = s9_9;
+  result.lambda[0] = fms(s9_5, s9_9, s9_8);
   // operations: 9 add, 16 multiply, 2 divide, 3 other
 }
 
@@ -427,7 +414,7 @@ void compute_closure_terms(const Tuned& /*parameters*/, const Inputs& /*inputs*/
   mbgen::sincos(z_coupler_pin, s1_2, s1_1);
   const double R_coupler_x_x = fnma(R_crank_x_z, s1_2, R_crank_x_x*s1_1);
   const double R_coupler_x_z = fma(R_crank_x_x, s1_2, R_crank_x_z*s1_1);
-  const double r_coupler_x = fma(p_coupler_pin_x, R_crank_x_x, p_coupler_pin_z*R_crank_x_z);
+  const double r_coupler_x = fma(p_coupler_pin_z, R_crank_x_z, p_coupler_pin_x*R_crank_x_x);
   const double r_coupler_z = fnma(p_coupler_pin_x, R_crank_x_z, p_coupler_pin_z*R_crank_x_x);
   // rocker: rocker_pin, revolute, ground
   const double z_rocker_pin = state.z[Coordinate::rocker_pin];
@@ -436,22 +423,20 @@ void compute_closure_terms(const Tuned& /*parameters*/, const Inputs& /*inputs*/
   // operations: 4 add, 8 multiply, 6 sin cos
 
   // --- step 2: closure Jacobian Phi_z and its factors (60) ---
-  // coupler: coupler_pin, revolute, crank
   const double zd_crank_pin = state.zd[Coordinate::crank_pin];
   const double s2_1 = zd_crank_pin + state.zd[Coordinate::coupler_pin];
-  // crank: crank_pin, revolute, ground
   const double s2_2 = zd_crank_pin*zd_crank_pin;
   // rocker_tip
-  const double s2_3 = fma(p_coupler_C_x, R_coupler_x_x, p_coupler_C_z*R_coupler_x_z);
+  const double s2_3 = fma(p_coupler_C_z, R_coupler_x_z, p_coupler_C_x*R_coupler_x_x);
   result.Jz[7] = -s2_3;
-  const double s2_4 = fma(p_rocker_C_x, R_rocker_x_x, p_rocker_C_z*R_rocker_x_z);
+  const double s2_4 = fma(p_rocker_C_z, R_rocker_x_z, p_rocker_C_x*R_rocker_x_x);
   result.Jz[8] = s2_4;
   const double s2_5 = fnma(p_coupler_C_x, R_coupler_x_z, p_coupler_C_z*R_coupler_x_x);
   result.Jz[1] = s2_5;
   const double s2_6 = fnma(p_rocker_C_x, R_rocker_x_z, p_rocker_C_z*R_rocker_x_x);
   result.Jz[2] = -s2_6;
   const double s2_7 = r_coupler_x + s2_3;
-  result.Phi[0] = s2_7 - s2_4 - p_rocker_pin_x;
+  result.Phi[0] = s2_7 - p_rocker_pin_x - s2_4;
   const double s2_8 = r_coupler_z + s2_5;
   result.Jz[0] = s2_8;
   result.Phi[2] = s2_8 - s2_6;
@@ -486,7 +471,7 @@ void compute_chosen_accelerations(const Tuned& parameters, const Inputs& inputs,
   mbgen::sincos(z_coupler_pin, s1_2, s1_1);
   const double R_coupler_x_x = fnma(R_crank_x_z, s1_2, R_crank_x_x*s1_1);
   const double R_coupler_x_z = fma(R_crank_x_x, s1_2, R_crank_x_z*s1_1);
-  const double r_coupler_x = fma(p_coupler_pin_x, R_crank_x_x, p_coupler_pin_z*R_crank_x_z);
+  const double r_coupler_x = fma(p_coupler_pin_z, R_crank_x_z, p_coupler_pin_x*R_crank_x_x);
   const double r_coupler_z = fnma(p_coupler_pin_x, R_crank_x_z, p_coupler_pin_z*R_crank_x_x);
   // rocker: rocker_pin, revolute, ground
   const double z_rocker_pin = state.z[Coordinate::rocker_pin];
@@ -502,71 +487,59 @@ void compute_chosen_accelerations(const Tuned& parameters, const Inputs& inputs,
 
   // --- step 5: applied forces Q (48) ---
   // return_spring
-  const double s5_1 = fma(p_rocker_S_x, R_rocker_x_x, p_rocker_S_z*R_rocker_x_z);
+  const double s5_1 = fma(p_rocker_S_z, R_rocker_x_z, p_rocker_S_x*R_rocker_x_x);
   const double s5_2 = fnma(p_rocker_S_x, R_rocker_x_z, p_rocker_S_z*R_rocker_x_x);
   const double s5_3 = 0.2 - s5_1;
   const double s5_4 = p_ground_S_z - s5_2;
-  const double s5_5 = std::sqrt(fma(s5_3, s5_3, s5_4*s5_4));
+  const double s5_5 = std::sqrt(fma(s5_4, s5_4, s5_3*s5_3));
   const double tension_return_spring = (s5_5 - l0_return_spring)*parameters.k;
   const double s5_6 = 1.0/s5_5*tension_return_spring;
-  const double s5_7 = fnma(s5_1, s5_4*s5_6, s5_2*(s5_3*s5_6));
-  // operations: 7 add, 12 multiply, 1 divide, 1 sqrt
-
-  // --- step 7: inertias of the bodies and forces on joints ---
-  const double s7_1 = inputs.torque + tau[Coordinate::crank_pin];
-  // operations: 1 add
+  // operations: 6 add, 10 multiply, 1 divide, 1 sqrt
 
   // --- step 6: c and dRz/dt zd (62), rocker_tip ---
-  // crank: crank_pin, revolute, ground
   const double s6_1 = zd_crank_pin*zd_crank_pin;
-  // coupler: coupler_pin, revolute, crank
-  const double s6_2 = r_coupler_x*s6_1;
-  const double s6_3 = w_coupler_y*w_coupler_y;
-  // operations: 3 multiply
+  const double s6_2 = w_coupler_y*w_coupler_y;
+  // operations: 2 multiply
 
   // --- step 7: inertias of the bodies and forces on joints, rocker_tip ---
-  // crank: crank_pin, revolute, ground
-  const double s7_2 = fma(h_crank_x, R_crank_x_x, h_crank_z*R_crank_x_z);
-  // coupler: coupler_pin, revolute, crank
-  const double s7_3 = fma(h_coupler_x, R_coupler_x_x, h_coupler_z*R_coupler_x_z);
-  const double s7_4 = fnma(h_coupler_x, R_coupler_x_z, h_coupler_z*R_coupler_x_x);
-  // rocker: rocker_pin, revolute, ground
-  const double s7_5 = fma(h_rocker_x, R_rocker_x_x, h_rocker_z*R_rocker_x_z);
+  const double s7_1 = fma(h_coupler_z, R_coupler_x_z, h_coupler_x*R_coupler_x_x);
+  const double s7_2 = fnma(h_coupler_x, R_coupler_x_z, h_coupler_z*R_coupler_x_x);
   // operations: 4 add, 8 multiply
 
   // --- step 8: elimination from the leaves to the root (63), rocker_tip ---
-  // coupler: coupler_pin, revolute, crank
   const double s8_1 = projection.Rz[0] + projection.Rz[1];
   const double s8_2 = r_coupler_z*projection.Rz[0];
   const double s8_3 = r_coupler_x*projection.Rz[0];
   const double s8_4 = projection.zdd_star[0] + projection.zdd_star[1];
+  const double s8_5 = fnma(s5_2, s5_3*s5_6, s5_1*(s5_4*s5_6));
   // rocker: rocker_pin, revolute, ground
-  const double n_rocker_y = fnma(-g_z, s7_5, fms(0.02195, projection.zdd_star[2], s5_7));
-  const double s8_5 = 0.02195*projection.Rz[2];
+  const double s7_3 = fma(h_rocker_z, R_rocker_x_z, h_rocker_x*R_rocker_x_x);
+  const double n_rocker_y = fnma(-g_z, s7_3, fma(0.02195, projection.zdd_star[2], s8_5));
   // coupler: coupler_pin, revolute, crank
-  const double s8_6 = fms(r_coupler_z, projection.zdd_star[0], s6_2);
-  const double f_coupler_x = fma(m_coupler, s8_6, fnma(s6_3, s7_3, s7_4*s8_4));
-  const double s8_7 = fnma(r_coupler_x, projection.zdd_star[0], fnma(r_coupler_z, s6_1, -g_z));
-  const double f_coupler_z = fnma(s7_3, s8_4, fnma(s6_3, s7_4, m_coupler*s8_7));
-  const double n_coupler_y = fma(0.0729, s8_4, fnma(s7_3, s8_7, s7_4*s8_6));
-  const double s8_8 = fma(m_coupler, s8_2, s7_4*s8_1);
-  const double s8_9 = fma(m_coupler, s8_3, s7_3*s8_1);
-  const double s8_10 = fma(0.0729, s8_1, fma(s7_4, s8_2, s7_3*s8_3));
+  const double s8_6 = fnma(r_coupler_x, s6_1, r_coupler_z*projection.zdd_star[0]);
+  const double f_coupler_x = fma(m_coupler, s8_6, fnma(s6_2, s7_1, s7_2*s8_4));
+  const double s8_7 = fnma(r_coupler_z, s6_1, fnma(r_coupler_x, projection.zdd_star[0], -g_z));
+  const double f_coupler_z = fnma(s7_1, s8_4, fnma(s6_2, s7_2, m_coupler*s8_7));
+  const double n_coupler_y = fnma(s7_1, s8_7, fma(s7_2, s8_6, 0.0729*s8_4));
   // crank: crank_pin, revolute, ground
-  const double n_crank_y = fnma(-g_z, s7_2, 0.00302*projection.zdd_star[0]);
-  const double s8_11 = fnma(s8_1, n_coupler_y, projection.Rz[1]*tau[Coordinate::coupler_pin]);
-  const double s8_12 = fma(s8_3, f_coupler_z, fnma(s8_2, f_coupler_x, s8_11));
-  const double s8_13 = fma(projection.Rz[0], s7_1 - n_crank_y, s8_12);
-  const double s8_14 = fma(projection.Rz[2], tau[Coordinate::rocker_pin] - n_rocker_y, s8_13);
-  const double s8_15 = fma(s8_2, s8_8, fma(s8_3, s8_9, projection.Rz[2]*s8_5));
-  const double s8_16 = fma(projection.Rz[0], 0.00302*projection.Rz[0], fma(s8_1, s8_10, s8_15));
-  const double s8_17 = 1.0/s8_16;
+  const double s7_4 = fma(h_crank_z, R_crank_x_z, h_crank_x*R_crank_x_x);
+  const double n_crank_y = fnma(-g_z, s7_4, 0.00302*projection.zdd_star[0]);
+  const double s8_8 = fnma(s8_2, f_coupler_x, projection.Rz[1]*tau[Coordinate::coupler_pin]);
+  const double s8_9 = inputs.torque + tau[Coordinate::crank_pin] - n_crank_y;
+  const double s8_10 = fnma(s8_1, n_coupler_y, fma(s8_3, f_coupler_z, s8_8));
+  const double s8_11 = tau[Coordinate::rocker_pin] - n_rocker_y;
+  const double s8_12 = projection.Rz[2]*(0.02195*projection.Rz[2]);
+  const double s8_13 = fma(s8_2, fma(m_coupler, s8_2, s7_2*s8_1), s8_12);
+  const double s8_14 = fma(s8_3, fma(m_coupler, s8_3, s7_1*s8_1), s8_13);
+  const double s8_15 = fma(s8_1, fma(s7_1, s8_3, fma(s7_2, s8_2, 0.0729*s8_1)), s8_14);
+  const double s8_16 = fma(projection.Rz[0], 0.00302*projection.Rz[0], s8_15);
   result.inertia[0] = fnma(1e-12, s8_16, s8_16);
-  // operations: 30 add, 39 multiply, 1 divide
+  // operations: 32 add, 42 multiply, 1 divide
 
   // --- step 9: accelerations from the root to the leaves (63), (62) ---
+  const double s8_17 = fma(projection.Rz[2], s8_11, fma(projection.Rz[0], s8_9, s8_10));
+  const double s9_1 = s8_17*(1.0/s8_16);
   // rocker: rocker_pin, revolute, ground
-  const double s9_1 = s8_14*s8_17;
   result.zdd[Coordinate::crank_pin] = fma(projection.Rz[0], s9_1, projection.zdd_star[0]);
   result.zdd[Coordinate::rocker_pin] = fma(projection.Rz[2], s9_1, projection.zdd_star[2]);
   result.zdd[Coordinate::coupler_pin] = fma(projection.Rz[1], s9_1, projection.zdd_star[1]);
@@ -604,10 +577,9 @@ void compute_outputs(const Tuned& parameters, const Inputs& inputs, const State&
   // coupler: coupler_pin, revolute, crank
   const double zd_crank_pin = state.zd[Coordinate::crank_pin];
   const double v_coupler_x = zd_crank_pin*r_coupler_z;
-  const double s4_1 = zd_crank_pin*r_coupler_x;
   const double zd_coupler_pin = state.zd[Coordinate::coupler_pin];
   const double w_coupler_y = zd_crank_pin + zd_coupler_pin;
-  // operations: 1 add, 2 multiply
+  // operations: 1 add, 1 multiply
 
   // --- step 5: applied forces Q (48) ---
   // return_spring
@@ -617,51 +589,44 @@ void compute_outputs(const Tuned& parameters, const Inputs& inputs, const State&
   const double s5_4 = fms(p_rocker_S_z, R_rocker_x_x, s5_1);
   const double s5_5 = 0.2 - s5_3;
   const double s5_6 = p_ground_S_z - s5_4;
-  const double s5_7 = std::sqrt(fma(s5_5, s5_5, s5_6*s5_6));
+  const double s5_7 = std::sqrt(fma(s5_6, s5_6, s5_5*s5_5));
   const double tension_return_spring = (s5_7 - l0_return_spring)*parameters.k;
   result.spring_force = tension_return_spring;
   const double s5_8 = 1.0/s5_7*tension_return_spring;
-  const double s5_9 = fnma(s5_3, s5_6*s5_8, s5_4*(s5_5*s5_8));
-  // operations: 7 add, 12 multiply, 1 divide, 1 sqrt
+  // operations: 6 add, 10 multiply, 1 divide, 1 sqrt
 
   // --- step 7: inertias of the bodies and forces on joints ---
-  // rocker: rocker_pin, revolute, ground
   const double s7_1 = fms(c_rocker_z, R_rocker_x_x, s5_1);
-  const double s7_2 = fma(c_rocker_z, R_rocker_x_z, s5_2);
   const double zd_rocker_pin = state.zd[Coordinate::rocker_pin];
-  const double s7_3 = I_rocker_yy*zd_rocker_pin;
-  // coupler: coupler_pin, revolute, crank
-  const double s7_4 = fnma(c_coupler_x, R_coupler_x_z, c_coupler_z*R_coupler_x_x);
-  const double s7_5 = fma(c_coupler_x, R_coupler_x_x, c_coupler_z*R_coupler_x_z);
-  const double s7_6 = I_coupler_yy*w_coupler_y;
-  // crank: crank_pin, revolute, ground
-  const double s7_7 = fms(c_crank_z, R_crank_x_x, s1_3);
-  const double s7_8 = fma(c_crank_z, R_crank_x_z, s1_4);
-  const double s7_9 = I_crank_yy*zd_crank_pin;
-  const double s7_10 = inputs.torque + tau[Coordinate::crank_pin];
+  const double s7_2 = fnma(c_coupler_x, R_coupler_x_z, c_coupler_z*R_coupler_x_x);
+  const double s7_3 = fms(c_crank_z, R_crank_x_x, s1_3);
   // operations: 7 add, 11 multiply
 
   // --- step 9: outputs, energies, power ---
-  // coupler_x
-  const double s9_1 = fma(p_coupler_P_z, R_coupler_x_z, r_coupler_x);
-  result.coupler_x = fma(p_coupler_P_x, R_coupler_x_x, s9_1);
-  const double s9_2 = fma(p_coupler_P_z, R_coupler_x_x, r_coupler_z);
-  result.coupler_z = fnma(p_coupler_P_x, R_coupler_x_z, s9_2);
-  const double s9_3 = zd_crank_pin*s7_8;
-  const double s9_4 = zd_rocker_pin*s7_2;
-  const double s9_5 = fma(w_coupler_y, s7_5, s4_1);
-  const double s9_6 = fma(zd_coupler_pin, tau[Coordinate::coupler_pin], zd_crank_pin*s7_10);
-  result.applied_power = fma(zd_rocker_pin, tau[Coordinate::rocker_pin] + s5_9, s9_6);
-  const double s9_7 = fma(m_coupler, r_coupler_z + s7_4, fma(m_crank, s7_7, m_rocker*s7_1));
-  result.potential_energy = -g_z*s9_7;
-  const double s9_8 = zd_rocker_pin*s7_1;
-  const double s9_9 = zd_crank_pin*s7_7;
-  const double s9_10 = fma(w_coupler_y, s7_4, v_coupler_x);
-  const double s9_11 = fma(m_rocker, fma(s9_8, s9_8, s9_4*s9_4), zd_rocker_pin*s7_3);
-  const double s9_12 = fma(zd_crank_pin, s7_9, fma(w_coupler_y, s7_6, s9_11));
-  const double s9_13 = fma(m_crank, fma(s9_9, s9_9, s9_3*s9_3), s9_12);
-  result.kinetic_energy = 0.5*fma(m_coupler, fma(s9_10, s9_10, s9_5*s9_5), s9_13);
-  // operations: 20 add, 30 multiply
+  const double s9_1 = fma(p_coupler_P_z, R_coupler_x_z, p_coupler_P_x*R_coupler_x_x);
+  result.coupler_x = r_coupler_x + s9_1;
+  const double s9_2 = fnma(p_coupler_P_x, R_coupler_x_z, p_coupler_P_z*R_coupler_x_x);
+  result.coupler_z = r_coupler_z + s9_2;
+  const double s9_3 = zd_crank_pin*fma(c_crank_z, R_crank_x_z, s1_4);
+  const double s9_4 = zd_rocker_pin*fma(c_rocker_z, R_rocker_x_z, s5_2);
+  const double s7_4 = fma(c_coupler_z, R_coupler_x_z, c_coupler_x*R_coupler_x_x);
+  const double s9_5 = fma(w_coupler_y, s7_4, zd_crank_pin*r_coupler_x);
+  const double s9_6 = zd_coupler_pin*tau[Coordinate::coupler_pin];
+  const double s9_7 = fma(s5_4, s5_5*s5_8, fnma(s5_3, s5_6*s5_8, tau[Coordinate::rocker_pin]));
+  const double s9_8 = fma(zd_crank_pin, inputs.torque + tau[Coordinate::crank_pin], s9_6);
+  result.applied_power = fma(zd_rocker_pin, s9_7, s9_8);
+  const double s9_9 = fma(m_coupler, r_coupler_z + s7_2, fma(m_crank, s7_3, m_rocker*s7_1));
+  result.potential_energy = -g_z*s9_9;
+  const double s9_10 = zd_rocker_pin*s7_1;
+  const double s9_11 = zd_crank_pin*s7_3;
+  const double s9_12 = fma(w_coupler_y, s7_2, v_coupler_x);
+  const double s9_13 = zd_rocker_pin*(I_rocker_yy*zd_rocker_pin);
+  const double s9_14 = fma(w_coupler_y, I_coupler_yy*w_coupler_y, s9_13);
+  const double s9_15 = fma(zd_crank_pin, I_crank_yy*zd_crank_pin, s9_14);
+  const double s9_16 = fma(m_rocker, fma(s9_10, s9_10, s9_4*s9_4), s9_15);
+  const double s9_17 = fma(m_crank, fma(s9_11, s9_11, s9_3*s9_3), s9_16);
+  result.kinetic_energy = 0.5*fma(m_coupler, fma(s9_12, s9_12, s9_5*s9_5), s9_17);
+  // operations: 21 add, 33 multiply
 }
 
 

@@ -87,29 +87,30 @@ struct Projection {
 void compute_derived_constants(const Parameters& parameters, Tuned& __restrict result) noexcept {
   // --- step 1: poses and axes b ---
   const double m_knuckle = 22.0 + parameters.ballast;
-  result.derived[7] = m_knuckle;
+  result.derived[4] = m_knuckle;
   const double s1_1 = parameters.ballast/m_knuckle;
   const double c_knuckle_z = 0.04 + 0.11*s1_1;
-  result.derived[6] = c_knuckle_z;
+  result.derived[3] = c_knuckle_z;
   const double s1_2 = 0.0121*(22.0*s1_1);
   const double I_knuckle_xx = 0.31 + s1_2;
   const double I_knuckle_yy = 0.36 + s1_2;
-  result.derived[8] = I_knuckle_yy;
-  result.derived[5] = m_wheel + m_knuckle;
+  result.derived[5] = I_knuckle_yy;
+  result.derived[1] = m_wheel + m_knuckle;
   const double s1_3 = m_knuckle*c_knuckle_z;
   result.derived[0] = 0.72 + s1_3;
-  const double s1_4 = 0.5*(I_knuckle_zz + (I_knuckle_xx + I_knuckle_yy));
+  const double s1_4 = 0.5*(I_knuckle_yy + (I_knuckle_zz + I_knuckle_xx));
   const double K_knuckle_xx = s1_4 - I_knuckle_xx;
-  result.derived[2] = K_knuckle_xx;
-  const double K_knuckle_yy = 0.6 + (s1_4 - I_knuckle_yy);
-  result.derived[4] = K_knuckle_yy;
-  const double K_knuckle_zz = s1_4 - 0.2312 + c_knuckle_z*s1_3;
-  result.derived[1] = K_knuckle_zz;
-  result.derived[3] = K_knuckle_zz + (K_knuckle_xx + K_knuckle_yy);
+  const double K_knuckle_yy = s1_4 + (0.6 - I_knuckle_yy);
+  const double K_knuckle_zz = s1_4 + (c_knuckle_z*s1_3 - 0.2312);
+  const double K_knuckle_trace = K_knuckle_zz + (K_knuckle_xx + K_knuckle_yy);
   // operations: 15 add, 6 multiply, 1 divide
 
+  // --- step 8: elimination from the leaves to the root (63), upper ---
+  result.derived[2] = K_knuckle_trace - K_knuckle_yy;
+  // operations: 1 add
+
   // --- step 9: outputs, energies, power ---
-  result.derived[9] = p_pull_z*(345.0 + m_knuckle);
+  result.derived[6] = p_pull_z*(345.0 + m_knuckle);
   // operations: 1 add, 1 multiply
 }
 
@@ -133,6 +134,24 @@ void compute_accelerations(const Tuned& parameters, const Inputs& /*inputs*/, co
   const double z_lower = state.z[Coordinate::lower];
   double R_arm_x_x, R_arm_x_z;
   mbgen::sincos(z_lower, R_arm_x_z, R_arm_x_x);
+
+  // --- step 5: applied forces Q (48) ---
+  // spring
+  const double s5_1 = fnma(-p_arm_seat_x, R_arm_x_x, p_arm_seat_z*R_arm_x_z);
+  const double s5_2 = fma(-p_arm_seat_x, R_arm_x_z, p_arm_seat_z*R_arm_x_x);
+  const double s5_3 = -p_carriage_seat_x + s5_1;
+  const double zd_lower = state.zd[Coordinate::lower];
+  const double s5_4 = 0.37 - s5_2;
+  const double s5_5 = std::sqrt(fma(s5_4, s5_4, s5_3*s5_3));
+  const double s5_6 = 1.0/s5_5;
+  const double s5_7 = fma(zd_lower*s5_1, s5_4, s5_3*(zd_lower*s5_2))*s5_6;
+  const double s5_8 = 0.2 + s5_7;
+  const double s5_9 = (s5_8 >= 0.0 ? fms(1600.0, s5_8, 320.0) : fms(725.0, 1.0 + s5_7, 900.0));
+  const double s5_10 = s5_7 - 0.2;
+  const double s5_11 = (s5_7 >= 0.0 ? 3200.0*s5_7 : s5_9);
+  const double s5_12 = (s5_10 >= 0.0 ? fma(1575.0, s5_10, 640.0) : s5_11);
+  const double tension_spring = s5_12 + fms(s5_5 - l0_spring, parameters.k, -f0_spring);
+  const double s5_13 = s5_6*tension_spring;
   // knuckle: ball, revolute, arm
   const double z_ball = state.z[Coordinate::ball];
   double s1_1, s1_2;
@@ -140,158 +159,133 @@ void compute_accelerations(const Tuned& parameters, const Inputs& /*inputs*/, co
   const double R_knuckle_x_x = fnma(R_arm_x_z, s1_2, R_arm_x_x*s1_1);
   const double R_knuckle_x_z = fma(R_arm_x_x, s1_2, R_arm_x_z*s1_1);
   const double r_knuckle_x = fnma(-p_ball_x, R_arm_x_x, p_ball_z*R_arm_x_z);
-  const double s1_3 = fma(p_ball_z, R_arm_x_x, -p_ball_x*R_arm_x_z);
-  // wheel: wheel, revolute, knuckle
-  const double zd_lower = state.zd[Coordinate::lower];
-  const double w_knuckle_y = zd_lower + state.zd[Coordinate::ball];
-  const double v_knuckle_x = fma(zd_lower, s1_3, state.zd[Coordinate::pull]);
-  const double s1_4 = p_wheel_z*R_knuckle_x_x;
-  const double v_wheel_x = fma(s1_4, w_knuckle_y, v_knuckle_x);
-  // operations: 7 add, 11 multiply, 4 sin cos
-
-  // --- step 5: applied forces Q (48) ---
-  // spring
-  const double s5_1 = fnma(-p_arm_seat_x, R_arm_x_x, p_arm_seat_z*R_arm_x_z);
-  const double s5_2 = fma(p_arm_seat_z, R_arm_x_x, -p_arm_seat_x*R_arm_x_z);
-  const double s5_3 = -p_carriage_seat_x + s5_1;
-  const double s5_4 = 0.37 - s5_2;
-  const double s5_5 = std::sqrt(fma(s5_4, s5_4, s5_3*s5_3));
-  const double s5_6 = 1.0/s5_5;
-  const double s5_7 = fma(s5_3, zd_lower*s5_2, zd_lower*s5_1*s5_4)*s5_6;
-  const double s5_8 = 0.2 + s5_7;
-  const double s5_9 = (s5_8 >= 0.0 ? fms(1600.0, s5_8, 320.0) : fms(725.0, 1.0 + s5_7, 900.0));
-  const double s5_10 = s5_7 - 0.2;
-  const double s5_11 = (s5_7 >= 0.0 ? 3200.0*s5_7 : s5_9);
-  const double s5_12 = (s5_10 >= 0.0 ? fma(1575.0, s5_10, 640.0) : s5_11) - (-f0_spring);
-  const double tension_spring = fma(s5_5 - l0_spring, parameters.k, s5_12);
-  const double s5_13 = s5_6*tension_spring;
-  const double s5_14 = fma(s5_1, s5_4*s5_13, s5_2*(s5_3*s5_13));
-  // tyre
+  const double s1_3 = fma(-p_ball_x, R_arm_x_z, p_ball_z*R_arm_x_x);
   const double r_knuckle_z = s1_3 - (-p_lower_z);
+  const double s1_4 = p_wheel_z*R_knuckle_x_x;
+  // wheel: wheel, revolute, knuckle
   const double r_wheel_z = r_knuckle_z + s1_4;
-  const double s5_15 = p_pull_z + r_wheel_z;
-  const double s5_16 = radius_tyre - s5_15;
-  const double s5_17 = mbgen::max(0.0, k_tyre*s5_16);
-  const double s5_18 = p_wheel_z*R_knuckle_x_z;
-  const double s5_19 = zd_lower*r_knuckle_x;
-  const double s5_20 = s5_17 + mbgen::min(s5_17, d_tyre*fma(s5_18, w_knuckle_y, s5_19));
-  const double load_tyre = mbgen::max(0.0, s5_20);
-  const double s5_21 = mbgen::max(0.004, load_tyre);
-  const double s5_22 = 1e-09*s5_21;
-  const double s5_23 = 1.1*s5_21;
-  const double s5_24 = 1.6*s5_23;
-  const double s5_25 = (s5_24 >= 0.0 ? mbgen::max(s5_24, s5_22) : mbgen::min(s5_24, -s5_22));
-  const double s5_26 = state.x[0]/relaxation_x_tyre;
-  const double s5_27 = state.x[1]/relaxation_y_tyre;
-  const double s5_28 = std::sqrt(fma(s5_27, s5_27, fma(s5_26, s5_26, 1e-30)));
-  const double s5_29 = fnma(0.3333333333333333, mbgen::max(0.0, s5_16), radius_tyre);
+  const double s5_14 = p_pull_z + r_wheel_z;
+  // tyre
+  const double s5_15 = radius_tyre - s5_14;
+  const double s5_16 = mbgen::max(0.0, k_tyre*s5_15);
+  const double s5_17 = fnma(0.3333333333333333, mbgen::max(0.0, s5_15), radius_tyre);
+  const double s1_5 = p_wheel_z*R_knuckle_x_z;
+  // operations: 6 add, 10 multiply, 4 sin cos
+
+  // --- step 4: velocities ---
+  const double s4_1 = zd_lower*r_knuckle_x;
+  // knuckle: ball, revolute, arm
+  const double w_knuckle_y = zd_lower + state.zd[Coordinate::ball];
+  // tyre
+  const double s5_18 = s5_16 + mbgen::min(s5_16, d_tyre*fma(s1_5, w_knuckle_y, s4_1));
+  const double load_tyre = mbgen::max(0.0, s5_18);
+
+  // --- step 5: applied forces Q (48), continued ---
+  // tyre
+  const double s5_19 = mbgen::max(0.004, load_tyre);
+  const double s5_20 = 1.1*s5_19;
+  const double s5_21 = 1.6*s5_20;
+  const double s5_22 = 1e-09*s5_19;
+  const double s5_23 = (s5_21 >= 0.0 ? mbgen::max(s5_21, s5_22) : mbgen::min(s5_21, -s5_22));
+  // knuckle: ball, revolute, arm
+  const double v_knuckle_x = fma(zd_lower, s1_3, state.zd[Coordinate::pull]);
+  // wheel: wheel, revolute, knuckle
+  const double v_wheel_x = fma(s1_4, w_knuckle_y, v_knuckle_x);
+  const double s5_24 = state.x[0]/relaxation_x_tyre;
+  const double s5_25 = state.x[1]/relaxation_y_tyre;
+  const double s5_26 = std::sqrt(fma(s5_25, s5_25, fma(s5_24, s5_24, 1e-30)));
   const double w_wheel_y = state.zd[Coordinate::wheel] + w_knuckle_y;
-  const double s5_30 = w_wheel_y*s5_29;
-  const double s5_31 = v_wheel_x - s5_30;
-  const double s5_32 = std::sqrt(fma(s5_31, s5_31, 1e-30));
-  const double s5_33 = std::abs(v_wheel_x);
-  const double s5_34 = mbgen::min(0.5, 0.1*fma(0.5, s5_33 + s5_32, 1.0));
-  const double s5_35 = 1.0 - s5_28/s5_34;
-  const double s5_36 = mbgen::cosine(3.141592653589793*mbgen::min(1.0, 0.5*s5_33));
-  const double s5_37 = s5_26*(1.0/mbgen::max(0.6666666666666666*s5_28, s5_35));
-  const double s5_38 = fnma(s5_31, 0.06*fma(0.5, s5_36, 0.5)*mbgen::max(0.0, s5_35), s5_37);
-  const double s5_39 = s5_23*mbgen::sine(1.6*mbgen::arc_tangent(20.0*s5_21/s5_25*s5_38));
-  const double fx_tyre = mbgen::max(0.0, load_tyre)/s5_21*s5_39;
-  const double s5_40 = s5_33 + s5_32/s5_34;
-  result.xd[1] = -(s5_27*s5_40);
-  result.xd[0] = -fma(s5_26, s5_40, s5_31);
-  const double s5_41 = mbgen::hyperbolic_tangent(0.5*s5_30);
-  const double s5_42 = s5_41*(radius_tyre*(rolling_tyre*load_tyre));
-  const double s5_43 = fma(fx_tyre, s5_29 + (s5_15 + s5_16) - radius_tyre, s5_42);
-  // operations: 39 add, 56 multiply, 8 divide, 3 sqrt, 3 sin cos, 18 other
+  // operations: 5 add, 4 multiply
+  // tyre
+  const double s5_27 = w_wheel_y*s5_17;
+  const double s5_28 = std::abs(v_wheel_x);
+  const double s5_29 = v_wheel_x - s5_27;
+  const double s5_30 = std::sqrt(fma(s5_29, s5_29, 1e-30));
+  const double s5_31 = mbgen::min(0.5, 0.1*fma(0.5, s5_28 + s5_30, 1.0));
+  const double s5_32 = s5_28 + s5_30/s5_31;
+  const double s5_33 = 1.0 - s5_26/s5_31;
+  result.xd[1] = -(s5_25*s5_32);
+  result.xd[0] = -fma(s5_24, s5_32, s5_29);
+  const double s5_34 = mbgen::cosine(3.141592653589793*mbgen::min(1.0, 0.5*s5_28));
+  const double s5_35 = s5_24*(1.0/mbgen::max(0.6666666666666666*s5_26, s5_33));
+  const double s5_36 = fnma(s5_29, 0.06*fma(0.5, s5_34, 0.5)*mbgen::max(0.0, s5_33), s5_35);
+  const double s5_37 = s5_20*mbgen::sine(1.6*mbgen::arc_tangent(20.0*s5_19/s5_23*s5_36));
+  const double fx_tyre = mbgen::max(0.0, load_tyre)/s5_19*s5_37;
+  const double s5_38 = mbgen::hyperbolic_tangent(0.5*s5_27);
+  const double s5_39 = s5_38*(radius_tyre*(rolling_tyre*load_tyre));
+  const double s5_40 = fma(fx_tyre, s5_17 + (s5_15 + (s5_14 - radius_tyre)), s5_39);
+  // operations: 34 add, 51 multiply, 8 divide, 3 sqrt, 3 sin cos, 18 other
 
   // --- step 8: elimination from the leaves to the root (63) ---
-  // wheel: wheel, revolute, knuckle
-  const double s8_1 = tau[Coordinate::wheel] - s5_43;
-  const double s8_2 = fma(s5_18, load_tyre, fnma(s1_4, fx_tyre, s5_43 + s8_1));
-  // operations: 4 add, 2 multiply
+  const double s8_1 = tau[Coordinate::wheel] - s5_40;
+  // operations: 1 add
 
   // --- step 2: closure Jacobian Phi_z and its factors (60), upper ---
-  // upper
-  const double s2_1 = fma(p_upper_to_x, R_knuckle_x_x, p_upper_to_z*R_knuckle_x_z);
+  const double s2_1 = fma(p_upper_to_z, R_knuckle_x_z, p_upper_to_x*R_knuckle_x_x);
   const double s2_2 = p_upper_from_x - r_knuckle_x - s2_1;
   const double s2_3 = fnma(p_upper_to_x, R_knuckle_x_z, p_upper_to_z*R_knuckle_x_x);
-  const double s2_4 = -p_upper_from_z + (r_knuckle_z + s2_3);
-  const double s2_5 = fma(s2_2, s2_3, s2_1*s2_4);
-  const double s2_6 = fma(r_knuckle_x, s2_4, fma(s1_3, s2_2, s2_5));
-  result.pivot[0] = 10.4946490638541*std::abs(s2_6);
+
+  // --- step 7: inertias of the bodies and forces on joints, upper ---
+  const double s7_1 = R_knuckle_x_x*parameters.derived[0];
+  const double s2_4 = s2_3 + (-p_upper_from_z + r_knuckle_z);
+  const double s7_2 = R_knuckle_x_z*parameters.derived[0];
+  // operations: 1 add, 4 multiply
+  const double s2_5 = fma(s2_1, s2_4, s2_2*s2_3);
+
+  // --- step 6: c and dRz/dt zd (62), upper ---
+  const double s6_1 = w_knuckle_y*s2_3;
+  const double s6_2 = w_knuckle_y*s2_1;
+  const double s6_3 = s4_1 + s6_2;
+  const double s6_4 = fma(zd_lower, s1_3, s6_1);
+  const double s6_5 = zd_lower*zd_lower;
+  const double s6_6 = s1_3*s6_5;
+  const double s6_7 = r_knuckle_x*s6_5;
+  const double s6_8 = w_knuckle_y*w_knuckle_y;
+  const double s6_9 = fnma(s2_4, fma(w_knuckle_y, s6_1, s6_6), fma(s6_3, s6_3, s6_4*s6_4));
+  const double s2_6 = s2_5 + fma(r_knuckle_x, s2_4, s1_3*s2_2);
   const double s2_7 = 1.0/s2_6;
-  // operations: 9 add, 9 multiply, 1 divide, 1 other
 
   // --- step 3: Rz (61), upper ---
   const double s3_1 = s2_5*s2_7;
   // operations: 1 multiply
-
-  // --- step 6: c and dRz/dt zd (62), upper ---
-  // knuckle: ball, revolute, arm
-  const double s6_1 = zd_lower*zd_lower;
-  const double s6_2 = r_knuckle_x*s6_1;
-  // upper
-  const double s6_3 = w_knuckle_y*s2_1;
-  const double s6_4 = w_knuckle_y*s2_3;
-  const double s6_5 = fma(zd_lower, s1_3, s6_4);
-  const double s6_6 = s5_19 + s6_3;
-  const double s6_7 = s1_3*s6_1;
-  const double s6_8 = fma(s2_2, fma(w_knuckle_y, s6_3, s6_2), fma(s6_6, s6_6, s6_5*s6_5));
-  const double s6_9 = fnma(s2_4, fma(w_knuckle_y, s6_4, s6_7), s6_8);
-  const double zdd_star_lower = s2_7*s6_9;
-  // operations: 7 add, 13 multiply
-
-  // --- step 7: inertias of the bodies and forces on joints, upper ---
-  // arm: lower, revolute, carriage
-  const double s7_1 = fnma(-h_arm_x, R_arm_x_x, h_arm_z*R_arm_x_z);
-  // knuckle: ball, revolute, arm
-  const double s7_2 = R_knuckle_x_z*(R_knuckle_x_z*parameters.derived[1]);
-  const double s7_3 = fma(R_knuckle_x_x, R_knuckle_x_x*parameters.derived[2], s7_2);
-  const double s7_4 = parameters.derived[3] - s7_3 - parameters.derived[4];
-  const double s7_5 = s7_3 + (parameters.derived[4] + s7_4) - parameters.derived[4];
-  // operations: 7 add, 6 multiply
+  const double zdd_star_lower = s2_7*fma(s2_2, fma(w_knuckle_y, s6_2, s6_7), s6_9);
+  // operations: 7 add, 14 multiply
+  result.pivot[0] = 10.4946490638541*std::abs(s2_6);
+  // operations: 9 add, 9 multiply, 1 divide, 1 other
 
   // --- step 8: elimination from the leaves to the root (63), upper ---
-  // arm: lower, revolute, carriage
-  const double s8_3 = fma(0.3475, zdd_star_lower, s5_14 - tau[Coordinate::lower]);
+  const double s8_2 = fms(s1_3, zdd_star_lower, s6_7);
+  const double s8_3 = fma(r_knuckle_x, zdd_star_lower, s6_6);
+  const double s9_1 = fma(s5_1, s5_4*s5_13, s5_2*(s5_3*s5_13)) - tau[Coordinate::lower];
   // knuckle: ball, revolute, arm
-  const double s8_4 = 1.0 - s3_1;
-  const double s8_5 = R_knuckle_x_x*parameters.derived[0];
-  const double s8_6 = s1_3*s3_1;
-  const double s8_7 = R_knuckle_x_z*parameters.derived[0];
-  const double s8_8 = r_knuckle_x*s3_1;
-  const double s8_9 = fnma(s8_7, s8_8, fnma(s8_5, s8_6, s8_4*s7_5));
-  const double s8_10 = fms(s1_3, zdd_star_lower, s6_2);
-  const double s8_11 = w_knuckle_y*w_knuckle_y;
-  const double s8_12 = fnma(s8_11, s8_7, fms(zdd_star_lower, s8_5, fx_tyre));
-  const double f_knuckle_x = fma(s8_10, parameters.derived[5], s8_12);
-  const double s8_13 = fnma(s8_6, parameters.derived[5], s8_5*s8_4);
-  const double s8_14 = fnma(s8_7, s8_4, s8_8*parameters.derived[5]);
+  const double s8_4 = s1_3*s3_1;
+  const double s8_5 = r_knuckle_x*s3_1;
+  const double s8_6 = fma(s7_1, s8_2, s8_1 + (s5_40 + fnma(s1_4, fx_tyre, s1_5*load_tyre)));
+  const double s8_7 = fnma(s6_8, s7_2, fms(zdd_star_lower, s7_1, fx_tyre));
+  const double f_knuckle_x = fma(s8_2, parameters.derived[1], s8_7);
+  const double s8_8 = fma(s6_8, s7_1, fma(zdd_star_lower, s7_2, load_tyre));
+  const double n_knuckle_y = fma(zdd_star_lower, parameters.derived[2], fma(s7_2, s8_3, s8_6));
+  const double s9_2 = fma(s8_4, f_knuckle_x, tau[Coordinate::ball]);
+  const double s8_9 = 1.0 - s3_1;
+  const double s9_3 = fma(s8_5, fma(parameters.derived[1], s8_3, s8_8), s9_2);
+  const double s8_10 = s8_9*fnma(s7_2, s8_5, fnma(s7_1, s8_4, s8_9*parameters.derived[2]));
+  const double s8_11 = fnma(s7_2, s8_9, s8_5*parameters.derived[1]);
+  const double s8_12 = fnma(s8_4, fnma(s8_4, parameters.derived[1], s7_1*s8_9), s8_10);
+  const double s8_13 = fma(s3_1, fnma(-h_arm_x, R_arm_x_x, h_arm_z*R_arm_x_z), s8_11);
+  const double s9_4 = fnma(-g_z, s8_13, fnma(s8_9, n_knuckle_y, s9_3));
   // arm: lower, revolute, carriage
-  const double pivot_ball = fma(s3_1, 0.3475*s3_1, fma(s8_4, s8_9, fnma(s8_6, s8_13, s8_8*s8_14)));
-  // knuckle: ball, revolute, arm
-  const double s8_15 = fma(r_knuckle_x, zdd_star_lower, s6_7);
-  const double s8_16 = fma(zdd_star_lower, s8_7, fma(s8_11, s8_5, load_tyre));
-  const double s8_17 = fma(s8_5, s8_10, fma(s8_7, s8_15, s8_2));
-  const double n_knuckle_y = fma(zdd_star_lower, s7_3 + s7_4, s8_17);
-  const double s8_18 = fma(s8_6, f_knuckle_x, fnma(s8_4, n_knuckle_y, tau[Coordinate::ball]));
-  const double s8_19 = fma(s8_8, fma(parameters.derived[5], s8_15, s8_16), s8_18);
-  const double s8_20 = fma(s3_1, s8_3, s8_19);
-  // arm: lower, revolute, carriage
-  const double s8_21 = fma(s3_1, s7_1, s8_14);
+  const double pivot_ball = fma(s3_1, 0.3475*s3_1, fma(s8_5, s8_11, s8_12));
   result.inertia[0] = fnma(1e-12, pivot_ball, pivot_ball);
-  const double s8_22 = 1.0/pivot_ball;
-  // operations: 28 add, 35 multiply, 1 divide
+  // operations: 24 add, 29 multiply, 1 divide
 
   // --- step 9: accelerations from the root to the leaves (63), (62) ---
+  const double s9_5 = 1.0/pivot_ball*fma(s3_1, fma(0.3475, zdd_star_lower, s9_1), s9_4);
+  result.zdd[Coordinate::ball] = s9_5;
   // knuckle: ball, revolute, arm
-  const double s9_1 = s8_22*fnma(-g_z, s8_21, s8_20);
-  result.zdd[Coordinate::ball] = s9_1;
-  result.zdd[Coordinate::lower] = fnma(s3_1, s9_1, zdd_star_lower);
-  const double alpha_knuckle_y = fma(s8_4, s9_1, zdd_star_lower);
+  result.zdd[Coordinate::lower] = fnma(s3_1, s9_5, zdd_star_lower);
+  const double alpha_knuckle_y = fma(s8_9, s9_5, zdd_star_lower);
   result.zdd[Coordinate::wheel] = s8_1 - alpha_knuckle_y;
-  // operations: 4 add, 4 multiply
+  // operations: 11 add, 11 multiply
 }
 
 /// Result of compute_closure.
@@ -313,45 +307,45 @@ void compute_closure(const Tuned& /*parameters*/, const Inputs& /*inputs*/, cons
   result.zd[Coordinate::wheel] = state.zd[Coordinate::wheel];
 
   // --- step 1: poses and axes b ---
-  const double s1_1 = fms(15.0, state.t, state.z[Coordinate::pull]);
-  result.residual[1] = s1_1;
-  result.dz[Coordinate::pull] = s1_1;
   // arm: lower, revolute, carriage
   const double z_lower = state.z[Coordinate::lower];
   double R_arm_x_x, R_arm_x_z;
   mbgen::sincos(z_lower, R_arm_x_z, R_arm_x_x);
   // knuckle: ball, revolute, arm
   const double z_ball = state.z[Coordinate::ball];
-  double s1_2, s1_3;
-  mbgen::sincos(z_ball, s1_3, s1_2);
-  const double R_knuckle_x_x = fnma(R_arm_x_z, s1_3, R_arm_x_x*s1_2);
-  const double R_knuckle_x_z = fma(R_arm_x_x, s1_3, R_arm_x_z*s1_2);
+  double s1_1, s1_2;
+  mbgen::sincos(z_ball, s1_2, s1_1);
+  const double R_knuckle_x_x = fnma(R_arm_x_z, s1_2, R_arm_x_x*s1_1);
+  const double R_knuckle_x_z = fma(R_arm_x_x, s1_2, R_arm_x_z*s1_1);
   const double r_knuckle_x = fnma(-p_ball_x, R_arm_x_x, p_ball_z*R_arm_x_z);
-  const double s1_4 = fma(p_ball_z, R_arm_x_x, -p_ball_x*R_arm_x_z);
-  const double r_knuckle_z = s1_4 - (-p_lower_z);
-  // operations: 6 add, 9 multiply, 4 sin cos
+  const double s1_3 = fma(-p_ball_x, R_arm_x_z, p_ball_z*R_arm_x_x);
 
   // --- step 2: closure Jacobian Phi_z and its factors (60) ---
+  const double s2_1 = fma(p_upper_to_z, R_knuckle_x_z, p_upper_to_x*R_knuckle_x_x);
+  const double s2_2 = fnma(p_upper_to_x, R_knuckle_x_z, p_upper_to_z*R_knuckle_x_x);
+  const double s2_3 = p_upper_from_x - r_knuckle_x - s2_1;
+  // knuckle: ball, revolute, arm
+  const double r_knuckle_z = s1_3 - (-p_lower_z);
   // upper
-  const double s2_1 = fma(p_upper_to_x, R_knuckle_x_x, p_upper_to_z*R_knuckle_x_z);
-  const double s2_2 = p_upper_from_x - r_knuckle_x - s2_1;
-  const double s2_3 = 2.380277794628896*s2_2;
-  const double s2_4 = fnma(p_upper_to_x, R_knuckle_x_z, p_upper_to_z*R_knuckle_x_x);
-  const double s2_5 = -p_upper_from_z + (r_knuckle_z + s2_4);
-  const double s2_6 = 2.380277794628896*s2_5;
-  const double s2_7 = fma(s2_3, s2_4, s2_1*s2_6);
-  const double s2_8 = fma(r_knuckle_x, s2_6, fma(s1_4, s2_3, s2_7));
-  const double s2_9 = 0.5*fma(s2_2, s2_3, fms(s2_5, s2_6, l_upper));
+  const double s2_4 = s2_2 + (-p_upper_from_z + r_knuckle_z);
+  const double s2_5 = 2.380277794628896*s2_3;
+  const double s2_6 = 2.380277794628896*s2_4;
+  const double s2_7 = fma(s2_1, s2_6, s2_5*s2_2);
+  const double s2_8 = s2_7 + fma(r_knuckle_x, s2_6, s1_3*s2_5);
+  const double s2_9 = 0.5*fma(s2_4, s2_6, fms(s2_3, s2_5, l_upper));
   result.residual[0] = s2_9;
   result.pivot[0] = 4.409001792788769*std::abs(s2_8);
   const double s2_10 = 1.0/s2_8;
   // operations: 11 add, 14 multiply, 1 divide, 1 other
 
   // --- step 4: velocities ---
-  // loop block 0
   result.dz[Coordinate::lower] = s2_9*s2_10;
   result.zd[Coordinate::lower] = -(s2_10*(state.zd[Coordinate::ball]*s2_7));
   // operations: 3 multiply
+  const double s1_4 = fms(15.0, state.t, state.z[Coordinate::pull]);
+  result.residual[1] = s1_4;
+  result.dz[Coordinate::pull] = s1_4;
+  // operations: 6 add, 9 multiply, 4 sin cos
 }
 
 /// Result of compute_multipliers.
@@ -377,11 +371,11 @@ void compute_multipliers(const Tuned& parameters, const Inputs& /*inputs*/, cons
   const double R_knuckle_x_x = fnma(R_arm_x_z, s1_2, R_arm_x_x*s1_1);
   const double R_knuckle_x_z = fma(R_arm_x_x, s1_2, R_arm_x_z*s1_1);
   const double r_knuckle_x = fnma(-p_ball_x, R_arm_x_x, p_ball_z*R_arm_x_z);
-  const double s1_3 = fma(p_ball_z, R_arm_x_x, -p_ball_x*R_arm_x_z);
+  const double s1_3 = fma(-p_ball_x, R_arm_x_z, p_ball_z*R_arm_x_x);
   const double r_knuckle_z = s1_3 - (-p_lower_z);
-  // wheel: wheel, revolute, knuckle
   const double s1_4 = p_wheel_z*R_knuckle_x_z;
   const double s1_5 = p_wheel_z*R_knuckle_x_x;
+  // wheel: wheel, revolute, knuckle
   const double r_wheel_z = r_knuckle_z + s1_5;
   // operations: 6 add, 10 multiply, 4 sin cos
 
@@ -392,7 +386,6 @@ void compute_multipliers(const Tuned& parameters, const Inputs& /*inputs*/, cons
   const double w_knuckle_y = zd_lower + state.zd[Coordinate::ball];
   // wheel: wheel, revolute, knuckle
   const double v_wheel_x = fma(s1_5, w_knuckle_y, v_knuckle_x);
-  const double s4_1 = fma(s1_4, w_knuckle_y, zd_lower*r_knuckle_x);
   const double w_wheel_y = state.zd[Coordinate::wheel] + w_knuckle_y;
   // operations: 5 add, 4 multiply
 
@@ -400,25 +393,25 @@ void compute_multipliers(const Tuned& parameters, const Inputs& /*inputs*/, cons
   // spring
   const double s5_1 = fnma(-p_arm_seat_x, R_arm_x_x, p_arm_seat_z*R_arm_x_z);
   const double s5_2 = -p_carriage_seat_x + s5_1;
-  const double s5_3 = fma(p_arm_seat_z, R_arm_x_x, -p_arm_seat_x*R_arm_x_z);
+  const double s5_3 = fma(-p_arm_seat_x, R_arm_x_z, p_arm_seat_z*R_arm_x_x);
   const double s5_4 = 0.37 - s5_3;
   const double s5_5 = std::sqrt(fma(s5_4, s5_4, s5_2*s5_2));
   const double s5_6 = 1.0/s5_5;
-  const double s5_7 = fma(s5_2, zd_lower*s5_3, zd_lower*s5_1*s5_4)*s5_6;
+  const double s5_7 = fma(zd_lower*s5_1, s5_4, s5_2*(zd_lower*s5_3))*s5_6;
   const double s5_8 = s5_7 - 0.2;
   const double s5_9 = 0.2 + s5_7;
   const double s5_10 = (s5_9 >= 0.0 ? fms(1600.0, s5_9, 320.0) : fms(725.0, 1.0 + s5_7, 900.0));
   const double s5_11 = (s5_7 >= 0.0 ? 3200.0*s5_7 : s5_10);
-  const double s5_12 = (s5_8 >= 0.0 ? fma(1575.0, s5_8, 640.0) : s5_11) - (-f0_spring);
-  const double tension_spring = fma(s5_5 - l0_spring, parameters.k, s5_12);
+  const double s5_12 = (s5_8 >= 0.0 ? fma(1575.0, s5_8, 640.0) : s5_11);
+  const double tension_spring = s5_12 + fms(s5_5 - l0_spring, parameters.k, -f0_spring);
   const double s5_13 = s5_6*tension_spring;
   const double s5_14 = s5_2*s5_13;
-  const double s5_15 = fma(s5_1, s5_4*s5_13, s5_3*s5_14);
   // tyre
-  const double s5_16 = p_pull_z + r_wheel_z;
-  const double s5_17 = radius_tyre - s5_16;
-  const double s5_18 = mbgen::max(0.0, k_tyre*s5_17);
-  const double load_tyre = mbgen::max(0.0, s5_18 + mbgen::min(s5_18, d_tyre*s4_1));
+  const double s5_15 = p_pull_z + r_wheel_z;
+  const double s5_16 = radius_tyre - s5_15;
+  const double s5_17 = mbgen::max(0.0, k_tyre*s5_16);
+  const double s5_18 = mbgen::min(s5_17, d_tyre*fma(s1_4, w_knuckle_y, zd_lower*r_knuckle_x));
+  const double load_tyre = mbgen::max(0.0, s5_17 + s5_18);
   const double s5_19 = mbgen::max(0.004, load_tyre);
   const double s5_20 = 1.1*s5_19;
   const double s5_21 = 1.6*s5_20;
@@ -428,7 +421,7 @@ void compute_multipliers(const Tuned& parameters, const Inputs& /*inputs*/, cons
   const double s5_25 = state.x[1]/relaxation_y_tyre;
   const double s5_26 = std::sqrt(fma(s5_25, s5_25, fma(s5_24, s5_24, 1e-30)));
   const double s5_27 = std::abs(v_wheel_x);
-  const double s5_28 = fnma(0.3333333333333333, mbgen::max(0.0, s5_17), radius_tyre);
+  const double s5_28 = fnma(0.3333333333333333, mbgen::max(0.0, s5_16), radius_tyre);
   const double s5_29 = w_wheel_y*s5_28;
   const double s5_30 = v_wheel_x - s5_29;
   const double s5_31 = 0.1*fma(0.5, s5_27 + std::sqrt(fma(s5_30, s5_30, 1e-30)), 1.0);
@@ -438,17 +431,13 @@ void compute_multipliers(const Tuned& parameters, const Inputs& /*inputs*/, cons
   const double s5_35 = fnma(s5_30, 0.06*fma(0.5, s5_33, 0.5)*mbgen::max(0.0, s5_32), s5_34);
   const double s5_36 = s5_20*mbgen::sine(1.6*mbgen::arc_tangent(20.0*s5_19/s5_23*s5_35));
   const double fx_tyre = mbgen::max(0.0, load_tyre)/s5_19*s5_36;
-  const double s5_37 = mbgen::hyperbolic_tangent(0.5*s5_29);
-  const double s5_38 = s5_37*(radius_tyre*(rolling_tyre*load_tyre));
-  const double s5_39 = fma(fx_tyre, s5_28 + (s5_16 + s5_17) - radius_tyre, s5_38);
-  // operations: 33 add, 51 multiply, 7 divide, 3 sqrt, 3 sin cos, 18 other
+  // operations: 28 add, 47 multiply, 7 divide, 3 sqrt, 3 sin cos, 18 other
 
   // --- step 7: inertias of the bodies and forces on joints ---
-  // arm: lower, revolute, carriage
   const double s7_1 = zd_lower*zd_lower;
-  // knuckle: ball, revolute, arm
   const double zdd_lower = derivative.zdd[Coordinate::lower];
   const double zdd_pull = derivative.zdd[Coordinate::pull];
+  // knuckle: ball, revolute, arm
   const double a_knuckle_x = fnma(r_knuckle_x, s7_1, fma(zdd_lower, s1_3, zdd_pull));
   const double a_knuckle_z = fnma(s1_3, s7_1, fnma(zdd_lower, r_knuckle_x, -g_z));
   const double alpha_knuckle_y = zdd_lower + derivative.zdd[Coordinate::ball];
@@ -459,41 +448,43 @@ void compute_multipliers(const Tuned& parameters, const Inputs& /*inputs*/, cons
   const double alpha_wheel_y = derivative.zdd[Coordinate::wheel] + alpha_knuckle_y;
   const double f_wheel_x = fms(m_wheel, a_wheel_x, fx_tyre);
   const double f_wheel_z = fms(m_wheel, a_wheel_z, load_tyre);
-  const double n_wheel_y = s5_39 + alpha_wheel_y;
+  const double s5_37 = mbgen::hyperbolic_tangent(0.5*s5_29);
+  const double s7_3 = fma(s5_37, radius_tyre*(rolling_tyre*load_tyre), alpha_wheel_y);
+  const double n_wheel_y = fma(fx_tyre, s5_28 + (s5_16 + (s5_15 - radius_tyre)), s7_3);
   // knuckle: ball, revolute, arm
-  const double s7_3 = R_knuckle_x_x*parameters.derived[6];
-  const double s7_4 = R_knuckle_x_z*parameters.derived[6];
-  const double s7_5 = fnma(s7_2, s7_4, fma(alpha_knuckle_y, s7_3, a_knuckle_x));
-  const double f_knuckle_x = s7_5*parameters.derived[7];
-  const double s7_6 = fnma(s7_2, s7_3, fnma(alpha_knuckle_y, s7_4, a_knuckle_z));
-  const double f_knuckle_z = parameters.derived[7]*s7_6;
-  const double s7_7 = fma(s7_3, f_knuckle_x, alpha_knuckle_y*parameters.derived[8]);
-  const double n_knuckle_y = fnma(s7_4, f_knuckle_z, s7_7);
-  const double s7_8 = fnma(s1_4, f_wheel_z, fma(s1_5, f_wheel_x, n_wheel_y + n_knuckle_y));
-  result.missing[1] = tau[Coordinate::ball] - s7_8;
-  const double s7_9 = f_wheel_x + f_knuckle_x;
-  const double s7_10 = f_wheel_z + f_knuckle_z;
+  const double s7_4 = R_knuckle_x_x*parameters.derived[3];
+  const double s7_5 = R_knuckle_x_z*parameters.derived[3];
+  const double s7_6 = fnma(s7_2, s7_5, fma(alpha_knuckle_y, s7_4, a_knuckle_x));
+  const double f_knuckle_x = s7_6*parameters.derived[4];
+  const double s7_7 = fnma(alpha_knuckle_y, s7_5, fnma(s7_2, s7_4, a_knuckle_z));
+  const double f_knuckle_z = parameters.derived[4]*s7_7;
+  const double s7_8 = fma(s7_4, f_knuckle_x, alpha_knuckle_y*parameters.derived[5]);
+  const double n_knuckle_y = fnma(s7_5, f_knuckle_z, s7_8);
+  const double s7_9 = n_knuckle_y + (n_wheel_y + fnma(s1_4, f_wheel_z, s1_5*f_wheel_x));
+  result.missing[1] = tau[Coordinate::ball] - s7_9;
+  const double s7_10 = f_wheel_x + f_knuckle_x;
   // arm: lower, revolute, carriage
-  const double s7_11 = fma(c_arm_z, R_arm_x_x, -c_arm_x*R_arm_x_z);
+  const double s7_11 = fma(-c_arm_x, R_arm_x_z, c_arm_z*R_arm_x_x);
   const double s7_12 = fnma(-c_arm_x, R_arm_x_x, c_arm_z*R_arm_x_z);
   const double s7_13 = m_arm*fnma(s7_1, s7_12, fma(zdd_lower, s7_11, zdd_pull));
   const double f_arm_x = s5_14 + s7_13;
-  const double s7_14 = m_arm*fnma(s7_1, s7_11, fnma(zdd_lower, s7_12, -g_z));
-  const double n_arm_y = fnma(s7_12, s7_14, fma(s7_11, s7_13, fma(I_arm_yy, zdd_lower, s5_15)));
-  const double s7_15 = fnma(s1_3, s7_9, tau[Coordinate::lower] - s7_8 - n_arm_y);
-  const double Q_lower = fma(r_knuckle_x, s7_10, s7_15);
+  const double s7_14 = fma(s5_1, s5_4*s5_13, fma(s5_3, s5_14, I_arm_yy*zdd_lower));
+  const double s7_15 = m_arm*fnma(zdd_lower, s7_12, fnma(s7_1, s7_11, -g_z));
+  const double n_arm_y = fnma(s7_12, s7_15, fma(s7_11, s7_13, s7_14));
+  const double s7_16 = fnma(s1_3, s7_10, tau[Coordinate::lower] - s7_9);
+  const double Q_lower = fma(r_knuckle_x, f_wheel_z + f_knuckle_z, s7_16) - n_arm_y;
   result.missing[0] = Q_lower;
   // carriage: pull, prismatic, ground
   const double f_carriage_x = fms(m_carriage, zdd_pull, s5_14);
-  const double Q_pull = tau[Coordinate::pull] - s7_9 - f_arm_x - f_carriage_x;
-  // operations: 43 add, 41 multiply
+  const double Q_pull = tau[Coordinate::pull] - s7_10 - f_arm_x - f_carriage_x;
+  // operations: 48 add, 45 multiply
 
   // --- step 9: multipliers of the closures and driving forces ---
   // upper
-  const double s9_1 = fma(p_upper_to_x, R_knuckle_x_x, p_upper_to_z*R_knuckle_x_z);
+  const double s9_1 = fma(p_upper_to_z, R_knuckle_x_z, p_upper_to_x*R_knuckle_x_x);
   const double s9_2 = fnma(p_upper_to_x, R_knuckle_x_z, p_upper_to_z*R_knuckle_x_x);
   const double s9_3 = (p_upper_from_x - r_knuckle_x - s9_1)*(s1_3 + s9_2);
-  const double s9_4 = fma(-p_upper_from_z + (r_knuckle_z + s9_2), r_knuckle_x + s9_1, s9_3);
+  const double s9_4 = fma(s9_2 + (-p_upper_from_z + r_knuckle_z), r_knuckle_x + s9_1, s9_3);
   result.pivot[0] = 10.4946490638541*std::abs(s9_4);
   result.lambda[0] = -(l_upper*(Q_lower*(1.0/s9_4)));
   result.drive[0] = -Q_pull;
@@ -526,31 +517,29 @@ void compute_closure_terms(const Tuned& /*parameters*/, const Inputs& /*inputs*/
   const double R_knuckle_x_x = fnma(R_arm_x_z, s1_2, R_arm_x_x*s1_1);
   const double R_knuckle_x_z = fma(R_arm_x_x, s1_2, R_arm_x_z*s1_1);
   const double r_knuckle_x = fnma(-p_ball_x, R_arm_x_x, p_ball_z*R_arm_x_z);
-  const double s1_3 = fma(p_ball_z, R_arm_x_x, -p_ball_x*R_arm_x_z);
+  const double s1_3 = fma(-p_ball_x, R_arm_x_z, p_ball_z*R_arm_x_x);
   const double r_knuckle_z = s1_3 - (-p_lower_z);
   // operations: 5 add, 8 multiply, 4 sin cos
 
   // --- step 2: closure Jacobian Phi_z and its factors (60) ---
-  // knuckle: ball, revolute, arm
   const double zd_lower = state.zd[Coordinate::lower];
   const double s2_1 = zd_lower + state.zd[Coordinate::ball];
-  // arm: lower, revolute, carriage
   const double s2_2 = zd_lower*zd_lower;
   // upper
-  const double s2_3 = fma(p_upper_to_x, R_knuckle_x_x, p_upper_to_z*R_knuckle_x_z);
+  const double s2_3 = fma(p_upper_to_z, R_knuckle_x_z, p_upper_to_x*R_knuckle_x_x);
   const double s2_4 = s2_1*s2_3;
   const double s2_5 = fnma(p_upper_to_x, R_knuckle_x_z, p_upper_to_z*R_knuckle_x_x);
   const double s2_6 = s2_1*s2_5;
   const double s2_7 = fma(zd_lower, s1_3, s2_6);
   const double s2_8 = fma(zd_lower, r_knuckle_x, s2_4);
-  const double s2_9 = -p_upper_from_z + (r_knuckle_z + s2_5);
+  const double s2_9 = s2_5 + (-p_upper_from_z + r_knuckle_z);
   const double s2_10 = 2.380277794628896*s2_9;
   const double s2_11 = p_upper_from_x - r_knuckle_x - s2_3;
   const double s2_12 = 2.380277794628896*s2_11;
   const double s2_13 = fma(s2_5, s2_12, s2_3*s2_10);
   result.Jz[1] = -s2_13;
   result.Phi[0] = 0.5*fma(s2_11, s2_12, fms(s2_9, s2_10, l_upper));
-  result.Jz[0] = -fma(s1_3, s2_12, fma(r_knuckle_x, s2_10, s2_13));
+  result.Jz[0] = -(s2_13 + fma(s1_3, s2_12, r_knuckle_x*s2_10));
   const double s2_14 = fma(s2_1, s2_4, r_knuckle_x*s2_2);
   const double s2_15 = fnma(s2_14, s2_12, fma(s2_1, s2_6, s1_3*s2_2)*s2_10);
   result.c[0] = fnma(2.380277794628896, fma(s2_8, s2_8, s2_7*s2_7), s2_15);
@@ -584,11 +573,11 @@ void compute_chosen_accelerations(const Tuned& parameters, const Inputs& /*input
   const double R_knuckle_x_x = fnma(R_arm_x_z, s1_2, R_arm_x_x*s1_1);
   const double R_knuckle_x_z = fma(R_arm_x_x, s1_2, R_arm_x_z*s1_1);
   const double r_knuckle_x = fnma(-p_ball_x, R_arm_x_x, p_ball_z*R_arm_x_z);
-  const double s1_3 = fma(p_ball_z, R_arm_x_x, -p_ball_x*R_arm_x_z);
+  const double s1_3 = fma(-p_ball_x, R_arm_x_z, p_ball_z*R_arm_x_x);
   const double r_knuckle_z = s1_3 - (-p_lower_z);
-  // wheel: wheel, revolute, knuckle
   const double s1_4 = p_wheel_z*R_knuckle_x_z;
   const double s1_5 = p_wheel_z*R_knuckle_x_x;
+  // wheel: wheel, revolute, knuckle
   const double r_wheel_z = r_knuckle_z + s1_5;
   // operations: 6 add, 10 multiply, 4 sin cos
 
@@ -599,7 +588,6 @@ void compute_chosen_accelerations(const Tuned& parameters, const Inputs& /*input
   const double w_knuckle_y = zd_lower + state.zd[Coordinate::ball];
   // wheel: wheel, revolute, knuckle
   const double v_wheel_x = fma(s1_5, w_knuckle_y, v_knuckle_x);
-  const double s4_1 = fma(s1_4, w_knuckle_y, zd_lower*r_knuckle_x);
   const double w_wheel_y = state.zd[Coordinate::wheel] + w_knuckle_y;
   // operations: 5 add, 4 multiply
 
@@ -607,24 +595,24 @@ void compute_chosen_accelerations(const Tuned& parameters, const Inputs& /*input
   // spring
   const double s5_1 = fnma(-p_arm_seat_x, R_arm_x_x, p_arm_seat_z*R_arm_x_z);
   const double s5_2 = -p_carriage_seat_x + s5_1;
-  const double s5_3 = fma(p_arm_seat_z, R_arm_x_x, -p_arm_seat_x*R_arm_x_z);
+  const double s5_3 = fma(-p_arm_seat_x, R_arm_x_z, p_arm_seat_z*R_arm_x_x);
   const double s5_4 = 0.37 - s5_3;
   const double s5_5 = std::sqrt(fma(s5_4, s5_4, s5_2*s5_2));
   const double s5_6 = 1.0/s5_5;
-  const double s5_7 = fma(s5_2, zd_lower*s5_3, zd_lower*s5_1*s5_4)*s5_6;
+  const double s5_7 = fma(zd_lower*s5_1, s5_4, s5_2*(zd_lower*s5_3))*s5_6;
   const double s5_8 = s5_7 - 0.2;
   const double s5_9 = 0.2 + s5_7;
   const double s5_10 = (s5_9 >= 0.0 ? fms(1600.0, s5_9, 320.0) : fms(725.0, 1.0 + s5_7, 900.0));
   const double s5_11 = (s5_7 >= 0.0 ? 3200.0*s5_7 : s5_10);
-  const double s5_12 = (s5_8 >= 0.0 ? fma(1575.0, s5_8, 640.0) : s5_11) - (-f0_spring);
-  const double tension_spring = fma(s5_5 - l0_spring, parameters.k, s5_12);
+  const double s5_12 = (s5_8 >= 0.0 ? fma(1575.0, s5_8, 640.0) : s5_11);
+  const double tension_spring = s5_12 + fms(s5_5 - l0_spring, parameters.k, -f0_spring);
   const double s5_13 = s5_6*tension_spring;
-  const double s5_14 = fma(s5_1, s5_4*s5_13, s5_3*(s5_2*s5_13));
   // tyre
-  const double s5_15 = p_pull_z + r_wheel_z;
-  const double s5_16 = radius_tyre - s5_15;
-  const double s5_17 = mbgen::max(0.0, k_tyre*s5_16);
-  const double load_tyre = mbgen::max(0.0, s5_17 + mbgen::min(s5_17, d_tyre*s4_1));
+  const double s5_14 = p_pull_z + r_wheel_z;
+  const double s5_15 = radius_tyre - s5_14;
+  const double s5_16 = mbgen::max(0.0, k_tyre*s5_15);
+  const double s5_17 = mbgen::min(s5_16, d_tyre*fma(s1_4, w_knuckle_y, zd_lower*r_knuckle_x));
+  const double load_tyre = mbgen::max(0.0, s5_16 + s5_17);
   const double s5_18 = mbgen::max(0.004, load_tyre);
   const double s5_19 = 1.1*s5_18;
   const double s5_20 = 1.6*s5_19;
@@ -634,7 +622,7 @@ void compute_chosen_accelerations(const Tuned& parameters, const Inputs& /*input
   const double s5_24 = state.x[1]/relaxation_y_tyre;
   const double s5_25 = std::sqrt(fma(s5_24, s5_24, fma(s5_23, s5_23, 1e-30)));
   const double s5_26 = std::abs(v_wheel_x);
-  const double s5_27 = fnma(0.3333333333333333, mbgen::max(0.0, s5_16), radius_tyre);
+  const double s5_27 = fnma(0.3333333333333333, mbgen::max(0.0, s5_15), radius_tyre);
   const double s5_28 = w_wheel_y*s5_27;
   const double s5_29 = v_wheel_x - s5_28;
   const double s5_30 = std::sqrt(fma(s5_29, s5_29, 1e-30));
@@ -650,73 +638,59 @@ void compute_chosen_accelerations(const Tuned& parameters, const Inputs& /*input
   result.xd[0] = -fma(s5_23, s5_37, s5_29);
   const double s5_38 = mbgen::hyperbolic_tangent(0.5*s5_28);
   const double s5_39 = s5_38*(radius_tyre*(rolling_tyre*load_tyre));
-  const double s5_40 = fma(fx_tyre, s5_27 + (s5_15 + s5_16) - radius_tyre, s5_39);
-  // operations: 35 add, 53 multiply, 8 divide, 3 sqrt, 3 sin cos, 18 other
+  const double s5_40 = fma(fx_tyre, s5_27 + (s5_15 + (s5_14 - radius_tyre)), s5_39);
+  // operations: 34 add, 51 multiply, 8 divide, 3 sqrt, 3 sin cos, 18 other
 
   // --- step 8: elimination from the leaves to the root (63) ---
-  // wheel: wheel, revolute, knuckle
   const double s8_1 = tau[Coordinate::wheel] - s5_40;
-  const double s8_2 = fma(s1_4, load_tyre, fnma(s1_5, fx_tyre, s5_40 + s8_1));
-  // operations: 4 add, 2 multiply
+  // operations: 1 add
 
   // --- step 6: c and dRz/dt zd (62), upper ---
-  // arm: lower, revolute, carriage
   const double s6_1 = zd_lower*zd_lower;
-  // knuckle: ball, revolute, arm
-  const double s6_2 = s1_3*s6_1;
-  const double s6_3 = r_knuckle_x*s6_1;
-  const double s6_4 = w_knuckle_y*w_knuckle_y;
-  // operations: 4 multiply
+  const double s6_2 = w_knuckle_y*w_knuckle_y;
+  // operations: 2 multiply
 
   // --- step 7: inertias of the bodies and forces on joints, upper ---
-  // arm: lower, revolute, carriage
-  const double s7_1 = fnma(-h_arm_x, R_arm_x_x, h_arm_z*R_arm_x_z);
-  // knuckle: ball, revolute, arm
-  const double s7_2 = R_knuckle_x_z*parameters.derived[0];
-  const double s7_3 = R_knuckle_x_x*parameters.derived[0];
-  const double s7_4 = R_knuckle_x_z*(R_knuckle_x_z*parameters.derived[1]);
-  const double s7_5 = fma(R_knuckle_x_x, R_knuckle_x_x*parameters.derived[2], s7_4);
-  const double s7_6 = parameters.derived[3] - s7_5 - parameters.derived[4];
-  const double s7_7 = s7_5 + (parameters.derived[4] + s7_6);
-  // operations: 6 add, 8 multiply
+  const double s7_1 = R_knuckle_x_z*parameters.derived[0];
+  const double s7_2 = R_knuckle_x_x*parameters.derived[0];
+  // operations: 1 add, 4 multiply
 
   // --- step 8: elimination from the leaves to the root (63), upper ---
   // knuckle: ball, revolute, arm
-  const double s8_3 = projection.Rz[0] + projection.Rz[1];
-  const double s8_4 = s1_3*projection.Rz[0];
-  const double s8_5 = r_knuckle_x*projection.Rz[0];
-  const double s8_6 = projection.zdd_star[0] + projection.zdd_star[1];
-  const double s8_7 = fms(s1_3, projection.zdd_star[0], s6_3);
-  const double s8_8 = fnma(s6_4, s7_2, fms(s7_3, s8_6, fx_tyre));
-  const double f_knuckle_x = fma(s8_7, parameters.derived[5], s8_8);
-  const double s8_9 = fma(r_knuckle_x, projection.zdd_star[0], s6_2);
-  const double s8_10 = fma(s7_2, s8_6, fma(s6_4, s7_3, load_tyre));
-  const double s8_11 = fma(parameters.derived[5], s8_9, s8_10);
-  const double n_knuckle_y = fma(s8_6, s7_5 + s7_6, fma(s7_3, s8_7, fma(s7_2, s8_9, s8_2)));
-  const double s8_12 = fma(s7_2, s8_3, s8_5*parameters.derived[5]);
-  const double s8_13 = fma(s8_3, s7_7 - parameters.derived[4], fma(s7_3, s8_4, s7_2*s8_5));
-  const double s8_14 = fma(s7_3, s8_3, s8_4*parameters.derived[5]);
-  // arm: lower, revolute, carriage
-  const double s8_15 = fma(projection.Rz[0], s7_1, s8_12);
-  const double s8_16 = fma(s8_3, s8_13, fma(s8_5, s8_12, s8_4*s8_14));
-  const double s8_17 = fma(projection.Rz[0], 0.3475*projection.Rz[0], s8_16);
-  const double s8_18 = fnma(s8_3, n_knuckle_y, projection.Rz[1]*tau[Coordinate::ball]);
-  const double s8_19 = fnma(0.3475, projection.zdd_star[0], tau[Coordinate::lower] - s5_14);
-  const double s8_20 = fnma(s8_5, s8_11, fnma(s8_4, f_knuckle_x, s8_18));
-  const double s8_21 = fma(projection.Rz[0], s8_19, s8_20);
-  result.inertia[0] = fnma(1e-12, s8_17, s8_17);
-  const double s8_22 = 1.0/s8_17;
-  // operations: 30 add, 33 multiply, 1 divide
+  const double s8_2 = projection.Rz[0] + projection.Rz[1];
+  const double s8_3 = s1_3*projection.Rz[0];
+  const double s8_4 = r_knuckle_x*projection.Rz[0];
+  const double s8_5 = projection.zdd_star[0] + projection.zdd_star[1];
+  const double s8_6 = fnma(r_knuckle_x, s6_1, s1_3*projection.zdd_star[0]);
+  const double s8_7 = fnma(s6_2, s7_1, fms(s7_2, s8_5, fx_tyre));
+  const double f_knuckle_x = fma(s8_6, parameters.derived[1], s8_7);
+  const double s8_8 = fma(s1_3, s6_1, r_knuckle_x*projection.zdd_star[0]);
+  const double s8_9 = fma(s7_1, s8_5, fma(s6_2, s7_2, load_tyre));
+  const double s8_10 = fma(s7_2, s8_6, s8_1 + (s5_40 + fnma(s1_5, fx_tyre, s1_4*load_tyre)));
+  const double n_knuckle_y = fma(s8_5, parameters.derived[2], fma(s7_1, s8_8, s8_10));
+  const double s8_11 = fma(s8_4, parameters.derived[1], s7_1*s8_2);
+  const double s7_3 = fnma(-h_arm_x, R_arm_x_x, h_arm_z*R_arm_x_z);
+  const double s8_12 = fma(s8_2, parameters.derived[2], fma(s7_1, s8_4, s7_2*s8_3));
+  const double s8_13 = fma(s8_3, parameters.derived[1], s7_2*s8_2);
+  const double s8_14 = fma(s8_3, s8_13, fma(s8_2, s8_12, s8_4*s8_11));
+  const double s8_15 = fma(projection.Rz[0], 0.3475*projection.Rz[0], s8_14);
+  result.inertia[0] = fnma(1e-12, s8_15, s8_15);
+  // operations: 25 add, 31 multiply, 1 divide
+  const double s9_1 = fnma(s5_1, s5_4*s5_13, fnma(s5_3, s5_2*s5_13, tau[Coordinate::lower]));
+  const double s9_2 = fnma(s8_3, f_knuckle_x, projection.Rz[1]*tau[Coordinate::ball]);
+  const double s9_3 = fnma(s8_4, fma(parameters.derived[1], s8_8, s8_9), s9_2);
+  const double s8_16 = fma(projection.Rz[0], s7_3, s8_11);
+  const double s9_4 = fma(-g_z, s8_16, fnma(s8_2, n_knuckle_y, s9_3));
 
   // --- step 9: accelerations from the root to the leaves (63), (62) ---
+  const double s9_5 = fma(projection.Rz[0], fnma(0.3475, projection.zdd_star[0], s9_1), s9_4);
+  const double s9_6 = 1.0/s8_15*s9_5;
   // knuckle: ball, revolute, arm
-  const double s9_1 = s8_22*fma(-g_z, s8_15, s8_21);
-  result.zdd[Coordinate::lower] = fma(projection.Rz[0], s9_1, projection.zdd_star[0]);
-  result.zdd[Coordinate::ball] = fma(projection.Rz[1], s9_1, projection.zdd_star[1]);
-  const double alpha_knuckle_y = fma(s8_3, s9_1, s8_6);
-  // wheel: wheel, revolute, knuckle
+  result.zdd[Coordinate::lower] = fma(projection.Rz[0], s9_6, projection.zdd_star[0]);
+  result.zdd[Coordinate::ball] = fma(projection.Rz[1], s9_6, projection.zdd_star[1]);
+  const double alpha_knuckle_y = fma(s8_2, s9_6, s8_5);
   result.zdd[Coordinate::wheel] = s8_1 - alpha_knuckle_y;
-  // operations: 5 add, 5 multiply
+  // operations: 12 add, 13 multiply
 }
 
 /// Outputs, energies and power, at given accelerations.
@@ -738,12 +712,11 @@ void compute_outputs(const Tuned& parameters, const Inputs& /*inputs*/, const St
   const double R_knuckle_x_x = fnma(R_arm_x_z, s1_2, R_arm_x_x*s1_1);
   const double R_knuckle_x_z = fma(R_arm_x_x, s1_2, R_arm_x_z*s1_1);
   const double r_knuckle_x = fnma(-p_ball_x, R_arm_x_x, p_ball_z*R_arm_x_z);
-  const double s1_3 = fma(p_ball_z, R_arm_x_x, -p_ball_x*R_arm_x_z);
+  const double s1_3 = fma(-p_ball_x, R_arm_x_z, p_ball_z*R_arm_x_x);
   const double r_knuckle_z = s1_3 - (-p_lower_z);
+  const double s1_4 = p_wheel_z*R_knuckle_x_x;
   // wheel: wheel, revolute, knuckle
-  const double s1_4 = p_wheel_z*R_knuckle_x_z;
-  const double s1_5 = p_wheel_z*R_knuckle_x_x;
-  const double r_wheel_z = r_knuckle_z + s1_5;
+  const double r_wheel_z = r_knuckle_z + s1_4;
   // operations: 6 add, 10 multiply, 4 sin cos
 
   // --- step 4: velocities ---
@@ -755,8 +728,8 @@ void compute_outputs(const Tuned& parameters, const Inputs& /*inputs*/, const St
   const double zd_ball = state.zd[Coordinate::ball];
   const double w_knuckle_y = zd_lower + zd_ball;
   // wheel: wheel, revolute, knuckle
-  const double v_wheel_x = fma(s1_5, w_knuckle_y, v_knuckle_x);
-  const double s4_2 = fma(s1_4, w_knuckle_y, s4_1);
+  const double v_wheel_x = fma(s1_4, w_knuckle_y, v_knuckle_x);
+  const double s4_2 = fma(p_wheel_z*R_knuckle_x_z, w_knuckle_y, s4_1);
   const double zd_wheel = state.zd[Coordinate::wheel];
   const double w_wheel_y = zd_wheel + w_knuckle_y;
   // operations: 5 add, 4 multiply
@@ -765,82 +738,75 @@ void compute_outputs(const Tuned& parameters, const Inputs& /*inputs*/, const St
   // spring
   const double s5_1 = fnma(-p_arm_seat_x, R_arm_x_x, p_arm_seat_z*R_arm_x_z);
   const double s5_2 = -p_carriage_seat_x + s5_1;
-  const double s5_3 = fma(p_arm_seat_z, R_arm_x_x, -p_arm_seat_x*R_arm_x_z);
+  const double s5_3 = fma(-p_arm_seat_x, R_arm_x_z, p_arm_seat_z*R_arm_x_x);
   const double s5_4 = 0.37 - s5_3;
   const double s5_5 = std::sqrt(fma(s5_4, s5_4, s5_2*s5_2));
   const double s5_6 = 1.0/s5_5;
-  const double s5_7 = fma(s5_2, zd_lower*s5_3, zd_lower*s5_1*s5_4)*s5_6;
+  const double s5_7 = fma(zd_lower*s5_1, s5_4, s5_2*(zd_lower*s5_3))*s5_6;
   const double s5_8 = s5_7 - 0.2;
   const double s5_9 = 0.2 + s5_7;
   const double s5_10 = (s5_9 >= 0.0 ? fms(1600.0, s5_9, 320.0) : fms(725.0, 1.0 + s5_7, 900.0));
   const double s5_11 = (s5_7 >= 0.0 ? 3200.0*s5_7 : s5_10);
-  const double s5_12 = (s5_8 >= 0.0 ? fma(1575.0, s5_8, 640.0) : s5_11) - (-f0_spring);
-  const double tension_spring = fma(s5_5 - l0_spring, parameters.k, s5_12);
+  const double s5_12 = (s5_8 >= 0.0 ? fma(1575.0, s5_8, 640.0) : s5_11);
+  const double tension_spring = s5_12 + fms(s5_5 - l0_spring, parameters.k, -f0_spring);
   result.spring_force = tension_spring;
   const double s5_13 = s5_6*tension_spring;
-  const double s5_14 = fma(s5_1, s5_4*s5_13, s5_3*(s5_2*s5_13));
   // tyre
-  const double s5_15 = p_pull_z + r_wheel_z;
-  result.hub_height = s5_15;
-  const double s5_16 = radius_tyre - s5_15;
-  const double s5_17 = mbgen::max(0.0, k_tyre*s5_16);
-  const double load_tyre = mbgen::max(0.0, s5_17 + mbgen::min(s5_17, d_tyre*s4_2));
+  const double s5_14 = p_pull_z + r_wheel_z;
+  result.hub_height = s5_14;
+  const double s5_15 = radius_tyre - s5_14;
+  const double s5_16 = mbgen::max(0.0, k_tyre*s5_15);
+  const double load_tyre = mbgen::max(0.0, s5_16 + mbgen::min(s5_16, d_tyre*s4_2));
   result.load = load_tyre;
-  const double s5_18 = mbgen::max(0.004, load_tyre);
-  const double s5_19 = 1.1*s5_18;
-  const double s5_20 = 1.6*s5_19;
-  const double s5_21 = 1e-09*s5_18;
-  const double s5_22 = (s5_20 >= 0.0 ? mbgen::max(s5_20, s5_21) : mbgen::min(s5_20, -s5_21));
-  const double s5_23 = state.x[0]/relaxation_x_tyre;
-  const double s5_24 = state.x[1]/relaxation_y_tyre;
-  const double s5_25 = std::sqrt(fma(s5_24, s5_24, fma(s5_23, s5_23, 1e-30)));
-  const double s5_26 = std::abs(v_wheel_x);
-  const double s5_27 = fnma(0.3333333333333333, mbgen::max(0.0, s5_16), radius_tyre);
-  const double s5_28 = w_wheel_y*s5_27;
-  const double s5_29 = v_wheel_x - s5_28;
-  const double s5_30 = 0.1*fma(0.5, s5_26 + std::sqrt(fma(s5_29, s5_29, 1e-30)), 1.0);
-  const double s5_31 = 1.0 - s5_25/mbgen::min(0.5, s5_30);
-  const double s5_32 = mbgen::cosine(3.141592653589793*mbgen::min(1.0, 0.5*s5_26));
-  const double s5_33 = s5_23*(1.0/mbgen::max(0.6666666666666666*s5_25, s5_31));
-  const double s5_34 = fnma(s5_29, 0.06*fma(0.5, s5_32, 0.5)*mbgen::max(0.0, s5_31), s5_33);
-  const double s5_35 = s5_19*mbgen::sine(1.6*mbgen::arc_tangent(20.0*s5_18/s5_22*s5_34));
-  const double fx_tyre = mbgen::max(0.0, load_tyre)/s5_18*s5_35;
-  const double s5_36 = mbgen::hyperbolic_tangent(0.5*s5_28);
-  const double s5_37 = s5_36*(radius_tyre*(rolling_tyre*load_tyre));
-  const double s5_38 = fma(fx_tyre, s5_27 + (s5_15 + s5_16) - radius_tyre, s5_37);
-  // operations: 33 add, 51 multiply, 7 divide, 3 sqrt, 3 sin cos, 18 other
+  const double s5_17 = mbgen::max(0.004, load_tyre);
+  const double s5_18 = 1.1*s5_17;
+  const double s5_19 = 1.6*s5_18;
+  const double s5_20 = 1e-09*s5_17;
+  const double s5_21 = (s5_19 >= 0.0 ? mbgen::max(s5_19, s5_20) : mbgen::min(s5_19, -s5_20));
+  const double s5_22 = state.x[0]/relaxation_x_tyre;
+  const double s5_23 = state.x[1]/relaxation_y_tyre;
+  const double s5_24 = std::sqrt(fma(s5_23, s5_23, fma(s5_22, s5_22, 1e-30)));
+  const double s5_25 = std::abs(v_wheel_x);
+  const double s5_26 = fnma(0.3333333333333333, mbgen::max(0.0, s5_15), radius_tyre);
+  const double s5_27 = w_wheel_y*s5_26;
+  const double s5_28 = v_wheel_x - s5_27;
+  const double s5_29 = 0.1*fma(0.5, s5_25 + std::sqrt(fma(s5_28, s5_28, 1e-30)), 1.0);
+  const double s5_30 = 1.0 - s5_24/mbgen::min(0.5, s5_29);
+  const double s5_31 = mbgen::cosine(3.141592653589793*mbgen::min(1.0, 0.5*s5_25));
+  const double s5_32 = s5_22*(1.0/mbgen::max(0.6666666666666666*s5_24, s5_30));
+  const double s5_33 = fnma(s5_28, 0.06*fma(0.5, s5_31, 0.5)*mbgen::max(0.0, s5_30), s5_32);
+  const double s5_34 = s5_18*mbgen::sine(1.6*mbgen::arc_tangent(20.0*s5_17/s5_21*s5_33));
+  const double fx_tyre = mbgen::max(0.0, load_tyre)/s5_17*s5_34;
+  const double s5_35 = mbgen::hyperbolic_tangent(0.5*s5_27);
+  const double s5_36 = s5_35*(radius_tyre*(rolling_tyre*load_tyre));
+  // operations: 32 add, 49 multiply, 7 divide, 3 sqrt, 3 sin cos, 18 other
 
   // --- step 7: inertias of the bodies and forces on joints ---
-  // wheel: wheel, revolute, knuckle
-  const double s7_1 = w_wheel_y*w_wheel_y;
-  // knuckle: ball, revolute, arm
-  const double s7_2 = R_knuckle_x_x*parameters.derived[6];
-  const double s7_3 = R_knuckle_x_z*parameters.derived[6];
-  const double s7_4 = w_knuckle_y*parameters.derived[8];
-  // arm: lower, revolute, carriage
-  const double s7_5 = fma(c_arm_z, R_arm_x_x, -c_arm_x*R_arm_x_z);
-  const double s7_6 = fnma(-c_arm_x, R_arm_x_x, c_arm_z*R_arm_x_z);
-  const double s7_7 = I_arm_yy*zd_lower;
-  // operations: 2 add, 9 multiply
+  const double s7_1 = R_knuckle_x_x*parameters.derived[3];
+  const double s7_2 = fma(-c_arm_x, R_arm_x_z, c_arm_z*R_arm_x_x);
+  // operations: 2 add, 8 multiply
 
   // --- step 9: outputs, energies, power ---
-  const double s9_1 = zd_lower*s7_6;
-  const double s9_2 = fma(w_knuckle_y, s7_3, s4_1);
-  const double s9_3 = fma(r_knuckle_z + s7_2, parameters.derived[7], m_wheel*r_wheel_z);
-  result.potential_energy = -g_z*(fma(m_arm, s7_5 - (-p_lower_z), s9_3) + parameters.derived[9]);
-  const double s9_4 = fma(v_wheel_x, fx_tyre, zd_wheel*tau[Coordinate::wheel]);
-  const double s9_5 = fnma(w_wheel_y, s5_38, fnma(s4_2, load_tyre, s9_4));
-  const double s9_6 = tau[Coordinate::pull] + multipliers.drive[0];
-  const double s9_7 = fma(zd_pull, s9_6, fma(zd_ball, tau[Coordinate::ball], s9_5));
-  result.applied_power = fma(zd_lower, tau[Coordinate::lower] - s5_14, s9_7);
-  const double s9_8 = fma(w_knuckle_y, s7_2, v_knuckle_x);
-  const double s9_9 = fma(zd_lower, s7_5, zd_pull);
-  const double s9_10 = fma(m_wheel, fma(v_wheel_x, v_wheel_x, s4_2*s4_2), s7_1);
-  const double s9_11 = fma(w_knuckle_y, s7_4, s9_10);
-  const double s9_12 = fma(parameters.derived[7], fma(s9_8, s9_8, s9_2*s9_2), s9_11);
-  const double s9_13 = fma(m_carriage, zd_pull*zd_pull, fma(zd_lower, s7_7, s9_12));
-  result.kinetic_energy = 0.5*fma(m_arm, fma(s9_9, s9_9, s9_1*s9_1), s9_13);
-  // operations: 25 add, 29 multiply
+  const double s9_1 = zd_lower*fnma(-c_arm_x, R_arm_x_x, c_arm_z*R_arm_x_z);
+  const double s9_2 = fma(w_knuckle_y, R_knuckle_x_z*parameters.derived[3], s4_1);
+  const double s9_3 = fma(m_wheel, r_wheel_z, parameters.derived[6]);
+  const double s9_4 = fma(r_knuckle_z + s7_1, parameters.derived[4], s9_3);
+  result.potential_energy = -g_z*fma(m_arm, s7_2 - (-p_lower_z), s9_4);
+  const double s9_5 = fma(zd_wheel, tau[Coordinate::wheel], zd_ball*tau[Coordinate::ball]);
+  const double s5_37 = fma(fx_tyre, s5_26 + (s5_15 + (s5_14 - radius_tyre)), s5_36);
+  const double s9_6 = fma(v_wheel_x, fx_tyre, fnma(s4_2, load_tyre, s9_5));
+  const double s9_7 = tau[Coordinate::pull] + multipliers.drive[0];
+  const double s9_8 = fnma(s5_1, s5_4*s5_13, fnma(s5_3, s5_2*s5_13, tau[Coordinate::lower]));
+  result.applied_power = fma(zd_lower, s9_8, fma(zd_pull, s9_7, fnma(w_wheel_y, s5_37, s9_6)));
+  const double s9_9 = fma(w_knuckle_y, s7_1, v_knuckle_x);
+  const double s9_10 = fma(zd_lower, s7_2, zd_pull);
+  const double s9_11 = fma(w_knuckle_y, w_knuckle_y*parameters.derived[5], w_wheel_y*w_wheel_y);
+  const double s9_12 = fma(zd_lower, I_arm_yy*zd_lower, s9_11);
+  const double s9_13 = fma(m_wheel, fma(s4_2, s4_2, v_wheel_x*v_wheel_x), s9_12);
+  const double s9_14 = fma(parameters.derived[4], fma(s9_9, s9_9, s9_2*s9_2), s9_13);
+  const double s9_15 = fma(m_carriage, zd_pull*zd_pull, s9_14);
+  result.kinetic_energy = 0.5*fma(m_arm, fma(s9_10, s9_10, s9_1*s9_1), s9_15);
+  // operations: 26 add, 32 multiply
 }
 
 

@@ -83,11 +83,11 @@ struct Parameters {
   double ballast = 6.0;  ///< kg
 };
 
-/// Tunable parameters with the 10 constants that follow from them. Functions take plain Parameters
+/// Tunable parameters with the 7 constants that follow from them. Functions take plain Parameters
 /// as well, and then work these out each time: keep one of these, and assign Parameters to it where
 /// they change, at the boundary of a step.
 struct Tuned : Parameters {
-  double derived[10];
+  double derived[7];
   Tuned() noexcept : Tuned(Parameters{}) {}
   Tuned(const Parameters& parameters) noexcept;
 };

@@ -29,11 +29,11 @@ struct Parameters {
   Lanes k;
   Lanes ballast;
 };
-/// Tunable parameters with the 10 constants that follow from them. Functions take plain Parameters
+/// Tunable parameters with the 7 constants that follow from them. Functions take plain Parameters
 /// as well, and then work these out each time: keep one of these, and assign Parameters to it where
 /// they change, at the boundary of a step.
 struct Tuned : Parameters {
-  Lanes derived[10];
+  Lanes derived[7];
   Tuned() noexcept : Tuned(Parameters{}) {}
   Tuned(const Parameters& parameters) noexcept;
 };
@@ -113,29 +113,30 @@ constexpr double h_arm_z = 0.07;
 void compute_derived_constants(const Parameters& parameters, Tuned& __restrict result) noexcept {
   // --- step 1: poses and axes b ---
   const Lanes m_knuckle = 22.0 + parameters.ballast;
-  result.derived[7] = m_knuckle;
+  result.derived[4] = m_knuckle;
   const Lanes s1_1 = parameters.ballast/m_knuckle;
   const Lanes c_knuckle_z = 0.04 + 0.11*s1_1;
-  result.derived[6] = c_knuckle_z;
+  result.derived[3] = c_knuckle_z;
   const Lanes s1_2 = 0.0121*(22.0*s1_1);
   const Lanes I_knuckle_xx = 0.31 + s1_2;
   const Lanes I_knuckle_yy = 0.36 + s1_2;
-  result.derived[8] = I_knuckle_yy;
-  const Lanes s1_3 = 0.5*(I_knuckle_zz + (I_knuckle_xx + I_knuckle_yy));
+  result.derived[5] = I_knuckle_yy;
+  const Lanes s1_3 = 0.5*(I_knuckle_yy + (I_knuckle_zz + I_knuckle_xx));
   const Lanes K_knuckle_xx = s1_3 - I_knuckle_xx;
-  result.derived[2] = K_knuckle_xx;
-  const Lanes K_knuckle_yy = 0.6 + (s1_3 - I_knuckle_yy);
-  result.derived[4] = K_knuckle_yy;
+  const Lanes K_knuckle_yy = s1_3 + (0.6 - I_knuckle_yy);
   const Lanes s1_4 = m_knuckle*c_knuckle_z;
   result.derived[0] = 0.72 + s1_4;
-  const Lanes K_knuckle_zz = s1_3 - 0.2312 + c_knuckle_z*s1_4;
-  result.derived[1] = K_knuckle_zz;
-  result.derived[3] = K_knuckle_zz + (K_knuckle_xx + K_knuckle_yy);
-  result.derived[5] = m_wheel + m_knuckle;
+  const Lanes K_knuckle_zz = s1_3 + (c_knuckle_z*s1_4 - 0.2312);
+  const Lanes K_knuckle_trace = K_knuckle_zz + (K_knuckle_xx + K_knuckle_yy);
+
+  // --- step 8: elimination from the leaves to the root (63), upper ---
+  result.derived[2] = K_knuckle_trace - K_knuckle_yy;
+  // operations: 1 add
+  result.derived[1] = m_wheel + m_knuckle;
   // operations: 15 add, 6 multiply, 1 divide
 
   // --- step 9: outputs, energies, power ---
-  result.derived[9] = p_pull_z*(345.0 + m_knuckle);
+  result.derived[6] = p_pull_z*(345.0 + m_knuckle);
   // operations: 1 add, 1 multiply
 }
 
@@ -154,10 +155,11 @@ struct AccelerationsOf {
 using Accelerations = AccelerationsOf<Lanes>;
 
 /// Part 1 of compute_accelerations: step 1: poses and axes b; step 5: applied forces Q (48); step
-/// 8: elimination from the leaves to the root (63); step 2: closure Jacobian Phi_z and its factors
-/// (60), upper; step 3: Rz (61), upper; step 6: c and dRz/dt zd (62), upper; step 7: inertias of
-/// the bodies and forces on joints, upper; step 8: elimination from the leaves to the root (63),
-/// upper; step 9: accelerations from the root to the leaves (63), (62).
+/// 4: velocities; step 5: applied forces Q (48); step 8: elimination from the leaves to the root
+/// (63); step 2: closure Jacobian Phi_z and its factors (60), upper; step 7: inertias of the bodies
+/// and forces on joints, upper; step 6: c and dRz/dt zd (62), upper; step 3: Rz (61), upper; step
+/// 8: elimination from the leaves to the root (63), upper; step 9: accelerations from the root to
+/// the leaves (63), (62).
 [[gnu::noinline]] void compute_accelerations_1(const Tuned& parameters, const State& state,
     const Lanes* tau, Accelerations& __restrict result) noexcept {
   // Results that need no operation.
@@ -169,6 +171,25 @@ using Accelerations = AccelerationsOf<Lanes>;
   const Lanes z_lower = state.z[Coordinate::lower];
   Lanes R_arm_x_x, R_arm_x_z;
   mbgen::sincos(z_lower, R_arm_x_z, R_arm_x_x);
+
+  // --- step 5: applied forces Q (48) ---
+  // spring
+  const Lanes s5_1 = fnma(-p_arm_seat_x, R_arm_x_x, p_arm_seat_z*R_arm_x_z);
+  const Lanes s5_2 = fma(-p_arm_seat_x, R_arm_x_z, p_arm_seat_z*R_arm_x_x);
+  const Lanes s5_3 = -p_carriage_seat_x + s5_1;
+  const Lanes zd_lower = state.zd[Coordinate::lower];
+  const Lanes s5_4 = 0.37 - s5_2;
+  const Lanes s5_5 = mbgen::sqrt(fma(s5_4, s5_4, s5_3*s5_3));
+  const Lanes s5_6 = 1.0/s5_5;
+  const Lanes s5_7 = fma(zd_lower*s5_1, s5_4, s5_3*(zd_lower*s5_2))*s5_6;
+  const Lanes s5_8 = 0.2 + s5_7;
+  const Lanes s5_9 = fms(725.0, 1.0 + s5_7, 900.0);
+  const Lanes s5_10 = mbgen::select(s5_8, fms(1600.0, s5_8, 320.0), s5_9);
+  const Lanes s5_11 = s5_7 - 0.2;
+  const Lanes s5_12 = mbgen::select(s5_7, 3200.0*s5_7, s5_10);
+  const Lanes s5_13 = mbgen::select(s5_11, fma(1575.0, s5_11, 640.0), s5_12);
+  const Lanes tension_spring = s5_13 + fms(s5_5 - l0_spring, parameters.k, -f0_spring);
+  const Lanes s5_14 = s5_6*tension_spring;
   // knuckle: ball, revolute, arm
   const Lanes z_ball = state.z[Coordinate::ball];
   Lanes s1_1, s1_2;
@@ -176,164 +197,137 @@ using Accelerations = AccelerationsOf<Lanes>;
   const Lanes R_knuckle_x_x = fnma(R_arm_x_z, s1_2, R_arm_x_x*s1_1);
   const Lanes R_knuckle_x_z = fma(R_arm_x_x, s1_2, R_arm_x_z*s1_1);
   const Lanes r_knuckle_x = fnma(-p_ball_x, R_arm_x_x, p_ball_z*R_arm_x_z);
-  const Lanes s1_3 = fma(p_ball_z, R_arm_x_x, -p_ball_x*R_arm_x_z);
-  // wheel: wheel, revolute, knuckle
-  const Lanes s1_4 = p_wheel_z*R_knuckle_x_x;
-  const Lanes zd_lower = state.zd[Coordinate::lower];
-  const Lanes w_knuckle_y = zd_lower + state.zd[Coordinate::ball];
-  const Lanes v_knuckle_x = fma(zd_lower, s1_3, state.zd[Coordinate::pull]);
-  const Lanes v_wheel_x = fma(s1_4, w_knuckle_y, v_knuckle_x);
-  // operations: 7 add, 11 multiply, 4 sin cos
-
-  // --- step 5: applied forces Q (48) ---
-  // spring
-  const Lanes s5_1 = fnma(-p_arm_seat_x, R_arm_x_x, p_arm_seat_z*R_arm_x_z);
-  const Lanes s5_2 = fma(p_arm_seat_z, R_arm_x_x, -p_arm_seat_x*R_arm_x_z);
-  const Lanes s5_3 = 0.37 - s5_2;
-  const Lanes s5_4 = -p_carriage_seat_x + s5_1;
-  const Lanes s5_5 = mbgen::sqrt(fma(s5_3, s5_3, s5_4*s5_4));
-  const Lanes s5_6 = 1.0/s5_5;
-  const Lanes s5_7 = fma(s5_4, zd_lower*s5_2, zd_lower*s5_1*s5_3)*s5_6;
-  const Lanes s5_8 = 0.2 + s5_7;
-  const Lanes s5_9 = fms(725.0, 1.0 + s5_7, 900.0);
-  const Lanes s5_10 = mbgen::select(s5_8, fms(1600.0, s5_8, 320.0), s5_9);
-  const Lanes s5_11 = s5_7 - 0.2;
-  const Lanes s5_12 = mbgen::select(s5_7, 3200.0*s5_7, s5_10);
-  const Lanes s5_13 = mbgen::select(s5_11, fma(1575.0, s5_11, 640.0), s5_12) - (-f0_spring);
-  const Lanes tension_spring = fma(s5_5 - l0_spring, parameters.k, s5_13);
-  const Lanes s5_14 = s5_6*tension_spring;
-  const Lanes s5_15 = fma(s5_1, s5_3*s5_14, s5_2*(s5_4*s5_14));
-  // tyre
+  const Lanes s1_3 = fma(-p_ball_x, R_arm_x_z, p_ball_z*R_arm_x_x);
   const Lanes r_knuckle_z = s1_3 - (-p_lower_z);
+  const Lanes s1_4 = p_wheel_z*R_knuckle_x_x;
+  // wheel: wheel, revolute, knuckle
   const Lanes r_wheel_z = r_knuckle_z + s1_4;
-  const Lanes s5_16 = p_pull_z + r_wheel_z;
-  const Lanes s5_17 = radius_tyre - s5_16;
-  const Lanes s5_18 = mbgen::max(0.0, k_tyre*s5_17);
-  const Lanes s5_19 = fnma(0.3333333333333333, mbgen::max(0.0, s5_17), radius_tyre);
-  const Lanes s5_20 = p_wheel_z*R_knuckle_x_z;
-  const Lanes s5_21 = zd_lower*r_knuckle_x;
+  const Lanes s5_15 = p_pull_z + r_wheel_z;
+  // tyre
+  const Lanes s5_16 = radius_tyre - s5_15;
+  const Lanes s5_17 = mbgen::max(0.0, k_tyre*s5_16);
+  const Lanes s5_18 = fnma(0.3333333333333333, mbgen::max(0.0, s5_16), radius_tyre);
+  const Lanes s1_5 = p_wheel_z*R_knuckle_x_z;
+  // operations: 6 add, 10 multiply, 4 sin cos
+
+  // --- step 4: velocities ---
+  const Lanes s4_1 = zd_lower*r_knuckle_x;
+  // knuckle: ball, revolute, arm
+  const Lanes w_knuckle_y = zd_lower + state.zd[Coordinate::ball];
   mbgen::read_back();
-  const Lanes s5_22 = s5_18 + mbgen::min(s5_18, d_tyre*fma(s5_20, w_knuckle_y, s5_21));
-  const Lanes load_tyre = mbgen::max(0.0, s5_22);
-  const Lanes s5_23 = mbgen::max(0.004, load_tyre);
-  const Lanes s5_24 = 1e-09*s5_23;
-  const Lanes s5_25 = 1.1*s5_23;
-  const Lanes s5_26 = 1.6*s5_25;
-  const Lanes s5_27 = mbgen::min(s5_26, -s5_24);
-  const Lanes s5_28 = state.x[0]/relaxation_x_tyre;
-  const Lanes s5_29 = state.x[1]/relaxation_y_tyre;
-  const Lanes s5_30 = mbgen::sqrt(fma(s5_29, s5_29, fma(s5_28, s5_28, 1e-30)));
+  // tyre
+  const Lanes s5_19 = s5_17 + mbgen::min(s5_17, d_tyre*fma(s1_5, w_knuckle_y, s4_1));
+  const Lanes load_tyre = mbgen::max(0.0, s5_19);
+
+  // --- step 5: applied forces Q (48), continued ---
+  // tyre
+  const Lanes s5_20 = mbgen::max(0.004, load_tyre);
+  const Lanes s5_21 = 1.1*s5_20;
+  const Lanes s5_22 = 1.6*s5_21;
+  const Lanes s5_23 = 1e-09*s5_20;
+  const Lanes s5_24 = mbgen::min(s5_22, -s5_23);
+  // knuckle: ball, revolute, arm
+  const Lanes v_knuckle_x = fma(zd_lower, s1_3, state.zd[Coordinate::pull]);
+  // wheel: wheel, revolute, knuckle
+  const Lanes v_wheel_x = fma(s1_4, w_knuckle_y, v_knuckle_x);
+  const Lanes s5_25 = state.x[0]/relaxation_x_tyre;
+  const Lanes s5_26 = state.x[1]/relaxation_y_tyre;
+  const Lanes s5_27 = mbgen::sqrt(fma(s5_26, s5_26, fma(s5_25, s5_25, 1e-30)));
   const Lanes w_wheel_y = state.zd[Coordinate::wheel] + w_knuckle_y;
-  const Lanes s5_31 = w_wheel_y*s5_19;
-  const Lanes s5_32 = v_wheel_x - s5_31;
-  const Lanes s5_33 = mbgen::abs(v_wheel_x);
-  const Lanes s5_34 = mbgen::sqrt(fma(s5_32, s5_32, 1e-30));
-  const Lanes s5_35 = mbgen::min(0.5, 0.1*fma(0.5, s5_33 + s5_34, 1.0));
-  const Lanes s5_36 = s5_33 + s5_34/s5_35;
-  const Lanes s5_37 = 1.0 - s5_30/s5_35;
-  result.xd[1] = -(s5_29*s5_36);
-  result.xd[0] = -fma(s5_28, s5_36, s5_32);
-  const Lanes s5_38 = mbgen::cosine(3.141592653589793*mbgen::min(1.0, 0.5*s5_33));
-  const Lanes s5_39 = s5_28*(1.0/mbgen::max(0.6666666666666666*s5_30, s5_37));
-  const Lanes s5_40 = fnma(s5_32, 0.06*fma(0.5, s5_38, 0.5)*mbgen::max(0.0, s5_37), s5_39);
-  const Lanes s5_41 = 20.0*s5_23/mbgen::select(s5_26, mbgen::max(s5_26, s5_24), s5_27)*s5_40;
-  const Lanes s5_42 = s5_25*mbgen::sine(1.6*mbgen::arc_tangent(s5_41));
-  const Lanes fx_tyre = mbgen::max(0.0, load_tyre)/s5_23*s5_42;
-  const Lanes s5_43 = mbgen::hyperbolic_tangent(0.5*s5_31);
-  const Lanes s5_44 = s5_43*(radius_tyre*(rolling_tyre*load_tyre));
-  const Lanes s5_45 = fma(fx_tyre, s5_19 + (s5_16 + s5_17) - radius_tyre, s5_44);
-  // operations: 39 add, 56 multiply, 8 divide, 3 sqrt, 3 sin cos, 18 other
+  // operations: 5 add, 4 multiply
+  // tyre
+  const Lanes s5_28 = w_wheel_y*s5_18;
+  const Lanes s5_29 = mbgen::abs(v_wheel_x);
+  const Lanes s5_30 = v_wheel_x - s5_28;
+  const Lanes s5_31 = mbgen::sqrt(fma(s5_30, s5_30, 1e-30));
+  const Lanes s5_32 = mbgen::min(0.5, 0.1*fma(0.5, s5_29 + s5_31, 1.0));
+  const Lanes s5_33 = s5_29 + s5_31/s5_32;
+  const Lanes s5_34 = 1.0 - s5_27/s5_32;
+  result.xd[1] = -(s5_26*s5_33);
+  result.xd[0] = -fma(s5_25, s5_33, s5_30);
+  const Lanes s5_35 = mbgen::cosine(3.141592653589793*mbgen::min(1.0, 0.5*s5_29));
+  const Lanes s5_36 = s5_25*(1.0/mbgen::max(0.6666666666666666*s5_27, s5_34));
+  const Lanes s5_37 = fnma(s5_30, 0.06*fma(0.5, s5_35, 0.5)*mbgen::max(0.0, s5_34), s5_36);
+  const Lanes s5_38 = 20.0*s5_20/mbgen::select(s5_22, mbgen::max(s5_22, s5_23), s5_24)*s5_37;
+  const Lanes s5_39 = s5_21*mbgen::sine(1.6*mbgen::arc_tangent(s5_38));
+  const Lanes fx_tyre = mbgen::max(0.0, load_tyre)/s5_20*s5_39;
+  mbgen::read_back();
+  const Lanes s5_40 = mbgen::hyperbolic_tangent(0.5*s5_28);
+  const Lanes s5_41 = s5_40*(radius_tyre*(rolling_tyre*load_tyre));
+  const Lanes s5_42 = fma(fx_tyre, s5_18 + (s5_16 + (s5_15 - radius_tyre)), s5_41);
+  // operations: 34 add, 51 multiply, 8 divide, 3 sqrt, 3 sin cos, 18 other
 
   // --- step 8: elimination from the leaves to the root (63) ---
-  // wheel: wheel, revolute, knuckle
-  const Lanes s8_1 = tau[Coordinate::wheel] - s5_45;
-  mbgen::read_back();
-  const Lanes s8_2 = fma(s5_20, load_tyre, fnma(s1_4, fx_tyre, s5_45 + s8_1));
-  // operations: 4 add, 2 multiply
+  const Lanes s8_1 = tau[Coordinate::wheel] - s5_42;
+  // operations: 1 add
 
   // --- step 2: closure Jacobian Phi_z and its factors (60), upper ---
-  // upper
-  const Lanes s2_1 = fma(p_upper_to_x, R_knuckle_x_x, p_upper_to_z*R_knuckle_x_z);
+  const Lanes s2_1 = fma(p_upper_to_z, R_knuckle_x_z, p_upper_to_x*R_knuckle_x_x);
   const Lanes s2_2 = p_upper_from_x - r_knuckle_x - s2_1;
   const Lanes s2_3 = fnma(p_upper_to_x, R_knuckle_x_z, p_upper_to_z*R_knuckle_x_x);
-  const Lanes s2_4 = -p_upper_from_z + (r_knuckle_z + s2_3);
-  const Lanes s2_5 = fma(s2_2, s2_3, s2_1*s2_4);
-  const Lanes s2_6 = fma(r_knuckle_x, s2_4, fma(s1_3, s2_2, s2_5));
+
+  // --- step 7: inertias of the bodies and forces on joints, upper ---
+  const Lanes s7_1 = R_knuckle_x_x*parameters.derived[0];
+  const Lanes s2_4 = s2_3 + (-p_upper_from_z + r_knuckle_z);
+  const Lanes s7_2 = R_knuckle_x_z*parameters.derived[0];
+  // operations: 1 add, 4 multiply
+  const Lanes s2_5 = fma(s2_1, s2_4, s2_2*s2_3);
+
+  // --- step 6: c and dRz/dt zd (62), upper ---
+  const Lanes s6_1 = w_knuckle_y*s2_3;
+  const Lanes s6_2 = w_knuckle_y*s2_1;
+  const Lanes s6_3 = s4_1 + s6_2;
+  const Lanes s6_4 = fma(zd_lower, s1_3, s6_1);
+  const Lanes s6_5 = zd_lower*zd_lower;
+  const Lanes s6_6 = s1_3*s6_5;
+  const Lanes s6_7 = r_knuckle_x*s6_5;
+  const Lanes s6_8 = w_knuckle_y*w_knuckle_y;
+  const Lanes s6_9 = fnma(s2_4, fma(w_knuckle_y, s6_1, s6_6), fma(s6_3, s6_3, s6_4*s6_4));
+  const Lanes s2_6 = s2_5 + fma(r_knuckle_x, s2_4, s1_3*s2_2);
   const Lanes s2_7 = 1.0/s2_6;
-  result.pivot[0] = 10.4946490638541*mbgen::abs(s2_6);
-  // operations: 9 add, 9 multiply, 1 divide, 1 other
 
   // --- step 3: Rz (61), upper ---
   const Lanes s3_1 = s2_5*s2_7;
   // operations: 1 multiply
-
-  // --- step 6: c and dRz/dt zd (62), upper ---
-  // upper
-  const Lanes s6_1 = w_knuckle_y*s2_1;
-  const Lanes s6_2 = w_knuckle_y*s2_3;
-  const Lanes s6_3 = s5_21 + s6_1;
-  const Lanes s6_4 = fma(zd_lower, s1_3, s6_2);
-  // knuckle: ball, revolute, arm
-  const Lanes s6_5 = zd_lower*zd_lower;
-  const Lanes s6_6 = r_knuckle_x*s6_5;
-  // upper
-  const Lanes s6_7 = s1_3*s6_5;
-  const Lanes s6_8 = fma(s2_2, fma(w_knuckle_y, s6_1, s6_6), fma(s6_3, s6_3, s6_4*s6_4));
-  const Lanes s6_9 = fnma(s2_4, fma(w_knuckle_y, s6_2, s6_7), s6_8);
-  const Lanes zdd_star_lower = s2_7*s6_9;
-  // operations: 7 add, 13 multiply
-
-  // --- step 7: inertias of the bodies and forces on joints, upper ---
-  // arm: lower, revolute, carriage
-  const Lanes s7_1 = fnma(-h_arm_x, R_arm_x_x, h_arm_z*R_arm_x_z);
-  // knuckle: ball, revolute, arm
-  const Lanes s7_2 = R_knuckle_x_z*(R_knuckle_x_z*parameters.derived[1]);
-  const Lanes s7_3 = fma(R_knuckle_x_x, R_knuckle_x_x*parameters.derived[2], s7_2);
-  const Lanes s7_4 = parameters.derived[3] - s7_3 - parameters.derived[4];
-  const Lanes s7_5 = s7_3 + (parameters.derived[4] + s7_4) - parameters.derived[4];
-  // operations: 7 add, 6 multiply
+  const Lanes zdd_star_lower = s2_7*fma(s2_2, fma(w_knuckle_y, s6_2, s6_7), s6_9);
+  // operations: 7 add, 14 multiply
+  result.pivot[0] = 10.4946490638541*mbgen::abs(s2_6);
+  // operations: 9 add, 9 multiply, 1 divide, 1 other
 
   // --- step 8: elimination from the leaves to the root (63), upper ---
-  // arm: lower, revolute, carriage
+  const Lanes s8_2 = fms(s1_3, zdd_star_lower, s6_7);
+  const Lanes s8_3 = fma(r_knuckle_x, zdd_star_lower, s6_6);
+  const Lanes s9_1 = fma(s5_1, s5_4*s5_14, s5_2*(s5_3*s5_14)) - tau[Coordinate::lower];
   // knuckle: ball, revolute, arm
-  const Lanes s8_3 = w_knuckle_y*w_knuckle_y;
-  // arm: lower, revolute, carriage
-  const Lanes s8_4 = fma(0.3475, zdd_star_lower, s5_15 - tau[Coordinate::lower]);
-  // knuckle: ball, revolute, arm
-  const Lanes s8_5 = fms(s1_3, zdd_star_lower, s6_6);
-  const Lanes s8_6 = fma(r_knuckle_x, zdd_star_lower, s6_7);
-  const Lanes s8_7 = s1_3*s3_1;
-  const Lanes s8_8 = r_knuckle_x*s3_1;
-  const Lanes s8_9 = R_knuckle_x_z*parameters.derived[0];
-  const Lanes s8_10 = R_knuckle_x_x*parameters.derived[0];
-  const Lanes s8_11 = fnma(s8_3, s8_9, fms(zdd_star_lower, s8_10, fx_tyre));
-  const Lanes f_knuckle_x = fma(s8_5, parameters.derived[5], s8_11);
-  const Lanes s8_12 = fma(zdd_star_lower, s8_9, fma(s8_3, s8_10, load_tyre));
-  const Lanes s8_13 = fma(s8_10, s8_5, fma(s8_9, s8_6, s8_2));
-  const Lanes n_knuckle_y = fma(zdd_star_lower, s7_3 + s7_4, s8_13);
-  const Lanes s8_14 = 1.0 - s3_1;
+  const Lanes s8_4 = s1_3*s3_1;
+  const Lanes s8_5 = r_knuckle_x*s3_1;
+  const Lanes s8_6 = fma(s7_1, s8_2, s8_1 + (s5_42 + fnma(s1_4, fx_tyre, s1_5*load_tyre)));
+  const Lanes s8_7 = fnma(s6_8, s7_2, fms(zdd_star_lower, s7_1, fx_tyre));
+  const Lanes f_knuckle_x = fma(s8_2, parameters.derived[1], s8_7);
+  const Lanes s8_8 = fma(s6_8, s7_1, fma(zdd_star_lower, s7_2, load_tyre));
+  const Lanes n_knuckle_y = fma(zdd_star_lower, parameters.derived[2], fma(s7_2, s8_3, s8_6));
+  const Lanes s9_2 = fma(s8_4, f_knuckle_x, tau[Coordinate::ball]);
+  const Lanes s8_9 = 1.0 - s3_1;
+  const Lanes s9_3 = fma(s8_5, fma(parameters.derived[1], s8_3, s8_8), s9_2);
   mbgen::read_back();
-  const Lanes s8_15 = fnma(s8_9, s8_8, fnma(s8_10, s8_7, s8_14*s7_5));
-  const Lanes s8_16 = fma(s8_7, f_knuckle_x, fnma(s8_14, n_knuckle_y, tau[Coordinate::ball]));
-  const Lanes s8_17 = fnma(s8_7, parameters.derived[5], s8_10*s8_14);
-  const Lanes s8_18 = fma(s8_8, fma(parameters.derived[5], s8_6, s8_12), s8_16);
-  const Lanes s8_19 = fma(s3_1, s8_4, s8_18);
-  const Lanes s8_20 = fnma(s8_9, s8_14, s8_8*parameters.derived[5]);
+  const Lanes s8_10 = s8_9*fnma(s7_2, s8_5, fnma(s7_1, s8_4, s8_9*parameters.derived[2]));
+  const Lanes s8_11 = fnma(s7_2, s8_9, s8_5*parameters.derived[1]);
+  const Lanes s8_12 = fnma(s8_4, fnma(s8_4, parameters.derived[1], s7_1*s8_9), s8_10);
+  const Lanes s8_13 = fma(s3_1, fnma(-h_arm_x, R_arm_x_x, h_arm_z*R_arm_x_z), s8_11);
+  const Lanes s9_4 = fnma(-g_z, s8_13, fnma(s8_9, n_knuckle_y, s9_3));
   // arm: lower, revolute, carriage
-  const Lanes s8_21 = fma(s3_1, s7_1, s8_20);
-  const Lanes pivot_ball = fma(s3_1, 0.3475*s3_1, fma(s8_14, s8_15, fnma(s8_7, s8_17, s8_8*s8_20)));
-  const Lanes s8_22 = 1.0/pivot_ball;
+  const Lanes pivot_ball = fma(s3_1, 0.3475*s3_1, fma(s8_5, s8_11, s8_12));
   result.inertia[0] = fnma(1e-12, pivot_ball, pivot_ball);
-  // operations: 28 add, 35 multiply, 1 divide
+  // operations: 24 add, 29 multiply, 1 divide
 
   // --- step 9: accelerations from the root to the leaves (63), (62) ---
+  const Lanes s9_5 = 1.0/pivot_ball*fma(s3_1, fma(0.3475, zdd_star_lower, s9_1), s9_4);
+  result.zdd[Coordinate::ball] = s9_5;
   // knuckle: ball, revolute, arm
-  const Lanes s9_1 = s8_22*fnma(-g_z, s8_21, s8_19);
-  result.zdd[Coordinate::ball] = s9_1;
-  result.zdd[Coordinate::lower] = fnma(s3_1, s9_1, zdd_star_lower);
-  const Lanes alpha_knuckle_y = fma(s8_14, s9_1, zdd_star_lower);
+  result.zdd[Coordinate::lower] = fnma(s3_1, s9_5, zdd_star_lower);
+  const Lanes alpha_knuckle_y = fma(s8_9, s9_5, zdd_star_lower);
   result.zdd[Coordinate::wheel] = s8_1 - alpha_knuckle_y;
-  // operations: 4 add, 4 multiply
+  // operations: 11 add, 11 multiply
 }
 
 /// All accelerations with the frozen partition of the loop blocks.
@@ -375,28 +369,28 @@ using Closure = ClosureOf<Lanes>;
   const Lanes R_knuckle_x_x = fnma(R_arm_x_z, s1_2, R_arm_x_x*s1_1);
   const Lanes R_knuckle_x_z = fma(R_arm_x_x, s1_2, R_arm_x_z*s1_1);
   const Lanes r_knuckle_x = fnma(-p_ball_x, R_arm_x_x, p_ball_z*R_arm_x_z);
-  const Lanes s1_3 = fma(p_ball_z, R_arm_x_x, -p_ball_x*R_arm_x_z);
+  const Lanes s1_3 = fma(-p_ball_x, R_arm_x_z, p_ball_z*R_arm_x_x);
 
   // --- step 2: closure Jacobian Phi_z and its factors (60) ---
-  // upper
-  const Lanes s2_1 = fma(p_upper_to_x, R_knuckle_x_x, p_upper_to_z*R_knuckle_x_z);
+  const Lanes s2_1 = fma(p_upper_to_z, R_knuckle_x_z, p_upper_to_x*R_knuckle_x_x);
   const Lanes s2_2 = fnma(p_upper_to_x, R_knuckle_x_z, p_upper_to_z*R_knuckle_x_x);
   const Lanes s2_3 = p_upper_from_x - r_knuckle_x - s2_1;
+  // knuckle: ball, revolute, arm
   const Lanes r_knuckle_z = s1_3 - (-p_lower_z);
-  const Lanes s2_4 = -p_upper_from_z + (r_knuckle_z + s2_2);
-  const Lanes s2_5 = 2.380277794628896*s2_4;
-  const Lanes s2_6 = 2.380277794628896*s2_3;
-  const Lanes s2_7 = fma(s2_6, s2_2, s2_1*s2_5);
-  const Lanes s2_8 = 0.5*fma(s2_3, s2_6, fms(s2_4, s2_5, l_upper));
-  result.residual[0] = s2_8;
-  const Lanes s2_9 = fma(r_knuckle_x, s2_5, fma(s1_3, s2_6, s2_7));
+  // upper
+  const Lanes s2_4 = s2_2 + (-p_upper_from_z + r_knuckle_z);
+  const Lanes s2_5 = 2.380277794628896*s2_3;
+  const Lanes s2_6 = 2.380277794628896*s2_4;
+  const Lanes s2_7 = fma(s2_1, s2_6, s2_5*s2_2);
+  const Lanes s2_8 = s2_7 + fma(r_knuckle_x, s2_6, s1_3*s2_5);
+  const Lanes s2_9 = 0.5*fma(s2_4, s2_6, fms(s2_3, s2_5, l_upper));
+  result.residual[0] = s2_9;
+  result.pivot[0] = 4.409001792788769*mbgen::abs(s2_8);
+  const Lanes s2_10 = 1.0/s2_8;
+  // operations: 11 add, 14 multiply, 1 divide, 1 other
 
   // --- step 4: velocities ---
-  // loop block 0
-  result.pivot[0] = 4.409001792788769*mbgen::abs(s2_9);
-  const Lanes s2_10 = 1.0/s2_9;
-  // operations: 11 add, 14 multiply, 1 divide, 1 other
-  result.dz[Coordinate::lower] = s2_8*s2_10;
+  result.dz[Coordinate::lower] = s2_9*s2_10;
   result.zd[Coordinate::lower] = -(s2_10*(state.zd[Coordinate::ball]*s2_7));
   // operations: 3 multiply
   const Lanes s1_4 = fms(15.0, state.t, state.z[Coordinate::pull]);
@@ -422,9 +416,10 @@ struct ConstraintForcesOf {
 };
 using ConstraintForces = ConstraintForcesOf<Lanes>;
 
-/// Part 1 of compute_multipliers: step 1: poses and axes b; step 4: velocities; step 5: applied
-/// forces Q (48); step 7: inertias of the bodies and forces on joints; step 9: multipliers of the
-/// closures and driving forces.
+/// Part 1 of compute_multipliers: step 1: poses and axes b; step 5: applied forces Q (48); step 4:
+/// velocities; step 5: applied forces Q (48); step 7: inertias of the bodies and forces on joints;
+/// step 5: applied forces Q (48); step 7: inertias of the bodies and forces on joints; step 9:
+/// multipliers of the closures and driving forces.
 [[gnu::noinline]] void compute_multipliers_1(const Tuned& parameters, const State& state,
     const Lanes* tau, const Derivative& derivative, ConstraintForces& __restrict result) noexcept {
   // --- step 1: poses and axes b ---
@@ -432,6 +427,26 @@ using ConstraintForces = ConstraintForcesOf<Lanes>;
   const Lanes z_lower = state.z[Coordinate::lower];
   Lanes R_arm_x_x, R_arm_x_z;
   mbgen::sincos(z_lower, R_arm_x_z, R_arm_x_x);
+
+  // --- step 5: applied forces Q (48) ---
+  // spring
+  const Lanes s5_1 = fnma(-p_arm_seat_x, R_arm_x_x, p_arm_seat_z*R_arm_x_z);
+  const Lanes s5_2 = fma(-p_arm_seat_x, R_arm_x_z, p_arm_seat_z*R_arm_x_x);
+  const Lanes s5_3 = -p_carriage_seat_x + s5_1;
+  const Lanes zd_lower = state.zd[Coordinate::lower];
+  const Lanes s5_4 = 0.37 - s5_2;
+  const Lanes s5_5 = mbgen::sqrt(fma(s5_4, s5_4, s5_3*s5_3));
+  const Lanes s5_6 = 1.0/s5_5;
+  const Lanes s5_7 = fma(zd_lower*s5_1, s5_4, s5_3*(zd_lower*s5_2))*s5_6;
+  const Lanes s5_8 = 0.2 + s5_7;
+  const Lanes s5_9 = fms(725.0, 1.0 + s5_7, 900.0);
+  const Lanes s5_10 = mbgen::select(s5_8, fms(1600.0, s5_8, 320.0), s5_9);
+  const Lanes s5_11 = s5_7 - 0.2;
+  const Lanes s5_12 = mbgen::select(s5_7, 3200.0*s5_7, s5_10);
+  const Lanes s5_13 = mbgen::select(s5_11, fma(1575.0, s5_11, 640.0), s5_12);
+  const Lanes tension_spring = s5_13 + fms(s5_5 - l0_spring, parameters.k, -f0_spring);
+  const Lanes s5_14 = s5_6*tension_spring;
+  const Lanes s5_15 = s5_3*s5_14;
   // knuckle: ball, revolute, arm
   const Lanes z_ball = state.z[Coordinate::ball];
   Lanes s1_1, s1_2;
@@ -439,55 +454,27 @@ using ConstraintForces = ConstraintForcesOf<Lanes>;
   const Lanes R_knuckle_x_x = fnma(R_arm_x_z, s1_2, R_arm_x_x*s1_1);
   const Lanes R_knuckle_x_z = fma(R_arm_x_x, s1_2, R_arm_x_z*s1_1);
   const Lanes r_knuckle_x = fnma(-p_ball_x, R_arm_x_x, p_ball_z*R_arm_x_z);
-  const Lanes s1_3 = fma(p_ball_z, R_arm_x_x, -p_ball_x*R_arm_x_z);
-  // wheel: wheel, revolute, knuckle
+  const Lanes s1_3 = fma(-p_ball_x, R_arm_x_z, p_ball_z*R_arm_x_x);
   const Lanes s1_4 = p_wheel_z*R_knuckle_x_z;
-  // knuckle: ball, revolute, arm
-  const Lanes r_knuckle_z = s1_3 - (-p_lower_z);
-  // wheel: wheel, revolute, knuckle
-  const Lanes s1_5 = p_wheel_z*R_knuckle_x_x;
-  const Lanes r_wheel_z = r_knuckle_z + s1_5;
-  // operations: 6 add, 10 multiply, 4 sin cos
 
   // --- step 4: velocities ---
   // knuckle: ball, revolute, arm
-  const Lanes zd_lower = state.zd[Coordinate::lower];
   const Lanes w_knuckle_y = zd_lower + state.zd[Coordinate::ball];
+  const Lanes r_knuckle_z = s1_3 - (-p_lower_z);
+  const Lanes s1_5 = p_wheel_z*R_knuckle_x_x;
   // wheel: wheel, revolute, knuckle
-  const Lanes s4_1 = fma(s1_4, w_knuckle_y, zd_lower*r_knuckle_x);
-  // knuckle: ball, revolute, arm
-  const Lanes v_knuckle_x = fma(zd_lower, s1_3, state.zd[Coordinate::pull]);
-  // wheel: wheel, revolute, knuckle
-  const Lanes v_wheel_x = fma(s1_5, w_knuckle_y, v_knuckle_x);
-  const Lanes w_wheel_y = state.zd[Coordinate::wheel] + w_knuckle_y;
-  // operations: 5 add, 4 multiply
+  const Lanes r_wheel_z = r_knuckle_z + s1_5;
+  // operations: 6 add, 10 multiply, 4 sin cos
+  const Lanes s5_16 = p_pull_z + r_wheel_z;
+  const Lanes s5_17 = radius_tyre - s5_16;
+  const Lanes s5_18 = mbgen::max(0.0, k_tyre*s5_17);
+  const Lanes s5_19 = fnma(0.3333333333333333, mbgen::max(0.0, s5_17), radius_tyre);
+  const Lanes s5_20 = mbgen::min(s5_18, d_tyre*fma(s1_4, w_knuckle_y, zd_lower*r_knuckle_x));
 
-  // --- step 5: applied forces Q (48) ---
-  // spring
-  const Lanes s5_1 = fnma(-p_arm_seat_x, R_arm_x_x, p_arm_seat_z*R_arm_x_z);
-  const Lanes s5_2 = fma(p_arm_seat_z, R_arm_x_x, -p_arm_seat_x*R_arm_x_z);
-  const Lanes s5_3 = 0.37 - s5_2;
-  const Lanes s5_4 = -p_carriage_seat_x + s5_1;
-  const Lanes s5_5 = mbgen::sqrt(fma(s5_3, s5_3, s5_4*s5_4));
-  const Lanes s5_6 = 1.0/s5_5;
-  const Lanes s5_7 = fma(s5_4, zd_lower*s5_2, zd_lower*s5_1*s5_3)*s5_6;
-  const Lanes s5_8 = 0.2 + s5_7;
-  const Lanes s5_9 = fms(725.0, 1.0 + s5_7, 900.0);
-  const Lanes s5_10 = mbgen::select(s5_8, fms(1600.0, s5_8, 320.0), s5_9);
-  const Lanes s5_11 = s5_7 - 0.2;
-  const Lanes s5_12 = mbgen::select(s5_7, 3200.0*s5_7, s5_10);
-  const Lanes s5_13 = mbgen::select(s5_11, fma(1575.0, s5_11, 640.0), s5_12) - (-f0_spring);
-  const Lanes tension_spring = fma(s5_5 - l0_spring, parameters.k, s5_13);
-  const Lanes s5_14 = s5_6*tension_spring;
-  const Lanes s5_15 = s5_4*s5_14;
-  const Lanes s5_16 = fma(s5_1, s5_3*s5_14, s5_2*s5_15);
+  // --- step 5: applied forces Q (48), continued ---
   // tyre
-  const Lanes s5_17 = p_pull_z + r_wheel_z;
-  const Lanes s5_18 = radius_tyre - s5_17;
-  const Lanes s5_19 = mbgen::max(0.0, k_tyre*s5_18);
-  const Lanes s5_20 = fnma(0.3333333333333333, mbgen::max(0.0, s5_18), radius_tyre);
+  const Lanes load_tyre = mbgen::max(0.0, s5_18 + s5_20);
   mbgen::read_back();
-  const Lanes load_tyre = mbgen::max(0.0, s5_19 + mbgen::min(s5_19, d_tyre*s4_1));
   const Lanes s5_21 = mbgen::max(0.004, load_tyre);
   const Lanes s5_22 = 1.1*s5_21;
   const Lanes s5_23 = 1.6*s5_22;
@@ -496,81 +483,91 @@ using ConstraintForces = ConstraintForcesOf<Lanes>;
   const Lanes s5_26 = state.x[0]/relaxation_x_tyre;
   const Lanes s5_27 = state.x[1]/relaxation_y_tyre;
   const Lanes s5_28 = mbgen::sqrt(fma(s5_27, s5_27, fma(s5_26, s5_26, 1e-30)));
-  const Lanes s5_29 = w_wheel_y*s5_20;
+  // knuckle: ball, revolute, arm
+  const Lanes v_knuckle_x = fma(zd_lower, s1_3, state.zd[Coordinate::pull]);
+  // wheel: wheel, revolute, knuckle
+  const Lanes v_wheel_x = fma(s1_5, w_knuckle_y, v_knuckle_x);
+  const Lanes w_wheel_y = state.zd[Coordinate::wheel] + w_knuckle_y;
+  // operations: 5 add, 4 multiply
+  const Lanes s5_29 = w_wheel_y*s5_19;
+
+  // --- step 7: inertias of the bodies and forces on joints ---
+  const Lanes s7_1 = w_knuckle_y*w_knuckle_y;
+
+  // --- step 5: applied forces Q (48), continued ---
+  // tyre
   const Lanes s5_30 = mbgen::abs(v_wheel_x);
   const Lanes s5_31 = v_wheel_x - s5_29;
   const Lanes s5_32 = 0.1*fma(0.5, s5_30 + mbgen::sqrt(fma(s5_31, s5_31, 1e-30)), 1.0);
   const Lanes s5_33 = 1.0 - s5_28/mbgen::min(0.5, s5_32);
   const Lanes s5_34 = mbgen::cosine(3.141592653589793*mbgen::min(1.0, 0.5*s5_30));
   const Lanes s5_35 = s5_26*(1.0/mbgen::max(0.6666666666666666*s5_28, s5_33));
-  const Lanes s5_36 = fnma(s5_31, 0.06*fma(0.5, s5_34, 0.5)*mbgen::max(0.0, s5_33), s5_35);
-  const Lanes s5_37 = 20.0*s5_21/mbgen::select(s5_23, mbgen::max(s5_23, s5_24), s5_25)*s5_36;
-  const Lanes s5_38 = s5_22*mbgen::sine(1.6*mbgen::arc_tangent(s5_37));
-  const Lanes fx_tyre = mbgen::max(0.0, load_tyre)/s5_21*s5_38;
-  const Lanes s5_39 = mbgen::hyperbolic_tangent(0.5*s5_29);
-  const Lanes s5_40 = s5_39*(radius_tyre*(rolling_tyre*load_tyre));
-  const Lanes s5_41 = fma(fx_tyre, s5_20 + (s5_17 + s5_18) - radius_tyre, s5_40);
-  // operations: 33 add, 51 multiply, 7 divide, 3 sqrt, 3 sin cos, 18 other
 
-  // --- step 7: inertias of the bodies and forces on joints ---
-  // arm: lower, revolute, carriage
-  const Lanes zdd_lower = derivative.zdd[Coordinate::lower];
+  // --- step 7: inertias of the bodies and forces on joints, continued ---
   // knuckle: ball, revolute, arm
-  const Lanes s7_1 = w_knuckle_y*w_knuckle_y;
+  const Lanes zdd_lower = derivative.zdd[Coordinate::lower];
+  const Lanes alpha_knuckle_y = zdd_lower + derivative.zdd[Coordinate::ball];
+  // wheel: wheel, revolute, knuckle
+  const Lanes alpha_wheel_y = derivative.zdd[Coordinate::wheel] + alpha_knuckle_y;
+  const Lanes s5_36 = mbgen::hyperbolic_tangent(0.5*s5_29);
   // arm: lower, revolute, carriage
-  const Lanes s7_2 = fma(c_arm_z, R_arm_x_x, -c_arm_x*R_arm_x_z);
+  const Lanes s7_2 = fma(-c_arm_x, R_arm_x_z, c_arm_z*R_arm_x_x);
   const Lanes s7_3 = fnma(-c_arm_x, R_arm_x_x, c_arm_z*R_arm_x_z);
   const Lanes s7_4 = zd_lower*zd_lower;
-  mbgen::read_back();
   const Lanes zdd_pull = derivative.zdd[Coordinate::pull];
   const Lanes s7_5 = m_arm*fnma(s7_4, s7_3, fma(zdd_lower, s7_2, zdd_pull));
+  const Lanes s7_6 = fma(s5_1, s5_4*s5_14, fma(s5_2, s5_15, I_arm_yy*zdd_lower));
   const Lanes f_arm_x = s5_15 + s7_5;
   // carriage: pull, prismatic, ground
   const Lanes f_carriage_x = fms(m_carriage, zdd_pull, s5_15);
+  mbgen::read_back();
   // arm: lower, revolute, carriage
-  const Lanes s7_6 = m_arm*fnma(s7_4, s7_2, fnma(zdd_lower, s7_3, -g_z));
-  const Lanes n_arm_y = fnma(s7_3, s7_6, fma(s7_2, s7_5, fma(I_arm_yy, zdd_lower, s5_16)));
+  const Lanes s7_7 = m_arm*fnma(zdd_lower, s7_3, fnma(s7_4, s7_2, -g_z));
+  const Lanes n_arm_y = fnma(s7_3, s7_7, fma(s7_2, s7_5, s7_6));
+  const Lanes s5_37 = fnma(s5_31, 0.06*fma(0.5, s5_34, 0.5)*mbgen::max(0.0, s5_33), s5_35);
+  const Lanes s5_38 = 20.0*s5_21/mbgen::select(s5_23, mbgen::max(s5_23, s5_24), s5_25)*s5_37;
+  // tyre
+  const Lanes s5_39 = s5_22*mbgen::sine(1.6*mbgen::arc_tangent(s5_38));
+  const Lanes fx_tyre = mbgen::max(0.0, load_tyre)/s5_21*s5_39;
+  // operations: 28 add, 47 multiply, 7 divide, 3 sqrt, 3 sin cos, 18 other
+  // wheel: wheel, revolute, knuckle
+  const Lanes s7_8 = fma(s5_36, radius_tyre*(rolling_tyre*load_tyre), alpha_wheel_y);
+  const Lanes n_wheel_y = fma(fx_tyre, s5_19 + (s5_17 + (s5_16 - radius_tyre)), s7_8);
   // knuckle: ball, revolute, arm
   const Lanes a_knuckle_x = fnma(r_knuckle_x, s7_4, fma(zdd_lower, s1_3, zdd_pull));
   const Lanes a_knuckle_z = fnma(s1_3, s7_4, fnma(zdd_lower, r_knuckle_x, -g_z));
-  const Lanes alpha_knuckle_y = zdd_lower + derivative.zdd[Coordinate::ball];
   // wheel: wheel, revolute, knuckle
   const Lanes a_wheel_x = fnma(s1_4, s7_1, fma(s1_5, alpha_knuckle_y, a_knuckle_x));
   const Lanes f_wheel_x = fms(m_wheel, a_wheel_x, fx_tyre);
   const Lanes a_wheel_z = fnma(s1_5, s7_1, fnma(s1_4, alpha_knuckle_y, a_knuckle_z));
   const Lanes f_wheel_z = fms(m_wheel, a_wheel_z, load_tyre);
-  const Lanes alpha_wheel_y = derivative.zdd[Coordinate::wheel] + alpha_knuckle_y;
-  const Lanes n_wheel_y = s5_41 + alpha_wheel_y;
   // knuckle: ball, revolute, arm
-  const Lanes s7_7 = R_knuckle_x_x*parameters.derived[6];
-  const Lanes s7_8 = R_knuckle_x_z*parameters.derived[6];
-  const Lanes s7_9 = fnma(s7_1, s7_8, fma(alpha_knuckle_y, s7_7, a_knuckle_x));
-  const Lanes f_knuckle_x = s7_9*parameters.derived[7];
-  const Lanes s7_10 = fnma(s7_1, s7_7, fnma(alpha_knuckle_y, s7_8, a_knuckle_z));
-  const Lanes f_knuckle_z = parameters.derived[7]*s7_10;
-  const Lanes s7_11 = fma(s7_7, f_knuckle_x, alpha_knuckle_y*parameters.derived[8]);
-  const Lanes n_knuckle_y = fnma(s7_8, f_knuckle_z, s7_11);
-  const Lanes s7_12 = f_wheel_x + f_knuckle_x;
-  const Lanes s7_13 = f_wheel_z + f_knuckle_z;
-  const Lanes s7_14 = fnma(s1_4, f_wheel_z, fma(s1_5, f_wheel_x, n_wheel_y + n_knuckle_y));
+  const Lanes s7_9 = R_knuckle_x_x*parameters.derived[3];
+  const Lanes s7_10 = R_knuckle_x_z*parameters.derived[3];
+  const Lanes s7_11 = fnma(s7_1, s7_10, fma(alpha_knuckle_y, s7_9, a_knuckle_x));
+  const Lanes f_knuckle_x = s7_11*parameters.derived[4];
+  const Lanes s7_12 = fnma(alpha_knuckle_y, s7_10, fnma(s7_1, s7_9, a_knuckle_z));
+  const Lanes f_knuckle_z = parameters.derived[4]*s7_12;
+  const Lanes s7_13 = f_wheel_x + f_knuckle_x;
+  const Lanes s7_14 = fma(s7_9, f_knuckle_x, alpha_knuckle_y*parameters.derived[5]);
+  const Lanes n_knuckle_y = fnma(s7_10, f_knuckle_z, s7_14);
+  const Lanes s7_15 = n_knuckle_y + (n_wheel_y + fnma(s1_4, f_wheel_z, s1_5*f_wheel_x));
+  result.missing[1] = tau[Coordinate::ball] - s7_15;
+  const Lanes s7_16 = fnma(s1_3, s7_13, tau[Coordinate::lower] - s7_15);
   // arm: lower, revolute, carriage
-  // knuckle: ball, revolute, arm
-  result.missing[1] = tau[Coordinate::ball] - s7_14;
-  // arm: lower, revolute, carriage
-  const Lanes s7_15 = fnma(s1_3, s7_12, tau[Coordinate::lower] - s7_14 - n_arm_y);
-  const Lanes Q_lower = fma(r_knuckle_x, s7_13, s7_15);
+  const Lanes Q_lower = fma(r_knuckle_x, f_wheel_z + f_knuckle_z, s7_16) - n_arm_y;
   result.missing[0] = Q_lower;
   // carriage: pull, prismatic, ground
-  const Lanes Q_pull = tau[Coordinate::pull] - s7_12 - f_arm_x - f_carriage_x;
-  // operations: 43 add, 41 multiply
+  const Lanes Q_pull = tau[Coordinate::pull] - s7_13 - f_arm_x - f_carriage_x;
+  // operations: 48 add, 45 multiply
 
   // --- step 9: multipliers of the closures and driving forces ---
   result.drive[0] = -Q_pull;
   // upper
-  const Lanes s9_1 = fma(p_upper_to_x, R_knuckle_x_x, p_upper_to_z*R_knuckle_x_z);
+  const Lanes s9_1 = fma(p_upper_to_z, R_knuckle_x_z, p_upper_to_x*R_knuckle_x_x);
   const Lanes s9_2 = fnma(p_upper_to_x, R_knuckle_x_z, p_upper_to_z*R_knuckle_x_x);
   const Lanes s9_3 = (p_upper_from_x - r_knuckle_x - s9_1)*(s1_3 + s9_2);
-  const Lanes s9_4 = fma(-p_upper_from_z + (r_knuckle_z + s9_2), r_knuckle_x + s9_1, s9_3);
+  const Lanes s9_4 = fma(s9_2 + (-p_upper_from_z + r_knuckle_z), r_knuckle_x + s9_1, s9_3);
   result.pivot[0] = 10.4946490638541*mbgen::abs(s9_4);
   mbgen::read_back();
   result.lambda[0] = -(l_upper*(Q_lower*(1.0/s9_4)));
@@ -585,8 +582,9 @@ void compute_multipliers(const Tuned* parameters, const Inputs* /*inputs*/, cons
     compute_multipliers_1(parameters[g], state[g], tau[g].tau, derivative[g], result[g]);
 }
 
-/// Part 1 of compute_outputs: step 1: poses and axes b; step 4: velocities; step 5: applied forces
-/// Q (48); step 7: inertias of the bodies and forces on joints; step 9: outputs, energies, power.
+/// Part 1 of compute_outputs: step 1: poses and axes b; step 5: applied forces Q (48); step 4:
+/// velocities; step 9: outputs, energies, power; step 7: inertias of the bodies and forces on
+/// joints; step 5: applied forces Q (48).
 [[gnu::noinline]] void compute_outputs_1(const Tuned& parameters, const State& state,
     const Lanes* tau, const Multipliers& multipliers, Outputs& __restrict result) noexcept {
   // Results that need no operation.
@@ -597,6 +595,26 @@ void compute_multipliers(const Tuned* parameters, const Inputs* /*inputs*/, cons
   const Lanes z_lower = state.z[Coordinate::lower];
   Lanes R_arm_x_x, R_arm_x_z;
   mbgen::sincos(z_lower, R_arm_x_z, R_arm_x_x);
+
+  // --- step 5: applied forces Q (48) ---
+  // spring
+  const Lanes s5_1 = fnma(-p_arm_seat_x, R_arm_x_x, p_arm_seat_z*R_arm_x_z);
+  const Lanes s5_2 = fma(-p_arm_seat_x, R_arm_x_z, p_arm_seat_z*R_arm_x_x);
+  const Lanes s5_3 = -p_carriage_seat_x + s5_1;
+  const Lanes zd_lower = state.zd[Coordinate::lower];
+  const Lanes s5_4 = 0.37 - s5_2;
+  const Lanes s5_5 = mbgen::sqrt(fma(s5_4, s5_4, s5_3*s5_3));
+  const Lanes s5_6 = 1.0/s5_5;
+  const Lanes s5_7 = fma(zd_lower*s5_1, s5_4, s5_3*(zd_lower*s5_2))*s5_6;
+  const Lanes s5_8 = 0.2 + s5_7;
+  const Lanes s5_9 = fms(725.0, 1.0 + s5_7, 900.0);
+  const Lanes s5_10 = mbgen::select(s5_8, fms(1600.0, s5_8, 320.0), s5_9);
+  const Lanes s5_11 = s5_7 - 0.2;
+  const Lanes s5_12 = mbgen::select(s5_7, 3200.0*s5_7, s5_10);
+  const Lanes s5_13 = mbgen::select(s5_11, fma(1575.0, s5_11, 640.0), s5_12);
+  const Lanes tension_spring = s5_13 + fms(s5_5 - l0_spring, parameters.k, -f0_spring);
+  result.spring_force = tension_spring;
+  const Lanes s5_14 = s5_6*tension_spring;
   // knuckle: ball, revolute, arm
   const Lanes z_ball = state.z[Coordinate::ball];
   Lanes s1_1, s1_2;
@@ -604,119 +622,89 @@ void compute_multipliers(const Tuned* parameters, const Inputs* /*inputs*/, cons
   const Lanes R_knuckle_x_x = fnma(R_arm_x_z, s1_2, R_arm_x_x*s1_1);
   const Lanes R_knuckle_x_z = fma(R_arm_x_x, s1_2, R_arm_x_z*s1_1);
   const Lanes r_knuckle_x = fnma(-p_ball_x, R_arm_x_x, p_ball_z*R_arm_x_z);
-  const Lanes s1_3 = fma(p_ball_z, R_arm_x_x, -p_ball_x*R_arm_x_z);
-  // wheel: wheel, revolute, knuckle
-  const Lanes s1_4 = p_wheel_z*R_knuckle_x_z;
-  // knuckle: ball, revolute, arm
-  const Lanes r_knuckle_z = s1_3 - (-p_lower_z);
-  // wheel: wheel, revolute, knuckle
-  const Lanes s1_5 = p_wheel_z*R_knuckle_x_x;
-  const Lanes r_wheel_z = r_knuckle_z + s1_5;
-  // operations: 6 add, 10 multiply, 4 sin cos
 
   // --- step 4: velocities ---
-  // knuckle: ball, revolute, arm
-  const Lanes zd_lower = state.zd[Coordinate::lower];
   const Lanes s4_1 = zd_lower*r_knuckle_x;
+  const Lanes s1_3 = fma(-p_ball_x, R_arm_x_z, p_ball_z*R_arm_x_x);
+  // knuckle: ball, revolute, arm
   const Lanes zd_ball = state.zd[Coordinate::ball];
   const Lanes w_knuckle_y = zd_lower + zd_ball;
-  // wheel: wheel, revolute, knuckle
-  const Lanes s4_2 = fma(s1_4, w_knuckle_y, s4_1);
+  const Lanes s4_2 = fma(p_wheel_z*R_knuckle_x_z, w_knuckle_y, s4_1);
+
+  // --- step 9: outputs, energies, power ---
+  const Lanes s9_1 = fma(w_knuckle_y, R_knuckle_x_z*parameters.derived[3], s4_1);
   // knuckle: ball, revolute, arm
+  const Lanes r_knuckle_z = s1_3 - (-p_lower_z);
   const Lanes zd_pull = state.zd[Coordinate::pull];
   const Lanes v_knuckle_x = fma(zd_lower, s1_3, zd_pull);
+  const Lanes s1_4 = p_wheel_z*R_knuckle_x_x;
+
+  // --- step 7: inertias of the bodies and forces on joints ---
+  const Lanes s7_1 = R_knuckle_x_x*parameters.derived[3];
   // wheel: wheel, revolute, knuckle
-  const Lanes v_wheel_x = fma(s1_5, w_knuckle_y, v_knuckle_x);
+  const Lanes r_wheel_z = r_knuckle_z + s1_4;
+  // operations: 6 add, 10 multiply, 4 sin cos
+  const Lanes v_wheel_x = fma(s1_4, w_knuckle_y, v_knuckle_x);
+  const Lanes s9_2 = fma(w_knuckle_y, s7_1, v_knuckle_x);
+  const Lanes s5_15 = p_pull_z + r_wheel_z;
+  result.hub_height = s5_15;
+  const Lanes s9_3 = fma(m_wheel, r_wheel_z, parameters.derived[6]);
+  mbgen::read_back();
+
+  // --- step 5: applied forces Q (48), continued ---
+  // tyre
+  const Lanes s5_16 = radius_tyre - s5_15;
+  const Lanes s5_17 = mbgen::max(0.0, k_tyre*s5_16);
+  const Lanes s5_18 = fnma(0.3333333333333333, mbgen::max(0.0, s5_16), radius_tyre);
+  const Lanes load_tyre = mbgen::max(0.0, s5_17 + mbgen::min(s5_17, d_tyre*s4_2));
+  result.load = load_tyre;
+  const Lanes s5_19 = mbgen::max(0.004, load_tyre);
+  const Lanes s5_20 = 1.1*s5_19;
+  const Lanes s5_21 = 1.6*s5_20;
+  const Lanes s5_22 = 1e-09*s5_19;
+  const Lanes s5_23 = mbgen::min(s5_21, -s5_22);
+  const Lanes s5_24 = state.x[0]/relaxation_x_tyre;
+  const Lanes s5_25 = state.x[1]/relaxation_y_tyre;
+  const Lanes s5_26 = mbgen::sqrt(fma(s5_25, s5_25, fma(s5_24, s5_24, 1e-30)));
+  // wheel: wheel, revolute, knuckle
   const Lanes zd_wheel = state.zd[Coordinate::wheel];
   const Lanes w_wheel_y = zd_wheel + w_knuckle_y;
   // operations: 5 add, 4 multiply
-
-  // --- step 5: applied forces Q (48) ---
-  // spring
-  const Lanes s5_1 = fnma(-p_arm_seat_x, R_arm_x_x, p_arm_seat_z*R_arm_x_z);
-  const Lanes s5_2 = fma(p_arm_seat_z, R_arm_x_x, -p_arm_seat_x*R_arm_x_z);
-  const Lanes s5_3 = 0.37 - s5_2;
-  const Lanes s5_4 = -p_carriage_seat_x + s5_1;
-  const Lanes s5_5 = mbgen::sqrt(fma(s5_3, s5_3, s5_4*s5_4));
-  const Lanes s5_6 = 1.0/s5_5;
-  const Lanes s5_7 = fma(s5_4, zd_lower*s5_2, zd_lower*s5_1*s5_3)*s5_6;
-  const Lanes s5_8 = 0.2 + s5_7;
-  const Lanes s5_9 = fms(725.0, 1.0 + s5_7, 900.0);
-  const Lanes s5_10 = mbgen::select(s5_8, fms(1600.0, s5_8, 320.0), s5_9);
-  const Lanes s5_11 = s5_7 - 0.2;
-  const Lanes s5_12 = mbgen::select(s5_7, 3200.0*s5_7, s5_10);
-  const Lanes s5_13 = mbgen::select(s5_11, fma(1575.0, s5_11, 640.0), s5_12) - (-f0_spring);
-  const Lanes tension_spring = fma(s5_5 - l0_spring, parameters.k, s5_13);
-  result.spring_force = tension_spring;
-  const Lanes s5_14 = s5_6*tension_spring;
-  const Lanes s5_15 = fma(s5_1, s5_3*s5_14, s5_2*(s5_4*s5_14));
   // tyre
-  const Lanes s5_16 = p_pull_z + r_wheel_z;
-  result.hub_height = s5_16;
-  const Lanes s5_17 = radius_tyre - s5_16;
-  const Lanes s5_18 = mbgen::max(0.0, k_tyre*s5_17);
-  const Lanes s5_19 = fnma(0.3333333333333333, mbgen::max(0.0, s5_17), radius_tyre);
+  const Lanes s5_27 = w_wheel_y*s5_18;
+  const Lanes s5_28 = v_wheel_x - s5_27;
+  const Lanes s5_29 = mbgen::abs(v_wheel_x);
+  const Lanes s5_30 = 0.1*fma(0.5, s5_29 + mbgen::sqrt(fma(s5_28, s5_28, 1e-30)), 1.0);
+  const Lanes s5_31 = 1.0 - s5_26/mbgen::min(0.5, s5_30);
+  const Lanes s5_32 = mbgen::cosine(3.141592653589793*mbgen::min(1.0, 0.5*s5_29));
+  const Lanes s5_33 = s5_24*(1.0/mbgen::max(0.6666666666666666*s5_26, s5_31));
+  const Lanes s5_34 = fnma(s5_28, 0.06*fma(0.5, s5_32, 0.5)*mbgen::max(0.0, s5_31), s5_33);
+  const Lanes s5_35 = 20.0*s5_19/mbgen::select(s5_21, mbgen::max(s5_21, s5_22), s5_23)*s5_34;
+  const Lanes s5_36 = s5_20*mbgen::sine(1.6*mbgen::arc_tangent(s5_35));
+  const Lanes fx_tyre = mbgen::max(0.0, load_tyre)/s5_19*s5_36;
   mbgen::read_back();
-  const Lanes load_tyre = mbgen::max(0.0, s5_18 + mbgen::min(s5_18, d_tyre*s4_2));
-  result.load = load_tyre;
-  const Lanes s5_20 = mbgen::max(0.004, load_tyre);
-  const Lanes s5_21 = 1.1*s5_20;
-  const Lanes s5_22 = 1.6*s5_21;
-  const Lanes s5_23 = 1e-09*s5_20;
-  const Lanes s5_24 = mbgen::min(s5_22, -s5_23);
-  const Lanes s5_25 = state.x[0]/relaxation_x_tyre;
-  const Lanes s5_26 = state.x[1]/relaxation_y_tyre;
-  const Lanes s5_27 = mbgen::sqrt(fma(s5_26, s5_26, fma(s5_25, s5_25, 1e-30)));
-  const Lanes s5_28 = w_wheel_y*s5_19;
-  const Lanes s5_29 = v_wheel_x - s5_28;
-  const Lanes s5_30 = mbgen::abs(v_wheel_x);
-  const Lanes s5_31 = 0.1*fma(0.5, s5_30 + mbgen::sqrt(fma(s5_29, s5_29, 1e-30)), 1.0);
-  const Lanes s5_32 = 1.0 - s5_27/mbgen::min(0.5, s5_31);
-  const Lanes s5_33 = mbgen::cosine(3.141592653589793*mbgen::min(1.0, 0.5*s5_30));
-  const Lanes s5_34 = s5_25*(1.0/mbgen::max(0.6666666666666666*s5_27, s5_32));
-  const Lanes s5_35 = fnma(s5_29, 0.06*fma(0.5, s5_33, 0.5)*mbgen::max(0.0, s5_32), s5_34);
-  const Lanes s5_36 = 20.0*s5_20/mbgen::select(s5_22, mbgen::max(s5_22, s5_23), s5_24)*s5_35;
-  const Lanes s5_37 = s5_21*mbgen::sine(1.6*mbgen::arc_tangent(s5_36));
-  const Lanes fx_tyre = mbgen::max(0.0, load_tyre)/s5_20*s5_37;
-  const Lanes s5_38 = mbgen::hyperbolic_tangent(0.5*s5_28);
-  const Lanes s5_39 = s5_38*(radius_tyre*(rolling_tyre*load_tyre));
-  const Lanes s5_40 = fma(fx_tyre, s5_19 + (s5_16 + s5_17) - radius_tyre, s5_39);
-  // operations: 33 add, 51 multiply, 7 divide, 3 sqrt, 3 sin cos, 18 other
-
-  // --- step 7: inertias of the bodies and forces on joints ---
-  // knuckle: ball, revolute, arm
-  const Lanes s7_1 = R_knuckle_x_z*parameters.derived[6];
-  const Lanes s7_2 = R_knuckle_x_x*parameters.derived[6];
-  // wheel: wheel, revolute, knuckle
-  const Lanes s7_3 = w_wheel_y*w_wheel_y;
-  // arm: lower, revolute, carriage
-  const Lanes s7_4 = fma(c_arm_z, R_arm_x_x, -c_arm_x*R_arm_x_z);
-  const Lanes s7_5 = fnma(-c_arm_x, R_arm_x_x, c_arm_z*R_arm_x_z);
-  mbgen::read_back();
-  // knuckle: ball, revolute, arm
-  const Lanes s7_6 = w_knuckle_y*parameters.derived[8];
-  // arm: lower, revolute, carriage
-  const Lanes s7_7 = I_arm_yy*zd_lower;
-  // operations: 2 add, 9 multiply
-
-  // --- step 9: outputs, energies, power ---
-  const Lanes s9_1 = fma(w_knuckle_y, s7_1, s4_1);
-  const Lanes s9_2 = fma(w_knuckle_y, s7_2, v_knuckle_x);
-  const Lanes s9_3 = fma(v_wheel_x, fx_tyre, zd_wheel*tau[Coordinate::wheel]);
-  const Lanes s9_4 = fnma(w_wheel_y, s5_40, fnma(s4_2, load_tyre, s9_3));
-  const Lanes s9_5 = tau[Coordinate::pull] + multipliers.drive[0];
-  const Lanes s9_6 = fma(zd_pull, s9_5, fma(zd_ball, tau[Coordinate::ball], s9_4));
-  result.applied_power = fma(zd_lower, tau[Coordinate::lower] - s5_15, s9_6);
-  const Lanes s9_7 = zd_lower*s7_5;
-  const Lanes s9_8 = fma(m_wheel, fma(v_wheel_x, v_wheel_x, s4_2*s4_2), s7_3);
-  const Lanes s9_9 = fma(w_knuckle_y, s7_6, s9_8);
-  const Lanes s9_10 = fma(r_knuckle_z + s7_2, parameters.derived[7], m_wheel*r_wheel_z);
-  const Lanes s9_11 = fma(zd_lower, s7_4, zd_pull);
-  result.potential_energy = -g_z*(fma(m_arm, s7_4 - (-p_lower_z), s9_10) + parameters.derived[9]);
-  const Lanes s9_12 = fma(parameters.derived[7], fma(s9_2, s9_2, s9_1*s9_1), s9_9);
-  const Lanes s9_13 = fma(m_carriage, zd_pull*zd_pull, fma(zd_lower, s7_7, s9_12));
-  result.kinetic_energy = 0.5*fma(m_arm, fma(s9_11, s9_11, s9_7*s9_7), s9_13);
-  // operations: 25 add, 29 multiply
+  const Lanes s5_37 = mbgen::hyperbolic_tangent(0.5*s5_27);
+  const Lanes s5_38 = s5_37*(radius_tyre*(rolling_tyre*load_tyre));
+  // operations: 32 add, 49 multiply, 7 divide, 3 sqrt, 3 sin cos, 18 other
+  const Lanes s9_4 = fma(zd_wheel, tau[Coordinate::wheel], zd_ball*tau[Coordinate::ball]);
+  const Lanes s5_39 = fma(fx_tyre, s5_18 + (s5_16 + (s5_15 - radius_tyre)), s5_38);
+  const Lanes s9_5 = fma(v_wheel_x, fx_tyre, fnma(s4_2, load_tyre, s9_4));
+  const Lanes s9_6 = tau[Coordinate::pull] + multipliers.drive[0];
+  const Lanes s9_7 = fnma(s5_1, s5_4*s5_14, fnma(s5_2, s5_3*s5_14, tau[Coordinate::lower]));
+  result.applied_power = fma(zd_lower, s9_7, fma(zd_pull, s9_6, fnma(w_wheel_y, s5_39, s9_5)));
+  const Lanes s7_2 = fma(-c_arm_x, R_arm_x_z, c_arm_z*R_arm_x_x);
+  const Lanes s9_8 = zd_lower*fnma(-c_arm_x, R_arm_x_x, c_arm_z*R_arm_x_z);
+  const Lanes s9_9 = fma(r_knuckle_z + s7_1, parameters.derived[4], s9_3);
+  const Lanes s9_10 = fma(zd_lower, s7_2, zd_pull);
+  result.potential_energy = -g_z*fma(m_arm, s7_2 - (-p_lower_z), s9_9);
+  // operations: 2 add, 8 multiply
+  const Lanes s9_11 = fma(w_knuckle_y, w_knuckle_y*parameters.derived[5], w_wheel_y*w_wheel_y);
+  const Lanes s9_12 = fma(zd_lower, I_arm_yy*zd_lower, s9_11);
+  const Lanes s9_13 = fma(m_wheel, fma(s4_2, s4_2, v_wheel_x*v_wheel_x), s9_12);
+  const Lanes s9_14 = fma(parameters.derived[4], fma(s9_2, s9_2, s9_1*s9_1), s9_13);
+  const Lanes s9_15 = fma(m_carriage, zd_pull*zd_pull, s9_14);
+  result.kinetic_energy = 0.5*fma(m_arm, fma(s9_10, s9_10, s9_8*s9_8), s9_15);
+  // operations: 26 add, 32 multiply
 }
 
 /// Outputs, energies and power, at given accelerations.
