@@ -7,12 +7,11 @@
 
 #include "compiler/algebra/dense.hpp"
 #include "compiler/analysis/walk.hpp"
+#include "mbgen/newton.hpp"
 
 namespace mbgen {
 namespace {
 
-constexpr int kMostSteps = 40;
-constexpr double kLongestStep = 0.3;  // rad or m per Newton step and coordinate
 constexpr double kLeastDamping = 1e-14;
 
 Environment<double> default_environment(const Model& model, const Topology& topology) {
@@ -128,7 +127,7 @@ Eigen::VectorXd newton_step(const Configuration& configuration, std::size_t b, s
     normal.diagonal().array() += damping;
     return solved(normal, -jacobian.transpose() * configuration.residuals[b](equations));
   }
-  return least_squares(jacobian, -configuration.residuals[b](equations), 1e-9);
+  return least_squares(jacobian, -configuration.residuals[b](equations), kIndifferentShare);
 }
 
 }  // namespace
@@ -144,20 +143,20 @@ Configuration close_equations(NumericSystem& numbers, std::vector<double> start,
     evaluate_closures(numbers, configuration, moved);
     moved.assign(moved.size(), false);
     bool done = true;
-    for (std::size_t b = 0; b < topology.blocks.size(); ++b) done = done && open(b) < kClosed;
-    if (done || step == kMostSteps) break;
+    for (std::size_t b = 0; b < topology.blocks.size(); ++b) done = done && open(b) < kClosedForRank;
+    if (done || step == kSearchIterations) break;
     for (std::size_t b = 0; b < topology.blocks.size(); ++b) {
-      if (const double here = open(b); here < kClosed * 1e-3 || !std::isfinite(here)) continue;
+      if (const double here = open(b); here < kClosedForRank * 1e-3 || !std::isfinite(here)) continue;
       moved[b] = true;
       Eigen::VectorXd correction =
           newton_step(configuration, b, topology.blocks[b].joints.size(), equations[b], newton);
-      if (const double length = largest(correction); length > kLongestStep) correction *= kLongestStep / length;
+      correction *= shortening(largest(correction), kLargestSearchStep);
       for (std::size_t c = 0; c < topology.blocks[b].joints.size(); ++c)
         configuration.z[topology.blocks[b].joints[c]] += correction[c];
     }
   }
   for (std::size_t b = 0; b < topology.blocks.size(); ++b) {
-    configuration.closed.push_back(open(b) < kClosed);
+    configuration.closed.push_back(open(b) < kClosedForRank);
     configuration.corrections.push_back(
         newton_step(configuration, b, topology.blocks[b].joints.size(), equations[b], newton));
   }

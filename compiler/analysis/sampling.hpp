@@ -9,8 +9,6 @@
 
 namespace mbgen {
 
-constexpr double kClosed = 1e-11;  ///< m or 1: Newton reaches it in a few steps from a good start
-
 /// Blocks of more joints are large: analysed by sparse elimination, at configurations along their freedoms (the rule is
 /// in docs/evidence/growth.md). Singular values would take minutes, and random starts never close so many loops at
 /// once.
@@ -54,7 +52,7 @@ class NumericSystem {
 };
 
 /// Residuals of a block, to first order, after the step that would come next: what closing some of its equations
-/// only to kClosed leaves of the others is taken out.
+/// only to kClosedForRank leaves of the others is taken out.
 Eigen::VectorXd residual_left(const Configuration& configuration, std::size_t b);
 
 /// Residuals and Jacobians of all blocks at a position.
@@ -68,8 +66,8 @@ void evaluate_closures(NumericSystem& numbers, Configuration& configuration, con
 enum class Newton { full, damped };
 
 /// Closes the chosen equations of each block (local rows, ascending; none: the block stays) from a start by
-/// least-squares Newton steps, largest residual kClosed; the steps of large blocks leave independent coordinates where
-/// they are. Driven coordinates move like the others.
+/// least-squares Newton steps, largest residual kClosedForRank; the steps of large blocks leave independent coordinates
+/// where they are. Driven coordinates move like the others.
 Configuration close_equations(NumericSystem& numbers, std::vector<double> start,
                               const std::vector<std::vector<int>>& equations, Newton newton = Newton::full);
 

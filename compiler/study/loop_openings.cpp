@@ -12,7 +12,6 @@
 namespace mbgen {
 namespace {
 
-constexpr double kShownGap = 1e-9;  // m or 1; a smaller gap is rounding
 constexpr std::size_t kMostLoops = 3;
 
 /// The distance and the angle between the two sides of a loop.
@@ -45,7 +44,7 @@ std::vector<LoopGap> loop_gaps(const Compilation& compilation, const std::vector
 }
 
 std::vector<LoopGap> widest_first(std::vector<LoopGap> all) {
-  std::erase_if(all, [](const LoopGap& gap) { return !(gap.size() > kShownGap); });
+  std::erase_if(all, [](const LoopGap& gap) { return !(gap.size() > kClosed); });
   std::stable_sort(all.begin(), all.end(), [](const LoopGap& a, const LoopGap& b) { return a.size() > b.size(); });
   if (all.size() > kMostLoops) all.resize(kMostLoops);
   return all;
@@ -56,8 +55,8 @@ std::string gaps_text(const Compilation& compilation, const std::vector<LoopGap>
   std::vector<std::string> texts;
   for (const LoopGap& gap : all) {
     std::vector<std::string> sizes;
-    if (gap.distance > kShownGap) sizes.push_back(opening_text(ResidualUnit::metre, gap.distance));
-    if (gap.angle > kShownGap) sizes.push_back(opening_text(ResidualUnit::one, gap.angle));
+    if (gap.distance > kClosed) sizes.push_back(opening_text(ResidualUnit::metre, gap.distance));
+    if (gap.angle > kClosed) sizes.push_back(opening_text(ResidualUnit::one, gap.angle));
     texts.push_back(fmt::format("loop {} {}by {}", quoted(compilation.topology.loops[gap.loop].name),
                                 texts.empty() ? "stays open " : "", fmt::join(sizes, " and ")));
   }

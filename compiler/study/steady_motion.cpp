@@ -10,6 +10,7 @@
 #include "compiler/base/number.hpp"
 #include "compiler/base/user_error.hpp"
 #include "compiler/engines/engine.hpp"
+#include "mbgen/newton.hpp"
 #include "runtime/generic/generic.hpp"
 
 namespace mbgen {
@@ -17,12 +18,9 @@ namespace {
 
 using StateKind = LinearState::Kind;
 
-constexpr int kMostIterations = 60;
 constexpr double kMoves = 1e-9;        // rad/s or m/s: a coordinate that moves at the start
 constexpr double kSteady = 1e-7;       // rad/s^2 or m/s^2
 constexpr double kComesToRest = 0.05;  // of the speed at the start: below it the search has gone to standstill
-constexpr double kLongestStep = 0.05;  // rad or m, of positions
-constexpr double kIndifferent = 1e-9;  // part of the largest singular value: positions on which nothing depends
 
 /// A search for a steady motion.
 class Search {
@@ -41,7 +39,7 @@ class Search {
   }
 
   SteadyMotion find() {
-    for (int step = 0; step < kMostIterations; ++step) {
+    for (int step = 0; step < kSteadyIterations; ++step) {
       const LinearSystem system = expect(linearise(c_, motion_.point));
       const Eigen::VectorXd left = residual(system);
       motion_.largest = left.size() > 0 ? left.cwiseAbs().maxCoeff() : 0.0;
@@ -191,7 +189,7 @@ class Search {
     }
     // Columns of one size: inputs are torques as well as angles.
     const Eigen::VectorXd size = matrix.colwise().norm().transpose().cwiseMax(1e-12);
-    const Eigen::VectorXd scaled = least_squares(matrix * size.cwiseInverse().asDiagonal(), left, kIndifferent);
+    const Eigen::VectorXd scaled = least_squares(matrix * size.cwiseInverse().asDiagonal(), left, kIndifferentShare);
     Eigen::VectorXd by = -(size.cwiseInverse().asDiagonal() * scaled);
     double longest = 0;
     for (Eigen::Index k = 0; k < states; ++k) {
@@ -199,7 +197,7 @@ class Search {
           system.states[static_cast<std::size_t>(unknown[static_cast<std::size_t>(k)])].kind == StateKind::position;
       if (is_position) longest = std::max(longest, std::abs(by[k]));
     }
-    if (longest > kLongestStep) by *= kLongestStep / longest;
+    by *= shortening(longest, kLargestBalanceStep);
     for (Eigen::Index k = 0; k < states; ++k) move(system, unknown[static_cast<std::size_t>(k)], by[k]);
     for (std::size_t k = 0; k < inputs_.size(); ++k) {
       motion_.point.inputs[static_cast<std::size_t>(inputs_[k])] += by[states + static_cast<Eigen::Index>(k)];
@@ -256,13 +254,12 @@ SteadyMotion steady_motion(const Compilation& compilation, const OperatingPoint&
 }
 
 void settle_auxiliary(const Compilation& compilation, OperatingPoint& point) {
-  constexpr int kSteps = 20;
   const auto count = static_cast<Eigen::Index>(point.x.size());
-  for (int step = 0; step < kSteps && count > 0; ++step) {
+  for (int step = 0; step < kNewtonIterations && count > 0; ++step) {
     const LinearSystem system = expect(linearise(compilation, point));
     const Eigen::VectorXd left = system.drift.tail(count);
     if (left.cwiseAbs().maxCoeff() < kSteady) return;
-    const Eigen::VectorXd by = least_squares(system.A.bottomRightCorner(count, count), left, kIndifferent);
+    const Eigen::VectorXd by = least_squares(system.A.bottomRightCorner(count, count), left, kIndifferentShare);
     for (Eigen::Index i = 0; i < count; ++i) point.x[static_cast<std::size_t>(i)] -= by[i];
   }
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "mbgen/newton.hpp"
 #include "runtime/cartesian/methods.hpp"
 
 namespace mbgen {
@@ -17,8 +18,6 @@ constexpr double kCompatible = 1e-8;
 constexpr double kBiasPerOpening = 100;
 /// Rates this close to the largest one (relative) are as large.
 constexpr double kTie = 1e-6;
-constexpr int kMostNewtonSteps = 20;
-constexpr double kLongestNewtonStep = 0.3;  // rad or m; a longer one leaves the basin
 
 double largest(const Eigen::VectorXd& values) { return values.size() == 0 ? 0.0 : values.cwiseAbs().maxCoeff(); }
 
@@ -37,8 +36,7 @@ int leading_coordinate(const Mechanics& mechanics, const PlacedState& at, const 
 Eigen::VectorXd newton_step(const Evaluation& evaluation) {
   const Eigen::VectorXd dq =
       mass_orthogonal_correction(evaluation.terms.mass, *evaluation.factors, -evaluation.terms.residual);
-  const double longest = largest(dq);
-  return longest > kLongestNewtonStep ? Eigen::VectorXd(kLongestNewtonStep / longest * dq) : dq;
+  return shortening(largest(dq), kLargestNewtonStep<double>) * dq;
 }
 
 }  // namespace
@@ -89,7 +87,7 @@ Status close(const Mechanics& mechanics, double tolerance, PlacedState& configur
   const std::vector<double> no_tau(configuration.z.z.size(), 0.0);
   CartesianState& bodies = configuration.bodies;
   const int start = block_of(mechanics, mechanics.system.terms(bodies, configuration.z, no_tau).residual);
-  for (int step = 0; step <= kMostNewtonSteps; ++step) {
+  for (int step = 0; step <= kNewtonIterations; ++step) {
     Evaluation evaluation;
     if (const Status status = evaluate(mechanics, configuration, no_tau, {}, evaluation); !status.ok()) return status;
     const double opening = largest(evaluation.terms.residual);

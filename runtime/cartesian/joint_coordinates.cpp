@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "mbgen/newton.hpp"
+
 namespace mbgen::cartesian {
 namespace {
 
@@ -14,10 +16,6 @@ using Eigen::Vector3d;
 using Columns = Eigen::Matrix<double, 3, Eigen::Dynamic, 0, 3, 3>;
 using Inverse = Eigen::Matrix<double, Eigen::Dynamic, 3, 0, 3, 3>;
 using Angles = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, 3, 1>;
-
-constexpr int kMostSteps = 30;
-constexpr double kLongestStep = 0.5;  // rad
-constexpr double kConverged = 1e-9;   // rad: the next step is below rounding
 
 double nearest_turn(double angle, double guess) {
   return angle - 2 * std::numbers::pi * std::round((angle - guess) / (2 * std::numbers::pi));
@@ -59,13 +57,13 @@ double angle_about(const Vector3d& axis, const Matrix3d& turn) {
 Angles sequence_angles(const std::vector<Vector3d>& axes, const Matrix3d& turn, Angles angles) {
   if (axes.size() == 1) angles[0] = nearest_turn(angle_about(axes[0], turn), angles[0]);
   if (axes.size() <= 1) return angles;
-  for (int step = 0; step < kMostSteps; ++step) {
+  for (int step = 0; step < kSearchIterations; ++step) {
     const AngleAxisd error(Eigen::Quaterniond(turn * turned(axes, angles).transpose()));
     Angles change = rates_of(carried_axes(axes, angles)) * (error.angle() * error.axis());
     const double length = change.norm();
-    if (length > kLongestStep) change *= kLongestStep / length;
+    change *= shortening(length, kLargestNewtonStep<double>);
     angles += change;
-    if (!(length > kConverged)) break;
+    if (!(length > kLastStep)) break;
   }
   return angles;
 }

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "compiler/algebra/dense.hpp"
+#include "mbgen/newton.hpp"
 #include "runtime/generic/content.hpp"
 
 namespace mbgen {
@@ -14,16 +15,10 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr double kClosed = 1e-9;               // m or 1, per second for velocities: larger residuals count as open
-constexpr double kTight = 1e-13;               // m or 1: below it a residual is rounding
-constexpr double kShortestCorrection = 1e-11;  // rad or m: shorter steps end a search
-constexpr double kNegligible = 1e-9;           // singular values below this share of the largest count as none
-constexpr double kLongestCorrection = 0.3;     // rad or m per step and coordinate
-constexpr double kLargestMove = 0.05;          // rad or m: of a wish between two positions closed one after the other
-constexpr double kMostMoves = 20000;           // larger ones then, for wishes that are farther away
-constexpr int kMostCorrections = 400;          // of a closure, and of the last search
-constexpr int kStepsOnTheWay = 4;              // of the searches before: the next one starts where they end
-constexpr double kEasier = 0.2, kHarder = 5;   // what success and failure of a step make of its damping
+constexpr double kLargestMove = 0.05;         // rad or m: of a wish between two positions closed one after the other
+constexpr double kMostMoves = 20000;          // larger ones then, for wishes that are farther away
+constexpr int kStepsOnTheWay = 4;             // of the searches before: the next one starts where they end
+constexpr double kEasier = 0.2, kHarder = 5;  // what success and failure of a step make of its damping
 
 /// What is asked of a block. Columns are those of LoopBlock::joints.
 struct Demand {
@@ -49,7 +44,7 @@ struct Closure {
 
 /// x nearest to zero with a x = b in the sense of least squares.
 VectorXd least(const MatrixXd& a, const VectorXd& b) {
-  return a.size() == 0 ? VectorXd(VectorXd::Zero(a.cols())) : least_squares(a, b, kNegligible);
+  return a.size() == 0 ? VectorXd(VectorXd::Zero(a.cols())) : least_squares(a, b, kIndifferentShare);
 }
 
 /// The same with damping * |x|^2 beside the squares.
@@ -64,15 +59,13 @@ VectorXd least(const MatrixXd& a, const VectorXd& b, double damping) {
 /// Orthonormal directions in which the product with `a` does not change.
 MatrixXd indifferent_directions(const MatrixXd& a) {
   if (a.size() == 0) return MatrixXd::Identity(a.cols(), a.cols());
-  return mbgen::indifferent_directions(a, kNegligible);
+  return mbgen::indifferent_directions(a, kIndifferentShare);
 }
 
 double largest(const VectorXd& values) { return values.size() > 0 ? values.lpNorm<Eigen::Infinity>() : 0.0; }
 
-/// Shortened where it moves a coordinate farther than kLongestCorrection.
-VectorXd capped(const VectorXd& step) {
-  return step * (kLongestCorrection / std::max(largest(step), kLongestCorrection));
-}
+/// Shortened where it moves a coordinate farther than kLargestSearchStep.
+VectorXd capped(const VectorXd& step) { return step * shortening(largest(step), kLargestSearchStep); }
 
 /// Driven coordinates as locked wishes, in place of what else is asked of them.
 std::vector<CoordinateWish> with_drives(std::vector<CoordinateWish> wishes, const std::vector<Drive<double>>& drives,
@@ -137,7 +130,7 @@ template <class Content>
 double close(const MovableBlock<Content>& m, VectorXd& z) {
   Closure here = closure_at(m, z);
   double damping = 1;
-  for (int step = 0; step < kMostCorrections && here.residual.norm() > kTight; ++step) {
+  for (int step = 0; step < kNearestIterations && here.residual.norm() > kSmallestResidual; ++step) {
     const VectorXd change = capped(
         least(here.jacobian(Eigen::all, m.demand.movable), -here.residual, damping * here.residual.squaredNorm()));
     VectorXd trial = z;
@@ -149,7 +142,7 @@ double close(const MovableBlock<Content>& m, VectorXd& z) {
       z = std::move(trial);
       here = std::move(there);
     }
-    if (!(largest(change) > kShortestCorrection)) break;
+    if (!(largest(change) > kRoundingStep)) break;
   }
   set_block(m.block, z, m.state.z);
   return here.residual.norm();
@@ -175,7 +168,7 @@ double approach(const MovableBlock<Content>& m, const VectorXd& start, double sh
   for (int step = 0; step < most_steps && directions.cols() > 0; ++step) {
     const VectorXd lacking = missing(demand, target, z);
     const VectorXd change = capped(directions * least(demand.weight.asDiagonal() * directions, lacking, damping));
-    if (!(largest(change) > kShortestCorrection)) break;
+    if (!(largest(change) > kRoundingStep)) break;
     VectorXd trial = z;
     trial(demand.movable) += change;
     const double open_there = close(m, trial);
@@ -206,7 +199,7 @@ Found followed(const MovableBlock<Content>& m, const VectorXd& start) {
   const double moves = std::clamp(std::ceil(farthest / kLargestMove), 1.0, kMostMoves);
   Found found{start};
   for (int k = 1; k < static_cast<int>(moves); ++k) approach(m, start, k / moves, kStepsOnTheWay, found.z);
-  found.open = approach(m, start, 1, kMostCorrections, found.z);
+  found.open = approach(m, start, 1, kNearestIterations, found.z);
   found.missing = missing(m.demand, m.demand.value, found.z).norm();
   return found;
 }
@@ -219,7 +212,7 @@ Found leapt(const MovableBlock<Content>& m, const VectorXd& start) {
     const int column = m.demand.movable[c];
     if (m.demand.weight[static_cast<Index>(c)] == 0) found.z[column] = start[column];
   }
-  found.open = approach(m, start, 1, kMostCorrections, found.z);
+  found.open = approach(m, start, 1, kNearestIterations, found.z);
   found.missing = missing(m.demand, m.demand.value, found.z).norm();
   return found;
 }

@@ -2,17 +2,14 @@
 #include <cmath>
 
 #include "compiler/algebra/dense.hpp"
+#include "mbgen/newton.hpp"
 #include "runtime/generic/content.hpp"
 
 namespace mbgen {
 namespace {
 
-constexpr int kMostSteps = 100;
-constexpr int kMostStraight = 10;      // of kLongestStep: farther away is no equilibrium near the start
-constexpr double kLongestStep = 0.05;  // rad or m per step and coordinate
 constexpr double kDifference = 1e-6;   // rad or m, for the stiffness by central differences
-constexpr double kIndifferent = 1e-7;  // stiffness below this share of the largest leaves a direction where it is
-constexpr double kSettled = 1e-11;     // rad or m: steps below it end the search
+constexpr double kIndifferent = 1e-7;  // kIndifferentShare for a stiffness, which differences give to seven digits
 constexpr double kBalanced = 1e-3;     // rad/s^2 or m/s^2: accelerations below it are left to Newton's steps alone
 constexpr double kSlipReach = 0.1;     // m: a slip deflection of this size counts as much as a unit of a coordinate
 
@@ -79,10 +76,10 @@ Status stiffness_at(const GenericSolver& solver, Content& content, const Generic
 enum class Search { downhill, straight };
 
 /// The next change of the unknowns: of all that balance the linearised forces the smallest. Far from balance a drag on
-/// the inertias joins the stiffness: where nothing holds the bodies they sink no further than kLongestStep, and they
-/// go downhill. It fades with the unbalanced acceleration (1/s^2 or m/s^2), so that the end is Newton's.
-/// Source: C. T. Kelley, D. E. Keyes, "Convergence Analysis of Pseudo-Transient Continuation", SIAM J. Numer. Anal.
-/// 35(2), 1998, with the drag of switched evolution relaxation.
+/// the inertias joins the stiffness: where nothing holds the bodies they sink no further than kLargestBalanceStep, and
+/// they go downhill. It fades with the unbalanced acceleration (1/s^2 or m/s^2), so that the end is Newton's. Source:
+/// C. T. Kelley, D. E. Keyes, "Convergence Analysis of Pseudo-Transient Continuation", SIAM J. Numer. Anal. 35(2),
+/// 1998, with the drag of switched evolution relaxation.
 Eigen::VectorXd next_change(const Balance& b, const Eigen::MatrixXd& stiffness, double unbalanced, Search search) {
   const Eigen::Index free = b.rz.cols();
   const Eigen::VectorXd scale = b.inertia.cwiseMax(1e-12).cwiseSqrt().cwiseInverse();
@@ -91,7 +88,7 @@ Eigen::VectorXd next_change(const Balance& b, const Eigen::MatrixXd& stiffness, 
   reach.head(free) = scale / unit;
   Eigen::MatrixXd matrix = scale.asDiagonal() * stiffness * reach.asDiagonal();
   if (search == Search::downhill && unbalanced > kBalanced)
-    matrix.leftCols(free).diagonal().array() -= unbalanced / (kLongestStep * unit);
+    matrix.leftCols(free).diagonal().array() -= unbalanced / (kLargestBalanceStep * unit);
   const Eigen::VectorXd wanted = -(scale.asDiagonal() * b.force);
   return reach.asDiagonal() * least_squares(matrix, wanted, kIndifferent);
 }
@@ -114,9 +111,9 @@ Status walk_to_balance(const GenericSolver& solver, Content& content, Search sea
     Eigen::VectorXd change = next_change(here, stiffness, unbalanced, search);
     if (!change.allFinite()) return {Code::not_a_number, -1};
     const double longest = (here.rz * change.head(here.rz.cols())).cwiseAbs().maxCoeff();
-    if (longest < kSettled && unbalanced < kBalanced) return {};
-    if (longest < kSettled || step + 1 == most_steps) return {Code::no_equilibrium, -1};
-    if (longest > kLongestStep) change *= kLongestStep / longest;
+    if (longest < kRoundingStep && unbalanced < kBalanced) return {};
+    if (longest < kRoundingStep || step + 1 == most_steps) return {Code::no_equilibrium, -1};
+    change *= shortening(longest, kLargestBalanceStep);
     GenericState next;
     if (const Status status = moved(solver, trial, here, change, next); !status.ok()) return status;
     trial = std::move(next);
@@ -130,10 +127,10 @@ Status GenericSolver::equilibrium(GenericState& state) const {
   std::fill(start.zd.begin(), start.zd.end(), 0.0);
   if (const Status status = settled(*this, start); !status.ok()) return status;
   GenericState found = start;
-  Status status = walk_to_balance(*this, *content_, Search::downhill, kMostSteps, found);
+  Status status = walk_to_balance(*this, *content_, Search::downhill, kBalanceIterations, found);
   if (!status.ok()) {
     GenericState near = start;
-    if (walk_to_balance(*this, *content_, Search::straight, kMostStraight, near).ok()) {
+    if (walk_to_balance(*this, *content_, Search::straight, kStraightIterations, near).ok()) {
       found = std::move(near);
       status = {};
     }

@@ -9,12 +9,6 @@
 
 namespace mbgen {
 
-namespace {
-
-constexpr double kLongestNewtonStep = 0.3;  // rad or m; a longer one leaves the basin
-
-}  // namespace
-
 GenericSolver::GenericSolver(const Model& model, const Topology& topology, const Analysis& analysis,
                              const GenericAlgebra& algebra)
     : content_(std::make_unique<Content>(model, topology, analysis, algebra)) {}
@@ -107,7 +101,7 @@ Status GenericSolver::project(GenericState& state) const {
       double longest = 0;
       for (int j : topology.blocks[b].joints) longest = std::isnan(dz[j]) ? dz[j] : std::max(longest, std::abs(dz[j]));
       if (!std::isfinite(longest)) return {Code::loop_not_closed, static_cast<int>(b)};
-      const double scale = longest > kLongestNewtonStep ? kLongestNewtonStep / longest : 1.0;
+      const double scale = shortening(longest, kLargestNewtonStep<double>);
       for (int j : topology.blocks[b].joints) trial.z[j] += scale * dz[j];
     }
   }

@@ -52,6 +52,7 @@ TEST(EmittedFiles, areFiveAndTheHeadersTheyInclude) {
                                                  "mbgen/logarithm.hpp",
                                                  "mbgen/loop.hpp",
                                                  "mbgen/motion.hpp",
+                                                 "mbgen/newton.hpp",
                                                  "mbgen/passage.hpp",
                                                  "mbgen/precision.hpp",
                                                  "mbgen/scalar.hpp",

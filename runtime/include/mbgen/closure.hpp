@@ -5,14 +5,9 @@
 #include <limits>
 
 #include "mbgen/blocks.hpp"
+#include "mbgen/newton.hpp"
 
 namespace mbgen {
-
-/// Newton steps before a block counts as not closed; from a fair guess five are enough.
-constexpr int kNewtonIterations = 20;
-/// Largest change of a coordinate in one Newton step (rad or m): a linear step says nothing about half a turn.
-template <class Real>
-inline constexpr Real kLargestNewtonStep = Real(0.5);
 
 namespace solver_detail {
 
@@ -152,7 +147,7 @@ void apply_step(const typename System::Closure& closure, typename System::State&
   for (int i = 0; i < System::kCoordinates; ++i) {
     if (System::kDriven[i] == 0) largest = std::abs(closure.dz[i]) > largest ? std::abs(closure.dz[i]) : largest;
   }
-  const Real factor = largest > kLargestNewtonStep<Real> ? kLargestNewtonStep<Real> / largest : Real(1);
+  const Real factor = shortening(largest, kLargestNewtonStep<Real>);
   for (int i = 0; i < System::kCoordinates; ++i) {
     state.z[i] += System::kDriven[i] != 0 ? closure.dz[i] : factor * closure.dz[i];
   }
