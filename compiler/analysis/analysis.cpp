@@ -7,12 +7,13 @@
 
 #include "compiler/analysis/branch.hpp"
 #include "compiler/analysis/certificate.hpp"
-#include "compiler/analysis/compatibility.hpp"
+#include "compiler/analysis/contradiction.hpp"
+#include "compiler/analysis/freedom_walk.hpp"
 #include "compiler/analysis/large_block.hpp"
 #include "compiler/analysis/partition.hpp"
 #include "compiler/analysis/quasi_partition.hpp"
+#include "compiler/analysis/redundant_residuals.hpp"
 #include "compiler/analysis/sampling.hpp"
-#include "compiler/analysis/walk.hpp"
 
 namespace mbgen {
 namespace {
@@ -157,21 +158,22 @@ BlockAnalysis analyse_block(NumericSystem& numbers, std::size_t b, const std::ve
   return result;
 }
 
-/// Watches what the partitions left out and completes the certificates.
-void watch_blocks(NumericSystem& numbers, const std::vector<Configuration>& configurations, Analysis& analysis,
-                  Findings& found) {
+/// Completes the certificates by the residuals of the equations that the partitions left out.
+void complete_certificates(NumericSystem& numbers, const std::vector<Configuration>& configurations, Analysis& analysis,
+                           Findings& found) {
   std::vector<std::vector<int>> kept;
   for (const BlockAnalysis& block : analysis.blocks) {
     kept.emplace_back();
     for (const Pivot& pivot : block.pivots) kept.back().push_back(pivot.equation);
     std::sort(kept.back().begin(), kept.back().end());
   }
-  const std::vector<Watch> watches = watch_redundant(numbers, found.views, kept, found.equations, configurations);
-  for (std::size_t b = 0; b < watches.size(); ++b) {
+  const std::vector<RedundantResiduals> residuals =
+      redundant_residuals(numbers, found.views, kept, found.equations, configurations);
+  for (std::size_t b = 0; b < residuals.size(); ++b) {
     if (is_large(numbers.topology().blocks[b])) continue;
     certify_redundant(analysis.blocks[b].certificate, analysis.blocks[b].redundant_equations, found.equations[b],
-                      watches[b].steps, watches[b].residual);
-    found.problems.insert(found.problems.end(), watches[b].problems.begin(), watches[b].problems.end());
+                      residuals[b].steps, residuals[b].residual);
+    found.problems.insert(found.problems.end(), residuals[b].problems.begin(), residuals[b].problems.end());
   }
 }
 
@@ -291,7 +293,7 @@ Result<Analysis> analyse(const Model& model, const Topology& topology) {
   }
   if (!found.problems.empty()) return found.problems;
   set_quasi_partitions(numbers, configurations, analysis);
-  watch_blocks(numbers, configurations, analysis, found);
+  complete_certificates(numbers, configurations, analysis, found);
   if (!found.problems.empty()) return found.problems;
   analysis.closed_configurations =
       static_cast<int>(std::count_if(configurations.begin(), configurations.end(), [](const Configuration& c) {

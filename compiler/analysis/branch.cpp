@@ -5,7 +5,7 @@
 #include <random>
 
 #include "compiler/analysis/certificate.hpp"
-#include "compiler/analysis/opening.hpp"
+#include "compiler/analysis/violation.hpp"
 
 namespace mbgen {
 namespace {

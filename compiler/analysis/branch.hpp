@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "compiler/analysis/analysis.hpp"
+#include "compiler/analysis/findings.hpp"
 #include "compiler/analysis/part.hpp"
 
 namespace mbgen {

@@ -1,13 +1,14 @@
+#include "compiler/analysis/contradiction.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <random>
 
 #include "compiler/algebra/dense.hpp"
-#include "compiler/analysis/compatibility.hpp"
 #include "compiler/analysis/misalignment.hpp"
-#include "compiler/analysis/opening.hpp"
 #include "compiler/analysis/self_stress.hpp"
+#include "compiler/analysis/violation.hpp"
 
 namespace mbgen {
 namespace {
@@ -35,18 +36,18 @@ VectorXd easiest_direction(const MatrixXd& jacobian, const std::vector<int>& kep
 
 /// Leaves out the weakest equation that counts as rank and all redundant ones, moves the part by a finite step with the
 /// others closed, and says which of those left out opens most.
-Opening release(NumericSystem& numbers, std::size_t b, const PartView& view, std::size_t s,
-                const std::vector<double>& start) {
+Violation release(NumericSystem& numbers, std::size_t b, const PartView& view, std::size_t s,
+                  const std::vector<double>& start) {
   const LoopBlock& block = numbers.topology().blocks[b];
   const std::vector<int> kept = strongest_rows(view.jacobians[s], view.rank - 1);
   const VectorXd direction = easiest_direction(view.jacobians[s], kept, view.rank);
   std::vector<std::vector<int>> equations(numbers.topology().blocks.size());
   for (int r : kept) equations[b].push_back(view.part.rows[r]);
   VectorXd residual = kStep * (view.jacobians[s] * direction).cwiseQuotient(view.row_scale);  // to first order
-  Opening opening;
-  direction.cwiseAbs().maxCoeff(&opening.coordinate);
-  opening.motion = kStep * view.column_scale[opening.coordinate];
-  opening.coordinate = block.joints[view.part.columns[opening.coordinate]];
+  Violation violation;
+  direction.cwiseAbs().maxCoeff(&violation.coordinate);
+  violation.motion = kStep * view.column_scale[violation.coordinate];
+  violation.coordinate = block.joints[view.part.columns[violation.coordinate]];
   for (double step = kStep; step > kShortestStep; step /= 2) {
     std::vector<double> z = start;
     move(block, view, step * direction, z);
@@ -55,14 +56,14 @@ Opening release(NumericSystem& numbers, std::size_t b, const PartView& view, std
     const double length = distance(block, view, start, moved.z, coordinate);
     if (!moved.closed[b] || length < step / 2 || length > 2 * step) continue;
     residual = moved.residuals[b](view.part.rows);
-    opening.coordinate = coordinate;
-    opening.motion = std::abs(moved.z[coordinate] - start[coordinate]);
+    violation.coordinate = coordinate;
+    violation.motion = std::abs(moved.z[coordinate] - start[coordinate]);
     break;
   }
-  residual.cwiseAbs().maxCoeff(&opening.equation);
-  opening.residual = std::abs(residual[opening.equation]);
-  opening.equation = view.part.rows[opening.equation];
-  return opening;
+  residual.cwiseAbs().maxCoeff(&violation.equation);
+  violation.residual = std::abs(residual[violation.equation]);
+  violation.equation = view.part.rows[violation.equation];
+  return violation;
 }
 
 /// True when the combinations of equations that are redundant at a closed position stay satisfied with all loops open:
@@ -140,8 +141,9 @@ Diagnostics contradiction(NumericSystem& numbers, std::size_t b, const PartView&
   const std::vector<double>& start = configurations[view.configurations[s]].z;
   const std::string wrong = fault(numbers, b, view, s, start);
   if (wrong.empty()) return {};
-  const Opening opening = release(numbers, b, view, s, start);
-  return {refusal(numbers.model(), numbers.topology(), view.part.loops, wrong, opening, equations[opening.equation])};
+  const Violation violation = release(numbers, b, view, s, start);
+  return {
+      refusal(numbers.model(), numbers.topology(), view.part.loops, wrong, violation, equations[violation.equation])};
 }
 
 }  // namespace

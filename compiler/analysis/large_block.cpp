@@ -5,9 +5,9 @@
 #include <map>
 #include <numeric>
 
-#include "compiler/analysis/opening.hpp"
+#include "compiler/analysis/freedom_walk.hpp"
 #include "compiler/analysis/partition.hpp"
-#include "compiler/analysis/walk.hpp"
+#include "compiler/analysis/violation.hpp"
 
 namespace mbgen {
 namespace {
@@ -145,10 +145,10 @@ Diagnostics large_contradictions(const Model& model, const Topology& topology, s
                                  const std::vector<ClosureEquation>& equations,
                                  const std::vector<Configuration>& configurations) {
   const LoopBlock& block = topology.blocks[b];
-  Opening worst;
+  Violation worst;
   for (const Configuration& there : configurations) {
     if (!there.closed[b]) continue;
-    Opening here;
+    Violation here;
     here.residual = there.residuals[b].cwiseAbs().maxCoeff(&here.equation);
     if (!(here.residual > worst.residual)) continue;
     for (int j : block.joints)

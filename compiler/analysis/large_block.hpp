@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "compiler/analysis/analysis.hpp"
+#include "compiler/analysis/findings.hpp"
 #include "compiler/analysis/part.hpp"
 
 namespace mbgen {

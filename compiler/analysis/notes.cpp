@@ -6,7 +6,7 @@
 #include <algorithm>
 
 #include "compiler/analysis/misalignment.hpp"
-#include "compiler/analysis/opening.hpp"
+#include "compiler/analysis/violation.hpp"
 
 namespace mbgen {
 namespace {

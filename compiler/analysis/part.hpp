@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "compiler/analysis/equations.hpp"
-#include "compiler/analysis/sampling.hpp"
+#include "compiler/analysis/configuration.hpp"
 
 namespace mbgen {
 

@@ -4,7 +4,7 @@
 #include <Eigen/Core>
 #include <vector>
 
-#include "compiler/analysis/analysis.hpp"
+#include "compiler/analysis/findings.hpp"
 
 namespace mbgen {
 

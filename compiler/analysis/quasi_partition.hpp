@@ -1,8 +1,8 @@
 #pragma once
 // The partitions of loop blocks for the recursive form, whose columns are quasi-velocities where joints are balls.
 
-#include "compiler/analysis/analysis.hpp"
-#include "compiler/analysis/sampling.hpp"
+#include "compiler/analysis/configuration.hpp"
+#include "compiler/analysis/findings.hpp"
 
 namespace mbgen {
 

@@ -1,167 +1,12 @@
 #include "compiler/analysis/sampling.hpp"
 
 #include <algorithm>
-#include <limits>
 #include <numeric>
 #include <random>
 
-#include "compiler/algebra/dense.hpp"
-#include "compiler/analysis/walk.hpp"
-#include "mbgen/newton.hpp"
+#include "compiler/analysis/freedom_walk.hpp"
 
 namespace mbgen {
-namespace {
-
-constexpr double kLeastDamping = 1e-14;
-
-Environment<double> default_environment(const Model& model, const Topology& topology) {
-  Environment<double> e;
-  e.topology = &topology;
-  for (const Parameter& p : model.parameters) e.parameters.push_back(p.value);
-  for (const Input& input : model.inputs) e.inputs.push_back(input.default_value);
-  e.z.assign(topology.bodies.size(), 0.0);
-  e.zd.assign(topology.bodies.size(), 0.0);
-  return e;
-}
-
-double largest(const Eigen::VectorXd& v) {
-  if (!v.allFinite()) return std::numeric_limits<double>::infinity();
-  return v.size() == 0 ? 0.0 : v.cwiseAbs().maxCoeff();
-}
-
-}  // namespace
-
-NumericSystem::NumericSystem(const Model& model, const Topology& topology)
-    : layout_(choose_layout(model, topology)), system_{model, topology, layout_, default_environment(model, topology),
-                                                       {},    {},       scribe_} {
-  system_.x.assign(2 * model.tyres.size(), 0.0);
-  system_.constants = make_constants(model, topology, system_.environment);
-}
-
-System<double>& NumericSystem::at(const std::vector<double>& z) {
-  system_.environment.z = z;
-  return system_;
-}
-
-Vector<double> NumericSystem::reference_position(const Attachment& at) const {
-  return mbgen::reference_position(system_.model, at.body, system_.model.bodies[at.body].points[at.point].position,
-                                   system_.environment);
-}
-
-Eigen::MatrixXd BlockSample::part(const std::vector<int>& rows, const std::vector<int>& columns) const {
-  if (sparse.empty()) return jacobian(rows, columns);
-  Eigen::MatrixXd result(rows.size(), columns.size());
-  for (std::size_t r = 0; r < rows.size(); ++r)
-    for (std::size_t c = 0; c < columns.size(); ++c) result(r, c) = sparse[rows[r]].at(columns[c]);
-  return result;
-}
-
-Eigen::VectorXd residual_left(const Configuration& configuration, std::size_t b) {
-  const BlockSample& block = configuration.blocks[b];
-  const Eigen::VectorXd& correction = configuration.corrections[b];
-  if (block.sparse.empty()) return configuration.residuals[b] + block.jacobian * correction;
-  Eigen::VectorXd left = configuration.residuals[b];
-  for (std::size_t r = 0; r < block.sparse.size(); ++r)
-    for (std::size_t i = 0; i < block.sparse[r].columns.size(); ++i)
-      left[static_cast<Eigen::Index>(r)] += block.sparse[r].values[i] * correction[block.sparse[r].columns[i]];
-  return left;
-}
-
-void evaluate_closures(NumericSystem& numbers, Configuration& configuration) {
-  evaluate_closures(numbers, configuration, std::vector<bool>(numbers.topology().blocks.size(), true));
-}
-
-void evaluate_closures(NumericSystem& numbers, Configuration& configuration, const std::vector<bool>& moved) {
-  System<double>& system = numbers.at(configuration.z);
-  const Kinematics<double> k = kinematics(system);
-  const RelativeMotion<double> rest = at_rest<double>(system.topology);
-  configuration.blocks.resize(moved.size());
-  configuration.residuals.resize(moved.size());
-  for (std::size_t b = 0; b < moved.size(); ++b) {
-    if (!moved[b]) continue;
-    const LoopBlock& block = system.topology.blocks[b];
-    SparseClosure<double> closed = sparse_closure(system, k, block, rest);
-    BlockSample sample;
-    if (is_large(block)) {
-      sample.sparse = std::move(closed.jacobian);
-    } else {
-      sample.jacobian = Eigen::MatrixXd::Zero(block.equations, static_cast<Eigen::Index>(block.joints.size()));
-      for (int e = 0; e < block.equations; ++e)
-        for (std::size_t i = 0; i < closed.jacobian[e].columns.size(); ++i)
-          sample.jacobian(e, closed.jacobian[e].columns[i]) = closed.jacobian[e].values[i];
-    }
-    configuration.blocks[b] = std::move(sample);
-    configuration.residuals[b] = Eigen::Map<const Eigen::VectorXd>(closed.residual.data(), block.equations);
-  }
-}
-
-namespace {
-
-Eigen::VectorXd to_eigen(const std::vector<double>& values) {
-  return Eigen::Map<const Eigen::VectorXd>(values.data(), static_cast<Eigen::Index>(values.size()));
-}
-
-/// Newton step of a large block towards its chosen equations; coordinates without pivot stay.
-Eigen::VectorXd sparse_newton_step(const SparseRows& jacobian, const Eigen::VectorXd& residual, std::size_t coordinates,
-                                   const std::vector<int>& equations) {
-  LoopPartition partition;
-  partition.pivots = eliminate({&jacobian}, equations, std::vector<bool>(coordinates, false)).pivots;
-  std::vector<double> open(residual.size());
-  for (Eigen::Index e = 0; e < residual.size(); ++e) open[e] = -residual[e];
-  return to_eigen(solve_frozen(factorise_frozen(jacobian, partition, coordinates), partition, open, coordinates));
-}
-
-/// Least-squares Newton step of one block towards its chosen equations.
-Eigen::VectorXd newton_step(const Configuration& configuration, std::size_t b, std::size_t coordinates,
-                            const std::vector<int>& equations, Newton newton) {
-  if (const SparseRows& sparse = configuration.blocks[b].sparse; !sparse.empty()) {
-    if (equations.empty() || !configuration.residuals[b].allFinite())
-      return Eigen::VectorXd::Zero(static_cast<Eigen::Index>(coordinates));
-    return sparse_newton_step(sparse, configuration.residuals[b], coordinates, equations);
-  }
-  const Eigen::MatrixXd jacobian = configuration.blocks[b].jacobian(equations, Eigen::all);
-  if (equations.empty() || !configuration.residuals[b].allFinite()) return Eigen::VectorXd::Zero(jacobian.cols());
-  if (newton == Newton::damped) {
-    const double damping = std::max(configuration.residuals[b](equations).norm(), kLeastDamping);
-    Eigen::MatrixXd normal = jacobian.transpose() * jacobian;
-    normal.diagonal().array() += damping;
-    return solved(normal, -jacobian.transpose() * configuration.residuals[b](equations));
-  }
-  return least_squares(jacobian, -configuration.residuals[b](equations), kIndifferentShare);
-}
-
-}  // namespace
-
-Configuration close_equations(NumericSystem& numbers, std::vector<double> start,
-                              const std::vector<std::vector<int>>& equations, Newton newton) {
-  Configuration configuration;
-  configuration.z = std::move(start);
-  const Topology& topology = numbers.topology();
-  const auto open = [&](std::size_t b) { return largest(configuration.residuals[b](equations[b])); };
-  std::vector<bool> moved(topology.blocks.size(), true);
-  for (int step = 0;; ++step) {
-    evaluate_closures(numbers, configuration, moved);
-    moved.assign(moved.size(), false);
-    bool done = true;
-    for (std::size_t b = 0; b < topology.blocks.size(); ++b) done = done && open(b) < kClosedForRank;
-    if (done || step == kSearchIterations) break;
-    for (std::size_t b = 0; b < topology.blocks.size(); ++b) {
-      if (const double here = open(b); here < kClosedForRank * 1e-3 || !std::isfinite(here)) continue;
-      moved[b] = true;
-      Eigen::VectorXd correction =
-          newton_step(configuration, b, topology.blocks[b].joints.size(), equations[b], newton);
-      correction *= shortening(largest(correction), kLargestSearchStep);
-      for (std::size_t c = 0; c < topology.blocks[b].joints.size(); ++c)
-        configuration.z[topology.blocks[b].joints[c]] += correction[c];
-    }
-  }
-  for (std::size_t b = 0; b < topology.blocks.size(); ++b) {
-    configuration.closed.push_back(open(b) < kClosedForRank);
-    configuration.corrections.push_back(
-        newton_step(configuration, b, topology.blocks[b].joints.size(), equations[b], newton));
-  }
-  return configuration;
-}
 
 std::vector<Configuration> closed_configurations(NumericSystem& numbers, int wanted) {
   const Topology& topology = numbers.topology();
@@ -172,7 +17,7 @@ std::vector<Configuration> closed_configurations(NumericSystem& numbers, int wan
     std::iota(equations.back().begin(), equations.back().end(), 0);
   }
   std::vector<Configuration> found{close_equations(numbers, reference, equations)};
-  std::vector<Walk> walks = start_walks(topology, found[0], equations);
+  std::vector<FreedomWalk> walks = start_walks(topology, found[0], equations);
   std::mt19937_64 random(20120401);  // fixed: two runs decide alike
   const double distances[] = {0.05, 0.2, 0.5, 1.0, 2.0};
   for (int attempt = 0; attempt < 2 * wanted && static_cast<int>(found.size()) <= wanted; ++attempt) {
@@ -182,7 +27,7 @@ std::vector<Configuration> closed_configurations(NumericSystem& numbers, int wan
       const double reach = topology.bodies[i].kind == FreedomKind::revolute ? 1.0 : 0.2;
       start[i] = unit * reach * distances[attempt % 5];
     }
-    for (Walk& walk : walks) step(topology, found, attempt, walk, start);
+    for (FreedomWalk& walk : walks) put_next_position(topology, found, attempt, walk, start);
     Configuration configuration = close_equations(numbers, std::move(start), equations);
     const bool any =
         std::find(configuration.closed.begin(), configuration.closed.end(), true) != configuration.closed.end();

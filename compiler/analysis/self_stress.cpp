@@ -4,7 +4,7 @@
 #include <random>
 
 #include "compiler/algebra/dense.hpp"
-#include "compiler/analysis/opening.hpp"
+#include "compiler/analysis/violation.hpp"
 
 namespace mbgen {
 namespace {
@@ -93,7 +93,8 @@ DependentRows rows_of(const Held& at, const BlockPart& loops) {
     if (contains(loops.rows, at.view.part.rows[r])) rows.push_back(static_cast<int>(r));
   const MatrixXd jacobian = at.jacobian(rows, Eigen::all);
   const VectorXd sigma = singular_values(jacobian);
-  const std::vector<int> kept = strongest_rows(jacobian, static_cast<int>((sigma.array() > kLeastSingularValue).count()));
+  const std::vector<int> kept =
+      strongest_rows(jacobian, static_cast<int>((sigma.array() > kLeastSingularValue).count()));
   DependentRows result;
   for (std::size_t r = 0; r < rows.size(); ++r)
     (contains(kept, static_cast<int>(r)) ? result.kept : result.redundant).push_back(rows[r]);

@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "compiler/algebra/dense.hpp"
-#include "compiler/analysis/sampling.hpp"
+#include "compiler/analysis/configuration.hpp"
 
 namespace mbgen {
 namespace {

@@ -157,4 +157,65 @@ TEST(Rooms, MadeUpCircleIsSeen) {
   EXPECT_TRUE(rooms.at("hen").uses.contains("hen"));
 }
 
+/// A header with the source of its name counts as one module. Per module of a room: the modules that it includes.
+using Modules = std::map<std::string, std::set<std::string>>;
+
+void add_includes(const std::string& directory, const fs::path& file, const std::string& text, Modules& modules) {
+  std::set<std::string>& includes = modules[file.stem().string()];
+  std::istringstream lines(text);
+  const std::string head = "#include \"" + directory + "/";
+  for (std::string line; std::getline(lines, line);) {
+    if (!line.starts_with(head)) continue;
+    const std::string stem = line.substr(head.size(), line.find('.', head.size()) - head.size());
+    if (stem != file.stem().string()) includes.insert(stem);
+  }
+}
+
+/// Modules that include themselves by way of others.
+std::set<std::string> circular(Modules modules) {
+  for (bool grows = true; grows;) {
+    grows = false;
+    for (auto& [name, includes] : modules) {
+      std::set<std::string> all = includes;
+      for (const std::string& included : includes)
+        if (const auto found = modules.find(included); found != modules.end())
+          all.insert(found->second.begin(), found->second.end());
+      grows = grows || all.size() > includes.size();
+      includes = std::move(all);
+    }
+  }
+  std::set<std::string> found;
+  for (const auto& [name, includes] : modules)
+    if (includes.contains(name)) found.insert(name);
+  return found;
+}
+
+/// Rooms whose door holds the data that their parts include: they have circles. No room is added to them.
+const std::set<std::string> kRoomsWithCircles{"emit",    "import",    "passes",  "report",
+                                              "results", "cartesian", "generic", "trace"};
+
+TEST(Rooms, ModulesOfARoomIncludeNoCircle) {
+  const fs::path root = MBGEN_SOURCE_DIR;
+  for (const auto& [name, room] : table_of_rooms(text_of(root / "CMakeLists.txt"))) {
+    if (kRoomsWithCircles.contains(name)) continue;
+    Modules modules;
+    for (const fs::directory_entry& entry : fs::directory_iterator(root / room.directory)) {
+      const std::string extension = entry.path().extension().string();
+      if (extension == ".cpp" || extension == ".hpp")
+        add_includes(name == "runtime" ? "mbgen" : room.directory, entry.path(), text_of(entry.path()), modules);
+    }
+    for (const std::string& module : circular(modules))
+      ADD_FAILURE() << room.directory << "/" << module << " includes itself by way of other modules of its room";
+  }
+}
+
+TEST(Rooms, MadeUpCircleOfModulesIsSeen) {
+  Modules modules;
+  add_includes("a/b", "a/b/door.cpp", "#include \"a/b/door.hpp\"\n#include \"a/b/part.hpp\"\n", modules);
+  add_includes("a/b", "a/b/part.hpp", "#include \"a/b/small.hpp\"\n", modules);
+  EXPECT_EQ(circular(modules), std::set<std::string>{});
+  add_includes("a/b", "a/b/small.cpp", "#include \"a/b/door.hpp\"\n", modules);
+  EXPECT_EQ(circular(modules), (std::set<std::string>{"door", "part", "small"}));
+}
+
 }  // namespace

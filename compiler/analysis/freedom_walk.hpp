@@ -4,14 +4,14 @@
 #include <random>
 #include <vector>
 
-#include "compiler/analysis/sampling.hpp"
+#include "compiler/analysis/configuration.hpp"
 
 namespace mbgen {
 
 constexpr int kWalkLength = 4;  ///< configurations in one direction, before the walk turns round
 
 /// The walk of one large block.
-struct Walk {
+struct FreedomWalk {
   std::size_t block = 0;
   LoopPartition partition;      ///< by the pivots at the reference
   std::vector<double> weights;  ///< motion of the independent coordinates, per coordinate of the block
@@ -20,13 +20,13 @@ struct Walk {
 
 /// One walk for each large block that is closed at the reference. equations: per block, those to close; of a large
 /// block only those with a pivot at the reference stay.
-std::vector<Walk> start_walks(const Topology& topology, const Configuration& reference,
-                              std::vector<std::vector<int>>& equations);
+std::vector<FreedomWalk> start_walks(const Topology& topology, const Configuration& reference,
+                                     std::vector<std::vector<int>>& equations);
 
 /// Puts the next position of a walk, to be closed, into `start`: a step from the last of `found` or, where the walk
 /// turns, from the reference, which is the first.
-void step(const Topology& topology, const std::vector<Configuration>& found, int attempt, Walk& walk,
-          std::vector<double>& start);
+void put_next_position(const Topology& topology, const std::vector<Configuration>& found, int attempt,
+                       FreedomWalk& walk, std::vector<double>& start);
 
 /// The motion of a large block whose independent coordinates move by `weights` (per coordinate): Phi_z x = 0.
 std::vector<double> mixed_freedoms(const SparseRows& jacobian, const LoopPartition& partition,

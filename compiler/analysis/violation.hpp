@@ -17,7 +17,7 @@ constexpr double kContradiction = 1e-10;  ///< m or 1: rounding leaves 1e-13, cl
 constexpr double kJump = 1e-5;
 
 /// How far an equation opened on a finite motion.
-struct Opening {
+struct Violation {
   int equation = 0;           ///< row of the block
   double residual = 0;        ///< m or 1
   int coordinate = 0;         ///< tree index of the coordinate that moved most
@@ -38,6 +38,6 @@ std::string loops_text(const Topology& topology, const std::vector<int>& loops);
 /// The diagnostic for an equation that opens: at the joint whose axis is off, else at the loop that has the equation.
 /// fault: what is wrong with which loops.
 Diagnostic refusal(const Model& model, const Topology& topology, const std::vector<int>& loops,
-                   const std::string& fault, const Opening& opening, const ClosureEquation& equation);
+                   const std::string& fault, const Violation& violation, const ClosureEquation& equation);
 
 }  // namespace mbgen

@@ -1,4 +1,4 @@
-#include "compiler/analysis/walk.hpp"
+#include "compiler/analysis/freedom_walk.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -22,7 +22,7 @@ LoopPartition partition_at(const SparseRows& jacobian, const LoopBlock& block) {
 }
 
 /// Turns a walk round, or into another way after both.
-void turn(int attempt, std::size_t coordinates, Walk& walk) {
+void turn(int attempt, std::size_t coordinates, FreedomWalk& walk) {
   if (attempt % (2 * kWalkLength) != 0) {
     for (double& w : walk.weights) w = -w;
     return;
@@ -45,9 +45,9 @@ std::vector<double> mixed_freedoms(const SparseRows& jacobian, const LoopPartiti
   return x;
 }
 
-std::vector<Walk> start_walks(const Topology& topology, const Configuration& reference,
-                              std::vector<std::vector<int>>& equations) {
-  std::vector<Walk> walks;
+std::vector<FreedomWalk> start_walks(const Topology& topology, const Configuration& reference,
+                                     std::vector<std::vector<int>>& equations) {
+  std::vector<FreedomWalk> walks;
   for (std::size_t b = 0; b < topology.blocks.size(); ++b) {
     if (!is_large(topology.blocks[b]) || !reference.closed[b]) continue;
     walks.push_back({b, partition_at(reference.blocks[b].sparse, topology.blocks[b]), {}});
@@ -58,8 +58,8 @@ std::vector<Walk> start_walks(const Topology& topology, const Configuration& ref
   return walks;
 }
 
-void step(const Topology& topology, const std::vector<Configuration>& found, int attempt, Walk& walk,
-          std::vector<double>& start) {
+void put_next_position(const Topology& topology, const std::vector<Configuration>& found, int attempt,
+                       FreedomWalk& walk, std::vector<double>& start) {
   const std::vector<int>& joints = topology.blocks[walk.block].joints;
   const bool turns = attempt % kWalkLength == 0;
   if (turns) turn(attempt, joints.size(), walk);

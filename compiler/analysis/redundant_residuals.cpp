@@ -1,8 +1,9 @@
+#include "compiler/analysis/redundant_residuals.hpp"
+
 #include <algorithm>
 #include <random>
 
-#include "compiler/analysis/compatibility.hpp"
-#include "compiler/analysis/opening.hpp"
+#include "compiler/analysis/violation.hpp"
 
 namespace mbgen {
 namespace {
@@ -40,13 +41,13 @@ VectorXd redundant_part(const Configuration& at, std::size_t b, const std::vecto
 
 /// Notes what the redundant equations of a block show after a step, unless the step did not come out as asked.
 void note(const LoopBlock& block, const PartView& view, const std::vector<double>& from, const VectorXd& residual,
-          const std::vector<double>& to, bool second_order, Watch& watch, Opening& worst) {
-  Opening here;
+          const std::vector<double>& to, bool second_order, RedundantResiduals& residuals, Violation& worst) {
+  Violation here;
   here.second_order = second_order;
   const double length = distance(block, view, from, to, here.coordinate);
   if (length < kStep / 2 || length > 2 * kStep) return;
-  ++watch.steps;
-  watch.residual = watch.residual.cwiseMax(residual);
+  ++residuals.steps;
+  residuals.residual = residuals.residual.cwiseMax(residual);
   here.residual = residual.maxCoeff(&here.equation);
   here.motion = std::abs(to[here.coordinate] - from[here.coordinate]);
   if (here.residual > worst.residual) worst = here;
@@ -54,17 +55,17 @@ void note(const LoopBlock& block, const PartView& view, const std::vector<double
 
 }  // namespace
 
-std::vector<Watch> watch_redundant(NumericSystem& numbers, const std::vector<PartView>& views,
-                                   const std::vector<std::vector<int>>& kept,
-                                   const std::vector<std::vector<ClosureEquation>>& equations,
-                                   const std::vector<Configuration>& configurations) {
+std::vector<RedundantResiduals> redundant_residuals(NumericSystem& numbers, const std::vector<PartView>& views,
+                                                    const std::vector<std::vector<int>>& kept,
+                                                    const std::vector<std::vector<ClosureEquation>>& equations,
+                                                    const std::vector<Configuration>& configurations) {
   const Topology& topology = numbers.topology();
   const auto opened = [&](const Configuration& at, std::size_t b) { return redundant_part(at, b, kept[b]); };
-  std::vector<Watch> watches(views.size());
-  std::vector<Opening> worst(views.size());
+  std::vector<RedundantResiduals> result(views.size());
+  std::vector<Violation> worst(views.size());
   std::vector<std::size_t> seen(views.size(), 0);
   std::mt19937_64 random(20120404);
-  for (std::size_t b = 0; b < views.size(); ++b) watches[b].residual = VectorXd::Zero(views[b].part.rows.size());
+  for (std::size_t b = 0; b < views.size(); ++b) result[b].residual = VectorXd::Zero(views[b].part.rows.size());
   for (const Configuration& from : configurations) {
     std::vector<double> z = from.z;
     std::vector<std::vector<int>> closing(views.size());
@@ -94,9 +95,9 @@ std::vector<Watch> watch_redundant(NumericSystem& numbers, const std::vector<Par
         second_order = left < kSecondOrder;
       }
       // What the reference shows to agree, and a random start does not by far, is another assembly mode.
-      const bool agrees = watches[b].steps > 0 && seen[b] > 1 && watches[b].residual.maxCoeff() <= kContradiction;
+      const bool agrees = result[b].steps > 0 && seen[b] > 1 && result[b].residual.maxCoeff() <= kContradiction;
       if (agrees && residuals.maxCoeff() > kOtherMode) continue;
-      note(topology.blocks[b], views[b], from.z, residuals, to.z, second_order, watches[b], worst[b]);
+      note(topology.blocks[b], views[b], from.z, residuals, to.z, second_order, result[b], worst[b]);
     }
   }
   for (std::size_t b = 0; b < views.size(); ++b) {
@@ -106,9 +107,9 @@ std::vector<Watch> watch_redundant(NumericSystem& numbers, const std::vector<Par
     const std::string fault = worst[b].second_order ? "the position of " + names +
                                                           " is singular: its equations hinder all but the first motion"
                                                     : "redundant equations of " + names + " contradict the others";
-    watches[b].problems.push_back(refusal(numbers.model(), topology, {equation.loop}, fault, worst[b], equation));
+    result[b].problems.push_back(refusal(numbers.model(), topology, {equation.loop}, fault, worst[b], equation));
   }
-  return watches;
+  return result;
 }
 
 }  // namespace mbgen

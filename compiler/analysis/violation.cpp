@@ -1,4 +1,4 @@
-#include "compiler/analysis/opening.hpp"
+#include "compiler/analysis/violation.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -12,10 +12,10 @@ namespace {
 
 constexpr double kDegree = 0.017453292519943295;  // rad
 
-std::string motion_text(const Topology& topology, const Opening& opening, const ClosureEquation& equation) {
-  const TreeBody& body = topology.bodies[opening.coordinate];
-  return fmt::format("moving {} by {:.2g} {} opens {} ({}) by {:.3g}{}", body.coordinate, opening.motion,
-                     unit_of(body.kind), equation.name, equation.meaning, opening.residual,
+std::string motion_text(const Topology& topology, const Violation& violation, const ClosureEquation& equation) {
+  const TreeBody& body = topology.bodies[violation.coordinate];
+  return fmt::format("moving {} by {:.2g} {} opens {} ({}) by {:.3g}{}", body.coordinate, violation.motion,
+                     unit_of(body.kind), equation.name, equation.meaning, violation.residual,
                      equation.unit == ResidualUnit::metre ? " m" : "");
 }
 
@@ -63,14 +63,16 @@ std::string loops_text(const Topology& topology, const std::vector<int>& loops) 
 }
 
 Diagnostic refusal(const Model& model, const Topology& topology, const std::vector<int>& loops,
-                   const std::string& fault, const Opening& opening, const ClosureEquation& equation) {
+                   const std::string& fault, const Violation& violation, const ClosureEquation& equation) {
   const std::optional<Misalignment> off = misaligned_joint(model, topology, loops);
   const Loop& opened = topology.loops[equation.loop];
   const Where& where = off               ? model.joints[off->joint].where
                        : opened.rod >= 0 ? model.rods[opened.rod].where
                                          : model.joints[opened.joint].where;
-  return {
-      where, fault + ", and " + motion_text(topology, opening, equation), advice(model, off, opening.second_order), {}};
+  return {where,
+          fault + ", and " + motion_text(topology, violation, equation),
+          advice(model, off, violation.second_order),
+          {}};
 }
 
 }  // namespace mbgen

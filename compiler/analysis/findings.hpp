@@ -1,0 +1,79 @@
+#pragma once
+// The decisions of the analysis as data: what its parts fill and its door gives.
+
+#include <string>
+#include <vector>
+
+#include "compiler/formulation/loop_partition.hpp"
+#include "compiler/topology/topology.hpp"
+
+namespace mbgen {
+
+/// In how many closed configurations a rank was seen.
+struct RankCount {
+  int rank = 0;
+  int configurations = 0;
+};
+
+/// A closed configuration in which a block has less than its generic rank.
+struct SingularConfiguration {
+  int rank = 0;
+  int times = 1;          ///< how often it was met
+  std::vector<double> z;  ///< positions of LoopBlock::joints, rad or m
+};
+
+/// An equation that the others of its block imply.
+struct RedundantEquation {
+  int equation = 0;      ///< row, local to the block
+  int loop = 0;          ///< index into Topology::loops
+  std::string name;      ///< `loop.row`
+  std::string meaning;   ///< its condition, for example "position along x"
+  double residual = -1;  ///< largest seen while the others alone were closed, m or 1; -1: the block cannot move
+};
+
+/// Findings on the redundancy of one loop block. Singular values are those of the block Jacobian free of units
+/// (metres divided by the largest lever arm), relative to the largest of them, at least 1.
+struct Certificate {
+  int closed_configurations = 0;
+  double reach = 0;                             ///< rad or m, largest change of a coordinate from the reference in them
+  std::vector<RankCount> ranks;                 ///< highest rank first
+  std::vector<SingularConfiguration> singular;  ///< those below the generic rank
+  double smallest_kept = 0;                     ///< weakest singular value that counts as rank, over all configurations
+  double largest_dropped = 0;                   ///< strongest one that does not
+  int steps = 0;  ///< finite steps along the block's freedoms over which the redundant equations were watched
+  std::vector<RedundantEquation> redundant;
+  std::vector<int> immobile;   ///< local columns that move in no configuration
+  int degrees_of_freedom = 0;  ///< joints less generic rank (driven joints are still counted)
+};
+
+/// Decisions for one loop block; local columns are indices into LoopBlock::joints.
+struct BlockAnalysis : LoopPartition {
+  int rank = 0;                              ///< generic rank of the block Jacobian
+  std::vector<int> redundant_equations;      ///< local rows left out of the frozen path
+  std::vector<std::string> redundant_names;  ///< the same by loop and component, for people
+  std::vector<int> triangular_sizes;         ///< sizes of the diagonal blocks of the block-triangular form
+  double typical_pivot = 0;      ///< smallest of full pivoting without the driven columns, median over all samples;
+                                 ///< 0 when no partition is chosen again, see chooses_again
+  double worst_pivot_ratio = 0;  ///< smallest |pivot| / largest entry of its remaining row and column, over all samples
+  Certificate certificate;
+  LoopPartition quasi;  ///< the same over quasi-velocities, for the recursive form
+};
+
+struct Analysis {
+  int closed_configurations = 0;  ///< how many were found and used
+  int independent_equations = 0;
+  std::vector<RankCount> ranks;       ///< of all blocks together in these configurations, highest first
+  int degrees_of_freedom = 0;         ///< coordinates less independent equations (driven coordinates are still counted)
+  std::vector<BlockAnalysis> blocks;  ///< one per Topology::blocks
+  std::vector<bool> driven;           ///< per tree coordinate
+  std::vector<int> motion_of;         ///< per tree coordinate: index into Model::motions or -1
+};
+
+/// Entries of a block Jacobian up to which another partition is chosen at run time, by full pivoting of the dense
+/// matrix: 1 MB on the stack. A larger block keeps its frozen partition, and where that is bad it is singular.
+constexpr long kMostPivotedEntries = 131072;
+inline bool chooses_again(const LoopBlock& block) {
+  return static_cast<long>(block.equations) * static_cast<long>(block.joints.size()) <= kMostPivotedEntries;
+}
+
+}  // namespace mbgen
