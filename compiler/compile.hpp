@@ -66,7 +66,7 @@ Result<Compilation> compile(Model model, const CompileOptions& options = {});
 /// Reads and compiles the model of a file. Fails: as the first stage that fails.
 Result<Compilation> compile(const std::string& path, const CompileOptions& options = {});
 
-/// What a decision about the accelerations saves, in operations.
+/// Operations that a decision about the accelerations saves.
 struct Saving {
   std::string name;
   long without = 0, with = 0;
@@ -76,7 +76,7 @@ struct Saving {
 /// traced.
 long count_operations_of(const Compilation& compilation, Form form);
 
-/// What each treatment of the recursive form saves: traces the accelerations again without it.
+/// Operations that each treatment of the recursive form saves: traces the accelerations again without it.
 std::vector<Saving> count_savings(const Compilation& compilation);
 
 /// The files of the specialised solver, see emit.

@@ -95,7 +95,7 @@ Diagnostics over_constrained(const Model& model, const LoopBlock& block, const P
   return too_many_motions(model, block, whole, analysis);
 }
 
-/// What was found out about the blocks; one entry per block.
+/// Findings about the blocks; one entry per block.
 struct Findings {
   std::vector<std::vector<ClosureEquation>> equations;
   std::vector<std::vector<RankCount>> other_modes;
@@ -128,7 +128,7 @@ BlockAnalysis analyse_large_block(NumericSystem& numbers, std::size_t b,
   return result;
 }
 
-/// Rank, certificate and partition of block `b`; what is wrong with it goes to `found`.
+/// Rank, certificate and partition of block `b`; its problems go to `found`.
 BlockAnalysis analyse_block(NumericSystem& numbers, std::size_t b, const std::vector<Configuration>& configurations,
                             const Analysis& analysis, Findings& found) {
   const Model& model = numbers.model();
@@ -197,7 +197,7 @@ double extent_of(const Model& model) {
   return std::hypot(high[0] - low[0], high[1] - low[1], high[2] - low[2]);
 }
 
-/// Per tree joint: what rounding leaves of the inertia of a motion of all that it carries which in truth has none.
+/// Per tree joint: inertia, from rounding alone, of a motion of all its bodies that has none.
 std::vector<double> rounding_of_inertia(const Model& model, const Topology& topology) {
   constexpr double kRounding = 1e-14;
   const double extent = extent_of(model);

@@ -51,8 +51,8 @@ class NumericSystem {
   System<double> system_;
 };
 
-/// Residuals of a block, to first order, after the step that would come next: what closing some of its equations
-/// only to kClosedForRank leaves of the others is taken out.
+/// Residuals of a block, to first order, after the step that would come next: the part that closing some of its
+/// equations only to kClosedForRank leaves of the others is taken out.
 Eigen::VectorXd residual_left(const Configuration& configuration, std::size_t b);
 
 /// Residuals and Jacobians of all blocks at a position.

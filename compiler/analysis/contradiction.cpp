@@ -17,12 +17,12 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 constexpr double kShake = 0.3;        // rad, or times the lever arm: opens every loop
-constexpr double kIdentity = 1e-9;    // what rounding leaves of an equation that always holds
+constexpr double kIdentity = 1e-9;    // residual, from rounding, of an equation that always holds
 constexpr double kWeakLoop = 0.01;    // margin of a loop that moves but for a joint, with equations to spare
 constexpr double kJointStill = 1e-6;  // share of a freedom below which a joint has none, as in certificate.cpp
-constexpr int kFlatRank = 2;          // what closing a loop of a flat linkage takes
-constexpr double kDoubtful = 1e-4;  // margin of others that move: what points of 4 digits leave of a redundant equation
-constexpr double kHeld = 1e-6;      // margin where nothing is in doubt: closed to 1e-11, the position is sure to 1e-5
+constexpr int kFlatRank = 2;          // equations that close a loop of a flat linkage
+constexpr double kDoubtful = 1e-4;    // margin of others that move: points of 4 digits open a redundant equation so far
+constexpr double kHeld = 1e-6;        // margin where nothing is in doubt: closed to 1e-11, the position is sure to 1e-5
 
 /// The direction in which a part with one equation less moves: the one that its weakest equation hinders least.
 VectorXd easiest_direction(const MatrixXd& jacobian, const std::vector<int>& kept, int rank) {
@@ -108,7 +108,7 @@ bool is_structure(const Model& model, const Topology& topology, const PartView& 
   return !off || off->angle >= kMeantParallel;
 }
 
-/// What is wrong with how a part is held; empty when nothing is. Where all equations are independent, only a position
+/// Fault of the equations that hold a part; empty for none. Where all equations are independent, only a position
 /// that they do not determine is wrong.
 std::string fault(NumericSystem& numbers, std::size_t b, const PartView& view, std::size_t s,
                   const std::vector<double>& start) {

@@ -1,5 +1,5 @@
 #pragma once
-// The decisions of the analysis as data: what its parts fill and its door gives.
+// The decisions of the analysis as data.
 
 #include <string>
 #include <vector>

@@ -42,7 +42,7 @@ std::string cause(const Model& model, const Topology& topology, const std::vecto
     return fmt::format("if {} is to move: joint {} slides {:.3g} deg out of its plane", loops_text(topology, {l}), name,
                        degrees);
   }
-  return "a structure is solved like anything else; what is to move needs joints with more freedoms";
+  return "a structure is solved like anything else; a mechanism needs joints with more freedoms";
 }
 
 std::string hold_text(const Certificate& certificate) {
@@ -88,7 +88,7 @@ void add_other_modes(const Model& model, const Topology& topology, std::size_t b
   const auto freedoms = [&](int rank) { return static_cast<int>(block.joints.size()) - rank; };
   notes.push_back({where_of(model, topology, block.loops[0]),
                    fmt::format("{} ha{} other assembly modes: {} of {} configurations closed from elsewhere leave {} "
-                               "freedom{} where that of the reference leaves {}",
+                               "freedom{} where the mode of the reference leaves {}",
                                loops_text(topology, block.loops), block.loops.size() == 1 ? "s" : "ve", others,
                                decided.certificate.closed_configurations, freedoms(least),
                                freedoms(least) == 1 ? "" : "s", freedoms(decided.rank)),

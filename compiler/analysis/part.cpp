@@ -10,7 +10,7 @@ namespace mbgen {
 namespace {
 
 constexpr double kSmallest = 1e-6;   // m; below it all joints of a part share one point
-constexpr double kUncertainty = 10;  // singular values per rad of what the position is uncertain by
+constexpr double kUncertainty = 10;  // of a singular value, per rad of uncertainty of the position
 
 /// Diagonal of the box around the joints and ends of a part at the reference, m.
 double size_of(const NumericSystem& numbers, const LoopBlock& block, const BlockPart& part) {

@@ -5,8 +5,8 @@
 #include <Eigen/Core>
 #include <vector>
 
-#include "compiler/analysis/equations.hpp"
 #include "compiler/analysis/configuration.hpp"
+#include "compiler/analysis/equations.hpp"
 
 namespace mbgen {
 
@@ -36,7 +36,7 @@ struct PartView {
   std::vector<int> configurations;         ///< indices of the closed ones
   std::vector<Eigen::MatrixXd> jacobians;  ///< J at each of them
   std::vector<Eigen::VectorXd> singular_values;
-  std::vector<int> ranks;  ///< singular values above kLeastSingularValue, and above what the position is uncertain by
+  std::vector<int> ranks;  ///< singular values above kLeastSingularValue, and above their uncertainty
   int rank = 0;            ///< generic: the largest seen
   /// Weakest singular value that counts as rank over the largest one, at least 1: at view index `s`.
   double margin(std::size_t s) const;

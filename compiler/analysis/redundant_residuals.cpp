@@ -16,7 +16,7 @@ constexpr double kSecondOrder =
 constexpr double kNearSingular = 0.01;  // share of the best margin below which a configuration is no place to step
 
 /// A block can step at view index `s`: something is redundant, something moves, and the place is regular. Large blocks
-/// were watched on their walk.
+/// have the residuals of their walk.
 bool can_step(const PartView& view, const std::vector<int>& kept, std::size_t s) {
   if (view.jacobians.empty() || kept.size() == view.part.rows.size() || view.locked() || view.ranks[s] < view.rank)
     return false;
@@ -32,14 +32,14 @@ VectorXd mixed_freedoms(const PartView& view, std::size_t s, std::mt19937_64& ra
   return kStep / direction.cwiseAbs().maxCoeff() * direction;
 }
 
-/// Residuals of a block without those of the kept equations, absolute.
+/// Absolute residuals of a block, zero for the kept equations.
 VectorXd redundant_part(const Configuration& at, std::size_t b, const std::vector<int>& kept) {
   VectorXd residual = residual_left(at, b).cwiseAbs();
   for (int e : kept) residual[e] = 0;
   return residual;
 }
 
-/// Notes what the redundant equations of a block show after a step, unless the step did not come out as asked.
+/// Records the residuals of a block's redundant equations after a step, unless the step did not reach its end.
 void note(const LoopBlock& block, const PartView& view, const std::vector<double>& from, const VectorXd& residual,
           const std::vector<double>& to, bool second_order, RedundantResiduals& residuals, Violation& worst) {
   Violation here;
@@ -94,7 +94,7 @@ std::vector<RedundantResiduals> redundant_residuals(NumericSystem& numbers, cons
         if (left < kJump) continue;
         second_order = left < kSecondOrder;
       }
-      // What the reference shows to agree, and a random start does not by far, is another assembly mode.
+      // Equations that agree at the reference, and not by far at a random start: another assembly mode.
       const bool agrees = result[b].steps > 0 && seen[b] > 1 && result[b].residual.maxCoeff() <= kContradiction;
       if (agrees && residuals.maxCoeff() > kOtherMode) continue;
       note(topology.blocks[b], views[b], from.z, residuals, to.z, second_order, result[b], worst[b]);

@@ -23,7 +23,7 @@ constexpr double kUpright = 0.7;    // cosine: less than 45 degrees from the ver
 
 Vector3d vector_of(const Vector3& v) { return {v[0], v[1], v[2]}; }
 
-/// Velocity of a body: that of the point at the origin, and turning.
+/// Velocity of a body: of its point at the origin, and turning.
 struct Twist {
   Vector3d origin = Vector3d::Zero(), turning = Vector3d::Zero();
   Vector3d at(const Vector3d& point) const { return origin + turning.cross(point); }
@@ -96,7 +96,7 @@ struct Scene {
     return list;
   }
 
-  /// Whether a spring has both ends on what moves.
+  /// Whether both ends of a spring are on bodies that move.
   bool carries_springs(const std::vector<Twist>& moved) const {
     const auto moves = [&](const Attachment& end) {
       const int body = carrier(end.body);

@@ -20,9 +20,10 @@ std::string motion_text(const Topology& topology, const Violation& violation, co
 }
 
 std::string advice(const Model& model, const std::optional<Misalignment>& off, bool second_order) {
-  const std::string rest = "; what is meant to be rigid takes fixed joints";
+  const std::string rest = "; a rigid connection takes fixed joints";
   if (!off && second_order)
-    return "what stands so bears no load: move a point or change a length, so that the equations hinder every motion "
+    return "a mechanism in this position bears no load: move a point or change a length, so that the equations hinder "
+           "every motion "
            "or "
            "none" +
            rest;

@@ -1,5 +1,5 @@
 #pragma once
-// A finite motion of a part of a block, what it opens, and how a refusal says so.
+// A finite motion of a part of a block, the equations that it opens, and the refusal for them.
 
 #include <string>
 #include <vector>
@@ -36,7 +36,7 @@ double distance(const LoopBlock& block, const PartView& view, const std::vector<
 std::string loops_text(const Topology& topology, const std::vector<int>& loops);
 
 /// The diagnostic for an equation that opens: at the joint whose axis is off, else at the loop that has the equation.
-/// fault: what is wrong with which loops.
+/// fault: the loops and their fault, in words.
 Diagnostic refusal(const Model& model, const Topology& topology, const std::vector<int>& loops,
                    const std::string& fault, const Violation& violation, const ClosureEquation& equation);
 

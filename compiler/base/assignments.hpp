@@ -1,5 +1,5 @@
 #pragma once
-// name=value, as typed: inputs of a model, and parameters in place of those of its file.
+// name=value, as typed: inputs of a model, and parameters in place of the values in its file.
 
 #include <string>
 #include <vector>

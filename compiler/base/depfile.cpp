@@ -7,7 +7,7 @@
 namespace mbgen {
 namespace {
 
-/// A path with what Make would read as its own escaped: blanks, the backslashes before them, # and $.
+/// A path with the special characters of Make escaped: blanks, the backslashes before them, # and $.
 std::string escaped(const std::string& path) {
   std::string text;
   std::size_t backslashes = 0;

@@ -141,7 +141,7 @@ void AtomicFile::commit() {
 TemporaryDirectory::TemporaryDirectory(const std::filesystem::path& parent) {
   if (const std::string fault = foreign_hand(parent, true); !fault.empty()) {
     throw UserError(
-        fmt::format("{}: not used for temporary files, others could exchange what is compiled there: {}\n"
+        fmt::format("{}: not used for temporary files, others could exchange the files that are compiled there: {}\n"
                     "  hint: name a directory of your own in TMPDIR, or make this one sticky (chmod +t)\n",
                     parent.string(), fault));
   }

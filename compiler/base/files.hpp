@@ -74,7 +74,7 @@ void write_files(const std::filesystem::path& directory, const std::vector<Named
 /// Writes to standard output. Fails: UserError when it does not take the text.
 void print(std::string_view text);
 
-/// Prints what there is to say beside a result: to standard error where `result` is standard output, which then holds
+/// Prints messages beside a result: to standard error where `result` is standard output, which then holds
 /// the result and nothing else. Fails: as print.
 void print_beside(const std::filesystem::path& result, std::string_view text);
 

@@ -55,7 +55,7 @@ bool others_may_write(const struct stat& status) {
   return (status.st_mode & S_IWOTH) != 0 || ((status.st_mode & S_IWGRP) != 0 && !is_private_group(status.st_gid));
 }
 
-/// What is wrong with one directory or link on the way.
+/// Fault of one directory or link on the way.
 std::string fault_of(const fs::path& path, const struct stat& status, bool is_last, bool may_be_shared) {
   const bool is_link = S_ISLNK(status.st_mode);
   if (is_last && !may_be_shared && !is_link && status.st_uid != ::geteuid()) {
@@ -136,7 +136,7 @@ fs::path own_cache() {
   if (fault.empty()) return directory;
   fmt::print(stderr,
              "{}: note: nothing is kept or loaded here: {}\n"
-             "  hint: name a directory that only you can write in XDG_CACHE_HOME; what mbgen compiles is loaded again "
+             "  hint: name a directory that only you can write in XDG_CACHE_HOME; mbgen loads its compiled solvers "
              "from there\n",
              directory.string(), fault);
   return {};

@@ -17,9 +17,9 @@ namespace mbgen {
 namespace {
 
 constexpr pid_t kNoProcess = -1;
-constexpr timespec kLongestPause{0, 50'000'000};  // 50 ms, for whoever watches
+constexpr timespec kLongestPause{0, 50'000'000};  // 50 ms: a person sees no delay
 
-/// Signals that wait while programs run: the end of a program, and those that would end this process and leave the
+/// Signals that wait while programs run: the end of a program, and signals that would end this process and leave the
 /// programs at work.
 class HeldSignals {
  public:
@@ -50,7 +50,7 @@ class HeldSignals {
   sigset_t held_ = {}, before_ = {};
 };
 
-/// Starts a program in a process group of its own, which holds what it starts in turn.
+/// Starts a program in a process group of its own, which holds the programs that it starts in turn.
 pid_t start(const Command& command, const sigset_t& signals) {
   posix_spawn_file_actions_t actions;
   posix_spawn_file_actions_init(&actions);

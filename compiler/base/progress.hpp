@@ -1,5 +1,5 @@
 #pragma once
-// What takes a while, on standard error, when that is a terminal.
+// Progress of long work, on standard error, when that is a terminal.
 
 #include <chrono>
 #include <string>

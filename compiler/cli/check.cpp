@@ -30,7 +30,7 @@ struct Findings {
   int bodies = 0, freedoms = 0, driven = 0;  ///< that move; with the driven ones; coordinates that motions prescribe
 };
 
-/// What is wrong with the model or the state that it starts from, or what there is to say of them.
+/// Faults of the model or of the state that it starts from, or notes on them.
 Findings findings_of(const CheckOptions& options) {
   Findings findings;
   try {
@@ -79,12 +79,11 @@ void add_check(NamedCommand application, int& exit_code) {
   NamedCommand command = application.add_command("check", "read and verify a model, report every problem at once");
   command.footer(
       "Example: mbgen check models/coach.json\n"
-      "Standard error has notes of what is allowed and may not be meant: axes of tyres and wheels out of balance, "
+      "Standard error has notes on allowed input that may be a mistake: axes of tyres and wheels out of balance, "
       "wheels\n"
-      "that stand while their tyres run, damping that adds energy, likely mistakes of units, what nothing holds or "
-      "loops\n"
-      "lock, what tyre files have and the model does not use, and how far initial values that do not fit together are\n"
-      "moved.");
+      "that stand while their tyres run, damping that adds energy, likely mistakes of units, bodies that nothing\n"
+      "holds, joints that loops lock, entries of tyre files that the model does not use, and the distances by which\n"
+      "initial values that do not fit together are moved.");
   add_model_argument(command, options->model);
   add_set_option(command, options->set);
   add_json_option(command, options->json);

@@ -11,7 +11,7 @@ CLI::Option* with_value(CLI::Option* option) {
       [](const std::string& word) { return word.empty() ? std::string("must not be empty") : std::string(); });
 }
 
-/// Refuses what is no number of a kind.
+/// Refuses text that is no number of a kind.
 template <class Number>
 CLI::Option* with_number(CLI::Option* option, const char* kind) {
   return option->check([kind](const std::string& word) {

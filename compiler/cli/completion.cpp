@@ -1,4 +1,4 @@
-// mbgen completion: what shells complete, from the table of commands and options itself.
+// mbgen completion: scripts for shells, from the table of commands and options itself.
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -97,7 +97,8 @@ std::string fish_text(const NamedCommand& application) {
 
 void add_completion(NamedCommand application, int& exit_code) {
   const auto options = std::make_shared<CompletionOptions>();
-  NamedCommand command = application.add_command("completion", "print what a shell needs to complete mbgen's words");
+  NamedCommand command =
+      application.add_command("completion", "print the script by which a shell completes mbgen's words");
   command.footer("Example: source <(mbgen completion bash)");
   command.add_option("SHELL", options->shell, "bash, zsh or fish").required().one_of({"bash", "zsh", "fish"});
   command.callback([options, application, &exit_code] {

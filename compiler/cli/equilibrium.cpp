@@ -26,7 +26,7 @@ struct EquilibriumOptions {
   bool json = false;
 };
 
-/// The equilibrium and what holds there.
+/// The equilibrium, its rates and its forces.
 struct Equilibrium {
   GenericState state;
   GenericDerivative rates;  ///< zero but for rounding, and for what may roll or turn freely

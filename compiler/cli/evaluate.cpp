@@ -101,7 +101,7 @@ void add_evaluate(NamedCommand application, int& exit_code) {
       "Example: mbgen evaluate models/pendulum.json --states states.json\n"
       "where states.json is {\"joint_order\": [names], \"states\": [{\"z\": [], \"zd\": [], \"tau\": []}]}; a state "
       "may\n"
-      "also have \"x\", \"t\" and \"inputs\": {name: value}. tau are joint forces, added to those of the model.\n"
+      "also have \"x\", \"t\" and \"inputs\": {name: value}. tau are joint forces beside the forces of the model.\n"
       "Of a model with motions, \"drive\" are the generalised driving forces.\n"
       "A state that has no accelerations has \"zdd\": null and a status that says why; the exit code is then 0 too.");
   add_model_argument(command, options->model);
@@ -109,7 +109,7 @@ void add_evaluate(NamedCommand application, int& exit_code) {
   command.add_flag("--project", options->project,
                    "make each state consistent first, and print its z and zd (default: take it as given)");
   command.add_flag("--reactions", options->reactions,
-                   "print what every joint and rod transmits to its \"to\" body: force, and moment about the joint's "
+                   "print the reaction of every joint and rod on its \"to\" body: force, and moment about the joint's "
                    "point on that body, global axes");
   add_set_option(command, options->set);
   add_batch_option(command, options->engine.choice.lanes);

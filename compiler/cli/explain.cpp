@@ -1,4 +1,4 @@
-// mbgen explain: what mbgen made of a model, in words.
+// mbgen explain: the decisions about a model, in words.
 
 #include <memory>
 
@@ -27,7 +27,8 @@ int run(const ExplainOptions& options) {
 
 void add_explain(NamedCommand application, int& exit_code) {
   const auto options = std::make_shared<ExplainOptions>();
-  NamedCommand command = application.add_command("explain", "say in words what mbgen made of a model, and why");
+  NamedCommand command =
+      application.add_command("explain", "explain the decisions about a model in words, each with its reason");
   command.footer(
       "Example: mbgen explain models/four_bar.json\n"
       "The same facts as tables and as JSON: mbgen inspect.");

@@ -80,8 +80,8 @@ HostCompiler compiler_for(const Platform& platform, const fs::path& scratch) {
   return compiler;
 }
 
-/// What links a library that exports the functions of FMI and imports those of the C library alone; of Windows, those
-/// of msvcrt.dll and kernel32.dll.
+/// Flags that link a library that exports the functions of FMI and imports the functions of the C library alone; of
+/// Windows, those of msvcrt.dll and kernel32.dll.
 std::vector<std::string> link_flags(const Platform& platform, const fs::path& exported) {
   if (platform.suffix == std::string_view(".dll")) return {"-shared", "-static", "-Wl,--no-insert-timestamp", "-s"};
   return {"-shared",
@@ -141,7 +141,7 @@ std::vector<std::string> compile_libraries(const ExportOptions& options, const f
   return entries;
 }
 
-/// Says what an FMU calls otherwise than the model, since names there are of one list.
+/// Names the variables that an FMU calls otherwise than the model, since names there are of one list.
 Diagnostics renamed_notes(const Model& model) {
   Diagnostics notes;
   const auto note = [&](const auto& one, const std::string& name, const char* kind) {
@@ -219,7 +219,7 @@ void add_export(NamedCommand application, int& exit_code) {
   command.footer(
       "Example: mbgen export models/coach_rig.json --fmi 3 -o coach_rig.fmu\n"
       "         mbgen export models/coach_rig.json --fmi 2 --platform x86_64-linux,x86_64-windows -o coach_rig.fmu\n"
-      "The unit has co-simulation and model exchange, a library for this kind of machine or those of --platform, and "
+      "The unit has co-simulation and model exchange, a library for this kind of machine or for each --platform, and "
       "its\n"
       "sources.");
   add_model_argument(command, options->model);

@@ -76,7 +76,7 @@ std::vector<std::string> write_all(const GenerateOptions& options, const Model& 
   return paths;
 }
 
-/// Fails: UserError for what there is in double precision only.
+/// Fails: UserError for options that exist in double precision only.
 void require_precision(const GenerateOptions& options) {
   if (options.emit.scalar == "double") return;
   if (options.emit.lanes > 0) {
@@ -149,8 +149,8 @@ void add_generate(NamedCommand application, int& exit_code) {
   command.add_flag("--c-api", options->c_interface,
                    "add an interface in C99 (<model>_c.h, <model>_c.cpp) and a Python module over it (<model>.py)");
   command.add_flag("--a2l", options->emit.calibration,
-                   "add a calibration file, ASAP2 (<model>.a2l), the header of its symbols (<model>_a2l.h), and what "
-                   "--c-api adds");
+                   "add a calibration file, ASAP2 (<model>.a2l), the header of its symbols (<model>_a2l.h), and the "
+                   "files of --c-api");
   command.add_option("--name", options->name, "name of the files and the namespace (default: the model's)");
   add_set_option(command, options->set);
   add_depfile_option(command, options->depfile);

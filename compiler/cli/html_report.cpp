@@ -25,7 +25,7 @@ struct HtmlReportOptions {
   std::vector<std::string> set;
 };
 
-/// What the run of a result says of its model. Fails: UserError when there is none, or it is of another table.
+/// The model in the description of a result's run. Fails: UserError when there is none, or it is of another table.
 nlohmann::json run_of(const Results& results, const std::string& path) {
   if (results.run.empty()) {
     throw UserError(
@@ -36,7 +36,7 @@ nlohmann::json run_of(const Results& results, const std::string& path) {
   const auto text = [](const nlohmann::json& value) { return value.is_string(); };
   const auto count = [&](const nlohmann::json& value) { return value == results.rows(); };
   if (!run.is_object() || !has("model_file", text) || !has("model_hash", text)) {
-    throw UserError(fmt::format("{}: not what mbgen simulate writes of a run; give --model\n", run_file(path)));
+    throw UserError(fmt::format("{}: no description of a run by mbgen simulate; give --model\n", run_file(path)));
   }
   if (!has("rows", count)) {
     throw UserError(fmt::format("{}: of another table, with {} rows instead of {}; simulate again or give --model\n",
@@ -60,7 +60,7 @@ std::vector<std::string> set_of(const nlohmann::json& run) {
 }
 
 /// The model of a result: the one asked for, else the one that the run names, unchanged since, with the parameters that
-/// were asked for, else those of the run. Fails: UserError.
+/// were asked for, else the values of the run. Fails: UserError.
 Model model_of(const Results& results, const HtmlReportOptions& options) {
   if (!options.model.empty()) {
     const nlohmann::json run = nlohmann::json::parse(results.run, nullptr, false);
@@ -106,7 +106,7 @@ void add_report(NamedCommand application, int& exit_code) {
       "         mbgen report coach.csv -o coach.html\n"
       "The page is one file that needs no network. A result says which model it is of, in FILE.run.json beside a CSV\n"
       "table and inside a MAT file; --model names it where that is missing or the model has changed.");
-  command.add_option("RESULT", options->result, "what mbgen simulate wrote (CSV or MAT)").required();
+  command.add_option("RESULT", options->result, "table of mbgen simulate (CSV or MAT)").required();
   const Option model =
       command.add_option("--model", options->model, "the model (default: the one that the result names)");
   add_set_option(command, options->set).needs(model);

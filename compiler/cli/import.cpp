@@ -54,7 +54,7 @@ int run(const ImportOptions& options) {
     throw UserError("--json: the report takes standard output, give the model a file with --out\n");
   const ImportedModel model = expect(import_robot(import_request(options)));
   const std::string file = options.file.empty() ? model.name + ".json" : options.file;
-  // What the translation lets through must be a model; where it is not, the translation is at fault.
+  // The text must be a model; where it is not, the translation is at fault.
   if (const Result<Model> read = read_model(model.json, file); !read) {
     throw std::logic_error("the imported model cannot be read:\n" + to_text(read.problems()));
   }
@@ -85,9 +85,9 @@ void add_import(NamedCommand application, int& exit_code) {
   NamedCommand command = application.add_command("import", "make a model of a robot in URDF or MJCF");
   command.footer(
       "Example: mbgen import robot.urdf --out robot.json\n"
-      "What could not be carried over is told on standard error, with the line it stands in. Without --out the model "
+      "Standard error names each element that is not carried over, with its line. Without --out the model "
       "is\n"
-      "printed. What becomes of each element, and the file of --loops: docs/use/import.md.");
+      "printed. The treatment of each element, and the file of --loops: docs/use/import.md.");
   command.add_option("ROBOT", options->robot, "URDF (<robot>) or MJCF (<mujoco>) file").required();
   command.add_option("-o,--out", options->file, "write the model to this file");
   command.add_option("--loops", options->loops,

@@ -1,4 +1,4 @@
-// mbgen inspect: what mbgen knows of a model before it writes code.
+// mbgen inspect: the analysis of a model, before any code is written.
 
 #include <fmt/format.h>
 
@@ -78,7 +78,7 @@ int run(const InspectOptions& options) {
 void add_inspect(NamedCommand application, int& exit_code) {
   const auto options = std::make_shared<InspectOptions>();
   NamedCommand command = application.add_command(
-      "inspect", "show the tree, the loops, what is redundant, the coordinates and the operations of a model");
+      "inspect", "show tree, loops, redundant equations, coordinates and operations of a model");
   command.footer(
       "Example: mbgen inspect models/coach_mechanism.json --json\n"
       "         mbgen inspect models/coach.json --svg coach.svg");

@@ -106,7 +106,7 @@ Json linear_json(const Compilation& compilation, const OperatingPoint& point, co
           {"modes", modes_json(compilation, list)}};
 }
 
-/// Four decimals; what they round to zero has no sign.
+/// Four decimals; a number that rounds to zero has no sign.
 std::string without_minus_zero(double value) {
   const std::string text = fmt::format("{:.4f}", value);
   return text == "-0.0000" ? "0.0000" : text;

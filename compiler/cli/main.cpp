@@ -39,7 +39,7 @@ std::vector<std::string> option_names(const NamedCommand& command) {
   return names;
 }
 
-/// What was probably meant by the first word that nobody expected.
+/// The name that was probably meant by the first unknown word.
 std::string hint_of(const NamedCommand& application) {
   const std::vector<NamedCommand> chosen = application.chosen_commands();
   std::vector<std::string> commands;
@@ -59,7 +59,7 @@ int run(int argc, char** argv) {
   int exit_code = kDone;
   line.application().footer(
       "Each command explains itself: mbgen simulate --help\n"
-      "--out - writes a result to standard output, and what there is to say beside it to standard error.\n"
+      "--out - writes a result to standard output, and all messages to standard error.\n"
       "Exit codes: 0 done, 1 the input is at fault, 2 mbgen is at fault.");
   for (const auto add : {add_new, add_check, add_explain, add_inspect, add_generate, add_export, add_simulate, add_plot,
                          add_report, add_evaluate, add_equilibrium, add_linearize, add_sweep, add_bench, add_import,

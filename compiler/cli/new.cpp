@@ -88,7 +88,7 @@ void add_new(NamedCommand application, int& exit_code) {
   command.footer("Example: mbgen new double_wishbone --out corner.json");
   command.add_option("KIND", options->kind, "which one, see --list");
   command.add_option("-o,--out", options->output, "file to write; default KIND.json");
-  command.add_flag("--list", options->list, "name the kinds and what they are");
+  command.add_flag("--list", options->list, "list the kinds, each with its mechanism");
   command.add_flag("--force", options->force, "overwrite the file when it exists");
   add_json_option(command, options->json);
   command.callback([options, &exit_code] { exit_code = run(*options); });

@@ -26,7 +26,7 @@ void add_form_option(NamedCommand command, std::string& form) {
 
 void add_dump_option(NamedCommand command, std::string& stage) {
   command.add_option("--dump", stage,
-                     fmt::format("print what a stage made, and nothing else: {}", fmt::join(dump_stages(), ", ")));
+                     fmt::format("print the result of a stage, and nothing else: {}", fmt::join(dump_stages(), ", ")));
 }
 
 void add_depfile_option(NamedCommand command, std::string& path) {
@@ -61,7 +61,7 @@ void add_engine_options(NamedCommand command, EngineArguments& arguments) {
                      "of the generic engine's loops: lu, or qr with eigen only (default lu)");
   command.add_option(
       "--stabilisation", arguments.stabilisation,
-      "projection or baumgarte: what keeps the joints of a Cartesian engine together (default projection)");
+      "projection or baumgarte: method that keeps the joints of a Cartesian engine together (default projection)");
   add_run_options(command, arguments);
 }
 

@@ -60,13 +60,13 @@ PlotSource read_source(const std::string& path, const PlotOptions& options) {
   return source;
 }
 
-/// Rows that one curve goes through, and what its label adds.
+/// Rows that one curve goes through, and the addition to its label.
 struct Rows {
   std::string label;
   std::vector<std::size_t> indices;
 };
 
-/// All rows, or those of each value of the column `by`. Cases of a study go along x, whatever their order.
+/// All rows, or the rows of each value of the column `by`. Cases of a study go along x, whatever their order.
 std::vector<Rows> rows_of(const PlotSource& source, const PlotOptions& options) {
   std::vector<Rows> all;
   const Column* by = options.by.empty() ? nullptr : &single_column(source, options.by, "--by");
@@ -150,7 +150,7 @@ void add_plot(NamedCommand application, int& exit_code) {
       "         mbgen plot sweep.csv --columns roll_max --over speed --by bar_front -o study.svg\n"
       "Each --columns begins panels of its own, one for each unit among its columns; * stands for any letters.\n"
       "Cases of a study that failed are left out.");
-  command.add_option("RESULT", options->results, "what mbgen simulate (CSV or MAT) or sweep wrote; one or more")
+  command.add_option("RESULT", options->results, "table of mbgen simulate (CSV or MAT) or of mbgen sweep; one or more")
       .required();
   command.add_option("--columns", options->columns, "names of columns with commas between them; may be repeated")
       .required()

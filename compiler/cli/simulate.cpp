@@ -33,7 +33,7 @@ struct SimulateOptions {
   bool json = false;
 };
 
-/// A motion and what is to be said of it.
+/// A motion and the notes on it.
 struct Run {
   SimulationSummary summary;
   StepVerdict verdict;
@@ -58,7 +58,7 @@ Run compute(const Compilation& compilation, const EngineChoice& choice, const In
   return run;
 }
 
-/// What to do where loops that a motion drives cannot follow it; empty for other ends.
+/// Hint where loops that a motion drives cannot follow it; empty for other ends.
 std::string hint_of_reach(const Compilation& compilation, Status status) {
   if (status.code != Code::loop_not_closed && status.code != Code::loop_singular) return {};
   const auto block = static_cast<std::size_t>(status.index);
@@ -122,12 +122,12 @@ void add_simulate(NamedCommand application, int& exit_code) {
       "Example: mbgen simulate models/coach.json --duration 5 --step 1e-3 --out coach.csv\n"
       "Prints a summary; the file appears when it is complete. With --out - the table goes to standard output and the\n"
       "summary to standard error. When the motion cannot go on, the file holds\n"
-      "what there is, standard error says why, and the exit code is 1.\n"
+      "the rows up to there, standard error says why, and the exit code is 1.\n"
       "Beside a CSV file FILE.run.json says which run it is of, for mbgen report; a MAT file holds that itself.\n"
       "Inputs keep their values (--input), or follow a table (--input-table steer.csv), whose header names them:\n"
       "  t [s],steer [rad],torque [N m]\n"
       "An input with a derivative among the inputs continues with it; where the table has no column for the\n"
-      "derivative, it is that of the curve through the rows.\n"
+      "derivative, it is the derivative of the curve through the rows.\n"
       "Where the step is too long for the model (its fastest mode, or an energy balance off by 0.1 %), standard error\n"
       "says so and names one that would do; values that blow up and an energy balance off by 10 % are an error.");
   add_model_argument(command, options->model);

@@ -42,7 +42,7 @@ struct SweepOptions {
   bool restart = false, json = false;
 };
 
-/// Adds what the journals beside the table hold. Fails: as read_journal.
+/// Adds the cases of the journals beside the table. Fails: as read_journal.
 void add_journals(const std::string& table, const std::string& words, CaseResults& results) {
   for (const std::filesystem::path& path : journals_of(table)) results.merge(read_journal(path, words));
 }
@@ -101,7 +101,7 @@ void gather(const SweepOptions& options, const std::string& words, const SweepPa
       try {
         results.merge(read_journal(path, words));
       } catch (const UserError&) {
-        // With --restart: what that rank has not begun anew yet.
+        // With --restart: the journal of a rank that has not begun anew yet.
       }
     }
     if (results.size() > before || is_at_work) last_seen = steady_clock::now();
@@ -231,7 +231,8 @@ void add_sweep(NamedCommand application, int& exit_code) {
       "Metrics are expressions over outputs, z.NAME, zd.NAME, t, inputs and parameters; functions of a whole motion:\n"
       "  max(x) min(x) mean(x) rms(x) range(x) initial(x) final(x) at(1.5, x)\n"
       "A name may stand in front: --metric \"lean=max(abs(roll))\".\n"
-      "What is done stands in FILE.journal: killed and run again with the same words, a study goes on where it was.\n"
+      "FILE.journal lists the finished cases: a study that was killed goes on from there when it is run again with\n"
+      "the same words.\n"
       "Under mpirun or srun the ranks share the cases. See docs/use/sweep.md.");
   StudyArguments& study = options->study;
   add_model_argument(command, study.model);
@@ -245,7 +246,7 @@ void add_sweep(NamedCommand application, int& exit_code) {
   add_set_option(command, study.set);
   add_simulation_options(command, study.simulation);
   command.add_option("--jobs", options->jobs, "cases at a time (default: one a processor; one a rank under mpirun)");
-  const Option restart = command.add_flag("--restart", options->restart, "forget what was done before");
+  const Option restart = command.add_flag("--restart", options->restart, "forget the finished cases and begin anew");
   const Option part = command.add_option("--part", options->part, "K/N: only the K-th of N parts, without the table");
   command.add_option("--slurm", options->slurm, "write a script for Slurm to this file instead: an array job of parts")
       .excludes(restart)

@@ -77,7 +77,7 @@ std::string overview_text(const Compilation& c) {
   return paragraph(words);
 }
 
-/// A body and what hangs on it.
+/// A body and the bodies that hang on it.
 std::string branch_text(const Topology& topology, int i, int depth) {
   const TreeBody& body = topology.bodies[static_cast<std::size_t>(i)];
   std::string text = fmt::format("{:>{}}{}: {} by {}{}\n", "", 2 * depth, body.name,
@@ -123,7 +123,7 @@ std::string cuts_explanation(const Compilation& c) {
   return text.empty() ? "" : heading("Cuts") + text;
 }
 
-/// Axes of what turns and of what slides in a loop, at the reference.
+/// Axes of the turning and of the sliding joints of a loop, at the reference.
 struct LoopAxes {
   std::vector<Vector3> turns, slides;
 };
@@ -163,7 +163,7 @@ std::string cause_of(const Compilation& c, const Loop& loop) {
                        axes.slides.empty() ? "" : " and its slides lie across them");
   }
   if (loop.kind == ClosureKind::rod) return "other loops hold the ends of the rod at this distance already";
-  return "the directions in which its joints let it move do not reach what these equations forbid, or other loops "
+  return "its joints do not let it move in the directions that these equations forbid, or other loops "
          "forbid it "
          "already; this was found with numbers";
 }

@@ -29,7 +29,7 @@ std::string cell(const std::string& text) {
 
 bool has_section(const Json& definition) { return definition.contains("properties"); }
 
-/// What a value may be, in words; names of objects link to their sections.
+/// Allowed values, in words; names of objects link to their sections.
 std::string kind_text(const Json& schema, const Json& value);
 
 std::string reference_text(const Json& schema, const std::string& reference) {

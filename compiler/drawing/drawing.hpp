@@ -40,8 +40,8 @@ struct PlotSize {
 };
 
 /// Curves over time or something else, panels below each other with one axis; ticks at 1, 2 or 5 times a power of ten.
-/// Curves of many points are drawn with what shows at this size: those whose x increases by the extremes of each column
-/// of pixels.
+/// Curves of many points are drawn with the points that show at this size: curves whose x increases by the extremes of
+/// each column of pixels.
 std::string plot_svg(const Abscissa& abscissa, const std::vector<Panel>& panels, const PlotSize& size = {});
 
 /// A mechanism at its reference configuration, seen along the axis in which it is thinnest: a grey PNG of 128 x 128.

@@ -99,7 +99,7 @@ std::pair<double, double> extent(const Panel& panel) {
   return low <= high ? std::pair(low, high) : std::pair(0.0, 1.0);
 }
 
-/// What of a curve shows: where x increases the first, lowest, highest and last point of each column of pixels.
+/// Visible points of a curve: where x increases the first, lowest, highest and last point of each column of pixels.
 std::vector<std::size_t> shown(const std::vector<double>& time, const std::vector<double>& values, int columns) {
   std::vector<std::size_t> points;
   if (time.empty()) return points;

@@ -69,7 +69,7 @@ int block_of_body(const Topology& topology, int body) {
   return tree == kGround ? -1 : topology.groups[static_cast<std::size_t>(topology.group_of[tree])].block;
 }
 
-/// Bodies depth first, those of one block together, else in the order of the tree.
+/// Bodies depth first, the bodies of one block together, else in the order of the tree.
 void add_rows(Sheet& sheet, int body, int joint, int parent) {
   const int row = static_cast<int>(sheet.rows.size());
   const int depth = parent < 0 ? 0 : sheet.rows[parent].depth + 1;
@@ -263,7 +263,7 @@ std::string bracket_text(const Sheet& sheet, const Bracket& bracket) {
                              fmt::format(" font-size=\"10\" fill=\"{}\" stroke=\"none\"", colour));
 }
 
-/// What the marks mean, and a line a block.
+/// Meaning of the marks, and a line a block.
 std::string legend(Sheet& sheet) {
   double y = sheet.height + 4, x = kMargin;
   const auto word = [&](const char* mark_text, const char* meaning) {

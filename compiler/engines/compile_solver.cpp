@@ -20,7 +20,8 @@ namespace fs = std::filesystem;
 
 constexpr const char* kSymbol = "mbgen_solver_table";
 
-/// The line of /proc/cpuinfo that says what instructions there are: code made for one processor may not run on another.
+/// The line of /proc/cpuinfo that lists the processor's instruction sets: code made for one processor may not run on
+/// another.
 std::string processor() {
   std::ifstream file("/proc/cpuinfo");
   for (std::string line; std::getline(file, line);) {

@@ -21,7 +21,7 @@ namespace mbgen {
 /// compiler's messages when it rejects the code.
 std::shared_ptr<const SolverTable> load_solver(const Compilation& compilation, const EngineChoice& choice);
 
-/// An engine of its own behind a solver that others may use at the same time. compilation: that of the solver, or one
+/// An engine of its own behind a solver that others may use at the same time. compilation: of the solver, or one
 /// whose model has other values of the tunable parameters; engines run at those.
 Engine make_generated_engine(const std::shared_ptr<const SolverTable>& solver, const Compilation& compilation,
                              const EngineChoice& choice);

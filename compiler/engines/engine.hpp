@@ -56,8 +56,8 @@ struct Engine {
   std::function<Status(const LoadedState&, const GenericDerivative&, std::vector<std::array<double, 6>>& wrenches)>
       reactions;
   std::function<Status(const GenericState&, Residuals&)> residuals;
-  /// Values of all inputs from now on; a step begins with them and advances those that have derivatives. A multistep
-  /// method starts up anew.
+  /// Values of all inputs from now on; a step begins with them and advances the inputs that have derivatives. A
+  /// multistep method starts up anew.
   std::function<void(const std::vector<double>&)> set_inputs;
   /// Evaluates the accelerations of every state, `repetitions` times over. Result: how many evaluations failed.
   std::function<long long(const std::vector<LoadedState>&, int repetitions)> time_accelerations;
@@ -86,7 +86,7 @@ struct EngineChoice {
 /// Names of the engines there are.
 const std::vector<std::string>& engine_names();
 
-/// Those of them that work in relative coordinates and integrate by every integrator; the others are the Cartesian
+/// The engines that work in relative coordinates and integrate by every integrator; the others are the Cartesian
 /// judges, which integrate by rk4 and have a stabilisation.
 const std::vector<std::string>& relative_engine_names();
 

@@ -58,14 +58,14 @@ EngineChoice chosen_engine(const EngineArguments& arguments) {
                           auto& value) {
     if (typed.empty()) return;
     if (std::find(engines.begin(), engines.end(), choice.name) == engines.end()) {
-      throw UserError(fmt::format("{}: engine \"{}\" has none to choose; those that have: {}\n", option.name,
+      throw UserError(fmt::format("{}: engine \"{}\" has no such option; engines that have it: {}\n", option.name,
                                   choice.name, fmt::join(engines, ", ")));
     }
     value = meaning(option, typed);
   };
   if (choice.lanes > 0 && choice.name != "generated") {
     throw UserError(
-        fmt::format("--batch: engine \"{}\" has none to choose; those that have: generated\n", choice.name));
+        fmt::format("--batch: engine \"{}\" has no such option; engines that have it: generated\n", choice.name));
   }
   choose(kLinearAlgebra, arguments.linear_algebra, generic, choice.algebra.library);
   choose(kFactorisation, arguments.factorisation, generic, choice.algebra.factorisation);

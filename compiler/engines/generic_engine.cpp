@@ -12,7 +12,7 @@
 namespace mbgen {
 namespace {
 
-/// What the integrators ask of a system.
+/// The functions that integrators need of a system.
 struct GenericSystem {
   using State = GenericState;
   using Derivative = GenericDerivative;

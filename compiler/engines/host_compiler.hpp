@@ -37,8 +37,8 @@ HostCompiler find_compiler(const std::filesystem::path& scratch, const std::stri
 std::vector<std::string> compilation_of(const HostCompiler& compiler,
                                         const std::vector<std::filesystem::path>& directories);
 
-/// Runs compilations side by side and shows on a terminal how many of them have ended. product: what they make, in
-/// words. Fails: std::runtime_error with the end of the messages of the first that fails; Interrupted.
+/// Runs compilations side by side and shows on a terminal how many of them have ended. product: name of their result,
+/// in words. Fails: std::runtime_error with the end of the messages of the first that fails; Interrupted.
 void run_all(const std::vector<Command>& commands, const std::string& product);
 
 /// A source file to compile.

@@ -101,8 +101,8 @@ std::string add_point(BodyDraft& body, std::string_view name, const Vector3d& po
 void add_joint_forces(Assembly& assembly, const std::string& coordinate, double stiffness, double damping, double free,
                       double friction);
 
-/// Says of inertias that no rigid body has why they may stand: what fixed joints hold together counts together, and
-/// what hangs on the ground does not matter. Fails (with problems): where the mass matrix would be indefinite.
+/// Says of inertias that no rigid body has why they may stand: bodies that fixed joints hold together count together,
+/// and bodies fixed to the ground do not matter. Fails (with problems): where the mass matrix would be indefinite.
 void check_inertias(Reading& reading, Assembly& assembly);
 
 /// Text of the model.

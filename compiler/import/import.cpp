@@ -29,7 +29,7 @@ void sort_by_place(const Reading& reading, Diagnostics& list) {
   });
 }
 
-/// The name that the robot has, else that of its file.
+/// The name of the robot, else the name of its file.
 std::string model_name(const ImportRequest& request, const Element& root) {
   const bool is_urdf = root.name == "robot";
   std::string name = importing::text_of(root, is_urdf ? "name" : "model");

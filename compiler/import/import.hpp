@@ -1,6 +1,6 @@
 #pragma once
-// The door of the import room: a robot in URDF or MJCF -> a model in mbgen's JSON, with a list of what could not be
-// carried over.
+// The door of the import room: a robot in URDF or MJCF -> a model in mbgen's JSON, with a list of the elements that
+// could not be carried over.
 
 #include <functional>
 #include <optional>

@@ -1,4 +1,4 @@
-// Inertias that no rigid body has: files of real robots have them, and what moves as one decides.
+// Inertias that no rigid body has: files of real robots have them, and the group of bodies that moves as one decides.
 #include <fmt/format.h>
 
 #include <numeric>
@@ -87,7 +87,8 @@ void check_inertias(Reading& reading, Assembly& assembly) {
     } else if (is_held) {
       note(reading, body.inertia_spot, text + "; it is fixed to the ground, where that has no effect");
     } else if (together.fault == Fault::none) {
-      note(reading, body.inertia_spot, text + "; with what is fixed to it it is that of a rigid body");
+      note(reading, body.inertia_spot,
+           text + "; together with the bodies that are fixed to it, it is the inertia of a rigid body");
     } else {
       body.accepts_inertia = true;
       note(reading, body.inertia_spot, text + "; it is taken as it is");

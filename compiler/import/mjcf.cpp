@@ -18,7 +18,7 @@ constexpr std::array<UnreadSection, 11> kUnreadSections = {{{"asset", "looks and
                                                             {"visual", ""},
                                                             {"statistic", ""},
                                                             {"size", ""},
-                                                            {"custom", "what it means is up to others"},
+                                                            {"custom", "its meaning is not defined"},
                                                             {"deformable", "bodies are rigid"},
                                                             {"extension", "plugins are not read"}}};
 

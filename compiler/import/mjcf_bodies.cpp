@@ -147,7 +147,7 @@ void read_inside(Mjcf& mjcf, const Element& owner, const std::string& childclass
     } else if (inner.name == "geom") {
       lose(mjcf, inner.spot, "<geom>: only its mass is carried over, there is no contact");
     } else if (inner.name != "joint" && inner.name != "freejoint" && inner.name != "inertial") {
-      lose(mjcf, inner.spot, fmt::format("<{}>: not carried over, what it makes is missing", inner.name));
+      lose(mjcf, inner.spot, fmt::format("<{}>: not carried over, its elements are missing", inner.name));
     }
   });
 }

@@ -21,7 +21,7 @@ int equality_body(Mjcf& mjcf, const Element& equality, std::string_view name) {
   return -1;
 }
 
-/// What an equality holds together, by bodies or by sites.
+/// The two ends of an equality, by bodies or by sites.
 struct Held {
   int from = -1, to = -1;
   Isometry3d at_from = Isometry3d::Identity(), at_to = Isometry3d::Identity();  ///< global at the reference

@@ -151,7 +151,7 @@ void read_inertial(Mjcf& mjcf, const Element& inertial, BodyDraft& body) {
   body.inertia = frame.linear() * written * frame.linear().transpose();
 }
 
-/// What <compiler> asks to make of every inertia.
+/// Changes of every inertia that <compiler> asks for.
 void correct_inertia(const MjcfSettings& settings, BodyDraft& body) {
   if (settings.bound_mass > 0) body.mass = std::max(body.mass, settings.bound_mass);
   if (settings.bound_inertia <= 0 && !settings.balances_inertia) return;

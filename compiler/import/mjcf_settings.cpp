@@ -79,7 +79,7 @@ void read_option(Mjcf& mjcf, const Element& element) {
     } else if ((flag.name == "passive" || flag.name == "equality" || flag.name == "actuation") &&
                flag.value == "disable") {
       note(mjcf.reading, flag.spot,
-           fmt::format("flag {} is not carried over: what it disables is in the model", flag.name));
+           fmt::format("flag {} is not carried over: the model has the feature that it disables", flag.name));
     }
   }
 }

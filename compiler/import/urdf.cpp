@@ -8,7 +8,7 @@
 namespace mbgen::importing {
 namespace {
 
-/// Complains about what xacro should have replaced. Result: whether there is any.
+/// Complains about text that xacro should have replaced. Result: whether there is any.
 bool refuse_xacro(Reading& reading, const Element& element) {
   constexpr const char* hint = "expand it first: xacro robot.urdf.xacro > robot.urdf";
   if (element.name.starts_with("xacro:")) {

@@ -207,7 +207,7 @@ void add_bodies(Reading& reading, UrdfRobot& robot, int root, Assembly& assembly
   }
 }
 
-/// What holds the root link.
+/// The joint that holds the root link.
 void add_base(Reading& reading, const UrdfRobot& robot, int root, Assembly& assembly) {
   const UrdfLink& base = robot.links[static_cast<std::size_t>(root)];
   if (base.body == kGroundDraft) return;

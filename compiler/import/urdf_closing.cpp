@@ -17,7 +17,7 @@ constexpr double kOpen = 1e-6;                          // m and rad, as the mod
 constexpr double kNearly = 0.01, kNearlyTurned = 0.02;  // m and rad that joints may close
 constexpr double kLeft = 2e-3, kLeftTurned = 5e-3;      // m and rad that may be left when no joint closes more
 
-/// What is open in a loop: m, then rad.
+/// Gap of a loop: m, then rad.
 struct Gap {
   Vector3d apart = Vector3d::Zero(), turned = Vector3d::Zero();
   bool is_below(double length, double angle) const { return apart.norm() <= length && turned.norm() <= angle; }
@@ -142,7 +142,7 @@ void close_loops(Reading& reading, UrdfRobot& robot, const std::vector<UrdfLoop>
            (remaining > kOpen
                 ? fmt::format("; {:.3g} m that no joint closes are taken up by the points of the loops", remaining)
                 : ""),
-       "what the model calls zero is there; --loops FILE with \"positions\" chooses another place");
+       "the coordinates of the model are zero there; --loops FILE with \"positions\" chooses another place");
 }
 
 }  // namespace mbgen::importing

@@ -1,4 +1,4 @@
-// URDF: what links and joints say.
+// URDF: reading links and joints.
 #include <fmt/format.h>
 
 #include <array>

@@ -1,4 +1,4 @@
-// URDF: what links look like, as shapes of the model.
+// URDF: visuals of links, as shapes of the model.
 #include <fmt/format.h>
 
 #include <array>
@@ -32,7 +32,7 @@ Colours named_colours(Reading& reading, const Element& root) {
   return colours;
 }
 
-/// What of the looks could not be drawn: the first, and how many.
+/// Visuals that could not be drawn: the first, and how many.
 struct Lost {
   const Element* first = nullptr;
   int count = 0;

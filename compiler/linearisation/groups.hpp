@@ -13,7 +13,7 @@ namespace mbgen {
 /// Numbers by group, each at its index.
 using Groups = std::map<SlotGroup, std::vector<double>>;
 
-/// A group, with zeros for what it does not have.
+/// A group, with zeros for missing values.
 std::vector<double> group_of(const Groups& groups, SlotGroup group, int size);
 
 /// Outputs of a program by their groups. Fails: std::out_of_range when an input is not among `inputs`.

@@ -29,7 +29,7 @@ DifferentiatedPrograms differentiated(const Programs& programs, const std::vecto
   return all;
 }
 
-/// What belongs to an operating point, by the groups of the programs' inputs.
+/// Values of an operating point, by the groups of the programs' inputs.
 Groups known_at(const Model& model, const Topology& topology, const OperatingPoint& point) {
   Groups known = {{Array::z, point.z},
                   {Array::zd, point.zd},
@@ -61,7 +61,7 @@ class Derivatives {
               int outputs)
       : programs_(programs), groups_(groups), known_(std::move(known)), outputs_(outputs) {}
 
-  /// The accelerations and what else the outputs take. Result: a loop block that is singular here.
+  /// The accelerations and the other inputs of the outputs. Result: a loop block that is singular here.
   std::optional<int> solve() {
     known_[Array::seed] = std::vector<double>(static_cast<std::size_t>(direction_size(groups_)), 0.0);
     if (programs_.has_closure) {

@@ -12,14 +12,14 @@ namespace {
 /// An eigenvalue this much smaller than the largest is zero: those of a chain of two, as position and velocity of a
 /// body that nothing holds are, come out at the square root of the rounding.
 constexpr double kNeutral = 1e-6;
-/// Growth this much smaller than the largest eigenvalue is rounding: what has no damping does not grow.
+/// Growth this much smaller than the largest eigenvalue is rounding: a mode without damping does not grow.
 constexpr double kGrowth = 1e-9;
 /// A coordinate that moves less than this part of the one of its kind that moves most is not named.
 constexpr double kNamed = 0.1;
 constexpr std::size_t kMostNamed = 4, kMostOfOther = 2;
 /// Translations are not named where a radian goes with less of a metre than this, nor rotations the other way round.
 constexpr double kOtherKind = 0.01;
-/// What is this near to half a turn, or none, has a sign instead of a phase.
+/// A phase this near to half a turn, or to none, becomes a sign.
 constexpr double kInPhase = 15;  // degrees
 /// Neutral states that differ by less in their positions are the same place at other speeds.
 constexpr double kSameShape = 1e-3;
@@ -47,7 +47,7 @@ Mode mode_of(const LinearSystem& system, std::complex<double> eigenvalue, const 
   return mode;
 }
 
-/// Fast oscillations before slow ones, before what does not oscillate.
+/// Fast oscillations before slow ones, before modes that do not oscillate.
 bool comes_before(const Mode& a, const Mode& b) {
   const auto key = [](const Mode& mode) {
     return std::pair(mode.is_neutral ? 0.0 : mode.eigenvalue.imag(), -mode.eigenvalue.real());
@@ -79,7 +79,7 @@ struct MovingCoordinate {
 
 bool is_translation(const TreeBody& body) { return body.kind == FreedomKind::prismatic; }
 
-/// Keeps what moves by more than a part of the largest: independent coordinates first, the largest first.
+/// Keeps coordinates that move by more than a part of the largest: independent coordinates first, the largest first.
 void leave_leading(std::vector<MovingCoordinate>& moving) {
   double largest = 0;
   for (const MovingCoordinate& one : moving) largest = std::max(largest, std::abs(one.amplitude));

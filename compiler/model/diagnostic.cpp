@@ -49,7 +49,7 @@ std::string padding(const std::string& line, int column) {
   return blanks;
 }
 
-/// A caret under the place, and tildes under what belongs to it.
+/// A caret under the first character of the value, and tildes under the rest of it.
 std::string mark(const std::string& line, int column) {
   const int length = marked_length(line, column);
   int characters = 0;

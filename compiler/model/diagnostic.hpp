@@ -23,7 +23,7 @@ struct Where {
 struct Diagnostic {
   Where where;
   std::string message;      ///< rule and value, lower case, no full stop
-  std::string hint;         ///< what to do; may be empty
+  std::string hint;         ///< next step; may be empty
   std::string source_line;  ///< the line of text that `where` names; when empty, where.line_text is shown
 };
 
@@ -32,7 +32,7 @@ using Diagnostics = std::vector<Diagnostic>;
 /// A name as messages show it.
 inline std::string quoted(const std::string& name) { return '"' + name + '"'; }
 
-/// What to do where there is no file of a name; empty where nothing is known.
+/// Hint where there is no file of a name; empty where nothing is known.
 std::string hint_of_missing(std::string_view name);
 
 /// Text of a file as messages show it: in double quotes, without control characters, shortened when long.

@@ -39,7 +39,7 @@ std::size_t token_end(std::string_view text, std::size_t at) {
   return std::min(text.find_first_of(" \t\r\n,:{}[]\"/", at), text.size());
 }
 
-/// What the parser says of a syntax error, without its own position and without what it read last.
+/// The parser's message for a syntax error, without its own position and without the last token.
 std::string syntax_message(std::string_view what) {
   constexpr std::string_view kMarker = "syntax error while parsing ";
   if (const auto at = what.find(kMarker); at != std::string_view::npos) what.remove_prefix(at + kMarker.size());

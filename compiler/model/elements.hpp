@@ -1,5 +1,5 @@
 #pragma once
-// What acts on the bodies of a model: springs, friction, forces, tyres and motions.
+// Elements that act on the bodies of a model: springs, friction, forces, tyres and motions.
 
 #include <optional>
 #include <string>

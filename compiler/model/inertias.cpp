@@ -1,4 +1,4 @@
-// Inertias, checked for what moves as one.
+// Inertias, checked for each group of bodies that moves as one.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -45,7 +45,7 @@ std::array<double, 3> principal_moments(const std::array<double, 6>& entries) {
   return moments;
 }
 
-/// What no rigid body has. NaN has no fault: it was reported before.
+/// Fault of an inertia that no rigid body has. NaN has none: it was reported before.
 Finding finding_of(double mass, const std::array<double, 6>& inertia) {
   if (std::any_of(inertia.begin(), inertia.end(), [](double entry) { return std::isnan(entry); })) return {};
   const auto [smallest, middle, largest] = principal_moments(inertia);
@@ -73,7 +73,7 @@ void add_point_mass(std::array<double, 6>& inertia, double mass, const Vector3& 
   inertia[5] -= mass * d[1] * d[2];
 }
 
-/// Complains about what is wrong with a body, or says why it may stand.
+/// Complains about the fault of a body's inertia, or notes why it is accepted.
 void judge(Reader& reader, int body, const Finding& alone, const std::vector<int>& groups) {
   const WrittenInertia& written = reader.inertias[body];
   const InScope in_scope(reader, reader.names.body_scopes[body]);
@@ -89,12 +89,13 @@ void judge(Reader& reader, int body, const Finding& alone, const std::vector<int
   if (is_held) {
     note(reader, place, alone.text + "; the body is fixed to the ground, where that has no effect");
   } else if (together.fault == Fault::none) {
-    note(reader, place, alone.text + "; with what is fixed to the body it is that of a rigid body");
+    note(reader, place,
+         alone.text + "; together with the bodies that are fixed to it, it is the inertia of a rigid body");
   } else if (together.fault != Fault::indefinite && written.accepted) {
     note(reader, place, alone.text + "; it is taken as it is");
   } else {
     const bool of_triangle = alone.fault == Fault::triangle && together.fault == Fault::triangle;
-    report(reader, place, alone.text + (!is_alone ? "; what is fixed to the body does not mend that" : ""),
+    report(reader, place, alone.text + (!is_alone ? "; the bodies that are fixed to it do not mend that" : ""),
            of_triangle ? "no principal moment of a rigid body exceeds the sum of the other two; "
                          "\"accept_inertia\": true takes it as it is"
                        : "");

@@ -18,7 +18,7 @@ using Kind = ExpressionNode::Kind;
 constexpr reading::ReductionName kReductions[] = {{"max", 1},     {"min", 1},   {"mean", 1},  {"rms", 1},
                                                   {"initial", 1}, {"final", 1}, {"range", 1}, {"at", 2}};
 
-/// What the names of metrics mean.
+/// Meaning of the names in metrics.
 struct MetricScope {
   std::vector<std::string_view> outputs;
   std::vector<Parameter> parameters;  ///< all as if they were tunable, so that none becomes a number
@@ -166,7 +166,7 @@ void read_metric(const MetricText& text, const Where& where, const Model& model,
   metrics.list.push_back(std::move(metric));
 }
 
-/// What expressions of metrics look at.
+/// Values that expressions of metrics read.
 struct MetricEnvironment {
   const std::vector<Parameter>& parameters;
   const double* columns;  ///< of one point; null outside of reductions

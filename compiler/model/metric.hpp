@@ -1,7 +1,7 @@
 #pragma once
 // Metrics: numbers that say something of a whole motion, written as expressions.
 //
-// The grammar is that of compiler/model/expression.hpp with the outputs, z.NAME, zd.NAME, t, inputs and parameters of
+// The grammar of compiler/model/expression.hpp with the outputs, z.NAME, zd.NAME, t, inputs and parameters of
 // the model as names, and functions of the course of a value x over the motion:
 //   max(x) min(x) mean(x) rms(x) initial(x) final(x) range(x) = max(x) - min(x), at(1.5, x) = x at t = 1.5 s
 // mean and rms are integrals over time by the trapezoidal rule, at is on the straight line between two points. An

@@ -52,7 +52,7 @@ class ExpressionParser {
                 stars ? "powers are written x^y" : "");
   }
 
-  /// Complains about what follows a whole expression.
+  /// Complains about text after a whole expression.
   int fail_after_value() {
     const std::size_t start = at_;
     if (!is_letter(text_[at_]) && !is_digit(text_[at_]) && text_[at_] != '(') return fail_unexpected();

@@ -1,4 +1,4 @@
-// Where instances stand, and what that makes of bodies, points, axes and forces written inside them.
+// Positions of instances, and the bodies, points, axes and forces inside them in global axes.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -136,7 +136,7 @@ Vector3Quantity transformed(Reader& reader, const Matrix3& matrix, const Vector3
   return result;
 }
 
-/// Sign that a rotation about `axis` (a displacement along it) gets, on top of what the flip does to the axis.
+/// Sign that a rotation about `axis` (a displacement along it) gets, beside the effect of the flip on the axis.
 double sense(const Scope& scope, const Vector3& axis, FreedomKind kind) {
   const double mirrored = kind == FreedomKind::revolute ? handedness(scope.placement) : 1;
   if (!scope.keeps_direction) return mirrored;

@@ -115,7 +115,7 @@ Diagnostics to_diagnostics(const Documents& documents, Problems problems) {
     while (end < problems.size() && problems[end].place.file == place.file &&
            problems[end].place.offset == place.offset)
       ++end;
-    // What several instances have in common follows the first of them.
+    // Entries that several instances share follow the first of them.
     for (std::size_t i = start; i < end; ++i) {
       const auto says_the_same = [&](const Problem& other) { return other.message == problems[i].message; };
       const auto first = problems.begin() + static_cast<std::ptrdiff_t>(start);

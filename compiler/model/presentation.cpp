@@ -68,7 +68,8 @@ void check_unit_of(Reader& reader, const Value& value, const std::string& unit, 
   const Value* written = find(value, "unit");
   const std::optional<UnitExponents> given = unit_exponents(unit), right = unit_exponents(known);
   if (!written || !given || !right || is_same_unit(*given, *right)) return;
-  report(reader, *written, fmt::format("unit {} is not that of the value, {}", in_quotes(unit), in_quotes(known)),
+  report(reader, *written,
+         fmt::format("the unit is {}, the unit of the value is {}", in_quotes(unit), in_quotes(known)),
          given->exponents == right->exponents
              ? fmt::format("values are not converted; write \"unit\": \"{}\", \"display_unit\": \"{}\"", known, unit)
              : "");

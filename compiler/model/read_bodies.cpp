@@ -159,7 +159,7 @@ void read_parameter(Reader& reader, const Entry& entry, ParameterFields& paramet
   if (const Value* given = override_of(reader, entry)) {
     const InScope in_scope(reader, current_scope(reader).parent);
     read_value(reader, *given, value_info, parameter.quantity);
-    if (parameter.quantity.expression >= 0) parameter.tunable = false;  // it follows from those of the model
+    if (parameter.quantity.expression >= 0) parameter.tunable = false;  // it follows from the model's parameters
   } else if (parameter.tunable && parameter.quantity.expression >= 0) {
     report(reader, entry.place, in_quotes(entry.name) + " follows from tunable parameters and cannot be tuned itself",
            "leave out \"tunable\": it changes with them");
@@ -239,14 +239,15 @@ void vary(const Reader& reader, ParameterFields& parameter) {
   parameter.expression = -1;
 }
 
-/// What the object of a parameter says beside its value.
+/// Fields of a parameter's object beside its value.
 void check_parameter(Reader& reader, const Value& value, const ParameterFields& parameter) {
   if (value.kind != Value::Kind::object || find(value, "deg")) return;
   const Value* number = find(value, "value");
   if (number && number->kind == Value::Kind::object) check_unit_of(reader, value, parameter.unit, "rad");
   check_presentation(reader, value, parameter.unit, parameter, parameter.value);
   if (parameter.at_start && (parameter.tunable || parameter.expression >= 0)) {
-    report(reader, *find(value, "at_start"), "a tunable parameter, or what follows from one, cannot act at the start",
+    report(reader, *find(value, "at_start"),
+           "a tunable parameter, or a parameter that follows from one, cannot act at the start",
            "leave out \"tunable\" or \"at_start\"");
   }
 }

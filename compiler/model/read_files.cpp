@@ -1,4 +1,4 @@
-// Files: what they include is merged into them, what they place as instances becomes a scope of its own.
+// Files: an included file is merged into its includer, a placed one becomes a scope of its own for each instance.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -24,7 +24,7 @@ std::string canonical(const std::string& path) {
   return error ? path : result.string();
 }
 
-/// What is known while files are read.
+/// State of the reading of all files.
 struct Loading {
   std::vector<std::string> open;  ///< canonical paths from the first file to the one being read
   std::size_t bytes = 0;          ///< of text, of each instance again
@@ -174,7 +174,7 @@ void load_parts(Reader& reader, Loading& loading, const Document& document, cons
   loading.open.pop_back();
 }
 
-/// Reads the sections of a parsed file, what it includes and what it places.
+/// Reads the sections of a parsed file, its included files and its instances.
 void load(Reader& reader, Loading& loading, std::size_t index) {
   const Document& document = reader.documents[index];
   loading.bytes += document.text.size();

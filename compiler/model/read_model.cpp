@@ -44,7 +44,7 @@ bool is_inside(const Reader& reader, std::size_t instance, std::size_t outer) {
   return instance == outer;
 }
 
-/// Names of the bodies that instances define, those inside an instance over those that it says of them.
+/// Names of the bodies that instances define; definitions inside an instance come before its additions to them.
 NameMap<std::size_t> bodies_of_instances(Reader& reader) {
   NameMap<std::size_t> names;
   for (std::size_t scope = 1; scope < reader.scopes.size(); ++scope) {
@@ -94,7 +94,7 @@ void collect_map(Reader& reader, const Value& map, const NameMap<std::size_t>* i
   }
 }
 
-/// The entries of one section in all files: the model's own, then those of each instance.
+/// The entries of one section in all files: the model's own, then the entries of each instance.
 Entries collect(Reader& reader, const Value* FileFields::*section) {
   Entries entries;
   NameMap<FirstPlace> places;
@@ -124,7 +124,7 @@ std::vector<Part> parts_of(const Reader& reader, std::size_t scope, const Value*
   return parts;
 }
 
-/// What the instances say of the start, innermost first, then what the model says.
+/// Initial values of the instances, innermost first, then of the model.
 std::vector<Part> initial_parts(const Reader& reader) {
   std::vector<std::size_t> order;
   for (std::size_t scope = 0; scope < reader.scopes.size(); ++scope) order.push_back(scope);

@@ -41,7 +41,7 @@ void resolve_motion(Reader& reader, const Value& value, MotionFields& motion) {
 constexpr std::string_view kSources[] = {"expression", "point",  "joint",    "tyre",
                                          "spring",     "motion", "reaction", "multiplier"};
 
-/// What kind of thing an output shows; index into kSources, or -1 with a complaint.
+/// Kind of source of an output; index into kSources, or -1 with a complaint.
 int source_of(Reader& reader, const Value& value) {
   int source = -1;
   for (std::size_t i = 0; i < std::size(kSources); ++i) {
@@ -61,7 +61,7 @@ int source_of(Reader& reader, const Value& value) {
   return source;
 }
 
-/// The quantity when it is one of those that the source has, else the first of them, with a complaint.
+/// The quantity, when the source has it, else the first quantity of the source, with a complaint.
 Quantities quantity_of(Reader& reader, const Value& value, const OutputFields& output,
                        std::initializer_list<Quantities> allowed, std::string_view source) {
   if (!output.quantity) return *allowed.begin();

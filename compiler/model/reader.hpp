@@ -222,7 +222,7 @@ struct NamedFile {
 };
 /// named: relative to the directory of `file`.
 NamedFile beside(const std::string& file, const std::string& named);
-/// A file of the model beside those that load_files reads, so that messages can point into it. Result: its index.
+/// A file of the model that load_files does not read, so that messages can point into it. Result: its index.
 std::size_t add_document(Reader& reader, const std::string& file, std::string text);
 /// Reads where the instances stand. Requires: parameters are read.
 void place_instances(Reader& reader);

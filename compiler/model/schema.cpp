@@ -50,7 +50,7 @@ Json shared_definitions() {
   };
 }
 
-/// What may be written for a field, without its description.
+/// Allowed values of a field, without its description.
 Json shape_of(const FieldInfo& info) {
   const Json number = reference(info.angle ? "angle" : "quantity");
   switch (info.shape) {

@@ -233,7 +233,7 @@ std::span<const Field<TyreFields>> fields<TyreFields>() {
       field<S, &S::axis>(
           {.name = "axis",
            .shape = Shape::axis,
-           .doc = "spin axis in the wheel frame, to the left; default: that of the joint in which the wheel turns, "
+           .doc = "spin axis in the wheel frame, to the left; default: axis of the joint in which the wheel turns, "
                   "else y"}),
       field<S, &S::data>(
           {.name = "data", .shape = Shape::reference, .doc = "name of the coefficient set", .of = "tyre_data"}),

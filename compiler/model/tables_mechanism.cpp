@@ -105,7 +105,7 @@ std::span<const Field<InstanceFields>> fields<InstanceFields>() {
                             .words = kMirrors}),
       field<F, &F::parallel>({.name = "coordinates",
                               .shape = Shape::word,
-                              .doc = "what equal coordinates of a mirrored joint mean: mirrored motions (default), or "
+                              .doc = "meaning of equal coordinates of a mirrored joint: mirrored motions (default), or "
                                      "parallel ones: the axis keeps its direction",
                               .words = kCoordinateSenses}),
       field<F, &F::rotation>({.name = "rotation",
@@ -128,7 +128,7 @@ std::span<const Field<ParameterFields>> fields<ParameterFields>() {
       std::array{
           field<F, &F::quantity>({.name = "value",
                                   .shape = Shape::quantity,
-                                  .doc = "value, may use parameters above it; it follows those that are tunable",
+                                  .doc = "value, may use parameters above it; it follows the tunable ones",
                                   .need = Need::required,
                                   .depends = Depends::parameters,
                                   .angle = true}),
@@ -310,7 +310,7 @@ std::span<const Field<ShapeFields>> fields<ShapeFields>() {
   static const std::array table = {
       field<F, &F::kind>({.name = "type",
                           .shape = Shape::word,
-                          .doc = "what is drawn; a box has its edges along the axes of the body's frame",
+                          .doc = "shape that is drawn; a box has its edges along the axes of the body's frame",
                           .need = Need::required,
                           .words = kShapeKinds}),
       field<F, &F::from>({.name = "from",

@@ -61,7 +61,7 @@ std::span<const Field<OutputFields>> fields<OutputFields>() {
   using F = OutputFields;
   static const std::array table = joined(
       std::array{
-          field<F, &F::unit>({.name = "unit", .shape = Shape::text, .doc = "unit; default: that of the quantity"}),
+          field<F, &F::unit>({.name = "unit", .shape = Shape::text, .doc = "unit; default: unit of the quantity"}),
           field<F, &F::expression>({.name = "expression", .doc = "value over t, parameters, inputs and coordinates"}),
           field<F, &F::point>({.name = "point", .shape = Shape::attachment, .doc = "motion of a point"}),
           field<F, &F::joint>({.name = "joint", .shape = Shape::coordinate, .doc = "motion of a coordinate"}),
@@ -74,7 +74,7 @@ std::span<const Field<OutputFields>> fields<OutputFields>() {
                                 .of = "motions"}),
           field<F, &F::reaction>({.name = "reaction",
                                   .shape = Shape::reference,
-                                  .doc = "what a joint or rod transmits from its `from` to its `to` body",
+                                  .doc = "joint or rod; the output is its force or moment on its `to` body",
                                   .of = "joints"}),
           field<F, &F::multiplier>({.name = "multiplier",
                                     .shape = Shape::reference,
@@ -83,7 +83,7 @@ std::span<const Field<OutputFields>> fields<OutputFields>() {
           field<F, &F::quantity>(
               {.name = "quantity",
                .shape = Shape::word,
-               .doc = "what of the point or coordinate (position, velocity, acceleration), of the tyre (load, "
+               .doc = "quantity of the point or coordinate (position, velocity, acceleration), of the tyre (load, "
                       "longitudinal_force, lateral_force, aligning_moment, longitudinal_slip, lateral_slip), of the "
                       "spring "
                       "(force, length, rate) or of the reaction (force, moment); default: the first of each",
@@ -124,13 +124,12 @@ std::span<const Field<InitialValueFields>> fields<InitialValueFields>() {
                            .depends = Depends::nothing,
                            .angle = true,
                            .at_start = true}),
-      field<F, &F::weight>(
-          {.name = "weight",
-           .shape = Shape::number,
-           .doc = "of its squared error against those of the other values, where they do not fit together",
-           .fallback = 1,
-           .bound = Bound::positive,
-           .depends = Depends::nothing}),
+      field<F, &F::weight>({.name = "weight",
+                            .shape = Shape::number,
+                            .doc = "weight of its squared error, where the values do not fit together",
+                            .fallback = 1,
+                            .bound = Bound::positive,
+                            .depends = Depends::nothing}),
       field<F, &F::locked>(
           {.name = "locked", .shape = Shape::boolean, .doc = "the value is kept, the others give way", .fallback = 0}),
   };
@@ -222,7 +221,8 @@ std::vector<ObjectKind> object_kinds() {
                          {"expression", "point", "joint", "tyre", "spring", "motion", "reaction", "multiplier"}),
       kind<ShapeFields>("shape", "how a part of a body is drawn"),
       kind<InitialFields>("initial", "state at the start"),
-      kind<InitialValueFields>("initial_value", "a value at the start, and what it may give way to"),
+      kind<InitialValueFields>("initial_value",
+                               "a value at the start, and its weight where values do not fit together"),
       kind<SolverSettings>("solver", "time integration"),
       kind<TableFields>("table", "a characteristic by points, exactly one of table and csv", {"table", "csv"}),
   };

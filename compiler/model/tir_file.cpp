@@ -28,7 +28,7 @@ std::string_view without_comment(std::string_view line) {
   return line;
 }
 
-/// Adds what a line says. Complains about a second value.
+/// Adds the value of a line. Complains about a second one.
 void add_entry(Reader& reader, TirEntries& entries, std::string_view line, TirEntry entry) {
   const std::size_t equals = line.find('=');
   const std::string key = upper(without_blanks(line.substr(0, equals)));

@@ -1,4 +1,4 @@
-// What of a .tir file the model does not use.
+// Entries of a .tir file that the model does not use.
 #include <fmt/format.h>
 
 #include <algorithm>

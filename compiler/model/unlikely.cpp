@@ -1,4 +1,4 @@
-// Notes on what is allowed and likely not meant: signs, units and angles that were typed wrongly.
+// Notes on allowed values that are likely mistakes: signs, units and angles that were typed wrongly.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -95,7 +95,7 @@ double median(std::vector<double> values) {
   return *middle;
 }
 
-/// Notes points that lie much farther out than most. Result: the extent of those that do not, m.
+/// Notes points that lie much farther out than most. Result: the extent of the other points, m.
 double note_far_points(Reader& reader) {
   constexpr double kFar = 100;
   constexpr std::size_t kFewest = 5;  // fewer have no middle

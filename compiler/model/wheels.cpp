@@ -1,4 +1,4 @@
-// Tyres and the joints that their wheels turn in: the axis that a tyre has by default, and what is likely not meant.
+// Tyres and the joints that their wheels turn in: the default axis of a tyre, and notes on likely mistakes.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -26,7 +26,7 @@ double angle_of_lines(const Vector3& a, const Vector3& b) {
   return std::min(angle, std::numbers::pi - angle);
 }
 
-/// What holds the rigid group of a tyre's wheel.
+/// The joint that holds the rigid group of a tyre's wheel.
 struct Holding {
   std::vector<int> hinges;  ///< its revolute and cylindrical joints
   std::vector<int> others;  ///< its other joints, but fixed ones
@@ -103,7 +103,8 @@ void note_standing(Reader& reader, Place place, const TyreFields& tyre, const Wh
   }
 }
 
-/// Notes on the axis of a tyre beside that of its wheel's joint. left: where an axis that nobody wrote points.
+/// Notes on the axis of a tyre that differs from the axis of its wheel's joint. left: where an axis that nobody wrote
+/// points.
 void note_axis(Reader& reader, const Value& value, const TyreFields& tyre, const Joint& joint, const Vector3& left) {
   const Value* written = find(value, "axis");
   const std::string name = in_quotes(joint.name);
@@ -116,14 +117,14 @@ void note_axis(Reader& reader, const Value& value, const TyreFields& tyre, const
          "turn the joint's axis; where it is meant, write it as the tyre's \"axis\"");
   } else if (angle > kWobble) {
     note(reader, written->place,
-         fmt::format("axis is {:.4g} deg from that of joint {}, in which the wheel turns: the tyre does not roll",
+         fmt::format("axis is {:.4g} deg from the axis of joint {}, in which the wheel turns: the tyre does not roll",
                      degrees(angle), name),
-         "leave out \"axis\": it is that of the joint");
+         "leave out \"axis\": the axis of the joint is the default");
   } else if (angle > kAngleSlack) {
     note(reader, written->place,
-         fmt::format("axis is {:.4g} deg from that of joint {}: the tyre wobbles as its wheel turns", degrees(angle),
-                     name),
-         fmt::format("leave out \"axis\": it is that of the joint; static toe and camber: {}", kWheels));
+         fmt::format("axis is {:.4g} deg from the axis of joint {}: the tyre wobbles as its wheel turns",
+                     degrees(angle), name),
+         fmt::format("leave out \"axis\": the axis of the joint is the default; static toe and camber: {}", kWheels));
   }
 }
 

@@ -36,7 +36,7 @@ std::array<Rank, 3> operand_ranks(const Node& node, std::span<const Rank> ranks)
   return result;
 }
 
-/// Places of the nodes in an order of what they compute: by moment, depth, operation and the ranks of the operands.
+/// Places of the nodes in an order by computation: by moment, depth, operation and the ranks of the operands.
 std::vector<Rank> ranks_of_nodes(const Program& program, std::span<const std::uint32_t> moments) {
   const std::vector<std::uint32_t> depths = depths_within_moments(program, moments);
   const auto wave = [&](ValueId value) { return std::pair(moments[value], depths[value]); };

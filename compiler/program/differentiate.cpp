@@ -93,7 +93,7 @@ Expr derive_binary(Op op, const Expr& x, const Expr& dx, const Expr& y, const Ex
   }
 }
 
-/// Derivative of one value; `derivatives` holds those of all earlier values.
+/// Derivative of one value; `derivatives` holds the derivatives of all earlier values.
 Expr derive(Derivation& derivation, std::size_t index, const std::vector<Expr>& derivatives) {
   const Node& node = derivation.source.nodes[index];
   Expr operand[3], derivative[3];

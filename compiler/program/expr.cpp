@@ -24,7 +24,7 @@ Expr record(Op op, const Expr& a, const Expr& b) {
   return Expr(builder, builder.append(op, a.value(builder), b.value(builder)));
 }
 
-/// What is infinite or no number as values that do not fold: programs have finite constants.
+/// Infinities and NaN as values that do not fold: programs have finite constants.
 ValueId not_finite(ProgramBuilder& builder, double value) {
   if (std::isnan(value)) return builder.append(Op::log, builder.constant(-1));
   const ValueId infinity = builder.append(Op::log, builder.constant(0));

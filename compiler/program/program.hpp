@@ -95,7 +95,7 @@ const char* op_name(Op op);
 /// -(x+y); x/constant -> x*(1/constant) only when 1/constant is exact; commuted operands are ordered; equal nodes are
 /// shared; sin(-x) -> -sin x and the other odd functions, cos(-x) -> cos x, abs(-x) -> abs x, select with constant x
 /// folds, select(x, a, a) -> a; a negative constant counts as -c in the rules of + - * /; pow(x, 0) -> 1, pow(x, 1) ->
-/// x, pow(x, 2) -> x*x. What would fold to NaN or infinity stays a node. The constant -0 is stored as 0.
+/// x, pow(x, 2) -> x*x. A node that would fold to NaN or infinity stays. The constant -0 is stored as 0.
 class ProgramBuilder {
  public:
   explicit ProgramBuilder(std::string name);

@@ -22,12 +22,12 @@ constexpr double kLargestMotion = 0.1, kLargestTurn = 0.5;
 constexpr double kSmaller = 0.75;
 constexpr int kMostTrials = 20;
 constexpr double kLargestCorrection = 0.35;
-/// Deviation that measures how far a mode moves what is drawn, of its largest coordinate.
+/// Deviation of a mode's largest coordinate at which the displacement of the shapes is measured.
 constexpr double kSmallDeviation = 1e-6;
 /// Frames of a period, and numbers that all modes of a page may have; more modes have fewer frames.
 constexpr std::size_t kMostFrames = 32, kFewestFrames = 12, kMostModeNumbers = 320'000;
 
-/// How far what is drawn moves, and how far bodies turn.
+/// Largest displacement of a shape, and largest turn of a body.
 struct Moved {
   double motion = 0;  ///< m
   double turn = 0;    ///< rad, small angles

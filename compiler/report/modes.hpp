@@ -15,7 +15,7 @@ struct Swing {
   double motion = 0;                 ///< m: how far the place moves that moves most
 };
 
-/// A mode with `count` phases (even). So large that what is drawn moves by a tenth of the model's size or a body turns
+/// A mode with `count` phases (even). So large that the drawing moves by a tenth of the model's size or a body turns
 /// by half a radian; less where the loops do not close so far from the point, or correct the linear motion much. Motion
 /// is 0 where nothing that is drawn moves.
 Swing swing_of(const ModesSource& source, const GenericSolver& solver, const Mode& mode, std::size_t count);

@@ -86,7 +86,7 @@ std::string_view page_file(std::string_view path) {
   return found == files.end() ? std::string_view() : found->text;
 }
 
-/// The frame with what stands for {{title}}, {{style}}, {{data}} and {{script}}, once each and in this order.
+/// The frame with its fields {{title}}, {{style}}, {{data}} and {{script}} filled, once each and in this order.
 std::string filled(std::string_view frame, const std::array<std::pair<std::string_view, std::string_view>, 4>& texts) {
   std::string page;
   for (const auto& [name, text] : texts) {
@@ -127,7 +127,7 @@ Result<std::string> report_html(const ReportSource& source, const std::string& f
 std::string modes_html(const ModesSource& source) {
   Json data = {{"format", 1}, {"model", model_json(source.model, source.topology, source.analysis)}};
   data["scene"] = scene_json(source.model);
-  // The camera looks at what it follows where the point has taken it.
+  // The camera looks at the followed body, at its position in the frame.
   data["scene"]["centre"] = carried(source, data["scene"]["follow"], data["scene"]["centre"]);
   data.update(modes_json(source));
   data["topology"] = topology_svg(source.model, source.topology, source.analysis);

@@ -23,8 +23,8 @@ struct ReportSource {
 };
 
 /// The page: animation, plots, summary, topology. Poses come from the coordinates by the generic runtime's kinematics,
-/// with parameters at their values in the model. Times closer than 10 ms, and what is over a few megabytes, is thinned
-/// out evenly; extremes in the tables are those of all rows. Names are escaped.
+/// with parameters at their values in the model. Rows closer than 10 ms, and rows beyond a few megabytes, are thinned
+/// out evenly; extremes in the tables are taken over all rows. Names are escaped.
 /// Fails: a result that lacks a coordinate of the model (file: the result's name, for the message).
 /// Requires: has_report_page().
 Result<std::string> report_html(const ReportSource& source, const std::string& file);

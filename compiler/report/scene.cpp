@@ -26,7 +26,7 @@ constexpr double kBracket = 0.0044;
 /// Radii over the size of the model.
 constexpr double kRod = 0.0022, kDamper = 0.0032, kSpring = 0.0075, kSpringSlimness = 0.075, kJoint = 0.0022;
 
-/// Box around what is drawn, at the reference.
+/// Box around all shapes, at the reference.
 struct Extent {
   Vector3 low{1e300, 1e300, 1e300}, high{-1e300, -1e300, -1e300};
   bool empty() const { return low[0] > high[0]; }

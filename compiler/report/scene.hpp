@@ -17,7 +17,7 @@ double model_size(const Model& model);
 ///   joints: name, kind, body, place and axis in its frame, radius
 ///   up: unit vector; road: height of the road or null; floor: where a grid is drawn, or null
 ///   centre and size: of all points at the reference; follow: body that the camera goes with, or -1
-/// Shapes are those of Model::shapes; a body without any is drawn by its tyre, else as tubes from its centre of mass to
+/// Shapes come from Model::shapes; a body without any is drawn by its tyre, else as tubes from its centre of mass to
 /// the points that something is fixed to, and as the box of its mass and inertia where that is far lighter than metal.
 nlohmann::ordered_json scene_json(const Model& model);
 

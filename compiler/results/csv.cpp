@@ -25,7 +25,7 @@ std::string_view take_line(std::string_view& rest) {
   return line;
 }
 
-/// Puts the numbers of a row behind those that are there. Result: what is wrong, empty when nothing is.
+/// Appends the numbers of a row. Result: the fault, empty for none.
 std::string read_row(std::string_view rest, Results& results) {
   std::size_t found = 0;
   for (bool more = true; more; ++found) {

@@ -51,7 +51,7 @@ int find_column(const Results& results, const std::string& name) {
 
 Result<Results> read_results(std::string_view bytes, const std::string& file) {
   using namespace results_detail;
-  constexpr const char* kHint = "a result is what mbgen simulate writes";
+  constexpr const char* kHint = "a result is a table of mbgen simulate";
   if (bytes.empty()) return problem(file, 0, "the file is empty", kHint);
   if (!is_mat(bytes)) {
     if (std::optional<Diagnostic> fault = no_text(bytes, file, kHint)) return *std::move(fault);

@@ -11,7 +11,7 @@
 namespace mbgen {
 namespace {
 
-/// A number of a table, NaN for an empty field; no value for what is neither.
+/// A number of a table, NaN for an empty field; no value for other text.
 bool read_field(const std::string& field, double& value) {
   value = std::numeric_limits<double>::quiet_NaN();
   if (field.empty()) return true;
@@ -38,7 +38,7 @@ std::vector<std::string_view> lines_of(std::string_view text) {
 bool is_sweep(std::string_view bytes) { return bytes.starts_with("case,"); }
 
 Result<Results> read_sweep(std::string_view text, const std::string& file) {
-  if (std::optional<Diagnostic> fault = no_text(text, file, "a table of a study is what mbgen sweep writes"))
+  if (std::optional<Diagnostic> fault = no_text(text, file, "a study is a table of mbgen sweep"))
     return *std::move(fault);
   const std::vector<std::string_view> lines = lines_of(text);
   Results results;

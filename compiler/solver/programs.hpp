@@ -28,10 +28,10 @@ enum class Role : std::uint8_t {
   accelerations_chosen,  ///< with any partition; only with loops, and where it is chosen again
   multipliers,           ///< at given accelerations; only with loops or motions
   outputs,               ///< at given accelerations and, where the model looks at them, multipliers
-  derived_constants      ///< what the others take of the tunable parameters; only with such things
+  derived_constants      ///< constants of the others that depend on tunable parameters; only with such constants
 };
 
-/// What a program takes and gives.
+/// Inputs and outputs of a program.
 struct ProgramSpec {
   Role role;
   const char* name;  ///< of the program, and its key in the manifest

@@ -35,7 +35,7 @@ Course cubic_spline(const std::vector<double>& t, const std::vector<double>& y);
 /// section 3.6, as in scipy.interpolate.PchipInterpolator.
 Course pchip(const std::vector<double>& t, const std::vector<double>& y);
 
-/// The value of the last point that was passed, that of the first one before it.
+/// The value of the last point that was passed; before the first point, its value.
 Course held(const std::vector<double>& t, const std::vector<double>& y);
 
 /// The polynomials between the points that have the given derivatives at both ends: derivatives[k][i] of order k at

@@ -84,7 +84,7 @@ bool has_lateral_force(const Tyre& tyre) {
   return true;
 }
 
-/// What is wrong with a tyre or its wheel, one line each.
+/// Faults of a tyre or its wheel, one line each.
 void add_tyre_causes(const Model& model, std::vector<std::string>& causes) {
   for (const Tyre& tyre : model.tyres) {
     const Body& wheel = model.bodies[tyre.centre.body];
@@ -171,7 +171,7 @@ void fail_equilibrium(const Compilation& compilation, const std::vector<double>&
   std::string message = "there is no static equilibrium near the initial state";
   if (status.code != Code::no_equilibrium) message += fmt::format(", {}", describe(compilation, status));
   if (index >= 0) {
-    message += fmt::format(": {} is what accelerates most",
+    message += fmt::format(": {} is the largest acceleration",
                            coordinate_text(compilation, static_cast<std::size_t>(index), acceleration, "/s^2"));
   }
   message += moved_text(compilation, start, last) + loads_text(compilation.model, loads);

@@ -9,8 +9,9 @@
 
 namespace mbgen {
 
-/// Throws the UserError of a search that ended with `status` at `last`: what still accelerates most, what moved
-/// farthest from `start`, the loads of the tyres, and the usual causes whose signs are there. inputs: of the model.
+/// Throws the UserError of a search that ended with `status` at `last`: the largest acceleration, the coordinates that
+/// moved farthest from `start`, the loads of the tyres, and the usual causes whose signs are there. inputs: of the
+/// model.
 [[noreturn]] void fail_equilibrium(const Compilation& compilation, const std::vector<double>& inputs,
                                    const GenericState& start, const GenericState& last, Status status);
 

@@ -17,7 +17,7 @@ namespace {
 
 /// A value counts as kept when the closures moved it less than this (rad, m or per second, relative above 1).
 constexpr double kKept = 1e-9;
-/// What a motion may be off the value that the model gives with a few digits.
+/// Largest deviation of a motion from a value that the model gives with a few digits.
 constexpr double kRounding = 1e-3;
 
 /// Sparse where a block's matrix is too large to be pivoted as a whole.
@@ -118,7 +118,7 @@ void set_velocities(const Compilation& compilation, const GenericSolver& solver,
   state = simple;
 }
 
-/// Adds what the values do not keep.
+/// Adds the values that were not kept.
 void add_moved(const std::vector<Wish>& wishes, const std::vector<double>& values, bool velocity,
                std::vector<MovedValue>& moved) {
   for (const Wish& wish : wishes) {

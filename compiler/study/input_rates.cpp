@@ -12,10 +12,10 @@ namespace {
 
 /// Between two rows, of the largest rate: the trapezoidal rule is off by 0.19 at four rows a period of a sine.
 constexpr double kLocalGap = 0.2;
-/// What rows that disagree may add up to, of the range of the values.
+/// Largest sum of the deviations of rows, as part of the range of the values.
 constexpr double kAddsUp = 0.1;
 
-/// The change of the values over a segment, and what the rates make of it.
+/// The change of the values over a segment, and the same by the rates.
 struct Change {
   double of_values = 0, of_rates = 0, width = 0;
   double gap() const { return std::abs(of_values - of_rates); }

@@ -29,7 +29,7 @@ struct InputsOverTime {
   bool has_row(double start, double end) const;
   /// At an instant.
   std::vector<double> at(double t) const;
-  /// What a step of h seconds from t is given. An input that advances has its value at t; any other stands still during
+  /// Inputs of a step of h seconds from t. An input that advances has its value at t; any other stands still during
   /// the step, also the last derivative of a row, and has its value in the middle: the step is then right to the second
   /// order in h.
   std::vector<double> of_step(double t, double h) const;

@@ -79,8 +79,8 @@ std::string gaps_text(const Compilation& compilation, const std::vector<LoopGap>
                      fmt::format("give {} other values, or leave out \"locked\"", fmt::join(names, ", ")), ""}});
   }
   if (!compilation.model.motions.empty()) where = compilation.model.motions.front().where;
-  throw UserError(Diagnostics{{where, fmt::format("the driven {} do not fit together: {}", what, open),
-                               "change what the motions are at t = 0", ""}});
+  throw UserError(Diagnostics{
+      {where, fmt::format("the driven {} do not fit together: {}", what, open), "change the motions at t = 0", ""}});
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// What the report says of start values that gave way to the closures.
+// Report of start values that gave way to the closures.
 
 #include <fmt/format.h>
 

@@ -77,7 +77,7 @@ bool take_slips(const Compilation& compilation, const Results& results, std::siz
   return true;
 }
 
-/// A row of a result, made consistent; what a result does not hold is said.
+/// A row of a result, made consistent; notes name the values that the result does not hold.
 OperatingPoint point_of_result(const Compilation& compilation, const StateArguments& arguments,
                                const std::vector<double>& inputs) {
   const Results results = read_result_file(arguments.result);

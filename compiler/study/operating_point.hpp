@@ -20,7 +20,7 @@ struct StateArguments {
   std::vector<std::string> inputs;  ///< name=value
 };
 
-/// A state and what is known of the motion through it.
+/// A state, its inputs and the origin of both.
 struct ChosenPoint {
   OperatingPoint point;
   std::optional<SteadyMotion> steady;  ///< of --at steady

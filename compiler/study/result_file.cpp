@@ -11,7 +11,7 @@
 namespace mbgen {
 namespace {
 
-/// Whether a text is what a pattern stands for, * being any letters.
+/// Whether a text matches a pattern, * being any letters.
 bool matches(std::string_view pattern, std::string_view text) {
   std::size_t p = 0, t = 0, star = std::string_view::npos, after = 0;
   while (t < text.size()) {

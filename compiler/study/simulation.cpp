@@ -28,7 +28,7 @@ class Integral {
     last_ = value;
     ++count_;
   }
-  /// What follows has a jump to what was added last.
+  /// The next row has a jump to the last one.
   void restart() {
     done_ = value();
     pairs_ = rest_ = 0;
@@ -130,7 +130,7 @@ class Notices {
   std::vector<std::optional<double>> entered_;  ///< s, per block: when a singular position was entered that is not left
 };
 
-/// Fills in what belongs to the state of a sample, in a motion by steps of h seconds.
+/// Fills in the values at the state of a sample, in a motion by steps of h seconds.
 Status observe(const Engine& engine, double h, Sample& sample, LoadedState& at, GenericDerivative& derivative) {
   at.state = sample.state;
   Status status = engine.accelerations_in_motion(sample.state, h, derivative);
@@ -157,7 +157,7 @@ Status step(const Engine& engine, const InputsOverTime& inputs, double h, double
 }
 
 /// The power at the end of a step as it is just before, where a row of a table lies in the step: accelerations of
-/// inputs jump there, and with them the power of what they drive.
+/// inputs jump there, and with them the power of driven joints.
 std::optional<double> power_before_row(const Engine& engine, const InputsOverTime& inputs, double h, double start,
                                        const GenericState& state) {
   if (!inputs.has_row(start, state.t)) return {};

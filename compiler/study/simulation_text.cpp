@@ -18,7 +18,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// What became of the run.
+/// End of the run, in words.
 std::string status_text(const SimulationRecord& record) {
   const SimulationSummary& summary = record.summary;
   const StepVerdict& verdict = record.verdict;
@@ -77,7 +77,7 @@ std::vector<std::string> loop_names(const Compilation& compilation, std::size_t 
 
 bool met_something(const BlockEvents& block) { return block.chosen_again > 0 || block.near_singular > 0; }
 
-/// What was met at the loop blocks, a line or two for each of them.
+/// Notices of the loop blocks, a line or two for each of them.
 std::string blocks_text(const SimulationRecord& record) {
   std::string text;
   for (std::size_t b = 0; b < record.summary.blocks.size(); ++b) {
@@ -107,14 +107,14 @@ Json blocks_json(const SimulationRecord& record) {
   return blocks;
 }
 
-/// What is to be said of a result that is there, the reason of one that is wrong first.
+/// Notes on a result, the reason of a wrong one first.
 Json warnings_json(const SimulationRecord& record) {
   Json list = record.verdict.warnings;
   if (!record.verdict.failure.empty()) list.insert(list.begin(), record.verdict.failure);
   return list;
 }
 
-/// What a run gave, the same on every machine and at every time.
+/// Results of a run, the same on every machine and at every time.
 Json results_json(const SimulationRecord& record) {
   const SimulationSummary& summary = record.summary;
   return {{"model", record.compilation.model.name},

@@ -38,8 +38,8 @@ std::string summary_text(const SimulationRecord& record);
 /// The same for machines.
 std::string summary_json(const SimulationRecord& record);
 
-/// What stands beside or in a table so that `report` finds the model: its file seen from the table's directory, its
-/// hash, and the summary without what changes from run to run.
+/// Text beside or in a table by which `report` finds the model: its file seen from the table's directory, its
+/// hash, and the summary without times and other values that change from run to run.
 std::string run_json(const SimulationRecord& record);
 
 }  // namespace mbgen

@@ -153,13 +153,13 @@ class Search {
     return system.states[static_cast<std::size_t>(place)].index;
   }
 
-  /// Whether a state may be changed: positions of what stands, rates of what moves, auxiliary states.
+  /// Whether a state may be changed: positions of coordinates at rest, rates of moving ones, auxiliary states.
   bool is_unknown(const LinearState& state) const {
     if (state.kind == StateKind::position) return !travels(state.index);
     return state.kind == StateKind::auxiliary || (travels(state.index) && !is_held(state.index));
   }
 
-  /// d residual / d state, with what turning adds.
+  /// d residual / d state, with the terms of the turning.
   Eigen::VectorXd column(const LinearSystem& system, Eigen::Index j) const {
     const auto n = static_cast<Eigen::Index>(independent_.size());
     Eigen::VectorXd result = system.A.col(j).tail(system.A.rows() - n);
@@ -232,9 +232,9 @@ class Search {
   std::string hint() const {
     const std::string leader = c_.topology.bodies[leader_].coordinate;
     if (c_.model.inputs.empty() || !inputs_.empty()) {
-      return fmt::format("what keeps the rate of {}? drag and rolling resistance need a drive", leader);
+      return fmt::format("the rate of {} needs a drive against drag and rolling resistance", leader);
     }
-    return fmt::format("what keeps the rate of {}? --solve NAME finds an input that drives or steers", leader);
+    return fmt::format("the rate of {} needs a drive: --solve NAME finds an input that drives or steers", leader);
   }
 
   const Compilation& c_;
@@ -243,7 +243,7 @@ class Search {
   std::vector<int> independent_, travelling_, held_;
   std::vector<int> inputs_;
   int yaw_ = -1, leader_ = -1;  ///< the coordinate that turns; the one whose rate is the speed
-  int leading_ = 0;             ///< what accelerates most
+  int leading_ = 0;             ///< coordinate with the largest acceleration
   double rate_at_start_ = 0;
 };
 

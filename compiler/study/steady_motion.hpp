@@ -10,15 +10,16 @@ namespace mbgen {
 
 /// Request for a steady motion.
 struct SteadyWish {
-  std::vector<std::string> hold;   ///< coordinate=rate; none: the first translation that moves at the start where an
-                                   ///< input is found for it, else no rate: they become what drive and drag balance at
+  std::vector<std::string>
+      hold;  ///< coordinate=rate; none: the first translation that moves at the start where an
+             ///< input is found for it, else no rate: they take the values at which drive and drag balance
   std::vector<std::string> solve;  ///< inputs that are to be found: a drive, a steering angle
 };
 
 /// A motion whose independent coordinates have no acceleration and whose auxiliary states stand still: coordinates that
 /// move in `start`, or that are held, keep constant rates, of which those that are held are given; all others have
 /// none. Where a coordinate turns about an axis that only translations carry, as a vehicle yaws, translations across
-/// that axis turn with it, and their accelerations are those of the circle.
+/// that axis turn with it, and have the accelerations of the circle.
 struct SteadyMotion {
   OperatingPoint point;
   double turning = 0;        ///< rad/s, of the vehicle as a whole

@@ -22,11 +22,11 @@ using Integrator = SolverSettings::Integrator;
 constexpr double kDifference = 1e-6;  // rad, m or per second
 /// Speed, rad/s or m/s, that values have which blew up: nothing that mbgen models runs so fast.
 constexpr double kBlownUp = 1e6;
-/// Of the energy in a mode, what a step that would do loses or gains of it over the motion.
+/// Part of a mode's energy that an acceptable step loses or gains over the motion.
 constexpr double kFittingLoss = kEnergyWarning / 2;
 /// Energies that differ by this part of their level are the same but for rounding.
 constexpr double kRoundedEnergy = 1e-9;
-/// Speed, rad/s or m/s, that rounding leaves of what rests.
+/// Speed, rad/s or m/s, of a body at rest, from rounding.
 constexpr double kAtRest = 1e-9;
 constexpr int kMostTries = 60;
 
@@ -132,7 +132,7 @@ struct StepJudge {
   const SimulationSettings& settings;
   const SimulationSummary& summary;
   StepVerdict verdict = {};
-  std::string of_mode = {};  ///< what a mode asks for, where the step does not give it
+  std::string of_mode = {};  ///< condition of a mode that the step does not meet
   bool is_unstable = false;  ///< the mode grows
 
   double duration() const { return static_cast<double>(settings.steps) * settings.step; }

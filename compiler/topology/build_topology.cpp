@@ -1,4 +1,4 @@
-// The tree written out joint by joint, its loops, and what moves together.
+// The tree written out joint by joint, its loops, and the bodies that move together.
 
 #include <algorithm>
 #include <functional>
@@ -174,7 +174,7 @@ void find_loops(Topology& topology, const Model& model, const SpanningTree& tree
   }
 }
 
-// Only what closes a loop has multipliers.
+// Only cut joints and rods have multipliers.
 void check_multipliers(const Topology& topology, const Model& model, Diagnostics& problems) {
   for (const Output& output : model.outputs) {
     const auto* source = std::get_if<MultiplierOutput>(&output.source);

@@ -21,7 +21,7 @@ struct Cycle {
   JointSet path;
 };
 
-/// What to do where a subsystem of an instance has a body of points only, which the instance does not connect; "" for
+/// Hint where a subsystem of an instance has a body of points only, which the instance does not connect; "" for
 /// other bodies without a path.
 std::string forgotten_connection(const Model& model, const std::vector<int>& island) {
   for (const int index : island) {

@@ -39,7 +39,7 @@ void enter_realtime(const Realtime& realtime, std::FILE* messages) {
     if (realtime.cpu < CPU_SETSIZE) CPU_SET(static_cast<unsigned>(realtime.cpu), &set);
     const int error = pthread_setaffinity_np(pthread_self(), sizeof set, &set);
     if (error != 0)
-      say(messages, "not pinned to the processor", error, "choose one of those that `nproc --all` counts");
+      say(messages, "not pinned to the processor", error, "choose one of the processors that `nproc --all` counts");
   }
   if (realtime.priority > 0) {
     sched_param parameters{};

@@ -33,7 +33,7 @@ class CartesianSolver {
   ~CartesianSolver();
   CartesianSolver(CartesianSolver&&) noexcept;
 
-  /// Values of all inputs, model order; a step begins with them and advances those that have derivatives.
+  /// Values of all inputs, model order; a step begins with them and advances the inputs that have derivatives.
   void set_inputs(const std::vector<double>& inputs);
   void set_parameters(const std::vector<double>& tunable_parameters);
 

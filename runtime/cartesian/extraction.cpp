@@ -1,4 +1,4 @@
-// What multipliers say: closures of the tree, driving forces, reactions of the joints.
+// Forces from multipliers: closures of the tree, driving forces, reactions of the joints.
 
 #include "runtime/cartesian/content.hpp"
 

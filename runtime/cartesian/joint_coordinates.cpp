@@ -68,7 +68,7 @@ Angles sequence_angles(const std::vector<Vector3d>& axes, const Matrix3d& turn, 
   return angles;
 }
 
-/// What the bodies of a joint do relative to `from`, in its axes turned back to the reference configuration.
+/// Motion of the bodies of a joint relative to `from`, in its axes turned back to the reference configuration.
 struct RelativeMotion {
   End from, to;
   Matrix3d axes;         ///< those axes, global

@@ -9,7 +9,7 @@ struct Stage {
   CartesianRates rates;
 };
 
-/// What `weight` (s) times a stage adds.
+/// The change of a state by `weight` (s) times a stage.
 void add(const Stage& stage, double weight, CartesianState& state) {
   for (std::size_t b = 0; b < state.bodies.size(); ++b) {
     CartesianBody& body = state.bodies[b];

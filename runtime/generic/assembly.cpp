@@ -1,4 +1,4 @@
-// Positions and velocities nearest to what is asked of them, with the loops closed: weighted least squares with locks,
+// Positions and velocities nearest to the wishes, with the loops closed: weighted least squares with locks,
 // loop block by loop block, since no closure sees the coordinates of two blocks.
 
 #include <algorithm>
@@ -18,9 +18,9 @@ using Eigen::VectorXd;
 constexpr double kLargestMove = 0.05;         // rad or m: of a wish between two positions closed one after the other
 constexpr double kMostMoves = 20000;          // larger ones then, for wishes that are farther away
 constexpr int kStepsOnTheWay = 4;             // of the searches before: the next one starts where they end
-constexpr double kEasier = 0.2, kHarder = 5;  // what success and failure of a step make of its damping
+constexpr double kEasier = 0.2, kHarder = 5;  // factors of the damping after success and failure of a step
 
-/// What is asked of a block. Columns are those of LoopBlock::joints.
+/// Wishes for a block. Columns as in LoopBlock::joints.
 struct Demand {
   std::vector<int> fixed, movable;  ///< columns
   VectorXd value;                   ///< per column, zero where nothing is asked
@@ -67,7 +67,7 @@ double largest(const VectorXd& values) { return values.size() > 0 ? values.lpNor
 /// Shortened where it moves a coordinate farther than kLargestSearchStep.
 VectorXd capped(const VectorXd& step) { return step * shortening(largest(step), kLargestSearchStep); }
 
-/// Driven coordinates as locked wishes, in place of what else is asked of them.
+/// Driven coordinates as locked wishes, in place of other wishes for them.
 std::vector<CoordinateWish> with_drives(std::vector<CoordinateWish> wishes, const std::vector<Drive<double>>& drives,
                                         double Drive<double>::*value) {
   for (const Drive<double>& drive : drives) {
@@ -153,7 +153,7 @@ VectorXd missing(const Demand& demand, const VectorXd& target, const VectorXd& z
   return demand.weight.cwiseProduct(target(demand.movable) - z(demand.movable));
 }
 
-/// Takes the fixed coordinates to their place on the way from `start` to what is asked (share: 0 to 1), closes the
+/// Takes the fixed coordinates to their place on the way from `start` to the wishes (share: 0 to 1), closes the
 /// block, and goes along the closures to where the other wishes, taken as far, are met best. Result: |Phi|.
 template <class Content>
 double approach(const MovableBlock<Content>& m, const VectorXd& start, double share, int most_steps, VectorXd& z) {
@@ -184,13 +184,13 @@ double approach(const MovableBlock<Content>& m, const VectorXd& start, double sh
   return open;
 }
 
-/// A position of a block that was found: how far it is open, and how far from what is asked.
+/// A position of a block that was found: how far it is open, and its distance from the wishes.
 struct Found {
   VectorXd z;
   double open = 0, missing = 0;
 };
 
-/// Follows the closures from where the block is to what is asked of it, in moves so small that it stays on its branch.
+/// Follows the closures from the block's position to the wishes, in moves so small that it stays on its branch.
 template <class Content>
 Found followed(const MovableBlock<Content>& m, const VectorXd& start) {
   const VectorXd way = m.demand.value - start;
@@ -204,7 +204,7 @@ Found followed(const MovableBlock<Content>& m, const VectorXd& start) {
   return found;
 }
 
-/// Closes the block from the very values that are asked: what is asked exactly may lie on another branch.
+/// Closes the block from the very values of the wishes, which may lie on another branch.
 template <class Content>
 Found leapt(const MovableBlock<Content>& m, const VectorXd& start) {
   Found found{m.demand.value};
@@ -217,7 +217,7 @@ Found leapt(const MovableBlock<Content>& m, const VectorXd& start) {
   return found;
 }
 
-/// Takes a block to what is asked of it. Result: |Phi|.
+/// Takes a block to its wishes. Result: |Phi|.
 template <class Content>
 double assemble_block(const MovableBlock<Content>& m) {
   const VectorXd start = of_block(m.block, m.state.z);
@@ -231,7 +231,7 @@ double assemble_block(const MovableBlock<Content>& m) {
   return best.open;
 }
 
-/// The block's velocities that meet what is asked best, with Phi_z zd = 0. Result: |Phi_z zd|.
+/// The block's velocities nearest to the wishes, with Phi_z zd = 0. Result: |Phi_z zd|.
 template <class Content>
 double set_velocities(const MovableBlock<Content>& m) {
   const Demand& demand = m.demand;

@@ -7,12 +7,12 @@
 namespace mbgen {
 namespace {
 
-// Pivots of last time are kept while their ratio stays above this share of what it was when they were chosen.
+// Pivots of last time are kept while their ratio stays above this share of its value when they were chosen.
 constexpr double kStale = 0.1;
 
 }  // namespace
 
-/// What KLU holds for one matrix.
+/// Data of KLU for one matrix.
 struct KluFactors::Library {
   Library() {
     klu_defaults(&common);

@@ -10,7 +10,7 @@
 namespace mbgen {
 namespace {
 
-/// What the smallest pivot of a block says. Fails: loop_singular.
+/// Status of a block by its smallest pivot. Fails: loop_singular.
 Status notice_of_block(int b, const BlockAnalysis& analysis, const std::vector<std::vector<double>>& jacobian) {
   const int coordinates = static_cast<int>(jacobian.empty() ? 0 : jacobian[0].size());
   std::vector<double> matrix;

@@ -51,7 +51,7 @@ TEST(Branch, AReferenceWithTheRankOfAllModesIsNotWalked) {
 TEST(Structure, IsAcceptedWithANoteOfWhatItLocks) {
   EXPECT_EQ(notes_of(refused("arm_on_ball")),
             "/joints/hand: loop \"hand\" holds coordinates waist, shoulder, elbow in place (a structure is solved like "
-            "anything else; what is to move needs joints with more freedoms)\n");
+            "anything else; a mechanism needs joints with more freedoms)\n");
   for (const auto& [name, freedoms] : std::map<std::string, int>{{"m4", 2},
                                                                  {"m7", 2},
                                                                  {"k0_s20261127", 1},

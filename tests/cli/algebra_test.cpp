@@ -62,9 +62,9 @@ TEST_F(CommandLine, RefusesAlgebraThatThereIsNot) {
   EXPECT_EQ(refusal("--engine generic --linear-algebra blas --factorisation qr"),
             "--factorisation: qr goes with --linear-algebra eigen only, found blas\n");
   EXPECT_EQ(refusal("--linear-algebra blas"),
-            "--linear-algebra: engine \"generated\" has none to choose; those that have: generic\n");
+            "--linear-algebra: engine \"generated\" has no such option; engines that have it: generic\n");
   EXPECT_EQ(refusal("--engine augmented --factorisation qr"),
-            "--factorisation: engine \"augmented\" has none to choose; those that have: generic\n");
+            "--factorisation: engine \"augmented\" has no such option; engines that have it: generic\n");
 }
 
 TEST_F(CommandLine, HelpNamesTheLinearAlgebras) {

@@ -161,10 +161,12 @@ TEST_F(CommandLine, StabilisationIsOfJudgesOnly) {
   write("pendulum.json", kPendulum);
   const std::pair<const char*, const char*> cases[] = {
       {"--engine generic --stabilisation baumgarte",
-       "--stabilisation: engine \"generic\" has none to choose; those that have: augmented, range-space, null-space, "
+       "--stabilisation: engine \"generic\" has no such option; engines that have it: augmented, range-space, "
+       "null-space, "
        "maggi\n"},
       {"--stabilisation projection",
-       "--stabilisation: engine \"generated\" has none to choose; those that have: augmented, range-space, null-space, "
+       "--stabilisation: engine \"generated\" has no such option; engines that have it: augmented, range-space, "
+       "null-space, "
        "maggi\n"},
       {"--engine maggi --stabilisation glue",
        "--stabilisation: no stabilisation \"glue\"; there are: projection, baumgarte\n"}};

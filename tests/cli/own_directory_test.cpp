@@ -116,7 +116,8 @@ TEST_F(OwnDirectory, TemporaryFilesAreNotPutWhereOthersCouldExchangeThem) {
   write("pendulum.json", kPendulum);
   set("TMPDIR", directory("open", 0777).string());
   const std::string fault = fmt::format(
-      "{0}: not used for temporary files, others could exchange what is compiled there: others can write in {0}",
+      "{0}: not used for temporary files, others could exchange the files that are compiled there: others can write in "
+      "{0}",
       path("open").string());
   for (const char* command : {"simulate pendulum.json --duration 0.1 --step 1e-2 --no-cache --out o.csv",
                               "export pendulum.json --fmi 3 -o p.fmu", "generate pendulum.json --out o --measure"}) {

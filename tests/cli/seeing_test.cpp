@@ -145,7 +145,7 @@ TEST_F(Seeing, AReportKnowsItsModel) {
             "swing.csv.run.json: of another table, with 51 rows instead of 50; simulate again or give --model\n");
   write("swing.csv.run.json", "{}");
   EXPECT_EQ(refusal("report swing.csv -o other.html"),
-            "swing.csv.run.json: not what mbgen simulate writes of a run; give --model\n");
+            "swing.csv.run.json: no description of a run by mbgen simulate; give --model\n");
   std::filesystem::remove(path("swing.csv.run.json"));
   EXPECT_EQ(refusal("report swing.csv -o other.html"),
             "swing.csv: nothing says which model this is of, swing.csv.run.json is missing; give --model\n");

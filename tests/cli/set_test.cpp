@@ -153,7 +153,7 @@ TEST_F(Set, CasesWithWarningsAreNotOk) {
   EXPECT_EQ(run.exit_code, 0) << run.err;
   EXPECT_NE(run.out.find("warning: the energy balance is off by "), std::string::npos) << run.out;
   EXPECT_NE(run.out.find("\nblock: 4 cases, 1 failed, 2 with a warning, engine generic; table in s.csv\n"
-                         "  the worst warning is that of case 3, k = 130\n"),
+                         "  the worst warning is in case 3, k = 130\n"),
             std::string::npos)
       << run.out;
   const Json again = json_of(sweep + " --json");

@@ -97,7 +97,7 @@ TEST_F(CommandLine, SteadyMotionSaysWhatIsMissing) {
   EXPECT_EQ(slows.exit_code, 1);
   EXPECT_TRUE(
       slows.err.starts_with("car.json: no steady motion found: car_tx goes on to accelerate at 0.107 m/s^2\n"
-                            "  hint: what keeps the rate of car_tx? --solve NAME finds an input"))
+                            "  hint: the rate of car_tx needs a drive: --solve NAME finds an input"))
       << slows.err;
   EXPECT_EQ(mbgen("linearize car.json --at steady").exit_code, 1) << "it would come to rest";
   EXPECT_EQ(mbgen("linearize car.json --at steady --solve drif").err,

@@ -260,7 +260,8 @@ TEST_F(Trust, MissingEquilibriumIsExplained) {
     "joints": { "slide": { "type": "prismatic", "from": "ground.A", "to": "block.A", "axis": "z" } },
     "initial": { "equilibrium": true } })");
   const std::string message =
-      "mass.json: there is no static equilibrium near the initial state: slide -9.81 m/s^2 is what accelerates most; "
+      "mass.json: there is no static equilibrium near the initial state: slide -9.81 m/s^2 is the largest "
+      "acceleration; "
       "the "
       "search came to slide -4.95 m\n"
       "  hint: nothing holds slide: a spring, a tyre or a joint may be missing\n";

@@ -76,7 +76,7 @@ TEST_F(CommandLine, ColoursAreForTerminalsOnly) {
   EXPECT_EQ(shell("NO_COLOR=1 " + on_terminal).out.find('\033'), std::string::npos);
 }
 
-// "-" is standard output: the result and nothing else, what there is to say beside it on standard error.
+// "-" is standard output: the result and nothing else; messages go to standard error.
 TEST_F(CommandLine, StandardOutputTakesAResult) {
   write("pendulum.json", kPendulum);
   const Outcome run = mbgen("simulate pendulum.json --engine generic --duration 0.1 --step 0.01 --out -");
@@ -145,8 +145,8 @@ TEST_F(CommandLine, BinaryFilesAreNoTables) {
   EXPECT_TRUE(mbgen("plot t.csv --columns x -o p.svg").err.starts_with("t.csv:1:6: must be text, found a byte 0x1b\n"));
   // A model in place of a result: its first line is no header.
   EXPECT_EQ(mbgen("plot pendulum.json --columns x -o p.svg").err,
-            "pendulum.json:1:1: the first column must be \"t\", found \"{\"\n  hint: a result is what mbgen simulate "
-            "writes\n");
+            "pendulum.json:1:1: the first column must be \"t\", found \"{\"\n  hint: a result is a table of "
+            "mbgen simulate\n");
 }
 
 }  // namespace

@@ -60,9 +60,10 @@ TEST(Units, ThoseOfAnotherScaleAreRefusedAndThoseOfTheSameAreNot) {
   };
   EXPECT_EQ(of_output("m"), "");
   EXPECT_EQ(of_output("N m/N"), "");
-  EXPECT_NE(of_output("mm").find("/outputs/x/unit: unit \"mm\" is not that of the value, \"m\""), std::string::npos);
+  EXPECT_NE(of_output("mm").find("/outputs/x/unit: the unit is \"mm\", the unit of the value is \"m\""),
+            std::string::npos);
   EXPECT_NE(of_output("mm").find("\"display_unit\": \"mm\""), std::string::npos);
-  EXPECT_NE(of_output("m/s").find("is not that of the value"), std::string::npos);
+  EXPECT_NE(of_output("m/s").find("the unit of the value is"), std::string::npos);
 }
 
 TEST(Presentation, IsReadForWhatIsExported) {

@@ -17,7 +17,7 @@ double seconds_for(const Engine& engine, const std::vector<LoadedState>& states,
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-/// What one engine does in each of its turns.
+/// Work of one engine in each of its turns.
 struct Plan {
   int turns = kTurns;
   std::size_t states = 0;  ///< of all states, going round from turn to turn

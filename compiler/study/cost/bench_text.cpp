@@ -17,7 +17,7 @@ using Json = nlohmann::ordered_json;
 
 constexpr int kColumn = 11;
 
-/// "gcc 12.2.0" or what the compiler that built mbgen calls itself.
+/// Name and version of the compiler that built mbgen, "gcc 12.2.0".
 std::string compiler_name() {
 #if defined(__clang__)
   return fmt::format("clang {}", __clang_version__);
@@ -36,7 +36,7 @@ const PaperTable* paper_table(const std::string& model) {
   return nullptr;
 }
 
-/// Name of an engine with what distinguishes it: "generic eigen qr", "generated x8" for batches of eight.
+/// Name of an engine with its options: "generic eigen qr", "generated x8" for batches of eight.
 std::string full_name(const Engine& engine) {
   std::string name = engine.name;
   if (!engine.linear_algebra.empty()) name += " " + engine.linear_algebra;

@@ -45,7 +45,7 @@ void add_sections(const std::vector<fs::path>& objects, const fs::path& scratch,
   for (const auto& [name, bytes] : shared) add_section(name, bytes, footprint);
 }
 
-/// Whether a function is one of those that an application calls.
+/// Whether an application calls a function.
 bool is_interface(const std::string& name, const std::string& solver) {
   const bool is_of_solver = name.starts_with(solver + "::") || name.starts_with(solver + "_");
   return is_of_solver && name.find("::Dynamics::") == std::string::npos;

@@ -27,7 +27,7 @@ struct Footprint {
   long code = 0;           ///< machine code
   long read_only = 0;      ///< constants and tables
   long writable = 0;       ///< static data that is written to: there is none
-  long unwind_tables = 0;  ///< what debuggers and exceptions of others walk the stack with
+  long unwind_tables = 0;  ///< tables with which debuggers and exceptions of others walk the stack
   StackCount stack_count = StackCount::deepest_path;
   std::vector<StackUse> stack;       ///< the deepest first
   std::vector<std::string> outside;  ///< functions of elsewhere that the solver calls: their frames come on top

@@ -95,7 +95,7 @@ std::array<double, kSteps> step_shares(const Engine& engine, const std::vector<L
   return medians;
 }
 
-/// Steps 1 to 9 of all evaluations in a step, and what is left of the whole. Microseconds.
+/// Steps 1 to 9 of all evaluations in a step, and the rest of the whole. Microseconds.
 std::vector<SectionTime> sections_of(const Engine& engine, const std::vector<LoadedState>& states, int evaluations,
                                      double whole) {
   const double accelerations = std::min(whole, evaluations * evaluation_time(engine, states));

@@ -78,7 +78,7 @@ std::vector<std::string> differences(const std::string& one, const std::string& 
   return words;
 }
 
-/// Checks that a journal's first line is that of this study.
+/// Checks that a journal's first line describes this study.
 void check_first_line(const fs::path& path, const std::string& line, const std::string& description) {
   if (!line.starts_with(kFirstLine)) {
     throw UserError(fmt::format("{}: is not a journal of mbgen sweep; choose another --out\n", path.string()));
@@ -91,7 +91,7 @@ void check_first_line(const fs::path& path, const std::string& line, const std::
       path.string(), fmt::join(differences(found, description), ", ")));
 }
 
-/// The text up to the last line end: what a process that was killed wrote after it is torn.
+/// The text up to the last line end: a killed process leaves a torn line behind it.
 std::string whole_lines(const std::string& text) {
   const std::size_t end = text.rfind('\n');
   return end == std::string::npos ? "" : text.substr(0, end + 1);

@@ -24,7 +24,7 @@ std::vector<std::filesystem::path> journals_of(const std::string& table);
 
 /// The results that a journal holds. A line that is not complete or damaged does not count; a file that is not there
 /// holds nothing.
-/// Fails: UserError when the journal is that of a study of another description: says in which words they differ.
+/// Fails: UserError when the journal is of another study: says in which words they differ.
 CaseResults read_journal(const std::filesystem::path& path, const std::string& description);
 
 /// A journal that is open for more lines. Locked against other processes as long as it lives.

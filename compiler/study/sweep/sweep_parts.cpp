@@ -78,7 +78,7 @@ std::string slurm_script(const std::string& model, const std::vector<std::string
       "#!/bin/sh\n"
       "# Parameter study of {model} in {parts} parts. `sh` with this file submits an array job for the parts and a "
       "job\n"
-      "# behind it that gathers them; should parts fail, it computes what they left undone.\n"
+      "# behind it that gathers them; should parts fail, it computes their missing cases.\n"
       "# Further words for sbatch: as #SBATCH lines here, or in the environment (SBATCH_PARTITION, SBATCH_TIMELIMIT).\n"
       "#SBATCH --job-name=sweep-{model}\n"
       "#SBATCH --ntasks=1\n"

@@ -63,7 +63,7 @@ void choose_tuning(Study& study) {
   study.choice.name = "generic";
 }
 
-/// Fails: UserError for what is varied and given.
+/// Fails: UserError for a name that is both varied and given.
 void check_given_once(const Study& study) {
   for (const SweepAxis& axis : study.grid.axes) {
     for (const VariedParameter& parameter : study.set) {
@@ -89,7 +89,7 @@ InputsOverTime inputs_of(const Study& study, const Model& model, const std::vect
   return mbgen::inputs_of(model, assignments, study.arguments.simulation);
 }
 
-/// Fails: UserError when the model is not what it was when the study was read, or cannot be read any more.
+/// Fails: UserError when the model has changed since the study was read, or cannot be read any more.
 void require_unchanged(const Study& study, const Result<Model>& of_case) {
   const std::string& hash = study.model.hash;
   if (of_case && of_case->hash == hash) return;
@@ -202,7 +202,7 @@ Study read_study(const StudyArguments& arguments) {
   study.choice = chosen_engine(arguments.engine);
   const auto& engines = engine_names();
   if (std::find(engines.begin(), engines.end(), study.choice.name) == engines.end()) {
-    make_engine({}, study.choice);  // which says what engines there are
+    make_engine({}, study.choice);  // whose refusal lists the engines
   }
   study.choice.integrator =
       integrator_of(arguments.simulation.integrator, study.model.solver.integrator, study.choice.name);

@@ -40,7 +40,7 @@ struct Study {
 
 /// Result of one case.
 struct CaseResult {
-  std::string status;  ///< "ok", "warning: " and what is wrong with the values, or why there are none; one line
+  std::string status;  ///< "ok", "warning: " and the doubt about the values, or the reason why there are none; one line
   std::vector<double> metrics;  ///< of all metrics; NaN where there are none
   double energy_error = 0;      ///< of the motion, relative
   bool is_warned() const { return status.starts_with("warning: "); }

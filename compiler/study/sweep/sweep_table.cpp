@@ -76,7 +76,7 @@ std::string worst_text(const Study& study, const CaseResults& results) {
   std::vector<std::string> values;
   const std::vector<double> at = study.grid.values_of(worst->first);
   for (std::size_t a = 0; a < at.size(); ++a) values.push_back(fmt::format("{} = {}", study.grid.axes[a].name, at[a]));
-  return fmt::format("  the worst warning is that of case {}, {}\n", worst->first + 1, fmt::join(values, ", "));
+  return fmt::format("  the worst warning is in case {}, {}\n", worst->first + 1, fmt::join(values, ", "));
 }
 
 }  // namespace

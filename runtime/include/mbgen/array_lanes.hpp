@@ -1,6 +1,6 @@
 #pragma once
 // Arrays of doubles or floats several at a time: vectors as wide as the processor's (the vector_size extension of GCC
-// and clang). What an operation gives for an entry does not depend on the lanes it is computed in, except in a Total.
+// and clang). The result for an entry does not depend on the lanes that compute it, except in a Total.
 
 #include <cstddef>
 

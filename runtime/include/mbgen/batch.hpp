@@ -71,7 +71,7 @@ typename System::Mask pivots_reach(const Row* pivot, double threshold) noexcept 
   return good;
 }
 
-/// The larger, NaN counting as larger than what came before.
+/// The larger, NaN counting as larger than every value before it.
 template <class Row>
 [[gnu::always_inline]] inline Row larger(const Row& size, const Row& largest) noexcept {
   return choose(size <= largest, largest, size);
@@ -129,7 +129,7 @@ typename System::Mask accept(const typename System::Closure& closure, const type
 }
 
 /// Newton on z and t of `trial`, far from singular positions; at the end its velocities are consistent. wanted: lanes
-/// that matter. Result: those that came through.
+/// that matter. Result: the lanes that came through.
 template <class System>
 typename System::Mask close_lanes(const ParametersOf<System>& parameters, const InputsOf<System>& inputs,
                                   const typename System::Mask& wanted, typename System::State& trial) noexcept {
@@ -228,7 +228,7 @@ typename System::Mask constrain_lanes(const ParametersOf<System>& parameters, co
   return good;
 }
 
-/// Statuses of a call: ok for the good lanes, what `alone` (int lane -> Status) finds for the others.
+/// Statuses of a call: ok for the good lanes, the status of `alone` (int lane -> Status) for the others.
 template <int W, class Mask, class Alone>
 LaneStatuses<W> with_the_others_alone(const Mask& good, const Alone& alone) noexcept {
   LaneStatuses<W> statuses{};

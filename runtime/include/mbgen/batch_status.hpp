@@ -1,5 +1,5 @@
 #pragma once
-// What a call for several instances found, lane by lane.
+// Statuses of a call for several instances, lane by lane.
 
 #include "mbgen/status.hpp"
 

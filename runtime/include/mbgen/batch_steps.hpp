@@ -39,7 +39,7 @@ struct LaneDynamics {
   }
 };
 
-/// Stages as they are; what they meet is in the mask.
+/// Stages as they are; the mask holds the lanes that met trouble.
 struct LaneStages {
   static constexpr bool goes_on(Status) noexcept { return true; }
 

@@ -1,5 +1,5 @@
 #pragma once
-// What every part of a generated solver's runtime shares: the places of its loop blocks, checks of arguments, and the
+// Common parts of a generated solver's runtime: the places of its loop blocks, checks of arguments, and the
 // pivoting factorisation of its blocks. No heap, no exceptions.
 //
 // `System` is written by mbgen into the solver's source. It offers, all static:
@@ -120,7 +120,7 @@ int first_not_finite(const Struct& values, Real Struct::*const (&members)[N]) no
   return -1;
 }
 
-/// Names what is not finite among the arguments. A sum of large finite values can overflow, so ok is a possible answer.
+/// Names the first argument that is not finite. A sum of large finite values can overflow, so ok is a possible answer.
 template <class System>
 Status find_not_finite(const typename System::Parameters& parameters, const typename System::Inputs& inputs,
                        const typename System::State& state, const RealOf<System>* tau) noexcept {
@@ -158,7 +158,7 @@ bool frozen_is_good(const RealOf<System>* pivot) noexcept {
   return good;
 }
 
-/// What a solver says that only has the frozen partition. Fails: loop_singular where that is bad.
+/// Status of a solver that only has the frozen partition. Fails: loop_singular where that is bad.
 template <class System>
 Status frozen_status(const RealOf<System>* pivot) noexcept {
   for (int b = 0; b < System::kBlocks; ++b) {
@@ -175,7 +175,7 @@ bool is_far(const RealOf<System>* pivot) noexcept {
   return far;
 }
 
-/// What the smallest pivots of block b say: of full pivoting, typically and here, and of the frozen partition over its
+/// Notice of block b by its smallest pivots: of full pivoting, typically and here, and of the frozen partition over its
 /// median.
 template <class Real>
 inline Status notice_of(int b, double typical_pivot, Real pivot, Real frozen_pivot) noexcept {

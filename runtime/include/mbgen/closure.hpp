@@ -75,7 +75,7 @@ void correct_block(int b, const LoopFactorsOf<RealOf<System>>& loop, const typen
 }
 
 /// Replaces dz and zd of the blocks whose frozen partition is bad at this position, or of all of them for the shortest
-/// correction, by those of a pivoted one. The status may be a notice. Fails: loop_singular.
+/// correction, by the corrections of a pivoted one. The status may be a notice. Fails: loop_singular.
 template <class System, Correction correction>
 Status correct_closure(const typename System::Parameters& parameters, const typename System::Inputs& inputs,
                        const typename System::State& state, typename System::Closure& closure) noexcept {

@@ -12,7 +12,7 @@ constexpr int kSolverTableLayout = 4;
 /// Sizes and functions of one generated solver. Arrays, all in SI units and in the order of the model:
 ///   parameters  the tunable ones                 inputs   all of them
 ///   state       z[n] zd[n] x[nx] t               derivative   zdd[n] xd[nx]
-///   tau         n generalised joint forces, added to those of the model
+///   tau         n generalised joint forces beside the forces of the model
 /// Every function is re-entrant, allocates nothing and leaves its results untouched unless the status is ok. Steps give
 /// notices.
 struct SolverTable {
@@ -69,7 +69,7 @@ struct SolverTable {
   const char* (*describe)(Status status) noexcept;
 
   /// Evaluates accelerations at each of `count` states (state after state, tau after tau), `repetitions` times, for
-  /// whoever holds a clock. Result: evaluations that were not ok. Sixteen states are in turn, so that each evaluation
+  /// the caller's clock. Result: evaluations that were not ok. Sixteen states are in turn, so that each evaluation
   /// meets data that the one before did not.
   long long (*time_accelerations)(const double* parameters, const double* inputs, const double* states,
                                   const double* taus, int count, int repetitions) noexcept;

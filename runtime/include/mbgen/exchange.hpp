@@ -5,7 +5,7 @@
 
 namespace mbgen {
 
-/// Three buffers: one of the writer, one of the reader, one between them. What is published is taken whole or not at
+/// Three buffers: one of the writer, one of the reader, one between them. A published value is taken whole or not at
 /// all; of several values published between two takes the last one counts. One writer and one reader at a time.
 template <class Value>
 class Exchange {

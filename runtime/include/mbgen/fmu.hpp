@@ -1,11 +1,11 @@
 #pragma once
-// What the functions of FMI 2 and 3 share: the values of one instance by their references, its evaluation and its
+// Common parts of the functions of FMI 2 and 3: the values of one instance by their references, its evaluation and its
 // steps. `Model` is the struct that mbgen emits into <model>_fmu.hpp. Nothing here allocates.
 //
 // Value references count through the groups of `Group` in their order.
 
 #if defined(__FAST_MATH__) || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__) || defined(_M_FP_FAST)
-#error "an FMU looks for NaN and infinity in what it is given: compile it without -ffast-math and -ffinite-math-only"
+#error "an FMU looks for NaN and infinity in its inputs: compile it without -ffast-math and -ffinite-math-only"
 #endif
 
 #include "mbgen/fmu_state.hpp"
@@ -132,8 +132,8 @@ double value_at(const Core<Model>& core, Place place) noexcept {
   }
 }
 
-/// Values of any variables. Answer: error for an unknown reference, and before the initialisation for what has no start
-/// value; discard where the model has no solution, or the value is not finite.
+/// Values of any variables. Answer: error for an unknown reference, and before the initialisation for a variable
+/// without start value; discard where the model has no solution, or the value is not finite.
 template <class Model>
 Answer get_values(Core<Model>& core, const unsigned* references, unsigned long count, double* values) noexcept {
   for (unsigned long i = 0; i < count; ++i) {
@@ -292,7 +292,7 @@ Answer set_values(Core<Model>& core, const unsigned* references, unsigned long c
 }
 
 /// Sets derivatives of inputs, all or none: those that are inputs, and the first of those that end a row.
-/// Answer: error for what is no input, an order that the input has not, or a value that is not finite.
+/// Answer: error for a variable that is no input, an order that the input has not, or a value that is not finite.
 template <class Model>
 Answer set_input_derivatives(Core<Model>& core, const unsigned* references, unsigned long count, const int* orders,
                              const double* values) noexcept {

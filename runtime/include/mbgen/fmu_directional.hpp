@@ -135,7 +135,7 @@ Answer directional_derivative(Core<Model>& core, const unsigned* unknowns, unsig
     if (!is_unknown(place_of<Model>(unknowns[i]).group))
       return refuse(core, Refusal::of_variable(unknowns[i], "is no unknown: it has no derivative by others"));
   }
-  core.refusal.reason = "a loop has, or needs, other independent coordinates than those of the start";
+  core.refusal.reason = "a loop has, or needs, other independent coordinates than at the start";
   if (!is_frozen_choice(core.run.choice) || !solve(core)) return Answer::discard;
   typename Model::AccelerationsAlong rates;
   typename Model::OutputsAlong outputs;

@@ -86,7 +86,7 @@ inline bool switch_categories(const char* const* names, unsigned long count, boo
   return true;
 }
 
-/// Whether the processor has what this file was compiled for.
+/// Whether the processor has the instructions that this file was compiled for.
 inline bool processor_fits() noexcept {
 #if defined(__x86_64__) && defined(__AVX2__) && defined(__FMA__)
   return __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");

@@ -261,7 +261,7 @@ Answer accept_step(Core<Model>& core, bool& asks_for_event) noexcept {
   return accept_inputs(core);
 }
 
-/// Accepts what an event has set. has_changed: states are those of other coordinates now.
+/// Accepts the values that an event has set. has_changed: the states now belong to other coordinates.
 template <class Model>
 Answer settle(Core<Model>& core, bool& has_changed) noexcept {
   has_changed = false;

@@ -38,7 +38,7 @@ struct GivenInputs {
   bool moves(const Inputs& /*wanted*/) const noexcept { return false; }
 };
 
-/// What loops were closed with.
+/// Inputs and parameters with which the loops were closed.
 template <class Model>
 struct Closed {
   typename Model::State state{};
@@ -53,7 +53,7 @@ struct Choice {
   double reference[Model::kLoopBlocks > 0 ? Model::kLoopBlocks : 1] = {};  ///< see choose_held in mbgen/held.hpp
 };
 
-/// Everything that a run consists of: what an FMU state keeps.
+/// Everything that a run consists of: the content of an FMU state.
 template <class Model>
 struct Run {
   Interface interface {};
@@ -98,7 +98,7 @@ struct Range {
   double least, most;
 };
 
-/// An instance: a run, and what follows from it.
+/// An instance: a run, and values that follow from it.
 template <class Model>
 struct Core {
   Run<Model> run;
@@ -126,7 +126,7 @@ Choice<Model> frozen_choice() noexcept {
   return choice;
 }
 
-/// Whether the independent coordinates are those of the frozen partition.
+/// Whether the solver has the independent coordinates of the frozen partition.
 template <class Model>
 bool is_frozen_choice(const Choice<Model>& choice) noexcept {
   for (int i = 0; i < Model::kVelocityStates; ++i) {

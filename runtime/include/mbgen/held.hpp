@@ -8,12 +8,12 @@ namespace mbgen {
 
 /// The smallest pivot of a block's held coordinates, over the largest that they had, below which others are chosen.
 constexpr double kWornPivot = 0.15;
-/// The same over that of full pivoting at this position: what is below is bad from the start.
+/// The same over the smallest pivot of full pivoting at this position: a smaller share is bad from the start.
 constexpr double kBadPivot = 0.01;
 
 namespace solver_detail {
 
-/// Whether the independent coordinates of block b are those of the frozen partition. held: per coordinate.
+/// Whether block b has the independent coordinates of the frozen partition. held: per coordinate.
 template <class System>
 bool holds_frozen(int b, const unsigned char* held) noexcept {
   for (int k = 0; k < System::kFreeDirections; ++k) {

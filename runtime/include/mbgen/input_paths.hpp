@@ -1,6 +1,6 @@
 #pragma once
 // Rates of inputs whose caller gives values only. Input and rates follow a spline through the values, so that each rate
-// is the derivative of what it belongs to: a driven joint neither drifts nor jumps, and bodies feel its acceleration.
+// is the derivative of its input: a driven joint neither drifts nor jumps, and bodies feel its acceleration.
 
 #include <cmath>
 

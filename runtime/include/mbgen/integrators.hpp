@@ -10,7 +10,7 @@
 //                                                                  positions
 // They may give notices (status.hpp); near_singular and singular_met say how near a singular position the state is.
 // Every step integrates all of z, zd and x, then projects. When anything fails the state and the history stay as they
-// were. Steps allocate nothing but what copies of the System's own types allocate.
+// were. Steps allocate only by copies of the System's own types.
 
 #include <cmath>
 

@@ -24,7 +24,7 @@ struct LaneTypes {
   typedef double InArray __attribute__((vector_size(8 * W), aligned(8), may_alias));
 };
 
-/// What a comparison of vectors gives: all bits of a lane where it holds, none elsewhere.
+/// Result of a comparison of vectors: all bits of a lane where it holds, none elsewhere.
 template <class Lanes>
 using MaskOf = decltype(Lanes() < Lanes());
 
@@ -48,7 +48,7 @@ template <class Mask, class Lanes>
   to = choose(mask, from, to);
 }
 
-/// What was stored is read from there afterwards: compilers keep a second copy of it on the stack otherwise.
+/// Stored values are read from there afterwards: compilers keep a second copy of it on the stack otherwise.
 [[gnu::always_inline]] inline void read_back() noexcept { asm volatile("" : : : "memory"); }
 
 namespace lanes_detail {

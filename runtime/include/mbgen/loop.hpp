@@ -1,5 +1,5 @@
 #pragma once
-// Loop closures at run time: LU with full pivoting of one block's Jacobian, and what is solved with it.
+// Loop closures at run time: LU with full pivoting of one block's Jacobian, and the systems solved with it.
 
 #include <cmath>
 #include <cstddef>

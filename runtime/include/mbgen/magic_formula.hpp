@@ -1,5 +1,5 @@
 #pragma once
-// What the two forms of Pacejka's magic formula share: the result and the shape of the curve.
+// Common parts of the two forms of Pacejka's magic formula: the result and the shape of the curve.
 // Written over a scalar T (double, or the compiler's symbolic scalar): no comparisons on T.
 // Source: H. B. Pacejka, Tyre and Vehicle Dynamics, 2nd edition, section 4.3.
 

@@ -1,6 +1,6 @@
 #pragma once
-// What integrators ask of a generated solver: rates and projections that tell how near a singular position they are.
-// `System` is described in blocks.hpp.
+// Functions of a generated solver for integrators: rates and projections that tell how near a singular position they
+// are. `System` is described in blocks.hpp.
 
 #include "mbgen/closure.hpp"
 #include "mbgen/solver.hpp"

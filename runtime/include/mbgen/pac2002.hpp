@@ -184,7 +184,7 @@ T weight(const T& b, const T& c, const T& unlimited, const T& shift, const T& x)
   return cos(angle<T>(b, c, e, x + shift)) / away_from_zero<T>(cos(angle<T>(b, c, e, shift)), T(1e-9));
 }
 
-/// A load with what every formula needs of it.
+/// A load with its terms that every formula needs.
 template <class T>
 struct Pac2002Load {
   T nominal;     ///< N, scaled nominal load
@@ -226,7 +226,7 @@ Pac2002Longitudinal<T> pac2002_longitudinal(const Pac2002<T>& set, const Pac2002
   return {d * sin(angle<T>(b, c, curvature(e), slip)) + sv, stiffness};
 }
 
-/// Lateral force of pure slip, N, with what the aligning moment and combined slip need of it.
+/// Lateral force of pure slip, N, with its terms that the aligning moment and combined slip need.
 template <class T>
 struct Pac2002Lateral {
   T force, stiffness;  ///< N, N/rad; the stiffness is held away from zero

@@ -3,8 +3,8 @@
 // one, and at them state and rates are interpolated between states on both sides. Both is done by the System's own
 // functions, so that every engine has it; see integrators.hpp.
 //
-// Why: along a branch, positions, velocities and accelerations are smooth functions of time, but what computes them
-// divides by the smallest pivot, which goes through zero. At a distance d from the singular position, rounding of the
+// Why: along a branch, positions, velocities and accelerations are smooth functions of time, but their equations
+// divide by the smallest pivot, which goes through zero. At a distance d from the singular position, rounding of the
 // positions is divided by d, of the velocities by d^2, of the accelerations by d^3; and a stage that violates the
 // closures by the square of the step sees other Jacobians than those of the branch.
 

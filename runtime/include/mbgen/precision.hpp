@@ -1,5 +1,5 @@
 #pragma once
-// What depends on the precision that a solver computes in: double, or float by `mbgen generate --scalar float`. Time
+// Limits and types that depend on the precision of a solver: double, or float by `mbgen generate --scalar float`. Time
 // and steps are double in both: a float has no place for a millisecond after four hours, and loses one in a thousand of
 // it after ten seconds. See docs/use/targets.md.
 
@@ -8,7 +8,7 @@
 
 namespace mbgen {
 
-/// The numbers of a generated solver: those of its coordinates.
+/// Type of the numbers of a generated solver, the type of its coordinates.
 template <class System>
 using RealOf = std::remove_all_extents_t<decltype(System::State::z)>;
 

@@ -26,7 +26,7 @@ constexpr double kLargestAngle = 0x1p20;
 
 namespace elementary_detail {
 
-/// Integers as wide as T, lane by lane: what comparing vectors gives.
+/// Integers as wide as T, lane by lane: the type of comparisons of vectors.
 template <class T>
 using Bits = std::conditional_t<std::is_same_v<T, double>, std::int64_t, decltype(T() < T())>;
 
@@ -149,8 +149,8 @@ inline void each_entry(Function function, T (&values)[N], const Arguments&... ar
 
 }  // namespace elementary_detail
 
-/// Sine and cosine of an angle (rad) within 1 ulp; NaN of what is not finite. The sign of a zero sine is not kept.
-/// T: double or a vector of double.
+/// Sine and cosine of an angle (rad) within 1 ulp; NaN for an angle that is not finite. The sign of a zero sine is not
+/// kept. T: double or a vector of double.
 template <class T>
 inline void sincos(const T& angle, T& sine, T& cosine) noexcept {
   using namespace elementary_detail;

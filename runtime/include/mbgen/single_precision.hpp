@@ -154,7 +154,8 @@ inline bool has_no_logarithm(float x) noexcept { return !(x >= number_of(kLeastN
 
 }  // namespace single_detail
 
-/// Sine and cosine of an angle (rad) within 1 ulp, of numbers below 2^-9: of 2^-33; NaN of what is not finite.
+/// Sine and cosine of an angle (rad) within 1 ulp, of numbers below 2^-9: of 2^-33; NaN for an angle that is not
+/// finite.
 inline void sincos(const float& angle, float& sine, float& cosine) noexcept {
   const float kept = angle;  // the results may take its place
   single_detail::reduced_sincos(kept, sine, cosine);

@@ -133,7 +133,7 @@ Status repair_multipliers(const typename System::Parameters& parameters, const t
 }
 
 /// Frozen program, and the pivoted one where a monitor trips; the status may be a notice then.
-/// values: what the frozen program says.
+/// values: of the frozen program.
 template <class System>
 Status evaluate(const typename System::Parameters& parameters, const typename System::Inputs& inputs,
                 const typename System::State& state, const RealOf<System>* tau, typename System::Accelerations& values,

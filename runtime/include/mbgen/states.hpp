@@ -1,5 +1,5 @@
 #pragma once
-// What integrators do with states and rates of any System: arrays of doubles or floats or of vectors, or containers
+// Operations of integrators on states and rates of any System: arrays of doubles or floats or of vectors, or containers
 // with size(), see integrators.hpp.
 
 #include <cmath>
@@ -140,7 +140,7 @@ bool sum_is_finite(const Real (&values)[N]) noexcept {
   return std::isfinite(total.value());
 }
 
-/// Fails: not_a_number, auxiliary_not_a_number for what is not finite.
+/// Fails: not_a_number, auxiliary_not_a_number for values that are not finite.
 template <class State>
 Status check_finite(const State& state) noexcept {
   if (sum_is_finite(state.z) && sum_is_finite(state.zd) && sum_is_finite(state.x)) return {};

@@ -1,5 +1,5 @@
 #pragma once
-// What a solver call found. No exceptions, no strings at run time beyond literals.
+// Statuses of solver calls. No exceptions, no strings at run time beyond literals.
 
 namespace mbgen {
 
@@ -25,7 +25,7 @@ enum class Code : int {
 
 constexpr Code kFirstNotice = Code::chosen_again;
 
-/// Result of every call. `index` is the place of what the code is about (see Code), -1 when there is none to name.
+/// Result of every call. `index` counts the object of the code (see Code), -1 for none.
 struct Status {
   Code code = Code::ok;
   int index = -1;
@@ -67,7 +67,7 @@ constexpr const char* text(Code code) noexcept {
   return "unknown";
 }
 
-/// What the index of a code counts.
+/// Kind of object that the index of a code counts.
 enum class Subject { coordinate, loop_block, input, parameter, auxiliary_state };
 
 constexpr Subject subject_of(Code code) noexcept {
@@ -95,7 +95,7 @@ struct Names {
   int count;
 };
 
-/// Name of what a status is about, "" when it names none.
+/// Name of the object of a status, "" for none.
 constexpr const char* name_of(Status status, Names coordinates, Names loop_blocks, Names inputs, Names parameters,
                               Names auxiliary_states) noexcept {
   const Names tables[] = {coordinates, loop_blocks, inputs, parameters, auxiliary_states};

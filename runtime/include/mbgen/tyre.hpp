@@ -32,7 +32,8 @@ struct TyreContact {
   T u, v;             ///< m, deflection states along x and y, see TyreResult
 };
 
-/// What a tyre does to its wheel, at the contact point in contact axes, and the rates of its deflection states.
+/// Force and moment of a tyre on its wheel, at the contact point in contact axes, and the rates of its deflection
+/// states.
 template <class T>
 struct TyreResult {
   T load, fx, fy;  ///< N: along z, x, y; load >= 0
@@ -46,7 +47,7 @@ namespace tyre_law {
 /// Slip per slip velocity, s/m, that damps a standing contact: a damping ratio of about 0.2 for a vehicle that rocks on
 /// its tyres, and within reach of explicit steps of 1 ms for a truck's wheel that rocks by its own inertia (900 1/s).
 inline constexpr double kSlipDamping = 0.06;
-/// Deflection over relaxation length at which a standing contact slides: about what friction over stiffness allows.
+/// Deflection over relaxation length at which a standing contact slides: about friction over stiffness.
 inline constexpr double kSlidingDeflection = 0.1;
 /// The same at speed, where the memory of the contact no longer matters but the rates of a fast slip do.
 inline constexpr double kSlidingDeflectionAtSpeed = 0.5;
