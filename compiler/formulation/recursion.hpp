@@ -213,7 +213,7 @@ void add_own_parts(RecursionState<T>& s, const RecursionUnit& unit, const Applie
     if (unit.block < 0 && i != unit.end()) continue;
     const auto heading = s.system().scribe.within(OwnerKind::tree_body, i);
     Carried<T>& c = s.carried[i];
-    c.rigid = c.rigid + (s.work.own(i) ? s.constant[i] : rotated(s.k().orientation[i], s.constant[i]));
+    c.rigid = c.rigid + (s.work.own(i) ? s.constant[i] : s.in_base_axes(i, s.constant[i]));
     c.needed = c.needed - forces.wrench[i];
   }
 }

@@ -173,7 +173,7 @@ void gather_body(RecursionState<T>& s, BlockGathering<T>& g, int i) {
     const PseudoInertia<T>& constant = s.constant[i];
     const Vector<T> com = (T(1.0) / constant.mass) * constant.moment;
     arm = axes * com;
-    body.rigid = rotated(axes, centred(constant));
+    body.rigid = s.in_base_axes(i, centred(constant));
     body.needed = shifted(-arm, body.needed);
   }
   const Vector<T> place = s.k().position[i] + arm;

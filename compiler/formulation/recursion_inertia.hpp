@@ -2,6 +2,10 @@
 // Inertias of the recursive form: rigid ones by their pseudo-inertia, articulated ones by the terms that elimination
 // adds.
 
+#include <optional>
+#include <utility>
+#include <vector>
+
 #include "compiler/formulation/kinematics.hpp"
 
 namespace mbgen {
@@ -107,6 +111,61 @@ template <class T>
 PseudoInertia<T> centred(const PseudoInertia<T>& m) {
   const Vector<T> com = (T(1.0) / m.mass) * m.moment;
   return pseudo_inertia(m.mass, Vector<T>{}, entries_without_noise(m.second + square(-m.mass, com), m.trace));
+}
+
+/// lambda 1 + delta u u', the second moments about the centre of mass of a body that is symmetric about u.
+template <class T>
+struct AxialMoments {
+  T lambda{0.0}, delta{0.0};
+};
+
+/// The second moments by that form, where a is an axis of symmetry as far as is known when the equations are written.
+template <class T>
+std::optional<AxialMoments<T>> axial_moments(const PseudoInertia<T>& central, const Vector<T>& a) {
+  const Symmetric<T>& k = central.second;
+  const T along = dot(a, k * a), across = T(0.5) * (central.trace - along);
+  const AxialMoments<T> form{across, along - across};
+  const Symmetric<T> turned = square(-form.delta, a);
+  const T minus = -across;
+  const Symmetric<T> rest =
+      entries_without_noise(k + turned + Symmetric<T>{minus, minus, minus, T(0.0), T(0.0), T(0.0)}, central.trace);
+  for (const T& entry : {rest.xx, rest.yy, rest.zz, rest.xy, rest.xz, rest.yz})
+    if (!is_zero(entry)) return std::nullopt;
+  return form;
+}
+
+/// Whether r is known to turn about a coordinate axis.
+template <class T>
+bool turns_in_a_plane(const Matrix<T>& r) {
+  const Matrix<T> rows = transpose(r);
+  return is_coordinate_axis(rows.x) || is_coordinate_axis(rows.y) || is_coordinate_axis(rows.z);
+}
+
+/// A constant inertia turned by r. Of a body with an axis of symmetry through its centre of mass only this axis and the
+/// centre are turned: K = lambda 1 + delta u u' + m c c'. axis: of the body's joint, in the body and where it is now; a
+/// turn in a plane takes fewer operations on K where another axis is that of symmetry.
+template <class T>
+PseudoInertia<T> turned(const Matrix<T>& r, const Vector3& axis, const Vector<T>& axis_now, const PseudoInertia<T>& m) {
+  if (is_zero(m.mass) || !(known_size(m.trace) > 0)) return rotated(r, m);
+  const PseudoInertia<T> central = centred(m);
+  const Matrix<T> e = identity<T>();
+  std::vector<std::pair<Vector<T>, Vector<T>>> candidates{{constant<T>(axis), axis_now}};
+  if (!turns_in_a_plane(r)) candidates.insert(candidates.end(), {{e.x, r.x}, {e.y, r.y}, {e.z, r.z}});
+  for (const auto& [own, u] : candidates) {
+    const std::optional<AxialMoments<T>> form = axial_moments(central, own);
+    if (!form) continue;
+    const Vector<T> moment = r * m.moment, com = (T(1.0) / m.mass) * moment, scaled = form->delta * u;
+    const T xx = form->lambda + scaled.x * u.x + moment.x * com.x;
+    const T xy = scaled.x * u.y + moment.x * com.y, xz = scaled.x * u.z + moment.x * com.z,
+            yz = scaled.y * u.z + moment.y * com.z;
+    if (!is_coordinate_axis(transpose(r).z)) {
+      const T yy = form->lambda + scaled.y * u.y + moment.y * com.y;
+      return {m.mass, moment, {xx, yy, m.trace - xx - yy, xy, xz, yz}, m.trace};
+    }
+    const T zz = form->lambda + scaled.z * u.z + moment.z * com.z;
+    return {m.mass, moment, {xx, (m.trace - zz) - xx, zz, xy, xz, yz}, m.trace};
+  }
+  return rotated(r, m);
 }
 
 /// J about the origin: tr(K) I - K by a trace that is a constant, else by sums of two entries.

@@ -95,6 +95,10 @@ struct RecursionState {
     const Vector<T>& at = k().position[body];
     return unit.base == kGround || work.own(unit.base) ? at : at - k().position[unit.base];
   }
+  /// An inertia given in the axes of a body, in the axes of its base frame.
+  PseudoInertia<T> in_base_axes(int body, const PseudoInertia<T>& m) const {
+    return turned(k().orientation[body], system().topology.bodies[body].axis, k().axis[body], m);
+  }
   const Vector<T> omega_of(int body) const { return body == kGround ? Vector<T>{} : omega[body]; }
 };
 
