@@ -64,19 +64,39 @@ Spatial<T> joint_column(bool revolute, const Vector<T>& axis, const Vector<T>& p
   return revolute ? Spatial<T>{cross(pin, axis), axis} : Spatial<T>{axis, {}};
 }
 
+/// Turn of a body by successive joints about parallel axes: one rotation by the sum of their angles.
+template <class T>
+struct Turn {
+  Matrix<T> before = identity<T>();  ///< axes that it starts from, in the base frame
+  Vector3 axis{};                    ///< of the first of them; zero: no turn
+  T angle{0.0};
+};
+
+/// Turn of body i: its joint's, added to that of the body before where the axes are parallel.
+template <class T>
+Turn<T> turn_of(const System<T>& system, const Kinematics<T>& k, const std::vector<Turn<T>>& turns, int i) {
+  const TreeBody& body = system.topology.bodies[i];
+  const Turn<T> below = system.on_base(i) ? Turn<T>{} : turns[body.parent];
+  if (!system.revolute(i)) return below;
+  const Vector3 opposite{-body.axis[0], -body.axis[1], -body.axis[2]};
+  if (below.axis == body.axis) return {below.before, below.axis, below.angle + system.z(i)};
+  if (below.axis == opposite) return {below.before, below.axis, below.angle - system.z(i)};
+  return {system.on_base(i) ? identity<T>() : k.orientation[body.parent], body.axis, system.z(i)};
+}
+
 /// Pose of body i in its base frame, from its parent's.
 template <class T>
-void advance_pose(const System<T>& system, Kinematics<T>& k, int i) {
+void advance_pose(const System<T>& system, Kinematics<T>& k, const Turn<T>& turn, int i) {
   const TreeBody& body = system.topology.bodies[i];
   const bool on_base = system.on_base(i);
   const int p = body.parent;
   const Matrix<T> parent_axes = on_base ? identity<T>() : k.orientation[p];
   const Vector<T> offset = joint_offset(system, i);
-  const Vector<T> axis = parent_axes * constant<T>(body.axis);
+  const Vector<T> axis = (system.revolute(i) ? turn.before : parent_axes) * constant<T>(body.axis);
   Vector<T> place = parent_axes * offset;
   if (!on_base) place = k.position[p] + place;
   if (system.revolute(i)) {
-    k.orientation[i] = parent_axes * rotation(body.axis, system.z(i));
+    k.orientation[i] = turn.before * rotation(turn.axis, turn.angle);
     k.position[i] = place;
   } else {
     k.orientation[i] = parent_axes;
@@ -124,9 +144,11 @@ Kinematics<T> kinematics(System<T>& system) {
   k.pin.resize(n);
   k.column.resize(n);
   k.base_column.resize(n);
+  std::vector<detail::Turn<T>> turns(n);
   for (int i = 0; i < static_cast<int>(n); ++i) {
     const auto heading = system.scribe.within(OwnerKind::tree_body, i);
-    detail::advance_pose(system, k, i);
+    turns[i] = detail::turn_of(system, k, turns, i);
+    detail::advance_pose(system, k, turns[i], i);
     if (system.layout.bodies[i].chain_start >= 0) detail::own_chain(system, k, i);
     name(system.scribe, k.orientation[i], "R_", system.body_name(i));
     name(system.scribe, k.position[i], "r_", system.body_name(i));

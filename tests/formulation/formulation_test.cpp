@@ -89,6 +89,62 @@ TEST(Inertia, RodPairGivesTheInertiaOfAUniformRod) {
     EXPECT_LT(distance_between(whole.inertia * v, expected.inertia * v), 1e-6);
 }
 
+PseudoInertia<double> pseudo_cloud(const std::vector<std::pair<double, V>>& masses) {
+  PseudoInertia<double> sum;
+  for (const auto& [m, r] : masses) sum = sum + pseudo_inertia(m, m * r, square(m, r));
+  return sum;
+}
+
+// A body that is symmetric about its joint's axis, about another axis, about all and about none, turned in space and in
+// a plane: its points are turned one by one.
+TEST(Inertia, AxesOfSymmetryTurnAsTheirBodies) {
+  const double s = 1 / std::sqrt(3.0);
+  const auto ring = [](double along, double across) {  // about z, its centre off the origin
+    const V centre{0.3, -0.2, 0.4};
+    std::vector<std::pair<double, V>> masses;
+    for (const V& r :
+         {V{across, 0, 0}, V{-across, 0, 0}, V{0, across, 0}, V{0, -across, 0}, V{0, 0, along}, V{0, 0, -along}})
+      masses.emplace_back(0.7, centre + r);
+    return masses;
+  };
+  auto crooked = ring(0.3, 0.2);
+  crooked.emplace_back(0.4, V{0.1, 0.6, -0.3});
+  int of_ring = 0;
+  for (const auto& masses : {ring(0.3, 0.2), ring(0.2, 0.2), crooked})
+    for (const Vector3& axis : {Vector3{0, 0, 1}, Vector3{0, 1, 0}, Vector3{s, -s, s}})
+      for (const Matrix<double>& below : {identity<double>(), rotation<double>({s, s, s}, 0.4)}) {
+        const Matrix<double> r = below * rotation<double>(axis, 0.7);
+        std::vector<std::pair<double, V>> there;
+        for (const auto& [m, at] : masses) there.emplace_back(m, r * at);
+        const PseudoInertia<double> expected = pseudo_cloud(there), body = pseudo_cloud(masses),
+                                    actual = turned(r, axis, below * constant<double>(axis), body);
+        EXPECT_LT(distance_between(actual.moment, expected.moment), 1e-15);
+        EXPECT_NEAR(actual.trace, expected.trace, 1e-14);
+        for (const V& v : {V{1, 0, 0}, V{0, 1, 0}, V{0, 0, 1}})
+          EXPECT_LT(distance_between(actual.second * v, expected.second * v), 1e-14);
+        of_ring += axial_moments(centred(body), V{0, 0, 1}).has_value();
+      }
+  EXPECT_EQ(of_ring, 12);  // not the crooked one
+}
+
+// Force and moment of a field of accelerations, of one in a plane too, by summation over the points.
+TEST(Inertia, FieldForceIsThatOfItsPoints) {
+  std::mt19937_64 random(4);
+  std::vector<std::pair<double, V>> points;
+  for (double m : {0.3, 1.2, 2.0}) points.emplace_back(m, vector(random));
+  const V w = vector(random), alpha = vector(random);
+  for (const Matrix<double>& g :
+       {acceleration_gradient(w, alpha), acceleration_gradient(V{w.x, 0, 0}, V{alpha.x, 0, 0}),
+        acceleration_gradient(V{0, w.y, 0}, V{0, alpha.y, 0}), acceleration_gradient(V{0, 0, w.z}, V{0, 0, alpha.z})}) {
+    const V a = vector(random);
+    Spatial<double> expected;
+    for (const auto& [m, r] : points) expected = expected + force_at(m * (a + g * r), r);
+    const Spatial<double> actual = field_force(pseudo_cloud(points), a, g);
+    EXPECT_LT(distance_between(actual.linear, expected.linear), 1e-14);
+    EXPECT_LT(distance_between(actual.angular, expected.angular), 1e-14);
+  }
+}
+
 /// The formulation at a position and velocity of a model.
 struct Numbers {
   const Mechanism& m;
@@ -201,6 +257,27 @@ TEST_P(EveryModel, SweepsGiveTheDerivativesOfGlobalPositions) {
           direction_in(system, k, carrier, acceleration_of(system, a, i).at(local_position(system, k, place)), kGround);
       EXPECT_LT(distance_between(less_gravity + system.constants.gravity, acceleration), 1e-4 * scale)
           << m.topology.bodies[i].name;
+    }
+  }
+}
+
+// Angles of parallel axes are added; opposite ones, and a move between them, too.
+TEST(Kinematics, TurnsAboutParallelAxesAreOneTurn) {
+  for (const char* path : {"models/four_bar.json", "tests/data/models/slider_prismatic_cut.json",
+                           "tests/data/models/nested_blocks.json", "tests/data/models/reversed_joints.json"}) {
+    const Mechanism mechanism = load(path);
+    Numbers numbers{mechanism};
+    for (const GenericState& state : random_states(mechanism, 2)) {
+      System<double> system = numbers.at(state.z, state.zd);
+      const Kinematics<double> k = kinematics(system);
+      for (int i = 0; i < mechanism.topology.size(); ++i) {
+        if (system.layout.bodies[i].chain_start >= 0 || system.on_base(i) || !system.revolute(i)) continue;
+        const TreeBody& body = mechanism.topology.bodies[i];
+        const Matrix<double> below = k.orientation[body.parent], turn = rotation(body.axis, state.z[i]);
+        for (const V& v : {V{1, 0, 0}, V{0, 1, 0}, V{0, 0, 1}})
+          EXPECT_LT(distance_between(k.orientation[i] * v, below * (turn * v)), 1e-14) << path << " " << body.name;
+        EXPECT_LT(distance_between(k.base_column[i].angular, below * constant<double>(body.axis)), 1e-14);
+      }
     }
   }
 }
