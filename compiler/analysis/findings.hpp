@@ -46,6 +46,17 @@ struct Certificate {
   int degrees_of_freedom = 0;  ///< joints less generic rank (driven joints are still counted)
 };
 
+/// A partition of a block that was looked at.
+struct PartitionCandidate : LoopPartition {
+  std::vector<int> triangular_sizes;  ///< sizes of the diagonal blocks of the block-triangular form
+  double worst_pivot_ratio = 0;       ///< as BlockAnalysis::worst_pivot_ratio
+  double score = 0;                   ///< how well it is conditioned over the samples; 1: as the best of all
+  double estimate = 0;                ///< operations, about: of its elimination and projection
+  long traced = 0;                    ///< operations of the block's share in the accelerations; 0: not counted
+  long operations = 0;                ///< the same after the passes; 0: not counted, or nothing else came near
+  bool symmetric = false;             ///< see is_symmetric
+};
+
 /// Decisions for one loop block; local columns are indices into LoopBlock::joints.
 struct BlockAnalysis : LoopPartition {
   int rank = 0;                              ///< generic rank of the block Jacobian
@@ -56,7 +67,14 @@ struct BlockAnalysis : LoopPartition {
                                  ///< 0 when no partition is chosen again, see chooses_again
   double worst_pivot_ratio = 0;  ///< smallest |pivot| / largest entry of its remaining row and column, over all samples
   Certificate certificate;
-  LoopPartition quasi;  ///< the same over quasi-velocities, for the recursive form
+  /// The partition of the recursive form, over quasi-velocities where joints are balls: one of `candidates`, all over
+  /// the equations of this one, so that multipliers are the same. Other coordinates may be independent.
+  LoopPartition quasi;
+  /// First the best one by its estimate, which the analysis takes, then others, cheapest estimate first. Empty for a
+  /// large block and one of rank 0.
+  std::vector<PartitionCandidate> candidates;
+  int chosen = 0;        ///< index into candidates
+  int chosen_like = -1;  ///< block of the same structure whose candidates were counted for it, -1 for itself
 };
 
 struct Analysis {

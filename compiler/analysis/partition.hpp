@@ -15,8 +15,12 @@ int generic_rank(const std::vector<Eigen::MatrixXd>& jacobians, const std::vecto
 /// Smallest pivot that the runtime's full pivoting takes, median over the samples; a scale, so two digits are enough.
 double typical_pivot(const std::vector<Eigen::MatrixXd>& jacobians, int rank, const std::vector<int>& driven);
 
-/// Chooses dependent coordinates and leading equations: well conditioned over all samples, then cheapest to eliminate.
-/// driven: local columns that must stay independent. Requires: `rank` is reached without the driven columns.
+/// Makes a candidate the partition of its block.
+void take(BlockAnalysis& block, const PartitionCandidate& candidate);
+
+/// Chooses dependent coordinates and leading equations: well conditioned over all samples, then cheapest by an
+/// estimate; with a short list of others (BlockAnalysis::candidates). driven: local columns that must stay independent.
+/// Requires: `rank` is reached without the driven columns.
 BlockAnalysis choose_partition(const std::vector<Eigen::MatrixXd>& jacobians, int rank, const std::vector<int>& driven);
 
 /// Diagonal blocks of the upper block-triangular form of a square pattern with a perfect matching on its diagonal

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "compiler/analysis/partition.hpp"
+#include "compiler/analysis/symmetry.hpp"
 
 namespace mbgen {
 namespace {
@@ -73,16 +74,24 @@ void set_quasi_partitions(NumericSystem& numbers, const std::vector<Configuratio
     if (unit.block < 0) continue;
     BlockAnalysis& block = analysis.blocks[unit.block];
     block.quasi = without_rod_lengths(numbers, topology.blocks[unit.block], block);
+    for (PartitionCandidate& candidate : block.candidates)
+      candidate.pivots = without_rod_lengths(numbers, topology.blocks[unit.block], candidate).pivots;
     if (std::any_of(unit.steps.begin(), unit.steps.end(), [](const JointStep& s) { return s.quasi(); }))
       with_balls.push_back(&unit);
   }
-  if (with_balls.empty()) return;
-  auto jacobians = quasi_jacobians(numbers, configurations, recursion, with_balls);
+  std::vector<std::vector<Eigen::MatrixXd>> jacobians;
+  if (!with_balls.empty()) jacobians = quasi_jacobians(numbers, configurations, recursion, with_balls);
   for (std::size_t u = 0; u < with_balls.size(); ++u) {
     BlockAnalysis& block = analysis.blocks[with_balls[u]->block];
     keep_equations(block, jacobians[u]);
-    block.quasi = choose_partition(jacobians[u], block.rank, block.driven);
+    BlockAnalysis quasi = choose_partition(jacobians[u], block.rank, block.driven);
+    block.quasi = quasi;
+    block.candidates = std::move(quasi.candidates);
   }
+  const Mirror mirror = find_mirror(topology, numbers.constants());
+  for (std::size_t b = 0; b < topology.blocks.size(); ++b)
+    for (PartitionCandidate& candidate : analysis.blocks[b].candidates)
+      candidate.symmetric = is_symmetric(mirror, topology.blocks[b], candidate.dependent);
 }
 
 }  // namespace mbgen
