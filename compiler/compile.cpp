@@ -6,6 +6,7 @@
 #include <chrono>
 #include <utility>
 
+#include "compiler/counted_partitions.hpp"
 #include "compiler/passes/lower.hpp"
 #include "compiler/trace/trace.hpp"
 
@@ -83,6 +84,8 @@ Diagnostics too_large(const Compilation& c, std::optional<Form> form) {
 
 void add_programs(Compilation& c, const CompileOptions& options) {
   Stages stages(options.watch);
+  if (options.form.value_or(form_of(c.topology, c.analysis)) == Form::recursive)
+    choose_by_counting(c.model, c.topology, c.analysis);
   Programs programs = trace(c.model, c.topology, c.analysis, options.form);
   if (!stages.ended("program", c, programs)) return;
   Lowered level = Lowered::whole;

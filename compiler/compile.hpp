@@ -57,7 +57,8 @@ constexpr double kMostOperations = 2097152;
 /// One diagnostic with the size when the solver of a decided model is too large to be written.
 Diagnostics too_large(const Compilation& decided, std::optional<Form> form = {});
 
-/// Traces and lowers the programs of a decided model that is not too large.
+/// Chooses the partitions of the recursive form by counting (counted_partitions.hpp), which engines that trace nothing
+/// do without; then traces and lowers the programs of a decided model that is not too large.
 void add_programs(Compilation& decided, const CompileOptions& options = {});
 
 /// All stages. Fails: as the first stage that fails, too_large.

@@ -139,6 +139,7 @@ Json make_report(const Compilation& compilation, const Counts& counts) {
   for (std::size_t b = 0; b < topology.blocks.size(); ++b) {
     report["loop_blocks"].push_back(report_block(topology, topology.blocks[b], analysis.blocks[b]));
   }
+  report["partitions"] = report_partitions(compilation);
   report["notes"] = diagnostics_json(all_notes(compilation));
   report["coordinates"] = Json::array();
   for (const TreeBody& body : topology.bodies) {

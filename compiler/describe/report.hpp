@@ -25,6 +25,12 @@ std::string wrapped(const std::string& title, const std::vector<std::string>& wo
 /// The redundancy certificates of a report's loop blocks as tables for people; empty without loops.
 std::string redundancy_text(const nlohmann::ordered_json& report);
 
+/// The partitions that each loop block of the recursive form was chosen from, per block: an array of candidates.
+nlohmann::ordered_json report_partitions(const Compilation& compilation);
+
+/// The same of a report as tables for people; empty where no block has a choice.
+std::string partitions_text(const nlohmann::ordered_json& report);
+
 /// The whole report as tables for people.
 std::string report_text(const nlohmann::ordered_json& report);
 

@@ -119,8 +119,8 @@ std::string wrapped(const std::string& title, const std::vector<std::string>& wo
 }
 
 std::string report_text(const Json& report) {
-  return counts_text(report) + tree_text(report) + loops_text(report) + redundancy_text(report) + notes_text(report) +
-         path_matrix_text(report) + operations_text(report);
+  return counts_text(report) + tree_text(report) + loops_text(report) + redundancy_text(report) +
+         partitions_text(report) + notes_text(report) + path_matrix_text(report) + operations_text(report);
 }
 
 }  // namespace mbgen

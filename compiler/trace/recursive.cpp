@@ -70,6 +70,32 @@ Program trace_recursive_accelerations(const Model& model, const Topology& topolo
   return tracing.builder.finish_in_canonical_order();
 }
 
+Program trace_block(const Model& model, const Topology& topology, const Analysis& analysis, int block,
+                    const LoopPartition& partition, TraceOrder order) {
+  Recursion recursion = plan_recursion(model, topology, analysis.driven);
+  const LoopBlock& traced = topology.blocks[block];
+  std::erase_if(recursion.units, [&](const RecursionUnit& unit) {
+    if (unit.block == block) return false;
+    if (unit.base != kGround && std::binary_search(traced.joints.begin(), traced.joints.end(), unit.base)) return false;
+    return std::none_of(unit.joints.begin(), unit.joints.end(),
+                        [&](int j) { return traced.base != kGround && on_path(topology, traced.base, j); });
+  });
+  Tracing tracing(Role::accelerations, model, topology, analysis, &recursion.layout);
+  System<Expr>& system = tracing.system;
+  const Kinematics<Expr> k = kinematics(system);
+  AppliedForces<Expr> none;
+  none.wrench.resize(topology.bodies.size());
+  none.joint.resize(topology.bodies.size());
+  std::vector<BlockProjection<Expr>> projections(topology.blocks.size());
+  for (std::size_t b = 0; b < projections.size(); ++b) projections[b] = analysis.blocks[b].quasi;
+  projections[block] = partition;
+  const RecursiveSolution<Expr> solution = recursive_accelerations(
+      system, recursion, k, none, tracing.drive, tracing.inputs(Array::tau, tracing.size()), projections);
+  tracing.outputs(Array::zdd, solution.zdd);
+  tracing.output(Array::pivot, block, solution.quality[block]);
+  return order == TraceOrder::canonical ? tracing.builder.finish_in_canonical_order() : tracing.builder.finish();
+}
+
 CheapestRecursion cheapest_recursion(const Model& model, const Topology& topology, const Analysis& analysis) {
   const auto traced = [&](RecursionChoices choices) {
     return CheapestRecursion{trace_recursive_accelerations(model, topology, analysis, Partition::frozen, choices),
