@@ -8,6 +8,7 @@
 
 #include "compiler/analysis/equations.hpp"
 #include "compiler/base/user_error.hpp"
+#include "mbgen/newton.hpp"
 
 namespace mbgen {
 namespace {

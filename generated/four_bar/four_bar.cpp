@@ -93,38 +93,28 @@ struct Accelerations {
 void compute_accelerations(const Tuned& parameters, const Inputs& inputs, const State& state,
     const double* tau, Accelerations& __restrict result) noexcept {
   // --- step 1: poses and axes b ---
-  // crank: crank_pin, revolute, ground
   const double z_crank_pin = state.z[Coordinate::crank_pin];
-  double R_crank_x_x, R_crank_x_z;
-  mbgen::sincos(z_crank_pin, R_crank_x_z, R_crank_x_x);
+  const double s1_1 = z_crank_pin + state.z[Coordinate::coupler_pin];
   // coupler: coupler_pin, revolute, crank
-  const double z_coupler_pin = state.z[Coordinate::coupler_pin];
-  double s1_1, s1_2;
-  mbgen::sincos(z_coupler_pin, s1_2, s1_1);
-  const double R_coupler_x_x = fnma(R_crank_x_z, s1_2, R_crank_x_x*s1_1);
-  const double R_coupler_x_z = fma(R_crank_x_x, s1_2, R_crank_x_z*s1_1);
-  const double r_coupler_x = fma(p_coupler_pin_z, R_crank_x_z, p_coupler_pin_x*R_crank_x_x);
-  const double r_coupler_z = fnma(p_coupler_pin_x, R_crank_x_z, p_coupler_pin_z*R_crank_x_x);
+  double R_coupler_x_x, R_coupler_x_z;
+  mbgen::sincos(s1_1, R_coupler_x_z, R_coupler_x_x);
   // rocker: rocker_pin, revolute, ground
   const double z_rocker_pin = state.z[Coordinate::rocker_pin];
   double R_rocker_x_x, R_rocker_x_z;
   mbgen::sincos(z_rocker_pin, R_rocker_x_z, R_rocker_x_x);
-  // operations: 4 add, 8 multiply, 6 sin cos
 
   // --- step 2: closure Jacobian Phi_z and its factors (60), rocker_tip ---
-  // rocker_tip
   const double s2_1 = fnma(p_rocker_C_x, R_rocker_x_z, p_rocker_C_z*R_rocker_x_x);
   const double s2_2 = fma(p_coupler_C_z, R_coupler_x_z, p_coupler_C_x*R_coupler_x_x);
   const double s2_3 = fma(p_rocker_C_z, R_rocker_x_z, p_rocker_C_x*R_rocker_x_x);
   const double s2_4 = fnma(p_coupler_C_x, R_coupler_x_z, p_coupler_C_z*R_coupler_x_x);
-  const double s2_5 = r_coupler_z + s2_4;
-  const double s2_6 = 1.0/s2_1;
-  const double s2_7 = s2_3*s2_6;
+  const double s2_5 = 1.0/s2_1;
   const double zd_rocker_pin = state.zd[Coordinate::rocker_pin];
-  const double pivot_crank_pin = fms(s2_5, s2_7, r_coupler_x) - s2_2;
-  const double s2_8 = 1.0/pivot_crank_pin;
-  const double s2_9 = 2.5000000000000004*std::abs(pivot_crank_pin);
-  result.pivot[0] = mbgen::min(3.999888870509994*std::abs(s2_1), s2_9);
+  const double s2_6 = s2_3*s2_5;
+  const double pivot_coupler_pin = fms(s2_4, s2_6, s2_2);
+  const double s2_7 = 1.0/pivot_coupler_pin;
+  const double s2_8 = 3.2894736842105265*std::abs(pivot_coupler_pin);
+  result.pivot[0] = mbgen::min(3.999888870509994*std::abs(s2_1), s2_8);
 
   // --- step 5: applied forces Q (48) ---
   const double s5_1 = fma(p_rocker_S_z, R_rocker_x_z, p_rocker_S_x*R_rocker_x_x);
@@ -136,37 +126,42 @@ void compute_accelerations(const Tuned& parameters, const Inputs& inputs, const 
   const double tension_return_spring = (s5_5 - l0_return_spring)*parameters.k;
   const double s5_6 = 1.0/s5_5*tension_return_spring;
   // operations: 6 add, 10 multiply, 1 divide, 1 sqrt
+  // crank: crank_pin, revolute, ground
+  double R_crank_x_x, R_crank_x_z;
+  mbgen::sincos(z_crank_pin, R_crank_x_z, R_crank_x_x);
+  // coupler: coupler_pin, revolute, crank
+  const double r_coupler_x = fma(p_coupler_pin_z, R_crank_x_z, p_coupler_pin_x*R_crank_x_x);
+  const double r_coupler_z = fnma(p_coupler_pin_x, R_crank_x_z, p_coupler_pin_z*R_crank_x_x);
+  // operations: 3 add, 4 multiply, 6 sin cos
+  const double s2_9 = r_coupler_z + s2_4;
+  // operations: 8 add, 13 multiply, 2 divide, 3 other
 
-  // --- step 6: c and dRz/dt zd (62), rocker_tip ---
-  const double zd_crank_pin = state.zd[Coordinate::crank_pin];
-  const double s6_1 = zd_crank_pin*zd_crank_pin;
-  const double s6_2 = r_coupler_x*s6_1;
-  const double s6_3 = r_coupler_z*s6_1;
+  // --- step 3: Rz (61), rocker_tip ---
+  const double s3_1 = (fms(s2_9, s2_6, r_coupler_x) - s2_2)*s2_7;
+  const double s3_2 = s2_5*fms(s2_4, s3_1, s2_9);
+  // operations: 1 add, 3 multiply
 
   // --- step 4: velocities ---
   // coupler: coupler_pin, revolute, crank
+  const double zd_crank_pin = state.zd[Coordinate::crank_pin];
   const double w_coupler_y = zd_crank_pin + state.zd[Coordinate::coupler_pin];
   // operations: 1 add
-  // operations: 8 add, 13 multiply, 2 divide, 3 other
+
+  // --- step 6: c and dRz/dt zd (62), rocker_tip ---
+  const double s6_1 = zd_crank_pin*zd_crank_pin;
+  const double s6_2 = r_coupler_x*s6_1;
+  const double s6_3 = r_coupler_z*s6_1;
   const double s6_4 = fms(zd_rocker_pin, zd_rocker_pin*s2_3, s6_2);
   const double s6_5 = fnma(w_coupler_y, w_coupler_y*s2_2, s6_4);
 
-  // --- step 3: Rz (61), rocker_tip ---
-  const double s3_1 = fms(s2_4, s2_7, s2_2)*s2_8;
-  const double s6_6 = fms(zd_rocker_pin, zd_rocker_pin*s2_1, s6_3);
-  const double s3_2 = s2_6*fms(s2_5, s3_1, s2_4);
-  // operations: 1 add, 3 multiply
-  const double s6_7 = w_coupler_y*w_coupler_y;
-  const double s6_8 = s2_8*fma(s2_7, s6_5, fnma(w_coupler_y, w_coupler_y*s2_4, s6_6));
-
   // --- step 8: elimination from the leaves to the root (63), rocker_tip ---
-  const double s8_1 = fma(r_coupler_z, s6_8, s6_2);
-  const double s8_2 = fma(r_coupler_x, s6_8, -g_z - s6_3);
-  const double s6_9 = s2_6*fms(s2_5, s6_8, s6_5);
+  const double s8_1 = -g_z - s6_3;
+  const double s6_6 = fms(zd_rocker_pin, zd_rocker_pin*s2_1, s6_3);
+  const double s6_7 = w_coupler_y*w_coupler_y;
+  const double s6_8 = s2_7*fma(s2_6, s6_5, fnma(w_coupler_y, w_coupler_y*s2_4, s6_6));
+  const double s6_9 = s2_5*fms(s2_4, s6_8, s6_5);
   // operations: 6 add, 16 multiply
-  const double s8_3 = r_coupler_z*s3_1;
-  const double s8_4 = r_coupler_x*s3_1;
-  const double s8_5 = tau[Coordinate::rocker_pin] + fnma(s5_1, s5_4*s5_6, s5_2*(s5_3*s5_6));
+  const double s8_2 = tau[Coordinate::rocker_pin] + fnma(s5_1, s5_4*s5_6, s5_2*(s5_3*s5_6));
   const double s7_1 = fma(h_rocker_z, R_rocker_x_z, h_rocker_x*R_rocker_x_x);
 
   // --- step 7: inertias of the bodies and forces on joints, rocker_tip ---
@@ -176,28 +171,30 @@ void compute_accelerations(const Tuned& parameters, const Inputs& inputs, const 
 
   // --- step 8: elimination from the leaves to the root (63), rocker_tip, continued ---
   // coupler: coupler_pin, revolute, crank
-  const double f_coupler_z = fma(m_coupler, s8_2, fnma(s6_7, s7_3, s6_8*s7_2));
-  const double s8_6 = fma(m_coupler, s8_1, fma(s6_8, s7_3, s6_7*s7_2));
-  const double s8_7 = 1.0 - s3_1;
-  const double s8_8 = fnma(s8_4, f_coupler_z, fnma(s8_3, s8_6, tau[Coordinate::coupler_pin]));
-  const double s8_9 = fma(s8_4, fnma(s7_2, s8_7, m_coupler*s8_4), s3_2*(0.02195*s3_2));
-  const double s8_10 = fnma(s8_3, fnma(m_coupler, s8_3, s7_3*s8_7), s8_9);
+  const double f_coupler_z = fma(m_coupler, s8_1, fnma(s6_7, s7_3, s6_8*s7_2));
+  const double s8_3 = 1.0 - s3_1;
+  const double s8_4 = fma(s7_2, s8_3, m_coupler*r_coupler_x);
+  const double s8_5 = fma(r_coupler_x, s8_4, fma(s3_2, 0.02195*s3_2, 0.00302));
   // crank: crank_pin, revolute, ground
-  const double s8_11 = fma(s8_7, fnma(s7_3, s8_3, fnma(s7_2, s8_4, 0.0729*s8_7)), s8_10);
-  const double pivot_coupler_pin = fma(s3_1, 0.00302*s3_1, s8_11);
-  const double s8_12 = fma(0.00302, s6_8, inputs.torque + tau[Coordinate::crank_pin]);
-  const double s8_13 = fma(-g_z, fma(h_crank_z, R_crank_x_z, h_crank_x*R_crank_x_x), s8_12);
-  const double s8_14 = fma(s8_7, fma(s7_2, s8_2, fma(s7_3, s8_1, 0.0729*s6_8)), s8_8);
-  const double s8_15 = fma(-g_z, s7_1, fma(0.02195, s6_9, s8_5));
-  result.inertia[0] = fnma(1e-12, pivot_coupler_pin, pivot_coupler_pin);
-  // operations: 31 add, 39 multiply, 1 divide
+  const double s8_6 = fma(r_coupler_z, fma(s7_3, s8_3, m_coupler*r_coupler_z), s8_5);
+  const double s8_7 = fma(0.0729, s8_3, fma(r_coupler_z, s7_3, r_coupler_x*s7_2));
+  const double pivot_crank_pin = fma(s8_3, s8_7, s8_6);
+  const double s8_8 = inputs.torque + tau[Coordinate::crank_pin];
+  const double s7_4 = fma(h_crank_z, R_crank_x_z, h_crank_x*R_crank_x_x);
+  const double s8_9 = fma(-g_z, s7_4, fnma(tau[Coordinate::coupler_pin], s3_1, s8_8));
+  const double s8_10 = fma(r_coupler_z, fma(s6_8, s7_3, fma(s6_7, s7_2, m_coupler*s6_2)), s8_9);
+  const double s8_11 = fma(s7_2, s8_1, fma(s6_2, s7_3, 0.0729*s6_8));
+  const double s8_12 = fma(s8_3, s8_11, fma(r_coupler_x, f_coupler_z, s8_10));
+  result.inertia[0] = fnma(1e-12, pivot_crank_pin, pivot_crank_pin);
+  // operations: 28 add, 32 multiply, 1 divide
 
   // --- step 9: accelerations from the root to the leaves (63), (62) ---
-  const double s9_1 = fnma(s3_2, s8_15, fnma(s3_1, s8_13, s8_14))*(1.0/pivot_coupler_pin);
-  result.zdd[Coordinate::coupler_pin] = s9_1;
   // rocker: rocker_pin, revolute, ground
-  result.zdd[Coordinate::crank_pin] = -fma(s3_1, s9_1, s6_8);
-  result.zdd[Coordinate::rocker_pin] = -fma(s3_2, s9_1, s6_9);
+  const double s8_13 = fnma(s3_2, fma(-g_z, s7_1, fma(0.02195, s6_9, s8_2)), s8_12);
+  const double alpha_crank_y = s8_13*(1.0/pivot_crank_pin);
+  result.zdd[Coordinate::crank_pin] = alpha_crank_y;
+  result.zdd[Coordinate::rocker_pin] = -fma(s3_2, alpha_crank_y, s6_9);
+  result.zdd[Coordinate::coupler_pin] = -fma(s3_1, alpha_crank_y, s6_8);
   // operations: 2 add, 3 multiply
 }
 
@@ -225,23 +222,21 @@ void compute_closure(const Tuned& /*parameters*/, const Inputs& /*inputs*/, cons
   double R_crank_x_x, R_crank_x_z;
   mbgen::sincos(z_crank_pin, R_crank_x_z, R_crank_x_x);
   // coupler: coupler_pin, revolute, crank
-  const double z_coupler_pin = state.z[Coordinate::coupler_pin];
-  double s1_1, s1_2;
-  mbgen::sincos(z_coupler_pin, s1_2, s1_1);
-  const double R_coupler_x_x = fnma(R_crank_x_z, s1_2, R_crank_x_x*s1_1);
-  const double R_coupler_x_z = fma(R_crank_x_x, s1_2, R_crank_x_z*s1_1);
   const double r_coupler_x = fma(p_coupler_pin_z, R_crank_x_z, p_coupler_pin_x*R_crank_x_x);
   const double r_coupler_z = fnma(p_coupler_pin_x, R_crank_x_z, p_coupler_pin_z*R_crank_x_x);
   // rocker: rocker_pin, revolute, ground
   const double z_rocker_pin = state.z[Coordinate::rocker_pin];
   double R_rocker_x_x, R_rocker_x_z;
   mbgen::sincos(z_rocker_pin, R_rocker_x_z, R_rocker_x_x);
-  // operations: 4 add, 8 multiply, 6 sin cos
 
   // --- step 2: closure Jacobian Phi_z and its factors (60) ---
-  // rocker_tip
   const double s2_1 = fnma(p_rocker_C_x, R_rocker_x_z, p_rocker_C_z*R_rocker_x_x);
   const double s2_2 = fma(p_rocker_C_z, R_rocker_x_z, p_rocker_C_x*R_rocker_x_x);
+  const double s1_1 = z_crank_pin + state.z[Coordinate::coupler_pin];
+  // coupler: coupler_pin, revolute, crank
+  double R_coupler_x_x, R_coupler_x_z;
+  mbgen::sincos(s1_1, R_coupler_x_z, R_coupler_x_x);
+  // operations: 3 add, 4 multiply, 6 sin cos
   const double s2_3 = fma(p_coupler_C_z, R_coupler_x_z, p_coupler_C_x*R_coupler_x_x);
   const double s2_4 = r_coupler_x + s2_3;
   const double s2_5 = fnma(p_coupler_C_x, R_coupler_x_z, p_coupler_C_z*R_coupler_x_x);
@@ -261,8 +256,8 @@ void compute_closure(const Tuned& /*parameters*/, const Inputs& /*inputs*/, cons
   const double s4_2 = s2_11*fma(s2_10, s2_9, s2_8);
   const double s4_3 = s2_11*fnma(s2_9, s4_1, zd_coupler_pin*s2_3);
   result.zd[Coordinate::crank_pin] = s4_3;
-  const double s2_12 = 2.5000000000000004*std::abs(pivot_crank_pin);
-  result.pivot[0] = mbgen::min(3.999888870509994*std::abs(s2_1), s2_12);
+  const double s2_12 = 3.999888870509994*std::abs(s2_1);
+  result.pivot[0] = mbgen::min(s2_12, 2.5*std::abs(pivot_crank_pin));
   // operations: 10 add, 12 multiply, 2 divide, 3 other
   result.dz[Coordinate::crank_pin] = -s4_2;
   result.zd[Coordinate::rocker_pin] = s2_7*fma(s2_6, s4_3, s4_1);
@@ -291,21 +286,19 @@ void compute_multipliers(const Tuned& parameters, const Inputs& inputs, const St
   const double z_crank_pin = state.z[Coordinate::crank_pin];
   double R_crank_x_x, R_crank_x_z;
   mbgen::sincos(z_crank_pin, R_crank_x_z, R_crank_x_x);
+  const double s1_1 = z_crank_pin + state.z[Coordinate::coupler_pin];
   // coupler: coupler_pin, revolute, crank
-  const double z_coupler_pin = state.z[Coordinate::coupler_pin];
-  double s1_1, s1_2;
-  mbgen::sincos(z_coupler_pin, s1_2, s1_1);
-  const double R_coupler_x_x = fnma(R_crank_x_z, s1_2, R_crank_x_x*s1_1);
-  const double R_coupler_x_z = fma(R_crank_x_x, s1_2, R_crank_x_z*s1_1);
-  const double s1_3 = p_coupler_pin_z*R_crank_x_z;
-  const double r_coupler_x = fma(p_coupler_pin_x, R_crank_x_x, s1_3);
-  const double s1_4 = p_coupler_pin_z*R_crank_x_x;
-  const double r_coupler_z = fnma(p_coupler_pin_x, R_crank_x_z, s1_4);
+  double R_coupler_x_x, R_coupler_x_z;
+  mbgen::sincos(s1_1, R_coupler_x_z, R_coupler_x_x);
+  const double s1_2 = p_coupler_pin_z*R_crank_x_z;
+  const double r_coupler_x = fma(p_coupler_pin_x, R_crank_x_x, s1_2);
+  const double s1_3 = p_coupler_pin_z*R_crank_x_x;
+  const double r_coupler_z = fnma(p_coupler_pin_x, R_crank_x_z, s1_3);
   // rocker: rocker_pin, revolute, ground
   const double z_rocker_pin = state.z[Coordinate::rocker_pin];
   double R_rocker_x_x, R_rocker_x_z;
   mbgen::sincos(z_rocker_pin, R_rocker_x_z, R_rocker_x_x);
-  // operations: 4 add, 8 multiply, 6 sin cos
+  // operations: 3 add, 4 multiply, 6 sin cos
 
   // --- step 4: velocities ---
   // coupler: coupler_pin, revolute, crank
@@ -353,34 +346,33 @@ void compute_multipliers(const Tuned& parameters, const Inputs& inputs, const St
   const double f_coupler_z = m_coupler*fnma(alpha_coupler_y, s7_10, fnma(s7_2, s7_9, a_coupler_z));
   const double s7_11 = fma(s7_9, f_coupler_x, I_coupler_yy*alpha_coupler_y);
   const double n_coupler_y = fnma(s7_10, f_coupler_z, s7_11);
-  result.missing[1] = tau[Coordinate::coupler_pin] - n_coupler_y;
+  const double Q_coupler_pin = tau[Coordinate::coupler_pin] - n_coupler_y;
+  result.missing[1] = Q_coupler_pin;
   // crank: crank_pin, revolute, ground
-  const double s7_12 = fms(c_crank_z, R_crank_x_x, s1_3);
-  const double s7_13 = fma(c_crank_z, R_crank_x_z, s1_4);
+  const double s7_12 = fms(c_crank_z, R_crank_x_x, s1_2);
+  const double s7_13 = fma(c_crank_z, R_crank_x_z, s1_3);
   const double f_crank_x = m_crank*fnma(s7_1, s7_13, zdd_crank_pin*s7_12);
   const double f_crank_z = m_crank*fnma(zdd_crank_pin, s7_13, fnma(s7_1, s7_12, -g_z));
   const double n_crank_y = fnma(s7_13, f_crank_z, fma(s7_12, f_crank_x, I_crank_yy*zdd_crank_pin));
   const double s7_14 = inputs.torque + tau[Coordinate::crank_pin];
   const double s7_15 = fma(r_coupler_x, f_coupler_z, fnma(r_coupler_z, f_coupler_x, s7_14));
-  const double Q_crank_pin = s7_15 - n_coupler_y - n_crank_y;
-  result.missing[0] = Q_crank_pin;
+  result.missing[0] = s7_15 - n_coupler_y - n_crank_y;
   // operations: 35 add, 46 multiply
 
   // --- step 9: multipliers of the closures and driving forces ---
   const double s9_1 = fnma(p_rocker_C_x, R_rocker_x_z, p_rocker_C_z*R_rocker_x_x);
   const double s9_2 = fnma(p_coupler_C_x, R_coupler_x_z, p_coupler_C_z*R_coupler_x_x);
-  const double s9_3 = r_coupler_z + s9_2;
-  const double s9_4 = 1.0/s9_1;
-  const double s9_5 = fma(p_rocker_C_z, R_rocker_x_z, p_rocker_C_x*R_rocker_x_x)*s9_4;
-  const double s9_6 = fnma(p_coupler_C_x, R_coupler_x_x, s9_3*s9_5);
-  const double pivot_crank_pin = fnma(p_coupler_C_z, R_coupler_x_z, s9_6) - r_coupler_x;
-  const double s9_7 = 2.5000000000000004*std::abs(pivot_crank_pin);
-  result.pivot[0] = mbgen::min(3.999888870509994*std::abs(s9_1), s9_7);
-  const double s9_8 = Q_rocker_pin*s9_4;
-  const double s9_9 = 1.0/pivot_crank_pin*fma(s9_3, s9_8, Q_crank_pin);
-  result.lambda[2] = s9_9;
-  result.lambda[0] = fms(s9_5, s9_9, s9_8);
-  // operations: 9 add, 16 multiply, 2 divide, 3 other
+  const double s9_3 = 1.0/s9_1;
+  const double s9_4 = fma(p_rocker_C_z, R_rocker_x_z, p_rocker_C_x*R_rocker_x_x)*s9_3;
+  const double s9_5 = fnma(p_coupler_C_x, R_coupler_x_x, s9_2*s9_4);
+  const double pivot_coupler_pin = fnma(p_coupler_C_z, R_coupler_x_z, s9_5);
+  const double s9_6 = 3.2894736842105265*std::abs(pivot_coupler_pin);
+  result.pivot[0] = mbgen::min(3.999888870509994*std::abs(s9_1), s9_6);
+  const double s9_7 = Q_rocker_pin*s9_3;
+  const double s9_8 = 1.0/pivot_coupler_pin*fma(s9_2, s9_7, Q_coupler_pin);
+  result.lambda[2] = s9_8;
+  result.lambda[0] = fms(s9_4, s9_8, s9_7);
+  // operations: 7 add, 16 multiply, 2 divide, 3 other
 }
 
 /// Result of compute_closure_terms.
@@ -408,19 +400,17 @@ void compute_closure_terms(const Tuned& /*parameters*/, const Inputs& /*inputs*/
   const double z_crank_pin = state.z[Coordinate::crank_pin];
   double R_crank_x_x, R_crank_x_z;
   mbgen::sincos(z_crank_pin, R_crank_x_z, R_crank_x_x);
+  const double s1_1 = z_crank_pin + state.z[Coordinate::coupler_pin];
   // coupler: coupler_pin, revolute, crank
-  const double z_coupler_pin = state.z[Coordinate::coupler_pin];
-  double s1_1, s1_2;
-  mbgen::sincos(z_coupler_pin, s1_2, s1_1);
-  const double R_coupler_x_x = fnma(R_crank_x_z, s1_2, R_crank_x_x*s1_1);
-  const double R_coupler_x_z = fma(R_crank_x_x, s1_2, R_crank_x_z*s1_1);
+  double R_coupler_x_x, R_coupler_x_z;
+  mbgen::sincos(s1_1, R_coupler_x_z, R_coupler_x_x);
   const double r_coupler_x = fma(p_coupler_pin_z, R_crank_x_z, p_coupler_pin_x*R_crank_x_x);
   const double r_coupler_z = fnma(p_coupler_pin_x, R_crank_x_z, p_coupler_pin_z*R_crank_x_x);
   // rocker: rocker_pin, revolute, ground
   const double z_rocker_pin = state.z[Coordinate::rocker_pin];
   double R_rocker_x_x, R_rocker_x_z;
   mbgen::sincos(z_rocker_pin, R_rocker_x_z, R_rocker_x_x);
-  // operations: 4 add, 8 multiply, 6 sin cos
+  // operations: 3 add, 4 multiply, 6 sin cos
 
   // --- step 2: closure Jacobian Phi_z and its factors (60) ---
   const double zd_crank_pin = state.zd[Coordinate::crank_pin];
@@ -465,19 +455,17 @@ void compute_chosen_accelerations(const Tuned& parameters, const Inputs& inputs,
   const double z_crank_pin = state.z[Coordinate::crank_pin];
   double R_crank_x_x, R_crank_x_z;
   mbgen::sincos(z_crank_pin, R_crank_x_z, R_crank_x_x);
+  const double s1_1 = z_crank_pin + state.z[Coordinate::coupler_pin];
   // coupler: coupler_pin, revolute, crank
-  const double z_coupler_pin = state.z[Coordinate::coupler_pin];
-  double s1_1, s1_2;
-  mbgen::sincos(z_coupler_pin, s1_2, s1_1);
-  const double R_coupler_x_x = fnma(R_crank_x_z, s1_2, R_crank_x_x*s1_1);
-  const double R_coupler_x_z = fma(R_crank_x_x, s1_2, R_crank_x_z*s1_1);
+  double R_coupler_x_x, R_coupler_x_z;
+  mbgen::sincos(s1_1, R_coupler_x_z, R_coupler_x_x);
   const double r_coupler_x = fma(p_coupler_pin_z, R_crank_x_z, p_coupler_pin_x*R_crank_x_x);
   const double r_coupler_z = fnma(p_coupler_pin_x, R_crank_x_z, p_coupler_pin_z*R_crank_x_x);
   // rocker: rocker_pin, revolute, ground
   const double z_rocker_pin = state.z[Coordinate::rocker_pin];
   double R_rocker_x_x, R_rocker_x_z;
   mbgen::sincos(z_rocker_pin, R_rocker_x_z, R_rocker_x_x);
-  // operations: 4 add, 8 multiply, 6 sin cos
+  // operations: 3 add, 4 multiply, 6 sin cos
 
   // --- step 4: velocities ---
   // coupler: coupler_pin, revolute, crank
@@ -557,21 +545,19 @@ void compute_outputs(const Tuned& parameters, const Inputs& inputs, const State&
   const double z_crank_pin = state.z[Coordinate::crank_pin];
   double R_crank_x_x, R_crank_x_z;
   mbgen::sincos(z_crank_pin, R_crank_x_z, R_crank_x_x);
+  const double s1_1 = z_crank_pin + state.z[Coordinate::coupler_pin];
   // coupler: coupler_pin, revolute, crank
-  const double z_coupler_pin = state.z[Coordinate::coupler_pin];
-  double s1_1, s1_2;
-  mbgen::sincos(z_coupler_pin, s1_2, s1_1);
-  const double R_coupler_x_x = fnma(R_crank_x_z, s1_2, R_crank_x_x*s1_1);
-  const double R_coupler_x_z = fma(R_crank_x_x, s1_2, R_crank_x_z*s1_1);
-  const double s1_3 = p_coupler_pin_z*R_crank_x_z;
-  const double r_coupler_x = fma(p_coupler_pin_x, R_crank_x_x, s1_3);
-  const double s1_4 = p_coupler_pin_z*R_crank_x_x;
-  const double r_coupler_z = fnma(p_coupler_pin_x, R_crank_x_z, s1_4);
+  double R_coupler_x_x, R_coupler_x_z;
+  mbgen::sincos(s1_1, R_coupler_x_z, R_coupler_x_x);
+  const double s1_2 = p_coupler_pin_z*R_crank_x_z;
+  const double r_coupler_x = fma(p_coupler_pin_x, R_crank_x_x, s1_2);
+  const double s1_3 = p_coupler_pin_z*R_crank_x_x;
+  const double r_coupler_z = fnma(p_coupler_pin_x, R_crank_x_z, s1_3);
   // rocker: rocker_pin, revolute, ground
   const double z_rocker_pin = state.z[Coordinate::rocker_pin];
   double R_rocker_x_x, R_rocker_x_z;
   mbgen::sincos(z_rocker_pin, R_rocker_x_z, R_rocker_x_x);
-  // operations: 4 add, 8 multiply, 6 sin cos
+  // operations: 3 add, 4 multiply, 6 sin cos
 
   // --- step 4: velocities ---
   // coupler: coupler_pin, revolute, crank
@@ -599,7 +585,7 @@ void compute_outputs(const Tuned& parameters, const Inputs& inputs, const State&
   const double s7_1 = fms(c_rocker_z, R_rocker_x_x, s5_1);
   const double zd_rocker_pin = state.zd[Coordinate::rocker_pin];
   const double s7_2 = fnma(c_coupler_x, R_coupler_x_z, c_coupler_z*R_coupler_x_x);
-  const double s7_3 = fms(c_crank_z, R_crank_x_x, s1_3);
+  const double s7_3 = fms(c_crank_z, R_crank_x_x, s1_2);
   // operations: 7 add, 11 multiply
 
   // --- step 9: outputs, energies, power ---
@@ -607,7 +593,7 @@ void compute_outputs(const Tuned& parameters, const Inputs& inputs, const State&
   result.coupler_x = r_coupler_x + s9_1;
   const double s9_2 = fnma(p_coupler_P_x, R_coupler_x_z, p_coupler_P_z*R_coupler_x_x);
   result.coupler_z = r_coupler_z + s9_2;
-  const double s9_3 = zd_crank_pin*fma(c_crank_z, R_crank_x_z, s1_4);
+  const double s9_3 = zd_crank_pin*fma(c_crank_z, R_crank_x_z, s1_3);
   const double s9_4 = zd_rocker_pin*fma(c_rocker_z, R_rocker_x_z, s5_2);
   const double s7_4 = fma(c_coupler_z, R_coupler_x_z, c_coupler_x*R_coupler_x_x);
   const double s9_5 = fma(w_coupler_y, s7_4, zd_crank_pin*r_coupler_x);
@@ -630,7 +616,7 @@ void compute_outputs(const Tuned& parameters, const Inputs& inputs, const State&
 }
 
 
-/// What the runtime's algorithms need to know of this model; see mbgen/solver.hpp.
+/// Sizes, tables and programs of this model for the runtime's algorithms; see mbgen/solver.hpp.
 struct System {
   using Parameters = four_bar::Tuned;
   using Inputs = four_bar::Inputs;

@@ -140,8 +140,8 @@ State initial_state() noexcept;
 /// Fails: not_a_number, loop_not_closed, loop_singular.
 mbgen::Status assemble(const Tuned& parameters, const Inputs& inputs, State& state) noexcept;
 
-/// All accelerations at a consistent state. tau: generalised joint forces (N m or N), added to
-/// those of the model.
+/// All accelerations at a consistent state. tau: generalised joint forces (N m or N) beside the
+/// forces of the model.
 /// Fails: not_a_number, loop_singular, no_inertia.
 mbgen::Status accelerations(const Tuned& parameters, const Inputs& inputs, const State& state,
                             const double (&tau)[kCoordinates], Derivative& derivative) noexcept;
@@ -164,12 +164,12 @@ struct Dynamics {
 };
 
 /// Accelerations of a state that steps of h seconds led to, without joint forces from outside: at a
-/// singular position those of the motion through it.
+/// singular position the accelerations of the motion through it.
 /// Fails: as accelerations.
 mbgen::Status accelerations_in_motion(const Tuned& parameters, const Inputs& inputs, const State& state, double h,
                                       Derivative& derivative) noexcept;
 
-/// What step_abm4 remembers. Start with `History history{};`, and again when state or inputs were
+/// Rates of the last steps for step_abm4. Start with `History history{};`, and again when state or inputs were
 /// changed from outside.
 using History = mbgen::AbmHistory<Dynamics>;
 

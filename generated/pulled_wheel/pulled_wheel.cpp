@@ -152,32 +152,30 @@ void compute_accelerations(const Tuned& parameters, const Inputs& /*inputs*/, co
   const double s5_12 = (s5_10 >= 0.0 ? fma(1575.0, s5_10, 640.0) : s5_11);
   const double tension_spring = s5_12 + fms(s5_5 - l0_spring, parameters.k, -f0_spring);
   const double s5_13 = s5_6*tension_spring;
+  const double s1_1 = z_lower + state.z[Coordinate::ball];
   // knuckle: ball, revolute, arm
-  const double z_ball = state.z[Coordinate::ball];
-  double s1_1, s1_2;
-  mbgen::sincos(z_ball, s1_2, s1_1);
-  const double R_knuckle_x_x = fnma(R_arm_x_z, s1_2, R_arm_x_x*s1_1);
-  const double R_knuckle_x_z = fma(R_arm_x_x, s1_2, R_arm_x_z*s1_1);
+  double R_knuckle_x_x, R_knuckle_x_z;
+  mbgen::sincos(s1_1, R_knuckle_x_z, R_knuckle_x_x);
   const double r_knuckle_x = fnma(-p_ball_x, R_arm_x_x, p_ball_z*R_arm_x_z);
-  const double s1_3 = fma(-p_ball_x, R_arm_x_z, p_ball_z*R_arm_x_x);
-  const double r_knuckle_z = s1_3 - (-p_lower_z);
-  const double s1_4 = p_wheel_z*R_knuckle_x_x;
+  const double s1_2 = fma(-p_ball_x, R_arm_x_z, p_ball_z*R_arm_x_x);
+  const double r_knuckle_z = s1_2 - (-p_lower_z);
+  const double s1_3 = p_wheel_z*R_knuckle_x_x;
   // wheel: wheel, revolute, knuckle
-  const double r_wheel_z = r_knuckle_z + s1_4;
+  const double r_wheel_z = r_knuckle_z + s1_3;
   const double s5_14 = p_pull_z + r_wheel_z;
   // tyre
   const double s5_15 = radius_tyre - s5_14;
   const double s5_16 = mbgen::max(0.0, k_tyre*s5_15);
   const double s5_17 = fnma(0.3333333333333333, mbgen::max(0.0, s5_15), radius_tyre);
-  const double s1_5 = p_wheel_z*R_knuckle_x_z;
-  // operations: 6 add, 10 multiply, 4 sin cos
+  const double s1_4 = p_wheel_z*R_knuckle_x_z;
+  // operations: 5 add, 6 multiply, 4 sin cos
 
   // --- step 4: velocities ---
   const double s4_1 = zd_lower*r_knuckle_x;
   // knuckle: ball, revolute, arm
   const double w_knuckle_y = zd_lower + state.zd[Coordinate::ball];
   // tyre
-  const double s5_18 = s5_16 + mbgen::min(s5_16, d_tyre*fma(s1_5, w_knuckle_y, s4_1));
+  const double s5_18 = s5_16 + mbgen::min(s5_16, d_tyre*fma(s1_4, w_knuckle_y, s4_1));
   const double load_tyre = mbgen::max(0.0, s5_18);
 
   // --- step 5: applied forces Q (48), continued ---
@@ -188,9 +186,9 @@ void compute_accelerations(const Tuned& parameters, const Inputs& /*inputs*/, co
   const double s5_22 = 1e-09*s5_19;
   const double s5_23 = (s5_21 >= 0.0 ? mbgen::max(s5_21, s5_22) : mbgen::min(s5_21, -s5_22));
   // knuckle: ball, revolute, arm
-  const double v_knuckle_x = fma(zd_lower, s1_3, state.zd[Coordinate::pull]);
+  const double v_knuckle_x = fma(zd_lower, s1_2, state.zd[Coordinate::pull]);
   // wheel: wheel, revolute, knuckle
-  const double v_wheel_x = fma(s1_4, w_knuckle_y, v_knuckle_x);
+  const double v_wheel_x = fma(s1_3, w_knuckle_y, v_knuckle_x);
   const double s5_24 = state.x[0]/relaxation_x_tyre;
   const double s5_25 = state.x[1]/relaxation_y_tyre;
   const double s5_26 = std::sqrt(fma(s5_25, s5_25, fma(s5_24, s5_24, 1e-30)));
@@ -222,70 +220,64 @@ void compute_accelerations(const Tuned& parameters, const Inputs& /*inputs*/, co
 
   // --- step 2: closure Jacobian Phi_z and its factors (60), upper ---
   const double s2_1 = fma(p_upper_to_z, R_knuckle_x_z, p_upper_to_x*R_knuckle_x_x);
-  const double s2_2 = p_upper_from_x - r_knuckle_x - s2_1;
-  const double s2_3 = fnma(p_upper_to_x, R_knuckle_x_z, p_upper_to_z*R_knuckle_x_x);
+  const double s2_2 = fnma(p_upper_to_x, R_knuckle_x_z, p_upper_to_z*R_knuckle_x_x);
 
   // --- step 7: inertias of the bodies and forces on joints, upper ---
   const double s7_1 = R_knuckle_x_x*parameters.derived[0];
-  const double s2_4 = s2_3 + (-p_upper_from_z + r_knuckle_z);
+  const double s2_3 = s2_2 + (-p_upper_from_z + r_knuckle_z);
   const double s7_2 = R_knuckle_x_z*parameters.derived[0];
-  // operations: 1 add, 4 multiply
-  const double s2_5 = fma(s2_1, s2_4, s2_2*s2_3);
+  // operations: 2 multiply
+  const double s2_4 = p_upper_from_x - r_knuckle_x - s2_1;
+  const double s2_5 = fma(s2_2, s2_4, s2_1*s2_3);
 
   // --- step 6: c and dRz/dt zd (62), upper ---
-  const double s6_1 = w_knuckle_y*s2_3;
-  const double s6_2 = w_knuckle_y*s2_1;
-  const double s6_3 = s4_1 + s6_2;
-  const double s6_4 = fma(zd_lower, s1_3, s6_1);
+  const double s6_1 = w_knuckle_y*s2_1;
+  const double s6_2 = w_knuckle_y*s2_2;
+  const double s6_3 = s4_1 + s6_1;
+  const double s6_4 = fma(zd_lower, s1_2, s6_2);
   const double s6_5 = zd_lower*zd_lower;
-  const double s6_6 = s1_3*s6_5;
+  const double s6_6 = s1_2*s6_5;
   const double s6_7 = r_knuckle_x*s6_5;
+  const double s8_2 = fma(s6_6, s7_2, s8_1 + (s5_40 + fnma(s1_3, fx_tyre, s1_4*load_tyre)));
   const double s6_8 = w_knuckle_y*w_knuckle_y;
-  const double s6_9 = fnma(s2_4, fma(w_knuckle_y, s6_1, s6_6), fma(s6_3, s6_3, s6_4*s6_4));
-  const double s2_6 = s2_5 + fma(r_knuckle_x, s2_4, s1_3*s2_2);
-  const double s2_7 = 1.0/s2_6;
+  const double s6_9 = fnma(s2_3, fma(w_knuckle_y, s6_2, s6_6), fma(s6_3, s6_3, s6_4*s6_4));
+  const double s2_6 = 1.0/s2_5;
 
   // --- step 3: Rz (61), upper ---
-  const double s3_1 = s2_5*s2_7;
+  const double s3_1 = (s2_5 + fma(s1_2, s2_4, r_knuckle_x*s2_3))*s2_6;
   // operations: 1 multiply
-  const double zdd_star_lower = s2_7*fma(s2_2, fma(w_knuckle_y, s6_2, s6_7), s6_9);
+  const double zdd_star_ball = s2_6*fma(s2_4, fma(w_knuckle_y, s6_1, s6_7), s6_9);
   // operations: 7 add, 14 multiply
-  result.pivot[0] = 10.4946490638541*std::abs(s2_6);
+  result.pivot[0] = 12.094222040829795*std::abs(s2_5);
   // operations: 9 add, 9 multiply, 1 divide, 1 other
+  const double s9_1 = fnma(s5_1, s5_4*s5_13, fnma(s5_2, s5_3*s5_13, tau[Coordinate::lower]));
 
   // --- step 8: elimination from the leaves to the root (63), upper ---
-  const double s8_2 = fms(s1_3, zdd_star_lower, s6_7);
-  const double s8_3 = fma(r_knuckle_x, zdd_star_lower, s6_6);
-  const double s9_1 = fma(s5_1, s5_4*s5_13, s5_2*(s5_3*s5_13)) - tau[Coordinate::lower];
   // knuckle: ball, revolute, arm
-  const double s8_4 = s1_3*s3_1;
-  const double s8_5 = r_knuckle_x*s3_1;
-  const double s8_6 = fma(s7_1, s8_2, s8_1 + (s5_40 + fnma(s1_4, fx_tyre, s1_5*load_tyre)));
-  const double s8_7 = fnma(s6_8, s7_2, fms(zdd_star_lower, s7_1, fx_tyre));
-  const double f_knuckle_x = fma(s8_2, parameters.derived[1], s8_7);
-  const double s8_8 = fma(s6_8, s7_1, fma(zdd_star_lower, s7_2, load_tyre));
-  const double n_knuckle_y = fma(zdd_star_lower, parameters.derived[2], fma(s7_2, s8_3, s8_6));
-  const double s9_2 = fma(s8_4, f_knuckle_x, tau[Coordinate::ball]);
-  const double s8_9 = 1.0 - s3_1;
-  const double s9_3 = fma(s8_5, fma(parameters.derived[1], s8_3, s8_8), s9_2);
-  const double s8_10 = s8_9*fnma(s7_2, s8_5, fnma(s7_1, s8_4, s8_9*parameters.derived[2]));
-  const double s8_11 = fnma(s7_2, s8_9, s8_5*parameters.derived[1]);
-  const double s8_12 = fnma(s8_4, fnma(s8_4, parameters.derived[1], s7_1*s8_9), s8_10);
-  const double s8_13 = fma(s3_1, fnma(-h_arm_x, R_arm_x_x, h_arm_z*R_arm_x_z), s8_11);
-  const double s9_4 = fnma(-g_z, s8_13, fnma(s8_9, n_knuckle_y, s9_3));
+  const double n_knuckle_y = fma(zdd_star_ball, parameters.derived[2], fnma(s6_7, s7_1, s8_2));
+  const double s8_3 = fma(zdd_star_ball, s7_2, fma(s6_6, parameters.derived[1], load_tyre));
+  const double s8_4 = fnma(s6_7, parameters.derived[1], fms(zdd_star_ball, s7_1, fx_tyre));
+  const double f_knuckle_x = fnma(s6_8, s7_2, s8_4);
+  const double s9_2 = fnma(s1_2, f_knuckle_x, fnma(tau[Coordinate::ball], s3_1, s9_1));
+  const double s8_5 = 1.0 - s3_1;
+  const double s8_6 = fma(s7_2, s8_5, r_knuckle_x*parameters.derived[1]);
+  const double s9_3 = fnma(s8_5, n_knuckle_y, fnma(r_knuckle_x, fma(s6_8, s7_1, s8_3), s9_2));
+  const double s8_7 = fma(s8_5, parameters.derived[2], fma(s1_2, s7_1, r_knuckle_x*s7_2));
   // arm: lower, revolute, carriage
-  const double pivot_ball = fma(s3_1, 0.3475*s3_1, fma(s8_5, s8_11, s8_12));
-  result.inertia[0] = fnma(1e-12, pivot_ball, pivot_ball);
-  // operations: 24 add, 29 multiply, 1 divide
+  const double s8_8 = fma(s8_5, s8_7, fma(r_knuckle_x, s8_6, 0.3475));
+  const double pivot_lower = fma(s1_2, fma(s7_1, s8_5, s1_2*parameters.derived[1]), s8_8);
+  result.inertia[0] = fnma(1e-12, pivot_lower, pivot_lower);
+  // operations: 23 add, 24 multiply, 1 divide
 
   // --- step 9: accelerations from the root to the leaves (63), (62) ---
-  const double s9_5 = 1.0/pivot_ball*fma(s3_1, fma(0.3475, zdd_star_lower, s9_1), s9_4);
-  result.zdd[Coordinate::ball] = s9_5;
   // knuckle: ball, revolute, arm
-  result.zdd[Coordinate::lower] = fnma(s3_1, s9_5, zdd_star_lower);
-  const double alpha_knuckle_y = fma(s8_9, s9_5, zdd_star_lower);
+  const double s9_4 = fma(-g_z, s8_6 + fnma(-h_arm_x, R_arm_x_x, h_arm_z*R_arm_x_z), s9_3);
+  const double alpha_arm_y = 1.0/pivot_lower*s9_4;
+  result.zdd[Coordinate::lower] = alpha_arm_y;
+  result.zdd[Coordinate::ball] = fnma(s3_1, alpha_arm_y, zdd_star_ball);
+  const double alpha_knuckle_y = fma(s8_5, alpha_arm_y, zdd_star_ball);
   result.zdd[Coordinate::wheel] = s8_1 - alpha_knuckle_y;
-  // operations: 11 add, 11 multiply
+  // operations: 10 add, 10 multiply
 }
 
 /// Result of compute_closure.
@@ -312,26 +304,24 @@ void compute_closure(const Tuned& /*parameters*/, const Inputs& /*inputs*/, cons
   double R_arm_x_x, R_arm_x_z;
   mbgen::sincos(z_lower, R_arm_x_z, R_arm_x_x);
   // knuckle: ball, revolute, arm
-  const double z_ball = state.z[Coordinate::ball];
-  double s1_1, s1_2;
-  mbgen::sincos(z_ball, s1_2, s1_1);
-  const double R_knuckle_x_x = fnma(R_arm_x_z, s1_2, R_arm_x_x*s1_1);
-  const double R_knuckle_x_z = fma(R_arm_x_x, s1_2, R_arm_x_z*s1_1);
   const double r_knuckle_x = fnma(-p_ball_x, R_arm_x_x, p_ball_z*R_arm_x_z);
-  const double s1_3 = fma(-p_ball_x, R_arm_x_z, p_ball_z*R_arm_x_x);
+  const double s1_1 = fma(-p_ball_x, R_arm_x_z, p_ball_z*R_arm_x_x);
+  const double s1_2 = z_lower + state.z[Coordinate::ball];
+  double R_knuckle_x_x, R_knuckle_x_z;
+  mbgen::sincos(s1_2, R_knuckle_x_z, R_knuckle_x_x);
 
   // --- step 2: closure Jacobian Phi_z and its factors (60) ---
   const double s2_1 = fma(p_upper_to_z, R_knuckle_x_z, p_upper_to_x*R_knuckle_x_x);
   const double s2_2 = fnma(p_upper_to_x, R_knuckle_x_z, p_upper_to_z*R_knuckle_x_x);
   const double s2_3 = p_upper_from_x - r_knuckle_x - s2_1;
   // knuckle: ball, revolute, arm
-  const double r_knuckle_z = s1_3 - (-p_lower_z);
+  const double r_knuckle_z = s1_1 - (-p_lower_z);
   // upper
   const double s2_4 = s2_2 + (-p_upper_from_z + r_knuckle_z);
   const double s2_5 = 2.380277794628896*s2_3;
   const double s2_6 = 2.380277794628896*s2_4;
   const double s2_7 = fma(s2_1, s2_6, s2_5*s2_2);
-  const double s2_8 = s2_7 + fma(r_knuckle_x, s2_6, s1_3*s2_5);
+  const double s2_8 = s2_7 + fma(r_knuckle_x, s2_6, s1_1*s2_5);
   const double s2_9 = 0.5*fma(s2_4, s2_6, fms(s2_3, s2_5, l_upper));
   result.residual[0] = s2_9;
   result.pivot[0] = 4.409001792788769*std::abs(s2_8);
@@ -342,10 +332,10 @@ void compute_closure(const Tuned& /*parameters*/, const Inputs& /*inputs*/, cons
   result.dz[Coordinate::lower] = s2_9*s2_10;
   result.zd[Coordinate::lower] = -(s2_10*(state.zd[Coordinate::ball]*s2_7));
   // operations: 3 multiply
-  const double s1_4 = fms(15.0, state.t, state.z[Coordinate::pull]);
-  result.residual[1] = s1_4;
-  result.dz[Coordinate::pull] = s1_4;
-  // operations: 6 add, 9 multiply, 4 sin cos
+  const double s1_3 = fms(15.0, state.t, state.z[Coordinate::pull]);
+  result.residual[1] = s1_3;
+  result.dz[Coordinate::pull] = s1_3;
+  // operations: 5 add, 5 multiply, 4 sin cos
 }
 
 /// Result of compute_multipliers.
@@ -365,27 +355,25 @@ void compute_multipliers(const Tuned& parameters, const Inputs& /*inputs*/, cons
   double R_arm_x_x, R_arm_x_z;
   mbgen::sincos(z_lower, R_arm_x_z, R_arm_x_x);
   // knuckle: ball, revolute, arm
-  const double z_ball = state.z[Coordinate::ball];
-  double s1_1, s1_2;
-  mbgen::sincos(z_ball, s1_2, s1_1);
-  const double R_knuckle_x_x = fnma(R_arm_x_z, s1_2, R_arm_x_x*s1_1);
-  const double R_knuckle_x_z = fma(R_arm_x_x, s1_2, R_arm_x_z*s1_1);
+  const double s1_1 = z_lower + state.z[Coordinate::ball];
+  double R_knuckle_x_x, R_knuckle_x_z;
+  mbgen::sincos(s1_1, R_knuckle_x_z, R_knuckle_x_x);
   const double r_knuckle_x = fnma(-p_ball_x, R_arm_x_x, p_ball_z*R_arm_x_z);
-  const double s1_3 = fma(-p_ball_x, R_arm_x_z, p_ball_z*R_arm_x_x);
-  const double r_knuckle_z = s1_3 - (-p_lower_z);
-  const double s1_4 = p_wheel_z*R_knuckle_x_z;
-  const double s1_5 = p_wheel_z*R_knuckle_x_x;
+  const double s1_2 = fma(-p_ball_x, R_arm_x_z, p_ball_z*R_arm_x_x);
+  const double r_knuckle_z = s1_2 - (-p_lower_z);
+  const double s1_3 = p_wheel_z*R_knuckle_x_z;
+  const double s1_4 = p_wheel_z*R_knuckle_x_x;
   // wheel: wheel, revolute, knuckle
-  const double r_wheel_z = r_knuckle_z + s1_5;
-  // operations: 6 add, 10 multiply, 4 sin cos
+  const double r_wheel_z = r_knuckle_z + s1_4;
+  // operations: 5 add, 6 multiply, 4 sin cos
 
   // --- step 4: velocities ---
   // knuckle: ball, revolute, arm
   const double zd_lower = state.zd[Coordinate::lower];
-  const double v_knuckle_x = fma(zd_lower, s1_3, state.zd[Coordinate::pull]);
+  const double v_knuckle_x = fma(zd_lower, s1_2, state.zd[Coordinate::pull]);
   const double w_knuckle_y = zd_lower + state.zd[Coordinate::ball];
   // wheel: wheel, revolute, knuckle
-  const double v_wheel_x = fma(s1_5, w_knuckle_y, v_knuckle_x);
+  const double v_wheel_x = fma(s1_4, w_knuckle_y, v_knuckle_x);
   const double w_wheel_y = state.zd[Coordinate::wheel] + w_knuckle_y;
   // operations: 5 add, 4 multiply
 
@@ -410,7 +398,7 @@ void compute_multipliers(const Tuned& parameters, const Inputs& /*inputs*/, cons
   const double s5_15 = p_pull_z + r_wheel_z;
   const double s5_16 = radius_tyre - s5_15;
   const double s5_17 = mbgen::max(0.0, k_tyre*s5_16);
-  const double s5_18 = mbgen::min(s5_17, d_tyre*fma(s1_4, w_knuckle_y, zd_lower*r_knuckle_x));
+  const double s5_18 = mbgen::min(s5_17, d_tyre*fma(s1_3, w_knuckle_y, zd_lower*r_knuckle_x));
   const double load_tyre = mbgen::max(0.0, s5_17 + s5_18);
   const double s5_19 = mbgen::max(0.004, load_tyre);
   const double s5_20 = 1.1*s5_19;
@@ -438,13 +426,13 @@ void compute_multipliers(const Tuned& parameters, const Inputs& /*inputs*/, cons
   const double zdd_lower = derivative.zdd[Coordinate::lower];
   const double zdd_pull = derivative.zdd[Coordinate::pull];
   // knuckle: ball, revolute, arm
-  const double a_knuckle_x = fnma(r_knuckle_x, s7_1, fma(zdd_lower, s1_3, zdd_pull));
-  const double a_knuckle_z = fnma(s1_3, s7_1, fnma(zdd_lower, r_knuckle_x, -g_z));
+  const double a_knuckle_x = fnma(r_knuckle_x, s7_1, fma(zdd_lower, s1_2, zdd_pull));
+  const double a_knuckle_z = fnma(s1_2, s7_1, fnma(zdd_lower, r_knuckle_x, -g_z));
   const double alpha_knuckle_y = zdd_lower + derivative.zdd[Coordinate::ball];
   const double s7_2 = w_knuckle_y*w_knuckle_y;
   // wheel: wheel, revolute, knuckle
-  const double a_wheel_x = fnma(s1_4, s7_2, fma(s1_5, alpha_knuckle_y, a_knuckle_x));
-  const double a_wheel_z = fnma(s1_5, s7_2, fnma(s1_4, alpha_knuckle_y, a_knuckle_z));
+  const double a_wheel_x = fnma(s1_3, s7_2, fma(s1_4, alpha_knuckle_y, a_knuckle_x));
+  const double a_wheel_z = fnma(s1_4, s7_2, fnma(s1_3, alpha_knuckle_y, a_knuckle_z));
   const double alpha_wheel_y = derivative.zdd[Coordinate::wheel] + alpha_knuckle_y;
   const double f_wheel_x = fms(m_wheel, a_wheel_x, fx_tyre);
   const double f_wheel_z = fms(m_wheel, a_wheel_z, load_tyre);
@@ -460,8 +448,9 @@ void compute_multipliers(const Tuned& parameters, const Inputs& /*inputs*/, cons
   const double f_knuckle_z = parameters.derived[4]*s7_7;
   const double s7_8 = fma(s7_4, f_knuckle_x, alpha_knuckle_y*parameters.derived[5]);
   const double n_knuckle_y = fnma(s7_5, f_knuckle_z, s7_8);
-  const double s7_9 = n_knuckle_y + (n_wheel_y + fnma(s1_4, f_wheel_z, s1_5*f_wheel_x));
-  result.missing[1] = tau[Coordinate::ball] - s7_9;
+  const double s7_9 = n_knuckle_y + (n_wheel_y + fnma(s1_3, f_wheel_z, s1_4*f_wheel_x));
+  const double Q_ball = tau[Coordinate::ball] - s7_9;
+  result.missing[1] = Q_ball;
   const double s7_10 = f_wheel_x + f_knuckle_x;
   // arm: lower, revolute, carriage
   const double s7_11 = fma(-c_arm_x, R_arm_x_z, c_arm_z*R_arm_x_x);
@@ -471,9 +460,8 @@ void compute_multipliers(const Tuned& parameters, const Inputs& /*inputs*/, cons
   const double s7_14 = fma(s5_1, s5_4*s5_13, fma(s5_3, s5_14, I_arm_yy*zdd_lower));
   const double s7_15 = m_arm*fnma(zdd_lower, s7_12, fnma(s7_1, s7_11, -g_z));
   const double n_arm_y = fnma(s7_12, s7_15, fma(s7_11, s7_13, s7_14));
-  const double s7_16 = fnma(s1_3, s7_10, tau[Coordinate::lower] - s7_9);
-  const double Q_lower = fma(r_knuckle_x, f_wheel_z + f_knuckle_z, s7_16) - n_arm_y;
-  result.missing[0] = Q_lower;
+  const double s7_16 = fnma(s1_2, s7_10, tau[Coordinate::lower] - s7_9);
+  result.missing[0] = fma(r_knuckle_x, f_wheel_z + f_knuckle_z, s7_16) - n_arm_y;
   // carriage: pull, prismatic, ground
   const double f_carriage_x = fms(m_carriage, zdd_pull, s5_14);
   const double Q_pull = tau[Coordinate::pull] - s7_10 - f_arm_x - f_carriage_x;
@@ -483,12 +471,12 @@ void compute_multipliers(const Tuned& parameters, const Inputs& /*inputs*/, cons
   // upper
   const double s9_1 = fma(p_upper_to_z, R_knuckle_x_z, p_upper_to_x*R_knuckle_x_x);
   const double s9_2 = fnma(p_upper_to_x, R_knuckle_x_z, p_upper_to_z*R_knuckle_x_x);
-  const double s9_3 = (p_upper_from_x - r_knuckle_x - s9_1)*(s1_3 + s9_2);
-  const double s9_4 = fma(s9_2 + (-p_upper_from_z + r_knuckle_z), r_knuckle_x + s9_1, s9_3);
-  result.pivot[0] = 10.4946490638541*std::abs(s9_4);
-  result.lambda[0] = -(l_upper*(Q_lower*(1.0/s9_4)));
+  const double s9_3 = s9_1*(s9_2 + (-p_upper_from_z + r_knuckle_z));
+  const double s9_4 = fma(s9_2, p_upper_from_x - r_knuckle_x - s9_1, s9_3);
+  result.pivot[0] = 12.094222040829795*std::abs(s9_4);
+  result.lambda[0] = -(l_upper*(Q_ball*(1.0/s9_4)));
   result.drive[0] = -Q_pull;
-  // operations: 9 add, 9 multiply, 1 divide, 1 other
+  // operations: 7 add, 9 multiply, 1 divide, 1 other
 }
 
 /// Result of compute_closure_terms.
@@ -511,15 +499,13 @@ void compute_closure_terms(const Tuned& /*parameters*/, const Inputs& /*inputs*/
   double R_arm_x_x, R_arm_x_z;
   mbgen::sincos(z_lower, R_arm_x_z, R_arm_x_x);
   // knuckle: ball, revolute, arm
-  const double z_ball = state.z[Coordinate::ball];
-  double s1_1, s1_2;
-  mbgen::sincos(z_ball, s1_2, s1_1);
-  const double R_knuckle_x_x = fnma(R_arm_x_z, s1_2, R_arm_x_x*s1_1);
-  const double R_knuckle_x_z = fma(R_arm_x_x, s1_2, R_arm_x_z*s1_1);
+  const double s1_1 = z_lower + state.z[Coordinate::ball];
+  double R_knuckle_x_x, R_knuckle_x_z;
+  mbgen::sincos(s1_1, R_knuckle_x_z, R_knuckle_x_x);
   const double r_knuckle_x = fnma(-p_ball_x, R_arm_x_x, p_ball_z*R_arm_x_z);
-  const double s1_3 = fma(-p_ball_x, R_arm_x_z, p_ball_z*R_arm_x_x);
-  const double r_knuckle_z = s1_3 - (-p_lower_z);
-  // operations: 5 add, 8 multiply, 4 sin cos
+  const double s1_2 = fma(-p_ball_x, R_arm_x_z, p_ball_z*R_arm_x_x);
+  const double r_knuckle_z = s1_2 - (-p_lower_z);
+  // operations: 4 add, 4 multiply, 4 sin cos
 
   // --- step 2: closure Jacobian Phi_z and its factors (60) ---
   const double zd_lower = state.zd[Coordinate::lower];
@@ -530,7 +516,7 @@ void compute_closure_terms(const Tuned& /*parameters*/, const Inputs& /*inputs*/
   const double s2_4 = s2_1*s2_3;
   const double s2_5 = fnma(p_upper_to_x, R_knuckle_x_z, p_upper_to_z*R_knuckle_x_x);
   const double s2_6 = s2_1*s2_5;
-  const double s2_7 = fma(zd_lower, s1_3, s2_6);
+  const double s2_7 = fma(zd_lower, s1_2, s2_6);
   const double s2_8 = fma(zd_lower, r_knuckle_x, s2_4);
   const double s2_9 = s2_5 + (-p_upper_from_z + r_knuckle_z);
   const double s2_10 = 2.380277794628896*s2_9;
@@ -539,9 +525,9 @@ void compute_closure_terms(const Tuned& /*parameters*/, const Inputs& /*inputs*/
   const double s2_13 = fma(s2_5, s2_12, s2_3*s2_10);
   result.Jz[1] = -s2_13;
   result.Phi[0] = 0.5*fma(s2_11, s2_12, fms(s2_9, s2_10, l_upper));
-  result.Jz[0] = -(s2_13 + fma(s1_3, s2_12, r_knuckle_x*s2_10));
+  result.Jz[0] = -(s2_13 + fma(s1_2, s2_12, r_knuckle_x*s2_10));
   const double s2_14 = fma(s2_1, s2_4, r_knuckle_x*s2_2);
-  const double s2_15 = fnma(s2_14, s2_12, fma(s2_1, s2_6, s1_3*s2_2)*s2_10);
+  const double s2_15 = fnma(s2_14, s2_12, fma(s2_1, s2_6, s1_2*s2_2)*s2_10);
   result.c[0] = fnma(2.380277794628896, fma(s2_8, s2_8, s2_7*s2_7), s2_15);
   // operations: 19 add, 27 multiply
 }
@@ -567,27 +553,25 @@ void compute_chosen_accelerations(const Tuned& parameters, const Inputs& /*input
   double R_arm_x_x, R_arm_x_z;
   mbgen::sincos(z_lower, R_arm_x_z, R_arm_x_x);
   // knuckle: ball, revolute, arm
-  const double z_ball = state.z[Coordinate::ball];
-  double s1_1, s1_2;
-  mbgen::sincos(z_ball, s1_2, s1_1);
-  const double R_knuckle_x_x = fnma(R_arm_x_z, s1_2, R_arm_x_x*s1_1);
-  const double R_knuckle_x_z = fma(R_arm_x_x, s1_2, R_arm_x_z*s1_1);
+  const double s1_1 = z_lower + state.z[Coordinate::ball];
+  double R_knuckle_x_x, R_knuckle_x_z;
+  mbgen::sincos(s1_1, R_knuckle_x_z, R_knuckle_x_x);
   const double r_knuckle_x = fnma(-p_ball_x, R_arm_x_x, p_ball_z*R_arm_x_z);
-  const double s1_3 = fma(-p_ball_x, R_arm_x_z, p_ball_z*R_arm_x_x);
-  const double r_knuckle_z = s1_3 - (-p_lower_z);
-  const double s1_4 = p_wheel_z*R_knuckle_x_z;
-  const double s1_5 = p_wheel_z*R_knuckle_x_x;
+  const double s1_2 = fma(-p_ball_x, R_arm_x_z, p_ball_z*R_arm_x_x);
+  const double r_knuckle_z = s1_2 - (-p_lower_z);
+  const double s1_3 = p_wheel_z*R_knuckle_x_z;
+  const double s1_4 = p_wheel_z*R_knuckle_x_x;
   // wheel: wheel, revolute, knuckle
-  const double r_wheel_z = r_knuckle_z + s1_5;
-  // operations: 6 add, 10 multiply, 4 sin cos
+  const double r_wheel_z = r_knuckle_z + s1_4;
+  // operations: 5 add, 6 multiply, 4 sin cos
 
   // --- step 4: velocities ---
   // knuckle: ball, revolute, arm
   const double zd_lower = state.zd[Coordinate::lower];
-  const double v_knuckle_x = fma(zd_lower, s1_3, state.zd[Coordinate::pull]);
+  const double v_knuckle_x = fma(zd_lower, s1_2, state.zd[Coordinate::pull]);
   const double w_knuckle_y = zd_lower + state.zd[Coordinate::ball];
   // wheel: wheel, revolute, knuckle
-  const double v_wheel_x = fma(s1_5, w_knuckle_y, v_knuckle_x);
+  const double v_wheel_x = fma(s1_4, w_knuckle_y, v_knuckle_x);
   const double w_wheel_y = state.zd[Coordinate::wheel] + w_knuckle_y;
   // operations: 5 add, 4 multiply
 
@@ -611,7 +595,7 @@ void compute_chosen_accelerations(const Tuned& parameters, const Inputs& /*input
   const double s5_14 = p_pull_z + r_wheel_z;
   const double s5_15 = radius_tyre - s5_14;
   const double s5_16 = mbgen::max(0.0, k_tyre*s5_15);
-  const double s5_17 = mbgen::min(s5_16, d_tyre*fma(s1_4, w_knuckle_y, zd_lower*r_knuckle_x));
+  const double s5_17 = mbgen::min(s5_16, d_tyre*fma(s1_3, w_knuckle_y, zd_lower*r_knuckle_x));
   const double load_tyre = mbgen::max(0.0, s5_16 + s5_17);
   const double s5_18 = mbgen::max(0.004, load_tyre);
   const double s5_19 = 1.1*s5_18;
@@ -658,15 +642,15 @@ void compute_chosen_accelerations(const Tuned& parameters, const Inputs& /*input
   // --- step 8: elimination from the leaves to the root (63), upper ---
   // knuckle: ball, revolute, arm
   const double s8_2 = projection.Rz[0] + projection.Rz[1];
-  const double s8_3 = s1_3*projection.Rz[0];
+  const double s8_3 = s1_2*projection.Rz[0];
   const double s8_4 = r_knuckle_x*projection.Rz[0];
   const double s8_5 = projection.zdd_star[0] + projection.zdd_star[1];
-  const double s8_6 = fnma(r_knuckle_x, s6_1, s1_3*projection.zdd_star[0]);
+  const double s8_6 = fnma(r_knuckle_x, s6_1, s1_2*projection.zdd_star[0]);
   const double s8_7 = fnma(s6_2, s7_1, fms(s7_2, s8_5, fx_tyre));
   const double f_knuckle_x = fma(s8_6, parameters.derived[1], s8_7);
-  const double s8_8 = fma(s1_3, s6_1, r_knuckle_x*projection.zdd_star[0]);
+  const double s8_8 = fma(s1_2, s6_1, r_knuckle_x*projection.zdd_star[0]);
   const double s8_9 = fma(s7_1, s8_5, fma(s6_2, s7_2, load_tyre));
-  const double s8_10 = fma(s7_2, s8_6, s8_1 + (s5_40 + fnma(s1_5, fx_tyre, s1_4*load_tyre)));
+  const double s8_10 = fma(s7_2, s8_6, s8_1 + (s5_40 + fnma(s1_4, fx_tyre, s1_3*load_tyre)));
   const double n_knuckle_y = fma(s8_5, parameters.derived[2], fma(s7_1, s8_8, s8_10));
   const double s8_11 = fma(s8_4, parameters.derived[1], s7_1*s8_2);
   const double s7_3 = fnma(-h_arm_x, R_arm_x_x, h_arm_z*R_arm_x_z);
@@ -706,29 +690,27 @@ void compute_outputs(const Tuned& parameters, const Inputs& /*inputs*/, const St
   double R_arm_x_x, R_arm_x_z;
   mbgen::sincos(z_lower, R_arm_x_z, R_arm_x_x);
   // knuckle: ball, revolute, arm
-  const double z_ball = state.z[Coordinate::ball];
-  double s1_1, s1_2;
-  mbgen::sincos(z_ball, s1_2, s1_1);
-  const double R_knuckle_x_x = fnma(R_arm_x_z, s1_2, R_arm_x_x*s1_1);
-  const double R_knuckle_x_z = fma(R_arm_x_x, s1_2, R_arm_x_z*s1_1);
+  const double s1_1 = z_lower + state.z[Coordinate::ball];
+  double R_knuckle_x_x, R_knuckle_x_z;
+  mbgen::sincos(s1_1, R_knuckle_x_z, R_knuckle_x_x);
   const double r_knuckle_x = fnma(-p_ball_x, R_arm_x_x, p_ball_z*R_arm_x_z);
-  const double s1_3 = fma(-p_ball_x, R_arm_x_z, p_ball_z*R_arm_x_x);
-  const double r_knuckle_z = s1_3 - (-p_lower_z);
-  const double s1_4 = p_wheel_z*R_knuckle_x_x;
+  const double s1_2 = fma(-p_ball_x, R_arm_x_z, p_ball_z*R_arm_x_x);
+  const double r_knuckle_z = s1_2 - (-p_lower_z);
+  const double s1_3 = p_wheel_z*R_knuckle_x_x;
   // wheel: wheel, revolute, knuckle
-  const double r_wheel_z = r_knuckle_z + s1_4;
-  // operations: 6 add, 10 multiply, 4 sin cos
+  const double r_wheel_z = r_knuckle_z + s1_3;
+  // operations: 5 add, 6 multiply, 4 sin cos
 
   // --- step 4: velocities ---
   // knuckle: ball, revolute, arm
   const double zd_lower = state.zd[Coordinate::lower];
   const double zd_pull = state.zd[Coordinate::pull];
-  const double v_knuckle_x = fma(zd_lower, s1_3, zd_pull);
+  const double v_knuckle_x = fma(zd_lower, s1_2, zd_pull);
   const double s4_1 = zd_lower*r_knuckle_x;
   const double zd_ball = state.zd[Coordinate::ball];
   const double w_knuckle_y = zd_lower + zd_ball;
   // wheel: wheel, revolute, knuckle
-  const double v_wheel_x = fma(s1_4, w_knuckle_y, v_knuckle_x);
+  const double v_wheel_x = fma(s1_3, w_knuckle_y, v_knuckle_x);
   const double s4_2 = fma(p_wheel_z*R_knuckle_x_z, w_knuckle_y, s4_1);
   const double zd_wheel = state.zd[Coordinate::wheel];
   const double w_wheel_y = zd_wheel + w_knuckle_y;
@@ -810,7 +792,7 @@ void compute_outputs(const Tuned& parameters, const Inputs& /*inputs*/, const St
 }
 
 
-/// What the runtime's algorithms need to know of this model; see mbgen/solver.hpp.
+/// Sizes, tables and programs of this model for the runtime's algorithms; see mbgen/solver.hpp.
 struct System {
   using Parameters = pulled_wheel::Tuned;
   using Inputs = pulled_wheel::Inputs;
@@ -860,9 +842,9 @@ Tuned::Tuned(const Parameters& parameters) noexcept : Parameters(parameters) {
 
 State initial_state() noexcept {
   static constexpr State start = {
-      {0.0, -0.004409010034879811, 0.005061758663079049, -6.775150364285988e-05},
+      {0.0, -0.004409010034879823, 0.0050617586630790625, -6.775150364285989e-05},
       {15.0, 0.0, 0.0, 48.0},
-      {2.767681743275579e-17, 0.0},
+      {2.5384254589798298e-17, 0.0},
       0.0};
   State state;
   mbgen::integrator_detail::copy_state(start, state);

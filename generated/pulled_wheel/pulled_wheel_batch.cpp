@@ -190,25 +190,23 @@ using Accelerations = AccelerationsOf<Lanes>;
   const Lanes s5_13 = mbgen::select(s5_11, fma(1575.0, s5_11, 640.0), s5_12);
   const Lanes tension_spring = s5_13 + fms(s5_5 - l0_spring, parameters.k, -f0_spring);
   const Lanes s5_14 = s5_6*tension_spring;
+  const Lanes s1_1 = z_lower + state.z[Coordinate::ball];
   // knuckle: ball, revolute, arm
-  const Lanes z_ball = state.z[Coordinate::ball];
-  Lanes s1_1, s1_2;
-  mbgen::sincos(z_ball, s1_2, s1_1);
-  const Lanes R_knuckle_x_x = fnma(R_arm_x_z, s1_2, R_arm_x_x*s1_1);
-  const Lanes R_knuckle_x_z = fma(R_arm_x_x, s1_2, R_arm_x_z*s1_1);
+  Lanes R_knuckle_x_x, R_knuckle_x_z;
+  mbgen::sincos(s1_1, R_knuckle_x_z, R_knuckle_x_x);
   const Lanes r_knuckle_x = fnma(-p_ball_x, R_arm_x_x, p_ball_z*R_arm_x_z);
-  const Lanes s1_3 = fma(-p_ball_x, R_arm_x_z, p_ball_z*R_arm_x_x);
-  const Lanes r_knuckle_z = s1_3 - (-p_lower_z);
-  const Lanes s1_4 = p_wheel_z*R_knuckle_x_x;
+  const Lanes s1_2 = fma(-p_ball_x, R_arm_x_z, p_ball_z*R_arm_x_x);
+  const Lanes r_knuckle_z = s1_2 - (-p_lower_z);
+  const Lanes s1_3 = p_wheel_z*R_knuckle_x_x;
   // wheel: wheel, revolute, knuckle
-  const Lanes r_wheel_z = r_knuckle_z + s1_4;
+  const Lanes r_wheel_z = r_knuckle_z + s1_3;
   const Lanes s5_15 = p_pull_z + r_wheel_z;
   // tyre
   const Lanes s5_16 = radius_tyre - s5_15;
   const Lanes s5_17 = mbgen::max(0.0, k_tyre*s5_16);
   const Lanes s5_18 = fnma(0.3333333333333333, mbgen::max(0.0, s5_16), radius_tyre);
-  const Lanes s1_5 = p_wheel_z*R_knuckle_x_z;
-  // operations: 6 add, 10 multiply, 4 sin cos
+  const Lanes s1_4 = p_wheel_z*R_knuckle_x_z;
+  // operations: 5 add, 6 multiply, 4 sin cos
 
   // --- step 4: velocities ---
   const Lanes s4_1 = zd_lower*r_knuckle_x;
@@ -216,7 +214,7 @@ using Accelerations = AccelerationsOf<Lanes>;
   const Lanes w_knuckle_y = zd_lower + state.zd[Coordinate::ball];
   mbgen::read_back();
   // tyre
-  const Lanes s5_19 = s5_17 + mbgen::min(s5_17, d_tyre*fma(s1_5, w_knuckle_y, s4_1));
+  const Lanes s5_19 = s5_17 + mbgen::min(s5_17, d_tyre*fma(s1_4, w_knuckle_y, s4_1));
   const Lanes load_tyre = mbgen::max(0.0, s5_19);
 
   // --- step 5: applied forces Q (48), continued ---
@@ -227,9 +225,9 @@ using Accelerations = AccelerationsOf<Lanes>;
   const Lanes s5_23 = 1e-09*s5_20;
   const Lanes s5_24 = mbgen::min(s5_22, -s5_23);
   // knuckle: ball, revolute, arm
-  const Lanes v_knuckle_x = fma(zd_lower, s1_3, state.zd[Coordinate::pull]);
+  const Lanes v_knuckle_x = fma(zd_lower, s1_2, state.zd[Coordinate::pull]);
   // wheel: wheel, revolute, knuckle
-  const Lanes v_wheel_x = fma(s1_4, w_knuckle_y, v_knuckle_x);
+  const Lanes v_wheel_x = fma(s1_3, w_knuckle_y, v_knuckle_x);
   const Lanes s5_25 = state.x[0]/relaxation_x_tyre;
   const Lanes s5_26 = state.x[1]/relaxation_y_tyre;
   const Lanes s5_27 = mbgen::sqrt(fma(s5_26, s5_26, fma(s5_25, s5_25, 1e-30)));
@@ -251,8 +249,8 @@ using Accelerations = AccelerationsOf<Lanes>;
   const Lanes s5_38 = 20.0*s5_20/mbgen::select(s5_22, mbgen::max(s5_22, s5_23), s5_24)*s5_37;
   const Lanes s5_39 = s5_21*mbgen::sine(1.6*mbgen::arc_tangent(s5_38));
   const Lanes fx_tyre = mbgen::max(0.0, load_tyre)/s5_20*s5_39;
-  mbgen::read_back();
   const Lanes s5_40 = mbgen::hyperbolic_tangent(0.5*s5_28);
+  mbgen::read_back();
   const Lanes s5_41 = s5_40*(radius_tyre*(rolling_tyre*load_tyre));
   const Lanes s5_42 = fma(fx_tyre, s5_18 + (s5_16 + (s5_15 - radius_tyre)), s5_41);
   // operations: 34 add, 51 multiply, 8 divide, 3 sqrt, 3 sin cos, 18 other
@@ -263,71 +261,65 @@ using Accelerations = AccelerationsOf<Lanes>;
 
   // --- step 2: closure Jacobian Phi_z and its factors (60), upper ---
   const Lanes s2_1 = fma(p_upper_to_z, R_knuckle_x_z, p_upper_to_x*R_knuckle_x_x);
-  const Lanes s2_2 = p_upper_from_x - r_knuckle_x - s2_1;
-  const Lanes s2_3 = fnma(p_upper_to_x, R_knuckle_x_z, p_upper_to_z*R_knuckle_x_x);
+  const Lanes s2_2 = fnma(p_upper_to_x, R_knuckle_x_z, p_upper_to_z*R_knuckle_x_x);
 
   // --- step 7: inertias of the bodies and forces on joints, upper ---
   const Lanes s7_1 = R_knuckle_x_x*parameters.derived[0];
-  const Lanes s2_4 = s2_3 + (-p_upper_from_z + r_knuckle_z);
+  const Lanes s2_3 = s2_2 + (-p_upper_from_z + r_knuckle_z);
   const Lanes s7_2 = R_knuckle_x_z*parameters.derived[0];
-  // operations: 1 add, 4 multiply
-  const Lanes s2_5 = fma(s2_1, s2_4, s2_2*s2_3);
+  // operations: 2 multiply
+  const Lanes s2_4 = p_upper_from_x - r_knuckle_x - s2_1;
+  const Lanes s2_5 = fma(s2_2, s2_4, s2_1*s2_3);
 
   // --- step 6: c and dRz/dt zd (62), upper ---
-  const Lanes s6_1 = w_knuckle_y*s2_3;
-  const Lanes s6_2 = w_knuckle_y*s2_1;
-  const Lanes s6_3 = s4_1 + s6_2;
-  const Lanes s6_4 = fma(zd_lower, s1_3, s6_1);
+  const Lanes s6_1 = w_knuckle_y*s2_1;
+  const Lanes s6_2 = w_knuckle_y*s2_2;
+  const Lanes s6_3 = s4_1 + s6_1;
+  const Lanes s6_4 = fma(zd_lower, s1_2, s6_2);
   const Lanes s6_5 = zd_lower*zd_lower;
-  const Lanes s6_6 = s1_3*s6_5;
+  const Lanes s6_6 = s1_2*s6_5;
   const Lanes s6_7 = r_knuckle_x*s6_5;
+  const Lanes s8_2 = fma(s6_6, s7_2, s8_1 + (s5_42 + fnma(s1_3, fx_tyre, s1_4*load_tyre)));
   const Lanes s6_8 = w_knuckle_y*w_knuckle_y;
-  const Lanes s6_9 = fnma(s2_4, fma(w_knuckle_y, s6_1, s6_6), fma(s6_3, s6_3, s6_4*s6_4));
-  const Lanes s2_6 = s2_5 + fma(r_knuckle_x, s2_4, s1_3*s2_2);
-  const Lanes s2_7 = 1.0/s2_6;
+  const Lanes s6_9 = fnma(s2_3, fma(w_knuckle_y, s6_2, s6_6), fma(s6_3, s6_3, s6_4*s6_4));
+  const Lanes s2_6 = 1.0/s2_5;
 
   // --- step 3: Rz (61), upper ---
-  const Lanes s3_1 = s2_5*s2_7;
+  const Lanes s3_1 = (s2_5 + fma(s1_2, s2_4, r_knuckle_x*s2_3))*s2_6;
   // operations: 1 multiply
-  const Lanes zdd_star_lower = s2_7*fma(s2_2, fma(w_knuckle_y, s6_2, s6_7), s6_9);
+  const Lanes zdd_star_ball = s2_6*fma(s2_4, fma(w_knuckle_y, s6_1, s6_7), s6_9);
   // operations: 7 add, 14 multiply
-  result.pivot[0] = 10.4946490638541*mbgen::abs(s2_6);
+  result.pivot[0] = 12.094222040829795*mbgen::abs(s2_5);
   // operations: 9 add, 9 multiply, 1 divide, 1 other
+  const Lanes s9_1 = fnma(s5_1, s5_4*s5_14, fnma(s5_2, s5_3*s5_14, tau[Coordinate::lower]));
 
   // --- step 8: elimination from the leaves to the root (63), upper ---
-  const Lanes s8_2 = fms(s1_3, zdd_star_lower, s6_7);
-  const Lanes s8_3 = fma(r_knuckle_x, zdd_star_lower, s6_6);
-  const Lanes s9_1 = fma(s5_1, s5_4*s5_14, s5_2*(s5_3*s5_14)) - tau[Coordinate::lower];
   // knuckle: ball, revolute, arm
-  const Lanes s8_4 = s1_3*s3_1;
-  const Lanes s8_5 = r_knuckle_x*s3_1;
-  const Lanes s8_6 = fma(s7_1, s8_2, s8_1 + (s5_42 + fnma(s1_4, fx_tyre, s1_5*load_tyre)));
-  const Lanes s8_7 = fnma(s6_8, s7_2, fms(zdd_star_lower, s7_1, fx_tyre));
-  const Lanes f_knuckle_x = fma(s8_2, parameters.derived[1], s8_7);
-  const Lanes s8_8 = fma(s6_8, s7_1, fma(zdd_star_lower, s7_2, load_tyre));
-  const Lanes n_knuckle_y = fma(zdd_star_lower, parameters.derived[2], fma(s7_2, s8_3, s8_6));
-  const Lanes s9_2 = fma(s8_4, f_knuckle_x, tau[Coordinate::ball]);
-  const Lanes s8_9 = 1.0 - s3_1;
-  const Lanes s9_3 = fma(s8_5, fma(parameters.derived[1], s8_3, s8_8), s9_2);
-  mbgen::read_back();
-  const Lanes s8_10 = s8_9*fnma(s7_2, s8_5, fnma(s7_1, s8_4, s8_9*parameters.derived[2]));
-  const Lanes s8_11 = fnma(s7_2, s8_9, s8_5*parameters.derived[1]);
-  const Lanes s8_12 = fnma(s8_4, fnma(s8_4, parameters.derived[1], s7_1*s8_9), s8_10);
-  const Lanes s8_13 = fma(s3_1, fnma(-h_arm_x, R_arm_x_x, h_arm_z*R_arm_x_z), s8_11);
-  const Lanes s9_4 = fnma(-g_z, s8_13, fnma(s8_9, n_knuckle_y, s9_3));
+  const Lanes n_knuckle_y = fma(zdd_star_ball, parameters.derived[2], fnma(s6_7, s7_1, s8_2));
+  const Lanes s8_3 = fma(zdd_star_ball, s7_2, fma(s6_6, parameters.derived[1], load_tyre));
+  const Lanes s8_4 = fnma(s6_7, parameters.derived[1], fms(zdd_star_ball, s7_1, fx_tyre));
+  const Lanes f_knuckle_x = fnma(s6_8, s7_2, s8_4);
+  const Lanes s9_2 = fnma(s1_2, f_knuckle_x, fnma(tau[Coordinate::ball], s3_1, s9_1));
+  const Lanes s8_5 = 1.0 - s3_1;
+  const Lanes s8_6 = fma(s7_2, s8_5, r_knuckle_x*parameters.derived[1]);
+  const Lanes s9_3 = fnma(s8_5, n_knuckle_y, fnma(r_knuckle_x, fma(s6_8, s7_1, s8_3), s9_2));
+  const Lanes s8_7 = fma(s8_5, parameters.derived[2], fma(s1_2, s7_1, r_knuckle_x*s7_2));
   // arm: lower, revolute, carriage
-  const Lanes pivot_ball = fma(s3_1, 0.3475*s3_1, fma(s8_5, s8_11, s8_12));
-  result.inertia[0] = fnma(1e-12, pivot_ball, pivot_ball);
-  // operations: 24 add, 29 multiply, 1 divide
+  const Lanes s8_8 = fma(s8_5, s8_7, fma(r_knuckle_x, s8_6, 0.3475));
+  const Lanes pivot_lower = fma(s1_2, fma(s7_1, s8_5, s1_2*parameters.derived[1]), s8_8);
+  mbgen::read_back();
+  result.inertia[0] = fnma(1e-12, pivot_lower, pivot_lower);
+  // operations: 23 add, 24 multiply, 1 divide
 
   // --- step 9: accelerations from the root to the leaves (63), (62) ---
-  const Lanes s9_5 = 1.0/pivot_ball*fma(s3_1, fma(0.3475, zdd_star_lower, s9_1), s9_4);
-  result.zdd[Coordinate::ball] = s9_5;
   // knuckle: ball, revolute, arm
-  result.zdd[Coordinate::lower] = fnma(s3_1, s9_5, zdd_star_lower);
-  const Lanes alpha_knuckle_y = fma(s8_9, s9_5, zdd_star_lower);
+  const Lanes s9_4 = fma(-g_z, s8_6 + fnma(-h_arm_x, R_arm_x_x, h_arm_z*R_arm_x_z), s9_3);
+  const Lanes alpha_arm_y = 1.0/pivot_lower*s9_4;
+  result.zdd[Coordinate::lower] = alpha_arm_y;
+  result.zdd[Coordinate::ball] = fnma(s3_1, alpha_arm_y, zdd_star_ball);
+  const Lanes alpha_knuckle_y = fma(s8_5, alpha_arm_y, zdd_star_ball);
   result.zdd[Coordinate::wheel] = s8_1 - alpha_knuckle_y;
-  // operations: 11 add, 11 multiply
+  // operations: 10 add, 10 multiply
 }
 
 /// All accelerations with the frozen partition of the loop blocks.
@@ -363,26 +355,24 @@ using Closure = ClosureOf<Lanes>;
   Lanes R_arm_x_x, R_arm_x_z;
   mbgen::sincos(z_lower, R_arm_x_z, R_arm_x_x);
   // knuckle: ball, revolute, arm
-  const Lanes z_ball = state.z[Coordinate::ball];
-  Lanes s1_1, s1_2;
-  mbgen::sincos(z_ball, s1_2, s1_1);
-  const Lanes R_knuckle_x_x = fnma(R_arm_x_z, s1_2, R_arm_x_x*s1_1);
-  const Lanes R_knuckle_x_z = fma(R_arm_x_x, s1_2, R_arm_x_z*s1_1);
   const Lanes r_knuckle_x = fnma(-p_ball_x, R_arm_x_x, p_ball_z*R_arm_x_z);
-  const Lanes s1_3 = fma(-p_ball_x, R_arm_x_z, p_ball_z*R_arm_x_x);
+  const Lanes s1_1 = fma(-p_ball_x, R_arm_x_z, p_ball_z*R_arm_x_x);
+  const Lanes s1_2 = z_lower + state.z[Coordinate::ball];
+  Lanes R_knuckle_x_x, R_knuckle_x_z;
+  mbgen::sincos(s1_2, R_knuckle_x_z, R_knuckle_x_x);
 
   // --- step 2: closure Jacobian Phi_z and its factors (60) ---
   const Lanes s2_1 = fma(p_upper_to_z, R_knuckle_x_z, p_upper_to_x*R_knuckle_x_x);
   const Lanes s2_2 = fnma(p_upper_to_x, R_knuckle_x_z, p_upper_to_z*R_knuckle_x_x);
   const Lanes s2_3 = p_upper_from_x - r_knuckle_x - s2_1;
   // knuckle: ball, revolute, arm
-  const Lanes r_knuckle_z = s1_3 - (-p_lower_z);
+  const Lanes r_knuckle_z = s1_1 - (-p_lower_z);
   // upper
   const Lanes s2_4 = s2_2 + (-p_upper_from_z + r_knuckle_z);
   const Lanes s2_5 = 2.380277794628896*s2_3;
   const Lanes s2_6 = 2.380277794628896*s2_4;
   const Lanes s2_7 = fma(s2_1, s2_6, s2_5*s2_2);
-  const Lanes s2_8 = s2_7 + fma(r_knuckle_x, s2_6, s1_3*s2_5);
+  const Lanes s2_8 = s2_7 + fma(r_knuckle_x, s2_6, s1_1*s2_5);
   const Lanes s2_9 = 0.5*fma(s2_4, s2_6, fms(s2_3, s2_5, l_upper));
   result.residual[0] = s2_9;
   result.pivot[0] = 4.409001792788769*mbgen::abs(s2_8);
@@ -393,10 +383,10 @@ using Closure = ClosureOf<Lanes>;
   result.dz[Coordinate::lower] = s2_9*s2_10;
   result.zd[Coordinate::lower] = -(s2_10*(state.zd[Coordinate::ball]*s2_7));
   // operations: 3 multiply
-  const Lanes s1_4 = fms(15.0, state.t, state.z[Coordinate::pull]);
-  result.residual[1] = s1_4;
-  result.dz[Coordinate::pull] = s1_4;
-  // operations: 6 add, 9 multiply, 4 sin cos
+  const Lanes s1_3 = fms(15.0, state.t, state.z[Coordinate::pull]);
+  result.residual[1] = s1_3;
+  result.dz[Coordinate::pull] = s1_3;
+  // operations: 5 add, 5 multiply, 4 sin cos
 }
 
 /// One Newton step of the frozen partition, and consistent velocities.
@@ -447,46 +437,44 @@ using ConstraintForces = ConstraintForcesOf<Lanes>;
   const Lanes tension_spring = s5_13 + fms(s5_5 - l0_spring, parameters.k, -f0_spring);
   const Lanes s5_14 = s5_6*tension_spring;
   const Lanes s5_15 = s5_3*s5_14;
+  const Lanes s1_1 = z_lower + state.z[Coordinate::ball];
   // knuckle: ball, revolute, arm
-  const Lanes z_ball = state.z[Coordinate::ball];
-  Lanes s1_1, s1_2;
-  mbgen::sincos(z_ball, s1_2, s1_1);
-  const Lanes R_knuckle_x_x = fnma(R_arm_x_z, s1_2, R_arm_x_x*s1_1);
-  const Lanes R_knuckle_x_z = fma(R_arm_x_x, s1_2, R_arm_x_z*s1_1);
+  Lanes R_knuckle_x_x, R_knuckle_x_z;
+  mbgen::sincos(s1_1, R_knuckle_x_z, R_knuckle_x_x);
   const Lanes r_knuckle_x = fnma(-p_ball_x, R_arm_x_x, p_ball_z*R_arm_x_z);
-  const Lanes s1_3 = fma(-p_ball_x, R_arm_x_z, p_ball_z*R_arm_x_x);
-  const Lanes s1_4 = p_wheel_z*R_knuckle_x_z;
+  const Lanes s1_2 = fma(-p_ball_x, R_arm_x_z, p_ball_z*R_arm_x_x);
+  const Lanes s1_3 = p_wheel_z*R_knuckle_x_z;
 
   // --- step 4: velocities ---
   // knuckle: ball, revolute, arm
   const Lanes w_knuckle_y = zd_lower + state.zd[Coordinate::ball];
-  const Lanes r_knuckle_z = s1_3 - (-p_lower_z);
-  const Lanes s1_5 = p_wheel_z*R_knuckle_x_x;
+  const Lanes r_knuckle_z = s1_2 - (-p_lower_z);
+  const Lanes s1_4 = p_wheel_z*R_knuckle_x_x;
   // wheel: wheel, revolute, knuckle
-  const Lanes r_wheel_z = r_knuckle_z + s1_5;
-  // operations: 6 add, 10 multiply, 4 sin cos
+  const Lanes r_wheel_z = r_knuckle_z + s1_4;
+  // operations: 5 add, 6 multiply, 4 sin cos
   const Lanes s5_16 = p_pull_z + r_wheel_z;
   const Lanes s5_17 = radius_tyre - s5_16;
   const Lanes s5_18 = mbgen::max(0.0, k_tyre*s5_17);
   const Lanes s5_19 = fnma(0.3333333333333333, mbgen::max(0.0, s5_17), radius_tyre);
-  const Lanes s5_20 = mbgen::min(s5_18, d_tyre*fma(s1_4, w_knuckle_y, zd_lower*r_knuckle_x));
+  const Lanes s5_20 = mbgen::min(s5_18, d_tyre*fma(s1_3, w_knuckle_y, zd_lower*r_knuckle_x));
 
   // --- step 5: applied forces Q (48), continued ---
   // tyre
   const Lanes load_tyre = mbgen::max(0.0, s5_18 + s5_20);
-  mbgen::read_back();
   const Lanes s5_21 = mbgen::max(0.004, load_tyre);
   const Lanes s5_22 = 1.1*s5_21;
   const Lanes s5_23 = 1.6*s5_22;
+  mbgen::read_back();
   const Lanes s5_24 = 1e-09*s5_21;
   const Lanes s5_25 = mbgen::min(s5_23, -s5_24);
   const Lanes s5_26 = state.x[0]/relaxation_x_tyre;
   const Lanes s5_27 = state.x[1]/relaxation_y_tyre;
   const Lanes s5_28 = mbgen::sqrt(fma(s5_27, s5_27, fma(s5_26, s5_26, 1e-30)));
   // knuckle: ball, revolute, arm
-  const Lanes v_knuckle_x = fma(zd_lower, s1_3, state.zd[Coordinate::pull]);
+  const Lanes v_knuckle_x = fma(zd_lower, s1_2, state.zd[Coordinate::pull]);
   // wheel: wheel, revolute, knuckle
-  const Lanes v_wheel_x = fma(s1_5, w_knuckle_y, v_knuckle_x);
+  const Lanes v_wheel_x = fma(s1_4, w_knuckle_y, v_knuckle_x);
   const Lanes w_wheel_y = state.zd[Coordinate::wheel] + w_knuckle_y;
   // operations: 5 add, 4 multiply
   const Lanes s5_29 = w_wheel_y*s5_19;
@@ -520,10 +508,10 @@ using ConstraintForces = ConstraintForcesOf<Lanes>;
   const Lanes f_arm_x = s5_15 + s7_5;
   // carriage: pull, prismatic, ground
   const Lanes f_carriage_x = fms(m_carriage, zdd_pull, s5_15);
-  mbgen::read_back();
   // arm: lower, revolute, carriage
   const Lanes s7_7 = m_arm*fnma(zdd_lower, s7_3, fnma(s7_4, s7_2, -g_z));
   const Lanes n_arm_y = fnma(s7_3, s7_7, fma(s7_2, s7_5, s7_6));
+  mbgen::read_back();
   const Lanes s5_37 = fnma(s5_31, 0.06*fma(0.5, s5_34, 0.5)*mbgen::max(0.0, s5_33), s5_35);
   const Lanes s5_38 = 20.0*s5_21/mbgen::select(s5_23, mbgen::max(s5_23, s5_24), s5_25)*s5_37;
   // tyre
@@ -534,12 +522,12 @@ using ConstraintForces = ConstraintForcesOf<Lanes>;
   const Lanes s7_8 = fma(s5_36, radius_tyre*(rolling_tyre*load_tyre), alpha_wheel_y);
   const Lanes n_wheel_y = fma(fx_tyre, s5_19 + (s5_17 + (s5_16 - radius_tyre)), s7_8);
   // knuckle: ball, revolute, arm
-  const Lanes a_knuckle_x = fnma(r_knuckle_x, s7_4, fma(zdd_lower, s1_3, zdd_pull));
-  const Lanes a_knuckle_z = fnma(s1_3, s7_4, fnma(zdd_lower, r_knuckle_x, -g_z));
+  const Lanes a_knuckle_x = fnma(r_knuckle_x, s7_4, fma(zdd_lower, s1_2, zdd_pull));
+  const Lanes a_knuckle_z = fnma(s1_2, s7_4, fnma(zdd_lower, r_knuckle_x, -g_z));
   // wheel: wheel, revolute, knuckle
-  const Lanes a_wheel_x = fnma(s1_4, s7_1, fma(s1_5, alpha_knuckle_y, a_knuckle_x));
+  const Lanes a_wheel_x = fnma(s1_3, s7_1, fma(s1_4, alpha_knuckle_y, a_knuckle_x));
   const Lanes f_wheel_x = fms(m_wheel, a_wheel_x, fx_tyre);
-  const Lanes a_wheel_z = fnma(s1_5, s7_1, fnma(s1_4, alpha_knuckle_y, a_knuckle_z));
+  const Lanes a_wheel_z = fnma(s1_4, s7_1, fnma(s1_3, alpha_knuckle_y, a_knuckle_z));
   const Lanes f_wheel_z = fms(m_wheel, a_wheel_z, load_tyre);
   // knuckle: ball, revolute, arm
   const Lanes s7_9 = R_knuckle_x_x*parameters.derived[3];
@@ -551,27 +539,25 @@ using ConstraintForces = ConstraintForcesOf<Lanes>;
   const Lanes s7_13 = f_wheel_x + f_knuckle_x;
   const Lanes s7_14 = fma(s7_9, f_knuckle_x, alpha_knuckle_y*parameters.derived[5]);
   const Lanes n_knuckle_y = fnma(s7_10, f_knuckle_z, s7_14);
-  const Lanes s7_15 = n_knuckle_y + (n_wheel_y + fnma(s1_4, f_wheel_z, s1_5*f_wheel_x));
-  result.missing[1] = tau[Coordinate::ball] - s7_15;
-  const Lanes s7_16 = fnma(s1_3, s7_13, tau[Coordinate::lower] - s7_15);
+  const Lanes s7_15 = n_knuckle_y + (n_wheel_y + fnma(s1_3, f_wheel_z, s1_4*f_wheel_x));
+  const Lanes Q_ball = tau[Coordinate::ball] - s7_15;
+  result.missing[1] = Q_ball;
+  const Lanes s7_16 = fnma(s1_2, s7_13, tau[Coordinate::lower] - s7_15);
   // arm: lower, revolute, carriage
-  const Lanes Q_lower = fma(r_knuckle_x, f_wheel_z + f_knuckle_z, s7_16) - n_arm_y;
-  result.missing[0] = Q_lower;
+  result.missing[0] = fma(r_knuckle_x, f_wheel_z + f_knuckle_z, s7_16) - n_arm_y;
   // carriage: pull, prismatic, ground
   const Lanes Q_pull = tau[Coordinate::pull] - s7_13 - f_arm_x - f_carriage_x;
   // operations: 48 add, 45 multiply
 
   // --- step 9: multipliers of the closures and driving forces ---
   result.drive[0] = -Q_pull;
-  // upper
   const Lanes s9_1 = fma(p_upper_to_z, R_knuckle_x_z, p_upper_to_x*R_knuckle_x_x);
   const Lanes s9_2 = fnma(p_upper_to_x, R_knuckle_x_z, p_upper_to_z*R_knuckle_x_x);
-  const Lanes s9_3 = (p_upper_from_x - r_knuckle_x - s9_1)*(s1_3 + s9_2);
-  const Lanes s9_4 = fma(s9_2 + (-p_upper_from_z + r_knuckle_z), r_knuckle_x + s9_1, s9_3);
-  result.pivot[0] = 10.4946490638541*mbgen::abs(s9_4);
-  mbgen::read_back();
-  result.lambda[0] = -(l_upper*(Q_lower*(1.0/s9_4)));
-  // operations: 9 add, 9 multiply, 1 divide, 1 other
+  const Lanes s9_3 = s9_1*(s9_2 + (-p_upper_from_z + r_knuckle_z));
+  const Lanes s9_4 = fma(s9_2, p_upper_from_x - r_knuckle_x - s9_1, s9_3);
+  result.pivot[0] = 12.094222040829795*mbgen::abs(s9_4);
+  result.lambda[0] = -(l_upper*(Q_ball*(1.0/s9_4)));
+  // operations: 7 add, 9 multiply, 1 divide, 1 other
 }
 
 /// Multipliers of the closures and generalised driving forces, at given accelerations.
@@ -615,17 +601,15 @@ void compute_multipliers(const Tuned* parameters, const Inputs* /*inputs*/, cons
   const Lanes tension_spring = s5_13 + fms(s5_5 - l0_spring, parameters.k, -f0_spring);
   result.spring_force = tension_spring;
   const Lanes s5_14 = s5_6*tension_spring;
+  const Lanes s1_1 = z_lower + state.z[Coordinate::ball];
   // knuckle: ball, revolute, arm
-  const Lanes z_ball = state.z[Coordinate::ball];
-  Lanes s1_1, s1_2;
-  mbgen::sincos(z_ball, s1_2, s1_1);
-  const Lanes R_knuckle_x_x = fnma(R_arm_x_z, s1_2, R_arm_x_x*s1_1);
-  const Lanes R_knuckle_x_z = fma(R_arm_x_x, s1_2, R_arm_x_z*s1_1);
+  Lanes R_knuckle_x_x, R_knuckle_x_z;
+  mbgen::sincos(s1_1, R_knuckle_x_z, R_knuckle_x_x);
   const Lanes r_knuckle_x = fnma(-p_ball_x, R_arm_x_x, p_ball_z*R_arm_x_z);
 
   // --- step 4: velocities ---
   const Lanes s4_1 = zd_lower*r_knuckle_x;
-  const Lanes s1_3 = fma(-p_ball_x, R_arm_x_z, p_ball_z*R_arm_x_x);
+  const Lanes s1_2 = fma(-p_ball_x, R_arm_x_z, p_ball_z*R_arm_x_x);
   // knuckle: ball, revolute, arm
   const Lanes zd_ball = state.zd[Coordinate::ball];
   const Lanes w_knuckle_y = zd_lower + zd_ball;
@@ -634,26 +618,26 @@ void compute_multipliers(const Tuned* parameters, const Inputs* /*inputs*/, cons
   // --- step 9: outputs, energies, power ---
   const Lanes s9_1 = fma(w_knuckle_y, R_knuckle_x_z*parameters.derived[3], s4_1);
   // knuckle: ball, revolute, arm
-  const Lanes r_knuckle_z = s1_3 - (-p_lower_z);
+  const Lanes r_knuckle_z = s1_2 - (-p_lower_z);
   const Lanes zd_pull = state.zd[Coordinate::pull];
-  const Lanes v_knuckle_x = fma(zd_lower, s1_3, zd_pull);
-  const Lanes s1_4 = p_wheel_z*R_knuckle_x_x;
+  const Lanes v_knuckle_x = fma(zd_lower, s1_2, zd_pull);
+  const Lanes s1_3 = p_wheel_z*R_knuckle_x_x;
 
   // --- step 7: inertias of the bodies and forces on joints ---
   const Lanes s7_1 = R_knuckle_x_x*parameters.derived[3];
   // wheel: wheel, revolute, knuckle
-  const Lanes r_wheel_z = r_knuckle_z + s1_4;
-  // operations: 6 add, 10 multiply, 4 sin cos
-  const Lanes v_wheel_x = fma(s1_4, w_knuckle_y, v_knuckle_x);
+  const Lanes r_wheel_z = r_knuckle_z + s1_3;
+  // operations: 5 add, 6 multiply, 4 sin cos
+  const Lanes v_wheel_x = fma(s1_3, w_knuckle_y, v_knuckle_x);
   const Lanes s9_2 = fma(w_knuckle_y, s7_1, v_knuckle_x);
   const Lanes s5_15 = p_pull_z + r_wheel_z;
   result.hub_height = s5_15;
   const Lanes s9_3 = fma(m_wheel, r_wheel_z, parameters.derived[6]);
-  mbgen::read_back();
 
   // --- step 5: applied forces Q (48), continued ---
   // tyre
   const Lanes s5_16 = radius_tyre - s5_15;
+  mbgen::read_back();
   const Lanes s5_17 = mbgen::max(0.0, k_tyre*s5_16);
   const Lanes s5_18 = fnma(0.3333333333333333, mbgen::max(0.0, s5_16), radius_tyre);
   const Lanes load_tyre = mbgen::max(0.0, s5_17 + mbgen::min(s5_17, d_tyre*s4_2));
@@ -682,10 +666,10 @@ void compute_multipliers(const Tuned* parameters, const Inputs* /*inputs*/, cons
   const Lanes s5_35 = 20.0*s5_19/mbgen::select(s5_21, mbgen::max(s5_21, s5_22), s5_23)*s5_34;
   const Lanes s5_36 = s5_20*mbgen::sine(1.6*mbgen::arc_tangent(s5_35));
   const Lanes fx_tyre = mbgen::max(0.0, load_tyre)/s5_19*s5_36;
-  mbgen::read_back();
   const Lanes s5_37 = mbgen::hyperbolic_tangent(0.5*s5_27);
   const Lanes s5_38 = s5_37*(radius_tyre*(rolling_tyre*load_tyre));
   // operations: 32 add, 49 multiply, 7 divide, 3 sqrt, 3 sin cos, 18 other
+  mbgen::read_back();
   const Lanes s9_4 = fma(zd_wheel, tau[Coordinate::wheel], zd_ball*tau[Coordinate::ball]);
   const Lanes s5_39 = fma(fx_tyre, s5_18 + (s5_16 + (s5_15 - radius_tyre)), s5_38);
   const Lanes s9_5 = fma(v_wheel_x, fx_tyre, fnma(s4_2, load_tyre, s9_4));
@@ -717,7 +701,7 @@ void compute_outputs(const Tuned* parameters, const Inputs* /*inputs*/, const St
 
 }  // namespace lanes
 
-/// What the runtime's algorithms need to know of this model; see mbgen/batch.hpp.
+/// Sizes, tables and programs of this model for the runtime's algorithms; see mbgen/batch.hpp.
 struct System {
   using Lanes = batch::Lanes;
   using Row = batch::Row;

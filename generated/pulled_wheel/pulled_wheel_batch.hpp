@@ -64,7 +64,7 @@ struct alignas(32) Multipliers {
   double drive[1][kLanes];  ///< generalised driving force of each motion: N m or N
 };
 
-/// What step_abm4 remembers. Start with `History history{};`, and again when states or inputs were changed from
+/// Rates of the last steps for step_abm4. Start with `History history{};`, and again when states or inputs were changed from
 /// outside; `history.count[lane] = 0` starts one lane anew.
 struct alignas(32) History {
   double zd[4][kCoordinates][kLanes];  ///< [0] at the state that the last step left, then backwards
