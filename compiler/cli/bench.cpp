@@ -38,7 +38,7 @@ std::vector<EngineChoice> choices(const EngineChoice& common, int lanes) {
     if (name != "generic") {
       list.push_back(choice);
       if (name != "generated" || lanes == 0) continue;
-      choice.use = SolverUse::running;
+      choice.use = SolverUse::timing;
       choice.lanes = lanes;
       list.push_back(choice);
       continue;

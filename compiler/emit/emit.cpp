@@ -117,6 +117,10 @@ std::vector<std::string> solver_compile_flags(CompilerFamily family) {
   return flags_in(family == CompilerFamily::gnu ? "gnu.flags" : "clang.flags");
 }
 
+std::vector<std::string> quick_compile_flags(CompilerFamily family) {
+  return flags_in(family == CompilerFamily::gnu ? "gnu_quick.flags" : "clang_quick.flags");
+}
+
 std::vector<std::string> rare_compile_flags(CompilerFamily family) {
   return flags_in(family == CompilerFamily::gnu ? "gnu_rare.flags" : "clang_rare.flags");
 }

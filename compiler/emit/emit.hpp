@@ -83,6 +83,9 @@ enum class CompilerFamily { gnu, clang };
 /// docs/evidence/performance.md, "What was tried and left out".
 std::vector<std::string> solver_compile_flags(CompilerFamily family);
 
+/// Further flags for a solver that runs soon and not for long: a shorter compilation, the same bits.
+std::vector<std::string> quick_compile_flags(CompilerFamily family);
+
 /// Further flags for code that runs rarely: its compilation is to be short. The bits of results stay.
 std::vector<std::string> rare_compile_flags(CompilerFamily family);
 

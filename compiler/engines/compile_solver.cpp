@@ -39,6 +39,7 @@ std::string object_name(const std::string& solver, const std::vector<EmittedFile
   }
   for (const std::string& word : compiler.words) hash.add(word);
   for (const std::string& flag : compiler.flags) hash.add(flag);
+  for (const std::string& flag : compiler.hot_flags) hash.add(flag);
   for (const std::string& flag : compiler.rare_flags) hash.add(flag);
   hash.add(compiler.version);
   hash.add(processor());
@@ -89,7 +90,10 @@ std::shared_ptr<const SolverTable> load_solver(const Compilation& compilation, c
   const fs::path cache = use_cache ? own_cache() : fs::path();
   const bool has_cache = !cache.empty();
   const TemporaryDirectory scratch(has_cache ? cache : temporary_parent());
-  const HostCompiler compiler = find_compiler(scratch.path(), "-march=native", choice.lanes);
+  HostCompiler compiler = find_compiler(scratch.path(), "-march=native", choice.lanes);
+  if (choice.use == SolverUse::running && choice.lanes == 0) {
+    compiler.hot_flags = quick_compile_flags(compiler.is_clang ? CompilerFamily::clang : CompilerFamily::gnu);
+  }
   const std::string name = solver_name(compilation.model);
   const fs::path kept = cache / object_name(name, files, compiler);
 

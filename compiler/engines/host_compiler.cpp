@@ -98,9 +98,8 @@ std::vector<std::string> compile_sources(const HostCompiler& compiler,
       names.push_back(base + ".o");
       Command compilation{compilation_of(compiler, directories), base + ".log"};
       std::vector<std::string>& words = compilation.arguments;
-      if (source.is_rare || part > 0) {
-        words.insert(words.end(), compiler.rare_flags.begin(), compiler.rare_flags.end());
-      }
+      const std::vector<std::string>& further = source.is_rare || part > 0 ? compiler.rare_flags : compiler.hot_flags;
+      words.insert(words.end(), further.begin(), further.end());
       if (source.rare_parts > 0) words.push_back(fmt::format("-DMBGEN_PART={}", part));
       words.insert(words.end(), {"-c", source.path.string(), "-o", names.back()});
       (part > 0 ? rare : compilations).push_back(std::move(compilation));

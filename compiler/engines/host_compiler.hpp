@@ -13,6 +13,7 @@ struct HostCompiler {
   std::vector<std::string> words;       ///< of $CXX
   std::string version;                  ///< its own version text
   std::vector<std::string> flags;       ///< of emitted code; without -fPIC
+  std::vector<std::string> hot_flags;   ///< further ones for code that runs at every step
   std::vector<std::string> rare_flags;  ///< further ones for code that runs rarely
   bool is_clang = false;
 };
@@ -48,8 +49,9 @@ struct Source {
   bool is_rare = false;  ///< all of it runs rarely
 };
 
-/// Compiles sources, large ones part by part; code that runs rarely with rare_flags. directories: of headers; objects:
-/// the directory for the objects; product: as for run_all. Result: the objects. Fails: as run_all.
+/// Compiles sources, large ones part by part; code that runs rarely with rare_flags, other code with hot_flags.
+/// directories: of headers; objects: the directory for the objects; product: as for run_all. Result: the objects.
+/// Fails: as run_all.
 std::vector<std::string> compile_sources(const HostCompiler& compiler,
                                          const std::vector<std::filesystem::path>& directories,
                                          const std::vector<Source>& sources, const std::filesystem::path& objects,

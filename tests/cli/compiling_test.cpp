@@ -73,8 +73,7 @@ TEST_F(Compiling, TakesLargeSolversInPartsAndNamesThePartThatFails) {
       "echo \"$*\" >>\"$(dirname \"$0\")/commands\"\n"
       "case \"$*\" in *-DMBGEN_PART=2*) echo part two is broken; exit 1;; esac\n"
       "for word; do [ \"$last\" = -o ] && : >\"$word\"; last=$word; done\n");
-  const Outcome run =
-      mbgen("simulate '" + kSource + "/models/coach.json' --duration 0.1 --step 1e-2 --out o.csv");
+  const Outcome run = mbgen("simulate '" + kSource + "/models/coach.json' --duration 0.1 --step 1e-2 --out o.csv");
   EXPECT_EQ(run.exit_code, 2);
   EXPECT_NE(run.err.find("part two is broken"), std::string::npos) << run.err;
   EXPECT_NE(run.err.find("-DMBGEN_PART=2 "), std::string::npos) << run.err;
@@ -85,9 +84,24 @@ TEST_F(Compiling, TakesLargeSolversInPartsAndNamesThePartThatFails) {
     const std::size_t at = words.find("-DMBGEN_PART=");
     const std::string part = at == std::string::npos ? "" : words.substr(at + 13, 1);
     parts.insert(part);
-    EXPECT_EQ(words.find(" -O1 ") != std::string::npos, part > "0") << words;
+    EXPECT_NE(words.find(" -O1 "), std::string::npos) << words;
+    EXPECT_EQ(words.find(" -fexpensive-optimizations ") != std::string::npos, part <= "0") << words;
   }
   EXPECT_TRUE(parts.contains("0") && parts.contains("1") && parts.contains("2"));
+}
+
+TEST_F(Compiling, TimesSolversAsTheirBuildFileCompilesThem) {
+  write("pendulum.json", kPendulum);
+  use_compiler(
+      "echo \"$*\" >>\"$(dirname \"$0\")/commands\"\n"
+      "case \"$*\" in *-c*) exit 1;; esac\n");
+  EXPECT_EQ(mbgen(kRun).exit_code, 2);
+  EXPECT_NE(read("commands").find(" -O1 "), std::string::npos);
+  std::filesystem::remove(path("commands"));
+  EXPECT_EQ(mbgen("bench pendulum.json").exit_code, 2);
+  const std::string commands = read("commands");
+  EXPECT_NE(commands.find(" -O2 "), std::string::npos) << commands;
+  EXPECT_EQ(commands.find(" -O1 "), std::string::npos) << commands;
 }
 
 TEST_F(Compiling, LeavesNoFilesAndNoProcessesWhenItIsInterrupted) {

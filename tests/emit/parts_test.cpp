@@ -40,7 +40,9 @@ TEST_P(InParts, hasTheBitsOfTheWhole) {
   const Loaded divided(files, solver_name(example.model), GetParam(), "");
   ASSERT_NE(divided.table(), nullptr) << divided.compilation().text;
   for (EmittedFile& file : files) file.rare_parts = 0;  // the same text without MBGEN_PART
-  const Loaded whole(files, solver_name(example.model), GetParam(), "");
+  std::string quick;                                    // as `simulate` compiles what it runs
+  for (const std::string& flag : quick_compile_flags(GetParam().family)) quick += " " + flag;
+  const Loaded whole(files, solver_name(example.model), GetParam(), quick);
   ASSERT_NE(whole.table(), nullptr) << whole.compilation().text;
   EXPECT_EQ(answers_of(*divided.table()), answers_of(*whole.table()));
 }
