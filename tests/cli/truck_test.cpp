@@ -104,7 +104,7 @@ TEST_F(CommandLine, TruckStandsOnItsWheelsCloseToTheReference) {
     EXPECT_LT(std::abs(start.at(0, fmt::format("z.{} [rad]", held))), 0.001) << held;
 }
 
-TEST_F(CommandLine, TruckDrivesItsSlalom) {
+TEST_F(CommandLine, TruckDrivesItsSlalomAndEnginesAgreeOnItsStart) {
   ASSERT_EQ(mbgen("simulate " + kTruck + " --duration 5 --step 1e-3 --every 5 --out slalom.csv").exit_code, 0);
   const Table run = table("slalom.csv");
   EXPECT_EQ(run.rows.size(), 1001u);
@@ -119,9 +119,7 @@ TEST_F(CommandLine, TruckDrivesItsSlalom) {
   const double lag = time_of_peak(run, "yaw_rate_trailer [rad/s]") - time_of_peak(run, "yaw_rate_tractor [rad/s]");
   EXPECT_GT(lag, 0.3);
   EXPECT_LT(lag, 0.7);
-}
 
-TEST_F(CommandLine, EnginesAgreeOnTheStartOfTheTrucksSlalom) {
   for (const char* engine : {"generated", "generic"})
     ASSERT_EQ(
         mbgen(fmt::format("simulate {} --duration 0.5 --step 1e-3 --engine {} --out {}.csv", kTruck, engine, engine))
