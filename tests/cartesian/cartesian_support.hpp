@@ -2,9 +2,20 @@
 // Equations (5) solved as they stand, by a method that minds neither massless bodies nor redundant equations.
 
 #include <Eigen/Dense>
+#include <ostream>
 
 #include "runtime/cartesian/cartesian.hpp"
 #include "runtime/cartesian/system.hpp"
+
+namespace mbgen {
+
+/// For names of tests.
+inline void PrintTo(CartesianMethod method, std::ostream* out) {
+  constexpr const char* kNames[] = {"augmented", "range_space", "null_space", "maggi"};
+  *out << kNames[static_cast<int>(method)];
+}
+
+}  // namespace mbgen
 
 namespace mbgen::testing {
 

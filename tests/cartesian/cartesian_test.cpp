@@ -136,7 +136,8 @@ TEST_P(Methods, MasslessLinkTransmitsForceAlongItselfOnly) {
   EXPECT_LT((terms.jacobian * s.qdd - terms.bias).cwiseAbs().maxCoeff(), 1e-12);
 }
 
-INSTANTIATE_TEST_SUITE_P(All, Methods, ::testing::ValuesIn(mbgen::testing::kMethods));
+INSTANTIATE_TEST_SUITE_P(All, Methods, ::testing::ValuesIn(mbgen::testing::kMethods),
+                         ::testing::PrintToStringParamName());
 
 TEST(Existence, MotionThatNoMassResistsIsFound) {
   // a point mass whose pin is at its centre: it turns freely without inertia

@@ -111,6 +111,9 @@ struct Variant {
   Drawing drawing;
 };
 
+/// For names of tests.
+void PrintTo(const Variant& variant, std::ostream* out) { *out << variant.name; }
+
 class TunedPin : public ::testing::TestWithParam<Variant> {};
 
 /// The ground's pin is moved, the rocker's point is not: the rocker goes along, as in a drawing with another base.

@@ -173,6 +173,11 @@ struct Case {
   double tolerance;
 };
 
+/// For names of tests.
+void PrintTo(const Case& parameter, std::ostream* out) {
+  *out << parameter.file << (parameter.is_at_rest ? " at rest" : "");
+}
+
 class InMujoco : public ::testing::TestWithParam<Case> {};
 
 TEST_P(InMujoco, HasTheSameAccelerations) {

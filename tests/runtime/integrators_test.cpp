@@ -76,6 +76,9 @@ double quarter_period(double angle) {
 
 enum class Method { rk4, abm4 };
 
+/// For names of tests.
+void PrintTo(Method method, std::ostream* out) { *out << (method == Method::rk4 ? "rk4" : "abm4"); }
+
 template <class System>
 typename System::State integrate(Method method, double duration, int steps) {
   const System system;
@@ -114,8 +117,7 @@ TEST_P(Order, IsFourOnAProjectedPendulum) {
   EXPECT_LT(fine, 1e-10);
 }
 
-INSTANTIATE_TEST_SUITE_P(Methods, Order, testing::Values(Method::rk4, Method::abm4),
-                         [](const auto& method) { return method.param == Method::rk4 ? "rk4" : "abm4"; });
+INSTANTIATE_TEST_SUITE_P(Methods, Order, testing::Values(Method::rk4, Method::abm4), testing::PrintToStringParamName());
 
 TEST(StepRk4, IsTheTaylorSeriesOfTheOscillatorToFourthOrder) {
   const Oscillator system;

@@ -98,6 +98,9 @@ struct Journey {
 
 enum class Method { rk4, abm4 };
 
+/// For names of tests.
+void PrintTo(Method method, std::ostream* out) { *out << (method == Method::rk4 ? "rk4" : "abm4"); }
+
 Journey follow(const Bead& bead, Bead::State state, double duration, int steps, Method method = Method::rk4) {
   Journey journey{state, {}};
   AbmHistory<Bead> history{};
@@ -155,7 +158,7 @@ TEST_P(Passage, LosesNoEnergyHoweverCloseStepsComeToIt) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Methods, Passage, testing::Values(Method::rk4, Method::abm4),
-                         [](const auto& method) { return method.param == Method::rk4 ? "rk4" : "abm4"; });
+                         testing::PrintToStringParamName());
 
 TEST(Singular, VelocityTellsTheBranchOfAStartInTheCrossing) {
   for (const double side : {1.0, -1.0}) {
