@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "compiler/formulation/origins.hpp"
 #include "compiler/formulation/scribe.hpp"
 #include "compiler/model/evaluate.hpp"
 #include "compiler/topology/topology.hpp"
@@ -63,10 +64,10 @@ struct RodConstants {
 /// All constants of a model that positions and inertias need.
 template <class T>
 struct Constants {
-  std::vector<Vector<T>> shift;       ///< per model body: off its pose at the reference configuration, see shifts
-  std::vector<Vector<T>> origin;      ///< per tree body: point of its joint, global at the reference configuration
-  std::vector<T> mass;                ///< per tree body, everything merged, with the rods' end masses
-  std::vector<Vector<T>> com;         ///< per tree body, from its origin, reference axes
+  std::vector<Vector<T>> shift;   ///< per model body: off its pose at the reference configuration, see shifts
+  std::vector<Vector<T>> origin;  ///< per tree body: point on its joint's axis, global at the reference configuration
+  std::vector<T> mass;            ///< per tree body, everything merged, with the rods' end masses
+  std::vector<Vector<T>> com;     ///< per tree body, from its origin, reference axes
   std::vector<Symmetric<T>> inertia;  ///< per tree body about com, reference axes
   std::vector<RodConstants<T>> rods;  ///< per Model::rods
   Vector<T> gravity;
@@ -203,11 +204,15 @@ Constants<T> make_constants(const Model& model, const Topology& topology, const 
   Constants<T> constants;
   constants.gravity = value_of(model, model.gravity, environment);
   constants.shift = shifts(model, topology, environment);
-  for (const TreeBody& body : topology.bodies) {
-    const Attachment& from = model.joints[body.joint].from;
-    constants.origin.push_back(
+  const std::vector<SlidOrigin> slid = slid_origins(model, topology);
+  for (std::size_t i = 0; i < topology.bodies.size(); ++i) {
+    const Attachment& from = model.joints[topology.bodies[i].joint].from;
+    Vector<T> origin =
         reference_position(model, from.body, model.bodies[from.body].points[from.point].position, environment) +
-        constants.shift[from.body]);
+        constants.shift[from.body];
+    if (slid[i].component >= 0)
+      (slid[i].component == 0 ? origin.x : slid[i].component == 1 ? origin.y : origin.z) = T(slid[i].value);
+    constants.origin.push_back(origin);
   }
   std::vector<Part<T>> parts(topology.bodies.size());
   for (std::size_t b = 0; b < model.bodies.size(); ++b)

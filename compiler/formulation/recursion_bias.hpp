@@ -6,6 +6,16 @@
 
 namespace mbgen::detail {
 
+/// The constants of a body whose origin is the foot of its centre of mass: nothing but rounding is left along the axis.
+template <class T>
+PseudoInertia<T> without_noise(PseudoInertia<T> m, const SlidOrigin& slid) {
+  if (slid.component < 0) return m;
+  T& along = slid.component == 0 ? m.moment.x : slid.component == 1 ? m.moment.y : m.moment.z;
+  along = mbgen::without_noise(along, 8 * known_size(m.mass) * std::abs(slid.value));
+  m.second = entries_without_noise(m.second, m.trace);
+  return m;
+}
+
 /// Constants of the bodies, named m_, h_ (first moments) and K_ (second moments): rods' ends of m/2 (the rest is the
 /// rod's dyad, see add_rods) and locked rotors.
 template <class T>
@@ -33,6 +43,8 @@ void set_constants(RecursionState<T>& s) {
     s.constant[unit.base] = s.constant[unit.base] + from_central(c.mass[w], com, j + spin);
     s.constant[w] = {};
   }
+  const std::vector<SlidOrigin> slid = slid_origins(system.model, system.topology);
+  for (std::size_t i = 0; i < n; ++i) s.constant[i] = without_noise(s.constant[i], slid[i]);
   for (std::size_t i = 0; i < n; ++i) {
     const std::string& body = system.topology.bodies[i].name;
     system.scribe.constant(s.constant[i].mass, "m_", body);

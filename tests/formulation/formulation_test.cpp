@@ -282,6 +282,36 @@ TEST(Kinematics, TurnsAboutParallelAxesAreOneTurn) {
   }
 }
 
+// Origins lie on the axes of their joints, and the arms of the coach have their centres of mass across from them.
+TEST(Origins, AreOnTheAxesAndAtTheFeetOfTheCentresOfMass) {
+  int slid = 0;
+  for (const char* path : {"models/coach_mechanism.json", "tests/data/models/chain_7.json",
+                           "tests/data/models/nested_blocks.json", "tests/data/models/reversed_joints.json"}) {
+    Result<Model> model = read_model_file(source_path(path));
+    for (Rod& rod : model->rods) rod.mass = 0.0;
+    const Result<Topology> topology = build_topology(*model);
+    Environment<double> e;
+    e.topology = &*topology;
+    for (const Parameter& p : model->parameters) e.parameters.push_back(p.value);
+    for (const Input& input : model->inputs) e.inputs.push_back(input.default_value);
+    const Constants<double> c = make_constants(*model, *topology, e);
+    for (int i = 0; i < topology->size(); ++i) {
+      const TreeBody& body = topology->bodies[i];
+      const V axis = constant<double>(body.axis);
+      const V off = c.origin[i] - constant<double>(reference_position(*model, model->joints[body.joint].from));
+      EXPECT_LT(norm(cross(axis, off)), 1e-14) << path << " " << body.name;
+      if (body.kind == FreedomKind::prismatic || body.massless) {
+        EXPECT_EQ(norm(off), 0) << path << " " << body.name;
+      }
+      if (norm(off) > 0) ++slid;
+      if (norm(off) > 0 && body.name.starts_with("arb_")) {
+        EXPECT_EQ(dot(axis, c.com[i]), 0) << path << " " << body.name;
+      }
+    }
+  }
+  EXPECT_GE(slid, 4);
+}
+
 INSTANTIATE_TEST_SUITE_P(Models, EveryModel, ::testing::ValuesIn(all_models()), test_name);
 INSTANTIATE_TEST_SUITE_P(Models, EveryModelWithLoops, ::testing::ValuesIn(models_with_loops()), test_name);
 
