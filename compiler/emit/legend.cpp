@@ -45,7 +45,10 @@ std::string loops_text(const EmitContext& context) {
                                body_text(topology, loop.body_from), body_text(topology, loop.body_to)),
                    "  ");
     }
-    text += line("independent: " + coordinates_of(topology, block, context.analysis.blocks[b].independent), "  ");
+    const BlockAnalysis& found = context.analysis.blocks[b];
+    text += line("independent: " + coordinates_of(topology, block, found.independent), "  ");
+    if (context.programs.form == Form::recursive && found.quasi.independent != found.independent)
+      text += line("in the accelerations: " + coordinates_of(topology, block, found.quasi.independent), "  ");
   }
   return text;
 }
