@@ -1,3 +1,5 @@
+#include "compiler/emit/batch_text.hpp"
+
 // The batch interface: the solver's programs once more, on vectors.
 
 #include <fmt/format.h>
@@ -7,6 +9,7 @@
 #include "compiler/emit/input_text.hpp"
 #include "compiler/emit/interface_text.hpp"
 #include "compiler/emit/program_text.hpp"
+#include "compiler/emit/solver_text.hpp"
 #include "compiler/emit/text.hpp"
 #include "compiler/emit/tuned_text.hpp"
 #include "compiler/model/inputs.hpp"

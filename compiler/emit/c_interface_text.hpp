@@ -3,7 +3,6 @@
 
 #include <string>
 
-#include "compiler/emit/emit.hpp"
 #include "compiler/emit/interface_text.hpp"
 
 namespace mbgen {

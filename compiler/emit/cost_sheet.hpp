@@ -4,7 +4,7 @@
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 
-#include "compiler/emit/interface_text.hpp"
+#include "compiler/emit/context.hpp"
 
 namespace mbgen {
 

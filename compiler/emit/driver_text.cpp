@@ -1,4 +1,5 @@
-#include "compiler/emit/emit.hpp"
+#include "compiler/emit/driver_text.hpp"
+
 #include "compiler/emit/interface_text.hpp"
 #include "compiler/emit/program_text.hpp"
 #include "compiler/emit/text.hpp"

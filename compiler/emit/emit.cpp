@@ -6,11 +6,14 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "compiler/emit/batch_text.hpp"
 #include "compiler/emit/c_interface_text.hpp"
 #include "compiler/emit/calibration_text.hpp"
 #include "compiler/emit/cost_sheet.hpp"
 #include "compiler/emit/embedded.hpp"
 #include "compiler/emit/interface_text.hpp"
+#include "compiler/emit/manifest_text.hpp"
+#include "compiler/emit/solver_text.hpp"
 #include "compiler/emit/text.hpp"
 #include "compiler/emit/titles.hpp"
 

@@ -6,40 +6,15 @@
 #include <vector>
 
 #include "compiler/analysis/analysis.hpp"
+#include "compiler/emit/driver_text.hpp"
+#include "compiler/emit/files.hpp"
+#include "compiler/emit/names.hpp"
 #include "compiler/model/model.hpp"
 #include "compiler/passes/roll.hpp"
 #include "compiler/topology/topology.hpp"
 #include "compiler/trace/trace.hpp"
 
 namespace mbgen {
-
-/// Version of mbgen in banners and manifests, equal to the project version of CMakeLists.txt.
-constexpr const char* kMbgenVersion = "0.1.0";
-
-/// Values that make a part of a file worth a compilation of its own: that reads the headers once more, which takes as
-/// long as some thousand values.
-constexpr std::size_t kFilePartValues = 4000;
-
-/// A file to write, path relative to the output directory.
-struct EmittedFile {
-  std::string path;
-  std::string text;
-  /// Of a source: compilations with MBGEN_PART = 0, 1, ..., rare_parts give together what one without it gives. What
-  /// the parts from 1 on hold runs rarely.
-  int rare_parts = 0;
-};
-
-/// A parameter that acts at the start, and the change of the velocities there by its change of 1.
-struct StartParameter {
-  int parameter = -1;  ///< index into Model::parameters
-  std::vector<double> zd;
-};
-
-/// Where solvers start: loops closed, velocities consistent.
-struct InitialState {
-  std::vector<double> z, zd, x;
-  std::vector<StartParameter> parameters = {};
-};
 
 struct EmitOptions {
   bool runtime_headers = true;          ///< add the runtime's headers under mbgen/, so that the directory stands alone
@@ -62,15 +37,6 @@ std::vector<EmittedFile> emit(const Programs& programs, const Model& model, cons
 /// A number of the programs or a default of the model that is finite and no float is, none when all are.
 std::optional<double> beyond_single_precision(const Programs& programs, const Model& model);
 
-/// `<model>_driver.cpp`: the table of mbgen/driver.hpp over plain arrays, for whoever loads the compiled solver.
-/// lanes: as the solver has them.
-EmittedFile emit_driver(const Model& model, int lanes = 0);
-
-/// The same with step_ticks: it holds the program of accelerations once more, cut at its steps.
-/// Requires: as emit.
-EmittedFile emit_clocked_driver(const Programs& programs, const Model& model, const Topology& topology,
-                                const Analysis& analysis, int lanes = 0);
-
 /// Adds the runtime's headers that the files include, under mbgen/.
 void add_runtime_headers(std::vector<EmittedFile>& files);
 
@@ -91,11 +57,5 @@ std::vector<std::string> rare_compile_flags(CompilerFamily family);
 
 /// Further flags of g++ for solvers with lanes on x86-64, and only there.
 std::vector<std::string> lane_flags_of_gnu_on_x86();
-
-/// Name of the emitted files and of the namespace: the identifier of the model's name.
-std::string solver_name(const Model& model);
-
-/// C++ identifier for a model name: unique within `taken`, no keyword, ASCII. Adds the result to `taken`.
-std::string identifier(const std::string& name, std::vector<std::string>& taken);
 
 }  // namespace mbgen

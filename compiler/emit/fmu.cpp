@@ -5,8 +5,11 @@
 #include <limits>
 
 #include "compiler/emit/directional_text.hpp"
+#include "compiler/emit/emit.hpp"
 #include "compiler/emit/fmu_documentation.hpp"
+#include "compiler/emit/fmu_nominals.hpp"
 #include "compiler/emit/input_text.hpp"
+#include "compiler/emit/solver_text.hpp"
 #include "compiler/emit/text.hpp"
 #include "compiler/emit/titles.hpp"
 #include "compiler/model/inputs.hpp"
@@ -150,7 +153,8 @@ FmuFiles emit_fmu(const Programs& programs, const Programs& emitted, const Model
   const std::vector<ShapedProgram> shaped =
       shaped_programs(emitted, context.layout, context.names, titles_of(emitted.form, model, topology), context.scalar,
                       context.roll_above);
-  const FmuLayout fmu = fmu_layout(context, programs, initial, version);
+  FmuLayout fmu = fmu_layout(context, programs, initial, version);
+  add_nominals(context, initial, fmu);
   const std::string functions = version == FmiVersion::two ? "_fmi2.cpp" : "_fmi3.cpp";
 
   std::vector<EmittedFile> sources = {

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "compiler/emit/emit.hpp"
+#include "compiler/emit/files.hpp"
 #include "compiler/emit/fmu_description.hpp"
 
 namespace mbgen {

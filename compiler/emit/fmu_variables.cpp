@@ -375,7 +375,6 @@ FmuLayout fmu_layout(const EmitContext& context, const Programs& programs, const
   add_chosen(context, first, fmu);
   add_start_parameters(context, initial, fmu);
   add_structure(first, initial, dependencies(context, programs, first, fmu), version, fmu);
-  add_nominals(context, initial, fmu);
   return fmu;
 }
 

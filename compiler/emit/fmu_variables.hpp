@@ -6,7 +6,6 @@
 #include <string>
 #include <vector>
 
-#include "compiler/emit/emit.hpp"
 #include "compiler/emit/interface_text.hpp"
 
 namespace mbgen {
@@ -57,9 +56,5 @@ std::string fmu_output_name(const Model& model, const std::string& name);
 /// outputs and derivatives depend on; FMI 2 knows them at the initialisation only.
 FmuLayout fmu_layout(const EmitContext& context, const Programs& programs, const InitialState& initial,
                      FmiVersion version);
-
-/// Nominal values of the continuous states: 1 rad or the extent of the model, as much per second, or what they start
-/// with where that is more; a tenth of a tyre's radius for its slips. They stay whatever coordinates are chosen.
-void add_nominals(const EmitContext& context, const InitialState& initial, FmuLayout& fmu);
 
 }  // namespace mbgen

@@ -1,6 +1,5 @@
 #include "compiler/emit/headings.hpp"
 
-#include "compiler/emit/program_text.hpp"
 #include "compiler/emit/text.hpp"
 
 namespace mbgen {
@@ -11,6 +10,18 @@ constexpr std::size_t kShortestRun = 12;
 
 /// Values without a name have no heading of their owner for less than this.
 constexpr std::size_t kShortestOwnerRun = 8;
+
+/// "12 add, 20 multiply, 1 divide": the kinds of operation that occur, "none" when none does.
+std::string operations_text(const OperationCount& count) {
+  const std::pair<long, const char*> kinds[] = {
+      {count.add, "add"},   {count.multiply, "multiply"},     {count.divide, "divide"},
+      {count.sqrt, "sqrt"}, {count.trigonometric, "sin cos"}, {count.other, "other"}};
+  std::string text;
+  for (const auto& [number, kind] : kinds) {
+    if (number > 0) text += (text.empty() ? "" : ", ") + std::to_string(number) + " " + kind;
+  }
+  return text.empty() ? "none" : text;
+}
 
 }  // namespace
 

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 
-#include "compiler/emit/emit.hpp"
 #include "compiler/emit/input_text.hpp"
 #include "compiler/emit/text.hpp"
 #include "compiler/emit/tuned_text.hpp"

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "compiler/emit/interface_text.hpp"
+#include "compiler/emit/context.hpp"
 
 namespace mbgen {
 

@@ -1,8 +1,8 @@
+#include "compiler/emit/manifest_text.hpp"
+
 #include <nlohmann/json.hpp>
 
 #include "compiler/emit/cost_sheet.hpp"
-#include "compiler/emit/emit.hpp"
-#include "compiler/emit/interface_text.hpp"
 
 namespace mbgen {
 namespace {

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <iterator>
 
-#include "compiler/emit/emit.hpp"
 #include "compiler/emit/reserved_names.hpp"
 
 namespace mbgen {

@@ -40,6 +40,12 @@ std::string identifier_base(const std::string& name);
 /// The identifier for the second, third, .. use of a base: "crank_2"; "class_2" for "class_".
 std::string numbered(const std::string& base, int number);
 
+/// Name of the emitted files and of the namespace: the identifier of the model's name.
+std::string solver_name(const Model& model);
+
+/// C++ identifier for a model name: unique within `taken`, no keyword, ASCII. Adds the result to `taken`.
+std::string identifier(const std::string& name, std::vector<std::string>& taken);
+
 /// Names that a model alone decides; coordinates and loop_blocks stay empty.
 SolverNames model_names(const Model& model);
 

@@ -162,7 +162,8 @@ class ProgramWriter {
     const std::size_t start = schedule_.parts[unit.part].first;
     for (std::size_t i = unit.first; i < unit.last(); ++i) {
       const ValueId v = schedule_.order[i];
-      if (!texts_.facts(v).is_inlined) headings_.write_before(i, texts_.place_in_call(v).call >= 0, part);
+      const bool in_call = texts_.place_in_call(v).call >= 0;
+      if (in_call || !texts_.facts(v).is_inlined) headings_.write_before(i, in_call, part);
       write_value(unit, v, i > start ? schedule_.order[i - 1] : kNoValue, part);
       if (shape_.read_back_after > 0 && (i + 1 - start) % shape_.read_back_after == 0) {
         add_line(part, "mbgen::read_back();");
@@ -253,17 +254,6 @@ class ProgramWriter {
 
 std::string program_text(const Program& program, const Schedule& schedule, const ProgramShape& shape) {
   return ProgramWriter(program, schedule, shape).text();
-}
-
-std::string operations_text(const OperationCount& count) {
-  const std::pair<long, const char*> kinds[] = {
-      {count.add, "add"},   {count.multiply, "multiply"},     {count.divide, "divide"},
-      {count.sqrt, "sqrt"}, {count.trigonometric, "sin cos"}, {count.other, "other"}};
-  std::string text;
-  for (const auto& [number, kind] : kinds) {
-    if (number > 0) text += (text.empty() ? "" : ", ") + std::to_string(number) + " " + kind;
-  }
-  return text.empty() ? "none" : text;
 }
 
 }  // namespace mbgen

@@ -15,7 +15,4 @@ namespace mbgen {
 /// Fails: throws std::logic_error when a slot of the program has no place in the shape.
 std::string program_text(const Program& program, const Schedule& schedule, const ProgramShape& shape);
 
-/// "12 add, 20 multiply, 1 divide": the kinds of operation that occur, "none" when none does.
-std::string operations_text(const OperationCount& count);
-
 }  // namespace mbgen

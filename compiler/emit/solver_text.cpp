@@ -1,3 +1,5 @@
+#include "compiler/emit/solver_text.hpp"
+
 #include <algorithm>
 #include <stdexcept>
 
