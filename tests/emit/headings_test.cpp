@@ -1,0 +1,74 @@
+// Headings of the committed solvers: a value named after a body or a coordinate stands under that one's heading.
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <map>
+#include <regex>
+#include <string>
+
+namespace mbgen {
+namespace {
+
+/// The coordinate of every body, by the legend of the file.
+std::map<std::string, std::string> coordinates_of_bodies(const std::string& path) {
+  static const std::regex kLine(R"(//   (\S+): (\S+), (?:revolute|prismatic), on .*)");
+  std::map<std::string, std::string> coordinates;
+  std::ifstream file(path);
+  std::smatch match;
+  for (std::string line; std::getline(file, line);)
+    if (std::regex_match(line, match, kLine)) coordinates[match[1]] = match[2];
+  return coordinates;
+}
+
+/// What a heading of the body or coordinate in a value's name begins with, "" for a value that is named after neither.
+std::string heading_of(const std::string& name, const std::map<std::string, std::string>& coordinates) {
+  static const std::regex kOfBody("(?:R|r|v|w|a|alpha|f|n)_(\\w+?)(?:_[xyz]){1,2}(?:_\\d+)?");
+  static const std::regex kOfCoordinate("(?:u|b|Q)_(\\w+?)(?:_[xyz])?(?:_\\d+)?");
+  std::smatch match;
+  for (const auto& [body, coordinate] : coordinates) {
+    const std::string heading = body + ": " + coordinate + ",";
+    if (std::regex_match(name, match, kOfBody) && match[1] == body) return heading;
+    if (std::regex_match(name, match, kOfCoordinate) && match[1] == coordinate) return heading;
+  }
+  return "";
+}
+
+class CommittedHeadings : public testing::TestWithParam<const char*> {};
+
+// A copy of a result that a call for many angles left in an array is a reading of it, and stands where it is read.
+TEST_P(CommittedHeadings, namedValuesStandUnderTheirBody) {
+  static const std::regex kValue(R"(  (?:const double |work\d*\.)(\w+) = (.*))");
+  static const std::regex kReading(R"((?:work\d*\.)?(?:sines|cosines)\w*\[\d+\];)");
+  const std::string name = GetParam(),
+                    path = std::string(MBGEN_SOURCE_DIR) + "/generated/" + name + "/" + name + ".cpp";
+  const auto coordinates = coordinates_of_bodies(path);
+  std::ifstream file(path);
+  std::string heading;
+  bool is_hot = false;
+  int named = 0, number = 0;
+  std::smatch match;
+  for (std::string line; std::getline(file, line);) {
+    ++number;
+    if (line.find("void compute_") != std::string::npos) {
+      is_hot = line.find("void compute_accelerations") != std::string::npos;
+      heading.clear();
+    }
+    if (line.starts_with("  // --- "))
+      heading.clear();
+    else if (line.starts_with("  // "))
+      heading = line.substr(5);
+    if (!is_hot || !std::regex_match(line, match, kValue) || std::regex_match(match[2].str(), kReading)) continue;
+    const std::string wanted = heading_of(match[1], coordinates);
+    if (wanted.empty()) continue;
+    ++named;
+    EXPECT_TRUE(heading.starts_with(wanted)) << name << ".cpp:" << number << ": " << match[1] << " under " << heading;
+  }
+  EXPECT_GT(named, 4) << "values named after bodies: the test has read too little";
+}
+
+INSTANTIATE_TEST_SUITE_P(Models, CommittedHeadings, testing::Values("four_bar", "pulled_wheel", "coach_mechanism"),
+                         [](const auto& info) { return std::string(info.param); });
+
+}  // namespace
+}  // namespace mbgen
