@@ -8,6 +8,7 @@
 // Loop block 0, on ground:
 //   rocker_tip: revolute between coupler and rocker
 //   independent: coupler_pin
+//   in the accelerations: crank_pin
 //
 // Frames: a body of a loop block is seen in the axes of the body that its block moves on, about that body's origin;
 // every other body in its own axes. The origin of a body is the point of its joint.
@@ -632,7 +633,7 @@ struct System {
   static constexpr int kDrives = 0;
   static constexpr double kClosureTolerance = 1e-12;
   static constexpr int kBlockCoordinates = 3;
-  static constexpr mbgen::FreeDirection kFreeDirection[] = {{1, 0, 0}};
+  static constexpr mbgen::FreeDirection kFreeDirection[] = {{0, 0, 0}};
   static constexpr double Parameters::*kParameterMember[] = {&Parameters::k};
   static constexpr double Inputs::*kInputMember[] = {&Inputs::torque};
   static constexpr unsigned char kDriven[] = {0, 0, 0};

@@ -9,6 +9,7 @@
 // Loop block 0, on carriage:
 //   upper: rod between carriage and knuckle
 //   independent: ball
+//   in the accelerations: lower
 //
 // Frames: a body of a loop block is seen in the axes of the body that its block moves on, about that body's origin;
 // every other body in its own axes. The origin of a body is the point of its joint.
@@ -808,7 +809,7 @@ struct System {
   static constexpr int kDrives = 1;
   static constexpr double kClosureTolerance = 1e-12;
   static constexpr int kBlockCoordinates = 2;
-  static constexpr mbgen::FreeDirection kFreeDirection[] = {{2, 0, 0}, {3, -1, 0}};
+  static constexpr mbgen::FreeDirection kFreeDirection[] = {{1, 0, 0}, {3, -1, 0}};
   static constexpr double Parameters::*kParameterMember[] = {&Parameters::k, &Parameters::ballast};
   static constexpr double Inputs::*kInputMember[] = {nullptr};
   static constexpr unsigned char kDriven[] = {1, 0, 0, 0};
