@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "compiler/analysis/partition.hpp"
 #include "compiler/analysis/partition_numbers.hpp"
 #include "compiler/analysis/sparse_elimination.hpp"
+#include "compiler/analysis/triangular.hpp"
 
 namespace mbgen {
 namespace {

@@ -23,9 +23,4 @@ void take(BlockAnalysis& block, const PartitionCandidate& candidate);
 /// Requires: `rank` is reached without the driven columns.
 BlockAnalysis choose_partition(const std::vector<Eigen::MatrixXd>& jacobians, int rank, const std::vector<int>& driven);
 
-/// Diagonal blocks of the upper block-triangular form of a square pattern with a perfect matching on its diagonal
-/// candidates. Result: for each diagonal block its (row, column) pairs, first block first. Source: Dulmage and
-/// Mendelsohn; Tarjan.
-std::vector<std::vector<std::pair<int, int>>> block_triangular_form(const std::vector<std::vector<bool>>& pattern);
-
 }  // namespace mbgen

@@ -1,6 +1,6 @@
-#include <algorithm>
+#include "compiler/analysis/triangular.hpp"
 
-#include "compiler/analysis/partition.hpp"
+#include <algorithm>
 
 namespace mbgen {
 namespace {

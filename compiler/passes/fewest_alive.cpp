@@ -9,26 +9,28 @@
 namespace mbgen {
 namespace {
 
-/// An operation of the program by its place among them. Inputs and constants are in memory and belong to none.
+/// Operations that stand together. Inputs and constants are in memory and belong to none.
 struct Unit {
-  ValueId value = kNoValue;
+  std::span<const ValueId> values;
   std::vector<std::uint32_t> operands, users;  ///< units, each once
 };
 
-std::vector<Unit> units_of(const Program& program) {
+std::vector<Unit> units_of(const Program& program, std::span<const std::vector<ValueId>> bundles) {
   std::vector<Unit> units;
   std::vector<std::uint32_t> unit_of(program.nodes.size());
-  for (const ValueId v : live_operations(program)) {
-    const Node& node = program.nodes[v];
+  for (const std::vector<ValueId>& bundle : bundles) {
     const auto place = static_cast<std::uint32_t>(units.size());
-    unit_of[v] = place;
-    Unit unit{v, {}, {}};
-    for (int k = 0; k < arity(node.op); ++k) {
-      if (!is_operation(program.nodes[node.operands[k]])) continue;
-      const std::uint32_t operand = unit_of[node.operands[k]];
-      if (std::ranges::find(unit.operands, operand) != unit.operands.end()) continue;
-      unit.operands.push_back(operand);
-      units[operand].users.push_back(place);
+    Unit unit{bundle, {}, {}};
+    for (const ValueId v : bundle) {
+      unit_of[v] = place;
+      const Node& node = program.nodes[v];
+      for (int k = 0; k < arity(node.op); ++k) {
+        if (!is_operation(program.nodes[node.operands[k]])) continue;
+        const std::uint32_t operand = unit_of[node.operands[k]];
+        if (operand == place || std::ranges::find(unit.operands, operand) != unit.operands.end()) continue;
+        unit.operands.push_back(operand);
+        units[operand].users.push_back(place);
+      }
     }
     units.push_back(std::move(unit));
   }
@@ -108,10 +110,11 @@ Order order_with_early_ends(const std::vector<Unit>& units, const Order& order) 
 
 }  // namespace
 
-std::vector<ValueId> fewest_alive(const Program& program) {
-  const std::vector<Unit> units = units_of(program);
+std::vector<ValueId> fewest_alive(const Program& program, std::span<const std::vector<ValueId>> bundles) {
+  const std::vector<Unit> units = units_of(program, bundles);
   std::vector<ValueId> values;
-  for (const std::uint32_t u : order_with_early_ends(units, order_from_end(units))) values.push_back(units[u].value);
+  for (const std::uint32_t u : order_with_early_ends(units, order_from_end(units)))
+    values.insert(values.end(), units[u].values.begin(), units[u].values.end());
   return values;
 }
 

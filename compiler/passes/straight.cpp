@@ -110,6 +110,21 @@ std::vector<PlaceRange> divide(PlaceRange range, const std::vector<long>& cost) 
   return parts;
 }
 
+/// The values of one call, the two functions of one angle, and every other value by itself.
+std::vector<std::vector<ValueId>> bundles_of(const Schedule& schedule, const std::vector<ValueId>& partner) {
+  std::vector<std::vector<ValueId>> bundles;
+  ValueId last = kNoValue;
+  for (const ValueId v : schedule.order) {
+    const int call = schedule.calls.place[v].call;
+    const bool goes_on =
+        last != kNoValue && (partner[v] == last || (call >= 0 && schedule.calls.place[last].call == call));
+    if (!goes_on) bundles.emplace_back();
+    bundles.back().push_back(v);
+    last = v;
+  }
+  return bundles;
+}
+
 /// Runs of values of one section.
 std::vector<PlaceRange> section_ranges(const Program& program, const std::vector<ValueId>& order) {
   std::vector<PlaceRange> ranges;
@@ -124,12 +139,13 @@ std::vector<PlaceRange> section_ranges(const Program& program, const std::vector
 }  // namespace
 
 Schedule straight_schedule(const Program& program, Division division, ValueOrder wanted) {
-  std::vector<ValueId> order = wanted == ValueOrder::fewest_alive ? fewest_alive(program) : live_operations(program);
-  if (wanted == ValueOrder::by_section) sort_by_section(program, order);
+  std::vector<ValueId> order = live_operations(program);
+  sort_by_section(program, order);
   const std::vector<ValueId> partner = angle_partners(program, order);
   Schedule result;
   result.order = pair_angles(order, partner);
   result.calls = gather_calls(program, result.order);
+  if (wanted == ValueOrder::fewest_alive) result.order = fewest_alive(program, bundles_of(result, partner));
   const std::vector<long> cost = cut_costs(program, result.order, partner, result.calls.place);
   std::vector<PlaceRange> ranges;
   if (division == Division::by_section) ranges = section_ranges(program, result.order);

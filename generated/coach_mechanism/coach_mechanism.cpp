@@ -415,84 +415,85 @@ struct Accelerations {
 struct AccelerationsWork {
   double
       sines[22], cosines[22], R_rear_axle_aux5_x_z, R_rear_axle_x_y, R_rear_axle_x_z,
-      R_rear_axle_aux5_y_z, R_rear_axle_y_y, R_rear_axle_y_z, R_rear_axle_z_y, R_rear_axle_z_z,
-      R_rear_axle_aux5_x_x, R_rear_axle_aux5_y_x, s4_1, s4_2, s4_3, s4_4, s4_5, s2_7, s2_8, s2_9,
-      s2_10, s4_6, s4_7, s4_8, s2_11, s2_12, s2_13, s6_5, s6_6, s6_7, s2_14, s6_9, s6_10, s6_11,
-      s2_15, s6_16, s6_17, s6_18, s2_16, s6_20, s6_21, s6_22, s2_23, s2_24, s2_25, s2_27, s2_28,
-      s2_29, s2_31, s2_32, r_rear_axle_aux1_x, s2_34, pivot_rear_axle_tx, s2_36, s2_37,
-      r_rear_axle_aux3_z, s2_39, s2_40, s2_41, s2_42, s2_43, s2_44, s2_45, s2_48, s2_49, s2_50,
-      s2_52, s2_53, s2_56, s2_58, s2_61, s2_62, s2_63, s2_65, s2_66, s2_68, s2_70, s2_72, s6_26,
-      s6_27, s6_28, s6_29, s6_30, s6_31, s6_35, s6_36, s6_37, s6_38, s6_39, s6_40, s6_44, s6_48,
-      s2_73, s6_52, s6_53, s6_54, s6_55, s6_56, s6_57, s6_61, s2_74, s2_75, s6_65, s6_66, s6_67,
-      s6_68, s6_69, s6_70, s2_81, s2_83, pivot_rear_axle_ry, s2_86, s2_88, s6_75, s2_89, s2_91,
-      s2_92, s2_93, s2_95, s2_108, s2_109, s2_110, s7_9, s7_11, s7_13, s7_22, s7_24, s7_25, s7_27,
-      s7_29, s1_5, R_chassis_z_y, w_chassis_x, w_chassis_y, R_chassis_z_z, w_chassis_z, s9_1, s9_2,
-      s9_3, s2_124, zdd_star_rear_axle_tz, s2_126, zdd_star_rear_axle_rz, zdd_star_rear_axle_ry,
-      zdd_star_rear_axle_rx, s6_95, zdd_star_rear_axle_tx, s8_40, s8_41, s8_42, s8_43, s8_44, s8_45,
-      s8_57, s8_64, s8_69, s8_77, s8_87, s8_88, s8_89, s8_90, s8_92, s8_93, s8_94, s8_115, s8_133,
-      s8_134, s8_136, s8_137, s8_138, s8_140, s8_141, s8_142, s8_143, s8_144, s8_145, s8_146, s7_30,
-      s7_31, n_rear_axle_x, f_rear_axle_z, n_rear_axle_y, f_rear_axle_y, f_rear_axle_x,
-      n_rear_axle_z, R_chassis_aux5_x_x, R_chassis_aux5_y_x, s1_9, R_chassis_x_y, s1_10,
-      R_chassis_x_z, R_chassis_y_y, R_chassis_y_z, R_carrier_left_aux1_y_x, R_carrier_left_y_x,
-      R_carrier_left_y_z, R_carrier_left_aux2_y_y, R_carrier_left_aux2_z_y, s1_17,
-      R_carrier_left_aux1_z_x, R_carrier_left_x_x, R_carrier_left_x_z, R_carrier_left_z_x,
-      R_carrier_left_z_z, R_carrier_right_aux1_y_x, R_carrier_right_y_x, R_carrier_right_y_z,
-      R_carrier_right_aux2_y_y, R_carrier_right_aux2_z_y, s1_24, R_carrier_right_aux1_z_x,
-      R_carrier_right_x_x, R_carrier_right_x_z, R_carrier_right_z_x, R_carrier_right_z_z, s1_34,
-      s1_35, s1_36, s1_37, s1_38, s9_4, s1_41, s1_49, s1_50, s1_51, s1_52, s1_53, s9_5, s1_56, s3_1,
+      R_rear_axle_aux5_y_z, R_rear_axle_y_y, R_rear_axle_y_z, R_rear_axle_aux5_y_x,
+      R_rear_axle_aux5_x_x, R_rear_axle_z_z, R_rear_axle_z_y, s4_1, s4_2, s4_3, s4_4, s4_5, s2_7,
+      s2_8, s2_9, s2_10, s4_6, s4_7, s4_8, s2_11, s2_12, s2_13, s6_5, s6_6, s6_7, s2_14, s6_9,
+      s6_10, s6_11, s2_15, s6_16, s6_17, s6_18, s2_16, s6_20, s6_21, s6_22, s2_23, s2_24, s2_25,
+      s2_27, s2_28, s2_29, s2_31, s2_32, r_rear_axle_aux1_x, s2_34, pivot_rear_axle_tx, s2_36,
+      s2_37, r_rear_axle_aux3_z, s2_39, s2_40, s2_41, s2_42, s2_43, s2_44, s2_45, s2_48, s2_49,
+      s2_50, s2_52, s2_53, s2_56, s2_58, s2_61, s2_62, s2_63, s2_65, s2_66, s2_68, s2_70, s2_72,
+      s6_26, s6_27, s6_28, s6_29, s6_30, s6_31, s6_35, s6_36, s6_37, s6_38, s6_39, s6_40, s6_44,
+      s6_48, s2_73, s6_52, s6_53, s6_54, s6_55, s6_56, s6_57, s6_61, s2_74, s2_75, s6_65, s6_66,
+      s6_67, s6_68, s6_69, s6_70, s2_81, s2_83, pivot_rear_axle_ry, s2_86, s2_88, s6_75, s2_89,
+      s2_91, s2_92, s2_93, s2_95, s2_108, s2_109, s2_110, s7_9, s7_11, s7_13, s7_22, s7_24, s7_25,
+      s7_27, s7_29, s1_5, R_chassis_z_y, w_chassis_x, w_chassis_y, R_chassis_z_z, w_chassis_z, s9_1,
+      s9_2, s9_3, s2_124, zdd_star_rear_axle_tz, s2_126, zdd_star_rear_axle_rz,
+      zdd_star_rear_axle_ry, zdd_star_rear_axle_rx, s6_95, zdd_star_rear_axle_tx, s8_40, s8_41,
+      s8_42, s8_43, s8_44, s8_45, s8_57, s8_64, s8_69, s8_77, s8_87, s8_88, s8_89, s8_90, s8_92,
+      s8_93, s8_94, s8_115, s8_133, s8_134, s8_136, s8_137, s8_138, s8_140, s8_141, s8_142, s8_143,
+      s8_144, s8_145, s8_146, s7_30, s7_31, n_rear_axle_x, f_rear_axle_z, n_rear_axle_y,
+      f_rear_axle_y, f_rear_axle_x, n_rear_axle_z, R_carrier_left_aux1_y_x, R_carrier_left_y_x,
+      R_carrier_left_y_z, R_carrier_right_aux1_y_x, R_carrier_right_y_x, R_carrier_right_y_z,
+      R_carrier_left_aux2_y_y, R_carrier_left_aux2_z_y, R_carrier_left_aux2_z_z,
+      R_carrier_left_aux1_z_x, s1_21, s1_28, s1_29, s1_30, s1_31, s1_32, s9_4, s1_35,
+      R_carrier_right_aux2_y_y, R_carrier_right_aux2_z_y, R_carrier_right_aux2_z_z,
+      R_carrier_right_aux1_z_x, s1_37, s1_44, s1_45, s1_46, s1_47, s1_48, s9_5, s1_51, s3_1,
       Rz_rear_axle_tz_1, s3_2, Rz_rear_axle_rz_0, Rz_rear_axle_ry_0, s8_172, Rz_rear_axle_ry_1,
       s8_174, Rz_rear_axle_rx_0, Rz_rear_axle_rx_1, s8_177, s3_7, s3_10, Rz_rear_axle_tx_0, s8_179,
-      Rz_rear_axle_tx_1, s7_35, s7_39, s8_266, pivot_arb_rear_right, s7_41, s7_43, s8_307, s8_319,
-      s7_45, s7_47, s8_337, s8_348, s8_354, s1_59, s1_60, s8_358, s8_359, s1_61, s8_365, s8_379,
-      s1_62, s1_63, s9_6, s8_384, s8_392, s8_393, s8_394, s7_48, s8_397, s7_49, s8_400, s8_408,
-      s8_456, s2_131, s8_465, s8_467, s8_470, s8_474, s8_475, s8_479, s8_481, s8_483, s8_485,
-      s8_486, s8_488, s8_489, s8_491, s8_492, s8_501, s8_502, s8_503, s8_512, s1_65, s1_66, s1_67,
-      s1_68, s1_69, s8_526, s8_527, s8_529, s8_530, s8_531, s8_532, s8_533, s8_534, s8_535, s8_539,
-      s8_540, s8_541, s2_134, s2_137, s2_140, s2_143, s2_146, s2_149, s1_71, s2_151, s4_14, s4_15,
-      s4_16, s4_17, s4_18, s4_19, s4_20, s4_21, s4_22, s4_23, s4_24, s4_25, s4_26, s4_27, s4_28,
-      s6_100, s6_101, s6_104, s6_105, s1_73, s2_153, s6_106, s8_542, s6_108, s6_110, s1_75, s2_155,
-      s4_29, s4_30, s4_31, s4_32, s4_33, s4_34, s4_35, s4_36, s4_37, s4_38, s4_39, s4_40, s4_41,
-      s4_42, s4_43, s6_114, s6_116, s6_119, s6_120, s1_77, s2_157, s6_121, s8_543, s6_123, s6_125,
-      s2_160, s2_163, s2_167, s6_129, s6_131, s6_133, s4_44, s6_134, s6_136, s6_137, s6_138, s2_177,
-      s2_180, s2_184, s6_142, s6_144, s6_146, s6_148, s6_149, s4_45, s6_150, s6_151,
-      r_carrier_left_aux1_z, s2_192, r_carrier_left_aux1_y, s2_193, s2_194, Rz_upper_arm_left_0,
-      Rz_upper_arm_left_2, s6_166, s3_18, Rz_carrier_left_rz_2, zdd_star_carrier_left_rz, s3_19,
-      s3_20, zdd_star_carrier_left_ry, s8_545, zdd_star_carrier_left_rx, s3_21, s3_22, s8_546,
-      s2_210, s2_212, s2_213, Rz_arb_front_left_0, Rz_arb_front_left_2, zdd_star_arb_front_left,
-      s1_78, s2_224, r_carrier_right_aux1_y, s2_225, s2_226, s3_26, s3_27, s6_186, s3_28,
-      Rz_carrier_right_rz_2, zdd_star_carrier_right_rz, Rz_carrier_right_ry_1,
-      Rz_carrier_right_ry_2, zdd_star_carrier_right_ry, s8_548, zdd_star_carrier_right_rx,
-      Rz_carrier_right_rx_1, Rz_carrier_right_rx_2, s8_550, s2_240, s2_241, s2_242,
-      Rz_arb_front_right_1, Rz_arb_front_right_2, zdd_star_arb_front_right, s2_247, s2_248, s2_249,
-      s2_250, s2_251, s2_253, s3_34, s8_551, s6_194, s6_195, s6_196, s6_197, s6_198, s6_199, s6_203,
-      s7_57, s7_58, s7_60, s7_62, s7_65, s7_82, s7_89, s7_92, s7_94, s7_99, s7_104, s7_105, s7_107,
-      s7_109, s7_114, s7_115, s7_117, s7_119, s7_121, s7_123, s7_128, s7_129, s7_131, s7_133,
-      s7_136, s8_552, s7_151, s8_553, s7_163, s7_166, s8_554, s8_555, s7_172, s7_174, s8_556,
-      s7_179, s7_180, s7_182, s7_184, s7_189, s7_190, s7_192, s7_194, s7_196, s7_198, s7_201,
-      s8_558, s7_202, s7_203, s7_204, s7_209, s7_210, s8_560, s7_211, s7_212, s8_562, s8_563,
-      s8_572, s8_573, s8_574, f_carrier_right_x, f_carrier_right_y, s8_605, s7_213,
-      f_carrier_right_z, n_carrier_right_x, n_carrier_right_y, n_carrier_right_z, s8_617, s8_618,
-      s8_619, s8_620, s8_632, f_carrier_left_x, f_carrier_left_y, s8_665, f_carrier_left_z,
-      n_carrier_left_x, n_carrier_left_y, n_carrier_left_z, s8_675, s8_676, s8_678, s8_680, s8_682,
-      s8_684, s8_687, s8_693, s8_700, s8_702, s8_704, s8_711, s8_712, s8_713, s8_716, s8_718,
-      s8_724, s8_731, s8_733, s8_734, s8_736, s8_739, s8_742, s8_749, s8_752, s8_755, s8_758,
-      s8_762, s8_766, s8_767, s8_771, s8_777, s8_778, s8_783, s8_784, s8_787, s8_790, s8_793,
-      s8_796, s8_798, s8_800, s8_801, s8_804, s8_805, s8_806, s8_814, s8_815, s8_821, s8_824,
-      s8_832, s8_840, s8_857, s8_859, s8_861, s8_868, s8_871, s8_872, s8_876, s8_878, s8_880,
-      s8_888, s8_925, s8_928, s8_929, s8_939, s8_948, s8_949, s8_950, s8_956, s8_957, s8_958,
-      s8_965, s8_966, s8_967, s8_983, s8_987, s8_998, s8_1001, s8_1005, s8_1010, s8_1016, s8_1017,
-      s8_1020, s8_1022, s8_1024, s8_1025, s8_1028, s8_1029, s8_1031, s8_1032, s8_1033, s8_1035,
-      s8_1041, s8_1042, s8_1043, s8_1044, s8_1046, s8_1050, s8_1051, s8_1053, s8_1058, s8_1068,
-      s8_1079, s8_1090, s8_1096, s8_1105, s8_1106, s8_1107, s8_1108, s8_1109, s8_1115, s8_1117,
-      s8_1120, s8_1124, s8_1141, s8_1157, s8_1163, s8_1165, s8_1169, s8_1171, s8_1174, s8_1177,
-      s8_1181, s8_1182, s8_1183, s8_1189, s8_1190, s8_1191, s8_1192, s8_1194, s8_1196, s8_1197,
-      s8_1198, s8_1199, s8_1200, s8_1209, s8_1218, s8_1227, s8_1229, s8_1234, s8_1260, s8_1314,
-      s8_1340, s8_1342, s8_1343, s8_1346, s8_1350, s8_1352, s8_1353, s8_1354, s8_1355, s8_1356,
-      s8_1360, s8_1362, s8_1363, s8_1364, s8_1367, s8_1369, s8_1371, s8_1372, s8_1376, s8_1412,
-      s8_1416, s8_1418, s8_1429, s8_1431, s8_1442, s8_1462, s8_1463, s8_1472, s8_1477, s8_1478,
-      s8_1480, s8_1490, s8_1501, s8_1502, s8_1504, s8_1505, s8_1517, s8_1518, s8_1520, s8_1522,
-      s8_1525, s8_1526, s8_1527, s8_1529, s8_1532, s8_1533, s8_1535, s8_1540, s8_1542, s8_1544,
-      s8_1547;
+      Rz_rear_axle_tx_1, s7_35, s7_39, s8_266, pivot_arb_rear_right, s7_42, s7_43, s8_307, s8_319,
+      s7_46, s7_47, s8_337, s8_348, s8_354, s8_358, s8_359, s1_54, s1_56, s1_57, s8_365, s8_379,
+      s1_58, s1_59, s1_60, s1_61, s9_6, s8_384, s8_392, s8_393, s8_394, s7_48, s8_397, s7_49,
+      s8_400, s8_408, s8_456, s2_131, s8_465, s8_467, s8_470, s8_474, s8_475, s8_479, s8_481,
+      s8_483, s8_485, s8_486, s8_488, s8_489, s8_491, s8_492, s8_501, s8_502, s8_503, s8_512, s1_63,
+      s1_64, s1_65, s1_66, s1_67, s8_526, s8_527, s8_529, s8_530, s8_531, s8_532, s8_533, s8_534,
+      s8_535, s8_539, s8_540, s8_541, R_carrier_left_x_x, R_carrier_left_x_z, s2_134,
+      R_carrier_left_z_x, R_carrier_left_z_z, s2_137, s2_140, R_carrier_right_x_x,
+      R_carrier_right_x_z, s2_143, R_carrier_right_z_x, R_carrier_right_z_z, s2_146, s2_149, s1_73,
+      s2_151, s4_14, s4_15, s4_16, s4_17, s4_18, s4_19, s4_20, s4_21, s4_22, s4_23, s4_24, s4_25,
+      s4_26, s4_27, s4_28, s6_100, s6_101, s6_104, s6_105, s1_75, s2_153, s6_106, s8_542, s6_108,
+      s6_110, s1_77, s2_155, s4_29, s4_30, s4_31, s4_32, s4_33, s4_34, s4_35, s4_36, s4_37, s4_38,
+      s4_39, s4_40, s4_41, s4_42, s4_43, s6_114, s6_116, s6_119, s6_120, s1_79, s2_157, s6_121,
+      s8_543, s6_123, s6_125, s2_160, s2_163, s2_167, s6_129, s6_131, s6_133, s4_44, s6_134, s6_136,
+      s6_137, s6_138, s2_177, s2_180, s2_184, s6_142, s6_144, s6_146, s6_148, s6_149, s4_45, s6_150,
+      s6_151, r_carrier_left_aux1_z, s2_192, r_carrier_left_aux1_y, s2_193, s2_194,
+      Rz_upper_arm_left_0, Rz_upper_arm_left_2, s6_166, s3_18, Rz_carrier_left_rz_2,
+      zdd_star_carrier_left_rz, s3_19, s3_20, zdd_star_carrier_left_ry, s8_545,
+      zdd_star_carrier_left_rx, s3_21, s3_22, s8_546, s2_210, s2_212, s2_213, Rz_arb_front_left_0,
+      Rz_arb_front_left_2, zdd_star_arb_front_left, s1_80, s2_224, r_carrier_right_aux1_y, s2_225,
+      s2_226, s3_26, s3_27, s6_186, s3_28, Rz_carrier_right_rz_2, zdd_star_carrier_right_rz,
+      Rz_carrier_right_ry_1, Rz_carrier_right_ry_2, zdd_star_carrier_right_ry, s8_548,
+      zdd_star_carrier_right_rx, Rz_carrier_right_rx_1, Rz_carrier_right_rx_2, s8_550, s2_240,
+      s2_241, s2_242, Rz_arb_front_right_1, Rz_arb_front_right_2, zdd_star_arb_front_right, s2_247,
+      s2_248, s2_249, s2_250, s2_251, s2_252, s2_253, s2_254, s3_34, s8_551, s6_202, s7_57, s7_58,
+      s7_61, s7_78, s7_85, s7_88, s7_90, s7_95, s7_100, s7_101, s7_106, s7_107, s7_112, s7_113,
+      s7_116, s8_552, s7_131, s8_553, s7_143, s7_146, s8_554, s8_555, s7_152, s7_154, s8_556,
+      s7_159, s7_160, s7_165, s7_166, s7_169, s8_557, s7_170, s7_175, s7_176, s8_559, s8_560,
+      s8_569, s8_570, s8_571, f_carrier_right_x, f_carrier_right_y, s8_602, s7_177,
+      f_carrier_right_z, n_carrier_right_x, n_carrier_right_y, n_carrier_right_z, s7_180, s7_182,
+      s8_614, s8_615, s8_616, s8_617, s8_629, f_carrier_left_x, f_carrier_left_y, s8_662,
+      f_carrier_left_z, n_carrier_left_x, n_carrier_left_y, n_carrier_left_z, s8_672, s8_673,
+      s8_675, s8_677, s8_679, s8_681, s8_684, s8_690, s8_697, s8_699, s8_701, s8_708, s8_709,
+      s8_710, s8_713, s8_715, s8_721, s8_728, s8_730, s8_731, s8_733, s8_736, s8_739, s8_746,
+      s8_749, s8_752, s8_755, s8_759, s8_762, s8_763, s7_186, s7_188, s7_190, s7_191, s7_192,
+      s7_193, s8_768, s8_773, s7_194, s8_774, s8_779, s8_780, s7_196, s8_784, s8_787, s8_790,
+      s8_793, s8_795, s8_797, s8_798, s8_801, s8_802, s8_803, s7_201, s8_811, s8_812, s8_818,
+      s7_203, s8_821, s7_207, s8_829, s8_837, s8_851, s8_852, s8_856, s8_858, s8_860, s8_867,
+      s8_870, s8_871, s8_875, s8_877, s8_879, s8_881, s8_889, s8_912, s8_915, s8_926, s8_929,
+      s8_930, s8_940, s7_211, s7_213, s8_949, s8_950, s8_951, s8_957, s8_958, s8_959, s8_966,
+      s8_967, s8_968, s8_984, s7_216, s7_218, s8_988, s8_999, s8_1002, s8_1006, s8_1011, s8_1017,
+      s8_1018, s8_1021, s8_1023, s8_1025, s8_1026, s8_1029, s8_1030, s7_225, s8_1032, s8_1033,
+      s8_1034, s8_1036, s8_1042, s8_1043, s8_1044, s8_1045, s8_1047, s8_1051, s8_1052, s8_1054,
+      s8_1059, s8_1069, s8_1080, s8_1091, s8_1097, s8_1106, s8_1107, s8_1108, s8_1109, s8_1110,
+      s8_1116, s8_1118, s8_1121, s8_1125, s8_1129, s8_1131, s8_1133, s8_1135, s8_1142, s8_1147,
+      s8_1163, s8_1169, s8_1171, s8_1172, s8_1173, s8_1175, s8_1177, s8_1181, s8_1185, s8_1186,
+      s8_1188, s8_1190, s8_1191, s8_1192, s8_1193, s8_1206, s8_1216, s8_1226, s8_1228, s8_1233,
+      s8_1259, s8_1313, s8_1341, s8_1343, s8_1344, s8_1347, s8_1351, s8_1353, s8_1354, s8_1355,
+      s8_1356, s8_1357, s8_1361, s8_1365, s8_1366, s8_1367, s8_1371, s8_1373, s8_1375, s8_1376,
+      s8_1380, R_chassis_x_z, R_chassis_y_z, s8_1417, s8_1421, s8_1423, R_chassis_x_y,
+      R_chassis_y_y, s8_1435, s8_1437, R_chassis_aux5_x_x, R_chassis_aux5_y_x, s8_1448, s8_1468,
+      s8_1469, s8_1477, s8_1482, s8_1483, s8_1485, s8_1495, s8_1507, s8_1508, s8_1510, s8_1511,
+      s8_1523, s8_1524, s8_1526, s8_1528, s8_1531, s8_1532, s8_1533, s8_1535, s8_1538, s8_1539,
+      s8_1541, s8_1546, s8_1548, s8_1550, s8_1553;
 };
 
 /// Part 1 of compute_accelerations: step 1: poses and axes b; step 2: closure Jacobian Phi_z and
@@ -511,26 +512,26 @@ struct AccelerationsWork {
 
   // --- step 1: poses and axes b ---
   const double angles[] = {
-      state.z[Coordinate::rear_axle_rz], state.z[Coordinate::rear_axle_ry],
-      state.z[Coordinate::rear_axle_rx], state.z[Coordinate::arb_rear_left],
-      state.z[Coordinate::arb_rear_right], state.z[Coordinate::chassis_ry],
-      state.z[Coordinate::chassis_rx], state.z[Coordinate::chassis_rz],
-      state.z[Coordinate::lower_arm_left], state.z[Coordinate::carrier_left_rz],
-      state.z[Coordinate::carrier_left_rx], state.z[Coordinate::carrier_left_ry],
-      state.z[Coordinate::lower_arm_right], state.z[Coordinate::carrier_right_rz],
-      state.z[Coordinate::carrier_right_rx], state.z[Coordinate::carrier_right_ry],
-      state.z[Coordinate::arb_front_left], state.z[Coordinate::arb_front_right],
-      state.z[Coordinate::bell_crank], state.z[Coordinate::upper_arm_left],
-      state.z[Coordinate::upper_arm_right], state.z[Coordinate::pitman_arm]};
+      state.z[Coordinate::chassis_rz], state.z[Coordinate::chassis_ry],
+      state.z[Coordinate::chassis_rx], state.z[Coordinate::lower_arm_left],
+      state.z[Coordinate::carrier_left_rz], state.z[Coordinate::carrier_left_rx],
+      state.z[Coordinate::carrier_left_ry], state.z[Coordinate::upper_arm_left],
+      state.z[Coordinate::arb_front_left], state.z[Coordinate::lower_arm_right],
+      state.z[Coordinate::carrier_right_rz], state.z[Coordinate::carrier_right_rx],
+      state.z[Coordinate::carrier_right_ry], state.z[Coordinate::upper_arm_right],
+      state.z[Coordinate::arb_front_right], state.z[Coordinate::pitman_arm],
+      state.z[Coordinate::bell_crank], state.z[Coordinate::rear_axle_rz],
+      state.z[Coordinate::rear_axle_ry], state.z[Coordinate::rear_axle_rx],
+      state.z[Coordinate::arb_rear_left], state.z[Coordinate::arb_rear_right]};
   mbgen::sincos(angles, work.sines, work.cosines);
   // rear_axle_aux5: rear_axle_ry, revolute, rear_axle_aux4
-  const double R_rear_axle_aux4_x_x = work.cosines[0];
-  const double s1_1 = work.sines[1];
+  const double R_rear_axle_aux4_x_x = work.cosines[17];
+  const double s1_1 = work.sines[18];
   work.R_rear_axle_aux5_x_z = R_rear_axle_aux4_x_x*s1_1;
-  const double s1_2 = work.sines[2];
+  const double s1_2 = work.sines[19];
   // rear_axle: rear_axle_rx, revolute, rear_axle_aux5
-  const double R_rear_axle_aux4_y_x = work.sines[0];
-  const double s1_3 = work.cosines[2];
+  const double R_rear_axle_aux4_y_x = work.sines[17];
+  const double s1_3 = work.cosines[19];
   work.R_rear_axle_x_y = fnma(R_rear_axle_aux4_y_x, s1_3, work.R_rear_axle_aux5_x_z*s1_2);
   work.R_rear_axle_x_z = fma(work.R_rear_axle_aux5_x_z, s1_3, R_rear_axle_aux4_y_x*s1_2);
   // rear_axle_aux5: rear_axle_ry, revolute, rear_axle_aux4
@@ -538,21 +539,23 @@ struct AccelerationsWork {
   // rear_axle: rear_axle_rx, revolute, rear_axle_aux5
   work.R_rear_axle_y_y = fma(R_rear_axle_aux4_x_x, s1_3, work.R_rear_axle_aux5_y_z*s1_2);
   work.R_rear_axle_y_z = fnma(R_rear_axle_aux4_x_x, s1_2, work.R_rear_axle_aux5_y_z*s1_3);
-  const double R_rear_axle_aux5_z_z = work.cosines[1];
-  work.R_rear_axle_z_y = R_rear_axle_aux5_z_z*s1_2;
-  work.R_rear_axle_z_z = R_rear_axle_aux5_z_z*s1_3;
   // rear_axle_aux5: rear_axle_ry, revolute, rear_axle_aux4
-  work.R_rear_axle_aux5_x_x = R_rear_axle_aux4_x_x*R_rear_axle_aux5_z_z;
+  const double R_rear_axle_aux5_z_z = work.cosines[18];
   work.R_rear_axle_aux5_y_x = R_rear_axle_aux4_y_x*R_rear_axle_aux5_z_z;
 
   // --- step 2: closure Jacobian Phi_z and its factors (60), long_rod_left .. arb_link_rear_right
   // ---
   const double s2_1 = -p_arb_link_rear_left_to_x*work.R_rear_axle_aux5_y_x;
   const double s2_2 = fma(-p_arb_link_rear_left_to_z, work.R_rear_axle_y_z, s2_1);
+  // rear_axle_aux5: rear_axle_ry, revolute, rear_axle_aux4
+  work.R_rear_axle_aux5_x_x = R_rear_axle_aux4_x_x*R_rear_axle_aux5_z_z;
   const double s2_3 = -p_arb_link_rear_left_to_x*work.R_rear_axle_aux5_x_x;
   const double s2_4 = fma(-p_arb_link_rear_left_to_z, work.R_rear_axle_x_z, s2_3);
+  // rear_axle: rear_axle_rx, revolute, rear_axle_aux5
+  work.R_rear_axle_z_z = R_rear_axle_aux5_z_z*s1_3;
   const double s2_5 = -p_arb_link_rear_left_to_x*s1_1;
   const double s2_6 = fnma(-p_arb_link_rear_left_to_z, work.R_rear_axle_z_z, s2_5);
+  work.R_rear_axle_z_y = R_rear_axle_aux5_z_z*s1_2;
 
   // --- step 4: velocities ---
   const double zd_rear_axle_ry = state.zd[Coordinate::rear_axle_ry];
@@ -576,7 +579,7 @@ struct AccelerationsWork {
   work.s2_12 = fma(p_arb_link_rear_left_to_y, work.R_rear_axle_y_y, s2_2);
   const double s6_2 = fnma(work.s4_4, work.s2_11, work.s4_8*work.s2_7);
   const double s6_3 = fnma(work.s4_8, work.s2_9, work.s4_5*work.s2_11);
-  work.s2_13 = p_arb_link_rear_left_from_x*work.cosines[3];
+  work.s2_13 = p_arb_link_rear_left_from_x*work.cosines[20];
   // arb_link_rear_left
   const double zd_arb_rear_left = state.zd[Coordinate::arb_rear_left];
   const double s6_4 = zd_arb_rear_left*work.s2_13;
@@ -584,7 +587,7 @@ struct AccelerationsWork {
   work.s6_5 = s6_3 + (zd_rear_axle_tz + s6_4);
   work.s6_6 = fma(work.s4_8, s6_3, fnma(work.s4_4, s6_1, zd_arb_rear_left*s6_4));
   work.s6_7 = fnma(work.s4_5, s6_3, work.s4_4*s6_2);
-  work.s2_14 = p_arb_link_rear_left_from_x*work.sines[3];
+  work.s2_14 = p_arb_link_rear_left_from_x*work.sines[20];
   const double s6_8 = zd_arb_rear_left*work.s2_14;
   const double zd_rear_axle_tx = state.zd[Coordinate::rear_axle_tx];
   work.s6_9 = s6_2 + (zd_rear_axle_tx + s6_8);
@@ -594,14 +597,14 @@ struct AccelerationsWork {
   const double s6_12 = fma(work.s4_5, work.s2_8, work.s4_4*work.s2_10);
   const double s6_13 = fma(work.s4_8, work.s2_8, work.s4_4*work.s2_12);
   const double s6_14 = fnma(work.s4_5, work.s2_12, work.s4_8*work.s2_10);
-  work.s2_15 = p_arb_link_rear_right_from_x*work.cosines[4];
+  work.s2_15 = p_arb_link_rear_right_from_x*work.cosines[21];
   // arb_link_rear_right
   const double zd_arb_rear_right = state.zd[Coordinate::arb_rear_right];
   const double s6_15 = zd_arb_rear_right*work.s2_15;
   work.s6_16 = s6_14 + (zd_rear_axle_tz + s6_15);
   work.s6_17 = fma(work.s4_8, s6_14, fma(work.s4_4, s6_12, zd_arb_rear_right*s6_15));
   work.s6_18 = fnma(work.s4_5, s6_14, work.s4_4*s6_13);
-  work.s2_16 = p_arb_link_rear_right_from_x*work.sines[4];
+  work.s2_16 = p_arb_link_rear_right_from_x*work.sines[21];
   const double s6_19 = zd_arb_rear_right*work.s2_16;
   work.s6_20 = s6_13 + (zd_rear_axle_tx + s6_19);
   work.s6_21 = zd_rear_axle_ty - s6_12;
@@ -818,7 +821,7 @@ struct AccelerationsWork {
   const double s7_2 = fma(K_rear_axle_xz, work.R_rear_axle_y_z, s7_1);
   const double s7_3 = K_rear_axle_yy*work.R_rear_axle_y_y;
   const double s7_4 = fnma(-K_rear_axle_yz, work.R_rear_axle_y_z, s7_3);
-  const double s1_1 = work.sines[1];
+  const double s1_1 = work.sines[18];
   const double s7_5 = K_rear_axle_xz*work.R_rear_axle_aux5_y_x;
   const double s7_6 = fnma(-K_rear_axle_yz, work.R_rear_axle_y_y, s7_5);
   const double s7_7 = fma(K_rear_axle_zz, work.R_rear_axle_y_z, s7_6);
@@ -844,28 +847,27 @@ struct AccelerationsWork {
   work.s7_27 = fma(work.R_rear_axle_x_z, s7_20, s7_26);
   const double s7_28 = h_rear_axle_x*work.R_rear_axle_aux5_x_x;
   work.s7_29 = fma(h_rear_axle_z, work.R_rear_axle_x_z, s7_28);
-  const double s1_4 = work.cosines[0]*work.R_rear_axle_aux5_x_x;
-  work.s1_5 = fma(work.sines[0], work.R_rear_axle_aux5_y_x, s1_4);
+  const double s1_4 = work.cosines[17]*work.R_rear_axle_aux5_x_x;
+  work.s1_5 = fma(work.sines[17], work.R_rear_axle_aux5_y_x, s1_4);
   // chassis: chassis_rx, revolute, chassis_aux5
-  const double R_chassis_aux5_z_z = work.cosines[5];
-  const double s1_6 = work.sines[6];
+  const double R_chassis_aux5_z_z = work.cosines[1];
+  const double s1_6 = work.sines[2];
   work.R_chassis_z_y = R_chassis_aux5_z_z*s1_6;
   const double zd_chassis_rz = state.zd[Coordinate::chassis_rz];
-  const double s1_7 = work.sines[5];
-  const double s4_9 = zd_chassis_rz*s1_7;
+  const double s4_9 = zd_chassis_rz*work.sines[1];
   const double zd_chassis_rx = state.zd[Coordinate::chassis_rx];
   work.w_chassis_x = zd_chassis_rx - s4_9;
   const double s4_10 = zd_chassis_rz*work.R_chassis_z_y;
   const double zd_chassis_ry = state.zd[Coordinate::chassis_ry];
-  const double s1_8 = work.cosines[6];
-  const double s4_11 = zd_chassis_ry*s1_8;
+  const double s1_7 = work.cosines[2];
+  const double s4_11 = zd_chassis_ry*s1_7;
   work.w_chassis_y = s4_10 + s4_11;
   // rear_axle: rear_axle_rx, revolute, rear_axle_aux5
   const double w_rear_axle_x = work.w_chassis_x + work.s4_5;
   const double w_rear_axle_y = work.w_chassis_y + work.s4_8;
   const double s8_1 = work.R_rear_axle_x_y*w_rear_axle_x;
   // chassis: chassis_rx, revolute, chassis_aux5
-  work.R_chassis_z_z = R_chassis_aux5_z_z*s1_8;
+  work.R_chassis_z_z = R_chassis_aux5_z_z*s1_7;
   const double s4_12 = zd_chassis_rz*work.R_chassis_z_z;
   const double s4_13 = zd_chassis_ry*s1_6;
   work.w_chassis_z = s4_12 - s4_13;
@@ -1089,120 +1091,92 @@ struct AccelerationsWork {
   work.n_rear_axle_z = fma(work.s7_22, s8_148 - s8_147, s8_170);
 
   // --- step 1: poses and axes b, continued ---
-  // chassis_aux5: chassis_ry, revolute, chassis_aux4
-  const double R_chassis_aux4_x_x = work.cosines[7];
-  work.R_chassis_aux5_x_x = R_chassis_aux4_x_x*R_chassis_aux5_z_z;
-  const double R_chassis_aux4_y_x = work.sines[7];
-  work.R_chassis_aux5_y_x = R_chassis_aux4_y_x*R_chassis_aux5_z_z;
-  // chassis: chassis_rx, revolute, chassis_aux5
-  work.s1_9 = s1_7*s1_6;
-  work.R_chassis_x_y = fnma(R_chassis_aux4_y_x, s1_8, R_chassis_aux4_x_x*work.s1_9);
-  work.s1_10 = s1_7*s1_8;
-  work.R_chassis_x_z = fma(R_chassis_aux4_x_x, work.s1_10, R_chassis_aux4_y_x*s1_6);
-  work.R_chassis_y_y = fma(R_chassis_aux4_x_x, s1_8, R_chassis_aux4_y_x*work.s1_9);
-  work.R_chassis_y_z = fnma(R_chassis_aux4_x_x, s1_6, R_chassis_aux4_y_x*work.s1_10);
   // carrier_left_aux1: carrier_left_rz, revolute, lower_arm_left
-  const double R_lower_arm_left_y_y = work.cosines[8];
-  const double R_carrier_left_aux1_x_x = work.cosines[9];
+  const double R_lower_arm_left_y_y = work.cosines[3];
+  const double R_carrier_left_aux1_x_x = work.cosines[4];
   const double R_carrier_left_aux1_y_y = R_lower_arm_left_y_y*R_carrier_left_aux1_x_x;
-  const double R_lower_arm_left_z_y = work.sines[8];
-  const double s1_11 = work.cosines[10];
-  const double s1_12 = work.sines[10];
-  const double s1_13 = fma(R_carrier_left_aux1_y_y, s1_12, R_lower_arm_left_z_y*s1_11);
-  const double s1_14 = work.sines[9];
-  work.R_carrier_left_aux1_y_x = R_lower_arm_left_y_y*s1_14;
-  const double s1_15 = work.cosines[11];
+  const double R_lower_arm_left_z_y = work.sines[3];
+  const double s1_8 = work.cosines[5];
+  const double s1_9 = work.sines[5];
+  const double s1_10 = fma(R_carrier_left_aux1_y_y, s1_9, R_lower_arm_left_z_y*s1_8);
+  const double s1_11 = work.sines[4];
+  work.R_carrier_left_aux1_y_x = R_lower_arm_left_y_y*s1_11;
+  const double s1_12 = work.cosines[6];
   // carrier_left: carrier_left_ry, revolute, carrier_left_aux2
-  const double s1_16 = work.sines[11];
-  work.R_carrier_left_y_x = fma(s1_13, s1_16, work.R_carrier_left_aux1_y_x*s1_15);
-  work.R_carrier_left_y_z = fnma(s1_13, s1_15, work.R_carrier_left_aux1_y_x*s1_16);
+  const double s1_13 = work.sines[6];
+  work.R_carrier_left_y_x = fma(s1_10, s1_13, work.R_carrier_left_aux1_y_x*s1_12);
+  work.R_carrier_left_y_z = fnma(s1_10, s1_12, work.R_carrier_left_aux1_y_x*s1_13);
+  // carrier_right_aux1: carrier_right_rz, revolute, lower_arm_right
+  const double R_lower_arm_right_y_y = work.cosines[9];
+  const double R_carrier_right_aux1_x_x = work.cosines[10];
+  const double R_carrier_right_aux1_y_y = R_lower_arm_right_y_y*R_carrier_right_aux1_x_x;
+  const double R_lower_arm_right_z_y = work.sines[9];
+  const double s1_14 = work.cosines[11];
+  const double s1_15 = work.sines[11];
+  const double s1_16 = fma(R_carrier_right_aux1_y_y, s1_15, R_lower_arm_right_z_y*s1_14);
+  const double s1_17 = work.sines[10];
+  work.R_carrier_right_aux1_y_x = R_lower_arm_right_y_y*s1_17;
+  const double s1_18 = work.cosines[12];
+  // carrier_right: carrier_right_ry, revolute, carrier_right_aux2
+  const double s1_19 = work.sines[12];
+  work.R_carrier_right_y_x = fma(s1_16, s1_19, work.R_carrier_right_aux1_y_x*s1_18);
+  work.R_carrier_right_y_z = fnma(s1_16, s1_18, work.R_carrier_right_aux1_y_x*s1_19);
   // carrier_left_aux2: carrier_left_rx, revolute, carrier_left_aux1
-  work.R_carrier_left_aux2_y_y = fnma(R_lower_arm_left_z_y, s1_12, R_carrier_left_aux1_y_y*s1_11);
+  work.R_carrier_left_aux2_y_y = fnma(R_lower_arm_left_z_y, s1_9, R_carrier_left_aux1_y_y*s1_8);
   // carrier_left_aux1: carrier_left_rz, revolute, lower_arm_left
   const double R_carrier_left_aux1_z_y = R_lower_arm_left_z_y*R_carrier_left_aux1_x_x;
   // carrier_left_aux2: carrier_left_rx, revolute, carrier_left_aux1
-  work.R_carrier_left_aux2_z_y = fma(R_lower_arm_left_y_y, s1_12, R_carrier_left_aux1_z_y*s1_11);
-  work.s1_17 = s1_14*s1_11;
-  const double R_carrier_left_aux2_z_z = fnma(R_carrier_left_aux1_z_y, s1_12,
-      R_lower_arm_left_y_y*s1_11);
-  const double R_carrier_left_aux2_x_z = s1_14*s1_12;
+  work.R_carrier_left_aux2_z_y = fma(R_lower_arm_left_y_y, s1_9, R_carrier_left_aux1_z_y*s1_8);
+  work.R_carrier_left_aux2_z_z = fnma(R_carrier_left_aux1_z_y, s1_9, R_lower_arm_left_y_y*s1_8);
   // carrier_left_aux1: carrier_left_rz, revolute, lower_arm_left
-  work.R_carrier_left_aux1_z_x = R_lower_arm_left_z_y*s1_14;
+  work.R_carrier_left_aux1_z_x = R_lower_arm_left_z_y*s1_11;
+  const double s1_20 = R_lower_arm_left_y_y*work.R_carrier_left_aux1_y_x;
+  work.s1_21 = s1_11*s1_8;
   // carrier_left: carrier_left_ry, revolute, carrier_left_aux2
-  work.R_carrier_left_x_x = fnma(R_carrier_left_aux2_x_z, s1_16, R_carrier_left_aux1_x_x*s1_15);
-  work.R_carrier_left_x_z = fma(R_carrier_left_aux1_x_x, s1_16, R_carrier_left_aux2_x_z*s1_15);
-  work.R_carrier_left_z_x = fnma(R_carrier_left_aux2_z_z, s1_16,
-      work.R_carrier_left_aux1_z_x*s1_15);
-  work.R_carrier_left_z_z = fma(work.R_carrier_left_aux1_z_x, s1_16, R_carrier_left_aux2_z_z*s1_15);
-  // carrier_right_aux1: carrier_right_rz, revolute, lower_arm_right
-  const double R_lower_arm_right_y_y = work.cosines[12];
-  const double R_carrier_right_aux1_x_x = work.cosines[13];
-  const double R_carrier_right_aux1_y_y = R_lower_arm_right_y_y*R_carrier_right_aux1_x_x;
-  const double R_lower_arm_right_z_y = work.sines[12];
-  const double s1_18 = work.cosines[14];
-  const double s1_19 = work.sines[14];
-  const double s1_20 = fma(R_carrier_right_aux1_y_y, s1_19, R_lower_arm_right_z_y*s1_18);
-  const double s1_21 = work.sines[13];
-  work.R_carrier_right_aux1_y_x = R_lower_arm_right_y_y*s1_21;
-  const double s1_22 = work.cosines[15];
-  // carrier_right: carrier_right_ry, revolute, carrier_right_aux2
-  const double s1_23 = work.sines[15];
-  work.R_carrier_right_y_x = fma(s1_20, s1_23, work.R_carrier_right_aux1_y_x*s1_22);
-  work.R_carrier_right_y_z = fnma(s1_20, s1_22, work.R_carrier_right_aux1_y_x*s1_23);
+  const double s1_22 = work.R_carrier_left_aux1_z_x*work.s1_21;
+  const double s1_23 = fma(R_carrier_left_aux1_x_x, work.R_carrier_left_aux2_z_y, s1_22);
+  const double s1_24 = work.R_carrier_left_aux1_y_x*work.s1_21;
+  const double s1_25 = fma(R_carrier_left_aux1_x_x, work.R_carrier_left_aux2_y_y, s1_24);
+  const double s1_26 = fma(R_lower_arm_left_y_y, s1_25, R_lower_arm_left_z_y*s1_23);
+  const double s1_27 = 1.0/s1_26;
+  work.s1_28 = R_carrier_left_aux1_z_y*s1_27;
+  work.s1_29 = R_carrier_left_aux1_y_y*s1_27;
+  work.s1_30 = s1_25*s1_27;
+  work.s1_31 = fma(R_lower_arm_left_z_y, work.R_carrier_left_aux1_z_x, s1_20)*s1_27;
+  work.s1_32 = s1_23*s1_27;
+  work.s9_4 = std::abs(s1_26);
+  const double s1_33 = work.R_carrier_left_aux1_y_x*work.R_carrier_left_aux2_z_y;
+  const double s1_34 = fnma(work.R_carrier_left_aux1_z_x, work.R_carrier_left_aux2_y_y, s1_33);
+  work.s1_35 = s1_27*s1_34;
   // carrier_right_aux2: carrier_right_rx, revolute, carrier_right_aux1
-  work.R_carrier_right_aux2_y_y = fnma(R_lower_arm_right_z_y, s1_19,
-      R_carrier_right_aux1_y_y*s1_18);
+  work.R_carrier_right_aux2_y_y = fnma(R_lower_arm_right_z_y, s1_15,
+      R_carrier_right_aux1_y_y*s1_14);
   // carrier_right_aux1: carrier_right_rz, revolute, lower_arm_right
   const double R_carrier_right_aux1_z_y = R_lower_arm_right_z_y*R_carrier_right_aux1_x_x;
   // carrier_right_aux2: carrier_right_rx, revolute, carrier_right_aux1
-  work.R_carrier_right_aux2_z_y = fma(R_lower_arm_right_y_y, s1_19, R_carrier_right_aux1_z_y*s1_18);
-  work.s1_24 = s1_21*s1_18;
-  const double R_carrier_right_aux2_z_z = fnma(R_carrier_right_aux1_z_y, s1_19,
-      R_lower_arm_right_y_y*s1_18);
-  const double R_carrier_right_aux2_x_z = s1_21*s1_19;
+  work.R_carrier_right_aux2_z_y = fma(R_lower_arm_right_y_y, s1_15, R_carrier_right_aux1_z_y*s1_14);
+  work.R_carrier_right_aux2_z_z = fnma(R_carrier_right_aux1_z_y, s1_15,
+      R_lower_arm_right_y_y*s1_14);
   // carrier_right_aux1: carrier_right_rz, revolute, lower_arm_right
-  work.R_carrier_right_aux1_z_x = R_lower_arm_right_z_y*s1_21;
+  work.R_carrier_right_aux1_z_x = R_lower_arm_right_z_y*s1_17;
+  const double s1_36 = R_lower_arm_right_y_y*work.R_carrier_right_aux1_y_x;
+  work.s1_37 = s1_17*s1_14;
   // carrier_right: carrier_right_ry, revolute, carrier_right_aux2
-  work.R_carrier_right_x_x = fnma(R_carrier_right_aux2_x_z, s1_23, R_carrier_right_aux1_x_x*s1_22);
-  work.R_carrier_right_x_z = fma(R_carrier_right_aux1_x_x, s1_23, R_carrier_right_aux2_x_z*s1_22);
-  const double s1_25 = work.R_carrier_right_aux1_z_x*s1_22;
-  work.R_carrier_right_z_x = fnma(R_carrier_right_aux2_z_z, s1_23, s1_25);
-  const double s1_26 = R_carrier_right_aux2_z_z*s1_22;
-  work.R_carrier_right_z_z = fma(work.R_carrier_right_aux1_z_x, s1_23, s1_26);
-  const double s1_27 = R_lower_arm_left_y_y*work.R_carrier_left_aux1_y_x;
-  // carrier_left: carrier_left_ry, revolute, carrier_left_aux2
-  const double s1_28 = work.R_carrier_left_aux1_z_x*work.s1_17;
-  const double s1_29 = fma(R_carrier_left_aux1_x_x, work.R_carrier_left_aux2_z_y, s1_28);
-  const double s1_30 = work.R_carrier_left_aux1_y_x*work.s1_17;
-  const double s1_31 = fma(R_carrier_left_aux1_x_x, work.R_carrier_left_aux2_y_y, s1_30);
-  const double s1_32 = fma(R_lower_arm_left_y_y, s1_31, R_lower_arm_left_z_y*s1_29);
-  const double s1_33 = 1.0/s1_32;
-  work.s1_34 = R_carrier_left_aux1_z_y*s1_33;
-  work.s1_35 = R_carrier_left_aux1_y_y*s1_33;
-  work.s1_36 = s1_31*s1_33;
-  work.s1_37 = fma(R_lower_arm_left_z_y, work.R_carrier_left_aux1_z_x, s1_27)*s1_33;
-  work.s1_38 = s1_29*s1_33;
-  work.s9_4 = std::abs(s1_32);
-  const double s1_39 = work.R_carrier_left_aux1_y_x*work.R_carrier_left_aux2_z_y;
-  const double s1_40 = fnma(work.R_carrier_left_aux1_z_x, work.R_carrier_left_aux2_y_y, s1_39);
-  work.s1_41 = s1_33*s1_40;
-  const double s1_42 = R_lower_arm_right_y_y*work.R_carrier_right_aux1_y_x;
-  // carrier_right: carrier_right_ry, revolute, carrier_right_aux2
-  const double s1_43 = work.R_carrier_right_aux1_z_x*work.s1_24;
-  const double s1_44 = fma(R_carrier_right_aux1_x_x, work.R_carrier_right_aux2_z_y, s1_43);
-  const double s1_45 = work.R_carrier_right_aux1_y_x*work.s1_24;
-  const double s1_46 = fma(R_carrier_right_aux1_x_x, work.R_carrier_right_aux2_y_y, s1_45);
-  const double s1_47 = fma(R_lower_arm_right_y_y, s1_46, R_lower_arm_right_z_y*s1_44);
-  const double s1_48 = 1.0/s1_47;
-  work.s1_49 = R_carrier_right_aux1_z_y*s1_48;
-  work.s1_50 = R_carrier_right_aux1_y_y*s1_48;
-  work.s1_51 = s1_46*s1_48;
-  work.s1_52 = fma(R_lower_arm_right_z_y, work.R_carrier_right_aux1_z_x, s1_42)*s1_48;
-  work.s1_53 = s1_44*s1_48;
-  work.s9_5 = std::abs(s1_47);
-  const double s1_54 = work.R_carrier_right_aux1_y_x*work.R_carrier_right_aux2_z_y;
-  const double s1_55 = fnma(work.R_carrier_right_aux1_z_x, work.R_carrier_right_aux2_y_y, s1_54);
-  work.s1_56 = s1_48*s1_55;
+  const double s1_38 = work.R_carrier_right_aux1_z_x*work.s1_37;
+  const double s1_39 = fma(R_carrier_right_aux1_x_x, work.R_carrier_right_aux2_z_y, s1_38);
+  const double s1_40 = work.R_carrier_right_aux1_y_x*work.s1_37;
+  const double s1_41 = fma(R_carrier_right_aux1_x_x, work.R_carrier_right_aux2_y_y, s1_40);
+  const double s1_42 = fma(R_lower_arm_right_y_y, s1_41, R_lower_arm_right_z_y*s1_39);
+  const double s1_43 = 1.0/s1_42;
+  work.s1_44 = R_carrier_right_aux1_z_y*s1_43;
+  work.s1_45 = R_carrier_right_aux1_y_y*s1_43;
+  work.s1_46 = s1_41*s1_43;
+  work.s1_47 = fma(R_lower_arm_right_z_y, work.R_carrier_right_aux1_z_x, s1_36)*s1_43;
+  work.s1_48 = s1_39*s1_43;
+  work.s9_5 = std::abs(s1_42);
+  const double s1_49 = work.R_carrier_right_aux1_y_x*work.R_carrier_right_aux2_z_y;
+  const double s1_50 = fnma(work.R_carrier_right_aux1_z_x, work.R_carrier_right_aux2_y_y, s1_49);
+  work.s1_51 = s1_43*s1_50;
 
   // --- step 3: Rz (61), long_rod_left .. arb_link_rear_right ---
   work.s3_1 = fnma(work.s2_14, work.s2_110, work.s2_91*work.s2_13)*s2_125;
@@ -1258,15 +1232,15 @@ struct AccelerationsWork {
 
   // --- step 7: inertias of the bodies and forces on joints, long_rod_left .. arb_link_rear_right,
   // continued ---
-  const double R_arb_rear_left_x_z = work.sines[3];
+  const double R_arb_rear_left_x_z = work.sines[20];
   const double s7_32 = K_arb_rear_left_zz*R_arb_rear_left_x_z;
-  const double R_arb_rear_left_x_x = work.cosines[3];
+  const double R_arb_rear_left_x_x = work.cosines[20];
   const double s7_33 = K_arb_rear_left_xx*R_arb_rear_left_x_x;
   const double s7_34 = fnma(R_arb_rear_left_x_z, s7_33, R_arb_rear_left_x_x*s7_32);
   work.s7_35 = fma(R_arb_rear_left_x_x, s7_33, R_arb_rear_left_x_z*s7_32);
-  const double R_arb_rear_right_x_z = work.sines[4];
+  const double R_arb_rear_right_x_z = work.sines[21];
   const double s7_36 = K_arb_rear_right_zz*R_arb_rear_right_x_z;
-  const double R_arb_rear_right_x_x = work.cosines[4];
+  const double R_arb_rear_right_x_x = work.cosines[21];
   const double s7_37 = K_arb_rear_right_xx*R_arb_rear_right_x_x;
   const double s7_38 = fnma(R_arb_rear_right_x_z, s7_37, R_arb_rear_right_x_x*s7_36);
   work.s7_39 = fma(R_arb_rear_right_x_x, s7_37, R_arb_rear_right_x_z*s7_36);
@@ -1392,23 +1366,23 @@ struct AccelerationsWork {
   const double s8_289 = fnma(2.6666666666666665, s8_283, s8_284);
   work.pivot_arb_rear_right = fnma(0.3333333333333333, fma(work.s8_174, work.s8_174, s8_288),
       s8_289);
-  const double s7_40 = -K_arb_rear_right_xy*R_arb_rear_right_x_z;
-  work.s7_41 = h_arb_rear_right_x*R_arb_rear_right_x_z;
   const double s8_290 = fnma(-p_arb_rear_right_z, work.s8_115, -p_arb_rear_right_x*work.s8_41);
-  const double s7_42 = -K_arb_rear_right_xy*R_arb_rear_right_x_x;
-  work.s7_43 = h_arb_rear_right_x*R_arb_rear_right_x_x;
+  const double s7_40 = -K_arb_rear_right_xy*R_arb_rear_right_x_z;
+  const double s7_41 = -K_arb_rear_right_xy*R_arb_rear_right_x_x;
   const double s8_291 = fnma(s7_40, work.s8_69, tau[Coordinate::arb_rear_right]);
+  work.s7_42 = h_arb_rear_right_x*R_arb_rear_right_x_z;
   const double s8_292 = fnma(-p_arb_rear_right_y, work.s8_69, s8_290);
   const double s8_293 = fnma(-p_arb_rear_right_x, work.s8_115, -p_arb_rear_right_z*work.s8_40);
-  const double s8_294 = fma(work.s7_41, s8_292, fnma(s7_42, work.s8_77, s8_291));
+  work.s7_43 = h_arb_rear_right_x*R_arb_rear_right_x_x;
+  const double s8_294 = fma(work.s7_42, s8_292, fnma(s7_41, work.s8_77, s8_291));
   const double z_rear_axle_ty = state.z[Coordinate::rear_axle_ty];
-  const double s8_295 = fma(z_rear_axle_ty, s8_264, fma(-p_arb_rear_right_y, work.s7_43, s7_42));
+  const double s8_295 = fma(z_rear_axle_ty, s8_264, fma(-p_arb_rear_right_y, work.s7_43, s7_41));
   const double s8_296 = 3.0*work.s2_25;
   const double s8_297 = s8_193 + fnma(work.r_rear_axle_aux3_z, work.s8_266, s8_295);
   const double s8_298 = fms(work.r_rear_axle_aux1_x, work.s8_266, s7_40);
-  const double s8_299 = fnma(-p_arb_rear_right_y, work.s7_41, s8_298);
+  const double s8_299 = fnma(-p_arb_rear_right_y, work.s7_42, s8_298);
   const double s8_300 = fnma(-p_arb_rear_right_x, work.s7_43, 0.42249999999999993);
-  const double s8_301 = fma(-p_arb_rear_right_z, work.s7_41, s8_300);
+  const double s8_301 = fma(-p_arb_rear_right_z, work.s7_42, s8_300);
   const double s8_302 = fma(work.r_rear_axle_aux3_z, s8_262, s8_301);
   const double s8_303 = 3.0*work.s2_52;
   const double s8_304 = fnma(s8_296, s8_203, s8_271 + fnma(z_rear_axle_ty, s8_262, s8_299));
@@ -1427,13 +1401,13 @@ struct AccelerationsWork {
   const double s8_317 = fnma(s8_251, work.s8_144, fnma(s8_253, work.s8_143, s8_316));
   const double s8_318 = fnma(work.s8_174, work.s8_145, fnma(s8_286, work.s8_93, s8_317));
   work.s8_319 = fnma(s8_180, work.s8_146, s8_318);
-  const double s7_44 = K_arb_rear_left_xy*R_arb_rear_left_x_z;
-  work.s7_45 = h_arb_rear_left_x*R_arb_rear_left_x_z;
-  const double s7_46 = K_arb_rear_left_xy*R_arb_rear_left_x_x;
+  const double s7_44 = K_arb_rear_left_xy*R_arb_rear_left_x_x;
+  const double s7_45 = K_arb_rear_left_xy*R_arb_rear_left_x_z;
+  const double s8_320 = fma(s7_45, work.s8_69, tau[Coordinate::arb_rear_left]);
+  work.s7_46 = h_arb_rear_left_x*R_arb_rear_left_x_z;
+  const double s8_321 = fnma(s7_34, work.s8_307, fma(s7_44, work.s8_77, s8_320));
   work.s7_47 = h_arb_rear_left_x*R_arb_rear_left_x_x;
-  const double s8_320 = fma(s7_44, work.s8_69, tau[Coordinate::arb_rear_left]);
-  const double s8_321 = fnma(s7_34, work.s8_307, fma(s7_46, work.s8_77, s8_320));
-  const double s8_322 = fma(work.s7_45, fma(-p_arb_rear_right_y, work.s8_69, s8_290), s8_321);
+  const double s8_322 = fma(work.s7_46, fma(-p_arb_rear_right_y, work.s8_69, s8_290), s8_321);
   const double s8_323 = fma(work.s7_47, fma(-p_arb_rear_right_y, work.s8_77, s8_293), s8_322);
   const double s8_324 = fnma(s8_207, work.s8_134, fnma(s8_200, work.s8_133, s8_323));
   const double s8_325 = fnma(s8_214, work.s8_136, fnma(s8_209, work.s8_87, s8_324));
@@ -1449,14 +1423,14 @@ struct AccelerationsWork {
   const double s8_335 = fnma(work.Rz_rear_axle_ry_0, work.s7_29, s8_334);
   const double s8_336 = fnma(m_rear_axle_2, work.s3_7, work.Rz_rear_axle_rx_0*work.s7_29);
   work.s8_337 = fnma(work.Rz_rear_axle_rz_0, work.s7_25, s8_336);
-  const double s8_338 = fnma(z_rear_axle_ty, s8_333, fma(p_arb_rear_left_y, work.s7_45, s7_44));
+  const double s8_338 = fnma(z_rear_axle_ty, s8_333, fma(p_arb_rear_left_y, work.s7_46, s7_45));
   const double s8_339 = s8_275 + fma(work.r_rear_axle_aux1_x, work.s8_337, s8_338);
   const double s8_340 = fnma(-p_arb_rear_left_x, work.s7_47, 0.42249999999999993);
-  const double s8_341 = fma(-p_arb_rear_left_z, work.s7_45, s8_340);
+  const double s8_341 = fma(-p_arb_rear_left_z, work.s7_46, s8_340);
   const double s8_342 = fma(work.r_rear_axle_aux3_z, s8_333, s8_341);
   const double s8_343 = s8_189 + fnma(work.r_rear_axle_aux1_x, s8_335, s8_342);
   const double s8_344 = fma(s8_209, s8_209, fma(s8_207, s8_207, s8_200*s8_200));
-  const double s8_345 = fnma(p_arb_rear_left_y, work.s7_47, fms(z_rear_axle_ty, s8_335, s7_46));
+  const double s8_345 = fnma(p_arb_rear_left_y, work.s7_47, fms(z_rear_axle_ty, s8_335, s7_44));
   const double s8_346 = s8_197 + fnma(work.r_rear_axle_aux3_z, work.s8_337, s8_345);
   const double s8_347 = fma(593.0, z_rear_axle_ty, work.s7_13);
   work.s8_348 = fma(m_rear_axle_2, z_rear_axle_ty, work.s7_13);
@@ -1469,29 +1443,30 @@ struct AccelerationsWork {
   const double s8_355 = fma(z_rear_axle_ty, s8_353, work.s7_9);
   const double s8_356 = fma(work.r_rear_axle_aux1_x, s8_353, work.s7_24);
   const double s8_357 = work.r_rear_axle_aux3_z + work.r_rear_axle_aux3_z;
-  const double s1_6 = work.sines[6];
-  const double s1_8 = work.cosines[6];
-  const double s1_57 = fma(s1_8, work.R_chassis_z_z, s1_6*work.R_chassis_z_y);
-  const double s1_58 = 1.0/s1_57;
-  work.s1_59 = work.s1_9*s1_58;
-  work.s1_60 = work.s1_10*s1_58;
+  const double s1_6 = work.sines[2];
+  const double s1_7 = work.cosines[2];
+  const double s1_52 = fma(s1_7, work.R_chassis_z_z, s1_6*work.R_chassis_z_y);
   const double zd_arb_rear_right = state.zd[Coordinate::arb_rear_right];
   work.s8_358 = zd_arb_rear_right*(zd_arb_rear_right + work.s8_94);
   const double zd_arb_rear_left = state.zd[Coordinate::arb_rear_left];
   work.s8_359 = zd_arb_rear_left*(zd_arb_rear_left + work.s8_94);
-  work.s1_61 = s1_8*s1_58;
+  const double s1_53 = 1.0/s1_52;
+  work.s1_54 = s1_7*s1_53;
   const double tau_chassis_rz = tau[Coordinate::chassis_rz];
   const double tau_chassis_ry = tau[Coordinate::chassis_ry];
+  const double s1_55 = work.sines[1];
+  work.s1_56 = s1_55*s1_7;
+  work.s1_57 = work.s1_56*s1_53;
   const double tau_chassis_rx = tau[Coordinate::chassis_rx];
-  const double s8_360 = fnma(s1_6, tau_chassis_ry, tau_chassis_rz*work.s1_61);
+  const double s8_360 = fnma(s1_6, tau_chassis_ry, tau_chassis_rz*work.s1_54);
   const double s8_361 = zd_arb_rear_right*work.s8_64;
-  const double s8_362 = fma(s7_42, work.s8_358, fma(tau_chassis_rx, work.s1_60, s8_360));
+  const double s8_362 = fma(s7_41, work.s8_358, fma(tau_chassis_rx, work.s1_57, s8_360));
   const double s8_363 = zd_arb_rear_right*work.s8_57;
   const double s8_364 = fnma(work.s7_39, s8_363, fnma(s7_38, s8_361, s8_362));
-  work.s8_365 = 11.55 + s7_46 - s7_42;
+  work.s8_365 = 11.55 + s7_44 - s7_41;
   const double s8_366 = zd_arb_rear_left*work.s8_64;
   const double s8_367 = zd_arb_rear_left*work.s8_57;
-  const double s8_368 = fnma(s7_34, s8_366, fnma(s7_46, work.s8_359, s8_364));
+  const double s8_368 = fnma(s7_34, s8_366, fnma(s7_44, work.s8_359, s8_364));
   const double s8_369 = fnma(work.s7_35, s8_367, s8_368);
   const double s8_370 = fma(z_rear_axle_ty, work.f_rear_axle_x, s8_369);
   const double s8_371 = fnma(work.r_rear_axle_aux1_x, work.f_rear_axle_y, s8_370);
@@ -1503,11 +1478,13 @@ struct AccelerationsWork {
   const double s8_377 = fnma(work.pivot_rear_axle_tx, work.s8_92, s8_376);
   const double s8_378 = fma(work.s2_95, work.s8_93, fma(work.s2_41, work.s8_144, s8_377));
   work.s8_379 = fma(work.s2_93, work.s8_146, s8_378);
-  work.s1_62 = s1_6*s1_58;
-  work.s1_63 = s1_57*s1_58;
-  work.s9_6 = fms(s1_57, s1_57, 1e-12);
-  const double s8_380 = fma(tau_chassis_rz, work.s1_62, s1_8*tau_chassis_ry);
-  const double s8_381 = fma(tau_chassis_rx, work.s1_59, s8_380);
+  work.s1_58 = s1_6*s1_53;
+  work.s1_59 = s1_55*s1_6;
+  work.s1_60 = work.s1_59*s1_53;
+  work.s1_61 = s1_52*s1_53;
+  const double s8_380 = fma(tau_chassis_rz, work.s1_58, s1_7*tau_chassis_ry);
+  work.s9_6 = fms(s1_52, s1_52, 1e-12);
+  const double s8_381 = fma(tau_chassis_rx, work.s1_60, s8_380);
   const double s8_382 = fnma(work.r_rear_axle_aux3_z, work.f_rear_axle_x, s8_381);
   const double s8_383 = fma(work.r_rear_axle_aux1_x, work.f_rear_axle_z, s8_382);
 
@@ -1522,17 +1499,17 @@ struct AccelerationsWork {
   const double s8_390 = fma(work.pivot_rear_axle_tx, work.s8_143, s8_389);
   const double s8_391 = fnma(work.s2_95, work.s8_145, fnma(work.s2_40, work.s8_144, s8_390));
   work.s8_392 = fnma(work.s2_92, work.s8_146, s8_391);
-  work.s8_393 = fnma(work.s7_41, s8_361, work.s7_43*s8_363);
+  work.s8_393 = fnma(work.s7_42, s8_361, work.s7_43*s8_363);
 
   // --- step 8: elimination from the leaves to the root (63), upper_ball_left .. tie_rod_right ---
-  work.s8_394 = s7_40 - 1.05 - s7_44;
+  work.s8_394 = s7_40 - 1.05 - s7_45;
   work.s7_48 = 0.42249999999999993 - work.s7_39;
-  const double s8_395 = fma(s7_40, work.s8_358, tau_chassis_rx*work.s1_63);
+  const double s8_395 = fma(s7_40, work.s8_358, tau_chassis_rx*work.s1_61);
   const double s8_396 = fma(s7_38, s8_363, fma(work.s7_48, s8_361, s8_395));
-  work.s8_397 = fnma(work.s7_45, s8_366, work.s7_47*s8_367);
+  work.s8_397 = fnma(work.s7_46, s8_366, work.s7_47*s8_367);
   work.s7_49 = 0.42249999999999993 - work.s7_35;
   // operations: 29 add, 55 multiply
-  const double s8_398 = fma(work.s7_49, s8_366, fnma(s7_44, work.s8_359, s8_396));
+  const double s8_398 = fma(work.s7_49, s8_366, fnma(s7_45, work.s8_359, s8_396));
   const double s8_399 = fma(s7_34, s8_367, s8_398);
 
   // --- step 8: elimination from the leaves to the root (63), continued ---
@@ -1636,7 +1613,7 @@ struct AccelerationsWork {
   work.s8_488 = fnma(s8_180, s8_468, s8_487);
   work.s8_489 = fma(s8_464, s8_453, fnma(s8_476, s8_448, s8_478));
   const double s8_490 = fma(work.Rz_rear_axle_tx_0, s8_333, 0.42249999999999993);
-  work.s8_491 = s8_333 - work.s7_45;
+  work.s8_491 = s8_333 - work.s7_46;
   work.s8_492 = s8_335 - work.s7_47;
   const double s8_493 = fnma(work.s3_7, work.s8_337, fnma(work.s3_1, s8_335, s8_490));
   const double s8_494 = fma(work.Rz_rear_axle_rx_0, s8_275, s8_493);
@@ -1647,7 +1624,7 @@ struct AccelerationsWork {
   const double s8_499 = fma(s8_452, s8_452, fma(s8_453, s8_453, s8_455));
   const double s8_500 = fnma(2.6666666666666665, s8_497, s8_498);
   work.s8_501 = fnma(0.3333333333333333, s8_499, s8_500);
-  work.s8_502 = s8_262 - work.s7_41;
+  work.s8_502 = s8_262 - work.s7_42;
   work.s8_503 = s8_264 - work.s7_43;
   const double s8_504 = fnma(work.s3_1, s8_264, work.Rz_rear_axle_tx_0*s8_262);
   const double s8_505 = fnma(work.s3_7, work.s8_266, s8_504);
@@ -1668,34 +1645,33 @@ struct AccelerationsWork {
 /// (62), upper_ball_left .. tie_rod_right; step 2: closure Jacobian Phi_z and its factors (60),
 /// upper_ball_left .. tie_rod_right; step 3: Rz (61), upper_ball_left .. tie_rod_right; step 6: c
 /// and dRz/dt zd (62), upper_ball_left .. tie_rod_right; step 2: closure Jacobian Phi_z and its
-/// factors (60), upper_ball_left .. tie_rod_right; step 6: c and dRz/dt zd (62), upper_ball_left ..
-/// tie_rod_right.
+/// factors (60), upper_ball_left .. tie_rod_right.
 [[gnu::noinline]] void compute_accelerations_4(const State& state, const double* tau,
     AccelerationsWork& __restrict work, Accelerations& __restrict result) noexcept {
   // --- step 1: poses and axes b, continued ---
-  const double s1_64 = 1.0/work.s1_5;
-  work.s1_65 = work.R_rear_axle_aux5_y_z*s1_64;
-  work.s1_66 = work.R_rear_axle_aux5_x_z*s1_64;
-  const double R_rear_axle_aux4_y_x = work.sines[0];
-  work.s1_67 = R_rear_axle_aux4_y_x*s1_64;
-  const double R_rear_axle_aux4_x_x = work.cosines[0];
+  const double s1_62 = 1.0/work.s1_5;
+  work.s1_63 = work.R_rear_axle_aux5_y_z*s1_62;
+  work.s1_64 = work.R_rear_axle_aux5_x_z*s1_62;
+  const double R_rear_axle_aux4_y_x = work.sines[17];
+  work.s1_65 = R_rear_axle_aux4_y_x*s1_62;
+  const double R_rear_axle_aux4_x_x = work.cosines[17];
   const double tau_rear_axle_ry = tau[Coordinate::rear_axle_ry];
   const double tau_rear_axle_rx = tau[Coordinate::rear_axle_rx];
   const double tau_rear_axle_rz = tau[Coordinate::rear_axle_rz];
-  const double s8_513 = fma(tau_rear_axle_rx, work.s1_67, R_rear_axle_aux4_x_x*tau_rear_axle_ry);
-  const double s8_514 = fma(tau_rear_axle_rz, work.s1_65, s8_513) - work.n_rear_axle_y;
+  const double s8_513 = fma(tau_rear_axle_rx, work.s1_65, R_rear_axle_aux4_x_x*tau_rear_axle_ry);
+  const double s8_514 = fma(tau_rear_axle_rz, work.s1_63, s8_513) - work.n_rear_axle_y;
   const double tau_rear_axle_tz = tau[Coordinate::rear_axle_tz];
   const double s8_515 = tau_rear_axle_tz - work.f_rear_axle_z;
-  work.s1_68 = R_rear_axle_aux4_x_x*s1_64;
-  work.s1_69 = work.s1_5*s1_64;
-  const double s8_516 = fms(tau_rear_axle_rz, work.s1_69, work.n_rear_axle_z);
+  work.s1_66 = R_rear_axle_aux4_x_x*s1_62;
+  work.s1_67 = work.s1_5*s1_62;
+  const double s8_516 = fms(tau_rear_axle_rz, work.s1_67, work.n_rear_axle_z);
   const double s8_517 = fma(work.Rz_rear_axle_ry_0, s8_514, work.s8_456);
   result.pivot[1] = mbgen::min(work.s2_131, std::abs(work.s1_5));
-  const double s7_50 = tau_rear_axle_rx*work.s1_68;
+  const double s7_50 = tau_rear_axle_rx*work.s1_66;
 
   // --- step 7: inertias of the bodies and forces on joints ---
   const double s7_51 = fnma(R_rear_axle_aux4_y_x, tau_rear_axle_ry, s7_50);
-  const double s7_52 = fma(tau_rear_axle_rz, work.s1_66, s7_51);
+  const double s7_52 = fma(tau_rear_axle_rz, work.s1_64, s7_51);
   const double s8_518 = fma(work.Rz_rear_axle_tz_1, s8_515, work.s8_319);
   const double s8_519 = fma(work.s3_2, work.n_rear_axle_x - s7_52, s8_518);
   const double s8_520 = fma(work.Rz_rear_axle_ry_1, s8_514, s8_519);
@@ -1726,41 +1702,66 @@ struct AccelerationsWork {
   work.s8_539 = fma(work.s8_115, work.s7_35 - work.s7_49, s8_538);
   work.s8_540 = work.s7_48 + (10856.945000000005 + work.s7_49);
   work.s8_541 = work.s7_39 + (141129.72 + work.s7_35);
+  // carrier_left_aux2: carrier_left_rx, revolute, carrier_left_aux1
+  const double R_carrier_left_aux2_x_z = work.sines[4]*work.sines[5];
+  const double R_carrier_left_aux1_x_x = work.cosines[4];
+  const double s1_12 = work.cosines[6];
+  // carrier_left: carrier_left_ry, revolute, carrier_left_aux2
+  const double s1_13 = work.sines[6];
+  work.R_carrier_left_x_x = fnma(R_carrier_left_aux2_x_z, s1_13, R_carrier_left_aux1_x_x*s1_12);
+  work.R_carrier_left_x_z = fma(R_carrier_left_aux1_x_x, s1_13, R_carrier_left_aux2_x_z*s1_12);
 
   // --- step 2: closure Jacobian Phi_z and its factors (60), upper_ball_left .. tie_rod_right ---
   const double s2_132 = p_arb_link_front_left_to_x*work.R_carrier_left_x_x;
-  const double s2_133 = work.s1_17 + work.R_carrier_left_x_z;
+  const double s2_133 = work.s1_21 + work.R_carrier_left_x_z;
   work.s2_134 = fma(-p_arb_link_front_left_to_y, s2_133, s2_132);
+  // carrier_left: carrier_left_ry, revolute, carrier_left_aux2
+  const double s1_68 = work.R_carrier_left_aux1_z_x*s1_12;
+  work.R_carrier_left_z_x = fnma(work.R_carrier_left_aux2_z_z, s1_13, s1_68);
+  const double s1_69 = work.R_carrier_left_aux2_z_z*s1_12;
+  work.R_carrier_left_z_z = fma(work.R_carrier_left_aux1_z_x, s1_13, s1_69);
   const double s2_135 = work.R_carrier_left_z_z - work.R_carrier_left_aux2_z_y;
   const double s2_136 = p_arb_link_front_left_to_x*work.R_carrier_left_z_x;
   work.s2_137 = fma(-p_arb_link_front_left_to_y, s2_135, s2_136);
   const double s2_138 = work.R_carrier_left_y_z - work.R_carrier_left_aux2_y_y;
   const double s2_139 = p_arb_link_front_left_to_x*work.R_carrier_left_y_x;
   work.s2_140 = fma(-p_arb_link_front_left_to_y, s2_138, s2_139);
+  // carrier_right_aux2: carrier_right_rx, revolute, carrier_right_aux1
+  const double R_carrier_right_aux2_x_z = work.sines[10]*work.sines[11];
+  const double R_carrier_right_aux1_x_x = work.cosines[10];
+  const double s1_18 = work.cosines[12];
+  // carrier_right: carrier_right_ry, revolute, carrier_right_aux2
+  const double s1_19 = work.sines[12];
+  work.R_carrier_right_x_x = fnma(R_carrier_right_aux2_x_z, s1_19, R_carrier_right_aux1_x_x*s1_18);
+  work.R_carrier_right_x_z = fma(R_carrier_right_aux1_x_x, s1_19, R_carrier_right_aux2_x_z*s1_18);
   const double s2_141 = p_arb_link_front_right_to_x*work.R_carrier_right_x_x;
-  const double s2_142 = work.R_carrier_right_x_z - work.s1_24;
+  const double s2_142 = work.R_carrier_right_x_z - work.s1_37;
   work.s2_143 = fma(-p_arb_link_front_left_to_y, s2_142, s2_141);
+  const double s1_70 = work.R_carrier_right_aux1_z_x*s1_18;
+  work.R_carrier_right_z_x = fnma(work.R_carrier_right_aux2_z_z, s1_19, s1_70);
+  const double s1_71 = work.R_carrier_right_aux2_z_z*s1_18;
+  work.R_carrier_right_z_z = fma(work.R_carrier_right_aux1_z_x, s1_19, s1_71);
   const double s2_144 = work.R_carrier_right_aux2_z_y + work.R_carrier_right_z_z;
   const double s2_145 = p_arb_link_front_right_to_x*work.R_carrier_right_z_x;
   work.s2_146 = fma(-p_arb_link_front_left_to_y, s2_144, s2_145);
   const double s2_147 = work.R_carrier_right_aux2_y_y + work.R_carrier_right_y_z;
   const double s2_148 = p_arb_link_front_right_to_x*work.R_carrier_right_y_x;
   work.s2_149 = fma(-p_arb_link_front_left_to_y, s2_147, s2_148);
-  const double R_lower_arm_left_y_y = work.cosines[8];
-  const double R_lower_arm_left_z_y = work.sines[8];
-  const double s1_70 = p_carrier_left_rz_y*R_lower_arm_left_y_y;
-  work.s1_71 = fma(-p_carrier_left_rz_z, R_lower_arm_left_z_y, s1_70);
-  const double R_arb_front_left_x_z = work.sines[16];
-  const double R_arb_front_left_x_x = work.cosines[16];
+  const double R_lower_arm_left_y_y = work.cosines[3];
+  const double R_lower_arm_left_z_y = work.sines[3];
+  const double s1_72 = p_carrier_left_rz_y*R_lower_arm_left_y_y;
+  work.s1_73 = fma(-p_carrier_left_rz_z, R_lower_arm_left_z_y, s1_72);
+  const double R_arb_front_left_x_z = work.sines[8];
+  const double R_arb_front_left_x_x = work.cosines[8];
   const double s2_150 = p_arb_link_front_left_from_z*R_arb_front_left_x_z;
   work.s2_151 = fnma(-p_arb_link_front_left_from_x, R_arb_front_left_x_x, s2_150);
   const double zd_carrier_left_rz = state.zd[Coordinate::carrier_left_rz];
   work.s4_14 = zd_carrier_left_rz*R_lower_arm_left_y_y;
   const double zd_carrier_left_rx = state.zd[Coordinate::carrier_left_rx];
-  work.s4_15 = zd_carrier_left_rx*work.cosines[9];
+  work.s4_15 = zd_carrier_left_rx*R_carrier_left_aux1_x_x;
   work.s4_16 = zd_carrier_left_rx*work.R_carrier_left_aux1_z_x;
   const double zd_carrier_left_ry = state.zd[Coordinate::carrier_left_ry];
-  work.s4_17 = zd_carrier_left_ry*work.s1_17;
+  work.s4_17 = zd_carrier_left_ry*work.s1_21;
   work.s4_18 = zd_carrier_left_ry*work.R_carrier_left_aux2_z_y;
   work.s4_19 = work.s4_14 + work.s4_16;
   work.s4_20 = work.s4_18 + work.s4_19;
@@ -1776,7 +1777,7 @@ struct AccelerationsWork {
   work.s4_26 = work.s4_24 - work.s4_23;
   work.s4_27 = work.s4_25 + work.s4_26;
   const double s6_98 = fnma(work.s4_27, work.s2_134, work.s4_22*work.s2_140);
-  work.s4_28 = zd_lower_arm_left*work.s1_71;
+  work.s4_28 = zd_lower_arm_left*work.s1_73;
   // arb_link_front_left
   const double zd_arb_front_left = state.zd[Coordinate::arb_front_left];
   const double s6_99 = zd_arb_front_left*work.s2_151;
@@ -1784,33 +1785,33 @@ struct AccelerationsWork {
   work.s6_101 = fma(work.s4_27, s6_98, fnma(work.s4_20, s6_97, zd_arb_front_left*s6_99));
   const double s6_102 = fnma(work.s4_20, work.s2_140, work.s4_27*work.s2_137);
   const double s6_103 = zd_lower_arm_left*zd_lower_arm_left;
-  work.s6_104 = work.s1_71*s6_103;
+  work.s6_104 = work.s1_73*s6_103;
   work.s6_105 = fnma(work.s4_22, s6_98, fms(work.s4_20, s6_102, work.s6_104));
-  const double s1_72 = p_carrier_left_rz_y*R_lower_arm_left_z_y;
-  work.s1_73 = fnma(-p_carrier_left_rz_z, R_lower_arm_left_y_y, s1_72);
+  const double s1_74 = p_carrier_left_rz_y*R_lower_arm_left_z_y;
+  work.s1_75 = fnma(-p_carrier_left_rz_z, R_lower_arm_left_y_y, s1_74);
   const double s2_152 = p_arb_link_front_left_from_z*R_arb_front_left_x_x;
   work.s2_153 = fma(-p_arb_link_front_left_from_x, R_arb_front_left_x_z, s2_152);
-  work.s6_106 = work.s1_73*s6_103;
+  work.s6_106 = work.s1_75*s6_103;
   work.s8_542 = fma(zd_lower_arm_left, work.s8_57, s6_103);
   const double s6_107 = zd_arb_front_left*work.s2_153;
   work.s6_108 = s6_107 - s6_102;
   const double s6_109 = fma(work.s4_22, s6_97, fms(zd_arb_front_left, s6_107, work.s6_106));
   work.s6_110 = fnma(work.s4_27, s6_102, s6_109);
-  const double R_lower_arm_right_z_y = work.sines[12];
-  const double R_lower_arm_right_y_y = work.cosines[12];
-  const double s1_74 = -p_carrier_right_rz_z*R_lower_arm_right_z_y;
-  work.s1_75 = fnma(-p_carrier_right_rz_y, R_lower_arm_right_y_y, s1_74);
-  const double R_arb_front_right_x_z = work.sines[17];
-  const double R_arb_front_right_x_x = work.cosines[17];
+  const double R_lower_arm_right_z_y = work.sines[9];
+  const double R_lower_arm_right_y_y = work.cosines[9];
+  const double s1_76 = -p_carrier_right_rz_z*R_lower_arm_right_z_y;
+  work.s1_77 = fnma(-p_carrier_right_rz_y, R_lower_arm_right_y_y, s1_76);
+  const double R_arb_front_right_x_z = work.sines[14];
+  const double R_arb_front_right_x_x = work.cosines[14];
   const double s2_154 = p_arb_link_front_right_from_z*R_arb_front_right_x_z;
   work.s2_155 = fnma(-p_arb_link_front_right_from_x, R_arb_front_right_x_x, s2_154);
   const double zd_carrier_right_rz = state.zd[Coordinate::carrier_right_rz];
   work.s4_29 = zd_carrier_right_rz*R_lower_arm_right_y_y;
   const double zd_carrier_right_rx = state.zd[Coordinate::carrier_right_rx];
-  work.s4_30 = zd_carrier_right_rx*work.cosines[13];
+  work.s4_30 = zd_carrier_right_rx*R_carrier_right_aux1_x_x;
   work.s4_31 = zd_carrier_right_rx*work.R_carrier_right_aux1_z_x;
   const double zd_carrier_right_ry = state.zd[Coordinate::carrier_right_ry];
-  work.s4_32 = zd_carrier_right_ry*work.s1_24;
+  work.s4_32 = zd_carrier_right_ry*work.s1_37;
   work.s4_33 = zd_carrier_right_ry*work.R_carrier_right_aux2_z_y;
   work.s4_34 = work.s4_29 + work.s4_31;
   work.s4_35 = work.s4_33 + work.s4_34;
@@ -1824,7 +1825,7 @@ struct AccelerationsWork {
   work.s4_41 = work.s4_39 - work.s4_38;
   work.s4_42 = work.s4_40 + work.s4_41;
   const double s6_112 = fnma(work.s4_42, work.s2_143, work.s4_37*work.s2_149);
-  work.s4_43 = zd_lower_arm_right*work.s1_75;
+  work.s4_43 = zd_lower_arm_right*work.s1_77;
   // arb_link_front_right
   const double zd_arb_front_right = state.zd[Coordinate::arb_front_right];
   const double s6_113 = zd_arb_front_right*work.s2_155;
@@ -1833,13 +1834,13 @@ struct AccelerationsWork {
   work.s6_116 = fma(work.s4_42, s6_112, s6_115);
   const double s6_117 = fnma(work.s4_35, work.s2_149, work.s4_42*work.s2_146);
   const double s6_118 = zd_lower_arm_right*zd_lower_arm_right;
-  work.s6_119 = work.s1_75*s6_118;
+  work.s6_119 = work.s1_77*s6_118;
   work.s6_120 = fnma(work.s4_37, s6_112, fms(work.s4_35, s6_117, work.s6_119));
-  const double s1_76 = -p_carrier_right_rz_z*R_lower_arm_right_y_y;
-  work.s1_77 = fma(-p_carrier_right_rz_y, R_lower_arm_right_z_y, s1_76);
+  const double s1_78 = -p_carrier_right_rz_z*R_lower_arm_right_y_y;
+  work.s1_79 = fma(-p_carrier_right_rz_y, R_lower_arm_right_z_y, s1_78);
   const double s2_156 = p_arb_link_front_right_from_z*R_arb_front_right_x_x;
   work.s2_157 = fma(-p_arb_link_front_right_from_x, R_arb_front_right_x_z, s2_156);
-  work.s6_121 = work.s1_77*s6_118;
+  work.s6_121 = work.s1_79*s6_118;
   work.s8_543 = fma(zd_lower_arm_right, work.s8_57, s6_118);
   const double s6_122 = zd_arb_front_right*work.s2_157;
   work.s6_123 = s6_122 - s6_117;
@@ -1859,16 +1860,16 @@ struct AccelerationsWork {
   work.s2_163 = fnma(-p_tie_rod_left_to_x, work.R_carrier_left_y_x, s2_161) - s2_162;
   const double s2_164 = fms(p_carrier_left_upper_ball_z, work.R_carrier_left_y_z, s2_162);
   const double s2_165 = p_tie_rod_left_to_z*work.R_carrier_left_x_z;
-  const double s2_166 = -p_carrier_left_upper_ball_y*work.s1_17;
+  const double s2_166 = -p_carrier_left_upper_ball_y*work.s1_21;
   work.s2_167 = s2_166 + fnma(-p_tie_rod_left_to_x, work.R_carrier_left_x_x, s2_165);
   const double s2_168 = fma(p_carrier_left_upper_ball_z, work.R_carrier_left_x_z, s2_166);
   const double s6_126 = fnma(work.s4_27, work.s2_167, work.s4_22*work.s2_163);
   const double s6_127 = fnma(work.s4_20, work.s2_163, work.s4_27*work.s2_160);
   const double s6_128 = fnma(work.s4_22, work.s2_160, work.s4_20*work.s2_167);
   work.s6_129 = fnma(work.s4_27, s6_127, fms(work.s4_22, s6_128, work.s6_106));
-  const double R_bell_crank_y_x = work.sines[18];
+  const double R_bell_crank_y_x = work.sines[16];
   const double s2_169 = -p_tie_rod_left_from_x*R_bell_crank_y_x;
-  const double R_bell_crank_x_x = work.cosines[18];
+  const double R_bell_crank_x_x = work.cosines[16];
   const double s2_170 = fms(p_tie_rod_left_from_y, R_bell_crank_x_x, s2_169);
   const double s2_171 = fma(p_tie_rod_left_from_y, R_bell_crank_x_x, s2_169);
   const double zd_bell_crank = state.zd[Coordinate::bell_crank];
@@ -1876,7 +1877,7 @@ struct AccelerationsWork {
   work.s6_131 = s6_130 + s6_127;
   const double s6_132 = fnma(work.s4_22, s6_126, fms(zd_bell_crank, s6_130, work.s6_104));
   work.s6_133 = fma(work.s4_20, s6_127, s6_132);
-  work.s4_44 = zd_lower_arm_left*work.s1_73;
+  work.s4_44 = zd_lower_arm_left*work.s1_75;
   work.s6_134 = s6_97 - work.s4_44;
   const double s2_172 = p_tie_rod_left_from_y*R_bell_crank_y_x;
   const double s2_173 = fma(-p_tie_rod_left_from_x, R_bell_crank_x_x, s2_172);
@@ -1896,7 +1897,7 @@ struct AccelerationsWork {
   work.s2_180 = s2_179 + fnma(-p_tie_rod_right_to_x, work.R_carrier_right_y_x, s2_178);
   const double s2_181 = fma(p_carrier_right_upper_ball_z, work.R_carrier_right_y_z, s2_179);
   const double s2_182 = p_tie_rod_right_to_z*work.R_carrier_right_x_z;
-  const double s2_183 = p_carrier_right_upper_ball_y*work.s1_24;
+  const double s2_183 = p_carrier_right_upper_ball_y*work.s1_37;
   work.s2_184 = fnma(-p_tie_rod_right_to_x, work.R_carrier_right_x_x, s2_182) - s2_183;
   const double s2_185 = fms(p_carrier_right_upper_ball_z, work.R_carrier_right_x_z, s2_183);
 
@@ -1913,11 +1914,11 @@ struct AccelerationsWork {
   const double s6_147 = zd_bell_crank*s2_174;
   work.s6_148 = work.s4_43 + s6_139;
   work.s6_149 = fnma(work.s4_35, s6_140, fma(work.s4_42, s6_139, zd_bell_crank*s6_147));
-  work.s4_45 = zd_lower_arm_right*work.s1_77;
+  work.s4_45 = zd_lower_arm_right*work.s1_79;
   work.s6_150 = work.s4_45 + s6_111;
   work.s6_151 = s6_147 - work.s4_45 - s6_140;
-  const double R_upper_arm_left_z_y = work.sines[19];
-  const double R_upper_arm_left_y_y = work.cosines[19];
+  const double R_upper_arm_left_z_y = work.sines[7];
+  const double R_upper_arm_left_y_y = work.cosines[7];
   const double s2_186 = p_upper_arm_left_ball_y*R_upper_arm_left_z_y;
   const double s2_187 = fnma(-p_upper_arm_left_ball_z, R_upper_arm_left_y_y, s2_186);
   const double s2_188 = p_upper_arm_left_ball_y*R_upper_arm_left_y_y;
@@ -1933,9 +1934,9 @@ struct AccelerationsWork {
   const double s2_191 = s2_168*s2_190;
   const double s6_158 = fnma(s2_191, s6_155, fnma(work.s4_22, s6_153, s6_156));
   // carrier_left_aux1: carrier_left_rz, revolute, lower_arm_left
-  work.r_carrier_left_aux1_z = work.s1_73 - (-p_lower_arm_left_z);
+  work.r_carrier_left_aux1_z = work.s1_75 - (-p_lower_arm_left_z);
   work.s2_192 = work.s2_160 + (-p_bell_crank_z + work.r_carrier_left_aux1_z);
-  work.r_carrier_left_aux1_y = p_lower_arm_left_y + work.s1_71;
+  work.r_carrier_left_aux1_y = p_lower_arm_left_y + work.s1_73;
 
   // --- step 2: closure Jacobian Phi_z and its factors (60), upper_ball_left .. tie_rod_right,
   // continued ---
@@ -1944,7 +1945,7 @@ struct AccelerationsWork {
   const double s2_195 = fnma(s2_170, work.s2_194, s2_173*work.s2_193);
   const double s2_196 = fnma(work.s2_160, work.s2_194, work.s2_192*work.s2_167)*s2_190;
   const double s2_197 = fma(work.s2_160, work.s2_193, work.s2_192*work.s2_163);
-  const double s2_198 = s2_197 + fma(work.s1_73, work.s2_193, work.s1_71*work.s2_192);
+  const double s2_198 = s2_197 + fma(work.s1_75, work.s2_193, work.s1_73*work.s2_192);
   const double s2_199 = fma(work.s2_163, work.s2_194, work.s2_193*work.s2_167);
   const double s2_200 = fma(s2_164, s2_196, s2_199);
   const double s6_159 = fma(work.s6_137, work.s6_137, s2_196*s6_155);
@@ -1962,11 +1963,11 @@ struct AccelerationsWork {
   const double s2_206 = fma(s2_187, s2_205, s2_189);
   const double s6_165 = fma(s2_203, s6_162, fma(work.s4_27, s6_157, s6_158));
   const double s2_207 = s2_195*s2_202;
-  const double s2_208 = fms(s2_198, s2_202, work.s1_73) - pivot_carrier_left_rx;
+  const double s2_208 = fms(s2_198, s2_202, work.s1_75) - pivot_carrier_left_rx;
   const double s2_209 = 1.0/s2_206;
 
   // --- step 3: Rz (61), upper_ball_left .. tie_rod_right ---
-  work.Rz_upper_arm_left_0 = fnma(s2_205, s2_208, fnma(s2_198, s2_203, work.s1_71 + s2_164))*s2_209;
+  work.Rz_upper_arm_left_0 = fnma(s2_205, s2_208, fnma(s2_198, s2_203, work.s1_73 + s2_164))*s2_209;
   work.Rz_upper_arm_left_2 = fma(s2_205, s2_207, s2_195*s2_203)*s2_209;
   work.s6_166 = s2_209*fma(s2_205, s6_164, s6_165);
   work.s3_18 = s2_204*fma(s2_187, work.Rz_upper_arm_left_0, s2_208);
@@ -1988,7 +1989,7 @@ struct AccelerationsWork {
   work.s2_213 = 0.72 - work.r_carrier_left_aux1_y - work.s2_140;
   const double s2_214 = fnma(work.s2_210, work.s2_140, work.s2_134*work.s2_213);
   const double s2_215 = fnma(work.s2_137, work.s2_213, work.s2_212*work.s2_140);
-  const double s3_23 = s2_215 + fnma(work.s1_73, work.s2_213, work.s1_71*work.s2_212);
+  const double s3_23 = s2_215 + fnma(work.s1_75, work.s2_213, work.s1_73*work.s2_212);
   const double s6_167 = fnma(work.s6_134, work.s6_134, work.s2_210*work.s6_101);
   const double s6_168 = fma(work.s2_213, work.s6_105, fnma(work.s6_100, work.s6_100, s6_167));
   const double s6_169 = fnma(work.s6_108, work.s6_108, fma(work.s2_212, work.s6_110, s6_168));
@@ -2002,8 +2003,8 @@ struct AccelerationsWork {
   work.Rz_arb_front_left_0 = s2_217*fnma(s2_216, work.s3_21, s3_24);
   work.Rz_arb_front_left_2 = s2_217*fnma(s2_216, work.s3_22, s3_25);
   work.zdd_star_arb_front_left = s2_217*fma(s2_216, work.zdd_star_carrier_left_rx, s6_171);
-  const double R_upper_arm_right_z_y = work.sines[20];
-  const double R_upper_arm_right_y_y = work.cosines[20];
+  const double R_upper_arm_right_z_y = work.sines[13];
+  const double R_upper_arm_right_y_y = work.cosines[13];
   const double s2_218 = -p_upper_arm_right_ball_z*R_upper_arm_right_z_y;
   const double s2_219 = fnma(-p_upper_arm_right_ball_y, R_upper_arm_right_y_y, s2_218);
   const double s2_220 = -p_upper_arm_right_ball_z*R_upper_arm_right_y_y;
@@ -2020,11 +2021,10 @@ struct AccelerationsWork {
   const double s2_222 = 1.0/pivot_carrier_right_rx;
   const double s2_223 = s2_185*s2_222;
   const double s6_178 = fma(s2_223, s6_175, fma(work.s4_37, s6_173, s6_176));
-  work.s1_78 = -p_lower_arm_right_z + work.s1_77;
-  work.s2_224 = work.s2_177 + (-p_bell_crank_z - work.s1_78);
+  work.s1_80 = -p_lower_arm_right_z + work.s1_79;
+  work.s2_224 = work.s2_177 + (-p_bell_crank_z - work.s1_80);
   // carrier_right_aux1: carrier_right_rz, revolute, lower_arm_right
-  work.r_carrier_right_aux1_y = work.s1_75 - (-p_lower_arm_right_y);
-  // operations: 50 add, 134 multiply, 4 divide, 44 sin cos
+  work.r_carrier_right_aux1_y = work.s1_77 - (-p_lower_arm_right_y);
 
   // --- step 2: closure Jacobian Phi_z and its factors (60), upper_ball_left .. tie_rod_right,
   // continued ---
@@ -2033,7 +2033,7 @@ struct AccelerationsWork {
   const double s2_227 = fnma(work.s2_225, s2_174, s2_171*work.s2_226);
   const double s2_228 = fma(work.s2_177, work.s2_226, work.s2_224*work.s2_184)*s2_222;
   const double s2_229 = fnma(work.s2_224, work.s2_180, work.s2_177*work.s2_225);
-  const double s2_230 = fnma(work.s1_77, work.s2_225, fnma(work.s1_75, work.s2_224, s2_229));
+  const double s2_230 = fnma(work.s1_79, work.s2_225, fnma(work.s1_77, work.s2_224, s2_229));
   const double s2_231 = fma(work.s2_180, work.s2_226, work.s2_225*work.s2_184);
   const double pivot_carrier_right_ry = fnma(s2_181, s2_228, s2_231);
   const double s6_179 = fma(work.s6_148, work.s6_148, s2_228*s6_175);
@@ -2050,10 +2050,10 @@ struct AccelerationsWork {
   const double s2_236 = fnma(s2_229, s2_234, s2_181)*s2_235;
   const double pivot_upper_arm_right = fms(s2_221, s2_236, s2_219);
   const double s6_185 = fma(s2_234, s6_182, fnma(work.s4_42, s6_177, s6_178));
-  const double s2_237 = fma(s2_230, s2_233, work.s1_77 - pivot_carrier_right_rx);
+  const double s2_237 = fma(s2_230, s2_233, work.s1_79 - pivot_carrier_right_rx);
   const double s2_238 = s2_227*s2_233;
   const double s2_239 = 1.0/pivot_upper_arm_right;
-  work.s3_26 = fnma(s2_236, s2_237, fnma(s2_230, s2_234, work.s1_75 + s2_181))*s2_239;
+  work.s3_26 = fnma(s2_236, s2_237, fnma(s2_230, s2_234, work.s1_77 + s2_181))*s2_239;
   work.s3_27 = fma(s2_236, s2_238, s2_227*s2_234)*s2_239;
   work.s6_186 = s2_239*fma(s2_236, s6_184, s6_185);
   work.s3_28 = s2_235*fma(s2_221, work.s3_26, s2_237);
@@ -2071,11 +2071,11 @@ struct AccelerationsWork {
   work.s8_550 = fnma(work.s2_177, work.Rz_carrier_right_rx_2, s8_549);
   // arb_link_front_right
   work.s2_240 = 0.35 + work.s2_155 - work.s2_143;
-  work.s2_241 = work.s2_157 + (work.s1_78 - (-p_arb_front_right_z)) - work.s2_146;
+  work.s2_241 = work.s2_157 + (work.s1_80 - (-p_arb_front_right_z)) - work.s2_146;
   work.s2_242 = work.s2_149 + (0.72 + work.r_carrier_right_aux1_y);
   const double s2_243 = fma(work.s2_146, work.s2_242, work.s2_241*work.s2_149);
   const double s2_244 = fma(work.s2_143, work.s2_242, work.s2_240*work.s2_149);
-  const double s3_29 = s2_243 + fnma(work.s1_77, work.s2_242, work.s1_75*work.s2_241);
+  const double s3_29 = s2_243 + fnma(work.s1_79, work.s2_242, work.s1_77*work.s2_241);
   const double s3_30 = fnma(s2_243, work.s3_28, s3_29);
   const double s6_187 = fnma(work.s6_150, work.s6_150, work.s2_240*work.s6_116);
   const double s6_188 = fnma(work.s2_242, work.s6_120, fnma(work.s6_114, work.s6_114, s6_187));
@@ -2092,16 +2092,16 @@ struct AccelerationsWork {
   work.Rz_arb_front_right_2 = s2_246*fma(s2_245, work.Rz_carrier_right_rx_2, s3_33);
   work.zdd_star_arb_front_right = s2_246*fma(s2_245, work.zdd_star_carrier_right_rx, s6_191);
   // drag_link
-  work.s2_247 = -p_drag_link_from_z*work.sines[21];
+  work.s2_247 = -p_drag_link_from_z*work.sines[15];
   work.s2_248 = p_drag_link_to_y*R_bell_crank_y_x;
   work.s2_249 = work.s2_248 + (1.15 - work.s2_247);
-  work.s2_250 = -p_drag_link_from_z*work.cosines[21];
+  work.s2_250 = -p_drag_link_from_z*work.cosines[15];
   work.s2_251 = 0.2 - work.s2_250;
   const double pivot_pitman_arm = fnma(work.s2_250, work.s2_249, work.s2_247*work.s2_251);
-  const double s2_252 = p_drag_link_to_y*R_bell_crank_x_x;
-  work.s2_253 = p_pitman_arm_y - s2_252;
-  const double s2_254 = 1.0/pivot_pitman_arm;
-  work.s3_34 = fma(work.s2_248, work.s2_253, work.s2_249*s2_252)*s2_254;
+  work.s2_252 = p_drag_link_to_y*R_bell_crank_x_x;
+  work.s2_253 = p_pitman_arm_y - work.s2_252;
+  work.s2_254 = 1.0/pivot_pitman_arm;
+  work.s3_34 = fma(work.s2_248, work.s2_253, work.s2_249*work.s2_252)*work.s2_254;
   // operations: 22 add, 49 multiply
   const double s2_255 = 16.504892200367603*std::abs(pivot_arb_front_right);
   const double s2_256 = mbgen::min(3.9625229801272064*std::abs(pivot_pitman_arm), s2_255);
@@ -2116,500 +2116,477 @@ struct AccelerationsWork {
   // operations: 114 add, 145 multiply, 11 divide, 21 other
   const double s2_265 = mbgen::min(3.3636363636363633*std::abs(s2_206), s2_264);
   result.pivot[0] = mbgen::min(work.s9_5, mbgen::min(s2_265, work.s9_4));
-  const double zd_pitman_arm = state.zd[Coordinate::pitman_arm];
-  const double s6_192 = zd_pitman_arm*work.s2_250;
-  const double s6_193 = zd_bell_crank*s2_252;
-  work.s8_551 = fma(work.s2_250, work.s3_34, s2_252);
-
-  // --- step 6: c and dRz/dt zd (62), upper_ball_left .. tie_rod_right, continued ---
-  // drag_link
-  work.s6_194 = zd_pitman_arm*s6_192;
-  work.s6_195 = s6_193 - s6_192;
-  work.s6_196 = zd_bell_crank*s6_193;
-  work.s6_197 = zd_pitman_arm*work.s2_247;
-  work.s6_198 = zd_bell_crank*work.s2_248;
-  work.s6_199 = fnma(zd_bell_crank, work.s6_198, zd_pitman_arm*work.s6_197);
-  const double s6_200 = fma(work.s6_198, work.s6_198, work.s6_197*work.s6_197);
-  const double s6_201 = fma(work.s2_253, work.s6_196, fma(work.s2_251, work.s6_194, s6_200));
-  const double s6_202 = fma(work.s2_249, work.s6_199, fma(work.s6_195, work.s6_195, s6_201));
-  work.s6_203 = s2_254*s6_202;
-  // operations: 125 add, 173 multiply
 }
 
-/// Part 5 of compute_accelerations: step 7: inertias of the bodies and forces on joints,
-/// upper_ball_left .. tie_rod_right; step 8: elimination from the leaves to the root (63),
-/// upper_ball_left .. tie_rod_right.
+/// Part 5 of compute_accelerations: step 6: c and dRz/dt zd (62), upper_ball_left .. tie_rod_right;
+/// step 7: inertias of the bodies and forces on joints, upper_ball_left .. tie_rod_right; step 8:
+/// elimination from the leaves to the root (63), upper_ball_left .. tie_rod_right.
 [[gnu::noinline]] void compute_accelerations_5(const State& state, const double* tau,
     AccelerationsWork& __restrict work) noexcept {
-  const double R_lower_arm_left_y_y = work.cosines[8];
+  // --- step 6: c and dRz/dt zd (62), upper_ball_left .. tie_rod_right, continued ---
+  const double zd_pitman_arm = state.zd[Coordinate::pitman_arm];
+  const double s6_192 = zd_pitman_arm*work.s2_250;
+  const double zd_bell_crank = state.zd[Coordinate::bell_crank];
+  const double s6_193 = zd_bell_crank*work.s2_252;
+  work.s8_551 = fma(work.s2_250, work.s3_34, work.s2_252);
+  // drag_link
+  const double s6_194 = zd_pitman_arm*s6_192;
+  const double s6_195 = s6_193 - s6_192;
+  const double s6_196 = zd_bell_crank*s6_193;
+  const double s6_197 = zd_pitman_arm*work.s2_247;
+  const double s6_198 = zd_bell_crank*work.s2_248;
+  const double s6_199 = fnma(zd_bell_crank, s6_198, zd_pitman_arm*s6_197);
+  const double s6_200 = fma(work.s2_251, s6_194, fma(s6_198, s6_198, s6_197*s6_197));
+  const double s6_201 = fma(s6_195, s6_195, fma(work.s2_253, s6_196, s6_200));
+  work.s6_202 = work.s2_254*fma(work.s2_249, s6_199, s6_201);
+  // operations: 125 add, 173 multiply
+  const double R_lower_arm_left_y_y = work.cosines[3];
+
   // --- step 7: inertias of the bodies and forces on joints, upper_ball_left .. tie_rod_right ---
-  const double R_lower_arm_left_z_y = work.sines[8];
+  const double R_lower_arm_left_z_y = work.sines[3];
   const double s7_53 = -K_lower_arm_left_yz*R_lower_arm_left_y_y;
   const double s7_54 = fma(K_lower_arm_left_zz, R_lower_arm_left_z_y, s7_53);
   const double s7_55 = K_lower_arm_left_yy*R_lower_arm_left_y_y;
   const double s7_56 = fma(-K_lower_arm_left_yz, R_lower_arm_left_z_y, s7_55);
   work.s7_57 = fnma(R_lower_arm_left_y_y, s7_54, R_lower_arm_left_z_y*s7_56);
   work.s7_58 = fma(R_lower_arm_left_y_y, s7_56, R_lower_arm_left_z_y*s7_54);
-  const double s7_59 = h_lower_arm_left_y*R_lower_arm_left_y_y;
-  work.s7_60 = fma(-h_lower_arm_left_z, R_lower_arm_left_z_y, s7_59);
-  const double s7_61 = h_lower_arm_left_y*R_lower_arm_left_z_y;
-  work.s7_62 = fnma(-h_lower_arm_left_z, R_lower_arm_left_y_y, s7_61);
-  const double s7_63 = h_carrier_left_y*work.R_carrier_left_aux2_z_y;
-  const double s7_64 = fnma(-h_carrier_left_x, work.R_carrier_left_z_x, s7_63);
-  work.s7_65 = fma(h_carrier_left_z, work.R_carrier_left_z_z, s7_64);
-  const double s7_66 = K_carrier_left_xy*work.R_carrier_left_x_x;
+  const double s7_59 = h_carrier_left_y*work.R_carrier_left_aux2_z_y;
+  const double s7_60 = fnma(-h_carrier_left_x, work.R_carrier_left_z_x, s7_59);
+  work.s7_61 = fma(h_carrier_left_z, work.R_carrier_left_z_z, s7_60);
+  const double s7_62 = K_carrier_left_xy*work.R_carrier_left_x_x;
   // carrier_left: carrier_left_ry, revolute, carrier_left_aux2
-  const double s7_67 = fnma(K_carrier_left_yy, work.s1_17, s7_66);
-  const double s7_68 = fma(K_carrier_left_yz, work.R_carrier_left_x_z, s7_67);
-  const double s7_69 = K_carrier_left_yy*work.R_carrier_left_aux2_y_y;
-  const double s7_70 = fma(K_carrier_left_xy, work.R_carrier_left_y_x, s7_69);
-  const double s7_71 = fma(K_carrier_left_yz, work.R_carrier_left_y_z, s7_70);
-  const double s7_72 = K_carrier_left_yz*work.R_carrier_left_aux2_y_y;
-  const double s7_73 = fnma(-K_carrier_left_xz, work.R_carrier_left_y_x, s7_72);
-  const double s7_74 = fma(K_carrier_left_zz, work.R_carrier_left_y_z, s7_73);
-  const double s7_75 = K_carrier_left_zz*work.R_carrier_left_x_z;
-  const double s7_76 = fnma(K_carrier_left_yz, work.s1_17, s7_75);
-  const double s7_77 = fnma(-K_carrier_left_xz, work.R_carrier_left_x_x, s7_76);
-  const double s7_78 = K_carrier_left_xy*work.R_carrier_left_aux2_y_y;
-  const double s7_79 = fma(K_carrier_left_xx, work.R_carrier_left_y_x, s7_78);
-  const double s7_80 = fnma(-K_carrier_left_xz, work.R_carrier_left_y_z, s7_79);
-  const double s7_81 = fma(work.R_carrier_left_z_z, s7_74, work.R_carrier_left_aux2_z_y*s7_71);
-  work.s7_82 = fma(work.R_carrier_left_z_x, s7_80, s7_81);
-  const double s7_83 = fma(work.R_carrier_left_y_z, s7_74, work.R_carrier_left_aux2_y_y*s7_71);
-  const double s7_84 = fma(work.R_carrier_left_y_x, s7_80, s7_83);
-  const double s7_85 = K_carrier_left_xx*work.R_carrier_left_x_x;
-  const double s7_86 = fnma(K_carrier_left_xy, work.s1_17, s7_85);
-  const double s7_87 = fnma(-K_carrier_left_xz, work.R_carrier_left_x_z, s7_86);
-  const double s7_88 = fma(work.R_carrier_left_z_z, s7_77, work.R_carrier_left_aux2_z_y*s7_68);
-  work.s7_89 = fma(work.R_carrier_left_z_x, s7_87, s7_88);
-  const double s7_90 = h_carrier_left_y*work.R_carrier_left_aux2_y_y;
-  const double s7_91 = fnma(-h_carrier_left_x, work.R_carrier_left_y_x, s7_90);
-  work.s7_92 = fma(h_carrier_left_z, work.R_carrier_left_y_z, s7_91);
-  const double s7_93 = fma(work.R_carrier_left_y_z, s7_77, work.R_carrier_left_aux2_y_y*s7_68);
-  work.s7_94 = fma(work.R_carrier_left_y_x, s7_87, s7_93);
-  const double s7_95 = h_carrier_left_z*work.R_carrier_left_x_z;
-  const double s7_96 = fnma(work.s1_17, s7_68, work.R_carrier_left_x_z*s7_77);
-  const double s7_97 = fma(work.R_carrier_left_x_x, s7_87, s7_96);
-  const double s7_98 = fnma(h_carrier_left_y, work.s1_17, s7_95);
-  work.s7_99 = fnma(-h_carrier_left_x, work.R_carrier_left_x_x, s7_98);
-  const double R_upper_arm_left_y_y = work.cosines[19];
-  const double R_upper_arm_left_z_y = work.sines[19];
-  const double s7_100 = -K_upper_arm_left_yz*R_upper_arm_left_y_y;
-  const double s7_101 = fma(K_upper_arm_left_zz, R_upper_arm_left_z_y, s7_100);
-  const double s7_102 = K_upper_arm_left_yy*R_upper_arm_left_y_y;
-  const double s7_103 = fma(-K_upper_arm_left_yz, R_upper_arm_left_z_y, s7_102);
-  work.s7_104 = fnma(R_upper_arm_left_y_y, s7_101, R_upper_arm_left_z_y*s7_103);
-  work.s7_105 = fma(R_upper_arm_left_y_y, s7_103, R_upper_arm_left_z_y*s7_101);
-  const double s7_106 = h_upper_arm_left_y*R_upper_arm_left_y_y;
-  work.s7_107 = fma(-h_upper_arm_left_z, R_upper_arm_left_z_y, s7_106);
-  const double s7_108 = h_upper_arm_left_y*R_upper_arm_left_z_y;
-  work.s7_109 = fnma(-h_upper_arm_left_z, R_upper_arm_left_y_y, s7_108);
-  const double R_arb_front_left_x_z = work.sines[16];
-  const double R_arb_front_left_x_x = work.cosines[16];
-  const double s7_110 = K_arb_front_left_zz*R_arb_front_left_x_z;
-  const double s7_111 = fnma(-K_arb_front_left_xz, R_arb_front_left_x_x, s7_110);
-  const double s7_112 = K_arb_front_left_xx*R_arb_front_left_x_x;
-  const double s7_113 = fnma(-K_arb_front_left_xz, R_arb_front_left_x_z, s7_112);
-  work.s7_114 = fnma(R_arb_front_left_x_z, s7_113, R_arb_front_left_x_x*s7_111);
-  work.s7_115 = fma(R_arb_front_left_x_x, s7_113, R_arb_front_left_x_z*s7_111);
-  const double s7_116 = K_arb_front_left_yz*R_arb_front_left_x_x;
-  work.s7_117 = fma(-K_arb_front_left_xy, R_arb_front_left_x_z, s7_116);
-  const double s7_118 = h_arb_front_left_z*R_arb_front_left_x_x;
-  work.s7_119 = fma(-h_arb_front_left_x, R_arb_front_left_x_z, s7_118);
-  const double s7_120 = K_arb_front_left_yz*R_arb_front_left_x_z;
-  work.s7_121 = fnma(-K_arb_front_left_xy, R_arb_front_left_x_x, s7_120);
-  const double s7_122 = h_arb_front_left_z*R_arb_front_left_x_z;
-  work.s7_123 = fnma(-h_arb_front_left_x, R_arb_front_left_x_x, s7_122);
-  const double R_lower_arm_right_y_y = work.cosines[12];
-  const double R_lower_arm_right_z_y = work.sines[12];
-  const double s7_124 = K_lower_arm_right_yy*R_lower_arm_right_y_y;
-  const double s7_125 = fnma(K_lower_arm_right_yz, R_lower_arm_right_z_y, s7_124);
-  const double s7_126 = K_lower_arm_right_yz*R_lower_arm_right_y_y;
-  const double s7_127 = fnma(K_lower_arm_right_zz, R_lower_arm_right_z_y, s7_126);
-  work.s7_128 = fma(R_lower_arm_right_y_y, s7_127, R_lower_arm_right_z_y*s7_125);
-  work.s7_129 = fnma(R_lower_arm_right_z_y, s7_127, R_lower_arm_right_y_y*s7_125);
-  const double s7_130 = -h_lower_arm_right_z*R_lower_arm_right_z_y;
-  work.s7_131 = fnma(-h_lower_arm_right_y, R_lower_arm_right_y_y, s7_130);
-  const double s7_132 = -h_lower_arm_right_z*R_lower_arm_right_y_y;
-  work.s7_133 = fma(-h_lower_arm_right_y, R_lower_arm_right_z_y, s7_132);
-  const double s7_134 = h_carrier_right_z*work.R_carrier_right_z_z;
-  const double s7_135 = fnma(-h_carrier_right_y, work.R_carrier_right_aux2_z_y, s7_134);
-  work.s7_136 = fnma(-h_carrier_right_x, work.R_carrier_right_z_x, s7_135);
-  work.s8_552 = work.s7_136 + (work.s7_65 + work.s8_354);
-  const double s7_137 = K_carrier_right_yy*work.s1_24;
+  const double s7_63 = fnma(K_carrier_left_yy, work.s1_21, s7_62);
+  const double s7_64 = fma(K_carrier_left_yz, work.R_carrier_left_x_z, s7_63);
+  const double s7_65 = K_carrier_left_yy*work.R_carrier_left_aux2_y_y;
+  const double s7_66 = fma(K_carrier_left_xy, work.R_carrier_left_y_x, s7_65);
+  const double s7_67 = fma(K_carrier_left_yz, work.R_carrier_left_y_z, s7_66);
+  const double s7_68 = K_carrier_left_yz*work.R_carrier_left_aux2_y_y;
+  const double s7_69 = fnma(-K_carrier_left_xz, work.R_carrier_left_y_x, s7_68);
+  const double s7_70 = fma(K_carrier_left_zz, work.R_carrier_left_y_z, s7_69);
+  const double s7_71 = K_carrier_left_zz*work.R_carrier_left_x_z;
+  const double s7_72 = fnma(K_carrier_left_yz, work.s1_21, s7_71);
+  const double s7_73 = fnma(-K_carrier_left_xz, work.R_carrier_left_x_x, s7_72);
+  const double s7_74 = K_carrier_left_xy*work.R_carrier_left_aux2_y_y;
+  const double s7_75 = fma(K_carrier_left_xx, work.R_carrier_left_y_x, s7_74);
+  const double s7_76 = fnma(-K_carrier_left_xz, work.R_carrier_left_y_z, s7_75);
+  const double s7_77 = fma(work.R_carrier_left_z_z, s7_70, work.R_carrier_left_aux2_z_y*s7_67);
+  work.s7_78 = fma(work.R_carrier_left_z_x, s7_76, s7_77);
+  const double s7_79 = fma(work.R_carrier_left_y_z, s7_70, work.R_carrier_left_aux2_y_y*s7_67);
+  const double s7_80 = fma(work.R_carrier_left_y_x, s7_76, s7_79);
+  const double s7_81 = K_carrier_left_xx*work.R_carrier_left_x_x;
+  const double s7_82 = fnma(K_carrier_left_xy, work.s1_21, s7_81);
+  const double s7_83 = fnma(-K_carrier_left_xz, work.R_carrier_left_x_z, s7_82);
+  const double s7_84 = fma(work.R_carrier_left_z_z, s7_73, work.R_carrier_left_aux2_z_y*s7_64);
+  work.s7_85 = fma(work.R_carrier_left_z_x, s7_83, s7_84);
+  const double s7_86 = h_carrier_left_y*work.R_carrier_left_aux2_y_y;
+  const double s7_87 = fnma(-h_carrier_left_x, work.R_carrier_left_y_x, s7_86);
+  work.s7_88 = fma(h_carrier_left_z, work.R_carrier_left_y_z, s7_87);
+  const double s7_89 = fma(work.R_carrier_left_y_z, s7_73, work.R_carrier_left_aux2_y_y*s7_64);
+  work.s7_90 = fma(work.R_carrier_left_y_x, s7_83, s7_89);
+  const double s7_91 = h_carrier_left_z*work.R_carrier_left_x_z;
+  const double s7_92 = fnma(work.s1_21, s7_64, work.R_carrier_left_x_z*s7_73);
+  const double s7_93 = fma(work.R_carrier_left_x_x, s7_83, s7_92);
+  const double s7_94 = fnma(h_carrier_left_y, work.s1_21, s7_91);
+  work.s7_95 = fnma(-h_carrier_left_x, work.R_carrier_left_x_x, s7_94);
+  const double R_upper_arm_left_y_y = work.cosines[7];
+  const double R_upper_arm_left_z_y = work.sines[7];
+  const double s7_96 = -K_upper_arm_left_yz*R_upper_arm_left_y_y;
+  const double s7_97 = fma(K_upper_arm_left_zz, R_upper_arm_left_z_y, s7_96);
+  const double s7_98 = K_upper_arm_left_yy*R_upper_arm_left_y_y;
+  const double s7_99 = fma(-K_upper_arm_left_yz, R_upper_arm_left_z_y, s7_98);
+  work.s7_100 = fnma(R_upper_arm_left_y_y, s7_97, R_upper_arm_left_z_y*s7_99);
+  work.s7_101 = fma(R_upper_arm_left_y_y, s7_99, R_upper_arm_left_z_y*s7_97);
+  const double R_arb_front_left_x_z = work.sines[8];
+  const double R_arb_front_left_x_x = work.cosines[8];
+  const double s7_102 = K_arb_front_left_zz*R_arb_front_left_x_z;
+  const double s7_103 = fnma(-K_arb_front_left_xz, R_arb_front_left_x_x, s7_102);
+  const double s7_104 = K_arb_front_left_xx*R_arb_front_left_x_x;
+  const double s7_105 = fnma(-K_arb_front_left_xz, R_arb_front_left_x_z, s7_104);
+  work.s7_106 = fnma(R_arb_front_left_x_z, s7_105, R_arb_front_left_x_x*s7_103);
+  work.s7_107 = fma(R_arb_front_left_x_x, s7_105, R_arb_front_left_x_z*s7_103);
+  const double R_lower_arm_right_y_y = work.cosines[9];
+  const double R_lower_arm_right_z_y = work.sines[9];
+  const double s7_108 = K_lower_arm_right_yy*R_lower_arm_right_y_y;
+  const double s7_109 = fnma(K_lower_arm_right_yz, R_lower_arm_right_z_y, s7_108);
+  const double s7_110 = K_lower_arm_right_yz*R_lower_arm_right_y_y;
+  const double s7_111 = fnma(K_lower_arm_right_zz, R_lower_arm_right_z_y, s7_110);
+  work.s7_112 = fma(R_lower_arm_right_y_y, s7_111, R_lower_arm_right_z_y*s7_109);
+  work.s7_113 = fnma(R_lower_arm_right_z_y, s7_111, R_lower_arm_right_y_y*s7_109);
+  const double s7_114 = h_carrier_right_z*work.R_carrier_right_z_z;
+  const double s7_115 = fnma(-h_carrier_right_y, work.R_carrier_right_aux2_z_y, s7_114);
+  work.s7_116 = fnma(-h_carrier_right_x, work.R_carrier_right_z_x, s7_115);
+  work.s8_552 = work.s7_116 + (work.s7_61 + work.s8_354);
+  const double s7_117 = K_carrier_right_yy*work.s1_37;
   // carrier_right: carrier_right_ry, revolute, carrier_right_aux2
-  const double s7_138 = fma(-K_carrier_right_xy, work.R_carrier_right_x_x, s7_137);
-  const double s7_139 = fma(-K_carrier_right_yz, work.R_carrier_right_x_z, s7_138);
-  const double s7_140 = K_carrier_right_yy*work.R_carrier_right_aux2_y_y;
-  const double s7_141 = fnma(-K_carrier_right_xy, work.R_carrier_right_y_x, s7_140);
-  const double s7_142 = fnma(-K_carrier_right_yz, work.R_carrier_right_y_z, s7_141);
-  const double s7_143 = K_carrier_right_zz*work.R_carrier_right_y_z;
-  const double s7_144 = fnma(-K_carrier_right_yz, work.R_carrier_right_aux2_y_y, s7_143);
-  const double s7_145 = fnma(-K_carrier_right_xz, work.R_carrier_right_y_x, s7_144);
-  const double s7_146 = K_carrier_right_xx*work.R_carrier_right_y_x;
-  const double s7_147 = fnma(-K_carrier_right_xy, work.R_carrier_right_aux2_y_y, s7_146);
-  const double s7_148 = fnma(-K_carrier_right_xz, work.R_carrier_right_y_z, s7_147);
-  const double s7_149 = work.R_carrier_right_aux2_z_y*s7_142;
-  const double s7_150 = fma(work.R_carrier_right_z_z, s7_145, s7_149);
-  work.s7_151 = fma(work.R_carrier_right_z_x, s7_148, s7_150);
-  const double s7_152 = work.R_carrier_right_aux2_y_y*s7_142;
-  const double s7_153 = fma(work.R_carrier_right_y_z, s7_145, s7_152);
-  const double s7_154 = fma(work.R_carrier_right_y_x, s7_148, s7_153);
-  work.s8_553 = s7_154 + (s7_84 + work.s8_465);
-  const double s7_155 = -K_carrier_right_yz*work.s1_24;
-  const double s7_156 = fnma(-K_carrier_right_xz, work.R_carrier_right_x_x, s7_155);
-  const double s7_157 = fma(K_carrier_right_zz, work.R_carrier_right_x_z, s7_156);
-  const double s7_158 = work.R_carrier_right_z_z*s7_157;
-  const double s7_159 = -K_carrier_right_xy*work.s1_24;
-  const double s7_160 = fma(K_carrier_right_xx, work.R_carrier_right_x_x, s7_159);
-  const double s7_161 = fnma(-K_carrier_right_xz, work.R_carrier_right_x_z, s7_160);
-  const double s7_162 = fnma(work.R_carrier_right_aux2_z_y, s7_139, s7_158);
-  work.s7_163 = fma(work.R_carrier_right_z_x, s7_161, s7_162);
-  const double s7_164 = -h_carrier_right_y*work.s1_24;
-  const double s7_165 = fnma(-h_carrier_right_x, work.R_carrier_right_x_x, s7_164);
-  work.s7_166 = fma(h_carrier_right_z, work.R_carrier_right_x_z, s7_165);
-  work.s8_554 = work.s7_166 + (work.s7_99 + work.s8_384);
-  const double s7_167 = fma(work.R_carrier_right_x_z, s7_157, work.s1_24*s7_139);
-  const double s7_168 = fma(work.R_carrier_right_x_x, s7_161, s7_167);
-  const double s7_169 = work.R_carrier_right_y_z*s7_157;
-  work.s8_555 = s7_168 + (s7_97 + work.s8_481);
-  const double s7_170 = h_carrier_right_z*work.R_carrier_right_y_z;
-  const double s7_171 = fnma(work.R_carrier_right_aux2_y_y, s7_139, s7_169);
-  work.s7_172 = fma(work.R_carrier_right_y_x, s7_161, s7_171);
-  const double s7_173 = fnma(-h_carrier_right_y, work.R_carrier_right_aux2_y_y, s7_170);
-  work.s7_174 = fnma(-h_carrier_right_x, work.R_carrier_right_y_x, s7_173);
-  work.s8_556 = work.s7_174 + (work.s7_92 + work.s8_348);
-  const double R_upper_arm_right_y_y = work.cosines[20];
-  const double R_upper_arm_right_z_y = work.sines[20];
-  const double s7_175 = K_upper_arm_right_yy*R_upper_arm_right_y_y;
-  const double s7_176 = fnma(K_upper_arm_right_yz, R_upper_arm_right_z_y, s7_175);
-  const double s7_177 = K_upper_arm_right_yz*R_upper_arm_right_y_y;
-  const double s7_178 = fnma(K_upper_arm_right_zz, R_upper_arm_right_z_y, s7_177);
-  work.s7_179 = fma(R_upper_arm_right_y_y, s7_178, R_upper_arm_right_z_y*s7_176);
-  const double s8_557 = work.s7_128 + (work.s7_117 + (work.s7_104 + (work.s7_57 + work.s8_394)));
-  work.s7_180 = fnma(R_upper_arm_right_z_y, s7_178, R_upper_arm_right_y_y*s7_176);
-  const double s7_181 = -h_upper_arm_right_z*R_upper_arm_right_z_y;
-  work.s7_182 = fnma(-h_upper_arm_right_y, R_upper_arm_right_y_y, s7_181);
-  const double s7_183 = -h_upper_arm_right_z*R_upper_arm_right_y_y;
-  work.s7_184 = fma(-h_upper_arm_right_y, R_upper_arm_right_z_y, s7_183);
-  const double R_arb_front_right_x_z = work.sines[17];
-  const double R_arb_front_right_x_x = work.cosines[17];
-  const double s7_185 = K_arb_front_right_zz*R_arb_front_right_x_z;
-  const double s7_186 = fnma(-K_arb_front_right_xz, R_arb_front_right_x_x, s7_185);
-  const double s7_187 = K_arb_front_right_xx*R_arb_front_right_x_x;
-  const double s7_188 = fnma(-K_arb_front_right_xz, R_arb_front_right_x_z, s7_187);
-  work.s7_189 = fnma(R_arb_front_right_x_z, s7_188, R_arb_front_right_x_x*s7_186);
-  work.s7_190 = fma(R_arb_front_right_x_x, s7_188, R_arb_front_right_x_z*s7_186);
-  const double s7_191 = h_arb_front_right_z*R_arb_front_right_x_x;
-  work.s7_192 = fma(-h_arb_front_right_x, R_arb_front_right_x_z, s7_191);
-  const double s7_193 = h_arb_front_right_z*R_arb_front_right_x_z;
-  work.s7_194 = fnma(-h_arb_front_right_x, R_arb_front_right_x_x, s7_193);
-  const double s7_195 = K_arb_front_right_xy*R_arb_front_right_x_x;
-  work.s7_196 = fnma(-K_arb_front_right_yz, R_arb_front_right_x_z, s7_195);
-  const double s7_197 = -K_arb_front_right_yz*R_arb_front_right_x_x;
-  work.s7_198 = fma(K_arb_front_right_xy, R_arb_front_right_x_z, s7_197);
-  const double R_pitman_arm_x_z = work.sines[21];
-  const double s7_199 = K_pitman_arm_zz*R_pitman_arm_x_z;
-  const double R_pitman_arm_x_x = work.cosines[21];
-  const double s7_200 = K_pitman_arm_xx*R_pitman_arm_x_x;
-  work.s7_201 = fnma(R_pitman_arm_x_z, s7_200, R_pitman_arm_x_x*s7_199);
-  work.s8_558 = work.s7_201 + (work.s7_189 + (work.s7_114 + work.s8_400));
-  work.s7_202 = -h_pitman_arm_z*R_pitman_arm_x_z;
-  work.s7_203 = fma(R_pitman_arm_x_x, s7_200, R_pitman_arm_x_z*s7_199);
-  work.s7_204 = -h_pitman_arm_z*R_pitman_arm_x_x;
-  const double R_bell_crank_x_x = work.cosines[18];
-  const double R_bell_crank_y_x = work.sines[18];
-  const double s7_205 = -K_bell_crank_xy*R_bell_crank_x_x;
-  const double s7_206 = fma(K_bell_crank_yy, R_bell_crank_y_x, s7_205);
-  const double s7_207 = K_bell_crank_xx*R_bell_crank_x_x;
-  const double s7_208 = fma(-K_bell_crank_xy, R_bell_crank_y_x, s7_207);
-  work.s7_209 = fnma(R_bell_crank_x_x, s7_206, R_bell_crank_y_x*s7_208);
-  work.s7_210 = fma(R_bell_crank_x_x, s7_208, R_bell_crank_y_x*s7_206);
-  const double s8_559 = work.s7_203 + (work.s7_190 + (work.s7_115 + work.s8_541));
-  work.s8_560 = work.s7_210 + s8_559;
-  work.s7_211 = fnma(-h_bell_crank_x, R_bell_crank_y_x, h_bell_crank_y*R_bell_crank_x_x);
-  const double s8_561 = work.s7_196 + (work.s7_121 + work.s8_365);
-  work.s7_212 = fma(h_bell_crank_y, R_bell_crank_y_x, -h_bell_crank_x*R_bell_crank_x_x);
-  work.s8_562 = work.s7_209 + fma(p_bell_crank_x, work.s7_211, s8_561);
+  const double s7_118 = fma(-K_carrier_right_xy, work.R_carrier_right_x_x, s7_117);
+  const double s7_119 = fma(-K_carrier_right_yz, work.R_carrier_right_x_z, s7_118);
+  const double s7_120 = K_carrier_right_yy*work.R_carrier_right_aux2_y_y;
+  const double s7_121 = fnma(-K_carrier_right_xy, work.R_carrier_right_y_x, s7_120);
+  const double s7_122 = fnma(-K_carrier_right_yz, work.R_carrier_right_y_z, s7_121);
+  const double s7_123 = K_carrier_right_zz*work.R_carrier_right_y_z;
+  const double s7_124 = fnma(-K_carrier_right_yz, work.R_carrier_right_aux2_y_y, s7_123);
+  const double s7_125 = fnma(-K_carrier_right_xz, work.R_carrier_right_y_x, s7_124);
+  const double s7_126 = K_carrier_right_xx*work.R_carrier_right_y_x;
+  const double s7_127 = fnma(-K_carrier_right_xy, work.R_carrier_right_aux2_y_y, s7_126);
+  const double s7_128 = fnma(-K_carrier_right_xz, work.R_carrier_right_y_z, s7_127);
+  const double s7_129 = work.R_carrier_right_aux2_z_y*s7_122;
+  const double s7_130 = fma(work.R_carrier_right_z_z, s7_125, s7_129);
+  work.s7_131 = fma(work.R_carrier_right_z_x, s7_128, s7_130);
+  const double s7_132 = work.R_carrier_right_aux2_y_y*s7_122;
+  const double s7_133 = fma(work.R_carrier_right_y_z, s7_125, s7_132);
+  const double s7_134 = fma(work.R_carrier_right_y_x, s7_128, s7_133);
+  work.s8_553 = s7_134 + (s7_80 + work.s8_465);
+  const double s7_135 = -K_carrier_right_yz*work.s1_37;
+  const double s7_136 = fnma(-K_carrier_right_xz, work.R_carrier_right_x_x, s7_135);
+  const double s7_137 = fma(K_carrier_right_zz, work.R_carrier_right_x_z, s7_136);
+  const double s7_138 = work.R_carrier_right_z_z*s7_137;
+  const double s7_139 = -K_carrier_right_xy*work.s1_37;
+  const double s7_140 = fma(K_carrier_right_xx, work.R_carrier_right_x_x, s7_139);
+  const double s7_141 = fnma(-K_carrier_right_xz, work.R_carrier_right_x_z, s7_140);
+  const double s7_142 = fnma(work.R_carrier_right_aux2_z_y, s7_119, s7_138);
+  work.s7_143 = fma(work.R_carrier_right_z_x, s7_141, s7_142);
+  const double s7_144 = -h_carrier_right_y*work.s1_37;
+  const double s7_145 = fnma(-h_carrier_right_x, work.R_carrier_right_x_x, s7_144);
+  work.s7_146 = fma(h_carrier_right_z, work.R_carrier_right_x_z, s7_145);
+  work.s8_554 = work.s7_146 + (work.s7_95 + work.s8_384);
+  const double s7_147 = fma(work.R_carrier_right_x_z, s7_137, work.s1_37*s7_119);
+  const double s7_148 = fma(work.R_carrier_right_x_x, s7_141, s7_147);
+  const double s7_149 = work.R_carrier_right_y_z*s7_137;
+  work.s8_555 = s7_148 + (s7_93 + work.s8_481);
+  const double s7_150 = h_carrier_right_z*work.R_carrier_right_y_z;
+  const double s7_151 = fnma(work.R_carrier_right_aux2_y_y, s7_119, s7_149);
+  work.s7_152 = fma(work.R_carrier_right_y_x, s7_141, s7_151);
+  const double s7_153 = fnma(-h_carrier_right_y, work.R_carrier_right_aux2_y_y, s7_150);
+  work.s7_154 = fnma(-h_carrier_right_x, work.R_carrier_right_y_x, s7_153);
+  work.s8_556 = work.s7_154 + (work.s7_88 + work.s8_348);
+  const double R_upper_arm_right_y_y = work.cosines[13];
+  const double R_upper_arm_right_z_y = work.sines[13];
+  const double s7_155 = K_upper_arm_right_yy*R_upper_arm_right_y_y;
+  const double s7_156 = fnma(K_upper_arm_right_yz, R_upper_arm_right_z_y, s7_155);
+  const double s7_157 = K_upper_arm_right_yz*R_upper_arm_right_y_y;
+  const double s7_158 = fnma(K_upper_arm_right_zz, R_upper_arm_right_z_y, s7_157);
+  work.s7_159 = fma(R_upper_arm_right_y_y, s7_158, R_upper_arm_right_z_y*s7_156);
+  work.s7_160 = fnma(R_upper_arm_right_z_y, s7_158, R_upper_arm_right_y_y*s7_156);
+  const double R_arb_front_right_x_z = work.sines[14];
+  const double R_arb_front_right_x_x = work.cosines[14];
+  const double s7_161 = K_arb_front_right_zz*R_arb_front_right_x_z;
+  const double s7_162 = fnma(-K_arb_front_right_xz, R_arb_front_right_x_x, s7_161);
+  const double s7_163 = K_arb_front_right_xx*R_arb_front_right_x_x;
+  const double s7_164 = fnma(-K_arb_front_right_xz, R_arb_front_right_x_z, s7_163);
+  work.s7_165 = fnma(R_arb_front_right_x_z, s7_164, R_arb_front_right_x_x*s7_162);
+  work.s7_166 = fma(R_arb_front_right_x_x, s7_164, R_arb_front_right_x_z*s7_162);
+  const double R_pitman_arm_x_z = work.sines[15];
+  const double s7_167 = K_pitman_arm_zz*R_pitman_arm_x_z;
+  const double R_pitman_arm_x_x = work.cosines[15];
+  const double s7_168 = K_pitman_arm_xx*R_pitman_arm_x_x;
+  work.s7_169 = fnma(R_pitman_arm_x_z, s7_168, R_pitman_arm_x_x*s7_167);
+  work.s8_557 = work.s7_169 + (work.s7_165 + (work.s7_106 + work.s8_400));
+  work.s7_170 = fma(R_pitman_arm_x_x, s7_168, R_pitman_arm_x_z*s7_167);
+  const double R_bell_crank_x_x = work.cosines[16];
+  const double R_bell_crank_y_x = work.sines[16];
+  const double s7_171 = -K_bell_crank_xy*R_bell_crank_x_x;
+  const double s7_172 = fma(K_bell_crank_yy, R_bell_crank_y_x, s7_171);
+  const double s7_173 = K_bell_crank_xx*R_bell_crank_x_x;
+  const double s7_174 = fma(-K_bell_crank_xy, R_bell_crank_y_x, s7_173);
+  work.s7_175 = fnma(R_bell_crank_x_x, s7_172, R_bell_crank_y_x*s7_174);
+  work.s7_176 = fma(R_bell_crank_x_x, s7_174, R_bell_crank_y_x*s7_172);
+  const double s8_558 = work.s7_170 + (work.s7_166 + (work.s7_107 + work.s8_541));
+  work.s8_559 = work.s7_176 + s8_558;
 
   // --- step 8: elimination from the leaves to the root (63), upper_ball_left .. tie_rod_right,
   // continued ---
-  work.s8_563 = p_upper_arm_right_x*work.s8_69;
-  const double s8_564 = fnma(work.s1_78, work.s8_77, fnma(work.s4_43, work.s8_57, work.s8_563));
-  const double s8_565 = fnma(work.s4_45, work.s8_64, work.s4_43*work.s8_94);
+  work.s8_560 = p_upper_arm_right_x*work.s8_69;
+  const double s8_561 = fnma(work.s1_80, work.s8_77, fnma(work.s4_43, work.s8_57, work.s8_560));
+  const double s8_562 = fnma(work.s4_45, work.s8_64, work.s4_43*work.s8_94);
   // carrier_right: carrier_right_ry, revolute, carrier_right_aux2
-  const double s8_566 = fnma(work.r_carrier_right_aux1_y, work.s8_42, s8_564) - work.s6_119;
-  const double s8_567 = fma(work.r_carrier_right_aux1_y, work.s8_69, s8_565);
-  const double s8_568 = fnma(work.s1_78, work.s8_115, s8_567);
-  const double s8_569 = fnma(p_upper_arm_right_x, work.s8_41, s8_568);
-  const double s8_570 = fma(work.r_carrier_right_aux1_y, work.s8_77, work.s4_45*work.s8_57);
-  const double s8_571 = fnma(work.w_chassis_z, work.s4_42, work.w_chassis_y*work.s4_35);
-  work.s8_572 = work.zdd_star_carrier_right_rz + s8_571;
+  const double s8_563 = fnma(work.r_carrier_right_aux1_y, work.s8_42, s8_561) - work.s6_119;
+  const double s8_564 = fma(work.r_carrier_right_aux1_y, work.s8_69, s8_562);
+  const double s8_565 = fnma(work.s1_80, work.s8_115, s8_564);
+  const double s8_566 = fnma(p_upper_arm_right_x, work.s8_41, s8_565);
+  const double s8_567 = fma(work.r_carrier_right_aux1_y, work.s8_77, work.s4_45*work.s8_57);
+  const double s8_568 = fnma(work.w_chassis_z, work.s4_42, work.w_chassis_y*work.s4_35);
+  work.s8_569 = work.zdd_star_carrier_right_rz + s8_568;
   const double w_carrier_right_y = work.w_chassis_y + work.s4_42;
-  work.s8_573 = fnma(work.w_chassis_y, work.s4_37, work.w_chassis_x*work.s4_42);
+  work.s8_570 = fnma(work.w_chassis_y, work.s4_37, work.w_chassis_x*work.s4_42);
   const double w_carrier_right_x = work.w_chassis_x + work.s4_37;
-  work.s8_574 = fnma(work.w_chassis_x, work.s4_35, work.w_chassis_z*work.s4_37);
+  work.s8_571 = fnma(work.w_chassis_x, work.s4_35, work.w_chassis_z*work.s4_37);
   const double w_carrier_right_z = work.w_chassis_z + work.s4_35;
-  const double s8_575 = work.R_carrier_right_aux2_z_y*w_carrier_right_x;
-  const double s8_576 = work.R_carrier_right_aux2_y_y*w_carrier_right_x;
-  const double s8_577 = fnma(work.s1_24, w_carrier_right_x,
+  const double s8_572 = work.R_carrier_right_aux2_z_y*w_carrier_right_x;
+  const double s8_573 = work.R_carrier_right_aux2_y_y*w_carrier_right_x;
+  const double s8_574 = fnma(work.s1_37, w_carrier_right_x,
       state.zd[Coordinate::wheel_front_right]);
-  const double s8_578 = fma(work.R_carrier_right_aux2_y_y, w_carrier_right_y, s8_577);
-  const double s8_579 = fma(work.R_carrier_right_aux2_z_y, w_carrier_right_z, s8_578);
-  const double s8_580 = I_wheel_front_right_polar*s8_579;
-  const double s8_581 = work.R_carrier_right_aux2_z_y*w_carrier_right_y;
+  const double s8_575 = fma(work.R_carrier_right_aux2_y_y, w_carrier_right_y, s8_574);
+  const double s8_576 = fma(work.R_carrier_right_aux2_z_y, w_carrier_right_z, s8_575);
+  const double s8_577 = I_wheel_front_right_polar*s8_576;
+  const double s8_578 = work.R_carrier_right_aux2_z_y*w_carrier_right_y;
   const double tau_wheel_front_right = tau[Coordinate::wheel_front_right];
-  const double s8_582 = s8_580*fnma(work.R_carrier_right_aux2_y_y, w_carrier_right_z, s8_581);
-  const double s8_583 = fnma(work.s1_24, tau_wheel_front_right, s8_582);
-  const double s8_584 = work.zdd_star_carrier_right_ry + work.s8_573;
-  const double s8_585 = fms(w_carrier_right_x, w_carrier_right_y, s8_584);
-  const double s8_586 = fma(w_carrier_right_x, w_carrier_right_y, s8_584);
-  const double s8_587 = w_carrier_right_y*w_carrier_right_y;
-  const double s8_588 = fms(w_carrier_right_y, w_carrier_right_z, work.s8_572);
-  const double s8_589 = fma(w_carrier_right_y, w_carrier_right_z, work.s8_572);
-  const double s8_590 = work.zdd_star_carrier_right_rx + work.s8_574;
-  const double s8_591 = fma(w_carrier_right_x, w_carrier_right_z, s8_590);
-  const double s8_592 = fms(w_carrier_right_x, w_carrier_right_z, s8_590);
-  const double s8_593 = w_carrier_right_z*w_carrier_right_z;
-  const double s8_594 = s8_587 + s8_593;
-  const double s8_595 = fma(w_carrier_right_x, w_carrier_right_x, s8_593);
-  const double s8_596 = fma(w_carrier_right_x, w_carrier_right_x, s8_587);
-  const double s8_597 = work.R_carrier_right_aux2_y_y*tau_wheel_front_right;
-  const double s8_598 = fnma(fma(work.s1_24, w_carrier_right_z, s8_575), s8_580, s8_597);
-  const double s8_599 = work.R_carrier_right_aux2_z_y*tau_wheel_front_right;
-  const double s8_600 = fma(fma(work.s1_24, w_carrier_right_y, s8_576), s8_580, s8_599);
-  const double s8_601 = fnma(s7_154, s8_585, fnma(work.s7_174, s8_569, s8_600));
-  const double s8_602 = fma(work.s7_174, s8_585, m_carrier_right_2*s8_569);
-  work.f_carrier_right_x = fnma(work.s7_166, s8_594, fma(work.s7_136, s8_591, s8_602));
-  const double s8_603 = fma(work.s7_166, s8_566, fnma(work.s7_151, s8_591, s8_601));
-  const double s8_604 = fma(work.s7_166, s8_586, m_carrier_right_2*s8_566);
-  work.f_carrier_right_y = fnma(work.s7_174, s8_595, fma(work.s7_136, s8_588, s8_604));
-  work.s8_605 = p_upper_arm_right_x*work.s8_115;
-  const double s8_606 = work.s8_605 + (work.s6_121 + fma(work.s1_78, work.s8_40, s8_570));
-  work.s7_213 = K_carrier_right_trace - s7_168;
-  const double s7_214 = work.s7_213 - s7_154;
-  const double s8_607 = fnma(work.s7_163, s8_586, fnma(work.s7_136, s8_566, s8_583));
-  const double s8_608 = fma(work.s7_151, s8_585, fma(work.s7_136, s8_569, s8_598));
-  const double s8_609 = fma(work.s7_174, s8_606, fnma(s7_214, s8_588, s8_607));
-  const double s8_610 = fnma(work.s7_166, s8_606, fma(s7_214, s8_591, s8_608));
-  const double s8_611 = K_carrier_right_trace - s7_154;
-  const double s8_612 = fma(work.s7_174, s8_589, m_carrier_right_2*s8_606);
-  work.f_carrier_right_z = fnma(work.s7_136, s8_596, fma(work.s7_166, s8_592, s8_612));
-  const double s8_613 = fma(work.s7_172, s8_592, fma(s7_154, s8_589, s8_609));
-  work.n_carrier_right_x = fma(work.s7_151, s8_595 - s8_596, s8_613);
-  const double s8_614 = fnma(s7_168, s8_592, fnma(work.s7_172, s8_589, s8_610));
-  work.n_carrier_right_y = fma(work.s7_163, s8_596 - s8_594, s8_614);
-  const double s8_615 = fma(work.s7_163, s8_588, fma(s7_168, s8_586, s8_603));
-  work.n_carrier_right_z = fma(work.s7_172, s8_594 - s8_595, s8_615);
+  const double s8_579 = s8_577*fnma(work.R_carrier_right_aux2_y_y, w_carrier_right_z, s8_578);
+  const double s8_580 = fnma(work.s1_37, tau_wheel_front_right, s8_579);
+  const double s8_581 = work.zdd_star_carrier_right_ry + work.s8_570;
+  const double s8_582 = fms(w_carrier_right_x, w_carrier_right_y, s8_581);
+  const double s8_583 = fma(w_carrier_right_x, w_carrier_right_y, s8_581);
+  const double s8_584 = w_carrier_right_y*w_carrier_right_y;
+  const double s8_585 = fms(w_carrier_right_y, w_carrier_right_z, work.s8_569);
+  const double s8_586 = fma(w_carrier_right_y, w_carrier_right_z, work.s8_569);
+  const double s8_587 = work.zdd_star_carrier_right_rx + work.s8_571;
+  const double s8_588 = fma(w_carrier_right_x, w_carrier_right_z, s8_587);
+  const double s8_589 = fms(w_carrier_right_x, w_carrier_right_z, s8_587);
+  const double s8_590 = w_carrier_right_z*w_carrier_right_z;
+  const double s8_591 = s8_584 + s8_590;
+  const double s8_592 = fma(w_carrier_right_x, w_carrier_right_x, s8_590);
+  const double s8_593 = fma(w_carrier_right_x, w_carrier_right_x, s8_584);
+  const double s8_594 = work.R_carrier_right_aux2_y_y*tau_wheel_front_right;
+  const double s8_595 = fnma(fma(work.s1_37, w_carrier_right_z, s8_572), s8_577, s8_594);
+  const double s8_596 = work.R_carrier_right_aux2_z_y*tau_wheel_front_right;
+  const double s8_597 = fma(fma(work.s1_37, w_carrier_right_y, s8_573), s8_577, s8_596);
+  const double s8_598 = fnma(s7_134, s8_582, fnma(work.s7_154, s8_566, s8_597));
+  const double s8_599 = fma(work.s7_154, s8_582, m_carrier_right_2*s8_566);
+  work.f_carrier_right_x = fnma(work.s7_146, s8_591, fma(work.s7_116, s8_588, s8_599));
+  const double s8_600 = fma(work.s7_146, s8_563, fnma(work.s7_131, s8_588, s8_598));
+  const double s8_601 = fma(work.s7_146, s8_583, m_carrier_right_2*s8_563);
+  work.f_carrier_right_y = fnma(work.s7_154, s8_592, fma(work.s7_116, s8_585, s8_601));
+  work.s8_602 = p_upper_arm_right_x*work.s8_115;
+  const double s8_603 = work.s8_602 + (work.s6_121 + fma(work.s1_80, work.s8_40, s8_567));
+  work.s7_177 = K_carrier_right_trace - s7_148;
+  const double s7_178 = work.s7_177 - s7_134;
+  const double s8_604 = fnma(work.s7_143, s8_583, fnma(work.s7_116, s8_563, s8_580));
+  const double s8_605 = fma(work.s7_131, s8_582, fma(work.s7_116, s8_566, s8_595));
+  const double s8_606 = fma(work.s7_154, s8_603, fnma(s7_178, s8_585, s8_604));
+  const double s8_607 = fnma(work.s7_146, s8_603, fma(s7_178, s8_588, s8_605));
+  const double s8_608 = K_carrier_right_trace - s7_134;
+  const double s8_609 = fma(work.s7_154, s8_586, m_carrier_right_2*s8_603);
+  work.f_carrier_right_z = fnma(work.s7_116, s8_593, fma(work.s7_146, s8_589, s8_609));
+  const double s8_610 = fma(work.s7_152, s8_589, fma(s7_134, s8_586, s8_606));
+  work.n_carrier_right_x = fma(work.s7_131, s8_592 - s8_593, s8_610);
+  const double s8_611 = fnma(s7_148, s8_589, fnma(work.s7_152, s8_586, s8_607));
+  work.n_carrier_right_y = fma(work.s7_143, s8_593 - s8_591, s8_611);
+  const double s8_612 = fma(work.s7_143, s8_585, fma(s7_148, s8_583, s8_600));
+  work.n_carrier_right_z = fma(work.s7_152, s8_591 - s8_592, s8_612);
+  const double s7_179 = h_upper_arm_left_y*R_upper_arm_left_y_y;
+  work.s7_180 = fma(-h_upper_arm_left_z, R_upper_arm_left_z_y, s7_179);
+  const double s7_181 = h_upper_arm_left_y*R_upper_arm_left_z_y;
+  work.s7_182 = fnma(-h_upper_arm_left_z, R_upper_arm_left_y_y, s7_181);
   const double zd_upper_arm_left = state.zd[Coordinate::upper_arm_left];
-  const double s8_616 = zd_upper_arm_left*(zd_upper_arm_left + work.s8_57);
-  work.s8_617 = fnma(work.s7_107, s8_616, work.s6_166*work.s7_109);
-  work.s8_618 = fma(work.s7_109, s8_616, work.s6_166*work.s7_107);
-  work.s8_619 = fnma(work.w_chassis_y, work.s4_22, work.w_chassis_x*work.s4_27);
+  const double s8_613 = zd_upper_arm_left*(zd_upper_arm_left + work.s8_57);
+  work.s8_614 = fnma(work.s7_180, s8_613, work.s6_166*work.s7_182);
+  work.s8_615 = fma(work.s7_182, s8_613, work.s6_166*work.s7_180);
+  work.s8_616 = fnma(work.w_chassis_y, work.s4_22, work.w_chassis_x*work.s4_27);
   // carrier_left: carrier_left_ry, revolute, carrier_left_aux2
   const double w_carrier_left_x = work.w_chassis_x + work.s4_22;
-  work.s8_620 = fnma(work.w_chassis_x, work.s4_20, work.w_chassis_z*work.s4_22);
-  const double s8_621 = fnma(work.s4_28, work.s8_57, work.r_carrier_left_aux1_z*work.s8_77);
-  const double s8_622 = fma(work.s4_44, work.s8_64, work.s4_28*work.s8_94);
-  const double s8_623 = fnma(work.r_carrier_left_aux1_y, work.s8_42, s8_621) - work.s6_104;
-  const double s8_624 = work.s8_563 + s8_623;
-  const double s8_625 = fma(work.r_carrier_left_aux1_y, work.s8_69, s8_622);
-  const double s8_626 = fma(work.r_carrier_left_aux1_z, work.s8_115, s8_625);
-  const double s8_627 = fnma(p_upper_arm_right_x, work.s8_41, s8_626);
-  const double s8_628 = fnma(work.s4_44, work.s8_57, work.r_carrier_left_aux1_y*work.s8_77);
-  const double s8_629 = fnma(work.r_carrier_left_aux1_z, work.s8_40, s8_628) - work.s6_106;
-  const double s8_630 = work.s8_605 + s8_629;
+  work.s8_617 = fnma(work.w_chassis_x, work.s4_20, work.w_chassis_z*work.s4_22);
+  const double s8_618 = fnma(work.s4_28, work.s8_57, work.r_carrier_left_aux1_z*work.s8_77);
+  const double s8_619 = fma(work.s4_44, work.s8_64, work.s4_28*work.s8_94);
+  const double s8_620 = fnma(work.r_carrier_left_aux1_y, work.s8_42, s8_618) - work.s6_104;
+  const double s8_621 = work.s8_560 + s8_620;
+  const double s8_622 = fma(work.r_carrier_left_aux1_y, work.s8_69, s8_619);
+  const double s8_623 = fma(work.r_carrier_left_aux1_z, work.s8_115, s8_622);
+  const double s8_624 = fnma(p_upper_arm_right_x, work.s8_41, s8_623);
+  const double s8_625 = fnma(work.s4_44, work.s8_57, work.r_carrier_left_aux1_y*work.s8_77);
+  const double s8_626 = fnma(work.r_carrier_left_aux1_z, work.s8_40, s8_625) - work.s6_106;
+  const double s8_627 = work.s8_602 + s8_626;
   const double w_carrier_left_y = work.w_chassis_y + work.s4_27;
   const double w_carrier_left_z = work.w_chassis_z + work.s4_20;
   // operations: 27 add, 30 multiply
-  const double s8_631 = fnma(work.w_chassis_z, work.s4_27, work.w_chassis_y*work.s4_20);
-  work.s8_632 = work.zdd_star_carrier_left_rz + s8_631;
-  const double s8_633 = work.R_carrier_left_aux2_z_y*w_carrier_left_x;
-  const double s8_634 = work.R_carrier_left_aux2_y_y*w_carrier_left_x;
-  const double s8_635 = fnma(work.s1_17, w_carrier_left_x, state.zd[Coordinate::wheel_front_left]);
-  const double s8_636 = fma(work.R_carrier_left_aux2_y_y, w_carrier_left_y, s8_635);
-  const double s8_637 = fma(work.R_carrier_left_aux2_z_y, w_carrier_left_z, s8_636);
-  const double s8_638 = I_wheel_front_left_polar*s8_637;
-  const double s8_639 = work.R_carrier_left_aux2_z_y*w_carrier_left_y;
+  const double s8_628 = fnma(work.w_chassis_z, work.s4_27, work.w_chassis_y*work.s4_20);
+  work.s8_629 = work.zdd_star_carrier_left_rz + s8_628;
+  const double s8_630 = work.R_carrier_left_aux2_z_y*w_carrier_left_x;
+  const double s8_631 = work.R_carrier_left_aux2_y_y*w_carrier_left_x;
+  const double s8_632 = fnma(work.s1_21, w_carrier_left_x, state.zd[Coordinate::wheel_front_left]);
+  const double s8_633 = fma(work.R_carrier_left_aux2_y_y, w_carrier_left_y, s8_632);
+  const double s8_634 = fma(work.R_carrier_left_aux2_z_y, w_carrier_left_z, s8_633);
+  const double s8_635 = I_wheel_front_left_polar*s8_634;
+  const double s8_636 = work.R_carrier_left_aux2_z_y*w_carrier_left_y;
   const double tau_wheel_front_left = tau[Coordinate::wheel_front_left];
-  const double s8_640 = s8_638*fnma(work.R_carrier_left_aux2_y_y, w_carrier_left_z, s8_639);
-  const double s8_641 = work.zdd_star_carrier_left_ry + work.s8_619;
-  const double s8_642 = fms(w_carrier_left_x, w_carrier_left_y, s8_641);
-  const double s8_643 = fma(w_carrier_left_x, w_carrier_left_y, s8_641);
-  const double s8_644 = w_carrier_left_y*w_carrier_left_y;
-  const double s8_645 = fms(w_carrier_left_y, w_carrier_left_z, work.s8_632);
-  const double s8_646 = fma(w_carrier_left_y, w_carrier_left_z, work.s8_632);
-  const double s8_647 = work.zdd_star_carrier_left_rx + work.s8_620;
-  const double s8_648 = fma(w_carrier_left_x, w_carrier_left_z, s8_647);
-  const double s8_649 = fms(w_carrier_left_x, w_carrier_left_z, s8_647);
-  const double s8_650 = w_carrier_left_z*w_carrier_left_z;
-  const double s8_651 = s8_644 + s8_650;
-  const double s8_652 = fma(w_carrier_left_x, w_carrier_left_x, s8_650);
-  const double s8_653 = fma(w_carrier_left_x, w_carrier_left_x, s8_644);
-  const double s8_654 = work.R_carrier_left_aux2_y_y*tau_wheel_front_left;
-  const double s8_655 = fnma(fma(work.s1_17, w_carrier_left_z, s8_633), s8_638, s8_654);
-  const double s8_656 = work.R_carrier_left_aux2_z_y*tau_wheel_front_left;
-  const double s8_657 = fma(fma(work.s1_17, w_carrier_left_y, s8_634), s8_638, s8_656);
-  const double s8_658 = fnma(s7_84, s8_642, fnma(work.s7_92, s8_627, s8_657));
-  const double s8_659 = fma(work.s7_92, s8_642, m_carrier_left_2*s8_627);
-  work.f_carrier_left_x = fnma(work.s7_99, s8_651, fma(work.s7_65, s8_648, s8_659));
-  const double s8_660 = fma(work.s7_99, s8_624, fnma(work.s7_82, s8_648, s8_658));
-  const double s8_661 = fma(work.s7_65, s8_645, m_carrier_left_2*s8_624);
-  work.f_carrier_left_y = fnma(work.s7_92, s8_652, fma(work.s7_99, s8_643, s8_661));
-  const double s7_215 = K_carrier_left_trace - s7_97;
-  const double s7_216 = s7_215 - s7_84;
-  const double s8_662 = fnma(work.s7_65, s8_624, fnma(work.s1_17, tau_wheel_front_left, s8_640));
-  const double s8_663 = fma(work.s7_82, s8_642, fma(work.s7_65, s8_627, s8_655));
-  const double s8_664 = K_carrier_left_trace - s7_216;
-  work.s8_665 = s7_214 + (s7_216 + work.s8_474);
-  const double s8_666 = fnma(work.s7_89, s8_643, fnma(s7_216, s8_645, s8_662));
-  const double s8_667 = fnma(work.s7_99, s8_630, fma(s7_216, s8_648, s8_663));
-  const double s8_668 = K_carrier_right_trace - s7_214;
-  const double s8_669 = fma(s7_84, s8_646, fma(work.s7_92, s8_630, s8_666));
-  const double s8_670 = K_carrier_left_trace - s7_84;
-  const double s8_671 = fma(work.s7_92, s8_646, m_carrier_left_2*s8_630);
-  work.f_carrier_left_z = fnma(work.s7_65, s8_653, fma(work.s7_99, s8_649, s8_671));
-  work.n_carrier_left_x = fma(work.s7_82, s8_652 - s8_653, fma(work.s7_94, s8_649, s8_669));
-  const double s8_672 = fnma(s7_97, s8_649, fnma(work.s7_94, s8_646, s8_667));
-  work.n_carrier_left_y = fma(work.s7_89, s8_653 - s8_651, s8_672);
-  const double s8_673 = fma(s7_97, s8_643, fma(work.s7_89, s8_645, s8_660));
-  work.n_carrier_left_z = fma(work.s7_94, s8_651 - s8_652, s8_673);
-  const double s8_674 = fnma(work.Rz_carrier_left_rz_2, work.s7_89, work.s3_22*work.s7_82);
-  work.s8_675 = fnma(work.s3_20, s8_664, s8_674);
-  work.s8_676 = 1.0 - work.s3_18;
-  const double s8_677 = fnma(work.s1_73, work.s7_99, work.s3_21*work.s7_82);
-  work.s8_678 = fnma(work.s3_19, s8_664, fnma(work.s7_89, work.s8_676, s8_677));
-  const double s8_679 = fnma(work.Rz_carrier_left_rz_2, work.s7_94, work.s3_20*work.s7_82);
-  work.s8_680 = fnma(work.s3_22, s8_670, s8_679);
-  const double s8_681 = fnma(work.s1_71, work.s7_99, work.s3_19*work.s7_82);
-  work.s8_682 = fnma(work.s3_21, s8_670, fnma(work.s7_94, work.s8_676, s8_681));
-  const double s8_683 = fma(work.s3_22, work.s7_94, work.s3_20*work.s7_89);
-  work.s8_684 = fma(work.Rz_carrier_left_rz_2, s7_215, s8_683);
-  const double s8_685 = fma(work.s1_71, work.s7_92, work.s1_73*work.s7_65);
-  const double s8_686 = fma(work.s3_21, work.s7_94, fma(work.s3_19, work.s7_89, s8_685));
-  work.s8_687 = fma(s7_215, work.s8_676, s8_686);
-  const double s8_688 = fma(work.s8_77, work.s2_212, work.s8_69*work.s2_210);
-  const double s8_689 = fma(work.s8_57, work.s6_100, fnma(work.s8_42, work.s2_213, s8_688));
-  const double s8_690 = fma(work.s8_64, work.s6_108, s8_689 - work.s6_105);
-  const double s8_691 = fma(work.s2_137, work.zdd_star_carrier_left_rz, s8_690);
+  const double s8_637 = s8_635*fnma(work.R_carrier_left_aux2_y_y, w_carrier_left_z, s8_636);
+  const double s8_638 = work.zdd_star_carrier_left_ry + work.s8_616;
+  const double s8_639 = fms(w_carrier_left_x, w_carrier_left_y, s8_638);
+  const double s8_640 = fma(w_carrier_left_x, w_carrier_left_y, s8_638);
+  const double s8_641 = w_carrier_left_y*w_carrier_left_y;
+  const double s8_642 = fms(w_carrier_left_y, w_carrier_left_z, work.s8_629);
+  const double s8_643 = fma(w_carrier_left_y, w_carrier_left_z, work.s8_629);
+  const double s8_644 = work.zdd_star_carrier_left_rx + work.s8_617;
+  const double s8_645 = fma(w_carrier_left_x, w_carrier_left_z, s8_644);
+  const double s8_646 = fms(w_carrier_left_x, w_carrier_left_z, s8_644);
+  const double s8_647 = w_carrier_left_z*w_carrier_left_z;
+  const double s8_648 = s8_641 + s8_647;
+  const double s8_649 = fma(w_carrier_left_x, w_carrier_left_x, s8_647);
+  const double s8_650 = fma(w_carrier_left_x, w_carrier_left_x, s8_641);
+  const double s8_651 = work.R_carrier_left_aux2_y_y*tau_wheel_front_left;
+  const double s8_652 = fnma(fma(work.s1_21, w_carrier_left_z, s8_630), s8_635, s8_651);
+  const double s8_653 = work.R_carrier_left_aux2_z_y*tau_wheel_front_left;
+  const double s8_654 = fma(fma(work.s1_21, w_carrier_left_y, s8_631), s8_635, s8_653);
+  const double s8_655 = fnma(s7_80, s8_639, fnma(work.s7_88, s8_624, s8_654));
+  const double s8_656 = fma(work.s7_88, s8_639, m_carrier_left_2*s8_624);
+  work.f_carrier_left_x = fnma(work.s7_95, s8_648, fma(work.s7_61, s8_645, s8_656));
+  const double s8_657 = fma(work.s7_95, s8_621, fnma(work.s7_78, s8_645, s8_655));
+  const double s8_658 = fma(work.s7_61, s8_642, m_carrier_left_2*s8_621);
+  work.f_carrier_left_y = fnma(work.s7_88, s8_649, fma(work.s7_95, s8_640, s8_658));
+  const double s7_183 = K_carrier_left_trace - s7_93;
+  const double s7_184 = s7_183 - s7_80;
+  const double s8_659 = fnma(work.s7_61, s8_621, fnma(work.s1_21, tau_wheel_front_left, s8_637));
+  const double s8_660 = fma(work.s7_78, s8_639, fma(work.s7_61, s8_624, s8_652));
+  const double s8_661 = K_carrier_left_trace - s7_184;
+  work.s8_662 = s7_178 + (s7_184 + work.s8_474);
+  const double s8_663 = fnma(work.s7_85, s8_640, fnma(s7_184, s8_642, s8_659));
+  const double s8_664 = fnma(work.s7_95, s8_627, fma(s7_184, s8_645, s8_660));
+  const double s8_665 = K_carrier_right_trace - s7_178;
+  const double s8_666 = fma(s7_80, s8_643, fma(work.s7_88, s8_627, s8_663));
+  const double s8_667 = K_carrier_left_trace - s7_80;
+  const double s8_668 = fma(work.s7_88, s8_643, m_carrier_left_2*s8_627);
+  work.f_carrier_left_z = fnma(work.s7_61, s8_650, fma(work.s7_95, s8_646, s8_668));
+  work.n_carrier_left_x = fma(work.s7_78, s8_649 - s8_650, fma(work.s7_90, s8_646, s8_666));
+  const double s8_669 = fnma(s7_93, s8_646, fnma(work.s7_90, s8_643, s8_664));
+  work.n_carrier_left_y = fma(work.s7_85, s8_650 - s8_648, s8_669);
+  const double s8_670 = fma(s7_93, s8_640, fma(work.s7_85, s8_642, s8_657));
+  work.n_carrier_left_z = fma(work.s7_90, s8_648 - s8_649, s8_670);
+  const double s8_671 = fnma(work.Rz_carrier_left_rz_2, work.s7_85, work.s3_22*work.s7_78);
+  work.s8_672 = fnma(work.s3_20, s8_661, s8_671);
+  work.s8_673 = 1.0 - work.s3_18;
+  const double s8_674 = fnma(work.s1_75, work.s7_95, work.s3_21*work.s7_78);
+  work.s8_675 = fnma(work.s3_19, s8_661, fnma(work.s7_85, work.s8_673, s8_674));
+  const double s8_676 = fnma(work.Rz_carrier_left_rz_2, work.s7_90, work.s3_20*work.s7_78);
+  work.s8_677 = fnma(work.s3_22, s8_667, s8_676);
+  const double s8_678 = fnma(work.s1_73, work.s7_95, work.s3_19*work.s7_78);
+  work.s8_679 = fnma(work.s3_21, s8_667, fnma(work.s7_90, work.s8_673, s8_678));
+  const double s8_680 = fma(work.s3_22, work.s7_90, work.s3_20*work.s7_85);
+  work.s8_681 = fma(work.Rz_carrier_left_rz_2, s7_183, s8_680);
+  const double s8_682 = fma(work.s1_73, work.s7_88, work.s1_75*work.s7_61);
+  const double s8_683 = fma(work.s3_21, work.s7_90, fma(work.s3_19, work.s7_85, s8_682));
+  work.s8_684 = fma(s7_183, work.s8_673, s8_683);
+  const double s8_685 = fma(work.s8_77, work.s2_212, work.s8_69*work.s2_210);
+  const double s8_686 = fma(work.s8_57, work.s6_100, fnma(work.s8_42, work.s2_213, s8_685));
+  const double s8_687 = fma(work.s8_64, work.s6_108, s8_686 - work.s6_105);
+  const double s8_688 = fma(work.s2_137, work.zdd_star_carrier_left_rz, s8_687);
   // arb_link_front_left
-  const double s8_692 = fnma(work.s2_134, work.zdd_star_carrier_left_ry, s8_691);
-  work.s8_693 = 0.3333333333333333*s8_692;
-  const double s8_694 = fnma(work.s8_41, work.s2_210, work.s8_115*work.s2_212);
-  const double s8_695 = fma(work.s8_64, work.s6_134, fma(work.s8_69, work.s2_213, s8_694));
-  const double s8_696 = fnma(work.s8_94, work.s6_100, s8_695) - work.s6_101;
-  const double s8_697 = fma(work.s2_140, work.zdd_star_carrier_left_ry, s8_696);
-  const double s8_698 = fnma(work.s2_137, work.zdd_star_carrier_left_rx, s8_697);
-  const double s8_699 = fma(work.s2_153, work.zdd_star_arb_front_left, s8_698);
-  work.s8_700 = 0.3333333333333333*s8_699;
-  const double s8_701 = fnma(work.s2_140, work.s3_20, work.s2_137*work.s3_22);
-  work.s8_702 = fma(work.s2_153, work.Rz_arb_front_left_2, s8_701);
-  const double s8_703 = fnma(work.s2_140, work.s3_19, work.s2_137*work.s3_21);
-  work.s8_704 = fma(work.s2_153, work.Rz_arb_front_left_0, s8_703);
-  const double s8_705 = fnma(work.s8_40, work.s2_212, work.s8_115*work.s2_210);
-  const double s8_706 = fnma(work.s8_57, work.s6_134, fma(work.s8_77, work.s2_213, s8_705));
-  const double s8_707 = fnma(work.s8_94, work.s6_108, s8_706 - work.s6_110);
-  const double s8_708 = fnma(work.s2_140, work.zdd_star_carrier_left_rz, s8_707);
-  const double s8_709 = fma(work.s2_134, work.zdd_star_carrier_left_rx, s8_708);
-  const double s8_710 = fnma(work.s2_151, work.zdd_star_arb_front_left, s8_709);
-  work.s8_711 = 0.3333333333333333*s8_710;
-  work.s8_712 = fma(work.s2_137, work.s8_676, fma(work.s2_134, work.s3_19, work.s1_73));
-  work.s8_713 = fma(work.s2_134, work.s3_20, work.s2_137*work.Rz_carrier_left_rz_2);
-  const double s8_714 = fma(work.s2_134, work.s3_21, work.s1_71);
-  const double s8_715 = fma(work.s2_151, work.Rz_arb_front_left_0, s8_714);
-  work.s8_716 = fma(work.s2_140, work.s8_676, s8_715);
-  const double s8_717 = fma(work.s2_134, work.s3_22, work.s2_140*work.Rz_carrier_left_rz_2);
-  work.s8_718 = fma(work.s2_151, work.Rz_arb_front_left_2, s8_717);
-  const double s8_719 = fma(work.s8_77, work.s2_241, work.s8_69*work.s2_240);
-  const double s8_720 = fma(work.s8_57, work.s6_114, fma(work.s8_42, work.s2_242, s8_719));
-  const double s8_721 = fma(work.s8_64, work.s6_123, s8_720 - work.s6_120);
-  const double s8_722 = fma(work.s2_146, work.zdd_star_carrier_right_rz, s8_721);
+  const double s8_689 = fnma(work.s2_134, work.zdd_star_carrier_left_ry, s8_688);
+  work.s8_690 = 0.3333333333333333*s8_689;
+  const double s8_691 = fnma(work.s8_41, work.s2_210, work.s8_115*work.s2_212);
+  const double s8_692 = fma(work.s8_64, work.s6_134, fma(work.s8_69, work.s2_213, s8_691));
+  const double s8_693 = fnma(work.s8_94, work.s6_100, s8_692) - work.s6_101;
+  const double s8_694 = fma(work.s2_140, work.zdd_star_carrier_left_ry, s8_693);
+  const double s8_695 = fnma(work.s2_137, work.zdd_star_carrier_left_rx, s8_694);
+  const double s8_696 = fma(work.s2_153, work.zdd_star_arb_front_left, s8_695);
+  work.s8_697 = 0.3333333333333333*s8_696;
+  const double s8_698 = fnma(work.s2_140, work.s3_20, work.s2_137*work.s3_22);
+  work.s8_699 = fma(work.s2_153, work.Rz_arb_front_left_2, s8_698);
+  const double s8_700 = fnma(work.s2_140, work.s3_19, work.s2_137*work.s3_21);
+  work.s8_701 = fma(work.s2_153, work.Rz_arb_front_left_0, s8_700);
+  const double s8_702 = fnma(work.s8_40, work.s2_212, work.s8_115*work.s2_210);
+  const double s8_703 = fnma(work.s8_57, work.s6_134, fma(work.s8_77, work.s2_213, s8_702));
+  const double s8_704 = fnma(work.s8_94, work.s6_108, s8_703 - work.s6_110);
+  const double s8_705 = fnma(work.s2_140, work.zdd_star_carrier_left_rz, s8_704);
+  const double s8_706 = fma(work.s2_134, work.zdd_star_carrier_left_rx, s8_705);
+  const double s8_707 = fnma(work.s2_151, work.zdd_star_arb_front_left, s8_706);
+  work.s8_708 = 0.3333333333333333*s8_707;
+  work.s8_709 = fma(work.s2_137, work.s8_673, fma(work.s2_134, work.s3_19, work.s1_75));
+  work.s8_710 = fma(work.s2_134, work.s3_20, work.s2_137*work.Rz_carrier_left_rz_2);
+  const double s8_711 = fma(work.s2_134, work.s3_21, work.s1_73);
+  const double s8_712 = fma(work.s2_151, work.Rz_arb_front_left_0, s8_711);
+  work.s8_713 = fma(work.s2_140, work.s8_673, s8_712);
+  const double s8_714 = fma(work.s2_134, work.s3_22, work.s2_140*work.Rz_carrier_left_rz_2);
+  work.s8_715 = fma(work.s2_151, work.Rz_arb_front_left_2, s8_714);
+  const double s8_716 = fma(work.s8_77, work.s2_241, work.s8_69*work.s2_240);
+  const double s8_717 = fma(work.s8_57, work.s6_114, fma(work.s8_42, work.s2_242, s8_716));
+  const double s8_718 = fma(work.s8_64, work.s6_123, s8_717 - work.s6_120);
+  const double s8_719 = fma(work.s2_146, work.zdd_star_carrier_right_rz, s8_718);
   // arb_link_front_right
-  const double s8_723 = fnma(work.s2_143, work.zdd_star_carrier_right_ry, s8_722);
-  work.s8_724 = 0.3333333333333333*s8_723;
-  const double s8_725 = fnma(work.s8_41, work.s2_240, work.s8_115*work.s2_241);
-  const double s8_726 = fma(work.s8_64, work.s6_150, fnma(work.s8_69, work.s2_242, s8_725));
-  const double s8_727 = fnma(work.s8_94, work.s6_114, s8_726) - work.s6_116;
-  const double s8_728 = fma(work.s2_149, work.zdd_star_carrier_right_ry, s8_727);
-  const double s8_729 = fnma(work.s2_146, work.zdd_star_carrier_right_rx, s8_728);
-  const double s8_730 = fma(work.s2_157, work.zdd_star_arb_front_right, s8_729);
-  work.s8_731 = 0.3333333333333333*s8_730;
-  const double s8_732 = work.s2_143*work.Rz_carrier_right_ry_2;
-  work.s8_733 = fnma(work.s2_146, work.Rz_carrier_right_rz_2, s8_732);
-  work.s8_734 = 1.0 - work.s3_28;
-  const double s8_735 = fma(work.s2_143, work.Rz_carrier_right_ry_1, work.s1_77);
-  work.s8_736 = fnma(work.s2_146, work.s8_734, s8_735);
-  const double s8_737 = work.s2_149*work.Rz_carrier_right_ry_2;
-  const double s8_738 = fnma(work.s2_146, work.Rz_carrier_right_rx_2, s8_737);
-  work.s8_739 = fma(work.s2_157, work.Rz_arb_front_right_2, s8_738);
-  const double s8_740 = work.s2_149*work.Rz_carrier_right_ry_1;
-  const double s8_741 = fnma(work.s2_146, work.Rz_carrier_right_rx_1, s8_740);
-  work.s8_742 = fma(work.s2_157, work.Rz_arb_front_right_1, s8_741);
-  const double s8_743 = fnma(work.s8_40, work.s2_241, work.s8_115*work.s2_240);
-  const double s8_744 = fnma(work.s8_57, work.s6_150, fnma(work.s8_77, work.s2_242, s8_743));
-  const double s8_745 = fnma(work.s8_94, work.s6_123, s8_744 - work.s6_125);
-  const double s8_746 = fnma(work.s2_149, work.zdd_star_carrier_right_rz, s8_745);
-  const double s8_747 = fma(work.s2_143, work.zdd_star_carrier_right_rx, s8_746);
-  const double s8_748 = fnma(work.s2_155, work.zdd_star_arb_front_right, s8_747);
-  work.s8_749 = 0.3333333333333333*s8_748;
-  const double s8_750 = fnma(work.s2_143, work.Rz_carrier_right_rx_1, work.s1_75);
-  const double s8_751 = fma(work.s2_155, work.Rz_arb_front_right_1, s8_750);
-  work.s8_752 = fma(work.s2_149, work.s8_734, s8_751);
-  const double s8_753 = work.s2_149*work.Rz_carrier_right_rz_2;
-  const double s8_754 = fnma(work.s2_143, work.Rz_carrier_right_rx_2, s8_753);
-  work.s8_755 = fma(work.s2_155, work.Rz_arb_front_right_2, s8_754);
-  const double s8_756 = fma(work.s8_69, work.s2_249, work.s8_77*work.s2_251);
-  const double s8_757 = fnma(work.s8_57, work.s6_197, fnma(work.s8_42, work.s2_253, s8_756));
+  const double s8_720 = fnma(work.s2_143, work.zdd_star_carrier_right_ry, s8_719);
+  work.s8_721 = 0.3333333333333333*s8_720;
+  const double s8_722 = fnma(work.s8_41, work.s2_240, work.s8_115*work.s2_241);
+  const double s8_723 = fma(work.s8_64, work.s6_150, fnma(work.s8_69, work.s2_242, s8_722));
+  const double s8_724 = fnma(work.s8_94, work.s6_114, s8_723) - work.s6_116;
+  const double s8_725 = fma(work.s2_149, work.zdd_star_carrier_right_ry, s8_724);
+  const double s8_726 = fnma(work.s2_146, work.zdd_star_carrier_right_rx, s8_725);
+  const double s8_727 = fma(work.s2_157, work.zdd_star_arb_front_right, s8_726);
+  work.s8_728 = 0.3333333333333333*s8_727;
+  const double s8_729 = work.s2_143*work.Rz_carrier_right_ry_2;
+  work.s8_730 = fnma(work.s2_146, work.Rz_carrier_right_rz_2, s8_729);
+  work.s8_731 = 1.0 - work.s3_28;
+  const double s8_732 = fma(work.s2_143, work.Rz_carrier_right_ry_1, work.s1_79);
+  work.s8_733 = fnma(work.s2_146, work.s8_731, s8_732);
+  const double s8_734 = work.s2_149*work.Rz_carrier_right_ry_2;
+  const double s8_735 = fnma(work.s2_146, work.Rz_carrier_right_rx_2, s8_734);
+  work.s8_736 = fma(work.s2_157, work.Rz_arb_front_right_2, s8_735);
+  const double s8_737 = work.s2_149*work.Rz_carrier_right_ry_1;
+  const double s8_738 = fnma(work.s2_146, work.Rz_carrier_right_rx_1, s8_737);
+  work.s8_739 = fma(work.s2_157, work.Rz_arb_front_right_1, s8_738);
+  const double s8_740 = fnma(work.s8_40, work.s2_241, work.s8_115*work.s2_240);
+  const double s8_741 = fnma(work.s8_57, work.s6_150, fnma(work.s8_77, work.s2_242, s8_740));
+  const double s8_742 = fnma(work.s8_94, work.s6_123, s8_741 - work.s6_125);
+  const double s8_743 = fnma(work.s2_149, work.zdd_star_carrier_right_rz, s8_742);
+  const double s8_744 = fma(work.s2_143, work.zdd_star_carrier_right_rx, s8_743);
+  const double s8_745 = fnma(work.s2_155, work.zdd_star_arb_front_right, s8_744);
+  work.s8_746 = 0.3333333333333333*s8_745;
+  const double s8_747 = fnma(work.s2_143, work.Rz_carrier_right_rx_1, work.s1_77);
+  const double s8_748 = fma(work.s2_155, work.Rz_arb_front_right_1, s8_747);
+  work.s8_749 = fma(work.s2_149, work.s8_731, s8_748);
+  const double s8_750 = work.s2_149*work.Rz_carrier_right_rz_2;
+  const double s8_751 = fnma(work.s2_143, work.Rz_carrier_right_rx_2, s8_750);
+  work.s8_752 = fma(work.s2_155, work.Rz_arb_front_right_2, s8_751);
+  const double s8_753 = fma(work.s8_69, work.s2_249, work.s8_77*work.s2_251);
+  const double s8_754 = s6_196 + fnma(work.s8_57, s6_197, fnma(work.s8_42, work.s2_253, s8_753));
   // drag_link
-  work.s8_758 = 1.5*fma(work.s8_64, work.s6_195, work.s6_196 + s8_757);
-  const double s8_759 = fnma(work.s8_41, work.s2_249, work.s8_115*work.s2_251);
-  const double s8_760 = fma(work.s8_94, work.s6_197, fma(work.s8_69, work.s2_253, s8_759));
-  const double s8_761 = work.s6_199 + fnma(work.s8_64, work.s6_198, s8_760);
-  work.s8_762 = 1.5*fma(work.s2_250, work.s6_203, s8_761);
-  const double s8_763 = fnma(work.s8_40, work.s2_251, work.s8_115*work.s2_249);
-  const double s8_764 = fma(work.s8_57, work.s6_198, fma(work.s8_77, work.s2_253, s8_763));
-  const double s8_765 = fnma(work.s8_94, work.s6_195, work.s6_194 + s8_764);
-  work.s8_766 = work.s2_247*work.s3_34;
-  work.s8_767 = 1.5*fnma(work.s2_247, work.s6_203, s8_765);
-  const double s8_768 = work.Rz_carrier_right_rx_2*work.s7_136;
-  const double s8_769 = fnma(work.Rz_carrier_right_ry_2, work.s7_174, s8_768);
-  const double s8_770 = work.s3_34*work.s7_204;
-  work.s8_771 = work.Rz_arb_front_right_2*work.s7_192;
-  const double s8_772 = s8_769 + (work.s8_771 + (s8_770 - work.s7_211));
-  const double s8_773 = fnma(work.Rz_arb_front_left_2, work.s7_117, 0.9515000000000002);
-  const double s8_774 = fma(work.Rz_arb_front_right_2, work.s7_198, s8_773);
-  const double s8_775 = fnma(p_pitman_arm_y, s8_770, fnma(p_bell_crank_x, work.s7_212, s8_774));
-  const double s8_776 = -p_bell_crank_z*work.s7_211;
-  work.s8_777 = work.s7_179 + s8_557 - work.s7_198 - s8_776;
-  work.s8_778 = work.s3_34*work.s7_202;
-  const double s8_779 = 0.35040000000000004*work.s3_34;
-  const double s8_780 = fma(p_pitman_arm_x, work.s8_778, fnma(-p_pitman_arm_z, s8_770, s8_776));
-  const double s8_781 = 0.3477*work.Rz_arb_front_right_2;
-  const double s8_782 = fma(work.s3_34, s8_779, 0.9515000000000002);
-  work.s8_783 = fma(work.Rz_arb_front_right_2, s8_781, s8_782);
-  work.s8_784 = work.Rz_arb_front_right_1*s8_781;
-  const double s8_785 = work.Rz_carrier_right_rx_2*s8_611;
-  const double s8_786 = fnma(work.Rz_carrier_right_ry_2, work.s7_151, s8_785);
-  work.s8_787 = fnma(work.Rz_carrier_right_rz_2, work.s7_172, s8_786);
-  const double s8_788 = fnma(work.s1_75, work.s7_166, work.Rz_carrier_right_rx_1*s8_611);
+  work.s8_755 = 1.5*fma(work.s8_64, s6_195, s8_754);
+  const double s8_756 = fnma(work.s8_41, work.s2_249, work.s8_115*work.s2_251);
+  const double s8_757 = fma(work.s8_94, s6_197, fma(work.s8_69, work.s2_253, s8_756));
+  const double s8_758 = fma(work.s2_250, work.s6_202, s6_199 + fnma(work.s8_64, s6_198, s8_757));
+  work.s8_759 = 1.5*s8_758;
+  const double s8_760 = fnma(work.s8_40, work.s2_251, work.s8_115*work.s2_249);
+  const double s8_761 = s6_194 + fma(work.s8_57, s6_198, fma(work.s8_77, work.s2_253, s8_760));
+  work.s8_762 = work.s2_247*work.s3_34;
+  work.s8_763 = 1.5*fnma(work.s2_247, work.s6_202, fnma(work.s8_94, s6_195, s8_761));
+  const double s7_185 = K_arb_front_left_yz*R_arb_front_left_x_x;
+  work.s7_186 = fma(-K_arb_front_left_xy, R_arb_front_left_x_z, s7_185);
+  const double s8_764 = work.s7_112 + (work.s7_186 + (work.s7_100 + (work.s7_57 + work.s8_394)));
+  const double s7_187 = h_arb_front_right_z*R_arb_front_right_x_x;
+  work.s7_188 = fma(-h_arb_front_right_x, R_arb_front_right_x_z, s7_187);
+  const double s7_189 = -K_arb_front_right_yz*R_arb_front_right_x_x;
+  work.s7_190 = fma(K_arb_front_right_xy, R_arb_front_right_x_z, s7_189);
+  work.s7_191 = fnma(-h_bell_crank_x, R_bell_crank_y_x, h_bell_crank_y*R_bell_crank_x_x);
+  work.s7_192 = fma(h_bell_crank_y, R_bell_crank_y_x, -h_bell_crank_x*R_bell_crank_x_x);
+  const double s8_765 = work.Rz_carrier_right_rx_2*work.s7_116;
+  const double s8_766 = fnma(work.Rz_carrier_right_ry_2, work.s7_154, s8_765);
+  work.s7_193 = -h_pitman_arm_z*R_pitman_arm_x_x;
+  const double s8_767 = work.s3_34*work.s7_193;
+  work.s8_768 = work.Rz_arb_front_right_2*work.s7_188;
+  const double s8_769 = fnma(work.Rz_arb_front_left_2, work.s7_186, 0.9515000000000002);
+  const double s8_770 = fma(work.Rz_arb_front_right_2, work.s7_190, s8_769);
+  const double s8_771 = fnma(p_pitman_arm_y, s8_767, fnma(p_bell_crank_x, work.s7_192, s8_770));
+  const double s8_772 = -p_bell_crank_z*work.s7_191;
+  work.s8_773 = work.s7_159 + s8_764 - work.s7_190 - s8_772;
+  work.s7_194 = -h_pitman_arm_z*R_pitman_arm_x_z;
+  work.s8_774 = work.s3_34*work.s7_194;
+  const double s8_775 = 0.35040000000000004*work.s3_34;
+  const double s8_776 = fma(p_pitman_arm_x, work.s8_774, fnma(-p_pitman_arm_z, s8_767, s8_772));
+  const double s8_777 = 0.3477*work.Rz_arb_front_right_2;
+  const double s8_778 = fma(work.s3_34, s8_775, 0.9515000000000002);
+  work.s8_779 = fma(work.Rz_arb_front_right_2, s8_777, s8_778);
+  work.s8_780 = work.Rz_arb_front_right_1*s8_777;
+  const double s7_195 = h_arb_front_left_z*R_arb_front_left_x_x;
+  work.s7_196 = fma(-h_arb_front_left_x, R_arb_front_left_x_z, s7_195);
+  const double s8_781 = s8_766 + (work.s8_768 + (s8_767 - work.s7_191));
+  const double s8_782 = work.Rz_carrier_right_rx_2*s8_608;
+  const double s8_783 = fnma(work.Rz_carrier_right_ry_2, work.s7_131, s8_782);
+  work.s8_784 = fnma(work.Rz_carrier_right_rz_2, work.s7_152, s8_783);
+  const double s8_785 = fnma(work.s1_77, work.s7_146, work.Rz_carrier_right_rx_1*s8_608);
   // carrier_right: carrier_right_ry, revolute, carrier_right_aux2
-  const double s8_789 = fnma(work.Rz_carrier_right_ry_1, work.s7_151, s8_788);
-  work.s8_790 = fnma(work.s7_172, work.s8_734, s8_789);
-  const double s8_791 = fnma(work.Rz_carrier_right_rx_1, work.s7_151, work.s1_77*work.s7_166);
-  const double s8_792 = fnma(work.s7_163, work.s8_734, s8_791);
-  work.s8_793 = fma(work.Rz_carrier_right_ry_1, s8_668, s8_792);
-  const double s8_794 = work.Rz_carrier_right_ry_2*s8_668;
-  const double s8_795 = fnma(work.Rz_carrier_right_rx_2, work.s7_151, s8_794);
-  work.s8_796 = fnma(work.Rz_carrier_right_rz_2, work.s7_163, s8_795);
-  const double s8_797 = fnma(work.s3_22, work.s7_65, work.s3_20*work.s7_92);
-  work.s8_798 = s8_797 + fma(work.Rz_arb_front_left_2, work.s7_119, s8_772);
-  const double s8_799 = work.s8_796 + fnma(work.r_carrier_right_aux1_y, s8_769, s8_775);
-  work.s8_800 = work.s8_675 + fnma(work.r_carrier_left_aux1_y, s8_797, s8_799);
-  work.s8_801 = 0.3477*work.Rz_arb_front_left_2;
-  const double s8_802 = work.s8_787 + fnma(work.s1_78, s8_769, s8_781 + (s8_780 - s8_779));
-  const double s8_803 = fma(work.r_carrier_left_aux1_z, s8_797, work.s8_801 + s8_802);
-  work.s8_804 = work.s8_680 + s8_803;
-  work.s8_805 = fma(p_bell_crank_x, work.s8_41, -p_bell_crank_z*work.s8_115);
+  const double s8_786 = fnma(work.Rz_carrier_right_ry_1, work.s7_131, s8_785);
+  work.s8_787 = fnma(work.s7_152, work.s8_731, s8_786);
+  const double s8_788 = fnma(work.Rz_carrier_right_rx_1, work.s7_131, work.s1_79*work.s7_146);
+  const double s8_789 = fnma(work.s7_143, work.s8_731, s8_788);
+  work.s8_790 = fma(work.Rz_carrier_right_ry_1, s8_665, s8_789);
+  const double s8_791 = work.Rz_carrier_right_ry_2*s8_665;
+  const double s8_792 = fnma(work.Rz_carrier_right_rx_2, work.s7_131, s8_791);
+  work.s8_793 = fnma(work.Rz_carrier_right_rz_2, work.s7_143, s8_792);
+  const double s8_794 = fnma(work.s3_22, work.s7_61, work.s3_20*work.s7_88);
+  work.s8_795 = s8_794 + fma(work.Rz_arb_front_left_2, work.s7_196, s8_781);
+  const double s8_796 = work.s8_793 + fnma(work.r_carrier_right_aux1_y, s8_766, s8_771);
+  work.s8_797 = work.s8_672 + fnma(work.r_carrier_left_aux1_y, s8_794, s8_796);
+  work.s8_798 = 0.3477*work.Rz_arb_front_left_2;
+  const double s8_799 = work.s8_784 + fnma(work.s1_80, s8_766, s8_777 + (s8_776 - s8_775));
+  const double s8_800 = fma(work.r_carrier_left_aux1_z, s8_794, work.s8_798 + s8_799);
+  work.s8_801 = work.s8_677 + s8_800;
+  work.s8_802 = fma(p_bell_crank_x, work.s8_41, -p_bell_crank_z*work.s8_115);
 }
 
 /// Part 6 of compute_accelerations: step 8: elimination from the leaves to the root (63),
@@ -2619,435 +2596,461 @@ struct AccelerationsWork {
     AccelerationsWork& __restrict work) noexcept {
   // --- step 8: elimination from the leaves to the root (63), long_rod_left .. arb_link_rear_right,
   // continued ---
-  work.s8_806 = work.s8_41 - work.s8_42;
-  const double s8_807 = fnma(work.s8_806, work.s7_209, tau[Coordinate::bell_crank]);
-  const double s8_808 = fnma(-p_bell_crank_z, work.s8_77, p_bell_crank_x*work.s8_69);
-  const double s8_809 = fma(work.s7_212, s8_808, fnma(work.s7_211, work.s8_805, s8_807));
-  const double s8_810 = fma(work.s8_702, work.s8_700, fma(work.s8_713, work.s8_693, s8_809));
-  const double s8_811 = fnma(work.s8_733, work.s8_724, fnma(work.s8_718, work.s8_711, s8_810));
-  const double s8_812 = fnma(work.s8_755, work.s8_749, fma(work.s8_739, work.s8_731, s8_811));
-  const double s8_813 = fma(work.s8_551, work.s8_762, fma(work.s2_248, work.s8_758, s8_812));
+  work.s8_803 = work.s8_41 - work.s8_42;
+  const double s8_804 = fnma(work.s8_803, work.s7_175, tau[Coordinate::bell_crank]);
+  const double s8_805 = fnma(-p_bell_crank_z, work.s8_77, p_bell_crank_x*work.s8_69);
+  const double s8_806 = fma(work.s7_192, s8_805, fnma(work.s7_191, work.s8_802, s8_804));
+  const double s8_807 = fma(work.s8_699, work.s8_697, fma(work.s8_710, work.s8_690, s8_806));
+  const double s8_808 = fnma(work.s8_730, work.s8_721, fnma(work.s8_715, work.s8_708, s8_807));
+  const double s8_809 = fnma(work.s8_752, work.s8_746, fma(work.s8_736, work.s8_728, s8_808));
+  const double s8_810 = fma(work.s8_551, work.s8_759, fma(work.s2_248, work.s8_755, s8_809));
   const double tau_carrier_left_rx = tau[Coordinate::carrier_left_rx];
   const double tau_carrier_left_rz = tau[Coordinate::carrier_left_rz];
-  const double s7_217 = work.cosines[9]*tau_carrier_left_rx;
+  const double s7_197 = work.cosines[4]*tau_carrier_left_rx;
   const double tau_carrier_left_ry = tau[Coordinate::carrier_left_ry];
-  const double s7_218 = fma(tau_carrier_left_rz, work.s1_41, s7_217);
-  const double s7_219 = fnma(tau_carrier_left_ry, work.s1_37, s7_218);
-  work.s8_814 = work.s8_42 - work.s8_40;
+  const double s7_198 = fma(tau_carrier_left_rz, work.s1_35, s7_197);
+  const double s7_199 = fnma(tau_carrier_left_ry, work.s1_31, s7_198);
+  const double R_lower_arm_left_y_y = work.cosines[3];
+  const double R_lower_arm_left_z_y = work.sines[3];
+  const double s7_200 = h_lower_arm_left_y*R_lower_arm_left_y_y;
+  work.s7_201 = fma(-h_lower_arm_left_z, R_lower_arm_left_z_y, s7_200);
+  work.s8_811 = work.s8_42 - work.s8_40;
+  work.s8_812 = s7_199 - work.n_carrier_left_x;
+  const double s8_813 = fnma(s7_199, work.s3_18, tau[Coordinate::lower_arm_left]);
+  const double s8_814 = fnma(work.s8_811, work.s7_57, s8_813);
+  const double s8_815 = fma(work.s1_75, work.f_carrier_left_y, s8_814);
+  const double s8_816 = fnma(work.s1_73, work.f_carrier_left_z, s8_815);
+  const double s8_817 = fma(-p_lower_arm_right_z, work.s8_40, work.s8_602);
+  work.s8_818 = fma(-p_upper_arm_right_z, work.s8_40, work.s8_602);
+  const double s8_819 = fnma(work.s8_673, work.n_carrier_left_x, s8_816);
+  const double s7_202 = h_lower_arm_left_y*R_lower_arm_left_z_y;
+  work.s7_203 = fnma(-h_lower_arm_left_z, R_lower_arm_left_y_y, s7_202);
+  const double s8_820 = fnma(-p_lower_arm_right_z, work.s8_77, work.s8_560);
+  work.s8_821 = fnma(-p_upper_arm_right_z, work.s8_77, work.s8_560);
+  const double s8_822 = fnma(work.s7_201, fma(-p_pitman_arm_z, work.s8_77, s8_817), s8_819);
+  const double s8_823 = fma(work.s7_203, fnma(-p_lower_arm_right_y, work.s8_42, s8_820), s8_822);
+  const double s8_824 = fma(work.s8_701, work.s8_697, fma(work.s8_709, work.s8_690, s8_823));
+  const double R_arb_front_left_x_z = work.sines[8];
+  const double R_arb_front_left_x_x = work.cosines[8];
+  const double s7_204 = K_arb_front_left_yz*R_arb_front_left_x_z;
+  const double s7_205 = fnma(-K_arb_front_left_xy, R_arb_front_left_x_x, s7_204);
+  const double s7_206 = h_arb_front_left_z*R_arb_front_left_x_z;
+  work.s7_207 = fnma(-h_arb_front_left_x, R_arb_front_left_x_x, s7_206);
 
   // --- step 8: elimination from the leaves to the root (63), upper_ball_left .. tie_rod_right,
   // continued ---
-  work.s8_815 = s7_219 - work.n_carrier_left_x;
-  const double s8_816 = fnma(s7_219, work.s3_18, tau[Coordinate::lower_arm_left]);
-  const double s8_817 = fnma(work.s8_814, work.s7_57, s8_816);
-  const double s8_818 = fma(work.s1_73, work.f_carrier_left_y, s8_817);
-  const double s8_819 = fnma(work.s1_71, work.f_carrier_left_z, s8_818);
-  const double s8_820 = fma(-p_lower_arm_right_z, work.s8_40, work.s8_605);
-  work.s8_821 = fma(-p_upper_arm_right_z, work.s8_40, work.s8_605);
-  const double s8_822 = fnma(work.s8_676, work.n_carrier_left_x, s8_819);
-  const double s8_823 = fnma(-p_lower_arm_right_z, work.s8_77, work.s8_563);
-  work.s8_824 = fnma(-p_upper_arm_right_z, work.s8_77, work.s8_563);
-  const double s8_825 = fnma(work.s7_60, fma(-p_pitman_arm_z, work.s8_77, s8_820), s8_822);
-  const double s8_826 = fma(work.s7_62, fnma(-p_lower_arm_right_y, work.s8_42, s8_823), s8_825);
-  const double s8_827 = fma(work.s8_704, work.s8_700, fma(work.s8_712, work.s8_693, s8_826));
-  const double s8_828 = fnma(work.s3_21, work.s7_65, work.s3_19*work.s7_92);
-  const double s8_829 = fma(work.s3_21, work.s7_99, m_carrier_left_2*work.s1_71);
-  const double s8_830 = fma(work.s7_92, work.s8_676, s8_829);
-  const double s8_831 = fma(work.s3_19, work.s7_99, m_carrier_left_2*work.s1_73);
-  work.s8_832 = fma(work.s7_65, work.s8_676, s8_831);
-  const double s8_833 = fma(work.s8_718, work.s8_716, work.s8_713*work.s8_712);
-  const double s8_834 = fma(p_lower_arm_left_y, work.s7_60, 1.825625);
-  const double s8_835 = fnma(-p_lower_arm_left_z, work.s7_62, s8_834);
-  const double s8_836 = work.Rz_arb_front_left_0*work.s7_123;
-  const double s8_837 = fnma(work.Rz_arb_front_left_0, work.s7_121, s8_835);
-  const double s8_838 = work.Rz_upper_arm_left_0*work.s7_107;
-  const double s8_839 = fnma(p_arb_front_left_y, s8_836, s8_837);
-  work.s8_840 = work.Rz_upper_arm_left_0*work.s7_109;
-  const double s8_841 = fma(p_upper_arm_left_y, s8_838, s8_839);
-  const double s8_842 = 0.539*work.Rz_upper_arm_left_0;
-  const double s8_843 = s8_842 + fnma(-p_upper_arm_left_z, work.s8_840, s8_841);
-  const double s8_844 = fma(work.r_carrier_left_aux1_y, s8_830, s8_843);
-  const double s8_845 = 0.3333333333333333*work.s2_212;
-  const double s8_846 = work.s8_687 + fma(work.r_carrier_left_aux1_z, work.s8_832, s8_844);
-  const double s8_847 = work.Rz_arb_front_left_0*work.s7_119;
-  const double s8_848 = fnma(work.Rz_arb_front_left_0, work.s7_117, work.s8_678);
-  const double s8_849 = fnma(p_arb_front_left_y, s8_847, s8_848);
-  const double s8_850 = 0.3333333333333333*work.s2_210;
-  const double s8_851 = fnma(work.r_carrier_left_aux1_y, s8_828, s8_849);
-  const double s8_852 = fma(work.s8_716, work.s8_716, work.s8_712*work.s8_712);
-  const double s8_853 = 0.3333333333333333*work.s2_213;
-  const double s8_854 = 0.3477*work.Rz_arb_front_left_0;
-  const double s8_855 = fma(p_arb_front_left_x, s8_836, s8_854);
-  const double s8_856 = fma(work.Rz_arb_front_left_0, s8_854, 1.825625);
-  work.s8_857 = s8_847 + s8_828;
-  const double s8_858 = fnma(-p_arb_front_left_z, s8_847, s8_855);
-  work.s8_859 = s8_830 + (s8_838 + (work.s7_60 - s8_836));
-  const double s8_860 = fma(work.s1_71, s8_830, fma(work.Rz_upper_arm_left_0, s8_842, s8_856));
-  work.s8_861 = s8_830 + (work.s7_60 + s8_838);
-  const double s8_862 = work.s8_682 + fma(work.r_carrier_left_aux1_z, s8_828, s8_858);
-  const double s8_863 = fnma(work.s3_19, work.s8_678, fma(work.s1_73, work.s8_832, s8_860));
-  const double s8_864 = fma(work.s8_676, work.s8_687, fnma(work.s3_21, work.s8_682, s8_863));
-  const double s8_865 = fma(109.75, work.r_carrier_right_aux1_y, work.s7_174);
-  const double s8_866 = work.r_carrier_right_aux1_y + work.r_carrier_right_aux1_y;
-  const double s8_867 = fma(109.75, work.r_carrier_left_aux1_y, work.s7_92);
-  work.s8_868 = fma(work.s3_22, work.s7_99, work.Rz_carrier_left_rz_2*work.s7_92);
-  const double s8_869 = work.r_carrier_left_aux1_y + work.r_carrier_left_aux1_y;
-  const double s8_870 = fma(s8_867, s8_869, fma(s8_865, s8_866, work.s8_553));
-  work.s8_871 = work.s8_535*work.s8_534;
-  work.s8_872 = work.s8_488*work.s8_527;
-  const double s8_873 = fma(work.s8_532, work.s8_871, work.s8_467);
-  const double s8_874 = fnma(work.s8_871, work.s8_539, work.s8_392);
-  const double s8_875 = work.s7_151 + (work.s7_82 + fma(work.s8_486, work.s8_872, s8_873));
-  work.s8_876 = s8_865 + s8_867;
+  const double s8_825 = fnma(work.s3_21, work.s7_61, work.s3_19*work.s7_88);
+  const double s8_826 = fma(work.s3_21, work.s7_95, m_carrier_left_2*work.s1_73);
+  const double s8_827 = fma(work.s7_88, work.s8_673, s8_826);
+  const double s8_828 = fma(work.s3_19, work.s7_95, m_carrier_left_2*work.s1_75);
+  work.s8_829 = fma(work.s7_61, work.s8_673, s8_828);
+  const double s8_830 = fma(work.s8_715, work.s8_713, work.s8_710*work.s8_709);
+  const double s8_831 = fma(p_lower_arm_left_y, work.s7_201, 1.825625);
+  const double s8_832 = fnma(-p_lower_arm_left_z, work.s7_203, s8_831);
+  const double s8_833 = work.Rz_arb_front_left_0*work.s7_207;
+  const double s8_834 = fnma(work.Rz_arb_front_left_0, s7_205, s8_832);
+  const double s8_835 = work.Rz_upper_arm_left_0*work.s7_180;
+  const double s8_836 = fnma(p_arb_front_left_y, s8_833, s8_834);
+  work.s8_837 = work.Rz_upper_arm_left_0*work.s7_182;
+  const double s8_838 = fma(p_upper_arm_left_y, s8_835, s8_836);
+  const double s8_839 = 0.539*work.Rz_upper_arm_left_0;
+  const double s8_840 = s8_839 + fnma(-p_upper_arm_left_z, work.s8_837, s8_838);
+  const double s8_841 = fma(work.r_carrier_left_aux1_y, s8_827, s8_840);
+  const double s8_842 = 0.3333333333333333*work.s2_212;
+  const double s8_843 = work.s8_684 + fma(work.r_carrier_left_aux1_z, work.s8_829, s8_841);
+  const double s8_844 = work.Rz_arb_front_left_0*work.s7_196;
+  const double s8_845 = fnma(work.Rz_arb_front_left_0, work.s7_186, work.s8_675);
+  const double s8_846 = fnma(p_arb_front_left_y, s8_844, s8_845);
+  const double s8_847 = 0.3333333333333333*work.s2_210;
+  const double s8_848 = fnma(work.r_carrier_left_aux1_y, s8_825, s8_846);
+  const double s8_849 = fma(work.s8_713, work.s8_713, work.s8_709*work.s8_709);
+  const double s8_850 = 0.3333333333333333*work.s2_213;
+  work.s8_851 = fma(s8_850, work.s8_713, fma(s8_842, work.s8_709, s8_843));
+  work.s8_852 = fma(s8_850, work.s8_701, fnma(s8_847, work.s8_709, s8_848));
+  const double s8_853 = 0.3477*work.Rz_arb_front_left_0;
+  const double s8_854 = fma(p_arb_front_left_x, s8_833, s8_853);
+  const double s8_855 = fma(work.Rz_arb_front_left_0, s8_853, 1.825625);
+  work.s8_856 = s8_844 + s8_825;
+  const double s8_857 = fnma(-p_arb_front_left_z, s8_844, s8_854);
+  work.s8_858 = s8_827 + (s8_835 + (work.s7_201 - s8_833));
+  const double s8_859 = fma(work.s1_73, s8_827, fma(work.Rz_upper_arm_left_0, s8_839, s8_855));
+  work.s8_860 = s8_827 + (work.s7_201 + s8_835);
+  const double s8_861 = work.s8_679 + fma(work.r_carrier_left_aux1_z, s8_825, s8_857);
+  const double s8_862 = fnma(work.s3_19, work.s8_675, fma(work.s1_75, work.s8_829, s8_859));
+  const double s8_863 = fma(work.s8_673, work.s8_684, fnma(work.s3_21, work.s8_679, s8_862));
+  const double s8_864 = fma(109.75, work.r_carrier_right_aux1_y, work.s7_154);
+  const double s8_865 = work.r_carrier_right_aux1_y + work.r_carrier_right_aux1_y;
+  const double s8_866 = fma(109.75, work.r_carrier_left_aux1_y, work.s7_88);
+  work.s8_867 = fma(work.s3_22, work.s7_95, work.Rz_carrier_left_rz_2*work.s7_88);
+  const double s8_868 = work.r_carrier_left_aux1_y + work.r_carrier_left_aux1_y;
+  const double s8_869 = fma(s8_866, s8_868, fma(s8_864, s8_865, work.s8_553));
+  work.s8_870 = work.s8_535*work.s8_534;
+  work.s8_871 = work.s8_488*work.s8_527;
+  const double s8_872 = fma(work.s8_532, work.s8_870, work.s8_467);
+  const double s8_873 = fnma(work.s8_870, work.s8_539, work.s8_392);
+  const double s8_874 = work.s7_131 + (work.s7_78 + fma(work.s8_486, work.s8_871, s8_872));
+  work.s8_875 = s8_864 + s8_866;
+  const double R_arb_front_right_x_x = work.cosines[14];
+  const double R_arb_front_right_x_z = work.sines[14];
+  const double s7_208 = K_arb_front_right_xy*R_arb_front_right_x_x;
+  const double s7_209 = fnma(-K_arb_front_right_yz, R_arb_front_right_x_z, s7_208);
+  const double s8_876 = fma(p_bell_crank_x, work.s7_191, s7_209 + (s7_205 + work.s8_365));
+  work.s8_877 = work.s7_175 + s8_876;
   // carrier_right: carrier_right_ry, revolute, carrier_right_aux2
-  const double s8_877 = work.Rz_carrier_right_rz_2*work.s7_174;
-  work.s8_878 = fnma(work.Rz_carrier_right_rx_2, work.s7_166, s8_877);
-  const double s8_879 = work.Rz_carrier_right_ry_2*work.s7_166;
-  work.s8_880 = fnma(work.Rz_carrier_right_rz_2, work.s7_136, s8_879);
-  const double s8_881 = fnma(work.s1_77, work.s7_136, work.s1_75*work.s7_174);
-  const double s8_882 = fnma(work.Rz_carrier_right_ry_1, work.s7_163, s8_881);
-  const double s8_883 = fnma(work.Rz_carrier_right_rx_1, work.s7_172, s8_882);
-  const double s8_884 = fma(work.s7_213, work.s8_734, s8_883);
-  const double s8_885 = work.Rz_carrier_right_rz_2*work.s7_213;
-  const double s8_886 = fnma(work.Rz_carrier_right_ry_2, work.s7_163, s8_885);
-  const double s8_887 = fnma(work.Rz_carrier_right_rx_2, work.s7_172, s8_886);
-  work.s8_888 = fma(work.s3_20, work.s7_99, work.Rz_carrier_left_rz_2*work.s7_65);
-  const double s8_889 = fma(109.75, work.r_carrier_left_aux1_z, work.s7_65);
-  const double s8_890 = 395.1 + work.s7_99;
-  const double s8_891 = work.r_carrier_right_aux1_y*work.s8_878;
-  const double s8_892 = fnma(work.Rz_arb_front_left_2, work.s7_121, s8_891);
-  const double s8_893 = fnma(work.Rz_arb_front_right_2, work.s7_196, s8_892);
-  const double s8_894 = 0.539*work.s3_27;
-  const double s8_895 = fma(work.s3_27, s8_894, work.s8_783);
-  const double s8_896 = fnma(-p_bell_crank_z, work.s7_212, s8_893) - s8_894;
-  const double s8_897 = fma(work.Rz_carrier_right_rx_2, work.s8_787, s8_895);
-  const double s8_898 = fma(work.s1_75, work.s8_878, fma(work.s3_26, s8_894, work.s8_784));
-  const double s8_899 = fma(work.Rz_carrier_right_ry_2, work.s8_796, s8_897);
-  const double s8_900 = fma(work.s1_77, work.s8_880, s8_898);
-  const double s8_901 = fma(work.Rz_carrier_right_rz_2, s8_887, s8_899);
-  const double s8_902 = fma(work.Rz_carrier_right_rx_1, work.s8_787, s8_900);
-  const double s8_903 = fma(work.Rz_carrier_right_ry_1, work.s8_796, s8_902);
-  const double s8_904 = 0.539*work.Rz_upper_arm_left_2;
-  const double s8_905 = work.Rz_arb_front_left_0*work.s8_801;
-  const double s8_906 = fma(work.Rz_arb_front_left_2, work.s8_801, s8_901);
-  const double s8_907 = fma(work.Rz_upper_arm_left_0, s8_904, s8_905);
-  const double s8_908 = fma(work.Rz_upper_arm_left_2, s8_904, s8_906);
-  const double s8_909 = s8_904 + (s8_887 + fma(work.s1_78, work.s8_880, s8_896));
-  const double s8_910 = fma(work.r_carrier_left_aux1_y, work.s8_868, s8_909);
-  const double s8_911 = fma(work.s2_163, work.s8_676, fma(work.s2_167, work.s3_21, work.s1_71));
-  const double s8_912 = fma(work.s1_73, work.s8_888, fma(work.s1_71, work.s8_868, s8_907));
-  const double s8_913 = fnma(work.s3_22, work.s8_680, fnma(work.s3_20, work.s8_675, s8_908));
-  const double s8_914 = fma(work.s2_160, work.s8_676, fma(work.s2_167, work.s3_19, work.s1_73));
-  const double s8_915 = work.s8_684 + fma(work.r_carrier_left_aux1_z, work.s8_888, s8_910);
-  const double s8_916 = fnma(work.s3_21, work.s8_680, fnma(work.s3_19, work.s8_675, s8_912));
-  const double s8_917 = fma(work.s8_676, work.s8_684, s8_916);
-  const double s8_918 = fma(work.s8_718, work.s8_718, work.s8_713*work.s8_713);
-  const double s8_919 = fma(work.s8_733, work.s8_733, fma(work.s8_702, work.s8_702, s8_918));
-  const double s8_920 = fnma(109.75, work.s1_78, work.s7_136);
-  const double s8_921 = fnma(work.s1_78, s8_865, s8_875);
-  const double s8_922 = fma(work.r_carrier_right_aux1_y, s8_920, s8_921);
-  const double s8_923 = fma(work.r_carrier_left_aux1_y, s8_889, s8_922);
-  const double s8_924 = fma(work.r_carrier_left_aux1_z, s8_867, s8_923);
-  work.s8_925 = s8_920 + s8_889;
-  const double s8_926 = work.r_carrier_left_aux1_z + work.r_carrier_left_aux1_z;
-  const double s8_927 = fma(s8_889, s8_926, fnma(work.s1_78 + work.s1_78, s8_920, work.s8_665));
-  work.s8_928 = work.s8_535*work.s8_533;
-  work.s8_929 = work.s8_470*work.s8_527;
-  const double s8_930 = fma(work.s8_532, work.s8_928, work.s8_483);
-  const double s8_931 = fma(work.s8_928, work.s8_534, work.s8_485);
-  const double s8_932 = fnma(work.s8_928, work.s8_539, work.s8_408);
-  const double s8_933 = fnma(work.s8_526, work.s8_929, s8_932);
-  const double s8_934 = fma(work.zdd_star_arb_front_left, work.s7_121, s8_933);
-  const double s8_935 = 395.1 + work.s7_166;
-  const double s8_936 = work.s7_163 + (work.s7_89 + fma(work.s8_486, work.s8_929, s8_930));
-  const double s8_937 = work.s7_172 + (work.s7_94 + fma(work.s8_488, work.s8_929, s8_931));
-  const double s8_938 = fnma(work.s1_78, s8_935, s8_936);
-  work.s8_939 = s8_935 + s8_890;
-  const double s8_940 = fma(work.r_carrier_right_aux1_y, s8_935, s8_937);
-  const double s8_941 = fma(work.r_carrier_left_aux1_z, s8_890, s8_938);
-  const double s8_942 = fma(work.r_carrier_left_aux1_y, s8_890, s8_940);
+  const double s8_878 = work.Rz_carrier_right_rz_2*work.s7_154;
+  work.s8_879 = fnma(work.Rz_carrier_right_rx_2, work.s7_146, s8_878);
+  const double s8_880 = work.Rz_carrier_right_ry_2*work.s7_146;
+  work.s8_881 = fnma(work.Rz_carrier_right_rz_2, work.s7_116, s8_880);
+  const double s8_882 = fnma(work.s1_79, work.s7_116, work.s1_77*work.s7_154);
+  const double s8_883 = fnma(work.Rz_carrier_right_ry_1, work.s7_143, s8_882);
+  const double s8_884 = fnma(work.Rz_carrier_right_rx_1, work.s7_152, s8_883);
+  const double s8_885 = fma(work.s7_177, work.s8_731, s8_884);
+  const double s8_886 = work.Rz_carrier_right_rz_2*work.s7_177;
+  const double s8_887 = fnma(work.Rz_carrier_right_ry_2, work.s7_143, s8_886);
+  const double s8_888 = fnma(work.Rz_carrier_right_rx_2, work.s7_152, s8_887);
+  work.s8_889 = fma(work.s3_20, work.s7_95, work.Rz_carrier_left_rz_2*work.s7_61);
+  const double s8_890 = fma(109.75, work.r_carrier_left_aux1_z, work.s7_61);
+  const double s8_891 = 395.1 + work.s7_95;
+  const double s8_892 = work.r_carrier_right_aux1_y*work.s8_879;
+  const double s8_893 = fnma(work.Rz_arb_front_left_2, s7_205, s8_892);
+  const double s8_894 = fnma(work.Rz_arb_front_right_2, s7_209, s8_893);
+  const double s8_895 = 0.539*work.s3_27;
+  const double s8_896 = fma(work.s3_27, s8_895, work.s8_779);
+  const double s8_897 = fnma(-p_bell_crank_z, work.s7_192, s8_894) - s8_895;
+  const double s8_898 = fma(work.Rz_carrier_right_rx_2, work.s8_784, s8_896);
+  const double s8_899 = fma(work.s1_77, work.s8_879, fma(work.s3_26, s8_895, work.s8_780));
+  const double s8_900 = fma(work.Rz_carrier_right_ry_2, work.s8_793, s8_898);
+  const double s8_901 = fma(work.s1_79, work.s8_881, s8_899);
+  const double s8_902 = fma(work.Rz_carrier_right_rz_2, s8_888, s8_900);
+  const double s8_903 = fma(work.Rz_carrier_right_rx_1, work.s8_784, s8_901);
+  const double s8_904 = fma(work.Rz_carrier_right_ry_1, work.s8_793, s8_903);
+  const double s8_905 = 0.539*work.Rz_upper_arm_left_2;
+  const double s8_906 = work.Rz_arb_front_left_0*work.s8_798;
+  const double s8_907 = fma(work.Rz_arb_front_left_2, work.s8_798, s8_902);
+  const double s8_908 = fma(work.Rz_upper_arm_left_0, s8_905, s8_906);
+  const double s8_909 = fma(work.Rz_upper_arm_left_2, s8_905, s8_907);
+  const double s8_910 = s8_905 + (s8_888 + fma(work.s1_80, work.s8_881, s8_897));
+  const double s8_911 = fma(work.r_carrier_left_aux1_y, work.s8_867, s8_910);
+  work.s8_912 = fma(work.s2_163, work.s8_673, fma(work.s2_167, work.s3_21, work.s1_73));
+  const double s8_913 = fma(work.s1_75, work.s8_889, fma(work.s1_73, work.s8_867, s8_908));
+  const double s8_914 = fnma(work.s3_22, work.s8_677, fnma(work.s3_20, work.s8_672, s8_909));
+  work.s8_915 = fma(work.s2_160, work.s8_673, fma(work.s2_167, work.s3_19, work.s1_75));
+  const double s8_916 = work.s8_681 + fma(work.r_carrier_left_aux1_z, work.s8_889, s8_911);
+  const double s8_917 = fnma(work.s3_21, work.s8_677, fnma(work.s3_19, work.s8_672, s8_913));
+  const double s8_918 = fma(work.s8_673, work.s8_681, s8_917);
+  const double s8_919 = fma(work.s8_715, work.s8_715, work.s8_710*work.s8_710);
+  const double s8_920 = fma(work.s8_730, work.s8_730, fma(work.s8_699, work.s8_699, s8_919));
+  const double s8_921 = fnma(109.75, work.s1_80, work.s7_116);
+  const double s8_922 = fnma(work.s1_80, s8_864, s8_874);
+  const double s8_923 = fma(work.r_carrier_right_aux1_y, s8_921, s8_922);
+  const double s8_924 = fma(work.r_carrier_left_aux1_y, s8_890, s8_923);
+  const double s8_925 = fma(work.r_carrier_left_aux1_z, s8_866, s8_924);
+  work.s8_926 = s8_921 + s8_890;
+  const double s8_927 = work.r_carrier_left_aux1_z + work.r_carrier_left_aux1_z;
+  const double s8_928 = fma(s8_890, s8_927, fnma(work.s1_80 + work.s1_80, s8_921, work.s8_662));
+  work.s8_929 = work.s8_535*work.s8_533;
+  work.s8_930 = work.s8_470*work.s8_527;
+  const double s8_931 = fma(work.s8_532, work.s8_929, work.s8_483);
+  const double s8_932 = fma(work.s8_929, work.s8_534, work.s8_485);
+  const double s8_933 = fnma(work.s8_929, work.s8_539, work.s8_408);
+  const double s8_934 = fnma(work.s8_526, work.s8_930, s8_933);
+  const double s8_935 = fma(work.zdd_star_arb_front_left, s7_205, s8_934);
+  const double s8_936 = 395.1 + work.s7_146;
+  const double s8_937 = work.s7_143 + (work.s7_85 + fma(work.s8_486, work.s8_930, s8_931));
+  const double s8_938 = work.s7_152 + (work.s7_90 + fma(work.s8_488, work.s8_930, s8_932));
+  const double s8_939 = fnma(work.s1_80, s8_936, s8_937);
+  work.s8_940 = s8_936 + s8_891;
+  const double s8_941 = fma(work.r_carrier_right_aux1_y, s8_936, s8_938);
+  const double s8_942 = fma(work.r_carrier_left_aux1_z, s8_891, s8_939);
+  const double s8_943 = fma(work.r_carrier_left_aux1_y, s8_891, s8_941);
+  const double R_upper_arm_right_z_y = work.sines[13];
+  const double R_upper_arm_right_y_y = work.cosines[13];
+  const double s7_210 = -h_upper_arm_right_z*R_upper_arm_right_z_y;
+  work.s7_211 = fnma(-h_upper_arm_right_y, R_upper_arm_right_y_y, s7_210);
+  const double s7_212 = -h_upper_arm_right_z*R_upper_arm_right_y_y;
+  work.s7_213 = fma(-h_upper_arm_right_y, R_upper_arm_right_z_y, s7_212);
   const double zd_bell_crank = state.zd[Coordinate::bell_crank];
-  const double s8_943 = zd_bell_crank*(zd_bell_crank + work.s8_64);
-  const double s8_944 = zd_bell_crank*work.s8_57;
-  const double s8_945 = fma(work.zdd_star_arb_front_right, work.s7_196, s8_934);
-  const double s8_946 = zd_bell_crank*work.s8_94;
-  const double s8_947 = fma(work.s7_210, s8_944, fnma(work.s8_526, work.s8_872, s8_874));
-  work.s8_948 = fnma(work.s7_212, s8_944, work.s7_211*s8_946);
-  work.s8_949 = work.s7_211*s8_943;
-  work.s8_950 = work.s7_212*s8_943;
-  const double s8_951 = fma(p_bell_crank_x, work.s8_948, fma(work.s7_209, s8_946, s8_947));
-  const double s8_952 = fma(-p_bell_crank_z, work.s8_950, s8_951);
+  const double s8_944 = zd_bell_crank*(zd_bell_crank + work.s8_64);
+  const double s8_945 = zd_bell_crank*work.s8_57;
+  const double s8_946 = fma(work.zdd_star_arb_front_right, s7_209, s8_935);
+  const double s8_947 = zd_bell_crank*work.s8_94;
+  const double s8_948 = fma(work.s7_176, s8_945, fnma(work.s8_526, work.s8_871, s8_873));
+  work.s8_949 = fnma(work.s7_192, s8_945, work.s7_191*s8_947);
+  work.s8_950 = work.s7_191*s8_944;
+  work.s8_951 = work.s7_192*s8_944;
+  const double s8_952 = fma(p_bell_crank_x, work.s8_949, fma(work.s7_175, s8_947, s8_948));
+  const double s8_953 = fma(-p_bell_crank_z, work.s8_951, s8_952);
   const double zd_pitman_arm = state.zd[Coordinate::pitman_arm];
   // pitman_arm: pitman_arm, revolute, chassis
-  const double s8_953 = zd_pitman_arm*(zd_pitman_arm + work.s8_94);
-  const double s8_954 = zd_pitman_arm*work.s8_57;
-  const double s8_955 = zd_pitman_arm*work.s8_64;
-  work.s8_956 = fma(work.s7_204, s8_955, work.s7_202*s8_954);
-  work.s8_957 = fma(work.s7_202, s8_953, work.s6_203*work.s7_204);
-  work.s8_958 = fnma(work.s6_203, work.s7_202, work.s7_204*s8_953);
-  const double s8_959 = fma(0.35040000000000004, work.s6_203, s8_952);
-  const double s8_960 = fma(p_pitman_arm_x, work.s8_958, s8_959);
-  const double s8_961 = fma(-p_pitman_arm_z, work.s8_957, s8_960);
+  const double s8_954 = zd_pitman_arm*(zd_pitman_arm + work.s8_94);
+  const double s8_955 = zd_pitman_arm*work.s8_57;
+  const double s8_956 = zd_pitman_arm*work.s8_64;
+  work.s8_957 = fma(work.s7_193, s8_956, work.s7_194*s8_955);
+  work.s8_958 = fma(work.s7_194, s8_954, work.s6_202*work.s7_193);
+  work.s8_959 = fnma(work.s6_202, work.s7_194, work.s7_193*s8_954);
+  const double s8_960 = fma(0.35040000000000004, work.s6_202, s8_953);
+  const double s8_961 = fma(p_pitman_arm_x, work.s8_959, s8_960);
+  const double s8_962 = fma(-p_pitman_arm_z, work.s8_958, s8_961);
   const double zd_arb_front_right = state.zd[Coordinate::arb_front_right];
-  const double s8_962 = zd_arb_front_right*(zd_arb_front_right + work.s8_94);
+  const double s8_963 = zd_arb_front_right*(zd_arb_front_right + work.s8_94);
   const double zd_upper_arm_right = state.zd[Coordinate::upper_arm_right];
-  const double s8_963 = zd_upper_arm_right*work.s8_64;
-  const double s8_964 = zd_upper_arm_right*work.s8_94;
-  work.s8_965 = fnma(work.s7_184, s8_963, work.s7_182*s8_964);
-  work.s8_966 = work.s8_535*work.s8_532;
-  work.s8_967 = work.s8_486*work.s8_527;
-  const double s8_968 = fnma(work.s8_966, work.s8_539, work.s8_379);
-  const double s8_969 = fnma(work.s8_526, work.s8_967, s8_968);
-  const double s8_970 = fma(work.zdd_star_arb_front_left, work.s7_117, s8_969);
-  const double s8_971 = fnma(work.zdd_star_arb_front_right, work.s7_198, s8_970);
-  const double s8_972 = fnma(work.s7_203, s8_954, fma(p_bell_crank_x, work.s8_949, s8_971));
-  const double s8_973 = fma(p_pitman_arm_x, work.s8_956, fnma(work.s7_201, s8_955, s8_972));
-  const double s8_974 = zd_arb_front_right*work.s8_64;
-  const double s8_975 = zd_arb_front_right*work.s8_57;
-  const double s8_976 = fnma(work.s7_189, s8_974, fnma(work.s7_196, s8_962, s8_973));
-  const double s8_977 = fma(work.s7_179, s8_963, fnma(work.s7_190, s8_975, s8_976));
-  const double s8_978 = fma(work.s7_180, s8_964, s8_977);
-  const double s8_979 = fma(work.r_carrier_right_aux1_y, work.f_carrier_right_x, s8_978);
-  const double s7_220 = 0.539 - work.s7_180;
-  const double s8_980 = fnma(0.3477, work.zdd_star_arb_front_right, s8_961);
-  const double s8_981 = fnma(work.s7_179, s8_964, fnma(s7_220, s8_963, s8_980));
-  const double s8_982 = fms(work.s8_814, work.s7_179, tau[Coordinate::upper_arm_right]);
-  work.s8_983 = fnma(0.539, work.s6_186, s8_982);
+  const double s8_964 = zd_upper_arm_right*work.s8_64;
+  const double s8_965 = zd_upper_arm_right*work.s8_94;
+  work.s8_966 = fnma(work.s7_213, s8_964, work.s7_211*s8_965);
+  work.s8_967 = work.s8_535*work.s8_532;
+  work.s8_968 = work.s8_486*work.s8_527;
+  const double s8_969 = fnma(work.s8_967, work.s8_539, work.s8_379);
+  const double s8_970 = fnma(work.s8_526, work.s8_968, s8_969);
+  const double s8_971 = fma(work.zdd_star_arb_front_left, work.s7_186, s8_970);
+  const double s8_972 = fnma(work.zdd_star_arb_front_right, work.s7_190, s8_971);
+  const double s8_973 = fnma(work.s7_170, s8_955, fma(p_bell_crank_x, work.s8_950, s8_972));
+  const double s8_974 = fma(p_pitman_arm_x, work.s8_957, fnma(work.s7_169, s8_956, s8_973));
+  const double s8_975 = zd_arb_front_right*work.s8_64;
+  const double s8_976 = zd_arb_front_right*work.s8_57;
+  const double s8_977 = fnma(work.s7_165, s8_975, fnma(s7_209, s8_963, s8_974));
+  const double s8_978 = fma(work.s7_159, s8_964, fnma(work.s7_166, s8_976, s8_977));
+  const double s8_979 = fma(work.s7_160, s8_965, s8_978);
+  const double s8_980 = fma(work.r_carrier_right_aux1_y, work.f_carrier_right_x, s8_979);
+  const double s7_214 = 0.539 - work.s7_160;
+  const double s8_981 = fnma(0.3477, work.zdd_star_arb_front_right, s8_962);
+  const double s8_982 = fnma(work.s7_159, s8_965, fnma(s7_214, s8_964, s8_981));
+  const double s8_983 = fms(work.s8_811, work.s7_159, tau[Coordinate::upper_arm_right]);
+  work.s8_984 = fnma(0.539, work.s6_186, s8_983);
+  const double R_lower_arm_right_z_y = work.sines[9];
+  const double R_lower_arm_right_y_y = work.cosines[9];
+  const double s7_215 = -h_lower_arm_right_z*R_lower_arm_right_z_y;
+  work.s7_216 = fnma(-h_lower_arm_right_y, R_lower_arm_right_y_y, s7_215);
+  const double s7_217 = -h_lower_arm_right_z*R_lower_arm_right_y_y;
+  work.s7_218 = fma(-h_lower_arm_right_y, R_lower_arm_right_z_y, s7_217);
   const double zd_lower_arm_right = state.zd[Coordinate::lower_arm_right];
-  const double s8_984 = zd_lower_arm_right*work.s8_64;
-  const double s8_985 = zd_lower_arm_right*work.s8_94;
-  const double s8_986 = fma(work.s7_128, s8_984, s8_979 - work.n_carrier_right_z);
-  work.s8_987 = fnma(work.s7_133, s8_984, work.s7_131*s8_985);
-  const double s7_221 = 1.825625 - work.s7_129;
-  const double s8_988 = fma(work.s1_78, work.f_carrier_right_x, s8_981) - work.n_carrier_right_y;
-  const double s8_989 = fnma(work.s7_128, s8_985, fnma(s7_221, s8_984, s8_988));
+  const double s8_985 = zd_lower_arm_right*work.s8_64;
+  const double s8_986 = zd_lower_arm_right*work.s8_94;
+  const double s8_987 = fma(work.s7_112, s8_985, s8_980 - work.n_carrier_right_z);
+  work.s8_988 = fnma(work.s7_218, s8_985, work.s7_216*s8_986);
+  const double s7_219 = 1.825625 - work.s7_113;
+  const double s8_989 = fma(work.s1_80, work.f_carrier_right_x, s8_982) - work.n_carrier_right_y;
+  const double s8_990 = fnma(work.s7_112, s8_986, fnma(s7_219, s8_985, s8_989));
   const double zd_arb_front_left = state.zd[Coordinate::arb_front_left];
-  const double s8_990 = zd_arb_front_left*(zd_arb_front_left + work.s8_94);
-  const double s8_991 = zd_arb_front_left*work.s8_64;
-  const double s8_992 = fnma(work.s7_121, s8_990, fma(work.s7_129, s8_985, s8_986));
-  const double s8_993 = zd_arb_front_left*work.s8_57;
+  const double s8_991 = zd_arb_front_left*(zd_arb_front_left + work.s8_94);
+  const double s8_992 = zd_arb_front_left*work.s8_64;
+  const double s8_993 = fnma(s7_205, s8_991, fma(work.s7_113, s8_986, s8_987));
+  const double s8_994 = zd_arb_front_left*work.s8_57;
   const double zd_upper_arm_left = state.zd[Coordinate::upper_arm_left];
-  const double s8_994 = zd_upper_arm_left*work.s8_94;
-  const double s8_995 = fnma(work.s7_115, s8_993, fnma(work.s7_114, s8_991, s8_992));
-  const double s8_996 = fnma(0.3477, work.zdd_star_arb_front_left, s8_989);
-  const double s8_997 = zd_upper_arm_left*work.s8_64;
-  work.s8_998 = fma(work.s7_109, s8_997, work.s7_107*s8_994);
-  const double s8_999 = fma(work.s7_104, s8_997, fma(work.s7_105, s8_994, s8_995));
-  const double s8_1000 = fnma(work.s8_814, work.s7_104, tau[Coordinate::upper_arm_left]);
-  work.s8_1001 = fma(0.539, work.s6_166, s8_1000);
-  const double s8_1002 = fma(work.r_carrier_left_aux1_y, work.f_carrier_left_x, s8_999);
-  const double s8_1003 = fnma(work.R_carrier_left_aux1_z_x, tau_carrier_left_rx,
+  const double s8_995 = zd_upper_arm_left*work.s8_94;
+  const double s8_996 = fnma(work.s7_107, s8_994, fnma(work.s7_106, s8_992, s8_993));
+  const double s8_997 = fnma(0.3477, work.zdd_star_arb_front_left, s8_990);
+  const double s8_998 = zd_upper_arm_left*work.s8_64;
+  work.s8_999 = fma(work.s7_182, s8_998, work.s7_180*s8_995);
+  const double s8_1000 = fma(work.s7_100, s8_998, fma(work.s7_101, s8_995, s8_996));
+  const double s8_1001 = fnma(work.s8_811, work.s7_100, tau[Coordinate::upper_arm_left]);
+  work.s8_1002 = fma(0.539, work.s6_166, s8_1001);
+  const double s8_1003 = fma(work.r_carrier_left_aux1_y, work.f_carrier_left_x, s8_1000);
+  const double s8_1004 = fnma(work.R_carrier_left_aux1_z_x, tau_carrier_left_rx,
       work.n_carrier_left_z);
-  const double s8_1004 = fnma(tau_carrier_left_ry, work.s1_34, s8_1003);
-  work.s8_1005 = fnma(tau_carrier_left_rz, work.s1_36, s8_1004);
-  const double s7_222 = 0.539 - work.s7_105;
-  const double s8_1006 = fnma(s7_222, s8_997, fnma(work.s7_104, s8_994, s8_996));
-  const double s8_1007 = fnma(work.r_carrier_left_aux1_z, work.f_carrier_left_x, s8_1006);
+  const double s8_1005 = fnma(tau_carrier_left_ry, work.s1_28, s8_1004);
+  work.s8_1006 = fnma(tau_carrier_left_rz, work.s1_30, s8_1005);
+  const double s7_220 = 0.539 - work.s7_101;
+  const double s8_1007 = fnma(s7_220, s8_998, fnma(work.s7_100, s8_995, s8_997));
+  const double s8_1008 = fnma(work.r_carrier_left_aux1_z, work.f_carrier_left_x, s8_1007);
   const double zd_lower_arm_left = state.zd[Coordinate::lower_arm_left];
-  const double s8_1008 = zd_lower_arm_left*work.s8_94;
-  const double s8_1009 = zd_lower_arm_left*work.s8_64;
-  work.s8_1010 = fma(work.s7_62, s8_1009, work.s7_60*s8_1008);
-  const double s8_1011 = fma(work.s7_58, s8_1008, s8_1002 - work.n_carrier_left_z);
-  const double s8_1012 = fma(work.s2_210, work.s8_693, fma(work.s7_57, s8_1009, s8_1011));
-  const double s8_1013 = fma(work.s2_240, work.s8_724, fnma(work.s2_213, work.s8_700, s8_1012));
-  const double s8_1014 = fma(work.s2_249, work.s8_758, fma(work.s2_242, work.s8_731, s8_1013));
-  const double s7_223 = 1.825625 - work.s7_58;
-  const double s8_1015 = fnma(work.s7_57, s8_1008, s8_1007 - work.n_carrier_left_y);
-  work.s8_1016 = s7_223 - work.s7_58;
-  work.s8_1017 = work.s7_105 - s7_222;
-  const double s8_1018 = fma(work.s2_212, work.s8_700, fnma(s7_223, s8_1009, s8_1015));
-  const double s8_1019 = fma(work.s2_241, work.s8_731, fnma(work.s2_210, work.s8_711, s8_1018));
-  work.s8_1020 = s7_221 - work.s7_129;
-  const double s8_1021 = work.s7_129 + (work.s7_105 + (5020.856800000031 + work.s7_58));
-  work.s8_1022 = work.s7_180 - s7_220;
-  const double s8_1023 = fma(work.s2_251, work.s8_762, fnma(work.s2_240, work.s8_749, s8_1019));
-  const double s7_224 = 0.9515000000000002 - work.s7_210;
-  work.s8_1024 = s7_224 - work.s7_210;
-  work.s8_1025 = s7_224 + (work.s7_180 + s8_1021);
-  const double s8_1026 = fnma(s7_224, s8_946, fnma(work.s7_209, s8_944, s8_945));
-  const double s8_1027 = fms(work.s8_307, work.s7_201, tau[Coordinate::pitman_arm]);
-  work.s8_1028 = fnma(0.35040000000000004, work.s6_203, s8_1027);
-  const double s7_225 = 0.35040000000000004 - work.s7_203;
-  work.s8_1029 = s7_225 - work.s7_203;
-  const double s8_1030 = fma(work.s7_201, s8_954, fma(-p_bell_crank_z, work.s8_949, s8_1026));
-  work.s8_1031 = fnma(work.s7_194, s8_962, work.zdd_star_arb_front_right*work.s7_192);
-  work.s8_1032 = fma(work.s7_192, s8_962, work.zdd_star_arb_front_right*work.s7_194);
-  const double s7_226 = 0.3477 - work.s7_190;
-  work.s8_1033 = s7_226 - work.s7_190;
-  const double s8_1034 = fnma(work.s7_198, s8_962, fma(s7_225, s8_955, s8_1030));
-  work.s8_1035 = fma(work.s7_194, s8_975, work.s7_192*s8_974);
-  const double s8_1036 = fma(work.s7_189, s8_975, fma(s7_226, s8_974, s8_1034));
-  const double s8_1037 = fma(0.539, work.s6_186, s8_1036);
-  const double s8_1038 = fnma(work.s1_78, work.f_carrier_right_y, s8_1037);
-  const double s8_1039 = fnma(work.r_carrier_right_aux1_y, work.f_carrier_right_z, s8_1038);
-  const double s8_1040 = fnma(work.s8_69, work.s7_117, tau[Coordinate::arb_front_left]);
-  work.s8_1041 = fnma(work.s8_307, work.s7_114, fma(work.s8_77, work.s7_121, s8_1040));
-  work.s8_1042 = fnma(work.s7_123, s8_990, work.zdd_star_arb_front_left*work.s7_119);
-  work.s8_1043 = fma(work.s7_119, s8_990, work.zdd_star_arb_front_left*work.s7_123);
-  const double s7_227 = 0.3477 - work.s7_115;
+  const double s8_1009 = zd_lower_arm_left*work.s8_94;
+  const double s8_1010 = zd_lower_arm_left*work.s8_64;
+  work.s8_1011 = fma(work.s7_203, s8_1010, work.s7_201*s8_1009);
+  const double s8_1012 = fma(work.s7_58, s8_1009, s8_1003 - work.n_carrier_left_z);
+  const double s8_1013 = fma(work.s2_210, work.s8_690, fma(work.s7_57, s8_1010, s8_1012));
+  const double s8_1014 = fma(work.s2_240, work.s8_721, fnma(work.s2_213, work.s8_697, s8_1013));
+  const double s8_1015 = fma(work.s2_249, work.s8_755, fma(work.s2_242, work.s8_728, s8_1014));
+  const double s7_221 = 1.825625 - work.s7_58;
+  const double s8_1016 = fnma(work.s7_57, s8_1009, s8_1008 - work.n_carrier_left_y);
+  work.s8_1017 = s7_221 - work.s7_58;
+  work.s8_1018 = work.s7_101 - s7_220;
+  const double s8_1019 = fma(work.s2_212, work.s8_697, fnma(s7_221, s8_1010, s8_1016));
+  const double s8_1020 = fma(work.s2_241, work.s8_728, fnma(work.s2_210, work.s8_708, s8_1019));
+  work.s8_1021 = s7_219 - work.s7_113;
+  const double s8_1022 = work.s7_113 + (work.s7_101 + (5020.856800000031 + work.s7_58));
+  work.s8_1023 = work.s7_160 - s7_214;
+  const double s8_1024 = fma(work.s2_251, work.s8_759, fnma(work.s2_240, work.s8_746, s8_1020));
+  const double s7_222 = 0.9515000000000002 - work.s7_176;
+  work.s8_1025 = s7_222 - work.s7_176;
+  work.s8_1026 = s7_222 + (work.s7_160 + s8_1022);
+  const double s8_1027 = fnma(s7_222, s8_947, fnma(work.s7_175, s8_945, s8_946));
+  const double s8_1028 = fms(work.s8_307, work.s7_169, tau[Coordinate::pitman_arm]);
+  work.s8_1029 = fnma(0.35040000000000004, work.s6_202, s8_1028);
+  const double s7_223 = 0.35040000000000004 - work.s7_170;
+  work.s8_1030 = s7_223 - work.s7_170;
+  const double s8_1031 = fma(work.s7_169, s8_955, fma(-p_bell_crank_z, work.s8_950, s8_1027));
+  const double s7_224 = h_arb_front_right_z*R_arb_front_right_x_z;
+  work.s7_225 = fnma(-h_arb_front_right_x, R_arb_front_right_x_x, s7_224);
+  work.s8_1032 = fnma(work.s7_225, s8_963, work.zdd_star_arb_front_right*work.s7_188);
+  work.s8_1033 = fma(work.s7_188, s8_963, work.zdd_star_arb_front_right*work.s7_225);
+  const double s7_226 = 0.3477 - work.s7_166;
+  work.s8_1034 = s7_226 - work.s7_166;
+  const double s8_1035 = fnma(work.s7_190, s8_963, fma(s7_223, s8_956, s8_1031));
+  work.s8_1036 = fma(work.s7_225, s8_976, work.s7_188*s8_975);
+  const double s8_1037 = fma(work.s7_165, s8_976, fma(s7_226, s8_975, s8_1035));
+  const double s8_1038 = fma(0.539, work.s6_186, s8_1037);
+  const double s8_1039 = fnma(work.s1_80, work.f_carrier_right_y, s8_1038);
+  const double s8_1040 = fnma(work.r_carrier_right_aux1_y, work.f_carrier_right_z, s8_1039);
+  const double s8_1041 = fnma(work.s8_69, work.s7_186, tau[Coordinate::arb_front_left]);
+  work.s8_1042 = fnma(work.s8_307, work.s7_106, fma(work.s8_77, s7_205, s8_1041));
+  work.s8_1043 = fnma(work.s7_207, s8_991, work.zdd_star_arb_front_left*work.s7_196);
+  work.s8_1044 = fma(work.s7_196, s8_991, work.zdd_star_arb_front_left*work.s7_207);
+  const double s7_227 = 0.3477 - work.s7_107;
   // operations: 116 add, 184 multiply
-  work.s8_1044 = s7_227 - work.s7_115;
-  const double s8_1045 = fma(work.s7_117, s8_990, s8_1039 - work.n_carrier_right_x);
-  work.s8_1046 = fma(work.s7_123, s8_993, work.s7_119*s8_991);
-  const double s8_1047 = fma(work.s7_114, s8_993, fma(s7_227, s8_991, s8_1045));
-  const double s8_1048 = s7_220 + (s7_221 + (s7_227 + (s7_222 + (s7_223 + work.s8_540))));
-  const double s8_1049 = fma(0.539, work.s6_166, s8_1047);
+  work.s8_1045 = s7_227 - work.s7_107;
+  const double s8_1046 = fma(work.s7_186, s8_991, s8_1040 - work.n_carrier_right_x);
+  work.s8_1047 = fma(work.s7_207, s8_994, work.s7_196*s8_992);
+  const double s8_1048 = fma(work.s7_106, s8_994, fma(s7_227, s8_992, s8_1046));
+  const double s8_1049 = s7_214 + (s7_219 + (s7_227 + (s7_220 + (s7_221 + work.s8_540))));
+  const double s8_1050 = fma(0.539, work.s6_166, s8_1048);
   // chassis: chassis_rx, revolute, chassis_aux5
-  work.s8_1050 = s7_225 + (s7_226 + s8_1048);
-  work.s8_1051 = work.r_carrier_left_aux1_z - work.s1_78;
-  const double s8_1052 = fma(work.r_carrier_left_aux1_z, work.f_carrier_left_y, s8_1049);
-  work.s8_1053 = work.r_carrier_left_aux1_y + work.r_carrier_right_aux1_y;
-  const double s8_1054 = fnma(work.r_carrier_left_aux1_y, work.f_carrier_left_z, s8_1052);
-  const double s8_1055 = fnma(work.s2_212, work.s8_693, s8_1054 - work.n_carrier_left_x);
-  const double s8_1056 = fnma(work.s2_241, work.s8_724, fma(work.s2_213, work.s8_711, s8_1055));
-  const double s8_1057 = fnma(work.s2_251, work.s8_758, fnma(work.s2_242, work.s8_749, s8_1056));
-  const double s7_228 = work.cosines[13]*tau[Coordinate::carrier_right_rx];
-  const double s7_229 = fma(tau[Coordinate::carrier_right_rz], work.s1_56, s7_228);
-  const double s7_230 = fnma(tau[Coordinate::carrier_right_ry], work.s1_52, s7_229);
+  work.s8_1051 = s7_223 + (s7_226 + s8_1049);
+  work.s8_1052 = work.r_carrier_left_aux1_z - work.s1_80;
+  const double s8_1053 = fma(work.r_carrier_left_aux1_z, work.f_carrier_left_y, s8_1050);
+  work.s8_1054 = work.r_carrier_left_aux1_y + work.r_carrier_right_aux1_y;
+  const double s8_1055 = fnma(work.r_carrier_left_aux1_y, work.f_carrier_left_z, s8_1053);
+  const double s8_1056 = fnma(work.s2_212, work.s8_690, s8_1055 - work.n_carrier_left_x);
+  const double s8_1057 = fnma(work.s2_241, work.s8_721, fma(work.s2_213, work.s8_708, s8_1056));
+  const double s8_1058 = fnma(work.s2_251, work.s8_755, fnma(work.s2_242, work.s8_746, s8_1057));
+  const double s7_228 = work.cosines[10]*tau[Coordinate::carrier_right_rx];
+  const double s7_229 = fma(tau[Coordinate::carrier_right_rz], work.s1_51, s7_228);
+  const double s7_230 = fnma(tau[Coordinate::carrier_right_ry], work.s1_47, s7_229);
   // operations: 6 add, 9 multiply
-  work.s8_1058 = s7_230 - work.n_carrier_right_x;
-  const double s8_1059 = fnma(s7_230, work.s3_28, tau[Coordinate::lower_arm_right]);
-  const double s8_1060 = fnma(work.s8_814, work.s7_128, s8_1059);
-  const double s8_1061 = fnma(work.s1_77, work.f_carrier_right_y, s8_1060);
-  const double s8_1062 = fnma(work.s1_75, work.f_carrier_right_z, s8_1061);
-  const double s8_1063 = fnma(work.s8_734, work.n_carrier_right_x, s8_1062);
-  const double s8_1064 = fma(-p_lower_arm_right_y, work.s8_42, s8_823);
-  const double s8_1065 = fnma(-p_pitman_arm_z, work.s8_77, s8_820);
-  const double s8_1066 = fnma(work.s7_131, s8_1065, fnma(work.s7_133, s8_1064, s8_1063));
-  const double s8_1067 = fma(work.s8_742, work.s8_731, fnma(work.s8_736, work.s8_724, s8_1066));
-  work.s8_1068 = fnma(work.s8_752, work.s8_749, s8_1067);
-  const double s8_1069 = work.Rz_carrier_right_rx_1*work.s7_136;
-  const double s8_1070 = fnma(work.Rz_carrier_right_ry_1, work.s7_174, s8_1069);
-  const double s8_1071 = m_carrier_right_2*work.s1_77;
-  const double s8_1072 = fma(work.Rz_carrier_right_ry_1, work.s7_166, s8_1071);
-  const double s8_1073 = fnma(work.s7_136, work.s8_734, s8_1072);
-  const double s8_1074 = m_carrier_right_2*work.s1_75;
-  const double s8_1075 = fnma(work.Rz_carrier_right_rx_1, work.s7_166, s8_1074);
-  const double s8_1076 = fma(work.s7_174, work.s8_734, s8_1075);
-  const double s8_1077 = fma(work.s8_755, work.s8_752, work.s8_733*work.s8_736);
-  const double s8_1078 = fma(work.s8_739, work.s8_742, s8_1077);
-  work.s8_1079 = fnma(0.3333333333333333, s8_1078, fma(work.s8_734, s8_887, s8_903));
-  const double s8_1080 = work.Rz_arb_front_right_1*work.s7_192;
-  const double s8_1081 = work.Rz_arb_front_right_1*work.s7_198;
-  const double s8_1082 = fma(-p_arb_front_right_y, s8_1080, s8_1081);
-  const double s8_1083 = 0.3333333333333333*work.s2_240;
-  const double s8_1084 = fnma(s8_845, work.s8_702, fnma(s8_850, work.s8_718, work.s8_804));
-  const double s8_1085 = fma(s8_853, work.s8_702, fnma(s8_850, work.s8_713, work.s8_800));
-  const double s8_1086 = work.s8_793 + fnma(work.r_carrier_right_aux1_y, s8_1070, s8_1082);
-  const double s8_1087 = fnma(-p_lower_arm_right_y, work.s7_131, 1.825625);
-  const double s8_1088 = fma(-p_lower_arm_right_z, work.s7_133, s8_1087);
-  const double s8_1089 = fma(work.s8_77, work.s7_196, tau[Coordinate::arb_front_right]);
-  work.s8_1090 = fnma(work.s8_307, work.s7_189, fma(work.s8_69, work.s7_198, s8_1089));
-  const double s8_1091 = work.Rz_arb_front_right_1*work.s7_194;
-  const double s8_1092 = fnma(work.Rz_arb_front_right_1, work.s7_196, s8_1088);
-  const double s8_1093 = 0.539*work.s3_26;
-  const double s8_1094 = work.s3_26*work.s7_184;
-  const double s8_1095 = fma(-p_arb_front_right_y, s8_1091, s8_1092) - s8_1093;
-  work.s8_1096 = s8_1073 + (work.s7_133 - s8_1094);
-  const double s8_1097 = work.s3_26*work.s7_182;
-  const double s8_1098 = fnma(-p_upper_arm_right_z, s8_1094, s8_1095);
-  const double s8_1099 = fma(work.s1_78, s8_1073, fma(-p_upper_arm_right_y, s8_1097, s8_1098));
-  const double s8_1100 = 0.3333333333333333*work.s2_241;
-  const double s8_1101 = fma(s8_853, work.s8_718, fma(s8_845, work.s8_713, s8_915));
-  const double s8_1102 = s8_884 + fma(work.r_carrier_right_aux1_y, s8_1076, s8_1099);
-  const double s8_1103 = fma(work.s8_752, work.s8_752, work.s8_736*work.s8_736);
-  const double s8_1104 = 0.3333333333333333*work.s2_242;
-  work.s8_1105 = fnma(s8_1104, work.s8_742, fma(s8_1083, work.s8_736, s8_1086));
-  work.s8_1106 = fnma(s8_1104, work.s8_752, fnma(s8_1100, work.s8_736, s8_1102));
-  work.s8_1107 = s8_1080 + s8_1070;
-  work.s8_1108 = s8_1076 + (work.s7_131 - s8_1091 - s8_1097);
-  work.s8_1109 = s8_1097 - work.s7_131 - s8_1076;
-  const double s8_1110 = 0.3477*work.Rz_arb_front_right_1;
-  const double s8_1111 = fnma(-p_arb_front_right_z, s8_1080, p_arb_front_right_x*s8_1091);
-  const double s8_1112 = fma(work.Rz_arb_front_right_1, s8_1110, 1.825625);
-  const double s8_1113 = work.s8_790 + fnma(work.s1_78, s8_1070, s8_1110 + s8_1111);
-  const double s8_1114 = fma(work.s1_77, s8_1073, fma(work.s3_26, s8_1093, s8_1112));
-  work.s8_1115 = fnma(s8_1100, work.s8_742, fnma(s8_1083, work.s8_752, s8_1113));
-  const double s8_1116 = fma(work.s2_184, work.Rz_carrier_right_ry_1, work.s1_77);
-  work.s8_1117 = fnma(work.s2_177, work.s8_734, s8_1116);
-  const double s8_1118 = fma(work.s1_75, s8_1076, s8_1114);
-  const double s8_1119 = fnma(work.s2_184, work.Rz_carrier_right_rx_1, work.s1_75);
-  work.s8_1120 = fma(work.s2_180, work.s8_734, s8_1119);
-  const double s8_1121 = fma(work.Rz_carrier_right_rx_1, work.s8_790, s8_1118);
-  const double s8_1122 = fma(work.Rz_carrier_right_ry_1, work.s8_793, s8_1121);
-  const double s8_1123 = fma(work.s8_742, work.s8_742, s8_1103);
-  work.s8_1124 = fnma(0.3333333333333333, s8_1123, fma(work.s8_734, s8_884, s8_1122));
-  const double s8_1125 = 1.5*work.s2_253;
-  const double s8_1126 = fnma(s8_1104, work.s8_755, fnma(s8_1100, work.s8_733, s8_1101));
-  const double s8_1127 = fnma(work.s2_242, s8_1104, fnma(work.s2_213, s8_853, s8_870));
-  const double s8_1128 = fma(work.s2_241, s8_1104, fnma(work.s2_212, s8_853, s8_924));
-  const double s8_1129 = 1.5*work.s2_251;
-  const double s8_1130 = fnma(work.s2_241, s8_1100, fnma(work.s2_212, s8_845, s8_927));
-  const double s8_1131 = 1.5*work.s2_249;
-  const double s8_1132 = fnma(s8_1100, work.s8_739, fnma(s8_1083, work.s8_755, s8_1084));
-  const double s8_1133 = fnma(s8_1104, work.s8_739, fma(s8_1083, work.s8_733, s8_1085));
-  const double s8_1134 = fnma(work.s2_240, s8_1083, fnma(work.s2_210, s8_850, work.s8_555));
-  const double s8_1135 = fnma(work.s2_241, s8_1083, fnma(work.s2_212, s8_850, s8_941));
-  const double s8_1136 = fma(work.s2_242, s8_1083, fnma(work.s2_213, s8_850, s8_942));
-  const double s8_1137 = fma(work.s8_766, work.s8_766, work.s2_248*work.s2_248);
-  const double s8_1138 = fma(work.Rz_carrier_left_rz_2, work.s8_684, s8_913);
-  const double s8_1139 = fma(work.s8_739, work.s8_739, fma(work.s8_755, work.s8_755, s8_919));
-  const double s8_1140 = fnma(1.5, fma(work.s8_551, work.s8_551, s8_1137), s8_1138);
-  work.s8_1141 = fnma(0.3333333333333333, s8_1139, s8_1140);
-  const double s8_1142 = fma(work.s8_77, work.s2_193, work.s8_40*work.s2_192);
-  const double s8_1143 = fma(work.s8_94, work.s6_131, fnma(work.s8_115, work.s2_194, s8_1142));
-  const double s8_1144 = fnma(work.s8_57, work.s6_136, s8_1143) - work.s6_129;
-  const double s8_1145 = fnma(work.s2_163, work.zdd_star_carrier_left_rz, s8_1144);
-  const double s8_1146 = fma(work.s2_167, work.zdd_star_carrier_left_rx, s8_1145);
-  const double s8_1147 = 1.1666666666666667*s8_1146;
-  const double s8_1148 = fnma(work.s8_115, work.s2_192, work.s8_69*work.s2_193);
-  const double s8_1149 = fnma(work.s8_94, work.s6_137, fma(work.s8_41, work.s2_194, s8_1148));
-  const double s8_1150 = work.s6_138 + fma(work.s8_64, work.s6_136, s8_1149);
-  const double s8_1151 = fnma(work.s8_77, work.s2_192, work.s8_57*work.s6_137);
-  const double s8_1152 = fma(work.s2_163, work.zdd_star_carrier_left_ry, s8_1150);
-  const double s8_1153 = fnma(work.s2_160, work.zdd_star_carrier_left_rx, s8_1152);
-  const double s8_1154 = 1.1666666666666667*s8_1153;
-  const double s8_1155 = fnma(work.s8_69, work.s2_194, fnma(work.s8_42, work.s2_193, s8_1151));
-  const double s8_1156 = fma(work.s2_194, s8_1147, fnma(work.s2_249, work.s8_767, s8_1023));
-  work.s8_1157 = fnma(work.s2_192, s8_1154, s8_1156);
-  const double s8_1158 = fnma(work.s8_64, work.s6_131, s8_1155) - work.s6_133;
-  const double s8_1159 = fma(work.s2_160, work.zdd_star_carrier_left_rz, s8_1158);
-  const double s8_1160 = fnma(work.s2_167, work.zdd_star_carrier_left_ry, s8_1159);
-  const double s8_1161 = 1.1666666666666667*s8_1160;
-  const double s8_1162 = fnma(work.s2_193, s8_1154, fnma(work.s2_253, work.s8_762, s8_1014));
-  work.s8_1163 = fnma(work.s2_194, s8_1161, s8_1162);
-  const double s8_1164 = fma(work.s2_193, s8_1147, fma(work.s2_253, work.s8_767, s8_1057));
-  work.s8_1165 = fma(work.s2_192, s8_1161, s8_1164);
-  const double s8_1166 = fnma(work.s2_160, work.s3_21, work.s2_163*work.s3_19);
-  const double s8_1167 = fma(work.s2_167, work.s3_22, work.s2_163*work.Rz_carrier_left_rz_2);
-  const double s8_1168 = fnma(s8_911, s8_1147, fnma(work.s8_716, work.s8_711, s8_827));
-  work.s8_1169 = fma(s8_914, s8_1161, fnma(s8_1166, s8_1154, s8_1168));
-  const double s8_1170 = fnma(s8_1167, s8_1147, fnma(work.s8_766, work.s8_767, s8_813));
-  work.s8_1171 = fma(work.s8_545, s8_1161, fnma(work.s8_546, s8_1154, s8_1170));
-  const double s8_1172 = fnma(0.3333333333333333, fma(work.s8_702, work.s8_704, s8_833), s8_917);
-  const double s8_1173 = fma(s8_914, work.s8_545, fma(s8_1166, work.s8_546, s8_1167*s8_911));
-  work.s8_1174 = fnma(1.1666666666666667, s8_1173, s8_1172);
-  const double s8_1175 = fnma(0.3333333333333333, fma(work.s8_704, work.s8_704, s8_852), s8_864);
-  const double s8_1176 = fma(s8_914, s8_914, fma(s8_911, s8_911, s8_1166*s8_1166));
-  work.s8_1177 = fnma(1.1666666666666667, s8_1176, s8_1175);
-  const double s8_1178 = 1.1666666666666667*work.s2_194;
-  const double s8_1179 = fnma(s8_1129, work.s8_551, fnma(work.s8_766, s8_1131, s8_1132));
-  const double s8_1180 = fnma(s8_845, work.s8_704, fnma(s8_850, work.s8_716, s8_862));
-  work.s8_1181 = fnma(work.s2_194, s8_1178, fnma(work.s2_249, s8_1131, s8_1134));
-  work.s8_1182 = fnma(work.s2_192, s8_1178, fnma(work.s2_251, s8_1131, s8_1135));
-  work.s8_1183 = fma(work.s2_193, s8_1178, fnma(work.s2_253, s8_1131, s8_1136));
-  const double s8_1184 = 1.1666666666666667*work.s2_193;
-  const double s8_1185 = fma(work.s2_248, s8_1129, fma(work.s8_766, s8_1125, s8_1126));
-  const double s8_1186 = fma(s8_1125, work.s8_551, fnma(work.s2_248, s8_1131, s8_1133));
-  const double s8_1187 = fma(s8_853, work.s8_716, fma(s8_845, work.s8_712, s8_846));
-  const double s8_1188 = fma(s8_853, work.s8_704, fnma(s8_850, work.s8_712, s8_851));
-  work.s8_1189 = fnma(work.s2_193, s8_1184, fnma(work.s2_253, s8_1125, s8_1127));
-  work.s8_1190 = fma(work.s2_192, s8_1184, fnma(work.s2_251, s8_1125, s8_1128));
-  work.s8_1191 = fma(s8_1178, work.s8_545, fnma(s8_1184, work.s8_546, s8_1186));
-  work.s8_1192 = fma(s8_1178, s8_914, fnma(s8_1166, s8_1184, s8_1188));
-  const double s8_1193 = fma(work.s8_546, work.s8_546, s8_1167*s8_1167);
-  work.s8_1194 = fma(work.s8_548, work.s8_548, fma(work.s8_545, work.s8_545, s8_1193));
-  const double s8_1195 = 1.1666666666666667*work.s2_192;
-  work.s8_1196 = fnma(work.s8_546, s8_1195, fma(s8_1167, s8_1178, s8_1179));
-  work.s8_1197 = fnma(s8_1195, work.s8_545, fma(s8_1167, s8_1184, s8_1185));
-  work.s8_1198 = fnma(s8_914, s8_1195, fma(s8_1184, s8_911, s8_1187));
-  work.s8_1199 = fnma(s8_1166, s8_1195, fma(s8_1178, s8_911, s8_1180));
-  work.s8_1200 = fnma(work.s2_192, s8_1195, fnma(work.s2_251, s8_1129, s8_1130));
+  work.s8_1059 = s7_230 - work.n_carrier_right_x;
+  const double s8_1060 = fnma(s7_230, work.s3_28, tau[Coordinate::lower_arm_right]);
+  const double s8_1061 = fnma(work.s8_811, work.s7_112, s8_1060);
+  const double s8_1062 = fnma(work.s1_79, work.f_carrier_right_y, s8_1061);
+  const double s8_1063 = fnma(work.s1_77, work.f_carrier_right_z, s8_1062);
+  const double s8_1064 = fnma(work.s8_731, work.n_carrier_right_x, s8_1063);
+  const double s8_1065 = fma(-p_lower_arm_right_y, work.s8_42, s8_820);
+  const double s8_1066 = fnma(-p_pitman_arm_z, work.s8_77, s8_817);
+  const double s8_1067 = fnma(work.s7_216, s8_1066, fnma(work.s7_218, s8_1065, s8_1064));
+  const double s8_1068 = fma(work.s8_739, work.s8_728, fnma(work.s8_733, work.s8_721, s8_1067));
+  work.s8_1069 = fnma(work.s8_749, work.s8_746, s8_1068);
+  const double s8_1070 = work.Rz_carrier_right_rx_1*work.s7_116;
+  const double s8_1071 = fnma(work.Rz_carrier_right_ry_1, work.s7_154, s8_1070);
+  const double s8_1072 = m_carrier_right_2*work.s1_79;
+  const double s8_1073 = fma(work.Rz_carrier_right_ry_1, work.s7_146, s8_1072);
+  const double s8_1074 = fnma(work.s7_116, work.s8_731, s8_1073);
+  const double s8_1075 = m_carrier_right_2*work.s1_77;
+  const double s8_1076 = fnma(work.Rz_carrier_right_rx_1, work.s7_146, s8_1075);
+  const double s8_1077 = fma(work.s7_154, work.s8_731, s8_1076);
+  const double s8_1078 = fma(work.s8_752, work.s8_749, work.s8_730*work.s8_733);
+  const double s8_1079 = fma(work.s8_736, work.s8_739, s8_1078);
+  work.s8_1080 = fnma(0.3333333333333333, s8_1079, fma(work.s8_731, s8_888, s8_904));
+  const double s8_1081 = work.Rz_arb_front_right_1*work.s7_188;
+  const double s8_1082 = work.Rz_arb_front_right_1*work.s7_190;
+  const double s8_1083 = fma(-p_arb_front_right_y, s8_1081, s8_1082);
+  const double s8_1084 = 0.3333333333333333*work.s2_240;
+  const double s8_1085 = fnma(s8_842, work.s8_699, fnma(s8_847, work.s8_715, work.s8_801));
+  const double s8_1086 = fma(s8_850, work.s8_699, fnma(s8_847, work.s8_710, work.s8_797));
+  const double s8_1087 = work.s8_790 + fnma(work.r_carrier_right_aux1_y, s8_1071, s8_1083);
+  const double s8_1088 = fnma(-p_lower_arm_right_y, work.s7_216, 1.825625);
+  const double s8_1089 = fma(-p_lower_arm_right_z, work.s7_218, s8_1088);
+  const double s8_1090 = fma(work.s8_77, s7_209, tau[Coordinate::arb_front_right]);
+  work.s8_1091 = fnma(work.s8_307, work.s7_165, fma(work.s8_69, work.s7_190, s8_1090));
+  const double s8_1092 = work.Rz_arb_front_right_1*work.s7_225;
+  const double s8_1093 = fnma(work.Rz_arb_front_right_1, s7_209, s8_1089);
+  const double s8_1094 = 0.539*work.s3_26;
+  const double s8_1095 = work.s3_26*work.s7_213;
+  const double s8_1096 = fma(-p_arb_front_right_y, s8_1092, s8_1093) - s8_1094;
+  work.s8_1097 = s8_1074 + (work.s7_218 - s8_1095);
+  const double s8_1098 = work.s3_26*work.s7_211;
+  const double s8_1099 = fnma(-p_upper_arm_right_z, s8_1095, s8_1096);
+  const double s8_1100 = fma(work.s1_80, s8_1074, fma(-p_upper_arm_right_y, s8_1098, s8_1099));
+  const double s8_1101 = 0.3333333333333333*work.s2_241;
+  const double s8_1102 = fma(s8_850, work.s8_715, fma(s8_842, work.s8_710, s8_916));
+  const double s8_1103 = s8_885 + fma(work.r_carrier_right_aux1_y, s8_1077, s8_1100);
+  const double s8_1104 = fma(work.s8_749, work.s8_749, work.s8_733*work.s8_733);
+  const double s8_1105 = 0.3333333333333333*work.s2_242;
+  work.s8_1106 = fnma(s8_1105, work.s8_739, fma(s8_1084, work.s8_733, s8_1087));
+  work.s8_1107 = fnma(s8_1105, work.s8_749, fnma(s8_1101, work.s8_733, s8_1103));
+  work.s8_1108 = s8_1081 + s8_1071;
+  work.s8_1109 = s8_1077 + (work.s7_216 - s8_1092 - s8_1098);
+  work.s8_1110 = s8_1098 - work.s7_216 - s8_1077;
+  const double s8_1111 = 0.3477*work.Rz_arb_front_right_1;
+  const double s8_1112 = fnma(-p_arb_front_right_z, s8_1081, p_arb_front_right_x*s8_1092);
+  const double s8_1113 = fma(work.Rz_arb_front_right_1, s8_1111, 1.825625);
+  const double s8_1114 = work.s8_787 + fnma(work.s1_80, s8_1071, s8_1111 + s8_1112);
+  const double s8_1115 = fma(work.s1_79, s8_1074, fma(work.s3_26, s8_1094, s8_1113));
+  work.s8_1116 = fnma(s8_1101, work.s8_739, fnma(s8_1084, work.s8_749, s8_1114));
+  const double s8_1117 = fma(work.s2_184, work.Rz_carrier_right_ry_1, work.s1_79);
+  work.s8_1118 = fnma(work.s2_177, work.s8_731, s8_1117);
+  const double s8_1119 = fma(work.s1_77, s8_1077, s8_1115);
+  const double s8_1120 = fnma(work.s2_184, work.Rz_carrier_right_rx_1, work.s1_77);
+  work.s8_1121 = fma(work.s2_180, work.s8_731, s8_1120);
+  const double s8_1122 = fma(work.Rz_carrier_right_rx_1, work.s8_787, s8_1119);
+  const double s8_1123 = fma(work.Rz_carrier_right_ry_1, work.s8_790, s8_1122);
+  const double s8_1124 = fma(work.s8_739, work.s8_739, s8_1104);
+  work.s8_1125 = fnma(0.3333333333333333, s8_1124, fma(work.s8_731, s8_885, s8_1123));
+  const double s8_1126 = 1.5*work.s2_253;
+  const double s8_1127 = fnma(s8_1105, work.s8_752, fnma(s8_1101, work.s8_730, s8_1102));
+  const double s8_1128 = fnma(work.s2_242, s8_1105, fnma(work.s2_213, s8_850, s8_869));
+  work.s8_1129 = fnma(work.s2_253, s8_1126, s8_1128);
+  const double s8_1130 = fma(work.s2_241, s8_1105, fnma(work.s2_212, s8_850, s8_925));
+  work.s8_1131 = fnma(work.s2_251, s8_1126, s8_1130);
+  const double s8_1132 = 1.5*work.s2_251;
+  work.s8_1133 = fma(work.s2_248, s8_1132, fma(work.s8_762, s8_1126, s8_1127));
+  const double s8_1134 = fnma(work.s2_241, s8_1101, fnma(work.s2_212, s8_842, s8_928));
+  work.s8_1135 = fnma(work.s2_251, s8_1132, s8_1134);
+  const double s8_1136 = 1.5*work.s2_249;
+  const double s8_1137 = fnma(s8_1101, work.s8_736, fnma(s8_1084, work.s8_752, s8_1085));
+  const double s8_1138 = fnma(s8_1105, work.s8_736, fma(s8_1084, work.s8_730, s8_1086));
+  const double s8_1139 = fnma(work.s2_240, s8_1084, fnma(work.s2_210, s8_847, work.s8_555));
+  const double s8_1140 = fnma(work.s2_241, s8_1084, fnma(work.s2_212, s8_847, s8_942));
+  const double s8_1141 = fma(work.s2_242, s8_1084, fnma(work.s2_213, s8_847, s8_943));
+  work.s8_1142 = fma(s8_1126, work.s8_551, fnma(work.s2_248, s8_1136, s8_1138));
+  const double s8_1143 = fma(work.s8_762, work.s8_762, work.s2_248*work.s2_248);
+  const double s8_1144 = fma(work.Rz_carrier_left_rz_2, work.s8_681, s8_914);
+  const double s8_1145 = fma(work.s8_736, work.s8_736, fma(work.s8_752, work.s8_752, s8_920));
+  const double s8_1146 = fnma(1.5, fma(work.s8_551, work.s8_551, s8_1143), s8_1144);
+  work.s8_1147 = fnma(0.3333333333333333, s8_1145, s8_1146);
+  const double s8_1148 = fma(work.s8_77, work.s2_193, work.s8_40*work.s2_192);
+  const double s8_1149 = fma(work.s8_94, work.s6_131, fnma(work.s8_115, work.s2_194, s8_1148));
+  const double s8_1150 = fnma(work.s8_57, work.s6_136, s8_1149) - work.s6_129;
+  const double s8_1151 = fnma(work.s2_163, work.zdd_star_carrier_left_rz, s8_1150);
+  const double s8_1152 = fma(work.s2_167, work.zdd_star_carrier_left_rx, s8_1151);
+  const double s8_1153 = 1.1666666666666667*s8_1152;
+  const double s8_1154 = fnma(work.s8_115, work.s2_192, work.s8_69*work.s2_193);
+  const double s8_1155 = fnma(work.s8_94, work.s6_137, fma(work.s8_41, work.s2_194, s8_1154));
+  const double s8_1156 = work.s6_138 + fma(work.s8_64, work.s6_136, s8_1155);
+  const double s8_1157 = fnma(work.s8_77, work.s2_192, work.s8_57*work.s6_137);
+  const double s8_1158 = fma(work.s2_163, work.zdd_star_carrier_left_ry, s8_1156);
+  const double s8_1159 = fnma(work.s2_160, work.zdd_star_carrier_left_rx, s8_1158);
+  const double s8_1160 = 1.1666666666666667*s8_1159;
+  const double s8_1161 = fnma(work.s8_69, work.s2_194, fnma(work.s8_42, work.s2_193, s8_1157));
+  const double s8_1162 = fma(work.s2_194, s8_1153, fnma(work.s2_249, work.s8_763, s8_1024));
+  work.s8_1163 = fnma(work.s2_192, s8_1160, s8_1162);
+  const double s8_1164 = fnma(work.s8_64, work.s6_131, s8_1161) - work.s6_133;
+  const double s8_1165 = fma(work.s2_160, work.zdd_star_carrier_left_rz, s8_1164);
+  const double s8_1166 = fnma(work.s2_167, work.zdd_star_carrier_left_ry, s8_1165);
+  const double s8_1167 = 1.1666666666666667*s8_1166;
+  const double s8_1168 = fnma(work.s2_193, s8_1160, fnma(work.s2_253, work.s8_759, s8_1015));
+  work.s8_1169 = fnma(work.s2_194, s8_1167, s8_1168);
+  const double s8_1170 = fma(work.s2_193, s8_1153, fma(work.s2_253, work.s8_763, s8_1058));
+  work.s8_1171 = fma(work.s2_192, s8_1167, s8_1170);
+  work.s8_1172 = fnma(work.s2_160, work.s3_21, work.s2_163*work.s3_19);
+  work.s8_1173 = fma(work.s2_167, work.s3_22, work.s2_163*work.Rz_carrier_left_rz_2);
+  const double s8_1174 = fnma(work.s8_912, s8_1153, fnma(work.s8_713, work.s8_708, s8_824));
+  work.s8_1175 = fma(work.s8_915, s8_1167, fnma(work.s8_1172, s8_1160, s8_1174));
+  const double s8_1176 = fnma(work.s8_1173, s8_1153, fnma(work.s8_762, work.s8_763, s8_810));
+  work.s8_1177 = fma(work.s8_545, s8_1167, fnma(work.s8_546, s8_1160, s8_1176));
+  const double s8_1178 = fma(work.s8_1172, work.s8_546, work.s8_1173*work.s8_912);
+  const double s8_1179 = fnma(0.3333333333333333, fma(work.s8_699, work.s8_701, s8_830), s8_918);
+  const double s8_1180 = fma(work.s8_915, work.s8_545, s8_1178);
+  work.s8_1181 = fnma(1.1666666666666667, s8_1180, s8_1179);
+  const double s8_1182 = fma(work.s8_912, work.s8_912, work.s8_1172*work.s8_1172);
+  const double s8_1183 = fnma(0.3333333333333333, fma(work.s8_701, work.s8_701, s8_849), s8_863);
+  const double s8_1184 = fma(work.s8_915, work.s8_915, s8_1182);
+  work.s8_1185 = fnma(1.1666666666666667, s8_1184, s8_1183);
+  work.s8_1186 = 1.1666666666666667*work.s2_194;
+  const double s8_1187 = fnma(s8_1132, work.s8_551, fnma(work.s8_762, s8_1136, s8_1137));
+  work.s8_1188 = fma(work.s8_1173, work.s8_1186, s8_1187);
+  const double s8_1189 = fnma(s8_842, work.s8_701, fnma(s8_847, work.s8_713, s8_861));
+  work.s8_1190 = fma(work.s8_1186, work.s8_912, s8_1189);
+  work.s8_1191 = fnma(work.s2_194, work.s8_1186, fnma(work.s2_249, s8_1136, s8_1139));
+  work.s8_1192 = fnma(work.s2_192, work.s8_1186, fnma(work.s2_251, s8_1136, s8_1140));
+  work.s8_1193 = fma(work.s2_193, work.s8_1186, fnma(work.s2_253, s8_1136, s8_1141));
 }
 
 /// Part 7 of compute_accelerations: step 8: elimination from the leaves to the root (63),
@@ -3056,377 +3059,404 @@ struct AccelerationsWork {
     AccelerationsWork& __restrict work, Accelerations& __restrict result) noexcept {
   // --- step 8: elimination from the leaves to the root (63), upper_ball_left .. tie_rod_right,
   // continued ---
-  const double s8_1201 = work.s2_180*work.Rz_carrier_right_rz_2;
-  const double s8_1202 = fnma(work.s2_184, work.Rz_carrier_right_rx_2, s8_1201);
+  const double s8_1194 = 1.1666666666666667*work.s2_193;
+  const double s8_1195 = fma(work.s8_546, work.s8_546, work.s8_1173*work.s8_1173);
+  const double s8_1196 = 1.1666666666666667*work.s2_192;
+  const double s8_1197 = work.s2_180*work.Rz_carrier_right_rz_2;
+  const double s8_1198 = fnma(work.s2_184, work.Rz_carrier_right_rx_2, s8_1197);
+  const double s8_1199 = fma(work.s8_548, work.s8_548, fma(work.s8_545, work.s8_545, s8_1195));
   // tie_rod_right
-  const double s8_1203 = fma(work.s8_550, work.s8_550, fma(s8_1202, s8_1202, work.s8_1194));
-  const double pivot_bell_crank = fnma(1.1666666666666667, s8_1203, work.s8_1141);
-  const double s8_1204 = work.Rz_arb_front_right_2*work.s7_194;
-  const double s8_1205 = fms(work.s3_27, work.s7_182, work.s8_878);
-  const double s8_1206 = fms(work.s3_27, work.s7_182, work.s8_778);
-  const double s8_1207 = fnma(work.s3_27, work.s7_182, work.s8_878 - work.s8_778 - s8_1204);
-  const double s8_1208 = fnma(work.Rz_arb_front_left_2, work.s7_123, s8_1207);
-  work.s8_1209 = work.s8_868 + fma(work.Rz_upper_arm_left_2, work.s7_107, s8_1208);
-  const double s8_1210 = 1.1666666666666667*work.s2_226;
-  const double s8_1211 = 1.1666666666666667*work.s2_224;
-  const double s8_1212 = fnma(work.Rz_upper_arm_left_2, work.s7_107, s8_1205) - work.s8_868;
-  const double s8_1213 = fma(work.s8_550, s8_1211, fnma(s8_1202, s8_1210, work.s8_1196));
-  const double s8_1214 = fma(work.Rz_arb_front_left_2, work.s7_119, work.s8_771);
-  const double s8_1215 = fma(p_lower_arm_left_x, s8_1212, s8_1213);
-  const double s8_1216 = fma(work.Rz_arb_front_left_2, work.s7_123, s8_1204);
-  const double s8_1217 = fnma(-p_rear_axle_tx_z, s8_1214, s8_1215);
-  work.s8_1218 = fma(p_arb_front_left_x, s8_1216, s8_1217);
-  const double s8_1219 = 1.1666666666666667*work.s2_225;
-  const double s8_1220 = fnma(work.s8_548, s8_1211, fnma(s8_1202, s8_1219, work.s8_1197));
-  const double s8_1221 = fma(work.Rz_upper_arm_left_2, work.s7_107, s8_1206);
-  const double s8_1222 = work.s3_27*work.s7_184;
-  const double s8_1223 = fma(work.Rz_upper_arm_left_2, work.s7_109, s8_1222);
-  const double s8_1224 = fma(-p_rear_axle_tx_z, s8_1221, s8_1220);
-  const double s8_1225 = fnma(work.Rz_arb_front_left_2, work.s7_123, s8_1204);
-  const double s8_1226 = fnma(-p_upper_arm_right_z, s8_1223, s8_1224);
-  work.s8_1227 = fma(-p_arb_front_right_y, s8_1225, s8_1226);
-  const double s8_1228 = work.s8_880 - work.s7_212 - s8_1222;
-  work.s8_1229 = fnma(work.Rz_upper_arm_left_2, work.s7_109, s8_1228) - work.s8_888;
-  const double s8_1230 = fnma(work.Rz_upper_arm_left_2, work.s7_109, work.s8_880 - s8_1222);
-  const double s8_1231 = fnma(work.s8_550, s8_1219, fnma(work.s8_548, s8_1210, work.s8_1191));
-  const double s8_1232 = fnma(work.Rz_arb_front_left_2, work.s7_119, work.s8_771);
-  const double s8_1233 = fma(p_lower_arm_left_x, s8_1230 - work.s8_888, s8_1231);
-  work.s8_1234 = fma(-p_arb_front_right_y, s8_1232, s8_1233);
-  const double s8_1235 = fma(work.s8_69, work.s2_225, work.s8_115*work.s2_224);
-  const double s8_1236 = fma(work.s8_94, work.s6_148, fma(work.s8_41, work.s2_226, s8_1235));
-  const double s8_1237 = fma(work.s8_64, work.s6_151, work.s6_149 + s8_1236);
-  const double s8_1238 = fnma(work.s2_180, work.zdd_star_carrier_right_ry, s8_1237);
-  const double s8_1239 = fma(work.s2_177, work.zdd_star_carrier_right_rx, s8_1238);
-  const double s8_1240 = 1.1666666666666667*s8_1239;
-  const double s8_1241 = fnma(work.s8_77, work.s2_224, work.s8_42*work.s2_225);
-  const double s8_1242 = fma(work.s8_57, work.s6_148, fma(work.s8_69, work.s2_226, s8_1241));
-  const double s8_1243 = fma(work.s8_64, work.s6_144, work.s6_146 + s8_1242);
-  const double s8_1244 = fma(work.s2_177, work.zdd_star_carrier_right_rz, s8_1243);
-  const double s8_1245 = work.s2_177*work.Rz_carrier_right_rx_1;
-  const double s8_1246 = fnma(work.s2_180, work.Rz_carrier_right_ry_1, s8_1245);
-  const double s8_1247 = fnma(work.s2_184, work.zdd_star_carrier_right_ry, s8_1244);
-  const double s8_1248 = 1.1666666666666667*s8_1247;
-  const double s8_1249 = fnma(work.s8_77, work.s2_225, work.s8_40*work.s2_224);
-  const double s8_1250 = fma(work.s8_115, work.s2_226, s8_1249) - work.s6_142;
+  const double s8_1200 = fma(work.s8_550, work.s8_550, fma(s8_1198, s8_1198, s8_1199));
+  const double pivot_bell_crank = fnma(1.1666666666666667, s8_1200, work.s8_1147);
+  const double s8_1201 = work.Rz_arb_front_right_2*work.s7_225;
+  const double s8_1202 = fms(work.s3_27, work.s7_211, work.s8_879);
+  const double s8_1203 = fms(work.s3_27, work.s7_211, work.s8_774);
+  const double s8_1204 = fnma(work.s3_27, work.s7_211, work.s8_879 - work.s8_774 - s8_1201);
+  const double s8_1205 = fnma(work.Rz_arb_front_left_2, work.s7_207, s8_1204);
+  work.s8_1206 = work.s8_867 + fma(work.Rz_upper_arm_left_2, work.s7_180, s8_1205);
+  const double s8_1207 = 1.1666666666666667*work.s2_226;
+  const double s8_1208 = fma(work.s8_1186, work.s8_545, fnma(s8_1194, work.s8_546, work.s8_1142));
+  const double s8_1209 = 1.1666666666666667*work.s2_224;
+  const double s8_1210 = fnma(s8_1198, s8_1207, fnma(work.s8_546, s8_1196, work.s8_1188));
+  const double s8_1211 = fnma(work.Rz_upper_arm_left_2, work.s7_180, s8_1202) - work.s8_867;
+  const double s8_1212 = fma(p_lower_arm_left_x, s8_1211, fma(work.s8_550, s8_1209, s8_1210));
+  const double s8_1213 = fma(work.Rz_arb_front_left_2, work.s7_196, work.s8_768);
+  const double s8_1214 = fma(work.Rz_arb_front_left_2, work.s7_207, s8_1201);
+  const double s8_1215 = fnma(-p_rear_axle_tx_z, s8_1213, s8_1212);
+  work.s8_1216 = fma(p_arb_front_left_x, s8_1214, s8_1215);
+  const double s8_1217 = 1.1666666666666667*work.s2_225;
+  const double s8_1218 = fnma(s8_1196, work.s8_545, fma(work.s8_1173, s8_1194, work.s8_1133));
+  const double s8_1219 = fnma(work.s8_548, s8_1209, fnma(s8_1198, s8_1217, s8_1218));
+  const double s8_1220 = fma(work.Rz_upper_arm_left_2, work.s7_180, s8_1203);
+  const double s8_1221 = work.s3_27*work.s7_213;
+  const double s8_1222 = fma(work.Rz_upper_arm_left_2, work.s7_182, s8_1221);
+  const double s8_1223 = fma(-p_rear_axle_tx_z, s8_1220, s8_1219);
+  const double s8_1224 = fnma(work.Rz_arb_front_left_2, work.s7_207, s8_1201);
+  const double s8_1225 = fnma(-p_upper_arm_right_z, s8_1222, s8_1223);
+  work.s8_1226 = fma(-p_arb_front_right_y, s8_1224, s8_1225);
+  const double s8_1227 = work.s8_881 - work.s7_192 - s8_1221;
+  work.s8_1228 = fnma(work.Rz_upper_arm_left_2, work.s7_182, s8_1227) - work.s8_889;
+  const double s8_1229 = fnma(work.Rz_upper_arm_left_2, work.s7_182, work.s8_881 - s8_1221);
+  const double s8_1230 = fnma(work.s8_550, s8_1217, fnma(work.s8_548, s8_1207, s8_1208));
+  const double s8_1231 = fnma(work.Rz_arb_front_left_2, work.s7_196, work.s8_768);
+  const double s8_1232 = fma(p_lower_arm_left_x, s8_1229 - work.s8_889, s8_1230);
+  work.s8_1233 = fma(-p_arb_front_right_y, s8_1231, s8_1232);
+  const double s8_1234 = fma(work.s8_69, work.s2_225, work.s8_115*work.s2_224);
+  const double s8_1235 = fma(work.s8_94, work.s6_148, fma(work.s8_41, work.s2_226, s8_1234));
+  const double s8_1236 = fma(work.s8_64, work.s6_151, work.s6_149 + s8_1235);
+  const double s8_1237 = fnma(work.s2_180, work.zdd_star_carrier_right_ry, s8_1236);
+  const double s8_1238 = fma(work.s2_177, work.zdd_star_carrier_right_rx, s8_1237);
+  const double s8_1239 = 1.1666666666666667*s8_1238;
+  const double s8_1240 = fnma(work.s8_77, work.s2_224, work.s8_42*work.s2_225);
+  const double s8_1241 = fma(work.s8_57, work.s6_148, fma(work.s8_69, work.s2_226, s8_1240));
+  const double s8_1242 = fma(work.s8_64, work.s6_144, work.s6_146 + s8_1241);
+  const double s8_1243 = fma(work.s2_177, work.zdd_star_carrier_right_rz, s8_1242);
+  const double s8_1244 = work.s2_177*work.Rz_carrier_right_rx_1;
+  const double s8_1245 = fnma(work.s2_180, work.Rz_carrier_right_ry_1, s8_1244);
+  const double s8_1246 = fnma(work.s2_184, work.zdd_star_carrier_right_ry, s8_1243);
+  const double s8_1247 = 1.1666666666666667*s8_1246;
+  const double s8_1248 = fnma(work.s8_77, work.s2_225, work.s8_40*work.s2_224);
+  const double s8_1249 = fma(work.s8_115, work.s2_226, s8_1248) - work.s6_142;
   const double zd_upper_arm_right = state.zd[Coordinate::upper_arm_right];
-  const double s8_1251 = fma(work.s8_57, work.s6_151, fnma(work.s8_94, work.s6_144, s8_1250));
-  const double s8_1252 = zd_upper_arm_right*(zd_upper_arm_right + work.s8_57);
-  const double s8_1253 = fnma(work.s2_180, work.zdd_star_carrier_right_rz, s8_1251);
-  const double s8_1254 = fma(work.s2_184, work.zdd_star_carrier_right_rx, s8_1253);
-  const double s8_1255 = 1.1666666666666667*s8_1254;
-  const double s8_1256 = fnma(s8_1202, s8_1255, fma(work.s8_548, s8_1248, work.s8_1171));
-  const double s8_1257 = fnma(work.s8_1120, s8_1255, fnma(work.s8_1117, s8_1248, work.s8_1068));
-  const double s8_1258 = fnma(work.s8_550, s8_1246, s8_1202*work.s8_1120);
-  const double s8_1259 = fnma(work.s8_548, work.s8_1117, s8_1258);
-  work.s8_1260 = fnma(1.1666666666666667, s8_1259, work.s8_1079);
-  const double s8_1261 = fma(work.s8_1117, work.s8_1117, s8_1246*s8_1246);
-  const double s8_1262 = fma(work.s8_1120, work.s8_1120, s8_1261);
-  const double s8_1263 = fnma(1.1666666666666667, s8_1262, work.s8_1124);
-  const double s8_1264 = fnma(p_pitman_arm_y, work.s8_42, work.s8_824);
-  const double s8_1265 = fma(p_pitman_arm_y, work.s8_42, work.s8_824);
-  const double s8_1266 = fma(-p_rear_axle_tx_z, work.s8_77, work.s8_821);
-  const double s8_1267 = fnma(-p_rear_axle_tx_z, work.s8_77, work.s8_821);
-  const double s8_1268 = fnma(work.s7_107, s8_1266, fma(work.s7_109, s8_1264, work.s8_1001));
-  const double s8_1269 = fnma(work.s8_77, work.s8_1017, s8_1268);
-  const double s8_1270 = fma(work.s7_182, s8_1267, fma(work.s7_184, s8_1265, work.s8_983));
-  const double s8_1271 = fma(work.s8_77, work.s8_1022, s8_1270);
-  const double s8_1272 = fma(work.s8_69, work.s8_1024, fnma(work.s8_550, s8_1240, s8_1256));
-  const double s8_1273 = fma(work.Rz_upper_arm_left_2, s8_1269, s8_1272);
-  const double s8_1274 = fma(work.Rz_upper_arm_left_0, s8_1269, work.s8_1169);
-  const double s8_1275 = fma(work.Rz_carrier_left_rz_2, work.s8_815, s8_1273);
-  const double s8_1276 = tau[Coordinate::carrier_left_rz]*work.s1_38;
-  const double s8_1277 = fnma(work.R_carrier_left_aux1_y_x, tau[Coordinate::carrier_left_rx],
-      s8_1276);
-  const double s8_1278 = fnma(tau[Coordinate::carrier_left_ry], work.s1_35, s8_1277);
-  const double s8_1279 = work.n_carrier_left_y + s8_1278;
-  const double s8_1280 = fma(p_arb_front_right_x, work.s8_41, -p_rear_axle_tx_z*work.s8_115);
-  const double s8_1281 = fms(-p_arb_front_right_y, work.s8_69, s8_1280);
-  const double s8_1282 = fma(-p_arb_front_right_y, work.s8_69, s8_1280);
-  const double s8_1283 = fma(-p_rear_axle_tx_z, work.s8_40, p_arb_front_right_x*work.s8_115);
-  const double s8_1284 = fma(-p_arb_front_right_y, work.s8_77, s8_1283);
-  const double s8_1285 = fnma(-p_arb_front_right_y, work.s8_77, s8_1283);
-  const double s8_1286 = fma(work.s7_123, s8_1284, fnma(work.s7_119, s8_1281, work.s8_1041));
-  const double s8_1287 = fma(work.s7_194, s8_1285, fma(work.s7_192, s8_1282, work.s8_1090));
-  const double s8_1288 = fnma(0.3477, work.zdd_star_arb_front_left, s8_1286);
-  const double s8_1289 = fnma(work.s8_115, work.s8_1044, s8_1288);
-  const double s8_1290 = fnma(0.3477, work.zdd_star_arb_front_right, s8_1287);
-  const double s8_1291 = fnma(work.s8_115, work.s8_1033, s8_1290);
-  const double s8_1292 = fma(work.s3_22, s8_1279, fma(work.s3_20, work.s8_1005, s8_1275));
-  const double s8_1293 = fma(work.s3_21, s8_1279, fma(work.s3_19, work.s8_1005, s8_1274));
-  const double s8_1294 = fma(work.Rz_arb_front_left_2, s8_1289, s8_1292);
-  const double s8_1295 = fma(work.s3_27, s8_1271, s8_1294);
+  const double s8_1250 = fma(work.s8_57, work.s6_151, fnma(work.s8_94, work.s6_144, s8_1249));
+  const double s8_1251 = zd_upper_arm_right*(zd_upper_arm_right + work.s8_57);
+  const double s8_1252 = fnma(work.s2_180, work.zdd_star_carrier_right_rz, s8_1250);
+  const double s8_1253 = fma(work.s2_184, work.zdd_star_carrier_right_rx, s8_1252);
+  const double s8_1254 = 1.1666666666666667*s8_1253;
+  const double s8_1255 = fnma(s8_1198, s8_1254, fma(work.s8_548, s8_1247, work.s8_1177));
+  const double s8_1256 = fnma(work.s8_1121, s8_1254, fnma(work.s8_1118, s8_1247, work.s8_1069));
+  const double s8_1257 = fnma(work.s8_550, s8_1245, s8_1198*work.s8_1121);
+  const double s8_1258 = fnma(work.s8_548, work.s8_1118, s8_1257);
+  work.s8_1259 = fnma(1.1666666666666667, s8_1258, work.s8_1080);
+  const double s8_1260 = fma(work.s8_1118, work.s8_1118, s8_1245*s8_1245);
+  const double s8_1261 = fma(work.s8_1121, work.s8_1121, s8_1260);
+  const double s8_1262 = fnma(1.1666666666666667, s8_1261, work.s8_1125);
+  const double s8_1263 = fnma(p_pitman_arm_y, work.s8_42, work.s8_821);
+  const double s8_1264 = fma(p_pitman_arm_y, work.s8_42, work.s8_821);
+  const double s8_1265 = fma(-p_rear_axle_tx_z, work.s8_77, work.s8_818);
+  const double s8_1266 = fnma(-p_rear_axle_tx_z, work.s8_77, work.s8_818);
+  const double s8_1267 = fnma(work.s7_180, s8_1265, fma(work.s7_182, s8_1263, work.s8_1002));
+  const double s8_1268 = fnma(work.s8_77, work.s8_1018, s8_1267);
+  const double s8_1269 = fma(work.s7_211, s8_1266, fma(work.s7_213, s8_1264, work.s8_984));
+  const double s8_1270 = fma(work.s8_77, work.s8_1023, s8_1269);
+  const double s8_1271 = fma(work.s8_69, work.s8_1025, fnma(work.s8_550, s8_1239, s8_1255));
+  const double s8_1272 = fma(work.Rz_upper_arm_left_2, s8_1268, s8_1271);
+  const double s8_1273 = fma(work.Rz_upper_arm_left_0, s8_1268, work.s8_1175);
+  const double s8_1274 = fma(work.Rz_carrier_left_rz_2, work.s8_812, s8_1272);
+  const double s8_1275 = tau[Coordinate::carrier_left_rz]*work.s1_32;
+  const double s8_1276 = fnma(work.R_carrier_left_aux1_y_x, tau[Coordinate::carrier_left_rx],
+      s8_1275);
+  const double s8_1277 = fnma(tau[Coordinate::carrier_left_ry], work.s1_29, s8_1276);
+  const double s8_1278 = work.n_carrier_left_y + s8_1277;
+  const double s8_1279 = fma(p_arb_front_right_x, work.s8_41, -p_rear_axle_tx_z*work.s8_115);
+  const double s8_1280 = fms(-p_arb_front_right_y, work.s8_69, s8_1279);
+  const double s8_1281 = fma(-p_arb_front_right_y, work.s8_69, s8_1279);
+  const double s8_1282 = fma(-p_rear_axle_tx_z, work.s8_40, p_arb_front_right_x*work.s8_115);
+  const double s8_1283 = fma(-p_arb_front_right_y, work.s8_77, s8_1282);
+  const double s8_1284 = fnma(-p_arb_front_right_y, work.s8_77, s8_1282);
+  const double s8_1285 = fma(work.s7_207, s8_1283, fnma(work.s7_196, s8_1280, work.s8_1042));
+  const double s8_1286 = fma(work.s7_225, s8_1284, fma(work.s7_188, s8_1281, work.s8_1091));
+  const double s8_1287 = fnma(0.3477, work.zdd_star_arb_front_left, s8_1285);
+  const double s8_1288 = fnma(work.s8_115, work.s8_1045, s8_1287);
+  const double s8_1289 = fnma(0.3477, work.zdd_star_arb_front_right, s8_1286);
+  const double s8_1290 = fnma(work.s8_115, work.s8_1034, s8_1289);
+  const double s8_1291 = fma(work.s3_22, s8_1278, fma(work.s3_20, work.s8_1006, s8_1274));
+  const double s8_1292 = fma(work.s3_21, s8_1278, fma(work.s3_19, work.s8_1006, s8_1273));
+  const double s8_1293 = fma(work.Rz_arb_front_left_2, s8_1288, s8_1291);
+  const double s8_1294 = fma(work.s3_27, s8_1270, s8_1293);
   const double tau_carrier_right_rx = tau[Coordinate::carrier_right_rx];
   const double tau_carrier_right_ry = tau[Coordinate::carrier_right_ry];
-  const double s8_1296 = work.R_carrier_right_aux1_z_x*tau_carrier_right_rx;
+  const double s8_1295 = work.R_carrier_right_aux1_z_x*tau_carrier_right_rx;
   const double tau_carrier_right_rz = tau[Coordinate::carrier_right_rz];
-  const double s8_1297 = fma(tau_carrier_right_ry, work.s1_49, s8_1296);
-  const double s8_1298 = fma(tau_carrier_right_rz, work.s1_51, s8_1297) - work.n_carrier_right_z;
-  const double s8_1299 = fma(work.Rz_carrier_right_rz_2, work.s8_1058, s8_1295);
-  const double s8_1300 = fma(work.s3_26, s8_1271, fma(s8_1246, s8_1240, s8_1257));
-  const double s8_1301 = work.R_carrier_right_aux1_y_x*tau_carrier_right_rx;
-  const double s8_1302 = fma(tau_carrier_right_ry, work.s1_50, s8_1301);
-  const double s8_1303 = fnma(tau_carrier_right_rz, work.s1_53, s8_1302) - work.n_carrier_right_y;
-  const double s8_1304 = fma(work.Rz_carrier_right_ry_2, s8_1298, s8_1299);
-  const double s8_1305 = fma(work.Rz_carrier_right_ry_1, s8_1298, s8_1300);
-  const double s8_1306 = fma(work.Rz_carrier_right_rx_2, s8_1303, s8_1304);
-  const double s8_1307 = fma(work.Rz_carrier_right_rx_1, s8_1303, s8_1305);
-  const double s8_1308 = fma(-p_pitman_arm_z, work.s8_40, p_pitman_arm_x*work.s8_115);
-  const double s8_1309 = fma(-p_rear_axle_tx_z, work.s8_77, s8_1308);
-  const double s8_1310 = fnma(-p_pitman_arm_z, work.s8_115, p_pitman_arm_y*work.s8_69);
-  const double s8_1311 = fnma(p_pitman_arm_x, work.s8_41, s8_1310);
-  const double s8_1312 = fnma(work.s7_204, s8_1311, fma(work.s7_202, s8_1309, work.s8_1028));
-  const double s8_1313 = fma(work.Rz_arb_front_right_2, s8_1291, s8_1306);
-  work.s8_1314 = fma(work.s3_34, fma(work.s8_115, work.s8_1029, s8_1312), s8_1313);
-  const double s8_1315 = 2.1 + work.s7_204;
-  const double s8_1316 = 2.1 + work.s7_184;
-  const double s8_1317 = work.s7_109 - 2.1;
-  const double s8_1318 = 7.75 + work.s7_133;
-  const double s8_1319 = work.s7_62 - 7.75;
-  const double s8_1320 = fma(-p_rear_axle_tx_z, s8_1317 + (s8_1316 - s8_1315), work.s8_777);
-  const double s8_1321 = work.s7_131 - 5.0;
-  const double s8_1322 = 5.0 + work.s7_60;
-  const double s8_1323 = fma(p_lower_arm_left_y, s8_1318 + s8_1319, s8_1320);
-  const double s8_1324 = work.s7_182 - 3.75;
-  const double s8_1325 = 3.75 + work.s7_107;
-  const double s8_1326 = fnma(-p_lower_arm_left_z, s8_1321 + s8_1322, s8_1323);
-  const double s8_1327 = fma(0.8, s8_1322 - s8_1321, s8_1325 + (work.s8_1025 - s8_1324));
-  const double s8_1328 = s8_1327 + fnma(work.s2_225, s8_1219, work.s8_1189);
-  const double s8_1329 = work.s7_192 - 2.25;
-  const double s8_1330 = work.s7_119 - 2.25;
-  const double s8_1331 = fnma(-p_upper_arm_right_z, s8_1324 + s8_1325, s8_1326);
-  const double s8_1332 = 2.025 + work.s7_41;
-  const double s8_1333 = 2.025 + work.s7_45;
+  const double s8_1296 = fma(tau_carrier_right_ry, work.s1_44, s8_1295);
+  const double s8_1297 = fma(tau_carrier_right_rz, work.s1_46, s8_1296) - work.n_carrier_right_z;
+  const double s8_1298 = fma(work.Rz_carrier_right_rz_2, work.s8_1059, s8_1294);
+  const double s8_1299 = fma(work.s3_26, s8_1270, fma(s8_1245, s8_1239, s8_1256));
+  const double s8_1300 = work.R_carrier_right_aux1_y_x*tau_carrier_right_rx;
+  const double s8_1301 = fma(tau_carrier_right_ry, work.s1_45, s8_1300);
+  const double s8_1302 = fnma(tau_carrier_right_rz, work.s1_48, s8_1301) - work.n_carrier_right_y;
+  const double s8_1303 = fma(work.Rz_carrier_right_ry_2, s8_1297, s8_1298);
+  const double s8_1304 = fma(work.Rz_carrier_right_ry_1, s8_1297, s8_1299);
+  const double s8_1305 = fma(work.Rz_carrier_right_rx_2, s8_1302, s8_1303);
+  const double s8_1306 = fma(work.Rz_carrier_right_rx_1, s8_1302, s8_1304);
+  const double s8_1307 = fma(-p_pitman_arm_z, work.s8_40, p_pitman_arm_x*work.s8_115);
+  const double s8_1308 = fma(-p_rear_axle_tx_z, work.s8_77, s8_1307);
+  const double s8_1309 = fnma(-p_pitman_arm_z, work.s8_115, p_pitman_arm_y*work.s8_69);
+  const double s8_1310 = fnma(p_pitman_arm_x, work.s8_41, s8_1309);
+  const double s8_1311 = fnma(work.s7_193, s8_1310, fma(work.s7_194, s8_1308, work.s8_1029));
+  const double s8_1312 = fma(work.Rz_arb_front_right_2, s8_1290, s8_1305);
+  work.s8_1313 = fma(work.s3_34, fma(work.s8_115, work.s8_1030, s8_1311), s8_1312);
+  const double s8_1314 = 2.1 + work.s7_193;
+  const double s8_1315 = 2.1 + work.s7_213;
+  const double s8_1316 = work.s7_182 - 2.1;
+  const double s8_1317 = 7.75 + work.s7_218;
+  const double s8_1318 = work.s7_203 - 7.75;
+  const double s8_1319 = fma(-p_rear_axle_tx_z, s8_1316 + (s8_1315 - s8_1314), work.s8_773);
+  const double s8_1320 = work.s7_216 - 5.0;
+  const double s8_1321 = 5.0 + work.s7_201;
+  const double s8_1322 = fma(p_lower_arm_left_y, s8_1317 + s8_1318, s8_1319);
+  const double s8_1323 = work.s7_211 - 3.75;
+  const double s8_1324 = 3.75 + work.s7_180;
+  const double s8_1325 = fnma(-p_lower_arm_left_z, s8_1320 + s8_1321, s8_1322);
+  const double s8_1326 = fma(0.8, s8_1321 - s8_1320, s8_1324 + (work.s8_1026 - s8_1323));
+  const double s8_1327 = fnma(work.s2_225, s8_1217, fnma(work.s2_193, s8_1194, work.s8_1129));
+  const double s8_1328 = s8_1326 + s8_1327;
+  const double s8_1329 = work.s7_188 - 2.25;
+  const double s8_1330 = work.s7_196 - 2.25;
+  const double s8_1331 = fnma(-p_upper_arm_right_z, s8_1323 + s8_1324, s8_1325);
+  const double s8_1332 = 2.025 + work.s7_42;
+  const double s8_1333 = 2.025 + work.s7_46;
   const double s8_1334 = fma(-p_arb_front_right_y, s8_1330 - s8_1329, s8_1331);
   const double s8_1335 = fma(-p_arb_rear_right_y, s8_1332 - s8_1333, s8_1334);
   const double s8_1336 = s8_1332 + s8_1333;
-  const double s8_1337 = fnma(work.s2_225, s8_1240, fma(work.s2_226, s8_1248, work.s8_1163));
-  const double s8_1338 = fma(work.s2_224, s8_1240, fnma(work.s2_226, s8_1255, work.s8_1157));
-  const double s8_1339 = fnma(work.s2_225, s8_1255, fma(work.s2_224, s8_1248, work.s8_1165));
-  work.s8_1340 = 1.0/pivot_bell_crank;
+  const double s8_1337 = fnma(work.s2_224, s8_1217, fma(work.s2_192, s8_1194, work.s8_1131));
+  const double s8_1338 = fnma(work.s2_225, s8_1239, fma(work.s2_226, s8_1247, work.s8_1169));
+  const double s8_1339 = fma(work.s2_224, s8_1239, fnma(work.s2_226, s8_1254, work.s8_1163));
+  const double s8_1340 = fnma(work.s2_225, s8_1254, fma(work.s2_224, s8_1247, work.s8_1171));
+  work.s8_1341 = 1.0/pivot_bell_crank;
   result.inertia[8] = fnma(1e-12, pivot_bell_crank, pivot_bell_crank);
-  const double s8_1341 = work.s8_1260*work.s8_1340;
-  work.s8_1342 = fnma(work.s8_798, s8_1341, work.s8_1107);
-  work.s8_1343 = fnma(work.s8_1209, s8_1341, work.s8_1108);
-  const double s8_1344 = fma(s8_1210, work.s8_1117, fma(s8_1219, s8_1246, work.s8_1105));
-  const double s8_1345 = fnma(s8_1219, work.s8_1120, fma(s8_1211, work.s8_1117, work.s8_1106));
-  work.s8_1346 = fnma(work.s8_1227, s8_1341, s8_1345);
-  const double s8_1347 = fnma(s8_1210, work.s8_1120, fnma(s8_1246, s8_1211, work.s8_1115));
-  const double s8_1348 = fma(work.Rz_arb_front_right_1, s8_1291, s8_1307);
-  const double s8_1349 = fnma(work.s8_1234, s8_1341, s8_1344);
-  work.s8_1350 = fma(p_lower_arm_left_x, work.s8_1096, s8_1349);
-  const double s8_1351 = fnma(work.s8_1218, s8_1341, s8_1347);
-  work.s8_1352 = fma(p_lower_arm_left_x, work.s8_1109, s8_1351);
-  work.s8_1353 = fma(work.s8_77, work.s8_1020, fnma(work.s8_1314, s8_1341, s8_1348));
-  work.s8_1354 = fnma(work.s8_1229, s8_1341, work.s8_1096);
-  work.s8_1355 = work.s8_1174*s8_1341;
-  const double pivot_lower_arm_right = fnma(work.s8_1260, s8_1341, s8_1263);
-  result.inertia[7] = fnma(1e-12, s8_1263, pivot_lower_arm_right);
-  work.s8_1356 = 1.0/pivot_lower_arm_right;
-  const double s8_1357 = work.s8_1355*work.s8_1356;
-  const double s8_1358 = work.s8_1174*work.s8_1340;
-  const double s8_1359 = fms(s8_1357, work.s8_1354, work.s7_62) - work.s8_840 - work.s8_832;
-  work.s8_1360 = fnma(work.s8_1229, s8_1358, s8_1359);
-  const double s8_1361 = fma(work.Rz_arb_front_left_0, s8_1289, s8_1293);
-  work.s8_1362 = fma(s8_1357, work.s8_1342, fnma(work.s8_798, s8_1358, work.s8_857));
-  work.s8_1363 = fma(s8_1357, work.s8_1343, fnma(work.s8_1209, s8_1358, work.s8_859));
-  work.s8_1364 = fma(s8_1357, work.s8_1346, fnma(work.s8_1227, s8_1358, work.s8_1198));
-  const double s8_1365 = fma(s8_1357, work.s8_1350, fnma(work.s8_1234, s8_1358, work.s8_1192));
-  const double s8_1366 = work.s8_832 + (work.s7_62 + work.s8_840);
-  work.s8_1367 = fnma(p_lower_arm_left_x, s8_1366, s8_1365);
-  const double s8_1368 = fma(s8_1357, work.s8_1352, fnma(work.s8_1218, s8_1358, work.s8_1199));
-  work.s8_1369 = fnma(p_lower_arm_left_x, work.s8_861, s8_1368);
-  const double pivot_lower_arm_left = fnma(work.s8_1355, s8_1357, fnma(work.s8_1174, s8_1358,
-      work.s8_1177));
-  const double s8_1370 = fma(s8_1357, work.s8_1353, fnma(work.s8_1314, s8_1358, s8_1361));
-  work.s8_1371 = fma(work.s8_77, work.s8_1016, s8_1370);
-  result.inertia[6] = fnma(1e-12, work.s8_1177, pivot_lower_arm_left);
-  work.s8_1372 = 1.0/pivot_lower_arm_left;
-  const double s8_1373 = work.s7_131*work.s8_543;
-  const double s8_1374 = work.s7_182 + (work.s7_131 + (work.s7_107 + (5.25 + work.s7_60)));
-  const double s8_1375 = work.s7_211 + s8_1374;
-  work.s8_1376 = fma(m_carrier_right_2, work.s8_1053, s8_1375 + work.s8_556);
-  const double s8_1377 = fma(work.s7_182, s8_1252, work.s6_186*work.s7_184);
-  const double s8_1378 = fnma(work.s6_186, work.s7_182, work.s7_184*s8_1252);
-  const double s8_1379 = fma(0.9, s8_1336, fma(0.8, s8_1315, work.s8_1050) - s8_1329 - s8_1330);
-  const double s8_1380 = fma(1.24, s8_1318 - s8_1319, fma(0.56, s8_1316 - s8_1317, s8_1379));
-  const double s8_1381 = s8_1380 + fnma(work.s2_224, s8_1211, work.s8_1200);
-  const double s8_1382 = 33.31250000000001 - work.s7_212;
-  const double s8_1383 = fnma(-p_bell_crank_z, s8_1382, work.s8_558);
-  const double s8_1384 = 23.1 - work.s7_202;
-  const double s8_1385 = fnma(-p_pitman_arm_z, s8_1384, fnma(p_pitman_arm_x, s8_1315, s8_1383));
-  const double s8_1386 = s8_1319 + (s8_1317 - s8_1316 - s8_1318);
-  const double s8_1387 = s8_1322 + (s8_1325 + (s8_1324 + s8_1321));
-  const double s8_1388 = fma(p_pitman_arm_y, s8_1384, work.s8_562);
-  const double s8_1389 = work.s7_43 - 14.85;
-  const double s8_1390 = work.s7_47 - 14.85;
-  const double s8_1391 = s8_1389 + s8_1390;
-  const double s8_1392 = fma(p_lower_arm_left_x, s8_1386, s8_1385);
-  const double s8_1393 = 17.775 + work.s7_194;
-  const double s8_1394 = 17.775 + work.s7_123;
+  const double s8_1342 = work.s8_1259*work.s8_1341;
+  work.s8_1343 = fnma(work.s8_795, s8_1342, work.s8_1108);
+  work.s8_1344 = fnma(work.s8_1206, s8_1342, work.s8_1109);
+  const double s8_1345 = fma(s8_1207, work.s8_1118, fma(s8_1217, s8_1245, work.s8_1106));
+  const double s8_1346 = fnma(s8_1217, work.s8_1121, fma(s8_1209, work.s8_1118, work.s8_1107));
+  work.s8_1347 = fnma(work.s8_1226, s8_1342, s8_1346);
+  const double s8_1348 = fnma(s8_1207, work.s8_1121, fnma(s8_1245, s8_1209, work.s8_1116));
+  const double s8_1349 = fma(work.Rz_arb_front_right_1, s8_1290, s8_1306);
+  const double s8_1350 = fnma(work.s8_1233, s8_1342, s8_1345);
+  work.s8_1351 = fma(p_lower_arm_left_x, work.s8_1097, s8_1350);
+  const double s8_1352 = fnma(work.s8_1216, s8_1342, s8_1348);
+  work.s8_1353 = fma(p_lower_arm_left_x, work.s8_1110, s8_1352);
+  work.s8_1354 = fma(work.s8_77, work.s8_1021, fnma(work.s8_1313, s8_1342, s8_1349));
+  work.s8_1355 = fnma(work.s8_1228, s8_1342, work.s8_1097);
+  work.s8_1356 = work.s8_1181*s8_1342;
+  const double pivot_lower_arm_right = fnma(work.s8_1259, s8_1342, s8_1262);
+  result.inertia[7] = fnma(1e-12, s8_1262, pivot_lower_arm_right);
+  work.s8_1357 = 1.0/pivot_lower_arm_right;
+  const double s8_1358 = work.s8_1356*work.s8_1357;
+  const double s8_1359 = work.s8_1181*work.s8_1341;
+  const double s8_1360 = fms(s8_1358, work.s8_1355, work.s7_203) - work.s8_837 - work.s8_829;
+  work.s8_1361 = fnma(work.s8_1228, s8_1359, s8_1360);
+  const double s8_1362 = fnma(work.s8_915, s8_1196, fma(s8_1194, work.s8_912, work.s8_851));
+  const double s8_1363 = fma(work.s8_1186, work.s8_915, fnma(work.s8_1172, s8_1194, work.s8_852));
+  const double s8_1364 = fma(work.Rz_arb_front_left_0, s8_1288, s8_1292);
+  work.s8_1365 = fma(s8_1358, work.s8_1343, fnma(work.s8_795, s8_1359, work.s8_856));
+  work.s8_1366 = fma(s8_1358, work.s8_1344, fnma(work.s8_1206, s8_1359, work.s8_858));
+  work.s8_1367 = fma(s8_1358, work.s8_1347, fnma(work.s8_1226, s8_1359, s8_1362));
+  const double s8_1368 = fnma(work.s8_1216, s8_1359, fnma(work.s8_1172, s8_1196, work.s8_1190));
+  const double s8_1369 = fma(s8_1358, work.s8_1351, fnma(work.s8_1233, s8_1359, s8_1363));
+  const double s8_1370 = work.s8_829 + (work.s7_203 + work.s8_837);
+  work.s8_1371 = fnma(p_lower_arm_left_x, s8_1370, s8_1369);
+  const double s8_1372 = fma(s8_1358, work.s8_1353, s8_1368);
+  work.s8_1373 = fnma(p_lower_arm_left_x, work.s8_860, s8_1372);
+  const double pivot_lower_arm_left = fnma(work.s8_1356, s8_1358, fnma(work.s8_1181, s8_1359,
+      work.s8_1185));
+  const double s8_1374 = fma(s8_1358, work.s8_1354, fnma(work.s8_1313, s8_1359, s8_1364));
+  work.s8_1375 = fma(work.s8_77, work.s8_1017, s8_1374);
+  result.inertia[6] = fnma(1e-12, work.s8_1185, pivot_lower_arm_left);
+  work.s8_1376 = 1.0/pivot_lower_arm_left;
+  const double s8_1377 = work.s7_216*work.s8_543;
+  const double s8_1378 = work.s7_211 + (work.s7_216 + (work.s7_180 + (5.25 + work.s7_201)));
+  const double s8_1379 = work.s7_191 + s8_1378;
+  work.s8_1380 = fma(m_carrier_right_2, work.s8_1054, s8_1379 + work.s8_556);
+  const double s8_1381 = fma(work.s7_211, s8_1251, work.s6_186*work.s7_213);
+  const double s8_1382 = fnma(work.s6_186, work.s7_211, work.s7_213*s8_1251);
+  const double s8_1383 = fma(0.9, s8_1336, fma(0.8, s8_1314, work.s8_1051) - s8_1329 - s8_1330);
+  const double s8_1384 = fma(1.24, s8_1317 - s8_1318, fma(0.56, s8_1315 - s8_1316, s8_1383));
+  const double s8_1385 = fnma(work.s2_224, s8_1209, fnma(work.s2_192, s8_1196, work.s8_1135));
+  const double s8_1386 = s8_1384 + s8_1385;
+  const double s8_1387 = 33.31250000000001 - work.s7_192;
+  const double s8_1388 = fnma(-p_bell_crank_z, s8_1387, work.s8_557);
+  const double s8_1389 = 23.1 - work.s7_194;
+  const double s8_1390 = fnma(-p_pitman_arm_z, s8_1389, fnma(p_pitman_arm_x, s8_1314, s8_1388));
+  const double s8_1391 = s8_1318 + (s8_1316 - s8_1315 - s8_1317);
+  const double s8_1392 = s8_1321 + (s8_1324 + (s8_1323 + s8_1320));
+  const double s8_1393 = fma(p_pitman_arm_y, s8_1389, work.s8_877);
+  const double s8_1394 = work.s7_43 - 14.85;
+  const double s8_1395 = work.s7_47 - 14.85;
+  const double s8_1396 = s8_1394 + s8_1395;
+  const double s8_1397 = fma(p_lower_arm_left_x, s8_1391, s8_1390);
+  const double s8_1398 = 17.775 + work.s7_225;
+  const double s8_1399 = 17.775 + work.s7_207;
 
   // --- step 8: elimination from the leaves to the root (63), continued ---
   // chassis: chassis_rx, revolute, chassis_aux5
-  const double s8_1395 = s8_1393 + s8_1394;
-  const double s8_1396 = fnma(p_carrier_left_rz_y, s8_1391, s8_1392);
-  const double s8_1397 = fnma(6.6, s8_1391, fma(8.8, s8_1384, fma(6.5, s8_1382, work.s8_560)));
-  const double s8_1398 = fma(7.9, s8_1395, s8_1397);
-  const double s8_1399 = fnma(-p_rear_axle_tx_z, s8_1395, s8_1396);
-  const double s8_1400 = fma(p_lower_arm_left_x, s8_1387, s8_1388);
-  const double s8_1401 = fma(p_arb_front_left_x, s8_1329 + s8_1330, s8_1399);
-  const double s8_1402 = fma(-p_arb_rear_left_x, s8_1336, s8_1401);
-  const double s8_1403 = fma(-p_arb_front_right_y, s8_1394 - s8_1393, s8_1400);
-  const double s8_1404 = fma(-p_arb_rear_right_y, s8_1390 - s8_1389, s8_1403);
-  const double s8_1405 = s8_1398 + fnma(work.s2_226, s8_1210, work.s8_1181);
-  const double s8_1406 = fma(7.2, work.s8_939, s8_1405);
-  const double s8_1407 = work.s7_41*work.s8_358;
-  const double s8_1408 = work.s7_43*work.s8_358;
-  const double s8_1409 = work.s7_109 + (work.s7_62 + (3289.7 - work.s7_45 - work.s7_41));
-  const double s8_1410 = work.s7_192 + (work.s7_119 + s8_1409 - work.s7_133 - work.s7_184);
-  const double s8_1411 = s8_1410 - work.s7_204;
-  work.s8_1412 = fma(m_carrier_right_2, work.s8_1051, s8_1411 + work.s8_552);
+  const double s8_1400 = s8_1398 + s8_1399;
+  const double s8_1401 = fnma(p_carrier_left_rz_y, s8_1396, s8_1397);
+  const double s8_1402 = fnma(6.6, s8_1396, fma(8.8, s8_1389, fma(6.5, s8_1387, work.s8_559)));
+  const double s8_1403 = fma(7.9, s8_1400, s8_1402);
+  const double s8_1404 = fnma(-p_rear_axle_tx_z, s8_1400, s8_1401);
+  const double s8_1405 = fma(p_lower_arm_left_x, s8_1392, s8_1393);
+  const double s8_1406 = fma(p_arb_front_left_x, s8_1329 + s8_1330, s8_1404);
+  const double s8_1407 = fma(-p_arb_rear_left_x, s8_1336, s8_1406);
+  const double s8_1408 = fma(-p_arb_front_right_y, s8_1399 - s8_1398, s8_1405);
+  const double s8_1409 = fma(-p_arb_rear_right_y, s8_1395 - s8_1394, s8_1408);
+  const double s8_1410 = s8_1403 + fnma(work.s2_226, s8_1207, work.s8_1191);
+  const double s8_1411 = fma(7.2, work.s8_940, s8_1410);
+  const double R_chassis_aux4_y_x = work.sines[0];
+  const double s1_6 = work.sines[2];
+  const double R_chassis_aux4_x_x = work.cosines[0];
+  work.R_chassis_x_z = fma(R_chassis_aux4_x_x, work.s1_56, R_chassis_aux4_y_x*s1_6);
+  work.R_chassis_y_z = fnma(R_chassis_aux4_x_x, s1_6, R_chassis_aux4_y_x*work.s1_56);
+  const double s8_1412 = work.s7_42*work.s8_358;
+  const double s8_1413 = work.s7_43*work.s8_358;
+  const double s8_1414 = work.s7_182 + (work.s7_203 + (3289.7 - work.s7_46 - work.s7_42));
+  const double s8_1415 = work.s7_188 + (work.s7_196 + s8_1414 - work.s7_218 - work.s7_213);
+  const double s8_1416 = s8_1415 - work.s7_193;
+  work.s8_1417 = fma(m_carrier_right_2, work.s8_1052, s8_1416 + work.s8_552);
   const double tau_chassis_tx = tau[Coordinate::chassis_tx];
   const double tau_chassis_ty = tau[Coordinate::chassis_ty];
-  const double s8_1413 = work.R_chassis_x_z*tau_chassis_tx;
+  const double s8_1418 = work.R_chassis_x_z*tau_chassis_tx;
   const double tau_chassis_tz = tau[Coordinate::chassis_tz];
-  const double s8_1414 = fma(work.R_chassis_y_z, tau_chassis_ty, s8_1413);
-  const double s8_1415 = fma(work.R_chassis_z_z, tau_chassis_tz, s8_1414) - s8_1407;
-  work.s8_1416 = work.s8_535*work.s8_531;
-  const double s8_1417 = fnma(work.s7_45, work.s8_359, s8_1415) - work.f_rear_axle_z;
-  work.s8_1418 = work.s8_503*work.s8_527;
-  const double s8_1419 = fnma(work.s8_1416, work.s8_539, s8_1417);
-  const double s8_1420 = fnma(work.s8_526, work.s8_1418, s8_1419) - work.s8_948 - work.s8_958;
-  const double s8_1421 = work.s8_1032 + s8_1420 - s8_1378 - work.f_carrier_right_z;
-  const double s8_1422 = fma(work.s7_133, work.s8_543, s8_1378 + work.f_carrier_right_z);
-  const double s8_1423 = work.f_carrier_left_z + (s8_1422 - work.s8_618);
-  const double s8_1424 = work.s8_618 + (work.s8_1043 + fnma(work.s7_133, work.s8_543, s8_1421));
-  const double s8_1425 = work.R_chassis_x_y*tau_chassis_tx;
-  const double s8_1426 = fma(work.R_chassis_y_y, tau_chassis_ty, s8_1425);
-  const double s8_1427 = work.s8_393 + work.s8_397;
-  const double s8_1428 = fma(work.R_chassis_z_y, tau_chassis_tz, s8_1426) - work.s8_393;
-  work.s8_1429 = work.s8_266*work.s8_527;
-  const double s8_1430 = s8_1428 - work.s8_397 - work.f_rear_axle_y;
-  work.s8_1431 = work.s8_529*work.s8_535;
-  const double s8_1432 = fnma(work.s8_526, work.s8_1429, s8_1430);
-  const double s8_1433 = work.s8_956 + (work.s8_949 + fnma(work.s8_1431, work.s8_539, s8_1432));
-  const double s8_1434 = s8_1373 + (s8_1377 + (s8_1433 - work.s8_1035) - work.f_carrier_right_y);
-  const double s8_1435 = s8_1373 + (s8_1377 - work.f_carrier_right_y) - work.s8_617;
-  const double s8_1436 = s8_1434 - work.s8_1046 - work.s8_617 - work.f_carrier_left_y;
-  const double s8_1437 = work.R_chassis_aux5_x_x*tau_chassis_tx;
-  const double s8_1438 = fma(work.R_chassis_aux5_y_x, tau_chassis_ty, s8_1437);
-  const double s8_1439 = s8_1408 + fnma(work.sines[5], tau_chassis_tz, s8_1438);
-  const double s8_1440 = work.s7_194 + (work.s7_123 + (work.s7_43 + (356.525 + work.s7_47)));
-  const double s8_1441 = s8_1440 - work.s7_202 - work.s7_212;
-  work.s8_1442 = s8_1441 + work.s8_554;
-  const double s8_1443 = work.s8_1372*work.s8_1367;
-  const double s8_1444 = fnma(work.s8_486, work.s8_967, fnma(work.s8_532, work.s8_966, s8_1328));
-  const double s8_1445 = work.s8_1356*work.s8_1350;
-  const double s8_1446 = work.s8_1234*work.s8_1340;
-  const double s8_1447 = fnma(work.s8_1350, s8_1445, fnma(work.s8_1367, s8_1443, s8_1444));
-  const double s8_1448 = fnma(work.s8_1353, s8_1445, fma(work.s8_115, s8_1335, s8_1337));
-  const double pivot_chassis_rx = s8_1406 + fnma(work.s8_1234, s8_1446, s8_1447);
-  const double s8_1449 = fnma(s8_1443, work.s8_1371, fnma(work.s8_1314, s8_1446, s8_1448));
-  const double s8_1450 = fnma(work.s8_806, s8_1404, fnma(work.s8_77, s8_1402, s8_1449));
-  const double s8_1451 = fma(work.s7_60, work.s8_542, s8_1435 - work.f_carrier_left_y);
-  const double s8_1452 = work.s8_1372*work.s8_1364;
-  const double s8_1453 = fnma(work.s8_470, work.s8_929, fnma(work.s8_533, work.s8_928, s8_1328));
-  const double s8_1454 = work.s8_1356*work.s8_1346;
-  const double s8_1455 = fma(s8_1452, work.s8_1367, fma(work.s2_224, s8_1210, work.s8_1182));
-  const double s8_1456 = fma(s8_1452, work.s8_1369, fma(work.s2_225, s8_1210, work.s8_1183));
-  const double s8_1457 = work.s8_1227*work.s8_1340;
-  const double s8_1458 = fnma(work.s8_1346, s8_1454, fnma(work.s8_1364, s8_1452, s8_1453));
-  const double s8_1459 = fnma(work.s8_1353, s8_1454, fnma(work.s8_814, s8_1335, s8_1339));
-  const double s8_1460 = fma(work.s8_1234, s8_1457, fma(work.s8_1350, s8_1454, s8_1455));
-  const double s8_1461 = fma(work.s8_1218, s8_1457, fma(work.s8_1352, s8_1454, s8_1456));
-  work.s8_1462 = s8_1381 + fnma(work.s8_1227, s8_1457, s8_1458);
-  work.s8_1463 = fma(p_lower_arm_left_x, work.s8_925, s8_1402 + s8_1460);
-  const double s8_1464 = fnma(s8_1452, work.s8_1371, fnma(work.s8_1314, s8_1457, s8_1459));
-  const double s8_1465 = fnma(work.s8_115, s8_1404, fma(work.s8_69, s8_1402, s8_1464));
-  const double s8_1466 = work.s8_1372*work.s8_1369;
-  const double s8_1467 = s8_1335 + fnma(work.s2_224, s8_1219, work.s8_1190);
-  const double s8_1468 = fnma(work.s8_488, work.s8_872, fnma(work.s8_534, work.s8_871, s8_1406));
-  const double s8_1469 = work.s8_1356*work.s8_1352;
-  const double s8_1470 = work.s8_1218*work.s8_1340;
-  const double s8_1471 = fma(work.s8_1350, s8_1469, fma(work.s8_1367, s8_1466, s8_1467));
-  work.s8_1472 = fma(work.s8_1234, s8_1470, s8_1471);
-  const double s8_1473 = fnma(work.s8_1352, s8_1469, fnma(work.s8_1369, s8_1466, s8_1468));
-  const double s8_1474 = fnma(work.s8_1353, s8_1469, fnma(work.s8_69, s8_1335, s8_1338));
-  const double s8_1475 = s8_1381 + fnma(work.s8_1218, s8_1470, s8_1473);
-  const double s8_1476 = fnma(s8_1466, work.s8_1371, fnma(work.s8_1314, s8_1470, s8_1474));
-  work.s8_1477 = 1.0/pivot_chassis_rx;
+  const double s8_1419 = fma(work.R_chassis_y_z, tau_chassis_ty, s8_1418);
+  const double s8_1420 = fma(work.R_chassis_z_z, tau_chassis_tz, s8_1419) - s8_1412;
+  work.s8_1421 = work.s8_535*work.s8_531;
+  const double s8_1422 = fnma(work.s7_46, work.s8_359, s8_1420) - work.f_rear_axle_z;
+  work.s8_1423 = work.s8_503*work.s8_527;
+  const double s8_1424 = fnma(work.s8_1421, work.s8_539, s8_1422);
+  const double s8_1425 = fnma(work.s8_526, work.s8_1423, s8_1424) - work.s8_949 - work.s8_959;
+  const double s8_1426 = work.s8_1033 + s8_1425 - s8_1382 - work.f_carrier_right_z;
+  const double s8_1427 = fma(work.s7_218, work.s8_543, s8_1382 + work.f_carrier_right_z);
+  const double s8_1428 = fma(work.s7_218, work.s8_543, work.s8_957);
+  const double s8_1429 = work.f_carrier_left_z + (s8_1427 - work.s8_615);
+  const double s8_1430 = work.s8_615 + (work.s8_1044 + fnma(work.s7_218, work.s8_543, s8_1426));
+  const double s1_7 = work.cosines[2];
+  work.R_chassis_x_y = fnma(R_chassis_aux4_y_x, s1_7, R_chassis_aux4_x_x*work.s1_59);
+  work.R_chassis_y_y = fma(R_chassis_aux4_x_x, s1_7, R_chassis_aux4_y_x*work.s1_59);
+  const double s8_1431 = work.R_chassis_x_y*tau_chassis_tx;
+  const double s8_1432 = fma(work.R_chassis_y_y, tau_chassis_ty, s8_1431);
+  const double s8_1433 = work.s8_393 + work.s8_397;
+  const double s8_1434 = fma(work.R_chassis_z_y, tau_chassis_tz, s8_1432) - work.s8_393;
+  work.s8_1435 = work.s8_266*work.s8_527;
+  const double s8_1436 = s8_1434 - work.s8_397 - work.f_rear_axle_y;
+  work.s8_1437 = work.s8_529*work.s8_535;
+  const double s8_1438 = fnma(work.s8_526, work.s8_1435, s8_1436);
+  const double s8_1439 = work.s8_957 + (work.s8_950 + fnma(work.s8_1437, work.s8_539, s8_1438));
+  const double s8_1440 = s8_1377 + (s8_1381 + (s8_1439 - work.s8_1036) - work.f_carrier_right_y);
+  const double s8_1441 = s8_1377 + (s8_1381 - work.f_carrier_right_y) - work.s8_614;
+  const double s8_1442 = s8_1440 - work.s8_1047 - work.s8_614 - work.f_carrier_left_y;
+  // chassis_aux5: chassis_ry, revolute, chassis_aux4
+  const double R_chassis_aux5_z_z = work.cosines[1];
+  work.R_chassis_aux5_x_x = R_chassis_aux4_x_x*R_chassis_aux5_z_z;
+  work.R_chassis_aux5_y_x = R_chassis_aux4_y_x*R_chassis_aux5_z_z;
+  // operations: 50 add, 134 multiply, 4 divide, 44 sin cos
+  const double s8_1443 = work.R_chassis_aux5_x_x*tau_chassis_tx;
+  const double s8_1444 = fma(work.R_chassis_aux5_y_x, tau_chassis_ty, s8_1443);
+  const double s8_1445 = s8_1413 + fnma(work.sines[1], tau_chassis_tz, s8_1444);
+  const double s8_1446 = work.s7_225 + (work.s7_207 + (work.s7_43 + (356.525 + work.s7_47)));
+  const double s8_1447 = s8_1446 - work.s7_194 - work.s7_192;
+  work.s8_1448 = s8_1447 + work.s8_554;
+  const double s8_1449 = work.s8_1376*work.s8_1371;
+  const double s8_1450 = fnma(work.s8_486, work.s8_968, fnma(work.s8_532, work.s8_967, s8_1328));
+  const double s8_1451 = work.s8_1357*work.s8_1351;
+  const double s8_1452 = work.s8_1233*work.s8_1341;
+  const double s8_1453 = fnma(work.s8_1351, s8_1451, fnma(work.s8_1371, s8_1449, s8_1450));
+  const double s8_1454 = fnma(work.s8_1354, s8_1451, fma(work.s8_115, s8_1335, s8_1338));
+  // chassis: chassis_rx, revolute, chassis_aux5
+  const double pivot_chassis_rx = s8_1411 + fnma(work.s8_1233, s8_1452, s8_1453);
+  const double s8_1455 = fnma(s8_1449, work.s8_1375, fnma(work.s8_1313, s8_1452, s8_1454));
+  const double s8_1456 = fma(work.s7_201, work.s8_542, s8_1441 - work.f_carrier_left_y);
+  const double s8_1457 = fnma(work.s8_803, s8_1409, fnma(work.s8_77, s8_1407, s8_1455));
+  const double s8_1458 = work.s8_1376*work.s8_1367;
+  const double s8_1459 = fnma(work.s8_470, work.s8_930, fnma(work.s8_533, work.s8_929, s8_1328));
+  const double s8_1460 = work.s8_1357*work.s8_1347;
+  const double s8_1461 = fma(s8_1458, work.s8_1371, fma(work.s2_224, s8_1207, work.s8_1192));
+  const double s8_1462 = fma(s8_1458, work.s8_1373, fma(work.s2_225, s8_1207, work.s8_1193));
+  const double s8_1463 = work.s8_1226*work.s8_1341;
+  const double s8_1464 = fnma(work.s8_1347, s8_1460, fnma(work.s8_1367, s8_1458, s8_1459));
+  const double s8_1465 = fnma(work.s8_1354, s8_1460, fnma(work.s8_811, s8_1335, s8_1340));
+  const double s8_1466 = fma(work.s8_1233, s8_1463, fma(work.s8_1351, s8_1460, s8_1461));
+  const double s8_1467 = fma(work.s8_1216, s8_1463, fma(work.s8_1353, s8_1460, s8_1462));
+  work.s8_1468 = s8_1386 + fnma(work.s8_1226, s8_1463, s8_1464);
+  work.s8_1469 = fma(p_lower_arm_left_x, work.s8_926, s8_1407 + s8_1466);
+  const double s8_1470 = fnma(s8_1458, work.s8_1375, fnma(work.s8_1313, s8_1463, s8_1465));
+  const double s8_1471 = fnma(work.s8_115, s8_1409, fma(work.s8_69, s8_1407, s8_1470));
+  const double s8_1472 = work.s8_1376*work.s8_1373;
+  const double s8_1473 = fnma(work.s8_488, work.s8_871, fnma(work.s8_534, work.s8_870, s8_1411));
+  const double s8_1474 = work.s8_1357*work.s8_1353;
+  const double s8_1475 = fma(work.s8_1371, s8_1472, s8_1335 + s8_1337);
+  const double s8_1476 = work.s8_1216*work.s8_1341;
+  work.s8_1477 = fma(work.s8_1233, s8_1476, fma(work.s8_1351, s8_1474, s8_1475));
+  const double s8_1478 = fnma(work.s8_1353, s8_1474, fnma(work.s8_1373, s8_1472, s8_1473));
+  const double s8_1479 = fnma(work.s8_1354, s8_1474, fnma(work.s8_69, s8_1335, s8_1339));
+  const double s8_1480 = s8_1386 + fnma(work.s8_1216, s8_1476, s8_1478);
+  const double s8_1481 = fnma(s8_1472, work.s8_1375, fnma(work.s8_1313, s8_1476, s8_1479));
+  work.s8_1482 = 1.0/pivot_chassis_rx;
   result.inertia[5] = fnma(1e-12, pivot_chassis_rx, pivot_chassis_rx);
-  work.s8_1478 = work.s8_1477*work.s8_1472;
-  const double s8_1479 = fma(work.s8_1478, work.s8_1463, s8_1404 + s8_1461);
-  work.s8_1480 = fma(p_lower_arm_left_x, work.s8_876, s8_1479);
-  const double s8_1481 = work.s8_998 + (work.s8_957 - work.s8_965);
-  const double s8_1482 = fma(p_lower_arm_left_x, s8_1451, s8_1450);
-  const double s8_1483 = fma(-p_rear_axle_tx_z, s8_1481, s8_1482);
-  const double s8_1484 = fma(p_lower_arm_left_y, work.s8_1010 - work.s8_987, s8_1483);
-  const double s8_1485 = fnma(p_arb_front_left_x, work.s8_1035 + work.s8_1046, s8_1484);
-  const double s8_1486 = fma(-p_arb_front_right_y, work.s8_1042 - work.s8_1031, s8_1485);
-  const double s8_1487 = fma(-p_arb_rear_left_x, s8_1427, s8_1486);
-  const double s8_1488 = fnma(work.s7_47, work.s8_359, s8_1408);
-  const double s8_1489 = fma(-p_arb_rear_right_y, s8_1488, s8_1487);
-  work.s8_1490 = fma(work.s8_69, s8_1327 - s8_1398, s8_1489);
-  const double s8_1491 = fma(work.s8_77, s8_1404, fnma(work.s8_307, s8_1402, s8_1476));
-  const double s8_1492 = fma(work.s8_1478, work.s8_1490, s8_1491);
-  const double s8_1493 = fma(p_lower_arm_left_x, fnma(work.s7_62, work.s8_542, s8_1423), s8_1492);
-  const double s8_1494 = fma(work.s7_47, work.s8_359, s8_1408);
-  const double s8_1495 = fnma(p_carrier_left_rz_y, s8_1494, s8_1493);
-  const double s8_1496 = fma(-p_lower_arm_left_z, work.s8_987 + work.s8_1010, s8_1495);
-  const double s8_1497 = fma(-p_rear_axle_tx_z, work.s8_1031 + work.s8_1042, s8_1496);
-  const double s8_1498 = fnma(p_arb_front_left_x, work.s8_1032 + work.s8_1043, s8_1497);
-  const double s8_1499 = fma(-p_upper_arm_right_z, work.s8_965 + work.s8_998, s8_1498);
-  const double s8_1500 = fnma(-p_arb_rear_left_x, fma(work.s7_45, work.s8_359, s8_1407), s8_1499);
-  work.s8_1501 = fma(work.s8_115, s8_1398 - s8_1380, s8_1500);
-  work.s8_1502 = work.s8_1477*work.s8_1463;
-  const double s8_1503 = fnma(p_carrier_left_rz_y, s8_1427, s8_1465);
-  const double pivot_chassis_ry = fnma(work.s8_1472, work.s8_1478, s8_1475);
-  work.s8_1504 = 1.0/pivot_chassis_ry;
-  result.inertia[4] = mbgen::min(fnma(1e-12, s8_1475, pivot_chassis_ry), work.s9_6);
-  work.s8_1505 = work.s8_1504*work.s8_1480;
-  const double s8_1506 = fma(work.s8_1502, work.s8_1490, s8_1503);
-  const double s8_1507 = work.s8_618 + (s8_1378 - work.s8_958 - work.s8_1035 - work.s8_1046);
-  const double s8_1508 = fma(work.s8_1505, work.s8_1501, s8_1506);
-  const double s8_1509 = fma(work.s7_62, work.s8_542, fma(work.s7_133, work.s8_543, work.s8_956));
-  const double s8_1510 = fma(-p_rear_axle_tx_z, s8_1507, s8_1508);
-  const double s8_1511 = fma(p_lower_arm_left_y, s8_1509, s8_1510);
-  const double s8_1512 = fma(-p_lower_arm_left_z, fma(work.s7_60, work.s8_542, s8_1373), s8_1511);
-  const double s8_1513 = fma(-p_upper_arm_right_z, s8_1377 - work.s8_617, s8_1512);
-  const double s8_1514 = fma(-p_arb_front_right_y, work.s8_1043 - work.s8_1032, s8_1513);
-  const double s8_1515 = fnma(work.s7_45, work.s8_359, s8_1407);
-  const double s8_1516 = fma(-p_arb_rear_right_y, s8_1515, s8_1514);
-  work.s8_1517 = fma(work.s8_77, s8_1380 - s8_1327, s8_1516);
-  work.s8_1518 = work.s8_1356*work.s8_1343;
-  const double s8_1519 = fma(work.s7_62, work.s8_542, s8_1424 - work.f_carrier_left_z);
-  work.s8_1520 = work.s8_1209*work.s8_1340;
-  const double s8_1521 = fnma(work.s8_1353, work.s8_1518, s8_1519);
-  work.s8_1522 = work.s8_1372*work.s8_1363;
-  const double s8_1523 = fnma(work.s8_1314, work.s8_1520, s8_1521);
-  const double s8_1524 = fnma(work.s8_77, s8_1375, fnma(work.s8_1522, work.s8_1371, s8_1523));
-  work.s8_1525 = fnma(work.s8_115, s8_1441, fma(work.s8_40, s8_1411, s8_1524));
-  work.s8_1526 = work.s8_1356*work.s8_1354;
-  work.s8_1527 = work.s8_1229*work.s8_1340;
-  const double s8_1528 = fnma(work.s8_1353, work.s8_1526, fma(work.s7_60, work.s8_542, s8_1436));
-  work.s8_1529 = work.s8_1372*work.s8_1360;
-  const double s8_1530 = fnma(work.s8_1314, work.s8_1527, s8_1528);
-  const double s8_1531 = fma(work.s8_42, s8_1375, fnma(work.s8_1529, work.s8_1371, s8_1530));
-  work.s8_1532 = fnma(work.s8_69, s8_1441, fnma(work.s8_77, s8_1411, s8_1531));
-  work.s8_1533 = work.s8_535*work.s8_530;
-  const double s8_1534 = fma(work.s7_47, work.s8_359, s8_1439) - work.f_rear_axle_x;
-  work.s8_1535 = work.s8_502*work.s8_527;
+  work.s8_1483 = work.s8_1482*work.s8_1477;
+  const double s8_1484 = fma(work.s8_1483, work.s8_1469, s8_1409 + s8_1467);
+  work.s8_1485 = fma(p_lower_arm_left_x, work.s8_875, s8_1484);
+  const double s8_1486 = work.s8_999 + (work.s8_958 - work.s8_966);
+  const double s8_1487 = fma(p_lower_arm_left_x, s8_1456, s8_1457);
+  const double s8_1488 = fma(-p_rear_axle_tx_z, s8_1486, s8_1487);
+  const double s8_1489 = fma(p_lower_arm_left_y, work.s8_1011 - work.s8_988, s8_1488);
+  const double s8_1490 = fnma(p_arb_front_left_x, work.s8_1036 + work.s8_1047, s8_1489);
+  const double s8_1491 = fma(-p_arb_front_right_y, work.s8_1043 - work.s8_1032, s8_1490);
+  const double s8_1492 = fma(-p_arb_rear_left_x, s8_1433, s8_1491);
+  const double s8_1493 = fnma(work.s7_47, work.s8_359, s8_1413);
+  const double s8_1494 = fma(-p_arb_rear_right_y, s8_1493, s8_1492);
+  work.s8_1495 = fma(work.s8_69, s8_1326 - s8_1403, s8_1494);
+  const double s8_1496 = fma(work.s8_77, s8_1409, fnma(work.s8_307, s8_1407, s8_1481));
+  const double s8_1497 = fma(work.s8_1483, work.s8_1495, s8_1496);
+  const double s8_1498 = fnma(work.s7_203, work.s8_542, s8_1429);
+  const double s8_1499 = fma(p_lower_arm_left_x, s8_1498, s8_1497);
+  const double s8_1500 = fma(work.s7_47, work.s8_359, s8_1413);
+  const double s8_1501 = fnma(p_carrier_left_rz_y, s8_1500, s8_1499);
+  const double s8_1502 = fma(-p_lower_arm_left_z, work.s8_988 + work.s8_1011, s8_1501);
+  const double s8_1503 = fma(-p_rear_axle_tx_z, work.s8_1032 + work.s8_1043, s8_1502);
+  const double s8_1504 = fnma(p_arb_front_left_x, work.s8_1033 + work.s8_1044, s8_1503);
+  const double s8_1505 = fma(-p_upper_arm_right_z, work.s8_966 + work.s8_999, s8_1504);
+  const double s8_1506 = fnma(-p_arb_rear_left_x, fma(work.s7_46, work.s8_359, s8_1412), s8_1505);
+  work.s8_1507 = fma(work.s8_115, s8_1403 - s8_1384, s8_1506);
+  work.s8_1508 = work.s8_1482*work.s8_1469;
+  const double s8_1509 = fnma(p_carrier_left_rz_y, s8_1433, s8_1471);
+  const double pivot_chassis_ry = fnma(work.s8_1477, work.s8_1483, s8_1480);
+  work.s8_1510 = 1.0/pivot_chassis_ry;
+  result.inertia[4] = mbgen::min(fnma(1e-12, s8_1480, pivot_chassis_ry), work.s9_6);
+  work.s8_1511 = work.s8_1510*work.s8_1485;
+  const double s8_1512 = fma(work.s8_1508, work.s8_1495, s8_1509);
+  const double s8_1513 = work.s8_615 + (s8_1382 - work.s8_959 - work.s8_1036 - work.s8_1047);
+  const double s8_1514 = fma(work.s8_1511, work.s8_1507, s8_1512);
+  const double s8_1515 = fma(-p_rear_axle_tx_z, s8_1513, s8_1514);
+  const double s8_1516 = fma(p_lower_arm_left_y, fma(work.s7_203, work.s8_542, s8_1428), s8_1515);
+  const double s8_1517 = fma(work.s7_201, work.s8_542, s8_1377);
+  const double s8_1518 = fma(-p_lower_arm_left_z, s8_1517, s8_1516);
+  const double s8_1519 = fma(-p_upper_arm_right_z, s8_1381 - work.s8_614, s8_1518);
+  const double s8_1520 = fma(-p_arb_front_right_y, work.s8_1044 - work.s8_1033, s8_1519);
+  const double s8_1521 = fnma(work.s7_46, work.s8_359, s8_1412);
+  const double s8_1522 = fma(-p_arb_rear_right_y, s8_1521, s8_1520);
+  work.s8_1523 = fma(work.s8_77, s8_1384 - s8_1326, s8_1522);
+  work.s8_1524 = work.s8_1357*work.s8_1344;
+  const double s8_1525 = fma(work.s7_203, work.s8_542, s8_1430 - work.f_carrier_left_z);
+  work.s8_1526 = work.s8_1206*work.s8_1341;
+  const double s8_1527 = fnma(work.s8_1354, work.s8_1524, s8_1525);
+  work.s8_1528 = work.s8_1376*work.s8_1366;
+  const double s8_1529 = fnma(work.s8_1313, work.s8_1526, s8_1527);
+  const double s8_1530 = fnma(work.s8_77, s8_1379, fnma(work.s8_1528, work.s8_1375, s8_1529));
+  work.s8_1531 = fnma(work.s8_115, s8_1447, fma(work.s8_40, s8_1416, s8_1530));
+  work.s8_1532 = work.s8_1357*work.s8_1355;
+  work.s8_1533 = work.s8_1228*work.s8_1341;
+  const double s8_1534 = fnma(work.s8_1354, work.s8_1532, fma(work.s7_201, work.s8_542, s8_1442));
+  work.s8_1535 = work.s8_1376*work.s8_1361;
+  const double s8_1536 = fnma(work.s8_1313, work.s8_1533, s8_1534);
+  const double s8_1537 = fma(work.s8_42, s8_1379, fnma(work.s8_1535, work.s8_1375, s8_1536));
+  work.s8_1538 = fnma(work.s8_69, s8_1447, fnma(work.s8_77, s8_1416, s8_1537));
+  work.s8_1539 = work.s8_535*work.s8_530;
+  const double s8_1540 = fma(work.s7_47, work.s8_359, s8_1445) - work.f_rear_axle_x;
+  work.s8_1541 = work.s8_502*work.s8_527;
   // operations: 610 add, 643 multiply, 2 divide
-  const double s8_1536 = fnma(work.s8_1533, work.s8_539, s8_1534);
-  const double s8_1537 = fnma(work.s8_526, work.s8_1535, s8_1536) - work.s8_950 - work.s8_957;
-  const double s8_1538 = s8_1537 - work.s8_1031 - work.s8_965 - work.f_carrier_right_x;
-  const double s8_1539 = s8_1538 - work.s8_987 - work.s8_1042 - work.s8_998;
-  work.s8_1540 = work.s8_1356*work.s8_1342;
-  const double s8_1541 = s8_1539 - work.f_carrier_left_x - work.s8_1010;
-  work.s8_1542 = work.s8_798*work.s8_1340;
-  const double s8_1543 = fnma(work.s8_1353, work.s8_1540, s8_1541);
-  work.s8_1544 = work.s8_1362*work.s8_1372;
-  const double s8_1545 = fnma(work.s8_1314, work.s8_1542, s8_1543);
-  const double s8_1546 = fnma(work.s8_69, s8_1375, fnma(work.s8_1544, work.s8_1371, s8_1545));
-  work.s8_1547 = fma(work.s8_41, s8_1441, fnma(work.s8_115, s8_1411, s8_1546));
+  const double s8_1542 = fnma(work.s8_1539, work.s8_539, s8_1540);
+  const double s8_1543 = fnma(work.s8_526, work.s8_1541, s8_1542) - work.s8_951 - work.s8_958;
+  const double s8_1544 = s8_1543 - work.s8_1032 - work.s8_966 - work.f_carrier_right_x;
+  const double s8_1545 = s8_1544 - work.s8_988 - work.s8_1043 - work.s8_999;
+  work.s8_1546 = work.s8_1357*work.s8_1343;
+  const double s8_1547 = s8_1545 - work.f_carrier_left_x - work.s8_1011;
+  work.s8_1548 = work.s8_795*work.s8_1341;
+  const double s8_1549 = fnma(work.s8_1354, work.s8_1546, s8_1547);
+  work.s8_1550 = work.s8_1365*work.s8_1376;
+  const double s8_1551 = fnma(work.s8_1313, work.s8_1548, s8_1549);
+  const double s8_1552 = fnma(work.s8_69, s8_1379, fnma(work.s8_1550, work.s8_1375, s8_1551));
+  work.s8_1553 = fma(work.s8_41, s8_1447, fnma(work.s8_115, s8_1416, s8_1552));
 }
 
 /// Part 8 of compute_accelerations: step 8: elimination from the leaves to the root (63),
@@ -3434,187 +3464,187 @@ struct AccelerationsWork {
 /// accelerations from the root to the leaves (63), (62).
 [[gnu::noinline]] void compute_accelerations_8(const State& state, const double* tau,
     AccelerationsWork& __restrict work, Accelerations& __restrict result) noexcept {
-  const double s8_1548 = fma(work.s8_486, work.s8_1418, work.s8_1416*work.s8_532);
-  const double s8_1549 = fma(work.s8_1522, work.s8_1367, s8_1548);
+  const double s8_1554 = fma(work.s8_486, work.s8_1423, work.s8_1421*work.s8_532);
+  const double s8_1555 = fma(work.s8_1528, work.s8_1371, s8_1554);
   // --- step 8: elimination from the leaves to the root (63), upper_ball_left .. tie_rod_right,
   // continued ---
-  const double s8_1550 = fma(work.s8_1350, work.s8_1518, s8_1549);
-  const double s8_1551 = fma(work.s8_1234, work.s8_1520, s8_1550);
+  const double s8_1556 = fma(work.s8_1351, work.s8_1524, s8_1555);
+  const double s8_1557 = fma(work.s8_1233, work.s8_1526, s8_1556);
   // operations: 824 add, 901 multiply, 3 divide
-  const double s8_1552 = fma(work.s8_486, work.s8_1535, work.s8_1533*work.s8_532);
-  const double s8_1553 = fma(work.s8_1544, work.s8_1367, s8_1552);
-  const double s8_1554 = fma(work.s8_1350, work.s8_1540, s8_1553);
+  const double s8_1558 = fma(work.s8_486, work.s8_1541, work.s8_1539*work.s8_532);
+  const double s8_1559 = fma(work.s8_1550, work.s8_1371, s8_1558);
+  const double s8_1560 = fma(work.s8_1351, work.s8_1546, s8_1559);
 
   // --- step 8: elimination from the leaves to the root (63), continued ---
   // chassis: chassis_rx, revolute, chassis_aux5
-  const double s8_1555 = work.s8_1376 + fma(work.s8_1234, work.s8_1542, s8_1554);
-  const double s8_1556 = fnma(work.s8_1416, work.s8_533, work.s8_1376);
-  const double s8_1557 = fnma(work.s8_470, work.s8_1418, s8_1556);
-  const double s8_1558 = fnma(work.s8_1522, work.s8_1364, s8_1557);
-  const double s8_1559 = fnma(work.s8_1346, work.s8_1518, s8_1558);
-  const double s8_1560 = fma(work.s8_488, work.s8_1418, work.s8_1416*work.s8_534);
-  const double s8_1561 = fnma(work.s8_531, work.s8_1416, 15306.0);
-  const double s8_1562 = fma(work.s8_1522, work.s8_1369, s8_1560);
-  const double s8_1563 = fnma(work.s8_503, work.s8_1418, s8_1561);
-  const double s8_1564 = fma(work.s8_1352, work.s8_1518, s8_1562);
-  const double s8_1565 = fnma(work.s8_1363, work.s8_1522, s8_1563);
-  const double s8_1566 = fnma(work.s8_1343, work.s8_1518, s8_1565);
-  const double s8_1567 = fnma(work.s8_1209, work.s8_1520, s8_1566);
-  const double s8_1568 = fma(s8_1551, work.s8_1478, fma(work.s8_1218, work.s8_1520, s8_1564));
-  const double s8_1569 = work.s8_1442 + s8_1568;
-  const double s8_1570 = fnma(s8_1551, work.s8_1502, fnma(work.s8_1227, work.s8_1520, s8_1559));
-  const double s8_1571 = fnma(work.s8_1505, s8_1569, s8_1570);
-  const double s8_1572 = fnma(work.s8_1431, work.s8_532, work.s8_1442);
-  const double s8_1573 = fnma(work.s8_486, work.s8_1429, s8_1572);
-  const double s8_1574 = fnma(work.s8_1529, work.s8_1367, s8_1573);
-  const double s8_1575 = fnma(work.s8_1350, work.s8_1526, s8_1574);
-  const double s8_1576 = fnma(work.s8_1234, work.s8_1527, s8_1575);
-  const double s8_1577 = fnma(work.s8_1533, work.s8_534, work.s8_1412);
-  const double s8_1578 = fnma(work.s8_488, work.s8_1535, s8_1577);
-  const double s8_1579 = fnma(work.s8_1544, work.s8_1369, s8_1578);
-  const double s8_1580 = fnma(work.s8_1352, work.s8_1540, s8_1579);
-  const double s8_1581 = fnma(s8_1555, work.s8_1478, fnma(work.s8_1218, work.s8_1542, s8_1580));
-  const double s8_1582 = fnma(work.s8_1431, work.s8_534, work.s8_1478*s8_1576);
-  const double s8_1583 = fnma(work.s8_488, work.s8_1429, s8_1582);
-  const double s8_1584 = fnma(work.s8_1529, work.s8_1369, s8_1583);
-  const double s8_1585 = fnma(work.s8_1352, work.s8_1526, s8_1584);
-  const double s8_1586 = fnma(work.s8_1218, work.s8_1527, s8_1585);
-  const double s8_1587 = fnma(work.s8_1533, work.s8_533, s8_1581*work.s8_1505);
-  const double s8_1588 = fnma(work.s8_470, work.s8_1535, s8_1587);
-  const double s8_1589 = fnma(work.s8_1544, work.s8_1364, s8_1588);
-  const double s8_1590 = fnma(work.s8_1346, work.s8_1540, s8_1589);
-  const double s8_1591 = fnma(s8_1555, work.s8_1502, fnma(work.s8_1227, work.s8_1542, s8_1590));
-  const double s8_1592 = fnma(work.s8_1480, work.s8_1505, work.s8_1462);
-  const double pivot_chassis_rz = fnma(work.s8_1463, work.s8_1502, s8_1592);
-  result.inertia[3] = fnma(1e-12, work.s8_1462, pivot_chassis_rz);
-  const double s8_1593 = 1.0/pivot_chassis_rz;
-  const double s8_1594 = fnma(work.s8_1431, work.s8_533, work.s8_1502*s8_1576);
-  const double s8_1595 = fnma(work.s8_470, work.s8_1429, s8_1594);
-  const double s8_1596 = fnma(work.s8_1529, work.s8_1364, s8_1595);
-  const double s8_1597 = fnma(work.s8_1346, work.s8_1526, s8_1596);
-  const double s8_1598 = fnma(work.s8_1227, work.s8_1527, s8_1597) - work.s8_1412;
-  const double s8_1599 = fma(work.s8_1505, s8_1586, s8_1598);
-  const double s8_1600 = work.s8_1504*s8_1569;
-  const double s8_1601 = fnma(work.s8_1533, work.s8_531, s8_1581*s8_1600);
-  const double s8_1602 = fnma(work.s8_503, work.s8_1535, s8_1601);
-  const double s8_1603 = fnma(work.s8_1544, work.s8_1363, s8_1602);
-  const double s8_1604 = fnma(work.s8_1343, work.s8_1540, s8_1603);
-  const double s8_1605 = work.s8_1477*s8_1576;
-  const double s8_1606 = fnma(work.s8_529, work.s8_1533, s8_1555*s8_1605);
-  const double s8_1607 = fnma(work.s8_530, work.s8_1533, 15306.0);
-  const double s8_1608 = fnma(work.s8_266, work.s8_1535, s8_1606);
-  const double s8_1609 = fnma(work.s8_502, work.s8_1535, s8_1607);
-  const double s8_1610 = fnma(work.s8_1544, work.s8_1360, s8_1608);
-  const double s8_1611 = fnma(work.s8_1362, work.s8_1544, s8_1609);
-  const double s8_1612 = fnma(work.s8_1354, work.s8_1540, s8_1610);
-  const double s8_1613 = fnma(work.s8_1342, work.s8_1540, s8_1611);
-  const double s8_1614 = fnma(work.s8_798, work.s8_1542, s8_1613);
-  const double s8_1615 = s8_1551*work.s8_1477;
-  const double s8_1616 = fnma(work.s8_1431, work.s8_531, s8_1615*s8_1576);
-  const double s8_1617 = fnma(work.s8_503, work.s8_1429, s8_1616);
-  const double s8_1618 = fnma(work.s8_529, work.s8_1431, 15306.0);
-  const double s8_1619 = fnma(work.s8_1363, work.s8_1529, s8_1617);
-  const double s8_1620 = fnma(work.s8_266, work.s8_1429, s8_1618);
-  const double s8_1621 = fnma(work.s8_1343, work.s8_1526, s8_1619);
-  const double s8_1622 = fnma(work.s8_1360, work.s8_1529, s8_1620);
-  const double s8_1623 = fnma(work.s8_1354, work.s8_1526, s8_1622);
-  const double s8_1624 = fnma(work.s8_1229, work.s8_1527, s8_1623);
-  const double s8_1625 = s8_1593*s8_1571;
-  const double s8_1626 = fnma(s8_1555, s8_1615, fnma(work.s8_1209, work.s8_1542, s8_1604));
-  const double s8_1627 = fnma(s8_1591, s8_1625, s8_1626);
-  const double s8_1628 = fnma(s8_1551, s8_1615, fnma(s8_1569, s8_1600, s8_1567));
-  const double pivot_chassis_tz = fnma(s8_1571, s8_1625, s8_1628);
-  const double s8_1629 = fma(s8_1600, s8_1586, fnma(work.s8_1209, work.s8_1527, s8_1621));
-  const double s8_1630 = fnma(s8_1625, s8_1599, s8_1629);
-  const double s8_1631 = fma(s8_1600, work.s8_1501, fma(s8_1615, work.s8_1490, work.s8_1525));
-  const double s8_1632 = fnma(s8_1625, work.s8_1517, s8_1631);
-  result.inertia[2] = fnma(1e-12, s8_1567, pivot_chassis_tz);
-  const double s8_1633 = 1.0/pivot_chassis_tz;
-  const double s8_1634 = work.s8_1504*s8_1586;
-  const double s8_1635 = s8_1593*s8_1599;
-  const double s8_1636 = fnma(s8_1581, s8_1634, fnma(work.s8_1229, work.s8_1542, s8_1612));
-  const double s8_1637 = fnma(s8_1586, s8_1634, fnma(s8_1576, s8_1605, s8_1624));
-  const double s8_1638 = fnma(s8_1634, work.s8_1501, fnma(s8_1605, work.s8_1490, work.s8_1532));
-  const double s8_1639 = s8_1633*s8_1630;
-  const double s8_1640 = fnma(s8_1627, s8_1639, fnma(s8_1591, s8_1635, s8_1636));
-  const double pivot_chassis_ty = fnma(s8_1630, s8_1639, fnma(s8_1599, s8_1635, s8_1637));
-  const double s8_1641 = fnma(s8_1639, s8_1632, fnma(s8_1635, work.s8_1517, s8_1638));
-  result.inertia[1] = fnma(1e-12, s8_1624, pivot_chassis_ty);
-  const double s8_1642 = 1.0/pivot_chassis_ty;
-  const double s8_1643 = s8_1555*work.s8_1477;
-  const double s8_1644 = s8_1581*work.s8_1504;
-  const double s8_1645 = s8_1591*s8_1593;
-  const double s8_1646 = fnma(s8_1581, s8_1644, fnma(s8_1555, s8_1643, s8_1614));
-  const double s8_1647 = fnma(s8_1644, work.s8_1501, fma(s8_1643, work.s8_1490, work.s8_1547));
-  const double s8_1648 = s8_1627*s8_1633;
-  const double s8_1649 = s8_1640*s8_1642;
-  const double s8_1650 = fnma(s8_1627, s8_1648, fnma(s8_1591, s8_1645, s8_1646));
-  const double pivot_chassis_tx = fnma(s8_1640, s8_1649, s8_1650);
-  const double s8_1651 = fnma(s8_1648, s8_1632, fnma(s8_1645, work.s8_1517, s8_1647));
-  result.inertia[0] = fnma(1e-12, s8_1614, pivot_chassis_tx);
+  const double s8_1561 = work.s8_1380 + fma(work.s8_1233, work.s8_1548, s8_1560);
+  const double s8_1562 = fnma(work.s8_1421, work.s8_533, work.s8_1380);
+  const double s8_1563 = fnma(work.s8_470, work.s8_1423, s8_1562);
+  const double s8_1564 = fnma(work.s8_1528, work.s8_1367, s8_1563);
+  const double s8_1565 = fnma(work.s8_1347, work.s8_1524, s8_1564);
+  const double s8_1566 = fma(work.s8_488, work.s8_1423, work.s8_1421*work.s8_534);
+  const double s8_1567 = fnma(work.s8_531, work.s8_1421, 15306.0);
+  const double s8_1568 = fma(work.s8_1528, work.s8_1373, s8_1566);
+  const double s8_1569 = fnma(work.s8_503, work.s8_1423, s8_1567);
+  const double s8_1570 = fma(work.s8_1353, work.s8_1524, s8_1568);
+  const double s8_1571 = fnma(work.s8_1366, work.s8_1528, s8_1569);
+  const double s8_1572 = fnma(work.s8_1344, work.s8_1524, s8_1571);
+  const double s8_1573 = fnma(work.s8_1206, work.s8_1526, s8_1572);
+  const double s8_1574 = fma(s8_1557, work.s8_1483, fma(work.s8_1216, work.s8_1526, s8_1570));
+  const double s8_1575 = work.s8_1448 + s8_1574;
+  const double s8_1576 = fnma(s8_1557, work.s8_1508, fnma(work.s8_1226, work.s8_1526, s8_1565));
+  const double s8_1577 = fnma(work.s8_1511, s8_1575, s8_1576);
+  const double s8_1578 = fnma(work.s8_1437, work.s8_532, work.s8_1448);
+  const double s8_1579 = fnma(work.s8_486, work.s8_1435, s8_1578);
+  const double s8_1580 = fnma(work.s8_1535, work.s8_1371, s8_1579);
+  const double s8_1581 = fnma(work.s8_1351, work.s8_1532, s8_1580);
+  const double s8_1582 = fnma(work.s8_1233, work.s8_1533, s8_1581);
+  const double s8_1583 = fnma(work.s8_1539, work.s8_534, work.s8_1417);
+  const double s8_1584 = fnma(work.s8_488, work.s8_1541, s8_1583);
+  const double s8_1585 = fnma(work.s8_1550, work.s8_1373, s8_1584);
+  const double s8_1586 = fnma(work.s8_1353, work.s8_1546, s8_1585);
+  const double s8_1587 = fnma(s8_1561, work.s8_1483, fnma(work.s8_1216, work.s8_1548, s8_1586));
+  const double s8_1588 = fnma(work.s8_1437, work.s8_534, work.s8_1483*s8_1582);
+  const double s8_1589 = fnma(work.s8_488, work.s8_1435, s8_1588);
+  const double s8_1590 = fnma(work.s8_1535, work.s8_1373, s8_1589);
+  const double s8_1591 = fnma(work.s8_1353, work.s8_1532, s8_1590);
+  const double s8_1592 = fnma(work.s8_1216, work.s8_1533, s8_1591);
+  const double s8_1593 = fnma(work.s8_1539, work.s8_533, s8_1587*work.s8_1511);
+  const double s8_1594 = fnma(work.s8_470, work.s8_1541, s8_1593);
+  const double s8_1595 = fnma(work.s8_1550, work.s8_1367, s8_1594);
+  const double s8_1596 = fnma(work.s8_1347, work.s8_1546, s8_1595);
+  const double s8_1597 = fnma(s8_1561, work.s8_1508, fnma(work.s8_1226, work.s8_1548, s8_1596));
+  const double s8_1598 = fnma(work.s8_1485, work.s8_1511, work.s8_1468);
+  const double pivot_chassis_rz = fnma(work.s8_1469, work.s8_1508, s8_1598);
+  result.inertia[3] = fnma(1e-12, work.s8_1468, pivot_chassis_rz);
+  const double s8_1599 = 1.0/pivot_chassis_rz;
+  const double s8_1600 = fnma(work.s8_1437, work.s8_533, work.s8_1508*s8_1582);
+  const double s8_1601 = fnma(work.s8_470, work.s8_1435, s8_1600);
+  const double s8_1602 = fnma(work.s8_1535, work.s8_1367, s8_1601);
+  const double s8_1603 = fnma(work.s8_1347, work.s8_1532, s8_1602);
+  const double s8_1604 = fnma(work.s8_1226, work.s8_1533, s8_1603) - work.s8_1417;
+  const double s8_1605 = fma(work.s8_1511, s8_1592, s8_1604);
+  const double s8_1606 = work.s8_1510*s8_1575;
+  const double s8_1607 = fnma(work.s8_1539, work.s8_531, s8_1587*s8_1606);
+  const double s8_1608 = fnma(work.s8_503, work.s8_1541, s8_1607);
+  const double s8_1609 = fnma(work.s8_1550, work.s8_1366, s8_1608);
+  const double s8_1610 = fnma(work.s8_1344, work.s8_1546, s8_1609);
+  const double s8_1611 = work.s8_1482*s8_1582;
+  const double s8_1612 = fnma(work.s8_529, work.s8_1539, s8_1561*s8_1611);
+  const double s8_1613 = fnma(work.s8_530, work.s8_1539, 15306.0);
+  const double s8_1614 = fnma(work.s8_266, work.s8_1541, s8_1612);
+  const double s8_1615 = fnma(work.s8_502, work.s8_1541, s8_1613);
+  const double s8_1616 = fnma(work.s8_1550, work.s8_1361, s8_1614);
+  const double s8_1617 = fnma(work.s8_1365, work.s8_1550, s8_1615);
+  const double s8_1618 = fnma(work.s8_1355, work.s8_1546, s8_1616);
+  const double s8_1619 = fnma(work.s8_1343, work.s8_1546, s8_1617);
+  const double s8_1620 = fnma(work.s8_795, work.s8_1548, s8_1619);
+  const double s8_1621 = s8_1557*work.s8_1482;
+  const double s8_1622 = fnma(work.s8_1437, work.s8_531, s8_1621*s8_1582);
+  const double s8_1623 = fnma(work.s8_503, work.s8_1435, s8_1622);
+  const double s8_1624 = fnma(work.s8_529, work.s8_1437, 15306.0);
+  const double s8_1625 = fnma(work.s8_1366, work.s8_1535, s8_1623);
+  const double s8_1626 = fnma(work.s8_266, work.s8_1435, s8_1624);
+  const double s8_1627 = fnma(work.s8_1344, work.s8_1532, s8_1625);
+  const double s8_1628 = fnma(work.s8_1361, work.s8_1535, s8_1626);
+  const double s8_1629 = fnma(work.s8_1355, work.s8_1532, s8_1628);
+  const double s8_1630 = fnma(work.s8_1228, work.s8_1533, s8_1629);
+  const double s8_1631 = s8_1599*s8_1577;
+  const double s8_1632 = fnma(s8_1561, s8_1621, fnma(work.s8_1206, work.s8_1548, s8_1610));
+  const double s8_1633 = fnma(s8_1597, s8_1631, s8_1632);
+  const double s8_1634 = fnma(s8_1557, s8_1621, fnma(s8_1575, s8_1606, s8_1573));
+  const double pivot_chassis_tz = fnma(s8_1577, s8_1631, s8_1634);
+  const double s8_1635 = fma(s8_1606, s8_1592, fnma(work.s8_1206, work.s8_1533, s8_1627));
+  const double s8_1636 = fnma(s8_1631, s8_1605, s8_1635);
+  const double s8_1637 = fma(s8_1606, work.s8_1507, fma(s8_1621, work.s8_1495, work.s8_1531));
+  const double s8_1638 = fnma(s8_1631, work.s8_1523, s8_1637);
+  result.inertia[2] = fnma(1e-12, s8_1573, pivot_chassis_tz);
+  const double s8_1639 = 1.0/pivot_chassis_tz;
+  const double s8_1640 = work.s8_1510*s8_1592;
+  const double s8_1641 = s8_1599*s8_1605;
+  const double s8_1642 = fnma(s8_1587, s8_1640, fnma(work.s8_1228, work.s8_1548, s8_1618));
+  const double s8_1643 = fnma(s8_1592, s8_1640, fnma(s8_1582, s8_1611, s8_1630));
+  const double s8_1644 = fnma(s8_1640, work.s8_1507, fnma(s8_1611, work.s8_1495, work.s8_1538));
+  const double s8_1645 = s8_1639*s8_1636;
+  const double s8_1646 = fnma(s8_1633, s8_1645, fnma(s8_1597, s8_1641, s8_1642));
+  const double pivot_chassis_ty = fnma(s8_1636, s8_1645, fnma(s8_1605, s8_1641, s8_1643));
+  const double s8_1647 = fnma(s8_1645, s8_1638, fnma(s8_1641, work.s8_1523, s8_1644));
+  result.inertia[1] = fnma(1e-12, s8_1630, pivot_chassis_ty);
+  const double s8_1648 = 1.0/pivot_chassis_ty;
+  const double s8_1649 = s8_1561*work.s8_1482;
+  const double s8_1650 = s8_1587*work.s8_1510;
+  const double s8_1651 = s8_1597*s8_1599;
+  const double s8_1652 = fnma(s8_1587, s8_1650, fnma(s8_1561, s8_1649, s8_1620));
+  const double s8_1653 = fnma(s8_1650, work.s8_1507, fma(s8_1649, work.s8_1495, work.s8_1553));
+  const double s8_1654 = s8_1633*s8_1639;
+  const double s8_1655 = s8_1646*s8_1648;
+  const double s8_1656 = fnma(s8_1633, s8_1654, fnma(s8_1597, s8_1651, s8_1652));
+  const double pivot_chassis_tx = fnma(s8_1646, s8_1655, s8_1656);
+  const double s8_1657 = fnma(s8_1654, s8_1638, fnma(s8_1651, work.s8_1523, s8_1653));
+  result.inertia[0] = fnma(1e-12, s8_1620, pivot_chassis_tx);
   // operations: 702 add, 564 multiply, 6 divide
 
   // --- step 9: accelerations from the root to the leaves (63), (62), continued ---
   // chassis: chassis_rx, revolute, chassis_aux5
-  const double a_chassis_x = fnma(s8_1649, s8_1641, s8_1651)*(1.0/pivot_chassis_tx);
-  const double a_chassis_y = s8_1642*fnma(s8_1640, a_chassis_x, s8_1641);
-  const double s1_7 = work.sines[5];
-  const double s9_7 = fma(-g_z, s1_7, a_chassis_x);
-  const double s9_8 = fnma(work.s8_1362, a_chassis_x, work.s8_1371);
-  const double s9_9 = fnma(work.s8_1342, a_chassis_x, work.s8_1353);
-  const double s9_10 = fnma(work.s8_798, a_chassis_x, work.s8_1314);
+  const double a_chassis_x = fnma(s8_1655, s8_1647, s8_1657)*(1.0/pivot_chassis_tx);
+  const double a_chassis_y = s8_1648*fnma(s8_1646, a_chassis_x, s8_1647);
+  const double s1_55 = work.sines[1];
+  const double s9_7 = fma(-g_z, s1_55, a_chassis_x);
+  const double s9_8 = fnma(work.s8_1365, a_chassis_x, work.s8_1375);
+  const double s9_9 = fnma(work.s8_1343, a_chassis_x, work.s8_1354);
+  const double s9_10 = fnma(work.s8_795, a_chassis_x, work.s8_1313);
   const double s9_11 = fnma(work.s8_530, a_chassis_x, work.s8_539);
   const double s9_12 = fnma(work.s8_502, a_chassis_x, work.s8_526);
-  const double a_chassis_z = s8_1633*fnma(s8_1630, a_chassis_y, fnma(s8_1627, a_chassis_x,
-      s8_1632));
+  const double a_chassis_z = s8_1639*fnma(s8_1636, a_chassis_y, fnma(s8_1633, a_chassis_x,
+      s8_1638));
   const double s9_13 = fnma(-g_z, work.R_chassis_z_y, a_chassis_y);
-  const double s9_14 = fnma(s8_1599, a_chassis_y, fnma(s8_1591, a_chassis_x, work.s8_1517));
-  const double s9_15 = fnma(s8_1586, a_chassis_y, fnma(s8_1581, a_chassis_x, work.s8_1501));
-  const double s9_16 = fnma(s8_1576, a_chassis_y, fma(s8_1555, a_chassis_x, work.s8_1490));
-  const double alpha_chassis_x = s8_1593*fnma(s8_1571, a_chassis_z, s9_14);
+  const double s9_14 = fnma(s8_1605, a_chassis_y, fnma(s8_1597, a_chassis_x, work.s8_1523));
+  const double s9_15 = fnma(s8_1592, a_chassis_y, fnma(s8_1587, a_chassis_x, work.s8_1507));
+  const double s9_16 = fnma(s8_1582, a_chassis_y, fma(s8_1561, a_chassis_x, work.s8_1495));
+  const double alpha_chassis_x = s8_1599*fnma(s8_1577, a_chassis_z, s9_14);
   const double s9_17 = fnma(-g_z, work.R_chassis_z_z, a_chassis_z);
-  const double s9_18 = fnma(work.s8_1363, a_chassis_z, fnma(work.s8_1360, a_chassis_y, s9_8));
-  const double s9_19 = fnma(work.s8_1343, a_chassis_z, fnma(work.s8_1354, a_chassis_y, s9_9));
-  const double s9_20 = fnma(work.s8_1209, a_chassis_z, fnma(work.s8_1229, a_chassis_y, s9_10));
+  const double s9_18 = fnma(work.s8_1366, a_chassis_z, fnma(work.s8_1361, a_chassis_y, s9_8));
+  const double s9_19 = fnma(work.s8_1344, a_chassis_z, fnma(work.s8_1355, a_chassis_y, s9_9));
+  const double s9_20 = fnma(work.s8_1206, a_chassis_z, fnma(work.s8_1228, a_chassis_y, s9_10));
   const double s9_21 = fnma(work.s8_531, a_chassis_z, fnma(work.s8_529, a_chassis_y, s9_11));
   const double s9_22 = fnma(work.s8_503, a_chassis_z, fnma(work.s8_266, a_chassis_y, s9_12));
   const double s9_23 = fma(work.R_chassis_y_y, s9_13, work.R_chassis_aux5_y_x*s9_7);
   result.zdd[Coordinate::chassis_ty] = fma(work.R_chassis_y_z, s9_17, s9_23);
   const double s9_24 = fma(work.R_chassis_x_y, s9_13, work.R_chassis_aux5_x_x*s9_7);
   result.zdd[Coordinate::chassis_tx] = fma(work.R_chassis_x_z, s9_17, s9_24);
-  const double s9_25 = fnma(s1_7, s9_7, work.R_chassis_z_y*s9_13);
+  const double s9_25 = fnma(s1_55, s9_7, work.R_chassis_z_y*s9_13);
   result.zdd[Coordinate::chassis_tz] = fma(work.R_chassis_z_z, s9_17, s9_25);
-  const double s9_26 = fma(work.s8_1480, alpha_chassis_x, fma(s8_1569, a_chassis_z, s9_15));
-  const double alpha_chassis_y = work.s8_1504*s9_26;
-  const double s9_27 = fma(work.s8_1463, alpha_chassis_x, fma(s8_1551, a_chassis_z, s9_16));
+  const double s9_26 = fma(work.s8_1485, alpha_chassis_x, fma(s8_1575, a_chassis_z, s9_15));
+  const double alpha_chassis_y = work.s8_1510*s9_26;
+  const double s9_27 = fma(work.s8_1469, alpha_chassis_x, fma(s8_1557, a_chassis_z, s9_16));
   const double s9_28 = alpha_chassis_y + work.s9_3;
-  const double s9_29 = fnma(work.s8_1364, alpha_chassis_x, s9_18);
-  const double s9_30 = fnma(work.s8_1346, alpha_chassis_x, s9_19);
-  const double s9_31 = fnma(work.s8_1227, alpha_chassis_x, s9_20);
+  const double s9_29 = fnma(work.s8_1367, alpha_chassis_x, s9_18);
+  const double s9_30 = fnma(work.s8_1347, alpha_chassis_x, s9_19);
+  const double s9_31 = fnma(work.s8_1226, alpha_chassis_x, s9_20);
   const double s9_32 = fnma(work.s8_533, alpha_chassis_x, s9_21);
   const double s9_33 = fnma(work.s8_470, alpha_chassis_x, s9_22);
-  const double alpha_chassis_z = work.s8_1477*fma(work.s8_1472, alpha_chassis_y, s9_27);
+  const double alpha_chassis_z = work.s8_1482*fma(work.s8_1477, alpha_chassis_y, s9_27);
   const double s9_34 = alpha_chassis_z + work.s9_2;
-  const double s9_35 = fnma(work.s8_1369, alpha_chassis_y, s9_29);
-  const double s9_36 = fnma(work.s8_1352, alpha_chassis_y, s9_30);
-  const double s9_37 = fnma(work.s8_1218, alpha_chassis_y, s9_31);
+  const double s9_35 = fnma(work.s8_1373, alpha_chassis_y, s9_29);
+  const double s9_36 = fnma(work.s8_1353, alpha_chassis_y, s9_30);
+  const double s9_37 = fnma(work.s8_1216, alpha_chassis_y, s9_31);
   const double s9_38 = fnma(work.s8_534, alpha_chassis_y, s9_32);
   const double s9_39 = fnma(work.s8_488, alpha_chassis_y, s9_33);
-  result.zdd[Coordinate::chassis_rz] = fma(work.s1_61, s9_34, work.s1_62*s9_28);
-  result.zdd[Coordinate::chassis_ry] = fnma(work.sines[6], s9_34, work.cosines[6]*s9_28);
-  const double s9_40 = work.s8_1372*fnma(work.s8_1367, alpha_chassis_z, s9_35);
+  result.zdd[Coordinate::chassis_rz] = fma(work.s1_54, s9_34, work.s1_58*s9_28);
+  const double s9_40 = work.s8_1376*fnma(work.s8_1371, alpha_chassis_z, s9_35);
   result.zdd[Coordinate::lower_arm_left] = s9_40;
   const double s9_41 = work.s8_535*fnma(work.s8_532, alpha_chassis_z, s9_38);
   result.zdd[Coordinate::arb_rear_left] = s9_41;
-  const double s9_42 = fma(work.s1_60, s9_34, work.s1_59*s9_28);
-  result.zdd[Coordinate::chassis_rx] = fma(work.s1_63, alpha_chassis_x + work.s9_1, s9_42);
-  const double s9_43 = fma(work.s8_1355, s9_40, fnma(work.s8_1350, alpha_chassis_z, s9_36));
-  const double s9_44 = work.s8_1356*s9_43;
+  result.zdd[Coordinate::chassis_ry] = fnma(work.sines[2], s9_34, work.cosines[2]*s9_28);
+  const double s9_42 = fma(work.s1_57, s9_34, work.s1_60*s9_28);
+  result.zdd[Coordinate::chassis_rx] = fma(work.s1_61, alpha_chassis_x + work.s9_1, s9_42);
+  const double s9_43 = fma(work.s8_1356, s9_40, fnma(work.s8_1351, alpha_chassis_z, s9_36));
+  const double s9_44 = work.s8_1357*s9_43;
   result.zdd[Coordinate::lower_arm_right] = s9_44;
   const double s9_45 = fnma(work.s8_512, s9_41, fnma(work.s8_486, alpha_chassis_z, s9_39));
   const double s9_46 = work.s8_527*s9_45;
   result.zdd[Coordinate::arb_rear_right] = s9_46;
-  const double s9_47 = fnma(work.s8_1174, s9_40, fnma(work.s8_1234, alpha_chassis_z, s9_37));
+  const double s9_47 = fnma(work.s8_1181, s9_40, fnma(work.s8_1233, alpha_chassis_z, s9_37));
   const double s9_48 = fma(work.Rz_rear_axle_ry_0, s9_41, work.zdd_star_rear_axle_ry);
   const double s9_49 = fma(work.Rz_rear_axle_ry_1, s9_46, s9_48);
   const double s9_50 = fma(work.Rz_rear_axle_rx_0, s9_41, work.zdd_star_rear_axle_rx);
@@ -3625,7 +3655,7 @@ struct AccelerationsWork {
   result.zdd[Coordinate::rear_axle_tz] = fma(work.Rz_rear_axle_tz_1, s9_46, s9_53);
   const double s9_54 = fma(work.Rz_rear_axle_rz_0, s9_41, work.zdd_star_rear_axle_rz);
   const double s9_55 = fnma(work.s3_2, s9_46, s9_54);
-  const double s9_56 = work.s8_1340*fnma(work.s8_1260, s9_44, s9_47);
+  const double s9_56 = work.s8_1341*fnma(work.s8_1259, s9_44, s9_47);
   result.zdd[Coordinate::bell_crank] = s9_56;
   // rear_axle: rear_axle_rx, revolute, rear_axle_aux5
   const double alpha_rear_axle_y = s9_49 + (work.s8_44 + alpha_chassis_y);
@@ -3648,17 +3678,17 @@ struct AccelerationsWork {
   const double s9_66 = fnma(work.s3_21, s9_40, work.zdd_star_carrier_left_rx);
   const double s9_67 = fnma(work.s3_22, s9_56, s9_66);
   // carrier_left: carrier_left_ry, revolute, carrier_left_aux2
-  const double s9_68 = fma(work.s8_676, s9_40, work.s8_632 + alpha_chassis_x);
+  const double s9_68 = fma(work.s8_673, s9_40, work.s8_629 + alpha_chassis_x);
   const double alpha_carrier_left_x = fma(work.Rz_carrier_left_rz_2, s9_56, s9_68);
   // carrier_right: carrier_right_ry, revolute, carrier_right_aux2
-  const double s9_69 = fma(work.s8_734, s9_44, work.s8_572 + alpha_chassis_x);
+  const double s9_69 = fma(work.s8_731, s9_44, work.s8_569 + alpha_chassis_x);
   const double alpha_carrier_right_x = fma(work.Rz_carrier_right_rz_2, s9_56, s9_69);
-  const double alpha_carrier_right_z = s9_60 + (work.s8_573 + alpha_chassis_z);
-  const double alpha_carrier_right_y = s9_62 + (work.s8_574 + alpha_chassis_y);
+  const double alpha_carrier_right_z = s9_60 + (work.s8_570 + alpha_chassis_z);
+  const double alpha_carrier_right_y = s9_62 + (work.s8_571 + alpha_chassis_y);
   // carrier_left: carrier_left_ry, revolute, carrier_left_aux2
-  const double alpha_carrier_left_z = s9_65 + (work.s8_619 + alpha_chassis_z);
-  const double alpha_carrier_left_y = s9_67 + (work.s8_620 + alpha_chassis_y);
-  result.zdd[Coordinate::pitman_arm] = -fma(work.s3_34, s9_56, work.s6_203);
+  const double alpha_carrier_left_z = s9_65 + (work.s8_616 + alpha_chassis_z);
+  const double alpha_carrier_left_y = s9_67 + (work.s8_617 + alpha_chassis_y);
+  result.zdd[Coordinate::pitman_arm] = -fma(work.s3_34, s9_56, work.s6_202);
   result.zdd[Coordinate::upper_arm_right] = -fma(work.s3_27, s9_56, fma(work.s3_26, s9_44,
       work.s6_186));
   const double s9_70 = work.R_rear_axle_x_y*alpha_rear_axle_x;
@@ -3672,11 +3702,11 @@ struct AccelerationsWork {
   const double s9_75 = fnma(work.s4_17, work.s4_26, fnma(work.s4_23, work.s4_15, s9_65));
   const double s9_76 = fma(work.s4_1, work.s4_3, s9_49);
   const double s9_77 = fma(zd_rear_axle_rz, work.s4_1 - work.s4_2, s9_76);
-  result.zdd[Coordinate::rear_axle_rx] = fma(work.s1_68, s9_73, work.s1_67*s9_77);
-  result.zdd[Coordinate::rear_axle_ry] = fnma(work.sines[0], s9_73, work.cosines[0]*s9_77);
+  result.zdd[Coordinate::rear_axle_rx] = fma(work.s1_66, s9_73, work.s1_65*s9_77);
+  result.zdd[Coordinate::rear_axle_ry] = fnma(work.sines[17], s9_73, work.cosines[17]*s9_77);
   const double s9_78 = s9_51 + fma(work.s4_1, work.s4_7, work.s4_6*work.s4_2);
-  result.zdd[Coordinate::rear_axle_rz] = fma(work.s1_69, s9_78, fma(work.s1_66, s9_73,
-      work.s1_65*s9_77));
+  result.zdd[Coordinate::rear_axle_rz] = fma(work.s1_67, s9_78, fma(work.s1_64, s9_73,
+      work.s1_63*s9_77));
   const double s9_79 = s9_62 + fnma(work.s4_29, work.s4_30, work.s4_33*work.s4_36);
   const double s9_80 = fma(work.s4_34, zd_lower_arm_right + work.s4_32, s9_79);
   const double s9_81 = s9_67 + fnma(work.s4_14, work.s4_15, work.s4_18*work.s4_21);
@@ -3693,25 +3723,25 @@ struct AccelerationsWork {
   const double s9_92 = fma(work.Rz_carrier_right_rz_2, s9_56, s9_91);
   const double s9_93 = fnma(work.s3_18, s9_40, work.zdd_star_carrier_left_rz + s9_90);
   const double s9_94 = fma(work.Rz_carrier_left_rz_2, s9_56, s9_93);
-  result.zdd[Coordinate::carrier_right_ry] = fma(work.s1_49, s9_85, fnma(work.s1_52, s9_92,
-      work.s1_50*s9_80));
-  result.zdd[Coordinate::carrier_left_ry] = fma(work.s1_34, s9_88, fnma(work.s1_37, s9_94,
-      work.s1_35*s9_82));
-  const double s9_95 = fma(work.R_carrier_right_aux1_y_x, s9_80, work.cosines[13]*s9_92);
+  result.zdd[Coordinate::carrier_right_ry] = fma(work.s1_44, s9_85, fnma(work.s1_47, s9_92,
+      work.s1_45*s9_80));
+  result.zdd[Coordinate::carrier_left_ry] = fma(work.s1_28, s9_88, fnma(work.s1_31, s9_94,
+      work.s1_29*s9_82));
+  result.zdd[Coordinate::carrier_right_rz] = fma(work.s1_46, s9_85, fnma(work.s1_48, s9_80,
+      work.s1_51*s9_92));
+  result.zdd[Coordinate::carrier_left_rz] = fma(work.s1_30, s9_88, fnma(work.s1_32, s9_82,
+      work.s1_35*s9_94));
+  const double s9_95 = fma(work.R_carrier_right_aux1_y_x, s9_80, work.cosines[10]*s9_92);
   result.zdd[Coordinate::carrier_right_rx] = fma(work.R_carrier_right_aux1_z_x, s9_85, s9_95);
-  result.zdd[Coordinate::carrier_right_rz] = fma(work.s1_51, s9_85, fnma(work.s1_53, s9_80,
-      work.s1_56*s9_92));
-  const double s9_96 = fma(work.R_carrier_left_aux1_y_x, s9_82, work.cosines[9]*s9_94);
+  const double s9_96 = fma(work.R_carrier_left_aux1_y_x, s9_82, work.cosines[4]*s9_94);
   result.zdd[Coordinate::carrier_left_rx] = fma(work.R_carrier_left_aux1_z_x, s9_88, s9_96);
-  result.zdd[Coordinate::carrier_left_rz] = fma(work.s1_36, s9_88, fnma(work.s1_38, s9_82,
-      work.s1_41*s9_94));
   const double s9_97 = 0.09090909090909091*tau[Coordinate::wheel_front_left];
-  const double s9_98 = fma(work.s1_17, alpha_carrier_left_x, s9_97);
+  const double s9_98 = fma(work.s1_21, alpha_carrier_left_x, s9_97);
   const double s9_99 = fnma(work.R_carrier_left_aux2_y_y, alpha_carrier_left_y, s9_98);
   result.zdd[Coordinate::wheel_front_left] = fnma(work.R_carrier_left_aux2_z_y,
       alpha_carrier_left_z, s9_99);
   const double s9_100 = 0.09090909090909091*tau[Coordinate::wheel_front_right];
-  const double s9_101 = fma(work.s1_24, alpha_carrier_right_x, s9_100);
+  const double s9_101 = fma(work.s1_37, alpha_carrier_right_x, s9_100);
   const double s9_102 = fnma(work.R_carrier_right_aux2_y_y, alpha_carrier_right_y, s9_101);
   result.zdd[Coordinate::wheel_front_right] = fnma(work.R_carrier_right_aux2_z_y,
       alpha_carrier_right_z, s9_102);
@@ -3752,7 +3782,9 @@ struct ClosureWork {
 
 /// Part 1 of compute_closure: step 1: poses and axes b; step 2: closure Jacobian Phi_z and its
 /// factors (60); step 1: poses and axes b; step 2: closure Jacobian Phi_z and its factors (60);
-/// step 4: velocities; step 2: closure Jacobian Phi_z and its factors (60); step 4: velocities.
+/// step 4: velocities; step 2: closure Jacobian Phi_z and its factors (60); step 4: velocities;
+/// step 2: closure Jacobian Phi_z and its factors (60); step 4: velocities; step 2: closure
+/// Jacobian Phi_z and its factors (60).
 [[gnu::noinline]] void compute_closure_1(const State& state, ClosureWork& __restrict work,
     Closure& __restrict result) noexcept {
   // Results that need no operation.
@@ -3775,13 +3807,13 @@ struct ClosureWork {
 
   // --- step 1: poses and axes b ---
   const double angles[] = {
-      state.z[Coordinate::pitman_arm], state.z[Coordinate::bell_crank],
       state.z[Coordinate::lower_arm_left], state.z[Coordinate::carrier_left_rz],
       state.z[Coordinate::carrier_left_rx], state.z[Coordinate::carrier_left_ry],
+      state.z[Coordinate::upper_arm_left], state.z[Coordinate::arb_front_left],
       state.z[Coordinate::lower_arm_right], state.z[Coordinate::carrier_right_rz],
       state.z[Coordinate::carrier_right_rx], state.z[Coordinate::carrier_right_ry],
-      state.z[Coordinate::upper_arm_left], state.z[Coordinate::upper_arm_right],
-      state.z[Coordinate::arb_front_left], state.z[Coordinate::arb_front_right],
+      state.z[Coordinate::upper_arm_right], state.z[Coordinate::arb_front_right],
+      state.z[Coordinate::pitman_arm], state.z[Coordinate::bell_crank],
       state.z[Coordinate::rear_axle_rz], state.z[Coordinate::rear_axle_ry],
       state.z[Coordinate::rear_axle_rx], state.z[Coordinate::arb_rear_left],
       state.z[Coordinate::arb_rear_right]};
@@ -3789,399 +3821,411 @@ struct ClosureWork {
 
   // --- step 2: closure Jacobian Phi_z and its factors (60) ---
   // drag_link
-  const double s2_1 = -p_drag_link_from_z*work.sines[0];
-  const double s2_2 = -p_drag_link_from_z*work.cosines[0];
-  const double R_bell_crank_y_x = work.sines[1];
-  const double s2_3 = p_drag_link_to_y*R_bell_crank_y_x;
-  const double s2_4 = s2_3 + (1.15 - s2_1);
-  const double s2_5 = 0.2 - s2_2;
+  const double s2_1 = -p_drag_link_from_z*work.sines[12];
+  const double R_bell_crank_y_x = work.sines[13];
+  const double s2_2 = p_drag_link_to_y*R_bell_crank_y_x;
+  const double s2_3 = s2_2 + (1.15 - s2_1);
+  const double s2_4 = -p_drag_link_from_z*work.cosines[12];
+  const double s2_5 = 0.2 - s2_4;
   const double s2_6 = 0.8565801464479954*s2_5;
-  const double s2_7 = 0.8565801464479954*s2_4;
-  const double pivot_pitman_arm = fnma(s2_2, s2_7, s2_1*s2_6);
-  const double R_bell_crank_x_x = work.cosines[1];
+  const double s2_7 = 0.8565801464479954*s2_3;
+  const double pivot_pitman_arm = fnma(s2_4, s2_7, s2_1*s2_6);
+  const double R_bell_crank_x_x = work.cosines[13];
   const double s2_8 = p_drag_link_to_y*R_bell_crank_x_x;
   const double s2_9 = p_pitman_arm_y - s2_8;
   const double s2_10 = 0.8565801464479954*s2_9;
   const double zd_bell_crank = state.zd[Coordinate::bell_crank];
-  const double s2_11 = 0.5*fma(s2_9, s2_10, fma(s2_4, s2_7, fms(s2_5, s2_6, l_drag_link)));
+  const double s2_11 = 0.5*fma(s2_9, s2_10, fma(s2_3, s2_7, fms(s2_5, s2_6, l_drag_link)));
   result.residual[8] = s2_11;
 
   // --- step 1: poses and axes b, continued ---
   // carrier_left_aux1: carrier_left_rz, revolute, lower_arm_left
-  const double R_lower_arm_left_y_y = work.cosines[2];
-  const double R_carrier_left_aux1_x_x = work.cosines[3];
+  const double R_lower_arm_left_y_y = work.cosines[0];
+  const double R_carrier_left_aux1_x_x = work.cosines[1];
   const double R_carrier_left_aux1_y_y = R_lower_arm_left_y_y*R_carrier_left_aux1_x_x;
-  const double R_lower_arm_left_z_y = work.sines[2];
-  const double s1_1 = work.cosines[4];
-  const double s1_2 = work.sines[4];
+  const double R_lower_arm_left_z_y = work.sines[0];
+  const double s1_1 = work.cosines[2];
+  const double s1_2 = work.sines[2];
   const double s1_3 = fma(R_carrier_left_aux1_y_y, s1_2, R_lower_arm_left_z_y*s1_1);
   // carrier_left_aux2: carrier_left_rx, revolute, carrier_left_aux1
   const double R_carrier_left_aux2_y_y = fnma(R_lower_arm_left_z_y, s1_2,
       R_carrier_left_aux1_y_y*s1_1);
   // carrier_left_aux1: carrier_left_rz, revolute, lower_arm_left
-  const double s1_4 = work.sines[3];
+  const double s1_4 = work.sines[1];
   const double R_carrier_left_aux1_y_x = R_lower_arm_left_y_y*s1_4;
-  const double s1_5 = work.cosines[5];
+  const double s1_5 = work.cosines[3];
   // carrier_left: carrier_left_ry, revolute, carrier_left_aux2
-  const double s1_6 = work.sines[5];
+  const double s1_6 = work.sines[3];
   const double R_carrier_left_y_x = fma(s1_3, s1_6, R_carrier_left_aux1_y_x*s1_5);
   const double R_carrier_left_y_z = fnma(s1_3, s1_5, R_carrier_left_aux1_y_x*s1_6);
-  // carrier_left_aux1: carrier_left_rz, revolute, lower_arm_left
-  const double R_carrier_left_aux1_z_y = R_lower_arm_left_z_y*R_carrier_left_aux1_x_x;
-  // carrier_left_aux2: carrier_left_rx, revolute, carrier_left_aux1
-  const double R_carrier_left_aux2_z_z = fnma(R_carrier_left_aux1_z_y, s1_2,
-      R_lower_arm_left_y_y*s1_1);
-  const double s1_7 = s1_4*s1_1;
-  const double R_carrier_left_aux2_z_y = fma(R_lower_arm_left_y_y, s1_2,
-      R_carrier_left_aux1_z_y*s1_1);
-  const double R_carrier_left_aux2_x_z = s1_4*s1_2;
-  // carrier_left_aux1: carrier_left_rz, revolute, lower_arm_left
-  const double R_carrier_left_aux1_z_x = R_lower_arm_left_z_y*s1_4;
-  // carrier_left: carrier_left_ry, revolute, carrier_left_aux2
-  const double R_carrier_left_x_x = fnma(R_carrier_left_aux2_x_z, s1_6,
-      R_carrier_left_aux1_x_x*s1_5);
-  const double R_carrier_left_x_z = fma(R_carrier_left_aux1_x_x, s1_6,
-      R_carrier_left_aux2_x_z*s1_5);
-  const double R_carrier_left_z_x = fnma(R_carrier_left_aux2_z_z, s1_6,
-      R_carrier_left_aux1_z_x*s1_5);
-  const double R_carrier_left_z_z = fma(R_carrier_left_aux1_z_x, s1_6,
-      R_carrier_left_aux2_z_z*s1_5);
   // carrier_right_aux1: carrier_right_rz, revolute, lower_arm_right
   const double R_lower_arm_right_y_y = work.cosines[6];
   const double R_carrier_right_aux1_x_x = work.cosines[7];
   const double R_carrier_right_aux1_y_y = R_lower_arm_right_y_y*R_carrier_right_aux1_x_x;
   const double R_lower_arm_right_z_y = work.sines[6];
-  const double s1_8 = work.cosines[8];
-  const double s1_9 = work.sines[8];
-  const double s1_10 = fma(R_carrier_right_aux1_y_y, s1_9, R_lower_arm_right_z_y*s1_8);
+  const double s1_7 = work.cosines[8];
+  const double s1_8 = work.sines[8];
+  const double s1_9 = fma(R_carrier_right_aux1_y_y, s1_8, R_lower_arm_right_z_y*s1_7);
   // carrier_right_aux2: carrier_right_rx, revolute, carrier_right_aux1
-  const double R_carrier_right_aux2_y_y = fnma(R_lower_arm_right_z_y, s1_9,
-      R_carrier_right_aux1_y_y*s1_8);
+  const double R_carrier_right_aux2_y_y = fnma(R_lower_arm_right_z_y, s1_8,
+      R_carrier_right_aux1_y_y*s1_7);
   // carrier_right_aux1: carrier_right_rz, revolute, lower_arm_right
-  const double s1_11 = work.sines[7];
-  const double R_carrier_right_aux1_y_x = R_lower_arm_right_y_y*s1_11;
-  const double s1_12 = work.cosines[9];
+  const double s1_10 = work.sines[7];
+  const double R_carrier_right_aux1_y_x = R_lower_arm_right_y_y*s1_10;
+  const double s1_11 = work.cosines[9];
   // carrier_right: carrier_right_ry, revolute, carrier_right_aux2
-  const double s1_13 = work.sines[9];
-  const double R_carrier_right_y_x = fma(s1_10, s1_13, R_carrier_right_aux1_y_x*s1_12);
-  const double R_carrier_right_y_z = fnma(s1_10, s1_12, R_carrier_right_aux1_y_x*s1_13);
+  const double s1_12 = work.sines[9];
+  const double R_carrier_right_y_x = fma(s1_9, s1_12, R_carrier_right_aux1_y_x*s1_11);
+  const double R_carrier_right_y_z = fnma(s1_9, s1_11, R_carrier_right_aux1_y_x*s1_12);
+  // carrier_left_aux2: carrier_left_rx, revolute, carrier_left_aux1
+  const double R_carrier_left_aux2_x_z = s1_4*s1_2;
+  // carrier_left: carrier_left_ry, revolute, carrier_left_aux2
+  const double R_carrier_left_x_x = fnma(R_carrier_left_aux2_x_z, s1_6,
+      R_carrier_left_aux1_x_x*s1_5);
+  const double R_carrier_left_x_z = fma(R_carrier_left_aux1_x_x, s1_6,
+      R_carrier_left_aux2_x_z*s1_5);
+  const double s1_13 = s1_4*s1_1;
+  const double s2_12 = p_arb_link_front_left_to_x*R_carrier_left_x_x;
+  const double s2_13 = fma(-p_arb_link_front_left_to_y, s1_13 + R_carrier_left_x_z, s2_12);
+  // carrier_left_aux1: carrier_left_rz, revolute, lower_arm_left
+  const double R_carrier_left_aux1_z_y = R_lower_arm_left_z_y*R_carrier_left_aux1_x_x;
+  // carrier_left_aux2: carrier_left_rx, revolute, carrier_left_aux1
+  const double R_carrier_left_aux2_z_z = fnma(R_carrier_left_aux1_z_y, s1_2,
+      R_lower_arm_left_y_y*s1_1);
+  const double R_carrier_left_aux2_z_y = fma(R_lower_arm_left_y_y, s1_2,
+      R_carrier_left_aux1_z_y*s1_1);
+  // carrier_left_aux1: carrier_left_rz, revolute, lower_arm_left
+  const double R_carrier_left_aux1_z_x = R_lower_arm_left_z_y*s1_4;
+  // carrier_left: carrier_left_ry, revolute, carrier_left_aux2
+  const double R_carrier_left_z_x = fnma(R_carrier_left_aux2_z_z, s1_6,
+      R_carrier_left_aux1_z_x*s1_5);
+  const double R_carrier_left_z_z = fma(R_carrier_left_aux1_z_x, s1_6,
+      R_carrier_left_aux2_z_z*s1_5);
+  const double s2_14 = p_arb_link_front_left_to_x*R_carrier_left_z_x;
+  const double s2_15 = R_carrier_left_z_z - R_carrier_left_aux2_z_y;
+  const double s2_16 = fma(-p_arb_link_front_left_to_y, s2_15, s2_14);
+  const double s1_14 = p_carrier_left_rz_y*R_lower_arm_left_z_y;
+  const double s1_15 = fnma(-p_carrier_left_rz_z, R_lower_arm_left_y_y, s1_14);
+  const double R_arb_front_left_x_x = work.cosines[5];
+  const double R_arb_front_left_x_z = work.sines[5];
+  const double s2_17 = p_arb_link_front_left_from_z*R_arb_front_left_x_x;
+  const double s2_18 = fma(-p_arb_link_front_left_from_x, R_arb_front_left_x_z, s2_17);
+  const double s2_19 = p_arb_link_front_left_from_z*R_arb_front_left_x_z;
+  const double s2_20 = fnma(-p_arb_link_front_left_from_x, R_arb_front_left_x_x, s2_19);
+  const double s2_21 = 0.35 + s2_20 - s2_13;
+  // carrier_left_aux1: carrier_left_rz, revolute, lower_arm_left
+  const double r_carrier_left_aux1_z = s1_15 - (-p_lower_arm_left_z);
+  const double s2_22 = s2_18 - (-p_arb_front_left_z) - r_carrier_left_aux1_z - s2_16;
+  const double s2_23 = 3.846153846153846*s2_21;
+  const double s2_24 = 3.846153846153846*s2_22;
+  // arb_link_front_left
+  const double pivot_arb_front_left = fnma(s2_20, s2_24, s2_18*s2_23);
+  // carrier_right_aux2: carrier_right_rx, revolute, carrier_right_aux1
+  const double R_carrier_right_aux2_x_z = s1_10*s1_8;
+  // carrier_right: carrier_right_ry, revolute, carrier_right_aux2
+  const double R_carrier_right_x_x = fnma(R_carrier_right_aux2_x_z, s1_12,
+      R_carrier_right_aux1_x_x*s1_11);
+  const double R_carrier_right_x_z = fma(R_carrier_right_aux1_x_x, s1_12,
+      R_carrier_right_aux2_x_z*s1_11);
+  const double s1_16 = s1_10*s1_7;
+  const double s2_25 = p_arb_link_front_right_to_x*R_carrier_right_x_x;
+  const double s2_26 = fma(-p_arb_link_front_left_to_y, R_carrier_right_x_z - s1_16, s2_25);
   // carrier_right_aux1: carrier_right_rz, revolute, lower_arm_right
   const double R_carrier_right_aux1_z_y = R_lower_arm_right_z_y*R_carrier_right_aux1_x_x;
   // carrier_right_aux2: carrier_right_rx, revolute, carrier_right_aux1
-  const double R_carrier_right_aux2_z_z = fnma(R_carrier_right_aux1_z_y, s1_9,
-      R_lower_arm_right_y_y*s1_8);
-  const double s1_14 = s1_11*s1_8;
-  const double R_carrier_right_aux2_z_y = fma(R_lower_arm_right_y_y, s1_9,
-      R_carrier_right_aux1_z_y*s1_8);
-  const double R_carrier_right_aux2_x_z = s1_11*s1_9;
+  const double R_carrier_right_aux2_z_z = fnma(R_carrier_right_aux1_z_y, s1_8,
+      R_lower_arm_right_y_y*s1_7);
+  const double R_carrier_right_aux2_z_y = fma(R_lower_arm_right_y_y, s1_8,
+      R_carrier_right_aux1_z_y*s1_7);
   // carrier_right_aux1: carrier_right_rz, revolute, lower_arm_right
-  const double R_carrier_right_aux1_z_x = R_lower_arm_right_z_y*s1_11;
+  const double R_carrier_right_aux1_z_x = R_lower_arm_right_z_y*s1_10;
   // carrier_right: carrier_right_ry, revolute, carrier_right_aux2
-  const double R_carrier_right_x_x = fnma(R_carrier_right_aux2_x_z, s1_13,
-      R_carrier_right_aux1_x_x*s1_12);
-  const double R_carrier_right_x_z = fma(R_carrier_right_aux1_x_x, s1_13,
-      R_carrier_right_aux2_x_z*s1_12);
-  const double R_carrier_right_z_x = fnma(R_carrier_right_aux2_z_z, s1_13,
-      R_carrier_right_aux1_z_x*s1_12);
-  const double R_carrier_right_z_z = fma(R_carrier_right_aux1_z_x, s1_13,
-      R_carrier_right_aux2_z_z*s1_12);
-  const double R_upper_arm_left_y_y = work.cosines[10];
+  const double R_carrier_right_z_x = fnma(R_carrier_right_aux2_z_z, s1_12,
+      R_carrier_right_aux1_z_x*s1_11);
+  const double R_carrier_right_z_z = fma(R_carrier_right_aux1_z_x, s1_12,
+      R_carrier_right_aux2_z_z*s1_11);
+  const double s2_27 = p_arb_link_front_right_to_x*R_carrier_right_z_x;
+  const double s2_28 = R_carrier_right_aux2_z_y + R_carrier_right_z_z;
+  const double s2_29 = fma(-p_arb_link_front_left_to_y, s2_28, s2_27);
+  const double s1_17 = -p_carrier_right_rz_z*R_lower_arm_right_y_y;
+  const double s1_18 = fma(-p_carrier_right_rz_y, R_lower_arm_right_z_y, s1_17);
+  const double R_arb_front_right_x_x = work.cosines[11];
+  const double R_arb_front_right_x_z = work.sines[11];
+  const double s2_30 = p_arb_link_front_right_from_z*R_arb_front_right_x_x;
+  const double s2_31 = fma(-p_arb_link_front_right_from_x, R_arb_front_right_x_z, s2_30);
+  const double s2_32 = p_arb_link_front_right_from_z*R_arb_front_right_x_z;
+  const double s2_33 = fnma(-p_arb_link_front_right_from_x, R_arb_front_right_x_x, s2_32);
+  const double s2_34 = 0.35 + s2_33 - s2_26;
+  const double s1_19 = -p_lower_arm_right_z + s1_18;
 
   // --- step 2: closure Jacobian Phi_z and its factors (60), continued ---
-  const double R_upper_arm_left_z_y = work.sines[10];
-  const double s2_12 = p_upper_arm_left_ball_y*R_upper_arm_left_y_y;
-  const double s2_13 = fma(-p_upper_arm_left_ball_z, R_upper_arm_left_z_y, s2_12);
-  const double s2_14 = p_upper_arm_left_ball_y*R_upper_arm_left_z_y;
-  const double s2_15 = fnma(-p_upper_arm_left_ball_z, R_upper_arm_left_y_y, s2_14);
-  const double R_upper_arm_right_z_y = work.sines[11];
-  const double R_upper_arm_right_y_y = work.cosines[11];
-  const double s2_16 = -p_upper_arm_right_ball_z*R_upper_arm_right_z_y;
-  const double s2_17 = fnma(-p_upper_arm_right_ball_y, R_upper_arm_right_y_y, s2_16);
-  const double s2_18 = -p_upper_arm_right_ball_z*R_upper_arm_right_y_y;
-  const double s2_19 = fma(-p_upper_arm_right_ball_y, R_upper_arm_right_z_y, s2_18);
-  const double R_arb_front_left_x_x = work.cosines[12];
-  // arb_link_front_left
-  const double R_arb_front_left_x_z = work.sines[12];
-  const double s2_20 = p_arb_link_front_left_from_z*R_arb_front_left_x_x;
-  const double s2_21 = fma(-p_arb_link_front_left_from_x, R_arb_front_left_x_z, s2_20);
-  const double s2_22 = p_arb_link_front_left_from_z*R_arb_front_left_x_z;
-  const double s2_23 = fnma(-p_arb_link_front_left_from_x, R_arb_front_left_x_x, s2_22);
-  const double s2_24 = p_arb_link_front_left_to_x*R_carrier_left_x_x;
-  const double s2_25 = fma(-p_arb_link_front_left_to_y, s1_7 + R_carrier_left_x_z, s2_24);
-  const double s2_26 = p_arb_link_front_left_to_x*R_carrier_left_z_x;
-  const double s2_27 = R_carrier_left_z_z - R_carrier_left_aux2_z_y;
-  const double s2_28 = fma(-p_arb_link_front_left_to_y, s2_27, s2_26);
-  const double s1_15 = p_carrier_left_rz_y*R_lower_arm_left_z_y;
-  const double s1_16 = fnma(-p_carrier_left_rz_z, R_lower_arm_left_y_y, s1_15);
-  const double s2_29 = 0.35 + s2_23 - s2_25;
-  // carrier_left_aux1: carrier_left_rz, revolute, lower_arm_left
-  const double r_carrier_left_aux1_z = s1_16 - (-p_lower_arm_left_z);
-  // arb_link_front_left
-  const double s2_30 = s2_21 - (-p_arb_front_left_z) - r_carrier_left_aux1_z - s2_28;
-  const double s2_31 = 3.846153846153846*s2_29;
-  const double s2_32 = 3.846153846153846*s2_30;
-  const double pivot_arb_front_left = fnma(s2_23, s2_32, s2_21*s2_31);
-  const double s2_33 = p_arb_link_front_left_to_x*R_carrier_left_y_x;
-  const double s2_34 = R_carrier_left_y_z - R_carrier_left_aux2_y_y;
-  const double s2_35 = fma(-p_arb_link_front_left_to_y, s2_34, s2_33);
-  const double s1_17 = p_carrier_left_rz_y*R_lower_arm_left_y_y;
-  const double s1_18 = fma(-p_carrier_left_rz_z, R_lower_arm_left_z_y, s1_17);
-  // carrier_left_aux1: carrier_left_rz, revolute, lower_arm_left
-  const double r_carrier_left_aux1_y = p_lower_arm_left_y + s1_18;
-  // arb_link_front_left
-  const double s2_36 = 0.72 - r_carrier_left_aux1_y - s2_35;
-  const double s2_37 = 3.846153846153846*s2_36;
-  const double s2_38 = fma(s2_30, s2_32, fms(s2_29, s2_31, l_arb_link_front_left));
-  const double s2_39 = 0.5*fma(s2_36, s2_37, s2_38);
-  result.residual[6] = s2_39;
-  const double s2_40 = fnma(s2_31, s2_35, s2_25*s2_37);
-  const double s2_41 = fnma(s2_28, s2_37, s2_32*s2_35);
-  const double s2_42 = fnma(s2_25, s2_32, s2_31*s2_28);
-  const double zd_lower_arm_left = state.zd[Coordinate::lower_arm_left];
-  const double s2_43 = fnma(R_lower_arm_left_z_y, s2_42, R_lower_arm_left_y_y*s2_40);
-  const double s2_44 = fma(R_carrier_left_aux1_z_x, s2_40, R_carrier_left_aux1_x_x*s2_41);
-  const double s2_45 = fma(R_carrier_left_aux1_y_x, s2_42, s2_44);
-  const double s2_46 = fnma(s1_7, s2_41, R_carrier_left_aux2_z_y*s2_40);
-  const double s2_47 = fma(R_carrier_left_aux2_y_y, s2_42, s2_46);
-  const double R_arb_front_right_x_x = work.cosines[13];
+  const double s2_35 = s2_31 + (s1_19 - (-p_arb_front_right_z)) - s2_29;
+  const double s2_36 = 3.846153846153846*s2_34;
+  const double s2_37 = 3.846153846153846*s2_35;
   // arb_link_front_right
-  const double R_arb_front_right_x_z = work.sines[13];
-  const double s2_48 = p_arb_link_front_right_from_z*R_arb_front_right_x_x;
-  const double s2_49 = fma(-p_arb_link_front_right_from_x, R_arb_front_right_x_z, s2_48);
-  const double s2_50 = p_arb_link_front_right_from_z*R_arb_front_right_x_z;
-  const double s2_51 = fnma(-p_arb_link_front_right_from_x, R_arb_front_right_x_x, s2_50);
-  const double s2_52 = p_arb_link_front_right_to_x*R_carrier_right_x_x;
-  const double s2_53 = fma(-p_arb_link_front_left_to_y, R_carrier_right_x_z - s1_14, s2_52);
-  const double s2_54 = p_arb_link_front_right_to_x*R_carrier_right_z_x;
-  const double s2_55 = R_carrier_right_aux2_z_y + R_carrier_right_z_z;
+  const double pivot_arb_front_right = fnma(s2_33, s2_37, s2_31*s2_36);
+  const double s2_38 = p_tie_rod_left_to_z*R_carrier_left_x_z;
+  const double s2_39 = -p_carrier_left_upper_ball_y*s1_13;
+  const double s2_40 = fma(p_carrier_left_upper_ball_z, R_carrier_left_x_z, s2_39);
+  result.residual[0] = s2_40;
+  const double s2_41 = s2_39 + fnma(-p_tie_rod_left_to_x, R_carrier_left_x_x, s2_38);
+  const double s2_42 = p_tie_rod_left_to_z*R_carrier_left_z_z;
+  const double s2_43 = -p_carrier_left_upper_ball_y*R_carrier_left_aux2_z_y;
+  const double s2_44 = fms(p_carrier_left_upper_ball_z, R_carrier_left_z_z, s2_43);
+  const double s2_45 = fnma(-p_tie_rod_left_to_x, R_carrier_left_z_x, s2_42) - s2_43;
+  const double s1_20 = p_carrier_left_rz_y*R_lower_arm_left_y_y;
+  const double s1_21 = fma(-p_carrier_left_rz_z, R_lower_arm_left_z_y, s1_20);
+  const double s2_46 = p_tie_rod_left_from_y*R_bell_crank_y_x;
+  const double s2_47 = fma(-p_tie_rod_left_from_x, R_bell_crank_x_x, s2_46);
+  const double s2_48 = fnma(-p_tie_rod_left_from_x, R_bell_crank_x_x, s2_46);
+  const double s2_49 = s2_47 + (0.35 + s2_41);
+  const double s2_50 = p_tie_rod_left_to_z*R_carrier_left_y_z;
+  const double s2_51 = -p_carrier_left_upper_ball_y*R_carrier_left_aux2_y_y;
+  const double s2_52 = fnma(-p_tie_rod_left_to_x, R_carrier_left_y_x, s2_50) - s2_51;
+  const double s2_53 = fms(p_carrier_left_upper_ball_z, R_carrier_left_y_z, s2_51);
+  const double s2_54 = p_arb_link_front_left_to_x*R_carrier_left_y_x;
+  const double s2_55 = R_carrier_left_y_z - R_carrier_left_aux2_y_y;
   const double s2_56 = fma(-p_arb_link_front_left_to_y, s2_55, s2_54);
-  const double s1_19 = -p_carrier_right_rz_z*R_lower_arm_right_y_y;
-  const double s1_20 = fma(-p_carrier_right_rz_y, R_lower_arm_right_z_y, s1_19);
-  const double s2_57 = 0.35 + s2_51 - s2_53;
-  const double s1_21 = -p_lower_arm_right_z + s1_20;
-  const double s2_58 = s2_49 + (s1_21 - (-p_arb_front_right_z)) - s2_56;
-  const double s2_59 = 3.846153846153846*s2_57;
-  const double s2_60 = 3.846153846153846*s2_58;
-  const double pivot_arb_front_right = fnma(s2_51, s2_60, s2_49*s2_59);
-  const double s2_61 = p_arb_link_front_right_to_x*R_carrier_right_y_x;
-  const double s2_62 = R_carrier_right_aux2_y_y + R_carrier_right_y_z;
-  const double s2_63 = fma(-p_arb_link_front_left_to_y, s2_62, s2_61);
-  const double s1_22 = -p_carrier_right_rz_z*R_lower_arm_right_z_y;
-  const double s1_23 = fnma(-p_carrier_right_rz_y, R_lower_arm_right_y_y, s1_22);
-  // carrier_right_aux1: carrier_right_rz, revolute, lower_arm_right
-  const double r_carrier_right_aux1_y = s1_23 - (-p_lower_arm_right_y);
-  // arb_link_front_right
-  const double s2_64 = s2_63 + (0.72 + r_carrier_right_aux1_y);
-  const double s2_65 = 3.846153846153846*s2_64;
-  const double s2_66 = fma(s2_58, s2_60, fms(s2_57, s2_59, l_arb_link_front_right));
-  const double s2_67 = 0.5*fma(s2_64, s2_65, s2_66);
-  result.residual[7] = s2_67;
-  const double s2_68 = fma(s2_53, s2_65, s2_59*s2_63);
-  const double s2_69 = fma(s2_56, s2_65, s2_60*s2_63);
-  const double s2_70 = fnma(s2_53, s2_60, s2_59*s2_56);
-  const double zd_lower_arm_right = state.zd[Coordinate::lower_arm_right];
-  const double s2_71 = fma(R_lower_arm_right_z_y, s2_70, R_lower_arm_right_y_y*s2_68);
-  const double s2_72 = fnma(R_carrier_right_aux1_z_x, s2_68, R_carrier_right_aux1_x_x*s2_69);
-  const double s2_73 = fma(R_carrier_right_aux1_y_x, s2_70, s2_72);
-  const double s2_74 = fnma(R_carrier_right_aux2_z_y, s2_68, R_carrier_right_aux2_y_y*s2_70);
-  const double s2_75 = fnma(s1_14, s2_69, s2_74);
-  const double s2_76 = p_tie_rod_left_to_z*R_carrier_left_x_z;
-  const double s2_77 = -p_carrier_left_upper_ball_y*s1_7;
-  const double s2_78 = fma(p_carrier_left_upper_ball_z, R_carrier_left_x_z, s2_77);
-  result.residual[0] = s2_78;
-  const double s2_79 = s2_77 + fnma(-p_tie_rod_left_to_x, R_carrier_left_x_x, s2_76);
-  const double s2_80 = p_tie_rod_left_to_z*R_carrier_left_z_z;
-  const double s2_81 = -p_carrier_left_upper_ball_y*R_carrier_left_aux2_z_y;
-  const double s2_82 = fms(p_carrier_left_upper_ball_z, R_carrier_left_z_z, s2_81);
-  const double s2_83 = fnma(-p_tie_rod_left_to_x, R_carrier_left_z_x, s2_80) - s2_81;
-  const double s2_84 = p_tie_rod_left_to_z*R_carrier_left_y_z;
-  const double s2_85 = -p_carrier_left_upper_ball_y*R_carrier_left_aux2_y_y;
-  const double s2_86 = fms(p_carrier_left_upper_ball_z, R_carrier_left_y_z, s2_85);
-  const double s2_87 = fnma(-p_tie_rod_left_to_x, R_carrier_left_y_x, s2_84) - s2_85;
-  const double s2_88 = p_tie_rod_left_from_y*R_bell_crank_y_x;
-  const double s2_89 = fma(-p_tie_rod_left_from_x, R_bell_crank_x_x, s2_88);
-  const double s2_90 = fnma(-p_tie_rod_left_from_x, R_bell_crank_x_x, s2_88);
-  const double s2_91 = p_tie_rod_left_from_y*R_bell_crank_x_x;
-  const double s2_92 = s2_89 + (0.35 + s2_79);
-  const double s2_93 = fnma(-p_tie_rod_left_from_x, R_bell_crank_y_x, s2_91);
-  const double s2_94 = fma(-p_tie_rod_left_from_x, R_bell_crank_y_x, s2_91);
-  const double s2_95 = s2_93 - r_carrier_left_aux1_y - s2_87;
-  const double s2_96 = s2_86 + (r_carrier_left_aux1_y - p_upper_arm_left_y - s2_13);
-  result.residual[1] = s2_96;
-  const double s2_97 = 1.262590031797617*s2_95;
-  const double s2_98 = 1.262590031797617*s2_92;
-  const double s2_99 = s2_83 + (-p_bell_crank_z + r_carrier_left_aux1_z);
-  const double s2_100 = s2_82 + (-p_upper_arm_left_z + r_carrier_left_aux1_z - s2_15);
-  result.residual[2] = s2_100;
+  // carrier_left_aux1: carrier_left_rz, revolute, lower_arm_left
+  const double r_carrier_left_aux1_y = p_lower_arm_left_y + s1_21;
+  const double s2_57 = p_tie_rod_left_from_y*R_bell_crank_x_x;
+  const double s2_58 = fnma(-p_tie_rod_left_from_x, R_bell_crank_y_x, s2_57);
+  const double s2_59 = fma(-p_tie_rod_left_from_x, R_bell_crank_y_x, s2_57);
+  const double s2_60 = s2_58 - r_carrier_left_aux1_y - s2_52;
+  const double s2_61 = 1.262590031797617*s2_60;
+  const double s2_62 = 1.262590031797617*s2_49;
   // tie_rod_left
-  const double s2_101 = 1.262590031797617*s2_99;
-  const double s2_102 = fma(s2_95, s2_97, fma(s2_92, s2_98, fms(s2_99, s2_101, l_tie_rod_left)));
-  const double s2_103 = 0.5*s2_102;
-  result.residual[9] = s2_103;
-  const double s2_104 = fnma(s2_83, s2_98, s2_79*s2_101);
-  const double s2_105 = fma(s2_79, s2_97, s2_98*s2_87);
-  const double s2_106 = fma(s2_83, s2_97, s2_101*s2_87);
+  const double s2_63 = s2_45 + (-p_bell_crank_z + r_carrier_left_aux1_z);
+  const double s2_64 = 1.262590031797617*s2_63;
+  const double s2_65 = fma(s2_60, s2_61, fma(s2_49, s2_62, fms(s2_63, s2_64, l_tie_rod_left)));
+  const double s2_66 = 0.5*s2_65;
+  result.residual[9] = s2_66;
+  const double s2_67 = fnma(s2_45, s2_62, s2_41*s2_64);
+  const double s2_68 = fma(s2_41, s2_61, s2_62*s2_52);
+  const double s2_69 = fma(s2_45, s2_61, s2_64*s2_52);
 
   // --- step 4: velocities ---
-  const double s4_1 = zd_lower_arm_left*(s1_18 + s2_86);
-  const double s4_2 = zd_bell_crank*fnma(s2_98, s2_93, s2_89*s2_97);
-  const double s4_3 = fnma(zd_lower_arm_left, s2_106 + fma(s1_16, s2_97, s1_18*s2_101), s4_2);
+  const double zd_lower_arm_left = state.zd[Coordinate::lower_arm_left];
+  const double s4_1 = zd_bell_crank*fnma(s2_62, s2_58, s2_47*s2_61);
+  const double s4_2 = fnma(zd_lower_arm_left, s2_69 + fma(s1_15, s2_61, s1_21*s2_64), s4_1);
 
   // --- step 2: closure Jacobian Phi_z and its factors (60), continued ---
-  const double s2_107 = fma(R_carrier_left_aux1_z_x, s2_105, R_carrier_left_aux1_y_x*s2_104);
-  const double s2_108 = fnma(R_carrier_left_aux1_x_x, s2_106, s2_107);
-  const double s2_109 = fnma(R_lower_arm_left_z_y, s2_104, R_lower_arm_left_y_y*s2_105);
-  const double s2_110 = fma(R_carrier_left_aux2_z_y, s2_105, R_carrier_left_aux2_y_y*s2_104);
-  const double s2_111 = fma(s1_7, s2_106, s2_110);
-  const double s2_112 = p_tie_rod_right_to_z*R_carrier_right_z_z;
-  const double s2_113 = p_carrier_right_upper_ball_y*R_carrier_right_aux2_z_y;
-  const double s2_114 = fma(p_carrier_right_upper_ball_z, R_carrier_right_z_z, s2_113);
-  const double s2_115 = s2_113 + fnma(-p_tie_rod_right_to_x, R_carrier_right_z_x, s2_112);
-  const double s2_116 = p_tie_rod_right_to_z*R_carrier_right_x_z;
-  const double s2_117 = p_carrier_right_upper_ball_y*s1_14;
-  const double s2_118 = fms(p_carrier_right_upper_ball_z, R_carrier_right_x_z, s2_117);
-  result.residual[3] = s2_118;
-  const double s2_119 = fnma(-p_tie_rod_right_to_x, R_carrier_right_x_x, s2_116) - s2_117;
-  const double s2_120 = p_tie_rod_right_to_z*R_carrier_right_y_z;
-  const double s2_121 = p_carrier_right_upper_ball_y*R_carrier_right_aux2_y_y;
-  const double s2_122 = fma(p_carrier_right_upper_ball_z, R_carrier_right_y_z, s2_121);
-  const double s2_123 = s2_121 + fnma(-p_tie_rod_right_to_x, R_carrier_right_y_x, s2_120);
-  const double s2_124 = s2_90 - 0.35 - s2_119;
-  const double s2_125 = s2_115 + (-p_bell_crank_z - s1_21);
-  const double s2_126 = s2_19 + (s2_114 + (-p_upper_arm_right_z - s1_21));
-  result.residual[5] = s2_126;
-  const double s2_127 = 1.262590031797617*s2_124;
-  const double s2_128 = 1.262590031797617*s2_125;
-  const double s2_129 = fma(s2_119, s2_128, s2_115*s2_127);
-  const double s2_130 = s2_94 + (r_carrier_right_aux1_y + s2_123);
-  const double s2_131 = s2_122 + (-p_upper_arm_right_y + r_carrier_right_aux1_y - s2_17);
-  result.residual[4] = s2_131;
+  const double s2_70 = fma(R_carrier_left_aux1_z_x, s2_68, R_carrier_left_aux1_y_x*s2_67);
+  const double s2_71 = fnma(R_carrier_left_aux1_x_x, s2_69, s2_70);
+  const double s2_72 = fnma(R_lower_arm_left_z_y, s2_67, R_lower_arm_left_y_y*s2_68);
+  const double s2_73 = fma(R_carrier_left_aux2_z_y, s2_68, R_carrier_left_aux2_y_y*s2_67);
+  const double s2_74 = fma(s1_13, s2_69, s2_73);
+  const double s2_75 = p_tie_rod_right_to_z*R_carrier_right_z_z;
+  const double s2_76 = p_carrier_right_upper_ball_y*R_carrier_right_aux2_z_y;
+  const double s2_77 = fma(p_carrier_right_upper_ball_z, R_carrier_right_z_z, s2_76);
+  const double s2_78 = s2_76 + fnma(-p_tie_rod_right_to_x, R_carrier_right_z_x, s2_75);
+  const double s2_79 = p_tie_rod_right_to_z*R_carrier_right_x_z;
+  const double s2_80 = p_carrier_right_upper_ball_y*s1_16;
+  const double s2_81 = fms(p_carrier_right_upper_ball_z, R_carrier_right_x_z, s2_80);
+  result.residual[3] = s2_81;
+  const double s2_82 = fnma(-p_tie_rod_right_to_x, R_carrier_right_x_x, s2_79) - s2_80;
+  const double s1_22 = -p_carrier_right_rz_z*R_lower_arm_right_z_y;
+  const double s1_23 = fnma(-p_carrier_right_rz_y, R_lower_arm_right_y_y, s1_22);
+  const double s2_83 = s2_48 - 0.35 - s2_82;
+  const double s2_84 = s2_78 + (-p_bell_crank_z - s1_19);
   // tie_rod_right
-  const double s2_132 = 1.262590031797617*s2_130;
-  const double s2_133 = fma(s2_119, s2_132, s2_127*s2_123);
-  const double s2_134 = fma(s2_125, s2_128, fms(s2_124, s2_127, l_tie_rod_right));
-  const double s2_135 = fnma(s2_128, s2_123, s2_115*s2_132);
-  const double s2_136 = 0.5*fma(s2_130, s2_132, s2_134);
-  result.residual[10] = s2_136;
-  const double s4_4 = zd_lower_arm_right*(s1_23 + s2_122);
-  const double s4_5 = zd_lower_arm_right*fnma(s1_20, s2_132, fnma(s1_23, s2_128, s2_135));
-  const double s4_6 = fnma(zd_bell_crank, fnma(s2_90, s2_132, s2_127*s2_94), s4_5);
-  const double pivot_carrier_right_rz = fma(R_lower_arm_right_y_y, s2_133,
-      R_lower_arm_right_z_y*s2_129);
-  const double s2_137 = fnma(R_carrier_right_aux1_z_x, s2_133, R_carrier_right_aux1_y_x*s2_129);
-  const double s2_138 = fma(R_carrier_right_aux1_x_x, s2_135, s2_137);
-  const double s2_139 = fnma(R_carrier_right_aux2_z_y, s2_133, R_carrier_right_aux2_y_y*s2_129);
-  const double s2_140 = fnma(s1_14, s2_135, s2_139);
-  const double s2_141 = fnma(R_carrier_right_aux1_y_x, s2_118, R_carrier_right_aux1_x_x*s2_122);
-  const double s2_142 = fnma(R_carrier_left_aux1_y_x, s2_78, R_carrier_left_aux1_x_x*s2_86);
-  const double s2_143 = fma(s1_7, s2_86, R_carrier_left_aux2_y_y*s2_78);
-  const double s2_144 = R_lower_arm_left_z_y*s2_78;
-  const double s2_145 = 1.0/pivot_arb_front_right;
-  const double s2_146 = 1.0/pivot_pitman_arm;
-  const double s2_147 = 4.291271972095581*std::abs(pivot_arb_front_right);
-  result.dz[Coordinate::pitman_arm] = -(s2_11*s2_146);
-  result.zd[Coordinate::pitman_arm] = -(s2_146*(zd_bell_crank*fma(s2_3, s2_10, s2_7*s2_8)));
-  const double s2_148 = 1.0/pivot_arb_front_left;
-  const double s2_149 = mbgen::min(s2_147, 4.625980413576839*std::abs(pivot_pitman_arm));
-  const double s2_150 = 1.0/s2_17;
-  const double s2_151 = s2_19*s2_150;
-  const double s2_152 = mbgen::min(4.336650753223258*std::abs(pivot_arb_front_left), s2_149);
-  const double s2_153 = fnma(R_carrier_right_aux1_x_x, s2_114, R_carrier_right_aux1_z_x*s2_118);
-  const double s2_154 = 1.0/pivot_carrier_right_rz;
-  const double s2_155 = mbgen::min(3.3503257942070226*std::abs(s2_17), s2_152);
-  const double s2_156 = R_lower_arm_right_z_y*s2_118;
-  const double s2_157 = fma(R_lower_arm_right_y_y, s2_122, R_lower_arm_right_z_y*s2_114)*s2_154;
-  const double s2_158 = fnma(R_carrier_right_aux1_z_x, s2_122, R_carrier_right_aux1_y_x*s2_114);
-  const double s2_159 = fnma(s2_138, s2_157, s2_158);
-  const double s2_160 = s2_154*fnma(s2_156, s2_151, R_lower_arm_right_y_y*s2_118);
-  const double s2_161 = fma(s1_14, s2_122, R_carrier_right_aux2_y_y*s2_118);
-  const double s2_162 = fnma(R_carrier_right_aux2_z_y, s2_122, R_carrier_right_aux2_y_y*s2_114);
-  const double pivot_carrier_right_ry = fnma(s2_140, s2_157, s2_162);
-  const double s4_7 = fma(s2_136, s2_157, s2_118);
-  const double s4_8 = s2_157*s4_6;
-  const double s2_163 = fma(s2_161, s2_151, fma(s1_14, s2_114, R_carrier_right_aux2_z_y*s2_118));
-  const double s4_9 = fnma(zd_lower_arm_right, s1_20 - s2_114, s2_151*s4_4);
-  const double s2_164 = 1.0/pivot_carrier_right_ry;
-  const double s2_165 = s2_164*fma(s2_140, s2_160, s2_163);
-  const double s2_166 = mbgen::min(5.556930741705859*std::abs(pivot_carrier_right_rz), s2_155);
-  const double pivot_carrier_right_rx = fnma(s2_159, s2_165, fma(s2_138, s2_160, fnma(s2_141,
-      s2_151, s2_153)));
-  const double s2_167 = 1.0/pivot_carrier_right_rx;
-  const double s4_10 = fma(s2_165, s4_7, fma(s2_136, s2_160, fms(s2_126, s2_151, s2_131)));
-  const double s4_11 = s2_167*s4_10;
-  result.dz[Coordinate::carrier_right_rx] = s4_11;
-  const double s4_12 = s2_167*fnma(s2_165, s4_8, fnma(s2_160, s4_6, s4_9));
-  result.zd[Coordinate::carrier_right_rx] = s4_12;
-  const double s2_168 = mbgen::min(2.6620449619787987*std::abs(pivot_carrier_right_ry), s2_166);
-  const double s4_13 = zd_lower_arm_right*(s2_69 + fnma(s1_20, s2_65, s1_23*s2_60));
+  const double s2_85 = 1.262590031797617*s2_83;
+  const double s2_86 = 1.262590031797617*s2_84;
+  const double s2_87 = fma(s2_82, s2_86, s2_78*s2_85);
+  const double s2_88 = p_tie_rod_right_to_z*R_carrier_right_y_z;
+  const double s2_89 = p_carrier_right_upper_ball_y*R_carrier_right_aux2_y_y;
+  const double s2_90 = s2_89 + fnma(-p_tie_rod_right_to_x, R_carrier_right_y_x, s2_88);
+  const double s2_91 = fma(p_carrier_right_upper_ball_z, R_carrier_right_y_z, s2_89);
+  const double s2_92 = p_arb_link_front_right_to_x*R_carrier_right_y_x;
+  const double s2_93 = R_carrier_right_aux2_y_y + R_carrier_right_y_z;
+  const double s2_94 = fma(-p_arb_link_front_left_to_y, s2_93, s2_92);
+  // carrier_right_aux1: carrier_right_rz, revolute, lower_arm_right
+  const double r_carrier_right_aux1_y = s1_23 - (-p_lower_arm_right_y);
+  // tie_rod_right
+  const double s2_95 = s2_59 + (r_carrier_right_aux1_y + s2_90);
+  const double s2_96 = 1.262590031797617*s2_95;
+  const double s2_97 = fma(s2_82, s2_96, s2_85*s2_90);
+  const double s2_98 = fnma(s2_86, s2_90, s2_78*s2_96);
+  const double s2_99 = fma(s2_95, s2_96, fma(s2_84, s2_86, fms(s2_83, s2_85, l_tie_rod_right)));
+  const double s2_100 = 0.5*s2_99;
+  result.residual[10] = s2_100;
+  const double zd_lower_arm_right = state.zd[Coordinate::lower_arm_right];
+  const double s4_3 = zd_lower_arm_right*fnma(s1_18, s2_96, fnma(s1_23, s2_86, s2_98));
+  const double s4_4 = fnma(zd_bell_crank, fnma(s2_48, s2_96, s2_85*s2_59), s4_3);
+  const double pivot_carrier_right_rz = fma(R_lower_arm_right_y_y, s2_97,
+      R_lower_arm_right_z_y*s2_87);
+  const double s2_101 = fnma(R_carrier_right_aux1_z_x, s2_97, R_carrier_right_aux1_y_x*s2_87);
+  const double s2_102 = fma(R_carrier_right_aux1_x_x, s2_98, s2_101);
+  const double s2_103 = fnma(R_carrier_right_aux2_z_y, s2_97, R_carrier_right_aux2_y_y*s2_87);
+  const double s2_104 = fnma(s1_16, s2_98, s2_103);
+  const double s2_105 = 1.0/pivot_arb_front_right;
+  const double s2_106 = 1.0/pivot_pitman_arm;
+  const double s2_107 = 4.291271972095581*std::abs(pivot_arb_front_right);
+  result.dz[Coordinate::pitman_arm] = -(s2_11*s2_106);
+  result.zd[Coordinate::pitman_arm] = -(s2_106*(zd_bell_crank*fma(s2_2, s2_10, s2_7*s2_8)));
+  const double s2_108 = 1.0/pivot_arb_front_left;
+  const double s2_109 = mbgen::min(s2_107, 4.625980413576839*std::abs(pivot_pitman_arm));
+  const double R_upper_arm_right_z_y = work.sines[10];
+  const double R_upper_arm_right_y_y = work.cosines[10];
+  const double s2_110 = -p_upper_arm_right_ball_z*R_upper_arm_right_z_y;
+  const double s2_111 = fnma(-p_upper_arm_right_ball_y, R_upper_arm_right_y_y, s2_110);
+  const double s2_112 = mbgen::min(4.336650753223258*std::abs(pivot_arb_front_left), s2_109);
+  const double s2_113 = 1.0/pivot_carrier_right_rz;
+  const double s2_114 = mbgen::min(3.3503257942070226*std::abs(s2_111), s2_112);
+  const double s2_115 = fma(R_lower_arm_right_y_y, s2_91, R_lower_arm_right_z_y*s2_77)*s2_113;
+  const double s2_116 = fnma(R_carrier_right_aux2_z_y, s2_91, R_carrier_right_aux2_y_y*s2_77);
+  const double pivot_carrier_right_ry = fnma(s2_104, s2_115, s2_116);
+  const double s2_117 = 1.0/pivot_carrier_right_ry;
+  const double s2_118 = mbgen::min(5.556930741705859*std::abs(pivot_carrier_right_rz), s2_114);
+  const double s2_119 = -p_upper_arm_right_ball_z*R_upper_arm_right_y_y;
+  const double s2_120 = fma(-p_upper_arm_right_ball_y, R_upper_arm_right_z_y, s2_119);
+  const double s2_121 = s2_120 + (s2_77 + (-p_upper_arm_right_z - s1_19));
+  result.residual[5] = s2_121;
+  const double s2_122 = fnma(R_carrier_right_aux1_y_x, s2_81, R_carrier_right_aux1_x_x*s2_91);
+  const double s2_123 = fma(s1_16, s2_91, R_carrier_right_aux2_y_y*s2_81);
+  const double s2_124 = R_lower_arm_right_z_y*s2_81;
+  const double s2_125 = 1.0/s2_111;
+  const double s2_126 = s2_120*s2_125;
+  const double s2_127 = s2_113*fnma(s2_124, s2_126, R_lower_arm_right_y_y*s2_81);
+  const double s2_128 = fnma(R_carrier_right_aux1_z_x, s2_91, R_carrier_right_aux1_y_x*s2_77);
+  const double s2_129 = fnma(s2_102, s2_115, s2_128);
+  const double s2_130 = fma(s2_123, s2_126, fma(s1_16, s2_77, R_carrier_right_aux2_z_y*s2_81));
+  const double s2_131 = s2_117*fma(s2_104, s2_127, s2_130);
+  const double s4_5 = fma(s2_100, s2_115, s2_81);
+  const double s2_132 = fnma(R_carrier_right_aux1_x_x, s2_77, R_carrier_right_aux1_z_x*s2_81);
+  const double s4_6 = s2_115*s4_4;
+  const double pivot_carrier_right_rx = fnma(s2_129, s2_131, fma(s2_102, s2_127, fnma(s2_122,
+      s2_126, s2_132)));
+  const double s2_133 = 1.0/pivot_carrier_right_rx;
+  const double s2_134 = mbgen::min(2.6620449619787987*std::abs(pivot_carrier_right_ry), s2_118);
+  const double R_upper_arm_left_y_y = work.cosines[4];
+  const double R_upper_arm_left_z_y = work.sines[4];
+  const double s2_135 = p_upper_arm_left_ball_y*R_upper_arm_left_y_y;
+  const double s2_136 = fma(-p_upper_arm_left_ball_z, R_upper_arm_left_z_y, s2_135);
+  const double s2_137 = mbgen::min(s2_134, 2.732781487945307*std::abs(pivot_carrier_right_rx));
+  const double s2_138 = 1.0/s2_71;
+  const double s2_139 = mbgen::min(3.3514772255331233*std::abs(s2_136), s2_137);
+  const double s2_140 = p_upper_arm_left_ball_y*R_upper_arm_left_z_y;
+  const double s2_141 = fnma(-p_upper_arm_left_ball_z, R_upper_arm_left_y_y, s2_140);
+  const double s2_142 = s2_44 + (-p_upper_arm_left_z + r_carrier_left_aux1_z - s2_141);
+  result.residual[2] = s2_142;
+  const double s2_143 = fnma(R_carrier_left_aux1_y_x, s2_40, R_carrier_left_aux1_x_x*s2_53);
+  const double s2_144 = fma(s1_13, s2_53, R_carrier_left_aux2_y_y*s2_40);
+  const double s2_145 = 1.0/s2_136;
+  const double s2_146 = s2_141*s2_145;
+  const double s2_147 = fnma(R_carrier_left_aux1_x_x, s2_44, R_carrier_left_aux1_z_x*s2_40);
+  const double s2_148 = s2_138*fma(s2_143, s2_146, s2_147);
+  const double s2_149 = fnma(s2_144, s2_146, fma(s1_13, s2_44, R_carrier_left_aux2_z_y*s2_40));
+  const double pivot_carrier_left_ry = fnma(s2_74, s2_148, s2_149);
+  const double s2_150 = 1.0/pivot_carrier_left_ry;
+  const double s2_151 = mbgen::min(15.714736645766752*std::abs(s2_71), s2_139);
+  const double s2_152 = fnma(R_carrier_left_aux1_z_x, s2_53, R_carrier_left_aux1_y_x*s2_44);
+  const double s2_153 = s2_152*s2_138;
+  const double s2_154 = R_lower_arm_left_z_y*s2_40;
+  const double s2_155 = fnma(s2_72, s2_148, fma(s2_154, s2_146, R_lower_arm_left_y_y*s2_40));
+  const double s2_156 = fnma(R_carrier_left_aux2_z_y, s2_53, R_carrier_left_aux2_y_y*s2_44);
+  const double s2_157 = fnma(s2_74, s2_153, s2_156)*s2_150;
+  const double s2_158 = fma(R_lower_arm_left_y_y, s2_53, R_lower_arm_left_z_y*s2_44);
+  const double s2_159 = fma(s2_155, s2_157, fma(s2_72, s2_153, s2_158));
+  const double s2_160 = 1.0/s2_159;
+  const double s2_161 = mbgen::min(5.864463449986124*std::abs(pivot_carrier_left_ry), s2_151);
+  result.pivot[0] = mbgen::min(0.43888841273380513*std::abs(s2_159), s2_161);
+  const double s2_162 = s2_94 + (0.72 + r_carrier_right_aux1_y);
+  const double s2_163 = s2_91 + (-p_upper_arm_right_y + r_carrier_right_aux1_y - s2_111);
+  result.residual[4] = s2_163;
 
   // --- step 4: velocities, continued ---
   // loop block 0
-  const double s4_14 = s2_164*fma(s2_159, s4_11, s4_7);
-  const double s4_15 = s2_164*fnma(s2_159, s4_12, s4_8);
-  result.zd[Coordinate::carrier_right_ry] = s4_15;
-  const double s4_16 = s2_154*fnma(s2_140, s4_14, fms(s2_138, s4_11, s2_136));
-  result.dz[Coordinate::carrier_right_rz] = s4_16;
-  result.dz[Coordinate::carrier_right_ry] = -s4_14;
-  const double s4_17 = s2_154*fma(s2_140, s4_15, fma(s2_138, s4_12, s4_6));
-  result.zd[Coordinate::carrier_right_rz] = s4_17;
-  const double s4_18 = fma(s2_156, s4_16, fma(s2_161, s4_14, fma(s2_141, s4_11, s2_126)));
-  result.dz[Coordinate::upper_arm_right] = s2_150*s4_18;
-  result.dz[Coordinate::arb_front_right] = s2_145*fnma(s2_71, s4_16, fnma(s2_75, s4_14, fms(s2_73,
-      s4_11, s2_67)));
-  result.zd[Coordinate::arb_front_right] = s2_145*fnma(s2_71, s4_17, fma(s2_75, s4_15, fma(s2_73,
-      s4_12, s4_13)));
-  const double s4_19 = fnma(s2_156, s4_17, fnma(s2_141, s4_12, fms(s2_161, s4_15, s4_4)));
-  result.zd[Coordinate::upper_arm_right] = -(s2_150*s4_19);
-  const double s2_169 = 1.0/s2_13;
-  const double s2_170 = s2_15*s2_169;
-  const double s2_171 = mbgen::min(s2_168, 2.732781487945307*std::abs(pivot_carrier_right_rx));
-  const double s2_172 = fnma(R_carrier_left_aux1_x_x, s2_82, R_carrier_left_aux1_z_x*s2_78);
-  const double s2_173 = 1.0/s2_108;
-  const double s2_174 = s2_173*fma(s2_142, s2_170, s2_172);
-  const double s2_175 = fnma(R_carrier_left_aux1_z_x, s2_86, R_carrier_left_aux1_y_x*s2_82);
-  const double s2_176 = s2_175*s2_173;
-  const double s2_177 = mbgen::min(3.3514772255331233*std::abs(s2_13), s2_171);
-  const double s2_178 = fnma(s2_143, s2_170, fma(s1_7, s2_82, R_carrier_left_aux2_z_y*s2_78));
-  const double pivot_carrier_left_ry = fnma(s2_111, s2_174, s2_178);
-  const double s2_179 = fnma(s2_109, s2_174, fma(s2_144, s2_170, R_lower_arm_left_y_y*s2_78));
-  const double s4_20 = fma(s2_103, s2_174, fma(s2_100, s2_170, s2_96));
-  const double s4_21 = fma(s2_174, s4_3, fnma(s2_170, s4_1, zd_lower_arm_left*(s1_16 + s2_82)));
-  const double s2_180 = fnma(R_carrier_left_aux2_z_y, s2_86, R_carrier_left_aux2_y_y*s2_82);
-  const double s2_181 = fma(R_lower_arm_left_y_y, s2_86, R_lower_arm_left_z_y*s2_82);
-  const double s2_182 = 1.0/pivot_carrier_left_ry;
-  const double s2_183 = fnma(s2_111, s2_176, s2_180)*s2_182;
-  const double s2_184 = mbgen::min(15.714736645766752*std::abs(s2_108), s2_177);
-  const double s2_185 = fma(s2_179, s2_183, fma(s2_109, s2_176, s2_181));
-  const double s2_186 = 1.0/s2_185;
-  const double s4_22 = s2_186*fnma(s2_103, s2_176, fms(s2_183, s4_20, s2_78));
-  const double s4_23 = s2_186*fnma(s2_183, s4_21, s2_176*s4_3);
-  const double s2_187 = mbgen::min(5.864463449986124*std::abs(pivot_carrier_left_ry), s2_184);
-  result.pivot[0] = mbgen::min(0.43888841273380513*std::abs(s2_185), s2_187);
-  const double s4_24 = zd_lower_arm_left*(s2_41 + fnma(s1_16, s2_37, s1_18*s2_32));
+  const double s4_7 = zd_lower_arm_right*(s1_23 + s2_91);
+  const double s4_8 = fma(s2_131, s4_5, fma(s2_100, s2_127, fms(s2_121, s2_126, s2_163)));
+  const double s4_9 = s2_133*s4_8;
+  result.dz[Coordinate::carrier_right_rx] = s4_9;
+  const double s4_10 = fnma(s2_127, s4_4, fnma(zd_lower_arm_right, s1_18 - s2_77, s2_126*s4_7));
+  const double s4_11 = s2_117*fma(s2_129, s4_9, s4_5);
+  const double s4_12 = s2_133*fnma(s2_131, s4_6, s4_10);
+  result.zd[Coordinate::carrier_right_rx] = s4_12;
+  const double s4_13 = s2_113*fnma(s2_104, s4_11, fms(s2_102, s4_9, s2_100));
+  result.dz[Coordinate::carrier_right_rz] = s4_13;
+  const double s4_14 = s2_117*fnma(s2_129, s4_12, s4_6);
+  result.zd[Coordinate::carrier_right_ry] = s4_14;
+  result.dz[Coordinate::upper_arm_right] = s2_125*fma(s2_124, s4_13, fma(s2_123, s4_11, fma(s2_122,
+      s4_9, s2_121)));
+  const double s4_15 = s2_113*fma(s2_104, s4_14, fma(s2_102, s4_12, s4_4));
+  result.zd[Coordinate::carrier_right_rz] = s4_15;
+  const double s4_16 = fnma(s2_124, s4_15, fnma(s2_122, s4_12, fms(s2_123, s4_14, s4_7)));
+  result.zd[Coordinate::upper_arm_right] = -(s2_125*s4_16);
+
+  // --- step 2: closure Jacobian Phi_z and its factors (60), continued ---
+  // arb_link_front_right
+  const double s2_164 = 3.846153846153846*s2_162;
+  const double s2_165 = fma(s2_35, s2_37, fms(s2_34, s2_36, l_arb_link_front_right));
+  const double s2_166 = 0.5*fma(s2_162, s2_164, s2_165);
+  result.residual[7] = s2_166;
+  const double s2_167 = fma(s2_26, s2_164, s2_36*s2_94);
+  const double s2_168 = fma(s2_29, s2_164, s2_37*s2_94);
+  const double s2_169 = fnma(s2_26, s2_37, s2_36*s2_29);
+  const double s2_170 = fnma(R_carrier_right_aux2_z_y, s2_167, R_carrier_right_aux2_y_y*s2_169);
+  const double s2_171 = fnma(s1_16, s2_168, s2_170);
+  const double s2_172 = fnma(R_carrier_right_aux1_z_x, s2_167, R_carrier_right_aux1_x_x*s2_168);
+  const double s2_173 = fma(R_carrier_right_aux1_y_x, s2_169, s2_172);
+  const double s2_174 = fma(R_lower_arm_right_z_y, s2_169, R_lower_arm_right_y_y*s2_167);
+  const double s4_17 = zd_lower_arm_right*(s2_168 + fnma(s1_18, s2_164, s1_23*s2_37));
+  result.dz[Coordinate::carrier_right_ry] = -s4_11;
+  const double s4_18 = fnma(s2_174, s4_13, fnma(s2_171, s4_11, fms(s2_173, s4_9, s2_166)));
+  result.dz[Coordinate::arb_front_right] = s2_105*s4_18;
+  const double s4_19 = fnma(s2_174, s4_15, fma(s2_171, s4_14, fma(s2_173, s4_12, s4_17)));
+  result.zd[Coordinate::arb_front_right] = s2_105*s4_19;
+  const double s2_175 = s2_53 + (r_carrier_left_aux1_y - p_upper_arm_left_y - s2_136);
+  result.residual[1] = s2_175;
+  const double s2_176 = 0.72 - r_carrier_left_aux1_y - s2_56;
+
+  // --- step 4: velocities, continued ---
   // loop block 0
-  const double s4_25 = s2_182*fms(s2_179, s4_22, s4_20);
+  const double s4_20 = zd_lower_arm_left*(s1_21 + s2_53);
+  const double s4_21 = fma(s2_66, s2_148, fma(s2_142, s2_146, s2_175));
+  const double s4_22 = fnma(s2_146, s4_20, zd_lower_arm_left*(s1_15 + s2_44));
+  const double s4_23 = fma(s2_148, s4_2, s4_22);
+  const double s4_24 = s2_160*fnma(s2_66, s2_153, fms(s2_157, s4_21, s2_40));
+  const double s4_25 = s2_150*fms(s2_155, s4_24, s4_21);
   result.dz[Coordinate::carrier_left_ry] = s4_25;
-  const double s4_26 = s2_182*fma(s2_179, s4_23, s4_21);
-  result.zd[Coordinate::carrier_left_ry] = s4_26;
-  result.zd[Coordinate::carrier_left_rz] = -s4_23;
-  const double s4_27 = s2_173*fma(s2_111, s4_26, fnma(s2_109, s4_23, s4_3));
-  const double s4_28 = s2_173*fnma(s2_109, s4_22, fms(s2_111, s4_25, s2_103));
-  result.dz[Coordinate::carrier_left_rz] = -s4_22;
-  result.zd[Coordinate::arb_front_left] = s2_148*fnma(s2_45, s4_27, fma(s2_47, s4_26, fnma(s2_43,
-      s4_23, s4_24)));
-  result.zd[Coordinate::carrier_left_rx] = -s4_27;
-  result.dz[Coordinate::arb_front_left] = s2_148*fnma(s2_45, s4_28, fnma(s2_43, s4_22, fms(s2_47,
-      s4_25, s2_39)));
+  const double s4_26 = s2_160*fnma(s2_157, s4_23, s2_153*s4_2);
+  const double s4_27 = s2_150*fma(s2_155, s4_26, s4_23);
+  result.zd[Coordinate::carrier_left_ry] = s4_27;
+  const double s4_28 = s2_138*fnma(s2_72, s4_24, fms(s2_74, s4_25, s2_66));
+  const double s4_29 = s2_138*fma(s2_74, s4_27, fnma(s2_72, s4_26, s4_2));
+  const double s4_30 = fma(s2_143, s4_28, fma(s2_144, s4_25, fms(s2_154, s4_24, s2_142)));
+  result.dz[Coordinate::upper_arm_left] = -(s2_145*s4_30);
+  const double s4_31 = s2_145*fma(s2_143, s4_29, fma(s2_144, s4_27, fms(s2_154, s4_26, s4_20)));
+  result.zd[Coordinate::upper_arm_left] = -s4_31;
+
+  // --- step 2: closure Jacobian Phi_z and its factors (60), continued ---
+  // arb_link_front_left
+  const double s2_177 = 3.846153846153846*s2_176;
+  const double s2_178 = fma(s2_22, s2_24, fms(s2_21, s2_23, l_arb_link_front_left));
+  const double s2_179 = 0.5*fma(s2_176, s2_177, s2_178);
+  result.residual[6] = s2_179;
+  const double s2_180 = fnma(s2_23, s2_56, s2_13*s2_177);
+  const double s2_181 = fnma(s2_16, s2_177, s2_24*s2_56);
+  const double s2_182 = fnma(s2_13, s2_24, s2_23*s2_16);
+  const double s2_183 = fnma(s1_13, s2_181, R_carrier_left_aux2_z_y*s2_180);
+  const double s2_184 = fma(R_carrier_left_aux2_y_y, s2_182, s2_183);
+  const double s2_185 = fma(R_carrier_left_aux1_z_x, s2_180, R_carrier_left_aux1_x_x*s2_181);
+  const double s2_186 = fma(R_carrier_left_aux1_y_x, s2_182, s2_185);
+  const double s2_187 = fnma(R_lower_arm_left_z_y, s2_182, R_lower_arm_left_y_y*s2_180);
+  const double s4_32 = zd_lower_arm_left*(s2_181 + fnma(s1_15, s2_177, s1_21*s2_24));
+  // loop block 0
+  result.dz[Coordinate::carrier_left_rz] = -s4_24;
+  result.zd[Coordinate::carrier_left_rz] = -s4_26;
   result.dz[Coordinate::carrier_left_rx] = -s4_28;
-  const double s4_29 = fma(s2_142, s4_28, fma(s2_143, s4_25, fms(s2_144, s4_22, s2_100)));
-  const double s4_30 = s2_169*fma(s2_142, s4_27, fma(s2_143, s4_26, fms(s2_144, s4_23, s4_1)));
-  result.zd[Coordinate::upper_arm_left] = -s4_30;
-  result.dz[Coordinate::upper_arm_left] = -(s2_169*s4_29);
+  const double s4_33 = fnma(s2_186, s4_28, fnma(s2_187, s4_24, fms(s2_184, s4_25, s2_179)));
+  result.dz[Coordinate::arb_front_left] = s2_108*s4_33;
+  result.zd[Coordinate::carrier_left_rx] = -s4_29;
+  const double s4_34 = fnma(s2_186, s4_29, fma(s2_184, s4_27, fnma(s2_187, s4_26, s4_32)));
+  result.zd[Coordinate::arb_front_left] = s2_108*s4_34;
 }
 
 /// Part 2 of compute_closure: step 1: poses and axes b; step 2: closure Jacobian Phi_z and its
-/// factors (60); step 4: velocities.
+/// factors (60); step 4: velocities; step 2: closure Jacobian Phi_z and its factors (60).
 [[gnu::noinline]] void compute_closure_2(const State& state, ClosureWork& __restrict work,
     Closure& __restrict result) noexcept {
   // --- step 1: poses and axes b, continued ---
@@ -4201,14 +4245,13 @@ struct ClosureWork {
   const double R_rear_axle_y_y = fma(R_rear_axle_aux4_x_x, s1_26, R_rear_axle_aux5_y_z*s1_25);
   const double R_rear_axle_y_z = fnma(R_rear_axle_aux4_x_x, s1_25, R_rear_axle_aux5_y_z*s1_26);
   const double R_rear_axle_aux5_z_z = work.cosines[15];
-  const double R_rear_axle_z_y = R_rear_axle_aux5_z_z*s1_25;
   const double R_rear_axle_z_z = R_rear_axle_aux5_z_z*s1_26;
+  const double s2_188 = fma(-p_long_rod_left_to_z, R_rear_axle_z_z, p_long_rod_left_to_x*s1_24);
   // rear_axle_aux5: rear_axle_ry, revolute, rear_axle_aux4
   const double R_rear_axle_aux5_x_x = R_rear_axle_aux4_x_x*R_rear_axle_aux5_z_z;
-  const double R_rear_axle_aux5_y_x = R_rear_axle_aux4_y_x*R_rear_axle_aux5_z_z;
-  const double s2_188 = fma(-p_long_rod_left_to_z, R_rear_axle_z_z, p_long_rod_left_to_x*s1_24);
   const double s2_189 = p_long_rod_left_to_x*R_rear_axle_aux5_x_x;
   const double s2_190 = fnma(-p_long_rod_left_to_z, R_rear_axle_x_z, s2_189);
+  const double R_rear_axle_aux5_y_x = R_rear_axle_aux4_y_x*R_rear_axle_aux5_z_z;
   const double s2_191 = p_long_rod_left_to_x*R_rear_axle_aux5_y_x;
   const double s2_192 = fnma(-p_long_rod_left_to_z, R_rear_axle_y_z, s2_191);
   const double s2_193 = fma(p_long_rod_left_to_y, R_rear_axle_y_y, s2_192);
@@ -4217,6 +4260,8 @@ struct ClosureWork {
   const double s2_195 = p_long_rod_left_from_y - z_rear_axle_ty - s2_193;
   // rear_axle_aux3: rear_axle_tz, prismatic, rear_axle_aux2
   const double r_rear_axle_aux3_z = state.z[Coordinate::rear_axle_tz] - (-p_rear_axle_tx_z);
+  // rear_axle: rear_axle_rx, revolute, rear_axle_aux5
+  const double R_rear_axle_z_y = R_rear_axle_aux5_z_z*s1_25;
   const double s2_196 = fms(p_long_rod_left_to_y, R_rear_axle_z_y, s2_188);
   const double s2_197 = fma(p_long_rod_left_to_y, R_rear_axle_z_y, s2_188);
   const double s2_198 = -p_long_rod_left_from_z + r_rear_axle_aux3_z;
@@ -4271,156 +4316,160 @@ struct ClosureWork {
   const double s2_238 = fnma(s2_219, s2_234, s2_229*s2_225);
   const double s2_239 = -p_arb_link_rear_left_to_x*R_rear_axle_aux5_x_x;
   const double s2_240 = fma(-p_arb_link_rear_left_to_z, R_rear_axle_x_z, s2_239);
-  const double s2_241 = p_arb_link_rear_left_from_x*work.cosines[17];
-  const double s2_242 = p_arb_link_rear_left_from_x*work.sines[17];
-  const double s2_243 = -p_arb_link_rear_left_to_x*s1_24;
-  const double s2_244 = fnma(-p_arb_link_rear_left_to_z, R_rear_axle_z_z, s2_243);
-  const double s2_245 = fma(p_arb_link_rear_left_to_y, R_rear_axle_z_y, s2_244);
-  const double s2_246 = fnma(p_arb_link_rear_left_to_y, R_rear_axle_z_y, s2_244);
-  const double s2_247 = s2_222 + (s2_242 + s2_245);
+  const double s2_241 = -p_arb_link_rear_left_to_x*s1_24;
+  const double s2_242 = fnma(-p_arb_link_rear_left_to_z, R_rear_axle_z_z, s2_241);
+  const double s2_243 = p_arb_link_rear_left_from_x*work.sines[17];
+  const double s2_244 = fma(p_arb_link_rear_left_to_y, R_rear_axle_z_y, s2_242);
+  const double s2_245 = fnma(p_arb_link_rear_left_to_y, R_rear_axle_z_y, s2_242);
+  const double s2_246 = s2_222 + (s2_243 + s2_244);
+  const double s2_247 = p_arb_link_rear_left_from_x*work.cosines[17];
   const double s2_248 = fms(p_arb_link_rear_left_to_y, R_rear_axle_x_y, s2_240);
-  const double s2_249 = s2_241 - (-p_arb_rear_left_x) - r_rear_axle_aux1_x - s2_248;
+  const double s2_249 = s2_247 - (-p_arb_rear_left_x) - r_rear_axle_aux1_x - s2_248;
   const double s2_250 = fma(p_arb_link_rear_left_to_y, R_rear_axle_x_y, s2_240);
-  const double s2_251 = -p_arb_link_rear_left_to_x*R_rear_axle_aux5_y_x;
-  const double s2_252 = fma(-p_arb_link_rear_left_to_z, R_rear_axle_y_z, s2_251);
-  const double s2_253 = fms(p_arb_link_rear_left_to_y, R_rear_axle_y_y, s2_252);
-  const double s2_254 = fma(p_arb_link_rear_left_to_y, R_rear_axle_y_y, s2_252);
+  const double s2_251 = 4.47213595499958*s2_246;
+  const double s2_252 = 4.47213595499958*s2_249;
   // arb_link_rear_left
-  const double s2_255 = 0.6 - z_rear_axle_ty - s2_253;
-  const double s2_256 = 4.47213595499958*s2_247;
-  const double s2_257 = 4.47213595499958*s2_255;
-  const double s2_258 = fma(s2_245, s2_257, s2_256*s2_253);
-  const double s2_259 = 4.47213595499958*s2_249;
-  const double pivot_arb_rear_left = fnma(s2_242, s2_259, s2_241*s2_256);
-  const double s2_260 = fma(s2_249, s2_259, fms(s2_247, s2_256, l_arb_link_rear_left));
-  const double s2_261 = 0.5*fma(s2_255, s2_257, s2_260);
-  result.residual[13] = s2_261;
-  const double s2_262 = fma(s2_245, s2_259, s2_256*s2_248);
-  const double s2_263 = fnma(s2_259, s2_253, s2_248*s2_257);
+  const double pivot_arb_rear_left = fnma(s2_243, s2_252, s2_247*s2_251);
+  // long_rod_right
+  const double s2_253 = s2_194 + (-p_long_rod_right_from_y + z_rear_axle_ty);
+  const double s2_254 = 1.1757385222540735*s2_253;
+  const double s2_255 = 1.1757385222540735*s2_200;
+  const double s2_256 = fma(s2_194, s2_255, s2_197*s2_254);
+  const double s2_257 = 1.1757385222540735*s2_208;
+  const double s2_258 = fma(s2_200, s2_255, fms(s2_253, s2_254, l_long_rod_right));
+  const double s2_259 = fnma(s2_205, s2_254, s2_194*s2_257);
+  const double s2_260 = 0.5*fma(s2_208, s2_257, s2_258);
+  result.residual[14] = s2_260;
+  const double s2_261 = fma(s2_197, s2_257, s2_205*s2_255);
   // diag_rod_right
-  const double s2_264 = s2_216 + (-p_diag_rod_right_from_y + z_rear_axle_ty);
+  const double s2_262 = s2_216 + (-p_diag_rod_right_from_y + z_rear_axle_ty);
   const double pivot_rear_axle_tx = 1.162476387438193*s2_233;
-  const double s2_265 = 1.162476387438193*s2_264;
-  const double s2_266 = fnma(s2_230, s2_265, pivot_rear_axle_tx*s2_216);
-  const double s2_267 = 1.162476387438193*s2_224;
-  const double s2_268 = fnma(pivot_rear_axle_tx, s2_220, s2_230*s2_267);
-  const double s2_269 = fma(s2_224, s2_267, fms(s2_233, pivot_rear_axle_tx, l_diag_rod_right));
-  const double s2_270 = 0.5*fma(s2_264, s2_265, s2_269);
-  result.residual[15] = s2_270;
-  const double s2_271 = fnma(s2_216, s2_267, s2_220*s2_265);
-  const double s2_272 = fnma(R_rear_axle_aux4_y_x, s2_271, R_rear_axle_aux4_x_x*s2_268);
-  const double s2_273 = fnma(s1_24, s2_266, R_rear_axle_aux5_y_x*s2_268);
+  const double s2_263 = 1.162476387438193*s2_262;
+  const double s2_264 = fnma(s2_230, s2_263, pivot_rear_axle_tx*s2_216);
+  const double s2_265 = 1.162476387438193*s2_224;
+  const double s2_266 = fnma(pivot_rear_axle_tx, s2_220, s2_230*s2_265);
+  const double s2_267 = fma(s2_224, s2_265, fms(s2_233, pivot_rear_axle_tx, l_diag_rod_right));
+  const double s2_268 = 0.5*fma(s2_262, s2_263, s2_267);
+  result.residual[15] = s2_268;
+  const double s2_269 = fnma(s2_216, s2_265, s2_220*s2_263);
+  // arb_link_rear_right
+  const double s2_270 = p_arb_link_rear_right_from_x*work.cosines[18];
+  const double s2_271 = s2_250 + (s2_270 - (-p_arb_rear_right_x) - r_rear_axle_aux1_x);
+  const double s2_272 = p_arb_link_rear_right_from_x*work.sines[18];
+  const double s2_273 = s2_272 + (s2_222 + s2_245);
+  const double s2_274 = 4.47213595499958*s2_273;
+  const double s2_275 = 4.47213595499958*s2_271;
+  const double pivot_arb_rear_right = fnma(s2_272, s2_275, s2_270*s2_274);
+  const double s2_276 = 1.0/pivot_arb_rear_left;
+  const double s2_277 = 1.0/pivot_arb_rear_right;
+  const double s2_278 = 3.204642123170383*std::abs(pivot_arb_rear_right);
+  const double s2_279 = 1.0/pivot_rear_axle_tx;
+  const double s2_280 = s2_209*s2_279;
+  const double s2_281 = s2_257*s2_279;
+  const double s2_282 = s2_234*s2_279;
+  const double s2_283 = mbgen::min(3.194382824999693*std::abs(pivot_arb_rear_left), s2_278);
+  const double s2_284 = fma(s2_263, s2_280, s2_202);
+  const double s4_35 = fms(s2_268, s2_280, s2_212);
+  const double pivot_rear_axle_rz = fms(s2_264, s2_280, s2_210);
+  const double s2_285 = 1.0/pivot_rear_axle_rz;
+  const double s2_286 = mbgen::min(1.0748203921841*std::abs(pivot_rear_axle_tx), s2_283);
+  const double s2_287 = fnma(R_rear_axle_aux4_y_x, s2_269, R_rear_axle_aux4_x_x*s2_266);
+  const double s2_288 = fnma(s1_24, s2_264, R_rear_axle_aux5_y_x*s2_266);
   const double zd_rear_axle_rx = state.zd[Coordinate::rear_axle_rx];
   const double zd_rear_axle_tz = state.zd[Coordinate::rear_axle_tz];
-  const double s4_31 = zd_rear_axle_rx*fma(R_rear_axle_aux5_x_x, s2_271, s2_273);
-  const double s4_32 = fnma(zd_rear_axle_tz, s2_267, s4_31);
-  // arb_link_rear_right
-  const double s2_274 = p_arb_link_rear_right_from_x*work.cosines[18];
-  const double s2_275 = s2_250 + (s2_274 - (-p_arb_rear_right_x) - r_rear_axle_aux1_x);
-  const double s2_276 = p_arb_link_rear_right_from_x*work.sines[18];
-  const double s2_277 = s2_276 + (s2_222 + s2_246);
-  const double s2_278 = 0.6 + z_rear_axle_ty - s2_254;
-  const double s2_279 = 4.47213595499958*s2_275;
-  const double s2_280 = 4.47213595499958*s2_278;
-  const double s2_281 = fma(s2_250, s2_280, s2_279*s2_254);
-  const double s2_282 = 4.47213595499958*s2_277;
-  const double pivot_arb_rear_right = fnma(s2_276, s2_279, s2_274*s2_282);
-  const double s2_283 = fma(s2_246, s2_280, s2_282*s2_254);
-  const double s2_284 = fma(s2_275, s2_279, fms(s2_277, s2_282, l_arb_link_rear_right));
-  const double s2_285 = fnma(s2_282, s2_250, s2_246*s2_279);
-  const double s2_286 = 0.5*fma(s2_278, s2_280, s2_284);
-  result.residual[16] = s2_286;
-  const double s2_287 = fnma(R_rear_axle_aux5_x_x, s2_203, R_rear_axle_aux5_y_x*s2_213);
-  const double s4_33 = zd_rear_axle_rx*fnma(s1_24, s2_210, s2_287);
-  const double s2_288 = fnma(R_rear_axle_aux5_x_x, s2_227, R_rear_axle_aux5_y_x*s2_238);
-  const double s4_34 = zd_rear_axle_rx*fnma(s1_24, s2_235, s2_288);
-  const double s2_289 = fnma(R_rear_axle_aux5_x_x, s2_258, R_rear_axle_aux5_y_x*s2_262);
-  const double s2_290 = fma(R_rear_axle_aux4_x_x, s2_262, R_rear_axle_aux4_y_x*s2_258);
-  const double s4_35 = zd_rear_axle_rx*fnma(s1_24, s2_263, s2_289);
-  // long_rod_right
-  const double s2_291 = s2_194 + (-p_long_rod_right_from_y + z_rear_axle_ty);
-  const double s2_292 = 1.1757385222540735*s2_200;
-  const double s2_293 = 1.1757385222540735*s2_208;
-  const double s2_294 = fma(s2_197, s2_293, s2_205*s2_292);
-  const double s2_295 = 1.1757385222540735*s2_291;
-  const double s2_296 = fma(s2_194, s2_292, s2_197*s2_295);
-  const double s2_297 = fma(s2_200, s2_292, fms(s2_291, s2_295, l_long_rod_right));
-  const double s2_298 = fnma(s2_205, s2_295, s2_194*s2_293);
-  const double s2_299 = 0.5*fma(s2_208, s2_293, s2_297);
-  result.residual[14] = s2_299;
-  const double s2_300 = fnma(R_rear_axle_aux5_x_x, s2_296, R_rear_axle_aux5_y_x*s2_294);
-  const double s2_301 = fnma(R_rear_axle_aux4_y_x, s2_283, R_rear_axle_aux4_x_x*s2_285);
-  const double s2_302 = fnma(s1_24, s2_281, R_rear_axle_aux5_y_x*s2_285);
-  const double s4_36 = zd_rear_axle_rx*fnma(s1_24, s2_298, s2_300);
-  const double s4_37 = zd_rear_axle_rx*fma(R_rear_axle_aux5_x_x, s2_283, s2_302);
-  const double s2_303 = 1.0/pivot_rear_axle_tx;
-  const double s2_304 = s2_209*s2_303;
-  const double s2_305 = s2_293*s2_303;
-  const double s2_306 = s2_234*s2_303;
-  const double pivot_rear_axle_rz = fms(s2_266, s2_304, s2_210);
-  const double s2_307 = fma(s2_265, s2_304, s2_202);
-  const double s4_38 = fms(s2_270, s2_304, s2_212);
-  const double s4_39 = fnma(s2_304, s4_32, fnma(zd_rear_axle_tz, s2_201, s4_33));
-  const double s2_308 = fnma(R_rear_axle_aux4_y_x, s2_203, s2_272*s2_304);
-  const double s2_309 = fnma(R_rear_axle_aux4_x_x, s2_213, s2_308);
-  const double s2_310 = fnma(R_rear_axle_aux4_y_x, s2_296, s2_272*s2_305);
-  const double s2_311 = fnma(R_rear_axle_aux4_y_x, s2_227, s2_272*s2_306);
-  const double s2_312 = 1.0/pivot_arb_rear_left;
-  const double s2_313 = 1.0/pivot_arb_rear_right;
-  const double s2_314 = 3.204642123170383*std::abs(pivot_arb_rear_right);
-  const double s2_315 = mbgen::min(3.194382824999693*std::abs(pivot_arb_rear_left), s2_314);
-  const double s2_316 = 1.0/pivot_rear_axle_rz;
-  const double s2_317 = fms(s2_266, s2_305, s2_298)*s2_316;
-  const double s2_318 = s2_316*fms(s2_266, s2_306, s2_235);
-  const double s2_319 = mbgen::min(1.0748203921841*std::abs(pivot_rear_axle_tx), s2_315);
-  const double pivot_rear_axle_ry = fnma(s2_309, s2_317, fnma(R_rear_axle_aux4_x_x, s2_294,
-      s2_310));
-  const double s2_320 = fma(s2_317, s2_307, fnma(s2_265, s2_305, s2_295));
-  const double s4_40 = fnma(s2_317, s4_38, fms(s2_270, s2_305, s2_299));
-  const double s4_41 = fnma(s2_305, s4_32, fnma(zd_rear_axle_tz, s2_292, s4_36));
-  const double s4_42 = fnma(s2_317, s4_39, s4_41);
-  const double s4_43 = fnma(s2_306, s4_32, fnma(zd_rear_axle_tz, s2_225, s4_34));
-  const double s2_321 = 1.0/pivot_rear_axle_ry;
-  const double s2_322 = fnma(s2_309, s2_318, fnma(R_rear_axle_aux4_x_x, s2_238, s2_311))*s2_321;
-  const double s2_323 = mbgen::min(s2_319, 1.5318884572025857*std::abs(pivot_rear_axle_rz));
-  const double pivot_rear_axle_ty = fnma(s2_320, s2_322, fnma(s2_265, s2_306, fms(s2_307, s2_318,
+  const double s4_36 = zd_rear_axle_rx*fma(R_rear_axle_aux5_x_x, s2_269, s2_288);
+  const double s4_37 = fnma(zd_rear_axle_tz, s2_265, s4_36);
+  const double s2_289 = fnma(R_rear_axle_aux4_y_x, s2_203, s2_287*s2_280);
+  const double s2_290 = fnma(R_rear_axle_aux4_x_x, s2_213, s2_289);
+  const double s2_291 = fnma(R_rear_axle_aux5_x_x, s2_203, R_rear_axle_aux5_y_x*s2_213);
+  const double s4_38 = zd_rear_axle_rx*fnma(s1_24, s2_210, s2_291);
+  const double s4_39 = fnma(s2_280, s4_37, fnma(zd_rear_axle_tz, s2_201, s4_38));
+  const double s2_292 = fms(s2_264, s2_281, s2_259)*s2_285;
+  const double s2_293 = fma(s2_292, s2_284, fnma(s2_263, s2_281, s2_254));
+  const double s4_40 = fnma(s2_292, s4_35, fms(s2_268, s2_281, s2_260));
+  const double s2_294 = fnma(R_rear_axle_aux4_y_x, s2_256, s2_287*s2_281);
+  const double pivot_rear_axle_ry = fnma(s2_290, s2_292, fnma(R_rear_axle_aux4_x_x, s2_261,
+      s2_294));
+  const double s2_295 = fnma(R_rear_axle_aux5_x_x, s2_256, R_rear_axle_aux5_y_x*s2_261);
+  const double s4_41 = zd_rear_axle_rx*fnma(s1_24, s2_259, s2_295);
+  const double s4_42 = fnma(s2_281, s4_37, fnma(zd_rear_axle_tz, s2_255, s4_41));
+  const double s4_43 = fnma(s2_292, s4_39, s4_42);
+  const double s2_296 = 1.0/pivot_rear_axle_ry;
+  const double s2_297 = mbgen::min(s2_286, 1.5318884572025857*std::abs(pivot_rear_axle_rz));
+  const double s2_298 = s2_285*fms(s2_264, s2_282, s2_235);
+  const double s2_299 = fnma(R_rear_axle_aux4_y_x, s2_227, s2_287*s2_282);
+  const double s2_300 = fnma(s2_290, s2_298, fnma(R_rear_axle_aux4_x_x, s2_238, s2_299))*s2_296;
+  const double s2_301 = fnma(R_rear_axle_aux5_x_x, s2_227, R_rear_axle_aux5_y_x*s2_238);
+  const double pivot_rear_axle_ty = fnma(s2_293, s2_300, fnma(s2_263, s2_282, fms(s2_284, s2_298,
       s2_226)));
-  const double s2_324 = 1.0/pivot_rear_axle_ty;
-  const double s4_44 = fnma(s2_322, s4_40, fnma(s2_318, s4_38, fms(s2_270, s2_306, s2_237)));
-  const double s4_45 = s2_324*s4_44;
-  result.dz[Coordinate::rear_axle_ty] = s4_45;
-  const double s4_46 = s2_324*fnma(s2_322, s4_42, fnma(s2_318, s4_39, s4_43));
-  result.zd[Coordinate::rear_axle_ty] = s4_46;
-  const double s2_325 = mbgen::min(s2_323, 1.7893247478820993*std::abs(pivot_rear_axle_ry));
-  result.pivot[1] = mbgen::min(s2_325, 1.4337752588788297*std::abs(pivot_rear_axle_ty));
-  // operations: 308 add, 415 multiply, 17 divide, 32 other
+  const double s4_44 = zd_rear_axle_rx*fnma(s1_24, s2_235, s2_301);
+  const double s4_45 = fnma(s2_282, s4_37, fnma(zd_rear_axle_tz, s2_225, s4_44));
+  const double s2_302 = 1.0/pivot_rear_axle_ty;
+  const double s4_46 = fnma(s2_300, s4_40, fnma(s2_298, s4_35, fms(s2_268, s2_282, s2_237)));
+  const double s4_47 = s2_302*s4_46;
+  result.dz[Coordinate::rear_axle_ty] = s4_47;
+  const double s4_48 = s2_302*fnma(s2_300, s4_43, fnma(s2_298, s4_39, s4_45));
+  result.zd[Coordinate::rear_axle_ty] = s4_48;
+  const double s2_303 = mbgen::min(s2_297, 1.7893247478820993*std::abs(pivot_rear_axle_ry));
+  result.pivot[1] = mbgen::min(s2_303, 1.4337752588788297*std::abs(pivot_rear_axle_ty));
 
   // --- step 4: velocities, continued ---
   // loop block 1
-  const double s4_47 = s2_321*fnma(s2_320, s4_45, s4_40);
-  result.dz[Coordinate::rear_axle_ry] = s4_47;
-  const double s4_48 = s2_321*fnma(s2_320, s4_46, s4_42);
-  result.zd[Coordinate::rear_axle_ry] = s4_48;
-  const double s4_49 = fma(s2_257, s4_46, fnma(zd_rear_axle_tz, s2_256, s4_35));
-  const double s4_50 = fnma(s2_280, s4_46, fnma(zd_rear_axle_tz, s2_282, s4_37));
-  const double s4_51 = s2_316*fnma(s2_309, s4_47, fma(s2_307, s4_45, s4_38));
+  const double s4_49 = s2_296*fnma(s2_293, s4_47, s4_40);
+  result.dz[Coordinate::rear_axle_ry] = s4_49;
+  const double s4_50 = s2_296*fnma(s2_293, s4_48, s4_43);
+  result.zd[Coordinate::rear_axle_ry] = s4_50;
+  const double s4_51 = s2_285*fnma(s2_290, s4_49, fma(s2_284, s4_47, s4_35));
   result.dz[Coordinate::rear_axle_rz] = s4_51;
-  const double s4_52 = s2_316*fnma(s2_309, s4_48, fma(s2_307, s4_46, s4_39));
+  const double s4_52 = s2_285*fnma(s2_290, s4_50, fma(s2_284, s4_48, s4_39));
   result.zd[Coordinate::rear_axle_rz] = s4_52;
-  const double s4_53 = fma(s2_266, s4_51, fnma(s2_265, s4_45, fms(s2_272, s4_47, s2_270)));
-  const double s4_54 = s2_303*s4_53;
+  const double s4_53 = fma(s2_264, s4_51, fnma(s2_263, s4_47, fms(s2_287, s4_49, s2_268)));
+  const double s4_54 = s2_279*s4_53;
   result.dz[Coordinate::rear_axle_tx] = s4_54;
-  const double s4_55 = fma(s2_266, s4_52, fma(s2_272, s4_48, fnma(s2_265, s4_46, s4_32)));
-  const double s4_56 = s2_303*s4_55;
+  const double s4_55 = fma(s2_264, s4_52, fma(s2_287, s4_50, fnma(s2_263, s4_48, s4_37)));
+  const double s4_56 = s2_279*s4_55;
   result.zd[Coordinate::rear_axle_tx] = s4_56;
-  const double s4_57 = fma(s2_263, s4_51, fma(s2_290, s4_47, fms(s2_257, s4_45, s2_261)));
-  const double s4_58 = fma(s2_281, s4_51, fnma(s2_280, s4_45, fms(s2_301, s4_47, s2_286)));
-  result.dz[Coordinate::arb_rear_left] = s2_312*fma(s2_259, s4_54, s4_57);
-  result.dz[Coordinate::arb_rear_right] = s2_313*fma(s2_279, s4_54, s4_58);
-  result.zd[Coordinate::arb_rear_left] = s2_312*fma(s2_259, s4_56, fma(s2_263, s4_52, fma(s2_290,
-      s4_48, s4_49)));
-  result.zd[Coordinate::arb_rear_right] = s2_313*fma(s2_279, s4_56, fma(s2_281, s4_52, fma(s2_301,
-      s4_48, s4_50)));
+  const double s2_304 = -p_arb_link_rear_left_to_x*R_rear_axle_aux5_y_x;
+  const double s2_305 = fma(-p_arb_link_rear_left_to_z, R_rear_axle_y_z, s2_304);
+  const double s2_306 = fms(p_arb_link_rear_left_to_y, R_rear_axle_y_y, s2_305);
+  const double s2_307 = fma(p_arb_link_rear_left_to_y, R_rear_axle_y_y, s2_305);
+  const double s2_308 = 0.6 - z_rear_axle_ty - s2_306;
+  const double s2_309 = 4.47213595499958*s2_308;
+  const double s2_310 = fma(s2_249, s2_252, fms(s2_246, s2_251, l_arb_link_rear_left));
+  const double s2_311 = 0.5*fma(s2_308, s2_309, s2_310);
+  result.residual[13] = s2_311;
+  // arb_link_rear_left
+  const double s2_312 = fnma(s2_252, s2_306, s2_248*s2_309);
+  const double s2_313 = fma(s2_244, s2_252, s2_251*s2_248);
+  const double s2_314 = fma(s2_244, s2_309, s2_251*s2_306);
+  const double s2_315 = fma(R_rear_axle_aux4_x_x, s2_313, R_rear_axle_aux4_y_x*s2_314);
+  const double s2_316 = fnma(R_rear_axle_aux5_x_x, s2_314, R_rear_axle_aux5_y_x*s2_313);
+  const double s4_57 = fma(s2_312, s4_51, fma(s2_315, s4_49, fms(s2_309, s4_47, s2_311)));
+  result.dz[Coordinate::arb_rear_left] = s2_276*fma(s2_252, s4_54, s4_57);
+  const double s4_58 = zd_rear_axle_rx*fnma(s1_24, s2_312, s2_316);
+  const double s4_59 = fma(s2_309, s4_48, fnma(zd_rear_axle_tz, s2_251, s4_58));
+  result.zd[Coordinate::arb_rear_left] = s2_276*fma(s2_252, s4_56, fma(s2_312, s4_52, fma(s2_315,
+      s4_50, s4_59)));
+
+  // --- step 2: closure Jacobian Phi_z and its factors (60), continued ---
+  // arb_link_rear_right
+  const double s2_317 = 0.6 + z_rear_axle_ty - s2_307;
+  const double s2_318 = 4.47213595499958*s2_317;
+  const double s2_319 = fma(s2_271, s2_275, fms(s2_273, s2_274, l_arb_link_rear_right));
+  const double s2_320 = 0.5*fma(s2_317, s2_318, s2_319);
+  result.residual[16] = s2_320;
+  const double s2_321 = fma(s2_250, s2_318, s2_275*s2_307);
+  const double s2_322 = fma(s2_245, s2_318, s2_274*s2_307);
+  const double s2_323 = fnma(s2_274, s2_250, s2_245*s2_275);
+  const double s2_324 = fnma(R_rear_axle_aux4_y_x, s2_322, R_rear_axle_aux4_x_x*s2_323);
+  const double s2_325 = fnma(s1_24, s2_321, R_rear_axle_aux5_y_x*s2_323);
+  // operations: 308 add, 415 multiply, 17 divide, 32 other
+  const double s4_60 = zd_rear_axle_rx*fma(R_rear_axle_aux5_x_x, s2_322, s2_325);
+  const double s4_61 = fma(s2_321, s4_51, fnma(s2_318, s4_47, fms(s2_324, s4_49, s2_320)));
+  const double s4_62 = fnma(s2_318, s4_48, fnma(zd_rear_axle_tz, s2_274, s4_60));
+  result.dz[Coordinate::arb_rear_right] = s2_277*fma(s2_275, s4_54, s4_61);
+  result.zd[Coordinate::arb_rear_right] = s2_277*fma(s2_275, s4_56, fma(s2_321, s4_52, fma(s2_324,
+      s4_50, s4_62)));
   // operations: 98 add, 149 multiply
 }
 

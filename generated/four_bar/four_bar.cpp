@@ -118,9 +118,9 @@ void compute_accelerations(const Tuned& parameters, const Inputs& inputs, const 
   result.pivot[0] = mbgen::min(3.999888870509994*std::abs(s2_1), s2_8);
 
   // --- step 5: applied forces Q (48) ---
+  // return_spring
   const double s5_1 = fma(p_rocker_S_z, R_rocker_x_z, p_rocker_S_x*R_rocker_x_x);
   const double s5_2 = fnma(p_rocker_S_x, R_rocker_x_z, p_rocker_S_z*R_rocker_x_x);
-  // return_spring
   const double s5_3 = 0.2 - s5_1;
   const double s5_4 = p_ground_S_z - s5_2;
   const double s5_5 = std::sqrt(fma(s5_4, s5_4, s5_3*s5_3));
@@ -163,35 +163,35 @@ void compute_accelerations(const Tuned& parameters, const Inputs& inputs, const 
   const double s6_9 = s2_5*fms(s2_4, s6_8, s6_5);
   // operations: 6 add, 16 multiply
   const double s8_2 = tau[Coordinate::rocker_pin] + fnma(s5_1, s5_4*s5_6, s5_2*(s5_3*s5_6));
-  const double s7_1 = fma(h_rocker_z, R_rocker_x_z, h_rocker_x*R_rocker_x_x);
 
   // --- step 7: inertias of the bodies and forces on joints, rocker_tip ---
-  const double s7_2 = fma(h_coupler_z, R_coupler_x_z, h_coupler_x*R_coupler_x_x);
-  const double s7_3 = fnma(h_coupler_x, R_coupler_x_z, h_coupler_z*R_coupler_x_x);
-  // operations: 4 add, 8 multiply
+  const double s7_1 = fma(h_coupler_z, R_coupler_x_z, h_coupler_x*R_coupler_x_x);
+  const double s7_2 = fnma(h_coupler_x, R_coupler_x_z, h_coupler_z*R_coupler_x_x);
 
   // --- step 8: elimination from the leaves to the root (63), rocker_tip, continued ---
   // coupler: coupler_pin, revolute, crank
-  const double f_coupler_z = fma(m_coupler, s8_1, fnma(s6_7, s7_3, s6_8*s7_2));
+  const double f_coupler_z = fma(m_coupler, s8_1, fnma(s6_7, s7_2, s6_8*s7_1));
   const double s8_3 = 1.0 - s3_1;
-  const double s8_4 = fma(s7_2, s8_3, m_coupler*r_coupler_x);
+  const double s8_4 = fma(s7_1, s8_3, m_coupler*r_coupler_x);
   const double s8_5 = fma(r_coupler_x, s8_4, fma(s3_2, 0.02195*s3_2, 0.00302));
   // crank: crank_pin, revolute, ground
-  const double s8_6 = fma(r_coupler_z, fma(s7_3, s8_3, m_coupler*r_coupler_z), s8_5);
-  const double s8_7 = fma(0.0729, s8_3, fma(r_coupler_z, s7_3, r_coupler_x*s7_2));
+  const double s8_6 = fma(r_coupler_z, fma(s7_2, s8_3, m_coupler*r_coupler_z), s8_5);
+  const double s8_7 = fma(0.0729, s8_3, fma(r_coupler_z, s7_2, r_coupler_x*s7_1));
   const double pivot_crank_pin = fma(s8_3, s8_7, s8_6);
   const double s8_8 = inputs.torque + tau[Coordinate::crank_pin];
-  const double s7_4 = fma(h_crank_z, R_crank_x_z, h_crank_x*R_crank_x_x);
-  const double s8_9 = fma(-g_z, s7_4, fnma(tau[Coordinate::coupler_pin], s3_1, s8_8));
-  const double s8_10 = fma(r_coupler_z, fma(s6_8, s7_3, fma(s6_7, s7_2, m_coupler*s6_2)), s8_9);
-  const double s8_11 = fma(s7_2, s8_1, fma(s6_2, s7_3, 0.0729*s6_8));
+  const double s7_3 = fma(h_crank_z, R_crank_x_z, h_crank_x*R_crank_x_x);
+  const double s8_9 = fma(-g_z, s7_3, fnma(tau[Coordinate::coupler_pin], s3_1, s8_8));
+  const double s8_10 = fma(r_coupler_z, fma(s6_8, s7_2, fma(s6_7, s7_1, m_coupler*s6_2)), s8_9);
+  const double s8_11 = fma(s7_1, s8_1, fma(s6_2, s7_2, 0.0729*s6_8));
+  // operations: 4 add, 8 multiply
+  const double s7_4 = fma(h_rocker_z, R_rocker_x_z, h_rocker_x*R_rocker_x_x);
   const double s8_12 = fma(s8_3, s8_11, fma(r_coupler_x, f_coupler_z, s8_10));
   result.inertia[0] = fnma(1e-12, pivot_crank_pin, pivot_crank_pin);
   // operations: 28 add, 32 multiply, 1 divide
 
   // --- step 9: accelerations from the root to the leaves (63), (62) ---
   // rocker: rocker_pin, revolute, ground
-  const double s8_13 = fnma(s3_2, fma(-g_z, s7_1, fma(0.02195, s6_9, s8_2)), s8_12);
+  const double s8_13 = fnma(s3_2, fma(-g_z, s7_4, fma(0.02195, s6_9, s8_2)), s8_12);
   const double alpha_crank_y = s8_13*(1.0/pivot_crank_pin);
   result.zdd[Coordinate::crank_pin] = alpha_crank_y;
   result.zdd[Coordinate::rocker_pin] = -fma(s3_2, alpha_crank_y, s6_9);
@@ -240,8 +240,8 @@ void compute_closure(const Tuned& /*parameters*/, const Inputs& /*inputs*/, cons
   // operations: 3 add, 4 multiply, 6 sin cos
   const double s2_3 = fma(p_coupler_C_z, R_coupler_x_z, p_coupler_C_x*R_coupler_x_x);
   const double s2_4 = r_coupler_x + s2_3;
-  const double s2_5 = fnma(p_coupler_C_x, R_coupler_x_z, p_coupler_C_z*R_coupler_x_x);
   const double zd_coupler_pin = state.zd[Coordinate::coupler_pin];
+  const double s2_5 = fnma(p_coupler_C_x, R_coupler_x_z, p_coupler_C_z*R_coupler_x_x);
   const double s2_6 = r_coupler_z + s2_5;
 
   // --- step 4: velocities ---

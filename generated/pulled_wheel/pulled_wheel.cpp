@@ -153,8 +153,8 @@ void compute_accelerations(const Tuned& parameters, const Inputs& /*inputs*/, co
   const double s5_12 = (s5_10 >= 0.0 ? fma(1575.0, s5_10, 640.0) : s5_11);
   const double tension_spring = s5_12 + fms(s5_5 - l0_spring, parameters.k, -f0_spring);
   const double s5_13 = s5_6*tension_spring;
-  const double s1_1 = z_lower + state.z[Coordinate::ball];
   // knuckle: ball, revolute, arm
+  const double s1_1 = z_lower + state.z[Coordinate::ball];
   double R_knuckle_x_x, R_knuckle_x_z;
   mbgen::sincos(s1_1, R_knuckle_x_z, R_knuckle_x_x);
   const double r_knuckle_x = fnma(-p_ball_x, R_arm_x_x, p_ball_z*R_arm_x_z);
@@ -220,14 +220,10 @@ void compute_accelerations(const Tuned& parameters, const Inputs& /*inputs*/, co
   // operations: 1 add
 
   // --- step 2: closure Jacobian Phi_z and its factors (60), upper ---
+  // upper
   const double s2_1 = fma(p_upper_to_z, R_knuckle_x_z, p_upper_to_x*R_knuckle_x_x);
   const double s2_2 = fnma(p_upper_to_x, R_knuckle_x_z, p_upper_to_z*R_knuckle_x_x);
-
-  // --- step 7: inertias of the bodies and forces on joints, upper ---
-  const double s7_1 = R_knuckle_x_x*parameters.derived[0];
   const double s2_3 = s2_2 + (-p_upper_from_z + r_knuckle_z);
-  const double s7_2 = R_knuckle_x_z*parameters.derived[0];
-  // operations: 2 multiply
   const double s2_4 = p_upper_from_x - r_knuckle_x - s2_1;
   const double s2_5 = fma(s2_2, s2_4, s2_1*s2_3);
 
@@ -239,7 +235,6 @@ void compute_accelerations(const Tuned& parameters, const Inputs& /*inputs*/, co
   const double s6_5 = zd_lower*zd_lower;
   const double s6_6 = s1_2*s6_5;
   const double s6_7 = r_knuckle_x*s6_5;
-  const double s8_2 = fma(s6_6, s7_2, s8_1 + (s5_40 + fnma(s1_3, fx_tyre, s1_4*load_tyre)));
   const double s6_8 = w_knuckle_y*w_knuckle_y;
   const double s6_9 = fnma(s2_3, fma(w_knuckle_y, s6_2, s6_6), fma(s6_3, s6_3, s6_4*s6_4));
   const double s2_6 = 1.0/s2_5;
@@ -253,20 +248,26 @@ void compute_accelerations(const Tuned& parameters, const Inputs& /*inputs*/, co
   // operations: 9 add, 9 multiply, 1 divide, 1 other
   const double s9_1 = fnma(s5_1, s5_4*s5_13, fnma(s5_2, s5_3*s5_13, tau[Coordinate::lower]));
 
+  // --- step 7: inertias of the bodies and forces on joints, upper ---
+  const double s7_1 = R_knuckle_x_z*parameters.derived[0];
+  const double s7_2 = R_knuckle_x_x*parameters.derived[0];
+  // operations: 2 multiply
+  const double s8_2 = fma(zdd_star_ball, s7_1, fma(s6_6, parameters.derived[1], load_tyre));
+  const double s8_3 = fma(s6_6, s7_1, s8_1 + (s5_40 + fnma(s1_3, fx_tyre, s1_4*load_tyre)));
+
   // --- step 8: elimination from the leaves to the root (63), upper ---
   // knuckle: ball, revolute, arm
-  const double n_knuckle_y = fma(zdd_star_ball, parameters.derived[2], fnma(s6_7, s7_1, s8_2));
-  const double s8_3 = fma(zdd_star_ball, s7_2, fma(s6_6, parameters.derived[1], load_tyre));
-  const double s8_4 = fnma(s6_7, parameters.derived[1], fms(zdd_star_ball, s7_1, fx_tyre));
-  const double f_knuckle_x = fnma(s6_8, s7_2, s8_4);
+  const double n_knuckle_y = fma(zdd_star_ball, parameters.derived[2], fnma(s6_7, s7_2, s8_3));
+  const double s8_4 = fnma(s6_7, parameters.derived[1], fms(zdd_star_ball, s7_2, fx_tyre));
+  const double f_knuckle_x = fnma(s6_8, s7_1, s8_4);
   const double s9_2 = fnma(s1_2, f_knuckle_x, fnma(tau[Coordinate::ball], s3_1, s9_1));
   const double s8_5 = 1.0 - s3_1;
-  const double s8_6 = fma(s7_2, s8_5, r_knuckle_x*parameters.derived[1]);
-  const double s9_3 = fnma(s8_5, n_knuckle_y, fnma(r_knuckle_x, fma(s6_8, s7_1, s8_3), s9_2));
-  const double s8_7 = fma(s8_5, parameters.derived[2], fma(s1_2, s7_1, r_knuckle_x*s7_2));
+  const double s8_6 = fma(s7_1, s8_5, r_knuckle_x*parameters.derived[1]);
+  const double s8_7 = fma(s8_5, parameters.derived[2], fma(s1_2, s7_2, r_knuckle_x*s7_1));
   // arm: lower, revolute, carriage
   const double s8_8 = fma(s8_5, s8_7, fma(r_knuckle_x, s8_6, 0.3475));
-  const double pivot_lower = fma(s1_2, fma(s7_1, s8_5, s1_2*parameters.derived[1]), s8_8);
+  const double pivot_lower = fma(s1_2, fma(s7_2, s8_5, s1_2*parameters.derived[1]), s8_8);
+  const double s9_3 = fnma(s8_5, n_knuckle_y, fnma(r_knuckle_x, fma(s6_8, s7_2, s8_2), s9_2));
   result.inertia[0] = fnma(1e-12, pivot_lower, pivot_lower);
   // operations: 23 add, 24 multiply, 1 divide
 

@@ -156,8 +156,8 @@ using Accelerations = AccelerationsOf<Lanes>;
 
 /// Part 1 of compute_accelerations: step 1: poses and axes b; step 5: applied forces Q (48); step
 /// 4: velocities; step 5: applied forces Q (48); step 8: elimination from the leaves to the root
-/// (63); step 2: closure Jacobian Phi_z and its factors (60), upper; step 7: inertias of the bodies
-/// and forces on joints, upper; step 6: c and dRz/dt zd (62), upper; step 3: Rz (61), upper; step
+/// (63); step 2: closure Jacobian Phi_z and its factors (60), upper; step 6: c and dRz/dt zd (62),
+/// upper; step 3: Rz (61), upper; step 7: inertias of the bodies and forces on joints, upper; step
 /// 8: elimination from the leaves to the root (63), upper; step 9: accelerations from the root to
 /// the leaves (63), (62).
 [[gnu::noinline]] void compute_accelerations_1(const Tuned& parameters, const State& state,
@@ -190,8 +190,8 @@ using Accelerations = AccelerationsOf<Lanes>;
   const Lanes s5_13 = mbgen::select(s5_11, fma(1575.0, s5_11, 640.0), s5_12);
   const Lanes tension_spring = s5_13 + fms(s5_5 - l0_spring, parameters.k, -f0_spring);
   const Lanes s5_14 = s5_6*tension_spring;
-  const Lanes s1_1 = z_lower + state.z[Coordinate::ball];
   // knuckle: ball, revolute, arm
+  const Lanes s1_1 = z_lower + state.z[Coordinate::ball];
   Lanes R_knuckle_x_x, R_knuckle_x_z;
   mbgen::sincos(s1_1, R_knuckle_x_z, R_knuckle_x_x);
   const Lanes r_knuckle_x = fnma(-p_ball_x, R_arm_x_x, p_ball_z*R_arm_x_z);
@@ -212,10 +212,10 @@ using Accelerations = AccelerationsOf<Lanes>;
   const Lanes s4_1 = zd_lower*r_knuckle_x;
   // knuckle: ball, revolute, arm
   const Lanes w_knuckle_y = zd_lower + state.zd[Coordinate::ball];
-  mbgen::read_back();
   // tyre
   const Lanes s5_19 = s5_17 + mbgen::min(s5_17, d_tyre*fma(s1_4, w_knuckle_y, s4_1));
   const Lanes load_tyre = mbgen::max(0.0, s5_19);
+  mbgen::read_back();
 
   // --- step 5: applied forces Q (48), continued ---
   // tyre
@@ -250,24 +250,20 @@ using Accelerations = AccelerationsOf<Lanes>;
   const Lanes s5_39 = s5_21*mbgen::sine(1.6*mbgen::arc_tangent(s5_38));
   const Lanes fx_tyre = mbgen::max(0.0, load_tyre)/s5_20*s5_39;
   const Lanes s5_40 = mbgen::hyperbolic_tangent(0.5*s5_28);
-  mbgen::read_back();
   const Lanes s5_41 = s5_40*(radius_tyre*(rolling_tyre*load_tyre));
   const Lanes s5_42 = fma(fx_tyre, s5_18 + (s5_16 + (s5_15 - radius_tyre)), s5_41);
   // operations: 34 add, 51 multiply, 8 divide, 3 sqrt, 3 sin cos, 18 other
+  mbgen::read_back();
 
   // --- step 8: elimination from the leaves to the root (63) ---
   const Lanes s8_1 = tau[Coordinate::wheel] - s5_42;
   // operations: 1 add
 
   // --- step 2: closure Jacobian Phi_z and its factors (60), upper ---
+  // upper
   const Lanes s2_1 = fma(p_upper_to_z, R_knuckle_x_z, p_upper_to_x*R_knuckle_x_x);
   const Lanes s2_2 = fnma(p_upper_to_x, R_knuckle_x_z, p_upper_to_z*R_knuckle_x_x);
-
-  // --- step 7: inertias of the bodies and forces on joints, upper ---
-  const Lanes s7_1 = R_knuckle_x_x*parameters.derived[0];
   const Lanes s2_3 = s2_2 + (-p_upper_from_z + r_knuckle_z);
-  const Lanes s7_2 = R_knuckle_x_z*parameters.derived[0];
-  // operations: 2 multiply
   const Lanes s2_4 = p_upper_from_x - r_knuckle_x - s2_1;
   const Lanes s2_5 = fma(s2_2, s2_4, s2_1*s2_3);
 
@@ -279,7 +275,6 @@ using Accelerations = AccelerationsOf<Lanes>;
   const Lanes s6_5 = zd_lower*zd_lower;
   const Lanes s6_6 = s1_2*s6_5;
   const Lanes s6_7 = r_knuckle_x*s6_5;
-  const Lanes s8_2 = fma(s6_6, s7_2, s8_1 + (s5_42 + fnma(s1_3, fx_tyre, s1_4*load_tyre)));
   const Lanes s6_8 = w_knuckle_y*w_knuckle_y;
   const Lanes s6_9 = fnma(s2_3, fma(w_knuckle_y, s6_2, s6_6), fma(s6_3, s6_3, s6_4*s6_4));
   const Lanes s2_6 = 1.0/s2_5;
@@ -293,20 +288,26 @@ using Accelerations = AccelerationsOf<Lanes>;
   // operations: 9 add, 9 multiply, 1 divide, 1 other
   const Lanes s9_1 = fnma(s5_1, s5_4*s5_14, fnma(s5_2, s5_3*s5_14, tau[Coordinate::lower]));
 
+  // --- step 7: inertias of the bodies and forces on joints, upper ---
+  const Lanes s7_1 = R_knuckle_x_z*parameters.derived[0];
+  const Lanes s7_2 = R_knuckle_x_x*parameters.derived[0];
+  // operations: 2 multiply
+  const Lanes s8_2 = fma(zdd_star_ball, s7_1, fma(s6_6, parameters.derived[1], load_tyre));
+  const Lanes s8_3 = fma(s6_6, s7_1, s8_1 + (s5_42 + fnma(s1_3, fx_tyre, s1_4*load_tyre)));
+
   // --- step 8: elimination from the leaves to the root (63), upper ---
   // knuckle: ball, revolute, arm
-  const Lanes n_knuckle_y = fma(zdd_star_ball, parameters.derived[2], fnma(s6_7, s7_1, s8_2));
-  const Lanes s8_3 = fma(zdd_star_ball, s7_2, fma(s6_6, parameters.derived[1], load_tyre));
-  const Lanes s8_4 = fnma(s6_7, parameters.derived[1], fms(zdd_star_ball, s7_1, fx_tyre));
-  const Lanes f_knuckle_x = fnma(s6_8, s7_2, s8_4);
+  const Lanes n_knuckle_y = fma(zdd_star_ball, parameters.derived[2], fnma(s6_7, s7_2, s8_3));
+  const Lanes s8_4 = fnma(s6_7, parameters.derived[1], fms(zdd_star_ball, s7_2, fx_tyre));
+  const Lanes f_knuckle_x = fnma(s6_8, s7_1, s8_4);
   const Lanes s9_2 = fnma(s1_2, f_knuckle_x, fnma(tau[Coordinate::ball], s3_1, s9_1));
   const Lanes s8_5 = 1.0 - s3_1;
-  const Lanes s8_6 = fma(s7_2, s8_5, r_knuckle_x*parameters.derived[1]);
-  const Lanes s9_3 = fnma(s8_5, n_knuckle_y, fnma(r_knuckle_x, fma(s6_8, s7_1, s8_3), s9_2));
-  const Lanes s8_7 = fma(s8_5, parameters.derived[2], fma(s1_2, s7_1, r_knuckle_x*s7_2));
+  const Lanes s8_6 = fma(s7_1, s8_5, r_knuckle_x*parameters.derived[1]);
+  const Lanes s8_7 = fma(s8_5, parameters.derived[2], fma(s1_2, s7_2, r_knuckle_x*s7_1));
   // arm: lower, revolute, carriage
   const Lanes s8_8 = fma(s8_5, s8_7, fma(r_knuckle_x, s8_6, 0.3475));
-  const Lanes pivot_lower = fma(s1_2, fma(s7_1, s8_5, s1_2*parameters.derived[1]), s8_8);
+  const Lanes pivot_lower = fma(s1_2, fma(s7_2, s8_5, s1_2*parameters.derived[1]), s8_8);
+  const Lanes s9_3 = fnma(s8_5, n_knuckle_y, fnma(r_knuckle_x, fma(s6_8, s7_2, s8_2), s9_2));
   mbgen::read_back();
   result.inertia[0] = fnma(1e-12, pivot_lower, pivot_lower);
   // operations: 23 add, 24 multiply, 1 divide
@@ -569,8 +570,8 @@ void compute_multipliers(const Tuned* parameters, const Inputs* /*inputs*/, cons
 }
 
 /// Part 1 of compute_outputs: step 1: poses and axes b; step 5: applied forces Q (48); step 4:
-/// velocities; step 9: outputs, energies, power; step 7: inertias of the bodies and forces on
-/// joints; step 5: applied forces Q (48).
+/// velocities; step 5: applied forces Q (48); step 9: outputs, energies, power; step 7: inertias of
+/// the bodies and forces on joints.
 [[gnu::noinline]] void compute_outputs_1(const Tuned& parameters, const State& state,
     const Lanes* tau, const Multipliers& multipliers, Outputs& __restrict result) noexcept {
   // Results that need no operation.
@@ -614,32 +615,23 @@ void compute_multipliers(const Tuned* parameters, const Inputs* /*inputs*/, cons
   const Lanes zd_ball = state.zd[Coordinate::ball];
   const Lanes w_knuckle_y = zd_lower + zd_ball;
   const Lanes s4_2 = fma(p_wheel_z*R_knuckle_x_z, w_knuckle_y, s4_1);
-
-  // --- step 9: outputs, energies, power ---
-  const Lanes s9_1 = fma(w_knuckle_y, R_knuckle_x_z*parameters.derived[3], s4_1);
-  // knuckle: ball, revolute, arm
   const Lanes r_knuckle_z = s1_2 - (-p_lower_z);
   const Lanes zd_pull = state.zd[Coordinate::pull];
   const Lanes v_knuckle_x = fma(zd_lower, s1_2, zd_pull);
   const Lanes s1_3 = p_wheel_z*R_knuckle_x_x;
-
-  // --- step 7: inertias of the bodies and forces on joints ---
-  const Lanes s7_1 = R_knuckle_x_x*parameters.derived[3];
   // wheel: wheel, revolute, knuckle
   const Lanes r_wheel_z = r_knuckle_z + s1_3;
   // operations: 5 add, 6 multiply, 4 sin cos
   const Lanes v_wheel_x = fma(s1_3, w_knuckle_y, v_knuckle_x);
-  const Lanes s9_2 = fma(w_knuckle_y, s7_1, v_knuckle_x);
   const Lanes s5_15 = p_pull_z + r_wheel_z;
   result.hub_height = s5_15;
-  const Lanes s9_3 = fma(m_wheel, r_wheel_z, parameters.derived[6]);
 
   // --- step 5: applied forces Q (48), continued ---
   // tyre
   const Lanes s5_16 = radius_tyre - s5_15;
-  mbgen::read_back();
   const Lanes s5_17 = mbgen::max(0.0, k_tyre*s5_16);
   const Lanes s5_18 = fnma(0.3333333333333333, mbgen::max(0.0, s5_16), radius_tyre);
+  mbgen::read_back();
   const Lanes load_tyre = mbgen::max(0.0, s5_17 + mbgen::min(s5_17, d_tyre*s4_2));
   result.load = load_tyre;
   const Lanes s5_19 = mbgen::max(0.004, load_tyre);
@@ -669,25 +661,33 @@ void compute_multipliers(const Tuned* parameters, const Inputs* /*inputs*/, cons
   const Lanes s5_37 = mbgen::hyperbolic_tangent(0.5*s5_27);
   const Lanes s5_38 = s5_37*(radius_tyre*(rolling_tyre*load_tyre));
   // operations: 32 add, 49 multiply, 7 divide, 3 sqrt, 3 sin cos, 18 other
-  mbgen::read_back();
-  const Lanes s9_4 = fma(zd_wheel, tau[Coordinate::wheel], zd_ball*tau[Coordinate::ball]);
+  const Lanes s9_1 = fma(zd_wheel, tau[Coordinate::wheel], zd_ball*tau[Coordinate::ball]);
   const Lanes s5_39 = fma(fx_tyre, s5_18 + (s5_16 + (s5_15 - radius_tyre)), s5_38);
-  const Lanes s9_5 = fma(v_wheel_x, fx_tyre, fnma(s4_2, load_tyre, s9_4));
-  const Lanes s9_6 = tau[Coordinate::pull] + multipliers.drive[0];
-  const Lanes s9_7 = fnma(s5_1, s5_4*s5_14, fnma(s5_2, s5_3*s5_14, tau[Coordinate::lower]));
-  result.applied_power = fma(zd_lower, s9_7, fma(zd_pull, s9_6, fnma(w_wheel_y, s5_39, s9_5)));
-  const Lanes s7_2 = fma(-c_arm_x, R_arm_x_z, c_arm_z*R_arm_x_x);
-  const Lanes s9_8 = zd_lower*fnma(-c_arm_x, R_arm_x_x, c_arm_z*R_arm_x_z);
-  const Lanes s9_9 = fma(r_knuckle_z + s7_1, parameters.derived[4], s9_3);
-  const Lanes s9_10 = fma(zd_lower, s7_2, zd_pull);
-  result.potential_energy = -g_z*fma(m_arm, s7_2 - (-p_lower_z), s9_9);
+  const Lanes s9_2 = fma(v_wheel_x, fx_tyre, fnma(s4_2, load_tyre, s9_1));
+  mbgen::read_back();
+  const Lanes s9_3 = tau[Coordinate::pull] + multipliers.drive[0];
+
+  // --- step 9: outputs, energies, power ---
+  const Lanes s9_4 = fnma(s5_1, s5_4*s5_14, fnma(s5_2, s5_3*s5_14, tau[Coordinate::lower]));
+  result.applied_power = fma(zd_lower, s9_4, fma(zd_pull, s9_3, fnma(w_wheel_y, s5_39, s9_2)));
+
+  // --- step 7: inertias of the bodies and forces on joints ---
+  const Lanes s7_1 = fma(-c_arm_x, R_arm_x_z, c_arm_z*R_arm_x_x);
+  const Lanes s9_5 = zd_lower*fnma(-c_arm_x, R_arm_x_x, c_arm_z*R_arm_x_z);
+  const Lanes s7_2 = R_knuckle_x_x*parameters.derived[3];
+  const Lanes s9_6 = fma(w_knuckle_y, R_knuckle_x_z*parameters.derived[3], s4_1);
+  const Lanes s9_7 = fma(w_knuckle_y, s7_2, v_knuckle_x);
+  const Lanes s9_8 = fma(m_wheel, r_wheel_z, parameters.derived[6]);
+  const Lanes s9_9 = fma(r_knuckle_z + s7_2, parameters.derived[4], s9_8);
+  const Lanes s9_10 = fma(zd_lower, s7_1, zd_pull);
+  result.potential_energy = -g_z*fma(m_arm, s7_1 - (-p_lower_z), s9_9);
   // operations: 2 add, 8 multiply
   const Lanes s9_11 = fma(w_knuckle_y, w_knuckle_y*parameters.derived[5], w_wheel_y*w_wheel_y);
   const Lanes s9_12 = fma(zd_lower, I_arm_yy*zd_lower, s9_11);
   const Lanes s9_13 = fma(m_wheel, fma(s4_2, s4_2, v_wheel_x*v_wheel_x), s9_12);
-  const Lanes s9_14 = fma(parameters.derived[4], fma(s9_2, s9_2, s9_1*s9_1), s9_13);
+  const Lanes s9_14 = fma(parameters.derived[4], fma(s9_7, s9_7, s9_6*s9_6), s9_13);
   const Lanes s9_15 = fma(m_carriage, zd_pull*zd_pull, s9_14);
-  result.kinetic_energy = 0.5*fma(m_arm, fma(s9_10, s9_10, s9_8*s9_8), s9_15);
+  result.kinetic_energy = 0.5*fma(m_arm, fma(s9_10, s9_10, s9_5*s9_5), s9_15);
   // operations: 26 add, 32 multiply
 }
 

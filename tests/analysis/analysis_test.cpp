@@ -5,6 +5,7 @@
 #include <iterator>
 
 #include "compiler/analysis/partition.hpp"
+#include "compiler/analysis/triangular.hpp"
 #include "tests/support/mechanism_support.hpp"
 
 namespace mbgen {

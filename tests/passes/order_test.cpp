@@ -27,6 +27,13 @@ int most_alive(const Program& program, const std::vector<ValueId>& order) {
   return most;
 }
 
+/// The order with every operation by itself.
+std::vector<ValueId> fewest_alive(const Program& program) {
+  std::vector<std::vector<ValueId>> bundles;
+  for (const ValueId v : live_operations(program)) bundles.push_back({v});
+  return fewest_alive(program, bundles);
+}
+
 /// All squares first, then their products in pairs, then the sum: the worst order there is.
 Program squares_first(int count) {
   ProgramBuilder builder("squares");
@@ -66,6 +73,20 @@ TEST(FewestAlive, AValueThatEndsALifeComesUp) {
   const ValueId sum = builder.append(Op::add, square, product);
   builder.output(Array::zdd, 0, sum);
   EXPECT_EQ(fewest_alive(builder.finish()), (std::vector<ValueId>{sine, square, product, sum}));
+}
+
+TEST(FewestAlive, OneCallForManyArgumentsStaysOne) {
+  ProgramBuilder builder("f");
+  ValueId sum = builder.constant(0);
+  for (int i = 0; i < 4; ++i) {
+    const ValueId slip = builder.append(Op::multiply, builder.input(Array::z, i), builder.input(Array::zd, i));
+    const ValueId force = builder.append(Op::multiply, builder.append(Op::atan, slip), slip);
+    sum = builder.append(Op::add, sum, force);
+  }
+  builder.output(Array::zdd, 0, sum);
+  const Schedule found = schedule(builder.finish(), {.order = ValueOrder::fewest_alive});
+  ASSERT_EQ(found.calls.calls.size(), 1u);
+  EXPECT_EQ(found.calls.calls[0].arguments.size(), 4u);
 }
 
 TEST(FewestAlive, EmptyProgram) { EXPECT_TRUE(fewest_alive(Program{}).empty()); }
