@@ -5,11 +5,9 @@
 namespace mbgen {
 namespace {
 
-/// Values of a section that come back to it for less than this have no heading of their own.
-constexpr std::size_t kShortestRun = 12;
-
-/// Values without a name have no heading of their owner for less than this.
-constexpr std::size_t kShortestOwnerRun = 8;
+/// Values without a name that come back to a section for less than this have no heading of their own; likewise to an
+/// owner, where the order mixes sections, and where it does not.
+constexpr std::size_t kShortestRun = 12, kShortestSortedRun = 3;
 
 /// "12 add, 20 multiply, 1 divide": the kinds of operation that occur, "none" when none does.
 std::string operations_text(const OperationCount& count) {
@@ -58,7 +56,8 @@ void Headings::write_before(std::size_t i, bool in_call, PartText& part) {
   const Node& node = node_at(i);
   const bool is_known = section_ && entered_.contains(node.section);
   if (section_ != node.section && (!is_known || goes_on(i, kShortestRun, false))) write_section(node, part);
-  const bool is_worth_it = node.label >= 0 || goes_on(i, kShortestOwnerRun, true);
+  const bool is_sorted = schedule_.ordered == ValueOrder::by_section;
+  const bool is_worth_it = node.label >= 0 || goes_on(i, is_sorted ? kShortestSortedRun : kShortestRun, true);
   if (owner_ == node.owner || in_call || !is_worth_it) return;
   const std::string title = titles_.owner(node.owner);
   if (!title.empty()) add_comment(part, comment_text(title));
@@ -72,11 +71,16 @@ void Headings::write_before_loop(const ScheduledUnit& loop, PartText& part) {
 }
 
 void Headings::write_after(std::size_t first, std::size_t last, PartText& part) const {
+  const bool is_sorted = schedule_.ordered == ValueOrder::by_section;
+  if (!is_sorted && last < schedule_.order.size()) return;
   for (std::size_t s = 0; s < counts_.size(); ++s) {
     const Section& section = program_.sections[s];
-    if (section.step == Step::none || !entered_.contains(section)) continue;
+    if (section.step == Step::none || !end_.contains(section)) continue;
     const std::size_t end = end_.at(section);
-    if (end >= first && end < last) add_comment(part, "operations: " + operations_text(counts_[s]));
+    if (!is_sorted)
+      add_comment(part, "operations of " + comment_text(titles_.section(section)) + ": " + operations_text(counts_[s]));
+    else if (end >= first && end < last && entered_.contains(section))
+      add_comment(part, "operations: " + operations_text(counts_[s]));
   }
 }
 

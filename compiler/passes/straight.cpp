@@ -143,6 +143,7 @@ Schedule straight_schedule(const Program& program, Division division, ValueOrder
   sort_by_section(program, order);
   const std::vector<ValueId> partner = angle_partners(program, order);
   Schedule result;
+  result.ordered = wanted;
   result.order = pair_angles(order, partner);
   result.calls = gather_calls(program, result.order);
   if (wanted == ValueOrder::fewest_alive) result.order = fewest_alive(program, bundles_of(result, partner));

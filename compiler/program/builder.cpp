@@ -194,6 +194,7 @@ void ProgramBuilder::label(ValueId value, const std::string& name) {
   ++moment_;
   Node& named = program_.nodes[value];
   if (named.op == Op::constant || named.op == Op::input || named.label >= 0) return;
+  named.owner = owner_;  // what is named after a body belongs to it, whoever computed it
   named.label = static_cast<std::int32_t>(program_.labels.size());
   program_.labels.push_back(name);
 }

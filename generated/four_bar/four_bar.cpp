@@ -126,27 +126,22 @@ void compute_accelerations(const Tuned& parameters, const Inputs& inputs, const 
   const double s5_5 = std::sqrt(fma(s5_4, s5_4, s5_3*s5_3));
   const double tension_return_spring = (s5_5 - l0_return_spring)*parameters.k;
   const double s5_6 = 1.0/s5_5*tension_return_spring;
-  // operations: 6 add, 10 multiply, 1 divide, 1 sqrt
   // crank: crank_pin, revolute, ground
   double R_crank_x_x, R_crank_x_z;
   mbgen::sincos(z_crank_pin, R_crank_x_z, R_crank_x_x);
   // coupler: coupler_pin, revolute, crank
   const double r_coupler_x = fma(p_coupler_pin_z, R_crank_x_z, p_coupler_pin_x*R_crank_x_x);
   const double r_coupler_z = fnma(p_coupler_pin_x, R_crank_x_z, p_coupler_pin_z*R_crank_x_x);
-  // operations: 3 add, 4 multiply, 6 sin cos
   const double s2_9 = r_coupler_z + s2_4;
-  // operations: 8 add, 13 multiply, 2 divide, 3 other
 
   // --- step 3: Rz (61), rocker_tip ---
   const double s3_1 = (fms(s2_9, s2_6, r_coupler_x) - s2_2)*s2_7;
   const double s3_2 = s2_5*fms(s2_4, s3_1, s2_9);
-  // operations: 1 add, 3 multiply
 
   // --- step 4: velocities ---
   // coupler: coupler_pin, revolute, crank
   const double zd_crank_pin = state.zd[Coordinate::crank_pin];
   const double w_coupler_y = zd_crank_pin + state.zd[Coordinate::coupler_pin];
-  // operations: 1 add
 
   // --- step 6: c and dRz/dt zd (62), rocker_tip ---
   const double s6_1 = zd_crank_pin*zd_crank_pin;
@@ -161,7 +156,6 @@ void compute_accelerations(const Tuned& parameters, const Inputs& inputs, const 
   const double s6_7 = w_coupler_y*w_coupler_y;
   const double s6_8 = s2_7*fma(s2_6, s6_5, fnma(w_coupler_y, w_coupler_y*s2_4, s6_6));
   const double s6_9 = s2_5*fms(s2_4, s6_8, s6_5);
-  // operations: 6 add, 16 multiply
   const double s8_2 = tau[Coordinate::rocker_pin] + fnma(s5_1, s5_4*s5_6, s5_2*(s5_3*s5_6));
 
   // --- step 7: inertias of the bodies and forces on joints, rocker_tip ---
@@ -174,7 +168,6 @@ void compute_accelerations(const Tuned& parameters, const Inputs& inputs, const 
   const double s8_3 = 1.0 - s3_1;
   const double s8_4 = fma(s7_1, s8_3, m_coupler*r_coupler_x);
   const double s8_5 = fma(r_coupler_x, s8_4, fma(s3_2, 0.02195*s3_2, 0.00302));
-  // crank: crank_pin, revolute, ground
   const double s8_6 = fma(r_coupler_z, fma(s7_2, s8_3, m_coupler*r_coupler_z), s8_5);
   const double s8_7 = fma(0.0729, s8_3, fma(r_coupler_z, s7_2, r_coupler_x*s7_1));
   const double pivot_crank_pin = fma(s8_3, s8_7, s8_6);
@@ -183,20 +176,30 @@ void compute_accelerations(const Tuned& parameters, const Inputs& inputs, const 
   const double s8_9 = fma(-g_z, s7_3, fnma(tau[Coordinate::coupler_pin], s3_1, s8_8));
   const double s8_10 = fma(r_coupler_z, fma(s6_8, s7_2, fma(s6_7, s7_1, m_coupler*s6_2)), s8_9);
   const double s8_11 = fma(s7_1, s8_1, fma(s6_2, s7_2, 0.0729*s6_8));
-  // operations: 4 add, 8 multiply
   const double s7_4 = fma(h_rocker_z, R_rocker_x_z, h_rocker_x*R_rocker_x_x);
   const double s8_12 = fma(s8_3, s8_11, fma(r_coupler_x, f_coupler_z, s8_10));
   result.inertia[0] = fnma(1e-12, pivot_crank_pin, pivot_crank_pin);
-  // operations: 28 add, 32 multiply, 1 divide
 
   // --- step 9: accelerations from the root to the leaves (63), (62) ---
-  // rocker: rocker_pin, revolute, ground
+  // crank: crank_pin, revolute, ground
   const double s8_13 = fnma(s3_2, fma(-g_z, s7_4, fma(0.02195, s6_9, s8_2)), s8_12);
   const double alpha_crank_y = s8_13*(1.0/pivot_crank_pin);
   result.zdd[Coordinate::crank_pin] = alpha_crank_y;
+  // rocker: rocker_pin, revolute, ground
   result.zdd[Coordinate::rocker_pin] = -fma(s3_2, alpha_crank_y, s6_9);
   result.zdd[Coordinate::coupler_pin] = -fma(s3_1, alpha_crank_y, s6_8);
-  // operations: 2 add, 3 multiply
+  // operations of step 1: poses and axes b: 3 add, 4 multiply, 6 sin cos
+  // operations of step 4: velocities: 1 add
+  // operations of step 5: applied forces Q (48): 6 add, 10 multiply, 1 divide, 1 sqrt
+  // operations of step 2: closure Jacobian Phi_z and its factors (60), rocker_tip: 8 add, 13
+  // multiply, 2 divide, 3 other
+  // operations of step 3: Rz (61), rocker_tip: 1 add, 3 multiply
+  // operations of step 6: c and dRz/dt zd (62), rocker_tip: 6 add, 16 multiply
+  // operations of step 7: inertias of the bodies and forces on joints, rocker_tip: 4 add, 8
+  // multiply
+  // operations of step 8: elimination from the leaves to the root (63), rocker_tip: 28 add, 32
+  // multiply, 1 divide
+  // operations of step 9: accelerations from the root to the leaves (63), (62): 2 add, 3 multiply
 }
 
 /// Result of compute_closure.
@@ -237,7 +240,6 @@ void compute_closure(const Tuned& /*parameters*/, const Inputs& /*inputs*/, cons
   // coupler: coupler_pin, revolute, crank
   double R_coupler_x_x, R_coupler_x_z;
   mbgen::sincos(s1_1, R_coupler_x_z, R_coupler_x_x);
-  // operations: 3 add, 4 multiply, 6 sin cos
   const double s2_3 = fma(p_coupler_C_z, R_coupler_x_z, p_coupler_C_x*R_coupler_x_x);
   const double s2_4 = r_coupler_x + s2_3;
   const double zd_coupler_pin = state.zd[Coordinate::coupler_pin];
@@ -259,11 +261,13 @@ void compute_closure(const Tuned& /*parameters*/, const Inputs& /*inputs*/, cons
   result.zd[Coordinate::crank_pin] = s4_3;
   const double s2_12 = 3.999888870509994*std::abs(s2_1);
   result.pivot[0] = mbgen::min(s2_12, 2.5*std::abs(pivot_crank_pin));
-  // operations: 10 add, 12 multiply, 2 divide, 3 other
   result.dz[Coordinate::crank_pin] = -s4_2;
   result.zd[Coordinate::rocker_pin] = s2_7*fma(s2_6, s4_3, s4_1);
   result.dz[Coordinate::rocker_pin] = -(s2_7*fms(s2_6, s4_2, s2_10));
-  // operations: 4 add, 10 multiply
+  // operations of step 1: poses and axes b: 3 add, 4 multiply, 6 sin cos
+  // operations of step 4: velocities: 4 add, 10 multiply
+  // operations of step 2: closure Jacobian Phi_z and its factors (60): 10 add, 12 multiply, 2
+  // divide, 3 other
 }
 
 /// Result of compute_multipliers.
@@ -287,8 +291,8 @@ void compute_multipliers(const Tuned& parameters, const Inputs& inputs, const St
   const double z_crank_pin = state.z[Coordinate::crank_pin];
   double R_crank_x_x, R_crank_x_z;
   mbgen::sincos(z_crank_pin, R_crank_x_z, R_crank_x_x);
-  const double s1_1 = z_crank_pin + state.z[Coordinate::coupler_pin];
   // coupler: coupler_pin, revolute, crank
+  const double s1_1 = z_crank_pin + state.z[Coordinate::coupler_pin];
   double R_coupler_x_x, R_coupler_x_z;
   mbgen::sincos(s1_1, R_coupler_x_z, R_coupler_x_x);
   const double s1_2 = p_coupler_pin_z*R_crank_x_z;
@@ -361,6 +365,7 @@ void compute_multipliers(const Tuned& parameters, const Inputs& inputs, const St
   // operations: 35 add, 46 multiply
 
   // --- step 9: multipliers of the closures and driving forces ---
+  // rocker_tip
   const double s9_1 = fnma(p_rocker_C_x, R_rocker_x_z, p_rocker_C_z*R_rocker_x_x);
   const double s9_2 = fnma(p_coupler_C_x, R_coupler_x_z, p_coupler_C_z*R_coupler_x_x);
   const double s9_3 = 1.0/s9_1;
@@ -401,8 +406,8 @@ void compute_closure_terms(const Tuned& /*parameters*/, const Inputs& /*inputs*/
   const double z_crank_pin = state.z[Coordinate::crank_pin];
   double R_crank_x_x, R_crank_x_z;
   mbgen::sincos(z_crank_pin, R_crank_x_z, R_crank_x_x);
-  const double s1_1 = z_crank_pin + state.z[Coordinate::coupler_pin];
   // coupler: coupler_pin, revolute, crank
+  const double s1_1 = z_crank_pin + state.z[Coordinate::coupler_pin];
   double R_coupler_x_x, R_coupler_x_z;
   mbgen::sincos(s1_1, R_coupler_x_z, R_coupler_x_x);
   const double r_coupler_x = fma(p_coupler_pin_z, R_crank_x_z, p_coupler_pin_x*R_crank_x_x);
@@ -456,8 +461,8 @@ void compute_chosen_accelerations(const Tuned& parameters, const Inputs& inputs,
   const double z_crank_pin = state.z[Coordinate::crank_pin];
   double R_crank_x_x, R_crank_x_z;
   mbgen::sincos(z_crank_pin, R_crank_x_z, R_crank_x_x);
-  const double s1_1 = z_crank_pin + state.z[Coordinate::coupler_pin];
   // coupler: coupler_pin, revolute, crank
+  const double s1_1 = z_crank_pin + state.z[Coordinate::coupler_pin];
   double R_coupler_x_x, R_coupler_x_z;
   mbgen::sincos(s1_1, R_coupler_x_z, R_coupler_x_x);
   const double r_coupler_x = fma(p_coupler_pin_z, R_crank_x_z, p_coupler_pin_x*R_crank_x_x);
@@ -491,11 +496,13 @@ void compute_chosen_accelerations(const Tuned& parameters, const Inputs& inputs,
   // operations: 2 multiply
 
   // --- step 7: inertias of the bodies and forces on joints, rocker_tip ---
+  // coupler: coupler_pin, revolute, crank
   const double s7_1 = fma(h_coupler_z, R_coupler_x_z, h_coupler_x*R_coupler_x_x);
   const double s7_2 = fnma(h_coupler_x, R_coupler_x_z, h_coupler_z*R_coupler_x_x);
   // operations: 4 add, 8 multiply
 
   // --- step 8: elimination from the leaves to the root (63), rocker_tip ---
+  // coupler: coupler_pin, revolute, crank
   const double s8_1 = projection.Rz[0] + projection.Rz[1];
   const double s8_2 = r_coupler_z*projection.Rz[0];
   const double s8_3 = r_coupler_x*projection.Rz[0];
@@ -528,8 +535,9 @@ void compute_chosen_accelerations(const Tuned& parameters, const Inputs& inputs,
   // --- step 9: accelerations from the root to the leaves (63), (62) ---
   const double s8_17 = fma(projection.Rz[2], s8_11, fma(projection.Rz[0], s8_9, s8_10));
   const double s9_1 = s8_17*(1.0/s8_16);
-  // rocker: rocker_pin, revolute, ground
+  // crank: crank_pin, revolute, ground
   result.zdd[Coordinate::crank_pin] = fma(projection.Rz[0], s9_1, projection.zdd_star[0]);
+  // rocker: rocker_pin, revolute, ground
   result.zdd[Coordinate::rocker_pin] = fma(projection.Rz[2], s9_1, projection.zdd_star[2]);
   result.zdd[Coordinate::coupler_pin] = fma(projection.Rz[1], s9_1, projection.zdd_star[1]);
   // operations: 3 add, 4 multiply
@@ -546,8 +554,8 @@ void compute_outputs(const Tuned& parameters, const Inputs& inputs, const State&
   const double z_crank_pin = state.z[Coordinate::crank_pin];
   double R_crank_x_x, R_crank_x_z;
   mbgen::sincos(z_crank_pin, R_crank_x_z, R_crank_x_x);
-  const double s1_1 = z_crank_pin + state.z[Coordinate::coupler_pin];
   // coupler: coupler_pin, revolute, crank
+  const double s1_1 = z_crank_pin + state.z[Coordinate::coupler_pin];
   double R_coupler_x_x, R_coupler_x_z;
   mbgen::sincos(s1_1, R_coupler_x_z, R_coupler_x_x);
   const double s1_2 = p_coupler_pin_z*R_crank_x_z;
@@ -583,13 +591,17 @@ void compute_outputs(const Tuned& parameters, const Inputs& inputs, const State&
   // operations: 6 add, 10 multiply, 1 divide, 1 sqrt
 
   // --- step 7: inertias of the bodies and forces on joints ---
+  // rocker: rocker_pin, revolute, ground
   const double s7_1 = fms(c_rocker_z, R_rocker_x_x, s5_1);
   const double zd_rocker_pin = state.zd[Coordinate::rocker_pin];
+  // coupler: coupler_pin, revolute, crank
   const double s7_2 = fnma(c_coupler_x, R_coupler_x_z, c_coupler_z*R_coupler_x_x);
+  // crank: crank_pin, revolute, ground
   const double s7_3 = fms(c_crank_z, R_crank_x_x, s1_2);
   // operations: 7 add, 11 multiply
 
   // --- step 9: outputs, energies, power ---
+  // coupler_x
   const double s9_1 = fma(p_coupler_P_z, R_coupler_x_z, p_coupler_P_x*R_coupler_x_x);
   result.coupler_x = r_coupler_x + s9_1;
   const double s9_2 = fnma(p_coupler_P_x, R_coupler_x_z, p_coupler_P_z*R_coupler_x_x);

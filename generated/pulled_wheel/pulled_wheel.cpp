@@ -153,8 +153,8 @@ void compute_accelerations(const Tuned& parameters, const Inputs& /*inputs*/, co
   const double s5_12 = (s5_10 >= 0.0 ? fma(1575.0, s5_10, 640.0) : s5_11);
   const double tension_spring = s5_12 + fms(s5_5 - l0_spring, parameters.k, -f0_spring);
   const double s5_13 = s5_6*tension_spring;
-  // knuckle: ball, revolute, arm
   const double s1_1 = z_lower + state.z[Coordinate::ball];
+  // knuckle: ball, revolute, arm
   double R_knuckle_x_x, R_knuckle_x_z;
   mbgen::sincos(s1_1, R_knuckle_x_z, R_knuckle_x_x);
   const double r_knuckle_x = fnma(-p_ball_x, R_arm_x_x, p_ball_z*R_arm_x_z);
@@ -164,12 +164,10 @@ void compute_accelerations(const Tuned& parameters, const Inputs& /*inputs*/, co
   // wheel: wheel, revolute, knuckle
   const double r_wheel_z = r_knuckle_z + s1_3;
   const double s5_14 = p_pull_z + r_wheel_z;
-  // tyre
   const double s5_15 = radius_tyre - s5_14;
   const double s5_16 = mbgen::max(0.0, k_tyre*s5_15);
   const double s5_17 = fnma(0.3333333333333333, mbgen::max(0.0, s5_15), radius_tyre);
   const double s1_4 = p_wheel_z*R_knuckle_x_z;
-  // operations: 5 add, 6 multiply, 4 sin cos
 
   // --- step 4: velocities ---
   const double s4_1 = zd_lower*r_knuckle_x;
@@ -194,7 +192,6 @@ void compute_accelerations(const Tuned& parameters, const Inputs& /*inputs*/, co
   const double s5_25 = state.x[1]/relaxation_y_tyre;
   const double s5_26 = std::sqrt(fma(s5_25, s5_25, fma(s5_24, s5_24, 1e-30)));
   const double w_wheel_y = state.zd[Coordinate::wheel] + w_knuckle_y;
-  // operations: 5 add, 4 multiply
   // tyre
   const double s5_27 = w_wheel_y*s5_17;
   const double s5_28 = std::abs(v_wheel_x);
@@ -213,14 +210,11 @@ void compute_accelerations(const Tuned& parameters, const Inputs& /*inputs*/, co
   const double s5_38 = mbgen::hyperbolic_tangent(0.5*s5_27);
   const double s5_39 = s5_38*(radius_tyre*(rolling_tyre*load_tyre));
   const double s5_40 = fma(fx_tyre, s5_17 + (s5_15 + (s5_14 - radius_tyre)), s5_39);
-  // operations: 34 add, 51 multiply, 8 divide, 3 sqrt, 3 sin cos, 18 other
 
   // --- step 8: elimination from the leaves to the root (63) ---
   const double s8_1 = tau[Coordinate::wheel] - s5_40;
-  // operations: 1 add
 
   // --- step 2: closure Jacobian Phi_z and its factors (60), upper ---
-  // upper
   const double s2_1 = fma(p_upper_to_z, R_knuckle_x_z, p_upper_to_x*R_knuckle_x_x);
   const double s2_2 = fnma(p_upper_to_x, R_knuckle_x_z, p_upper_to_z*R_knuckle_x_x);
   const double s2_3 = s2_2 + (-p_upper_from_z + r_knuckle_z);
@@ -241,17 +235,13 @@ void compute_accelerations(const Tuned& parameters, const Inputs& /*inputs*/, co
 
   // --- step 3: Rz (61), upper ---
   const double s3_1 = (s2_5 + fma(s1_2, s2_4, r_knuckle_x*s2_3))*s2_6;
-  // operations: 1 multiply
   const double zdd_star_ball = s2_6*fma(s2_4, fma(w_knuckle_y, s6_1, s6_7), s6_9);
-  // operations: 7 add, 14 multiply
   result.pivot[0] = 12.094222040829795*std::abs(s2_5);
-  // operations: 9 add, 9 multiply, 1 divide, 1 other
   const double s9_1 = fnma(s5_1, s5_4*s5_13, fnma(s5_2, s5_3*s5_13, tau[Coordinate::lower]));
 
   // --- step 7: inertias of the bodies and forces on joints, upper ---
   const double s7_1 = R_knuckle_x_z*parameters.derived[0];
   const double s7_2 = R_knuckle_x_x*parameters.derived[0];
-  // operations: 2 multiply
   const double s8_2 = fma(zdd_star_ball, s7_1, fma(s6_6, parameters.derived[1], load_tyre));
   const double s8_3 = fma(s6_6, s7_1, s8_1 + (s5_40 + fnma(s1_3, fx_tyre, s1_4*load_tyre)));
 
@@ -264,22 +254,33 @@ void compute_accelerations(const Tuned& parameters, const Inputs& /*inputs*/, co
   const double s8_5 = 1.0 - s3_1;
   const double s8_6 = fma(s7_1, s8_5, r_knuckle_x*parameters.derived[1]);
   const double s8_7 = fma(s8_5, parameters.derived[2], fma(s1_2, s7_2, r_knuckle_x*s7_1));
-  // arm: lower, revolute, carriage
   const double s8_8 = fma(s8_5, s8_7, fma(r_knuckle_x, s8_6, 0.3475));
   const double pivot_lower = fma(s1_2, fma(s7_2, s8_5, s1_2*parameters.derived[1]), s8_8);
   const double s9_3 = fnma(s8_5, n_knuckle_y, fnma(r_knuckle_x, fma(s6_8, s7_2, s8_2), s9_2));
   result.inertia[0] = fnma(1e-12, pivot_lower, pivot_lower);
-  // operations: 23 add, 24 multiply, 1 divide
 
   // --- step 9: accelerations from the root to the leaves (63), (62) ---
-  // knuckle: ball, revolute, arm
+  // arm: lower, revolute, carriage
   const double s9_4 = fma(-g_z, s8_6 + fnma(-h_arm_x, R_arm_x_x, h_arm_z*R_arm_x_z), s9_3);
   const double alpha_arm_y = 1.0/pivot_lower*s9_4;
   result.zdd[Coordinate::lower] = alpha_arm_y;
   result.zdd[Coordinate::ball] = fnma(s3_1, alpha_arm_y, zdd_star_ball);
+  // knuckle: ball, revolute, arm
   const double alpha_knuckle_y = fma(s8_5, alpha_arm_y, zdd_star_ball);
   result.zdd[Coordinate::wheel] = s8_1 - alpha_knuckle_y;
-  // operations: 10 add, 10 multiply
+  // operations of step 1: poses and axes b: 5 add, 6 multiply, 4 sin cos
+  // operations of step 4: velocities: 5 add, 4 multiply
+  // operations of step 5: applied forces Q (48): 34 add, 51 multiply, 8 divide, 3 sqrt, 3 sin cos,
+  // 18 other
+  // operations of step 8: elimination from the leaves to the root (63): 1 add
+  // operations of step 2: closure Jacobian Phi_z and its factors (60), upper: 9 add, 9 multiply, 1
+  // divide, 1 other
+  // operations of step 3: Rz (61), upper: 1 multiply
+  // operations of step 6: c and dRz/dt zd (62), upper: 7 add, 14 multiply
+  // operations of step 7: inertias of the bodies and forces on joints, upper: 2 multiply
+  // operations of step 8: elimination from the leaves to the root (63), upper: 23 add, 24 multiply,
+  // 1 divide
+  // operations of step 9: accelerations from the root to the leaves (63), (62): 10 add, 10 multiply
 }
 
 /// Result of compute_closure.
@@ -318,7 +319,6 @@ void compute_closure(const Tuned& /*parameters*/, const Inputs& /*inputs*/, cons
   const double s2_3 = p_upper_from_x - r_knuckle_x - s2_1;
   // knuckle: ball, revolute, arm
   const double r_knuckle_z = s1_1 - (-p_lower_z);
-  // upper
   const double s2_4 = s2_2 + (-p_upper_from_z + r_knuckle_z);
   const double s2_5 = 2.380277794628896*s2_3;
   const double s2_6 = 2.380277794628896*s2_4;
@@ -328,16 +328,17 @@ void compute_closure(const Tuned& /*parameters*/, const Inputs& /*inputs*/, cons
   result.residual[0] = s2_9;
   result.pivot[0] = 4.409001792788769*std::abs(s2_8);
   const double s2_10 = 1.0/s2_8;
-  // operations: 11 add, 14 multiply, 1 divide, 1 other
 
   // --- step 4: velocities ---
   result.dz[Coordinate::lower] = s2_9*s2_10;
   result.zd[Coordinate::lower] = -(s2_10*(state.zd[Coordinate::ball]*s2_7));
-  // operations: 3 multiply
   const double s1_3 = fms(15.0, state.t, state.z[Coordinate::pull]);
   result.residual[1] = s1_3;
   result.dz[Coordinate::pull] = s1_3;
-  // operations: 5 add, 5 multiply, 4 sin cos
+  // operations of step 1: poses and axes b: 5 add, 5 multiply, 4 sin cos
+  // operations of step 4: velocities: 3 multiply
+  // operations of step 2: closure Jacobian Phi_z and its factors (60): 11 add, 14 multiply, 1
+  // divide, 1 other
 }
 
 /// Result of compute_multipliers.
@@ -363,9 +364,9 @@ void compute_multipliers(const Tuned& parameters, const Inputs& /*inputs*/, cons
   const double r_knuckle_x = fnma(-p_ball_x, R_arm_x_x, p_ball_z*R_arm_x_z);
   const double s1_2 = fma(-p_ball_x, R_arm_x_z, p_ball_z*R_arm_x_x);
   const double r_knuckle_z = s1_2 - (-p_lower_z);
+  // wheel: wheel, revolute, knuckle
   const double s1_3 = p_wheel_z*R_knuckle_x_z;
   const double s1_4 = p_wheel_z*R_knuckle_x_x;
-  // wheel: wheel, revolute, knuckle
   const double r_wheel_z = r_knuckle_z + s1_4;
   // operations: 5 add, 6 multiply, 4 sin cos
 
@@ -561,9 +562,9 @@ void compute_chosen_accelerations(const Tuned& parameters, const Inputs& /*input
   const double r_knuckle_x = fnma(-p_ball_x, R_arm_x_x, p_ball_z*R_arm_x_z);
   const double s1_2 = fma(-p_ball_x, R_arm_x_z, p_ball_z*R_arm_x_x);
   const double r_knuckle_z = s1_2 - (-p_lower_z);
+  // wheel: wheel, revolute, knuckle
   const double s1_3 = p_wheel_z*R_knuckle_x_z;
   const double s1_4 = p_wheel_z*R_knuckle_x_x;
-  // wheel: wheel, revolute, knuckle
   const double r_wheel_z = r_knuckle_z + s1_4;
   // operations: 5 add, 6 multiply, 4 sin cos
 
@@ -671,9 +672,10 @@ void compute_chosen_accelerations(const Tuned& parameters, const Inputs& /*input
   // --- step 9: accelerations from the root to the leaves (63), (62) ---
   const double s9_5 = fma(projection.Rz[0], fnma(0.3475, projection.zdd_star[0], s9_1), s9_4);
   const double s9_6 = 1.0/s8_15*s9_5;
-  // knuckle: ball, revolute, arm
+  // arm: lower, revolute, carriage
   result.zdd[Coordinate::lower] = fma(projection.Rz[0], s9_6, projection.zdd_star[0]);
   result.zdd[Coordinate::ball] = fma(projection.Rz[1], s9_6, projection.zdd_star[1]);
+  // knuckle: ball, revolute, arm
   const double alpha_knuckle_y = fma(s8_2, s9_6, s8_5);
   result.zdd[Coordinate::wheel] = s8_1 - alpha_knuckle_y;
   // operations: 12 add, 13 multiply
@@ -766,7 +768,9 @@ void compute_outputs(const Tuned& parameters, const Inputs& /*inputs*/, const St
   // operations: 32 add, 49 multiply, 7 divide, 3 sqrt, 3 sin cos, 18 other
 
   // --- step 7: inertias of the bodies and forces on joints ---
+  // knuckle: ball, revolute, arm
   const double s7_1 = R_knuckle_x_x*parameters.derived[3];
+  // arm: lower, revolute, carriage
   const double s7_2 = fma(-c_arm_x, R_arm_x_z, c_arm_z*R_arm_x_x);
   // operations: 2 add, 8 multiply
 

@@ -131,13 +131,13 @@ void compute_derived_constants(const Parameters& parameters, Tuned& __restrict r
 
   // --- step 8: elimination from the leaves to the root (63), upper ---
   result.derived[2] = K_knuckle_trace - K_knuckle_yy;
-  // operations: 1 add
   result.derived[1] = m_wheel + m_knuckle;
-  // operations: 15 add, 6 multiply, 1 divide
 
   // --- step 9: outputs, energies, power ---
   result.derived[6] = p_pull_z*(345.0 + m_knuckle);
-  // operations: 1 add, 1 multiply
+  // operations of step 1: poses and axes b: 15 add, 6 multiply, 1 divide
+  // operations of step 8: elimination from the leaves to the root (63), upper: 1 add
+  // operations of step 9: outputs, energies, power: 1 add, 1 multiply
 }
 
 Tuned::Tuned(const Parameters& parameters) noexcept : Parameters(parameters) {
@@ -190,8 +190,8 @@ using Accelerations = AccelerationsOf<Lanes>;
   const Lanes s5_13 = mbgen::select(s5_11, fma(1575.0, s5_11, 640.0), s5_12);
   const Lanes tension_spring = s5_13 + fms(s5_5 - l0_spring, parameters.k, -f0_spring);
   const Lanes s5_14 = s5_6*tension_spring;
-  // knuckle: ball, revolute, arm
   const Lanes s1_1 = z_lower + state.z[Coordinate::ball];
+  // knuckle: ball, revolute, arm
   Lanes R_knuckle_x_x, R_knuckle_x_z;
   mbgen::sincos(s1_1, R_knuckle_x_z, R_knuckle_x_x);
   const Lanes r_knuckle_x = fnma(-p_ball_x, R_arm_x_x, p_ball_z*R_arm_x_z);
@@ -201,12 +201,10 @@ using Accelerations = AccelerationsOf<Lanes>;
   // wheel: wheel, revolute, knuckle
   const Lanes r_wheel_z = r_knuckle_z + s1_3;
   const Lanes s5_15 = p_pull_z + r_wheel_z;
-  // tyre
   const Lanes s5_16 = radius_tyre - s5_15;
   const Lanes s5_17 = mbgen::max(0.0, k_tyre*s5_16);
   const Lanes s5_18 = fnma(0.3333333333333333, mbgen::max(0.0, s5_16), radius_tyre);
   const Lanes s1_4 = p_wheel_z*R_knuckle_x_z;
-  // operations: 5 add, 6 multiply, 4 sin cos
 
   // --- step 4: velocities ---
   const Lanes s4_1 = zd_lower*r_knuckle_x;
@@ -232,7 +230,6 @@ using Accelerations = AccelerationsOf<Lanes>;
   const Lanes s5_26 = state.x[1]/relaxation_y_tyre;
   const Lanes s5_27 = mbgen::sqrt(fma(s5_26, s5_26, fma(s5_25, s5_25, 1e-30)));
   const Lanes w_wheel_y = state.zd[Coordinate::wheel] + w_knuckle_y;
-  // operations: 5 add, 4 multiply
   // tyre
   const Lanes s5_28 = w_wheel_y*s5_18;
   const Lanes s5_29 = mbgen::abs(v_wheel_x);
@@ -252,15 +249,12 @@ using Accelerations = AccelerationsOf<Lanes>;
   const Lanes s5_40 = mbgen::hyperbolic_tangent(0.5*s5_28);
   const Lanes s5_41 = s5_40*(radius_tyre*(rolling_tyre*load_tyre));
   const Lanes s5_42 = fma(fx_tyre, s5_18 + (s5_16 + (s5_15 - radius_tyre)), s5_41);
-  // operations: 34 add, 51 multiply, 8 divide, 3 sqrt, 3 sin cos, 18 other
   mbgen::read_back();
 
   // --- step 8: elimination from the leaves to the root (63) ---
   const Lanes s8_1 = tau[Coordinate::wheel] - s5_42;
-  // operations: 1 add
 
   // --- step 2: closure Jacobian Phi_z and its factors (60), upper ---
-  // upper
   const Lanes s2_1 = fma(p_upper_to_z, R_knuckle_x_z, p_upper_to_x*R_knuckle_x_x);
   const Lanes s2_2 = fnma(p_upper_to_x, R_knuckle_x_z, p_upper_to_z*R_knuckle_x_x);
   const Lanes s2_3 = s2_2 + (-p_upper_from_z + r_knuckle_z);
@@ -281,17 +275,13 @@ using Accelerations = AccelerationsOf<Lanes>;
 
   // --- step 3: Rz (61), upper ---
   const Lanes s3_1 = (s2_5 + fma(s1_2, s2_4, r_knuckle_x*s2_3))*s2_6;
-  // operations: 1 multiply
   const Lanes zdd_star_ball = s2_6*fma(s2_4, fma(w_knuckle_y, s6_1, s6_7), s6_9);
-  // operations: 7 add, 14 multiply
   result.pivot[0] = 12.094222040829795*mbgen::abs(s2_5);
-  // operations: 9 add, 9 multiply, 1 divide, 1 other
   const Lanes s9_1 = fnma(s5_1, s5_4*s5_14, fnma(s5_2, s5_3*s5_14, tau[Coordinate::lower]));
 
   // --- step 7: inertias of the bodies and forces on joints, upper ---
   const Lanes s7_1 = R_knuckle_x_z*parameters.derived[0];
   const Lanes s7_2 = R_knuckle_x_x*parameters.derived[0];
-  // operations: 2 multiply
   const Lanes s8_2 = fma(zdd_star_ball, s7_1, fma(s6_6, parameters.derived[1], load_tyre));
   const Lanes s8_3 = fma(s6_6, s7_1, s8_1 + (s5_42 + fnma(s1_3, fx_tyre, s1_4*load_tyre)));
 
@@ -304,23 +294,34 @@ using Accelerations = AccelerationsOf<Lanes>;
   const Lanes s8_5 = 1.0 - s3_1;
   const Lanes s8_6 = fma(s7_1, s8_5, r_knuckle_x*parameters.derived[1]);
   const Lanes s8_7 = fma(s8_5, parameters.derived[2], fma(s1_2, s7_2, r_knuckle_x*s7_1));
-  // arm: lower, revolute, carriage
   const Lanes s8_8 = fma(s8_5, s8_7, fma(r_knuckle_x, s8_6, 0.3475));
   const Lanes pivot_lower = fma(s1_2, fma(s7_2, s8_5, s1_2*parameters.derived[1]), s8_8);
   const Lanes s9_3 = fnma(s8_5, n_knuckle_y, fnma(r_knuckle_x, fma(s6_8, s7_2, s8_2), s9_2));
   mbgen::read_back();
   result.inertia[0] = fnma(1e-12, pivot_lower, pivot_lower);
-  // operations: 23 add, 24 multiply, 1 divide
 
   // --- step 9: accelerations from the root to the leaves (63), (62) ---
-  // knuckle: ball, revolute, arm
+  // arm: lower, revolute, carriage
   const Lanes s9_4 = fma(-g_z, s8_6 + fnma(-h_arm_x, R_arm_x_x, h_arm_z*R_arm_x_z), s9_3);
   const Lanes alpha_arm_y = 1.0/pivot_lower*s9_4;
   result.zdd[Coordinate::lower] = alpha_arm_y;
   result.zdd[Coordinate::ball] = fnma(s3_1, alpha_arm_y, zdd_star_ball);
+  // knuckle: ball, revolute, arm
   const Lanes alpha_knuckle_y = fma(s8_5, alpha_arm_y, zdd_star_ball);
   result.zdd[Coordinate::wheel] = s8_1 - alpha_knuckle_y;
-  // operations: 10 add, 10 multiply
+  // operations of step 1: poses and axes b: 5 add, 6 multiply, 4 sin cos
+  // operations of step 4: velocities: 5 add, 4 multiply
+  // operations of step 5: applied forces Q (48): 34 add, 51 multiply, 8 divide, 3 sqrt, 3 sin cos,
+  // 18 other
+  // operations of step 8: elimination from the leaves to the root (63): 1 add
+  // operations of step 2: closure Jacobian Phi_z and its factors (60), upper: 9 add, 9 multiply, 1
+  // divide, 1 other
+  // operations of step 3: Rz (61), upper: 1 multiply
+  // operations of step 6: c and dRz/dt zd (62), upper: 7 add, 14 multiply
+  // operations of step 7: inertias of the bodies and forces on joints, upper: 2 multiply
+  // operations of step 8: elimination from the leaves to the root (63), upper: 23 add, 24 multiply,
+  // 1 divide
+  // operations of step 9: accelerations from the root to the leaves (63), (62): 10 add, 10 multiply
 }
 
 /// All accelerations with the frozen partition of the loop blocks.
@@ -368,7 +369,6 @@ using Closure = ClosureOf<Lanes>;
   const Lanes s2_3 = p_upper_from_x - r_knuckle_x - s2_1;
   // knuckle: ball, revolute, arm
   const Lanes r_knuckle_z = s1_1 - (-p_lower_z);
-  // upper
   const Lanes s2_4 = s2_2 + (-p_upper_from_z + r_knuckle_z);
   const Lanes s2_5 = 2.380277794628896*s2_3;
   const Lanes s2_6 = 2.380277794628896*s2_4;
@@ -378,16 +378,17 @@ using Closure = ClosureOf<Lanes>;
   result.residual[0] = s2_9;
   result.pivot[0] = 4.409001792788769*mbgen::abs(s2_8);
   const Lanes s2_10 = 1.0/s2_8;
-  // operations: 11 add, 14 multiply, 1 divide, 1 other
 
   // --- step 4: velocities ---
   result.dz[Coordinate::lower] = s2_9*s2_10;
   result.zd[Coordinate::lower] = -(s2_10*(state.zd[Coordinate::ball]*s2_7));
-  // operations: 3 multiply
   const Lanes s1_3 = fms(15.0, state.t, state.z[Coordinate::pull]);
   result.residual[1] = s1_3;
   result.dz[Coordinate::pull] = s1_3;
-  // operations: 5 add, 5 multiply, 4 sin cos
+  // operations of step 1: poses and axes b: 5 add, 5 multiply, 4 sin cos
+  // operations of step 4: velocities: 3 multiply
+  // operations of step 2: closure Jacobian Phi_z and its factors (60): 11 add, 14 multiply, 1
+  // divide, 1 other
 }
 
 /// One Newton step of the frozen partition, and consistent velocities.
@@ -453,7 +454,6 @@ using ConstraintForces = ConstraintForcesOf<Lanes>;
   const Lanes s1_4 = p_wheel_z*R_knuckle_x_x;
   // wheel: wheel, revolute, knuckle
   const Lanes r_wheel_z = r_knuckle_z + s1_4;
-  // operations: 5 add, 6 multiply, 4 sin cos
   const Lanes s5_16 = p_pull_z + r_wheel_z;
   const Lanes s5_17 = radius_tyre - s5_16;
   const Lanes s5_18 = mbgen::max(0.0, k_tyre*s5_17);
@@ -477,7 +477,6 @@ using ConstraintForces = ConstraintForcesOf<Lanes>;
   // wheel: wheel, revolute, knuckle
   const Lanes v_wheel_x = fma(s1_4, w_knuckle_y, v_knuckle_x);
   const Lanes w_wheel_y = state.zd[Coordinate::wheel] + w_knuckle_y;
-  // operations: 5 add, 4 multiply
   const Lanes s5_29 = w_wheel_y*s5_19;
 
   // --- step 7: inertias of the bodies and forces on joints ---
@@ -499,13 +498,13 @@ using ConstraintForces = ConstraintForcesOf<Lanes>;
   // wheel: wheel, revolute, knuckle
   const Lanes alpha_wheel_y = derivative.zdd[Coordinate::wheel] + alpha_knuckle_y;
   const Lanes s5_36 = mbgen::hyperbolic_tangent(0.5*s5_29);
-  // arm: lower, revolute, carriage
   const Lanes s7_2 = fma(-c_arm_x, R_arm_x_z, c_arm_z*R_arm_x_x);
   const Lanes s7_3 = fnma(-c_arm_x, R_arm_x_x, c_arm_z*R_arm_x_z);
   const Lanes s7_4 = zd_lower*zd_lower;
   const Lanes zdd_pull = derivative.zdd[Coordinate::pull];
   const Lanes s7_5 = m_arm*fnma(s7_4, s7_3, fma(zdd_lower, s7_2, zdd_pull));
   const Lanes s7_6 = fma(s5_1, s5_4*s5_14, fma(s5_2, s5_15, I_arm_yy*zdd_lower));
+  // arm: lower, revolute, carriage
   const Lanes f_arm_x = s5_15 + s7_5;
   // carriage: pull, prismatic, ground
   const Lanes f_carriage_x = fms(m_carriage, zdd_pull, s5_15);
@@ -518,7 +517,6 @@ using ConstraintForces = ConstraintForcesOf<Lanes>;
   // tyre
   const Lanes s5_39 = s5_22*mbgen::sine(1.6*mbgen::arc_tangent(s5_38));
   const Lanes fx_tyre = mbgen::max(0.0, load_tyre)/s5_21*s5_39;
-  // operations: 28 add, 47 multiply, 7 divide, 3 sqrt, 3 sin cos, 18 other
   // wheel: wheel, revolute, knuckle
   const Lanes s7_8 = fma(s5_36, radius_tyre*(rolling_tyre*load_tyre), alpha_wheel_y);
   const Lanes n_wheel_y = fma(fx_tyre, s5_19 + (s5_17 + (s5_16 - radius_tyre)), s7_8);
@@ -548,7 +546,6 @@ using ConstraintForces = ConstraintForcesOf<Lanes>;
   result.missing[0] = fma(r_knuckle_x, f_wheel_z + f_knuckle_z, s7_16) - n_arm_y;
   // carriage: pull, prismatic, ground
   const Lanes Q_pull = tau[Coordinate::pull] - s7_13 - f_arm_x - f_carriage_x;
-  // operations: 48 add, 45 multiply
 
   // --- step 9: multipliers of the closures and driving forces ---
   result.drive[0] = -Q_pull;
@@ -558,7 +555,13 @@ using ConstraintForces = ConstraintForcesOf<Lanes>;
   const Lanes s9_4 = fma(s9_2, p_upper_from_x - r_knuckle_x - s9_1, s9_3);
   result.pivot[0] = 12.094222040829795*mbgen::abs(s9_4);
   result.lambda[0] = -(l_upper*(Q_ball*(1.0/s9_4)));
-  // operations: 7 add, 9 multiply, 1 divide, 1 other
+  // operations of step 1: poses and axes b: 5 add, 6 multiply, 4 sin cos
+  // operations of step 4: velocities: 5 add, 4 multiply
+  // operations of step 5: applied forces Q (48): 28 add, 47 multiply, 7 divide, 3 sqrt, 3 sin cos,
+  // 18 other
+  // operations of step 7: inertias of the bodies and forces on joints: 48 add, 45 multiply
+  // operations of step 9: multipliers of the closures and driving forces: 7 add, 9 multiply, 1
+  // divide, 1 other
 }
 
 /// Multipliers of the closures and generalised driving forces, at given accelerations.
@@ -621,7 +624,6 @@ void compute_multipliers(const Tuned* parameters, const Inputs* /*inputs*/, cons
   const Lanes s1_3 = p_wheel_z*R_knuckle_x_x;
   // wheel: wheel, revolute, knuckle
   const Lanes r_wheel_z = r_knuckle_z + s1_3;
-  // operations: 5 add, 6 multiply, 4 sin cos
   const Lanes v_wheel_x = fma(s1_3, w_knuckle_y, v_knuckle_x);
   const Lanes s5_15 = p_pull_z + r_wheel_z;
   result.hub_height = s5_15;
@@ -645,7 +647,6 @@ void compute_multipliers(const Tuned* parameters, const Inputs* /*inputs*/, cons
   // wheel: wheel, revolute, knuckle
   const Lanes zd_wheel = state.zd[Coordinate::wheel];
   const Lanes w_wheel_y = zd_wheel + w_knuckle_y;
-  // operations: 5 add, 4 multiply
   // tyre
   const Lanes s5_27 = w_wheel_y*s5_18;
   const Lanes s5_28 = v_wheel_x - s5_27;
@@ -660,7 +661,6 @@ void compute_multipliers(const Tuned* parameters, const Inputs* /*inputs*/, cons
   const Lanes fx_tyre = mbgen::max(0.0, load_tyre)/s5_19*s5_36;
   const Lanes s5_37 = mbgen::hyperbolic_tangent(0.5*s5_27);
   const Lanes s5_38 = s5_37*(radius_tyre*(rolling_tyre*load_tyre));
-  // operations: 32 add, 49 multiply, 7 divide, 3 sqrt, 3 sin cos, 18 other
   const Lanes s9_1 = fma(zd_wheel, tau[Coordinate::wheel], zd_ball*tau[Coordinate::ball]);
   const Lanes s5_39 = fma(fx_tyre, s5_18 + (s5_16 + (s5_15 - radius_tyre)), s5_38);
   const Lanes s9_2 = fma(v_wheel_x, fx_tyre, fnma(s4_2, load_tyre, s9_1));
@@ -681,14 +681,18 @@ void compute_multipliers(const Tuned* parameters, const Inputs* /*inputs*/, cons
   const Lanes s9_9 = fma(r_knuckle_z + s7_2, parameters.derived[4], s9_8);
   const Lanes s9_10 = fma(zd_lower, s7_1, zd_pull);
   result.potential_energy = -g_z*fma(m_arm, s7_1 - (-p_lower_z), s9_9);
-  // operations: 2 add, 8 multiply
   const Lanes s9_11 = fma(w_knuckle_y, w_knuckle_y*parameters.derived[5], w_wheel_y*w_wheel_y);
   const Lanes s9_12 = fma(zd_lower, I_arm_yy*zd_lower, s9_11);
   const Lanes s9_13 = fma(m_wheel, fma(s4_2, s4_2, v_wheel_x*v_wheel_x), s9_12);
   const Lanes s9_14 = fma(parameters.derived[4], fma(s9_7, s9_7, s9_6*s9_6), s9_13);
   const Lanes s9_15 = fma(m_carriage, zd_pull*zd_pull, s9_14);
   result.kinetic_energy = 0.5*fma(m_arm, fma(s9_10, s9_10, s9_5*s9_5), s9_15);
-  // operations: 26 add, 32 multiply
+  // operations of step 1: poses and axes b: 5 add, 6 multiply, 4 sin cos
+  // operations of step 4: velocities: 5 add, 4 multiply
+  // operations of step 5: applied forces Q (48): 32 add, 49 multiply, 7 divide, 3 sqrt, 3 sin cos,
+  // 18 other
+  // operations of step 7: inertias of the bodies and forces on joints: 2 add, 8 multiply
+  // operations of step 9: outputs, energies, power: 26 add, 32 multiply
 }
 
 /// Outputs, energies and power, at given accelerations.

@@ -147,7 +147,9 @@ ProgramShape bead_shape() {
   const SolverLayout layout = solver_layout(example.model, example.topology, example.analysis);
   const std::vector<ShapedProgram> shaped = shaped_programs(
       example.programs, layout, solver_names(example.model, example.topology), {}, "double", kRollAbove);
-  return shaped.front().shape;
+  ProgramShape shape = shaped.front().shape;
+  shape.order = ValueOrder::by_section;
+  return shape;
 }
 
 std::string written(const Program& program, const ProgramShape& shape = bead_shape()) {
