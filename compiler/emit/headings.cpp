@@ -52,20 +52,20 @@ void Headings::write_section(const Node& node, PartText& part) {
   owner_.reset();
 }
 
-void Headings::write_before(std::size_t i, bool in_call, PartText& part) {
+void Headings::write_before(std::size_t i, bool has_owner, PartText& part) {
   const Node& node = node_at(i);
   const bool is_known = section_ && entered_.contains(node.section);
   if (section_ != node.section && (!is_known || goes_on(i, kShortestRun, false))) write_section(node, part);
   const bool is_sorted = schedule_.ordered == ValueOrder::by_section;
   const bool is_worth_it = node.label >= 0 || goes_on(i, is_sorted ? kShortestSortedRun : kShortestRun, true);
-  if (owner_ == node.owner || in_call || !is_worth_it) return;
+  if (owner_ == node.owner || !has_owner || !is_worth_it) return;
   const std::string title = titles_.owner(node.owner);
   if (!title.empty()) add_comment(part, comment_text(title));
   owner_ = node.owner;
 }
 
 void Headings::write_before_loop(const ScheduledUnit& loop, PartText& part) {
-  write_before(loop.first, false, part);
+  write_before(loop.first, true, part);
   const Owner& last = node_at(loop.last() - loop.period).owner;
   if (last != node_at(loop.first).owner) add_comment(part, "to " + comment_text(titles_.owner(last)));
 }

@@ -18,9 +18,9 @@ class Headings {
   Headings(const Program& program, const Schedule& schedule, const Titles& titles);
 
   void start_part();
-  /// Writes the heading before the i-th value of the order. in_call: of a call for many arguments, which belongs to all
-  /// owners in its section.
-  void write_before(std::size_t i, bool in_call, PartText& part);
+  /// Writes the heading before the i-th value of the order. has_owner: false for a value of a call for many arguments,
+  /// which belongs to all owners in its section, and for one that is written into another expression alone.
+  void write_before(std::size_t i, bool has_owner, PartText& part);
   /// Writes the heading before a loop: that of its first value, and the owner of its last slice.
   void write_before_loop(const ScheduledUnit& loop, PartText& part);
   /// Writes the text after the values from `first` to before `last`: the operations of sections that end there.

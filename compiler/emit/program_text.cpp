@@ -162,8 +162,7 @@ class ProgramWriter {
     const std::size_t start = schedule_.parts[unit.part].first;
     for (std::size_t i = unit.first; i < unit.last(); ++i) {
       const ValueId v = schedule_.order[i];
-      const bool in_call = texts_.place_in_call(v).call >= 0;
-      if (in_call || !texts_.facts(v).is_inlined) headings_.write_before(i, in_call, part);
+      headings_.write_before(i, texts_.place_in_call(v).call < 0 && !texts_.facts(v).is_inlined, part);
       write_value(unit, v, i > start ? schedule_.order[i - 1] : kNoValue, part);
       if (shape_.read_back_after > 0 && (i + 1 - start) % shape_.read_back_after == 0) {
         add_line(part, "mbgen::read_back();");
@@ -177,7 +176,7 @@ class ProgramWriter {
     const std::string before = std::exchange(part.body, "");
     part.indent = "    ";
     for (std::size_t i = unit.first; i < unit.first + unit.period; ++i) {
-      headings_.write_before(i, false, part);
+      headings_.write_before(i, true, part);
       write_value(unit, schedule_.order[i], i > unit.first ? schedule_.order[i - 1] : kNoValue, part);
     }
     part.indent = "  ";

@@ -66,13 +66,16 @@ void find_partners(const Program& program, Schedule& schedule) {
     }
 }
 
-/// Whether only the one user of a value, in the same slice, needs to know it.
+/// Whether only the one user of a value, in the same slice and under the same heading, needs to know it.
 bool can_be_inlined(const Program& program, const Schedule& schedule, const std::vector<bool>& is_output, ValueId v) {
   const ScheduledValue& value = schedule.value[v];
   const Node& node = program.nodes[v];
   if (value.users != 1 || value.crosses || value.partner != kNoValue || is_output[v] || node.label >= 0) return false;
   const ScheduledValue& place = schedule.value[value.user];
-  return !schedule.has_loops() || (place.unit == value.unit && place.slice == value.slice);
+  if (schedule.has_loops() && (place.unit != value.unit || place.slice != value.slice)) return false;
+  if (schedule.ordered == ValueOrder::fewest_alive) return true;
+  const Node& user = program.nodes[value.user];
+  return user.section == node.section && user.owner == node.owner;
 }
 
 /// The facts of the first slice become those of all: a value is inlined or unused where it is so in every slice.

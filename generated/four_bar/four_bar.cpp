@@ -110,6 +110,8 @@ void compute_accelerations(const Tuned& parameters, const Inputs& inputs, const 
   const double s2_3 = fma(p_rocker_C_z, R_rocker_x_z, p_rocker_C_x*R_rocker_x_x);
   const double s2_4 = fnma(p_coupler_C_x, R_coupler_x_z, p_coupler_C_z*R_coupler_x_x);
   const double s2_5 = 1.0/s2_1;
+
+  // --- step 6: c and dRz/dt zd (62), rocker_tip ---
   const double zd_rocker_pin = state.zd[Coordinate::rocker_pin];
   const double s2_6 = s2_3*s2_5;
   const double pivot_coupler_pin = fms(s2_4, s2_6, s2_2);
@@ -126,6 +128,8 @@ void compute_accelerations(const Tuned& parameters, const Inputs& inputs, const 
   const double s5_5 = std::sqrt(fma(s5_4, s5_4, s5_3*s5_3));
   const double tension_return_spring = (s5_5 - l0_return_spring)*parameters.k;
   const double s5_6 = 1.0/s5_5*tension_return_spring;
+
+  // --- step 8: elimination from the leaves to the root (63), rocker_tip ---
   // crank: crank_pin, revolute, ground
   double R_crank_x_x, R_crank_x_z;
   mbgen::sincos(z_crank_pin, R_crank_x_z, R_crank_x_x);
@@ -142,15 +146,11 @@ void compute_accelerations(const Tuned& parameters, const Inputs& inputs, const 
   // coupler: coupler_pin, revolute, crank
   const double zd_crank_pin = state.zd[Coordinate::crank_pin];
   const double w_coupler_y = zd_crank_pin + state.zd[Coordinate::coupler_pin];
-
-  // --- step 6: c and dRz/dt zd (62), rocker_tip ---
   const double s6_1 = zd_crank_pin*zd_crank_pin;
   const double s6_2 = r_coupler_x*s6_1;
   const double s6_3 = r_coupler_z*s6_1;
   const double s6_4 = fms(zd_rocker_pin, zd_rocker_pin*s2_3, s6_2);
   const double s6_5 = fnma(w_coupler_y, w_coupler_y*s2_2, s6_4);
-
-  // --- step 8: elimination from the leaves to the root (63), rocker_tip ---
   const double s8_1 = -g_z - s6_3;
   const double s6_6 = fms(zd_rocker_pin, zd_rocker_pin*s2_1, s6_3);
   const double s6_7 = w_coupler_y*w_coupler_y;
@@ -242,11 +242,11 @@ void compute_closure(const Tuned& /*parameters*/, const Inputs& /*inputs*/, cons
   mbgen::sincos(s1_1, R_coupler_x_z, R_coupler_x_x);
   const double s2_3 = fma(p_coupler_C_z, R_coupler_x_z, p_coupler_C_x*R_coupler_x_x);
   const double s2_4 = r_coupler_x + s2_3;
+
+  // --- step 4: velocities ---
   const double zd_coupler_pin = state.zd[Coordinate::coupler_pin];
   const double s2_5 = fnma(p_coupler_C_x, R_coupler_x_z, p_coupler_C_z*R_coupler_x_x);
   const double s2_6 = r_coupler_z + s2_5;
-
-  // --- step 4: velocities ---
   const double s4_1 = zd_coupler_pin*s2_5;
   const double s2_7 = 1.0/s2_1;
   const double s2_8 = s2_6 - s2_1;
@@ -322,6 +322,8 @@ void compute_multipliers(const Tuned& parameters, const Inputs& inputs, const St
   const double s5_7 = std::sqrt(fma(s5_6, s5_6, s5_5*s5_5));
   const double tension_return_spring = (s5_7 - l0_return_spring)*parameters.k;
   const double s5_8 = 1.0/s5_7*tension_return_spring;
+  const double s5_9 = s5_6*s5_8;
+  const double s5_10 = s5_5*s5_8;
   // operations: 6 add, 10 multiply, 1 divide, 1 sqrt
 
   // --- step 7: inertias of the bodies and forces on joints ---
@@ -338,7 +340,7 @@ void compute_multipliers(const Tuned& parameters, const Inputs& inputs, const St
   const double s7_4 = fms(c_rocker_z, R_rocker_x_x, s5_1);
   const double s7_5 = fma(c_rocker_z, R_rocker_x_z, s5_2);
   const double zdd_rocker_pin = derivative.zdd[Coordinate::rocker_pin];
-  const double s7_6 = fnma(s5_4, s5_5*s5_8, fma(s5_3, s5_6*s5_8, I_rocker_yy*zdd_rocker_pin));
+  const double s7_6 = fnma(s5_4, s5_10, fma(s5_3, s5_9, I_rocker_yy*zdd_rocker_pin));
   const double s7_7 = fma(s7_4, m_rocker*fnma(s7_3, s7_5, zdd_rocker_pin*s7_4), s7_6);
   const double s7_8 = m_rocker*fnma(zdd_rocker_pin, s7_5, fnma(s7_3, s7_4, -g_z));
   const double n_rocker_y = fnma(s7_5, s7_8, s7_7);
@@ -367,17 +369,18 @@ void compute_multipliers(const Tuned& parameters, const Inputs& inputs, const St
   // --- step 9: multipliers of the closures and driving forces ---
   // rocker_tip
   const double s9_1 = fnma(p_rocker_C_x, R_rocker_x_z, p_rocker_C_z*R_rocker_x_x);
-  const double s9_2 = fnma(p_coupler_C_x, R_coupler_x_z, p_coupler_C_z*R_coupler_x_x);
-  const double s9_3 = 1.0/s9_1;
-  const double s9_4 = fma(p_rocker_C_z, R_rocker_x_z, p_rocker_C_x*R_rocker_x_x)*s9_3;
-  const double s9_5 = fnma(p_coupler_C_x, R_coupler_x_x, s9_2*s9_4);
-  const double pivot_coupler_pin = fnma(p_coupler_C_z, R_coupler_x_z, s9_5);
-  const double s9_6 = 3.2894736842105265*std::abs(pivot_coupler_pin);
-  result.pivot[0] = mbgen::min(3.999888870509994*std::abs(s9_1), s9_6);
-  const double s9_7 = Q_rocker_pin*s9_3;
-  const double s9_8 = 1.0/pivot_coupler_pin*fma(s9_2, s9_7, Q_coupler_pin);
-  result.lambda[2] = s9_8;
-  result.lambda[0] = fms(s9_4, s9_8, s9_7);
+  const double s9_2 = fma(p_rocker_C_z, R_rocker_x_z, p_rocker_C_x*R_rocker_x_x);
+  const double s9_3 = fnma(p_coupler_C_x, R_coupler_x_z, p_coupler_C_z*R_coupler_x_x);
+  const double s9_4 = 1.0/s9_1;
+  const double s9_5 = s9_2*s9_4;
+  const double s9_6 = fnma(p_coupler_C_x, R_coupler_x_x, s9_3*s9_5);
+  const double pivot_coupler_pin = fnma(p_coupler_C_z, R_coupler_x_z, s9_6);
+  const double s9_7 = 3.2894736842105265*std::abs(pivot_coupler_pin);
+  result.pivot[0] = mbgen::min(3.999888870509994*std::abs(s9_1), s9_7);
+  const double s9_8 = Q_rocker_pin*s9_4;
+  const double s9_9 = 1.0/pivot_coupler_pin*fma(s9_3, s9_8, Q_coupler_pin);
+  result.lambda[2] = s9_9;
+  result.lambda[0] = fms(s9_5, s9_9, s9_8);
   // operations: 7 add, 16 multiply, 2 divide, 3 other
 }
 
@@ -488,6 +491,8 @@ void compute_chosen_accelerations(const Tuned& parameters, const Inputs& inputs,
   const double s5_5 = std::sqrt(fma(s5_4, s5_4, s5_3*s5_3));
   const double tension_return_spring = (s5_5 - l0_return_spring)*parameters.k;
   const double s5_6 = 1.0/s5_5*tension_return_spring;
+  const double s5_7 = s5_4*s5_6;
+  const double s5_8 = s5_3*s5_6;
   // operations: 6 add, 10 multiply, 1 divide, 1 sqrt
 
   // --- step 6: c and dRz/dt zd (62), rocker_tip ---
@@ -496,9 +501,11 @@ void compute_chosen_accelerations(const Tuned& parameters, const Inputs& inputs,
   // operations: 2 multiply
 
   // --- step 7: inertias of the bodies and forces on joints, rocker_tip ---
+  const double s7_1 = fma(h_crank_z, R_crank_x_z, h_crank_x*R_crank_x_x);
   // coupler: coupler_pin, revolute, crank
-  const double s7_1 = fma(h_coupler_z, R_coupler_x_z, h_coupler_x*R_coupler_x_x);
-  const double s7_2 = fnma(h_coupler_x, R_coupler_x_z, h_coupler_z*R_coupler_x_x);
+  const double s7_2 = fma(h_coupler_z, R_coupler_x_z, h_coupler_x*R_coupler_x_x);
+  const double s7_3 = fnma(h_coupler_x, R_coupler_x_z, h_coupler_z*R_coupler_x_x);
+  const double s7_4 = fma(h_rocker_z, R_rocker_x_z, h_rocker_x*R_rocker_x_x);
   // operations: 4 add, 8 multiply
 
   // --- step 8: elimination from the leaves to the root (63), rocker_tip ---
@@ -507,34 +514,34 @@ void compute_chosen_accelerations(const Tuned& parameters, const Inputs& inputs,
   const double s8_2 = r_coupler_z*projection.Rz[0];
   const double s8_3 = r_coupler_x*projection.Rz[0];
   const double s8_4 = projection.zdd_star[0] + projection.zdd_star[1];
-  const double s8_5 = fnma(s5_2, s5_3*s5_6, s5_1*(s5_4*s5_6));
   // rocker: rocker_pin, revolute, ground
-  const double s7_3 = fma(h_rocker_z, R_rocker_x_z, h_rocker_x*R_rocker_x_x);
-  const double n_rocker_y = fnma(-g_z, s7_3, fma(0.02195, projection.zdd_star[2], s8_5));
+  const double s8_5 = fma(0.02195, projection.zdd_star[2], fnma(s5_2, s5_8, s5_1*s5_7));
+  const double n_rocker_y = fnma(-g_z, s7_4, s8_5);
+  const double s8_6 = 0.02195*projection.Rz[2];
   // coupler: coupler_pin, revolute, crank
-  const double s8_6 = fnma(r_coupler_x, s6_1, r_coupler_z*projection.zdd_star[0]);
-  const double f_coupler_x = fma(m_coupler, s8_6, fnma(s6_2, s7_1, s7_2*s8_4));
-  const double s8_7 = fnma(r_coupler_z, s6_1, fnma(r_coupler_x, projection.zdd_star[0], -g_z));
-  const double f_coupler_z = fnma(s7_1, s8_4, fnma(s6_2, s7_2, m_coupler*s8_7));
-  const double n_coupler_y = fnma(s7_1, s8_7, fma(s7_2, s8_6, 0.0729*s8_4));
+  const double s8_7 = fnma(r_coupler_x, s6_1, r_coupler_z*projection.zdd_star[0]);
+  const double f_coupler_x = fma(m_coupler, s8_7, fnma(s6_2, s7_2, s7_3*s8_4));
+  const double s8_8 = fnma(r_coupler_z, s6_1, fnma(r_coupler_x, projection.zdd_star[0], -g_z));
+  const double f_coupler_z = fnma(s7_2, s8_4, fnma(s6_2, s7_3, m_coupler*s8_8));
+  const double n_coupler_y = fnma(s7_2, s8_8, fma(s7_3, s8_7, 0.0729*s8_4));
+  const double s8_9 = fma(m_coupler, s8_2, s7_3*s8_1);
+  const double s8_10 = fma(m_coupler, s8_3, s7_2*s8_1);
+  const double s8_11 = fma(s7_2, s8_3, fma(s7_3, s8_2, 0.0729*s8_1));
   // crank: crank_pin, revolute, ground
-  const double s7_4 = fma(h_crank_z, R_crank_x_z, h_crank_x*R_crank_x_x);
-  const double n_crank_y = fnma(-g_z, s7_4, 0.00302*projection.zdd_star[0]);
-  const double s8_8 = fnma(s8_2, f_coupler_x, projection.Rz[1]*tau[Coordinate::coupler_pin]);
-  const double s8_9 = inputs.torque + tau[Coordinate::crank_pin] - n_crank_y;
-  const double s8_10 = fnma(s8_1, n_coupler_y, fma(s8_3, f_coupler_z, s8_8));
-  const double s8_11 = tau[Coordinate::rocker_pin] - n_rocker_y;
-  const double s8_12 = projection.Rz[2]*(0.02195*projection.Rz[2]);
-  const double s8_13 = fma(s8_2, fma(m_coupler, s8_2, s7_2*s8_1), s8_12);
-  const double s8_14 = fma(s8_3, fma(m_coupler, s8_3, s7_1*s8_1), s8_13);
-  const double s8_15 = fma(s8_1, fma(s7_1, s8_3, fma(s7_2, s8_2, 0.0729*s8_1)), s8_14);
-  const double s8_16 = fma(projection.Rz[0], 0.00302*projection.Rz[0], s8_15);
-  result.inertia[0] = fnma(1e-12, s8_16, s8_16);
+  const double n_crank_y = fnma(-g_z, s7_1, 0.00302*projection.zdd_star[0]);
+  const double s8_12 = fnma(s8_2, f_coupler_x, projection.Rz[1]*tau[Coordinate::coupler_pin]);
+  const double s8_13 = inputs.torque + tau[Coordinate::crank_pin] - n_crank_y;
+  const double s8_14 = fnma(s8_1, n_coupler_y, fma(s8_3, f_coupler_z, s8_12));
+  const double s8_15 = tau[Coordinate::rocker_pin] - n_rocker_y;
+  const double s8_16 = fma(projection.Rz[2], s8_15, fma(projection.Rz[0], s8_13, s8_14));
+  const double s8_17 = fma(s8_3, s8_10, fma(s8_2, s8_9, projection.Rz[2]*s8_6));
+  const double s8_18 = fma(projection.Rz[0], 0.00302*projection.Rz[0], fma(s8_1, s8_11, s8_17));
+  const double s8_19 = 1.0/s8_18;
+  result.inertia[0] = fnma(1e-12, s8_18, s8_18);
   // operations: 32 add, 42 multiply, 1 divide
 
   // --- step 9: accelerations from the root to the leaves (63), (62) ---
-  const double s8_17 = fma(projection.Rz[2], s8_11, fma(projection.Rz[0], s8_9, s8_10));
-  const double s9_1 = s8_17*(1.0/s8_16);
+  const double s9_1 = s8_16*s8_19;
   // crank: crank_pin, revolute, ground
   result.zdd[Coordinate::crank_pin] = fma(projection.Rz[0], s9_1, projection.zdd_star[0]);
   // rocker: rocker_pin, revolute, ground
@@ -588,16 +595,25 @@ void compute_outputs(const Tuned& parameters, const Inputs& inputs, const State&
   const double tension_return_spring = (s5_7 - l0_return_spring)*parameters.k;
   result.spring_force = tension_return_spring;
   const double s5_8 = 1.0/s5_7*tension_return_spring;
+  const double s5_9 = s5_6*s5_8;
+  const double s5_10 = s5_5*s5_8;
   // operations: 6 add, 10 multiply, 1 divide, 1 sqrt
 
   // --- step 7: inertias of the bodies and forces on joints ---
   // rocker: rocker_pin, revolute, ground
   const double s7_1 = fms(c_rocker_z, R_rocker_x_x, s5_1);
+  const double s7_2 = fma(c_rocker_z, R_rocker_x_z, s5_2);
   const double zd_rocker_pin = state.zd[Coordinate::rocker_pin];
+  const double s7_3 = I_rocker_yy*zd_rocker_pin;
   // coupler: coupler_pin, revolute, crank
-  const double s7_2 = fnma(c_coupler_x, R_coupler_x_z, c_coupler_z*R_coupler_x_x);
+  const double s7_4 = fnma(c_coupler_x, R_coupler_x_z, c_coupler_z*R_coupler_x_x);
+  const double s7_5 = fma(c_coupler_z, R_coupler_x_z, c_coupler_x*R_coupler_x_x);
+  const double s7_6 = I_coupler_yy*w_coupler_y;
   // crank: crank_pin, revolute, ground
-  const double s7_3 = fms(c_crank_z, R_crank_x_x, s1_2);
+  const double s7_7 = fms(c_crank_z, R_crank_x_x, s1_2);
+  const double s7_8 = fma(c_crank_z, R_crank_x_z, s1_3);
+  const double s7_9 = I_crank_yy*zd_crank_pin;
+  const double s7_10 = inputs.torque + tau[Coordinate::crank_pin];
   // operations: 7 add, 11 multiply
 
   // --- step 9: outputs, energies, power ---
@@ -606,25 +622,21 @@ void compute_outputs(const Tuned& parameters, const Inputs& inputs, const State&
   result.coupler_x = r_coupler_x + s9_1;
   const double s9_2 = fnma(p_coupler_P_x, R_coupler_x_z, p_coupler_P_z*R_coupler_x_x);
   result.coupler_z = r_coupler_z + s9_2;
-  const double s9_3 = zd_crank_pin*fma(c_crank_z, R_crank_x_z, s1_3);
-  const double s9_4 = zd_rocker_pin*fma(c_rocker_z, R_rocker_x_z, s5_2);
-  const double s7_4 = fma(c_coupler_z, R_coupler_x_z, c_coupler_x*R_coupler_x_x);
-  const double s9_5 = fma(w_coupler_y, s7_4, zd_crank_pin*r_coupler_x);
-  const double s9_6 = zd_coupler_pin*tau[Coordinate::coupler_pin];
-  const double s9_7 = fma(s5_4, s5_5*s5_8, fnma(s5_3, s5_6*s5_8, tau[Coordinate::rocker_pin]));
-  const double s9_8 = fma(zd_crank_pin, inputs.torque + tau[Coordinate::crank_pin], s9_6);
-  result.applied_power = fma(zd_rocker_pin, s9_7, s9_8);
-  const double s9_9 = fma(m_coupler, r_coupler_z + s7_2, fma(m_crank, s7_3, m_rocker*s7_1));
-  result.potential_energy = -g_z*s9_9;
-  const double s9_10 = zd_rocker_pin*s7_1;
-  const double s9_11 = zd_crank_pin*s7_3;
-  const double s9_12 = fma(w_coupler_y, s7_2, v_coupler_x);
-  const double s9_13 = zd_rocker_pin*(I_rocker_yy*zd_rocker_pin);
-  const double s9_14 = fma(w_coupler_y, I_coupler_yy*w_coupler_y, s9_13);
-  const double s9_15 = fma(zd_crank_pin, I_crank_yy*zd_crank_pin, s9_14);
-  const double s9_16 = fma(m_rocker, fma(s9_10, s9_10, s9_4*s9_4), s9_15);
-  const double s9_17 = fma(m_crank, fma(s9_11, s9_11, s9_3*s9_3), s9_16);
-  result.kinetic_energy = 0.5*fma(m_coupler, fma(s9_12, s9_12, s9_5*s9_5), s9_17);
+  const double s9_3 = zd_crank_pin*s7_8;
+  const double s9_4 = zd_rocker_pin*s7_2;
+  const double s9_5 = fma(w_coupler_y, s7_5, zd_crank_pin*r_coupler_x);
+  const double s9_6 = fma(zd_crank_pin, s7_10, zd_coupler_pin*tau[Coordinate::coupler_pin]);
+  const double s9_7 = fma(s5_4, s5_10, fnma(s5_3, s5_9, tau[Coordinate::rocker_pin]));
+  result.applied_power = fma(zd_rocker_pin, s9_7, s9_6);
+  const double s9_8 = fma(m_coupler, r_coupler_z + s7_4, fma(m_crank, s7_7, m_rocker*s7_1));
+  result.potential_energy = -g_z*s9_8;
+  const double s9_9 = zd_rocker_pin*s7_1;
+  const double s9_10 = zd_crank_pin*s7_7;
+  const double s9_11 = fma(w_coupler_y, s7_4, v_coupler_x);
+  const double s9_12 = fma(zd_crank_pin, s7_9, fma(w_coupler_y, s7_6, zd_rocker_pin*s7_3));
+  const double s9_13 = fma(m_rocker, fma(s9_9, s9_9, s9_4*s9_4), s9_12);
+  const double s9_14 = fma(m_crank, fma(s9_10, s9_10, s9_3*s9_3), s9_13);
+  result.kinetic_energy = 0.5*fma(m_coupler, fma(s9_11, s9_11, s9_5*s9_5), s9_14);
   // operations: 21 add, 33 multiply
 }
 

@@ -153,6 +153,8 @@ void compute_accelerations(const Tuned& parameters, const Inputs& /*inputs*/, co
   const double s5_12 = (s5_10 >= 0.0 ? fma(1575.0, s5_10, 640.0) : s5_11);
   const double tension_spring = s5_12 + fms(s5_5 - l0_spring, parameters.k, -f0_spring);
   const double s5_13 = s5_6*tension_spring;
+
+  // --- step 9: accelerations from the root to the leaves (63), (62) ---
   const double s1_1 = z_lower + state.z[Coordinate::ball];
   // knuckle: ball, revolute, arm
   double R_knuckle_x_x, R_knuckle_x_z;
@@ -164,6 +166,8 @@ void compute_accelerations(const Tuned& parameters, const Inputs& /*inputs*/, co
   // wheel: wheel, revolute, knuckle
   const double r_wheel_z = r_knuckle_z + s1_3;
   const double s5_14 = p_pull_z + r_wheel_z;
+
+  // --- step 2: closure Jacobian Phi_z and its factors (60), upper ---
   const double s5_15 = radius_tyre - s5_14;
   const double s5_16 = mbgen::max(0.0, k_tyre*s5_15);
   const double s5_17 = fnma(0.3333333333333333, mbgen::max(0.0, s5_15), radius_tyre);
@@ -176,6 +180,8 @@ void compute_accelerations(const Tuned& parameters, const Inputs& /*inputs*/, co
   // tyre
   const double s5_18 = s5_16 + mbgen::min(s5_16, d_tyre*fma(s1_4, w_knuckle_y, s4_1));
   const double load_tyre = mbgen::max(0.0, s5_18);
+
+  // --- step 8: elimination from the leaves to the root (63), upper ---
 
   // --- step 5: applied forces Q (48), continued ---
   // tyre
@@ -213,8 +219,6 @@ void compute_accelerations(const Tuned& parameters, const Inputs& /*inputs*/, co
 
   // --- step 8: elimination from the leaves to the root (63) ---
   const double s8_1 = tau[Coordinate::wheel] - s5_40;
-
-  // --- step 2: closure Jacobian Phi_z and its factors (60), upper ---
   const double s2_1 = fma(p_upper_to_z, R_knuckle_x_z, p_upper_to_x*R_knuckle_x_x);
   const double s2_2 = fnma(p_upper_to_x, R_knuckle_x_z, p_upper_to_z*R_knuckle_x_x);
   const double s2_3 = s2_2 + (-p_upper_from_z + r_knuckle_z);
@@ -244,22 +248,20 @@ void compute_accelerations(const Tuned& parameters, const Inputs& /*inputs*/, co
   const double s7_2 = R_knuckle_x_x*parameters.derived[0];
   const double s8_2 = fma(zdd_star_ball, s7_1, fma(s6_6, parameters.derived[1], load_tyre));
   const double s8_3 = fma(s6_6, s7_1, s8_1 + (s5_40 + fnma(s1_3, fx_tyre, s1_4*load_tyre)));
-
-  // --- step 8: elimination from the leaves to the root (63), upper ---
   // knuckle: ball, revolute, arm
   const double n_knuckle_y = fma(zdd_star_ball, parameters.derived[2], fnma(s6_7, s7_2, s8_3));
   const double s8_4 = fnma(s6_7, parameters.derived[1], fms(zdd_star_ball, s7_2, fx_tyre));
   const double f_knuckle_x = fnma(s6_8, s7_1, s8_4);
   const double s9_2 = fnma(s1_2, f_knuckle_x, fnma(tau[Coordinate::ball], s3_1, s9_1));
   const double s8_5 = 1.0 - s3_1;
+
+  // --- step 8: elimination from the leaves to the root (63), upper, continued ---
   const double s8_6 = fma(s7_1, s8_5, r_knuckle_x*parameters.derived[1]);
   const double s8_7 = fma(s8_5, parameters.derived[2], fma(s1_2, s7_2, r_knuckle_x*s7_1));
   const double s8_8 = fma(s8_5, s8_7, fma(r_knuckle_x, s8_6, 0.3475));
   const double pivot_lower = fma(s1_2, fma(s7_2, s8_5, s1_2*parameters.derived[1]), s8_8);
   const double s9_3 = fnma(s8_5, n_knuckle_y, fnma(r_knuckle_x, fma(s6_8, s7_2, s8_2), s9_2));
   result.inertia[0] = fnma(1e-12, pivot_lower, pivot_lower);
-
-  // --- step 9: accelerations from the root to the leaves (63), (62) ---
   // arm: lower, revolute, carriage
   const double s9_4 = fma(-g_z, s8_6 + fnma(-h_arm_x, R_arm_x_x, h_arm_z*R_arm_x_z), s9_3);
   const double alpha_arm_y = 1.0/pivot_lower*s9_4;
@@ -326,10 +328,10 @@ void compute_closure(const Tuned& /*parameters*/, const Inputs& /*inputs*/, cons
   const double s2_8 = s2_7 + fma(r_knuckle_x, s2_6, s1_1*s2_5);
   const double s2_9 = 0.5*fma(s2_4, s2_6, fms(s2_3, s2_5, l_upper));
   result.residual[0] = s2_9;
-  result.pivot[0] = 4.409001792788769*std::abs(s2_8);
-  const double s2_10 = 1.0/s2_8;
 
   // --- step 4: velocities ---
+  result.pivot[0] = 4.409001792788769*std::abs(s2_8);
+  const double s2_10 = 1.0/s2_8;
   result.dz[Coordinate::lower] = s2_9*s2_10;
   result.zd[Coordinate::lower] = -(s2_10*(state.zd[Coordinate::ball]*s2_7));
   const double s1_3 = fms(15.0, state.t, state.z[Coordinate::pull]);
@@ -377,6 +379,7 @@ void compute_multipliers(const Tuned& parameters, const Inputs& /*inputs*/, cons
   const double w_knuckle_y = zd_lower + state.zd[Coordinate::ball];
   // wheel: wheel, revolute, knuckle
   const double v_wheel_x = fma(s1_4, w_knuckle_y, v_knuckle_x);
+  const double s4_1 = fma(s1_3, w_knuckle_y, zd_lower*r_knuckle_x);
   const double w_wheel_y = state.zd[Coordinate::wheel] + w_knuckle_y;
   // operations: 5 add, 4 multiply
 
@@ -397,12 +400,12 @@ void compute_multipliers(const Tuned& parameters, const Inputs& /*inputs*/, cons
   const double tension_spring = s5_12 + fms(s5_5 - l0_spring, parameters.k, -f0_spring);
   const double s5_13 = s5_6*tension_spring;
   const double s5_14 = s5_2*s5_13;
+  const double s5_15 = s5_4*s5_13;
   // tyre
-  const double s5_15 = p_pull_z + r_wheel_z;
-  const double s5_16 = radius_tyre - s5_15;
-  const double s5_17 = mbgen::max(0.0, k_tyre*s5_16);
-  const double s5_18 = mbgen::min(s5_17, d_tyre*fma(s1_3, w_knuckle_y, zd_lower*r_knuckle_x));
-  const double load_tyre = mbgen::max(0.0, s5_17 + s5_18);
+  const double s5_16 = p_pull_z + r_wheel_z;
+  const double s5_17 = radius_tyre - s5_16;
+  const double s5_18 = mbgen::max(0.0, k_tyre*s5_17);
+  const double load_tyre = mbgen::max(0.0, s5_18 + mbgen::min(s5_18, d_tyre*s4_1));
   const double s5_19 = mbgen::max(0.004, load_tyre);
   const double s5_20 = 1.1*s5_19;
   const double s5_21 = 1.6*s5_20;
@@ -412,7 +415,7 @@ void compute_multipliers(const Tuned& parameters, const Inputs& /*inputs*/, cons
   const double s5_25 = state.x[1]/relaxation_y_tyre;
   const double s5_26 = std::sqrt(fma(s5_25, s5_25, fma(s5_24, s5_24, 1e-30)));
   const double s5_27 = std::abs(v_wheel_x);
-  const double s5_28 = fnma(0.3333333333333333, mbgen::max(0.0, s5_16), radius_tyre);
+  const double s5_28 = fnma(0.3333333333333333, mbgen::max(0.0, s5_17), radius_tyre);
   const double s5_29 = w_wheel_y*s5_28;
   const double s5_30 = v_wheel_x - s5_29;
   const double s5_31 = 0.1*fma(0.5, s5_27 + std::sqrt(fma(s5_30, s5_30, 1e-30)), 1.0);
@@ -422,6 +425,8 @@ void compute_multipliers(const Tuned& parameters, const Inputs& /*inputs*/, cons
   const double s5_35 = fnma(s5_30, 0.06*fma(0.5, s5_33, 0.5)*mbgen::max(0.0, s5_32), s5_34);
   const double s5_36 = s5_20*mbgen::sine(1.6*mbgen::arc_tangent(20.0*s5_19/s5_23*s5_35));
   const double fx_tyre = mbgen::max(0.0, load_tyre)/s5_19*s5_36;
+  const double s5_37 = mbgen::hyperbolic_tangent(0.5*s5_29);
+  const double s5_38 = radius_tyre*(rolling_tyre*load_tyre);
   // operations: 28 add, 47 multiply, 7 divide, 3 sqrt, 3 sin cos, 18 other
 
   // --- step 7: inertias of the bodies and forces on joints ---
@@ -439,9 +444,8 @@ void compute_multipliers(const Tuned& parameters, const Inputs& /*inputs*/, cons
   const double alpha_wheel_y = derivative.zdd[Coordinate::wheel] + alpha_knuckle_y;
   const double f_wheel_x = fms(m_wheel, a_wheel_x, fx_tyre);
   const double f_wheel_z = fms(m_wheel, a_wheel_z, load_tyre);
-  const double s5_37 = mbgen::hyperbolic_tangent(0.5*s5_29);
-  const double s7_3 = fma(s5_37, radius_tyre*(rolling_tyre*load_tyre), alpha_wheel_y);
-  const double n_wheel_y = fma(fx_tyre, s5_28 + (s5_16 + (s5_15 - radius_tyre)), s7_3);
+  const double s7_3 = s5_28 + (s5_17 + (s5_16 - radius_tyre));
+  const double n_wheel_y = fma(fx_tyre, s7_3, fma(s5_37, s5_38, alpha_wheel_y));
   // knuckle: ball, revolute, arm
   const double s7_4 = R_knuckle_x_x*parameters.derived[3];
   const double s7_5 = R_knuckle_x_z*parameters.derived[3];
@@ -455,16 +459,17 @@ void compute_multipliers(const Tuned& parameters, const Inputs& /*inputs*/, cons
   const double Q_ball = tau[Coordinate::ball] - s7_9;
   result.missing[1] = Q_ball;
   const double s7_10 = f_wheel_x + f_knuckle_x;
+  const double s7_11 = f_wheel_z + f_knuckle_z;
   // arm: lower, revolute, carriage
-  const double s7_11 = fma(-c_arm_x, R_arm_x_z, c_arm_z*R_arm_x_x);
-  const double s7_12 = fnma(-c_arm_x, R_arm_x_x, c_arm_z*R_arm_x_z);
-  const double s7_13 = m_arm*fnma(s7_1, s7_12, fma(zdd_lower, s7_11, zdd_pull));
-  const double f_arm_x = s5_14 + s7_13;
-  const double s7_14 = fma(s5_1, s5_4*s5_13, fma(s5_3, s5_14, I_arm_yy*zdd_lower));
-  const double s7_15 = m_arm*fnma(zdd_lower, s7_12, fnma(s7_1, s7_11, -g_z));
-  const double n_arm_y = fnma(s7_12, s7_15, fma(s7_11, s7_13, s7_14));
-  const double s7_16 = fnma(s1_2, s7_10, tau[Coordinate::lower] - s7_9);
-  result.missing[0] = fma(r_knuckle_x, f_wheel_z + f_knuckle_z, s7_16) - n_arm_y;
+  const double s7_12 = fma(-c_arm_x, R_arm_x_z, c_arm_z*R_arm_x_x);
+  const double s7_13 = fnma(-c_arm_x, R_arm_x_x, c_arm_z*R_arm_x_z);
+  const double s7_14 = m_arm*fnma(s7_1, s7_13, fma(zdd_lower, s7_12, zdd_pull));
+  const double f_arm_x = s5_14 + s7_14;
+  const double s7_15 = fma(s5_1, s5_15, fma(s5_3, s5_14, I_arm_yy*zdd_lower));
+  const double s7_16 = m_arm*fnma(zdd_lower, s7_13, fnma(s7_1, s7_12, -g_z));
+  const double n_arm_y = fnma(s7_13, s7_16, fma(s7_12, s7_14, s7_15));
+  const double s7_17 = fnma(s1_2, s7_10, tau[Coordinate::lower] - s7_9);
+  result.missing[0] = fma(r_knuckle_x, s7_11, s7_17) - n_arm_y;
   // carriage: pull, prismatic, ground
   const double f_carriage_x = fms(m_carriage, zdd_pull, s5_14);
   const double Q_pull = tau[Coordinate::pull] - s7_10 - f_arm_x - f_carriage_x;
@@ -575,6 +580,7 @@ void compute_chosen_accelerations(const Tuned& parameters, const Inputs& /*input
   const double w_knuckle_y = zd_lower + state.zd[Coordinate::ball];
   // wheel: wheel, revolute, knuckle
   const double v_wheel_x = fma(s1_4, w_knuckle_y, v_knuckle_x);
+  const double s4_1 = fma(s1_3, w_knuckle_y, zd_lower*r_knuckle_x);
   const double w_wheel_y = state.zd[Coordinate::wheel] + w_knuckle_y;
   // operations: 5 add, 4 multiply
 
@@ -594,42 +600,43 @@ void compute_chosen_accelerations(const Tuned& parameters, const Inputs& /*input
   const double s5_12 = (s5_8 >= 0.0 ? fma(1575.0, s5_8, 640.0) : s5_11);
   const double tension_spring = s5_12 + fms(s5_5 - l0_spring, parameters.k, -f0_spring);
   const double s5_13 = s5_6*tension_spring;
+  const double s5_14 = s5_2*s5_13;
+  const double s5_15 = s5_4*s5_13;
   // tyre
-  const double s5_14 = p_pull_z + r_wheel_z;
-  const double s5_15 = radius_tyre - s5_14;
-  const double s5_16 = mbgen::max(0.0, k_tyre*s5_15);
-  const double s5_17 = mbgen::min(s5_16, d_tyre*fma(s1_3, w_knuckle_y, zd_lower*r_knuckle_x));
-  const double load_tyre = mbgen::max(0.0, s5_16 + s5_17);
-  const double s5_18 = mbgen::max(0.004, load_tyre);
-  const double s5_19 = 1.1*s5_18;
-  const double s5_20 = 1.6*s5_19;
-  const double s5_21 = 1e-09*s5_18;
-  const double s5_22 = (s5_20 >= 0.0 ? mbgen::max(s5_20, s5_21) : mbgen::min(s5_20, -s5_21));
-  const double s5_23 = state.x[0]/relaxation_x_tyre;
-  const double s5_24 = state.x[1]/relaxation_y_tyre;
-  const double s5_25 = std::sqrt(fma(s5_24, s5_24, fma(s5_23, s5_23, 1e-30)));
-  const double s5_26 = std::abs(v_wheel_x);
-  const double s5_27 = fnma(0.3333333333333333, mbgen::max(0.0, s5_15), radius_tyre);
-  const double s5_28 = w_wheel_y*s5_27;
-  const double s5_29 = v_wheel_x - s5_28;
-  const double s5_30 = std::sqrt(fma(s5_29, s5_29, 1e-30));
-  const double s5_31 = mbgen::min(0.5, 0.1*fma(0.5, s5_26 + s5_30, 1.0));
-  const double s5_32 = 1.0 - s5_25/s5_31;
-  const double s5_33 = mbgen::cosine(3.141592653589793*mbgen::min(1.0, 0.5*s5_26));
-  const double s5_34 = s5_23*(1.0/mbgen::max(0.6666666666666666*s5_25, s5_32));
-  const double s5_35 = fnma(s5_29, 0.06*fma(0.5, s5_33, 0.5)*mbgen::max(0.0, s5_32), s5_34);
-  const double s5_36 = s5_19*mbgen::sine(1.6*mbgen::arc_tangent(20.0*s5_18/s5_22*s5_35));
-  const double fx_tyre = mbgen::max(0.0, load_tyre)/s5_18*s5_36;
-  const double s5_37 = s5_26 + s5_30/s5_31;
-  result.xd[1] = -(s5_24*s5_37);
-  result.xd[0] = -fma(s5_23, s5_37, s5_29);
-  const double s5_38 = mbgen::hyperbolic_tangent(0.5*s5_28);
-  const double s5_39 = s5_38*(radius_tyre*(rolling_tyre*load_tyre));
-  const double s5_40 = fma(fx_tyre, s5_27 + (s5_15 + (s5_14 - radius_tyre)), s5_39);
+  const double s5_16 = p_pull_z + r_wheel_z;
+  const double s5_17 = radius_tyre - s5_16;
+  const double s5_18 = mbgen::max(0.0, k_tyre*s5_17);
+  const double load_tyre = mbgen::max(0.0, s5_18 + mbgen::min(s5_18, d_tyre*s4_1));
+  const double s5_19 = mbgen::max(0.004, load_tyre);
+  const double s5_20 = 1.1*s5_19;
+  const double s5_21 = 1.6*s5_20;
+  const double s5_22 = 1e-09*s5_19;
+  const double s5_23 = (s5_21 >= 0.0 ? mbgen::max(s5_21, s5_22) : mbgen::min(s5_21, -s5_22));
+  const double s5_24 = state.x[0]/relaxation_x_tyre;
+  const double s5_25 = state.x[1]/relaxation_y_tyre;
+  const double s5_26 = std::sqrt(fma(s5_25, s5_25, fma(s5_24, s5_24, 1e-30)));
+  const double s5_27 = std::abs(v_wheel_x);
+  const double s5_28 = fnma(0.3333333333333333, mbgen::max(0.0, s5_17), radius_tyre);
+  const double s5_29 = w_wheel_y*s5_28;
+  const double s5_30 = v_wheel_x - s5_29;
+  const double s5_31 = std::sqrt(fma(s5_30, s5_30, 1e-30));
+  const double s5_32 = mbgen::min(0.5, 0.1*fma(0.5, s5_27 + s5_31, 1.0));
+  const double s5_33 = 1.0 - s5_26/s5_32;
+  const double s5_34 = mbgen::cosine(3.141592653589793*mbgen::min(1.0, 0.5*s5_27));
+  const double s5_35 = s5_24*(1.0/mbgen::max(0.6666666666666666*s5_26, s5_33));
+  const double s5_36 = fnma(s5_30, 0.06*fma(0.5, s5_34, 0.5)*mbgen::max(0.0, s5_33), s5_35);
+  const double s5_37 = s5_20*mbgen::sine(1.6*mbgen::arc_tangent(20.0*s5_19/s5_23*s5_36));
+  const double fx_tyre = mbgen::max(0.0, load_tyre)/s5_19*s5_37;
+  const double s5_38 = s5_27 + s5_31/s5_32;
+  result.xd[1] = -(s5_25*s5_38);
+  result.xd[0] = -fma(s5_24, s5_38, s5_30);
+  const double s5_39 = mbgen::hyperbolic_tangent(0.5*s5_29);
+  const double s5_40 = s5_39*(radius_tyre*(rolling_tyre*load_tyre));
+  const double s5_41 = fma(fx_tyre, s5_28 + (s5_17 + (s5_16 - radius_tyre)), s5_40);
   // operations: 34 add, 51 multiply, 8 divide, 3 sqrt, 3 sin cos, 18 other
 
   // --- step 8: elimination from the leaves to the root (63) ---
-  const double s8_1 = tau[Coordinate::wheel] - s5_40;
+  const double s8_1 = tau[Coordinate::wheel] - s5_41;
   // operations: 1 add
 
   // --- step 6: c and dRz/dt zd (62), upper ---
@@ -638,8 +645,9 @@ void compute_chosen_accelerations(const Tuned& parameters, const Inputs& /*input
   // operations: 2 multiply
 
   // --- step 7: inertias of the bodies and forces on joints, upper ---
-  const double s7_1 = R_knuckle_x_z*parameters.derived[0];
-  const double s7_2 = R_knuckle_x_x*parameters.derived[0];
+  const double s7_1 = fnma(-h_arm_x, R_arm_x_x, h_arm_z*R_arm_x_z);
+  const double s7_2 = R_knuckle_x_z*parameters.derived[0];
+  const double s7_3 = R_knuckle_x_x*parameters.derived[0];
   // operations: 1 add, 4 multiply
 
   // --- step 8: elimination from the leaves to the root (63), upper ---
@@ -649,34 +657,35 @@ void compute_chosen_accelerations(const Tuned& parameters, const Inputs& /*input
   const double s8_4 = r_knuckle_x*projection.Rz[0];
   const double s8_5 = projection.zdd_star[0] + projection.zdd_star[1];
   const double s8_6 = fnma(r_knuckle_x, s6_1, s1_2*projection.zdd_star[0]);
-  const double s8_7 = fnma(s6_2, s7_1, fms(s7_2, s8_5, fx_tyre));
+  const double s8_7 = fnma(s6_2, s7_2, fms(s7_3, s8_5, fx_tyre));
   const double f_knuckle_x = fma(s8_6, parameters.derived[1], s8_7);
   const double s8_8 = fma(s1_2, s6_1, r_knuckle_x*projection.zdd_star[0]);
-  const double s8_9 = fma(s7_1, s8_5, fma(s6_2, s7_2, load_tyre));
-  const double s8_10 = fma(s7_2, s8_6, s8_1 + (s5_40 + fnma(s1_4, fx_tyre, s1_3*load_tyre)));
-  const double n_knuckle_y = fma(s8_5, parameters.derived[2], fma(s7_1, s8_8, s8_10));
-  const double s8_11 = fma(s8_4, parameters.derived[1], s7_1*s8_2);
-  const double s7_3 = fnma(-h_arm_x, R_arm_x_x, h_arm_z*R_arm_x_z);
-  const double s8_12 = fma(s8_2, parameters.derived[2], fma(s7_1, s8_4, s7_2*s8_3));
-  const double s8_13 = fma(s8_3, parameters.derived[1], s7_2*s8_2);
-  const double s8_14 = fma(s8_3, s8_13, fma(s8_2, s8_12, s8_4*s8_11));
-  const double s8_15 = fma(projection.Rz[0], 0.3475*projection.Rz[0], s8_14);
-  result.inertia[0] = fnma(1e-12, s8_15, s8_15);
+  const double s8_9 = fma(s7_2, s8_5, fma(s6_2, s7_3, load_tyre));
+  const double s8_10 = fma(parameters.derived[1], s8_8, s8_9);
+  const double s8_11 = fma(s7_3, s8_6, s8_1 + (s5_41 + fnma(s1_4, fx_tyre, s1_3*load_tyre)));
+  const double n_knuckle_y = fma(s8_5, parameters.derived[2], fma(s7_2, s8_8, s8_11));
+  const double s8_12 = fma(s8_4, parameters.derived[1], s7_2*s8_2);
+  const double s8_13 = fma(s8_2, parameters.derived[2], fma(s7_2, s8_4, s7_3*s8_3));
+  const double s8_14 = fma(s8_3, parameters.derived[1], s7_3*s8_2);
+  // arm: lower, revolute, carriage
+  const double s8_15 = fma(projection.Rz[0], s7_1, s8_12);
+  const double s8_16 = fma(s8_3, s8_14, fma(s8_2, s8_13, s8_4*s8_12));
+  const double s8_17 = fma(projection.Rz[0], 0.3475*projection.Rz[0], s8_16);
+  result.inertia[0] = fnma(1e-12, s8_17, s8_17);
+  const double s8_18 = 1.0/s8_17;
   // operations: 25 add, 31 multiply, 1 divide
-  const double s9_1 = fnma(s5_1, s5_4*s5_13, fnma(s5_3, s5_2*s5_13, tau[Coordinate::lower]));
-  const double s9_2 = fnma(s8_3, f_knuckle_x, projection.Rz[1]*tau[Coordinate::ball]);
-  const double s9_3 = fnma(s8_4, fma(parameters.derived[1], s8_8, s8_9), s9_2);
-  const double s8_16 = fma(projection.Rz[0], s7_3, s8_11);
-  const double s9_4 = fma(-g_z, s8_16, fnma(s8_2, n_knuckle_y, s9_3));
 
   // --- step 9: accelerations from the root to the leaves (63), (62) ---
-  const double s9_5 = fma(projection.Rz[0], fnma(0.3475, projection.zdd_star[0], s9_1), s9_4);
-  const double s9_6 = 1.0/s8_15*s9_5;
+  const double s9_1 = fnma(s5_1, s5_15, fnma(s5_3, s5_14, tau[Coordinate::lower]));
+  const double s9_2 = fnma(s8_3, f_knuckle_x, projection.Rz[1]*tau[Coordinate::ball]);
+  const double s9_3 = fma(-g_z, s8_15, fnma(s8_2, n_knuckle_y, fnma(s8_4, s8_10, s9_2)));
+  const double s9_4 = fma(projection.Rz[0], fnma(0.3475, projection.zdd_star[0], s9_1), s9_3);
+  const double s9_5 = s8_18*s9_4;
   // arm: lower, revolute, carriage
-  result.zdd[Coordinate::lower] = fma(projection.Rz[0], s9_6, projection.zdd_star[0]);
-  result.zdd[Coordinate::ball] = fma(projection.Rz[1], s9_6, projection.zdd_star[1]);
+  result.zdd[Coordinate::lower] = fma(projection.Rz[0], s9_5, projection.zdd_star[0]);
+  result.zdd[Coordinate::ball] = fma(projection.Rz[1], s9_5, projection.zdd_star[1]);
   // knuckle: ball, revolute, arm
-  const double alpha_knuckle_y = fma(s8_2, s9_6, s8_5);
+  const double alpha_knuckle_y = fma(s8_2, s9_5, s8_5);
   result.zdd[Coordinate::wheel] = s8_1 - alpha_knuckle_y;
   // operations: 12 add, 13 multiply
 }
@@ -700,9 +709,10 @@ void compute_outputs(const Tuned& parameters, const Inputs& /*inputs*/, const St
   const double r_knuckle_x = fnma(-p_ball_x, R_arm_x_x, p_ball_z*R_arm_x_z);
   const double s1_2 = fma(-p_ball_x, R_arm_x_z, p_ball_z*R_arm_x_x);
   const double r_knuckle_z = s1_2 - (-p_lower_z);
-  const double s1_3 = p_wheel_z*R_knuckle_x_x;
   // wheel: wheel, revolute, knuckle
-  const double r_wheel_z = r_knuckle_z + s1_3;
+  const double s1_3 = p_wheel_z*R_knuckle_x_z;
+  const double s1_4 = p_wheel_z*R_knuckle_x_x;
+  const double r_wheel_z = r_knuckle_z + s1_4;
   // operations: 5 add, 6 multiply, 4 sin cos
 
   // --- step 4: velocities ---
@@ -714,8 +724,8 @@ void compute_outputs(const Tuned& parameters, const Inputs& /*inputs*/, const St
   const double zd_ball = state.zd[Coordinate::ball];
   const double w_knuckle_y = zd_lower + zd_ball;
   // wheel: wheel, revolute, knuckle
-  const double v_wheel_x = fma(s1_3, w_knuckle_y, v_knuckle_x);
-  const double s4_2 = fma(p_wheel_z*R_knuckle_x_z, w_knuckle_y, s4_1);
+  const double v_wheel_x = fma(s1_4, w_knuckle_y, v_knuckle_x);
+  const double s4_2 = fma(s1_3, w_knuckle_y, s4_1);
   const double zd_wheel = state.zd[Coordinate::wheel];
   const double w_wheel_y = zd_wheel + w_knuckle_y;
   // operations: 5 add, 4 multiply
@@ -737,63 +747,68 @@ void compute_outputs(const Tuned& parameters, const Inputs& /*inputs*/, const St
   const double tension_spring = s5_12 + fms(s5_5 - l0_spring, parameters.k, -f0_spring);
   result.spring_force = tension_spring;
   const double s5_13 = s5_6*tension_spring;
+  const double s5_14 = s5_2*s5_13;
+  const double s5_15 = s5_4*s5_13;
   // tyre
-  const double s5_14 = p_pull_z + r_wheel_z;
-  result.hub_height = s5_14;
-  const double s5_15 = radius_tyre - s5_14;
-  const double s5_16 = mbgen::max(0.0, k_tyre*s5_15);
-  const double load_tyre = mbgen::max(0.0, s5_16 + mbgen::min(s5_16, d_tyre*s4_2));
+  const double s5_16 = p_pull_z + r_wheel_z;
+  result.hub_height = s5_16;
+  const double s5_17 = radius_tyre - s5_16;
+  const double s5_18 = mbgen::max(0.0, k_tyre*s5_17);
+  const double load_tyre = mbgen::max(0.0, s5_18 + mbgen::min(s5_18, d_tyre*s4_2));
   result.load = load_tyre;
-  const double s5_17 = mbgen::max(0.004, load_tyre);
-  const double s5_18 = 1.1*s5_17;
-  const double s5_19 = 1.6*s5_18;
-  const double s5_20 = 1e-09*s5_17;
-  const double s5_21 = (s5_19 >= 0.0 ? mbgen::max(s5_19, s5_20) : mbgen::min(s5_19, -s5_20));
-  const double s5_22 = state.x[0]/relaxation_x_tyre;
-  const double s5_23 = state.x[1]/relaxation_y_tyre;
-  const double s5_24 = std::sqrt(fma(s5_23, s5_23, fma(s5_22, s5_22, 1e-30)));
-  const double s5_25 = std::abs(v_wheel_x);
-  const double s5_26 = fnma(0.3333333333333333, mbgen::max(0.0, s5_15), radius_tyre);
-  const double s5_27 = w_wheel_y*s5_26;
-  const double s5_28 = v_wheel_x - s5_27;
-  const double s5_29 = 0.1*fma(0.5, s5_25 + std::sqrt(fma(s5_28, s5_28, 1e-30)), 1.0);
-  const double s5_30 = 1.0 - s5_24/mbgen::min(0.5, s5_29);
-  const double s5_31 = mbgen::cosine(3.141592653589793*mbgen::min(1.0, 0.5*s5_25));
-  const double s5_32 = s5_22*(1.0/mbgen::max(0.6666666666666666*s5_24, s5_30));
-  const double s5_33 = fnma(s5_28, 0.06*fma(0.5, s5_31, 0.5)*mbgen::max(0.0, s5_30), s5_32);
-  const double s5_34 = s5_18*mbgen::sine(1.6*mbgen::arc_tangent(20.0*s5_17/s5_21*s5_33));
-  const double fx_tyre = mbgen::max(0.0, load_tyre)/s5_17*s5_34;
-  const double s5_35 = mbgen::hyperbolic_tangent(0.5*s5_27);
-  const double s5_36 = s5_35*(radius_tyre*(rolling_tyre*load_tyre));
+  const double s5_19 = mbgen::max(0.004, load_tyre);
+  const double s5_20 = 1.1*s5_19;
+  const double s5_21 = 1.6*s5_20;
+  const double s5_22 = 1e-09*s5_19;
+  const double s5_23 = (s5_21 >= 0.0 ? mbgen::max(s5_21, s5_22) : mbgen::min(s5_21, -s5_22));
+  const double s5_24 = state.x[0]/relaxation_x_tyre;
+  const double s5_25 = state.x[1]/relaxation_y_tyre;
+  const double s5_26 = std::sqrt(fma(s5_25, s5_25, fma(s5_24, s5_24, 1e-30)));
+  const double s5_27 = std::abs(v_wheel_x);
+  const double s5_28 = fnma(0.3333333333333333, mbgen::max(0.0, s5_17), radius_tyre);
+  const double s5_29 = w_wheel_y*s5_28;
+  const double s5_30 = v_wheel_x - s5_29;
+  const double s5_31 = 0.1*fma(0.5, s5_27 + std::sqrt(fma(s5_30, s5_30, 1e-30)), 1.0);
+  const double s5_32 = 1.0 - s5_26/mbgen::min(0.5, s5_31);
+  const double s5_33 = mbgen::cosine(3.141592653589793*mbgen::min(1.0, 0.5*s5_27));
+  const double s5_34 = s5_24*(1.0/mbgen::max(0.6666666666666666*s5_26, s5_32));
+  const double s5_35 = fnma(s5_30, 0.06*fma(0.5, s5_33, 0.5)*mbgen::max(0.0, s5_32), s5_34);
+  const double s5_36 = s5_20*mbgen::sine(1.6*mbgen::arc_tangent(20.0*s5_19/s5_23*s5_35));
+  const double fx_tyre = mbgen::max(0.0, load_tyre)/s5_19*s5_36;
+  const double s5_37 = mbgen::hyperbolic_tangent(0.5*s5_29);
+  const double s5_38 = s5_37*(radius_tyre*(rolling_tyre*load_tyre));
+  const double s5_39 = fma(fx_tyre, s5_28 + (s5_17 + (s5_16 - radius_tyre)), s5_38);
   // operations: 32 add, 49 multiply, 7 divide, 3 sqrt, 3 sin cos, 18 other
 
   // --- step 7: inertias of the bodies and forces on joints ---
   // knuckle: ball, revolute, arm
   const double s7_1 = R_knuckle_x_x*parameters.derived[3];
+  const double s7_2 = R_knuckle_x_z*parameters.derived[3];
+  const double s7_3 = w_knuckle_y*parameters.derived[5];
   // arm: lower, revolute, carriage
-  const double s7_2 = fma(-c_arm_x, R_arm_x_z, c_arm_z*R_arm_x_x);
+  const double s7_4 = fma(-c_arm_x, R_arm_x_z, c_arm_z*R_arm_x_x);
+  const double s7_5 = fnma(-c_arm_x, R_arm_x_x, c_arm_z*R_arm_x_z);
+  const double s7_6 = I_arm_yy*zd_lower;
   // operations: 2 add, 8 multiply
 
   // --- step 9: outputs, energies, power ---
-  const double s9_1 = zd_lower*fnma(-c_arm_x, R_arm_x_x, c_arm_z*R_arm_x_z);
-  const double s9_2 = fma(w_knuckle_y, R_knuckle_x_z*parameters.derived[3], s4_1);
+  const double s9_1 = zd_lower*s7_5;
+  const double s9_2 = fma(w_knuckle_y, s7_2, s4_1);
   const double s9_3 = fma(m_wheel, r_wheel_z, parameters.derived[6]);
   const double s9_4 = fma(r_knuckle_z + s7_1, parameters.derived[4], s9_3);
-  result.potential_energy = -g_z*fma(m_arm, s7_2 - (-p_lower_z), s9_4);
+  result.potential_energy = -g_z*fma(m_arm, s7_4 - (-p_lower_z), s9_4);
   const double s9_5 = fma(zd_wheel, tau[Coordinate::wheel], zd_ball*tau[Coordinate::ball]);
-  const double s5_37 = fma(fx_tyre, s5_26 + (s5_15 + (s5_14 - radius_tyre)), s5_36);
   const double s9_6 = fma(v_wheel_x, fx_tyre, fnma(s4_2, load_tyre, s9_5));
   const double s9_7 = tau[Coordinate::pull] + multipliers.drive[0];
-  const double s9_8 = fnma(s5_1, s5_4*s5_13, fnma(s5_3, s5_2*s5_13, tau[Coordinate::lower]));
-  result.applied_power = fma(zd_lower, s9_8, fma(zd_pull, s9_7, fnma(w_wheel_y, s5_37, s9_6)));
+  const double s9_8 = fnma(s5_1, s5_15, fnma(s5_3, s5_14, tau[Coordinate::lower]));
+  result.applied_power = fma(zd_lower, s9_8, fma(zd_pull, s9_7, fnma(w_wheel_y, s5_39, s9_6)));
   const double s9_9 = fma(w_knuckle_y, s7_1, v_knuckle_x);
-  const double s9_10 = fma(zd_lower, s7_2, zd_pull);
-  const double s9_11 = fma(w_knuckle_y, w_knuckle_y*parameters.derived[5], w_wheel_y*w_wheel_y);
-  const double s9_12 = fma(zd_lower, I_arm_yy*zd_lower, s9_11);
-  const double s9_13 = fma(m_wheel, fma(s4_2, s4_2, v_wheel_x*v_wheel_x), s9_12);
-  const double s9_14 = fma(parameters.derived[4], fma(s9_9, s9_9, s9_2*s9_2), s9_13);
-  const double s9_15 = fma(m_carriage, zd_pull*zd_pull, s9_14);
-  result.kinetic_energy = 0.5*fma(m_arm, fma(s9_10, s9_10, s9_1*s9_1), s9_15);
+  const double s9_10 = fma(zd_lower, s7_4, zd_pull);
+  const double s9_11 = fma(zd_lower, s7_6, fma(w_knuckle_y, s7_3, w_wheel_y*w_wheel_y));
+  const double s9_12 = fma(m_wheel, fma(s4_2, s4_2, v_wheel_x*v_wheel_x), s9_11);
+  const double s9_13 = fma(parameters.derived[4], fma(s9_9, s9_9, s9_2*s9_2), s9_12);
+  const double s9_14 = fma(m_carriage, zd_pull*zd_pull, s9_13);
+  result.kinetic_energy = 0.5*fma(m_arm, fma(s9_10, s9_10, s9_1*s9_1), s9_14);
   // operations: 26 add, 32 multiply
 }
 

@@ -155,11 +155,11 @@ struct AccelerationsOf {
 using Accelerations = AccelerationsOf<Lanes>;
 
 /// Part 1 of compute_accelerations: step 1: poses and axes b; step 5: applied forces Q (48); step
-/// 4: velocities; step 5: applied forces Q (48); step 8: elimination from the leaves to the root
-/// (63); step 2: closure Jacobian Phi_z and its factors (60), upper; step 6: c and dRz/dt zd (62),
-/// upper; step 3: Rz (61), upper; step 7: inertias of the bodies and forces on joints, upper; step
-/// 8: elimination from the leaves to the root (63), upper; step 9: accelerations from the root to
-/// the leaves (63), (62).
+/// 9: accelerations from the root to the leaves (63), (62); step 2: closure Jacobian Phi_z and its
+/// factors (60), upper; step 4: velocities; step 8: elimination from the leaves to the root (63),
+/// upper; step 5: applied forces Q (48); step 8: elimination from the leaves to the root (63); step
+/// 6: c and dRz/dt zd (62), upper; step 3: Rz (61), upper; step 7: inertias of the bodies and
+/// forces on joints, upper; step 8: elimination from the leaves to the root (63), upper.
 [[gnu::noinline]] void compute_accelerations_1(const Tuned& parameters, const State& state,
     const Lanes* tau, Accelerations& __restrict result) noexcept {
   // Results that need no operation.
@@ -190,6 +190,8 @@ using Accelerations = AccelerationsOf<Lanes>;
   const Lanes s5_13 = mbgen::select(s5_11, fma(1575.0, s5_11, 640.0), s5_12);
   const Lanes tension_spring = s5_13 + fms(s5_5 - l0_spring, parameters.k, -f0_spring);
   const Lanes s5_14 = s5_6*tension_spring;
+
+  // --- step 9: accelerations from the root to the leaves (63), (62) ---
   const Lanes s1_1 = z_lower + state.z[Coordinate::ball];
   // knuckle: ball, revolute, arm
   Lanes R_knuckle_x_x, R_knuckle_x_z;
@@ -201,6 +203,8 @@ using Accelerations = AccelerationsOf<Lanes>;
   // wheel: wheel, revolute, knuckle
   const Lanes r_wheel_z = r_knuckle_z + s1_3;
   const Lanes s5_15 = p_pull_z + r_wheel_z;
+
+  // --- step 2: closure Jacobian Phi_z and its factors (60), upper ---
   const Lanes s5_16 = radius_tyre - s5_15;
   const Lanes s5_17 = mbgen::max(0.0, k_tyre*s5_16);
   const Lanes s5_18 = fnma(0.3333333333333333, mbgen::max(0.0, s5_16), radius_tyre);
@@ -213,6 +217,8 @@ using Accelerations = AccelerationsOf<Lanes>;
   // tyre
   const Lanes s5_19 = s5_17 + mbgen::min(s5_17, d_tyre*fma(s1_4, w_knuckle_y, s4_1));
   const Lanes load_tyre = mbgen::max(0.0, s5_19);
+
+  // --- step 8: elimination from the leaves to the root (63), upper ---
   mbgen::read_back();
 
   // --- step 5: applied forces Q (48), continued ---
@@ -253,8 +259,6 @@ using Accelerations = AccelerationsOf<Lanes>;
 
   // --- step 8: elimination from the leaves to the root (63) ---
   const Lanes s8_1 = tau[Coordinate::wheel] - s5_42;
-
-  // --- step 2: closure Jacobian Phi_z and its factors (60), upper ---
   const Lanes s2_1 = fma(p_upper_to_z, R_knuckle_x_z, p_upper_to_x*R_knuckle_x_x);
   const Lanes s2_2 = fnma(p_upper_to_x, R_knuckle_x_z, p_upper_to_z*R_knuckle_x_x);
   const Lanes s2_3 = s2_2 + (-p_upper_from_z + r_knuckle_z);
@@ -284,14 +288,14 @@ using Accelerations = AccelerationsOf<Lanes>;
   const Lanes s7_2 = R_knuckle_x_x*parameters.derived[0];
   const Lanes s8_2 = fma(zdd_star_ball, s7_1, fma(s6_6, parameters.derived[1], load_tyre));
   const Lanes s8_3 = fma(s6_6, s7_1, s8_1 + (s5_42 + fnma(s1_3, fx_tyre, s1_4*load_tyre)));
-
-  // --- step 8: elimination from the leaves to the root (63), upper ---
   // knuckle: ball, revolute, arm
   const Lanes n_knuckle_y = fma(zdd_star_ball, parameters.derived[2], fnma(s6_7, s7_2, s8_3));
   const Lanes s8_4 = fnma(s6_7, parameters.derived[1], fms(zdd_star_ball, s7_2, fx_tyre));
   const Lanes f_knuckle_x = fnma(s6_8, s7_1, s8_4);
   const Lanes s9_2 = fnma(s1_2, f_knuckle_x, fnma(tau[Coordinate::ball], s3_1, s9_1));
   const Lanes s8_5 = 1.0 - s3_1;
+
+  // --- step 8: elimination from the leaves to the root (63), upper, continued ---
   const Lanes s8_6 = fma(s7_1, s8_5, r_knuckle_x*parameters.derived[1]);
   const Lanes s8_7 = fma(s8_5, parameters.derived[2], fma(s1_2, s7_2, r_knuckle_x*s7_1));
   const Lanes s8_8 = fma(s8_5, s8_7, fma(r_knuckle_x, s8_6, 0.3475));
@@ -299,8 +303,6 @@ using Accelerations = AccelerationsOf<Lanes>;
   const Lanes s9_3 = fnma(s8_5, n_knuckle_y, fnma(r_knuckle_x, fma(s6_8, s7_2, s8_2), s9_2));
   mbgen::read_back();
   result.inertia[0] = fnma(1e-12, pivot_lower, pivot_lower);
-
-  // --- step 9: accelerations from the root to the leaves (63), (62) ---
   // arm: lower, revolute, carriage
   const Lanes s9_4 = fma(-g_z, s8_6 + fnma(-h_arm_x, R_arm_x_x, h_arm_z*R_arm_x_z), s9_3);
   const Lanes alpha_arm_y = 1.0/pivot_lower*s9_4;
@@ -376,10 +378,10 @@ using Closure = ClosureOf<Lanes>;
   const Lanes s2_8 = s2_7 + fma(r_knuckle_x, s2_6, s1_1*s2_5);
   const Lanes s2_9 = 0.5*fma(s2_4, s2_6, fms(s2_3, s2_5, l_upper));
   result.residual[0] = s2_9;
-  result.pivot[0] = 4.409001792788769*mbgen::abs(s2_8);
-  const Lanes s2_10 = 1.0/s2_8;
 
   // --- step 4: velocities ---
+  result.pivot[0] = 4.409001792788769*mbgen::abs(s2_8);
+  const Lanes s2_10 = 1.0/s2_8;
   result.dz[Coordinate::lower] = s2_9*s2_10;
   result.zd[Coordinate::lower] = -(s2_10*(state.zd[Coordinate::ball]*s2_7));
   const Lanes s1_3 = fms(15.0, state.t, state.z[Coordinate::pull]);
@@ -409,9 +411,9 @@ struct ConstraintForcesOf {
 using ConstraintForces = ConstraintForcesOf<Lanes>;
 
 /// Part 1 of compute_multipliers: step 1: poses and axes b; step 5: applied forces Q (48); step 4:
-/// velocities; step 5: applied forces Q (48); step 7: inertias of the bodies and forces on joints;
-/// step 5: applied forces Q (48); step 7: inertias of the bodies and forces on joints; step 9:
-/// multipliers of the closures and driving forces.
+/// velocities; step 9: multipliers of the closures and driving forces; step 7: inertias of the
+/// bodies and forces on joints; step 5: applied forces Q (48); step 7: inertias of the bodies and
+/// forces on joints; step 9: multipliers of the closures and driving forces.
 [[gnu::noinline]] void compute_multipliers_1(const Tuned& parameters, const State& state,
     const Lanes* tau, const Derivative& derivative, ConstraintForces& __restrict result) noexcept {
   // --- step 1: poses and axes b ---
@@ -455,7 +457,11 @@ using ConstraintForces = ConstraintForcesOf<Lanes>;
   // wheel: wheel, revolute, knuckle
   const Lanes r_wheel_z = r_knuckle_z + s1_4;
   const Lanes s5_16 = p_pull_z + r_wheel_z;
+
+  // --- step 9: multipliers of the closures and driving forces ---
   const Lanes s5_17 = radius_tyre - s5_16;
+
+  // --- step 7: inertias of the bodies and forces on joints ---
   const Lanes s5_18 = mbgen::max(0.0, k_tyre*s5_17);
   const Lanes s5_19 = fnma(0.3333333333333333, mbgen::max(0.0, s5_17), radius_tyre);
   const Lanes s5_20 = mbgen::min(s5_18, d_tyre*fma(s1_3, w_knuckle_y, zd_lower*r_knuckle_x));
@@ -478,11 +484,7 @@ using ConstraintForces = ConstraintForcesOf<Lanes>;
   const Lanes v_wheel_x = fma(s1_4, w_knuckle_y, v_knuckle_x);
   const Lanes w_wheel_y = state.zd[Coordinate::wheel] + w_knuckle_y;
   const Lanes s5_29 = w_wheel_y*s5_19;
-
-  // --- step 7: inertias of the bodies and forces on joints ---
   const Lanes s7_1 = w_knuckle_y*w_knuckle_y;
-
-  // --- step 5: applied forces Q (48), continued ---
   // tyre
   const Lanes s5_30 = mbgen::abs(v_wheel_x);
   const Lanes s5_31 = v_wheel_x - s5_29;
@@ -547,7 +549,7 @@ using ConstraintForces = ConstraintForcesOf<Lanes>;
   // carriage: pull, prismatic, ground
   const Lanes Q_pull = tau[Coordinate::pull] - s7_13 - f_arm_x - f_carriage_x;
 
-  // --- step 9: multipliers of the closures and driving forces ---
+  // --- step 9: multipliers of the closures and driving forces, continued ---
   result.drive[0] = -Q_pull;
   const Lanes s9_1 = fma(p_upper_to_z, R_knuckle_x_z, p_upper_to_x*R_knuckle_x_x);
   const Lanes s9_2 = fnma(p_upper_to_x, R_knuckle_x_z, p_upper_to_z*R_knuckle_x_x);
@@ -572,8 +574,8 @@ void compute_multipliers(const Tuned* parameters, const Inputs* /*inputs*/, cons
     compute_multipliers_1(parameters[g], state[g], tau[g].tau, derivative[g], result[g]);
 }
 
-/// Part 1 of compute_outputs: step 1: poses and axes b; step 5: applied forces Q (48); step 4:
-/// velocities; step 5: applied forces Q (48); step 9: outputs, energies, power; step 7: inertias of
+/// Part 1 of compute_outputs: step 1: poses and axes b; step 5: applied forces Q (48); step 9:
+/// outputs, energies, power; step 4: velocities; step 5: applied forces Q (48); step 7: inertias of
 /// the bodies and forces on joints.
 [[gnu::noinline]] void compute_outputs_1(const Tuned& parameters, const State& state,
     const Lanes* tau, const Multipliers& multipliers, Outputs& __restrict result) noexcept {
@@ -605,6 +607,8 @@ void compute_multipliers(const Tuned* parameters, const Inputs* /*inputs*/, cons
   const Lanes tension_spring = s5_13 + fms(s5_5 - l0_spring, parameters.k, -f0_spring);
   result.spring_force = tension_spring;
   const Lanes s5_14 = s5_6*tension_spring;
+
+  // --- step 9: outputs, energies, power ---
   const Lanes s1_1 = z_lower + state.z[Coordinate::ball];
   // knuckle: ball, revolute, arm
   Lanes R_knuckle_x_x, R_knuckle_x_z;
@@ -666,8 +670,6 @@ void compute_multipliers(const Tuned* parameters, const Inputs* /*inputs*/, cons
   const Lanes s9_2 = fma(v_wheel_x, fx_tyre, fnma(s4_2, load_tyre, s9_1));
   mbgen::read_back();
   const Lanes s9_3 = tau[Coordinate::pull] + multipliers.drive[0];
-
-  // --- step 9: outputs, energies, power ---
   const Lanes s9_4 = fnma(s5_1, s5_4*s5_14, fnma(s5_2, s5_3*s5_14, tau[Coordinate::lower]));
   result.applied_power = fma(zd_lower, s9_4, fma(zd_pull, s9_3, fnma(w_wheel_y, s5_39, s9_2)));
 
