@@ -249,29 +249,18 @@ void mark_drives(const Model& model, const Topology& topology, Analysis& analysi
     }
 }
 
-/// The free coordinates, those of a block by the partition that is asked for.
-template <class PartitionOf>
-std::vector<int> coordinates_in(const Topology& topology, const Analysis& analysis, PartitionOf partition_of) {
+}  // namespace
+
+std::vector<int> free_coordinates(const Topology& topology, const Analysis& analysis) {
   std::vector<int> result;
   for (const JointGroup& group : topology.groups) {
     if (group.block < 0) {
       if (!analysis.driven[group.joints[0]]) result.push_back(group.joints[0]);
       continue;
     }
-    for (int c : partition_of(analysis.blocks[group.block]).independent) result.push_back(group.joints[c]);
+    for (int c : analysis.blocks[group.block].independent) result.push_back(group.joints[c]);
   }
   return result;
-}
-
-}  // namespace
-
-std::vector<int> free_coordinates(const Topology& topology, const Analysis& analysis) {
-  return coordinates_in(topology, analysis, [](const BlockAnalysis& block) -> const LoopPartition& { return block; });
-}
-
-std::vector<int> free_coordinates_of_recursion(const Topology& topology, const Analysis& analysis) {
-  return coordinates_in(topology, analysis,
-                        [](const BlockAnalysis& block) -> const LoopPartition& { return block.quasi; });
 }
 
 LeastOperations least_operations(const Topology& topology, const Analysis& analysis) {

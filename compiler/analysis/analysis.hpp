@@ -32,8 +32,6 @@ inline bool chooses_again(const Topology& topology) {
 
 /// Which coordinate names which free direction: the independent, undriven coordinates, group by group.
 std::vector<int> free_coordinates(const Topology& topology, const Analysis& analysis);
-/// The same of the recursive form, whose blocks may take others, see BlockAnalysis::quasi.
-std::vector<int> free_coordinates_of_recursion(const Topology& topology, const Analysis& analysis);
 
 /// Decides rank, redundant equations, dependent coordinates and elimination order of each loop block.
 /// Fails: a loop that cannot be closed near the reference, redundant equations that contradict (residual and joint

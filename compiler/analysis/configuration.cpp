@@ -32,7 +32,7 @@ NumericSystem::NumericSystem(const Model& model, const Topology& topology)
     : layout_(choose_layout(model, topology)), system_{model, topology, layout_, default_environment(model, topology),
                                                        {},    {},       scribe_} {
   system_.x.assign(2 * model.tyres.size(), 0.0);
-  system_.constants = make_constants(model, topology, system_.environment);
+  system_.constants = make_constants(model, topology, system_.environment, Origins::of_joints);
 }
 
 System<double>& NumericSystem::at(const std::vector<double>& z) {

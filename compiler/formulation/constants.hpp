@@ -197,14 +197,20 @@ RodConstants<T> rod_constants(const Model& model, const Topology& topology, cons
   return result;
 }
 
+/// Where the origins of bodies lie: slid along their axes, or in the points of their joints, where a mechanism and its
+/// mirror image have the same numbers.
+enum class Origins { slid, of_joints };
+
 /// Evaluates every constant. Ends of massive rods become point masses m/3 of their bodies (the other third is the
 /// coupling).
 template <class T>
-Constants<T> make_constants(const Model& model, const Topology& topology, const Environment<T>& environment) {
+Constants<T> make_constants(const Model& model, const Topology& topology, const Environment<T>& environment,
+                            Origins origins = Origins::slid) {
   Constants<T> constants;
   constants.gravity = value_of(model, model.gravity, environment);
   constants.shift = shifts(model, topology, environment);
-  const std::vector<SlidOrigin> slid = slid_origins(model, topology);
+  const std::vector<SlidOrigin> slid =
+      origins == Origins::slid ? slid_origins(model, topology) : std::vector<SlidOrigin>(topology.bodies.size());
   for (std::size_t i = 0; i < topology.bodies.size(); ++i) {
     const Attachment& from = model.joints[topology.bodies[i].joint].from;
     Vector<T> origin =

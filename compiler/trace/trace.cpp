@@ -171,8 +171,7 @@ Programs trace(const Model& model, const Topology& topology, const Analysis& ana
   if (!topology.loops.empty()) programs.closure_terms = trace_closure_terms(model, topology, analysis, programs.form);
   programs.multipliers = trace_multipliers(model, topology, analysis, programs.form);
   programs.outputs = trace_outputs(model, topology, analysis, programs.form);
-  const bool is_recursive = programs.form == Form::recursive;
-  for (int i : is_recursive ? free_coordinates_of_recursion(topology, analysis) : free_coordinates(topology, analysis))
+  for (int i : free_coordinates(topology, analysis))
     programs.free_direction_coordinate.push_back(topology.bodies[i].coordinate);
   int equation = 0;
   for (std::size_t b = 0; b < topology.blocks.size(); ++b) {

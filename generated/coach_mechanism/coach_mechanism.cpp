@@ -11746,7 +11746,7 @@ struct System {
   static constexpr int kBlockCoordinates = 22;
   static constexpr mbgen::FreeDirection kFreeDirection[] = {
       {0, -1, 0}, {1, -1, 0}, {2, -1, 0}, {3, -1, 0}, {4, -1, 0}, {5, -1, 0}, {6, 0, 0}, {13, 0, 1},
-      {21, 0, 2}, {10, -1, 0}, {17, -1, 0}, {29, 1, 0}, {31, 1, 1}, {28, -1, 0}, {30, -1, 0}};
+      {21, 0, 2}, {10, -1, 0}, {17, -1, 0}, {24, 1, 0}, {27, 1, 1}, {28, -1, 0}, {30, -1, 0}};
   static constexpr double Parameters::*kParameterMember[] = {nullptr};
   static constexpr double Inputs::*kInputMember[] = {nullptr};
   static constexpr unsigned char kDriven[] = {

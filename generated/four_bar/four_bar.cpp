@@ -657,7 +657,7 @@ struct System {
   static constexpr int kDrives = 0;
   static constexpr double kClosureTolerance = 1e-12;
   static constexpr int kBlockCoordinates = 3;
-  static constexpr mbgen::FreeDirection kFreeDirection[] = {{0, 0, 0}};
+  static constexpr mbgen::FreeDirection kFreeDirection[] = {{1, 0, 0}};
   static constexpr double Parameters::*kParameterMember[] = {&Parameters::k};
   static constexpr double Inputs::*kInputMember[] = {&Inputs::torque};
   static constexpr unsigned char kDriven[] = {0, 0, 0};

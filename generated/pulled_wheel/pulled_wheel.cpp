@@ -829,7 +829,7 @@ struct System {
   static constexpr int kDrives = 1;
   static constexpr double kClosureTolerance = 1e-12;
   static constexpr int kBlockCoordinates = 2;
-  static constexpr mbgen::FreeDirection kFreeDirection[] = {{1, 0, 0}, {3, -1, 0}};
+  static constexpr mbgen::FreeDirection kFreeDirection[] = {{2, 0, 0}, {3, -1, 0}};
   static constexpr double Parameters::*kParameterMember[] = {&Parameters::k, &Parameters::ballast};
   static constexpr double Inputs::*kInputMember[] = {nullptr};
   static constexpr unsigned char kDriven[] = {1, 0, 0, 0};

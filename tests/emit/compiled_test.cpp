@@ -290,8 +290,8 @@ Program random_program(int size, int outputs) {
                     Op::log, Op::pow,      Op::tanh,     Op::abs,    Op::min,     Op::max,   Op::select,
                     Op::add, Op::subtract, Op::multiply, Op::add,    Op::multiply};
   for (int i = 0; i < size; ++i) {
-    if (i % 300 == 0) builder.set_section({Step::forces, i / 300});
-    if (i % 50 == 0) builder.set_owner({OwnerKind::spring, i / 50});
+    if (i % 300 == 0) builder.set_section({static_cast<Step>(1 + i / 300), -1});
+    if (i % 50 == 0) builder.set_owner({OwnerKind::tree_body, i / 50 % 2});
     const Op op = ops[std::uniform_int_distribution<std::size_t>(0, std::size(ops) - 1)(random)];
     ValueId value = builder.append(op, recent(), arity(op) > 1 ? any() : kNoValue, arity(op) > 2 ? recent() : kNoValue);
     // Squashed, so that chains stay in range; by a quotient, since compilers know identities of composed functions.

@@ -362,7 +362,7 @@ Program three_sections() {
 TEST(Schedules, canFollowTheSections) {
   const Program program = three_sections();
   const Schedule result = schedule(program, {Division::by_section});
-  EXPECT_EQ(result.parts.size(), 5u) << "3000 values in three parts, and one part for each other section";
+  EXPECT_EQ(result.parts.size(), 6u) << "3000 values in four parts, and one part for each other section";
   std::size_t next = 0;
   for (const PlaceRange& part : result.parts) {
     EXPECT_EQ(part.first, next);
@@ -381,8 +381,8 @@ TEST(ProgramText, tellsTheClockTheEndOfEverySection) {
   calls.erase(std::remove(calls.begin(), calls.end(), '\n'), calls.end());
   const std::string f = shape.function;
   EXPECT_EQ(calls, "Work work;  " + f + "_1(state, work, result);  clock.at_end_of(1);  " + f + "_2(work);  " + f +
-                       "_3(work);  " + f + "_4(work);  clock.at_end_of(4);  " + f +
-                       "_5(work, result);  clock.at_end_of(9);}");
+                       "_3(work);  " + f + "_4(work);  " + f + "_5(work);  clock.at_end_of(4);  " + f +
+                       "_6(work, result);  clock.at_end_of(9);}");
 }
 
 TEST(Schedules, leaveDeadValuesOut) {
