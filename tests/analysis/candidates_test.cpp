@@ -115,7 +115,8 @@ TEST(Mirror, CoachHasLeftAndRight) {
   EXPECT_EQ(mirror.sign[at("chassis_ty")], -1);
   EXPECT_EQ(mirror.sign[at("chassis_rz")], -1) << "a turn is reflected and turned round";
   EXPECT_EQ(mirror.sign[at("chassis_ry")], 1);
-  EXPECT_EQ(mirror.image[at("bell_crank")], -1) << "it is on one side";
+  EXPECT_EQ(mirror.image[at("bell_crank")], at("bell_crank")) << "its joint lies in the plane";
+  EXPECT_FALSE(mirror.equal[at("bell_crank")]) << "its centre of mass does not";
   for (std::size_t i = 0; i < mirror.image.size(); ++i)
     if (mirror.image[i] >= 0) EXPECT_EQ(mirror.image[mirror.image[i]], static_cast<int>(i));
 }
