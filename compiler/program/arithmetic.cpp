@@ -151,7 +151,8 @@ double fold(Op op, double first, double second, double third) {
   if (op == Op::add) return decimal_sum(first, second);
   if (op == Op::subtract) return decimal_sum(first, -second);
   if (op == Op::multiply) return decimal_product(first, second);
-  return apply(op, first, second, third);
+  const double value = apply(op, first, second, third);
+  return op == Op::divide || op == Op::sqrt ? without_rounding(value, value) : value;
 }
 
 bool is_commutative(Op op) { return op == Op::add || op == Op::multiply || op == Op::min || op == Op::max; }

@@ -1,5 +1,6 @@
 #include "compiler/program/decimal.hpp"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <cstdint>
@@ -17,8 +18,10 @@ struct Decimal {
   int exponent = 0;
 };
 
-constexpr int kMostDigits = 15;  ///< of a decimal that a double holds whatever its digits
-constexpr int kMostShift = 18;   ///< 15 + 18 digits fit into Wide
+constexpr int kMostDigits = 15;   ///< of a decimal that a double holds whatever its digits
+constexpr int kMostShift = 18;    ///< 15 + 18 digits fit into Wide
+constexpr int kFreedDigits = 11;  ///< one number in a thousand that nobody typed lies that near to so short a decimal
+constexpr double kRounding = 4e-15;  ///< of the size of a number: what some twenty roundings leave
 
 /// The shortest decimal that reads back as `value`, none when it is longer than people type.
 std::optional<Decimal> typed_decimal(double value) {
@@ -67,7 +70,8 @@ double decimal_sum(double a, double b) {
   const double sum = a + b;
   if (!std::isfinite(sum)) return sum;
   const std::optional<Decimal> first = typed_decimal(a), second = typed_decimal(b);
-  if (!first || !second || std::abs(first->exponent - second->exponent) > kMostShift) return sum;
+  if (!first || !second) return without_rounding(sum, std::max(std::abs(a), std::abs(b)));
+  if (std::abs(first->exponent - second->exponent) > kMostShift) return sum;
   const int exponent = first->exponent < second->exponent ? first->exponent : second->exponent;
   return nearest({with_exponent(*first, exponent).digits + with_exponent(*second, exponent).digits, exponent});
 }
@@ -76,8 +80,17 @@ double decimal_product(double a, double b) {
   const double product = a * b;
   if (!std::isnormal(product)) return product;
   const std::optional<Decimal> first = typed_decimal(a), second = typed_decimal(b);
-  if (!first || !second) return product;
+  if (!first || !second) return without_rounding(product, product);
   return nearest({first->digits * second->digits, first->exponent + second->exponent});
+}
+
+double without_rounding(double value, double size) {
+  if (!std::isnormal(size)) return value;
+  const int exponent = static_cast<int>(std::floor(std::log10(std::abs(size)))) - (kFreedDigits - 1);
+  const double count = std::nearbyint(value / std::pow(10.0, exponent));
+  if (!(std::abs(count) < std::pow(10.0, kMostDigits))) return value;
+  const double freed = nearest({static_cast<std::int64_t>(count), exponent});
+  return std::abs(freed - value) <= kRounding * std::abs(size) ? freed : value;
 }
 
 }  // namespace mbgen

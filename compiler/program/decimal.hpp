@@ -3,9 +3,14 @@
 
 namespace mbgen {
 
-/// a + b and a b, taken as the shortest decimals that read back as a and b and rounded once; as doubles where one of
-/// these has more than 15 digits, which nobody typed.
+/// a + b and a b, taken as the shortest decimals that read back as a and b and rounded once. Where one of these has more
+/// than 15 digits, which nobody typed: as doubles, then freed of their rounding.
 double decimal_sum(double a, double b);
 double decimal_product(double a, double b);
+
+/// A number freed of the rounding of earlier steps: the decimal of at most 11 digits, counted from the first of `size`,
+/// that lies within 4e-15 of `size` of it; itself where there is none. size: of the largest term of a sum, so that what
+/// is left of terms that cancel becomes 0. Numbers that are equal but for rounding become one number.
+double without_rounding(double value, double size);
 
 }  // namespace mbgen

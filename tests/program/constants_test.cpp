@@ -6,6 +6,7 @@
 #include <string>
 
 #include "compiler/passes/passes.hpp"
+#include "compiler/program/arithmetic.hpp"
 #include "compiler/program/decimal.hpp"
 
 namespace mbgen {
@@ -27,6 +28,22 @@ TEST(Decimal, WhatNobodyTypedIsAddedAsDoubles) {
   EXPECT_EQ(decimal_sum(1e300, 1e-300), 1e300);
   EXPECT_EQ(decimal_product(1e-200, 1e-200), 0.0);
   EXPECT_TRUE(std::isinf(decimal_sum(1e308, 1e308)));
+}
+
+TEST(Decimal, WhatRoundingBlurredIsTheShortDecimalAgain) {
+  const double third = 1.0 / 3;
+  EXPECT_EQ(decimal_sum(third, -third + 1e-17), 0);
+  EXPECT_EQ(decimal_sum(1.2500000000000002, -1.2), 0.05) << "and not 0.050000000000000266";
+  EXPECT_EQ(decimal_product(0.033333333333333333, 3), 0.1);
+  EXPECT_EQ(fold(Op::divide, 0.6, 0.2, 0), 3) << "and not 2.9999999999999996";
+  EXPECT_EQ(fold(Op::divide, 1, 3, 0), third);
+  EXPECT_EQ(fold(Op::sqrt, 0.1156, 0, 0), 0.34) << "and not 0.33999999999999997";
+  EXPECT_EQ(decimal_sum(third, -0.33333333333333), third - 0.33333333333333) << "a difference, and not rounding";
+  EXPECT_EQ(without_rounding(0.12345678901, 0.1), 0.12345678901);
+  EXPECT_EQ(without_rounding(0.123456789012345, 0.1), 0.123456789012345) << "longer than what rounding is told from";
+  EXPECT_EQ(without_rounding(1e-310, 1e-310), 1e-310);
+  EXPECT_TRUE(std::isnan(without_rounding(std::nan(""), 1)));
+  EXPECT_TRUE(std::isinf(fold(Op::divide, 1e308, 1e-8, 0)));
 }
 
 Expr named(ProgramBuilder& builder, double value, const std::string& name) {
