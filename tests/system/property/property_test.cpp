@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "compiler/analysis/configuration.hpp"
+#include "compiler/analysis/symmetry.hpp"
 #include "tests/system/property/properties.hpp"
 
 namespace mbgen::testing {
@@ -36,13 +38,33 @@ RandomMechanism shrunk(const Property& property, RandomMechanism random) {
   return random;
 }
 
-class EveryFamily : public ::testing::TestWithParam<int> {};
+struct NamedFamily {
+  Family family;
+  const char* name;
+};
+
+/// Of EveryFamily; locked has a test of its own.
+constexpr NamedFamily kFamilies[] = {
+    {Family::tree, "tree"},
+    {Family::deep_chain, "deep_chain"},
+    {Family::closed_chain, "closed_chain"},
+    {Family::planar_loops, "planar_loops"},
+    {Family::rods, "rods"},
+    {Family::massless_links, "massless_links"},
+    {Family::floating, "floating"},
+    {Family::tiny, "tiny"},
+    {Family::mirror_halves, "mirror_halves"},
+    {Family::nearly_mirror_halves, "nearly_mirror_halves"},
+    {Family::equal_legs, "equal_legs"},
+};
+
+class EveryFamily : public ::testing::TestWithParam<NamedFamily> {};
 
 TEST_P(EveryFamily, HasTheProperties) {
   const int cases = from_environment("MBGEN_PROPERTY_CASES", 12), first = from_environment("MBGEN_PROPERTY_SEED", 1);
   Tally tally;
   for (int seed = first; seed < first + cases; ++seed) {
-    const RandomMechanism random = random_mechanism(static_cast<Family>(GetParam()), seed);
+    const RandomMechanism random = random_mechanism(GetParam().family, seed);
     const Result<Mechanism> m = understood(random);
     ++tally.mechanisms;
     if (!m) {
@@ -65,12 +87,6 @@ TEST_P(EveryFamily, HasTheProperties) {
   std::printf("%ld mechanisms, %ld refused, %ld states, %zu properties\n", tally.mechanisms, tally.refused,
               tally.states, properties().size());
   EXPECT_GT(tally.states, tally.mechanisms / 2) << "too few states were compared";
-}
-
-std::string family_name(const ::testing::TestParamInfo<int>& info) {
-  static constexpr const char* kNames[] = {"tree", "deep_chain",     "closed_chain", "planar_loops",
-                                           "rods", "massless_links", "floating",     "tiny"};
-  return kNames[info.param];
 }
 
 /// Well-posed whatever is locked or overconstrained: none is refused, and two Cartesian judges say the same.
@@ -134,7 +150,30 @@ TEST(Bricard, EveryLineSymmetricOneHasOneFreedom) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Random, EveryFamily, ::testing::Range(0, kFamilies), family_name);
+/// Tree bodies whose numbers are not those of their mirror image; all of them where the plane y = 0 is not seen.
+std::vector<std::string> unlike_their_images(const RandomMechanism& random) {
+  const Result<Mechanism> m = understood(random);
+  EXPECT_TRUE(m) << to_text(m ? Diagnostics{} : m.problems()) << model_text(random);
+  std::vector<std::string> result;
+  if (!m) return result;
+  const Mirror mirror = find_mirror(m->topology, NumericSystem(m->model, m->topology).constants());
+  for (int i = 0; i < m->topology.size(); ++i)
+    if (std::abs(mirror.normal[1]) < 1 - 1e-9 || mirror.image[i] < 0 || !mirror.equal[i])
+      result.push_back(m->topology.bodies[i].name);
+  return result;
+}
+
+TEST(Symmetry, EveryMirrorImageIsSeenAndSoIsOneOtherNumber) {
+  for (int seed = 1; seed <= 40; ++seed) {
+    const RandomMechanism halves = random_mechanism(Family::mirror_halves, seed);
+    EXPECT_EQ(unlike_their_images(halves), std::vector<std::string>{}) << model_text(halves);
+    const RandomMechanism other = random_mechanism(Family::nearly_mirror_halves, seed);
+    EXPECT_EQ(unlike_their_images(other).size(), 2u) << model_text(other);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Random, EveryFamily, ::testing::ValuesIn(kFamilies),
+                         [](const auto& info) { return info.param.name; });
 
 }  // namespace
 }  // namespace mbgen::testing

@@ -61,9 +61,11 @@ enum class Family {
   massless_links,  ///< between massive bodies
   floating,        ///< a free base without gravity
   tiny,            ///< one body or none
-  locked           ///< overconstrained linkages that move by their geometry, and structures, beside a part that moves
+  locked,          ///< overconstrained linkages that move by their geometry, and structures, beside a part that moves
+  mirror_halves,   ///< a left half and its mirror image on a base between them
+  nearly_mirror_halves,  ///< the same, but for one number
+  equal_legs             ///< three equal legs, a third of a turn apart, under a platform
 };
-constexpr int kFamilies = 8;  ///< those that EveryFamily takes; locked has a test of its own
 
 RandomMechanism random_mechanism(Family family, std::uint64_t seed);
 
