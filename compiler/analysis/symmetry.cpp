@@ -27,7 +27,7 @@ double extent_of(const Constants<double>& constants) {
   return std::max(extent, 1e-3);  // m: all joints at the origin of the axes
 }
 
-/// Planes half way between bodies of one mass, those that most pairs ask for first.
+/// Planes half way between joints of bodies of one mass, those that most pairs ask for first.
 std::vector<Mirror> planes(const Topology& topology, const Constants<double>& c, double tolerance) {
   struct Counted {
     Mirror plane;
@@ -41,7 +41,11 @@ std::vector<Mirror> planes(const Topology& topology, const Constants<double>& c,
     for (std::size_t b = a + 1; b < with_mass.size(); ++b) {
       const int i = with_mass[a], j = with_mass[b];
       if (topology.bodies[i].kind != topology.bodies[j].kind || c.mass[i] != c.mass[j]) continue;
-      const Vector<double> from = c.origin[i] + c.com[i], to = c.origin[j] + c.com[j], across = to - from;
+      // Joints in one point may lie on the plane.
+      const bool in_one_point = length(c.origin[j] - c.origin[i]) < tolerance;
+      const Vector<double> from = in_one_point ? c.origin[i] + c.com[i] : c.origin[i];
+      const Vector<double> to = in_one_point ? c.origin[j] + c.com[j] : c.origin[j];
+      const Vector<double> across = to - from;
       const double apart = length(across);
       if (apart < tolerance) continue;
       const Vector<double> n = (1 / apart) * across;

@@ -9,6 +9,8 @@
 #include <optional>
 #include <sstream>
 
+#include "compiler/analysis/configuration.hpp"
+#include "compiler/analysis/symmetry.hpp"
 #include "compiler/describe/names.hpp"
 #include "compiler/describe/notes.hpp"
 #include "compiler/emit/titles.hpp"
@@ -220,6 +222,43 @@ std::string block_explanation(const Compilation& c, std::size_t b) {
   return text;
 }
 
+/// "y = 0", or by its normal.
+std::string plane_of(const Mirror& mirror) {
+  constexpr const char* kLetters[] = {"x", "y", "z"};
+  for (std::size_t i = 0; i < 3; ++i)
+    if (1 - std::abs(mirror.normal[i]) < kParallel)
+      return fmt::format("{} = {:.6g}", kLetters[i], std::copysign(1.0, mirror.normal[i]) * mirror.offset + 0.0);
+  return fmt::format("across ({:.6g}, {:.6g}, {:.6g}), {:.6g} m from the origin", mirror.normal[0], mirror.normal[1],
+                     mirror.normal[2], mirror.offset);
+}
+
+/// Left and right, where most bodies with mass have a mirror image: a number that differs may be a slip.
+std::string sides_explanation(const Compilation& c) {
+  const Mirror mirror = find_mirror(c.topology, NumericSystem(c.model, c.topology).constants());
+  std::vector<std::string> pairs, unlike, alone;
+  std::size_t with_mass = 0;
+  for (int i = 0; i < c.topology.size(); ++i) {
+    const int image = mirror.image[static_cast<std::size_t>(i)];
+    const TreeBody& body = c.topology.bodies[static_cast<std::size_t>(i)];
+    if (body.massless) continue;
+    ++with_mass;
+    if (image < 0) alone.push_back(body.name);
+    if (image < i) continue;
+    const std::string& other = body_name(c.topology, image);
+    if (image > i) pairs.push_back(fmt::format("{} and {}", body.name, other));
+    if (!mirror.equal[static_cast<std::size_t>(i)])
+      unlike.push_back(image > i ? fmt::format("{} and {}", body.name, other) : body.name);
+  }
+  if (pairs.empty() || 2 * alone.size() > with_mass) return "";
+  std::string text = heading("Left and right") +
+                     paragraph(fmt::format("In the plane {}, these are mirror images, with their joints: {}.",
+                                           plane_of(mirror), fmt::join(pairs, "; ")));
+  if (!unlike.empty())
+    text += paragraph(fmt::format("Mass, centre of mass or inertia are not mirrored: {}.", fmt::join(unlike, "; ")));
+  if (!alone.empty()) text += paragraph(fmt::format("Joints of {} have no mirror image.", listed(alone)));
+  return text;
+}
+
 std::string freedoms_explanation(const Compilation& c) {
   std::string text = heading("Freedoms");
   const std::vector<int> free = free_coordinates(c.topology, c.analysis);
@@ -274,8 +313,8 @@ std::string explanation_text(const Compilation& compilation) {
   std::string text =
       overview_text(compilation) + tree_explanation(compilation.topology) + cuts_explanation(compilation);
   for (std::size_t b = 0; b < compilation.topology.blocks.size(); ++b) text += block_explanation(compilation, b);
-  return text + freedoms_explanation(compilation) + operations_explanation(compilation) +
-         notes_explanation(all_notes(compilation));
+  return text + sides_explanation(compilation) + freedoms_explanation(compilation) +
+         operations_explanation(compilation) + notes_explanation(all_notes(compilation));
 }
 
 }  // namespace mbgen

@@ -7,7 +7,8 @@
 
 namespace mbgen {
 
-/// Tree, cuts and their reasons, loop blocks, redundant equations and their reasons, freedoms, operations by part.
+/// Tree, cuts and their reasons, loop blocks, redundant equations and their reasons, left and right, freedoms,
+/// operations by part.
 std::string explanation_text(const Compilation& compilation);
 
 }  // namespace mbgen

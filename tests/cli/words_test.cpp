@@ -66,6 +66,31 @@ TEST_F(CommandLine, ExplainSaysWhyEquationsAreLeftOut) {
   }
 }
 
+TEST_F(CommandLine, ExplainTellsLeftFromRight) {
+  EXPECT_NE(mbgen("explain " + kSource + "/models/coach_mechanism.json")
+                .out.find("\nLeft and right\n--------------\n"
+                          "In the plane y = 0, these are mirror images, with their joints: lower_arm_left and "
+                          "lower_arm_right;\n"),
+            std::string::npos);
+  const char* scooter = R"({"mbgen": 1, "name": "scooter", "bodies": {
+      "ground": {"points": {"left": [0, 0.4, 0], "middle": [0, 0, 0], "right": [0, -0.4, 0]}},
+      "left": {"mass": 1, "com": [0.1, 0.4, 0], "inertia": [1, 1, 1], "points": {"pin": [0, 0.4, 0]}},
+      "post": {"mass": 2, "com": [0, 0.1, 0], "inertia": [1, 1, 1], "points": {"pin": [0, 0, 0]}},
+      "right": {"mass": 1, "com": [0.1, -0.4, 0.01], "inertia": [1, 1, 1], "points": {"pin": [0, -0.4, 0]}}},
+    "joints": {
+      "left": {"type": "revolute", "axis": "y", "from": "ground.left", "to": "left.pin"},
+      "post": {"type": "revolute", "axis": "z", "from": "ground.middle", "to": "post.pin"},
+      "right": {"type": "revolute", "axis": "y", "from": "ground.right", "to": "right.pin"}}})";
+  write("scooter.json", scooter);
+  EXPECT_NE(mbgen("explain scooter.json")
+                .out.find("In the plane y = 0, these are mirror images, with their joints: left and right.\n"
+                          "Mass, centre of mass or inertia are not mirrored: left and right; post.\n"),
+            std::string::npos)
+      << mbgen("explain scooter.json").out;
+  write("pendulum.json", kPendulum);
+  EXPECT_EQ(mbgen("explain pendulum.json").out.find("Left and right"), std::string::npos);
+}
+
 TEST_F(CommandLine, ColoursAreForTerminalsOnly) {
   write("bad.json", R"({ "mbgen": 1, "bodys": {} })");
   EXPECT_EQ(mbgen("check bad.json").err.find('\033'), std::string::npos);
