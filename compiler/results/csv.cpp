@@ -1,4 +1,4 @@
-// Tables as comma separated values.
+#include "compiler/results/csv.hpp"
 
 #include <fmt/format.h>
 
@@ -6,7 +6,7 @@
 #include <charconv>
 #include <cmath>
 
-#include "compiler/results/parts.hpp"
+#include "compiler/results/faults.hpp"
 
 namespace mbgen {
 namespace {
@@ -55,10 +55,6 @@ Heading heading_of(const std::string& field) {
           field.substr(bracket + 1, field.size() - bracket - 2)};
 }
 
-std::string heading_text(const Heading& heading) {
-  return heading.unit.empty() ? heading.name : fmt::format("{} [{}]", heading.name, heading.unit);
-}
-
 std::string csv_field(const std::string& text) {
   if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
   std::string quoted = "\"";
@@ -87,8 +83,6 @@ std::vector<std::string> csv_fields(std::string_view line) {
   return fields;
 }
 
-namespace results_detail {
-
 Result<Results> read_csv(std::string_view text, const std::string& file) {
   Results results;
   int line = 1;
@@ -97,14 +91,14 @@ Result<Results> read_csv(std::string_view text, const std::string& file) {
   for (++line; !text.empty(); ++line) {
     const std::string_view row = without_blanks(take_line(text));
     if (row.empty()) continue;
-    if (std::string wrong = read_row(row, results); !wrong.empty()) return problem(file, line, std::move(wrong));
+    if (std::string wrong = read_row(row, results); !wrong.empty()) return table_fault(file, line, std::move(wrong));
     const std::vector<double>& time = results.columns.front().values;
     if (time.size() > 1 && !(time.back() > time[time.size() - 2])) {
-      return problem(file, line, fmt::format("t must increase, found {} after {}", time.back(), time[time.size() - 2]));
+      return table_fault(file, line,
+                         fmt::format("t must increase, found {} after {}", time.back(), time[time.size() - 2]));
     }
   }
   return results;
 }
 
-}  // namespace results_detail
 }  // namespace mbgen

@@ -2,7 +2,7 @@
 // 32-bit integers), the name with its final zero, and the values column by column.
 // Source: "MAT-File Format", The MathWorks, "Level 4 MAT-Files".
 
-#include <fmt/format.h>
+#include "compiler/results/mat.hpp"
 
 #include <algorithm>
 #include <array>
@@ -12,7 +12,7 @@
 #include <cstring>
 #include <map>
 
-#include "compiler/results/parts.hpp"
+#include "compiler/results/faults.hpp"
 
 namespace mbgen {
 namespace {
@@ -100,8 +100,6 @@ std::string mat_text(const Results& results) {
   return bytes;
 }
 
-namespace results_detail {
-
 bool is_mat(std::string_view bytes) {
   constexpr std::string_view kLevel5 = "MATLAB 5.0 MAT-file";
   if (bytes.starts_with(kLevel5)) return true;
@@ -114,7 +112,7 @@ bool is_mat(std::string_view bytes) {
 
 Result<Results> read_mat(std::string_view bytes, const std::string& file) {
   const auto refuse = [&] {
-    return problem(file, 0, "not a MAT file of level 4 as mbgen writes it, with data, names and units");
+    return table_fault(file, 0, "not a MAT file of level 4 as mbgen writes it, with data, names and units");
   };
   std::map<std::string, Record> records;
   while (!bytes.empty()) {
@@ -137,5 +135,4 @@ Result<Results> read_mat(std::string_view bytes, const std::string& file) {
   return results;
 }
 
-}  // namespace results_detail
 }  // namespace mbgen

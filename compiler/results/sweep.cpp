@@ -1,4 +1,4 @@
-// Tables of a study.
+#include "compiler/results/sweep.hpp"
 
 #include <fmt/format.h>
 
@@ -6,7 +6,8 @@
 #include <cmath>
 #include <limits>
 
-#include "compiler/results/parts.hpp"
+#include "compiler/results/csv.hpp"
+#include "compiler/results/faults.hpp"
 
 namespace mbgen {
 namespace {
@@ -52,20 +53,20 @@ Result<Results> read_sweep(std::string_view text, const std::string& file) {
     const std::size_t wanted = results.columns.size() + (has_status ? 1 : 0);
     const int line = static_cast<int>(row) + 1;
     if (fields.size() != wanted) {
-      return results_detail::problem(
-          file, line, fmt::format("must have {} fields like the header, found {}", wanted, fields.size()));
+      return table_fault(file, line,
+                         fmt::format("must have {} fields like the header, found {}", wanted, fields.size()));
     }
     for (std::size_t c = 0; c < results.columns.size(); ++c) {
       double value = 0;
       if (!read_field(fields[c], value)) {
-        return results_detail::problem(file, line,
-                                       fmt::format("{}: must be a finite number or empty, found {}",
-                                                   results.columns[c].heading.name, in_quotes(fields[c])));
+        return table_fault(file, line,
+                           fmt::format("{}: must be a finite number or empty, found {}",
+                                       results.columns[c].heading.name, in_quotes(fields[c])));
       }
       results.columns[c].values.push_back(value);
     }
   }
-  if (results.rows() == 0) return results_detail::problem(file, 0, "has no rows");
+  if (results.rows() == 0) return table_fault(file, 0, "has no rows");
   return results;
 }
 
