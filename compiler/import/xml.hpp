@@ -7,7 +7,8 @@
 #include <string_view>
 #include <vector>
 
-#include "compiler/import/import.hpp"
+#include "compiler/import/request.hpp"
+#include "compiler/model/diagnostic.hpp"
 
 namespace mbgen::importing {
 

@@ -1,0 +1,25 @@
+#pragma once
+// A robot's file to import, and the files beside it.
+
+#include <functional>
+#include <optional>
+#include <string>
+
+namespace mbgen {
+
+/// Where the root link of a URDF robot is. The format does not say; a root link named "world" is the ground itself.
+enum class RobotBase { fixed, floating };
+
+struct ImportRequest {
+  std::string file;             ///< path of the robot's file, used in messages and as the base of <include>
+  std::string text;             ///< its content
+  std::string loops_file = {};  ///< path of the sidecar, for messages
+  /// content of the sidecar (URDF only): loops, and positions where they close; see docs/use/import.md
+  std::optional<std::string> loops = {};
+  RobotBase base = RobotBase::fixed;  ///< of a URDF robot
+  /// Content of a file that the robot's file includes, nothing when it cannot be read. Called with a path relative to
+  /// the working directory.
+  std::function<std::optional<std::string>(const std::string& path)> read = {};
+};
+
+}  // namespace mbgen
