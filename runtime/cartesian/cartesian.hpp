@@ -8,17 +8,10 @@
 #include "compiler/model/model.hpp"
 #include "compiler/topology/topology.hpp"
 #include "mbgen/status.hpp"
+#include "runtime/cartesian/method.hpp"
 #include "runtime/state/state.hpp"
 
 namespace mbgen {
-
-/// How (5) is solved.
-enum class CartesianMethod {
-  augmented,    ///< (5) with redundant equations removed by (12)-(15)
-  range_space,  ///< (16)-(20)
-  null_space,   ///< (27)
-  maggi         ///< (30)
-};
 
 /// Method that keeps the integrated constraints closed.
 enum class Stabilisation {

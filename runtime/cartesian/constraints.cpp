@@ -5,7 +5,7 @@
 #include <numbers>
 
 #include "compiler/model/jet.hpp"
-#include "runtime/cartesian/content.hpp"
+#include "runtime/cartesian/mechanism.hpp"
 
 namespace mbgen {
 namespace cartesian {
@@ -112,7 +112,7 @@ FirstRows first_rows(const Parts& parts, const Model& model, const Topology& top
 
 using namespace cartesian;
 
-std::vector<Row> CartesianSystem::Content::equations_at(const std::vector<Moving>& bodies, const Values& values) const {
+std::vector<Row> CartesianMechanism::equations_at(const std::vector<Moving>& bodies, const Values& values) const {
   std::vector<Row> rows;
   for (const PartJoint& joint : parts.joints) add_joint(joint, bodies, rows);
   for (const PartRod& rod : parts.rods) add_rod(rod, parts.ground(), bodies, rows);

@@ -1,6 +1,7 @@
 // Forces from multipliers: closures of the tree, driving forces, reactions of the joints.
 
-#include "runtime/cartesian/content.hpp"
+#include "runtime/cartesian/mechanism.hpp"
+#include "runtime/cartesian/system.hpp"
 
 namespace mbgen {
 namespace {
@@ -35,7 +36,7 @@ CartesianWrench about(const Vector3d& arm, const Vector6d& wrench) {
 
 std::vector<double> CartesianSystem::loop_multipliers(const CartesianState& state,
                                                       const Eigen::VectorXd& lambda) const {
-  const Content& c = *content_;
+  const CartesianMechanism& c = *mechanism_;
   const std::vector<Moving> bodies = c.bodies(state);
   std::vector<double> result;
   std::vector<int> base(c.topology.loops.size(), kGround);
@@ -61,15 +62,15 @@ std::vector<double> CartesianSystem::loop_multipliers(const CartesianState& stat
 
 std::vector<double> CartesianSystem::driving_forces(const Eigen::VectorXd& lambda) const {
   std::vector<double> result;
-  for (std::size_t k = 0; k < content_->model.motions.size(); ++k)
-    result.push_back(-lambda[content_->first.motions + static_cast<int>(k)]);
+  for (std::size_t k = 0; k < mechanism_->model.motions.size(); ++k)
+    result.push_back(-lambda[mechanism_->first.motions + static_cast<int>(k)]);
   return result;
 }
 
 std::vector<CartesianWrench> CartesianSystem::joint_reactions(const CartesianState& state, const GenericState& z,
                                                               const std::vector<double>& tau,
                                                               const Eigen::VectorXd& lambda) const {
-  const Content& c = *content_;
+  const CartesianMechanism& c = *mechanism_;
   const std::vector<Moving> bodies = c.bodies(state);
   const Values values = c.values(z, state.t);
   const std::vector<Row> rows = c.equations_at(bodies, values);
@@ -91,7 +92,7 @@ std::vector<CartesianWrench> CartesianSystem::joint_reactions(const CartesianSta
 }
 
 std::vector<Vector3d> CartesianSystem::rod_forces(const CartesianState& state, const Eigen::VectorXd& lambda) const {
-  const Content& c = *content_;
+  const CartesianMechanism& c = *mechanism_;
   const std::vector<Moving> bodies = c.bodies(state);
   std::vector<Vector3d> on_to;
   for (std::size_t r = 0; r < c.parts.rods.size(); ++r) {

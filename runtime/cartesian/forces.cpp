@@ -3,7 +3,7 @@
 #include "mbgen/forces.hpp"
 
 #include "mbgen/table.hpp"
-#include "runtime/cartesian/content.hpp"
+#include "runtime/cartesian/mechanism.hpp"
 #include "runtime/cartesian/tyre_contact.hpp"
 
 namespace mbgen {
@@ -104,8 +104,8 @@ void add_joint_elements(const Model& model, const Values& value, std::vector<dou
 
 }  // namespace
 
-Forces CartesianSystem::Content::forces(const std::vector<Moving>& bodies, const std::vector<double>& x,
-                                        const Values& values) const {
+Forces CartesianMechanism::forces(const std::vector<Moving>& bodies, const std::vector<double>& x,
+                                  const Values& values) const {
   Forces forces;
   forces.joints.resize(topology.bodies.size());
   for (std::size_t s = 0; s < model.springs.size(); ++s)

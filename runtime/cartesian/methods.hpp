@@ -4,8 +4,8 @@
 #include <Eigen/Dense>
 #include <optional>
 
-#include "runtime/cartesian/cartesian.hpp"
 #include "runtime/cartesian/constraint_factors.hpp"
+#include "runtime/cartesian/method.hpp"
 
 namespace mbgen {
 

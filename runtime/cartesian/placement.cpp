@@ -3,7 +3,8 @@
 #include <Eigen/Geometry>
 
 #include "compiler/algebra/turns.hpp"
-#include "runtime/cartesian/content.hpp"
+#include "runtime/cartesian/mechanism.hpp"
+#include "runtime/cartesian/system.hpp"
 
 namespace mbgen {
 namespace {
@@ -62,7 +63,7 @@ CartesianBody placed_rod(const End& from, const End& to) {
 
 }  // namespace
 
-std::vector<Moving> CartesianSystem::Content::bodies(const CartesianState& state) const {
+std::vector<Moving> CartesianMechanism::bodies(const CartesianState& state) const {
   std::vector<Moving> result;
   for (const CartesianBody& body : state.bodies)
     result.push_back({body.attitude.toRotationMatrix(), body.position, body.velocity, body.spin});
@@ -73,7 +74,7 @@ std::vector<Moving> CartesianSystem::Content::bodies(const CartesianState& state
 }
 
 CartesianState CartesianSystem::place(const GenericState& state) const {
-  const Content& c = *content_;
+  const CartesianMechanism& c = *mechanism_;
   const auto pin_of = [&](const Place& at) -> Vector3d {
     return c.parts.bodies[at.body].centre + c.parts.bodies[at.body].axes * at.arm;
   };
@@ -108,9 +109,9 @@ GenericState CartesianSystem::joint_state(const CartesianState& state, const Gen
   GenericState result = guess;
   result.x = state.x;
   result.t = state.t;
-  const std::vector<Moving> bodies = content_->bodies(state);
-  for (std::size_t j = 0; j < content_->parts.joints.size(); ++j)
-    for (const JointCoordinate& coordinate : content_->coordinates_of(static_cast<int>(j), bodies, guess.z)) {
+  const std::vector<Moving> bodies = mechanism_->bodies(state);
+  for (std::size_t j = 0; j < mechanism_->parts.joints.size(); ++j)
+    for (const JointCoordinate& coordinate : mechanism_->coordinates_of(static_cast<int>(j), bodies, guess.z)) {
       result.z[coordinate.index] = coordinate.row.residual;
       result.zd[coordinate.index] = coordinate.zd;
     }
@@ -119,13 +120,13 @@ GenericState CartesianSystem::joint_state(const CartesianState& state, const Gen
 
 std::vector<double> CartesianSystem::joint_accelerations(const CartesianState& state, const GenericState& z,
                                                          const Eigen::VectorXd& qdd) const {
-  std::vector<double> zdd(content_->topology.bodies.size());
-  const std::vector<Moving> bodies = content_->bodies(state);
+  std::vector<double> zdd(mechanism_->topology.bodies.size());
+  const std::vector<Moving> bodies = mechanism_->bodies(state);
   const auto part = [&](int body, const Vector6d& columns) {
-    return body == content_->moving() ? 0.0 : columns.dot(qdd.segment<6>(6 * body));
+    return body == mechanism_->moving() ? 0.0 : columns.dot(qdd.segment<6>(6 * body));
   };
-  for (std::size_t j = 0; j < content_->parts.joints.size(); ++j)
-    for (const JointCoordinate& c : content_->coordinates_of(static_cast<int>(j), bodies, z.z))
+  for (std::size_t j = 0; j < mechanism_->parts.joints.size(); ++j)
+    for (const JointCoordinate& c : mechanism_->coordinates_of(static_cast<int>(j), bodies, z.z))
       zdd[c.index] = part(c.row.from, c.row.on_from) + part(c.row.to, c.row.on_to) - c.row.bias;
   return zdd;
 }

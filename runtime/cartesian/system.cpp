@@ -1,6 +1,6 @@
 #include "runtime/cartesian/system.hpp"
 
-#include "runtime/cartesian/content.hpp"
+#include "runtime/cartesian/mechanism.hpp"
 
 namespace mbgen {
 
@@ -8,38 +8,25 @@ using namespace cartesian;
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-CartesianSystem::Content::Content(const Model& m, const Topology& t) : model(m), topology(t) {
-  for (const Joint& joint : model.joints) table.emplace_back(joint.freedoms.size(), -1);
-  for (int i = 0; i < topology.size(); ++i) table[topology.bodies[i].joint][topology.bodies[i].component] = i;
-  for (const Input& input : model.inputs) inputs.push_back(input.default_value);
-  for (const Parameter& parameter : model.parameters) parameters.push_back(parameter.value);
-  refresh();
-  first = first_rows(parts, model, topology);
-}
-
-void CartesianSystem::Content::refresh() {
-  parts = make_parts(model, topology, Values{model, table, parameters, inputs});
-}
-
 CartesianSystem::CartesianSystem(const Model& model, const Topology& topology)
-    : content_(std::make_unique<Content>(model, topology)) {}
+    : mechanism_(std::make_unique<CartesianMechanism>(model, topology)) {}
 CartesianSystem::~CartesianSystem() = default;
 CartesianSystem::CartesianSystem(CartesianSystem&&) noexcept = default;
 
-int CartesianSystem::coordinates() const { return 6 * content_->moving(); }
-int CartesianSystem::equations() const { return content_->first.end; }
-int CartesianSystem::loop_of(int equation) const { return content_->first.loop_of[equation]; }
+int CartesianSystem::coordinates() const { return 6 * mechanism_->moving(); }
+int CartesianSystem::equations() const { return mechanism_->first.end; }
+int CartesianSystem::loop_of(int equation) const { return mechanism_->first.loop_of[equation]; }
 
 void CartesianSystem::set_inputs(const std::vector<double>& inputs) {
-  content_->inputs = inputs;
-  content_->refresh();
+  mechanism_->inputs = inputs;
+  mechanism_->refresh();
 }
 
 void CartesianSystem::set_parameters(const std::vector<double>& tunable_parameters) {
   std::size_t next = 0;
-  for (std::size_t p = 0; p < content_->parameters.size(); ++p)
-    if (content_->model.parameters[p].tunable) content_->parameters[p] = tunable_parameters[next++];
-  content_->refresh();
+  for (std::size_t p = 0; p < mechanism_->parameters.size(); ++p)
+    if (mechanism_->model.parameters[p].tunable) mechanism_->parameters[p] = tunable_parameters[next++];
+  mechanism_->refresh();
 }
 
 namespace {
@@ -77,7 +64,7 @@ void add_equations(const Parts& parts, const std::vector<Moving>& bodies, const 
 
 CartesianTerms CartesianSystem::terms(const CartesianState& state, const GenericState& z,
                                       const std::vector<double>& tau) const {
-  const Content& c = *content_;
+  const CartesianMechanism& c = *mechanism_;
   const std::vector<Moving> bodies = c.bodies(state);
   const Values values = c.values(z, state.t);
   const int n = coordinates(), m = equations();

@@ -8,24 +8,10 @@
 
 #include "compiler/model/model.hpp"
 #include "compiler/topology/topology.hpp"
+#include "runtime/cartesian/bodies.hpp"
 #include "runtime/state/state.hpp"
 
 namespace mbgen {
-
-/// Pose and motion of one body, global axes.
-struct CartesianBody {
-  Eigen::Vector3d position;     ///< of the centre of mass, m
-  Eigen::Quaterniond attitude;  ///< body axes in global axes, unit
-  Eigen::Vector3d velocity;     ///< of the centre of mass, m/s
-  Eigen::Vector3d spin;         ///< angular velocity, rad/s
-};
-
-/// All bodies that move: the bodies of the model but ground, massless ones too, then the rods that have mass.
-struct CartesianState {
-  std::vector<CartesianBody> bodies;
-  std::vector<double> x;  ///< auxiliary states, as GenericState::x
-  double t = 0;           ///< s
-};
 
 /// Index-1 terms at one state, n = 6 per body, m equations: M qdd + Phi_q' lambda = F, Phi_q qdd = c (5).
 /// qdd holds, body after body, the acceleration of the centre of mass and the angular acceleration, global axes.
@@ -45,6 +31,8 @@ struct CartesianTerms {
 struct CartesianWrench {
   Eigen::Vector3d force, moment;  ///< N, N m
 };
+
+struct CartesianMechanism;
 
 class CartesianSystem {
  public:
@@ -88,8 +76,7 @@ class CartesianSystem {
   std::vector<Eigen::Vector3d> rod_forces(const CartesianState& state, const Eigen::VectorXd& lambda) const;
 
  private:
-  struct Content;
-  std::unique_ptr<Content> content_;
+  std::unique_ptr<CartesianMechanism> mechanism_;
 };
 
 }  // namespace mbgen

@@ -1,11 +1,12 @@
 #pragma once
-// Data of a Cartesian system, and its view of one state.
+// A mechanism as the Cartesian equations see it: its numbers, the places of its equations, and its forces at a state.
 
 #include <utility>
 #include <vector>
 
+#include "runtime/cartesian/bodies.hpp"
 #include "runtime/cartesian/joint_coordinates.hpp"
-#include "runtime/cartesian/system.hpp"
+#include "runtime/state/state.hpp"
 
 namespace mbgen {
 namespace cartesian {
@@ -34,7 +35,7 @@ struct Forces {
 
 }  // namespace cartesian
 
-struct CartesianSystem::Content {
+struct CartesianMechanism {
   Model model;
   Topology topology;
   cartesian::CoordinateTable table;
@@ -42,7 +43,8 @@ struct CartesianSystem::Content {
   cartesian::Parts parts;
   cartesian::FirstRows first;
 
-  Content(const Model& model, const Topology& topology);
+  CartesianMechanism(const Model& model, const Topology& topology);
+  /// Evaluates the parts anew, at the parameters and inputs.
   void refresh();
 
   cartesian::Values values(const GenericState& z, double t) const {

@@ -1,0 +1,14 @@
+#pragma once
+// The choice among the formulations of the paper's first section.
+
+namespace mbgen {
+
+/// How (5) is solved.
+enum class CartesianMethod {
+  augmented,    ///< (5) with redundant equations removed by (12)-(15)
+  range_space,  ///< (16)-(20)
+  null_space,   ///< (27)
+  maggi         ///< (30)
+};
+
+}  // namespace mbgen
