@@ -6,7 +6,8 @@
 
 #include "compiler/algebra/dense.hpp"
 #include "mbgen/newton.hpp"
-#include "runtime/generic/content.hpp"
+#include "runtime/generic/equations.hpp"
+#include "runtime/generic/generic.hpp"
 
 namespace mbgen {
 namespace {
@@ -28,9 +29,8 @@ struct Demand {
 };
 
 /// A loop block of a state, whose coordinates are to move.
-template <class Content>
 struct MovableBlock {
-  Content& content;
+  GenericEquations& equations;
   const LoopBlock& block;
   const Demand& demand;
   GenericState& state;
@@ -110,11 +110,10 @@ void set_block(const LoopBlock& block, const VectorXd& from, std::vector<double>
 }
 
 /// The closure at block coordinates z, which the state takes over.
-template <class Content>
-Closure closure_at(const MovableBlock<Content>& m, const VectorXd& z) {
+Closure closure_at(const MovableBlock& m, const VectorXd& z) {
   set_block(m.block, z, m.state.z);
-  System<double>& system = m.content.system(m.state);
-  const BlockClosure<double> closed = closure(system, kinematics(system), m.block, m.content.rest);
+  System<double>& system = m.equations.system(m.state);
+  const BlockClosure<double> closed = closure(system, kinematics(system), m.block, m.equations.rest);
   Closure result{Eigen::Map<const VectorXd>(closed.residual.data(), static_cast<Index>(closed.residual.size())),
                  MatrixXd(static_cast<Index>(closed.residual.size()), z.size())};
   for (std::size_t e = 0; e < closed.jacobian.size(); ++e)
@@ -126,8 +125,7 @@ Closure closure_at(const MovableBlock<Content>& m, const VectorXd& z) {
 /// Closes a block by its movable coordinates, or opens it as little as can be. Damping by the squared residual keeps
 /// Newton's order: N. Yamashita, M. Fukushima, "On the rate of convergence of the Levenberg-Marquardt method",
 /// Computing Supplement 15, 2001. Result: |Phi|.
-template <class Content>
-double close(const MovableBlock<Content>& m, VectorXd& z) {
+double close(const MovableBlock& m, VectorXd& z) {
   Closure here = closure_at(m, z);
   double damping = 1;
   for (int step = 0; step < kNearestIterations && here.residual.norm() > kSmallestResidual; ++step) {
@@ -155,8 +153,7 @@ VectorXd missing(const Demand& demand, const VectorXd& target, const VectorXd& z
 
 /// Takes the fixed coordinates to their place on the way from `start` to the wishes (share: 0 to 1), closes the
 /// block, and goes along the closures to where the other wishes, taken as far, are met best. Result: |Phi|.
-template <class Content>
-double approach(const MovableBlock<Content>& m, const VectorXd& start, double share, int most_steps, VectorXd& z) {
+double approach(const MovableBlock& m, const VectorXd& start, double share, int most_steps, VectorXd& z) {
   const Demand& demand = m.demand;
   const VectorXd target = start + share * (demand.value - start);
   z(demand.fixed) = target(demand.fixed);
@@ -191,8 +188,7 @@ struct Found {
 };
 
 /// Follows the closures from the block's position to the wishes, in moves so small that it stays on its branch.
-template <class Content>
-Found followed(const MovableBlock<Content>& m, const VectorXd& start) {
+Found followed(const MovableBlock& m, const VectorXd& start) {
   const VectorXd way = m.demand.value - start;
   const double farthest =
       std::max(largest(way(m.demand.fixed)), largest(m.demand.weight.cwiseSign().cwiseProduct(way(m.demand.movable))));
@@ -205,8 +201,7 @@ Found followed(const MovableBlock<Content>& m, const VectorXd& start) {
 }
 
 /// Closes the block from the very values of the wishes, which may lie on another branch.
-template <class Content>
-Found leapt(const MovableBlock<Content>& m, const VectorXd& start) {
+Found leapt(const MovableBlock& m, const VectorXd& start) {
   Found found{m.demand.value};
   for (std::size_t c = 0; c < m.demand.movable.size(); ++c) {
     const int column = m.demand.movable[c];
@@ -218,8 +213,7 @@ Found leapt(const MovableBlock<Content>& m, const VectorXd& start) {
 }
 
 /// Takes a block to its wishes. Result: |Phi|.
-template <class Content>
-double assemble_block(const MovableBlock<Content>& m) {
+double assemble_block(const MovableBlock& m) {
   const VectorXd start = of_block(m.block, m.state.z);
   Found best = followed(m, start);
   if (!(best.open <= kClosed) || best.missing > kClosed) {
@@ -232,8 +226,7 @@ double assemble_block(const MovableBlock<Content>& m) {
 }
 
 /// The block's velocities nearest to the wishes, with Phi_z zd = 0. Result: |Phi_z zd|.
-template <class Content>
-double set_velocities(const MovableBlock<Content>& m) {
+double set_velocities(const MovableBlock& m) {
   const Demand& demand = m.demand;
   const MatrixXd jacobian = closure_at(m, of_block(m.block, m.state.z)).jacobian;
   const MatrixXd movable = jacobian(Eigen::all, demand.movable);
@@ -249,35 +242,35 @@ double set_velocities(const MovableBlock<Content>& m) {
 }  // namespace
 
 Status GenericSolver::assemble(GenericState& state, const std::vector<CoordinateWish>& positions) const {
-  if (const Status status = content_->check_arguments(state, {}); !status.ok()) return status;
+  if (const Status status = equations_->check_arguments(state, {}); !status.ok()) return status;
   const std::vector<double> start = state.z;
-  System<double>& system = content_->system(state);
-  if (const Status status = Content::follow_motions(system, state); !status.ok()) return status;
+  System<double>& system = equations_->system(state);
+  if (const Status status = GenericEquations::follow_motions(system, state); !status.ok()) return status;
   const std::vector<CoordinateWish> wishes = with_drives(positions, drives(system), &Drive<double>::position);
   for (const CoordinateWish& wish : wishes) state.z[wish.coordinate] = wish.value;
-  for (const LoopBlock& block : content_->topology.blocks) set_block(block, of_block(block, start), state.z);
+  for (const LoopBlock& block : equations_->topology.blocks) set_block(block, of_block(block, start), state.z);
   Status result;
-  for (std::size_t b = 0; b < content_->topology.blocks.size(); ++b) {
-    const LoopBlock& block = content_->topology.blocks[b];
+  for (std::size_t b = 0; b < equations_->topology.blocks.size(); ++b) {
+    const LoopBlock& block = equations_->topology.blocks[b];
     const Demand demand = demand_of(block, wishes);
     if (demand.fixed.empty() && largest(demand.weight) == 0) continue;
-    const double open = assemble_block<Content>({*content_, block, demand, state});
+    const double open = assemble_block({*equations_, block, demand, state});
     if (!(open <= kClosed) && result.ok()) result = {Code::loop_not_closed, static_cast<int>(b)};
   }
   return result;
 }
 
 Status GenericSolver::assemble_velocities(GenericState& state, const std::vector<CoordinateWish>& velocities) const {
-  if (const Status status = content_->check_arguments(state, {}); !status.ok()) return status;
-  System<double>& system = content_->system(state);
-  if (const Status status = Content::follow_motions(system, state); !status.ok()) return status;
+  if (const Status status = equations_->check_arguments(state, {}); !status.ok()) return status;
+  System<double>& system = equations_->system(state);
+  if (const Status status = GenericEquations::follow_motions(system, state); !status.ok()) return status;
   const std::vector<CoordinateWish> wishes = with_drives(velocities, drives(system), &Drive<double>::velocity);
   for (const CoordinateWish& wish : wishes) state.zd[wish.coordinate] = wish.value;
   Status result;
-  for (std::size_t b = 0; b < content_->topology.blocks.size(); ++b) {
-    const LoopBlock& block = content_->topology.blocks[b];
+  for (std::size_t b = 0; b < equations_->topology.blocks.size(); ++b) {
+    const LoopBlock& block = equations_->topology.blocks[b];
     const Demand demand = demand_of(block, wishes);
-    const double open = set_velocities<Content>({*content_, block, demand, state});
+    const double open = set_velocities({*equations_, block, demand, state});
     const double scale = std::max(1.0, largest(of_block(block, state.zd)));
     if (!(open <= kClosed * scale) && result.ok()) result = {Code::loop_not_closed, static_cast<int>(b)};
   }

@@ -3,7 +3,8 @@
 
 #include "compiler/algebra/dense.hpp"
 #include "mbgen/newton.hpp"
-#include "runtime/generic/content.hpp"
+#include "runtime/generic/equations.hpp"
+#include "runtime/generic/generic.hpp"
 
 namespace mbgen {
 namespace {
@@ -20,9 +21,8 @@ struct Balance {
   Eigen::MatrixXd rz;       ///< coordinates x free directions
 };
 
-template <class Content>
-Balance balance(Content& content, const GenericState& state) {
-  System<double>& system = content.system(state);
+Balance balance(GenericEquations& equations, const GenericState& state) {
+  System<double>& system = equations.system(state);
   const Kinematics<double> k = kinematics(system);
   const Velocities<double> v = velocities(system, k);
   const Inertias<double> m = inertias(system, k);
@@ -30,11 +30,12 @@ Balance balance(Content& content, const GenericState& state) {
   const std::vector<double> still(state.z.size(), 0.0);
   const std::vector<double> q = tree_forces(system, k, m, v, mbgen::accelerations(system, k, v, still), forces, still);
   Balance b;
-  b.rz = dense_rz(content.topology, frozen_directions(system, k, content.analysis.blocks, content.analysis.driven));
+  b.rz =
+      dense_rz(equations.topology, frozen_directions(system, k, equations.analysis.blocks, equations.analysis.driven));
   b.force = b.rz.transpose() * Eigen::Map<const Eigen::VectorXd>(q.data(), static_cast<Eigen::Index>(q.size()));
-  tree_mass_matrix(system, k, m, content.mass);
+  tree_mass_matrix(system, k, m, equations.mass);
   Eigen::MatrixXd mass = Eigen::MatrixXd::Zero(b.rz.rows(), b.rz.rows());
-  spread(content.mass, mass);
+  spread(equations.mass, mass);
   b.inertia = (b.rz.transpose() * mass * b.rz).diagonal();
   return b;
 }
@@ -57,9 +58,8 @@ Status moved(const GenericSolver& solver, const GenericState& state, const Balan
 }
 
 /// d force / d unknowns by central differences along the closures.
-template <class Content>
-Status stiffness_at(const GenericSolver& solver, Content& content, const GenericState& state, const Balance& b,
-                    Eigen::MatrixXd& stiffness) {
+Status stiffness_at(const GenericSolver& solver, GenericEquations& equations, const GenericState& state,
+                    const Balance& b, Eigen::MatrixXd& stiffness) {
   const Eigen::Index unknowns = b.rz.cols() + static_cast<Eigen::Index>(state.x.size());
   stiffness.resize(b.rz.cols(), unknowns);
   for (Eigen::Index u = 0; u < unknowns; ++u) {
@@ -67,7 +67,7 @@ Status stiffness_at(const GenericSolver& solver, Content& content, const Generic
     GenericState ahead, behind;
     if (const Status status = moved(solver, state, b, change, ahead); !status.ok()) return status;
     if (const Status status = moved(solver, state, b, -change, behind); !status.ok()) return status;
-    stiffness.col(u) = (balance(content, ahead).force - balance(content, behind).force) / (2 * kDifference);
+    stiffness.col(u) = (balance(equations, ahead).force - balance(equations, behind).force) / (2 * kDifference);
   }
   return {};
 }
@@ -99,15 +99,14 @@ double unbalanced_acceleration(const Balance& b) {
 }
 
 /// Walks from a settled state to a balance; `trial` is the last state that was tried.
-template <class Content>
-Status walk_to_balance(const GenericSolver& solver, Content& content, Search search, int most_steps,
+Status walk_to_balance(const GenericSolver& solver, GenericEquations& equations, Search search, int most_steps,
                        GenericState& trial) {
   for (int step = 0;; ++step) {
-    const Balance here = balance(content, trial);
+    const Balance here = balance(equations, trial);
     if (here.rz.cols() == 0) return {};
     const double unbalanced = unbalanced_acceleration(here);
     Eigen::MatrixXd stiffness;
-    if (const Status status = stiffness_at(solver, content, trial, here, stiffness); !status.ok()) return status;
+    if (const Status status = stiffness_at(solver, equations, trial, here, stiffness); !status.ok()) return status;
     Eigen::VectorXd change = next_change(here, stiffness, unbalanced, search);
     if (!change.allFinite()) return {Code::not_a_number, -1};
     const double longest = (here.rz * change.head(here.rz.cols())).cwiseAbs().maxCoeff();
@@ -127,10 +126,10 @@ Status GenericSolver::equilibrium(GenericState& state) const {
   std::fill(start.zd.begin(), start.zd.end(), 0.0);
   if (const Status status = settled(*this, start); !status.ok()) return status;
   GenericState found = start;
-  Status status = walk_to_balance(*this, *content_, Search::downhill, kBalanceIterations, found);
+  Status status = walk_to_balance(*this, *equations_, Search::downhill, kBalanceIterations, found);
   if (!status.ok()) {
     GenericState near = start;
-    if (walk_to_balance(*this, *content_, Search::straight, kStraightIterations, near).ok()) {
+    if (walk_to_balance(*this, *equations_, Search::straight, kStraightIterations, near).ok()) {
       found = std::move(near);
       status = {};
     }

@@ -5,26 +5,26 @@
 #include <functional>
 
 #include "mbgen/closure.hpp"
-#include "runtime/generic/content.hpp"
+#include "runtime/generic/equations.hpp"
 
 namespace mbgen {
 
 GenericSolver::GenericSolver(const Model& model, const Topology& topology, const Analysis& analysis,
                              const GenericAlgebra& algebra)
-    : content_(std::make_unique<Content>(model, topology, analysis, algebra)) {}
+    : equations_(std::make_unique<GenericEquations>(model, topology, analysis, algebra)) {}
 GenericSolver::~GenericSolver() = default;
 GenericSolver::GenericSolver(GenericSolver&&) noexcept = default;
 
 void GenericSolver::set_inputs(const std::vector<double>& inputs) {
-  content_->at.environment.inputs = inputs;  // no constant of a model depends on them
+  equations_->at.environment.inputs = inputs;  // no constant of a model depends on them
 }
 
 void GenericSolver::set_parameters(const std::vector<double>& tunable_parameters) {
-  std::vector<double>& parameters = content_->at.environment.parameters;
+  std::vector<double>& parameters = equations_->at.environment.parameters;
   std::size_t next = 0;
   for (std::size_t p = 0; p < parameters.size(); ++p)
-    if (content_->model.parameters[p].tunable) parameters[p] = tunable_parameters[next++];
-  content_->refresh();
+    if (equations_->model.parameters[p].tunable) parameters[p] = tunable_parameters[next++];
+  equations_->refresh();
 }
 
 Status GenericSolver::accelerations(const GenericState& state, const std::vector<double>& tau,
@@ -33,33 +33,33 @@ Status GenericSolver::accelerations(const GenericState& state, const std::vector
     if (clock) clock->at_end_of(static_cast<int>(step));
   };
   if (clock) clock->start();
-  Content& content = *content_;
-  if (const Status status = content.check_arguments(state, tau); !status.ok()) return status;
-  System<double>& system = content.system(state);
+  GenericEquations& equations = *equations_;
+  if (const Status status = equations.check_arguments(state, tau); !status.ok()) return status;
+  System<double>& system = equations.system(state);
   for (const Drive<double>& d : drives(system))
     if (!std::isfinite(d.acceleration)) return {Code::not_a_number, d.coordinate};
   const Kinematics<double> k = kinematics(system);
   const Inertias<double> m = inertias(system, k);
   end_of(Step::inertias);
-  if (const Status status = content.algebra.factorise(content.closures(system, k)); !status.ok()) return status;
+  if (const Status status = equations.algebra.factorise(equations.closures(system, k)); !status.ok()) return status;
   end_of(Step::jacobian);
-  content.algebra.form_rz();
+  equations.algebra.form_rz();
   end_of(Step::projection);
   const Velocities<double> v = velocities(system, k);
   end_of(Step::velocities);
   const AppliedForces<double> forces = applied_forces(system, k, v);
   end_of(Step::forces);
-  std::vector<double> zdd = content.starred_accelerations(system, content.closure_accelerations(system, k));
+  std::vector<double> zdd = equations.starred_accelerations(system, equations.closure_accelerations(system, k));
   end_of(Step::closure_bias);
   const Accelerations<double> a = mbgen::accelerations(system, k, v, zdd);
   const std::vector<double> q = tree_forces(system, k, m, v, a, forces, tau);
   end_of(Step::accelerations);
-  tree_mass_matrix(system, k, m, content.mass);
-  content.algebra.reduce(content.mass, q, content.reduced);
+  tree_mass_matrix(system, k, m, equations.mass);
+  equations.algebra.reduce(equations.mass, q, equations.reduced);
   end_of(Step::reduced_system);
-  if (const int direction = solve_free(content.reduced, content.free); direction >= 0)
-    return {Code::no_inertia, content.coordinate_of(direction)};
-  content.algebra.add_rz_times(content.free, zdd);
+  if (const int direction = solve_free(equations.reduced, equations.free); direction >= 0)
+    return {Code::no_inertia, equations.coordinate_of(direction)};
+  equations.algebra.add_rz_times(equations.free, zdd);
   GenericDerivative result{std::move(zdd), forces.xd};
   end_of(Step::solution);
   const Status status = check_finite(result);
@@ -68,19 +68,19 @@ Status GenericSolver::accelerations(const GenericState& state, const std::vector
 }
 
 Status GenericSolver::project(GenericState& state) const {
-  if (const Status status = content_->check_arguments(state, {}); !status.ok()) return status;
+  if (const Status status = equations_->check_arguments(state, {}); !status.ok()) return status;
   GenericState trial = state;
-  const Topology& topology = content_->topology;
-  const double tolerance = content_->model.solver.closure_tolerance;
+  const Topology& topology = equations_->topology;
+  const double tolerance = equations_->model.solver.closure_tolerance;
   double previous = INFINITY;
   for (int step = 0;; ++step) {
-    System<double>& system = content_->system(trial);
-    if (const Status status = Content::follow_motions(system, trial); !status.ok()) return status;
-    const std::vector<BlockClosure<double>> closures = content_->closures(system, kinematics(system));
-    if (const Status status = content_->algebra.factorise(closures); !status.ok()) return status;
+    System<double>& system = equations_->system(trial);
+    if (const Status status = GenericEquations::follow_motions(system, trial); !status.ok()) return status;
+    const std::vector<BlockClosure<double>> closures = equations_->closures(system, kinematics(system));
+    if (const Status status = equations_->algebra.factorise(closures); !status.ok()) return status;
     PerBlock right_hand_side;
     for (const BlockClosure<double>& closed : closures) right_hand_side.emplace_back(closed.residual.size(), 0.0);
-    content_->algebra.solve(right_hand_side, trial.zd);
+    equations_->algebra.solve(right_hand_side, trial.zd);
     int open = -1;
     double size = 0;
     for (std::size_t b = 0; b < closures.size(); ++b) {
@@ -96,7 +96,7 @@ Status GenericSolver::project(GenericState& state) const {
     previous = size;
     if (step == kNewtonIterations) return {Code::loop_not_closed, open};
     std::vector<double> dz(trial.z.size(), 0.0);
-    content_->algebra.solve(right_hand_side, dz);
+    equations_->algebra.solve(right_hand_side, dz);
     for (std::size_t b = 0; b < closures.size(); ++b) {
       double longest = 0;
       for (int j : topology.blocks[b].joints) longest = std::isnan(dz[j]) ? dz[j] : std::max(longest, std::abs(dz[j]));
@@ -105,31 +105,31 @@ Status GenericSolver::project(GenericState& state) const {
       for (int j : topology.blocks[b].joints) trial.z[j] += scale * dz[j];
     }
   }
-  const Status status = content_->check_arguments(trial, {});
+  const Status status = equations_->check_arguments(trial, {});
   if (status.ok()) state = std::move(trial);
   return status;
 }
 
 std::vector<double> GenericSolver::multipliers(const GenericState& state, const std::vector<double>& tau,
                                                const GenericDerivative& derivative) const {
-  System<double>& system = content_->system(state);
-  const Solved solved = content_->solved(system, tau, derivative.zdd);
-  return in_loop_order(content_->topology, solved.multipliers);
+  System<double>& system = equations_->system(state);
+  const Solved solved = equations_->solved(system, tau, derivative.zdd);
+  return in_loop_order(equations_->topology, solved.multipliers);
 }
 
 std::vector<double> GenericSolver::driving_forces(const GenericState& state, const std::vector<double>& tau,
                                                   const GenericDerivative& derivative) const {
-  System<double> system = content_->system(state);
-  return content_->driving_forces(system, content_->solved(system, tau, derivative.zdd));
+  System<double> system = equations_->system(state);
+  return equations_->driving_forces(system, equations_->solved(system, tau, derivative.zdd));
 }
 
 std::vector<Pose> GenericSolver::poses(const GenericState& state) const {
-  System<double>& system = content_->system(state);
+  System<double>& system = equations_->system(state);
   const Kinematics<double> k = kinematics(system);
   std::vector<Pose> poses;
-  for (std::size_t b = 0; b < content_->model.bodies.size(); ++b) {
-    const Pose& reference = content_->model.bodies[b].pose;
-    const int tree = content_->topology.tree_body[b];
+  for (std::size_t b = 0; b < equations_->model.bodies.size(); ++b) {
+    const Pose& reference = equations_->model.bodies[b].pose;
+    const int tree = equations_->topology.tree_body[b];
     poses.push_back(reference);
     if (tree == kGround) {
       const Vector<double>& shift = system.constants.shift[b];
@@ -137,8 +137,8 @@ std::vector<Pose> GenericSolver::poses(const GenericState& state) const {
       for (std::size_t k = 0; k < 3; ++k) poses.back().origin[k] += moved[k];
       continue;
     }
-    const Vector<double> from_joint =
-        constant<double>(reference.origin) - carrier_origin(content_->topology, system.constants, static_cast<int>(b));
+    const Vector<double> from_joint = constant<double>(reference.origin) -
+                                      carrier_origin(equations_->topology, system.constants, static_cast<int>(b));
     const Vector<double> origin = position_in(system, k, {tree, from_joint}, kGround);
     const Matrix<double> axes = pose_rotation<double>(reference);
     const auto turned = [&](const Vector<double>& axis) { return direction_in(system, k, tree, axis, kGround); };
@@ -149,32 +149,32 @@ std::vector<Pose> GenericSolver::poses(const GenericState& state) const {
 }
 
 std::vector<double> GenericSolver::position_residuals(const GenericState& state) const {
-  System<double>& system = content_->system(state);
+  System<double>& system = equations_->system(state);
   std::vector<std::vector<double>> by_block;
-  for (const BlockClosure<double>& closed : content_->prepare(system).closures) by_block.push_back(closed.residual);
-  return in_loop_order(content_->topology, by_block);
+  for (const BlockClosure<double>& closed : equations_->prepare(system).closures) by_block.push_back(closed.residual);
+  return in_loop_order(equations_->topology, by_block);
 }
 
 std::vector<double> GenericSolver::velocity_residuals(const GenericState& state) const {
-  System<double>& system = content_->system(state);
+  System<double>& system = equations_->system(state);
   std::vector<std::vector<double>> by_block;
-  const Prepared p = content_->prepare(system);
+  const Prepared p = equations_->prepare(system);
   for (std::size_t b = 0; b < p.closures.size(); ++b) {
     by_block.emplace_back();
     for (const std::vector<double>& row : p.closures[b].jacobian) {
       double sum = 0;
-      for (std::size_t c = 0; c < row.size(); ++c) sum += row[c] * state.zd[content_->topology.blocks[b].joints[c]];
+      for (std::size_t c = 0; c < row.size(); ++c) sum += row[c] * state.zd[equations_->topology.blocks[b].joints[c]];
       by_block.back().push_back(sum);
     }
   }
-  return in_loop_order(content_->topology, by_block);
+  return in_loop_order(equations_->topology, by_block);
 }
 
 GenericOutputs GenericSolver::outputs(const GenericState& state, const std::vector<double>& tau,
                                       const GenericDerivative& derivative) const {
-  System<double>& system = content_->system(state);
-  const Solved solved = content_->solved(system, tau, derivative.zdd);
-  const std::vector<double> drive = content_->driving_forces(system, solved);
+  System<double>& system = equations_->system(state);
+  const Solved solved = equations_->solved(system, tau, derivative.zdd);
+  const std::vector<double> drive = equations_->driving_forces(system, solved);
   std::vector<int> driven;
   for (const Drive<double>& d : drives(system)) driven.push_back(d.coordinate);
   const SolvedState<double> view{solved.prepared.kinematics,

@@ -9,24 +9,10 @@
 #include "compiler/topology/topology.hpp"
 #include "mbgen/status.hpp"
 #include "mbgen/step_clock.hpp"
+#include "runtime/generic/algebra_choice.hpp"
 #include "runtime/state/state.hpp"
 
 namespace mbgen {
-
-/// The library behind the dense or sparse algebra: the paper's three columns.
-enum class LinearAlgebra {
-  eigen,  ///< dense, Eigen
-  blas,   ///< the paper's LU on cblas_idamax, cblas_dswap and cblas_dger, products by cblas_dgemm
-  sparse  ///< KLU of SuiteSparse, sparse products
-};
-
-/// How the closures choose dependent coordinates and are solved.
-enum class Factorisation { lu, qr };
-
-struct GenericAlgebra {
-  LinearAlgebra library = LinearAlgebra::eigen;
-  Factorisation factorisation = Factorisation::lu;
-};
 
 /// A value that is asked of a coordinate or its velocity.
 struct CoordinateWish {
@@ -35,6 +21,8 @@ struct CoordinateWish {
   double weight = 1;    ///< of its squared error, against the weights of the other wishes
   bool locked = false;  ///< to be met exactly; of driven coordinates the motion says where they are
 };
+
+struct GenericEquations;
 
 /// Solver of one model at double. Copies the data that it needs of its arguments. It works in memory of its own: one
 /// thread at a time, and any number of solvers in as many threads. With LinearAlgebra::blas one thread of the whole
@@ -91,13 +79,12 @@ class GenericSolver {
   Status equilibrium(GenericState& state) const;
 
  private:
-  struct Content;
   /// How near a singular position the blocks are. Fails: loop_singular.
   Status notice(const GenericState& state) const;
   /// Takes over a projected state unless it is a jump. Gives notices.
   Status without_jump(const GenericState& closed, GenericState& state) const;
 
-  std::unique_ptr<Content> content_;
+  std::unique_ptr<GenericEquations> equations_;
 };
 
 }  // namespace mbgen

@@ -10,7 +10,7 @@
 #include "compiler/analysis/analysis.hpp"
 #include "compiler/formulation/closure.hpp"
 #include "mbgen/status.hpp"
-#include "runtime/generic/generic.hpp"
+#include "runtime/generic/algebra_choice.hpp"
 #include "runtime/generic/tree_mass.hpp"
 
 namespace mbgen {

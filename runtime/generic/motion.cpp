@@ -5,7 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "runtime/generic/content.hpp"
+#include "runtime/generic/equations.hpp"
+#include "runtime/generic/generic.hpp"
 
 namespace mbgen {
 namespace {
@@ -57,11 +58,11 @@ std::vector<double> negative_product(const std::vector<std::vector<double>>& jac
 }  // namespace
 
 Status GenericSolver::notice(const GenericState& state) const {
-  System<double>& system = content_->system(state);
-  const std::vector<BlockClosure<double>> closures = content_->closures(system, kinematics(system));
+  System<double>& system = equations_->system(state);
+  const std::vector<BlockClosure<double>> closures = equations_->closures(system, kinematics(system));
   Status result;
   for (std::size_t b = 0; b < closures.size(); ++b) {
-    const Status of_block = notice_of_block(static_cast<int>(b), content_->analysis.blocks[b], closures[b].jacobian);
+    const Status of_block = notice_of_block(static_cast<int>(b), equations_->analysis.blocks[b], closures[b].jacobian);
     if (!of_block.ok()) return of_block;
     result = more_telling(result, of_block);
   }
@@ -69,10 +70,10 @@ Status GenericSolver::notice(const GenericState& state) const {
 }
 
 Status GenericSolver::without_jump(const GenericState& closed, GenericState& state) const {
-  for (std::size_t b = 0; b < content_->topology.blocks.size(); ++b) {
-    for (const int j : content_->topology.blocks[b].joints) {
+  for (std::size_t b = 0; b < equations_->topology.blocks.size(); ++b) {
+    for (const int j : equations_->topology.blocks[b].joints) {
       const bool jumps = !(std::abs(closed.z[j] - state.z[j]) <= kLargestCorrection<double>);
-      if (jumps && !content_->analysis.driven[j]) return {Code::loop_not_closed, static_cast<int>(b)};
+      if (jumps && !equations_->analysis.driven[j]) return {Code::loop_not_closed, static_cast<int>(b)};
     }
   }
   const Status status = notice(closed);
@@ -92,24 +93,24 @@ Status GenericSolver::project_motion(GenericState& state) const {
 }
 
 Status GenericSolver::project_nearest(GenericState& state) const {
-  if (const Status status = content_->check_arguments(state, {}); !status.ok()) return status;
+  if (const Status status = equations_->check_arguments(state, {}); !status.ok()) return status;
   GenericState closed = state;
   double previous = INFINITY;
   for (bool gains = true; gains;) {
-    System<double>& system = content_->system(closed);
-    if (const Status status = Content::follow_motions(system, closed); !status.ok()) return status;
-    const std::vector<BlockClosure<double>> closures = content_->closures(system, kinematics(system));
+    System<double>& system = equations_->system(closed);
+    if (const Status status = GenericEquations::follow_motions(system, closed); !status.ok()) return status;
+    const std::vector<BlockClosure<double>> closures = equations_->closures(system, kinematics(system));
     double size = 0;
     for (const BlockClosure<double>& block : closures) size = std::max(size, largest_absolute(block.residual));
     gains = size > 0 && size < 0.5 * previous;
     previous = size;
     for (std::size_t b = 0; b < closures.size(); ++b) {
-      const std::vector<int>& joints = content_->topology.blocks[b].joints;
+      const std::vector<int>& joints = equations_->topology.blocks[b].joints;
       if (!gains && !(largest_absolute(closures[b].residual) <= kRoundingFloor<double>)) {
         return {Code::loop_not_closed, static_cast<int>(b)};
       }
-      const BlockFactors factors = content_->factors(b, closures[b]);
-      if (factors.rank() < content_->analysis.blocks[b].rank) return {Code::loop_singular, static_cast<int>(b)};
+      const BlockFactors factors = equations_->factors(b, closures[b]);
+      if (factors.rank() < equations_->analysis.blocks[b].rank) return {Code::loop_singular, static_cast<int>(b)};
       // Positions while they gain, then velocities.
       const std::vector<double> open =
           gains ? negative(closures[b].residual) : negative_product(closures[b].jacobian, joints, closed.zd);
@@ -117,7 +118,7 @@ Status GenericSolver::project_nearest(GenericState& state) const {
       for (std::size_t c = 0; c < joints.size(); ++c) (gains ? closed.z : closed.zd)[joints[c]] += x[c];
     }
   }
-  const Status status = content_->check_arguments(closed, {});
+  const Status status = equations_->check_arguments(closed, {});
   return status.ok() ? without_jump(closed, state) : status;
 }
 

@@ -1,5 +1,5 @@
 #pragma once
-// Data of a generic solver, and the formulation's view of one state.
+// The equations of one model at double: its data, and the formulation's view of one state.
 
 #include <cmath>
 #include <utility>
@@ -7,9 +7,9 @@
 
 #include "compiler/formulation/formulation.hpp"
 #include "runtime/generic/block_factors.hpp"
-#include "runtime/generic/generic.hpp"
 #include "runtime/generic/loop_algebra.hpp"
 #include "runtime/generic/maggi.hpp"
+#include "runtime/state/state.hpp"
 
 namespace mbgen {
 
@@ -30,7 +30,7 @@ struct Solved {
   std::vector<double> unbalanced;  ///< tree forces less M zdd less Phi_z' lambda: driving forces, with opposite sign
 };
 
-struct GenericSolver::Content {
+struct GenericEquations {
   Model model;
   Topology topology;
   Analysis analysis;
@@ -44,7 +44,7 @@ struct GenericSolver::Content {
   ReducedEquations reduced;
   Eigen::VectorXd free;  ///< accelerations of the free directions
 
-  Content(const Model& m, const Topology& t, const Analysis& a, const GenericAlgebra& choice)
+  GenericEquations(const Model& m, const Topology& t, const Analysis& a, const GenericAlgebra& choice)
       : model(m),
         topology(t),
         analysis(a),
