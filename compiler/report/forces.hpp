@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "compiler/report/report.hpp"
+#include "compiler/report/sources.hpp"
 
 namespace mbgen {
 

@@ -4,7 +4,7 @@
 #include <nlohmann/json_fwd.hpp>
 #include <vector>
 
-#include "compiler/report/report.hpp"
+#include "compiler/report/sources.hpp"
 #include "runtime/generic/generic.hpp"
 
 namespace mbgen {

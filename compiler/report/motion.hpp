@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "compiler/report/report.hpp"
+#include "compiler/report/sources.hpp"
 
 namespace mbgen {
 
