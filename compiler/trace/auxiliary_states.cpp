@@ -1,4 +1,4 @@
-#include "compiler/trace/trace.hpp"
+#include "compiler/trace/auxiliary_states.hpp"
 
 namespace mbgen {
 

@@ -10,13 +10,13 @@ namespace {
 /// Closure terms of the blocks over joint rates, in the form that the tracing is in.
 class Closures {
  public:
-  Closures(Tracing& tracing, const Recursion& recursion, const Kinematics<Expr>& k)
+  Closures(Tracing& tracing, const Kinematics<Expr>& k)
       : system_(tracing.system), k_(k), relative_(mbgen::at_rest<Expr>(tracing.system.topology)) {
     if (tracing.form == Form::matrix) return;
-    work_.emplace(recursion_work(system_, recursion, k));
+    work_.emplace(recursion_work(system_, tracing.recursion, k));
     rates_ = tracing.in(Step::velocities, [&] { return quasi_velocities(*work_); });
     units_.resize(system_.topology.blocks.size());
-    for (const RecursionUnit& unit : recursion.units)
+    for (const RecursionUnit& unit : tracing.recursion.units)
       if (unit.block >= 0) units_[unit.block] = &unit;
   }
   /// Residual and Jacobian.
@@ -60,8 +60,7 @@ std::vector<Expr> rates_of(const System<Expr>& system, const SparseClosure<Expr>
 }  // namespace
 
 Program trace_closure(const Model& model, const Topology& topology, const Analysis& analysis, Form form) {
-  const Recursion recursion = plan_recursion(model, topology, analysis.driven);
-  Tracing tracing(Role::closure, model, topology, analysis, form == Form::matrix ? nullptr : &recursion.layout);
+  Tracing tracing(Role::closure, model, topology, analysis, form);
   System<Expr>& system = tracing.system;
   std::vector<Expr> dz(topology.size(), Expr(0.0)), zd = system.environment.zd, residual;
   tracing.in(Step::inertias, [&] {
@@ -71,7 +70,7 @@ Program trace_closure(const Model& model, const Topology& topology, const Analys
     }
   });
   const Kinematics<Expr> k = tracing.poses();
-  Closures closures(tracing, recursion, k);
+  Closures closures(tracing, k);
   for (std::size_t b = 0; b < topology.blocks.size(); ++b) {
     const LoopBlock& block = topology.blocks[b];
     const BlockAnalysis& partition = analysis.blocks[b];
@@ -100,7 +99,7 @@ Program trace_closure(const Model& model, const Topology& topology, const Analys
       zd[block.joints[c]] = velocity[c];
     }
     residual.insert(residual.end(), closed.residual.begin(), closed.residual.end());
-    if (partition.rank > 0) tracing.output(Array::pivot, static_cast<int>(b), factors.quality);
+    tracing.output_pivot(b, factors.quality);
   }
   for (const Drive<Expr>& d : tracing.drive) residual.push_back(dz[d.coordinate]);
   tracing.outputs(Array::residual, residual);
@@ -110,11 +109,10 @@ Program trace_closure(const Model& model, const Topology& topology, const Analys
 }
 
 Program trace_closure_terms(const Model& model, const Topology& topology, const Analysis& analysis, Form form) {
-  const Recursion recursion = plan_recursion(model, topology, analysis.driven);
-  Tracing tracing(Role::closure_terms, model, topology, analysis, form == Form::matrix ? nullptr : &recursion.layout);
+  Tracing tracing(Role::closure_terms, model, topology, analysis, form);
   System<Expr>& system = tracing.system;
   const Kinematics<Expr> k = tracing.poses();
-  Closures closures(tracing, recursion, k);
+  Closures closures(tracing, k);
   const bool again = chooses_again(topology);
   for (std::size_t b = 0; b < topology.blocks.size(); ++b) {
     const LoopBlock& block = topology.blocks[b];

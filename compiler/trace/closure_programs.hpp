@@ -1,7 +1,10 @@
 #pragma once
 // The programs of the loop closures over joint rates, in the frames and by the rows of a form.
 
-#include "compiler/trace/trace.hpp"
+#include "compiler/analysis/analysis.hpp"
+#include "compiler/model/model.hpp"
+#include "compiler/solver/programs.hpp"
+#include "compiler/topology/topology.hpp"
 
 namespace mbgen {
 

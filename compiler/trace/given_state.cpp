@@ -56,17 +56,17 @@ BlockMultipliers<Expr> rate_multipliers(Tracing& tracing, const GivenState& s, s
 }
 
 /// Multipliers of every block, in the form that the tracing is in.
-std::vector<BlockMultipliers<Expr>> all_multipliers(Tracing& tracing, const GivenState& s, const Recursion& recursion) {
+std::vector<BlockMultipliers<Expr>> all_multipliers(Tracing& tracing, const GivenState& s) {
   const std::size_t count = tracing.system.topology.blocks.size();
   std::vector<BlockMultipliers<Expr>> result(count);
   if (tracing.form == Form::matrix) {
     for (std::size_t b = 0; b < count; ++b) result[b] = rate_multipliers(tracing, s, b);
     return result;
   }
-  const RecursionWork<Expr> work = recursion_work(tracing.system, recursion, s.kinematics);
+  const RecursionWork<Expr> work = recursion_work(tracing.system, tracing.recursion, s.kinematics);
   std::vector<Expr> applied = s.tau;
   for (std::size_t i = 0; i < applied.size(); ++i) applied[i] += s.forces.joint[i];
-  for (const RecursionUnit& unit : recursion.units)
+  for (const RecursionUnit& unit : tracing.recursion.units)
     if (unit.block >= 0)
       result[unit.block] = block_multipliers(work, unit, tracing.analysis.blocks[unit.block].quasi, s.missing, applied);
   return result;
@@ -89,13 +89,12 @@ bool looks_at_multipliers(const Model& model) {
 }  // namespace
 
 Program trace_multipliers(const Model& model, const Topology& topology, const Analysis& analysis, Form form) {
-  const Recursion recursion = plan_recursion(model, topology, analysis.driven);
-  Tracing tracing(Role::multipliers, model, topology, analysis, form == Form::matrix ? nullptr : &recursion.layout);
+  Tracing tracing(Role::multipliers, model, topology, analysis, form);
   const GivenState s = given_state(tracing);
   const auto step = tracing.scribe.step(Step::multipliers);
   std::vector<std::vector<Expr>> lambda;
   std::vector<Expr> left = s.missing.joint;
-  const std::vector<BlockMultipliers<Expr>> blocks = all_multipliers(tracing, s, recursion);
+  const std::vector<BlockMultipliers<Expr>> blocks = all_multipliers(tracing, s);
   for (std::size_t b = 0; b < topology.blocks.size(); ++b) {
     const LoopBlock& block = topology.blocks[b];
     lambda.push_back(blocks[b].lambda);
@@ -103,7 +102,7 @@ Program trace_multipliers(const Model& model, const Topology& topology, const An
       left[block.joints[c]] = blocks[b].left[c];
       tracing.output(of_block(Array::missing, b), static_cast<int>(c), s.missing.joint[block.joints[c]]);
     }
-    if (analysis.blocks[b].rank > 0) tracing.output(Array::pivot, static_cast<int>(b), blocks[b].quality);
+    tracing.output_pivot(b, blocks[b].quality);
   }
   tracing.outputs(Array::lambda, in_loop_order(topology, lambda));
   tracing.outputs(Array::drive, driving_forces(tracing, left));
@@ -111,8 +110,7 @@ Program trace_multipliers(const Model& model, const Topology& topology, const An
 }
 
 Program trace_outputs(const Model& model, const Topology& topology, const Analysis& analysis, Form form) {
-  const Recursion recursion = plan_recursion(model, topology, analysis.driven);
-  Tracing tracing(Role::outputs, model, topology, analysis, form == Form::matrix ? nullptr : &recursion.layout);
+  Tracing tracing(Role::outputs, model, topology, analysis, form);
   System<Expr>& system = tracing.system;
   const GivenState s = given_state(tracing);
   const auto step = tracing.scribe.step(Step::outputs);

@@ -1,21 +1,11 @@
 #pragma once
 // The programs of accelerations in the recursive form.
 
-#include <cstddef>
-
+#include "compiler/analysis/analysis.hpp"
 #include "compiler/formulation/recursion_units.hpp"
-#include "compiler/trace/tracing.hpp"
+#include "compiler/trace/projections.hpp"
 
 namespace mbgen {
-
-/// Where the projections of the loop blocks come from.
-enum class Partition {
-  frozen,  ///< from the partition that the analysis chose
-  chosen   ///< from inputs Rz<b>, zdd_star<b>: a partition chosen at run time
-};
-
-/// The projection of a block as inputs of the program.
-GroupProjection<Expr> chosen_projection(Tracing& tracing, std::size_t block);
 
 /// Same slots as Programs::accelerations or accelerations_chosen.
 Program trace_recursive_accelerations(const Model& model, const Topology& topology, const Analysis& analysis,

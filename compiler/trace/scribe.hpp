@@ -5,7 +5,6 @@
 
 #include "compiler/formulation/scribe.hpp"
 #include "compiler/program/program.hpp"
-#include "compiler/trace/trace.hpp"
 
 namespace mbgen {
 

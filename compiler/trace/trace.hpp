@@ -4,20 +4,17 @@
 
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "compiler/analysis/analysis.hpp"
 #include "compiler/model/model.hpp"
 #include "compiler/solver/programs.hpp"
 #include "compiler/topology/topology.hpp"
+#include "compiler/trace/auxiliary_states.hpp"
+#include "compiler/trace/block_program.hpp"
 
 namespace mbgen {
-
-/// Number of auxiliary states of a model: two per tyre (longitudinal and lateral slip deflection, m).
-int auxiliary_state_count(const Model& model);
-
-/// Names and units of the auxiliary states.
-std::vector<std::string> auxiliary_state_names(const Model& model);
 
 /// The recursive program without one treatment each, with its name.
 std::vector<std::pair<std::string, Program>> trace_without(const Model& model, const Topology& topology,
@@ -32,17 +29,6 @@ Form form_of(const Topology& topology, const Analysis& analysis);
 
 /// The accelerations alone, with the frozen partition.
 Program trace_accelerations(const Model& model, const Topology& topology, const Analysis& analysis, Form form);
-
-/// The order of a traced program.
-enum class TraceOrder {
-  canonical,   ///< the same from every compiler
-  as_recorded  ///< for counting: as many operations, in less time
-};
-
-/// The share of a loop block in the recursive accelerations, for counting: its joints, those that it moves on and the
-/// units directly on it, without applied forces. Of the other blocks nothing is traced. partition: in place of `quasi`.
-Program trace_block(const Model& model, const Topology& topology, const Analysis& analysis, int block,
-                    const LoopPartition& partition, TraceOrder order);
 
 /// Traces every program (theory.md sections 1 to 5). form: of both programs of accelerations, none for form_of.
 Programs trace(const Model& model, const Topology& topology, const Analysis& analysis, std::optional<Form> form = {});

@@ -4,21 +4,26 @@
 #include <string>
 #include <vector>
 
+#include "compiler/analysis/analysis.hpp"
 #include "compiler/formulation/formulation.hpp"
+#include "compiler/formulation/recursion_units.hpp"
+#include "compiler/solver/programs.hpp"
+#include "compiler/trace/auxiliary_states.hpp"
 #include "compiler/trace/scribe.hpp"
-#include "compiler/trace/trace.hpp"
 
 namespace mbgen {
 
-/// One program in the making: the formulation's view of the model, on symbols.
+/// One program in the making: the formulation's view of the model, on symbols, in the frames of a form.
 class Tracing {
  public:
-  Tracing(Role role, const Model& model, const Topology& topology, const Analysis& analysis,
-          const Layout* recursive_layout = nullptr)
+  /// choices: of the recursive form.
+  Tracing(Role role, const Model& model, const Topology& topology, const Analysis& analysis, Form form,
+          RecursionChoices choices = {})
       : builder(name_of(role)),
         scribe{builder},
-        form(recursive_layout ? Form::recursive : Form::matrix),
-        layout(recursive_layout ? *recursive_layout : choose_layout(model, topology)),
+        form(form),
+        recursion(form == Form::recursive ? plan_recursion(model, topology, analysis.driven, choices) : Recursion{}),
+        layout(form == Form::recursive ? recursion.layout : choose_layout(model, topology)),
         analysis(analysis),
         system{model, topology, layout, environment(model, topology), {}, {}, scribe} {
     const auto step = scribe.step(Step::inertias);
@@ -49,6 +54,10 @@ class Tracing {
   void outputs(SlotGroup group, const std::vector<Expr>& values) {
     for (std::size_t i = 0; i < values.size(); ++i) output(group, static_cast<int>(i), values[i]);
   }
+  /// The quality of a block's factors; a block of rank zero has none.
+  void output_pivot(std::size_t block, const Expr& quality) {
+    if (analysis.blocks[block].rank > 0) output(Array::pivot, static_cast<int>(block), quality);
+  }
   int size() const { return system.topology.size(); }
 
   /// Prescribed values of a block's coordinates (zero where not driven); what: member of Drive.
@@ -63,6 +72,7 @@ class Tracing {
   ProgramBuilder builder;
   Scribe<Expr> scribe;
   Form form;
+  Recursion recursion;  ///< the units of the recursive form, none of the matrix form
   Layout layout;
   const Analysis& analysis;
   System<Expr> system;

@@ -192,7 +192,7 @@ std::set<std::string> circular(Modules modules) {
 }
 
 /// Rooms whose door holds the data that their parts include: they have circles. No room is added to them.
-const std::set<std::string> kRoomsWithCircles{"passes", "trace"};
+const std::set<std::string> kRoomsWithCircles{"passes"};
 
 TEST(Rooms, ModulesOfARoomIncludeNoCircle) {
   const fs::path root = MBGEN_SOURCE_DIR;

@@ -1,0 +1,116 @@
+#include "compiler/trace/matrix.hpp"
+
+#include <fmt/format.h>
+
+#include "compiler/trace/tracing.hpp"
+
+namespace mbgen {
+namespace {
+
+/// What the frozen path knows of a block: factors, Rz and zdd_star.
+struct FrozenBlocks {
+  std::vector<FrozenFactors<Expr>> factors;
+  std::vector<std::vector<std::vector<Expr>>> rz;
+  std::vector<std::vector<Expr>> zdd_star;
+};
+
+/// Step 2.
+void frozen_jacobians(Tracing& tracing, const Kinematics<Expr>& k, FrozenBlocks& blocks) {
+  System<Expr>& system = tracing.system;
+  const auto step = tracing.scribe.step(Step::jacobian);
+  const RelativeMotion<Expr> rest = at_rest<Expr>(system.topology);
+  for (std::size_t b = 0; b < system.topology.blocks.size(); ++b) {
+    const SparseClosure<Expr> closed = sparse_closure(system, k, system.topology.blocks[b], rest);
+    const auto heading = tracing.scribe.within(OwnerKind::loop_block, b);
+    const std::size_t coordinates = system.topology.blocks[b].joints.size();
+    blocks.factors.push_back(factorise_frozen(closed.jacobian, tracing.analysis.blocks[b], coordinates));
+  }
+}
+
+/// Step 3.
+void frozen_projections(Tracing& tracing, FrozenBlocks& blocks) {
+  System<Expr>& system = tracing.system;
+  const auto step = tracing.scribe.step(Step::projection);
+  for (std::size_t b = 0; b < system.topology.blocks.size(); ++b) {
+    const auto heading = tracing.scribe.within(OwnerKind::loop_block, b);
+    blocks.rz.push_back(
+        frozen_rz(blocks.factors[b], tracing.analysis.blocks[b], system.topology.blocks[b].joints.size()));
+    for (std::size_t c = 0; c < blocks.rz[b].size(); ++c)
+      for (std::size_t q = 0; q < blocks.rz[b][c].size(); ++q)
+        tracing.scribe.name(
+            blocks.rz[b][c][q],
+            fmt::format("Rz_{}_{}", system.topology.bodies[system.topology.blocks[b].joints[c]].coordinate, q));
+  }
+}
+
+/// Step 6.
+void frozen_bias(Tracing& tracing, const Kinematics<Expr>& k, FrozenBlocks& blocks) {
+  System<Expr>& system = tracing.system;
+  const auto step = tracing.scribe.step(Step::closure_bias);
+  RelativeMotion<Expr> relative = at_rest<Expr>(system.topology);
+  for (std::size_t b = 0; b < system.topology.blocks.size(); ++b) {
+    const LoopBlock& block = system.topology.blocks[b];
+    set_relative_motion(system, k, block, relative);
+    const SparseClosure<Expr> closed = sparse_closure(system, k, block, relative);
+    const auto heading = tracing.scribe.within(OwnerKind::loop_block, b);
+    blocks.zdd_star.push_back(frozen_zdd_star(blocks.factors[b], tracing.analysis.blocks[b], closed,
+                                              tracing.driven_values(block, &Drive<Expr>::acceleration)));
+    for (std::size_t c = 0; c < block.joints.size(); ++c)
+      tracing.scribe.name(blocks.zdd_star[b][c], "zdd_star_", system.topology.bodies[block.joints[c]].coordinate);
+  }
+}
+
+/// Steps 7 to 9 from projections, common to the frozen and the chosen partition.
+void trace_solution(Tracing& tracing, const Kinematics<Expr>& k, const Inertias<Expr>& m, const Velocities<Expr>& v,
+                    const AppliedForces<Expr>& forces, const std::vector<GroupProjection<Expr>>& projections) {
+  System<Expr>& system = tracing.system;
+  const std::vector<Expr> q = tracing.in(Step::accelerations, [&] {
+    const Accelerations<Expr> a = accelerations(system, k, v, starred_accelerations(system.topology, projections));
+    return tree_forces(system, k, m, v, a, forces, tracing.inputs(Array::tau, tracing.size()));
+  });
+  const ReducedSystem<Expr> reduced =
+      tracing.in(Step::reduced_system, [&] { return reduced_system(system, k, m, projections, q); });
+  const auto step = tracing.scribe.step(Step::solution);
+  const ReducedSolution<Expr> solution = solve_reduced(reduced);
+  tracing.outputs(Array::inertia, solution.inertia);
+  tracing.outputs(Array::zdd, joint_accelerations(system.topology, projections, reduced, solution.acceleration));
+  tracing.outputs(Array::xd, forces.xd);
+}
+
+/// Projections of all joint groups.
+std::vector<GroupProjection<Expr>> group_projections(Tracing& tracing, Partition partition,
+                                                     const FrozenBlocks& blocks) {
+  std::vector<GroupProjection<Expr>> projections;
+  for (const JointGroup& group : tracing.system.topology.groups)
+    if (group.block < 0)
+      projections.push_back(single_projection(tracing, group.joints[0]));
+    else if (partition == Partition::chosen)
+      projections.push_back(chosen_projection(tracing, static_cast<std::size_t>(group.block)));
+    else
+      projections.push_back({blocks.rz[group.block], blocks.zdd_star[group.block]});
+  return projections;
+}
+
+}  // namespace
+
+Program trace_matrix_accelerations(const Model& model, const Topology& topology, const Analysis& analysis,
+                                   Partition partition) {
+  const bool is_frozen = partition == Partition::frozen;
+  Tracing tracing(role_of(partition), model, topology, analysis, Form::matrix);
+  System<Expr>& system = tracing.system;
+  const Kinematics<Expr> k = tracing.poses();
+  const Inertias<Expr> m = tracing.in(Step::inertias, [&] { return inertias(system, k); });
+  FrozenBlocks blocks;
+  if (is_frozen) {
+    frozen_jacobians(tracing, k, blocks);
+    frozen_projections(tracing, blocks);
+  }
+  const Velocities<Expr> v = tracing.in(Step::velocities, [&] { return velocities(system, k); });
+  const AppliedForces<Expr> forces = tracing.in(Step::forces, [&] { return applied_forces(system, k, v); });
+  if (is_frozen) frozen_bias(tracing, k, blocks);
+  trace_solution(tracing, k, m, v, forces, group_projections(tracing, partition, blocks));
+  for (std::size_t b = 0; b < blocks.factors.size(); ++b) tracing.output_pivot(b, blocks.factors[b].quality);
+  return tracing.builder.finish_in_canonical_order();
+}
+
+}  // namespace mbgen
