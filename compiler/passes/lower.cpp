@@ -2,7 +2,11 @@
 
 #include <utility>
 
-#include "compiler/passes/passes.hpp"
+#include "compiler/passes/contract.hpp"
+#include "compiler/passes/dead_values.hpp"
+#include "compiler/passes/derived_constants.hpp"
+#include "compiler/passes/factor_sums.hpp"
+#include "compiler/passes/merge_divisions.hpp"
 
 namespace mbgen {
 namespace {

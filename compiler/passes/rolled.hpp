@@ -2,7 +2,7 @@
 // Code with loops: its units, and the array of values that cross them. Inside the passes room.
 
 #include "compiler/passes/roll.hpp"
-#include "compiler/passes/schedule.hpp"
+#include "compiler/passes/scheduled_program.hpp"
 
 namespace mbgen {
 

@@ -2,87 +2,14 @@
 // The last decisions about a program: the order of its values, calls for many arguments, loops over equal subsystems,
 // and its division into functions. Whoever writes it decides nothing more.
 
-#include <array>
 #include <cstddef>
 #include <limits>
 #include <set>
-#include <vector>
 
-#include "compiler/passes/array_calls.hpp"
+#include "compiler/passes/scheduled_program.hpp"
 #include "compiler/program/program.hpp"
 
 namespace mbgen {
-
-/// Values of a part: one function holds at least the first and at most the second number, unless the program is
-/// smaller. g++ takes 251 s for 22 000 statements in one function and 2 s in parts of this size, which run no slower.
-constexpr std::size_t kSmallestPart = 400;
-constexpr std::size_t kLargestPart = 800;
-
-/// Half-open range of places in Schedule::order.
-struct PlaceRange {
-  std::size_t first = 0, last = 0;
-};
-
-/// A loop over `count` slices of `period` values each, or straight code: one slice.
-struct ScheduledUnit {
-  std::size_t first = 0, period = 0, count = 1;
-  std::size_t part = 0;
-  std::vector<int> stored = {};  ///< per value of a slice, in programs with loops: its place among the stored ones of
-                                 ///< the slice, of straight code in the whole array; -1 for a local variable
-  int first_stored = 0;          ///< place of the first slice in the array; 0 for straight code
-  int stride = 0;                ///< stored values of one slice
-
-  bool is_loop() const { return count > 1; }
-  std::size_t last() const { return first + period * count; }
-};
-
-/// A value's place and use. Facts of the first slice hold for the values at the same offset of the others.
-struct ScheduledValue {
-  int unit = -1;  ///< -1 for constants, inputs and dead values
-  std::size_t slice = 0, offset = 0;
-  std::array<ValueId, 3> operands = {kNoValue, kNoValue, kNoValue};  ///< of loops: turned alike in all slices
-  int users = 0;                                                     ///< operands that are this value
-  ValueId user = kNoValue;                                           ///< the last of them
-  bool crosses = false;        ///< used where no local variable of its part is seen
-  bool is_inlined = false;     ///< only its one user needs to know it: part of that user's expression
-  ValueId partner = kNoValue;  ///< sine or cosine of the same angle beside this one, which no larger call computes
-};
-
-/// In which order straight code stands.
-enum class ValueOrder {
-  by_section,   ///< that of the program, section after section where operands allow it
-  fewest_alive  ///< see fewest_alive.hpp
-};
-
-struct Schedule {
-  ValueOrder ordered = ValueOrder::by_section;
-  std::vector<ValueId> order;         ///< operations that an output needs, unit after unit
-  std::vector<ScheduledUnit> units;   ///< at least one a part
-  std::vector<PlaceRange> parts;      ///< at least one; each one function
-  std::vector<ScheduledValue> value;  ///< per value of the program
-  ArrayCalls calls;                   ///< elementary functions in lanes
-  int stored = 0;                     ///< size of the array of values that cross, of programs with loops
-
-  bool has_loops() const { return loops() > 0; }
-  std::size_t loops() const;
-  /// Operations in the text: of one slice of each loop, and of straight code.
-  std::size_t written() const;
-  /// One operand of a value in every slice of a unit.
-  std::vector<ValueId> operands_of(const ScheduledUnit& unit, std::size_t offset, int operand) const;
-  /// The operands, one a slice of the unit, are one value of the same slice, or one value of straight code in the same
-  /// part: a local variable.
-  bool is_local(const ScheduledUnit& unit, const std::vector<ValueId>& operands) const;
-  /// Index of a stored value in the array.
-  int index_of(ValueId value) const;
-  /// Fills units, slices, offsets and operands of `value`.
-  void place_values(const Program& program);
-};
-
-/// Where a program without loops is cut into parts.
-enum class Division {
-  cheapest,   ///< where the fewest values cross
-  by_section  ///< at every end of a section, and inside long ones where the fewest values cross
-};
 
 struct ScheduleOptions {
   Division division = Division::cheapest;

@@ -1,7 +1,7 @@
 #pragma once
 // Straight code: its order, and its division into parts. Inside the passes room.
 
-#include "compiler/passes/schedule.hpp"
+#include "compiler/passes/scheduled_program.hpp"
 
 namespace mbgen {
 
