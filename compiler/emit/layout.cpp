@@ -286,8 +286,13 @@ ScheduleOptions schedule_options(const ProgramShape& shape, std::size_t roll_abo
   return options;
 }
 
-/// The programs whose time counts; the others, and the matrix form, keep the order of the steps of the method.
-static bool runs_in_every_step(Role role) { return role == Role::accelerations || role == Role::closure; }
+/// The programs whose time counts, unless they are so short that registers and cache hold most of them. All others, and
+/// the matrix form, keep the order of the steps of the method: a person reads them from top to bottom.
+static ValueOrder order_of(Form form, const ShapedProgram& shaped) {
+  const bool runs_in_every_step = shaped.role == Role::accelerations || shaped.role == Role::closure;
+  const bool is_long = shaped.program->nodes.size() > kLargestPart;
+  return form == Form::recursive && runs_in_every_step && is_long ? ValueOrder::fewest_alive : ValueOrder::by_section;
+}
 
 bool is_number(const std::string& scalar) { return scalar == "double" || scalar == "float"; }
 
@@ -317,8 +322,7 @@ std::vector<ShapedProgram> shaped_programs(const Programs& programs, const Solve
   }
   for (ShapedProgram& shaped : all) {
     shaped.shape.titles = titles;
-    if (programs.form == Form::recursive && runs_in_every_step(shaped.role))
-      shaped.shape.order = ValueOrder::fewest_alive;
+    shaped.shape.order = order_of(programs.form, shaped);
     shaped.schedule = schedule(*shaped.program, schedule_options(shaped.shape, roll_above));
   }
   return all;

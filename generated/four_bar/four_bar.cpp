@@ -94,30 +94,27 @@ struct Accelerations {
 void compute_accelerations(const Tuned& parameters, const Inputs& inputs, const State& state,
     const double* tau, Accelerations& __restrict result) noexcept {
   // --- step 1: poses and axes b ---
+  // crank: crank_pin, revolute, ground
   const double z_crank_pin = state.z[Coordinate::crank_pin];
-  const double s1_1 = z_crank_pin + state.z[Coordinate::coupler_pin];
+  double R_crank_x_x, R_crank_x_z;
+  mbgen::sincos(z_crank_pin, R_crank_x_z, R_crank_x_x);
   // coupler: coupler_pin, revolute, crank
+  const double s1_1 = z_crank_pin + state.z[Coordinate::coupler_pin];
   double R_coupler_x_x, R_coupler_x_z;
   mbgen::sincos(s1_1, R_coupler_x_z, R_coupler_x_x);
+  const double r_coupler_x = fma(p_coupler_pin_z, R_crank_x_z, p_coupler_pin_x*R_crank_x_x);
+  const double r_coupler_z = fnma(p_coupler_pin_x, R_crank_x_z, p_coupler_pin_z*R_crank_x_x);
   // rocker: rocker_pin, revolute, ground
   const double z_rocker_pin = state.z[Coordinate::rocker_pin];
   double R_rocker_x_x, R_rocker_x_z;
   mbgen::sincos(z_rocker_pin, R_rocker_x_z, R_rocker_x_x);
+  // operations: 3 add, 4 multiply, 6 sin cos
 
-  // --- step 2: closure Jacobian Phi_z and its factors (60), rocker_tip ---
-  const double s2_1 = fnma(p_rocker_C_x, R_rocker_x_z, p_rocker_C_z*R_rocker_x_x);
-  const double s2_2 = fma(p_coupler_C_z, R_coupler_x_z, p_coupler_C_x*R_coupler_x_x);
-  const double s2_3 = fma(p_rocker_C_z, R_rocker_x_z, p_rocker_C_x*R_rocker_x_x);
-  const double s2_4 = fnma(p_coupler_C_x, R_coupler_x_z, p_coupler_C_z*R_coupler_x_x);
-  const double s2_5 = 1.0/s2_1;
-
-  // --- step 6: c and dRz/dt zd (62), rocker_tip ---
-  const double zd_rocker_pin = state.zd[Coordinate::rocker_pin];
-  const double s2_6 = s2_3*s2_5;
-  const double pivot_coupler_pin = fms(s2_4, s2_6, s2_2);
-  const double s2_7 = 1.0/pivot_coupler_pin;
-  const double s2_8 = 3.2894736842105265*std::abs(pivot_coupler_pin);
-  result.pivot[0] = mbgen::min(3.999888870509994*std::abs(s2_1), s2_8);
+  // --- step 4: velocities ---
+  // coupler: coupler_pin, revolute, crank
+  const double zd_crank_pin = state.zd[Coordinate::crank_pin];
+  const double w_coupler_y = zd_crank_pin + state.zd[Coordinate::coupler_pin];
+  // operations: 1 add
 
   // --- step 5: applied forces Q (48) ---
   // return_spring
@@ -128,78 +125,87 @@ void compute_accelerations(const Tuned& parameters, const Inputs& inputs, const 
   const double s5_5 = std::sqrt(fma(s5_4, s5_4, s5_3*s5_3));
   const double tension_return_spring = (s5_5 - l0_return_spring)*parameters.k;
   const double s5_6 = 1.0/s5_5*tension_return_spring;
+  const double s5_7 = s5_4*s5_6;
+  const double s5_8 = s5_3*s5_6;
+  // operations: 6 add, 10 multiply, 1 divide, 1 sqrt
 
-  // --- step 8: elimination from the leaves to the root (63), rocker_tip ---
-  // crank: crank_pin, revolute, ground
-  double R_crank_x_x, R_crank_x_z;
-  mbgen::sincos(z_crank_pin, R_crank_x_z, R_crank_x_x);
-  // coupler: coupler_pin, revolute, crank
-  const double r_coupler_x = fma(p_coupler_pin_z, R_crank_x_z, p_coupler_pin_x*R_crank_x_x);
-  const double r_coupler_z = fnma(p_coupler_pin_x, R_crank_x_z, p_coupler_pin_z*R_crank_x_x);
-  const double s2_9 = r_coupler_z + s2_4;
+  // --- step 2: closure Jacobian Phi_z and its factors (60), rocker_tip ---
+  // rocker_tip
+  const double s2_1 = fnma(p_rocker_C_x, R_rocker_x_z, p_rocker_C_z*R_rocker_x_x);
+  const double s2_2 = fma(p_coupler_C_z, R_coupler_x_z, p_coupler_C_x*R_coupler_x_x);
+  const double s2_3 = fma(p_rocker_C_z, R_rocker_x_z, p_rocker_C_x*R_rocker_x_x);
+  const double s2_4 = fnma(p_coupler_C_x, R_coupler_x_z, p_coupler_C_z*R_coupler_x_x);
+  const double s2_5 = r_coupler_z + s2_4;
+  const double s2_6 = 1.0/s2_1;
+  const double s2_7 = s2_3*s2_6;
+  const double pivot_coupler_pin = fms(s2_4, s2_7, s2_2);
+  const double s2_8 = fms(s2_5, s2_7, r_coupler_x) - s2_2;
+  const double s2_9 = 1.0/pivot_coupler_pin;
+  const double s2_10 = 3.2894736842105265*std::abs(pivot_coupler_pin);
+  result.pivot[0] = mbgen::min(3.999888870509994*std::abs(s2_1), s2_10);
+  // operations: 8 add, 13 multiply, 2 divide, 3 other
 
   // --- step 3: Rz (61), rocker_tip ---
-  const double s3_1 = (fms(s2_9, s2_6, r_coupler_x) - s2_2)*s2_7;
-  const double s3_2 = s2_5*fms(s2_4, s3_1, s2_9);
+  const double s3_1 = s2_8*s2_9;
+  const double s3_2 = s2_6*fms(s2_4, s3_1, s2_5);
+  // operations: 1 add, 3 multiply
 
-  // --- step 4: velocities ---
-  // coupler: coupler_pin, revolute, crank
-  const double zd_crank_pin = state.zd[Coordinate::crank_pin];
-  const double w_coupler_y = zd_crank_pin + state.zd[Coordinate::coupler_pin];
+  // --- step 6: c and dRz/dt zd (62), rocker_tip ---
   const double s6_1 = zd_crank_pin*zd_crank_pin;
+  // coupler: coupler_pin, revolute, crank
   const double s6_2 = r_coupler_x*s6_1;
   const double s6_3 = r_coupler_z*s6_1;
-  const double s6_4 = fms(zd_rocker_pin, zd_rocker_pin*s2_3, s6_2);
-  const double s6_5 = fnma(w_coupler_y, w_coupler_y*s2_2, s6_4);
-  const double s8_1 = -g_z - s6_3;
-  const double s6_6 = fms(zd_rocker_pin, zd_rocker_pin*s2_1, s6_3);
-  const double s6_7 = w_coupler_y*w_coupler_y;
-  const double s6_8 = s2_7*fma(s2_6, s6_5, fnma(w_coupler_y, w_coupler_y*s2_4, s6_6));
-  const double s6_9 = s2_5*fms(s2_4, s6_8, s6_5);
-  const double s8_2 = tau[Coordinate::rocker_pin] + fnma(s5_1, s5_4*s5_6, s5_2*(s5_3*s5_6));
+  const double s6_4 = w_coupler_y*w_coupler_y;
+  const double zd_rocker_pin = state.zd[Coordinate::rocker_pin];
+  // rocker_tip
+  const double s6_5 = zd_rocker_pin*s2_1;
+  const double s6_6 = w_coupler_y*s2_4;
+  const double s6_7 = fms(zd_rocker_pin, zd_rocker_pin*s2_3, s6_2);
+  const double s6_8 = fnma(w_coupler_y, w_coupler_y*s2_2, s6_7);
+  const double s6_9 = fma(s2_7, s6_8, fnma(w_coupler_y, s6_6, fms(zd_rocker_pin, s6_5, s6_3)));
+  const double s6_10 = s2_9*s6_9;
+  const double s6_11 = s2_6*fms(s2_4, s6_10, s6_8);
+  // operations: 6 add, 16 multiply
 
   // --- step 7: inertias of the bodies and forces on joints, rocker_tip ---
-  const double s7_1 = fma(h_coupler_z, R_coupler_x_z, h_coupler_x*R_coupler_x_x);
-  const double s7_2 = fnma(h_coupler_x, R_coupler_x_z, h_coupler_z*R_coupler_x_x);
-
-  // --- step 8: elimination from the leaves to the root (63), rocker_tip, continued ---
+  const double s7_1 = fma(h_crank_z, R_crank_x_z, h_crank_x*R_crank_x_x);
   // coupler: coupler_pin, revolute, crank
-  const double f_coupler_z = fma(m_coupler, s8_1, fnma(s6_7, s7_2, s6_8*s7_1));
-  const double s8_3 = 1.0 - s3_1;
-  const double s8_4 = fma(s7_1, s8_3, m_coupler*r_coupler_x);
-  const double s8_5 = fma(r_coupler_x, s8_4, fma(s3_2, 0.02195*s3_2, 0.00302));
-  const double s8_6 = fma(r_coupler_z, fma(s7_2, s8_3, m_coupler*r_coupler_z), s8_5);
-  const double s8_7 = fma(0.0729, s8_3, fma(r_coupler_z, s7_2, r_coupler_x*s7_1));
-  const double pivot_crank_pin = fma(s8_3, s8_7, s8_6);
-  const double s8_8 = inputs.torque + tau[Coordinate::crank_pin];
-  const double s7_3 = fma(h_crank_z, R_crank_x_z, h_crank_x*R_crank_x_x);
-  const double s8_9 = fma(-g_z, s7_3, fnma(tau[Coordinate::coupler_pin], s3_1, s8_8));
-  const double s8_10 = fma(r_coupler_z, fma(s6_8, s7_2, fma(s6_7, s7_1, m_coupler*s6_2)), s8_9);
-  const double s8_11 = fma(s7_1, s8_1, fma(s6_2, s7_2, 0.0729*s6_8));
+  const double s7_2 = fma(h_coupler_z, R_coupler_x_z, h_coupler_x*R_coupler_x_x);
+  const double s7_3 = fnma(h_coupler_x, R_coupler_x_z, h_coupler_z*R_coupler_x_x);
   const double s7_4 = fma(h_rocker_z, R_rocker_x_z, h_rocker_x*R_rocker_x_x);
-  const double s8_12 = fma(s8_3, s8_11, fma(r_coupler_x, f_coupler_z, s8_10));
+  // operations: 4 add, 8 multiply
+
+  // --- step 8: elimination from the leaves to the root (63), rocker_tip ---
+  const double s8_1 = 1.0 - s3_1;
+  const double s8_2 = 0.02195*s3_2;
+  // coupler: coupler_pin, revolute, crank
+  const double s8_3 = fma(s6_10, s7_3, fma(s6_4, s7_2, m_coupler*s6_2));
+  const double s8_4 = -g_z - s6_3;
+  const double f_coupler_z = fma(m_coupler, s8_4, fnma(s6_4, s7_3, s6_10*s7_2));
+  const double s8_5 = fma(s7_2, s8_4, fma(s6_2, s7_3, 0.0729*s6_10));
+  const double s8_6 = fma(s7_2, s8_1, m_coupler*r_coupler_x);
+  const double s8_7 = fma(s7_3, s8_1, m_coupler*r_coupler_z);
+  const double s8_8 = fma(0.0729, s8_1, fma(r_coupler_z, s7_3, r_coupler_x*s7_2));
+  const double s8_9 = fma(r_coupler_z, s8_7, fma(r_coupler_x, s8_6, fma(s3_2, s8_2, 0.00302)));
+  const double pivot_crank_pin = fma(s8_1, s8_8, s8_9);
+  const double s8_10 = tau[Coordinate::rocker_pin] + fnma(s5_1, s5_7, s5_2*s5_8);
+  const double s8_11 = inputs.torque + tau[Coordinate::crank_pin];
+  const double s8_12 = fma(-g_z, s7_1, fnma(tau[Coordinate::coupler_pin], s3_1, s8_11));
+  const double s8_13 = fma(r_coupler_x, f_coupler_z, fma(r_coupler_z, s8_3, s8_12));
+  const double s8_14 = fma(-g_z, s7_4, fma(0.02195, s6_11, s8_10));
+  const double s8_15 = fnma(s3_2, s8_14, fma(s8_1, s8_5, s8_13));
+  const double s8_16 = 1.0/pivot_crank_pin;
   result.inertia[0] = fnma(1e-12, pivot_crank_pin, pivot_crank_pin);
+  // operations: 28 add, 32 multiply, 1 divide
 
   // --- step 9: accelerations from the root to the leaves (63), (62) ---
   // crank: crank_pin, revolute, ground
-  const double s8_13 = fnma(s3_2, fma(-g_z, s7_4, fma(0.02195, s6_9, s8_2)), s8_12);
-  const double alpha_crank_y = s8_13*(1.0/pivot_crank_pin);
+  const double alpha_crank_y = s8_15*s8_16;
   result.zdd[Coordinate::crank_pin] = alpha_crank_y;
   // rocker: rocker_pin, revolute, ground
-  result.zdd[Coordinate::rocker_pin] = -fma(s3_2, alpha_crank_y, s6_9);
-  result.zdd[Coordinate::coupler_pin] = -fma(s3_1, alpha_crank_y, s6_8);
-  // operations of step 1: poses and axes b: 3 add, 4 multiply, 6 sin cos
-  // operations of step 4: velocities: 1 add
-  // operations of step 5: applied forces Q (48): 6 add, 10 multiply, 1 divide, 1 sqrt
-  // operations of step 2: closure Jacobian Phi_z and its factors (60), rocker_tip: 8 add, 13
-  // multiply, 2 divide, 3 other
-  // operations of step 3: Rz (61), rocker_tip: 1 add, 3 multiply
-  // operations of step 6: c and dRz/dt zd (62), rocker_tip: 6 add, 16 multiply
-  // operations of step 7: inertias of the bodies and forces on joints, rocker_tip: 4 add, 8
-  // multiply
-  // operations of step 8: elimination from the leaves to the root (63), rocker_tip: 28 add, 32
-  // multiply, 1 divide
-  // operations of step 9: accelerations from the root to the leaves (63), (62): 2 add, 3 multiply
+  result.zdd[Coordinate::rocker_pin] = -fma(s3_2, alpha_crank_y, s6_11);
+  result.zdd[Coordinate::coupler_pin] = -fma(s3_1, alpha_crank_y, s6_10);
+  // operations: 2 add, 3 multiply
 }
 
 /// Result of compute_closure.
@@ -226,48 +232,48 @@ void compute_closure(const Tuned& /*parameters*/, const Inputs& /*inputs*/, cons
   double R_crank_x_x, R_crank_x_z;
   mbgen::sincos(z_crank_pin, R_crank_x_z, R_crank_x_x);
   // coupler: coupler_pin, revolute, crank
+  const double s1_1 = z_crank_pin + state.z[Coordinate::coupler_pin];
+  double R_coupler_x_x, R_coupler_x_z;
+  mbgen::sincos(s1_1, R_coupler_x_z, R_coupler_x_x);
   const double r_coupler_x = fma(p_coupler_pin_z, R_crank_x_z, p_coupler_pin_x*R_crank_x_x);
   const double r_coupler_z = fnma(p_coupler_pin_x, R_crank_x_z, p_coupler_pin_z*R_crank_x_x);
   // rocker: rocker_pin, revolute, ground
   const double z_rocker_pin = state.z[Coordinate::rocker_pin];
   double R_rocker_x_x, R_rocker_x_z;
   mbgen::sincos(z_rocker_pin, R_rocker_x_z, R_rocker_x_x);
+  // operations: 3 add, 4 multiply, 6 sin cos
 
   // --- step 2: closure Jacobian Phi_z and its factors (60) ---
+  // rocker_tip
   const double s2_1 = fnma(p_rocker_C_x, R_rocker_x_z, p_rocker_C_z*R_rocker_x_x);
-  const double s2_2 = fma(p_rocker_C_z, R_rocker_x_z, p_rocker_C_x*R_rocker_x_x);
-  const double s1_1 = z_crank_pin + state.z[Coordinate::coupler_pin];
-  // coupler: coupler_pin, revolute, crank
-  double R_coupler_x_x, R_coupler_x_z;
-  mbgen::sincos(s1_1, R_coupler_x_z, R_coupler_x_x);
-  const double s2_3 = fma(p_coupler_C_z, R_coupler_x_z, p_coupler_C_x*R_coupler_x_x);
-  const double s2_4 = r_coupler_x + s2_3;
-
-  // --- step 4: velocities ---
-  const double zd_coupler_pin = state.zd[Coordinate::coupler_pin];
-  const double s2_5 = fnma(p_coupler_C_x, R_coupler_x_z, p_coupler_C_z*R_coupler_x_x);
-  const double s2_6 = r_coupler_z + s2_5;
-  const double s4_1 = zd_coupler_pin*s2_5;
-  const double s2_7 = 1.0/s2_1;
-  const double s2_8 = s2_6 - s2_1;
+  const double s2_2 = fma(p_coupler_C_z, R_coupler_x_z, p_coupler_C_x*R_coupler_x_x);
+  const double s2_3 = fma(p_rocker_C_z, R_rocker_x_z, p_rocker_C_x*R_rocker_x_x);
+  const double s2_4 = fnma(p_coupler_C_x, R_coupler_x_z, p_coupler_C_z*R_coupler_x_x);
+  const double s2_5 = r_coupler_x + s2_2;
+  const double s2_6 = s2_5 - p_rocker_pin_x - s2_3;
+  result.residual[0] = s2_6;
+  const double s2_7 = r_coupler_z + s2_4;
+  const double s2_8 = s2_7 - s2_1;
   result.residual[2] = s2_8;
-  const double s2_9 = s2_2*s2_7;
-  const double pivot_crank_pin = fms(s2_6, s2_9, s2_4);
-  const double s2_10 = s2_4 - p_rocker_pin_x - s2_2;
-  result.residual[0] = s2_10;
+  const double s2_9 = 1.0/s2_1;
+  const double s2_10 = s2_3*s2_9;
+  const double pivot_crank_pin = fms(s2_7, s2_10, s2_5);
   const double s2_11 = 1.0/pivot_crank_pin;
-  const double s4_2 = s2_11*fma(s2_10, s2_9, s2_8);
-  const double s4_3 = s2_11*fnma(s2_9, s4_1, zd_coupler_pin*s2_3);
-  result.zd[Coordinate::crank_pin] = s4_3;
   const double s2_12 = 3.999888870509994*std::abs(s2_1);
   result.pivot[0] = mbgen::min(s2_12, 2.5*std::abs(pivot_crank_pin));
+  // operations: 10 add, 12 multiply, 2 divide, 3 other
+
+  // --- step 4: velocities ---
+  // loop block 0
+  const double zd_coupler_pin = state.zd[Coordinate::coupler_pin];
+  const double s4_1 = zd_coupler_pin*s2_4;
+  const double s4_2 = s2_11*fma(s2_6, s2_10, s2_8);
   result.dz[Coordinate::crank_pin] = -s4_2;
-  result.zd[Coordinate::rocker_pin] = s2_7*fma(s2_6, s4_3, s4_1);
-  result.dz[Coordinate::rocker_pin] = -(s2_7*fms(s2_6, s4_2, s2_10));
-  // operations of step 1: poses and axes b: 3 add, 4 multiply, 6 sin cos
-  // operations of step 4: velocities: 4 add, 10 multiply
-  // operations of step 2: closure Jacobian Phi_z and its factors (60): 10 add, 12 multiply, 2
-  // divide, 3 other
+  const double s4_3 = s2_11*fnma(s2_10, s4_1, zd_coupler_pin*s2_2);
+  result.zd[Coordinate::crank_pin] = s4_3;
+  result.zd[Coordinate::rocker_pin] = s2_9*fma(s2_7, s4_3, s4_1);
+  result.dz[Coordinate::rocker_pin] = -(s2_9*fms(s2_7, s4_2, s2_6));
+  // operations: 4 add, 10 multiply
 }
 
 /// Result of compute_multipliers.

@@ -135,154 +135,153 @@ void compute_accelerations(const Tuned& parameters, const Inputs& /*inputs*/, co
   const double z_lower = state.z[Coordinate::lower];
   double R_arm_x_x, R_arm_x_z;
   mbgen::sincos(z_lower, R_arm_x_z, R_arm_x_x);
-
-  // --- step 5: applied forces Q (48) ---
-  // spring
-  const double s5_1 = fnma(-p_arm_seat_x, R_arm_x_x, p_arm_seat_z*R_arm_x_z);
-  const double s5_2 = fma(-p_arm_seat_x, R_arm_x_z, p_arm_seat_z*R_arm_x_x);
-  const double s5_3 = -p_carriage_seat_x + s5_1;
-  const double zd_lower = state.zd[Coordinate::lower];
-  const double s5_4 = 0.37 - s5_2;
-  const double s5_5 = std::sqrt(fma(s5_4, s5_4, s5_3*s5_3));
-  const double s5_6 = 1.0/s5_5;
-  const double s5_7 = fma(zd_lower*s5_1, s5_4, s5_3*(zd_lower*s5_2))*s5_6;
-  const double s5_8 = 0.2 + s5_7;
-  const double s5_9 = (s5_8 >= 0.0 ? fms(1600.0, s5_8, 320.0) : fms(725.0, 1.0 + s5_7, 900.0));
-  const double s5_10 = s5_7 - 0.2;
-  const double s5_11 = (s5_7 >= 0.0 ? 3200.0*s5_7 : s5_9);
-  const double s5_12 = (s5_10 >= 0.0 ? fma(1575.0, s5_10, 640.0) : s5_11);
-  const double tension_spring = s5_12 + fms(s5_5 - l0_spring, parameters.k, -f0_spring);
-  const double s5_13 = s5_6*tension_spring;
-
-  // --- step 9: accelerations from the root to the leaves (63), (62) ---
-  const double s1_1 = z_lower + state.z[Coordinate::ball];
   // knuckle: ball, revolute, arm
+  const double s1_1 = z_lower + state.z[Coordinate::ball];
   double R_knuckle_x_x, R_knuckle_x_z;
   mbgen::sincos(s1_1, R_knuckle_x_z, R_knuckle_x_x);
   const double r_knuckle_x = fnma(-p_ball_x, R_arm_x_x, p_ball_z*R_arm_x_z);
   const double s1_2 = fma(-p_ball_x, R_arm_x_z, p_ball_z*R_arm_x_x);
   const double r_knuckle_z = s1_2 - (-p_lower_z);
-  const double s1_3 = p_wheel_z*R_knuckle_x_x;
   // wheel: wheel, revolute, knuckle
-  const double r_wheel_z = r_knuckle_z + s1_3;
-  const double s5_14 = p_pull_z + r_wheel_z;
-
-  // --- step 2: closure Jacobian Phi_z and its factors (60), upper ---
-  const double s5_15 = radius_tyre - s5_14;
-  const double s5_16 = mbgen::max(0.0, k_tyre*s5_15);
-  const double s5_17 = fnma(0.3333333333333333, mbgen::max(0.0, s5_15), radius_tyre);
-  const double s1_4 = p_wheel_z*R_knuckle_x_z;
+  const double s1_3 = p_wheel_z*R_knuckle_x_z;
+  const double s1_4 = p_wheel_z*R_knuckle_x_x;
+  const double r_wheel_z = r_knuckle_z + s1_4;
+  // operations: 5 add, 6 multiply, 4 sin cos
 
   // --- step 4: velocities ---
-  const double s4_1 = zd_lower*r_knuckle_x;
   // knuckle: ball, revolute, arm
+  const double zd_lower = state.zd[Coordinate::lower];
+  const double v_knuckle_x = fma(zd_lower, s1_2, state.zd[Coordinate::pull]);
+  const double s4_1 = zd_lower*r_knuckle_x;
   const double w_knuckle_y = zd_lower + state.zd[Coordinate::ball];
-  // tyre
-  const double s5_18 = s5_16 + mbgen::min(s5_16, d_tyre*fma(s1_4, w_knuckle_y, s4_1));
-  const double load_tyre = mbgen::max(0.0, s5_18);
+  // wheel: wheel, revolute, knuckle
+  const double v_wheel_x = fma(s1_4, w_knuckle_y, v_knuckle_x);
+  const double s4_2 = fma(s1_3, w_knuckle_y, s4_1);
+  const double w_wheel_y = state.zd[Coordinate::wheel] + w_knuckle_y;
+  // operations: 5 add, 4 multiply
 
-  // --- step 8: elimination from the leaves to the root (63), upper ---
-
-  // --- step 5: applied forces Q (48), continued ---
+  // --- step 5: applied forces Q (48) ---
+  // spring
+  const double s5_1 = fnma(-p_arm_seat_x, R_arm_x_x, p_arm_seat_z*R_arm_x_z);
+  const double s5_2 = -p_carriage_seat_x + s5_1;
+  const double s5_3 = fma(-p_arm_seat_x, R_arm_x_z, p_arm_seat_z*R_arm_x_x);
+  const double s5_4 = 0.37 - s5_3;
+  const double s5_5 = std::sqrt(fma(s5_4, s5_4, s5_2*s5_2));
+  const double s5_6 = 1.0/s5_5;
+  const double s5_7 = fma(zd_lower*s5_1, s5_4, s5_2*(zd_lower*s5_3))*s5_6;
+  const double s5_8 = s5_7 - 0.2;
+  const double s5_9 = 0.2 + s5_7;
+  const double s5_10 = (s5_9 >= 0.0 ? fms(1600.0, s5_9, 320.0) : fms(725.0, 1.0 + s5_7, 900.0));
+  const double s5_11 = (s5_7 >= 0.0 ? 3200.0*s5_7 : s5_10);
+  const double s5_12 = (s5_8 >= 0.0 ? fma(1575.0, s5_8, 640.0) : s5_11);
+  const double tension_spring = s5_12 + fms(s5_5 - l0_spring, parameters.k, -f0_spring);
+  const double s5_13 = s5_6*tension_spring;
+  const double s5_14 = s5_2*s5_13;
+  const double s5_15 = s5_4*s5_13;
   // tyre
+  const double s5_16 = p_pull_z + r_wheel_z;
+  const double s5_17 = radius_tyre - s5_16;
+  const double s5_18 = mbgen::max(0.0, k_tyre*s5_17);
+  const double load_tyre = mbgen::max(0.0, s5_18 + mbgen::min(s5_18, d_tyre*s4_2));
   const double s5_19 = mbgen::max(0.004, load_tyre);
   const double s5_20 = 1.1*s5_19;
   const double s5_21 = 1.6*s5_20;
   const double s5_22 = 1e-09*s5_19;
   const double s5_23 = (s5_21 >= 0.0 ? mbgen::max(s5_21, s5_22) : mbgen::min(s5_21, -s5_22));
-  // knuckle: ball, revolute, arm
-  const double v_knuckle_x = fma(zd_lower, s1_2, state.zd[Coordinate::pull]);
-  // wheel: wheel, revolute, knuckle
-  const double v_wheel_x = fma(s1_3, w_knuckle_y, v_knuckle_x);
   const double s5_24 = state.x[0]/relaxation_x_tyre;
   const double s5_25 = state.x[1]/relaxation_y_tyre;
   const double s5_26 = std::sqrt(fma(s5_25, s5_25, fma(s5_24, s5_24, 1e-30)));
-  const double w_wheel_y = state.zd[Coordinate::wheel] + w_knuckle_y;
-  // tyre
-  const double s5_27 = w_wheel_y*s5_17;
-  const double s5_28 = std::abs(v_wheel_x);
-  const double s5_29 = v_wheel_x - s5_27;
-  const double s5_30 = std::sqrt(fma(s5_29, s5_29, 1e-30));
-  const double s5_31 = mbgen::min(0.5, 0.1*fma(0.5, s5_28 + s5_30, 1.0));
-  const double s5_32 = s5_28 + s5_30/s5_31;
-  const double s5_33 = 1.0 - s5_26/s5_31;
-  result.xd[1] = -(s5_25*s5_32);
-  result.xd[0] = -fma(s5_24, s5_32, s5_29);
-  const double s5_34 = mbgen::cosine(3.141592653589793*mbgen::min(1.0, 0.5*s5_28));
+  const double s5_27 = std::abs(v_wheel_x);
+  const double s5_28 = fnma(0.3333333333333333, mbgen::max(0.0, s5_17), radius_tyre);
+  const double s5_29 = w_wheel_y*s5_28;
+  const double s5_30 = v_wheel_x - s5_29;
+  const double s5_31 = std::sqrt(fma(s5_30, s5_30, 1e-30));
+  const double s5_32 = mbgen::min(0.5, 0.1*fma(0.5, s5_27 + s5_31, 1.0));
+  const double s5_33 = 1.0 - s5_26/s5_32;
+  const double s5_34 = mbgen::cosine(3.141592653589793*mbgen::min(1.0, 0.5*s5_27));
   const double s5_35 = s5_24*(1.0/mbgen::max(0.6666666666666666*s5_26, s5_33));
-  const double s5_36 = fnma(s5_29, 0.06*fma(0.5, s5_34, 0.5)*mbgen::max(0.0, s5_33), s5_35);
+  const double s5_36 = fnma(s5_30, 0.06*fma(0.5, s5_34, 0.5)*mbgen::max(0.0, s5_33), s5_35);
   const double s5_37 = s5_20*mbgen::sine(1.6*mbgen::arc_tangent(20.0*s5_19/s5_23*s5_36));
   const double fx_tyre = mbgen::max(0.0, load_tyre)/s5_19*s5_37;
-  const double s5_38 = mbgen::hyperbolic_tangent(0.5*s5_27);
-  const double s5_39 = s5_38*(radius_tyre*(rolling_tyre*load_tyre));
-  const double s5_40 = fma(fx_tyre, s5_17 + (s5_15 + (s5_14 - radius_tyre)), s5_39);
+  const double s5_38 = s5_27 + s5_31/s5_32;
+  result.xd[1] = -(s5_25*s5_38);
+  result.xd[0] = -fma(s5_24, s5_38, s5_30);
+  const double s5_39 = mbgen::hyperbolic_tangent(0.5*s5_29);
+  const double s5_40 = s5_39*(radius_tyre*(rolling_tyre*load_tyre));
+  const double s5_41 = fma(fx_tyre, s5_28 + (s5_17 + (s5_16 - radius_tyre)), s5_40);
+  // operations: 34 add, 51 multiply, 8 divide, 3 sqrt, 3 sin cos, 18 other
 
   // --- step 8: elimination from the leaves to the root (63) ---
-  const double s8_1 = tau[Coordinate::wheel] - s5_40;
+  const double s8_1 = tau[Coordinate::wheel] - s5_41;
+  // operations: 1 add
+
+  // --- step 2: closure Jacobian Phi_z and its factors (60), upper ---
+  // upper
   const double s2_1 = fma(p_upper_to_z, R_knuckle_x_z, p_upper_to_x*R_knuckle_x_x);
   const double s2_2 = fnma(p_upper_to_x, R_knuckle_x_z, p_upper_to_z*R_knuckle_x_x);
   const double s2_3 = s2_2 + (-p_upper_from_z + r_knuckle_z);
   const double s2_4 = p_upper_from_x - r_knuckle_x - s2_1;
   const double s2_5 = fma(s2_2, s2_4, s2_1*s2_3);
-
-  // --- step 6: c and dRz/dt zd (62), upper ---
-  const double s6_1 = w_knuckle_y*s2_1;
-  const double s6_2 = w_knuckle_y*s2_2;
-  const double s6_3 = s4_1 + s6_1;
-  const double s6_4 = fma(zd_lower, s1_2, s6_2);
-  const double s6_5 = zd_lower*zd_lower;
-  const double s6_6 = s1_2*s6_5;
-  const double s6_7 = r_knuckle_x*s6_5;
-  const double s6_8 = w_knuckle_y*w_knuckle_y;
-  const double s6_9 = fnma(s2_3, fma(w_knuckle_y, s6_2, s6_6), fma(s6_3, s6_3, s6_4*s6_4));
-  const double s2_6 = 1.0/s2_5;
+  const double s2_6 = s2_5 + fma(s1_2, s2_4, r_knuckle_x*s2_3);
+  result.pivot[0] = 12.094222040829795*std::abs(s2_5);
+  const double s2_7 = 1.0/s2_5;
+  // operations: 9 add, 9 multiply, 1 divide, 1 other
 
   // --- step 3: Rz (61), upper ---
-  const double s3_1 = (s2_5 + fma(s1_2, s2_4, r_knuckle_x*s2_3))*s2_6;
-  const double zdd_star_ball = s2_6*fma(s2_4, fma(w_knuckle_y, s6_1, s6_7), s6_9);
-  result.pivot[0] = 12.094222040829795*std::abs(s2_5);
-  const double s9_1 = fnma(s5_1, s5_4*s5_13, fnma(s5_2, s5_3*s5_13, tau[Coordinate::lower]));
+  const double s3_1 = s2_6*s2_7;
+  // operations: 1 multiply
+
+  // --- step 6: c and dRz/dt zd (62), upper ---
+  const double s6_1 = zd_lower*zd_lower;
+  // knuckle: ball, revolute, arm
+  const double s6_2 = s1_2*s6_1;
+  const double s6_3 = r_knuckle_x*s6_1;
+  const double s6_4 = w_knuckle_y*w_knuckle_y;
+  // upper
+  const double s6_5 = w_knuckle_y*s2_1;
+  const double s6_6 = w_knuckle_y*s2_2;
+  const double s6_7 = fma(zd_lower, s1_2, s6_6);
+  const double s6_8 = s4_1 + s6_5;
+  const double s6_9 = fnma(s2_3, fma(w_knuckle_y, s6_6, s6_2), fma(s6_8, s6_8, s6_7*s6_7));
+  const double s6_10 = fma(s2_4, fma(w_knuckle_y, s6_5, s6_3), s6_9);
+  const double zdd_star_ball = s2_7*s6_10;
+  // operations: 7 add, 14 multiply
 
   // --- step 7: inertias of the bodies and forces on joints, upper ---
   const double s7_1 = R_knuckle_x_z*parameters.derived[0];
   const double s7_2 = R_knuckle_x_x*parameters.derived[0];
-  const double s8_2 = fma(zdd_star_ball, s7_1, fma(s6_6, parameters.derived[1], load_tyre));
-  const double s8_3 = fma(s6_6, s7_1, s8_1 + (s5_40 + fnma(s1_3, fx_tyre, s1_4*load_tyre)));
-  // knuckle: ball, revolute, arm
-  const double n_knuckle_y = fma(zdd_star_ball, parameters.derived[2], fnma(s6_7, s7_2, s8_3));
-  const double s8_4 = fnma(s6_7, parameters.derived[1], fms(zdd_star_ball, s7_2, fx_tyre));
-  const double f_knuckle_x = fnma(s6_8, s7_1, s8_4);
-  const double s9_2 = fnma(s1_2, f_knuckle_x, fnma(tau[Coordinate::ball], s3_1, s9_1));
-  const double s8_5 = 1.0 - s3_1;
+  // operations: 2 multiply
 
-  // --- step 8: elimination from the leaves to the root (63), upper, continued ---
-  const double s8_6 = fma(s7_1, s8_5, r_knuckle_x*parameters.derived[1]);
-  const double s8_7 = fma(s8_5, parameters.derived[2], fma(s1_2, s7_2, r_knuckle_x*s7_1));
-  const double s8_8 = fma(s8_5, s8_7, fma(r_knuckle_x, s8_6, 0.3475));
-  const double pivot_lower = fma(s1_2, fma(s7_2, s8_5, s1_2*parameters.derived[1]), s8_8);
-  const double s9_3 = fnma(s8_5, n_knuckle_y, fnma(r_knuckle_x, fma(s6_8, s7_2, s8_2), s9_2));
+  // --- step 8: elimination from the leaves to the root (63), upper ---
+  // knuckle: ball, revolute, arm
+  const double s8_2 = 1.0 - s3_1;
+  const double s8_3 = fnma(s6_3, parameters.derived[1], fms(zdd_star_ball, s7_2, fx_tyre));
+  const double f_knuckle_x = fnma(s6_4, s7_1, s8_3);
+  const double s8_4 = fma(zdd_star_ball, s7_1, fma(s6_2, parameters.derived[1], load_tyre));
+  const double s8_5 = fma(s6_4, s7_2, s8_4);
+  const double s8_6 = fma(s6_2, s7_1, s8_1 + (s5_41 + fnma(s1_4, fx_tyre, s1_3*load_tyre)));
+  const double n_knuckle_y = fma(zdd_star_ball, parameters.derived[2], fnma(s6_3, s7_2, s8_6));
+  const double s8_7 = fma(s7_1, s8_2, r_knuckle_x*parameters.derived[1]);
+  const double s8_8 = fma(s8_2, parameters.derived[2], fma(s1_2, s7_2, r_knuckle_x*s7_1));
+  const double s8_9 = fma(s7_2, s8_2, s1_2*parameters.derived[1]);
+  const double pivot_lower = fma(s1_2, s8_9, fma(s8_2, s8_8, fma(r_knuckle_x, s8_7, 0.3475)));
+  const double s8_10 = s8_7 + fnma(-h_arm_x, R_arm_x_x, h_arm_z*R_arm_x_z);
   result.inertia[0] = fnma(1e-12, pivot_lower, pivot_lower);
+  const double s8_11 = 1.0/pivot_lower;
+  // operations: 23 add, 24 multiply, 1 divide
+
+  // --- step 9: accelerations from the root to the leaves (63), (62) ---
+  const double s9_1 = fnma(s5_1, s5_15, fnma(s5_3, s5_14, tau[Coordinate::lower]));
+  const double s9_2 = fnma(s1_2, f_knuckle_x, fnma(tau[Coordinate::ball], s3_1, s9_1));
+  const double s9_3 = fma(-g_z, s8_10, fnma(s8_2, n_knuckle_y, fnma(r_knuckle_x, s8_5, s9_2)));
   // arm: lower, revolute, carriage
-  const double s9_4 = fma(-g_z, s8_6 + fnma(-h_arm_x, R_arm_x_x, h_arm_z*R_arm_x_z), s9_3);
-  const double alpha_arm_y = 1.0/pivot_lower*s9_4;
+  const double alpha_arm_y = s8_11*s9_3;
   result.zdd[Coordinate::lower] = alpha_arm_y;
   result.zdd[Coordinate::ball] = fnma(s3_1, alpha_arm_y, zdd_star_ball);
   // knuckle: ball, revolute, arm
-  const double alpha_knuckle_y = fma(s8_5, alpha_arm_y, zdd_star_ball);
+  const double alpha_knuckle_y = fma(s8_2, alpha_arm_y, zdd_star_ball);
   result.zdd[Coordinate::wheel] = s8_1 - alpha_knuckle_y;
-  // operations of step 1: poses and axes b: 5 add, 6 multiply, 4 sin cos
-  // operations of step 4: velocities: 5 add, 4 multiply
-  // operations of step 5: applied forces Q (48): 34 add, 51 multiply, 8 divide, 3 sqrt, 3 sin cos,
-  // 18 other
-  // operations of step 8: elimination from the leaves to the root (63): 1 add
-  // operations of step 2: closure Jacobian Phi_z and its factors (60), upper: 9 add, 9 multiply, 1
-  // divide, 1 other
-  // operations of step 3: Rz (61), upper: 1 multiply
-  // operations of step 6: c and dRz/dt zd (62), upper: 7 add, 14 multiply
-  // operations of step 7: inertias of the bodies and forces on joints, upper: 2 multiply
-  // operations of step 8: elimination from the leaves to the root (63), upper: 23 add, 24 multiply,
-  // 1 divide
-  // operations of step 9: accelerations from the root to the leaves (63), (62): 10 add, 10 multiply
+  // operations: 10 add, 10 multiply
 }
 
 /// Result of compute_closure.
@@ -304,43 +303,43 @@ void compute_closure(const Tuned& /*parameters*/, const Inputs& /*inputs*/, cons
   result.zd[Coordinate::wheel] = state.zd[Coordinate::wheel];
 
   // --- step 1: poses and axes b ---
+  const double s1_1 = fms(15.0, state.t, state.z[Coordinate::pull]);
+  result.residual[1] = s1_1;
+  result.dz[Coordinate::pull] = s1_1;
   // arm: lower, revolute, carriage
   const double z_lower = state.z[Coordinate::lower];
   double R_arm_x_x, R_arm_x_z;
   mbgen::sincos(z_lower, R_arm_x_z, R_arm_x_x);
   // knuckle: ball, revolute, arm
-  const double r_knuckle_x = fnma(-p_ball_x, R_arm_x_x, p_ball_z*R_arm_x_z);
-  const double s1_1 = fma(-p_ball_x, R_arm_x_z, p_ball_z*R_arm_x_x);
   const double s1_2 = z_lower + state.z[Coordinate::ball];
   double R_knuckle_x_x, R_knuckle_x_z;
   mbgen::sincos(s1_2, R_knuckle_x_z, R_knuckle_x_x);
+  const double r_knuckle_x = fnma(-p_ball_x, R_arm_x_x, p_ball_z*R_arm_x_z);
+  const double s1_3 = fma(-p_ball_x, R_arm_x_z, p_ball_z*R_arm_x_x);
+  const double r_knuckle_z = s1_3 - (-p_lower_z);
+  // operations: 5 add, 5 multiply, 4 sin cos
 
   // --- step 2: closure Jacobian Phi_z and its factors (60) ---
+  // upper
   const double s2_1 = fma(p_upper_to_z, R_knuckle_x_z, p_upper_to_x*R_knuckle_x_x);
-  const double s2_2 = fnma(p_upper_to_x, R_knuckle_x_z, p_upper_to_z*R_knuckle_x_x);
-  const double s2_3 = p_upper_from_x - r_knuckle_x - s2_1;
-  // knuckle: ball, revolute, arm
-  const double r_knuckle_z = s1_1 - (-p_lower_z);
-  const double s2_4 = s2_2 + (-p_upper_from_z + r_knuckle_z);
-  const double s2_5 = 2.380277794628896*s2_3;
-  const double s2_6 = 2.380277794628896*s2_4;
-  const double s2_7 = fma(s2_1, s2_6, s2_5*s2_2);
-  const double s2_8 = s2_7 + fma(r_knuckle_x, s2_6, s1_1*s2_5);
-  const double s2_9 = 0.5*fma(s2_4, s2_6, fms(s2_3, s2_5, l_upper));
+  const double s2_2 = p_upper_from_x - r_knuckle_x - s2_1;
+  const double s2_3 = 2.380277794628896*s2_2;
+  const double s2_4 = fnma(p_upper_to_x, R_knuckle_x_z, p_upper_to_z*R_knuckle_x_x);
+  const double s2_5 = s2_4 + (-p_upper_from_z + r_knuckle_z);
+  const double s2_6 = 2.380277794628896*s2_5;
+  const double s2_7 = fma(s2_1, s2_6, s2_3*s2_4);
+  const double s2_8 = s2_7 + fma(r_knuckle_x, s2_6, s1_3*s2_3);
+  const double s2_9 = 0.5*fma(s2_5, s2_6, fms(s2_2, s2_3, l_upper));
   result.residual[0] = s2_9;
-
-  // --- step 4: velocities ---
   result.pivot[0] = 4.409001792788769*std::abs(s2_8);
   const double s2_10 = 1.0/s2_8;
+  // operations: 11 add, 14 multiply, 1 divide, 1 other
+
+  // --- step 4: velocities ---
+  // loop block 0
   result.dz[Coordinate::lower] = s2_9*s2_10;
   result.zd[Coordinate::lower] = -(s2_10*(state.zd[Coordinate::ball]*s2_7));
-  const double s1_3 = fms(15.0, state.t, state.z[Coordinate::pull]);
-  result.residual[1] = s1_3;
-  result.dz[Coordinate::pull] = s1_3;
-  // operations of step 1: poses and axes b: 5 add, 5 multiply, 4 sin cos
-  // operations of step 4: velocities: 3 multiply
-  // operations of step 2: closure Jacobian Phi_z and its factors (60): 11 add, 14 multiply, 1
-  // divide, 1 other
+  // operations: 3 multiply
 }
 
 /// Result of compute_multipliers.
