@@ -1,19 +1,31 @@
 #!/bin/sh
 # Measures anew what docs/evidence/performance.md holds and puts it between the markers there: docs/evidence/performance.sh [OPTION...]
 # Options are those of mbgen_compare. Some minutes; the machine should have nothing else to do.
+# OTHER_MBGEN: another mbgen, for example of an earlier commit, whose solvers bench/beside.sh then sets beside these.
 set -eu
 here=$(cd "$(dirname "$0")" && pwd)
+root=$here/../..
 page=$here/performance.md
-table=$(mktemp)
-trap 'rm -f "$table" "$table.md"' EXIT
-"$here/../../bench/compare.sh" "$@" > "$table"
-awk -v table="$table" '
-  /^<!-- compare: end -->/ { inside = 0 }
-  !inside { print }
-  /^<!-- compare: begin -->/ {
-    inside = 1
-    print "```"
-    while ((getline line < table) > 0) print line
-    print "```"
-  }' "$page" > "$table.md"
-cat "$table.md" > "$page"
+scratch=$(mktemp -d)
+trap 'rm -rf "$scratch"' EXIT
+
+# fill NAME: what `$scratch/table` holds, between the markers of this name
+fill() {
+  awk -v table="$scratch/table" -v name="$1" '
+    $0 == "<!-- " name ": end -->" { inside = 0 }
+    !inside { print }
+    $0 == "<!-- " name ": begin -->" {
+      inside = 1
+      print "```"
+      while ((getline line < table) > 0) print line
+      print "```"
+    }' "$page" > "$scratch/page"
+  cat "$scratch/page" > "$page"
+}
+
+"$root/bench/compare.sh" "$@" > "$scratch/table"
+fill compare
+if [ -n "${OTHER_MBGEN:-}" ]; then
+  MBGEN=${MBGEN_BUILD:-$root/build/compare}/mbgen "$root/bench/beside.sh" "$OTHER_MBGEN" > "$scratch/table"
+  fill beside
+fi
