@@ -1,8 +1,9 @@
 #!/bin/sh
 # Follows documents word for word in a bare Debian 12: a fresh chroot with a clone of this tree and nothing else.
-#   tests/system/documents/chroot.sh tutorial|embedding [DIRECTORY]
+#   tests/system/documents/chroot.sh tutorial|embedding|tests [DIRECTORY]
 # tutorial: README's first command, then docs/use/tutorial.md in an empty directory. embedding: docs/use/embedding.md.
-# Takes some 15 minutes, 4 GB and a mirror; as root, with debootstrap. DIRECTORY is made and kept; without it a temporary
+# tests: README's second command, with ../shared beside the clone where it stands beside this tree.
+# Takes some 15 minutes, tests 25, 4 GB and a mirror; as root, with debootstrap. DIRECTORY is made and kept; without it a temporary
 # one is removed at the end.
 set -eu
 case ${1:-} in
@@ -10,7 +11,8 @@ case ${1:-} in
     follow='examples/coach.sh; test -s build/coach/slalom.html
       python3 tests/system/documents/follow.py --path build/release docs/use/tutorial.md' ;;
   embedding) follow='python3 tests/system/documents/follow.py --in . docs/use/embedding.md' ;;
-  *) echo "usage: tests/system/documents/chroot.sh tutorial|embedding [DIRECTORY]" >&2; exit 1 ;;
+  tests) follow='tests/run.sh' ;;
+  *) echo "usage: tests/system/documents/chroot.sh tutorial|embedding|tests [DIRECTORY]" >&2; exit 1 ;;
 esac
 shift
 root=$(cd "$(dirname "$0")/../../.." && pwd)
@@ -36,6 +38,7 @@ if [ -d /etc/apt/apt.conf.d ]; then cp -r /etc/apt/apt.conf.d/. "$debian/etc/apt
 if [ -f /etc/ssl/certs/ca-certificates.crt ]; then cp /etc/ssl/certs/ca-certificates.crt "$debian/root/certificates.crt"; fi
 mount -t proc proc "$debian/proc" || echo "chroot: /proc cannot be mounted, going on without"
 git clone -q "$root" "$debian/root/mbgen"
+if [ -d "$root/../shared" ]; then cp -rL "$root/../shared" "$debian/root/shared"; fi
 chroot "$debian" /usr/bin/env -i HOME=/root TERM=dumb PATH=/usr/sbin:/usr/bin:/sbin:/bin DEBIAN_FRONTEND=noninteractive \
   NODE_EXTRA_CA_CERTS=/root/certificates.crt \
   ${http_proxy:+http_proxy="$http_proxy"} ${https_proxy:+https_proxy="$https_proxy"} \
