@@ -3,6 +3,7 @@
 // and the projection on the free directions (63), group by group.
 
 #include "compiler/formulation/applied_forces.hpp"
+#include "compiler/formulation/elimination.hpp"
 #include "compiler/formulation/inertia.hpp"
 #include "compiler/formulation/loop_solution.hpp"
 
@@ -24,19 +25,14 @@ void rod_forces(System<T>& system, const Kinematics<T>& k, const Accelerations<T
   const Velocities<T> none;
   ForceWork<T> work{system, k, none, forces};
   for (const LoopBlock& block : system.topology.blocks)
-    for (int l : block.loops) {
-      const Loop& loop = system.topology.loops[l];
-      if (loop.kind != ClosureKind::rod || is_zero(system.constants.rods[loop.rod].coupling)) continue;
-      const auto heading = system.scribe.within(OwnerKind::loop, l);
-      const RodConstants<T>& rod = system.constants.rods[loop.rod];
+    each_coupling_rod(system, block, [&](const Rod& ends, const RodConstants<T>& rod) {
       const auto acceleration = [&](const Place<T>& end) {
         const int carrier = system.layout.frame_of(end.body);
         return direction_in(system, k, carrier, place_acceleration(system, k, a, end), block.base);
       };
-      const Rod& ends = system.model.rods[loop.rod];
       apply_force(work, ends.from.body, rod.from, -rod.coupling * acceleration(rod.to), block.base);
       apply_force(work, ends.to.body, rod.to, -rod.coupling * acceleration(rod.from), block.base);
-    }
+    });
 }
 
 }  // namespace detail
@@ -128,12 +124,9 @@ GroupMass<T> group_mass(System<T>& system, const Kinematics<T>& k, const Inertia
       if (on_path(system.topology, group.joints[c], group.joints[d]))
         result.mass[c][d] = result.mass[d][c] = dot(k.column[group.joints[d]], result.momentum[c]);
   if (group.block < 0) return result;
-  for (int l : system.topology.blocks[group.block].loops) {
-    const Loop& loop = system.topology.loops[l];
-    if (loop.kind != ClosureKind::rod || is_zero(system.constants.rods[loop.rod].coupling)) continue;
-    const auto heading = system.scribe.within(OwnerKind::loop, l);
-    add_rod(system, k, group.joints, group.base, system.constants.rods[loop.rod], result);
-  }
+  each_coupling_rod(system, system.topology.blocks[group.block], [&](const Rod&, const RodConstants<T>& rod) {
+    add_rod(system, k, group.joints, group.base, rod, result);
+  });
   return result;
 }
 
@@ -228,39 +221,19 @@ ReducedSystem<T> reduced_system(System<T>& system, const Kinematics<T>& k, const
   return reduced;
 }
 
-/// Solution of the reduced equations by elimination from the leaves to the root, without fill-in.
+/// Solution of the reduced equations (63).
 template <class T>
 struct ReducedSolution {
   std::vector<T> acceleration;  ///< per free direction
-  std::vector<T>
-      inertia;  ///< per free direction: pivot less 1e-12 of its diagonal; not positive where motion has no inertia
+  std::vector<T> inertia;       ///< per free direction, see EliminatedPivots
 };
 
 template <class T>
 ReducedSolution<T> solve_reduced(ReducedSystem<T> s) {
-  const std::size_t n = s.mass.size();
-  std::vector<T> reciprocal(n, T(0.0)), diagonal;
-  for (std::size_t q = 0; q < n; ++q) diagonal.push_back(s.mass[q][q]);
-  ReducedSolution<T> solution;
-  solution.inertia.assign(n, T(0.0));
-  for (std::size_t q = n; q-- > 0;) {
-    solution.inertia[q] = s.mass[q][q] - T(1e-12) * diagonal[q];
-    reciprocal[q] = T(1.0) / s.mass[q][q];
-    for (std::size_t a = 0; a < q; ++a) {
-      if (is_zero(s.mass[q][a])) continue;
-      const T factor = s.mass[q][a] * reciprocal[q];
-      for (std::size_t b = 0; b <= a; ++b)
-        if (!is_zero(s.mass[q][b])) s.mass[a][b] = s.mass[a][b] - factor * s.mass[q][b];
-      s.right_hand_side[a] = s.right_hand_side[a] - factor * s.right_hand_side[q];
-    }
-  }
-  for (std::size_t q = 0; q < n; ++q) {
-    T value = s.right_hand_side[q];
-    for (std::size_t a = 0; a < q; ++a)
-      if (!is_zero(s.mass[q][a])) value = value - s.mass[q][a] * solution.acceleration[a];
-    solution.acceleration.push_back(value * reciprocal[q]);
-  }
-  return solution;
+  std::vector<T>& right = s.right_hand_side;
+  EliminatedPivots<T> pivots = eliminate(
+      s.mass, [&](std::size_t a, const T& factor, std::size_t q) { right[a] = right[a] - factor * right[q]; });
+  return {substitute(s.mass, pivots.reciprocal, [&](std::size_t q) { return right[q]; }), std::move(pivots.inertia)};
 }
 
 /// zdd_star of every group, per tree coordinate.

@@ -2,6 +2,7 @@
 // Inertias of the bodies, accumulated from the leaves to the root (50), each in the frame that carries its body.
 
 #include "compiler/formulation/motion.hpp"
+#include "compiler/formulation/rods.hpp"
 
 namespace mbgen {
 
@@ -100,16 +101,13 @@ Inertias<T> inertias(System<T>& system, const Kinematics<T>& k) {
     m.body[i] = body_inertia(system, k, i);
     (system.layout.bodies[i].own_frame ? m.own[i] : m.base[i]) = about_origin(m.body[i]);
   }
-  for (const LoopBlock& block : system.topology.blocks)
-    for (int l : block.loops) {
-      const Loop& loop = system.topology.loops[l];
-      if (loop.kind != ClosureKind::rod || block.base == kGround) continue;
-      const RodConstants<T>& rod = system.constants.rods[loop.rod];
-      if (is_zero(rod.coupling)) continue;
-      const auto heading = system.scribe.within(OwnerKind::loop, l);
+  for (const LoopBlock& block : system.topology.blocks) {
+    if (block.base == kGround) continue;
+    each_coupling_rod(system, block, [&](const Rod&, const RodConstants<T>& rod) {
       m.own[block.base] = m.own[block.base] + pair_inertia(rod.coupling, position_in(system, k, rod.from, block.base),
                                                            position_in(system, k, rod.to, block.base));
-    }
+    });
+  }
   for (int i = n - 1; i >= 0; --i) {
     const auto heading = system.scribe.within(OwnerKind::tree_body, i);
     if (system.layout.bodies[i].own_frame) m.base[i] = m.base[i] + moved(k.orientation[i], k.position[i], m.own[i]);

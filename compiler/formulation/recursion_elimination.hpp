@@ -1,6 +1,9 @@
 #pragma once
 // Elimination of the free accelerations of a unit into the inertia and the force of its base, and the way back.
 
+#include <utility>
+
+#include "compiler/formulation/elimination.hpp"
 #include "compiler/formulation/recursion_inertia.hpp"
 
 namespace mbgen {
@@ -16,26 +19,15 @@ struct UnitEquations {
   std::size_t size() const { return force.size(); }
 };
 
-/// Eliminates in place, last direction first; afterwards `mass` holds the rows that the way back needs.
+/// Eliminates in place (theory.md section 4).
 template <class T>
 void eliminate(UnitEquations<T>& u) {
-  const std::size_t n = u.size();
-  std::vector<T> diagonal;
-  for (std::size_t q = 0; q < n; ++q) diagonal.push_back(u.mass[q][q]);
-  u.reciprocal.assign(n, T(0.0));
-  u.inertia.assign(n, T(0.0));
-  for (std::size_t q = n; q-- > 0;) {
-    u.inertia[q] = u.mass[q][q] - T(1e-12) * diagonal[q];
-    u.reciprocal[q] = T(1.0) / u.mass[q][q];
-    for (std::size_t a = 0; a < q; ++a) {
-      if (is_zero(u.mass[q][a])) continue;
-      const T factor = u.mass[q][a] * u.reciprocal[q];
-      for (std::size_t b = 0; b <= a; ++b)
-        if (!is_zero(u.mass[q][b])) u.mass[a][b] = u.mass[a][b] - factor * u.mass[q][b];
-      u.momentum[a] = u.momentum[a] - factor * u.momentum[q];
-      u.force[a] = u.force[a] - factor * u.force[q];
-    }
-  }
+  EliminatedPivots<T> pivots = eliminate(u.mass, [&](std::size_t a, const T& factor, std::size_t q) {
+    u.momentum[a] = u.momentum[a] - factor * u.momentum[q];
+    u.force[a] = u.force[a] - factor * u.force[q];
+  });
+  u.reciprocal = std::move(pivots.reciprocal);
+  u.inertia = std::move(pivots.inertia);
 }
 
 /// Takes the eliminated directions out of an inertia and adds the force that they transmit to the force of the base.
@@ -51,14 +43,7 @@ void reduce(const UnitEquations<T>& u, ArticulatedInertia<T>& inertia, Spatial<T
 /// Accelerations of the free directions for an acceleration of the base.
 template <class T>
 std::vector<T> free_accelerations(const UnitEquations<T>& u, const Spatial<T>& base) {
-  std::vector<T> acceleration;
-  for (std::size_t q = 0; q < u.size(); ++q) {
-    T value = u.force[q] - dot(u.momentum[q], base);
-    for (std::size_t a = 0; a < q; ++a)
-      if (!is_zero(u.mass[q][a])) value = value - u.mass[q][a] * acceleration[a];
-    acceleration.push_back(value * u.reciprocal[q]);
-  }
-  return acceleration;
+  return substitute(u.mass, u.reciprocal, [&](std::size_t q) { return u.force[q] - dot(u.momentum[q], base); });
 }
 
 /// The symmetric operator without the rows and columns of directions that are unit vectors: elimination leaves zeros

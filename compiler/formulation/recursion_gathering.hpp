@@ -2,6 +2,7 @@
 // Recursive form: the projected equations (63) of one loop block or run, and its share in its base.
 
 #include "compiler/formulation/recursion_bias.hpp"
+#include "compiler/formulation/rods.hpp"
 
 namespace mbgen::detail {
 
@@ -235,12 +236,8 @@ Carried<T> gather_block(RecursionState<T>& s, std::size_t u) {
     else
       gather_body(s, g, step->body());
   }
-  for (int l : system.topology.blocks[unit.block].loops) {
-    const Loop& loop = system.topology.loops[l];
-    if (loop.kind != ClosureKind::rod || is_zero(system.constants.rods[loop.rod].coupling)) continue;
-    const auto heading = system.scribe.within(OwnerKind::loop, l);
-    gather_rod(s, g, system.constants.rods[loop.rod]);
-  }
+  each_coupling_rod(system, system.topology.blocks[unit.block],
+                    [&](const Rod&, const RodConstants<T>& rod) { gather_rod(s, g, rod); });
   return g.base;
 }
 
