@@ -13,11 +13,11 @@ template <class T>
 void eliminate_block(RecursionState<T>& s, std::size_t u) {
   const RecursionUnit& unit = s.units()[u];
   UnitEquations<T>& equations = s.equations[u];
-  Carried<T> base = gather_block(s, u);
+  CompositeBody<T> base = gather_block(s, u);
   eliminate(equations);
   if (unit.base == kGround) return;
   reduce(equations, base.reduced, base.needed);
-  Carried<T>& below = s.carried[unit.base];
+  CompositeBody<T>& below = s.composite[unit.base];
   below.rigid = below.rigid + base.rigid;
   below.above = below.above + base.above;
   below.reduced = below.reduced + base.reduced;
@@ -54,7 +54,7 @@ void eliminate_rotor(RecursionState<T>& s, std::size_t u, const AppliedForces<T>
   UnitEquations<T>& equations = s.equations[u];
   const T* driven = s.driven(w);
   const T applied = dot(axis, forces.wrench[w].angular);
-  Carried<T>& base = s.carried[unit.base];
+  CompositeBody<T>& base = s.composite[unit.base];
   base.needed = base.needed - shifted(offset_from_parent(s.system(), s.k(), w), forces.wrench[w]);
   const Vector<T> omega = s.omega[unit.base];
   const T spin = dot(axis, omega) + s.system().zd(w);
@@ -119,7 +119,7 @@ void solve_block(RecursionState<T>& s, std::size_t u, std::vector<T>& zdd) {
   const bool grounded = unit.base == kGround;
   const Spatial<T> base = grounded ? Spatial<T>{} : base_acceleration(s, unit.base);
   const std::vector<T> free = free_accelerations(s.equations[u], base);
-  std::vector<T> local = parts.star;
+  std::vector<T> local = parts.zdd_star;
   const std::vector<std::vector<T>>& rz = parts.chosen ? parts.chosen->rz : parts.rz;
   if (parts.chosen) local = parts.chosen->zdd_star;
   for (std::size_t c = 0; c < local.size(); ++c)
@@ -135,7 +135,7 @@ void solve_block(RecursionState<T>& s, std::size_t u, std::vector<T>& zdd) {
                               quasi_of(step, zdd), zdd);
     }
     const Spatial<T>& v = parts.velocity[i];
-    Spatial<T> a = parts.star_motion[i];
+    Spatial<T> a = parts.zdd_star_motion[i];
     for (std::size_t q = 0; q < free.size(); ++q) a = a + free[q] * parts.partial[q][i];
     a.linear =
         a.linear + parts.bias[i].linear + base.linear + base_gradient * s.k().position[i] + cross(twice, v.linear);
@@ -212,7 +212,7 @@ void add_own_parts(RecursionState<T>& s, const RecursionUnit& unit, const Applie
     const int i = step.body();
     if (unit.block < 0 && i != unit.end()) continue;
     const auto heading = s.system().scribe.within(OwnerKind::tree_body, i);
-    Carried<T>& c = s.carried[i];
+    CompositeBody<T>& c = s.composite[i];
     c.rigid = c.rigid + (s.work.own(i) ? s.constant[i] : s.in_base_axes(i, s.constant[i]));
     c.needed = c.needed - forces.wrench[i];
   }
@@ -256,7 +256,7 @@ void project_block(RecursionState<T>& s, std::size_t u, const GroupProjection<T>
   }
   const auto step = s.system().scribe.step(Step::closure_bias, unit.block);
   parts.bias = block_bias(s.work, unit, parts.velocity);
-  parts.star = quasi_accelerations(s.work, unit, parts.velocity, chosen.zdd_star);
+  parts.zdd_star = quasi_accelerations(s.work, unit, parts.velocity, chosen.zdd_star);
 }
 
 /// Steps 2, 3, 6, 7 and 8 of a loop block.
@@ -337,7 +337,7 @@ RecursiveSolution<T> recursive_accelerations(System<T>& system, const Recursion&
   s.runs.resize(units);
   s.equations.resize(units);
   s.acceleration.resize(n);
-  s.carried.resize(n);
+  s.composite.resize(n);
   RecursiveSolution<T> solution;
   solution.quality.assign(system.topology.blocks.size(), T(1.0));
   {

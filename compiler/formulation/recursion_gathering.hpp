@@ -9,14 +9,14 @@ namespace mbgen::detail {
 /// Inertia and needed force of a body as its own block or run sees them at zero base and free accelerations.
 /// a, gradient: acceleration field of the body about its origin.
 template <class T>
-Spatial<T> needed_in(const Carried<T>& c, const Vector<T>& a, const Vector<T>& alpha, const Matrix<T>& gradient) {
+Spatial<T> needed_in(const CompositeBody<T>& c, const Vector<T>& a, const Vector<T>& alpha, const Matrix<T>& gradient) {
   const Spatial<T> motion{a, alpha};
   return c.needed + field_force(c.rigid, a, gradient) + c.above * motion + c.reduced * motion;
 }
 
-/// Inertia and force that a body of a block holds for the bodies on it, about its origin.
+/// Composite inertia of the bodies of a block that move on one of its bodies, about the origin of that body.
 template <class T>
-struct Held {
+struct SubtreeInertia {
   PseudoInertia<T> inertia;
   Spatial<T> needed;
   std::vector<Spatial<T>> momentum;  ///< per free direction: of their motion against this body
@@ -30,8 +30,8 @@ struct BlockGathering {
   UnitEquations<T>& equations;
   Vector<T> turning, twice;  ///< angular velocity of the base, and twice that
   Matrix<T> turning_field;   ///< w~w~ of it
-  Carried<T> base;
-  PerBody<Held<T>> held;
+  CompositeBody<T> base;
+  PerBody<SubtreeInertia<T>> subtree;
 };
 
 /// The free directions: motion of the bodies, forces on the joints.
@@ -49,7 +49,7 @@ void start_equations(RecursionState<T>& s, BlockGathering<T>& g) {
     for (std::size_t c = 0; c < column.size(); ++c) force = force + column[c] * s.force[unit.joints[c]];
     g.equations.force.push_back(force);
   }
-  g.parts.star_motion = block_motion(s.work, unit, per_joint(unit, g.parts.star));
+  g.parts.zdd_star_motion = block_motion(s.work, unit, per_joint(unit, g.parts.zdd_star));
 }
 
 /// A motion about another point of the body, `arm` from where it is given.
@@ -77,9 +77,9 @@ void add_to_equations(BlockGathering<T>& g, int i, const Vector<T>& arm, const V
 /// base (there it costs nothing more), so that only its motion against the base and the Coriolis field are its own.
 template <class T>
 void gather_arm(RecursionState<T>& s, BlockGathering<T>& g, int i) {
-  const Carried<T>& arm = s.carried[i];
+  const CompositeBody<T>& arm = s.composite[i];
   const Vector<T>& w = g.parts.velocity[i].angular;
-  const Vector<T> alpha = g.parts.star_motion[i].angular;
+  const Vector<T> alpha = g.parts.zdd_star_motion[i].angular;
   const Matrix<T> own = acceleration_gradient(w, alpha);
   const T along = dot(g.twice, w);
   const Matrix<T> field = own + Matrix<T>{g.twice.x * w, g.twice.y * w, g.twice.z * w} -
@@ -101,8 +101,9 @@ bool bears_units(const RecursionState<T>& s, int body) {
 
 /// Force that a body of a block needs at zero base and free accelerations, about the point `arm` from its origin.
 template <class T>
-Spatial<T> needed_of(RecursionState<T>& s, BlockGathering<T>& g, int i, const Carried<T>& body, const Vector<T>& arm) {
-  const Spatial<T> v = about_point(g.parts.velocity[i], arm), extra = about_point(g.parts.star_motion[i], arm);
+Spatial<T> needed_of(RecursionState<T>& s, BlockGathering<T>& g, int i, const CompositeBody<T>& body,
+                     const Vector<T>& arm) {
+  const Spatial<T> v = about_point(g.parts.velocity[i], arm), extra = about_point(g.parts.zdd_star_motion[i], arm);
   const BodyAcceleration<T>& bias = g.parts.bias[i];
   const Vector<T> place = s.k().position[i] + arm;
   Vector<T> a = bias.linear + bias.gradient * arm + extra.linear + g.turning_field * place + cross(g.twice, v.linear);
@@ -114,29 +115,30 @@ Spatial<T> needed_of(RecursionState<T>& s, BlockGathering<T>& g, int i, const Ca
 }
 
 /// A body on another body of its block, by one joint: its motion is that of the body below and of its own joint, so
-/// that the body below holds its inertia, and only its joint's motion b is projected here.
+/// that its inertia joins the subtree of the body below, and only its joint's motion b is projected here.
 template <class T>
-void gather_held(RecursionState<T>& s, BlockGathering<T>& g, const JointStep& step) {
+void gather_in_subtree(RecursionState<T>& s, BlockGathering<T>& g, const JointStep& step) {
   const int i = step.body(), below = s.work.parent(step);
   const Vector<T>& axis = s.k().axis[i];
   const Spatial<T> b = step.revolute ? Spatial<T>{{}, axis} : Spatial<T>{axis, {}};
-  const PseudoInertia<T> whole = s.carried[i].rigid + g.held[i].inertia;
-  const Spatial<T> needed = needed_of(s, g, i, s.carried[i], Vector<T>{}) + g.held[i].needed;
+  const PseudoInertia<T> whole = s.composite[i].rigid + g.subtree[i].inertia;
+  const Spatial<T> needed = needed_of(s, g, i, s.composite[i], Vector<T>{}) + g.subtree[i].needed;
   const Vector<T>& offset = s.work.offset[i];
   const Spatial<T> momentum = whole * b, seen_below = shifted(offset, momentum);
   const T half = T(0.5) * dot(b, momentum);
-  Held<T>& held = g.held[below];
-  held.inertia = held.inertia + shifted(offset, whole);
-  held.needed = held.needed + shifted(offset, needed);
-  held.momentum.resize(g.equations.size());
+  SubtreeInertia<T>& subtree = g.subtree[below];
+  subtree.inertia = subtree.inertia + shifted(offset, whole);
+  subtree.needed = subtree.needed + shifted(offset, needed);
+  subtree.momentum.resize(g.equations.size());
   const std::vector<T>& rate = g.parts.rz[g.unit.column(i)];
   std::vector<T> coupled;
   for (std::size_t q = 0; q < g.equations.size(); ++q) {
     coupled.push_back(dot(seen_below, g.parts.partial[q][below]) + half * rate[q]);
     for (std::size_t d = 0; d <= q; ++d)
       g.equations.mass[q][d] = g.equations.mass[q][d] + (rate[q] * coupled[d] + rate[d] * coupled[q]);
-    held.momentum[q] = held.momentum[q] + rate[q] * seen_below;
-    if (!g.held[i].momentum.empty()) held.momentum[q] = held.momentum[q] + shifted(offset, g.held[i].momentum[q]);
+    subtree.momentum[q] = subtree.momentum[q] + rate[q] * seen_below;
+    if (!g.subtree[i].momentum.empty())
+      subtree.momentum[q] = subtree.momentum[q] + shifted(offset, g.subtree[i].momentum[q]);
     g.equations.force[q] = g.equations.force[q] - rate[q] * dot(b, needed);
   }
 }
@@ -151,11 +153,11 @@ bool is_arm(const RecursionState<T>& s, const RecursionUnit& unit, const JointSt
   return std::none_of(s.units().begin(), s.units().end(), [i](const RecursionUnit& u) { return u.base == i; });
 }
 
-/// Whether a body of a block is held by the one below.
+/// Whether the inertia of a body of a block joins the subtree of the body below.
 template <class T>
-bool is_held(const RecursionState<T>& s, const RecursionUnit& unit, const JointStep& step) {
+bool is_in_subtree(const RecursionState<T>& s, const RecursionUnit& unit, const JointStep& step) {
   const int below = s.work.parent(step);
-  if (!s.work.recursion.choices.holding || step.quasi() || below == unit.base || s.work.own(step.body())) return false;
+  if (!s.work.recursion.choices.subtrees || step.quasi() || below == unit.base || s.work.own(step.body())) return false;
   return !bears_units(s, step.body()) && s.work.step[below] != nullptr && !is_arm(s, unit, *s.work.step[below]);
 }
 
@@ -163,13 +165,13 @@ bool is_held(const RecursionState<T>& s, const RecursionUnit& unit, const JointS
 template <class T>
 void gather_body(RecursionState<T>& s, BlockGathering<T>& g, int i) {
   const Matrix<T>& axes = s.k().orientation[i];
-  const Held<T>& held = g.held[i];
-  Carried<T> body = s.carried[i];
+  const SubtreeInertia<T>& subtree = g.subtree[i];
+  CompositeBody<T> body = s.composite[i];
   Vector<T> arm;
   if (s.work.own(i))
     body = {rotated(axes, body.rigid), rotated(axes, body.above), rotated(axes, body.reduced),
             rotated(axes, body.needed)};
-  const bool is_bare = held.momentum.empty() && !is_zero(s.constant[i].mass) && !bears_units(s, i);
+  const bool is_bare = subtree.momentum.empty() && !is_zero(s.constant[i].mass) && !bears_units(s, i);
   if (s.work.recursion.choices.centres && is_bare) {
     const PseudoInertia<T>& constant = s.constant[i];
     const Vector<T> com = (T(1.0) / constant.mass) * constant.moment;
@@ -178,13 +180,13 @@ void gather_body(RecursionState<T>& s, BlockGathering<T>& g, int i) {
     body.needed = shifted(-arm, body.needed);
   }
   const Vector<T> place = s.k().position[i] + arm;
-  const Spatial<T> needed = needed_of(s, g, i, body, arm) + held.needed;
-  const PseudoInertia<T> whole = body.rigid + body.above + held.inertia;
+  const Spatial<T> needed = needed_of(s, g, i, body, arm) + subtree.needed;
+  const PseudoInertia<T> whole = body.rigid + body.above + subtree.inertia;
   g.base.above = g.base.above + shifted(place, whole);
   g.base.reduced = g.base.reduced + shifted(place, body.reduced);
   g.base.needed = g.base.needed + shifted(place, needed);
-  for (std::size_t q = 0; q < held.momentum.size(); ++q)
-    g.equations.momentum[q] = g.equations.momentum[q] + shifted(place, held.momentum[q]);
+  for (std::size_t q = 0; q < subtree.momentum.size(); ++q)
+    g.equations.momentum[q] = g.equations.momentum[q] + shifted(place, subtree.momentum[q]);
   add_to_equations(g, i, arm, place, whole, body.reduced, needed);
 }
 
@@ -203,7 +205,7 @@ void gather_rod(RecursionState<T>& s, BlockGathering<T>& g, const RodConstants<T
   const T mass = -rod.coupling;
   const Vector<T> gap = from.place - to.place, scaled_gap = mass * gap;
   const Vector<T> rate = from.point_velocity() - to.point_velocity();
-  const Vector<T> own = from.point_acceleration() - to.point_acceleration() + moved(g.parts.star_motion);
+  const Vector<T> own = from.point_acceleration() - to.point_acceleration() + moved(g.parts.zdd_star_motion);
   const Vector<T> force = mass * (own + cross(g.twice, rate) + g.turning_field * gap);
   g.base.above = g.base.above + pseudo_inertia(T(0.0), Vector<T>{}, square(mass, gap));
   g.base.needed.angular = g.base.needed.angular + cross(gap, force);
@@ -219,20 +221,25 @@ void gather_rod(RecursionState<T>& s, BlockGathering<T>& g, const RodConstants<T
 
 /// Equations of a block's free directions. Result: its share in its base.
 template <class T>
-Carried<T> gather_block(RecursionState<T>& s, std::size_t u) {
+CompositeBody<T> gather_block(RecursionState<T>& s, std::size_t u) {
   const System<T>& system = s.system();
   const RecursionUnit& unit = s.units()[u];
   const Vector<T> turning = s.omega_of(unit.base);
-  BlockGathering<T> g{unit,    s.blocks[u],           s.equations[u],
-                      turning, turning + turning,     acceleration_gradient(turning, Vector<T>{}),
-                      {},      PerBody<Held<T>>(unit)};
+  BlockGathering<T> g{unit,
+                      s.blocks[u],
+                      s.equations[u],
+                      turning,
+                      turning + turning,
+                      acceleration_gradient(turning, Vector<T>{}),
+                      {},
+                      PerBody<SubtreeInertia<T>>(unit)};
   start_equations(s, g);
   for (auto step = unit.steps.rbegin(); step != unit.steps.rend(); ++step) {
     const auto heading = system.scribe.within(OwnerKind::tree_body, step->body());
     if (is_arm(s, unit, *step))
       gather_arm(s, g, step->body());
-    else if (is_held(s, unit, *step))
-      gather_held(s, g, *step);
+    else if (is_in_subtree(s, unit, *step))
+      gather_in_subtree(s, g, *step);
     else
       gather_body(s, g, step->body());
   }
@@ -244,7 +251,7 @@ Carried<T> gather_block(RecursionState<T>& s, std::size_t u) {
 /// Force that the angular velocity of a run's end asks for.
 template <class T>
 Spatial<T> turning_force(const RecursionState<T>& s, int end) {
-  return field_force(s.carried[end].rigid, Vector<T>{}, acceleration_gradient(s.omega[end], Vector<T>{}));
+  return field_force(s.composite[end].rigid, Vector<T>{}, acceleration_gradient(s.omega[end], Vector<T>{}));
 }
 
 /// Equations of a run's free directions about its end's origin, and its inertia and force there at zero accelerations.
@@ -253,7 +260,7 @@ void gather_run(RecursionState<T>& s, std::size_t u, UnitEquations<T>& equations
                 Spatial<T>& needed) {
   const RecursionUnit& unit = s.units()[u];
   const RunParts<T>& run = s.runs[u];
-  const Carried<T>& body = s.carried[unit.end()];
+  const CompositeBody<T>& body = s.composite[unit.end()];
   inertia = articulated(body.rigid + body.above) + body.reduced;
   needed = body.needed + turning_force(s, unit.end()) + inertia * run.bias;
   for (std::size_t q = 0; q < run.directions.size(); ++q) {
@@ -279,7 +286,7 @@ std::vector<Spatial<T>> unit_motions(const RecursionUnit& unit) {
 template <class T>
 void gather_free(RecursionState<T>& s, std::size_t u, UnitEquations<T>& equations, Spatial<T>& transmitted) {
   const RecursionUnit& unit = s.units()[u];
-  const Carried<T>& body = s.carried[unit.end()];
+  const CompositeBody<T>& body = s.composite[unit.end()];
   const RunParts<T>& run = s.runs[u];
   const ArticulatedInertia<T> inertia = articulated(body.rigid + body.above) + body.reduced;
   // directions: pin x e for turns, so forces at the origin follow from those on the quasi-velocities
@@ -309,7 +316,7 @@ template <class T>
 void hand_down(RecursionState<T>& s, int base, const Matrix<T>& axes, const Vector<T>& place,
                const ArticulatedInertia<T>& inertia, const Spatial<T>& needed) {
   if (base == kGround) return;
-  Carried<T>& below = s.carried[base];
+  CompositeBody<T>& below = s.composite[base];
   below.reduced = below.reduced + shifted(place, rotated(axes, inertia));
   below.needed = below.needed + shifted(place, rotated(axes, needed));
 }

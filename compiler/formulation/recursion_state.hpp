@@ -37,7 +37,7 @@ namespace detail {
 /// Inertias that move with a body and the force that they need, about the body's origin in the frame that carries it
 /// (own frame, or that of its block's base).
 template <class T>
-struct Carried {
+struct CompositeBody {
   PseudoInertia<T> rigid;         ///< of the body itself and of arms on it: its angular velocity acts on it as a whole
   PseudoInertia<T> above;         ///< of the blocks' bodies on it, whose velocities `needed` has taken in already
   ArticulatedInertia<T> reduced;  ///< the change of it by eliminated units
@@ -50,11 +50,11 @@ struct BlockParts {
   const GroupProjection<T>* chosen = nullptr;  ///< the projection over joint rates, where it was chosen at run time
   FrozenFactors<T> factors;
   std::vector<std::vector<T>> rz;
-  std::vector<T> star;                       ///< per local column: accelerations at zero free ones
+  std::vector<T> zdd_star;                   ///< per local column: accelerations at zero free ones
   PerBody<Spatial<T>> velocity;              ///< against the base
   PerBody<BodyAcceleration<T>> bias;         ///< at zero accelerations
   std::vector<PerBody<Spatial<T>>> partial;  ///< per free direction: motion of the bodies
-  PerBody<Spatial<T>> star_motion;           ///< motion for `star`
+  PerBody<Spatial<T>> zdd_star_motion;       ///< motion for `zdd_star`
 };
 
 /// Values of a run that its solution needs on the way back.
@@ -71,11 +71,11 @@ template <class T>
 struct RecursionState {
   const RecursionWork<T>& work;
   const std::vector<Drive<T>>& drives;
-  std::vector<PseudoInertia<T>> constant;  ///< per tree body in its axes: with rotors and rods' ends
-  std::vector<T> polar;                    ///< per tree body: a rotor's inertia about its axis
-  std::vector<T> velocity;                 ///< per joint: (quasi-)velocities
-  std::vector<Vector<T>> omega;            ///< per tree body: angular velocity in the frame that carries it
-  std::vector<Carried<T>> carried;
+  std::vector<PseudoInertia<T>> constant;   ///< per tree body in its axes: with rotors and rods' ends
+  std::vector<T> polar;                     ///< per tree body: a rotor's inertia about its axis
+  std::vector<T> velocity;                  ///< per joint: (quasi-)velocities
+  std::vector<Vector<T>> omega;             ///< per tree body: angular velocity in the frame that carries it
+  std::vector<CompositeBody<T>> composite;  ///< per tree body
   std::vector<BlockParts<T>> blocks;        ///< per Recursion::units, empty where not a block
   std::vector<RunParts<T>> runs;            ///< likewise
   std::vector<UnitEquations<T>> equations;  ///< per unit

@@ -58,10 +58,10 @@ class PerBody {
 /// Treatments that the recursive form can do without; the saving of each is counted (see RecursionChoices in
 /// `inspect`).
 struct RecursionChoices {
-  bool rotors = true;   ///< bodies symmetric about their joint's axis are held by their base
-  bool holding = true;  ///< bodies of blocks on others but arms hand their inertia to the body below
-  bool centres = true;  ///< bodies of blocks that carry nothing are seen from their centres of mass, not their origins
-  bool arms = true;     ///< the base's angular velocity acts on a block's single-joint bodies as on parts of the base
+  bool rotors = true;    ///< bodies symmetric about their joint's axis are held by their base
+  bool subtrees = true;  ///< bodies of blocks on others but arms hand their inertia to the body below
+  bool centres = true;   ///< bodies of blocks that carry nothing are seen from their centres of mass, not their origins
+  bool arms = true;      ///< the base's angular velocity acts on a block's single-joint bodies as on parts of the base
 };
 
 /// Frames and order of the recursive form.

@@ -63,8 +63,8 @@ CheapestRecursion cheapest_recursion(const Model& model, const Topology& topolog
   CheapestRecursion cheapest = traced({});
   if (topology.blocks.empty()) return cheapest;
   for (const RecursionChoices choices :
-       {RecursionChoices{.holding = true, .centres = false}, RecursionChoices{.holding = false, .centres = true},
-        RecursionChoices{.holding = false, .centres = false}}) {
+       {RecursionChoices{.subtrees = true, .centres = false}, RecursionChoices{.subtrees = false, .centres = true},
+        RecursionChoices{.subtrees = false, .centres = false}}) {
     CheapestRecursion other = traced(choices);
     if (count_operations(other.program).total() < count_operations(cheapest.program).total())
       cheapest = std::move(other);

@@ -46,7 +46,7 @@ std::vector<std::pair<std::string, Program>> trace_without(const Model& model, c
                                                            const Analysis& analysis) {
   const std::pair<const char*, RecursionChoices> treatments[] = {
       {"rotors held by their base", {.rotors = false}},
-      {"bodies of blocks held by the body below", {.holding = false}},
+      {"bodies of blocks held by the body below", {.subtrees = false}},
       {"bodies seen from their centres of mass", {.centres = false}},
       {"arms turn with their base", {.arms = false}},
   };
