@@ -20,7 +20,7 @@ bool overlap(const std::vector<int>& a, const std::vector<int>& b) {
 }
 
 /// Some rows of a part that cannot move, seen at a position.
-struct Held {
+struct PartPosition {
   NumericSystem& numbers;
   std::size_t b;
   const PartView& view;
@@ -30,7 +30,7 @@ struct Held {
 
 /// The largest residual of redundant rows (local to the part) after a finite step along `direction` with the kept ones
 /// closed, or a negative number when none can be made.
-double opened(const Held& at, const DependentRows& rows, const VectorXd& direction, double longest) {
+double opened(const PartPosition& at, const DependentRows& rows, const VectorXd& direction, double longest) {
   const LoopBlock& block = at.numbers.topology().blocks[at.b];
   std::vector<std::vector<int>> closing(at.numbers.topology().blocks.size());
   for (int r : rows.kept) closing[at.b].push_back(at.view.part.rows[r]);
@@ -63,7 +63,7 @@ std::vector<int> loops_of(const Topology& topology, const LoopBlock& block, cons
 }
 
 /// The rows leave the joints of their loops a freedom, and those that follow from others agree along it.
-bool agree(const Held& at, const DependentRows& rows, const BlockPart& loops) {
+bool agree(const PartPosition& at, const DependentRows& rows, const BlockPart& loops) {
   std::vector<int> movable;
   for (std::size_t c = 0; c < at.view.part.columns.size(); ++c)
     if (contains(loops.columns, at.view.part.columns[c])) movable.push_back(static_cast<int>(c));
@@ -87,7 +87,7 @@ bool agree(const Held& at, const DependentRows& rows, const BlockPart& loops) {
 }
 
 /// All rows of some loops of a part: those that full pivoting takes, and the others.
-DependentRows rows_of(const Held& at, const BlockPart& loops) {
+DependentRows rows_of(const PartPosition& at, const BlockPart& loops) {
   std::vector<int> rows;
   for (std::size_t r = 0; r < at.view.part.rows.size(); ++r)
     if (contains(loops.rows, at.view.part.rows[r])) rows.push_back(static_cast<int>(r));
@@ -133,7 +133,7 @@ std::vector<DependentRows> dependent_rows(const MatrixXd& matrix, int rank) {
 bool redundancy_holds(NumericSystem& numbers, std::size_t b, const PartView& view, std::size_t s,
                       const std::vector<double>& start) {
   const LoopBlock& block = numbers.topology().blocks[b];
-  const Held at{numbers, b, view, view.jacobians[s], start};
+  const PartPosition at{numbers, b, view, view.jacobians[s], start};
   const std::vector<DependentRows> components = dependent_rows(at.jacobian, view.rank);
   return std::all_of(components.begin(), components.end(), [&](const DependentRows& rows) {
     const BlockPart loops = block_part(numbers.topology(), block, loops_of(numbers.topology(), block, view, rows));

@@ -19,7 +19,7 @@
 #include "compiler/study/simulation.hpp"
 #include "compiler/study/simulation_arguments.hpp"
 #include "compiler/study/simulation_text.hpp"
-#include "compiler/study/step_watch.hpp"
+#include "compiler/study/step_verdict.hpp"
 
 namespace mbgen::cli {
 namespace {

@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "compiler/analysis/notes.hpp"
-#include "compiler/analysis/unheld.hpp"
+#include "compiler/analysis/unrestrained.hpp"
 
 namespace mbgen {
 
@@ -13,7 +13,7 @@ Diagnostics all_notes(const Compilation& compilation) {
   Diagnostics notes = compilation.model.notes;
   for (Diagnostic& note : analysis_notes(compilation.model, compilation.topology, compilation.analysis))
     notes.push_back(std::move(note));
-  for (Diagnostic& note : unheld_motions(compilation.model, compilation.topology, compilation.analysis))
+  for (Diagnostic& note : unrestrained_motions(compilation.model, compilation.topology, compilation.analysis))
     notes.push_back(std::move(note));
   return notes;
 }

@@ -22,13 +22,13 @@ int equality_body(Mjcf& mjcf, const Element& equality, std::string_view name) {
 }
 
 /// The two ends of an equality, by bodies or by sites.
-struct Held {
+struct EqualityEnds {
   int from = -1, to = -1;
   Isometry3d at_from = Isometry3d::Identity(), at_to = Isometry3d::Identity();  ///< global at the reference
 };
 
-std::optional<Held> held_by_sites(Mjcf& mjcf, const Element& equality) {
-  Held held;
+std::optional<EqualityEnds> ends_by_sites(Mjcf& mjcf, const Element& equality) {
+  EqualityEnds ends;
   for (const bool is_first : {true, false}) {
     const std::optional<std::string> name = required_text(mjcf.reading, equality, is_first ? "site1" : "site2");
     if (!name) return std::nullopt;
@@ -37,10 +37,10 @@ std::optional<Held> held_by_sites(Mjcf& mjcf, const Element& equality) {
       problem(mjcf.reading, equality.spot, "no site is named " + quoted_text(*name));
       return std::nullopt;
     }
-    (is_first ? held.from : held.to) = mjcf.body_of_site.at(*name);
-    (is_first ? held.at_from : held.at_to) = found->second;
+    (is_first ? ends.from : ends.to) = mjcf.body_of_site.at(*name);
+    (is_first ? ends.at_from : ends.at_to) = found->second;
   }
-  return held;
+  return ends;
 }
 
 /// A pose of body2 in body1 that is not the one at the reference.
@@ -57,17 +57,17 @@ std::optional<Isometry3d> relative_pose(Mjcf& mjcf, const Element& weld) {
   return pose;
 }
 
-std::optional<Held> held_by_bodies(Mjcf& mjcf, const Element& equality, bool is_weld) {
+std::optional<EqualityEnds> ends_by_bodies(Mjcf& mjcf, const Element& equality, bool is_weld) {
   if (!required_text(mjcf.reading, equality, "body1")) return std::nullopt;
-  Held held{equality_body(mjcf, equality, "body1"), equality_body(mjcf, equality, "body2")};
-  if (held.from < 0 || held.to < 0) return std::nullopt;
+  EqualityEnds ends{equality_body(mjcf, equality, "body1"), equality_body(mjcf, equality, "body2")};
+  if (ends.from < 0 || ends.to < 0) return std::nullopt;
   const auto pose = [&](int body) { return mjcf.assembly.bodies[static_cast<std::size_t>(body)].pose; };
-  held.at_to = pose(held.to);
-  held.at_from = held.at_to;
+  ends.at_to = pose(ends.to);
+  ends.at_from = ends.at_to;
   if (is_weld) {
     if (const std::optional<Isometry3d> relative = relative_pose(mjcf, equality))
-      held.at_from = pose(held.from) * *relative;
-    return held;
+      ends.at_from = pose(ends.from) * *relative;
+    return ends;
   }
   const Attribute* anchor = attribute(equality, "anchor");
   if (!anchor) {
@@ -75,9 +75,9 @@ std::optional<Held> held_by_bodies(Mjcf& mjcf, const Element& equality, bool is_
     return std::nullopt;
   }
   const std::vector<double> v = numbers(mjcf.reading, *anchor, 3, 3).value_or(std::vector<double>(3, 0.0));
-  held.at_from = pose(held.from) * Eigen::Translation3d(v[0], v[1], v[2]);
-  held.at_to = held.at_from;
-  return held;
+  ends.at_from = pose(ends.from) * Eigen::Translation3d(v[0], v[1], v[2]);
+  ends.at_to = ends.at_from;
+  return ends;
 }
 
 void add_closure(Mjcf& mjcf, const Element& equality) {
@@ -86,14 +86,14 @@ void add_closure(Mjcf& mjcf, const Element& equality) {
     note(mjcf.reading, equality.spot, fmt::format("<{}> is not active: it is left out", equality.name));
     return;
   }
-  const std::optional<Held> held =
-      attribute(equality, "site1") ? held_by_sites(mjcf, equality) : held_by_bodies(mjcf, equality, is_weld);
-  if (!held) return;
-  if (held->from == held->to) {
+  const std::optional<EqualityEnds> ends =
+      attribute(equality, "site1") ? ends_by_sites(mjcf, equality) : ends_by_bodies(mjcf, equality, is_weld);
+  if (!ends) return;
+  if (ends->from == ends->to) {
     problem(mjcf.reading, equality.spot, fmt::format("<{}> has one body at both ends", equality.name));
     return;
   }
-  const Isometry3d between = held->at_from.inverse() * held->at_to;
+  const Isometry3d between = ends->at_from.inverse() * ends->at_to;
   const double gap = between.translation().norm(), turned = std::abs(Eigen::AngleAxisd(between.linear()).angle());
   if (gap > kMeets || (is_weld && turned > kMeets)) {
     problem(mjcf.reading, equality.spot,
@@ -105,12 +105,12 @@ void add_closure(Mjcf& mjcf, const Element& equality) {
   const auto name_of = [&](int body) { return mjcf.assembly.bodies[static_cast<std::size_t>(body)].name; };
   const std::string written = text_of(equality, "name");
   const std::string name =
-      written.empty() ? fmt::format("{}_{}_{}", equality.name, name_of(held->from), name_of(held->to)) : written;
+      written.empty() ? fmt::format("{}_{}_{}", equality.name, name_of(ends->from), name_of(ends->to)) : written;
   mjcf.assembly.joints.push_back({.name = unique_joint_name(mjcf.assembly, name),
                                   .type = is_weld ? JointType::fixed : JointType::spherical,
-                                  .from = held->from,
-                                  .to = held->to,
-                                  .at = held->at_to.translation(),
+                                  .from = ends->from,
+                                  .to = ends->to,
+                                  .at = ends->at_to.translation(),
                                   .cut = true});
 }
 

@@ -10,7 +10,7 @@
 #include "compiler/engines/engine.hpp"
 #include "compiler/model/evaluate.hpp"
 #include "compiler/study/equilibrium_trouble.hpp"
-#include "compiler/study/loop_openings.hpp"
+#include "compiler/study/open_loops.hpp"
 
 namespace mbgen {
 namespace {

@@ -7,7 +7,7 @@
 #include "compiler/results/results.hpp"
 #include "compiler/study/initial_state.hpp"
 #include "compiler/study/simulation.hpp"
-#include "compiler/study/step_watch.hpp"
+#include "compiler/study/step_verdict.hpp"
 
 namespace mbgen {
 

@@ -12,10 +12,10 @@ namespace {
 constexpr double kZeroPivot = 1e-10;  // relative to the first
 /// Closures that are open by 1 m or 1 make of a zero a pivot of up to 2, relative to the first one, in all our models;
 /// pivots of equations that count are above 0.02.
-constexpr double kPivotPerOpening = 10, kLargestZero = 5e-3;
+constexpr double kPivotPerResidual = 10, kLargestZero = 5e-3;
 /// Relative rounding of c, and its error by closures that are open by 1 m or 1.
 constexpr double kCompatible = 1e-8;
-constexpr double kBiasPerOpening = 100;
+constexpr double kBiasPerResidual = 100;
 /// Rates this close to the largest one (relative) are as large.
 constexpr double kTie = 1e-6;
 
@@ -49,7 +49,7 @@ Status evaluate(const Mechanics& mechanics, const PlacedState& at, const std::ve
     return {Code::not_a_number, -1};
   PivotRule rule{kZeroPivot, equations};
   if (equations.empty())
-    rule.smallest = std::clamp(kPivotPerOpening * largest(terms.residual), kZeroPivot, kLargestZero);
+    rule.smallest = std::clamp(kPivotPerResidual * largest(terms.residual), kZeroPivot, kLargestZero);
   evaluation.factors.emplace(terms.jacobian, rule);
   const std::optional<Eigen::VectorXd> motion = motion_without_inertia(terms.mass, *evaluation.factors);
   if (motion) return {Code::no_inertia, leading_coordinate(mechanics, at, *motion)};
@@ -62,7 +62,7 @@ Status check_compatibility(const Mechanics& mechanics, const Evaluation& evaluat
   const double size = 1 + largest(terms.bias);
   const double opening = size * largest(terms.residual) + std::sqrt(size) * largest(terms.velocity);
   Eigen::Index worst = 0;
-  if (bias.dropped.cwiseAbs().maxCoeff(&worst) <= kCompatible * size + kBiasPerOpening * opening) return {};
+  if (bias.dropped.cwiseAbs().maxCoeff(&worst) <= kCompatible * size + kBiasPerResidual * opening) return {};
   const Eigen::VectorXd weights = evaluation.factors->dependency(static_cast<int>(worst));
   return {Code::loop_singular, block_of(mechanics, weights)};
 }

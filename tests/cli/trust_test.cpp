@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "compiler/study/course.hpp"
-#include "compiler/study/step_watch.hpp"
+#include "compiler/study/step_verdict.hpp"
 #include "tests/support/cli_support.hpp"
 
 namespace mbgen::cli_test {
@@ -59,7 +59,7 @@ TEST(Course, HermiteMeetsAllOrders) {
 
 // The ends of the regions of stability, as textbooks give them: RK4 2.785 and 2.828; for PECE of order four -1.25
 // (Hall, Watt, Modern Numerical Methods for ODEs, 1976).
-TEST(StepWatch, RegionsOfStability) {
+TEST(StepVerdict, RegionsOfStability) {
   using Integrator = SolverSettings::Integrator;
   const auto stable = [](Integrator integrator, std::complex<double> z) {
     return growth_of_step(integrator, z) <= 1 + 1e-12;

@@ -16,7 +16,7 @@
 #include "compiler/engines/engine_arguments.hpp"
 #include "compiler/study/initial_state.hpp"
 #include "compiler/study/simulation_arguments.hpp"
-#include "compiler/study/step_watch.hpp"
+#include "compiler/study/step_verdict.hpp"
 
 namespace mbgen {
 namespace {

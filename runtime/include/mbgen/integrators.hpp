@@ -14,7 +14,7 @@
 
 #include <cmath>
 
-#include "mbgen/passage.hpp"
+#include "mbgen/singular_step.hpp"
 #include "mbgen/states.hpp"
 
 namespace mbgen {
@@ -128,7 +128,7 @@ Status try_abm4(const System& system, const typename System::State& state, const
 }  // namespace integrator_detail
 
 /// One step of h seconds by the classical Runge-Kutta method, four evaluations, then projection. A step that comes near
-/// a singular position of a loop is taken with closed stages, see passage.hpp.
+/// a singular position of a loop is taken with closed stages, see singular_step.hpp.
 /// Gives the most telling notice of the System's functions; singular_met when a singular position was passed.
 /// Fails: step_invalid; not_a_number when the result overflows; and as the system's functions.
 /// Source: W. Kutta, "Beitrag zur näherungsweisen Integration totaler Differentialgleichungen", 1901.

@@ -227,17 +227,17 @@ AsItIs<Struct, Vector> in_groups(const Struct<Vector>& rows) noexcept {
 }
 
 template <class Struct, int G>
-class Held {
+class StoredGroups {
  public:
-  explicit Held(const Grouped<Struct, G>& all) noexcept : all_(all) {}
+  explicit StoredGroups(const Grouped<Struct, G>& all) noexcept : all_(all) {}
   const Struct* groups() const noexcept { return all_.group; }
 
  private:
   const Grouped<Struct, G>& all_;
 };
 template <class Struct, int G>
-Held<Struct, G> in_groups(const Grouped<Struct, G>& all) noexcept {
-  return Held<Struct, G>(all);
+StoredGroups<Struct, G> in_groups(const Grouped<Struct, G>& all) noexcept {
+  return StoredGroups<Struct, G>(all);
 }
 
 template <template <class> class Struct, class Vector, int G>

@@ -1,9 +1,10 @@
 #pragma once
 // How often a step evaluates accelerations and closes loops, at most: the bounds of every loop of this folder that does
-// not run over sizes of the model. See closure.hpp, passage.hpp and integrators.hpp; tests hold the counts to be exact.
+// not run over sizes of the model. See closure.hpp, singular_step.hpp and integrators.hpp; tests hold the counts to be
+// exact.
 
 #include "mbgen/closure.hpp"
-#include "mbgen/passage.hpp"
+#include "mbgen/singular_step.hpp"
 
 namespace mbgen {
 

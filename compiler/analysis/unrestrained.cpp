@@ -1,4 +1,4 @@
-#include "compiler/analysis/unheld.hpp"
+#include "compiler/analysis/unrestrained.hpp"
 
 #include <fmt/format.h>
 
@@ -166,7 +166,7 @@ MatrixXd speeds_of(const std::vector<std::vector<double>>& rz) {
 }
 
 /// Mixtures (columns) of a group's free directions in which no element takes part.
-MatrixXd unheld_directions(const Scene& scene, const JointGroup& group, const MatrixXd& speeds) {
+MatrixXd unrestrained_directions(const Scene& scene, const JointGroup& group, const MatrixXd& speeds) {
   MatrixXd holds;
   for (Eigen::Index q = 0; q < speeds.cols(); ++q) {
     const std::vector<double> column = scene.holds(group, speeds.col(q));
@@ -180,7 +180,7 @@ MatrixXd unheld_directions(const Scene& scene, const JointGroup& group, const Ma
 
 }  // namespace
 
-Diagnostics unheld_motions(const Model& model, const Topology& topology, const Analysis& analysis) {
+Diagnostics unrestrained_motions(const Model& model, const Topology& topology, const Analysis& analysis) {
   Diagnostics notes;
   const bool has_springs = !model.springs.empty() || !model.air_springs.empty() || !model.joint_springs.empty();
   if (!has_springs && model.tyres.empty()) return notes;
@@ -194,9 +194,9 @@ Diagnostics unheld_motions(const Model& model, const Topology& topology, const A
     if (projections[g].rz.front().empty() || (group.block < 0 && is_free)) continue;
     const MatrixXd speeds = speeds_of(projections[g].rz);
     if (!speeds.allFinite()) continue;
-    const MatrixXd unheld = unheld_directions(scene, group, speeds);
-    for (Eigen::Index q = 0; q < unheld.cols(); ++q)
-      note_motion(scene, group, speeds * unheld.col(q).normalized(), notes);
+    const MatrixXd unrestrained = unrestrained_directions(scene, group, speeds);
+    for (Eigen::Index q = 0; q < unrestrained.cols(); ++q)
+      note_motion(scene, group, speeds * unrestrained.col(q).normalized(), notes);
   }
   return notes;
 }

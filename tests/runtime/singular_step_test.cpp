@@ -128,9 +128,9 @@ double x_on_curve(const OnCurve& curve, double x, double xd, double duration) {
 
 Bead::State start_at(double x, double speed_x) { return {{x, std::sin(x)}, {speed_x, speed_x * std::cos(x)}, {0}, 0}; }
 
-class Passage : public testing::TestWithParam<Method> {};
+class SingularStep : public testing::TestWithParam<Method> {};
 
-TEST_P(Passage, KeepsOrderFourThroughThreeCrossings) {
+TEST_P(SingularStep, KeepsOrderFourThroughThreeCrossings) {
   const Bead bead{0, 1.5};
   const double exact = x_on_curve({0, 1.5}, -1, 2.5, 4);
   double previous = 0;
@@ -147,7 +147,7 @@ TEST_P(Passage, KeepsOrderFourThroughThreeCrossings) {
   EXPECT_LT(previous, 1e-8);
 }
 
-TEST_P(Passage, LosesNoEnergyHoweverCloseStepsComeToIt) {
+TEST_P(SingularStep, LosesNoEnergyHoweverCloseStepsComeToIt) {
   for (const int steps : {100, 1000, 10000, 100000}) {
     const Journey through = follow({0, 0}, start_at(-0.4, 1), 1, steps, GetParam());
     ASSERT_TRUE(through.failure.ok()) << steps;
@@ -157,7 +157,7 @@ TEST_P(Passage, LosesNoEnergyHoweverCloseStepsComeToIt) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Methods, Passage, testing::Values(Method::rk4, Method::abm4),
+INSTANTIATE_TEST_SUITE_P(Methods, SingularStep, testing::Values(Method::rk4, Method::abm4),
                          testing::PrintToStringParamName());
 
 TEST(Singular, VelocityTellsTheBranchOfAStartInTheCrossing) {

@@ -1,4 +1,4 @@
-#include "compiler/study/step_watch.hpp"
+#include "compiler/study/step_verdict.hpp"
 
 #include <fmt/format.h>
 
@@ -249,7 +249,7 @@ double growth_of_step(Integrator integrator, std::complex<double> z) {
 std::vector<Mode> modes_near(const Compilation& compilation, const GenericState& state,
                              const std::vector<double>& inputs) {
   const std::size_t free = free_coordinates(compilation.topology, compilation.analysis).size();
-  if (2 * free + state.x.size() > kMostWatchedStates) return {};
+  if (2 * free + state.x.size() > kMostStatesForModes) return {};
   Nearby nearby(compilation, inputs);
   LinearSystem system;
   const Eigen::Index size = nearby.states(state);

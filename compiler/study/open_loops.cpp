@@ -1,4 +1,4 @@
-#include "compiler/study/loop_openings.hpp"
+#include "compiler/study/open_loops.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
