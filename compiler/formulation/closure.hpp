@@ -144,11 +144,12 @@ Row<T> distance(const LoopEnd<T>& from, const LoopEnd<T>& to, const T& length) {
           scale * dot(rate, rate) + dot(direction, from.acceleration.at(from.place) - to.acceleration.at(to.place))};
 }
 
-/// The rows of a cut joint. axes: the joint's triad on both bodies, base frame axes.
-template <class T>
-std::vector<Row<T>> joint_rows(ClosureKind kind, const LoopEnd<T>& from, const LoopEnd<T>& to, const Matrix<T>& on_from,
-                               const Matrix<T>& on_to) {
-  std::vector<Row<T>> rows;
+/// The rows of a cut joint (53), (54), between ends of a kind for which such rows are defined. axes: the joint's triad
+/// on both bodies, base frame axes.
+template <class T, template <class> class End>
+auto joint_rows(ClosureKind kind, const End<T>& from, const End<T>& to, const Matrix<T>& on_from,
+                const Matrix<T>& on_to) {
+  std::vector<decltype(perpendicular(from, to, on_from.x, on_to.x))> rows;
   const bool point = kind == ClosureKind::spherical || kind == ClosureKind::revolute ||
                      kind == ClosureKind::universal || kind == ClosureKind::fixed;
   if (point)
@@ -208,8 +209,8 @@ std::vector<Row<T>> loop_rows(System<T>& system, const Kinematics<T>& k, const R
 
 }  // namespace detail
 
-/// Residuals, Jacobian and, from the relative motion, acceleration right-hand side of one block (steps 2 and 6).
-/// Cost: equations times joints of each loop.
+/// Residuals, Jacobian and, from the relative motion, acceleration right-hand side of one block (steps 2 and 6), rows
+/// by (53) to (55). Cost: equations times joints of each loop.
 template <class T>
 SparseClosure<T> sparse_closure(System<T>& system, const Kinematics<T>& k, const LoopBlock& block,
                                 const RelativeMotion<T>& motion) {

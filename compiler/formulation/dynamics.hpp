@@ -67,8 +67,8 @@ std::vector<T> tree_forces(System<T>& system, const Kinematics<T>& k, const Iner
   return result;
 }
 
-/// The projected equations: reduced mass matrix and right-hand side, one row per free direction, parents' directions
-/// first.
+/// The projected equations (63): reduced mass matrix and right-hand side, one row per free direction, parents'
+/// directions first.
 template <class T>
 struct ReducedSystem {
   std::vector<std::vector<T>> mass;  ///< lower triangle, [row][column <= row]
@@ -236,7 +236,7 @@ ReducedSolution<T> solve_reduced(ReducedSystem<T> s) {
   return {substitute(s.mass, pivots.reciprocal, [&](std::size_t q) { return right[q]; }), std::move(pivots.inertia)};
 }
 
-/// zdd_star of every group, per tree coordinate.
+/// z* of (62) of every group, per tree coordinate.
 template <class T>
 std::vector<T> starred_accelerations(const Topology& topology, const std::vector<GroupProjection<T>>& projections) {
   std::vector<T> zdd_star(topology.bodies.size(), T(0.0));

@@ -3,6 +3,7 @@
 
 #include <map>
 #include <set>
+#include <string>
 
 #include "compiler/formulation/closure.hpp"
 #include "compiler/formulation/loop_partition.hpp"
@@ -139,7 +140,22 @@ void name_pivots(const System<T>& system, const LoopBlock& block, const LoopPart
                        system.topology.bodies[block.joints[partition.pivots[k].coordinate]].coordinate);
 }
 
-/// Solves Phi_d x_d = right_hand_side for the dependent coordinates; right_hand_side per equation of the block.
+/// Names Rz of a block (61) after its coordinates and the free directions. joints: of the rows.
+template <class T>
+void name_rz(const System<T>& system, const std::vector<int>& joints, const std::vector<std::vector<T>>& rz) {
+  for (std::size_t c = 0; c < rz.size(); ++c)
+    for (std::size_t q = 0; q < rz[c].size(); ++q)
+      system.scribe.name(rz[c][q], "Rz_", system.topology.bodies[joints[c]].coordinate, "_", std::to_string(q));
+}
+
+/// Names z* of a block (62) after its coordinates.
+template <class T>
+void name_zdd_star(const System<T>& system, const std::vector<int>& joints, const std::vector<T>& zdd_star) {
+  for (std::size_t c = 0; c < zdd_star.size(); ++c)
+    system.scribe.name(zdd_star[c], "zdd_star_", system.topology.bodies[joints[c]].coordinate);
+}
+
+/// Solves Phi_d x_d = right_hand_side (60) for the dependent coordinates; right_hand_side per equation of the block.
 /// Result: per coordinate of the block, zero at the others.
 template <class T>
 std::vector<T> solve_frozen(const FrozenFactors<T>& f, const LoopPartition& partition,
@@ -151,8 +167,8 @@ std::vector<T> solve_frozen(const FrozenFactors<T>& f, const LoopPartition& part
   return detail::at_coordinates(partition, y, coordinates);
 }
 
-/// Solves Phi_d' y = right_hand_side (multipliers); right_hand_side per coordinate of the block (dependent entries
-/// used). Result: per equation of the block, zero at redundant ones.
+/// Solves Phi_d' lambda = right_hand_side (theory.md section 4); right_hand_side per coordinate of the block (dependent
+/// entries used). Result: per equation of the block, zero at redundant ones.
 template <class T>
 std::vector<T> solve_frozen_transposed(const FrozenFactors<T>& f, const LoopPartition& partition,
                                        const std::vector<T>& right_hand_side, std::size_t equations) {

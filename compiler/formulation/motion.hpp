@@ -123,7 +123,7 @@ inline std::vector<int> chain_of(const Topology& topology, const Layout& layout,
 
 }  // namespace detail
 
-/// Velocities of all bodies (step 4). Cost: linear.
+/// Velocities of all bodies (step 4), (36). Cost: linear.
 template <class T>
 Velocities<T> velocities(System<T>& system, const Kinematics<T>& k, MotionPoint about = MotionPoint::frame_origin) {
   const int n = system.topology.size();
@@ -148,7 +148,7 @@ Velocities<T> velocities(System<T>& system, const Kinematics<T>& k, MotionPoint 
   return v;
 }
 
-/// Accelerations of all bodies for given joint accelerations (steps 6 and 7). zdd: per coordinate. Cost: linear.
+/// Accelerations of all bodies for given joint accelerations (steps 6 and 7), (37). zdd: per coordinate. Cost: linear.
 template <class T>
 Accelerations<T> accelerations(System<T>& system, const Kinematics<T>& k, const Velocities<T>& v,
                                const std::vector<T>& zdd) {

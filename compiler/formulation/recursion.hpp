@@ -9,6 +9,7 @@
 namespace mbgen {
 namespace detail {
 
+/// A loop block: (63) of its free directions, solved for the acceleration of its base.
 template <class T>
 void eliminate_block(RecursionState<T>& s, std::size_t u) {
   const RecursionUnit& unit = s.units()[u];
@@ -24,6 +25,7 @@ void eliminate_block(RecursionState<T>& s, std::size_t u) {
   below.needed = below.needed + base.needed;
 }
 
+/// A run of joints: the articulated inertia of its end, handed down to its base.
 template <class T>
 void eliminate_run(RecursionState<T>& s, std::size_t u) {
   const RecursionUnit& unit = s.units()[u];
@@ -111,6 +113,7 @@ void watch_unit(const RecursionState<T>& s, std::size_t u, RecursiveSolution<T>&
   solution.inertia.insert(solution.inertia.end(), found.begin(), found.end());
 }
 
+/// A loop block on the way back: joint accelerations (62), and those of its bodies (37).
 template <class T>
 void solve_block(RecursionState<T>& s, std::size_t u, std::vector<T>& zdd) {
   const System<T>& system = s.system();
@@ -149,6 +152,7 @@ void solve_block(RecursionState<T>& s, std::size_t u, std::vector<T>& zdd) {
   }
 }
 
+/// A run of joints on the way back: accelerations of its end (37) and of its joints.
 template <class T>
 void solve_run(RecursionState<T>& s, std::size_t u, std::vector<T>& zdd) {
   const RecursionUnit& unit = s.units()[u];
@@ -186,6 +190,7 @@ void solve_run(RecursionState<T>& s, std::size_t u, std::vector<T>& zdd) {
   }
 }
 
+/// A rotor on the way back: its equation less the angular acceleration of its base.
 template <class T>
 void solve_rotor(RecursionState<T>& s, std::size_t u, std::vector<T>& zdd) {
   const RecursionUnit& unit = s.units()[u];
@@ -235,10 +240,7 @@ void project_block(RecursionState<T>& s, std::size_t u, const LoopPartition& par
   {
     const auto step = scribe.step(Step::projection, unit.block);
     parts.rz = frozen_rz(parts.factors, partition, unit.joints.size());
-    for (std::size_t c = 0; c < parts.rz.size(); ++c)
-      for (std::size_t q = 0; q < parts.rz[c].size(); ++q)
-        scribe.name(parts.rz[c][q], "Rz_", s.system().topology.bodies[unit.joints[c]].coordinate, "_",
-                    std::to_string(q));
+    name_rz(s.system(), unit.joints, parts.rz);
   }
   const auto step = scribe.step(Step::closure_bias, unit.block);
   set_block_bias(s, u, partition);

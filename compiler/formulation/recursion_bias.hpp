@@ -130,8 +130,7 @@ void set_block_bias(RecursionState<T>& s, std::size_t u, const Partition& partit
   parts.bias = block_bias(s.work, unit, parts.velocity);
   const SparseClosure<T> closed = quasi_closure(s.work, unit, parts.velocity, parts.bias);
   parts.zdd_star = frozen_zdd_star(parts.factors, partition, closed, driven);
-  for (std::size_t c = 0; c < parts.zdd_star.size(); ++c)
-    s.system().scribe.name(parts.zdd_star[c], "zdd_star_", s.system().topology.bodies[unit.joints[c]].coordinate);
+  name_zdd_star(s.system(), unit.joints, parts.zdd_star);
 }
 
 /// A vector over a block's columns as values by tree joint.

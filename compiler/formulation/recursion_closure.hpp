@@ -40,22 +40,25 @@ struct NearRow {
   T residual{0.0};
 };
 
+/// (53), as the row of two LoopEnds.
 template <class T>
-NearRow<T> near_coincidence(const NearEnd<T>& from, const NearEnd<T>& to, const Vector<T>& direction) {
+NearRow<T> coincidence(const NearEnd<T>& from, const NearEnd<T>& to, const Vector<T>& direction) {
   return {direction, cross(from.arm, direction), cross(to.arm, direction),
           dot(direction, from.point_acceleration() - to.point_acceleration()), dot(direction, from.place - to.place)};
 }
 
+/// (54), likewise.
 template <class T>
-NearRow<T> near_perpendicular(const NearEnd<T>& from, const NearEnd<T>& to, const Vector<T>& a, const Vector<T>& b) {
+NearRow<T> perpendicular(const NearEnd<T>& from, const NearEnd<T>& to, const Vector<T>& a, const Vector<T>& b) {
   const Vector<T> moment = cross(a, b);
   const T twice = dot(cross(from.velocity.angular, a), cross(to.velocity.angular, b));
   return {
       {}, moment, moment, dot(from.bias.gradient * a, b) + dot(a, to.bias.gradient * b) + (twice + twice), dot(a, b)};
 }
 
+/// The point of `to` in a plane of `from`, likewise.
 template <class T>
-NearRow<T> near_in_plane(const NearEnd<T>& from, const NearEnd<T>& to, const Vector<T>& a) {
+NearRow<T> in_plane(const NearEnd<T>& from, const NearEnd<T>& to, const Vector<T>& a) {
   const Vector<T> gap = from.place - to.place;
   const Vector<T> rate = from.point_velocity() - to.point_velocity();
   const T twice = dot(cross(from.velocity.angular, a), rate);
@@ -65,40 +68,15 @@ NearRow<T> near_in_plane(const NearEnd<T>& from, const NearEnd<T>& to, const Vec
       dot(a, gap)};
 }
 
+/// (55); over quasi-velocities times the length, and then without use for its residual.
 template <class T>
-NearRow<T> near_distance(const NearEnd<T>& from, const NearEnd<T>& to, const T& length, Columns columns) {
+NearRow<T> distance(const NearEnd<T>& from, const NearEnd<T>& to, const T& length, Columns columns) {
   const T scale = columns == Columns::rates ? T(1.0) / length : T(1.0);
   const Vector<T> gap = from.place - to.place, along = scale * gap;
   const Vector<T> rate = from.point_velocity() - to.point_velocity();
   return {along, cross(from.arm, along), cross(to.arm, along),
           scale * dot(rate, rate) + dot(along, from.point_acceleration() - to.point_acceleration()),
           T(0.5) * (dot(along, gap) - length)};
-}
-
-/// The rows of a cut joint, in the order of joint_rows.
-template <class T>
-std::vector<NearRow<T>> near_joint_rows(ClosureKind kind, const NearEnd<T>& from, const NearEnd<T>& to,
-                                        const Matrix<T>& on_from, const Matrix<T>& on_to) {
-  std::vector<NearRow<T>> rows;
-  const bool point = kind == ClosureKind::spherical || kind == ClosureKind::revolute ||
-                     kind == ClosureKind::universal || kind == ClosureKind::fixed;
-  if (point)
-    for (const Vector<T>& direction : {identity<T>().x, identity<T>().y, identity<T>().z})
-      rows.push_back(near_coincidence(from, to, direction));
-  if (kind == ClosureKind::prismatic || kind == ClosureKind::cylindrical) {
-    rows.push_back(near_in_plane(from, to, on_from.x));
-    rows.push_back(near_in_plane(from, to, on_from.y));
-  }
-  if (kind == ClosureKind::planar) rows.push_back(near_in_plane(from, to, on_from.z));
-  if (kind == ClosureKind::universal) {
-    rows.push_back(near_perpendicular(from, to, on_from.z, on_to.z));
-  } else if (kind != ClosureKind::spherical) {
-    rows.push_back(near_perpendicular(from, to, on_from.x, on_to.z));
-    rows.push_back(near_perpendicular(from, to, on_from.y, on_to.z));
-  }
-  if (kind == ClosureKind::prismatic || kind == ClosureKind::fixed)
-    rows.push_back(near_perpendicular(from, to, on_from.x, on_to.y));
-  return rows;
 }
 
 /// An end at a place of a body of the block or of its base.
@@ -118,7 +96,7 @@ std::vector<NearRow<T>> near_rows(const RecursionWork<T>& work, const RecursionU
   const auto end = [&](const Place<T>& place) { return near_end(work, unit, velocity, bias, place); };
   if (loop.kind == ClosureKind::rod) {
     const RodConstants<T>& rod = system.constants.rods[loop.rod];
-    return {near_distance(end(rod.from), end(rod.to), rod.length, by)};
+    return {distance(end(rod.from), end(rod.to), rod.length, by)};
   }
   const Joint& joint = system.model.joints[loop.joint];
   const auto at = [&](const Attachment& a) { return end(place_of(system, a)); };
@@ -129,7 +107,7 @@ std::vector<NearRow<T>> near_rows(const RecursionWork<T>& work, const RecursionU
     return Matrix<T>{axes * constant<T>(t.first), axes * constant<T>(t.second), axes * constant<T>(t.axis)};
   };
   const Vector3& axis_on_to = joint.type == JointType::universal ? joint.second_axis : joint.axis;
-  return near_joint_rows(loop.kind, from, to, triad_at(from.body, joint.axis), triad_at(to.body, axis_on_to));
+  return joint_rows(loop.kind, from, to, triad_at(from.body, joint.axis), triad_at(to.body, axis_on_to));
 }
 
 /// Adds sign times the columns of a wrench about the origin of `body` to a row. by: what columns stand for.

@@ -1,7 +1,5 @@
 #include "compiler/trace/matrix.hpp"
 
-#include <fmt/format.h>
-
 #include "compiler/trace/tracing.hpp"
 
 namespace mbgen {
@@ -14,7 +12,7 @@ struct FrozenBlocks {
   std::vector<std::vector<Expr>> zdd_star;
 };
 
-/// Step 2.
+/// Step 2: Phi_z and the factors of Phi_d (60).
 void frozen_jacobians(Tracing& tracing, const Kinematics<Expr>& k, FrozenBlocks& blocks) {
   System<Expr>& system = tracing.system;
   const auto step = tracing.scribe.step(Step::jacobian);
@@ -27,7 +25,7 @@ void frozen_jacobians(Tracing& tracing, const Kinematics<Expr>& k, FrozenBlocks&
   }
 }
 
-/// Step 3.
+/// Step 3: Rz (61).
 void frozen_projections(Tracing& tracing, FrozenBlocks& blocks) {
   System<Expr>& system = tracing.system;
   const auto step = tracing.scribe.step(Step::projection);
@@ -35,15 +33,11 @@ void frozen_projections(Tracing& tracing, FrozenBlocks& blocks) {
     const auto heading = tracing.scribe.within(OwnerKind::loop_block, b);
     blocks.rz.push_back(
         frozen_rz(blocks.factors[b], tracing.analysis.blocks[b], system.topology.blocks[b].joints.size()));
-    for (std::size_t c = 0; c < blocks.rz[b].size(); ++c)
-      for (std::size_t q = 0; q < blocks.rz[b][c].size(); ++q)
-        tracing.scribe.name(
-            blocks.rz[b][c][q],
-            fmt::format("Rz_{}_{}", system.topology.bodies[system.topology.blocks[b].joints[c]].coordinate, q));
+    name_rz(system, system.topology.blocks[b].joints, blocks.rz[b]);
   }
 }
 
-/// Step 6.
+/// Step 6: z* (62).
 void frozen_bias(Tracing& tracing, const Kinematics<Expr>& k, FrozenBlocks& blocks) {
   System<Expr>& system = tracing.system;
   const auto step = tracing.scribe.step(Step::closure_bias);
@@ -55,12 +49,11 @@ void frozen_bias(Tracing& tracing, const Kinematics<Expr>& k, FrozenBlocks& bloc
     const auto heading = tracing.scribe.within(OwnerKind::loop_block, b);
     blocks.zdd_star.push_back(frozen_zdd_star(blocks.factors[b], tracing.analysis.blocks[b], closed,
                                               tracing.driven_values(block, &Drive<Expr>::acceleration)));
-    for (std::size_t c = 0; c < block.joints.size(); ++c)
-      tracing.scribe.name(blocks.zdd_star[b][c], "zdd_star_", system.topology.bodies[block.joints[c]].coordinate);
+    name_zdd_star(system, block.joints, blocks.zdd_star[b]);
   }
 }
 
-/// Steps 7 to 9 from projections, common to the frozen and the chosen partition.
+/// Steps 7 to 9 from projections (63), common to the frozen and the chosen partition.
 void trace_solution(Tracing& tracing, const Kinematics<Expr>& k, const Inertias<Expr>& m, const Velocities<Expr>& v,
                     const AppliedForces<Expr>& forces, const std::vector<GroupProjection<Expr>>& projections) {
   System<Expr>& system = tracing.system;
