@@ -28,13 +28,56 @@ std::string call(const std::string& function, const Phrase& first, const Phrase&
   return function + "(" + first.text + ", " + second.text + ", " + third.text + ")";
 }
 
+/// An operation in the making.
+struct Operation {
+  Op op;
+  Phrase a, b, c;
+};
+
+/// The same value to the bit, with signs of operands as signs of terms where an operation has them: a - (-p) is a + p,
+/// and fnma(-p, a, c) is fma(p, a, c).
+Operation with_signs_taken_in(Operation o) {
+  const auto sheds_sign = [](Phrase& phrase) {
+    if (phrase.binding != Binding::sign) return false;
+    phrase = {phrase.text.substr(1), Binding::primary};
+    return true;
+  };
+  const auto product_sheds_sign = [&](Phrase& x, Phrase& y) {
+    const bool first = sheds_sign(x), second = sheds_sign(y);
+    return first != second;
+  };
+  switch (o.op) {
+    case Op::add:
+      if (sheds_sign(o.b)) return {Op::subtract, o.a, o.b, {}};
+      if (sheds_sign(o.a)) return {Op::subtract, o.b, o.a, {}};
+      return o;
+    case Op::subtract:
+      if (sheds_sign(o.b)) o.op = Op::add;
+      return o;
+    case Op::multiply_add:
+      if (product_sheds_sign(o.a, o.b)) return {Op::subtract_product, o.c, o.a, o.b};
+      if (sheds_sign(o.c)) o.op = Op::multiply_subtract;
+      return o;
+    case Op::multiply_subtract:
+      if (sheds_sign(o.c)) o.op = Op::multiply_add;
+      return o;
+    case Op::subtract_product:
+      if (product_sheds_sign(o.b, o.c)) return {Op::multiply_add, o.b, o.c, o.a};
+      return o;
+    default:
+      return o;
+  }
+}
+
 }  // namespace
 
 Phrase constant_phrase(const std::string& text) {
   return {text, text.front() == '-' ? Binding::sign : Binding::primary};
 }
 
-Phrase operation_phrase(const std::string& scalar, Op op, const Phrase& a, const Phrase& b, const Phrase& c) {
+Phrase operation_phrase(const std::string& scalar, Op wanted, const Phrase& first, const Phrase& second,
+                        const Phrase& third) {
+  const auto [op, a, b, c] = with_signs_taken_in({wanted, first, second, third});
   const std::string library = is_number(scalar) ? "std::" : "mbgen::";
   switch (op) {
     case Op::add:

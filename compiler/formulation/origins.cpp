@@ -53,7 +53,7 @@ Vector3 joint_point(const Model& model, const TreeBody& body) {
   return reference_position(model, model.joints[body.joint].from);
 }
 
-Vector3 centre_of_mass(const Model& model, const Body& body) {
+Vector3 centre_of_mass(const Body& body) {
   Vector3 at = body.pose.origin;
   for (int row = 0; row < 3; ++row)
     for (int k = 0; k < 3; ++k) at[row] += body.pose.rotation[3 * row + k] * body.com[k].value;
@@ -76,7 +76,7 @@ std::vector<AlongAxis> numbers_along_axes(const Model& model, const Topology& to
   };
   for (std::size_t b = 0; b < model.bodies.size(); ++b) {
     const int body = topology.tree_body[b];
-    const Vector3 at = centre_of_mass(model, model.bodies[b]);
+    const Vector3 at = centre_of_mass(model.bodies[b]);
     add_mass(body, model.bodies[b].mass.value, at);
     if (body != kGround && layout.bodies[body].rotor)
       add_mass(topology.bodies[body].parent, model.bodies[b].mass.value, at);

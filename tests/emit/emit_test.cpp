@@ -125,21 +125,39 @@ TEST(EmittedExpressions, haveTheParenthesesTheyNeed) {
   EXPECT_EQ(expression([&](P a, P b, P c) { return op(Op::divide, op(Op::divide, a, b), c); }), "a/b/c");
   EXPECT_EQ(expression([&](P a, P b, P c) { return op(Op::divide, a, op(Op::multiply, b, c)); }), "a/(b*c)");
   EXPECT_EQ(expression([&](P a, P b, P c) { return op(Op::multiply, a, op(Op::divide, b, c)); }), "a*(b/c)");
-  EXPECT_EQ(expression([&](P a, P b, P) { return op(Op::subtract, a, op(Op::negate, b)); }), "a - (-b)");
+  EXPECT_EQ(expression([&](P a, P b, P) { return op(Op::subtract, a, op(Op::negate, b)); }), "a + b");
   EXPECT_EQ(expression([&](P a, P b, P) { return op(Op::negate, op(Op::multiply, a, b)); }), "-(a*b)");
   EXPECT_EQ(expression([&](P a, P, P) { return op(Op::negate, op(Op::negate, a)); }), "-(-a)");
   EXPECT_EQ(expression([&](P a, P b, P) { return op(Op::multiply, op(Op::negate, a), b); }), "-a*b");
   EXPECT_EQ(expression([&](P a, P, P) { return op(Op::multiply, a, constant_phrase("-2.5")); }), "a*(-2.5)");
-  EXPECT_EQ(expression([&](P a, P, P) { return op(Op::add, constant_phrase("-2.5"), a); }), "-2.5 + a");
+  EXPECT_EQ(expression([&](P a, P, P) { return op(Op::add, constant_phrase("-2.5"), a); }), "a - 2.5");
   EXPECT_EQ(expression([&](P, P, P) { return constant_phrase("-2.5"); }), "-2.5");
   EXPECT_EQ(expression([&](P a, P b, P c) { return op(Op::select, op(Op::subtract, a, b), b, c); }),
             "(a - b >= 0.0 ? b : c)");
   EXPECT_EQ(expression([&](P a, P b, P) { return op(Op::sqrt, op(Op::min, a, b)); }), "std::sqrt(mbgen::min(a, b))");
-  EXPECT_EQ(expression([&](P a, P b, P) { return op(Op::subtract, a, constant_phrase("-2.5")); }), "a - (-2.5)");
+  EXPECT_EQ(expression([&](P a, P, P) { return op(Op::subtract, a, constant_phrase("-2.5")); }), "a + 2.5");
   const auto on = [](const char* scalar, Op o) { return operation_phrase(scalar, o, {"a"}, {"b"}, {"c"}).text; };
   EXPECT_EQ(on("float", Op::select), "(a >= 0.0f ? b : c)");
   EXPECT_EQ(on("Lanes", Op::select), "mbgen::select(a, b, c)");
   EXPECT_EQ(on("Lanes", Op::sqrt), "mbgen::sqrt(a)");
+}
+
+TEST(EmittedExpressions, takeSignsOfOperandsIn) {
+  const auto text = [](Op op, const Phrase& x, const Phrase& y, const Phrase& z = {}) {
+    return operation_phrase("double", op, x, y, z).text;
+  };
+  const Phrase p = constant_phrase("-p"), q = constant_phrase("-q"), a{"a"}, c{"c"};
+  EXPECT_EQ(text(Op::add, a, p), "a - p");
+  EXPECT_EQ(text(Op::add, p, a), "a - p");
+  EXPECT_EQ(text(Op::add, p, q), "-p - q");
+  EXPECT_EQ(text(Op::subtract, p, a), "-p - a");
+  EXPECT_EQ(text(Op::multiply_add, p, a, c), "fnma(p, a, c)");
+  EXPECT_EQ(text(Op::multiply_add, a, p, q), "fnma(a, p, -q)");
+  EXPECT_EQ(text(Op::multiply_add, p, q, c), "fma(p, q, c)");
+  EXPECT_EQ(text(Op::multiply_add, a, c, q), "fms(a, c, q)");
+  EXPECT_EQ(text(Op::multiply_subtract, p, a, q), "fma(-p, a, q)");
+  EXPECT_EQ(text(Op::subtract_product, c, p, a), "fma(p, a, c)");
+  EXPECT_EQ(text(Op::subtract_product, q, p, a), "fma(p, a, -q)");
 }
 
 ProgramShape bead_shape() {
