@@ -190,9 +190,9 @@ void compute_accelerations(const Tuned& parameters, const Inputs& inputs, const 
   const double pivot_crank_pin = fma(s8_1, s8_8, s8_9);
   const double s8_10 = tau[Coordinate::rocker_pin] + fnma(s5_1, s5_7, s5_2*s5_8);
   const double s8_11 = inputs.torque + tau[Coordinate::crank_pin];
-  const double s8_12 = fma(-g_z, s7_1, fnma(tau[Coordinate::coupler_pin], s3_1, s8_11));
+  const double s8_12 = fnma(g_z, s7_1, fnma(tau[Coordinate::coupler_pin], s3_1, s8_11));
   const double s8_13 = fma(r_coupler_x, f_coupler_z, fma(r_coupler_z, s8_3, s8_12));
-  const double s8_14 = fma(-g_z, s7_4, fma(0.02195, s6_11, s8_10));
+  const double s8_14 = fnma(g_z, s7_4, fma(0.02195, s6_11, s8_10));
   const double s8_15 = fnma(s3_2, s8_14, fma(s8_1, s8_5, s8_13));
   const double s8_16 = 1.0/pivot_crank_pin;
   result.inertia[0] = fnma(1e-12, pivot_crank_pin, pivot_crank_pin);
@@ -522,7 +522,7 @@ void compute_chosen_accelerations(const Tuned& parameters, const Inputs& inputs,
   const double s8_4 = projection.zdd_star[0] + projection.zdd_star[1];
   // rocker: rocker_pin, revolute, ground
   const double s8_5 = fma(0.02195, projection.zdd_star[2], fnma(s5_2, s5_8, s5_1*s5_7));
-  const double n_rocker_y = fnma(-g_z, s7_4, s8_5);
+  const double n_rocker_y = fma(g_z, s7_4, s8_5);
   const double s8_6 = 0.02195*projection.Rz[2];
   // coupler: coupler_pin, revolute, crank
   const double s8_7 = fnma(r_coupler_x, s6_1, r_coupler_z*projection.zdd_star[0]);
@@ -534,7 +534,7 @@ void compute_chosen_accelerations(const Tuned& parameters, const Inputs& inputs,
   const double s8_10 = fma(m_coupler, s8_3, s7_2*s8_1);
   const double s8_11 = fma(s7_2, s8_3, fma(s7_3, s8_2, 0.0729*s8_1));
   // crank: crank_pin, revolute, ground
-  const double n_crank_y = fnma(-g_z, s7_1, 0.00302*projection.zdd_star[0]);
+  const double n_crank_y = fma(g_z, s7_1, 0.00302*projection.zdd_star[0]);
   const double s8_12 = fnma(s8_2, f_coupler_x, projection.Rz[1]*tau[Coordinate::coupler_pin]);
   const double s8_13 = inputs.torque + tau[Coordinate::crank_pin] - n_crank_y;
   const double s8_14 = fnma(s8_1, n_coupler_y, fma(s8_3, f_coupler_z, s8_12));

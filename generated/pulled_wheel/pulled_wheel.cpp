@@ -139,9 +139,9 @@ void compute_accelerations(const Tuned& parameters, const Inputs& /*inputs*/, co
   const double s1_1 = z_lower + state.z[Coordinate::ball];
   double R_knuckle_x_x, R_knuckle_x_z;
   mbgen::sincos(s1_1, R_knuckle_x_z, R_knuckle_x_x);
-  const double r_knuckle_x = fnma(-p_ball_x, R_arm_x_x, p_ball_z*R_arm_x_z);
-  const double s1_2 = fma(-p_ball_x, R_arm_x_z, p_ball_z*R_arm_x_x);
-  const double r_knuckle_z = s1_2 - (-p_lower_z);
+  const double r_knuckle_x = fma(p_ball_x, R_arm_x_x, p_ball_z*R_arm_x_z);
+  const double s1_2 = fnma(p_ball_x, R_arm_x_z, p_ball_z*R_arm_x_x);
+  const double r_knuckle_z = s1_2 + p_lower_z;
   // wheel: wheel, revolute, knuckle
   const double s1_3 = p_wheel_z*R_knuckle_x_z;
   const double s1_4 = p_wheel_z*R_knuckle_x_x;
@@ -162,9 +162,9 @@ void compute_accelerations(const Tuned& parameters, const Inputs& /*inputs*/, co
 
   // --- step 5: applied forces Q (48) ---
   // spring
-  const double s5_1 = fnma(-p_arm_seat_x, R_arm_x_x, p_arm_seat_z*R_arm_x_z);
-  const double s5_2 = -p_carriage_seat_x + s5_1;
-  const double s5_3 = fma(-p_arm_seat_x, R_arm_x_z, p_arm_seat_z*R_arm_x_x);
+  const double s5_1 = fma(p_arm_seat_x, R_arm_x_x, p_arm_seat_z*R_arm_x_z);
+  const double s5_2 = s5_1 - p_carriage_seat_x;
+  const double s5_3 = fnma(p_arm_seat_x, R_arm_x_z, p_arm_seat_z*R_arm_x_x);
   const double s5_4 = 0.37 - s5_3;
   const double s5_5 = std::sqrt(fma(s5_4, s5_4, s5_2*s5_2));
   const double s5_6 = 1.0/s5_5;
@@ -174,7 +174,7 @@ void compute_accelerations(const Tuned& parameters, const Inputs& /*inputs*/, co
   const double s5_10 = (s5_9 >= 0.0 ? fms(1600.0, s5_9, 320.0) : fms(725.0, 1.0 + s5_7, 900.0));
   const double s5_11 = (s5_7 >= 0.0 ? 3200.0*s5_7 : s5_10);
   const double s5_12 = (s5_8 >= 0.0 ? fma(1575.0, s5_8, 640.0) : s5_11);
-  const double tension_spring = s5_12 + fms(s5_5 - l0_spring, parameters.k, -f0_spring);
+  const double tension_spring = s5_12 + fma(s5_5 - l0_spring, parameters.k, f0_spring);
   const double s5_13 = s5_6*tension_spring;
   const double s5_14 = s5_2*s5_13;
   const double s5_15 = s5_4*s5_13;
@@ -219,7 +219,7 @@ void compute_accelerations(const Tuned& parameters, const Inputs& /*inputs*/, co
   // upper
   const double s2_1 = fma(p_upper_to_z, R_knuckle_x_z, p_upper_to_x*R_knuckle_x_x);
   const double s2_2 = fnma(p_upper_to_x, R_knuckle_x_z, p_upper_to_z*R_knuckle_x_x);
-  const double s2_3 = s2_2 + (-p_upper_from_z + r_knuckle_z);
+  const double s2_3 = s2_2 + (r_knuckle_z - p_upper_from_z);
   const double s2_4 = p_upper_from_x - r_knuckle_x - s2_1;
   const double s2_5 = fma(s2_2, s2_4, s2_1*s2_3);
   const double s2_6 = s2_5 + fma(s1_2, s2_4, r_knuckle_x*s2_3);
@@ -265,7 +265,7 @@ void compute_accelerations(const Tuned& parameters, const Inputs& /*inputs*/, co
   const double s8_8 = fma(s8_2, parameters.derived[2], fma(s1_2, s7_2, r_knuckle_x*s7_1));
   const double s8_9 = fma(s7_2, s8_2, s1_2*parameters.derived[1]);
   const double pivot_lower = fma(s1_2, s8_9, fma(s8_2, s8_8, fma(r_knuckle_x, s8_7, 0.3475)));
-  const double s8_10 = s8_7 + fnma(-h_arm_x, R_arm_x_x, h_arm_z*R_arm_x_z);
+  const double s8_10 = s8_7 + fma(h_arm_x, R_arm_x_x, h_arm_z*R_arm_x_z);
   result.inertia[0] = fnma(1e-12, pivot_lower, pivot_lower);
   const double s8_11 = 1.0/pivot_lower;
   // operations: 23 add, 24 multiply, 1 divide
@@ -273,7 +273,7 @@ void compute_accelerations(const Tuned& parameters, const Inputs& /*inputs*/, co
   // --- step 9: accelerations from the root to the leaves (63), (62) ---
   const double s9_1 = fnma(s5_1, s5_15, fnma(s5_3, s5_14, tau[Coordinate::lower]));
   const double s9_2 = fnma(s1_2, f_knuckle_x, fnma(tau[Coordinate::ball], s3_1, s9_1));
-  const double s9_3 = fma(-g_z, s8_10, fnma(s8_2, n_knuckle_y, fnma(r_knuckle_x, s8_5, s9_2)));
+  const double s9_3 = fnma(g_z, s8_10, fnma(s8_2, n_knuckle_y, fnma(r_knuckle_x, s8_5, s9_2)));
   // arm: lower, revolute, carriage
   const double alpha_arm_y = s8_11*s9_3;
   result.zdd[Coordinate::lower] = alpha_arm_y;
@@ -314,9 +314,9 @@ void compute_closure(const Tuned& /*parameters*/, const Inputs& /*inputs*/, cons
   const double s1_2 = z_lower + state.z[Coordinate::ball];
   double R_knuckle_x_x, R_knuckle_x_z;
   mbgen::sincos(s1_2, R_knuckle_x_z, R_knuckle_x_x);
-  const double r_knuckle_x = fnma(-p_ball_x, R_arm_x_x, p_ball_z*R_arm_x_z);
-  const double s1_3 = fma(-p_ball_x, R_arm_x_z, p_ball_z*R_arm_x_x);
-  const double r_knuckle_z = s1_3 - (-p_lower_z);
+  const double r_knuckle_x = fma(p_ball_x, R_arm_x_x, p_ball_z*R_arm_x_z);
+  const double s1_3 = fnma(p_ball_x, R_arm_x_z, p_ball_z*R_arm_x_x);
+  const double r_knuckle_z = s1_3 + p_lower_z;
   // operations: 5 add, 5 multiply, 4 sin cos
 
   // --- step 2: closure Jacobian Phi_z and its factors (60) ---
@@ -325,7 +325,7 @@ void compute_closure(const Tuned& /*parameters*/, const Inputs& /*inputs*/, cons
   const double s2_2 = p_upper_from_x - r_knuckle_x - s2_1;
   const double s2_3 = 2.380277794628896*s2_2;
   const double s2_4 = fnma(p_upper_to_x, R_knuckle_x_z, p_upper_to_z*R_knuckle_x_x);
-  const double s2_5 = s2_4 + (-p_upper_from_z + r_knuckle_z);
+  const double s2_5 = s2_4 + (r_knuckle_z - p_upper_from_z);
   const double s2_6 = 2.380277794628896*s2_5;
   const double s2_7 = fma(s2_1, s2_6, s2_3*s2_4);
   const double s2_8 = s2_7 + fma(r_knuckle_x, s2_6, s1_3*s2_3);
@@ -362,9 +362,9 @@ void compute_multipliers(const Tuned& parameters, const Inputs& /*inputs*/, cons
   const double s1_1 = z_lower + state.z[Coordinate::ball];
   double R_knuckle_x_x, R_knuckle_x_z;
   mbgen::sincos(s1_1, R_knuckle_x_z, R_knuckle_x_x);
-  const double r_knuckle_x = fnma(-p_ball_x, R_arm_x_x, p_ball_z*R_arm_x_z);
-  const double s1_2 = fma(-p_ball_x, R_arm_x_z, p_ball_z*R_arm_x_x);
-  const double r_knuckle_z = s1_2 - (-p_lower_z);
+  const double r_knuckle_x = fma(p_ball_x, R_arm_x_x, p_ball_z*R_arm_x_z);
+  const double s1_2 = fnma(p_ball_x, R_arm_x_z, p_ball_z*R_arm_x_x);
+  const double r_knuckle_z = s1_2 + p_lower_z;
   // wheel: wheel, revolute, knuckle
   const double s1_3 = p_wheel_z*R_knuckle_x_z;
   const double s1_4 = p_wheel_z*R_knuckle_x_x;
@@ -384,9 +384,9 @@ void compute_multipliers(const Tuned& parameters, const Inputs& /*inputs*/, cons
 
   // --- step 5: applied forces Q (48) ---
   // spring
-  const double s5_1 = fnma(-p_arm_seat_x, R_arm_x_x, p_arm_seat_z*R_arm_x_z);
-  const double s5_2 = -p_carriage_seat_x + s5_1;
-  const double s5_3 = fma(-p_arm_seat_x, R_arm_x_z, p_arm_seat_z*R_arm_x_x);
+  const double s5_1 = fma(p_arm_seat_x, R_arm_x_x, p_arm_seat_z*R_arm_x_z);
+  const double s5_2 = s5_1 - p_carriage_seat_x;
+  const double s5_3 = fnma(p_arm_seat_x, R_arm_x_z, p_arm_seat_z*R_arm_x_x);
   const double s5_4 = 0.37 - s5_3;
   const double s5_5 = std::sqrt(fma(s5_4, s5_4, s5_2*s5_2));
   const double s5_6 = 1.0/s5_5;
@@ -396,7 +396,7 @@ void compute_multipliers(const Tuned& parameters, const Inputs& /*inputs*/, cons
   const double s5_10 = (s5_9 >= 0.0 ? fms(1600.0, s5_9, 320.0) : fms(725.0, 1.0 + s5_7, 900.0));
   const double s5_11 = (s5_7 >= 0.0 ? 3200.0*s5_7 : s5_10);
   const double s5_12 = (s5_8 >= 0.0 ? fma(1575.0, s5_8, 640.0) : s5_11);
-  const double tension_spring = s5_12 + fms(s5_5 - l0_spring, parameters.k, -f0_spring);
+  const double tension_spring = s5_12 + fma(s5_5 - l0_spring, parameters.k, f0_spring);
   const double s5_13 = s5_6*tension_spring;
   const double s5_14 = s5_2*s5_13;
   const double s5_15 = s5_4*s5_13;
@@ -460,8 +460,8 @@ void compute_multipliers(const Tuned& parameters, const Inputs& /*inputs*/, cons
   const double s7_10 = f_wheel_x + f_knuckle_x;
   const double s7_11 = f_wheel_z + f_knuckle_z;
   // arm: lower, revolute, carriage
-  const double s7_12 = fma(-c_arm_x, R_arm_x_z, c_arm_z*R_arm_x_x);
-  const double s7_13 = fnma(-c_arm_x, R_arm_x_x, c_arm_z*R_arm_x_z);
+  const double s7_12 = fnma(c_arm_x, R_arm_x_z, c_arm_z*R_arm_x_x);
+  const double s7_13 = fma(c_arm_x, R_arm_x_x, c_arm_z*R_arm_x_z);
   const double s7_14 = m_arm*fnma(s7_1, s7_13, fma(zdd_lower, s7_12, zdd_pull));
   const double f_arm_x = s5_14 + s7_14;
   const double s7_15 = fma(s5_1, s5_15, fma(s5_3, s5_14, I_arm_yy*zdd_lower));
@@ -478,7 +478,7 @@ void compute_multipliers(const Tuned& parameters, const Inputs& /*inputs*/, cons
   // upper
   const double s9_1 = fma(p_upper_to_z, R_knuckle_x_z, p_upper_to_x*R_knuckle_x_x);
   const double s9_2 = fnma(p_upper_to_x, R_knuckle_x_z, p_upper_to_z*R_knuckle_x_x);
-  const double s9_3 = s9_1*(s9_2 + (-p_upper_from_z + r_knuckle_z));
+  const double s9_3 = s9_1*(s9_2 + (r_knuckle_z - p_upper_from_z));
   const double s9_4 = fma(s9_2, p_upper_from_x - r_knuckle_x - s9_1, s9_3);
   result.pivot[0] = 12.094222040829795*std::abs(s9_4);
   result.lambda[0] = -(l_upper*(Q_ball*(1.0/s9_4)));
@@ -509,9 +509,9 @@ void compute_closure_terms(const Tuned& /*parameters*/, const Inputs& /*inputs*/
   const double s1_1 = z_lower + state.z[Coordinate::ball];
   double R_knuckle_x_x, R_knuckle_x_z;
   mbgen::sincos(s1_1, R_knuckle_x_z, R_knuckle_x_x);
-  const double r_knuckle_x = fnma(-p_ball_x, R_arm_x_x, p_ball_z*R_arm_x_z);
-  const double s1_2 = fma(-p_ball_x, R_arm_x_z, p_ball_z*R_arm_x_x);
-  const double r_knuckle_z = s1_2 - (-p_lower_z);
+  const double r_knuckle_x = fma(p_ball_x, R_arm_x_x, p_ball_z*R_arm_x_z);
+  const double s1_2 = fnma(p_ball_x, R_arm_x_z, p_ball_z*R_arm_x_x);
+  const double r_knuckle_z = s1_2 + p_lower_z;
   // operations: 4 add, 4 multiply, 4 sin cos
 
   // --- step 2: closure Jacobian Phi_z and its factors (60) ---
@@ -525,7 +525,7 @@ void compute_closure_terms(const Tuned& /*parameters*/, const Inputs& /*inputs*/
   const double s2_6 = s2_1*s2_5;
   const double s2_7 = fma(zd_lower, s1_2, s2_6);
   const double s2_8 = fma(zd_lower, r_knuckle_x, s2_4);
-  const double s2_9 = s2_5 + (-p_upper_from_z + r_knuckle_z);
+  const double s2_9 = s2_5 + (r_knuckle_z - p_upper_from_z);
   const double s2_10 = 2.380277794628896*s2_9;
   const double s2_11 = p_upper_from_x - r_knuckle_x - s2_3;
   const double s2_12 = 2.380277794628896*s2_11;
@@ -563,9 +563,9 @@ void compute_chosen_accelerations(const Tuned& parameters, const Inputs& /*input
   const double s1_1 = z_lower + state.z[Coordinate::ball];
   double R_knuckle_x_x, R_knuckle_x_z;
   mbgen::sincos(s1_1, R_knuckle_x_z, R_knuckle_x_x);
-  const double r_knuckle_x = fnma(-p_ball_x, R_arm_x_x, p_ball_z*R_arm_x_z);
-  const double s1_2 = fma(-p_ball_x, R_arm_x_z, p_ball_z*R_arm_x_x);
-  const double r_knuckle_z = s1_2 - (-p_lower_z);
+  const double r_knuckle_x = fma(p_ball_x, R_arm_x_x, p_ball_z*R_arm_x_z);
+  const double s1_2 = fnma(p_ball_x, R_arm_x_z, p_ball_z*R_arm_x_x);
+  const double r_knuckle_z = s1_2 + p_lower_z;
   // wheel: wheel, revolute, knuckle
   const double s1_3 = p_wheel_z*R_knuckle_x_z;
   const double s1_4 = p_wheel_z*R_knuckle_x_x;
@@ -585,9 +585,9 @@ void compute_chosen_accelerations(const Tuned& parameters, const Inputs& /*input
 
   // --- step 5: applied forces Q (48) ---
   // spring
-  const double s5_1 = fnma(-p_arm_seat_x, R_arm_x_x, p_arm_seat_z*R_arm_x_z);
-  const double s5_2 = -p_carriage_seat_x + s5_1;
-  const double s5_3 = fma(-p_arm_seat_x, R_arm_x_z, p_arm_seat_z*R_arm_x_x);
+  const double s5_1 = fma(p_arm_seat_x, R_arm_x_x, p_arm_seat_z*R_arm_x_z);
+  const double s5_2 = s5_1 - p_carriage_seat_x;
+  const double s5_3 = fnma(p_arm_seat_x, R_arm_x_z, p_arm_seat_z*R_arm_x_x);
   const double s5_4 = 0.37 - s5_3;
   const double s5_5 = std::sqrt(fma(s5_4, s5_4, s5_2*s5_2));
   const double s5_6 = 1.0/s5_5;
@@ -597,7 +597,7 @@ void compute_chosen_accelerations(const Tuned& parameters, const Inputs& /*input
   const double s5_10 = (s5_9 >= 0.0 ? fms(1600.0, s5_9, 320.0) : fms(725.0, 1.0 + s5_7, 900.0));
   const double s5_11 = (s5_7 >= 0.0 ? 3200.0*s5_7 : s5_10);
   const double s5_12 = (s5_8 >= 0.0 ? fma(1575.0, s5_8, 640.0) : s5_11);
-  const double tension_spring = s5_12 + fms(s5_5 - l0_spring, parameters.k, -f0_spring);
+  const double tension_spring = s5_12 + fma(s5_5 - l0_spring, parameters.k, f0_spring);
   const double s5_13 = s5_6*tension_spring;
   const double s5_14 = s5_2*s5_13;
   const double s5_15 = s5_4*s5_13;
@@ -644,7 +644,7 @@ void compute_chosen_accelerations(const Tuned& parameters, const Inputs& /*input
   // operations: 2 multiply
 
   // --- step 7: inertias of the bodies and forces on joints, upper ---
-  const double s7_1 = fnma(-h_arm_x, R_arm_x_x, h_arm_z*R_arm_x_z);
+  const double s7_1 = fma(h_arm_x, R_arm_x_x, h_arm_z*R_arm_x_z);
   const double s7_2 = R_knuckle_x_z*parameters.derived[0];
   const double s7_3 = R_knuckle_x_x*parameters.derived[0];
   // operations: 1 add, 4 multiply
@@ -677,7 +677,7 @@ void compute_chosen_accelerations(const Tuned& parameters, const Inputs& /*input
   // --- step 9: accelerations from the root to the leaves (63), (62) ---
   const double s9_1 = fnma(s5_1, s5_15, fnma(s5_3, s5_14, tau[Coordinate::lower]));
   const double s9_2 = fnma(s8_3, f_knuckle_x, projection.Rz[1]*tau[Coordinate::ball]);
-  const double s9_3 = fma(-g_z, s8_15, fnma(s8_2, n_knuckle_y, fnma(s8_4, s8_10, s9_2)));
+  const double s9_3 = fnma(g_z, s8_15, fnma(s8_2, n_knuckle_y, fnma(s8_4, s8_10, s9_2)));
   const double s9_4 = fma(projection.Rz[0], fnma(0.3475, projection.zdd_star[0], s9_1), s9_3);
   const double s9_5 = s8_18*s9_4;
   // arm: lower, revolute, carriage
@@ -705,9 +705,9 @@ void compute_outputs(const Tuned& parameters, const Inputs& /*inputs*/, const St
   const double s1_1 = z_lower + state.z[Coordinate::ball];
   double R_knuckle_x_x, R_knuckle_x_z;
   mbgen::sincos(s1_1, R_knuckle_x_z, R_knuckle_x_x);
-  const double r_knuckle_x = fnma(-p_ball_x, R_arm_x_x, p_ball_z*R_arm_x_z);
-  const double s1_2 = fma(-p_ball_x, R_arm_x_z, p_ball_z*R_arm_x_x);
-  const double r_knuckle_z = s1_2 - (-p_lower_z);
+  const double r_knuckle_x = fma(p_ball_x, R_arm_x_x, p_ball_z*R_arm_x_z);
+  const double s1_2 = fnma(p_ball_x, R_arm_x_z, p_ball_z*R_arm_x_x);
+  const double r_knuckle_z = s1_2 + p_lower_z;
   // wheel: wheel, revolute, knuckle
   const double s1_3 = p_wheel_z*R_knuckle_x_z;
   const double s1_4 = p_wheel_z*R_knuckle_x_x;
@@ -731,9 +731,9 @@ void compute_outputs(const Tuned& parameters, const Inputs& /*inputs*/, const St
 
   // --- step 5: applied forces Q (48) ---
   // spring
-  const double s5_1 = fnma(-p_arm_seat_x, R_arm_x_x, p_arm_seat_z*R_arm_x_z);
-  const double s5_2 = -p_carriage_seat_x + s5_1;
-  const double s5_3 = fma(-p_arm_seat_x, R_arm_x_z, p_arm_seat_z*R_arm_x_x);
+  const double s5_1 = fma(p_arm_seat_x, R_arm_x_x, p_arm_seat_z*R_arm_x_z);
+  const double s5_2 = s5_1 - p_carriage_seat_x;
+  const double s5_3 = fnma(p_arm_seat_x, R_arm_x_z, p_arm_seat_z*R_arm_x_x);
   const double s5_4 = 0.37 - s5_3;
   const double s5_5 = std::sqrt(fma(s5_4, s5_4, s5_2*s5_2));
   const double s5_6 = 1.0/s5_5;
@@ -743,7 +743,7 @@ void compute_outputs(const Tuned& parameters, const Inputs& /*inputs*/, const St
   const double s5_10 = (s5_9 >= 0.0 ? fms(1600.0, s5_9, 320.0) : fms(725.0, 1.0 + s5_7, 900.0));
   const double s5_11 = (s5_7 >= 0.0 ? 3200.0*s5_7 : s5_10);
   const double s5_12 = (s5_8 >= 0.0 ? fma(1575.0, s5_8, 640.0) : s5_11);
-  const double tension_spring = s5_12 + fms(s5_5 - l0_spring, parameters.k, -f0_spring);
+  const double tension_spring = s5_12 + fma(s5_5 - l0_spring, parameters.k, f0_spring);
   result.spring_force = tension_spring;
   const double s5_13 = s5_6*tension_spring;
   const double s5_14 = s5_2*s5_13;
@@ -785,8 +785,8 @@ void compute_outputs(const Tuned& parameters, const Inputs& /*inputs*/, const St
   const double s7_2 = R_knuckle_x_z*parameters.derived[3];
   const double s7_3 = w_knuckle_y*parameters.derived[5];
   // arm: lower, revolute, carriage
-  const double s7_4 = fma(-c_arm_x, R_arm_x_z, c_arm_z*R_arm_x_x);
-  const double s7_5 = fnma(-c_arm_x, R_arm_x_x, c_arm_z*R_arm_x_z);
+  const double s7_4 = fnma(c_arm_x, R_arm_x_z, c_arm_z*R_arm_x_x);
+  const double s7_5 = fma(c_arm_x, R_arm_x_x, c_arm_z*R_arm_x_z);
   const double s7_6 = I_arm_yy*zd_lower;
   // operations: 2 add, 8 multiply
 
@@ -795,7 +795,7 @@ void compute_outputs(const Tuned& parameters, const Inputs& /*inputs*/, const St
   const double s9_2 = fma(w_knuckle_y, s7_2, s4_1);
   const double s9_3 = fma(m_wheel, r_wheel_z, parameters.derived[6]);
   const double s9_4 = fma(r_knuckle_z + s7_1, parameters.derived[4], s9_3);
-  result.potential_energy = -g_z*fma(m_arm, s7_4 - (-p_lower_z), s9_4);
+  result.potential_energy = -g_z*fma(m_arm, s7_4 + p_lower_z, s9_4);
   const double s9_5 = fma(zd_wheel, tau[Coordinate::wheel], zd_ball*tau[Coordinate::ball]);
   const double s9_6 = fma(v_wheel_x, fx_tyre, fnma(s4_2, load_tyre, s9_5));
   const double s9_7 = tau[Coordinate::pull] + multipliers.drive[0];

@@ -174,9 +174,9 @@ using Accelerations = AccelerationsOf<Lanes>;
 
   // --- step 5: applied forces Q (48) ---
   // spring
-  const Lanes s5_1 = fnma(-p_arm_seat_x, R_arm_x_x, p_arm_seat_z*R_arm_x_z);
-  const Lanes s5_2 = fma(-p_arm_seat_x, R_arm_x_z, p_arm_seat_z*R_arm_x_x);
-  const Lanes s5_3 = -p_carriage_seat_x + s5_1;
+  const Lanes s5_1 = fma(p_arm_seat_x, R_arm_x_x, p_arm_seat_z*R_arm_x_z);
+  const Lanes s5_2 = fnma(p_arm_seat_x, R_arm_x_z, p_arm_seat_z*R_arm_x_x);
+  const Lanes s5_3 = s5_1 - p_carriage_seat_x;
   const Lanes zd_lower = state.zd[Coordinate::lower];
   const Lanes s5_4 = 0.37 - s5_2;
   const Lanes s5_5 = mbgen::sqrt(fma(s5_4, s5_4, s5_3*s5_3));
@@ -188,7 +188,7 @@ using Accelerations = AccelerationsOf<Lanes>;
   const Lanes s5_11 = s5_7 - 0.2;
   const Lanes s5_12 = mbgen::select(s5_7, 3200.0*s5_7, s5_10);
   const Lanes s5_13 = mbgen::select(s5_11, fma(1575.0, s5_11, 640.0), s5_12);
-  const Lanes tension_spring = s5_13 + fms(s5_5 - l0_spring, parameters.k, -f0_spring);
+  const Lanes tension_spring = s5_13 + fma(s5_5 - l0_spring, parameters.k, f0_spring);
   const Lanes s5_14 = s5_6*tension_spring;
 
   // --- step 9: accelerations from the root to the leaves (63), (62) ---
@@ -196,9 +196,9 @@ using Accelerations = AccelerationsOf<Lanes>;
   // knuckle: ball, revolute, arm
   Lanes R_knuckle_x_x, R_knuckle_x_z;
   mbgen::sincos(s1_1, R_knuckle_x_z, R_knuckle_x_x);
-  const Lanes r_knuckle_x = fnma(-p_ball_x, R_arm_x_x, p_ball_z*R_arm_x_z);
-  const Lanes s1_2 = fma(-p_ball_x, R_arm_x_z, p_ball_z*R_arm_x_x);
-  const Lanes r_knuckle_z = s1_2 - (-p_lower_z);
+  const Lanes r_knuckle_x = fma(p_ball_x, R_arm_x_x, p_ball_z*R_arm_x_z);
+  const Lanes s1_2 = fnma(p_ball_x, R_arm_x_z, p_ball_z*R_arm_x_x);
+  const Lanes r_knuckle_z = s1_2 + p_lower_z;
   const Lanes s1_3 = p_wheel_z*R_knuckle_x_x;
   // wheel: wheel, revolute, knuckle
   const Lanes r_wheel_z = r_knuckle_z + s1_3;
@@ -261,7 +261,7 @@ using Accelerations = AccelerationsOf<Lanes>;
   const Lanes s8_1 = tau[Coordinate::wheel] - s5_42;
   const Lanes s2_1 = fma(p_upper_to_z, R_knuckle_x_z, p_upper_to_x*R_knuckle_x_x);
   const Lanes s2_2 = fnma(p_upper_to_x, R_knuckle_x_z, p_upper_to_z*R_knuckle_x_x);
-  const Lanes s2_3 = s2_2 + (-p_upper_from_z + r_knuckle_z);
+  const Lanes s2_3 = s2_2 + (r_knuckle_z - p_upper_from_z);
   const Lanes s2_4 = p_upper_from_x - r_knuckle_x - s2_1;
   const Lanes s2_5 = fma(s2_2, s2_4, s2_1*s2_3);
 
@@ -304,7 +304,7 @@ using Accelerations = AccelerationsOf<Lanes>;
   mbgen::read_back();
   result.inertia[0] = fnma(1e-12, pivot_lower, pivot_lower);
   // arm: lower, revolute, carriage
-  const Lanes s9_4 = fma(-g_z, s8_6 + fnma(-h_arm_x, R_arm_x_x, h_arm_z*R_arm_x_z), s9_3);
+  const Lanes s9_4 = fnma(g_z, s8_6 + fma(h_arm_x, R_arm_x_x, h_arm_z*R_arm_x_z), s9_3);
   const Lanes alpha_arm_y = 1.0/pivot_lower*s9_4;
   result.zdd[Coordinate::lower] = alpha_arm_y;
   result.zdd[Coordinate::ball] = fnma(s3_1, alpha_arm_y, zdd_star_ball);
@@ -359,8 +359,8 @@ using Closure = ClosureOf<Lanes>;
   Lanes R_arm_x_x, R_arm_x_z;
   mbgen::sincos(z_lower, R_arm_x_z, R_arm_x_x);
   // knuckle: ball, revolute, arm
-  const Lanes r_knuckle_x = fnma(-p_ball_x, R_arm_x_x, p_ball_z*R_arm_x_z);
-  const Lanes s1_1 = fma(-p_ball_x, R_arm_x_z, p_ball_z*R_arm_x_x);
+  const Lanes r_knuckle_x = fma(p_ball_x, R_arm_x_x, p_ball_z*R_arm_x_z);
+  const Lanes s1_1 = fnma(p_ball_x, R_arm_x_z, p_ball_z*R_arm_x_x);
   const Lanes s1_2 = z_lower + state.z[Coordinate::ball];
   Lanes R_knuckle_x_x, R_knuckle_x_z;
   mbgen::sincos(s1_2, R_knuckle_x_z, R_knuckle_x_x);
@@ -370,8 +370,8 @@ using Closure = ClosureOf<Lanes>;
   const Lanes s2_2 = fnma(p_upper_to_x, R_knuckle_x_z, p_upper_to_z*R_knuckle_x_x);
   const Lanes s2_3 = p_upper_from_x - r_knuckle_x - s2_1;
   // knuckle: ball, revolute, arm
-  const Lanes r_knuckle_z = s1_1 - (-p_lower_z);
-  const Lanes s2_4 = s2_2 + (-p_upper_from_z + r_knuckle_z);
+  const Lanes r_knuckle_z = s1_1 + p_lower_z;
+  const Lanes s2_4 = s2_2 + (r_knuckle_z - p_upper_from_z);
   const Lanes s2_5 = 2.380277794628896*s2_3;
   const Lanes s2_6 = 2.380277794628896*s2_4;
   const Lanes s2_7 = fma(s2_1, s2_6, s2_5*s2_2);
@@ -424,9 +424,9 @@ using ConstraintForces = ConstraintForcesOf<Lanes>;
 
   // --- step 5: applied forces Q (48) ---
   // spring
-  const Lanes s5_1 = fnma(-p_arm_seat_x, R_arm_x_x, p_arm_seat_z*R_arm_x_z);
-  const Lanes s5_2 = fma(-p_arm_seat_x, R_arm_x_z, p_arm_seat_z*R_arm_x_x);
-  const Lanes s5_3 = -p_carriage_seat_x + s5_1;
+  const Lanes s5_1 = fma(p_arm_seat_x, R_arm_x_x, p_arm_seat_z*R_arm_x_z);
+  const Lanes s5_2 = fnma(p_arm_seat_x, R_arm_x_z, p_arm_seat_z*R_arm_x_x);
+  const Lanes s5_3 = s5_1 - p_carriage_seat_x;
   const Lanes zd_lower = state.zd[Coordinate::lower];
   const Lanes s5_4 = 0.37 - s5_2;
   const Lanes s5_5 = mbgen::sqrt(fma(s5_4, s5_4, s5_3*s5_3));
@@ -438,21 +438,21 @@ using ConstraintForces = ConstraintForcesOf<Lanes>;
   const Lanes s5_11 = s5_7 - 0.2;
   const Lanes s5_12 = mbgen::select(s5_7, 3200.0*s5_7, s5_10);
   const Lanes s5_13 = mbgen::select(s5_11, fma(1575.0, s5_11, 640.0), s5_12);
-  const Lanes tension_spring = s5_13 + fms(s5_5 - l0_spring, parameters.k, -f0_spring);
+  const Lanes tension_spring = s5_13 + fma(s5_5 - l0_spring, parameters.k, f0_spring);
   const Lanes s5_14 = s5_6*tension_spring;
   const Lanes s5_15 = s5_3*s5_14;
   const Lanes s1_1 = z_lower + state.z[Coordinate::ball];
   // knuckle: ball, revolute, arm
   Lanes R_knuckle_x_x, R_knuckle_x_z;
   mbgen::sincos(s1_1, R_knuckle_x_z, R_knuckle_x_x);
-  const Lanes r_knuckle_x = fnma(-p_ball_x, R_arm_x_x, p_ball_z*R_arm_x_z);
-  const Lanes s1_2 = fma(-p_ball_x, R_arm_x_z, p_ball_z*R_arm_x_x);
+  const Lanes r_knuckle_x = fma(p_ball_x, R_arm_x_x, p_ball_z*R_arm_x_z);
+  const Lanes s1_2 = fnma(p_ball_x, R_arm_x_z, p_ball_z*R_arm_x_x);
   const Lanes s1_3 = p_wheel_z*R_knuckle_x_z;
 
   // --- step 4: velocities ---
   // knuckle: ball, revolute, arm
   const Lanes w_knuckle_y = zd_lower + state.zd[Coordinate::ball];
-  const Lanes r_knuckle_z = s1_2 - (-p_lower_z);
+  const Lanes r_knuckle_z = s1_2 + p_lower_z;
   const Lanes s1_4 = p_wheel_z*R_knuckle_x_x;
   // wheel: wheel, revolute, knuckle
   const Lanes r_wheel_z = r_knuckle_z + s1_4;
@@ -500,8 +500,8 @@ using ConstraintForces = ConstraintForcesOf<Lanes>;
   // wheel: wheel, revolute, knuckle
   const Lanes alpha_wheel_y = derivative.zdd[Coordinate::wheel] + alpha_knuckle_y;
   const Lanes s5_36 = mbgen::hyperbolic_tangent(0.5*s5_29);
-  const Lanes s7_2 = fma(-c_arm_x, R_arm_x_z, c_arm_z*R_arm_x_x);
-  const Lanes s7_3 = fnma(-c_arm_x, R_arm_x_x, c_arm_z*R_arm_x_z);
+  const Lanes s7_2 = fnma(c_arm_x, R_arm_x_z, c_arm_z*R_arm_x_x);
+  const Lanes s7_3 = fma(c_arm_x, R_arm_x_x, c_arm_z*R_arm_x_z);
   const Lanes s7_4 = zd_lower*zd_lower;
   const Lanes zdd_pull = derivative.zdd[Coordinate::pull];
   const Lanes s7_5 = m_arm*fnma(s7_4, s7_3, fma(zdd_lower, s7_2, zdd_pull));
@@ -553,7 +553,7 @@ using ConstraintForces = ConstraintForcesOf<Lanes>;
   result.drive[0] = -Q_pull;
   const Lanes s9_1 = fma(p_upper_to_z, R_knuckle_x_z, p_upper_to_x*R_knuckle_x_x);
   const Lanes s9_2 = fnma(p_upper_to_x, R_knuckle_x_z, p_upper_to_z*R_knuckle_x_x);
-  const Lanes s9_3 = s9_1*(s9_2 + (-p_upper_from_z + r_knuckle_z));
+  const Lanes s9_3 = s9_1*(s9_2 + (r_knuckle_z - p_upper_from_z));
   const Lanes s9_4 = fma(s9_2, p_upper_from_x - r_knuckle_x - s9_1, s9_3);
   result.pivot[0] = 12.094222040829795*mbgen::abs(s9_4);
   result.lambda[0] = -(l_upper*(Q_ball*(1.0/s9_4)));
@@ -590,9 +590,9 @@ void compute_multipliers(const Tuned* parameters, const Inputs* /*inputs*/, cons
 
   // --- step 5: applied forces Q (48) ---
   // spring
-  const Lanes s5_1 = fnma(-p_arm_seat_x, R_arm_x_x, p_arm_seat_z*R_arm_x_z);
-  const Lanes s5_2 = fma(-p_arm_seat_x, R_arm_x_z, p_arm_seat_z*R_arm_x_x);
-  const Lanes s5_3 = -p_carriage_seat_x + s5_1;
+  const Lanes s5_1 = fma(p_arm_seat_x, R_arm_x_x, p_arm_seat_z*R_arm_x_z);
+  const Lanes s5_2 = fnma(p_arm_seat_x, R_arm_x_z, p_arm_seat_z*R_arm_x_x);
+  const Lanes s5_3 = s5_1 - p_carriage_seat_x;
   const Lanes zd_lower = state.zd[Coordinate::lower];
   const Lanes s5_4 = 0.37 - s5_2;
   const Lanes s5_5 = mbgen::sqrt(fma(s5_4, s5_4, s5_3*s5_3));
@@ -604,7 +604,7 @@ void compute_multipliers(const Tuned* parameters, const Inputs* /*inputs*/, cons
   const Lanes s5_11 = s5_7 - 0.2;
   const Lanes s5_12 = mbgen::select(s5_7, 3200.0*s5_7, s5_10);
   const Lanes s5_13 = mbgen::select(s5_11, fma(1575.0, s5_11, 640.0), s5_12);
-  const Lanes tension_spring = s5_13 + fms(s5_5 - l0_spring, parameters.k, -f0_spring);
+  const Lanes tension_spring = s5_13 + fma(s5_5 - l0_spring, parameters.k, f0_spring);
   result.spring_force = tension_spring;
   const Lanes s5_14 = s5_6*tension_spring;
 
@@ -613,16 +613,16 @@ void compute_multipliers(const Tuned* parameters, const Inputs* /*inputs*/, cons
   // knuckle: ball, revolute, arm
   Lanes R_knuckle_x_x, R_knuckle_x_z;
   mbgen::sincos(s1_1, R_knuckle_x_z, R_knuckle_x_x);
-  const Lanes r_knuckle_x = fnma(-p_ball_x, R_arm_x_x, p_ball_z*R_arm_x_z);
+  const Lanes r_knuckle_x = fma(p_ball_x, R_arm_x_x, p_ball_z*R_arm_x_z);
 
   // --- step 4: velocities ---
   const Lanes s4_1 = zd_lower*r_knuckle_x;
-  const Lanes s1_2 = fma(-p_ball_x, R_arm_x_z, p_ball_z*R_arm_x_x);
+  const Lanes s1_2 = fnma(p_ball_x, R_arm_x_z, p_ball_z*R_arm_x_x);
   // knuckle: ball, revolute, arm
   const Lanes zd_ball = state.zd[Coordinate::ball];
   const Lanes w_knuckle_y = zd_lower + zd_ball;
   const Lanes s4_2 = fma(p_wheel_z*R_knuckle_x_z, w_knuckle_y, s4_1);
-  const Lanes r_knuckle_z = s1_2 - (-p_lower_z);
+  const Lanes r_knuckle_z = s1_2 + p_lower_z;
   const Lanes zd_pull = state.zd[Coordinate::pull];
   const Lanes v_knuckle_x = fma(zd_lower, s1_2, zd_pull);
   const Lanes s1_3 = p_wheel_z*R_knuckle_x_x;
@@ -674,15 +674,15 @@ void compute_multipliers(const Tuned* parameters, const Inputs* /*inputs*/, cons
   result.applied_power = fma(zd_lower, s9_4, fma(zd_pull, s9_3, fnma(w_wheel_y, s5_39, s9_2)));
 
   // --- step 7: inertias of the bodies and forces on joints ---
-  const Lanes s7_1 = fma(-c_arm_x, R_arm_x_z, c_arm_z*R_arm_x_x);
-  const Lanes s9_5 = zd_lower*fnma(-c_arm_x, R_arm_x_x, c_arm_z*R_arm_x_z);
+  const Lanes s7_1 = fnma(c_arm_x, R_arm_x_z, c_arm_z*R_arm_x_x);
+  const Lanes s9_5 = zd_lower*fma(c_arm_x, R_arm_x_x, c_arm_z*R_arm_x_z);
   const Lanes s7_2 = R_knuckle_x_x*parameters.derived[3];
   const Lanes s9_6 = fma(w_knuckle_y, R_knuckle_x_z*parameters.derived[3], s4_1);
   const Lanes s9_7 = fma(w_knuckle_y, s7_2, v_knuckle_x);
   const Lanes s9_8 = fma(m_wheel, r_wheel_z, parameters.derived[6]);
   const Lanes s9_9 = fma(r_knuckle_z + s7_2, parameters.derived[4], s9_8);
   const Lanes s9_10 = fma(zd_lower, s7_1, zd_pull);
-  result.potential_energy = -g_z*fma(m_arm, s7_1 - (-p_lower_z), s9_9);
+  result.potential_energy = -g_z*fma(m_arm, s7_1 + p_lower_z, s9_9);
   const Lanes s9_11 = fma(w_knuckle_y, w_knuckle_y*parameters.derived[5], w_wheel_y*w_wheel_y);
   const Lanes s9_12 = fma(zd_lower, I_arm_yy*zd_lower, s9_11);
   const Lanes s9_13 = fma(m_wheel, fma(s4_2, s4_2, v_wheel_x*v_wheel_x), s9_12);
