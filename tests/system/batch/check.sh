@@ -2,7 +2,7 @@
 # Lanes against the scalar solver, bit for bit, on any model: statuses, states, accelerations, multipliers, outputs.
 #   tests/system/batch/check.sh [-b MBGEN] [-c COMPILER] [-w LANES] [-m MARCH] [-s] MODEL.json...
 # Default: build/mbgen, c++, 8 lanes, -march=native. The flags are those of the generated CMake file.
-# No function may touch the heap. -s: everything under the address and undefined-behaviour sanitizers instead.
+# No function may touch the heap. -s: everything under the address and undefined-behaviour sanitizers instead, at -O1.
 set -eu
 
 here=$(cd "$(dirname "$0")" && pwd)
@@ -19,6 +19,7 @@ while getopts b:c:w:m:s option; do
     w) lanes=$OPTARG ;;
     m) march=$OPTARG ;;
     s)
+      export CMAKE_CXX_COMPILER_LAUNCHER="$here/../../tools/quick.sh" QUICK=-O1
       sanitizers="-fsanitize=address,undefined,float-divide-by-zero,float-cast-overflow -fno-sanitize-recover=all"
       watch=
       ;;
