@@ -97,7 +97,7 @@ Compilation compiled(const Model& model) {
 struct Solver {
   explicit Solver(const Compilation& compilation)
       : files(emit(compilation)),
-        loaded(with_driver(compilation), solver_name(compilation.model), {"g++", CompilerFamily::gnu}, " -O1") {
+        loaded(with_driver(compilation), solver_name(compilation.model), {"g++", CompilerFamily::gnu}, " -O0") {
     if (loaded.table() == nullptr) throw std::runtime_error(loaded.compilation().text);
     table = loaded.table();
     parameters.assign(table->default_parameters, table->default_parameters + table->parameters);
