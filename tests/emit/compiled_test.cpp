@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <limits>
+#include <map>
 #include <numbers>
 #include <random>
 
@@ -13,10 +14,14 @@
 namespace mbgen::test {
 namespace {
 
-Loaded load(const Example& example, const Compiler& compiler, const std::string& more_flags = "") {
+/// The solver of an example, compiled once in a process for all tests that ask for it.
+const Loaded& load(const Example& example, const Compiler& compiler) {
+  static std::map<std::string, Loaded> known;
   std::vector<EmittedFile> files = emit(example, {.runtime_headers = false});
   files.push_back(emit_driver(example.model));
-  return Loaded(files, solver_name(example.model), compiler, more_flags);
+  std::string key = compiler.command;
+  for (const EmittedFile& file : files) key += file.text;
+  return known.try_emplace(key, files, solver_name(example.model), compiler).first->second;
 }
 
 class Emitted : public testing::TestWithParam<Compiler> {
@@ -35,7 +40,7 @@ void bead_answer(double a, double w, double mass, double fx, double fy, double* 
 }
 
 TEST_P(Emitted, acceleratesTheBeadOnBothPaths) {
-  const Loaded loaded = load(bead_on_circle(), GetParam());
+  const Loaded& loaded = load(bead_on_circle(), GetParam());
   ASSERT_NE(loaded.table(), nullptr) << loaded.compilation().text;
   const SolverTable& table = *loaded.table();
   EXPECT_EQ(table.layout, kSolverTableLayout);
@@ -78,7 +83,7 @@ TEST_P(Emitted, timesTheStepsInADriverWithAClock) {
 }
 
 TEST_P(Emitted, outputsTakeMultipliersWhereTheFrozenPartitionHasNone) {
-  const Loaded loaded = load(bead_with_pull(), GetParam());
+  const Loaded& loaded = load(bead_with_pull(), GetParam());
   ASSERT_NE(loaded.table(), nullptr) << loaded.compilation().text;
   const SolverTable& table = *loaded.table();
   const double push = 1.5, tau[] = {0.4, -0.9}, mass = table.default_parameters[0], w = 1.3;
@@ -99,7 +104,7 @@ TEST_P(Emitted, outputsTakeMultipliersWhereTheFrozenPartitionHasNone) {
 }
 
 TEST_P(Emitted, projectsFromAGuessAndLeavesTheStateWhenItCannot) {
-  const Loaded loaded = load(bead_on_circle(), GetParam());
+  const Loaded& loaded = load(bead_on_circle(), GetParam());
   ASSERT_NE(loaded.table(), nullptr) << loaded.compilation().text;
   const SolverTable& table = *loaded.table();
   const double push = 0;
@@ -135,7 +140,7 @@ TEST_P(Emitted, projectsFromAGuessAndLeavesTheStateWhenItCannot) {
 }
 
 TEST_P(Emitted, namesWhatIsNotFinite) {
-  const Loaded loaded = load(bead_on_circle(), GetParam());
+  const Loaded& loaded = load(bead_on_circle(), GetParam());
   ASSERT_NE(loaded.table(), nullptr) << loaded.compilation().text;
   const SolverTable& table = *loaded.table();
   const double nan = std::numeric_limits<double>::quiet_NaN(), push = 0, tau[] = {0, 0};
@@ -183,7 +188,7 @@ double energy_drift(const SolverTable& table, int steps, bool adams) {
 }
 
 TEST_P(Emitted, stepsWithOrderFourThroughSingularPartitions) {
-  const Loaded loaded = load(bead_on_circle(), GetParam());
+  const Loaded& loaded = load(bead_on_circle(), GetParam());
   ASSERT_NE(loaded.table(), nullptr) << loaded.compilation().text;
   for (const bool adams : {false, true}) {
     const double coarse = energy_drift(*loaded.table(), 400, adams), fine = energy_drift(*loaded.table(), 800, adams);
@@ -196,7 +201,7 @@ TEST_P(Emitted, stepsWithOrderFourThroughSingularPartitions) {
 }
 
 TEST_P(Emitted, advancesInputsDuringAStep) {
-  const Loaded loaded = load(pushed_slider(), GetParam());
+  const Loaded& loaded = load(pushed_slider(), GetParam());
   ASSERT_NE(loaded.table(), nullptr) << loaded.compilation().text;
   const SolverTable& table = *loaded.table();
   const double jerk = 3, push = 2, rate = -1, inputs[] = {jerk, push, rate}, h = 0.5;
@@ -215,7 +220,7 @@ TEST_P(Emitted, advancesInputsDuringAStep) {
 }
 
 TEST_P(Emitted, followsMotionsOnBothPaths) {
-  const Loaded loaded = load(driven_bead(), GetParam());
+  const Loaded& loaded = load(driven_bead(), GetParam());
   ASSERT_NE(loaded.table(), nullptr) << loaded.compilation().text;
   const SolverTable& table = *loaded.table();
   EXPECT_EQ(table.drives, 1);
@@ -248,7 +253,7 @@ TEST_P(Emitted, followsMotionsOnBothPaths) {
 TEST_P(Emitted, watchesRedundantEquations) {
   const double push = 0;
   for (const double gap : {1e-8, 1e-3}) {
-    const Loaded loaded = load(redundant_bead(gap), GetParam());
+    const Loaded& loaded = load(redundant_bead(gap), GetParam());
     ASSERT_NE(loaded.table(), nullptr) << loaded.compilation().text;
     // On the frozen path, and with the partition that pivoting chooses.
     for (const double x : {0.8, 0.001}) {
@@ -261,7 +266,7 @@ TEST_P(Emitted, watchesRedundantEquations) {
 }
 
 TEST_P(Emitted, timesEveryState) {
-  const Loaded loaded = load(bead_on_circle(), GetParam());
+  const Loaded& loaded = load(bead_on_circle(), GetParam());
   ASSERT_NE(loaded.table(), nullptr) << loaded.compilation().text;
   std::vector<double> states, taus(2 * 37, 0.0);
   for (int i = 0; i < 37; ++i) states.insert(states.end(), {std::cos(i), std::sin(i), 0, 0, 0});
@@ -316,7 +321,7 @@ TEST_P(Emitted, computesWhatTheInterpreterComputes) {
     example.model.outputs.push_back(output);
   }
   // No pass has contracted the program: compiled code has to agree to the last bit.
-  const Loaded loaded = load(example, GetParam());
+  const Loaded& loaded = load(example, GetParam());
   ASSERT_NE(loaded.table(), nullptr) << loaded.compilation().text;
   std::mt19937 random(11);
   std::uniform_real_distribution<double> number(-2, 2);
