@@ -1,6 +1,6 @@
 // What must hold for every mechanism, on random ones. A failure shrinks to a small model file, which is printed.
-// MBGEN_PROPERTY_CASES: mechanisms of each family, 12 by default; MBGEN_PROPERTY_SEED: the first seed;
-// MBGEN_PROPERTY_COMPILED: the solver of every so many is compiled, 12 by default.
+// MBGEN_PROPERTY_CASES: mechanisms of each family, 6 by default; MBGEN_PROPERTY_SEED: the first seed;
+// MBGEN_PROPERTY_COMPILED: the solver of every so many is compiled, 6 by default.
 
 #include <gtest/gtest.h>
 
@@ -61,7 +61,7 @@ constexpr NamedFamily kFamilies[] = {
 class EveryFamily : public ::testing::TestWithParam<NamedFamily> {};
 
 TEST_P(EveryFamily, HasTheProperties) {
-  const int cases = from_environment("MBGEN_PROPERTY_CASES", 12), first = from_environment("MBGEN_PROPERTY_SEED", 1);
+  const int cases = from_environment("MBGEN_PROPERTY_CASES", 6), first = from_environment("MBGEN_PROPERTY_SEED", 1);
   Tally tally;
   for (int seed = first; seed < first + cases; ++seed) {
     const RandomMechanism random = random_mechanism(GetParam().family, seed);
@@ -91,7 +91,7 @@ TEST_P(EveryFamily, HasTheProperties) {
 
 /// Well-posed whatever is locked or overconstrained: none is refused, and two Cartesian judges say the same.
 TEST(Locked, IsAcceptedAndEqualToTheCartesianJudges) {
-  const int cases = from_environment("MBGEN_PROPERTY_CASES", 12), first = from_environment("MBGEN_PROPERTY_SEED", 1);
+  const int cases = from_environment("MBGEN_PROPERTY_CASES", 6), first = from_environment("MBGEN_PROPERTY_SEED", 1);
   int states = 0;
   for (int seed = first; seed < first + cases; ++seed) {
     const RandomMechanism random = random_mechanism(Family::locked, seed);
