@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "compiler/counted_partitions.hpp"
-#include "compiler/passes/lower.hpp"
+#include "compiler/passes/passes.hpp"
 #include "compiler/trace/trace.hpp"
 
 namespace mbgen {

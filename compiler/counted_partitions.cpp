@@ -7,7 +7,7 @@
 
 #include "compiler/analysis/block_structure.hpp"
 #include "compiler/analysis/sampling.hpp"
-#include "compiler/passes/lower.hpp"
+#include "compiler/passes/passes.hpp"
 #include "compiler/trace/trace.hpp"
 
 namespace mbgen {

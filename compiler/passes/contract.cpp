@@ -1,12 +1,10 @@
-#include "compiler/passes/contract.hpp"
-
 #include <algorithm>
 #include <span>
 #include <utility>
 #include <vector>
 
-#include "compiler/passes/dead_values.hpp"
 #include "compiler/passes/kinds.hpp"
+#include "compiler/passes/passes.hpp"
 
 namespace mbgen {
 namespace {

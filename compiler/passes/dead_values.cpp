@@ -1,6 +1,6 @@
-#include "compiler/passes/dead_values.hpp"
-
 #include <utility>
+
+#include "compiler/passes/passes.hpp"
 
 namespace mbgen {
 

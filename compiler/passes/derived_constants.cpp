@@ -1,11 +1,9 @@
-#include "compiler/passes/derived_constants.hpp"
-
 #include <algorithm>
 #include <unordered_map>
 #include <utility>
 #include <vector>
 
-#include "compiler/passes/dead_values.hpp"
+#include "compiler/passes/passes.hpp"
 
 namespace mbgen {
 namespace {

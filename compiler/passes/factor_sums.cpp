@@ -1,10 +1,10 @@
-#include "compiler/passes/factor_sums.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <deque>
 #include <map>
 #include <utility>
+
+#include "compiler/passes/passes.hpp"
 
 namespace mbgen {
 namespace {

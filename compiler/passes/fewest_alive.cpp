@@ -1,10 +1,9 @@
-#include "compiler/passes/fewest_alive.hpp"
-
 #include <algorithm>
 #include <queue>
 #include <utility>
 
 #include "compiler/passes/kinds.hpp"
+#include "compiler/passes/passes.hpp"
 
 namespace mbgen {
 namespace {

@@ -10,12 +10,13 @@ constexpr bool is_operation(const Node& node) { return node.op != Op::constant &
 
 constexpr bool is_sum(const Node& node) { return node.op == Op::add || node.op == Op::subtract; }
 
-/// A sum with a product in it.
-constexpr bool is_contracted(const Node& node) {
-  return node.op == Op::multiply_add || node.op == Op::multiply_subtract || node.op == Op::subtract_product;
-}
-
 /// Operations that an output needs, in program order.
-std::vector<ValueId> live_operations(const Program& program);
+inline std::vector<ValueId> live_operations(const Program& program) {
+  const std::vector<bool> needed = needed_values(program);
+  std::vector<ValueId> order;
+  for (ValueId v = 0; v < program.nodes.size(); ++v)
+    if (needed[v] && is_operation(program.nodes[v])) order.push_back(v);
+  return order;
+}
 
 }  // namespace mbgen

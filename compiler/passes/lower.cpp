@@ -1,12 +1,6 @@
-#include "compiler/passes/lower.hpp"
-
 #include <utility>
 
-#include "compiler/passes/contract.hpp"
-#include "compiler/passes/dead_values.hpp"
-#include "compiler/passes/derived_constants.hpp"
-#include "compiler/passes/factor_sums.hpp"
-#include "compiler/passes/merge_divisions.hpp"
+#include "compiler/passes/passes.hpp"
 
 namespace mbgen {
 namespace {

@@ -1,4 +1,4 @@
-#include "compiler/passes/merge_divisions.hpp"
+#include "compiler/passes/passes.hpp"
 
 namespace mbgen {
 namespace {

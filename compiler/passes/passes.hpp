@@ -1,11 +1,78 @@
 #pragma once
-// The door of the passes room. A pass is a pure function Program -> Program; each header holds its contract.
-// Every pass keeps name, outputs, sections, owners and labels, and verifies its result.
+// The door of the passes room: the passes, each with its contract, and the list of them in order.
+// A pass is a pure function Program -> Program. Every pass keeps name, outputs, sections, owners and labels, and
+// verifies its result.
 
-#include "compiler/passes/contract.hpp"
-#include "compiler/passes/dead_values.hpp"
-#include "compiler/passes/derived_constants.hpp"
-#include "compiler/passes/factor_sums.hpp"
-#include "compiler/passes/fewest_alive.hpp"
-#include "compiler/passes/lower.hpp"
-#include "compiler/passes/merge_divisions.hpp"
+#include <span>
+#include <string>
+#include <vector>
+
+#include "compiler/solver/programs.hpp"
+
+namespace mbgen {
+
+/// Removes values and inputs that no output needs. Ensures: the same outputs bit for bit, the same order of what
+/// remains.
+///   %0 = input z[0]; %1 = sin %0; %2 = cos %0; out zdd[0] = %1   =>   %0 = input z[0]; %1 = sin %0; out zdd[0] = %1
+Program remove_dead_values(const Program& program);
+
+/// Three or more divisions by one value become one reciprocal and products: a division costs several products.
+/// Ensures: each replaced quotient within 1.5 units in the last place while the reciprocal is a normal number; the
+/// reciprocal stands where the first of the divisions stood. Leaves single reciprocals as they are; constants divide
+/// like any value.
+///   %4 = div %0 %3; %5 = div %1 %3; %6 = div %2 %3
+///   =>   %4 = constant 1; %5 = div %4 %3; %6 = mul %0 %5; %7 = mul %1 %5; %8 = mul %2 %5
+Program merge_divisions(const Program& program);
+
+/// Writes every sum as one chain: terms that cancel leave it, constants become one, a factor that several products
+/// share is taken out, plain terms come before products so that each product fuses with an addition. A sum is what
+/// additions, subtractions and negations of unnamed values of one use make; named values stay as they are. Ensures:
+/// fewer operations or as many; values equal up to rounding.
+///   %3 = mul %0 %1; %4 = mul %0 %2; %5 = add %3 %4   =>   %3 = add %1 %2; %4 = mul %0 %3
+Program factor_sums(const Program& program);
+
+/// Values that depend on inputs of one group alone leave the programs: they become inputs of Array::derived, and the
+/// result is the program `name` that gives them, each value once for all programs. Values that are no more than an
+/// input of the group, or its negative, stay. Operations are neither added nor put in another order.
+///   %0 = input par[0]; %1 = input z[0]; %2 = mul %0 %0; %3 = mul %2 %1
+///   =>   %0 = input derived[0]; %1 = input z[0]; %2 = mul %0 %1     and     %0 = input par[0]; %1 = mul %0 %0
+Program take_out_derived(std::span<Program* const> programs, SlotGroup group, const std::string& name);
+
+/// Products that only sums and differences need go into all of them, rounded once: the choice that compilers make in
+/// contracting, each in its own way, made here for all of them. Of two such products in one sum the later one goes, so
+/// that the sum waits for one operation less. Labelled products and outputs stay.
+/// Ensures: every other value as it was; each contracted one with one rounding less. A product of several sums counts
+/// in each of them.
+///   %3 = mul %0 %1; %4 = sub %2 %3   =>   %3 = submul %2 %0 %1
+Program contract(const Program& program);
+
+/// An order of operations in which few values are alive at a time, wherever their sections are: registers and
+/// first-level cache hold few numbers, and eight times fewer vectors. Built from the end: of the operations whose users
+/// all stand, the one that brings the fewest new values to life comes next; then each operation that ends the life of a
+/// value moves up to where its operands are known. bundles: the operations in an order that is sound, those that
+/// stay together in one bundle.
+///   %2 = mul %0 %1; %3 = sin %0; %4 = mul %3 %3; %5 = add %4 %2   =>   %3 %4 %2 %5
+std::vector<ValueId> fewest_alive(const Program& program, std::span<const std::vector<ValueId>> bundles);
+
+/// How far programs are from the emitted ones.
+enum class Lowered {
+  whole,   ///< every value follows from the inputs: derivatives are taken here
+  lean,    ///< without values of tunable parameters alone: operations are counted here
+  emitted  ///< rounded and ordered as the C++ text is
+};
+
+/// One pass over all programs of a solver.
+struct Pass {
+  const char* name;           ///< of the stage: --dump=NAME
+  const char* effect;         ///< in words
+  Lowered result;             ///< state of the programs after it
+  Programs (*run)(Programs);  ///< pure
+};
+
+/// The list is the architecture: every decision about a program before it is arranged into functions.
+std::span<const Pass> passes();
+
+/// The passes that leave programs whole, on one program.
+Program optimise(const Program& program);
+
+}  // namespace mbgen

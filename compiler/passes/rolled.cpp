@@ -1,10 +1,9 @@
-#include "compiler/passes/rolled.hpp"
-
 #include <algorithm>
 #include <tuple>
 #include <utility>
 
 #include "compiler/passes/kinds.hpp"
+#include "compiler/passes/orders.hpp"
 
 namespace mbgen {
 namespace {

@@ -3,8 +3,7 @@
 #include <algorithm>
 
 #include "compiler/passes/kinds.hpp"
-#include "compiler/passes/rolled.hpp"
-#include "compiler/passes/straight.hpp"
+#include "compiler/passes/orders.hpp"
 
 namespace mbgen {
 namespace {

@@ -1,12 +1,11 @@
-#include "compiler/passes/straight.hpp"
-
 #include <algorithm>
 #include <limits>
 #include <map>
 #include <utility>
 
-#include "compiler/passes/fewest_alive.hpp"
 #include "compiler/passes/kinds.hpp"
+#include "compiler/passes/orders.hpp"
+#include "compiler/passes/passes.hpp"
 
 namespace mbgen {
 namespace {
