@@ -1,10 +1,12 @@
 #include "compiler/emit/emit.hpp"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <nlohmann/json.hpp>
-#include <sstream>
 
 #include "compiler/emit/batch_text.hpp"
 #include "compiler/emit/c_interface_text.hpp"
@@ -39,14 +41,25 @@ void add_included_headers(std::string_view text, std::vector<EmittedFile>& files
   }
 }
 
-/// The lines of an embedded list of flags that are no comments.
-std::vector<std::string> flags_in(const std::string& name) {
-  std::vector<std::string> flags;
-  std::istringstream lines{std::string(template_text(name))};
-  for (std::string line; std::getline(lines, line);) {
-    if (line.starts_with('-')) flags.push_back(line);
-  }
-  return flags;
+std::string cmake_flags(CompilerFamily family) {
+  return wrapped_words(fmt::format("{}", fmt::join(solver_compile_flags(family), " ")), "      ");
+}
+
+/// `CMakeLists.txt`.
+std::string build_text(const EmitContext& context) {
+  const std::string& solver = context.names.solver;
+  const std::string sources = solver + ".cpp" + (context.lanes > 0 ? " " + solver + "_batch.cpp" : "") +
+                              (context.c_interface ? " " + solver + "_c.cpp" : "");
+  const std::string shared = context.c_interface ? fill_template("shared.cmake.in", {{"solver", solver}}) : "";
+  return fill_template(
+      "CMakeLists.txt.in",
+      {{"banner", banner_text(context.model, "#")},
+       {"solver", solver},
+       {"sources", sources},
+       {"gnu_flags", cmake_flags(CompilerFamily::gnu)},
+       {"x86_flags", context.lanes > 0 ? fmt::format("{}", fmt::join(lane_flags_of_gnu_on_x86(), " ")) : ""},
+       {"clang_flags", cmake_flags(CompilerFamily::clang)},
+       {"shared", shared}});
 }
 
 }  // namespace
@@ -117,17 +130,17 @@ std::optional<double> beyond_single_precision(const Programs& programs, const Mo
 }
 
 std::vector<std::string> solver_compile_flags(CompilerFamily family) {
-  return flags_in(family == CompilerFamily::gnu ? "gnu.flags" : "clang.flags");
+  return words_of(family == CompilerFamily::gnu ? "gnu.flags" : "clang.flags");
 }
 
 std::vector<std::string> quick_compile_flags(CompilerFamily family) {
-  return flags_in(family == CompilerFamily::gnu ? "gnu_quick.flags" : "clang_quick.flags");
+  return words_of(family == CompilerFamily::gnu ? "gnu_quick.flags" : "clang_quick.flags");
 }
 
 std::vector<std::string> rare_compile_flags(CompilerFamily family) {
-  return flags_in(family == CompilerFamily::gnu ? "gnu_rare.flags" : "clang_rare.flags");
+  return words_of(family == CompilerFamily::gnu ? "gnu_rare.flags" : "clang_rare.flags");
 }
 
-std::vector<std::string> lane_flags_of_gnu_on_x86() { return flags_in("gnu_lanes_x86.flags"); }
+std::vector<std::string> lane_flags_of_gnu_on_x86() { return words_of("gnu_lanes_x86.flags"); }
 
 }  // namespace mbgen

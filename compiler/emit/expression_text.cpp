@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <utility>
+
 #include "compiler/emit/layout.hpp"
 #include "compiler/emit/text.hpp"
 
@@ -18,15 +21,25 @@ std::string right_term(const Phrase& phrase) {
   return operand(phrase, phrase.binding == Binding::sign ? Binding::primary : Binding::product);
 }
 
-std::string call(const std::string& function, const Phrase& first) { return function + "(" + first.text + ")"; }
-
-std::string call(const std::string& function, const Phrase& first, const Phrase& second) {
-  return function + "(" + first.text + ", " + second.text + ")";
-}
-
-std::string call(const std::string& function, const Phrase& first, const Phrase& second, const Phrase& third) {
-  return function + "(" + first.text + ", " + second.text + ", " + third.text + ")";
-}
+/// Functions by operation. Vectors have those of std in the namespace mbgen.
+constexpr std::pair<Op, const char*> kFunctions[] = {{Op::sqrt, "std::sqrt"},
+                                                     {Op::sin, "mbgen::sine"},
+                                                     {Op::cos, "mbgen::cosine"},
+                                                     {Op::tan, "mbgen::tangent"},
+                                                     {Op::asin, "mbgen::arc_sine"},
+                                                     {Op::acos, "mbgen::arc_cosine"},
+                                                     {Op::atan, "mbgen::arc_tangent"},
+                                                     {Op::atan2, "mbgen::arc_tangent"},
+                                                     {Op::exp, "mbgen::exponential"},
+                                                     {Op::log, "mbgen::logarithm"},
+                                                     {Op::pow, "mbgen::power"},
+                                                     {Op::tanh, "mbgen::hyperbolic_tangent"},
+                                                     {Op::abs, "std::abs"},
+                                                     {Op::min, "mbgen::min"},
+                                                     {Op::max, "mbgen::max"},
+                                                     {Op::select, "mbgen::select"},
+                                                     {Op::multiply_add, "fma"},
+                                                     {Op::multiply_subtract, "fms"}};
 
 /// An operation in the making.
 struct Operation {
@@ -78,8 +91,10 @@ Phrase constant_phrase(const std::string& text) {
 Phrase operation_phrase(const std::string& scalar, Op wanted, const Phrase& first, const Phrase& second,
                         const Phrase& third) {
   const auto [op, a, b, c] = with_signs_taken_in({wanted, first, second, third});
-  const std::string library = is_number(scalar) ? "std::" : "mbgen::";
   switch (op) {
+    case Op::constant:
+    case Op::input:
+      return a;
     case Op::add:
       return {a.text + " + " + right_term(b), Binding::sum};
     case Op::subtract:
@@ -89,51 +104,20 @@ Phrase operation_phrase(const std::string& scalar, Op wanted, const Phrase& firs
     case Op::divide:
       return {operand(a, Binding::product) + "/" + operand(b, Binding::primary), Binding::product};
     case Op::negate:
-      return {fmt::format("-{}", operand(a, Binding::primary)), Binding::sign};
-    case Op::sqrt:
-      return {call(library + "sqrt", a), Binding::primary};
-    case Op::sin:
-      return {call("mbgen::sine", a), Binding::primary};
-    case Op::cos:
-      return {call("mbgen::cosine", a), Binding::primary};
-    case Op::tan:
-      return {call("mbgen::tangent", a), Binding::primary};
-    case Op::asin:
-      return {call("mbgen::arc_sine", a), Binding::primary};
-    case Op::acos:
-      return {call("mbgen::arc_cosine", a), Binding::primary};
-    case Op::atan:
-      return {call("mbgen::arc_tangent", a), Binding::primary};
-    case Op::atan2:
-      return {call("mbgen::arc_tangent", a, b), Binding::primary};
-    case Op::exp:
-      return {call("mbgen::exponential", a), Binding::primary};
-    case Op::log:
-      return {call("mbgen::logarithm", a), Binding::primary};
-    case Op::pow:
-      return {call("mbgen::power", a, b), Binding::primary};
-    case Op::tanh:
-      return {call("mbgen::hyperbolic_tangent", a), Binding::primary};
-    case Op::abs:
-      return {call(library + "abs", a), Binding::primary};
-    case Op::min:
-      return {call("mbgen::min", a, b), Binding::primary};
-    case Op::max:
-      return {call("mbgen::max", a, b), Binding::primary};
-    case Op::select:
-      if (!is_number(scalar)) return {call("mbgen::select", a, b, c), Binding::primary};
-      return {fmt::format("({} >= {} ? {} : {})", a.text, number_text(0, scalar), b.text, c.text), Binding::primary};
-    case Op::multiply_add:
-      return {call("fma", a, b, c), Binding::primary};
-    case Op::multiply_subtract:
-      return {call("fms", a, b, c), Binding::primary};
+      return {"-" + operand(a, Binding::primary), Binding::sign};
     case Op::subtract_product:
-      return {call("fnma", b, c, a), Binding::primary};
-    case Op::constant:
-    case Op::input:
+      return {fmt::format("fnma({}, {}, {})", b.text, c.text, a.text), Binding::primary};
+    default:
       break;
   }
-  return a;
+  if (op == Op::select && is_number(scalar))
+    return {fmt::format("({} >= {} ? {} : {})", a.text, number_text(0, scalar), b.text, c.text), Binding::primary};
+  std::string text = std::ranges::find(kFunctions, op, &std::pair<Op, const char*>::first)->second;
+  if (!is_number(scalar) && text.starts_with("std::")) text.replace(0, 3, "mbgen");
+  text += "(" + a.text;
+  if (arity(op) > 1) text += ", " + b.text;
+  if (arity(op) > 2) text += ", " + c.text;
+  return {text + ")", Binding::primary};
 }
 
 }  // namespace mbgen

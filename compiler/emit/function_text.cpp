@@ -1,8 +1,8 @@
 #include "compiler/emit/function_text.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
-#include "compiler/emit/file_parts.hpp"
 #include "compiler/emit/text.hpp"
 
 namespace mbgen {
@@ -36,95 +36,64 @@ std::string work_structs(const ProgramShape& shape, const CrossingStructs& cross
   return text;
 }
 
-/// Whether a function has every parameter of the shape, the unused ones without a name, or only those it uses.
-enum class Signature { whole, used };
+/// An argument of a function or of one of its parts.
+struct TakenArgument {
+  std::string name, type;
+  bool is_used = false;
+};
 
-std::string joined(const std::vector<std::string>& items, const std::string& separator) {
-  std::string text;
-  for (const std::string& item : items) text += (text.empty() ? "" : separator) + item;
-  return text;
+/// The arguments of a program, the structs of values that cross its parts, and the result. Nothing else reaches the
+/// last two: without the promise every store would make the compiler read the state again.
+std::vector<TakenArgument> taken_arguments(const ProgramShape& shape, const CrossingStructs& crossing,
+                                           const std::set<std::string>& used) {
+  std::vector<TakenArgument> list;
+  for (const auto& [name, declaration] : shape.arguments)
+    list.push_back({name, declaration.substr(0, declaration.size() - name.size())});
+  for (const CrossingStruct& work : crossing) list.push_back({work.argument, work_type(shape, work) + "& __restrict "});
+  list.push_back({"result", shape.result + "& __restrict "});
+  for (TakenArgument& argument : list) argument.is_used = used.contains(argument.name);
+  return list;
 }
 
-std::string parameter_list(const ProgramShape& shape, const CrossingStructs& crossing,
-                           const std::set<std::string>& used, Signature signature) {
+/// Every parameter of a function, the unused ones without a name; arrays of structs where it goes by groups.
+std::string whole_parameters(const ProgramShape& shape, const std::set<std::string>& used) {
   std::vector<std::string> list;
-  for (const auto& [name, declaration] : shape.arguments) {
-    if (used.count(name)) {
-      list.push_back(declaration);
-    } else if (signature == Signature::whole) {
-      list.push_back(declaration.substr(0, declaration.size() - name.size()) + "/*" + name + "*/");
-    }
+  for (auto& [name, type, is_used] : taken_arguments(shape, {}, used)) {
+    if (shape.in_groups) type = name == "tau" ? "const JointForces* " : type.replace(type.find('&'), 1, "*");
+    list.push_back(is_used ? type + name : type.substr(0, type.find("__restrict")) + "/*" + name + "*/");
   }
-  // Nothing else reaches these: without the promise every store would make the compiler read the state again.
-  for (const CrossingStruct& work : crossing) {
-    if (used.count(work.argument)) list.push_back(work_type(shape, work) + "& __restrict " + work.argument);
-  }
-  if (used.count("result")) {
-    list.push_back(shape.result + "& __restrict result");
-  } else if (signature == Signature::whole) {
-    list.push_back(shape.result + "& /*result*/");
-  }
-  return joined(list, ", ");
+  return fmt::format("{}", fmt::join(list, ", "));
 }
 
-std::string argument_list(const ProgramShape& shape, const CrossingStructs& crossing,
-                          const std::set<std::string>& used) {
-  std::vector<std::string> list;
-  for (const auto& [name, declaration] : shape.arguments) {
-    if (used.count(name)) list.push_back(name);
-  }
-  for (const CrossingStruct& work : crossing) {
-    if (used.count(work.argument)) list.push_back(work.argument);
-  }
-  if (used.count("result")) list.push_back("result");
-  return joined(list, ", ");
-}
-
-/// The parameters of a function of all groups, arrays of structs.
-std::string group_parameters(const ProgramShape& shape, const std::set<std::string>& used) {
-  std::vector<std::string> list;
-  for (const auto& [name, declaration] : shape.arguments) {
-    const std::string type =
-        name == "tau" ? "const JointForces& " : declaration.substr(0, declaration.size() - name.size());
-    list.push_back(type.substr(0, type.find('&')) + "* " + (used.count(name) ? name : "/*" + name + "*/"));
-  }
-  list.push_back(shape.result + "* " + (used.count("result") ? "__restrict result" : "/*result*/"));
-  return joined(list, ", ");
-}
-
-/// The arguments of a part for group g.
-std::string group_arguments(const ProgramShape& shape, const CrossingStructs& crossing,
+std::string part_parameters(const ProgramShape& shape, const CrossingStructs& crossing,
                             const std::set<std::string>& used) {
   std::vector<std::string> list;
-  for (const auto& [name, declaration] : shape.arguments) {
-    if (used.count(name)) list.push_back(name == "tau" ? "tau[g].tau" : name + "[g]");
-  }
-  for (const CrossingStruct& work : crossing) {
-    if (used.count(work.argument)) list.push_back(work.argument + "[g]");
-  }
-  if (used.count("result")) list.push_back("result[g]");
-  return joined(list, ", ");
+  for (const auto& [name, type, is_used] : taken_arguments(shape, crossing, used))
+    if (is_used) list.push_back(type + name);
+  return fmt::format("{}", fmt::join(list, ", "));
+}
+
+/// The arguments of a part, those of group g where it is called for each.
+std::string part_arguments(const ProgramShape& shape, const CrossingStructs& crossing,
+                           const std::set<std::string>& used) {
+  std::vector<std::string> list;
+  for (const auto& [name, type, is_used] : taken_arguments(shape, crossing, used))
+    if (is_used) list.push_back(!shape.in_groups ? name : name == "tau" ? "tau[g].tau" : name + "[g]");
+  return fmt::format("{}", fmt::join(list, ", "));
 }
 
 std::string heading(const std::string& comment, const std::string& declaration) {
   return wrapped_words(comment, "/// ") + "\n" + wrapped_statement(declaration) + "\n";
 }
 
-std::string whole_heading(const ProgramShape& shape, const std::set<std::string>& used) {
-  return heading(shape.title, "void " + shape.function + "(" +
-                                  (shape.in_groups ? group_parameters(shape, used)
-                                                   : parameter_list(shape, {}, used, Signature::whole)) +
-                                  ") noexcept {");
-}
-
 /// Kept out of line: inlined, the parts would grow together again.
 std::string part_function(const ProgramShape& shape, const CrossingStructs& crossing, const PartText& part,
                           std::size_t number) {
   const std::string name = shape.function + "_" + std::to_string(number);
-  const std::string titles = comment_text(joined(part.sections, "; "));
+  const std::string titles = comment_text(fmt::format("{}", fmt::join(part.sections, "; ")));
   return heading(
              "Part " + std::to_string(number) + " of " + shape.function + (titles.empty() ? "." : ": " + titles + "."),
-             "[[gnu::noinline]] void " + name + "(" + parameter_list(shape, crossing, part.arguments, Signature::used) +
+             "[[gnu::noinline]] void " + name + "(" + part_parameters(shape, crossing, part.arguments) +
                  ") noexcept {") +
          part.body + "}\n\n";
 }
@@ -133,9 +102,7 @@ std::string part_function(const ProgramShape& shape, const CrossingStructs& cros
 std::string declaration(const ProgramShape& shape) {
   std::set<std::string> all = {"result"};
   for (const auto& [name, text] : shape.arguments) all.insert(name);
-  return wrapped_statement("void " + shape.function + "(" + parameter_list(shape, {}, all, Signature::whole) +
-                           ") noexcept;") +
-         "\n";
+  return wrapped_statement("void " + shape.function + "(" + whole_parameters(shape, all) + ") noexcept;") + "\n";
 }
 
 /// The structs of values that cross parts, and the functions.
@@ -155,18 +122,16 @@ std::string definitions(const ProgramShape& shape, const std::vector<PartText>& 
     }
     functions += part_function(shape, crossing, parts[p], p + 1);
     const std::string function = shape.function + "_" + std::to_string(p + 1);
-    if (shape.in_groups)
-      calls += "  for (int g = 0; g < kGroups; ++g)\n    " + function + "(" +
-               group_arguments(shape, crossing, parts[p].arguments) + ");\n";
-    else
-      calls += "  " + function + "(" + argument_list(shape, crossing, parts[p].arguments) + ");\n";
+    if (shape.in_groups) calls += "  for (int g = 0; g < kGroups; ++g)\n  ";
+    calls += "  " + function + "(" + part_arguments(shape, crossing, parts[p].arguments) + ");\n";
     if (!shape.clock.empty() && parts[p].ended_step) {
       calls += "  " + shape.clock + ".at_end_of(" + std::to_string(*parts[p].ended_step) + ");\n";
       used.insert(shape.clock);
     }
   }
   for (const CrossingStruct& values : crossing) used.erase(values.argument);
-  return structs + functions + whole_heading(shape, used) + work + calls + "}\n";
+  const std::string declared = "void " + shape.function + "(" + whole_parameters(shape, used) + ") noexcept {";
+  return structs + functions + heading(shape.title, declared) + work + calls + "}\n";
 }
 
 }  // namespace
@@ -177,6 +142,10 @@ void add_line(PartText& part, const std::string& statement) {
 
 void add_comment(PartText& part, const std::string& words) {
   part.body += wrapped_words(words, part.indent + "// ") + "\n";
+}
+
+std::string in_file_part(int part, const std::string& text) {
+  return fmt::format("#if MBGEN_IS_PART({})\n{}#endif  // part {}\n", part, text, part);
 }
 
 std::string function_text(const ProgramShape& shape, const std::vector<PartText>& parts,

@@ -6,10 +6,18 @@
 #include <string>
 #include <vector>
 
-#include "compiler/emit/crossing.hpp"
 #include "compiler/emit/layout.hpp"
 
 namespace mbgen {
+
+/// A struct of values that cross the parts of a program: an argument of the parts, and its members.
+struct CrossingStruct {
+  std::string argument;              ///< "work", "work2", ...
+  std::vector<std::string> members;  ///< declarators: "s3_12", "sines[22]"
+  std::size_t values = 0;
+};
+
+using CrossingStructs = std::vector<CrossingStruct>;
 
 /// Statements of one part, and data for its function.
 struct PartText {
@@ -25,6 +33,9 @@ void add_line(PartText& part, const std::string& statement);
 
 /// Adds words as a comment of its own lines.
 void add_comment(PartText& part, const std::string& words);
+
+/// Text that belongs to one part of the file alone.
+std::string in_file_part(int part, const std::string& text);
 
 /// Struct of the result (when the shape has members), struct of the values that cross parts (when there are any), one
 /// static function per part and the function that calls them; a single part is that function itself.

@@ -42,79 +42,25 @@ std::vector<std::vector<int>> input_rows(const std::vector<Input>& inputs) {
   return rows;
 }
 
-std::string input_polynomial(const Model& model, const SolverNames& names, int input, const std::string& scalar) {
-  return polynomial(model, names, input, 1, scalar);
-}
-
-namespace {
-
-std::string definition(const Model& model, const SolverNames& names, const std::string& scalar) {
-  std::string text = "Inputs advance_inputs(const Inputs& inputs, " + scalar + " dt) noexcept {\n  Inputs later;\n";
+std::string advanced_inputs(const Model& model, const SolverNames& names, const std::string& scalar,
+                            const std::string& margin) {
+  if (!inputs_have_derivatives(model.inputs)) return "";
+  std::string text;
   for (std::size_t i = 0; i < names.inputs.size(); ++i) {
-    const std::string value = input_polynomial(model, names, static_cast<int>(i), scalar);
-    text += wrapped_statement(fmt::format("  later.{} = {};", names.inputs[i], value)) + "\n";
+    const std::string value = polynomial(model, names, static_cast<int>(i), 1, scalar);
+    text += wrapped_statement(fmt::format("{}later.{} = {};", margin, names.inputs[i], value)) + "\n";
   }
-  return text + "  return later;\n}\n\n";
+  return text;
 }
 
-/// Declarations of kInputRows and InputPaths.
-std::string rows_text(const Model& model, const SolverNames& names, const std::string& scalar) {
+std::string input_rows_text(const Model& model, const SolverNames& names) {
   std::vector<std::string> rows;
   for (const std::vector<int>& row : input_rows(model.inputs)) {
     std::vector<std::string> members;
     for (const int input : row) members.push_back("&Inputs::" + names.inputs[static_cast<std::size_t>(input)]);
     rows.push_back(fmt::format("    {{{}, {{{}}}}}", row.size(), fmt::join(members, ", ")));
   }
-  if (rows.empty()) return "";
-  return "\n/// Inputs with their derivatives.\ninline constexpr mbgen::InputRow<Inputs, " + scalar +
-         "> kInputRows[] = {\n" + fmt::format("{}", fmt::join(rows, ",\n")) + "};\n\n" +
-         wrapped_words(
-             "Makes the rates of inputs whose caller gives values only, see mbgen/input_paths.hpp. Start with "
-             "`InputPaths paths{};`, give every step `paths.of_step(inputs, h)`.",
-             "/// ") +
-         "\nusing InputPaths = mbgen::InputPaths<Inputs, kInputRows>;\n";
-}
-
-}  // namespace
-
-InputText input_text(const Model& model, const SolverNames& names, const std::string& scalar) {
-  if (!inputs_have_derivatives(model.inputs)) {
-    return {.comment = "/// Inputs with their defaults. They are constant during a step.",
-            .declaration = "",
-            .definition = "",
-            .member = "",
-            .now = "",
-            .start = "",
-            .dynamics_comment = wrapped_words("The solver at constant parameters and inputs as an integrator sees it: "
-                                              "without joint forces from outside.",
-                                              "/// "),
-            .name = "inputs"};
-  }
-  const std::string rows = rows_text(model, names, scalar);
-  const std::string new_values =
-      rows.empty() ? "new values and rates" : "new values and rates, or values to InputPaths";
-  return {.comment = wrapped_words("Inputs with their defaults, as they are at the start of a step. During the step "
-                                   "those with a derivative among the inputs go on as advance_inputs says, the others "
-                                   "are constant; after it give " +
-                                       new_values +
-                                       ". A rate left at zero says that its input stands still: an input that moves "
-                                       "all the same jumps, and no body feels the acceleration.",
-                                   "/// "),
-          .declaration =
-              "\n/// Inputs dt seconds later: value + rate dt + acceleration dt^2/2, as far as they have "
-              "derivatives.\nInputs advance_inputs(const Inputs& inputs, " +
-              scalar + " dt) noexcept;\n",
-          .definition = definition(model, names, scalar),
-          .member = "  double start;  ///< s, time of the inputs\n",
-          .now = "  const Inputs now = advance_inputs(inputs, " +
-                 std::string(scalar == "float" ? "static_cast<float>(state.t - start)" : "state.t - start") + ");\n",
-          .start = ", state.t",
-          .dynamics_comment = wrapped_words("The solver at constant parameters and advancing inputs as an integrator "
-                                            "sees it: without joint forces from outside.",
-                                            "/// "),
-          .name = "now",
-          .include = rows.empty() ? "" : "#include \"mbgen/input_paths.hpp\"\n",
-          .rows = rows};
+  return inputs_have_derivatives(model.inputs) ? fmt::format("{}", fmt::join(rows, ",\n")) : "";
 }
 
 }  // namespace mbgen

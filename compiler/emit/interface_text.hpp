@@ -1,5 +1,5 @@
 #pragma once
-// The files that people read first: the interface of a solver and its build file.
+// The file that people read first: the interface of a solver.
 
 #include <string>
 #include <vector>
@@ -10,12 +10,6 @@ namespace mbgen {
 
 /// First lines of every emitted file, each after `mark` ("//" or "#"): model, content hash, command, mbgen version.
 std::string banner_text(const Model& model, const std::string& mark);
-
-/// Comment of struct State: how one starts, as the solver knows its start or does not.
-std::string state_comment(const EmitContext& context);
-
-/// The state of initial_state() in words, for comments.
-std::string start_comment();
 
 /// `<model>.hpp`.
 std::string interface_text(const EmitContext& context);
@@ -28,7 +22,11 @@ std::vector<NumberMember> parameter_members(const EmitContext& context);
 std::vector<NumberMember> input_members(const EmitContext& context);
 std::vector<NumberMember> output_members(const EmitContext& context);
 
-/// `CMakeLists.txt`.
-std::string build_text(const EmitContext& context);
+/// Struct Tuned, the tunable parameters with the constants that follow from them, which every function of a solver
+/// takes: another name of Parameters where nothing follows from them. scalar: type of its values.
+std::string tuned_type_text(const Programs& programs, const std::string& scalar);
+
+/// The constructor of the struct, which calls the program of the derived constants; empty without them.
+std::string tuned_constructor_text(const Programs& programs);
 
 }  // namespace mbgen

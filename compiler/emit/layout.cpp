@@ -1,6 +1,8 @@
 #include "compiler/emit/layout.hpp"
 
 #include <algorithm>
+#include <iterator>
+#include <tuple>
 
 #include "compiler/emit/text.hpp"
 
@@ -9,185 +11,173 @@ namespace {
 
 using Texts = std::vector<std::string>;
 
+/// Sizes and names that decide where arrays live.
+struct Extents {
+  const SolverLayout& layout;
+  const SolverNames& names;
+  int directions, derived;
+};
+
+/// The numbers of an array: as many as `size` says, a flat array of all loop blocks, or one a coordinate.
+struct ArrayExtent {
+  Array array;
+  const char* comment = "";  ///< as a member of a result
+  int (*size)(const Extents&) = nullptr;
+  int BlockPlaces::*first = nullptr;
+  int (*in_block)(const BlockPlaces&) = nullptr;
+
+  bool is_by_coordinate() const { return size == nullptr && first == nullptr; }
+};
+
+int auxiliary_states(const Extents& e) { return e.layout.auxiliary_states; }
+int equations(const BlockPlaces& block) { return block.equations; }
+int coordinates(const BlockPlaces& block) { return block.coordinates; }
+
+constexpr ArrayExtent kExtents[] = {
+    {Array::zd, "consistent velocities"},
+    {Array::zdd, "accelerations"},
+    {Array::dz, "Newton correction; driven coordinates go to their motions"},
+    {Array::driven_acceleration, "of driven coordinates, by their motions; no others"},
+    {Array::x, "", auxiliary_states},
+    {Array::xd, "rates of the auxiliary states", auxiliary_states},
+    {Array::lambda, "multipliers, loop after loop", [](const Extents& e) { return e.layout.equations; }},
+    {Array::drive, "generalised driving forces", [](const Extents& e) { return e.layout.drives; }},
+    {Array::residual, "of every closure equation, block after block, then of every motion",
+     [](const Extents& e) { return e.layout.equations + e.layout.drives; }},
+    {Array::pivot, "smallest pivot of each block over its reference",
+     [](const Extents& e) { return static_cast<int>(e.layout.blocks.size()); }},
+    {Array::inertia, "pivots of the final equations", [](const Extents& e) { return e.directions; }},
+    {Array::derived, "", [](const Extents& e) { return e.derived; }},
+    {Array::Phi, "residuals", nullptr, &BlockPlaces::first_equation, equations},
+    {Array::c, "right-hand side of the accelerations", nullptr, &BlockPlaces::first_equation, equations},
+    {Array::rate, "Jacobian times velocities", nullptr, &BlockPlaces::first_equation, equations},
+    {Array::missing, "what multipliers and drives must provide, block after block", nullptr,
+     &BlockPlaces::first_coordinate, coordinates},
+    {Array::zdd_star, "", nullptr, &BlockPlaces::first_coordinate, coordinates},
+    {Array::Jz, "Jacobian of each block, row by row", nullptr, &BlockPlaces::first_jacobian,
+     [](const BlockPlaces& b) { return b.equations * b.coordinates; }},
+    {Array::Rz, "", nullptr, &BlockPlaces::first_projection,
+     [](const BlockPlaces& b) { return b.coordinates * b.free; }}};
+
+ArrayExtent extent_of(Array array) {
+  const auto found = std::ranges::find(kExtents, array, &ArrayExtent::array);
+  return found != std::end(kExtents) ? *found : ArrayExtent{array};
+}
+
+int size_of(const ArrayExtent& extent, const Extents& extents) {
+  if (extent.is_by_coordinate()) return extents.layout.coordinates;
+  if (extent.size != nullptr) return extent.size(extents);
+  const std::vector<BlockPlaces>& blocks = extents.layout.blocks;
+  return blocks.empty() ? 0 : blocks.back().*extent.first + extent.in_block(blocks.back());
+}
+
 Texts indexed(const std::string& array, int size, int first = 0) {
   Texts texts;
   for (int i = 0; i < size; ++i) texts.push_back(array + "[" + std::to_string(first + i) + "]");
   return texts;
 }
 
-/// `array[Enum::name]` for every name.
-Texts named(const std::string& array, const std::string& enumeration, const std::vector<std::string>& names) {
+Texts around(const std::string& before, const std::vector<std::string>& names, const std::string& after = "") {
   Texts texts;
-  for (const std::string& name : names) texts.push_back(array + "[" + enumeration + "::" + name + "]");
+  for (const std::string& name : names) texts.push_back(before + name + after);
   return texts;
 }
 
-Texts members(const std::string& structure, const std::vector<std::string>& names) {
-  Texts texts;
-  for (const std::string& name : names) texts.push_back(structure + "." + name);
-  return texts;
+/// The value of an output that the program does not give. A block of rank zero has no pivot to watch.
+std::string missing_value(Array array) {
+  if (array == Array::driven_acceleration) return "";
+  return array == Array::pivot || array == Array::inertia ? "1.0" : "0.0";
 }
 
-Texts prefixed(const std::string& prefix, const std::vector<std::string>& names) {
-  Texts texts;
-  for (const std::string& name : names) texts.push_back(prefix + name);
-  return texts;
-}
-
-GroupPlace result_place(Texts texts, const std::string& missing = "0.0") {
-  return {"result", std::move(texts), {}, missing, "", 0};
-}
-
-/// Slots in the order of an array.
-GroupPlace result_array(const std::string& array, Texts texts, const std::string& missing = "0.0") {
-  return {"result", std::move(texts), {}, missing, array, 0};
-}
-
-/// Adds an array of every block, one after the other in one flat array.
-template <class Size, class First>
-void add_blocks(Places& places, const std::string& argument, Array array, const SolverLayout& layout, Size size,
-                First first) {
-  const int blocks = static_cast<int>(layout.blocks.size());
-  for (int b = 0; b < blocks; ++b) {
-    const BlockPlaces& block = layout.blocks[b];
-    const std::string member = argument + "." + name_of(array);
-    places[of_block(array, static_cast<std::size_t>(b))] = {
-        argument, indexed(member, size(block), first(block)), {}, "0.0", member, first(block)};
+/// Adds where an array lives in the struct of an argument, by coordinates or by number.
+void add_array(Places& places, const std::string& argument, Array array, const Extents& extents) {
+  const std::string name = array == Array::tau ? "tau" : argument + "." + name_of(array);
+  const ArrayExtent extent = extent_of(array);
+  for (std::size_t b = 0; extent.first != nullptr && b < extents.layout.blocks.size(); ++b) {
+    const BlockPlaces& block = extents.layout.blocks[b];
+    const int first = block.*extent.first;
+    places[of_block(array, b)] = {argument, indexed(name, extent.in_block(block), first), {}, "0.0", name, first};
   }
+  if (extent.first != nullptr) return;
+  GroupPlace& place = places[array] = {argument, {}, {}, missing_value(array), name, 0};
+  if (!extent.is_by_coordinate()) {
+    place.texts = indexed(name, extent.size(extents));
+    return;
+  }
+  place.texts = around(name + "[Coordinate::", extents.names.coordinates, "]");
+  if (argument != "result") place.locals = around(std::string(name_of(array)) + "_", extents.names.coordinates);
 }
 
-const std::vector<std::pair<std::string, std::string>> kStateArguments = {
-    {"parameters", "const Tuned& parameters"}, {"inputs", "const Inputs& inputs"}, {"state", "const State& state"}};
+/// The arguments of a program that takes an array, beside parameters, inputs and state.
+constexpr std::tuple<Array, const char*, const char*> kArguments[] = {
+    {Array::tau, "tau", "const double* tau"},
+    {Array::zdd, "derivative", "const Derivative& derivative"},
+    {Array::lambda, "multipliers", "const Multipliers& multipliers"},
+    {Array::Rz, "projection", "const Projection& projection"}};
 
-ProgramShape shape(const std::string& title, const std::string& result, const std::string& function,
-                   const std::vector<std::pair<std::string, std::string>>& more_arguments, const Places& inputs) {
+/// A program as its text names it.
+struct ShapeRow {
+  Role role;
+  const char *function, *result, *title;
+};
+
+/// In the order of the file.
+constexpr ShapeRow kShapes[] = {
+    {Role::derived_constants, "derived_constants", "Tuned", "Constants that follow from tunable parameters."},
+    {Role::accelerations, "accelerations", "Accelerations",
+     "All accelerations with the frozen partition of the loop blocks."},
+    {Role::closure, "closure", "Closure", "One Newton step of the frozen partition, and consistent velocities."},
+    {Role::multipliers, "multipliers", "ConstraintForces",
+     "Multipliers of the closures and generalised driving forces, at given accelerations."},
+    {Role::closure_terms, "closure_terms", "ClosureTerms",
+     "Closure equations and their derivatives, for the pivoting factorisation."},
+    {Role::accelerations_chosen, "chosen_accelerations", "ChosenAccelerations",
+     "All accelerations with a partition chosen at run time."},
+    {Role::outputs, "outputs", "Outputs", "Outputs, energies and power, at given accelerations."}};
+
+/// Whether a solver has the program: those of closures are left out when there is nothing to close.
+bool is_written(Role role, const Programs& programs, const SolverLayout& layout) {
+  if (role == Role::derived_constants) return derived_constant_count(programs) > 0;
+  if (role == Role::closure || role == Role::multipliers) return layout.has_closure;
+  if (role == Role::closure_terms) return !layout.blocks.empty();
+  return role != Role::accelerations_chosen || (!layout.blocks.empty() && layout.chooses_again);
+}
+
+Extents extents_of(const Programs& programs, const SolverLayout& layout, const SolverNames& names) {
+  return {layout, names, static_cast<int>(programs.free_direction_coordinate.size()), derived_constant_count(programs)};
+}
+
+ProgramShape shape_of(const ShapeRow& row, const Programs& programs, const Extents& extents) {
+  const ProgramSpec& spec = program_specs()[static_cast<std::size_t>(row.role)];
   ProgramShape shape;
-  shape.title = title;
-  shape.function = function;
-  shape.result = result;
-  shape.arguments = kStateArguments;
-  shape.arguments.insert(shape.arguments.end(), more_arguments.begin(), more_arguments.end());
-  shape.inputs = inputs;
+  shape.title = row.title;
+  shape.function = std::string("compute_") + row.function;
+  shape.result = row.result;
+  shape.inputs = input_places(programs, extents.layout, extents.names);
+  shape.arguments = {
+      {"parameters", "const Tuned& parameters"}, {"inputs", "const Inputs& inputs"}, {"state", "const State& state"}};
+  if (row.role == Role::derived_constants) shape.arguments = {{"parameters", "const Parameters& parameters"}};
+  for (const auto& [array, name, declaration] : kArguments)
+    if (std::ranges::count(spec.inputs, array) > 0 && (array != Array::lambda || outputs_take_multipliers(programs)))
+      shape.arguments.emplace_back(name, declaration);
+  for (const Array array : spec.outputs) {
+    if (array == (extents.layout.chooses_again ? Array::rate : Array::Jz)) continue;
+    const ArrayExtent extent = extent_of(array);
+    if (*extent.comment != 0) shape.members.push_back({name_of(array), size_of(extent, extents), extent.comment});
+    add_array(shape.outputs, "result", array, extents);
+  }
+  if (row.role != Role::outputs) return shape;
+  shape.outputs = {{Array::y, {"result", around("result.", extents.names.outputs)}},
+                   {Array::energy, {"result", {"result.kinetic_energy", "result.potential_energy"}}},
+                   {Array::power, {"result", {"result.applied_power"}}}};
   return shape;
-}
-
-const std::pair<std::string, std::string> kTau{"tau", "const double* tau"};
-const std::pair<std::string, std::string> kDerivative{"derivative", "const Derivative& derivative"};
-const std::pair<std::string, std::string> kMultipliers{"multipliers", "const Multipliers& multipliers"};
-const std::pair<std::string, std::string> kProjection{"projection", "const Projection& projection"};
-
-ProgramShape accelerations_shape(const SolverLayout& layout, const SolverNames& names, const Places& inputs,
-                                 int directions) {
-  ProgramShape s = shape("All accelerations with the frozen partition of the loop blocks.", "Accelerations",
-                         "compute_accelerations", {kTau}, inputs);
-  const int blocks = static_cast<int>(layout.blocks.size());
-  s.members = {{"zdd", layout.coordinates, "accelerations"},
-               {"xd", layout.auxiliary_states, "rates of the auxiliary states"},
-               {"pivot", blocks, "smallest pivot of each block over its reference"},
-               {"inertia", directions, "pivots of the final equations"}};
-  s.outputs[Array::zdd] = result_array("result.zdd", named("result.zdd", "Coordinate", names.coordinates));
-  s.outputs[Array::xd] = result_array("result.xd", indexed("result.xd", layout.auxiliary_states));
-  // A block of rank zero has no pivot to watch.
-  s.outputs[Array::pivot] = result_array("result.pivot", indexed("result.pivot", blocks), "1.0");
-  s.outputs[Array::inertia] = result_array("result.inertia", indexed("result.inertia", directions), "1.0");
-  return s;
-}
-
-ProgramShape chosen_shape(const SolverLayout& layout, const SolverNames& names, const Places& inputs, int directions) {
-  ProgramShape s = accelerations_shape(layout, names, inputs, directions);
-  s.title = "All accelerations with a partition chosen at run time.";
-  s.function = "compute_chosen_accelerations";
-  s.result = "ChosenAccelerations";
-  s.arguments.push_back(kProjection);
-  s.outputs.erase(Array::pivot);
-  s.members.erase(s.members.begin() + 2);
-  return s;
-}
-
-ProgramShape closure_shape(const SolverLayout& layout, const SolverNames& names, const Places& inputs) {
-  ProgramShape s = shape("One Newton step of the frozen partition, and consistent velocities.", "Closure",
-                         "compute_closure", {}, inputs);
-  const int blocks = static_cast<int>(layout.blocks.size());
-  const int residuals = layout.equations + layout.drives;
-  s.members = {{"residual", residuals, "of every closure equation, block after block, then of every motion"},
-               {"dz", layout.coordinates, "Newton correction; driven coordinates go to their motions"},
-               {"zd", layout.coordinates, "consistent velocities"},
-               {"pivot", blocks, "smallest pivot of each block over its reference"}};
-  s.outputs[Array::residual] = result_array("result.residual", indexed("result.residual", residuals));
-  s.outputs[Array::dz] = result_array("result.dz", named("result.dz", "Coordinate", names.coordinates));
-  s.outputs[Array::zd] = result_array("result.zd", named("result.zd", "Coordinate", names.coordinates));
-  s.outputs[Array::pivot] = result_array("result.pivot", indexed("result.pivot", blocks), "1.0");
-  return s;
-}
-
-ProgramShape closure_terms_shape(const SolverLayout& layout, const SolverNames& names, const Places& inputs) {
-  ProgramShape s = shape("Closure equations and their derivatives, for the pivoting factorisation.", "ClosureTerms",
-                         "compute_closure_terms", {}, inputs);
-  s.members = {{"Phi", layout.equations, "residuals"},
-               {"Jz", layout.jacobian_entries, "Jacobian of each block, row by row"},
-               {"c", layout.equations, "right-hand side of the accelerations"},
-               {"driven_acceleration", layout.coordinates, "of driven coordinates, by their motions; no others"}};
-  const auto equations = [](const BlockPlaces& b) { return b.equations; };
-  const auto first_equation = [](const BlockPlaces& b) { return b.first_equation; };
-  for (const Array array : {Array::Phi, Array::c}) {
-    add_blocks(s.outputs, "result", array, layout, equations, first_equation);
-  }
-  if (!layout.chooses_again) {
-    s.members[1] = {"rate", layout.equations, "Jacobian times velocities"};
-    add_blocks(s.outputs, "result", Array::rate, layout, equations, first_equation);
-  } else {
-    add_blocks(
-        s.outputs, "result", Array::Jz, layout, [](const BlockPlaces& b) { return b.equations * b.coordinates; },
-        [](const BlockPlaces& b) { return b.first_jacobian; });
-  }
-  s.outputs[Array::driven_acceleration] = result_array(
-      "result.driven_acceleration", named("result.driven_acceleration", "Coordinate", names.coordinates), "");
-  return s;
-}
-
-ProgramShape multipliers_shape(const SolverLayout& layout, const Places& inputs) {
-  ProgramShape s = shape("Multipliers of the closures and generalised driving forces, at given accelerations.",
-                         "ConstraintForces", "compute_multipliers", {kTau, kDerivative}, inputs);
-  const int blocks = static_cast<int>(layout.blocks.size());
-  s.members = {{"lambda", layout.equations, "multipliers, loop after loop"},
-               {"drive", layout.drives, "generalised driving forces"},
-               {"missing", layout.block_coordinates, "what multipliers and drives must provide, block after block"},
-               {"pivot", blocks, "smallest pivot of each block over its reference"}};
-  add_blocks(
-      s.outputs, "result", Array::missing, layout, [](const BlockPlaces& b) { return b.coordinates; },
-      [](const BlockPlaces& b) { return b.first_coordinate; });
-  s.outputs[Array::pivot] = result_array("result.pivot", indexed("result.pivot", blocks), "1.0");
-  s.outputs[Array::lambda] = result_array("result.lambda", indexed("result.lambda", layout.equations));
-  s.outputs[Array::drive] = result_array("result.drive", indexed("result.drive", layout.drives));
-  return s;
-}
-
-ProgramShape outputs_shape(const SolverNames& names, const Places& inputs, bool with_multipliers) {
-  ProgramShape s = shape("Outputs, energies and power, at given accelerations.", "Outputs", "compute_outputs",
-                         {kTau, kDerivative}, inputs);
-  if (with_multipliers) s.arguments.push_back(kMultipliers);
-  s.outputs[Array::y] = result_place(members("result", names.outputs));
-  s.outputs[Array::energy] = result_place({"result.kinetic_energy", "result.potential_energy"});
-  s.outputs[Array::power] = result_place({"result.applied_power"});
-  return s;
-}
-
-ProgramShape derived_shape(const Places& inputs, int count) {
-  ProgramShape s;
-  s.title = "Constants that follow from tunable parameters.";
-  s.function = "compute_derived_constants";
-  s.result = "Tuned";
-  s.arguments = {{"parameters", "const Parameters& parameters"}};
-  s.inputs = inputs;
-  s.outputs[Array::derived] = result_array("result.derived", indexed("result.derived", count));
-  return s;
 }
 
 /// The shape with floats in place of doubles. The time stays one, and is narrowed where a program looks at it.
 void take_floats(ProgramShape& shape) {
   shape.scalar = "float";
   for (auto& [name, declaration] : shape.arguments) {
-    if (name == kTau.first) declaration = "const float* tau";
+    if (name == "tau") declaration = "const float* tau";
   }
   shape.inputs[Array::t].texts = {"static_cast<float>(state.t)"};
   for (auto& [group, place] : shape.outputs) {
@@ -198,34 +188,17 @@ void take_floats(ProgramShape& shape) {
 }  // namespace
 
 Places input_places(const Programs& programs, const SolverLayout& layout, const SolverNames& names) {
-  const auto& coordinates = names.coordinates;
+  const Extents extents = extents_of(programs, layout, names);
   Places places;
-  places[Array::z] = {"state", named("state.z", "Coordinate", coordinates), prefixed("z_", coordinates), "", "state.z",
-                      0};
-  places[Array::zd] = {
-      "state", named("state.zd", "Coordinate", coordinates), prefixed("zd_", coordinates), "", "state.zd", 0};
-  places[Array::x] = {"state", indexed("state.x", layout.auxiliary_states), {}, "", "state.x", 0};
-  places[Array::t] = {"state", {"state.t"}, {}, "", "", 0};
-  places[Array::tau] = {"tau", named("tau", "Coordinate", coordinates), prefixed("tau_", coordinates), "", "tau", 0};
-  places[Array::zdd] = {"derivative",
-                        named("derivative.zdd", "Coordinate", coordinates),
-                        prefixed("zdd_", coordinates),
-                        "",
-                        "derivative.zdd",
-                        0};
-  places[Array::lambda] = {
-      "multipliers", indexed("multipliers.lambda", layout.equations), {}, "", "multipliers.lambda", 0};
-  places[Array::drive] = {"multipliers", indexed("multipliers.drive", layout.drives), {}, "", "multipliers.drive", 0};
-  places[Array::in] = {"inputs", members("inputs", names.inputs), {}, "", "", 0};
-  places[Array::par] = {"parameters", members("parameters", names.parameters), {}, "", "", 0};
-  const int derived = derived_constant_count(programs);
-  places[Array::derived] = {"parameters", indexed("parameters.derived", derived), {}, "", "parameters.derived", 0};
-  add_blocks(
-      places, "projection", Array::Rz, layout, [](const BlockPlaces& b) { return b.coordinates * b.free; },
-      [](const BlockPlaces& b) { return b.first_projection; });
-  add_blocks(
-      places, "projection", Array::zdd_star, layout, [](const BlockPlaces& b) { return b.coordinates; },
-      [](const BlockPlaces& b) { return b.first_coordinate; });
+  for (const Array array : {Array::z, Array::zd, Array::x}) add_array(places, "state", array, extents);
+  for (const Array array : {Array::lambda, Array::drive}) add_array(places, "multipliers", array, extents);
+  for (const Array array : {Array::Rz, Array::zdd_star}) add_array(places, "projection", array, extents);
+  add_array(places, "tau", Array::tau, extents);
+  add_array(places, "derivative", Array::zdd, extents);
+  add_array(places, "parameters", Array::derived, extents);
+  places[Array::t] = {"state", {"state.t"}};
+  places[Array::in] = {"inputs", around("inputs.", names.inputs)};
+  places[Array::par] = {"parameters", around("parameters.", names.parameters)};
   return places;
 }
 
@@ -266,8 +239,8 @@ int derived_constant_count(const Programs& programs) {
 
 ShapedProgram clocked_accelerations(const Programs& programs, const SolverLayout& layout, const SolverNames& names,
                                     const Titles& titles) {
-  const int directions = static_cast<int>(programs.free_direction_coordinate.size());
-  ProgramShape s = accelerations_shape(layout, names, input_places(programs, layout, names), directions);
+  const ShapeRow* row = std::ranges::find(kShapes, Role::accelerations, &ShapeRow::role);
+  ProgramShape s = shape_of(*row, programs, extents_of(programs, layout, names));
   s.title = "All accelerations, step by step against the clock.";
   s.function = "compute_clocked_accelerations";
   s.result = "ClockedAccelerations";
@@ -299,26 +272,12 @@ bool is_number(const std::string& scalar) { return scalar == "double" || scalar 
 std::vector<ShapedProgram> shaped_programs(const Programs& programs, const SolverLayout& layout,
                                            const SolverNames& names, const Titles& titles, const std::string& scalar,
                                            std::size_t roll_above) {
-  const Places inputs = input_places(programs, layout, names);
-  const int directions = static_cast<int>(programs.free_direction_coordinate.size());
-  std::vector<ShapedProgram> all = {
-      {&programs.accelerations, Role::accelerations, accelerations_shape(layout, names, inputs, directions)}};
-  if (layout.has_closure) {
-    all.push_back({&programs.closure, Role::closure, closure_shape(layout, names, inputs)});
-    all.push_back({&programs.multipliers, Role::multipliers, multipliers_shape(layout, inputs)});
-  }
-  if (!layout.blocks.empty()) {
-    all.push_back({&programs.closure_terms, Role::closure_terms, closure_terms_shape(layout, names, inputs)});
-    if (layout.chooses_again)
-      all.push_back({&programs.accelerations_chosen, Role::accelerations_chosen,
-                     chosen_shape(layout, names, inputs, directions)});
-  }
-  all.push_back({&programs.outputs, Role::outputs, outputs_shape(names, inputs, outputs_take_multipliers(programs))});
-  if (derived_constant_count(programs) > 0)
-    all.insert(all.begin(), {&programs.derived_constants, Role::derived_constants,
-                             derived_shape(inputs, derived_constant_count(programs))});
-  if (scalar == "float") {
-    for (ShapedProgram& shaped : all) take_floats(shaped.shape);
+  const Extents extents = extents_of(programs, layout, names);
+  std::vector<ShapedProgram> all;
+  for (const ShapeRow& row : kShapes) {
+    if (!is_written(row.role, programs, layout)) continue;
+    all.push_back({&program_of(programs, row.role), row.role, shape_of(row, programs, extents)});
+    if (scalar == "float") take_floats(all.back().shape);
   }
   for (ShapedProgram& shaped : all) {
     shaped.shape.titles = titles;

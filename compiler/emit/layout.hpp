@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "compiler/analysis/analysis.hpp"
-#include "compiler/emit/constant_names.hpp"
+#include "compiler/emit/local_names.hpp"
 #include "compiler/emit/names.hpp"
 #include "compiler/model/model.hpp"
 #include "compiler/passes/roll.hpp"
@@ -36,11 +36,11 @@ SolverLayout solver_layout(const Model& model, const Topology& topology, const A
 
 /// Where the slots of one group live.
 struct GroupPlace {
-  std::string argument;             ///< function parameter that holds them, "result" for outputs
-  std::vector<std::string> texts;   ///< expression of each index, for example "state.z[Coordinate::crank_pin]"
-  std::vector<std::string> locals;  ///< name of a local copy of each index; empty: never copied
-  std::string missing = "0.0";      ///< value of an output that the program does not give; empty: nobody reads it
-  std::string array;  ///< array whose places from `first` on hold the slots in order; empty: they are no array
+  std::string argument;                  ///< function parameter that holds them, "result" for outputs
+  std::vector<std::string> texts;        ///< expression of each index, for example "state.z[Coordinate::crank_pin]"
+  std::vector<std::string> locals = {};  ///< name of a local copy of each index; empty: never copied
+  std::string missing = "0.0";           ///< value of an output that the program does not give; empty: nobody reads it
+  std::string array = {};  ///< array whose places from `first` on hold the slots in order; empty: they are no array
   int first = 0;
 };
 

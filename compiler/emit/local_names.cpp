@@ -26,4 +26,35 @@ std::string LocalNames::of_value(ValueId value) {
   return candidate;
 }
 
+ConstantNames::Entry& ConstantNames::entry_of(const NamedConstant& constant) {
+  const auto [found, is_new] = index_.try_emplace({constant.name, constant.value}, entries_.size());
+  if (is_new) entries_.push_back({names_.unique(identifier_base(constant.name)), constant});
+  return entries_[found->second];
+}
+
+ConstantNames::ConstantNames(const Programs& programs) {
+  for (const Program* program : all_programs(programs)) identifiers(*program);
+}
+
+std::vector<std::string> ConstantNames::identifiers(const Program& program) {
+  std::vector<std::string> result;
+  for (const NamedConstant& constant : program.constants) result.push_back(entry_of(constant).identifier);
+  return result;
+}
+
+std::string ConstantNames::text(const Program& program, const Node& node) {
+  Entry& entry = entry_of(program.constants[static_cast<std::size_t>(node.label)]);
+  entry.is_used = true;
+  return node.constant == entry.constant.value ? entry.identifier : "-" + entry.identifier;
+}
+
+std::string ConstantNames::declarations(const std::string& scalar) const {
+  std::string text;
+  for (const Entry& entry : entries_) {
+    if (!entry.is_used) continue;
+    text += "constexpr " + scalar + " " + entry.identifier + " = " + number_text(entry.constant.value, scalar) + ";\n";
+  }
+  return text;
+}
+
 }  // namespace mbgen

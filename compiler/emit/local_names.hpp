@@ -1,12 +1,14 @@
 #pragma once
-// Names of the values of one program.
+// Names of the values of one program, and of the numbers of a model that the text of one file names.
 
 #include <map>
 #include <string>
 #include <unordered_map>
 #include <unordered_set>
+#include <utility>
+#include <vector>
 
-#include "compiler/program/program.hpp"
+#include "compiler/solver/programs.hpp"
 
 namespace mbgen {
 
@@ -33,6 +35,32 @@ class LocalNames : public UniqueNames {
  private:
   const Program& program_;
   std::map<int, int> leftovers_;  ///< numbers given so far, by step
+};
+
+/// Identifiers of named constants, one table for all programs of a file.
+class ConstantNames {
+ public:
+  /// The constants of all programs, in the order of the first: that of the model.
+  explicit ConstantNames(const Programs& programs);
+  /// The identifiers that a program may use: each stands for one value in the whole file, a second value of the same
+  /// name gets a number.
+  std::vector<std::string> identifiers(const Program& program);
+  /// The constant as an expression: its identifier, or the negative of it.
+  std::string text(const Program& program, const Node& node);
+  /// `constexpr double m_crank = 0.8;` for each constant that a text has used, in the order of the model; empty
+  /// without any. scalar: double or float.
+  std::string declarations(const std::string& scalar) const;
+
+ private:
+  struct Entry {
+    std::string identifier;
+    NamedConstant constant;
+    bool is_used = false;
+  };
+  Entry& entry_of(const NamedConstant& constant);
+  std::vector<Entry> entries_;
+  std::map<std::pair<std::string, double>, std::size_t> index_;
+  UniqueNames names_;
 };
 
 }  // namespace mbgen

@@ -49,40 +49,32 @@ std::string tree_body_title(const Topology& topology, std::size_t i) {
   return fmt::format("{}: {}, {}, {}", body.name, body.coordinate, name_of(body.kind), base);
 }
 
+template <auto elements>
+std::string name_in(const Model& model, std::size_t i) {
+  return (model.*elements)[i].name;
+}
+
+/// Names of the model's own parts.
+constexpr std::pair<OwnerKind, std::string (*)(const Model&, std::size_t)> kNames[] = {
+    {OwnerKind::body, name_in<&Model::bodies>},
+    {OwnerKind::joint, name_in<&Model::joints>},
+    {OwnerKind::spring, name_in<&Model::springs>},
+    {OwnerKind::air_spring, name_in<&Model::air_springs>},
+    {OwnerKind::joint_spring, name_in<&Model::joint_springs>},
+    {OwnerKind::friction, name_in<&Model::frictions>},
+    {OwnerKind::joint_force, name_in<&Model::joint_forces>},
+    {OwnerKind::force, name_in<&Model::forces>},
+    {OwnerKind::tyre, name_in<&Model::tyres>},
+    {OwnerKind::motion, name_in<&Model::motions>},
+    {OwnerKind::output, name_in<&Model::outputs>}};
+
 std::string owner_title(const Model& model, const Topology& topology, const Owner& owner) {
   const auto i = static_cast<std::size_t>(owner.index);
-  switch (owner.kind) {
-    case OwnerKind::none:
-      return "";
-    case OwnerKind::tree_body:
-      return tree_body_title(topology, i);
-    case OwnerKind::loop:
-      return topology.loops[i].name;
-    case OwnerKind::loop_block:
-      return fmt::format("loop block {}", i);
-    case OwnerKind::body:
-      return model.bodies[i].name;
-    case OwnerKind::joint:
-      return model.joints[i].name;
-    case OwnerKind::spring:
-      return model.springs[i].name;
-    case OwnerKind::air_spring:
-      return model.air_springs[i].name;
-    case OwnerKind::joint_spring:
-      return model.joint_springs[i].name;
-    case OwnerKind::friction:
-      return model.frictions[i].name;
-    case OwnerKind::joint_force:
-      return model.joint_forces[i].name;
-    case OwnerKind::force:
-      return model.forces[i].name;
-    case OwnerKind::tyre:
-      return model.tyres[i].name;
-    case OwnerKind::motion:
-      return model.motions[i].name;
-    case OwnerKind::output:
-      return model.outputs[i].name;
-  }
+  if (owner.kind == OwnerKind::tree_body) return tree_body_title(topology, i);
+  if (owner.kind == OwnerKind::loop) return topology.loops[i].name;
+  if (owner.kind == OwnerKind::loop_block) return fmt::format("loop block {}", i);
+  for (const auto& [kind, name_of_part] : kNames)
+    if (kind == owner.kind) return name_of_part(model, i);
   return "";
 }
 

@@ -9,6 +9,25 @@
 #include "compiler/emit/text.hpp"
 
 namespace mbgen {
+namespace {
+
+/// Names before they are made unique, for the function of an ArrayCall; no declaration.
+CallNames names_of_call(Op op) {
+  switch (op) {
+    case Op::atan:
+      return {"mbgen::arc_tangents", "tangents", "", {"arcs"}, "", {}};
+    case Op::exp:
+      return {"mbgen::exponentials", "exponents", "", {"exponentials"}, "", {}};
+    case Op::tanh:
+      return {"mbgen::hyperbolic_tangents", "arguments", "", {"hyperbolic_tangents"}, "", {}};
+    case Op::pow:
+      return {"mbgen::powers", "bases", "exponents", {"powers"}, "", {}};
+    default:
+      return {"mbgen::sincos", "angles", "", {"sines", "cosines"}, "", {}};
+  }
+}
+
+}  // namespace
 
 ValueTexts::ValueTexts(const Program& program, const Schedule& schedule, const ProgramShape& shape)
     : program_(program),
@@ -67,8 +86,10 @@ void ValueTexts::name_calls() {
 // --- places in memory ---
 
 std::string ValueTexts::add_crossing(const std::string& member, std::size_t values) {
-  const auto name_of = [&](std::size_t number) { return number == 1 ? std::string("work") : names_.unique("work"); };
-  CrossingStruct& home = struct_with_room(crossing_, values, shape_.most_crossing, name_of);
+  const bool has_room =
+      !crossing_.empty() && (shape_.most_crossing == 0 || crossing_.back().values + values <= shape_.most_crossing);
+  if (!has_room) crossing_.push_back({crossing_.empty() ? "work" : names_.unique("work"), {}, 0});
+  CrossingStruct& home = crossing_.back();
   home.members.push_back(member);
   home.values += values;
   return home.argument;

@@ -6,13 +6,20 @@
 #include <unordered_map>
 #include <vector>
 
-#include "compiler/emit/call_names.hpp"
 #include "compiler/emit/expression_text.hpp"
 #include "compiler/emit/function_text.hpp"
 #include "compiler/emit/local_names.hpp"
 #include "compiler/emit/slice_text.hpp"
 
 namespace mbgen {
+
+/// Arrays of one call for many arguments.
+struct CallNames {
+  std::string function, arguments, exponents;  ///< exponents: of powers, else empty
+  std::vector<std::string> results;
+  std::string declaration;     ///< of the results, empty when they are members of `work`
+  std::set<std::string> work;  ///< arguments whose members they are
+};
 
 /// Texts of values, part by part. A value stands for the values at its place in all slices of a loop: the first of them
 /// is asked for.

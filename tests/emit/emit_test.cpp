@@ -72,6 +72,16 @@ TEST(Frames, fillEveryNameAndNothingElse) {
   EXPECT_EQ(error_of("x {{a", {{"a", ""}}), "frame: {{ without }}");
 }
 
+TEST(Frames, keepSectionsByTheirValues) {
+  const std::string frame = "a{{#b}}-{{b}}{{^c}}!{{/c}}{{/b}}{{^b}}+{{c}}{{/b}}.";
+  EXPECT_EQ(fill_frame("frame", frame, {{"b", "1"}, {"c", ""}}), "a-1!.");
+  EXPECT_EQ(fill_frame("frame", frame, {{"b", "1"}, {"c", "2"}}), "a-1.");
+  EXPECT_EQ(fill_frame("frame", frame, {{"b", ""}, {"c", "2"}}), "a+2.");
+  EXPECT_EQ(error_of("{{#b}}x", {{"b", "1"}}), "frame: a section without its end");
+  EXPECT_EQ(error_of("x{{/b}}", {{"b", "1"}}), "frame: {{/b}} ends no section");
+  EXPECT_EQ(error_of("{{#b}}{{c}}{{/b}}", {{"b", ""}}), "frame: no value for {{c}}");
+}
+
 TEST(EmittedLines, areBrokenAtSpaces) {
   const std::string word(40, 'x');
   EXPECT_EQ(wrapped_statement("  a = " + word + " + " + word + " + " + word + ";"),
