@@ -106,11 +106,16 @@ std::string tuned_type_text(const Programs& programs, const std::string& scalar)
   const int count = derived_constant_count(programs);
   if (count == 0)
     return "/// What functions take: no constants follow from the parameters.\nusing Tuned = Parameters;\n";
+  std::string named;
+  for (int k = 0; const std::string& name : derived_constant_names(programs)) {
+    if (!name.empty()) named += fmt::format("{} [{}] {}", named.empty() ? " Among them:" : ",", k, name);
+    ++k;
+  }
   const std::string comment = wrapped_words(
       fmt::format("Tunable parameters with the {} constants that follow from them. Functions take plain Parameters as "
                   "well, and then work these out each time: keep one of these, and assign Parameters to it where they "
-                  "change, at the boundary of a step.",
-                  count),
+                  "change, at the boundary of a step.{}{}",
+                  count, named, named.empty() ? "" : "."),
       "/// ");
   return fmt::format(
       "{}\nstruct Tuned : Parameters {{\n  {} derived[{}];\n  Tuned() noexcept : Tuned(Parameters{{}}) {{}}\n"

@@ -156,7 +156,10 @@ ProgramShape shape_of(const ShapeRow& row, const Programs& programs, const Exten
   shape.inputs = input_places(programs, extents.layout, extents.names);
   shape.arguments = {
       {"parameters", "const Tuned& parameters"}, {"inputs", "const Inputs& inputs"}, {"state", "const State& state"}};
-  if (row.role == Role::derived_constants) shape.arguments = {{"parameters", "const Parameters& parameters"}};
+  if (row.role == Role::derived_constants) {
+    shape.arguments = {{"parameters", "const Parameters& parameters"}};
+    shape.inputs.erase(Array::derived);
+  }
   for (const auto& [array, name, declaration] : kArguments)
     if (std::ranges::count(spec.inputs, array) > 0 && (array != Array::lambda || outputs_take_multipliers(programs)))
       shape.arguments.emplace_back(name, declaration);
@@ -196,6 +199,8 @@ Places input_places(const Programs& programs, const SolverLayout& layout, const 
   add_array(places, "tau", Array::tau, extents);
   add_array(places, "derivative", Array::zdd, extents);
   add_array(places, "parameters", Array::derived, extents);
+  places[Array::derived].locals = derived_constant_names(programs);
+  places[Array::derived].local_tells_more = true;
   places[Array::t] = {"state", {"state.t"}};
   places[Array::in] = {"inputs", around("inputs.", names.inputs)};
   places[Array::par] = {"parameters", around("parameters.", names.parameters)};
@@ -235,6 +240,17 @@ std::string constant_text(const Program& program, const Node& node, const Progra
 
 int derived_constant_count(const Programs& programs) {
   return static_cast<int>(programs.derived_constants.outputs.size());
+}
+
+std::vector<std::string> derived_constant_names(const Programs& programs) {
+  const Program& program = programs.derived_constants;
+  std::vector<std::string> names(program.outputs.size()), taken;
+  for (const OutputValue& output : program.outputs) {
+    const Node& node = program.nodes[output.value];
+    if (node.op != Op::constant && node.label >= 0)
+      names[static_cast<std::size_t>(output.slot.index)] = identifier(program.labels[node.label], taken);
+  }
+  return names;
 }
 
 ShapedProgram clocked_accelerations(const Programs& programs, const SolverLayout& layout, const SolverNames& names,

@@ -38,10 +38,11 @@ SolverLayout solver_layout(const Model& model, const Topology& topology, const A
 struct GroupPlace {
   std::string argument;                  ///< function parameter that holds them, "result" for outputs
   std::vector<std::string> texts;        ///< expression of each index, for example "state.z[Coordinate::crank_pin]"
-  std::vector<std::string> locals = {};  ///< name of a local copy of each index; empty: never copied
+  std::vector<std::string> locals = {};  ///< name of a local copy of each index, "" or no list: never copied
   std::string missing = "0.0";           ///< value of an output that the program does not give; empty: nobody reads it
   std::string array = {};  ///< array whose places from `first` on hold the slots in order; empty: they are no array
   int first = 0;
+  bool local_tells_more = false;  ///< copies are made at the first use: their names say more than the texts
 };
 
 using Places = std::map<SlotGroup, GroupPlace>;
@@ -98,6 +99,9 @@ struct ShapedProgram {
 
 /// Number of constants that follow from tunable parameters.
 int derived_constant_count(const Programs& programs);
+
+/// Identifier of each of them: that of its body or element; empty where it is none of theirs.
+std::vector<std::string> derived_constant_names(const Programs& programs);
 
 /// Whether a scalar type is that of plain numbers: double or float.
 bool is_number(const std::string& scalar);

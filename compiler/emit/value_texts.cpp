@@ -135,8 +135,10 @@ Phrase ValueTexts::input_phrase(const Slices& values, PartText& part) {
   for (const ValueId v : values) slots.push_back(program_.inputs[program_.nodes[v].input]);
   const GroupPlace& place = place_of(shape_.inputs, slots[0]);
   const std::string text = slots_text(shape_.inputs, slots, part);
-  if (values.size() > 1 || place.locals.empty() || uses_in_part_[values[0]] < 2) return {text, Binding::primary};
-  return copied(values[0], place.locals[slots[0].index], text, part);
+  const std::string local = place.locals.empty() ? "" : place.locals[slots[0].index];
+  const bool is_copied = place.local_tells_more || uses_in_part_[values[0]] > 1;
+  if (values.size() > 1 || local.empty() || !is_copied) return {text, Binding::primary};
+  return copied(values[0], local, text, part);
 }
 
 Phrase ValueTexts::copied(ValueId v, const std::string& local, const std::string& place, PartText& part) {
