@@ -225,7 +225,7 @@ std::vector<int> without_inertia(NumericSystem& numbers, const Model& model, con
     const ReducedSystem<double> reduced =
         reduced_system(system, k, inertias(system, k), frozen_directions(system, k, analysis.blocks, analysis.driven),
                        std::vector<double>(topology.bodies.size(), 0.0));
-    const ReducedSolution<double> solution = solve_reduced(reduced);
+    const ReducedSolution<double> solution = solve_reduced(system, reduced);
     bool all = true;
     for (std::size_t q = 0; q < names.size(); ++q) {
       moved[q] = moved[q] || solution.inertia[q] > rounding[names[q]];

@@ -1,6 +1,7 @@
 #pragma once
 // The numbers of a model as scalars T: constants when folded, expressions of the tunable parameters otherwise.
 
+#include <algorithm>
 #include <vector>
 
 #include "compiler/formulation/origins.hpp"
@@ -238,6 +239,20 @@ Constants<T> make_constants(const Model& model, const Topology& topology, const 
     constants.inertia.push_back(part.inertia);
   }
   return constants;
+}
+
+/// What rounding may leave of an inertia of zero, in kg m^2 or kg: closed loops cancel velocities of all bodies to some
+/// 1e-16 of theirs, and the inertia is their square. 1e-12 of a velocity leaves its first digits right.
+template <class T>
+double inertia_left_by_rounding(const Constants<T>& constants) {
+  double mass = 0, reach = 0;
+  for (std::size_t i = 0; i < constants.origin.size(); ++i) {
+    const Vector<T> apart = constants.origin[i] - constants.origin[0];
+    mass += known_size(constants.mass[i]);
+    reach = std::max({reach, known_size(apart.x), known_size(apart.y), known_size(apart.z)});
+  }
+  const double length = reach > 0 ? std::min(reach, 1.0) : 1.0;
+  return 1e-24 * mass * length * length;
 }
 
 /// Names the numbers of the bodies and rods: m_ mass, c_ centre of mass, I_ inertia about it, p_ ends of rods from the

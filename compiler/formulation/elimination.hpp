@@ -13,19 +13,21 @@ namespace mbgen {
 template <class T>
 struct EliminatedPivots {
   std::vector<T> reciprocal;  ///< of the pivot
-  std::vector<T> inertia;     ///< pivot less 1e-12 of its diagonal; not positive where motion has no inertia
+  std::vector<T> inertia;     ///< not positive where motion has no inertia: pivot less what rounding leaves of one
 };
 
 /// Eliminates in place; afterwards `mass` holds the rows that substitution needs. mass: lower triangle,
-/// [row][column <= row]. subtract(a, factor, q): takes `factor` times the right-hand side of row q off that of row a.
+/// [row][column <= row]. rounding: of diagonals, see inertia_left_by_rounding; elimination leaves 1e-12 of one besides.
+/// subtract(a, factor, q): takes `factor` times the right-hand side of row q off that of row a.
 template <class T, class Subtract>
-EliminatedPivots<T> eliminate(std::vector<std::vector<T>>& mass, const Subtract& subtract) {
+EliminatedPivots<T> eliminate(std::vector<std::vector<T>>& mass, double rounding, const Subtract& subtract) {
   const std::size_t n = mass.size();
   EliminatedPivots<T> pivots{std::vector<T>(n, T(0.0)), std::vector<T>(n, T(0.0))};
   std::vector<T> diagonal;
   for (std::size_t q = 0; q < n; ++q) diagonal.push_back(mass[q][q]);
   for (std::size_t q = n; q-- > 0;) {
-    pivots.inertia[q] = mass[q][q] - T(1e-12) * diagonal[q];
+    const T rest = q + 1 == n ? mass[q][q] : mass[q][q] - T(1e-12) * diagonal[q];
+    pivots.inertia[q] = rest - T(rounding);
     pivots.reciprocal[q] = T(1.0) / mass[q][q];
     for (std::size_t a = 0; a < q; ++a) {
       if (is_zero(mass[q][a])) continue;

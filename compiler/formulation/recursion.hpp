@@ -15,7 +15,7 @@ void eliminate_block(RecursionState<T>& s, std::size_t u) {
   const RecursionUnit& unit = s.units()[u];
   UnitEquations<T>& equations = s.equations[u];
   CompositeBody<T> base = gather_block(s, u);
-  eliminate(equations);
+  eliminate(equations, inertia_left_by_rounding(s.system().constants));
   if (unit.base == kGround) return;
   reduce(equations, base.reduced, base.needed);
   CompositeBody<T>& below = s.composite[unit.base];

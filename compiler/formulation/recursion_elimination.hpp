@@ -15,14 +15,14 @@ struct UnitEquations {
   std::vector<Spatial<T>> momentum;  ///< per direction, about the origin that A is of
   std::vector<T> force;              ///< per direction
   std::vector<T> reciprocal;         ///< after elimination: of the pivots
-  std::vector<T> inertia;            ///< after elimination: pivot less 1e-12 of its diagonal
+  std::vector<T> inertia;            ///< after elimination, see EliminatedPivots
   std::size_t size() const { return force.size(); }
 };
 
-/// Eliminates in place (theory.md section 4).
+/// Eliminates in place (theory.md section 4). rounding: of the diagonals; none in a tree, where nothing cancels.
 template <class T>
-void eliminate(UnitEquations<T>& u) {
-  EliminatedPivots<T> pivots = eliminate(u.mass, [&](std::size_t a, const T& factor, std::size_t q) {
+void eliminate(UnitEquations<T>& u, double rounding = 0) {
+  EliminatedPivots<T> pivots = eliminate(u.mass, rounding, [&](std::size_t a, const T& factor, std::size_t q) {
     u.momentum[a] = u.momentum[a] - factor * u.momentum[q];
     u.force[a] = u.force[a] - factor * u.force[q];
   });

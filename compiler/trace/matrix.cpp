@@ -64,7 +64,7 @@ void trace_solution(Tracing& tracing, const Kinematics<Expr>& k, const Inertias<
   const ReducedSystem<Expr> reduced =
       tracing.in(Step::reduced_system, [&] { return reduced_system(system, k, m, projections, q); });
   const auto step = tracing.scribe.step(Step::solution);
-  const ReducedSolution<Expr> solution = solve_reduced(reduced);
+  const ReducedSolution<Expr> solution = solve_reduced(system, reduced);
   tracing.outputs(Array::inertia, solution.inertia);
   tracing.outputs(Array::zdd, joint_accelerations(system.topology, projections, reduced, solution.acceleration));
   tracing.outputs(Array::xd, forces.xd);

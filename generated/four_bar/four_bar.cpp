@@ -195,8 +195,8 @@ void compute_accelerations(const Tuned& parameters, const Inputs& inputs, const 
   const double s8_14 = fnma(g_z, s7_4, fma(0.02195, s6_11, s8_10));
   const double s8_15 = fnma(s3_2, s8_14, fma(s8_1, s8_5, s8_13));
   const double s8_16 = 1.0/pivot_crank_pin;
-  result.inertia[0] = fnma(1e-12, pivot_crank_pin, pivot_crank_pin);
-  // operations: 28 add, 32 multiply, 1 divide
+  result.inertia[0] = pivot_crank_pin - 5.44e-25;
+  // operations: 28 add, 31 multiply, 1 divide
 
   // --- step 9: accelerations from the root to the leaves (63), (62) ---
   // crank: crank_pin, revolute, ground
@@ -543,8 +543,8 @@ void compute_chosen_accelerations(const Tuned& parameters, const Inputs& inputs,
   const double s8_17 = fma(s8_3, s8_10, fma(s8_2, s8_9, projection.Rz[2]*s8_6));
   const double s8_18 = fma(projection.Rz[0], 0.00302*projection.Rz[0], fma(s8_1, s8_11, s8_17));
   const double s8_19 = 1.0/s8_18;
-  result.inertia[0] = fnma(1e-12, s8_18, s8_18);
-  // operations: 32 add, 42 multiply, 1 divide
+  result.inertia[0] = s8_18 - 5.44e-25;
+  // operations: 32 add, 41 multiply, 1 divide
 
   // --- step 9: accelerations from the root to the leaves (63), (62) ---
   const double s9_1 = s8_16*s8_19;

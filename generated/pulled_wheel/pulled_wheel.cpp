@@ -127,7 +127,7 @@ struct Accelerations {
 void compute_accelerations(const Tuned& parameters, const Inputs& /*inputs*/, const State& state,
     const double* tau, Accelerations& __restrict result) noexcept {
   // Results that need no operation.
-  result.inertia[1] = 0.999999999999;
+  result.inertia[1] = 1.0;
   result.zdd[Coordinate::pull] = 0.0;
 
   // --- step 1: poses and axes b ---
@@ -248,27 +248,29 @@ void compute_accelerations(const Tuned& parameters, const Inputs& /*inputs*/, co
   // operations: 7 add, 14 multiply
 
   // --- step 7: inertias of the bodies and forces on joints, upper ---
-  const double s7_1 = R_knuckle_x_z*parameters.derived[0];
-  const double s7_2 = R_knuckle_x_x*parameters.derived[0];
+  const double h_knuckle_z = parameters.derived[0];
+  const double s7_1 = R_knuckle_x_z*h_knuckle_z;
+  const double s7_2 = R_knuckle_x_x*h_knuckle_z;
   // operations: 2 multiply
 
   // --- step 8: elimination from the leaves to the root (63), upper ---
   // knuckle: ball, revolute, arm
   const double s8_2 = 1.0 - s3_1;
-  const double s8_3 = fnma(s6_3, parameters.derived[1], fms(zdd_star_ball, s7_2, fx_tyre));
+  const double m_knuckle = parameters.derived[1];
+  const double s8_3 = fnma(s6_3, m_knuckle, fms(zdd_star_ball, s7_2, fx_tyre));
   const double f_knuckle_x = fnma(s6_4, s7_1, s8_3);
-  const double s8_4 = fma(zdd_star_ball, s7_1, fma(s6_2, parameters.derived[1], load_tyre));
+  const double s8_4 = fma(zdd_star_ball, s7_1, fma(s6_2, m_knuckle, load_tyre));
   const double s8_5 = fma(s6_4, s7_2, s8_4);
   const double s8_6 = fma(s6_2, s7_1, s8_1 + (s5_41 + fnma(s1_4, fx_tyre, s1_3*load_tyre)));
   const double n_knuckle_y = fma(zdd_star_ball, parameters.derived[2], fnma(s6_3, s7_2, s8_6));
-  const double s8_7 = fma(s7_1, s8_2, r_knuckle_x*parameters.derived[1]);
+  const double s8_7 = fma(s7_1, s8_2, r_knuckle_x*m_knuckle);
   const double s8_8 = fma(s8_2, parameters.derived[2], fma(s1_2, s7_2, r_knuckle_x*s7_1));
-  const double s8_9 = fma(s7_2, s8_2, s1_2*parameters.derived[1]);
+  const double s8_9 = fma(s7_2, s8_2, s1_2*m_knuckle);
   const double pivot_lower = fma(s1_2, s8_9, fma(s8_2, s8_8, fma(r_knuckle_x, s8_7, 0.3475)));
   const double s8_10 = s8_7 + fma(h_arm_x, R_arm_x_x, h_arm_z*R_arm_x_z);
-  result.inertia[0] = fnma(1e-12, pivot_lower, pivot_lower);
+  result.inertia[0] = pivot_lower - 5.52e-23;
   const double s8_11 = 1.0/pivot_lower;
-  // operations: 23 add, 24 multiply, 1 divide
+  // operations: 23 add, 23 multiply, 1 divide
 
   // --- step 9: accelerations from the root to the leaves (63), (62) ---
   const double s9_1 = fnma(s5_1, s5_15, fnma(s5_3, s5_14, tau[Coordinate::lower]));
@@ -446,32 +448,33 @@ void compute_multipliers(const Tuned& parameters, const Inputs& /*inputs*/, cons
   const double s7_3 = s5_28 + (s5_17 + (s5_16 - radius_tyre));
   const double n_wheel_y = fma(fx_tyre, s7_3, fma(s5_37, s5_38, alpha_wheel_y));
   // knuckle: ball, revolute, arm
-  const double s7_4 = R_knuckle_x_x*parameters.derived[3];
-  const double s7_5 = R_knuckle_x_z*parameters.derived[3];
-  const double s7_6 = fnma(s7_2, s7_5, fma(alpha_knuckle_y, s7_4, a_knuckle_x));
-  const double f_knuckle_x = s7_6*parameters.derived[4];
-  const double s7_7 = fnma(alpha_knuckle_y, s7_5, fnma(s7_2, s7_4, a_knuckle_z));
-  const double f_knuckle_z = parameters.derived[4]*s7_7;
-  const double s7_8 = fma(s7_4, f_knuckle_x, alpha_knuckle_y*parameters.derived[5]);
-  const double n_knuckle_y = fnma(s7_5, f_knuckle_z, s7_8);
-  const double s7_9 = n_knuckle_y + (n_wheel_y + fnma(s1_3, f_wheel_z, s1_4*f_wheel_x));
-  const double Q_ball = tau[Coordinate::ball] - s7_9;
+  const double c_knuckle_z = parameters.derived[3];
+  const double s7_4 = R_knuckle_x_x*c_knuckle_z;
+  const double s7_5 = R_knuckle_x_z*c_knuckle_z;
+  const double m_knuckle_2 = parameters.derived[4];
+  const double f_knuckle_x = fnma(s7_2, s7_5, fma(alpha_knuckle_y, s7_4, a_knuckle_x))*m_knuckle_2;
+  const double f_knuckle_z = m_knuckle_2*fnma(alpha_knuckle_y, s7_5, fnma(s7_2, s7_4, a_knuckle_z));
+  const double I_knuckle_yy = parameters.derived[5];
+  const double s7_6 = fma(s7_4, f_knuckle_x, alpha_knuckle_y*I_knuckle_yy);
+  const double n_knuckle_y = fnma(s7_5, f_knuckle_z, s7_6);
+  const double s7_7 = n_knuckle_y + (n_wheel_y + fnma(s1_3, f_wheel_z, s1_4*f_wheel_x));
+  const double Q_ball = tau[Coordinate::ball] - s7_7;
   result.missing[1] = Q_ball;
-  const double s7_10 = f_wheel_x + f_knuckle_x;
-  const double s7_11 = f_wheel_z + f_knuckle_z;
+  const double s7_8 = f_wheel_x + f_knuckle_x;
+  const double s7_9 = f_wheel_z + f_knuckle_z;
   // arm: lower, revolute, carriage
-  const double s7_12 = fnma(c_arm_x, R_arm_x_z, c_arm_z*R_arm_x_x);
-  const double s7_13 = fma(c_arm_x, R_arm_x_x, c_arm_z*R_arm_x_z);
-  const double s7_14 = m_arm*fnma(s7_1, s7_13, fma(zdd_lower, s7_12, zdd_pull));
-  const double f_arm_x = s5_14 + s7_14;
-  const double s7_15 = fma(s5_1, s5_15, fma(s5_3, s5_14, I_arm_yy*zdd_lower));
-  const double s7_16 = m_arm*fnma(zdd_lower, s7_13, fnma(s7_1, s7_12, -g_z));
-  const double n_arm_y = fnma(s7_13, s7_16, fma(s7_12, s7_14, s7_15));
-  const double s7_17 = fnma(s1_2, s7_10, tau[Coordinate::lower] - s7_9);
-  result.missing[0] = fma(r_knuckle_x, s7_11, s7_17) - n_arm_y;
+  const double s7_10 = fnma(c_arm_x, R_arm_x_z, c_arm_z*R_arm_x_x);
+  const double s7_11 = fma(c_arm_x, R_arm_x_x, c_arm_z*R_arm_x_z);
+  const double s7_12 = m_arm*fnma(s7_1, s7_11, fma(zdd_lower, s7_10, zdd_pull));
+  const double f_arm_x = s5_14 + s7_12;
+  const double s7_13 = fma(s5_1, s5_15, fma(s5_3, s5_14, I_arm_yy*zdd_lower));
+  const double s7_14 = m_arm*fnma(zdd_lower, s7_11, fnma(s7_1, s7_10, -g_z));
+  const double n_arm_y = fnma(s7_11, s7_14, fma(s7_10, s7_12, s7_13));
+  const double s7_15 = fma(r_knuckle_x, s7_9, fnma(s1_2, s7_8, tau[Coordinate::lower] - s7_7));
+  result.missing[0] = s7_15 - n_arm_y;
   // carriage: pull, prismatic, ground
   const double f_carriage_x = fms(m_carriage, zdd_pull, s5_14);
-  const double Q_pull = tau[Coordinate::pull] - s7_10 - f_arm_x - f_carriage_x;
+  const double Q_pull = tau[Coordinate::pull] - s7_8 - f_arm_x - f_carriage_x;
   // operations: 48 add, 45 multiply
 
   // --- step 9: multipliers of the closures and driving forces ---
@@ -551,7 +554,7 @@ void compute_chosen_accelerations(const Tuned& parameters, const Inputs& /*input
     const State& state, const double* tau, const Projection& projection,
     ChosenAccelerations& __restrict result) noexcept {
   // Results that need no operation.
-  result.inertia[1] = 0.999999999999;
+  result.inertia[1] = 1.0;
   result.zdd[Coordinate::pull] = 0.0;
 
   // --- step 1: poses and axes b ---
@@ -645,8 +648,9 @@ void compute_chosen_accelerations(const Tuned& parameters, const Inputs& /*input
 
   // --- step 7: inertias of the bodies and forces on joints, upper ---
   const double s7_1 = fma(h_arm_x, R_arm_x_x, h_arm_z*R_arm_x_z);
-  const double s7_2 = R_knuckle_x_z*parameters.derived[0];
-  const double s7_3 = R_knuckle_x_x*parameters.derived[0];
+  const double h_knuckle_z = parameters.derived[0];
+  const double s7_2 = R_knuckle_x_z*h_knuckle_z;
+  const double s7_3 = R_knuckle_x_x*h_knuckle_z;
   // operations: 1 add, 4 multiply
 
   // --- step 8: elimination from the leaves to the root (63), upper ---
@@ -656,30 +660,29 @@ void compute_chosen_accelerations(const Tuned& parameters, const Inputs& /*input
   const double s8_4 = r_knuckle_x*projection.Rz[0];
   const double s8_5 = projection.zdd_star[0] + projection.zdd_star[1];
   const double s8_6 = fnma(r_knuckle_x, s6_1, s1_2*projection.zdd_star[0]);
-  const double s8_7 = fnma(s6_2, s7_2, fms(s7_3, s8_5, fx_tyre));
-  const double f_knuckle_x = fma(s8_6, parameters.derived[1], s8_7);
-  const double s8_8 = fma(s1_2, s6_1, r_knuckle_x*projection.zdd_star[0]);
-  const double s8_9 = fma(s7_2, s8_5, fma(s6_2, s7_3, load_tyre));
-  const double s8_10 = fma(parameters.derived[1], s8_8, s8_9);
-  const double s8_11 = fma(s7_3, s8_6, s8_1 + (s5_41 + fnma(s1_4, fx_tyre, s1_3*load_tyre)));
-  const double n_knuckle_y = fma(s8_5, parameters.derived[2], fma(s7_2, s8_8, s8_11));
-  const double s8_12 = fma(s8_4, parameters.derived[1], s7_2*s8_2);
-  const double s8_13 = fma(s8_2, parameters.derived[2], fma(s7_2, s8_4, s7_3*s8_3));
-  const double s8_14 = fma(s8_3, parameters.derived[1], s7_3*s8_2);
+  const double m_knuckle = parameters.derived[1];
+  const double f_knuckle_x = fma(s8_6, m_knuckle, fnma(s6_2, s7_2, fms(s7_3, s8_5, fx_tyre)));
+  const double s8_7 = fma(s1_2, s6_1, r_knuckle_x*projection.zdd_star[0]);
+  const double s8_8 = fma(m_knuckle, s8_7, fma(s7_2, s8_5, fma(s6_2, s7_3, load_tyre)));
+  const double s8_9 = fma(s7_3, s8_6, s8_1 + (s5_41 + fnma(s1_4, fx_tyre, s1_3*load_tyre)));
+  const double n_knuckle_y = fma(s8_5, parameters.derived[2], fma(s7_2, s8_7, s8_9));
+  const double s8_10 = fma(s8_4, m_knuckle, s7_2*s8_2);
+  const double s8_11 = fma(s8_2, parameters.derived[2], fma(s7_2, s8_4, s7_3*s8_3));
+  const double s8_12 = fma(s8_3, m_knuckle, s7_3*s8_2);
   // arm: lower, revolute, carriage
-  const double s8_15 = fma(projection.Rz[0], s7_1, s8_12);
-  const double s8_16 = fma(s8_3, s8_14, fma(s8_2, s8_13, s8_4*s8_12));
-  const double s8_17 = fma(projection.Rz[0], 0.3475*projection.Rz[0], s8_16);
-  result.inertia[0] = fnma(1e-12, s8_17, s8_17);
-  const double s8_18 = 1.0/s8_17;
-  // operations: 25 add, 31 multiply, 1 divide
+  const double s8_13 = fma(projection.Rz[0], s7_1, s8_10);
+  const double s8_14 = fma(s8_3, s8_12, fma(s8_2, s8_11, s8_4*s8_10));
+  const double s8_15 = fma(projection.Rz[0], 0.3475*projection.Rz[0], s8_14);
+  result.inertia[0] = s8_15 - 5.52e-23;
+  const double s8_16 = 1.0/s8_15;
+  // operations: 25 add, 30 multiply, 1 divide
 
   // --- step 9: accelerations from the root to the leaves (63), (62) ---
   const double s9_1 = fnma(s5_1, s5_15, fnma(s5_3, s5_14, tau[Coordinate::lower]));
   const double s9_2 = fnma(s8_3, f_knuckle_x, projection.Rz[1]*tau[Coordinate::ball]);
-  const double s9_3 = fnma(g_z, s8_15, fnma(s8_2, n_knuckle_y, fnma(s8_4, s8_10, s9_2)));
+  const double s9_3 = fnma(g_z, s8_13, fnma(s8_2, n_knuckle_y, fnma(s8_4, s8_8, s9_2)));
   const double s9_4 = fma(projection.Rz[0], fnma(0.3475, projection.zdd_star[0], s9_1), s9_3);
-  const double s9_5 = s8_18*s9_4;
+  const double s9_5 = s8_16*s9_4;
   // arm: lower, revolute, carriage
   result.zdd[Coordinate::lower] = fma(projection.Rz[0], s9_5, projection.zdd_star[0]);
   result.zdd[Coordinate::ball] = fma(projection.Rz[1], s9_5, projection.zdd_star[1]);
@@ -781,9 +784,11 @@ void compute_outputs(const Tuned& parameters, const Inputs& /*inputs*/, const St
 
   // --- step 7: inertias of the bodies and forces on joints ---
   // knuckle: ball, revolute, arm
-  const double s7_1 = R_knuckle_x_x*parameters.derived[3];
-  const double s7_2 = R_knuckle_x_z*parameters.derived[3];
-  const double s7_3 = w_knuckle_y*parameters.derived[5];
+  const double c_knuckle_z = parameters.derived[3];
+  const double s7_1 = R_knuckle_x_x*c_knuckle_z;
+  const double s7_2 = R_knuckle_x_z*c_knuckle_z;
+  const double I_knuckle_yy = parameters.derived[5];
+  const double s7_3 = w_knuckle_y*I_knuckle_yy;
   // arm: lower, revolute, carriage
   const double s7_4 = fnma(c_arm_x, R_arm_x_z, c_arm_z*R_arm_x_x);
   const double s7_5 = fma(c_arm_x, R_arm_x_x, c_arm_z*R_arm_x_z);
@@ -793,9 +798,10 @@ void compute_outputs(const Tuned& parameters, const Inputs& /*inputs*/, const St
   // --- step 9: outputs, energies, power ---
   const double s9_1 = zd_lower*s7_5;
   const double s9_2 = fma(w_knuckle_y, s7_2, s4_1);
+  const double m_knuckle_2 = parameters.derived[4];
   const double s9_3 = fma(m_wheel, r_wheel_z, parameters.derived[6]);
-  const double s9_4 = fma(r_knuckle_z + s7_1, parameters.derived[4], s9_3);
-  result.potential_energy = -g_z*fma(m_arm, s7_4 + p_lower_z, s9_4);
+  const double s9_4 = fma(m_arm, s7_4 + p_lower_z, fma(r_knuckle_z + s7_1, m_knuckle_2, s9_3));
+  result.potential_energy = -g_z*s9_4;
   const double s9_5 = fma(zd_wheel, tau[Coordinate::wheel], zd_ball*tau[Coordinate::ball]);
   const double s9_6 = fma(v_wheel_x, fx_tyre, fnma(s4_2, load_tyre, s9_5));
   const double s9_7 = tau[Coordinate::pull] + multipliers.drive[0];
@@ -805,7 +811,7 @@ void compute_outputs(const Tuned& parameters, const Inputs& /*inputs*/, const St
   const double s9_10 = fma(zd_lower, s7_4, zd_pull);
   const double s9_11 = fma(zd_lower, s7_6, fma(w_knuckle_y, s7_3, w_wheel_y*w_wheel_y));
   const double s9_12 = fma(m_wheel, fma(s4_2, s4_2, v_wheel_x*v_wheel_x), s9_11);
-  const double s9_13 = fma(parameters.derived[4], fma(s9_9, s9_9, s9_2*s9_2), s9_12);
+  const double s9_13 = fma(m_knuckle_2, fma(s9_9, s9_9, s9_2*s9_2), s9_12);
   const double s9_14 = fma(m_carriage, zd_pull*zd_pull, s9_13);
   result.kinetic_energy = 0.5*fma(m_arm, fma(s9_10, s9_10, s9_1*s9_1), s9_14);
   // operations: 26 add, 32 multiply

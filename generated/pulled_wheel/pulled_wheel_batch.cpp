@@ -31,7 +31,8 @@ struct Parameters {
 };
 /// Tunable parameters with the 7 constants that follow from them. Functions take plain Parameters
 /// as well, and then work these out each time: keep one of these, and assign Parameters to it where
-/// they change, at the boundary of a step.
+/// they change, at the boundary of a step. Among them: [0] h_knuckle_z, [1] m_knuckle, [3]
+/// c_knuckle_z, [4] m_knuckle_2, [5] I_knuckle_yy.
 struct Tuned : Parameters {
   Lanes derived[7];
   Tuned() noexcept : Tuned(Parameters{}) {}
@@ -163,7 +164,7 @@ using Accelerations = AccelerationsOf<Lanes>;
 [[gnu::noinline]] void compute_accelerations_1(const Tuned& parameters, const State& state,
     const Lanes* tau, Accelerations& __restrict result) noexcept {
   // Results that need no operation.
-  result.inertia[1] = Lanes{} + 0.999999999999;
+  result.inertia[1] = Lanes{} + 1.0;
   result.zdd[Coordinate::pull] = Lanes{} + 0.0;
 
   // --- step 1: poses and axes b ---
@@ -273,6 +274,7 @@ using Accelerations = AccelerationsOf<Lanes>;
   const Lanes s6_5 = zd_lower*zd_lower;
   const Lanes s6_6 = s1_2*s6_5;
   const Lanes s6_7 = r_knuckle_x*s6_5;
+  const Lanes m_knuckle = parameters.derived[1];
   const Lanes s6_8 = w_knuckle_y*w_knuckle_y;
   const Lanes s6_9 = fnma(s2_3, fma(w_knuckle_y, s6_2, s6_6), fma(s6_3, s6_3, s6_4*s6_4));
   const Lanes s2_6 = 1.0/s2_5;
@@ -284,25 +286,26 @@ using Accelerations = AccelerationsOf<Lanes>;
   const Lanes s9_1 = fnma(s5_1, s5_4*s5_14, fnma(s5_2, s5_3*s5_14, tau[Coordinate::lower]));
 
   // --- step 7: inertias of the bodies and forces on joints, upper ---
-  const Lanes s7_1 = R_knuckle_x_z*parameters.derived[0];
-  const Lanes s7_2 = R_knuckle_x_x*parameters.derived[0];
-  const Lanes s8_2 = fma(zdd_star_ball, s7_1, fma(s6_6, parameters.derived[1], load_tyre));
+  const Lanes h_knuckle_z = parameters.derived[0];
+  const Lanes s7_1 = R_knuckle_x_z*h_knuckle_z;
+  const Lanes s7_2 = R_knuckle_x_x*h_knuckle_z;
+  const Lanes s8_2 = fma(zdd_star_ball, s7_1, fma(s6_6, m_knuckle, load_tyre));
   const Lanes s8_3 = fma(s6_6, s7_1, s8_1 + (s5_42 + fnma(s1_3, fx_tyre, s1_4*load_tyre)));
   // knuckle: ball, revolute, arm
   const Lanes n_knuckle_y = fma(zdd_star_ball, parameters.derived[2], fnma(s6_7, s7_2, s8_3));
-  const Lanes s8_4 = fnma(s6_7, parameters.derived[1], fms(zdd_star_ball, s7_2, fx_tyre));
+  const Lanes s8_4 = fnma(s6_7, m_knuckle, fms(zdd_star_ball, s7_2, fx_tyre));
   const Lanes f_knuckle_x = fnma(s6_8, s7_1, s8_4);
   const Lanes s9_2 = fnma(s1_2, f_knuckle_x, fnma(tau[Coordinate::ball], s3_1, s9_1));
   const Lanes s8_5 = 1.0 - s3_1;
 
   // --- step 8: elimination from the leaves to the root (63), upper, continued ---
-  const Lanes s8_6 = fma(s7_1, s8_5, r_knuckle_x*parameters.derived[1]);
+  const Lanes s8_6 = fma(s7_1, s8_5, r_knuckle_x*m_knuckle);
   const Lanes s8_7 = fma(s8_5, parameters.derived[2], fma(s1_2, s7_2, r_knuckle_x*s7_1));
   const Lanes s8_8 = fma(s8_5, s8_7, fma(r_knuckle_x, s8_6, 0.3475));
-  const Lanes pivot_lower = fma(s1_2, fma(s7_2, s8_5, s1_2*parameters.derived[1]), s8_8);
+  const Lanes pivot_lower = fma(s1_2, fma(s7_2, s8_5, s1_2*m_knuckle), s8_8);
   const Lanes s9_3 = fnma(s8_5, n_knuckle_y, fnma(r_knuckle_x, fma(s6_8, s7_2, s8_2), s9_2));
   mbgen::read_back();
-  result.inertia[0] = fnma(1e-12, pivot_lower, pivot_lower);
+  result.inertia[0] = pivot_lower - 5.52e-23;
   // arm: lower, revolute, carriage
   const Lanes s9_4 = fnma(g_z, s8_6 + fma(h_arm_x, R_arm_x_x, h_arm_z*R_arm_x_z), s9_3);
   const Lanes alpha_arm_y = 1.0/pivot_lower*s9_4;
@@ -321,7 +324,7 @@ using Accelerations = AccelerationsOf<Lanes>;
   // operations of step 3: Rz (61), upper: 1 multiply
   // operations of step 6: c and dRz/dt zd (62), upper: 7 add, 14 multiply
   // operations of step 7: inertias of the bodies and forces on joints, upper: 2 multiply
-  // operations of step 8: elimination from the leaves to the root (63), upper: 23 add, 24 multiply,
+  // operations of step 8: elimination from the leaves to the root (63), upper: 23 add, 23 multiply,
   // 1 divide
   // operations of step 9: accelerations from the root to the leaves (63), (62): 10 add, 10 multiply
 }
@@ -531,23 +534,24 @@ using ConstraintForces = ConstraintForcesOf<Lanes>;
   const Lanes a_wheel_z = fnma(s1_4, s7_1, fnma(s1_3, alpha_knuckle_y, a_knuckle_z));
   const Lanes f_wheel_z = fms(m_wheel, a_wheel_z, load_tyre);
   // knuckle: ball, revolute, arm
-  const Lanes s7_9 = R_knuckle_x_x*parameters.derived[3];
-  const Lanes s7_10 = R_knuckle_x_z*parameters.derived[3];
-  const Lanes s7_11 = fnma(s7_1, s7_10, fma(alpha_knuckle_y, s7_9, a_knuckle_x));
-  const Lanes f_knuckle_x = s7_11*parameters.derived[4];
-  const Lanes s7_12 = fnma(alpha_knuckle_y, s7_10, fnma(s7_1, s7_9, a_knuckle_z));
-  const Lanes f_knuckle_z = parameters.derived[4]*s7_12;
-  const Lanes s7_13 = f_wheel_x + f_knuckle_x;
-  const Lanes s7_14 = fma(s7_9, f_knuckle_x, alpha_knuckle_y*parameters.derived[5]);
-  const Lanes n_knuckle_y = fnma(s7_10, f_knuckle_z, s7_14);
-  const Lanes s7_15 = n_knuckle_y + (n_wheel_y + fnma(s1_3, f_wheel_z, s1_4*f_wheel_x));
-  const Lanes Q_ball = tau[Coordinate::ball] - s7_15;
+  const Lanes c_knuckle_z = parameters.derived[3];
+  const Lanes s7_9 = R_knuckle_x_x*c_knuckle_z;
+  const Lanes s7_10 = R_knuckle_x_z*c_knuckle_z;
+  const Lanes m_knuckle_2 = parameters.derived[4];
+  const Lanes f_knuckle_x = fnma(s7_1, s7_10, fma(alpha_knuckle_y, s7_9, a_knuckle_x))*m_knuckle_2;
+  const Lanes f_knuckle_z = m_knuckle_2*fnma(alpha_knuckle_y, s7_10, fnma(s7_1, s7_9, a_knuckle_z));
+  const Lanes I_knuckle_yy = parameters.derived[5];
+  const Lanes s7_11 = f_wheel_x + f_knuckle_x;
+  const Lanes s7_12 = fma(s7_9, f_knuckle_x, alpha_knuckle_y*I_knuckle_yy);
+  const Lanes n_knuckle_y = fnma(s7_10, f_knuckle_z, s7_12);
+  const Lanes s7_13 = n_knuckle_y + (n_wheel_y + fnma(s1_3, f_wheel_z, s1_4*f_wheel_x));
+  const Lanes Q_ball = tau[Coordinate::ball] - s7_13;
   result.missing[1] = Q_ball;
-  const Lanes s7_16 = fnma(s1_2, s7_13, tau[Coordinate::lower] - s7_15);
+  const Lanes s7_14 = fnma(s1_2, s7_11, tau[Coordinate::lower] - s7_13);
   // arm: lower, revolute, carriage
-  result.missing[0] = fma(r_knuckle_x, f_wheel_z + f_knuckle_z, s7_16) - n_arm_y;
+  result.missing[0] = fma(r_knuckle_x, f_wheel_z + f_knuckle_z, s7_14) - n_arm_y;
   // carriage: pull, prismatic, ground
-  const Lanes Q_pull = tau[Coordinate::pull] - s7_13 - f_arm_x - f_carriage_x;
+  const Lanes Q_pull = tau[Coordinate::pull] - s7_11 - f_arm_x - f_carriage_x;
 
   // --- step 9: multipliers of the closures and driving forces, continued ---
   result.drive[0] = -Q_pull;
@@ -676,19 +680,22 @@ void compute_multipliers(const Tuned* parameters, const Inputs* /*inputs*/, cons
   // --- step 7: inertias of the bodies and forces on joints ---
   const Lanes s7_1 = fnma(c_arm_x, R_arm_x_z, c_arm_z*R_arm_x_x);
   const Lanes s9_5 = zd_lower*fma(c_arm_x, R_arm_x_x, c_arm_z*R_arm_x_z);
-  const Lanes s7_2 = R_knuckle_x_x*parameters.derived[3];
-  const Lanes s9_6 = fma(w_knuckle_y, R_knuckle_x_z*parameters.derived[3], s4_1);
+  const Lanes c_knuckle_z = parameters.derived[3];
+  const Lanes s7_2 = R_knuckle_x_x*c_knuckle_z;
+  const Lanes s9_6 = fma(w_knuckle_y, R_knuckle_x_z*c_knuckle_z, s4_1);
   const Lanes s9_7 = fma(w_knuckle_y, s7_2, v_knuckle_x);
+  const Lanes m_knuckle_2 = parameters.derived[4];
   const Lanes s9_8 = fma(m_wheel, r_wheel_z, parameters.derived[6]);
-  const Lanes s9_9 = fma(r_knuckle_z + s7_2, parameters.derived[4], s9_8);
-  const Lanes s9_10 = fma(zd_lower, s7_1, zd_pull);
-  result.potential_energy = -g_z*fma(m_arm, s7_1 + p_lower_z, s9_9);
-  const Lanes s9_11 = fma(w_knuckle_y, w_knuckle_y*parameters.derived[5], w_wheel_y*w_wheel_y);
+  const Lanes I_knuckle_yy = parameters.derived[5];
+  const Lanes s9_9 = fma(zd_lower, s7_1, zd_pull);
+  const Lanes s9_10 = fma(m_arm, s7_1 + p_lower_z, fma(r_knuckle_z + s7_2, m_knuckle_2, s9_8));
+  result.potential_energy = -g_z*s9_10;
+  const Lanes s9_11 = fma(w_knuckle_y, w_knuckle_y*I_knuckle_yy, w_wheel_y*w_wheel_y);
   const Lanes s9_12 = fma(zd_lower, I_arm_yy*zd_lower, s9_11);
   const Lanes s9_13 = fma(m_wheel, fma(s4_2, s4_2, v_wheel_x*v_wheel_x), s9_12);
-  const Lanes s9_14 = fma(parameters.derived[4], fma(s9_7, s9_7, s9_6*s9_6), s9_13);
+  const Lanes s9_14 = fma(m_knuckle_2, fma(s9_7, s9_7, s9_6*s9_6), s9_13);
   const Lanes s9_15 = fma(m_carriage, zd_pull*zd_pull, s9_14);
-  result.kinetic_energy = 0.5*fma(m_arm, fma(s9_10, s9_10, s9_5*s9_5), s9_15);
+  result.kinetic_energy = 0.5*fma(m_arm, fma(s9_9, s9_9, s9_5*s9_5), s9_15);
   // operations of step 1: poses and axes b: 5 add, 6 multiply, 4 sin cos
   // operations of step 4: velocities: 5 add, 4 multiply
   // operations of step 5: applied forces Q (48): 32 add, 49 multiply, 7 divide, 3 sqrt, 3 sin cos,

@@ -43,6 +43,8 @@ struct NamedFamily {
   const char* name;
 };
 
+void PrintTo(const NamedFamily& family, std::ostream* out) { *out << family.name; }
+
 /// Of EveryFamily; locked has a test of its own.
 constexpr NamedFamily kFamilies[] = {
     {Family::tree, "tree"},
