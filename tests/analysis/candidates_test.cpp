@@ -118,7 +118,8 @@ TEST(Mirror, CoachHasLeftAndRight) {
   EXPECT_EQ(mirror.image[at("bell_crank")], at("bell_crank")) << "its joint lies in the plane";
   EXPECT_FALSE(mirror.equal[at("bell_crank")]) << "its centre of mass does not";
   for (std::size_t i = 0; i < mirror.image.size(); ++i) {
-    if (mirror.image[i] >= 0) EXPECT_EQ(mirror.image[mirror.image[i]], static_cast<int>(i));
+    if (mirror.image[i] < 0) continue;
+    EXPECT_EQ(mirror.image[mirror.image[i]], static_cast<int>(i));
   }
 }
 
