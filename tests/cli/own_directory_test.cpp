@@ -133,7 +133,7 @@ TEST_F(OwnDirectory, TemporaryFilesAreNotPutWhereOthersCouldExchangeThem) {
 
 TEST_F(OwnDirectory, TwoUsersShareATemporaryDirectory) {
   const bool is_reachable =
-      shell("setpriv --reuid 65534 --regid 65534 --clear-groups '" MBGEN_BINARY "' --version").exit_code == 0;
+      shell("setpriv --reuid 65534 --regid 65534 --clear-groups env '" MBGEN_BINARY "' --version").exit_code == 0;
   if (!is_reachable) GTEST_SKIP() << "mbgen cannot be run here as a second user";
   write("pendulum.json", kPendulum);
   use_compiler_that_breaks();

@@ -23,10 +23,10 @@ if ! command -v debootstrap >/dev/null; then
 fi
 if [ $# -gt 0 ]; then
   debian=$1
-  trap 'umount "$debian/proc" 2>/dev/null || true' EXIT
+  trap 'umount "$debian/dev/pts" "$debian/proc" 2>/dev/null || true' EXIT
 else
   debian=$(mktemp -d)
-  trap 'umount "$debian/proc" 2>/dev/null || true; rm -rf --one-file-system "$debian"' EXIT
+  trap 'umount "$debian/dev/pts" "$debian/proc" 2>/dev/null || true; rm -rf --one-file-system "$debian"' EXIT
 fi
 
 debootstrap --variant=minbase --include=ca-certificates,git,python3-minimal,python3 bookworm "$debian" "$mirror" >"$debian.log" 2>&1 ||
@@ -37,6 +37,7 @@ cp /etc/resolv.conf /etc/hosts "$debian/etc/"
 if [ -d /etc/apt/apt.conf.d ]; then cp -r /etc/apt/apt.conf.d/. "$debian/etc/apt/apt.conf.d/"; fi
 if [ -f /etc/ssl/certs/ca-certificates.crt ]; then cp /etc/ssl/certs/ca-certificates.crt "$debian/root/certificates.crt"; fi
 mount -t proc proc "$debian/proc" || echo "chroot: /proc cannot be mounted, going on without"
+mount -t devpts devpts "$debian/dev/pts" || echo "chroot: /dev/pts cannot be mounted, tests on terminals will fail"
 git clone -q "$root" "$debian/root/mbgen"
 if [ -d "$root/../shared" ]; then cp -rL "$root/../shared" "$debian/root/shared"; fi
 chroot "$debian" /usr/bin/env -i HOME=/root TERM=dumb PATH=/usr/sbin:/usr/bin:/sbin:/bin DEBIAN_FRONTEND=noninteractive \
