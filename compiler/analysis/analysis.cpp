@@ -28,10 +28,6 @@ int wanted_configurations(const Topology& topology) {
                                                                                : kWantedConfigurations;
 }
 
-Where where_of(const Model& model, const Loop& loop) {
-  return loop.rod >= 0 ? model.rods[loop.rod].where : model.joints[loop.joint].where;
-}
-
 Diagnostic problem(const Where& where, std::string message, std::string hint) {
   return {where, std::move(message), std::move(hint), {}};
 }
@@ -49,7 +45,9 @@ Diagnostic open_loop(const Model& model, const Topology& topology, const LoopBlo
       fmt::format("loop {} cannot be closed near the reference configuration: it stays open by {} ({}, {})",
                   quoted(loop.name), opening_text(equation.unit, opening(model, topology, equation, residual[worst])),
                   equation.name, equation.meaning),
-      "check the points and axes of the joints in this loop, and whether its equations contradict each other");
+      loop.coupling >= 0
+          ? "check its relation, which coordinates of zero must nearly meet, and whether others contradict it"
+          : "check the points and axes of the joints in this loop, and whether its equations contradict each other");
 }
 
 std::vector<int> driven_columns(const LoopBlock& block, const std::vector<bool>& driven) {

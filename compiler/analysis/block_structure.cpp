@@ -71,6 +71,11 @@ std::string structure_of(const System<double>& system, int block) {
       structure.add(constants.rods[loop.rod].from);
       structure.add(constants.rods[loop.rod].to);
       structure.add({constants.rods[loop.rod].coupling});
+    } else if (loop.coupling >= 0) {
+      for (const auto& [joint, slope] : coupling_equation(system, loop).slopes) {
+        structure.add('s', {structure.local(joint)});
+        structure.add({slope});
+      }
     } else {
       const Joint& joint = system.model.joints[loop.joint];
       structure.add(place_of(system, joint.from));

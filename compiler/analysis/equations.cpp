@@ -74,6 +74,8 @@ std::vector<Row> rows_of(ClosureKind kind, const detail::Triad& triad) {
       return rows;
     case ClosureKind::rod:
       return {{"length of the rod"}};
+    case ClosureKind::coupling:
+      return {{"relation of coordinates", ResidualUnit::of_relation}};
   }
   return {};
 }
@@ -91,6 +93,7 @@ double opening(const Model& model, const Topology& topology, const ClosureEquati
 
 std::string opening_text(ResidualUnit unit, double opening) {
   const double size = std::abs(opening);
+  if (unit == ResidualUnit::of_relation) return fmt::format("{:.4g}", size);
   if (unit == ResidualUnit::metre) return fmt::format("{:.4g} mm", size * 1000);
   return fmt::format("{:.4g} deg", std::asin(std::min(size, 1.0)) * 180 / std::numbers::pi);
 }

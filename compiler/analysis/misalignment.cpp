@@ -49,6 +49,9 @@ double miss(const Axis& axis, const Vector3& shared) {
 
 std::optional<Misalignment> misaligned_joint(const Model& model, const Topology& topology,
                                              const std::vector<int>& loops) {
+  // Gears turn about axes of any directions.
+  const auto is_coupling = [&](int l) { return topology.loops[l].kind == ClosureKind::coupling; };
+  if (std::ranges::any_of(loops, is_coupling)) return std::nullopt;
   const std::set<int> joints = joints_of(topology, loops);
   const std::vector<Axis> axes = axes_of(model, joints);
   for (const Axis& candidate : axes) {

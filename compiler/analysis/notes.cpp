@@ -14,11 +14,6 @@ namespace {
 constexpr double kBarelyHeld = 0.01;  // smallest singular value
 constexpr std::size_t kMostNames = 8;
 
-const Where& where_of(const Model& model, const Topology& topology, int l) {
-  const Loop& loop = topology.loops[l];
-  return loop.rod >= 0 ? model.rods[loop.rod].where : model.joints[loop.joint].where;
-}
-
 std::string coordinates_text(const Topology& topology, const LoopBlock& block, const std::vector<int>& columns) {
   std::vector<std::string> names;
   for (std::size_t c = 0; c < columns.size() && c < kMostNames; ++c)
@@ -63,7 +58,7 @@ void add_locked(const Model& model, const Topology& topology, std::size_t b, con
   for (const std::vector<int>& loops : connected(topology, held)) {
     const std::vector<int> columns = block_part(topology, block, loops).columns;
     std::erase_if(left, [&](int c) { return contains(columns, c); });
-    notes.push_back({where_of(model, topology, loops[0]),
+    notes.push_back({where_of(model, topology.loops[loops[0]]),
                      fmt::format("{} hold{} {} in place{}", loops_text(topology, loops), loops.size() == 1 ? "s" : "",
                                  coordinates_text(topology, block, columns), hold_text(certificate)),
                      cause(model, topology, loops),
@@ -71,7 +66,7 @@ void add_locked(const Model& model, const Topology& topology, std::size_t b, con
   }
   if (left.empty()) return;
   notes.push_back(
-      {where_of(model, topology, block.loops[0]),
+      {where_of(model, topology.loops[block.loops[0]]),
        fmt::format("{} never move{}, though {} do{}", coordinates_text(topology, block, left),
                    left.size() == 1 ? "s" : "", loops_text(topology, block.loops), block.loops.size() == 1 ? "es" : ""),
        cause(model, topology, block.loops),
@@ -86,7 +81,7 @@ void add_other_modes(const Model& model, const Topology& topology, std::size_t b
     if (seen.rank > decided.rank) others += seen.configurations, least = std::max(least, seen.rank);
   if (others == 0) return;
   const auto freedoms = [&](int rank) { return static_cast<int>(block.joints.size()) - rank; };
-  notes.push_back({where_of(model, topology, block.loops[0]),
+  notes.push_back({where_of(model, topology.loops[block.loops[0]]),
                    fmt::format("{} ha{} other assembly modes: {} of {} configurations closed from elsewhere leave {} "
                                "freedom{} where the mode of the reference leaves {}",
                                loops_text(topology, block.loops), block.loops.size() == 1 ? "s" : "ve", others,

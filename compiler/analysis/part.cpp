@@ -21,6 +21,7 @@ double size_of(const NumericSystem& numbers, const LoopBlock& block, const Block
   for (int c : part.columns) add(numbers.constants().origin[block.joints[c]]);
   for (int l : part.loops) {
     const Loop& loop = topology.loops[l];
+    if (loop.kind == ClosureKind::coupling) continue;
     for (const Attachment& at : loop.rod >= 0 ? std::array{model.rods[loop.rod].from, model.rods[loop.rod].to}
                                               : std::array{model.joints[loop.joint].from, model.joints[loop.joint].to})
       add(numbers.reference_position(at));
@@ -79,6 +80,15 @@ std::size_t PartView::best() const {
   return best;
 }
 
+/// Largest derivative of a relation in all configurations, 1 where it has none: the model gives its factors any size.
+double largest_slope(const PartView& view, Eigen::Index row) {
+  double largest = 0;
+  for (const Eigen::MatrixXd& jacobian : view.jacobians)
+    for (Eigen::Index c = 0; c < jacobian.cols(); ++c)
+      largest = std::max(largest, std::abs(jacobian(row, c)) * view.column_scale[static_cast<std::size_t>(c)]);
+  return largest > 0 ? largest : 1.0;
+}
+
 PartView view(const NumericSystem& numbers, std::size_t b, const BlockPart& part,
               const std::vector<ClosureEquation>& equations, const std::vector<Configuration>& configurations) {
   const LoopBlock& block = numbers.topology().blocks[b];
@@ -89,15 +99,19 @@ PartView view(const NumericSystem& numbers, std::size_t b, const BlockPart& part
     v.configurations.push_back(static_cast<int>(i));
     v.jacobians.push_back(configurations[i].blocks[b].part(part.rows, part.columns));
   }
-  std::vector<bool> metres, revolute;
-  for (int r : part.rows) metres.push_back(equations[r].unit == ResidualUnit::metre);
+  std::vector<bool> revolute;
   for (int c : part.columns)
     revolute.push_back(numbers.topology().bodies[block.joints[c]].kind == FreedomKind::revolute);
   const double size = size_of(numbers, block, part);
   v.row_scale.resize(part.rows.size());
   v.column_scale.resize(part.columns.size());
-  for (std::size_t r = 0; r < metres.size(); ++r) v.row_scale[r] = metres[r] ? 1 / size : 1.0;
   for (std::size_t c = 0; c < revolute.size(); ++c) v.column_scale[c] = revolute[c] ? 1.0 : size;
+  for (std::size_t r = 0; r < part.rows.size(); ++r) {
+    const ResidualUnit unit = equations[part.rows[r]].unit;
+    v.row_scale[r] = unit == ResidualUnit::metre         ? 1 / size
+                     : unit == ResidualUnit::of_relation ? 1 / largest_slope(v, static_cast<Eigen::Index>(r))
+                                                         : 1.0;
+  }
   for (std::size_t i = 0; i < v.jacobians.size(); ++i) {
     Eigen::MatrixXd& j = v.jacobians[i];
     j = v.row_scale.asDiagonal() * j * v.column_scale.asDiagonal();

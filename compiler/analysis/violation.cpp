@@ -67,9 +67,7 @@ Diagnostic refusal(const Model& model, const Topology& topology, const std::vect
                    const std::string& fault, const Violation& violation, const ClosureEquation& equation) {
   const std::optional<Misalignment> off = misaligned_joint(model, topology, loops);
   const Loop& opened = topology.loops[equation.loop];
-  const Where& where = off               ? model.joints[off->joint].where
-                       : opened.rod >= 0 ? model.rods[opened.rod].where
-                                         : model.joints[opened.joint].where;
+  const Where& where = off ? model.joints[off->joint].where : where_of(model, opened);
   return {where,
           fault + ", and " + motion_text(topology, violation, equation),
           advice(model, off, violation.second_order),

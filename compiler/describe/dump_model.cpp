@@ -68,6 +68,8 @@ class ModelText {
       text += fmt::format("  {}: from {} to {}, mass {}, length {}\n", rod.name, attachment(rod.from),
                           attachment(rod.to), quantity(rod.mass), rod.length ? quantity(*rod.length) : "as placed");
     }
+    for (const Coupling& coupling : model_.couplings)
+      text += fmt::format("  {}: {} stays 0\n", coupling.name, quantity(coupling.relation));
     text += "springs\n";
     for (const PointSpring& spring : model_.springs) {
       text += fmt::format("  {}: from {} to {}, stiffness {}, damping {}, preload {}\n", spring.name,
@@ -152,6 +154,7 @@ class ModelText {
                        component(output.axis, output.in_body_axes));
   }
   std::string source(const MultiplierOutput& output) const {
+    if (output.coupling >= 0) return "multiplier of coupling " + model_.couplings[output.coupling].name;
     const std::string_view row =
         output.rod >= 0 ? kRodRow.name : closure_rows(model_.joints[output.joint].type)[output.equation].name;
     return fmt::format("multiplier {} of {}", row, connection(output.joint, output.rod));

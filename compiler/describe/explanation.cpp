@@ -122,6 +122,9 @@ std::string cuts_explanation(const Compilation& c) {
     for (const Rod& rod : c.model.rods) names.push_back(rod.name);
     text += paragraph(fmt::format("Each rod is one equation, the distance of its ends: {}.", listed(names)));
   }
+  for (const Coupling& coupling : c.model.couplings)
+    text += paragraph(fmt::format("{} couples coordinates, one equation: {} stays 0.", coupling.name,
+                                  c.model.expressions[coupling.relation.expression].text));
   return text.empty() ? "" : heading("Cuts") + text;
 }
 
@@ -160,10 +163,11 @@ bool is_planar(const LoopAxes& axes) {
 /// Why equations of a loop say nothing new.
 std::string cause_of(const Compilation& c, const Loop& loop) {
   const LoopAxes axes = axes_of(c.model, c.topology, loop);
-  if (loop.kind != ClosureKind::rod && is_planar(axes)) {
+  if (loop.joint >= 0 && is_planar(axes)) {
     return fmt::format("its pins are parallel{}, so it cannot leave its plane, whatever the equations ask",
                        axes.slides.empty() ? "" : " and its slides lie across them");
   }
+  if (loop.kind == ClosureKind::coupling) return "other couplings or loops hold this relation already";
   if (loop.kind == ClosureKind::rod) return "other loops hold the ends of the rod at this distance already";
   return "its joints do not let it move in the directions that these equations forbid, or other loops "
          "forbid it "

@@ -88,6 +88,10 @@ void add_rows(Sheet& sheet, int body, int joint, int parent) {
 
 /// The bodies that a closure joins, indices into Model::bodies.
 std::array<int, 2> ends_of(const Model& model, const Loop& loop) {
+  if (loop.coupling >= 0) {
+    const std::vector<CoordinateReference>& coupled = model.couplings[loop.coupling].coordinates;
+    return {model.joints[coupled.front().joint].to.body, model.joints[coupled.back().joint].to.body};
+  }
   if (loop.rod >= 0) return {model.rods[loop.rod].from.body, model.rods[loop.rod].to.body};
   return {model.joints[loop.joint].from.body, model.joints[loop.joint].to.body};
 }
@@ -241,20 +245,20 @@ std::string body_box(const Sheet& sheet, const Row& row) {
                              " text-anchor=\"middle\"");
 }
 
-/// A closure: its name at the upper end, thick for a cut joint, thin for a rod.
+/// A closure: its name at the upper end, thick for a cut joint, thin for a rod or coupling.
 std::string bracket_text(const Sheet& sheet, const Bracket& bracket) {
   const Row &upper = sheet.rows[bracket.row[0]], &lower = sheet.rows[bracket.row[1]];
   const double from = upper.port(bracket.port[0]), to = lower.port(bracket.port[1]);
   const double track = sheet.lane_end + kTrack * (bracket.track + 1);
   const std::string label = label_of(sheet.topology, bracket);
   const char* colour = colours_of(bracket.block).line;
-  const bool is_rod = sheet.topology.loops[bracket.loop].rod >= 0;
+  const bool is_thick = sheet.topology.loops[bracket.loop].joint >= 0;
   std::string text = fmt::format(
       "<path d=\"M{} {}H{}M{} {}H{}V{}H{}\" fill=\"none\" stroke=\"{}\" stroke-width=\"{}\" "
       "stroke-linejoin=\"round\"/>\n",
       svg::number(upper.right()), svg::number(from), svg::number(sheet.lane - 3),
       svg::number(sheet.lane + svg::text_width(label, kSmallFont) + 3), svg::number(from), svg::number(track),
-      svg::number(to), svg::number(lower.right()), colour, is_rod ? "1" : "2.4");
+      svg::number(to), svg::number(lower.right()), colour, is_thick ? "2.4" : "1");
   for (const auto& [x, y] : {std::pair(upper.right(), from), std::pair(lower.right(), to)}) {
     text +=
         fmt::format("<circle cx=\"{}\" cy=\"{}\" r=\"2.6\" fill=\"{}\"/>\n", svg::number(x), svg::number(y), colour);

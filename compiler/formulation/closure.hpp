@@ -3,6 +3,7 @@
 // right-hand side. A row is a residual in m or 1; its Jacobian is the wrench of a unit multiplier on the joint columns,
 // so a multiplier is N or N m.
 
+#include "compiler/formulation/coupling.hpp"
 #include "compiler/formulation/motion.hpp"
 
 namespace mbgen {
@@ -74,6 +75,17 @@ RelativeMotion<T> relative_motion(System<T>& system, const Kinematics<T>& k, con
   RelativeMotion<T> m = at_rest<T>(system.topology);
   set_relative_motion(system, k, block, m);
   return m;
+}
+
+/// Adds the equation of a coupling. column_of: of a tree joint, ascending with it.
+template <class T, class ColumnOf>
+void add_coupling(const System<T>& system, const Loop& loop, const ColumnOf& column_of, SparseClosure<T>& closure) {
+  const CouplingEquation<T> equation = coupling_equation(system, loop);
+  SparseRow<T> entries;
+  for (const auto& [joint, slope] : equation.slopes) entries.push_back(static_cast<int>(column_of(joint)), slope);
+  closure.residual.push_back(equation.residual);
+  closure.jacobian.push_back(std::move(entries));
+  closure.acceleration.push_back(-equation.acceleration);
 }
 
 /// Names of a block's equations, `loop.row`.
@@ -215,14 +227,20 @@ template <class T>
 SparseClosure<T> sparse_closure(System<T>& system, const Kinematics<T>& k, const LoopBlock& block,
                                 const RelativeMotion<T>& motion) {
   SparseClosure<T> result;
+  const auto column_of = [&](int joint) {
+    return std::lower_bound(block.joints.begin(), block.joints.end(), joint) - block.joints.begin();
+  };
   for (int l : block.loops) {
     const Loop& loop = system.topology.loops[l];
+    if (loop.kind == ClosureKind::coupling) {
+      add_coupling(system, loop, column_of, result);
+      continue;
+    }
     for (const detail::Row<T>& row : detail::loop_rows(system, k, motion, loop, block.base)) {
       SparseRow<T> entries;
       for (int j : loop.joints) {
-        const auto column = std::lower_bound(block.joints.begin(), block.joints.end(), j) - block.joints.begin();
         const bool moves_from = on_path(system.topology, loop.body_from, j);
-        entries.push_back(static_cast<int>(column),
+        entries.push_back(static_cast<int>(column_of(j)),
                           moves_from ? dot(k.column[j], row.wrench_from) : -dot(k.column[j], row.wrench_to));
         system.scribe.name(entries.values.back(), "J_", loop.name, "_", system.topology.bodies[j].coordinate);
       }
@@ -253,9 +271,15 @@ template <class T>
 std::vector<T> closure_acceleration(System<T>& system, const Kinematics<T>& k, const LoopBlock& block,
                                     const RelativeMotion<T>& motion) {
   std::vector<T> result;
-  for (int l : block.loops)
-    for (const detail::Row<T>& row : detail::loop_rows(system, k, motion, system.topology.loops[l], block.base))
+  for (int l : block.loops) {
+    const Loop& loop = system.topology.loops[l];
+    if (loop.kind == ClosureKind::coupling) {
+      result.push_back(-coupling_equation(system, loop).acceleration);
+      continue;
+    }
+    for (const detail::Row<T>& row : detail::loop_rows(system, k, motion, loop, block.base))
       result.push_back(-row.acceleration);
+  }
   return result;
 }
 

@@ -100,7 +100,8 @@ T multiplier_output(const Topology& topology, const SolvedState<T>& s, const Mul
     int first = 0;
     for (int l : topology.blocks[b].loops) {
       const Loop& loop = topology.loops[l];
-      if (loop.joint == output.joint && loop.rod == output.rod) return s.multipliers[b][first + output.equation];
+      const bool is_asked = loop.joint == output.joint && loop.rod == output.rod && loop.coupling == output.coupling;
+      if (is_asked) return s.multipliers[b][first + output.equation];
       first += loop.equations;
     }
   }

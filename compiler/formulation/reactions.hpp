@@ -140,6 +140,10 @@ void closure_reactions(System<T>& system, const SolvedState<T>& s, BodyWrenches<
     const T* lambda = s.multipliers[b].data();
     for (int l : block.loops) {
       const Loop& loop = system.topology.loops[l];
+      if (loop.kind == ClosureKind::coupling) {  // its forces act inside the joints, like those of a motion
+        ++lambda;
+        continue;
+      }
       const std::vector<Row<T>> rows = loop_rows(system, s.kinematics, rest, loop, block.base);
       if (loop.rod >= 0)
         reactions.rods[loop.rod] = rod_reaction(system, s, loop, rows[0], *lambda, block.base, needed);

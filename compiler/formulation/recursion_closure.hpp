@@ -143,6 +143,11 @@ SparseClosure<T> near_closure(const RecursionWork<T>& work, const RecursionUnit&
   SparseClosure<T> result;
   for (int l : work.system.topology.blocks[unit.block].loops) {
     const Loop& loop = work.system.topology.loops[l];
+    if (loop.kind == ClosureKind::coupling) {
+      add_coupling(
+          work.system, loop, [&](int joint) { return unit.column(joint); }, result);
+      continue;
+    }
     const auto heading = work.system.scribe.within(OwnerKind::loop, l);
     for (const detail::NearRow<T>& row : detail::near_rows(work, unit, velocity, bias, loop, by)) {
       std::map<int, T> columns;

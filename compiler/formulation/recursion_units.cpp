@@ -46,9 +46,15 @@ std::vector<bool> mere_links(const Model& model, const Topology& topology) {
 struct StepRules {
   const Model& model;
   const Topology& topology;
-  const std::vector<bool>& driven;
-  std::vector<bool> link;  ///< see mere_links
+  std::vector<bool> alone;  ///< per tree joint: a motion gives its rate, or a coupling asks for it
+  std::vector<bool> link;   ///< see mere_links
 };
+
+std::vector<bool> joints_alone(const Model& model, const Topology& topology, std::vector<bool> driven) {
+  for (const Coupling& coupling : model.couplings)
+    for (const CoordinateReference& c : coupling.coordinates) driven[tree_coordinate(topology, c)] = true;
+  return driven;
+}
 
 /// Whether three axes span the space with the joints at some angles: axes of successive turns are not parallel, those
 /// of moves are perpendicular.
@@ -67,7 +73,7 @@ std::vector<int> joints_of_step(const StepRules& rules, const std::vector<int>& 
   std::vector<int> step{first};
   const Topology& topology = rules.topology;
   const FreedomKind kind = topology.bodies[first].kind;
-  while (step.size() < 3 && !rules.driven[step.back()]) {
+  while (step.size() < 3 && !rules.alone[step.back()]) {
     const int last = step.back();
     if (!rules.link[last]) break;
     const int next = topology.children[last].front();
@@ -75,7 +81,7 @@ std::vector<int> joints_of_step(const StepRules& rules, const std::vector<int>& 
     if (kind == FreedomKind::revolute && !in_one_point(rules.model, topology, last, next)) break;
     step.push_back(next);
   }
-  if (step.size() < 3 || rules.driven[step.back()] || !axes_span(rules, step)) step.resize(1);
+  if (step.size() < 3 || rules.alone[step.back()] || !axes_span(rules, step)) step.resize(1);
   return step;
 }
 
@@ -100,7 +106,7 @@ std::vector<JointStep> steps_of(const StepRules& rules, const std::vector<int>& 
 Recursion plan_recursion(const Model& model, const Topology& topology, const std::vector<bool>& driven,
                          RecursionChoices choices) {
   Recursion recursion{choices, choose_layout(model, topology, choices.rotors ? Frames::own : Frames::all), {}};
-  const StepRules rules{model, topology, driven, mere_links(model, topology)};
+  const StepRules rules{model, topology, joints_alone(model, topology, driven), mere_links(model, topology)};
   for (const JointGroup& group : topology.groups) {
     RecursionUnit unit;
     const int last = group.joints.back();

@@ -93,6 +93,9 @@ std::span<const ClosureRow> closure_rows(JointType type);
 /// The equation of a rod.
 constexpr ClosureRow kRodRow{"distance", "N"};
 
+/// The equation of a coupling: its unit is that of energy over that of the relation, which the model does not tell.
+constexpr ClosureRow kCouplingRow{"relation", ""};
+
 /// A bar with a spherical joint at each end: a distance constraint with exact inertia (theory.md section 5).
 struct Rod {
   std::string name;

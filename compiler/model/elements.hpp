@@ -122,6 +122,14 @@ struct Tyre {
   Quantity low_speed;                   ///< m/s, below it slip is damped so that the wheel comes to rest
 };
 
+/// A relation between coordinates that always holds: the value of an expression over them stays zero.
+struct Coupling {
+  std::string name;
+  Where where;
+  Quantity relation;                             ///< over positions and parameters; zero
+  std::vector<CoordinateReference> coordinates;  ///< that stand in it, each once, as they come
+};
+
 /// A driven coordinate: z(t) prescribed; first and second derivatives come from the expression.
 struct Motion {
   std::string name;

@@ -81,6 +81,7 @@ struct Model {
   std::vector<Body> bodies;
   std::vector<Joint> joints;
   std::vector<Rod> rods;
+  std::vector<Coupling> couplings;
   std::vector<PointSpring> springs;
   std::vector<JointSpring> joint_springs;
   std::vector<JointFriction> frictions;

@@ -59,10 +59,11 @@ struct ReactionOutput {
   End end = End::to;          ///< the body that is acted on
 };
 
-/// Multiplier of one equation of a cut joint or rod (of a rod: its tension).
+/// Multiplier of one equation of a cut joint, rod (its tension) or coupling.
 struct MultiplierOutput {
-  int joint = -1, rod = -1;  ///< one of them
+  int joint = -1, rod = -1;  ///< one of them, or
   int equation = 0;          ///< index into closure_rows of the joint
+  int coupling = -1;         ///< this
 };
 
 struct Output {

@@ -296,6 +296,9 @@ class ExpressionParser {
       case Depends::parameters:
         fail(start, "may depend on parameters only, depends on " + what);
         break;
+      case Depends::positions:
+        fail(start, "may depend on positions of coordinates and on parameters only, depends on " + what);
+        break;
       default:
         fail(start, "may depend on t, parameters and inputs only, depends on " + what);
         break;
@@ -307,7 +310,8 @@ class ExpressionParser {
     ++at_;
     const std::string_view name = word();
     const std::string shown = fmt::format("{}.{}", prefix, name);
-    if (scope_.depends < Depends::all) return forbidden(start, "coordinate " + shown);
+    const bool is_allowed = scope_.depends == Depends::all || (scope_.depends == Depends::positions && prefix == "z");
+    if (!is_allowed) return forbidden(start, "coordinate " + shown);
     const CoordinateReference* found = find_coordinate(scope_.names, name, scope_.visible);
     if (!found) {
       if (name.empty()) return fail(at_, shown + " needs the name of a coordinate");

@@ -13,8 +13,8 @@
 namespace mbgen::reading {
 
 /// Names that a number of the model may depend on; each value allows those of the values before it, `motion` and up
-/// also inputs.
-enum class Depends { nothing, parameters, motion, all };
+/// also inputs. `positions`: parameters and positions of coordinates alone.
+enum class Depends { nothing, parameters, positions, motion, all };
 
 /// A function of the course of a value over time, for expressions over a motion: max(x), or with a constant in front,
 /// at(1.5, x).

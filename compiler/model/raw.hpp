@@ -19,6 +19,7 @@ struct FileFields : About {
   const Value *parameters = nullptr, *inputs = nullptr, *bodies = nullptr, *joints = nullptr, *rods = nullptr;
   const Value *springs = nullptr, *joint_springs = nullptr, *frictions = nullptr, *air_springs = nullptr;
   const Value *forces = nullptr, *joint_forces = nullptr, *tyre_data = nullptr, *tyres = nullptr, *motions = nullptr;
+  const Value *couplings = nullptr;
   const Value *outputs = nullptr, *shapes = nullptr, *initial = nullptr, *solver = nullptr, *instances = nullptr;
 };
 

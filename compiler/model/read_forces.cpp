@@ -1,6 +1,7 @@
-// Rods and force elements but tyres.
+// Rods, couplings, and force elements but tyres.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "compiler/model/raw.hpp"
@@ -31,6 +32,16 @@ void check_degrees(Reader& reader, const Value& value, std::string_view key, con
                      in_quotes(coordinate_name(reader.model, coordinate))));
 }
 
+/// The coordinates whose positions stand in an expression, each once, as they come.
+std::vector<CoordinateReference> positions_in(const Expression& expression) {
+  std::vector<CoordinateReference> found;
+  for (const ExpressionNode& node : expression.nodes) {
+    if (node.kind != ExpressionNode::Kind::position) continue;
+    if (std::find(found.begin(), found.end(), node.coordinate) == found.end()) found.push_back(node.coordinate);
+  }
+  return found;
+}
+
 bool has_any(const Value& value, std::initializer_list<std::string_view> keys) {
   for (const std::string_view key : keys) {
     if (find(value, key)) return true;
@@ -50,6 +61,20 @@ void read_rods(Reader& reader, const Entries& entries) {
     if (distance < kSmallestLength) {
       report(r, *find(value, "to"), fmt::format("ends of a rod must be apart, the distance is {:.6g} m", distance));
     }
+  });
+}
+
+void read_couplings(Reader& reader, const Entries& entries) {
+  for (const Entry& entry : entries) {
+    reader.names.couplings.emplace(entry.name, static_cast<int>(reader.names.couplings.size()));
+  }
+  read_list(reader, entries, reader.model.couplings, [](Reader& r, const Value& value, Coupling& coupling) {
+    const Quantity& relation = coupling.relation;
+    if (relation.expression >= 0) coupling.coordinates = positions_in(r.model.expressions[relation.expression]);
+    const bool was_read = find(value, "relation") && !std::isnan(relation.value);
+    if (was_read && coupling.coordinates.empty())
+      report(r, *find(value, "relation"), "relation has no coordinate",
+             "write coordinates as z.NAME, for example \"z.wheel + 0.5*z.pinion\"");
   });
 }
 

@@ -155,6 +155,7 @@ void read_sections(Reader& reader) {
   read_joints(reader, entries(&FileFields::joints));
   check_inertias(reader);
   read_rods(reader, entries(&FileFields::rods));
+  read_couplings(reader, entries(&FileFields::couplings));
   read_springs(reader, entries(&FileFields::springs));
   read_joint_springs(reader, entries(&FileFields::joint_springs));
   read_frictions(reader, entries(&FileFields::frictions));

@@ -179,6 +179,20 @@ struct Connection {
   int joint = -1, rod = -1;
 };
 
+/// A coupling that a multiplier names, -1 when there is none of this name; with a complaint where it is another's, too.
+int find_coupling(Reader& reader, const Value& value, const std::string& name) {
+  const Value& written = *find(value, "multiplier");
+  const Visibility& visible = current_scope(reader).visible;
+  const auto found = find_visible(reader.names.couplings, name, visible);
+  if (written.kind != Value::Kind::text || found == reader.names.couplings.end()) return -1;
+  const bool is_joint = find_visible(reader.names.joints, name, visible) != reader.names.joints.end();
+  const bool is_rod = find_visible(reader.names.rods, name, visible) != reader.names.rods.end();
+  if (is_joint || is_rod)
+    report(reader, written, fmt::format("{} is a coupling and a {}", in_quotes(name), is_joint ? "joint" : "rod"),
+           "rename one of them");
+  return found->second;
+}
+
 Connection find_connection(Reader& reader, const Value& value, std::string_view key, const std::string& name) {
   if (find(value, key)->kind != Value::Kind::text) return {};
   const Visibility& visible = current_scope(reader).visible;
@@ -242,6 +256,10 @@ int equation_of(Reader& reader, const Value& value, const Value* written, std::s
 
 Resolved multiplier_output(Reader& reader, const Value& value, const OutputFields& output) {
   const std::string& name = *output.multiplier;
+  if (const int coupling = find_coupling(reader, value, name); coupling >= 0) {
+    const int equation = equation_of(reader, value, output.equation, {&kCouplingRow, 1}, "coupling " + in_quotes(name));
+    return {MultiplierOutput{-1, -1, equation, coupling}, std::string(kCouplingRow.unit)};
+  }
   const Connection connection = find_connection(reader, value, "multiplier", name);
   MultiplierOutput multiplier{connection.joint, connection.rod, 0};
   const auto& unreadable = reader.names.unreadable_joints;

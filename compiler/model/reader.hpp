@@ -272,6 +272,7 @@ RigidGroup rigid_group(const Model& model, const std::vector<int>& groups, int g
 /// meant.
 void place_on_wheel(Reader& reader, const Value& value, const std::vector<int>& groups, TyreFields& tyre);
 void read_rods(Reader& reader, const Entries& entries);
+void read_couplings(Reader& reader, const Entries& entries);
 void read_springs(Reader& reader, const Entries& entries);
 void read_joint_springs(Reader& reader, const Entries& entries);
 void read_frictions(Reader& reader, const Entries& entries);

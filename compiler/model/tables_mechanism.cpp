@@ -58,6 +58,7 @@ std::span<const Field<FileFields>> fields<FileFields>() {
       field<F, &F::bodies>(section("bodies", "body", "rigid bodies; \"ground\" is the fixed one")),
       field<F, &F::joints>(section("joints", "joint", "joints between bodies, tree or loop closing")),
       field<F, &F::rods>(section("rods", "rod", "bars with a spherical joint at each end")),
+      field<F, &F::couplings>(section("couplings", "coupling", "relations between coordinates: gears, racks, screws")),
       field<F, &F::springs>(section("springs", "spring", "springs and dampers between two points")),
       field<F, &F::joint_springs>(section("joint_springs", "joint_spring", "springs and dampers on coordinates")),
       field<F, &F::frictions>(section("frictions", "friction", "friction on coordinates")),
@@ -300,6 +301,18 @@ std::span<const Field<Rod>> fields<Rod>() {
                                 .unit = "m",
                                 .bound = Bound::positive,
                                 .depends = Depends::parameters}),
+  };
+  return table;
+}
+
+template <>
+std::span<const Field<Coupling>> fields<Coupling>() {
+  static const std::array table = {
+      field<Coupling, &Coupling::relation>(
+          {.name = "relation",
+           .doc = "expression over positions of coordinates, z.NAME, and parameters; it stays zero",
+           .need = Need::required,
+           .depends = Depends::positions}),
   };
   return table;
 }

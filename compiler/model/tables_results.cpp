@@ -78,7 +78,7 @@ std::span<const Field<OutputFields>> fields<OutputFields>() {
                                   .of = "joints"}),
           field<F, &F::multiplier>({.name = "multiplier",
                                     .shape = Shape::reference,
-                                    .doc = "multiplier of one equation of a cut joint or rod",
+                                    .doc = "multiplier of one equation of a cut joint, rod or coupling",
                                     .of = "joints"}),
           field<F, &F::quantity>(
               {.name = "quantity",
@@ -205,6 +205,7 @@ std::vector<ObjectKind> object_kinds() {
       kind<RotationFields>("rotation", "a rotation about an axis"),
       kind<JointFields>("joint", "a joint"),
       kind<Rod>("rod", "a bar with a spherical joint at each end"),
+      kind<Coupling>("coupling", "a relation between coordinates"),
       kind<PointSpring>("spring", "spring and damper between two points"),
       kind<JointSpring>("joint_spring", "spring and damper on a coordinate or a difference of two"),
       kind<JointFriction>("friction", "friction on a coordinate"),

@@ -5,6 +5,7 @@
 #include <iterator>
 #include <numeric>
 #include <queue>
+#include <set>
 
 #include "compiler/topology/spanning_tree.hpp"
 #include "compiler/topology/topology.hpp"
@@ -144,6 +145,33 @@ void add_loop(Topology& topology, Loop loop) {
   topology.loops.push_back(std::move(loop));
 }
 
+/// A coupling closes nothing in space: its loop is the joints between the bodies that its coordinates move.
+Loop coupling_loop(const Topology& topology, const Model& model, std::size_t index) {
+  const Coupling& coupling = model.couplings[index];
+  Loop loop;
+  loop.name = coupling.name;
+  loop.kind = ClosureKind::coupling;
+  loop.coupling = static_cast<int>(index);
+  loop.rows = {std::string(kCouplingRow.name)};
+  loop.equations = 1;
+  std::set<int> joints;
+  bool is_first = true;
+  for (const CoordinateReference& coordinate : coupling.coordinates) {
+    const int joint = tree_coordinate(topology, coordinate);
+    const int base = topology.bodies[joint].parent;
+    loop.ancestor = is_first ? base : lowest_common_ancestor(topology, loop.ancestor, base);
+    if (is_first) loop.body_from = joint;
+    loop.body_to = joint;
+    is_first = false;
+  }
+  for (const CoordinateReference& coordinate : coupling.coordinates) {
+    const std::vector<int> path = path_to(topology, tree_coordinate(topology, coordinate), loop.ancestor);
+    joints.insert(path.begin(), path.end());
+  }
+  loop.joints.assign(joints.begin(), joints.end());
+  return loop;
+}
+
 void find_loops(Topology& topology, const Model& model, const SpanningTree& tree, Diagnostics& problems) {
   for (std::size_t j = 0; j < model.joints.size(); ++j) {
     const Joint& joint = model.joints[j];
@@ -172,9 +200,10 @@ void find_loops(Topology& topology, const Model& model, const SpanningTree& tree
     loop.equations = 1;
     if (check_loop(model, loop, rod.from, rod.to, rod.where, problems)) add_loop(topology, std::move(loop));
   }
+  for (std::size_t c = 0; c < model.couplings.size(); ++c) topology.loops.push_back(coupling_loop(topology, model, c));
 }
 
-// Only cut joints and rods have multipliers.
+// Only cut joints, rods and couplings have multipliers.
 void check_multipliers(const Topology& topology, const Model& model, Diagnostics& problems) {
   for (const Output& output : model.outputs) {
     const auto* source = std::get_if<MultiplierOutput>(&output.source);

@@ -20,6 +20,8 @@ const char* name_of(ClosureKind kind) {
       return "fixed";
     case ClosureKind::rod:
       return "rod";
+    case ClosureKind::coupling:
+      return "coupling";
   }
   return "unknown";
 }
@@ -52,6 +54,11 @@ std::vector<int> path_to(const Topology& topology, int i, int base) {
   std::vector<int> path;
   for (; i != base && i != kGround; i = topology.bodies[i].parent) path.push_back(i);
   return path;
+}
+
+const Where& where_of(const Model& model, const Loop& loop) {
+  if (loop.coupling >= 0) return model.couplings[loop.coupling].where;
+  return loop.rod >= 0 ? model.rods[loop.rod].where : model.joints[loop.joint].where;
 }
 
 int equation_count(const Topology& topology) {

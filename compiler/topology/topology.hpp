@@ -25,22 +25,24 @@ struct TreeBody {
   bool massless = false;  ///< mass and inertia exactly zero, not tunable, and no rod end with mass on it
 };
 
-enum class ClosureKind { spherical, revolute, prismatic, universal, cylindrical, planar, fixed, rod };
+enum class ClosureKind { spherical, revolute, prismatic, universal, cylindrical, planar, fixed, rod, coupling };
 
 /// As the model format writes them.
 const char* name_of(ClosureKind kind);
 
-/// A closure: a cut joint or a rod. A cut joint of type free closes nothing and is not listed.
+/// A closure: a cut joint, a rod or a coupling. A cut joint of type free closes nothing and is not listed.
 struct Loop {
   std::string name;
   ClosureKind kind = ClosureKind::spherical;
   int joint = -1;           ///< index into Model::joints, or -1
   int rod = -1;             ///< index into Model::rods, or -1
-  int body_from = kGround;  ///< tree indices of the two closed bodies, kGround for ground
-  int body_to = kGround;
-  int ancestor = kGround;         ///< lowest common ancestor (tree index)
-  std::vector<int> joints;        ///< ascending tree joints above the ancestor: symmetric difference of two rows of T
-  int equations = 0;              ///< fixed 6, revolute and prismatic 5, universal and cylindrical 4, others 3, rod 1
+  int coupling = -1;        ///< index into Model::couplings, or -1
+  int body_from = kGround;  ///< tree indices of the two closed bodies, kGround for ground; of a coupling those that its
+  int body_to = kGround;    ///< first and last coordinates move
+  int ancestor = kGround;   ///< lowest common ancestor (tree index), of a coupling: that of the bodies they move on
+  /// ascending tree joints above the ancestor: symmetric difference of two rows of T, of a coupling the union of its
+  std::vector<int> joints;
+  int equations = 0;  ///< fixed 6, revolute and prismatic 5, universal and cylindrical 4, rod and coupling 1, others 3
   std::vector<std::string> rows;  ///< their names, closure_rows of the joint's type
 };
 
@@ -74,7 +76,7 @@ struct Topology {
   std::vector<int> roots;                  ///< bodies whose parent is ground
   std::vector<int> tree_body;              ///< per model body: the tree index it moves with, kGround for ground
   std::vector<TreeJoint> tree_joints;      ///< one per model body but ground, parents before children
-  std::vector<Loop> loops;                 ///< in order: cut joints as in the model, then rods
+  std::vector<Loop> loops;                 ///< in order: cut joints as in the model, then rods, then couplings
   std::vector<LoopBlock> blocks;
   std::vector<JointGroup> groups;        ///< parents before children
   std::vector<int> group_of;             ///< per tree joint
@@ -104,6 +106,9 @@ std::vector<int> path_to(const Topology& topology, int i, int base);
 
 /// Tree index of a coordinate of the model, or -1 when its joint was cut.
 int tree_coordinate(const Topology& topology, const CoordinateReference& reference);
+
+/// Where the model writes the joint, rod or coupling that closes a loop.
+const Where& where_of(const Model& model, const Loop& loop);
 
 /// Number of equations of all loops, redundant ones too.
 int equation_count(const Topology& topology);

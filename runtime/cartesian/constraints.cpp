@@ -82,6 +82,40 @@ int row_count(JointType type) {
   return 0;
 }
 
+/// Coordinates of a coupling read off the bodies, moving at given rates, as its relation sees them.
+struct CoupledValues {
+  const Values& values;
+  const std::vector<CoordinateReference>& names;
+  std::vector<Jet<double>> positions;  ///< in the order of `names`
+
+  Jet<double> parameter(int i) const { return Jet<double>(values.parameter(i)); }
+  Jet<double> position(const CoordinateReference& c) const {
+    return positions[static_cast<std::size_t>(std::find(names.begin(), names.end(), c) - names.begin())];
+  }
+  // read_model refuses the others in a relation.
+  Jet<double> input(int) const { return {}; }
+  Jet<double> time() const { return {}; }
+  Jet<double> velocity(const CoordinateReference&) const { return {}; }
+  Jet<double> local(int) const { return {}; }
+};
+
+/// Sum of the coordinates' rows by the slopes of the relation; the first one's bodies are its ends.
+Row coupling_row(const std::vector<CoupledCoordinate>& coupled, const Jet<double>& relation) {
+  Row row{coupled[0].coordinate.row.from,
+          coupled[0].coordinate.row.to,
+          Vector6d::Zero(),
+          Vector6d::Zero(),
+          relation.value,
+          0,
+          -relation.second};
+  for (const auto& [coordinate, slope] : coupled) {
+    row.further.emplace_back(coordinate.row.from, slope * coordinate.row.on_from);
+    row.further.emplace_back(coordinate.row.to, slope * coordinate.row.on_to);
+    row.bias += slope * coordinate.row.bias;
+  }
+  return row;
+}
+
 }  // namespace
 
 FirstRows first_rows(const Parts& parts, const Model& model, const Topology& topology) {
@@ -97,10 +131,15 @@ FirstRows first_rows(const Parts& parts, const Model& model, const Topology& top
   for (const PartRod& rod : parts.rods) add(first.rods, rod.body < 0 ? 1 : kMassiveRod);
   add(first.rods, 0);
   first.motions = next;
-  first.end = next + static_cast<int>(model.motions.size());
+  first.couplings = first.motions + static_cast<int>(model.motions.size());
+  first.end = first.couplings + static_cast<int>(model.couplings.size());
   first.loop_of.assign(first.end, -1);
   for (std::size_t l = 0; l < topology.loops.size(); ++l) {
     const Loop& loop = topology.loops[l];
+    if (loop.coupling >= 0) {
+      first.loop_of[first.couplings + loop.coupling] = static_cast<int>(l);
+      continue;
+    }
     const std::vector<int>& rows = loop.rod >= 0 ? first.rods : first.joints;
     const int index = loop.rod >= 0 ? loop.rod : loop.joint;
     std::fill(first.loop_of.begin() + rows[index], first.loop_of.begin() + rows[index + 1], static_cast<int>(l));
@@ -126,7 +165,33 @@ std::vector<Row> CartesianMechanism::equations_at(const std::vector<Moving>& bod
     row.bias += wanted.second;
     rows.push_back(row);
   }
+  for (const Coupling& coupling : model.couplings) {
+    const std::vector<CoupledCoordinate> coupled = coupled_coordinates(coupling, bodies, values);
+    CoupledValues moving{values, coupling.coordinates, {}};
+    for (const auto& [coordinate, slope] : coupled)
+      moving.positions.emplace_back(coordinate.row.residual, coordinate.zd, 0.0);
+    rows.push_back(coupling_row(coupled, evaluate<Jet<double>>(coupling.relation, model.expressions, moving)));
+  }
   return rows;
+}
+
+std::vector<CoupledCoordinate> CartesianMechanism::coupled_coordinates(const Coupling& coupling,
+                                                                       const std::vector<Moving>& bodies,
+                                                                       const Values& values) const {
+  std::vector<CoupledCoordinate> coupled;
+  for (const CoordinateReference& c : coupling.coordinates) {
+    const int index = table[c.joint][c.component];
+    for (JointCoordinate& coordinate : coordinates_of(c.joint, bodies, *values.z))
+      if (coordinate.index == index) coupled.push_back({std::move(coordinate), 0});
+  }
+  CoupledValues moving{values, coupling.coordinates, {}};
+  for (const CoupledCoordinate& one : coupled) moving.positions.emplace_back(one.coordinate.row.residual);
+  for (std::size_t i = 0; i < coupled.size(); ++i) {
+    moving.positions[i].first = 1;
+    coupled[i].slope = evaluate<Jet<double>>(coupling.relation, model.expressions, moving).first;
+    moving.positions[i].first = 0;
+  }
+  return coupled;
 }
 
 }  // namespace mbgen

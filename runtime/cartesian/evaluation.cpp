@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "mbgen/newton.hpp"
 #include "runtime/cartesian/methods.hpp"
@@ -87,12 +88,15 @@ Status close(const Mechanics& mechanics, double tolerance, PlacedState& configur
   const std::vector<double> no_tau(configuration.z.z.size(), 0.0);
   CartesianState& bodies = configuration.bodies;
   const int start = block_of(mechanics, mechanics.system.terms(bodies, configuration.z, no_tau).residual);
+  double previous = std::numeric_limits<double>::infinity();
   for (int step = 0; step <= kNewtonIterations; ++step) {
     Evaluation evaluation;
     if (const Status status = evaluate(mechanics, configuration, no_tau, {}, evaluation); !status.ok()) return status;
     const double opening = largest(evaluation.terms.residual);
     if (!std::isfinite(opening)) return {Code::not_a_number, -1};
-    if (opening <= tolerance) {
+    const bool gains = opening < 0.5 * previous;
+    previous = opening;
+    if (opening <= tolerance || (!gains && opening <= kClosed)) {
       const Eigen::VectorXd change =
           mass_orthogonal_correction(evaluation.terms.mass, *evaluation.factors, -evaluation.terms.velocity);
       mechanics.system.set_velocities(bodies, mechanics.system.velocities(bodies) + change);

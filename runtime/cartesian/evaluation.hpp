@@ -44,11 +44,10 @@ Status check_compatibility(const Mechanics& mechanics, const Evaluation& evaluat
 /// Loop block with the largest share in weights of all equations, -1 when they are zero in all loops.
 int block_of(const Mechanics& mechanics, const Eigen::VectorXd& weights);
 
-/// Moves the bodies to where the equations hold within `tolerance` (m or 1), then corrects their velocities, both
-/// mass-orthogonally; the coordinates follow.
-/// Fails: loop_not_closed, no_inertia, not_a_number; the configuration is then arbitrary.
-/// Source: Bayo, Ledesma, "Augmented Lagrangian and mass-orthogonal projection methods for constrained multibody
-/// dynamics", 1996.
+/// Moves the bodies to where the equations hold within `tolerance` (m or 1) or as well as rounding lets them, then
+/// corrects their velocities, both mass-orthogonally; the coordinates follow. Fails: loop_not_closed, no_inertia,
+/// not_a_number; the configuration is then arbitrary. Source: Bayo, Ledesma, "Augmented Lagrangian and mass-orthogonal
+/// projection methods for constrained multibody dynamics", 1996.
 Status close(const Mechanics& mechanics, double tolerance, PlacedState& configuration);
 
 }  // namespace mbgen

@@ -44,6 +44,10 @@ std::vector<double> CartesianSystem::loop_multipliers(const CartesianState& stat
     for (int l : block.loops) base[l] = block.base;
   for (std::size_t l = 0; l < c.topology.loops.size(); ++l) {
     const Loop& loop = c.topology.loops[l];
+    if (loop.coupling >= 0) {
+      result.push_back(lambda[c.first.couplings + loop.coupling]);
+      continue;
+    }
     const int first = loop.rod >= 0 ? c.first.rods[loop.rod] : c.first.joints[loop.joint];
     if (loop.rod >= 0) {
       const PartRod& rod = c.parts.rods[loop.rod];
@@ -85,6 +89,13 @@ std::vector<CartesianWrench> CartesianSystem::joint_reactions(const CartesianSta
   for (std::size_t k = 0; k < c.model.motions.size(); ++k) {
     const int r = c.first.motions + static_cast<int>(k);
     on_to[c.model.motions[k].joint.joint] -= lambda[r] * rows[r].on_to;
+  }
+  for (std::size_t k = 0; k < c.model.couplings.size(); ++k) {
+    const Coupling& coupling = c.model.couplings[k];
+    const std::vector<CoupledCoordinate> coupled = c.coupled_coordinates(coupling, bodies, values);
+    const double multiplier = lambda[c.first.couplings + static_cast<int>(k)];
+    for (std::size_t i = 0; i < coupled.size(); ++i)
+      on_to[coupling.coordinates[i].joint] -= multiplier * coupled[i].slope * coupled[i].coordinate.row.on_to;
   }
   for (std::size_t j = 0; j < on_to.size(); ++j)
     result.push_back(about(end_of(bodies, c.parts.joints[j].to).arm, on_to[j]));

@@ -11,10 +11,10 @@
 namespace mbgen {
 namespace cartesian {
 
-/// Places of the equations: of the joints of the model, then of the rods, then one per motion.
+/// Places of the equations: of the joints of the model, then of the rods, then one per motion, then one per coupling.
 struct FirstRows {
   std::vector<int> joints, rods;  ///< first row of each, and one past the last of all
-  int motions = 0, end = 0;
+  int motions = 0, couplings = 0, end = 0;
   std::vector<int> loop_of;  ///< per equation: index into Topology::loops, or -1
 };
 
@@ -24,6 +24,12 @@ FirstRows first_rows(const Parts& parts, const Model& model, const Topology& top
 struct Load {
   int body = 0;
   Vector6d wrench;  ///< about the centre of mass, global axes
+};
+
+/// A coordinate of a coupling, and the derivative of the relation by it.
+struct CoupledCoordinate {
+  JointCoordinate coordinate;
+  double slope = 0;
 };
 
 /// Forces of the model's elements at one state.
@@ -61,6 +67,10 @@ struct CartesianMechanism {
                                                          const std::vector<double>& guess) const {
     return joint_coordinates(parts.joints[joint], parts.bodies, bodies, guess);
   }
+  /// Derivative of a coupling's relation by each of its coordinates, in their order, at the bodies.
+  std::vector<cartesian::CoupledCoordinate> coupled_coordinates(const Coupling& coupling,
+                                                                const std::vector<cartesian::Moving>& bodies,
+                                                                const cartesian::Values& values) const;
   cartesian::Forces forces(const std::vector<cartesian::Moving>& bodies, const std::vector<double>& x,
                            const cartesian::Values& values) const;
 };

@@ -1,6 +1,7 @@
 #pragma once
 // Rows of the constraint Jacobian: blocks of one equation for its two bodies, and the equations of joints.
 
+#include <utility>
 #include <vector>
 
 #include "runtime/cartesian/parts.hpp"
@@ -26,14 +27,15 @@ struct End {
 
 End end_of(const std::vector<Moving>& bodies, const Place& place);
 
-/// One equation between two bodies: on_from' qdd_from + on_to' qdd_to = bias. The columns are also the wrenches, about
-/// the centres of mass, of a unit multiplier.
+/// One equation between two bodies: on_from' qdd_from + on_to' qdd_to = bias, with the blocks of further bodies added
+/// where it is that of a coupling. The columns are also the wrenches, about the centres of mass, of a unit multiplier.
 struct Row {
   int from = 0, to = 0;
   Vector6d on_from, on_to;
   double residual = 0;  ///< Phi, m or 1
   double rate = 0;      ///< b of (3): required value of on_from' qd_from + on_to' qd_to
   double bias = 0;      ///< c of (4)
+  std::vector<std::pair<int, Vector6d>> further = {};
 };
 
 /// Component of r_from - r_to along a constant direction.

@@ -57,6 +57,7 @@ void add_equations(const Parts& parts, const std::vector<Moving>& bodies, const 
     };
     add(row.from, row.on_from);
     add(row.to, row.on_to);
+    for (const auto& [body, block] : row.further) add(body, block);
   }
 }
 

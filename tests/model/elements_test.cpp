@@ -34,6 +34,20 @@ TEST(Rods, Defaults) {
   EXPECT_EQ(model.rods[0].to.point, 1);
 }
 
+TEST(Couplings, KnowTheCoordinatesOfTheirRelation) {
+  const Model model = read(R"json({ "mbgen": 1, "parameters": { "r": { "value": 0.2, "tunable": true } },
+    "bodies": { "ground": { "points": { "O": [0, 0, 0] } }, "rack": { "points": { "O": [0, 0, 0] } },
+                "pinion": { "points": { "O": [0, 0, 0] } } },
+    "joints": { "pin": { "type": "revolute", "from": "ground.O", "to": "pinion.O", "axis": "y" },
+                "slide": { "type": "prismatic", "from": "ground.O", "to": "rack.O", "axis": "x" } },
+    "couplings": { "teeth": { "relation": "z.slide - r*z.pin + 0.1*z.slide^3" } },
+    "outputs": { "force": { "multiplier": "teeth" } } })json");
+  ASSERT_EQ(model.couplings.size(), 1u);
+  EXPECT_EQ(model.couplings[0].coordinates, (std::vector<CoordinateReference>{{1, 0}, {0, 0}}));
+  EXPECT_EQ(std::get<MultiplierOutput>(model.outputs[0].source).coupling, 0);
+  EXPECT_EQ(model.outputs[0].unit, "");
+}
+
 TEST(Springs, LawsTablesAndExpressions) {
   const Model model =
       read(arm_model(R"("inputs": { "level": { "default": 0.5 } }, "springs": {

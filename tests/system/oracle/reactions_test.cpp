@@ -84,6 +84,7 @@ std::vector<Probe> comparable(const Mechanism& m) {
   }
   for (std::size_t l = 0; l < m.topology.loops.size(); ++l) {
     const Loop& loop = m.topology.loops[l];
+    if (loop.coupling >= 0) continue;  // no body feels it alone: joints pass its forces on
     const std::size_t place = loop.joint >= 0 ? static_cast<std::size_t>(loop.joint)
                                               : m.model.joints.size() + static_cast<std::size_t>(loop.rod);
     add({loop.name, 6 * place, -1, static_cast<int>(l), {}}, block_of_loop[l]);

@@ -1,7 +1,9 @@
 #include "tests/system/oracle/reference_mechanism.hpp"
 
 #include <Eigen/Geometry>
+#include <algorithm>
 
+#include "compiler/model/jet.hpp"
 #include "compiler/topology/topology.hpp"
 
 namespace mbgen::foreign {
@@ -65,19 +67,59 @@ ClosureKind kind_of(mbgen::ClosureKind kind) {
       return ClosureKind::planar;
     case mbgen::ClosureKind::fixed:
       return ClosureKind::fixed;
+    case mbgen::ClosureKind::coupling:
+      return ClosureKind::coupling;
     case mbgen::ClosureKind::rod:
       break;
   }
   return ClosureKind::rod;
 }
 
-ReferenceClosure closure_of(const Model& model, const Loop& loop) {
+/// Positions as its relation sees them, at default parameters.
+struct RelationValues {
+  const Model& model;
+  const std::vector<CoordinateReference>& names;
+  std::vector<Jet<double>> positions;
+
+  Jet<double> parameter(int i) const { return Jet<double>(model.parameters[i].value); }
+  Jet<double> position(const CoordinateReference& c) const {
+    return positions[std::find(names.begin(), names.end(), c) - names.begin()];
+  }
+  Jet<double> input(int) const { return {}; }
+  Jet<double> time() const { return {}; }
+  Jet<double> velocity(const CoordinateReference&) const { return {}; }
+  Jet<double> local(int) const { return {}; }
+};
+
+/// Derivatives along one direction give those by two coordinates: 2 f_ij = f_(i+j)(i+j) - f_ii - f_jj.
+ReferenceRelation relation_of(const Model& model, const Topology& topology, const Coupling& coupling) {
+  ReferenceRelation relation;
+  for (const CoordinateReference& c : coupling.coordinates)
+    relation.coordinates.push_back(tree_coordinate(topology, c));
+  relation.derivative = [&model, &coupling](const std::vector<double>& at, const std::vector<int>& by) {
+    const auto along = [&](const std::vector<int>& moved) {
+      RelationValues values{model, coupling.coordinates, {at.begin(), at.end()}};
+      for (const int i : moved) values.positions[i].first = 1;
+      return evaluate<Jet<double>>(coupling.relation, model.expressions, values);
+    };
+    if (by.size() < 2) return by.empty() ? along({}).value : along(by).first;
+    if (by[0] == by[1]) return along({by[0]}).second;
+    return (along(by).second - along({by[0]}).second - along({by[1]}).second) / 2;
+  };
+  return relation;
+}
+
+ReferenceClosure closure_of(const Model& model, const Topology& topology, const Loop& loop) {
   ReferenceClosure closure;
   closure.name = loop.name;
   closure.kind = kind_of(loop.kind);
   closure.from = loop.body_from;
   closure.to = loop.body_to;
   closure.ancestor = loop.ancestor;
+  if (loop.coupling >= 0) {
+    closure.relation = relation_of(model, topology, model.couplings[loop.coupling]);
+    return closure;
+  }
   const bool is_rod = closure.kind == ClosureKind::rod;
   const Attachment& from = is_rod ? model.rods[loop.rod].from : model.joints[loop.joint].from;
   const Attachment& to = is_rod ? model.rods[loop.rod].to : model.joints[loop.joint].to;
@@ -113,7 +155,7 @@ ReferenceMechanism reference_mechanism(const Model& model, const Topology& topol
     RigidMass& mass = mechanism.bodies[topology.tree_body[b]].mass;
     mass = joined(mass, mass_of(model.bodies[b]));
   }
-  for (const Loop& loop : topology.loops) mechanism.closures.push_back(closure_of(model, loop));
+  for (const Loop& loop : topology.loops) mechanism.closures.push_back(closure_of(model, topology, loop));
   return mechanism;
 }
 

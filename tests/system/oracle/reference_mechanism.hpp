@@ -3,6 +3,7 @@
 // where all coordinates are zero and all body frames are taken as parallel to the global one.
 
 #include <Eigen/Core>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -16,7 +17,7 @@ namespace mbgen::foreign {
 // As in topology.hpp. This header is C++17 and knows nothing of mbgen's, because foreign libraries are no C++20.
 constexpr int kGround = -1;
 enum class FreedomKind { revolute, prismatic };
-enum class ClosureKind { spherical, revolute, prismatic, universal, cylindrical, planar, fixed, rod };
+enum class ClosureKind { spherical, revolute, prismatic, universal, cylindrical, planar, fixed, rod, coupling };
 
 /// Mass of all that moves with a tree body. No mass: com is the pin.
 struct RigidMass {
@@ -39,7 +40,14 @@ struct ReferenceBody {
   Eigen::Vector3d at_to = Eigen::Vector3d::Zero();  ///< the joint's point on its `to` body
 };
 
-/// A cut joint or a rod, indices as in Topology::loops.
+/// What a coupling keeps at zero.
+struct ReferenceRelation {
+  std::vector<int> coordinates;  ///< tree bodies
+  /// Its derivative by some of the coordinates (places in that list, at most two) at their positions.
+  std::function<double(const std::vector<double>& positions, const std::vector<int>& by)> derivative;
+};
+
+/// A cut joint, a rod or a coupling, indices as in Topology::loops.
 struct ReferenceClosure {
   std::string name;
   ClosureKind kind = ClosureKind::spherical;
@@ -49,6 +57,7 @@ struct ReferenceClosure {
   Eigen::Vector3d axis = Eigen::Vector3d::UnitZ();         ///< on `from`; of a universal joint the first
   Eigen::Vector3d second_axis = Eigen::Vector3d::UnitZ();  ///< on `to`; of other joints `axis`
   double length = 0, mass = 0;                             ///< of a rod, m and kg
+  ReferenceRelation relation = {};                         ///< of a coupling
 };
 
 struct ReferenceMechanism {

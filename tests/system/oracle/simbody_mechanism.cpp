@@ -189,8 +189,46 @@ SimTK::Constraint rod_with_mass(SimbodySystem& s, const ReferenceClosure& closur
   return SimTK::Constraint::Ball(s.mobilizers.back(), Vec3(0, 0, closure.length), s.body(closure.to), far_end);
 }
 
+/// A relation in Simbody's coordinates.
+class RelationFunction : public SimTK::Function {
+ public:
+  RelationFunction(const ReferenceRelation& relation, std::vector<double> signs)
+      : relation_(relation), signs_(std::move(signs)) {}
+  double calcValue(const SimTK::Vector& q) const override { return relation_.derivative(positions(q), {}); }
+  double calcDerivative(const SimTK::Array_<int>& by, const SimTK::Vector& q) const override {
+    double value = relation_.derivative(positions(q), {by.begin(), by.end()});
+    for (const int i : by) value *= signs_[static_cast<std::size_t>(i)];
+    return value;
+  }
+  int getArgumentSize() const override { return static_cast<int>(signs_.size()); }
+  int getMaxDerivativeOrder() const override { return 2; }
+
+ private:
+  std::vector<double> positions(const SimTK::Vector& q) const {
+    std::vector<double> z;
+    for (std::size_t i = 0; i < signs_.size(); ++i) z.push_back(signs_[i] * q[static_cast<int>(i)]);
+    return z;
+  }
+  const ReferenceRelation& relation_;
+  std::vector<double> signs_;
+};
+
+SimTK::Constraint coupler(SimbodySystem& s, const ReferenceRelation& relation) {
+  SimTK::Array_<SimTK::MobilizedBodyIndex> bodies;
+  SimTK::Array_<SimTK::MobilizerQIndex> places;
+  std::vector<double> signs;
+  for (const int tree : relation.coordinates) {
+    const SimbodyCoordinate& coordinate = s.coordinates[static_cast<std::size_t>(tree)];
+    bodies.push_back(s.mobilizers[static_cast<std::size_t>(coordinate.body)].getMobilizedBodyIndex());
+    places.push_back(SimTK::MobilizerQIndex(coordinate.place));
+    signs.push_back(coordinate.sign);
+  }
+  return SimTK::Constraint::CoordinateCoupler(s.matter, new RelationFunction(relation, signs), bodies, places);
+}
+
 std::vector<SimTK::Constraint> constraints_of(SimbodySystem& s, const ReferenceClosure& c) {
   using SimTK::Constraint;
+  if (c.kind == ClosureKind::coupling) return {coupler(s, c.relation)};
   MobilizedBody &from = s.body(c.from), &to = s.body(c.to);
   const Vec3 at_from = s.local(c.from, c.at_from), at_to = s.local(c.to, c.at_to);
   const Perpendiculars p = perpendiculars(c.axis);
@@ -215,6 +253,7 @@ std::vector<SimTK::Constraint> constraints_of(SimbodySystem& s, const ReferenceC
       return with_axis(Constraint::PointOnLine(from, unit(c.axis), at_from, to, at_to));
     case ClosureKind::planar:
       return with_axis(Constraint::PointInPlane(from, unit(c.axis), SimTK::dot(vec(c.axis), at_from), to, at_to));
+    case ClosureKind::coupling:
     case ClosureKind::rod:
       break;
   }

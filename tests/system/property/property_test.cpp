@@ -54,6 +54,7 @@ constexpr NamedFamily kFamilies[] = {
     {Family::rods, "rods"},
     {Family::massless_links, "massless_links"},
     {Family::floating, "floating"},
+    {Family::coupled, "coupled"},
     {Family::tiny, "tiny"},
     {Family::mirror_halves, "mirror_halves"},
     {Family::nearly_mirror_halves, "nearly_mirror_halves"},

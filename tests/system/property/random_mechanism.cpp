@@ -78,6 +78,35 @@ void add_rods(Workshop& shop) {
   }
 }
 
+/// A relation between the coordinates of some joints: gears and differentials, cams and quadratic ones.
+void add_relation(Workshop& shop, std::vector<std::string> joints) {
+  Dice& dice = shop.dice();
+  std::string text;
+  for (std::size_t k = 0; k < joints.size(); ++k) {
+    const std::string factor = std::to_string((dice.chance(0.5) ? 1 : -1) * dice.between(0.3, 3));
+    const std::string z = "z." + joints[k];
+    const bool is_curved = k > 0 && dice.chance(0.3);
+    text += (k == 0 ? "" : " + ") + factor + "*" + (is_curved ? "(sin(" + z + ") + 0.3*" + z + "^2)" : z);
+  }
+  std::vector<RandomRelation>& relations = shop.mechanism().relations;
+  relations.push_back({"relation" + std::to_string(relations.size()), text, std::move(joints)});
+}
+
+/// A tree of plain joints, now and then with a chain of four that a rod closes; relations at most half as many as its
+/// joints, each with a joint of its own.
+void add_coupled(Workshop& shop) {
+  Dice& dice = shop.dice();
+  grow_tree(shop, 3 + dice.upto(4), true);
+  const int count = shop.size();
+  for (int k = 0; k < 1 + dice.upto(count / 2 - 1); ++k) {
+    std::vector<std::string> joints{shop.mechanism().joints[2 * k].name, shop.mechanism().joints[2 * k + 1].name};
+    const std::string& other = shop.mechanism().joints[dice.upto(count - 1)].name;
+    if (dice.chance(0.4) && other != joints[0] && other != joints[1]) joints.push_back(other);
+    add_relation(shop, joints);
+  }
+  if (dice.chance(0.3)) shop.add_rod(kOnGround, count - 1, dice.chance(0.5) ? 0.7 : 0);
+}
+
 /// Links without mass between revolute joints across one another.
 void add_massless_links(Workshop& shop) {
   Dice& dice = shop.dice();
@@ -224,6 +253,9 @@ RandomMechanism random_mechanism(Family family, std::uint64_t seed) {
       grow_chain(shop, 1 + dice.upto(4), 0, true);
       shop.mechanism().gravity = {};
       break;
+    case Family::coupled:
+      add_coupled(shop);
+      break;
     case Family::tiny:
       if (dice.chance(0.8)) shop.hang(dice.chance(0.3) ? "free" : any_type(dice), kOnGround);
       break;
@@ -291,6 +323,8 @@ std::string model_text(const RandomMechanism& mechanism) {
   if (!joints.empty()) model["joints"] = joints;
   if (!rods.empty()) model["rods"] = rods;
   if (!springs.empty()) model["springs"] = springs;
+  for (const RandomRelation& relation : mechanism.relations)
+    model["couplings"][relation.name] = {{"relation", relation.text}};
   Json outputs = Json::object();
   for (const RandomBody& body : mechanism.bodies)
     for (const char* letter : {"x", "y", "z"})

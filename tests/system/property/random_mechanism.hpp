@@ -42,6 +42,12 @@ struct RandomLink {
   double stiffness = 0;
 };
 
+/// A relation between the coordinates of plain joints that holds at the reference.
+struct RandomRelation {
+  std::string name, text;
+  std::vector<std::string> joints;
+};
+
 /// All points in global axes at the reference; no damping, no motions.
 struct RandomMechanism {
   std::uint64_t seed = 0;
@@ -49,6 +55,7 @@ struct RandomMechanism {
   std::vector<RandomBody> bodies;
   std::vector<RandomJoint> joints;
   std::vector<RandomLink> links;
+  std::vector<RandomRelation> relations = {};
 };
 
 /// Kinds of mechanisms that a seed may ask for.
@@ -60,6 +67,7 @@ enum class Family {
   rods,            ///< with and without mass, several in one block
   massless_links,  ///< between massive bodies
   floating,        ///< a free base without gravity
+  coupled,         ///< trees and chains of four with relations between two or three coordinates, linear or not
   tiny,            ///< one body or none
   locked,          ///< overconstrained linkages that move by their geometry, and structures, beside a part that moves
   mirror_halves,   ///< a left half and its mirror image on a base between them

@@ -21,6 +21,9 @@ Point times(const std::array<Point, 3>& m, const Point& p) {
 RandomMechanism without_body(RandomMechanism m, int body) {
   m.bodies.erase(m.bodies.begin() + body);
   const auto touches = [body](const auto& e) { return e.from == body || e.to == body; };
+  for (const RandomJoint& joint : m.joints)
+    if (touches(joint))
+      std::erase_if(m.relations, [&](const RandomRelation& r) { return std::ranges::count(r.joints, joint.name) > 0; });
   std::erase_if(m.joints, touches);
   std::erase_if(m.links, touches);
   const auto renumber = [body](int& b) { b -= b > body; };
@@ -50,6 +53,8 @@ std::vector<RandomMechanism> simpler(const RandomMechanism& m) {
   for (std::size_t j = 0; j < m.joints.size(); ++j)
     if (m.joints[j].cut)
       change([j](RandomMechanism& c) { c.joints.erase(c.joints.begin() + static_cast<std::ptrdiff_t>(j)); });
+  for (std::size_t r = 0; r < m.relations.size(); ++r)
+    change([r](RandomMechanism& c) { c.relations.erase(c.relations.begin() + static_cast<std::ptrdiff_t>(r)); });
   change([](RandomMechanism& c) { c.gravity = {}; });
   for (std::size_t j = 0; j < m.joints.size(); ++j) {
     change([j](RandomMechanism& c) { c.joints[j].axis = {0, 0, 1}; });

@@ -1,0 +1,234 @@
+// Couplings against hand calculations: gears, planetary gears, differentials, racks, screws and cams.
+
+#include <cmath>
+
+#include "runtime/cartesian/cartesian.hpp"
+#include "tests/support/dynamics.hpp"
+#include "tests/support/mechanism_support.hpp"
+
+namespace mbgen {
+namespace {
+
+using namespace mbgen::testing;
+
+/// A mechanism in a state that its couplings hold, with what acts there.
+class Coupled {
+ public:
+  explicit Coupled(const std::string& model)
+      : m_(mechanism_of(model)), solver_(m_.model, m_.topology, m_.analysis), state_(reference_state(m_)) {
+    tau_.assign(state_.z.size(), 0.0);
+  }
+
+  void set(const std::string& name, double position, double velocity) {
+    state_.z[index(name)] = position;
+    state_.zd[index(name)] = velocity;
+  }
+  void push(const std::string& name, double force) { tau_[index(name)] = force; }
+
+  /// Closes the couplings and solves the equations of motion, which a Cartesian judge solves, too.
+  void solve() {
+    ASSERT_TRUE(solver_.project(state_).ok());
+    ASSERT_TRUE(solver_.accelerations(state_, tau_, derivative_).ok());
+    outputs_ = solver_.outputs(state_, tau_, derivative_);
+    const CartesianSolver judge(m_.model, m_.topology, CartesianMethod::augmented, Stabilisation::projection);
+    GenericDerivative other;
+    ASSERT_TRUE(judge.accelerations(state_, tau_, other).ok());
+    for (std::size_t i = 0; i < state_.z.size(); ++i)
+      EXPECT_NEAR(other.zdd[i], derivative_.zdd[i], 1e-10 * (1 + std::abs(derivative_.zdd[i])));
+  }
+
+  double z(const std::string& name) const { return state_.z[index(name)]; }
+  double zd(const std::string& name) const { return state_.zd[index(name)]; }
+  double zdd(const std::string& name) const { return derivative_.zdd[index(name)]; }
+  double output(std::size_t i) const { return outputs_.y[i]; }
+  const GenericOutputs& outputs() const { return outputs_; }
+  const Analysis& analysis() const { return m_.analysis; }
+  const GenericSolver& solver() const { return solver_; }
+  GenericState& state() { return state_; }
+
+ private:
+  std::size_t index(const std::string& name) const {
+    return static_cast<std::size_t>(find_coordinate(m_.topology, name));
+  }
+
+  Mechanism m_;
+  GenericSolver solver_;
+  GenericState state_;
+  GenericDerivative derivative_;
+  GenericOutputs outputs_;
+  std::vector<double> tau_;
+};
+
+// Radii 0.2 and 0.05: the small wheel turns four times as fast the other way; the teeth carry the force J w' / r.
+TEST(Gears, TeethCarryTheForce) {
+  const double wheel = 0.4, pinion = 0.03, torque = 5;
+  Coupled gears(R"({ "mbgen": 1, "gravity": [0, 0, 0], "bodies": {
+      "ground": { "points": { "O": [0, 0, 0], "P": [0.25, 0, 0] } },
+      "wheel":  { "mass": 3, "inertia": [0.2, 0.2, 0.4], "points": { "O": [0, 0, 0] } },
+      "pinion": { "mass": 1, "pose": { "origin": [0.25, 0, 0] }, "inertia": [0.02, 0.02, 0.03],
+                  "points": { "O": [0, 0, 0] } } },
+    "joints": {
+      "wheel":  { "type": "revolute", "from": "ground.O", "to": "wheel.O", "axis": "z" },
+      "pinion": { "type": "revolute", "from": "ground.P", "to": "pinion.O", "axis": "z" } },
+    "couplings": { "mesh": { "relation": "0.2*z.wheel + 0.05*z.pinion" } },
+    "outputs": { "tooth": { "multiplier": "mesh" } } })");
+  gears.set("wheel", 100, 3);
+  gears.set("pinion", -399.8, -12);
+  gears.push("wheel", torque);
+  gears.solve();
+  EXPECT_EQ(gears.analysis().degrees_of_freedom, 1);
+  EXPECT_NEAR(gears.z("wheel") / gears.z("pinion"), -0.25, 1e-15);
+  EXPECT_NEAR(gears.zd("wheel") / gears.zd("pinion"), -0.25, 1e-15);
+  const double acceleration = torque / (wheel + 16 * pinion);
+  EXPECT_NEAR(gears.zdd("wheel"), acceleration, 1e-13);
+  EXPECT_NEAR(gears.zdd("pinion"), -4 * acceleration, 1e-13);
+  EXPECT_NEAR(std::abs(gears.output(0)), pinion * 4 * acceleration / 0.05, 1e-12);
+}
+
+// Sun 24 teeth, planet 30, ring 84 = 24 + 2 30: Willis' equation, and the torques of sun, carrier and ring at constant
+// speeds, of which the carrier takes the sum.
+TEST(PlanetaryGear, ObeysWillis) {
+  const std::string model = R"({ "mbgen": 1, "gravity": [0, 0, 0],
+    "bodies": {
+      "ground": { "points": { "O": [0, 0, 0] } },
+      "sun":     { "mass": 1, "inertia": [0.01, 0.01, 0.02], "points": { "O": [0, 0, 0] } },
+      "ring":    { "mass": 4, "inertia": [0.2, 0.2, 0.4], "points": { "O": [0, 0, 0] } },
+      "carrier": { "mass": 2, "inertia": [0.05, 0.05, 0.1], "points": { "O": [0, 0, 0], "P": [0.054, 0, 0] } },
+      "planet":  { "mass": 0.5, "pose": { "origin": [0.054, 0, 0] }, "inertia": [0.001, 0.001, 0.002],
+                   "points": { "O": [0, 0, 0] } } },
+    "joints": {
+      "sun":     { "type": "revolute", "from": "ground.O", "to": "sun.O", "axis": "z" },
+      "ring":    { "type": "revolute", "from": "ground.O", "to": "ring.O", "axis": "z" },
+      "carrier": { "type": "revolute", "from": "ground.O", "to": "carrier.O", "axis": "z" },
+      "planet":  { "type": "revolute", "from": "carrier.P", "to": "planet.O", "axis": "z" } },
+    "couplings": {
+      "inner": { "relation": "24*(z.sun - z.carrier) + 30*z.planet" },
+      "outer": { "relation": "84*(z.ring - z.carrier) - 30*z.planet" } } })";
+  Coupled gear(model);
+  const double at_carrier = (24 * 500 - 84 * 40) / 108.0, turning = (24 * 70 - 84 * 3) / 108.0;
+  gear.set("sun", 500, 70);
+  gear.set("ring", -40, -3);
+  gear.set("carrier", at_carrier + 0.01, turning);
+  gear.set("planet", 24 * (at_carrier - 500) / 30, 24 * (turning - 70) / 30);
+  gear.push("sun", 2);
+  gear.push("ring", -1);
+  gear.push("carrier", 0.7);
+  gear.solve();
+  EXPECT_EQ(gear.analysis().degrees_of_freedom, 2);
+  const double carrier = (24 * gear.zd("sun") + 84 * gear.zd("ring")) / 108;
+  EXPECT_NEAR(gear.zd("carrier") / carrier, 1, 1e-14);
+  EXPECT_NEAR(gear.zd("planet") / (24 * (carrier - gear.zd("sun")) / 30), 1, 1e-13);
+  // Lagrange's equations with the carrier and the sun as coordinates; the planet turns with the carrier, too.
+  const double on_carrier = 0.1 + 0.5 * 0.054 * 0.054;
+  const auto rates = [](double c, double s) {  // of ring and planet
+    return std::pair((108 * c - 24 * s) / 84, 24 * (c - s) / 30);
+  };
+  const auto [ring_c, planet_c] = rates(1, 0);
+  const auto [ring_s, planet_s] = rates(0, 1);
+  const double cc = on_carrier + 0.4 * ring_c * ring_c + 0.002 * std::pow(1 + planet_c, 2);
+  const double cs = 0.4 * ring_c * ring_s + 0.002 * (1 + planet_c) * planet_s;
+  const double ss = 0.02 + 0.4 * ring_s * ring_s + 0.002 * planet_s * planet_s;
+  const double force_c = 0.7 - ring_c, force_s = 2 - ring_s;
+  const double determinant = cc * ss - cs * cs;
+  EXPECT_NEAR(gear.zdd("carrier"), (ss * force_c - cs * force_s) / determinant, 1e-10);
+  EXPECT_NEAR(gear.zdd("sun"), (cc * force_s - cs * force_c) / determinant, 1e-10);
+}
+
+// Three speeds: the housing has the mean of the wheels'; a torque on it reaches both wheels in halves.
+TEST(Differential, SharesTheTorque) {
+  Coupled axle(R"({ "mbgen": 1, "gravity": [0, 0, 0],
+    "bodies": {
+      "ground": { "points": { "O": [0, 0, 0] } },
+      "housing": { "mass": 5, "inertia": [0.2, 0.3, 0.2], "points": { "O": [0, 0, 0] } },
+      "left":    { "mass": 5, "inertia": [0.3, 0.5, 0.3], "points": { "O": [0, 0, 0] } },
+      "right":   { "mass": 5, "inertia": [1.0, 2.0, 1.0], "points": { "O": [0, 0, 0] } } },
+    "joints": {
+      "housing": { "type": "revolute", "from": "ground.O", "to": "housing.O", "axis": "y" },
+      "left":    { "type": "revolute", "from": "ground.O", "to": "left.O", "axis": "y" },
+      "right":   { "type": "revolute", "from": "ground.O", "to": "right.O", "axis": "y" } },
+    "couplings": { "differential": { "relation": "z.left + z.right - 2*z.housing" } },
+    "outputs": { "half": { "multiplier": "differential" } } })");
+  axle.set("left", 3, 11);
+  axle.set("right", -2, 4);
+  axle.set("housing", 0.4, 7.5);
+  axle.push("housing", 100);
+  axle.solve();
+  EXPECT_NEAR(axle.zd("left") + axle.zd("right"), 2 * axle.zd("housing"), 1e-13);
+  const double half = std::abs(axle.output(0));
+  EXPECT_NEAR(axle.zdd("left"), half / 0.5, 1e-11);
+  EXPECT_NEAR(axle.zdd("right"), half / 2.0, 1e-11);
+  EXPECT_NEAR(0.3 * axle.zdd("housing"), 100 - 2 * half, 1e-10);
+}
+
+// A nut of lead p on its screw falls with m g = (m + J k^2) z'', k = 2 pi / p.
+TEST(Screw, TurnsWhileItFalls) {
+  const double mass = 2, inertia = 0.01, k = 2 * M_PI / 0.05;
+  Coupled nut(R"({ "mbgen": 1, "parameters": { "lead": { "value": 0.05, "tunable": true } },
+    "bodies": {
+      "ground": { "points": { "O": [0, 0, 0] } },
+      "nut": { "mass": 2, "inertia": [0.01, 0.01, 0.01], "points": { "O": [0, 0, 0] } } },
+    "joints": { "screw": { "type": "cylindrical", "from": "ground.O", "to": "nut.O", "axis": "z" } },
+    "couplings": { "thread": { "relation": "2*pi*z.screw_tz - lead*z.screw_rz" } } })");
+  nut.solve();
+  EXPECT_NEAR(nut.zdd("screw_tz"), -mass * 9.81 / (mass + inertia * k * k), 1e-12);
+  EXPECT_NEAR(nut.zdd("screw_rz"), k * nut.zdd("screw_tz"), 1e-10);
+}
+
+// A cam lifts its follower by h (1 - cos a): (J + m h'^2) a'' = T - m (g + h'' a'^2) h'.
+TEST(Cam, LiftsItsFollower) {
+  const double inertia = 0.05, mass = 0.4, h = 0.02, torque = 0.3;
+  const std::string model = R"json({ "mbgen": 1,
+    "bodies": {
+      "ground": { "points": { "O": [0, 0, 0], "guide": [0, 0, 0.3] } },
+      "cam":      { "mass": 1, "inertia": [0.05, 0.05, 0.05], "points": { "O": [0, 0, 0] } },
+      "follower": { "mass": 0.4, "pose": { "origin": [0, 0, 0.3] }, "inertia": [0.001, 0.001, 0.001],
+                    "points": { "O": [0, 0, 0] } } },
+    "joints": {
+      "cam":      { "type": "revolute", "from": "ground.O", "to": "cam.O", "axis": "y" },
+      "follower": { "type": "prismatic", "from": "ground.guide", "to": "follower.O", "axis": "z" } },
+    "couplings": { "contact": { "relation": "z.follower - 0.02*(1 - cos(z.cam))" } } })json";
+  for (const double a : {0.0, 0.4, 1.3, 2.9, 5.0}) {
+    Coupled cam(model);
+    const double rate = 30, slope = h * std::sin(a), curve = h * std::cos(a);
+    cam.set("cam", a, rate);
+    cam.push("cam", torque);
+    cam.solve();
+    EXPECT_NEAR(cam.z("follower"), h * (1 - std::cos(a)), 1e-13);
+    EXPECT_NEAR(cam.zd("follower"), slope * rate, 1e-12);
+    const double acceleration =
+        (torque - mass * (9.81 + curve * rate * rate) * slope) / (inertia + mass * slope * slope);
+    EXPECT_NEAR(cam.zdd("cam"), acceleration, 1e-10);
+    EXPECT_NEAR(cam.zdd("follower"), slope * acceleration + curve * rate * rate, 1e-10);
+  }
+}
+
+// Bevel gears on an arm that turns itself: axes of any directions, and joints of the path that the relation leaves
+// free.
+TEST(BevelGear, TurnsOnAnArmThatMoves) {
+  Coupled gear(R"({ "mbgen": 1,
+    "bodies": {
+      "ground": { "points": { "O": [0, 0, 0] } },
+      "arm":   { "mass": 2, "com": [0.3, 0, 0], "inertia": [0.1, 0.2, 0.3], "points": { "O": [0, 0, 0], "A": [0.5, 0, 0] } },
+      "bevel": { "mass": 1, "com": [0.6, 0.1, 0], "inertia": [0.02, 0.03, 0.04], "points": { "A": [0.5, 0, 0] } },
+      "crown": { "mass": 1, "inertia": [0.02, 0.05, 0.04], "points": { "O": [0, 0, 0] } } },
+    "joints": {
+      "crown": { "type": "revolute", "from": "ground.O", "to": "crown.O", "axis": "z" },
+      "arm":   { "type": "revolute", "from": "ground.O", "to": "arm.O", "axis": "y" },
+      "bevel": { "type": "revolute", "from": "arm.A", "to": "bevel.A", "axis": "x" } },
+    "couplings": { "teeth": { "relation": "z.bevel - 3*z.crown" } } })");
+  gear.set("arm", 0.3, -2);
+  gear.set("crown", 0.2, 5);
+  gear.solve();
+  EXPECT_EQ(gear.analysis().degrees_of_freedom, 2);
+  EXPECT_NEAR(gear.zdd("bevel"), 3 * gear.zdd("crown"), 1e-10);
+  // Nothing dissipates: energy after 0.1 s.
+  const double before = gear.outputs().kinetic_energy + gear.outputs().potential_energy;
+  const Dynamics dynamics{gear.solver()};
+  for (int k = 0; k < 1000; ++k) ASSERT_TRUE(step_rk4(dynamics, gear.state(), 1e-4).ok());
+  gear.solve();
+  EXPECT_NEAR(gear.outputs().kinetic_energy + gear.outputs().potential_energy, before, 1e-9 * (1 + std::abs(before)));
+  EXPECT_NEAR(gear.z("bevel"), 3 * gear.z("crown"), 1e-12);
+}
+
+}  // namespace
+}  // namespace mbgen
