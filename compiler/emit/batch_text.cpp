@@ -6,6 +6,7 @@
 
 #include <algorithm>
 
+#include "compiler/emit/frame.hpp"
 #include "compiler/emit/input_text.hpp"
 #include "compiler/emit/interface_text.hpp"
 #include "compiler/emit/program_text.hpp"

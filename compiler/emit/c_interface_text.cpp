@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "compiler/emit/frame.hpp"
 #include "compiler/emit/input_text.hpp"
 #include "compiler/emit/text.hpp"
 #include "compiler/model/inputs.hpp"

@@ -6,6 +6,7 @@
 #include <map>
 
 #include "compiler/emit/c_interface_text.hpp"
+#include "compiler/emit/frame.hpp"
 #include "compiler/emit/text.hpp"
 
 namespace mbgen {

@@ -1,5 +1,6 @@
 #include "compiler/emit/driver_text.hpp"
 
+#include "compiler/emit/frame.hpp"
 #include "compiler/emit/interface_text.hpp"
 #include "compiler/emit/program_text.hpp"
 #include "compiler/emit/text.hpp"

@@ -13,6 +13,7 @@
 #include "compiler/emit/calibration_text.hpp"
 #include "compiler/emit/cost_sheet.hpp"
 #include "compiler/emit/embedded.hpp"
+#include "compiler/emit/frame.hpp"
 #include "compiler/emit/interface_text.hpp"
 #include "compiler/emit/manifest_text.hpp"
 #include "compiler/emit/solver_text.hpp"

@@ -8,6 +8,7 @@
 #include "compiler/emit/emit.hpp"
 #include "compiler/emit/fmu_documentation.hpp"
 #include "compiler/emit/fmu_nominals.hpp"
+#include "compiler/emit/frame.hpp"
 #include "compiler/emit/input_text.hpp"
 #include "compiler/emit/solver_text.hpp"
 #include "compiler/emit/text.hpp"
@@ -122,14 +123,13 @@ std::string model_text(const EmitContext& context, const FmuLayout& fmu, const I
 }
 
 std::string entry_points(const EmitContext& context, FmiVersion version) {
-  std::map<std::string, std::string> values = {{"banner", banner_text(context.model, "//")},
-                                               {"solver", context.names.solver}};
+  FrameValues values = {{"banner", banner_text(context.model, "//")}, {"solver", context.names.solver}};
   if (version == FmiVersion::two) {
-    values["interfaces"] = fill_template("fmi2_interfaces.cpp.in", {});
+    values.insert({"interfaces", fill_template("fmi2_interfaces.cpp.in", {})});
     return fill_template("fmi2.cpp.in", values);
   }
-  values["interfaces"] = fill_template("fmi3_interfaces.cpp.in", {});
-  values["others"] = fill_template("fmi3_others.cpp.in", {});
+  values.insert({"interfaces", fill_template("fmi3_interfaces.cpp.in", {})});
+  values.insert({"others", fill_template("fmi3_others.cpp.in", {})});
   return fill_template("fmi3.cpp.in", values);
 }
 

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "compiler/emit/frame.hpp"
 #include "compiler/emit/text.hpp"
 #include "compiler/model/unit_exponents.hpp"
 
@@ -168,18 +169,18 @@ std::string model_description(const EmitContext& context, const FmuLayout& fmu, 
   for (std::size_t i = 0; i < fmu.variables.size(); ++i)
     variables += is_two ? variable_2(fmu.variables[i], i) : variable_3(fmu.variables[i], i);
   for (const std::string& source : sources) files += fmt::format("      <File name=\"{}\"/>\n", source);
-  std::map<std::string, std::string> values = {{"about", about_text(model.about)},
-                                               {"tolerance", number_text(model.solver.tolerance)},
-                                               {"name", xml_text(model.name)},
-                                               {"solver", context.names.solver},
-                                               {"token", fmu_token(model)},
-                                               {"version", kMbgenVersion},
-                                               {"units", unit_definitions(fmu)},
-                                               {"stop", number_text(model.solver.duration)},
-                                               {"step", number_text(model.solver.step)},
-                                               {"variables", variables},
-                                               {"structure", is_two ? structure_2(fmu) : structure_3(fmu)}};
-  if (is_two) values["sources"] = files;
+  FrameValues values = {{"about", about_text(model.about)},
+                        {"tolerance", number_text(model.solver.tolerance)},
+                        {"name", xml_text(model.name)},
+                        {"solver", context.names.solver},
+                        {"token", fmu_token(model)},
+                        {"version", kMbgenVersion},
+                        {"units", unit_definitions(fmu)},
+                        {"stop", number_text(model.solver.duration)},
+                        {"step", number_text(model.solver.step)},
+                        {"variables", variables},
+                        {"structure", is_two ? structure_2(fmu) : structure_3(fmu)}};
+  if (is_two) values.insert({"sources", files});
   return fill_template(is_two ? "fmi2_description.xml.in" : "fmi3_description.xml.in", values);
 }
 

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "compiler/emit/frame.hpp"
 #include "compiler/emit/input_text.hpp"
 #include "compiler/emit/text.hpp"
 #include "compiler/model/inputs.hpp"

@@ -5,6 +5,7 @@
 
 #include <stdexcept>
 
+#include "compiler/emit/frame.hpp"
 #include "compiler/emit/function_text.hpp"
 #include "compiler/emit/input_text.hpp"
 #include "compiler/emit/interface_text.hpp"
