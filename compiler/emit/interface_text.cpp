@@ -97,6 +97,16 @@ std::vector<NumberMember> output_members(const EmitContext& context) {
   return members;
 }
 
+FrameRows name_rows(const std::vector<std::string>& names) {
+  return frame_rows(names, [](const std::string& name) { return FrameValues{{"member", name}}; });
+}
+
+FrameRows member_rows(const std::vector<NumberMember>& members) {
+  return frame_rows(members, [](const NumberMember& member) {
+    return FrameValues{{"member", member.name}, {"unit", comment_text(member.unit)}};
+  });
+}
+
 std::string banner_text(const Model& model, const std::string& mark) {
   return mark + " " + comment_text(model.name) + ", content hash " + model.hash + "\n" + mark +
          " Made by `mbgen generate " + comment_text(base_name(model.file)) + "`, mbgen " + kMbgenVersion +

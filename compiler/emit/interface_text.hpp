@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "compiler/emit/context.hpp"
+#include "compiler/emit/frame.hpp"
 
 namespace mbgen {
 
@@ -21,6 +22,12 @@ struct NumberMember {
 std::vector<NumberMember> parameter_members(const EmitContext& context);
 std::vector<NumberMember> input_members(const EmitContext& context);
 std::vector<NumberMember> output_members(const EmitContext& context);
+
+/// A row for each name, as `member`.
+FrameRows name_rows(const std::vector<std::string>& names);
+
+/// A row for each, with its unit for a comment: `member`, `unit`.
+FrameRows member_rows(const std::vector<NumberMember>& members);
 
 /// Struct Tuned, the tunable parameters with the constants that follow from them, which every function of a solver
 /// takes: another name of Parameters where nothing follows from them. scalar: type of its values.
