@@ -11,14 +11,14 @@
 namespace mbgen {
 namespace {
 
-/// A frame in which lines that hold tags of sections and nothing else are these tags.
+/// A frame in which lines that hold tags of sections or frames and nothing else are these tags.
 std::string without_lines_of_tags(std::string_view frame) {
   std::string result;
   while (!frame.empty()) {
     const std::string_view line = frame.substr(0, std::min(frame.find('\n'), frame.size() - 1) + 1);
     std::string_view rest = line;
     bool has_tag = false;
-    while (rest.starts_with("{{#") || rest.starts_with("{{^") || rest.starts_with("{{/")) {
+    while (rest.starts_with("{{#") || rest.starts_with("{{^") || rest.starts_with("{{/") || rest.starts_with("{{>")) {
       rest.remove_prefix(std::min(rest.find("}}"), rest.size() - 2) + 2);
       has_tag = true;
     }
@@ -43,10 +43,12 @@ class FrameFiller {
       if (at == std::string_view::npos) break;
       text.remove_prefix(at + 2);
       const std::string_view tag = cut(text, "}}", "{{ without }}");
-      const std::string name(tag.substr(tag.find_first_not_of("#^/")));
+      const std::string name(tag.substr(tag.find_first_not_of("#^/>")));
       if (tag.starts_with('/')) fail("{{/" + name + "}} ends no section");
       if (tag == name) {
         result += value_of(name).text;
+      } else if (tag.starts_with('>')) {
+        result += fill(without_lines_of_tags(template_text(name)), {});
       } else {
         const std::string_view body = cut(text, "{{/" + name + "}}", "{{" + std::string(tag) + "}} without its end");
         result += section(tag.front(), body, value_of(name));

@@ -45,12 +45,12 @@ std::vector<std::vector<int>> input_rows(const std::vector<Input>& inputs) {
 std::string advanced_inputs(const Model& model, const SolverNames& names, const std::string& scalar,
                             const std::string& margin) {
   if (!inputs_have_derivatives(model.inputs)) return "";
-  std::string text;
+  std::vector<std::string> statements;
   for (std::size_t i = 0; i < names.inputs.size(); ++i) {
     const std::string value = polynomial(model, names, static_cast<int>(i), 1, scalar);
-    text += wrapped_statement(fmt::format("{}later.{} = {};", margin, names.inputs[i], value)) + "\n";
+    statements.push_back(wrapped_statement(fmt::format("{}later.{} = {};", margin, names.inputs[i], value)));
   }
-  return text;
+  return fmt::format("{}", fmt::join(statements, "\n"));
 }
 
 std::string input_rows_text(const Model& model, const SolverNames& names) {

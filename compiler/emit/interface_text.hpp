@@ -29,11 +29,8 @@ FrameRows name_rows(const std::vector<std::string>& names);
 /// A row for each, with its unit for a comment: `member`, `unit`.
 FrameRows member_rows(const std::vector<NumberMember>& members);
 
-/// Struct Tuned, the tunable parameters with the constants that follow from them, which every function of a solver
-/// takes: another name of Parameters where nothing follows from them. scalar: type of its values.
-std::string tuned_type_text(const Programs& programs, const std::string& scalar);
-
-/// The constructor of the struct, which calls the program of the derived constants; empty without them.
-std::string tuned_constructor_text(const Programs& programs);
+/// Values of tuned.in, struct Tuned: the tunable parameters with the constants that follow from them, which every
+/// function of a solver takes.
+FrameValues tuned_values(const Programs& programs);
 
 }  // namespace mbgen

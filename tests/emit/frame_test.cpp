@@ -64,5 +64,11 @@ TEST(Frames, dropLinesThatHoldTagsOfSectionsAlone) {
   EXPECT_EQ(fill_frame("frame", frame, {{"b", false}, {"c", true}, {"d", "z"}}), "y\nz\n");
 }
 
+TEST(Frames, holdOtherFrames) {
+  EXPECT_EQ(fill_frame("frame", "a\n{{>tuned.in}}\nb", {{"derived", ""}, {"tuned_comment", ""}, {"scalar", "double"}}),
+            "a\n/// What functions take: no constants follow from the parameters.\nusing Tuned = Parameters;\nb");
+  EXPECT_EQ(error_of("{{>no_such.in}}", {}), "templates/no_such.in: not embedded");
+}
+
 }  // namespace
 }  // namespace mbgen::test
