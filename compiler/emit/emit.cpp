@@ -48,19 +48,14 @@ std::string cmake_flags(CompilerFamily family) {
 
 /// `CMakeLists.txt`.
 std::string build_text(const EmitContext& context) {
-  const std::string& solver = context.names.solver;
-  const std::string sources = solver + ".cpp" + (context.lanes > 0 ? " " + solver + "_batch.cpp" : "") +
-                              (context.c_interface ? " " + solver + "_c.cpp" : "");
-  const std::string shared = context.c_interface ? fill_template("shared.cmake.in", {{"solver", solver}}) : "";
-  return fill_template(
-      "CMakeLists.txt.in",
-      {{"banner", banner_text(context.model, "#")},
-       {"solver", solver},
-       {"sources", sources},
-       {"gnu_flags", cmake_flags(CompilerFamily::gnu)},
-       {"x86_flags", context.lanes > 0 ? fmt::format("{}", fmt::join(lane_flags_of_gnu_on_x86(), " ")) : ""},
-       {"clang_flags", cmake_flags(CompilerFamily::clang)},
-       {"shared", shared}});
+  return fill_template("CMakeLists.txt.in",
+                       {{"banner", banner_text(context.model, "#")},
+                        {"solver", context.names.solver},
+                        {"lanes", context.lanes > 0},
+                        {"c_interface", context.c_interface},
+                        {"gnu_flags", cmake_flags(CompilerFamily::gnu)},
+                        {"x86_flags", fmt::format("{}", fmt::join(lane_flags_of_gnu_on_x86(), " "))},
+                        {"clang_flags", cmake_flags(CompilerFamily::clang)}});
 }
 
 }  // namespace

@@ -84,35 +84,34 @@ std::string names_text(const FmuLayout& fmu) {
 
 std::string model_text(const EmitContext& context, const FmuLayout& fmu, const InitialState& initial) {
   const SolverLayout& layout = context.layout;
-  const auto truth = [](bool value) { return value ? "true" : "false"; };
   return fill_template(
       "fmu_model.hpp.in",
       {{"banner", banner_text(context.model, "//")},
        {"solver", context.names.solver},
        {"token", fmu_token(context.model)},
        {"step_size", number_text(context.model.solver.step)},
-       {"output_count", std::to_string(output_members(context).size())},
+       {"output_count", output_members(context).size()},
        {"multiplier_size", size_text(layout.equations)},
        {"drive_size", size_text(layout.drives)},
-       {"has_closure", truth(layout.has_closure)},
-       {"takes_multipliers", truth(outputs_take_multipliers(context.programs))},
-       {"velocity_count", std::to_string(fmu.independent.size())},
+       {"has_closure", fmt::format("{}", layout.has_closure)},
+       {"takes_multipliers", fmt::format("{}", outputs_take_multipliers(context.programs))},
+       {"velocity_count", fmu.independent.size()},
        {"velocities", integers("kVelocities", fmu.independent)},
-       {"chosen_count", std::to_string(fmu.chosen.size())},
+       {"chosen_count", fmu.chosen.size()},
        {"chosen", integers("kChosen", fmu.chosen)},
        {"block_of", integers("kBlockOf", fmu.block_of)},
        {"input_paths", input_rows(context.model.inputs).empty() ? "mbgen::fmu::GivenInputs<Inputs>"
                                                                 : context.names.solver + "::InputPaths"},
        {"nominals", numbers("kNominal", nominals(fmu))},
        {"input_derivatives", integers("kInputDerivative", input_derivatives(context.model))},
-       {"undriven_count", std::to_string(fmu.undriven.size())},
+       {"undriven_count", fmu.undriven.size()},
        {"undriven", integers("kUndriven", fmu.undriven)},
-       {"start_parameter_count", std::to_string(initial.parameters.size())},
+       {"start_parameter_count", initial.parameters.size()},
        {"start_parameters", start_text(context.model, initial)},
        {"members", members("Parameters", "kParameterMember", parameter_members(context)) +
                        members("Inputs", "kInputMember", input_members(context)) +
                        members("Outputs", "kOutputMember", output_members(context))},
-       {"range_count", std::to_string(ranges(fmu).size())},
+       {"range_count", ranges(fmu).size()},
        {"ranges", array_text("  static constexpr mbgen::fmu::Range kRange", ranges(fmu), "{}")},
        {"names", names_text(fmu)},
        {"step", context.model.solver.is_multistep() ? "step_abm4(parameters, inputs, state, history, h)"
@@ -123,14 +122,8 @@ std::string model_text(const EmitContext& context, const FmuLayout& fmu, const I
 }
 
 std::string entry_points(const EmitContext& context, FmiVersion version) {
-  FrameValues values = {{"banner", banner_text(context.model, "//")}, {"solver", context.names.solver}};
-  if (version == FmiVersion::two) {
-    values.insert({"interfaces", fill_template("fmi2_interfaces.cpp.in", {})});
-    return fill_template("fmi2.cpp.in", values);
-  }
-  values.insert({"interfaces", fill_template("fmi3_interfaces.cpp.in", {})});
-  values.insert({"others", fill_template("fmi3_others.cpp.in", {})});
-  return fill_template("fmi3.cpp.in", values);
+  return fill_template(version == FmiVersion::two ? "fmi2.cpp.in" : "fmi3.cpp.in",
+                       {{"banner", banner_text(context.model, "//")}, {"solver", context.names.solver}});
 }
 
 /// A file of templates/ as it is.
