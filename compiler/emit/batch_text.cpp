@@ -9,6 +9,7 @@
 #include "compiler/emit/frame.hpp"
 #include "compiler/emit/input_text.hpp"
 #include "compiler/emit/interface_text.hpp"
+#include "compiler/emit/mapped.hpp"
 #include "compiler/emit/program_text.hpp"
 #include "compiler/emit/solver_text.hpp"
 #include "compiler/emit/text.hpp"
@@ -24,7 +25,7 @@ constexpr int kLaneBytes = 8;
 
 /// Arrays of lanes that have the default in each.
 FrameRows default_rows(const std::vector<NumberMember>& members, int lanes) {
-  return frame_rows(members, [&](const NumberMember& member) {
+  return mapped(members, [&](const NumberMember& member) {
     const std::vector<std::string> values(static_cast<std::size_t>(lanes), member.value);
     return FrameValues{{"declaration", braced_list("  double " + member.name + "[kLanes] = ", values, ";")},
                        {"unit", comment_text(member.unit)}};

@@ -1,12 +1,10 @@
 #include "compiler/emit/c_interface_text.hpp"
 
-#include <fmt/format.h>
-#include <fmt/ranges.h>
-
 #include <algorithm>
 
 #include "compiler/emit/frame.hpp"
 #include "compiler/emit/input_text.hpp"
+#include "compiler/emit/mapped.hpp"
 #include "compiler/emit/text.hpp"
 #include "compiler/model/inputs.hpp"
 #include "mbgen/status.hpp"
@@ -27,14 +25,8 @@ std::string apart(const std::string& text) {
 
 std::string c_comment_text(const std::string& text) { return apart(comment_text(text)); }
 
-std::vector<std::string> coordinate_names(const Topology& topology) {
-  std::vector<std::string> names;
-  for (const TreeBody& body : topology.bodies) names.push_back(body.coordinate);
-  return names;
-}
-
 FrameRows c_members(const std::vector<NumberMember>& members) {
-  return frame_rows(members, [](const NumberMember& member) {
+  return mapped(members, [](const NumberMember& member) {
     return FrameValues{{"member", member.name}, {"unit", c_comment_text(member.unit)}};
   });
 }
@@ -58,9 +50,7 @@ std::string input_comment(const EmitContext& context) {
 
 /// Quoted, for Python: the escapes of C++ that string_literal writes are those of Python, too.
 std::string python_list(const std::vector<std::string>& items) {
-  std::vector<std::string> literals;
-  for (const std::string& item : items) literals.push_back(string_literal(item));
-  return fmt::format("[{}]", fmt::join(literals, ", "));
+  return "[" + joined(mapped(items, string_literal), ", ") + "]";
 }
 
 }  // namespace
@@ -127,18 +117,19 @@ std::string c_source_text(const EmitContext& context) {
 
 std::string python_text(const EmitContext& context) {
   const Model& model = context.model;
-  return fill_template("module.py.in", {{"banner", banner_text(model, "#")},
-                                        {"makes_rates", !input_rows(model.inputs).empty()},
-                                        {"title", string_literal(model.name)},
-                                        {"solver", context.names.solver},
-                                        {"scalar", context.scalar},
-                                        {"numpy_type", context.scalar == "float" ? "float32" : "float64"},
-                                        {"parameters", member_rows(parameter_members(context))},
-                                        {"inputs", member_rows(input_members(context))},
-                                        {"outputs", member_rows(output_members(context))},
-                                        {"coordinate_names", python_list(coordinate_names(context.topology))},
-                                        {"coordinate_size", size_text(context.layout.coordinates)},
-                                        {"auxiliary_size", size_text(context.layout.auxiliary_states)}});
+  return fill_template("module.py.in",
+                       {{"banner", banner_text(model, "#")},
+                        {"makes_rates", !input_rows(model.inputs).empty()},
+                        {"title", string_literal(model.name)},
+                        {"solver", context.names.solver},
+                        {"scalar", context.scalar},
+                        {"numpy_type", context.scalar == "float" ? "float32" : "float64"},
+                        {"parameters", member_rows(parameter_members(context))},
+                        {"inputs", member_rows(input_members(context))},
+                        {"outputs", member_rows(output_members(context))},
+                        {"coordinate_names", python_list(mapped(context.topology.bodies, &TreeBody::coordinate))},
+                        {"coordinate_size", size_text(context.layout.coordinates)},
+                        {"auxiliary_size", size_text(context.layout.auxiliary_states)}});
 }
 
 }  // namespace mbgen

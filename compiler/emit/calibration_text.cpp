@@ -5,6 +5,7 @@
 
 #include "compiler/emit/c_interface_text.hpp"
 #include "compiler/emit/frame.hpp"
+#include "compiler/emit/mapped.hpp"
 #include "compiler/emit/text.hpp"
 
 namespace mbgen {
@@ -112,7 +113,7 @@ CalibrationNumbers state_numbers(const EmitContext& context) {
 
 CalibrationNumberSets numbers_of(const EmitContext& context) {
   const Model& model = context.model;
-  return {members_of(context, "parameters", parameter_members(context), tunable_names(model)),
+  return {members_of(context, "parameters", parameter_members(context), names_of(tunable_parameters(model))),
           members_of(context, "inputs", input_members(context), names_of(model.inputs)),
           members_of(context, "outputs", output_members(context), names_of(model.outputs)), state_numbers(context)};
 }
@@ -139,7 +140,7 @@ FrameRows method_rows(const std::map<std::string, std::string>& methods) {
 }
 
 FrameRows number_rows(const CalibrationNumbers& numbers, const std::map<std::string, std::string>& methods) {
-  return frame_rows(numbers, [&](const CalibrationNumber& number) {
+  return mapped(numbers, [&](const CalibrationNumber& number) {
     return FrameValues{{"name", number.name},
                        {"text", a2l_string(number.text)},
                        {"type", number.type.name},

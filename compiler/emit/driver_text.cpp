@@ -2,6 +2,7 @@
 
 #include "compiler/emit/frame.hpp"
 #include "compiler/emit/interface_text.hpp"
+#include "compiler/emit/mapped.hpp"
 #include "compiler/emit/program_text.hpp"
 #include "compiler/emit/text.hpp"
 #include "compiler/emit/titles.hpp"
@@ -19,11 +20,8 @@ FrameRows numbered_rows(const std::vector<std::string>& names) {
 /// clocked: the program that is told the end of each step, "" for a driver without.
 EmittedFile driver(const Model& model, int lanes, const std::string& clocked) {
   const SolverNames names = model_names(model);
-  std::vector<double> parameters, inputs;
-  for (const Parameter& parameter : model.parameters) {
-    if (parameter.tunable) parameters.push_back(parameter.value);
-  }
-  for (const Input& input : model.inputs) inputs.push_back(input.default_value);
+  const std::vector<double> parameters = mapped(tunable_parameters(model), &Parameter::value);
+  const std::vector<double> inputs = mapped(model.inputs, &Input::default_value);
   return {names.solver + "_driver.cpp",
           fill_template("driver.cpp.in",
                         {{"banner", banner_text(model, "//")},

@@ -1,8 +1,5 @@
 #include "compiler/emit/emit.hpp"
 
-#include <fmt/format.h>
-#include <fmt/ranges.h>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -43,19 +40,18 @@ void add_included_headers(std::string_view text, std::vector<EmittedFile>& files
 }
 
 std::string cmake_flags(CompilerFamily family) {
-  return wrapped_words(fmt::format("{}", fmt::join(solver_compile_flags(family), " ")), "      ");
+  return wrapped_words(joined(solver_compile_flags(family), " "), "      ");
 }
 
 /// `CMakeLists.txt`.
 std::string build_text(const EmitContext& context) {
-  return fill_template("CMakeLists.txt.in",
-                       {{"banner", banner_text(context.model, "#")},
-                        {"solver", context.names.solver},
-                        {"lanes", context.lanes > 0},
-                        {"c_interface", context.c_interface},
-                        {"gnu_flags", cmake_flags(CompilerFamily::gnu)},
-                        {"x86_flags", fmt::format("{}", fmt::join(lane_flags_of_gnu_on_x86(), " "))},
-                        {"clang_flags", cmake_flags(CompilerFamily::clang)}});
+  return fill_template("CMakeLists.txt.in", {{"banner", banner_text(context.model, "#")},
+                                             {"solver", context.names.solver},
+                                             {"lanes", context.lanes > 0},
+                                             {"c_interface", context.c_interface},
+                                             {"gnu_flags", cmake_flags(CompilerFamily::gnu)},
+                                             {"x86_flags", joined(lane_flags_of_gnu_on_x86(), " ")},
+                                             {"clang_flags", cmake_flags(CompilerFamily::clang)}});
 }
 
 }  // namespace

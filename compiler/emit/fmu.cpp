@@ -10,6 +10,7 @@
 #include "compiler/emit/fmu_nominals.hpp"
 #include "compiler/emit/frame.hpp"
 #include "compiler/emit/input_text.hpp"
+#include "compiler/emit/mapped.hpp"
 #include "compiler/emit/solver_text.hpp"
 #include "compiler/emit/text.hpp"
 #include "compiler/emit/titles.hpp"
@@ -19,9 +20,8 @@ namespace mbgen {
 namespace {
 
 std::string integers(const std::string& name, const std::vector<int>& values) {
-  std::vector<std::string> items;
-  for (const int value : values) items.push_back(std::to_string(value));
-  return array_text("  static constexpr int " + name, items, "-1");
+  const auto text = [](int value) { return std::to_string(value); };
+  return array_text("  static constexpr int " + name, mapped(values, text), "-1");
 }
 
 std::string numbers(const std::string& name, const std::vector<double>& values) {
@@ -33,12 +33,6 @@ std::string members(const std::string& structure, const std::string& name, const
   return array_text("  static constexpr double " + structure + "::*" + name, member_places(structure, names_of(list)),
                     "nullptr") +
          "\n";
-}
-
-std::vector<int> input_derivatives(const Model& model) {
-  std::vector<int> derivatives;
-  for (const Input& input : model.inputs) derivatives.push_back(input.derivative);
-  return derivatives;
 }
 
 std::string start_text(const Model& model, const InitialState& initial) {
@@ -68,18 +62,15 @@ std::vector<std::string> ranges(const FmuLayout& fmu) {
 
 /// Of the continuous states: positions, velocities, auxiliary states.
 std::vector<double> nominals(const FmuLayout& fmu) {
-  std::vector<double> values;
-  for (const FmuUnknown& derivative : fmu.derivatives) {
+  return mapped(fmu.derivatives, [&](const FmuUnknown& derivative) {
     const int state = fmu.variables[static_cast<std::size_t>(derivative.variable)].derivative_of;
-    values.push_back(fmu.variables[static_cast<std::size_t>(state)].shown.nominal.value_or(1));
-  }
-  return values;
+    return fmu.variables[static_cast<std::size_t>(state)].shown.nominal.value_or(1);
+  });
 }
 
 std::string names_text(const FmuLayout& fmu) {
-  std::vector<std::string> names;
-  for (const FmuVariable& variable : fmu.variables) names.push_back('"' + variable.name + '"');
-  return array_text("  static constexpr const char* kNames", names, "");
+  const auto quoted = [](const FmuVariable& variable) { return '"' + variable.name + '"'; };
+  return array_text("  static constexpr const char* kNames", mapped(fmu.variables, quoted), "");
 }
 
 std::string model_text(const EmitContext& context, const FmuLayout& fmu, const InitialState& initial) {
@@ -103,7 +94,7 @@ std::string model_text(const EmitContext& context, const FmuLayout& fmu, const I
        {"input_paths", input_rows(context.model.inputs).empty() ? "mbgen::fmu::GivenInputs<Inputs>"
                                                                 : context.names.solver + "::InputPaths"},
        {"nominals", numbers("kNominal", nominals(fmu))},
-       {"input_derivatives", integers("kInputDerivative", input_derivatives(context.model))},
+       {"input_derivatives", integers("kInputDerivative", mapped(context.model.inputs, &Input::derivative))},
        {"undriven_count", fmu.undriven.size()},
        {"undriven", integers("kUndriven", fmu.undriven)},
        {"start_parameter_count", initial.parameters.size()},

@@ -1,9 +1,9 @@
 #include "compiler/emit/fmu_description.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include "compiler/emit/frame.hpp"
+#include "compiler/emit/mapped.hpp"
 #include "compiler/emit/text.hpp"
 #include "compiler/model/unit_exponents.hpp"
 
@@ -49,7 +49,7 @@ FrameRows unit_definitions(const FmuLayout& fmu) {
     std::set<std::string>& shown = units[variable.unit];
     if (!variable.shown.display_unit.empty()) shown.insert(variable.shown.display_unit);
   }
-  return frame_rows(units, [](const auto& unit) {
+  return mapped(units, [](const auto& unit) {
     const auto& [name, shown] = unit;
     const std::optional<UnitExponents> meaning = unit_exponents(name);
     return FrameValues{{"name", xml_text(name)},
@@ -94,11 +94,10 @@ FrameValues variable_values(const FmuVariable& variable, std::size_t reference, 
 }
 
 FrameRows unknowns(const std::vector<FmuUnknown>& all, FmiVersion version) {
-  return frame_rows(all, [&](const FmuUnknown& unknown) {
-    std::vector<int> known;
-    for (const int dependency : unknown.dependencies) known.push_back(dependency + first_index(version));
-    return FrameValues{{"variable", unknown.variable + first_index(version)},
-                       {"dependencies", fmt::format("{}", fmt::join(known, " "))}};
+  return mapped(all, [&](const FmuUnknown& unknown) {
+    const auto text = [&](int variable) { return std::to_string(variable + first_index(version)); };
+    return FrameValues{{"variable", text(unknown.variable)},
+                       {"dependencies", joined(mapped(unknown.dependencies, text), " ")}};
   });
 }
 
@@ -116,7 +115,7 @@ FrameRows structure(const FmuLayout& fmu, FmiVersion version) {
 }
 
 FrameRows file_rows(const std::vector<std::string>& sources) {
-  return frame_rows(sources, [](const std::string& source) { return FrameValues{{"file", source}}; });
+  return mapped(sources, [](const std::string& source) { return FrameValues{{"file", source}}; });
 }
 
 }  // namespace

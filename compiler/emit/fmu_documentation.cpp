@@ -1,6 +1,7 @@
 #include "compiler/emit/fmu_documentation.hpp"
 
 #include "compiler/emit/frame.hpp"
+#include "compiler/emit/mapped.hpp"
 #include "compiler/emit/text.hpp"
 
 namespace mbgen {
@@ -10,11 +11,11 @@ using Causality = FmuVariable::Causality;
 using Cells = std::vector<std::string>;
 
 FrameRows cell_rows(const Cells& cells) {
-  return frame_rows(cells, [](const std::string& cell) { return FrameValues{{"cell", xml_text(cell)}}; });
+  return mapped(cells, [](const std::string& cell) { return FrameValues{{"cell", xml_text(cell)}}; });
 }
 
 FrameRows table_rows(const std::vector<Cells>& rows) {
-  return frame_rows(rows, [](const Cells& cells) { return FrameValues{{"cells", cell_rows(cells)}}; });
+  return mapped(rows, [](const Cells& cells) { return FrameValues{{"cells", cell_rows(cells)}}; });
 }
 
 /// Author and so on, what the model says of itself.
@@ -52,10 +53,9 @@ std::vector<Cells> body_cells(const Model& model) {
 
 std::vector<Cells> joint_cells(const Model& model) {
   const auto body_of = [&](const Attachment& at) { return model.bodies[static_cast<std::size_t>(at.body)].name; };
-  std::vector<Cells> rows;
-  for (const Joint& joint : model.joints)
-    rows.push_back({joint.name, name_of(joint.type), body_of(joint.from), body_of(joint.to), joint.description});
-  return rows;
+  return mapped(model.joints, [&](const Joint& joint) {
+    return Cells{joint.name, name_of(joint.type), body_of(joint.from), body_of(joint.to), joint.description};
+  });
 }
 
 /// The tables that have rows.

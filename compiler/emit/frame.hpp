@@ -29,14 +29,6 @@ struct FrameValue {
   FrameValue(FrameRows values) : rows(std::move(values)), is_text(false) {}
 };
 
-/// A row for each item: what `row_of` makes of it.
-template <class Items, class RowOf>
-FrameRows frame_rows(const Items& items, RowOf row_of) {
-  FrameRows rows;
-  for (const auto& item : items) rows.push_back(row_of(item));
-  return rows;
-}
-
 /// Fills a frame: every {{name}} becomes its value. Text from {{#name}} to {{/name}} is repeated for each row of the
 /// value, where names of the row stand before those around it; text from {{^name}} to {{/name}} stays where there is no
 /// row. {{>name}} is another frame of templates/, with the same values. A line that holds nothing but such tags leaves

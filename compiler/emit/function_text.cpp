@@ -1,7 +1,6 @@
 #include "compiler/emit/function_text.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include "compiler/emit/text.hpp"
 
@@ -62,7 +61,7 @@ std::string whole_parameters(const ProgramShape& shape, const std::set<std::stri
     if (shape.in_groups) type = name == "tau" ? "const JointForces* " : type.replace(type.find('&'), 1, "*");
     list.push_back(is_used ? type + name : type.substr(0, type.find("__restrict")) + "/*" + name + "*/");
   }
-  return fmt::format("{}", fmt::join(list, ", "));
+  return joined(list, ", ");
 }
 
 std::string part_parameters(const ProgramShape& shape, const CrossingStructs& crossing,
@@ -70,7 +69,7 @@ std::string part_parameters(const ProgramShape& shape, const CrossingStructs& cr
   std::vector<std::string> list;
   for (const auto& [name, type, is_used] : taken_arguments(shape, crossing, used))
     if (is_used) list.push_back(type + name);
-  return fmt::format("{}", fmt::join(list, ", "));
+  return joined(list, ", ");
 }
 
 /// The arguments of a part, those of group g where it is called for each.
@@ -79,7 +78,7 @@ std::string part_arguments(const ProgramShape& shape, const CrossingStructs& cro
   std::vector<std::string> list;
   for (const auto& [name, type, is_used] : taken_arguments(shape, crossing, used))
     if (is_used) list.push_back(!shape.in_groups ? name : name == "tau" ? "tau[g].tau" : name + "[g]");
-  return fmt::format("{}", fmt::join(list, ", "));
+  return joined(list, ", ");
 }
 
 std::string heading(const std::string& comment, const std::string& declaration) {
@@ -90,7 +89,7 @@ std::string heading(const std::string& comment, const std::string& declaration) 
 std::string part_function(const ProgramShape& shape, const CrossingStructs& crossing, const PartText& part,
                           std::size_t number) {
   const std::string name = shape.function + "_" + std::to_string(number);
-  const std::string titles = comment_text(fmt::format("{}", fmt::join(part.sections, "; ")));
+  const std::string titles = comment_text(joined(part.sections, "; "));
   return heading(
              "Part " + std::to_string(number) + " of " + shape.function + (titles.empty() ? "." : ": " + titles + "."),
              "[[gnu::noinline]] void " + name + "(" + part_parameters(shape, crossing, part.arguments) +

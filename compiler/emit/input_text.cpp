@@ -1,10 +1,10 @@
 #include "compiler/emit/input_text.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 
+#include "compiler/emit/mapped.hpp"
 #include "compiler/emit/text.hpp"
 #include "compiler/model/inputs.hpp"
 
@@ -50,17 +50,16 @@ std::string advanced_inputs(const Model& model, const SolverNames& names, const 
     const std::string value = polynomial(model, names, static_cast<int>(i), 1, scalar);
     statements.push_back(wrapped_statement(fmt::format("{}later.{} = {};", margin, names.inputs[i], value)));
   }
-  return fmt::format("{}", fmt::join(statements, "\n"));
+  return joined(statements, "\n");
 }
 
 std::string input_rows_text(const Model& model, const SolverNames& names) {
   std::vector<std::string> rows;
   for (const std::vector<int>& row : input_rows(model.inputs)) {
-    std::vector<std::string> members;
-    for (const int input : row) members.push_back("&Inputs::" + names.inputs[static_cast<std::size_t>(input)]);
-    rows.push_back(fmt::format("    {{{}, {{{}}}}}", row.size(), fmt::join(members, ", ")));
+    const auto member = [&](int input) { return "&Inputs::" + names.inputs[static_cast<std::size_t>(input)]; };
+    rows.push_back(fmt::format("    {{{}, {{{}}}}}", row.size(), joined(mapped(row, member), ", ")));
   }
-  return inputs_have_derivatives(model.inputs) ? fmt::format("{}", fmt::join(rows, ",\n")) : "";
+  return inputs_have_derivatives(model.inputs) ? joined(rows, ",\n") : "";
 }
 
 }  // namespace mbgen

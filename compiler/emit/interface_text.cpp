@@ -4,6 +4,7 @@
 
 #include "compiler/emit/frame.hpp"
 #include "compiler/emit/input_text.hpp"
+#include "compiler/emit/mapped.hpp"
 #include "compiler/emit/text.hpp"
 #include "compiler/model/inputs.hpp"
 
@@ -15,38 +16,28 @@ std::string enumeration(const std::string& name, const std::vector<std::string>&
   return "struct " + name + " {\n" + braced_list("  enum Index : int ", members, ";") + "\n};";
 }
 
-std::vector<std::string> units_of(const std::vector<NumberMember>& members) {
-  std::vector<std::string> units;
-  for (const NumberMember& member : members) units.push_back(member.unit);
-  return units;
-}
-
 /// Arrays of names and units.
 FrameRows tables(const EmitContext& context) {
   const Model& model = context.model;
-  std::vector<std::string> coordinate_names, coordinate_units, block_names, output_units;
-  for (const TreeBody& body : context.topology.bodies) {
-    coordinate_names.push_back(body.coordinate);
-    coordinate_units.push_back(unit_of(body.kind));
-  }
-  for (const Output& output : model.outputs) output_units.push_back(output.unit);
+  const std::vector<Parameter> parameters = tunable_parameters(model);
+  const auto& bodies = context.topology.bodies;
+  std::vector<std::string> block_names;
   for (std::size_t b = 0; b < context.topology.blocks.size(); ++b)
     block_names.push_back(block_title(context.topology, static_cast<int>(b)));
   const std::pair<const char*, std::vector<std::string>> all[] = {
-      {"kCoordinateNames", coordinate_names},
-      {"kCoordinateUnits", coordinate_units},
+      {"kCoordinateNames", mapped(bodies, &TreeBody::coordinate)},
+      {"kCoordinateUnits", mapped(bodies, [](const TreeBody& body) { return std::string(unit_of(body.kind)); })},
       {"kAuxiliaryStateNames", auxiliary_state_names(model)},
       {"kBodyNames", names_of(model.bodies)},
       {"kInputNames", names_of(model.inputs)},
-      {"kInputUnits", units_of(input_members(context))},
+      {"kInputUnits", mapped(model.inputs, &Input::unit)},
       {"kOutputNames", names_of(model.outputs)},
-      {"kOutputUnits", output_units},
-      {"kParameterNames", tunable_names(model)},
-      {"kParameterUnits", units_of(parameter_members(context))},
+      {"kOutputUnits", mapped(model.outputs, &Output::unit)},
+      {"kParameterNames", names_of(parameters)},
+      {"kParameterUnits", mapped(parameters, &Parameter::unit)},
       {"kLoopBlockNames", block_names}};
-  return frame_rows(all, [](const auto& named) {
-    std::vector<std::string> literals;
-    for (const std::string& text : named.second) literals.push_back(string_literal(text));
+  return mapped(all, [](const auto& named) {
+    std::vector<std::string> literals = mapped(named.second, string_literal);
     if (literals.empty()) literals.push_back("\"\"");
     return FrameValues{{"table", named.first}, {"texts", wrapped_list(literals, 4)}};
   });
@@ -54,7 +45,7 @@ FrameRows tables(const EmitContext& context) {
 
 /// Members of a struct with their defaults.
 FrameRows default_rows(const std::vector<NumberMember>& members) {
-  return frame_rows(members, [](const NumberMember& member) {
+  return mapped(members, [](const NumberMember& member) {
     return FrameValues{{"member", member.name}, {"value", member.value}, {"unit", comment_text(member.unit)}};
   });
 }
@@ -69,9 +60,9 @@ std::string base_name(const std::string& path) {
 
 std::vector<NumberMember> parameter_members(const EmitContext& context) {
   std::vector<NumberMember> members;
-  for (const Parameter& p : context.model.parameters)
-    if (p.tunable)
-      members.push_back({context.names.parameters[members.size()], number_text(p.value, context.scalar), p.unit});
+  for (const Parameter& parameter : tunable_parameters(context.model))
+    members.push_back(
+        {context.names.parameters[members.size()], number_text(parameter.value, context.scalar), parameter.unit});
   return members;
 }
 
@@ -94,11 +85,11 @@ std::vector<NumberMember> output_members(const EmitContext& context) {
 }
 
 FrameRows name_rows(const std::vector<std::string>& names) {
-  return frame_rows(names, [](const std::string& name) { return FrameValues{{"member", name}}; });
+  return mapped(names, [](const std::string& name) { return FrameValues{{"member", name}}; });
 }
 
 FrameRows member_rows(const std::vector<NumberMember>& members) {
-  return frame_rows(members, [](const NumberMember& member) {
+  return mapped(members, [](const NumberMember& member) {
     return FrameValues{{"member", member.name}, {"unit", comment_text(member.unit)}};
   });
 }

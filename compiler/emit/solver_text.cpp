@@ -11,6 +11,7 @@
 #include "compiler/emit/input_text.hpp"
 #include "compiler/emit/interface_text.hpp"
 #include "compiler/emit/legend.hpp"
+#include "compiler/emit/mapped.hpp"
 #include "compiler/emit/program_text.hpp"
 #include "compiler/emit/text.hpp"
 
@@ -26,9 +27,7 @@ std::string table(const std::string& type, const std::string& name, Items items,
 
 template <class Number>
 Items items_of(const std::vector<Number>& numbers) {
-  Items items;
-  for (const auto number : numbers) items.push_back(std::to_string(static_cast<int>(number)));
-  return items;
+  return mapped(numbers, [](Number number) { return std::to_string(static_cast<int>(number)); });
 }
 
 std::string braces(const std::vector<int>& numbers) { return fmt::format("{{{}}}", fmt::join(numbers, ", ")); }
@@ -63,11 +62,8 @@ std::vector<int> multiplier_places(const Topology& topology) {
 }
 
 std::vector<int> drive_coordinates(const EmitContext& context) {
-  std::vector<int> coordinates;
-  for (const Motion& motion : context.model.motions) {
-    coordinates.push_back(tree_coordinate(context.topology, motion.joint));
-  }
-  return coordinates;
+  return mapped(context.model.motions,
+                [&](const Motion& motion) { return tree_coordinate(context.topology, motion.joint); });
 }
 
 /// Where each parameter or input is in its struct, to name one that is not finite.
@@ -82,7 +78,7 @@ std::string argument_sum(const SolverNames& names, const std::string& scalar) {
   for (const std::string& name : names.parameters) terms.push_back("parameters." + name);
   for (const std::string& name : names.inputs) terms.push_back("inputs." + name);
   if (terms.empty()) terms.push_back(is_number(scalar) ? number_text(0, scalar) : scalar + "{}");
-  return wrapped_statement(fmt::format("    return {};", fmt::join(terms, " + ")));
+  return wrapped_statement("    return " + joined(terms, " + ") + ";");
 }
 
 bool runs_rarely(Role role) {
@@ -125,7 +121,7 @@ void check_residual_order(const EmitContext& context) {
 
 /// The arrays of initial_state(). Copied number by number, as a bare target may have no memcpy.
 FrameRows start_rows(const InitialState& initial, const std::string& scalar) {
-  return frame_rows(std::array{initial.z, initial.zd, initial.x}, [&](const std::vector<double>& values) {
+  return mapped(std::array{initial.z, initial.zd, initial.x}, [&](const std::vector<double>& values) {
     Items items = number_texts(values, scalar);
     if (items.empty()) items.push_back(number_text(0, scalar));
     constexpr std::size_t kIndent = 7;  // after the brace

@@ -1,9 +1,14 @@
 #include "compiler/emit/text.hpp"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <sstream>
+
+#include "compiler/emit/mapped.hpp"
 
 namespace mbgen {
 namespace {
@@ -103,6 +108,10 @@ std::string comment_text(std::string_view text) {
   return result;
 }
 
+std::string joined(const std::vector<std::string>& texts, std::string_view separator) {
+  return fmt::format("{}", fmt::join(texts, separator));
+}
+
 std::string wrapped_list(const std::vector<std::string>& items, std::size_t indent) {
   const std::string margin(indent, ' ');
   std::string result = margin;
@@ -136,15 +145,11 @@ std::string array_text(const std::string& head, std::vector<std::string> items, 
 }
 
 std::vector<std::string> number_texts(const std::vector<double>& values, const std::string& scalar) {
-  std::vector<std::string> texts;
-  for (const double value : values) texts.push_back(number_text(value, scalar));
-  return texts;
+  return mapped(values, [&](double value) { return number_text(value, scalar); });
 }
 
 std::vector<std::string> member_places(const std::string& structure, const std::vector<std::string>& members) {
-  std::vector<std::string> places;
-  for (const std::string& member : members) places.push_back("&" + structure + "::" + member);
-  return places;
+  return mapped(members, [&](const std::string& member) { return "&" + structure + "::" + member; });
 }
 
 std::string wrapped_statement(const std::string& line) {

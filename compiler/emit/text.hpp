@@ -29,6 +29,9 @@ std::string string_literal(std::string_view text);
 /// end is followed by a full stop.
 std::string comment_text(std::string_view text);
 
+/// All texts, with a separator between them.
+std::string joined(const std::vector<std::string>& texts, std::string_view separator);
+
 /// Lines of `indent` spaces and items joined by ", ", broken before kLineWidth. Ends without a newline.
 std::string wrapped_list(const std::vector<std::string>& items, std::size_t indent);
 

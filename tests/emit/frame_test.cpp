@@ -6,6 +6,8 @@
 
 #include <stdexcept>
 
+#include "compiler/emit/mapped.hpp"
+
 namespace mbgen::test {
 namespace {
 
@@ -46,7 +48,7 @@ TEST(Frames, repeatSectionsForTheirRows) {
 }
 
 TEST(Frames, showTheNameOfARowBeforeOneAroundIt) {
-  const FrameRows rows = frame_rows(std::vector<int>{1, 2}, [](int number) { return FrameValues{{"name", number}}; });
+  const FrameRows rows = mapped(std::vector<int>{1, 2}, [](int number) { return FrameValues{{"name", number}}; });
   EXPECT_EQ(fill_frame("frame", "{{name}}{{#rows}}{{name}}{{/rows}}", {{"name", "a"}, {"rows", rows}}), "a12");
 }
 
