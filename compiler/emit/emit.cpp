@@ -76,7 +76,7 @@ std::vector<EmittedFile> emit(const Programs& programs, const Model& model, cons
                       options.scalar, options.roll_above);
   const nlohmann::ordered_json manifest = manifest_json(context, solver);
   std::vector<EmittedFile> files = {{name + ".hpp", interface_text(context)},
-                                    solver_file(context, solver),
+                                    solver_file(context, solver, false),
                                     {name + "_cost.txt", cost_text(manifest, banner_text(model, "#"))},
                                     {"CMakeLists.txt", build_text(context)}};
   if (options.lanes > 0) {

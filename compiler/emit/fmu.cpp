@@ -141,13 +141,12 @@ FmuFiles emit_fmu(const Programs& programs, const Programs& emitted, const Model
   add_nominals(context, initial, fmu);
   const std::string functions = version == FmiVersion::two ? "_fmi2.cpp" : "_fmi3.cpp";
 
-  std::vector<EmittedFile> sources = {
-      {solver + ".hpp", interface_text(context)},
-      solver_file(context, shaped, fill_template("fmu_held.cpp.in", {{"solver", solver}})),
-      {solver + "_directional.hpp", directional_header_text(context)},
-      {solver + "_directional.cpp", directional_source_text(context, programs)},
-      {solver + "_fmu.hpp", model_text(context, fmu, initial)},
-      {solver + functions, entry_points(context, version)}};
+  std::vector<EmittedFile> sources = {{solver + ".hpp", interface_text(context)},
+                                      solver_file(context, shaped, true),
+                                      {solver + "_directional.hpp", directional_header_text(context)},
+                                      {solver + "_directional.cpp", directional_source_text(context, programs)},
+                                      {solver + "_fmu.hpp", model_text(context, fmu, initial)},
+                                      {solver + functions, entry_points(context, version)}};
   FmuFiles files;
   files.identifier = solver;
   files.sources = {solver + ".cpp", solver + "_directional.cpp", solver + functions};

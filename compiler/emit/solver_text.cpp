@@ -7,7 +7,6 @@
 #include <stdexcept>
 
 #include "compiler/emit/frame.hpp"
-#include "compiler/emit/function_text.hpp"
 #include "compiler/emit/input_text.hpp"
 #include "compiler/emit/interface_text.hpp"
 #include "compiler/emit/legend.hpp"
@@ -189,7 +188,7 @@ FrameValues system_values(const EmitContext& context, const FrameRows& members, 
           {"sum", argument_sum(names, scalar)}};
 }
 
-EmittedFile solver_file(const EmitContext& context, std::vector<ShapedProgram> programs, const std::string& appendix) {
+EmittedFile solver_file(const EmitContext& context, std::vector<ShapedProgram> programs, bool for_importers) {
   check_residual_order(context);
   const std::string& solver = context.names.solver;
   FrameRows hot, rare, members;
@@ -209,6 +208,7 @@ EmittedFile solver_file(const EmitContext& context, std::vector<ShapedProgram> p
       {"solver", solver},
       {"rare_parts", rare_parts > 0 ? std::to_string(rare_parts) : ""},
       {"all_parts", rare_parts + 1},
+      {"for_importers", for_importers},
       {"hot", hot},
       {"rare", rare},
       {"projection", has_projection ? size_text(context.layout.projection_entries) : ""},
@@ -220,9 +220,7 @@ EmittedFile solver_file(const EmitContext& context, std::vector<ShapedProgram> p
       {"initial", context.initial.has_value()},
       {"start", context.initial ? start_rows(*context.initial, context.scalar) : FrameRows{}}};
   values.merge(system_values(context, members, context.scalar));
-  const std::string text = fill_template("solver.cpp.in", values);
-  return {solver + ".cpp", text + (rare_parts > 0 && !appendix.empty() ? in_file_part(0, appendix) : appendix),
-          rare_parts};
+  return {solver + ".cpp", fill_template("solver.cpp.in", values), rare_parts};
 }
 
 }  // namespace mbgen

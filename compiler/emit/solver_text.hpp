@@ -9,9 +9,8 @@
 
 namespace mbgen {
 
-/// `<model>.cpp`. appendix: further text of the solver, after its namespace.
-EmittedFile solver_file(const EmitContext& context, std::vector<ShapedProgram> programs,
-                        const std::string& appendix = "");
+/// `<model>.cpp`. for_importers: with the functions that an FMU asks for besides.
+EmittedFile solver_file(const EmitContext& context, std::vector<ShapedProgram> programs, bool for_importers);
 
 /// Names of a program and of its result in the struct System. type: of the result; scope: of the function, with "::".
 FrameValues system_member(const ShapedProgram& shaped, const std::string& type, const std::string& scope);
