@@ -1,11 +1,11 @@
 #include "compiler/emit/calibration_text.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <map>
 
 #include "compiler/emit/c_interface_text.hpp"
+#include "compiler/emit/frame.hpp"
+#include "compiler/emit/mapped.hpp"
 #include "compiler/emit/text.hpp"
 
 namespace mbgen {
@@ -113,7 +113,7 @@ CalibrationNumbers state_numbers(const EmitContext& context) {
 
 CalibrationNumberSets numbers_of(const EmitContext& context) {
   const Model& model = context.model;
-  return {members_of(context, "parameters", parameter_members(context), tunable_names(model)),
+  return {members_of(context, "parameters", parameter_members(context), names_of(tunable_parameters(model))),
           members_of(context, "inputs", input_members(context), names_of(model.inputs)),
           members_of(context, "outputs", output_members(context), names_of(model.outputs)), state_numbers(context)};
 }
@@ -131,79 +131,44 @@ std::map<std::string, std::string> methods_of(const EmitContext& context, const 
   return methods;
 }
 
-std::string methods_text(const std::map<std::string, std::string>& methods) {
-  std::string text;
+FrameRows method_rows(const std::map<std::string, std::string>& methods) {
+  FrameRows rows;
   for (const auto& [unit, name] : methods) {
-    if (unit.empty()) continue;
-    text += fmt::format("    /begin COMPU_METHOD {} \"as it is\" IDENTICAL \"%16.9\" {}\n    /end COMPU_METHOD\n\n",
-                        name, a2l_string(unit));
+    if (!unit.empty()) rows.push_back({{"name", name}, {"unit", a2l_string(unit)}});
   }
-  return text;
+  return rows;
 }
 
-std::string link_text(const CalibrationNumber& number) {
-  return fmt::format("      SYMBOL_LINK \"{}\" {}\n", number.symbol, number.offset);
+FrameRows number_rows(const CalibrationNumbers& numbers, const std::map<std::string, std::string>& methods) {
+  return mapped(numbers, [&](const CalibrationNumber& number) {
+    return FrameValues{{"name", number.name},
+                       {"text", a2l_string(number.text)},
+                       {"type", number.type.name},
+                       {"method", methods.at(number.unit)},
+                       {"largest", number.type.largest},
+                       {"symbol", number.symbol},
+                       {"offset", number.offset}};
+  });
 }
 
-std::string characteristics_text(const EmitContext& context, const CalibrationNumbers& numbers,
-                                 const std::map<std::string, std::string>& methods) {
-  std::string text;
-  for (const CalibrationNumber& number : numbers) {
-    text += fmt::format(
-        "    /begin CHARACTERISTIC {} {}\n      VALUE 0x0 {}.number 0 {} -{} {}\n{}    /end CHARACTERISTIC\n\n",
-        number.name, a2l_string(number.text), prefix_of(context), methods.at(number.unit), number.type.largest,
-        number.type.largest, link_text(number));
-  }
-  return text;
-}
-
-std::string measurements_text(const CalibrationNumbers& numbers, const std::map<std::string, std::string>& methods) {
-  std::string text;
-  for (const CalibrationNumber& number : numbers) {
-    text += fmt::format(
-        "    /begin MEASUREMENT {} {}\n      {} {} 0 0 -{} {}\n      ECU_ADDRESS 0x0\n{}"
-        "    /end MEASUREMENT\n\n",
-        number.name, a2l_string(number.text), number.type.name, methods.at(number.unit), number.type.largest,
-        number.type.largest, link_text(number));
-  }
-  return text;
-}
-
-/// A block that lists the names of numbers; "" for none.
-std::string list_text(const std::string& keyword, const CalibrationNumbers& numbers) {
-  if (numbers.empty()) return "";
-  std::string text = "      /begin " + keyword + "\n";
-  for (const CalibrationNumber& number : numbers) text += "        " + number.name + "\n";
-  return text + "      /end " + keyword + "\n";
-}
-
-std::string groups_text(const std::string& prefix, const CalibrationNumberSets& sets) {
-  struct Group {
-    const char *name, *text, *keyword;
-    const CalibrationNumbers& numbers;
+/// The structures that hold numbers. in_group, in_function: kinds of the lists of their names.
+FrameRows structure_rows(const CalibrationNumberSets& sets, const std::map<std::string, std::string>& methods) {
+  FrameRows rows;
+  const auto add = [&](const char* name, const char* content, const char* in_group, const char* in_function,
+                       const CalibrationNumbers& numbers) {
+    if (numbers.empty()) return;
+    rows.push_back({{"structure", name},
+                    {"content", content},
+                    {"in_group", in_group},
+                    {"in_function", in_function},
+                    {"are_characteristics", &numbers == &sets.parameters},
+                    {"numbers", number_rows(numbers, methods)}});
   };
-  const Group groups[] = {{"parameters", "tunable parameters", "REF_CHARACTERISTIC", sets.parameters},
-                          {"inputs", "inputs", "REF_MEASUREMENT", sets.inputs},
-                          {"outputs", "outputs", "REF_MEASUREMENT", sets.outputs},
-                          {"state", "coordinates, velocities, auxiliary states, time", "REF_MEASUREMENT", sets.state}};
-  std::string names, text;
-  for (const Group& group : groups) {
-    if (group.numbers.empty()) continue;
-    names += fmt::format("        {}_{}\n", prefix, group.name);
-    text += fmt::format("    /begin GROUP {}_{} \"{}\"\n{}    /end GROUP\n\n", prefix, group.name, group.text,
-                        list_text(group.keyword, group.numbers));
-  }
-  return fmt::format(
-             "    /begin GROUP {}_solver \"all of it\"\n      ROOT\n      /begin SUB_GROUP\n{}      /end SUB_GROUP\n"
-             "    /end GROUP\n\n",
-             prefix, names) +
-         text;
-}
-
-std::string function_text(const std::string& prefix, const CalibrationNumberSets& sets) {
-  return fmt::format("    /begin FUNCTION {}_function \"one step\"\n", prefix) +
-         list_text("DEF_CHARACTERISTIC", sets.parameters) + list_text("IN_MEASUREMENT", sets.inputs) +
-         list_text("OUT_MEASUREMENT", sets.outputs) + list_text("LOC_MEASUREMENT", sets.state) + "    /end FUNCTION\n";
+  add("parameters", "tunable parameters", "REF_CHARACTERISTIC", "DEF_CHARACTERISTIC", sets.parameters);
+  add("inputs", "inputs", "REF_MEASUREMENT", "IN_MEASUREMENT", sets.inputs);
+  add("outputs", "outputs", "REF_MEASUREMENT", "OUT_MEASUREMENT", sets.outputs);
+  add("state", "coordinates, velocities, auxiliary states, time", "REF_MEASUREMENT", "LOC_MEASUREMENT", sets.state);
+  return rows;
 }
 
 bool is_ascii(const std::string& text) {
@@ -213,25 +178,19 @@ bool is_ascii(const std::string& text) {
 }  // namespace
 
 std::string calibration_text(const EmitContext& context) {
-  const std::string& solver = context.names.solver;
   const CalibrationNumberSets sets = numbers_of(context);
   const std::map<std::string, std::string> methods = methods_of(context, sets);
-  const std::string objects = characteristics_text(context, sets.parameters, methods) +
-                              measurements_text(sets.inputs, methods) + measurements_text(sets.outputs, methods) +
-                              measurements_text(sets.state, methods);
   const std::string text =
       fill_template("calibration.a2l.in", {{"banner", c_banner_text(context.model)},
-                                           {"solver", solver},
+                                           {"solver", context.names.solver},
                                            {"prefix", prefix_of(context)},
                                            {"title", a2l_string(context.model.name)},
                                            {"hash", a2l_string(context.model.hash)},
                                            {"version", a2l_string(kMbgenVersion)},
-                                           {"numbers", context.scalar == "float" ? "Floats" : "Doubles"},
+                                           {"number_kind", context.scalar == "float" ? "Floats" : "Doubles"},
                                            {"number_type", type_of(context.scalar).name},
-                                           {"methods", methods_text(methods)},
-                                           {"objects", objects},
-                                           {"groups", groups_text(prefix_of(context), sets)},
-                                           {"function", function_text(prefix_of(context), sets)}});
+                                           {"methods", method_rows(methods)},
+                                           {"structures", structure_rows(sets, methods)}});
   return is_ascii(text) ? text : kByteOrderMark + text;
 }
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "compiler/emit/frame.hpp"
 #include "compiler/emit/program_text.hpp"
 #include "compiler/emit/text.hpp"
 #include "compiler/emit/titles.hpp"

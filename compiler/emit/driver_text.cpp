@@ -1,6 +1,8 @@
 #include "compiler/emit/driver_text.hpp"
 
+#include "compiler/emit/frame.hpp"
 #include "compiler/emit/interface_text.hpp"
+#include "compiler/emit/mapped.hpp"
 #include "compiler/emit/program_text.hpp"
 #include "compiler/emit/text.hpp"
 #include "compiler/emit/titles.hpp"
@@ -8,46 +10,30 @@
 namespace mbgen {
 namespace {
 
-/// One assignment a line: `  parameters.k = values[0];`.
-std::string assignments(const std::string& structure, const std::vector<std::string>& names) {
-  std::string text;
-  for (std::size_t i = 0; i < names.size(); ++i) {
-    text += "  " + structure + "." + names[i] + " = values[" + std::to_string(i) + "];\n";
-  }
-  return text;
+/// A row for each name, with its place.
+FrameRows numbered_rows(const std::vector<std::string>& names) {
+  FrameRows rows;
+  for (const std::string& name : names) rows.push_back({{"member", name}, {"place", rows.size()}});
+  return rows;
 }
 
-/// step_clock: text of the function step_ticks, "" for a driver without.
-EmittedFile driver(const Model& model, int lanes, const std::string& step_clock) {
+/// clocked: the program that is told the end of each step, "" for a driver without.
+EmittedFile driver(const Model& model, int lanes, const std::string& clocked) {
   const SolverNames names = model_names(model);
-  std::vector<double> parameters, inputs;
-  for (const Parameter& parameter : model.parameters) {
-    if (parameter.tunable) parameters.push_back(parameter.value);
-  }
-  for (const Input& input : model.inputs) inputs.push_back(input.default_value);
-  std::string outputs_to;
-  for (std::size_t i = 0; i < names.outputs.size(); ++i) {
-    outputs_to += "  y[" + std::to_string(i) + "] = values." + names.outputs[i] + ";\n";
-  }
-  const std::string batch = lanes > 0 ? fill_template("batch_driver.cpp.in", {{"solver", names.solver}}) : "";
-  return {
-      names.solver + "_driver.cpp",
-      fill_template(
-          "driver.cpp.in",
-          {{"banner", banner_text(model, "//")},
-           {"solver", names.solver},
-           {"default_parameters", array_text("constexpr double kDefaultParameters", number_texts(parameters), "0.0")},
-           {"default_inputs", array_text("constexpr double kDefaultInputs", number_texts(inputs), "0.0")},
-           {"parameters_from", assignments("parameters", names.parameters)},
-           {"inputs_from", assignments("inputs", names.inputs)},
-           {"outputs_to", outputs_to},
-           {"interface", lanes > 0 ? "_batch" : ""},
-           {"batch", batch},
-           {"batch_entries", lanes > 0
-                                 ? std::to_string(lanes) + ",\n    batch_accelerations,\n    time_batch_accelerations"
-                                 : "0,\n    nullptr,\n    nullptr"},
-           {"step_clock", step_clock},
-           {"step_ticks", step_clock.empty() ? "nullptr" : "step_ticks"}})};
+  const std::vector<double> parameters = mapped(tunable_parameters(model), &Parameter::value);
+  const std::vector<double> inputs = mapped(model.inputs, &Input::default_value);
+  return {names.solver + "_driver.cpp",
+          fill_template("driver.cpp.in",
+                        {{"banner", banner_text(model, "//")},
+                         {"solver", names.solver},
+                         {"default_parameters",
+                          array_text("constexpr double kDefaultParameters", number_texts(parameters), "0.0")},
+                         {"default_inputs", array_text("constexpr double kDefaultInputs", number_texts(inputs), "0.0")},
+                         {"parameters", numbered_rows(names.parameters)},
+                         {"inputs", numbered_rows(names.inputs)},
+                         {"outputs", numbered_rows(names.outputs)},
+                         {"lanes", lanes > 0 ? std::to_string(lanes) : ""},
+                         {"clocked", clocked}})};
 }
 
 }  // namespace
@@ -59,8 +45,7 @@ EmittedFile emit_clocked_driver(const Programs& programs, const Model& model, co
   const SolverNames names = solver_names(model, topology);
   const ShapedProgram clocked = clocked_accelerations(programs, solver_layout(model, topology, analysis), names,
                                                       titles_of(programs.form, model, topology));
-  const std::string program = program_text(*clocked.program, clocked.schedule, clocked.shape);
-  return driver(model, lanes, fill_template("step_clock.cpp.in", {{"solver", names.solver}, {"program", program}}));
+  return driver(model, lanes, program_text(*clocked.program, clocked.schedule, clocked.shape));
 }
 
 }  // namespace mbgen

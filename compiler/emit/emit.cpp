@@ -1,8 +1,5 @@
 #include "compiler/emit/emit.hpp"
 
-#include <fmt/format.h>
-#include <fmt/ranges.h>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -13,6 +10,7 @@
 #include "compiler/emit/calibration_text.hpp"
 #include "compiler/emit/cost_sheet.hpp"
 #include "compiler/emit/embedded.hpp"
+#include "compiler/emit/frame.hpp"
 #include "compiler/emit/interface_text.hpp"
 #include "compiler/emit/manifest_text.hpp"
 #include "compiler/emit/solver_text.hpp"
@@ -42,24 +40,18 @@ void add_included_headers(std::string_view text, std::vector<EmittedFile>& files
 }
 
 std::string cmake_flags(CompilerFamily family) {
-  return wrapped_words(fmt::format("{}", fmt::join(solver_compile_flags(family), " ")), "      ");
+  return wrapped_words(joined(solver_compile_flags(family), " "), "      ");
 }
 
 /// `CMakeLists.txt`.
 std::string build_text(const EmitContext& context) {
-  const std::string& solver = context.names.solver;
-  const std::string sources = solver + ".cpp" + (context.lanes > 0 ? " " + solver + "_batch.cpp" : "") +
-                              (context.c_interface ? " " + solver + "_c.cpp" : "");
-  const std::string shared = context.c_interface ? fill_template("shared.cmake.in", {{"solver", solver}}) : "";
-  return fill_template(
-      "CMakeLists.txt.in",
-      {{"banner", banner_text(context.model, "#")},
-       {"solver", solver},
-       {"sources", sources},
-       {"gnu_flags", cmake_flags(CompilerFamily::gnu)},
-       {"x86_flags", context.lanes > 0 ? fmt::format("{}", fmt::join(lane_flags_of_gnu_on_x86(), " ")) : ""},
-       {"clang_flags", cmake_flags(CompilerFamily::clang)},
-       {"shared", shared}});
+  return fill_template("CMakeLists.txt.in", {{"banner", banner_text(context.model, "#")},
+                                             {"solver", context.names.solver},
+                                             {"lanes", context.lanes > 0},
+                                             {"c_interface", context.c_interface},
+                                             {"gnu_flags", cmake_flags(CompilerFamily::gnu)},
+                                             {"x86_flags", joined(lane_flags_of_gnu_on_x86(), " ")},
+                                             {"clang_flags", cmake_flags(CompilerFamily::clang)}});
 }
 
 }  // namespace
@@ -84,7 +76,7 @@ std::vector<EmittedFile> emit(const Programs& programs, const Model& model, cons
                       options.scalar, options.roll_above);
   const nlohmann::ordered_json manifest = manifest_json(context, solver);
   std::vector<EmittedFile> files = {{name + ".hpp", interface_text(context)},
-                                    solver_file(context, solver),
+                                    solver_file(context, solver, false),
                                     {name + "_cost.txt", cost_text(manifest, banner_text(model, "#"))},
                                     {"CMakeLists.txt", build_text(context)}};
   if (options.lanes > 0) {

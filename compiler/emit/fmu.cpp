@@ -8,7 +8,9 @@
 #include "compiler/emit/emit.hpp"
 #include "compiler/emit/fmu_documentation.hpp"
 #include "compiler/emit/fmu_nominals.hpp"
+#include "compiler/emit/frame.hpp"
 #include "compiler/emit/input_text.hpp"
+#include "compiler/emit/mapped.hpp"
 #include "compiler/emit/solver_text.hpp"
 #include "compiler/emit/text.hpp"
 #include "compiler/emit/titles.hpp"
@@ -18,9 +20,8 @@ namespace mbgen {
 namespace {
 
 std::string integers(const std::string& name, const std::vector<int>& values) {
-  std::vector<std::string> items;
-  for (const int value : values) items.push_back(std::to_string(value));
-  return array_text("  static constexpr int " + name, items, "-1");
+  const auto text = [](int value) { return std::to_string(value); };
+  return array_text("  static constexpr int " + name, mapped(values, text), "-1");
 }
 
 std::string numbers(const std::string& name, const std::vector<double>& values) {
@@ -32,12 +33,6 @@ std::string members(const std::string& structure, const std::string& name, const
   return array_text("  static constexpr double " + structure + "::*" + name, member_places(structure, names_of(list)),
                     "nullptr") +
          "\n";
-}
-
-std::vector<int> input_derivatives(const Model& model) {
-  std::vector<int> derivatives;
-  for (const Input& input : model.inputs) derivatives.push_back(input.derivative);
-  return derivatives;
 }
 
 std::string start_text(const Model& model, const InitialState& initial) {
@@ -67,51 +62,47 @@ std::vector<std::string> ranges(const FmuLayout& fmu) {
 
 /// Of the continuous states: positions, velocities, auxiliary states.
 std::vector<double> nominals(const FmuLayout& fmu) {
-  std::vector<double> values;
-  for (const FmuUnknown& derivative : fmu.derivatives) {
+  return mapped(fmu.derivatives, [&](const FmuUnknown& derivative) {
     const int state = fmu.variables[static_cast<std::size_t>(derivative.variable)].derivative_of;
-    values.push_back(fmu.variables[static_cast<std::size_t>(state)].shown.nominal.value_or(1));
-  }
-  return values;
+    return fmu.variables[static_cast<std::size_t>(state)].shown.nominal.value_or(1);
+  });
 }
 
 std::string names_text(const FmuLayout& fmu) {
-  std::vector<std::string> names;
-  for (const FmuVariable& variable : fmu.variables) names.push_back('"' + variable.name + '"');
-  return array_text("  static constexpr const char* kNames", names, "");
+  const auto quoted = [](const FmuVariable& variable) { return '"' + variable.name + '"'; };
+  return array_text("  static constexpr const char* kNames", mapped(fmu.variables, quoted), "");
 }
 
 std::string model_text(const EmitContext& context, const FmuLayout& fmu, const InitialState& initial) {
   const SolverLayout& layout = context.layout;
-  const auto truth = [](bool value) { return value ? "true" : "false"; };
   return fill_template(
       "fmu_model.hpp.in",
       {{"banner", banner_text(context.model, "//")},
        {"solver", context.names.solver},
        {"token", fmu_token(context.model)},
        {"step_size", number_text(context.model.solver.step)},
-       {"output_count", std::to_string(output_members(context).size())},
+       {"output_count", output_members(context).size()},
        {"multiplier_size", size_text(layout.equations)},
        {"drive_size", size_text(layout.drives)},
-       {"has_closure", truth(layout.has_closure)},
-       {"takes_multipliers", truth(outputs_take_multipliers(context.programs))},
-       {"velocity_count", std::to_string(fmu.independent.size())},
+       {"has_closure", fmt::format("{}", layout.has_closure)},
+       {"takes_multipliers", fmt::format("{}", outputs_take_multipliers(context.programs))},
+       {"velocity_count", fmu.independent.size()},
        {"velocities", integers("kVelocities", fmu.independent)},
-       {"chosen_count", std::to_string(fmu.chosen.size())},
+       {"chosen_count", fmu.chosen.size()},
        {"chosen", integers("kChosen", fmu.chosen)},
        {"block_of", integers("kBlockOf", fmu.block_of)},
        {"input_paths", input_rows(context.model.inputs).empty() ? "mbgen::fmu::GivenInputs<Inputs>"
                                                                 : context.names.solver + "::InputPaths"},
        {"nominals", numbers("kNominal", nominals(fmu))},
-       {"input_derivatives", integers("kInputDerivative", input_derivatives(context.model))},
-       {"undriven_count", std::to_string(fmu.undriven.size())},
+       {"input_derivatives", integers("kInputDerivative", mapped(context.model.inputs, &Input::derivative))},
+       {"undriven_count", fmu.undriven.size()},
        {"undriven", integers("kUndriven", fmu.undriven)},
-       {"start_parameter_count", std::to_string(initial.parameters.size())},
+       {"start_parameter_count", initial.parameters.size()},
        {"start_parameters", start_text(context.model, initial)},
        {"members", members("Parameters", "kParameterMember", parameter_members(context)) +
                        members("Inputs", "kInputMember", input_members(context)) +
                        members("Outputs", "kOutputMember", output_members(context))},
-       {"range_count", std::to_string(ranges(fmu).size())},
+       {"range_count", ranges(fmu).size()},
        {"ranges", array_text("  static constexpr mbgen::fmu::Range kRange", ranges(fmu), "{}")},
        {"names", names_text(fmu)},
        {"step", context.model.solver.is_multistep() ? "step_abm4(parameters, inputs, state, history, h)"
@@ -122,15 +113,8 @@ std::string model_text(const EmitContext& context, const FmuLayout& fmu, const I
 }
 
 std::string entry_points(const EmitContext& context, FmiVersion version) {
-  std::map<std::string, std::string> values = {{"banner", banner_text(context.model, "//")},
-                                               {"solver", context.names.solver}};
-  if (version == FmiVersion::two) {
-    values["interfaces"] = fill_template("fmi2_interfaces.cpp.in", {});
-    return fill_template("fmi2.cpp.in", values);
-  }
-  values["interfaces"] = fill_template("fmi3_interfaces.cpp.in", {});
-  values["others"] = fill_template("fmi3_others.cpp.in", {});
-  return fill_template("fmi3.cpp.in", values);
+  return fill_template(version == FmiVersion::two ? "fmi2.cpp.in" : "fmi3.cpp.in",
+                       {{"banner", banner_text(context.model, "//")}, {"solver", context.names.solver}});
 }
 
 /// A file of templates/ as it is.
@@ -157,13 +141,12 @@ FmuFiles emit_fmu(const Programs& programs, const Programs& emitted, const Model
   add_nominals(context, initial, fmu);
   const std::string functions = version == FmiVersion::two ? "_fmi2.cpp" : "_fmi3.cpp";
 
-  std::vector<EmittedFile> sources = {
-      {solver + ".hpp", interface_text(context)},
-      solver_file(context, shaped, fill_template("fmu_held.cpp.in", {{"solver", solver}})),
-      {solver + "_directional.hpp", directional_header_text(context)},
-      {solver + "_directional.cpp", directional_source_text(context, programs)},
-      {solver + "_fmu.hpp", model_text(context, fmu, initial)},
-      {solver + functions, entry_points(context, version)}};
+  std::vector<EmittedFile> sources = {{solver + ".hpp", interface_text(context)},
+                                      solver_file(context, shaped, true),
+                                      {solver + "_directional.hpp", directional_header_text(context)},
+                                      {solver + "_directional.cpp", directional_source_text(context, programs)},
+                                      {solver + "_fmu.hpp", model_text(context, fmu, initial)},
+                                      {solver + functions, entry_points(context, version)}};
   FmuFiles files;
   files.identifier = solver;
   files.sources = {solver + ".cpp", solver + "_directional.cpp", solver + functions};

@@ -1,10 +1,9 @@
 #include "compiler/emit/fmu_description.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
-#include <algorithm>
-
+#include "compiler/emit/frame.hpp"
+#include "compiler/emit/mapped.hpp"
 #include "compiler/emit/text.hpp"
 #include "compiler/model/unit_exponents.hpp"
 
@@ -14,137 +13,109 @@ namespace {
 using Causality = FmuVariable::Causality;
 using Start = FmuVariable::Start;
 
-std::string base_unit(const UnitExponents& unit) {
-  constexpr const char* kNames[] = {"kg", "m", "s", "A", "K", "mol", "cd", "rad"};
-  std::string text = "      <BaseUnit";
-  for (std::size_t i = 0; i < unit.exponents.size(); ++i) {
-    if (unit.exponents[i] != 0) text += fmt::format(" {}=\"{}\"", kNames[i], unit.exponents[i]);
+/// Attributes of an element, in this order; those without a text are left out.
+FrameRows attributes(const std::vector<std::pair<std::string, std::string>>& all) {
+  FrameRows rows;
+  for (const auto& [name, value] : all) {
+    if (!value.empty()) rows.push_back({{"name", name}, {"value", xml_text(value)}});
   }
-  if (unit.factor != 1) text += fmt::format(" factor=\"{}\"", number_text(unit.factor));
-  return text + "/>\n";
+  return rows;
+}
+
+FrameRows base_unit(const UnitExponents& unit) {
+  constexpr const char* kNames[] = {"kg", "m", "s", "A", "K", "mol", "cd", "rad"};
+  std::vector<std::pair<std::string, std::string>> all;
+  for (std::size_t i = 0; i < unit.exponents.size(); ++i) {
+    all.push_back({kNames[i], unit.exponents[i] == 0 ? "" : std::to_string(unit.exponents[i])});
+  }
+  all.push_back({"factor", unit.factor == 1 ? "" : number_text(unit.factor)});
+  return attributes(all);
 }
 
 /// Units that values are shown in, of this one: shown = value * factor.
-std::string display_units(const UnitExponents& base, const std::set<std::string>& shown) {
-  std::string text;
+FrameRows display_units(const UnitExponents& base, const std::set<std::string>& shown) {
+  FrameRows rows;
   for (const std::string& name : shown) {
     const std::optional<UnitExponents> meaning = unit_exponents(name);
-    if (!meaning) continue;
-    text += fmt::format("      <DisplayUnit name=\"{}\" factor=\"{}\"/>\n", xml_text(name),
-                        number_text(base.factor / meaning->factor));
+    if (meaning) rows.push_back({{"name", xml_text(name)}, {"factor", number_text(base.factor / meaning->factor)}});
   }
-  return text;
+  return rows;
 }
 
-std::string unit_definitions(const FmuLayout& fmu) {
+FrameRows unit_definitions(const FmuLayout& fmu) {
   std::map<std::string, std::set<std::string>> units;
   for (const FmuVariable& variable : fmu.variables) {
     if (variable.unit.empty()) continue;
     std::set<std::string>& shown = units[variable.unit];
     if (!variable.shown.display_unit.empty()) shown.insert(variable.shown.display_unit);
   }
-  std::string text;
-  for (const auto& [unit, shown] : units) {
-    const std::optional<UnitExponents> meaning = unit_exponents(unit);
-    text += meaning ? fmt::format("    <Unit name=\"{}\">\n{}{}    </Unit>\n", xml_text(unit), base_unit(*meaning),
-                                  display_units(*meaning, shown))
-                    : fmt::format("    <Unit name=\"{}\"/>\n", xml_text(unit));
-  }
-  return text;
+  return mapped(units, [](const auto& unit) {
+    const auto& [name, shown] = unit;
+    const std::optional<UnitExponents> meaning = unit_exponents(name);
+    return FrameValues{{"name", xml_text(name)},
+                       {"is_known", meaning.has_value()},
+                       {"base", meaning ? base_unit(*meaning) : FrameRows{}},
+                       {"display_units", meaning ? display_units(*meaning, shown) : FrameRows{}}};
+  });
 }
 
-const char* name_of(Causality causality) {
-  constexpr const char* kNames[] = {"independent", "parameter", "input", "output", "local"};
-  return kNames[static_cast<int>(causality)];
-}
+/// What variables and unknowns are counted from where they refer to each other: FMI 2 has indices.
+int first_index(FmiVersion version) { return version == FmiVersion::two ? 1 : 0; }
 
-/// ` variability="tunable" initial="exact"`, as the standard asks for it with this causality.
-std::string initial_text(const FmuVariable& variable) {
-  constexpr const char* kNames[] = {"", "exact", "approx", "calculated"};
+/// reference: the variable's value reference.
+FrameValues variable_values(const FmuVariable& variable, std::size_t reference, FmiVersion version) {
+  constexpr const char* kCausalities[] = {"independent", "parameter", "input", "output", "local"};
+  constexpr const char* kInitial[] = {"", "exact", "approx", "calculated"};
+  const Presentation& shown = variable.shown;
+  const bool is_input = variable.causality == Causality::input;
+  const bool is_exchanged = is_input || variable.causality == Causality::output;
+  const bool has_start = is_input || variable.start == Start::exact || variable.start == Start::approx;
   const char* variability = variable.causality != Causality::parameter ? "continuous"
                             : variable.is_fixed                        ? "fixed"
                                                                        : "tunable";
-  const std::string initial =
-      variable.start == Start::none ? "" : fmt::format(" initial=\"{}\"", kNames[static_cast<int>(variable.start)]);
-  return fmt::format(" variability=\"{}\"{}", variability, initial);
-}
-
-std::string unit_and_start(const FmuVariable& variable) {
-  const Presentation& shown = variable.shown;
-  std::string text = variable.unit.empty() ? "" : fmt::format(" unit=\"{}\"", xml_text(variable.unit));
-  if (!shown.display_unit.empty()) text += fmt::format(" displayUnit=\"{}\"", xml_text(shown.display_unit));
-  if (shown.min) text += fmt::format(" min=\"{}\"", number_text(*shown.min));
-  if (shown.max) text += fmt::format(" max=\"{}\"", number_text(*shown.max));
-  if (shown.nominal) text += fmt::format(" nominal=\"{}\"", number_text(*shown.nominal));
-  const bool has_start =
-      variable.start == Start::exact || variable.start == Start::approx || variable.causality == Causality::input;
-  if (has_start) text += fmt::format(" start=\"{}\"", number_text(variable.value));
-  return text;
-}
-
-std::string variable_2(const FmuVariable& variable, std::size_t reference) {
   const std::string derivative =
-      variable.derivative_of < 0 ? "" : fmt::format(" derivative=\"{}\"", variable.derivative_of + 1);
-  const char* reinit = variable.reinit ? " reinit=\"true\"" : "";
-  return fmt::format(
-      "    <ScalarVariable name=\"{}\" valueReference=\"{}\" description=\"{}\" causality=\"{}\"{}>\n"
-      "      <Real{}{}{}/>\n    </ScalarVariable>\n",
-      xml_text(variable.name), reference, xml_text(variable.description), name_of(variable.causality),
-      initial_text(variable), unit_and_start(variable), derivative, reinit);
+      variable.derivative_of < 0 ? "" : std::to_string(variable.derivative_of + first_index(version));
+  return {
+      {"attributes", attributes({{"name", variable.name},
+                                 {"valueReference", std::to_string(reference)},
+                                 {"description", variable.description},
+                                 {"causality", kCausalities[static_cast<int>(variable.causality)]},
+                                 {"variability", variability},
+                                 {"initial", kInitial[static_cast<int>(variable.start)]},
+                                 {"intermediateUpdate", is_exchanged && version == FmiVersion::three ? "true" : ""}})},
+      {"number", attributes({{"unit", variable.unit},
+                             {"displayUnit", shown.display_unit},
+                             {"min", number_or_none(shown.min)},
+                             {"max", number_or_none(shown.max)},
+                             {"nominal", number_or_none(shown.nominal)},
+                             {"start", has_start ? number_text(variable.value) : ""},
+                             {"derivative", derivative},
+                             {"reinit", variable.reinit ? "true" : ""}})}};
 }
 
-std::string variable_3(const FmuVariable& variable, std::size_t reference) {
-  const std::string derivative =
-      variable.derivative_of < 0 ? "" : fmt::format(" derivative=\"{}\"", variable.derivative_of);
-  const char* reinit = variable.reinit ? " reinit=\"true\"" : "";
-  const bool is_exchanged = variable.causality == Causality::input || variable.causality == Causality::output;
-  const char* intermediate = is_exchanged ? " intermediateUpdate=\"true\"" : "";
-  return fmt::format("    <Float64 name=\"{}\" valueReference=\"{}\" description=\"{}\" causality=\"{}\"{}{}{}{}{}/>\n",
-                     xml_text(variable.name), reference, xml_text(variable.description), name_of(variable.causality),
-                     initial_text(variable), intermediate, unit_and_start(variable), derivative, reinit);
+FrameRows unknowns(const std::vector<FmuUnknown>& all, FmiVersion version) {
+  return mapped(all, [&](const FmuUnknown& unknown) {
+    const auto text = [&](int variable) { return std::to_string(variable + first_index(version)); };
+    return FrameValues{{"variable", text(unknown.variable)},
+                       {"dependencies", joined(mapped(unknown.dependencies, text), " ")}};
+  });
 }
 
-/// offset: between value references and what unknowns count by, 1 for the indices of FMI 2.
-std::string unknowns_text(const std::vector<FmuUnknown>& unknowns, const std::string& element, int offset) {
-  std::string text;
-  for (const FmuUnknown& unknown : unknowns) {
-    std::vector<int> known;
-    for (const int dependency : unknown.dependencies) known.push_back(dependency + offset);
-    text += fmt::format("{} {}=\"{}\" dependencies=\"{}\"/>\n", element, offset == 1 ? "index" : "valueReference",
-                        unknown.variable + offset, fmt::join(known, " "));
-  }
-  return text;
-}
-
-std::string structure_2(const FmuLayout& fmu) {
-  std::string text;
-  const auto add = [&](const char* name, const std::vector<FmuUnknown>& unknowns) {
-    if (unknowns.empty()) return;
-    text += fmt::format("    <{0}>\n{1}    </{0}>\n", name, unknowns_text(unknowns, "      <Unknown", 1));
+/// Lists of unknowns with the names that FMI 2 has for a list and FMI 3 for an element of it.
+FrameRows structure(const FmuLayout& fmu, FmiVersion version) {
+  FrameRows lists;
+  const auto add = [&](const char* list, const char* element, const std::vector<FmuUnknown>& all) {
+    if (all.empty()) return;
+    lists.push_back({{"list", list}, {"element", element}, {"unknowns", unknowns(all, version)}});
   };
-  add("Outputs", fmu.outputs);
-  add("Derivatives", fmu.derivatives);
-  add("InitialUnknowns", fmu.initial_unknowns);
-  return text;
+  add("Outputs", "Output", fmu.outputs);
+  add("Derivatives", "ContinuousStateDerivative", fmu.derivatives);
+  add("InitialUnknowns", "InitialUnknown", fmu.initial_unknowns);
+  return lists;
 }
 
-std::string structure_3(const FmuLayout& fmu) {
-  return unknowns_text(fmu.outputs, "    <Output", 0) +
-         unknowns_text(fmu.derivatives, "    <ContinuousStateDerivative", 0) +
-         unknowns_text(fmu.initial_unknowns, "    <InitialUnknown", 0);
-}
-
-/// ` author="Eve"` and so on, what the model says of itself.
-std::string about_text(const About& about) {
-  std::string text;
-  for (const auto& [name, value] : {std::pair{"description", &about.description},
-                                    {"author", &about.author},
-                                    {"version", &about.version},
-                                    {"copyright", &about.copyright},
-                                    {"license", &about.licence}}) {
-    if (!value->empty()) text += fmt::format("\n    {}=\"{}\"", name, xml_text(*value));
-  }
-  return text;
+FrameRows file_rows(const std::vector<std::string>& sources) {
+  return mapped(sources, [](const std::string& source) { return FrameValues{{"file", source}}; });
 }
 
 }  // namespace
@@ -160,42 +131,40 @@ std::string xml_text(std::string_view text) {
 
 std::string fmu_token(const Model& model) { return fmt::format("mbgen-{}-{}", kMbgenVersion, model.hash); }
 
+std::string number_or_none(const std::optional<double>& number) { return number ? number_text(*number) : ""; }
+
 std::string model_description(const EmitContext& context, const FmuLayout& fmu, FmiVersion version,
                               const std::vector<std::string>& sources) {
   const Model& model = context.model;
-  const bool is_two = version == FmiVersion::two;
-  std::string variables, files;
-  for (std::size_t i = 0; i < fmu.variables.size(); ++i)
-    variables += is_two ? variable_2(fmu.variables[i], i) : variable_3(fmu.variables[i], i);
-  for (const std::string& source : sources) files += fmt::format("      <File name=\"{}\"/>\n", source);
-  std::map<std::string, std::string> values = {{"about", about_text(model.about)},
-                                               {"tolerance", number_text(model.solver.tolerance)},
-                                               {"name", xml_text(model.name)},
-                                               {"solver", context.names.solver},
-                                               {"token", fmu_token(model)},
-                                               {"version", kMbgenVersion},
-                                               {"units", unit_definitions(fmu)},
-                                               {"stop", number_text(model.solver.duration)},
-                                               {"step", number_text(model.solver.step)},
-                                               {"variables", variables},
-                                               {"structure", is_two ? structure_2(fmu) : structure_3(fmu)}};
-  if (is_two) values["sources"] = files;
-  return fill_template(is_two ? "fmi2_description.xml.in" : "fmi3_description.xml.in", values);
+  FrameRows variables;
+  for (std::size_t i = 0; i < fmu.variables.size(); ++i) {
+    variables.push_back(variable_values(fmu.variables[i], i, version));
+  }
+  return fill_template("fmi_description.xml.in", {{"two", version == FmiVersion::two},
+                                                  {"three", version == FmiVersion::three},
+                                                  {"about", attributes({{"description", model.about.description},
+                                                                        {"author", model.about.author},
+                                                                        {"version", model.about.version},
+                                                                        {"copyright", model.about.copyright},
+                                                                        {"license", model.about.licence}})},
+                                                  {"tolerance", number_text(model.solver.tolerance)},
+                                                  {"model", xml_text(model.name)},
+                                                  {"solver", context.names.solver},
+                                                  {"token", fmu_token(model)},
+                                                  {"version", kMbgenVersion},
+                                                  {"units", unit_definitions(fmu)},
+                                                  {"stop", number_text(model.solver.duration)},
+                                                  {"step", number_text(model.solver.step)},
+                                                  {"variables", variables},
+                                                  {"structure", structure(fmu, version)},
+                                                  {"sources", file_rows(sources)}});
 }
 
 std::string build_description(const EmitContext& context, FmiVersion version, const std::vector<std::string>& sources) {
-  std::string files;
-  for (const std::string& source : sources) files += fmt::format("      <SourceFile name=\"{}\"/>\n", source);
-  const std::string definition =
-      version == FmiVersion::two
-          ? "      <PreprocessorDefinition name=\"FMI2_OVERRIDE_FUNCTION_PREFIX\"\n"
-            "          description=\"for a shared library: functions have the names of the standard\"/>\n"
-          : fmt::format(
-                "      <PreprocessorDefinition name=\"FMI3_FUNCTION_PREFIX\" optional=\"true\" value=\"{}_\"\n"
-                "          description=\"for programs that hold several FMUs\"/>\n",
-                context.names.solver);
-  return fill_template("fmi_build.xml.in",
-                       {{"solver", context.names.solver}, {"sources", files}, {"definition", definition}});
+  return fill_template("fmi_build.xml.in", {{"two", version == FmiVersion::two},
+                                            {"three", version == FmiVersion::three},
+                                            {"solver", context.names.solver},
+                                            {"sources", file_rows(sources)}});
 }
 
 }  // namespace mbgen

@@ -22,4 +22,7 @@ std::string build_description(const EmitContext& context, FmiVersion version, co
 /// A text between tags or as the value of an attribute.
 std::string xml_text(std::string_view text);
 
+/// A number, "" for none.
+std::string number_or_none(const std::optional<double>& number);
+
 }  // namespace mbgen

@@ -1,39 +1,15 @@
 #include "compiler/emit/function_text.hpp"
 
-#include <fmt/format.h>
-#include <fmt/ranges.h>
-
+#include "compiler/emit/frame.hpp"
+#include "compiler/emit/mapped.hpp"
 #include "compiler/emit/text.hpp"
 
 namespace mbgen {
 namespace {
 
-std::string result_struct(const ProgramShape& shape) {
-  if (shape.members.empty()) return "";
-  std::string text =
-      "/// Result of " + shape.function + ".\n" +
-      (shape.in_groups ? "template <class Lanes>\nstruct " + shape.result + "Of" : "struct " + shape.result) + " {\n";
-  for (const ArrayMember& member : shape.members) {
-    text += "  " + shape.scalar + " " + member.name + "[" + std::to_string(member.size > 0 ? member.size : 1) +
-            "];  ///< " + member.comment + "\n";
-  }
-  text += "};\n";
-  if (shape.in_groups) text += fmt::format("using {0} = {0}Of<{1}>;\n", shape.result, shape.scalar);
-  return text + "\n";
-}
-
 /// The type of such an argument: AccelerationsWork of "work", AccelerationsWork2 of "work2".
 std::string work_type(const ProgramShape& shape, const CrossingStruct& work) {
   return shape.result + "W" + work.argument.substr(1);
-}
-
-std::string work_structs(const ProgramShape& shape, const CrossingStructs& crossing) {
-  std::string text;
-  for (const CrossingStruct& work : crossing) {
-    text += "/// Values of " + shape.function + " that cross its parts.\nstruct " + work_type(shape, work) + " {\n  " +
-            shape.scalar + "\n" + wrapped_list(work.members, 6) + ";\n};\n\n";
-  }
-  return text;
 }
 
 /// An argument of a function or of one of its parts.
@@ -62,7 +38,7 @@ std::string whole_parameters(const ProgramShape& shape, const std::set<std::stri
     if (shape.in_groups) type = name == "tau" ? "const JointForces* " : type.replace(type.find('&'), 1, "*");
     list.push_back(is_used ? type + name : type.substr(0, type.find("__restrict")) + "/*" + name + "*/");
   }
-  return fmt::format("{}", fmt::join(list, ", "));
+  return joined(list, ", ");
 }
 
 std::string part_parameters(const ProgramShape& shape, const CrossingStructs& crossing,
@@ -70,7 +46,7 @@ std::string part_parameters(const ProgramShape& shape, const CrossingStructs& cr
   std::vector<std::string> list;
   for (const auto& [name, type, is_used] : taken_arguments(shape, crossing, used))
     if (is_used) list.push_back(type + name);
-  return fmt::format("{}", fmt::join(list, ", "));
+  return joined(list, ", ");
 }
 
 /// The arguments of a part, those of group g where it is called for each.
@@ -79,59 +55,50 @@ std::string part_arguments(const ProgramShape& shape, const CrossingStructs& cro
   std::vector<std::string> list;
   for (const auto& [name, type, is_used] : taken_arguments(shape, crossing, used))
     if (is_used) list.push_back(!shape.in_groups ? name : name == "tau" ? "tau[g].tau" : name + "[g]");
-  return fmt::format("{}", fmt::join(list, ", "));
+  return joined(list, ", ");
 }
 
-std::string heading(const std::string& comment, const std::string& declaration) {
-  return wrapped_words(comment, "/// ") + "\n" + wrapped_statement(declaration) + "\n";
+/// The parts as functions of their own, and the calls of them.
+FrameRows part_rows(const ProgramShape& shape, const std::vector<PartText>& parts, const CrossingStructs& crossing) {
+  FrameRows rows;
+  for (const PartText& part : parts) {
+    const std::string number = std::to_string(rows.size() + 1), function = shape.function + "_" + number;
+    const std::string titles = comment_text(joined(part.sections, "; "));
+    const std::string comment =
+        "Part " + number + " of " + shape.function + (titles.empty() ? "." : ": " + titles + ".");
+    const std::string parameters = part_parameters(shape, crossing, part.arguments);
+    const bool tells_step = !shape.clock.empty() && part.ended_step;
+    rows.push_back(
+        {{"comment", wrapped_words(comment, "/// ")},
+         {"declaration", wrapped_statement("[[gnu::noinline]] void " + function + "(" + parameters + ") noexcept {")},
+         {"body", part.body},
+         {"call", function + "(" + part_arguments(shape, crossing, part.arguments) + ")"},
+         {"ended_step", tells_step ? std::to_string(*part.ended_step) : ""}});
+  }
+  return rows;
 }
 
-/// Kept out of line: inlined, the parts would grow together again.
-std::string part_function(const ProgramShape& shape, const CrossingStructs& crossing, const PartText& part,
-                          std::size_t number) {
-  const std::string name = shape.function + "_" + std::to_string(number);
-  const std::string titles = comment_text(fmt::format("{}", fmt::join(part.sections, "; ")));
-  return heading(
-             "Part " + std::to_string(number) + " of " + shape.function + (titles.empty() ? "." : ": " + titles + "."),
-             "[[gnu::noinline]] void " + name + "(" + part_parameters(shape, crossing, part.arguments) +
-                 ") noexcept {") +
-         part.body + "}\n\n";
+std::string declaration(const ProgramShape& shape, const std::set<std::string>& used, const char* end) {
+  return wrapped_statement("void " + shape.function + "(" + whole_parameters(shape, used) + ") noexcept" + end);
 }
 
-/// The function without a body, for the parts of the file that call it.
-std::string declaration(const ProgramShape& shape) {
-  std::set<std::string> all = {"result"};
-  for (const auto& [name, text] : shape.arguments) all.insert(name);
-  return wrapped_statement("void " + shape.function + "(" + whole_parameters(shape, all) + ") noexcept;") + "\n";
+FrameRows work_rows(const ProgramShape& shape, const CrossingStructs& crossing) {
+  return mapped(crossing, [&](const CrossingStruct& work) {
+    return FrameValues{
+        {"type", work_type(shape, work)}, {"argument", work.argument}, {"values", wrapped_list(work.members, 6)}};
+  });
 }
 
-/// The structs of values that cross parts, and the functions.
-std::string definitions(const ProgramShape& shape, const std::vector<PartText>& parts,
-                        const CrossingStructs& crossing) {
-  const std::string structs = work_structs(shape, crossing);
-  std::string work;
-  for (const CrossingStruct& values : crossing)
-    work += "  " + work_type(shape, values) + " " + values.argument + (shape.in_groups ? "[kGroups];\n" : ";\n");
-  std::string functions, calls;
+/// Arguments that the function as a whole uses.
+std::set<std::string> used_arguments(const ProgramShape& shape, const std::vector<PartText>& parts,
+                                     const CrossingStructs& crossing) {
   std::set<std::string> used;
-  for (std::size_t p = 0; p < parts.size(); ++p) {
-    used.insert(parts[p].arguments.begin(), parts[p].arguments.end());
-    if (parts.size() == 1 && shape.clock.empty() && !shape.in_groups) {
-      calls = parts[0].body;
-      break;
-    }
-    functions += part_function(shape, crossing, parts[p], p + 1);
-    const std::string function = shape.function + "_" + std::to_string(p + 1);
-    if (shape.in_groups) calls += "  for (int g = 0; g < kGroups; ++g)\n  ";
-    calls += "  " + function + "(" + part_arguments(shape, crossing, parts[p].arguments) + ");\n";
-    if (!shape.clock.empty() && parts[p].ended_step) {
-      calls += "  " + shape.clock + ".at_end_of(" + std::to_string(*parts[p].ended_step) + ");\n";
-      used.insert(shape.clock);
-    }
+  for (const PartText& part : parts) {
+    used.insert(part.arguments.begin(), part.arguments.end());
+    if (!shape.clock.empty() && part.ended_step) used.insert(shape.clock);
   }
   for (const CrossingStruct& values : crossing) used.erase(values.argument);
-  const std::string declared = "void " + shape.function + "(" + whole_parameters(shape, used) + ") noexcept {";
-  return structs + functions + heading(shape.title, declared) + work + calls + "}\n";
+  return used;
 }
 
 }  // namespace
@@ -144,15 +111,29 @@ void add_comment(PartText& part, const std::string& words) {
   part.body += wrapped_words(words, part.indent + "// ") + "\n";
 }
 
-std::string in_file_part(int part, const std::string& text) {
-  return fmt::format("#if MBGEN_IS_PART({})\n{}#endif  // part {}\n", part, text, part);
-}
-
 std::string function_text(const ProgramShape& shape, const std::vector<PartText>& parts,
                           const CrossingStructs& crossing) {
-  const std::string text = definitions(shape, parts, crossing);
-  if (shape.file_part == 0) return result_struct(shape) + text;
-  return result_struct(shape) + declaration(shape) + "\n" + in_file_part(shape.file_part, text);
+  const bool is_whole = parts.size() == 1 && shape.clock.empty() && !shape.in_groups;
+  std::set<std::string> all = {"result"};
+  for (const auto& [name, text] : shape.arguments) all.insert(name);
+  const FrameRows members = mapped(shape.members, [](const ArrayMember& member) {
+    return FrameValues{{"name", member.name}, {"size", size_text(member.size)}, {"comment", member.comment}};
+  });
+  return fill_template("function.in",
+                       {{"function", shape.function},
+                        {"result", shape.result},
+                        {"scalar", shape.scalar},
+                        {"clock", shape.clock},
+                        {"in_groups", shape.in_groups},
+                        {"has_members", !shape.members.empty()},
+                        {"members", members},
+                        {"file_part", shape.file_part > 0 ? std::to_string(shape.file_part) : ""},
+                        {"announcement", declaration(shape, all, ";")},
+                        {"work", work_rows(shape, crossing)},
+                        {"parts", is_whole ? FrameRows{} : part_rows(shape, parts, crossing)},
+                        {"title", wrapped_words(shape.title, "/// ")},
+                        {"declaration", declaration(shape, used_arguments(shape, parts, crossing), " {")},
+                        {"whole_body", is_whole ? parts[0].body : ""}});
 }
 
 }  // namespace mbgen

@@ -34,9 +34,6 @@ void add_line(PartText& part, const std::string& statement);
 /// Adds words as a comment of its own lines.
 void add_comment(PartText& part, const std::string& words);
 
-/// Text that belongs to one part of the file alone.
-std::string in_file_part(int part, const std::string& text);
-
 /// Struct of the result (when the shape has members), struct of the values that cross parts (when there are any), one
 /// static function per part and the function that calls them; a single part is that function itself.
 /// crossing: structs of the values that cross parts. Where the file has parts, those that only call the function see

@@ -1,10 +1,10 @@
 #include "compiler/emit/input_text.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 
+#include "compiler/emit/mapped.hpp"
 #include "compiler/emit/text.hpp"
 #include "compiler/model/inputs.hpp"
 
@@ -45,22 +45,21 @@ std::vector<std::vector<int>> input_rows(const std::vector<Input>& inputs) {
 std::string advanced_inputs(const Model& model, const SolverNames& names, const std::string& scalar,
                             const std::string& margin) {
   if (!inputs_have_derivatives(model.inputs)) return "";
-  std::string text;
+  std::vector<std::string> statements;
   for (std::size_t i = 0; i < names.inputs.size(); ++i) {
     const std::string value = polynomial(model, names, static_cast<int>(i), 1, scalar);
-    text += wrapped_statement(fmt::format("{}later.{} = {};", margin, names.inputs[i], value)) + "\n";
+    statements.push_back(wrapped_statement(fmt::format("{}later.{} = {};", margin, names.inputs[i], value)));
   }
-  return text;
+  return joined(statements, "\n");
 }
 
 std::string input_rows_text(const Model& model, const SolverNames& names) {
   std::vector<std::string> rows;
   for (const std::vector<int>& row : input_rows(model.inputs)) {
-    std::vector<std::string> members;
-    for (const int input : row) members.push_back("&Inputs::" + names.inputs[static_cast<std::size_t>(input)]);
-    rows.push_back(fmt::format("    {{{}, {{{}}}}}", row.size(), fmt::join(members, ", ")));
+    const auto member = [&](int input) { return "&Inputs::" + names.inputs[static_cast<std::size_t>(input)]; };
+    rows.push_back(fmt::format("    {{{}, {{{}}}}}", row.size(), joined(mapped(row, member), ", ")));
   }
-  return inputs_have_derivatives(model.inputs) ? fmt::format("{}", fmt::join(rows, ",\n")) : "";
+  return inputs_have_derivatives(model.inputs) ? joined(rows, ",\n") : "";
 }
 
 }  // namespace mbgen

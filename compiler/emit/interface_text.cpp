@@ -2,7 +2,9 @@
 
 #include <fmt/format.h>
 
+#include "compiler/emit/frame.hpp"
 #include "compiler/emit/input_text.hpp"
+#include "compiler/emit/mapped.hpp"
 #include "compiler/emit/text.hpp"
 #include "compiler/model/inputs.hpp"
 
@@ -14,52 +16,38 @@ std::string enumeration(const std::string& name, const std::vector<std::string>&
   return "struct " + name + " {\n" + braced_list("  enum Index : int ", members, ";") + "\n};";
 }
 
-std::string string_table(const std::string& name, const std::vector<std::string>& texts) {
-  std::vector<std::string> literals;
-  for (const std::string& text : texts) literals.push_back(string_literal(text));
-  if (literals.empty()) literals.push_back("\"\"");
-  return braced_list("inline constexpr const char* const " + name + "[] = ", literals, ";\n");
-}
-
-std::vector<std::string> units_of(const std::vector<NumberMember>& members) {
-  std::vector<std::string> units;
-  for (const NumberMember& member : members) units.push_back(member.unit);
-  return units;
-}
-
-std::string tables(const EmitContext& context) {
+/// Arrays of names and units.
+FrameRows tables(const EmitContext& context) {
   const Model& model = context.model;
-  std::vector<std::string> coordinate_names, coordinate_units, block_names, output_units;
-  for (const TreeBody& body : context.topology.bodies) {
-    coordinate_names.push_back(body.coordinate);
-    coordinate_units.push_back(unit_of(body.kind));
-  }
-  for (const Output& output : model.outputs) output_units.push_back(output.unit);
+  const std::vector<Parameter> parameters = tunable_parameters(model);
+  const auto& bodies = context.topology.bodies;
+  std::vector<std::string> block_names;
   for (std::size_t b = 0; b < context.topology.blocks.size(); ++b)
     block_names.push_back(block_title(context.topology, static_cast<int>(b)));
-  std::string text =
-      string_table("kCoordinateNames", coordinate_names) + string_table("kCoordinateUnits", coordinate_units) +
-      string_table("kAuxiliaryStateNames", auxiliary_state_names(model)) +
-      string_table("kBodyNames", names_of(model.bodies)) + string_table("kInputNames", names_of(model.inputs)) +
-      string_table("kInputUnits", units_of(input_members(context))) +
-      string_table("kOutputNames", names_of(model.outputs)) + string_table("kOutputUnits", output_units) +
-      string_table("kParameterNames", tunable_names(model)) +
-      string_table("kParameterUnits", units_of(parameter_members(context))) +
-      string_table("kLoopBlockNames", block_names);
-  text.pop_back();
-  return text;
+  const std::pair<const char*, std::vector<std::string>> all[] = {
+      {"kCoordinateNames", mapped(bodies, &TreeBody::coordinate)},
+      {"kCoordinateUnits", mapped(bodies, [](const TreeBody& body) { return std::string(unit_of(body.kind)); })},
+      {"kAuxiliaryStateNames", auxiliary_state_names(model)},
+      {"kBodyNames", names_of(model.bodies)},
+      {"kInputNames", names_of(model.inputs)},
+      {"kInputUnits", mapped(model.inputs, &Input::unit)},
+      {"kOutputNames", names_of(model.outputs)},
+      {"kOutputUnits", mapped(model.outputs, &Output::unit)},
+      {"kParameterNames", names_of(parameters)},
+      {"kParameterUnits", mapped(parameters, &Parameter::unit)},
+      {"kLoopBlockNames", block_names}};
+  return mapped(all, [](const auto& named) {
+    std::vector<std::string> literals = mapped(named.second, string_literal);
+    if (literals.empty()) literals.push_back("\"\"");
+    return FrameValues{{"table", named.first}, {"texts", wrapped_list(literals, 4)}};
+  });
 }
 
-std::string member(const NumberMember& number, const std::string& scalar) {
-  const std::string value = number.value.empty() ? "" : " = " + number.value;
-  const std::string declaration = "  " + scalar + " " + number.name + value + ";";
-  return declaration + (number.unit.empty() ? "" : "  ///< " + comment_text(number.unit)) + "\n";
-}
-
-std::string structure(const std::string& name, const std::vector<NumberMember>& members, const std::string& scalar) {
-  std::string text = "struct " + name + " {\n";
-  for (const NumberMember& number : members) text += member(number, scalar);
-  return text + "};";
+/// Members of a struct with their defaults.
+FrameRows default_rows(const std::vector<NumberMember>& members) {
+  return mapped(members, [](const NumberMember& member) {
+    return FrameValues{{"member", member.name}, {"value", member.value}, {"unit", comment_text(member.unit)}};
+  });
 }
 
 /// The file name without its directories: the same text wherever the model lies.
@@ -72,9 +60,9 @@ std::string base_name(const std::string& path) {
 
 std::vector<NumberMember> parameter_members(const EmitContext& context) {
   std::vector<NumberMember> members;
-  for (const Parameter& p : context.model.parameters)
-    if (p.tunable)
-      members.push_back({context.names.parameters[members.size()], number_text(p.value, context.scalar), p.unit});
+  for (const Parameter& parameter : tunable_parameters(context.model))
+    members.push_back(
+        {context.names.parameters[members.size()], number_text(parameter.value, context.scalar), parameter.unit});
   return members;
 }
 
@@ -96,56 +84,55 @@ std::vector<NumberMember> output_members(const EmitContext& context) {
   return members;
 }
 
+FrameRows name_rows(const std::vector<std::string>& names) {
+  return mapped(names, [](const std::string& name) { return FrameValues{{"member", name}}; });
+}
+
+FrameRows member_rows(const std::vector<NumberMember>& members) {
+  return mapped(members, [](const NumberMember& member) {
+    return FrameValues{{"member", member.name}, {"unit", comment_text(member.unit)}};
+  });
+}
+
 std::string banner_text(const Model& model, const std::string& mark) {
   return mark + " " + comment_text(model.name) + ", content hash " + model.hash + "\n" + mark +
          " Made by `mbgen generate " + comment_text(base_name(model.file)) + "`, mbgen " + kMbgenVersion +
          ". Change the model, not this file.";
 }
 
-std::string tuned_type_text(const Programs& programs, const std::string& scalar) {
+FrameValues tuned_values(const Programs& programs) {
   const int count = derived_constant_count(programs);
-  if (count == 0)
-    return "/// What functions take: no constants follow from the parameters.\nusing Tuned = Parameters;\n";
   std::string named;
   for (int k = 0; const std::string& name : derived_constant_names(programs)) {
     if (!name.empty()) named += fmt::format("{} [{}] {}", named.empty() ? " Among them:" : ",", k, name);
     ++k;
   }
-  const std::string comment = wrapped_words(
-      fmt::format("Tunable parameters with the {} constants that follow from them. Functions take plain Parameters as "
-                  "well, and then work these out each time: keep one of these, and assign Parameters to it where they "
-                  "change, at the boundary of a step.{}{}",
-                  count, named, named.empty() ? "" : "."),
-      "/// ");
-  return fmt::format(
-      "{}\nstruct Tuned : Parameters {{\n  {} derived[{}];\n  Tuned() noexcept : Tuned(Parameters{{}}) {{}}\n"
-      "  Tuned(const Parameters& parameters) noexcept;\n}};\n",
-      comment, scalar, count);
-}
-
-std::string tuned_constructor_text(const Programs& programs) {
-  if (derived_constant_count(programs) == 0) return "";
-  return "Tuned::Tuned(const Parameters& parameters) noexcept : Parameters(parameters) {\n"
-         "  compute_derived_constants(parameters, *this);\n}\n\n";
+  const std::string comment = fmt::format(
+      "Tunable parameters with the {} constants that follow from them. Functions take plain Parameters as well, and "
+      "then "
+      "work these out each time: keep one of these, and assign Parameters to it where they change, at the boundary of "
+      "a "
+      "step.{}{}",
+      count, named, named.empty() ? "" : ".");
+  return {{"derived", count > 0 ? std::to_string(count) : ""}, {"tuned_comment", wrapped_words(comment, "/// ")}};
 }
 
 std::string interface_text(const EmitContext& context) {
   const SolverNames& names = context.names;
-  return fill_template("solver.hpp.in",
-                       {{"banner", banner_text(context.model, "//")},
+  FrameValues values = {{"banner", banner_text(context.model, "//")},
                         {"title", comment_text(context.model.name)},
                         {"solver", names.solver},
                         {"model_literal", string_literal(context.model.name)},
                         {"hash_literal", string_literal(context.model.hash)},
-                        {"coordinate_count", std::to_string(names.coordinates.size())},
-                        {"auxiliary_count", std::to_string(context.layout.auxiliary_states)},
-                        {"body_count", std::to_string(names.bodies.size())},
-                        {"input_count", std::to_string(names.inputs.size())},
-                        {"output_count", std::to_string(names.outputs.size())},
-                        {"parameter_count", std::to_string(names.parameters.size())},
-                        {"loop_block_count", std::to_string(names.loop_blocks.size())},
-                        {"equation_count", std::to_string(context.layout.equations)},
-                        {"motion_count", std::to_string(context.layout.drives)},
+                        {"coordinate_count", names.coordinates.size()},
+                        {"auxiliary_count", context.layout.auxiliary_states},
+                        {"body_count", names.bodies.size()},
+                        {"input_count", names.inputs.size()},
+                        {"output_count", names.outputs.size()},
+                        {"parameter_count", names.parameters.size()},
+                        {"loop_block_count", names.loop_blocks.size()},
+                        {"equation_count", context.layout.equations},
+                        {"motion_count", context.layout.drives},
                         {"coordinates", enumeration("Coordinate", names.coordinates)},
                         {"bodies", enumeration("Body", names.bodies)},
                         {"inputs", enumeration("Input", names.inputs)},
@@ -153,17 +140,18 @@ std::string interface_text(const EmitContext& context) {
                         {"parameters", enumeration("Parameter", names.parameters)},
                         {"loop_blocks", enumeration("LoopBlock", names.loop_blocks)},
                         {"tables", tables(context)},
-                        {"parameter_struct", structure("Parameters", parameter_members(context), context.scalar)},
-                        {"tuned_type", tuned_type_text(context.programs, context.scalar)},
-                        {"input_struct", structure("Inputs", input_members(context), context.scalar)},
-                        {"advances", inputs_have_derivatives(context.model.inputs) ? "yes" : ""},
+                        {"parameter_members", default_rows(parameter_members(context))},
+                        {"input_members", default_rows(input_members(context))},
+                        {"output_members", member_rows(output_members(context))},
+                        {"advances", inputs_have_derivatives(context.model.inputs)},
                         {"input_rows", input_rows_text(context.model, names)},
-                        {"initial", context.initial ? "yes" : ""},
-                        {"output_struct", structure("Outputs", output_members(context), context.scalar)},
+                        {"initial", context.initial.has_value()},
                         {"scalar", context.scalar},
                         {"auxiliary_size", size_text(context.layout.auxiliary_states)},
                         {"multiplier_size", size_text(context.layout.equations)},
-                        {"drive_size", size_text(context.layout.drives)}});
+                        {"drive_size", size_text(context.layout.drives)}};
+  values.merge(tuned_values(context.programs));
+  return fill_template("solver.hpp.in", values);
 }
 
 }  // namespace mbgen

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "compiler/emit/context.hpp"
+#include "compiler/emit/frame.hpp"
 
 namespace mbgen {
 
@@ -22,11 +23,14 @@ std::vector<NumberMember> parameter_members(const EmitContext& context);
 std::vector<NumberMember> input_members(const EmitContext& context);
 std::vector<NumberMember> output_members(const EmitContext& context);
 
-/// Struct Tuned, the tunable parameters with the constants that follow from them, which every function of a solver
-/// takes: another name of Parameters where nothing follows from them. scalar: type of its values.
-std::string tuned_type_text(const Programs& programs, const std::string& scalar);
+/// A row for each name, as `member`.
+FrameRows name_rows(const std::vector<std::string>& names);
 
-/// The constructor of the struct, which calls the program of the derived constants; empty without them.
-std::string tuned_constructor_text(const Programs& programs);
+/// A row for each, with its unit for a comment: `member`, `unit`.
+FrameRows member_rows(const std::vector<NumberMember>& members);
+
+/// Values of tuned.in, struct Tuned: the tunable parameters with the constants that follow from them, which every
+/// function of a solver takes.
+FrameValues tuned_values(const Programs& programs);
 
 }  // namespace mbgen

@@ -4,6 +4,7 @@
 #include <iterator>
 #include <tuple>
 
+#include "compiler/emit/mapped.hpp"
 #include "compiler/emit/text.hpp"
 
 namespace mbgen {
@@ -78,9 +79,7 @@ Texts indexed(const std::string& array, int size, int first = 0) {
 }
 
 Texts around(const std::string& before, const std::vector<std::string>& names, const std::string& after = "") {
-  Texts texts;
-  for (const std::string& name : names) texts.push_back(before + name + after);
-  return texts;
+  return mapped(names, [&](const std::string& name) { return before + name + after; });
 }
 
 /// The value of an output that the program does not give. A block of rank zero has no pivot to watch.

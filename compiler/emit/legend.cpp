@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "compiler/emit/frame.hpp"
 #include "compiler/emit/text.hpp"
 
 namespace mbgen {

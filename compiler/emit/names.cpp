@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <iterator>
 
+#include "compiler/emit/mapped.hpp"
 #include "compiler/emit/reserved_names.hpp"
 
 namespace mbgen {
@@ -39,12 +40,10 @@ std::vector<std::string> identifiers(const std::vector<std::string>& names, std:
 
 }  // namespace
 
-std::vector<std::string> tunable_names(const Model& model) {
-  std::vector<std::string> names;
-  for (const Parameter& parameter : model.parameters) {
-    if (parameter.tunable) names.push_back(parameter.name);
-  }
-  return names;
+std::vector<Parameter> tunable_parameters(const Model& model) {
+  std::vector<Parameter> parameters = model.parameters;
+  std::erase_if(parameters, [](const Parameter& parameter) { return !parameter.tunable; });
+  return parameters;
 }
 
 std::string identifier_base(const std::string& name) {
@@ -76,18 +75,16 @@ SolverNames model_names(const Model& model) {
   names.solver = solver_name(model);
   names.bodies = identifiers(names_of(model.bodies));
   names.inputs = identifiers(names_of(model.inputs));
-  names.parameters = identifiers(tunable_names(model), {"derived"});
+  names.parameters = identifiers(names_of(tunable_parameters(model)), {"derived"});
   names.outputs = identifiers(names_of(model.outputs), {std::begin(kEnergyMembers), std::end(kEnergyMembers)});
   return names;
 }
 
 SolverNames solver_names(const Model& model, const Topology& topology) {
   SolverNames names = model_names(model);
-  std::vector<std::string> coordinates, blocks;
-  for (const TreeBody& body : topology.bodies) coordinates.push_back(body.coordinate);
-  for (const LoopBlock& block : topology.blocks) blocks.push_back(topology.loops[block.loops.front()].name);
-  names.coordinates = identifiers(coordinates);
-  names.loop_blocks = identifiers(blocks);
+  const auto first_loop = [&](const LoopBlock& block) { return topology.loops[block.loops.front()].name; };
+  names.coordinates = identifiers(mapped(topology.bodies, &TreeBody::coordinate));
+  names.loop_blocks = identifiers(mapped(topology.blocks, first_loop));
   return names;
 }
 

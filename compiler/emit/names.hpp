@@ -23,16 +23,8 @@ struct SolverNames {
 /// Members of Outputs that every solver has.
 constexpr const char* kEnergyMembers[] = {"kinetic_energy", "potential_energy", "applied_power"};
 
-/// Names of the tunable parameters, as the model has them.
-std::vector<std::string> tunable_names(const Model& model);
-
-/// Names of these parts of a model, as it has them.
-template <class Item>
-std::vector<std::string> names_of(const std::vector<Item>& items) {
-  std::vector<std::string> names;
-  for (const Item& item : items) names.push_back(item.name);
-  return names;
-}
+/// The parameters that solvers take, in the order of the model.
+std::vector<Parameter> tunable_parameters(const Model& model);
 
 /// A name as an identifier that is no keyword: letters, digits, single underscores. Not unique.
 std::string identifier_base(const std::string& name);

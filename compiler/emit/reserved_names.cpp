@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "compiler/emit/text.hpp"
+#include "compiler/emit/frame.hpp"
 
 namespace mbgen {
 namespace {

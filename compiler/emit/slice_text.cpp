@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdlib>
 
+#include "compiler/emit/mapped.hpp"
 #include "compiler/emit/text.hpp"
 
 namespace mbgen {
@@ -19,9 +20,7 @@ std::string SliceTables::index(const std::vector<int>& indices) {
   const int first = indices[0], step = indices.size() > 1 ? indices[1] - first : 0;
   for (std::size_t slice = 0; slice < indices.size(); ++slice) {
     if (indices[slice] == first + step * static_cast<int>(slice)) continue;
-    std::vector<std::string> items;
-    for (const int index : indices) items.push_back(std::to_string(index));
-    return item("int", "kPlaces", items);
+    return item("int", "kPlaces", mapped(indices, [](int index) { return std::to_string(index); }));
   }
   if (step == 0) return std::to_string(first);
   const std::string slope = (std::abs(step) == 1 ? "" : std::to_string(std::abs(step)) + "*") + "k";

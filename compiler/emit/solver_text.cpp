@@ -3,12 +3,14 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <array>
 #include <stdexcept>
 
-#include "compiler/emit/function_text.hpp"
+#include "compiler/emit/frame.hpp"
 #include "compiler/emit/input_text.hpp"
 #include "compiler/emit/interface_text.hpp"
 #include "compiler/emit/legend.hpp"
+#include "compiler/emit/mapped.hpp"
 #include "compiler/emit/program_text.hpp"
 #include "compiler/emit/text.hpp"
 
@@ -19,14 +21,12 @@ using Items = std::vector<std::string>;
 
 /// A static table of System.
 std::string table(const std::string& type, const std::string& name, Items items, const std::string& filler = "0") {
-  return array_text("  static constexpr " + type + " " + name, std::move(items), filler) + "\n";
+  return array_text("  static constexpr " + type + " " + name, std::move(items), filler);
 }
 
 template <class Number>
 Items items_of(const std::vector<Number>& numbers) {
-  Items items;
-  for (const auto number : numbers) items.push_back(std::to_string(static_cast<int>(number)));
-  return items;
+  return mapped(numbers, [](Number number) { return std::to_string(static_cast<int>(number)); });
 }
 
 std::string braces(const std::vector<int>& numbers) { return fmt::format("{{{}}}", fmt::join(numbers, ", ")); }
@@ -61,11 +61,8 @@ std::vector<int> multiplier_places(const Topology& topology) {
 }
 
 std::vector<int> drive_coordinates(const EmitContext& context) {
-  std::vector<int> coordinates;
-  for (const Motion& motion : context.model.motions) {
-    coordinates.push_back(tree_coordinate(context.topology, motion.joint));
-  }
-  return coordinates;
+  return mapped(context.model.motions,
+                [&](const Motion& motion) { return tree_coordinate(context.topology, motion.joint); });
 }
 
 /// Where each parameter or input is in its struct, to name one that is not finite.
@@ -80,7 +77,7 @@ std::string argument_sum(const SolverNames& names, const std::string& scalar) {
   for (const std::string& name : names.parameters) terms.push_back("parameters." + name);
   for (const std::string& name : names.inputs) terms.push_back("inputs." + name);
   if (terms.empty()) terms.push_back(is_number(scalar) ? number_text(0, scalar) : scalar + "{}");
-  return wrapped_statement(fmt::format("    return {};", fmt::join(terms, " + ")));
+  return wrapped_statement("    return " + joined(terms, " + ") + ";");
 }
 
 bool runs_rarely(Role role) {
@@ -121,23 +118,28 @@ void check_residual_order(const EmitContext& context) {
   }
 }
 
-/// The arrays of initial_state(), none without one. Copied number by number, as a bare target may have no memcpy.
-std::string initial_arrays(const EmitContext& context) {
-  if (!context.initial) return "";
-  const InitialState& initial = *context.initial;
-  std::string text;
-  for (const std::vector<double>* values : {&initial.z, &initial.zd, &initial.x}) {
-    Items items = number_texts(*values, context.scalar);
-    if (items.empty()) items.push_back(number_text(0, context.scalar));
+/// The arrays of initial_state(). Copied number by number, as a bare target may have no memcpy.
+FrameRows start_rows(const InitialState& initial, const std::string& scalar) {
+  return mapped(std::array{initial.z, initial.zd, initial.x}, [&](const std::vector<double>& values) {
+    Items items = number_texts(values, scalar);
+    if (items.empty()) items.push_back(number_text(0, scalar));
     constexpr std::size_t kIndent = 7;  // after the brace
-    text += "      {" + wrapped_list(items, kIndent).substr(kIndent) + "},\n";
-  }
-  return text;
+    return FrameValues{{"numbers", "{" + wrapped_list(items, kIndent).substr(kIndent) + "}"}};
+  });
 }
 
 }  // namespace
 
-std::string system_text(const EmitContext& context, const std::string& members, const std::string& scalar) {
+FrameValues system_member(const ShapedProgram& shaped, const std::string& type, const std::string& scope) {
+  const std::string& function = shaped.shape.function;
+  const bool is_called = shaped.role != Role::outputs && shaped.role != Role::derived_constants;
+  return {{"result", shaped.shape.members.empty() ? "" : shaped.shape.result},
+          {"type", type},
+          {"name", function.substr(std::string_view("compute_").size())},
+          {"function", is_called ? scope + function : ""}};
+}
+
+FrameValues system_values(const EmitContext& context, const FrameRows& members, const std::string& scalar) {
   const SolverLayout& layout = context.layout;
   const SolverNames& names = context.names;
   Items blocks;
@@ -156,82 +158,69 @@ std::string system_text(const EmitContext& context, const std::string& members, 
   }
   // What only closures or loops ask for is left out without them, so that nothing is unused; lanes leave the choice of
   // coordinates at run time to the solver of one instance.
-  std::string text = fill_template(
-      "system.in",
-      {{"coordinates", std::to_string(layout.coordinates)},
-       {"auxiliary_states", std::to_string(layout.auxiliary_states)},
-       {"blocks", std::to_string(blocks.size())},
-       {"equations", std::to_string(layout.equations)},
-       {"free_directions", std::to_string(context.programs.free_direction_coordinate.size())},
-       {"closure", layout.has_closure ? "yes" : ""},
-       {"drives", std::to_string(layout.drives)},
-       {"number", context.scalar},
-       {"tolerance", number_text(context.model.solver.closure_tolerance, context.scalar)},
-       {"alone", is_number(scalar) ? "yes" : ""},
-       {"frozen_only", layout.chooses_again ? "" : "yes"},
-       {"block_coordinates", blocks.empty() ? "" : std::to_string(layout.block_coordinates)},
-       {"free_direction_table",
-        table("mbgen::FreeDirection", "kFreeDirection", free_direction_items(context), "{0, -1, 0}")},
-       {"parameter_members", member_table(scalar, "Parameters", "kParameterMember", names.parameters)},
-       {"input_members", member_table(scalar, "Inputs", "kInputMember", names.inputs)},
-       {"driven", table("unsigned char", "kDriven", items_of(context.analysis.driven))},
-       {"redundant", table("unsigned char", "kRedundant", items_of(redundant))},
-       {"drive_coordinate", table("int", "kDriveCoordinate", items_of(drive_coordinates(context)))},
-       {"block_layout", table("mbgen::BlockLayout", "kBlockLayout", blocks, "{0, 0, 0, 0, 0, 0, 0, 0, 0.0}")},
-       {"block_coordinate", table("int", "kBlockCoordinate", items_of(coordinates))},
-       {"block_driven", table("unsigned char", "kBlockDriven", items_of(block_driven))},
-       {"multiplier_place", table("int", "kMultiplierPlace", items_of(multiplier_places(context.topology)))},
-       {"members", members},
-       {"scalar", scalar},
-       {"parameters", names.parameters.empty() ? "/*parameters*/" : "parameters"},
-       {"inputs", names.inputs.empty() ? "/*inputs*/" : "inputs"},
-       {"sum", argument_sum(names, scalar)}});
-  text.pop_back();
-  return text;
+  return {{"coordinate_count", layout.coordinates},
+          {"auxiliary_states", layout.auxiliary_states},
+          {"blocks", blocks.size()},
+          {"equations", layout.equations},
+          {"free_directions", context.programs.free_direction_coordinate.size()},
+          {"closure", layout.has_closure},
+          {"drives", layout.drives},
+          {"number", context.scalar},
+          {"tolerance", number_text(context.model.solver.closure_tolerance, context.scalar)},
+          {"alone", is_number(scalar)},
+          {"frozen_only", !layout.chooses_again},
+          {"block_coordinates", blocks.empty() ? "" : std::to_string(layout.block_coordinates)},
+          {"free_direction_table",
+           table("mbgen::FreeDirection", "kFreeDirection", free_direction_items(context), "{0, -1, 0}")},
+          {"parameter_members", member_table(scalar, "Parameters", "kParameterMember", names.parameters)},
+          {"input_members", member_table(scalar, "Inputs", "kInputMember", names.inputs)},
+          {"driven", table("unsigned char", "kDriven", items_of(context.analysis.driven))},
+          {"redundant", table("unsigned char", "kRedundant", items_of(redundant))},
+          {"drive_coordinate", table("int", "kDriveCoordinate", items_of(drive_coordinates(context)))},
+          {"block_layout", table("mbgen::BlockLayout", "kBlockLayout", blocks, "{0, 0, 0, 0, 0, 0, 0, 0, 0.0}")},
+          {"block_coordinate", table("int", "kBlockCoordinate", items_of(coordinates))},
+          {"block_driven", table("unsigned char", "kBlockDriven", items_of(block_driven))},
+          {"multiplier_place", table("int", "kMultiplierPlace", items_of(multiplier_places(context.topology)))},
+          {"members", members},
+          {"scalar", scalar},
+          {"parameters_argument", names.parameters.empty() ? "/*parameters*/" : "parameters"},
+          {"inputs_argument", names.inputs.empty() ? "/*inputs*/" : "inputs"},
+          {"sum", argument_sum(names, scalar)}};
 }
 
-std::string constants_text(const ConstantNames& names, const std::string& scalar) {
-  const std::string declarations = names.declarations(scalar);
-  return declarations.empty() ? "" : "// Numbers of the model.\n" + declarations + "\n";
-}
-
-EmittedFile solver_file(const EmitContext& context, std::vector<ShapedProgram> programs, const std::string& appendix) {
+EmittedFile solver_file(const EmitContext& context, std::vector<ShapedProgram> programs, bool for_importers) {
   check_residual_order(context);
-  std::string hot, rare, members;
+  const std::string& solver = context.names.solver;
+  FrameRows hot, rare, members;
   ConstantNames constants(context.programs);
   const int rare_parts = divide_file(programs, context.file_part_values);
   for (ShapedProgram& shaped : programs) {
     shaped.shape.constants = &constants;
-    (shaped.shape.file_part > 0 ? rare : hot) += program_text(*shaped.program, shaped.schedule, shaped.shape) + "\n";
-    const std::string member = shaped.shape.function.substr(std::string("compute_").size());
-    if (!shaped.shape.members.empty()) {
-      members += "  using " + shaped.shape.result + " = " + context.names.solver + "::" + shaped.shape.result + ";\n";
-    }
-    if (shaped.role != Role::outputs && shaped.role != Role::derived_constants)
-      members += "  static constexpr auto " + member + " = &" + shaped.shape.function + ";\n";
+    FrameRows& part = shaped.shape.file_part > 0 ? rare : hot;
+    part.push_back({{"program", program_text(*shaped.program, shaped.schedule, shaped.shape)}});
+    members.push_back(system_member(shaped, solver + "::" + shaped.shape.result, ""));
   }
   const bool has_projection = !context.layout.blocks.empty() && context.layout.chooses_again;
-  if (has_projection) members += "  using Projection = " + context.names.solver + "::Projection;\n";
-  const std::string text = fill_template(
-      "solver.cpp.in",
-      {{"banner", banner_text(context.model, "//") + legend_text(context)},
-       {"constants", constants_text(constants, context.scalar)},
-       {"solver", context.names.solver},
-       {"scalar", context.scalar},
-       {"rare_parts", rare_parts > 0 ? std::to_string(rare_parts) : ""},
-       {"all_parts", std::to_string(rare_parts + 1)},
-       {"hot", hot},
-       {"rare", rare},
-       {"projection", has_projection ? size_text(context.layout.projection_entries) : ""},
-       {"block_coordinates", std::to_string(context.layout.block_coordinates)},
-       {"tuned_constructor", tuned_constructor_text(context.programs)},
-       {"outputs_take_multipliers", outputs_take_multipliers(context.programs) ? "yes" : ""},
-       {"system", system_text(context, members, context.scalar)},
-       {"advance_inputs", advanced_inputs(context.model, context.names, context.scalar, "  ")},
-       {"since_start", context.scalar == "float" ? "static_cast<float>(state.t - start)" : "state.t - start"},
-       {"initial_state", initial_arrays(context)}});
-  return {context.names.solver + ".cpp",
-          text + (rare_parts > 0 && !appendix.empty() ? in_file_part(0, appendix) : appendix), rare_parts};
+  const std::string later_inputs = advanced_inputs(context.model, context.names, context.scalar, "  ");
+  FrameValues values = {
+      {"banner", banner_text(context.model, "//") + legend_text(context)},
+      {"constants", constants.declarations(context.scalar)},
+      {"solver", solver},
+      {"rare_parts", rare_parts > 0 ? std::to_string(rare_parts) : ""},
+      {"all_parts", rare_parts + 1},
+      {"for_importers", for_importers},
+      {"hot", hot},
+      {"rare", rare},
+      {"projection", has_projection ? size_text(context.layout.projection_entries) : ""},
+      {"derived", derived_constant_count(context.programs) > 0},
+      {"outputs_take_multipliers", outputs_take_multipliers(context.programs)},
+      {"later_inputs", later_inputs},
+      {"inputs_now", later_inputs.empty() ? "inputs" : "now"},
+      {"since_start", context.scalar == "float" ? "static_cast<float>(state.t - start)" : "state.t - start"},
+      {"initial", context.initial.has_value()},
+      {"start", context.initial ? start_rows(*context.initial, context.scalar) : FrameRows{}}};
+  values.merge(system_values(context, members, context.scalar));
+  return {solver + ".cpp", fill_template("solver.cpp.in", values), rare_parts};
 }
 
 }  // namespace mbgen

@@ -5,18 +5,18 @@
 #include <vector>
 
 #include "compiler/emit/context.hpp"
+#include "compiler/emit/frame.hpp"
 
 namespace mbgen {
 
-/// `<model>.cpp`. appendix: further text of the solver, after its namespace.
-EmittedFile solver_file(const EmitContext& context, std::vector<ShapedProgram> programs,
-                        const std::string& appendix = "");
+/// `<model>.cpp`. for_importers: with the functions that an FMU asks for besides.
+EmittedFile solver_file(const EmitContext& context, std::vector<ShapedProgram> programs, bool for_importers);
 
-/// The constants that the texts of a file use, under a heading; empty without any.
-std::string constants_text(const ConstantNames& names, const std::string& scalar);
+/// Names of a program and of its result in the struct System. type: of the result; scope: of the function, with "::".
+FrameValues system_member(const ShapedProgram& shaped, const std::string& type, const std::string& scope);
 
-/// Members of the struct System, see mbgen/blocks.hpp and mbgen/batch.hpp. members: those that are its programs' and
-/// their results'; scalar: type of its values.
-std::string system_text(const EmitContext& context, const std::string& members, const std::string& scalar);
+/// Values of system.in, the members of the struct System: see mbgen/blocks.hpp and mbgen/batch.hpp. members: of each
+/// program, as above; scalar: type of its values.
+FrameValues system_values(const EmitContext& context, const FrameRows& members, const std::string& scalar);
 
 }  // namespace mbgen

@@ -1,14 +1,14 @@
 #include "compiler/emit/text.hpp"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <iterator>
-#include <set>
 #include <sstream>
-#include <stdexcept>
 
-#include "compiler/emit/embedded.hpp"
+#include "compiler/emit/mapped.hpp"
 
 namespace mbgen {
 namespace {
@@ -108,6 +108,10 @@ std::string comment_text(std::string_view text) {
   return result;
 }
 
+std::string joined(const std::vector<std::string>& texts, std::string_view separator) {
+  return fmt::format("{}", fmt::join(texts, separator));
+}
+
 std::string wrapped_list(const std::vector<std::string>& items, std::size_t indent) {
   const std::string margin(indent, ' ');
   std::string result = margin;
@@ -141,15 +145,11 @@ std::string array_text(const std::string& head, std::vector<std::string> items, 
 }
 
 std::vector<std::string> number_texts(const std::vector<double>& values, const std::string& scalar) {
-  std::vector<std::string> texts;
-  for (const double value : values) texts.push_back(number_text(value, scalar));
-  return texts;
+  return mapped(values, [&](double value) { return number_text(value, scalar); });
 }
 
 std::vector<std::string> member_places(const std::string& structure, const std::vector<std::string>& members) {
-  std::vector<std::string> places;
-  for (const std::string& member : members) places.push_back("&" + structure + "::" + member);
-  return places;
+  return mapped(members, [&](const std::string& member) { return "&" + structure + "::" + member; });
 }
 
 std::string wrapped_statement(const std::string& line) {
@@ -182,65 +182,6 @@ std::string wrapped_words(const std::string& words, const std::string& margin) {
     }
   }
   return result + line;
-}
-
-std::string fill_frame(std::string_view frame_name, std::string_view frame,
-                       const std::map<std::string, std::string>& values) {
-  const auto fail = [&](const std::string& what) { throw std::logic_error(std::string(frame_name) + ": " + what); };
-  std::string result;
-  std::set<std::string> used;
-  std::vector<bool> stays = {true};  // text of the frame and of each section that is open
-  const auto value_of = [&](const std::string& name) {
-    const auto value = values.find(name);
-    if (value == values.end()) fail("no value for {{" + name + "}}");
-    used.insert(name);
-    return std::string_view(value->second);
-  };
-  while (true) {
-    const std::size_t open = frame.find("{{");
-    if (stays.back()) result += frame.substr(0, open);
-    if (open == std::string_view::npos) break;
-    const std::size_t close = frame.find("}}", open);
-    if (close == std::string_view::npos) fail("{{ without }}");
-    const std::string name(frame.substr(open + 2, close - open - 2));
-    frame.remove_prefix(close + 2);
-    if (name.starts_with('#') || name.starts_with('^')) {
-      const bool is_empty = value_of(name.substr(1)).empty();
-      stays.push_back(stays.back() && is_empty == name.starts_with('^'));
-    } else if (name.starts_with('/')) {
-      stays.pop_back();
-      if (stays.empty()) fail("{{" + name + "}} ends no section");
-    } else if (const std::string_view value = value_of(name); stays.back()) {
-      result += value;
-    }
-  }
-  if (stays.size() > 1) fail("a section without its end");
-  for (const auto& [name, value] : values) {
-    if (!used.count(name)) fail("{{" + name + "}} is not used");
-  }
-  return result;
-}
-
-std::string_view template_text(const std::string& name) {
-  for (const EmbeddedFile& file : embedded_files()) {
-    if (file.path == "templates/" + name) return file.text;
-  }
-  throw std::logic_error("templates/" + name + ": not embedded");
-}
-
-std::vector<std::string> words_of(const std::string& name) {
-  std::vector<std::string> words;
-  std::istringstream lines{std::string(template_text(name))};
-  for (std::string line; std::getline(lines, line);) {
-    if (line.starts_with('#')) continue;
-    std::istringstream list(line);
-    words.insert(words.end(), std::istream_iterator<std::string>(list), {});
-  }
-  return words;
-}
-
-std::string fill_template(const std::string& name, const std::map<std::string, std::string>& values) {
-  return fill_frame("templates/" + name, template_text(name), values);
 }
 
 }  // namespace mbgen

@@ -1,7 +1,6 @@
 #pragma once
 // Pieces of text that every emitted file is made of.
 
-#include <map>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -30,6 +29,9 @@ std::string string_literal(std::string_view text);
 /// end is followed by a full stop.
 std::string comment_text(std::string_view text);
 
+/// All texts, with a separator between them.
+std::string joined(const std::vector<std::string>& texts, std::string_view separator);
+
 /// Lines of `indent` spaces and items joined by ", ", broken before kLineWidth. Ends without a newline.
 std::string wrapped_list(const std::vector<std::string>& items, std::size_t indent);
 
@@ -52,20 +54,5 @@ std::string wrapped_statement(const std::string& line);
 
 /// Words on lines that each begin with `margin` and keep to kLineWidth: "/// " for comments, spaces for lists.
 std::string wrapped_words(const std::string& words, const std::string& margin);
-
-/// Fills a frame: every {{name}} becomes its value. Text from {{#name}} to {{/name}} stays where the value is not
-/// empty, from {{^name}} to {{/name}} where it is. Fails: throws std::logic_error when the frame names a placeholder
-/// without a value, a value is not used, or a section does not end.
-std::string fill_frame(std::string_view frame_name, std::string_view frame,
-                       const std::map<std::string, std::string>& values);
-
-/// The embedded file of this name under templates/. Fails: throws std::logic_error when there is none.
-std::string_view template_text(const std::string& name);
-
-/// Words of an embedded list, in order; lines that start with # are comments.
-std::vector<std::string> words_of(const std::string& name);
-
-/// The embedded frame of this name (under templates/), filled.
-std::string fill_template(const std::string& name, const std::map<std::string, std::string>& values);
 
 }  // namespace mbgen

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "compiler/emit/mapped.hpp"
 #include "compiler/emit/names.hpp"
 #include "compiler/emit/text.hpp"
 
@@ -103,9 +104,8 @@ std::string ValueTexts::crossing_place(ValueId v, const std::string& name, PartT
 
 std::string ValueTexts::stored_place(const Slices& values, PartText& part) {
   part.arguments.insert("work");
-  std::vector<int> indices;
-  for (const ValueId v : values) indices.push_back(schedule_.index_of(v));
-  return "work.value[" + tables_.index(indices) + "]";
+  const auto index = [&](ValueId v) { return schedule_.index_of(v); };
+  return "work.value[" + tables_.index(mapped(values, index)) + "]";
 }
 
 const GroupPlace& ValueTexts::place_of(const Places& places, const Slot& slot) const {
@@ -123,16 +123,15 @@ std::string ValueTexts::slots_text(const Places& places, const std::vector<Slot>
   part.arguments.insert(place.argument);
   if (std::ranges::all_of(slots, [&](const Slot& slot) { return slot == slots[0]; }))
     return place.texts[slots[0].index];
-  std::vector<int> indices;
-  for (const Slot& slot : slots) indices.push_back(place.first + slot.index);
-  return place.array + "[" + tables_.index(indices) + "]";
+  const auto index = [&](const Slot& slot) { return place.first + slot.index; };
+  return place.array + "[" + tables_.index(mapped(slots, index)) + "]";
 }
 
 // --- expressions ---
 
 Phrase ValueTexts::input_phrase(const Slices& values, PartText& part) {
-  std::vector<Slot> slots;
-  for (const ValueId v : values) slots.push_back(program_.inputs[program_.nodes[v].input]);
+  const auto slot_of = [&](ValueId v) { return program_.inputs[program_.nodes[v].input]; };
+  const std::vector<Slot> slots = mapped(values, slot_of);
   const GroupPlace& place = place_of(shape_.inputs, slots[0]);
   const std::string text = slots_text(shape_.inputs, slots, part);
   const std::string local = place.locals.empty() ? "" : place.locals[slots[0].index];
@@ -205,9 +204,8 @@ std::vector<std::string> ValueTexts::output_texts(ValueId v, PartText& part) {
   std::vector<std::string> texts;
   const Slices values = slices_of(v);
   for (std::size_t n = 0; n < outputs_[v].size(); ++n) {
-    std::vector<Slot> slots;
-    for (const ValueId value : values) slots.push_back(outputs_[value][n]);
-    texts.push_back(slots_text(shape_.outputs, slots, part));
+    const auto slot_of = [&](ValueId value) { return outputs_[value][n]; };
+    texts.push_back(slots_text(shape_.outputs, mapped(values, slot_of), part));
   }
   return texts;
 }

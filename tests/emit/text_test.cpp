@@ -1,4 +1,4 @@
-// Pieces of the text: numbers, names, frames, lines, expressions.
+// Pieces of the text: numbers, names, lines, expressions.
 
 #include "compiler/emit/text.hpp"
 
@@ -6,7 +6,6 @@
 
 #include <charconv>
 #include <limits>
-#include <stdexcept>
 
 #include "compiler/emit/expression_text.hpp"
 #include "compiler/emit/names.hpp"
@@ -50,32 +49,6 @@ TEST(EmittedNames, ofOutputsLeaveRoomForTheEnergies) {
   const SolverNames names = model_names(model);
   EXPECT_EQ(names.solver, "double_");
   EXPECT_EQ(names.outputs, (std::vector<std::string>{"kinetic_energy_2", "x"}));
-}
-
-std::string error_of(std::string_view frame, const std::map<std::string, std::string>& values) {
-  try {
-    fill_frame("frame", frame, values);
-  } catch (const std::logic_error& error) {
-    return error.what();
-  }
-  return "";
-}
-
-TEST(Frames, fillEveryNameAndNothingElse) {
-  EXPECT_EQ(fill_frame("frame", "{{a}}-{{b}}{{a}}{}", {{"a", "1"}, {"b", "{{c}}"}}), "1-{{c}}1{}");
-  EXPECT_EQ(error_of("x {{a}}", {}), "frame: no value for {{a}}");
-  EXPECT_EQ(error_of("x", {{"b", ""}}), "frame: {{b}} is not used");
-  EXPECT_EQ(error_of("x {{a", {{"a", ""}}), "frame: {{ without }}");
-}
-
-TEST(Frames, keepSectionsByTheirValues) {
-  const std::string frame = "a{{#b}}-{{b}}{{^c}}!{{/c}}{{/b}}{{^b}}+{{c}}{{/b}}.";
-  EXPECT_EQ(fill_frame("frame", frame, {{"b", "1"}, {"c", ""}}), "a-1!.");
-  EXPECT_EQ(fill_frame("frame", frame, {{"b", "1"}, {"c", "2"}}), "a-1.");
-  EXPECT_EQ(fill_frame("frame", frame, {{"b", ""}, {"c", "2"}}), "a+2.");
-  EXPECT_EQ(error_of("{{#b}}x", {{"b", "1"}}), "frame: a section without its end");
-  EXPECT_EQ(error_of("x{{/b}}", {{"b", "1"}}), "frame: {{/b}} ends no section");
-  EXPECT_EQ(error_of("{{#b}}{{c}}{{/b}}", {{"b", ""}}), "frame: no value for {{c}}");
 }
 
 TEST(EmittedLines, areBrokenAtSpaces) {

@@ -1,0 +1,47 @@
+#pragma once
+// Frames: texts with names in them, which values take the place of; most lie under templates/.
+
+#include <concepts>
+#include <map>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace mbgen {
+
+struct FrameValue;
+/// What the names of a frame, or of one row of a section, stand for.
+using FrameValues = std::map<std::string, FrameValue>;
+/// What a section is repeated for.
+using FrameRows = std::vector<FrameValues>;
+
+/// A text, which may be a number; a section of its name has one row, or none where the text is empty. Or rows.
+struct FrameValue {
+  std::string text = {};
+  FrameRows rows = {};
+  bool is_text = true;
+
+  FrameValue(std::string value) : text(std::move(value)), rows(text.empty() ? 0 : 1) {}
+  FrameValue(const char* value) : FrameValue(std::string(value)) {}
+  FrameValue(bool is_there) : rows(is_there ? 1 : 0) {}
+  FrameValue(std::integral auto number) : FrameValue(std::to_string(number)) {}
+  FrameValue(FrameRows values) : rows(std::move(values)), is_text(false) {}
+};
+
+/// Fills a frame: every {{name}} becomes its value. Text from {{#name}} to {{/name}} is repeated for each row of the
+/// value, where names of the row stand before those around it; text from {{^name}} to {{/name}} stays where there is no
+/// row. {{>name}} is another frame of templates/, with the same values. A line that holds nothing but such tags leaves
+/// no line. Fails: throws std::logic_error when a name has no value, a value is not used, or a section does not end.
+std::string fill_frame(std::string_view frame_name, std::string_view frame, const FrameValues& values);
+
+/// The embedded file of this name under templates/. Fails: throws std::logic_error when there is none.
+std::string_view template_text(const std::string& name);
+
+/// Words of an embedded list, in order; lines that start with # are comments.
+std::vector<std::string> words_of(const std::string& name);
+
+/// The embedded frame of this name (under templates/), filled.
+std::string fill_template(const std::string& name, const FrameValues& values);
+
+}  // namespace mbgen
