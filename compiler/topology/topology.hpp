@@ -25,7 +25,21 @@ struct TreeBody {
   bool massless = false;  ///< mass and inertia exactly zero, not tunable, and no rod end with mass on it
 };
 
-enum class ClosureKind { spherical, revolute, prismatic, universal, cylindrical, planar, fixed, rod };
+enum class ClosureKind {
+  spherical,
+  revolute,
+  prismatic,
+  universal,
+  cylindrical,
+  planar,
+  fixed,
+  rod,
+  point_on_line,
+  point_on_plane,
+  parallel_axes,
+  orientation,
+  homokinetic
+};
 
 /// As the model format writes them.
 const char* name_of(ClosureKind kind);
@@ -40,7 +54,7 @@ struct Loop {
   int body_to = kGround;
   int ancestor = kGround;         ///< lowest common ancestor (tree index)
   std::vector<int> joints;        ///< ascending tree joints above the ancestor: symmetric difference of two rows of T
-  int equations = 0;              ///< fixed 6, revolute and prismatic 5, universal and cylindrical 4, others 3, rod 1
+  int equations = 0;              ///< as many as closure_rows of the joint's type, of a rod 1
   std::vector<std::string> rows;  ///< their names, closure_rows of the joint's type
 };
 
