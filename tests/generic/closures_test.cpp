@@ -11,7 +11,7 @@ namespace {
 using namespace mbgen::testing;
 using Complex = std::complex<double>;
 
-constexpr double kRounding = 1e-12;  // m, of closures whose residuals are at rounding
+constexpr double kClosed = 1e-12;  // m, of closures whose residuals are at rounding
 
 /// A mechanism with a solver and one state.
 struct Bench {
@@ -48,8 +48,8 @@ TEST(Peaucellier, DrawsAnExactLine) {
     for (const double angle : {-1.2, -0.5, 0.0, 0.3, 0.9, 1.4}) {
       bench->turn("crank", angle);
       const std::vector<double> y = bench->outputs();
-      EXPECT_NEAR(y[0], 0.6, kRounding);
-      EXPECT_NEAR(y[1], -0.6 * std::tan(bench->z("crank") / 2), kRounding);
+      EXPECT_NEAR(y[0], 0.6, kClosed);
+      EXPECT_NEAR(y[1], -0.6 * std::tan(bench->z("crank") / 2), kClosed);
     }
   }
 }
@@ -64,21 +64,21 @@ TEST(Roberts, OtherWayRoundIsTheIntersectionOfCircles) {
     bench.turn("rocker", angle);
     const std::vector<double> y = bench.outputs();
     const double along = y[0];
-    EXPECT_NEAR(y[1], 0, kRounding);
+    EXPECT_NEAR(y[1], 0, kClosed);
     // A above the middle of left and P; B is P plus A less P, turned by the angle at the top of the triangle.
     const Complex p(along, 0), half = (p - left) / 2.0;
     const Complex a = left + half + Complex(0, std::sqrt(radius * radius - std::norm(half)));
     const Complex b = p + (a - p) * std::polar(1.0, -2 * std::asin(0.2 / radius));
-    EXPECT_NEAR(y[2], b.real(), kRounding);
-    EXPECT_NEAR(y[3], b.imag(), kRounding);
+    EXPECT_NEAR(y[2], b.real(), kClosed);
+    EXPECT_NEAR(y[3], b.imag(), kClosed);
     // Positive turns about y go from z to x.
-    EXPECT_NEAR(bench.z("rocker"), std::arg(Complex(0.2, 0.48)) - std::arg(a - left), kRounding);
+    EXPECT_NEAR(bench.z("rocker"), std::arg(Complex(0.2, 0.48)) - std::arg(a - left), kClosed);
   }
   // P in the middle, and P in right.
   for (const double angle : {0.0, std::atan2(0.48, 0.2) - std::acos(0.4 / radius)}) {
     bench.turn("rocker", angle);
     const std::vector<double> y = bench.outputs();
-    EXPECT_NEAR(std::abs(Complex(y[2], y[3]) - right), radius, kRounding);
+    EXPECT_NEAR(std::abs(Complex(y[2], y[3]) - right), radius, kClosed);
   }
 }
 
@@ -111,7 +111,7 @@ TEST(Shafts, HomokineticJointKeepsTheSpeedAndCardansDoesNot) {
       bench->zd("driver") = 10;
       ASSERT_TRUE(bench->solver.project(bench->state).ok());
     }
-    EXPECT_NEAR(constant.z("driven"), constant.z("driver"), kRounding);
+    EXPECT_NEAR(constant.z("driven"), constant.z("driver"), kClosed);
     EXPECT_NEAR(constant.zd("driven"), constant.zd("driver"), 1e-11);
     // The fork of the driver stands along y, in the plane of the shafts, at angle 0.
     const double sine = std::sin(kBend), a = cardan.z("driver");
