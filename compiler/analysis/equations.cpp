@@ -72,6 +72,21 @@ std::vector<Row> rows_of(ClosureKind kind, const detail::Triad& triad) {
       add_tilts("turn", triad, rows);
       add_twist(triad, rows);
       return rows;
+    case ClosureKind::point_on_line:
+      return across();
+    case ClosureKind::point_on_plane:
+      return {{fmt::format("position along the normal {}", direction_text(triad.axis))}};
+    case ClosureKind::parallel_axes:
+      add_tilts("axis tilt", triad, rows);
+      return rows;
+    case ClosureKind::orientation:
+      add_tilts("turn", triad, rows);
+      add_twist(triad, rows);
+      return rows;
+    case ClosureKind::homokinetic:
+      rows = point_rows();
+      rows.push_back({"turn of one shaft against the other", ResidualUnit::one});
+      return rows;
     case ClosureKind::rod:
       return {{"length of the rod"}};
     case ClosureKind::coupling:

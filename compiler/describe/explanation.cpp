@@ -108,8 +108,10 @@ std::string cuts_explanation(const Compilation& c) {
     if (loop.joint < 0) continue;
     const std::string reason = place < c.topology.cut_reasons.size() ? c.topology.cut_reasons[place] : "";
     ++place;
-    const std::string why =
-        reason == "marked" ? "the model marks it \"cut\": true" : "of the joints of its loop it has " + reason;
+    const std::string why = reason == "marked" ? "the model marks it \"cut\": true"
+                            : reason == "no coordinates"
+                                ? "a joint of this type is equations only, and closes a loop wherever it stands"
+                                : "of the joints of its loop it has " + reason;
     text += paragraph(
         fmt::format("{} ({}, {}): {}.", loop.name, name_of(loop.kind), counted(loop.equations, "equation"), why), "  ");
   }

@@ -25,6 +25,23 @@ Triad triad(const Vector3& axis) {
   return {first, second, axis};
 }
 
+Triad bent(const Triad& t, const Vector3& axis) {
+  const auto dot = [](const Vector3& a, const Vector3& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; };
+  const double share = 1 / (1 + dot(t.axis, axis));
+  // A direction across the first axis leans by its component along the second: v - (v . b) / (1 + a . b) (a + b).
+  const auto turned = [&](Vector3 v) {
+    const double lean = share * dot(v, axis);
+    for (std::size_t i = 0; i < 3; ++i) v[i] -= lean * (t.axis[i] + axis[i]);
+    return v;
+  };
+  return {turned(t.first), turned(t.second), axis};
+}
+
+Triad triad_on_to(const Joint& joint) {
+  if (joint.type == JointType::homokinetic) return bent(triad(joint.axis), joint.second_axis);
+  return triad(joint.type == JointType::universal ? joint.second_axis : joint.axis);
+}
+
 }  // namespace detail
 
 std::vector<std::string> equation_names(const Topology& topology, const LoopBlock& block) {

@@ -107,6 +107,10 @@ struct Triad {
   Vector3 first, second, axis;
 };
 Triad triad(const Vector3& axis);
+/// The same triad, turned the short way until its axis is another one. Requires: not opposite axes.
+Triad bent(const Triad& triad, const Vector3& axis);
+/// The triad that a cut joint fixes on its `to` body; on `from` it is that of its axis.
+Triad triad_on_to(const Joint& joint);
 
 /// Wrench rows of a closure: the row's Jacobian entry is +wrench_from . b for joints that move `from`, -wrench_to . b
 /// for the others.
@@ -145,6 +149,14 @@ Row<T> in_plane(const LoopEnd<T>& from, const LoopEnd<T>& to, const Vector<T>& a
               dot(a, from.acceleration.at(from.place) - to.acceleration.at(to.place)) + (twice + twice)};
 }
 
+/// Half the difference of two rows.
+template <class T>
+Row<T> half_difference(const Row<T>& a, const Row<T>& b) {
+  const T half(0.5);
+  return {half * (a.residual - b.residual), half * (a.wrench_from - b.wrench_from), half * (a.wrench_to - b.wrench_to),
+          half * (a.acceleration - b.acceleration)};
+}
+
 /// Constant distance (55), scaled by 1/(2 l): residual in m, multiplier the axial force of the rod in N.
 template <class T>
 Row<T> distance(const LoopEnd<T>& from, const LoopEnd<T>& to, const T& length) {
@@ -156,37 +168,41 @@ Row<T> distance(const LoopEnd<T>& from, const LoopEnd<T>& to, const T& length) {
           scale * dot(rate, rate) + dot(direction, from.acceleration.at(from.place) - to.acceleration.at(to.place))};
 }
 
+constexpr bool is_one_of(ClosureKind kind, std::initializer_list<ClosureKind> kinds) {
+  return std::find(kinds.begin(), kinds.end(), kind) != kinds.end();
+}
+
 /// The rows of a cut joint (53), (54), between ends of a kind for which such rows are defined. axes: the joint's triad
-/// on both bodies, base frame axes.
+/// on both bodies, base frame axes. The turn of a homokinetic joint: x1 . y2 = y1 . x2 says that `to` is turned against
+/// `from` about a line across the shaft, so that the shafts lie like mirror images about the plane between them.
 template <class T, template <class> class End>
 auto joint_rows(ClosureKind kind, const End<T>& from, const End<T>& to, const Matrix<T>& on_from,
                 const Matrix<T>& on_to) {
   std::vector<decltype(perpendicular(from, to, on_from.x, on_to.x))> rows;
-  const bool point = kind == ClosureKind::spherical || kind == ClosureKind::revolute ||
-                     kind == ClosureKind::universal || kind == ClosureKind::fixed;
-  if (point)
+  using enum ClosureKind;
+  if (is_one_of(kind, {spherical, revolute, universal, fixed, homokinetic}))
     for (const Vector<T>& direction : {identity<T>().x, identity<T>().y, identity<T>().z})
       rows.push_back(coincidence(from, to, direction));
-  if (kind == ClosureKind::prismatic || kind == ClosureKind::cylindrical) {
+  if (is_one_of(kind, {prismatic, cylindrical, point_on_line})) {
     rows.push_back(in_plane(from, to, on_from.x));
     rows.push_back(in_plane(from, to, on_from.y));
   }
-  if (kind == ClosureKind::planar) rows.push_back(in_plane(from, to, on_from.z));
-  if (kind == ClosureKind::universal) {
-    rows.push_back(perpendicular(from, to, on_from.z, on_to.z));
-  } else if (kind != ClosureKind::spherical) {
+  if (is_one_of(kind, {planar, point_on_plane})) rows.push_back(in_plane(from, to, on_from.z));
+  if (kind == universal) rows.push_back(perpendicular(from, to, on_from.z, on_to.z));
+  if (is_one_of(kind, {revolute, prismatic, cylindrical, planar, fixed, parallel_axes, orientation})) {
     rows.push_back(perpendicular(from, to, on_from.x, on_to.z));
     rows.push_back(perpendicular(from, to, on_from.y, on_to.z));
   }
-  if (kind == ClosureKind::prismatic || kind == ClosureKind::fixed)
-    rows.push_back(perpendicular(from, to, on_from.x, on_to.y));
+  if (is_one_of(kind, {prismatic, fixed, orientation})) rows.push_back(perpendicular(from, to, on_from.x, on_to.y));
+  if (kind == homokinetic)
+    rows.push_back(
+        half_difference(perpendicular(from, to, on_from.x, on_to.y), perpendicular(from, to, on_from.y, on_to.x)));
   return rows;
 }
 
 /// A constant triad on a body, in the axes of the block's base frame.
 template <class T>
-Matrix<T> triad_on(const System<T>& system, const Kinematics<T>& k, int body, int frame, const Vector3& axis) {
-  const Triad t = triad(axis);
+Matrix<T> triad_on(const System<T>& system, const Kinematics<T>& k, int body, int frame, const Triad& t) {
   const auto turned = [&](const Vector3& v) { return direction_in(system, k, body, constant<T>(v), frame); };
   return {turned(t.first), turned(t.second), turned(t.axis)};
 }
@@ -214,9 +230,8 @@ std::vector<Row<T>> loop_rows(System<T>& system, const Kinematics<T>& k, const R
   const Joint& joint = system.model.joints[loop.joint];
   const auto end = [&](const Attachment& at) { return loop_end(system, k, motion, place_of(system, at), frame); };
   const LoopEnd<T> from = end(joint.from), to = end(joint.to);
-  const Vector3 axis_on_to = joint.type == JointType::universal ? joint.second_axis : joint.axis;
-  return joint_rows(loop.kind, from, to, triad_on(system, k, from.body, frame, joint.axis),
-                    triad_on(system, k, to.body, frame, axis_on_to));
+  return joint_rows(loop.kind, from, to, triad_on(system, k, from.body, frame, triad(joint.axis)),
+                    triad_on(system, k, to.body, frame, triad_on_to(joint)));
 }
 
 }  // namespace detail

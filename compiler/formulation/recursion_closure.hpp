@@ -56,6 +56,14 @@ NearRow<T> perpendicular(const NearEnd<T>& from, const NearEnd<T>& to, const Vec
       {}, moment, moment, dot(from.bias.gradient * a, b) + dot(a, to.bias.gradient * b) + (twice + twice), dot(a, b)};
 }
 
+/// Half the difference of two rows.
+template <class T>
+NearRow<T> half_difference(const NearRow<T>& a, const NearRow<T>& b) {
+  const T half(0.5);
+  return {half * (a.force - b.force), half * (a.moment_from - b.moment_from), half * (a.moment_to - b.moment_to),
+          half * (a.acceleration - b.acceleration), half * (a.residual - b.residual)};
+}
+
 /// The point of `to` in a plane of `from`, likewise.
 template <class T>
 NearRow<T> in_plane(const NearEnd<T>& from, const NearEnd<T>& to, const Vector<T>& a) {
@@ -101,13 +109,11 @@ std::vector<NearRow<T>> near_rows(const RecursionWork<T>& work, const RecursionU
   const Joint& joint = system.model.joints[loop.joint];
   const auto at = [&](const Attachment& a) { return end(place_of(system, a)); };
   const NearEnd<T> from = at(joint.from), to = at(joint.to);
-  const auto triad_at = [&](int body, const Vector3& axis) {
-    const Triad t = triad(axis);
+  const auto triad_at = [&](int body, const Triad& t) {
     const Matrix<T> axes = body == unit.base ? identity<T>() : work.k.orientation[body];
     return Matrix<T>{axes * constant<T>(t.first), axes * constant<T>(t.second), axes * constant<T>(t.axis)};
   };
-  const Vector3& axis_on_to = joint.type == JointType::universal ? joint.second_axis : joint.axis;
-  return joint_rows(loop.kind, from, to, triad_at(from.body, joint.axis), triad_at(to.body, axis_on_to));
+  return joint_rows(loop.kind, from, to, triad_at(from.body, triad(joint.axis)), triad_at(to.body, triad_on_to(joint)));
 }
 
 /// Adds sign times the columns of a wrench about the origin of `body` to a row. by: what columns stand for.

@@ -40,7 +40,24 @@ struct Body {
   std::string description = {};
 };
 
-enum class JointType { revolute, prismatic, cylindrical, universal, spherical, planar, free, fixed };
+enum class JointType {
+  revolute,
+  prismatic,
+  cylindrical,
+  universal,
+  spherical,
+  planar,
+  free,
+  fixed,
+  point_on_line,   ///< the point of `to` on a line of `from`
+  point_on_plane,  ///< the point of `to` in a plane of `from`
+  parallel_axes,
+  orientation,  ///< no turn between the bodies
+  homokinetic   ///< two shafts that meet in a point and turn alike at any bend
+};
+
+/// Types that are equations only: without coordinates, and never in the tree.
+constexpr bool closes_only(JointType type) { return type >= JointType::point_on_line; }
 
 enum class FreedomKind { revolute, prismatic };
 
@@ -72,12 +89,13 @@ struct Joint {
   Where where;
   JointType type = JointType::revolute;
   Attachment from, to;
-  /// unit, GLOBAL axes at the reference configuration; of a planar joint the normal, of a universal one the first axis
+  /// unit, GLOBAL axes at the reference configuration; of a planar joint or point_on_plane the normal, of a universal
+  /// one the first axis, of a homokinetic one the shaft of `from`
   Vector3 axis{0, 0, 1};
-  /// universal: second axis, perpendicular to the first, GLOBAL axes at the reference
+  /// universal: second axis, perpendicular to the first; homokinetic: the shaft of `to`; GLOBAL axes at the reference
   Vector3 second_axis{0, 0, 1};
   CutMark cut = CutMark::automatic;
-  std::vector<Freedom> freedoms;  ///< empty for fixed
+  std::vector<Freedom> freedoms;  ///< empty for fixed, and where closes_only
   std::string description = {};
 };
 

@@ -7,6 +7,7 @@ std::span<const ClosureRow> closure_rows(JointType type) {
   static constexpr ClosureRow kPoint[] = {{"x", "N"},        {"y", "N"},        {"z", "N"},
                                           {"axis_1", "N m"}, {"axis_2", "N m"}, {"twist", "N m"}};
   static constexpr ClosureRow kUniversal[] = {{"x", "N"}, {"y", "N"}, {"z", "N"}, {"perpendicular", "N m"}};
+  static constexpr ClosureRow kHomokinetic[] = {{"x", "N"}, {"y", "N"}, {"z", "N"}, {"twist", "N m"}};
   static constexpr ClosureRow kAlong[] = {
       {"across_1", "N"}, {"across_2", "N"}, {"axis_1", "N m"}, {"axis_2", "N m"}, {"twist", "N m"}};
   static constexpr ClosureRow kPlanar[] = {{"plane", "N"}, {"axis_1", "N m"}, {"axis_2", "N m"}};
@@ -26,6 +27,16 @@ std::span<const ClosureRow> closure_rows(JointType type) {
       return along;
     case JointType::planar:
       return kPlanar;
+    case JointType::point_on_line:
+      return along.first(2);
+    case JointType::point_on_plane:
+      return std::span<const ClosureRow>(kPlanar).first(1);
+    case JointType::parallel_axes:
+      return point.subspan(3, 2);
+    case JointType::orientation:
+      return point.last(3);
+    case JointType::homokinetic:
+      return kHomokinetic;
     case JointType::free:
       break;
   }

@@ -23,6 +23,16 @@ const char* name_of(JointType type) {
       return "free";
     case JointType::fixed:
       return "fixed";
+    case JointType::point_on_line:
+      return "point_on_line";
+    case JointType::point_on_plane:
+      return "point_on_plane";
+    case JointType::parallel_axes:
+      return "parallel_axes";
+    case JointType::orientation:
+      return "orientation";
+    case JointType::homokinetic:
+      return "homokinetic";
   }
   return "unknown";
 }

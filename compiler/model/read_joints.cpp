@@ -17,7 +17,14 @@ constexpr std::string_view kLetters = "xyz";
 
 bool has_axis(JointType type) {
   return type == JointType::revolute || type == JointType::prismatic || type == JointType::cylindrical ||
-         type == JointType::universal || type == JointType::planar;
+         type == JointType::universal || type == JointType::planar || type == JointType::point_on_line ||
+         type == JointType::point_on_plane || type == JointType::parallel_axes || type == JointType::homokinetic;
+}
+
+/// Whether the axis of `to` is the axis of `from` in all positions.
+bool shares_axis(JointType type) {
+  return type == JointType::revolute || type == JointType::prismatic || type == JointType::cylindrical ||
+         type == JointType::planar || type == JointType::parallel_axes;
 }
 
 bool has_sequence(JointType type) { return type == JointType::spherical || type == JointType::free; }
@@ -100,6 +107,11 @@ std::vector<Freedom> freedoms_of(const JointFields& joint) {
       }
       break;
     case JointType::fixed:
+    case JointType::point_on_line:
+    case JointType::point_on_plane:
+    case JointType::parallel_axes:
+    case JointType::orientation:
+    case JointType::homokinetic:
       break;
   }
   return freedoms;
@@ -108,20 +120,25 @@ std::vector<Freedom> freedoms_of(const JointFields& joint) {
 /// Complains about axes that are missing or have no meaning for the type. Result: whether the freedoms can be named.
 bool check_fields(Reader& reader, const Value& value, const JointFields& joint) {
   const std::string type = find(value, "type")->text;
+  const char* article = type == "orientation" ? "an" : "a";
   bool complete = true;
   const auto need = [&](const char* key, bool needed) {
     const Member* member = find_member(value, key);
     if (needed && !member) {
-      report(reader, value, fmt::format("a {} joint needs {}", type, in_quotes(key)));
+      report(reader, value, fmt::format("{} {} joint needs {}", article, type, in_quotes(key)));
       complete = false;
     } else if (!needed && member) {
-      report(reader, member->place, fmt::format("a {} joint takes no {}", type, in_quotes(key)));
+      report(reader, member->place, fmt::format("{} {} joint takes no {}", article, type, in_quotes(key)));
     }
   };
   need("axis", has_axis(joint.type));
-  need("axis2", joint.type == JointType::universal);
-  if (!has_axis(joint.type) || joint.type == JointType::universal) need("axis_to", false);
+  if (joint.type != JointType::homokinetic) need("axis2", joint.type == JointType::universal);
+  if (!shares_axis(joint.type)) need("axis_to", false);
   if (!has_sequence(joint.type)) need("sequence", false);
+  if (closes_only(joint.type) && joint.marked_cut == false) {
+    report(reader, *find(value, "cut"),
+           fmt::format("{} {} joint has no coordinates and always closes a loop", article, type), "leave out \"cut\"");
+  }
   const auto spoiled = [](const std::optional<Vector3>& axis) { return axis && std::isnan((*axis)[0]); };
   const bool named_by_axis = joint.type != JointType::revolute && joint.type != JointType::prismatic;
   if (named_by_axis && (spoiled(joint.written_axis) || spoiled(joint.axis2))) complete = false;
@@ -141,7 +158,14 @@ bool check_sequence(Reader& reader, const Value& value, const JointFields& joint
 void check_axes(Reader& reader, const Value& value, const JointFields& joint) {
   if (joint.written_axis && joint.axis2) {
     const double angle = angle_between(*joint.written_axis, *joint.axis2);
-    if (std::abs(angle - std::numbers::pi / 2) > kAngleTolerance) {
+    if (joint.type == JointType::homokinetic) {
+      if (angle > std::numbers::pi / 2 - kAngleTolerance) {
+        report(reader, *find(value, "axis2"),
+               fmt::format("shafts of a homokinetic joint must bend by less than 90 deg, the angle is {:.6g} deg",
+                           angle * 180 / std::numbers::pi),
+               "both axes point the same way through the joint: reverse one of them");
+      }
+    } else if (std::abs(angle - std::numbers::pi / 2) > kAngleTolerance) {
       report(reader, *find(value, "axis2"),
              fmt::format("axes of a universal joint must be perpendicular, the angle is {:.6g} deg",
                          angle * 180 / std::numbers::pi));
@@ -158,6 +182,20 @@ void check_axes(Reader& reader, const Value& value, const JointFields& joint) {
   }
 }
 
+/// gap: from the point of `from` to the point of `to` at the reference, m.
+void check_place(Reader& reader, const Value& value, const JointFields& joint, const Vector3& gap) {
+  const Vector3 axis = placed_axis(reader, joint.from.body, *joint.written_axis, FreedomKind::prismatic);
+  const bool is_line = joint.type == JointType::point_on_line;
+  const double off = is_line ? norm(cross(gap, axis)) : std::abs(dot(gap, axis));
+  if (off <= kClosureTolerance || std::isnan(off)) return;  // what is not a number has its message
+  report(reader, *find(value, "to"),
+         fmt::format("joint does not close at the reference, {} is {:.6g} m off the {}",
+                     attachment_text(reader.model, joint.to), off, is_line ? "line" : "plane"),
+         fmt::format("the {} goes through {}: move one of the points, or turn \"axis\"",
+                     is_line ? "line along \"axis\"" : "plane across \"axis\"",
+                     attachment_text(reader.model, joint.from)));
+}
+
 void check_closure(Reader& reader, const Value& value, const JointFields& joint) {
   if (joint.from.body < 0 || joint.to.body < 0) return;
   if (joint.from.body == joint.to.body) {
@@ -165,8 +203,14 @@ void check_closure(Reader& reader, const Value& value, const JointFields& joint)
            "both ends are on body " + in_quotes(reader.model.bodies[static_cast<std::size_t>(joint.to.body)].name));
     return;
   }
+  if (joint.type == JointType::parallel_axes || joint.type == JointType::orientation) return;
   const Vector3 a = reference_position(reader.model, joint.from), b = reference_position(reader.model, joint.to);
-  const double distance = std::hypot(b[0] - a[0], b[1] - a[1], b[2] - a[2]);
+  const Vector3 gap{b[0] - a[0], b[1] - a[1], b[2] - a[2]};
+  if (joint.type == JointType::point_on_line || joint.type == JointType::point_on_plane) {
+    if (joint.written_axis) check_place(reader, value, joint, gap);
+    return;
+  }
+  const double distance = std::hypot(gap[0], gap[1], gap[2]);
   if (distance > kClosureTolerance) {
     report(reader, *find(value, "to"),
            fmt::format("joint does not close at the reference, {} and {} are {:.6g} m apart",
@@ -178,15 +222,21 @@ void check_closure(Reader& reader, const Value& value, const JointFields& joint)
 
 /// Turns the axes to global ones.
 void resolve_axes(Reader& reader, JointFields& joint, int index) {
-  const auto kind =
-      joint.type == JointType::prismatic || joint.type == JointType::cylindrical || joint.type == JointType::planar
-          ? FreedomKind::prismatic
-          : FreedomKind::revolute;
+  const auto kind = joint.type == JointType::prismatic || joint.type == JointType::cylindrical ||
+                            joint.type == JointType::planar || closes_only(joint.type)
+                        ? FreedomKind::prismatic
+                        : FreedomKind::revolute;
   const auto global = [&](const Vector3& axis, FreedomKind of) {
     return placed_axis(reader, joint.from.body, axis, of);
   };
   if (joint.written_axis) joint.axis = global(*joint.written_axis, kind);
   if (joint.axis2) joint.second_axis = global(*joint.axis2, kind);
+  if (joint.type == JointType::homokinetic) {
+    if (!joint.axis2) joint.second_axis = joint.axis;
+    // A mirrored instance may turn round one of two shafts.
+    if (dot(joint.axis, joint.second_axis) < 0)
+      for (double& component : joint.second_axis) component = -component;
+  }
   for (std::size_t i = 0; i < joint.freedoms.size(); ++i) {
     Freedom& freedom = joint.freedoms[i];
     if (is_reversed(reader, freedom.axis, freedom.kind)) reader.names.reversed.push_back({index, static_cast<int>(i)});

@@ -100,7 +100,10 @@ CoordinateReference read_coordinate(Reader& reader, Place place, const std::stri
     }
   }
   if (coordinates.empty()) {
-    report(reader, place, fmt::format("joint {} is fixed and has no coordinate", in_quotes(name)));
+    const JointType type = reader.model.joints[static_cast<std::size_t>(joint->second)].type;
+    report(reader, place,
+           fmt::format("joint {} is {} and has no coordinate", in_quotes(name),
+                       closes_only(type) ? fmt::format("of type {}", name_of(type)) : "fixed"));
   } else {
     report(reader, place, fmt::format("joint {} has several coordinates", in_quotes(name)),
            "name one of " + coordinates);

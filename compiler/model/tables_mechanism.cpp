@@ -12,8 +12,9 @@ namespace {
 constexpr std::array<std::string_view, 3> kShapeKinds = {"box", "cylinder", "sphere"};
 
 /// In the order of JointType.
-constexpr std::array<std::string_view, 8> kJointTypes = {"revolute",  "prismatic", "cylindrical", "universal",
-                                                         "spherical", "planar",    "free",        "fixed"};
+constexpr std::array<std::string_view, 13> kJointTypes = {
+    "revolute", "prismatic",     "cylindrical",    "universal",     "spherical",   "planar",     "free",
+    "fixed",    "point_on_line", "point_on_plane", "parallel_axes", "orientation", "homokinetic"};
 
 /// In the order of Mirror.
 constexpr std::array<std::string_view, 3> kMirrors = {"xz", "yz", "xy"};
@@ -251,7 +252,8 @@ std::span<const Field<JointFields>> fields<JointFields>() {
                                   .shape = Shape::word,
                                   .doc = "freedoms of the joint; a single one is the coordinate of the joint's name, "
                                          "several add _tx, _ty, _tz along and _rx, _ry, _rz about their axes to it (of "
-                                         "a universal joint with axes that are no letters _r1, _r2)",
+                                         "a universal joint with axes that are no letters _r1, _r2). Those from "
+                                         "point_on_line on have no coordinate and always close a loop",
                                   .need = Need::required,
                                   .words = kJointTypes}),
       field<F, &F::from>({.name = "from",
@@ -260,17 +262,23 @@ std::span<const Field<JointFields>> fields<JointFields>() {
                           .need = Need::required}),
       field<F, &F::to>({.name = "to",
                         .shape = Shape::attachment,
-                        .doc = "point of the moved body, at the same place at the reference",
+                        .doc =
+                            "point of the moved body, at the same place at the reference; on the line or in the plane "
+                            "of a point_on_line or point_on_plane",
                         .need = Need::required}),
       field<F, &F::written_axis>(
-          {.name = "axis", .shape = Shape::axis, .doc = "axis in the frame of `from`; of a planar joint the normal"}),
+          {.name = "axis",
+           .shape = Shape::axis,
+           .doc = "axis in the frame of `from`; of a planar joint or a point_on_plane the normal, of a "
+                  "point_on_line the line, of a homokinetic joint the shaft"}),
       field<F, &F::axis_to>({.name = "axis_to",
                              .shape = Shape::axis,
                              .doc = "the same axis in the frame of `to`, to be checked against `axis`"}),
       field<F, &F::axis2>(
           {.name = "axis2",
            .shape = Shape::axis,
-           .doc = "second axis of a universal joint, perpendicular to the first, in the frame of `from`"}),
+           .doc = "second axis of a universal joint, perpendicular to the first, in the frame of `from`; of a "
+                  "homokinetic joint the shaft of `to`, likewise; default: `axis`"}),
       field<F, &F::sequence>({.name = "sequence",
                               .shape = Shape::text,
                               .doc = "order of the rotations of a spherical or free joint: x, y, z in any order",

@@ -27,6 +27,16 @@ ClosureKind closure_kind(JointType type) {
       return ClosureKind::planar;
     case JointType::fixed:
       return ClosureKind::fixed;
+    case JointType::point_on_line:
+      return ClosureKind::point_on_line;
+    case JointType::point_on_plane:
+      return ClosureKind::point_on_plane;
+    case JointType::parallel_axes:
+      return ClosureKind::parallel_axes;
+    case JointType::orientation:
+      return ClosureKind::orientation;
+    case JointType::homokinetic:
+      return ClosureKind::homokinetic;
     case JointType::spherical:
     case JointType::free:
       break;

@@ -22,6 +22,16 @@ const char* name_of(ClosureKind kind) {
       return "rod";
     case ClosureKind::coupling:
       return "coupling";
+    case ClosureKind::point_on_line:
+      return "point_on_line";
+    case ClosureKind::point_on_plane:
+      return "point_on_plane";
+    case ClosureKind::parallel_axes:
+      return "parallel_axes";
+    case ClosureKind::orientation:
+      return "orientation";
+    case ClosureKind::homokinetic:
+      return "homokinetic";
   }
   return "unknown";
 }

@@ -37,6 +37,15 @@ std::string forgotten_connection(const Model& model, const std::vector<int>& isl
   return {};
 }
 
+/// Hint where a body has no path to ground because of this joint.
+std::string holds_no_body(const Joint& joint) {
+  const std::string name = "joint " + quoted(joint.name);
+  return closes_only(joint.type) ? name + " of type " + name_of(joint.type) +
+                                       " has no coordinates: add the joint that the body moves by, for example of type "
+                                       "free from ground"
+                                 : name + " is marked \"cut\": true and holds no body";
+}
+
 /// The tree under construction: first it grows, then its ties are exchanged.
 class TreeSearch {
  public:
@@ -56,6 +65,9 @@ class TreeSearch {
   int weight(const JointSet& joints) const;
   bool try_exchange(std::size_t cut, int kept);
   std::string reason(const Cycle& cycle) const;
+  bool may_be_in_tree(int joint) const {
+    return model_.joints[joint].cut != CutMark::cut && !closes_only(model_.joints[joint].type);
+  }
   int equations(int joint) const { return static_cast<int>(closure_rows(model_.joints[joint].type).size()); }
 
   /// Candidates to extend the tree, best first: hold, equations, nearness to ground, file order.
@@ -118,7 +130,7 @@ void TreeSearch::reach(int body, int joint, int parent) {
 
 void TreeSearch::add_candidates(int body) {
   for (int joint : joints_of_[body]) {
-    if (model_.joints[joint].cut == CutMark::cut) continue;
+    if (!may_be_in_tree(joint)) continue;
     candidates_.emplace(hold_[joint], equations(joint), -depth_[body], -joint);
   }
 }
@@ -145,7 +157,7 @@ void TreeSearch::close_cycles() {
 
 bool TreeSearch::exchangeable(int cut, int kept) const {
   const auto is_free_choice = [&](int joint) {
-    return hold_[joint] == Hold::none && model_.joints[joint].cut == CutMark::automatic;
+    return hold_[joint] == Hold::none && model_.joints[joint].cut == CutMark::automatic && may_be_in_tree(joint);
   };
   return is_free_choice(cut) && is_free_choice(kept) && equations(cut) == equations(kept);
 }
@@ -203,22 +215,21 @@ void TreeSearch::check_reach(Diagnostics& problems) const {
     if (told[body] || static_cast<int>(body) == model_.ground) continue;
     std::vector<int> island{static_cast<int>(body)};
     told[body] = true;
-    std::string cut_joint;
+    int cut_joint = -1;
     for (std::size_t i = 0; i < island.size(); ++i) {
       for (int j : joints_of_[island[i]]) {
         const Joint& joint = model_.joints[j];
         const int other = joint.from.body == island[i] ? joint.to.body : joint.from.body;
-        if (joint.cut == CutMark::cut && cut_joint.empty()) cut_joint = joint.name;
-        if (told[other] || joint.cut == CutMark::cut) continue;
+        if (!may_be_in_tree(j) && cut_joint < 0) cut_joint = j;
+        if (told[other] || !may_be_in_tree(j)) continue;
         told[other] = true;
         island.push_back(other);
       }
     }
     const std::string forgotten = forgotten_connection(model_, island);
     std::string hint = !forgotten.empty() ? forgotten
-                       : cut_joint.empty()
-                           ? "add a joint, for example of type free from ground"
-                           : "joint " + quoted(cut_joint) + " is marked \"cut\": true and holds no body";
+                       : cut_joint < 0    ? "add a joint, for example of type free from ground"
+                                          : holds_no_body(model_.joints[cut_joint]);
     const std::size_t more = island.size() - 1;
     if (more > 0) hint += "; " + std::to_string(more) + (more == 1 ? " more body" : " more bodies") + " on its island";
     const Body& first = model_.bodies[body];
@@ -255,6 +266,7 @@ void TreeSearch::check_marks_and_uses(Diagnostics& problems) const {
 
 std::string TreeSearch::reason(const Cycle& cycle) const {
   const int joint = cycle.joint;
+  if (closes_only(model_.joints[joint].type)) return "no coordinates";
   if (model_.joints[joint].cut == CutMark::cut) return "marked";
   bool cheaper_kept = false, equal_kept = false;
   for (int other : cycle.path) {

@@ -25,7 +25,22 @@ struct TreeBody {
   bool massless = false;  ///< mass and inertia exactly zero, not tunable, and no rod end with mass on it
 };
 
-enum class ClosureKind { spherical, revolute, prismatic, universal, cylindrical, planar, fixed, rod, coupling };
+enum class ClosureKind {
+  spherical,
+  revolute,
+  prismatic,
+  universal,
+  cylindrical,
+  planar,
+  fixed,
+  rod,
+  point_on_line,
+  point_on_plane,
+  parallel_axes,
+  orientation,
+  homokinetic,
+  coupling
+};
 
 /// As the model format writes them.
 const char* name_of(ClosureKind kind);
@@ -42,7 +57,7 @@ struct Loop {
   int ancestor = kGround;   ///< lowest common ancestor (tree index), of a coupling: that of the bodies they move on
   /// ascending tree joints above the ancestor: symmetric difference of two rows of T, of a coupling the union of its
   std::vector<int> joints;
-  int equations = 0;  ///< fixed 6, revolute and prismatic 5, universal and cylindrical 4, rod and coupling 1, others 3
+  int equations = 0;              ///< as many as closure_rows of the joint's type, of a rod or coupling 1
   std::vector<std::string> rows;  ///< their names, closure_rows of the joint's type
 };
 

@@ -22,11 +22,13 @@ void add_directions(JointType type, const End& from, const End& to, const Eigen:
                     const Eigen::Matrix3d& on_to, std::vector<Row>& rows) {
   if (type == JointType::universal) {
     rows.push_back(perpendicular(from, to, on_from.col(2), on_to.col(2)));
-  } else if (type != JointType::spherical) {
+  } else if (type == JointType::homokinetic) {
+    rows.push_back(equal_turns(from, to, on_from, on_to));
+  } else if (type != JointType::spherical && type != JointType::point_on_line && type != JointType::point_on_plane) {
     rows.push_back(perpendicular(from, to, on_from.col(0), on_to.col(2)));
     rows.push_back(perpendicular(from, to, on_from.col(1), on_to.col(2)));
   }
-  if (type == JointType::prismatic || type == JointType::fixed)
+  if (type == JointType::prismatic || type == JointType::fixed || type == JointType::orientation)
     rows.push_back(perpendicular(from, to, on_from.col(0), on_to.col(1)));
 }
 
@@ -39,11 +41,16 @@ void add_joint(const PartJoint& joint, const std::vector<Moving>& bodies, std::v
   switch (joint.type) {
     case JointType::prismatic:
     case JointType::cylindrical:
+    case JointType::point_on_line:
       rows.push_back(in_plane(from, to, on_from.col(0)));
       rows.push_back(in_plane(from, to, on_from.col(1)));
       break;
     case JointType::planar:
+    case JointType::point_on_plane:
       rows.push_back(in_plane(from, to, on_from.col(2)));
+      break;
+    case JointType::parallel_axes:
+    case JointType::orientation:
       break;
     default:
       add_point(from, to, rows);
@@ -72,10 +79,17 @@ int row_count(JointType type) {
       return 5;
     case JointType::cylindrical:
     case JointType::universal:
+    case JointType::homokinetic:
       return 4;
     case JointType::spherical:
     case JointType::planar:
+    case JointType::orientation:
       return 3;
+    case JointType::point_on_line:
+    case JointType::parallel_axes:
+      return 2;
+    case JointType::point_on_plane:
+      return 1;
     case JointType::free:
       break;
   }

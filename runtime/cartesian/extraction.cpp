@@ -18,7 +18,7 @@ Eigen::Matrix3d frame_of(const Topology& topology, const Parts& parts, const std
 
 bool has_point(JointType type) {
   return type == JointType::spherical || type == JointType::revolute || type == JointType::universal ||
-         type == JointType::fixed;
+         type == JointType::fixed || type == JointType::homokinetic;
 }
 
 /// Multiplier of a massive rod's distance when its mass is split among its ends (theory.md section 5): half the

@@ -79,6 +79,10 @@ PartJoint joint_of(const Parts& parts, const Joint& joint, bool cut, const std::
                 : place_at(parts, joint.to.body, written(joint.from, value) + tuned(joint.to, value));
   part.triad_from = triad_on(parts, part.from, joint.axis);
   part.triad_to = triad_on(parts, part.to, joint.type == JointType::universal ? joint.second_axis : joint.axis);
+  if (joint.type == JointType::homokinetic) {
+    const auto bend = Eigen::Quaterniond::FromTwoVectors(vector_of(joint.axis), vector_of(joint.second_axis));
+    part.triad_to = parts.bodies[part.to.body].axes.transpose() * bend * triad(vector_of(joint.axis));
+  }
   if (cut) return part;
   for (std::size_t k = 0; k < joint.freedoms.size(); ++k)
     part.freedoms.push_back({joint.freedoms[k].kind, vector_of(joint.freedoms[k].axis), coordinates[k]});

@@ -1,5 +1,7 @@
 #include "runtime/cartesian/rows.hpp"
 
+#include <Eigen/Geometry>
+
 namespace mbgen::cartesian {
 
 using Eigen::Vector3d;
@@ -44,6 +46,14 @@ Row in_plane(const End& from, const End& to, const Vector3d& a) {
                         a.dot(from.centripetal - to.centripetal);
   return {from.body, to.body, wrench(a, from.arm.cross(a) + a.cross(gap)), -wrench(a, to.arm.cross(a)), a.dot(gap),
           0,         -second};
+}
+
+Row equal_turns(const End& from, const End& to, const Eigen::Matrix3d& on_from, const Eigen::Matrix3d& on_to) {
+  const Eigen::Quaterniond turn(Eigen::Matrix3d(on_from.transpose() * on_to));
+  const Vector3d shaft_from = on_from.col(2), shaft_to = on_to.col(2);
+  const Vector6d half = wrench(Vector3d::Zero(), 0.5 * (shaft_from + shaft_to));
+  const double second = 0.5 * (from.spin - to.spin).dot(from.spin.cross(shaft_from) + to.spin.cross(shaft_to));
+  return {from.body, to.body, half, -half, -2 * turn.w() * turn.z(), 0, -second};
 }
 
 Row distance(const End& from, const End& to, double length) {

@@ -47,6 +47,10 @@ Row perpendicular(const End& from, const End& to, const Eigen::Vector3d& a, cons
 /// a . (r_from - r_to) for a direction of `from`.
 Row in_plane(const End& from, const End& to, const Eigen::Vector3d& a);
 
+/// Two shafts, the third columns of the triads, turn alike: the turn from one to the other has its axis across them.
+/// At velocity level, the relative spin lies in the plane that bisects them.
+Row equal_turns(const End& from, const End& to, const Eigen::Matrix3d& on_from, const Eigen::Matrix3d& on_to);
+
 /// (|r_from - r_to|^2 - length^2) / (2 length): residual in m, multiplier the tension of a massless rod in N.
 Row distance(const End& from, const End& to, double length);
 

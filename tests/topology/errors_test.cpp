@@ -29,6 +29,18 @@ TEST(TopologyErrors, BodiesWithoutAPathToGround) {
                  "joint \"late\" is marked \"cut\": true and holds no body");
 }
 
+TEST(TopologyErrors, ABodyThatOnlyEquationsHold) {
+  ModelBuilder builder;
+  builder.revolute("line", "ground", "slider");
+  builder.model.joints[0].type = JointType::point_on_line;
+  builder.model.joints[0].freedoms.clear();
+  const Diagnostics problems = problems_of(builder.model);
+  ASSERT_EQ(problems.size(), 1u);
+  expect_problem(problems[0], "/bodies/slider", "body \"slider\" has no path to ground",
+                 "joint \"line\" of type point_on_line has no coordinates: add the joint that the body moves by, for "
+                 "example of type free from ground");
+}
+
 TEST(TopologyErrors, NoElementRefersToGround) {
   ModelBuilder builder;
   builder.revolute("pin", "left", "right");

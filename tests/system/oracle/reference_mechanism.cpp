@@ -69,6 +69,16 @@ ClosureKind kind_of(mbgen::ClosureKind kind) {
       return ClosureKind::fixed;
     case mbgen::ClosureKind::coupling:
       return ClosureKind::coupling;
+    case mbgen::ClosureKind::point_on_line:
+      return ClosureKind::point_on_line;
+    case mbgen::ClosureKind::point_on_plane:
+      return ClosureKind::point_on_plane;
+    case mbgen::ClosureKind::parallel_axes:
+      return ClosureKind::parallel_axes;
+    case mbgen::ClosureKind::orientation:
+      return ClosureKind::orientation;
+    case mbgen::ClosureKind::homokinetic:
+      return ClosureKind::homokinetic;
     case mbgen::ClosureKind::rod:
       break;
   }

@@ -17,7 +17,22 @@ namespace mbgen::foreign {
 // As in topology.hpp. This header is C++17 and knows nothing of mbgen's, because foreign libraries are no C++20.
 constexpr int kGround = -1;
 enum class FreedomKind { revolute, prismatic };
-enum class ClosureKind { spherical, revolute, prismatic, universal, cylindrical, planar, fixed, rod, coupling };
+enum class ClosureKind {
+  spherical,
+  revolute,
+  prismatic,
+  universal,
+  cylindrical,
+  planar,
+  fixed,
+  rod,
+  point_on_line,
+  point_on_plane,
+  parallel_axes,
+  orientation,
+  homokinetic,
+  coupling
+};
 
 /// Mass of all that moves with a tree body. No mass: com is the pin.
 struct RigidMass {

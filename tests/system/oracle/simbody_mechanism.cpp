@@ -1,5 +1,6 @@
 #include <Eigen/Geometry>
 #include <cmath>
+#include <stdexcept>
 
 #include "tests/system/oracle/simbody_system.hpp"
 
@@ -232,9 +233,11 @@ std::vector<SimTK::Constraint> constraints_of(SimbodySystem& s, const ReferenceC
   MobilizedBody &from = s.body(c.from), &to = s.body(c.to);
   const Vec3 at_from = s.local(c.from, c.at_from), at_to = s.local(c.to, c.at_to);
   const Perpendiculars p = perpendiculars(c.axis);
-  const auto with_axis = [&](Constraint place) {
-    return std::vector<Constraint>{place, Constraint::ConstantAngle(from, unit(p.first), to, unit(c.axis)),
-                                   Constraint::ConstantAngle(from, unit(p.second), to, unit(c.axis))};
+  const auto across = [&](const Vector3d& direction) {
+    return Constraint::ConstantAngle(from, unit(direction), to, unit(c.axis));
+  };
+  const auto with_axis = [&](const Constraint& place) {
+    return std::vector<Constraint>{place, across(p.first), across(p.second)};
   };
   switch (c.kind) {
     case ClosureKind::spherical:
@@ -253,6 +256,16 @@ std::vector<SimTK::Constraint> constraints_of(SimbodySystem& s, const ReferenceC
       return with_axis(Constraint::PointOnLine(from, unit(c.axis), at_from, to, at_to));
     case ClosureKind::planar:
       return with_axis(Constraint::PointInPlane(from, unit(c.axis), SimTK::dot(vec(c.axis), at_from), to, at_to));
+    case ClosureKind::point_on_line:
+      return {Constraint::PointOnLine(from, unit(c.axis), at_from, to, at_to)};
+    case ClosureKind::point_on_plane:
+      return {Constraint::PointInPlane(from, unit(c.axis), SimTK::dot(vec(c.axis), at_from), to, at_to)};
+    case ClosureKind::parallel_axes:
+      return {across(p.first), across(p.second)};
+    case ClosureKind::orientation:
+      return {Constraint::ConstantOrientation(from, Rotation(), to, Rotation())};
+    case ClosureKind::homokinetic:
+      throw std::invalid_argument("Simbody has no homokinetic joint: " + c.name);
     case ClosureKind::coupling:
     case ClosureKind::rod:
       break;

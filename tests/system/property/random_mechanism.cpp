@@ -42,6 +42,28 @@ void close_chain(Workshop& shop) {
   if (dice.chance(0.4)) shop.add_rod(chain[0], chain[3], dice.chance(0.5) ? 0.7 : 0);
 }
 
+/// A chain and perhaps a free body, held by joints that are equations only; at least two freedoms are left.
+void close_by_equations(Workshop& shop) {
+  static constexpr std::array<std::pair<const char*, int>, 5> kTypes{
+      {{"point_on_line", 2}, {"point_on_plane", 1}, {"parallel_axes", 2}, {"orientation", 3}, {"homokinetic", 4}}};
+  Dice& dice = shop.dice();
+  const int base = dice.chance(0.5) ? kOnGround : shop.hang(plain_type(dice), kOnGround);
+  std::vector<int> bodies = grow_chain(shop, 4 + dice.upto(2), base, false);
+  int freedoms = static_cast<int>(bodies.size());
+  if (dice.chance(0.5)) {
+    bodies.push_back(shop.hang("free", kOnGround));
+    freedoms += 6;
+  }
+  for (int tries = 0; tries < 4; ++tries) {
+    const auto& [type, equations] = kTypes[dice.upto(4)];
+    if (equations > freedoms - 2) continue;
+    freedoms -= equations;
+    const int from = dice.chance(0.5) ? base : bodies.front(), to = bodies[bodies.size() - (tries > 1 ? 2 : 1)];
+    shop.add_joint(type, from, to, plus(shop.place_of(to), dice.point(0.3)), dice.axis(), true);
+    if (tries > 0 && dice.chance(0.5)) return;
+  }
+}
+
 /// Four-bars in the plane across `axis`, one after the other.
 void add_four_bars(Workshop& shop) {
   Dice& dice = shop.dice();
@@ -239,6 +261,9 @@ RandomMechanism random_mechanism(Family family, std::uint64_t seed) {
     case Family::closed_chain:
       close_chain(shop);
       break;
+    case Family::by_equations:
+      close_by_equations(shop);
+      break;
     case Family::planar_loops:
       add_four_bars(shop);
       break;
@@ -271,6 +296,18 @@ RandomMechanism random_mechanism(Family family, std::uint64_t seed) {
   return std::move(shop).made();
 }
 
+namespace {
+
+/// Axes as the joint's type wants them.
+void add_axes(const RandomJoint& joint, nlohmann::ordered_json& entry) {
+  static constexpr const char* kWithoutAxis[] = {"spherical", "free", "fixed", "orientation"};
+  if (std::ranges::find(kWithoutAxis, joint.type) == std::end(kWithoutAxis)) entry["axis"] = joint.axis;
+  if (joint.type == "universal") entry["axis2"] = across(joint.axis);
+  if (joint.type == "homokinetic") entry["axis2"] = plus(joint.axis, times(0.4, across(joint.axis)));
+}
+
+}  // namespace
+
 std::string model_text(const RandomMechanism& mechanism) {
   using Json = nlohmann::ordered_json;
   Json model{{"mbgen", 1}, {"name", "random"}, {"gravity", mechanism.gravity}};
@@ -285,15 +322,12 @@ std::string model_text(const RandomMechanism& mechanism) {
   };
   Json joints = Json::object(), rods = Json::object(), springs = Json::object();
   for (const RandomJoint& joint : mechanism.joints) {
+    // A point on a line begins somewhere on it.
+    const Point shift = joint.type == "point_on_line" ? times(0.3, joint.axis) : Point{};
     Json entry{{"type", joint.type},
                {"from", place(joint.name, "_from", joint.from, joint.at)},
-               {"to", place(joint.name, "_to", joint.to, joint.at)}};
-    static constexpr const char* kNeedAxis[] = {"revolute", "prismatic", "cylindrical", "planar"};
-    if (std::ranges::find(kNeedAxis, joint.type) != std::end(kNeedAxis)) entry["axis"] = joint.axis;
-    if (joint.type == "universal") {
-      entry["axis"] = joint.axis;
-      entry["axis2"] = across(joint.axis);
-    }
+               {"to", place(joint.name, "_to", joint.to, plus(joint.at, shift))}};
+    add_axes(joint, entry);
     if (joint.cut) entry["cut"] = true;
     joints[joint.name] = entry;
   }

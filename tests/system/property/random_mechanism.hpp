@@ -16,6 +16,11 @@ inline Point plus(Point a, const Point& b) {
   return a;
 }
 
+inline Point times(double factor, Point a) {
+  for (double& component : a) component *= factor;
+  return a;
+}
+
 constexpr int kOnGround = -1;
 constexpr double kFreeLength = 0.2;  ///< of every spring, m
 
@@ -72,7 +77,8 @@ enum class Family {
   locked,          ///< overconstrained linkages that move by their geometry, and structures, beside a part that moves
   mirror_halves,   ///< a left half and its mirror image on a base between them
   nearly_mirror_halves,  ///< the same, but for one number
-  equal_legs             ///< three equal legs, a third of a turn apart, under a platform
+  equal_legs,            ///< three equal legs, a third of a turn apart, under a platform
+  by_equations           ///< closed by joints that have no coordinates: points on lines and planes, directions, shafts
 };
 
 RandomMechanism random_mechanism(Family family, std::uint64_t seed);
@@ -97,7 +103,7 @@ RandomMechanism mirrored(RandomMechanism mechanism);
 RandomMechanism renumbered(RandomMechanism mechanism, std::uint64_t seed);
 
 /// Whether all coordinates belong to axes of the file: revolute and prismatic joints, and cuts of any kind that look at
-/// points only.
+/// points and axes only.
 bool has_plain_joints(const RandomMechanism& mechanism);
 
 /// Whether the last six joints, a closed chain of pins, leave one motion at the reference and not two: with four

@@ -1,0 +1,154 @@
+// Joints that are equations only, against closed forms: linkages that draw lines, shafts at an angle, statics.
+
+#include <cmath>
+#include <complex>
+
+#include "tests/support/reaction_support.hpp"
+
+namespace mbgen {
+namespace {
+
+using namespace mbgen::testing;
+using Complex = std::complex<double>;
+
+constexpr double kClosed = 1e-12;  // m, of closures whose residuals are at rounding
+
+/// A mechanism with a solver and one state.
+struct Bench {
+  Mechanism m;
+  GenericSolver solver{m.model, m.topology, m.analysis};
+  GenericState state = reference_state(m);
+
+  explicit Bench(Mechanism mechanism) : m(std::move(mechanism)) {}
+  double& z(const std::string& name) { return state.z[find_coordinate(m.topology, name)]; }
+  double& zd(const std::string& name) { return state.zd[find_coordinate(m.topology, name)]; }
+  /// Puts one coordinate somewhere, in moves of 0.02 rad; everything else follows.
+  void turn(const std::string& name, double to) {
+    const double from = z(name);
+    const int moves = 1 + static_cast<int>(std::abs(to - from) / 0.02);
+    for (int k = 1; k <= moves; ++k) {
+      z(name) = from + (to - from) * k / moves;
+      ASSERT_TRUE(solver.project(state).ok()) << name << " " << z(name);
+    }
+  }
+  std::vector<double> outputs() { return outputs_at(solver, state, std::vector<double>(state.z.size(), 0.0)); }
+};
+
+// The inversion of a circle through its centre is a line: D stays at x = (L^2 - s^2) / (2 q) = 0.6 m, at the height
+// 0.6 tan(crank / 2) below the axis. So the joint that holds D on this line takes no freedom away.
+TEST(Peaucellier, DrawsAnExactLine) {
+  Bench held(load("models/peaucellier.json"));
+  Model model = held.m.model;
+  model.joints.erase(model.joints.begin() + index_of(model.joints, "straight"));
+  std::erase_if(model.outputs, [](const Output& output) { return output.name == "D_force"; });
+  Bench free(analysed(std::move(model)));
+  for (Bench* bench : {&held, &free}) {
+    EXPECT_EQ(bench->m.analysis.degrees_of_freedom, 1);
+    EXPECT_EQ(bench->m.analysis.independent_equations, 6);
+    for (const double angle : {-1.2, -0.5, 0.0, 0.3, 0.9, 1.4}) {
+      bench->turn("crank", angle);
+      const std::vector<double> y = bench->outputs();
+      EXPECT_NEAR(y[0], 0.6, kClosed);
+      EXPECT_NEAR(y[1], -0.6 * std::tan(bench->z("crank") / 2), kClosed);
+    }
+  }
+}
+
+// P on its line; A, P and B by intersecting circles. B is 0.52 m from the point right in two of them.
+TEST(Roberts, OtherWayRoundIsTheIntersectionOfCircles) {
+  Bench bench(load("models/roberts.json"));
+  EXPECT_EQ(bench.m.analysis.degrees_of_freedom, 1);
+  const double radius = 0.52;
+  const Complex left(-0.4, 0), right(0.4, 0);
+  for (const double angle : {-0.28, -0.2, 0.0, 0.15, 0.4}) {
+    bench.turn("rocker", angle);
+    const std::vector<double> y = bench.outputs();
+    const double along = y[0];
+    EXPECT_NEAR(y[1], 0, kClosed);
+    // A above the middle of left and P; B is P plus A less P, turned by the angle at the top of the triangle.
+    const Complex p(along, 0), half = (p - left) / 2.0;
+    const Complex a = left + half + Complex(0, std::sqrt(radius * radius - std::norm(half)));
+    const Complex b = p + (a - p) * std::polar(1.0, -2 * std::asin(0.2 / radius));
+    EXPECT_NEAR(y[2], b.real(), kClosed);
+    EXPECT_NEAR(y[3], b.imag(), kClosed);
+    // Positive turns about y go from z to x.
+    EXPECT_NEAR(bench.z("rocker"), std::arg(Complex(0.2, 0.48)) - std::arg(a - left), kClosed);
+  }
+  // P in the middle, and P in right.
+  for (const double angle : {0.0, std::atan2(0.48, 0.2) - std::acos(0.4 / radius)}) {
+    bench.turn("rocker", angle);
+    const std::vector<double> y = bench.outputs();
+    EXPECT_NEAR(std::abs(Complex(y[2], y[3]) - right), radius, kClosed);
+  }
+}
+
+const double kBend = std::atan2(0.5, 1.0);  // rad, of the shafts below
+
+/// Two shafts in ground that meet at an angle; the joint between them closes the loop.
+std::string shafts(const std::string& joint) {
+  return R"({ "mbgen": 1, "gravity": [0, 0, 0], "bodies": {
+      "ground": { "points": { "O": [0, 0, 0] } },
+      "driver": { "mass": 1, "inertia": [0.3, 0.2, 0.2], "points": { "O": [0, 0, 0] } },
+      "driven": { "mass": 1, "inertia": [0.5, 0.5, 0.5], "points": { "O": [0, 0, 0] } } },
+    "joints": {
+      "driver": { "type": "revolute", "from": "ground.O", "to": "driver.O", "axis": "x" },
+      "driven": { "type": "revolute", "from": "ground.O", "to": "driven.O", "axis": [1, 0.5, 0] },
+      "joint": { "type": )" +
+         joint + R"(, "from": "driver.O", "to": "driven.O" } },
+    "outputs": { "mx": { "reaction": "joint", "quantity": "moment", "axis": "x" },
+      "my": { "reaction": "joint", "quantity": "moment", "axis": "y" },
+      "mz": { "reaction": "joint", "quantity": "moment", "axis": "z" } } })";
+}
+
+TEST(Shafts, HomokineticJointKeepsTheSpeedAndCardansDoesNot) {
+  Bench constant(mechanism_of(shafts(R"("homokinetic", "axis": "x", "axis2": [1, 0.5, 0])")));
+  Bench cardan(mechanism_of(shafts(R"("universal", "axis": "y", "axis2": "z", "cut": true)")));
+  EXPECT_EQ(constant.m.analysis.degrees_of_freedom, 1);
+  EXPECT_EQ(cardan.m.analysis.degrees_of_freedom, 1);
+  for (const double angle : {0.0, 0.7, 1.9, 3.5, 6.0}) {
+    for (Bench* bench : {&constant, &cardan}) {
+      bench->turn("driver", angle);
+      bench->zd("driver") = 10;
+      ASSERT_TRUE(bench->solver.project(bench->state).ok());
+    }
+    EXPECT_NEAR(constant.z("driven"), constant.z("driver"), kClosed);
+    EXPECT_NEAR(constant.zd("driven"), constant.zd("driver"), 1e-11);
+    // The fork of the driver stands along y, in the plane of the shafts, at angle 0.
+    const double sine = std::sin(kBend), a = cardan.z("driver");
+    const double ratio = std::cos(kBend) / (1 - sine * sine * std::cos(a) * std::cos(a));
+    EXPECT_NEAR(cardan.zd("driven") / cardan.zd("driver"), ratio, 1e-11) << angle;
+  }
+}
+
+// A torque T on the driver: the joint gives it to the driven shaft as a moment half way between the shafts' axes, whose
+// part along each of them is the same: I2 / (I1 + I2) of T.
+TEST(Shafts, HomokineticJointGivesItsMomentAlongTheBisector) {
+  Bench bench(mechanism_of(shafts(R"("homokinetic", "axis": "x", "axis2": [1, 0.5, 0])")));
+  bench.turn("driver", 0.8);
+  std::vector<double> tau(bench.state.z.size(), 0.0);
+  tau[find_coordinate(bench.m.topology, "driver")] = 16;
+  const std::vector<double> y = outputs_at(bench.solver, bench.state, tau);
+  const double along_shafts = 16 * 0.5 / (0.3 + 0.5), size = along_shafts / std::cos(kBend / 2);
+  expect_vector({y[0], y[1], y[2]}, {size * std::cos(kBend / 2), size * std::sin(kBend / 2), 0}, 1e-9, "moment");
+}
+
+// 100 N on a table of three feet on a plane: by levers 50, 30 and 20 N; it slides and turns on.
+TEST(Table, FeetOnAPlaneCarryByLevers) {
+  const Reading r = read_reactions(model_of(R"({ "mbgen": 1, "gravity": [0, 0, -10], "bodies": {
+      "ground": { "points": { "O": [0, 0, 0], "P": [0.5, 0.6, 1] } },
+      "table": { "mass": 10, "com": [0.6, 0.4, 1], "inertia": [1, 1, 1],
+        "points": { "P": [0.5, 0.6, 1], "a": [0, 0, 0], "b": [2, 0, 0], "c": [0, 2, 0] } } },
+    "joints": {
+      "table": { "type": "free", "from": "ground.P", "to": "table.P" },
+      "a": { "type": "point_on_plane", "from": "ground.O", "to": "table.a", "axis": "z" },
+      "b": { "type": "point_on_plane", "from": "ground.O", "to": "table.b", "axis": "z" },
+      "c": { "type": "point_on_plane", "from": "ground.O", "to": "table.c", "axis": "z" } } })"),
+                                   {});
+  expect_vector(r.force.at("a"), {0, 0, 50}, 1e-9, "a");
+  expect_vector(r.force.at("b"), {0, 0, 30}, 1e-9, "b");
+  expect_vector(r.force.at("c"), {0, 0, 20}, 1e-9, "c");
+  expect_vector(r.moment.at("c"), {0, 0, 0}, 1e-9, "moment about the foot");
+}
+
+}  // namespace
+}  // namespace mbgen
