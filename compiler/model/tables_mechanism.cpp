@@ -55,6 +55,12 @@ std::span<const Field<FileFields>> fields<FileFields>() {
                                 .doc = "named constants; tunable ones can be changed in the generated solver",
                                 .of = "parameter"}),
       field<F, &F::inputs>(section("inputs", "input", "values given to the solver at every step")),
+      field<F, &F::hardpoints>({.name = "hardpoints",
+                                .shape = Shape::points,
+                                .doc = "positions with names, in global axes at the reference configuration; they "
+                                       "stand wherever a position stands, and as points of any body",
+                                .unit = "m",
+                                .depends = Depends::parameters}),
       field<F, &F::bodies>(section("bodies", "body", "rigid bodies; \"ground\" is the fixed one")),
       field<F, &F::joints>(section("joints", "joint", "joints between bodies, tree or loop closing")),
       field<F, &F::rods>(section("rods", "rod", "bars with a spherical joint at each end")),
@@ -114,7 +120,7 @@ std::span<const Field<InstanceFields>> fields<InstanceFields>() {
                                      "multiplied left to right",
                               .of = "rotation"}),
       field<F, &F::offset>({.name = "offset",
-                            .shape = Shape::vector,
+                            .shape = Shape::position,
                             .doc = "where the subsystem's origin stands, default [0, 0, 0]",
                             .unit = "m"}),
   };
@@ -170,10 +176,29 @@ std::span<const Field<InputFields>> fields<InputFields>() {
 }
 
 template <>
+std::span<const Field<AxisFields>> fields<AxisFields>() {
+  using F = AxisFields;
+  static const std::array table = {
+      field<F, &F::from>({.name = "from",
+                          .shape = Shape::place,
+                          .doc = "where the axis comes from, in global axes at the reference configuration",
+                          .unit = "m",
+                          .need = Need::required}),
+      field<F, &F::to>({.name = "to",
+                        .shape = Shape::place,
+                        .doc = "where it goes to, at least 1e-6 m from there",
+                        .unit = "m",
+                        .need = Need::required}),
+  };
+  return table;
+}
+
+template <>
 std::span<const Field<RotationFields>> fields<RotationFields>() {
   using F = RotationFields;
   static const std::array table = {
-      field<F, &F::axis>({.name = "axis", .shape = Shape::axis, .doc = "axis of rotation", .need = Need::required}),
+      field<F, &F::axis>(
+          {.name = "axis", .shape = Shape::axis, .doc = "axis of rotation", .need = Need::required, .by_points = true}),
       field<F, &F::angle>({.name = "angle",
                            .shape = Shape::number,
                            .doc = "angle of rotation",
@@ -189,7 +214,7 @@ template <>
 std::span<const Field<Pose>> fields<Pose>() {
   static const std::array table = {
       field<Pose, &Pose::origin>({.name = "origin",
-                                  .shape = Shape::vector,
+                                  .shape = Shape::position,
                                   .doc = "origin of the body frame in the global frame, default [0, 0, 0]",
                                   .unit = "m"}),
       field<Pose, &Pose::rotation>(
@@ -215,11 +240,11 @@ std::span<const Field<BodyFields>> fields<BodyFields>() {
                           .fallback = 0,
                           .bound = Bound::not_negative,
                           .depends = Depends::parameters}),
-      field<F, &F::com>({.name = "com",
-                         .shape = Shape::quantity_vector,
-                         .doc = "centre of mass in the body frame, default [0, 0, 0]",
-                         .unit = "m",
-                         .depends = Depends::parameters}),
+      field<F, &F::written_com>({.name = "com",
+                                 .shape = Shape::position,
+                                 .doc = "centre of mass in the body frame, default [0, 0, 0]",
+                                 .unit = "m",
+                                 .depends = Depends::parameters}),
       field<F, &F::inertia>(
           {.name = "inertia",
            .shape = Shape::inertia,
@@ -233,7 +258,7 @@ std::span<const Field<BodyFields>> fields<BodyFields>() {
                   "axis; a note says so. Imported robots may need it",
            .fallback = 0}),
       field<F, &F::point_list>({.name = "points",
-                                .shape = Shape::points,
+                                .shape = Shape::positions,
                                 .doc = "named points in the body frame",
                                 .unit = "m",
                                 .depends = Depends::parameters}),
@@ -261,15 +286,19 @@ std::span<const Field<JointFields>> fields<JointFields>() {
                         .shape = Shape::attachment,
                         .doc = "point of the moved body, at the same place at the reference",
                         .need = Need::required}),
-      field<F, &F::written_axis>(
-          {.name = "axis", .shape = Shape::axis, .doc = "axis in the frame of `from`; of a planar joint the normal"}),
+      field<F, &F::written_axis>({.name = "axis",
+                                  .shape = Shape::axis,
+                                  .doc = "axis in the frame of `from`; of a planar joint the normal",
+                                  .by_points = true}),
       field<F, &F::axis_to>({.name = "axis_to",
                              .shape = Shape::axis,
-                             .doc = "the same axis in the frame of `to`, to be checked against `axis`"}),
+                             .doc = "the same axis in the frame of `to`, to be checked against `axis`",
+                             .by_points = true}),
       field<F, &F::axis2>(
           {.name = "axis2",
            .shape = Shape::axis,
-           .doc = "second axis of a universal joint, perpendicular to the first, in the frame of `from`"}),
+           .doc = "second axis of a universal joint, perpendicular to the first, in the frame of `from`",
+           .by_points = true}),
       field<F, &F::sequence>({.name = "sequence",
                               .shape = Shape::text,
                               .doc = "order of the rotations of a spherical or free joint: x, y, z in any order",
