@@ -52,6 +52,13 @@ class ModelText {
     return text;
   }
 
+  std::string hardpoints() const {
+    std::string text = model_.hardpoints.empty() ? "" : "hardpoints\n";
+    for (const Point& point : model_.hardpoints)
+      text += fmt::format("  {} {}\n", point.name, quantities(point.position));
+    return text;
+  }
+
   std::string joint(const Joint& joint) const {
     const char* marks[] = {"", ", marked cut", ", marked tree"};
     std::string text = fmt::format("  {}: {} from {} to {}{}\n", joint.name, name_of(joint.type),
@@ -181,7 +188,7 @@ std::string dump_model(const Model& model) {
     text += fmt::format("  {} = {} {}{}\n", input.name, input.default_value, input.unit,
                         input.derivative < 0 ? "" : ", derivative " + model.inputs[input.derivative].name);
   }
-  text += "bodies\n";
+  text += describe.hardpoints() + "bodies\n";
   for (const Body& body : model.bodies) text += describe.body(body);
   text += "joints\n";
   for (const Joint& joint : model.joints) text += describe.joint(joint);

@@ -6,6 +6,9 @@
 #include <nlohmann/json.hpp>
 #include <vector>
 
+#include "compiler/model/joint_coordinates.hpp"
+#include "compiler/model/named_functions.hpp"
+
 namespace mbgen {
 namespace {
 
@@ -26,6 +29,9 @@ std::string cell(const std::string& text) {
   }
   return escaped;
 }
+
+/// As code, where there is something.
+std::string quoted(std::string_view text) { return text.empty() ? std::string() : fmt::format("`{}`", text); }
 
 bool has_section(const Json& definition) { return definition.contains("properties"); }
 
@@ -93,18 +99,80 @@ std::string fields_table(const Json& schema, const Json& object) {
   return text;
 }
 
+constexpr std::string_view kIntroduction =
+    R"text(# Model reference
+
+Every field of the model format, made from the tables of its reader: `mbgen schema --markdown`.
+
+Units are SI. An angle is in radians, or `{"deg": number}`. Comments are allowed. A number may be an
+[expression](#expressions).
+
+A *position* is three numbers, or the name of a hardpoint. Hardpoints stand in global axes at the reference
+configuration, those of a subsystem in the subsystem's axes; where coordinates of a body are meant, mbgen turns them into
+its frame. A point of a body is written `body.point`; where the body has no such point, `body.hardpoint` is the point
+that the body has there.
+
+An *axis* is a letter, `"-y"`, a vector of any length, or goes `{"from": position, "to": position}`. A letter or a vector
+counts in the frame that the field names. Two points are in global axes, as hardpoints are.
+
+)text";
+
+/// What expressions are made of.
+std::string expressions_text() {
+  std::string text = R"text(## Expressions
+
+`+ - * / ^`, brackets, numbers, `pi`, names and functions: `"2*k*sin(pi*t)"`. `^` comes first and takes a sign behind it:
+`-x^2` is `-(x^2)`, `2^-1` is 0.5. Names are parameters, of a parameter those above it. Where forces, motions and outputs
+are meant, names are `t` and inputs too. Where forces and outputs are meant, names are `z.COORDINATE`, a position, and
+`zd.COORDINATE`, its velocity, and those that the field lists.
+
+| function | value |
+|---|---|
+)text";
+  for (const reading::NamedFunction& function : reading::named_functions())
+    text += fmt::format("| `{}({})` | {} |\n", function.name, function.arguments, function.meaning);
+  return text + '\n';
+}
+
+/// `a`, `b` of "a, b".
+std::string quoted_names(std::string_view names) {
+  std::string text;
+  for (std::size_t start = 0; start < names.size();) {
+    const std::size_t end = std::min(names.find(", ", start), names.size());
+    text += fmt::format("{}`{}`", start == 0 ? "" : ", ", names.substr(start, end - start));
+    start = end + 2;
+  }
+  return text;
+}
+
+/// Names and directions of the coordinates of joints.
+std::string coordinates_text() {
+  std::string text = R"text(## Coordinates of joints
+
+A joint with one freedom has one coordinate, of the name of the joint. A joint with several has these, in the order in
+which they act from the body at `from` to the body at `to`. Each direction is in the frame of `from`, turned by the
+coordinates before it. Positions are in m and rad.
+
+| joint | for example | coordinates of joint `NAME` | directions |
+|---|---|---|---|
+)text";
+  for (const JointCoordinates& row : joint_coordinates()) {
+    text += fmt::format("| {} | {} | {} | {} |\n", name_of(row.type), quoted(row.written),
+                        row.names.empty() ? "none" : quoted_names(row.names), row.directions);
+  }
+  return text + R"text(
+A letter counts with either sign: `"-x"` gives the names of `"x"`. Of a planar joint with another normal, `e` is the axis
+of the frame that is farthest from the normal, projected on the plane and made a unit vector. Names of coordinates stand
+in `initial`, `motions`, `joint_springs`, `frictions`, `joint_forces`, outputs, and with `z.` and `zd.` in expressions.
+
+)text";
+}
+
 }  // namespace
 
 std::string schema_reference(const Json& schema) {
-  std::string text =
-      "# Model reference\n\n"
-      "Every field of the model format, made from its schema: `mbgen schema --markdown`.\n\n"
-      "A number may be an expression over parameters above it (`\"2*k*sin(pi*t)\"`), and where forces, motions and "
-      "outputs "
-      "are meant over inputs, coordinates and t. Units are SI. An angle is in radians, or {\"deg\": number}. A point "
-      "is "
-      "written `body.point`. An axis is a letter, `\"-y\"`, or a vector. Comments are allowed.\n\n## model\n\n" +
-      fields_table(schema, schema);
+  std::string text = std::string(kIntroduction) + expressions_text() + coordinates_text() + "## model\n\n" +
+                     fields_table(schema, schema);
   for (const auto& [name, definition] : schema["$defs"].items()) {
     if (!has_section(definition)) continue;
     text += fmt::format("\n## {}\n\n{}.\n\n{}", name, definition.value("description", ""),

@@ -5,8 +5,7 @@
 //   product = unary { ("*" | "/") unary }              power  = atom [ "^" unary ]       so -x^2 = -(x^2), 2^-1 = 0.5
 //   atom    = number | "pi" | "t" | parameter | input | local | "z." name | "zd." name
 //           | function "(" sum { "," sum } ")" | "(" sum ")"
-// functions: sqrt sin cos tan asin acos atan atan2 exp log tanh abs min max pow sign step select
-//   sign(x) = -1, 0, 1;  step(x) = 1 for x >= 0, else 0;  select(x, a, b) = a for x >= 0, else b
+// The functions stand in the table of named_functions.cpp.
 
 #include <cstdint>
 #include <string>

@@ -21,8 +21,10 @@ enum class Shape {
   quantity,         ///< number or expression
   vector,           ///< three constants
   quantity_vector,  ///< three quantities
+  position,         ///< three constants or quantities, or the name of a hardpoint
+  place,            ///< a position, or "body.point"
   inertia,          ///< three or six quantities
-  axis,             ///< a letter with sign, or three constants
+  axis,             ///< a letter with sign, or three constants, or two points where FieldInfo::by_points says so
   attachment,       ///< "body.point"
   coordinate,       ///< name of a coordinate
   reference,        ///< name of another element, FieldInfo::of says of which map
@@ -33,6 +35,7 @@ enum class Shape {
   object,           ///< of kind FieldInfo::of
   map,              ///< name -> object of kind FieldInfo::of
   points,           ///< name -> three quantities
+  positions,        ///< name -> position
   values,           ///< coordinate -> constant, or an object of kind FieldInfo::of
   overrides,        ///< parameter -> quantity
   names,            ///< name -> name
@@ -57,6 +60,7 @@ struct FieldInfo {
   Bound bound = Bound::none;
   Depends depends = Depends::all;
   bool angle = false;                             ///< {"deg": number} may be written
+  bool by_points = false;                         ///< an axis may go from one point to another: its reader turns it
   bool at_start = false;                          ///< parameters that act at the start may stand in it
   std::size_t longest = 256;                      ///< bytes of a text
   std::span<const std::string_view> words = {};   ///< in the order of the enumeration they stand for

@@ -78,6 +78,7 @@ struct Model {
   std::vector<Expression> expressions;
   /// index into bodies of the body named "ground"; -1 when there is none
   int ground = -1;
+  std::vector<Point> hardpoints;  ///< by which positions were named: m, global axes at the reference
   std::vector<Body> bodies;
   std::vector<Joint> joints;
   std::vector<Rod> rods;

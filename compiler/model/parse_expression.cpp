@@ -231,10 +231,9 @@ class ExpressionParser {
     const NamedFunction* entry = find_function(name);
     const ReductionName* reduction = find_reduction(name);
     if (!entry && !reduction) {
-      std::vector<std::string_view> known;
-      for (const NamedFunction& function : named_functions()) known.push_back(function.name);
-      for (const ReductionName& one : scope_.reductions) known.push_back(one.name);
-      return fail(start, "unknown function " + in_quotes(name), did_you_mean(name, known));
+      std::vector<std::string_view> others;
+      for (const ReductionName& one : scope_.reductions) others.push_back(one.name);
+      return fail(start, "unknown function " + in_quotes(name), hint_of_functions(name, std::move(others)));
     }
     const std::size_t first_node = nodes_.size();
     int arguments[3] = {-1, -1, -1};

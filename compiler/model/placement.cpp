@@ -37,24 +37,13 @@ Placement composed(const Placement& outer, const Placement& inner) {
   return result;
 }
 
-/// Quarter turns in degrees come out of sine and cosine with a rest of 1e-16 that would make every structural zero of
-/// the equations a number.
-Matrix3 without_rest(const Matrix3& rotation) {
-  constexpr double kRest = 1e-15;
-  Matrix3 result = rotation;
-  for (double& entry : result) {
-    if (std::abs(entry - std::round(entry)) < kRest) entry = std::round(entry) + 0.0;
-  }
-  return result;
-}
-
 /// The written vector's components turn into those in the frame of a body by this matrix: that of a body of the same
 /// scope took the flip along, others stand in the model by themselves.
 Matrix3 to_body_frame(const Reader& reader, int body) {
   const Placement& placement = current_scope(reader).placement;
   const auto index = static_cast<std::size_t>(body);
   if (reader.names.body_scopes[index] == reader.scope) return flipped_columns(Placement{}.rotation, placement.flip);
-  const Matrix3 to_model = flipped_columns(placement.rotation, placement.flip);
+  const Matrix3 to_model = axes_of(placement);
   return product(transposed(reader.model.bodies[index].pose.rotation), to_model);
 }
 
@@ -127,15 +116,6 @@ Quantity combination(Reader& reader, const Vector3& factors, const Vector3Quanti
   return result;
 }
 
-Vector3Quantity transformed(Reader& reader, const Matrix3& matrix, const Vector3Quantity& vector,
-                            const Vector3& constant = {0, 0, 0}) {
-  Vector3Quantity result;
-  for (std::size_t i = 0; i < 3; ++i) {
-    result[i] = combination(reader, {matrix[3 * i], matrix[3 * i + 1], matrix[3 * i + 2]}, vector, constant[i]);
-  }
-  return result;
-}
-
 /// Sign that a rotation about `axis` (a displacement along it) gets, beside the effect of the flip on the axis.
 double sense(const Scope& scope, const Vector3& axis, FreedomKind kind) {
   const double mirrored = kind == FreedomKind::revolute ? handedness(scope.placement) : 1;
@@ -150,7 +130,7 @@ double sense(const Scope& scope, const Vector3& axis, FreedomKind kind) {
 Placement read_placement(Reader& reader, const InstanceFields& instance) {
   Placement placement;
   if (instance.offset) {
-    read_value(reader, *instance.offset, {.name = "offset", .shape = Shape::vector}, placement.origin);
+    read_value(reader, *instance.offset, {.name = "offset", .shape = Shape::position}, placement.origin);
     for (double& component : placement.origin) component = std::isnan(component) ? 0 : component;
   }
   if (instance.rotation) {
@@ -182,15 +162,37 @@ void check_connections(Reader& reader, const Scope& scope) {
 
 }  // namespace
 
+Matrix3 without_rest(const Matrix3& rotation) {
+  constexpr double kRest = 1e-15;
+  Matrix3 result = rotation;
+  for (double& entry : result) {
+    if (std::abs(entry - std::round(entry)) < kRest) entry = std::round(entry) + 0.0;
+  }
+  return result;
+}
+
+Vector3Quantity transformed(Reader& reader, const Matrix3& matrix, const Vector3Quantity& vector,
+                            const Vector3& constant) {
+  Vector3Quantity result;
+  for (std::size_t i = 0; i < 3; ++i) {
+    result[i] = combination(reader, {matrix[3 * i], matrix[3 * i + 1], matrix[3 * i + 2]}, vector, constant[i]);
+  }
+  return result;
+}
+
+Matrix3 axes_of(const Placement& placement) { return flipped_columns(placement.rotation, placement.flip); }
+
 double handedness(const Placement& placement) { return placement.flip[0] * placement.flip[1] * placement.flip[2]; }
 
 void place_instances(Reader& reader) {
   for (std::size_t i = 1; i < reader.scopes.size(); ++i) {
     Scope& scope = reader.scopes[i];
     const InScope in_scope(reader, scope.parent);
+    reader.placed_scopes = i;
     scope.placement = composed(current_scope(reader).placement, read_placement(reader, scope.instance));
     check_connections(reader, scope);
   }
+  reader.placed_scopes = reader.scopes.size();
 }
 
 bool is_outer_body(const Reader& reader, std::string_view name) {
@@ -281,8 +283,7 @@ void place_force(Reader& reader, AppliedForce& force) {
   if (force.at.body < 0) return;
   if (reader.scope == 0 && reader.names.body_scopes[static_cast<std::size_t>(force.at.body)] == 0) return;
   const Placement& placement = current_scope(reader).placement;
-  const Matrix3 matrix =
-      force.in_body_axes ? to_body_frame(reader, force.at.body) : flipped_columns(placement.rotation, placement.flip);
+  const Matrix3 matrix = force.in_body_axes ? to_body_frame(reader, force.at.body) : axes_of(placement);
   Matrix3 of_moments = matrix;
   for (double& entry : of_moments) entry = entry == 0 ? 0.0 : entry * handedness(placement);
   force.force = transformed(reader, matrix, force.force);

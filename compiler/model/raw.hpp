@@ -16,6 +16,7 @@ namespace mbgen::reading {
 struct FileFields : About {
   std::size_t document = 0;  ///< index into Documents
   const Value *format = nullptr, *name = nullptr, *gravity = nullptr, *include = nullptr;
+  const Value *hardpoints = nullptr;
   const Value *parameters = nullptr, *inputs = nullptr, *bodies = nullptr, *joints = nullptr, *rods = nullptr;
   const Value *springs = nullptr, *joint_springs = nullptr, *frictions = nullptr, *air_springs = nullptr;
   const Value *forces = nullptr, *joint_forces = nullptr, *tyre_data = nullptr, *tyres = nullptr, *motions = nullptr;
@@ -32,6 +33,11 @@ struct InstanceFields {
   const Value *offset = nullptr, *rotation = nullptr, *parameters = nullptr, *connect = nullptr;
   std::optional<Mirror> mirror;
   std::optional<bool> parallel;
+};
+
+/// An axis by two points.
+struct AxisFields {
+  const Value *from = nullptr, *to = nullptr;
 };
 
 struct RotationFields {
@@ -55,7 +61,7 @@ struct InputFields : Input, Presentation {
 };
 
 struct BodyFields : Body {
-  const Value *point_list = nullptr;
+  const Value *point_list = nullptr, *written_com = nullptr;
   bool accepts_inertia = false;
 };
 

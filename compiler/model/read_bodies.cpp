@@ -34,6 +34,19 @@ struct PointPlace {
 };
 using PointPlaces = std::vector<NameMap<PointPlace>>;
 
+/// Three quantities as the current scope writes them, or a hardpoint. Result: in the frame of the body.
+Vector3Quantity point_position(Reader& reader, int body, const Value& value) {
+  const FieldInfo info{.name = "point", .shape = Shape::position, .depends = Depends::parameters};
+  if (value.kind == Value::Kind::text) {
+    const int hardpoint = find_hardpoint(reader, value);
+    return hardpoint < 0 ? Vector3Quantity{kUnreadable, kUnreadable, kUnreadable}
+                         : position_on_body(reader, hardpoint, body);
+  }
+  Vector3Quantity written;
+  read_value(reader, value, info, written);
+  return placed_point(reader, body, written);
+}
+
 void read_points(Reader& reader, std::size_t body, const Value& value, PointPlaces& places) {
   if (value.kind != Value::Kind::object) {
     report(reader, value, fmt::format("must be an object of points, got {}", describe(value)));
@@ -56,12 +69,9 @@ void read_points(Reader& reader, std::size_t body, const Value& value, PointPlac
       }
       continue;
     }
-    const FieldInfo info{.name = "point", .shape = Shape::quantity_vector, .depends = Depends::parameters};
-    Vector3Quantity written;
-    read_value(reader, member.value, info, written);
     Point point;
     point.name = name;
-    point.position = placed_point(reader, static_cast<int>(body), written);
+    point.position = point_position(reader, static_cast<int>(body), member.value);
     places[body].emplace(name, PointPlace{member.place, reader.scope});
     reader.names.points[body].emplace(name, static_cast<int>(points.size()));
     points.push_back(std::move(point));
@@ -173,12 +183,14 @@ void check_ground(Reader& reader, const Value& value) {
   }
 }
 
-/// Index of a new body.
-int add_body(Reader& reader, Body body, WrittenInertia inertia, bool readable, PointPlaces& places) {
+/// Index of a new body. written: its pose in the current scope.
+int add_body(Reader& reader, Body body, const Pose& written, WrittenInertia inertia, bool readable,
+             PointPlaces& places) {
   const int index = static_cast<int>(reader.model.bodies.size());
   if (body.name == "ground") reader.model.ground = index;
   reader.names.bodies.emplace(body.name, index);
   reader.names.body_scopes.push_back(reader.scope);
+  reader.body_frames.push_back(written);
   reader.inertias.push_back(inertia);
   reader.names.points.emplace_back();
   reader.names.points_unreadable.push_back(!readable);
@@ -196,11 +208,14 @@ void read_body(Reader& reader, const Entry& entry, PointPlaces& places) {
   if (ground) check_ground(reader, *entry.value);
   const bool readable = read_fields(reader, *entry.value, body);
   if (readable && !ground) check_body(reader, *entry.value, body);
+  const FieldInfo com{.name = "com", .shape = Shape::position, .depends = Depends::parameters};
+  if (body.written_com) read_position(reader, *body.written_com, com, body.pose, body.com);
+  const Pose written = body.pose;
   place_body(reader, body);
   const auto found = reader.names.bodies.find(entry.name);
   const WrittenInertia inertia{find(*entry.value, "inertia"), body.accepts_inertia};
   const int index =
-      found == reader.names.bodies.end() ? add_body(reader, body, inertia, readable, places) : found->second;
+      found == reader.names.bodies.end() ? add_body(reader, body, written, inertia, readable, places) : found->second;
   if (body.point_list) read_points(reader, static_cast<std::size_t>(index), *body.point_list, places);
 }
 
@@ -213,16 +228,19 @@ void read_outer_points(Reader& reader, const Entry& entry, PointPlaces& places) 
                        in_quotes(member.key)));
   }
   BodyFields body = with_defaults<BodyFields>();
-  if (!read_fields(reader, *entry.value, body) || !body.point_list) return;
+  if (!read_fields(reader, *entry.value, body)) return;
   int index = find_body(reader, entry.written);
   if (index < 0 && find_outer_name(reader, entry.written) == "ground") {
     const InScope in_scope(reader, 0);
     Body ground;
     ground.name = "ground";
     ground.where = where_of(reader.documents, entry.place);
-    index = add_body(reader, std::move(ground), {}, true, places);
+    index = add_body(reader, std::move(ground), {}, {}, true, places);
   }
-  if (index >= 0) return read_points(reader, static_cast<std::size_t>(index), *body.point_list, places);
+  if (index >= 0) {
+    if (body.point_list) read_points(reader, static_cast<std::size_t>(index), *body.point_list, places);
+    return;
+  }
   const Value& target = *current_scope(reader).connections.find(entry.written)->second;
   const InScope in_parent(reader, current_scope(reader).parent);
   report(reader, target, "unknown body " + in_quotes(target.text),

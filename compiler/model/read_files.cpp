@@ -196,7 +196,8 @@ void load(Reader& reader, Loading& loading, std::size_t index) {
   } else if (index == 0) {
     report(reader, document.root, "key \"mbgen\" is missing", "write \"mbgen\": 1, the version of the format");
   }
-  for (const Value* section : {fields.parameters, fields.inputs, fields.bodies, fields.joints, fields.instances}) {
+  for (const Value* section :
+       {fields.parameters, fields.inputs, fields.hardpoints, fields.bodies, fields.joints, fields.instances}) {
     if (section && !is_map(reader, *section)) loading.complete = false;
   }
   load_parts(reader, loading, document, fields);

@@ -220,6 +220,13 @@ void check_closure(Reader& reader, const Value& value, const JointFields& joint)
   }
 }
 
+/// Axes by points are read in the axes of the scope and count, as others, in the frame of a body.
+void turn_axes_by_points(const Reader& reader, const Value& value, JointFields& joint) {
+  if (joint.written_axis) turn_axis_by_points(reader, find(value, "axis"), joint.from.body, *joint.written_axis);
+  if (joint.axis_to) turn_axis_by_points(reader, find(value, "axis_to"), joint.to.body, *joint.axis_to);
+  if (joint.axis2) turn_axis_by_points(reader, find(value, "axis2"), joint.from.body, *joint.axis2);
+}
+
 /// Turns the axes to global ones.
 void resolve_axes(Reader& reader, JointFields& joint, int index) {
   const auto kind = joint.type == JointType::prismatic || joint.type == JointType::cylindrical ||
@@ -281,6 +288,7 @@ void read_joints(Reader& reader, const Entries& entries) {
     joint.name = entry.name;
     joint.where = where_of(reader.documents, entry.place);
     const bool readable = read_fields(reader, value, joint);
+    turn_axes_by_points(reader, value, joint);
     bool named = joint.written_type.has_value();
     if (named) {
       joint.type = *joint.written_type;

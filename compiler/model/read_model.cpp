@@ -150,8 +150,10 @@ void read_sections(Reader& reader) {
   read_parameters(reader, entries(&FileFields::parameters));
   read_inputs(reader, entries(&FileFields::inputs));
   read_gravity(reader);
+  read_hardpoints(reader, entries(&FileFields::hardpoints));
   place_instances(reader);
   read_bodies(reader, entries(&FileFields::bodies));
+  reader.has_bodies = true;
   read_joints(reader, entries(&FileFields::joints));
   check_inertias(reader);
   read_rods(reader, entries(&FileFields::rods));
@@ -169,6 +171,7 @@ void read_sections(Reader& reader) {
   read_shapes(reader, entries(&FileFields::shapes));
   read_initial(reader, initial_parts(reader));
   read_solver(reader, parts_of(reader, 0, &FileFields::solver));
+  finish_hardpoints(reader);
 }
 
 /// The file's name without directory and extension, made a valid name.

@@ -108,6 +108,7 @@ void check_tyre(Reader& reader, const Value& value, const std::vector<int>& grou
   if (tyre.centre.body >= 0 && tyre.centre.body == reader.model.ground) {
     report(reader, *find(value, "centre"), "a tyre on ground has no effect");
   }
+  turn_axis_by_points(reader, find(value, "axis"), tyre.centre.body, tyre.axis);
   place_on_wheel(reader, value, groups, tyre);
   tyre.side *= handedness(current_scope(reader).placement);
   if (std::hypot(tyre.axis[0], tyre.axis[1]) < kSmallestTilt) {

@@ -9,6 +9,7 @@
 #include <type_traits>
 
 #include "compiler/model/fields.hpp"
+#include "compiler/model/hardpoints.hpp"
 #include "compiler/model/model.hpp"
 #include "compiler/model/names.hpp"
 #include "compiler/model/scopes.hpp"
@@ -30,9 +31,13 @@ struct Reader {
   Problems notes;  ///< nothing is wrong
   Model model;
   Names names;
+  Hardpoints hardpoints = {};
+  std::vector<Pose> body_frames = {};     ///< per body: its pose as the scope that defines it writes it
+  bool has_bodies = false;                ///< bodies and their points are read
   std::vector<WrittenInertia> inertias;   ///< per body
   std::vector<Scope> scopes = {Scope{}};  ///< the model, then its instances, each after the one that places it
   std::size_t scope = 0;                  ///< whose text is being read
+  std::size_t placed_scopes = 1;          ///< so many of the first have their placement
   std::vector<VariedParameter> varied = {};
   bool folds_tunable = false;  ///< the present value takes tunable parameters at their values
 };
@@ -236,6 +241,14 @@ std::string find_outer_name(const Reader& reader, std::string_view name);
 int find_body(const Reader& reader, std::string_view name);
 /// Moves a body that the current scope defines to its place.
 void place_body(Reader& reader, Body& body);
+/// The axes of a subsystem in those of the model, its mirror among them.
+Matrix3 axes_of(const Placement& placement);
+/// Quarter turns in degrees come out of sine and cosine with a rest of 1e-16 that would make every structural zero of
+/// the equations a number.
+Matrix3 without_rest(const Matrix3& rotation);
+/// matrix * vector + constant
+Vector3Quantity transformed(Reader& reader, const Matrix3& matrix, const Vector3Quantity& vector,
+                            const Vector3& constant = {0, 0, 0});
 /// 1, or -1 in a mirrored instance.
 double handedness(const Placement& placement);
 /// A point of the current scope in the frame of its body.

@@ -42,6 +42,7 @@ void read_value(Reader& reader, const Value& value, const FieldInfo&, Matrix3& t
   const auto apply = [&](const Value& one) {
     RotationFields rotation = with_defaults<RotationFields>();
     if (!read_fields(reader, one, rotation)) return;
+    if (const Value* axis = find(one, "axis")) turn_axis_by_points(*axis, target, rotation.axis);
     note_turns(reader, member_or_object(one, "angle"), rotation.angle);
     target = product(target, rotation_about(rotation.axis, rotation.angle));
   };
@@ -70,15 +71,16 @@ void read_value(Reader& reader, const Value& value, const FieldInfo&, Attachment
     return;
   }
   const NameMap<int>& points = reader.names.points[static_cast<std::size_t>(index)];
-  const auto point_found = find_visible(points, point, current_scope(reader).visible);
-  if (point_found == points.end()) {
+  target = find_point(reader, index, point);
+  if (target.point < 0) {
+    target = {};
     if (reader.names.points_unreadable[static_cast<std::size_t>(index)]) return;
+    NameMap<int> candidates = points;
+    candidates.insert(reader.hardpoints.names.begin(), reader.hardpoints.names.end());
     report(reader, place_in_text(reader.documents, value, dot + 1),
            fmt::format("body {} has no point {}", in_quotes(body), in_quotes(point)),
-           suggestion(reader, point, points));
-    return;
+           suggestion(reader, point, candidates));
   }
-  target = {index, point_found->second};
 }
 
 CoordinateReference read_coordinate(Reader& reader, Place place, const std::string& name) {

@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "compiler/model/model.hpp"
+#include "compiler/model/named_functions.hpp"
 #include "compiler/model/reader.hpp"
 
 namespace mbgen {
@@ -24,10 +25,15 @@ Json map_of(const Json& item) {
 
 Json either(const Json& first, const Json& second) { return {{"anyOf", Json::array({first, second})}}; }
 
+Json letters() { return {{"enum", {"x", "y", "z", "-x", "-y", "-z"}}}; }
+
 /// Things that several fields share.
 Json shared_definitions() {
-  const Json expression = {
-      {"type", "string"}, {"minLength", 1}, {"description", "expression, for example \"2*k*sin(pi*t)\""}};
+  const Json expression = {{"type", "string"},
+                           {"minLength", 1},
+                           {"description", fmt::format("expression, for example \"2*k*sin(pi*t)\"; + - * / ^ ( ), pi, "
+                                                       "names of parameters, and functions: {}",
+                                                       signatures_of_functions())}};
   const Json degrees = {{"type", "object"},
                         {"properties", {{"deg", reference("quantity")}}},
                         {"required", {"deg"}},
@@ -39,10 +45,14 @@ Json shared_definitions() {
         {"pattern", "^[A-Za-z_][A-Za-z0-9_]*$"},
         {"maxLength", kLongestName},
         {"description", kNameRule}}},
-      {"quantity", either({{"type", "number"}}, expression)},
-      {"angle", {{"anyOf", Json::array({{{"type", "number"}}, expression, degrees})}}},
+      {"expression", expression},
+      {"quantity", either({{"type", "number"}}, reference("expression"))},
+      {"angle", {{"anyOf", Json::array({{{"type", "number"}}, reference("expression"), degrees})}}},
       {"vector", array_of(reference("quantity"), 3, 3)},
-      {"axis", either({{"enum", {"x", "y", "z", "-x", "-y", "-z"}}}, reference("vector"))},
+      {"position",
+       {{"anyOf", Json::array({reference("vector"), reference("name")})},
+        {"description", "three numbers, or the name of a hardpoint"}}},
+      {"axis", {{"anyOf", Json::array({letters(), reference("vector"), reference("axis_by_points")})}}},
       {"attachment",
        {{"type", "string"},
         {"pattern", "^[A-Za-z_][A-Za-z0-9_]*\\.[A-Za-z_][A-Za-z0-9_]*$"},
@@ -69,10 +79,14 @@ Json shape_of(const FieldInfo& info) {
     case Shape::vector:
     case Shape::quantity_vector:
       return reference("vector");
+    case Shape::position:
+      return reference("position");
+    case Shape::place:
+      return either(reference("position"), reference("attachment"));
     case Shape::inertia:
       return either(array_of(reference("quantity"), 3, 3), array_of(reference("quantity"), 6, 6));
     case Shape::axis:
-      return reference("axis");
+      return info.by_points ? reference("axis") : either(letters(), reference("vector"));
     case Shape::attachment:
       return reference("attachment");
     case Shape::equation:
@@ -89,6 +103,8 @@ Json shape_of(const FieldInfo& info) {
       return map_of(either(reference("angle"), reference(info.of)));
     case Shape::points:
       return map_of(reference("vector"));
+    case Shape::positions:
+      return map_of(reference("position"));
     case Shape::values:
       return map_of(either(reference("angle"), reference(info.of)));
     case Shape::overrides:

@@ -234,7 +234,8 @@ std::span<const Field<TyreFields>> fields<TyreFields>() {
           {.name = "axis",
            .shape = Shape::axis,
            .doc = "spin axis in the wheel frame, to the left; default: axis of the joint in which the wheel turns, "
-                  "else y"}),
+                  "else y",
+           .by_points = true}),
       field<S, &S::data>(
           {.name = "data", .shape = Shape::reference, .doc = "name of the coefficient set", .of = "tyre_data"}),
       field<S, &S::tir>({.name = "tir",

@@ -56,6 +56,12 @@ std::span<const Field<FileFields>> fields<FileFields>() {
                                 .doc = "named constants; tunable ones can be changed in the generated solver",
                                 .of = "parameter"}),
       field<F, &F::inputs>(section("inputs", "input", "values given to the solver at every step")),
+      field<F, &F::hardpoints>({.name = "hardpoints",
+                                .shape = Shape::points,
+                                .doc = "positions with names, in global axes at the reference configuration; they "
+                                       "stand wherever a position stands, and as points of any body",
+                                .unit = "m",
+                                .depends = Depends::parameters}),
       field<F, &F::bodies>(section("bodies", "body", "rigid bodies; \"ground\" is the fixed one")),
       field<F, &F::joints>(section("joints", "joint", "joints between bodies, tree or loop closing")),
       field<F, &F::rods>(section("rods", "rod", "bars with a spherical joint at each end")),
@@ -116,7 +122,7 @@ std::span<const Field<InstanceFields>> fields<InstanceFields>() {
                                      "multiplied left to right",
                               .of = "rotation"}),
       field<F, &F::offset>({.name = "offset",
-                            .shape = Shape::vector,
+                            .shape = Shape::position,
                             .doc = "where the subsystem's origin stands, default [0, 0, 0]",
                             .unit = "m"}),
   };
@@ -172,10 +178,29 @@ std::span<const Field<InputFields>> fields<InputFields>() {
 }
 
 template <>
+std::span<const Field<AxisFields>> fields<AxisFields>() {
+  using F = AxisFields;
+  static const std::array table = {
+      field<F, &F::from>({.name = "from",
+                          .shape = Shape::place,
+                          .doc = "where the axis comes from, in global axes at the reference configuration",
+                          .unit = "m",
+                          .need = Need::required}),
+      field<F, &F::to>({.name = "to",
+                        .shape = Shape::place,
+                        .doc = "where it goes to, at least 1e-6 m from there",
+                        .unit = "m",
+                        .need = Need::required}),
+  };
+  return table;
+}
+
+template <>
 std::span<const Field<RotationFields>> fields<RotationFields>() {
   using F = RotationFields;
   static const std::array table = {
-      field<F, &F::axis>({.name = "axis", .shape = Shape::axis, .doc = "axis of rotation", .need = Need::required}),
+      field<F, &F::axis>(
+          {.name = "axis", .shape = Shape::axis, .doc = "axis of rotation", .need = Need::required, .by_points = true}),
       field<F, &F::angle>({.name = "angle",
                            .shape = Shape::number,
                            .doc = "angle of rotation",
@@ -191,7 +216,7 @@ template <>
 std::span<const Field<Pose>> fields<Pose>() {
   static const std::array table = {
       field<Pose, &Pose::origin>({.name = "origin",
-                                  .shape = Shape::vector,
+                                  .shape = Shape::position,
                                   .doc = "origin of the body frame in the global frame, default [0, 0, 0]",
                                   .unit = "m"}),
       field<Pose, &Pose::rotation>(
@@ -217,11 +242,11 @@ std::span<const Field<BodyFields>> fields<BodyFields>() {
                           .fallback = 0,
                           .bound = Bound::not_negative,
                           .depends = Depends::parameters}),
-      field<F, &F::com>({.name = "com",
-                         .shape = Shape::quantity_vector,
-                         .doc = "centre of mass in the body frame, default [0, 0, 0]",
-                         .unit = "m",
-                         .depends = Depends::parameters}),
+      field<F, &F::written_com>({.name = "com",
+                                 .shape = Shape::position,
+                                 .doc = "centre of mass in the body frame, default [0, 0, 0]",
+                                 .unit = "m",
+                                 .depends = Depends::parameters}),
       field<F, &F::inertia>(
           {.name = "inertia",
            .shape = Shape::inertia,
@@ -235,7 +260,7 @@ std::span<const Field<BodyFields>> fields<BodyFields>() {
                   "axis; a note says so. Imported robots may need it",
            .fallback = 0}),
       field<F, &F::point_list>({.name = "points",
-                                .shape = Shape::points,
+                                .shape = Shape::positions,
                                 .doc = "named points in the body frame",
                                 .unit = "m",
                                 .depends = Depends::parameters}),
@@ -270,15 +295,18 @@ std::span<const Field<JointFields>> fields<JointFields>() {
           {.name = "axis",
            .shape = Shape::axis,
            .doc = "axis in the frame of `from`; of a planar joint or a point_on_plane the normal, of a "
-                  "point_on_line the line, of a homokinetic joint the shaft"}),
+                  "point_on_line the line, of a homokinetic joint the shaft",
+           .by_points = true}),
       field<F, &F::axis_to>({.name = "axis_to",
                              .shape = Shape::axis,
-                             .doc = "the same axis in the frame of `to`, to be checked against `axis`"}),
+                             .doc = "the same axis in the frame of `to`, to be checked against `axis`",
+                             .by_points = true}),
       field<F, &F::axis2>(
           {.name = "axis2",
            .shape = Shape::axis,
            .doc = "second axis of a universal joint, perpendicular to the first, in the frame of `from`; of a "
-                  "homokinetic joint the shaft of `to`, likewise; default: `axis`"}),
+                  "homokinetic joint the shaft of `to`, likewise; default: `axis`",
+           .by_points = true}),
       field<F, &F::sequence>({.name = "sequence",
                               .shape = Shape::text,
                               .doc = "order of the rotations of a spherical or free joint: x, y, z in any order",

@@ -99,28 +99,35 @@ void read_degrees(Reader& reader, const Value& value, const FieldInfo& info, Qua
   }
 }
 
+std::string_view wanted_of(const FieldInfo& info) {
+  return info.shape == Shape::position ? "an array of 3 numbers or the name of a hardpoint" : "an array of 3 numbers";
+}
+
 /// Three constants or quantities. Result: false, with the target left unreadable, when the array has another size.
 template <class Number>
 void read_three(Reader& reader, const Value& value, const FieldInfo& info, std::array<Number, 3>& target,
-                std::string_view wanted = "an array of 3 numbers") {
+                std::string_view wanted) {
   target.fill(kUnreadable);
   if (value.kind != Value::Kind::array || value.items.size() != 3) return wrong_type(reader, value, wanted);
   for (std::size_t i = 0; i < 3; ++i) read_value(reader, value.items[i], info, target[i]);
 }
 
 void read_axis(Reader& reader, const Value& value, const FieldInfo& info, Vector3& target) {
-  constexpr std::string_view kWanted = "an axis: \"x\", \"-y\" and so on, or an array of 3 numbers";
+  const std::string_view wanted =
+      info.by_points ? "an axis: \"x\", \"-y\" and so on, an array of 3 numbers, or two points {\"from\", \"to\"}"
+                     : "an axis: \"x\", \"-y\" and so on, or an array of 3 numbers";
   target.fill(kUnreadable);
   if (value.kind == Value::Kind::text) {
     const bool negative = value.text.starts_with('-');
     const std::string_view letter = std::string_view(value.text).substr(negative ? 1 : 0);
     const auto index = letter.size() == 1 ? std::string_view("xyz").find(letter) : std::string_view::npos;
-    if (index == std::string_view::npos) return wrong_type(reader, value, kWanted);
+    if (index == std::string_view::npos) return wrong_type(reader, value, wanted);
     target = {0, 0, 0};
     target[index] = negative ? -1 : 1;
     return;
   }
-  read_three(reader, value, info, target, kWanted);
+  if (info.by_points && value.kind == Value::Kind::object) return read_axis_by_points(reader, value, target);
+  read_three(reader, value, info, target, wanted);
   constexpr double kSmallestLength = 1e-12;
   const double length = norm(target);
   if (length < kSmallestLength) {
@@ -246,13 +253,15 @@ void read_value(Reader& reader, const Value& value, const FieldInfo& info, Quant
 void read_value(Reader& reader, const Value& value, const FieldInfo& info, Vector3& target) {
   if (info.shape == Shape::axis) {
     read_axis(reader, value, info, target);
+  } else if (info.shape == Shape::position && value.kind == Value::Kind::text) {
+    read_constant_hardpoint(reader, value, target);
   } else {
-    read_three(reader, value, info, target);
+    read_three(reader, value, info, target, wanted_of(info));
   }
 }
 
 void read_value(Reader& reader, const Value& value, const FieldInfo& info, Vector3Quantity& target) {
-  read_three(reader, value, info, target);
+  read_three(reader, value, info, target, wanted_of(info));
 }
 
 void read_value(Reader& reader, const Value& value, const FieldInfo& info, std::array<Quantity, 6>& target) {

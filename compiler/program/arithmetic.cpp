@@ -4,7 +4,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "compiler/program/decimal.hpp"
+#include "compiler/decimal/decimal.hpp"
 
 namespace mbgen {
 

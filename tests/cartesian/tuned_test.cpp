@@ -159,5 +159,45 @@ TEST(TunedPins, OfBothBodiesLeaveThemInPlace) {
   }
 }
 
+/// The same in hardpoints: each name is one place, though the rocker's frame is moved and turned.
+std::string four_bar_of_hardpoints(bool cut_rocker) {
+  const Planar at = tip(kBase);
+  return fmt::format(R"({{ "mbgen": 1, "gravity": [0.3, 0, -9.81], "parameters": {{ {0} }},
+    "hardpoints": {{ "A": [0, 0, 0], "B": [0, 0, {1}], "C": [{2}, 0, {3}], "D": ["width", 0, 0] }},
+    "bodies": {{
+      "ground": {{}},
+      "post": {{ "mass": 1, "inertia": [1, 1, 1] }},
+      "crank": {{ "mass": 1, "inertia": [1, 1, 1] }},
+      "coupler": {{ "mass": 2, "com": "B", "inertia": [1, 1, 1] }},
+      "rocker": {{ "pose": {{ "origin": [3.1, 0.2, 0.4], "rotation": {{ "axis": [0.1, 0.7, -0.3], "angle": 0.8 }} }},
+                   "mass": 3, "com": "C", "inertia": [1, 1, 1] }}
+    }},
+    "joints": {{
+      "crank": {{ "type": "revolute", "from": "ground.A", "to": "crank.A", "axis": "y" }},
+      "coupler": {{ "type": "revolute", "from": "crank.B", "to": "coupler.B", "axis": "y" }},
+      "bolts": {{ "type": "fixed", "from": "ground.A", "to": "post.A" }},
+      "rocker": {{ "type": "revolute", "from": "rocker.D", "to": "ground.D",
+                   "axis": {{ "from": [0, 1, 0], "to": "A" }}{4} }},
+      "tip": {{ "type": "revolute", "from": "coupler.C", "to": "rocker.C", "axis": "y"{5} }}
+    }} }})",
+                     kWidth, kCrank, at.x, at.z, cut_rocker ? R"(, "cut": true)" : "",
+                     cut_rocker ? "" : R"(, "cut": true)");
+}
+
+TEST(TunedHardpoints, AreTheSamePlaceForEveryBody) {
+  for (const bool cut_rocker : {false, true}) {
+    for (const double width : {4.0, 4.2, 3.7}) {
+      SCOPED_TRACE(width);
+      const Seen expected =
+          seen(mechanism_of(four_bar({.on_ground = "width", .pin = "width", .parameters = kWidth})), {width});
+      const Seen found = seen(mechanism_of(four_bar_of_hardpoints(cut_rocker)), {width});
+      EXPECT_NEAR(found.tip.x, expected.tip.x, 1e-9);
+      EXPECT_NEAR(found.tip.z, expected.tip.z, 1e-9);
+      EXPECT_NEAR(found.acceleration, expected.acceleration, 1e-9);
+      EXPECT_NEAR(found.by_judge, expected.acceleration, 1e-9);
+    }
+  }
+}
+
 }  // namespace
 }  // namespace mbgen

@@ -5,9 +5,9 @@
 #include <cmath>
 #include <string>
 
+#include "compiler/decimal/decimal.hpp"
 #include "compiler/passes/passes.hpp"
 #include "compiler/program/arithmetic.hpp"
-#include "compiler/program/decimal.hpp"
 
 namespace mbgen {
 namespace {

@@ -1,10 +1,10 @@
 #pragma once
-// Sums and products of the decimals that people type: 0.41 - 0.40 is 0.01. Inside the program room.
+// Sums and products of the decimals that people type: 0.41 - 0.40 is 0.01.
 
 namespace mbgen {
 
-/// a + b and a b, taken as the shortest decimals that read back as a and b and rounded once. Where one of these has more
-/// than 15 digits, which nobody typed: as doubles, then freed of their rounding.
+/// a + b and a b, taken as the shortest decimals that read back as a and b and rounded once. Where one of these has
+/// more than 15 digits, which nobody typed: as doubles, then freed of their rounding.
 double decimal_sum(double a, double b);
 double decimal_product(double a, double b);
 

@@ -1,4 +1,4 @@
-#include "compiler/program/decimal.hpp"
+#include "compiler/decimal/decimal.hpp"
 
 #include <algorithm>
 #include <charconv>
