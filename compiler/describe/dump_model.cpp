@@ -127,6 +127,11 @@ class ModelText {
   static std::string component(int axis, bool in_body_axes) {
     return fmt::format("{}, {} axes", "xyz"[axis], in_body_axes ? "body" : "global");
   }
+  std::string body_name(int body) const { return body < 0 ? "ground" : model_.bodies[body].name; }
+  std::string component_of(int axis, int body) const {
+    return body < 0 ? component(axis, false) : fmt::format("{}, axes of {}", "xyz"[axis], body_name(body));
+  }
+  std::string seen_from(int observer) const { return ", seen from " + body_name(observer); }
   std::string connection(int joint, int rod) const {
     return joint >= 0 ? "joint " + model_.joints[joint].name : "rod " + model_.rods[rod].name;
   }
@@ -134,8 +139,49 @@ class ModelText {
   std::string source(const ExpressionOutput& output) const { return quantity(output.value); }
   std::string source(const PointOutput& output) const {
     const char* quantities[] = {"position", "velocity", "acceleration"};
-    return fmt::format("{} of {}, {}", quantities[static_cast<int>(output.what)], attachment(output.point),
-                       component(output.axis, output.in_body_axes));
+    const bool is_relative = output.relative_to.body >= 0;
+    const int axes = output.in_body_axes ? kNoBody : output.axes;
+    return fmt::format("{} of {}{}, {}{}", quantities[static_cast<int>(output.what)], attachment(output.point),
+                       is_relative ? " relative to " + attachment(output.relative_to) : "",
+                       axes < 0 ? component(output.axis, output.in_body_axes) : component_of(output.axis, axes),
+                       is_relative && output.what != PointOutput::What::position ? seen_from(output.observer) : "");
+  }
+  std::string source(const PointsOutput& output) const {
+    const auto& [first, second, third] = output.points;
+    if (third.body < 0) return fmt::format("distance of {} and {}", attachment(first), attachment(second));
+    return fmt::format("angle at {} between {} and {}", attachment(second), attachment(first), attachment(third));
+  }
+  std::string source(const RotationOutput& output) const {
+    using What = RotationOutput::What;
+    const char* quantities[] = {"angle", "rotation vector", "quaternion", "angular velocity", "angular acceleration"};
+    const std::string subject = fmt::format("{} of {} relative to {}", quantities[static_cast<int>(output.what)],
+                                            body_name(output.body), body_name(output.relative_to));
+    if (output.what == What::angle) {
+      std::string sequence;
+      for (const int axis : output.sequence) sequence += "xyz"[axis];
+      return fmt::format("{}, turn {} of {}", subject, output.turn + 1, sequence);
+    }
+    if (output.what <= What::quaternion) return fmt::format("{}, {}", subject, "xyzw"[output.axis]);
+    return fmt::format("{}, {}{}", subject, component_of(output.axis, output.axes),
+                       output.what == What::angular_acceleration ? seen_from(output.observer) : "");
+  }
+  std::string source(const MomentumOutput& output) const {
+    using What = MomentumOutput::What;
+    const char* quantities[] = {"kinetic energy", "potential energy", "momentum", "angular momentum"};
+    std::string text = fmt::format("{} of {}", quantities[static_cast<int>(output.what)],
+                                   output.body < 0 ? "all bodies and rods" : body_name(output.body));
+    if (output.what == What::angular_momentum)
+      text += " about " + (output.about.body < 0 ? "the centre of mass" : attachment(output.about));
+    return output.what < What::momentum ? text : text + ", " + component_of(output.axis, output.axes);
+  }
+  std::string source(const WheelOutput& output) const {
+    const char* quantities[] = {"toe", "camber", "steer angle", "caster", "kingpin inclination"};
+    std::string text =
+        fmt::format("{} of tyre {} relative to {}, {}", quantities[static_cast<int>(output.what)],
+                    model_.tyres[output.tyre].name, body_name(output.vehicle), output.side > 0 ? "left" : "right");
+    if (output.what >= WheelOutput::What::caster)
+      text += fmt::format(", steered about {} to {}", attachment(output.lower), attachment(output.upper));
+    return text;
   }
   std::string source(const CoordinateOutput& output) const {
     const char* quantities[] = {"position", "velocity", "acceleration"};

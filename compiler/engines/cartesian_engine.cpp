@@ -1,5 +1,6 @@
-// The Cartesian judges as engines. Accelerations, motions, multipliers, reactions and residuals are the judge's own;
-// the model's outputs and energies are read off its states by the generic runtime.
+// The Cartesian judges as engines. Accelerations, motions, multipliers, reactions, residuals and the outputs that show
+// motions, energies and angles of wheels are the judge's own; the other outputs are read off its states by the generic
+// runtime.
 
 #include <memory>
 
@@ -10,7 +11,7 @@ namespace {
 
 struct Judge {
   CartesianSolver solver;
-  GenericSolver observer;  ///< outputs at the judge's z, zd and zdd
+  GenericSolver observer;  ///< other outputs at the judge's z, zd and zdd
 };
 
 std::shared_ptr<Judge> make_judge(const Compilation& compilation, CartesianMethod method, Stabilisation stabilisation) {
@@ -51,7 +52,7 @@ Engine make_cartesian_engine(const Compilation& compilation, const EngineChoice&
   };
   engine.outputs = [judge](const LoadedState& at, const GenericDerivative& derivative, GenericOutputs& values) {
     values = judge->observer.outputs(at.state, at.tau, derivative);
-    return Status{};
+    return judge->solver.motion_outputs(at.state, at.tau, values.y);
   };
   engine.reactions = [judge](const LoadedState& at, const GenericDerivative&,
                              std::vector<std::array<double, 6>>& wrenches) {

@@ -1,7 +1,9 @@
 #pragma once
 // Model outputs and the terms of the energy balance.
 
+#include "compiler/formulation/momentum.hpp"
 #include "compiler/formulation/reactions.hpp"
+#include "compiler/formulation/relative_motion.hpp"
 
 namespace mbgen {
 
@@ -13,11 +15,6 @@ struct Energies {
 
 namespace detail {
 
-template <class T>
-T component(const Vector<T>& v, int axis) {
-  return axis == 0 ? v.x : axis == 1 ? v.y : v.z;
-}
-
 /// A direction of a frame in the axes of a body of the model at or above it.
 template <class T>
 Vector<T> in_axes_of(const System<T>& system, const Kinematics<T>& k, int frame, const Vector<T>& direction, int body) {
@@ -27,6 +24,7 @@ Vector<T> in_axes_of(const System<T>& system, const Kinematics<T>& k, int frame,
 
 template <class T>
 T point_output(const System<T>& system, const SolvedState<T>& s, const PointOutput& output) {
+  if (output.relative_to.body >= 0) return relative_point_output(system, s, output);
   const Place<T> place = place_of(system, output.point);
   const int carrier = system.layout.frame_of(place.body);
   Vector<T> global;
@@ -42,6 +40,8 @@ T point_output(const System<T>& system, const SolvedState<T>& s, const PointOutp
       return component(in_axes_of(system, s.kinematics, carrier, in_carrier, output.point.body), output.axis);
     global = direction_in(system, s.kinematics, carrier, in_carrier, kGround);
   }
+  if (output.axes != kNoBody && !output.in_body_axes)
+    return component(in_axes_of_any(system, s.kinematics, kGround, global, output.axes), output.axis);
   if (!output.in_body_axes) return component(global, output.axis);
   return component(in_axes_of(system, s.kinematics, kGround, global, output.point.body), output.axis);
 }
@@ -114,6 +114,29 @@ inline bool asks_for_reactions(const Model& model) {
                      [](const Output& output) { return std::holds_alternative<ReactionOutput>(output.source); });
 }
 
+/// Value of an output by its source.
+template <class T>
+struct OutputReader {
+  System<T>& system;
+  const SolvedState<T>& s;
+  const Reactions<T>& reactions;
+
+  T operator()(const ExpressionOutput& output) const {
+    return value_of(system.model, output.value, system.environment);
+  }
+  T operator()(const PointOutput& output) const { return point_output(system, s, output); }
+  T operator()(const CoordinateOutput& output) const { return coordinate_output(system, s, output); }
+  T operator()(const TyreOutput& output) const { return tyre_output(s.forces.tyres[output.tyre], output.what); }
+  T operator()(const SpringOutput& output) const { return spring_output(s, output); }
+  T operator()(const DriveOutput& output) const { return s.drive_forces[output.motion]; }
+  T operator()(const ReactionOutput& output) const { return reaction_output(system, s.kinematics, reactions, output); }
+  T operator()(const MultiplierOutput& output) const { return multiplier_output(system.topology, s, output); }
+  T operator()(const RotationOutput& output) const { return rotation_output(system, s, output); }
+  T operator()(const MomentumOutput& output) const { return momentum_output(system, s, output); }
+  T operator()(const PointsOutput& output) const { return points_output(system, s, output); }
+  T operator()(const WheelOutput& output) const { return wheel_output(system, s, output); }
+};
+
 }  // namespace detail
 
 /// Values of Model::outputs.
@@ -121,25 +144,11 @@ template <class T>
 std::vector<T> output_values(System<T>& system, const SolvedState<T>& s) {
   Reactions<T> all_reactions;
   if (detail::asks_for_reactions(system.model)) all_reactions = reactions(system, s);
+  const detail::OutputReader<T> read{system, s, all_reactions};
   std::vector<T> values;
   for (const Output& output : system.model.outputs) {
     const auto heading = system.scribe.within(OwnerKind::output, index_in(system.model.outputs, output));
-    if (const auto* e = std::get_if<ExpressionOutput>(&output.source))
-      values.push_back(value_of(system.model, e->value, system.environment));
-    else if (const auto* point = std::get_if<PointOutput>(&output.source))
-      values.push_back(detail::point_output(system, s, *point));
-    else if (const auto* coordinate = std::get_if<CoordinateOutput>(&output.source))
-      values.push_back(detail::coordinate_output(system, s, *coordinate));
-    else if (const auto* tyre = std::get_if<TyreOutput>(&output.source))
-      values.push_back(detail::tyre_output(s.forces.tyres[tyre->tyre], tyre->what));
-    else if (const auto* spring = std::get_if<SpringOutput>(&output.source))
-      values.push_back(detail::spring_output(s, *spring));
-    else if (const auto* reaction = std::get_if<ReactionOutput>(&output.source))
-      values.push_back(detail::reaction_output(system, s.kinematics, all_reactions, *reaction));
-    else if (const auto* multiplier = std::get_if<MultiplierOutput>(&output.source))
-      values.push_back(detail::multiplier_output(system.topology, s, *multiplier));
-    else
-      values.push_back(s.drive_forces[std::get<DriveOutput>(output.source).motion]);
+    values.push_back(std::visit(read, output.source));
   }
   return values;
 }

@@ -17,16 +17,15 @@ struct RoadContact {
 /// Spin axis of the wheel in its carrying frame; the joint's own axis where they agree, so that the spin angle drops
 /// out.
 template <class T>
-Vector<T> spin_axis(const ForceWork<T>& work, const Tyre& tyre, int body) {
-  const System<T>& system = work.system;
+Vector<T> spin_axis(const System<T>& system, const Kinematics<T>& k, const Tyre& tyre, int body) {
   if (body == kGround) return constant<T>(tyre.axis);
   const Vector3& joint = system.topology.bodies[body].axis;
   const double along = joint[0] * tyre.axis[0] + joint[1] * tyre.axis[1] + joint[2] * tyre.axis[2];
   const int carrier = system.layout.frame_of(body);
   if (system.revolute(body) && std::abs(std::abs(along) - 1) < 1e-12 &&
       system.layout.bodies[body].joint_frame == carrier)
-    return T(along > 0 ? 1.0 : -1.0) * work.k.axis[body];
-  return direction_in(system, work.k, body, constant<T>(tyre.axis), carrier);
+    return T(along > 0 ? 1.0 : -1.0) * k.axis[body];
+  return direction_in(system, k, body, constant<T>(tyre.axis), carrier);
 }
 
 template <class T>
@@ -36,7 +35,7 @@ RoadContact<T> road_contact(const ForceWork<T>& work, const Tyre& tyre, std::siz
   const Place<T> centre = work.place(tyre.centre);
   const int carrier = system.layout.frame_of(centre.body);
   const Vector<T> up = direction_up(system, work.k, kGround, Vector<T>{T(0.0), T(0.0), T(1.0)}, carrier);
-  const Vector<T> axis = spin_axis(work, tyre, centre.body);
+  const Vector<T> axis = spin_axis(system, work.k, tyre, centre.body);
   const Vector<T> across = cross(axis, up);
   const T cosine = norm(across), sine = dot(axis, up);
   RoadContact<T> c;

@@ -26,6 +26,7 @@ enum class Shape {
   inertia,          ///< three or six quantities
   axis,             ///< a letter with sign, or three constants, or two points where FieldInfo::by_points says so
   attachment,       ///< "body.point"
+  attachments,      ///< two of them, up to FieldInfo::most
   coordinate,       ///< name of a coordinate
   reference,        ///< name of another element, FieldInfo::of says of which map
   force,            ///< expression with FieldInfo::locals
@@ -63,6 +64,7 @@ struct FieldInfo {
   bool by_points = false;                         ///< an axis may go from one point to another: its reader turns it
   bool at_start = false;                          ///< parameters that act at the start may stand in it
   std::size_t longest = 256;                      ///< bytes of a text
+  std::size_t most = 2;                           ///< points of Shape::attachments
   std::span<const std::string_view> words = {};   ///< in the order of the enumeration they stand for
   std::span<const std::string_view> locals = {};  ///< variables of a Shape::force expression
   std::string_view of = {};                       ///< kind of the objects inside

@@ -1,6 +1,7 @@
 #pragma once
 // Outputs of a model, and how values of its interface are shown.
 
+#include <array>
 #include <optional>
 #include <string>
 #include <variant>
@@ -17,13 +18,50 @@ struct Presentation {
   std::optional<double> nominal;   ///< usual magnitude, in its unit
 };
 
+/// No body: of axes the global ones, of an observer and of a reference ground.
+constexpr int kNoBody = -1;
+
+/// Motion of a point, absolute or relative to another point.
 struct PointOutput {
   enum class What { position, velocity, acceleration };
   What what = What::position;
   Attachment point;
-  int axis = 0;               ///< 0 x, 1 y, 2 z
-  bool in_body_axes = false;  ///< components in the axes of the point's body, else global
+  int axis = 0;                 ///< 0 x, 1 y, 2 z
+  bool in_body_axes = false;    ///< components in the axes of the point's body, else in those of `axes`
+  int axes = kNoBody;           ///< body in whose axes the components are
+  Attachment relative_to = {};  ///< point that is subtracted; none: the origin of the global frame
+  int observer = kNoBody;       ///< body from which the velocity or acceleration is seen; used with relative_to
 };
+
+/// Rotation of a body relative to another one.
+struct RotationOutput {
+  enum class What { angle, rotation_vector, quaternion, angular_velocity, angular_acceleration };
+  What what = What::angle;
+  int body = -1;
+  int relative_to = kNoBody;
+  int axis = 0;  ///< 0 x, 1 y, 2 z, 3 w of a quaternion
+  std::array<int, 3> sequence{2, 1,
+                              0};  ///< axes of the rotations of `angle`, each about the axes that the last one left
+  int turn = 0;                    ///< which of them
+  int axes = kNoBody;              ///< of the components of an angular velocity or acceleration
+  int observer = kNoBody;          ///< body from which an angular acceleration is seen
+};
+
+/// Energy and momentum of one body, or of all bodies and rods.
+struct MomentumOutput {
+  enum class What { kinetic_energy, potential_energy, momentum, angular_momentum };
+  What what = What::kinetic_energy;
+  int body = kNoBody;     ///< none: all bodies and rods
+  Attachment about = {};  ///< of an angular momentum; none: the centre of mass of what counts
+  int axis = 0;           ///< 0 x, 1 y, 2 z
+  int axes = kNoBody;     ///< body in whose axes the components are
+};
+
+/// Distance of two points, or the angle at the second one between the directions to the first and the third.
+struct PointsOutput {
+  std::array<Attachment, 3> points = {};  ///< the third has no body: a distance
+};
+
 struct CoordinateOutput {
   enum class What { position, velocity, acceleration };
   What what = What::position;
@@ -36,6 +74,15 @@ struct TyreOutput {
   enum class What { load, longitudinal_force, lateral_force, aligning_moment, longitudinal_slip, lateral_slip };
   What what = What::load;
   int tyre = -1;  ///< index into Model::tyres
+};
+/// Angles of a wheel to the axes of a vehicle: x forward, y to the left, z up.
+struct WheelOutput {
+  enum class What { toe, camber, steer_angle, caster, kingpin_inclination };
+  What what = What::toe;
+  int tyre = -1;            ///< index into Model::tyres
+  int vehicle = kNoBody;    ///< body whose axes are the vehicle's
+  double side = 1;          ///< 1 for a wheel on the left of the vehicle or in its middle, -1 on its right
+  Attachment lower, upper;  ///< points of the steering axis, for caster and kingpin inclination
 };
 struct SpringOutput {
   enum class What { force, length, rate };
@@ -71,7 +118,7 @@ struct Output {
   Where where;
   std::string unit;
   std::variant<ExpressionOutput, PointOutput, CoordinateOutput, TyreOutput, SpringOutput, DriveOutput, ReactionOutput,
-               MultiplierOutput>
+               MultiplierOutput, RotationOutput, MomentumOutput, PointsOutput, WheelOutput>
       source;
   Presentation shown = {};
 };

@@ -106,10 +106,30 @@ enum class Quantities {
   force,
   length,
   rate,
-  moment
+  moment,
+  distance,
+  angle,
+  rotation_vector,
+  quaternion,
+  angular_velocity,
+  angular_acceleration,
+  kinetic_energy,
+  potential_energy,
+  momentum,
+  angular_momentum,
+  toe,
+  camber,
+  steer_angle,
+  caster,
+  kingpin_inclination
 };
 
-enum class Letter { x, y, z };
+enum class Letter { x, y, z, w };
+
+enum class Turn { first, second, third };
+
+/// What an output of several bodies is of.
+enum class BodySet { all };
 
 struct OutputFields : Presentation {
   std::string name;
@@ -118,8 +138,12 @@ struct OutputFields : Presentation {
   std::optional<Quantity> expression;
   std::optional<Attachment> point;
   std::optional<CoordinateReference> joint;
-  std::optional<std::string> tyre, spring, motion, reaction, multiplier;
-  const Value *equation = nullptr;
+  std::optional<std::vector<Attachment>> points, steering_axis;
+  std::optional<Attachment> about;
+  std::optional<BodySet> bodies;
+  std::optional<std::string> tyre, spring, motion, reaction, multiplier, body, axes_of, observer, sequence;
+  const Value *equation = nullptr, *relative_to = nullptr;
+  std::optional<Turn> turn;
   std::optional<ReactionOutput::End> end;
   std::optional<Quantities> quantity;
   std::optional<Letter> axis;

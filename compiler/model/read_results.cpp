@@ -5,9 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "compiler/model/output_sources.hpp"
 #include "compiler/model/presentation.hpp"
-#include "compiler/model/raw.hpp"
-#include "compiler/model/reader.hpp"
 
 namespace mbgen::reading {
 namespace {
@@ -38,95 +37,40 @@ void resolve_motion(Reader& reader, const Value& value, MotionFields& motion) {
   }
 }
 
-constexpr std::string_view kSources[] = {"expression", "point",  "joint",    "tyre",
-                                         "spring",     "motion", "reaction", "multiplier"};
-
-/// Kind of source of an output; index into kSources, or -1 with a complaint.
+/// Kind of source of an output; index into kOutputSources, or -1 with a complaint.
 int source_of(Reader& reader, const Value& value) {
   int source = -1;
-  for (std::size_t i = 0; i < std::size(kSources); ++i) {
-    const Member* member = find_member(value, kSources[i]);
+  for (std::size_t i = 0; i < kOutputSources.size(); ++i) {
+    const Member* member = find_member(value, kOutputSources[i]);
     if (!member) continue;
     if (source >= 0) {
       report(reader, member->place,
-             fmt::format("output has both {} and {}", in_quotes(kSources[static_cast<std::size_t>(source)]),
-                         in_quotes(kSources[i])));
+             fmt::format("output has both {} and {}", in_quotes(kOutputSources[static_cast<std::size_t>(source)]),
+                         in_quotes(kOutputSources[i])));
       return -1;
     }
     source = static_cast<int>(i);
   }
   if (source < 0) {
-    report(reader, value, "output needs one of expression, point, joint, tyre, spring, motion, reaction, multiplier");
+    report(reader, value, fmt::format("output needs one of {}", fmt::join(kOutputSources, ", ")));
   }
   return source;
 }
 
-/// The quantity, when the source has it, else the first quantity of the source, with a complaint.
-Quantities quantity_of(Reader& reader, const Value& value, const OutputFields& output,
-                       std::initializer_list<Quantities> allowed, std::string_view source) {
-  if (!output.quantity) return *allowed.begin();
-  if (std::find(allowed.begin(), allowed.end(), *output.quantity) != allowed.end()) return *output.quantity;
-  report(reader, *find(value, "quantity"), fmt::format("a {} has no {}", source, find(value, "quantity")->text));
-  return *allowed.begin();
-}
-
-constexpr std::initializer_list<Quantities> kMotionQuantities = {Quantities::position, Quantities::velocity,
-                                                                 Quantities::acceleration};
-constexpr std::initializer_list<Quantities> kTyreQuantities = {Quantities::load,
-                                                               Quantities::longitudinal_force,
-                                                               Quantities::lateral_force,
-                                                               Quantities::aligning_moment,
-                                                               Quantities::longitudinal_slip,
-                                                               Quantities::lateral_slip};
-
-void refuse(Reader& reader, const Value& value, std::string_view key, std::string_view source) {
-  if (const Member* member = find_member(value, key)) {
-    report(reader, member->place, fmt::format("an output of {} takes no {}", source, in_quotes(key)));
-  }
-}
-
-void require_axis(Reader& reader, const Value& value, std::string_view source) {
-  if (!find(value, "axis")) report(reader, value, fmt::format("an output of {} needs \"axis\"", source));
-}
-
-/// Index of a named element, or -1 with a complaint.
-int find_element(Reader& reader, const Value& value, std::string_view key, const NameMap<int>& names) {
-  const Value& reference = *find(value, key);
-  if (reference.kind != Value::Kind::text) return -1;
-  const auto found = find_visible(names, reference.text, current_scope(reader).visible);
-  if (found != names.end()) return found->second;
-  report(reader, reference, fmt::format("unknown {} {}", key, in_quotes(reference.text)),
-         suggestion(reader, reference.text, names));
-  return -1;
-}
-
-template <class What>
-What offset(Quantities quantity, Quantities first) {
-  return static_cast<What>(static_cast<int>(quantity) - static_cast<int>(first));
-}
-
-const char* motion_unit(bool rotation, Quantities quantity) {
-  if (quantity == Quantities::position) return rotation ? "rad" : "m";
-  if (quantity == Quantities::velocity) return rotation ? "rad/s" : "m/s";
-  return rotation ? "rad/s^2" : "m/s^2";
-}
-
-/// The source of an output and the unit it has by itself.
-struct Resolved {
-  decltype(Output::source) source;
-  std::string unit;
-};
-
-Resolved point_output(Reader& reader, const Value& value, const OutputFields& output) {
-  const Quantities quantity = quantity_of(reader, value, output, kMotionQuantities, "point");
-  require_axis(reader, value, "point");
-  PointOutput point;
-  point.what = offset<PointOutput::What>(quantity, Quantities::position);
-  point.point = *output.point;
-  point.axis = static_cast<int>(output.axis.value_or(Letter::x));
-  point.in_body_axes = output.in_body_axes.value_or(false);
-  return {point, motion_unit(false, quantity)};
-}
+constexpr std::array kMotionQuantities = {Quantities::position, Quantities::velocity, Quantities::acceleration};
+constexpr std::array kTyreQuantities = {Quantities::load,
+                                        Quantities::longitudinal_force,
+                                        Quantities::lateral_force,
+                                        Quantities::aligning_moment,
+                                        Quantities::longitudinal_slip,
+                                        Quantities::lateral_slip,
+                                        Quantities::toe,
+                                        Quantities::camber,
+                                        Quantities::steer_angle,
+                                        Quantities::caster,
+                                        Quantities::kingpin_inclination};
+constexpr std::array kSpringQuantities = {Quantities::force, Quantities::length, Quantities::rate};
+constexpr std::array kReactionQuantities = {Quantities::force, Quantities::moment};
 
 Resolved joint_output(Reader& reader, const Value& value, const OutputFields& output) {
   const Quantities quantity = quantity_of(reader, value, output, kMotionQuantities, "coordinate");
@@ -137,6 +81,9 @@ Resolved joint_output(Reader& reader, const Value& value, const OutputFields& ou
 
 Resolved tyre_output(Reader& reader, const Value& value, const OutputFields& output) {
   const Quantities quantity = quantity_of(reader, value, output, kTyreQuantities, "tyre");
+  if (quantity >= Quantities::toe) return wheel_output(reader, value, output, quantity);
+  for (const std::string_view key : {"relative_to", "steering_axis"})
+    refuse(reader, value, key, output.quantity ? find(value, "quantity")->text : "load");
   const int tyre = find_element(reader, value, "tyre", reader.names.tyres);
   const char* unit = quantity == Quantities::aligning_moment     ? "N m"
                      : quantity >= Quantities::longitudinal_slip ? "1"
@@ -146,8 +93,7 @@ Resolved tyre_output(Reader& reader, const Value& value, const OutputFields& out
 }
 
 Resolved spring_output(Reader& reader, const Value& value, const OutputFields& output) {
-  const Quantities quantity =
-      quantity_of(reader, value, output, {Quantities::force, Quantities::length, Quantities::rate}, "spring");
+  const Quantities quantity = quantity_of(reader, value, output, kSpringQuantities, "spring");
   SpringOutput spring;
   spring.what = offset<SpringOutput::What>(quantity, Quantities::force);
   const std::string& name = *output.spring;
@@ -212,8 +158,8 @@ Connection find_connection(Reader& reader, const Value& value, std::string_view 
 }
 
 Resolved reaction_output(Reader& reader, const Value& value, const OutputFields& output) {
-  const Quantities quantity = quantity_of(reader, value, output, {Quantities::force, Quantities::moment}, "reaction");
-  require_axis(reader, value, "reaction");
+  const Quantities quantity = quantity_of(reader, value, output, kReactionQuantities, "reaction");
+  require(reader, value, "axis", "reaction");
   const Connection connection = find_connection(reader, value, "reaction", *output.reaction);
   const bool is_force = quantity == Quantities::force;
   ReactionOutput reaction;
@@ -276,19 +222,38 @@ Resolved multiplier_output(Reader& reader, const Value& value, const OutputField
   return {multiplier, std::string(rows[static_cast<std::size_t>(multiplier.equation)].unit)};
 }
 
+/// Fields beside its source that an output may have, and those that each source takes, in the order of kOutputSources.
+constexpr std::string_view kDetails[] = {"quantity", "axis", "frame", "axes_of",       "relative_to", "observer",
+                                         "sequence", "turn", "about", "steering_axis", "end",         "equation"};
+constexpr std::string_view kTaken[] = {
+    "",
+    "quantity axis frame axes_of relative_to observer",
+    "quantity",
+    "quantity axis frame axes_of relative_to observer sequence turn about",
+    "quantity axis axes_of about",
+    "quantity",
+    "quantity relative_to steering_axis",
+    "quantity",
+    "",
+    "quantity axis frame end",
+    "equation",
+};
+static_assert(std::size(kTaken) == kOutputSources.size());
+
 Resolved resolve_output(Reader& reader, const Value& value, const OutputFields& output) {
   const int source = source_of(reader, value);
   if (source < 0) return {};
-  const std::string_view name = kSources[static_cast<std::size_t>(source)];
-  if (name == "expression" || name == "motion" || name == "multiplier") refuse(reader, value, "quantity", name);
-  if (name != "point" && name != "reaction") {
-    refuse(reader, value, "axis", name);
-    refuse(reader, value, "frame", name);
-  }
-  if (name != "reaction") refuse(reader, value, "end", name);
-  if (name != "multiplier") refuse(reader, value, "equation", name);
+  const std::string_view name = kOutputSources[static_cast<std::size_t>(source)];
+  const std::string taken = fmt::format(" {} ", kTaken[source]);
+  for (const std::string_view key : kDetails)
+    if (taken.find(fmt::format(" {} ", key)) == std::string::npos) refuse(reader, value, key, name);
+  if (output.axis == Letter::w && output.quantity != Quantities::quaternion)
+    report(reader, *find(value, "axis"), "only a quaternion has a component w");
   if (name == "expression") return {ExpressionOutput{*output.expression}, ""};
   if (name == "point") return point_output(reader, value, output);
+  if (name == "points") return points_output(reader, value, output);
+  if (name == "body") return body_output(reader, value, output);
+  if (name == "bodies") return bodies_output(reader, value, output);
   if (name == "joint") return joint_output(reader, value, output);
   if (name == "tyre") return tyre_output(reader, value, output);
   if (name == "spring") return spring_output(reader, value, output);

@@ -94,6 +94,7 @@ void read_value(Reader& reader, const Value& value, const FieldInfo& info, Matri
 void read_value(Reader& reader, const Value& value, const FieldInfo& info, Vector3Quantity& target);
 void read_value(Reader& reader, const Value& value, const FieldInfo& info, std::array<Quantity, 6>& target);
 void read_value(Reader& reader, const Value& value, const FieldInfo& info, Attachment& target);
+void read_value(Reader& reader, const Value& value, const FieldInfo& info, std::vector<Attachment>& target);
 void read_value(Reader& reader, const Value& value, const FieldInfo& info, CoordinateReference& target);
 void read_value(Reader& reader, const Value& value, const FieldInfo& info, Law& target);
 void read_value(Reader& reader, const Value& value, const FieldInfo& info, Pose& target);

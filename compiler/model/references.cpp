@@ -2,6 +2,7 @@
 // poses.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "compiler/model/csv_table.hpp"
@@ -80,6 +81,26 @@ void read_value(Reader& reader, const Value& value, const FieldInfo&, Attachment
     report(reader, place_in_text(reader.documents, value, dot + 1),
            fmt::format("body {} has no point {}", in_quotes(body), in_quotes(point)),
            suggestion(reader, point, candidates));
+  }
+}
+
+void read_value(Reader& reader, const Value& value, const FieldInfo& info, std::vector<Attachment>& target) {
+  const std::size_t size = value.kind == Value::Kind::array ? value.items.size() : 0;
+  if (size < 2 || size > info.most) {
+    report(reader, value,
+           fmt::format("must be an array of {} points \"body.point\", got {}", info.most > 2 ? "2 or 3" : "2",
+                       describe(value)));
+    return;
+  }
+  for (const Value& item : value.items) {
+    Attachment point;
+    read_value(reader, item, info, point);
+    const auto is_same = [&](const Attachment& other) {
+      return point.body >= 0 && other.body == point.body && other.point == point.point;
+    };
+    if (std::any_of(target.begin(), target.end(), is_same))
+      report(reader, item, in_quotes(item.text) + " stands here twice");
+    target.push_back(point);
   }
 }
 

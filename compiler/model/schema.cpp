@@ -89,6 +89,8 @@ Json shape_of(const FieldInfo& info) {
       return info.by_points ? reference("axis") : either(letters(), reference("vector"));
     case Shape::attachment:
       return reference("attachment");
+    case Shape::attachments:
+      return array_of(reference("attachment"), 2, static_cast<int>(info.most));
     case Shape::equation:
       return either({{"type", "integer"}, {"minimum", 0}}, {{"type", "string"}});
     case Shape::law:

@@ -1,7 +1,7 @@
 // Tables of fields: motions, outputs, initial state, solver; and the list of all kinds.
 #include <array>
 
-#include "compiler/model/presentation.hpp"
+#include "compiler/model/output_sources.hpp"
 #include "compiler/model/raw.hpp"
 #include "compiler/model/reader.hpp"
 
@@ -9,23 +9,6 @@ namespace mbgen::reading {
 namespace {
 
 constexpr std::array<std::string_view, 2> kIntegrators = {"rk4", "abm4"};
-constexpr std::array<std::string_view, 3> kAxisLetters = {"x", "y", "z"};
-/// In the order of Quantities.
-constexpr std::array<std::string_view, 13> kQuantities = {"position",
-                                                          "velocity",
-                                                          "acceleration",
-                                                          "load",
-                                                          "longitudinal_force",
-                                                          "lateral_force",
-                                                          "aligning_moment",
-                                                          "longitudinal_slip",
-                                                          "lateral_slip",
-                                                          "force",
-                                                          "length",
-                                                          "rate",
-                                                          "moment"};
-/// In the order of ReactionOutput::End.
-constexpr std::array<std::string_view, 2> kEnds = {"to", "from"};
 
 template <class Object>
 ObjectKind kind(std::string_view name, std::string_view doc, std::vector<std::string_view> exactly_one = {},
@@ -53,62 +36,6 @@ std::span<const Field<MotionFields>> fields<MotionFields>() {
                                   .unit = "m",
                                   .depends = Depends::motion}),
   };
-  return table;
-}
-
-template <>
-std::span<const Field<OutputFields>> fields<OutputFields>() {
-  using F = OutputFields;
-  static const std::array table = joined(
-      std::array{
-          field<F, &F::unit>({.name = "unit", .shape = Shape::text, .doc = "unit; default: unit of the quantity"}),
-          field<F, &F::expression>({.name = "expression", .doc = "value over t, parameters, inputs and coordinates"}),
-          field<F, &F::point>({.name = "point", .shape = Shape::attachment, .doc = "motion of a point"}),
-          field<F, &F::joint>({.name = "joint", .shape = Shape::coordinate, .doc = "motion of a coordinate"}),
-          field<F, &F::tyre>({.name = "tyre", .shape = Shape::reference, .doc = "state of a tyre", .of = "tyres"}),
-          field<F, &F::spring>(
-              {.name = "spring", .shape = Shape::reference, .doc = "state of a spring or air spring", .of = "springs"}),
-          field<F, &F::motion>({.name = "motion",
-                                .shape = Shape::reference,
-                                .doc = "generalised force that drives a motion",
-                                .of = "motions"}),
-          field<F, &F::reaction>({.name = "reaction",
-                                  .shape = Shape::reference,
-                                  .doc = "joint or rod; the output is its force or moment on its `to` body",
-                                  .of = "joints"}),
-          field<F, &F::multiplier>({.name = "multiplier",
-                                    .shape = Shape::reference,
-                                    .doc = "multiplier of one equation of a cut joint, rod or coupling",
-                                    .of = "joints"}),
-          field<F, &F::quantity>(
-              {.name = "quantity",
-               .shape = Shape::word,
-               .doc = "quantity of the point or coordinate (position, velocity, acceleration), of the tyre (load, "
-                      "longitudinal_force, lateral_force, aligning_moment, longitudinal_slip, lateral_slip), of the "
-                      "spring "
-                      "(force, length, rate) or of the reaction (force, moment); default: the first of each",
-               .words = kQuantities}),
-          field<F, &F::axis>({.name = "axis",
-                              .shape = Shape::word,
-                              .doc = "component, for a point or reaction",
-                              .words = kAxisLetters}),
-          field<F, &F::in_body_axes>(
-              {.name = "frame",
-               .shape = Shape::word,
-               .doc =
-                   "axes of the component: global (default), or of the point's body, of a reaction the body at `end`",
-               .words = kFrames}),
-          field<F, &F::end>({.name = "end",
-                             .shape = Shape::word,
-                             .doc =
-                                 "body that a reaction acts on, default to; its moment is about the joint's point on "
-                                 "`to` at both",
-                             .words = kEnds}),
-          field<F, &F::equation>({.name = "equation",
-                                  .shape = Shape::equation,
-                                  .doc = "name of the equation of a multiplier, or its number from 0"}),
-      },
-      presentation_fields<F>());
   return table;
 }
 
@@ -218,9 +145,9 @@ std::vector<ObjectKind> object_kinds() {
                        {{"data", "stiffness"}}),
       kind<MotionFields>("motion", "a driven coordinate; exactly one of angle and position", {"angle", "position"}),
       kind<OutputFields>("output",
-                         "a result; exactly one of expression, point, joint, tyre, spring, motion, reaction and "
-                         "multiplier",
-                         {"expression", "point", "joint", "tyre", "spring", "motion", "reaction", "multiplier"}),
+                         "a result; exactly one of expression, point, points, body, bodies, joint, tyre, spring, "
+                         "motion, reaction and multiplier",
+                         {std::begin(kOutputSources), std::end(kOutputSources)}),
       kind<ShapeFields>("shape", "how a part of a body is drawn"),
       kind<InitialFields>("initial", "state at the start"),
       kind<InitialValueFields>("initial_value",

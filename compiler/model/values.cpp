@@ -203,7 +203,8 @@ int read_word(Reader& reader, const Value& value, const FieldInfo& info) {
   const std::string hint = value.kind == Value::Kind::text
                                ? did_you_mean(value.text, {info.words.begin(), info.words.end()})
                                : std::string();
-  wrong_type(reader, value, "one of " + wanted, hint.starts_with("did") ? hint : "");
+  wanted = info.words.size() == 1 ? in_quotes(wanted) : "one of " + wanted;
+  wrong_type(reader, value, wanted, hint.starts_with("did") ? hint : "");
   return -1;
 }
 

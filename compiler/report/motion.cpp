@@ -89,6 +89,17 @@ std::string quantity_of(const Output& output) {
   if (const auto* point = std::get_if<PointOutput>(&output.source)) {
     return fmt::format("{} {}", numbered("point", *point), point->axis);
   }
+  if (const auto* rotation = std::get_if<RotationOutput>(&output.source)) {
+    const bool is_angle = rotation->what == RotationOutput::What::angle;
+    return fmt::format("{} {}", numbered("rotation", *rotation), is_angle ? rotation->turn : rotation->axis);
+  }
+  if (const auto* momentum = std::get_if<MomentumOutput>(&output.source)) {
+    const bool is_energy = momentum->what <= MomentumOutput::What::potential_energy;
+    return is_energy ? "energy" : fmt::format("{} {}", numbered("momentum", *momentum), momentum->axis);
+  }
+  if (const auto* points = std::get_if<PointsOutput>(&output.source))
+    return points->points[2].body < 0 ? "distance" : "angle";
+  if (const auto* wheel = std::get_if<WheelOutput>(&output.source)) return numbered("wheel", *wheel);
   if (const auto* joint = std::get_if<CoordinateOutput>(&output.source)) return numbered("joint", *joint);
   if (const auto* tyre = std::get_if<TyreOutput>(&output.source)) return numbered("tyre", *tyre);
   if (const auto* spring = std::get_if<SpringOutput>(&output.source)) return numbered("spring", *spring);

@@ -196,6 +196,15 @@ Status CartesianSolver::reactions(const GenericState& state, const std::vector<d
   return {};
 }
 
+Status CartesianSolver::motion_outputs(const GenericState& state, const std::vector<double>& tau,
+                                       std::vector<double>& values) const {
+  const PlacedState at = content_->configuration(state);
+  Solved solved;
+  const Status status = content_->solve_at(at, tau, solved);
+  if (status.ok()) content_->system.motion_outputs(at.bodies, state, solved.solution.qdd, values);
+  return status;
+}
+
 Status CartesianSolver::residuals(const GenericState& state, double& position, double& velocity) const {
   const PlacedState at = content_->configuration(state);
   const std::vector<double> no_tau(state.z.size(), 0.0);

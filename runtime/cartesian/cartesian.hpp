@@ -46,6 +46,9 @@ class CartesianSolver {
   /// joint's point on that body, global axes.
   Status reactions(const GenericState& state, const std::vector<double>& tau,
                    std::vector<std::array<double, 6>>& wrenches) const;
+  /// Sets the values of those outputs that are motions, energies or angles of wheels; the others stay.
+  /// values: per Model::outputs.
+  Status motion_outputs(const GenericState& state, const std::vector<double>& tau, std::vector<double>& values) const;
   /// Largest residual of all constraints of the bodies' own state: position (m or 1) and velocity.
   Status residuals(const GenericState& state, double& position, double& velocity) const;
 

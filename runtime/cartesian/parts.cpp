@@ -56,9 +56,13 @@ Place place_at(const Parts& parts, int model_body, const Vector3d& reference) {
   return {parts.index_of[model_body], part.axes.transpose() * (reference - part.centre)};
 }
 
+}  // namespace
+
 Place place_of(const Parts& parts, const Attachment& at, const Values& value) {
   return place_at(parts, at.body, reference_of(at, value));
 }
+
+namespace {
 
 Vector3d in_body(const Parts& parts, const Place& place, const Vector3& direction) {
   return parts.bodies[place.body].axes.transpose() * vector_of(direction);

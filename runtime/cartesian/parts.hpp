@@ -74,6 +74,9 @@ struct Parts {
 /// is shared with the closures of the recursive formulation, so that multipliers compare.
 Eigen::Matrix3d triad(const Eigen::Vector3d& axis);
 
+/// A point of a body of the model.
+Place place_of(const Parts& parts, const Attachment& at, const Values& value);
+
 /// Evaluates every constant at the values' parameters and inputs.
 Parts make_parts(const Model& model, const Topology& topology, const Values& values);
 

@@ -75,6 +75,11 @@ class CartesianSystem {
   /// Force of each rod on its `to` body, N, global axes.
   std::vector<Eigen::Vector3d> rod_forces(const CartesianState& state, const Eigen::VectorXd& lambda) const;
 
+  /// Sets the values of those outputs of the model that are motions, energies or angles of wheels. qdd: the
+  /// accelerations of all bodies.
+  void motion_outputs(const CartesianState& state, const GenericState& z, const Eigen::VectorXd& qdd,
+                      std::vector<double>& values) const;
+
  private:
   std::unique_ptr<CartesianMechanism> mechanism_;
 };

@@ -1,0 +1,53 @@
+#pragma once
+// Sources of outputs: what the readers of them share.
+
+#include <array>
+#include <initializer_list>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "compiler/model/raw.hpp"
+#include "compiler/model/reader.hpp"
+
+namespace mbgen::reading {
+
+/// An output has one of them.
+constexpr std::array<std::string_view, 11> kOutputSources = {
+    "expression", "point", "points", "body", "bodies", "joint", "tyre", "spring", "motion", "reaction", "multiplier"};
+
+/// The source of an output and the unit it has by itself.
+struct Resolved {
+  decltype(Output::source) source;
+  std::string unit;
+};
+
+/// Complains about a field that an output of `source` does not take.
+void refuse(Reader& reader, const Value& value, std::string_view key, std::string_view source);
+
+/// Complains where a field that an output of `source` needs is not there.
+void require(Reader& reader, const Value& value, std::string_view key, std::string_view source);
+
+/// The quantity, when the source has it, else the first quantity of the source, with a complaint.
+Quantities quantity_of(Reader& reader, const Value& value, const OutputFields& output,
+                       std::span<const Quantities> allowed, std::string_view source);
+
+/// Index of a named element, or -1 with a complaint.
+int find_element(Reader& reader, const Value& value, std::string_view key, const NameMap<int>& names);
+
+// Outputs of motions, energies and wheels: see docs/use/outputs.md.
+Resolved point_output(Reader& reader, const Value& value, const OutputFields& output);
+Resolved points_output(Reader& reader, const Value& value, const OutputFields& output);
+Resolved body_output(Reader& reader, const Value& value, const OutputFields& output);
+Resolved bodies_output(Reader& reader, const Value& value, const OutputFields& output);
+Resolved wheel_output(Reader& reader, const Value& value, const OutputFields& output, Quantities quantity);
+
+/// Unit of a position, velocity or acceleration.
+const char* motion_unit(bool rotation, Quantities quantity);
+
+template <class What>
+What offset(Quantities quantity, Quantities first) {
+  return static_cast<What>(static_cast<int>(quantity) - static_cast<int>(first));
+}
+
+}  // namespace mbgen::reading

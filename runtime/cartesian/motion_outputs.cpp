@@ -1,0 +1,172 @@
+// Outputs of motions, energies and wheels from the poses and velocities of the bodies in global axes.
+
+#include <Eigen/Geometry>
+#include <cmath>
+#include <numbers>
+
+#include "runtime/cartesian/mechanism.hpp"
+#include "runtime/cartesian/system.hpp"
+
+namespace mbgen {
+namespace {
+
+using namespace cartesian;
+using Eigen::Matrix3d;
+using Eigen::Vector3d;
+
+constexpr double kPi = std::numbers::pi;
+
+/// A vector and its first and second derivative in global axes.
+struct Path {
+  Vector3d position = Vector3d::Zero(), velocity = Vector3d::Zero(), acceleration = Vector3d::Zero();
+};
+
+Path operator-(const Path& a, const Path& b) {
+  return {a.position - b.position, a.velocity - b.velocity, a.acceleration - b.acceleration};
+}
+
+/// The same vector as a body sees it that turns with `spin` and `spin_rate`; axes stay.
+Path seen_from(const Path& path, const Vector3d& spin, const Vector3d& spin_rate) {
+  const Vector3d velocity = path.velocity - spin.cross(path.position);
+  // The rate of that, less what the turning of the axes makes of it.
+  const Vector3d rate = path.acceleration - spin_rate.cross(path.position) - spin.cross(path.velocity);
+  return {path.position, velocity, rate - spin.cross(velocity)};
+}
+
+double wrapped(double angle) { return std::remainder(angle, 2 * kPi); }
+
+/// Angles of the sequence, the second within a quarter turn of zero, or not negative where the first axis returns.
+Vector3d angles_of(const Matrix3d& r, const std::array<int, 3>& sequence) {
+  Vector3d a = r.eulerAngles(sequence[0], sequence[1], sequence[2]);
+  const bool returns = sequence[2] == sequence[0];
+  if (returns ? a[1] < 0 : std::abs(a[1]) > kPi / 2) a << a[0] + kPi, (returns ? 0 : kPi) - a[1], a[2] + kPi;
+  return a.unaryExpr(&wrapped);
+}
+
+/// A mechanism at one instant, with the accelerations of its bodies.
+class Instant {
+ public:
+  Instant(const CartesianMechanism& c, const CartesianState& state, const GenericState& z, const Eigen::VectorXd& qdd)
+      : c_(c), bodies_(c.bodies(state)), values_(c.values(z, state.t)), qdd_(qdd) {}
+
+  double value(const PointOutput& output) const {
+    Path path = path_of(output.point);
+    if (output.relative_to.body >= 0) {
+      path = seen_from(path - path_of(output.relative_to), spin(output.observer), spin_rate(output.observer));
+    }
+    const Vector3d derivatives[] = {path.position, path.velocity, path.acceleration};
+    const int axes = output.in_body_axes ? output.point.body : output.axes;
+    return (axes_of(axes).transpose() * derivatives[static_cast<int>(output.what)])[output.axis];
+  }
+
+  double value(const PointsOutput& output) const {
+    const auto place = [&](int i) { return path_of(output.points[i]).position; };
+    const Vector3d first = place(0) - place(1);
+    if (output.points[2].body < 0) return first.norm();
+    const Vector3d last = place(2) - place(1);
+    const Vector3d a = first.normalized(), b = last.normalized();
+    return 2 * std::atan2((a - b).norm(), (a + b).norm());
+  }
+
+  double value(const RotationOutput& output) const {
+    using What = RotationOutput::What;
+    const Matrix3d turned = axes_of(output.relative_to).transpose() * axes_of(output.body);
+    Eigen::Quaterniond q(turned);
+    if (q.w() < 0) q.coeffs() *= -1;
+    if (output.what == What::angle) return angles_of(turned, output.sequence)[output.turn];
+    if (output.what == What::quaternion) return q.coeffs()[output.axis];
+    if (output.what == What::rotation_vector) {
+      const Eigen::AngleAxisd turn(q);
+      return turn.angle() * turn.axis()[output.axis];
+    }
+    Vector3d motion = spin(output.body) - spin(output.relative_to);
+    if (output.what == What::angular_acceleration)
+      motion = spin_rate(output.body) - spin_rate(output.relative_to) - spin(output.observer).cross(motion);
+    return (axes_of(output.axes).transpose() * motion)[output.axis];
+  }
+
+  double value(const MomentumOutput& output) const {
+    using What = MomentumOutput::What;
+    const int first = output.body == kNoBody ? 0 : c_.parts.index_of[output.body];
+    const int end = output.body == kNoBody ? c_.parts.ground() : first + 1;
+    double mass = 0, kinetic = 0;
+    Vector3d moment = Vector3d::Zero(), momentum = Vector3d::Zero(), turning = Vector3d::Zero();
+    for (int b = first; b < end; ++b) {
+      const Part& part = c_.parts.bodies[b];
+      const Moving& body = bodies_[b];
+      const Vector3d spin = body.axes * part.inertia * body.axes.transpose() * body.spin;
+      mass += part.mass;
+      moment += part.mass * body.position;
+      momentum += part.mass * body.velocity;
+      turning += part.mass * body.position.cross(body.velocity) + spin;
+      kinetic += 0.5 * part.mass * body.velocity.squaredNorm() + 0.5 * body.spin.dot(spin);
+    }
+    if (output.what == What::kinetic_energy) return kinetic;
+    if (output.what == What::potential_energy) return -c_.parts.gravity.dot(moment);
+    if (output.what == What::momentum) return (axes_of(output.axes).transpose() * momentum)[output.axis];
+    Vector3d about = Vector3d::Zero();
+    if (output.about.body >= 0) about = path_of(output.about).position;
+    if (output.about.body < 0 && mass > 0) about = moment / mass;
+    return (axes_of(output.axes).transpose() * (turning - about.cross(momentum)))[output.axis];
+  }
+
+  double value(const WheelOutput& output) const {
+    using What = WheelOutput::What;
+    const Matrix3d vehicle = axes_of(output.vehicle);
+    if (output.what >= What::caster) {
+      const Vector3d up = vehicle.transpose() * (path_of(output.upper).position - path_of(output.lower).position);
+      return output.what == What::caster ? std::atan2(-up.x(), up.z()) : std::atan2(-output.side * up.y(), up.z());
+    }
+    const PartTyre& tyre = c_.parts.tyres[output.tyre];
+    const Vector3d axis = vehicle.transpose() * bodies_[tyre.centre.body].axes * tyre.axis;
+    const Vector3d forward = axis.cross(Vector3d::UnitZ()).normalized();
+    if (output.what == What::camber) return -output.side * std::asin(axis.z());
+    return (output.what == What::toe ? -output.side : 1) * std::atan2(forward.y(), forward.x());
+  }
+
+ private:
+  int index(int body) const { return body == kNoBody ? c_.parts.ground() : c_.parts.index_of[body]; }
+  bool moves(int body) const { return index(body) != c_.parts.ground(); }
+
+  /// Axes of a body's frame.
+  Matrix3d axes_of(int body) const {
+    if (body == kNoBody) return Matrix3d::Identity();
+    if (moves(body)) return bodies_[index(body)].axes;
+    return Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(c_.model.bodies[body].pose.rotation.data());
+  }
+  Vector3d spin(int body) const { return bodies_[index(body)].spin; }
+  Vector3d spin_rate(int body) const {
+    return moves(body) ? Vector3d(qdd_.segment<3>(6 * index(body) + 3)) : Vector3d::Zero();
+  }
+  Path path_of(const Attachment& at) const {
+    const End end = end_of(bodies_, place_of(c_.parts, at, values_));
+    Path path{end.position, end.velocity, end.centripetal};
+    if (moves(at.body)) path.acceleration += qdd_.segment<3>(6 * index(at.body)) + spin_rate(at.body).cross(end.arm);
+    return path;
+  }
+
+  const CartesianMechanism& c_;
+  std::vector<Moving> bodies_;
+  Values values_;
+  const Eigen::VectorXd& qdd_;
+};
+
+}  // namespace
+
+void CartesianSystem::motion_outputs(const CartesianState& state, const GenericState& z, const Eigen::VectorXd& qdd,
+                                     std::vector<double>& values) const {
+  const Instant instant(*mechanism_, state, z, qdd);
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    const auto& source = mechanism_->model.outputs[i].source;
+    const auto take = [&](const auto* output) {
+      if (output) values[i] = instant.value(*output);
+    };
+    take(std::get_if<PointOutput>(&source));
+    take(std::get_if<PointsOutput>(&source));
+    take(std::get_if<RotationOutput>(&source));
+    take(std::get_if<MomentumOutput>(&source));
+    take(std::get_if<WheelOutput>(&source));
+  }
+}
+
+}  // namespace mbgen
