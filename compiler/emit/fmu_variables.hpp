@@ -32,8 +32,6 @@ struct FmuUnknown {
   std::set<int> dependencies;
 };
 
-enum class FmiVersion { two = 2, three = 3 };
-
 /// The continuous states are positions and velocities of the independent coordinates, and the auxiliary states. Where
 /// an event may choose another independent coordinate of a loop block, the states are q and qd, which are those of the
 /// chosen coordinate; else they are z and zd.
