@@ -2,10 +2,6 @@
 
 // The batch interface: the solver's programs once more, on vectors.
 
-#include <fmt/format.h>
-
-#include <algorithm>
-
 #include "compiler/emit/frame.hpp"
 #include "compiler/emit/input_text.hpp"
 #include "compiler/emit/interface_text.hpp"

@@ -2,7 +2,6 @@
 // The source of every emitted file.
 
 #include <utility>
-#include <vector>
 
 #include "compiler/emit/layout.hpp"
 #include "compiler/emit/names.hpp"

@@ -1,7 +1,5 @@
 #include "compiler/emit/directional_text.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 
 #include "compiler/emit/frame.hpp"

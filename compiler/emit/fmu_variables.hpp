@@ -1,7 +1,6 @@
 #pragma once
 // Variables of an FMU, their states, and their dependencies.
 
-#include <optional>
 #include <set>
 #include <string>
 #include <vector>
