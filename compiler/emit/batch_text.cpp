@@ -2,10 +2,6 @@
 
 // The batch interface: the solver's programs once more, on vectors.
 
-#include <fmt/format.h>
-
-#include <algorithm>
-
 #include "compiler/emit/frame.hpp"
 #include "compiler/emit/input_text.hpp"
 #include "compiler/emit/interface_text.hpp"
@@ -13,6 +9,7 @@
 #include "compiler/emit/program_text.hpp"
 #include "compiler/emit/solver_text.hpp"
 #include "compiler/emit/text.hpp"
+#include "compiler/model/inputs.hpp"
 
 namespace mbgen {
 namespace {
@@ -49,12 +46,12 @@ ShapedProgram in_lanes(ShapedProgram shaped) {
 std::string batch_interface_text(const EmitContext& context) {
   return fill_template("batch.hpp.in", {{"banner", banner_text(context.model, "//")},
                                         {"solver", context.names.solver},
-                                        {"lanes", context.lanes},
-                                        {"alignment", kLaneBytes * context.lanes},
-                                        {"parameters", default_rows(parameter_members(context), context.lanes)},
-                                        {"inputs", default_rows(input_members(context), context.lanes)},
+                                        {"lanes", context.options.lanes},
+                                        {"alignment", kLaneBytes * context.options.lanes},
+                                        {"parameters", default_rows(parameter_members(context), context.options.lanes)},
+                                        {"inputs", default_rows(input_members(context), context.options.lanes)},
                                         {"outputs", member_rows(output_members(context))},
-                                        {"initial", context.initial.has_value()},
+                                        {"initial", context.options.initial.has_value()},
                                         {"auxiliary_size", size_text(context.layout.auxiliary_states)},
                                         {"multiplier_size", size_text(context.layout.equations)},
                                         {"drive_size", size_text(context.layout.drives)}});
@@ -86,8 +83,9 @@ std::string batch_text(const EmitContext& context, const std::vector<ShapedProgr
                         {"constants", constants.declarations("double")},
                         {"programs", programs},
                         {"projection", false},
-                        {"later_inputs", advanced_inputs(context.model, context.names, "double", "    ")},
-                        {"initial", context.initial.has_value()},
+                        {"later_inputs", later_inputs(context.model, context.names, "double")},
+                        {"advances", inputs_have_derivatives(context.model.inputs)},
+                        {"initial", context.options.initial.has_value()},
                         {"outputs_take_multipliers", outputs_take_multipliers(context.programs)}};
   values.merge(tuned_values(context.programs));
   values.merge(system_values(context, members, "Lanes"));

@@ -68,7 +68,7 @@ void add_number(const EmitContext& context, const std::string& structure, const 
                 const std::string& name, const std::string& text, const std::string& unit, CalibrationNumbers& numbers,
                 int place) {
   numbers.push_back({prefix_of(context) + "." + group + name, text, unit, context.names.solver + "_a2l_" + structure,
-                     type_of(context.scalar).bytes * place, type_of(context.scalar)});
+                     type_of(context.options.scalar).bytes * place, type_of(context.options.scalar)});
 }
 
 /// Members of a structure of named numbers; texts: what the model calls them, for those that it names.
@@ -187,8 +187,8 @@ std::string calibration_text(const EmitContext& context) {
                                            {"title", a2l_string(context.model.name)},
                                            {"hash", a2l_string(context.model.hash)},
                                            {"version", a2l_string(kMbgenVersion)},
-                                           {"number_kind", context.scalar == "float" ? "Floats" : "Doubles"},
-                                           {"number_type", type_of(context.scalar).name},
+                                           {"number_kind", context.options.scalar == "float" ? "Floats" : "Doubles"},
+                                           {"number_type", type_of(context.options.scalar).name},
                                            {"methods", method_rows(methods)},
                                            {"structures", structure_rows(sets, methods)}});
   return is_ascii(text) ? text : kByteOrderMark + text;

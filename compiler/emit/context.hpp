@@ -1,29 +1,33 @@
 #pragma once
 // The source of every emitted file.
 
-#include <optional>
-#include <string>
+#include <utility>
 
-#include "compiler/emit/files.hpp"
 #include "compiler/emit/layout.hpp"
 #include "compiler/emit/names.hpp"
+#include "compiler/emit/options.hpp"
 
 namespace mbgen {
 
-/// Source of every emitted file.
+/// Source of every emitted file. Requires: what it refers to lives as long.
 struct EmitContext {
+  EmitContext(const Programs& of_solver, const Model& of_model, const Topology& tree, const Analysis& decisions,
+              EmitOptions chosen)
+      : programs(of_solver),
+        model(of_model),
+        topology(tree),
+        analysis(decisions),
+        options(std::move(chosen)),
+        names(solver_names(model, topology)),
+        layout(solver_layout(model, topology, analysis)) {}
+
   const Programs& programs;
   const Model& model;
   const Topology& topology;
   const Analysis& analysis;
+  EmitOptions options;
   SolverNames names;
   SolverLayout layout;
-  std::size_t roll_above = kRollAbove;             ///< see EmitOptions
-  int lanes = 0;                                   ///< of the batch interface, 0 for none
-  bool c_interface = false;                        ///< whether there is one
-  std::string scalar = "double";                   ///< of the solver: double or float
-  std::optional<InitialState> initial = {};        ///< where it starts, if it is to know
-  std::size_t file_part_values = kFilePartValues;  ///< see EmitOptions
 };
 
 }  // namespace mbgen

@@ -1,7 +1,5 @@
 #include "compiler/emit/directional_text.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 
 #include "compiler/emit/frame.hpp"
@@ -122,7 +120,7 @@ std::string directional_source_text(const EmitContext& context, const Programs& 
     const Places& wanted = shape->outputs;
     std::erase_if(derived.outputs, [&](const OutputValue& output) { return !wanted.contains(output.slot.group); });
     const Program lean = remove_dead_values(derived);
-    text += program_text(lean, schedule(lean, schedule_options(*shape, context.roll_above)), *shape) + "\n";
+    text += program_text(lean, schedule(lean, schedule_options(*shape, context.options.roll_above)), *shape) + "\n";
   }
   return fill_template(
       "directional.cpp.in",

@@ -47,8 +47,8 @@ std::string cmake_flags(CompilerFamily family) {
 std::string build_text(const EmitContext& context) {
   return fill_template("CMakeLists.txt.in", {{"banner", banner_text(context.model, "#")},
                                              {"solver", context.names.solver},
-                                             {"lanes", context.lanes > 0},
-                                             {"c_interface", context.c_interface},
+                                             {"lanes", context.options.lanes > 0},
+                                             {"c_interface", context.options.c_interface},
                                              {"gnu_flags", cmake_flags(CompilerFamily::gnu)},
                                              {"x86_flags", joined(lane_flags_of_gnu_on_x86(), " ")},
                                              {"clang_flags", cmake_flags(CompilerFamily::clang)}});
@@ -58,18 +58,7 @@ std::string build_text(const EmitContext& context) {
 
 std::vector<EmittedFile> emit(const Programs& programs, const Model& model, const Topology& topology,
                               const Analysis& analysis, const EmitOptions& options) {
-  const EmitContext context{programs,
-                            model,
-                            topology,
-                            analysis,
-                            solver_names(model, topology),
-                            solver_layout(model, topology, analysis),
-                            options.roll_above,
-                            options.lanes,
-                            options.c_interface,
-                            options.scalar,
-                            options.initial,
-                            options.file_part_values};
+  const EmitContext context(programs, model, topology, analysis, options);
   const std::string& name = context.names.solver;
   const std::vector<ShapedProgram> solver =
       shaped_programs(programs, context.layout, context.names, titles_of(programs.form, model, topology),

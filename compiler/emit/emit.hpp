@@ -7,25 +7,13 @@
 
 #include "compiler/analysis/analysis.hpp"
 #include "compiler/emit/driver_text.hpp"
-#include "compiler/emit/files.hpp"
 #include "compiler/emit/names.hpp"
+#include "compiler/emit/options.hpp"
 #include "compiler/model/model.hpp"
-#include "compiler/passes/roll.hpp"
 #include "compiler/topology/topology.hpp"
 #include "compiler/trace/trace.hpp"
 
 namespace mbgen {
-
-struct EmitOptions {
-  bool runtime_headers = true;          ///< add the runtime's headers under mbgen/, so that the directory stands alone
-  std::size_t roll_above = kRollAbove;  ///< operations of a program above which equal subsystems become loops
-  std::size_t file_part_values = kFilePartValues;  ///< least number of values in a part of the file that runs rarely
-  int lanes = 0;                  ///< instances that a call of the batch interface solves, 0 for no such interface
-  std::string scalar = "double";  ///< of the solver: double, or float without the two interfaces
-  std::optional<InitialState> initial = {};  ///< add initial_state() to the interfaces
-  bool c_interface = false;                  ///< add <model>_c.h, <model>_c.cpp and <model>.py; needs `initial`
-  bool calibration = false;                  ///< and <model>.a2l with <model>_a2l.h, which stand on them
-};
 
 /// The specialised solver: <model>.hpp, <model>.cpp, <model>_cost.txt (cost sheet), CMakeLists.txt, with lanes also
 /// <model>_batch.hpp and <model>_batch.cpp, the runtime headers, and last <model>.json (manifest): where it is, all

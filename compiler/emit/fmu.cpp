@@ -6,6 +6,7 @@
 
 #include "compiler/emit/directional_text.hpp"
 #include "compiler/emit/emit.hpp"
+#include "compiler/emit/fmu_description.hpp"
 #include "compiler/emit/fmu_documentation.hpp"
 #include "compiler/emit/fmu_nominals.hpp"
 #include "compiler/emit/frame.hpp"
@@ -130,13 +131,11 @@ std::vector<EmittedFile> standard_headers(FmiVersion version) {
 
 FmuFiles emit_fmu(const Programs& programs, const Programs& emitted, const Model& model, const Topology& topology,
                   const Analysis& analysis, const InitialState& initial, FmiVersion version) {
-  EmitContext context{
-      emitted, model, topology, analysis, solver_names(model, topology), solver_layout(model, topology, analysis)};
-  context.initial = initial;
+  const EmitContext context(emitted, model, topology, analysis, {.initial = initial});
   const std::string& solver = context.names.solver;
   const std::vector<ShapedProgram> shaped =
-      shaped_programs(emitted, context.layout, context.names, titles_of(emitted.form, model, topology), context.scalar,
-                      context.roll_above);
+      shaped_programs(emitted, context.layout, context.names, titles_of(emitted.form, model, topology),
+                      context.options.scalar, context.options.roll_above);
   FmuLayout fmu = fmu_layout(context, programs, initial, version);
   add_nominals(context, initial, fmu);
   const std::string functions = version == FmiVersion::two ? "_fmi2.cpp" : "_fmi3.cpp";

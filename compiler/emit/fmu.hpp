@@ -4,8 +4,11 @@
 #include <string>
 #include <vector>
 
+#include "compiler/analysis/analysis.hpp"
 #include "compiler/emit/files.hpp"
-#include "compiler/emit/fmu_description.hpp"
+#include "compiler/model/model.hpp"
+#include "compiler/topology/topology.hpp"
+#include "compiler/trace/trace.hpp"
 
 namespace mbgen {
 

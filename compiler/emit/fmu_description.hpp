@@ -1,6 +1,7 @@
 #pragma once
 // The XML files of an FMU.
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>

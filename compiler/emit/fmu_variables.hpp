@@ -1,7 +1,6 @@
 #pragma once
 // Variables of an FMU, their states, and their dependencies.
 
-#include <optional>
 #include <set>
 #include <string>
 #include <vector>
@@ -31,8 +30,6 @@ struct FmuUnknown {
   int variable = 0;
   std::set<int> dependencies;
 };
-
-enum class FmiVersion { two = 2, three = 3 };
 
 /// The continuous states are positions and velocities of the independent coordinates, and the auxiliary states. Where
 /// an event may choose another independent coordinate of a loop block, the states are q and qd, which are those of the

@@ -7,9 +7,13 @@
 #include <stdexcept>
 
 #include "compiler/emit/embedded.hpp"
+#include "compiler/emit/text.hpp"
 
 namespace mbgen {
 namespace {
+
+/// What tags of sections and frames begin with.
+constexpr std::string_view kMarks = "#~^/>";
 
 /// A frame in which lines that hold tags of sections or frames and nothing else are these tags.
 std::string without_lines_of_tags(std::string_view frame) {
@@ -18,7 +22,7 @@ std::string without_lines_of_tags(std::string_view frame) {
     const std::string_view line = frame.substr(0, std::min(frame.find('\n'), frame.size() - 1) + 1);
     std::string_view rest = line;
     bool has_tag = false;
-    while (rest.starts_with("{{#") || rest.starts_with("{{^") || rest.starts_with("{{/") || rest.starts_with("{{>")) {
+    while (rest.size() > 2 && rest.starts_with("{{") && kMarks.find(rest[2]) != kMarks.npos) {
       rest.remove_prefix(std::min(rest.find("}}"), rest.size() - 2) + 2);
       has_tag = true;
     }
@@ -43,9 +47,10 @@ class FrameFiller {
       if (at == std::string_view::npos) break;
       text.remove_prefix(at + 2);
       const std::string_view tag = cut(text, "}}", "{{ without }}");
-      const std::string name(tag.substr(tag.find_first_not_of("#^/>")));
+      const std::string name(tag.substr(tag.find_first_not_of(kMarks)));
       if (tag.starts_with('/')) fail("{{/" + name + "}} ends no section");
       if (tag == name) {
+        if (!value_of(name).is_text) fail("{{" + name + "}} is no text");
         result += value_of(name).text;
       } else if (tag.starts_with('>')) {
         result += fill(without_lines_of_tags(template_text(name)), {});
@@ -76,11 +81,14 @@ class FrameFiller {
     return part;
   }
 
-  /// kind: '#' for the rows, '^' for their absence.
+  /// kind: '#' for the rows, '~' for rows that are statements, '^' for their absence.
   std::string section(char kind, std::string_view body, const FrameValue& value) {
-    if (kind == '#' && !value.rows.empty()) {
+    if (kind != '^' && !value.rows.empty()) {
       std::string result;
-      for (const FrameValues& row : value.rows) result += fill(body, row);
+      for (const FrameValues& row : value.rows) {
+        const std::string text = fill(body, row);
+        result += kind == '~' ? wrapped_statement(text.substr(0, text.size() - 1)) + "\n" : text;
+      }
       return result;
     }
     // What does not stay is looked through for names all the same; those of a row that is not there are unknown.
@@ -91,7 +99,7 @@ class FrameFiller {
   }
 
   const FrameValue& value_of(const std::string& name) {
-    static const FrameValue kUnknown{FrameRows{}};
+    static const FrameValue kUnknown("");
     for (auto row = open_rows_.rbegin(); row != open_rows_.rend(); ++row) {
       const auto value = (*row)->find(name);
       if (value != (*row)->end()) return **used_.insert(&value->second).first;

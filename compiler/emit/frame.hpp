@@ -31,8 +31,10 @@ struct FrameValue {
 
 /// Fills a frame: every {{name}} becomes its value. Text from {{#name}} to {{/name}} is repeated for each row of the
 /// value, where names of the row stand before those around it; text from {{^name}} to {{/name}} stays where there is no
-/// row. {{>name}} is another frame of templates/, with the same values. A line that holds nothing but such tags leaves
-/// no line. Fails: throws std::logic_error when a name has no value, a value is not used, or a section does not end.
+/// row. {{~name}} is as {{#name}} where each row is one statement on a line, broken where that is too long. {{>name}}
+/// is another frame of templates/, with the same values. A line that holds nothing but such tags leaves no line. Fails:
+/// throws std::logic_error when a name has no value, rows stand for a text, a value is not used, or a section does not
+/// end.
 std::string fill_frame(std::string_view frame_name, std::string_view frame, const FrameValues& values);
 
 /// The embedded file of this name under templates/. Fails: throws std::logic_error when there is none.

@@ -42,15 +42,12 @@ std::vector<std::vector<int>> input_rows(const std::vector<Input>& inputs) {
   return rows;
 }
 
-std::string advanced_inputs(const Model& model, const SolverNames& names, const std::string& scalar,
-                            const std::string& margin) {
-  if (!inputs_have_derivatives(model.inputs)) return "";
-  std::vector<std::string> statements;
+FrameRows later_inputs(const Model& model, const SolverNames& names, const std::string& scalar) {
+  FrameRows rows;
   for (std::size_t i = 0; i < names.inputs.size(); ++i) {
-    const std::string value = polynomial(model, names, static_cast<int>(i), 1, scalar);
-    statements.push_back(wrapped_statement(fmt::format("{}later.{} = {};", margin, names.inputs[i], value)));
+    rows.push_back({{"member", names.inputs[i]}, {"value", polynomial(model, names, static_cast<int>(i), 1, scalar)}});
   }
-  return joined(statements, "\n");
+  return rows;
 }
 
 std::string input_rows_text(const Model& model, const SolverNames& names) {

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "compiler/emit/frame.hpp"
 #include "compiler/emit/names.hpp"
 #include "compiler/model/model.hpp"
 
@@ -13,10 +14,8 @@ namespace mbgen {
 /// derivative are left out, as no rate can follow several values.
 std::vector<std::vector<int>> input_rows(const std::vector<Input>& inputs);
 
-/// Statements that set the members of `later` to the inputs dt seconds after `inputs`; empty where no input has a
-/// derivative. scalar: type of the inputs.
-std::string advanced_inputs(const Model& model, const SolverNames& names, const std::string& scalar,
-                            const std::string& margin);
+/// Each input dt seconds after `inputs`: `member`, `value`. scalar: type of the inputs.
+FrameRows later_inputs(const Model& model, const SolverNames& names, const std::string& scalar);
 
 /// The items of kInputRows; empty where no rates can be made.
 std::string input_rows_text(const Model& model, const SolverNames& names);

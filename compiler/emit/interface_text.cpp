@@ -61,8 +61,8 @@ std::string base_name(const std::string& path) {
 std::vector<NumberMember> parameter_members(const EmitContext& context) {
   std::vector<NumberMember> members;
   for (const Parameter& parameter : tunable_parameters(context.model))
-    members.push_back(
-        {context.names.parameters[members.size()], number_text(parameter.value, context.scalar), parameter.unit});
+    members.push_back({context.names.parameters[members.size()], number_text(parameter.value, context.options.scalar),
+                       parameter.unit});
   return members;
 }
 
@@ -70,7 +70,7 @@ std::vector<NumberMember> input_members(const EmitContext& context) {
   std::vector<NumberMember> members;
   for (const Input& input : context.model.inputs)
     members.push_back(
-        {context.names.inputs[members.size()], number_text(input.default_value, context.scalar), input.unit});
+        {context.names.inputs[members.size()], number_text(input.default_value, context.options.scalar), input.unit});
   return members;
 }
 
@@ -145,8 +145,8 @@ std::string interface_text(const EmitContext& context) {
                         {"output_members", member_rows(output_members(context))},
                         {"advances", inputs_have_derivatives(context.model.inputs)},
                         {"input_rows", input_rows_text(context.model, names)},
-                        {"initial", context.initial.has_value()},
-                        {"scalar", context.scalar},
+                        {"initial", context.options.initial.has_value()},
+                        {"scalar", context.options.scalar},
                         {"auxiliary_size", size_text(context.layout.auxiliary_states)},
                         {"multiplier_size", size_text(context.layout.equations)},
                         {"drive_size", size_text(context.layout.drives)}};

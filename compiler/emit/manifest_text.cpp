@@ -81,7 +81,7 @@ Json manifest_json(const EmitContext& context, const std::vector<ShapedProgram>&
                    {"loop_blocks", blocks_json(context)},
                    {"programs", programs},
                    {"worst_case", worst_case}};
-  if (context.scalar != "double") manifest["scalar"] = context.scalar;
+  if (context.options.scalar != "double") manifest["scalar"] = context.options.scalar;
   return manifest;
 }
 

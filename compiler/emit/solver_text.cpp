@@ -13,6 +13,7 @@
 #include "compiler/emit/mapped.hpp"
 #include "compiler/emit/program_text.hpp"
 #include "compiler/emit/text.hpp"
+#include "compiler/model/inputs.hpp"
 
 namespace mbgen {
 namespace {
@@ -165,8 +166,8 @@ FrameValues system_values(const EmitContext& context, const FrameRows& members, 
           {"free_directions", context.programs.free_direction_coordinate.size()},
           {"closure", layout.has_closure},
           {"drives", layout.drives},
-          {"number", context.scalar},
-          {"tolerance", number_text(context.model.solver.closure_tolerance, context.scalar)},
+          {"number", context.options.scalar},
+          {"tolerance", number_text(context.model.solver.closure_tolerance, context.options.scalar)},
           {"alone", is_number(scalar)},
           {"frozen_only", !layout.chooses_again},
           {"block_coordinates", blocks.empty() ? "" : std::to_string(layout.block_coordinates)},
@@ -193,7 +194,7 @@ EmittedFile solver_file(const EmitContext& context, std::vector<ShapedProgram> p
   const std::string& solver = context.names.solver;
   FrameRows hot, rare, members;
   ConstantNames constants(context.programs);
-  const int rare_parts = divide_file(programs, context.file_part_values);
+  const int rare_parts = divide_file(programs, context.options.file_part_values);
   for (ShapedProgram& shaped : programs) {
     shaped.shape.constants = &constants;
     FrameRows& part = shaped.shape.file_part > 0 ? rare : hot;
@@ -201,10 +202,10 @@ EmittedFile solver_file(const EmitContext& context, std::vector<ShapedProgram> p
     members.push_back(system_member(shaped, solver + "::" + shaped.shape.result, ""));
   }
   const bool has_projection = !context.layout.blocks.empty() && context.layout.chooses_again;
-  const std::string later_inputs = advanced_inputs(context.model, context.names, context.scalar, "  ");
+  const bool advances = inputs_have_derivatives(context.model.inputs);
   FrameValues values = {
       {"banner", banner_text(context.model, "//") + legend_text(context)},
-      {"constants", constants.declarations(context.scalar)},
+      {"constants", constants.declarations(context.options.scalar)},
       {"solver", solver},
       {"rare_parts", rare_parts > 0 ? std::to_string(rare_parts) : ""},
       {"all_parts", rare_parts + 1},
@@ -214,12 +215,13 @@ EmittedFile solver_file(const EmitContext& context, std::vector<ShapedProgram> p
       {"projection", has_projection ? size_text(context.layout.projection_entries) : ""},
       {"derived", derived_constant_count(context.programs) > 0},
       {"outputs_take_multipliers", outputs_take_multipliers(context.programs)},
-      {"later_inputs", later_inputs},
-      {"inputs_now", later_inputs.empty() ? "inputs" : "now"},
-      {"since_start", context.scalar == "float" ? "static_cast<float>(state.t - start)" : "state.t - start"},
-      {"initial", context.initial.has_value()},
-      {"start", context.initial ? start_rows(*context.initial, context.scalar) : FrameRows{}}};
-  values.merge(system_values(context, members, context.scalar));
+      {"advances", advances},
+      {"later_inputs", later_inputs(context.model, context.names, context.options.scalar)},
+      {"inputs_now", advances ? "now" : "inputs"},
+      {"since_start", context.options.scalar == "float" ? "static_cast<float>(state.t - start)" : "state.t - start"},
+      {"initial", context.options.initial.has_value()},
+      {"start", context.options.initial ? start_rows(*context.options.initial, context.options.scalar) : FrameRows{}}};
+  values.merge(system_values(context, members, context.options.scalar));
   return {solver + ".cpp", fill_template("solver.cpp.in", values), rare_parts};
 }
 

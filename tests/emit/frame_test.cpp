@@ -52,11 +52,19 @@ TEST(Frames, showTheNameOfARowBeforeOneAroundIt) {
   EXPECT_EQ(fill_frame("frame", "{{name}}{{#rows}}{{name}}{{/rows}}", {{"name", "a"}, {"rows", rows}}), "a12");
 }
 
+TEST(Frames, breakStatementsThatAreTooLong) {
+  const std::string name(60, 'x');
+  EXPECT_EQ(fill_frame("frame", "{{~rows}}\n  a.{{x}} = b.{{x}};\n{{/rows}}\n",
+                       {{"rows", FrameRows{{{"x", name}}, {{"x", "y"}}}}}),
+            "  a." + name + " =\n      b." + name + ";\n  a.y = b.y;\n");
+}
+
 TEST(Frames, refuseRowsThatDoNotFit) {
   const FrameRows rows = {{{"a", "1"}, {"b", "2"}}};
   EXPECT_EQ(error_of("{{#rows}}{{a}}{{/rows}}", {{"rows", rows}}), "frame: {{b}} is not used");
   EXPECT_EQ(error_of("{{#rows}}{{a}}{{/rows}}{{#rows}}{{b}}{{/rows}}", {{"rows", rows}}), "");
   EXPECT_EQ(error_of("{{#rows}}{{a}}{{b}}{{c}}{{/rows}}", {{"rows", rows}}), "frame: no value for {{c}}");
+  EXPECT_EQ(error_of("{{rows}}", {{"rows", rows}}), "frame: {{rows}} is no text");
   EXPECT_EQ(error_of("{{#rows}}{{#a}}{{/rows}}{{/a}}", {{"rows", rows}}), "frame: {{#a}} without its end");
 }
 
